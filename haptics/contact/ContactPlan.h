@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace palpate
+{
+
+/// What the contact of a tick models, and how much work it may do. Part of every recording.
+struct ContactPlan
+{
+  double radius_u = 0.0;           ///< ball radius [u], >= 0; 0 is a point
+  std::uint32_t passCap = 32;      ///< passes of the god-object loop per tick
+  std::uint32_t nodeBudget = 60000; ///< tree nodes visited per tick; beyond it the ball moves only as far as is proven free
+};
+
+} // namespace palpate

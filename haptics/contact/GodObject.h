@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "haptics/contact/ContactPlan.h"
+#include "haptics/core/Types.h"
+#include "haptics/geometry/Scene.h"
+
+namespace palpate
+{
+
+/// Dimension of the feature the ball touches; the value orders ties in time.
+enum class FeatureKind : std::uint8_t
+{
+  Face = 0,
+  Edge = 1,
+  Vertex = 2,
+};
+
+/// One touched feature: which, on which side. Normal and gap are recomputed, never stored.
+struct ActiveFeature
+{
+  std::uint32_t surface = 0; ///< index into Scene::surfaces()
+  std::uint32_t a = 0;       ///< face: triangle; edge: lower vertex; vertex: vertex
+  std::uint32_t b = 0;       ///< edge: higher vertex; else 0
+  FeatureKind kind = FeatureKind::Face;
+  std::int8_t side = 1; ///< face: sign of the normal that points at the ball; else 1
+  bool stuck = false;   ///< face evicted and hit again without progress (r = 0)
+
+  friend bool operator==(const ActiveFeature&, const ActiveFeature&) = default;
+};
+
+/// All that a god-object remembers between ticks.
+struct GodObjectState
+{
+  static constexpr int maxFeatures = 24;
+
+  Vec3 x_W = Vec3::Zero();
+  bool placed = false; ///< false until the first sample
+  int count = 0;
+  std::array<ActiveFeature, maxFeatures> features{};
+};
+
+/// What one tick of contact did.
+struct ContactResult
+{
+  Vec3 proxy_W = Vec3::Zero();
+  int contacts = 0;          ///< planes with l > 0 after merging coplanar ones
+  int passes = 0;
+  int sweeps = 0;
+  std::uint32_t nodes = 0;   ///< tree nodes visited
+  bool capped = false;       ///< the pass cap ended the tick before a rest was proven
+  bool overBudget = false;   ///< the node budget was met: the ball moved only as far as proven free
+  bool infeasible = false;   ///< the projection found no feasible point: the ball stayed
+  bool seatFailed = false;   ///< no free place within the radius at the start: Fault::Seated
+};
+
+/// Receives the tick's path, a polyline: tests check in exact arithmetic that it crosses nothing.
+class PathSink
+{
+public:
+  virtual ~PathSink() = default;
+  virtual void segment(const Vec3& from_W, const Vec3& to_W) noexcept = 0;
+};
+
+/// Moves the god-object towards the device point p_W [u] and reports where it rests.
+///
+/// Zilles & Salisbury 1995 for the idea, Ruspini, Kolarov & Khatib 1997 for the ball, THEORY.md 2.7 for the loop.
+/// At rest p - x lies in the normal cone of the touched features. Deterministic and independent of the order of
+/// triangles; bounded by plan.passCap and plan.nodeBudget; allocates nothing, locks nothing, asks no clock.
+/// The first call places the ball at p_W, moved out of a surface it overlaps to the side of its centre.
+[[nodiscard]] ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W,
+  GodObjectState& state, PathSink* sink = nullptr) noexcept;
+
+/// After the scene changed: keeps x and its side, forgets features that the new scene numbers differently.
+void handOver(const Scene& from, const Scene& to, GodObjectState& state) noexcept;
+
+} // namespace palpate

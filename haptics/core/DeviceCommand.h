@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// A half-space wall that the device closes itself: the handle stays where normal_D . p_D >= offset_m.
+struct HeldWall
+{
+  Vec3 normal_D = Vec3::Zero();
+  double offset_m = 0.0;
+  double stiffness_N_per_m = 0.0;
+};
+
+/// A short effect the hand feels once.
+enum class Signal : std::uint8_t
+{
+  None,
+  Pulse,
+  Oscillation,
+};
+
+/// What the servo asks of a device for one tick. Wide from the start, like DeviceSample.
+struct DeviceCommand
+{
+  Wrench wrench_D;                  ///< force on the hand [N], torque [N m]
+  Pose target_D;                    ///< for admittance devices [m]
+  std::array<HeldWall, 4> walls{};  ///< the first wallCount are valid
+  std::uint8_t wallCount = 0;
+  double viscosity_Ns_per_m = 0.0;
+  Signal signal = Signal::None;
+};
+
+} // namespace palpate

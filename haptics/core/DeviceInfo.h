@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace palpate
+{
+
+/// How many axes of force a device has; Vibration devices only signal.
+enum class DeviceClass : std::uint8_t
+{
+  Vibration0D,
+  Wheel1D,
+  Joystick2D,
+  Point3D,
+  Rigid6D,
+};
+
+enum class Causality : std::uint8_t
+{
+  Impedance,  ///< position in, force out
+  Admittance, ///< force in, position out
+};
+
+/// Who decides when the next tick is due.
+enum class Pacing : std::uint8_t
+{
+  Timer,    ///< the servo's own absolute timer
+  Device,   ///< a blocking read paces the loop
+  Callback, ///< the vendor's thread calls the tick
+};
+
+/// A number with its provenance: the panel says which limits are only assumed.
+struct DeviceQuantity
+{
+  double value = 0.0;
+  bool known = false;
+};
+
+/// What a device can do. Filled once when it is opened.
+struct DeviceInfo
+{
+  std::string name;   ///< the name the factory knows
+  std::string serial; ///< empty where the device has none
+  DeviceClass deviceClass = DeviceClass::Point3D;
+  Causality causality = Causality::Impedance;
+  Pacing pacing = Pacing::Timer;
+  bool simulated = false;                                               ///< lateness is counted, never a fault
+  DeviceQuantity workspaceRadius_m{ 0.1, false };
+  DeviceQuantity resolution_m{ 0.0, false };
+  DeviceQuantity maxForce_N{ std::numeric_limits<double>::infinity(), false };
+  DeviceQuantity maxStiffness_N_per_m{ std::numeric_limits<double>::infinity(), false };
+  DeviceQuantity maxDamping_Ns_per_m{ std::numeric_limits<double>::infinity(), false };
+  DeviceQuantity mass_kg{ 0.0, false };
+  DeviceQuantity damping_Ns_per_m{ 0.0, false };
+  DeviceQuantity friction_N{ 0.0, false };
+};
+
+} // namespace palpate

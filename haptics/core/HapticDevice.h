@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "haptics/core/DeviceCommand.h"
+#include "haptics/core/DeviceInfo.h"
+#include "haptics/core/DeviceSample.h"
+
+namespace palpate
+{
+
+enum class DeviceStatus : std::uint8_t
+{
+  Ok,
+  Ended, ///< a scripted or replayed device has no more samples
+  Lost,  ///< the device does not answer any more
+};
+
+/// The seam between the servo and whatever moves and pushes a hand.
+///
+/// read() and write() are called from the servo thread only, once each per tick, in that order; they are
+/// wait-free, allocate nothing and never ask a clock: the tick's time is handed in. A device that needs
+/// blocking I/O keeps its own threads behind this interface.
+class HapticDevice
+{
+public:
+  virtual ~HapticDevice() = default;
+
+  [[nodiscard]] virtual const DeviceInfo& info() const noexcept = 0;
+
+  /// Makes the device ready. Not real-time safe. Returns an empty string, or why it cannot be used and what to do.
+  [[nodiscard]] virtual std::string open() = 0;
+
+  /// Leaves the device without force. Not real-time safe.
+  virtual void close() noexcept = 0;
+
+  /// The hand at tick time `tickTime_s` [s]. Real-time safe.
+  [[nodiscard]] virtual DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept = 0;
+
+  /// The command that holds until the next write. Real-time safe.
+  virtual void write(const DeviceCommand& command) noexcept = 0;
+};
+
+} // namespace palpate

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/geometry/Material.h"
+#include "haptics/geometry/Scene.h"
+#include "haptics/geometry/TriangleMesh.h"
+
+namespace palpate
+{
+
+/// One surface as a view or a file gives it, already in W (pose, scale and shear baked into the vertices).
+struct SurfaceInput
+{
+  std::string name;
+  std::shared_ptr<const TriangleMesh> mesh;
+  Material material;
+};
+
+/// What became of one input.
+struct SurfaceReport
+{
+  std::string name;
+  CleanReport clean;
+  std::string refusal; ///< empty when the surface is in the scene
+};
+
+/// A new scene (null when nothing is touchable) and the reports, one per input, in the order of the inputs.
+struct SceneBuildResult
+{
+  std::shared_ptr<const Scene> scene;
+  std::vector<SurfaceReport> reports;
+};
+
+/// Cleans, plans and builds all trees eagerly. Off the servo thread; call from one thread at a time.
+/// The scene is the same, bit for bit, for any number of workers. A surface whose mesh object was in the
+/// previous build is reused, not built again.
+class SceneBuilder
+{
+public:
+  explicit SceneBuilder(unsigned workers = 1);
+  [[nodiscard]] SceneBuildResult build(const std::vector<SurfaceInput>& inputs);
+
+private:
+  struct Kept
+  {
+    std::shared_ptr<const TriangleMesh> mesh;
+    std::shared_ptr<const SurfaceTree> tree;
+    SurfaceReport report;
+  };
+  [[nodiscard]] Kept buildOne(const SurfaceInput& input) const;
+
+  unsigned workers_;
+  std::uint64_t revision_ = 0;
+  std::vector<Kept> kept_;
+};
+
+} // namespace palpate

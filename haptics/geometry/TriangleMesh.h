@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// Indexed triangles in scene units. As it comes in: nothing about it is trusted.
+struct TriangleMesh
+{
+  std::vector<Vec3> vertices_W;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// What cleaning found. Counts of triangles unless said otherwise.
+struct CleanReport
+{
+  std::size_t trianglesIn = 0;
+  std::size_t trianglesOut = 0;
+  std::size_t verticesOut = 0;
+  std::size_t nonFinite = 0;        ///< dropped: a corner is NaN or infinite
+  std::size_t collinear = 0;        ///< dropped: exactly collinear (exact predicate), repeated corner included
+  std::size_t duplicate = 0;        ///< dropped: the same three corners again, in any order
+  std::size_t boundaryEdges = 0;    ///< edges of one triangle (kept)
+  std::size_t nonManifoldEdges = 0; ///< edges of three or more triangles (kept)
+
+  /// "kept 78 604 of 78 610 triangles; dropped 6 (...)": one line for a person.
+  [[nodiscard]] std::string summary() const;
+};
+
+/// A clean mesh, or the reason why none is left.
+struct CleanResult
+{
+  TriangleMesh mesh;
+  CleanReport report;
+  std::string refusal; ///< empty when the mesh can be touched
+
+  [[nodiscard]] bool ok() const noexcept { return refusal.empty(); }
+};
+
+/// Brings a mesh into the one form all contact is computed from (THEORY 2.7 SCENE): exactly equal vertices are
+/// welded, vertices ordered by (x, y, z), corners ordered within each triangle, triangles ordered and unique,
+/// exactly collinear ones dropped. The result does not depend on the order of the input.
+/// Refuses (never throws for bad data): an index out of range, no triangle left.
+[[nodiscard]] CleanResult cleanMesh(const TriangleMesh& raw);
+
+} // namespace palpate
