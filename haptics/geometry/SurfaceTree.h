@@ -25,6 +25,8 @@ public:
   [[nodiscard]] const TriangleMesh& mesh() const noexcept;
   /// Bytes kept beside the mesh (tree, adjacency, normals).
   [[nodiscard]] std::size_t bytes() const noexcept;
+  /// Hash of vertices and triangles.
+  [[nodiscard]] std::uint64_t contentHash() const noexcept;
   /// What contact computes from; internal to haptics/.
   [[nodiscard]] const SurfaceData& data() const noexcept { return *this->data_; }
 

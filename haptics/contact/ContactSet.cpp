@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/contact/ContactSet.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+
+bool sameFeature(const ActiveFeature& f, const ActiveFeature& g) noexcept
+{
+  return f.surface == g.surface && f.kind == g.kind && f.a == g.a && f.b == g.b;
+}
+
+} // namespace
+
+ContactSet::ContactSet(const Scene& scene, double radius_u, GodObjectState& state) noexcept
+  : scene_(scene)
+  , radius_u_(radius_u)
+  , state_(state)
+{
+  this->resolution_.include(Vec3::Constant(radius_u));
+  this->resolution_.include(state.x_W);
+  for (const ActiveFeature& f : this->features())
+  {
+    this->includeFeature(f);
+  }
+}
+
+void ContactSet::includeFeature(const ActiveFeature& f) noexcept
+{
+  const SurfaceData& data = this->dataOf(f);
+  if (f.kind == FeatureKind::Face)
+  {
+    for (const Vec3& corner_W : data.faces[f.a].corner_W)
+    {
+      this->include(corner_W);
+    }
+    return;
+  }
+  this->include(data.vertex(f.a));
+  if (f.kind == FeatureKind::Edge)
+  {
+    this->include(data.vertex(f.b));
+  }
+}
+
+int ContactSet::add(const ActiveFeature& f) noexcept
+{
+  for (int i = 0; i < this->count(); ++i)
+  {
+    if (sameFeature(this->feature(i), f))
+    {
+      this->feature(i) = f;
+      return i;
+    }
+  }
+  if (this->count() == GodObjectState::maxFeatures)
+  {
+    int furthest = 0;
+    for (int i = 1; i < this->count(); ++i)
+    {
+      if (this->plane(this->feature(i)).gap > this->plane(this->feature(furthest)).gap)
+      {
+        furthest = i;
+      }
+    }
+    this->remove(furthest);
+  }
+  this->includeFeature(f);
+  this->state_.features[this->state_.count] = f;
+  return this->state_.count++;
+}
+
+void ContactSet::remove(int i) noexcept
+{
+  std::copy(this->state_.features.begin() + i + 1, this->state_.features.begin() + this->state_.count,
+    this->state_.features.begin() + i);
+  --this->state_.count;
+}
+
+void ContactSet::relinearise(const ActiveFeature* keep) noexcept
+{
+  int kept = 0;
+  for (int i = 0; i < this->count(); ++i)
+  {
+    ActiveFeature f = this->feature(i);
+    const bool isKeep = keep != nullptr && sameFeature(f, *keep);
+    if (this->radius_u_ > 0.0 && f.kind != FeatureKind::Face)
+    {
+      f = normalised(this->dataOf(f), f, this->state_.x_W);
+      this->includeFeature(f);
+    }
+    bool drop = !isKeep && !this->supported(f);
+    for (int j = 0; j < kept && !drop; ++j)
+    {
+      drop = sameFeature(this->feature(j), f);
+    }
+    if (!drop)
+    {
+      this->feature(kept++) = f;
+    }
+  }
+  this->state_.count = kept;
+}
+
+void ContactSet::advanceFaces(const Vec3& from_W, const Vec3& moved) noexcept
+{
+  for (int i = 0; i < this->count(); ++i)
+  {
+    ActiveFeature& f = this->feature(i);
+    if (f.kind != FeatureKind::Face)
+    {
+      continue;
+    }
+    const SurfaceData& data = this->dataOf(f);
+    const std::uint32_t reached = walkFace(data, f.a, from_W, moved, this->resolution_.del()).triangle;
+    if (reached != f.a)
+    {
+      // The stored corner order differs from face to face: the side is that of the common plane.
+      f.side = data.faces[reached].normal_W.dot(data.faces[f.a].normal_W) >= 0.0 ? f.side : static_cast<std::int8_t>(-f.side);
+      f.a = reached;
+    }
+  }
+}
+
+PlaneRow ContactSet::row(int i, double lift) const noexcept
+{
+  const FeaturePlane plane = this->plane(this->state_.features[i]);
+  return { plane.n, -plane.gap + lift };
+}
+
+ProjectionResult ContactSet::solve(const Vec3& q, double lift) const noexcept
+{
+  std::array<PlaneRow, GodObjectState::maxFeatures> rows;
+  for (int i = 0; i < this->count(); ++i)
+  {
+    rows[i] = this->row(i, lift);
+  }
+  return projectOntoPlanes({ rows.data(), static_cast<std::size_t>(this->count()) }, q, 0.25 * this->resolution_.tol());
+}
+
+} // namespace palpate

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "haptics/contact/FeatureGeometry.h"
+#include "haptics/contact/GodObject.h"
+#include "haptics/contact/Projection.h"
+#include "haptics/contact/Resolution.h"
+#include "haptics/geometry/Scene.h"
+
+namespace palpate
+{
+
+/// The touched features of one tick, on top of GodObjectState: add, drop, re-linearise, solve.
+/// Servo thread; no allocation.
+class ContactSet
+{
+public:
+  ContactSet(const Scene& scene, double radius_u, GodObjectState& state) noexcept;
+
+  [[nodiscard]] int count() const noexcept { return this->state_.count; }
+  [[nodiscard]] ActiveFeature& feature(int i) noexcept { return this->state_.features[i]; }
+  [[nodiscard]] std::span<const ActiveFeature> features() const noexcept
+  {
+    return { this->state_.features.data(), static_cast<std::size_t>(this->state_.count) };
+  }
+  [[nodiscard]] const SurfaceData& dataOf(const ActiveFeature& f) const noexcept
+  {
+    return this->scene_.surfaces()[f.surface].tree->data();
+  }
+  [[nodiscard]] FeaturePlane plane(const ActiveFeature& f) const noexcept
+  {
+    return planeOf(this->dataOf(f), f, this->state_.x_W, this->radius_u_);
+  }
+  [[nodiscard]] bool supported(const ActiveFeature& f) const noexcept
+  {
+    return supports(this->dataOf(f), f, this->state_.x_W, this->radius_u_, this->resolution_.tol());
+  }
+
+  [[nodiscard]] const Resolution& resolution() const noexcept { return this->resolution_; }
+  void include(const Vec3& v_W) noexcept { this->resolution_.include(v_W); }
+
+  /// Adds f unless it is there; returns its index.
+  int add(const ActiveFeature& f) noexcept;
+  void remove(int i) noexcept;
+  /// After a move: normalises, drops what no longer supports the ball (never `keep`), merges what became equal.
+  void relinearise(const ActiveFeature* keep = nullptr) noexcept;
+  /// Walks every touched face along a move that has been made from x_W - moved.
+  void advanceFaces(const Vec3& from_W, const Vec3& moved) noexcept;
+
+  /// The row that keeps the ball `lift` above feature i's plane.
+  [[nodiscard]] PlaneRow row(int i, double lift) const noexcept;
+  /// Nearest displacement to q under all touched planes.
+  [[nodiscard]] ProjectionResult solve(const Vec3& q, double lift) const noexcept;
+  /// How far above a plane the ball is kept: a point must never lie on a triangle, a ball touches.
+  [[nodiscard]] double lift() const noexcept { return this->radius_u_ > 0.0 ? 0.0 : 2 * this->resolution_.del(); }
+
+private:
+  void includeFeature(const ActiveFeature& f) noexcept;
+
+  const Scene& scene_;
+  double radius_u_;
+  GodObjectState& state_;
+  Resolution resolution_;
+};
+
+} // namespace palpate

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/contact/FeatureGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+
+/// A walk crosses at most this many coplanar triangles in one motion; the sweep that follows is bounded on its own.
+constexpr int walkLimit = 256;
+
+FeaturePlane planeAround(const Vec3& foot_W, const Vec3& x_W, double r) noexcept
+{
+  const Vec3 away = x_W - foot_W;
+  const double distance = away.norm();
+  return { distance > 0.0 ? Vec3(away / distance) : Vec3(Vec3::UnitZ()), distance - r, foot_W };
+}
+
+double axialPosition(const SurfaceData& s, const ActiveFeature& f, const EdgeLine& line, const Vec3& x_W) noexcept
+{
+  return (x_W - s.vertex(f.a)).dot(line.unit);
+}
+
+/// The face over edge (i, j) into whose inside x projects, or none.
+std::uint32_t faceUnder(const SurfaceData& s, std::uint32_t i, std::uint32_t j, const Vec3& x_W) noexcept
+{
+  std::uint32_t found = SurfaceData::none;
+  s.forEachAtEdge(i, j,
+    [&](std::uint32_t triangle)
+    {
+      if (found == SurfaceData::none && projectsInside(s, triangle, x_W, 0.0))
+      {
+        found = triangle;
+      }
+    });
+  return found;
+}
+
+/// The far end of the edge at vertex v along which x lies furthest, or none if x is behind all of them.
+std::uint32_t edgeUnder(const SurfaceData& s, std::uint32_t v, const Vec3& x_W) noexcept
+{
+  std::uint32_t best = SurfaceData::none;
+  double furthest = 0.0;
+  const Vec3 away = x_W - s.vertex(v);
+  for (std::uint32_t k = s.fanStart[v]; k < s.fanStart[v + 1]; ++k)
+  {
+    for (const std::uint32_t corner : s.mesh.triangles[s.fan[k]])
+    {
+      if (corner == v || corner == best)
+      {
+        continue;
+      }
+      const Vec3 e = s.vertex(corner) - s.vertex(v);
+      const double along = away.dot(e) / e.norm();
+      if (along > furthest || (along == furthest && best != SurfaceData::none && corner < best))
+      {
+        furthest = along;
+        best = corner;
+      }
+    }
+  }
+  return best;
+}
+
+bool cornersAre(const std::array<std::uint32_t, 3>& t, int k, std::uint32_t i, std::uint32_t j) noexcept
+{
+  const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+  return (a == i && b == j) || (a == j && b == i);
+}
+
+} // namespace
+
+EdgeLine edgeLine(const SurfaceData& s, std::uint32_t i, std::uint32_t j) noexcept
+{
+  const Vec3 e = s.vertex(j) - s.vertex(i);
+  const double scale = e.cwiseAbs().maxCoeff();
+  const double length = (e / scale).norm() * scale;
+  return { e / length, length };
+}
+
+Vec3 outwardNormal(const SurfaceData& s, std::uint32_t triangle, int k) noexcept
+{
+  const FaceRecord& face = s.faces[triangle];
+  const Vec3 e = face.corner_W[(k + 1) % 3] - face.corner_W[k];
+  return e.cross(face.normal_W) / e.norm();
+}
+
+double outsideOfEdge(const SurfaceData& s, std::uint32_t triangle, int k, const Vec3& x_W) noexcept
+{
+  return outwardNormal(s, triangle, k).dot(x_W - s.faces[triangle].corner_W[k]);
+}
+
+bool projectsInside(const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W, double margin) noexcept
+{
+  return outsideOfEdge(s, triangle, 0, x_W) <= margin && outsideOfEdge(s, triangle, 1, x_W) <= margin &&
+    outsideOfEdge(s, triangle, 2, x_W) <= margin;
+}
+
+FeaturePlane planeOf(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double r) noexcept
+{
+  switch (f.kind)
+  {
+    case FeatureKind::Face:
+    {
+      const FaceRecord& face = s.faces[f.a];
+      const Vec3 n = f.side * face.normal_W;
+      const double distance = n.dot(x_W - face.corner_W[0]);
+      return { n, distance - r, x_W - distance * n };
+    }
+    case FeatureKind::Edge:
+    {
+      const EdgeLine line = edgeLine(s, f.a, f.b);
+      const double along = std::clamp(axialPosition(s, f, line, x_W), 0.0, line.length);
+      return planeAround(s.vertex(f.a) + along * line.unit, x_W, r);
+    }
+    default:
+      return planeAround(s.vertex(f.a), x_W, r);
+  }
+}
+
+bool supports(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double r, double tol) noexcept
+{
+  if (planeOf(s, f, x_W, r).gap > tol)
+  {
+    return false;
+  }
+  if (f.kind == FeatureKind::Face)
+  {
+    return projectsInside(s, f.a, x_W, tol);
+  }
+  if (f.kind == FeatureKind::Edge)
+  {
+    const EdgeLine line = edgeLine(s, f.a, f.b);
+    const double along = axialPosition(s, f, line, x_W);
+    return along >= -tol && along <= line.length + tol;
+  }
+  return true;
+}
+
+ActiveFeature normalised(const SurfaceData& s, ActiveFeature f, const Vec3& x_W) noexcept
+{
+  if (f.kind == FeatureKind::Vertex)
+  {
+    const std::uint32_t other = edgeUnder(s, f.a, x_W);
+    if (other == SurfaceData::none)
+    {
+      return f;
+    }
+    f.kind = FeatureKind::Edge;
+    f.b = std::max(f.a, other);
+    f.a = std::min(f.a, other);
+  }
+  if (f.kind == FeatureKind::Edge)
+  {
+    const std::uint32_t face = faceUnder(s, f.a, f.b, x_W);
+    if (face != SurfaceData::none)
+    {
+      f.kind = FeatureKind::Face;
+      f.a = face;
+      f.b = 0;
+      f.side = s.faces[face].normal_W.dot(x_W - s.faces[face].corner_W[0]) >= 0.0 ? 1 : -1;
+    }
+  }
+  return f;
+}
+
+FaceExit walkFace(
+  const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W, const Vec3& y, double del) noexcept
+{
+  const Vec3 n = s.faces[triangle].normal_W;
+  const Vec3 anchor_W = s.faces[triangle].corner_W[0];
+  std::uint32_t enteredI = SurfaceData::none, enteredJ = SurfaceData::none;
+  double reached = 0.0;
+  for (int step = 0; step < walkLimit; ++step)
+  {
+    const auto& corners = s.mesh.triangles[triangle];
+    double t = 1.0;
+    int leaving = -1;
+    Vec3 out = Vec3::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vec3 m = outwardNormal(s, triangle, k);
+      const double rate = m.dot(y);
+      if (rate <= 0.0 || cornersAre(corners, k, enteredI, enteredJ))
+      {
+        continue;
+      }
+      const double inside = -m.dot(x_W - s.faces[triangle].corner_W[k]);
+      const double exit = (std::max(inside, 0.0) + 4 * del) / rate;
+      if (exit < t)
+      {
+        t = exit;
+        leaving = k;
+        out = m;
+      }
+    }
+    if (leaving < 0)
+    {
+      return { 1.0, triangle };
+    }
+    const std::uint32_t i = corners[leaving], j = corners[(leaving + 1) % 3];
+    const std::uint32_t next = s.neighbour(triangle, i, j);
+    if (next == SurfaceData::none)
+    {
+      return { t, triangle };
+    }
+    const Vec3& tip_W = s.vertex(s.opposite(next, i, j));
+    const bool coplanar = std::fabs(n.dot(tip_W - anchor_W)) <= 2 * del;
+    const bool folded = out.dot(tip_W - s.vertex(i)) <= 0.0;
+    if (!coplanar || folded)
+    {
+      return { t, triangle };
+    }
+    triangle = next;
+    enteredI = i;
+    enteredJ = j;
+    reached = t;
+  }
+  return { reached, triangle };
+}
+
+double exitRound(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r,
+  double del) noexcept
+{
+  const FeaturePlane plane = planeOf(s, f, x_W, r);
+  Vec3 tangential = y - y.dot(plane.n) * plane.n;
+  double t = 1.0;
+  if (f.kind == FeatureKind::Edge)
+  {
+    const EdgeLine line = edgeLine(s, f.a, f.b);
+    const double rate = y.dot(line.unit);
+    tangential -= rate * line.unit;
+    const double along = axialPosition(s, f, line, x_W);
+    if (rate != 0.0)
+    {
+      const double ahead = rate > 0.0 ? line.length - along : along;
+      t = std::min(t, (std::max(ahead, 0.0) + 4 * del) / std::fabs(rate));
+    }
+  }
+  const double reach = tangential.norm();
+  return reach > r ? std::min(t, r / reach) : t;
+}
+
+} // namespace palpate

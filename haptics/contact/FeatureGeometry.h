@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/contact/GodObject.h"
+#include "haptics/contact/Resolution.h"
+#include "haptics/core/Types.h"
+#include "haptics/geometry/SurfaceData.h"
+
+namespace palpate
+{
+
+/// The tangent plane of a touched feature as the ball sees it from x.
+struct FeaturePlane
+{
+  Vec3 n = Vec3::Zero();   ///< unit, from the feature to the ball's centre
+  double gap = 0.0;        ///< distance between ball and feature [u], negative when they overlap
+  Vec3 foot_W = Vec3::Zero(); ///< the feature's point nearest to x
+};
+
+/// Plane of feature f of surface s for a ball of radius r at x_W. An edge is taken as its segment.
+[[nodiscard]] FeaturePlane planeOf(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double r) noexcept;
+
+/// How far along the in-plane outward normal of edge k of the triangle a point lies: negative inside.
+[[nodiscard]] double outsideOfEdge(const SurfaceData& s, std::uint32_t triangle, int k, const Vec3& x_W) noexcept;
+
+/// The same, as the outward unit normal in the triangle's plane.
+[[nodiscard]] Vec3 outwardNormal(const SurfaceData& s, std::uint32_t triangle, int k) noexcept;
+
+/// True if the point projects into the triangle, its border included within `margin` (negative: strictly inside).
+[[nodiscard]] bool projectsInside(const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W, double margin) noexcept;
+
+/// False when f no longer touches or supports a ball of radius r at x: it is to be dropped.
+[[nodiscard]] bool supports(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double r, double tol) noexcept;
+
+/// The feature that really holds the nearest point: a vertex becomes an edge, an edge a face, where x projects there.
+[[nodiscard]] ActiveFeature normalised(const SurfaceData& s, ActiveFeature f, const Vec3& x_W) noexcept;
+
+/// Where a motion x -> x + y along a face leaves it.
+struct FaceExit
+{
+  double t = 1.0;              ///< fraction of y
+  std::uint32_t triangle = 0;  ///< the triangle reached: coplanar neighbours are walked through
+};
+
+/// Walks over faces that continue the starting plane; stops just outside the last one (THEORY.md 2.7 EXIT).
+[[nodiscard]] FaceExit walkFace(
+  const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W, const Vec3& y, double del) noexcept;
+
+/// Fraction of y after which edge or vertex f no longer supports a ball of radius r.
+[[nodiscard]] double exitRound(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r,
+  double del) noexcept;
+
+/// Unit vector from vertex i to vertex j, and the length [u].
+struct EdgeLine
+{
+  Vec3 unit = Vec3::Zero();
+  double length = 0.0;
+};
+[[nodiscard]] EdgeLine edgeLine(const SurfaceData& s, std::uint32_t i, std::uint32_t j) noexcept;
+
+} // namespace palpate

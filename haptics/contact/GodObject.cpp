@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/contact/GodObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/contact/ContactSet.h"
+#include "haptics/contact/Roll.h"
+#include "haptics/contact/Seat.h"
+#include "haptics/contact/Sweep.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// Passes beyond the cap, used only while the ball touches nothing: they bring it back to contact.
+constexpr std::uint32_t settlingPasses = 2;
+/// Attempts to stop a point just before what it hits, each a little further off.
+constexpr int stopAttempts = 6;
+
+/// Faces a point has left in this tick and still lies beside (THEORY.md 2.7, set T): they come back only when
+/// they obstruct, or when the point hits them again without having moved.
+class LeftFaces
+{
+public:
+  struct Entry
+  {
+    ActiveFeature face;
+    Vec3 leftAt_W;
+  };
+
+  void add(const ActiveFeature& face, const Vec3& x_W) noexcept
+  {
+    if (this->count_ < capacity)
+    {
+      this->entries_[this->count_++] = { face, x_W };
+    }
+  }
+  void remove(int i) noexcept
+  {
+    std::copy(this->entries_.begin() + i + 1, this->entries_.begin() + this->count_, this->entries_.begin() + i);
+    --this->count_;
+  }
+  void clear() noexcept { this->count_ = 0; }
+  [[nodiscard]] int count() const noexcept { return this->count_; }
+  [[nodiscard]] const Entry& operator[](int i) const noexcept { return this->entries_[i]; }
+
+private:
+  static constexpr int capacity = 16;
+  std::array<Entry, capacity> entries_;
+  int count_ = 0;
+};
+
+/// What limits a straight slide: how far every holding feature supports it, and which one ends first.
+struct Slide
+{
+  double t = 1.0;
+  int ends = -1; ///< index of the feature that is left at t, or -1
+};
+
+class Tick
+{
+public:
+  Tick(const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
+    : scene_(scene)
+    , plan_(plan)
+    , p_W_(p_W)
+    , state_(state)
+    , sink_(sink)
+    , contacts_(scene, plan.radius_u, state)
+  {
+    this->contacts_.include(p_W);
+  }
+
+  ContactResult run() noexcept
+  {
+    this->contacts_.relinearise();
+    for (std::uint32_t pass = 0;; ++pass)
+    {
+      this->result_.passes = static_cast<int>(pass) + 1;
+      this->project();
+      if (this->result_.infeasible || this->solution_.y.norm() <= this->tol())
+      {
+        break;
+      }
+      if (pass >= this->plan_.passCap + settlingPasses || (pass >= this->plan_.passCap && this->contacts_.count() > 0))
+      {
+        this->result_.capped = true;
+        break;
+      }
+      if (this->round() && this->roll())
+      {
+        continue;
+      }
+      if (!this->slide())
+      {
+        break;
+      }
+    }
+    this->result_.proxy_W = this->state_.x_W;
+    this->result_.contacts = this->heldContacts();
+    return this->result_;
+  }
+
+private:
+  [[nodiscard]] bool round() const noexcept { return this->plan_.radius_u > 0.0; }
+  [[nodiscard]] double tol() const noexcept { return this->contacts_.resolution().tol(); }
+  [[nodiscard]] double del() const noexcept { return this->contacts_.resolution().del(); }
+  [[nodiscard]] const Vec3& x() const noexcept { return this->state_.x_W; }
+
+  [[nodiscard]] int heldContacts() const noexcept
+  {
+    int held = 0;
+    for (int k = 0; k < this->solution_.count; ++k)
+    {
+      held += this->solution_.lambda[k] > this->tol();
+    }
+    return held;
+  }
+
+  /// Nearest point under the touched planes and those left faces that turn out to obstruct it.
+  void project() noexcept
+  {
+    bool again = true;
+    while (again)
+    {
+      this->solution_ = this->contacts_.solve(this->p_W_ - this->x(), this->contacts_.lift());
+      again = false;
+      for (int i = 0; i < this->left_.count() && !again; ++i)
+      {
+        if (this->obstructs(this->left_[i].face, this->solution_.y))
+        {
+          this->contacts_.add(this->left_[i].face);
+          this->left_.remove(i);
+          again = true;
+        }
+      }
+    }
+    this->result_.infeasible = !this->solution_.feasible;
+  }
+
+  /// A left face obstructs if the way dips into its plane and leads back over it.
+  [[nodiscard]] bool obstructs(const ActiveFeature& f, const Vec3& y) const noexcept
+  {
+    const SurfaceData& s = this->contacts_.dataOf(f);
+    if (f.side * s.faces[f.a].normal_W.dot(y) >= 0.0)
+    {
+      return false;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      if (outsideOfEdge(s, f.a, k, this->x()) > -8 * this->del() && outwardNormal(s, f.a, k).dot(y) > 0.0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] SweepHit sweep(const Vec3& from_W, const Vec3& to_W) noexcept
+  {
+    SweepQuery query;
+    query.from_W = from_W;
+    query.to_W = to_W;
+    query.radius_u = this->plan_.radius_u;
+    query.resolution = this->contacts_.resolution();
+    query.resolution.include(to_W);
+    if (this->round())
+    {
+      query.touched = this->contacts_.features();
+    }
+    const std::uint32_t left = this->plan_.nodeBudget - std::min(this->plan_.nodeBudget, this->result_.nodes);
+    const SweepHit hit = sweepBall(this->scene_, query, left);
+    ++this->result_.sweeps;
+    this->result_.nodes += hit.nodes;
+    this->result_.overBudget |= hit.freeUntil < 1.0;
+    return hit;
+  }
+
+  void moveTo(const Vec3& to_W) noexcept
+  {
+    if (this->sink_ != nullptr)
+    {
+      this->sink_->segment(this->x(), to_W);
+    }
+    const Vec3 from_W = this->x();
+    const Vec3 moved = to_W - from_W;
+    this->state_.x_W = to_W;
+    this->contacts_.include(to_W);
+    this->contacts_.advanceFaces(from_W, moved);
+    if (moved.norm() > 4 * this->tol())
+    {
+      for (int i = 0; i < this->contacts_.count(); ++i)
+      {
+        this->contacts_.feature(i).stuck = false;
+      }
+    }
+  }
+
+  void settle(const ActiveFeature* keep = nullptr) noexcept
+  {
+    this->contacts_.relinearise(keep);
+    for (int i = this->left_.count() - 1; i >= 0; --i)
+    {
+      if (!this->contacts_.supported(this->left_[i].face))
+      {
+        this->left_.remove(i);
+      }
+    }
+  }
+
+  /// Rolls round an edge or a vertex if that brings the ball nearer to the device; false if a plain slide is due.
+  [[nodiscard]] bool roll() noexcept
+  {
+    const RollPlan plan = planRoll(this->contacts_, this->x(), this->p_W_, this->plan_.radius_u, this->solution_);
+    if (!plan.worthwhile)
+    {
+      return false;
+    }
+    const Vec3 corner_W = this->x() + plan.first;
+    Vec3 end_W = this->x() + plan.second;
+    const SweepHit first = this->sweep(this->x(), corner_W);
+    if (first.hit || first.freeUntil < 1.0)
+    {
+      return false;
+    }
+    const SweepHit second = this->sweep(corner_W, end_W);
+    if (second.freeUntil < 1.0)
+    {
+      return false;
+    }
+    if (second.hit)
+    {
+      end_W = corner_W + second.t * (end_W - corner_W);
+    }
+    if ((end_W - this->p_W_).squaredNorm() >= (this->x() - this->p_W_).squaredNorm())
+    {
+      return false;
+    }
+    this->moveTo(corner_W);
+    this->moveTo(end_W);
+    this->touch(second);
+    return true;
+  }
+
+  /// Adds what was hit, if anything, and drops what no longer holds.
+  void touch(const SweepHit& hit) noexcept
+  {
+    if (hit.hit)
+    {
+      this->contacts_.add(hit.feature);
+    }
+    this->settle(hit.hit ? &hit.feature : nullptr);
+  }
+
+  [[nodiscard]] Slide limitSlide() noexcept
+  {
+    Slide slide;
+    const Vec3& y = this->solution_.y;
+    for (int k = 0; k < this->solution_.count; ++k)
+    {
+      const int i = this->solution_.active[k];
+      const ActiveFeature& f = this->contacts_.feature(i);
+      if (this->solution_.lambda[k] <= 0.0)
+      {
+        continue;
+      }
+      const SurfaceData& s = this->contacts_.dataOf(f);
+      const double t = f.kind == FeatureKind::Face ? walkFace(s, f.a, this->x(), y, this->del()).t
+                                                   : exitRound(s, f, this->x(), y, this->plan_.radius_u, this->del());
+      if (f.stuck && t * y.norm() <= 4 * this->tol())
+      {
+        const double nudge = 1e-4 * (s.faces[f.a].corner_W[1] - s.faces[f.a].corner_W[0]).norm() / y.norm();
+        if (nudge < slide.t)
+        {
+          slide = { nudge, -1 };
+        }
+      }
+      else if (t < slide.t)
+      {
+        slide = { t, i };
+      }
+    }
+    return slide;
+  }
+
+  /// Slides under the touched planes to the last supported point or to the next obstacle. False: the tick is over.
+  [[nodiscard]] bool slide() noexcept
+  {
+    const Slide limit = this->limitSlide();
+    const bool straight = this->solution_.count == 0 && limit.t >= 1.0;
+    const Vec3 to_W = straight ? this->p_W_ : Vec3(this->x() + limit.t * this->solution_.y);
+    const SweepHit hit = this->sweep(this->x(), to_W);
+    if (hit.freeUntil < 1.0 && !hit.hit)
+    {
+      if (this->round())
+      {
+        this->moveTo(this->x() + hit.freeUntil * (to_W - this->x()));
+        this->settle();
+      }
+      return false;
+    }
+    if (hit.hit)
+    {
+      this->round() ? this->stopBall(hit, to_W) : this->stopPoint(hit, to_W);
+      return !this->result_.overBudget;
+    }
+    this->moveTo(to_W);
+    if (limit.ends >= 0)
+    {
+      if (!this->round())
+      {
+        this->left_.add(this->contacts_.feature(limit.ends), this->x());
+      }
+      this->contacts_.remove(limit.ends);
+    }
+    this->settle();
+    return !(this->contacts_.count() == 0 && this->x() == this->p_W_);
+  }
+
+  void stopBall(const SweepHit& hit, const Vec3& to_W) noexcept
+  {
+    this->moveTo(this->x() + hit.t * (to_W - this->x()));
+    this->touch(hit);
+  }
+
+  /// Stops a point just before what it hits. Each committed way is one that the exact sweep found free.
+  void stopPoint(const SweepHit& hit, const Vec3& to_W) noexcept
+  {
+    const Vec3 wanted = hit.t * (to_W - this->x());
+    this->returnStuck(hit.feature, wanted);
+    SweepHit next = hit;
+    double lift = this->contacts_.lift();
+    for (int attempt = 0; attempt < stopAttempts; ++attempt, lift *= 2)
+    {
+      this->contacts_.add(next.feature);
+      const ProjectionResult stop = this->contacts_.solve(wanted, lift);
+      if (!stop.feasible)
+      {
+        break;
+      }
+      const Vec3 end_W = this->x() + stop.y;
+      next = this->sweep(this->x(), end_W);
+      if (next.freeUntil < 1.0)
+      {
+        break;
+      }
+      if (!next.hit)
+      {
+        this->moveTo(end_W);
+        this->settle(&hit.feature);
+        return;
+      }
+    }
+  }
+
+  /// A face left here and hit again without progress comes back, with all that were left after it.
+  void returnStuck(const ActiveFeature& f, const Vec3& wanted) noexcept
+  {
+    for (int i = 0; i < this->left_.count(); ++i)
+    {
+      const LeftFaces::Entry& entry = this->left_[i];
+      const double near = 4 * this->tol();
+      if (entry.face.surface == f.surface && entry.face.a == f.a && (this->x() - entry.leftAt_W).norm() <= near &&
+        wanted.norm() <= near)
+      {
+        for (int j = i; j < this->left_.count(); ++j)
+        {
+          ActiveFeature back = this->left_[j].face;
+          back.stuck = true;
+          this->contacts_.add(back);
+        }
+        this->left_.clear();
+        return;
+      }
+    }
+  }
+
+  const Scene& scene_;
+  const ContactPlan& plan_;
+  const Vec3 p_W_;
+  GodObjectState& state_;
+  PathSink* sink_;
+  ContactSet contacts_;
+  LeftFaces left_;
+  ProjectionResult solution_;
+  ContactResult result_;
+};
+
+} // namespace
+
+ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
+  PathSink* sink) noexcept
+{
+  if (!state.placed)
+  {
+    state.count = 0;
+    if (!seatBall(scene, plan.radius_u, p_W, state.x_W))
+    {
+      ContactResult refused;
+      refused.proxy_W = p_W;
+      refused.seatFailed = true;
+      return refused;
+    }
+    state.placed = true;
+  }
+  return Tick(scene, plan, p_W, state, sink).run();
+}
+
+void handOver(const Scene& from, const Scene& to, GodObjectState& state) noexcept
+{
+  int kept = 0;
+  for (int i = 0; i < state.count; ++i)
+  {
+    ActiveFeature f = state.features[i];
+    const auto& tree = from.surfaces()[f.surface].tree;
+    const auto same = std::find_if(
+      to.surfaces().begin(), to.surfaces().end(), [&tree](const Surface& s) { return s.tree == tree; });
+    if (same != to.surfaces().end())
+    {
+      f.surface = static_cast<std::uint32_t>(same - to.surfaces().begin());
+      state.features[kept++] = f;
+    }
+  }
+  state.count = kept;
+}
+
+} // namespace palpate

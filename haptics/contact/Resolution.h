@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// What double precision resolves where the ball is now (THEORY.md 2.7 ULPS): from the coordinates at hand,
+/// never from the size of the scene.
+struct Resolution
+{
+  double magnitude = 0.0; ///< largest coordinate in play [u]
+
+  void include(const Vec3& v) noexcept { this->magnitude = std::max(this->magnitude, v.cwiseAbs().maxCoeff()); }
+
+  /// Rounding of one computed coordinate [u].
+  [[nodiscard]] double del() const noexcept { return 4 * std::numeric_limits<double>::epsilon() * this->magnitude; }
+  /// Lengths below this count as zero [u].
+  [[nodiscard]] double tol() const noexcept { return 64 * std::numeric_limits<double>::epsilon() * this->magnitude; }
+};
+
+} // namespace palpate

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/contact/Resolution.h"
+#include "haptics/core/Types.h"
+#include "haptics/geometry/Scene.h"
+
+namespace palpate
+{
+
+/// Finds a free place for a ball of radius r >= 0 whose centre is put at p_W (THEORY.md 2.7 SEAT): a point exactly
+/// on a triangle is lifted off it, a ball that overlaps is moved out to the side of its centre by repeated least
+/// displacement. Local, bounded, allocation-free. Returns false and leaves `x_W` alone if there is no free place
+/// within r.
+[[nodiscard]] bool seatBall(const Scene& scene, double radius_u, const Vec3& p_W, Vec3& x_W) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "haptics/contact/GodObject.h"
+#include "haptics/contact/Resolution.h"
+#include "haptics/core/Types.h"
+#include "haptics/geometry/Scene.h"
+
+namespace palpate
+{
+
+/// A ball of radius r on its way from x to e.
+struct SweepQuery
+{
+  Vec3 from_W = Vec3::Zero();
+  Vec3 to_W = Vec3::Zero();
+  double radius_u = 0.0;
+  Resolution resolution;
+  std::span<const ActiveFeature> touched; ///< r > 0: not hit again, their planes already hold the ball
+};
+
+/// The first contact, if any.
+struct SweepHit
+{
+  bool hit = false;
+  double t = 1.0;           ///< fraction of the way, in [0, 1]
+  ActiveFeature feature;
+  double freeUntil = 1.0;   ///< below 1 only when the budget was met: proven free up to here
+  std::uint32_t nodes = 0;  ///< tree nodes visited
+};
+
+/// First contact of the ball with any surface of the scene.
+///
+/// r > 0: exact for faces, edges and vertices (Ruspini 1997, THEORY.md 2.3 and 2.7 SWEEP): a feature counts only
+/// if the way gets deeper than r - tol. r = 0: the closed segment against the closed triangle in exact arithmetic;
+/// a way reported free crosses and touches nothing, the order of hits is by double precision time.
+/// Ties: time, then dimension (face, edge, vertex), then surface and ids. Near-first; visits at most `budget` nodes.
+/// Servo thread; wait-free, no allocation.
+[[nodiscard]] SweepHit sweepBall(const Scene& scene, const SweepQuery& query, std::uint32_t budget) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/geometry/SceneBuilder.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace palpate
+{
+
+SceneBuilder::SceneBuilder(unsigned workers)
+  : workers_(std::max(1u, workers))
+{
+}
+
+SceneBuilder::Kept SceneBuilder::buildOne(const SurfaceInput& input) const
+{
+  const auto known = std::find_if(this->kept_.begin(), this->kept_.end(),
+    [&input](const Kept& kept) { return kept.mesh == input.mesh; });
+  if (known != this->kept_.end())
+  {
+    Kept reused = *known;
+    reused.report.name = input.name;
+    return reused;
+  }
+  Kept built;
+  built.mesh = input.mesh;
+  CleanResult clean = input.mesh ? cleanMesh(*input.mesh) : CleanResult{ {}, {}, "it has no mesh" };
+  built.report = { input.name, clean.report, clean.refusal };
+  if (clean.ok())
+  {
+    built.tree = std::make_shared<const SurfaceTree>(std::move(clean.mesh));
+  }
+  return built;
+}
+
+SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs)
+{
+  std::vector<Kept> built(inputs.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&]
+  {
+    for (std::size_t i = next.fetch_add(1); i < inputs.size(); i = next.fetch_add(1))
+    {
+      built[i] = this->buildOne(inputs[i]);
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (unsigned w = 1; w < std::min<std::size_t>(this->workers_, inputs.size()); ++w)
+    {
+      helpers.emplace_back(work);
+    }
+    work();
+  }
+  this->kept_ = std::move(built);
+  SceneBuildResult result;
+  std::vector<Surface> surfaces;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    const Kept& kept = this->kept_[i];
+    result.reports.push_back(kept.report);
+    if (kept.tree)
+    {
+      surfaces.push_back({ inputs[i].name, kept.tree, inputs[i].material });
+    }
+  }
+  if (!surfaces.empty())
+  {
+    result.scene = std::make_shared<const Scene>(++this->revision_, std::move(surfaces));
+  }
+  return result;
+}
+
+} // namespace palpate

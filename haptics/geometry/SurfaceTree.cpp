@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/geometry/SurfaceTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include "haptics/core/WordHash.h"
+#include "haptics/geometry/SurfaceData.h"
+
+namespace palpate
+{
+namespace
+{
+
+using Kernel = CGAL::Simple_cartesian<double>;
+
+/// A triangle of a TriangleMesh as CGAL's AABB tree wants it: an index, and the mesh as shared data.
+class MeshPrimitive
+{
+public:
+  using Id = std::uint32_t;
+  using Point = Kernel::Point_3;
+  using Datum = Kernel::Triangle_3;
+  using Shared_data = const TriangleMesh*;
+  using Datum_reference = Datum;
+  using Point_reference = Point;
+
+  MeshPrimitive() = default;
+  template<class Iterator>
+  MeshPrimitive(Iterator it, const TriangleMesh&)
+    : id_(*it)
+  {
+  }
+  [[nodiscard]] Id id() const { return this->id_; }
+  [[nodiscard]] Datum datum(Shared_data mesh) const
+  {
+    return Datum(this->point(mesh, 0), this->point(mesh, 1), this->point(mesh, 2));
+  }
+  [[nodiscard]] Point reference_point(Shared_data mesh) const { return this->point(mesh, 0); }
+  static Shared_data construct_shared_data(const TriangleMesh& mesh) { return &mesh; }
+
+private:
+  [[nodiscard]] Point point(Shared_data mesh, int corner) const
+  {
+    const Vec3& v = mesh->vertices_W[mesh->triangles[this->id_][corner]];
+    return Point(v.x(), v.y(), v.z());
+  }
+  Id id_ = 0;
+};
+
+using Traits = CGAL::AABB_traits<Kernel, MeshPrimitive>;
+using CgalTree = CGAL::AABB_tree<Traits>;
+using CgalNode = CGAL::AABB_node<Traits>;
+
+struct Box
+{
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+  void add(const Vec3& v)
+  {
+    this->low = this->low.cwiseMin(v);
+    this->high = this->high.cwiseMax(v);
+  }
+};
+
+/// Writes CGAL's hierarchy down as flat arrays: CGAL keeps each subtree's primitives contiguous and gives the
+/// left child floor(n / 2) of them, so the shape follows from the counts alone.
+class Flattener
+{
+public:
+  Flattener(SurfaceData& data, const std::vector<std::uint32_t>& order)
+    : data_(data)
+    , order_(order)
+  {
+    data.mesh.triangles.swap(this->unordered_);
+    data.mesh.triangles.reserve(order.size());
+  }
+
+  /// Returns the child index of the subtree with these `count` primitives.
+  std::uint32_t flatten(const CgalNode* node, std::size_t first, std::size_t count, Box& box)
+  {
+    if (count <= Leaf::capacity)
+    {
+      return this->addLeaf(first, count, box);
+    }
+    const std::size_t left = count / 2;
+    const auto index = static_cast<std::uint32_t>(this->data_.nodes.size());
+    this->data_.nodes.emplace_back();
+    Box boxes[2];
+    const std::uint32_t child0 = this->flatten(&node->left_child(), first, left, boxes[0]);
+    const std::uint32_t child1 = this->flatten(&node->right_child(), first + left, count - left, boxes[1]);
+    TreeNode& flat = this->data_.nodes[index];
+    flat.child = { child0, child1 };
+    for (int k = 0; k < 2; ++k)
+    {
+      flat.low_W[k] = boxes[k].low;
+      flat.high_W[k] = boxes[k].high;
+    }
+    const auto& bounds = node->bbox();
+    box.add(Vec3(bounds.xmin(), bounds.ymin(), bounds.zmin()));
+    box.add(Vec3(bounds.xmax(), bounds.ymax(), bounds.zmax()));
+    return index;
+  }
+
+private:
+  std::uint32_t addLeaf(std::size_t first, std::size_t count, Box& box)
+  {
+    for (std::size_t i = first; i < first + count; ++i)
+    {
+      this->data_.mesh.triangles.push_back(this->unordered_[this->order_[i]]);
+      for (const std::uint32_t corner : this->data_.mesh.triangles.back())
+      {
+        box.add(this->data_.vertex(corner));
+      }
+    }
+    const Vec3 origin_W = box.low + 0.5 * (box.high - box.low);
+    this->data_.leaves.push_back({ origin_W, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count) });
+    return static_cast<std::uint32_t>(this->data_.leaves.size() - 1) | TreeNode::leafBit;
+  }
+
+  SurfaceData& data_;
+  const std::vector<std::uint32_t>& order_;
+  std::vector<std::array<std::uint32_t, 3>> unordered_;
+};
+
+/// The order in which CGAL's tree stores its primitives: an in-order walk of its leaves.
+void collectOrder(const CgalNode* node, std::size_t count, std::vector<std::uint32_t>& order)
+{
+  if (count == 2)
+  {
+    order.push_back(node->left_data().id());
+    order.push_back(node->right_data().id());
+  }
+  else if (count == 3)
+  {
+    order.push_back(node->left_data().id());
+    collectOrder(&node->right_child(), 2, order);
+  }
+  else
+  {
+    collectOrder(&node->left_child(), count / 2, order);
+    collectOrder(&node->right_child(), count - count / 2, order);
+  }
+}
+
+void buildHierarchy(SurfaceData& data)
+{
+  const auto count = static_cast<std::uint32_t>(data.mesh.triangles.size());
+  std::vector<std::uint32_t> ids(count);
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    ids[i] = i;
+  }
+  CgalTree tree(ids.begin(), ids.end(), data.mesh);
+  std::vector<std::uint32_t> order;
+  order.reserve(count);
+  Box box;
+  const CgalNode* root = nullptr;
+  if (count > 1)
+  {
+    tree.build();
+    root = tree.root_node();
+    collectOrder(root, count, order);
+  }
+  else
+  {
+    order = ids;
+  }
+  Flattener(data, order).flatten(root, 0, count, box);
+  data.low_W = box.low;
+  data.high_W = box.high;
+}
+
+void buildFans(SurfaceData& data)
+{
+  data.fanStart.assign(data.mesh.vertices_W.size() + 1, 0);
+  for (const auto& t : data.mesh.triangles)
+  {
+    for (const std::uint32_t corner : t)
+    {
+      ++data.fanStart[corner + 1];
+    }
+  }
+  for (std::size_t v = 1; v < data.fanStart.size(); ++v)
+  {
+    data.fanStart[v] += data.fanStart[v - 1];
+  }
+  data.fan.resize(data.fanStart.back());
+  std::vector<std::uint32_t> next(data.fanStart.begin(), data.fanStart.end() - 1);
+  for (std::uint32_t t = 0; t < data.mesh.triangles.size(); ++t)
+  {
+    for (const std::uint32_t corner : data.mesh.triangles[t])
+    {
+      data.fan[next[corner]++] = t;
+    }
+  }
+}
+
+std::uint32_t ownedBits(const SurfaceData& data, std::uint32_t triangle)
+{
+  const auto& t = data.mesh.triangles[triangle];
+  std::uint32_t bits = 0;
+  for (std::uint32_t k = 0; k < 3; ++k)
+  {
+    const std::uint32_t begin = data.fanStart[t[k]];
+    if (data.fan[begin] == triangle)
+    {
+      bits |= ownsVertex0 << k;
+    }
+    std::uint32_t i = begin; // fans ascend: the first one that holds the edge owns it
+    while (!data.hasCorner(data.fan[i], t[(k + 1) % 3]))
+    {
+      ++i;
+    }
+    if (data.fan[i] == triangle)
+    {
+      bits |= ownsEdge0 << k;
+    }
+  }
+  return bits;
+}
+
+FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle)
+{
+  const auto& t = data.mesh.triangles[triangle];
+  FaceRecord face;
+  face.corner_W = { data.vertex(t[0]), data.vertex(t[1]), data.vertex(t[2]) };
+  const Vec3 e = face.corner_W[1] - face.corner_W[0];
+  const Vec3 f = face.corner_W[2] - face.corner_W[0];
+  const double scaleE = e.cwiseAbs().maxCoeff(), scaleF = f.cwiseAbs().maxCoeff(); // no under- or overflow
+  const Vec3 eUnit = (e / scaleE).normalized();
+  const Vec3 fUnit = (f / scaleF).normalized();
+  const Vec3 cross = (e / scaleE).cross(f / scaleF);
+  face.normal_W = cross / cross.norm();
+  face.sliver = static_cast<float>(1.0 / std::max(eUnit.cross(fUnit).norm(), 1e-30));
+  face.owned = ownedBits(data, triangle);
+  return face;
+}
+
+/// A disc in the face's plane that holds its three corners: the circle over the longest edge, or round the centroid.
+void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Vec3& origin_W)
+{
+  const auto& [a, b, c] = face.corner_W;
+  Vec3 centre = (a + b + c) / 3.0;
+  double radius = std::max({ (a - centre).norm(), (b - centre).norm(), (c - centre).norm() });
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vec3 middle = 0.5 * (face.corner_W[k] + face.corner_W[(k + 1) % 3]);
+    const double reach = std::max({ (a - middle).norm(), (b - middle).norm(), (c - middle).norm() });
+    if (reach < radius)
+    {
+      radius = reach;
+      centre = middle;
+    }
+  }
+  const Vec3 local = centre - origin_W;
+  quad.cx[lane] = static_cast<float>(local.x());
+  quad.cy[lane] = static_cast<float>(local.y());
+  quad.cz[lane] = static_cast<float>(local.z());
+  quad.nx[lane] = static_cast<float>(face.normal_W.x());
+  quad.ny[lane] = static_cast<float>(face.normal_W.y());
+  quad.nz[lane] = static_cast<float>(face.normal_W.z());
+  const double roundOff = 4e-7 * (local.cwiseAbs().sum() + radius);
+  quad.radius[lane] = std::nextafter(static_cast<float>(radius + roundOff), std::numeric_limits<float>::infinity());
+}
+
+void buildRecords(SurfaceData& data)
+{
+  data.faces.reserve(data.mesh.triangles.size());
+  for (std::uint32_t t = 0; t < data.mesh.triangles.size(); ++t)
+  {
+    data.faces.push_back(makeFace(data, t));
+  }
+  data.discs.assign(2 * data.leaves.size(), DiscQuad{});
+  for (std::size_t l = 0; l < data.leaves.size(); ++l)
+  {
+    const Leaf& leaf = data.leaves[l];
+    for (std::uint32_t k = 0; k < leaf.count; ++k)
+    {
+      setDisc(data.discs[2 * l + k / 4], static_cast<int>(k % 4), data.faces[leaf.first + k], leaf.origin_W);
+    }
+  }
+}
+
+std::uint64_t hashMesh(const TriangleMesh& mesh)
+{
+  WordHash hash;
+  for (const Vec3& v : mesh.vertices_W)
+  {
+    hash.add(v.x());
+    hash.add(v.y());
+    hash.add(v.z());
+  }
+  for (const auto& t : mesh.triangles)
+  {
+    hash.add(std::uint64_t{ t[0] } << 32 | t[1]);
+    hash.add(std::uint64_t{ t[2] });
+  }
+  return hash.value();
+}
+
+std::unique_ptr<const SurfaceData> buildData(TriangleMesh clean)
+{
+  if (clean.triangles.empty())
+  {
+    throw std::invalid_argument("a surface needs at least one triangle");
+  }
+  auto data = std::make_unique<SurfaceData>();
+  data->mesh = std::move(clean);
+  const std::size_t leavesAtMost = data->mesh.triangles.size() / (Leaf::capacity / 2) + 1;
+  data->leaves.reserve(leavesAtMost);
+  data->nodes.reserve(leavesAtMost);
+  buildHierarchy(*data);
+  data->leaves.shrink_to_fit();
+  data->nodes.shrink_to_fit();
+  buildFans(*data);
+  buildRecords(*data);
+  data->contentHash = hashMesh(data->mesh);
+  return data;
+}
+
+template<class T>
+std::size_t bytesOf(const std::vector<T>& v)
+{
+  return v.capacity() * sizeof(T);
+}
+
+} // namespace
+
+SurfaceTree::SurfaceTree(TriangleMesh clean)
+  : data_(buildData(std::move(clean)))
+{
+}
+
+SurfaceTree::~SurfaceTree() = default;
+
+const TriangleMesh& SurfaceTree::mesh() const noexcept
+{
+  return this->data_->mesh;
+}
+
+std::uint64_t SurfaceTree::contentHash() const noexcept
+{
+  return this->data_->contentHash;
+}
+
+std::size_t SurfaceTree::bytes() const noexcept
+{
+  const SurfaceData& d = *this->data_;
+  return sizeof(SurfaceData) + bytesOf(d.faces) + bytesOf(d.discs) + bytesOf(d.leaves) + bytesOf(d.nodes) +
+    bytesOf(d.fanStart) + bytesOf(d.fan);
+}
+
+} // namespace palpate
