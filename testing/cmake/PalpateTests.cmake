@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# One function per kind of test. Every test gets a label (unit, filters, plugin, gui, lab, vm or fuzz) and a timeout.
+# Arguments common to all:
+#   NAME name          name of the test, and of its target where there is one
+#   LABEL label        default: given at each function
+#   TIMEOUT seconds    default 120
+#   ENVIRONMENT A=b... variables of the test's process
+#   SERIAL             nothing else runs beside it (tests that compare costs)
+
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+set(PALPATE_TEST_OUTPUT "${CMAKE_BINARY_DIR}/Testing/Temporary")
+set(PALPATE_PYTHON_PATH "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/python")
+set(PALPATE_PLUGIN_PATH "${CMAKE_BINARY_DIR}/${PALPATE_PLUGIN_DIR}/Palpate")
+
+# Where a test finds the products of this build.
+set(PALPATE_TEST_ENVIRONMENT
+  "PYTHONPATH=${PALPATE_PYTHON_PATH}:${PROJECT_SOURCE_DIR}/testing/support"
+  "PYTHONDONTWRITEBYTECODE=1"
+  "PALPATE_SOURCE_DIR=${PROJECT_SOURCE_DIR}"
+  "PALPATE_BUILD_DIR=${CMAKE_BINARY_DIR}"
+  "PALPATE_PROGRAM=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/palpate"
+  "PALPATE_PLUGIN=${PALPATE_PLUGIN_PATH}/Palpate.so"
+  "PV_PLUGIN_PATH=${PALPATE_PLUGIN_PATH}")
+
+# Parses ARGN into arg_*; keeps the defaults in one place.
+macro (_palpate_parse default_label one_value multi_value)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL" "NAME;LABEL;TIMEOUT;${one_value}" "ENVIRONMENT;${multi_value}")
+  if (arg_UNPARSED_ARGUMENTS OR NOT arg_NAME)
+    message(FATAL_ERROR "Test '${arg_NAME}': NAME is missing, or these arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
+  endif ()
+  if (NOT arg_LABEL)
+    set(arg_LABEL "${default_label}")
+  endif ()
+  if (NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif ()
+  if (NOT arg_SERIAL)
+    set(arg_SERIAL OFF)
+  endif ()
+  list(PREPEND arg_ENVIRONMENT ${PALPATE_TEST_ENVIRONMENT})
+endmacro ()
+
+function (_palpate_set_properties test)
+  set_tests_properties("${test}" PROPERTIES
+    LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${arg_ENVIRONMENT}")
+endfunction ()
+
+# palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [VTK_MODULES VTK::IOXML ...])
+# A GoogleTest program linked to the core and testing/support; each TEST becomes a ctest "name.Suite.Test".
+# Label: unit. CGAL: the sources use CGAL (oracles). VTK_MODULES: linked and auto-initialised.
+function (palpate_add_unit_test)
+  _palpate_parse(unit "" "SOURCES;LIBRARIES;VTK_MODULES")
+  add_executable("${arg_NAME}" ${arg_SOURCES})
+  target_link_libraries("${arg_NAME}" PRIVATE Palpate::core palpate_testing ${arg_LIBRARIES} ${arg_VTK_MODULES}
+    GTest::gmock GTest::gtest_main)
+  if (arg_CGAL)
+    target_link_libraries("${arg_NAME}" PRIVATE CGAL::CGAL)
+  endif ()
+  if (arg_VTK_MODULES)
+    vtk_module_autoinit(TARGETS "${arg_NAME}" MODULES ${arg_VTK_MODULES})
+  endif ()
+  string(REPLACE ";" "\\;" environment "${arg_ENVIRONMENT}")
+  gtest_discover_tests("${arg_NAME}" TEST_PREFIX "${arg_NAME}." DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${environment}")
+endfunction ()
+
+# palpate_add_program_test(NAME x TARGET t [ARGUMENTS ...]): an executable target of ours; exit code 0 passes. Label: unit.
+function (palpate_add_program_test)
+  _palpate_parse(unit "TARGET" "ARGUMENTS")
+  add_test(NAME "${arg_NAME}" COMMAND "${arg_TARGET}" ${arg_ARGUMENTS})
+  _palpate_set_properties("${arg_NAME}")
+endfunction ()
+
+# palpate_add_python_test(NAME x SCRIPT x.py [ARGUMENTS ...])
+# Runs under /usr/bin/python3 with `palpate` importable. Label: unit. The folder PALPATE_TEST_OUTPUT may be written to.
+function (palpate_add_python_test)
+  _palpate_parse(unit "SCRIPT" "ARGUMENTS")
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  add_test(NAME "${arg_NAME}" COMMAND Python3::Interpreter "${CMAKE_CURRENT_SOURCE_DIR}/${arg_SCRIPT}" ${arg_ARGUMENTS})
+  _palpate_set_properties("${arg_NAME}")
+endfunction ()
+
+# palpate_add_pvpython_test(NAME x SCRIPT x.py [ARGUMENTS ...]): the same under pvpython. Label: plugin.
+function (palpate_add_pvpython_test)
+  _palpate_parse(plugin "SCRIPT" "ARGUMENTS")
+  add_test(NAME "${arg_NAME}"
+    COMMAND ParaView::pvpython --dr "${CMAKE_CURRENT_SOURCE_DIR}/${arg_SCRIPT}" ${arg_ARGUMENTS})
+  _palpate_set_properties("${arg_NAME}")
+endfunction ()
+
+# palpate_add_gui_test(NAME HapticDock SCRIPT HapticDock.xml [DATA folder])
+# Plays a ParaView event script with the plugin loaded; becomes the ctest "pv.HapticDock". Label: gui. Needs a display.
+# NAME must be the script's name without .xml. DATA: where $PARAVIEW_TEST_ROOT/$PARAVIEW_DATA_ROOT point.
+function (palpate_add_gui_test)
+  _palpate_parse(gui "SCRIPT;DATA" "")
+  if (NOT arg_DATA)
+    set(arg_DATA "${CMAKE_CURRENT_SOURCE_DIR}")
+  endif ()
+  set("${arg_NAME}_USES_DIRECT_DATA" ON)
+  paraview_add_client_tests(
+    LOAD_PLUGIN Palpate
+    PLUGIN_PATH "$<TARGET_FILE_DIR:Palpate>"
+    TEST_SCRIPTS "${arg_SCRIPT}")
+  list(APPEND arg_ENVIRONMENT "PARAVIEW_DATA_ROOT=${arg_DATA}")
+  _palpate_set_properties("pv.${arg_NAME}")
+endfunction ()
+
+# palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/TriangleMesh.cpp CORPUS folder
+#   [SECONDS 20] [OPTIONS flags...] [LIBRARIES flags...])
+# A libFuzzer program built by clang++ with its own instrumented copies of SOURCES (the rest of the build may be GCC),
+# and a ctest that runs it for SECONDS from the seeds in CORPUS, which it does not change. Label: fuzz.
+function (palpate_add_fuzz_target)
+  _palpate_parse(fuzz "CORPUS;SECONDS" "SOURCES;OPTIONS;LIBRARIES")
+  find_program(PALPATE_CLANG clang++)
+  if (NOT PALPATE_CLANG)
+    message(STATUS "Fuzz target ${arg_NAME}: left out, clang++ is not installed")
+    return ()
+  endif ()
+  if (NOT arg_SECONDS)
+    set(arg_SECONDS 20)
+  endif ()
+  list(TRANSFORM arg_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
+  set(program "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${arg_NAME}")
+  get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  add_custom_command(OUTPUT "${program}"
+    COMMAND "${PALPATE_CLANG}" -std=c++20 -O1 -g -ffp-contract=off -fsanitize=fuzzer,address,undefined
+      -fno-sanitize-recover=all "-I${PROJECT_SOURCE_DIR}" -isystem "${eigen}" ${arg_OPTIONS}
+      ${arg_SOURCES} ${arg_LIBRARIES} -pthread -o "${program}"
+    DEPENDS ${arg_SOURCES}
+    COMMENT "Fuzz target ${arg_NAME}" VERBATIM COMMAND_EXPAND_LISTS)
+  add_custom_target("${arg_NAME}" ALL DEPENDS "${program}")
+  set(found "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-found")
+  file(MAKE_DIRECTORY "${found}")
+  add_test(NAME "fuzz.${arg_NAME}"
+    COMMAND "${program}" -max_total_time=${arg_SECONDS} -rss_limit_mb=2048 -timeout=20 -print_final_stats=1
+      "-artifact_prefix=${found}/" "${found}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_CORPUS}")
+  _palpate_set_properties("fuzz.${arg_NAME}")
+endfunction ()

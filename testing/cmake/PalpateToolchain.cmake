@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Language, flags and output folders of the whole tree.
+
+if (NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif ()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+# A contracted a*b+c rounds once instead of twice: results would depend on the processor, and exact predicates break.
+add_compile_options(-Wall -Wextra -ffp-contract=off)
+
+if (PALPATE_SANITIZE)
+  if (NOT PALPATE_VTK STREQUAL "none")
+    message(FATAL_ERROR "PALPATE_SANITIZE needs PALPATE_VTK=none: ParaView itself is not instrumented")
+  endif ()
+  add_compile_options(-fsanitize=${PALPATE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_compile_definitions(PALPATE_SANITIZED)
+  add_link_options(-fsanitize=${PALPATE_SANITIZE})
+endif ()
+
+set(CMAKE_INSTALL_LIBDIR lib CACHE STRING "Library folder, the same in the build tree on every machine")
+include(GNUInstallDirs)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(PALPATE_PLUGIN_DIR "${CMAKE_INSTALL_LIBDIR}/paraview-5.11/plugins")
+# Installed parts find one another wherever the prefix is: from bin/, lib/, the plugin's folder and lib/python/palpate/.
+set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" "$ORIGIN/../${PALPATE_PLUGIN_DIR}/Palpate"
+  "$ORIGIN/../../.." "$ORIGIN/../.." "$ORIGIN/../../paraview-5.11/plugins/Palpate")

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The two modules that need neither ParaView nor Qt, against ParaView's VTK (the default search path has another one).
+
+file(GLOB palpate_vtk_dirs "/usr/lib/*/cmake/paraview-5.11/vtk")
+find_package(VTK REQUIRED PATHS ${palpate_vtk_dirs} NO_DEFAULT_PATH)
+set(BUILD_SHARED_LIBS ON)
+
+vtk_module_scan(
+  MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/filters/pipeline/vtk.module"
+               "${CMAKE_CURRENT_SOURCE_DIR}/filters/interaction/vtk.module"
+  PROVIDES_MODULES palpate_modules
+  ENABLE_TESTS OFF)
+vtk_module_build(
+  MODULES ${palpate_modules}
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  INSTALL_HEADERS OFF)
+
+vtk_module_wrap_python(
+  MODULES ${palpate_modules}
+  TARGET PalpatePython
+  PYTHON_PACKAGE "palpate"
+  MODULE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python"
+  BUILD_STATIC OFF
+  INSTALL_HEADERS OFF)
