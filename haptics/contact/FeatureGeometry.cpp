@@ -201,25 +201,26 @@ FaceExit walkFace(
     {
       return { 1.0, triangle };
     }
-    const std::uint32_t i = corners[leaving], j = corners[(leaving + 1) % 3];
+    const std::uint32_t i = std::min(corners[leaving], corners[(leaving + 1) % 3]);
+    const std::uint32_t j = std::max(corners[leaving], corners[(leaving + 1) % 3]);
     const std::uint32_t next = s.neighbour(triangle, i, j);
     if (next == SurfaceData::none)
     {
-      return { t, triangle };
+      return { t, triangle, i, j };
     }
     const Vec3& tip_W = s.vertex(s.opposite(next, i, j));
     const bool coplanar = std::fabs(n.dot(tip_W - anchor_W)) <= 2 * del;
     const bool folded = out.dot(tip_W - s.vertex(i)) <= 0.0;
     if (!coplanar || folded)
     {
-      return { t, triangle };
+      return { t, triangle, i, j };
     }
     triangle = next;
     enteredI = i;
     enteredJ = j;
     reached = t;
   }
-  return { reached, triangle };
+  return { reached, triangle, enteredI, enteredJ };
 }
 
 double exitRound(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r,

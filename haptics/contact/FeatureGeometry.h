@@ -40,6 +40,7 @@ struct FaceExit
 {
   double t = 1.0;              ///< fraction of y
   std::uint32_t triangle = 0;  ///< the triangle reached: coplanar neighbours are walked through
+  std::uint32_t i = 0, j = 0;  ///< t < 1: the edge it is left by, i < j
 };
 
 /// Walks over faces that continue the starting plane; stops just outside the last one (THEORY.md 2.7 EXIT).

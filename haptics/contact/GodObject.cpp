@@ -56,7 +56,8 @@ private:
 struct Slide
 {
   double t = 1.0;
-  int ends = -1; ///< index of the feature that is left at t, or -1
+  int ends = -1;           ///< index of the feature that is left at t, or -1
+  ActiveFeature successor; ///< r > 0: the edge or vertex that the ball then lies on
 };
 
 class Tick
@@ -213,14 +214,32 @@ private:
   /// Rolls round an edge or a vertex if that brings the ball nearer to the device; false if a plain slide is due.
   [[nodiscard]] bool roll() noexcept
   {
-    const RollPlan plan = planRoll(this->contacts_, this->x(), this->p_W_, this->plan_.radius_u, this->solution_);
-    if (!plan.worthwhile)
+    for (const double mostTurn : { 1.0, 0.2, 0.04 })
     {
-      return false;
+      const RollPlan plan =
+        RollPlanner(this->contacts_, this->x(), this->p_W_, this->plan_.radius_u, this->solution_, mostTurn).plan();
+      if (!plan.worthwhile)
+      {
+        return false;
+      }
+      if (this->tryRoll(plan))
+      {
+        return true;
+      }
     }
+    return false;
+  }
+
+  [[nodiscard]] bool tryRoll(const RollPlan& plan) noexcept
+  {
     const Vec3 corner_W = this->x() + plan.first;
     Vec3 end_W = this->x() + plan.second;
     const SweepHit first = this->sweep(this->x(), corner_W);
+    if (first.hit && first.t * plan.first.norm() <= this->tol())
+    {
+      this->contacts_.add(first.feature); // it is touched already: the next projection takes it into account
+      return true;
+    }
     if (first.hit || first.freeUntil < 1.0)
     {
       return false;
@@ -234,7 +253,7 @@ private:
     {
       end_W = corner_W + second.t * (end_W - corner_W);
     }
-    if ((end_W - this->p_W_).squaredNorm() >= (this->x() - this->p_W_).squaredNorm())
+    if ((end_W - this->p_W_).squaredNorm() >= (this->x() - this->p_W_).squaredNorm() + plan.tolerance_u2)
     {
       return false;
     }
@@ -254,9 +273,31 @@ private:
     this->settle(hit.hit ? &hit.feature : nullptr);
   }
 
+  /// How far feature i supports a slide along y, and what a ball comes to lie on there.
+  [[nodiscard]] Slide limitBy(int i, const Vec3& y) noexcept
+  {
+    const ActiveFeature& f = this->contacts_.feature(i);
+    const SurfaceData& s = this->contacts_.dataOf(f);
+    Slide slide{ 1.0, i, f };
+    if (f.kind == FeatureKind::Face)
+    {
+      const FaceExit exit = walkFace(s, f.a, this->x(), y, this->del());
+      slide.t = exit.t;
+      slide.successor = { f.surface, exit.i, exit.j, FeatureKind::Edge, 1, false };
+      return slide;
+    }
+    slide.t = exitRound(s, f, this->x(), y, this->plan_.radius_u, this->del());
+    if (f.kind == FeatureKind::Edge)
+    {
+      const std::uint32_t end = edgeLine(s, f.a, f.b).unit.dot(y) > 0.0 ? f.b : f.a;
+      slide.successor = { f.surface, end, 0, FeatureKind::Vertex, 1, false };
+    }
+    return slide;
+  }
+
   [[nodiscard]] Slide limitSlide() noexcept
   {
-    Slide slide;
+    Slide least;
     const Vec3& y = this->solution_.y;
     for (int k = 0; k < this->solution_.count; ++k)
     {
@@ -266,23 +307,18 @@ private:
       {
         continue;
       }
-      const SurfaceData& s = this->contacts_.dataOf(f);
-      const double t = f.kind == FeatureKind::Face ? walkFace(s, f.a, this->x(), y, this->del()).t
-                                                   : exitRound(s, f, this->x(), y, this->plan_.radius_u, this->del());
-      if (f.stuck && t * y.norm() <= 4 * this->tol())
+      Slide slide = this->limitBy(i, y);
+      if (f.stuck && slide.t * y.norm() <= 4 * this->tol())
       {
-        const double nudge = 1e-4 * (s.faces[f.a].corner_W[1] - s.faces[f.a].corner_W[0]).norm() / y.norm();
-        if (nudge < slide.t)
-        {
-          slide = { nudge, -1 };
-        }
+        const FaceRecord& face = this->contacts_.dataOf(f).faces[f.a];
+        slide = { 1e-4 * (face.corner_W[1] - face.corner_W[0]).norm() / y.norm(), -1, f };
       }
-      else if (t < slide.t)
+      if (slide.t < least.t)
       {
-        slide = { t, i };
+        least = slide;
       }
     }
-    return slide;
+    return least;
   }
 
   /// Slides under the touched planes to the last supported point or to the next obstacle. False: the tick is over.
@@ -309,14 +345,25 @@ private:
     this->moveTo(to_W);
     if (limit.ends >= 0)
     {
-      if (!this->round())
-      {
-        this->left_.add(this->contacts_.feature(limit.ends), this->x());
-      }
-      this->contacts_.remove(limit.ends);
+      this->leave(limit);
     }
     this->settle();
     return !(this->contacts_.count() == 0 && this->x() == this->p_W_);
+  }
+
+  /// A ball that slides off a face lies on its edge, off an edge on its end; a point lies on nothing.
+  void leave(const Slide& limit) noexcept
+  {
+    const ActiveFeature left = this->contacts_.feature(limit.ends);
+    this->contacts_.remove(limit.ends);
+    if (this->round())
+    {
+      this->contacts_.add(limit.successor);
+    }
+    else
+    {
+      this->left_.add(left, this->x());
+    }
   }
 
   void stopBall(const SweepHit& hit, const Vec3& to_W) noexcept

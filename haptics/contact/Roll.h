@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "haptics/contact/ContactSet.h"
 
 namespace palpate
@@ -12,12 +14,50 @@ struct RollPlan
   bool worthwhile = false;
   Vec3 first = Vec3::Zero();  ///< displacement from x to the corner of old and new tangent planes
   Vec3 second = Vec3::Zero(); ///< displacement from x to the new place
+  double tolerance_u2 = 0.0;  ///< by how much the squared distance to p may grow and still be progress
 };
 
 /// Plans a roll towards p (THEORY.md 2.7 ROLL): tangent planes alone converge like depth / r and diverge for
 /// depth > r; the pair of tangents converges quadratically and keeps the way outside of the round obstacle.
-/// `solution` is the projection of p - x onto the touched planes, with multipliers l.
-[[nodiscard]] RollPlan planRoll(const ContactSet& contacts, const Vec3& x_W, const Vec3& p_W, double radius_u,
-  const ProjectionResult& solution) noexcept;
+/// `solution` is the projection of p - x onto the touched planes, with multipliers l. A normal turns by at
+/// most the angle whose tangent is `mostTurn`. One plan per object.
+class RollPlanner
+{
+public:
+  /// A round contact on its way to a new normal.
+  struct Pivot
+  {
+    int row = 0;              ///< index of the touched feature
+    FeaturePlane plane;       ///< at x
+    Vec3 axis = Vec3::Zero(); ///< unit along an edge, zero for a vertex
+    Vec3 w = Vec3::Zero();    ///< unit tangential direction in which the ball wants to go
+    double limit = 0.0;       ///< tangent of the largest angle before it comes to lie on an incident face
+    double turn = 0.0;        ///< tangent of the largest angle of this roll
+  };
+
+  RollPlanner(const ContactSet& contacts, const Vec3& x_W, const Vec3& p_W, double radius_u,
+    const ProjectionResult& solution, double mostTurn) noexcept;
+  [[nodiscard]] RollPlan plan() noexcept;
+
+private:
+  [[nodiscard]] Vec3 aim() noexcept;
+  [[nodiscard]] Vec3 pressed(const Vec3& aim) const noexcept;
+  [[nodiscard]] Vec3 axisOf(const ActiveFeature& f) const noexcept;
+  void chooseTargets(Vec3& aim) noexcept;
+  [[nodiscard]] bool correct(const Vec3& y) noexcept;
+
+  const ContactSet& contacts_;
+  Vec3 x_W_;
+  Vec3 q_;
+  double radius_u_;
+  const ProjectionResult& solution_;
+  double mostTurn_;
+  double slack_;
+  std::array<PlaneRow, GodObjectState::maxFeatures> rows_;     ///< touched planes, those of the pivots as they will be
+  std::array<PlaneRow, GodObjectState::maxFeatures + 3> both_; ///< as they are, and behind them as they will be
+  std::array<Pivot, 3> pivots_;
+  int pivotCount_ = 0;
+  bool newton_ = false;
+};
 
 } // namespace palpate
