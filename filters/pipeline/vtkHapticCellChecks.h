@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticCellChecks_h
+#define vtkHapticCellChecks_h
+
+#include <string>
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+/// VTK's filters trust the indices of a data set; a file may hold any. To be asked before any filter runs on what a
+/// reader gave. Each returns an empty string, or what is wrong.
+namespace vtkHapticCellChecks
+{
+[[nodiscard]] std::string CheckPolyData(vtkPolyData* data);
+[[nodiscard]] std::string CheckGrid(vtkUnstructuredGrid* grid);
+}
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticFileGuards_h
+#define vtkHapticFileGuards_h
+
+#include <cstdint>
+#include <string>
+
+/// What has to hold before a reader may believe a file's header and allocate for it. Each returns an empty string,
+/// or what is wrong.
+namespace vtkHapticFileGuards
+{
+/// Exists, is a regular file, can be opened, holds at least one byte.
+[[nodiscard]] std::string CheckFile(const std::string& path);
+
+/// VTK's XML formats: every count in the headers could be stored, compressed as well as can be, in a file that long.
+[[nodiscard]] std::string CheckXMLCounts(const std::string& path);
+
+/// STL: a binary file is as long as its count says; a text ends with `endsolid`.
+[[nodiscard]] std::string CheckSTL(const std::string& path);
+
+/// NIfTI, plain or gzipped: the header says a type of voxel that is one real number. VTK's reader reads outside of its
+/// tables when it does not know the type.
+[[nodiscard]] std::string CheckNIfTIType(const std::string& path);
+
+/// An image of that many bytes could be stored in that file; gzip packs at most 1032 to 1.
+[[nodiscard]] std::string CheckImageBytes(const std::string& path, const int dimensions[3], double bytesPerVoxel,
+  bool compressed);
+}
+
+#endif

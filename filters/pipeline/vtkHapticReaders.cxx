@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticReaders.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
+#include "vtkCellArray.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkHapticCellChecks.h"
+#include "vtkHapticFaceMesh.h"
+#include "vtkHapticFileGuards.h"
+#include "vtkHapticImageSurface.h"
+#include "vtkHapticMessageCapture.h"
+#include "vtkHapticOBJParser.h"
+#include "vtkHapticOFFParser.h"
+#include "vtkHapticPLYParser.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSTLReader.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+namespace
+{
+using SurfacePointer = vtkSmartPointer<vtkPolyData>;
+using TextParser = vtkHapticFaceMesh (*)(std::string_view);
+
+constexpr const char* KnownExtensions = "vtp, vtu, stl, ply, obj, off, and with --iso vti, nii, nii.gz";
+
+void ThrowIf(const std::string& problem)
+{
+  if (!problem.empty())
+  {
+    throw std::runtime_error(problem);
+  }
+}
+
+/// VTK names what it stumbled over; a person wants to know what that means.
+void ThrowIfBroken(const vtkHapticMessageCapture& messages)
+{
+  if (!messages.FirstError().empty())
+  {
+    throw std::runtime_error("it is broken or cut short (" + messages.FirstError() + ")");
+  }
+}
+
+/// Lower case, without the dot; "nii.gz" counts as one.
+std::string ExtensionOf(const std::string& path)
+{
+  std::string name = path.substr(path.find_last_of('/') + 1);
+  std::transform(
+    name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (name.ends_with(".nii.gz"))
+  {
+    return "nii.gz";
+  }
+  const std::size_t dot = name.find_last_of('.');
+  return dot == std::string::npos ? "" : name.substr(dot + 1);
+}
+
+bool IsImage(const std::string& extension)
+{
+  return extension == "vti" || extension == "nii" || extension == "nii.gz";
+}
+
+TextParser ParserFor(const std::string& extension)
+{
+  return extension == "off" ? vtkHapticParseOFF
+    : extension == "obj"    ? vtkHapticParseOBJ
+    : extension == "ply"    ? vtkHapticParsePLY
+                            : nullptr;
+}
+
+void CheckIsoFits(bool image, std::optional<double> iso)
+{
+  if (image && !iso)
+  {
+    throw std::runtime_error("it is an image; give the value of the surface to touch with --iso");
+  }
+  if (!image && iso)
+  {
+    throw std::runtime_error("it is a mesh and has no iso value; leave out --iso");
+  }
+  if (iso && !std::isfinite(*iso))
+  {
+    throw std::runtime_error("the iso value is not a finite number");
+  }
+}
+
+std::string ReadBytes(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+}
+
+SurfacePointer ToPolyData(const vtkHapticFaceMesh& mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(mesh.NumberOfPoints());
+  std::copy(mesh.Coordinates.begin(), mesh.Coordinates.end(),
+    vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0));
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(mesh.NumberOfFaces() + 1);
+  std::copy(mesh.Offsets.begin(), mesh.Offsets.end(), offsets->GetPointer(0));
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(mesh.Offsets.back());
+  std::copy(mesh.Connectivity.begin(), mesh.Connectivity.end(), connectivity->GetPointer(0));
+  vtkNew<vtkCellArray> faces;
+  faces->SetData(offsets, connectivity);
+  auto surface = SurfacePointer::New();
+  surface->SetPoints(points);
+  surface->SetPolys(faces);
+  return surface;
+}
+
+SurfacePointer ReadWithParser(const std::string& path, TextParser parse)
+{
+  const vtkHapticFaceMesh mesh = parse(ReadBytes(path));
+  ThrowIf(mesh.Problem);
+  return ToPolyData(mesh);
+}
+
+SurfacePointer ReadVTP(const std::string& path)
+{
+  ThrowIf(vtkHapticFileGuards::CheckXMLCounts(path));
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+SurfacePointer ReadVTU(const std::string& path, const vtkHapticMessageCapture& messages)
+{
+  ThrowIf(vtkHapticFileGuards::CheckXMLCounts(path));
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  ThrowIfBroken(messages);
+  ThrowIf(vtkHapticCellChecks::CheckGrid(reader->GetOutput()));
+  vtkNew<vtkDataSetSurfaceFilter> skin;
+  skin->SetInputData(reader->GetOutput());
+  skin->Update();
+  return skin->GetOutput();
+}
+
+SurfacePointer ReadSTL(const std::string& path)
+{
+  ThrowIf(vtkHapticFileGuards::CheckSTL(path));
+  vtkNew<vtkSTLReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->MergingOff(); // it would drop degenerate triangles unreported; cleaning welds
+  reader->Update();
+  return reader->GetOutput();
+}
+
+SurfacePointer Read(const std::string& path, const std::string& extension, std::optional<double> iso,
+  const vtkHapticMessageCapture& messages, std::string& note)
+{
+  if (const TextParser parse = ParserFor(extension))
+  {
+    return ReadWithParser(path, parse);
+  }
+  if (extension == "vtp")
+  {
+    return ReadVTP(path);
+  }
+  if (extension == "vtu")
+  {
+    return ReadVTU(path, messages);
+  }
+  if (extension == "stl")
+  {
+    return ReadSTL(path);
+  }
+  return extension == "vti" ? vtkHapticImageSurface::ReadVTI(path, *iso)
+                            : vtkHapticImageSurface::ReadNIfTI(path, *iso, note);
+}
+
+void CheckExtension(const std::string& extension)
+{
+  if (!ParserFor(extension) && extension != "vtp" && extension != "vtu" && extension != "stl" && !IsImage(extension))
+  {
+    throw std::runtime_error((extension.empty() ? std::string("it has no extension")
+                                                : "the extension '" + extension + "' is not known") +
+      "; known are " + KnownExtensions);
+  }
+}
+
+void CheckSurface(vtkPolyData* surface)
+{
+  ThrowIf(vtkHapticCellChecks::CheckPolyData(surface));
+  if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
+  {
+    return;
+  }
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    throw std::runtime_error("it holds no points and no triangles");
+  }
+  throw std::runtime_error("it holds " + std::to_string(surface->GetNumberOfPoints()) +
+    " points but no triangles; only surfaces can be touched");
+}
+
+SurfacePointer ReadChecked(const std::string& path, std::optional<double> iso, std::string& note)
+{
+  ThrowIf(vtkHapticFileGuards::CheckFile(path));
+  const std::string extension = ExtensionOf(path);
+  CheckExtension(extension);
+  CheckIsoFits(IsImage(extension), iso);
+  const vtkHapticMessageCapture messages;
+  SurfacePointer surface;
+  try
+  {
+    surface = Read(path, extension, iso, messages, note);
+  }
+  catch (const std::runtime_error&)
+  {
+    ThrowIfBroken(messages); // what VTK met first is the cause of what was noticed later
+    throw;
+  }
+  ThrowIfBroken(messages);
+  note = note.empty() ? messages.FirstWarning() : note;
+  CheckSurface(surface);
+  return surface;
+}
+}
+
+vtkHapticReadResult vtkHapticReadSurface(const std::string& path, std::optional<double> iso)
+{
+  vtkHapticReadResult result;
+  try
+  {
+    result.Surface = ReadChecked(path, iso, result.Note);
+  }
+  catch (const std::bad_alloc&)
+  {
+    result.Problem = path + ": there is not enough memory to read it";
+  }
+  catch (const std::exception& error)
+  {
+    result.Problem = path + ": " + error.what();
+  }
+  return result;
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticReaders_h
+#define vtkHapticReaders_h
+
+#include <optional>
+#include <string>
+
+#include "vtkHapticPipelineModule.h" // for the export macro
+#include "vtkSmartPointer.h"
+
+class vtkPolyData;
+
+/// A surface read from a file, or why there is none.
+struct vtkHapticReadResult
+{
+  vtkSmartPointer<vtkPolyData> Surface; ///< polygons and strips in the file's own coordinates; null on a problem
+  std::string Problem; ///< one line: file, what is wrong, what to do; empty when Surface can be used
+  std::string Note;    ///< what a reader warned of or left out, one line; mostly empty
+};
+
+/// Reads vtp, vtu, stl, ply, obj and off, and with an iso value vti, nii and nii.gz, as a surface [scene units].
+///
+/// The skin of a volume mesh, the iso surface of an image. An image stands where its header puts it: vti by origin,
+/// spacing and direction, NIfTI by its sform or else qform matrix, its values rescaled as its header says, so that
+/// `iso` is in the units of the data. Nothing a header promises is believed before the file is found long enough, and
+/// every index is checked before a filter sees it. NaN points and degenerate triangles are left to cleaning.
+/// VTK's output window is replaced while reading: call from one thread at a time.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticReadResult vtkHapticReadSurface(
+  const std::string& path, std::optional<double> iso);
+
+#endif
