@@ -8,6 +8,7 @@
 #include "haptics/contact/Roll.h"
 #include "haptics/contact/Seat.h"
 #include "haptics/contact/Sweep.h"
+#include "haptics/geometry/ExactPredicates.h"
 
 namespace palpate
 {
@@ -57,7 +58,8 @@ struct Slide
 {
   double t = 1.0;
   int ends = -1;           ///< index of the feature that is left at t, or -1
-  ActiveFeature successor; ///< r > 0: the edge or vertex that the ball then lies on
+  ActiveFeature successor; ///< the edge or vertex over which it is left
+  std::uint32_t lastFace = 0; ///< the face from which that edge was reached
 };
 
 class Tick
@@ -214,8 +216,13 @@ private:
   /// Rolls round an edge or a vertex if that brings the ball nearer to the device; false if a plain slide is due.
   [[nodiscard]] bool roll() noexcept
   {
+    double turn = 2.0;
     for (const double mostTurn : { 1.0, 0.2, 0.04 })
     {
+      if (mostTurn >= turn)
+      {
+        continue; // the last plan turned less than that already
+      }
       const RollPlan plan =
         RollPlanner(this->contacts_, this->x(), this->p_W_, this->plan_.radius_u, this->solution_, mostTurn).plan();
       if (!plan.worthwhile)
@@ -226,6 +233,7 @@ private:
       {
         return true;
       }
+      turn = plan.turn;
     }
     return false;
   }
@@ -240,9 +248,14 @@ private:
       this->contacts_.add(first.feature); // it is touched already: the next projection takes it into account
       return true;
     }
-    if (first.hit || first.freeUntil < 1.0)
+    if (first.freeUntil < 1.0)
     {
       return false;
+    }
+    if (first.hit)
+    {
+      end_W = this->x() + first.t * plan.first;
+      return this->commitRoll(end_W, end_W, first, 0.0);
     }
     const SweepHit second = this->sweep(corner_W, end_W);
     if (second.freeUntil < 1.0)
@@ -253,13 +266,19 @@ private:
     {
       end_W = corner_W + second.t * (end_W - corner_W);
     }
-    if ((end_W - this->p_W_).squaredNorm() >= (this->x() - this->p_W_).squaredNorm() + plan.tolerance_u2)
+    return this->commitRoll(corner_W, end_W, second, plan.tolerance_u2);
+  }
+
+  /// Takes the way over the corner if it ends nearer to the device.
+  [[nodiscard]] bool commitRoll(const Vec3& corner_W, const Vec3& end_W, const SweepHit& hit, double tolerance_u2) noexcept
+  {
+    if ((end_W - this->p_W_).squaredNorm() >= (this->x() - this->p_W_).squaredNorm() + tolerance_u2)
     {
       return false;
     }
     this->moveTo(corner_W);
     this->moveTo(end_W);
-    this->touch(second);
+    this->touch(hit);
     return true;
   }
 
@@ -284,6 +303,7 @@ private:
       const FaceExit exit = walkFace(s, f.a, this->x(), y, this->del());
       slide.t = exit.t;
       slide.successor = { f.surface, exit.i, exit.j, FeatureKind::Edge, 1, false };
+      slide.lastFace = exit.triangle;
       return slide;
     }
     slide.t = exitRound(s, f, this->x(), y, this->plan_.radius_u, this->del());
@@ -351,7 +371,7 @@ private:
     return !(this->contacts_.count() == 0 && this->x() == this->p_W_);
   }
 
-  /// A ball that slides off a face lies on its edge, off an edge on its end; a point lies on nothing.
+  /// A ball that slides off a face lies on its edge, off an edge on its end; a point comes over the next face.
   void leave(const Slide& limit) noexcept
   {
     const ActiveFeature left = this->contacts_.feature(limit.ends);
@@ -359,10 +379,20 @@ private:
     if (this->round())
     {
       this->contacts_.add(limit.successor);
+      return;
     }
-    else
+    this->left_.add(left, this->x());
+    const SurfaceData& s = this->contacts_.dataOf(left);
+    ActiveFeature next = left;
+    next.a = s.neighbour(limit.lastFace, limit.successor.a, limit.successor.b);
+    if (next.a != SurfaceData::none)
     {
-      this->left_.add(left, this->x());
+      const auto& [a, b, c] = s.faces[next.a].corner_W;
+      next.side = static_cast<std::int8_t>(orientation(a, b, c, this->x()));
+      if (next.side != 0)
+      {
+        this->contacts_.add(next); // settle() drops it again where it does not hold
+      }
     }
   }
 

@@ -204,6 +204,7 @@ RollPlan RollPlanner::plan() noexcept
   for (int k = 0; k < this->pivotCount_; ++k)
   {
     this->both_[count + k] = this->rows_[this->pivots_[k].row];
+    plan.turn = std::max(plan.turn, this->pivots_[k].turn);
   }
   const ProjectionResult first = projectOntoPlanes({ this->both_.data(), count + this->pivotCount_ }, target, this->slack_);
   // Near the solution a Newton step gains less than a distance resolves.

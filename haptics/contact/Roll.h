@@ -14,6 +14,7 @@ struct RollPlan
   bool worthwhile = false;
   Vec3 first = Vec3::Zero();  ///< displacement from x to the corner of old and new tangent planes
   Vec3 second = Vec3::Zero(); ///< displacement from x to the new place
+  double turn = 0.0;          ///< tangent of the largest angle any normal was allowed to turn
   double tolerance_u2 = 0.0;  ///< by how much the squared distance to p may grow and still be progress
 };
 
