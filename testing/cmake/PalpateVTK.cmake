@@ -9,6 +9,7 @@ vtk_module_scan(
   MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/filters/pipeline/vtk.module"
                "${CMAKE_CURRENT_SOURCE_DIR}/filters/interaction/vtk.module"
   PROVIDES_MODULES palpate_modules
+  WANT_BY_DEFAULT ON
   ENABLE_TESTS OFF)
 vtk_module_build(
   MODULES ${palpate_modules}
