@@ -61,9 +61,15 @@ function (palpate_add_unit_test)
   if (arg_VTK_MODULES)
     vtk_module_autoinit(TARGETS "${arg_NAME}" MODULES ${arg_VTK_MODULES})
   endif ()
-  string(REPLACE ";" "\\;" environment "${arg_ENVIRONMENT}")
-  gtest_discover_tests("${arg_NAME}" TEST_PREFIX "${arg_NAME}." DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${environment}")
+  gtest_discover_tests("${arg_NAME}" TEST_PREFIX "${arg_NAME}." TEST_LIST "${arg_NAME}_tests" DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}")
+  # gtest_discover_tests takes a list apart, so the environment is set in a script that ctest reads after the discovery.
+  set(script "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-environment.cmake")
+  file(WRITE "${script}" "foreach (test IN LISTS ${arg_NAME}_tests)
+  set_tests_properties(\"\${test}\" PROPERTIES ENVIRONMENT [==[${arg_ENVIRONMENT}]==])
+endforeach ()
+")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${script}")
 endfunction ()
 
 # palpate_add_program_test(NAME x TARGET t [ARGUMENTS ...]): an executable target of ours; exit code 0 passes. Label: unit.
