@@ -3,7 +3,7 @@
 # Arguments common to all:
 #   NAME name          name of the test, and of its target where there is one
 #   LABEL label        default: given at each function
-#   TIMEOUT seconds    default 120
+#   TIMEOUT seconds    default 120; times PALPATE_TIMEOUT_FACTOR where that is set (./dev test --full)
 #   ENVIRONMENT A=b... variables of the test's process
 #   SERIAL             nothing else runs beside it (tests that compare costs)
 
@@ -35,6 +35,9 @@ macro (_palpate_parse default_label one_value multi_value)
   endif ()
   if (NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
+  endif ()
+  if (PALPATE_TIMEOUT_FACTOR)
+    math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * ${PALPATE_TIMEOUT_FACTOR}")
   endif ()
   if (NOT arg_SERIAL)
     set(arg_SERIAL OFF)
