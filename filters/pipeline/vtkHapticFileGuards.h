@@ -2,15 +2,16 @@
 #ifndef vtkHapticFileGuards_h
 #define vtkHapticFileGuards_h
 
-#include <cstdint>
 #include <string>
+
+#include "vtkHapticPipelineModule.h" // for the export macro
 
 /// What has to hold before a reader may believe a file's header and allocate for it. Each returns an empty string,
 /// or what is wrong.
 namespace vtkHapticFileGuards
 {
 /// Exists, is a regular file, can be opened, holds at least one byte.
-[[nodiscard]] std::string CheckFile(const std::string& path);
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string CheckFile(const std::string& path);
 
 /// VTK's XML formats: every count in the headers could be stored, compressed as well as can be, in a file that long.
 [[nodiscard]] std::string CheckXMLCounts(const std::string& path);

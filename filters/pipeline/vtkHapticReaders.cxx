@@ -252,3 +252,8 @@ vtkHapticReadResult vtkHapticReadSurface(const std::string& path, std::optional<
   }
   return result;
 }
+
+bool vtkHapticIsImageFile(const std::string& path)
+{
+  return IsImage(ExtensionOf(path));
+}

@@ -28,4 +28,7 @@ struct vtkHapticReadResult
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticReadResult vtkHapticReadSurface(
   const std::string& path, std::optional<double> iso);
 
+/// True for the formats of which an iso surface is made, by the extension alone.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsImageFile(const std::string& path);
+
 #endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One harness for the parsers of untrusted mesh files; PARSER and PARSER_HEADER are given by the build.
+#include PARSER_HEADER
+
+#include <cstdint>
+#include <cstdlib>
+
+namespace
+{
+void require(bool holds)
+{
+  if (!holds)
+  {
+    std::abort();
+  }
+}
+
+/// What the readers rely on without asking again.
+void requireConsistent(const vtkHapticFaceMesh& mesh)
+{
+  require(mesh.Coordinates.size() % 3 == 0);
+  require(!mesh.Offsets.empty() && mesh.Offsets.front() == 0);
+  require(mesh.Offsets.back() == static_cast<std::int64_t>(mesh.Connectivity.size()));
+  for (std::size_t i = 1; i < mesh.Offsets.size(); ++i)
+  {
+    require(mesh.Offsets[i] - mesh.Offsets[i - 1] >= 3);
+  }
+  for (const std::int64_t index : mesh.Connectivity)
+  {
+    require(index >= 0 && index < mesh.NumberOfPoints());
+  }
+}
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const vtkHapticFaceMesh mesh = PARSER({ reinterpret_cast<const char*>(data), size });
+  requireConsistent(mesh);
+  require(mesh.Problem.empty() || mesh.NumberOfPoints() == 0);
+  require(mesh.Problem.find('\n') == std::string::npos);
+  // a header's promise costs nothing: memory follows the length of the file
+  require(mesh.Coordinates.capacity() <= 3 * size + 64 && mesh.Connectivity.capacity() <= 2 * size + 64);
+  return 0;
+}

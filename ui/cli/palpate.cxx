@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+#include "vtkHapticCliCommands.h"
+#include "vtkHapticCliProblem.h"
+
+namespace
+{
+constexpr int BadInput = 2;
+
+struct Arguments
+{
+  bool Json = false;
+  std::string File;
+  std::optional<double> Iso;
+  vtkHapticCliTouchOptions Touch;
+  vtkHapticCliReplayOptions Replay;
+};
+
+/// Options that scripts may already name: refusing them beats doing something else than was asked.
+constexpr std::array<const char*, 3> AbsentOptions = { "--mu-static", "--mu-kinetic", "--two-d" };
+
+void AddDevices(CLI::App& app, Arguments& arguments)
+{
+  CLI::App* command = app.add_subcommand("devices", "what is attached, what each can do, why one cannot be used");
+  command->add_flag("--json", arguments.Json, "for a program to read");
+}
+
+void AddCheck(CLI::App& app, Arguments& arguments)
+{
+  CLI::App* command = app.add_subcommand("check", "can it be touched? what was repaired, what is refused");
+  command->add_option("FILE", arguments.File, "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso")->required();
+  command->add_option("--iso", arguments.Iso, "value of the surface in an image");
+  command->add_flag("--json", arguments.Json, "for a program to read");
+}
+
+void AddTouch(CLI::App& app, Arguments& arguments)
+{
+  vtkHapticCliTouchOptions& options = arguments.Touch;
+  CLI::App* command = app.add_subcommand("touch", "the tick along a given device path, without device limits");
+  command->add_option("FILE", options.Files, "surfaces; images with --iso")->required();
+  command->add_option("--path", options.Path, "PATH.csv: t,x,y,z[,qw,qx,qy,qz] [s, scene units], a tick per row")
+    ->required();
+  command->add_option("--csv", options.Output, "OUT.csv: a row per tick")->required();
+  command->add_option("--iso", options.Iso, "value of the surface in an image");
+  command->add_option("--radius", options.Radius_u, "ball radius [scene units]")->capture_default_str();
+  command->add_option("--stiffness", options.Stiffness_N_per_m, "coupling [N/m]")->capture_default_str();
+  command->add_option("--scale", options.Scale_u_per_m, "scene units per metre of the hand")->capture_default_str();
+  const std::string absent = "not there yet";
+  command->add_option(AbsentOptions[0], absent)->type_name("X")->expected(1);
+  command->add_option(AbsentOptions[1], absent)->type_name("X")->expected(1);
+  command->add_flag(AbsentOptions[2], absent);
+}
+
+void AddReplay(CLI::App& app, Arguments& arguments)
+{
+  vtkHapticCliReplayOptions& options = arguments.Replay;
+  CLI::App* command = app.add_subcommand("replay", "recompute a recording and compare bit for bit");
+  command->add_option("RECORDING", options.Recording, "as a session saved it")->required();
+  command->add_option("--scene", options.Scenes, "surfaces, for a recording that holds no scenes");
+  command->add_option("--csv", options.Output, "OUT.csv: a row per tick, as recomputed");
+}
+
+void CheckNumber(const char* option, double value, bool zeroAllowed, const char* unit)
+{
+  if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !zeroAllowed))
+  {
+    std::ostringstream message;
+    message << option << ' ' << value << ": it has to be a finite number of " << unit
+            << (zeroAllowed ? ", 0 or more" : ", more than 0");
+    throw vtkHapticCliProblem(message.str());
+  }
+}
+
+int Touch(const CLI::App& command, const vtkHapticCliTouchOptions& options)
+{
+  for (const char* option : AbsentOptions)
+  {
+    if (command.count(option) > 0)
+    {
+      throw vtkHapticCliProblem(std::string(option) + " is not there yet; leave it out");
+    }
+  }
+  CheckNumber("--radius", options.Radius_u, true, "scene units");
+  CheckNumber("--stiffness", options.Stiffness_N_per_m, true, "newtons per metre");
+  CheckNumber("--scale", options.Scale_u_per_m, false, "scene units per metre");
+  return vtkHapticCliTouch(options);
+}
+
+int Run(const CLI::App& app, const Arguments& arguments)
+{
+  if (app.got_subcommand("devices"))
+  {
+    return vtkHapticCliDevices(arguments.Json);
+  }
+  if (app.got_subcommand("check"))
+  {
+    return vtkHapticCliCheck(arguments.File, arguments.Iso, arguments.Json);
+  }
+  if (app.got_subcommand("touch"))
+  {
+    return Touch(*app.get_subcommand("touch"), arguments.Touch);
+  }
+  return vtkHapticCliReplay(arguments.Replay);
+}
+
+int Refuse(std::string reason)
+{
+  std::replace_if(
+    reason.begin(), reason.end(), [](unsigned char c) { return c < 0x20; }, ' ');
+  std::cerr << "palpate: " << reason << '\n';
+  return BadInput;
+}
+}
+
+int main(int argc, char** argv)
+{
+  Arguments arguments;
+  CLI::App app("Touches surfaces without a display: the same tick that drives a haptic device.", "palpate");
+  app.set_version_flag("--version", PALPATE_VERSION);
+  app.require_subcommand(1);
+  AddDevices(app, arguments);
+  AddCheck(app, arguments);
+  AddTouch(app, arguments);
+  AddReplay(app, arguments);
+  try
+  {
+    app.parse(argc, argv);
+    return Run(app, arguments);
+  }
+  catch (const CLI::Success& helpOrVersion)
+  {
+    return app.exit(helpOrVersion);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return Refuse(std::string(error.what()) + " (palpate --help says what can be asked)");
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Refuse("there is not enough memory for this");
+  }
+  catch (const std::exception& error)
+  {
+    return Refuse(error.what());
+  }
+}

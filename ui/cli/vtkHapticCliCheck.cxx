@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticCliCommands.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "haptics/contact/ContactPlan.h"
+#include "vtkHapticCliProblem.h"
+#include "vtkHapticCliScene.h"
+
+namespace
+{
+struct Box
+{
+  palpate::Vec3 Low_W;
+  palpate::Vec3 High_W;
+};
+
+Box BoundsOf(const palpate::TriangleMesh& mesh)
+{
+  Box box{ mesh.vertices_W.front(), mesh.vertices_W.front() };
+  for (const palpate::Vec3& vertex : mesh.vertices_W)
+  {
+    box.Low_W = box.Low_W.cwiseMin(vertex);
+    box.High_W = box.High_W.cwiseMax(vertex);
+  }
+  return box;
+}
+
+std::string PlanOf(const palpate::Surface& surface)
+{
+  const palpate::ContactPlan plan;
+  return "every kept triangle is touched as it is, through a tree of " +
+    std::to_string(surface.tree->bytes() / 1024) + " KiB beside the mesh; a tick visits at most " +
+    std::to_string(plan.nodeBudget) + " nodes";
+}
+
+nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report)
+{
+  nlohmann::ordered_json json;
+  json["file"] = report.name;
+  json["touchable"] = report.refusal.empty();
+  json["refusal"] = report.refusal;
+  json["triangles_in"] = report.clean.trianglesIn;
+  json["triangles_out"] = report.clean.trianglesOut;
+  json["vertices_out"] = report.clean.verticesOut;
+  json["dropped"] = { { "non_finite", report.clean.nonFinite }, { "collinear", report.clean.collinear },
+    { "duplicate", report.clean.duplicate } };
+  json["boundary_edges"] = report.clean.boundaryEdges;
+  json["non_manifold_edges"] = report.clean.nonManifoldEdges;
+  return json;
+}
+
+void AddScene(nlohmann::ordered_json& json, const palpate::Surface& surface)
+{
+  const Box box = BoundsOf(surface.tree->mesh());
+  json["low_u"] = { box.Low_W.x(), box.Low_W.y(), box.Low_W.z() };
+  json["high_u"] = { box.High_W.x(), box.High_W.y(), box.High_W.z() };
+  json["tree_bytes"] = surface.tree->bytes();
+  json["plan"] = PlanOf(surface);
+}
+
+void Print(const nlohmann::ordered_json& json)
+{
+  // a file name may hold bytes that are not UTF-8
+  std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+void Print(const palpate::SurfaceReport& report, const palpate::Surface& surface)
+{
+  const Box box = BoundsOf(surface.tree->mesh());
+  const palpate::Vec3 size_u = box.High_W - box.Low_W;
+  std::cout << report.name << ": it can be touched\n"
+            << "  repaired  " << report.clean.summary() << '\n'
+            << "  size      " << size_u.x() << " x " << size_u.y() << " x " << size_u.z() << " scene units, from ("
+            << box.Low_W.x() << ", " << box.Low_W.y() << ", " << box.Low_W.z() << ")\n"
+            << "  plan      " << PlanOf(surface) << '\n';
+}
+
+/// A machine that asked for JSON gets JSON for a refusal as well.
+palpate::SurfaceInput ReadOrRefuse(const std::string& file, std::optional<double> iso, bool json)
+{
+  try
+  {
+    return vtkHapticCliReadSurface(file, iso);
+  }
+  catch (const vtkHapticCliProblem& problem)
+  {
+    if (json)
+    {
+      Print(nlohmann::ordered_json{ { "file", file }, { "touchable", false }, { "refusal", problem.what() } });
+    }
+    throw;
+  }
+}
+}
+
+int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, bool json)
+{
+  const palpate::SceneBuildResult built = palpate::SceneBuilder().build({ ReadOrRefuse(file, iso, json) });
+  const palpate::SurfaceReport& report = built.reports.front();
+  if (json)
+  {
+    nlohmann::ordered_json described = ToJson(report);
+    if (built.scene)
+    {
+      AddScene(described, built.scene->surfaces().front());
+    }
+    Print(described);
+  }
+  if (!built.scene)
+  {
+    throw vtkHapticCliProblem(file + ": it cannot be touched: " + report.refusal);
+  }
+  if (!json)
+  {
+    Print(report, built.scene->surfaces().front());
+  }
+  return 0;
+}

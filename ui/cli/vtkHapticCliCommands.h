@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticCliCommands_h
+#define vtkHapticCliCommands_h
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The four commands of the program `palpate`. Each returns the exit code and throws vtkHapticCliProblem for bad input.
+
+/// What is attached, what each device can do, why one cannot be used.
+int vtkHapticCliDevices(bool json);
+
+/// Whether a file can be touched, what was repaired, what is refused. 0: touchable; a refusal throws.
+int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, bool json);
+
+struct vtkHapticCliTouchOptions
+{
+  std::vector<std::string> Files;
+  std::string Path;
+  std::string Output;
+  std::optional<double> Iso;
+  double Radius_u = 0.0;
+  double Stiffness_N_per_m = 1000.0;
+  double Scale_u_per_m = 1.0;
+};
+
+/// The tick along a given device path: one row of Path, one tick, one row of Output.
+int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options);
+
+struct vtkHapticCliReplayOptions
+{
+  std::string Recording;
+  std::vector<std::string> Scenes;
+  std::string Output; ///< empty: none
+};
+
+/// Recomputes a recording. 0: the same bit for bit; 1: the first difference was printed.
+int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options);
+
+#endif

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticCliPath.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <string_view>
+
+#include "vtkHapticCliProblem.h"
+#include "vtkHapticFileGuards.h"
+
+namespace
+{
+enum Column : std::size_t
+{
+  T,
+  X,
+  Y,
+  Z,
+  QW,
+  QX,
+  QY,
+  QZ,
+  ColumnCount,
+};
+constexpr std::array<std::string_view, ColumnCount> Names = { "t", "x", "y", "z", "qw", "qx", "qy", "qz" };
+
+using Row = std::array<double, ColumnCount>;
+
+/// Where in the file something is wrong.
+struct Place
+{
+  const std::string& File;
+  std::size_t Line = 0;
+
+  [[nodiscard]] vtkHapticCliProblem Problem(const std::string& what) const
+  {
+    return vtkHapticCliProblem(this->File + ": line " + std::to_string(this->Line) + ": " + what);
+  }
+};
+
+std::string_view Trimmed(std::string_view text)
+{
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string_view::npos ? std::string_view()
+                                         : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string_view> Fields(std::string_view line)
+{
+  std::vector<std::string_view> fields;
+  for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(','))
+  {
+    fields.push_back(Trimmed(line.substr(0, comma)));
+    line.remove_prefix(comma + 1);
+  }
+  fields.push_back(Trimmed(line));
+  return fields;
+}
+
+void CheckComplete(const std::vector<Column>& columns, const Place& place)
+{
+  const auto missing = [&columns](Column column)
+  { return std::find(columns.begin(), columns.end(), column) == columns.end(); };
+  const bool oriented = !missing(QW) || !missing(QX) || !missing(QY) || !missing(QZ);
+  for (std::size_t column = T; column < (oriented ? ColumnCount : QW); ++column)
+  {
+    if (missing(static_cast<Column>(column)))
+    {
+      throw place.Problem("the column '" + std::string(Names[column]) + "' is missing; the header is t,x,y,z or " +
+        "t,x,y,z,qw,qx,qy,qz");
+    }
+  }
+}
+
+std::vector<Column> ParseHeader(std::string_view line, const Place& place)
+{
+  std::vector<Column> columns;
+  for (const std::string_view field : Fields(line))
+  {
+    const auto* name = std::find(Names.begin(), Names.end(), field);
+    if (name == Names.end())
+    {
+      throw place.Problem("the column '" + std::string(field.substr(0, 24)) + "' is not known; known are t,x,y,z " +
+        "and qw,qx,qy,qz");
+    }
+    const auto column = static_cast<Column>(name - Names.begin());
+    if (std::find(columns.begin(), columns.end(), column) != columns.end())
+    {
+      throw place.Problem("the column '" + std::string(field) + "' is there twice");
+    }
+    columns.push_back(column);
+  }
+  CheckComplete(columns, place);
+  return columns;
+}
+
+double ParseNumber(std::string_view field, Column column, const Place& place)
+{
+  double value = 0.0;
+  const std::string_view digits = field.size() > 1 && field[0] == '+' && field[1] != '-' ? field.substr(1) : field;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
+  {
+    throw place.Problem(
+      std::string(Names[column]) + " is '" + std::string(field.substr(0, 24)) + "', which is not a finite number");
+  }
+  return value;
+}
+
+Row ParseRow(std::string_view line, const std::vector<Column>& columns, const Place& place)
+{
+  const std::vector<std::string_view> fields = Fields(line);
+  if (fields.size() != columns.size())
+  {
+    throw place.Problem("it has " + std::to_string(fields.size()) + " values; the header names " +
+      std::to_string(columns.size()) + " columns");
+  }
+  Row row{};
+  row[QW] = 1.0;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+  {
+    row[columns[i]] = ParseNumber(fields[i], columns[i], place);
+  }
+  return row;
+}
+
+vtkHapticCliPathRow ToPathRow(const Row& row, const Place& place)
+{
+  constexpr double tolerance = 1e-3; // what a file with few digits loses
+  const palpate::Quat q(row[QW], row[QX], row[QY], row[QZ]);
+  if (std::abs(q.norm() - 1.0) > tolerance)
+  {
+    throw place.Problem("qw,qx,qy,qz is not a unit quaternion");
+  }
+  vtkHapticCliPathRow result;
+  result.Time_s = row[T];
+  result.Pose_W.p = palpate::Vec3(row[X], row[Y], row[Z]);
+  result.Pose_W.q = q;
+  return result;
+}
+
+/// Only the end of a file may have blank lines: in the middle one would be a tick that is not there.
+void CheckRestIsBlank(std::ifstream& file, const Place& place)
+{
+  std::string line;
+  while (std::getline(file, line))
+  {
+    if (!Trimmed(line).empty())
+    {
+      throw place.Problem("it is empty although more rows follow");
+    }
+  }
+}
+
+std::vector<vtkHapticCliPathRow> ReadRows(std::ifstream& file, const std::vector<Column>& columns, Place& place)
+{
+  std::vector<vtkHapticCliPathRow> rows;
+  std::string line;
+  while (std::getline(file, line))
+  {
+    ++place.Line;
+    if (Trimmed(line).empty())
+    {
+      CheckRestIsBlank(file, place);
+      break;
+    }
+    rows.push_back(ToPathRow(ParseRow(line, columns, place), place));
+    if (rows.size() > 1 && !(rows.back().Time_s > rows[rows.size() - 2].Time_s))
+    {
+      throw place.Problem("t does not increase; every row is one tick later than the one before");
+    }
+  }
+  return rows;
+}
+}
+
+std::vector<vtkHapticCliPathRow> vtkHapticCliReadPath(const std::string& name)
+{
+  if (const std::string problem = vtkHapticFileGuards::CheckFile(name); !problem.empty())
+  {
+    throw vtkHapticCliProblem(name + ": " + problem);
+  }
+  std::ifstream file(name);
+  Place place{ name, 1 };
+  std::string line;
+  std::getline(file, line);
+  const std::vector<Column> columns = ParseHeader(line, place);
+  std::vector<vtkHapticCliPathRow> rows = ReadRows(file, columns, place);
+  if (rows.empty())
+  {
+    throw vtkHapticCliProblem(name + ": it has a header but no rows; give at least one");
+  }
+  return rows;
+}
