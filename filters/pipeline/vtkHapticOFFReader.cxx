@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticOFFReader.h"
+
+#include <optional>
+
+#include "vtkHapticReaders.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkHapticOFFReader);
+
+vtkHapticOFFReader::vtkHapticOFFReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkHapticOFFReader::~vtkHapticOFFReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkHapticOFFReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!this->FileName)
+  {
+    vtkErrorMacro("A file name is needed");
+    return 0;
+  }
+  const vtkHapticReadResult result = vtkHapticReadSurface(this->FileName, std::nullopt);
+  if (!result.Surface)
+  {
+    vtkErrorMacro(<< result.Problem);
+    return 0;
+  }
+  vtkPolyData::GetData(outputVector)->ShallowCopy(result.Surface);
+  return 1;
+}
+
+void vtkHapticOFFReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+}
