@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rules of the house as functions: each takes the root of a source tree and returns one line per violation.
+
+The map rule: haptics <- devices <- filters <- ui <- plugin. A folder includes only from itself and from its left;
+testing includes everything and nothing includes testing.
+"""
+
+import re
+from pathlib import Path
+
+LAYERS = ["haptics", "devices", "filters", "ui", "plugin", "testing"]
+# Within filters/ the same rule holds again.
+FILTER_MODULES = ["pipeline", "interaction", "views"]
+PLAIN_LAYERS = ("haptics", "devices")
+VTK_LAYERS = ("filters", "ui", "plugin")
+
+CODE_SUFFIXES = {".h", ".cpp", ".cxx", ".hpp", ".hxx", ".cc", ".c"}
+COMMENTED_SUFFIXES = CODE_SUFFIXES | {".py", ".cmake", ".sh", ".xml", ".qrc", ".ui"}
+COMMENTED_NAMES = {"CMakeLists.txt", ".clang-tidy", ".gitignore"}
+SKIPPED_FOLDERS = {".git", "cache", "out", "__pycache__"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+CGAL = re.compile(r"^CGAL/")
+VTK = re.compile(r"^vtk(?!Haptic|Touch)\w*\.h(xx)?$")
+PARAVIEW = re.compile(r"^(vtkPV|vtkSM|vtkSI|vtkPVRender|pq)\w*\.h$")
+QT = re.compile(r"^(Q[A-Z]\w*(/\w+)?|Qt\w*/\w+|q[a-z]\w*\.h|pq(?!Haptic)\w+\.h)$")
+HIDAPI = re.compile(r"^(hidapi/)?hidapi\w*\.h$")
+
+# What each place must not include: pattern, in words, and why.
+FORBIDDEN = {
+    "haptics": [(VTK, "VTK"), (QT, "Qt"), (HIDAPI, "hidapi")],
+    "devices": [(VTK, "VTK"), (QT, "Qt"), (CGAL, "CGAL")],
+    "filters": [(QT, "Qt"), (CGAL, "CGAL"), (HIDAPI, "hidapi")],
+    "filters/pipeline": [(PARAVIEW, "ParaView")],
+    "filters/interaction": [(PARAVIEW, "ParaView")],
+    "ui": [(CGAL, "CGAL"), (HIDAPI, "hidapi")],
+    "ui/cli": [(QT, "Qt"), (PARAVIEW, "ParaView")],
+    "plugin": [(CGAL, "CGAL"), (HIDAPI, "hidapi")],
+}
+
+# Written in pieces, so that this file keeps its own rule.
+MACHINE_PATHS = re.compile("(?<![\\w.$}~-])/(" + "|".join(["wor" + "k", "far" + "m", "tm" + "p", "ro" + "ot", "hom" + "e"]) + ")/")
+REGISTRY_HOSTS = re.compile("|".join(["deb\\.debian" + "\\.org", "pypi" + "\\.org", "registry\\.npmjs" + "\\.org"]))
+
+
+def files_of(root):
+    """All files of the project under `root`: no build trees, caches or outputs."""
+    found = []
+    for path in sorted(root.rglob("*")):
+        parts = path.relative_to(root).parts
+        skipped = any(part in SKIPPED_FOLDERS for part in parts) or parts[0].startswith("build")
+        if path.is_file() and not path.is_symlink() and not skipped:
+            found.append(path)
+    return found
+
+
+def layer_of(relative):
+    return relative.parts[0] if relative.parts[0] in LAYERS else None
+
+
+def code_files(root):
+    """(path, path relative to root, layer) of every C++ file in a layer."""
+    for path in files_of(root):
+        relative = path.relative_to(root)
+        if path.suffix in CODE_SUFFIXES and layer_of(relative):
+            yield path, relative, layer_of(relative)
+
+
+def includes_of(path):
+    """(line number, included name) of each include directive."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match.group(2)
+
+
+def headers_by_name(root):
+    """Where a header included by its plain name (the VTK way) stands; generated export headers count as their module's."""
+    names = {}
+    for _, relative, _ in code_files(root):
+        if relative.suffix == ".h":
+            names.setdefault(relative.name, []).append(relative)
+    for module in FILTER_MODULES:
+        name = f"vtkHaptic{module.capitalize()}Module.h"
+        names.setdefault(name, []).append(Path("filters", module, name))
+    return names
+
+
+def resolve(including, name, by_name):
+    """The project's file that `name` means when `including` includes it, or None for a foreign header."""
+    if layer_of(Path(name)) and len(Path(name).parts) > 1:
+        return Path(name)
+    if name.startswith(".."):
+        return Path(*_normalised(including.parent / name))
+    candidates = by_name.get(Path(name).name, [])
+    own = [candidate for candidate in candidates if candidate.parent == including.parent]
+    return (own or candidates or [None])[0]
+
+
+def _normalised(path):
+    parts = []
+    for part in path.parts:
+        if part == ".." and parts:
+            parts.pop()
+        elif part != ".":
+            parts.append(part)
+    return parts
+
+
+def points_left(source, target):
+    """Does the arrow from file `source` to file `target` follow the map rule?"""
+    from_layer, to_layer = layer_of(source), layer_of(target)
+    if from_layer == "testing":
+        return True
+    if to_layer == "testing" or LAYERS.index(to_layer) > LAYERS.index(from_layer):
+        return False
+    if from_layer == to_layer == "filters" and source.parts[1] in FILTER_MODULES and target.parts[1] in FILTER_MODULES:
+        return FILTER_MODULES.index(target.parts[1]) <= FILTER_MODULES.index(source.parts[1])
+    return True
+
+
+def map_rule(root):
+    """Includes that point to the right."""
+    by_name = headers_by_name(root)
+    found = []
+    for path, relative, _ in code_files(root):
+        for number, name in includes_of(path):
+            target = resolve(relative, name, by_name)
+            if target and layer_of(target) and not points_left(relative, target):
+                found.append(f"{relative}:{number}: includes {target}, against haptics <- devices <- filters <- ui <- plugin")
+    return found
+
+
+def forbidden_libraries(root):
+    """Libraries in layers that must not know them, and CGAL in any header."""
+    found = []
+    for path, relative, layer in code_files(root):
+        if layer == "testing":
+            continue
+        places = [layer, "/".join(relative.parts[:2])]
+        rules = [rule for place in places for rule in FORBIDDEN.get(place, [])]
+        if relative.suffix == ".h":
+            rules = rules + [(CGAL, "CGAL (never in a header)")]
+        for number, name in includes_of(path):
+            found += [f"{relative}:{number}: {name}: no {words} here" for pattern, words in rules if pattern.match(name)]
+    return found
+
+
+def extensions(root):
+    """The extension tells the layer: .h/.cpp plain C++, .h/.cxx VTK and Qt style."""
+    found = []
+    for _, relative, layer in code_files(root):
+        allowed = {".h", ".cpp"} if layer in PLAIN_LAYERS else {".h", ".cxx"}
+        if layer == "testing":
+            allowed = {".h", ".cpp", ".cxx"}
+        if relative.suffix not in allowed:
+            found.append(f"{relative}: extension {relative.suffix}, allowed in {layer}/: {', '.join(sorted(allowed))}")
+    return found
+
+
+def _is_script(path):
+    with open(path, "rb") as file:
+        return file.read(2) == b"#!"
+
+
+def spdx_line(root):
+    """Every source file names its licence in the first line (the second after #! or <?xml)."""
+    found = []
+    for path in files_of(root):
+        commented = path.suffix in COMMENTED_SUFFIXES or path.name in COMMENTED_NAMES
+        if not commented and (path.suffix or not _is_script(path)):
+            continue
+        lines = path.read_text(encoding="utf-8").splitlines()[:2]
+        first = lines[1:] if lines and lines[0].startswith(("#!", "<?xml")) else lines[:1]
+        if not any("SPDX-License-Identifier: GPL-3.0-or-later" in line for line in first):
+            found.append(f"{path.relative_to(root)}:1: no SPDX-License-Identifier: GPL-3.0-or-later")
+    return found
+
+
+def text_of_the_project(root):
+    """No text names a folder of somebody's machine or the host of a package registry."""
+    found = []
+    for path in files_of(root):
+        try:
+            lines = path.read_text(encoding="utf-8").splitlines()
+        except UnicodeDecodeError:
+            continue  # a picture or a recording
+        for number, line in enumerate(lines, start=1):
+            for pattern in (MACHINE_PATHS, REGISTRY_HOSTS):
+                match = pattern.search(line)
+                if match:
+                    found.append(f"{path.relative_to(root)}:{number}: '{match.group(0)}'")
+    return found
+
+
+ALL = [map_rule, forbidden_libraries, extensions, spdx_line, text_of_the_project]

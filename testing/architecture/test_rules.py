@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tree keeps the rules of the house, and the rules catch what they are for.
+
+usage: test_rules.py tree      the project's own tree
+       test_rules.py rules     each rule on small good and bad examples
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import rules
+
+SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+
+
+class Tree(unittest.TestCase):
+    """The project itself."""
+
+    root = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().parents[2])
+
+    def test_the_walk_sees_the_tree(self):
+        layers = {layer for _, _, layer in rules.code_files(self.root)}
+        self.assertLessEqual({"haptics", "filters", "ui", "testing"}, layers)
+
+    def test_the_tree_keeps_every_rule(self):
+        for rule in rules.ALL:
+            with self.subTest(rule=rule.__name__):
+                found = rule(self.root)
+                self.assertEqual(found, [], f"{rule.__doc__}\n" + "\n".join(found))
+
+
+class Rules(unittest.TestCase):
+    """Every rule on examples: one that passes, and those that must not."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def write_including(self, name, *includes):
+        self.write(name, SPDX + "".join(f"#include {include}\n" for include in includes))
+
+    def found(self, rule):
+        return [line.split(":")[0] for line in rule(self.root)]
+
+    def test_includes_to_the_left_pass(self):
+        self.write_including("haptics/core/Types.h")
+        self.write_including("devices/Hand.cpp", '"haptics/core/Types.h"')
+        self.write_including("filters/pipeline/vtkHapticThing.h", '"vtkHapticPipelineModule.h"', '"haptics/core/Types.h"')
+        self.write_including("filters/views/vtkHapticScan.cxx", '"vtkHapticThing.h"')
+        self.write_including("ui/pqHapticPanel.cxx", '"vtkHapticThing.h"', "<QWidget>")
+        self.write_including("testing/haptics/TestTypes.cpp", '"haptics/core/Types.h"', "<CGAL/AABB_tree.h>")
+        self.assertEqual(rules.map_rule(self.root) + rules.forbidden_libraries(self.root), [])
+
+    def test_an_include_to_the_right_is_found(self):
+        self.write_including("devices/Hand.h")
+        self.write_including("haptics/core/Types.h", '"devices/Hand.h"')
+        self.assertEqual(self.found(rules.map_rule), ["haptics/core/Types.h"])
+
+    def test_an_include_to_the_right_by_plain_name_is_found(self):
+        self.write_including("ui/pqHapticPanel.h")
+        self.write_including("filters/views/vtkHapticScan.cxx", '"pqHapticPanel.h"')
+        self.assertEqual(self.found(rules.map_rule), ["filters/views/vtkHapticScan.cxx"])
+
+    def test_an_include_to_the_right_by_a_relative_path_is_found(self):
+        self.write_including("devices/Hand.h")
+        self.write_including("haptics/core/Types.h", '"../../devices/Hand.h"')
+        self.assertEqual(self.found(rules.map_rule), ["haptics/core/Types.h"])
+
+    def test_an_earlier_filter_module_must_not_include_a_later_one(self):
+        self.write_including("filters/interaction/vtkHapticSession.h")
+        self.write_including("filters/pipeline/vtkHapticThing.cxx", '"vtkHapticSession.h"', '"vtkHapticViewsModule.h"')
+        self.assertEqual(self.found(rules.map_rule), ["filters/pipeline/vtkHapticThing.cxx"] * 2)
+
+    def test_nothing_includes_testing(self):
+        self.write_including("testing/support/Meshes.h")
+        self.write_including("plugin/Register.cxx", '"testing/support/Meshes.h"')
+        self.write_including("ui/pqHapticPanel.cxx", '"Meshes.h"')
+        self.assertEqual(self.found(rules.map_rule), ["plugin/Register.cxx", "ui/pqHapticPanel.cxx"])
+
+    def test_cgal_is_found_in_any_header_and_outside_haptics(self):
+        self.write_including("haptics/geometry/Tree.cpp", "<CGAL/AABB_tree.h>")
+        self.write_including("haptics/geometry/Tree.h", "<CGAL/AABB_tree.h>")
+        self.write_including("filters/pipeline/vtkHapticThing.cxx", "<CGAL/AABB_tree.h>")
+        self.assertEqual(
+            self.found(rules.forbidden_libraries), ["filters/pipeline/vtkHapticThing.cxx", "haptics/geometry/Tree.h"]
+        )
+
+    def test_vtk_qt_and_hidapi_are_found_in_haptics(self):
+        for include in ('"vtkPolyData.h"', "<QWidget>", "<QtCore/QObject>", '"pqView.h"', "<hidapi/hidapi.h>"):
+            with self.subTest(include=include):
+                self.write_including("haptics/core/Types.h", include)
+                self.assertEqual(self.found(rules.forbidden_libraries), ["haptics/core/Types.h"])
+
+    def test_qt_is_found_in_filters_and_paraview_in_what_works_without_it(self):
+        self.write_including("filters/views/vtkHapticScan.cxx", "<QTimer>", '"vtkSMProxy.h"')
+        self.write_including("filters/pipeline/vtkHapticThing.cxx", '"vtkSMProxy.h"')
+        self.assertEqual(
+            self.found(rules.forbidden_libraries), ["filters/pipeline/vtkHapticThing.cxx", "filters/views/vtkHapticScan.cxx"]
+        )
+
+    def test_an_extension_of_the_other_layer_is_found(self):
+        for name in ("haptics/a.h", "haptics/a.cpp", "ui/b.h", "ui/b.cxx", "testing/c.cpp", "testing/d.cxx"):
+            self.write(name, SPDX)
+        self.assertEqual(rules.extensions(self.root), [])
+        for name in ("devices/wrong.cxx", "filters/wrong.cpp", "haptics/wrong.hpp"):
+            self.write(name, SPDX)
+        self.assertEqual(self.found(rules.extensions), ["devices/wrong.cxx", "filters/wrong.cpp", "haptics/wrong.hpp"])
+
+    def test_a_missing_licence_line_is_found(self):
+        self.write("haptics/a.h", SPDX)
+        self.write("script", "#!/bin/sh\n# SPDX-License-Identifier: GPL-3.0-or-later\n")
+        self.write("notes.txt", "no code\n")
+        self.assertEqual(rules.spdx_line(self.root), [])
+        self.write("haptics/b.cpp", "int b;\n")
+        self.write("haptics/CMakeLists.txt", "# sources\n")
+        self.write("other", "#!/bin/sh\necho\n")
+        self.write("empty.py", "")
+        self.assertEqual(self.found(rules.spdx_line), ["empty.py", "haptics/CMakeLists.txt", "haptics/b.cpp", "other"])
+
+    def test_a_path_of_a_machine_and_a_registry_are_found(self):
+        self.write("README.md", "see build/lib, https://example.org/home/page and ../tmp/x\n")
+        self.assertEqual(rules.text_of_the_project(self.root), [])
+        self.write("a.py", "open('/" + "tmp/x')\n")
+        self.write("b.md", "in /" + "home/me\n")
+        self.write("c.sh", "curl deb.debian" + ".org\n")
+        self.assertEqual(self.found(rules.text_of_the_project), ["a.py", "b.md", "c.sh"])
+
+    def test_build_trees_and_caches_are_not_looked_at(self):
+        self.write("build-asan/haptics/wrong.hpp", "")
+        self.write("data/cache/x.py", "")
+        self.assertEqual([line for rule in rules.ALL for line in rule(self.root)], [])
+
+
+if __name__ == "__main__":
+    SUITE = {"tree": "Tree", "rules": "Rules"}[sys.argv.pop(1)]
+    unittest.main(defaultTest=SUITE, verbosity=2)
