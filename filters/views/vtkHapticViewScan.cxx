@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticViewScan.h"
+
+#include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkGeometryRepresentation.h"
+#include "vtkMapper.h"
+#include "vtkPVCompositeRepresentation.h"
+#include "vtkPVLODActor.h"
+#include "vtkPVRenderView.h"
+#include "vtkPoints.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRepresentationProxy.h"
+#include "vtkSMSession.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+
+namespace
+{
+using Surface = vtkHapticViewScan::Surface;
+
+void Mix(std::uint64_t& key, std::uint64_t word)
+{
+  key = (key ^ word) * 0x100000001b3ull;
+  key ^= key >> 32;
+}
+
+void MixObject(std::uint64_t& key, vtkObject* object)
+{
+  Mix(key, reinterpret_cast<std::uintptr_t>(object));
+  Mix(key, object ? object->GetMTime() : 0);
+}
+
+bool SameMatrix(vtkMatrix4x4* a, vtkMatrix4x4* b)
+{
+  return std::equal(a->GetData(), a->GetData() + 16, b->GetData());
+}
+
+bool HasFaces(vtkPolyData* data)
+{
+  return data && data->GetPoints() && data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
+}
+
+void AddPiece(Surface& surface, vtkPolyData* data)
+{
+  if (!HasFaces(data))
+  {
+    return;
+  }
+  surface.Pieces.emplace_back(data);
+  MixObject(surface.GeometryKey, data->GetPoints());
+  MixObject(surface.GeometryKey, data->GetPolys());
+  MixObject(surface.GeometryKey, data->GetStrips());
+}
+
+void AddPieces(Surface& surface, vtkDataObject* shown)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(shown);
+  if (!composite)
+  {
+    AddPiece(surface, vtkPolyData::SafeDownCast(shown));
+    return;
+  }
+  auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+  {
+    AddPiece(surface, vtkPolyData::SafeDownCast(each->GetCurrentDataObject()));
+  }
+}
+
+vtkObject* ActiveRepresentation(vtkSMProxy* proxy)
+{
+  auto* object = vtkObject::SafeDownCast(proxy->GetClientSideObject());
+  auto* composite = vtkPVCompositeRepresentation::SafeDownCast(object);
+  return composite ? composite->GetActiveRepresentation() : object;
+}
+
+std::string WhyNoSurface(vtkObject* active)
+{
+  if (active && active->IsA("vtkGlyph3DRepresentation"))
+  {
+    return "3D glyphs are drawn from one copy and have no surface of their own; apply the Glyph filter";
+  }
+  if (active && (active->IsA("vtkVolumeRepresentation") || active->IsA("vtkImageVolumeRepresentation") ||
+                  active->IsA("vtkUnstructuredGridVolumeRepresentation")))
+  {
+    return "a volume has no surface; apply the Contour filter and show its result";
+  }
+  if (active && active->IsA("vtkImageSliceRepresentation"))
+  {
+    return "an image slice has no surface; apply the Slice filter and show its result";
+  }
+  return "it is not drawn as a surface; choose the representation Surface";
+}
+
+/// The actor of a representation that draws its own polygons, else null.
+vtkPVLODActor* SurfaceActor(vtkObject* active)
+{
+  auto* geometry = vtkGeometryRepresentation::SafeDownCast(active);
+  return geometry && !geometry->IsA("vtkGlyph3DRepresentation") ? geometry->GetActor() : nullptr;
+}
+
+void ScanRepresentation(vtkSMProxy* proxy, const std::string& name, vtkHapticViewScan& scan)
+{
+  vtkObject* active = ActiveRepresentation(proxy);
+  vtkPVLODActor* actor = SurfaceActor(active);
+  if (!actor)
+  {
+    scan.Refusals.push_back(name + ": " + WhyNoSurface(active) + ".");
+    return;
+  }
+  vtkDataObject* shown = actor->GetMapper() ? actor->GetMapper()->GetInputDataObject(0, 0) : nullptr;
+  if (!shown)
+  {
+    scan.Pending = true;
+    return;
+  }
+  Surface surface;
+  surface.Name = name;
+  AddPieces(surface, shown);
+  if (surface.Pieces.empty())
+  {
+    scan.Refusals.push_back(
+      name + ": no polygons are shown; choose the representation Surface, or apply Extract Surface.");
+    return;
+  }
+  surface.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  surface.Matrix->DeepCopy(actor->GetMatrix());
+  scan.Surfaces.push_back(std::move(surface));
+}
+
+/// The name in the pipeline browser; empty for annotations, which have no input.
+std::string InputName(vtkSMProxy* representation)
+{
+  if (!representation->GetProperty("Input"))
+  {
+    return {};
+  }
+  vtkSMProxy* input = vtkSMPropertyHelper(representation, "Input", true).GetAsProxy();
+  const char* name = input ? input->GetSessionProxyManager()->GetProxyName("sources", input) : nullptr;
+  return name ? name : "";
+}
+
+bool Visible(vtkSMProxy* representation)
+{
+  return representation->GetProperty("Visibility") && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() != 0;
+}
+
+/// Why nothing of this view can be touched; empty if it can.
+std::string RefusalOf(vtkSMProxy* view)
+{
+  if (!view)
+  {
+    return "No view is active: click a 3D view.";
+  }
+  auto* render = vtkPVRenderView::SafeDownCast(view->GetClientSideObject());
+  if (!render)
+  {
+    return "The active view is not a 3D render view: click one that is.";
+  }
+  if (view->GetSession() && view->GetSession()->IsA("vtkSMSessionClient"))
+  {
+    return "The data is on a server, and only the built-in server can be touched: disconnect and open the file here.";
+  }
+  if (render->GetUseDistributedRenderingForRender())
+  {
+    return "The server renders this view, so its surfaces are not here: raise the Remote Render Threshold.";
+  }
+  return {};
+}
+} // namespace
+
+bool vtkHapticViewScan::SameAs(const vtkHapticViewScan& other) const
+{
+  const auto same = [](const Surface& a, const Surface& b)
+  { return a.Name == b.Name && a.GeometryKey == b.GeometryKey && SameMatrix(a.Matrix, b.Matrix); };
+  return std::equal(this->Surfaces.begin(), this->Surfaces.end(), other.Surfaces.begin(), other.Surfaces.end(), same);
+}
+
+vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view)
+{
+  vtkHapticViewScan scan;
+  if (std::string refusal = RefusalOf(view); !refusal.empty())
+  {
+    scan.Refusals.push_back(std::move(refusal));
+    return scan;
+  }
+  vtkSMPropertyHelper representations(view, "Representations");
+  for (unsigned int i = 0; i < representations.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* representation = representations.GetAsProxy(i);
+    const std::string name = representation ? InputName(representation) : std::string();
+    if (!name.empty() && Visible(representation))
+    {
+      ScanRepresentation(representation, name, scan);
+    }
+  }
+  return scan;
+}

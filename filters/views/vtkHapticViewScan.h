@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticViewScan_h
+#define vtkHapticViewScan_h
+
+#include "vtkHapticViewsModule.h" // for the export macro
+#include "vtkMatrix4x4.h"         // for vtkSmartPointer<vtkMatrix4x4>
+#include "vtkPolyData.h"          // for vtkSmartPointer<vtkPolyData>
+#include "vtkSmartPointer.h"      // for the members
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkSMProxy;
+
+/**
+ * What can be touched in a render view, and what cannot and why.
+ *
+ * Go by representation, not by prop: a renderer holds about fifteen props per source. The geometry is the input of
+ * the active representation's full-resolution mapper, which is exactly what the person sees; it is null before the
+ * first render of a representation and empty on the client when a server renders.
+ */
+struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
+{
+  /// A shown surface: its polygons in the actor's frame [u], shared with the pipeline until they are copied.
+  struct Surface
+  {
+    std::string Name;
+    std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
+    vtkSmartPointer<vtkMatrix4x4> Matrix; ///< actor frame to W
+    std::uint64_t GeometryKey = 0;        ///< equal while points and cells are the same objects, unmodified
+  };
+
+  std::vector<Surface> Surfaces;
+  std::vector<std::string> Refusals; ///< one sentence each: what is not touched, why, and what to do
+  bool Pending = false;              ///< something was not rendered yet: look again after the next frame
+
+  /// Same surfaces, same geometry, same transforms.
+  bool SameAs(const vtkHapticViewScan& other) const;
+};
+
+/// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence.
+VTKHAPTICVIEWS_EXPORT vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view);
+
+#endif

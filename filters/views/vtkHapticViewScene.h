@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkHapticViewScene
+ * @brief   keeps the scene of a haptic session the same as what a render view shows
+ *
+ * Every visible surface of the view is touched, under the name it has in the pipeline browser and with the
+ * transform of its representation. Volumes, image slices, glyphs, views of a remote server and views that are no
+ * render views are refused with a sentence. Nothing here needs Qt: the panel and Python use the same class.
+ *
+ *     scene = servermanager.ProxyManager().NewProxy("haptics", "HapticViewScene")
+ *     scene.GetProperty("View").SetProxy(0, view.SMProxy); scene.GetProperty("Session").SetProxy(0, session)
+ *     scene.UpdateVTKObjects(); scene.InvokeCommand("Update")
+ */
+#ifndef vtkHapticViewScene_h
+#define vtkHapticViewScene_h
+
+#include "vtkHapticViewsModule.h" // for the export macro
+#include "vtkObject.h"
+
+#include <memory> // for the implementation
+
+class vtkHapticSession;
+class vtkSMProxy;
+
+class VTKHAPTICVIEWS_EXPORT vtkHapticViewScene : public vtkObject
+{
+public:
+  static vtkHapticViewScene* New();
+  vtkTypeMacro(vtkHapticViewScene, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The proxy of the view to follow; null for none. Any view may be given: one that cannot be touched is refused in
+   * the report. The proxy is watched, not kept alive; a view that is deleted leaves an empty scene at the next
+   * Update().
+   */
+  void SetView(vtkSMProxy* view);
+  vtkSMProxy* GetView() const;
+  ///@}
+
+  ///@{
+  /// The session that is given the scenes.
+  void SetSession(vtkHapticSession* session);
+  vtkHapticSession* GetSession() const;
+  ///@}
+
+  /**
+   * Looks at the view and, if anything touchable changed since the last time (visibility, geometry, transform,
+   * deletion), hands a new scene to the session. Colours and camera do not count. Costs microseconds when nothing
+   * changed. GUI thread. Returns true if a scene was handed over.
+   */
+  bool Update();
+
+  /// Names of the touched surfaces, then one line for each thing that is not touched: why, and what to do.
+  const char* GetReport() const;
+
+  int GetNumberOfSurfaces() const;
+
+protected:
+  vtkHapticViewScene();
+  ~vtkHapticViewScene() override;
+
+private:
+  vtkHapticViewScene(const vtkHapticViewScene&) = delete;
+  void operator=(const vtkHapticViewScene&) = delete;
+
+  void HandOver();
+  void WriteReport();
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

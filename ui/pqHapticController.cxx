@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticController.h"
+
+#include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
+#include "pqHapticFrames.h"
+#include "pqHapticViewFollower.h"
+#include "pqRenderView.h"
+#include "pqServer.h"
+#include "pqServerManagerModel.h"
+#include "pqServerManagerObserver.h"
+#include "vtkCommand.h"
+#include "vtkHapticSession.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMProxyDefinitionManager.h"
+#include "vtkSMSessionProxyManager.h"
+
+#include <QAction>
+#include <QIcon>
+#include <QTimer>
+
+namespace
+{
+constexpr const char* managerName = "PALPATE_HAPTIC_CONTROLLER";
+constexpr const char* proxyGroup = "haptics";
+constexpr const char* proxyName = "HapticSession";
+} // namespace
+
+pqHapticController* pqHapticController::instance()
+{
+  auto* core = pqApplicationCore::instance();
+  auto* present = qobject_cast<pqHapticController*>(core->manager(managerName));
+  if (!present)
+  {
+    present = new pqHapticController(core);
+    core->registerManager(managerName, present);
+  }
+  return present;
+}
+
+pqHapticController::pqHapticController(QObject* parent)
+  : Superclass(parent), Follower(new pqHapticViewFollower(this)), Frames(new pqHapticFrames(this))
+{
+  this->makeActions();
+  this->connectApplication();
+  this->Frames->setView(this->Follower->view());
+  this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Frames, &pqHapticFrames::setView);
+  this->connect(this->Follower, &pqHapticViewFollower::viewClosing, this, &pqHapticController::release);
+}
+
+pqHapticController::~pqHapticController()
+{
+  this->shutdown();
+}
+
+void pqHapticController::connectApplication()
+{
+  auto* core = pqApplicationCore::instance();
+  auto* model = core->getServerManagerModel();
+  this->connect(model, &pqServerManagerModel::serverAdded, this, &pqHapticController::serverAdded);
+  this->connect(model, &pqServerManagerModel::aboutToRemoveServer, this, &pqHapticController::serverLeaves);
+  this->connect(model, &pqServerManagerModel::preServerRemoved, this, &pqHapticController::serverLeaves);
+
+  auto* observer = core->getServerManagerObserver();
+  using Registration = void (pqServerManagerObserver::*)(const QString&, const QString&, vtkSMProxy*);
+  this->connect(observer, static_cast<Registration>(&pqServerManagerObserver::proxyRegistered), this,
+    [this](const QString& group, const QString&, vtkSMProxy* proxy) { this->proxyRegistered(group, proxy); });
+  this->connect(observer, static_cast<Registration>(&pqServerManagerObserver::proxyUnRegistered), this,
+    [this](const QString& group, const QString&, vtkSMProxy* proxy) { this->proxyUnregistered(group, proxy); });
+
+  // Interfaces of a plugin start before its proxies are defined.
+  QTimer::singleShot(0, this, [this] { this->serverAdded(pqActiveObjects::instance().activeServer()); });
+}
+
+void pqHapticController::makeActions()
+{
+  this->TouchAction = new QAction(QIcon(":/palpate/icons/touch.svg"), tr("&Touch"), this);
+  this->TouchAction->setObjectName("hapticTouchAction");
+  this->TouchAction->setCheckable(true);
+  this->TouchAction->setEnabled(false);
+  this->TouchAction->setToolTip(tr("Touch every surface shown in the active view"));
+  this->connect(this->TouchAction, &QAction::toggled, this, &pqHapticController::setTouching);
+
+  this->ReleaseAction = new QAction(QIcon(":/palpate/icons/release.svg"), tr("&Let Go"), this);
+  this->ReleaseAction->setObjectName("hapticReleaseAction");
+  this->ReleaseAction->setEnabled(false);
+  this->ReleaseAction->setToolTip(tr("Force to zero at once, and stop touching"));
+  this->connect(this->ReleaseAction, &QAction::triggered, this, &pqHapticController::release);
+}
+
+vtkSMProxy* pqHapticController::sessionProxy() const
+{
+  return this->Proxy;
+}
+
+vtkHapticSession* pqHapticController::session() const
+{
+  return this->Proxy ? vtkHapticSession::SafeDownCast(this->Proxy->GetClientSideObject()) : nullptr;
+}
+
+bool pqHapticController::touching() const
+{
+  return this->Proxy && vtkSMPropertyHelper(this->Proxy, "Touching").GetAsInt() != 0;
+}
+
+void pqHapticController::setTouching(bool on)
+{
+  if (this->Proxy && on != this->touching())
+  {
+    vtkSMPropertyHelper(this->Proxy, "Touching").Set(on ? 1 : 0);
+    this->Proxy->UpdateVTKObjects();
+  }
+}
+
+void pqHapticController::release()
+{
+  this->setTouching(false);
+}
+
+void pqHapticController::shutdown()
+{
+  this->release();
+  this->adopt(nullptr);
+}
+
+void pqHapticController::serverAdded(pqServer* server)
+{
+  vtkSMSessionProxyManager* manager = server ? server->proxyManager() : nullptr;
+  if (!manager || !manager->GetProxyDefinitionManager()->HasDefinition(proxyGroup, proxyName))
+  {
+    return;
+  }
+  if (vtkSMProxy* present = manager->GetProxy(proxyGroup, proxyName))
+  {
+    this->adopt(present);
+    return;
+  }
+  auto proxy = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy(proxyGroup, proxyName));
+  proxy->UpdateVTKObjects();
+  manager->RegisterProxy(proxyGroup, proxyName, proxy); // proxyRegistered() adopts it
+}
+
+void pqHapticController::serverLeaves(pqServer* server)
+{
+  if (this->Proxy && this->Proxy->GetSession() == server->session())
+  {
+    this->shutdown();
+  }
+}
+
+void pqHapticController::proxyRegistered(const QString& group, vtkSMProxy* proxy)
+{
+  if (group != proxyGroup || proxy == this->Proxy)
+  {
+    return;
+  }
+  this->release();
+  const vtkSmartPointer<vtkSMProxy> replaced = this->Proxy;
+  this->adopt(proxy);
+  if (replaced)
+  {
+    replaced->GetSessionProxyManager()->UnRegisterProxy(proxyGroup, proxyName, replaced);
+  }
+}
+
+void pqHapticController::proxyUnregistered(const QString& group, vtkSMProxy* proxy)
+{
+  if (group == proxyGroup && proxy == this->Proxy)
+  {
+    this->shutdown();
+  }
+}
+
+void pqHapticController::adopt(vtkSMProxy* proxy)
+{
+  if (this->Proxy)
+  {
+    this->Proxy->RemoveObserver(this->ProxyObserver);
+  }
+  this->Frames->setActive(false);
+  this->Follower->setActive(false);
+  this->Proxy = proxy;
+  this->Follower->setSession(this->session());
+  this->Frames->setSession(this->session());
+  if (proxy)
+  {
+    this->ProxyObserver =
+      proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this, &pqHapticController::proxyChanged);
+  }
+  Q_EMIT this->sessionChanged(proxy);
+  this->proxyChanged();
+}
+
+void pqHapticController::proxyChanged()
+{
+  const bool on = this->touching();
+  this->TouchAction->setEnabled(this->Proxy != nullptr);
+  this->TouchAction->setChecked(on);
+  this->ReleaseAction->setEnabled(on);
+  this->Follower->setActive(on);
+  this->Frames->setActive(on);
+  Q_EMIT this->touchingChanged(on);
+}

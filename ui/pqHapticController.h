@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticController_h
+#define pqHapticController_h
+
+#include <QObject>
+#include <QPointer>
+
+#include "vtkSmartPointer.h"
+
+#include <memory>
+
+class QAction;
+class pqHapticFrames;
+class pqHapticViewFollower;
+class pqServer;
+class vtkHapticSession;
+class vtkSMProxy;
+
+/**
+ * Owns the one haptic session of the client: its proxy, the view it follows, and the actions of menu and toolbar.
+ *
+ * All state is in the proxy (group "haptics", name "HapticSession"): panel, Python and state files change the same
+ * thing. A session proxy that Python or a state file registers replaces the present one. GUI thread only.
+ */
+class pqHapticController : public QObject
+{
+  Q_OBJECT
+  typedef QObject Superclass;
+
+public:
+  /// The application's controller; made at the first call, owned by the application.
+  static pqHapticController* instance();
+
+  ~pqHapticController() override;
+
+  vtkSMProxy* sessionProxy() const;
+  /// Null when no server is connected.
+  vtkHapticSession* session() const;
+  pqHapticViewFollower* follower() const { return this->Follower; }
+
+  QAction* touchAction() const { return this->TouchAction; }
+  QAction* releaseAction() const { return this->ReleaseAction; }
+
+  bool touching() const;
+
+public Q_SLOTS:
+  /// Through the proxy, so that Python traces and state files see it.
+  void setTouching(bool on);
+  /// Lets go at once: force to zero, touch off.
+  void release();
+  /// Before the application ends: lets go and gives everything back.
+  void shutdown();
+
+Q_SIGNALS:
+  /// Another session proxy, or none.
+  void sessionChanged(vtkSMProxy* proxy);
+  void touchingChanged(bool on);
+
+private:
+  explicit pqHapticController(QObject* parent);
+
+  void connectApplication();
+  void makeActions();
+  void serverAdded(pqServer* server);
+  void serverLeaves(pqServer* server);
+  void proxyRegistered(const QString& group, vtkSMProxy* proxy);
+  void proxyUnregistered(const QString& group, vtkSMProxy* proxy);
+  void adopt(vtkSMProxy* proxy);
+  void proxyChanged();
+
+  vtkSmartPointer<vtkSMProxy> Proxy;
+  unsigned long ProxyObserver = 0;
+  pqHapticViewFollower* Follower;
+  pqHapticFrames* Frames;
+  QAction* TouchAction;
+  QAction* ReleaseAction;
+};
+
+#endif

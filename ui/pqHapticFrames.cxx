@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticFrames.h"
+
+#include "pqRenderView.h"
+#include "vtkHapticSession.h"
+#include "vtkHapticToolProps.h"
+#include "vtkPVRenderView.h"
+#include "vtkSMRenderViewProxy.h"
+
+namespace
+{
+/// Time for the person's own events between two frames [ms].
+constexpr int pauseBetweenFrames = 16;
+/// A hidden view never ends a frame: ask again after this long [ms].
+constexpr int pauseWhenHidden = 250;
+
+vtkRenderer* RendererOf(pqRenderView* view)
+{
+  auto* object = vtkPVRenderView::SafeDownCast(view->getRenderViewProxy()->GetClientSideObject());
+  return object ? object->GetRenderer(vtkPVRenderView::NON_COMPOSITED_RENDERER) : nullptr;
+}
+} // namespace
+
+pqHapticFrames::pqHapticFrames(QObject* parent) : Superclass(parent)
+{
+  this->Pause.setSingleShot(true);
+  this->connect(&this->Pause, &QTimer::timeout, this, &pqHapticFrames::nextFrame);
+}
+
+pqHapticFrames::~pqHapticFrames()
+{
+  this->detach();
+}
+
+void pqHapticFrames::setSession(vtkHapticSession* session)
+{
+  this->Session = session;
+}
+
+void pqHapticFrames::setActive(bool active)
+{
+  if (active == this->Active)
+  {
+    return;
+  }
+  this->Active = active;
+  if (active)
+  {
+    this->attach();
+    this->Pause.start(0);
+  }
+  else
+  {
+    this->detach();
+    this->Pause.stop();
+  }
+}
+
+void pqHapticFrames::setView(pqRenderView* view)
+{
+  if (view == this->View)
+  {
+    return;
+  }
+  this->detach();
+  this->View = view;
+  if (this->Active)
+  {
+    this->attach();
+    this->Pause.start(0);
+  }
+}
+
+void pqHapticFrames::attach()
+{
+  vtkRenderer* renderer = this->View ? RendererOf(this->View) : nullptr;
+  if (renderer && !this->Attached)
+  {
+    this->Props->AddToRenderer(renderer);
+    this->FrameEnded = this->connect(this->View.data(), &pqView::endRender, this, &pqHapticFrames::frameEnded);
+    this->Attached = true;
+  }
+}
+
+void pqHapticFrames::detach()
+{
+  this->disconnect(this->FrameEnded);
+  if (this->Attached)
+  {
+    this->Props->RemoveFromRenderer();
+    this->Attached = false;
+    if (this->View)
+    {
+      this->View->render();
+    }
+  }
+}
+
+void pqHapticFrames::nextFrame()
+{
+  if (!this->Attached || !this->Session)
+  {
+    return;
+  }
+  this->Props->UpdateFrom(this->Session);
+  this->Pause.start(pauseWhenHidden);
+  this->View->render();
+}
+
+void pqHapticFrames::frameEnded()
+{
+  if (this->Active)
+  {
+    this->Pause.start(pauseBetweenFrames);
+  }
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticFrames_h
+#define pqHapticFrames_h
+
+#include <QObject>
+#include <QPointer>
+#include <QTimer>
+
+#include "pqRenderView.h" // QPointer needs the whole class
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+class vtkHapticSession;
+class vtkHapticToolProps;
+
+/**
+ * Draws hand, proxy and force in a view while it is touched.
+ *
+ * The next frame is asked for only when the last has ended, so a slow renderer lowers the frame rate and nothing
+ * else: requests never pile up and the servo thread is never waited for. GUI thread only.
+ */
+class pqHapticFrames : public QObject
+{
+  Q_OBJECT
+  typedef QObject Superclass;
+
+public:
+  explicit pqHapticFrames(QObject* parent = nullptr);
+  ~pqHapticFrames() override;
+
+  void setSession(vtkHapticSession* session);
+  void setActive(bool active);
+
+public Q_SLOTS:
+  void setView(pqRenderView* view);
+
+private:
+  void nextFrame();
+  void frameEnded();
+  void attach();
+  void detach();
+
+  vtkNew<vtkHapticToolProps> Props;
+  vtkSmartPointer<vtkHapticSession> Session;
+  QPointer<pqRenderView> View;
+  QMetaObject::Connection FrameEnded;
+  QTimer Pause; ///< between the end of a frame and the request for the next
+  bool Active = false;
+  bool Attached = false;
+};
+
+#endif

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticPanel.h"
+
+#include "pqHapticController.h"
+#include "pqHapticReadout.h"
+#include "pqHapticViewFollower.h"
+#include "pqPropertyLinks.h"
+#include "vtkHapticSession.h"
+#include "vtkSMProxy.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTimer>
+#include <QVBoxLayout>
+
+namespace
+{
+/// Read-outs change ten times a second: faster cannot be read.
+constexpr int refreshPeriod_ms = 100;
+
+QLabel* Value(QWidget* parent, const char* name, const QString& tip)
+{
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setToolTip(tip);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QDoubleSpinBox* Number(QWidget* parent, const char* name, double low, double high, int decimals, const QString& tip)
+{
+  auto* box = new QDoubleSpinBox(parent);
+  box->setObjectName(name);
+  box->setRange(low, high);
+  box->setDecimals(decimals);
+  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  box->setKeyboardTracking(false);
+  box->setToolTip(tip);
+  return box;
+}
+
+QFormLayout* Group(QVBoxLayout* column, const char* name, const QString& title)
+{
+  auto* group = new QGroupBox(title);
+  group->setObjectName(name);
+  column->addWidget(group);
+  auto* form = new QFormLayout(group);
+  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  return form;
+}
+} // namespace
+
+class pqHapticPanel::Internals
+{
+public:
+  QComboBox* Device;
+  QPushButton* Touch;
+  QPushButton* Release;
+  QDoubleSpinBox* Stiffness;
+  QDoubleSpinBox* Radius;
+  QDoubleSpinBox* Scale;
+  QLabel* State;
+  QLabel* Reason;
+  QLabel* Force;
+  QLabel* Contact;
+  QLabel* Rate;
+  QLabel* Lateness;
+  QLabel* Cost;
+  QLabel* Ticks;
+  QLabel* Scheduling;
+  QPlainTextEdit* Scene;
+  QTimer Refresh;
+  pqPropertyLinks Links;
+
+  void addHand(QVBoxLayout* column);
+  void addContact(QVBoxLayout* column);
+  void addState(QVBoxLayout* column);
+  void addServo(QVBoxLayout* column);
+  void addScene(QVBoxLayout* column);
+  void setTabOrder();
+};
+
+void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
+{
+  QFormLayout* form = Group(column, "handGroup", tr("Hand"));
+  QWidget* parent = form->parentWidget();
+  this->Device = new QComboBox(parent);
+  this->Device->setObjectName("device");
+  this->Device->setToolTip(tr("Who moves the hand: a device, a simulated hand or a program"));
+  form->addRow(tr("&Device"), this->Device);
+
+  auto* buttons = new QHBoxLayout;
+  this->Touch = new QPushButton(tr("&Touch"), parent);
+  this->Touch->setObjectName("touch");
+  this->Touch->setCheckable(true);
+  this->Touch->setToolTip(tr("Touch every surface shown in the active view"));
+  this->Release = new QPushButton(tr("&Let Go"), parent);
+  this->Release->setObjectName("release");
+  this->Release->setToolTip(tr("Force to zero at once, and stop touching"));
+  buttons->addWidget(this->Touch);
+  buttons->addWidget(this->Release);
+  form->addRow(buttons);
+}
+
+void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
+{
+  QFormLayout* form = Group(column, "contactGroup", tr("Contact"));
+  QWidget* parent = form->parentWidget();
+  this->Stiffness = Number(parent, "stiffness", 0.0, 100000.0, 1, tr("Spring between hand and proxy [N/m]"));
+  this->Radius = Number(parent, "radius", 0.0, 1e9, 6, tr("Ball that touches [scene units]; 0 is a point"));
+  this->Scale = Number(parent, "scale", 1e-9, 1e9, 6, tr("Scene units per metre of the hand's motion"));
+  this->Stiffness->setSuffix(tr(" N/m"));
+  this->Radius->setSuffix(tr(" u"));
+  this->Scale->setSuffix(tr(" u/m"));
+  form->addRow(tr("&Stiffness"), this->Stiffness);
+  form->addRow(tr("&Radius"), this->Radius);
+  form->addRow(tr("S&cale"), this->Scale);
+}
+
+void pqHapticPanel::Internals::addState(QVBoxLayout* column)
+{
+  QFormLayout* form = Group(column, "stateGroup", tr("State"));
+  QWidget* parent = form->parentWidget();
+  this->State =
+    Value(parent, "state", tr("safe: no force. armed: waits for a free start. engaged: force flows. fault: no force"));
+  this->Reason = Value(parent, "reason", tr("Why there is no force, and what to do"));
+  this->Force = Value(parent, "force", tr("Force on the hand now, and the largest so far [N]"));
+  this->Contact = Value(parent, "contact", tr("Time in contact [s] and planes touched now"));
+  form->addRow(tr("State"), this->State);
+  form->addRow(this->Reason);
+  form->addRow(tr("Force"), this->Force);
+  form->addRow(tr("Contact"), this->Contact);
+}
+
+void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
+{
+  QFormLayout* form = Group(column, "servoGroup", tr("Servo"));
+  QWidget* parent = form->parentWidget();
+  this->Rate = Value(parent, "rate", tr("Ticks per second [Hz]"));
+  this->Lateness = Value(parent, "lateness", tr("How late ticks start: median and 99th percentile [us]"));
+  this->Cost = Value(parent, "cost", tr("How long a tick takes: median and 99th percentile [us]"));
+  this->Ticks = Value(parent, "ticks", tr("Ticks computed and periods missed; missed periods are never caught up"));
+  this->Scheduling = Value(parent, "scheduling", tr("What the operating system granted the servo thread"));
+  form->addRow(tr("Rate"), this->Rate);
+  form->addRow(tr("Lateness"), this->Lateness);
+  form->addRow(tr("Cost"), this->Cost);
+  form->addRow(tr("Ticks"), this->Ticks);
+  form->addRow(tr("Thread"), this->Scheduling);
+}
+
+void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
+{
+  QFormLayout* form = Group(column, "sceneGroup", tr("Scene"));
+  this->Scene = new QPlainTextEdit(form->parentWidget());
+  this->Scene->setObjectName("scene");
+  this->Scene->setReadOnly(true);
+  this->Scene->setTabChangesFocus(true);
+  this->Scene->setMinimumHeight(110);
+  this->Scene->setToolTip(tr("What is touched, what was repaired, what is refused and why, what was planned"));
+  form->addRow(this->Scene);
+}
+
+void pqHapticPanel::Internals::setTabOrder()
+{
+  QWidget* order[] = { this->Device, this->Touch, this->Release, this->Stiffness, this->Radius, this->Scale,
+    this->Scene };
+  for (std::size_t i = 1; i < std::size(order); ++i)
+  {
+    QWidget::setTabOrder(order[i - 1], order[i]);
+  }
+}
+
+pqHapticPanel::pqHapticPanel(const QString& title, QWidget* parent, Qt::WindowFlags flags)
+  : Superclass(title, parent, flags)
+{
+  this->build();
+}
+
+pqHapticPanel::pqHapticPanel(QWidget* parent, Qt::WindowFlags flags) : Superclass(parent, flags)
+{
+  this->build();
+}
+
+pqHapticPanel::~pqHapticPanel() = default;
+
+void pqHapticPanel::build()
+{
+  this->Widgets = std::make_unique<Internals>();
+  this->setObjectName("pqHapticPanel");
+  this->setWindowTitle(tr("Haptics"));
+  auto* scroll = new QScrollArea(this);
+  scroll->setObjectName("scroll");
+  scroll->setWidgetResizable(true);
+  auto* body = new QWidget(scroll);
+  body->setObjectName("body");
+  auto* column = new QVBoxLayout(body);
+  this->Widgets->addHand(column);
+  this->Widgets->addContact(column);
+  this->Widgets->addState(column);
+  this->Widgets->addServo(column);
+  this->Widgets->addScene(column);
+  column->addStretch(1);
+  this->Widgets->setTabOrder();
+  scroll->setWidget(body);
+  this->setWidget(scroll);
+
+  auto* controller = pqHapticController::instance();
+  this->connect(controller, &pqHapticController::sessionChanged, this, &pqHapticPanel::setProxy);
+  this->connect(this->Widgets->Release, &QPushButton::clicked, controller, &pqHapticController::release);
+  this->connect(&this->Widgets->Refresh, &QTimer::timeout, this, &pqHapticPanel::refresh);
+  this->setProxy(controller->sessionProxy());
+  this->Widgets->Refresh.start(refreshPeriod_ms);
+}
+
+void pqHapticPanel::setProxy(vtkSMProxy* proxy)
+{
+  Internals& w = *this->Widgets;
+  w.Links.clear();
+  this->widget()->setEnabled(proxy != nullptr);
+  if (!proxy)
+  {
+    this->refresh();
+    return;
+  }
+  w.Device->clear();
+  w.Device->addItems(pqHapticReadout::deviceNames(*vtkHapticSession::SafeDownCast(proxy->GetClientSideObject())));
+  const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
+  { w.Links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
+  link(w.Device, "currentText", SIGNAL(currentTextChanged(const QString&)), "DeviceName");
+  link(w.Touch, "checked", SIGNAL(toggled(bool)), "Touching");
+  link(w.Stiffness, "value", SIGNAL(valueChanged(double)), "Stiffness");
+  link(w.Radius, "value", SIGNAL(valueChanged(double)), "Radius");
+  link(w.Scale, "value", SIGNAL(valueChanged(double)), "Scale");
+  this->refresh();
+}
+
+void pqHapticPanel::refresh()
+{
+  auto* controller = pqHapticController::instance();
+  vtkHapticSession* session = controller->session();
+  const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
+  Internals& w = *this->Widgets;
+  w.Release->setEnabled(controller->touching());
+  w.State->setText(now.State);
+  w.Reason->setText(now.Reason);
+  w.Reason->setVisible(!now.Reason.isEmpty());
+  w.Force->setText(now.Force);
+  w.Contact->setText(now.Contact);
+  w.Rate->setText(now.Rate);
+  w.Lateness->setText(now.Lateness);
+  w.Cost->setText(now.Cost);
+  w.Ticks->setText(now.Ticks);
+  w.Scheduling->setText(now.Scheduling);
+  const QString scene = controller->follower()->report() + now.Scene;
+  if (scene != w.Scene->toPlainText())
+  {
+    w.Scene->setPlainText(scene);
+  }
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticPanel_h
+#define pqHapticPanel_h
+
+#include <QDockWidget>
+
+#include <memory>
+
+class vtkSMProxy;
+
+/**
+ * The dock "Haptics": which device, what touching feels like, and what the servo says about itself.
+ *
+ * Every edit goes to the session's proxy and every change of the proxy comes back here; the panel holds no state.
+ * Every widget has an object name, a unit beside its number and a mnemonic where it can be edited.
+ */
+class pqHapticPanel : public QDockWidget
+{
+  Q_OBJECT
+  typedef QDockWidget Superclass;
+
+public:
+  explicit pqHapticPanel(const QString& title, QWidget* parent = nullptr, Qt::WindowFlags flags = Qt::WindowFlags());
+  explicit pqHapticPanel(QWidget* parent = nullptr, Qt::WindowFlags flags = Qt::WindowFlags());
+  ~pqHapticPanel() override;
+
+private:
+  void build();
+  void setProxy(vtkSMProxy* proxy);
+  void refresh();
+
+  class Internals;
+  std::unique_ptr<Internals> Widgets;
+};
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticReadout_h
+#define pqHapticReadout_h
+
+#include <QString>
+#include <QStringList>
+
+class vtkHapticSession;
+
+/// The session's numbers as the panel shows them: rounded, each with its unit.
+struct pqHapticReadout
+{
+  QString State;
+  QString Reason;
+  QString Force;
+  QString Contact;
+  QString Rate;
+  QString Lateness;
+  QString Cost;
+  QString Ticks;
+  QString Scheduling;
+  QString Scene;
+
+  static pqHapticReadout of(vtkHapticSession& session);
+  static QStringList deviceNames(vtkHapticSession& session);
+};
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticViewFollower_h
+#define pqHapticViewFollower_h
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+
+#include "pqRenderView.h" // QPointer needs the whole class
+#include "vtkNew.h"
+
+#include <vector>
+
+class pqView;
+class vtkHapticSession;
+class vtkHapticViewScene;
+
+/**
+ * Keeps the session's scene the same as what the active render view shows.
+ *
+ * It looks after every frame, pipeline update and change of visibility; nothing is handed over unless something
+ * touchable changed. A view that closes leaves an empty scene at once. GUI thread only.
+ */
+class pqHapticViewFollower : public QObject
+{
+  Q_OBJECT
+  typedef QObject Superclass;
+
+public:
+  explicit pqHapticViewFollower(QObject* parent = nullptr);
+  ~pqHapticViewFollower() override;
+
+  void setSession(vtkHapticSession* session);
+  /// Only while active is the view looked at: surfaces nobody touches cost nothing.
+  void setActive(bool active);
+
+  pqRenderView* view() const { return this->View; }
+  /// What is touched, and what is not and why.
+  QString report() const;
+
+public Q_SLOTS:
+  void setView(pqView* view);
+  void refresh();
+
+Q_SIGNALS:
+  void viewChanged(pqRenderView* view);
+  void sceneChanged();
+  /// The view that was touched is being destroyed.
+  void viewClosing();
+
+private:
+  void viewRemoved(pqView* view);
+  void connectView();
+
+  vtkNew<vtkHapticViewScene> Scene;
+  QPointer<pqRenderView> View;
+  std::vector<QMetaObject::Connection> Connections;
+  bool Active = false;
+};
+
+#endif
