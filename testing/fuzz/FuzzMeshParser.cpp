@@ -32,6 +32,7 @@ void requireConsistent(const vtkHapticFaceMesh& mesh)
 }
 }
 
+// NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   const vtkHapticFaceMesh mesh = PARSER({ reinterpret_cast<const char*>(data), size });
