@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "haptics/contact/ContactSet.h"
+#include "haptics/contact/Neighbourhood.h"
 #include "haptics/contact/Roll.h"
 #include "haptics/contact/Seat.h"
 #include "haptics/contact/Sweep.h"
@@ -17,6 +18,9 @@ namespace
 
 /// Passes beyond the cap, used only while the ball touches nothing: they bring it back to contact.
 constexpr std::uint32_t settlingPasses = 2;
+/// In ball radii: of a way longer than longWay the first firstPart is looked at alone; mostly it ends there.
+constexpr double longWay = 0.2;
+constexpr double firstPart = 0.02;
 /// Attempts to stop a point just before what it hits, each a little further off.
 constexpr int stopAttempts = 6;
 
@@ -161,7 +165,25 @@ private:
     return true;
   }
 
+  /// A long way of a ball is looked at in two parts: mostly it ends soon, and the first part is cheap.
   [[nodiscard]] SweepHit sweep(const Vec3& from_W, const Vec3& to_W) noexcept
+  {
+    const double length = (to_W - from_W).norm();
+    if (length > longWay * this->plan_.radius_u && this->round())
+    {
+      const double part = firstPart * this->plan_.radius_u / length;
+      SweepHit hit = this->sweepOnce(from_W, from_W + part * (to_W - from_W));
+      if (hit.hit || hit.freeUntil < 1.0)
+      {
+        hit.t *= part;
+        hit.freeUntil = hit.freeUntil < 1.0 ? hit.freeUntil * part : 1.0;
+        return hit;
+      }
+    }
+    return this->sweepOnce(from_W, to_W);
+  }
+
+  [[nodiscard]] SweepHit sweepOnce(const Vec3& from_W, const Vec3& to_W) noexcept
   {
     SweepQuery query;
     query.from_W = from_W;
@@ -174,7 +196,9 @@ private:
       query.touched = this->contacts_.features();
     }
     const std::uint32_t left = this->plan_.nodeBudget - std::min(this->plan_.nodeBudget, this->result_.nodes);
-    const SweepHit hit = sweepBall(this->scene_, query, left);
+    // Most ticks need one sweep or two: gathering what is around pays from the third on.
+    const bool gather = this->result_.sweeps >= 2 && (to_W - from_W).norm() <= longWay * this->plan_.radius_u;
+    const SweepHit hit = sweepBall(this->scene_, query, left, gather ? &this->near_ : nullptr);
     ++this->result_.sweeps;
     this->result_.nodes += hit.nodes;
     this->result_.overBudget |= hit.freeUntil < 1.0;
@@ -461,6 +485,7 @@ private:
   PathSink* sink_;
   ContactSet contacts_;
   LeftFaces left_;
+  Neighbourhood near_;
   ProjectionResult solution_;
   ContactResult result_;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace palpate
@@ -85,15 +86,56 @@ RollPlanner::RollPlanner(
   }
 }
 
-/// Where the ball is drawn to: the device, or, in the crevice of two contacts of which one is round, the Newton
-/// step of the constrained problem. Its Hessian along the crevice t is 1 - sum l (1 - (t.e)^2) / r: the plain step
-/// would converge like 1 - H only.
-Vec3 RollPlanner::aim() noexcept
+/// How far along aim edge or vertex f goes on holding the ball.
+double RollPlanner::heldFraction(const ActiveFeature& f, const Vec3& aim) const noexcept
 {
-  if (this->solution_.count != 2)
+  if (f.kind != FeatureKind::Edge)
   {
-    return this->q_;
+    return 1.0;
   }
+  const Vec3 along = aim.dot(this->axisOf(f)) * this->axisOf(f);
+  return exitRound(
+    this->contacts_.dataOf(f), f, this->x_W_, along, this->radius_u_, this->contacts_.resolution().del());
+}
+
+/// Cuts aim to where face f ends, and remembers its border: the ball is to land just outside of it.
+void RollPlanner::cutToFace(const ActiveFeature& f, Vec3& aim) noexcept
+{
+  const SurfaceData& s = this->contacts_.dataOf(f);
+  const FaceExit exit = walkFace(s, f.a, this->x_W_, aim, this->contacts_.resolution().del());
+  if (exit.t >= 1.0)
+  {
+    return;
+  }
+  aim *= exit.t;
+  const auto& corners = s.mesh.triangles[exit.triangle];
+  for (int k = 0; k < 3; ++k)
+  {
+    if (std::min(corners[k], corners[(k + 1) % 3]) == exit.i && std::max(corners[k], corners[(k + 1) % 3]) == exit.j)
+    {
+      this->border_ = { outwardNormal(s, exit.triangle, k), s.vertex(exit.i) };
+      this->hasBorder_ = true;
+    }
+  }
+}
+
+/// The step along the crevice is straight, the way is not: shifts aim so that the ball lands on the border it was cut to.
+void RollPlanner::landOnBorder(const Vec3& y, Vec3& aim) const noexcept
+{
+  const double outside = this->border_.outward.dot(this->x_W_ + y - this->border_.point_W);
+  const double rate = this->border_.outward.dot(aim);
+  const double wanted = 4 * this->contacts_.resolution().del();
+  if (std::fabs(outside - wanted) < 0.5 * std::fabs(rate))
+  {
+    aim *= 1.0 + (wanted - outside) / rate;
+  }
+}
+
+/// In the crevice of two contacts of which one is round: the Newton step of the constrained problem. Its Hessian
+/// along the crevice t is 1 - sum l (1 - (t.e)^2) / r; the plain step would converge like 1 - H only. On a saddle
+/// (H <= 0) as far as the contacts hold.
+Vec3 RollPlanner::creviceAim() noexcept
+{
   const Vec3 t = freeDirection(this->rows_[this->solution_.active[0]].n, this->rows_[this->solution_.active[1]].n);
   double hessian = 1.0;
   for (int k = 0; k < 2; ++k)
@@ -101,13 +143,27 @@ Vec3 RollPlanner::aim() noexcept
     const ActiveFeature& f = this->contacts_.features()[this->solution_.active[k]];
     if (f.kind != FeatureKind::Face)
     {
-      const double along = f.kind == FeatureKind::Edge ? t.dot(this->axisOf(f)) : 0.0;
+      const double along = t.dot(this->axisOf(f));
       hessian -= this->solution_.lambda[k] * (1.0 - along * along) / this->radius_u_;
     }
   }
-  constexpr double convexEnough = 0.01;
-  this->newton_ = !t.isZero(0.0) && hessian >= convexEnough && hessian < 1.0;
-  return this->newton_ ? Vec3(this->solution_.y.dot(t) / hessian * t) : this->q_;
+  constexpr double flat = 0.01;
+  const double pull = this->solution_.y.dot(t);
+  const double step = hessian > flat ? pull / hessian : std::copysign(10 * this->radius_u_, pull);
+  Vec3 aim = step * t;
+  for (int k = 0; k < 2; ++k)
+  {
+    const ActiveFeature& f = this->contacts_.features()[this->solution_.active[k]];
+    if (f.kind == FeatureKind::Face)
+    {
+      this->cutToFace(f, aim);
+    }
+    else
+    {
+      aim *= this->heldFraction(f, aim);
+    }
+  }
+  return aim;
 }
 
 Vec3 RollPlanner::axisOf(const ActiveFeature& f) const noexcept
@@ -115,8 +171,10 @@ Vec3 RollPlanner::axisOf(const ActiveFeature& f) const noexcept
   return f.kind == FeatureKind::Edge ? edgeLine(this->contacts_.dataOf(f), f.a, f.b).unit : Vec3(Vec3::Zero());
 }
 
+/// The round contacts that turn, and the normals they are to have; aim is cut to what their cones allow.
 void RollPlanner::chooseTargets(Vec3& aim) noexcept
 {
+  const bool crevice = this->solution_.count == 2;
   for (int k = 0; k < this->solution_.count; ++k)
   {
     const int i = this->solution_.active[k];
@@ -125,9 +183,8 @@ void RollPlanner::chooseTargets(Vec3& aim) noexcept
     {
       continue;
     }
-    const Vec3& y = this->newton_ ? aim : this->solution_.y;
     Pivot pivot{ i, this->contacts_.plane(f), this->axisOf(f) };
-    pivot.w = y - y.dot(pivot.plane.n) * pivot.plane.n;
+    pivot.w = aim - aim.dot(pivot.plane.n) * pivot.plane.n;
     pivot.w -= pivot.w.dot(pivot.axis) * pivot.axis;
     const double reach = pivot.w.norm();
     if (reach <= 4 * this->slack_)
@@ -135,20 +192,30 @@ void RollPlanner::chooseTargets(Vec3& aim) noexcept
       continue;
     }
     pivot.w /= reach;
-    const Vec3 pull = this->newton_ ? aim : Vec3(this->solution_.y - this->solution_.lambda[k] * pivot.plane.n);
     pivot.limit = coneLimit(this->contacts_.dataOf(f), f, pivot);
     pivot.turn = std::min(pivot.limit, this->mostTurn_);
-    if (this->newton_ && reach > pivot.turn * this->radius_u_)
+    if (crevice && reach > pivot.turn * this->radius_u_)
     {
       aim *= pivot.turn * this->radius_u_ / reach; // not beyond the face or edge it will come to lie on
+      this->hasBorder_ = false;
     }
-    const Vec3 n = targetNormal(pivot, this->x_W_ + pull, this->newton_ ? 2 * this->radius_u_ + reach : this->radius_u_);
+    const Vec3 pull = crevice ? aim : Vec3(this->solution_.y - this->solution_.lambda[k] * pivot.plane.n);
+    const Vec3 n = targetNormal(pivot, this->x_W_ + pull, crevice ? 2 * this->radius_u_ + reach : this->radius_u_);
     if ((n - pivot.plane.n).norm() * this->radius_u_ > 4 * this->slack_)
     {
       this->rows_[i] = { n, this->radius_u_ - n.dot(this->x_W_ - pivot.plane.foot_W) };
       this->pivots_[this->pivotCount_++] = pivot;
     }
   }
+}
+
+/// A single round contact: along the arc to the point where it has its new normal, and along the edge to its end.
+Vec3 RollPlanner::arcAim() const noexcept
+{
+  const Pivot& pivot = this->pivots_[0];
+  const Vec3 along = this->solution_.y.dot(pivot.axis) * pivot.axis;
+  return this->radius_u_ * (this->rows_[pivot.row].n - pivot.plane.n) +
+    this->heldFraction(this->contacts_.features()[pivot.row], along) * along;
 }
 
 /// Re-linearises the target planes where the ball comes to lie on them. True when nothing is left to correct.
@@ -186,19 +253,28 @@ Vec3 RollPlanner::pressed(const Vec3& y) const noexcept
 RollPlan RollPlanner::plan() noexcept
 {
   RollPlan plan;
-  Vec3 aim = this->aim();
+  const bool crevice = this->solution_.count == 2;
+  Vec3 aim = crevice ? this->creviceAim() : this->solution_.y;
   this->chooseTargets(aim);
   if (this->pivotCount_ == 0)
   {
     return plan;
   }
   const auto count = static_cast<std::size_t>(this->contacts_.count());
-  Vec3 target = this->newton_ ? this->pressed(aim) : aim;
+  Vec3 target = crevice ? this->pressed(aim) : (this->solution_.count == 1 ? this->pressed(this->arcAim()) : this->q_);
   ProjectionResult second = projectOntoPlanes({ this->rows_.data(), count }, target, this->slack_);
   constexpr int corrections = 4;
   for (int k = 0; k < corrections && second.feasible && !this->correct(second.y); ++k)
   {
-    target = this->pressed(second.y);
+    if (this->hasBorder_)
+    {
+      this->landOnBorder(second.y, aim);
+      target = this->pressed(aim);
+    }
+    else
+    {
+      target = this->pressed(second.y);
+    }
     second = projectOntoPlanes({ this->rows_.data(), count }, target, this->slack_);
   }
   for (int k = 0; k < this->pivotCount_; ++k)
@@ -208,7 +284,7 @@ RollPlan RollPlanner::plan() noexcept
   }
   const ProjectionResult first = projectOntoPlanes({ this->both_.data(), count + this->pivotCount_ }, target, this->slack_);
   // Near the solution a Newton step gains less than a distance resolves.
-  plan.tolerance_u2 = this->newton_ ? 4 * this->slack_ * this->q_.norm() : 0.0;
+  plan.tolerance_u2 = crevice ? 4 * this->slack_ * this->q_.norm() : 0.0;
   plan.worthwhile = first.feasible && second.feasible &&
     (second.y - this->q_).squaredNorm() < this->q_.squaredNorm() + plan.tolerance_u2;
   plan.first = first.y;

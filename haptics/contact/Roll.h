@@ -36,12 +36,23 @@ public:
     double turn = 0.0;        ///< tangent of the largest angle of this roll
   };
 
+  /// A side of a face, where the ball stops being held by it.
+  struct Border
+  {
+    Vec3 outward = Vec3::Zero(); ///< unit, in the plane of the face
+    Vec3 point_W = Vec3::Zero();
+  };
+
   RollPlanner(const ContactSet& contacts, const Vec3& x_W, const Vec3& p_W, double radius_u,
     const ProjectionResult& solution, double mostTurn) noexcept;
   [[nodiscard]] RollPlan plan() noexcept;
 
 private:
-  [[nodiscard]] Vec3 aim() noexcept;
+  [[nodiscard]] double heldFraction(const ActiveFeature& f, const Vec3& aim) const noexcept;
+  void cutToFace(const ActiveFeature& f, Vec3& aim) noexcept;
+  void landOnBorder(const Vec3& y, Vec3& aim) const noexcept;
+  [[nodiscard]] Vec3 creviceAim() noexcept;
+  [[nodiscard]] Vec3 arcAim() const noexcept;
   [[nodiscard]] Vec3 pressed(const Vec3& aim) const noexcept;
   [[nodiscard]] Vec3 axisOf(const ActiveFeature& f) const noexcept;
   void chooseTargets(Vec3& aim) noexcept;
@@ -58,7 +69,8 @@ private:
   std::array<PlaneRow, GodObjectState::maxFeatures + 3> both_; ///< as they are, and behind them as they will be
   std::array<Pivot, 3> pivots_;
   int pivotCount_ = 0;
-  bool newton_ = false;
+  Border border_;
+  bool hasBorder_ = false;
 };
 
 } // namespace palpate

@@ -77,8 +77,11 @@ void forEachNear(const Scene& scene, const Vec3& x_W, double reach, Visit visit)
       const TreeNode& node = data.nodes[child];
       for (int k = 0; k < 2; ++k)
       {
-        const bool apart = (node.low_W[k].array() > x_W.array() + reach).any() ||
-          (node.high_W[k].array() < x_W.array() - reach).any();
+        bool apart = false;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          apart |= node.low_W[axis][k] > x_W[axis] + reach || node.high_W[axis][k] < x_W[axis] - reach;
+        }
         if (!apart)
         {
           stack[top++] = node.child[k];

@@ -7,8 +7,9 @@
 #include <limits>
 #include <tuple>
 
-#include <emmintrin.h>
-
+#include "haptics/contact/BoxTest.h"
+#include "haptics/contact/DiscFilter.h"
+#include "haptics/contact/Neighbourhood.h"
 #include "haptics/geometry/ExactPredicates.h"
 #include "haptics/geometry/SurfaceData.h"
 
@@ -16,121 +17,6 @@ namespace palpate
 {
 namespace
 {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// What of a query does not change from leaf to leaf.
-struct Motion
-{
-  Vec3 x_W, e_W, d;
-  Vec3 low_W, high_W;      ///< box of the swept ball, grown by what rounding may hide
-  Vec3 inverse, zeroBias;  ///< 1 / d, and an infinity where d is zero
-  double r, del, tol, magnitude;
-  double dd;               ///< |d|^2
-};
-
-Motion motionOf(const SweepQuery& q) noexcept
-{
-  Motion m;
-  m.x_W = q.from_W;
-  m.e_W = q.to_W;
-  m.d = q.to_W - q.from_W;
-  m.r = q.radius_u;
-  m.del = q.resolution.del();
-  m.tol = q.resolution.tol();
-  m.magnitude = q.resolution.magnitude;
-  m.dd = m.d.squaredNorm();
-  const Vec3 reach = Vec3::Constant(m.r + m.tol);
-  m.low_W = m.x_W.cwiseMin(m.e_W) - reach;
-  m.high_W = m.x_W.cwiseMax(m.e_W) + reach;
-  for (int k = 0; k < 3; ++k)
-  {
-    const bool moves = std::fabs(m.d[k]) > 1e-290;
-    m.inverse[k] = moves ? 1.0 / m.d[k] : 0.0;
-    m.zeroBias[k] = moves ? 0.0 : infinity;
-  }
-  return m;
-}
-
-/// Earliest fraction of the way at which the swept ball can touch the box, or infinity.
-double entryTime(const Motion& m, const Vec3& low_W, const Vec3& high_W) noexcept
-{
-  if ((low_W.array() > m.high_W.array()).any() || (high_W.array() < m.low_W.array()).any())
-  {
-    return infinity;
-  }
-  const double grow = m.r + m.tol;
-  double entry = 0.0, exit = 1.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double t0 = (low_W[k] - grow - m.x_W[k]) * m.inverse[k];
-    const double t1 = (high_W[k] + grow - m.x_W[k]) * m.inverse[k];
-    entry = std::max(entry, std::min(t0, t1) - m.zeroBias[k]);
-    exit = std::min(exit, std::max(t0, t1) + m.zeroBias[k]);
-  }
-  // The slab arithmetic rounds; a box is only passed over when it is missed by more than that.
-  constexpr double roundOff = 1e-12;
-  return entry <= exit + roundOff ? std::max(0.0, entry - roundOff) : infinity;
-}
-
-/// Four discs against the swept ball in single precision; bit k is set where lane k may be touched.
-class DiscFilter
-{
-public:
-  DiscFilter(const Motion& m, const Vec3& origin_W) noexcept
-  {
-    const Vec3 q = m.x_W - origin_W;
-    this->q_ = { _mm_set1_ps(float(q.x())), _mm_set1_ps(float(q.y())), _mm_set1_ps(float(q.z())) };
-    this->d_ = { _mm_set1_ps(float(m.d.x())), _mm_set1_ps(float(m.d.y())), _mm_set1_ps(float(m.d.z())) };
-    this->dd_ = _mm_set1_ps(float(m.dd));
-    // Single precision loses 1e-7 of the numbers it handles; a hundred times that is allowed for.
-    const double lost = 1e-5 * (q.cwiseAbs().maxCoeff() + m.d.cwiseAbs().maxCoeff() + m.r);
-    this->lost_ = _mm_set1_ps(float(lost));
-    this->reach_ = _mm_set1_ps(float(m.r + m.tol + lost));
-  }
-
-  [[nodiscard]] int touched(const DiscQuad& quad) const noexcept
-  {
-    const Triple n = { _mm_load_ps(quad.nx.data()), _mm_load_ps(quad.ny.data()), _mm_load_ps(quad.nz.data()) };
-    const Triple q = { _mm_sub_ps(this->q_.x, _mm_load_ps(quad.cx.data())),
-      _mm_sub_ps(this->q_.y, _mm_load_ps(quad.cy.data())), _mm_sub_ps(this->q_.z, _mm_load_ps(quad.cz.data())) };
-    const __m128 zero = _mm_setzero_ps();
-    const __m128 h0 = dot(n, q), hd = dot(n, this->d_);
-    const __m128 h1 = _mm_add_ps(h0, hd);
-    const __m128 crosses = _mm_cmple_ps(_mm_mul_ps(h0, h1), zero);
-    __m128 h = _mm_andnot_ps(crosses, _mm_min_ps(absolute(h0), absolute(h1)));
-    h = _mm_max_ps(zero, _mm_sub_ps(h, this->lost_));
-    // Distance of the way from the disc's axis, in the disc's plane.
-    const __m128 qd = _mm_sub_ps(dot(q, this->d_), _mm_mul_ps(h0, hd));
-    const __m128 ddLateral = _mm_max_ps(_mm_sub_ps(this->dd_, _mm_mul_ps(hd, hd)), zero);
-    const __m128 safe = _mm_max_ps(ddLateral, _mm_set1_ps(std::numeric_limits<float>::min()));
-    const __m128 t = _mm_min_ps(_mm_max_ps(_mm_div_ps(_mm_sub_ps(zero, qd), safe), zero), _mm_set1_ps(1.0f));
-    const Triple c = { at(q.x, this->d_.x, t), at(q.y, this->d_.y, t), at(q.z, this->d_.z, t) };
-    const __m128 hc = _mm_add_ps(h0, _mm_mul_ps(t, hd));
-    const Triple lateral = { at(c.x, n.x, _mm_sub_ps(zero, hc)), at(c.y, n.y, _mm_sub_ps(zero, hc)),
-      at(c.z, n.z, _mm_sub_ps(zero, hc)) };
-    const __m128 radius = _mm_add_ps(_mm_load_ps(quad.radius.data()), this->lost_);
-    const __m128 excess = _mm_max_ps(zero, _mm_sub_ps(_mm_sqrt_ps(dot(lateral, lateral)), radius));
-    const __m128 distance2 = _mm_add_ps(_mm_mul_ps(h, h), _mm_mul_ps(excess, excess));
-    const __m128 clear = _mm_cmpgt_ps(distance2, _mm_mul_ps(this->reach_, this->reach_));
-    return ~_mm_movemask_ps(clear) & 15;
-  }
-
-private:
-  struct Triple
-  {
-    __m128 x, y, z;
-  };
-  static __m128 dot(const Triple& a, const Triple& b) noexcept
-  {
-    return _mm_add_ps(_mm_add_ps(_mm_mul_ps(a.x, b.x), _mm_mul_ps(a.y, b.y)), _mm_mul_ps(a.z, b.z));
-  }
-  static __m128 at(__m128 q, __m128 d, __m128 t) noexcept { return _mm_add_ps(q, _mm_mul_ps(t, d)); }
-  static __m128 absolute(__m128 v) noexcept { return _mm_andnot_ps(_mm_set1_ps(-0.0f), v); }
-
-  Triple q_, d_;
-  __m128 dd_, lost_, reach_;
-};
 
 bool isTouched(const SweepQuery& query, const ActiveFeature& f) noexcept
 {
@@ -155,7 +41,7 @@ public:
   void testLeaf(std::uint32_t index) noexcept
   {
     const Leaf& leaf = this->data_.leaves[index];
-    const DiscFilter filter(this->m_, leaf.origin_W);
+    const DiscFilter filter(this->m_, leaf.origin_W, leaf.extent);
     int lanes = filter.touched(this->data_.discs[2 * index]);
     if (leaf.count > 4)
     {
@@ -164,9 +50,13 @@ public:
     lanes &= (1 << leaf.count) - 1;
     for (; lanes != 0; lanes &= lanes - 1)
     {
-      const std::uint32_t triangle = leaf.first + static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(lanes)));
-      this->m_.r > 0.0 ? this->testBall(triangle) : this->testPoint(triangle);
+      this->testTriangle(leaf.first + static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(lanes))));
     }
+  }
+
+  void testTriangle(std::uint32_t triangle) noexcept
+  {
+    this->m_.r > 0.0 ? this->testBall(triangle) : this->testPoint(triangle);
   }
 
 private:
@@ -357,7 +247,9 @@ void sweepSurface(const SurfaceData& data, std::uint32_t surface, const SweepQue
   constexpr int depth = 96; // a halving tree over 2^32 triangles is 32 deep
   std::array<Pending, depth> stack;
   int top = 0;
-  const double rootEntry = entryTime(m, data.low_W, data.high_W);
+  BoxTest test(m);
+  test.shortenTo(best.t);
+  const double rootEntry = test.one(data.low_W, data.high_W);
   if (rootEntry <= best.t)
   {
     stack[top++] = { data.nodes.empty() ? TreeNode::leafBit : 0u, rootEntry };
@@ -378,30 +270,53 @@ void sweepSurface(const SurfaceData& data, std::uint32_t surface, const SweepQue
     ++best.nodes;
     if (next.child & TreeNode::leafBit)
     {
+      const double before = best.t;
       sweep.testLeaf(next.child & ~TreeNode::leafBit);
+      if (best.t < before)
+      {
+        test.shortenTo(best.t);
+      }
       continue;
     }
     const TreeNode& node = data.nodes[next.child];
-    const double entry0 = entryTime(m, node.low_W[0], node.high_W[0]);
-    const double entry1 = entryTime(m, node.low_W[1], node.high_W[1]);
-    const int far = entry0 <= entry1 ? 1 : 0;
-    const double entries[2] = { entry0, entry1 };
+    const Entries entries = test(node);
+    const int far = entries.time[0] <= entries.time[1] ? 1 : 0;
     for (const int k : { far, 1 - far })
     {
-      if (entries[k] <= best.t)
+      if (entries.time[k] <= best.t)
       {
-        stack[top++] = { node.child[k], entries[k] };
+        stack[top++] = { node.child[k], entries.time[k] };
       }
+    }
+  }
+}
+
+/// The same over a list of faces that holds all that the way can touch.
+void sweepList(const Scene& scene, const Neighbourhood& near, const SweepQuery& query, const Motion& m, SweepHit& best) noexcept
+{
+  const DiscFilter filter(m, near.centre_W(), near.extent_u());
+  for (int quad = 0; quad * 4 < near.count(); ++quad)
+  {
+    int lanes = filter.touched(near.discs(quad)) & ((1 << std::min(4, near.count() - quad * 4)) - 1);
+    for (; lanes != 0; lanes &= lanes - 1)
+    {
+      const Neighbourhood::Face& face = near.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
+      SurfaceSweep(scene.surfaces()[face.surface].tree->data(), face.surface, query, m, best).testTriangle(face.triangle);
     }
   }
 }
 
 } // namespace
 
-SweepHit sweepBall(const Scene& scene, const SweepQuery& query, std::uint32_t budget) noexcept
+SweepHit sweepBall(const Scene& scene, const SweepQuery& query, std::uint32_t budget, Neighbourhood* near) noexcept
 {
   SweepHit best;
   const Motion m = motionOf(query);
+  if (near != nullptr && (near->covers(m) || near->gather(scene, m, budget, best.nodes)))
+  {
+    sweepList(scene, *near, query, m, best);
+    return best;
+  }
   for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
   {
     sweepSurface(scene.surfaces()[s].tree->data(), s, query, m, budget, best);

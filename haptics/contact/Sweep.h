@@ -12,6 +12,8 @@
 namespace palpate
 {
 
+class Neighbourhood;
+
 /// A ball of radius r on its way from x to e.
 struct SweepQuery
 {
@@ -39,6 +41,8 @@ struct SweepHit
 /// a way reported free crosses and touches nothing, the order of hits is by double precision time.
 /// Ties: time, then dimension (face, edge, vertex), then surface and ids. Near-first; visits at most `budget` nodes.
 /// Servo thread; wait-free, no allocation.
-[[nodiscard]] SweepHit sweepBall(const Scene& scene, const SweepQuery& query, std::uint32_t budget) noexcept;
+/// `near`, if given, keeps the faces around from one sweep to the next; it changes the cost and nothing else.
+[[nodiscard]] SweepHit sweepBall(
+  const Scene& scene, const SweepQuery& query, std::uint32_t budget, Neighbourhood* near = nullptr) noexcept;
 
 } // namespace palpate

@@ -37,16 +37,18 @@ struct Leaf
 {
   static constexpr std::uint32_t capacity = 8;
   Vec3 origin_W;
+  double extent; ///< no coordinate of its faces is further from the origin than this [u]
   std::uint32_t first;
   std::uint32_t count;
 };
 
-/// Both children of an inner node. A child index with leafBit set names a leaf.
-struct TreeNode
+/// Both children of an inner node, coordinate by coordinate so that both boxes are tested at once.
+/// A child index with leafBit set names a leaf.
+struct alignas(16) TreeNode
 {
   static constexpr std::uint32_t leafBit = 0x80000000u;
-  std::array<Vec3, 2> low_W;
-  std::array<Vec3, 2> high_W;
+  std::array<std::array<double, 2>, 3> low_W;  ///< [axis][child]
+  std::array<std::array<double, 2>, 3> high_W;
   std::array<std::uint32_t, 2> child;
 };
 

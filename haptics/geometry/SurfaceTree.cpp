@@ -99,10 +99,10 @@ public:
     const std::uint32_t child1 = this->flatten(&node->right_child(), first + left, count - left, boxes[1]);
     TreeNode& flat = this->data_.nodes[index];
     flat.child = { child0, child1 };
-    for (int k = 0; k < 2; ++k)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      flat.low_W[k] = boxes[k].low;
-      flat.high_W[k] = boxes[k].high;
+      flat.low_W[axis] = { boxes[0].low[axis], boxes[1].low[axis] };
+      flat.high_W[axis] = { boxes[0].high[axis], boxes[1].high[axis] };
     }
     const auto& bounds = node->bbox();
     box.add(Vec3(bounds.xmin(), bounds.ymin(), bounds.zmin()));
@@ -122,7 +122,9 @@ private:
       }
     }
     const Vec3 origin_W = box.low + 0.5 * (box.high - box.low);
-    this->data_.leaves.push_back({ origin_W, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count) });
+    const double extent = (box.high - box.low).maxCoeff();
+    this->data_.leaves.push_back(
+      { origin_W, extent, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count) });
     return static_cast<std::uint32_t>(this->data_.leaves.size() - 1) | TreeNode::leafBit;
   }
 

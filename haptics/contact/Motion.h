@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "haptics/contact/Sweep.h"
+
+namespace palpate
+{
+
+/// What of a query does not change from leaf to leaf.
+struct Motion
+{
+  Vec3 x_W, e_W, d;
+  double r, del, tol, magnitude;
+  double length;
+  double dd; ///< |d|^2
+};
+
+[[nodiscard]] inline Motion motionOf(const SweepQuery& q) noexcept
+{
+  Motion m;
+  m.x_W = q.from_W;
+  m.e_W = q.to_W;
+  m.d = q.to_W - q.from_W;
+  m.r = q.radius_u;
+  m.del = q.resolution.del();
+  m.tol = q.resolution.tol();
+  m.magnitude = q.resolution.magnitude;
+  m.dd = m.d.squaredNorm();
+  m.length = std::sqrt(m.dd);
+  return m;
+}
+
+} // namespace palpate
