@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`palpate touch`: the numbers of OUT.csv, each expected value derived from the coupling F = K (proxy - device) / scale."""
+
+import gzip
+import json
+import math
+import unittest
+
+from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, nifti_bytes, obj_text, vti_text
+
+HEADER = ("t,device_x,device_y,device_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contacts,cost_us")
+# Dyadic numbers: every sum and product below is exact, so equality can be asked for.
+STIFFNESS = 512.0
+WALL_POINTS = [(0, -8, -8), (0, 8, -8), (0, 8, 8), (0, -8, 8)]
+
+
+def descent(depths, x=0.5, y=0.25):
+    """Straight down to each depth below z = 0 in turn, a tick every 1/1024 s."""
+    return [(n / 1024, x, y, -depth) for n, depth in enumerate([-1.0, *depths])]
+
+
+class OnAPlane(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        self.write_off("plane.off", SQUARE_POINTS, SQUARE_FACES)
+
+    def touch(self, rows, *options, files=("plane.off",)):
+        self.write_path(rows)
+        self.succeed("touch", *files, "--path", "path.csv", "--csv", "out.csv", *options)
+        return self.read_rows()
+
+    def test_the_header_is_the_one_scripts_rely_on(self):
+        self.touch(descent([0.5]))
+        self.assertEqual((self.folder / "out.csv").read_text().splitlines()[0], HEADER)
+
+    def test_each_row_answers_one_input_row(self):
+        rows = descent([0.25, 0.5, -0.25, 1.0])
+        out = self.touch(rows)
+        self.assertEqual([(row["t"], row["device_x"], row["device_y"], row["device_z"]) for row in out], rows)
+
+    def test_the_force_on_a_plane_is_stiffness_times_depth_exactly(self):
+        depths = [0.125, 0.25, 0.5, 2.0, 0.0625]
+        out = self.touch(descent(depths), "--stiffness", STIFFNESS)
+        self.assertEqual((out[0]["force_x"], out[0]["force_y"], out[0]["force_z"], out[0]["contacts"]), (0, 0, 0, 0))
+        for row, depth in zip(out[1:], depths):
+            self.assertEqual((row["proxy_x"], row["proxy_y"], row["proxy_z"]), (0.5, 0.25, 0.0))
+            self.assertEqual((row["force_x"], row["force_y"], row["force_z"]), (0.0, 0.0, STIFFNESS * depth))
+            self.assertEqual(row["contacts"], 1)
+
+    def test_the_stiffness_is_1000_newtons_per_metre_unless_given(self):
+        self.assertEqual(self.touch(descent([0.5]))[1]["force_z"], 1000 * 0.5)
+
+    def test_the_plane_pushes_back_to_the_side_the_hand_came_from(self):
+        rows = [(t, x, y, -z) for t, x, y, z in descent([0.5])]
+        self.assertEqual(self.touch(rows, "--stiffness", STIFFNESS)[1]["force_z"], -STIFFNESS * 0.5)
+
+    def test_letting_go_is_free(self):
+        out = self.touch(descent([0.5, -0.5]), "--stiffness", STIFFNESS)
+        self.assertEqual((out[2]["proxy_z"], out[2]["force_z"], out[2]["contacts"]), (0.5, 0.0, 0))
+
+    def test_the_force_does_not_depend_on_how_long_a_tick_is(self):
+        slow = self.touch([(0.0, 0, 0, 1.0), (10.0, 0, 0, -0.5)], "--stiffness", STIFFNESS)
+        quick = self.touch([(0.0, 0, 0, 1.0), (1e-6, 0, 0, -0.5)], "--stiffness", STIFFNESS)
+        self.assertEqual(slow[1]["force_z"], quick[1]["force_z"])
+
+    def test_sliding_over_the_plane_gives_no_lateral_force(self):
+        rows = [(0.0, -4.0, 0.0, 1.0)] + [(n / 1024, -4.0 + n / 32, n / 64, -0.25) for n in range(1, 257)]
+        for row in self.touch(rows, "--stiffness", STIFFNESS)[1:]:
+            self.assertLessEqual(math.hypot(row["force_x"], row["force_y"]), 1e-9)
+            self.assertAlmostEqual(row["force_z"], STIFFNESS * 0.25, delta=1e-9)
+
+    def test_a_ball_rests_its_radius_above_the_plane(self):
+        out = self.touch(descent([0.5]), "--stiffness", STIFFNESS, "--radius", 0.25)
+        self.assertEqual(out[1]["proxy_z"], 0.25)
+        self.assertEqual(out[1]["force_z"], STIFFNESS * (0.25 + 0.5))
+
+    def test_the_scale_turns_scene_units_into_metres(self):
+        # 1024 scene units per metre, so that 0.5 units are 0.5 / 1024 m
+        out = self.touch(descent([0.5]), "--stiffness", STIFFNESS, "--scale", 1024)
+        self.assertEqual(out[1]["device_z"], -0.5)
+        self.assertEqual(out[1]["force_z"], STIFFNESS * 0.5 / 1024)
+
+    def test_a_scale_that_is_not_a_power_of_two_keeps_17_digits_of_the_device(self):
+        rows = [(0.0, 0.1, 0.2, 1.0), (0.001, 0.1, 0.2, -0.3)]
+        out = self.touch(rows, "--scale", 1000)
+        self.assertEqual([(row["device_x"], row["device_y"], row["device_z"]) for row in out], [row[1:] for row in rows])
+        self.assertAlmostEqual(out[1]["force_z"], 1000 * 0.3 / 1000, delta=1e-15)
+
+    def test_two_files_make_one_scene(self):
+        self.write_off("wall.off", WALL_POINTS, SQUARE_FACES)
+        rows = [(0.0, 1.0, 0.25, 1.0), (0.001, -0.5, 0.25, -0.25)]
+        out = self.touch(rows, "--stiffness", STIFFNESS, files=("plane.off", "wall.off"))
+        self.assertEqual((out[1]["proxy_x"], out[1]["proxy_y"], out[1]["proxy_z"]), (0.0, 0.25, 0.0))
+        self.assertEqual((out[1]["force_x"], out[1]["force_y"], out[1]["force_z"]), (STIFFNESS * 0.5, 0, STIFFNESS * 0.25))
+        self.assertEqual(out[1]["contacts"], 2)
+
+    def test_coplanar_triangles_count_as_one_contact(self):
+        # the diagonal of the square passes through x = y
+        out = self.touch([(0.0, 0.5, 0.5, 1.0), (0.001, 0.5, 0.5, -0.5)])
+        self.assertEqual(out[1]["contacts"], 1)
+
+    def test_columns_in_another_order_and_an_orientation_change_nothing(self):
+        plain = self.touch(descent([0.5, 0.25]))
+        rows = [(z, y, x, t, 1.0, 0.0, 0.0, 0.0) for t, x, y, z in descent([0.5, 0.25])]
+        self.write_path(rows, header="z,y,x,t,qw,qx,qy,qz")
+        self.succeed("touch", "plane.off", "--path", "path.csv", "--csv", "out.csv")
+        columns = HEADER.split(",")[:-1]
+        self.assertEqual([[row[c] for c in columns] for row in self.read_rows()], [[row[c] for c in columns] for row in plain])
+
+    def test_two_runs_agree_bit_for_bit_in_all_but_cost(self):
+        rows = [(n / 1024, math.sin(n / 7), math.cos(n / 5), 0.3 - n / 100) for n in range(100)]
+        texts = []
+        for _ in range(2):
+            self.touch(rows, "--radius", 0.125)
+            texts.append([line.rsplit(",", 1)[0] for line in (self.folder / "out.csv").read_text().splitlines()])
+        self.assertEqual(texts[0], texts[1])
+
+    def test_the_cost_of_a_tick_is_never_negative(self):
+        for row in self.touch(descent([0.5] * 50)):
+            self.assertGreaterEqual(row["cost_us"], 0.0)
+
+    def test_an_output_that_was_there_is_replaced_and_nothing_is_left_beside_it(self):
+        self.write("out.csv", "old")
+        self.touch(descent([0.5]))
+        self.assertTrue((self.folder / "out.csv").read_text().startswith(HEADER))
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["out.csv", "path.csv", "plane.off"])
+
+    def test_what_cleaning_dropped_is_said_on_stderr(self):
+        self.write_off("holes.off", SQUARE_POINTS + [(float("nan"), 0, 0)], SQUARE_FACES + [(0, 1, 4)])
+        self.write_path(descent([0.5]))
+        run = self.succeed("touch", "holes.off", "--path", "path.csv", "--csv", "out.csv")
+        self.assertIn("holes.off", run.stderr)
+        self.assertIn("1 dropped: non-finite", run.stderr)
+
+
+class OnAnImage(CommandLineTest):
+    def touch(self, name, rows, *options):
+        self.write_path(rows)
+        self.succeed("touch", name, "--path", "path.csv", "--csv", "out.csv", "--stiffness", STIFFNESS, *options)
+        return self.read_rows()
+
+    @staticmethod
+    def half_space(i, j, k):
+        """Falls along k: the value 4 - k is 2 on the plane k = 2 and linear in between."""
+        return 4.0 - k
+
+    def test_the_iso_surface_of_a_linear_image_is_a_plane_at_its_place(self):
+        # iso 1.5 lies at k = 2.5; the origin moves it to z = 12.5
+        self.write("a.vti", vti_text(5, self.half_space, origin=(-2, -2, 10)))
+        out = self.touch("a.vti", [(0.0, 0.125, 0.25, 16.0), (0.001, 0.125, 0.25, 12.0)], "--iso", 1.5)
+        self.assertAlmostEqual(out[1]["force_z"], STIFFNESS * 0.5, delta=1e-9)
+
+    def test_nifti_values_are_rescaled_as_the_header_says(self):
+        # stored s means 2 s + 10: iso 13 is stored 1.5, hence k = 2.5
+        content = nifti_bytes(5, self.half_space, slope=2.0, intercept=10.0)
+        for name, data in (("a.nii", content), ("a.nii.gz", gzip.compress(content))):
+            self.write(name, data)
+            out = self.touch(name, [(0.0, 2.125, 2.25, 4.0), (0.001, 2.125, 2.25, 2.0)], "--iso", 13)
+            self.assertAlmostEqual(out[1]["force_z"], STIFFNESS * 0.5, delta=1e-6)
+
+    def test_nifti_stands_where_its_matrix_puts_it_and_left_stays_left(self):
+        # x = 20 - i: a mirrored axis. The value falls along i, so the plane i = 2.5 is at x = 17.5.
+        content = nifti_bytes(5, lambda i, j, k: 4.0 - i, affine=[(-1, 0, 0, 20), (0, 1, 0, -2), (0, 0, 1, -2)])
+        self.write("a.nii", content)
+        out = self.touch("a.nii", [(0.0, 16.0, 0.125, 0.25), (0.001, 18.0, 0.125, 0.25)], "--iso", 1.5)
+        self.assertAlmostEqual(out[1]["force_x"], -STIFFNESS * 0.5, delta=1e-6)
+
+    def test_an_image_and_a_mesh_share_a_scene(self):
+        self.write("a.vti", vti_text(5, self.half_space))
+        self.write("wall.obj", obj_text([(2, -8, -8), (2, 8, -8), (2, 8, 8), (2, -8, 8)], SQUARE_FACES))
+        self.write_path([(0.0, 3.0, 2.25, 4.0), (0.001, 1.5, 2.25, 2.0)])
+        self.succeed("touch", "a.vti", "wall.obj", "--iso", 1.5, "--path", "path.csv", "--csv", "out.csv",
+                     "--stiffness", STIFFNESS)
+        row = self.read_rows()[1]
+        self.assertAlmostEqual(row["force_x"], STIFFNESS * 0.5, delta=1e-9)
+        self.assertAlmostEqual(row["force_z"], STIFFNESS * 0.5, delta=1e-9)
+
+
+class Check(CommandLineTest):
+    def test_the_report_counts_what_was_repaired(self):
+        # of 6 triangles: 2 good ones, one repeated, one without area, one twice the same corner, one with NaN
+        faces = SQUARE_FACES + [(2, 1, 0), (4, 5, 6), (0, 0, 1), (0, 1, 7)]
+        points = SQUARE_POINTS + [(0, 0, 1), (1, 0, 1), (2, 0, 1), (0, 0, float("nan"))]
+        self.write_off("a.off", points, faces)
+        report = json.loads(self.succeed("check", "a.off", "--json").stdout)
+        self.assertTrue(report["touchable"])
+        self.assertEqual((report["triangles_in"], report["triangles_out"]), (6, 2))
+        self.assertEqual(report["dropped"], {"non_finite": 1, "collinear": 2, "duplicate": 1})
+        self.assertEqual((report["boundary_edges"], report["non_manifold_edges"]), (4, 0))
+        self.assertEqual((report["low_u"], report["high_u"]), ([-8, -8, 0], [8, 8, 0]))
+
+    def test_the_report_for_a_person_has_units_and_a_plan(self):
+        self.write_off("a.off", SQUARE_POINTS, SQUARE_FACES)
+        text = self.succeed("check", "a.off").stdout
+        self.assertIn("16 x 16 x 0 scene units", text)
+        self.assertIn("plan", text)
+
+    def test_polygons_are_cut_into_triangles(self):
+        self.write_off("quad.off", SQUARE_POINTS, [(0, 1, 2, 3)])
+        report = json.loads(self.succeed("check", "quad.off", "--json").stdout)
+        self.assertEqual(report["triangles_out"], 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
