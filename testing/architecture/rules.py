@@ -15,7 +15,8 @@ PLAIN_LAYERS = ("haptics", "devices")
 VTK_LAYERS = ("filters", "ui", "plugin")
 
 CODE_SUFFIXES = {".h", ".cpp", ".cxx", ".hpp", ".hxx", ".cc", ".c"}
-COMMENTED_SUFFIXES = CODE_SUFFIXES | {".py", ".cmake", ".sh", ".xml", ".qrc", ".ui"}
+MARKUP_SUFFIXES = {".xml", ".qrc", ".ui"}
+COMMENTED_SUFFIXES = CODE_SUFFIXES | MARKUP_SUFFIXES | {".py", ".cmake", ".sh"}
 COMMENTED_NAMES = {"CMakeLists.txt", ".clang-tidy", ".gitignore"}
 SKIPPED_FOLDERS = {".git", "cache", "out", "__pycache__"}
 
@@ -164,15 +165,16 @@ def _is_script(path):
 
 
 def spdx_line(root):
-    """Every source file names its licence in the first line (the second after #! or <?xml)."""
+    """Every source file names its licence in the first line (after #!, <?xml and, where a reader wants it first, the root)."""
     found = []
     for path in files_of(root):
         commented = path.suffix in COMMENTED_SUFFIXES or path.name in COMMENTED_NAMES
         if not commented and (path.suffix or not _is_script(path)):
             continue
-        lines = path.read_text(encoding="utf-8").splitlines()[:2]
-        first = lines[1:] if lines and lines[0].startswith(("#!", "<?xml")) else lines[:1]
-        if not any("SPDX-License-Identifier: GPL-3.0-or-later" in line for line in first):
+        lines = path.read_text(encoding="utf-8").splitlines()[:3]
+        if path.suffix not in MARKUP_SUFFIXES:
+            lines = lines[:2] if lines and lines[0].startswith("#!") else lines[:1]
+        if not any("SPDX-License-Identifier: GPL-3.0-or-later" in line for line in lines):
             found.append(f"{path.relative_to(root)}:1: no SPDX-License-Identifier: GPL-3.0-or-later")
     return found
 

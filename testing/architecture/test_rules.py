@@ -118,13 +118,16 @@ class Rules(unittest.TestCase):
     def test_a_missing_licence_line_is_found(self):
         self.write("haptics/a.h", SPDX)
         self.write("script", "#!/bin/sh\n# SPDX-License-Identifier: GPL-3.0-or-later\n")
+        self.write("events.xml", "<pqevents>\n  <!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n</pqevents>\n")
         self.write("notes.txt", "no code\n")
         self.assertEqual(rules.spdx_line(self.root), [])
         self.write("haptics/b.cpp", "int b;\n")
         self.write("haptics/CMakeLists.txt", "# sources\n")
         self.write("other", "#!/bin/sh\necho\n")
         self.write("empty.py", "")
-        self.assertEqual(self.found(rules.spdx_line), ["empty.py", "haptics/CMakeLists.txt", "haptics/b.cpp", "other"])
+        self.write("bare.xml", "<pqevents/>\n")
+        self.write("late.py", "import os\n# SPDX-License-Identifier: GPL-3.0-or-later\n")
+        self.assertEqual(self.found(rules.spdx_line), ["bare.xml", "empty.py", "haptics/CMakeLists.txt", "haptics/b.cpp", "late.py", "other"])
 
     def test_a_path_of_a_machine_and_a_registry_are_found(self):
         self.write("README.md", "see build/lib, https://example.org/home/page and ../tmp/x\n")
