@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkHapticSession
+ * @brief   touches surfaces with a haptic device: settings in, state out
+ *
+ * Owns a device, a servo at 1 kHz and a scene. Settings take effect at the next tick; the state is that of the last
+ * Update(). In ParaView it is the proxy "HapticSession" of group "haptics", written to the state file once registered.
+ *
+ *     session = vtkHapticSession()
+ *     session.SetDeviceName("fed")
+ *     session.AddSurface("sphere", poly_data, None)
+ *     session.CommitScene()
+ *     session.TouchingOn()
+ *     session.SetHandPosition(0, 0, 0.4)
+ *     session.Update()
+ *     session.GetForce()
+ *
+ * One thread, the one that made it, calls every method; none waits for the servo except TouchingOff() and the
+ * destructor, which end it with the force at zero. Lengths and points are in scene units u and frame W unless said
+ * otherwise.
+ */
+#ifndef vtkHapticSession_h
+#define vtkHapticSession_h
+
+#include "vtkHapticInteractionModule.h" // for the export macro
+#include "vtkObject.h"
+
+#include <memory> // for the implementation
+
+class vtkDataObject;
+class vtkMatrix4x4;
+class vtkPolyData;
+
+class VTKHAPTICINTERACTION_EXPORT vtkHapticSession : public vtkObject
+{
+public:
+  static vtkHapticSession* New();
+  vtkTypeMacro(vtkHapticSession, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Order of the states as GetEngageState() gives them.
+  enum EngageStates
+  {
+    Safe = 0,
+    Armed = 1,
+    Engaged = 2,
+    Faulted = 3,
+  };
+
+  ///@{
+  /**
+   * Who moves the hand: a name from GetKnownDeviceName(). Default "fed": poses come from SetHandPosition(). An unknown
+   * name is an error that names the known ones, and what was there before stays. Takes effect when touching starts.
+   */
+  virtual void SetDeviceName(const char* name);
+  virtual const char* GetDeviceName() const;
+  ///@}
+
+  ///@{
+  /// Devices this build knows, and why one cannot be used ("" when it can).
+  int GetNumberOfKnownDevices() const;
+  const char* GetKnownDeviceName(int index) const;
+  const char* GetKnownDeviceProblem(int index) const;
+  ///@}
+
+  ///@{
+  /**
+   * Device on, servo on, force engaged through its ramp; off: force to zero, servo ended. If it cannot start it stays
+   * off and GetProblem() says why. Default off.
+   */
+  virtual void SetTouching(bool touching);
+  virtual bool GetTouching() const;
+  vtkBooleanMacro(Touching, bool);
+  ///@}
+
+  ///@{
+  /// Spring between hand and proxy [N/m], >= 0, default 500.
+  virtual void SetStiffness(double stiffness_N_per_m);
+  virtual double GetStiffness() const;
+  ///@}
+
+  ///@{
+  /// One-sided damping [N s/m], >= 0, default 0: brakes a hand that goes in, never one that leaves.
+  virtual void SetDamping(double damping_Ns_per_m);
+  virtual double GetDamping() const;
+  ///@}
+
+  ///@{
+  /// Ball that touches [u], >= 0, default 0: a point.
+  virtual void SetRadius(double radius_u);
+  virtual double GetRadius() const;
+  ///@}
+
+  ///@{
+  /// Scene units per metre of the hand's motion, > 0. Default 1000: data in millimetres feels as large as it is.
+  virtual void SetScale(double scale_u_per_m);
+  virtual double GetScale() const;
+  ///@}
+
+  ///@{
+  /// From device to scene frame, a unit quaternion (w, x, y, z). Default (1, 0, 0, 0).
+  virtual void SetRotation(double w, double x, double y, double z);
+  virtual void SetRotation(const double wxyz[4]);
+  virtual double* GetRotation() VTK_SIZEHINT(4);
+  ///@}
+
+  ///@{
+  /// Where the device's origin is in the scene [u]. Default (0, 0, 0).
+  virtual void SetOffset(double x, double y, double z);
+  virtual void SetOffset(const double offset_W[3]);
+  virtual double* GetOffset() VTK_SIZEHINT(3);
+  ///@}
+
+  /// Scale and offset such that the device's workspace holds the whole committed scene, life size no longer.
+  void FitWorkspace();
+
+  ///@{
+  /// Where a simulated hand is led: a polyline in W [u]. A path longer than one point replaces the one before.
+  void SetStrokePath(vtkPolyData* path);
+  void ClearStrokePoints();
+  void AddStrokePoint(double x, double y, double z);
+  int GetNumberOfStrokePoints() const;
+  ///@}
+
+  ///@{
+  /// Speed of a simulated hand along its stroke [m/s of the hand], > 0, default 0.05.
+  virtual void SetStrokeSpeed(double speed_m_per_s);
+  virtual double GetStrokeSpeed() const;
+  ///@}
+
+  ///@{
+  /// File that receives the recording while touching; "" for none (default). Read when touching starts.
+  virtual void SetRecordFile(const char* file);
+  virtual const char* GetRecordFile() const;
+  ///@}
+
+  ///@{
+  /**
+   * A new scene: clear, add the surfaces, commit. AddSurface copies polygons and strips of any data object (composite
+   * ones too; the skin of a volume mesh) placed by `matrix` (null: as they are); false, with GetProblem(), if there are
+   * none. Committing cleans and builds on a worker; until it is done, and if nothing is touchable, the scene before
+   * stays. A committed empty scene releases. FinishScene() waits for the worker. A surface added again under its name
+   * with unchanged data and matrix is not built again.
+   */
+  void ClearSurfaces();
+  bool AddSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  void CommitScene();
+  bool FinishScene();
+  ///@}
+
+  /// Bounds of the touched scene [u]; false and an empty box when there is none.
+  bool GetSceneBounds(double bounds[6]) const;
+
+  ///@{
+  /// Where a program holds the hand (device "fed"): a point in W [u].
+  void SetHandPosition(double x, double y, double z);
+  void SetHandPosition(const double p_W[3]);
+  ///@}
+
+  ///@{
+  /// Engage again after a fault; let go at once; a mark in the recording.
+  void Engage();
+  void Release();
+  void Mark();
+  ///@}
+
+  ///@{
+  /**
+   * In virtual time nothing runs by itself: Step(n) computes n ticks of 1 ms in the calling thread, deterministic to
+   * the last bit. Default off. Takes effect when touching starts.
+   */
+  virtual void SetVirtualTime(bool on);
+  virtual bool GetVirtualTime() const;
+  vtkBooleanMacro(VirtualTime, bool);
+  void Step(int ticks);
+  ///@}
+
+  /// Takes the latest state of the servo and a scene that the worker has finished. Microseconds; call it every frame.
+  void Update();
+
+  ///@{
+  /// "safe", "armed", "engaged" or "fault"; the reason and what to do, "" when there is none.
+  int GetEngageState() const;
+  const char* GetStateText() const;
+  const char* GetFaultText() const;
+  ///@}
+
+  /// Last thing that was refused: one line, what and why; "" when nothing was.
+  const char* GetProblem() const;
+
+  ///@{
+  /// Proxy and hand [u], force on the hand [N], all in W; planes that push; how deep the hand is behind the proxy [u].
+  double* GetProxyPosition() VTK_SIZEHINT(3);
+  double* GetHandPosition() VTK_SIZEHINT(3);
+  double* GetForce() VTK_SIZEHINT(3);
+  double GetForceMagnitude() const;
+  double GetPeakForce() const;
+  int GetContacts() const;
+  double GetDepth() const;
+  ///@}
+
+  ///@{
+  /// Ticks computed, periods missed (never caught up), their sum, ticks that met a work limit, time in contact [s].
+  vtkIdType GetTicks() const;
+  vtkIdType GetMissed() const;
+  vtkIdType GetPeriods() const;
+  vtkIdType GetCappedTicks() const;
+  double GetContactSeconds() const;
+  ///@}
+
+  ///@{
+  /// Ticks per second [Hz]; how late ticks start and what they cost, median and 99th percentile [us].
+  double GetRate() const;
+  double GetLatenessP50() const;
+  double GetLatenessP99() const;
+  double GetCostP50() const;
+  double GetCostP99() const;
+  ///@}
+
+  ///@{
+  /// What the operating system granted the servo and why; what was repaired, refused and planned, a line a surface.
+  const char* GetSchedulingReport() const;
+  const char* GetSceneReport() const;
+  ///@}
+
+protected:
+  vtkHapticSession();
+  ~vtkHapticSession() override;
+
+private:
+  vtkHapticSession(const vtkHapticSession&) = delete;
+  void operator=(const vtkHapticSession&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

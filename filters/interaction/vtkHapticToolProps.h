@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkHapticToolProps
+ * @brief   what a person sees of a haptic session: proxy, hand and force
+ *
+ * Two balls and an arrow. The proxy's ball has the session's radius where that can be seen; the arrow starts at the
+ * proxy and points along the force on the hand. None is picked or counted in the bounds of a scene.
+ */
+#ifndef vtkHapticToolProps_h
+#define vtkHapticToolProps_h
+
+#include "vtkHapticInteractionModule.h" // for the export macro
+#include "vtkObject.h"
+
+#include <memory> // for the implementation
+
+class vtkActor;
+class vtkHapticSession;
+class vtkRenderer;
+
+class VTKHAPTICINTERACTION_EXPORT vtkHapticToolProps : public vtkObject
+{
+public:
+  static vtkHapticToolProps* New();
+  vtkTypeMacro(vtkHapticToolProps, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// One renderer at a time; the props leave the one before. The renderer is watched, not kept alive.
+  void AddToRenderer(vtkRenderer* renderer);
+  void RemoveFromRenderer();
+  ///@}
+
+  /// Moves the props to the state of the session's last Update(); hides them while it does not touch.
+  void UpdateFrom(vtkHapticSession* session);
+
+  ///@{
+  /// Smallest radius at which the balls are drawn, as a fraction of the scene's diagonal. Default 0.01, 0..1.
+  vtkSetClampMacro(RelativeSize, double, 0.0, 1.0);
+  vtkGetMacro(RelativeSize, double);
+  ///@}
+
+  ///@{
+  /// Length of the arrow for one newton, as a fraction of the scene's diagonal. Default 0.1, 0..10.
+  vtkSetClampMacro(ForceScale, double, 0.0, 10.0);
+  vtkGetMacro(ForceScale, double);
+  ///@}
+
+  ///@{
+  vtkActor* GetProxyActor() const;
+  vtkActor* GetHandActor() const;
+  vtkActor* GetForceActor() const;
+  ///@}
+
+protected:
+  vtkHapticToolProps();
+  ~vtkHapticToolProps() override;
+
+private:
+  vtkHapticToolProps(const vtkHapticToolProps&) = delete;
+  void operator=(const vtkHapticToolProps&) = delete;
+
+  double RelativeSize = 0.01;
+  double ForceScale = 0.1;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif
