@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/core/Fault.h"
+
+namespace palpate
+{
+
+const char* describe(Fault fault) noexcept
+{
+  switch (fault)
+  {
+    case Fault::None:
+      return "no fault";
+    case Fault::NonFiniteSample:
+      return "the device sent numbers that are not finite: check its cable, then engage again";
+    case Fault::LateServo:
+      return "the servo loop ran too late: close other programs or grant real-time priority, then engage again";
+    case Fault::DeviceLost:
+      return "the device stopped answering: plug it in again, then engage again";
+    case Fault::EnergyLatch:
+      return "the device was given more energy than allowed: lower the stiffness, then engage again";
+    case Fault::VelocityCut:
+      return "the handle moved too fast: hold it, then engage again";
+    case Fault::SceneRefused:
+      return "nothing that can be touched is shown: show a surface";
+    case Fault::Seated:
+      return "the ball does not fit where it is: move the hand out of the surface or use a smaller radius";
+  }
+  return "unknown fault";
+}
+
+} // namespace palpate

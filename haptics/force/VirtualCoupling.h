@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// The spring and damper between device and god-object (Colgate, Stanley & Brown 1995).
+///
+/// `stretch_m` is proxy - device [m], `velocity` that of the device [m/s]; all in one frame. The damper acts along
+/// the spring and only while the hand goes deeper, and the whole never pulls the hand in (THEORY.md 1.1: clamp after
+/// adding damping). Returns the force on the hand [N].
+[[nodiscard]] inline Vec3 coupleDevice(
+  const Vec3& stretch_m, const Vec3& velocity, double stiffness_N_per_m, double damping_Ns_per_m) noexcept
+{
+  const Vec3 spring = stiffness_N_per_m * stretch_m;
+  const double stretch = stretch_m.norm();
+  if (damping_Ns_per_m == 0.0 || stretch == 0.0)
+  {
+    return spring;
+  }
+  const Vec3 n = stretch_m / stretch;
+  const double inward = std::max(0.0, -n.dot(velocity));
+  return spring + damping_Ns_per_m * inward * n;
+}
+
+} // namespace palpate

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <utility>
+
+namespace palpate
+{
+
+/// Hands immutable snapshots (scenes) to the servo. The publisher alone owns and frees them; the reader sees a raw
+/// pointer that stays valid until its next acquire(). Wait-free on both sides: what the reader puts down goes into a
+/// bay of two slots that the publisher empties before each publish; between two emptyings the reader can take at
+/// most two snapshots, so a slot is always free.
+template<class T>
+class SnapshotMailbox
+{
+  static_assert(std::atomic<void*>::is_always_lock_free);
+  using Holder = std::shared_ptr<const T>;
+
+public:
+  SnapshotMailbox() = default;
+  SnapshotMailbox(const SnapshotMailbox&) = delete;
+  SnapshotMailbox& operator=(const SnapshotMailbox&) = delete;
+  /// Reader and publisher must have stopped.
+  ~SnapshotMailbox()
+  {
+    this->collect();
+    delete this->pending_.load();
+    delete this->held_;
+  }
+
+  /// Publisher thread only; wait-free but for the freeing of what the reader has put down. Null is a snapshot too.
+  void publish(Holder snapshot)
+  {
+    this->collect();
+    delete this->pending_.exchange(new Holder(std::move(snapshot)), std::memory_order_acq_rel);
+  }
+
+  /// Frees what the reader has put down. Publisher thread only.
+  void collect() noexcept
+  {
+    for (auto& slot : this->bay_)
+    {
+      delete slot.exchange(nullptr, std::memory_order_acq_rel);
+    }
+  }
+
+  /// Reader thread only; wait-free, frees nothing. The newest snapshot, or null before the first.
+  [[nodiscard]] const T* acquire() noexcept
+  {
+    if (Holder* const news = this->pending_.exchange(nullptr, std::memory_order_acq_rel))
+    {
+      this->putDown(this->held_);
+      this->held_ = news;
+    }
+    return this->held_ != nullptr ? this->held_->get() : nullptr;
+  }
+
+private:
+  void putDown(Holder* old) noexcept
+  {
+    for (auto& slot : this->bay_)
+    {
+      Holder* empty = nullptr;
+      if (old == nullptr || slot.compare_exchange_strong(empty, old, std::memory_order_acq_rel))
+      {
+        return;
+      }
+    }
+  }
+
+  alignas(64) std::atomic<Holder*> pending_ = nullptr;
+  alignas(64) std::array<std::atomic<Holder*>, 2> bay_{};
+  alignas(64) Holder* held_ = nullptr; ///< reader's
+};
+
+} // namespace palpate

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/ForceRenderer.h"
+
+#include <algorithm>
+
+#include "haptics/force/VirtualCoupling.h"
+#include "haptics/safety/ForceLimits.h"
+
+namespace palpate
+{
+
+const char* name(EngageState state) noexcept
+{
+  switch (state)
+  {
+    case EngageState::Safe:
+      return "safe";
+    case EngageState::Armed:
+      return "armed";
+    case EngageState::Engaged:
+      return "engaged";
+    case EngageState::Fault:
+      return "fault";
+  }
+  return "unknown";
+}
+
+namespace
+{
+
+constexpr int badSamplesAllowed = 2; // the third within a second latches
+
+class Render
+{
+public:
+  Render(const TickInput& input, const HapticParameters& parameters, RendererState& state, PathSink* sink) noexcept
+    : in_(input)
+    , p_(parameters)
+    , s_(state)
+    , sink_(sink)
+  {
+    this->out_.state.tick = input.tick;
+    this->out_.state.time_s = input.sample.time_s;
+    this->out_.state.sceneRevision = input.scene != nullptr ? input.scene->revision() : 0;
+  }
+
+  TickOutput run() noexcept
+  {
+    this->takeEvents();
+    if (this->in_.status == DeviceStatus::Lost)
+    {
+      this->latch(Fault::DeviceLost);
+    }
+    if (this->in_.lateness.fault != Fault::None)
+    {
+      this->latch(this->in_.lateness.fault);
+    }
+    if (!isFinite(this->in_.sample))
+    {
+      return this->holdNothing();
+    }
+    this->contact();
+    this->blendScenes();
+    this->protect();
+    return this->out_;
+  }
+
+private:
+  [[nodiscard]] bool touchable() const noexcept { return this->in_.scene != nullptr && !this->in_.scene->empty(); }
+
+  void latch(Fault fault) noexcept
+  {
+    if (this->s_.engage != EngageState::Fault)
+    {
+      this->s_.engage = EngageState::Fault;
+      this->s_.fault = fault;
+    }
+  }
+
+  void takeEvents() noexcept
+  {
+    if (!this->p_.safety.needsEngage && this->s_.engage == EngageState::Safe)
+    {
+      this->s_.engage = EngageState::Engaged;
+      this->s_.gain = 1.0;
+    }
+    for (const HapticEvent& event : this->in_.events)
+    {
+      if (event.kind == EventKind::Engage && this->s_.engage != EngageState::Engaged)
+      {
+        this->s_.engage = EngageState::Armed;
+        this->s_.fault = Fault::None;
+        this->s_.badSamples = 0;
+        this->s_.gain = 0.0;
+      }
+      else if (event.kind == EventKind::Release)
+      {
+        this->s_.engage = EngageState::Safe;
+        this->s_.fault = Fault::None;
+      }
+    }
+  }
+
+  /// A sample that is not finite gives no force in its tick; the third within a second latches.
+  TickOutput holdNothing() noexcept
+  {
+    this->s_.badSamplesSince_s += this->in_.dt_s;
+    if (this->s_.badSamples == 0 || this->s_.badSamplesSince_s > 1.0)
+    {
+      this->s_.badSamples = 0;
+      this->s_.badSamplesSince_s = 0.0;
+    }
+    if (++this->s_.badSamples > badSamplesAllowed)
+    {
+      this->latch(Fault::NonFiniteSample);
+      this->s_.gain = 0.0;
+    }
+    this->s_.lastForce_D = Vec3::Zero();
+    this->out_.state.held = true;
+    this->out_.state.proxy_W.p = this->s_.contact.x_W;
+    this->report();
+    return this->out_;
+  }
+
+  void contact() noexcept
+  {
+    HapticState& state = this->out_.state;
+    this->s_.badSamplesSince_s += this->in_.dt_s;
+    state.device_W = { this->p_.map.toScene(this->in_.sample.pose_D.p), this->p_.map.q_WD * this->in_.sample.pose_D.q };
+    state.velocity_D = this->in_.sample.velocity_D.linear;
+    if (this->s_.radius_u != this->p_.contact.radius_u || this->s_.scale_u_per_m != this->p_.map.scale_u_per_m ||
+      this->s_.offset_W != this->p_.map.offset_W)
+    {
+      this->s_.contact.placed = false; // another ball or another place: it is seated anew
+    }
+    this->s_.radius_u = this->p_.contact.radius_u;
+    this->s_.scale_u_per_m = this->p_.map.scale_u_per_m;
+    this->s_.offset_W = this->p_.map.offset_W;
+    ContactResult result;
+    result.proxy_W = state.device_W.p;
+    if (this->touchable())
+    {
+      if (this->in_.previousScene != nullptr)
+      {
+        handOver(*this->in_.previousScene, *this->in_.scene, this->s_.contact);
+      }
+      else if (state.sceneRevision != this->s_.sceneRevision)
+      {
+        this->s_.contact.count = 0; // features are numbered by their scene
+      }
+      result = moveGodObject(*this->in_.scene, this->p_.contact, state.device_W.p, this->s_.contact, this->sink_);
+    }
+    else
+    {
+      this->s_.contact = GodObjectState{};
+    }
+    state.proxy_W = { result.proxy_W, state.device_W.q };
+    state.contacts = result.contacts;
+    state.passes = result.passes;
+    state.sweeps = result.sweeps;
+    state.nodes = result.nodes;
+    state.capped = result.capped;
+    state.overBudget = result.overBudget;
+    state.infeasible = result.infeasible;
+    this->seatFailed_ = result.seatFailed;
+    const Vec3 stretch_m = (state.proxy_W.p - state.device_W.p) / this->p_.map.scale_u_per_m;
+    const Vec3 force_W = coupleDevice(stretch_m, this->p_.map.directionToScene(state.velocity_D),
+      this->p_.stiffness_N_per_m * this->in_.lateness.stiffnessFactor, this->p_.damping_Ns_per_m);
+    state.rendered_D = this->p_.map.directionToDevice(force_W);
+    state.stiffnessFactor = this->in_.lateness.stiffnessFactor;
+  }
+
+  /// F = F_new + (F_old - F_new) decaying: a replaced scene never steps (Mark et al. 1996). Not for the first scene,
+  /// and not a safety limit.
+  void blendScenes() noexcept
+  {
+    HapticState& state = this->out_.state;
+    if (state.sceneRevision != this->s_.sceneRevision)
+    {
+      if (this->s_.sceneRevision != 0 && this->p_.sceneBlend_s > 0.0)
+      {
+        this->s_.blend_D += this->s_.lastRendered_D - state.rendered_D;
+      }
+      this->s_.sceneRevision = state.sceneRevision;
+    }
+    else if (this->p_.sceneBlend_s > 0.0)
+    {
+      this->s_.blend_D *= this->p_.sceneBlend_s / (this->p_.sceneBlend_s + this->in_.dt_s);
+    }
+    this->s_.lastRendered_D = state.rendered_D;
+    state.rendered_D += this->s_.blend_D;
+  }
+
+  void protect() noexcept
+  {
+    HapticState& state = this->out_.state;
+    const SafetyLimits& limits = this->p_.safety;
+    if (this->s_.engage == EngageState::Armed && !this->seatFailed_ && this->touchable() &&
+      state.rendered_D.norm() <= limits.engageBelow_N)
+    {
+      this->s_.engage = EngageState::Engaged;
+      this->s_.engagedFor_s = 0.0;
+    }
+    this->updateGain();
+    Vec3 force = smoothstep(this->s_.gain) * (this->seatFailed_ ? Vec3(Vec3::Zero()) : state.rendered_D);
+    const Vec3 clamped = clampMagnitude(force, limits.maxForce_N);
+    state.clamped = clamped != force;
+    force = limitRise(clamped, this->s_.lastForce_D, limits.maxRise_N_per_s, this->in_.dt_s);
+    state.riseLimited = force != clamped;
+    if (!force.allFinite())
+    {
+      force = Vec3::Zero();
+      this->latch(Fault::NonFiniteSample);
+    }
+    this->s_.lastForce_D = force;
+    state.force_D = force;
+    state.force_W = this->p_.map.directionToScene(force);
+    this->out_.command.wrench_D.force = force;
+    this->report();
+  }
+
+  /// Up over the engage ramp; down over the release ramp, or the shorter one of a fault.
+  void updateGain() noexcept
+  {
+    const SafetyLimits& limits = this->p_.safety;
+    const auto step = [this](double ramp_s) { return ramp_s > 0.0 ? this->in_.dt_s / ramp_s : 1.0; };
+    if (this->s_.engage == EngageState::Engaged && (this->touchable() || !limits.needsEngage))
+    {
+      this->s_.gain = std::min(1.0, this->s_.gain + step(limits.engageRamp_s));
+    }
+    else
+    {
+      const double ramp_s = this->s_.engage == EngageState::Fault ? limits.faultRamp_s : limits.releaseRamp_s;
+      this->s_.gain = std::max(0.0, this->s_.gain - step(ramp_s));
+    }
+  }
+
+  void report() noexcept
+  {
+    HapticState& state = this->out_.state;
+    state.engage = this->s_.engage;
+    state.gain = this->s_.gain;
+    state.fault = this->s_.fault;
+    if (state.fault == Fault::None && this->seatFailed_)
+    {
+      state.fault = Fault::Seated;
+    }
+    else if (state.fault == Fault::None && !this->touchable())
+    {
+      state.fault = Fault::SceneRefused;
+    }
+  }
+
+  const TickInput& in_;
+  const HapticParameters& p_;
+  RendererState& s_;
+  PathSink* sink_;
+  TickOutput out_;
+  bool seatFailed_ = false;
+};
+
+} // namespace
+
+TickOutput renderTick(
+  const TickInput& input, const HapticParameters& parameters, RendererState& state, PathSink* sink) noexcept
+{
+  return Render(input, parameters, state, sink).run();
+}
+
+} // namespace palpate

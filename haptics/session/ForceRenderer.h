@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "haptics/contact/GodObject.h"
+#include "haptics/core/DeviceCommand.h"
+#include "haptics/core/DeviceSample.h"
+#include "haptics/core/HapticDevice.h"
+#include "haptics/geometry/Scene.h"
+#include "haptics/safety/LatenessPolicy.h"
+#include "haptics/session/HapticEvent.h"
+#include "haptics/session/HapticParameters.h"
+#include "haptics/session/HapticState.h"
+
+namespace palpate
+{
+
+/// All that the tick remembers. Copyable; part of every recording.
+struct RendererState
+{
+  GodObjectState contact;
+  EngageState engage = EngageState::Safe;
+  Fault fault = Fault::None;
+  double gain = 0.0;             ///< share of the force that is let through, 0..1
+  double engagedFor_s = 0.0;
+  Vec3 lastForce_D = Vec3::Zero();    ///< what the hand got last tick [N]
+  Vec3 lastRendered_D = Vec3::Zero(); ///< what the scene asked for last tick [N]
+  Vec3 blend_D = Vec3::Zero();        ///< what is left of the force of the scene before [N]
+  double scale_u_per_m = 0.0;         ///< of the last tick: a new map places the proxy anew
+  Vec3 offset_W = Vec3::Zero();
+  double radius_u = -1.0;
+  std::uint64_t sceneRevision = 0;
+  std::int32_t badSamples = 0;        ///< within the current second
+  double badSamplesSince_s = 0.0;
+};
+
+/// What one tick works on. The scene may be null.
+struct TickInput
+{
+  std::uint64_t tick = 0;
+  double dt_s = 1e-3;
+  DeviceSample sample;
+  DeviceStatus status = DeviceStatus::Ok;
+  const Scene* scene = nullptr;
+  const Scene* previousScene = nullptr; ///< in the tick that takes a new scene: the one before, still alive
+  LatenessVerdict lateness;
+  std::span<const HapticEvent> events;
+};
+
+struct TickOutput
+{
+  DeviceCommand command;
+  HapticState state;
+};
+
+/// The tick: (sample, scene, parameters, events, state) -> (state, command). The servo thread, the virtual clock, the
+/// replay, the VTK filter and the program all call this one function. Deterministic, bounded, no allocation, no lock,
+/// no clock, no I/O.
+[[nodiscard]] TickOutput renderTick(
+  const TickInput& input, const HapticParameters& parameters, RendererState& state, PathSink* sink = nullptr) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/HapticParameters.h"
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+
+bool nonNegative(double value)
+{
+  return std::isfinite(value) && value >= 0.0;
+}
+
+} // namespace
+
+std::string HapticParameters::validate() const
+{
+  if (!nonNegative(this->stiffness_N_per_m))
+  {
+    return "stiffness [N/m] must be a number that is not negative";
+  }
+  if (!nonNegative(this->damping_Ns_per_m))
+  {
+    return "damping [N s/m] must be a number that is not negative";
+  }
+  if (!nonNegative(this->contact.radius_u))
+  {
+    return "radius [scene units] must be a number that is not negative";
+  }
+  if (!nonNegative(this->map.scale_u_per_m) || this->map.scale_u_per_m == 0.0)
+  {
+    return "scale [scene units per metre] must be a number above zero";
+  }
+  if (!this->map.offset_W.allFinite() || !(std::fabs(this->map.q_WD.norm() - 1.0) < 1e-6))
+  {
+    return "the device's place in the scene must be finite and its rotation a unit quaternion";
+  }
+  if (!nonNegative(this->sceneBlend_s))
+  {
+    return "scene blend time [s] must be a number that is not negative";
+  }
+  return {};
+}
+
+} // namespace palpate

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "haptics/contact/ContactPlan.h"
+#include "haptics/force/WorkspaceMap.h"
+#include "haptics/safety/SafetyLimits.h"
+
+namespace palpate
+{
+
+/// Everything a person or program sets. Written by one thread, read by the tick as a whole.
+struct HapticParameters
+{
+  double stiffness_N_per_m = 1000.0;
+  double damping_Ns_per_m = 0.0; ///< one-sided: only while the hand goes deeper
+  double sceneBlend_s = 0.03;    ///< time constant in which a scene change reaches the hand
+  ContactPlan contact;
+  WorkspaceMap map;
+  SafetyLimits safety;
+
+  /// Empty, or one sentence that names the value that cannot be used.
+  [[nodiscard]] std::string validate() const;
+};
+
+} // namespace palpate

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/core/Fault.h"
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// Whether the hand may be pushed.
+enum class EngageState : std::uint8_t
+{
+  Safe,    ///< no force
+  Armed,   ///< force was asked for; waits until it would start small
+  Engaged, ///< force is given
+  Fault,   ///< no force until the person engages again
+};
+
+[[nodiscard]] const char* name(EngageState state) noexcept;
+
+/// What the tick did, as the view, the panel and the recording see it.
+struct HapticState
+{
+  std::uint64_t tick = 0;
+  double time_s = 0.0;
+  Pose device_W;             ///< hand in the scene [u]
+  Pose proxy_W;              ///< god-object in the scene [u]
+  Vec3 velocity_D = Vec3::Zero();
+  Vec3 rendered_D = Vec3::Zero(); ///< force before safety [N]
+  Vec3 force_D = Vec3::Zero();    ///< force on the hand [N]
+  Vec3 force_W = Vec3::Zero();    ///< the same, as seen in the scene
+  std::int32_t contacts = 0;
+  std::int32_t passes = 0;
+  std::int32_t sweeps = 0;
+  std::uint32_t nodes = 0;
+  std::uint64_t sceneRevision = 0;
+  EngageState engage = EngageState::Safe;
+  Fault fault = Fault::None;
+  bool clamped = false;    ///< the force was cut to the largest allowed
+  bool riseLimited = false;
+  bool capped = false;     ///< see ContactResult
+  bool overBudget = false;
+  bool infeasible = false;
+  bool held = false;       ///< no force this tick: its sample was not finite
+  double gain = 0.0;       ///< engage ramp, 0..1
+  double stiffnessFactor = 1.0; ///< below 1: cut because the loop runs late
+};
+
+} // namespace palpate
