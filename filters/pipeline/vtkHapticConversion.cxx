@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticConversion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkGeometryFilter.h"
+#include "vtkHapticCellChecks.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace
+{
+/// p_W = Linear p + Shift.
+struct Placement
+{
+  palpate::Mat3 Linear = palpate::Mat3::Identity();
+  palpate::Vec3 Shift = palpate::Vec3::Zero();
+  bool Identity = true;
+};
+
+Placement PlacementOf(vtkMatrix4x4* matrix)
+{
+  Placement placement;
+  if (!matrix || matrix->IsIdentity())
+  {
+    return placement;
+  }
+  placement.Identity = false;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      placement.Linear(row, column) = matrix->GetElement(row, column);
+    }
+    placement.Shift[row] = matrix->GetElement(row, 3);
+  }
+  return placement;
+}
+
+/// A matrix that puts points somewhere: finite and affine. Else what is wrong.
+std::string CheckMatrix(vtkMatrix4x4* matrix)
+{
+  if (!matrix)
+  {
+    return {};
+  }
+  if (!std::all_of(matrix->GetData(), matrix->GetData() + 16, [](double x) { return std::isfinite(x); }))
+  {
+    return "its transform is not finite; reset the transform";
+  }
+  const double* last = matrix->GetData() + 12;
+  const bool affine = last[0] == 0.0 && last[1] == 0.0 && last[2] == 0.0 && last[3] == 1.0;
+  return affine ? "" : "its transform is a perspective; only shift, rotation, scale, shear and mirror can be touched";
+}
+
+/// Triangles of a data set; null with a problem.
+vtkSmartPointer<vtkPolyData> Triangulated(vtkDataSet* data, std::string& problem)
+{
+  vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
+  if (!surface)
+  {
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+    problem = grid ? vtkHapticCellChecks::CheckGrid(grid) : "";
+    if (!problem.empty())
+    {
+      return nullptr;
+    }
+    vtkNew<vtkGeometryFilter> skin;
+    skin->SetInputData(data);
+    skin->Update();
+    surface = skin->GetOutput();
+  }
+  problem = vtkHapticCellChecks::CheckPolyData(surface);
+  if (!problem.empty())
+  {
+    return nullptr;
+  }
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(surface);
+  filter->PassLinesOff();
+  filter->PassVertsOff();
+  filter->Update();
+  return filter->GetOutput();
+}
+
+void AppendTriangles(vtkPolyData* surface, bool mirrored, std::uint32_t base, palpate::TriangleMesh& mesh)
+{
+  auto each = vtkSmartPointer<vtkCellArrayIterator>::Take(surface->GetPolys()->NewIterator());
+  for (each->GoToFirstCell(); !each->IsDoneWithTraversal(); each->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* corner = nullptr;
+    each->GetCurrentCell(count, corner);
+    const auto at = [&](int i) { return base + static_cast<std::uint32_t>(corner[i]); };
+    mesh.triangles.push_back({ at(0), at(mirrored ? 2 : 1), at(mirrored ? 1 : 2) });
+  }
+}
+
+std::string Append(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
+{
+  std::string problem;
+  const vtkSmartPointer<vtkPolyData> surface = Triangulated(data, problem);
+  if (!surface || surface->GetNumberOfPolys() == 0)
+  {
+    return problem;
+  }
+  const std::size_t base = mesh.vertices_W.size();
+  const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  if (base + count > std::numeric_limits<std::uint32_t>::max())
+  {
+    return "it has more than 4294967295 points; touch a part of it";
+  }
+  mesh.vertices_W.reserve(base + count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    palpate::Vec3 p;
+    surface->GetPoint(static_cast<vtkIdType>(i), p.data());
+    mesh.vertices_W.push_back(placement.Identity ? p : (placement.Linear * p + placement.Shift).eval());
+  }
+  mesh.triangles.reserve(mesh.triangles.size() + static_cast<std::size_t>(surface->GetNumberOfPolys()));
+  AppendTriangles(surface, placement.Linear.determinant() < 0.0, static_cast<std::uint32_t>(base), mesh);
+  return {};
+}
+
+std::string AppendAll(vtkDataObject* data, const Placement& placement, palpate::TriangleMesh& mesh)
+{
+  if (auto* set = vtkDataSet::SafeDownCast(data))
+  {
+    return Append(set, placement, mesh);
+  }
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return data ? std::string("a ") + data->GetClassName() + " has no surface" : "there is no data";
+  }
+  auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+  {
+    auto* block = vtkDataSet::SafeDownCast(each->GetCurrentDataObject());
+    std::string problem = block ? Append(block, placement, mesh) : "";
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  return {};
+}
+}
+
+vtkHapticConversionResult vtkHapticToMesh(vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  vtkHapticConversionResult result;
+  result.Problem = CheckMatrix(matrix);
+  if (!result.Problem.empty())
+  {
+    return result;
+  }
+  auto mesh = std::make_shared<palpate::TriangleMesh>();
+  result.Problem = AppendAll(data, PlacementOf(matrix), *mesh);
+  if (result.Problem.empty() && mesh->triangles.empty())
+  {
+    result.Problem = "it has no polygons; only surfaces can be touched (apply Extract Surface or Contour)";
+  }
+  if (result.Problem.empty())
+  {
+    result.Mesh = std::move(mesh);
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> vtkHapticToPolyData(const palpate::TriangleMesh& mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.vertices_W.size()));
+  for (std::size_t i = 0; i < mesh.vertices_W.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), mesh.vertices_W[i].data());
+  }
+  vtkNew<vtkCellArray> polys;
+  polys->AllocateExact(
+    static_cast<vtkIdType>(mesh.triangles.size()), 3 * static_cast<vtkIdType>(mesh.triangles.size()));
+  for (const auto& [a, b, c] : mesh.triangles)
+  {
+    polys->InsertNextCell({ a, b, c });
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(polys);
+  return surface;
+}

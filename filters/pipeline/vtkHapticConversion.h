@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticConversion_h
+#define vtkHapticConversion_h
+
+#include <memory>
+#include <string>
+
+#include "haptics/geometry/TriangleMesh.h"
+#include "vtkHapticPipelineModule.h" // for the export macro
+#include "vtkSmartPointer.h"
+
+class vtkDataObject;
+class vtkMatrix4x4;
+class vtkPolyData;
+
+/// Triangles in W, or why there are none.
+struct vtkHapticConversionResult
+{
+  std::shared_ptr<const palpate::TriangleMesh> Mesh; ///< null on a problem
+  std::string Problem;                               ///< one line without a name in front; empty when Mesh is there
+};
+
+/// All polygons and strips of a data object as triangles, placed by `matrix` (data frame to W; null: identity).
+///
+/// Poly data as it is; any other data set through its outer faces; composite data block by block. Scale, shear and
+/// mirror are baked into the vertices, and a mirror turns the corners around, so that outside stays outside. Nothing
+/// is cleaned: NaN points and degenerate triangles are for cleaning to report. Polygons that VTK cannot triangulate
+/// (all corners on a line) are left out. The input is not changed and no array of it is kept.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticConversionResult vtkHapticToMesh(
+  vtkDataObject* data, vtkMatrix4x4* matrix = nullptr);
+
+/// Triangles as poly data with points in double precision: vertices and triangles keep their order.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkPolyData> vtkHapticToPolyData(
+  const palpate::TriangleMesh& mesh);
+
+#endif

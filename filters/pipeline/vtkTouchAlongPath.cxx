@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkTouchAlongPath.h"
+
+#include <cmath>
+
+#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/session/ForceRenderer.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkHapticConversion.h"
+#include "vtkHapticHandPath.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkTouchAlongPath);
+
+namespace
+{
+/// Ticks between two looks at progress and abort.
+constexpr std::size_t ReportEvery = 1000;
+
+/// The output while it grows: one row a tick.
+class Rows
+{
+public:
+  explicit Rows(std::size_t count)
+  {
+    const auto make = [count](vtkDataArray* array, const char* name, int components)
+    {
+      array->SetName(name);
+      array->SetNumberOfComponents(components);
+      array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+    };
+    this->Points->SetDataTypeToDouble();
+    this->Points->SetNumberOfPoints(static_cast<vtkIdType>(count));
+    make(this->Force, "Force", 3);
+    make(this->Depth, "Depth", 1);
+    make(this->Contacts, "Contacts", 1);
+    make(this->Device, "Device", 3);
+    make(this->Time, "Time", 1);
+  }
+
+  void Set(std::size_t row, const palpate::HapticState& state, const palpate::Vec3& device_W, double time)
+  {
+    const auto i = static_cast<vtkIdType>(row);
+    this->Points->SetPoint(i, state.proxy_W.p.data());
+    this->Force->SetTuple(i, state.force_W.data());
+    this->Depth->SetValue(i, (state.proxy_W.p - state.device_W.p).norm());
+    this->Contacts->SetValue(i, state.contacts);
+    this->Device->SetTuple(i, device_W.data());
+    this->Time->SetValue(i, time);
+  }
+
+  void MoveTo(vtkPolyData* output)
+  {
+    const vtkIdType count = this->Points->GetNumberOfPoints();
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell(static_cast<int>(count));
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      lines->InsertCellPoint(i);
+    }
+    output->SetPoints(this->Points);
+    output->SetLines(lines);
+    for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
+           this->Force, this->Depth, this->Contacts, this->Device, this->Time })
+    {
+      output->GetPointData()->AddArray(array);
+    }
+  }
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkDoubleArray> Force;
+  vtkNew<vtkDoubleArray> Depth;
+  vtkNew<vtkIntArray> Contacts;
+  vtkNew<vtkDoubleArray> Device;
+  vtkNew<vtkDoubleArray> Time;
+};
+
+/// The surface as a scene; null with a problem.
+std::shared_ptr<const palpate::Scene> BuildScene(vtkDataObject* surface, std::string& problem)
+{
+  vtkHapticConversionResult converted = vtkHapticToMesh(surface);
+  problem = converted.Problem;
+  if (!converted.Mesh)
+  {
+    return nullptr;
+  }
+  const palpate::SceneBuildResult built =
+    palpate::SceneBuilder().build({ { "surface", std::move(converted.Mesh), palpate::Material() } });
+  problem = built.scene ? "" : built.reports.front().refusal;
+  return built.scene;
+}
+
+/// What each tick works on. The orientation of the hand plays no part for a ball.
+palpate::TickInput TickOf(const vtkHapticHandPath& path, std::size_t i, const palpate::HapticParameters& parameters)
+{
+  palpate::TickInput input;
+  input.tick = i;
+  input.dt_s = path.Duration(i);
+  input.sample.time_s = path.Times[i];
+  input.sample.pose_D.p = parameters.map.toDevice(path.Points_W[i]);
+  return input;
+}
+
+/// One tick a point; false if `goes` asked to stop. `fault` receives the first one.
+template <class Goes>
+bool Touch(const vtkHapticHandPath& path, const palpate::Scene& scene, const palpate::HapticParameters& parameters,
+  Rows& rows, palpate::Fault& fault, Goes goes)
+{
+  palpate::RendererState renderer;
+  for (std::size_t i = 0; i < path.Points_W.size(); ++i)
+  {
+    if (i % ReportEvery == 0 && !goes(static_cast<double>(i) / static_cast<double>(path.Points_W.size())))
+    {
+      return false;
+    }
+    palpate::TickInput tick = TickOf(path, i, parameters);
+    tick.scene = &scene;
+    const palpate::HapticState state = palpate::renderTick(tick, parameters, renderer).state;
+    fault = fault == palpate::Fault::None ? state.fault : fault;
+    rows.Set(i, state, path.Points_W[i], path.Times[i]);
+  }
+  return true;
+}
+}
+
+vtkTouchAlongPath::vtkTouchAlongPath()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkTouchAlongPath::~vtkTouchAlongPath()
+{
+  this->SetTimeArray(nullptr);
+}
+
+void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Stiffness: " << this->Stiffness << " N/m\n";
+  os << indent << "Radius: " << this->Radius << " u\n";
+  os << indent << "Scale: " << this->Scale << " u/m\n";
+  os << indent << "Rate: " << this->Rate << " Hz\n";
+  os << indent << "TimeArray: " << (this->TimeArray ? this->TimeArray : "(none)") << "\n";
+}
+
+void vtkTouchAlongPath::SetPathConnection(vtkAlgorithmOutput* path)
+{
+  this->SetInputConnection(1, path);
+}
+
+void vtkTouchAlongPath::SetPathData(vtkDataObject* path)
+{
+  this->SetInputDataObject(1, path);
+}
+
+int vtkTouchAlongPath::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPolyData");
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
+  return 1;
+}
+
+palpate::HapticParameters vtkTouchAlongPath::Parameters() const
+{
+  palpate::HapticParameters parameters;
+  parameters.stiffness_N_per_m = this->Stiffness;
+  parameters.contact.radius_u = this->Radius;
+  parameters.map.scale_u_per_m = this->Scale;
+  parameters.safety = palpate::SafetyLimits::none();
+  return parameters;
+}
+
+std::string vtkTouchAlongPath::CheckParameters() const
+{
+  const std::string problem = this->Parameters().validate();
+  const bool rate = this->Rate > 0.0 && std::isfinite(this->Rate);
+  return problem.empty() && !rate ? "the rate must be a finite number of hertz above 0" : problem;
+}
+
+bool vtkTouchAlongPath::Goes(double progress)
+{
+  this->UpdateProgress(progress);
+  return !this->CheckAbort();
+}
+
+int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  if (const std::string problem = this->CheckParameters(); !problem.empty())
+  {
+    vtkErrorMacro("Nothing was touched: " << problem);
+    return 0;
+  }
+  const vtkHapticHandPath path = vtkHapticReadHandPath(vtkPolyData::GetData(input[1]), this->TimeArray, this->Rate);
+  if (!path.Problem.empty())
+  {
+    vtkErrorMacro("The path cannot be followed: " << path.Problem);
+    return 0;
+  }
+  std::string problem;
+  const auto scene = BuildScene(vtkDataObject::GetData(input[0]), problem);
+  if (!scene)
+  {
+    vtkErrorMacro("The surface cannot be touched: " << problem);
+    return 0;
+  }
+  Rows rows(path.Points_W.size());
+  palpate::Fault fault = palpate::Fault::None;
+  if (Touch(path, *scene, this->Parameters(), rows, fault, [this](double progress) { return this->Goes(progress); }))
+  {
+    rows.MoveTo(vtkPolyData::GetData(output));
+  }
+  if (fault != palpate::Fault::None)
+  {
+    vtkWarningMacro("Without force from some point on: " << palpate::describe(fault));
+  }
+  return 1;
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkTouchAlongPath
+ * @brief   the force along a given path of the hand over a surface, without a device
+ *
+ * Port 0: the surface (any data set or composite; W [u]). Port 1: the path of the hand, poly data with one polyline, or
+ * points without lines that are taken in their order. Each point is one tick of the same function that drives a device,
+ * without a device's limits: F = Stiffness (proxy - hand) / Scale. Output: the path of the proxy as a polyline with the
+ * point arrays
+ *
+ *     Force     (n, 3) double  on the hand, in W [N]
+ *     Depth     (n)    double  distance of hand and proxy [u]
+ *     Contacts  (n)    int     planes that push, coplanar ones counted once
+ *     Device    (n, 3) double  the hand, i.e. the input path [u]
+ *     Time      (n)    double  of the tick [s]
+ *
+ * Point i of the output belongs to point i of the path. Bad input is an error of one line and leaves the output empty.
+ */
+#ifndef vtkTouchAlongPath_h
+#define vtkTouchAlongPath_h
+
+#include "vtkHapticPipelineModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for the return type
+
+namespace palpate
+{
+struct HapticParameters;
+}
+
+class VTKHAPTICPIPELINE_EXPORT vtkTouchAlongPath : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkTouchAlongPath* New();
+  vtkTypeMacro(vtkTouchAlongPath, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The path of the hand: the same as SetInputConnection(1, port).
+  void SetPathConnection(vtkAlgorithmOutput* path);
+  void SetPathData(vtkDataObject* path);
+
+  ///@{
+  /// Spring between hand and proxy [N/m], >= 0. Default 1000.
+  vtkSetMacro(Stiffness, double);
+  vtkGetMacro(Stiffness, double);
+  ///@}
+
+  ///@{
+  /// Radius of the ball that touches [u], >= 0. Default 0: a point.
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /// Scene units per metre of the hand, > 0. Default 1.
+  vtkSetMacro(Scale, double);
+  vtkGetMacro(Scale, double);
+  ///@}
+
+  ///@{
+  /// Ticks per second [Hz], > 0. Default 1000. Not used when there is a TimeArray.
+  vtkSetMacro(Rate, double);
+  vtkGetMacro(Rate, double);
+  ///@}
+
+  ///@{
+  /// Point array of the path with the time of each tick [s], increasing. Default none: times come from Rate.
+  vtkSetStringMacro(TimeArray);
+  vtkGetStringMacro(TimeArray);
+  ///@}
+
+protected:
+  vtkTouchAlongPath();
+  ~vtkTouchAlongPath() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
+
+private:
+  vtkTouchAlongPath(const vtkTouchAlongPath&) = delete;
+  void operator=(const vtkTouchAlongPath&) = delete;
+
+  palpate::HapticParameters Parameters() const;
+  /// Empty, or what cannot be used.
+  std::string CheckParameters() const;
+  /// Reports progress; false when someone asked to stop.
+  bool Goes(double progress);
+
+  double Stiffness = 1000.0;
+  double Radius = 0.0;
+  double Scale = 1.0;
+  double Rate = 1000.0;
+  char* TimeArray = nullptr;
+};
+
+#endif
