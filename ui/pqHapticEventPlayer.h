@@ -7,11 +7,15 @@
 class pqHapticController;
 
 /**
- * Test events of our own, so that a test script can move the hand and wait without blocking the event loop:
+ * Test events of our own, so that a script can move the hand, and wait without blocking the event loop:
  *
- *   hapticPose  "x,y,z"       the fed device's position in scene coordinates [u]
- *   hapticWait  "ms"          processes events for that long
- *   hapticCheck "name,low,high"  fails unless a read-out of the session lies in [low, high]
+ *   hapticPose "x,y,z"               where the fed device holds the hand, in scene coordinates [u]
+ *   hapticVirtualTime "1"            from the next touch on, only hapticMove and hapticStep make the servo tick
+ *   hapticMove "x,y,z,n"             n ticks of virtual time in which the hand goes evenly to a point [u]
+ *   hapticStep "n"                   n ticks of virtual time, then time for the panel to show them
+ *   hapticWait "ms"                  processes events for that long
+ *   hapticWaitUntilReleased "ms"     processes events until nothing is touched any more, at most that long
+ *   hapticCheck "name,low,high"      fails unless force [N], depth [u], contacts, ticks or missed lies in [low, high]
  *
  * Q_OBJECT is required: ParaView keys players by class name.
  */
@@ -22,12 +26,18 @@ class pqHapticEventPlayer : public pqWidgetEventPlayer
 
 public:
   explicit pqHapticEventPlayer(pqHapticController* controller, QObject* parent = nullptr);
+
   using Superclass::playEvent;
-  bool playEvent(QObject* object, const QString& command, const QString& arguments, bool& error) override;
+  bool playEvent(QObject* object, const QString& command, const QString& arguments, bool& failed) override;
 
 private:
-  bool pose(const QString& arguments);
-  bool check(const QString& arguments);
+  bool pose(const QStringList& numbers);
+  bool move(const QStringList& arguments);
+  bool step(int ticks);
+  bool setVirtualTime(bool on);
+  bool wait(int time_ms);
+  bool waitUntilReleased(int limit_ms);
+  bool check(const QStringList& arguments);
 
   pqHapticController* Controller;
 };

@@ -102,6 +102,7 @@ void pqHapticFrames::nextFrame()
   {
     return;
   }
+  this->Session->Update();
   this->Props->UpdateFrom(this->Session);
   this->Pause.start(pauseWhenHidden);
   this->View->render();

@@ -246,6 +246,10 @@ void pqHapticPanel::refresh()
 {
   auto* controller = pqHapticController::instance();
   vtkHapticSession* session = controller->session();
+  if (session)
+  {
+    session->Update();
+  }
   const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   Internals& w = *this->Widgets;
   w.Release->setEnabled(controller->touching());

@@ -10,6 +10,7 @@
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMSession.h"
@@ -42,31 +43,32 @@ bool HasFaces(vtkPolyData* data)
   return data && data->GetPoints() && data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
 }
 
-void AddPiece(Surface& surface, vtkPolyData* data)
+void MixPiece(std::uint64_t& key, vtkPolyData* data)
 {
-  if (!HasFaces(data))
+  if (HasFaces(data))
   {
-    return;
+    MixObject(key, data->GetPoints());
+    MixObject(key, data->GetPolys());
+    MixObject(key, data->GetStrips());
   }
-  surface.Pieces.emplace_back(data);
-  MixObject(surface.GeometryKey, data->GetPoints());
-  MixObject(surface.GeometryKey, data->GetPolys());
-  MixObject(surface.GeometryKey, data->GetStrips());
 }
 
-void AddPieces(Surface& surface, vtkDataObject* shown)
+/// 0 if there is no polygon.
+std::uint64_t GeometryKey(vtkDataObject* shown)
 {
+  std::uint64_t key = 0;
   auto* composite = vtkCompositeDataSet::SafeDownCast(shown);
   if (!composite)
   {
-    AddPiece(surface, vtkPolyData::SafeDownCast(shown));
-    return;
+    MixPiece(key, vtkPolyData::SafeDownCast(shown));
+    return key;
   }
   auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
   {
-    AddPiece(surface, vtkPolyData::SafeDownCast(each->GetCurrentDataObject()));
+    MixPiece(key, vtkPolyData::SafeDownCast(each->GetCurrentDataObject()));
   }
+  return key;
 }
 
 vtkObject* ActiveRepresentation(vtkSMProxy* proxy)
@@ -118,8 +120,9 @@ void ScanRepresentation(vtkSMProxy* proxy, const std::string& name, vtkHapticVie
   }
   Surface surface;
   surface.Name = name;
-  AddPieces(surface, shown);
-  if (surface.Pieces.empty())
+  surface.Data = shown;
+  surface.GeometryKey = GeometryKey(shown);
+  if (surface.GeometryKey == 0)
   {
     scan.Refusals.push_back(
       name + ": no polygons are shown; choose the representation Surface, or apply Extract Surface.");

@@ -2,9 +2,9 @@
 #ifndef vtkHapticViewScan_h
 #define vtkHapticViewScan_h
 
+#include "vtkDataObject.h"        // for vtkSmartPointer<vtkDataObject>
 #include "vtkHapticViewsModule.h" // for the export macro
 #include "vtkMatrix4x4.h"         // for vtkSmartPointer<vtkMatrix4x4>
-#include "vtkPolyData.h"          // for vtkSmartPointer<vtkPolyData>
 #include "vtkSmartPointer.h"      // for the members
 
 #include <cstdint>
@@ -22,11 +22,11 @@ class vtkSMProxy;
  */
 struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
 {
-  /// A shown surface: its polygons in the actor's frame [u], shared with the pipeline until they are copied.
+  /// A shown surface: poly data or a composite of it in the actor's frame [u], shared with the pipeline.
   struct Surface
   {
     std::string Name;
-    std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
+    vtkSmartPointer<vtkDataObject> Data;
     vtkSmartPointer<vtkMatrix4x4> Matrix; ///< actor frame to W
     std::uint64_t GeometryKey = 0;        ///< equal while points and cells are the same objects, unmodified
   };

@@ -16,7 +16,8 @@ public:
   vtkSmartPointer<vtkHapticSession> Session;
   vtkHapticViewScan Scan;
   std::string Report;
-  bool HandedOver = false; ///< the session has Scan
+  std::vector<std::string> Rejected; ///< what the session would not take, until the next hand-over
+  bool HandedOver = false;           ///< the session has Scan
 };
 
 vtkHapticViewScene::vtkHapticViewScene() : Impl(std::make_unique<Internals>()) {}
@@ -76,14 +77,14 @@ bool vtkHapticViewScene::Update()
   vtkHapticViewScan now = vtkHapticScanView(this->Impl->View);
   const bool same = this->Impl->HandedOver && now.SameAs(this->Impl->Scan);
   this->Impl->Scan = std::move(now);
-  this->WriteReport();
-  if (same || !this->Impl->Session)
+  const bool handOver = !same && this->Impl->Session;
+  if (handOver)
   {
-    return false;
+    this->HandOver();
+    this->Impl->HandedOver = true;
   }
-  this->HandOver();
-  this->Impl->HandedOver = true;
-  return true;
+  this->WriteReport();
+  return handOver;
 }
 
 void vtkHapticViewScene::HandOver() {}
@@ -95,9 +96,12 @@ void vtkHapticViewScene::WriteReport()
   {
     report += "Touching " + surface.Name + ".\n";
   }
-  for (const std::string& refusal : this->Impl->Scan.Refusals)
+  for (const auto* refusals : { &this->Impl->Scan.Refusals, &this->Impl->Rejected })
   {
-    report += "Not touched: " + refusal + "\n";
+    for (const std::string& refusal : *refusals)
+    {
+      report += "Not touched: " + refusal + "\n";
+    }
   }
   if (report.empty())
   {

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The plugin in pvpython: its proxies touch what a view shows, in virtual time, without Qt."""
+
+import os
+import tempfile
+import unittest
+
+from paraview import servermanager, simple
+
+simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
+from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: E402,F401  the proxies' objects become scriptable
+from palpate.vtkHapticViews import vtkHapticViewScene  # noqa: E402,F401
+
+STIFFNESS = 200.0  # N/m
+SCALE = 1.0  # u/m
+DEPTH = 0.01  # u
+FORCE = STIFFNESS * DEPTH / SCALE  # N
+
+
+def manager():
+    return servermanager.ActiveConnection.Session.GetSessionProxyManager()
+
+
+def put(proxy, name, *values):
+    for index, value in enumerate(values):
+        servermanager.vtkSMPropertyHelper(proxy, name).Set(index, value)
+    proxy.UpdateVTKObjects()
+
+
+class TouchInAView(unittest.TestCase):
+    def setUp(self):
+        self.view = simple.CreateView("RenderView")
+        self.view.ViewSize = [120, 100]
+        self.proxy = manager().NewProxy("haptics", "HapticSession")
+        self.session = self.proxy.GetClientSideObject()
+        put(self.proxy, "DeviceName", "fed")
+        put(self.proxy, "Stiffness", STIFFNESS)
+        put(self.proxy, "Scale", SCALE)
+        self.session.SetVirtualTime(True)
+        self.scene_proxy = manager().NewProxy("haptics", "HapticViewScene")
+        self.scene = self.scene_proxy.GetClientSideObject()
+        put(self.scene_proxy, "View", self.view.SMProxy)
+        put(self.scene_proxy, "Session", self.proxy)
+
+    def tearDown(self):
+        put(self.proxy, "Touching", 0)
+        self.scene.SetSession(None)
+        simple.Delete(self.view)
+        for source in list(simple.GetSources().values()):
+            simple.Delete(source)
+
+    def show(self, source):
+        display = simple.Show(source, self.view)
+        simple.Render(self.view)
+        return display
+
+    def follow(self):
+        changed = self.scene.Update()
+        self.session.FinishScene()
+        return changed
+
+    def press(self, *point):
+        """Starts 0.2 u outside along x, engages, and goes to the point in steps of 1 mm of the hand."""
+        start = (point[0] + 0.2, *point[1:])
+        self.session.SetHandPosition(*start)
+        put(self.proxy, "Touching", 1)
+        self.session.Step(2000)
+        for i in range(1, 201):
+            self.session.SetHandPosition(start[0] - 0.001 * i, *point[1:])
+            self.session.Step(1)
+        self.session.Step(500)
+        self.session.Update()
+
+    def test_a_face_pushes_with_stiffness_times_depth(self):
+        self.show(simple.Box())
+        self.assertTrue(self.follow())
+        self.press(0.5 - DEPTH, 0.1, 0.1)
+        self.assertAlmostEqual(self.session.GetForce()[0], FORCE, delta=1e-9)
+        self.assertEqual(self.session.GetStateText(), "engaged")
+        self.assertIn("Touching Box1.", self.scene.GetReport())
+
+    def test_nothing_is_handed_over_when_only_the_camera_and_the_colour_change(self):
+        display = self.show(simple.Box())
+        self.assertTrue(self.follow())
+        simple.GetActiveCamera().Azimuth(30)
+        display.DiffuseColor = [1.0, 0.0, 0.0]
+        simple.Render(self.view)
+        self.assertFalse(self.follow())
+
+    def test_a_moved_scaled_and_mirrored_actor_is_touched_where_it_is_seen(self):
+        display = self.show(simple.Box())
+        display.Position = [3.0, 0.0, 0.0]
+        display.Scale = [-2.0, 1.0, 1.0]
+        simple.Render(self.view)
+        self.follow()
+        self.press(3.0 + 2.0 * 0.5 - DEPTH, 0.1, 0.1)
+        self.assertAlmostEqual(self.session.GetForce()[0], FORCE, delta=1e-9)
+
+    def test_a_change_of_the_pipeline_is_noticed(self):
+        box = simple.Box()
+        self.show(box)
+        self.follow()
+        box.XLength = 3.0
+        simple.Render(self.view)
+        self.assertTrue(self.follow())
+        self.press(1.5 - DEPTH, 0.1, 0.1)
+        self.assertAlmostEqual(self.session.GetForce()[0], FORCE, delta=1e-9)
+
+    def test_hiding_while_pressing_ends_the_force(self):
+        box = simple.Box()
+        self.show(box)
+        self.follow()
+        self.press(0.5 - DEPTH, 0.1, 0.1)
+        simple.Hide(box, self.view)
+        self.assertTrue(self.follow())
+        self.session.Step(500)
+        self.session.Update()
+        self.assertEqual(self.session.GetForceMagnitude(), 0.0)
+
+    def test_deleting_while_pressing_ends_the_force(self):
+        box = simple.Box()
+        self.show(box)
+        self.follow()
+        self.press(0.5 - DEPTH, 0.1, 0.1)
+        simple.Delete(box)
+        self.assertTrue(self.follow())
+        self.session.Step(500)
+        self.session.Update()
+        self.assertEqual(self.session.GetForceMagnitude(), 0.0)
+
+    def test_two_surfaces_are_both_touched(self):
+        self.show(simple.Box())
+        self.show(simple.Box(Center=[5.0, 0.0, 0.0]))
+        self.follow()
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 2)
+        self.press(5.5 - DEPTH, 0.1, 0.1)
+        self.assertAlmostEqual(self.session.GetForce()[0], FORCE, delta=1e-9)
+
+    def refusal(self, representation):
+        display = self.show(simple.Wavelet(WholeExtent=[-2, 2, -2, 2, -2, 2]))
+        display.SetRepresentationType(representation)
+        simple.Render(self.view)
+        self.follow()
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
+        return self.scene.GetReport()
+
+    def test_a_volume_is_refused_with_what_to_do(self):
+        self.assertIn("a volume has no surface; apply the Contour filter", self.refusal("Volume"))
+
+    def test_an_image_slice_is_refused_with_what_to_do(self):
+        self.assertIn("an image slice has no surface; apply the Slice filter", self.refusal("Slice"))
+
+    def test_an_outline_is_refused_with_what_to_do(self):
+        self.assertIn("no polygons are shown", self.refusal("Outline"))
+
+    def test_a_view_that_is_no_render_view_is_refused(self):
+        chart = simple.CreateView("XYChartView")
+        put(self.scene_proxy, "View", chart.SMProxy)
+        self.follow()
+        self.assertIn("not a 3D render view", self.scene.GetReport())
+        simple.Delete(chart)
+
+    def test_a_deleted_view_leaves_nothing_to_touch(self):
+        self.show(simple.Box())
+        self.follow()
+        put(self.scene_proxy, "View", None)
+        self.assertTrue(self.follow())
+        self.assertIn("No view is active", self.scene.GetReport())
+
+
+class StateFile(unittest.TestCase):
+    def test_a_registered_session_comes_back_with_its_settings(self):
+        proxy = manager().NewProxy("haptics", "HapticSession")
+        put(proxy, "Stiffness", 345.0)
+        put(proxy, "Radius", 1.25)
+        manager().RegisterProxy("haptics", "HapticSession", proxy)
+        with tempfile.TemporaryDirectory() as folder:
+            state = os.path.join(folder, "state.pvsm")
+            simple.SaveState(state)
+            manager().UnRegisterProxy("haptics", "HapticSession", proxy)
+            simple.LoadState(state)
+        loaded = manager().GetProxy("haptics", "HapticSession").GetClientSideObject()
+        self.assertEqual((loaded.GetStiffness(), loaded.GetRadius()), (345.0, 1.25))
+        self.assertFalse(loaded.GetTouching())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticEventPlayer.h"
+
+#include "pqEventDispatcher.h"
+#include "pqHapticController.h"
+#include "vtkHapticSession.h"
+
+#include <QElapsedTimer>
+#include <QStringList>
+#include <QtDebug>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+namespace
+{
+/// Long enough for the panel's next refresh.
+constexpr int settle_ms = 150;
+
+double Quantity(const vtkHapticSession& session, const QString& name, bool& known)
+{
+  known = true;
+  if (name == "force")
+  {
+    return session.GetForceMagnitude();
+  }
+  if (name == "depth")
+  {
+    return session.GetDepth();
+  }
+  if (name == "contacts")
+  {
+    return session.GetContacts();
+  }
+  if (name == "ticks")
+  {
+    return static_cast<double>(session.GetTicks());
+  }
+  known = name == "missed";
+  return static_cast<double>(session.GetMissed());
+}
+} // namespace
+
+pqHapticEventPlayer::pqHapticEventPlayer(pqHapticController* controller, QObject* parent)
+  : Superclass(parent), Controller(controller)
+{
+}
+
+bool pqHapticEventPlayer::playEvent(QObject*, const QString& command, const QString& arguments, bool& failed)
+{
+  const QStringList list = arguments.split(',');
+  const std::map<QString, std::function<bool()>> commands = {
+    { "hapticPose", [&] { return this->pose(list); } },
+    { "hapticVirtualTime", [&] { return this->setVirtualTime(arguments.toInt() != 0); } },
+    { "hapticMove", [&] { return this->move(list); } },
+    { "hapticStep", [&] { return this->step(arguments.toInt()); } },
+    { "hapticWait", [&] { return this->wait(arguments.toInt()); } },
+    { "hapticWaitUntilReleased", [&] { return this->waitUntilReleased(arguments.toInt()); } },
+    { "hapticCheck", [&] { return this->check(list); } },
+  };
+  const auto found = commands.find(command);
+  if (found == commands.end())
+  {
+    return false;
+  }
+  failed = !found->second();
+  return true;
+}
+
+bool pqHapticEventPlayer::wait(int time_ms)
+{
+  pqEventDispatcher::processEventsAndWait(time_ms);
+  return true;
+}
+
+bool pqHapticEventPlayer::setVirtualTime(bool on)
+{
+  vtkHapticSession* session = this->Controller->session();
+  if (session)
+  {
+    session->SetVirtualTime(on);
+  }
+  return session != nullptr;
+}
+
+bool pqHapticEventPlayer::move(const QStringList& arguments)
+{
+  vtkHapticSession* session = this->Controller->session();
+  const int ticks = arguments.size() == 4 ? arguments[3].toInt() : 0;
+  if (!session || ticks < 1)
+  {
+    return false;
+  }
+  session->FinishScene();
+  session->Update();
+  double from[3];
+  std::copy_n(session->GetHandPosition(), 3, from);
+  for (int i = 1; i <= ticks; ++i)
+  {
+    const double t = static_cast<double>(i) / ticks;
+    double p_W[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      p_W[k] = (1.0 - t) * from[k] + t * arguments[k].toDouble();
+    }
+    session->SetHandPosition(p_W);
+    session->Step(1);
+  }
+  return this->wait(settle_ms);
+}
+
+bool pqHapticEventPlayer::pose(const QStringList& numbers)
+{
+  vtkHapticSession* session = this->Controller->session();
+  if (!session || numbers.size() != 3)
+  {
+    return false;
+  }
+  session->SetHandPosition(numbers[0].toDouble(), numbers[1].toDouble(), numbers[2].toDouble());
+  return true;
+}
+
+bool pqHapticEventPlayer::step(int ticks)
+{
+  vtkHapticSession* session = this->Controller->session();
+  if (!session)
+  {
+    return false;
+  }
+  session->FinishScene();
+  session->Step(ticks);
+  return this->wait(settle_ms);
+}
+
+bool pqHapticEventPlayer::waitUntilReleased(int limit_ms)
+{
+  QElapsedTimer time;
+  time.start();
+  while (this->Controller->touching() && time.elapsed() < limit_ms)
+  {
+    pqEventDispatcher::processEventsAndWait(settle_ms);
+  }
+  return !this->Controller->touching();
+}
+
+bool pqHapticEventPlayer::check(const QStringList& arguments)
+{
+  vtkHapticSession* session = this->Controller->session();
+  if (!session || arguments.size() != 3)
+  {
+    return false;
+  }
+  session->Update();
+  bool known = false;
+  const double value = Quantity(*session, arguments[0], known);
+  const bool inside = known && value >= arguments[1].toDouble() && value <= arguments[2].toDouble();
+  if (!inside)
+  {
+    qCritical() << "hapticCheck" << arguments << ": the value is" << value;
+  }
+  return inside;
+}

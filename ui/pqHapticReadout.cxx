@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticReadout.h"
+
+#include "vtkHapticSession.h"
+
+namespace
+{
+QString Quantity(double value, int decimals, const char* unit)
+{
+  return QString("%1 %2").arg(value, 0, 'f', decimals).arg(unit);
+}
+
+QString Percentiles(double p50_us, double p99_us)
+{
+  return QString("p50 %1 us, p99 %2 us").arg(p50_us, 0, 'f', 1).arg(p99_us, 0, 'f', 1);
+}
+
+/// A fault has a reason; otherwise the last thing that was refused is what the person must know.
+QString ReasonOf(const vtkHapticSession& session)
+{
+  const QString fault = QString::fromUtf8(session.GetFaultText());
+  return fault.isEmpty() ? QString::fromUtf8(session.GetProblem()) : fault;
+}
+} // namespace
+
+pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
+{
+  pqHapticReadout now;
+  now.State = QString::fromUtf8(session.GetStateText());
+  now.Reason = ReasonOf(session);
+  now.Force =
+    QString("%1, peak %2").arg(Quantity(session.GetForceMagnitude(), 2, "N"), Quantity(session.GetPeakForce(), 2, "N"));
+  now.Contact =
+    QString("%1 planes, %2 in all").arg(session.GetContacts()).arg(Quantity(session.GetContactSeconds(), 1, "s"));
+  now.Rate = Quantity(session.GetRate(), 0, "Hz");
+  now.Lateness = Percentiles(session.GetLatenessP50(), session.GetLatenessP99());
+  now.Cost = Percentiles(session.GetCostP50(), session.GetCostP99());
+  now.Ticks = QString("%1, missed %2").arg(session.GetTicks()).arg(session.GetMissed());
+  now.Scheduling = QString::fromUtf8(session.GetSchedulingReport());
+  now.Scene = QString::fromUtf8(session.GetSceneReport());
+  return now;
+}
+
+QStringList pqHapticReadout::deviceNames(vtkHapticSession& session)
+{
+  QStringList names;
+  for (int i = 0; i < session.GetNumberOfKnownDevices(); ++i)
+  {
+    names << QString::fromUtf8(session.GetKnownDeviceName(i));
+  }
+  return names;
+}

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs inside ParaView: shows a skull, lets a simulated hand stroke it, and reports on the first minute of contact.
+
+Environment: PALPATE_RUN_SURFACE (.vtp), PALPATE_RUN_OUT (folder), PALPATE_RUN_SECONDS (of contact), and
+PALPATE_RUN_FRAMEBUFFER (folder of an Xvfb screen; set: take a picture half way and let go at the end).
+"""
+
+import os
+import traceback
+
+from paraview import servermanager, simple
+from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  makes the proxy's object scriptable
+from palpate.vtkHapticPipeline import vtkHapticStroke
+
+import summary
+
+STIFFNESS = 300.0  # N/m
+RADIUS = 1.0  # mm
+SPEED = 0.04  # m/s
+DEPTH = 4.0  # mm under the surface
+STEP = 1.0  # mm between two points of the stroke
+PERIOD = 100  # ms between two looks at the session
+
+
+def show_bone(surface):
+    """The largest connected part, without the head rest of the scanner."""
+    reader = simple.XMLPolyDataReader(registrationName=os.path.basename(surface), FileName=surface)
+    largest = simple.Connectivity(
+        registrationName="Largest part", Input=reader, ExtractionMode="Extract Largest Region", ColorRegions=0
+    )
+    bone = simple.ExtractSurface(registrationName="Bone", Input=largest)
+    view = simple.GetActiveViewOrCreate("RenderView")
+    display = simple.Show(bone, view)
+    display.DiffuseColor = display.AmbientColor = [0.91, 0.87, 0.78]
+    look_from_the_front_left(view, bone)
+    return bone, view
+
+
+def look_from_the_front_left(view, bone):
+    x0, x1, y0, y1, z0, z1 = bone.GetDataInformation().GetBounds()
+    centre = [(x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2]
+    view.CameraFocalPoint = centre
+    view.CameraPosition = [centre[0] - 260, centre[1] - 420, centre[2] + 230]
+    view.CameraViewUp = [0, 0, 1]
+    view.OrientationAxesVisibility = 0
+    simple.ResetCamera(view)
+    simple.GetActiveCamera().Dolly(1.35)
+    simple.Render(view)
+
+
+def session_proxy():
+    manager = servermanager.ActiveConnection.Session.GetSessionProxyManager()
+    present = manager.GetProxy("haptics", "HapticSession")
+    if present is None:
+        present = manager.NewProxy("haptics", "HapticSession")
+        manager.RegisterProxy("haptics", "HapticSession", present)
+    return present
+
+
+def set_property(proxy, name, *values):
+    for index, value in enumerate(values):
+        servermanager.vtkSMPropertyHelper(proxy, name).Set(index, value)
+
+
+def lead_hand(proxy, bone):
+    """A simulated hand that strokes from the brow over the crown to the back of the head."""
+    skull = servermanager.Fetch(bone)
+    stroke = vtkHapticStroke()
+    stroke.SetInputData(skull)
+    stroke.SetDepth(DEPTH)
+    stroke.SetStep(STEP)
+    stroke.Update()
+    path = stroke.GetOutput()
+    centre = path.GetCenter()
+    set_property(proxy, "DeviceName", "simulated")
+    set_property(proxy, "Stiffness", STIFFNESS)
+    set_property(proxy, "Radius", RADIUS)
+    set_property(proxy, "Scale", 1000.0)
+    set_property(proxy, "Offset", *centre)
+    set_property(proxy, "StrokeSpeed", SPEED)
+    set_property(proxy, "RecordFile", os.path.join(os.environ["PALPATE_RUN_OUT"], "recording.palpate"))
+    proxy.UpdateVTKObjects()
+    proxy.GetClientSideObject().SetStrokePath(path)
+
+
+def touch(proxy, on):
+    set_property(proxy, "Touching", int(on))
+    proxy.UpdateVTKObjects()
+
+
+class Watch:
+    """Looks at the session a few times a second, pictures it half way, and reports when the time is over."""
+
+    def __init__(self, proxy, view):
+        self.proxy = proxy
+        self.session = proxy.GetClientSideObject()
+        self.seconds = float(os.environ["PALPATE_RUN_SECONDS"])
+        self.framebuffer = os.environ.get("PALPATE_RUN_FRAMEBUFFER")
+        self.pictured = not self.framebuffer
+        self.clock = summary.WallClock()
+        self.interactor = view.GetInteractor()
+        self.observer = self.interactor.AddObserver("TimerEvent", self.look)
+        self.timer = self.interactor.CreateRepeatingTimer(PERIOD)
+
+    def look(self, *_):
+        try:
+            self.follow()
+        except Exception:  # nothing else would show it: the caller is VTK's event loop
+            traceback.print_exc()
+            self.end()
+
+    def follow(self):
+        self.session.Update()
+        contact = self.session.GetContactSeconds()
+        if not self.pictured and contact > self.seconds / 2 and self.session.GetForceMagnitude() > 0.5:
+            self.picture()
+        if contact >= self.seconds or self.clock.seconds() > 4 * self.seconds + 60:
+            summary.write(os.environ["PALPATE_RUN_OUT"], summary.of(self.session, self.seconds, self.clock))
+            self.end()
+
+    def picture(self):
+        from screen import save_screen
+
+        save_screen(self.framebuffer, os.path.join(os.environ["PALPATE_RUN_OUT"], "screenshot.png"))
+        self.pictured = True
+
+    def end(self):
+        """A person at a display goes on touching; with no display the client ends once nothing is touched."""
+        self.interactor.DestroyTimer(self.timer)
+        self.interactor.RemoveObserver(self.observer)
+        if self.framebuffer:
+            touch(self.proxy, False)
+
+
+def main():
+    bone, view = show_bone(os.environ["PALPATE_RUN_SURFACE"])
+    proxy = session_proxy()
+    lead_hand(proxy, bone)
+    touch(proxy, True)
+    return Watch(proxy, view)
+
+
+watch = main()
