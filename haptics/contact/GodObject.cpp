@@ -517,8 +517,8 @@ void handOver(const Scene& from, const Scene& to, GodObjectState& state) noexcep
   {
     ActiveFeature f = state.features[i];
     const auto& tree = from.surfaces()[f.surface].tree;
-    const auto same = std::find_if(
-      to.surfaces().begin(), to.surfaces().end(), [&tree](const Surface& s) { return s.tree == tree; });
+    const auto same = std::find_if(to.surfaces().begin(), to.surfaces().end(),
+      [&tree](const Surface& s) { return s.tree->contentHash() == tree->contentHash(); });
     if (same != to.surfaces().end())
     {
       f.surface = static_cast<std::uint32_t>(same - to.surfaces().begin());

@@ -10,9 +10,9 @@ namespace palpate
 {
 
 /// Hands immutable snapshots (scenes) to the servo. The publisher alone owns and frees them; the reader sees a raw
-/// pointer that stays valid until its next acquire(). Wait-free on both sides: what the reader puts down goes into a
-/// bay of two slots that the publisher empties before each publish; between two emptyings the reader can take at
-/// most two snapshots, so a slot is always free.
+/// pointer that stays valid until its next acquire(), and in the tick that takes a new one also the one before.
+/// Wait-free on both sides: what the reader puts down goes into a bay of two slots that the publisher empties before
+/// each publish; between two emptyings the reader takes one snapshot and puts down at most two, so a slot is free.
 template<class T>
 class SnapshotMailbox
 {
@@ -28,6 +28,7 @@ public:
   {
     this->collect();
     delete this->pending_.load();
+    delete this->previous_;
     delete this->held_;
   }
 
@@ -50,13 +51,18 @@ public:
   /// Reader thread only; wait-free, frees nothing. The newest snapshot, or null before the first.
   [[nodiscard]] const T* acquire() noexcept
   {
+    this->putDown(this->previous_);
+    this->previous_ = nullptr;
     if (Holder* const news = this->pending_.exchange(nullptr, std::memory_order_acq_rel))
     {
-      this->putDown(this->held_);
+      this->previous_ = this->held_;
       this->held_ = news;
     }
     return this->held_ != nullptr ? this->held_->get() : nullptr;
   }
+
+  /// What the last acquire() replaced, or null if it brought nothing new. Reader thread only; wait-free.
+  [[nodiscard]] const T* replaced() const noexcept { return this->previous_ != nullptr ? this->previous_->get() : nullptr; }
 
 private:
   void putDown(Holder* old) noexcept
@@ -74,6 +80,7 @@ private:
   alignas(64) std::atomic<Holder*> pending_ = nullptr;
   alignas(64) std::array<std::atomic<Holder*>, 2> bay_{};
   alignas(64) Holder* held_ = nullptr; ///< reader's
+  Holder* previous_ = nullptr;         ///< reader's, for one tick
 };
 
 } // namespace palpate

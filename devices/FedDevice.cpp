@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/FedDevice.h"
+
+namespace palpate
+{
+
+FedDevice::FedDevice()
+{
+  this->info_.name = "fed";
+  this->info_.simulated = true;
+}
+
+DeviceStatus FedDevice::read(double tickTime_s, DeviceSample& sample) noexcept
+{
+  sample = this->fed_.read();
+  sample.time_s = tickTime_s;
+  return DeviceStatus::Ok;
+}
+
+} // namespace palpate

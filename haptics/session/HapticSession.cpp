@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/HapticSession.h"
+
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace palpate
+{
+
+/// Everything that lives from start() to stop().
+struct HapticSession::Run
+{
+  std::unique_ptr<HapticDevice> device;
+  std::unique_ptr<TickTimer> timer;
+  MonotonicClock clock;
+  ServoLinks links;
+  Recorder recorder;
+  std::optional<ServoLoop> loop;
+  std::mutex schedulingMutex; ///< taken once by the servo thread, before its first tick
+  SchedulingReport scheduling;
+  RealtimeThread thread;
+  bool virtualTime = false;
+};
+
+HapticSession::HapticSession() = default;
+
+HapticSession::~HapticSession()
+{
+  this->stop();
+}
+
+bool HapticSession::running() const noexcept
+{
+  return this->run_ != nullptr;
+}
+
+HapticDevice* HapticSession::device() noexcept
+{
+  return this->run_ ? this->run_->device.get() : nullptr;
+}
+
+std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const SessionOptions& options)
+{
+  this->stop();
+  const std::string problem = device->open();
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  auto run = std::make_unique<Run>();
+  run->device = std::move(device);
+  run->virtualTime = options.virtualTime;
+  const auto period_ns = static_cast<std::int64_t>(options.period_s * 1e9 + 0.5);
+  if (options.virtualTime)
+  {
+    run->timer = std::make_unique<VirtualTimer>(period_ns);
+  }
+  else
+  {
+    run->timer = std::make_unique<PeriodicTimer>(period_ns);
+  }
+  if (!options.recordFile.empty())
+  {
+    const std::string refused = run->recorder.open(
+      options.recordFile, run->device->info().name, this->parameters_, RendererState{}, !options.virtualTime);
+    if (!refused.empty())
+    {
+      run->device->close();
+      return refused;
+    }
+    run->recorder.storeScene(this->scene_);
+  }
+  run->links.parameters.write({ this->version_, this->parameters_ });
+  run->links.scenes.publish(this->scene_);
+  run->loop.emplace(*run->device, *run->timer, run->links, run->recorder.isOpen() ? &run->recorder : nullptr,
+    run->clock, options.period_s);
+  this->run_ = std::move(run);
+  this->lastState_ = HapticState{};
+  this->lastReport_ = LoopReport{};
+  if (options.engage)
+  {
+    this->engage();
+  }
+  if (!options.virtualTime)
+  {
+    Run& r = *this->run_;
+    r.thread = RealtimeThread(
+      [&r](const SchedulingReport& report)
+      {
+        const std::lock_guard lock(r.schedulingMutex);
+        r.scheduling = report;
+      },
+      [&r](const std::stop_token& stop) { r.loop->run(stop); });
+  }
+  return {};
+}
+
+std::string HapticSession::stop()
+{
+  if (!this->run_)
+  {
+    return {};
+  }
+  if (this->run_->virtualTime)
+  {
+    this->run_->loop->finish();
+  }
+  else
+  {
+    this->run_->thread.join();
+  }
+  this->lastState_ = this->run_->links.state.read();
+  this->lastReport_ = this->run_->links.report.read();
+  this->lastState_.engage = EngageState::Safe;
+  this->lastState_.force_D = this->lastState_.force_W = Vec3::Zero();
+  this->run_->device->close();
+  const std::string problem = this->run_->recorder.close();
+  this->run_.reset();
+  return problem;
+}
+
+std::string HapticSession::setParameters(const HapticParameters& parameters)
+{
+  std::string problem = parameters.validate();
+  if (problem.empty())
+  {
+    this->parameters_ = parameters;
+    ++this->version_;
+    if (this->run_)
+    {
+      this->run_->links.parameters.write({ this->version_, parameters });
+    }
+  }
+  return problem;
+}
+
+void HapticSession::setScene(std::shared_ptr<const Scene> scene)
+{
+  this->scene_ = std::move(scene);
+  if (this->run_)
+  {
+    this->run_->recorder.storeScene(this->scene_);
+    this->run_->links.scenes.publish(this->scene_);
+  }
+}
+
+void HapticSession::push(EventKind kind)
+{
+  if (this->run_)
+  {
+    this->run_->links.events.tryPush({ 0, kind, 0 });
+  }
+}
+
+void HapticSession::engage()
+{
+  this->push(EventKind::Engage);
+}
+
+void HapticSession::release()
+{
+  this->push(EventKind::Release);
+}
+
+void HapticSession::mark()
+{
+  this->push(EventKind::Mark);
+}
+
+int HapticSession::step(int ticks)
+{
+  int done = 0;
+  while (this->run_ && this->run_->virtualTime && done < ticks && this->run_->loop->tick())
+  {
+    ++done;
+    if (this->run_->recorder.isOpen())
+    {
+      this->run_->recorder.pump();
+    }
+  }
+  if (done > 0)
+  {
+    this->run_->loop->publishReport();
+  }
+  return done;
+}
+
+const HapticState& HapticSession::state()
+{
+  if (this->run_)
+  {
+    this->run_->links.scenes.collect();
+    this->lastState_ = this->run_->links.state.read();
+  }
+  return this->lastState_;
+}
+
+const LoopReport& HapticSession::report()
+{
+  if (this->run_)
+  {
+    this->lastReport_ = this->run_->links.report.read();
+  }
+  return this->lastReport_;
+}
+
+SchedulingReport HapticSession::scheduling() const
+{
+  if (!this->run_)
+  {
+    return {};
+  }
+  const std::lock_guard lock(this->run_->schedulingMutex);
+  return this->run_->scheduling;
+}
+
+} // namespace palpate

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "haptics/core/HapticDevice.h"
+#include "haptics/realtime/RealtimeThread.h"
+#include "haptics/session/Recorder.h"
+#include "haptics/session/ServoLoop.h"
+
+namespace palpate
+{
+
+/// How a session is to run. Fixed while it runs.
+struct SessionOptions
+{
+  double period_s = 1e-3;
+  bool virtualTime = false; ///< nothing runs by itself: step() computes ticks in the caller's thread
+  std::string recordFile;   ///< empty: no recording
+  bool engage = true;       ///< ask for force at once
+};
+
+/// Owner of a device, a servo and what they share, for programs and the user interface. One thread, the owner's,
+/// calls every method; none waits for the servo except stop() and the destructor, which end it with zero force.
+class HapticSession
+{
+public:
+  HapticSession();
+  ~HapticSession();
+  HapticSession(const HapticSession&) = delete;
+  HapticSession& operator=(const HapticSession&) = delete;
+
+  /// Opens the device and starts the servo. Empty, or one sentence why not; then nothing runs.
+  [[nodiscard]] std::string start(std::unique_ptr<HapticDevice> device, const SessionOptions& options = {});
+  /// Zero force, servo joined, device closed, recording complete. Empty, or what went wrong with the recording.
+  std::string stop();
+  [[nodiscard]] bool running() const noexcept;
+  /// The running device, or null: to feed a FedDevice.
+  [[nodiscard]] HapticDevice* device() noexcept;
+
+  /// Takes effect at the next tick. Empty, or one sentence; then nothing changes.
+  [[nodiscard]] std::string setParameters(const HapticParameters& parameters);
+  [[nodiscard]] const HapticParameters& parameters() const noexcept { return this->parameters_; }
+  /// Null: nothing to touch. Kept over stop() and start().
+  void setScene(std::shared_ptr<const Scene> scene);
+  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept { return this->scene_; }
+
+  void engage();
+  void release();
+  void mark();
+  /// Virtual time: computes that many ticks now. Returns how many the device allowed.
+  int step(int ticks);
+
+  /// The newest state and report; after stop() the last ones.
+  [[nodiscard]] const HapticState& state();
+  [[nodiscard]] const LoopReport& report();
+  /// What scheduling the servo thread got; empty message in virtual time or before it has started.
+  [[nodiscard]] SchedulingReport scheduling() const;
+
+private:
+  struct Run;
+  void push(EventKind kind);
+
+  HapticParameters parameters_;
+  std::uint64_t version_ = 0;
+  std::shared_ptr<const Scene> scene_;
+  HapticState lastState_;
+  LoopReport lastReport_;
+  std::unique_ptr<Run> run_;
+};
+
+} // namespace palpate

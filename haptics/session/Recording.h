@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "haptics/core/HapticDevice.h"
+#include "haptics/geometry/Scene.h"
+#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/session/ForceRenderer.h"
+#include "haptics/session/HapticEvent.h"
+#include "haptics/session/HapticParameters.h"
+
+namespace palpate
+{
+
+/// One tick as it was: what went in, and what came out to compare with. One tool so far: tool 0.
+struct TickRecord
+{
+  std::uint64_t tick = 0;
+  double dt_s = 0.0;
+  DeviceSample sample;
+  DeviceStatus status = DeviceStatus::Ok;
+  LatenessVerdict lateness;
+  std::uint32_t tool = 0;
+  Wrench wrench_D;
+  Pose proxy_W;
+  std::int32_t contacts = 0;
+  std::uint64_t sceneRevision = 0;
+  std::uint32_t flags = 0; ///< see recordFlags
+};
+
+/// The flags of a state as bits: clamped, riseLimited, capped, overBudget, infeasible, held, from the lowest up.
+[[nodiscard]] std::uint32_t recordFlags(const HapticState& state) noexcept;
+[[nodiscard]] TickRecord makeRecord(const TickInput& input, const TickOutput& output) noexcept;
+
+/// What happened before a tick was computed: an event, new parameters, another scene (by content hash, 0: none).
+struct RecordedChange
+{
+  HapticEvent event;
+  std::optional<HapticParameters> parameters;
+  std::uint64_t sceneHash = 0;
+  std::uint64_t sceneRevision = 0;
+};
+
+using RecordedEntry = std::variant<TickRecord, RecordedChange>;
+
+/// A scene as a recording keeps it: the cleaned surfaces it was built from.
+struct RecordedScene
+{
+  std::uint64_t contentHash = 0;
+  std::vector<SurfaceInput> surfaces;
+};
+
+/// A whole recording: a text header, then little-endian chunks (type, size, payload), then a closing chunk.
+struct Recording
+{
+  static constexpr int formatVersion = 1;
+
+  std::string device;
+  HapticParameters parameters;
+  RendererState initialState;
+  std::vector<RecordedScene> scenes; ///< each once; empty when they were left out
+  std::vector<RecordedEntry> entries;
+  std::uint64_t lost = 0; ///< ticks the writer could not take: such a recording cannot be recomputed
+};
+
+/// Reads a recording; on failure one sentence with the file and the reason. Never allocates by a number in the file
+/// that the file's own size does not bear out.
+[[nodiscard]] std::variant<Recording, std::string> readRecording(const std::string& path);
+/// The same from memory; `name` stands for the file in messages.
+[[nodiscard]] std::variant<Recording, std::string> parseRecording(const std::vector<char>& bytes, const std::string& name);
+
+/// The result of computing a recording again.
+struct ReplayResult
+{
+  std::uint64_t ticks = 0;
+  std::string difference; ///< empty: every bit as recorded; else the first tick and quantity that differ
+  std::string problem;    ///< not empty: it could not be recomputed, and why
+};
+
+/// Computes every tick again and compares force, proxy, contacts and flags bit for bit. Scenes come from the
+/// recording, or from `given` (by content hash) where it left them out. `visit` sees each recomputed tick.
+[[nodiscard]] ReplayResult replay(const Recording& recording, const std::vector<std::shared_ptr<const Scene>>& given = {},
+  unsigned workers = 1, const std::function<void(const TickOutput&)>& visit = {});
+
+} // namespace palpate

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/RecordingFormat.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+
+constexpr char magic[] = "PALPATE-RECORDING";
+
+/// Puts or gets, so that the layout of each type is written down once.
+struct Put
+{
+  ByteWriter& stream;
+  template<class T>
+  void operator()(const T& value) const
+  {
+    this->stream.put(value);
+  }
+};
+
+struct Get
+{
+  ByteReader& stream;
+  template<class T>
+  void operator()(T& value) const
+  {
+    this->stream.get(value);
+  }
+};
+
+template<class Io, class T>
+void layWrench(const Io& io, T& w)
+{
+  io(w.force);
+  io(w.torque);
+}
+
+template<class Io, class T>
+void layTick(const Io& io, T& r)
+{
+  io(r.tick);
+  io(r.dt_s);
+  io(r.sample.time_s);
+  io(r.sample.pose_D);
+  io(r.sample.velocity_D.linear);
+  io(r.sample.velocity_D.angular);
+  layWrench(io, r.sample.sensed_D);
+  io(r.sample.buttons);
+  io(r.sample.grip);
+  io(r.status);
+  io(r.lateness.stiffnessFactor);
+  io(r.lateness.fault);
+  io(r.tool);
+  layWrench(io, r.wrench_D);
+  io(r.proxy_W);
+  io(r.contacts);
+  io(r.sceneRevision);
+  io(r.flags);
+}
+
+template<class Io, class T>
+void layParameters(const Io& io, T& p)
+{
+  io(p.stiffness_N_per_m);
+  io(p.damping_Ns_per_m);
+  io(p.sceneBlend_s);
+  io(p.contact.radius_u);
+  io(p.contact.passCap);
+  io(p.contact.nodeBudget);
+  io(p.map.scale_u_per_m);
+  io(p.map.q_WD);
+  io(p.map.offset_W);
+  io(p.safety.maxForce_N);
+  io(p.safety.maxRise_N_per_s);
+  io(p.safety.engageRamp_s);
+  io(p.safety.engageBelow_N);
+  io(p.safety.releaseRamp_s);
+  io(p.safety.faultRamp_s);
+  io(p.safety.needsEngage);
+}
+
+template<class Io, class T>
+void layState(const Io& io, T& s)
+{
+  io(s.contact.x_W);
+  io(s.contact.placed);
+  io(s.contact.count);
+  for (auto& f : s.contact.features)
+  {
+    io(f.surface);
+    io(f.a);
+    io(f.b);
+    io(f.kind);
+    io(f.side);
+    io(f.stuck);
+  }
+  io(s.engage);
+  io(s.fault);
+  io(s.gain);
+  io(s.engagedFor_s);
+  io(s.lastForce_D);
+  io(s.lastRendered_D);
+  io(s.blend_D);
+  io(s.scale_u_per_m);
+  io(s.offset_W);
+  io(s.radius_u);
+  io(s.sceneRevision);
+  io(s.badSamples);
+  io(s.badSamplesSince_s);
+}
+
+std::vector<char> chunk(ChunkType type, const ByteWriter& payload)
+{
+  ByteWriter whole;
+  whole.put(type);
+  whole.put(static_cast<std::uint64_t>(payload.bytes().size()));
+  std::vector<char> bytes = whole.bytes();
+  bytes.insert(bytes.end(), payload.bytes().begin(), payload.bytes().end());
+  return bytes;
+}
+
+RecordedChange readChange(ByteReader& in)
+{
+  RecordedChange change;
+  bool hasParameters = false;
+  in.get(change.event.tick);
+  in.get(change.event.kind);
+  in.get(change.event.value);
+  in.get(change.sceneHash);
+  in.get(change.sceneRevision);
+  in.get(hasParameters);
+  if (hasParameters)
+  {
+    change.parameters.emplace();
+    layParameters(Get{ in }, *change.parameters);
+  }
+  return change;
+}
+
+RecordedScene readScene(ByteReader& in)
+{
+  RecordedScene scene;
+  in.get(scene.contentHash);
+  const std::uint64_t surfaces = in.count(1);
+  for (std::uint64_t s = 0; s < surfaces && in.ok(); ++s)
+  {
+    SurfaceInput input;
+    auto mesh = std::make_shared<TriangleMesh>();
+    in.get(input.name);
+    in.get(input.material.stiffnessFactor);
+    mesh->vertices_W.resize(in.count(3 * sizeof(double)));
+    for (Vec3& v : mesh->vertices_W)
+    {
+      in.get(v);
+    }
+    mesh->triangles.resize(in.count(3 * sizeof(std::uint32_t)));
+    for (auto& t : mesh->triangles)
+    {
+      for (std::uint32_t& corner : t)
+      {
+        in.get(corner);
+      }
+    }
+    input.mesh = std::move(mesh);
+    scene.surfaces.push_back(std::move(input));
+  }
+  return scene;
+}
+
+/// Features of an untrusted state must not be used as indices; a recording starts without contact.
+bool plausible(const RendererState& state)
+{
+  return state.contact.count == 0;
+}
+
+/// Reads the chunks after the header; empty, or what is wrong.
+std::string readChunks(ByteReader& in, Recording& recording)
+{
+  while (in.ok())
+  {
+    ChunkType type{};
+    std::uint64_t size = 0;
+    in.get(type);
+    in.get(size);
+    if (!in.has(size))
+    {
+      return "is cut short: it ends without its closing mark";
+    }
+    ByteReader payload(in.at(), size);
+    in.skip(size);
+    switch (type)
+    {
+      case ChunkType::Tick:
+      {
+        TickRecord record;
+        layTick(Get{ payload }, record);
+        recording.entries.emplace_back(record);
+        break;
+      }
+      case ChunkType::Change:
+        recording.entries.emplace_back(readChange(payload));
+        break;
+      case ChunkType::Scene:
+        recording.scenes.push_back(readScene(payload));
+        break;
+      case ChunkType::End:
+        payload.get(recording.lost);
+        return payload.ok() && in.left() == 0 ? "" : "is damaged: something follows its closing mark";
+      default:
+        return "is damaged: it has a part of unknown kind " + std::to_string(static_cast<std::uint32_t>(type));
+    }
+    if (!payload.ok() || payload.left() != 0)
+    {
+      return "is damaged: a part of kind " + std::to_string(static_cast<std::uint32_t>(type)) + " has the wrong size";
+    }
+  }
+  return "is cut short: it ends without its closing mark";
+}
+
+} // namespace
+
+std::uint32_t recordFlags(const HapticState& s) noexcept
+{
+  std::uint32_t flags = 0;
+  for (const bool flag : { s.held, s.infeasible, s.overBudget, s.capped, s.riseLimited, s.clamped })
+  {
+    flags = flags << 1 | static_cast<std::uint32_t>(flag);
+  }
+  return flags;
+}
+
+TickRecord makeRecord(const TickInput& input, const TickOutput& output) noexcept
+{
+  return { input.tick, input.dt_s, input.sample, input.status, input.lateness, 0, output.command.wrench_D,
+    output.state.proxy_W, output.state.contacts, output.state.sceneRevision, recordFlags(output.state) };
+}
+
+std::string recordingHeader(const std::string& device, const HapticParameters& parameters, const RendererState& state)
+{
+  ByteWriter binary;
+  layParameters(Put{ binary }, parameters);
+  layState(Put{ binary }, state);
+  std::string header = std::string(magic) + " " + std::to_string(Recording::formatVersion) +
+    "\nunits: seconds, metres and newtons in the device frame; scene units in the scene\ndevice: " + device +
+    "\nbinary: little-endian, initial parameters and state of " + std::to_string(binary.bytes().size()) +
+    " bytes, then chunks (type u32, size u64, payload)\nend\n";
+  header.append(binary.bytes().begin(), binary.bytes().end());
+  return header;
+}
+
+std::vector<char> tickChunk(const TickRecord& record)
+{
+  ByteWriter payload;
+  layTick(Put{ payload }, record);
+  return chunk(ChunkType::Tick, payload);
+}
+
+std::vector<char> changeChunk(const RecordedChange& change)
+{
+  ByteWriter payload;
+  payload.put(change.event.tick);
+  payload.put(change.event.kind);
+  payload.put(change.event.value);
+  payload.put(change.sceneHash);
+  payload.put(change.sceneRevision);
+  payload.put(change.parameters.has_value());
+  if (change.parameters)
+  {
+    layParameters(Put{ payload }, *change.parameters);
+  }
+  return chunk(ChunkType::Change, payload);
+}
+
+std::vector<char> sceneChunk(const Scene& scene)
+{
+  ByteWriter payload;
+  payload.put(scene.contentHash());
+  payload.put(static_cast<std::uint64_t>(scene.surfaces().size()));
+  for (const Surface& surface : scene.surfaces())
+  {
+    const TriangleMesh& mesh = surface.tree->mesh();
+    payload.put(surface.name);
+    payload.put(surface.material.stiffnessFactor);
+    payload.put(static_cast<std::uint64_t>(mesh.vertices_W.size()));
+    for (const Vec3& v : mesh.vertices_W)
+    {
+      payload.put(v);
+    }
+    payload.put(static_cast<std::uint64_t>(mesh.triangles.size()));
+    for (const auto& t : mesh.triangles)
+    {
+      for (const std::uint32_t corner : t)
+      {
+        payload.put(corner);
+      }
+    }
+  }
+  return chunk(ChunkType::Scene, payload);
+}
+
+std::vector<char> endChunk(std::uint64_t lost)
+{
+  ByteWriter payload;
+  payload.put(lost);
+  return chunk(ChunkType::End, payload);
+}
+
+std::variant<Recording, std::string> parseRecording(const std::vector<char>& bytes, const std::string& name)
+{
+  const std::string text(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(bytes.size(), 4096)));
+  const std::string start = std::string(magic) + " ";
+  if (text.compare(0, start.size(), start) != 0)
+  {
+    return name + " is not a recording of Palpate";
+  }
+  const std::string version = text.substr(start.size(), text.find('\n') - start.size());
+  if (version != std::to_string(Recording::formatVersion))
+  {
+    return name + " is a recording of format " + version.substr(0, 16) + ", this program reads format " +
+      std::to_string(Recording::formatVersion) + ": record it again";
+  }
+  const std::size_t end = text.find("\nend\n");
+  if (end == std::string::npos)
+  {
+    return name + " is cut short: its header does not end";
+  }
+  Recording recording;
+  const std::size_t device = text.find("\ndevice: ");
+  if (device != std::string::npos && device < end)
+  {
+    recording.device = text.substr(device + 9, text.find('\n', device + 9) - device - 9);
+  }
+  ByteReader in(bytes.data() + end + 5, bytes.size() - end - 5);
+  layParameters(Get{ in }, recording.parameters);
+  layState(Get{ in }, recording.initialState);
+  if (!in.ok())
+  {
+    return name + " is cut short: its header does not end";
+  }
+  if (!plausible(recording.initialState) || !recording.parameters.validate().empty())
+  {
+    return name + " is damaged: its initial state cannot be";
+  }
+  const std::string wrong = readChunks(in, recording);
+  if (!wrong.empty())
+  {
+    return name + " " + wrong;
+  }
+  return recording;
+}
+
+std::variant<Recording, std::string> readRecording(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+  {
+    return path + " cannot be opened";
+  }
+  const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  return parseRecording(bytes, path);
+}
+
+} // namespace palpate

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "haptics/session/ByteStream.h"
+#include "haptics/session/Recording.h"
+
+namespace palpate
+{
+
+/// How the parts of a recording lie in its chunks. Each value is named once, for writing and for reading alike.
+enum class ChunkType : std::uint32_t
+{
+  Tick = 1,
+  Change = 2,
+  Scene = 3,
+  End = 4,
+};
+
+[[nodiscard]] std::string recordingHeader(
+  const std::string& device, const HapticParameters& parameters, const RendererState& state);
+[[nodiscard]] std::vector<char> tickChunk(const TickRecord& record);
+[[nodiscard]] std::vector<char> changeChunk(const RecordedChange& change);
+[[nodiscard]] std::vector<char> sceneChunk(const Scene& scene);
+[[nodiscard]] std::vector<char> endChunk(std::uint64_t lost);
+
+} // namespace palpate

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/ServoLoop.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+
+constexpr std::uint64_t ticksPerReport = 250;
+
+} // namespace
+
+ServoLoop::ServoLoop(HapticDevice& device, TickTimer& timer, ServoLinks& links, Recorder* recorder,
+  const Clock& costClock, double period_s) noexcept
+  : device_(device)
+  , timer_(timer)
+  , links_(links)
+  , recorder_(recorder)
+  , clock_(costClock)
+  , period_s_(period_s)
+{
+  const ServoLinks::Versioned& first = links.parameters.read();
+  this->version_ = first.version;
+  this->parameters_ = first.parameters;
+}
+
+void ServoLoop::run(const std::stop_token& stop) noexcept
+{
+  while (!stop.stop_requested() && this->tick())
+  {
+  }
+  this->finish();
+}
+
+void ServoLoop::finish() noexcept
+{
+  this->device_.write(DeviceCommand{});
+  this->publishReport();
+}
+
+/// Everything that happens before the tick goes into the recording before it, in the order the tick takes it.
+void ServoLoop::takeChanges() noexcept
+{
+  const ServoLinks::Versioned& latest = this->links_.parameters.read();
+  if (latest.version != this->version_)
+  {
+    this->version_ = latest.version;
+    this->parameters_ = latest.parameters;
+    if (this->recorder_ != nullptr)
+    {
+      this->recorder_->pushParameters(this->input_.tick, this->parameters_);
+    }
+  }
+  const Scene* const before = this->input_.scene;
+  this->input_.scene = this->links_.scenes.acquire();
+  this->input_.previousScene = this->links_.scenes.replaced();
+  if (this->input_.scene != before && this->recorder_ != nullptr)
+  {
+    this->recorder_->pushScene(this->input_.tick, this->input_.scene);
+  }
+  std::size_t count = 0;
+  while (count < this->events_.size() && this->links_.events.tryPop(this->events_[count]))
+  {
+    this->events_[count].tick = this->input_.tick;
+    if (this->recorder_ != nullptr)
+    {
+      this->recorder_->pushEvent(this->events_[count]);
+    }
+    ++count;
+  }
+  this->input_.events = { this->events_.data(), count };
+}
+
+bool ServoLoop::tick() noexcept
+{
+  const Wakeup wakeup = this->timer_.wait();
+  const std::int64_t start_ns = this->clock_.now_ns();
+  this->period_ += 1 + wakeup.missed;
+  this->input_.tick = this->period_;
+  this->input_.dt_s = static_cast<double>(1 + wakeup.missed) * this->period_s_;
+  this->input_.status =
+    this->device_.read(static_cast<double>(this->period_) * this->period_s_, this->input_.sample);
+  if (this->input_.status == DeviceStatus::Ended)
+  {
+    this->report_.ended = true;
+    return false;
+  }
+  const double gap_s = static_cast<double>(wakeup.missed) * this->period_s_ + 1e-9 * static_cast<double>(wakeup.lateness_ns);
+  this->input_.lateness = judgeLateness(gap_s, this->latenessP99_s_, this->period_s_, this->device_.info().simulated);
+  this->takeChanges();
+  const TickOutput output = renderTick(this->input_, this->parameters_, this->renderer_);
+  this->device_.write(output.command);
+  if (this->recorder_ != nullptr)
+  {
+    this->recorder_->pushTick(makeRecord(this->input_, output));
+  }
+  this->links_.state.write(output.state);
+  this->account(wakeup, output, 1e-3 * static_cast<double>(this->clock_.now_ns() - start_ns));
+  return true;
+}
+
+void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double cost_us) noexcept
+{
+  LoopReport& r = this->report_;
+  const HapticState& s = output.state;
+  ++r.ticks;
+  r.missed += wakeup.missed;
+  r.periods = this->period_;
+  r.elapsed_s = static_cast<double>(this->period_) * this->period_s_;
+  r.contactTicks += s.contacts > 0;
+  r.cappedTicks += s.capped || s.overBudget;
+  r.peakForce_N = std::max(r.peakForce_N, s.force_D.norm());
+  if (s.gain == 1.0 && s.stiffnessFactor == 1.0 && !s.clamped && !s.riseLimited && !s.held &&
+    this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
+  {
+    const WorkspaceMap& map = this->parameters_.map;
+    const Vec3 spring_D = map.directionToDevice(
+      this->parameters_.stiffness_N_per_m / map.scale_u_per_m * (s.proxy_W.p - s.device_W.p));
+    r.forceResidual_N = std::max(r.forceResidual_N, (s.force_D - spring_D).norm());
+  }
+  this->cost_.add(cost_us);
+  this->lateness_.add(r.elapsed_s, 1e-3 * static_cast<double>(wakeup.lateness_ns));
+  if (r.ticks % ticksPerReport == 0)
+  {
+    this->publishReport();
+  }
+}
+
+void ServoLoop::publishReport() noexcept
+{
+  this->report_.cost = this->cost_.quantiles();
+  this->report_.lateness = this->lateness_.quantiles();
+  this->latenessP99_s_ = 1e-6 * this->report_.lateness.p99_us;
+  this->links_.report.write(this->report_);
+}
+
+} // namespace palpate

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <stop_token>
+
+#include "haptics/core/Clock.h"
+#include "haptics/core/HapticDevice.h"
+#include "haptics/realtime/LoopStatistics.h"
+#include "haptics/realtime/PeriodicTimer.h"
+#include "haptics/realtime/SnapshotMailbox.h"
+#include "haptics/realtime/SpscRing.h"
+#include "haptics/realtime/TripleBuffer.h"
+#include "haptics/session/ForceRenderer.h"
+#include "haptics/session/Recorder.h"
+
+namespace palpate
+{
+
+/// How the loop went so far.
+struct LoopReport
+{
+  std::uint64_t ticks = 0;        ///< computed
+  std::uint64_t missed = 0;       ///< periods that passed without a tick
+  std::uint64_t periods = 0;      ///< elapsed: ticks + missed
+  std::uint64_t contactTicks = 0; ///< with at least one contact
+  std::uint64_t cappedTicks = 0;  ///< the god-object was stopped by its cap or budget
+  double elapsed_s = 0.0;         ///< from the first period to the last
+  double peakForce_N = 0.0;
+  double forceResidual_N = 0.0;   ///< largest |F - K (proxy - device)| while fully engaged and unlimited
+  Quantiles lateness;             ///< of the last 5 s [us]
+  Quantiles cost;                 ///< of all ticks [us]
+  bool ended = false;             ///< the device has no more samples
+};
+
+/// What other threads and the servo share. Each buffer has one writer and one reader (ARCHITECTURE.md).
+struct ServoLinks
+{
+  struct Versioned
+  {
+    std::uint64_t version = 0;
+    HapticParameters parameters;
+  };
+  SnapshotMailbox<Scene> scenes;            ///< owner -> servo
+  TripleBuffer<Versioned> parameters;       ///< owner -> servo
+  SpscRing<HapticEvent, 64> events;         ///< owner -> servo
+  TripleBuffer<HapticState> state;          ///< servo -> owner
+  TripleBuffer<LoopReport> report;          ///< servo -> owner, four times a second
+};
+
+/// Drives the tick: timer, device, scene, parameters, events in; command, state, statistics, recording out.
+/// The same loop runs on a thread with the wall clock and in the caller's with a virtual one.
+class ServoLoop
+{
+public:
+  ServoLoop(HapticDevice& device, TickTimer& timer, ServoLinks& links, Recorder* recorder, const Clock& costClock,
+    double period_s) noexcept;
+
+  /// Until a stop is asked for or the device ends; then the device gets a zero command. Servo thread.
+  void run(const std::stop_token& stop) noexcept;
+  /// One period. False when the device has ended. Servo thread; real-time safe.
+  bool tick() noexcept;
+  /// Zero force, last report.
+  void finish() noexcept;
+  /// Makes the report of the ticks so far visible. Servo thread; run() does it four times a second.
+  void publishReport() noexcept;
+
+private:
+  void takeChanges() noexcept;
+  void account(const Wakeup& wakeup, const TickOutput& output, double cost_us) noexcept;
+
+  HapticDevice& device_;
+  TickTimer& timer_;
+  ServoLinks& links_;
+  Recorder* recorder_;
+  const Clock& clock_;
+  double period_s_;
+  std::uint64_t period_ = 0; ///< number of the current period, from 1
+  std::uint64_t version_ = 0;
+  HapticParameters parameters_;
+  RendererState renderer_;
+  TickInput input_;
+  std::array<HapticEvent, 16> events_;
+  DurationHistogram cost_;
+  SlidingHistogram lateness_;
+  double latenessP99_s_ = 0.0;
+  LoopReport report_;
+};
+
+} // namespace palpate
