@@ -4,13 +4,14 @@
 
 #include <string>
 
+#include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
 class vtkOutputWindow;
 
 /// While it lives, VTK's errors and warnings are collected instead of printed: the caller turns them into one
 /// sentence. VTK's output window and log are one per process, so use it from one thread at a time.
-class vtkHapticMessageCapture
+class VTKHAPTICPIPELINE_EXPORT vtkHapticMessageCapture
 {
 public:
   vtkHapticMessageCapture();

@@ -130,6 +130,20 @@ SurfacePointer ReadWithParser(const std::string& path, TextParser parse)
   return ToPolyData(mesh);
 }
 
+void CheckHasTriangles(vtkPolyData* surface, vtkIdType pointsOfFile)
+{
+  if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
+  {
+    return;
+  }
+  if (pointsOfFile == 0)
+  {
+    throw std::runtime_error("it holds no points and no triangles");
+  }
+  throw std::runtime_error(
+    "it holds " + std::to_string(pointsOfFile) + " points but no triangles; only surfaces can be touched");
+}
+
 SurfacePointer ReadVTP(const std::string& path)
 {
   ThrowIf(vtkHapticFileGuards::CheckXMLCounts(path));
@@ -150,6 +164,7 @@ SurfacePointer ReadVTU(const std::string& path, const vtkHapticMessageCapture& m
   vtkNew<vtkDataSetSurfaceFilter> skin;
   skin->SetInputData(reader->GetOutput());
   skin->Update();
+  CheckHasTriangles(skin->GetOutput(), reader->GetOutput()->GetNumberOfPoints());
   return skin->GetOutput();
 }
 
@@ -199,16 +214,7 @@ void CheckExtension(const std::string& extension)
 void CheckSurface(vtkPolyData* surface)
 {
   ThrowIf(vtkHapticCellChecks::CheckPolyData(surface));
-  if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
-  {
-    return;
-  }
-  if (surface->GetNumberOfPoints() == 0)
-  {
-    throw std::runtime_error("it holds no points and no triangles");
-  }
-  throw std::runtime_error("it holds " + std::to_string(surface->GetNumberOfPoints()) +
-    " points but no triangles; only surfaces can be touched");
+  CheckHasTriangles(surface, surface->GetNumberOfPoints());
 }
 
 SurfacePointer ReadChecked(const std::string& path, std::optional<double> iso, std::string& note)

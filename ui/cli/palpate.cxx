@@ -63,6 +63,7 @@ void AddReplay(CLI::App& app, Arguments& arguments)
   CLI::App* command = app.add_subcommand("replay", "recompute a recording and compare bit for bit");
   command->add_option("RECORDING", options.Recording, "as a session saved it")->required();
   command->add_option("--scene", options.Scenes, "surfaces, for a recording that holds no scenes");
+  command->add_option("--iso", options.Iso, "value of the surface in an image");
   command->add_option("--csv", options.Output, "OUT.csv: a row per tick, as recomputed");
 }
 
@@ -106,7 +107,11 @@ int Run(const CLI::App& app, const Arguments& arguments)
   {
     return Touch(*app.get_subcommand("touch"), arguments.Touch);
   }
-  return vtkHapticCliReplay(arguments.Replay);
+  if (app.got_subcommand("replay"))
+  {
+    return vtkHapticCliReplay(arguments.Replay);
+  }
+  throw vtkHapticCliProblem("say what to do: devices, check, touch or replay (palpate --help says more)");
 }
 
 int Refuse(std::string reason)
@@ -123,7 +128,7 @@ int main(int argc, char** argv)
   Arguments arguments;
   CLI::App app("Touches surfaces without a display: the same tick that drives a haptic device.", "palpate");
   app.set_version_flag("--version", PALPATE_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1); // a wrong name is reported as such, not as a missing one
   AddDevices(app, arguments);
   AddCheck(app, arguments);
   AddTouch(app, arguments);

@@ -31,7 +31,7 @@ std::string PlanOf(const palpate::Surface& surface)
 {
   const palpate::ContactPlan plan;
   return "every kept triangle is touched as it is, through a tree of " +
-    std::to_string(surface.tree->bytes() / 1024) + " KiB beside the mesh; a tick visits at most " +
+    std::to_string((surface.tree->bytes() + 1023) / 1024) + " KiB beside the mesh; a tick visits at most " +
     std::to_string(plan.nodeBudget) + " nodes";
 }
 

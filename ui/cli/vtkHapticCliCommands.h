@@ -31,8 +31,9 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options);
 struct vtkHapticCliReplayOptions
 {
   std::string Recording;
-  std::vector<std::string> Scenes;
-  std::string Output; ///< empty: none
+  std::vector<std::string> Scenes; ///< for a recording that holds none
+  std::optional<double> Iso;       ///< for the images among them
+  std::string Output;              ///< empty: none
 };
 
 /// Recomputes a recording. 0: the same bit for bit; 1: the first difference was printed.

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticCliCommands.h"
+
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "devices/DeviceFactory.h"
+
+namespace
+{
+/// A number of DeviceInfo by its name in JSON, for a person, and its unit.
+struct Quantity
+{
+  palpate::DeviceQuantity palpate::DeviceInfo::*Member;
+  const char* Key;
+  const char* Label;
+  const char* Unit;
+};
+
+constexpr std::array<Quantity, 8> Quantities = { {
+  { &palpate::DeviceInfo::workspaceRadius_m, "workspace_radius_m", "workspace radius", "m" },
+  { &palpate::DeviceInfo::resolution_m, "resolution_m", "resolution", "m" },
+  { &palpate::DeviceInfo::maxForce_N, "max_force_N", "largest force", "N" },
+  { &palpate::DeviceInfo::maxStiffness_N_per_m, "max_stiffness_N_per_m", "largest stiffness", "N/m" },
+  { &palpate::DeviceInfo::maxDamping_Ns_per_m, "max_damping_Ns_per_m", "largest damping", "N s/m" },
+  { &palpate::DeviceInfo::mass_kg, "mass_kg", "mass", "kg" },
+  { &palpate::DeviceInfo::damping_Ns_per_m, "damping_Ns_per_m", "damping", "N s/m" },
+  { &palpate::DeviceInfo::friction_N, "friction_N", "friction", "N" },
+} };
+
+const char* NameOf(palpate::DeviceClass deviceClass)
+{
+  switch (deviceClass)
+  {
+    case palpate::DeviceClass::Vibration0D:
+      return "vibration only";
+    case palpate::DeviceClass::Wheel1D:
+      return "1 axis of force";
+    case palpate::DeviceClass::Joystick2D:
+      return "2 axes of force";
+    case palpate::DeviceClass::Point3D:
+      return "3 axes of force";
+    case palpate::DeviceClass::Rigid6D:
+      return "6 axes of force and torque";
+  }
+  return "unknown";
+}
+
+const char* NameOf(palpate::Pacing pacing)
+{
+  switch (pacing)
+  {
+    case palpate::Pacing::Timer:
+      return "timer";
+    case palpate::Pacing::Device:
+      return "device";
+    case palpate::Pacing::Callback:
+      return "callback";
+  }
+  return "unknown";
+}
+
+const char* NameOf(palpate::Causality causality)
+{
+  return causality == palpate::Causality::Impedance ? "impedance" : "admittance";
+}
+
+nlohmann::ordered_json ToJson(const palpate::KnownDevice& device)
+{
+  nlohmann::ordered_json json;
+  json["name"] = device.name;
+  json["what"] = device.what;
+  json["usable"] = device.problem.empty();
+  json["problem"] = device.problem;
+  json["serial"] = device.info.serial;
+  json["simulated"] = device.info.simulated;
+  json["class"] = NameOf(device.info.deviceClass);
+  json["causality"] = NameOf(device.info.causality);
+  json["pacing"] = NameOf(device.info.pacing);
+  for (const Quantity& quantity : Quantities)
+  {
+    const palpate::DeviceQuantity& value = device.info.*quantity.Member;
+    json[quantity.Key]["value"] = value.value; // infinity, no limit, becomes null
+    json[quantity.Key]["known"] = value.known;
+  }
+  return json;
+}
+
+void Print(const palpate::KnownDevice& device)
+{
+  std::cout << device.name << (device.problem.empty() ? ": " : ": cannot be used: ")
+            << (device.problem.empty() ? device.what : device.problem) << "\n  " << NameOf(device.info.deviceClass)
+            << ", " << NameOf(device.info.causality) << ", paced by " << NameOf(device.info.pacing)
+            << (device.info.simulated ? ", simulated" : "") << '\n';
+  for (const Quantity& quantity : Quantities)
+  {
+    const palpate::DeviceQuantity& value = device.info.*quantity.Member;
+    if (std::isfinite(value.value))
+    {
+      std::cout << "  " << quantity.Label << ' ' << value.value << ' ' << quantity.Unit
+                << (value.known ? "" : " (assumed)") << '\n';
+    }
+  }
+}
+}
+
+int vtkHapticCliDevices(bool json)
+{
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const palpate::KnownDevice& device : palpate::knownDevices())
+  {
+    if (json)
+    {
+      list.push_back(ToJson(device));
+    }
+    else
+    {
+      Print(device);
+    }
+  }
+  if (json)
+  {
+    std::cout << list.dump(2) << '\n';
+  }
+  return 0;
+}

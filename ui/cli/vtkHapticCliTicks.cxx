@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticCliTicks.h"
+
+#include <algorithm>
+#include <array>
+
+vtkHapticCliStopwatch::vtkHapticCliStopwatch()
+{
+  std::array<double, 1001> empty{};
+  for (double& cost : empty)
+  {
+    this->Start();
+    cost = this->Cost_us();
+  }
+  auto* const middle = empty.begin() + empty.size() / 2;
+  std::nth_element(empty.begin(), middle, empty.end());
+  this->Overhead_us = *middle;
+}
+
+double vtkHapticCliStopwatch::Cost_us() const
+{
+  constexpr double usPerNs = 1e-3;
+  const double elapsed_us = static_cast<double>(this->Clock.now_ns() - this->Start_ns) * usPerNs;
+  return std::max(0.0, elapsed_us - this->Overhead_us);
+}
+
+void vtkHapticCliWriteHeader(vtkHapticCliOutput& output)
+{
+  output.Header("t,device_x,device_y,device_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contacts,cost_us");
+}
+
+void vtkHapticCliWriteTick(
+  vtkHapticCliOutput& output, double time_s, const palpate::HapticState& state, double cost_us)
+{
+  output.Value(time_s);
+  for (const palpate::Vec3& triple : { state.device_W.p, state.proxy_W.p, state.force_W })
+  {
+    output.Value(triple.x());
+    output.Value(triple.y());
+    output.Value(triple.z());
+  }
+  output.Value(state.contacts);
+  output.Value(cost_us);
+  output.EndRow();
+}

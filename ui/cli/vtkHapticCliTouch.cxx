@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticCliCommands.h"
+
+#include <iostream>
+
+#include "haptics/session/ForceRenderer.h"
+#include "vtkHapticCliOutput.h"
+#include "vtkHapticCliPath.h"
+#include "vtkHapticCliProblem.h"
+#include "vtkHapticCliScene.h"
+#include "vtkHapticCliTicks.h"
+
+namespace
+{
+constexpr double OnlyTick_s = 1e-3; // of a path of one row, which has no difference of times
+
+/// The path is given in the scene, so device frame and scene are one and a metre is a unit; the scale enters through
+/// the stiffness alone. Dividing the path by the scale and multiplying it again would move the hand by its rounding.
+palpate::HapticParameters ParametersOf(const vtkHapticCliTouchOptions& options)
+{
+  palpate::HapticParameters parameters;
+  parameters.stiffness_N_per_m = options.Stiffness_N_per_m / options.Scale_u_per_m;
+  parameters.contact.radius_u = options.Radius_u;
+  parameters.safety = palpate::SafetyLimits::none();
+  if (const std::string problem = parameters.validate(); !problem.empty())
+  {
+    throw vtkHapticCliProblem("--stiffness divided by --scale: " + problem);
+  }
+  return parameters;
+}
+
+/// Ticks that did less than an exact contact, for a person to know.
+struct Shortfalls
+{
+  int Seated = 0;
+  int Incomplete = 0;
+
+  void Count(const palpate::HapticState& state)
+  {
+    this->Seated += state.fault == palpate::Fault::Seated ? 1 : 0;
+    this->Incomplete += state.capped || state.overBudget || state.infeasible ? 1 : 0;
+  }
+
+  void Tell() const
+  {
+    if (this->Seated > 0)
+    {
+      std::cerr << "palpate: in " << this->Seated << " ticks the ball overlapped a surface with no free place within "
+                << "its radius, and no force was given; start the path away from the surface\n";
+    }
+    if (this->Incomplete > 0)
+    {
+      std::cerr << "palpate: in " << this->Incomplete << " ticks the ball moved only as far as was proven free\n";
+    }
+  }
+};
+
+void Render(const std::vector<vtkHapticCliPathRow>& path, const palpate::Scene& scene,
+  const palpate::HapticParameters& parameters, vtkHapticCliOutput& output)
+{
+  palpate::RendererState state;
+  palpate::TickInput input;
+  input.scene = &scene;
+  input.dt_s = path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTick_s;
+  vtkHapticCliStopwatch stopwatch;
+  Shortfalls shortfalls;
+  for (std::size_t i = 0; i < path.size(); ++i)
+  {
+    input.tick = i;
+    input.dt_s = i > 0 ? path[i].Time_s - path[i - 1].Time_s : input.dt_s;
+    input.sample.time_s = path[i].Time_s;
+    input.sample.pose_D = path[i].Pose_W;
+    stopwatch.Start();
+    const palpate::TickOutput result = palpate::renderTick(input, parameters, state);
+    const double cost_us = stopwatch.Cost_us();
+    shortfalls.Count(result.state);
+    vtkHapticCliWriteTick(output, path[i].Time_s, result.state, cost_us);
+  }
+  shortfalls.Tell();
+}
+}
+
+int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
+{
+  const palpate::HapticParameters parameters = ParametersOf(options);
+  const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path);
+  const std::shared_ptr<const palpate::Scene> scene = vtkHapticCliBuildScene(options.Files, options.Iso);
+  std::vector<std::string> inputs = options.Files;
+  inputs.push_back(options.Path);
+  vtkHapticCliOutput output(options.Output, inputs);
+  vtkHapticCliWriteHeader(output);
+  Render(path, *scene, parameters, output);
+  output.Commit();
+  return 0;
+}
