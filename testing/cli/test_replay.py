@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`palpate replay` on a recording of 2000 ticks with one scene swap, whole and damaged, and `palpate devices`."""
+
+import json
+import os
+import struct
+import subprocess
+import unittest
+
+from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest
+
+MAKE_RECORDING = os.environ["PALPATE_MAKE_RECORDING"]
+TICKS = 2000
+SCENE_CHUNK = 3  # of the format's chunk types
+
+
+def split_chunks(content):
+    """The bytes before the first chunk, and (type, all bytes) of each chunk: u32 type, u64 size, payload."""
+    start = content.index(b"\nend\n") + len(b"\nend\n")
+    size = int(content.split(b"parameters and state of ")[1].split(b" ")[0])
+    head, at, chunks = content[:start + size], start + size, []
+    while at < len(content):
+        kind, length = struct.unpack_from("<IQ", content, at)
+        chunks.append((kind, content[at:at + 12 + length]))
+        at += 12 + length
+    return head, chunks
+
+
+class Recorded(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        subprocess.run([MAKE_RECORDING, str(self.folder / "a.palpate")], check=True, timeout=60)
+        self.content = (self.folder / "a.palpate").read_bytes()
+
+    def without_scenes(self):
+        head, chunks = split_chunks(self.content)
+        return head + b"".join(data for kind, data in chunks if kind != SCENE_CHUNK)
+
+
+class Replay(Recorded):
+    def test_a_recording_is_computed_again_bit_for_bit(self):
+        run = self.succeed("replay", "a.palpate")
+        self.assertIn(f"{TICKS} ticks", run.stdout)
+
+    def test_the_csv_has_a_row_per_tick_in_order(self):
+        self.succeed("replay", "a.palpate", "--csv", "out.csv")
+        rows = self.read_rows()
+        self.assertEqual(len(rows), TICKS)
+        self.assertEqual(list(rows[0]), ["t", "device_x", "device_y", "device_z", "proxy_x", "proxy_y", "proxy_z",
+                                         "force_x", "force_y", "force_z", "contacts", "cost_us"])
+        self.assertTrue(any(row["contacts"] > 0 for row in rows))
+        self.assertTrue(all(later["t"] > earlier["t"] for earlier, later in zip(rows, rows[1:])))
+
+    def test_one_changed_bit_is_the_first_difference_with_exit_code_1(self):
+        head, chunks = split_chunks(self.content)
+        ticks = [n for n, (kind, _) in enumerate(chunks) if kind == 1]
+        kind, data = chunks[ticks[700]]
+        # the device's position starts after tick and dt; half of it is a hand elsewhere
+        changed = bytearray(data)
+        changed[12 + 8 + 8 + 8 + 6] ^= 0x10
+        chunks[ticks[700]] = (kind, bytes(changed))
+        self.write("b.palpate", head + b"".join(data for _, data in chunks))
+        run = self.run_palpate("replay", "b.palpate")
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.assertIn("tick", run.stdout)
+        self.assertIn("differs", run.stdout)
+
+    def test_a_recording_cut_short_at_any_place_is_refused(self):
+        for length in range(1, len(self.content), len(self.content) // 29):
+            with self.subTest(length=length):
+                self.write("cut.palpate", self.content[:length])
+                self.refused("replay", "cut.palpate", saying=["cut.palpate"])
+
+    def test_a_recording_of_another_version(self):
+        self.write("old.palpate", self.content.replace(b"PALPATE-RECORDING 1\n", b"PALPATE-RECORDING 99\n", 1))
+        self.refused("replay", "old.palpate", saying=["old.palpate", "format 99", "reads format 1"])
+
+    def test_what_is_no_recording(self):
+        self.write("no.palpate", "t,x,y,z\n")
+        self.refused("replay", "no.palpate", saying=["no.palpate", "not a recording"])
+        self.write("empty.palpate", "")
+        self.refused("replay", "empty.palpate", saying=["empty.palpate", "empty"])
+        self.refused("replay", "gone.palpate", saying=["gone.palpate", "no such file"])
+
+    def test_scenes_that_were_left_out_are_asked_for(self):
+        self.write("bare.palpate", self.without_scenes())
+        self.write("out.csv", "kept")
+        self.refused("replay", "bare.palpate", "--csv", "out.csv", saying=["bare.palpate", "--scene"])
+        self.assertEqual((self.folder / "out.csv").read_text(), "kept")
+
+    def test_scenes_that_were_left_out_can_be_given_as_files(self):
+        self.write("bare.palpate", self.without_scenes())
+        self.write_off("first.off", SQUARE_POINTS, SQUARE_FACES)
+        self.write_off("second.off", [(x, y, -0.25) for x, y, _ in SQUARE_POINTS], SQUARE_FACES)
+        self.succeed("replay", "bare.palpate", "--scene", "first.off", "second.off")
+        self.refused("replay", "bare.palpate", "--scene", "first.off", saying=["bare.palpate", "--scene"])
+
+    def test_an_output_that_is_the_recording_is_not_overwritten(self):
+        self.refused("replay", "a.palpate", "--csv", "a.palpate", saying=["a.palpate", "input"])
+        self.assertEqual((self.folder / "a.palpate").read_bytes(), self.content)
+
+
+class Devices(CommandLineTest):
+    def test_every_device_says_what_it_can_do_with_units(self):
+        text = self.succeed("devices").stdout
+        for word in ("simulated-ideal", "fed", "replay", "axes of force", "kg"):
+            self.assertIn(word, text)
+
+    def test_json_lists_the_same_devices(self):
+        devices = json.loads(self.succeed("devices", "--json").stdout)
+        names = [device["name"] for device in devices]
+        self.assertIn("simulated-generic", names)
+        for device in devices:
+            self.assertEqual(device["usable"], device["problem"] == "")
+            self.assertIn("known", device["max_force_N"])
+
+
+if __name__ == "__main__":
+    unittest.main()
