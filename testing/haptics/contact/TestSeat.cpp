@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a god-object begins.
+#include <gtest/gtest.h>
+
+#include "testing/support/Meshes.h"
+#include "testing/support/NoisySphere.h"
+#include "testing/support/Probe.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+TEST(Seat, InFreeSpaceItBeginsAtTheDevice)
+{
+  const Vec3 start(3, 4, 5);
+  for (const double r : { 0.0, 1.0 })
+  {
+    EXPECT_EQ(Probe(sceneOf(makeBox(-Vec3::Ones(), Vec3::Ones())), r, start).x_W(), start);
+  }
+}
+
+TEST(Seat, AnOverlappingBallIsMovedOutByTheLeastMotionToTheSideOfItsCentre)
+{
+  const auto scene = sceneOf(makeBox({ -5, -5, -5 }, { 5, 5, 5 }));
+  EXPECT_LE((Probe(scene, 1.0, { 0.5, 0.25, 5.3 }).x_W() - Vec3(0.5, 0.25, 6)).norm(), 1e-12);
+  EXPECT_LE((Probe(scene, 1.0, { 0.5, 0.25, 4.8 }).x_W() - Vec3(0.5, 0.25, 4)).norm(), 1e-12); // from inside
+}
+
+TEST(Seat, ABallThatFindsNoPlaceWithinItsRadiusReportsIt)
+{
+  TriangleMesh slot = makeBox({ -5, -5, -5 }, { 5, 5, 5 });
+  append(slot, shifted(makeBox({ -5, -5, 0 }, { 5, 5, 5 }), { 0, 0, 5.5 })); // a gap of half a unit
+  GodObjectState state;
+  ContactPlan plan;
+  plan.radius_u = 1.0;
+  EXPECT_TRUE(moveGodObject(*sceneOf(slot), plan, { 0, 0, 5.25 }, state).seatFailed);
+}
+
+TEST(Seat, APointExactlyOnATriangleIsLiftedOffItAndStaysOnThatSide)
+{
+  Random random(testSeed(121));
+  const TriangleMesh mesh = makeSheet({ 8, 8, 8, 8, 0.0 }, random);
+  const auto scene = sceneOf(mesh);
+  for (const Vec3& start : { Vec3(0.25, 0.125, 0), Vec3(1, 0.5, 0), Vec3(2, 2, 0) })
+  {
+    PathChecker checker(mesh, 0.0);
+    Probe probe(scene, 0.0, start, &checker);
+    EXPECT_LE((probe.x_W() - start).norm(), 1e-12);
+    const double side = probe.x_W().z();
+    EXPECT_NE(side, 0.0);
+    probe.to(start + Vec3(0, 0, side > 0 ? -1 : 1));
+    EXPECT_EQ(probe.x_W().z() > 0, side > 0);
+    EXPECT_EQ(probe.finding(), "");
+  }
+}
+
+TEST(Seat, ACentreInsideAClosedSurfaceTouchesItFromInside)
+{
+  const NoisySphere sphere(5000, 1.0);
+  for (const double r : { 0.0, 1.0 })
+  {
+    PathChecker checker(sphere.mesh(), r, 128 * 2.2e-16 * 54);
+    Probe probe(sceneOf(sphere.mesh()), r, { 1, 2, 3 }, &checker);
+    EXPECT_GT(probe.along({ 60, 10, 5 }, 50).contacts, 0);
+    EXPECT_LT(probe.x_W().norm(), sphere.surfaceRadius_u(probe.x_W().normalized()));
+    EXPECT_EQ(probe.finding(), "");
+  }
+}
+
+} // namespace
+} // namespace palpate::test

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Row 9: random shots up to 10 m/s at faces, edges and vertices of a sheet; the path is judged in exact arithmetic.
+#include <gtest/gtest.h>
+
+#include "testing/support/Meshes.h"
+#include "testing/support/Probe.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+struct Shot
+{
+  Vec3 from_W, to_W;
+};
+
+/// A flat sheet, or the same with bumps. 60 mm square, cells of 2.5 mm.
+TriangleMesh sheet(bool bumpy, Random& random)
+{
+  TriangleMesh mesh = makeSheet({ 0.06, 0.06, 24, 24, 0.35 }, random);
+  for (Vec3& v : mesh.vertices_W)
+  {
+    v.z() = bumpy ? random.uniform(-1e-3, 1e-3) : 0.0;
+  }
+  return mesh;
+}
+
+/// A point of triangle t: a vertex, a point of an edge or one of the face, each in a third of the cases.
+Vec3 aim(const TriangleMesh& mesh, Random& random)
+{
+  const auto [a, b, c] = mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
+  const double s = random.uniform(), t = random.uniform();
+  switch (random.below(3))
+  {
+    case 0:
+      return mesh.vertices_W[a];
+    case 1:
+      return mesh.vertices_W[a] + s * (mesh.vertices_W[b] - mesh.vertices_W[a]);
+    default:
+      return mesh.vertices_W[a] + s * (1 - t) * (mesh.vertices_W[b] - mesh.vertices_W[a]) +
+        s * t * (mesh.vertices_W[c] - mesh.vertices_W[a]);
+  }
+}
+
+/// Up to 10 mm in one tick of 1 ms, through the aim, from either side; a third of them straight down.
+Shot shot(const TriangleMesh& mesh, double clearance, Random& random)
+{
+  const Vec3 target = aim(mesh, random);
+  Vec3 way = random.below(3) == 0 ? Vec3::UnitZ() : random.direction();
+  if (random.below(2) == 0)
+  {
+    way = -way;
+  }
+  const double before = random.uniform(clearance + 1.5e-3, 5e-3) / std::max(0.3, std::fabs(way.z()));
+  const double beyond = std::max(1e-6, std::min(10e-3 - before, random.uniform(0.0, 5e-3)));
+  return { target - before * way, target + beyond * way };
+}
+
+class Shots : public ::testing::TestWithParam<std::tuple<bool, double>>
+{
+};
+
+TEST_P(Shots, NoneCrossesTheSheet)
+{
+  const auto [bumpy, r] = GetParam();
+  Random random(testSeed(61));
+  const TriangleMesh mesh = sheet(bumpy, random);
+  const auto scene = sceneOf(mesh);
+  // The sweep may leave a ball deeper than r by 64 roundings of a coordinate of at most 0.04.
+  PathChecker checker(mesh, r, 128 * 2.2e-16 * 0.04);
+  std::size_t held = 0;
+  const std::size_t count = testCount(20000) / 4; // the four cases together make the count
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Shot way = shot(mesh, r, random);
+    Probe probe(scene, r, way.from_W, &checker);
+    if (probe.x_W() != way.from_W)
+    {
+      continue; // the ball began in the sheet and was moved out
+    }
+    held += probe.to(way.to_W).contacts > 0;
+    probe.to(way.to_W + random.inCube(5e-3)); // and a second tick from where it was held
+    ASSERT_EQ(probe.finding(), "") << "shot " << i;
+  }
+  EXPECT_GT(checker.judged(), count / 2);
+  EXPECT_GT(held, count / 2); // the shots do meet the sheet
+}
+
+INSTANTIATE_TEST_SUITE_P(Row9, Shots, ::testing::Combine(::testing::Bool(), ::testing::Values(0.0, 1e-3)));
+
+TEST(Shots, AWayExactlyThroughAVertexOrAlongAnEdgeIsHeld)
+{
+  // A grid of whole numbers: the ways below meet vertices and run in the planes of edges without any rounding.
+  Random random(testSeed(62));
+  const TriangleMesh mesh = makeSheet({ 16, 16, 16, 16, 0.0 }, random);
+  const auto scene = sceneOf(mesh);
+  PathChecker checker(mesh, 0.0);
+  for (int i = -6; i <= 6; ++i)
+  {
+    for (int j = -6; j <= 6; ++j)
+    {
+      for (const Vec3& to : { Vec3(i, j, -2), Vec3(i + 1, j, -2), Vec3(i + 1, j + 1, -2), Vec3(i, j + 0.5, -1) })
+      {
+        Probe probe(scene, 0.0, { double(i), double(j), 2.0 }, &checker);
+        EXPECT_EQ(probe.to(to).contacts, 1);
+        ASSERT_EQ(probe.finding(), "");
+        EXPECT_LE((probe.x_W() - Vec3(to.x(), to.y(), 0)).norm(), 1e-13);
+      }
+    }
+  }
+}
+
+TEST(Shots, APointInThePlaneOfASheetIsStoppedByItsRim)
+{
+  const TriangleMesh mesh = makeBox({ -1, -1, -0.1 }, { 1, 1, 0 });
+  PathChecker checker(mesh, 0.0);
+  Probe probe(sceneOf(mesh), 0.0, { 3, 0.25, 0 }, &checker); // exactly in the plane of the top
+  probe.to({ -3, 0.25, -0.05 });
+  EXPECT_EQ(probe.finding(), "");
+  EXPECT_GT(probe.x_W().x(), 0.999);
+}
+
+} // namespace
+} // namespace palpate::test
