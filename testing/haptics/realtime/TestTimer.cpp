@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "haptics/realtime/LoopStatistics.h"
+#include "haptics/realtime/PeriodicTimer.h"
+#include "haptics/realtime/RealtimeThread.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr std::int64_t period_ns = 1'000'000;
+
+TEST(VirtualTimer, WakesOncePerPeriodWithoutLateness)
+{
+  VirtualTimer timer(period_ns);
+  for (std::int64_t n = 1; n <= 10; ++n)
+  {
+    const Wakeup wakeup = timer.wait();
+    EXPECT_EQ(wakeup.due_ns, n * period_ns);
+    EXPECT_EQ(wakeup.lateness_ns, 0);
+    EXPECT_EQ(wakeup.missed, 0U);
+  }
+}
+
+TEST(VirtualTimer, SkipsThePeriodsALateWakeUpMissedAndFindsThePhaseAgain)
+{
+  VirtualTimer timer(period_ns);
+  static_cast<void>(timer.wait());
+  timer.delayNext(3 * period_ns + 250'000); // due at 2 ms, runs at 5.25 ms
+  const Wakeup late = timer.wait();
+  EXPECT_EQ(late.missed, 3U);
+  EXPECT_EQ(late.due_ns, 5 * period_ns);
+  EXPECT_EQ(late.lateness_ns, 250'000);
+  const Wakeup next = timer.wait();
+  EXPECT_EQ(next.due_ns, 6 * period_ns);
+  EXPECT_EQ(next.missed, 0U);
+}
+
+TEST(PeriodicTimer, WakeUpsPlusMissedPeriodsAreThePeriodsElapsed)
+{
+  PeriodicTimer timer(period_ns);
+  const Wakeup first = timer.wait();
+  std::int64_t periods = 0, last = first.due_ns;
+  for (int i = 0; i < 100; ++i)
+  {
+    if (i == 50)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(7)); // at least six periods pass unseen
+    }
+    const Wakeup wakeup = timer.wait();
+    periods += 1 + static_cast<std::int64_t>(wakeup.missed);
+    EXPECT_GE(wakeup.lateness_ns, 0);
+    EXPECT_LT(wakeup.lateness_ns, period_ns);
+    last = wakeup.due_ns;
+  }
+  EXPECT_EQ(last - first.due_ns, periods * period_ns);
+  EXPECT_GE(periods, 106);
+}
+
+TEST(RealtimeThread, ReportsWhatSchedulingItGotAndRunsItsBody)
+{
+  SchedulingReport report;
+  bool ran = false;
+  RealtimeThread thread([&report](const SchedulingReport& r) { report = r; }, [&ran](const std::stop_token&) { ran = true; });
+  thread.join();
+  EXPECT_TRUE(ran);
+  EXPECT_FALSE(report.message.empty());
+  EXPECT_EQ(report.realtime, report.priority > 0);
+}
+
+TEST(RealtimeThread, ARefusedRequestSaysWhyInsteadOfFailing)
+{
+  std::jthread(
+    []
+    {
+      const Granted granted = requestFifo(0); // no real-time priority is below 1
+      EXPECT_FALSE(granted.ok);
+      EXPECT_NE(granted.message.find("real-time priority"), std::string::npos);
+    })
+    .join();
+}
+
+TEST(DurationHistogram, QuantilesAreTheUpperEndsOfTheirBins)
+{
+  DurationHistogram histogram;
+  for (int i = 0; i < 1000; ++i)
+  {
+    histogram.add(i < 985 ? 3.5 : 250.5); // 98.5 % in bin [3, 4), 1.5 % in bin [250, 251)
+  }
+  const Quantiles q = histogram.quantiles();
+  EXPECT_EQ(q.count, 1000U);
+  EXPECT_EQ(q.p50_us, 4.0);
+  EXPECT_EQ(q.p99_us, 250.5); // its bin ends at 251, the largest value was less
+  EXPECT_EQ(q.max_us, 250.5);
+}
+
+TEST(DurationHistogram, TakesValuesOfAnySizeWithoutLosingTheLargest)
+{
+  DurationHistogram histogram;
+  for (const double value : { -1.0, 0.0, 999.9, 1000.0, 99'999.0, 5e6 })
+  {
+    histogram.add(value);
+  }
+  EXPECT_EQ(histogram.quantiles().count, 6U);
+  EXPECT_EQ(histogram.quantiles().max_us, 5e6);
+}
+
+TEST(SlidingHistogram, ForgetsWhatIsOlderThanFiveSeconds)
+{
+  SlidingHistogram histogram;
+  histogram.add(0.0, 800.0);
+  for (double t = 0.001; t < 6.0; t += 0.001)
+  {
+    histogram.add(t, 10.5);
+  }
+  EXPECT_EQ(histogram.quantiles().max_us, 10.5);
+}
+
+} // namespace
+} // namespace palpate
