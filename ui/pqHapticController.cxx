@@ -25,6 +25,19 @@ namespace
 constexpr const char* managerName = "PALPATE_HAPTIC_CONTROLLER";
 constexpr const char* proxyGroup = "haptics";
 constexpr const char* proxyName = "HapticSession";
+
+/// A new session starts with what Edit / Settings / Haptics says.
+void ApplySettings(vtkSMSessionProxyManager* manager, vtkSMProxy* session)
+{
+  vtkSMProxy* settings = manager->GetProxy("settings", "HapticSettings");
+  for (const char* name : { "Stiffness", "Radius", "Scale" })
+  {
+    if (settings)
+    {
+      vtkSMPropertyHelper(session, name).Set(vtkSMPropertyHelper(settings, name).GetAsDouble());
+    }
+  }
+}
 } // namespace
 
 pqHapticController* pqHapticController::instance()
@@ -118,6 +131,19 @@ void pqHapticController::release()
   this->setTouching(false);
 }
 
+void pqHapticController::fitWorkspace()
+{
+  vtkHapticSession* session = this->session();
+  if (!session)
+  {
+    return;
+  }
+  session->FitWorkspace();
+  vtkSMPropertyHelper(this->Proxy, "Scale").Set(session->GetScale());
+  vtkSMPropertyHelper(this->Proxy, "Offset").Set(session->GetOffset(), 3);
+  this->Proxy->UpdateVTKObjects();
+}
+
 void pqHapticController::shutdown()
 {
   this->release();
@@ -137,6 +163,7 @@ void pqHapticController::serverAdded(pqServer* server)
     return;
   }
   auto proxy = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy(proxyGroup, proxyName));
+  ApplySettings(manager, proxy);
   proxy->UpdateVTKObjects();
   manager->RegisterProxy(proxyGroup, proxyName, proxy); // proxyRegistered() adopts it
 }
@@ -185,8 +212,7 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
   this->Frames->setSession(this->session());
   if (proxy)
   {
-    this->ProxyObserver =
-      proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this, &pqHapticController::proxyChanged);
+    this->ProxyObserver = proxy->AddObserver(vtkCommand::UpdateEvent, this, &pqHapticController::proxyChanged);
   }
   Q_EMIT this->sessionChanged(proxy);
   this->proxyChanged();
@@ -194,6 +220,11 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
 
 void pqHapticController::proxyChanged()
 {
+  if (this->touching() && !this->session()->GetTouching())
+  {
+    this->setTouching(false); // it could not start: the panel shows why
+    return;
+  }
   const bool on = this->touching();
   this->TouchAction->setEnabled(this->Proxy != nullptr);
   this->TouchAction->setChecked(on);

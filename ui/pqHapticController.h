@@ -48,6 +48,8 @@ public Q_SLOTS:
   void setTouching(bool on);
   /// Lets go at once: force to zero, touch off.
   void release();
+  /// Scale and offset such that the device's workspace holds the whole scene, written to the proxy.
+  void fitWorkspace();
   /// Before the application ends: lets go and gives everything back.
   void shutdown();
 

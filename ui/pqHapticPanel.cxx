@@ -67,6 +67,7 @@ public:
   QDoubleSpinBox* Stiffness;
   QDoubleSpinBox* Radius;
   QDoubleSpinBox* Scale;
+  QPushButton* Fit;
   QLabel* State;
   QLabel* Reason;
   QLabel* Force;
@@ -123,6 +124,10 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
   form->addRow(tr("&Stiffness"), this->Stiffness);
   form->addRow(tr("&Radius"), this->Radius);
   form->addRow(tr("S&cale"), this->Scale);
+  this->Fit = new QPushButton(tr("&Fit Hand to Scene"), parent);
+  this->Fit->setObjectName("fit");
+  this->Fit->setToolTip(tr("Scale and offset such that the device's workspace holds everything that is touched"));
+  form->addRow(this->Fit);
 }
 
 void pqHapticPanel::Internals::addState(QVBoxLayout* column)
@@ -170,7 +175,7 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  QWidget* order[] = { this->Device, this->Touch, this->Release, this->Stiffness, this->Radius, this->Scale,
+  QWidget* order[] = { this->Device, this->Touch, this->Release, this->Stiffness, this->Radius, this->Scale, this->Fit,
     this->Scene };
   for (std::size_t i = 1; i < std::size(order); ++i)
   {
@@ -215,6 +220,7 @@ void pqHapticPanel::build()
   auto* controller = pqHapticController::instance();
   this->connect(controller, &pqHapticController::sessionChanged, this, &pqHapticPanel::setProxy);
   this->connect(this->Widgets->Release, &QPushButton::clicked, controller, &pqHapticController::release);
+  this->connect(this->Widgets->Fit, &QPushButton::clicked, controller, &pqHapticController::fitWorkspace);
   this->connect(&this->Widgets->Refresh, &QTimer::timeout, this, &pqHapticPanel::refresh);
   this->setProxy(controller->sessionProxy());
   this->Widgets->Refresh.start(refreshPeriod_ms);

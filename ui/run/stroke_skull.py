@@ -28,7 +28,8 @@ def show_bone(surface):
     largest = simple.Connectivity(
         registrationName="Largest part", Input=reader, ExtractionMode="Extract Largest Region", ColorRegions=0
     )
-    bone = simple.ExtractSurface(registrationName="Bone", Input=largest)
+    surface_of_it = simple.ExtractSurface(registrationName="Its surface", Input=largest)
+    bone = simple.Clean(registrationName="Bone", Input=surface_of_it, PointMerging=0)  # drops the points of the rest
     view = simple.GetActiveViewOrCreate("RenderView")
     display = simple.Show(bone, view)
     display.DiffuseColor = display.AmbientColor = [0.91, 0.87, 0.78]
@@ -40,11 +41,11 @@ def look_from_the_front_left(view, bone):
     x0, x1, y0, y1, z0, z1 = bone.GetDataInformation().GetBounds()
     centre = [(x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2]
     view.CameraFocalPoint = centre
-    view.CameraPosition = [centre[0] - 260, centre[1] - 420, centre[2] + 230]
+    view.CameraPosition = [centre[0] - 300, centre[1] - 400, centre[2] + 240]
     view.CameraViewUp = [0, 0, 1]
     view.OrientationAxesVisibility = 0
     simple.ResetCamera(view)
-    simple.GetActiveCamera().Dolly(1.35)
+    simple.GetActiveCamera().Dolly(1.25)
     simple.Render(view)
 
 
@@ -72,7 +73,7 @@ def lead_hand(proxy, bone):
     stroke.Update()
     path = stroke.GetOutput()
     centre = path.GetCenter()
-    set_property(proxy, "DeviceName", "simulated")
+    set_property(proxy, "DeviceName", "simulated-generic")
     set_property(proxy, "Stiffness", STIFFNESS)
     set_property(proxy, "Radius", RADIUS)
     set_property(proxy, "Scale", 1000.0)
