@@ -35,7 +35,7 @@ std::string CheckCellArray(vtkCellArray* cells, vtkIdType points)
   if (range[0] < 0.0 || (indices->GetNumberOfTuples() > 0 && range[1] >= static_cast<double>(points)))
   {
     return "a cell names point " + std::to_string(static_cast<long long>(range[0] < 0.0 ? range[0] : range[1])) +
-      "; there are " + std::to_string(points) + " points, counted from 0";
+           "; there are " + std::to_string(points) + " points, counted from 0";
   }
   return "";
 }
@@ -78,7 +78,7 @@ std::string CheckTypes(vtkUnstructuredGrid* grid)
     if (points < 0 || grid->GetCells()->GetCellSize(cell) < points)
     {
       return "cell " + std::to_string(cell) + " has " + std::to_string(grid->GetCells()->GetCellSize(cell)) +
-        " points, which does not fit its type " + std::to_string(type);
+             " points, which does not fit its type " + std::to_string(type);
     }
   }
   return "";
@@ -119,16 +119,15 @@ std::string CheckPolyhedra(vtkUnstructuredGrid* grid)
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     const bool polyhedron = grid->GetCellType(cell) == VTK_POLYHEDRON;
-    if (polyhedron &&
-      (!faces || !places || cell >= places->GetNumberOfTuples() ||
-        !IsPolyhedronValid(faces, places->GetValue(cell), grid->GetNumberOfPoints())))
+    if (polyhedron && (!faces || !places || cell >= places->GetNumberOfTuples() ||
+                        !IsPolyhedronValid(faces, places->GetValue(cell), grid->GetNumberOfPoints())))
     {
       return "the faces of polyhedron " + std::to_string(cell) + " are broken";
     }
   }
   return "";
 }
-}
+} // namespace
 
 std::string vtkHapticCellChecks::CheckPolyData(vtkPolyData* data)
 {

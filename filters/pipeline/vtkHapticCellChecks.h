@@ -13,6 +13,6 @@ namespace vtkHapticCellChecks
 {
 [[nodiscard]] std::string CheckPolyData(vtkPolyData* data);
 [[nodiscard]] std::string CheckGrid(vtkUnstructuredGrid* grid);
-}
+} // namespace vtkHapticCellChecks
 
 #endif

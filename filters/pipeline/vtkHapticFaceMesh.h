@@ -13,8 +13,8 @@ struct vtkHapticFaceMesh
 {
   std::vector<double> Coordinates;           ///< x, y, z of every point [scene units]; NaN is kept: cleaning reports it
   std::vector<std::int64_t> Offsets = { 0 }; ///< face i is Connectivity[Offsets[i] .. Offsets[i + 1])
-  std::vector<std::int64_t> Connectivity;    ///< indices of points, each in [0, NumberOfPoints()) when there is no Problem
-  std::string Problem;                       ///< empty, or why the file cannot be used
+  std::vector<std::int64_t> Connectivity; ///< indices of points, each in [0, NumberOfPoints()) when there is no Problem
+  std::string Problem;                    ///< empty, or why the file cannot be used
 
   [[nodiscard]] std::int64_t NumberOfPoints() const { return static_cast<std::int64_t>(this->Coordinates.size() / 3); }
   [[nodiscard]] std::int64_t NumberOfFaces() const { return static_cast<std::int64_t>(this->Offsets.size()) - 1; }

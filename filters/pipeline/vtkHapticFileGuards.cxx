@@ -106,12 +106,12 @@ bool EndsWithEndsolid(std::ifstream& file, double size)
   std::ostringstream stream;
   stream << file.rdbuf();
   std::string text = stream.str();
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(
+    text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::size_t end = text.rfind("endsolid");
   return end != std::string::npos && text.find("facet", end) == std::string::npos;
 }
-}
+} // namespace
 
 std::string vtkHapticFileGuards::CheckFile(const std::string& path)
 {
@@ -120,7 +120,7 @@ std::string vtkHapticFileGuards::CheckFile(const std::string& path)
   if (!std::filesystem::exists(status))
   {
     return error && error != std::errc::no_such_file_or_directory ? "it cannot be reached: " + error.message()
-                                                                   : "there is no such file";
+                                                                  : "there is no such file";
   }
   if (!std::filesystem::is_regular_file(status))
   {
@@ -177,11 +177,12 @@ std::string vtkHapticFileGuards::CheckSTL(const std::string& path)
     return "it is neither a text that starts with solid nor long enough for a binary STL";
   }
   return "its header promises " + std::to_string(static_cast<std::uint32_t>(promised)) +
-    " triangles, but it has room for " + std::to_string(static_cast<std::uint64_t>((size - headerBytes) / triangleBytes));
+         " triangles, but it has room for " +
+         std::to_string(static_cast<std::uint64_t>((size - headerBytes) / triangleBytes));
 }
 
-std::string vtkHapticFileGuards::CheckImageBytes(const std::string& path, const int dimensions[3], double bytesPerVoxel,
-  bool compressed)
+std::string vtkHapticFileGuards::CheckImageBytes(
+  const std::string& path, const int dimensions[3], double bytesPerVoxel, bool compressed)
 {
   const double bytes = bytesPerVoxel * dimensions[0] * dimensions[1] * dimensions[2];
   if (bytes > FileSize(path) * (compressed ? DeflateRatio : 1.0))

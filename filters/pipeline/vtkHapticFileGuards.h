@@ -24,8 +24,8 @@ namespace vtkHapticFileGuards
 [[nodiscard]] std::string CheckNIfTIType(const std::string& path);
 
 /// An image of that many bytes could be stored in that file; gzip packs at most 1032 to 1.
-[[nodiscard]] std::string CheckImageBytes(const std::string& path, const int dimensions[3], double bytesPerVoxel,
-  bool compressed);
-}
+[[nodiscard]] std::string CheckImageBytes(
+  const std::string& path, const int dimensions[3], double bytesPerVoxel, bool compressed);
+} // namespace vtkHapticFileGuards
 
 #endif

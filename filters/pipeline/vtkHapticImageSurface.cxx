@@ -49,7 +49,7 @@ vtkDataArray* ScalarsOf(vtkImageData* image)
   if (scalars->GetNumberOfComponents() != 1)
   {
     throw std::runtime_error("the image has " + std::to_string(scalars->GetNumberOfComponents()) +
-      " values per point; an iso surface needs one");
+                             " values per point; an iso surface needs one");
   }
   return scalars;
 }
@@ -111,7 +111,7 @@ vtkSmartPointer<vtkPolyData> Place(vtkPolyData* surface, vtkMatrix4x4* matrix)
   filter->Update();
   return filter->GetOutput();
 }
-}
+} // namespace
 
 vtkSmartPointer<vtkPolyData> vtkHapticImageSurface::ReadVTI(const std::string& path, double iso)
 {
@@ -137,7 +137,7 @@ vtkSmartPointer<vtkPolyData> vtkHapticImageSurface::ReadNIfTI(const std::string&
   reader->SetFileName(path.c_str());
   reader->UpdateInformation();
   const double voxelBytes = vtkDataArray::GetDataTypeSize(reader->GetDataScalarType()) *
-    static_cast<double>(reader->GetNumberOfScalarComponents());
+                            static_cast<double>(reader->GetNumberOfScalarComponents());
   CheckRoom(reader, path, voxelBytes, path.ends_with(".gz") || path.ends_with(".GZ"));
   reader->Update();
   vtkDataArray* scalars = ScalarsOf(reader->GetOutput());

@@ -14,6 +14,6 @@ namespace vtkHapticImageSurface
 {
 [[nodiscard]] vtkSmartPointer<vtkPolyData> ReadVTI(const std::string& path, double iso);
 [[nodiscard]] vtkSmartPointer<vtkPolyData> ReadNIfTI(const std::string& path, double iso, std::string& note);
-}
+} // namespace vtkHapticImageSurface
 
 #endif

@@ -22,7 +22,7 @@ std::string Essence(std::string_view text)
   essence.erase(last == std::string::npos ? 0 : last + 1);
   return essence;
 }
-}
+} // namespace
 
 class vtkHapticMessageCapture::Window : public vtkOutputWindow
 {
@@ -52,9 +52,8 @@ private:
 vtkStandardNewMacro(vtkHapticMessageCapture::Window);
 
 vtkHapticMessageCapture::vtkHapticMessageCapture()
-  : Previous(vtkOutputWindow::GetInstance())
-  , PreviousVerbosity(vtkLogger::GetCurrentVerbosityCutoff())
-  , Current(vtkSmartPointer<Window>::New())
+  : Previous(vtkOutputWindow::GetInstance()), PreviousVerbosity(vtkLogger::GetCurrentVerbosityCutoff()),
+    Current(vtkSmartPointer<Window>::New())
 {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // the log repeats on stderr what the window is told
   vtkOutputWindow::SetInstance(this->Current);

@@ -86,7 +86,7 @@ void ReadStatement(std::string_view line, vtkHapticFaceMesh& mesh)
     throw std::runtime_error(Quoted(keyword) + " is not a word of an OBJ polygon mesh");
   }
 }
-}
+} // namespace
 
 vtkHapticFaceMesh vtkHapticParseOBJ(std::string_view text)
 {
@@ -104,8 +104,8 @@ vtkHapticFaceMesh vtkHapticParseOBJ(std::string_view text)
     const auto highest = std::max_element(mesh.Connectivity.begin(), mesh.Connectivity.end());
     if (highest != mesh.Connectivity.end() && *highest >= mesh.NumberOfPoints())
     {
-      throw std::runtime_error("a face names point " + std::to_string(*highest + 1) + "; there are " +
-        std::to_string(mesh.NumberOfPoints()));
+      throw std::runtime_error(
+        "a face names point " + std::to_string(*highest + 1) + "; there are " + std::to_string(mesh.NumberOfPoints()));
     }
   }
   catch (const std::runtime_error& error)

@@ -67,10 +67,11 @@ Counts ReadCounts(LineReader& lines, std::size_t size)
   SkipNumbers(line, "the header");
   const auto room = static_cast<std::int64_t>(size) + 1; // the last line needs no line end
   if (counts.Points < 0 || counts.Faces < 0 || counts.Points > room / ShortestPoint ||
-    counts.Faces > room / ShortestFace)
+      counts.Faces > room / ShortestFace)
   {
     throw std::runtime_error("the header promises " + std::to_string(counts.Points) + " points and " +
-      std::to_string(counts.Faces) + " faces; " + std::to_string(size) + " bytes cannot hold them");
+                             std::to_string(counts.Faces) + " faces; " + std::to_string(size) +
+                             " bytes cannot hold them");
   }
   return counts;
 }
@@ -133,7 +134,7 @@ void ReadAll(LineReader& lines, std::size_t size, vtkHapticFaceMesh& mesh)
     throw std::runtime_error("there is more in it than its header promises");
   }
 }
-}
+} // namespace
 
 vtkHapticFaceMesh vtkHapticParseOFF(std::string_view text)
 {

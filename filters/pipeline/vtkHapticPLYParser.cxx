@@ -155,16 +155,9 @@ Header ParseHeader(LineReader& lines)
 class NumberSource
 {
 public:
-  NumberSource(std::string_view data, Encoding format)
-    : Data(data)
-    , Format(format)
-  {
-  }
+  NumberSource(std::string_view data, Encoding format) : Data(data), Format(format) {}
 
-  double Take(Number type)
-  {
-    return this->Format == Encoding::Text ? this->TakeText() : this->TakeBinary(type);
-  }
+  double Take(Number type) { return this->Format == Encoding::Text ? this->TakeText() : this->TakeBinary(type); }
 
   /// A whole number; a list length or an index.
   std::int64_t TakeWhole(Number type)
@@ -257,7 +250,8 @@ std::int64_t TakeLength(NumberSource& source, const Property& property)
   const std::int64_t length = source.TakeWhole(property.LengthType);
   if (length < 0 || static_cast<std::size_t>(length) > source.Room() / source.Least(property.Type))
   {
-    throw std::runtime_error("a list of " + std::to_string(length) + " numbers does not fit: it is cut short or broken");
+    throw std::runtime_error(
+      "a list of " + std::to_string(length) + " numbers does not fit: it is cut short or broken");
   }
   return length;
 }
@@ -317,7 +311,7 @@ void CheckRoom(const NumberSource& source, const Element& element)
   if (element.Count < 0 || static_cast<std::uint64_t>(element.Count) > most)
   {
     throw std::runtime_error("the header promises " + std::to_string(element.Count) + " of " + Quoted(element.Name) +
-      "; the file cannot hold them");
+                             "; the file cannot hold them");
   }
 }
 
@@ -370,12 +364,12 @@ void CheckIndices(const vtkHapticFaceMesh& mesh)
   {
     if (index < 0 || index >= mesh.NumberOfPoints())
     {
-      throw std::runtime_error("a face names point " + std::to_string(index) + " of " +
-        std::to_string(mesh.NumberOfPoints()));
+      throw std::runtime_error(
+        "a face names point " + std::to_string(index) + " of " + std::to_string(mesh.NumberOfPoints()));
     }
   }
 }
-}
+} // namespace
 
 vtkHapticFaceMesh vtkHapticParsePLY(std::string_view content)
 {

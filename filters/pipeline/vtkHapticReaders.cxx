@@ -74,10 +74,10 @@ bool IsImage(const std::string& extension)
 
 TextParser ParserFor(const std::string& extension)
 {
-  return extension == "off" ? vtkHapticParseOFF
-    : extension == "obj"    ? vtkHapticParseOBJ
-    : extension == "ply"    ? vtkHapticParsePLY
-                            : nullptr;
+  return extension == "off"   ? vtkHapticParseOFF
+         : extension == "obj" ? vtkHapticParseOBJ
+         : extension == "ply" ? vtkHapticParsePLY
+                              : nullptr;
 }
 
 void CheckIsoFits(bool image, std::optional<double> iso)
@@ -107,8 +107,8 @@ SurfacePointer ToPolyData(const vtkHapticFaceMesh& mesh)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(mesh.NumberOfPoints());
-  std::copy(mesh.Coordinates.begin(), mesh.Coordinates.end(),
-    vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0));
+  std::copy(
+    mesh.Coordinates.begin(), mesh.Coordinates.end(), vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0));
   vtkNew<vtkIdTypeArray> offsets;
   offsets->SetNumberOfValues(mesh.NumberOfFaces() + 1);
   std::copy(mesh.Offsets.begin(), mesh.Offsets.end(), offsets->GetPointer(0));
@@ -205,8 +205,8 @@ void CheckExtension(const std::string& extension)
 {
   if (!ParserFor(extension) && extension != "vtp" && extension != "vtu" && extension != "stl" && !IsImage(extension))
   {
-    throw std::runtime_error((extension.empty() ? std::string("it has no extension")
-                                                : "the extension '" + extension + "' is not known") +
+    throw std::runtime_error(
+      (extension.empty() ? std::string("it has no extension") : "the extension '" + extension + "' is not known") +
       "; known are " + KnownExtensions);
   }
 }
@@ -239,7 +239,7 @@ SurfacePointer ReadChecked(const std::string& path, std::optional<double> iso, s
   CheckSurface(surface);
   return surface;
 }
-}
+} // namespace
 
 vtkHapticReadResult vtkHapticReadSurface(const std::string& path, std::optional<double> iso)
 {

@@ -14,8 +14,8 @@ class vtkPolyData;
 struct vtkHapticReadResult
 {
   vtkSmartPointer<vtkPolyData> Surface; ///< polygons and strips in the file's own coordinates; null on a problem
-  std::string Problem; ///< one line: file, what is wrong, what to do; empty when Surface can be used
-  std::string Note;    ///< what a reader warned of or left out, one line; mostly empty
+  std::string Problem;                  ///< one line: file, what is wrong, what to do; empty when Surface can be used
+  std::string Note;                     ///< what a reader warned of or left out, one line; mostly empty
 };
 
 /// Reads vtp, vtu, stl, ply, obj and off, and with an iso value vti, nii and nii.gz, as a surface [scene units].

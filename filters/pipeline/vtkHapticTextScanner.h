@@ -75,10 +75,7 @@ template <class T>
 class LineReader
 {
 public:
-  explicit LineReader(std::string_view text)
-    : Rest(text)
-  {
-  }
+  explicit LineReader(std::string_view text) : Rest(text) {}
 
   [[nodiscard]] bool Next(std::string_view& line)
   {
@@ -116,6 +113,6 @@ private:
   std::string_view Rest;
   std::size_t Number = 0;
 };
-}
+} // namespace vtkHapticText
 
 #endif

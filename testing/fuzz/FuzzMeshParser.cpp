@@ -30,7 +30,7 @@ void requireConsistent(const vtkHapticFaceMesh& mesh)
     require(index >= 0 && index < mesh.NumberOfPoints());
   }
 }
-}
+} // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -121,7 +121,7 @@ int Refuse(std::string reason)
   std::cerr << "palpate: " << reason << '\n';
   return BadInput;
 }
-}
+} // namespace
 
 int main(int argc, char** argv)
 {

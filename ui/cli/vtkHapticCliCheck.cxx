@@ -31,8 +31,8 @@ std::string PlanOf(const palpate::Surface& surface)
 {
   const palpate::ContactPlan plan;
   return "every kept triangle is touched as it is, through a tree of " +
-    std::to_string((surface.tree->bytes() + 1023) / 1024) + " KiB beside the mesh; a tick visits at most " +
-    std::to_string(plan.nodeBudget) + " nodes";
+         std::to_string((surface.tree->bytes() + 1023) / 1024) + " KiB beside the mesh; a tick visits at most " +
+         std::to_string(plan.nodeBudget) + " nodes";
 }
 
 nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report)
@@ -93,7 +93,7 @@ palpate::SurfaceInput ReadOrRefuse(const std::string& file, std::optional<double
     throw;
   }
 }
-}
+} // namespace
 
 int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, bool json)
 {

@@ -104,7 +104,7 @@ void Print(const palpate::KnownDevice& device)
     }
   }
 }
-}
+} // namespace
 
 int vtkHapticCliDevices(bool json)
 {

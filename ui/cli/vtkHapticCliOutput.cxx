@@ -50,10 +50,9 @@ std::string MakeTemporary(const fs::path& target, const std::string& name)
   fs::permissions(pattern, exists ? fs::status(target, ignored).permissions() : ordinary, ignored);
   return pattern;
 }
-}
+} // namespace
 
-vtkHapticCliOutput::vtkHapticCliOutput(const std::string& file, const std::vector<std::string>& inputs)
-  : File(file)
+vtkHapticCliOutput::vtkHapticCliOutput(const std::string& file, const std::vector<std::string>& inputs) : File(file)
 {
   std::error_code ignored;
   const fs::path target = fs::is_symlink(file, ignored) ? fs::weakly_canonical(file, ignored) : fs::path(file);

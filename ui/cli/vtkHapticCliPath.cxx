@@ -71,7 +71,7 @@ void CheckComplete(const std::vector<Column>& columns, const Place& place)
     if (missing(static_cast<Column>(column)))
     {
       throw place.Problem("the column '" + std::string(Names[column]) + "' is missing; the header is t,x,y,z or " +
-        "t,x,y,z,qw,qx,qy,qz");
+                          "t,x,y,z,qw,qx,qy,qz");
     }
   }
 }
@@ -84,8 +84,8 @@ std::vector<Column> ParseHeader(std::string_view line, const Place& place)
     const auto* name = std::find(Names.begin(), Names.end(), field);
     if (name == Names.end())
     {
-      throw place.Problem("the column '" + std::string(field.substr(0, 24)) + "' is not known; known are t,x,y,z " +
-        "and qw,qx,qy,qz");
+      throw place.Problem(
+        "the column '" + std::string(field.substr(0, 24)) + "' is not known; known are t,x,y,z " + "and qw,qx,qy,qz");
     }
     const auto column = static_cast<Column>(name - Names.begin());
     if (std::find(columns.begin(), columns.end(), column) != columns.end())
@@ -117,7 +117,7 @@ Row ParseRow(std::string_view line, const std::vector<Column>& columns, const Pl
   if (fields.size() != columns.size())
   {
     throw place.Problem("it has " + std::to_string(fields.size()) + " values; the header names " +
-      std::to_string(columns.size()) + " columns");
+                        std::to_string(columns.size()) + " columns");
   }
   Row row{};
   row[QW] = 1.0;
@@ -176,7 +176,7 @@ std::vector<vtkHapticCliPathRow> ReadRows(std::ifstream& file, const std::vector
   }
   return rows;
 }
-}
+} // namespace
 
 std::vector<vtkHapticCliPathRow> vtkHapticCliReadPath(const std::string& name)
 {

@@ -50,8 +50,7 @@ std::vector<std::shared_ptr<const palpate::Scene>> ScenesOf(const vtkHapticCliRe
 class TickTable
 {
 public:
-  explicit TickTable(const vtkHapticCliReplayOptions& options)
-    : Output(options.Output, Inputs(options))
+  explicit TickTable(const vtkHapticCliReplayOptions& options) : Output(options.Output, Inputs(options))
   {
     vtkHapticCliWriteHeader(this->Output);
   }
@@ -78,7 +77,7 @@ private:
   vtkHapticCliStopwatch Stopwatch;
   bool Started = false;
 };
-}
+} // namespace
 
 int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options)
 {
@@ -91,8 +90,7 @@ int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options)
     table.emplace(options);
     visit = [&table](const palpate::TickOutput& tick) { table->Add(tick); };
   }
-  const palpate::ReplayResult result =
-    palpate::replay(recording, scenes, std::thread::hardware_concurrency(), visit);
+  const palpate::ReplayResult result = palpate::replay(recording, scenes, std::thread::hardware_concurrency(), visit);
   if (!result.problem.empty())
   {
     throw vtkHapticCliProblem(options.Recording + ": " + result.problem);

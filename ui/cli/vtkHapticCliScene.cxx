@@ -44,7 +44,7 @@ void CheckReports(const std::vector<palpate::SurfaceReport>& reports)
     }
   }
 }
-}
+} // namespace
 
 palpate::SurfaceInput vtkHapticCliReadSurface(const std::string& file, std::optional<double> iso)
 {

@@ -29,8 +29,7 @@ void vtkHapticCliWriteHeader(vtkHapticCliOutput& output)
   output.Header("t,device_x,device_y,device_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contacts,cost_us");
 }
 
-void vtkHapticCliWriteTick(
-  vtkHapticCliOutput& output, double time_s, const palpate::HapticState& state, double cost_us)
+void vtkHapticCliWriteTick(vtkHapticCliOutput& output, double time_s, const palpate::HapticState& state, double cost_us)
 {
   output.Value(time_s);
   for (const palpate::Vec3& triple : { state.device_W.p, state.proxy_W.p, state.force_W })

@@ -12,7 +12,7 @@
 
 namespace
 {
-constexpr double OnlyTick_s = 1e-3; // of a path of one row, which has no difference of times
+constexpr double OnlyTickSeconds = 1e-3; // of a path of one row, which has no difference of times
 
 /// The path is given in the scene, so device frame and scene are one and a metre is a unit; the scale enters through
 /// the stiffness alone. Dividing the path by the scale and multiplying it again would move the hand by its rounding.
@@ -61,7 +61,7 @@ void Render(const std::vector<vtkHapticCliPathRow>& path, const palpate::Scene& 
   palpate::RendererState state;
   palpate::TickInput input;
   input.scene = &scene;
-  input.dt_s = path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTick_s;
+  input.dt_s = path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTickSeconds;
   vtkHapticCliStopwatch stopwatch;
   Shortfalls shortfalls;
   for (std::size_t i = 0; i < path.size(); ++i)
@@ -78,7 +78,7 @@ void Render(const std::vector<vtkHapticCliPathRow>& path, const palpate::Scene& 
   }
   shortfalls.Tell();
 }
-}
+} // namespace
 
 int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
 {
