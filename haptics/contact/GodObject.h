@@ -74,7 +74,10 @@ public:
 [[nodiscard]] ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W,
   GodObjectState& state, PathSink* sink = nullptr) noexcept;
 
-/// After the scene changed: keeps x and its side, forgets features that the new scene numbers differently.
-void handOver(const Scene& from, const Scene& to, GodObjectState& state) noexcept;
+/// After the scene changed: features of surfaces that are still there, by content, are kept. If a touched surface is
+/// gone, what took its place is looked for from outside, along the force and no further than twice the penetration,
+/// so that a pressed ball stays on its side. Bounded and allocation-free; both scenes must be alive.
+void handOver(
+  const Scene& from, const Scene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept;
 
 } // namespace palpate

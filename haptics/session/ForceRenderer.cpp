@@ -142,7 +142,7 @@ private:
     {
       if (this->in_.previousScene != nullptr)
       {
-        handOver(*this->in_.previousScene, *this->in_.scene, this->s_.contact);
+        handOver(*this->in_.previousScene, *this->in_.scene, this->p_.contact, state.device_W.p, this->s_.contact);
       }
       else if (state.sceneRevision != this->s_.sceneRevision)
       {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "haptics/contact/GodObject.h"
@@ -28,12 +29,13 @@ struct RendererState
   Vec3 lastForce_D = Vec3::Zero();    ///< what the hand got last tick [N]
   Vec3 lastRendered_D = Vec3::Zero(); ///< what the scene asked for last tick [N]
   Vec3 blend_D = Vec3::Zero();        ///< what is left of the force of the scene before [N]
-  double scale_u_per_m = 0.0;         ///< of the last tick: a new map places the proxy anew
-  Vec3 offset_W = Vec3::Zero();
-  double radius_u = -1.0;
+  WorkspaceMap map;                   ///< of the last tick: another map places the proxy anew
+  double radius_u = 0.0;              ///< of the last tick: another ball is seated where the old one was
   std::uint64_t sceneRevision = 0;
-  std::int32_t badSamples = 0;        ///< within the current second
-  double badSamplesSince_s = 0.0;
+  double sinceBad_s = longAgo_s;       ///< time since the last sample that was not finite
+  double sinceBadBefore_s = longAgo_s; ///< and since the one before it
+
+  static constexpr double longAgo_s = std::numeric_limits<double>::infinity();
 };
 
 /// What one tick works on. The scene may be null.

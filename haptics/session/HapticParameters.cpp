@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/HapticParameters.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate
@@ -11,6 +12,13 @@ namespace
 bool nonNegative(double value)
 {
   return std::isfinite(value) && value >= 0.0;
+}
+
+/// A limit may be infinite, never a number that lets everything pass unseen.
+bool usable(const SafetyLimits& s)
+{
+  const auto limits = { s.maxForce_N, s.maxRise_N_per_s, s.engageRamp_s, s.engageBelow_N, s.releaseRamp_s, s.faultRamp_s };
+  return std::all_of(limits.begin(), limits.end(), [](double limit) { return limit >= 0.0; });
 }
 
 } // namespace
@@ -40,6 +48,10 @@ std::string HapticParameters::validate() const
   if (!nonNegative(this->sceneBlend_s))
   {
     return "scene blend time [s] must be a number that is not negative";
+  }
+  if (!usable(this->safety))
+  {
+    return "safety limits [N, N/s, s] must be numbers that are not negative";
   }
   return {};
 }

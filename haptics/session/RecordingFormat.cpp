@@ -42,6 +42,14 @@ void layWrench(const Io& io, T& w)
 }
 
 template<class Io, class T>
+void layMap(const Io& io, T& m)
+{
+  io(m.scale_u_per_m);
+  io(m.q_WD);
+  io(m.offset_W);
+}
+
+template<class Io, class T>
 void layTick(const Io& io, T& r)
 {
   io(r.tick);
@@ -73,9 +81,7 @@ void layParameters(const Io& io, T& p)
   io(p.contact.radius_u);
   io(p.contact.passCap);
   io(p.contact.nodeBudget);
-  io(p.map.scale_u_per_m);
-  io(p.map.q_WD);
-  io(p.map.offset_W);
+  layMap(io, p.map);
   io(p.safety.maxForce_N);
   io(p.safety.maxRise_N_per_s);
   io(p.safety.engageRamp_s);
@@ -107,12 +113,11 @@ void layState(const Io& io, T& s)
   io(s.lastForce_D);
   io(s.lastRendered_D);
   io(s.blend_D);
-  io(s.scale_u_per_m);
-  io(s.offset_W);
+  layMap(io, s.map);
   io(s.radius_u);
   io(s.sceneRevision);
-  io(s.badSamples);
-  io(s.badSamplesSince_s);
+  io(s.sinceBad_s);
+  io(s.sinceBadBefore_s);
 }
 
 std::vector<char> chunk(ChunkType type, const ByteWriter& payload)
@@ -139,6 +144,10 @@ RecordedChange readChange(ByteReader& in)
   {
     change.parameters.emplace();
     layParameters(Get{ in }, *change.parameters);
+    if (!change.parameters->validate().empty())
+    {
+      in.fail();
+    }
   }
   return change;
 }
@@ -217,7 +226,7 @@ std::string readChunks(ByteReader& in, Recording& recording)
     }
     if (!payload.ok() || payload.left() != 0)
     {
-      return "is damaged: a part of kind " + std::to_string(static_cast<std::uint32_t>(type)) + " has the wrong size";
+      return "is damaged: a part of kind " + std::to_string(static_cast<std::uint32_t>(type)) + " is not what it should be";
     }
   }
   return "is cut short: it ends without its closing mark";

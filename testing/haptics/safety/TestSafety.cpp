@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "haptics/safety/ForceLimits.h"
+#include "haptics/safety/LatenessPolicy.h"
+#include "haptics/safety/SafetyLimits.h"
+
+namespace palpate
+{
+namespace
+{
+
+TEST(ClampMagnitude, ShortensAndKeepsTheDirection)
+{
+  const Vec3 force(3, -4, 12); // magnitude 13
+  EXPECT_EQ(clampMagnitude(force, 13.0), force);
+  const Vec3 cut = clampMagnitude(force, 6.5);
+  EXPECT_NEAR((cut - 0.5 * force).norm(), 0.0, 1e-15);
+  EXPECT_EQ(clampMagnitude(Vec3::Zero(), 0.0), Vec3::Zero());
+  EXPECT_EQ(clampMagnitude(force, std::numeric_limits<double>::infinity()), force);
+}
+
+TEST(LimitRise, LetsForceGrowByRateTimesTimeAndFallFreely)
+{
+  const Vec3 wanted(0, 0, 5);
+  EXPECT_NEAR(limitRise(wanted, Vec3(0, 0, 1), 100.0, 0.01).z(), 1.0 + 100.0 * 0.01, 1e-15);
+  EXPECT_EQ(limitRise(Vec3::Zero(), Vec3(0, 0, 9), 100.0, 0.01), Vec3::Zero());
+  EXPECT_EQ(limitRise(Vec3(0, 5, 0), Vec3(0, 0, 5), 100.0, 0.01), Vec3(0, 5, 0)) << "turning is not growing";
+}
+
+TEST(Smoothstep, StartsAndEndsFlatAndStaysWithinItsBounds)
+{
+  EXPECT_EQ(smoothstep(-1.0), 0.0);
+  EXPECT_EQ(smoothstep(0.0), 0.0);
+  EXPECT_EQ(smoothstep(0.5), 0.5);
+  EXPECT_EQ(smoothstep(1.0), 1.0);
+  EXPECT_EQ(smoothstep(2.0), 1.0);
+  constexpr double h = 1e-6; // 3 h^2 - 2 h^3
+  EXPECT_NEAR(smoothstep(h), 3 * h * h, 1e-17);
+}
+
+TEST(FiniteGuard, SeesABadNumberInEveryField)
+{
+  const double bad[] = { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() };
+  EXPECT_TRUE(isFinite(DeviceSample{}));
+  for (const double value : bad)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      DeviceSample s;
+      s.pose_D.p[k] = value;
+      EXPECT_FALSE(isFinite(s));
+      s = {};
+      s.velocity_D.linear[k] = value;
+      EXPECT_FALSE(isFinite(s));
+      s = {};
+      s.velocity_D.angular[k] = value;
+      EXPECT_FALSE(isFinite(s));
+      s = {};
+      s.pose_D.q.coeffs()[k] = value;
+      EXPECT_FALSE(isFinite(s));
+    }
+    DeviceSample s;
+    s.time_s = value;
+    EXPECT_FALSE(isFinite(s));
+  }
+}
+
+// The rows of the fault table.
+TEST(LatenessPolicy, FollowsTheFaultTable)
+{
+  constexpr double period = 1e-3;
+  EXPECT_EQ(judgeLateness(0.0, 0.0009, period, false).stiffnessFactor, 1.0);
+  EXPECT_EQ(judgeLateness(0.021, 0.0, period, false).fault, Fault::LateServo);
+  EXPECT_EQ(judgeLateness(0.019, 0.0, period, false).fault, Fault::None);
+  EXPECT_EQ(judgeLateness(0.0, 0.0051, period, false).fault, Fault::LateServo);
+  // K holds like 1 / (T/2 + lateness): 2 ms late on 1 ms leaves 0.5 / 2.5.
+  EXPECT_NEAR(judgeLateness(0.0, 0.002, period, false).stiffnessFactor, 0.2, 1e-15);
+  EXPECT_EQ(judgeLateness(1.0, 1.0, period, true).fault, Fault::None) << "simulated devices only count";
+}
+
+TEST(SafetyLimits, OfADeviceAreSharesOfItsLargestForce)
+{
+  const SafetyLimits limits = SafetyLimits::forDevice(10.0);
+  EXPECT_EQ(limits.maxForce_N, 6.0);
+  EXPECT_EQ(limits.maxRise_N_per_s, 500.0); // 0 to 10 N in 20 ms
+  EXPECT_EQ(limits.engageBelow_N, 1.0);
+}
+
+} // namespace
+} // namespace palpate

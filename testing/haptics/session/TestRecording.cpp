@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "devices/FedDevice.h"
+#include "haptics/session/HapticSession.h"
+#include "haptics/session/Recording.h"
+#include "testing/support/Meshes.h"
+
+namespace palpate
+{
+namespace
+{
+
+std::string fileNamed(const std::string& name)
+{
+  return (std::filesystem::temp_directory_path() / ("palpate-" + std::to_string(getpid()) + "-" + name)).string();
+}
+
+/// Deletes its file in the end.
+struct TemporaryFile
+{
+  explicit TemporaryFile(const std::string& name)
+    : path(fileNamed(name))
+  {
+  }
+  ~TemporaryFile() { std::remove(this->path.c_str()); }
+  std::string path;
+};
+
+std::vector<SurfaceInput> threeSurfaces(int levels)
+{
+  std::vector<SurfaceInput> inputs;
+  for (int i = 0; i < 3; ++i)
+  {
+    inputs.push_back({ "ball " + std::to_string(i),
+      std::make_shared<TriangleMesh>(test::shifted(test::makeIcosphere(levels, 0.05), Vec3(0.08 * i, 0, 0))), {} });
+  }
+  return inputs;
+}
+
+/// A hand that strokes the middle one of three overlapping spheres for `ticks`, the scene replaced every 200 ticks and the
+/// parameters changed once; recorded in virtual time.
+void record(const std::string& path, int ticks, double radius_u)
+{
+  SceneBuilder builder;
+  const auto coarse = builder.build(threeSurfaces(3)).scene, fine = builder.build(threeSurfaces(4)).scene;
+  HapticSession session;
+  HapticParameters parameters;
+  parameters.contact.radius_u = radius_u;
+  parameters.safety.engageRamp_s = 0.1;
+  ASSERT_EQ(session.setParameters(parameters), "");
+  session.setScene(coarse);
+  SessionOptions options;
+  options.virtualTime = true;
+  options.recordFile = path;
+  ASSERT_EQ(session.start(std::make_unique<FedDevice>(), options), "");
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    const double s = 1e-3 * tick;
+    DeviceSample sample;
+    sample.pose_D.p = tick == 0 ? Vec3(0.08, 0, 0.07) : Vec3(0.08 + 0.012 * std::sin(0.7 * s), 0.01 * std::sin(5 * s), 0.047);
+    static_cast<FedDevice*>(session.device())->feed(sample);
+    if (tick > 0 && tick % 200 == 0)
+    {
+      session.setScene(tick % 400 == 0 ? coarse : fine);
+    }
+    if (tick == ticks / 2)
+    {
+      parameters.stiffness_N_per_m = 700.0;
+      ASSERT_EQ(session.setParameters(parameters), "");
+      session.mark();
+    }
+    ASSERT_EQ(session.step(1), 1);
+  }
+  EXPECT_GT(session.report().contactTicks, static_cast<std::uint64_t>(ticks) / 2);
+  EXPECT_EQ(session.stop(), "");
+}
+
+Recording readGood(const std::string& path)
+{
+  auto read = readRecording(path);
+  EXPECT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+  return std::get<Recording>(std::move(read));
+}
+
+std::vector<char> bytesOf(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+}
+
+std::string problemOf(const std::vector<char>& bytes)
+{
+  const auto read = parseRecording(bytes, "the file");
+  const auto* problem = std::get_if<std::string>(&read);
+  return problem != nullptr ? *problem : "";
+}
+
+// Row 55. 60 s with PALPATE_TEST_COUNT=60000.
+TEST(Recording, WithSceneSwapsReplaysBitForBitWithOneTwoAndFourBuilders)
+{
+  const char* const count = std::getenv("PALPATE_TEST_COUNT");
+  const int ticks = count != nullptr ? std::atoi(count) : 4000;
+  for (const double radius : { 0.0, 0.001 })
+  {
+    const TemporaryFile file("swaps");
+    record(file.path, ticks, radius);
+    const Recording recording = readGood(file.path);
+    EXPECT_EQ(recording.scenes.size(), 2U) << "each scene is stored once";
+    for (const unsigned workers : { 1U, 2U, 4U })
+    {
+      const ReplayResult result = replay(recording, {}, workers);
+      EXPECT_EQ(result.problem, "");
+      EXPECT_EQ(result.difference, "");
+      EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(ticks));
+    }
+  }
+}
+
+TEST(Recording, ReplayNamesTheFirstTickThatDiffers)
+{
+  const TemporaryFile file("tampered");
+  record(file.path, 600, 0.0);
+  Recording recording = readGood(file.path);
+  int seen = 0;
+  for (RecordedEntry& entry : recording.entries)
+  {
+    if (auto* tick = std::get_if<TickRecord>(&entry); tick != nullptr && ++seen == 500)
+    {
+      tick->wrench_D.force.x() = std::nextafter(tick->wrench_D.force.x(), 1e9);
+    }
+  }
+  EXPECT_EQ(replay(recording).difference, "tick 500: force differs");
+}
+
+TEST(Recording, WithoutItsScenesAsksForThemAndTakesThemByContent)
+{
+  const TemporaryFile file("sceneless");
+  record(file.path, 600, 0.0);
+  Recording recording = readGood(file.path);
+  recording.scenes.clear();
+  EXPECT_NE(replay(recording).problem.find("--scene"), std::string::npos);
+  SceneBuilder builder;
+  const auto fine = builder.build(threeSurfaces(4)).scene, coarse = builder.build(threeSurfaces(3)).scene;
+  const ReplayResult result = replay(recording, { fine, coarse });
+  EXPECT_EQ(result.problem + result.difference, "");
+}
+
+TEST(Recording, EveryPlaceWhereAFileMayBeCutGivesOneSentence)
+{
+  const TemporaryFile file("cut");
+  record(file.path, 20, 0.0);
+  const std::vector<char> whole = bytesOf(file.path);
+  ASSERT_EQ(problemOf(whole), "");
+  for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 997)
+  {
+    const std::string problem = problemOf({ whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length) });
+    EXPECT_EQ(problem.rfind("the file ", 0), 0U) << length;
+    EXPECT_EQ(problem.find('\n'), std::string::npos);
+  }
+}
+
+TEST(Recording, AnyDamagedByteIsSurvived)
+{
+  const TemporaryFile file("damaged");
+  record(file.path, 20, 0.0);
+  const std::vector<char> whole = bytesOf(file.path);
+  for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 1499)
+  {
+    std::vector<char> damaged = whole;
+    damaged[at] = static_cast<char>(~damaged[at]);
+    static_cast<void>(parseRecording(damaged, "the file")); // a sentence or a recording, never a crash
+  }
+}
+
+TEST(Recording, OfAnotherVersionIsRefusedByNumber)
+{
+  const std::string other = "PALPATE-RECORDING 99\nend\n";
+  EXPECT_NE(problemOf({ other.begin(), other.end() }).find("format 99"), std::string::npos);
+  const std::string strange = "solid cube";
+  EXPECT_NE(problemOf({ strange.begin(), strange.end() }).find("not a recording"), std::string::npos);
+}
+
+TEST(Recording, ThatCannotBeWrittenKeepsTheSessionFromStarting)
+{
+  HapticSession session;
+  SessionOptions options;
+  options.virtualTime = true;
+  options.recordFile = "/nonexistent-folder/x.palpate";
+  const std::string problem = session.start(std::make_unique<FedDevice>(), options);
+  EXPECT_NE(problem.find("/nonexistent-folder/x.palpate"), std::string::npos);
+  EXPECT_FALSE(session.running());
+}
+
+} // namespace
+} // namespace palpate
