@@ -64,7 +64,7 @@ function (palpate_add_unit_test)
   if (arg_VTK_MODULES)
     vtk_module_autoinit(TARGETS "${arg_NAME}" MODULES ${arg_VTK_MODULES})
   endif ()
-  gtest_discover_tests("${arg_NAME}" TEST_PREFIX "${arg_NAME}." TEST_LIST "${arg_NAME}_tests" DISCOVERY_TIMEOUT 60
+  gtest_discover_tests("${arg_NAME}" TEST_PREFIX "${arg_NAME}." TEST_LIST "${arg_NAME}_tests" DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
     PROPERTIES LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}")
   # gtest_discover_tests takes a list apart, so the environment is set in a script that ctest reads after the discovery.
   set(script "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-environment.cmake")
