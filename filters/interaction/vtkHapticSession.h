@@ -25,7 +25,14 @@
 #include "vtkHapticInteractionModule.h" // for the export macro
 #include "vtkObject.h"
 
-#include <memory> // for the implementation
+#include <functional> // for an argument
+#include <memory>     // for the implementation
+#include <string>     // for an argument
+
+namespace palpate
+{
+struct HapticParameters;
+}
 
 class vtkDataObject;
 class vtkMatrix4x4;
@@ -129,6 +136,12 @@ public:
   ///@}
 
   ///@{
+  /// Recording that the device "replay" plays. Read when touching starts.
+  virtual void SetReplayFile(const char* file);
+  virtual const char* GetReplayFile() const;
+  ///@}
+
+  ///@{
   /// File that receives the recording while touching; "" for none (default). Read when touching starts.
   virtual void SetRecordFile(const char* file);
   virtual const char* GetRecordFile() const;
@@ -138,9 +151,9 @@ public:
   /**
    * A new scene: clear, add the surfaces, commit. AddSurface copies polygons and strips of any data object (composite
    * ones too; the skin of a volume mesh) placed by `matrix` (null: as they are); false, with GetProblem(), if there are
-   * none. Committing cleans and builds on a worker; until it is done, and if nothing is touchable, the scene before
-   * stays. A committed empty scene releases. FinishScene() waits for the worker. A surface added again under its name
-   * with unchanged data and matrix is not built again.
+   * none. Committing cleans and builds on a worker; until it is done the scene before stays. With nothing touchable in
+   * it the force ramps to zero and GetFaultText() says so. FinishScene() waits for the worker; true if something can be
+   * touched. A surface added again under its name with unchanged data and matrix is not built again.
    */
   void ClearSurfaces();
   bool AddSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix);
@@ -200,12 +213,14 @@ public:
   ///@}
 
   ///@{
-  /// Ticks computed, periods missed (never caught up), their sum, ticks that met a work limit, time in contact [s].
+  /// Ticks computed, periods missed (never caught up), their sum, ticks that met a work limit, time in contact [s],
+  /// largest |F - Stiffness (proxy - hand) / Scale| of the ticks whose force nothing limited [N].
   vtkIdType GetTicks() const;
   vtkIdType GetMissed() const;
   vtkIdType GetPeriods() const;
   vtkIdType GetCappedTicks() const;
   double GetContactSeconds() const;
+  double GetForceResidual() const;
   ///@}
 
   ///@{
@@ -230,6 +245,12 @@ protected:
 private:
   vtkHapticSession(const vtkHapticSession&) = delete;
   void operator=(const vtkHapticSession&) = delete;
+
+  void Refuse(const std::string& problem);
+  void Start();
+  void Stop();
+  /// Sets parameters that were changed by `change`, or refuses them and keeps the old ones.
+  void Change(const std::function<void(palpate::HapticParameters&)>& change);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

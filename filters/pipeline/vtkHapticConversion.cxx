@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/core/WordHash.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCompositeDataIterator.h"
@@ -198,4 +199,26 @@ vtkSmartPointer<vtkPolyData> vtkHapticToPolyData(const palpate::TriangleMesh& me
   surface->SetPoints(points);
   surface->SetPolys(polys);
   return surface;
+}
+
+std::uint64_t vtkHapticContentKey(vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  palpate::WordHash key;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+    {
+      key.add(std::uint64_t{ each->GetCurrentDataObject()->GetMTime() });
+    }
+  }
+  else if (data)
+  {
+    key.add(std::uint64_t{ data->GetMTime() });
+  }
+  for (int i = 0; matrix && i < 16; ++i)
+  {
+    key.add(matrix->GetData()[i]);
+  }
+  return key.value();
 }

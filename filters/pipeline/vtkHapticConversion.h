@@ -2,6 +2,7 @@
 #ifndef vtkHapticConversion_h
 #define vtkHapticConversion_h
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -32,5 +33,9 @@ struct vtkHapticConversionResult
 /// Triangles as poly data with points in double precision: vertices and triangles keep their order.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkPolyData> vtkHapticToPolyData(
   const palpate::TriangleMesh& mesh);
+
+/// Names the content of a data object placed by `matrix` (null: identity). Modification times are unique within a
+/// process, so equal keys mean equal content, and a change of either changes the key.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::uint64_t vtkHapticContentKey(vtkDataObject* data, vtkMatrix4x4* matrix);
 
 #endif

@@ -147,15 +147,18 @@ int vtkHapticStroke::RequestData(vtkInformation*, vtkInformationVector** input, 
   frame.Origin_W = this->UseCentre ? CentreOf(*surface.Mesh) : Vec3(this->Origin);
   const auto profile = vtkHapticCutProfile(*surface.Mesh, frame, this->Step, MostPlaces);
   const vtkHapticHeights run =
-    vtkHapticMiddle(vtkHapticLongestRun(profile.value_or(vtkHapticHeights()), SteepestSlope * this->Step), this->Reach);
-  if (run.Height.size() < 2)
+    vtkHapticLongestRun(profile.value_or(vtkHapticHeights()), SteepestSlope * this->Step);
+  const vtkHapticHeights stroked = vtkHapticMiddle(run, this->Reach);
+  if (stroked.Height.size() < 2)
   {
     vtkErrorMacro("The plane of the stroke cuts no part of the surface that is longer than a step of "
       << this->Step << " u; move the plane or choose another step");
     return 0;
   }
+  // Smoothed as a whole: a window that shrinks at the ends of the stroke would bend it there.
   const double half = std::min(this->Window / (2.0 * this->Step), static_cast<double>(run.Height.size()));
-  const std::vector<double> smooth = vtkHapticSmoothBelow(run.Height, static_cast<std::size_t>(half));
-  Write(PushIn(run, smooth, this->Depth), frame, vtkPolyData::GetData(output));
+  vtkHapticHeights smooth = run;
+  smooth.Height = vtkHapticSmoothBelow(run.Height, static_cast<std::size_t>(half));
+  Write(PushIn(stroked, vtkHapticMiddle(smooth, this->Reach).Height, this->Depth), frame, vtkPolyData::GetData(output));
   return 1;
 }

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticInteractor.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "haptics/core/WordHash.h"
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkHapticConversion.h"
+#include "vtkHapticSession.h"
+#include "vtkHapticToolProps.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+vtkStandardNewMacro(vtkHapticInteractor);
+
+namespace
+{
+/// What an actor shows now, its pipeline brought up to date; null if nothing.
+vtkDataObject* ShownBy(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetVisibility() ? actor->GetMapper() : nullptr;
+  if (!mapper || mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return nullptr;
+  }
+  mapper->GetInputAlgorithm()->Update();
+  return mapper->GetInputDataObject(0, 0);
+}
+}
+
+class vtkHapticInteractor::Internals
+{
+public:
+  vtkNew<vtkHapticSession> Session;
+  vtkNew<vtkHapticToolProps> Props;
+  std::vector<vtkSmartPointer<vtkActor>> Actors;
+  std::uint64_t Key = 0; ///< of what the session was given
+  bool Given = false;
+};
+
+vtkHapticInteractor::vtkHapticInteractor() : Impl(std::make_unique<Internals>()) {}
+
+vtkHapticInteractor::~vtkHapticInteractor()
+{
+  this->Stop();
+}
+
+void vtkHapticInteractor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Actors: " << this->GetNumberOfActors() << "\n";
+  this->Impl->Session->PrintSelf(os, indent.GetNextIndent());
+  this->Impl->Props->PrintSelf(os, indent.GetNextIndent());
+}
+
+void vtkHapticInteractor::SetRenderer(vtkRenderer* renderer)
+{
+  this->Impl->Props->AddToRenderer(renderer);
+}
+
+void vtkHapticInteractor::AddActor(vtkActor* actor)
+{
+  auto& actors = this->Impl->Actors;
+  if (actor && std::find(actors.begin(), actors.end(), actor) == actors.end())
+  {
+    actors.emplace_back(actor);
+    this->Modified();
+  }
+}
+
+void vtkHapticInteractor::RemoveActor(vtkActor* actor)
+{
+  std::erase(this->Impl->Actors, actor);
+  this->Modified();
+}
+
+void vtkHapticInteractor::RemoveAllActors()
+{
+  this->Impl->Actors.clear();
+  this->Modified();
+}
+
+int vtkHapticInteractor::GetNumberOfActors() const
+{
+  return static_cast<int>(this->Impl->Actors.size());
+}
+
+vtkHapticSession* vtkHapticInteractor::GetSession() const
+{
+  return this->Impl->Session;
+}
+
+vtkHapticToolProps* vtkHapticInteractor::GetToolProps() const
+{
+  return this->Impl->Props;
+}
+
+bool vtkHapticInteractor::HandOver()
+{
+  Internals& impl = *this->Impl;
+  palpate::WordHash key;
+  std::vector<vtkDataObject*> shown;
+  for (vtkActor* actor : impl.Actors)
+  {
+    shown.push_back(ShownBy(actor));
+    key.add(shown.back() ? vtkHapticContentKey(shown.back(), actor->GetMatrix()) : std::uint64_t{ 0 });
+  }
+  if (impl.Given && key.value() == impl.Key)
+  {
+    return false;
+  }
+  impl.Key = key.value();
+  impl.Given = true;
+  impl.Session->ClearSurfaces();
+  for (std::size_t i = 0; i < shown.size(); ++i)
+  {
+    if (shown[i])
+    {
+      impl.Session->AddSurface(("actor " + std::to_string(i)).c_str(), shown[i], impl.Actors[i]->GetMatrix());
+    }
+  }
+  impl.Session->CommitScene();
+  return true;
+}
+
+bool vtkHapticInteractor::Start()
+{
+  this->HandOver();
+  this->Impl->Session->FinishScene();
+  this->Impl->Session->TouchingOn();
+  this->Update();
+  return this->Impl->Session->GetTouching();
+}
+
+void vtkHapticInteractor::Stop()
+{
+  this->Impl->Session->TouchingOff();
+  this->Impl->Props->UpdateFrom(this->Impl->Session);
+}
+
+void vtkHapticInteractor::Update()
+{
+  this->HandOver();
+  this->Impl->Session->Update();
+  this->Impl->Props->UpdateFrom(this->Impl->Session);
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkHapticInteractor
+ * @brief   touch and see in any VTK program: a renderer and actors in, a session and tool props inside
+ *
+ *     touch = vtkHapticInteractor()
+ *     touch.SetRenderer(renderer)
+ *     touch.AddActor(actor)
+ *     touch.Start()
+ *     touch.GetSession().SetHandPosition(0, 0, 0.4)
+ *     touch.Update()
+ *     window.Render()
+ *
+ * Update(), once a frame, follows what the actors show: their matrices, the data of their mappers, their visibility.
+ * One thread calls every method.
+ */
+#ifndef vtkHapticInteractor_h
+#define vtkHapticInteractor_h
+
+#include "vtkHapticInteractionModule.h" // for the export macro
+#include "vtkObject.h"
+
+#include <memory> // for the implementation
+
+class vtkActor;
+class vtkHapticSession;
+class vtkHapticToolProps;
+class vtkRenderer;
+
+class VTKHAPTICINTERACTION_EXPORT vtkHapticInteractor : public vtkObject
+{
+public:
+  static vtkHapticInteractor* New();
+  vtkTypeMacro(vtkHapticInteractor, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Where the tool is drawn; null for nowhere.
+  void SetRenderer(vtkRenderer* renderer);
+
+  ///@{
+  /// What is touched: actors whose mapper has polygons. Kept alive until they are removed.
+  void AddActor(vtkActor* actor);
+  void RemoveActor(vtkActor* actor);
+  void RemoveAllActors();
+  int GetNumberOfActors() const;
+  ///@}
+
+  ///@{
+  /// Settings and state; how the tool is drawn.
+  vtkHapticSession* GetSession() const;
+  vtkHapticToolProps* GetToolProps() const;
+  ///@}
+
+  ///@{
+  /// Builds the scene, then lets the session touch; false, with the session's GetProblem(), if it cannot. And back.
+  bool Start();
+  void Stop();
+  ///@}
+
+  /// Hands changed surfaces to the session, takes its latest state and moves the tool.
+  void Update();
+
+protected:
+  vtkHapticInteractor();
+  ~vtkHapticInteractor() override;
+
+private:
+  vtkHapticInteractor(const vtkHapticInteractor&) = delete;
+  void operator=(const vtkHapticInteractor&) = delete;
+
+  /// True if the actors show something else than at the last call; then it is on its way to the session.
+  bool HandOver();
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

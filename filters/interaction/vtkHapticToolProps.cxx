@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticToolProps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vtkActor.h"
+#include "vtkArrowSource.h"
+#include "vtkHapticSession.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+#include "vtkWeakPointer.h"
+
+vtkStandardNewMacro(vtkHapticToolProps);
+
+namespace
+{
+constexpr int ballResolution = 32;
+constexpr int arrowResolution = 24;
+/// The hand is drawn smaller than the proxy, so that both are seen when they are at one place.
+constexpr double handShare = 0.75;
+
+/// What is drawn without a scene is as large as if the hand's workspace of 0.2 m were the scene.
+double DiagonalOf(vtkHapticSession* session)
+{
+  double b[6];
+  if (!session->GetSceneBounds(b))
+  {
+    return 0.2 * session->GetScale();
+  }
+  return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+}
+
+/// Columns: an orthogonal frame whose first axis is `along`, all of `length`; then the place.
+void SetFrame(vtkMatrix4x4* matrix, const double along[3], double length, const double place[3])
+{
+  double axis[3][3];
+  std::copy(along, along + 3, axis[0]);
+  vtkMath::Normalize(axis[0]);
+  vtkMath::Perpendiculars(axis[0], axis[1], axis[2], 0.0);
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      matrix->SetElement(row, column, length * axis[column][row]);
+    }
+    matrix->SetElement(row, 3, place[row]);
+  }
+}
+}
+
+class vtkHapticToolProps::Internals
+{
+public:
+  vtkNew<vtkActor> Proxy;
+  vtkNew<vtkActor> Hand;
+  vtkNew<vtkActor> Arrow;
+  vtkNew<vtkMatrix4x4> ArrowFrame;
+  vtkWeakPointer<vtkRenderer> Renderer;
+
+  Internals();
+  vtkActor* const* begin() const { return this->All; }
+  vtkActor* const* end() const { return this->All + 3; }
+  void Place(vtkActor* actor, const double p_W[3], double radius) const;
+
+private:
+  vtkActor* All[3] = { this->Proxy, this->Hand, this->Arrow };
+};
+
+vtkHapticToolProps::Internals::Internals()
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(1.0);
+  ball->SetThetaResolution(ballResolution);
+  ball->SetPhiResolution(ballResolution);
+  vtkNew<vtkArrowSource> arrow;
+  arrow->SetTipResolution(arrowResolution);
+  arrow->SetShaftResolution(arrowResolution);
+  vtkNew<vtkPolyDataMapper> ballMapper;
+  ballMapper->SetInputConnection(ball->GetOutputPort());
+  vtkNew<vtkPolyDataMapper> arrowMapper;
+  arrowMapper->SetInputConnection(arrow->GetOutputPort());
+  this->Proxy->SetMapper(ballMapper);
+  this->Hand->SetMapper(ballMapper);
+  this->Arrow->SetMapper(arrowMapper);
+  this->Arrow->SetUserMatrix(this->ArrowFrame);
+  this->Proxy->GetProperty()->SetColor(1.0, 0.75, 0.1);
+  this->Hand->GetProperty()->SetColor(0.15, 0.45, 1.0);
+  this->Arrow->GetProperty()->SetColor(0.9, 0.1, 0.1);
+  for (vtkActor* actor : *this)
+  {
+    actor->PickableOff();
+    actor->UseBoundsOff(); // else resetting the camera would fit the tool
+    actor->VisibilityOff();
+  }
+}
+
+void vtkHapticToolProps::Internals::Place(vtkActor* actor, const double p_W[3], double radius) const
+{
+  actor->SetPosition(p_W[0], p_W[1], p_W[2]);
+  actor->SetScale(radius);
+}
+
+vtkHapticToolProps::vtkHapticToolProps() : Impl(std::make_unique<Internals>()) {}
+
+vtkHapticToolProps::~vtkHapticToolProps()
+{
+  this->RemoveFromRenderer();
+}
+
+void vtkHapticToolProps::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Impl->Renderer.Get() << "\n";
+  os << indent << "RelativeSize: " << this->RelativeSize << "\n";
+  os << indent << "ForceScale: " << this->ForceScale << "\n";
+}
+
+void vtkHapticToolProps::AddToRenderer(vtkRenderer* renderer)
+{
+  this->RemoveFromRenderer();
+  this->Impl->Renderer = renderer;
+  for (vtkActor* actor : *this->Impl)
+  {
+    if (renderer)
+    {
+      renderer->AddActor(actor);
+    }
+  }
+}
+
+void vtkHapticToolProps::RemoveFromRenderer()
+{
+  for (vtkActor* actor : *this->Impl)
+  {
+    if (this->Impl->Renderer)
+    {
+      this->Impl->Renderer->RemoveActor(actor);
+    }
+  }
+  this->Impl->Renderer = nullptr;
+}
+
+void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
+{
+  Internals& impl = *this->Impl;
+  const bool shown = session && session->GetTouching();
+  for (vtkActor* actor : impl)
+  {
+    actor->SetVisibility(shown);
+  }
+  if (!shown)
+  {
+    return;
+  }
+  const double diagonal = DiagonalOf(session);
+  const double radius = std::max(session->GetRadius(), this->RelativeSize * diagonal);
+  impl.Place(impl.Proxy, session->GetProxyPosition(), radius);
+  impl.Place(impl.Hand, session->GetHandPosition(), handShare * radius);
+  const double length = session->GetForceMagnitude() * this->ForceScale * diagonal;
+  impl.Arrow->SetVisibility(length > 0.0);
+  if (length > 0.0)
+  {
+    SetFrame(impl.ArrowFrame, session->GetForce(), length, session->GetProxyPosition());
+  }
+}
+
+vtkActor* vtkHapticToolProps::GetProxyActor() const
+{
+  return this->Impl->Proxy;
+}
+
+vtkActor* vtkHapticToolProps::GetHandActor() const
+{
+  return this->Impl->Hand;
+}
+
+vtkActor* vtkHapticToolProps::GetForceActor() const
+{
+  return this->Impl->Arrow;
+}

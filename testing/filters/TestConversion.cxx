@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkHapticConversion.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStripper.h"
+#include "vtkTable.h"
+#include "vtkTransform.h"
+#include "vtkUnstructuredGrid.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+
+namespace
+{
+/// A volume is a sum of n products of three: each rounds, so does the sum.
+double roundingOf(double volume, std::size_t triangles)
+{
+  return static_cast<double>(triangles) * 8.0 * std::numeric_limits<double>::epsilon() * std::abs(volume);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> makeHexahedron()
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int x = (corner == 1 || corner == 2 || corner == 5 || corner == 6) ? 1 : 0;
+    const int y = (corner == 2 || corner == 3 || corner == 6 || corner == 7) ? 1 : 0;
+    points->InsertNextPoint(x, y, corner / 4);
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  const vtkIdType ids[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids);
+  return grid;
+}
+
+vtkSmartPointer<vtkMatrix4x4> matrixOf(std::initializer_list<double> rows)
+{
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  matrix->DeepCopy(rows.begin());
+  return matrix;
+}
+} // namespace
+
+TEST(Conversion, TrianglesKeepTheirCoordinatesAndOrder)
+{
+  const vtkHapticConversionResult result = vtkHapticToMesh(makePlane(2.0, 0.5));
+  ASSERT_TRUE(result.Mesh) << result.Problem;
+  ASSERT_EQ(result.Mesh->vertices_W.size(), 4u);
+  EXPECT_EQ(result.Mesh->vertices_W[2], Vec3(2.0, 2.0, 1.0));
+  const std::vector<std::array<std::uint32_t, 3>> expected = { { 0, 1, 2 }, { 0, 2, 3 } };
+  EXPECT_EQ(result.Mesh->triangles, expected);
+}
+
+TEST(Conversion, ThereAndBackGivesTheSameMesh)
+{
+  const vtkHapticConversionResult there = vtkHapticToMesh(makeSphere(3.0, 12));
+  ASSERT_TRUE(there.Mesh) << there.Problem;
+  const vtkHapticConversionResult back = vtkHapticToMesh(vtkHapticToPolyData(*there.Mesh));
+  ASSERT_TRUE(back.Mesh) << back.Problem;
+  EXPECT_EQ(back.Mesh->vertices_W, there.Mesh->vertices_W);
+  EXPECT_EQ(back.Mesh->triangles, there.Mesh->triangles);
+}
+
+TEST(Conversion, StripsEncloseTheSameVolumeAsTheirTriangles)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = makeSphere(2.0, 24);
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputData(sphere);
+  stripper->Update();
+  ASSERT_GT(stripper->GetOutput()->GetNumberOfStrips(), 0);
+  const auto triangles = vtkHapticToMesh(sphere);
+  const auto strips = vtkHapticToMesh(stripper->GetOutput());
+  ASSERT_TRUE(strips.Mesh) << strips.Problem;
+  EXPECT_EQ(strips.Mesh->triangles.size(), triangles.Mesh->triangles.size());
+  const double expected = enclosedVolume(*triangles.Mesh);
+  EXPECT_NEAR(enclosedVolume(*strips.Mesh), expected, roundingOf(expected, strips.Mesh->triangles.size()));
+}
+
+TEST(Conversion, TheSkinOfAVolumeCellIsClosedAndFacesOut)
+{
+  const auto cube = vtkHapticToMesh(makeHexahedron());
+  ASSERT_TRUE(cube.Mesh) << cube.Problem;
+  EXPECT_EQ(cube.Mesh->triangles.size(), 12u);
+  EXPECT_DOUBLE_EQ(enclosedVolume(*cube.Mesh), 1.0);
+}
+
+TEST(Conversion, ScaleShearAndShiftAreBakedIntoTheVertices)
+{
+  const auto matrix = matrixOf({ 2, 0.5, 0, 10, 0, 3, 0.25, -20, 0, 0, 4, 30, 0, 0, 0, 1 });
+  const vtkSmartPointer<vtkPolyData> sphere = makeSphere(1.0, 16);
+  const auto plain = vtkHapticToMesh(sphere);
+  const auto placed = vtkHapticToMesh(sphere, matrix);
+  ASSERT_TRUE(placed.Mesh) << placed.Problem;
+  const Vec3 p = plain.Mesh->vertices_W[7];
+  const Vec3 expected(
+    2 * p.x() + 0.5 * p.y() + 10, 3 * p.y() + 0.25 * p.z() - 20, 4 * p.z() + 30); // rows of the matrix
+  EXPECT_LT((placed.Mesh->vertices_W[7] - expected).norm(), 1e-14 * expected.norm());
+  EXPECT_EQ(placed.Mesh->triangles, plain.Mesh->triangles);
+}
+
+TEST(Conversion, AMirroredActorStaysTheRightWayOut)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = makeSphere(1.0, 16);
+  const double volume = enclosedVolume(*vtkHapticToMesh(sphere).Mesh);
+  ASSERT_GT(volume, 0.0);
+  const auto mirrored = vtkHapticToMesh(sphere, matrixOf({ -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }));
+  ASSERT_TRUE(mirrored.Mesh) << mirrored.Problem;
+  EXPECT_NEAR(enclosedVolume(*mirrored.Mesh), volume, roundingOf(volume, mirrored.Mesh->triangles.size()));
+}
+
+TEST(Conversion, BlocksOfACompositeAreAllTaken)
+{
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, makeHexahedron());
+  vtkNew<vtkMultiBlockDataSet> outer;
+  outer->SetBlock(0, makePlane(1.0));
+  outer->SetBlock(1, nullptr);
+  outer->SetBlock(2, inner);
+  const auto result = vtkHapticToMesh(outer);
+  ASSERT_TRUE(result.Mesh) << result.Problem;
+  EXPECT_EQ(result.Mesh->triangles.size(), 2u + 12u);
+  EXPECT_DOUBLE_EQ(enclosedVolume(*result.Mesh), 1.0); // the plane goes through the origin
+}
+
+TEST(Conversion, TheInputIsNotChanged)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = makeSphere(1.0, 8);
+  const vtkMTimeType before = sphere->GetMTime();
+  ASSERT_TRUE(vtkHapticToMesh(sphere).Mesh);
+  EXPECT_EQ(sphere->GetMTime(), before);
+}
+
+TEST(Conversion, NaNPointsAreLeftToCleaningWhichReportsThem)
+{
+  const vtkSmartPointer<vtkPolyData> plane = makePlane(1.0);
+  plane->GetPoints()->SetPoint(3, std::nan(""), 0.0, 0.0);
+  const auto result = vtkHapticToMesh(plane);
+  ASSERT_TRUE(result.Mesh) << result.Problem;
+  const CleanResult clean = cleanMesh(*result.Mesh);
+  EXPECT_EQ(clean.report.nonFinite, 1u);
+  EXPECT_EQ(clean.report.trianglesOut, 1u);
+}
+
+TEST(Conversion, WhatHasNoSurfaceIsRefusedWithAReason)
+{
+  EXPECT_THAT(vtkHapticToMesh(nullptr).Problem, HasSubstr("no data"));
+  EXPECT_THAT(vtkHapticToMesh(vtkSmartPointer<vtkTable>::New()).Problem, HasSubstr("vtkTable"));
+  EXPECT_THAT(vtkHapticToMesh(vtkSmartPointer<vtkPolyData>::New()).Problem, HasSubstr("no polygons"));
+  EXPECT_THAT(vtkHapticToMesh(makePath({ Vec3::Zero(), Vec3::Ones() })).Problem, HasSubstr("no polygons"));
+}
+
+TEST(Conversion, AnIndexOutOfRangeIsRefusedBeforeAFilterMeetsIt)
+{
+  const vtkSmartPointer<vtkPolyData> plane = makePlane(1.0);
+  vtkNew<vtkCellArray> triangles;
+  triangles->InsertNextCell({ 0, 1, 1000000 });
+  plane->SetPolys(triangles);
+  const auto result = vtkHapticToMesh(plane);
+  EXPECT_FALSE(result.Mesh);
+  EXPECT_FALSE(result.Problem.empty());
+}
+
+TEST(Conversion, ATransformThatPutsPointsNowhereIsRefused)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const vtkSmartPointer<vtkPolyData> plane = makePlane(1.0);
+  const auto endless = matrixOf({ infinity, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 });
+  EXPECT_THAT(vtkHapticToMesh(plane, endless).Problem, HasSubstr("not finite"));
+  const auto perspective = matrixOf({ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0.5, 1 });
+  EXPECT_THAT(vtkHapticToMesh(plane, perspective).Problem, HasSubstr("perspective"));
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "haptics/core/Types.h"
+#include "haptics/geometry/TriangleMesh.h"
+#include "vtkSmartPointer.h"
+
+class vtkAlgorithm;
+class vtkPolyData;
+
+namespace palpate::testing
+{
+
+/// Two triangles over [-size, size]^2 in the plane z = tilt y [u].
+[[nodiscard]] vtkSmartPointer<vtkPolyData> makePlane(double size, double tilt = 0.0);
+
+/// vtkSphereSource at the origin, triangles pointing out [u].
+[[nodiscard]] vtkSmartPointer<vtkPolyData> makeSphere(double radius, int resolution);
+
+/// One polyline through the points [u].
+[[nodiscard]] vtkSmartPointer<vtkPolyData> makePath(const std::vector<Vec3>& points_W);
+
+/// The volume that the triangles enclose, positive if they point out.
+[[nodiscard]] double enclosedVolume(const TriangleMesh& mesh);
+
+/// Runs the algorithm and returns what it and its executive reported as errors, in order; prints nothing.
+[[nodiscard]] std::vector<std::string> errorsOf(vtkAlgorithm* algorithm);
+
+} // namespace palpate::testing
