@@ -28,7 +28,12 @@ const char* name(EngageState state) noexcept
 namespace
 {
 
-constexpr int badSamplesAllowed = 2; // the third within a second latches
+constexpr double badSampleWindow_s = 1.0; // the third bad sample within it latches
+
+bool sameMap(const WorkspaceMap& a, const WorkspaceMap& b) noexcept
+{
+  return a.scale_u_per_m == b.scale_u_per_m && a.q_WD.coeffs() == b.q_WD.coeffs() && a.offset_W == b.offset_W;
+}
 
 class Render
 {
@@ -47,15 +52,18 @@ public:
   TickOutput run() noexcept
   {
     this->takeEvents();
+    this->s_.sinceBad_s += this->in_.dt_s;
+    this->s_.sinceBadBefore_s += this->in_.dt_s;
     if (this->in_.status == DeviceStatus::Lost)
     {
       this->latch(Fault::DeviceLost);
+      this->s_.gain = 0.0;
     }
     if (this->in_.lateness.fault != Fault::None)
     {
       this->latch(this->in_.lateness.fault);
     }
-    if (!isFinite(this->in_.sample))
+    if (!isFinite(this->in_.sample) || !this->p_.map.toScene(this->in_.sample.pose_D.p).allFinite())
     {
       return this->holdNothing();
     }
@@ -90,7 +98,7 @@ private:
       {
         this->s_.engage = EngageState::Armed;
         this->s_.fault = Fault::None;
-        this->s_.badSamples = 0;
+        this->s_.sinceBad_s = this->s_.sinceBadBefore_s = RendererState::longAgo_s;
         this->s_.gain = 0.0;
       }
       else if (event.kind == EventKind::Release)
@@ -104,17 +112,13 @@ private:
   /// A sample that is not finite gives no force in its tick; the third within a second latches.
   TickOutput holdNothing() noexcept
   {
-    this->s_.badSamplesSince_s += this->in_.dt_s;
-    if (this->s_.badSamples == 0 || this->s_.badSamplesSince_s > 1.0)
-    {
-      this->s_.badSamples = 0;
-      this->s_.badSamplesSince_s = 0.0;
-    }
-    if (++this->s_.badSamples > badSamplesAllowed)
+    if (this->s_.sinceBadBefore_s < badSampleWindow_s)
     {
       this->latch(Fault::NonFiniteSample);
       this->s_.gain = 0.0;
     }
+    this->s_.sinceBadBefore_s = this->s_.sinceBad_s;
+    this->s_.sinceBad_s = 0.0;
     this->s_.lastForce_D = Vec3::Zero();
     this->out_.state.held = true;
     this->out_.state.proxy_W.p = this->s_.contact.x_W;
@@ -125,35 +129,9 @@ private:
   void contact() noexcept
   {
     HapticState& state = this->out_.state;
-    this->s_.badSamplesSince_s += this->in_.dt_s;
     state.device_W = { this->p_.map.toScene(this->in_.sample.pose_D.p), this->p_.map.q_WD * this->in_.sample.pose_D.q };
     state.velocity_D = this->in_.sample.velocity_D.linear;
-    if (this->s_.radius_u != this->p_.contact.radius_u || this->s_.scale_u_per_m != this->p_.map.scale_u_per_m ||
-      this->s_.offset_W != this->p_.map.offset_W)
-    {
-      this->s_.contact.placed = false; // another ball or another place: it is seated anew
-    }
-    this->s_.radius_u = this->p_.contact.radius_u;
-    this->s_.scale_u_per_m = this->p_.map.scale_u_per_m;
-    this->s_.offset_W = this->p_.map.offset_W;
-    ContactResult result;
-    result.proxy_W = state.device_W.p;
-    if (this->touchable())
-    {
-      if (this->in_.previousScene != nullptr)
-      {
-        handOver(*this->in_.previousScene, *this->in_.scene, this->p_.contact, state.device_W.p, this->s_.contact);
-      }
-      else if (state.sceneRevision != this->s_.sceneRevision)
-      {
-        this->s_.contact.count = 0; // features are numbered by their scene
-      }
-      result = moveGodObject(*this->in_.scene, this->p_.contact, state.device_W.p, this->s_.contact, this->sink_);
-    }
-    else
-    {
-      this->s_.contact = GodObjectState{};
-    }
+    const ContactResult result = this->moveProxy();
     state.proxy_W = { result.proxy_W, state.device_W.q };
     state.contacts = result.contacts;
     state.passes = result.passes;
@@ -170,12 +148,52 @@ private:
     state.stiffnessFactor = this->in_.lateness.stiffnessFactor;
   }
 
+  ContactResult moveProxy() noexcept
+  {
+    GodObjectState& contact = this->s_.contact;
+    const Vec3& p_W = this->out_.state.device_W.p;
+    const bool otherMap = !sameMap(this->s_.map, this->p_.map);
+    const bool otherBall = this->s_.radius_u != this->p_.contact.radius_u;
+    this->s_.map = this->p_.map;
+    this->s_.radius_u = this->p_.contact.radius_u;
+    if (!this->touchable())
+    {
+      contact = GodObjectState{};
+      ContactResult free;
+      free.proxy_W = p_W;
+      return free;
+    }
+    if (otherMap)
+    {
+      contact.placed = false; // the hand is elsewhere: what lies between was not passed
+    }
+    else if (otherBall && contact.placed)
+    {
+      contact.placed = false; // where the old ball was, not at the device: a pressed one stays on its side
+      static_cast<void>(moveGodObject(*this->in_.scene, this->p_.contact, Vec3(contact.x_W), contact));
+    }
+    else if (this->in_.previousScene != nullptr)
+    {
+      handOver(*this->in_.previousScene, *this->in_.scene, this->p_.contact, p_W, contact);
+    }
+    else if (this->sceneChanged())
+    {
+      contact.count = 0; // features are numbered by their scene
+    }
+    return moveGodObject(*this->in_.scene, this->p_.contact, p_W, contact, this->sink_);
+  }
+
+  [[nodiscard]] bool sceneChanged() const noexcept
+  {
+    return this->in_.previousScene != nullptr || this->out_.state.sceneRevision != this->s_.sceneRevision;
+  }
+
   /// F = F_new + (F_old - F_new) decaying: a replaced scene never steps (Mark et al. 1996). Not for the first scene,
   /// and not a safety limit.
   void blendScenes() noexcept
   {
     HapticState& state = this->out_.state;
-    if (state.sceneRevision != this->s_.sceneRevision)
+    if (this->sceneChanged())
     {
       if (this->s_.sceneRevision != 0 && this->p_.sceneBlend_s > 0.0)
       {

@@ -16,7 +16,7 @@ enum class EventKind : std::uint8_t
   Mark,       ///< a note in the recording
   Scene,      ///< the tick took another scene (value: content hash)
   Parameters, ///< the tick took other parameters
-  Fault,      ///< a fault was raised (value: Fault)
+  Fault,      ///< a fault was raised in the tick before it (value: Fault)
 };
 
 struct HapticEvent

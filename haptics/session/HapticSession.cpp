@@ -7,6 +7,12 @@
 
 namespace palpate
 {
+namespace
+{
+
+constexpr double shortestPeriod_s = 1e-4;
+
+} // namespace
 
 /// Everything that lives from start() to stop().
 struct HapticSession::Run
@@ -43,6 +49,10 @@ HapticDevice* HapticSession::device() noexcept
 std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const SessionOptions& options)
 {
   this->stop();
+  if (!(options.period_s >= shortestPeriod_s))
+  {
+    return "the period [s] must be at least 0.0001";
+  }
   const std::string problem = device->open();
   if (!problem.empty())
   {

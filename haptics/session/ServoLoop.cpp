@@ -56,7 +56,8 @@ void ServoLoop::takeChanges() noexcept
   const Scene* const before = this->input_.scene;
   this->input_.scene = this->links_.scenes.acquire();
   this->input_.previousScene = this->links_.scenes.replaced();
-  if (this->input_.scene != before && this->recorder_ != nullptr)
+  const bool taken = this->input_.scene != before || this->input_.previousScene != nullptr;
+  if (taken && this->recorder_ != nullptr)
   {
     this->recorder_->pushScene(this->input_.tick, this->input_.scene);
   }
@@ -95,7 +96,12 @@ bool ServoLoop::tick() noexcept
   if (this->recorder_ != nullptr)
   {
     this->recorder_->pushTick(makeRecord(this->input_, output));
+    if (output.state.fault != this->fault_ && output.state.fault != Fault::None)
+    {
+      this->recorder_->pushEvent({ this->period_, EventKind::Fault, static_cast<std::uint64_t>(output.state.fault) });
+    }
   }
+  this->fault_ = output.state.fault;
   this->links_.state.write(output.state);
   this->account(wakeup, output, 1e-3 * static_cast<double>(this->clock_.now_ns() - start_ns));
   return true;

@@ -82,6 +82,7 @@ private:
   RendererState renderer_;
   TickInput input_;
   std::array<HapticEvent, 16> events_;
+  Fault fault_ = Fault::None; ///< of the last tick
   DurationHistogram cost_;
   SlidingHistogram lateness_;
   double latenessP99_s_ = 0.0;
