@@ -95,6 +95,13 @@ class MeshFiles(CommandLineTest):
                 self.write(name, make(LINE_POINTS, ONE_FACE))
                 self.refused("check", name, saying=[name, "without area"])
 
+    def test_polygons_without_area(self):
+        line = [(0, 0, 0), (1, 1, 1), (2, 2, 2), (3, 3, 3)]
+        self.write_off("all.off", line, [(0, 1, 2, 3)])
+        self.refused("check", "all.off", saying=["all.off", "without area"])
+        self.write_off("one.off", line + SQUARE_POINTS, [(0, 1, 2, 3), (4, 5, 6, 7)])
+        self.assertIn("2 triangles of polygons without area", self.succeed("check", "one.off").stderr)
+
     def test_points_without_triangles(self):
         for name, make in (("a.off", off_text), ("a.obj", obj_text), ("a.ply", ply_text), ("a.vtp", vtp_text),
                            ("a.vtu", vtu_text)):

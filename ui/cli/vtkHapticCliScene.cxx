@@ -5,6 +5,7 @@
 #include <iostream>
 #include <thread>
 
+#include "vtkCellArray.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticMessageCapture.h"
@@ -19,6 +20,42 @@ void Note(const std::string& file, const std::string& note)
   {
     std::cerr << "palpate: " << file << ": " << note << '\n';
   }
+}
+
+/// How many triangles the polygons and strips make when none is degenerate.
+std::size_t TrianglesOf(vtkPolyData* surface)
+{
+  vtkIdType triangles = 0;
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      triangles += std::max<vtkIdType>(0, cells->GetCellSize(cell) - 2);
+    }
+  }
+  return static_cast<std::size_t>(triangles);
+}
+
+/// Triangles of a surface, and a note when polygons could not be cut into as many as they should be.
+std::shared_ptr<const palpate::TriangleMesh> ToMesh(const std::string& file, vtkPolyData* surface)
+{
+  const vtkHapticMessageCapture messages; // VTK warns of each polygon without area
+  const vtkHapticConversionResult converted = vtkHapticToMesh(surface);
+  const std::size_t expected = TrianglesOf(surface);
+  const std::size_t found = converted.Mesh ? converted.Mesh->triangles.size() : 0;
+  if (found == 0 && expected > 0)
+  {
+    throw vtkHapticCliProblem(file + ": it cannot be touched: all its polygons are without area");
+  }
+  if (!converted.Mesh)
+  {
+    throw vtkHapticCliProblem(file + ": " + converted.Problem);
+  }
+  if (found < expected)
+  {
+    Note(file, std::to_string(expected - found) + " triangles of polygons without area were left out");
+  }
+  return converted.Mesh;
 }
 
 void CheckIsoIsUsed(const std::vector<std::string>& files, std::optional<double> iso)
@@ -54,14 +91,7 @@ palpate::SurfaceInput vtkHapticCliReadSurface(const std::string& file, std::opti
     throw vtkHapticCliProblem(read.Problem);
   }
   Note(file, read.Note);
-  const vtkHapticMessageCapture messages;
-  const vtkHapticConversionResult converted = vtkHapticToMesh(read.Surface);
-  if (!converted.Mesh)
-  {
-    throw vtkHapticCliProblem(file + ": " + converted.Problem);
-  }
-  Note(file, messages.FirstError().empty() ? messages.FirstWarning() : messages.FirstError());
-  return { file, converted.Mesh, palpate::Material() };
+  return { file, ToMesh(file, read.Surface), palpate::Material() };
 }
 
 std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(
