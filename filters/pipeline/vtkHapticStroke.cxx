@@ -59,7 +59,8 @@ struct PushedPoint
   double Depth = 0.0;
 };
 
-std::vector<PushedPoint> PushIn(const vtkHapticHeights& profile, const std::vector<double>& smooth, double depth)
+std::vector<PushedPoint> PushIn(
+  const vtkHapticHeights& profile, const std::vector<double>& smooth, double depth, double lift)
 {
   std::vector<PushedPoint> points;
   const std::size_t last = smooth.size() - 1;
@@ -69,6 +70,10 @@ std::vector<PushedPoint> PushIn(const vtkHapticHeights& profile, const std::vect
     const std::size_t after = std::min(i + 1, last);
     const double slope = (smooth[after] - smooth[before]) / (static_cast<double>(after - before) * profile.Step);
     const double secant = std::sqrt(1.0 + slope * slope);
+    if (i == 0 && lift > 0.0)
+    {
+      points.push_back({ profile.At(0) - lift * slope / secant, profile.Height[0] + lift / secant, -lift });
+    }
     points.push_back({ profile.At(i) + depth * slope / secant, smooth[i] - depth / secant,
       depth + (profile.Height[i] - smooth[i]) / secant });
   }
@@ -88,7 +93,6 @@ void Write(const std::vector<PushedPoint>& points, const vtkHapticCutFrame& fram
     depth->InsertNextValue(point.Depth);
   };
   std::for_each(points.begin(), points.end(), add);
-  std::for_each(points.rbegin() + 1, points.rend(), add);
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell(static_cast<int>(coordinates->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < coordinates->GetNumberOfPoints(); ++i)
@@ -111,6 +115,7 @@ void vtkHapticStroke::PrintSelf(ostream& os, vtkIndent indent)
   vector("Origin", this->Origin);
   os << indent << "UseCentre: " << this->UseCentre << "\n";
   os << indent << "Depth: " << this->Depth << " u\n";
+  os << indent << "Lift: " << this->Lift << " u\n";
   os << indent << "Step: " << this->Step << " u\n";
   os << indent << "Window: " << this->Window << " u\n";
   os << indent << "Reach: " << this->Reach << "\n";
@@ -123,13 +128,27 @@ int vtkHapticStroke::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+const char* vtkHapticStroke::CheckNumbers() const
+{
+  for (const double length : { this->Depth, this->Lift, this->Window })
+  {
+    if (!(length >= 0.0 && std::isfinite(length)))
+    {
+      return "Depth, Lift and Window must be 0 or more [scene units]";
+    }
+  }
+  if (!(this->Step > 0.0 && std::isfinite(this->Step)))
+  {
+    return "Step must be more than 0 [scene units]";
+  }
+  return this->Reach > 0.0 && this->Reach <= 1.0 ? nullptr : "Reach must be in (0, 1]";
+}
+
 int vtkHapticStroke::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  const bool lengths = this->Depth >= 0.0 && this->Step > 0.0 && this->Window >= 0.0 && std::isfinite(this->Depth) &&
-    std::isfinite(this->Step) && std::isfinite(this->Window);
-  if (!lengths || !(this->Reach > 0.0 && this->Reach <= 1.0))
+  if (const char* problem = this->CheckNumbers())
   {
-    vtkErrorMacro("Depth and Window must be 0 or more, Step more than 0 [scene units], Reach in (0, 1]");
+    vtkErrorMacro(<< problem);
     return 0;
   }
   vtkHapticCutFrame frame;
@@ -159,6 +178,7 @@ int vtkHapticStroke::RequestData(vtkInformation*, vtkInformationVector** input, 
   const double half = std::min(this->Window / (2.0 * this->Step), static_cast<double>(run.Height.size()));
   vtkHapticHeights smooth = run;
   smooth.Height = vtkHapticSmoothBelow(run.Height, static_cast<std::size_t>(half));
-  Write(PushIn(stroked, vtkHapticMiddle(smooth, this->Reach).Height, this->Depth), frame, vtkPolyData::GetData(output));
+  Write(PushIn(stroked, vtkHapticMiddle(smooth, this->Reach).Height, this->Depth, this->Lift), frame,
+    vtkPolyData::GetData(output));
   return 1;
 }

@@ -6,11 +6,13 @@
  * Looks down on the surface along -Up and cuts it by the plane through Up and Along: the outermost points of the cut
  * over evenly spaced places are a profile. Its longest part without a gap and without a cliff (a step between two
  * places of more than three times their distance) is kept, the middle Reach of that is taken, smoothed over Window and
- * pushed in by Depth along its local normal. The result goes there and back and ends where it starts, so that a hand
- * led around it never jumps. Smoothing is an erosion followed by a mean over the same window: it never rises above the
- * surface. Deterministic, whatever the order of triangles.
+ * pushed in by Depth along its local normal. Smoothing is an erosion followed by a mean over the same window: it never
+ * rises above the surface. Deterministic, whatever the order of triangles.
  *
- * Points carry the array "Depth" [u]: how far below the profile each lies, along the normal.
+ * A proxy begins where the hand begins, on that side of the surface. So the stroke starts with a point that lies Lift
+ * outside of its first place: a hand that goes back and forth comes down, strokes there and back, and lifts.
+ *
+ * Points carry the array "Depth" [u]: how far below the profile each lies, along the normal; -Lift at the first.
  */
 #ifndef vtkHapticStroke_h
 #define vtkHapticStroke_h
@@ -57,6 +59,12 @@ public:
   ///@}
 
   ///@{
+  /// How far outside the surface the stroke starts [u], >= 0; 0: under it, without the first point. Default 10.
+  vtkSetMacro(Lift, double);
+  vtkGetMacro(Lift, double);
+  ///@}
+
+  ///@{
   /// Distance of neighbouring places along Along [u], > 0. Default 1.
   vtkSetMacro(Step, double);
   vtkGetMacro(Step, double);
@@ -85,11 +93,15 @@ private:
   vtkHapticStroke(const vtkHapticStroke&) = delete;
   void operator=(const vtkHapticStroke&) = delete;
 
+  /// Null, or what cannot be used.
+  const char* CheckNumbers() const;
+
   double Up[3] = { 0.0, 0.0, 1.0 };
   double Along[3] = { 0.0, 1.0, 0.0 };
   double Origin[3] = { 0.0, 0.0, 0.0 };
   bool UseCentre = true;
   double Depth = 1.0;
+  double Lift = 10.0;
   double Step = 1.0;
   double Window = 10.0;
   double Reach = 0.6;

@@ -51,6 +51,7 @@ TEST(Stroke, LiesExactlyDepthUnderATiltedPlane)
   stroke->SetDepth(depth);
   stroke->SetStep(0.1);
   stroke->SetWindow(0.0);
+  stroke->SetLift(0.0);
   ASSERT_THAT(errorsOf(stroke), ::testing::IsEmpty());
   const Vec3 normal = Vec3(0.0, -tilt, 1.0).normalized();
   const std::vector<Vec3> points_W = pointsOf(stroke->GetOutput());
@@ -62,17 +63,19 @@ TEST(Stroke, LiesExactlyDepthUnderATiltedPlane)
   }
 }
 
-TEST(Stroke, GoesThereAndBackAndEndsWhereItStarts)
+TEST(Stroke, StartsOutsideTheSurfaceAndCoversItsReach)
 {
   vtkNew<vtkHapticStroke> stroke;
   stroke->SetInputData(makePlane(10.0));
   stroke->SetReach(0.5);
+  stroke->SetLift(4.0);
   ASSERT_THAT(errorsOf(stroke), ::testing::IsEmpty());
   const std::vector<Vec3> points_W = pointsOf(stroke->GetOutput());
-  EXPECT_EQ(points_W.front(), points_W.back());
-  const Vec3 turn_W = points_W[points_W.size() / 2];
-  EXPECT_NEAR((turn_W - points_W.front()).norm(), 0.5 * 20.0, 1.0); // half of 20 u, to a step of 1 u
+  EXPECT_NEAR(points_W[0].z(), 4.0, 1e-12);
+  EXPECT_NEAR(points_W[1].z(), -1.0, 1e-12);
+  EXPECT_NEAR((points_W.back() - points_W[1]).norm(), 0.5 * 20.0, 1.0); // half of 20 u, to a step of 1 u
   EXPECT_EQ(stroke->GetOutput()->GetNumberOfLines(), 1);
+  EXPECT_EQ(stroke->GetOutput()->GetPointData()->GetArray("Depth")->GetComponent(0, 0), -4.0);
 }
 
 TEST(Stroke, IsNeverAboveASphereHoweverItIsSmoothed)
@@ -85,6 +88,7 @@ TEST(Stroke, IsNeverAboveASphereHoweverItIsSmoothed)
     stroke->SetInputData(makeSphere(radius, 100));
     stroke->SetDepth(depth);
     stroke->SetWindow(window);
+    stroke->SetLift(0.0);
     ASSERT_THAT(errorsOf(stroke), ::testing::IsEmpty());
     // Pushed in along the normal of the smoothed profile, which is that of the sphere at most `reach` further out:
     // two halves of the window (erosion and mean), a step for the secant, the depth for the push itself.
@@ -124,6 +128,7 @@ TEST(Stroke, StaysOnTheLongestPartWithoutAGapOrACliff)
   vtkNew<vtkHapticStroke> stroke;
   stroke->SetInputData(vtkHapticToPolyData(mesh));
   stroke->SetReach(1.0);
+  stroke->SetLift(0.0);
   ASSERT_THAT(errorsOf(stroke), ::testing::IsEmpty());
   double bounds[6];
   stroke->GetOutput()->GetBounds(bounds);
@@ -140,6 +145,7 @@ TEST(Stroke, FollowsTheOuterOfTwoLayers)
   addStrip(mesh, -10.0, 10.0, 3.0);
   vtkNew<vtkHapticStroke> stroke;
   stroke->SetInputData(vtkHapticToPolyData(mesh));
+  stroke->SetLift(0.0);
   ASSERT_THAT(errorsOf(stroke), ::testing::IsEmpty());
   double bounds[6];
   stroke->GetOutput()->GetBounds(bounds);
@@ -160,15 +166,15 @@ TEST(Stroke, RefusesWhatItCannotStrokeWithAReason)
     EXPECT_EQ(stroke->GetOutput()->GetNumberOfPoints(), 0);
   };
   stroke->SetStep(0.0);
-  expectRefused("Step more than 0");
+  expectRefused("Step must be more than 0");
   stroke->SetStep(std::nan(""));
-  expectRefused("Step more than 0");
+  expectRefused("Step must be more than 0");
   stroke->SetStep(1.0);
   stroke->SetDepth(-1.0);
-  expectRefused("Depth and Window must be 0 or more");
+  expectRefused("must be 0 or more");
   stroke->SetDepth(1.0);
   stroke->SetReach(2.0);
-  expectRefused("Reach in (0, 1]");
+  expectRefused("Reach must be in (0, 1]");
   stroke->SetReach(0.5);
   stroke->SetAlong(0.0, 0.0, 3.0);
   expectRefused("not parallel");

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "haptics/session/Recording.h"
+#include "vtkCallbackCommand.h"
+#include "vtkHapticSession.h"
+#include "vtkHapticStroke.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+
+namespace
+{
+/// Ticks after which the force is let through in full: it arms, then the engage ramp of 1 s, then some to spare.
+constexpr int ticksToEngage = 1100;
+
+/// A session in virtual time with a fed hand at (0, 0, 1) over the plane z = 0; one unit is a millimetre.
+class HapticSession : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->session_->VirtualTimeOn();
+    this->session_->SetStiffness(stiffness);
+    this->session_->SetScale(scale);
+    this->session_->SetHandPosition(0.0, 0.0, 1.0);
+    this->show(makePlane(100.0));
+  }
+
+  void show(vtkDataObject* surface)
+  {
+    this->session_->ClearSurfaces();
+    if (surface)
+    {
+      ASSERT_TRUE(this->session_->AddSurface("surface", surface, nullptr)) << this->session_->GetProblem();
+    }
+    this->session_->CommitScene();
+    ASSERT_EQ(this->session_->FinishScene(), surface != nullptr);
+  }
+
+  void engage()
+  {
+    this->session_->TouchingOn();
+    ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+    this->session_->Step(ticksToEngage);
+    ASSERT_EQ(this->session_->GetEngageState(), vtkHapticSession::Engaged);
+  }
+
+  /// Runs `change` and returns what it reported as errors; prints nothing.
+  template <class Change>
+  std::vector<std::string> errorsOfChange(Change change)
+  {
+    std::vector<std::string> errors;
+    vtkNew<vtkCallbackCommand> listener;
+    listener->SetClientData(&errors);
+    listener->SetCallback([](vtkObject*, unsigned long, void* list, void* text)
+      { static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<const char*>(text)); });
+    const unsigned long tag = this->session_->AddObserver(vtkCommand::ErrorEvent, listener);
+    change();
+    this->session_->RemoveObserver(tag);
+    return errors;
+  }
+
+  [[nodiscard]] Vec3 force() const { return Vec3(this->session_->GetForce()); }
+  [[nodiscard]] Vec3 proxy_W() const { return Vec3(this->session_->GetProxyPosition()); }
+
+  static constexpr double stiffness = 500.0;
+  static constexpr double scale = 1000.0;
+  vtkNew<vtkHapticSession> session_;
+};
+} // namespace
+
+TEST_F(HapticSession, ForceIsStiffnessTimesDepthOverScale)
+{
+  this->engage();
+  EXPECT_EQ(this->force(), Vec3::Zero());
+  constexpr double depth = 2.0;
+  this->session_->SetHandPosition(3.0, 4.0, -depth);
+  this->session_->Step(100); // longer than the rise limit needs for 1 N
+  EXPECT_LT((this->force() - Vec3(0.0, 0.0, stiffness * depth / scale)).norm(), 1e-12);
+  EXPECT_LT((this->proxy_W() - Vec3(3.0, 4.0, 0.0)).norm(), 1e-12);
+  EXPECT_EQ(this->session_->GetContacts(), 1);
+  EXPECT_NEAR(this->session_->GetDepth(), depth, 1e-12);
+}
+
+TEST_F(HapticSession, CountsEveryTickOfVirtualTime)
+{
+  this->session_->TouchingOn();
+  this->session_->Step(250);
+  this->session_->Step(250);
+  EXPECT_EQ(this->session_->GetTicks(), 500);
+  EXPECT_EQ(this->session_->GetMissed(), 0);
+  EXPECT_EQ(this->session_->GetPeriods(), 500);
+}
+
+TEST_F(HapticSession, StartsWithoutForceWhenTheHandIsAlreadyPressed)
+{
+  this->engage();
+  this->session_->TouchingOff();
+  EXPECT_EQ(this->session_->GetEngageState(), vtkHapticSession::Safe);
+  EXPECT_EQ(this->force(), Vec3::Zero());
+}
+
+TEST_F(HapticSession, LetsGoWhenTold)
+{
+  this->engage();
+  this->session_->SetHandPosition(0.0, 0.0, -2.0);
+  this->session_->Step(100);
+  ASSERT_GT(this->session_->GetForceMagnitude(), 0.5);
+  this->session_->Release();
+  this->session_->Step(100);
+  EXPECT_EQ(this->force(), Vec3::Zero());
+  EXPECT_EQ(this->session_->GetEngageState(), vtkHapticSession::Safe);
+}
+
+TEST_F(HapticSession, AMovedSurfacePushesFromItsNewPlace)
+{
+  this->engage();
+  vtkNew<vtkMatrix4x4> up;
+  up->SetElement(2, 3, 5.0);
+  this->session_->SetHandPosition(0.0, 0.0, 6.0);
+  this->session_->Step(10);
+  this->session_->ClearSurfaces();
+  ASSERT_TRUE(this->session_->AddSurface("surface", makePlane(100.0), up));
+  this->session_->CommitScene();
+  ASSERT_TRUE(this->session_->FinishScene());
+  this->session_->Step(1000); // the blend of a new scene has faded
+  this->session_->SetHandPosition(0.0, 0.0, 4.0);
+  this->session_->Step(100);
+  EXPECT_NEAR(this->proxy_W().z(), 5.0, 1e-12);
+  EXPECT_LT((this->force() - Vec3(0.0, 0.0, stiffness * 1.0 / scale)).norm(), 1e-12);
+}
+
+TEST_F(HapticSession, AnEmptySceneReleasesAndSaysSo)
+{
+  this->engage();
+  this->session_->SetHandPosition(0.0, 0.0, -2.0);
+  this->session_->Step(100);
+  this->show(nullptr);
+  this->session_->Step(1000);
+  EXPECT_LT(this->session_->GetForceMagnitude(), 1e-6);
+  EXPECT_STRNE(this->session_->GetFaultText(), "");
+}
+
+TEST_F(HapticSession, ASimulatedHandStrokesAPlaneAlongItsStroke)
+{
+  constexpr double depth = 3.0;
+  vtkNew<vtkHapticStroke> stroke;
+  stroke->SetInputData(makePlane(50.0));
+  stroke->SetDepth(depth);
+  stroke->SetWindow(0.0);
+  stroke->Update();
+  this->session_->SetDeviceName("simulated-generic");
+  this->session_->SetStrokePath(stroke->GetOutput());
+  ASSERT_EQ(this->session_->GetNumberOfStrokePoints(), stroke->GetOutput()->GetNumberOfPoints());
+  this->session_->TouchingOn();
+  ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+  this->session_->Step(2000); // 100 mm of lift and stroke: on the way back, far from both ends
+  EXPECT_EQ(this->session_->GetEngageState(), vtkHapticSession::Engaged) << this->session_->GetFaultText();
+  EXPECT_GT(this->session_->GetForceMagnitude(), 0.0);
+  EXPECT_LT(this->session_->GetForceResidual(), 1e-9);
+}
+
+TEST_F(HapticSession, TwoRunsAreTheSameToTheLastBit)
+{
+  const auto run = [this]
+  {
+    this->session_->SetHandPosition(0.0, 0.0, 1.0);
+    this->session_->TouchingOn();
+    this->session_->Step(ticksToEngage);
+    for (int i = 0; i < 50; ++i)
+    {
+      this->session_->SetHandPosition(0.1 * i, 0.2 * i, 1.0 - 0.07 * i);
+      this->session_->Step(7);
+    }
+    const Vec3 result = this->force();
+    this->session_->TouchingOff();
+    return result;
+  };
+  const Vec3 first = run();
+  EXPECT_GT(first.norm(), 0.0);
+  EXPECT_EQ(run(), first);
+}
+
+TEST_F(HapticSession, ARecordingReplaysBitForBit)
+{
+  const std::string file = (std::filesystem::temp_directory_path() / "palpate-session.palpate").string();
+  this->session_->SetRecordFile(file.c_str());
+  this->engage();
+  this->session_->SetHandPosition(1.0, 2.0, -2.0);
+  this->session_->Step(200);
+  this->session_->TouchingOff();
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+  const auto recording = readRecording(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(std::holds_alternative<Recording>(recording)) << std::get<std::string>(recording);
+  const ReplayResult result = replay(std::get<Recording>(recording));
+  EXPECT_EQ(result.problem, "");
+  EXPECT_EQ(result.difference, "");
+  EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(ticksToEngage + 200));
+}
+
+TEST_F(HapticSession, TheWorkspaceCanBeFittedToTheScene)
+{
+  this->session_->FitWorkspace();
+  // the bounds of the plane are 200 u across: half their diagonal fills the workspace, whose radius is in metres
+  const double half = 0.5 * std::hypot(200.0, 200.0);
+  EXPECT_EQ(Vec3(this->session_->GetOffset()), Vec3::Zero());
+  const double radius_m = half / this->session_->GetScale();
+  EXPECT_GT(radius_m, 0.01);
+  EXPECT_LT(radius_m, 1.0);
+}
+
+TEST_F(HapticSession, NumbersThatCannotBeAreRefusedAndTheOldOnesStay)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : { -1.0, std::nan(""), infinity })
+  {
+    EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetStiffness(bad); }).at(0), HasSubstr("stiffness"));
+    EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetRadius(bad); }).at(0), HasSubstr("radius"));
+    EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetScale(bad); }).at(0), HasSubstr("scale"));
+    EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetStrokeSpeed(bad); }).at(0), HasSubstr("speed"));
+  }
+  EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetRotation(1.0, 1.0, 0.0, 0.0); }).at(0),
+    HasSubstr("unit quaternion"));
+  EXPECT_EQ(this->session_->GetStiffness(), stiffness);
+  EXPECT_EQ(this->session_->GetRadius(), 0.0);
+  EXPECT_EQ(this->session_->GetScale(), scale);
+}
+
+TEST_F(HapticSession, AnUnknownDeviceIsRefusedByNameAndTheOldOneStays)
+{
+  const auto errors = this->errorsOfChange([&] { this->session_->SetDeviceName("touchstone"); });
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr("touchstone"));
+  EXPECT_THAT(errors[0], HasSubstr("fed"));
+  EXPECT_STREQ(this->session_->GetDeviceName(), "fed");
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("touchstone"));
+}
+
+TEST_F(HapticSession, ASimulatedHandWithoutAStrokeDoesNotStart)
+{
+  this->session_->SetDeviceName("simulated-ideal");
+  const auto errors = this->errorsOfChange([&] { this->session_->TouchingOn(); });
+  EXPECT_EQ(errors.size(), 1u);
+  EXPECT_FALSE(this->session_->GetTouching());
+}
+
+TEST_F(HapticSession, ASurfaceWithoutPolygonsIsRefusedByNameAndTheSceneStays)
+{
+  this->session_->ClearSurfaces();
+  const auto errors =
+    this->errorsOfChange([&] { this->session_->AddSurface("path", makePath({ Vec3::Zero(), Vec3::Ones() }), nullptr); });
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr("path: it has no polygons"));
+  double bounds[6];
+  EXPECT_TRUE(this->session_->GetSceneBounds(bounds));
+  EXPECT_EQ(bounds[0], -100.0);
+}
+
+TEST_F(HapticSession, ReportsWhatWasDropped)
+{
+  const vtkSmartPointer<vtkPolyData> plane = makePlane(100.0);
+  plane->GetPoints()->SetPoint(3, std::nan(""), 0.0, 0.0);
+  this->show(plane);
+  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("surface: "));
+  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("1"));
+}
+
+TEST_F(HapticSession, RunsInRealTimeAndStopsWithoutForce)
+{
+  this->session_->VirtualTimeOff();
+  this->session_->TouchingOn();
+  ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+  this->session_->TouchingOff();
+  EXPECT_EQ(this->session_->GetPeriods(), this->session_->GetTicks() + this->session_->GetMissed());
+  EXPECT_EQ(this->force(), Vec3::Zero());
+}
