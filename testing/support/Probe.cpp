@@ -46,7 +46,7 @@ ContactResult Probe::along(const Vec3& p_W, int steps)
 
 void Probe::changeScene(std::shared_ptr<const Scene> scene)
 {
-  handOver(*this->scene_, *scene, this->state_);
+  handOver(*this->scene_, *scene, this->plan_, this->p_W_, this->state_);
   this->scene_ = std::move(scene);
 }
 

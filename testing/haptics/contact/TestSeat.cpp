@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a god-object begins.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "testing/support/Meshes.h"
@@ -25,6 +27,25 @@ TEST(Seat, AnOverlappingBallIsMovedOutByTheLeastMotionToTheSideOfItsCentre)
   const auto scene = sceneOf(makeBox({ -5, -5, -5 }, { 5, 5, 5 }));
   EXPECT_LE((Probe(scene, 1.0, { 0.5, 0.25, 5.3 }).x_W() - Vec3(0.5, 0.25, 6)).norm(), 1e-12);
   EXPECT_LE((Probe(scene, 1.0, { 0.5, 0.25, 4.8 }).x_W() - Vec3(0.5, 0.25, 4)).norm(), 1e-12); // from inside
+}
+
+TEST(Seat, ABallThatCutsATessellatedPlaneIsLiftedOntoItFromAnyHeight)
+{
+  Random random(testSeed(122));
+  const double r = 1.0;
+  const auto scene = sceneOf(makeSheet({ 60, 60, 24, 24, 0.35 }, random));
+  for (std::size_t i = 0; i < testCount(2000); ++i)
+  {
+    const double height = (random.below(2) == 0 ? 1 : -1) * r * std::pow(10.0, random.uniform(-9, 0));
+    const Vec3 p(random.uniform(-20, 20), random.uniform(-20, 20), height);
+    GodObjectState state;
+    ContactPlan plan;
+    plan.radius_u = r;
+    const ContactResult result = moveGodObject(*scene, plan, p, state);
+    ASSERT_FALSE(result.seatFailed) << "case " << i << ", height " << height;
+    // The least motion to the side of the centre is straight up or down, by less than the radius.
+    ASSERT_LE((state.x_W - Vec3(p.x(), p.y(), height > 0 ? r : -r)).norm(), 1e-9) << "case " << i << ", height " << height;
+  }
 }
 
 TEST(Seat, ABallThatFindsNoPlaceWithinItsRadiusReportsIt)

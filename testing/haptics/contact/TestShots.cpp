@@ -43,18 +43,25 @@ Vec3 aim(const TriangleMesh& mesh, Random& random)
   }
 }
 
-/// Up to 10 mm in one tick of 1 ms, through the aim, from either side; a third of them straight down.
-Shot shot(const TriangleMesh& mesh, double clearance, Random& random)
+/// Up to 10 mm in one tick of 1 ms, through the aim, from either side, beginning at least `clearance_m` away from the
+/// plane of the sheet; a third of them straight down.
+Shot shot(const TriangleMesh& mesh, double clearance_m, Random& random)
 {
   const Vec3 target = aim(mesh, random);
-  Vec3 way = random.below(3) == 0 ? Vec3::UnitZ() : random.direction();
+  Vec3 way = Vec3::UnitZ();
+  if (random.below(3) > 0)
+  {
+    do
+    {
+      way = random.direction();
+    } while (std::fabs(way.z()) < 0.35);
+  }
   if (random.below(2) == 0)
   {
     way = -way;
   }
-  const double before = random.uniform(clearance + 1.5e-3, 5e-3) / std::max(0.3, std::fabs(way.z()));
-  const double beyond = std::max(1e-6, std::min(10e-3 - before, random.uniform(0.0, 5e-3)));
-  return { target - before * way, target + beyond * way };
+  const double before_m = random.uniform(clearance_m, 3.4e-3) / std::fabs(way.z()); // less than 9.8 mm
+  return { target - before_m * way, target + random.uniform(1e-6, 10e-3 - before_m) * way };
 }
 
 class Shots : public ::testing::TestWithParam<std::tuple<bool, double>>
@@ -67,23 +74,18 @@ TEST_P(Shots, NoneCrossesTheSheet)
   Random random(testSeed(61));
   const TriangleMesh mesh = sheet(bumpy, random);
   const auto scene = sceneOf(mesh);
-  // The sweep may leave a ball deeper than r by 64 roundings of a coordinate of at most 0.04.
-  PathChecker checker(mesh, r, 128 * 2.2e-16 * 0.04);
+  PathChecker checker(mesh, r, 1e-12); // row 11: positions are exact to 1e-12 m
   std::size_t held = 0;
   const std::size_t count = testCount(20000) / 4; // the four cases together make the count
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Shot way = shot(mesh, r, random);
+    const Shot way = shot(mesh, r + 1.1e-3, random); // the bumps are 1 mm high
     Probe probe(scene, r, way.from_W, &checker);
-    if (probe.x_W() != way.from_W)
-    {
-      continue; // the ball began in the sheet and was moved out
-    }
     held += probe.to(way.to_W).contacts > 0;
     probe.to(way.to_W + random.inCube(5e-3)); // and a second tick from where it was held
     ASSERT_EQ(probe.finding(), "") << "shot " << i;
   }
-  EXPECT_GT(checker.judged(), count / 2);
+  EXPECT_GT(checker.judged(), count);
   EXPECT_GT(held, count / 2); // the shots do meet the sheet
 }
 
