@@ -4,17 +4,7 @@
 find_package(ParaView 5.11 REQUIRED)
 set(BUILD_SHARED_LIBS ON)
 
-# A module takes part as soon as its CMakeLists.txt lists a class; ParaView cannot build an empty one.
-set(palpate_plugin_modules)
-foreach (module IN ITEMS Pipeline Interaction Views)
-  string(TOLOWER "${module}" folder)
-  file(STRINGS "${CMAKE_CURRENT_SOURCE_DIR}/filters/${folder}/CMakeLists.txt" classes REGEX "^ +vtkHaptic|^ +vtkTouch")
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/filters/${folder}/CMakeLists.txt")
-  if (NOT classes)
-    break () # each module needs the one before it
-  endif ()
-  list(APPEND palpate_plugin_modules "Palpate::vtkHaptic${module}")
-endforeach ()
+set(palpate_plugin_modules Palpate::vtkHapticPipeline Palpate::vtkHapticInteraction Palpate::vtkHapticViews)
 
 paraview_plugin_scan(
   PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/plugin/paraview.plugin"
