@@ -88,8 +88,7 @@ bool ServoLoop::tick() noexcept
     this->report_.ended = true;
     return false;
   }
-  const double gap_s = static_cast<double>(wakeup.missed) * this->period_s_ + 1e-9 * static_cast<double>(wakeup.lateness_ns);
-  this->input_.lateness = judgeLateness(gap_s, this->latenessP99_s_, this->period_s_, this->device_.info().simulated);
+  this->input_.lateness = judgeLateness(this->behind_s(wakeup), this->latenessP99_s_, this->period_s_, this->device_.info().simulated);
   this->takeChanges();
   const TickOutput output = renderTick(this->input_, this->parameters_, this->renderer_);
   this->device_.write(output.command);
@@ -105,6 +104,11 @@ bool ServoLoop::tick() noexcept
   this->links_.state.write(output.state);
   this->account(wakeup, output, 1e-3 * static_cast<double>(this->clock_.now_ns() - start_ns));
   return true;
+}
+
+double ServoLoop::behind_s(const Wakeup& wakeup) const noexcept
+{
+  return static_cast<double>(wakeup.missed) * this->period_s_ + 1e-9 * static_cast<double>(wakeup.lateness_ns);
 }
 
 void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double cost_us) noexcept
@@ -127,7 +131,7 @@ void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double c
     r.forceResidual_N = std::max(r.forceResidual_N, (s.force_D - spring_D).norm());
   }
   this->cost_.add(cost_us);
-  this->lateness_.add(r.elapsed_s, 1e-3 * static_cast<double>(wakeup.lateness_ns));
+  this->lateness_.add(r.elapsed_s, 1e6 * this->behind_s(wakeup));
   if (r.ticks % ticksPerReport == 0)
   {
     this->publishReport();

@@ -68,6 +68,8 @@ public:
 
 private:
   void takeChanges() noexcept;
+  /// How much later the thread ran than its next period began, missed periods included [s].
+  [[nodiscard]] double behind_s(const Wakeup& wakeup) const noexcept;
   void account(const Wakeup& wakeup, const TickOutput& output, double cost_us) noexcept;
 
   HapticDevice& device_;
