@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The servo loop in virtual time: lateness, faults, and what it must not do.
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "haptics/session/Recording.h"
+#include "haptics/session/ServoLoop.h"
+#include "testing/support/AllocationGuard.h"
+#include "testing/support/Meshes.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr std::int64_t period_ns = 1'000'000;
+constexpr double period_s = 1e-3;
+
+/// A hand that the test moves.
+class MovedDevice final : public HapticDevice
+{
+public:
+  explicit MovedDevice(bool simulated)
+  {
+    this->info_.name = "moved";
+    this->info_.simulated = simulated;
+  }
+  [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
+  [[nodiscard]] std::string open() override { return {}; }
+  void close() noexcept override {}
+  [[nodiscard]] DeviceStatus read(double time_s, DeviceSample& sample) noexcept override
+  {
+    sample = DeviceSample{};
+    sample.time_s = time_s;
+    sample.pose_D.p = this->p_D;
+    return this->status;
+  }
+  void write(const DeviceCommand& command) noexcept override { this->force_D = command.wrench_D.force; }
+
+  Vec3 p_D = { 0, 0, 0.06 };
+  Vec3 force_D = Vec3::Zero();
+  DeviceStatus status = DeviceStatus::Ok;
+
+private:
+  DeviceInfo info_;
+};
+
+/// A sphere of radius 50 mm, a device, and the loop between them.
+struct Rig
+{
+  explicit Rig(bool simulated, Recorder* recorder = nullptr)
+    : device(simulated)
+  {
+    HapticParameters parameters;
+    parameters.safety.engageRamp_s = 0.01;
+    this->links.parameters.write({ 1, parameters });
+    this->links.scenes.publish(this->scene);
+    this->links.events.tryPush({ 0, EventKind::Engage, 0 });
+    this->loop.emplace(this->device, this->timer, this->links, recorder, this->clock, period_s);
+  }
+
+  void run(int ticks, std::int64_t lateness_ns = 0)
+  {
+    for (int i = 0; i < ticks; ++i)
+    {
+      this->timer.delayNext(lateness_ns);
+      static_cast<void>(this->loop->tick());
+    }
+  }
+  /// Touches from outside and presses until the force is settled.
+  void press()
+  {
+    this->run(1);
+    this->device.p_D.z() = 0.0485;
+    this->run(200);
+  }
+
+  std::shared_ptr<const Scene> scene = test::sceneOf(test::makeIcosphere(4, 0.05));
+  MovedDevice device;
+  VirtualTimer timer{ period_ns };
+  MonotonicClock clock;
+  ServoLinks links;
+  std::optional<ServoLoop> loop;
+};
+
+TEST(ServoLoop, AGapAboveTwentyMillisecondsDropsARealDevicesForceWithinTen)
+{
+  Rig rig(false);
+  rig.press();
+  const double full = rig.device.force_D.norm();
+  ASSERT_GT(full, 1.0);
+  rig.run(1, 21 * period_ns);
+  EXPECT_EQ(rig.links.state.read().fault, Fault::LateServo);
+  rig.run(10);
+  EXPECT_EQ(rig.device.force_D.norm(), 0.0);
+  rig.run(1000);
+  EXPECT_EQ(rig.device.force_D.norm(), 0.0) << "only the person engages again";
+  rig.device.p_D.z() = 0.06;
+  rig.links.events.tryPush({ 0, EventKind::Engage, 0 });
+  rig.press();
+  EXPECT_NEAR(rig.device.force_D.norm(), full, 1e-11);
+}
+
+TEST(ServoLoop, AGapBelowTwentyMillisecondsIsCountedOnly)
+{
+  Rig rig(false);
+  rig.press();
+  rig.run(1, 15 * period_ns);
+  EXPECT_EQ(rig.links.state.read().fault, Fault::None);
+  EXPECT_GT(rig.device.force_D.norm(), 1.0);
+  rig.loop->publishReport();
+  const LoopReport& report = rig.links.report.read();
+  EXPECT_EQ(report.missed, 15U);
+  EXPECT_EQ(report.ticks + report.missed, report.periods);
+}
+
+TEST(ServoLoop, ASimulatedDeviceOnlyCountsItsLateness)
+{
+  Rig rig(true);
+  rig.press();
+  rig.run(1, 500 * period_ns);
+  EXPECT_EQ(rig.links.state.read().fault, Fault::None);
+  EXPECT_GT(rig.device.force_D.norm(), 1.0);
+}
+
+TEST(ServoLoop, SteadyLatenessOfTwoMillisecondsLeavesTheStiffnessThatRateCanHold)
+{
+  Rig rig(false);
+  rig.press();
+  const double full = rig.device.force_D.norm();
+  rig.run(3000, 2 * period_ns);
+  EXPECT_EQ(rig.links.state.read().fault, Fault::None);
+  // K ~ 1 / (T / 2 + lateness): 0.5 ms of 0.5 ms + 2 ms.
+  EXPECT_NEAR(rig.device.force_D.norm(), 0.5 / 2.5 * full, 1e-11);
+}
+
+TEST(ServoLoop, SteadyLatenessAboveFiveMillisecondsDropsTheForce)
+{
+  Rig rig(false);
+  rig.press();
+  rig.run(1000, 6 * period_ns);
+  EXPECT_EQ(rig.links.state.read().fault, Fault::LateServo);
+  EXPECT_EQ(rig.device.force_D.norm(), 0.0);
+}
+
+TEST(ServoLoop, ALostDeviceGetsNoForceInTheVeryTickAndTheFaultIsShown)
+{
+  Rig rig(false);
+  rig.press();
+  rig.device.status = DeviceStatus::Lost;
+  rig.run(1);
+  EXPECT_EQ(rig.device.force_D.norm(), 0.0);
+  EXPECT_EQ(rig.links.state.read().fault, Fault::DeviceLost);
+}
+
+TEST(ServoLoop, TheEndLeavesTheDeviceWithoutForce)
+{
+  Rig rig(true);
+  rig.press();
+  ASSERT_GT(rig.device.force_D.norm(), 1.0);
+  rig.device.status = DeviceStatus::Ended;
+  EXPECT_FALSE(rig.loop->tick());
+  rig.loop->finish();
+  EXPECT_EQ(rig.device.force_D.norm(), 0.0);
+  EXPECT_TRUE(rig.links.report.read().ended);
+}
+
+TEST(ServoLoop, AScenePublishedTwiceAndAFaultAreInTheRecordingAndItReplays)
+{
+  const std::string path =
+    (std::filesystem::temp_directory_path() / ("palpate-" + std::to_string(getpid()) + "-loop")).string();
+  Recorder recorder;
+  HapticParameters first;
+  first.safety.engageRamp_s = 0.01;
+  ASSERT_EQ(recorder.open(path, "moved", first, RendererState{}, false), "");
+  {
+    Rig rig(false, &recorder);
+    recorder.storeScene(rig.scene);
+    rig.press();
+    rig.links.scenes.publish(rig.scene);
+    rig.run(50);
+    rig.run(1, 30 * period_ns);
+    rig.run(50);
+  }
+  ASSERT_EQ(recorder.close(), "");
+  const auto read = readRecording(path);
+  std::remove(path.c_str());
+  ASSERT_TRUE(std::holds_alternative<Recording>(read));
+  const Recording& recording = std::get<Recording>(read);
+  int scenes = 0;
+  std::vector<HapticEvent> faults;
+  for (const RecordedEntry& entry : recording.entries)
+  {
+    if (const auto* change = std::get_if<RecordedChange>(&entry))
+    {
+      scenes += change->event.kind == EventKind::Scene;
+      if (change->event.kind == EventKind::Fault)
+      {
+        faults.push_back(change->event);
+      }
+    }
+  }
+  EXPECT_EQ(scenes, 2);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].value, static_cast<std::uint64_t>(Fault::LateServo));
+  EXPECT_EQ(faults[0].tick, 201U + 50U + 31U); // the tick after 30 missed periods
+  const ReplayResult result = replay(recording);
+  EXPECT_EQ(result.problem + result.difference, "");
+  EXPECT_EQ(result.ticks, 302U);
+}
+
+TEST(ServoLoop, NeitherAllocatesNorFreesNorLocksWhileScenesParametersAndEventsArrive)
+{
+  if (!test::AllocationGuard::works())
+  {
+    SUCCEED() << "the sanitizer has taken the allocator's place";
+    return;
+  }
+  Rig rig(true);
+  const auto other = std::make_shared<const Scene>(9, test::sceneOf(test::makeIcosphere(3, 0.05))->surfaces());
+  rig.press();
+  std::uint64_t allocations = 0, frees = 0, locks = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    if (i % 50 == 0)
+    {
+      rig.links.scenes.publish(i % 100 == 0 ? other : rig.scene);
+      HapticParameters parameters;
+      parameters.stiffness_N_per_m = 500.0 + i;
+      rig.links.parameters.write({ static_cast<std::uint64_t>(2 + i), parameters });
+      rig.links.events.tryPush({ 0, EventKind::Mark, 0 });
+    }
+    const test::AllocationGuard guard;
+    static_cast<void>(rig.loop->tick());
+    allocations += guard.allocations();
+    frees += guard.frees();
+    locks += guard.locks();
+  }
+  EXPECT_EQ(allocations, 0U);
+  EXPECT_EQ(frees, 0U);
+  EXPECT_EQ(locks, 0U);
+}
+
+} // namespace
+} // namespace palpate
