@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The filters and the session as ParaView proxies: pipeline, properties, read-outs, state files."""
+
+import os
+import sys
+import tempfile
+import unittest
+
+import paraview.simple as pv
+from paraview import servermanager
+
+import palpate.vtkHapticInteraction  # noqa: F401 (before the first session: gives its client-side object methods)
+
+pv.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
+
+TICKS_TO_ENGAGE = 1100  # arming, the ramp of 1 s, and some to spare
+
+
+def proxy_manager():
+    return servermanager.ActiveConnection.Session.GetSessionProxyManager()
+
+
+def read(proxy, name, index=0):
+    proxy.UpdatePropertyInformation()
+    return proxy.GetProperty(name).GetElement(index)
+
+
+def write(proxy, name, *values):
+    helper = servermanager.vtkSMPropertyHelper(proxy, name)
+    for index, value in enumerate(values):
+        helper.Set(index, value)
+    proxy.UpdateVTKObjects()
+
+
+class Filters(unittest.TestCase):
+    def test_force_along_a_line_into_a_plane(self):
+        plane = pv.Plane(Origin=[-5, -5, 0], Point1=[5, -5, 0], Point2=[-5, 5, 0])
+        line = pv.Line(Point1=[1, 2, 1], Point2=[1, 2, -1], Resolution=40)
+        touch = pv.TouchAlongPath(Input=plane, Path=line, Stiffness=300.0)
+        output = servermanager.Fetch(touch)
+        self.assertEqual(output.GetNumberOfPoints(), 41)
+        force, depth = output.GetPointData().GetArray("Force"), output.GetPointData().GetArray("Depth")
+        for i in range(41):
+            expected = max(0.0, -(1.0 - 2.0 * i / 40))
+            # vtkLineSource makes points in single precision
+            self.assertAlmostEqual(depth.GetValue(i), expected, delta=1e-6)
+            self.assertAlmostEqual(force.GetComponent(i, 2), 300.0 * expected, delta=300.0 * 1e-6)
+        pv.Delete(touch)
+
+    def test_a_stroke_over_a_sphere_presses_all_along(self):
+        sphere = pv.Sphere(Radius=50.0, ThetaResolution=60, PhiResolution=60)
+        stroke = pv.HapticStroke(Input=sphere, Depth=1.0, Lift=5.0)
+        touch = pv.TouchAlongPath(Input=sphere, Path=stroke, Stiffness=1.0)
+        contacts = servermanager.Fetch(touch).GetPointData().GetArray("Contacts")
+        count = contacts.GetNumberOfTuples()
+        self.assertEqual(contacts.GetValue(0), 0)
+        self.assertTrue(all(contacts.GetValue(i) > 0 for i in range(1, count)))
+        pv.Delete(touch)
+
+
+class Session(unittest.TestCase):
+    def setUp(self):
+        self.proxy = proxy_manager().NewProxy("haptics", "HapticSession")
+        self.assertIsNotNone(self.proxy)
+        self.proxy.UpdateVTKObjects()
+
+    def tearDown(self):
+        write(self.proxy, "Touching", 0)
+
+    def test_steps_in_virtual_time_and_reads_out(self):
+        plane = pv.Plane(Origin=[-50, -50, 0], Point1=[50, -50, 0], Point2=[-50, 50, 0])
+        session = self.proxy.GetClientSideObject()
+        self.assertTrue(session.AddSurface("plane", servermanager.Fetch(plane), None))
+        session.CommitScene()
+        self.assertTrue(session.FinishScene())
+        write(self.proxy, "VirtualTime", 1)
+        write(self.proxy, "Stiffness", 400.0)
+        write(self.proxy, "HandPosition", 0.0, 0.0, 5.0)
+        write(self.proxy, "Touching", 1)
+        session.Step(TICKS_TO_ENGAGE)
+        self.assertEqual(read(self.proxy, "StateText"), "engaged")
+        write(self.proxy, "HandPosition", 0.0, 0.0, -2.0)
+        session.Step(200)
+        self.assertAlmostEqual(read(self.proxy, "ForceMagnitude"), 400.0 * 2.0 / 1000.0, delta=1e-12)
+        self.assertAlmostEqual(read(self.proxy, "Depth"), 2.0, delta=1e-12)
+        self.assertEqual(read(self.proxy, "Contacts"), 1)
+        self.assertEqual(read(self.proxy, "Ticks"), TICKS_TO_ENGAGE + 200)
+        self.assertEqual(read(self.proxy, "Missed"), 0)
+        self.assertIn("plane: ", read(self.proxy, "SceneReport"))
+
+    def test_is_saved_in_the_state_file_but_not_the_touching(self):
+        write(self.proxy, "Stiffness", 321.5)
+        write(self.proxy, "Radius", 0.75)
+        write(self.proxy, "Scale", 250.0)
+        write(self.proxy, "DeviceName", "simulated-ideal")
+        write(self.proxy, "StrokePoints", 0.0, 1.0, 2.0, 3.0, 4.0, 5.0)
+        write(self.proxy, "Touching", 1)
+        self.assertEqual(self.proxy.GetClientSideObject().GetNumberOfStrokePoints(), 2)
+        proxy_manager().RegisterProxy("haptics", "HapticSession", self.proxy)
+        with tempfile.TemporaryDirectory() as folder:
+            state = os.path.join(folder, "touch.pvsm")
+            pv.SaveState(state)
+            write(self.proxy, "Touching", 0)
+            proxy_manager().UnRegisterProxy("haptics", "HapticSession", self.proxy)
+            pv.ResetSession()
+            pv.LoadState(state)
+        loaded = proxy_manager().GetProxy("haptics", "HapticSession")
+        self.assertIsNotNone(loaded)
+        value = lambda name: servermanager.vtkSMPropertyHelper(loaded, name).GetAsDouble()  # noqa: E731
+        self.assertEqual(value("Stiffness"), 321.5)
+        self.assertEqual(value("Radius"), 0.75)
+        self.assertEqual(value("Scale"), 250.0)
+        session = loaded.GetClientSideObject()
+        self.assertEqual(session.GetStiffness(), 321.5)
+        self.assertEqual(session.GetDeviceName(), "simulated-ideal")
+        self.assertEqual(session.GetNumberOfStrokePoints(), 2)
+        self.assertFalse(session.GetTouching())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
