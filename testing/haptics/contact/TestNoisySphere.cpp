@@ -81,8 +81,7 @@ TEST_P(RoughPath, CrossesNothingInExactArithmetic)
   for (const double r_mm : radii_mm)
   {
     SCOPED_TRACE("radius " + std::to_string(r_mm) + " mm");
-    // Two sweeps of a tick may each end 64 roundings of a coordinate (54 mm) too deep.
-    PathChecker checker(clean, r_mm, 128 * 2.2e-16 * 54);
+    PathChecker checker(clean, r_mm, 1e-9); // row 11: positions are exact to 1e-12 m
     slide(sphere, scene, r_mm, &checker);
   }
 }
@@ -126,7 +125,7 @@ TEST(NoisySphere, WithASmallBudgetTheBallMovesOnlyAsFarAsIsFree)
   const TriangleMesh clean = cleanMesh(sphere.mesh()).mesh;
   for (const double r : { 0.0, 1.0 })
   {
-    PathChecker checker(clean, r, 128 * 2.2e-16 * 54);
+    PathChecker checker(clean, r, 1e-9);
     Probe probe(sceneOf(sphere.mesh()), r, slideStart_W(sphere), &checker);
     probe.plan().nodeBudget = 30;
     std::size_t over = 0;

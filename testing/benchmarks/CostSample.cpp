@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "testing/benchmarks/CostSample.h"
+
+#include <limits>
+
+namespace palpate::test
+{
+
+CostSample::CostSample(std::size_t capacity)
+  : overhead_ns_(std::numeric_limits<std::int64_t>::max())
+{
+  this->times_ns_.reserve(capacity);
+  for (int i = 0; i < 10000; ++i)
+  {
+    const std::int64_t begin_ns = this->clock_.now_ns();
+    this->overhead_ns_ = std::min(this->overhead_ns_, this->clock_.now_ns() - begin_ns);
+  }
+}
+
+double CostSample::quantile_us(double fraction) const
+{
+  std::vector<std::int64_t> sorted = this->times_ns_;
+  const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(sorted.size() - 1));
+  std::nth_element(sorted.begin(), at, sorted.end());
+  return 1e-3 * static_cast<double>(std::max<std::int64_t>(0, *at - this->overhead_ns_));
+}
+
+} // namespace palpate::test

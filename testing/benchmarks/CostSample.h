@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "haptics/core/Clock.h"
+
+namespace palpate::test
+{
+
+/// Times of single calls in microseconds, less what reading the clock costs. A maximum says nothing on a shared machine.
+class CostSample
+{
+public:
+  explicit CostSample(std::size_t capacity);
+
+  template<class Call>
+  void time(Call call)
+  {
+    const std::int64_t begin_ns = this->clock_.now_ns();
+    call();
+    this->times_ns_.push_back(this->clock_.now_ns() - begin_ns);
+  }
+
+  /// The value below which `fraction` of the calls lie [us].
+  [[nodiscard]] double quantile_us(double fraction) const;
+
+private:
+  MonotonicClock clock_;
+  std::int64_t overhead_ns_;
+  std::vector<std::int64_t> times_ns_;
+};
+
+} // namespace palpate::test
