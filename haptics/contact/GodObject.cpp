@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "haptics/contact/ContactSet.h"
 #include "haptics/contact/Neighbourhood.h"
 #include "haptics/contact/Roll.h"
 #include "haptics/contact/Seat.h"
 #include "haptics/contact/Sweep.h"
+#include "haptics/contact/VertexDescent.h"
 #include "haptics/geometry/ExactPredicates.h"
 
 namespace palpate
@@ -87,6 +90,7 @@ public:
     {
       this->result_.passes = static_cast<int>(pass) + 1;
       this->project();
+      this->reconsiderVertex();
       if (this->result_.infeasible || this->solution_.y.norm() <= this->tol())
       {
         break;
@@ -365,6 +369,39 @@ private:
     return least;
   }
 
+  /// A point at a vertex is held by half-spaces, of which on a saddle not each is an obstacle, and which of them it
+  /// brought along depends on its way there. What holds it is found anew from the surface itself, once at each place.
+  void reconsiderVertex() noexcept
+  {
+    if (this->round() || this->solution_.count == 0 || this->x() == this->reconsideredAt_W_)
+    {
+      return;
+    }
+    for (int k = 0; k < this->solution_.count; ++k)
+    {
+      const ActiveFeature f = this->contacts_.feature(this->solution_.active[static_cast<std::size_t>(k)]);
+      const SurfaceData& s = this->contacts_.dataOf(f);
+      const std::uint32_t v = cornerAt(s, f, this->x(), this->tol());
+      if (v == SurfaceData::none)
+      {
+        continue;
+      }
+      this->reconsideredAt_W_ = this->x();
+      const std::optional<Descent> descent = descendFromVertex(s, f, v, this->p_W_ - this->x());
+      if (descent && descent->gain > this->tol())
+      {
+        this->state_.count = 0;
+        this->left_.clear();
+        for (int i = 0; i < descent->count; ++i)
+        {
+          this->contacts_.add(descent->faces[static_cast<std::size_t>(i)]);
+        }
+        this->project();
+      }
+      return;
+    }
+  }
+
   /// Slides under the touched planes to the last supported point or to the next obstacle. False: the tick is over.
   [[nodiscard]] bool slide() noexcept
   {
@@ -485,6 +522,7 @@ private:
   PathSink* sink_;
   ContactSet contacts_;
   LeftFaces left_;
+  Vec3 reconsideredAt_W_ = Vec3::Constant(std::numeric_limits<double>::infinity());
   Neighbourhood near_;
   ProjectionResult solution_;
   ContactResult result_;

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/contact/VertexDescent.h"
+
+#include <algorithm>
+
+#include "haptics/contact/FeatureGeometry.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr int mostFaces = 32;
+
+/// True if the stored corner order of the triangle runs from i to j along their edge.
+bool runsFrom(const SurfaceData& s, std::uint32_t triangle, std::uint32_t i, std::uint32_t j) noexcept
+{
+  const auto& t = s.mesh.triangles[triangle];
+  return (t[0] == i && t[1] == j) || (t[1] == i && t[2] == j) || (t[2] == i && t[0] == j);
+}
+
+/// The faces round a vertex with the side the point lies on, in the order in which they were reached.
+struct Fan
+{
+  std::array<ActiveFeature, mostFaces> faces;
+  int count = 0;
+  bool simple = true;
+
+  [[nodiscard]] bool holds(std::uint32_t triangle) const noexcept
+  {
+    return std::any_of(this->faces.begin(), this->faces.begin() + this->count,
+      [triangle](const ActiveFeature& f) { return f.a == triangle; });
+  }
+};
+
+/// Carries the side over one edge from v to `far`.
+void spread(const SurfaceData& s, const ActiveFeature& from, std::uint32_t v, std::uint32_t far, Fan& fan) noexcept
+{
+  int others = 0;
+  s.forEachAtEdge(v, far,
+    [&](std::uint32_t triangle)
+    {
+      if (triangle == from.a || ++others > 1)
+      {
+        return;
+      }
+      if (fan.holds(triangle) || fan.count == mostFaces)
+      {
+        fan.simple &= fan.count < mostFaces;
+        return;
+      }
+      ActiveFeature next = from;
+      next.a = triangle;
+      const bool sameTurn = runsFrom(s, from.a, v, far) != runsFrom(s, triangle, v, far);
+      next.side = sameTurn ? from.side : static_cast<std::int8_t>(-from.side);
+      fan.faces[static_cast<std::size_t>(fan.count++)] = next;
+    });
+  fan.simple &= others <= 1;
+}
+
+Fan fanAround(const SurfaceData& s, const ActiveFeature& f, std::uint32_t v) noexcept
+{
+  Fan fan;
+  fan.faces[0] = f;
+  fan.faces[0].stuck = false;
+  fan.count = 1;
+  for (int k = 0; k < fan.count && fan.simple; ++k)
+  {
+    const ActiveFeature face = fan.faces[static_cast<std::size_t>(k)];
+    for (const std::uint32_t corner : s.mesh.triangles[face.a])
+    {
+      if (corner != v)
+      {
+        spread(s, face, v, corner, fan);
+      }
+    }
+  }
+  return fan;
+}
+
+/// How much of q acts along a face seen from its corner v, if its projection points into the face; else 0.
+double gainOnFace(const SurfaceData& s, std::uint32_t triangle, std::uint32_t v, const Vec3& q) noexcept
+{
+  const auto& t = s.mesh.triangles[triangle];
+  const Vec3& n = s.faces[triangle].normal_W;
+  const Vec3 along = q - q.dot(n) * n;
+  for (int k = 0; k < 3; ++k)
+  {
+    const bool touchesV = t[k] == v || t[(k + 1) % 3] == v;
+    if (touchesV && outwardNormal(s, triangle, k).dot(along) > 0.0)
+    {
+      return 0.0;
+    }
+  }
+  return along.norm();
+}
+
+} // namespace
+
+std::uint32_t cornerAt(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double margin) noexcept
+{
+  std::array<bool, 3> near{};
+  for (int k = 0; k < 3; ++k)
+  {
+    near[static_cast<std::size_t>(k)] = outsideOfEdge(s, f.a, k, x_W) > -margin;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (near[k] && near[(k + 2) % 3])
+    {
+      return s.mesh.triangles[f.a][k]; // edges k - 1 and k meet in corner k
+    }
+  }
+  return SurfaceData::none;
+}
+
+std::optional<Descent> descendFromVertex(
+  const SurfaceData& s, const ActiveFeature& f, std::uint32_t v, const Vec3& q) noexcept
+{
+  const Fan fan = fanAround(s, f, v);
+  if (!fan.simple)
+  {
+    return std::nullopt;
+  }
+  Descent best;
+  for (int i = 0; i < fan.count; ++i)
+  {
+    const ActiveFeature& face = fan.faces[static_cast<std::size_t>(i)];
+    const double gain = gainOnFace(s, face.a, v, q);
+    if (gain > best.gain)
+    {
+      best = { gain, 1, { face, face } };
+    }
+    for (const std::uint32_t corner : s.mesh.triangles[face.a])
+    {
+      const double gainOnEdge = corner == v ? 0.0 : edgeLine(s, v, corner).unit.dot(q);
+      if (gainOnEdge <= best.gain)
+      {
+        continue;
+      }
+      best = { gainOnEdge, 1, { face, face } };
+      for (int j = 0; j < fan.count; ++j)
+      {
+        const ActiveFeature& other = fan.faces[static_cast<std::size_t>(j)];
+        if (j != i && s.hasCorner(other.a, corner))
+        {
+          best.count = 2;
+          best.faces[1] = other;
+        }
+      }
+    }
+  }
+  return best;
+}
+
+} // namespace palpate

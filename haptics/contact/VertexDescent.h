@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "haptics/contact/GodObject.h"
+#include "haptics/geometry/SurfaceData.h"
+
+namespace palpate
+{
+
+/// Where a point at a vertex goes on along the surface.
+struct Descent
+{
+  double gain = 0.0;                     ///< length of the pull that acts along the surface [u]; 0: it rests
+  int count = 0;                         ///< one face, or the two that meet in an edge
+  std::array<ActiveFeature, 2> faces{};
+};
+
+/// The vertex at which two sides of face f meet within `margin` of x, or SurfaceData::none.
+[[nodiscard]] std::uint32_t cornerAt(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double margin) noexcept;
+
+/// The steepest way along the surface from vertex v for a point that is pulled by q and known to lie on side f.side
+/// of face f, a face at v. Sides are carried from face to face over their common edges: near a saddle the planes of
+/// the faces do not tell them, and the sets of planes that could hold the point are not unique. Nothing is returned
+/// where the faces at v do not form a fan with at most two faces an edge.
+[[nodiscard]] std::optional<Descent> descendFromVertex(
+  const SurfaceData& s, const ActiveFeature& f, std::uint32_t v, const Vec3& q) noexcept;
+
+} // namespace palpate
