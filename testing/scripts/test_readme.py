@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The program in README.md runs as it stands there and prints the force that it promises."""
+
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().parents[2])
+
+
+class Readme(unittest.TestCase):
+    """What a newcomer copies from the first page."""
+
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+
+    def test_the_python_program_prints_the_force_on_a_ball(self):
+        program = re.search(r"```python\n(.*?)```", self.text, re.DOTALL).group(1)
+        with tempfile.TemporaryDirectory() as folder:
+            script = Path(folder, "touch.py")
+            script.write_text(program, encoding="utf-8")
+            result = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=100, check=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        force = float(re.fullmatch(r"(\S+) N\n", result.stdout).group(1))
+        # R = 50 mm, hand at (10, 0, 47) mm, 500 N/m. 100 facets around lie up to R (1 - cos(pi / 100)) inside the sphere
+        # in each of the two directions.
+        sphere = (0.050 - math.hypot(0.010, 0.047)) * 500
+        facets = 2 * 0.050 * (1 - math.cos(math.pi / 100)) * 500
+        self.assertLessEqual(force, sphere + 0.0005)
+        self.assertGreaterEqual(force, sphere - facets - 0.0005)
+        self.assertIn(f"`{force:.3f} N`", self.text)
+
+    def test_every_file_it_links_to_is_there(self):
+        for link in re.findall(r"\]\((?!https?:)([^)#]+)\)", self.text):
+            self.assertTrue((ROOT / link).exists(), link)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
