@@ -104,9 +104,11 @@ TEST_F(HapticSession, CountsEveryTickOfVirtualTime)
   EXPECT_EQ(this->session_->GetPeriods(), 500);
 }
 
-TEST_F(HapticSession, StartsWithoutForceWhenTheHandIsAlreadyPressed)
+TEST_F(HapticSession, IsSafeAndWithoutForceWhenItStops)
 {
   this->engage();
+  this->session_->SetHandPosition(0.0, 0.0, -2.0);
+  this->session_->Step(100);
   this->session_->TouchingOff();
   EXPECT_EQ(this->session_->GetEngageState(), vtkHapticSession::Safe);
   EXPECT_EQ(this->force(), Vec3::Zero());
@@ -254,6 +256,25 @@ TEST_F(HapticSession, ASimulatedHandWithoutAStrokeDoesNotStart)
   this->session_->SetDeviceName("simulated-ideal");
   const auto errors = this->errorsOfChange([&] { this->session_->TouchingOn(); });
   EXPECT_EQ(errors.size(), 1u);
+  EXPECT_FALSE(this->session_->GetTouching());
+}
+
+TEST_F(HapticSession, ARecordingThatCannotBeReadDoesNotStart)
+{
+  this->session_->SetDeviceName("replay");
+  this->session_->SetReplayFile("nowhere.palpate");
+  const auto errors = this->errorsOfChange([&] { this->session_->TouchingOn(); });
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr("nowhere.palpate"));
+  EXPECT_FALSE(this->session_->GetTouching());
+}
+
+TEST_F(HapticSession, ARecordFileThatCannotBeWrittenDoesNotStart)
+{
+  this->session_->SetRecordFile("no/such/folder/x.palpate");
+  const auto errors = this->errorsOfChange([&] { this->session_->TouchingOn(); });
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr("no/such/folder/x.palpate"));
   EXPECT_FALSE(this->session_->GetTouching());
 }
 
