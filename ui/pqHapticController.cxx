@@ -20,6 +20,8 @@
 #include <QIcon>
 #include <QTimer>
 
+#include <cstring>
+
 namespace
 {
 constexpr const char* managerName = "PALPATE_HAPTIC_CONTROLLER";
@@ -178,7 +180,12 @@ void pqHapticController::serverLeaves(pqServer* server)
 
 void pqHapticController::proxyRegistered(const QString& group, vtkSMProxy* proxy)
 {
-  if (group != proxyGroup || proxy == this->Proxy)
+  if (group != proxyGroup || proxy == this->Proxy || std::strcmp(proxy->GetXMLName(), proxyName) != 0)
+  {
+    return;
+  }
+  proxy->UpdateVTKObjects(); // a script may register it before its object exists
+  if (!vtkHapticSession::SafeDownCast(proxy->GetClientSideObject()))
   {
     return;
   }

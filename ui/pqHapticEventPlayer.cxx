@@ -3,6 +3,7 @@
 
 #include "pqEventDispatcher.h"
 #include "pqHapticController.h"
+#include "pqHapticViewFollower.h"
 #include "vtkHapticSession.h"
 
 #include <QElapsedTimer>
@@ -93,18 +94,15 @@ bool pqHapticEventPlayer::move(const QStringList& arguments)
     return false;
   }
   session->FinishScene();
-  session->Update();
-  double from[3];
-  std::copy_n(session->GetHandPosition(), 3, from);
+  const double from_W[3] = { this->Hand_W[0], this->Hand_W[1], this->Hand_W[2] };
   for (int i = 1; i <= ticks; ++i)
   {
     const double t = static_cast<double>(i) / ticks;
-    double p_W[3];
     for (int k = 0; k < 3; ++k)
     {
-      p_W[k] = (1.0 - t) * from[k] + t * arguments[k].toDouble();
+      this->Hand_W[k] = (1.0 - t) * from_W[k] + t * arguments[k].toDouble();
     }
-    session->SetHandPosition(p_W);
+    session->SetHandPosition(this->Hand_W);
     session->Step(1);
   }
   return this->wait(settle_ms);
@@ -117,7 +115,8 @@ bool pqHapticEventPlayer::pose(const QStringList& numbers)
   {
     return false;
   }
-  session->SetHandPosition(numbers[0].toDouble(), numbers[1].toDouble(), numbers[2].toDouble());
+  std::transform(numbers.begin(), numbers.end(), this->Hand_W, [](const QString& text) { return text.toDouble(); });
+  session->SetHandPosition(this->Hand_W);
   return true;
 }
 
@@ -157,7 +156,9 @@ bool pqHapticEventPlayer::check(const QStringList& arguments)
   const bool inside = known && value >= arguments[1].toDouble() && value <= arguments[2].toDouble();
   if (!inside)
   {
-    qCritical() << "hapticCheck" << arguments << ": the value is" << value;
+    qCritical() << "hapticCheck" << arguments << ": the value is" << value << "; state" << session->GetStateText()
+                << session->GetFaultText() << session->GetProblem() << "; ticks" << session->GetTicks() << "; depth"
+                << session->GetDepth() << "u;" << this->Controller->follower()->report() << session->GetSceneReport();
   }
   return inside;
 }

@@ -40,6 +40,7 @@ private:
   bool check(const QStringList& arguments);
 
   pqHapticController* Controller;
+  double Hand_W[3] = { 0.0, 0.0, 0.0 }; ///< where the script put it last [u]
 };
 
 #endif

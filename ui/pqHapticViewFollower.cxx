@@ -42,6 +42,7 @@ void pqHapticViewFollower::setView(pqView* view)
   if (next != this->View || !next)
   {
     this->View = next;
+    this->Touched = next ? next : this->Touched;
     this->connectView();
     this->Scene->SetView(view ? view->getProxy() : nullptr);
     Q_EMIT this->viewChanged(next);
@@ -71,8 +72,9 @@ void pqHapticViewFollower::connectView()
 
 void pqHapticViewFollower::viewRemoved(pqView* view)
 {
-  if (view == this->View)
+  if (view == this->Touched)
   {
+    this->Touched = nullptr;
     Q_EMIT this->viewClosing();
     this->setView(nullptr);
   }

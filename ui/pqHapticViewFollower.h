@@ -54,6 +54,7 @@ private:
 
   vtkNew<vtkHapticViewScene> Scene;
   QPointer<pqRenderView> View;
+  const pqView* Touched = nullptr; ///< the last render view; compared only: no view is active while one closes
   std::vector<QMetaObject::Connection> Connections;
   bool Active = false;
 };

@@ -7,6 +7,9 @@
 #include "vtkSMProxy.h"
 #include "vtkWeakPointer.h"
 
+#include <map>
+#include <string>
+
 vtkStandardNewMacro(vtkHapticViewScene);
 
 class vtkHapticViewScene::Internals
@@ -16,8 +19,8 @@ public:
   vtkSmartPointer<vtkHapticSession> Session;
   vtkHapticViewScan Scan;
   std::string Report;
-  std::vector<std::string> Rejected; ///< what the session would not take, until the next hand-over
-  bool HandedOver = false;           ///< the session has Scan
+  std::map<std::string, std::string> Rejected; ///< surfaces the session would not take, and why
+  bool HandedOver = false;                     ///< the session has Scan
 };
 
 vtkHapticViewScene::vtkHapticViewScene() : Impl(std::make_unique<Internals>()) {}
@@ -87,21 +90,33 @@ bool vtkHapticViewScene::Update()
   return handOver;
 }
 
-void vtkHapticViewScene::HandOver() {}
+void vtkHapticViewScene::HandOver()
+{
+  vtkHapticSession* session = this->Impl->Session;
+  this->Impl->Rejected.clear();
+  session->ClearSurfaces();
+  for (const vtkHapticViewScan::Surface& surface : this->Impl->Scan.Surfaces)
+  {
+    if (!session->AddSurface(surface.Name.c_str(), surface.Data, surface.Matrix))
+    {
+      this->Impl->Rejected[surface.Name] = session->GetProblem();
+    }
+  }
+  session->CommitScene();
+}
 
 void vtkHapticViewScene::WriteReport()
 {
   std::string report;
   for (const vtkHapticViewScan::Surface& surface : this->Impl->Scan.Surfaces)
   {
-    report += "Touching " + surface.Name + ".\n";
+    const auto rejected = this->Impl->Rejected.find(surface.Name);
+    report += rejected == this->Impl->Rejected.end() ? "Touching " + surface.Name + ".\n"
+                                                     : "Not touched: " + rejected->second + "\n";
   }
-  for (const auto* refusals : { &this->Impl->Scan.Refusals, &this->Impl->Rejected })
+  for (const std::string& refusal : this->Impl->Scan.Refusals)
   {
-    for (const std::string& refusal : *refusals)
-    {
-      report += "Not touched: " + refusal + "\n";
-    }
+    report += "Not touched: " + refusal + "\n";
   }
   if (report.empty())
   {
