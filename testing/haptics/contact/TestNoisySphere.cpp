@@ -3,6 +3,7 @@
 // PALPATE_TEST_TRIANGLES=4000000 PALPATE_TEST_COUNT=30000 is the whole of it: 30 s on every size.
 #include <gtest/gtest.h>
 
+#include "testing/support/AllocationGuard.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
 #include "testing/support/Probe.h"
@@ -115,6 +116,27 @@ TEST(NoisySphere, ASlideIsTheSameForAnyOrderOfTriangles)
       first.to(slideOver(sphere, i).p_W);
       other.to(slideOver(sphere, i).p_W);
       ASSERT_EQ(other.x_W(), first.x_W()) << "tick " << i;
+    }
+  }
+}
+
+TEST(NoisySphere, NoTickAllocatesOrLocks)
+{
+  if (!AllocationGuard::works())
+  {
+    return; // a sanitizer stands in its place
+  }
+  const NoisySphere sphere(10000, 1.0);
+  const auto scene = sceneOf(sphere.mesh());
+  for (const double r : radii_mm)
+  {
+    Probe probe(scene, r, slideStart_W(sphere));
+    for (std::size_t i = 0; i < testCount(500); ++i)
+    {
+      const Vec3 p = slideOver(sphere, i).p_W;
+      const AllocationGuard guard;
+      probe.to(p);
+      ASSERT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0u) << "tick " << i << ", radius " << r;
     }
   }
 }
