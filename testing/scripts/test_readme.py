@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The program in README.md runs as it stands there and prints the force that it promises."""
+"""What README.md and testing/BAR.md promise is there: the program runs, the tests exist."""
 
 import math
 import os
@@ -37,6 +37,24 @@ class Readme(unittest.TestCase):
     def test_every_file_it_links_to_is_there(self):
         for link in re.findall(r"\]\((?!https?:)([^)#]+)\)", self.text):
             self.assertTrue((ROOT / link).exists(), link)
+
+
+class Bar(unittest.TestCase):
+    """testing/BAR.md names tests that exist, and a row without one says "later"."""
+
+    text = (ROOT / "testing" / "BAR.md").read_text(encoding="utf-8")
+
+    def test_every_test_it_names_is_in_the_tree(self):
+        sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "testing").rglob("*.cpp"))
+        defined = {".".join(names) for names in re.findall(r"^TEST(?:_P|_F)?\((\w+), (\w+)\)", sources, re.MULTILINE)}
+        named = set(re.findall(r"`([A-Z]\w+\.[A-Z]\w+)`", self.text))
+        self.assertGreater(len(named), 20)
+        self.assertEqual(named - defined, set())
+
+    def test_every_row_of_this_version_names_a_test(self):
+        for row in [*range(8, 18), 19, 20, 52, 54, 55]:
+            line = re.search(rf"^\| {row} \|.*$", self.text, re.MULTILINE).group(0)
+            self.assertIn("`", line, line)
 
 
 if __name__ == "__main__":
