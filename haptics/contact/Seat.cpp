@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <span>
 
 #include "haptics/contact/Projection.h"
 #include "haptics/contact/Sweep.h"
@@ -14,7 +16,6 @@ namespace
 {
 
 constexpr int rounds = 32;
-constexpr int mostRows = 32;
 
 /// Nearest point of a closed triangle (regions of its corners, edges and inside in turn).
 Vec3 nearestOnTriangle(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c) noexcept
@@ -91,66 +92,88 @@ void forEachNear(const Scene& scene, const Vec3& x_W, double reach, Visit visit)
   }
 }
 
-/// The deepest overlaps of the ball at x, as rows that push it out.
-struct Overlaps
+/// What the ball at x comes nearest to.
+struct Nearest
 {
-  std::array<PlaneRow, mostRows> rows;
-  int count = 0;
-
-  void add(const PlaneRow& row) noexcept
-  {
-    for (int i = 0; i < this->count; ++i)
-    {
-      if (this->rows[i].n.dot(row.n) > 1.0 - 1e-12)
-      {
-        this->rows[i].bound = std::max(this->rows[i].bound, row.bound);
-        return;
-      }
-    }
-    if (this->count < mostRows)
-    {
-      this->rows[this->count++] = row;
-      return;
-    }
-    const auto shallowest = std::min_element(this->rows.begin(), this->rows.end(),
-      [](const PlaneRow& a, const PlaneRow& b) { return a.bound < b.bound; });
-    if (shallowest->bound < row.bound)
-    {
-      *shallowest = row;
-    }
-  }
+  double distance = std::numeric_limits<double>::infinity();
+  Vec3 foot_W = Vec3::Zero();
+  Vec3 normal_W = Vec3::Zero(); ///< of the face, for a centre that lies in it
+  const SurfaceData* surface = nullptr;
+  std::uint32_t triangle = 0;
 };
 
+Nearest nearestWithin(const Scene& scene, const Vec3& x_W, double reach) noexcept
+{
+  Nearest nearest;
+  forEachNear(scene, x_W, reach,
+    [&](const SurfaceData& data, std::uint32_t t)
+    {
+      const auto& [a, b, c] = data.faces[t].corner_W;
+      const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c);
+      const double distance = (x_W - foot_W).norm();
+      if (distance < nearest.distance)
+      {
+        nearest = { distance, foot_W, data.faces[t].normal_W, &data, t };
+      }
+    });
+  return nearest;
+}
+
+/// One plane for each triangle that was nearest once, re-linearised when it is so again.
+class SeatPlanes
+{
+public:
+  void set(const Nearest& nearest, const PlaneRow& row) noexcept
+  {
+    int at = 0;
+    while (at < this->count_ && (this->triangles_[at] != nearest.triangle || this->surfaces_[at] != nearest.surface))
+    {
+      ++at;
+    }
+    if (at == rounds)
+    {
+      return;
+    }
+    this->rows_[at] = row;
+    this->triangles_[at] = nearest.triangle;
+    this->surfaces_[at] = nearest.surface;
+    this->count_ = std::max(this->count_, at + 1);
+  }
+  [[nodiscard]] std::span<const PlaneRow> rows() const noexcept
+  {
+    return { this->rows_.data(), static_cast<std::size_t>(this->count_) };
+  }
+
+private:
+  std::array<PlaneRow, rounds> rows_;
+  std::array<std::uint32_t, rounds> triangles_{};
+  std::array<const SurfaceData*, rounds> surfaces_{};
+  int count_ = 0;
+};
+
+/// Only what is nearest pushes: a flat patch seen from close by pushes straight out, not sideways off each triangle.
 bool seatRound(const Scene& scene, double r, const Vec3& p_W, Vec3& x_W) noexcept
 {
   Resolution resolution;
   resolution.include(p_W);
   resolution.include(Vec3::Constant(r));
   const double tol = resolution.tol();
-  Vec3 x = p_W;
+  SeatPlanes planes;
+  Vec3 y = Vec3::Zero();
   for (int round = 0; round < rounds; ++round)
   {
-    Overlaps overlaps;
-    forEachNear(scene, x, r,
-      [&](const SurfaceData& data, std::uint32_t t)
-      {
-        const auto& [a, b, c] = data.faces[t].corner_W;
-        const Vec3 away = x - nearestOnTriangle(x, a, b, c);
-        const double distance = away.norm();
-        if (distance < r - tol)
-        {
-          overlaps.add({ distance > tol ? Vec3(away / distance) : data.faces[t].normal_W, r - distance });
-        }
-      });
-    if (overlaps.count == 0)
+    const Vec3 x = p_W + y;
+    const Nearest nearest = nearestWithin(scene, x, r);
+    if (nearest.distance >= r - tol)
     {
       x_W = x;
       return true;
     }
-    const ProjectionResult out =
-      projectOntoPlanes({ overlaps.rows.data(), static_cast<std::size_t>(overlaps.count) }, Vec3::Zero(), tol);
-    x += out.y;
-    if (!out.feasible || (x - p_W).norm() > r + tol)
+    const Vec3 n = nearest.distance > tol ? Vec3((x - nearest.foot_W) / nearest.distance) : nearest.normal_W;
+    planes.set(nearest, { n, r - n.dot(p_W - nearest.foot_W) });
+    const ProjectionResult out = projectOntoPlanes(planes.rows(), Vec3::Zero(), 0.25 * tol);
+    y = out.y;
+    if (!out.feasible || y.norm() > r + tol)
     {
       return false;
     }
