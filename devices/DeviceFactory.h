@@ -23,7 +23,7 @@ struct DeviceOptions
 struct KnownDevice
 {
   std::string name;
-  std::string what;    ///< one line for a person
+  std::string what; ///< one line for a person
   DeviceInfo info;
   std::string problem; ///< empty, or why it cannot be used now and what to do
 };

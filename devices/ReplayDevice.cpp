@@ -9,15 +9,13 @@
 namespace palpate
 {
 
-ReplayDevice::ReplayDevice(std::vector<DeviceSample> samples)
-  : samples_(std::move(samples))
+ReplayDevice::ReplayDevice(std::vector<DeviceSample> samples) : samples_(std::move(samples))
 {
   this->info_.name = "replay";
   this->info_.simulated = true;
 }
 
-ReplayDevice::ReplayDevice(std::string recordingFile)
-  : ReplayDevice(std::vector<DeviceSample>{})
+ReplayDevice::ReplayDevice(std::string recordingFile) : ReplayDevice(std::vector<DeviceSample>{})
 {
   this->file_ = std::move(recordingFile);
 }

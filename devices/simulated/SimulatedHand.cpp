@@ -19,10 +19,8 @@ HandModel genericHand()
 }
 
 SimulatedHand::SimulatedHand(HandModel model, HandPath path, double period_s)
-  : model_(std::move(model))
-  , path_(std::move(path))
-  , period_s_(period_s)
-  , plant_(model_.deviceMass_kg + model_.handMass_kg, model_.deviceDamping_Ns_per_m + model_.handDamping_Ns_per_m,
+  : model_(std::move(model)), path_(std::move(path)), period_s_(period_s),
+    plant_(model_.deviceMass_kg + model_.handMass_kg, model_.deviceDamping_Ns_per_m + model_.handDamping_Ns_per_m,
       model_.handStiffness_N_per_m, period_s)
 {
   this->info_.name = this->model_.name;
@@ -37,7 +35,8 @@ std::string SimulatedHand::open()
   {
     return "the simulated hand has nowhere to go: give it a stroke with at least one point";
   }
-  if (!std::all_of(this->path_.points_D.begin(), this->path_.points_D.end(), [](const Vec3& p) { return p.allFinite(); }))
+  if (!std::all_of(
+        this->path_.points_D.begin(), this->path_.points_D.end(), [](const Vec3& p) { return p.allFinite(); }))
   {
     return "the simulated hand's stroke has a point that is not finite";
   }
@@ -48,7 +47,8 @@ std::string SimulatedHand::open()
   this->reached_m_.assign(1, 0.0);
   for (std::size_t i = 1; i < this->path_.points_D.size(); ++i)
   {
-    this->reached_m_.push_back(this->reached_m_.back() + (this->path_.points_D[i] - this->path_.points_D[i - 1]).norm());
+    this->reached_m_.push_back(
+      this->reached_m_.back() + (this->path_.points_D[i] - this->path_.points_D[i - 1]).norm());
   }
   this->x_D_ = this->path_.points_D.front();
   this->v_D_ = this->force_D_ = Vec3::Zero();
@@ -84,7 +84,7 @@ DeviceStatus SimulatedHand::read(double tickTime_s, DeviceSample& sample) noexce
   {
     const Vec3 before = this->target(this->time_s_), after = this->target(this->time_s_ + this->period_s_);
     const Vec3 led = this->model_.handStiffness_N_per_m * after +
-      this->model_.handDamping_Ns_per_m / this->period_s_ * (after - before);
+                     this->model_.handDamping_Ns_per_m / this->period_s_ * (after - before);
     this->plant_.step(this->x_D_, this->v_D_, led + this->force_D_);
     this->time_s_ += this->period_s_;
   }

@@ -27,7 +27,7 @@ double smoothstep(double s) noexcept
 bool isFinite(const DeviceSample& sample) noexcept
 {
   return sample.pose_D.p.allFinite() && sample.pose_D.q.coeffs().allFinite() && sample.velocity_D.linear.allFinite() &&
-    sample.velocity_D.angular.allFinite() && std::isfinite(sample.time_s);
+         sample.velocity_D.angular.allFinite() && std::isfinite(sample.time_s);
 }
 
 } // namespace palpate

@@ -11,12 +11,12 @@ namespace palpate
 struct SafetyLimits
 {
   double maxForce_N = 3.0;
-  double maxRise_N_per_s = 150.0;  ///< growth only: release is always free
+  double maxRise_N_per_s = 150.0; ///< growth only: release is always free
   double engageRamp_s = 1.0;
-  double engageBelow_N = 0.3;      ///< engages only from a force this small
+  double engageBelow_N = 0.3; ///< engages only from a force this small
   double releaseRamp_s = 0.05;
   double faultRamp_s = 0.01;
-  bool needsEngage = true;         ///< false: a program's own path, engaged from the first tick
+  bool needsEngage = true; ///< false: a program's own path, engaged from the first tick
 
   /// No device, no hand: the headless tick.
   [[nodiscard]] static SafetyLimits none() noexcept

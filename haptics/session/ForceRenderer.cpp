@@ -39,10 +39,7 @@ class Render
 {
 public:
   Render(const TickInput& input, const HapticParameters& parameters, RendererState& state, PathSink* sink) noexcept
-    : in_(input)
-    , p_(parameters)
-    , s_(state)
-    , sink_(sink)
+    : in_(input), p_(parameters), s_(state), sink_(sink)
   {
     this->out_.state.tick = input.tick;
     this->out_.state.time_s = input.sample.time_s;
@@ -214,7 +211,7 @@ private:
     HapticState& state = this->out_.state;
     const SafetyLimits& limits = this->p_.safety;
     if (this->s_.engage == EngageState::Armed && !this->seatFailed_ && this->touchable() &&
-      state.rendered_D.norm() <= limits.engageBelow_N)
+        state.rendered_D.norm() <= limits.engageBelow_N)
     {
       this->s_.engage = EngageState::Engaged;
       this->s_.engagedFor_s = 0.0;

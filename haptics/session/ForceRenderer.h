@@ -24,7 +24,7 @@ struct RendererState
   GodObjectState contact;
   EngageState engage = EngageState::Safe;
   Fault fault = Fault::None;
-  double gain = 0.0;             ///< share of the force that is let through, 0..1
+  double gain = 0.0; ///< share of the force that is let through, 0..1
   double engagedFor_s = 0.0;
   Vec3 lastForce_D = Vec3::Zero();    ///< what the hand got last tick [N]
   Vec3 lastRendered_D = Vec3::Zero(); ///< what the scene asked for last tick [N]

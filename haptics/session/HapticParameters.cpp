@@ -17,7 +17,8 @@ bool nonNegative(double value)
 /// A limit may be infinite, never a number that lets everything pass unseen.
 bool usable(const SafetyLimits& s)
 {
-  const auto limits = { s.maxForce_N, s.maxRise_N_per_s, s.engageRamp_s, s.engageBelow_N, s.releaseRamp_s, s.faultRamp_s };
+  const auto limits = { s.maxForce_N, s.maxRise_N_per_s, s.engageRamp_s, s.engageBelow_N, s.releaseRamp_s,
+    s.faultRamp_s };
   return std::all_of(limits.begin(), limits.end(), [](double limit) { return limit >= 0.0; });
 }
 

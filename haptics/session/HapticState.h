@@ -25,8 +25,8 @@ struct HapticState
 {
   std::uint64_t tick = 0;
   double time_s = 0.0;
-  Pose device_W;             ///< hand in the scene [u]
-  Pose proxy_W;              ///< god-object in the scene [u]
+  Pose device_W; ///< hand in the scene [u]
+  Pose proxy_W;  ///< god-object in the scene [u]
   Vec3 velocity_D = Vec3::Zero();
   Vec3 rendered_D = Vec3::Zero(); ///< force before safety [N]
   Vec3 force_D = Vec3::Zero();    ///< force on the hand [N]
@@ -38,13 +38,13 @@ struct HapticState
   std::uint64_t sceneRevision = 0;
   EngageState engage = EngageState::Safe;
   Fault fault = Fault::None;
-  bool clamped = false;    ///< the force was cut to the largest allowed
+  bool clamped = false; ///< the force was cut to the largest allowed
   bool riseLimited = false;
-  bool capped = false;     ///< see ContactResult
+  bool capped = false; ///< see ContactResult
   bool overBudget = false;
   bool infeasible = false;
-  bool held = false;       ///< no force this tick: its sample was not finite
-  double gain = 0.0;       ///< engage ramp, 0..1
+  bool held = false;            ///< no force this tick: its sample was not finite
+  double gain = 0.0;            ///< engage ramp, 0..1
   double stiffnessFactor = 1.0; ///< below 1: cut because the loop runs late
 };
 

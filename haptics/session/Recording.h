@@ -74,7 +74,8 @@ struct Recording
 /// that the file's own size does not bear out.
 [[nodiscard]] std::variant<Recording, std::string> readRecording(const std::string& path);
 /// The same from memory; `name` stands for the file in messages.
-[[nodiscard]] std::variant<Recording, std::string> parseRecording(const std::vector<char>& bytes, const std::string& name);
+[[nodiscard]] std::variant<Recording, std::string> parseRecording(
+  const std::vector<char>& bytes, const std::string& name);
 
 /// The result of computing a recording again.
 struct ReplayResult
@@ -86,7 +87,8 @@ struct ReplayResult
 
 /// Computes every tick again and compares force, proxy, contacts and flags bit for bit. Scenes come from the
 /// recording, or from `given` (by content hash) where it left them out. `visit` sees each recomputed tick.
-[[nodiscard]] ReplayResult replay(const Recording& recording, const std::vector<std::shared_ptr<const Scene>>& given = {},
-  unsigned workers = 1, const std::function<void(const TickOutput&)>& visit = {});
+[[nodiscard]] ReplayResult replay(const Recording& recording,
+  const std::vector<std::shared_ptr<const Scene>>& given = {}, unsigned workers = 1,
+  const std::function<void(const TickOutput&)>& visit = {});
 
 } // namespace palpate

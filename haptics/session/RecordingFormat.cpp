@@ -17,7 +17,7 @@ constexpr char magic[] = "PALPATE-RECORDING";
 struct Put
 {
   ByteWriter& stream;
-  template<class T>
+  template <class T>
   void operator()(const T& value) const
   {
     this->stream.put(value);
@@ -27,21 +27,21 @@ struct Put
 struct Get
 {
   ByteReader& stream;
-  template<class T>
+  template <class T>
   void operator()(T& value) const
   {
     this->stream.get(value);
   }
 };
 
-template<class Io, class T>
+template <class Io, class T>
 void layWrench(const Io& io, T& w)
 {
   io(w.force);
   io(w.torque);
 }
 
-template<class Io, class T>
+template <class Io, class T>
 void layMap(const Io& io, T& m)
 {
   io(m.scale_u_per_m);
@@ -49,7 +49,7 @@ void layMap(const Io& io, T& m)
   io(m.offset_W);
 }
 
-template<class Io, class T>
+template <class Io, class T>
 void layTick(const Io& io, T& r)
 {
   io(r.tick);
@@ -72,7 +72,7 @@ void layTick(const Io& io, T& r)
   io(r.flags);
 }
 
-template<class Io, class T>
+template <class Io, class T>
 void layParameters(const Io& io, T& p)
 {
   io(p.stiffness_N_per_m);
@@ -91,7 +91,7 @@ void layParameters(const Io& io, T& p)
   io(p.safety.needsEngage);
 }
 
-template<class Io, class T>
+template <class Io, class T>
 void layState(const Io& io, T& s)
 {
   io(s.contact.x_W);
@@ -226,7 +226,8 @@ std::string readChunks(ByteReader& in, Recording& recording)
     }
     if (!payload.ok() || payload.left() != 0)
     {
-      return "is damaged: a part of kind " + std::to_string(static_cast<std::uint32_t>(type)) + " is not what it should be";
+      return "is damaged: a part of kind " + std::to_string(static_cast<std::uint32_t>(type)) +
+             " is not what it should be";
     }
   }
   return "is cut short: it ends without its closing mark";
@@ -255,7 +256,8 @@ std::string recordingHeader(const std::string& device, const HapticParameters& p
   ByteWriter binary;
   layParameters(Put{ binary }, parameters);
   layState(Put{ binary }, state);
-  std::string header = std::string(magic) + " " + std::to_string(Recording::formatVersion) +
+  std::string header =
+    std::string(magic) + " " + std::to_string(Recording::formatVersion) +
     "\nunits: seconds, metres and newtons in the device frame; scene units in the scene\ndevice: " + device +
     "\nbinary: little-endian, initial parameters and state of " + std::to_string(binary.bytes().size()) +
     " bytes, then chunks (type u32, size u64, payload)\nend\n";
@@ -322,7 +324,8 @@ std::vector<char> endChunk(std::uint64_t lost)
 
 std::variant<Recording, std::string> parseRecording(const std::vector<char>& bytes, const std::string& name)
 {
-  const std::string text(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(bytes.size(), 4096)));
+  const std::string text(
+    bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(bytes.size(), 4096)));
   const std::string start = std::string(magic) + " ";
   if (text.compare(0, start.size(), start) != 0)
   {
@@ -332,7 +335,7 @@ std::variant<Recording, std::string> parseRecording(const std::vector<char>& byt
   if (version != std::to_string(Recording::formatVersion))
   {
     return name + " is a recording of format " + version.substr(0, 16) + ", this program reads format " +
-      std::to_string(Recording::formatVersion) + ": record it again";
+           std::to_string(Recording::formatVersion) + ": record it again";
   }
   const std::size_t end = text.find("\nend\n");
   if (end == std::string::npos)

@@ -15,7 +15,7 @@ bool sameBits(double a, double b)
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-template<class Vector>
+template <class Vector>
 bool sameBits(const Vector& a, const Vector& b)
 {
   for (int k = 0; k < a.size(); ++k)
@@ -50,9 +50,7 @@ class Replayer
 {
 public:
   Replayer(const Recording& recording, const std::vector<std::shared_ptr<const Scene>>& given, unsigned workers)
-    : recording_(recording)
-    , state_(recording.initialState)
-    , parameters_(recording.parameters)
+    : recording_(recording), state_(recording.initialState), parameters_(recording.parameters)
   {
     SceneBuilder builder(workers);
     for (const auto& scene : given)
@@ -163,8 +161,8 @@ private:
 
 } // namespace
 
-ReplayResult replay(const Recording& recording, const std::vector<std::shared_ptr<const Scene>>& given, unsigned workers,
-  const std::function<void(const TickOutput&)>& visit)
+ReplayResult replay(const Recording& recording, const std::vector<std::shared_ptr<const Scene>>& given,
+  unsigned workers, const std::function<void(const TickOutput&)>& visit)
 {
   return Replayer(recording, given, workers).run(visit);
 }

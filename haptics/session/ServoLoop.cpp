@@ -14,12 +14,7 @@ constexpr std::uint64_t ticksPerReport = 250;
 
 ServoLoop::ServoLoop(HapticDevice& device, TickTimer& timer, ServoLinks& links, Recorder* recorder,
   const Clock& costClock, double period_s) noexcept
-  : device_(device)
-  , timer_(timer)
-  , links_(links)
-  , recorder_(recorder)
-  , clock_(costClock)
-  , period_s_(period_s)
+  : device_(device), timer_(timer), links_(links), recorder_(recorder), clock_(costClock), period_s_(period_s)
 {
   const ServoLinks::Versioned& first = links.parameters.read();
   this->version_ = first.version;
@@ -81,14 +76,14 @@ bool ServoLoop::tick() noexcept
   this->period_ += 1 + wakeup.missed;
   this->input_.tick = this->period_;
   this->input_.dt_s = static_cast<double>(1 + wakeup.missed) * this->period_s_;
-  this->input_.status =
-    this->device_.read(static_cast<double>(this->period_) * this->period_s_, this->input_.sample);
+  this->input_.status = this->device_.read(static_cast<double>(this->period_) * this->period_s_, this->input_.sample);
   if (this->input_.status == DeviceStatus::Ended)
   {
     this->report_.ended = true;
     return false;
   }
-  this->input_.lateness = judgeLateness(this->behind_s(wakeup), this->latenessP99_s_, this->period_s_, this->device_.info().simulated);
+  this->input_.lateness =
+    judgeLateness(this->behind_s(wakeup), this->latenessP99_s_, this->period_s_, this->device_.info().simulated);
   this->takeChanges();
   const TickOutput output = renderTick(this->input_, this->parameters_, this->renderer_);
   this->device_.write(output.command);
@@ -123,11 +118,11 @@ void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double c
   r.cappedTicks += s.capped || s.overBudget;
   r.peakForce_N = std::max(r.peakForce_N, s.force_D.norm());
   if (s.gain == 1.0 && s.stiffnessFactor == 1.0 && !s.clamped && !s.riseLimited && !s.held &&
-    this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
+      this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
   {
     const WorkspaceMap& map = this->parameters_.map;
-    const Vec3 spring_D = map.directionToDevice(
-      this->parameters_.stiffness_N_per_m / map.scale_u_per_m * (s.proxy_W.p - s.device_W.p));
+    const Vec3 spring_D =
+      map.directionToDevice(this->parameters_.stiffness_N_per_m / map.scale_u_per_m * (s.proxy_W.p - s.device_W.p));
     r.forceResidual_N = std::max(r.forceResidual_N, (s.force_D - spring_D).norm());
   }
   this->cost_.add(cost_us);

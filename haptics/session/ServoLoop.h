@@ -28,10 +28,10 @@ struct LoopReport
   std::uint64_t cappedTicks = 0;  ///< the god-object was stopped by its cap or budget
   double elapsed_s = 0.0;         ///< from the first period to the last
   double peakForce_N = 0.0;
-  double forceResidual_N = 0.0;   ///< largest |F - K (proxy - device)| while fully engaged and unlimited
-  Quantiles lateness;             ///< of the last 5 s [us]
-  Quantiles cost;                 ///< of all ticks [us]
-  bool ended = false;             ///< the device has no more samples
+  double forceResidual_N = 0.0; ///< largest |F - K (proxy - device)| while fully engaged and unlimited
+  Quantiles lateness;           ///< of the last 5 s [us]
+  Quantiles cost;               ///< of all ticks [us]
+  bool ended = false;           ///< the device has no more samples
 };
 
 /// What other threads and the servo share. Each buffer has one writer and one reader (ARCHITECTURE.md).
@@ -42,11 +42,11 @@ struct ServoLinks
     std::uint64_t version = 0;
     HapticParameters parameters;
   };
-  SnapshotMailbox<Scene> scenes;            ///< owner -> servo
-  TripleBuffer<Versioned> parameters;       ///< owner -> servo
-  SpscRing<HapticEvent, 64> events;         ///< owner -> servo
-  TripleBuffer<HapticState> state;          ///< servo -> owner
-  TripleBuffer<LoopReport> report;          ///< servo -> owner, four times a second
+  SnapshotMailbox<Scene> scenes;      ///< owner -> servo
+  TripleBuffer<Versioned> parameters; ///< owner -> servo
+  SpscRing<HapticEvent, 64> events;   ///< owner -> servo
+  TripleBuffer<HapticState> state;    ///< servo -> owner
+  TripleBuffer<LoopReport> report;    ///< servo -> owner, four times a second
 };
 
 /// Drives the tick: timer, device, scene, parameters, events in; command, state, statistics, recording out.

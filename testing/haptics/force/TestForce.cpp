@@ -37,9 +37,9 @@ TEST(VirtualCoupling, IsASpringPlusADamperAlongItThatOnlyResists)
   const Vec3 n = Vec3(1, 2, 2) / 3.0, along = Vec3(2, 1, -2) / 3.0; // unit and perpendicular
   const double K = 800.0, b = 4.0, depth_m = 0.002, speed = 0.3;
   const auto force = [&](const Vec3& velocity) { return coupleDevice(depth_m * n, velocity, K, b); };
-  EXPECT_LE((force(-speed * n) - (K * depth_m + b * speed) * n).norm(), 1e-14);        // deeper: resists
-  EXPECT_LE((force(speed * n) - K * depth_m * n).norm(), 1e-14);                       // out: never pulls
-  EXPECT_LE((force(speed * along) - K * depth_m * n).norm(), 1e-14);                   // along: no friction
+  EXPECT_LE((force(-speed * n) - (K * depth_m + b * speed) * n).norm(), 1e-14); // deeper: resists
+  EXPECT_LE((force(speed * n) - K * depth_m * n).norm(), 1e-14);                // out: never pulls
+  EXPECT_LE((force(speed * along) - K * depth_m * n).norm(), 1e-14);            // along: no friction
   EXPECT_LE((force(speed * along - speed * n) - (K * depth_m + b * speed) * n).norm(), 1e-14);
 }
 
@@ -53,7 +53,7 @@ TEST(HapticParameters, RefuseEachValueThatCannotBeByName)
   struct Case
   {
     const char* named;
-    double HapticParameters::* value;
+    double HapticParameters::*value;
   };
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(HapticParameters().validate(), "");
@@ -80,8 +80,9 @@ TEST(HapticParameters, RefuseEachValueThatCannotBeByName)
 
 TEST(HapticParameters, RefuseSafetyLimitsThatWouldLimitNothing)
 {
-  for (double SafetyLimits::*limit : { &SafetyLimits::maxForce_N, &SafetyLimits::maxRise_N_per_s, &SafetyLimits::engageRamp_s,
-         &SafetyLimits::engageBelow_N, &SafetyLimits::releaseRamp_s, &SafetyLimits::faultRamp_s })
+  for (double SafetyLimits::*limit :
+    { &SafetyLimits::maxForce_N, &SafetyLimits::maxRise_N_per_s, &SafetyLimits::engageRamp_s,
+      &SafetyLimits::engageBelow_N, &SafetyLimits::releaseRamp_s, &SafetyLimits::faultRamp_s })
   {
     for (const double bad : { -1.0, std::numeric_limits<double>::quiet_NaN() })
     {

@@ -18,8 +18,7 @@ namespace
 class WatchedDevice final : public HapticDevice
 {
 public:
-  explicit WatchedDevice(DeviceCommand& last)
-    : last_(last)
+  explicit WatchedDevice(DeviceCommand& last) : last_(last)
   {
     this->info_.name = "watched";
     this->info_.simulated = true;

@@ -28,10 +28,7 @@ std::string fileNamed(const std::string& name)
 /// Deletes its file in the end.
 struct TemporaryFile
 {
-  explicit TemporaryFile(const std::string& name)
-    : path(fileNamed(name))
-  {
-  }
+  explicit TemporaryFile(const std::string& name) : path(fileNamed(name)) {}
   ~TemporaryFile() { std::remove(this->path.c_str()); }
   std::string path;
 };
@@ -47,8 +44,8 @@ std::vector<SurfaceInput> threeSurfaces(int levels)
   return inputs;
 }
 
-/// A hand that strokes the middle one of three overlapping spheres for `ticks`, the scene replaced every 200 ticks and the
-/// parameters changed once; recorded in virtual time.
+/// A hand that strokes the middle one of three overlapping spheres for `ticks`, the scene replaced every 200 ticks and
+/// the parameters changed once; recorded in virtual time.
 void record(const std::string& path, int ticks, double radius_u)
 {
   SceneBuilder builder;
@@ -67,7 +64,8 @@ void record(const std::string& path, int ticks, double radius_u)
   {
     const double s = 1e-3 * tick;
     DeviceSample sample;
-    sample.pose_D.p = tick == 0 ? Vec3(0.08, 0, 0.07) : Vec3(0.08 + 0.012 * std::sin(0.7 * s), 0.01 * std::sin(5 * s), 0.047);
+    sample.pose_D.p =
+      tick == 0 ? Vec3(0.08, 0, 0.07) : Vec3(0.08 + 0.012 * std::sin(0.7 * s), 0.01 * std::sin(5 * s), 0.047);
     static_cast<FedDevice*>(session.device())->feed(sample);
     if (tick > 0 && tick % 200 == 0)
     {

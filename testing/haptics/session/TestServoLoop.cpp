@@ -53,8 +53,7 @@ private:
 /// A sphere of radius 50 mm, a device, and the loop between them.
 struct Rig
 {
-  explicit Rig(bool simulated, Recorder* recorder = nullptr)
-    : device(simulated)
+  explicit Rig(bool simulated, Recorder* recorder = nullptr) : device(simulated)
   {
     HapticParameters parameters;
     parameters.safety.engageRamp_s = 0.01;

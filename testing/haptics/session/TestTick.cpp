@@ -176,7 +176,8 @@ TEST(Tick, AReplacedSceneNeverStepsTheForce)
   const HapticParameters parameters = headless();
   RendererState state;
   static_cast<void>(renderTick(inputAt({ 0, 0, 0.1 }, scene.get()), parameters, state));
-  double before = renderTick(inputAt({ 0, 0, -0.002 }, scene.get(), 2), parameters, state).command.wrench_D.force.norm();
+  double before =
+    renderTick(inputAt({ 0, 0, -0.002 }, scene.get(), 2), parameters, state).command.wrench_D.force.norm();
   EXPECT_NEAR(before, 2.0, 1e-11);
   for (std::uint64_t tick = 3; tick < 600; ++tick)
   {
@@ -222,7 +223,8 @@ TEST(Tick, NeitherAllocatesNorFreesNorLocksOverASlideWithSceneSwaps)
     {
       const double angle = 1e-3 * static_cast<double>(tick);
       const double reach = tick == 0 ? 0.06 : 0.048;
-      TickInput input = inputAt({ reach * std::cos(angle), reach * std::sin(angle), 0.01 * std::sin(3 * angle) }, one.get(), tick);
+      TickInput input =
+        inputAt({ reach * std::cos(angle), reach * std::sin(angle), 0.01 * std::sin(3 * angle) }, one.get(), tick);
       input.scene = (tick / 500) % 2 == 0 ? one.get() : two.get();
       input.previousScene = input.scene != last ? last : nullptr;
       last = input.scene;
