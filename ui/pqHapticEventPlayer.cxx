@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticEventPlayer.h"
 
+#include "pqCoreUtilities.h"
 #include "pqEventDispatcher.h"
 #include "pqHapticController.h"
 #include "pqHapticViewFollower.h"
@@ -8,6 +9,7 @@
 
 #include <QElapsedTimer>
 #include <QStringList>
+#include <QWidget>
 #include <QtDebug>
 
 #include <algorithm>
@@ -56,6 +58,7 @@ bool pqHapticEventPlayer::playEvent(QObject*, const QString& command, const QStr
     { "hapticVirtualTime", [&] { return this->setVirtualTime(arguments.toInt() != 0); } },
     { "hapticMove", [&] { return this->move(list); } },
     { "hapticStep", [&] { return this->step(arguments.toInt()); } },
+    { "hapticWindow", [&] { return this->resizeWindow(list); } },
     { "hapticWait", [&] { return this->wait(arguments.toInt()); } },
     { "hapticWaitUntilReleased", [&] { return this->waitUntilReleased(arguments.toInt()); } },
     { "hapticCheck", [&] { return this->check(list); } },
@@ -72,6 +75,17 @@ bool pqHapticEventPlayer::playEvent(QObject*, const QString& command, const QStr
 bool pqHapticEventPlayer::wait(int time_ms)
 {
   pqEventDispatcher::processEventsAndWait(time_ms);
+  return true;
+}
+
+bool pqHapticEventPlayer::resizeWindow(const QStringList& size)
+{
+  QWidget* window = pqCoreUtilities::mainWidget();
+  if (!window || size.size() != 2)
+  {
+    return false;
+  }
+  window->setGeometry(0, 0, size[0].toInt(), size[1].toInt());
   return true;
 }
 

@@ -13,6 +13,7 @@ class pqHapticController;
  *   hapticVirtualTime "1"            from the next touch on, only hapticMove and hapticStep make the servo tick
  *   hapticMove "x,y,z,n"             n ticks of virtual time in which the hand goes evenly to a point [u]
  *   hapticStep "n"                   n ticks of virtual time, then time for the panel to show them
+ *   hapticWindow "width,height"      size of the main window [pixels]: there is no window manager
  *   hapticWait "ms"                  processes events for that long
  *   hapticWaitUntilReleased "ms"     processes events until nothing is touched any more, at most that long
  *   hapticCheck "name,low,high"      fails unless force [N], depth [u], contacts, ticks or missed lies in [low, high]
@@ -34,6 +35,7 @@ private:
   bool pose(const QStringList& numbers);
   bool move(const QStringList& arguments);
   bool step(int ticks);
+  bool resizeWindow(const QStringList& size);
   bool setVirtualTime(bool on);
   bool wait(int time_ms);
   bool waitUntilReleased(int limit_ms);

@@ -2,8 +2,10 @@
 #include "pqHapticFrames.h"
 
 #include "pqRenderView.h"
+#include "vtkActor.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticToolProps.h"
+#include "vtkMapper.h"
 #include "vtkPVRenderView.h"
 #include "vtkSMRenderViewProxy.h"
 
@@ -13,6 +15,10 @@ namespace
 constexpr int pauseBetweenFrames = 16;
 /// A hidden view never ends a frame: ask again after this long [ms].
 constexpr int pauseWhenHidden = 250;
+/// Balls this large, as a fraction of the scene's diagonal, are seen beside ParaView's panels too.
+constexpr double relativeSize = 0.016;
+/// Units of depth, more than a 16 bit depth buffer has.
+constexpr double inFrontOfEverything = -66000.0;
 
 vtkRenderer* RendererOf(pqRenderView* view)
 {
@@ -23,6 +29,10 @@ vtkRenderer* RendererOf(pqRenderView* view)
 
 pqHapticFrames::pqHapticFrames(QObject* parent) : Superclass(parent)
 {
+  this->Props->SetRelativeSize(relativeSize);
+  // A hand that presses is inside what it presses on: drawn in front of it, else nobody would see how deep.
+  vtkMapper* hand = this->Props->GetHandActor()->GetMapper();
+  hand->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, inFrontOfEverything);
   this->Pause.setSingleShot(true);
   this->connect(&this->Pause, &QTimer::timeout, this, &pqHapticFrames::nextFrame);
 }

@@ -24,6 +24,8 @@ namespace
 {
 /// Read-outs change ten times a second: faster cannot be read.
 constexpr int refreshPeriod_ms = 100;
+/// Else the widest number a field could hold makes the whole panel wide [pixels].
+constexpr int leastFieldWidth = 90;
 
 QLabel* Value(QWidget* parent, const char* name, const QString& tip)
 {
@@ -43,6 +45,7 @@ QDoubleSpinBox* Number(QWidget* parent, const char* name, double low, double hig
   box->setDecimals(decimals);
   box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   box->setKeyboardTracking(false);
+  box->setMinimumWidth(leastFieldWidth);
   box->setToolTip(tip);
   return box;
 }
@@ -53,7 +56,7 @@ QFormLayout* Group(QVBoxLayout* column, const char* name, const QString& title)
   group->setObjectName(name);
   column->addWidget(group);
   auto* form = new QFormLayout(group);
-  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   return form;
 }
 } // namespace
@@ -155,10 +158,10 @@ void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
   this->Ticks = Value(parent, "ticks", tr("Ticks computed and periods missed; missed periods are never caught up"));
   this->Scheduling = Value(parent, "scheduling", tr("What the operating system granted the servo thread"));
   form->addRow(tr("Rate"), this->Rate);
-  form->addRow(tr("Lateness"), this->Lateness);
-  form->addRow(tr("Cost"), this->Cost);
+  form->addRow(tr("Late p50/p99"), this->Lateness);
+  form->addRow(tr("Cost p50/p99"), this->Cost);
   form->addRow(tr("Ticks"), this->Ticks);
-  form->addRow(tr("Thread"), this->Scheduling);
+  form->addRow(this->Scheduling);
 }
 
 void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
@@ -204,6 +207,7 @@ void pqHapticPanel::build()
   auto* scroll = new QScrollArea(this);
   scroll->setObjectName("scroll");
   scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* body = new QWidget(scroll);
   body->setObjectName("body");
   auto* column = new QVBoxLayout(body);

@@ -12,7 +12,7 @@ QString Quantity(double value, int decimals, const char* unit)
 
 QString Percentiles(double p50_us, double p99_us)
 {
-  return QString("p50 %1 us, p99 %2 us").arg(p50_us, 0, 'f', 1).arg(p99_us, 0, 'f', 1);
+  return QString("%1 / %2 us").arg(p50_us, 0, 'f', 1).arg(p99_us, 0, 'f', 1);
 }
 
 /// A fault has a reason; otherwise the last thing that was refused is what the person must know.

@@ -17,7 +17,8 @@ import summary
 STIFFNESS = 300.0  # N/m
 RADIUS = 1.0  # mm
 SPEED = 0.04  # m/s
-DEPTH = 4.0  # mm under the surface
+DEPTH = 8.0  # mm under the surface
+APPROACH = 30.0  # mm above the first point of the stroke
 STEP = 1.0  # mm between two points of the stroke
 PERIOD = 100  # ms between two looks at the session
 
@@ -40,12 +41,17 @@ def show_bone(surface):
 def look_from_the_front_left(view, bone):
     x0, x1, y0, y1, z0, z1 = bone.GetDataInformation().GetBounds()
     centre = [(x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2]
+    room = 0.1 * (z1 - z0)  # above the head, for the arrow of the force
     view.CameraFocalPoint = centre
     view.CameraPosition = [centre[0] - 300, centre[1] - 400, centre[2] + 240]
     view.CameraViewUp = [0, 0, 1]
     view.OrientationAxesVisibility = 0
     simple.ResetCamera(view)
-    simple.GetActiveCamera().Dolly(1.25)
+    camera = simple.GetActiveCamera()
+    camera.Dolly(1.2)
+    for get, put in ((camera.GetFocalPoint, camera.SetFocalPoint), (camera.GetPosition, camera.SetPosition)):
+        x, y, z = get()
+        put(x, y, z + room)
     simple.Render(view)
 
 
@@ -63,25 +69,38 @@ def set_property(proxy, name, *values):
         servermanager.vtkSMPropertyHelper(proxy, name).Set(index, value)
 
 
-def lead_hand(proxy, bone):
-    """A simulated hand that strokes from the brow over the crown to the back of the head."""
-    skull = servermanager.Fetch(bone)
+def stroke_over(bone):
+    """A path from above the back of the head down to it, over the crown to the brow and back, just under the bone."""
     stroke = vtkHapticStroke()
-    stroke.SetInputData(skull)
+    stroke.SetInputData(servermanager.Fetch(bone))
     stroke.SetDepth(DEPTH)
     stroke.SetStep(STEP)
     stroke.Update()
     path = stroke.GetOutput()
-    centre = path.GetCenter()
-    set_property(proxy, "DeviceName", "simulated-generic")
+    points = [path.GetPoint(i) for i in range(path.GetNumberOfPoints())]
+    x, y, z = points[0]
+    return [(x, y, z + APPROACH)] + points  # straight up is free: the stroke follows the outermost bone
+
+
+def prepare(proxy, points):
+    """The hand is held still above the bone while the scene is built."""
+    set_property(proxy, "DeviceName", "fed")
     set_property(proxy, "Stiffness", STIFFNESS)
     set_property(proxy, "Radius", RADIUS)
     set_property(proxy, "Scale", 1000.0)
-    set_property(proxy, "Offset", *centre)
+    set_property(proxy, "Offset", *(sum(c) / len(points) for c in zip(*points)))
+    set_property(proxy, "HandPosition", *points[0])
     set_property(proxy, "StrokeSpeed", SPEED)
+    set_property(proxy, "StrokePoints", *(c for point in points for c in point))
+    touch(proxy, True)
+
+
+def lead_hand(proxy):
+    """The same session again, with a simulated hand that follows the stroke, recorded from its first tick."""
+    touch(proxy, False)
+    set_property(proxy, "DeviceName", "simulated-generic")
     set_property(proxy, "RecordFile", os.path.join(os.environ["PALPATE_RUN_OUT"], "recording.palpate"))
-    proxy.UpdateVTKObjects()
-    proxy.GetClientSideObject().SetStrokePath(path)
+    touch(proxy, True)
 
 
 def touch(proxy, on):
@@ -90,7 +109,7 @@ def touch(proxy, on):
 
 
 class Watch:
-    """Looks at the session a few times a second, pictures it half way, and reports when the time is over."""
+    """Looks at the session a few times a second, pictures it, and reports when the time is over."""
 
     def __init__(self, proxy, view):
         self.proxy = proxy
@@ -98,6 +117,7 @@ class Watch:
         self.seconds = float(os.environ["PALPATE_RUN_SECONDS"])
         self.framebuffer = os.environ.get("PALPATE_RUN_FRAMEBUFFER")
         self.pictured = not self.framebuffer
+        self.leading = False
         self.clock = summary.WallClock()
         self.interactor = view.GetInteractor()
         self.observer = self.interactor.AddObserver("TimerEvent", self.look)
@@ -105,19 +125,29 @@ class Watch:
 
     def look(self, *_):
         try:
-            self.follow()
+            self.session.Update()
+            if self.leading:
+                self.follow()
+            elif self.session.GetSceneReport():
+                lead_hand(self.proxy)
+                self.clock = summary.WallClock()
+                self.leading = True
         except Exception:  # nothing else would show it: the caller is VTK's event loop
             traceback.print_exc()
-            self.end()
+            self.stop()
 
     def follow(self):
-        self.session.Update()
         contact = self.session.GetContactSeconds()
-        if not self.pictured and contact > self.seconds / 2 and self.session.GetForceMagnitude() > 0.5:
+        if not self.pictured and contact > self.seconds / 4 and self.worth_a_picture():
             self.picture()
-        if contact >= self.seconds or self.clock.seconds() > 4 * self.seconds + 60:
+        if contact >= self.seconds or self.clock.seconds() > 2 * self.seconds + 60:
+            self.stop()
             summary.write(os.environ["PALPATE_RUN_OUT"], summary.of(self.session, self.seconds, self.clock))
-            self.end()
+
+    def worth_a_picture(self):
+        """The hand presses in front of the crown, where the camera sees it against the bone."""
+        y = self.session.GetProxyPosition()[1]
+        return self.session.GetForceMagnitude() > 0.7 * self.session.GetPeakForce() and y < self.session.GetOffset()[1] - 25
 
     def picture(self):
         from screen import save_screen
@@ -125,7 +155,7 @@ class Watch:
         save_screen(self.framebuffer, os.path.join(os.environ["PALPATE_RUN_OUT"], "screenshot.png"))
         self.pictured = True
 
-    def end(self):
+    def stop(self):
         """A person at a display goes on touching; with no display the client ends once nothing is touched."""
         self.interactor.DestroyTimer(self.timer)
         self.interactor.RemoveObserver(self.observer)
@@ -136,8 +166,7 @@ class Watch:
 def main():
     bone, view = show_bone(os.environ["PALPATE_RUN_SURFACE"])
     proxy = session_proxy()
-    lead_hand(proxy, bone)
-    touch(proxy, True)
+    prepare(proxy, stroke_over(bone))
     return Watch(proxy, view)
 
 

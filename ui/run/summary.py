@@ -6,6 +6,9 @@ import math
 import os
 import time
 
+#: Rounding of a few additions of numbers as large as coordinates, times the stiffness; far below what can be felt.
+LARGEST_RESIDUAL_N = 1e-9
+
 
 class WallClock:
     """Seconds since it was made, by a clock of its own: an independent check of the servo's counting."""
@@ -29,11 +32,11 @@ def of(session, wanted_s, clock):
         "lateness_p99_us": session.GetLatenessP99(),
         "cost_p50_us": session.GetCostP50(),
         "cost_p99_us": session.GetCostP99(),
+        "force_residual_N": session.GetForceResidual(),
         "peak_force_N": session.GetPeakForce(),
         "contact_s": session.GetContactSeconds(),
         "wanted_contact_s": wanted_s,
         "wall_clock_s": clock.seconds(),
-        "state": session.GetStateText(),
         "fault": session.GetFaultText(),
         "scheduling": session.GetSchedulingReport(),
         "scene": session.GetSceneReport(),
@@ -49,6 +52,8 @@ def failures(numbers):
         wrong.append("ticks and missed periods do not add up to the periods elapsed")
     if numbers["fault"]:
         wrong.append(f"fault: {numbers['fault']}")
+    if not numbers["force_residual_N"] <= LARGEST_RESIDUAL_N:
+        wrong.append(f"the force is not the spring's: off by up to {numbers['force_residual_N']:.3g} N")
     if not (math.isfinite(numbers["peak_force_N"]) and numbers["peak_force_N"] > 0.0):
         wrong.append("no force was felt")
     return wrong
@@ -62,8 +67,8 @@ def text(numbers):
         ("lateness p50 / p99", f"{numbers['lateness_p50_us']:.1f} / {numbers['lateness_p99_us']:.1f} us"),
         ("cost of a tick p50 / p99", f"{numbers['cost_p50_us']:.1f} / {numbers['cost_p99_us']:.1f} us"),
         ("ticks at a work limit", f"{numbers['capped_ticks']}"),
+        ("largest |F - K (p - x)|", f"{numbers['force_residual_N']:.2g} N"),
         ("peak force", f"{numbers['peak_force_N']:.2f} N"),
-        ("state", numbers["state"]),
         ("servo thread", numbers["scheduling"].strip()),
         ("scene", numbers["scene"].strip()),
     ]
