@@ -71,6 +71,20 @@ bool cornersAre(const std::array<std::uint32_t, 3>& t, int k, std::uint32_t i, s
   return (a == i && b == j) || (a == j && b == i);
 }
 
+/// A side of a face without the cost of a root: its outward normal times its length, and that length to within a
+/// factor of sqrt 3 (the sum of its coordinates), good enough for margins.
+struct Side
+{
+  Vec3 outward;
+  double length;
+};
+
+Side sideOf(const FaceRecord& face, int k) noexcept
+{
+  const Vec3 e = face.corner_W[(k + 1) % 3] - face.corner_W[k];
+  return { e.cross(face.normal_W), e.cwiseAbs().sum() };
+}
+
 } // namespace
 
 EdgeLine edgeLine(const SurfaceData& s, std::uint32_t i, std::uint32_t j) noexcept
@@ -95,8 +109,16 @@ double outsideOfEdge(const SurfaceData& s, std::uint32_t triangle, int k, const 
 
 bool projectsInside(const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W, double margin) noexcept
 {
-  return outsideOfEdge(s, triangle, 0, x_W) <= margin && outsideOfEdge(s, triangle, 1, x_W) <= margin &&
-    outsideOfEdge(s, triangle, 2, x_W) <= margin;
+  const FaceRecord& face = s.faces[triangle];
+  for (int k = 0; k < 3; ++k)
+  {
+    const Side side = sideOf(face, k);
+    if (side.outward.dot(x_W - face.corner_W[k]) > margin * side.length)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 FeaturePlane planeOf(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double r) noexcept
@@ -182,19 +204,19 @@ FaceExit walkFace(
     Vec3 out = Vec3::Zero();
     for (int k = 0; k < 3; ++k)
     {
-      const Vec3 m = outwardNormal(s, triangle, k);
-      const double rate = m.dot(y);
+      const Side side = sideOf(s.faces[triangle], k);
+      const double rate = side.outward.dot(y);
       if (rate <= 0.0 || cornersAre(corners, k, enteredI, enteredJ))
       {
         continue;
       }
-      const double inside = -m.dot(x_W - s.faces[triangle].corner_W[k]);
-      const double exit = (std::max(inside, 0.0) + 4 * del) / rate;
+      const double inside = -side.outward.dot(x_W - s.faces[triangle].corner_W[k]);
+      const double exit = (std::max(inside, 0.0) + 4 * del * side.length) / rate;
       if (exit < t)
       {
         t = exit;
         leaving = k;
-        out = m;
+        out = side.outward;
       }
     }
     if (leaving < 0)

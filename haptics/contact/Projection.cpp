@@ -206,7 +206,7 @@ private:
   Vec3 q_;
   double slack_;
   int count_;
-  std::array<int, maxRows> order_{};
+  std::array<int, maxRows> order_;
   ProjectionResult best_;
   bool found_ = false;
   double worst_ = 0.0;

@@ -12,8 +12,8 @@ namespace palpate
 /// One touched plane seen from the ball: the displacement y must satisfy n . y >= bound.
 struct PlaneRow
 {
-  Vec3 n = Vec3::Zero(); ///< unit, towards the ball
-  double bound = 0.0;    ///< [u]
+  Vec3 n;       ///< unit, towards the ball
+  double bound; ///< [u]
 };
 
 /// The point of the feasible set nearest to the target, and what holds it there.

@@ -13,16 +13,23 @@ namespace
 
 using Pivot = RollPlanner::Pivot;
 
-/// Tangent of the largest angle by which n may turn towards w before the ball comes to lie on an incident face.
-double coneLimit(const SurfaceData& s, const ActiveFeature& f, const Pivot& pivot) noexcept
+struct ConeLimit
 {
-  double limit = std::numeric_limits<double>::infinity();
+  double tangent = std::numeric_limits<double>::infinity();
+  Vec3 into = Vec3::Zero(); ///< from the pivot along the face or edge that sets the limit
+};
+
+/// The largest angle by which n may turn towards w before the ball comes to lie on an incident face.
+ConeLimit coneLimit(const SurfaceData& s, const ActiveFeature& f, const Pivot& pivot) noexcept
+{
+  ConeLimit limit;
   const auto include = [&](const Vec3& t)
   {
     const double turn = t.dot(pivot.w);
-    if (turn > 0.0)
+    const double tangent = turn > 0.0 ? std::max(0.0, -t.dot(pivot.plane.n) / turn) : limit.tangent;
+    if (tangent < limit.tangent)
     {
-      limit = std::min(limit, std::max(0.0, -t.dot(pivot.plane.n) / turn));
+      limit = { tangent, t };
     }
   };
   if (f.kind == FeatureKind::Edge)
@@ -119,16 +126,20 @@ void RollPlanner::cutToFace(const ActiveFeature& f, Vec3& aim) noexcept
   }
 }
 
-/// The step along the crevice is straight, the way is not: shifts aim so that the ball lands on the border it was cut to.
-void RollPlanner::landOnBorder(const Vec3& y, Vec3& aim) const noexcept
+/// The step along the crevice is straight, the way is not: shifts aim so that the ball lands just beyond the border
+/// it was cut to. True when y does so already.
+bool RollPlanner::landOnBorder(const Vec3& y, Vec3& aim) const noexcept
 {
+  const double del = this->contacts_.resolution().del();
+  const double wanted = 4 * del;
   const double outside = this->border_.outward.dot(this->x_W_ + y - this->border_.point_W);
   const double rate = this->border_.outward.dot(aim);
-  const double wanted = 4 * this->contacts_.resolution().del();
-  if (std::fabs(outside - wanted) < 0.5 * std::fabs(rate))
+  if (std::fabs(outside - wanted) <= 3 * del || std::fabs(outside - wanted) >= 0.5 * std::fabs(rate))
   {
-    aim *= 1.0 + (wanted - outside) / rate;
+    return true;
   }
+  aim *= 1.0 + (wanted - outside) / rate;
+  return false;
 }
 
 /// In the crevice of two contacts of which one is round: the Newton step of the constrained problem. Its Hessian
@@ -192,12 +203,14 @@ void RollPlanner::chooseTargets(Vec3& aim) noexcept
       continue;
     }
     pivot.w /= reach;
-    pivot.limit = coneLimit(this->contacts_.dataOf(f), f, pivot);
+    const ConeLimit cone = coneLimit(this->contacts_.dataOf(f), f, pivot);
+    pivot.limit = cone.tangent;
     pivot.turn = std::min(pivot.limit, this->mostTurn_);
     if (crevice && reach > pivot.turn * this->radius_u_)
     {
       aim *= pivot.turn * this->radius_u_ / reach; // not beyond the face or edge it will come to lie on
-      this->hasBorder_ = false;
+      this->hasBorder_ = pivot.turn == pivot.limit && pivot.limit > 0.0;
+      this->border_ = this->hasBorder_ ? Border{ cone.into.normalized(), pivot.plane.foot_W } : Border{};
     }
     const Vec3 pull = crevice ? aim : Vec3(this->solution_.y - this->solution_.lambda[k] * pivot.plane.n);
     const Vec3 n = targetNormal(pivot, this->x_W_ + pull, crevice ? 2 * this->radius_u_ + reach : this->radius_u_);
@@ -263,18 +276,15 @@ RollPlan RollPlanner::plan() noexcept
   const auto count = static_cast<std::size_t>(this->contacts_.count());
   Vec3 target = crevice ? this->pressed(aim) : (this->solution_.count == 1 ? this->pressed(this->arcAim()) : this->q_);
   ProjectionResult second = projectOntoPlanes({ this->rows_.data(), count }, target, this->slack_);
-  constexpr int corrections = 4;
-  for (int k = 0; k < corrections && second.feasible && !this->correct(second.y); ++k)
+  constexpr int corrections = 5;
+  for (int k = 0; k < corrections && second.feasible; ++k)
   {
-    if (this->hasBorder_)
+    const bool corrected = this->correct(second.y);
+    if (corrected && (!this->hasBorder_ || this->landOnBorder(second.y, aim)))
     {
-      this->landOnBorder(second.y, aim);
-      target = this->pressed(aim);
+      break;
     }
-    else
-    {
-      target = this->pressed(second.y);
-    }
+    target = this->pressed(this->hasBorder_ ? aim : second.y);
     second = projectOntoPlanes({ this->rows_.data(), count }, target, this->slack_);
   }
   for (int k = 0; k < this->pivotCount_; ++k)

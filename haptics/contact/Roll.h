@@ -50,7 +50,7 @@ public:
 private:
   [[nodiscard]] double heldFraction(const ActiveFeature& f, const Vec3& aim) const noexcept;
   void cutToFace(const ActiveFeature& f, Vec3& aim) noexcept;
-  void landOnBorder(const Vec3& y, Vec3& aim) const noexcept;
+  [[nodiscard]] bool landOnBorder(const Vec3& y, Vec3& aim) const noexcept;
   [[nodiscard]] Vec3 creviceAim() noexcept;
   [[nodiscard]] Vec3 arcAim() const noexcept;
   [[nodiscard]] Vec3 pressed(const Vec3& aim) const noexcept;
