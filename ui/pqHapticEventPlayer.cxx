@@ -61,6 +61,7 @@ bool pqHapticEventPlayer::playEvent(QObject*, const QString& command, const QStr
     { "hapticWindow", [&] { return this->resizeWindow(list); } },
     { "hapticWait", [&] { return this->wait(arguments.toInt()); } },
     { "hapticWaitUntilReleased", [&] { return this->waitUntilReleased(arguments.toInt()); } },
+    { "hapticWaitFor", [&] { return this->waitFor(list); } },
     { "hapticCheck", [&] { return this->check(list); } },
   };
   const auto found = commands.find(command);
@@ -157,22 +158,41 @@ bool pqHapticEventPlayer::waitUntilReleased(int limit_ms)
   return !this->Controller->touching();
 }
 
-bool pqHapticEventPlayer::check(const QStringList& arguments)
+bool pqHapticEventPlayer::waitFor(const QStringList& arguments)
+{
+  QElapsedTimer time;
+  time.start();
+  const QStringList range = arguments.mid(0, 3);
+  while (!this->holds(range) && time.elapsed() < arguments.value(3).toInt())
+  {
+    pqEventDispatcher::processEventsAndWait(settle_ms);
+  }
+  return this->check(range);
+}
+
+bool pqHapticEventPlayer::holds(const QStringList& range) const
 {
   vtkHapticSession* session = this->Controller->session();
-  if (!session || arguments.size() != 3)
+  if (!session || range.size() != 3)
   {
     return false;
   }
   session->Update();
   bool known = false;
-  const double value = Quantity(*session, arguments[0], known);
-  const bool inside = known && value >= arguments[1].toDouble() && value <= arguments[2].toDouble();
-  if (!inside)
+  const double value = Quantity(*session, range[0], known);
+  return known && value >= range[1].toDouble() && value <= range[2].toDouble();
+}
+
+bool pqHapticEventPlayer::check(const QStringList& range)
+{
+  const bool inside = this->holds(range);
+  vtkHapticSession* session = this->Controller->session();
+  if (!inside && session)
   {
-    qCritical() << "hapticCheck" << arguments << ": the value is" << value << "; state" << session->GetStateText()
-                << session->GetFaultText() << session->GetProblem() << "; ticks" << session->GetTicks() << "; depth"
-                << session->GetDepth() << "u;" << this->Controller->follower()->report() << session->GetSceneReport();
+    qCritical() << "hapticCheck" << range << ": force" << session->GetForceMagnitude() << "N, depth"
+                << session->GetDepth() << "u, contacts" << session->GetContacts() << ", ticks" << session->GetTicks()
+                << "; state" << session->GetStateText() << session->GetFaultText() << session->GetProblem() << ";"
+                << this->Controller->follower()->report() << session->GetSceneReport();
   }
   return inside;
 }

@@ -17,6 +17,7 @@ class pqHapticController;
  *   hapticWait "ms"                  processes events for that long
  *   hapticWaitUntilReleased "ms"     processes events until nothing is touched any more, at most that long
  *   hapticCheck "name,low,high"      fails unless force [N], depth [u], contacts, ticks or missed lies in [low, high]
+ *   hapticWaitFor "name,low,high,ms" processes events until hapticCheck would pass, at most that long
  *
  * Q_OBJECT is required: ParaView keys players by class name.
  */
@@ -39,7 +40,9 @@ private:
   bool setVirtualTime(bool on);
   bool wait(int time_ms);
   bool waitUntilReleased(int limit_ms);
-  bool check(const QStringList& arguments);
+  bool waitFor(const QStringList& arguments);
+  bool holds(const QStringList& range) const;
+  bool check(const QStringList& range);
 
   pqHapticController* Controller;
   double Hand_W[3] = { 0.0, 0.0, 0.0 }; ///< where the script put it last [u]

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A session in a state file. A process of its own: loading a state replaces views."""
+
+import os
+import sys
+import tempfile
+import unittest
+
+from paraview import simple
+
+from haptic_proxies import manager, put
+
+
+class StateFile(unittest.TestCase):
+    def test_a_registered_session_comes_back_with_its_settings(self):
+        proxy = manager().NewProxy("haptics", "HapticSession")
+        put(proxy, "Stiffness", 345.0)
+        put(proxy, "Radius", 1.25)
+        manager().RegisterProxy("haptics", "HapticSession", proxy)
+        with tempfile.TemporaryDirectory() as folder:
+            state = os.path.join(folder, "state.pvsm")
+            simple.SaveState(state)
+            manager().UnRegisterProxy("haptics", "HapticSession", proxy)
+            simple.LoadState(state)
+        loaded = manager().GetProxy("haptics", "HapticSession").GetClientSideObject()
+        self.assertEqual((loaded.GetStiffness(), loaded.GetRadius()), (345.0, 1.25))
+        self.assertFalse(loaded.GetTouching())
+
+
+if __name__ == "__main__":
+    # A SystemExit would skip pvpython's own ending, which closes views before the display.
+    if not unittest.main(exit=False).result.wasSuccessful():
+        sys.exit(1)
