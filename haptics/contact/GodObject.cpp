@@ -297,9 +297,27 @@ private:
     return this->commitRoll(corner_W, end_W, second, plan.tolerance_u2);
   }
 
+  /// True if the ball would lie deeper than rounding in a touched feature, which sweeps leave out.
+  [[nodiscard]] bool wouldOverlap(const Vec3& end_W) const noexcept
+  {
+    for (const ActiveFeature& f : this->contacts_.features())
+    {
+      const bool under = f.kind != FeatureKind::Face || projectsInside(this->contacts_.dataOf(f), f.a, end_W, 0.0);
+      if (under && planeOf(this->contacts_.dataOf(f), f, end_W, this->plan_.radius_u).gap < -this->tol())
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /// Takes the way over the corner if it ends nearer to the device.
   [[nodiscard]] bool commitRoll(const Vec3& corner_W, const Vec3& end_W, const SweepHit& hit, double tolerance_u2) noexcept
   {
+    if (this->wouldOverlap(end_W))
+    {
+      return false;
+    }
     if ((end_W - this->p_W_).squaredNorm() >= (this->x() - this->p_W_).squaredNorm() + tolerance_u2)
     {
       return false;
