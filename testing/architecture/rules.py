@@ -6,6 +6,7 @@ testing includes everything and nothing includes testing.
 """
 
 import re
+import subprocess
 from pathlib import Path
 
 LAYERS = ["haptics", "devices", "filters", "ui", "plugin", "testing"]
@@ -45,14 +46,17 @@ REGISTRY_HOSTS = re.compile("|".join(["deb\\.debian" + "\\.org", "pypi" + "\\.or
 
 
 def files_of(root):
-    """All files of the project under `root`: no build trees, caches or outputs."""
-    found = []
-    for path in sorted(root.rglob("*")):
-        parts = path.relative_to(root).parts
-        skipped = any(part in SKIPPED_FOLDERS for part in parts) or parts[0].startswith("build")
-        if path.is_file() and not path.is_symlink() and not skipped:
-            found.append(path)
-    return found
+    """All files of the project under `root`: what git tracks; without git all but build trees, caches and outputs."""
+    listing = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, text=True, check=False)
+    if (root / ".git").exists() and listing.returncode == 0:
+        candidates = [root / name for name in listing.stdout.split("\0") if name]
+    else:
+        candidates = [path for path in root.rglob("*") if not _is_product(path.relative_to(root).parts)]
+    return sorted(path for path in candidates if path.is_file() and not path.is_symlink())
+
+
+def _is_product(parts):
+    return parts[0].startswith("build") or any(part in SKIPPED_FOLDERS for part in parts)
 
 
 def layer_of(relative):

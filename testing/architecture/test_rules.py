@@ -6,6 +6,7 @@ usage: test_rules.py tree      the project's own tree
 """
 
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -141,6 +142,13 @@ class Rules(unittest.TestCase):
         self.write("build-asan/haptics/wrong.hpp", "")
         self.write("data/cache/x.py", "")
         self.assertEqual([line for rule in rules.ALL for line in rule(self.root)], [])
+
+    def test_in_a_repository_only_what_is_tracked_is_looked_at(self):
+        self.write("haptics/wrong.hpp", SPDX)
+        self.write("haptics/stray.hpp", SPDX)
+        for arguments in (["init", "-q"], ["add", "haptics/wrong.hpp"]):
+            subprocess.run(["git", *arguments], cwd=self.root, check=True, capture_output=True)
+        self.assertEqual(self.found(rules.extensions), ["haptics/wrong.hpp"])
 
 
 if __name__ == "__main__":
