@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "haptics/contact/ContactSet.h"
+#include "haptics/contact/LeftFaces.h"
 #include "haptics/contact/Neighbourhood.h"
 #include "haptics/contact/Roll.h"
 #include "haptics/contact/Seat.h"
@@ -26,39 +27,6 @@ constexpr double longWay = 0.2;
 constexpr double firstPart = 0.02;
 /// Attempts to stop a point just before what it hits, each a little further off.
 constexpr int stopAttempts = 6;
-
-/// Faces a point has left in this tick and still lies beside (THEORY.md 2.7, set T): they come back only when
-/// they obstruct, or when the point hits them again without having moved.
-class LeftFaces
-{
-public:
-  struct Entry
-  {
-    ActiveFeature face;
-    Vec3 leftAt_W;
-  };
-
-  void add(const ActiveFeature& face, const Vec3& x_W) noexcept
-  {
-    if (this->count_ < capacity)
-    {
-      this->entries_[this->count_++] = { face, x_W };
-    }
-  }
-  void remove(int i) noexcept
-  {
-    std::copy(this->entries_.begin() + i + 1, this->entries_.begin() + this->count_, this->entries_.begin() + i);
-    --this->count_;
-  }
-  void clear() noexcept { this->count_ = 0; }
-  [[nodiscard]] int count() const noexcept { return this->count_; }
-  [[nodiscard]] const Entry& operator[](int i) const noexcept { return this->entries_[i]; }
-
-private:
-  static constexpr int capacity = 16;
-  std::array<Entry, capacity> entries_;
-  int count_ = 0;
-};
 
 /// What limits a straight slide: how far every holding feature supports it, and which one ends first.
 struct Slide
@@ -200,8 +168,8 @@ private:
       query.touched = this->contacts_.features();
     }
     const std::uint32_t left = this->plan_.nodeBudget - std::min(this->plan_.nodeBudget, this->result_.nodes);
-    // Most ticks need one sweep or two: gathering what is around pays from the third on.
-    const bool gather = this->result_.sweeps >= 2 && (to_W - from_W).norm() <= longWay * this->plan_.radius_u;
+    // Half of the ticks need one sweep only: gathering what is around pays from the second on.
+    const bool gather = this->result_.sweeps >= 1 && (to_W - from_W).norm() <= longWay * this->plan_.radius_u;
     const SweepHit hit = sweepBall(this->scene_, query, left, gather ? &this->near_ : nullptr);
     ++this->result_.sweeps;
     this->result_.nodes += hit.nodes;
@@ -211,9 +179,20 @@ private:
 
   void moveTo(const Vec3& to_W) noexcept
   {
+    const Vec3 start_W = this->x();
+    this->moveOver(start_W, to_W);
+  }
+
+  /// A move over a corner: the way has two pieces, the bookkeeping is done once.
+  void moveOver(const Vec3& corner_W, const Vec3& to_W) noexcept
+  {
     if (this->sink_ != nullptr)
     {
-      this->sink_->segment(this->x(), to_W);
+      if (corner_W != this->x())
+      {
+        this->sink_->segment(this->x(), corner_W);
+      }
+      this->sink_->segment(corner_W, to_W);
     }
     const Vec3 from_W = this->x();
     const Vec3 moved = to_W - from_W;
@@ -322,8 +301,7 @@ private:
     {
       return false;
     }
-    this->moveTo(corner_W);
-    this->moveTo(end_W);
+    this->moveOver(corner_W, end_W);
     this->touch(hit);
     return true;
   }
@@ -546,42 +524,6 @@ private:
   ContactResult result_;
 };
 
-SweepHit sweepFree(const Scene& scene, const ContactPlan& plan, const Vec3& from_W, const Vec3& to_W) noexcept
-{
-  SweepQuery query;
-  query.from_W = from_W;
-  query.to_W = to_W;
-  query.radius_u = plan.radius_u;
-  query.resolution.include(from_W);
-  query.resolution.include(to_W);
-  query.resolution.include(Vec3::Constant(plan.radius_u));
-  return sweepBall(scene, query, plan.nodeBudget);
-}
-
-/// Puts the ball in front of a surface of the new scene that has come between it and the outside.
-void stayOutside(const Scene& from, const Scene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
-{
-  const Vec3 inside_W = state.x_W;
-  Vec3 outside_W = inside_W + 2 * (inside_W - p_W);
-  const SweepHit before = sweepFree(from, plan, inside_W, outside_W);
-  outside_W = inside_W + (before.hit ? 0.5 * before.t : before.freeUntil) * (outside_W - inside_W);
-  const SweepHit now = sweepFree(to, plan, outside_W, inside_W);
-  if (!now.hit)
-  {
-    return;
-  }
-  // A point must stop short of what it hits, and the way to where it stops be free exactly.
-  for (double shortOf = 1e-9; shortOf < 1.0; shortOf *= 8)
-  {
-    const Vec3 stop_W = outside_W + std::max(0.0, now.t - shortOf) * (inside_W - outside_W);
-    if (!sweepFree(to, plan, outside_W, stop_W).hit)
-    {
-      state.x_W = stop_W;
-      return;
-    }
-  }
-}
-
 } // namespace
 
 ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
@@ -600,30 +542,6 @@ ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const V
     state.placed = true;
   }
   return Tick(scene, plan, p_W, state, sink).run();
-}
-
-void handOver(
-  const Scene& from, const Scene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
-{
-  const int touched = state.count;
-  int kept = 0;
-  for (int i = 0; i < touched; ++i)
-  {
-    ActiveFeature f = state.features[i];
-    const auto& tree = from.surfaces()[f.surface].tree;
-    const auto same = std::find_if(to.surfaces().begin(), to.surfaces().end(),
-      [&tree](const Surface& s) { return s.tree->contentHash() == tree->contentHash(); });
-    if (same != to.surfaces().end())
-    {
-      f.surface = static_cast<std::uint32_t>(same - to.surfaces().begin());
-      state.features[kept++] = f;
-    }
-  }
-  state.count = kept;
-  if (kept < touched)
-  {
-    stayOutside(from, to, plan, p_W, state);
-  }
 }
 
 } // namespace palpate
