@@ -21,41 +21,47 @@ namespace
 
 using Kernel = CGAL::Simple_cartesian<double>;
 
-/// A triangle of a TriangleMesh as CGAL's AABB tree wants it: an index, and the mesh as shared data.
-class MeshPrimitive
+/// A triangle as CGAL's AABB tree wants it to build its hierarchy: its number and its box, at hand in the primitive
+/// itself, since building asks for them some twenty times. No query is made to that tree.
+class BoxPrimitive
 {
 public:
+  struct Box
+  {
+    CGAL::Bbox_3 bounds;
+    [[nodiscard]] const CGAL::Bbox_3& bbox() const { return this->bounds; }
+  };
   using Id = std::uint32_t;
   using Point = Kernel::Point_3;
-  using Datum = Kernel::Triangle_3;
+  using Datum = Box;
   using Shared_data = const TriangleMesh*;
-  using Datum_reference = Datum;
+  using Datum_reference = const Datum&;
   using Point_reference = Point;
 
-  MeshPrimitive() = default;
+  BoxPrimitive() = default;
   template<class Iterator>
-  MeshPrimitive(Iterator it, const TriangleMesh&)
+  BoxPrimitive(Iterator it, const TriangleMesh& mesh)
     : id_(*it)
   {
+    const auto& t = mesh.triangles[this->id_];
+    const Vec3 &a = mesh.vertices_W[t[0]], &b = mesh.vertices_W[t[1]], &c = mesh.vertices_W[t[2]];
+    const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    this->box_.bounds = CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
   }
   [[nodiscard]] Id id() const { return this->id_; }
-  [[nodiscard]] Datum datum(Shared_data mesh) const
+  [[nodiscard]] Datum_reference datum(Shared_data) const { return this->box_; }
+  [[nodiscard]] Point reference_point(Shared_data) const
   {
-    return Datum(this->point(mesh, 0), this->point(mesh, 1), this->point(mesh, 2));
+    return Point(this->box_.bounds.xmin(), this->box_.bounds.ymin(), this->box_.bounds.zmin());
   }
-  [[nodiscard]] Point reference_point(Shared_data mesh) const { return this->point(mesh, 0); }
   static Shared_data construct_shared_data(const TriangleMesh& mesh) { return &mesh; }
 
 private:
-  [[nodiscard]] Point point(Shared_data mesh, int corner) const
-  {
-    const Vec3& v = mesh->vertices_W[mesh->triangles[this->id_][corner]];
-    return Point(v.x(), v.y(), v.z());
-  }
+  Box box_;
   Id id_ = 0;
 };
 
-using Traits = CGAL::AABB_traits<Kernel, MeshPrimitive>;
+using Traits = CGAL::AABB_traits<Kernel, BoxPrimitive>;
 using CgalTree = CGAL::AABB_tree<Traits>;
 using CgalNode = CGAL::AABB_node<Traits>;
 
