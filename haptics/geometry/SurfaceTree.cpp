@@ -323,6 +323,7 @@ std::unique_ptr<const SurfaceData> buildData(TriangleMesh clean)
   }
   auto data = std::make_unique<SurfaceData>();
   data->mesh = std::move(clean);
+  data->contentHash = hashMesh(data->mesh); // before the leaves reorder it: content does not know the tree
   const std::size_t leavesAtMost = data->mesh.triangles.size() / (Leaf::capacity / 2) + 1;
   data->leaves.reserve(leavesAtMost);
   data->nodes.reserve(leavesAtMost);
@@ -331,7 +332,6 @@ std::unique_ptr<const SurfaceData> buildData(TriangleMesh clean)
   data->nodes.shrink_to_fit();
   buildFans(*data);
   buildRecords(*data);
-  data->contentHash = hashMesh(data->mesh);
   return data;
 }
 
