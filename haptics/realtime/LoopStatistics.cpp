@@ -28,24 +28,30 @@ double DurationHistogram::upperEnd_us(int bin) noexcept
   return bin < fineBins ? bin + 1.0 : (bin - fineBins + 1) * coarse_us;
 }
 
-double DurationHistogram::quantile(double fraction) const noexcept
-{
-  const auto rank = static_cast<std::uint64_t>(fraction * static_cast<double>(this->count_));
-  std::uint64_t seen = 0;
-  for (int bin = 0; bin < fineBins + coarseBins; ++bin)
-  {
-    seen += this->bins_[static_cast<std::size_t>(bin)];
-    if (seen > rank)
-    {
-      return std::min(upperEnd_us(bin), this->max_us_);
-    }
-  }
-  return this->max_us_;
-}
-
 Quantiles DurationHistogram::quantiles() const noexcept
 {
-  return { this->count_, this->quantile(0.5), this->quantile(0.99), this->quantile(0.999), this->max_us_ };
+  return this->quantilesWith(DurationHistogram{});
+}
+
+/// One pass over the bins: the servo asks while it runs.
+Quantiles DurationHistogram::quantilesWith(const DurationHistogram& other) const noexcept
+{
+  const std::uint64_t count = this->count_ + other.count_;
+  const double max_us = std::max(this->max_us_, other.max_us_);
+  constexpr std::array fractions = { 0.5, 0.99, 0.999 };
+  std::array<double, fractions.size()> found = { max_us, max_us, max_us };
+  std::size_t next = 0;
+  std::uint64_t seen = 0;
+  for (int bin = 0; bin < fineBins + coarseBins && next < fractions.size(); ++bin)
+  {
+    const auto b = static_cast<std::size_t>(bin);
+    seen += std::uint64_t{ this->bins_[b] } + other.bins_[b];
+    while (next < fractions.size() && seen > static_cast<std::uint64_t>(fractions[next] * static_cast<double>(count)))
+    {
+      found[next++] = std::min(upperEnd_us(bin), max_us);
+    }
+  }
+  return { count, found[0], found[1], found[2], max_us };
 }
 
 void SlidingHistogram::add(double time_s, double duration_us) noexcept
@@ -61,9 +67,7 @@ void SlidingHistogram::add(double time_s, double duration_us) noexcept
 
 Quantiles SlidingHistogram::quantiles() const noexcept
 {
-  const Quantiles a = this->turns_[0].quantiles(), b = this->turns_[1].quantiles();
-  return { a.count + b.count, std::max(a.p50_us, b.p50_us), std::max(a.p99_us, b.p99_us), std::max(a.p999_us, b.p999_us),
-    std::max(a.max_us, b.max_us) };
+  return this->turns_[0].quantilesWith(this->turns_[1]);
 }
 
 } // namespace palpate

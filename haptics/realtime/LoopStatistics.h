@@ -24,20 +24,22 @@ public:
   void add(double duration_us) noexcept;
   void clear() noexcept { *this = {}; }
   [[nodiscard]] Quantiles quantiles() const noexcept;
+  /// Of everything in this histogram and in `other` together.
+  [[nodiscard]] Quantiles quantilesWith(const DurationHistogram& other) const noexcept;
   [[nodiscard]] std::uint64_t count() const noexcept { return this->count_; }
 
 private:
   static constexpr int fineBins = 1000, coarseBins = 1000;
   static constexpr double coarse_us = 100.0;
   [[nodiscard]] static double upperEnd_us(int bin) noexcept;
-  [[nodiscard]] double quantile(double fraction) const noexcept;
 
   std::array<std::uint32_t, fineBins + coarseBins + 1> bins_{};
   std::uint64_t count_ = 0;
   double max_us_ = 0.0;
 };
 
-/// The last 5 s of a loop, as two histograms that take turns: a quantile covers between 2.5 and 5 s.
+/// The last 5 s of a loop, as two histograms that take turns: once 2.5 s have passed, a quantile covers between
+/// 2.5 and 5 s, so that no single value decides a p99. Fixed memory; one thread.
 class SlidingHistogram
 {
 public:

@@ -21,29 +21,36 @@ namespace
 {
 
 constexpr std::size_t stackTouched = 64 * 1024;
+constexpr rlim_t longestRun_us = 200'000;
 
 std::string reason(int error)
 {
   return std::strerror(error);
 }
 
-/// Runs in whichever thread exceeded RLIMIT_RTTIME: it goes on with ordinary scheduling.
+/// Runs in the thread that exceeded RLIMIT_RTTIME: it goes on with ordinary scheduling. SCHED_RESET_ON_FORK stays
+/// set, since an ordinary user may not clear it.
 extern "C" void demoteCaller(int)
 {
+  const int error = errno;
   const sched_param none{};
-  sched_setscheduler(0, SCHED_OTHER, &none);
+  sched_setscheduler(0, SCHED_OTHER | SCHED_RESET_ON_FORK, &none);
+  errno = error;
 }
 
-void installDemotion()
+bool installDemotion()
 {
   struct sigaction current{};
-  if (sigaction(SIGXCPU, nullptr, &current) == 0 && current.sa_handler == SIG_DFL)
+  sigaction(SIGXCPU, nullptr, &current);
+  if (current.sa_handler != SIG_DFL)
   {
-    struct sigaction demote{};
-    demote.sa_handler = demoteCaller;
-    sigemptyset(&demote.sa_mask);
-    sigaction(SIGXCPU, &demote, nullptr);
+    return current.sa_handler == demoteCaller;
   }
+  struct sigaction demote{};
+  demote.sa_handler = demoteCaller;
+  demote.sa_flags = SA_RESTART;
+  sigemptyset(&demote.sa_mask);
+  return sigaction(SIGXCPU, &demote, nullptr) == 0;
 }
 
 void touchStack() noexcept
@@ -88,7 +95,6 @@ Granted requestFifo(int wantedPriority)
   {
     return { false, "real-time priority " + std::to_string(priority) + " was refused: " + reason(error) };
   }
-  installDemotion();
   return { true, "SCHED_FIFO priority " + std::to_string(priority) };
 }
 
@@ -105,6 +111,7 @@ Granted requestShortSlice()
 {
   SchedulingAttributes attributes;
   attributes.runtime_ns = 100'000;
+  attributes.nice = getpriority(PRIO_PROCESS, 0); // an ordinary user may not lower it
   if (syscall(SYS_sched_setattr, 0, &attributes, 0U) != 0)
   {
     return { false, "a slice of 0.1 ms was refused: " + reason(errno) };
@@ -112,10 +119,29 @@ Granted requestShortSlice()
   return { true, "slice 0.1 ms" };
 }
 
+Granted demoteRunaways()
+{
+  if (!installDemotion())
+  {
+    return { false, "real-time priority is not asked for: this program handles SIGXCPU itself, so a runaway servo could "
+                    "not be stopped" };
+  }
+  rlimit limit{};
+  getrlimit(RLIMIT_RTTIME, &limit);
+  // well below the hard limit, at which the kernel ends the whole program
+  limit.rlim_cur = std::min({ limit.rlim_cur, longestRun_us, limit.rlim_max / 2 });
+  if (setrlimit(RLIMIT_RTTIME, &limit) != 0)
+  {
+    return { false, "a limit of 0.2 s for real-time threads (RLIMIT_RTTIME) was refused: " + reason(errno) };
+  }
+  return { true, "ordinary after 0.2 s without sleep" };
+}
+
 SchedulingReport acquireScheduling(int wantedPriority)
 {
   touchStack();
-  const Granted fifo = requestFifo(wantedPriority);
+  const Granted guarded = demoteRunaways();
+  const Granted fifo = guarded.ok ? requestFifo(wantedPriority) : guarded;
   if (fifo.ok)
   {
     sched_param parameters{};

@@ -23,14 +23,17 @@ struct SchedulingReport
   std::string message;   ///< what was granted; if not real time, cause and cure
 };
 
-/// Steps of the acquisition (DEVICES.md 4.3, 1 and 4), for the calling thread. Never abort, never throw.
+/// Steps of the acquisition, for the calling thread. Never abort; safe to repeat.
 [[nodiscard]] Granted requestFifo(int wantedPriority);
 [[nodiscard]] Granted requestTimerSlack();
 [[nodiscard]] Granted requestShortSlice();
+/// Lowers RLIMIT_RTTIME so that a real-time thread that runs 0.2 s without sleeping becomes an ordinary one (SIGXCPU)
+/// before it can freeze the machine. Refused where the program handles SIGXCPU itself. Process-wide.
+[[nodiscard]] Granted demoteRunaways();
 
 /// Tries real-time scheduling for the calling thread within the limits granted to the user, else ordinary
-/// scheduling with 1 ns timer slack and a 0.1 ms slice; pre-faults the stack. A thread that exceeds its real-time
-/// CPU limit is demoted to ordinary scheduling instead of being killed.
+/// scheduling with 1 ns timer slack and a 0.1 ms slice; pre-faults the stack. Real-time scheduling is asked for only
+/// once a runaway would be demoted.
 [[nodiscard]] SchedulingReport acquireScheduling(int wantedPriority = 20);
 
 /// A thread that first acquires its scheduling, then runs the body. Joined by the destructor.

@@ -11,8 +11,9 @@ namespace palpate
 
 /// Hands immutable snapshots (scenes) to the servo. The publisher alone owns and frees them; the reader sees a raw
 /// pointer that stays valid until its next acquire(), and in the tick that takes a new one also the one before.
-/// Wait-free on both sides: what the reader puts down goes into a bay of two slots that the publisher empties before
-/// each publish; between two emptyings the reader takes one snapshot and puts down at most two, so a slot is free.
+/// Wait-free on both sides: what the reader puts down goes into a bay of three slots that the publisher empties before
+/// each publish. From the start of one emptying to the end of the next the reader can take two snapshots, the one that
+/// was pending and the one published in between; with the one it already had to put down that makes three.
 template<class T>
 class SnapshotMailbox
 {
@@ -78,7 +79,7 @@ private:
   }
 
   alignas(64) std::atomic<Holder*> pending_ = nullptr;
-  alignas(64) std::array<std::atomic<Holder*>, 2> bay_{};
+  alignas(64) std::array<std::atomic<Holder*>, 3> bay_{};
   alignas(64) Holder* held_ = nullptr; ///< reader's
   Holder* previous_ = nullptr;         ///< reader's, for one tick
 };

@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// The latest value from one writer thread to one reader thread; values in between are dropped (THEORY.md 9).
+/// The latest value from one writer thread to one reader thread; values in between are dropped.
 /// Both sides are wait-free: one atomic exchange at most, no loop, no allocation. T is copied by assignment.
 template<class T>
 class TripleBuffer

@@ -114,5 +114,32 @@ TEST(SnapshotMailbox, AReaderNeverSeesADeadOrAnOlderSnapshotIn300000Publishes)
   EXPECT_EQ(backward, 0U);
 }
 
+// A reader that pauses at odd moments lets what it puts down pile up between two emptyings.
+TEST(SnapshotMailbox, NothingIsLostHoweverTheReaderPauses)
+{
+  constexpr std::uint64_t publishes = 300'000;
+  {
+    SnapshotMailbox<Snapshot> mailbox;
+    std::atomic<bool> done = false;
+    std::jthread reader(
+      [&]
+      {
+        for (std::uint32_t step = 1; !done.load(std::memory_order_relaxed); step = step * 1664525U + 1013904223U)
+        {
+          static_cast<void>(mailbox.acquire());
+          for (std::uint32_t pause = step >> 24; pause > 0 && !done.load(std::memory_order_relaxed); --pause)
+          {
+          }
+        }
+      });
+    for (std::uint64_t n = 1; n <= publishes; ++n)
+    {
+      mailbox.publish(std::make_shared<const Snapshot>(n));
+    }
+    done = true;
+  }
+  EXPECT_EQ(Snapshot::alive.load(), 0);
+}
+
 } // namespace
 } // namespace palpate

@@ -38,7 +38,14 @@ TEST(SpscRing, DeliversEveryValueInOrderBetweenTwoThreads)
     {
       for (std::uint64_t n = 0; n < count;)
       {
-        n += ring.tryPush(n);
+        if (ring.tryPush(n))
+        {
+          ++n;
+        }
+        else
+        {
+          std::this_thread::yield();
+        }
       }
     });
   for (std::uint64_t expected = 0; expected < count;)
@@ -48,6 +55,10 @@ TEST(SpscRing, DeliversEveryValueInOrderBetweenTwoThreads)
     {
       ASSERT_EQ(value, expected);
       ++expected;
+    }
+    else
+    {
+      std::this_thread::yield();
     }
   }
 }

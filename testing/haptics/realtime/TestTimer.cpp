@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <csignal>
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/resource.h>
 
 #include "haptics/realtime/LoopStatistics.h"
 #include "haptics/realtime/PeriodicTimer.h"
@@ -84,6 +87,44 @@ TEST(RealtimeThread, ARefusedRequestSaysWhyInsteadOfFailing)
     .join();
 }
 
+TEST(RealtimeThread, ARunawayBecomesAnOrdinaryThreadInsteadOfEndingTheProgram)
+{
+  std::jthread(
+    []
+    {
+      ASSERT_TRUE(demoteRunaways().ok);
+      rlimit limit{};
+      ASSERT_EQ(getrlimit(RLIMIT_RTTIME, &limit), 0);
+      EXPECT_LE(limit.rlim_cur, 200'000U); // [us]
+      static_cast<void>(requestFifo(10));  // granted or not: the signal must be survived
+      ASSERT_EQ(raise(SIGXCPU), 0);
+      EXPECT_EQ(sched_getscheduler(0) & ~SCHED_RESET_ON_FORK, SCHED_OTHER);
+    })
+    .join();
+}
+
+TEST(RealtimeThread, IsOrdinaryAndSaysWhyWhereTheProgramHandlesTheRunawaySignalItself)
+{
+  const auto before = std::signal(SIGXCPU, SIG_IGN);
+  SchedulingReport report;
+  RealtimeThread([&report](const SchedulingReport& r) { report = r; }, [](const std::stop_token&) {}).join();
+  std::signal(SIGXCPU, before);
+  EXPECT_FALSE(report.realtime);
+  EXPECT_NE(report.message.find("SIGXCPU"), std::string::npos) << report.message;
+}
+
+TEST(RealtimeThread, AShortSliceKeepsTheNicenessThatWasGiven)
+{
+  std::jthread(
+    []
+    {
+      ASSERT_EQ(setpriority(PRIO_PROCESS, 0, 5), 0); // of this thread only
+      static_cast<void>(requestShortSlice());
+      EXPECT_EQ(getpriority(PRIO_PROCESS, 0), 5);
+    })
+    .join();
+}
+
 TEST(DurationHistogram, QuantilesAreTheUpperEndsOfTheirBins)
 {
   DurationHistogram histogram;
@@ -107,6 +148,21 @@ TEST(DurationHistogram, TakesValuesOfAnySizeWithoutLosingTheLargest)
   }
   EXPECT_EQ(histogram.quantiles().count, 6U);
   EXPECT_EQ(histogram.quantiles().max_us, 5e6);
+}
+
+// 2500 values in the first turn, 2 in the second: the one of 30 ms is 1 of 2502, far above the 99th percentile.
+TEST(SlidingHistogram, OneLateValueAfterATurnDoesNotDecideTheP99)
+{
+  SlidingHistogram histogram;
+  for (int i = 0; i < 2500; ++i)
+  {
+    histogram.add(0.001 * i, 10.5);
+  }
+  histogram.add(2.5, 30'000.0);
+  histogram.add(2.501, 10.5);
+  EXPECT_EQ(histogram.quantiles().count, 2502U);
+  EXPECT_EQ(histogram.quantiles().p99_us, 11.0);
+  EXPECT_EQ(histogram.quantiles().max_us, 30'000.0);
 }
 
 TEST(SlidingHistogram, ForgetsWhatIsOlderThanFiveSeconds)
