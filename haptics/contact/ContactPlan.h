@@ -10,7 +10,7 @@ namespace palpate
 struct ContactPlan
 {
   double radius_u = 0.0;           ///< ball radius [u], >= 0; 0 is a point
-  std::uint32_t passCap = 32;      ///< passes of the god-object loop per tick
+  std::uint32_t passCap = 64;      ///< passes of the god-object loop per tick
   std::uint32_t nodeBudget = 60000; ///< tree nodes visited per tick; beyond it the ball moves only as far as is proven free
 };
 
