@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Raw arrays through the cleaner: whatever the numbers are, it ends, and what it keeps can be built into a tree's input.
+// Raw arrays through the cleaner: whatever the numbers are, it ends, what it keeps can be built into a tree, and neither
+// the order of the input nor a second cleaning changes it.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -41,13 +43,39 @@ void require(bool holds)
   }
 }
 
+bool same(const palpate::TriangleMesh& a, const palpate::TriangleMesh& b)
+{
+  return a.vertices_W == b.vertices_W && a.triangles == b.triangles;
+}
+
+/// The same mesh told backwards: vertices, triangles and the corners of each.
+palpate::TriangleMesh reversed(palpate::TriangleMesh mesh)
+{
+  std::reverse(mesh.vertices_W.begin(), mesh.vertices_W.end());
+  std::reverse(mesh.triangles.begin(), mesh.triangles.end());
+  for (auto& t : mesh.triangles)
+  {
+    std::reverse(t.begin(), t.end());
+    for (std::uint32_t& corner : t)
+    {
+      // an index out of range stays out of range
+      corner = corner < mesh.vertices_W.size() ? static_cast<std::uint32_t>(mesh.vertices_W.size()) - 1 - corner : corner;
+    }
+  }
+  return mesh;
+}
+
 } // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  const palpate::CleanResult clean = palpate::cleanMesh(meshFrom(data, size));
+  const palpate::TriangleMesh raw = meshFrom(data, size);
+  const palpate::CleanResult clean = palpate::cleanMesh(raw);
   const palpate::CleanReport& report = clean.report;
+  const palpate::CleanResult backwards = palpate::cleanMesh(reversed(raw));
+  require(backwards.ok() == clean.ok());
+  require(!clean.ok() || same(backwards.mesh, clean.mesh));
   if (!clean.ok())
   {
     return 0;
@@ -62,5 +90,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     require(std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z()));
   }
+  require(same(palpate::cleanMesh(clean.mesh).mesh, clean.mesh)); // clean is clean
   return 0;
 }
