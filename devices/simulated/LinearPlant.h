@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// m x'' + b x' + k x = u with u held over each period: the exact zero-order-hold step (THEORY.md 1.1). An Euler step
+/// m x'' + b x' + k x = u with u held over each period: the exact zero-order-hold step. An Euler step
 /// would add damping or energy of its own. Three independent axes.
 class LinearPlant
 {

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// A device's moving part (THEORY.md Table 1.7a) and the hand that holds it (Table 1.7b).
+/// A device's moving part and the hand that holds it, as a parallel spring, damper and mass (Hajian & Howe 1997).
 struct HandModel
 {
   std::string name;

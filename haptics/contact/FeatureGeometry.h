@@ -43,7 +43,7 @@ struct FaceExit
   std::uint32_t i = 0, j = 0;  ///< t < 1: the edge it is left by, i < j
 };
 
-/// Walks over faces that continue the starting plane; stops just outside the last one (THEORY.md 2.7 EXIT).
+/// Walks over faces that continue the starting plane; stops just outside the last one.
 [[nodiscard]] FaceExit walkFace(
   const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W, const Vec3& y, double del) noexcept;
 

@@ -67,7 +67,8 @@ public:
 
 /// Moves the god-object towards the device point p_W [u] and reports where it rests.
 ///
-/// Zilles & Salisbury 1995 for the idea, Ruspini, Kolarov & Khatib 1997 for the ball, THEORY.md 2.7 for the loop.
+/// Zilles & Salisbury 1995 for the idea, Ruspini, Kolarov & Khatib 1997 for the ball; one plane per
+/// touched feature, which constrains only while that feature supports the ball.
 /// At rest p - x lies in the normal cone of the touched features. Deterministic and independent of the order of
 /// triangles; bounded by plan.passCap and plan.nodeBudget; allocates nothing, locks nothing, asks no clock.
 /// The first call places the ball at p_W, moved out of a surface it overlaps to the side of its centre.

@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// Faces a point has left in this tick and still lies beside (THEORY.md 2.7, set T): they come back only when
+/// Faces a point has left in this tick and still lies beside: they come back only when
 /// they obstruct, or when the point hits them again without having moved.
 class LeftFaces
 {

@@ -26,7 +26,7 @@ struct ProjectionResult
   bool feasible = true;
 };
 
-/// argmin |y - q|^2 subject to n_i . y >= bound_i (THEORY.md 2.2): free point, then single planes, pairs, triples.
+/// argmin |y - q|^2 subject to n_i . y >= bound_i: free point, then single planes, pairs, triples.
 /// Exact to rounding, also for duplicate, redundant and near-parallel planes; the result does not depend, bit for
 /// bit, on the order of the rows. `slack` >= 0 [u] is how far a row may be violated by rounding.
 /// Allocation-free, bounded: O(n^3) for n rows, n <= 24.

@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// What double precision resolves where the ball is now (THEORY.md 2.7 ULPS): from the coordinates at hand,
+/// What double precision resolves where the ball is now: from the coordinates at hand,
 /// never from the size of the scene.
 struct Resolution
 {

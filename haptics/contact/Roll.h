@@ -18,7 +18,7 @@ struct RollPlan
   double tolerance_u2 = 0.0;  ///< by how much the squared distance to p may grow and still be progress
 };
 
-/// Plans a roll towards p (THEORY.md 2.7 ROLL): tangent planes alone converge like depth / r and diverge for
+/// Plans a roll towards p: tangent planes alone converge like depth / r and diverge for
 /// depth > r; the pair of tangents converges quadratically and keeps the way outside of the round obstacle.
 /// `solution` is the projection of p - x onto the touched planes, with multipliers l. A normal turns by at
 /// most the angle whose tangent is `mostTurn`. One plan per object.

@@ -8,7 +8,7 @@
 namespace palpate
 {
 
-/// Finds a free place for a ball of radius r >= 0 whose centre is put at p_W (THEORY.md 2.7 SEAT): a point exactly
+/// Finds a free place for a ball of radius r >= 0 whose centre is put at p_W: a point exactly
 /// on a triangle is lifted off it, a ball that overlaps is moved out to the side of its centre by repeated least
 /// displacement. Local, bounded, allocation-free. Returns false and leaves `x_W` alone if there is no free place
 /// within r.

@@ -36,7 +36,7 @@ struct SweepHit
 
 /// First contact of the ball with any surface of the scene.
 ///
-/// r > 0: exact for faces, edges and vertices (Ruspini 1997, THEORY.md 2.3 and 2.7 SWEEP): a feature counts only
+/// r > 0: exact for faces, edges and vertices (Ruspini, Kolarov & Khatib 1997): a feature counts only
 /// if the way gets deeper than r - tol. r = 0: the closed segment against the closed triangle in exact arithmetic;
 /// a way reported free crosses and touches nothing, the order of hits is by double precision time.
 /// Ties: time, then dimension (face, edge, vertex), then surface and ids. Near-first; visits at most `budget` nodes.

@@ -11,7 +11,7 @@ namespace palpate
 /// The spring and damper between device and god-object (Colgate, Stanley & Brown 1995).
 ///
 /// `stretch_m` is proxy - device [m], `velocity` that of the device [m/s]; all in one frame. The damper acts along
-/// the spring and only while the hand goes deeper, and the whole never pulls the hand in (THEORY.md 1.1: clamp after
+/// the spring and only while the hand goes deeper, and the whole never pulls the hand in (the clamp comes after
 /// adding damping). Returns the force on the hand [N].
 [[nodiscard]] inline Vec3 coupleDevice(
   const Vec3& stretch_m, const Vec3& velocity, double stiffness_N_per_m, double damping_Ns_per_m) noexcept

@@ -44,7 +44,7 @@ struct CleanResult
   [[nodiscard]] bool ok() const noexcept { return refusal.empty(); }
 };
 
-/// Brings a mesh into the one form all contact is computed from (THEORY 2.7 SCENE): exactly equal vertices are
+/// Brings a mesh into the one form all contact is computed from: exactly equal vertices are
 /// welded, vertices ordered by (x, y, z), corners ordered within each triangle, triangles ordered and unique,
 /// exactly collinear ones dropped. The result does not depend on the order of the input.
 /// Refuses (never throws for bad data): an index out of range, no triangle left.

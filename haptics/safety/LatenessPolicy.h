@@ -15,7 +15,7 @@ struct LatenessVerdict
 
 /// The lateness rows of the fault table (ARCHITECTURE.md): a tick gap above 20 ms or p99 lateness above 5 ms over
 /// 5 s drops the force; p99 of 1-5 ms scales the stiffness to what that rate can hold, K ~ 1 / (T / 2 + lateness)
-/// (THEORY.md 1.3). Simulated devices only count. Pure; real-time safe.
+/// (Gil et al. 2009). Simulated devices only count. Pure; real-time safe.
 [[nodiscard]] constexpr LatenessVerdict judgeLateness(
   double gap_s, double p99_s, double period_s, bool simulated) noexcept
 {

@@ -6,7 +6,8 @@
 namespace palpate
 {
 
-/// What the hand is protected by. The defaults follow DEVICES.md 5.2; forces of a device without a known maximum
+/// What the hand is protected by. The defaults are 60 % of a device's force, reached in
+/// 20 ms or more, and a ramp of 1 s from a small force; forces of a device without a known maximum
 /// are limited as if it had 5 N.
 struct SafetyLimits
 {
