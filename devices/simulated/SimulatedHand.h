@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// A device's moving part and the hand that holds it, as a parallel spring, damper and mass (Hajian & Howe 1997).
+/// A device's moving part and the hand that holds it, a parallel spring, damper and mass.
 struct HandModel
 {
   std::string name;
