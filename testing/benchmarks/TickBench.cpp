@@ -8,7 +8,7 @@
 
 #include "haptics/contact/GodObject.h"
 #include "haptics/geometry/SceneBuilder.h"
-#include "testing/benchmarks/CostSample.h"
+#include "testing/support/CostSample.h"
 #include "testing/benchmarks/Reference.h"
 #include "testing/support/NoisySphere.h"
 

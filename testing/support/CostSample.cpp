@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "testing/benchmarks/CostSample.h"
+#include "testing/support/CostSample.h"
 
 #include <limits>
 

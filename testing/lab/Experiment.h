@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "testing/lab/Table.h"
+
+namespace palpate::lab
+{
+
+/// How much an experiment may take: a share of a minute, of eight minutes, or of a night.
+enum class Size
+{
+  Quick,
+  Default,
+  Soak,
+};
+
+/// What an experiment is run with. Same size and seed: same values, cost columns aside.
+struct Conditions
+{
+  Size size = Size::Default;
+  std::uint64_t seed = 1;
+  std::function<void(double share)> progress; ///< may be called as often as one likes, 0..1
+
+  template <class T>
+  [[nodiscard]] T pick(T quick, T usual, T soak) const
+  {
+    return this->size == Size::Quick ? quick : this->size == Size::Default ? usual : soak;
+  }
+};
+
+/// An experiment: simulated, in virtual time, judged by a truth that is not ours (a formula or an exact oracle).
+struct Experiment
+{
+  std::string name;
+  std::string shows;     ///< one sentence for a person
+  std::vector<int> rows; ///< of testing/BAR.md
+  void (*run)(const Conditions&, Table&) = nullptr;
+};
+
+/// All experiments in the order of a report.
+[[nodiscard]] std::vector<Experiment> experiments();
+
+} // namespace palpate::lab
