@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/simulated/LinearPlant.h"
+#include "haptics/force/LinearPlant.h"
 #include "haptics/core/HapticDevice.h"
 
 namespace palpate

@@ -6,7 +6,7 @@
 #include "devices/DeviceFactory.h"
 #include "devices/FedDevice.h"
 #include "devices/ReplayDevice.h"
-#include "devices/simulated/LinearPlant.h"
+#include "haptics/force/LinearPlant.h"
 #include "devices/simulated/SimulatedHand.h"
 
 namespace palpate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/simulated/LinearPlant.h"
+#include "haptics/force/LinearPlant.h"
 
 namespace palpate
 {

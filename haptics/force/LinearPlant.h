@@ -19,9 +19,13 @@ public:
   /// One period under force u [N]. Real-time safe.
   void step(Vec3& x_m, Vec3& v_m_per_s, const Vec3& u_N) const noexcept;
 
+  /// (x, v) after a period without force is free() * (x, v); after one of 1 N from rest it is held().
+  [[nodiscard]] const Eigen::Matrix2d& free() const noexcept { return this->free_; }
+  [[nodiscard]] const Eigen::Vector2d& held() const noexcept { return this->held_; }
+
 private:
-  Eigen::Matrix2d free_; ///< (x, v) after a period without force
-  Eigen::Vector2d held_; ///< (x, v) after a period of 1 N from rest
+  Eigen::Matrix2d free_;
+  Eigen::Vector2d held_;
 };
 
 } // namespace palpate
