@@ -8,6 +8,7 @@ FedDevice::FedDevice()
 {
   this->info_.name = "fed";
   this->info_.simulated = true;
+  this->info_.rendersForce = false;
 }
 
 DeviceStatus FedDevice::read(double tickTime_s, DeviceSample& sample) noexcept

@@ -13,6 +13,7 @@ ReplayDevice::ReplayDevice(std::vector<DeviceSample> samples) : samples_(std::mo
 {
   this->info_.name = "replay";
   this->info_.simulated = true;
+  this->info_.rendersForce = false;
 }
 
 ReplayDevice::ReplayDevice(std::string recordingFile) : ReplayDevice(std::vector<DeviceSample>{})

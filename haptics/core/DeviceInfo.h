@@ -47,6 +47,7 @@ struct DeviceInfo
   DeviceClass deviceClass = DeviceClass::Point3D;
   Causality causality = Causality::Impedance;
   Pacing pacing = Pacing::Timer;
+  bool rendersForce = true; ///< false: forces go nowhere (poses fed by a program, a replay)
   bool simulated = false;                                               ///< lateness is counted, never a fault
   DeviceQuantity workspaceRadius_m{ 0.1, false };
   DeviceQuantity resolution_m{ 0.0, false };

@@ -11,8 +11,8 @@ namespace palpate
 /// The spring and damper between device and god-object (Colgate, Stanley & Brown 1995).
 ///
 /// `stretch_m` is proxy - device [m], `velocity` that of the device [m/s]; all in one frame. The damper acts along
-/// the spring and only while the hand goes deeper, and the whole never pulls the hand in (the clamp comes after
-/// adding damping). Returns the force on the hand [N].
+/// the spring, F = max(0, K s + B v_in): the whole never pulls the hand in, the clamp comes after adding damping.
+/// Returns the force on the hand [N].
 [[nodiscard]] inline Vec3 coupleDevice(
   const Vec3& stretch_m, const Vec3& velocity, double stiffness_N_per_m, double damping_Ns_per_m) noexcept
 {
@@ -23,8 +23,8 @@ namespace palpate
     return spring;
   }
   const Vec3 n = stretch_m / stretch;
-  const double inward = std::max(0.0, -n.dot(velocity));
-  return spring + damping_Ns_per_m * inward * n;
+  const double damper = -damping_Ns_per_m * n.dot(velocity);
+  return std::max(-stiffness_N_per_m * stretch, damper) * n + spring;
 }
 
 } // namespace palpate

@@ -117,6 +117,8 @@ private:
     this->s_.sinceBadBefore_s = this->s_.sinceBad_s;
     this->s_.sinceBad_s = 0.0;
     this->s_.lastForce_D = Vec3::Zero();
+    this->s_.velocity.count = 0;
+    this->s_.tracked = false;
     this->out_.state.held = true;
     this->out_.state.proxy_W.p = this->s_.contact.x_W;
     this->report();
@@ -127,7 +129,8 @@ private:
   {
     HapticState& state = this->out_.state;
     state.device_W = { this->p_.map.toScene(this->in_.sample.pose_D.p), this->p_.map.q_WD * this->in_.sample.pose_D.q };
-    state.velocity_D = this->in_.sample.velocity_D.linear;
+    state.velocity_D =
+      estimateVelocity(this->p_.velocity, this->in_.sample.pose_D.p, this->in_.dt_s, this->s_.velocity);
     const ContactResult result = this->moveProxy();
     state.proxy_W = { result.proxy_W, state.device_W.q };
     state.contacts = result.contacts;
@@ -138,11 +141,46 @@ private:
     state.overBudget = result.overBudget;
     state.infeasible = result.infeasible;
     this->seatFailed_ = result.seatFailed;
-    const Vec3 stretch_m = (state.proxy_W.p - state.device_W.p) / this->p_.map.scale_u_per_m;
-    const Vec3 force_W = coupleDevice(stretch_m, this->p_.map.directionToScene(state.velocity_D),
-      this->p_.stiffness_N_per_m * this->in_.lateness.stiffnessFactor, this->p_.damping_Ns_per_m);
-    state.rendered_D = this->p_.map.directionToDevice(force_W);
+    this->couple(
+      this->p_.map.directionToDevice((state.proxy_W.p - state.device_W.p) / this->p_.map.scale_u_per_m));
+  }
+
+  /// Spring, damper, and the damping that keeps their held force passive. Stretch in D [m].
+  void couple(const Vec3& stretch_D) noexcept
+  {
+    HapticState& state = this->out_.state;
     state.stiffnessFactor = this->in_.lateness.stiffnessFactor;
+    state.stiffnessLimited = this->p_.stiffness_N_per_m > this->p_.stiffnessLimit_N_per_m;
+    state.stiffness_N_per_m =
+      std::min(this->p_.stiffness_N_per_m, this->p_.stiffnessLimit_N_per_m) * state.stiffnessFactor;
+    const Vec3 plain_D =
+      coupleDevice(stretch_D, state.velocity_D, state.stiffness_N_per_m, this->p_.damping_Ns_per_m);
+    const SpringTick spring = this->springTick(stretch_D);
+    measureEnergy(spring, this->s_.energy);
+    state.energy = this->s_.energy;
+    const double damping = stabilisingDamping(this->p_.passivity, spring, this->s_.energy);
+    state.rendered_D = damping == 0.0 ? plain_D
+                                      : coupleDevice(stretch_D, state.velocity_D, state.stiffness_N_per_m,
+                                          this->p_.damping_Ns_per_m + damping);
+    state.stabiliser_D = state.rendered_D - plain_D;
+    this->coupled_D_ = state.rendered_D;
+  }
+
+  /// What the hand did in the period that ended, under the force it really got.
+  [[nodiscard]] SpringTick springTick(const Vec3& stretch_D) noexcept
+  {
+    const HapticState& state = this->out_.state;
+    const Vec3& p_D = this->in_.sample.pose_D.p;
+    SpringTick spring;
+    spring.stretch_m = stretch_D.norm();
+    spring.inward_m_per_s = spring.stretch_m > 0.0 ? -stretch_D.dot(state.velocity_D) / spring.stretch_m : 0.0;
+    spring.stiffness_N_per_m = state.stiffness_N_per_m;
+    spring.work_J = this->s_.tracked ? this->s_.lastForce_D.dot(p_D - this->s_.lastP_D) : 0.0;
+    spring.dt_s = this->in_.dt_s;
+    spring.restart = !this->s_.ownForce || this->sceneChanged();
+    this->s_.lastP_D = p_D;
+    this->s_.tracked = true;
+    return spring;
   }
 
   ContactResult moveProxy() noexcept
@@ -228,6 +266,7 @@ private:
       this->latch(Fault::NonFiniteSample);
     }
     this->s_.lastForce_D = force;
+    this->s_.ownForce = force == this->coupled_D_;
     state.force_D = force;
     state.force_W = this->p_.map.directionToScene(force);
     this->out_.command.wrench_D.force = force;
@@ -272,6 +311,7 @@ private:
   PathSink* sink_;
   TickOutput out_;
   bool seatFailed_ = false;
+  Vec3 coupled_D_ = Vec3::Zero(); ///< force of spring and damper, before blend and limits [N]
 };
 
 } // namespace

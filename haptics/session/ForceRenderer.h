@@ -29,6 +29,11 @@ struct RendererState
   Vec3 lastForce_D = Vec3::Zero();    ///< what the hand got last tick [N]
   Vec3 lastRendered_D = Vec3::Zero(); ///< what the scene asked for last tick [N]
   Vec3 blend_D = Vec3::Zero();        ///< what is left of the force of the scene before [N]
+  VelocityHistory velocity;
+  EnergyMeter energy;
+  Vec3 lastP_D = Vec3::Zero(); ///< where the hand was last tick [m]
+  bool tracked = false;        ///< lastP_D is of the tick before
+  bool ownForce = false;       ///< what the hand got last tick was the coupling's own force, unlimited
   WorkspaceMap map;                   ///< of the last tick: another map places the proxy anew
   double radius_u = 0.0;              ///< of the last tick: another ball is seated where the old one was
   std::uint64_t sceneRevision = 0;

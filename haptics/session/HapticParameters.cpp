@@ -22,6 +22,19 @@ bool usable(const SafetyLimits& s)
   return std::all_of(limits.begin(), limits.end(), [](double limit) { return limit >= 0.0; });
 }
 
+bool usable(const PassivityPlan& plan)
+{
+  constexpr double longestDelay_ticks = 16.0;
+  return nonNegative(plan.delay_ticks) && plan.delay_ticks <= longestDelay_ticks && nonNegative(plan.reserve) &&
+         nonNegative(plan.repay);
+}
+
+bool usable(const VelocityFilter& filter)
+{
+  return nonNegative(filter.resolution_m) && nonNegative(filter.lowPass_s) && filter.window >= 1 &&
+         filter.window < VelocityHistory::capacity && filter.method <= VelocityMethod::AdaptiveWindow;
+}
+
 } // namespace
 
 std::string HapticParameters::validate() const
@@ -33,6 +46,19 @@ std::string HapticParameters::validate() const
   if (!nonNegative(this->damping_Ns_per_m))
   {
     return "damping [N s/m] must be a number that is not negative";
+  }
+  if (!(this->stiffnessLimit_N_per_m >= 0.0))
+  {
+    return "largest stiffness [N/m] must be a number that is not negative";
+  }
+  if (!usable(this->passivity))
+  {
+    return "passivity: delay [ticks, at most 16], reserve and repay [K T] must be numbers that are not negative";
+  }
+  if (!usable(this->velocity))
+  {
+    return "velocity: resolution [m] and time constant [s] must not be negative, the window 1 to " +
+           std::to_string(VelocityHistory::capacity - 1) + " ticks";
   }
   if (!nonNegative(this->contact.radius_u))
   {

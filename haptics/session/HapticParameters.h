@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "haptics/contact/ContactPlan.h"
+#include "haptics/force/PassivityController.h"
+#include "haptics/force/VelocityEstimator.h"
 #include "haptics/force/WorkspaceMap.h"
 #include "haptics/safety/SafetyLimits.h"
 
@@ -14,7 +17,11 @@ namespace palpate
 struct HapticParameters
 {
   double stiffness_N_per_m = 1000.0;
-  double damping_Ns_per_m = 0.0; ///< one-sided: only while the hand goes deeper
+  double damping_Ns_per_m = 0.0; ///< along the spring; the whole never pulls
+  bool limitStiffness = true;    ///< to what the device and the rate can hold (StabilityLimits)
+  double stiffnessLimit_N_per_m = std::numeric_limits<double>::infinity(); ///< set by the session from the device
+  PassivityPlan passivity;
+  VelocityFilter velocity;
   double sceneBlend_s = 0.03;    ///< time constant in which a scene change reaches the hand
   ContactPlan contact;
   WorkspaceMap map;

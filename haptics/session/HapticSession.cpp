@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "haptics/session/DeviceAdaptation.h"
+
 namespace palpate
 {
 namespace
@@ -27,6 +29,24 @@ struct HapticSession::Run
   SchedulingReport scheduling;
   RealtimeThread thread;
   bool virtualTime = false;
+  double period_s = 1e-3;
+  HapticParameters adapted; ///< what the servo runs with
+  StabilityLimits limits;
+
+  /// Limits come from eigenvalues: computed again only when something they depend on has changed.
+  void adapt(const HapticParameters& parameters, bool first)
+  {
+    const LoopSettings loop = loopSettings(parameters, this->period_s);
+    if (first || loop.damping_Ns_per_m != this->loop_.damping_Ns_per_m || loop.passivity != this->loop_.passivity)
+    {
+      this->loop_ = loop;
+      this->limits = stabilityLimits(this->device->info(), loop);
+    }
+    this->adapted = adaptToDevice(parameters, this->device->info(), this->limits);
+  }
+
+private:
+  LoopSettings loop_;
 };
 
 HapticSession::HapticSession() = default;
@@ -61,6 +81,8 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   auto run = std::make_unique<Run>();
   run->device = std::move(device);
   run->virtualTime = options.virtualTime;
+  run->period_s = options.period_s;
+  run->adapt(this->parameters_, true);
   const auto period_ns = static_cast<std::int64_t>(options.period_s * 1e9 + 0.5);
   if (options.virtualTime)
   {
@@ -73,7 +95,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   if (!options.recordFile.empty())
   {
     const std::string refused = run->recorder.open(
-      options.recordFile, run->device->info().name, this->parameters_, RendererState{}, !options.virtualTime);
+      options.recordFile, run->device->info().name, run->adapted, RendererState{}, !options.virtualTime);
     if (!refused.empty())
     {
       run->device->close();
@@ -81,7 +103,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
     }
     run->recorder.storeScene(this->scene_);
   }
-  run->links.parameters.write({ this->version_, this->parameters_ });
+  run->links.parameters.write({ this->version_, run->adapted });
   run->links.scenes.publish(this->scene_);
   run->loop.emplace(*run->device, *run->timer, run->links, run->recorder.isOpen() ? &run->recorder : nullptr,
     run->clock, options.period_s);
@@ -139,10 +161,23 @@ std::string HapticSession::setParameters(const HapticParameters& parameters)
     ++this->version_;
     if (this->run_)
     {
-      this->run_->links.parameters.write({ this->version_, parameters });
+      this->run_->adapt(parameters, false);
+      this->run_->links.parameters.write({ this->version_, this->run_->adapted });
     }
   }
   return problem;
+}
+
+StabilityLimits HapticSession::limits() const
+{
+  return this->run_ ? this->run_->limits : StabilityLimits{};
+}
+
+std::string HapticSession::limitsSentence() const
+{
+  return this->run_ ? describe(this->run_->limits, this->run_->device->info(),
+                        loopSettings(this->parameters_, this->run_->period_s))
+                    : std::string();
 }
 
 void HapticSession::setScene(std::shared_ptr<const Scene> scene)

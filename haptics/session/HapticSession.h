@@ -6,6 +6,7 @@
 #include <string>
 
 #include "haptics/core/HapticDevice.h"
+#include "haptics/force/StabilityLimits.h"
 #include "haptics/realtime/RealtimeThread.h"
 #include "haptics/session/Recorder.h"
 #include "haptics/session/ServoLoop.h"
@@ -43,6 +44,10 @@ public:
   /// Takes effect at the next tick. Empty, or one sentence; then nothing changes.
   [[nodiscard]] std::string setParameters(const HapticParameters& parameters);
   [[nodiscard]] const HapticParameters& parameters() const noexcept { return this->parameters_; }
+  /// How stiff the running device can be with these parameters, and why in one sentence; unlimited and empty while
+  /// nothing runs.
+  [[nodiscard]] StabilityLimits limits() const;
+  [[nodiscard]] std::string limitsSentence() const;
   /// Null: nothing to touch. Kept over stop() and start().
   void setScene(std::shared_ptr<const Scene> scene);
   [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept { return this->scene_; }

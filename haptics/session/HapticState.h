@@ -5,6 +5,7 @@
 
 #include "haptics/core/Fault.h"
 #include "haptics/core/Types.h"
+#include "haptics/force/PassivityController.h"
 
 namespace palpate
 {
@@ -27,8 +28,9 @@ struct HapticState
   double time_s = 0.0;
   Pose device_W; ///< hand in the scene [u]
   Pose proxy_W;  ///< god-object in the scene [u]
-  Vec3 velocity_D = Vec3::Zero();
+  Vec3 velocity_D = Vec3::Zero(); ///< estimated from the positions [m/s]
   Vec3 rendered_D = Vec3::Zero(); ///< force before safety [N]
+  Vec3 stabiliser_D = Vec3::Zero(); ///< the part of it that the passivity controller added [N]
   Vec3 force_D = Vec3::Zero();    ///< force on the hand [N]
   Vec3 force_W = Vec3::Zero();    ///< the same, as seen in the scene
   std::int32_t contacts = 0;
@@ -46,6 +48,8 @@ struct HapticState
   bool held = false;            ///< no force this tick: its sample was not finite
   double gain = 0.0;            ///< engage ramp, 0..1
   double stiffnessFactor = 1.0; ///< below 1: cut because the loop runs late
-};
+  double stiffness_N_per_m = 0.0; ///< of the coupling in this tick, after every limit
+  bool stiffnessLimited = false;  ///< to what the device and the rate can hold
+  EnergyMeter energy;};
 
 } // namespace palpate

@@ -32,10 +32,12 @@ struct TickRecord
   Pose proxy_W;
   std::int32_t contacts = 0;
   std::uint64_t sceneRevision = 0;
+  double delivered_J = 0.0; ///< energy meter: net work on the hand
+  double excess_J = 0.0;    ///< and what the contact has given too much
   std::uint32_t flags = 0; ///< see recordFlags
 };
 
-/// The flags of a state as bits: clamped, riseLimited, capped, overBudget, infeasible, held, from the lowest up.
+/// The flags of a state as bits: clamped, riseLimited, capped, overBudget, infeasible, held, stiffnessLimited, from the lowest up.
 [[nodiscard]] std::uint32_t recordFlags(const HapticState& state) noexcept;
 [[nodiscard]] TickRecord makeRecord(const TickInput& input, const TickOutput& output) noexcept;
 
@@ -60,7 +62,7 @@ struct RecordedScene
 /// A whole recording: a text header, then little-endian chunks (type, size, payload), then a closing chunk.
 struct Recording
 {
-  static constexpr int formatVersion = 1;
+  static constexpr int formatVersion = 2;
 
   std::string device;
   HapticParameters parameters;

@@ -69,6 +69,8 @@ void layTick(const Io& io, T& r)
   io(r.proxy_W);
   io(r.contacts);
   io(r.sceneRevision);
+  io(r.delivered_J);
+  io(r.excess_J);
   io(r.flags);
 }
 
@@ -77,6 +79,16 @@ void layParameters(const Io& io, T& p)
 {
   io(p.stiffness_N_per_m);
   io(p.damping_Ns_per_m);
+  io(p.limitStiffness);
+  io(p.stiffnessLimit_N_per_m);
+  io(p.passivity.enabled);
+  io(p.passivity.delay_ticks);
+  io(p.passivity.reserve);
+  io(p.passivity.repay);
+  io(p.velocity.method);
+  io(p.velocity.resolution_m);
+  io(p.velocity.lowPass_s);
+  io(p.velocity.window);
   io(p.sceneBlend_s);
   io(p.contact.radius_u);
   io(p.contact.passCap);
@@ -113,6 +125,8 @@ void layState(const Io& io, T& s)
   io(s.lastForce_D);
   io(s.lastRendered_D);
   io(s.blend_D);
+  io(s.velocity.count);
+  io(s.tracked);
   layMap(io, s.map);
   io(s.radius_u);
   io(s.sceneRevision);
@@ -182,10 +196,10 @@ RecordedScene readScene(ByteReader& in)
   return scene;
 }
 
-/// Features of an untrusted state must not be used as indices; a recording starts without contact.
+/// Features and history of an untrusted state must not be used as indices; a recording starts without them.
 bool plausible(const RendererState& state)
 {
-  return state.contact.count == 0;
+  return state.contact.count == 0 && state.velocity.count == 0 && !state.tracked;
 }
 
 /// Reads the chunks after the header; empty, or what is wrong.
@@ -238,7 +252,7 @@ std::string readChunks(ByteReader& in, Recording& recording)
 std::uint32_t recordFlags(const HapticState& s) noexcept
 {
   std::uint32_t flags = 0;
-  for (const bool flag : { s.held, s.infeasible, s.overBudget, s.capped, s.riseLimited, s.clamped })
+  for (const bool flag : { s.stiffnessLimited, s.held, s.infeasible, s.overBudget, s.capped, s.riseLimited, s.clamped })
   {
     flags = flags << 1 | static_cast<std::uint32_t>(flag);
   }
@@ -248,7 +262,8 @@ std::uint32_t recordFlags(const HapticState& s) noexcept
 TickRecord makeRecord(const TickInput& input, const TickOutput& output) noexcept
 {
   return { input.tick, input.dt_s, input.sample, input.status, input.lateness, 0, output.command.wrench_D,
-    output.state.proxy_W, output.state.contacts, output.state.sceneRevision, recordFlags(output.state) };
+    output.state.proxy_W, output.state.contacts, output.state.sceneRevision, output.state.energy.delivered_J,
+    output.state.energy.excess_J, recordFlags(output.state) };
 }
 
 std::string recordingHeader(const std::string& device, const HapticParameters& parameters, const RendererState& state)

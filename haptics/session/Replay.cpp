@@ -43,6 +43,10 @@ const char* firstDifference(const TickRecord& a, const TickRecord& b)
   {
     return "contacts";
   }
+  if (!sameBits(a.delivered_J, b.delivered_J) || !sameBits(a.excess_J, b.excess_J))
+  {
+    return "energy";
+  }
   return a.flags != b.flags ? "flags" : nullptr;
 }
 

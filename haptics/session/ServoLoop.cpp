@@ -122,8 +122,8 @@ void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double c
   {
     const WorkspaceMap& map = this->parameters_.map;
     const Vec3 spring_D =
-      map.directionToDevice(this->parameters_.stiffness_N_per_m / map.scale_u_per_m * (s.proxy_W.p - s.device_W.p));
-    r.forceResidual_N = std::max(r.forceResidual_N, (s.force_D - spring_D).norm());
+      map.directionToDevice(s.stiffness_N_per_m / map.scale_u_per_m * (s.proxy_W.p - s.device_W.p));
+    r.forceResidual_N = std::max(r.forceResidual_N, (s.force_D - s.stabiliser_D - spring_D).norm());
   }
   this->cost_.add(cost_us);
   this->lateness_.add(r.elapsed_s, 1e6 * this->behind_s(wakeup));

@@ -53,19 +53,21 @@ TEST(Tick, ForceIsStiffnessTimesDepthOverScaleAlongTheNormal)
   EXPECT_EQ(out.state.contacts, 1);
 }
 
-TEST(Tick, DampingActsOnlyWhileTheHandGoesDeeperAndNeverPulls)
+TEST(Tick, DampingActsAlongTheSpringWithTheEstimatedVelocityAndNeverPulls)
 {
   const auto scene = floorScene();
   HapticParameters parameters = headless();
   parameters.damping_Ns_per_m = 5.0;
-  for (const double velocity : { -0.1, 0.1 })
+  for (const double velocity : { -0.1, 0.1, 0.5 })
   {
     RendererState state;
     static_cast<void>(renderTick(inputAt({ 0, 0, 0.1 }, scene.get()), parameters, state));
-    TickInput input = inputAt({ 0, 0, -0.001 }, scene.get(), 2);
-    input.sample.velocity_D.linear = { 0, 0, velocity };
-    const double expected = 1000.0 * 0.001 + (velocity < 0 ? 5.0 * 0.1 : 0.0);
-    EXPECT_NEAR(renderTick(input, parameters, state).command.wrench_D.force.z(), expected, 1e-11);
+    const double before_m = -0.001 - 1e-3 * velocity; // one period of 1 ms earlier
+    static_cast<void>(renderTick(inputAt({ 0, 0, before_m }, scene.get(), 2), parameters, state));
+    const TickOutput out = renderTick(inputAt({ 0, 0, -0.001 }, scene.get(), 3), parameters, state);
+    EXPECT_NEAR(out.state.velocity_D.z(), velocity, 1e-12);
+    const double expected = std::max(0.0, 1000.0 * 0.001 - 5.0 * velocity);
+    EXPECT_NEAR(out.command.wrench_D.force.z(), expected, 1e-11);
   }
 }
 

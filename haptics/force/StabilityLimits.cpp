@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/force/StabilityLimits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "haptics/force/SampledWall.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// Modelling stops here: joints flex, amplifiers lag, and the estimate of the velocity is not the plain difference.
+constexpr double shareOfStable = 0.8;
+
+/// Whole ticks, rounded up: half a tick more of delay is never safer.
+int wholeTicks(double delay_ticks)
+{
+  return static_cast<int>(std::ceil(delay_ticks));
+}
+
+SampledWall wallOf(const DeviceInfo& device, const LoopSettings& loop)
+{
+  SampledWall wall;
+  wall.mass_kg = device.mass_kg.value;
+  wall.damping_Ns_per_m = device.damping_Ns_per_m.value;
+  wall.period_s = loop.period_s;
+  wall.delay_ticks = wholeTicks(loop.passivity.delay_ticks);
+  wall.virtualDamping_Ns_per_m = loop.damping_Ns_per_m;
+  if (loop.passivity.enabled)
+  {
+    wall.lead_periods = 0.5 + loop.passivity.delay_ticks + loop.passivity.reserve;
+  }
+  else
+  {
+    wall.handStiffness_N_per_m = 200.0;
+    wall.damping_Ns_per_m += 2.0;
+    wall.mass_kg += 0.02;
+  }
+  return wall;
+}
+
+std::string format(const char* pattern, double value)
+{
+  char text[160];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+} // namespace
+
+StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& loop)
+{
+  StabilityLimits limits;
+  if (!device.rendersForce)
+  {
+    return limits;
+  }
+  limits.device_N_per_m = device.maxStiffness_N_per_m.value;
+  if (device.mass_kg.value > 0.0)
+  {
+    const double lag_s = (0.5 + loop.passivity.delay_ticks) * loop.period_s;
+    limits.passive_N_per_m = std::max(0.0, device.damping_Ns_per_m.value - loop.damping_Ns_per_m) / lag_s;
+    limits.stable_N_per_m = criticalStiffness(wallOf(device, loop));
+  }
+  if (device.resolution_m.value > 0.0)
+  {
+    limits.quantised_N_per_m = 2.0 * device.friction_N.value / device.resolution_m.value;
+  }
+  const double loopLimit = shareOfStable * limits.stable_N_per_m;
+  limits.largest_N_per_m = std::min(limits.device_N_per_m, loopLimit);
+  if (std::isfinite(limits.largest_N_per_m))
+  {
+    limits.decides = limits.device_N_per_m <= loopLimit ? StiffnessLimit::Device : StiffnessLimit::Loop;
+    limits.grain_N = limits.largest_N_per_m * device.resolution_m.value;
+  }
+  return limits;
+}
+
+std::string describe(const StabilityLimits& limits, const DeviceInfo& device, const LoopSettings& loop)
+{
+  if (limits.decides == StiffnessLimit::None)
+  {
+    return device.rendersForce ? "any stiffness: nothing is known of this device's mass and damping"
+                               : "any stiffness: no force reaches a hand through this device";
+  }
+  std::string text = format("up to %.0f N/m: ", limits.largest_N_per_m);
+  text += limits.decides == StiffnessLimit::Device
+            ? "the device is made for no more"
+            : format("80 %% of what the loop holds at %.0f Hz", 1.0 / loop.period_s) +
+                format(" with %.3g kg", device.mass_kg.value) +
+                format(" and %.3g N s/m", device.damping_Ns_per_m.value);
+  if (!loop.passivity.enabled)
+  {
+    text += ", in a light hand, without the passivity controller";
+  }
+  if (std::isfinite(limits.passive_N_per_m))
+  {
+    text += format("; passive by its own damping up to %.0f N/m", limits.passive_N_per_m);
+  }
+  if (std::isfinite(limits.quantised_N_per_m))
+  {
+    text += format("; its friction covers the encoder's steps up to %.0f N/m", limits.quantised_N_per_m);
+  }
+  return text;
+}
+
+} // namespace palpate

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "haptics/core/DeviceInfo.h"
+#include "haptics/force/PassivityController.h"
+
+namespace palpate
+{
+
+/// Which of the limits decides.
+enum class StiffnessLimit : std::uint8_t
+{
+  None,    ///< nothing is known of the device, or no force reaches a hand
+  Device,  ///< the largest stiffness the device is made for
+  Loop,    ///< the sampled loop itself: mass, damping, rate, delay
+};
+
+/// How stiff a wall a device can hold at a rate. All in N/m; infinity where nothing limits.
+struct StabilityLimits
+{
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+  /// b / (T/2 + delay) less |B|: passive whoever holds the device (Colgate & Schenkel 1997), without controller.
+  double passive_N_per_m = unlimited;
+  /// 2 c / D: friction eats what the encoder's steps give (Abbott & Okamura 2005).
+  double quantised_N_per_m = unlimited;
+  /// Exact eigenvalues of the loop, nobody holding the device.
+  double stable_N_per_m = unlimited;
+  double device_N_per_m = unlimited;
+  /// What the coupling is limited to: a share of the stable one, never above the device's own.
+  double largest_N_per_m = unlimited;
+  StiffnessLimit decides = StiffnessLimit::None;
+  /// Force of one encoder step at the largest stiffness [N]; 0 if the step is not known.
+  double grain_N = 0.0;
+};
+
+/// What a loop is run with.
+struct LoopSettings
+{
+  double period_s = 1e-3;
+  double damping_Ns_per_m = 0.0; ///< B of the coupling
+  PassivityPlan passivity;
+};
+
+/// From what the device says about itself, at a period, with a damping and a passivity plan. Without the controller
+/// the loop is taken as held by a light hand (200 N/m, 2 N s/m, 20 g): many devices have so little damping of their own
+/// that nothing but the hand keeps a wall still. Not real-time safe.
+[[nodiscard]] StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& loop);
+
+/// One sentence: how stiff, and why.
+[[nodiscard]] std::string describe(
+  const StabilityLimits& limits, const DeviceInfo& device, const LoopSettings& loop);
+
+} // namespace palpate

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "haptics/force/SampledWall.h"
+#include "haptics/force/StabilityLimits.h"
+
+namespace palpate
+{
+namespace
+{
+
+SampledWall wallOf(double m, double b, double B, int delay, double T = 1e-3)
+{
+  SampledWall wall;
+  wall.mass_kg = m;
+  wall.damping_Ns_per_m = b;
+  wall.virtualDamping_Ns_per_m = B;
+  wall.delay_ticks = delay;
+  wall.period_s = T;
+  return wall;
+}
+
+TEST(SampledWall, ALightlyDampedWallHoldsWhatTheFormulaOfGilEtAlSays)
+{
+  // K < (b + B) / (T/2 + td), exact as b T / m goes to 0.
+  for (const int delay : { 0, 1, 2 })
+  {
+    for (const double b : { 1e-3, 1e-2 })
+    {
+      const double formula = b / (1e-3 * (0.5 + delay));
+      EXPECT_NEAR(criticalStiffness(wallOf(0.1, b, 0.0, delay)) / formula, 1.0, 1e-2);
+    }
+  }
+}
+
+TEST(SampledWall, BelowTheLimitTheLoopDecaysAndAboveItGrows)
+{
+  for (const double B : { 1.0, 5.0, 20.0 })
+  {
+    const SampledWall wall = wallOf(0.1, 0.0, B, 0);
+    const double limit = criticalStiffness(wall);
+    EXPECT_LT(spectralRadius(wall, 0.999 * limit), 1.0);
+    EXPECT_GT(spectralRadius(wall, 1.001 * limit), 1.0);
+  }
+  EXPECT_EQ(criticalStiffness(wallOf(0.1, 0.0, 0.0, 0)), 0.0); // a held spring alone is never stable
+}
+
+TEST(SampledWall, AFirstOrderDeviceHasItsTextbookLimit)
+{
+  // Without mass to speak of the device is b x' = u: x+ = x - K T / b x, stable up to K = 2 b / T.
+  const double b = 1.0, T = 1e-3;
+  EXPECT_NEAR(criticalStiffness(wallOf(1e-6, b, 0.0, 0, T)) / (2 * b / T), 1.0, 1e-2);
+}
+
+DeviceInfo deviceOf(double m, double b)
+{
+  DeviceInfo device;
+  device.mass_kg = { m, true };
+  device.damping_Ns_per_m = { b, true };
+  return device;
+}
+
+TEST(StabilityLimits, TheDevicesOwnLimitDecidesWhereItIsTheSmallest)
+{
+  DeviceInfo device = deviceOf(0.1, 1.0);
+  LoopSettings loop;
+  loop.passivity.enabled = true;
+  device.maxStiffness_N_per_m = { 700.0, true };
+  const StabilityLimits limits = stabilityLimits(device, loop);
+  EXPECT_EQ(limits.decides, StiffnessLimit::Device);
+  EXPECT_EQ(limits.largest_N_per_m, 700.0);
+  EXPECT_NE(describe(limits, device, loop).find("700 N/m"), std::string::npos);
+}
+
+TEST(StabilityLimits, PassiveAndQuantisedBoundsAreTheirFormulas)
+{
+  DeviceInfo device = deviceOf(0.1, 1.0);
+  device.friction_N = { 0.3, true };
+  device.resolution_m = { 60e-6, true };
+  LoopSettings loop{ 2e-3, 0.25, {} };
+  loop.passivity.delay_ticks = 1.0;
+  const StabilityLimits limits = stabilityLimits(device, loop);
+  EXPECT_DOUBLE_EQ(limits.passive_N_per_m, (1.0 - 0.25) / (1.5 * 2e-3));
+  EXPECT_DOUBLE_EQ(limits.quantised_N_per_m, 2 * 0.3 / 60e-6);
+}
+
+TEST(StabilityLimits, ASlowerLoopAndALongerDelayAllowLess)
+{
+  const DeviceInfo device = deviceOf(0.1, 1.0);
+  double before = StabilityLimits::unlimited;
+  for (const double period_s : { 2.5e-4, 1e-3, 4e-3, 1.6e-2 })
+  {
+    LoopSettings loop{ period_s, 0.0, {} };
+    loop.passivity.enabled = true;
+    const double prompt = stabilityLimits(device, loop).largest_N_per_m;
+    EXPECT_LT(prompt, before);
+    before = prompt;
+    loop.passivity.delay_ticks = 2.0;
+    EXPECT_LT(stabilityLimits(device, loop).largest_N_per_m, prompt);
+  }
+}
+
+TEST(StabilityLimits, NothingKnownAndNoHandMeanNoLimit)
+{
+  DeviceInfo device;
+  EXPECT_EQ(stabilityLimits(device, {}).largest_N_per_m, StabilityLimits::unlimited);
+  device = deviceOf(0.1, 1.0);
+  device.rendersForce = false;
+  EXPECT_EQ(stabilityLimits(device, {}).decides, StiffnessLimit::None);
+  EXPECT_NE(describe(stabilityLimits(device, {}), device, {}).find("no force reaches"), std::string::npos);
+}
+
+} // namespace
+} // namespace palpate
