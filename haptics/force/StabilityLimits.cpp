@@ -21,6 +21,18 @@ int wholeTicks(double delay_ticks)
   return static_cast<int>(std::ceil(delay_ticks));
 }
 
+/// Damping of the controller in units of K T: least and, while it repays, most.
+struct Lead
+{
+  double least = 0.0, most = 0.0;
+};
+
+Lead leadOf(const PassivityPlan& plan)
+{
+  const double ahead = plan.enabled ? 0.5 + plan.delay_ticks + plan.reserve : 0.0;
+  return { ahead, plan.enabled ? ahead + plan.repay : 0.0 };
+}
+
 SampledWall wallOf(const DeviceInfo& device, const LoopSettings& loop)
 {
   SampledWall wall;
@@ -29,17 +41,23 @@ SampledWall wallOf(const DeviceInfo& device, const LoopSettings& loop)
   wall.period_s = loop.period_s;
   wall.delay_ticks = wholeTicks(loop.passivity.delay_ticks);
   wall.virtualDamping_Ns_per_m = loop.damping_Ns_per_m;
-  if (loop.passivity.enabled)
-  {
-    wall.lead_periods = 0.5 + loop.passivity.delay_ticks + loop.passivity.reserve;
-  }
-  else
+  if (!loop.passivity.enabled)
   {
     wall.handStiffness_N_per_m = 200.0;
     wall.damping_Ns_per_m += 2.0;
     wall.mass_kg += 0.02;
   }
   return wall;
+}
+
+/// Too much damping shakes a sampled wall like too little: both ends of what the controller does must hold.
+double stableStiffness(SampledWall wall, const PassivityPlan& plan)
+{
+  const Lead lead = leadOf(plan);
+  wall.lead_periods = lead.least;
+  const double least = criticalStiffness(wall);
+  wall.lead_periods = lead.most;
+  return std::min(least, criticalStiffness(wall));
 }
 
 std::string format(const char* pattern, double value)
@@ -63,7 +81,7 @@ StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& lo
   {
     const double lag_s = (0.5 + loop.passivity.delay_ticks) * loop.period_s;
     limits.passive_N_per_m = std::max(0.0, device.damping_Ns_per_m.value - loop.damping_Ns_per_m) / lag_s;
-    limits.stable_N_per_m = criticalStiffness(wallOf(device, loop));
+    limits.stable_N_per_m = stableStiffness(wallOf(device, loop), loop.passivity);
   }
   if (device.resolution_m.value > 0.0)
   {

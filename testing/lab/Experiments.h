@@ -7,5 +7,12 @@ namespace palpate::lab
 {
 
 // One function per file of experiments/, in the order of a report (Experiments.cpp).
+void runWallStability(const Conditions& conditions, Table& table);
+void runStabilityAtlas(const Conditions& conditions, Table& table);
+void runEnergyLeak(const Conditions& conditions, Table& table);
+void runBounce(const Conditions& conditions, Table& table);
+void runLimitCycles(const Conditions& conditions, Table& table);
+void runVelocityEstimators(const Conditions& conditions, Table& table);
+void runTransparency(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab

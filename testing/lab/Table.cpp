@@ -55,6 +55,16 @@ const char* name(Verdict verdict)
   return "unknown";
 }
 
+std::string caseName(std::initializer_list<std::pair<const char*, double>> pairs)
+{
+  std::string text;
+  for (const auto& [key, value] : pairs)
+  {
+    text += (text.empty() ? "" : " ") + std::string(key) + "=" + number(value);
+  }
+  return text;
+}
+
 Table::Table(std::string experiment)
   : experiment_(std::move(experiment))
 {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "testing/support/CostSample.h"
@@ -38,8 +40,11 @@ struct Subject
   std::string caseName;
   std::string method;
   std::string quantity;
-  std::string unit; ///< empty: a pure number
+  std::string unit = {}; ///< empty: a pure number
 };
+
+/// A case as pairs the charts can read: "rate=1000 delay=2".
+[[nodiscard]] std::string caseName(std::initializer_list<std::pair<const char*, double>> pairs);
 
 /// One line of an experiment's CSV. Without a value: absent.
 struct Row
