@@ -6,10 +6,20 @@
 namespace palpate
 {
 
+/// Coulomb friction between ball and surfaces; both 0: none, and no work for it.
+struct FrictionPlan
+{
+  double statical = 0.0; ///< mu_s >= mu_k
+  double kinetic = 0.0;  ///< mu_k >= 0
+
+  [[nodiscard]] bool none() const noexcept { return this->statical == 0.0 && this->kinetic == 0.0; }
+};
+
 /// What the contact of a tick models, and how much work it may do. Part of every recording.
 struct ContactPlan
 {
   double radius_u = 0.0;           ///< ball radius [u], >= 0; 0 is a point
+  FrictionPlan friction;
   std::uint32_t passCap = 64;      ///< passes of the god-object loop per tick
   std::uint32_t nodeBudget = 60000; ///< tree nodes visited per tick; beyond it the ball moves only as far as is proven free
 };

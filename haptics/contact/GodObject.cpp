@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "haptics/contact/ContactSet.h"
+#include "haptics/contact/Friction.h"
 #include "haptics/contact/LeftFaces.h"
 #include "haptics/contact/Neighbourhood.h"
 #include "haptics/contact/Roll.h"
@@ -51,7 +52,8 @@ public:
     this->contacts_.include(p_W);
   }
 
-  ContactResult run() noexcept
+  /// `landing`: ends as soon as anything is touched.
+  ContactResult run(bool landing = false) noexcept
   {
     this->contacts_.relinearise();
     for (std::uint32_t pass = 0;; ++pass)
@@ -72,7 +74,7 @@ public:
       {
         continue;
       }
-      if (!this->slide())
+      if (!this->slide() || (landing && this->contacts_.count() > 0))
       {
         break;
       }
@@ -524,6 +526,35 @@ private:
   ContactResult result_;
 };
 
+/// A ball in the air first lands; where it lands friction decides what becomes of the rest of the way.
+ContactResult moveUnderFriction(const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
+  PathSink* sink) noexcept
+{
+  FrictionVerdict verdict = judgeFriction(scene, plan, p_W, state);
+  ContactResult landing;
+  if (verdict.motion == FrictionMotion::None)
+  {
+    landing = Tick(scene, plan, p_W, state, sink).run(true);
+    if (state.count == 0 || landing.capped || landing.overBudget || landing.infeasible)
+    {
+      return landing;
+    }
+    verdict = judgeFriction(scene, plan, p_W, state);
+  }
+  ContactResult result;
+  result.proxy_W = state.x_W;
+  result.contacts = verdict.contacts;
+  if (verdict.motion != FrictionMotion::Sticks)
+  {
+    result = Tick(scene, plan, verdict.pulled_W, state, sink).run();
+  }
+  result.friction = verdict.motion;
+  result.passes += landing.passes;
+  result.sweeps += landing.sweeps;
+  result.nodes += landing.nodes;
+  return result;
+}
+
 } // namespace
 
 ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
@@ -541,7 +572,11 @@ ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const V
     }
     state.placed = true;
   }
-  return Tick(scene, plan, p_W, state, sink).run();
+  if (plan.friction.none())
+  {
+    return Tick(scene, plan, p_W, state, sink).run();
+  }
+  return moveUnderFriction(scene, plan, p_W, state, sink);
 }
 
 } // namespace palpate

@@ -32,6 +32,14 @@ struct ActiveFeature
   friend bool operator==(const ActiveFeature&, const ActiveFeature&) = default;
 };
 
+/// What friction did in a tick.
+enum class FrictionMotion : std::uint8_t
+{
+  None,   ///< no contact, or no friction
+  Sticks, ///< the god-object stayed where it was
+  Slips,  ///< it trails the frictionless one
+};
+
 /// All that a god-object remembers between ticks.
 struct GodObjectState
 {
@@ -39,6 +47,7 @@ struct GodObjectState
 
   Vec3 x_W = Vec3::Zero();
   bool placed = false; ///< false until the first sample
+  bool slips = false;  ///< under friction: it moved along in the last tick
   int count = 0;
   std::array<ActiveFeature, maxFeatures> features{};
 };
@@ -54,6 +63,7 @@ struct ContactResult
   bool capped = false;       ///< the pass cap ended the tick before a rest was proven
   bool overBudget = false;   ///< the node budget was met: the ball moved only as far as proven free
   bool infeasible = false;   ///< the projection found no feasible point: the ball stayed
+  FrictionMotion friction = FrictionMotion::None;
   bool seatFailed = false;   ///< no free place within the radius at the start: Fault::Seated
 };
 

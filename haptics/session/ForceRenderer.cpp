@@ -137,6 +137,7 @@ private:
     state.passes = result.passes;
     state.sweeps = result.sweeps;
     state.nodes = result.nodes;
+    state.friction = result.friction;
     state.capped = result.capped;
     state.overBudget = result.overBudget;
     state.infeasible = result.infeasible;

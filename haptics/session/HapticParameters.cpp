@@ -29,6 +29,12 @@ bool usable(const PassivityPlan& plan)
          nonNegative(plan.repay);
 }
 
+bool usable(const FrictionPlan& friction)
+{
+  constexpr double largest = 10.0;
+  return nonNegative(friction.kinetic) && friction.kinetic <= friction.statical && friction.statical <= largest;
+}
+
 bool usable(const VelocityFilter& filter)
 {
   return nonNegative(filter.resolution_m) && nonNegative(filter.lowPass_s) && filter.window >= 1 &&
@@ -63,6 +69,10 @@ std::string HapticParameters::validate() const
   if (!nonNegative(this->contact.radius_u))
   {
     return "radius [scene units] must be a number that is not negative";
+  }
+  if (!usable(this->contact.friction))
+  {
+    return "friction: the kinetic coefficient must be a number from 0 to the static one, which is at most 10";
   }
   if (!nonNegative(this->map.scale_u_per_m) || this->map.scale_u_per_m == 0.0)
   {

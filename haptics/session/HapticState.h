@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "haptics/contact/GodObject.h"
 #include "haptics/core/Fault.h"
 #include "haptics/core/Types.h"
 #include "haptics/force/PassivityController.h"
@@ -37,6 +38,7 @@ struct HapticState
   std::int32_t passes = 0;
   std::int32_t sweeps = 0;
   std::uint32_t nodes = 0;
+  FrictionMotion friction = FrictionMotion::None;
   std::uint64_t sceneRevision = 0;
   EngageState engage = EngageState::Safe;
   Fault fault = Fault::None;

@@ -91,6 +91,8 @@ void layParameters(const Io& io, T& p)
   io(p.velocity.window);
   io(p.sceneBlend_s);
   io(p.contact.radius_u);
+  io(p.contact.friction.statical);
+  io(p.contact.friction.kinetic);
   io(p.contact.passCap);
   io(p.contact.nodeBudget);
   layMap(io, p.map);
@@ -108,6 +110,7 @@ void layState(const Io& io, T& s)
 {
   io(s.contact.x_W);
   io(s.contact.placed);
+  io(s.contact.slips);
   io(s.contact.count);
   for (auto& f : s.contact.features)
   {
