@@ -5,6 +5,7 @@
 
 #include "haptics/contact/BoxTest.h"
 #include "haptics/contact/DiscFilter.h"
+#include "haptics/contact/TreeWalk.h"
 
 namespace palpate
 {
@@ -32,35 +33,24 @@ bool Neighbourhood::gather(const Scene& scene, const Motion& m, std::uint32_t bu
   still.d = Vec3::Zero();
   still.dd = still.length = 0.0;
   still.r = this->reach_u_;
-  for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
+  const BoxTest test(still);
+  const bool fits = walkWithin(scene.surfaceTree().nodes, test, budget, nodes,
+    [&](std::uint32_t s) noexcept
+    { return this->gatherSurface(scene.surfaces()[s].tree->data(), s, still, test, budget, nodes); });
+  if (!fits)
   {
-    if (!this->gatherSurface(scene.surfaces()[s].tree->data(), s, still, budget, nodes))
-    {
-      this->crowded_ = true;
-      this->reach_u_ = -1.0;
-      return false;
-    }
+    this->crowded_ = true;
+    this->reach_u_ = -1.0;
   }
-  return true;
+  return fits;
 }
 
 bool Neighbourhood::gatherSurface(const SurfaceData& data, std::uint32_t surface, const Motion& still,
-  std::uint32_t budget, std::uint32_t& nodes) noexcept
+  const BoxTest& test, std::uint32_t budget, std::uint32_t& nodes) noexcept
 {
-  std::array<std::uint32_t, 96> stack;
-  int top = 0;
-  stack[top++] = data.nodes.empty() ? TreeNode::leafBit : 0u;
-  const BoxTest test(still);
-  while (top > 0)
-  {
-    const std::uint32_t child = stack[--top];
-    if (++nodes >= budget)
+  return walkWithin(data.nodes, test, budget, nodes,
+    [&](std::uint32_t index) noexcept
     {
-      return false;
-    }
-    if (child & TreeNode::leafBit)
-    {
-      const std::uint32_t index = child & ~TreeNode::leafBit;
       const Leaf& leaf = data.leaves[index];
       const DiscFilter filter(still, leaf.origin_W, leaf.extent);
       const int lanes = filter.touched(data.discs[2 * index]) | filter.touched(data.discs[2 * index + 1]) << 4;
@@ -75,19 +65,8 @@ bool Neighbourhood::gatherSurface(const SurfaceData& data, std::uint32_t surface
           this->add(data, surface, index, lane);
         }
       }
-      continue;
-    }
-    const TreeNode& node = data.nodes[child];
-    const Entries entries = test(node);
-    for (int k = 0; k < 2; ++k)
-    {
-      if (entries.time[k] <= 1.0)
-      {
-        stack[top++] = node.child[k];
-      }
-    }
-  }
-  return true;
+      return true;
+    });
 }
 
 void Neighbourhood::add(const SurfaceData& data, std::uint32_t surface, std::uint32_t leaf, std::uint32_t lane) noexcept

@@ -12,6 +12,8 @@
 namespace palpate
 {
 
+class BoxTest;
+
 /// All faces within reach of a point, gathered once: the later sweeps of a tick look only at these.
 /// It never changes a result, only its cost. Servo thread; fixed memory, no allocation.
 class Neighbourhood
@@ -40,7 +42,7 @@ private:
   static constexpr int capacity = 512;
 
   [[nodiscard]] bool gatherSurface(const SurfaceData& data, std::uint32_t surface, const Motion& still,
-    std::uint32_t budget, std::uint32_t& nodes) noexcept;
+    const BoxTest& test, std::uint32_t budget, std::uint32_t& nodes) noexcept;
   void add(const SurfaceData& data, std::uint32_t surface, std::uint32_t leaf, std::uint32_t lane) noexcept;
 
   Vec3 centre_W_ = Vec3::Zero();

@@ -8,6 +8,7 @@
 
 #include "haptics/contact/Projection.h"
 #include "haptics/contact/Sweep.h"
+#include "haptics/contact/TreeWalk.h"
 #include "haptics/geometry/SurfaceData.h"
 
 namespace palpate
@@ -53,43 +54,39 @@ Vec3 nearestOnTriangle(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& 
   return a + vb / sum * ab + vc / sum * ac;
 }
 
+/// A ball of that radius that stays where it is.
+Motion stillBall(const Vec3& x_W, double reach) noexcept
+{
+  SweepQuery query;
+  query.from_W = query.to_W = x_W;
+  query.radius_u = reach;
+  query.resolution.include(x_W);
+  return motionOf(query);
+}
+
 /// Calls visit(data, triangle) for each triangle of a leaf whose box comes within reach of x.
 template<class Visit>
 void forEachNear(const Scene& scene, const Vec3& x_W, double reach, Visit visit) noexcept
 {
-  for (const Surface& surface : scene.surfaces())
+  constexpr std::uint32_t unbounded = std::numeric_limits<std::uint32_t>::max();
+  const Motion still = stillBall(x_W, reach);
+  const BoxTest test(still);
+  std::uint32_t nodes = 0;
+  const auto visitSurface = [&](std::uint32_t s) noexcept
   {
-    const SurfaceData& data = surface.tree->data();
-    std::array<std::uint32_t, 96> stack;
-    int top = 0;
-    stack[top++] = data.nodes.empty() ? TreeNode::leafBit : 0u;
-    while (top > 0)
-    {
-      const std::uint32_t child = stack[--top];
-      if (child & TreeNode::leafBit)
+    const SurfaceData& data = scene.surfaces()[s].tree->data();
+    return walkWithin(data.nodes, test, unbounded, nodes,
+      [&](std::uint32_t index) noexcept
       {
-        const Leaf& leaf = data.leaves[child & ~TreeNode::leafBit];
+        const Leaf& leaf = data.leaves[index];
         for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
         {
           visit(data, t);
         }
-        continue;
-      }
-      const TreeNode& node = data.nodes[child];
-      for (int k = 0; k < 2; ++k)
-      {
-        bool apart = false;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          apart |= node.low_W[axis][k] > x_W[axis] + reach || node.high_W[axis][k] < x_W[axis] - reach;
-        }
-        if (!apart)
-        {
-          stack[top++] = node.child[k];
-        }
-      }
-    }
-  }
+        return true;
+      });
+  };
+  static_cast<void>(walkWithin(scene.surfaceTree().nodes, test, unbounded, nodes, visitSurface));
 }
 
 /// What the ball at x comes nearest to.

@@ -7,9 +7,9 @@
 #include <limits>
 #include <tuple>
 
-#include "haptics/contact/BoxTest.h"
 #include "haptics/contact/DiscFilter.h"
 #include "haptics/contact/Neighbourhood.h"
+#include "haptics/contact/TreeWalk.h"
 #include "haptics/geometry/ExactPredicates.h"
 #include "haptics/geometry/SurfaceData.h"
 
@@ -239,56 +239,9 @@ private:
 void sweepSurface(const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, const Motion& m,
   std::uint32_t budget, SweepHit& best) noexcept
 {
-  struct Pending
-  {
-    std::uint32_t child;
-    double entry;
-  };
-  constexpr int depth = 96; // a halving tree over 2^32 triangles is 32 deep
-  std::array<Pending, depth> stack;
-  int top = 0;
-  BoxTest test(m);
-  test.shortenTo(best.t);
-  const double rootEntry = test.one(data.low_W, data.high_W);
-  if (rootEntry <= best.t)
-  {
-    stack[top++] = { data.nodes.empty() ? TreeNode::leafBit : 0u, rootEntry };
-  }
   SurfaceSweep sweep(data, surface, query, m, best);
-  while (top > 0)
-  {
-    const Pending next = stack[--top];
-    if (next.entry > best.t)
-    {
-      continue;
-    }
-    if (best.nodes >= budget)
-    {
-      best.freeUntil = std::min(best.freeUntil, next.entry);
-      continue;
-    }
-    ++best.nodes;
-    if (next.child & TreeNode::leafBit)
-    {
-      const double before = best.t;
-      sweep.testLeaf(next.child & ~TreeNode::leafBit);
-      if (best.t < before)
-      {
-        test.shortenTo(best.t);
-      }
-      continue;
-    }
-    const TreeNode& node = data.nodes[next.child];
-    const Entries entries = test(node);
-    const int far = entries.time[0] <= entries.time[1] ? 1 : 0;
-    for (const int k : { far, 1 - far })
-    {
-      if (entries.time[k] <= best.t)
-      {
-        stack[top++] = { node.child[k], entries.time[k] };
-      }
-    }
-  }
+  walkNearFirst(data.nodes, { data.low_W, data.high_W }, m, budget, best,
+    [&sweep](std::uint32_t leaf) noexcept { sweep.testLeaf(leaf); });
 }
 
 /// The same over a list of faces that holds all that the way can touch.
@@ -317,9 +270,15 @@ SweepHit sweepBall(const Scene& scene, const SweepQuery& query, std::uint32_t bu
     sweepList(scene, *near, query, m, best);
     return best;
   }
-  for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)
+  const auto sweepOne = [&](std::uint32_t s) noexcept
+  { sweepSurface(scene.surfaces()[s].tree->data(), s, query, m, budget, best); };
+  if (scene.surfaces().size() == 1)
   {
-    sweepSurface(scene.surfaces()[s].tree->data(), s, query, m, budget, best);
+    sweepOne(0); // its own root is all a tree above it could test
+  }
+  else if (!scene.empty())
+  {
+    walkNearFirst(scene.surfaceTree().nodes, scene.surfaceTree().bounds, m, budget, best, sweepOne);
   }
   if (best.freeUntil < 1.0)
   {

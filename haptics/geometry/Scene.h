@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/geometry/BoxTree.h"
 #include "haptics/geometry/Material.h"
 #include "haptics/geometry/SurfaceTree.h"
 
@@ -30,6 +31,8 @@ public:
 
   [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
   [[nodiscard]] const std::vector<Surface>& surfaces() const noexcept { return this->surfaces_; }
+  /// One leaf a surface: what a query walks before it walks a surface.
+  [[nodiscard]] const BoxTree& surfaceTree() const noexcept { return this->surfaceTree_; }
   [[nodiscard]] bool empty() const noexcept { return this->surfaces_.empty(); }
   /// Hash of all vertices, triangles and materials, in order: names a scene in a recording.
   [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
@@ -38,6 +41,7 @@ private:
   std::uint64_t revision_ = 0;
   std::uint64_t contentHash_ = 0;
   std::vector<Surface> surfaces_;
+  BoxTree surfaceTree_;
 };
 
 } // namespace palpate

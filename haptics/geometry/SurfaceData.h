@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "haptics/geometry/BoxTree.h"
 #include "haptics/geometry/TriangleMesh.h"
 
 namespace palpate
@@ -40,16 +41,6 @@ struct Leaf
   double extent; ///< no coordinate of its faces is further from the origin than this [u]
   std::uint32_t first;
   std::uint32_t count;
-};
-
-/// Both children of an inner node, coordinate by coordinate so that both boxes are tested at once.
-/// A child index with leafBit set names a leaf.
-struct alignas(16) TreeNode
-{
-  static constexpr std::uint32_t leafBit = 0x80000000u;
-  std::array<std::array<double, 2>, 3> low_W;  ///< [axis][child]
-  std::array<std::array<double, 2>, 3> high_W;
-  std::array<std::uint32_t, 2> child;
 };
 
 /// Everything contact reads of one surface. Triangles stand in the order of the tree's leaves, corners ascending.
