@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdexcept>
+
+#include "haptics/contact/Sweep.h"
+#include "haptics/geometry/SceneBuilder.h"
+#include "testing/lab/backends/Backend.h"
+
+namespace palpate::lab
+{
+namespace
+{
+
+class Ours final : public Backend
+{
+public:
+  explicit Ours(const TriangleMesh& mesh)
+    : scene_(SceneBuilder().build({ { "mesh", std::make_shared<TriangleMesh>(mesh), {} } }).scene)
+  {
+    if (this->scene_ == nullptr)
+    {
+      throw std::runtime_error("the mesh of a query cannot be touched");
+    }
+  }
+
+  [[nodiscard]] bool meets(const Vec3& from_W, const Vec3& to_W) override { return this->sweep(from_W, to_W).hit; }
+
+  [[nodiscard]] std::optional<double> firstHit(const Vec3& from_W, const Vec3& to_W) override
+  {
+    const SweepHit hit = this->sweep(from_W, to_W);
+    return hit.hit ? std::optional(hit.t) : std::nullopt;
+  }
+
+private:
+  [[nodiscard]] SweepHit sweep(const Vec3& from_W, const Vec3& to_W) const
+  {
+    SweepQuery query;
+    query.from_W = from_W;
+    query.to_W = to_W;
+    query.resolution.include(from_W);
+    query.resolution.include(to_W);
+    return sweepBall(*this->scene_, query, ContactPlan().nodeBudget);
+  }
+
+  std::shared_ptr<const Scene> scene_;
+};
+
+} // namespace
+
+std::unique_ptr<Backend> makeOurs(const TriangleMesh& mesh)
+{
+  return std::make_unique<Ours>(mesh);
+}
+
+} // namespace palpate::lab
