@@ -15,7 +15,8 @@ bool sameFeature(const ActiveFeature& f, const ActiveFeature& g) noexcept
 
 } // namespace
 
-ContactSet::ContactSet(const Scene& scene, double radius_u, GodObjectState& state) noexcept
+template<class SceneView>
+ContactSet<SceneView>::ContactSet(const SceneView& scene, double radius_u, GodObjectState& state) noexcept
   : scene_(scene)
   , radius_u_(radius_u)
   , state_(state)
@@ -28,12 +29,13 @@ ContactSet::ContactSet(const Scene& scene, double radius_u, GodObjectState& stat
   }
 }
 
-void ContactSet::includeFeature(const ActiveFeature& f) noexcept
+template<class SceneView>
+void ContactSet<SceneView>::includeFeature(const ActiveFeature& f) noexcept
 {
-  const SurfaceData& data = this->dataOf(f);
+  const auto& data = this->surface(f);
   if (f.kind == FeatureKind::Face)
   {
-    for (const Vec3& corner_W : data.faces[f.a].corner_W)
+    for (const Vec3& corner_W : data.face(f.a).corner_W)
     {
       this->include(corner_W);
     }
@@ -46,7 +48,8 @@ void ContactSet::includeFeature(const ActiveFeature& f) noexcept
   }
 }
 
-int ContactSet::add(const ActiveFeature& f) noexcept
+template<class SceneView>
+int ContactSet<SceneView>::add(const ActiveFeature& f) noexcept
 {
   for (int i = 0; i < this->count(); ++i)
   {
@@ -73,14 +76,16 @@ int ContactSet::add(const ActiveFeature& f) noexcept
   return this->state_.count++;
 }
 
-void ContactSet::remove(int i) noexcept
+template<class SceneView>
+void ContactSet<SceneView>::remove(int i) noexcept
 {
   std::copy(this->state_.features.begin() + i + 1, this->state_.features.begin() + this->state_.count,
     this->state_.features.begin() + i);
   --this->state_.count;
 }
 
-void ContactSet::relinearise(const ActiveFeature* keep) noexcept
+template<class SceneView>
+void ContactSet<SceneView>::relinearise(const ActiveFeature* keep) noexcept
 {
   int kept = 0;
   for (int i = 0; i < this->count(); ++i)
@@ -89,7 +94,7 @@ void ContactSet::relinearise(const ActiveFeature* keep) noexcept
     const bool isKeep = keep != nullptr && sameFeature(f, *keep);
     if (this->radius_u_ > 0.0 && f.kind != FeatureKind::Face)
     {
-      f = normalised(this->dataOf(f), f, this->state_.x_W);
+      f = normalised(this->surface(f), f, this->state_.x_W);
       this->includeFeature(f);
     }
     bool drop = !isKeep && !this->supported(f);
@@ -105,7 +110,8 @@ void ContactSet::relinearise(const ActiveFeature* keep) noexcept
   this->state_.count = kept;
 }
 
-void ContactSet::advanceFaces(const Vec3& from_W, const Vec3& moved) noexcept
+template<class SceneView>
+void ContactSet<SceneView>::advanceFaces(const Vec3& from_W, const Vec3& moved) noexcept
 {
   for (int i = 0; i < this->count(); ++i)
   {
@@ -114,24 +120,26 @@ void ContactSet::advanceFaces(const Vec3& from_W, const Vec3& moved) noexcept
     {
       continue;
     }
-    const SurfaceData& data = this->dataOf(f);
+    const auto& data = this->surface(f);
     const std::uint32_t reached = walkFace(data, f.a, from_W, moved, this->resolution_.del()).triangle;
     if (reached != f.a)
     {
       // The stored corner order differs from face to face: the side is that of the common plane.
-      f.side = data.faces[reached].normal_W.dot(data.faces[f.a].normal_W) >= 0.0 ? f.side : static_cast<std::int8_t>(-f.side);
+      f.side = data.face(reached).normal_W.dot(data.face(f.a).normal_W) >= 0.0 ? f.side : static_cast<std::int8_t>(-f.side);
       f.a = reached;
     }
   }
 }
 
-PlaneRow ContactSet::row(int i, double lift) const noexcept
+template<class SceneView>
+PlaneRow ContactSet<SceneView>::row(int i, double lift) const noexcept
 {
   const FeaturePlane plane = this->plane(this->state_.features[i]);
   return { plane.n, -plane.gap + lift };
 }
 
-ProjectionResult ContactSet::solve(const Vec3& q, double lift) const noexcept
+template<class SceneView>
+ProjectionResult ContactSet<SceneView>::solve(const Vec3& q, double lift) const noexcept
 {
   std::array<PlaneRow, GodObjectState::maxFeatures> rows;
   for (int i = 0; i < this->count(); ++i)
@@ -140,5 +148,8 @@ ProjectionResult ContactSet::solve(const Vec3& q, double lift) const noexcept
   }
   return projectOntoPlanes({ rows.data(), static_cast<std::size_t>(this->count()) }, q, 0.25 * this->resolution_.tol());
 }
+
+template class ContactSet<Scene>;
+template class ContactSet<MovingScene>;
 
 } // namespace palpate

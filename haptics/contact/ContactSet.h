@@ -5,6 +5,7 @@
 
 #include "haptics/contact/FeatureGeometry.h"
 #include "haptics/contact/GodObject.h"
+#include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Projection.h"
 #include "haptics/contact/Resolution.h"
 #include "haptics/geometry/Scene.h"
@@ -13,11 +14,12 @@ namespace palpate
 {
 
 /// The touched features of one tick, on top of GodObjectState: add, drop, re-linearise, solve.
-/// Servo thread; no allocation.
+/// Servo thread; no allocation. SceneView: Scene or MovingScene, both instantiated in ContactSet.cpp.
+template<class SceneView>
 class ContactSet
 {
 public:
-  ContactSet(const Scene& scene, double radius_u, GodObjectState& state) noexcept;
+  ContactSet(const SceneView& scene, double radius_u, GodObjectState& state) noexcept;
 
   [[nodiscard]] int count() const noexcept { return this->state_.count; }
   [[nodiscard]] ActiveFeature& feature(int i) noexcept { return this->state_.features[i]; }
@@ -25,17 +27,17 @@ public:
   {
     return { this->state_.features.data(), static_cast<std::size_t>(this->state_.count) };
   }
-  [[nodiscard]] const SurfaceData& dataOf(const ActiveFeature& f) const noexcept
+  [[nodiscard]] decltype(auto) surface(const ActiveFeature& f) const noexcept
   {
-    return this->scene_.surfaces()[f.surface].tree->data();
+    return surfaceOf(this->scene_, f.surface);
   }
   [[nodiscard]] FeaturePlane plane(const ActiveFeature& f) const noexcept
   {
-    return planeOf(this->dataOf(f), f, this->state_.x_W, this->radius_u_);
+    return planeOf(this->surface(f), f, this->state_.x_W, this->radius_u_);
   }
   [[nodiscard]] bool supported(const ActiveFeature& f) const noexcept
   {
-    return supports(this->dataOf(f), f, this->state_.x_W, this->radius_u_, this->resolution_.tol());
+    return supports(this->surface(f), f, this->state_.x_W, this->radius_u_, this->resolution_.tol());
   }
 
   [[nodiscard]] const Resolution& resolution() const noexcept { return this->resolution_; }
@@ -59,7 +61,7 @@ public:
 private:
   void includeFeature(const ActiveFeature& f) noexcept;
 
-  const Scene& scene_;
+  const SceneView& scene_;
   double radius_u_;
   GodObjectState& state_;
   Resolution resolution_;

@@ -19,13 +19,15 @@ FeaturePlane planeAround(const Vec3& foot_W, const Vec3& x_W, double r) noexcept
   return { distance > 0.0 ? Vec3(away / distance) : Vec3(Vec3::UnitZ()), distance - r, foot_W };
 }
 
-double axialPosition(const SurfaceData& s, const ActiveFeature& f, const EdgeLine& line, const Vec3& x_W) noexcept
+template<class View>
+double axialPosition(const View& s, const ActiveFeature& f, const EdgeLine& line, const Vec3& x_W) noexcept
 {
   return (x_W - s.vertex(f.a)).dot(line.unit);
 }
 
 /// The face over edge (i, j) into whose inside x projects, or none.
-std::uint32_t faceUnder(const SurfaceData& s, std::uint32_t i, std::uint32_t j, const Vec3& x_W) noexcept
+template<class View>
+std::uint32_t faceUnder(const View& s, std::uint32_t i, std::uint32_t j, const Vec3& x_W) noexcept
 {
   std::uint32_t found = SurfaceData::none;
   s.forEachAtEdge(i, j,
@@ -40,28 +42,30 @@ std::uint32_t faceUnder(const SurfaceData& s, std::uint32_t i, std::uint32_t j, 
 }
 
 /// The far end of the edge at vertex v along which x lies furthest, or none if x is behind all of them.
-std::uint32_t edgeUnder(const SurfaceData& s, std::uint32_t v, const Vec3& x_W) noexcept
+template<class View>
+std::uint32_t edgeUnder(const View& s, std::uint32_t v, const Vec3& x_W) noexcept
 {
   std::uint32_t best = SurfaceData::none;
   double furthest = 0.0;
   const Vec3 away = x_W - s.vertex(v);
-  for (std::uint32_t k = s.fanStart[v]; k < s.fanStart[v + 1]; ++k)
-  {
-    for (const std::uint32_t corner : s.mesh.triangles[s.fan[k]])
+  s.forEachAround(v,
+    [&](std::uint32_t triangle)
     {
-      if (corner == v || corner == best)
+      for (const std::uint32_t corner : s.corners(triangle))
       {
-        continue;
+        if (corner == v || corner == best)
+        {
+          continue;
+        }
+        const Vec3 e = s.vertex(corner) - s.vertex(v);
+        const double along = away.dot(e) / e.norm();
+        if (along > furthest || (along == furthest && best != SurfaceData::none && corner < best))
+        {
+          furthest = along;
+          best = corner;
+        }
       }
-      const Vec3 e = s.vertex(corner) - s.vertex(v);
-      const double along = away.dot(e) / e.norm();
-      if (along > furthest || (along == furthest && best != SurfaceData::none && corner < best))
-      {
-        furthest = along;
-        best = corner;
-      }
-    }
-  }
+    });
   return best;
 }
 
@@ -87,7 +91,8 @@ Side sideOf(const FaceRecord& face, int k) noexcept
 
 } // namespace
 
-EdgeLine edgeLine(const SurfaceData& s, std::uint32_t i, std::uint32_t j) noexcept
+template<class View>
+EdgeLine edgeLine(const View& s, std::uint32_t i, std::uint32_t j) noexcept
 {
   const Vec3 e = s.vertex(j) - s.vertex(i);
   const double scale = e.cwiseAbs().maxCoeff();
@@ -95,21 +100,24 @@ EdgeLine edgeLine(const SurfaceData& s, std::uint32_t i, std::uint32_t j) noexce
   return { e / length, length };
 }
 
-Vec3 outwardNormal(const SurfaceData& s, std::uint32_t triangle, int k) noexcept
+template<class View>
+Vec3 outwardNormal(const View& s, std::uint32_t triangle, int k) noexcept
 {
-  const FaceRecord& face = s.faces[triangle];
+  const FaceRecord& face = s.face(triangle);
   const Vec3 e = face.corner_W[(k + 1) % 3] - face.corner_W[k];
   return e.cross(face.normal_W) / e.norm();
 }
 
-double outsideOfEdge(const SurfaceData& s, std::uint32_t triangle, int k, const Vec3& x_W) noexcept
+template<class View>
+double outsideOfEdge(const View& s, std::uint32_t triangle, int k, const Vec3& x_W) noexcept
 {
-  return outwardNormal(s, triangle, k).dot(x_W - s.faces[triangle].corner_W[k]);
+  return outwardNormal(s, triangle, k).dot(x_W - s.face(triangle).corner_W[k]);
 }
 
-bool projectsInside(const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W, double margin) noexcept
+template<class View>
+bool projectsInside(const View& s, std::uint32_t triangle, const Vec3& x_W, double margin) noexcept
 {
-  const FaceRecord& face = s.faces[triangle];
+  const FaceRecord& face = s.face(triangle);
   for (int k = 0; k < 3; ++k)
   {
     const Side side = sideOf(face, k);
@@ -121,13 +129,14 @@ bool projectsInside(const SurfaceData& s, std::uint32_t triangle, const Vec3& x_
   return true;
 }
 
-FeaturePlane planeOf(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double r) noexcept
+template<class View>
+FeaturePlane planeOf(const View& s, const ActiveFeature& f, const Vec3& x_W, double r) noexcept
 {
   switch (f.kind)
   {
     case FeatureKind::Face:
     {
-      const FaceRecord& face = s.faces[f.a];
+      const FaceRecord& face = s.face(f.a);
       const Vec3 n = f.side * face.normal_W;
       const double distance = n.dot(x_W - face.corner_W[0]);
       return { n, distance - r, x_W - distance * n };
@@ -143,7 +152,8 @@ FeaturePlane planeOf(const SurfaceData& s, const ActiveFeature& f, const Vec3& x
   }
 }
 
-bool supports(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double r, double tol) noexcept
+template<class View>
+bool supports(const View& s, const ActiveFeature& f, const Vec3& x_W, double r, double tol) noexcept
 {
   if (planeOf(s, f, x_W, r).gap > tol)
   {
@@ -162,7 +172,8 @@ bool supports(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, dou
   return true;
 }
 
-ActiveFeature normalised(const SurfaceData& s, ActiveFeature f, const Vec3& x_W) noexcept
+template<class View>
+ActiveFeature normalised(const View& s, ActiveFeature f, const Vec3& x_W) noexcept
 {
   if (f.kind == FeatureKind::Vertex)
   {
@@ -183,34 +194,35 @@ ActiveFeature normalised(const SurfaceData& s, ActiveFeature f, const Vec3& x_W)
       f.kind = FeatureKind::Face;
       f.a = face;
       f.b = 0;
-      f.side = s.faces[face].normal_W.dot(x_W - s.faces[face].corner_W[0]) >= 0.0 ? 1 : -1;
+      f.side = s.face(face).normal_W.dot(x_W - s.face(face).corner_W[0]) >= 0.0 ? 1 : -1;
     }
   }
   return f;
 }
 
+template<class View>
 FaceExit walkFace(
-  const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W, const Vec3& y, double del) noexcept
+  const View& s, std::uint32_t triangle, const Vec3& x_W, const Vec3& y, double del) noexcept
 {
-  const Vec3 n = s.faces[triangle].normal_W;
-  const Vec3 anchor_W = s.faces[triangle].corner_W[0];
+  const Vec3 n = s.face(triangle).normal_W;
+  const Vec3 anchor_W = s.face(triangle).corner_W[0];
   std::uint32_t enteredI = SurfaceData::none, enteredJ = SurfaceData::none;
   double reached = 0.0;
   for (int step = 0; step < walkLimit; ++step)
   {
-    const auto& corners = s.mesh.triangles[triangle];
+    const auto& corners = s.corners(triangle);
     double t = 1.0;
     int leaving = -1;
     Vec3 out = Vec3::Zero();
     for (int k = 0; k < 3; ++k)
     {
-      const Side side = sideOf(s.faces[triangle], k);
+      const Side side = sideOf(s.face(triangle), k);
       const double rate = side.outward.dot(y);
       if (rate <= 0.0 || cornersAre(corners, k, enteredI, enteredJ))
       {
         continue;
       }
-      const double inside = -side.outward.dot(x_W - s.faces[triangle].corner_W[k]);
+      const double inside = -side.outward.dot(x_W - s.face(triangle).corner_W[k]);
       const double exit = (std::max(inside, 0.0) + 4 * del * side.length) / rate;
       if (exit < t)
       {
@@ -245,7 +257,8 @@ FaceExit walkFace(
   return { reached, triangle, enteredI, enteredJ };
 }
 
-double exitRound(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r,
+template<class View>
+double exitRound(const View& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r,
   double del) noexcept
 {
   const FeaturePlane plane = planeOf(s, f, x_W, r);
@@ -266,5 +279,20 @@ double exitRound(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, 
   const double reach = tangential.norm();
   return reach > r ? std::min(t, r / reach) : t;
 }
+
+#define PALPATE_INSTANTIATE(View)                                                                                      \
+  template FeaturePlane planeOf(const View&, const ActiveFeature&, const Vec3&, double) noexcept;                      \
+  template double outsideOfEdge(const View&, std::uint32_t, int, const Vec3&) noexcept;                                \
+  template Vec3 outwardNormal(const View&, std::uint32_t, int) noexcept;                                               \
+  template bool projectsInside(const View&, std::uint32_t, const Vec3&, double) noexcept;                              \
+  template bool supports(const View&, const ActiveFeature&, const Vec3&, double, double) noexcept;                     \
+  template ActiveFeature normalised(const View&, ActiveFeature, const Vec3&) noexcept;                                 \
+  template FaceExit walkFace(const View&, std::uint32_t, const Vec3&, const Vec3&, double) noexcept;                   \
+  template double exitRound(const View&, const ActiveFeature&, const Vec3&, const Vec3&, double, double) noexcept;     \
+  template EdgeLine edgeLine(const View&, std::uint32_t, std::uint32_t) noexcept;
+
+PALPATE_INSTANTIATE(SurfaceData)
+PALPATE_INSTANTIATE(PosedSurface)
+#undef PALPATE_INSTANTIATE
 
 } // namespace palpate

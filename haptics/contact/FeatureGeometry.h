@@ -4,10 +4,13 @@
 #include "haptics/contact/GodObject.h"
 #include "haptics/contact/Resolution.h"
 #include "haptics/core/Types.h"
+#include "haptics/contact/PosedSurface.h"
 #include "haptics/geometry/SurfaceData.h"
 
 namespace palpate
 {
+
+// View: SurfaceData, or PosedSurface where surfaces move. Both are instantiated in FeatureGeometry.cpp.
 
 /// The tangent plane of a touched feature as the ball sees it from x.
 struct FeaturePlane
@@ -18,22 +21,28 @@ struct FeaturePlane
 };
 
 /// Plane of feature f of surface s for a ball of radius r at x_W. An edge is taken as its segment.
-[[nodiscard]] FeaturePlane planeOf(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double r) noexcept;
+template<class View>
+[[nodiscard]] FeaturePlane planeOf(const View& s, const ActiveFeature& f, const Vec3& x_W, double r) noexcept;
 
 /// How far along the in-plane outward normal of edge k of the triangle a point lies: negative inside.
-[[nodiscard]] double outsideOfEdge(const SurfaceData& s, std::uint32_t triangle, int k, const Vec3& x_W) noexcept;
+template<class View>
+[[nodiscard]] double outsideOfEdge(const View& s, std::uint32_t triangle, int k, const Vec3& x_W) noexcept;
 
 /// The same, as the outward unit normal in the triangle's plane.
-[[nodiscard]] Vec3 outwardNormal(const SurfaceData& s, std::uint32_t triangle, int k) noexcept;
+template<class View>
+[[nodiscard]] Vec3 outwardNormal(const View& s, std::uint32_t triangle, int k) noexcept;
 
 /// True if the point projects into the triangle, its border included within `margin` (negative: strictly inside).
-[[nodiscard]] bool projectsInside(const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W, double margin) noexcept;
+template<class View>
+[[nodiscard]] bool projectsInside(const View& s, std::uint32_t triangle, const Vec3& x_W, double margin) noexcept;
 
 /// False when f no longer touches or supports a ball of radius r at x: it is to be dropped.
-[[nodiscard]] bool supports(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double r, double tol) noexcept;
+template<class View>
+[[nodiscard]] bool supports(const View& s, const ActiveFeature& f, const Vec3& x_W, double r, double tol) noexcept;
 
 /// The feature that really holds the nearest point: a vertex becomes an edge, an edge a face, where x projects there.
-[[nodiscard]] ActiveFeature normalised(const SurfaceData& s, ActiveFeature f, const Vec3& x_W) noexcept;
+template<class View>
+[[nodiscard]] ActiveFeature normalised(const View& s, ActiveFeature f, const Vec3& x_W) noexcept;
 
 /// Where a motion x -> x + y along a face leaves it.
 struct FaceExit
@@ -44,11 +53,13 @@ struct FaceExit
 };
 
 /// Walks over faces that continue the starting plane; stops just outside the last one.
+template<class View>
 [[nodiscard]] FaceExit walkFace(
-  const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W, const Vec3& y, double del) noexcept;
+  const View& s, std::uint32_t triangle, const Vec3& x_W, const Vec3& y, double del) noexcept;
 
 /// Fraction of y after which edge or vertex f no longer supports a ball of radius r.
-[[nodiscard]] double exitRound(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r,
+template<class View>
+[[nodiscard]] double exitRound(const View& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r,
   double del) noexcept;
 
 /// Unit vector from vertex i to vertex j, and the length [u].
@@ -57,6 +68,7 @@ struct EdgeLine
   Vec3 unit = Vec3::Zero();
   double length = 0.0;
 };
-[[nodiscard]] EdgeLine edgeLine(const SurfaceData& s, std::uint32_t i, std::uint32_t j) noexcept;
+template<class View>
+[[nodiscard]] EdgeLine edgeLine(const View& s, std::uint32_t i, std::uint32_t j) noexcept;
 
 } // namespace palpate

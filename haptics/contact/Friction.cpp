@@ -21,12 +21,13 @@ double reach(const ProjectionResult& held, double mu) noexcept
 
 } // namespace
 
+template<class SceneView>
 FrictionVerdict judgeFriction(
-  const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
+  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
 {
   FrictionVerdict verdict;
   verdict.pulled_W = p_W;
-  ContactSet contacts(scene, plan.radius_u, state);
+  ContactSet<SceneView> contacts(scene, plan.radius_u, state);
   contacts.include(p_W);
   contacts.relinearise();
   const ProjectionResult held = contacts.solve(p_W - state.x_W, contacts.lift());
@@ -48,5 +49,8 @@ FrictionVerdict judgeFriction(
   verdict.pulled_W = p_W - (kinetic / behind) * held.y;
   return verdict;
 }
+
+template FrictionVerdict judgeFriction(const Scene&, const ContactPlan&, const Vec3&, GodObjectState&) noexcept;
+template FrictionVerdict judgeFriction(const MovingScene&, const ContactPlan&, const Vec3&, GodObjectState&) noexcept;
 
 } // namespace palpate

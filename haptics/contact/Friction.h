@@ -27,7 +27,8 @@ struct FrictionVerdict
 /// to p + (x - xf): this shift lies in the touched planes, so their depths stay, and every way is swept as without
 /// friction. Exact on faces and in corners; over round features exact in the limit of small ticks. Re-linearises the
 /// features of `state`; real-time safe.
+template<class SceneView>
 [[nodiscard]] FrictionVerdict judgeFriction(
-  const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept;
+  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept;
 
 } // namespace palpate

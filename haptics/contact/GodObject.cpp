@@ -10,6 +10,7 @@
 #include "haptics/contact/Friction.h"
 #include "haptics/contact/LeftFaces.h"
 #include "haptics/contact/Neighbourhood.h"
+#include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Roll.h"
 #include "haptics/contact/Seat.h"
 #include "haptics/contact/Sweep.h"
@@ -38,10 +39,11 @@ struct Slide
   std::uint32_t lastFace = 0; ///< the face from which that edge was reached
 };
 
+template<class SceneView>
 class Tick
 {
 public:
-  Tick(const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
+  Tick(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
     : scene_(scene)
     , plan_(plan)
     , p_W_(p_W)
@@ -124,8 +126,8 @@ private:
   /// A left face obstructs if the way dips into its plane and leads back over it.
   [[nodiscard]] bool obstructs(const ActiveFeature& f, const Vec3& y) const noexcept
   {
-    const SurfaceData& s = this->contacts_.dataOf(f);
-    if (f.side * s.faces[f.a].normal_W.dot(y) >= 0.0)
+    const auto& s = this->contacts_.surface(f);
+    if (f.side * s.face(f.a).normal_W.dot(y) >= 0.0)
     {
       return false;
     }
@@ -233,7 +235,7 @@ private:
         continue; // the last plan turned less than that already
       }
       const RollPlan plan =
-        RollPlanner(this->contacts_, this->x(), this->p_W_, this->plan_.radius_u, this->solution_, mostTurn).plan();
+        RollPlanner<SceneView>(this->contacts_, this->x(), this->p_W_, this->plan_.radius_u, this->solution_, mostTurn).plan();
       if (!plan.worthwhile)
       {
         return false;
@@ -283,8 +285,8 @@ private:
   {
     for (const ActiveFeature& f : this->contacts_.features())
     {
-      const bool under = f.kind != FeatureKind::Face || projectsInside(this->contacts_.dataOf(f), f.a, end_W, 0.0);
-      if (under && planeOf(this->contacts_.dataOf(f), f, end_W, this->plan_.radius_u).gap < -this->tol())
+      const bool under = f.kind != FeatureKind::Face || projectsInside(this->contacts_.surface(f), f.a, end_W, 0.0);
+      if (under && planeOf(this->contacts_.surface(f), f, end_W, this->plan_.radius_u).gap < -this->tol())
       {
         return true;
       }
@@ -322,7 +324,7 @@ private:
   [[nodiscard]] Slide limitBy(int i, const Vec3& y) noexcept
   {
     const ActiveFeature& f = this->contacts_.feature(i);
-    const SurfaceData& s = this->contacts_.dataOf(f);
+    const auto& s = this->contacts_.surface(f);
     Slide slide{ 1.0, i, f };
     if (f.kind == FeatureKind::Face)
     {
@@ -356,7 +358,7 @@ private:
       Slide slide = this->limitBy(i, y);
       if (f.stuck && slide.t * y.norm() <= 4 * this->tol())
       {
-        const FaceRecord& face = this->contacts_.dataOf(f).faces[f.a];
+        const FaceRecord& face = this->contacts_.surface(f).face(f.a);
         slide = { 1e-4 * (face.corner_W[1] - face.corner_W[0]).norm() / y.norm(), -1, f };
       }
       if (slide.t < least.t)
@@ -378,7 +380,7 @@ private:
     for (int k = 0; k < this->solution_.count; ++k)
     {
       const ActiveFeature f = this->contacts_.feature(this->solution_.active[static_cast<std::size_t>(k)]);
-      const SurfaceData& s = this->contacts_.dataOf(f);
+      const auto& s = this->contacts_.surface(f);
       const std::uint32_t v = cornerAt(s, f, this->x(), this->tol());
       if (v == SurfaceData::none)
       {
@@ -441,12 +443,12 @@ private:
       return;
     }
     this->left_.add(left, this->x());
-    const SurfaceData& s = this->contacts_.dataOf(left);
+    const auto& s = this->contacts_.surface(left);
     ActiveFeature next = left;
     next.a = s.neighbour(limit.lastFace, limit.successor.a, limit.successor.b);
     if (next.a != SurfaceData::none)
     {
-      const auto& [a, b, c] = s.faces[next.a].corner_W;
+      const auto& [a, b, c] = s.face(next.a).corner_W;
       next.side = static_cast<std::int8_t>(orientation(a, b, c, this->x()));
       if (next.side != 0)
       {
@@ -513,12 +515,12 @@ private:
     }
   }
 
-  const Scene& scene_;
+  const SceneView& scene_;
   const ContactPlan& plan_;
   const Vec3 p_W_;
   GodObjectState& state_;
   PathSink* sink_;
-  ContactSet contacts_;
+  ContactSet<SceneView> contacts_;
   LeftFaces left_;
   Vec3 reconsideredAt_W_ = Vec3::Constant(std::numeric_limits<double>::infinity());
   Neighbourhood near_;
@@ -527,7 +529,8 @@ private:
 };
 
 /// A ball in the air first lands; where it lands friction decides what becomes of the rest of the way.
-ContactResult moveUnderFriction(const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
+template<class SceneView>
+ContactResult moveUnderFriction(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
   PathSink* sink) noexcept
 {
   FrictionVerdict verdict = judgeFriction(scene, plan, p_W, state);
@@ -555,9 +558,8 @@ ContactResult moveUnderFriction(const Scene& scene, const ContactPlan& plan, con
   return result;
 }
 
-} // namespace
-
-ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
+template<class SceneView>
+ContactResult move(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
   PathSink* sink) noexcept
 {
   if (!state.placed)
@@ -577,6 +579,24 @@ ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const V
     return Tick(scene, plan, p_W, state, sink).run();
   }
   return moveUnderFriction(scene, plan, p_W, state, sink);
+}
+
+} // namespace
+
+ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
+  PathSink* sink) noexcept
+{
+  if (scene.moves())
+  {
+    return moveGodObject(MovingScene(scene, 1.0), plan, p_W, state, sink);
+  }
+  return move(scene, plan, p_W, state, sink);
+}
+
+ContactResult moveGodObject(const MovingScene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
+  PathSink* sink) noexcept
+{
+  return move(scene, plan, p_W, state, sink);
 }
 
 } // namespace palpate

@@ -11,6 +11,8 @@
 namespace palpate
 {
 
+class MovingScene;
+
 /// Dimension of the feature the ball touches; the value orders ties in time.
 enum class FeatureKind : std::uint8_t
 {
@@ -83,6 +85,10 @@ public:
 /// triangles; bounded by plan.passCap and plan.nodeBudget; allocates nothing, locks nothing, asks no clock.
 /// The first call places the ball at p_W, moved out of a surface it overlaps to the side of its centre.
 [[nodiscard]] ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W,
+  GodObjectState& state, PathSink* sink = nullptr) noexcept;
+
+/// The same at a moment of a scene that moves. How the ball came along with what moved is CarryBall's business.
+[[nodiscard]] ContactResult moveGodObject(const MovingScene& scene, const ContactPlan& plan, const Vec3& p_W,
   GodObjectState& state, PathSink* sink = nullptr) noexcept;
 
 /// After the scene changed: features of surfaces that are still there, by content, are kept. If a touched surface is

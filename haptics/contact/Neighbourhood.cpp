@@ -5,10 +5,49 @@
 
 #include "haptics/contact/BoxTest.h"
 #include "haptics/contact/DiscFilter.h"
+#include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/TreeWalk.h"
 
 namespace palpate
 {
+namespace
+{
+
+/// A face's disc where the surface is now.
+struct Placed
+{
+  Vec3 origin_W, centre_W, normal_W;
+  double extent;
+};
+
+Vec3 centreOf(const DiscQuad& quad, std::uint32_t k) noexcept
+{
+  return { quad.cx[k], quad.cy[k], quad.cz[k] };
+}
+
+Vec3 normalOf(const DiscQuad& quad, std::uint32_t k) noexcept
+{
+  return { quad.nx[k], quad.ny[k], quad.nz[k] };
+}
+
+Placed place(const SurfaceData&, const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
+{
+  const DiscQuad& quad = data.discs[2 * leaf + lane / 4];
+  const Vec3& origin = data.leaves[leaf].origin_W;
+  return { origin, origin + centreOf(quad, lane % 4), normalOf(quad, lane % 4), data.leaves[leaf].extent };
+}
+
+Placed place(const PosedSurface& posed, const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
+{
+  Placed placed = place(data, data, leaf, lane);
+  placed.origin_W = posed.toWorld(placed.origin_W);
+  placed.centre_W = posed.toWorld(placed.centre_W);
+  placed.normal_W = posed.turned(placed.normal_W);
+  placed.extent *= 1.75; // a cube's corner is sqrt 3 times as far as its faces
+  return placed;
+}
+
+} // namespace
 
 bool Neighbourhood::covers(const Motion& m) const noexcept
 {
@@ -16,7 +55,8 @@ bool Neighbourhood::covers(const Motion& m) const noexcept
   return this->reach_u_ > 0.0 && furthest + m.r + 2 * m.tol <= this->reach_u_;
 }
 
-bool Neighbourhood::gather(const Scene& scene, const Motion& m, std::uint32_t budget, std::uint32_t& nodes) noexcept
+template<class SceneView>
+bool Neighbourhood::gather(const SceneView& scene, const Motion& m, std::uint32_t budget, std::uint32_t& nodes) noexcept
 {
   if (this->crowded_)
   {
@@ -33,10 +73,9 @@ bool Neighbourhood::gather(const Scene& scene, const Motion& m, std::uint32_t bu
   still.d = Vec3::Zero();
   still.dd = still.length = 0.0;
   still.r = this->reach_u_;
-  const BoxTest test(still);
-  const bool fits = walkWithin(scene.surfaceTree().nodes, test, budget, nodes,
-    [&](std::uint32_t s) noexcept
-    { return this->gatherSurface(scene.surfaces()[s].tree->data(), s, still, test, budget, nodes); });
+  const BoxTest test(still); // of whole surfaces: their boxes are in W
+  const bool fits = walkWithin(sceneOf(scene).surfaceTree().nodes, test, budget, nodes,
+    [&](std::uint32_t s) noexcept { return this->gatherSurface(surfaceOf(scene, s), s, still, budget, nodes); });
   if (!fits)
   {
     this->crowded_ = true;
@@ -45,14 +84,17 @@ bool Neighbourhood::gather(const Scene& scene, const Motion& m, std::uint32_t bu
   return fits;
 }
 
-bool Neighbourhood::gatherSurface(const SurfaceData& data, std::uint32_t surface, const Motion& still,
-  const BoxTest& test, std::uint32_t budget, std::uint32_t& nodes) noexcept
+template<class View>
+bool Neighbourhood::gatherSurface(const View& view, std::uint32_t surface, const Motion& still, std::uint32_t budget, std::uint32_t& nodes) noexcept
 {
+  const SurfaceData& data = dataOf(view);
+  const Motion& inSurface = inTree(view, still);
+  const BoxTest test(inSurface);
   return walkWithin(data.nodes, test, budget, nodes,
     [&](std::uint32_t index) noexcept
     {
       const Leaf& leaf = data.leaves[index];
-      const DiscFilter filter(still, leaf.origin_W, leaf.extent);
+      const DiscFilter filter(inSurface, leaf.origin_W, leaf.extent);
       const int lanes = filter.touched(data.discs[2 * index]) | filter.touched(data.discs[2 * index + 1]) << 4;
       for (std::uint32_t lane = 0; lane < leaf.count; ++lane)
       {
@@ -62,29 +104,35 @@ bool Neighbourhood::gatherSurface(const SurfaceData& data, std::uint32_t surface
           {
             return false;
           }
-          this->add(data, surface, index, lane);
+          this->add(view, surface, index, lane);
         }
       }
       return true;
     });
 }
 
-void Neighbourhood::add(const SurfaceData& data, std::uint32_t surface, std::uint32_t leaf, std::uint32_t lane) noexcept
+template<class View>
+void Neighbourhood::add(const View& view, std::uint32_t surface, std::uint32_t leaf, std::uint32_t lane) noexcept
 {
-  const DiscQuad& from = data.discs[2 * leaf + lane / 4];
-  const std::uint32_t k = lane % 4;
-  const Vec3 shift = data.leaves[leaf].origin_W - this->centre_W_;
-  this->extent_u_ = std::max(this->extent_u_, data.leaves[leaf].extent + shift.cwiseAbs().maxCoeff());
+  const SurfaceData& data = dataOf(view);
+  const Placed placed = place(view, data, leaf, lane);
+  const Vec3 centre = placed.centre_W - this->centre_W_;
+  // Discs of one leaf lie within its extent, also where it has been turned.
+  const Vec3 origin = placed.origin_W - this->centre_W_;
+  this->extent_u_ = std::max(this->extent_u_, placed.extent + origin.cwiseAbs().maxCoeff());
   DiscQuad& to = this->discs_[this->count_ / 4];
   const int at = this->count_ % 4;
-  to.cx[at] = from.cx[k] + static_cast<float>(shift.x());
-  to.cy[at] = from.cy[k] + static_cast<float>(shift.y());
-  to.cz[at] = from.cz[k] + static_cast<float>(shift.z());
-  to.nx[at] = from.nx[k];
-  to.ny[at] = from.ny[k];
-  to.nz[at] = from.nz[k];
-  to.radius[at] = from.radius[k];
+  to.cx[at] = static_cast<float>(centre.x());
+  to.cy[at] = static_cast<float>(centre.y());
+  to.cz[at] = static_cast<float>(centre.z());
+  to.nx[at] = static_cast<float>(placed.normal_W.x());
+  to.ny[at] = static_cast<float>(placed.normal_W.y());
+  to.nz[at] = static_cast<float>(placed.normal_W.z());
+  to.radius[at] = data.discs[2 * leaf + lane / 4].radius[lane % 4];
   this->faces_[this->count_++] = { surface, data.leaves[leaf].first + lane };
 }
+
+template bool Neighbourhood::gather(const Scene&, const Motion&, std::uint32_t, std::uint32_t&) noexcept;
+template bool Neighbourhood::gather(const MovingScene&, const Motion&, std::uint32_t, std::uint32_t&) noexcept;
 
 } // namespace palpate

@@ -12,8 +12,6 @@
 namespace palpate
 {
 
-class BoxTest;
-
 /// All faces within reach of a point, gathered once: the later sweeps of a tick look only at these.
 /// It never changes a result, only its cost. Servo thread; fixed memory, no allocation.
 class Neighbourhood
@@ -28,7 +26,8 @@ public:
   /// True if every face that the motion can touch is in the list.
   [[nodiscard]] bool covers(const Motion& m) const noexcept;
   /// Gathers the faces around the motion, with room for the motions that follow. False if they do not fit.
-  [[nodiscard]] bool gather(const Scene& scene, const Motion& m, std::uint32_t budget, std::uint32_t& nodes) noexcept;
+  template<class SceneView>
+  [[nodiscard]] bool gather(const SceneView& scene, const Motion& m, std::uint32_t budget, std::uint32_t& nodes) noexcept;
 
   [[nodiscard]] int count() const noexcept { return this->count_; }
   [[nodiscard]] const Face& face(int i) const noexcept { return this->faces_[i]; }
@@ -41,9 +40,11 @@ public:
 private:
   static constexpr int capacity = 512;
 
-  [[nodiscard]] bool gatherSurface(const SurfaceData& data, std::uint32_t surface, const Motion& still,
-    const BoxTest& test, std::uint32_t budget, std::uint32_t& nodes) noexcept;
-  void add(const SurfaceData& data, std::uint32_t surface, std::uint32_t leaf, std::uint32_t lane) noexcept;
+  template<class View>
+  [[nodiscard]] bool gatherSurface(const View& view, std::uint32_t surface, const Motion& still,
+    std::uint32_t budget, std::uint32_t& nodes) noexcept;
+  template<class View>
+  void add(const View& view, std::uint32_t surface, std::uint32_t leaf, std::uint32_t lane) noexcept;
 
   Vec3 centre_W_ = Vec3::Zero();
   double reach_u_ = -1.0; ///< negative: nothing gathered

@@ -11,8 +11,6 @@ namespace palpate
 namespace
 {
 
-using Pivot = RollPlanner::Pivot;
-
 struct ConeLimit
 {
   double tangent = std::numeric_limits<double>::infinity();
@@ -20,7 +18,8 @@ struct ConeLimit
 };
 
 /// The largest angle by which n may turn towards w before the ball comes to lie on an incident face.
-ConeLimit coneLimit(const SurfaceData& s, const ActiveFeature& f, const Pivot& pivot) noexcept
+template<class View>
+ConeLimit coneLimit(const View& s, const ActiveFeature& f, const RollPivot& pivot) noexcept
 {
   ConeLimit limit;
   const auto include = [&](const Vec3& t)
@@ -42,19 +41,20 @@ ConeLimit coneLimit(const SurfaceData& s, const ActiveFeature& f, const Pivot& p
       });
     return limit;
   }
-  for (std::uint32_t k = s.fanStart[f.a]; k < s.fanStart[f.a + 1]; ++k)
-  {
-    for (const std::uint32_t corner : s.mesh.triangles[s.fan[k]])
+  s.forEachAround(f.a,
+    [&](std::uint32_t triangle)
     {
-      include(s.vertex(corner) - s.vertex(f.a));
-    }
-  }
+      for (const std::uint32_t corner : s.corners(triangle))
+      {
+        include(s.vertex(corner) - s.vertex(f.a));
+      }
+    });
   return limit;
 }
 
 /// The normal the ball is to have after the roll: towards what pulls it if that lies nearer than `within`, else
 /// as far as the cone of the incident faces and the planner's largest turn allow.
-Vec3 targetNormal(const Pivot& pivot, const Vec3& pull_W, double within) noexcept
+Vec3 targetNormal(const RollPivot& pivot, const Vec3& pull_W, double within) noexcept
 {
   Vec3 v = pull_W - pivot.plane.foot_W;
   v -= v.dot(pivot.axis) * pivot.axis;
@@ -76,8 +76,9 @@ Vec3 freeDirection(const Vec3& n1, const Vec3& n2) noexcept
 
 } // namespace
 
-RollPlanner::RollPlanner(
-  const ContactSet& contacts, const Vec3& x_W, const Vec3& p_W, double radius_u, const ProjectionResult& solution,
+template<class SceneView>
+RollPlanner<SceneView>::RollPlanner(
+  const ContactSet<SceneView>& contacts, const Vec3& x_W, const Vec3& p_W, double radius_u, const ProjectionResult& solution,
   double mostTurn) noexcept
   : contacts_(contacts)
   , x_W_(x_W)
@@ -94,7 +95,8 @@ RollPlanner::RollPlanner(
 }
 
 /// How far along aim edge or vertex f goes on holding the ball.
-double RollPlanner::heldFraction(const ActiveFeature& f, const Vec3& aim) const noexcept
+template<class SceneView>
+double RollPlanner<SceneView>::heldFraction(const ActiveFeature& f, const Vec3& aim) const noexcept
 {
   if (f.kind != FeatureKind::Edge)
   {
@@ -102,20 +104,21 @@ double RollPlanner::heldFraction(const ActiveFeature& f, const Vec3& aim) const 
   }
   const Vec3 along = aim.dot(this->axisOf(f)) * this->axisOf(f);
   return exitRound(
-    this->contacts_.dataOf(f), f, this->x_W_, along, this->radius_u_, this->contacts_.resolution().del());
+    this->contacts_.surface(f), f, this->x_W_, along, this->radius_u_, this->contacts_.resolution().del());
 }
 
 /// Cuts aim to where face f ends, and remembers its border: the ball is to land just outside of it.
-void RollPlanner::cutToFace(const ActiveFeature& f, Vec3& aim) noexcept
+template<class SceneView>
+void RollPlanner<SceneView>::cutToFace(const ActiveFeature& f, Vec3& aim) noexcept
 {
-  const SurfaceData& s = this->contacts_.dataOf(f);
+  const auto& s = this->contacts_.surface(f);
   const FaceExit exit = walkFace(s, f.a, this->x_W_, aim, this->contacts_.resolution().del());
   if (exit.t >= 1.0)
   {
     return;
   }
   aim *= exit.t;
-  const auto& corners = s.mesh.triangles[exit.triangle];
+  const auto& corners = s.corners(exit.triangle);
   for (int k = 0; k < 3; ++k)
   {
     if (std::min(corners[k], corners[(k + 1) % 3]) == exit.i && std::max(corners[k], corners[(k + 1) % 3]) == exit.j)
@@ -128,7 +131,8 @@ void RollPlanner::cutToFace(const ActiveFeature& f, Vec3& aim) noexcept
 
 /// The step along the crevice is straight, the way is not: shifts aim so that the ball lands just beyond the border
 /// it was cut to. True when y does so already.
-bool RollPlanner::landOnBorder(const Vec3& y, Vec3& aim) const noexcept
+template<class SceneView>
+bool RollPlanner<SceneView>::landOnBorder(const Vec3& y, Vec3& aim) const noexcept
 {
   const double del = this->contacts_.resolution().del();
   const double wanted = 4 * del;
@@ -145,7 +149,8 @@ bool RollPlanner::landOnBorder(const Vec3& y, Vec3& aim) const noexcept
 /// In the crevice of two contacts of which one is round: the Newton step of the constrained problem. Its Hessian
 /// along the crevice t is 1 - sum l (1 - (t.e)^2) / r; the plain step would converge like 1 - H only. On a saddle
 /// (H <= 0) as far as the contacts hold.
-Vec3 RollPlanner::creviceAim() noexcept
+template<class SceneView>
+Vec3 RollPlanner<SceneView>::creviceAim() noexcept
 {
   const Vec3 t = freeDirection(this->rows_[this->solution_.active[0]].n, this->rows_[this->solution_.active[1]].n);
   double hessian = 1.0;
@@ -177,13 +182,15 @@ Vec3 RollPlanner::creviceAim() noexcept
   return aim;
 }
 
-Vec3 RollPlanner::axisOf(const ActiveFeature& f) const noexcept
+template<class SceneView>
+Vec3 RollPlanner<SceneView>::axisOf(const ActiveFeature& f) const noexcept
 {
-  return f.kind == FeatureKind::Edge ? edgeLine(this->contacts_.dataOf(f), f.a, f.b).unit : Vec3(Vec3::Zero());
+  return f.kind == FeatureKind::Edge ? edgeLine(this->contacts_.surface(f), f.a, f.b).unit : Vec3(Vec3::Zero());
 }
 
 /// The round contacts that turn, and the normals they are to have; aim is cut to what their cones allow.
-void RollPlanner::chooseTargets(Vec3& aim) noexcept
+template<class SceneView>
+void RollPlanner<SceneView>::chooseTargets(Vec3& aim) noexcept
 {
   const bool crevice = this->solution_.count == 2;
   for (int k = 0; k < this->solution_.count; ++k)
@@ -194,7 +201,7 @@ void RollPlanner::chooseTargets(Vec3& aim) noexcept
     {
       continue;
     }
-    Pivot pivot{ i, this->contacts_.plane(f), this->axisOf(f) };
+    RollPivot pivot{ i, this->contacts_.plane(f), this->axisOf(f) };
     pivot.w = aim - aim.dot(pivot.plane.n) * pivot.plane.n;
     pivot.w -= pivot.w.dot(pivot.axis) * pivot.axis;
     const double reach = pivot.w.norm();
@@ -203,14 +210,14 @@ void RollPlanner::chooseTargets(Vec3& aim) noexcept
       continue;
     }
     pivot.w /= reach;
-    const ConeLimit cone = coneLimit(this->contacts_.dataOf(f), f, pivot);
+    const ConeLimit cone = coneLimit(this->contacts_.surface(f), f, pivot);
     pivot.limit = cone.tangent;
     pivot.turn = std::min(pivot.limit, this->mostTurn_);
     if (crevice && reach > pivot.turn * this->radius_u_)
     {
       aim *= pivot.turn * this->radius_u_ / reach; // not beyond the face or edge it will come to lie on
       this->hasBorder_ = pivot.turn == pivot.limit && pivot.limit > 0.0;
-      this->border_ = this->hasBorder_ ? Border{ cone.into.normalized(), pivot.plane.foot_W } : Border{};
+      this->border_ = this->hasBorder_ ? RollBorder{ cone.into.normalized(), pivot.plane.foot_W } : RollBorder{};
     }
     const Vec3 pull = crevice ? aim : Vec3(this->solution_.y - this->solution_.lambda[k] * pivot.plane.n);
     const Vec3 n = targetNormal(pivot, this->x_W_ + pull, crevice ? 2 * this->radius_u_ + reach : this->radius_u_);
@@ -223,21 +230,23 @@ void RollPlanner::chooseTargets(Vec3& aim) noexcept
 }
 
 /// A single round contact: along the arc to the point where it has its new normal, and along the edge to its end.
-Vec3 RollPlanner::arcAim() const noexcept
+template<class SceneView>
+Vec3 RollPlanner<SceneView>::arcAim() const noexcept
 {
-  const Pivot& pivot = this->pivots_[0];
+  const RollPivot& pivot = this->pivots_[0];
   const Vec3 along = this->solution_.y.dot(pivot.axis) * pivot.axis;
   return this->radius_u_ * (this->rows_[pivot.row].n - pivot.plane.n) +
     this->heldFraction(this->contacts_.features()[pivot.row], along) * along;
 }
 
 /// Re-linearises the target planes where the ball comes to lie on them. True when nothing is left to correct.
-bool RollPlanner::correct(const Vec3& y) noexcept
+template<class SceneView>
+bool RollPlanner<SceneView>::correct(const Vec3& y) noexcept
 {
   bool settled = true;
   for (int k = 0; k < this->pivotCount_; ++k)
   {
-    const Pivot& pivot = this->pivots_[k];
+    const RollPivot& pivot = this->pivots_[k];
     Vec3 away = this->x_W_ + y - pivot.plane.foot_W;
     away -= away.dot(pivot.axis) * pivot.axis;
     const double distance = away.norm();
@@ -253,7 +262,8 @@ bool RollPlanner::correct(const Vec3& y) noexcept
 }
 
 /// A target that keeps the place y along the crevice and presses into the holding planes as they are now.
-Vec3 RollPlanner::pressed(const Vec3& y) const noexcept
+template<class SceneView>
+Vec3 RollPlanner<SceneView>::pressed(const Vec3& y) const noexcept
 {
   Vec3 target = y;
   for (int k = 0; k < this->solution_.count; ++k)
@@ -263,7 +273,8 @@ Vec3 RollPlanner::pressed(const Vec3& y) const noexcept
   return target;
 }
 
-RollPlan RollPlanner::plan() noexcept
+template<class SceneView>
+RollPlan RollPlanner<SceneView>::plan() noexcept
 {
   RollPlan plan;
   const bool crevice = this->solution_.count == 2;
@@ -301,5 +312,8 @@ RollPlan RollPlanner::plan() noexcept
   plan.second = second.y;
   return plan;
 }
+
+template class RollPlanner<Scene>;
+template class RollPlanner<MovingScene>;
 
 } // namespace palpate

@@ -18,32 +18,33 @@ struct RollPlan
   double tolerance_u2 = 0.0;  ///< by how much the squared distance to p may grow and still be progress
 };
 
+/// A round contact on its way to a new normal.
+struct RollPivot
+{
+  int row = 0;              ///< index of the touched feature
+  FeaturePlane plane;       ///< at x
+  Vec3 axis = Vec3::Zero(); ///< unit along an edge, zero for a vertex
+  Vec3 w = Vec3::Zero();    ///< unit tangential direction in which the ball wants to go
+  double limit = 0.0;       ///< tangent of the largest angle before it comes to lie on an incident face
+  double turn = 0.0;        ///< tangent of the largest angle of this roll
+};
+
+/// A side of a face, where the ball stops being held by it.
+struct RollBorder
+{
+  Vec3 outward = Vec3::Zero(); ///< unit, in the plane of the face
+  Vec3 point_W = Vec3::Zero();
+};
+
 /// Plans a roll towards p: tangent planes alone converge like depth / r and diverge for
 /// depth > r; the pair of tangents converges quadratically and keeps the way outside of the round obstacle.
 /// `solution` is the projection of p - x onto the touched planes, with multipliers l. A normal turns by at
 /// most the angle whose tangent is `mostTurn`. One plan per object.
+template<class SceneView>
 class RollPlanner
 {
 public:
-  /// A round contact on its way to a new normal.
-  struct Pivot
-  {
-    int row = 0;              ///< index of the touched feature
-    FeaturePlane plane;       ///< at x
-    Vec3 axis = Vec3::Zero(); ///< unit along an edge, zero for a vertex
-    Vec3 w = Vec3::Zero();    ///< unit tangential direction in which the ball wants to go
-    double limit = 0.0;       ///< tangent of the largest angle before it comes to lie on an incident face
-    double turn = 0.0;        ///< tangent of the largest angle of this roll
-  };
-
-  /// A side of a face, where the ball stops being held by it.
-  struct Border
-  {
-    Vec3 outward = Vec3::Zero(); ///< unit, in the plane of the face
-    Vec3 point_W = Vec3::Zero();
-  };
-
-  RollPlanner(const ContactSet& contacts, const Vec3& x_W, const Vec3& p_W, double radius_u,
+  RollPlanner(const ContactSet<SceneView>& contacts, const Vec3& x_W, const Vec3& p_W, double radius_u,
     const ProjectionResult& solution, double mostTurn) noexcept;
   [[nodiscard]] RollPlan plan() noexcept;
 
@@ -58,7 +59,7 @@ private:
   void chooseTargets(Vec3& aim) noexcept;
   [[nodiscard]] bool correct(const Vec3& y) noexcept;
 
-  const ContactSet& contacts_;
+  const ContactSet<SceneView>& contacts_;
   Vec3 x_W_;
   Vec3 q_;
   double radius_u_;
@@ -67,9 +68,9 @@ private:
   double slack_;
   std::array<PlaneRow, GodObjectState::maxFeatures> rows_;     ///< touched planes, those of the pivots as they will be
   std::array<PlaneRow, GodObjectState::maxFeatures + 3> both_; ///< as they are, and behind them as they will be
-  std::array<Pivot, 3> pivots_;
+  std::array<RollPivot, 3> pivots_;
   int pivotCount_ = 0;
-  Border border_;
+  RollBorder border_;
   bool hasBorder_ = false;
 };
 

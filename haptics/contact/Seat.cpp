@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Projection.h"
 #include "haptics/contact/Sweep.h"
 #include "haptics/contact/TreeWalk.h"
@@ -64,9 +65,9 @@ Motion stillBall(const Vec3& x_W, double reach) noexcept
   return motionOf(query);
 }
 
-/// Calls visit(data, triangle) for each triangle of a leaf whose box comes within reach of x.
-template<class Visit>
-void forEachNear(const Scene& scene, const Vec3& x_W, double reach, Visit visit) noexcept
+/// Calls visit(surface, its index, triangle) for each triangle of a leaf whose box comes within reach of x.
+template<class SceneView, class Visit>
+void forEachNear(const SceneView& scene, const Vec3& x_W, double reach, Visit visit) noexcept
 {
   constexpr std::uint32_t unbounded = std::numeric_limits<std::uint32_t>::max();
   const Motion still = stillBall(x_W, reach);
@@ -74,19 +75,21 @@ void forEachNear(const Scene& scene, const Vec3& x_W, double reach, Visit visit)
   std::uint32_t nodes = 0;
   const auto visitSurface = [&](std::uint32_t s) noexcept
   {
-    const SurfaceData& data = scene.surfaces()[s].tree->data();
-    return walkWithin(data.nodes, test, unbounded, nodes,
+    const auto& surface = surfaceOf(scene, s);
+    const SurfaceData& data = dataOf(surface);
+    const Motion& inSurface = inTree(surface, still);
+    return walkWithin(data.nodes, BoxTest(inSurface), unbounded, nodes,
       [&](std::uint32_t index) noexcept
       {
         const Leaf& leaf = data.leaves[index];
         for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
         {
-          visit(data, t);
+          visit(surface, s, t);
         }
         return true;
       });
   };
-  static_cast<void>(walkWithin(scene.surfaceTree().nodes, test, unbounded, nodes, visitSurface));
+  static_cast<void>(walkWithin(sceneOf(scene).surfaceTree().nodes, test, unbounded, nodes, visitSurface));
 }
 
 /// What the ball at x comes nearest to.
@@ -95,22 +98,24 @@ struct Nearest
   double distance = std::numeric_limits<double>::infinity();
   Vec3 foot_W = Vec3::Zero();
   Vec3 normal_W = Vec3::Zero(); ///< of the face, for a centre that lies in it
-  const SurfaceData* surface = nullptr;
+  std::uint32_t surface = 0;
   std::uint32_t triangle = 0;
 };
 
-Nearest nearestWithin(const Scene& scene, const Vec3& x_W, double reach) noexcept
+template<class SceneView>
+Nearest nearestWithin(const SceneView& scene, const Vec3& x_W, double reach) noexcept
 {
   Nearest nearest;
   forEachNear(scene, x_W, reach,
-    [&](const SurfaceData& data, std::uint32_t t)
+    [&](const auto& surface, std::uint32_t s, std::uint32_t t)
     {
-      const auto& [a, b, c] = data.faces[t].corner_W;
+      const FaceRecord& face = surface.face(t);
+      const auto& [a, b, c] = face.corner_W;
       const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c);
       const double distance = (x_W - foot_W).norm();
       if (distance < nearest.distance)
       {
-        nearest = { distance, foot_W, data.faces[t].normal_W, &data, t };
+        nearest = { distance, foot_W, face.normal_W, s, t };
       }
     });
   return nearest;
@@ -144,12 +149,13 @@ public:
 private:
   std::array<PlaneRow, rounds> rows_;
   std::array<std::uint32_t, rounds> triangles_{};
-  std::array<const SurfaceData*, rounds> surfaces_{};
+  std::array<std::uint32_t, rounds> surfaces_{};
   int count_ = 0;
 };
 
 /// Only what is nearest pushes: a flat patch seen from close by pushes straight out, not sideways off each triangle.
-bool seatRound(const Scene& scene, double r, const Vec3& p_W, Vec3& x_W) noexcept
+template<class SceneView>
+bool seatRound(const SceneView& scene, double r, const Vec3& p_W, Vec3& x_W) noexcept
 {
   Resolution resolution;
   resolution.include(p_W);
@@ -179,7 +185,8 @@ bool seatRound(const Scene& scene, double r, const Vec3& p_W, Vec3& x_W) noexcep
 }
 
 /// A step of zero length hits exactly the triangles that hold the point.
-bool offEveryTriangle(const Scene& scene, const Vec3& x_W, SweepHit& hit) noexcept
+template<class SceneView>
+bool offEveryTriangle(const SceneView& scene, const Vec3& x_W, SweepHit& hit) noexcept
 {
   SweepQuery query;
   query.from_W = query.to_W = x_W;
@@ -188,7 +195,8 @@ bool offEveryTriangle(const Scene& scene, const Vec3& x_W, SweepHit& hit) noexce
   return !hit.hit && hit.freeUntil >= 1.0;
 }
 
-bool seatPoint(const Scene& scene, const Vec3& p_W, Vec3& x_W) noexcept
+template<class SceneView>
+bool seatPoint(const SceneView& scene, const Vec3& p_W, Vec3& x_W) noexcept
 {
   SweepHit hit;
   if (offEveryTriangle(scene, p_W, hit))
@@ -198,7 +206,7 @@ bool seatPoint(const Scene& scene, const Vec3& p_W, Vec3& x_W) noexcept
   }
   Resolution resolution;
   resolution.include(p_W);
-  const Vec3 n = scene.surfaces()[hit.feature.surface].tree->data().faces[hit.feature.a].normal_W;
+  const Vec3 n = surfaceOf(scene, hit.feature.surface).face(hit.feature.a).normal_W;
   for (double lift = resolution.del(); lift < 1e6 * resolution.tol(); lift *= 2)
   {
     for (const double side : { 1.0, -1.0 })
@@ -217,9 +225,13 @@ bool seatPoint(const Scene& scene, const Vec3& p_W, Vec3& x_W) noexcept
 
 } // namespace
 
-bool seatBall(const Scene& scene, double radius_u, const Vec3& p_W, Vec3& x_W) noexcept
+template<class SceneView>
+bool seatBall(const SceneView& scene, double radius_u, const Vec3& p_W, Vec3& x_W) noexcept
 {
   return radius_u > 0.0 ? seatRound(scene, radius_u, p_W, x_W) : seatPoint(scene, p_W, x_W);
 }
+
+template bool seatBall(const Scene&, double, const Vec3&, Vec3&) noexcept;
+template bool seatBall(const MovingScene&, double, const Vec3&, Vec3&) noexcept;
 
 } // namespace palpate

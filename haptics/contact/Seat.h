@@ -12,6 +12,7 @@ namespace palpate
 /// on a triangle is lifted off it, a ball that overlaps is moved out to the side of its centre by repeated least
 /// displacement. Local, bounded, allocation-free. Returns false and leaves `x_W` alone if there is no free place
 /// within r.
-[[nodiscard]] bool seatBall(const Scene& scene, double radius_u, const Vec3& p_W, Vec3& x_W) noexcept;
+template<class SceneView>
+[[nodiscard]] bool seatBall(const SceneView& scene, double radius_u, const Vec3& p_W, Vec3& x_W) noexcept;
 
 } // namespace palpate

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "haptics/contact/DiscFilter.h"
 #include "haptics/contact/Neighbourhood.h"
+#include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/TreeWalk.h"
 #include "haptics/geometry/ExactPredicates.h"
 #include "haptics/geometry/SurfaceData.h"
@@ -26,11 +28,14 @@ bool isTouched(const SweepQuery& query, const ActiveFeature& f) noexcept
 }
 
 /// The exact tests of one surface's faces, edges and vertices, and the best hit so far.
+template<class View>
 class SurfaceSweep
 {
 public:
-  SurfaceSweep(const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, const Motion& m, SweepHit& best)
+  SurfaceSweep(const View& data, std::uint32_t surface, const SweepQuery& query, const Motion& m, SweepHit& best)
     : data_(data)
+    , tree_(dataOf(data))
+    , inTree_(inTree(data, m))
     , surface_(surface)
     , query_(query)
     , m_(m)
@@ -40,12 +45,12 @@ public:
 
   void testLeaf(std::uint32_t index) noexcept
   {
-    const Leaf& leaf = this->data_.leaves[index];
-    const DiscFilter filter(this->m_, leaf.origin_W, leaf.extent);
-    int lanes = filter.touched(this->data_.discs[2 * index]);
+    const Leaf& leaf = this->tree_.leaves[index];
+    const DiscFilter filter(this->inTree_, leaf.origin_W, leaf.extent);
+    int lanes = filter.touched(this->tree_.discs[2 * index]);
     if (leaf.count > 4)
     {
-      lanes |= filter.touched(this->data_.discs[2 * index + 1]) << 4;
+      lanes |= filter.touched(this->tree_.discs[2 * index + 1]) << 4;
     }
     lanes &= (1 << leaf.count) - 1;
     for (; lanes != 0; lanes &= lanes - 1)
@@ -62,9 +67,9 @@ public:
 private:
   void testBall(std::uint32_t triangle) noexcept
   {
-    const FaceRecord& face = this->data_.faces[triangle];
+    const FaceRecord& face = this->data_.face(triangle);
     this->testFace(triangle, face);
-    const auto& corners = this->data_.mesh.triangles[triangle];
+    const auto& corners = this->data_.corners(triangle);
     for (int k = 0; k < 3; ++k)
     {
       const int next = (k + 1) % 3;
@@ -155,7 +160,7 @@ private:
   void testPoint(std::uint32_t triangle) noexcept
   {
     const Motion& m = this->m_;
-    const FaceRecord& face = this->data_.faces[triangle];
+    const FaceRecord& face = this->data_.face(triangle);
     const auto& [a, b, c] = face.corner_W;
     const double s0 = face.normal_W.dot(m.x_W - a), s1 = face.normal_W.dot(m.e_W - a);
     const double largest = std::max({ m.magnitude, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff() });
@@ -228,7 +233,9 @@ private:
     this->best_.feature = f;
   }
 
-  const SurfaceData& data_;
+  const View& data_;
+  const SurfaceData& tree_;
+  decltype(inTree(std::declval<const View&>(), std::declval<const Motion&>())) inTree_; ///< a reference where it is m itself
   std::uint32_t surface_;
   const SweepQuery& query_;
   const Motion& m_;
@@ -236,16 +243,19 @@ private:
 };
 
 /// Near-first walk of one surface's tree.
-void sweepSurface(const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, const Motion& m,
+template<class View>
+void sweepSurface(const View& data, std::uint32_t surface, const SweepQuery& query, const Motion& m,
   std::uint32_t budget, SweepHit& best) noexcept
 {
   SurfaceSweep sweep(data, surface, query, m, best);
-  walkNearFirst(data.nodes, { data.low_W, data.high_W }, m, budget, best,
+  const SurfaceData& tree = dataOf(data);
+  walkNearFirst(tree.nodes, { tree.low_W, tree.high_W }, inTree(data, m), budget, best,
     [&sweep](std::uint32_t leaf) noexcept { sweep.testLeaf(leaf); });
 }
 
 /// The same over a list of faces that holds all that the way can touch.
-void sweepList(const Scene& scene, const Neighbourhood& near, const SweepQuery& query, const Motion& m, SweepHit& best) noexcept
+template<class SceneView>
+void sweepList(const SceneView& scene, const Neighbourhood& near, const SweepQuery& query, const Motion& m, SweepHit& best) noexcept
 {
   const DiscFilter filter(m, near.centre_W(), near.extent_u());
   for (int quad = 0; quad * 4 < near.count(); ++quad)
@@ -254,14 +264,16 @@ void sweepList(const Scene& scene, const Neighbourhood& near, const SweepQuery& 
     for (; lanes != 0; lanes &= lanes - 1)
     {
       const Neighbourhood::Face& face = near.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
-      SurfaceSweep(scene.surfaces()[face.surface].tree->data(), face.surface, query, m, best).testTriangle(face.triangle);
+      const auto& surface = surfaceOf(scene, face.surface);
+      SurfaceSweep(surface, face.surface, query, m, best).testTriangle(face.triangle);
     }
   }
 }
 
 } // namespace
 
-SweepHit sweepBall(const Scene& scene, const SweepQuery& query, std::uint32_t budget, Neighbourhood* near) noexcept
+template<class SceneView>
+SweepHit sweepBall(const SceneView& scene, const SweepQuery& query, std::uint32_t budget, Neighbourhood* near) noexcept
 {
   SweepHit best;
   const Motion m = motionOf(query);
@@ -271,14 +283,15 @@ SweepHit sweepBall(const Scene& scene, const SweepQuery& query, std::uint32_t bu
     return best;
   }
   const auto sweepOne = [&](std::uint32_t s) noexcept
-  { sweepSurface(scene.surfaces()[s].tree->data(), s, query, m, budget, best); };
-  if (scene.surfaces().size() == 1)
+  { sweepSurface(surfaceOf(scene, s), s, query, m, budget, best); };
+  const Scene& whole = sceneOf(scene);
+  if (whole.surfaces().size() == 1)
   {
     sweepOne(0); // its own root is all a tree above it could test
   }
-  else if (!scene.empty())
+  else if (!whole.empty())
   {
-    walkNearFirst(scene.surfaceTree().nodes, scene.surfaceTree().bounds, m, budget, best, sweepOne);
+    walkNearFirst(whole.surfaceTree().nodes, whole.surfaceTree().bounds, m, budget, best, sweepOne);
   }
   if (best.freeUntil < 1.0)
   {
@@ -286,5 +299,8 @@ SweepHit sweepBall(const Scene& scene, const SweepQuery& query, std::uint32_t bu
   }
   return best;
 }
+
+template SweepHit sweepBall(const Scene&, const SweepQuery&, std::uint32_t, Neighbourhood*) noexcept;
+template SweepHit sweepBall(const MovingScene&, const SweepQuery&, std::uint32_t, Neighbourhood*) noexcept;
 
 } // namespace palpate

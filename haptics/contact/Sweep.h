@@ -42,7 +42,9 @@ struct SweepHit
 /// Ties: time, then dimension (face, edge, vertex), then surface and ids. Near-first; visits at most `budget` nodes.
 /// Servo thread; wait-free, no allocation.
 /// `near`, if given, keeps the faces around from one sweep to the next; it changes the cost and nothing else.
+/// SceneView: Scene, or MovingScene for a moment of one that moves.
+template<class SceneView>
 [[nodiscard]] SweepHit sweepBall(
-  const Scene& scene, const SweepQuery& query, std::uint32_t budget, Neighbourhood* near = nullptr) noexcept;
+  const SceneView& scene, const SweepQuery& query, std::uint32_t budget, Neighbourhood* near = nullptr) noexcept;
 
 } // namespace palpate

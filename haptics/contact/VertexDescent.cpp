@@ -13,9 +13,10 @@ namespace
 constexpr int mostFaces = 32;
 
 /// True if the stored corner order of the triangle runs from i to j along their edge.
-bool runsFrom(const SurfaceData& s, std::uint32_t triangle, std::uint32_t i, std::uint32_t j) noexcept
+template<class View>
+bool runsFrom(const View& s, std::uint32_t triangle, std::uint32_t i, std::uint32_t j) noexcept
 {
-  const auto& t = s.mesh.triangles[triangle];
+  const auto& t = s.corners(triangle);
   return (t[0] == i && t[1] == j) || (t[1] == i && t[2] == j) || (t[2] == i && t[0] == j);
 }
 
@@ -34,7 +35,8 @@ struct Fan
 };
 
 /// Carries the side over one edge from v to `far`.
-void spread(const SurfaceData& s, const ActiveFeature& from, std::uint32_t v, std::uint32_t far, Fan& fan) noexcept
+template<class View>
+void spread(const View& s, const ActiveFeature& from, std::uint32_t v, std::uint32_t far, Fan& fan) noexcept
 {
   int others = 0;
   s.forEachAtEdge(v, far,
@@ -58,7 +60,8 @@ void spread(const SurfaceData& s, const ActiveFeature& from, std::uint32_t v, st
   fan.simple &= others <= 1;
 }
 
-Fan fanAround(const SurfaceData& s, const ActiveFeature& f, std::uint32_t v) noexcept
+template<class View>
+Fan fanAround(const View& s, const ActiveFeature& f, std::uint32_t v) noexcept
 {
   Fan fan;
   fan.faces[0] = f;
@@ -67,7 +70,7 @@ Fan fanAround(const SurfaceData& s, const ActiveFeature& f, std::uint32_t v) noe
   for (int k = 0; k < fan.count && fan.simple; ++k)
   {
     const ActiveFeature face = fan.faces[static_cast<std::size_t>(k)];
-    for (const std::uint32_t corner : s.mesh.triangles[face.a])
+    for (const std::uint32_t corner : s.corners(face.a))
     {
       if (corner != v)
       {
@@ -79,10 +82,11 @@ Fan fanAround(const SurfaceData& s, const ActiveFeature& f, std::uint32_t v) noe
 }
 
 /// How much of q acts along a face seen from its corner v, if its projection points into the face; else 0.
-double gainOnFace(const SurfaceData& s, std::uint32_t triangle, std::uint32_t v, const Vec3& q) noexcept
+template<class View>
+double gainOnFace(const View& s, std::uint32_t triangle, std::uint32_t v, const Vec3& q) noexcept
 {
-  const auto& t = s.mesh.triangles[triangle];
-  const Vec3& n = s.faces[triangle].normal_W;
+  const auto& t = s.corners(triangle);
+  const Vec3& n = s.face(triangle).normal_W;
   const Vec3 along = q - q.dot(n) * n;
   for (int k = 0; k < 3; ++k)
   {
@@ -97,7 +101,8 @@ double gainOnFace(const SurfaceData& s, std::uint32_t triangle, std::uint32_t v,
 
 } // namespace
 
-std::uint32_t cornerAt(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double margin) noexcept
+template<class View>
+std::uint32_t cornerAt(const View& s, const ActiveFeature& f, const Vec3& x_W, double margin) noexcept
 {
   std::array<bool, 3> near{};
   for (int k = 0; k < 3; ++k)
@@ -108,14 +113,15 @@ std::uint32_t cornerAt(const SurfaceData& s, const ActiveFeature& f, const Vec3&
   {
     if (near[k] && near[(k + 2) % 3])
     {
-      return s.mesh.triangles[f.a][k]; // edges k - 1 and k meet in corner k
+      return s.corners(f.a)[k]; // edges k - 1 and k meet in corner k
     }
   }
   return SurfaceData::none;
 }
 
+template<class View>
 std::optional<Descent> descendFromVertex(
-  const SurfaceData& s, const ActiveFeature& f, std::uint32_t v, const Vec3& q) noexcept
+  const View& s, const ActiveFeature& f, std::uint32_t v, const Vec3& q) noexcept
 {
   const Fan fan = fanAround(s, f, v);
   if (!fan.simple)
@@ -131,7 +137,7 @@ std::optional<Descent> descendFromVertex(
     {
       best = { gain, 1, { face, face } };
     }
-    for (const std::uint32_t corner : s.mesh.triangles[face.a])
+    for (const std::uint32_t corner : s.corners(face.a))
     {
       const double gainOnEdge = corner == v ? 0.0 : edgeLine(s, v, corner).unit.dot(q);
       if (gainOnEdge <= best.gain)
@@ -152,5 +158,14 @@ std::optional<Descent> descendFromVertex(
   }
   return best;
 }
+
+#define PALPATE_INSTANTIATE(View)                                                                                      \
+  template std::uint32_t cornerAt(const View&, const ActiveFeature&, const Vec3&, double) noexcept;                    \
+  template std::optional<Descent> descendFromVertex(                                                                   \
+    const View&, const ActiveFeature&, std::uint32_t, const Vec3&) noexcept;
+
+PALPATE_INSTANTIATE(SurfaceData)
+PALPATE_INSTANTIATE(PosedSurface)
+#undef PALPATE_INSTANTIATE
 
 } // namespace palpate

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "haptics/contact/GodObject.h"
-#include "haptics/geometry/SurfaceData.h"
+#include "haptics/contact/PosedSurface.h"
 
 namespace palpate
 {
@@ -20,13 +20,15 @@ struct Descent
 };
 
 /// The vertex at which two sides of face f meet within `margin` of x, or SurfaceData::none.
-[[nodiscard]] std::uint32_t cornerAt(const SurfaceData& s, const ActiveFeature& f, const Vec3& x_W, double margin) noexcept;
+template<class View>
+[[nodiscard]] std::uint32_t cornerAt(const View& s, const ActiveFeature& f, const Vec3& x_W, double margin) noexcept;
 
 /// The steepest way along the surface from vertex v for a point that is pulled by q and known to lie on side f.side
 /// of face f, a face at v. Sides are carried from face to face over their common edges: near a saddle the planes of
 /// the faces do not tell them, and the sets of planes that could hold the point are not unique. Nothing is returned
 /// where the faces at v do not form a fan with at most two faces an edge.
+template<class View>
 [[nodiscard]] std::optional<Descent> descendFromVertex(
-  const SurfaceData& s, const ActiveFeature& f, std::uint32_t v, const Vec3& q) noexcept;
+  const View& s, const ActiveFeature& f, std::uint32_t v, const Vec3& q) noexcept;
 
 } // namespace palpate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/geometry/Scene.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "haptics/core/WordHash.h"
@@ -18,8 +20,54 @@ std::uint64_t hashSurfaces(const std::vector<Surface>& surfaces)
   {
     hash.add(surface.tree->contentHash());
     hash.add(surface.material.stiffnessFactor);
+    if (!surface.motion.isStill())
+    {
+      for (const Pose& pose : { surface.motion.begin_WS, surface.motion.end_WS })
+      {
+        for (const double number : { pose.p.x(), pose.p.y(), pose.p.z(), pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z() })
+        {
+          hash.add(number);
+        }
+      }
+    }
   }
   return hash.value();
+}
+
+void include(Box& box, const Pose& pose, const SurfaceData& data)
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vec3 at_S((corner & 1) != 0 ? data.high_W.x() : data.low_W.x(),
+      (corner & 2) != 0 ? data.high_W.y() : data.low_W.y(), (corner & 4) != 0 ? data.high_W.z() : data.low_W.z());
+    const Vec3 at_W = pose.q * at_S + pose.p;
+    box.low_W = box.low_W.cwiseMin(at_W);
+    box.high_W = box.high_W.cwiseMax(at_W);
+  }
+}
+
+/// Around the surface on all of its way. Between two poses a point leaves the chord of its arc by at most
+/// R (1 - cos(angle / 2)), which is R |q1 - q0|^2 / 2.
+Box boxAroundWay(const Surface& surface)
+{
+  const SurfaceData& data = surface.tree->data();
+  if (surface.motion.isStill())
+  {
+    return { data.low_W, data.high_W };
+  }
+  constexpr double most = std::numeric_limits<double>::max();
+  Box box{ Vec3::Constant(most), Vec3::Constant(-most) };
+  const RigidMotion& motion = surface.motion;
+  include(box, motion.begin_WS, data);
+  include(box, motion.end_WS, data);
+  const double radius = data.low_W.cwiseAbs().cwiseMax(data.high_W.cwiseAbs()).norm();
+  const double sign = motion.begin_WS.q.dot(motion.end_WS.q) < 0.0 ? -1.0 : 1.0;
+  const double turn2 = (motion.end_WS.q.coeffs() - sign * motion.begin_WS.q.coeffs()).squaredNorm();
+  constexpr double rounding = 1e-12;
+  const double grow = 0.5 * turn2 * radius + rounding * (radius + motion.begin_WS.p.norm() + motion.end_WS.p.norm());
+  box.low_W.array() -= grow;
+  box.high_W.array() += grow;
+  return box;
 }
 
 BoxTree treeOver(const std::vector<Surface>& surfaces)
@@ -27,7 +75,7 @@ BoxTree treeOver(const std::vector<Surface>& surfaces)
   std::vector<Box> boxes;
   for (const Surface& surface : surfaces)
   {
-    boxes.push_back({ surface.tree->data().low_W, surface.tree->data().high_W });
+    boxes.push_back(boxAroundWay(surface));
   }
   return makeBoxTree(boxes);
 }
@@ -39,6 +87,7 @@ Scene::Scene(std::uint64_t revision, std::vector<Surface> surfaces)
   , contentHash_(hashSurfaces(surfaces))
   , surfaces_(std::move(surfaces))
   , surfaceTree_(treeOver(surfaces_))
+  , moves_(std::any_of(surfaces_.begin(), surfaces_.end(), [](const Surface& s) { return !s.motion.isStill(); }))
 {
 }
 

@@ -9,6 +9,7 @@
 
 #include "haptics/geometry/BoxTree.h"
 #include "haptics/geometry/Material.h"
+#include "haptics/geometry/RigidMotion.h"
 #include "haptics/geometry/SurfaceTree.h"
 
 namespace palpate
@@ -20,6 +21,7 @@ struct Surface
   std::string name;
   std::shared_ptr<const SurfaceTree> tree;
   Material material;
+  RigidMotion motion = {};
 };
 
 /// Everything that can be felt at one moment. Immutable once built: the servo reads it, a worker frees it.
@@ -31,7 +33,9 @@ public:
 
   [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
   [[nodiscard]] const std::vector<Surface>& surfaces() const noexcept { return this->surfaces_; }
-  /// One leaf a surface: what a query walks before it walks a surface.
+  /// True if any surface is posed or moves: then its vertices alone do not say where it is.
+  [[nodiscard]] bool moves() const noexcept { return this->moves_; }
+  /// One leaf a surface, around all of its way: what a query walks before it walks a surface.
   [[nodiscard]] const BoxTree& surfaceTree() const noexcept { return this->surfaceTree_; }
   [[nodiscard]] bool empty() const noexcept { return this->surfaces_.empty(); }
   /// Hash of all vertices, triangles and materials, in order: names a scene in a recording.
@@ -42,6 +46,7 @@ private:
   std::uint64_t contentHash_ = 0;
   std::vector<Surface> surfaces_;
   BoxTree surfaceTree_;
+  bool moves_ = false;
 };
 
 } // namespace palpate

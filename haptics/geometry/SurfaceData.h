@@ -61,6 +61,22 @@ struct SurfaceData
 
   [[nodiscard]] const Vec3& vertex(std::uint32_t v) const noexcept { return this->mesh.vertices_W[v]; }
 
+  [[nodiscard]] const FaceRecord& face(std::uint32_t triangle) const noexcept { return this->faces[triangle]; }
+  [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t triangle) const noexcept
+  {
+    return this->mesh.triangles[triangle];
+  }
+
+  /// Calls visit(triangle) for each triangle around vertex v.
+  template<class Visit>
+  void forEachAround(std::uint32_t v, Visit visit) const
+  {
+    for (std::uint32_t k = this->fanStart[v]; k < this->fanStart[v + 1]; ++k)
+    {
+      visit(this->fan[k]);
+    }
+  }
+
   [[nodiscard]] bool hasCorner(std::uint32_t triangle, std::uint32_t v) const noexcept
   {
     const auto& t = this->mesh.triangles[triangle];

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/contact/Motion.h"
+#include "haptics/core/Types.h"
+#include "haptics/geometry/Scene.h"
+#include "haptics/geometry/SurfaceData.h"
+
+namespace palpate
+{
+
+/// A surface where it is at one moment: the same questions as SurfaceData answers, with corners and normals in W.
+/// Every vertex is moved on its own, the same way each time: faces that share one go on sharing it, bit for bit.
+class PosedSurface
+{
+public:
+  PosedSurface(const SurfaceData& data, const Pose& pose_WS) noexcept
+    : data_(data)
+    , turn_WS_(pose_WS.q.toRotationMatrix())
+    , shift_W_(pose_WS.p)
+  {
+  }
+
+  [[nodiscard]] Vec3 toWorld(const Vec3& x_S) const noexcept { return this->turn_WS_ * x_S + this->shift_W_; }
+  [[nodiscard]] Vec3 toSurface(const Vec3& x_W) const noexcept
+  {
+    return this->turn_WS_.transpose() * (x_W - this->shift_W_);
+  }
+  [[nodiscard]] Vec3 turned(const Vec3& v_S) const noexcept { return this->turn_WS_ * v_S; }
+  /// The same motion as the surface's tree sees it, with room for the rounding of the way there.
+  [[nodiscard]] Motion toSurface(const Motion& m) const noexcept;
+
+  [[nodiscard]] const SurfaceData& data() const noexcept { return this->data_; }
+  [[nodiscard]] FaceRecord face(std::uint32_t triangle) const noexcept;
+  [[nodiscard]] Vec3 vertex(std::uint32_t v) const noexcept { return this->toWorld(this->data_.vertex(v)); }
+  [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t t) const noexcept { return this->data_.corners(t); }
+  [[nodiscard]] bool hasCorner(std::uint32_t t, std::uint32_t v) const noexcept { return this->data_.hasCorner(t, v); }
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t t, std::uint32_t i, std::uint32_t j) const noexcept
+  {
+    return this->data_.opposite(t, i, j);
+  }
+  [[nodiscard]] std::uint32_t neighbour(std::uint32_t t, std::uint32_t i, std::uint32_t j) const noexcept
+  {
+    return this->data_.neighbour(t, i, j);
+  }
+  template<class Visit>
+  void forEachAtEdge(std::uint32_t i, std::uint32_t j, Visit visit) const
+  {
+    this->data_.forEachAtEdge(i, j, visit);
+  }
+  template<class Visit>
+  void forEachAround(std::uint32_t v, Visit visit) const
+  {
+    this->data_.forEachAround(v, visit);
+  }
+
+private:
+  const SurfaceData& data_;
+  Mat3 turn_WS_;
+  Vec3 shift_W_;
+};
+
+/// A scene at one moment, 0 .. 1 of the way from the poses its surfaces begin with to those they end with.
+class MovingScene
+{
+public:
+  MovingScene(const Scene& scene, double share) noexcept
+    : scene_(scene)
+    , share_(share)
+  {
+  }
+
+  [[nodiscard]] const Scene& scene() const noexcept { return this->scene_; }
+  [[nodiscard]] double share() const noexcept { return this->share_; }
+
+private:
+  const Scene& scene_;
+  double share_;
+};
+
+/// Two ways to look at a scene: as it stands, which costs nothing, and as it moves.
+[[nodiscard]] inline const Scene& sceneOf(const Scene& scene) noexcept { return scene; }
+[[nodiscard]] inline const Scene& sceneOf(const MovingScene& moving) noexcept { return moving.scene(); }
+[[nodiscard]] inline const SurfaceData& surfaceOf(const Scene& scene, std::uint32_t i) noexcept
+{
+  return scene.surfaces()[i].tree->data();
+}
+[[nodiscard]] inline PosedSurface surfaceOf(const MovingScene& moving, std::uint32_t i) noexcept
+{
+  const Surface& surface = moving.scene().surfaces()[i];
+  return { surface.tree->data(), surface.motion.at(moving.share()) };
+}
+
+/// What a tree is asked with: a surface that stands still is asked as it is.
+[[nodiscard]] inline const Motion& inTree(const SurfaceData&, const Motion& m) noexcept { return m; }
+[[nodiscard]] inline Motion inTree(const PosedSurface& s, const Motion& m) noexcept { return s.toSurface(m); }
+[[nodiscard]] inline const SurfaceData& dataOf(const SurfaceData& s) noexcept { return s; }
+[[nodiscard]] inline const SurfaceData& dataOf(const PosedSurface& s) noexcept { return s.data(); }
+
+} // namespace palpate
