@@ -13,6 +13,17 @@ bool sameFeature(const ActiveFeature& f, const ActiveFeature& g) noexcept
   return f.surface == g.surface && f.kind == g.kind && f.a == g.a && f.b == g.b;
 }
 
+/// Coordinates are rounded on their way between a surface's frame and W as well.
+Vec3 furthestShift(const SurfaceData&) noexcept
+{
+  return Vec3::Zero();
+}
+
+Vec3 furthestShift(const PosedSurface& posed) noexcept
+{
+  return posed.shift_W();
+}
+
 } // namespace
 
 template<class SceneView>
@@ -25,14 +36,15 @@ ContactSet<SceneView>::ContactSet(const SceneView& scene, double radius_u, GodOb
   this->resolution_.include(state.x_W);
   for (const ActiveFeature& f : this->features())
   {
-    this->includeFeature(f);
+    this->include(f);
   }
 }
 
 template<class SceneView>
-void ContactSet<SceneView>::includeFeature(const ActiveFeature& f) noexcept
+void ContactSet<SceneView>::include(const ActiveFeature& f) noexcept
 {
   const auto& data = this->surface(f);
+  this->include(furthestShift(data));
   if (f.kind == FeatureKind::Face)
   {
     for (const Vec3& corner_W : data.face(f.a).corner_W)
@@ -71,7 +83,7 @@ int ContactSet<SceneView>::add(const ActiveFeature& f) noexcept
     }
     this->remove(furthest);
   }
-  this->includeFeature(f);
+  this->include(f);
   this->state_.features[this->state_.count] = f;
   return this->state_.count++;
 }
@@ -95,7 +107,7 @@ void ContactSet<SceneView>::relinearise(const ActiveFeature* keep) noexcept
     if (this->radius_u_ > 0.0 && f.kind != FeatureKind::Face)
     {
       f = normalised(this->surface(f), f, this->state_.x_W);
-      this->includeFeature(f);
+      this->include(f);
     }
     bool drop = !isKeep && !this->supported(f);
     for (int j = 0; j < kept && !drop; ++j)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "haptics/contact/FeatureGeometry.h"
 #include "haptics/contact/GodObject.h"
@@ -42,6 +43,8 @@ public:
 
   [[nodiscard]] const Resolution& resolution() const noexcept { return this->resolution_; }
   void include(const Vec3& v_W) noexcept { this->resolution_.include(v_W); }
+  /// The coordinates that a plane of f is computed from.
+  void include(const ActiveFeature& f) noexcept;
 
   /// Adds f unless it is there; returns its index.
   int add(const ActiveFeature& f) noexcept;
@@ -56,11 +59,14 @@ public:
   /// Nearest displacement to q under all touched planes.
   [[nodiscard]] ProjectionResult solve(const Vec3& q, double lift) const noexcept;
   /// How far above a plane the ball is kept: a point must never lie on a triangle, a ball touches.
-  [[nodiscard]] double lift() const noexcept { return this->radius_u_ > 0.0 ? 0.0 : 2 * this->resolution_.del(); }
+  [[nodiscard]] double lift() const noexcept
+  {
+    // Where surfaces move, the way from their frame to W and back is rounded too.
+    constexpr double units = std::is_same_v<SceneView, MovingScene> ? 6.0 : 2.0;
+    return this->radius_u_ > 0.0 ? 0.0 : units * this->resolution_.del();
+  }
 
 private:
-  void includeFeature(const ActiveFeature& f) noexcept;
-
   const SceneView& scene_;
   double radius_u_;
   GodObjectState& state_;

@@ -97,4 +97,8 @@ public:
 void handOver(
   const Scene& from, const Scene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept;
 
+/// The same between two moments of scenes that move.
+void handOver(const MovingScene& from, const MovingScene& to, const ContactPlan& plan, const Vec3& p_W,
+  GodObjectState& state) noexcept;
+
 } // namespace palpate

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "haptics/contact/GodObject.h"
+#include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Sweep.h"
 
 namespace palpate
@@ -9,7 +10,8 @@ namespace palpate
 namespace
 {
 
-SweepHit sweepFree(const Scene& scene, const ContactPlan& plan, const Vec3& from_W, const Vec3& to_W) noexcept
+template<class SceneView>
+SweepHit sweepFree(const SceneView& scene, const ContactPlan& plan, const Vec3& from_W, const Vec3& to_W) noexcept
 {
   SweepQuery query;
   query.from_W = from_W;
@@ -22,7 +24,8 @@ SweepHit sweepFree(const Scene& scene, const ContactPlan& plan, const Vec3& from
 }
 
 /// Puts the ball in front of a surface of the new scene that has come between it and the outside.
-void stayOutside(const Scene& from, const Scene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
+template<class SceneView>
+void stayOutside(const SceneView& from, const SceneView& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
 {
   const Vec3 inside_W = state.x_W;
   Vec3 outside_W = inside_W + 2 * (inside_W - p_W);
@@ -45,22 +48,21 @@ void stayOutside(const Scene& from, const Scene& to, const ContactPlan& plan, co
   }
 }
 
-} // namespace
-
-void handOver(
-  const Scene& from, const Scene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
+template<class SceneView>
+void takeOver(const SceneView& from, const SceneView& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
 {
+  const std::vector<Surface>&before = sceneOf(from).surfaces(), &after = sceneOf(to).surfaces();
   const int touched = state.count;
   int kept = 0;
   for (int i = 0; i < touched; ++i)
   {
     ActiveFeature f = state.features[i];
-    const auto& tree = from.surfaces()[f.surface].tree;
-    const auto same = std::find_if(to.surfaces().begin(), to.surfaces().end(),
+    const auto& tree = before[f.surface].tree;
+    const auto same = std::find_if(after.begin(), after.end(),
       [&tree](const Surface& s) { return s.tree->contentHash() == tree->contentHash(); });
-    if (same != to.surfaces().end())
+    if (same != after.end())
     {
-      f.surface = static_cast<std::uint32_t>(same - to.surfaces().begin());
+      f.surface = static_cast<std::uint32_t>(same - after.begin());
       state.features[kept++] = f;
     }
   }
@@ -69,6 +71,20 @@ void handOver(
   {
     stayOutside(from, to, plan, p_W, state);
   }
+}
+
+} // namespace
+
+void handOver(
+  const Scene& from, const Scene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
+{
+  takeOver(from, to, plan, p_W, state);
+}
+
+void handOver(const MovingScene& from, const MovingScene& to, const ContactPlan& plan, const Vec3& p_W,
+  GodObjectState& state) noexcept
+{
+  takeOver(from, to, plan, p_W, state);
 }
 
 } // namespace palpate

@@ -28,6 +28,7 @@ public:
   {
     return this->turn_WS_.transpose() * (x_W - this->shift_W_);
   }
+  [[nodiscard]] const Vec3& shift_W() const noexcept { return this->shift_W_; }
   [[nodiscard]] Vec3 turned(const Vec3& v_S) const noexcept { return this->turn_WS_ * v_S; }
   /// The same motion as the surface's tree sees it, with room for the rounding of the way there.
   [[nodiscard]] Motion toSurface(const Motion& m) const noexcept;

@@ -272,6 +272,14 @@ void sweepList(const SceneView& scene, const Neighbourhood& near, const SweepQue
 
 } // namespace
 
+SweepHit sweepSurface(
+  const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, std::uint32_t budget) noexcept
+{
+  SweepHit best;
+  sweepSurface(data, surface, query, motionOf(query), budget, best);
+  return best;
+}
+
 template<class SceneView>
 SweepHit sweepBall(const SceneView& scene, const SweepQuery& query, std::uint32_t budget, Neighbourhood* near) noexcept
 {

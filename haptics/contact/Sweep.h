@@ -12,6 +12,7 @@
 namespace palpate
 {
 
+struct SurfaceData;
 class Neighbourhood;
 
 /// A ball of radius r on its way from x to e.
@@ -33,6 +34,9 @@ struct SweepHit
   double freeUntil = 1.0;   ///< below 1 only when the budget was met: proven free up to here
   std::uint32_t nodes = 0;  ///< tree nodes visited
 };
+
+/// First contact with one surface, whose own frame the query is given in. As sweepBall otherwise.
+[[nodiscard]] SweepHit sweepSurface(const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, std::uint32_t budget) noexcept;
 
 /// First contact of the ball with any surface of the scene.
 ///

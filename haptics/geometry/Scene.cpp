@@ -13,25 +13,38 @@ namespace palpate
 namespace
 {
 
-std::uint64_t hashSurfaces(const std::vector<Surface>& surfaces)
+std::uint64_t hashGeometry(const std::vector<Surface>& surfaces)
 {
   WordHash hash;
   for (const Surface& surface : surfaces)
   {
     hash.add(surface.tree->contentHash());
     hash.add(surface.material.stiffnessFactor);
-    if (!surface.motion.isStill())
+  }
+  return hash.value();
+}
+
+std::uint64_t hashMotions(std::uint64_t geometry, const std::vector<Surface>& surfaces, double motion_s)
+{
+  WordHash hash;
+  hash.add(geometry);
+  hash.add(motion_s);
+  for (const Surface& surface : surfaces)
+  {
+    for (const Pose& pose : { surface.motion.begin_WS, surface.motion.end_WS })
     {
-      for (const Pose& pose : { surface.motion.begin_WS, surface.motion.end_WS })
+      for (const double number : { pose.p.x(), pose.p.y(), pose.p.z(), pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z() })
       {
-        for (const double number : { pose.p.x(), pose.p.y(), pose.p.z(), pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z() })
-        {
-          hash.add(number);
-        }
+        hash.add(number);
       }
     }
   }
   return hash.value();
+}
+
+bool anyPosed(const std::vector<Surface>& surfaces)
+{
+  return std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return !s.motion.isStill(); });
 }
 
 void include(Box& box, const Pose& pose, const SurfaceData& data)
@@ -82,13 +95,15 @@ BoxTree treeOver(const std::vector<Surface>& surfaces)
 
 } // namespace
 
-Scene::Scene(std::uint64_t revision, std::vector<Surface> surfaces)
+Scene::Scene(std::uint64_t revision, std::vector<Surface> surfaces, double motion_s)
   : revision_(revision)
-  , contentHash_(hashSurfaces(surfaces))
+  , motion_s_(motion_s)
+  , geometryHash_(hashGeometry(surfaces))
   , surfaces_(std::move(surfaces))
   , surfaceTree_(treeOver(surfaces_))
-  , moves_(std::any_of(surfaces_.begin(), surfaces_.end(), [](const Surface& s) { return !s.motion.isStill(); }))
+  , moves_(anyPosed(surfaces_))
 {
+  this->contentHash_ = this->moves_ ? hashMotions(this->geometryHash_, this->surfaces_, motion_s) : this->geometryHash_;
 }
 
 } // namespace palpate

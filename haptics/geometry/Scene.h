@@ -29,7 +29,8 @@ class Scene
 {
 public:
   Scene() = default;
-  Scene(std::uint64_t revision, std::vector<Surface> surfaces);
+  /// `motion_s`: how long the surfaces take from their first poses to their last [s]; 0: they are there at once.
+  Scene(std::uint64_t revision, std::vector<Surface> surfaces, double motion_s = 0.0);
 
   [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
   [[nodiscard]] const std::vector<Surface>& surfaces() const noexcept { return this->surfaces_; }
@@ -38,11 +39,21 @@ public:
   /// One leaf a surface, around all of its way: what a query walks before it walks a surface.
   [[nodiscard]] const BoxTree& surfaceTree() const noexcept { return this->surfaceTree_; }
   [[nodiscard]] bool empty() const noexcept { return this->surfaces_.empty(); }
-  /// Hash of all vertices, triangles and materials, in order: names a scene in a recording.
+  /// Hash of all vertices, triangles and materials, in order, wherever the surfaces are.
+  [[nodiscard]] std::uint64_t geometryHash() const noexcept { return this->geometryHash_; }
+  /// The same and the poses: names a scene in a recording.
   [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
+  [[nodiscard]] double motion_s() const noexcept { return this->motion_s_; }
+  /// How far the surfaces have come, 0..1, an age after the scene was taken [s].
+  [[nodiscard]] double shareAt(double age_s) const noexcept
+  {
+    return age_s < this->motion_s_ ? age_s / this->motion_s_ : 1.0;
+  }
 
 private:
   std::uint64_t revision_ = 0;
+  double motion_s_ = 0.0;
+  std::uint64_t geometryHash_ = 0;
   std::uint64_t contentHash_ = 0;
   std::vector<Surface> surfaces_;
   BoxTree surfaceTree_;

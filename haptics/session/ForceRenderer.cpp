@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "haptics/contact/CarryBall.h"
 #include "haptics/force/VirtualCoupling.h"
 #include "haptics/safety/ForceLimits.h"
 
@@ -136,7 +137,7 @@ private:
     state.contacts = result.contacts;
     state.passes = result.passes;
     state.sweeps = result.sweeps;
-    state.nodes = result.nodes;
+    state.nodes += result.nodes;
     state.friction = result.friction;
     state.capped = result.capped;
     state.overBudget = result.overBudget;
@@ -178,7 +179,7 @@ private:
     spring.stiffness_N_per_m = state.stiffness_N_per_m;
     spring.work_J = this->s_.tracked ? this->s_.lastForce_D.dot(p_D - this->s_.lastP_D) : 0.0;
     spring.dt_s = this->in_.dt_s;
-    spring.restart = !this->s_.ownForce || this->sceneChanged();
+    spring.restart = !this->s_.ownForce || this->replaced();
     this->s_.lastP_D = p_D;
     this->s_.tracked = true;
     return spring;
@@ -206,17 +207,63 @@ private:
     else if (otherBall && contact.placed)
     {
       contact.placed = false; // where the old ball was, not at the device: a pressed one stays on its side
-      static_cast<void>(moveGodObject(*this->in_.scene, this->p_.contact, Vec3(contact.x_W), contact));
+      static_cast<void>(this->moveIn(Vec3(contact.x_W)));
     }
-    else if (this->in_.previousScene != nullptr)
+    else
     {
-      handOver(*this->in_.previousScene, *this->in_.scene, this->p_.contact, p_W, contact);
+      this->comeAlong(p_W);
     }
-    else if (this->sceneChanged())
+    return this->moveIn(p_W);
+  }
+
+  /// With the scene from the last tick to this one: another scene, or the way its surfaces made.
+  void comeAlong(const Vec3& p_W) noexcept
+  {
+    GodObjectState& contact = this->s_.contact;
+    const Scene& scene = *this->in_.scene;
+    const Scene* const before = this->in_.previousScene != nullptr ? this->in_.previousScene : &scene;
+    if (this->in_.previousScene == nullptr && this->sceneChanged())
     {
       contact.count = 0; // features are numbered by their scene
+      return;
     }
-    return moveGodObject(*this->in_.scene, this->p_.contact, p_W, contact, this->sink_);
+    if (!scene.moves() && !before->moves())
+    {
+      if (this->replaced())
+      {
+        handOver(*before, scene, this->p_.contact, p_W, contact);
+      }
+      return;
+    }
+    const MovingScene was(*before, before->shareAt(this->s_.sceneAge_s)), is(scene, scene.shareAt(this->age_s()));
+    if (this->replaced())
+    {
+      handOver(was, is, this->p_.contact, p_W, contact);
+    }
+    const CarryResult carry = carryBall(was, is, this->p_.contact, contact);
+    this->out_.state.pinned = carry.pinned;
+    this->out_.state.nodes = carry.nodes;
+  }
+
+  ContactResult moveIn(const Vec3& p_W) noexcept
+  {
+    const Scene& scene = *this->in_.scene;
+    GodObjectState& contact = this->s_.contact;
+    return scene.moves()
+             ? moveGodObject(MovingScene(scene, scene.shareAt(this->age_s())), this->p_.contact, p_W, contact, this->sink_)
+             : moveGodObject(scene, this->p_.contact, p_W, contact, this->sink_);
+  }
+
+  /// Of the scene, at the end of this tick [s].
+  [[nodiscard]] double age_s() const noexcept
+  {
+    return (this->sceneChanged() ? 0.0 : this->s_.sceneAge_s) + this->in_.dt_s;
+  }
+
+  /// Other surfaces than before, not only the same in other places.
+  [[nodiscard]] bool replaced() const noexcept
+  {
+    return this->sceneChanged() && (this->in_.scene == nullptr || this->in_.scene->geometryHash() != this->s_.sceneGeometry);
   }
 
   [[nodiscard]] bool sceneChanged() const noexcept
@@ -225,22 +272,22 @@ private:
   }
 
   /// F = F_new + (F_old - F_new) decaying: a replaced scene never steps (Mark et al. 1996). Not for the first scene,
+  /// not for surfaces that only move,
   /// and not a safety limit.
   void blendScenes() noexcept
   {
     HapticState& state = this->out_.state;
-    if (this->sceneChanged())
+    if (this->replaced() && this->s_.sceneRevision != 0 && this->p_.sceneBlend_s > 0.0)
     {
-      if (this->s_.sceneRevision != 0 && this->p_.sceneBlend_s > 0.0)
-      {
-        this->s_.blend_D += this->s_.lastRendered_D - state.rendered_D;
-      }
-      this->s_.sceneRevision = state.sceneRevision;
+      this->s_.blend_D += this->s_.lastRendered_D - state.rendered_D;
     }
     else if (this->p_.sceneBlend_s > 0.0)
     {
       this->s_.blend_D *= this->p_.sceneBlend_s / (this->p_.sceneBlend_s + this->in_.dt_s);
     }
+    this->s_.sceneAge_s = this->age_s();
+    this->s_.sceneRevision = state.sceneRevision;
+    this->s_.sceneGeometry = this->in_.scene != nullptr ? this->in_.scene->geometryHash() : 0;
     this->s_.lastRendered_D = state.rendered_D;
     state.rendered_D += this->s_.blend_D;
   }

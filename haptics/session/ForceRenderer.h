@@ -37,6 +37,8 @@ struct RendererState
   WorkspaceMap map;                   ///< of the last tick: another map places the proxy anew
   double radius_u = 0.0;              ///< of the last tick: another ball is seated where the old one was
   std::uint64_t sceneRevision = 0;
+  std::uint64_t sceneGeometry = 0; ///< what surfaces it had, wherever they were
+  double sceneAge_s = 0.0;         ///< since the scene was taken: how far its surfaces have moved
   double sinceBad_s = longAgo_s;       ///< time since the last sample that was not finite
   double sinceBadBefore_s = longAgo_s; ///< and since the one before it
 

@@ -47,6 +47,7 @@ struct HapticState
   bool capped = false; ///< see ContactResult
   bool overBudget = false;
   bool infeasible = false;
+  bool pinned = false;          ///< moving surfaces leave the ball less room than it needs
   bool held = false;            ///< no force this tick: its sample was not finite
   double gain = 0.0;            ///< engage ramp, 0..1
   double stiffnessFactor = 1.0; ///< below 1: cut because the loop runs late

@@ -133,6 +133,8 @@ void layState(const Io& io, T& s)
   layMap(io, s.map);
   io(s.radius_u);
   io(s.sceneRevision);
+  io(s.sceneGeometry);
+  io(s.sceneAge_s);
   io(s.sinceBad_s);
   io(s.sinceBadBefore_s);
 }

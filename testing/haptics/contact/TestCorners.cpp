@@ -16,17 +16,6 @@ namespace
 
 constexpr double stiffness_N_per_m = 1000.0;
 
-/// The planes of a corner as tessellated squares of 40 mm: they cross each other outside the free cone.
-TriangleMesh meshOf(const Corner& corner, Random& random)
-{
-  TriangleMesh mesh;
-  for (const Vec3& n : corner.normals)
-  {
-    append(mesh, makePlane(n, 0.02, 1 + static_cast<int>(random.below(5)), random));
-  }
-  return mesh;
-}
-
 TEST(Corners, NineCornerMeshesAreExactInOneTick) // row 11
 {
   Random random(testSeed(51));

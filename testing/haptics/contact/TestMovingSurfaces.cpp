@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows 21, 22 and 25: surfaces that come at the hand, close on it or turn under it are never passed.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "haptics/contact/CarryBall.h"
+#include "haptics/contact/PosedSurface.h"
+#include "testing/support/Meshes.h"
+#include "testing/support/Random.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr double K = 1000.0, T = 1e-3; // scenes in metres
+
+/// Surfaces whose poses are given as functions of time, sampled into snapshots as a view would.
+class Stage
+{
+public:
+  using Path = std::function<Pose(double time_s)>;
+
+  void add(const TriangleMesh& mesh, Path path)
+  {
+    this->surfaces_.push_back(test::sceneOf(mesh)->surfaces()[0]);
+    this->paths_.push_back(std::move(path));
+  }
+
+  /// The scene whose surfaces go from where they are at one time to where they are at another.
+  [[nodiscard]] std::shared_ptr<const Scene> between(double from_s, double to_s)
+  {
+    for (std::size_t i = 0; i < this->surfaces_.size(); ++i)
+    {
+      this->surfaces_[i].motion = { this->paths_[i](from_s), this->paths_[i](to_s) };
+    }
+    return std::make_shared<Scene>(++this->revision_, this->surfaces_, to_s - from_s);
+  }
+
+  [[nodiscard]] Pose pose(std::size_t i, double time_s) const { return this->paths_[i](time_s); }
+
+private:
+  std::vector<Surface> surfaces_;
+  std::vector<Path> paths_;
+  std::uint64_t revision_ = 0;
+};
+
+/// A god-object in a stage: snapshots of several ticks each, the poses between them interpolated tick by tick.
+class Actor
+{
+public:
+  Actor(Stage& stage, const ContactPlan& plan, const Vec3& start_W)
+    : stage_(stage)
+    , plan_(plan)
+  {
+    this->scene_ = stage.between(0.0, this->snapshot_s());
+    static_cast<void>(moveGodObject(MovingScene(*this->scene_, 0.0), plan, start_W, this->state));
+  }
+
+  ContactResult tick(const Vec3& p_W)
+  {
+    const std::shared_ptr<const Scene> old = this->scene_;
+    const double shareBefore = static_cast<double>(this->inSnapshot_) / ticksPerSnapshot;
+    if (this->inSnapshot_ == ticksPerSnapshot)
+    {
+      this->begin_s_ += this->snapshot_s();
+      this->scene_ = this->stage_.between(this->begin_s_, this->begin_s_ + this->snapshot_s());
+      this->inSnapshot_ = 0;
+    }
+    ++this->inSnapshot_;
+    this->now_ = { static_cast<double>(this->inSnapshot_) / ticksPerSnapshot };
+    this->carry = carryBall(MovingScene(*old, shareBefore), MovingScene(*this->scene_, this->now_), this->plan_, this->state);
+    return moveGodObject(MovingScene(*this->scene_, this->now_), this->plan_, p_W, this->state);
+  }
+
+  /// Where surface i is in this tick.
+  [[nodiscard]] Pose pose(std::size_t i) const { return this->scene_->surfaces()[i].motion.at(this->now_); }
+  [[nodiscard]] Vec3 inSurface(std::size_t i) const
+  {
+    const Pose pose = this->pose(i);
+    return pose.q.conjugate() * (this->state.x_W - pose.p);
+  }
+  [[nodiscard]] double time_s() const { return this->begin_s_ + this->now_ * this->snapshot_s(); }
+
+  GodObjectState state;
+  CarryResult carry;
+
+private:
+  static constexpr int ticksPerSnapshot = 16;
+  [[nodiscard]] static double snapshot_s() { return ticksPerSnapshot * T; }
+
+  Stage& stage_;
+  ContactPlan plan_;
+  std::shared_ptr<const Scene> scene_;
+  double begin_s_ = 0.0;
+  double now_ = 0.0;
+  int inSnapshot_ = 0;
+};
+
+TriangleMesh plate(std::uint64_t seed)
+{
+  test::Random random(test::testSeed(seed));
+  return test::makeSheet({ 0.4, 0.4, 12, 12, 0.3 }, random);
+}
+
+ContactPlan ball(double radius)
+{
+  ContactPlan plan;
+  plan.radius_u = radius;
+  return plan;
+}
+
+class MovingSurfaces : public testing::TestWithParam<double>
+{
+};
+
+TEST_P(MovingSurfaces, APlatformThatComesAtAHandCarriesTheProxyBeforeIt)
+{
+  const double radius = GetParam();
+  for (const double speed : { 0.01, 0.5, 5.0, -0.5, -5.0 })
+  {
+    Stage stage;
+    const double start = speed > 0 ? -0.02 : 0.02;
+    stage.add(plate(101), [&](double t) { return Pose{ { 0, 0, start + speed * t }, Quat::Identity() }; });
+    Actor actor(stage, ball(radius), Vec3::Zero());
+    const int ticks = std::min(400, static_cast<int>(0.05 / std::abs(speed) / T));
+    const double side = speed > 0 ? 1.0 : -1.0;
+    for (int i = 1; i <= ticks; ++i)
+    {
+      actor.tick(Vec3::Zero());
+      const double before = side * actor.pose(0).p.z() + radius; // where the plate pushes the centre to
+      const double expected = K * std::max(0.0, before);
+      ASSERT_NEAR(K * side * actor.state.x_W.z(), expected, 1e-9) << speed << " m/s, tick " << i;
+      ASSERT_LE(actor.state.x_W.head<2>().norm(), 1e-9);
+    }
+  }
+}
+
+TEST_P(MovingSurfaces, PlatesThatCloseLikeScissorsPushItOutAlongTheirBisectorOrPinIt)
+{
+  const double radius = GetParam();
+  // Two plates hinged on the y axis at x = -0.2, closing on a hand at the origin from +-40 degrees.
+  Stage stage;
+  const Vec3 hinge(-0.2, 0, 0);
+  const auto blade = [&](double sign)
+  {
+    return [=](double t)
+    {
+      const double angle = sign * (40.0 - 200.0 * t) * std::numbers::pi / 180;
+      const Quat q(Eigen::AngleAxisd(std::max(0.0, std::abs(angle)) * (angle < 0 ? -1 : 1), Vec3::UnitY()));
+      return Pose{ hinge - q * hinge, q };
+    };
+  };
+  stage.add(plate(102), blade(1.0));
+  stage.add(plate(103), blade(-1.0));
+  Actor actor(stage, ball(radius), { 0.0, 0.0, 0.0 });
+  const double first = actor.inSurface(0).z(), second = actor.inSurface(1).z();
+  for (int i = 0; i < 190; ++i) // to 2 degrees
+  {
+    actor.tick(Vec3::Zero());
+    const double roundOff = 1e-12;
+    ASSERT_GT(actor.inSurface(0).z() * (first > 0 ? 1 : -1), -roundOff) << "tick " << i;
+    ASSERT_GT(actor.inSurface(1).z() * (second > 0 ? 1 : -1), -roundOff) << "tick " << i;
+    ASSERT_TRUE(actor.state.x_W.allFinite());
+    if (!actor.carry.pinned)
+    {
+      ASSERT_GT(std::abs(actor.inSurface(0).z()), radius - 1e-9) << "tick " << i;
+      ASSERT_GT(std::abs(actor.inSurface(1).z()), radius - 1e-9) << "tick " << i;
+      ASSERT_NEAR(actor.state.x_W.z(), 0.0, 1e-9); // the bisector
+    }
+  }
+}
+
+TEST_P(MovingSurfaces, ATumblingShellKeepsWhatIsInItAndWhatIsOutside)
+{
+  const double radius = GetParam(), R = 0.05;
+  const TriangleMesh shell = test::makeIcosphere(2, R);
+  double inner = R;
+  for (const auto& t : shell.triangles)
+  {
+    const Vec3 a = shell.vertices_W[t[0]], b = shell.vertices_W[t[1]], c = shell.vertices_W[t[2]];
+    inner = std::min(inner, std::abs((b - a).cross(c - a).normalized().dot(a)));
+  }
+  for (const bool inside : { true, false })
+  {
+    Stage stage;
+    stage.add(shell,
+      [](double t)
+      {
+        const Vec3 centre(0.06 * std::sin(31 * t), 0.05 * std::sin(23 * t + 1), 0.06 * std::sin(17 * t));
+        return Pose{ centre, Quat(Eigen::AngleAxisd(20 * t, Vec3(1, 2, 3).normalized())) };
+      });
+    test::Random random(test::testSeed(104));
+    const Vec3 start = inside ? stage.pose(0, 0.0).p : Vec3(0, 0.04, 0.3);
+    Actor actor(stage, ball(radius), start);
+    for (std::size_t i = 0; i < test::testCount(2000); ++i)
+    {
+      actor.tick(0.05 * random.direction());
+      const double r = actor.inSurface(0).norm();
+      if (inside)
+      {
+        ASSERT_LT(r, R + 1e-12) << "tick " << i;
+      }
+      else
+      {
+        ASSERT_GT(r, inner + (radius > 0 ? 0.5 * radius : 0.0) - 1e-12) << "tick " << i;
+      }
+    }
+  }
+}
+
+TEST_P(MovingSurfaces, AStillPoseIsFeltLikeTheSameMeshTurnedThere)
+{
+  const double radius = GetParam();
+  test::Random random(test::testSeed(105));
+  const TriangleMesh rough = test::makeIcosphere(3, 0.05);
+  const Quat q(Eigen::AngleAxisd(1.1, Vec3(3, -1, 2).normalized()));
+  const Vec3 shift(0.02, -0.01, 0.03);
+  Stage stage;
+  stage.add(rough, [&](double) { return Pose{ shift, q }; });
+  const auto turned = test::sceneOf(test::shifted(test::rotated(rough, q), shift));
+  const Vec3 start = shift + Vec3(0, 0, 0.1);
+  Actor actor(stage, ball(radius), start);
+  GodObjectState state;
+  static_cast<void>(moveGodObject(*turned, ball(radius), start, state));
+  Vec3 p = start;
+  for (std::size_t i = 0; i < test::testCount(1000); ++i)
+  {
+    p = shift + 0.97 * (p - shift) + random.direction() * 3e-3;
+    const ContactResult a = actor.tick(p), b = moveGodObject(*turned, ball(radius), p, state);
+    ASSERT_LE((a.proxy_W - b.proxy_W).norm(), 1e-9) << "tick " << i;
+  }
+}
+
+TEST_P(MovingSurfaces, ATurntableDragsTheHandWithKineticFrictionAtAnySpeed)
+{
+  const double radius = GetParam(), d = 2e-3, mu_s = 0.5, mu_k = 0.3;
+  for (const double speed : { 0.01, 0.3, 1.0 })
+  {
+    Stage stage;
+    stage.add(plate(106), [&](double t) { return Pose{ { speed * t - 0.1, 0, 0 }, Quat::Identity() }; });
+    ContactPlan plan = ball(radius);
+    plan.friction = { mu_s, mu_k };
+    Actor actor(stage, plan, { 0, 0, 0.01 + radius });
+    const Vec3 p(0, 0, radius - d);
+    bool slips = false;
+    for (int i = 1; i <= 150; ++i)
+    {
+      const Vec3 before = actor.state.x_W;
+      const ContactResult result = actor.tick(p);
+      const Vec3 force = K * (actor.state.x_W - p);
+      if (result.friction == FrictionMotion::Slips && slips)
+      {
+        // Along the motion of the plate, mu_k F_n whatever its speed; the plate never gets work out of it.
+        ASSERT_NEAR(force.x(), mu_k * K * d, 1e-6) << speed << ", tick " << i;
+        ASSERT_NEAR(force.z(), K * d, 1e-9);
+        const double slipOfPlate = speed * T - (actor.state.x_W - before).x();
+        ASSERT_GE(force.x() * slipOfPlate, 0.0);
+      }
+      slips = result.friction == FrictionMotion::Slips;
+    }
+    EXPECT_TRUE(slips) << speed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(PointAndBall, MovingSurfaces, testing::Values(0.0, 1e-3));
+
+} // namespace
+} // namespace palpate
