@@ -18,6 +18,9 @@ std::vector<Experiment> experiments()
       runVelocityEstimators },
     { "transparency", "what each stabiliser costs a hand in drag and impedance, and the stiffness it brings", { 58 },
       runTransparency },
+    { "thin-plate", "a push far beyond a thin plate is held by the side it came from", { 8 }, runThinPlate },
+    { "corners", "concave corners, almost flat valleys and narrow wedges are exact in one tick", { 11, 12, 13 },
+      runCorners },
   };
 }
 

@@ -14,5 +14,7 @@ void runBounce(const Conditions& conditions, Table& table);
 void runLimitCycles(const Conditions& conditions, Table& table);
 void runVelocityEstimators(const Conditions& conditions, Table& table);
 void runTransparency(const Conditions& conditions, Table& table);
+void runThinPlate(const Conditions& conditions, Table& table);
+void runCorners(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "testing/support/Meshes.h"
+
 namespace palpate::test
 {
 namespace
@@ -52,6 +54,16 @@ std::vector<Corner> corners()
     corner("S8 skew trihedral", { { 1, 0, 1 }, { -1, root3, 2 }, { -1, -root3, 2 } }, { 0.5, 0.2, -4 }, { 0, 0, 0 }),
     corner("S9 pit of six planes", pit, { 0.3, 0.1, -2 }, { 0, 0, 0 }),
   };
+}
+
+TriangleMesh meshOf(const Corner& corner, Random& random)
+{
+  TriangleMesh mesh;
+  for (const Vec3& n : corner.normals)
+  {
+    append(mesh, makePlane(n, 0.02, 1 + static_cast<int>(random.below(5)), random));
+  }
+  return mesh;
 }
 
 } // namespace palpate::test

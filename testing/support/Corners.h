@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "haptics/core/Types.h"
+#include "haptics/geometry/TriangleMesh.h"
+#include "testing/support/Random.h"
 
 namespace palpate::test
 {
@@ -24,5 +25,8 @@ struct Corner
 
 /// The nine scenes S1 to S9: floor, corners, wedge, troughs, duplicated floor, skew trihedral, six-plane pit.
 [[nodiscard]] std::vector<Corner> corners();
+
+/// The planes of a corner as tessellated squares of 40 mm: they cross each other outside the free cone.
+[[nodiscard]] TriangleMesh meshOf(const Corner& corner, Random& random);
 
 } // namespace palpate::test

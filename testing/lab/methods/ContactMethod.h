@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/geometry/Scene.h"
+#include "testing/lab/methods/FaceTree.h"
+
+namespace palpate::lab
+{
+
+/// What a method makes of one tick.
+struct MethodTick
+{
+  Vec3 proxy_W = Vec3::Zero();
+  Vec3 force_u = Vec3::Zero(); ///< force per unit of stiffness [u]; proxy - device for a god-object
+};
+
+/// A way to turn a device point into a force, one call a tick.
+class ContactMethod
+{
+public:
+  virtual ~ContactMethod() = default;
+  /// Begins anew in free space.
+  virtual void start(const Vec3& p_W) = 0;
+  [[nodiscard]] virtual MethodTick tick(const Vec3& p_W) = 0;
+};
+
+/// What is touched, as each method wants it.
+struct World
+{
+  explicit World(const TriangleMesh& mesh, double metre_u = 1.0);
+
+  std::shared_ptr<const FaceTree> faces;
+  std::shared_ptr<const Scene> scene;
+  double metre_u; ///< how many scene units a metre has
+};
+
+/// A method by name, and what touches with it.
+struct MethodKind
+{
+  std::string name;
+  double radius_m = 0.0;
+  std::function<std::unique_ptr<ContactMethod>(const World&)> make;
+};
+
+/// Every method: the product's god-object first, as point and as ball, then the textbook's.
+[[nodiscard]] const std::vector<MethodKind>& methods();
+/// The one with this name; throws std::out_of_range.
+[[nodiscard]] const MethodKind& method(const std::string& name);
+
+} // namespace palpate::lab
