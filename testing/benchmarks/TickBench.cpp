@@ -2,14 +2,16 @@
 // palpate-tick-bench: what one exact tick of contact costs, beside a single query of other libraries in the same run.
 #include <chrono>
 #include <cstdio>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "haptics/contact/GodObject.h"
 #include "haptics/geometry/SceneBuilder.h"
+#include "testing/lab/backends/Backend.h"
 #include "testing/support/CostSample.h"
-#include "testing/benchmarks/Reference.h"
 #include "testing/support/NoisySphere.h"
 
 namespace palpate::test
@@ -34,6 +36,13 @@ struct Cost
 struct Way
 {
   Vec3 proxy_W, device_W;
+};
+
+/// A library's answer to one collision query, to compare a tick with.
+struct Reference
+{
+  std::string name;
+  std::unique_ptr<lab::Backend> backend;
 };
 
 Cost costOf(const CostSample& sample)
@@ -80,7 +89,7 @@ Cost tickCost(const Scene& scene, double radius_u, const Vec3& start_W, const st
 }
 
 /// One query a tick: from where the proxy was to where the device is, which is the first thing a tick has to know.
-Cost referenceCost(Reference& reference, const std::vector<Way>& ways)
+Cost referenceCost(const Reference& reference, const std::vector<Way>& ways)
 {
   CostSample sample(ways.size());
   std::size_t met = 0;
@@ -88,7 +97,7 @@ Cost referenceCost(Reference& reference, const std::vector<Way>& ways)
   {
     for (const Way& way : ways)
     {
-      const auto query = [&] { met += reference.meets(way.proxy_W, way.device_W); };
+      const auto query = [&] { met += reference.backend->meets(way.proxy_W, way.device_W); };
       if (timed)
       {
         sample.time(query);
@@ -100,28 +109,33 @@ Cost referenceCost(Reference& reference, const std::vector<Way>& ways)
     }
   }
   const Cost cost = costOf(sample);
-  std::printf("  %-42s p50 %7.2f us  p99 %7.2f us  (met in %.0f %% of the queries)\n", reference.name(), cost.p50_us, cost.p99_us,
+  std::printf("  %-42s p50 %7.2f us  p99 %7.2f us  (met in %.0f %% of the queries)\n", reference.name.c_str(), cost.p50_us, cost.p99_us,
     50.0 * static_cast<double>(met) / static_cast<double>(ways.size()));
   return cost;
 }
 
-std::vector<std::unique_ptr<Reference>> references(const TriangleMesh& mesh)
+/// The libraries that a tick of contact is compared with, CGAL first.
+std::vector<Reference> references(const TriangleMesh& mesh)
 {
-  std::vector<std::unique_ptr<Reference>> all;
-  all.push_back(cgalReference(mesh));
-#ifdef PALPATE_BENCH_VTK
-  all.push_back(vtkReference(mesh));
-#endif
+  std::vector<Reference> all;
+  for (const lab::BackendKind& kind : lab::backendKinds())
+  {
+    const std::string name = kind.name;
+    if (kind.make != nullptr && (name == "cgal" || name == "vtkStaticCellLocator"))
+    {
+      all.push_back({ name + ", one segment", kind.make(mesh) });
+    }
+  }
   return all;
 }
 
 /// Prints what the tick costs in units of each reference; false if it is more than row 54 leaves room for.
-bool reportRatios(double radius_mm, const Cost& tick, const std::vector<std::unique_ptr<Reference>>& others,
+bool reportRatios(double radius_mm, const Cost& tick, const std::vector<Reference>& others,
   const std::vector<Cost>& costs)
 {
   for (std::size_t i = 0; i < others.size(); ++i)
   {
-    std::printf("  tick r = %g mm / %-30s p50 %6.2f      p99 %6.2f\n", radius_mm, others[i]->name(),
+    std::printf("  tick r = %g mm / %-30s p50 %6.2f      p99 %6.2f\n", radius_mm, others[i].name.c_str(),
       tick.p50_us / costs[i].p50_us, tick.p99_us / costs[i].p99_us);
   }
   // Twice the targets of row 54 at 100 000 triangles, 1.5 and 4 us, on a machine whose segment query takes 0.25 us there.
@@ -160,7 +174,7 @@ bool benchmark(std::size_t triangles, const Options& options)
   std::vector<Cost> costs;
   for (const auto& other : others)
   {
-    costs.push_back(referenceCost(*other, ways));
+    costs.push_back(referenceCost(other, ways));
   }
   bool within = true;
   for (std::size_t i = 0; i < ticks.size(); ++i)
