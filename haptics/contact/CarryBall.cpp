@@ -53,17 +53,37 @@ public:
       const std::optional<Holder> met = this->firstMet(to_W);
       if (!met)
       {
-        break;
+        return this->moved(to_W);
       }
       this->add(*met);
       to_W = this->settled(met->kept_W);
     }
+    return this->moved(this->lastResort(to_W));
+  }
+
+private:
+  CarryResult moved(const Vec3& to_W) noexcept
+  {
     this->result_.carried = to_W != this->start_W_;
     this->state_.x_W = to_W;
     return this->result_;
   }
 
-private:
+  /// Many faces at once: a ball that simply stays with one of the surfaces is not passed by that one at least.
+  [[nodiscard]] Vec3 lastResort(const Vec3& settled_W) noexcept
+  {
+    for (int i = 0; i < this->count_; ++i)
+    {
+      const Vec3& kept_W = this->holders_[static_cast<std::size_t>(i)].kept_W;
+      if (!this->firstMet(kept_W))
+      {
+        return kept_W;
+      }
+    }
+    this->result_.pinned = true;
+    return settled_W;
+  }
+
   /// Where the surface was before, or nothing if it was not there or has not moved.
   [[nodiscard]] std::optional<Pose> poseBefore(std::uint32_t surface) const noexcept
   {

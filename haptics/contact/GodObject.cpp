@@ -15,7 +15,6 @@
 #include "haptics/contact/Seat.h"
 #include "haptics/contact/Sweep.h"
 #include "haptics/contact/VertexDescent.h"
-#include "haptics/geometry/ExactPredicates.h"
 
 namespace palpate
 {
@@ -448,8 +447,7 @@ private:
     next.a = s.neighbour(limit.lastFace, limit.successor.a, limit.successor.b);
     if (next.a != SurfaceData::none)
     {
-      const auto& [a, b, c] = s.face(next.a).corner_W;
-      next.side = static_cast<std::int8_t>(orientation(a, b, c, this->x()));
+      next.side = static_cast<std::int8_t>(sideOf(s, next.a, this->x()));
       if (next.side != 0)
       {
         this->contacts_.add(next); // settle() drops it again where it does not hold
@@ -550,6 +548,10 @@ ContactResult moveUnderFriction(const SceneView& scene, const ContactPlan& plan,
   if (verdict.motion != FrictionMotion::Sticks)
   {
     result = Tick(scene, plan, verdict.pulled_W, state, sink).run();
+    if (state.count == 0)
+    {
+      result = Tick(scene, plan, p_W, state, sink).run(); // it left the surface: nothing drags any more
+    }
   }
   result.friction = verdict.motion;
   result.passes += landing.passes;

@@ -2,6 +2,9 @@
 #include "haptics/contact/PosedSurface.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "haptics/geometry/ExactPredicates.h"
 
 namespace palpate
 {
@@ -14,9 +17,13 @@ FaceRecord PosedSurface::face(std::uint32_t triangle) const noexcept
     corner = this->toWorld(corner);
   }
   face.normal_W = this->turned(face.normal_W);
-  constexpr float roundedTwice = 4.0f; // corners and normal are each rounded once more
-  face.sliver *= roundedTwice;
   return face;
+}
+
+int PosedSurface::sideOf(std::uint32_t triangle, const Vec3& x_W) const noexcept
+{
+  const auto& [a, b, c] = this->data_.face(triangle).corner_W;
+  return orientation(a, b, c, this->toSurface(x_W));
 }
 
 Motion PosedSurface::toSurface(const Motion& m) const noexcept
@@ -24,12 +31,15 @@ Motion PosedSurface::toSurface(const Motion& m) const noexcept
   Motion moved = m;
   moved.x_W = this->toSurface(m.x_W);
   moved.e_W = this->toSurface(m.e_W);
-  moved.d = this->turn_WS_.transpose() * m.d;
+  moved.d = moved.e_W - moved.x_W;
+  moved.dd = moved.d.squaredNorm();
+  moved.length = std::sqrt(moved.dd);
   Resolution resolution;
   resolution.include(moved.x_W);
   resolution.include(moved.e_W);
   resolution.include(this->shift_W_);
   moved.tol = m.tol + resolution.tol();
+  moved.magnitude = std::max(m.magnitude, resolution.magnitude);
   return moved;
 }
 

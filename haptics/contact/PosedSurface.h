@@ -5,6 +5,7 @@
 
 #include "haptics/contact/Motion.h"
 #include "haptics/core/Types.h"
+#include "haptics/geometry/ExactPredicates.h"
 #include "haptics/geometry/Scene.h"
 #include "haptics/geometry/SurfaceData.h"
 
@@ -36,6 +37,8 @@ public:
   [[nodiscard]] const SurfaceData& data() const noexcept { return this->data_; }
   [[nodiscard]] FaceRecord face(std::uint32_t triangle) const noexcept;
   [[nodiscard]] Vec3 vertex(std::uint32_t v) const noexcept { return this->toWorld(this->data_.vertex(v)); }
+  /// On which side of a face a point is, exactly, in the surface's own frame.
+  [[nodiscard]] int sideOf(std::uint32_t triangle, const Vec3& x_W) const noexcept;
   [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t t) const noexcept { return this->data_.corners(t); }
   [[nodiscard]] bool hasCorner(std::uint32_t t, std::uint32_t v) const noexcept { return this->data_.hasCorner(t, v); }
   [[nodiscard]] std::uint32_t opposite(std::uint32_t t, std::uint32_t i, std::uint32_t j) const noexcept
@@ -92,6 +95,16 @@ private:
 {
   const Surface& surface = moving.scene().surfaces()[i];
   return { surface.tree->data(), surface.motion.at(moving.share()) };
+}
+
+[[nodiscard]] inline int sideOf(const PosedSurface& s, std::uint32_t triangle, const Vec3& x_W) noexcept
+{
+  return s.sideOf(triangle, x_W);
+}
+[[nodiscard]] inline int sideOf(const SurfaceData& s, std::uint32_t triangle, const Vec3& x_W) noexcept
+{
+  const auto& [a, b, c] = s.face(triangle).corner_W;
+  return orientation(a, b, c, x_W);
 }
 
 /// What a tree is asked with: a surface that stands still is asked as it is.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
-#include <utility>
 
 #include "haptics/contact/DiscFilter.h"
 #include "haptics/contact/Neighbourhood.h"
@@ -27,15 +26,13 @@ bool isTouched(const SweepQuery& query, const ActiveFeature& f) noexcept
     { return a.surface == f.surface && a.kind == f.kind && a.a == f.a && a.b == f.b; });
 }
 
-/// The exact tests of one surface's faces, edges and vertices, and the best hit so far.
-template<class View>
+/// The exact tests of one surface's faces, edges and vertices, and the best hit so far. All in the surface's own frame:
+/// a point is mapped there the same way each time, so that what is proven free stays free.
 class SurfaceSweep
 {
 public:
-  SurfaceSweep(const View& data, std::uint32_t surface, const SweepQuery& query, const Motion& m, SweepHit& best)
+  SurfaceSweep(const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, const Motion& m, SweepHit& best)
     : data_(data)
-    , tree_(dataOf(data))
-    , inTree_(inTree(data, m))
     , surface_(surface)
     , query_(query)
     , m_(m)
@@ -45,12 +42,12 @@ public:
 
   void testLeaf(std::uint32_t index) noexcept
   {
-    const Leaf& leaf = this->tree_.leaves[index];
-    const DiscFilter filter(this->inTree_, leaf.origin_W, leaf.extent);
-    int lanes = filter.touched(this->tree_.discs[2 * index]);
+    const Leaf& leaf = this->data_.leaves[index];
+    const DiscFilter filter(this->m_, leaf.origin_W, leaf.extent);
+    int lanes = filter.touched(this->data_.discs[2 * index]);
     if (leaf.count > 4)
     {
-      lanes |= filter.touched(this->tree_.discs[2 * index + 1]) << 4;
+      lanes |= filter.touched(this->data_.discs[2 * index + 1]) << 4;
     }
     lanes &= (1 << leaf.count) - 1;
     for (; lanes != 0; lanes &= lanes - 1)
@@ -233,9 +230,7 @@ private:
     this->best_.feature = f;
   }
 
-  const View& data_;
-  const SurfaceData& tree_;
-  decltype(inTree(std::declval<const View&>(), std::declval<const Motion&>())) inTree_; ///< a reference where it is m itself
+  const SurfaceData& data_;
   std::uint32_t surface_;
   const SweepQuery& query_;
   const Motion& m_;
@@ -243,13 +238,11 @@ private:
 };
 
 /// Near-first walk of one surface's tree.
-template<class View>
-void sweepSurface(const View& data, std::uint32_t surface, const SweepQuery& query, const Motion& m,
+void sweepSurface(const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, const Motion& m,
   std::uint32_t budget, SweepHit& best) noexcept
 {
   SurfaceSweep sweep(data, surface, query, m, best);
-  const SurfaceData& tree = dataOf(data);
-  walkNearFirst(tree.nodes, { tree.low_W, tree.high_W }, inTree(data, m), budget, best,
+  walkNearFirst(data.nodes, { data.low_W, data.high_W }, m, budget, best,
     [&sweep](std::uint32_t leaf) noexcept { sweep.testLeaf(leaf); });
 }
 
@@ -265,7 +258,8 @@ void sweepList(const SceneView& scene, const Neighbourhood& near, const SweepQue
     {
       const Neighbourhood::Face& face = near.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
       const auto& surface = surfaceOf(scene, face.surface);
-      SurfaceSweep(surface, face.surface, query, m, best).testTriangle(face.triangle);
+      const Motion& inSurface = inTree(surface, m);
+      SurfaceSweep(dataOf(surface), face.surface, query, inSurface, best).testTriangle(face.triangle);
     }
   }
 }
@@ -291,7 +285,11 @@ SweepHit sweepBall(const SceneView& scene, const SweepQuery& query, std::uint32_
     return best;
   }
   const auto sweepOne = [&](std::uint32_t s) noexcept
-  { sweepSurface(surfaceOf(scene, s), s, query, m, budget, best); };
+  {
+    const auto& surface = surfaceOf(scene, s);
+    const Motion& inSurface = inTree(surface, m);
+    sweepSurface(dataOf(surface), s, query, inSurface, budget, best);
+  };
   const Scene& whole = sceneOf(scene);
   if (whole.surfaces().size() == 1)
   {

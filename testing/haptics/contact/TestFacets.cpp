@@ -2,11 +2,11 @@
 // Row 17: what facets do to the force on a sphere of radius 50 mm at 1 mm below the true sphere.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "testing/support/Facets.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
 
@@ -25,50 +25,6 @@ struct FacetCase
   double magnitudePercent;
   double jumpDegrees;
 };
-
-struct Worst
-{
-  Vec3 faceNormal;           ///< of the face nearest to the centre
-  double faceRadius_mm = 1e9;
-  Vec3 edgeMiddle, edgeAcross; ///< of the sharpest edge, and the direction that crosses it
-  double edgeAngle_rad = 0.0;
-};
-
-Vec3 unitNormal(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t)
-{
-  const Vec3& a = mesh.vertices_W[t[0]];
-  const Vec3 n = (mesh.vertices_W[t[1]] - a).cross(mesh.vertices_W[t[2]] - a).normalized();
-  return n.dot(a) < 0 ? Vec3(-n) : n;
-}
-
-Worst worstOf(const TriangleMesh& mesh)
-{
-  Worst worst;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3> firstNormal;
-  for (const auto& t : mesh.triangles)
-  {
-    const Vec3 n = unitNormal(mesh, t);
-    const double distance = n.dot(mesh.vertices_W[t[0]]);
-    if (distance < worst.faceRadius_mm)
-    {
-      worst.faceRadius_mm = distance;
-      worst.faceNormal = n;
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      const std::uint32_t i = t[k], j = t[(k + 1) % 3];
-      const auto [other, isNew] = firstNormal.try_emplace({ std::min(i, j), std::max(i, j) }, n);
-      const double angle = isNew ? 0.0 : std::atan2(n.cross(other->second).norm(), n.dot(other->second));
-      if (angle > worst.edgeAngle_rad)
-      {
-        worst.edgeAngle_rad = angle;
-        worst.edgeMiddle = (mesh.vertices_W[i] + mesh.vertices_W[j]) / 2;
-        worst.edgeAcross = (mesh.vertices_W[j] - mesh.vertices_W[i]).cross(worst.edgeMiddle).normalized();
-      }
-    }
-  }
-  return worst;
-}
 
 class Facets : public ::testing::TestWithParam<FacetCase>
 {
@@ -90,14 +46,14 @@ TEST_P(Facets, RubbingAGreatCircleShowsTheErrorOfTheTable)
     largest = std::max(largest, std::fabs(probe.force(1.0).norm() - depth_mm) / depth_mm);
   }
   // The force is 1 N/mm times depth on the true sphere, short by the sagitta of the face.
-  EXPECT_NEAR(largest, (radius_mm - worstOf(mesh).faceRadius_mm) / depth_mm, 1e-9);
+  EXPECT_NEAR(largest, (radius_mm - worstOf(mesh).faceRadius_u) / depth_mm, 1e-9);
   EXPECT_NEAR(100 * largest, GetParam().magnitudePercent, 0.02 * GetParam().magnitudePercent);
 }
 
 TEST_P(Facets, TheDirectionJumpsByTheAngleBetweenFaces)
 {
   const TriangleMesh mesh = makeIcosphere(GetParam().levels, radius_mm);
-  const Worst worst = worstOf(mesh);
+  const WorstFacets worst = worstOf(mesh);
   const double step_mm = 1e-3;
   Probe probe(sceneOf(mesh), 0.0, 1.2 * worst.edgeMiddle);
   double jump_rad = 0.0;

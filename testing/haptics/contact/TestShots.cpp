@@ -4,65 +4,12 @@
 
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
+#include "testing/support/Shots.h"
 
 namespace palpate::test
 {
 namespace
 {
-
-struct Shot
-{
-  Vec3 from_W, to_W;
-};
-
-/// A flat sheet, or the same with bumps. 60 mm square, cells of 2.5 mm.
-TriangleMesh sheet(bool bumpy, Random& random)
-{
-  TriangleMesh mesh = makeSheet({ 0.06, 0.06, 24, 24, 0.35 }, random);
-  for (Vec3& v : mesh.vertices_W)
-  {
-    v.z() = bumpy ? random.uniform(-1e-3, 1e-3) : 0.0;
-  }
-  return mesh;
-}
-
-/// A point of triangle t: a vertex, a point of an edge or one of the face, each in a third of the cases.
-Vec3 aim(const TriangleMesh& mesh, Random& random)
-{
-  const auto [a, b, c] = mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
-  const double s = random.uniform(), t = random.uniform();
-  switch (random.below(3))
-  {
-    case 0:
-      return mesh.vertices_W[a];
-    case 1:
-      return mesh.vertices_W[a] + s * (mesh.vertices_W[b] - mesh.vertices_W[a]);
-    default:
-      return mesh.vertices_W[a] + s * (1 - t) * (mesh.vertices_W[b] - mesh.vertices_W[a]) +
-        s * t * (mesh.vertices_W[c] - mesh.vertices_W[a]);
-  }
-}
-
-/// Up to 10 mm in one tick of 1 ms, through the aim, from either side, beginning at least `clearance_m` away from the
-/// plane of the sheet; a third of them straight down.
-Shot shot(const TriangleMesh& mesh, double clearance_m, Random& random)
-{
-  const Vec3 target = aim(mesh, random);
-  Vec3 way = Vec3::UnitZ();
-  if (random.below(3) > 0)
-  {
-    do
-    {
-      way = random.direction();
-    } while (std::fabs(way.z()) < 0.35);
-  }
-  if (random.below(2) == 0)
-  {
-    way = -way;
-  }
-  const double before_m = random.uniform(clearance_m, 3.4e-3) / std::fabs(way.z()); // less than 9.8 mm
-  return { target - before_m * way, target + random.uniform(1e-6, 10e-3 - before_m) * way };
-}
 
 class Shots : public ::testing::TestWithParam<std::tuple<bool, double>>
 {
@@ -72,14 +19,14 @@ TEST_P(Shots, NoneCrossesTheSheet)
 {
   const auto [bumpy, r] = GetParam();
   Random random(testSeed(61));
-  const TriangleMesh mesh = sheet(bumpy, random);
+  const TriangleMesh mesh = makeTarget(bumpy, random);
   const auto scene = sceneOf(mesh);
   PathChecker checker(mesh, r, 1e-12); // row 11: positions are exact to 1e-12 m
   std::size_t held = 0;
   const std::size_t count = testCount(20000) / 4; // the four cases together make the count
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Shot way = shot(mesh, r + 1.1e-3, random); // the bumps are 1 mm high
+    const Shot way = makeShot(mesh, r + 1.1e-3, random); // the bumps are 1 mm high
     Probe probe(scene, r, way.from_W, &checker);
     held += probe.to(way.to_W).contacts > 0;
     probe.to(way.to_W + random.inCube(5e-3)); // and a second tick from where it was held

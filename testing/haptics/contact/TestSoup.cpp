@@ -31,14 +31,6 @@ TEST(Soup, ADamagedMeshFeelsBitForBitLikeTheGoodOne)
   }
 }
 
-/// Two tessellated half planes z = 0 with a gap of `gap` between them along the y axis; their vertices do not match.
-TriangleMesh cracked(double gap, Random& random)
-{
-  TriangleMesh mesh = shifted(makeSheet({ 0.04, 0.04, 7, 7, 0.3 }, random), { -0.02 - gap / 2, 0, 0 });
-  append(mesh, shifted(makeSheet({ 0.04, 0.04, 5, 9, 0.3 }, random), { 0.02 + gap / 2, 0, 0 }));
-  return mesh;
-}
-
 TEST(Soup, ABallBridgesAGapAndSinksByItsSagitta)
 {
   const double r = 1e-3;
@@ -46,7 +38,7 @@ TEST(Soup, ABallBridgesAGapAndSinksByItsSagitta)
   for (const double gap : { 1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 1.9e-3 })
   {
     SCOPED_TRACE(gap);
-    const TriangleMesh mesh = cracked(gap, random);
+    const TriangleMesh mesh = makeCracked(gap, random);
     PathChecker checker(mesh, r, 1e-15);
     Probe probe(sceneOf(mesh), r, { -0.01, 0.001, 0.005 }, &checker);
     const double sagitta = r - std::sqrt(r * r - gap * gap / 4);
@@ -64,10 +56,7 @@ TEST(Soup, ABallBridgesAGapAndSinksByItsSagitta)
 
 TEST(Soup, ABallStopsAtAFin)
 {
-  // A plate stands on an inner edge of the floor: its foot has three triangles.
-  const TriangleMesh mesh{ { { -1, -1, 0 }, { 0, -1, 0 }, { 0, 1, 0 }, { -1, 1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { 0, -1, 1 },
-                             { 0, 1, 1 } },
-    { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 4, 5 }, { 1, 5, 2 }, { 1, 2, 6 }, { 2, 7, 6 } } };
+  const TriangleMesh mesh = makeFin();
   for (const double r : { 0.0, 0.1 })
   {
     PathChecker checker(mesh, r, 1e-12);
