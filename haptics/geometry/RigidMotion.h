@@ -12,6 +12,19 @@ struct RigidMotion
   Pose begin_WS;
   Pose end_WS;
 
+  /// False for poses that are not finite or whose quaternion is not a unit one.
+  [[nodiscard]] bool isRigid() const noexcept
+  {
+    for (const Pose* const pose : { &this->begin_WS, &this->end_WS })
+    {
+      const double off = pose->q.coeffs().squaredNorm() - 1.0;
+      if (!pose->p.allFinite() || !(off > -1e-6 && off < 1e-6))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
   [[nodiscard]] bool moves() const noexcept
   {
     return this->begin_WS.p != this->end_WS.p || this->begin_WS.q.coeffs() != this->end_WS.q.coeffs();

@@ -105,11 +105,18 @@ void Recorder::pushScene(std::uint64_t tick, const Scene* scene) noexcept
 
 void Recorder::storeScene(const std::shared_ptr<const Scene>& scene)
 {
-  if (!this->isOpen() || !scene || !this->stored_.insert(scene->contentHash()).second)
+  if (!this->isOpen() || !scene)
   {
     return;
   }
-  this->write(sceneChunk(*scene));
+  if (this->stored_.insert(scene->geometryHash()).second)
+  {
+    this->write(sceneChunk(*scene));
+  }
+  if (scene->moves() && this->stored_.insert(scene->contentHash()).second)
+  {
+    this->write(motionChunk(*scene));
+  }
 }
 
 void Recorder::write(const std::vector<char>& chunk)

@@ -52,10 +52,19 @@ struct RecordedChange
 
 using RecordedEntry = std::variant<TickRecord, RecordedChange>;
 
+/// How the surfaces of a scene move, apart from the meshes, which are stored once.
+struct RecordedMotion
+{
+  std::uint64_t contentHash = 0; ///< of the scene as a whole
+  std::uint64_t geometryHash = 0;
+  double motion_s = 0.0;
+  std::vector<RigidMotion> motions; ///< one a surface
+};
+
 /// A scene as a recording keeps it: the cleaned surfaces it was built from.
 struct RecordedScene
 {
-  std::uint64_t contentHash = 0;
+  std::uint64_t geometryHash = 0;
   std::vector<SurfaceInput> surfaces;
 };
 
@@ -68,6 +77,7 @@ struct Recording
   HapticParameters parameters;
   RendererState initialState;
   std::vector<RecordedScene> scenes; ///< each once; empty when they were left out
+  std::vector<RecordedMotion> motions;
   std::vector<RecordedEntry> entries;
   std::uint64_t lost = 0; ///< ticks the writer could not take: such a recording cannot be recomputed
 };
@@ -88,7 +98,7 @@ struct ReplayResult
 };
 
 /// Computes every tick again and compares force, proxy, contacts and flags bit for bit. Scenes come from the
-/// recording, or from `given` (by content hash) where it left them out. `visit` sees each recomputed tick.
+/// recording, or from `given` (by their meshes' hash) where it left them out. `visit` sees each recomputed tick.
 [[nodiscard]] ReplayResult replay(const Recording& recording,
   const std::vector<std::shared_ptr<const Scene>>& given = {}, unsigned workers = 1,
   const std::function<void(const TickOutput&)>& visit = {});

@@ -174,7 +174,7 @@ RecordedChange readChange(ByteReader& in)
 RecordedScene readScene(ByteReader& in)
 {
   RecordedScene scene;
-  in.get(scene.contentHash);
+  in.get(scene.geometryHash);
   const std::uint64_t surfaces = in.count(1);
   for (std::uint64_t s = 0; s < surfaces && in.ok(); ++s)
   {
@@ -199,6 +199,21 @@ RecordedScene readScene(ByteReader& in)
     scene.surfaces.push_back(std::move(input));
   }
   return scene;
+}
+
+RecordedMotion readMotion(ByteReader& in)
+{
+  RecordedMotion motion;
+  in.get(motion.contentHash);
+  in.get(motion.geometryHash);
+  in.get(motion.motion_s);
+  motion.motions.resize(in.count(2 * 7 * sizeof(double)));
+  for (RigidMotion& m : motion.motions)
+  {
+    in.get(m.begin_WS);
+    in.get(m.end_WS);
+  }
+  return motion;
 }
 
 /// Features and history of an untrusted state must not be used as indices; a recording starts without them.
@@ -236,6 +251,9 @@ std::string readChunks(ByteReader& in, Recording& recording)
         break;
       case ChunkType::Scene:
         recording.scenes.push_back(readScene(payload));
+        break;
+      case ChunkType::Motion:
+        recording.motions.push_back(readMotion(payload));
         break;
       case ChunkType::End:
         payload.get(recording.lost);
@@ -311,7 +329,7 @@ std::vector<char> changeChunk(const RecordedChange& change)
 std::vector<char> sceneChunk(const Scene& scene)
 {
   ByteWriter payload;
-  payload.put(scene.contentHash());
+  payload.put(scene.geometryHash());
   payload.put(static_cast<std::uint64_t>(scene.surfaces().size()));
   for (const Surface& surface : scene.surfaces())
   {
@@ -333,6 +351,21 @@ std::vector<char> sceneChunk(const Scene& scene)
     }
   }
   return chunk(ChunkType::Scene, payload);
+}
+
+std::vector<char> motionChunk(const Scene& scene)
+{
+  ByteWriter payload;
+  payload.put(scene.contentHash());
+  payload.put(scene.geometryHash());
+  payload.put(scene.motion_s());
+  payload.put(static_cast<std::uint64_t>(scene.surfaces().size()));
+  for (const Surface& surface : scene.surfaces())
+  {
+    payload.put(surface.motion.begin_WS);
+    payload.put(surface.motion.end_WS);
+  }
+  return chunk(ChunkType::Motion, payload);
 }
 
 std::vector<char> endChunk(std::uint64_t lost)

@@ -17,13 +17,17 @@ enum class ChunkType : std::uint32_t
   Change = 2,
   Scene = 3,
   End = 4,
+  Motion = 5,
 };
 
 [[nodiscard]] std::string recordingHeader(
   const std::string& device, const HapticParameters& parameters, const RendererState& state);
 [[nodiscard]] std::vector<char> tickChunk(const TickRecord& record);
 [[nodiscard]] std::vector<char> changeChunk(const RecordedChange& change);
+/// The meshes of a scene, wherever its surfaces are.
 [[nodiscard]] std::vector<char> sceneChunk(const Scene& scene);
+/// Where the surfaces of a scene that moves are, by the hash of its meshes.
+[[nodiscard]] std::vector<char> motionChunk(const Scene& scene);
 [[nodiscard]] std::vector<char> endChunk(std::uint64_t lost);
 
 } // namespace palpate

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <map>
@@ -59,15 +60,19 @@ public:
     SceneBuilder builder(workers);
     for (const auto& scene : given)
     {
-      this->scenes_[scene->contentHash()] = scene;
+      this->scenes_[scene->geometryHash()] = scene;
     }
     for (const RecordedScene& recorded : recording.scenes)
     {
       const auto scene = builder.build(recorded.surfaces).scene;
-      if (scene && scene->contentHash() == recorded.contentHash)
+      if (scene && scene->geometryHash() == recorded.geometryHash)
       {
-        this->scenes_[recorded.contentHash] = scene;
+        this->scenes_[recorded.geometryHash] = scene;
       }
+    }
+    for (const RecordedMotion& motion : recording.motions)
+    {
+      this->addMoving(motion);
     }
   }
 
@@ -112,6 +117,28 @@ private:
     }
   }
 
+  /// The meshes are there already: only where they are is new.
+  void addMoving(const RecordedMotion& recorded)
+  {
+    const auto still = this->scenes_.find(recorded.geometryHash);
+    if (still == this->scenes_.end() || still->second->surfaces().size() != recorded.motions.size() ||
+        !std::all_of(
+          recorded.motions.begin(), recorded.motions.end(), [](const RigidMotion& m) { return m.isRigid(); }))
+    {
+      return;
+    }
+    std::vector<Surface> surfaces = still->second->surfaces();
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+    {
+      surfaces[i].motion = recorded.motions[i];
+    }
+    auto scene = std::make_shared<const Scene>(0, std::move(surfaces), recorded.motion_s);
+    if (scene->contentHash() == recorded.contentHash)
+    {
+      this->scenes_[recorded.contentHash] = std::move(scene);
+    }
+  }
+
   void takeScene(const RecordedChange& change)
   {
     this->previous_ = this->scene_;
@@ -126,7 +153,8 @@ private:
       this->result_.problem = "its scenes were left out or do not match: give the files they came from with --scene";
       return;
     }
-    this->scene_ = std::make_shared<const Scene>(change.sceneRevision, found->second->surfaces());
+    this->scene_ = std::make_shared<const Scene>(
+      change.sceneRevision, found->second->surfaces(), found->second->motion_s());
   }
 
   void compute(const TickRecord& record, const std::function<void(const TickOutput&)>& visit)

@@ -124,6 +124,57 @@ TEST(Recording, WithSceneSwapsReplaysBitForBitWithOneTwoAndFourBuilders)
   }
 }
 
+/// The same hand over a ball that swings and turns under it: a new snapshot of its pose every 16 ticks.
+void recordMoving(const std::string& path, int ticks, double radius_u)
+{
+  constexpr int ticksPerSnapshot = 16;
+  const auto still = SceneBuilder().build(threeSurfaces(3)).scene;
+  const auto poseAt = [](double t)
+  { return Pose{ { 0.01 * std::sin(9 * t), 0, 0.004 * std::sin(21 * t) }, Quat(Eigen::AngleAxisd(t, Vec3::UnitX())) }; };
+  HapticSession session;
+  HapticParameters parameters;
+  parameters.contact.radius_u = radius_u;
+  parameters.contact.friction = { 0.4, 0.3 };
+  ASSERT_EQ(session.setParameters(parameters), "");
+  SessionOptions options;
+  options.virtualTime = true;
+  options.recordFile = path;
+  ASSERT_EQ(session.start(std::make_unique<FedDevice>(), options), "");
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    const double s = 1e-3 * tick;
+    if (tick % ticksPerSnapshot == 0)
+    {
+      std::vector<Surface> surfaces = still->surfaces();
+      const double period_s = 1e-3 * ticksPerSnapshot;
+      surfaces[1].motion = { poseAt(s), poseAt(s + period_s) };
+      session.setScene(std::make_shared<const Scene>(1 + tick, std::move(surfaces), period_s));
+    }
+    DeviceSample sample;
+    sample.pose_D.p = tick == 0 ? Vec3(0.08, 0, 0.09) : Vec3(0.08 + 0.01 * std::sin(3 * s), 0, 0.046);
+    static_cast<FedDevice*>(session.device())->feed(sample);
+    ASSERT_EQ(session.step(1), 1);
+  }
+  EXPECT_GT(session.report().contactTicks, static_cast<std::uint64_t>(ticks) / 2);
+  EXPECT_EQ(session.stop(), "");
+}
+
+TEST(Recording, OfSurfacesThatMoveStoresTheirMeshesOnceAndReplaysBitForBit)
+{
+  for (const double radius : { 0.0, 0.001 })
+  {
+    const TemporaryFile file("moving");
+    recordMoving(file.path, 1600, radius);
+    const Recording recording = readGood(file.path);
+    EXPECT_EQ(recording.scenes.size(), 1U);
+    EXPECT_EQ(recording.motions.size(), 100U);
+    const ReplayResult result = replay(recording);
+    EXPECT_EQ(result.problem, "");
+    EXPECT_EQ(result.difference, "");
+    EXPECT_EQ(result.ticks, 1600U);
+  }
+}
+
 TEST(Recording, ReplayNamesTheFirstTickThatDiffers)
 {
   const TemporaryFile file("tampered");
