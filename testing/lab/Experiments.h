@@ -15,6 +15,14 @@ void runLimitCycles(const Conditions& conditions, Table& table);
 void runVelocityEstimators(const Conditions& conditions, Table& table);
 void runTransparency(const Conditions& conditions, Table& table);
 void runThinPlate(const Conditions& conditions, Table& table);
+void runTunnelling(const Conditions& conditions, Table& table);
+void runConvexEdge(const Conditions& conditions, Table& table);
 void runCorners(const Conditions& conditions, Table& table);
+void runTessellatedPlane(const Conditions& conditions, Table& table);
+void runSoup(const Conditions& conditions, Table& table);
+void runScale(const Conditions& conditions, Table& table);
+void runFacets(const Conditions& conditions, Table& table);
+void runGroove(const Conditions& conditions, Table& table);
+void runQueries(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab
