@@ -121,6 +121,19 @@ TriangleMesh makeGroove(double halfAngle_rad, double size_u)
   return groove;
 }
 
+TriangleMesh makeCracked(double gap_m, Random& random)
+{
+  TriangleMesh mesh = shifted(makeSheet({ 0.04, 0.04, 7, 7, 0.3 }, random), { -0.02 - gap_m / 2, 0, 0 });
+  append(mesh, shifted(makeSheet({ 0.04, 0.04, 5, 9, 0.3 }, random), { 0.02 + gap_m / 2, 0, 0 }));
+  return mesh;
+}
+
+TriangleMesh makeFin()
+{
+  return { { { -1, -1, 0 }, { 0, -1, 0 }, { 0, 1, 0 }, { -1, 1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { 0, -1, 1 }, { 0, 1, 1 } },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 4, 5 }, { 1, 5, 2 }, { 1, 2, 6 }, { 2, 7, 6 } } };
+}
+
 TriangleMesh makeSoup(std::size_t count, double half_u, Random& random)
 {
   TriangleMesh soup;
