@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/simulated/SimulatedHand.h"
+#include "devices/simulated/SimulatedDevice.h"
 #include "haptics/core/HapticDevice.h"
 
 namespace palpate
@@ -14,8 +14,10 @@ namespace palpate
 /// What a device may need to be made; each kind takes its own part.
 struct DeviceOptions
 {
-  HandPath stroke;           ///< simulated hands
-  std::string recordingFile; ///< replay
+  HandPath stroke;             ///< simulated devices
+  std::string hand = "stylus"; ///< who holds them: none, light, stylus, firm
+  int delay_ticks = 0;         ///< of a simulated link
+  std::string recordingFile;   ///< replay
   double period_s = 1e-3;
 };
 

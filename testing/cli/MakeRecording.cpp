@@ -4,7 +4,7 @@
 #include <iostream>
 #include <memory>
 
-#include "devices/simulated/SimulatedHand.h"
+#include "devices/simulated/SimulatedDevice.h"
 #include "haptics/geometry/SceneBuilder.h"
 #include "haptics/session/HapticSession.h"
 
@@ -30,7 +30,7 @@ std::string record(const std::string& file)
   SessionOptions options;
   options.virtualTime = true;
   options.recordFile = file;
-  std::string problem = session.start(std::make_unique<SimulatedHand>(genericHand(), path), options);
+  std::string problem = session.start(std::make_unique<SimulatedDevice>(*deviceModel("simulated-generic"), *handModel("stylus"), path), options);
   if (!problem.empty())
   {
     return problem;

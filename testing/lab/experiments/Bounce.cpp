@@ -29,8 +29,8 @@ Throw bounce(const FreeDevice& thrown, const HapticParameters& parameters, doubl
   FreeDevice start = thrown;
   start.z_m = speed * T * phase;
   start.speed_m_per_s = -speed;
-  const auto observed = makeFree(start, T);
-  WallRig rig(observed->device(), { T, parameters });
+  const auto device = makeFree(start, T);
+  WallRig rig(*device, { T, parameters });
   Throw result;
   int freeTicks = 0;
   bool touched = false;
@@ -41,7 +41,7 @@ Throw bounce(const FreeDevice& thrown, const HapticParameters& parameters, doubl
     result.peakForce_N = std::max(result.peakForce_N, state.force_D.norm());
     touched = touched || state.contacts > 0;
     freeTicks = state.contacts > 0 ? 0 : freeTicks + 1;
-    const double v = observed->speed_m_per_s();
+    const double v = device->speed_D().z();
     result.energyRatio = v * v / (speed * speed);
   }
   return result;
@@ -69,8 +69,8 @@ Throws overPhases(const FreeDevice& thrown, const HapticParameters& parameters, 
 void judgeFormula(double K, int delay, int phases, Table& table)
 {
   FreeDevice thrown;
-  thrown.mass_kg = mass_kg;
-  thrown.damping_Ns_per_m = 0.0;
+  thrown.model.mass_kg = mass_kg;
+  thrown.model.damping_Ns_per_m = 0.0;
   thrown.delay_ticks = delay;
   const double wT = std::sqrt(K / mass_kg) * T;
   const double formula = std::exp(std::numbers::pi * wT * (0.5 + delay));
@@ -84,8 +84,8 @@ void judgeFormula(double K, int delay, int phases, Table& table)
 void judgeController(double K, double damping, int phases, Table& table)
 {
   FreeDevice thrown;
-  thrown.mass_kg = mass_kg;
-  thrown.damping_Ns_per_m = damping;
+  thrown.model.mass_kg = mass_kg;
+  thrown.model.damping_Ns_per_m = damping;
   const std::string name = caseName({ { "stiffness", K }, { "damping", damping }, { "delay", 0 } });
   const Throws held = overPhases(thrown, plainSpring(K), phases);
   const Throws passive = overPhases(thrown, passiveSpring(K), phases);

@@ -35,21 +35,21 @@ bool onTheEdge(double damping, double friction)
 double tail(double damping, double friction, const HapticParameters& parameters)
 {
   FreeDevice pushed;
-  pushed.mass_kg = mass_kg;
-  pushed.damping_Ns_per_m = damping * K * T;
-  pushed.friction_N = friction * K * D;
-  pushed.encoderStep_m = D;
+  pushed.model.mass_kg = mass_kg;
+  pushed.model.damping_Ns_per_m = damping * K * T;
+  pushed.model.friction_N = friction * K * D;
+  pushed.model.encoderStep_m = D;
   pushed.push_N = push_N;
   pushed.z_m = 2e-3;
   pushed.speed_m_per_s = -0.05;
-  const auto observed = makeFree(pushed, T);
-  WallRig rig(observed->device(), { T, parameters });
+  const auto device = makeFree(pushed, T);
+  WallRig rig(*device, { T, parameters });
   const int ticks = static_cast<int>(watch_s / T);
   double low = 1e9, high = -1e9;
   for (int tick = 0; tick < ticks; ++tick)
   {
     rig.tick();
-    const double z = observed->z_m();
+    const double z = device->position_D().z();
     if (!(z > -1.0 && z < 1.0))
     {
       return 2.0 / D;

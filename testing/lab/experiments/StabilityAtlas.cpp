@@ -9,7 +9,6 @@
 #include "haptics/force/StabilityLimits.h"
 #include "testing/lab/Experiments.h"
 #include "testing/lab/simulation/CriticalStiffness.h"
-#include "testing/lab/simulation/DeviceTable.h"
 
 namespace palpate::lab
 {
@@ -38,8 +37,8 @@ const std::vector<Chain>& chains()
 SampledWall theoryOf(const Chain& chain, const FreeDevice& device, double T)
 {
   SampledWall wall;
-  wall.mass_kg = device.mass_kg;
-  wall.damping_Ns_per_m = device.damping_Ns_per_m;
+  wall.mass_kg = device.model.mass_kg;
+  wall.damping_Ns_per_m = device.model.damping_Ns_per_m;
   wall.period_s = T;
   wall.delay_ticks = device.delay_ticks;
   wall.virtualDamping_Ns_per_m = chain.virtualDamping;
@@ -78,24 +77,24 @@ void judgeLinear(const std::string& name, const Chain& chain, FreeDevice device,
     table.within(subject, found, theory, std::max(0.01 * theory, 2.0));
   }
   const double passive =
-    std::max(0.0, device.damping_Ns_per_m - chain.virtualDamping) / ((0.5 + device.delay_ticks) * T);
+    std::max(0.0, device.model.damping_Ns_per_m - chain.virtualDamping) / ((0.5 + device.delay_ticks) * T);
   table.info({ name, chain.name, "K_passive", "N/m" }, std::min(passive, stiffest_N_per_m));
 }
 
 /// Released 2 mm above the wall and pushed on with 1 N for 4 s: does it come to rest within three encoder steps?
-bool rests(const Chain& chain, FreeDevice device, double K)
+bool rests(const Chain& chain, FreeDevice released, double K)
 {
-  device.push_N = 1.0 + device.friction_N; // what moves it is 1 N whatever its friction
-  device.z_m = 2e-3;
-  device.speed_m_per_s = -0.05;
-  const auto observed = makeFree(device, period_s);
-  WallRig rig(observed->device(), { period_s, chain.parameters(K, device.delay_ticks), {} });
+  released.push_N = 1.0 + released.model.friction_N; // what moves it is 1 N whatever its friction
+  released.z_m = 2e-3;
+  released.speed_m_per_s = -0.05;
+  const auto device = makeFree(released, period_s);
+  WallRig rig(*device, { period_s, chain.parameters(K, released.delay_ticks), {} });
   constexpr int ticks = 4000, tail = 2800;
   double low = 1e9, high = -1e9;
   for (int tick = 0; tick < ticks; ++tick)
   {
     rig.tick();
-    const double z = observed->z_m();
+    const double z = device->position_D().z();
     if (!(std::abs(z) < 1.0))
     {
       return false;
@@ -104,7 +103,7 @@ bool rests(const Chain& chain, FreeDevice device, double K)
     high = tick >= tail ? std::max(high, z) : high;
   }
   const double exactPositions_m = 1e-6;
-  return high - low <= std::max(3.0 * device.encoderStep_m, exactPositions_m);
+  return high - low <= std::max(3.0 * released.model.encoderStep_m, exactPositions_m);
 }
 
 /// Upper end of the stiffnesses from 20 N/m on that come to rest, to 2 %.
@@ -137,9 +136,9 @@ double stiffestAtRest(const Chain& chain, const FreeDevice& device)
 void judgeRest(const std::string& name, const Chain& chain, const FreeDevice& device, Table& table)
 {
   const double found = stiffestAtRest(chain, device);
-  const double byDamping = 2 * std::max(0.0, device.damping_Ns_per_m - chain.virtualDamping) / period_s;
+  const double byDamping = 2 * std::max(0.0, device.model.damping_Ns_per_m - chain.virtualDamping) / period_s;
   const double passive =
-    device.encoderStep_m > 0.0 ? std::min(byDamping, 2 * device.friction_N / device.encoderStep_m) : byDamping;
+    device.model.encoderStep_m > 0.0 ? std::min(byDamping, 2 * device.model.friction_N / device.model.encoderStep_m) : byDamping;
   const double bound = std::min(passive, stiffest_N_per_m);
   table.atLeast({ name, chain.name, "K_max", "N/m" }, found, 0.98 * bound);
   table.info({ name, chain.name, "K_passive", "N/m" }, bound);
@@ -167,7 +166,7 @@ void varyLinear(Table& table)
     for (const double damping : { 0.05, 0.2, 0.5, 1.0, 2.0, 5.0 })
     {
       FreeDevice device;
-      device.damping_Ns_per_m = damping;
+      device.model.damping_Ns_per_m = damping;
       judgeLinear(varied("damping", damping), chain, device, period_s, table);
     }
   }
@@ -180,15 +179,15 @@ void varyEncoderAndFriction(Table& table)
     for (const double step_um : { 5.0, 10.0, 20.0, 50.0, 100.0, 200.0 })
     {
       FreeDevice device;
-      device.friction_N = 0.05;
-      device.encoderStep_m = 1e-6 * step_um;
+      device.model.friction_N = 0.05;
+      device.model.encoderStep_m = 1e-6 * step_um;
       judgeRest(varied("quantisation", step_um), chain, device, table);
     }
     for (const double friction : { 0.0, 0.02, 0.05, 0.1, 0.2, 0.4 })
     {
       FreeDevice device;
-      device.friction_N = friction;
-      device.encoderStep_m = 50e-6;
+      device.model.friction_N = friction;
+      device.model.encoderStep_m = 50e-6;
       judgeRest(varied("friction", friction), chain, device, table);
     }
   }
@@ -197,13 +196,13 @@ void varyEncoderAndFriction(Table& table)
 /// The devices as they are, and the limit the product gives them.
 void everyDevice(Table& table)
 {
-  for (const TableDevice& device : tableDevices())
+  for (const DeviceModel& device : deviceModels())
   {
     const std::string name = "device=" + device.id + " vary=device x=0";
     for (const Chain& chain : chains())
     {
-      const bool exact = device.model.encoderStep_m == 0.0 && device.model.friction_N == 0.0;
-      exact ? judgeLinear(name, chain, device.model, period_s, table) : judgeRest(name, chain, device.model, table);
+      const bool exact = device.encoderStep_m == 0.0 && device.friction_N == 0.0;
+      exact ? judgeLinear(name, chain, FreeDevice{ device }, period_s, table) : judgeRest(name, chain, FreeDevice{ device }, table);
     }
   }
 }

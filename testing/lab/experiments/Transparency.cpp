@@ -9,7 +9,6 @@
 #include "devices/FedDevice.h"
 #include "testing/lab/Experiments.h"
 #include "testing/lab/simulation/CriticalStiffness.h"
-#include "testing/lab/simulation/DeviceTable.h"
 #include "testing/lab/simulation/Stabilisers.h"
 
 namespace palpate::lab
@@ -65,17 +64,17 @@ Response moveSine(const WallSetup& setup, double middle_m, double amplitude_m, i
 }
 
 /// In free air at 0.1 m/s; the encoder's steps make the velocity jump, not the product's force.
-void judgeDrag(const Stabiliser& s, const TableDevice& device, int ticks, Table& table)
+void judgeDrag(const Stabiliser& s, const DeviceModel& device, int ticks, Table& table)
 {
   const Subject subject{ "device=" + device.id + " " + caseName({ { "frequency", 1.0 / (ticks * T) } }), s.name, "drag",
     "N" };
   const double amplitude = hand_m_per_s / omegaOf(ticks);
-  const double drag = moveSine(s.setup(1000.0, T), 2.0 * amplitude + 0.01, amplitude, ticks, device.model.encoderStep_m).peak_N;
+  const double drag = moveSine(s.setup(1000.0, T), 2.0 * amplitude + 0.01, amplitude, ticks, device.encoderStep_m).peak_N;
   const double truth = s.viscosity_Ns_per_m * hand_m_per_s;
   if (truth > 0.0)
   {
     // A backward difference of whole steps is off by up to one step a tick.
-    const double grain = s.viscosity_Ns_per_m * device.model.encoderStep_m / T;
+    const double grain = s.viscosity_Ns_per_m * device.encoderStep_m / T;
     table.within(subject, drag, truth, grain + 0.01 * truth);
   }
   else
@@ -84,9 +83,9 @@ void judgeDrag(const Stabiliser& s, const TableDevice& device, int ticks, Table&
   }
 }
 
-void judgeImpedance(const Stabiliser& s, const TableDevice& device, int ticks, Table& table)
+void judgeImpedance(const Stabiliser& s, const DeviceModel& device, int ticks, Table& table)
 {
-  const double K = std::min(500.0, device.model.maxStiffness_N_per_m);
+  const double K = std::min(500.0, device.maxStiffness_N_per_m);
   const double frequency = 1.0 / (ticks * T);
   const std::string name = "device=" + device.id + " " + caseName({ { "frequency", frequency } });
   const auto error = [&](std::complex<double> response) { return std::abs(response - 1.0); };
@@ -101,9 +100,9 @@ void judgeImpedance(const Stabiliser& s, const TableDevice& device, int ticks, T
 }
 
 /// What it brings: the stiffest wall nobody holds, friction and encoder left out.
-void judgeStiffness(const Stabiliser& s, const TableDevice& device, double plain, Table& table)
+void judgeStiffness(const Stabiliser& s, const DeviceModel& device, double plain, Table& table)
 {
-  FreeDevice pressed = device.model.linear();
+  FreeDevice pressed = FreeDevice{ device }.linear();
   pressed.push_N = 1.0;
   const double found =
     measuredCriticalStiffness(pressed, [&s](double K) { return s.setup(K, T); });
@@ -120,16 +119,16 @@ void judgeStiffness(const Stabiliser& s, const TableDevice& device, double plain
 
 void runTransparency(const Conditions& conditions, Table& table)
 {
-  const auto devices = tableDevices();
+  const auto& devices = deviceModels();
   const std::size_t many = conditions.pick<std::size_t>(2, devices.size(), devices.size());
   std::size_t done = 0;
-  for (const TableDevice& device : devices)
+  for (const DeviceModel& device : devices)
   {
     if (done == many)
     {
       break;
     }
-    FreeDevice pressed = device.model.linear();
+    FreeDevice pressed = FreeDevice{ device }.linear();
     pressed.push_N = 1.0;
     const double plain =
       measuredCriticalStiffness(pressed, [](double K) { return WallSetup{ T, plainSpring(K), {} }; });

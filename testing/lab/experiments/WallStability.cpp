@@ -42,8 +42,8 @@ const std::vector<Listed>& byDevice()
 double measured(const Listed& wall)
 {
   FreeDevice device;
-  device.mass_kg = wall.mass_kg;
-  device.damping_Ns_per_m = wall.damping;
+  device.model.mass_kg = wall.mass_kg;
+  device.model.damping_Ns_per_m = wall.damping;
   device.delay_ticks = wall.delay_ticks;
   device.push_N = 1.0;
   return measuredCriticalStiffness(device,

@@ -35,9 +35,9 @@ bool grows(const FreeDevice& pressed, const WallSetup& setup)
   FreeDevice start = pressed;
   start.z_m = 0.99 * rest_m;
   start.speed_m_per_s = 0.0;
-  const auto observed = makeFree(start, setup.period_s);
-  WallRig rig(observed->device(), setup);
-  const Watch watch = watchFor(pressed.mass_kg, setup);
+  const auto device = makeFree(start, setup.period_s);
+  WallRig rig(*device, setup);
+  const Watch watch = watchFor(pressed.model.mass_kg, setup);
   const int last = watch.settle + 2 * watch.stretch + watch.between;
   double early = 0.0, late = 0.0, before_m = start.z_m;
   for (int tick = 0; tick < last; ++tick)
@@ -49,7 +49,7 @@ bool grows(const FreeDevice& pressed, const WallSetup& setup)
     {
       return true; // out of the wall, or as deep again
     }
-    const double energy = K * off_m * off_m + pressed.mass_kg * speed * speed;
+    const double energy = K * off_m * off_m + pressed.model.mass_kg * speed * speed;
     if (tick >= watch.settle && tick < watch.settle + watch.stretch)
     {
       early += energy;

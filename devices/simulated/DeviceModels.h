@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "haptics/core/DeviceInfo.h"
+
+namespace palpate
+{
+
+/// A device's moving part, the same along every axis. A fixture for tests and for people without hardware: real
+/// devices differ from axis to axis and pose to pose.
+struct DeviceModel
+{
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+  std::string id;   ///< D0 .. D6
+  std::string name; ///< the name the factory knows
+  std::string what; ///< one line for a person
+  double mass_kg = 0.1;
+  double damping_Ns_per_m = 0.0;
+  double friction_N = 0.0;      ///< Coulomb
+  double encoderStep_m = 0.0;   ///< 0: exact positions
+  double maxForce_N = unlimited;
+  double maxStiffness_N_per_m = unlimited;
+  double maxDamping_Ns_per_m = unlimited;
+  double workspaceRadius_m = 0.1;
+  double travel_m = unlimited; ///< stops at +- this along each axis
+  bool planar = false;         ///< moves in x and y only
+};
+
+/// D0 ideal, D1 generic, D2 touch, D3 premium, D4 falcon, D5 omega, D6 joystick. Largest force, stiffness and damping are
+/// what open toolkits list for such devices; masses, dampings, friction and steps are typical of the literature, those
+/// of the joystick assumed.
+[[nodiscard]] const std::vector<DeviceModel>& deviceModels();
+
+/// What the device says about itself.
+[[nodiscard]] DeviceInfo infoOf(const DeviceModel& model);
+
+/// A hand that holds it: a spring, a damper and a mass to where the hand is led.
+struct HandModel
+{
+  std::string name;
+  double stiffness_N_per_m = 0.0;
+  double damping_Ns_per_m = 0.0;
+  double mass_kg = 0.0;
+};
+
+/// H0 none, H1 light, H2 stylus, H3 firm (the range of a fingertip's spring and damper: Hajian & Howe 1997).
+[[nodiscard]] const std::vector<HandModel>& handModels();
+
+/// By name, or null.
+[[nodiscard]] const DeviceModel* deviceModel(const std::string& name);
+[[nodiscard]] const HandModel* handModel(const std::string& name);
+
+} // namespace palpate

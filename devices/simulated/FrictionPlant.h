@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "haptics/force/LinearPlant.h"
+
+namespace palpate
+{
+
+/// m x'' + b x' + k x + c sgn(x') = u along one axis, u held over each period. Exact between reversals: the moment at
+/// which the speed passes zero is found by halving the exact step, to 2^-20 of a millisecond; there friction holds
+/// what pulls less than c, and never turns a motion round by itself.
+class FrictionPlant
+{
+public:
+  FrictionPlant(double mass_kg, double damping_Ns_per_m, double stiffness_N_per_m, double friction_N, double period_s);
+
+  struct State
+  {
+    double x_m = 0.0;
+    double v_m_per_s = 0.0;
+  };
+
+  /// One period under force u [N]. Real-time safe.
+  void step(State& s, double u_N) const noexcept;
+
+private:
+  void stepPart(State& s, double u_N) const noexcept;
+  [[nodiscard]] static State after(const LinearPlant& plant, const State& s, double u_N) noexcept;
+  /// Moves on under friction that way until the speed passes zero or the part ends; true when it ends.
+  [[nodiscard]] bool slide(State& s, double u_N, double way, long& left) const noexcept;
+
+  double stiffness_N_per_m_;
+  double friction_N_;
+  int parts_;                        ///< of a period: each too short for a speed to pass zero twice
+  LinearPlant whole_;                ///< the period at once, for no friction
+  std::vector<LinearPlant> halvings_; ///< a part, half of it, a quarter, ...
+};
+
+} // namespace palpate

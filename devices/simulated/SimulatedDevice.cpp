@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/simulated/SimulatedDevice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace palpate
+{
+
+SimulatedDevice::SimulatedDevice(DeviceModel model, HandModel hand, HandPath path, const SimulationOptions& options)
+  : info_(infoOf(model)), model_(std::move(model)), hand_(std::move(hand)), path_(std::move(path)), options_(options),
+    plant_(model_.mass_kg + hand_.mass_kg, model_.damping_Ns_per_m + hand_.damping_Ns_per_m, hand_.stiffness_N_per_m,
+      model_.friction_N, options.period_s)
+{
+}
+
+std::string SimulatedDevice::refusal() const
+{
+  if (this->path_.points_D.empty())
+  {
+    return "the simulated hand has nowhere to go: give it a stroke with at least one point";
+  }
+  if (!std::all_of(
+        this->path_.points_D.begin(), this->path_.points_D.end(), [](const Vec3& p) { return p.allFinite(); }))
+  {
+    return "the simulated hand's stroke has a point that is not finite";
+  }
+  if (!(this->path_.speed_m_per_s > 0.0))
+  {
+    return "the simulated hand's speed [m/s] must be above zero";
+  }
+  if (!(this->options_.period_s > 0.0))
+  {
+    return "the simulated device's period [s] must be above zero";
+  }
+  if (this->options_.delay_ticks < 0 || this->options_.delay_ticks > SimulationOptions::longestDelay_ticks)
+  {
+    return "the simulated device's delay must be 0 to 16 ticks";
+  }
+  return {};
+}
+
+std::string SimulatedDevice::open()
+{
+  std::string problem = this->refusal();
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  this->reached_m_.assign(1, 0.0);
+  for (std::size_t i = 1; i < this->path_.points_D.size(); ++i)
+  {
+    this->reached_m_.push_back(
+      this->reached_m_.back() + (this->path_.points_D[i] - this->path_.points_D[i - 1]).norm());
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->axes_[static_cast<std::size_t>(axis)] = { this->path_.points_D.front()[axis],
+      this->options_.velocity_D[axis] };
+  }
+  if (this->model_.planar)
+  {
+    this->axes_[2] = {};
+  }
+  this->commands_.fill(Vec3::Zero());
+  this->time_s_ = 0.0;
+  return {};
+}
+
+Vec3 SimulatedDevice::target(double time_s) const noexcept
+{
+  const double length = this->reached_m_.back();
+  double along = this->path_.speed_m_per_s * time_s;
+  if (this->path_.loops && length > 0.0)
+  {
+    const double turns = along / (2 * length);
+    along = (turns - static_cast<double>(static_cast<std::int64_t>(turns))) * 2 * length;
+    along = along > length ? 2 * length - along : along;
+  }
+  const auto next = std::upper_bound(this->reached_m_.begin(), this->reached_m_.end(), along);
+  if (next == this->reached_m_.end())
+  {
+    return this->path_.points_D.back();
+  }
+  const auto i = static_cast<std::size_t>(next - this->reached_m_.begin());
+  const double share = (along - this->reached_m_[i - 1]) / (this->reached_m_[i] - this->reached_m_[i - 1]);
+  return this->path_.points_D[i - 1] + share * (this->path_.points_D[i] - this->path_.points_D[i - 1]);
+}
+
+void SimulatedDevice::write(const DeviceCommand& command) noexcept
+{
+  this->commands_[static_cast<std::size_t>(this->newest_)] = command.wrench_D.force;
+}
+
+Vec3 SimulatedDevice::forceDue() noexcept
+{
+  constexpr int slots = SimulationOptions::longestDelay_ticks + 1;
+  const Vec3 due = this->commands_[static_cast<std::size_t>((this->newest_ - this->options_.delay_ticks + slots) % slots)];
+  // What is written last holds until something else is written.
+  const Vec3 latest = this->commands_[static_cast<std::size_t>(this->newest_)];
+  this->newest_ = (this->newest_ + 1) % slots;
+  this->commands_[static_cast<std::size_t>(this->newest_)] = latest;
+  const double magnitude = due.norm();
+  return magnitude > this->model_.maxForce_N ? Vec3(this->model_.maxForce_N / magnitude * due) : due;
+}
+
+void SimulatedDevice::advance() noexcept
+{
+  const double T = this->options_.period_s;
+  const Vec3 before = this->target(this->time_s_), after = this->target(this->time_s_ + T);
+  const Vec3 led = this->hand_.stiffness_N_per_m * after + this->hand_.damping_Ns_per_m / T * (after - before);
+  const Vec3 u = led + this->options_.push_D + this->forceDue();
+  const int moving = this->model_.planar ? 2 : 3;
+  for (int axis = 0; axis < moving; ++axis)
+  {
+    FrictionPlant::State& s = this->axes_[static_cast<std::size_t>(axis)];
+    this->plant_.step(s, u[axis]);
+    if (std::fabs(s.x_m) > this->model_.travel_m)
+    {
+      s = { std::copysign(this->model_.travel_m, s.x_m), 0.0 };
+    }
+  }
+  this->time_s_ += T;
+}
+
+Vec3 SimulatedDevice::position_D() const noexcept
+{
+  return { this->axes_[0].x_m, this->axes_[1].x_m, this->axes_[2].x_m };
+}
+
+Vec3 SimulatedDevice::speed_D() const noexcept
+{
+  return { this->axes_[0].v_m_per_s, this->axes_[1].v_m_per_s, this->axes_[2].v_m_per_s };
+}
+
+DeviceStatus SimulatedDevice::read(double tickTime_s, DeviceSample& sample) noexcept
+{
+  // Half a period of tolerance: tick times are multiples of the period, computed once more by the caller.
+  constexpr int mostPeriods = 1000;
+  for (int k = 0; k < mostPeriods && this->time_s_ + 0.5 * this->options_.period_s < tickTime_s; ++k)
+  {
+    this->advance();
+  }
+  const double step = this->model_.encoderStep_m;
+  sample = DeviceSample{};
+  sample.time_s = tickTime_s;
+  sample.pose_D.p = step > 0.0 ? Vec3((this->position_D() / step).array().floor() * step) : this->position_D();
+  sample.velocity_D.linear = step > 0.0 ? Vec3(Vec3::Zero()) : this->speed_D();
+  sample.grip = true;
+  return DeviceStatus::Ok;
+}
+
+} // namespace palpate

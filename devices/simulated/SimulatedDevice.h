@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "devices/simulated/DeviceModels.h"
+#include "devices/simulated/FrictionPlant.h"
+#include "haptics/core/HapticDevice.h"
+
+namespace palpate
+{
+
+/// Where the hand is led, in the device frame.
+struct HandPath
+{
+  std::vector<Vec3> points_D; ///< polyline [m]; one point: the hand holds still there
+  double speed_m_per_s = 0.05;
+  bool loops = true; ///< goes back and forth along it; else it stops at the end
+};
+
+/// How a simulated device is run.
+struct SimulationOptions
+{
+  static constexpr int longestDelay_ticks = 16;
+
+  double period_s = 1e-3;          ///< 20 Hz to 8 kHz and beyond
+  int delay_ticks = 0;             ///< a command takes effect that many periods late, 0 .. longestDelay_ticks
+  Vec3 push_D = Vec3::Zero();      ///< constant force of the hand [N]
+  Vec3 velocity_D = Vec3::Zero();  ///< at the start [m/s]
+};
+
+/// A device in the grip of a spring-damper hand that is led along a polyline, or in nobody's grip: deterministic, exact
+/// between ticks, with friction, encoder steps, delay, force limit and stops. A device with an encoder shows
+/// floor(x / D) D and no velocity: whoever wants one estimates it. One without encoder shows both exactly.
+class SimulatedDevice final : public HapticDevice
+{
+public:
+  /// Without a hand (its stiffness, damping and mass are zero) the path is only where the device starts.
+  SimulatedDevice(DeviceModel model, HandModel hand, HandPath path, const SimulationOptions& options = {});
+
+  [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
+  /// Needs at least one point, all finite, a positive speed, a period and a delay within their limits.
+  [[nodiscard]] std::string open() override;
+  void close() noexcept override {}
+  [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
+  void write(const DeviceCommand& command) noexcept override;
+
+  /// Where the hand is led to at a time since the start [s], in D.
+  [[nodiscard]] Vec3 target(double time_s) const noexcept;
+
+  /// The true state, which an encoder does not show [m, m/s].
+  [[nodiscard]] Vec3 position_D() const noexcept;
+  [[nodiscard]] Vec3 speed_D() const noexcept;
+
+private:
+  [[nodiscard]] std::string refusal() const;
+  void advance() noexcept;
+  /// What acts in the coming period: the command that is due, cut to the largest force.
+  [[nodiscard]] Vec3 forceDue() noexcept;
+
+  DeviceInfo info_;
+  DeviceModel model_;
+  HandModel hand_;
+  HandPath path_;
+  SimulationOptions options_;
+  FrictionPlant plant_;
+  std::vector<double> reached_m_; ///< length of the path up to each point
+  std::array<FrictionPlant::State, 3> axes_;
+  std::array<Vec3, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
+  int newest_ = 0;
+  double time_s_ = 0.0;
+};
+
+} // namespace palpate
