@@ -259,8 +259,9 @@ class Options(CommandLineTest):
         self.refused(*self.touch, "--scale", "0", saying=["--scale", "more than 0"])
 
     def test_options_that_are_not_there_yet_say_so(self):
-        self.refused(*self.touch, "--mu-static", "0.5", saying=["--mu-static", "not there yet"])
-        self.refused(*self.touch, "--mu-kinetic", "0.5", saying=["--mu-kinetic", "not there yet"])
+        self.refused(*self.touch, "--mu-static", "-0.5", saying=["--mu-static", "0 or more"])
+        self.refused(*self.touch, "--mu-static", "nan", saying=["--mu-static"])
+        self.refused(*self.touch, "--mu-static", "0.2", "--mu-kinetic", "0.5", saying=["kinetic", "static"])
         self.refused(*self.touch, "--two-d", saying=["--two-d", "not there yet"])
 
     def test_nothing_is_ignored(self):

@@ -88,6 +88,18 @@ class OnAPlane(CommandLineTest):
             self.assertLessEqual(math.hypot(row["force_x"], row["force_y"]), 1e-9)
             self.assertAlmostEqual(row["force_z"], STIFFNESS * 0.25, delta=1e-9)
 
+    def test_friction_holds_up_to_its_cone_and_trails_by_the_kinetic_one(self):
+        depth, static, kinetic = 0.5, 0.5, 0.25
+        ways = [k / 64 for k in range(33)]
+        rows = [(0, 0.25, 0.25, 1.0), (1 / 1024, 0.25, 0.25, -depth)]
+        rows += [((k + 2) / 1024, 0.25 + way, 0.25, -depth) for k, way in enumerate(ways)]
+        options = ("--mu-static", static, "--stiffness", STIFFNESS)
+        for kinetic_options, trailing in (((), static), (("--mu-kinetic", kinetic), kinetic)):
+            out = self.touch(rows, *options, *kinetic_options)
+            for way, row in zip(ways, out[2:]):
+                behind = way if way <= static * depth else trailing * depth
+                self.assert_force(row, (-STIFFNESS * behind, 0.0, STIFFNESS * depth))
+
     def test_a_ball_rests_its_radius_above_the_plane(self):
         out = self.touch(descent([0.5]), "--stiffness", STIFFNESS, "--radius", 0.25)
         self.assert_proxy(out[1], (0.5, 0.25, 0.25))

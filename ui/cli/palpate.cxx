@@ -23,7 +23,7 @@ struct Arguments
 };
 
 /// Options that scripts may already name: refusing them beats doing something else than was asked.
-constexpr std::array<const char*, 3> AbsentOptions = { "--mu-static", "--mu-kinetic", "--two-d" };
+constexpr std::array<const char*, 1> AbsentOptions = { "--two-d" };
 
 void AddDevices(CLI::App& app, Arguments& arguments)
 {
@@ -51,10 +51,10 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   command->add_option("--radius", options.Radius_u, "ball radius [scene units]")->capture_default_str();
   command->add_option("--stiffness", options.Stiffness_N_per_m, "coupling [N/m]")->capture_default_str();
   command->add_option("--scale", options.Scale_u_per_m, "scene units per metre of the hand")->capture_default_str();
+  command->add_option("--mu-static", options.MuStatic, "friction that holds at rest")->capture_default_str();
+  command->add_option("--mu-kinetic", options.MuKinetic, "friction while it slides; without it the static one");
   const std::string absent = "not there yet";
-  command->add_option(AbsentOptions[0], absent)->type_name("X")->expected(1);
-  command->add_option(AbsentOptions[1], absent)->type_name("X")->expected(1);
-  command->add_flag(AbsentOptions[2], absent);
+  command->add_flag(AbsentOptions[0], absent);
 }
 
 void AddReplay(CLI::App& app, Arguments& arguments)
@@ -90,6 +90,11 @@ int Touch(const CLI::App& command, const vtkHapticCliTouchOptions& options)
   CheckNumber("--radius", options.Radius_u, true, "scene units");
   CheckNumber("--stiffness", options.Stiffness_N_per_m, true, "newtons per metre");
   CheckNumber("--scale", options.Scale_u_per_m, false, "scene units per metre");
+  CheckNumber("--mu-static", options.MuStatic, true, "friction");
+  if (options.MuKinetic)
+  {
+    CheckNumber("--mu-kinetic", *options.MuKinetic, true, "friction");
+  }
   return vtkHapticCliTouch(options);
 }
 

@@ -21,6 +21,8 @@ struct vtkHapticCliTouchOptions
   std::string Output;
   std::optional<double> Iso;
   double Radius_u = 0.0;
+  double MuStatic = 0.0;
+  std::optional<double> MuKinetic;
   double Stiffness_N_per_m = 1000.0;
   double Scale_u_per_m = 1.0;
 };

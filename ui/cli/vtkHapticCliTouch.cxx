@@ -21,10 +21,11 @@ palpate::HapticParameters ParametersOf(const vtkHapticCliTouchOptions& options)
   palpate::HapticParameters parameters;
   parameters.stiffness_N_per_m = options.Stiffness_N_per_m / options.Scale_u_per_m;
   parameters.contact.radius_u = options.Radius_u;
+  parameters.contact.friction = { options.MuStatic, options.MuKinetic.value_or(options.MuStatic) };
   parameters.safety = palpate::SafetyLimits::none();
   if (const std::string problem = parameters.validate(); !problem.empty())
   {
-    throw vtkHapticCliProblem("--stiffness divided by --scale: " + problem);
+    throw vtkHapticCliProblem("--stiffness, --scale, --mu-static, --mu-kinetic: " + problem);
   }
   return parameters;
 }
