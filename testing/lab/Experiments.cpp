@@ -22,6 +22,8 @@ std::vector<Experiment> experiments()
       { 7 }, runVelocityEstimators },
     { "transparency", "what each stabiliser costs a hand in drag and impedance, and the stiffness it brings", { 58 },
       runTransparency },
+    { "speed-accuracy", "every contact method on every scene: what a tick costs, and whether a hand feels its error",
+      { 8, 9, 10, 11, 13, 14, 15, 16, 17, 19 }, runSpeedAccuracy },
     { "thin-plate", "a push far beyond a thin plate is held by the side it came from", { 8 }, runThinPlate },
     { "tunnelling", "nothing passes a sheet without thickness at 10 m/s; what is looked at once a tick does", { 9 },
       runTunnelling },
@@ -34,6 +36,8 @@ std::vector<Experiment> experiments()
     { "facets", "what the facets of a sphere do to the force on it, and what a tick costs", { 17 }, runFacets },
     { "groove", "a ball hangs in a groove at its radius and rolls over an edge on an arc", { 19, 20 }, runGroove },
     { "queries", "which libraries answer a collision query rightly, and what an answer costs", {}, runQueries },
+    { "solver", "the nearest point in front of many planes: enumeration is exact, two textbook methods are not",
+      { 11, 12, 13 }, runSolver },
   };
 }
 

@@ -14,6 +14,7 @@ void runBounce(const Conditions& conditions, Table& table);
 void runLimitCycles(const Conditions& conditions, Table& table);
 void runVelocityEstimators(const Conditions& conditions, Table& table);
 void runTransparency(const Conditions& conditions, Table& table);
+void runSpeedAccuracy(const Conditions& conditions, Table& table);
 void runThinPlate(const Conditions& conditions, Table& table);
 void runTunnelling(const Conditions& conditions, Table& table);
 void runConvexEdge(const Conditions& conditions, Table& table);
@@ -24,5 +25,6 @@ void runScale(const Conditions& conditions, Table& table);
 void runFacets(const Conditions& conditions, Table& table);
 void runGroove(const Conditions& conditions, Table& table);
 void runQueries(const Conditions& conditions, Table& table);
+void runSolver(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab
