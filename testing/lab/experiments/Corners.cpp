@@ -97,7 +97,7 @@ double normalMatrixError(double rise_rad, test::Random& random)
   const Quat turn = Quat::FromTwoVectors(Vec3::UnitZ(), random.direction());
   const Vec3 n1 = turn * Vec3(std::sin(rise_rad), 0, std::cos(rise_rad));
   const Vec3 n2 = turn * Vec3(-std::sin(rise_rad), 0, std::cos(rise_rad));
-  const Vec3 p = turn * Vec3(0.2 * rise_rad, 0, -1);
+  const Vec3 p = random.uniform(0.5, 1.0) * (turn * Vec3(random.uniform(-0.4, 0.4) * rise_rad, random.uniform(), -1));
   const double g11 = n1.squaredNorm(), g22 = n2.squaredNorm(), g12 = n1.dot(n2);
   const double determinant = g11 * g22 - g12 * g12;
   const Vec3 force =
@@ -105,7 +105,8 @@ double normalMatrixError(double rise_rad, test::Random& random)
       ? Vec3(Vec3::Zero())
       : Vec3((n1 * (g12 * n2.dot(p) - g22 * n1.dot(p)) + n2 * (g12 * n1.dot(p) - g11 * n2.dot(p))) / determinant);
   const std::array<PlaneRow, 2> rows{ PlaneRow{ n1, 0.0 }, PlaneRow{ n2, 0.0 } };
-  return std::min(1.0, (force - (test::projectExactly(rows, p).y - p)).norm());
+  const Vec3 truth = test::projectExactly(rows, p).y - p;
+  return std::min(1.0, (force - truth).norm() / truth.norm());
 }
 
 void runValleys(test::Random& random, Table& table)

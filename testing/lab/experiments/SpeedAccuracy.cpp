@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every method on every scene: what a tick costs, and by how much its force is not the true one, in units of what a
+// hand just feels: 7 % of a force, 18 degrees of its direction.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "testing/lab/Experiments.h"
+#include "testing/lab/methods/ContactMethod.h"
+#include "testing/lab/methods/TouchScenes.h"
+
+namespace palpate::lab
+{
+namespace
+{
+
+constexpr double felt = 0.07, felt_rad = 18 * std::numbers::pi / 180, unbounded_JND = 1e6;
+
+struct Way
+{
+  std::vector<Vec3> device_W, force_u;
+};
+
+Way wayOf(const TouchScene& scene, double r_u, int ticks)
+{
+  Way way;
+  for (int tick = 0; tick <= ticks; ++tick)
+  {
+    way.device_W.push_back(scene.device_W(tick, r_u));
+    way.force_u.push_back(scene.force_u(way.device_W.back(), r_u));
+  }
+  return way;
+}
+
+/// What is seen of a method on a way.
+class Judge
+{
+public:
+  explicit Judge(double depth_u) : depth_u_(depth_u) {}
+
+  void see(const Vec3& force_u, const Vec3& truth_u)
+  {
+    if (!force_u.allFinite())
+    {
+      this->unstable_ = true;
+      this->worst_JND_ = unbounded_JND;
+      return;
+    }
+    const bool shouldTouch = truth_u.norm() > 1e-9 * this->depth_u_;
+    const bool touches = force_u.norm() > felt * (shouldTouch ? truth_u.norm() : this->depth_u_);
+    this->lost_ = shouldTouch && !touches ? this->lost_ + 1 : 0;
+    this->stuck_ = !shouldTouch && touches ? this->stuck_ + 1 : 0;
+    this->longestLost_ = std::max(this->longestLost_, this->lost_);
+    this->longestStuck_ = std::max(this->longestStuck_, this->stuck_);
+    const double error = shouldTouch ? this->inContact(force_u, truth_u) : force_u.norm() / (felt * this->depth_u_);
+    this->worst_JND_ = std::max(this->worst_JND_, std::min(error, unbounded_JND));
+  }
+
+  [[nodiscard]] double worst_JND() const { return this->worst_JND_; }
+
+  [[nodiscard]] Outcome outcome() const
+  {
+    constexpr int frame = 16; // ticks: what lasts no longer than a picture is a wrong force, not another place
+    if (this->unstable_)
+    {
+      return Outcome::Unstable;
+    }
+    if (this->longestLost_ > frame)
+    {
+      return Outcome::Through;
+    }
+    if (this->longestStuck_ > frame)
+    {
+      return Outcome::Stuck;
+    }
+    return this->worst_JND_ > 1.0 ? Outcome::Wrong : Outcome::Held;
+  }
+
+private:
+  [[nodiscard]] double inContact(const Vec3& force_u, const Vec3& truth_u) const
+  {
+    const double angle_rad = std::atan2(force_u.cross(truth_u).norm(), force_u.dot(truth_u));
+    return std::max((force_u - truth_u).norm() / (felt * truth_u.norm()), angle_rad / felt_rad);
+  }
+
+  double depth_u_;
+  double worst_JND_ = 0.0;
+  int lost_ = 0, longestLost_ = 0;
+  int stuck_ = 0, longestStuck_ = 0;
+  bool unstable_ = false;
+};
+
+void judge(const TouchScene& scene, const World& world, const MethodKind& kind, const Way& way, Table& table)
+{
+  const auto method = kind.make(world);
+  method->start(way.device_W.front());
+  Judge seen(scene.depth_u);
+  test::CostSample sample(way.device_W.size());
+  for (std::size_t tick = 1; tick < way.device_W.size(); ++tick)
+  {
+    MethodTick result;
+    sample.time([&] { result = method->tick(way.device_W[tick]); });
+    seen.see(result.force_u, way.force_u[tick]);
+  }
+  const Subject error{ scene.name, kind.name, "error", "JND" },
+    outcome{ scene.name, kind.name, "outcome", outcomeUnit };
+  const auto ended = static_cast<double>(seen.outcome());
+  if (scene.fails(kind.name))
+  {
+    table.atLeast(error, seen.worst_JND(), 1.0).cost = Cost::of(sample);
+    table.atLeast(outcome, ended, 1.0);
+  }
+  else
+  {
+    table.atMost(error, seen.worst_JND(), 1.0).cost = Cost::of(sample);
+    table.atMost(outcome, ended, 0.0);
+  }
+}
+
+} // namespace
+
+void runSpeedAccuracy(const Conditions& conditions, Table& table)
+{
+  test::Random random(conditions.seed + 100);
+  const int ticks = conditions.pick(400, 4000, 40000);
+  const std::vector<TouchScene> scenes = touchScenes(random);
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+  {
+    const TouchScene& scene = scenes[i];
+    const World world(scene.mesh, scene.metre_u);
+    std::map<double, Way> ways;
+    for (const MethodKind& kind : methods())
+    {
+      const double r_u = kind.radius_m * scene.metre_u;
+      const auto [way, isNew] = ways.try_emplace(r_u);
+      if (isNew)
+      {
+        way->second = wayOf(scene, r_u, ticks);
+      }
+      judge(scene, world, kind, way->second, table);
+    }
+    conditions.progress((static_cast<double>(i) + 1) / static_cast<double>(scenes.size()));
+  }
+}
+
+} // namespace palpate::lab
