@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "haptics/contact/ContactPlan.h"
+#include "haptics/geometry/ScenePlan.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
 
@@ -35,6 +36,32 @@ std::string PlanOf(const palpate::Surface& surface)
          std::to_string(plan.nodeBudget) + " nodes";
 }
 
+/// A file says nothing of a device, so the surface is taken to lie in the hand with its longest side 100 mm long.
+palpate::ScenePlan TouchPlanOf(const palpate::Surface& surface)
+{
+  constexpr double InHand_m = 0.1;
+  const Box box = BoundsOf(surface.tree->mesh());
+  palpate::TouchConditions conditions;
+  conditions.scale_u_per_m = (box.High_W - box.Low_W).maxCoeff() / InHand_m;
+  return palpate::planTouch(*surface.tree, conditions);
+}
+
+nlohmann::ordered_json ToJson(const palpate::ScenePlan& plan)
+{
+  nlohmann::ordered_json json;
+  json["scale_u_per_m"] = plan.conditions.scale_u_per_m;
+  json["penetration_m"] = plan.conditions.penetration_m;
+  json["stiffness_N_per_m"] = plan.conditions.stiffness_N_per_m;
+  json["deviation_u"] = plan.deviation_u;
+  json["deviation_m"] = plan.deviation_m;
+  json["force_error"] = plan.forceError;
+  json["felt"] = plan.felt;
+  json["triangles_needed"] = plan.trianglesNeeded;
+  json["sharp_edges"] = plan.sharpEdges;
+  json["sentence"] = plan.sentence();
+  return json;
+}
+
 nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report)
 {
   nlohmann::ordered_json json;
@@ -57,7 +84,8 @@ void AddScene(nlohmann::ordered_json& json, const palpate::Surface& surface)
   json["low_u"] = { box.Low_W.x(), box.Low_W.y(), box.Low_W.z() };
   json["high_u"] = { box.High_W.x(), box.High_W.y(), box.High_W.z() };
   json["tree_bytes"] = surface.tree->bytes();
-  json["plan"] = PlanOf(surface);
+  json["tree"] = PlanOf(surface);
+  json["plan"] = ToJson(TouchPlanOf(surface));
 }
 
 void Print(const nlohmann::ordered_json& json)
@@ -74,7 +102,8 @@ void Print(const palpate::SurfaceReport& report, const palpate::Surface& surface
             << "  repaired  " << report.clean.summary() << '\n'
             << "  size      " << size_u.x() << " x " << size_u.y() << " x " << size_u.z() << " scene units, from ("
             << box.Low_W.x() << ", " << box.Low_W.y() << ", " << box.Low_W.z() << ")\n"
-            << "  plan      " << PlanOf(surface) << '\n';
+            << "  plan      " << PlanOf(surface) << '\n'
+            << "  facets    100 mm long in the hand and " << TouchPlanOf(surface).sentence() << '\n';
 }
 
 /// A machine that asked for JSON gets JSON for a refusal as well.

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`palpate check` says whether a mesh is fine enough for a hand, in words and as JSON."""
+
+import json
+import math
+import unittest
+
+from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest
+
+
+def tube(radius, length, around):
+    """Points and faces of an open tube along z of `around` flat strips."""
+    points = [(radius * math.cos(2 * math.pi * i / around), radius * math.sin(2 * math.pi * i / around), z)
+              for z in (0, length) for i in range(around)]
+    faces = []
+    for i in range(around):
+        j = (i + 1) % around
+        faces += [(i, j, around + j), (i, around + j, around + i)]
+    return points, faces
+
+
+class Plan(CommandLineTest):
+    def plan_of(self, points, faces):
+        self.write_off("a.off", points, faces)
+        return json.loads(self.succeed("check", "a.off", "--json").stdout)["plan"]
+
+    def test_the_sagitta_of_a_tube_at_the_hand(self):
+        radius, around = 10.0, 32
+        plan = self.plan_of(*tube(radius, 40.0, around))
+        sagitta = radius * (1 - math.cos(math.pi / around))
+        self.assertAlmostEqual(plan["deviation_u"], sagitta, delta=0.01 * sagitta)
+        self.assertAlmostEqual(plan["scale_u_per_m"], 40.0 / 0.1)  # its longest side is taken to be 100 mm
+        self.assertAlmostEqual(plan["deviation_m"], plan["deviation_u"] * 0.1 / 40.0)
+        self.assertAlmostEqual(plan["force_error"], plan["deviation_m"] / plan["penetration_m"])
+        self.assertTrue(plan["felt"])
+        needed = 2 * around * plan["force_error"] / 0.07
+        self.assertAlmostEqual(plan["triangles_needed"], needed, delta=1.0)
+        self.assertIn(str(plan["triangles_needed"]), plan["sentence"])
+
+    def test_a_fine_tube_and_a_plane_feel_smooth(self):
+        self.assertFalse(self.plan_of(*tube(10.0, 40.0, 400))["felt"])
+        plane = self.plan_of(SQUARE_POINTS, SQUARE_FACES)
+        self.assertEqual((plane["felt"], plane["deviation_u"], plane["sharp_edges"]), (False, 0.0, 0))
+
+    def test_a_person_reads_it_with_units(self):
+        self.write_off("a.off", *tube(10.0, 40.0, 32))
+        text = self.succeed("check", "a.off").stdout
+        for part in ("facets", "mm deep", "N/m", "%", "felt", "triangles would feel smooth"):
+            self.assertIn(part, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
