@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chart: every method on every scene it can do, its cost against its error, failures shown as such."""
+
+from .style import is_ours, looks, pyplot
+
+LEAST = 1e-4  # below a ten-thousandth of what a hand can feel there is nothing to compare
+FAILURES = {1: "through", 2: "stuck", 3: "unstable", 4: "wrong"}
+BAND = 3e3  # height at which failures stand
+TOP = 2e4
+
+
+def outcomes(rows):
+    return {(row.case, row.method): int(row.value) for row in rows if row.quantity == "outcome" and row.value is not None}
+
+
+def draw_scene(axes, rows, failed, style, named=True):
+    for row in rows:
+        if row.value is None or row.cost_us_p50 is None:
+            continue
+        look = style[row.method]
+        outcome = failed.get((row.case, row.method), 0)
+        x = [max(row.cost_us_p50, 0.01), max(row.cost_us_p99, 0.01)]
+        if outcome in (1, 2, 3):  # no error is large enough for these: they stand above the axis
+            y = BAND
+            if named:
+                axes.annotate(FAILURES[outcome], (x[0], y), textcoords="offset points", xytext=(0, 6), fontsize=6,
+                              ha="center", color=look["color"])
+        else:
+            y = min(max(row.value, LEAST), 0.3 * BAND)
+        face = "none" if outcome else look["color"]
+        axes.plot(x, [y, y], color=look["color"], linewidth=look["linewidth"], alpha=0.7)
+        axes.plot(x[:1], [y], marker=look["marker"], color=look["color"], markerfacecolor=face, linestyle="none",
+                  markersize=look["markersize"])
+    frontier(axes, rows, failed)
+    axes.axhline(1.0, color="k", linewidth=1, linestyle="--")
+    axes.axhspan(1e3, TOP, color="k", alpha=0.06)
+    axes.set(xscale="log", yscale="log", ylim=(LEAST / 2, TOP))
+
+
+def frontier(axes, rows, failed):
+    """What the product reaches: nothing of it is both cheaper and closer to the truth."""
+    points = sorted((row.cost_us_p50, max(row.value, LEAST)) for row in rows
+                    if is_ours(row.method) and row.value is not None and row.cost_us_p50 and
+                    not failed.get((row.case, row.method), 0))
+    steps, best = [], float("inf")
+    for x, y in points:
+        if y < best:
+            steps.append((x, y))
+            best = y
+    if steps:
+        xs = [x for x, _ in steps] + [1e3]
+        ys = [y for _, y in steps] + [steps[-1][1]]
+        axes.step(xs, ys, where="post", color="#0072B2", alpha=0.35, linewidth=4)
+
+
+def draw(rows):
+    errors = [row for row in rows if row.quantity == "error"]
+    failed = outcomes(rows)
+    scenes = list(dict.fromkeys(row.case for row in errors))
+    style = looks(row.method for row in errors)
+    columns = 4
+    lines = -(-(len(scenes) + 1) // columns)
+    figure, grid = pyplot.subplots(lines, columns, figsize=(12, 2.9 * lines), sharex=True, sharey=True, squeeze=False)
+    cells = [axes for row in grid for axes in row]
+    draw_scene(cells[0], errors, failed, style, named=False)
+    cells[0].set_title("all scenes")
+    for axes, scene in zip(cells[1:], scenes):
+        draw_scene(axes, [row for row in errors if row.case == scene], failed, style)
+        axes.set_title(scene)
+    for axes in cells[len(scenes) + 1:]:
+        axes.axis("off")
+    for row in grid:
+        row[0].set_ylabel("error [JND]")
+    for axes in grid[-1]:
+        axes.set_xlabel("cost of a tick, p50 to p99 [µs]")
+    handles = [pyplot.Line2D([], [], label=method, **look) for method, look in style.items()]
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=5)
+    return figure

@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws the charts of a lab run: PNG and SVG of each, and one static index.html.
+
+usage: charts.py FOLDER [--out FOLDER]      FOLDER: where palpate-lab wrote its CSVs
+Exit code 2 for bad input, with one line that names the file and the reason.
+"""
+
+import argparse
+import pathlib
+import sys
+
+from charting import costs, speed_accuracy, stability
+from charting.page import page
+from charting.style import pyplot
+from charting.tables import Problem, read_folder
+
+# name, title, caption, experiments it needs, how it is drawn
+CHARTS = [
+    ("speed-accuracy", "Speed against accuracy",
+     "Each mark is a method on a scene: how long a tick takes (a line from the median to the 99th of a hundred) against its "
+     "largest error, in units of what a hand can feel (7 % of the force, 18 degrees). Below the dashed line nobody feels a "
+     "difference; hollow marks failed, those in the grey band went through, stuck or left every bound. The wide blue line is "
+     "the product's frontier: nothing of it is both cheaper and truer.",
+     ["speed-accuracy"], lambda t: speed_accuracy.draw(t["speed-accuracy"])),
+    ("stability-atlas", "Stability atlas, and what stability costs",
+     "The stiffest wall that stays still, for each method: marks are measured, wide dashed lines are theory, the dotted line is "
+     "what is passive whoever holds the device: stable and passive are different questions. Below: what each way to gain "
+     "stiffness costs a hand in free air and on a spring; left of and under the dashed lines it cannot be felt.",
+     ["stability-atlas", "transparency"], lambda t: stability.draw_atlas(t["stability-atlas"], t["transparency"])),
+    ("facets", "How fine a sphere must be (C1)",
+     "The force error that facets make falls like one over their number; under 7 % more triangles cannot be felt. "
+     "The cost of a tick hardly grows with them.",
+     ["facets"], lambda t: costs.draw_facets(t["facets"])),
+    ("solver", "The nearest point under many planes (C2)",
+     "Enumeration is exact for any number of planes a tick meets; taking one plane a tick or projecting in turn is cheaper and wrong.",
+     ["solver"], lambda t: costs.draw_solver(t["solver"])),
+    ("rate-stiffness", "Rate against stiffness (C3)",
+     "A wall can be as stiff as its rate allows: at the 60 Hz of drawing it is mush. Marks are measured on the simulated device, "
+     "the line is the exact limit, the dotted one the stiffness that is passive in any hand.",
+     ["wall-stability"], lambda t: stability.draw_rates(t["wall-stability"])),
+    ("queries", "Collision queries (C9)",
+     "What one query costs in each library on the same meshes and segments; a band reaches from the median to the 99th of a hundred. "
+     "Which of them answer wrongly, and where, stands in the table of the experiment.",
+     ["queries"], lambda t: costs.draw_queries(t["queries"])),
+]
+
+
+def save(figure, folder, name):
+    figure.savefig(folder / f"{name}.png", dpi=110, bbox_inches="tight")
+    figure.savefig(folder / f"{name}.svg", metadata={"Date": None}, bbox_inches="tight")
+    pyplot.close(figure)
+
+
+def draw(tables, folder):
+    charts, missing = [], []
+    for name, title, caption, needs, make in CHARTS:
+        absent = [experiment for experiment in needs if not tables.get(experiment)]
+        if absent:
+            missing.append((title, "the run did not include " + ", ".join(absent)))
+            continue
+        save(make(tables), folder, name)
+        charts.append((name, title, caption))
+        print(f"charts: {folder / name}.png", flush=True)
+    (folder / "index.html").write_text(page(tables, charts, missing), encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=pathlib.Path, help="with the CSVs of palpate-lab run")
+    parser.add_argument("--out", type=pathlib.Path, help="where the charts go (default: the same folder)")
+    arguments = parser.parse_args()
+    out = arguments.out or arguments.folder
+    try:
+        tables = read_folder(arguments.folder)
+        try:
+            out.mkdir(parents=True, exist_ok=True)
+            draw(tables, out)
+        except OSError as error:
+            raise Problem(f"{out} cannot be written: {error.strerror or error}") from None
+    except Problem as problem:
+        print(f"charts.py: {problem}", file=sys.stderr)
+        return 2
+    print(f"charts: {out / 'index.html'}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
