@@ -38,6 +38,8 @@ std::vector<Experiment> experiments()
     { "queries", "which libraries answer a collision query rightly, and what an answer costs", {}, runQueries },
     { "solver", "the nearest point in front of many planes: enumeration is exact, two textbook methods are not",
       { 11, 12, 13 }, runSolver },
+    { "tick-cost", "what an exact tick of sliding contact does, and its cost beside one query of CGAL", { 54 }, runTickCost },
+    { "replay", "a recording with scene swaps gives the same bits again, with any number of workers", { 55 }, runReplay },
   };
 }
 

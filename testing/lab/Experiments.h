@@ -26,5 +26,7 @@ void runFacets(const Conditions& conditions, Table& table);
 void runGroove(const Conditions& conditions, Table& table);
 void runQueries(const Conditions& conditions, Table& table);
 void runSolver(const Conditions& conditions, Table& table);
+void runTickCost(const Conditions& conditions, Table& table);
+void runReplay(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab
