@@ -35,11 +35,12 @@ std::vector<Experiment> experiments()
     { "scale", "the unit and the place of a scene change nothing", { 16 }, runScale },
     { "facets", "what the facets of a sphere do to the force on it, and what a tick costs", { 17 }, runFacets },
     { "groove", "a ball hangs in a groove at its radius and rolls over an edge on an arc", { 19, 20 }, runGroove },
-    { "queries", "which libraries answer a collision query rightly, and what an answer costs", {}, runQueries },
+    { "queries", "which libraries answer a collision query rightly, and what an answer costs", { 54 }, runQueries },
     { "solver", "the nearest point in front of many planes: enumeration is exact, two textbook methods are not",
       { 11, 12, 13 }, runSolver },
     { "tick-cost", "what an exact tick of sliding contact does, and its cost beside one query of CGAL", { 54 }, runTickCost },
     { "replay", "a recording with scene swaps gives the same bits again, with any number of workers", { 55 }, runReplay },
+    { "recorded-touch", "touches known by a formula, pushed in and rendered, give their forces back", { 56 }, runRecordedTouch },
   };
 }
 
