@@ -28,5 +28,6 @@ void runQueries(const Conditions& conditions, Table& table);
 void runSolver(const Conditions& conditions, Table& table);
 void runTickCost(const Conditions& conditions, Table& table);
 void runReplay(const Conditions& conditions, Table& table);
+void runRecordedTouch(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab
