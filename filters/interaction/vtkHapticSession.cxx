@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "devices/DeviceFactory.h"
 #include "devices/FedDevice.h"
-#include "haptics/session/HapticSession.h"
 #include "vtkCellArray.h"
-#include "vtkHapticSceneWorker.h"
+#include "vtkHapticSessionInternals.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -22,12 +20,12 @@ using palpate::Vec3;
 
 /// Rounding of a quaternion typed by a person or read from a text file.
 constexpr double unitTolerance = 1e-6;
-constexpr double period_s = 1e-3;
 
 palpate::HapticParameters Defaults()
 {
   palpate::HapticParameters parameters;
   parameters.stiffness_N_per_m = 500.0;
+  parameters.passivity.enabled = true;
   parameters.map.scale_u_per_m = 1000.0;
   return parameters;
 }
@@ -38,46 +36,15 @@ palpate::DeviceSample SampleAt(const palpate::WorkspaceMap& map, const Vec3& p_W
   sample.pose_D.p = map.toDevice(p_W);
   return sample;
 }
-}
-
-class vtkHapticSession::Internals
-{
-public:
-  palpate::HapticSession Core;
-  palpate::HapticParameters Parameters = Defaults();
-  std::vector<palpate::KnownDevice> Known = palpate::knownDevices();
-  vtkHapticSceneWorker Worker;
-  vtkHapticBuiltScene Built;
-
-  std::string DeviceName = "fed";
-  std::string RecordFile;
-  std::string ReplayFile;
-  std::vector<Vec3> Stroke_W;
-  double StrokeSpeed = 0.05;
-  bool VirtualTime = false;
-  Vec3 Hand_W = Vec3::Zero(); ///< where a program holds it
-
-  palpate::HapticState State;
-  palpate::LoopReport Report;
-  std::string Scheduling;
-  std::string Problem;
-  double Rotation[4] = { 1.0, 0.0, 0.0, 0.0 };
-  double Offset[3] = { 0.0, 0.0, 0.0 };
-  double Proxy[3] = { 0.0, 0.0, 0.0 };
-  double Hand[3] = { 0.0, 0.0, 0.0 };
-  double Force[3] = { 0.0, 0.0, 0.0 };
-
-  palpate::DeviceOptions Options() const;
-  void Feed();
-  void TakeScene(std::optional<vtkHapticBuiltScene> built);
-  void ShowState();
-};
+} // namespace
 
 palpate::DeviceOptions vtkHapticSession::Internals::Options() const
 {
   palpate::DeviceOptions options;
   options.recordingFile = this->ReplayFile;
-  options.period_s = period_s;
+  options.period_s = Period_s;
+  options.hand = this->HeldBy;
+  options.delay_ticks = static_cast<int>(this->Parameters.passivity.delay_ticks);
   options.stroke.speed_m_per_s = this->StrokeSpeed;
   for (const Vec3& p_W : this->Stroke_W)
   {
@@ -118,7 +85,9 @@ void vtkHapticSession::Internals::ShowState()
 
 vtkHapticSession::vtkHapticSession() : Impl(std::make_unique<Internals>())
 {
+  this->Impl->Parameters = Defaults();
   this->Refuse(this->Impl->Core.setParameters(this->Impl->Parameters));
+  this->Impl->JudgeStability();
 }
 
 vtkHapticSession::~vtkHapticSession()
@@ -133,6 +102,12 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Touching: " << this->GetTouching() << "\n";
   os << indent << "VirtualTime: " << this->Impl->VirtualTime << "\n";
   os << indent << "Stiffness: " << this->GetStiffness() << " N/m\n";
+  os << indent << "StiffnessUsed: " << this->GetStiffnessUsed() << " N/m\n";
+  os << indent << "Stability: " << this->GetStabilitySentence() << "\n";
+  os << indent << "Passivity: " << this->GetPassivity() << ", delay " << this->GetDelay() << " ticks\n";
+  os << indent << "LimitStiffness: " << this->GetLimitStiffness() << "\n";
+  os << indent << "VelocityMethod: " << this->GetVelocityMethod() << "\n";
+  os << indent << "Hand: " << this->Impl->HeldBy << "\n";
   os << indent << "Damping: " << this->GetDamping() << " N s/m\n";
   os << indent << "Radius: " << this->GetRadius() << " u\n";
   os << indent << "Scale: " << this->GetScale() << " u/m\n";
@@ -170,6 +145,7 @@ void vtkHapticSession::SetDeviceName(const char* name)
     return;
   }
   this->Impl->DeviceName = wanted;
+  this->Impl->JudgeStability();
   this->Modified();
 }
 
@@ -202,6 +178,7 @@ void vtkHapticSession::SetTouching(bool touching)
     return;
   }
   touching ? this->Start() : this->Stop();
+  this->Impl->JudgeStability();
   this->Impl->ShowState();
   this->Modified();
 }
@@ -228,7 +205,7 @@ void vtkHapticSession::Start()
   impl.Problem.clear();
   this->Refuse(impl.Core.setParameters(impl.Parameters));
   palpate::SessionOptions options;
-  options.period_s = period_s;
+  options.period_s = Internals::Period_s;
   options.virtualTime = impl.VirtualTime;
   options.recordFile = impl.RecordFile;
   this->Refuse(impl.Core.start(std::move(made.device), options));
@@ -294,6 +271,7 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
     return;
   }
   this->Impl->Parameters = parameters;
+  this->Impl->JudgeStability();
   this->Impl->Feed(); // the hand stays where it is in the scene when the map changes
   this->Modified();
 }
@@ -388,9 +366,7 @@ void vtkHapticSession::FitWorkspace()
   }
   const Vec3 low_W(bounds[0], bounds[2], bounds[4]);
   const Vec3 high_W(bounds[1], bounds[3], bounds[5]);
-  const auto named = [this](const palpate::KnownDevice& known) { return known.name == this->Impl->DeviceName; };
-  const double radius_m =
-    std::find_if(this->Impl->Known.begin(), this->Impl->Known.end(), named)->info.workspaceRadius_m.value;
+  const double radius_m = this->Impl->ChosenInfo().workspaceRadius_m.value;
   const double half = 0.5 * (high_W - low_W).norm();
   this->Change(
     [&](palpate::HapticParameters& p)
@@ -520,127 +496,4 @@ bool vtkHapticSession::GetSceneBounds(double bounds[6]) const
 const char* vtkHapticSession::GetSceneReport() const
 {
   return this->Impl->Built.Report.c_str();
-}
-
-// State -------------------------------------------------------------------------------------------------------------
-
-int vtkHapticSession::GetEngageState() const
-{
-  return static_cast<int>(this->Impl->State.engage);
-}
-
-const char* vtkHapticSession::GetStateText() const
-{
-  return palpate::name(this->Impl->State.engage);
-}
-
-const char* vtkHapticSession::GetFaultText() const
-{
-  if (this->Impl->Report.ended)
-  {
-    return "The hand's path has ended: start touching again.";
-  }
-  const bool quiet = !this->GetTouching() || this->Impl->State.fault == palpate::Fault::None;
-  return quiet ? "" : palpate::describe(this->Impl->State.fault);
-}
-
-const char* vtkHapticSession::GetProblem() const
-{
-  return this->Impl->Problem.c_str();
-}
-
-double* vtkHapticSession::GetProxyPosition()
-{
-  return this->Impl->Proxy;
-}
-
-double* vtkHapticSession::GetHandPosition()
-{
-  return this->Impl->Hand;
-}
-
-double* vtkHapticSession::GetForce()
-{
-  return this->Impl->Force;
-}
-
-double vtkHapticSession::GetForceMagnitude() const
-{
-  return this->Impl->State.force_W.norm();
-}
-
-double vtkHapticSession::GetPeakForce() const
-{
-  return this->Impl->Report.peakForce_N;
-}
-
-int vtkHapticSession::GetContacts() const
-{
-  return this->Impl->State.contacts;
-}
-
-double vtkHapticSession::GetDepth() const
-{
-  return (this->Impl->State.proxy_W.p - this->Impl->State.device_W.p).norm();
-}
-
-vtkIdType vtkHapticSession::GetTicks() const
-{
-  return static_cast<vtkIdType>(this->Impl->Report.ticks);
-}
-
-vtkIdType vtkHapticSession::GetMissed() const
-{
-  return static_cast<vtkIdType>(this->Impl->Report.missed);
-}
-
-vtkIdType vtkHapticSession::GetPeriods() const
-{
-  return static_cast<vtkIdType>(this->Impl->Report.periods);
-}
-
-vtkIdType vtkHapticSession::GetCappedTicks() const
-{
-  return static_cast<vtkIdType>(this->Impl->Report.cappedTicks);
-}
-
-double vtkHapticSession::GetContactSeconds() const
-{
-  return static_cast<double>(this->Impl->Report.contactTicks) * period_s;
-}
-
-double vtkHapticSession::GetForceResidual() const
-{
-  return this->Impl->Report.forceResidual_N;
-}
-
-double vtkHapticSession::GetRate() const
-{
-  const palpate::LoopReport& report = this->Impl->Report;
-  return report.elapsed_s > 0.0 ? static_cast<double>(report.ticks) / report.elapsed_s : 0.0;
-}
-
-double vtkHapticSession::GetLatenessP50() const
-{
-  return this->Impl->Report.lateness.p50_us;
-}
-
-double vtkHapticSession::GetLatenessP99() const
-{
-  return this->Impl->Report.lateness.p99_us;
-}
-
-double vtkHapticSession::GetCostP50() const
-{
-  return this->Impl->Report.cost.p50_us;
-}
-
-double vtkHapticSession::GetCostP99() const
-{
-  return this->Impl->Report.cost.p99_us;
-}
-
-const char* vtkHapticSession::GetSchedulingReport() const
-{
-  return this->Impl->Scheduling.c_str();
 }

@@ -93,6 +93,56 @@ public:
   ///@}
 
   ///@{
+  /// Stiffness no higher than what the device and the rate can hold (GetLargestStiffness()). Default on.
+  virtual void SetLimitStiffness(bool on);
+  virtual bool GetLimitStiffness() const;
+  vtkBooleanMacro(LimitStiffness, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Damps the spring just as much as a force held for a period would otherwise give back more than it took (Hannaford &
+   * Ryu 2002, one tick ahead). No force in free air, none on devices that push nobody. Default on.
+   */
+  virtual void SetPassivity(bool on);
+  virtual bool GetPassivity() const;
+  vtkBooleanMacro(Passivity, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Ticks between a force and its effect beyond the hold itself, 0 to 16, default 0: what is known of the device's
+   * link. The link of a simulated device has that delay, from when touching starts.
+   */
+  virtual void SetDelay(int ticks);
+  virtual int GetDelay() const;
+  ///@}
+
+  /// Order of the methods as SetVelocityMethod() takes them.
+  enum VelocityMethods
+  {
+    BackwardDifference = 0,
+    LowPass = 1,
+    AdaptiveWindow = 2,
+  };
+
+  ///@{
+  /// How the hand's velocity is made from its positions. Default AdaptiveWindow (Janabi-Sharifi et al. 2000).
+  virtual void SetVelocityMethod(int method);
+  virtual int GetVelocityMethod() const;
+  ///@}
+
+  ///@{
+  /**
+   * Who holds a simulated device: "none", "light", "stylus" (default) or "firm". Another name is an error that lists
+   * them. Takes effect when touching starts; GetDeviceTakesHand() is false for devices that nobody simulated holds.
+   */
+  virtual void SetHand(const char* name);
+  virtual const char* GetHand() const;
+  bool GetDeviceTakesHand() const;
+  ///@}
+
+  ///@{
   /// Ball that touches [u], >= 0, default 0: a point.
   virtual void SetRadius(double radius_u);
   virtual double GetRadius() const;
@@ -213,8 +263,35 @@ public:
   ///@}
 
   ///@{
+  /**
+   * How stiff a wall the device can hold with these settings [N/m], infinite where nothing is known to limit it, and
+   * why in one sentence: of the running device, else of the chosen one.
+   */
+  double GetLargestStiffness() const;
+  const char* GetStabilitySentence() const;
+  ///@}
+
+  ///@{
+  /// Stiffness of the last tick after every limit [N/m], 0 before the first; whether it is less than was set because
+  /// the device or the rate cannot hold that; size of the part of the force that passivity control added [N].
+  double GetStiffnessUsed() const;
+  bool GetStiffnessLimited() const;
+  double GetStabiliserForce() const;
+  ///@}
+
+  ///@{
+  /**
+   * Energy of the force [J]: net work on the hand since touching started (negative: taken from it); by how much the
+   * contact of now has given more than its spring holds; the most of that so far.
+   */
+  double GetDeliveredEnergy() const;
+  double GetExcessEnergy() const;
+  double GetPeakExcessEnergy() const;
+  ///@}
+
+  ///@{
   /// Ticks computed, periods missed (never caught up), their sum, ticks that met a work limit, time in contact [s],
-  /// largest |F - Stiffness (proxy - hand) / Scale| of the ticks whose force nothing limited [N].
+  /// largest |F - stabiliser - StiffnessUsed (proxy - hand) / Scale| of the ticks whose force nothing limited [N].
   vtkIdType GetTicks() const;
   vtkIdType GetMissed() const;
   vtkIdType GetPeriods() const;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticSessionInternals_h
+#define vtkHapticSessionInternals_h
+
+#include "devices/DeviceFactory.h"
+#include "haptics/session/HapticSession.h"
+#include "vtkHapticSceneWorker.h"
+#include "vtkHapticSession.h"
+
+#include <string>
+#include <vector>
+
+/// The core's session, what it is started with, and the last that it said.
+class vtkHapticSession::Internals
+{
+public:
+  static constexpr double Period_s = 1e-3;
+
+  palpate::HapticSession Core;
+  palpate::HapticParameters Parameters;
+  std::vector<palpate::KnownDevice> Known = palpate::knownDevices();
+  vtkHapticSceneWorker Worker;
+  vtkHapticBuiltScene Built;
+
+  std::string DeviceName = "fed";
+  std::string RecordFile;
+  std::string ReplayFile;
+  std::vector<palpate::Vec3> Stroke_W;
+  double StrokeSpeed = 0.05;
+  std::string HeldBy = palpate::DeviceOptions().hand;
+  bool VirtualTime = false;
+  palpate::Vec3 Hand_W = palpate::Vec3::Zero(); ///< where a program holds it
+
+  palpate::HapticState State;
+  palpate::LoopReport Report;
+  palpate::StabilityLimits Limits;
+  std::string StabilitySentence;
+  std::string Scheduling;
+  std::string Problem;
+  double Rotation[4] = { 1.0, 0.0, 0.0, 0.0 };
+  double Offset[3] = { 0.0, 0.0, 0.0 };
+  double Proxy[3] = { 0.0, 0.0, 0.0 };
+  double Hand[3] = { 0.0, 0.0, 0.0 };
+  double Force[3] = { 0.0, 0.0, 0.0 };
+
+  palpate::DeviceOptions Options() const;
+  void Feed();
+  void TakeScene(std::optional<vtkHapticBuiltScene> built);
+  void ShowState();
+  /// How stiff the running device can be, else the chosen one. Eigenvalues: after changes, not every frame.
+  void JudgeStability();
+  const palpate::DeviceInfo& ChosenInfo() const;
+};
+
+#endif

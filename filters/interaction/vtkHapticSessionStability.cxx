@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What keeps a held force from shaking the hand, and what that costs.
+#include <algorithm>
+
+#include "haptics/session/DeviceAdaptation.h"
+#include "vtkHapticSessionInternals.h"
+
+const palpate::DeviceInfo& vtkHapticSession::Internals::ChosenInfo() const
+{
+  const auto named = [this](const palpate::KnownDevice& known) { return known.name == this->DeviceName; };
+  return std::find_if(this->Known.begin(), this->Known.end(), named)->info;
+}
+
+void vtkHapticSession::Internals::JudgeStability()
+{
+  if (this->Core.running())
+  {
+    this->Limits = this->Core.limits();
+    this->StabilitySentence = this->Core.limitsSentence();
+    return;
+  }
+  const palpate::LoopSettings loop = palpate::loopSettings(this->Parameters, Period_s);
+  this->Limits = palpate::stabilityLimits(this->ChosenInfo(), loop);
+  this->StabilitySentence = palpate::describe(this->Limits, this->ChosenInfo(), loop);
+}
+
+// Settings ----------------------------------------------------------------------------------------------------------
+
+void vtkHapticSession::SetPassivity(bool on)
+{
+  this->Change([=](palpate::HapticParameters& p) { p.passivity.enabled = on; });
+}
+
+bool vtkHapticSession::GetPassivity() const
+{
+  return this->Impl->Parameters.passivity.enabled;
+}
+
+void vtkHapticSession::SetDelay(int ticks)
+{
+  this->Change([=](palpate::HapticParameters& p) { p.passivity.delay_ticks = ticks; });
+}
+
+int vtkHapticSession::GetDelay() const
+{
+  return static_cast<int>(this->Impl->Parameters.passivity.delay_ticks);
+}
+
+void vtkHapticSession::SetLimitStiffness(bool on)
+{
+  this->Change([=](palpate::HapticParameters& p) { p.limitStiffness = on; });
+}
+
+bool vtkHapticSession::GetLimitStiffness() const
+{
+  return this->Impl->Parameters.limitStiffness;
+}
+
+void vtkHapticSession::SetVelocityMethod(int method)
+{
+  if (method < BackwardDifference || method > AdaptiveWindow)
+  {
+    this->Refuse("the velocity method must be 0 (backward difference), 1 (low pass) or 2 (adaptive window)");
+    return;
+  }
+  this->Change([=](palpate::HapticParameters& p) { p.velocity.method = static_cast<palpate::VelocityMethod>(method); });
+}
+
+int vtkHapticSession::GetVelocityMethod() const
+{
+  return static_cast<int>(this->Impl->Parameters.velocity.method);
+}
+
+void vtkHapticSession::SetHand(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  palpate::DeviceOptions options;
+  options.hand = wanted;
+  const palpate::MadeDevice made = palpate::makeDevice(palpate::deviceModels().front().name, options);
+  if (!made.device)
+  {
+    this->Refuse(made.problem);
+    return;
+  }
+  if (wanted != this->Impl->HeldBy)
+  {
+    this->Impl->HeldBy = wanted;
+    this->Modified();
+  }
+}
+
+const char* vtkHapticSession::GetHand() const
+{
+  return this->Impl->HeldBy.c_str();
+}
+
+bool vtkHapticSession::GetDeviceTakesHand() const
+{
+  return palpate::deviceModel(this->Impl->DeviceName) != nullptr;
+}
+
+// What it says ------------------------------------------------------------------------------------------------------
+
+double vtkHapticSession::GetLargestStiffness() const
+{
+  return this->Impl->Limits.largest_N_per_m;
+}
+
+const char* vtkHapticSession::GetStabilitySentence() const
+{
+  return this->Impl->StabilitySentence.c_str();
+}
+
+double vtkHapticSession::GetStiffnessUsed() const
+{
+  return this->Impl->State.stiffness_N_per_m;
+}
+
+bool vtkHapticSession::GetStiffnessLimited() const
+{
+  return this->Impl->State.stiffnessLimited;
+}
+
+double vtkHapticSession::GetStabiliserForce() const
+{
+  return this->Impl->State.stabiliser_D.norm();
+}
+
+double vtkHapticSession::GetDeliveredEnergy() const
+{
+  return this->Impl->State.energy.delivered_J;
+}
+
+double vtkHapticSession::GetExcessEnergy() const
+{
+  return this->Impl->State.energy.excess_J;
+}
+
+double vtkHapticSession::GetPeakExcessEnergy() const
+{
+  return this->Impl->State.energy.peakExcess_J;
+}
