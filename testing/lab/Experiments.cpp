@@ -41,6 +41,7 @@ std::vector<Experiment> experiments()
     { "tick-cost", "what an exact tick of sliding contact does, and its cost beside one query of CGAL", { 54 }, runTickCost },
     { "replay", "a recording with scene swaps gives the same bits again, with any number of workers", { 55 }, runReplay },
     { "recorded-touch", "touches known by a formula, pushed in and rendered, give their forces back", { 56 }, runRecordedTouch },
+    { "smooth-input", "a hand that moves smoothly feels nothing that is faster than its own motion", { 57 }, runSmoothInput },
   };
 }
 

@@ -29,5 +29,6 @@ void runSolver(const Conditions& conditions, Table& table);
 void runTickCost(const Conditions& conditions, Table& table);
 void runReplay(const Conditions& conditions, Table& table);
 void runRecordedTouch(const Conditions& conditions, Table& table);
+void runSmoothInput(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab
