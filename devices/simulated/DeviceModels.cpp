@@ -23,14 +23,16 @@ const Model* byName(const std::vector<Model>& models, const std::string& name)
 const std::vector<DeviceModel>& deviceModels()
 {
   static const std::vector<DeviceModel> models = {
-    { "D0", "simulated-ideal", "0.1 kg and nothing else", 0.1, 0.0, 0.0, 0.0, none, none, none, 0.1, none },
-    { "D1", "simulated-generic", "0.1 kg with a damping of 1 N s/m", 0.1, 1.0, 0.0, 0.0, none, none, none, 0.1, none },
+    { "D0", "simulated-ideal", "0.1 kg and nothing else", 0.1, 0.0, 0.0, 0.0, none, none, none, 0.1, none, false,
+      true },
+    { "D1", "simulated-generic", "0.1 kg with a damping of 1 N s/m", 0.1, 1.0, 0.0, 0.0, none, none, none, 0.1, none,
+      false, true },
     { "D2", "simulated-touch", "a desktop stylus arm: light, with friction, 3.3 N", 0.045, 0.1, 0.26, 55e-6, 3.3, 400.0,
       4.0, 0.075, none },
     { "D3", "simulated-premium", "a laboratory stylus arm: hardly any friction, 8.5 N", 0.072, 0.005, 0.04, 30e-6, 8.5,
       800.0, none, 0.1, none },
-    { "D4", "simulated-falcon", "a parallel game device: heavy and damped, 8 N", 0.25, 3.0, 0.3, 60e-6, 8.0, 3000.0, 20.0,
-      0.04, none },
+    { "D4", "simulated-falcon", "a parallel game device: heavy and damped, 8 N", 0.25, 3.0, 0.3, 60e-6, 8.0, 3000.0,
+      20.0, 0.04, none },
     { "D5", "simulated-omega", "a parallel laboratory device: fine encoders, 12 N", 0.25, 2.5, 0.1, 10e-6, 12.0, 5000.0,
       30.0, 0.08, none },
     { "D6", "simulated-joystick", "a force-feedback joystick: a plane of 100 mm in 1024 steps, 5 N", 0.05, 0.5, 0.3,
@@ -45,14 +47,18 @@ DeviceInfo infoOf(const DeviceModel& model)
   info.name = model.name;
   info.simulated = true;
   info.deviceClass = model.planar ? DeviceClass::Joystick2D : DeviceClass::Point3D;
-  info.workspaceRadius_m = { model.workspaceRadius_m, true };
-  info.resolution_m = { model.encoderStep_m, true };
-  info.maxForce_N = { model.maxForce_N, true };
-  info.maxStiffness_N_per_m = { model.maxStiffness_N_per_m, true };
-  info.maxDamping_Ns_per_m = { model.maxDamping_Ns_per_m, true };
-  info.mass_kg = { model.mass_kg, true };
-  info.damping_Ns_per_m = { model.damping_Ns_per_m, true };
-  info.friction_N = { model.friction_N, true };
+  const auto listed = [&model](double limit) {
+    return DeviceQuantity{ limit, model.byDefinition || limit < DeviceModel::unlimited };
+  };
+  const auto typical = [&model](double value) { return DeviceQuantity{ value, model.byDefinition }; };
+  info.maxForce_N = listed(model.maxForce_N);
+  info.maxStiffness_N_per_m = listed(model.maxStiffness_N_per_m);
+  info.maxDamping_Ns_per_m = listed(model.maxDamping_Ns_per_m);
+  info.workspaceRadius_m = typical(model.workspaceRadius_m);
+  info.resolution_m = typical(model.encoderStep_m);
+  info.mass_kg = typical(model.mass_kg);
+  info.damping_Ns_per_m = typical(model.damping_Ns_per_m);
+  info.friction_N = typical(model.friction_N);
   return info;
 }
 

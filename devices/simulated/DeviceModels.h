@@ -21,22 +21,24 @@ struct DeviceModel
   std::string what; ///< one line for a person
   double mass_kg = 0.1;
   double damping_Ns_per_m = 0.0;
-  double friction_N = 0.0;      ///< Coulomb
-  double encoderStep_m = 0.0;   ///< 0: exact positions
+  double friction_N = 0.0;    ///< Coulomb
+  double encoderStep_m = 0.0; ///< 0: exact positions
   double maxForce_N = unlimited;
   double maxStiffness_N_per_m = unlimited;
   double maxDamping_Ns_per_m = unlimited;
   double workspaceRadius_m = 0.1;
   double travel_m = unlimited; ///< stops at +- this along each axis
   bool planar = false;         ///< moves in x and y only
+  bool byDefinition = false;   ///< stands for no hardware: none of its numbers is a guess about one
 };
 
-/// D0 ideal, D1 generic, D2 touch, D3 premium, D4 falcon, D5 omega, D6 joystick. Largest force, stiffness and damping are
-/// what open toolkits list for such devices; masses, dampings, friction and steps are typical of the literature, those
-/// of the joystick assumed.
+/// D0 ideal, D1 generic, D2 touch, D3 premium, D4 falcon, D5 omega, D6 joystick. Largest force, stiffness and damping
+/// are what open toolkits list for such devices; masses, dampings, friction and steps are typical of the literature,
+/// those of the joystick assumed.
 [[nodiscard]] const std::vector<DeviceModel>& deviceModels();
 
-/// What the device says about itself.
+/// What the device says about itself. Limits count as known where they are listed; how the hardware moves, what no list
+/// gives and the workspace, a round figure, as assumed.
 [[nodiscard]] DeviceInfo infoOf(const DeviceModel& model);
 
 /// A hand that holds it: a spring, a damper and a mass to where the hand is led.

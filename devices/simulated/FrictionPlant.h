@@ -33,8 +33,8 @@ private:
 
   double stiffness_N_per_m_;
   double friction_N_;
-  int parts_;                        ///< of a period: each too short for a speed to pass zero twice
-  LinearPlant whole_;                ///< the period at once, for no friction
+  int parts_;                         ///< of a period: each too short for a speed to pass zero twice
+  LinearPlant whole_;                 ///< the period at once, for no friction
   std::vector<LinearPlant> halvings_; ///< a part, half of it, a quarter, ...
 };
 

@@ -97,7 +97,11 @@ void SimulatedDevice::write(const DeviceCommand& command) noexcept
 Vec3 SimulatedDevice::forceDue() noexcept
 {
   constexpr int slots = SimulationOptions::longestDelay_ticks + 1;
-  const Vec3 due = this->commands_[static_cast<std::size_t>((this->newest_ - this->options_.delay_ticks + slots) % slots)];
+  Vec3 due = this->commands_[static_cast<std::size_t>((this->newest_ - this->options_.delay_ticks + slots) % slots)];
+  if (this->model_.planar)
+  {
+    due.z() = 0.0; // no motor that way, so nothing of the largest force goes there
+  }
   // What is written last holds until something else is written.
   const Vec3 latest = this->commands_[static_cast<std::size_t>(this->newest_)];
   this->newest_ = (this->newest_ + 1) % slots;

@@ -25,10 +25,10 @@ struct SimulationOptions
 {
   static constexpr int longestDelay_ticks = 16;
 
-  double period_s = 1e-3;          ///< 20 Hz to 8 kHz and beyond
-  int delay_ticks = 0;             ///< a command takes effect that many periods late, 0 .. longestDelay_ticks
-  Vec3 push_D = Vec3::Zero();      ///< constant force of the hand [N]
-  Vec3 velocity_D = Vec3::Zero();  ///< at the start [m/s]
+  double period_s = 1e-3;         ///< 20 Hz to 8 kHz and beyond
+  int delay_ticks = 0;            ///< a command takes effect that many periods late, 0 .. longestDelay_ticks
+  Vec3 push_D = Vec3::Zero();     ///< constant force of the hand [N]
+  Vec3 velocity_D = Vec3::Zero(); ///< at the start [m/s]
 };
 
 /// A device in the grip of a spring-damper hand that is led along a polyline, or in nobody's grip: deterministic, exact

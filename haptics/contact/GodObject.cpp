@@ -296,7 +296,7 @@ private:
   /// Takes the way over the corner if it ends nearer to the device.
   [[nodiscard]] bool commitRoll(const Vec3& corner_W, const Vec3& end_W, const SweepHit& hit, double tolerance_u2) noexcept
   {
-    if (this->wouldOverlap(end_W))
+    if (this->wouldOverlap(corner_W) || this->wouldOverlap(end_W))
     {
       return false;
     }

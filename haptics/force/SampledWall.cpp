@@ -32,7 +32,7 @@ public:
     Eigen::RowVectorXd damper = Eigen::RowVectorXd::Zero(size); // backward difference times a period
     damper(delayed) = 1.0;
     damper(before) = -1.0;
-    Eigen::RowVectorXd spring = wall.lead_periods * damper;
+    Eigen::RowVectorXd spring = wall.leadPeriods * damper;
     spring(delayed) += 1.0;
     this->base_.topRows<2>() -= plant.held() * (wall.virtualDamping_Ns_per_m / wall.period_s) * damper;
     this->perStiffness_ = Eigen::MatrixXd::Zero(size, size);

@@ -14,7 +14,7 @@ struct SampledWall
   double period_s = 1e-3;
   int delay_ticks = 0;
   double virtualDamping_Ns_per_m = 0.0; ///< B
-  double lead_periods = 0.0; ///< damping that grows with K, as the passivity controller's does
+  double leadPeriods = 0.0; ///< damping that grows with K, as the passivity controller's does
 };
 
 /// Largest modulus of the closed loop's eigenvalues: below 1 the wall is stable. Not real-time safe.

@@ -54,9 +54,9 @@ SampledWall wallOf(const DeviceInfo& device, const LoopSettings& loop)
 double stableStiffness(SampledWall wall, const PassivityPlan& plan)
 {
   const Lead lead = leadOf(plan);
-  wall.lead_periods = lead.least;
+  wall.leadPeriods = lead.least;
   const double least = criticalStiffness(wall);
-  wall.lead_periods = lead.most;
+  wall.leadPeriods = lead.most;
   return std::min(least, criticalStiffness(wall));
 }
 

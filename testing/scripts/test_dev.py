@@ -80,7 +80,8 @@ class Dev(unittest.TestCase):
             (("test", "--label"), "--label needs a name"),
             (("build", "now"), "build takes no options"),
             (("run", "now"), "run takes no options"),
-            (("lab",), "lab is not there yet"),
+            (("lab", "--fast"), "lab: unknown option '--fast'"),
+            (("lab", "--seed"), "--seed needs a number"),
         ]:
             with self.subTest(arguments=arguments):
                 result = self.dev(*arguments)

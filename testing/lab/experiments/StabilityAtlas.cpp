@@ -54,9 +54,9 @@ double theoreticalLimit(const Chain& chain, const FreeDevice& device, double T)
     return std::min(criticalStiffness(wall), stiffest_N_per_m);
   }
   const PassivityPlan plan;
-  wall.lead_periods = 0.5 + device.delay_ticks + plan.reserve;
+  wall.leadPeriods = 0.5 + device.delay_ticks + plan.reserve;
   const double least = criticalStiffness(wall);
-  wall.lead_periods += plan.repay;
+  wall.leadPeriods += plan.repay;
   return std::min({ least, criticalStiffness(wall), stiffest_N_per_m });
 }
 
