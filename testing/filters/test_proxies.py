@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The filters and the session as ParaView proxies: pipeline, properties, read-outs, state files."""
 
+import math
 import os
 import sys
 import tempfile
@@ -14,6 +15,8 @@ import palpate.vtkHapticInteraction  # noqa: F401 (before the first session: giv
 pv.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
 
 TICKS_TO_ENGAGE = 1100  # arming, the ramp of 1 s, and some to spare
+
+JOYSTICK_STIFFNESS = 200.0  # N/m, what the simulated joystick is made for
 
 
 def proxy_manager():
@@ -84,14 +87,45 @@ class Session(unittest.TestCase):
         self.assertAlmostEqual(read(self.proxy, "ForceMagnitude"), 400.0 * 2.0 / 1000.0, delta=1e-12)
         self.assertAlmostEqual(read(self.proxy, "Depth"), 2.0, delta=1e-12)
         self.assertEqual(read(self.proxy, "Contacts"), 1)
+        # One jump from free air to 2 mm: no force was held on the way, so no work filled the spring.
+        self.assertEqual(read(self.proxy, "DeliveredEnergy"), 0.0)
+        self.assertAlmostEqual(read(self.proxy, "PeakExcessEnergy"), 0.5 * 400.0 * 0.002**2, delta=1e-12)
+        self.assertEqual(read(self.proxy, "StiffnessUsed"), 400.0)
+        self.assertEqual(read(self.proxy, "StabiliserForce"), 0.0)  # "fed" pushes nobody
         self.assertEqual(read(self.proxy, "Ticks"), TICKS_TO_ENGAGE + 200)
         self.assertEqual(read(self.proxy, "Missed"), 0)
         self.assertIn("plane: ", read(self.proxy, "SceneReport"))
+
+    def test_says_how_stiff_the_chosen_device_can_be_before_it_is_touched(self):
+        self.assertEqual(read(self.proxy, "LargestStiffness"), math.inf)  # "fed" pushes nobody
+        self.assertIn("no force reaches a hand", read(self.proxy, "StabilitySentence"))
+        write(self.proxy, "DeviceName", "simulated-joystick")
+        self.assertEqual(read(self.proxy, "LargestStiffness"), JOYSTICK_STIFFNESS)
+        self.assertIn("the device is made for no more", read(self.proxy, "StabilitySentence"))
+
+    def test_a_device_is_pushed_no_stiffer_than_it_can_hold(self):
+        write(self.proxy, "VirtualTime", 1)
+        write(self.proxy, "DeviceName", "simulated-joystick")
+        write(self.proxy, "Stiffness", 4.0 * JOYSTICK_STIFFNESS)
+        write(self.proxy, "StrokePoints", 0.0, 0.0, 0.0)
+        write(self.proxy, "Touching", 1)
+        self.proxy.GetClientSideObject().Step(1)
+        self.assertEqual(read(self.proxy, "StiffnessUsed"), JOYSTICK_STIFFNESS)
+        self.assertEqual(read(self.proxy, "StiffnessLimited"), 1)
+        write(self.proxy, "LimitStiffness", 0)
+        self.proxy.GetClientSideObject().Step(1)
+        self.assertEqual(read(self.proxy, "StiffnessUsed"), 4.0 * JOYSTICK_STIFFNESS)
+        self.assertEqual(read(self.proxy, "StiffnessLimited"), 0)
 
     def test_is_saved_in_the_state_file_but_not_the_touching(self):
         write(self.proxy, "Stiffness", 321.5)
         write(self.proxy, "Radius", 0.75)
         write(self.proxy, "Scale", 250.0)
+        write(self.proxy, "Passivity", 0)
+        write(self.proxy, "LimitStiffness", 0)
+        write(self.proxy, "VelocityMethod", 1)
+        write(self.proxy, "Delay", 3)
+        write(self.proxy, "Hand", "firm")
         write(self.proxy, "DeviceName", "simulated-ideal")
         write(self.proxy, "StrokePoints", 0.0, 1.0, 2.0, 3.0, 4.0, 5.0)
         write(self.proxy, "Touching", 1)
@@ -113,6 +147,10 @@ class Session(unittest.TestCase):
         session = loaded.GetClientSideObject()
         self.assertEqual(session.GetStiffness(), 321.5)
         self.assertEqual(session.GetDeviceName(), "simulated-ideal")
+        self.assertFalse(session.GetPassivity())
+        self.assertFalse(session.GetLimitStiffness())
+        self.assertEqual(session.GetVelocityMethod(), session.LowPass)
+        self.assertEqual((session.GetDelay(), session.GetHand()), (3, "firm"))
         self.assertEqual(session.GetNumberOfStrokePoints(), 2)
         self.assertFalse(session.GetTouching())
 

@@ -16,6 +16,8 @@ class StateFile(unittest.TestCase):
         proxy = manager().NewProxy("haptics", "HapticSession")
         put(proxy, "Stiffness", 345.0)
         put(proxy, "Radius", 1.25)
+        put(proxy, "Passivity", 0)
+        put(proxy, "Hand", "light")
         manager().RegisterProxy("haptics", "HapticSession", proxy)
         with tempfile.TemporaryDirectory() as folder:
             state = os.path.join(folder, "state.pvsm")
@@ -24,6 +26,7 @@ class StateFile(unittest.TestCase):
             simple.LoadState(state)
         loaded = manager().GetProxy("haptics", "HapticSession").GetClientSideObject()
         self.assertEqual((loaded.GetStiffness(), loaded.GetRadius()), (345.0, 1.25))
+        self.assertEqual((loaded.GetPassivity(), loaded.GetLimitStiffness(), loaded.GetHand()), (False, True, "light"))
         self.assertFalse(loaded.GetTouching())
 
 
