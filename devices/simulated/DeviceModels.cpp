@@ -24,9 +24,9 @@ const std::vector<DeviceModel>& deviceModels()
 {
   static const std::vector<DeviceModel> models = {
     { "D0", "simulated-ideal", "0.1 kg and nothing else", 0.1, 0.0, 0.0, 0.0, none, none, none, 0.1, none, false,
-      true },
+      Provenance::Definition },
     { "D1", "simulated-generic", "0.1 kg with a damping of 1 N s/m", 0.1, 1.0, 0.0, 0.0, none, none, none, 0.1, none,
-      false, true },
+      false, Provenance::Definition },
     { "D2", "simulated-touch", "a desktop stylus arm: light, with friction, 3.3 N", 0.045, 0.1, 0.26, 55e-6, 3.3, 400.0,
       4.0, 0.075, none },
     { "D3", "simulated-premium", "a laboratory stylus arm: hardly any friction, 8.5 N", 0.072, 0.005, 0.04, 30e-6, 8.5,
@@ -36,7 +36,7 @@ const std::vector<DeviceModel>& deviceModels()
     { "D5", "simulated-omega", "a parallel laboratory device: fine encoders, 12 N", 0.25, 2.5, 0.1, 10e-6, 12.0, 5000.0,
       30.0, 0.08, none },
     { "D6", "simulated-joystick", "a force-feedback joystick: a plane of 100 mm in 1024 steps, 5 N", 0.05, 0.5, 0.3,
-      0.1 / 1024, 5.0, 200.0, none, 0.05, 0.05, true },
+      0.1 / 1024, 5.0, 200.0, none, 0.05, 0.05, true, Provenance::Assumed },
   };
   return models;
 }
@@ -47,13 +47,14 @@ DeviceInfo infoOf(const DeviceModel& model)
   info.name = model.name;
   info.simulated = true;
   info.deviceClass = model.planar ? DeviceClass::Joystick2D : DeviceClass::Point3D;
-  const auto listed = [&model](double limit) {
-    return DeviceQuantity{ limit, model.byDefinition || limit < DeviceModel::unlimited };
+  const bool defined = model.provenance == Provenance::Definition, listed = model.provenance == Provenance::Listed;
+  const auto limit = [=](double value) {
+    return DeviceQuantity{ value, defined || (listed && value < DeviceModel::unlimited) };
   };
-  const auto typical = [&model](double value) { return DeviceQuantity{ value, model.byDefinition }; };
-  info.maxForce_N = listed(model.maxForce_N);
-  info.maxStiffness_N_per_m = listed(model.maxStiffness_N_per_m);
-  info.maxDamping_Ns_per_m = listed(model.maxDamping_Ns_per_m);
+  const auto typical = [=](double value) { return DeviceQuantity{ value, defined }; };
+  info.maxForce_N = limit(model.maxForce_N);
+  info.maxStiffness_N_per_m = limit(model.maxStiffness_N_per_m);
+  info.maxDamping_Ns_per_m = limit(model.maxDamping_Ns_per_m);
   info.workspaceRadius_m = typical(model.workspaceRadius_m);
   info.resolution_m = typical(model.encoderStep_m);
   info.mass_kg = typical(model.mass_kg);

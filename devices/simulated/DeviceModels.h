@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -9,6 +10,14 @@
 
 namespace palpate
 {
+
+/// Where the numbers of a model come from.
+enum class Provenance : std::uint8_t
+{
+  Definition, ///< it stands for no hardware, so none of them is a guess
+  Listed,     ///< limits from a list of devices; how it moves is typical of its kind
+  Assumed,    ///< all of them
+};
 
 /// A device's moving part, the same along every axis. A fixture for tests and for people without hardware: real
 /// devices differ from axis to axis and pose to pose.
@@ -29,7 +38,7 @@ struct DeviceModel
   double workspaceRadius_m = 0.1;
   double travel_m = unlimited; ///< stops at +- this along each axis
   bool planar = false;         ///< moves in x and y only
-  bool byDefinition = false;   ///< stands for no hardware: none of its numbers is a guess about one
+  Provenance provenance = Provenance::Listed;
 };
 
 /// D0 ideal, D1 generic, D2 touch, D3 premium, D4 falcon, D5 omega, D6 joystick. Largest force, stiffness and damping
@@ -37,8 +46,8 @@ struct DeviceModel
 /// those of the joystick assumed.
 [[nodiscard]] const std::vector<DeviceModel>& deviceModels();
 
-/// What the device says about itself. Limits count as known where they are listed; how the hardware moves, what no list
-/// gives and the workspace, a round figure, as assumed.
+/// What the device says about itself. Limits count as known where they are listed; how the hardware moves, its encoder
+/// and the workspace, a ball in place of its true shape, as assumed.
 [[nodiscard]] DeviceInfo infoOf(const DeviceModel& model);
 
 /// A hand that holds it: a spring, a damper and a mass to where the hand is led.

@@ -291,6 +291,36 @@ TEST(SimulatedDevice, TheJoystickStaysInItsPlaneAndStopsAtItsTravel)
   EXPECT_EQ(device.speed_D(), Vec3(0, 0, 0));
 }
 
+TEST(SimulatedDevice, AForceOutOfTheJoysticksPlaneTakesNothingFromItsLargestForce)
+{
+  DeviceModel model = *deviceModel("simulated-joystick");
+  model.friction_N = model.damping_Ns_per_m = model.encoderStep_m = 0.0;
+  SimulatedDevice device = freeDevice(model, {});
+  ASSERT_EQ(device.open(), "");
+  DeviceCommand command;
+  command.wrench_D.force = { 3.0, 4.0, 100.0 }; // 5 N in the plane, all it can
+  device.write(command);
+  DeviceSample sample;
+  static_cast<void>(device.read(period_s, sample));
+  const Vec3 force = model.mass_kg * sample.velocity_D.linear / period_s;
+  EXPECT_NEAR((force - Vec3(3.0, 4.0, 0.0)).norm(), 0.0, 1e-12);
+}
+
+TEST(DeviceModels, SayWhichNumbersAreListedAndWhichAssumed)
+{
+  for (const DeviceModel& model : deviceModels())
+  {
+    const DeviceInfo info = infoOf(model);
+    const bool invented = model.id == "D0" || model.id == "D1";
+    EXPECT_EQ(info.mass_kg.known, invented) << model.name;
+    EXPECT_EQ(info.friction_N.known, invented) << model.name;
+    EXPECT_EQ(info.resolution_m.known, invented) << model.name;
+    EXPECT_EQ(info.maxForce_N.known, model.id != "D6") << model.name;
+    EXPECT_EQ(info.maxStiffness_N_per_m.known, model.id != "D6") << model.name;
+    EXPECT_EQ(info.maxDamping_Ns_per_m.known, invented || std::isfinite(model.maxDamping_Ns_per_m)) << model.name;
+  }
+}
+
 TEST(SimulatedDevice, AnyPeriodGivesTheSameMotionUnderAConstantForce)
 {
   DeviceModel model = *deviceModel("simulated-falcon");
