@@ -193,6 +193,26 @@ void varyEncoderAndFriction(Table& table)
   }
 }
 
+/// The stiffness the session limits itself to on a device must hold there, in nobody's hand.
+void judgeLimit(const std::string& name, const DeviceModel& model, Table& table)
+{
+  LoopSettings loop;
+  loop.period_s = period_s;
+  loop.passivity.enabled = true;
+  const double K = stabilityLimits(infoOf(model), loop).largest_N_per_m;
+  const Chain& chain = chains().back(); // with the controller
+  FreeDevice device{ model };
+  bool holds = rests(chain, device, K);
+  if (model.encoderStep_m == 0.0)
+  {
+    device.push_N = 1.0;
+    holds = !grows(device, { period_s, chain.parameters(K, 0.0), {} });
+  }
+  table.atMost({ name, "the session's limit", "outcome", outcomeUnit },
+    static_cast<double>(holds ? Outcome::Held : Outcome::Unstable), 0.0);
+  table.info({ name, "the session's limit", "largest stiffness", "N/m" }, K);
+}
+
 /// The devices as they are, and the limit the product gives them.
 void everyDevice(Table& table)
 {
@@ -204,6 +224,7 @@ void everyDevice(Table& table)
       const bool exact = device.encoderStep_m == 0.0 && device.friction_N == 0.0;
       exact ? judgeLinear(name, chain, FreeDevice{ device }, period_s, table) : judgeRest(name, chain, FreeDevice{ device }, table);
     }
+    judgeLimit(name, device, table);
   }
 }
 
