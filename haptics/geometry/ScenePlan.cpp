@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -137,9 +138,10 @@ std::string ScenePlan::sentence() const
 {
   std::ostringstream text;
   text.precision(3);
-  text << "pressed " << 1e3 * this->conditions.penetration_m << " mm deep at " << this->conditions.stiffness_N_per_m
-       << " N/m, facets change the force by up to " << 100 * this->forceError << " % (" << 1e3 * this->deviation_m
-       << " mm at the hand, " << this->deviation_m * this->conditions.stiffness_N_per_m << " N): ";
+  text << "pressed " << 1e3 * this->conditions.penetration_m << " mm deep at " << std::setprecision(6)
+       << this->conditions.stiffness_N_per_m << std::setprecision(3) << " N/m, facets change the force by up to "
+       << 100 * this->forceError << " % (" << 1e3 * this->deviation_m << " mm at the hand, "
+       << this->deviation_m * this->conditions.stiffness_N_per_m << " N): ";
   if (!this->felt)
   {
     text << "too little to be felt";

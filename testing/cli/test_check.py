@@ -45,7 +45,7 @@ class Plan(CommandLineTest):
     def test_a_person_reads_it_with_units(self):
         self.write_off("a.off", *tube(10.0, 40.0, 32))
         text = self.succeed("check", "a.off").stdout
-        for part in ("facets", "mm deep", "N/m", "%", "felt", "triangles would feel smooth"):
+        for part in ("facets", "1 mm deep at 1000 N/m", "%", "felt", "triangles would feel smooth"):
             self.assertIn(part, text)
 
 
