@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "devices/simulated/DeviceModels.h"
+#include "haptics/force/StabilityLimits.h"
+#include "haptics/session/Recording.h"
+#include "vtkCallbackCommand.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+
+namespace
+{
+constexpr double period_s = 1e-3;
+constexpr double stiffness = 500.0; // N/m
+constexpr double scale = 1000.0;    // u/m: one unit is a millimetre
+constexpr double speed = 0.05;      // m/s
+constexpr double start = 80.0;      // u above the plane: 1.6 s of free air, longer than the engage ramp
+constexpr double goal = -2.0;       // u, where the stroke turns
+constexpr int ticksInFreeAir = 1500;
+constexpr int ticksToTurn = 1640; // (start - goal) / scale / speed / period
+
+/// A hand that is led straight down onto the plane z = 0 and back, in virtual time, one tick at a time.
+class HapticSessionStability : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->session_->VirtualTimeOn();
+    this->session_->SetStiffness(stiffness);
+    this->session_->SetScale(scale);
+    this->session_->SetStrokeSpeed(speed);
+    this->session_->SetDeviceName("simulated-generic");
+    this->session_->AddStrokePoint(0.0, 0.0, start);
+    this->session_->AddStrokePoint(0.0, 0.0, goal);
+    ASSERT_TRUE(this->session_->AddSurface("plane", makePlane(100.0), nullptr));
+    this->session_->CommitScene();
+    ASSERT_TRUE(this->session_->FinishScene());
+  }
+
+  void startTouching()
+  {
+    this->session_->TouchingOn();
+    ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+  }
+
+  /// Heights of the hand in each of so many ticks after the start [u]; without a force if it is let go.
+  std::vector<double> heights(int ticks, bool release = false)
+  {
+    this->startTouching();
+    if (release)
+    {
+      this->session_->Release();
+    }
+    std::vector<double> z;
+    for (int i = 0; i < ticks; ++i)
+    {
+      this->session_->Step(1);
+      z.push_back(this->hand_W().z());
+    }
+    this->session_->TouchingOff();
+    return z;
+  }
+
+  /// What the change reported as an error; prints nothing.
+  template <class Change>
+  std::string errorOfChange(Change change)
+  {
+    std::string error;
+    vtkNew<vtkCallbackCommand> listener;
+    listener->SetClientData(&error);
+    listener->SetCallback([](vtkObject*, unsigned long, void* first, void* text)
+      { *static_cast<std::string*>(first) = static_cast<const char*>(text); });
+    const unsigned long tag = this->session_->AddObserver(vtkCommand::ErrorEvent, listener);
+    change();
+    this->session_->RemoveObserver(tag);
+    return error;
+  }
+
+  /// What theory gives for a device as it describes itself [N/m].
+  static double largest(const std::string& device, const LoopSettings& loop)
+  {
+    return stabilityLimits(infoOf(*deviceModel(device)), loop).largest_N_per_m;
+  }
+
+  [[nodiscard]] Vec3 hand_W() const { return Vec3(this->session_->GetHandPosition()); }
+  [[nodiscard]] Vec3 force_W() const { return Vec3(this->session_->GetForce()); }
+
+  vtkNew<vtkHapticSession> session_;
+};
+
+std::size_t firstDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin()).first - a.begin());
+}
+} // namespace
+
+TEST_F(HapticSessionStability, IsOnByDefault)
+{
+  EXPECT_TRUE(this->session_->GetPassivity());
+  EXPECT_TRUE(this->session_->GetLimitStiffness());
+  EXPECT_EQ(this->session_->GetVelocityMethod(), vtkHapticSession::AdaptiveWindow);
+  EXPECT_EQ(this->session_->GetDelay(), 0);
+  EXPECT_STREQ(this->session_->GetHand(), "stylus");
+}
+
+TEST_F(HapticSessionStability, TheStiffnessIsCutToWhatTheDeviceCanHoldUnlessToldOtherwise)
+{
+  const double most = deviceModel("simulated-joystick")->maxStiffness_N_per_m;
+  ASSERT_LT(most, stiffness);
+  this->session_->SetDeviceName("simulated-joystick");
+  this->startTouching();
+  this->session_->Step(1);
+  EXPECT_EQ(this->session_->GetStiffnessUsed(), most);
+  EXPECT_TRUE(this->session_->GetStiffnessLimited());
+  EXPECT_EQ(this->session_->GetStiffness(), stiffness);
+  this->session_->LimitStiffnessOff();
+  this->session_->Step(1);
+  EXPECT_EQ(this->session_->GetStiffnessUsed(), stiffness);
+  EXPECT_FALSE(this->session_->GetStiffnessLimited());
+}
+
+TEST_F(HapticSessionStability, HowStiffTheDeviceCanBeIsKnownBeforeItRunsAndFollowsTheSettings)
+{
+  PassivityPlan plan;
+  plan.enabled = true;
+  const double plain = largest("simulated-generic", { period_s, 0.0, plan });
+  EXPECT_EQ(this->session_->GetLargestStiffness(), plain);
+  plan.delay_ticks = 4.0;
+  this->session_->SetDelay(4);
+  EXPECT_EQ(this->session_->GetLargestStiffness(), largest("simulated-generic", { period_s, 0.0, plan }));
+  EXPECT_LT(this->session_->GetLargestStiffness(), plain);
+  plan.enabled = false;
+  this->session_->PassivityOff();
+  EXPECT_EQ(this->session_->GetLargestStiffness(), largest("simulated-generic", { period_s, 0.0, plan }));
+  EXPECT_THAT(this->session_->GetStabilitySentence(), HasSubstr("without the passivity controller"));
+}
+
+TEST_F(HapticSessionStability, TheSentenceIsThatOfTheChosenDeviceAndOfTheRunningOneWhileItRuns)
+{
+  const std::string generic = this->session_->GetStabilitySentence();
+  EXPECT_THAT(generic, HasSubstr("0.1 kg and 1 N s/m"));
+  this->startTouching();
+  this->session_->SetDeviceName("fed");
+  EXPECT_EQ(this->session_->GetStabilitySentence(), generic);
+  this->session_->TouchingOff();
+  EXPECT_THAT(this->session_->GetStabilitySentence(), HasSubstr("no force reaches a hand"));
+  EXPECT_TRUE(std::isinf(this->session_->GetLargestStiffness()));
+}
+
+/// Damping (1/2 + delay + reserve) K T from the start, at most one K T more to repay, with v T = way of the last tick.
+class HapticSessionPassivity
+  : public HapticSessionStability
+  , public ::testing::WithParamInterface<int>
+{
+};
+
+TEST_P(HapticSessionPassivity, AddsForceOnTheWayInAndNoneInFreeAir)
+{
+  const int delay = GetParam();
+  const PassivityPlan plan;
+  this->session_->SetVelocityMethod(vtkHapticSession::BackwardDifference);
+  this->session_->SetDelay(delay);
+  this->startTouching();
+  double before = start;
+  int inward = 0;
+  for (int i = 0; i < ticksToTurn; ++i)
+  {
+    this->session_->Step(1);
+    const double way_m = (before - this->hand_W().z()) / scale;
+    before = this->hand_W().z();
+    const bool touches = this->session_->GetContacts() > 0;
+    const double least = touches && way_m > 0.0 ? (0.5 + delay + plan.reserve) * stiffness * way_m : 0.0;
+    const double most = least > 0.0 ? least + plan.repay * stiffness * way_m : 0.0;
+    if (!touches || way_m > 0.0)
+    {
+      ASSERT_GE(this->session_->GetStabiliserForce(), least * (1.0 - 1e-9)) << "tick " << i;
+      ASSERT_LE(this->session_->GetStabiliserForce(), most * (1.0 + 1e-9)) << "tick " << i;
+    }
+    inward += touches && way_m > 0.0;
+  }
+  EXPECT_GT(inward, 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Delays, HapticSessionPassivity, ::testing::Values(0, 2));
+
+TEST_F(HapticSessionStability, WithoutPassivityTheForceIsTheSpringsAlone)
+{
+  this->session_->PassivityOff();
+  this->startTouching();
+  int inward = 0;
+  for (int i = 0; i < ticksToTurn; ++i)
+  {
+    this->session_->Step(1);
+    ASSERT_EQ(this->session_->GetStabiliserForce(), 0.0);
+    const double depth_m = std::max(0.0, -this->hand_W().z()) / scale;
+    ASSERT_NEAR(this->force_W().z(), stiffness * depth_m, 1e-12);
+    inward += depth_m > 0.0;
+  }
+  EXPECT_GT(inward, 20);
+}
+
+TEST_F(HapticSessionStability, TheEnergyIsTheSumOfForceTimesWay)
+{
+  this->startTouching();
+  double sum_J = 0.0;
+  Vec3 held_W = Vec3::Zero();
+  Vec3 before_W(0.0, 0.0, start);
+  for (int i = 0; i < 2 * ticksToTurn; ++i)
+  {
+    this->session_->Step(1);
+    sum_J += held_W.dot(this->hand_W() - before_W) / scale;
+    held_W = this->force_W();
+    before_W = this->hand_W();
+    ASSERT_NEAR(this->session_->GetDeliveredEnergy(), sum_J, 1e-15) << "tick " << i;
+    ASSERT_GE(this->session_->GetPeakExcessEnergy(), this->session_->GetExcessEnergy());
+  }
+  EXPECT_LT(sum_J, -1e-6) << "the controller takes energy from a hand that goes in and out";
+}
+
+TEST_F(HapticSessionStability, ADelayIsThatOfTheSimulatedLinkToo)
+{
+  constexpr int delay = 5;
+  this->session_->PassivityOff(); // else the force would depend on the delay, not only its time
+  const std::vector<double> free = this->heights(ticksToTurn, true);
+  const std::vector<double> pushed = this->heights(ticksToTurn);
+  this->session_->SetDelay(delay);
+  const std::vector<double> late = this->heights(ticksToTurn);
+  ASSERT_LT(firstDifference(pushed, free), free.size());
+  EXPECT_EQ(firstDifference(late, free), firstDifference(pushed, free) + delay);
+}
+
+TEST_F(HapticSessionStability, NobodyHoldsADeviceWhoseHandIsNone)
+{
+  this->session_->SetHand("none");
+  EXPECT_EQ(this->heights(ticksInFreeAir), std::vector<double>(ticksInFreeAir, start));
+  this->session_->SetHand("light");
+  EXPECT_LT(this->heights(ticksInFreeAir).back(), start - 50.0); // led 75 u down by then, less a lag
+}
+
+TEST_F(HapticSessionStability, OnlySimulatedDevicesAreHeld)
+{
+  EXPECT_TRUE(this->session_->GetDeviceTakesHand());
+  for (const char* name : { "fed", "replay" })
+  {
+    this->session_->SetDeviceName(name);
+    EXPECT_FALSE(this->session_->GetDeviceTakesHand()) << name;
+  }
+}
+
+TEST_F(HapticSessionStability, EverySettingReachesTheRecording)
+{
+  const std::string file = (std::filesystem::temp_directory_path() / "palpate-stability.palpate").string();
+  this->session_->SetRecordFile(file.c_str());
+  this->session_->SetVelocityMethod(vtkHapticSession::LowPass);
+  this->session_->SetDelay(3);
+  this->heights(10);
+  const auto recording = readRecording(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(std::holds_alternative<Recording>(recording)) << std::get<std::string>(recording);
+  const HapticParameters& parameters = std::get<Recording>(recording).parameters;
+  EXPECT_EQ(parameters.velocity.method, VelocityMethod::LowPass);
+  EXPECT_TRUE(parameters.passivity.enabled);
+  EXPECT_EQ(parameters.passivity.delay_ticks, 3.0);
+  EXPECT_EQ(parameters.stiffnessLimit_N_per_m, this->session_->GetLargestStiffness());
+}
+
+TEST_F(HapticSessionStability, SettingsThatCannotBeAreRefusedAndTheOldOnesStay)
+{
+  for (const int ticks : { -1, 17 })
+  {
+    EXPECT_THAT(this->errorOfChange([&] { this->session_->SetDelay(ticks); }), HasSubstr("delay"));
+  }
+  for (const int method : { -1, 3 })
+  {
+    EXPECT_THAT(this->errorOfChange([&] { this->session_->SetVelocityMethod(method); }), HasSubstr("velocity method"));
+  }
+  const std::string error = this->errorOfChange([&] { this->session_->SetHand("third"); });
+  EXPECT_THAT(error, HasSubstr("third"));
+  EXPECT_THAT(error, HasSubstr("none, light, stylus, firm"));
+  EXPECT_EQ(this->session_->GetDelay(), 0);
+  EXPECT_EQ(this->session_->GetVelocityMethod(), vtkHapticSession::AdaptiveWindow);
+  EXPECT_STREQ(this->session_->GetHand(), "stylus");
+}
