@@ -21,27 +21,24 @@ namespace
 /// Long enough for the panel's next refresh.
 constexpr int settle_ms = 150;
 
-double Quantity(const vtkHapticSession& session, const QString& name, bool& known)
+/// What hapticCheck and hapticWaitFor can ask for; null: no such name.
+std::function<double(const vtkHapticSession&)> QuantityOf(const QString& name)
 {
-  known = true;
-  if (name == "force")
-  {
-    return session.GetForceMagnitude();
-  }
-  if (name == "depth")
-  {
-    return session.GetDepth();
-  }
-  if (name == "contacts")
-  {
-    return session.GetContacts();
-  }
-  if (name == "ticks")
-  {
-    return static_cast<double>(session.GetTicks());
-  }
-  known = name == "missed";
-  return static_cast<double>(session.GetMissed());
+  using S = const vtkHapticSession&;
+  static const std::map<QString, std::function<double(S)>> quantities = {
+    { "force", [](S s) { return s.GetForceMagnitude(); } },
+    { "depth", [](S s) { return s.GetDepth(); } },
+    { "contacts", [](S s) { return static_cast<double>(s.GetContacts()); } },
+    { "ticks", [](S s) { return static_cast<double>(s.GetTicks()); } },
+    { "missed", [](S s) { return static_cast<double>(s.GetMissed()); } },
+    { "largestStiffness", [](S s) { return s.GetLargestStiffness(); } },
+    { "limitStiffness", [](S s) { return s.GetLimitStiffness() ? 1.0 : 0.0; } },
+    { "passivity", [](S s) { return s.GetPassivity() ? 1.0 : 0.0; } },
+    { "delay", [](S s) { return static_cast<double>(s.GetDelay()); } },
+    { "velocityMethod", [](S s) { return static_cast<double>(s.GetVelocityMethod()); } },
+  };
+  const auto found = quantities.find(name);
+  return found == quantities.end() ? nullptr : found->second;
 }
 } // namespace
 
@@ -55,6 +52,7 @@ bool pqHapticEventPlayer::playEvent(QObject*, const QString& command, const QStr
   const QStringList list = arguments.split(',');
   const std::map<QString, std::function<bool()>> commands = {
     { "hapticPose", [&] { return this->pose(list); } },
+    { "hapticStroke", [&] { return this->addStrokePoint(list); } },
     { "hapticVirtualTime", [&] { return this->setVirtualTime(arguments.toInt() != 0); } },
     { "hapticMove", [&] { return this->move(list); } },
     { "hapticStep", [&] { return this->step(arguments.toInt()); } },
@@ -135,6 +133,17 @@ bool pqHapticEventPlayer::pose(const QStringList& numbers)
   return true;
 }
 
+bool pqHapticEventPlayer::addStrokePoint(const QStringList& numbers)
+{
+  vtkHapticSession* session = this->Controller->session();
+  if (!session || numbers.size() != 3)
+  {
+    return false;
+  }
+  session->AddStrokePoint(numbers[0].toDouble(), numbers[1].toDouble(), numbers[2].toDouble());
+  return true;
+}
+
 bool pqHapticEventPlayer::step(int ticks)
 {
   vtkHapticSession* session = this->Controller->session();
@@ -178,9 +187,8 @@ bool pqHapticEventPlayer::holds(const QStringList& range) const
     return false;
   }
   session->Update();
-  bool known = false;
-  const double value = Quantity(*session, range[0], known);
-  return known && value >= range[1].toDouble() && value <= range[2].toDouble();
+  const auto quantity = QuantityOf(range[0]);
+  return quantity && quantity(*session) >= range[1].toDouble() && quantity(*session) <= range[2].toDouble();
 }
 
 bool pqHapticEventPlayer::check(const QStringList& range)

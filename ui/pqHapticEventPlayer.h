@@ -16,7 +16,9 @@ class pqHapticController;
  *   hapticWindow "width,height"      size of the main window [pixels]: there is no window manager
  *   hapticWait "ms"                  processes events for that long
  *   hapticWaitUntilReleased "ms"     processes events until nothing is touched any more, at most that long
- *   hapticCheck "name,low,high"      fails unless force [N], depth [u], contacts, ticks or missed lies in [low, high]
+ *   hapticStroke "x,y,z"             one more point of the path a simulated hand is led along, scene frame [u]
+ *   hapticCheck "name,low,high"      fails unless it lies in [low, high]: force [N], depth [u], contacts, ticks, missed,
+ *                                    largestStiffness [N/m], limitStiffness, passivity, delay [ticks], velocityMethod
  *   hapticWaitFor "name,low,high,ms" processes events until hapticCheck would pass, at most that long
  *
  * Q_OBJECT is required: ParaView keys players by class name.
@@ -35,6 +37,7 @@ public:
 private:
   bool pose(const QStringList& numbers);
   bool move(const QStringList& arguments);
+  bool addStrokePoint(const QStringList& numbers);
   bool step(int ticks);
   bool resizeWindow(const QStringList& size);
   bool setVirtualTime(bool on);

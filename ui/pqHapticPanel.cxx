@@ -5,9 +5,11 @@
 #include "pqHapticReadout.h"
 #include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
+#include "pqSMAdaptor.h"
 #include "vtkHapticSession.h"
 #include "vtkSMProxy.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -17,6 +19,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSpinBox>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -26,6 +29,8 @@ namespace
 constexpr int refreshPeriod_ms = 100;
 /// Else the widest number a field could hold makes the whole panel wide [pixels].
 constexpr int leastFieldWidth = 90;
+/// What the core accepts.
+constexpr int longestDelay_ticks = 16;
 
 QLabel* Value(QWidget* parent, const char* name, const QString& tip)
 {
@@ -50,6 +55,33 @@ QDoubleSpinBox* Number(QWidget* parent, const char* name, double low, double hig
   return box;
 }
 
+QComboBox* Choice(QWidget* parent, const char* name, const QString& tip)
+{
+  auto* box = new QComboBox(parent);
+  box->setObjectName(name);
+  box->setToolTip(tip);
+  return box;
+}
+
+/// What the property can be, as its domain says it.
+void Fill(QComboBox* box, vtkSMProperty* property)
+{
+  box->clear();
+  for (const QVariant& entry : pqSMAdaptor::getEnumerationPropertyDomain(property))
+  {
+    box->addItem(entry.toString());
+  }
+}
+
+QCheckBox* Switch(QFormLayout* form, const char* name, const QString& title, const QString& tip)
+{
+  auto* box = new QCheckBox(title, form->parentWidget());
+  box->setObjectName(name);
+  box->setToolTip(tip);
+  form->addRow(box);
+  return box;
+}
+
 QFormLayout* Group(QVBoxLayout* column, const char* name, const QString& title)
 {
   auto* group = new QGroupBox(title);
@@ -65,15 +97,23 @@ class pqHapticPanel::Internals
 {
 public:
   QComboBox* Device;
+  QComboBox* Hand;
   QPushButton* Touch;
   QPushButton* Release;
   QDoubleSpinBox* Stiffness;
   QDoubleSpinBox* Radius;
   QDoubleSpinBox* Scale;
   QPushButton* Fit;
+  QCheckBox* Passivity;
+  QCheckBox* Limit;
+  QSpinBox* Delay;
+  QComboBox* Velocity;
+  QLabel* Stability;
   QLabel* State;
   QLabel* Reason;
   QLabel* Force;
+  QLabel* Used;
+  QLabel* Energy;
   QLabel* Contact;
   QLabel* Rate;
   QLabel* Lateness;
@@ -86,6 +126,7 @@ public:
 
   void addHand(QVBoxLayout* column);
   void addContact(QVBoxLayout* column);
+  void addStability(QVBoxLayout* column);
   void addState(QVBoxLayout* column);
   void addServo(QVBoxLayout* column);
   void addScene(QVBoxLayout* column);
@@ -96,10 +137,10 @@ void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "handGroup", tr("Hand"));
   QWidget* parent = form->parentWidget();
-  this->Device = new QComboBox(parent);
-  this->Device->setObjectName("device");
-  this->Device->setToolTip(tr("Who moves the hand: a device, a simulated hand or a program"));
+  this->Device = Choice(parent, "device", tr("Who moves the hand: a device, a simulated hand or a program"));
   form->addRow(tr("&Device"), this->Device);
+  this->Hand = Choice(parent, "hand", tr("Who holds a simulated device"));
+  form->addRow(tr("Held &by"), this->Hand);
 
   auto* buttons = new QHBoxLayout;
   this->Touch = new QPushButton(tr("&Touch"), parent);
@@ -133,6 +174,27 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
   form->addRow(this->Fit);
 }
 
+void pqHapticPanel::Internals::addStability(QVBoxLayout* column)
+{
+  QFormLayout* form = Group(column, "stabilityGroup", tr("Stability"));
+  QWidget* parent = form->parentWidget();
+  this->Limit = Switch(form, "limit", tr("L&imit stiffness to what the device can hold"),
+    tr("Else a wall may shake: the limit comes from the device's mass, damping and rate"));
+  this->Passivity = Switch(form, "passivity", tr("&Passivity control"),
+    tr("Damps the spring as much as a held force would otherwise give back more than it took"));
+  this->Delay = new QSpinBox(parent);
+  this->Delay->setObjectName("delay");
+  this->Delay->setRange(0, longestDelay_ticks);
+  this->Delay->setSuffix(tr(" ticks"));
+  this->Delay->setKeyboardTracking(false);
+  this->Delay->setToolTip(tr("Known delay of the device's link, in ticks of 1 ms"));
+  form->addRow(tr("Dela&y"), this->Delay);
+  this->Velocity = Choice(parent, "velocity", tr("How the hand's velocity is made from its positions"));
+  form->addRow(tr("Vel&ocity"), this->Velocity);
+  this->Stability = Value(parent, "stability", tr("How stiff this device can be, and why"));
+  form->addRow(this->Stability);
+}
+
 void pqHapticPanel::Internals::addState(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "stateGroup", tr("State"));
@@ -141,10 +203,16 @@ void pqHapticPanel::Internals::addState(QVBoxLayout* column)
     Value(parent, "state", tr("safe: no force. armed: waits for a free start. engaged: force flows. fault: no force"));
   this->Reason = Value(parent, "reason", tr("Why there is no force, and what to do"));
   this->Force = Value(parent, "force", tr("Force on the hand now, and the largest so far [N]"));
+  this->Used = Value(parent, "used", tr("Stiffness of the spring now, after every limit [N/m]"));
+  this->Energy = Value(parent, "energy",
+    tr("Work of the force on the hand [mJ], negative: taken from it; what the contact gave more than its spring "
+       "holds, now and at most [mJ]; force of the passivity control [N]"));
   this->Contact = Value(parent, "contact", tr("Time in contact [s] and planes touched now"));
   form->addRow(tr("State"), this->State);
   form->addRow(this->Reason);
   form->addRow(tr("Force"), this->Force);
+  form->addRow(tr("Stiffness"), this->Used);
+  form->addRow(tr("Energy"), this->Energy);
   form->addRow(tr("Contact"), this->Contact);
 }
 
@@ -178,8 +246,8 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  QWidget* order[] = { this->Device, this->Touch, this->Release, this->Stiffness, this->Radius, this->Scale, this->Fit,
-    this->Scene };
+  QWidget* order[] = { this->Device, this->Hand, this->Touch, this->Release, this->Stiffness, this->Radius, this->Scale,
+    this->Fit, this->Limit, this->Passivity, this->Delay, this->Velocity, this->Scene };
   for (std::size_t i = 1; i < std::size(order); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
@@ -213,6 +281,7 @@ void pqHapticPanel::build()
   auto* column = new QVBoxLayout(body);
   this->Widgets->addHand(column);
   this->Widgets->addContact(column);
+  this->Widgets->addStability(column);
   this->Widgets->addState(column);
   this->Widgets->addServo(column);
   this->Widgets->addScene(column);
@@ -240,15 +309,22 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
     this->refresh();
     return;
   }
+  Fill(w.Hand, proxy->GetProperty("Hand"));
+  Fill(w.Velocity, proxy->GetProperty("VelocityMethod"));
   w.Device->clear();
   w.Device->addItems(pqHapticReadout::deviceNames(*vtkHapticSession::SafeDownCast(proxy->GetClientSideObject())));
   const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
   { w.Links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
   link(w.Device, "currentText", SIGNAL(currentTextChanged(const QString&)), "DeviceName");
+  link(w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), "Hand");
   link(w.Touch, "checked", SIGNAL(toggled(bool)), "Touching");
   link(w.Stiffness, "value", SIGNAL(valueChanged(double)), "Stiffness");
   link(w.Radius, "value", SIGNAL(valueChanged(double)), "Radius");
   link(w.Scale, "value", SIGNAL(valueChanged(double)), "Scale");
+  link(w.Limit, "checked", SIGNAL(toggled(bool)), "LimitStiffness");
+  link(w.Passivity, "checked", SIGNAL(toggled(bool)), "Passivity");
+  link(w.Delay, "value", SIGNAL(valueChanged(int)), "Delay");
+  link(w.Velocity, "currentText", SIGNAL(currentTextChanged(const QString&)), "VelocityMethod");
   this->refresh();
 }
 
@@ -267,6 +343,10 @@ void pqHapticPanel::refresh()
   w.Reason->setText(now.Reason);
   w.Reason->setVisible(!now.Reason.isEmpty());
   w.Force->setText(now.Force);
+  w.Hand->setEnabled(session && session->GetDeviceTakesHand());
+  w.Stability->setText(now.Stability);
+  w.Used->setText(now.Stiffness);
+  w.Energy->setText(now.Energy);
   w.Contact->setText(now.Contact);
   w.Rate->setText(now.Rate);
   w.Lateness->setText(now.Lateness);

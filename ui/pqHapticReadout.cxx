@@ -15,6 +15,20 @@ QString Percentiles(double p50_us, double p99_us)
   return QString("%1 / %2 us").arg(p50_us, 0, 'f', 1).arg(p99_us, 0, 'f', 1);
 }
 
+QString Millijoules(double energy_J)
+{
+  return Quantity(1e3 * energy_J, 2, "mJ");
+}
+
+/// What the spring is now, and that it is not what was asked for.
+QString StiffnessOf(const vtkHapticSession& session)
+{
+  const QString used = Quantity(session.GetStiffnessUsed(), 0, "N/m");
+  return session.GetStiffnessLimited()
+           ? QString("%1, limited from %2").arg(used, Quantity(session.GetStiffness(), 0, "N/m"))
+           : used;
+}
+
 /// A fault has a reason; otherwise the last thing that was refused is what the person must know.
 QString ReasonOf(const vtkHapticSession& session)
 {
@@ -30,12 +44,17 @@ pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
   now.Reason = ReasonOf(session);
   now.Force =
     QString("%1, peak %2").arg(Quantity(session.GetForceMagnitude(), 2, "N"), Quantity(session.GetPeakForce(), 2, "N"));
+  now.Stiffness = StiffnessOf(session);
+  now.Energy = QString("%1 given, %2 in excess, at most %3, stabilised by %4")
+                 .arg(Millijoules(session.GetDeliveredEnergy()), Millijoules(session.GetExcessEnergy()),
+                   Millijoules(session.GetPeakExcessEnergy()), Quantity(session.GetStabiliserForce(), 2, "N"));
   now.Contact =
     QString("%1 planes, %2 in all").arg(session.GetContacts()).arg(Quantity(session.GetContactSeconds(), 1, "s"));
   now.Rate = Quantity(session.GetRate(), 0, "Hz");
   now.Lateness = Percentiles(session.GetLatenessP50(), session.GetLatenessP99());
   now.Cost = Percentiles(session.GetCostP50(), session.GetCostP99());
   now.Ticks = QString("%1, missed %2").arg(session.GetTicks()).arg(session.GetMissed());
+  now.Stability = QString::fromUtf8(session.GetStabilitySentence());
   now.Scheduling = QString::fromUtf8(session.GetSchedulingReport());
   now.Scene = QString::fromUtf8(session.GetSceneReport());
   return now;

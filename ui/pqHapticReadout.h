@@ -13,11 +13,14 @@ struct pqHapticReadout
   QString State;
   QString Reason;
   QString Force;
+  QString Stiffness;
+  QString Energy;
   QString Contact;
   QString Rate;
   QString Lateness;
   QString Cost;
   QString Ticks;
+  QString Stability;
   QString Scheduling;
   QString Scene;
 
