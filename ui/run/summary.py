@@ -20,8 +20,8 @@ class WallClock:
         return time.monotonic() - self.start
 
 
-def of(session, wanted_s, clock):
-    """The session's numbers now."""
+def of(session, wanted_s, clock, stabiliser_N):
+    """The session's numbers now, and the largest force of the passivity control among the looks at it."""
     return {
         "ticks": session.GetTicks(),
         "missed_periods": session.GetMissed(),
@@ -34,6 +34,12 @@ def of(session, wanted_s, clock):
         "cost_p99_us": session.GetCostP99(),
         "force_residual_N": session.GetForceResidual(),
         "peak_force_N": session.GetPeakForce(),
+        "stabiliser_force_N": stabiliser_N,
+        "stiffness_N_per_m": session.GetStiffnessUsed(),
+        "stiffness_limited": session.GetStiffnessLimited(),
+        "stability": session.GetStabilitySentence(),
+        "delivered_J": session.GetDeliveredEnergy(),
+        "peak_excess_J": session.GetPeakExcessEnergy(),
         "contact_s": session.GetContactSeconds(),
         "wanted_contact_s": wanted_s,
         "wall_clock_s": clock.seconds(),
@@ -53,10 +59,15 @@ def failures(numbers):
     if numbers["fault"]:
         wrong.append(f"fault: {numbers['fault']}")
     if not numbers["force_residual_N"] <= LARGEST_RESIDUAL_N:
-        wrong.append(f"the force is not the spring's: off by up to {numbers['force_residual_N']:.3g} N")
+        wrong.append(f"the force is not the spring's and the stabiliser's: off by up to {numbers['force_residual_N']:.3g} N")
     if not (math.isfinite(numbers["peak_force_N"]) and numbers["peak_force_N"] > 0.0):
         wrong.append("no force was felt")
     return wrong
+
+
+def stiffness(numbers):
+    limited = "limited, " if numbers["stiffness_limited"] else ""
+    return f"{numbers['stiffness_N_per_m']:.0f} N/m, {limited}this device can hold {numbers['stability']}"
 
 
 def text(numbers):
@@ -67,13 +78,16 @@ def text(numbers):
         ("lateness p50 / p99", f"{numbers['lateness_p50_us']:.1f} / {numbers['lateness_p99_us']:.1f} us"),
         ("cost of a tick p50 / p99", f"{numbers['cost_p50_us']:.1f} / {numbers['cost_p99_us']:.1f} us"),
         ("ticks at a work limit", f"{numbers['capped_ticks']}"),
-        ("largest |F - K (p - x)|", f"{numbers['force_residual_N']:.2g} N"),
+        ("largest |F - S - K (p - x)|", f"{numbers['force_residual_N']:.2g} N"),
         ("peak force", f"{numbers['peak_force_N']:.2f} N"),
+        ("stabiliser S, largest seen", f"{numbers['stabiliser_force_N']:.3f} N"),
+        ("stiffness K", stiffness(numbers)),
+        ("energy given / in excess", f"{1e3 * numbers['delivered_J']:.2f} / {1e3 * numbers['peak_excess_J']:.3f} mJ"),
         ("servo thread", numbers["scheduling"].strip()),
         ("scene", numbers["scene"].strip()),
     ]
-    lines = [f"{name + ':':<28}{value}" for name, value in rows]
-    return "\n".join(lines + [f"{'FAILED:':<28}{reason}" for reason in failures(numbers)]) + "\n"
+    lines = [f"{name + ':':<29}{value}" for name, value in rows]
+    return "\n".join(lines + [f"{'FAILED:':<29}{reason}" for reason in failures(numbers)]) + "\n"
 
 
 def write(folder, numbers):
