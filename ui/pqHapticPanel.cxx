@@ -114,6 +114,7 @@ public:
   QLabel* Force;
   QLabel* Used;
   QLabel* Energy;
+  QLabel* Stabiliser;
   QLabel* Contact;
   QLabel* Rate;
   QLabel* Lateness;
@@ -206,13 +207,15 @@ void pqHapticPanel::Internals::addState(QVBoxLayout* column)
   this->Used = Value(parent, "used", tr("Stiffness of the spring now, after every limit [N/m]"));
   this->Energy = Value(parent, "energy",
     tr("Work of the force on the hand [mJ], negative: taken from it; what the contact gave more than its spring "
-       "holds, now and at most [mJ]; force of the passivity control [N]"));
+       "holds, now and at most [mJ]"));
+  this->Stabiliser = Value(parent, "stabiliser", tr("Part of the force that passivity control added [N]"));
   this->Contact = Value(parent, "contact", tr("Time in contact [s] and planes touched now"));
   form->addRow(tr("State"), this->State);
   form->addRow(this->Reason);
   form->addRow(tr("Force"), this->Force);
   form->addRow(tr("Stiffness"), this->Used);
   form->addRow(tr("Energy"), this->Energy);
+  form->addRow(tr("Stabiliser"), this->Stabiliser);
   form->addRow(tr("Contact"), this->Contact);
 }
 
@@ -347,6 +350,7 @@ void pqHapticPanel::refresh()
   w.Stability->setText(now.Stability);
   w.Used->setText(now.Stiffness);
   w.Energy->setText(now.Energy);
+  w.Stabiliser->setText(now.Stabiliser);
   w.Contact->setText(now.Contact);
   w.Rate->setText(now.Rate);
   w.Lateness->setText(now.Lateness);

@@ -45,16 +45,17 @@ pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
   now.Force =
     QString("%1, peak %2").arg(Quantity(session.GetForceMagnitude(), 2, "N"), Quantity(session.GetPeakForce(), 2, "N"));
   now.Stiffness = StiffnessOf(session);
-  now.Energy = QString("%1 given, %2 in excess, at most %3, stabilised by %4")
+  now.Energy = QString("%1 given, %2 in excess, at most %3")
                  .arg(Millijoules(session.GetDeliveredEnergy()), Millijoules(session.GetExcessEnergy()),
-                   Millijoules(session.GetPeakExcessEnergy()), Quantity(session.GetStabiliserForce(), 2, "N"));
+                   Millijoules(session.GetPeakExcessEnergy()));
+  now.Stabiliser = Quantity(session.GetStabiliserForce(), 2, "N");
   now.Contact =
     QString("%1 planes, %2 in all").arg(session.GetContacts()).arg(Quantity(session.GetContactSeconds(), 1, "s"));
   now.Rate = Quantity(session.GetRate(), 0, "Hz");
   now.Lateness = Percentiles(session.GetLatenessP50(), session.GetLatenessP99());
   now.Cost = Percentiles(session.GetCostP50(), session.GetCostP99());
   now.Ticks = QString("%1, missed %2").arg(session.GetTicks()).arg(session.GetMissed());
-  now.Stability = QString::fromUtf8(session.GetStabilitySentence());
+  now.Stability = QString("This device can hold %1.").arg(QString::fromUtf8(session.GetStabilitySentence()));
   now.Scheduling = QString::fromUtf8(session.GetSchedulingReport());
   now.Scene = QString::fromUtf8(session.GetSceneReport());
   return now;

@@ -15,6 +15,7 @@ struct pqHapticReadout
   QString Force;
   QString Stiffness;
   QString Energy;
+  QString Stabiliser;
   QString Contact;
   QString Rate;
   QString Lateness;
