@@ -36,7 +36,7 @@ const std::vector<DeviceModel>& deviceModels()
     { "D5", "simulated-omega", "a parallel laboratory device: fine encoders, 12 N", 0.25, 2.5, 0.1, 10e-6, 12.0, 5000.0,
       30.0, 0.08, none },
     { "D6", "simulated-joystick", "a force-feedback joystick: a plane of 100 mm in 1024 steps, 5 N", 0.05, 0.5, 0.3,
-      0.1 / 1024, 5.0, 200.0, none, 0.05, 0.05, true, Provenance::Assumed },
+      0.1 / 1024, 5.0, 200.0, none, 0.05, 0.05, true, Provenance::Assumed, 1e-3 },
   };
   return models;
 }

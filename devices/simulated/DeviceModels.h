@@ -39,6 +39,7 @@ struct DeviceModel
   double travel_m = unlimited; ///< stops at +- this along each axis
   bool planar = false;         ///< moves in x and y only
   Provenance provenance = Provenance::Listed;
+  double loop_s = 0.0; ///< period of the device's own loop, in which it closes walls; 0: it has none
 };
 
 /// D0 ideal, D1 generic, D2 touch, D3 premium, D4 falcon, D5 omega, D6 joystick. Largest force, stiffness and damping

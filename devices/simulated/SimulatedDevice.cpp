@@ -8,11 +8,22 @@
 
 namespace palpate
 {
+namespace
+{
+
+int passesOf(const DeviceModel& model, const SimulationOptions& options)
+{
+  constexpr double rounding = 1e-9;
+  return model.loop_s > 0.0 ? std::max(1, static_cast<int>(std::ceil(options.period_s / model.loop_s * (1.0 - rounding)))) : 1;
+}
+
+} // namespace
 
 SimulatedDevice::SimulatedDevice(DeviceModel model, HandModel hand, HandPath path, const SimulationOptions& options)
   : info_(infoOf(model)), model_(std::move(model)), hand_(std::move(hand)), path_(std::move(path)), options_(options),
+    parts_(passesOf(model_, options)),
     plant_(model_.mass_kg + hand_.mass_kg, model_.damping_Ns_per_m + hand_.damping_Ns_per_m, hand_.stiffness_N_per_m,
-      model_.friction_N, options.period_s)
+      model_.friction_N, options.period_s / parts_)
 {
 }
 
@@ -64,7 +75,7 @@ std::string SimulatedDevice::open()
   {
     this->axes_[2] = {};
   }
-  this->commands_.fill(Vec3::Zero());
+  this->commands_.fill(DeviceCommand{});
   this->time_s_ = 0.0;
   return {};
 }
@@ -91,23 +102,51 @@ Vec3 SimulatedDevice::target(double time_s) const noexcept
 
 void SimulatedDevice::write(const DeviceCommand& command) noexcept
 {
-  this->commands_[static_cast<std::size_t>(this->newest_)] = command.wrench_D.force;
+  this->commands_[static_cast<std::size_t>(this->newest_)] = command;
 }
 
-Vec3 SimulatedDevice::forceDue() noexcept
+DeviceCommand SimulatedDevice::due() noexcept
 {
   constexpr int slots = SimulationOptions::longestDelay_ticks + 1;
-  Vec3 due = this->commands_[static_cast<std::size_t>((this->newest_ - this->options_.delay_ticks + slots) % slots)];
+  const DeviceCommand due =
+    this->commands_[static_cast<std::size_t>((this->newest_ - this->options_.delay_ticks + slots) % slots)];
+  const int latest = this->newest_;
+  // What is written last holds until something else is written.
+  this->newest_ = (this->newest_ + 1) % slots;
+  this->commands_[static_cast<std::size_t>(this->newest_)] = this->commands_[static_cast<std::size_t>(latest)];
+  return due;
+}
+
+Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
+{
+  Vec3 force = command.wrench_D.force;
+  const std::size_t walls = this->model_.loop_s > 0.0 ? std::min<std::size_t>(command.wallCount, command.walls.size()) : 0;
+  for (std::size_t i = 0; i < walls; ++i)
+  {
+    const HeldWall& wall = command.walls[i];
+    const double depth_m = wall.offset_m - wall.normal_D.dot(this->shown_D());
+    force += std::max(0.0, wall.stiffness_N_per_m * depth_m) * wall.normal_D;
+  }
   if (this->model_.planar)
   {
-    due.z() = 0.0; // no motor that way, so nothing of the largest force goes there
+    force.z() = 0.0; // no motor that way, so nothing of the largest force goes there
   }
-  // What is written last holds until something else is written.
-  const Vec3 latest = this->commands_[static_cast<std::size_t>(this->newest_)];
-  this->newest_ = (this->newest_ + 1) % slots;
-  this->commands_[static_cast<std::size_t>(this->newest_)] = latest;
-  const double magnitude = due.norm();
-  return magnitude > this->model_.maxForce_N ? Vec3(this->model_.maxForce_N / magnitude * due) : due;
+  const double magnitude = force.norm();
+  return magnitude > this->model_.maxForce_N ? Vec3(this->model_.maxForce_N / magnitude * force) : force;
+}
+
+void SimulatedDevice::move(const Vec3& u_N) noexcept
+{
+  const int moving = this->model_.planar ? 2 : 3;
+  for (int axis = 0; axis < moving; ++axis)
+  {
+    FrictionPlant::State& s = this->axes_[static_cast<std::size_t>(axis)];
+    this->plant_.step(s, u_N[axis]);
+    if (std::fabs(s.x_m) > this->model_.travel_m)
+    {
+      s = { std::copysign(this->model_.travel_m, s.x_m), 0.0 };
+    }
+  }
 }
 
 void SimulatedDevice::advance() noexcept
@@ -115,18 +154,18 @@ void SimulatedDevice::advance() noexcept
   const double T = this->options_.period_s;
   const Vec3 before = this->target(this->time_s_), after = this->target(this->time_s_ + T);
   const Vec3 led = this->hand_.stiffness_N_per_m * after + this->hand_.damping_Ns_per_m / T * (after - before);
-  const Vec3 u = led + this->options_.push_D + this->forceDue();
-  const int moving = this->model_.planar ? 2 : 3;
-  for (int axis = 0; axis < moving; ++axis)
+  const DeviceCommand command = this->due();
+  for (int pass = 0; pass < this->parts_; ++pass)
   {
-    FrictionPlant::State& s = this->axes_[static_cast<std::size_t>(axis)];
-    this->plant_.step(s, u[axis]);
-    if (std::fabs(s.x_m) > this->model_.travel_m)
-    {
-      s = { std::copysign(this->model_.travel_m, s.x_m), 0.0 };
-    }
+    this->move(led + this->options_.push_D + this->motorForce(command));
   }
   this->time_s_ += T;
+}
+
+Vec3 SimulatedDevice::shown_D() const noexcept
+{
+  const double step = this->model_.encoderStep_m;
+  return step > 0.0 ? Vec3((this->position_D() / step).array().floor() * step) : this->position_D();
 }
 
 Vec3 SimulatedDevice::position_D() const noexcept
@@ -147,11 +186,10 @@ DeviceStatus SimulatedDevice::read(double tickTime_s, DeviceSample& sample) noex
   {
     this->advance();
   }
-  const double step = this->model_.encoderStep_m;
   sample = DeviceSample{};
   sample.time_s = tickTime_s;
-  sample.pose_D.p = step > 0.0 ? Vec3((this->position_D() / step).array().floor() * step) : this->position_D();
-  sample.velocity_D.linear = step > 0.0 ? Vec3(Vec3::Zero()) : this->speed_D();
+  sample.pose_D.p = this->shown_D();
+  sample.velocity_D.linear = this->model_.encoderStep_m > 0.0 ? Vec3(Vec3::Zero()) : this->speed_D();
   sample.grip = true;
   return DeviceStatus::Ok;
 }

@@ -33,6 +33,7 @@ struct SimulationOptions
 
 /// A device in the grip of a spring-damper hand that is led along a polyline, or in nobody's grip: deterministic, exact
 /// between ticks, with friction, encoder steps, delay, force limit and stops. A device with an encoder shows
+/// A joystick closes the walls of a command in its own loop, however slow the host is. A device with an encoder shows
 /// floor(x / D) D and no velocity: whoever wants one estimates it. One without encoder shows both exactly.
 class SimulatedDevice final : public HapticDevice
 {
@@ -57,18 +58,23 @@ public:
 private:
   [[nodiscard]] std::string refusal() const;
   void advance() noexcept;
-  /// What acts in the coming period: the command that is due, cut to the largest force.
-  [[nodiscard]] Vec3 forceDue() noexcept;
+  /// The command that acts in the coming period.
+  [[nodiscard]] DeviceCommand due() noexcept;
+  /// What the motors give now: the command's force and the walls the device closes itself, cut to the largest force.
+  [[nodiscard]] Vec3 motorForce(const DeviceCommand& command) const noexcept;
+  [[nodiscard]] Vec3 shown_D() const noexcept;
+  void move(const Vec3& u_N) noexcept;
 
   DeviceInfo info_;
   DeviceModel model_;
   HandModel hand_;
   HandPath path_;
   SimulationOptions options_;
+  int parts_; ///< of a period: passes of the device's own loop, or one
   FrictionPlant plant_;
   std::vector<double> reached_m_; ///< length of the path up to each point
   std::array<FrictionPlant::State, 3> axes_;
-  std::array<Vec3, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
+  std::array<DeviceCommand, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
   int newest_ = 0;
   double time_s_ = 0.0;
 };

@@ -321,6 +321,39 @@ TEST(DeviceModels, SayWhichNumbersAreListedAndWhichAssumed)
   }
 }
 
+TEST(SimulatedDevice, TheJoystickHoldsAWallThatItsHostCouldNotAtAnyHostRate)
+{
+  DeviceModel model = *deviceModel("simulated-joystick");
+  model.friction_N = model.encoderStep_m = 0.0;
+  const double K = 200.0, push = 1.0;
+  for (const double rate : { 20.0, 125.0, 1000.0 })
+  {
+    SimulationOptions options;
+    options.period_s = 1.0 / rate;
+    options.push_D = { -push, 0, 0 };
+    SimulatedDevice held = freeDevice(model, options), spring = freeDevice(model, options);
+    ASSERT_EQ(held.open() + spring.open(), "");
+    DeviceCommand wall;
+    wall.wallCount = 1;
+    wall.walls[0] = { Vec3::UnitX(), 0.0, K };
+    DeviceSample sample;
+    double swing = 0.0;
+    for (int n = 1; n <= static_cast<int>(3.0 * rate); ++n)
+    {
+      static_cast<void>(held.read(n * options.period_s, sample));
+      held.write(wall);
+      static_cast<void>(spring.read(n * options.period_s, sample));
+      DeviceCommand force;
+      force.wrench_D.force.x() = std::max(0.0, -K * sample.pose_D.p.x());
+      spring.write(force);
+      swing = n > 2.5 * rate ? std::max(swing, std::abs(sample.pose_D.p.x() + push / K)) : swing;
+    }
+    EXPECT_NEAR(held.position_D().x(), -push / K, 1e-6) << rate; // at rest where the spring balances the push
+    // The same spring closed by the host holds only up to 2 b / T: 20 N/m at 20 Hz, 125 N/m at 125 Hz.
+    EXPECT_EQ(swing > 1e-3, K > 2 * model.damping_Ns_per_m * rate) << rate;
+  }
+}
+
 TEST(SimulatedDevice, AnyPeriodGivesTheSameMotionUnderAConstantForce)
 {
   DeviceModel model = *deviceModel("simulated-falcon");

@@ -11,7 +11,7 @@
 namespace palpate::lab
 {
 
-/// How much an experiment may take: a share of a minute, of eight minutes, or of a night.
+/// How much an experiment may take: a share of a minute, of a few minutes, or of a night.
 enum class Size
 {
   Quick,
