@@ -42,7 +42,7 @@ palpate::DeviceOptions vtkHapticSession::Internals::Options() const
 {
   palpate::DeviceOptions options;
   options.recordingFile = this->ReplayFile;
-  options.period_s = Period_s;
+  options.period_s = PeriodSeconds;
   options.hand = this->HeldBy;
   options.delay_ticks = static_cast<int>(this->Parameters.passivity.delay_ticks);
   options.stroke.speed_m_per_s = this->StrokeSpeed;
@@ -205,7 +205,7 @@ void vtkHapticSession::Start()
   impl.Problem.clear();
   this->Refuse(impl.Core.setParameters(impl.Parameters));
   palpate::SessionOptions options;
-  options.period_s = Internals::Period_s;
+  options.period_s = Internals::PeriodSeconds;
   options.virtualTime = impl.VirtualTime;
   options.recordFile = impl.RecordFile;
   this->Refuse(impl.Core.start(std::move(made.device), options));

@@ -14,7 +14,7 @@
 class vtkHapticSession::Internals
 {
 public:
-  static constexpr double Period_s = 1e-3;
+  static constexpr double PeriodSeconds = 1e-3;
 
   palpate::HapticSession Core;
   palpate::HapticParameters Parameters;

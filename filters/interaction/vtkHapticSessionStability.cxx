@@ -19,7 +19,7 @@ void vtkHapticSession::Internals::JudgeStability()
     this->StabilitySentence = this->Core.limitsSentence();
     return;
   }
-  const palpate::LoopSettings loop = palpate::loopSettings(this->Parameters, Period_s);
+  const palpate::LoopSettings loop = palpate::loopSettings(this->Parameters, PeriodSeconds);
   this->Limits = palpate::stabilityLimits(this->ChosenInfo(), loop);
   this->StabilitySentence = palpate::describe(this->Limits, this->ChosenInfo(), loop);
 }

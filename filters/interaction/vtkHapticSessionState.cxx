@@ -84,7 +84,7 @@ vtkIdType vtkHapticSession::GetCappedTicks() const
 
 double vtkHapticSession::GetContactSeconds() const
 {
-  return static_cast<double>(this->Impl->Report.contactTicks) * Internals::Period_s;
+  return static_cast<double>(this->Impl->Report.contactTicks) * Internals::PeriodSeconds;
 }
 
 double vtkHapticSession::GetForceResidual() const
