@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "devices/FedDevice.h"
 #include "vtkCellArray.h"
@@ -270,8 +271,11 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
     this->Refuse(problem);
     return;
   }
-  this->Impl->Parameters = parameters;
-  this->Impl->JudgeStability();
+  const palpate::HapticParameters before = std::exchange(this->Impl->Parameters, parameters);
+  if (before.passivity != parameters.passivity || before.damping_Ns_per_m != parameters.damping_Ns_per_m)
+  {
+    this->Impl->JudgeStability();
+  }
   this->Impl->Feed(); // the hand stays where it is in the scene when the map changes
   this->Modified();
 }

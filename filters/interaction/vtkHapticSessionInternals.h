@@ -47,7 +47,7 @@ public:
   void Feed();
   void TakeScene(std::optional<vtkHapticBuiltScene> built);
   void ShowState();
-  /// How stiff the running device can be, else the chosen one. Eigenvalues: after changes, not every frame.
+  /// How stiff the running device can be, else the chosen one: milliseconds, for changes of what it depends on only.
   void JudgeStability();
   const palpate::DeviceInfo& ChosenInfo() const;
 };
