@@ -19,13 +19,13 @@ from charting.tables import Problem, read_folder
 CHARTS = [
     ("speed-accuracy", "Speed against accuracy",
      "Each mark is a method on a scene: how long a tick takes (a line from the median to the 99th of a hundred) against its "
-     "largest error, in units of what a hand can feel (7 % of the force, 18 degrees). Below the dashed line nobody feels a "
-     "difference; hollow marks failed, those in the grey band went through, stuck or left every bound. The wide blue line is "
-     "the product's frontier: nothing of it is both cheaper and truer.",
+     "largest error, in units of what a hand can feel (7 % of the force, 18 degrees; 1e-4 and less on one height). Below the "
+     "dashed line nobody feels a difference; hollow marks failed, those in the grey band went through, stuck or left every "
+     "bound; the wide blue line is the product's frontier: nothing of it is both cheaper and truer.",
      ["speed-accuracy"], lambda t: speed_accuracy.draw(t["speed-accuracy"])),
     ("stability-atlas", "Stability atlas, and what stability costs",
      "The stiffest wall that stays still, for each method: marks are measured, wide dashed lines are theory, the dotted line is "
-     "what is passive whoever holds the device: stable and passive are different questions. Below: what each way to gain "
+     "what is passive whoever holds the device (10 N/m and less on one height): stable and passive are different questions. Below: what each way to gain "
      "stiffness costs a hand in free air and on a spring; left of and under the dashed lines it cannot be felt.",
      ["stability-atlas", "transparency"], lambda t: stability.draw_atlas(t["stability-atlas"], t["transparency"])),
     ("facets", "How fine a sphere must be (C1)",
@@ -36,12 +36,12 @@ CHARTS = [
      "Enumeration is exact for any number of planes a tick meets; taking one plane a tick or projecting in turn is cheaper and wrong.",
      ["solver"], lambda t: costs.draw_solver(t["solver"])),
     ("rate-stiffness", "Rate against stiffness (C3)",
-     "A wall can be as stiff as its rate allows: at the 60 Hz of drawing it is mush. Marks are measured on the simulated device, "
-     "the line is the exact limit, the dotted one the stiffness that is passive in any hand.",
+     "A wall can be as stiff as its rate allows: at the 60 Hz of drawing it is mush. Filled marks are measured on the simulated "
+     "device, black is the exact limit, grey what is passive in any hand: right, a damped wall that stays still need not be passive (10 N/m and less on one height).",
      ["wall-stability"], lambda t: stability.draw_rates(t["wall-stability"])),
     ("queries", "Collision queries (C9)",
      "What one query costs in each library on the same meshes and segments; a band reaches from the median to the 99th of a hundred. "
-     "Which of them answer wrongly, and where, stands in the table of the experiment.",
+     "Hollow marks answer wrongly somewhere: what is cheap at a vertex or a seam is often not right there.",
      ["queries"], lambda t: costs.draw_queries(t["queries"])),
 ]
 
@@ -55,11 +55,15 @@ def save(figure, folder, name):
 def draw(tables, folder):
     charts, missing = [], []
     for name, title, caption, needs, make in CHARTS:
-        absent = [experiment for experiment in needs if not tables.get(experiment)]
+        absent = [experiment for experiment in needs if all(row.value is None for row in tables.get(experiment, []))]
         if absent:
-            missing.append((title, "the run did not include " + ", ".join(absent)))
+            missing.append((title, "the run measured nothing of " + ", ".join(absent)))
             continue
-        save(make(tables), folder, name)
+        try:
+            figure = make(tables)
+        except KeyError as error:
+            raise Problem(f"{' or '.join(needs)}.csv has a case without {error}: run the lab again") from None
+        save(figure, folder, name)
         charts.append((name, title, caption))
         print(f"charts: {folder / name}.png", flush=True)
     (folder / "index.html").write_text(page(tables, charts, missing), encoding="utf-8")

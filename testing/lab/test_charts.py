@@ -22,7 +22,7 @@ class Charts(LabTest):
         self.assertGreater((self.folder / "facets.png").stat().st_size, 5000)
         page = (self.folder / "index.html").read_text(encoding="utf-8")
         self.assertIn("4 of 4 verdicts passed", page)
-        self.assertIn("the run did not include speed-accuracy", page)
+        self.assertIn("the run measured nothing of speed-accuracy", page)
         self.assertNotIn("http", page)  # works from a disk without a network
 
     def test_the_same_numbers_give_the_same_picture(self):
@@ -42,7 +42,9 @@ class Charts(LabTest):
     def test_absent_libraries_are_named(self):
         self.write(HEADER + FACETS + "queries,triangles=1 query=far,embree,disagreements,,,,,absent,,\n")
         self.assertEqual(self.charts(self.folder).returncode, 0)
-        self.assertIn("queries: embree", (self.folder / "index.html").read_text(encoding="utf-8"))
+        page = (self.folder / "index.html").read_text(encoding="utf-8")
+        self.assertIn("queries: embree", page)
+        self.assertIn("the run measured nothing of queries", page)
 
     def test_a_file_of_another_version_is_named(self):
         self.write("experiment,case,value\nfacets,1,2\n")
@@ -53,6 +55,12 @@ class Charts(LabTest):
             with self.subTest(text=text):
                 self.write(HEADER + FACETS + f"facets,triangles=1,point,force error,{text},,0,1,fail,,\n")
                 self.assert_refused(self.charts(self.folder), "facets.csv, line 6", "value")
+
+    def test_a_case_that_a_chart_cannot_read_is_named(self):
+        self.write(HEADER + FACETS + "facets,N=320,point,force error,1,,0,1,fail,,\n")
+        self.assert_refused(self.charts(self.folder), "facets.csv", "triangles")
+        self.write("\0" * 10)
+        self.assert_refused(self.charts(self.folder), "facets.csv", "not of this version")
 
     def test_a_cut_line_and_a_foreign_verdict_are_named(self):
         self.write(HEADER + FACETS + "facets,triangles=1\n")

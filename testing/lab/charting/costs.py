@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """C1, C2 and C9: what size costs, and what it brings."""
 
+from matplotlib.ticker import LogFormatter, MaxNLocator
+
 from .style import line, looks, pyplot
 
 LEAST = 1e-16
+QUERIES_A_LINE = 3
 
 
 def spread(axes, rows, key, style):
-    """Median as a line, p50 to p99 as a band."""
+    """Median as a line, p50 to p99 as a band; hollow marks where the answers were wrong."""
     for method, look in style.items():
         points = sorted((row.pairs[key], row.cost_us_p50, row.cost_us_p99) for row in rows
                         if row.method == method and row.cost_us_p50 is not None and key in row.pairs)
@@ -15,6 +18,14 @@ def spread(axes, rows, key, style):
             x = [p[0] for p in points]
             axes.fill_between(x, [p[1] for p in points], [p[2] for p in points], color=look["color"], alpha=0.12)
             line(axes, [(p[0], p[1]) for p in points], method, look)
+            wrong = [(row.pairs[key], row.cost_us_p50) for row in rows
+                     if row.method == method and row.quantity == "disagreements" and row.value and row.cost_us_p50 is not None]
+            line(axes, wrong, None, look, linestyle="none", markerfacecolor="w")
+
+
+def limit(axes, height, text):
+    axes.axhline(height, color="k", linestyle="--", linewidth=1)
+    axes.annotate(text, (0.02, height), xycoords=("axes fraction", "data"), textcoords="offset points", xytext=(0, 3), fontsize=9)
 
 
 def draw_facets(rows):
@@ -24,13 +35,14 @@ def draw_facets(rows):
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4))
     for method, look in style.items():
         line(left, [(row.pairs["triangles"], row.value) for row in errors if row.method == method], method, look)
-    left.axhline(0.07, color="k", linestyle="--", linewidth=1)
-    left.annotate("7 %: what a hand notices", (left.get_xlim()[0] * 1.2, 0.075), fontsize=7)
+    limit(left, 0.07, "7 %: what a hand notices")
     left.set(xscale="log", yscale="log", xlabel="triangles of the sphere", ylabel="largest relative force error",
              title="1 mm deep in a sphere of 50 mm")
     left.legend()
     spread(right, errors, "triangles", style)
     right.set(xscale="log", yscale="log", xlabel="triangles of the sphere", ylabel="cost of a tick, p50 to p99 [µs]")
+    for which in (right.yaxis.set_major_formatter, right.yaxis.set_minor_formatter):  # hardly a decade high
+        which(LogFormatter(minor_thresholds=(2, 1)))
     return figure
 
 
@@ -41,10 +53,12 @@ def draw_solver(rows):
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4))
     for method, look in style.items():
         line(left, [(row.pairs["planes"], max(row.value, LEAST)) for row in errors if row.method == method], method, look)
-    left.axhline(1e-12, color="k", linestyle="--", linewidth=1)
+    limit(left, 1e-12, "1e-12: exact")
+    left.xaxis.set_major_locator(MaxNLocator(integer=True))
     left.set(yscale="log", xlabel="planes", ylabel="relative error against an exact oracle")
     left.legend()
     spread(right, errors, "planes", style)
+    right.xaxis.set_major_locator(MaxNLocator(integer=True))
     right.set(yscale="log", xlabel="planes", ylabel="cost of a solution, p50 to p99 [µs]")
     return figure
 
@@ -54,10 +68,17 @@ def draw_queries(rows):
     timed = [row for row in rows if row.quantity == "disagreements" and row.cost_us_p50 is not None and "triangles" in row.pairs]
     kinds = sorted({row.pairs.get("query", "") for row in timed})
     style = looks(row.method for row in timed)
-    figure, grid = pyplot.subplots(1, max(1, len(kinds)), figsize=(5.5 * max(1, len(kinds)), 4), sharey=True, squeeze=False)
-    for axes, kind in zip(grid[0], kinds):
+    lines = max(1, -(-len(kinds) // QUERIES_A_LINE))
+    figure, grid = pyplot.subplots(lines, QUERIES_A_LINE, figsize=(10.5, 3.5 * lines), sharex=True, sharey=True, squeeze=False)
+    cells = [axes for row in grid for axes in row]
+    for axes, kind in zip(cells, kinds):
         spread(axes, [row for row in timed if row.pairs.get("query") == kind], "triangles", style)
-        axes.set(xscale="log", yscale="log", xlabel="triangles", title=f"query: {kind}")
-    grid[0][0].set_ylabel("cost of a query, p50 to p99 [µs]")
-    grid[0][0].legend(fontsize=7)
+        axes.set(xscale="log", yscale="log", title=f"query: {kind}")
+        axes.xaxis.set_tick_params(labelbottom=True)
+    for axes in cells[len(kinds):]:
+        axes.axis("off")
+    for row in grid:
+        row[0].set_ylabel("cost of a query [µs]")
+    figure.supxlabel("triangles", fontsize="medium")
+    figure.legend(*cells[0].get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=6)
     return figure

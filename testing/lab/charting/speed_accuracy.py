@@ -4,9 +4,8 @@
 from .style import is_ours, looks, pyplot
 
 LEAST = 1e-4  # below a ten-thousandth of what a hand can feel there is nothing to compare
-FAILURES = {1: "through", 2: "stuck", 3: "unstable", 4: "wrong"}
-BAND = 3e3  # height at which failures stand
-TOP = 2e4
+FAILURES = {1: "through", 2: "stuck", 3: "unstable"}  # 4, a wrong force, has an error that says how wrong
+FLOOR, BAND, TOP = 3e6, 2e7, 2e8  # of the band of failures, above every error the lab tells
 
 
 def outcomes(rows):
@@ -20,20 +19,20 @@ def draw_scene(axes, rows, failed, style, named=True):
         look = style[row.method]
         outcome = failed.get((row.case, row.method), 0)
         x = [max(row.cost_us_p50, 0.01), max(row.cost_us_p99, 0.01)]
-        if outcome in (1, 2, 3):  # no error is large enough for these: they stand above the axis
+        if outcome in FAILURES:  # no error is large enough for these: they stand above the axis
             y = BAND
             if named:
-                axes.annotate(FAILURES[outcome], (x[0], y), textcoords="offset points", xytext=(0, 6), fontsize=6,
+                axes.annotate(FAILURES[outcome], (x[0], y), textcoords="offset points", xytext=(0, 5), fontsize=9,
                               ha="center", color=look["color"])
         else:
-            y = min(max(row.value, LEAST), 0.3 * BAND)
+            y = max(row.value, LEAST)
         face = "none" if outcome else look["color"]
         axes.plot(x, [y, y], color=look["color"], linewidth=look["linewidth"], alpha=0.7)
         axes.plot(x[:1], [y], marker=look["marker"], color=look["color"], markerfacecolor=face, linestyle="none",
                   markersize=look["markersize"])
     frontier(axes, rows, failed)
     axes.axhline(1.0, color="k", linewidth=1, linestyle="--")
-    axes.axhspan(1e3, TOP, color="k", alpha=0.06)
+    axes.axhspan(FLOOR, TOP, color="k", alpha=0.06)
     axes.set(xscale="log", yscale="log", ylim=(LEAST / 2, TOP))
 
 
@@ -58,9 +57,9 @@ def draw(rows):
     failed = outcomes(rows)
     scenes = list(dict.fromkeys(row.case for row in errors))
     style = looks(row.method for row in errors)
-    columns = 4
+    columns = min(3, len(scenes) + 1)
     lines = -(-(len(scenes) + 1) // columns)
-    figure, grid = pyplot.subplots(lines, columns, figsize=(12, 2.9 * lines), sharex=True, sharey=True, squeeze=False)
+    figure, grid = pyplot.subplots(lines, columns, figsize=(10.5, 2.7 * lines), sharex=True, sharey=True, squeeze=False)
     cells = [axes for row in grid for axes in row]
     draw_scene(cells[0], errors, failed, style, named=False)
     cells[0].set_title("all scenes")
@@ -71,8 +70,10 @@ def draw(rows):
         axes.axis("off")
     for row in grid:
         row[0].set_ylabel("error [JND]")
-    for axes in grid[-1]:
+    for axes in cells[len(scenes) + 1 - columns:len(scenes) + 1]:  # the lowest of each column
         axes.set_xlabel("cost of a tick, p50 to p99 [µs]")
+        axes.tick_params(labelbottom=True)
     handles = [pyplot.Line2D([], [], label=method, **look) for method, look in style.items()]
+    handles.append(pyplot.Line2D([], [], label="hollow: failed", color="0.4", marker="o", markerfacecolor="none", linestyle="none"))
     figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=5)
     return figure

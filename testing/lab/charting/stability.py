@@ -10,6 +10,7 @@ AXES = {
     "quantisation": ("encoder step [µm]", "log"),
     "friction": ("friction of the device [N]", "linear"),
 }
+NAMES = "m {mass:g}\nb {damping:g}\nB {virtual:g}\nd {delay:g}"
 LEAST = 10.0  # N/m: what is softer is drawn at the edge
 
 
@@ -42,21 +43,22 @@ def draw_devices(axes, rows, style):
     passive = {row.pairs["device"]: max(row.value, LEAST) for row in varied(rows, "device", "K_passive") if row.method == "spring"}
     axes.plot(range(len(devices)), [passive.get(d, LEAST) for d in devices], "k_", markersize=24, label="passive (any hand)")
     axes.set(xticks=range(len(devices)), xticklabels=devices, yscale="log", ylabel="stiffest wall [N/m]",
-             title="the simulated devices, 1 kHz, in no hand")
+             title="simulated devices, 1 kHz, no hand")
 
 
 def draw_atlas(rows, transparency):
     style = looks(row.method for row in rows + transparency if row.quantity == "K_max")
     chains = {row.method: style[row.method] for row in rows if row.quantity == "K_max"}
-    figure, grid = pyplot.subplots(3, 3, figsize=(12, 10))
+    figure, grid = pyplot.subplots(3, 3, figsize=(10.5, 9.5))
     cells = [axes for line_of in grid for axes in line_of]
     for axes, what in zip(cells, AXES):
         draw_varied(axes, rows, what, chains)
     draw_devices(cells[5], rows, chains)
     draw_transparency(cells[6:], transparency, style)
-    handles, labels = cells[0].get_legend_handles_labels()
-    handles.append(pyplot.Line2D([], [], color="0.4", linestyle="--", linewidth=3.5, alpha=0.4))
-    figure.legend(handles, labels + ["theory, same colour"], loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=5)
+    handles = [pyplot.Line2D([], [], label=method, **look) for method, look in style.items()]
+    handles.append(pyplot.Line2D([], [], color="0.5", linestyle=":", linewidth=2, label="passive (any hand)"))
+    handles.append(pyplot.Line2D([], [], color="0.4", linestyle="--", linewidth=3.5, alpha=0.4, label="theory, same colour"))
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=4)
     return figure
 
 
@@ -71,7 +73,6 @@ def draw_transparency(cells, rows, style):
             line(axes, points, method, look)
         axes.axhline(limit, color="k", linewidth=1, linestyle="--")
         axes.set(xscale="log", xlabel="frequency of the hand [Hz]", ylabel=label)
-        axes.legend(fontsize=6)
     for method, look in style.items():
         drag = [row.value for row in first if row.method == method and row.quantity == "drag"]
         stiffest = [row.value for row in first if row.method == method and row.quantity == "K_max"]
@@ -80,22 +81,38 @@ def draw_transparency(cells, rows, style):
     cells[2].axvline(0.05, color="k", linewidth=1, linestyle="--")
     cells[2].set(xlabel="drag in free air at 0.1 m/s [N]", ylabel="stiffest wall [N/m]", yscale="log",
                  title="what stability costs (D1)")
-    cells[2].legend(fontsize=6)
 
 
 def draw_rates(rows):
-    """C3: rate against stiffness."""
-    figure, axes = pyplot.subplots(figsize=(7, 4.5))
-    by_rate = [row for row in rows if set(row.pairs) == {"rate"} and row.value is not None]
-    measured = [row for row in by_rate if row.quantity == "K_crit"]
-    line(axes, [(row.pairs["rate"], row.value) for row in measured], "measured: begins to shake",
-         {"color": "#D55E00", "marker": "s"}, linestyle="none")
-    line(axes, [(row.pairs["rate"], row.truth) for row in measured], "exact eigenvalues", {"color": "#D55E00"})
-    line(axes, [(row.pairs["rate"], row.value) for row in by_rate if row.quantity == "K_passive"],
-         "passive with any hand, 2 b / T", {"color": "0.5"}, linestyle=":")
-    axes.axvline(60, color="k", linewidth=1, alpha=0.5)
-    axes.annotate("drawing, 60 Hz", (60, axes.get_ylim()[0] * 2), rotation=90, fontsize=7, ha="right")
-    axes.set(xscale="log", yscale="log", xlabel="rate [Hz]", ylabel="stiffest wall [N/m]",
-             title="0.1 kg with 1 N s/m against a spring")
-    axes.legend()
+    """C3: rate against stiffness, and beside it what delay and damping do to both limits."""
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10.5, 4.5))
+    limits = [[row for row in rows if row.quantity == quantity and row.value is not None] for quantity in ("K_crit", "K_passive")]
+    draw_limits(left, *([(row.pairs["rate"], row) for row in of if set(row.pairs) == {"rate"}] for of in limits), "", "")
+    left.axvline(60, color="k", linewidth=1, alpha=0.5)
+    left.annotate("drawing, 60 Hz", (60, 0.55), xycoords=("data", "axes fraction"), textcoords="offset points", xytext=(-3, 0),
+                  rotation=90, fontsize=9, ha="right")
+    left.set(xscale="log", xlabel="rate [Hz]", ylabel="stiffest wall [N/m]", title="0.1 kg with 1 N s/m against a spring")
+    draw_cases(right, *limits)
     return figure
+
+
+def draw_cases(axes, measured, passive):
+    """Devices and delays at one rate, side by side."""
+    names = {row.case: NAMES.format(**row.pairs) for row in measured if "mass" in row.pairs}
+    cases = list(names)
+    draw_limits(axes, *([(cases.index(row.case), row) for row in of if row.case in names] for of in (measured, passive)), "_", "v",
+                linestyle="none")
+    axes.set_xticks(range(len(cases)), names.values(), fontsize=8)
+    axes.set(xlabel="m [kg], b of device, B of wall [N s/m], d [ticks]", title="mass, damping and delay at 1 kHz")
+
+
+def draw_limits(axes, measured, passive, exact, dotted, **more):
+    """Where a wall begins to shake, found and by eigenvalues, and up to where it is passive."""
+    line(axes, [(x, max(row.value, LEAST)) for x, row in measured], "measured: begins to shake", {"color": "#D55E00", "marker": "s"},
+         linestyle="none")
+    line(axes, [(x, max(row.truth, LEAST)) for x, row in measured], "exact eigenvalues",
+         {"color": "#000000", "linestyle": "-", "marker": exact, "markersize": 14, **more})
+    line(axes, [(x, max(row.value, LEAST)) for x, row in passive], "passive with any hand",
+         {"color": "0.5", "linestyle": ":", "marker": dotted, "markerfacecolor": "none", **more})
+    axes.set(yscale="log")
+    axes.legend(fontsize=9)

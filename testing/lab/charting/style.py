@@ -7,7 +7,9 @@ matplotlib.use("Agg")  # no display
 matplotlib.rcParams.update({
     "svg.hashsalt": "palpate-lab",  # the same file for the same data
     "svg.fonttype": "none",
-    "font.size": 9,
+    "font.size": 10,
+    "figure.titlesize": 10,
+    "axes.titlesize": 10,
     "axes.grid": True,
     "grid.alpha": 0.25,
     "axes.axisbelow": True,
@@ -19,7 +21,7 @@ import matplotlib.pyplot as pyplot  # noqa: E402  (after the back-end is chosen)
 
 # Okabe and Ito's colours, which most colour-blind people tell apart.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999999", "#7F3C8D"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*", "h"]
+MARKERS = ["o", "s", "^", "D", "v", "p", "<", ">", "h"]  # all with an inside: hollow means failed
 OURS = ("god-object", "ours", "enumeration", "spring+passivity")
 
 
@@ -28,11 +30,12 @@ def is_ours(method):
 
 
 def looks(methods):
-    """A colour, marker and line width for each method, the product's own first and bold."""
+    """A colour, marker and line width for each method, the product's own first and bold, the later ones smaller: equal
+    results lie on top of each other."""
     ordered = sorted(set(methods), key=lambda method: (not is_ours(method), method))
     return {
         method: {"color": COLOURS[i % len(COLOURS)], "marker": MARKERS[i % len(MARKERS)],
-                 "linewidth": 2.2 if is_ours(method) else 1.1, "markersize": 6 if is_ours(method) else 5}
+                 "linewidth": 2.2 if is_ours(method) else 1.1, "markersize": max(4, 9 - 3.5 * i) if is_ours(method) else 5}
         for i, method in enumerate(ordered)
     }
 
