@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/contact/Friction.h"
 
+#include "haptics/contact/ContactMaterial.h"
 #include "haptics/contact/ContactSet.h"
 
 namespace palpate
@@ -8,15 +9,27 @@ namespace palpate
 namespace
 {
 
-/// Sum of mu l over the planes that hold: the radius of the disc in which the god-object may rest [u].
-double reach(const ProjectionResult& held, double mu) noexcept
+/// Sums of mu l over the planes that hold: radii of the discs in which the god-object may rest, and trail [u].
+struct Reach
 {
-  double sum = 0.0;
+  double statical = 0.0, kinetic = 0.0;
+};
+
+template<class SceneView>
+Reach reachOf(const SceneView& scene, const ContactPlan& plan, ContactSet<SceneView>& contacts, const ProjectionResult& held) noexcept
+{
+  Reach reach;
   for (int k = 0; k < held.count; ++k)
   {
-    sum += mu * held.lambda[static_cast<std::size_t>(k)];
+    const double depth = held.lambda[static_cast<std::size_t>(k)];
+    const ActiveFeature& f = contacts.feature(held.active[static_cast<std::size_t>(k)]);
+    const FrictionPlan friction = sceneOf(scene).hasMaterials()
+                                    ? materialAt(scene, plan, f, contacts.plane(f).foot_W).friction
+                                    : plan.friction;
+    reach.statical += friction.statical * depth;
+    reach.kinetic += friction.kinetic * depth;
   }
-  return sum;
+  return reach;
 }
 
 } // namespace
@@ -37,16 +50,21 @@ FrictionVerdict judgeFriction(
     return verdict;
   }
   const double behind = held.y.norm(); // |x0 - xf|
-  const double kinetic = reach(held, plan.friction.kinetic);
-  state.slips = behind > (state.slips ? kinetic : reach(held, plan.friction.statical));
+  const Reach reach = reachOf(scene, plan, contacts, held);
+  state.slips = behind > (state.slips ? reach.kinetic : reach.statical);
   if (!state.slips)
   {
     verdict.motion = FrictionMotion::Sticks;
+    for (int k = 0; k < held.count; ++k)
+    {
+      const auto at = static_cast<std::size_t>(k);
+      verdict.held[at] = { contacts.feature(held.active[at]), held.lambda[at] };
+    }
     verdict.contacts = held.count;
     return verdict;
   }
   verdict.motion = FrictionMotion::Slips;
-  verdict.pulled_W = p_W - (kinetic / behind) * held.y;
+  verdict.pulled_W = p_W - (reach.kinetic / behind) * held.y;
   return verdict;
 }
 

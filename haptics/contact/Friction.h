@@ -15,7 +15,8 @@ namespace palpate
 struct FrictionVerdict
 {
   FrictionMotion motion = FrictionMotion::None;
-  int contacts = 0;            ///< that hold it while it sticks
+  int contacts = 0;             ///< that hold it while it sticks
+  std::array<HeldPlane, 3> held; ///< and which
   Vec3 pulled_W = Vec3::Zero(); ///< where the device would have to be for the frictionless god-object to go where it goes
 };
 

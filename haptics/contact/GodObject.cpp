@@ -13,6 +13,7 @@
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Roll.h"
 #include "haptics/contact/Seat.h"
+#include "haptics/contact/SurfaceResponse.h"
 #include "haptics/contact/Sweep.h"
 #include "haptics/contact/VertexDescent.h"
 
@@ -81,7 +82,7 @@ public:
       }
     }
     this->result_.proxy_W = this->state_.x_W;
-    this->result_.contacts = this->heldContacts();
+    this->keepHeld();
     return this->result_;
   }
 
@@ -91,14 +92,18 @@ private:
   [[nodiscard]] double del() const noexcept { return this->contacts_.resolution().del(); }
   [[nodiscard]] const Vec3& x() const noexcept { return this->state_.x_W; }
 
-  [[nodiscard]] int heldContacts() const noexcept
+  void keepHeld() noexcept
   {
-    int held = 0;
     for (int k = 0; k < this->solution_.count; ++k)
     {
-      held += this->solution_.lambda[k] > this->tol();
+      if (this->solution_.lambda[k] > this->tol() && this->solution_.active[k] < this->contacts_.count())
+      {
+        this->result_.held[static_cast<std::size_t>(this->result_.heldCount++)] = {
+          this->contacts_.feature(this->solution_.active[k]), this->solution_.lambda[k]
+        };
+      }
     }
-    return held;
+    this->result_.contacts = this->result_.heldCount;
   }
 
   /// Nearest point under the touched planes and those left faces that turn out to obstruct it.
@@ -544,7 +549,8 @@ ContactResult moveUnderFriction(const SceneView& scene, const ContactPlan& plan,
   }
   ContactResult result;
   result.proxy_W = state.x_W;
-  result.contacts = verdict.contacts;
+  result.held = verdict.held;
+  result.heldCount = result.contacts = verdict.contacts;
   if (verdict.motion != FrictionMotion::Sticks)
   {
     result = Tick(scene, plan, verdict.pulled_W, state, sink).run();
@@ -575,12 +581,16 @@ ContactResult move(const SceneView& scene, const ContactPlan& plan, const Vec3& 
       return refused;
     }
     state.placed = true;
+    state.device_W = p_W;
   }
-  if (plan.friction.none())
-  {
-    return Tick(scene, plan, p_W, state, sink).run();
-  }
-  return moveUnderFriction(scene, plan, p_W, state, sink);
+  const bool slippery = plan.friction.none() && !sceneOf(scene).hasMaterials();
+  ContactResult result =
+    slippery ? Tick(scene, plan, p_W, state, sink).run() : moveUnderFriction(scene, plan, p_W, state, sink);
+  result.pull_W = sceneOf(scene).hasMaterials()
+                    ? respond(scene, plan, result, p_W, (p_W - state.device_W).norm())
+                    : Vec3(result.proxy_W - p_W);
+  state.device_W = p_W;
+  return result;
 }
 
 } // namespace

@@ -52,12 +52,23 @@ struct GodObjectState
   bool slips = false;  ///< under friction: it moved along in the last tick
   int count = 0;
   std::array<ActiveFeature, maxFeatures> features{};
+  Vec3 device_W = Vec3::Zero(); ///< of the last tick
+};
+
+/// A plane that holds the ball, and how deep the device is pressed along it.
+struct HeldPlane
+{
+  ActiveFeature feature;
+  double depth_u = 0.0; ///< multiplier of the projection
 };
 
 /// What one tick of contact did.
 struct ContactResult
 {
   Vec3 proxy_W = Vec3::Zero();
+  Vec3 pull_W = Vec3::Zero(); ///< what the coupling multiplies with its stiffness: proxy - device, or see SurfaceResponse
+  std::array<HeldPlane, 3> held{};
+  int heldCount = 0;
   int contacts = 0;          ///< planes with l > 0 after merging coplanar ones
   int passes = 0;
   int sweeps = 0;

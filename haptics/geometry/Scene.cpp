@@ -20,6 +20,17 @@ std::uint64_t hashGeometry(const std::vector<Surface>& surfaces)
   {
     hash.add(surface.tree->contentHash());
     hash.add(surface.material.stiffnessFactor);
+    hash.add(surface.material.frictionStatic);
+    hash.add(surface.material.frictionKinetic);
+    if (surface.fields)
+    {
+      const MaterialFields& f = *surface.fields;
+      for (const std::vector<double>* const field : { &f.stiffnessFactor, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
+      {
+        hash.add(static_cast<std::uint64_t>(field->size()));
+        std::for_each(field->begin(), field->end(), [&hash](double value) { hash.add(value); });
+      }
+    }
   }
   return hash.value();
 }
@@ -103,6 +114,8 @@ Scene::Scene(std::uint64_t revision, std::vector<Surface> surfaces, double motio
   , surfaceTree_(treeOver(surfaces_))
   , moves_(anyPosed(surfaces_))
 {
+  this->hasMaterials_ = std::any_of(this->surfaces_.begin(), this->surfaces_.end(),
+    [](const Surface& s) { return s.fields != nullptr || !s.material.isPlain(); });
   this->contentHash_ = this->moves_ ? hashMotions(this->geometryHash_, this->surfaces_, motion_s) : this->geometryHash_;
 }
 

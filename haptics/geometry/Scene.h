@@ -22,6 +22,7 @@ struct Surface
   std::shared_ptr<const SurfaceTree> tree;
   Material material;
   RigidMotion motion = {};
+  std::shared_ptr<const MaterialFields> fields = {}; ///< of the tree's vertices, or null
 };
 
 /// Everything that can be felt at one moment. Immutable once built: the servo reads it, a worker frees it.
@@ -36,6 +37,8 @@ public:
   [[nodiscard]] const std::vector<Surface>& surfaces() const noexcept { return this->surfaces_; }
   /// True if any surface is posed or moves: then its vertices alone do not say where it is.
   [[nodiscard]] bool moves() const noexcept { return this->moves_; }
+  /// True if any surface is anything else than a plain wall.
+  [[nodiscard]] bool hasMaterials() const noexcept { return this->hasMaterials_; }
   /// One leaf a surface, around all of its way: what a query walks before it walks a surface.
   [[nodiscard]] const BoxTree& surfaceTree() const noexcept { return this->surfaceTree_; }
   [[nodiscard]] bool empty() const noexcept { return this->surfaces_.empty(); }
@@ -58,6 +61,7 @@ private:
   std::vector<Surface> surfaces_;
   BoxTree surfaceTree_;
   bool moves_ = false;
+  bool hasMaterials_ = false;
 };
 
 } // namespace palpate

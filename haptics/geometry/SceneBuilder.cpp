@@ -7,6 +7,29 @@
 
 namespace palpate
 {
+namespace
+{
+
+/// With its material; a surface whose material cannot be used is refused, not touched with another one.
+void addSurface(const SurfaceInput& input, const std::shared_ptr<const SurfaceTree>& tree,
+  const std::vector<std::uint32_t>& sourceVertex, std::vector<Surface>& surfaces, SurfaceReport& report)
+{
+  report.refusal = input.material.validate();
+  Surface surface{ input.name, tree, input.material };
+  if (report.refusal.empty() && input.fields && !input.fields->empty())
+  {
+    FittedFields fitted = fitFields(*input.fields, input.material, sourceVertex, input.mesh->vertices_W.size());
+    report.refusal = fitted.refusal;
+    report.materialReplaced = fitted.replaced;
+    surface.fields = std::make_shared<const MaterialFields>(std::move(fitted.fields));
+  }
+  if (report.refusal.empty())
+  {
+    surfaces.push_back(std::move(surface));
+  }
+}
+
+} // namespace
 
 SceneBuilder::SceneBuilder(unsigned workers)
   : workers_(std::max(1u, workers))
@@ -25,8 +48,9 @@ SceneBuilder::Kept SceneBuilder::buildOne(const SurfaceInput& input) const
   }
   Kept built;
   built.mesh = input.mesh;
-  CleanResult clean = input.mesh ? cleanMesh(*input.mesh) : CleanResult{ {}, {}, "it has no mesh" };
+  CleanResult clean = input.mesh ? cleanMesh(*input.mesh) : CleanResult{ {}, {}, "it has no mesh", {} };
   built.report = { input.name, clean.report, clean.refusal };
+  built.sourceVertex = std::move(clean.sourceVertex);
   if (clean.ok())
   {
     built.tree = std::make_shared<const SurfaceTree>(std::move(clean.mesh));
@@ -62,7 +86,7 @@ SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs)
     result.reports.push_back(kept.report);
     if (kept.tree)
     {
-      surfaces.push_back({ inputs[i].name, kept.tree, inputs[i].material });
+      addSurface(inputs[i], kept.tree, kept.sourceVertex, surfaces, result.reports.back());
     }
   }
   if (!surfaces.empty())

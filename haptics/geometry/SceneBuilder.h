@@ -19,6 +19,7 @@ struct SurfaceInput
   std::string name;
   std::shared_ptr<const TriangleMesh> mesh;
   Material material;
+  std::shared_ptr<const MaterialFields> fields = {}; ///< of the mesh's vertices, or null
 };
 
 /// What became of one input.
@@ -27,6 +28,7 @@ struct SurfaceReport
   std::string name;
   CleanReport clean;
   std::string refusal; ///< empty when the surface is in the scene
+  std::size_t materialReplaced = 0; ///< values of its arrays that could not be used: the surface's own took their place
 };
 
 /// A new scene (null when nothing is touchable) and the reports, one per input, in the order of the inputs.
@@ -50,6 +52,7 @@ private:
   {
     std::shared_ptr<const TriangleMesh> mesh;
     std::shared_ptr<const SurfaceTree> tree;
+    std::vector<std::uint32_t> sourceVertex;
     SurfaceReport report;
   };
   [[nodiscard]] Kept buildOne(const SurfaceInput& input) const;

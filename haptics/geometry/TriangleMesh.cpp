@@ -30,6 +30,7 @@ struct Weld
 {
   std::vector<Vec3> vertices_W;
   std::vector<std::uint32_t> newIndex;
+  std::vector<std::uint32_t> source; ///< the first raw vertex of each
 };
 
 Weld weld(const std::vector<Vec3>& raw)
@@ -56,13 +57,15 @@ Weld weld(const std::vector<Vec3>& raw)
     if (result.vertices_W.empty() || lexicographic(result.vertices_W.back(), keyed.v))
     {
       result.vertices_W.push_back(keyed.v);
+      result.source.push_back(keyed.index);
     }
+    result.source.back() = std::min(result.source.back(), keyed.index);
     result.newIndex[keyed.index] = static_cast<std::uint32_t>(result.vertices_W.size() - 1);
   }
   return result;
 }
 
-void dropUnusedVertices(TriangleMesh& mesh)
+void dropUnusedVertices(TriangleMesh& mesh, std::vector<std::uint32_t>& source)
 {
   std::vector<std::uint32_t> place(mesh.vertices_W.size(), unused);
   for (const Triangle& t : mesh.triangles)
@@ -78,10 +81,12 @@ void dropUnusedVertices(TriangleMesh& mesh)
     if (place[i] != unused)
     {
       place[i] = next;
+      source[next] = source[i];
       mesh.vertices_W[next++] = mesh.vertices_W[i];
     }
   }
   mesh.vertices_W.resize(next);
+  source.resize(next);
   for (Triangle& t : mesh.triangles)
   {
     t = { place[t[0]], place[t[1]], place[t[2]] };
@@ -198,7 +203,8 @@ CleanResult cleanMesh(const TriangleMesh& raw)
   Weld welded = weld(raw.vertices_W);
   result.mesh.triangles = goodTriangles(raw, welded, result.report);
   result.mesh.vertices_W = std::move(welded.vertices_W);
-  dropUnusedVertices(result.mesh);
+  result.sourceVertex = std::move(welded.source);
+  dropUnusedVertices(result.mesh, result.sourceVertex);
   result.report.trianglesOut = result.mesh.triangles.size();
   result.report.verticesOut = result.mesh.vertices_W.size();
   if (result.mesh.triangles.empty())

@@ -40,6 +40,7 @@ struct CleanResult
   TriangleMesh mesh;
   CleanReport report;
   std::string refusal; ///< empty when the mesh can be touched
+  std::vector<std::uint32_t> sourceVertex; ///< for each vertex of `mesh` one of the raw mesh, the first of equal ones
 
   [[nodiscard]] bool ok() const noexcept { return refusal.empty(); }
 };

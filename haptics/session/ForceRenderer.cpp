@@ -143,8 +143,7 @@ private:
     state.overBudget = result.overBudget;
     state.infeasible = result.infeasible;
     this->seatFailed_ = result.seatFailed;
-    this->couple(
-      this->p_.map.directionToDevice((state.proxy_W.p - state.device_W.p) / this->p_.map.scale_u_per_m));
+    this->couple(this->p_.map.directionToDevice(result.pull_W / this->p_.map.scale_u_per_m));
   }
 
   /// Spring, damper, and the damping that keeps their held force passive. Stretch in D [m].

@@ -171,6 +171,41 @@ RecordedChange readChange(ByteReader& in)
   return change;
 }
 
+std::vector<double> readNumbers(ByteReader& in)
+{
+  std::vector<double> numbers(in.count(sizeof(double)));
+  for (double& number : numbers)
+  {
+    in.get(number);
+  }
+  return numbers;
+}
+
+std::shared_ptr<const MaterialFields> readFields(ByteReader& in)
+{
+  auto fields = std::make_shared<MaterialFields>();
+  for (std::vector<double>* const field :
+    { &fields->stiffnessFactor, &fields->frictionStatic, &fields->frictionKinetic, &fields->height_u })
+  {
+    *field = readNumbers(in);
+  }
+  return fields->empty() ? nullptr : fields;
+}
+
+void putFields(const MaterialFields* fields, ByteWriter& payload)
+{
+  const MaterialFields none;
+  const MaterialFields& f = fields != nullptr ? *fields : none;
+  for (const std::vector<double>* const field : { &f.stiffnessFactor, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
+  {
+    payload.put(static_cast<std::uint64_t>(field->size()));
+    for (const double number : *field)
+    {
+      payload.put(number);
+    }
+  }
+}
+
 RecordedScene readScene(ByteReader& in)
 {
   RecordedScene scene;
@@ -182,6 +217,9 @@ RecordedScene readScene(ByteReader& in)
     auto mesh = std::make_shared<TriangleMesh>();
     in.get(input.name);
     in.get(input.material.stiffnessFactor);
+    in.get(input.material.frictionStatic);
+    in.get(input.material.frictionKinetic);
+    input.fields = readFields(in);
     mesh->vertices_W.resize(in.count(3 * sizeof(double)));
     for (Vec3& v : mesh->vertices_W)
     {
@@ -336,6 +374,9 @@ std::vector<char> sceneChunk(const Scene& scene)
     const TriangleMesh& mesh = surface.tree->mesh();
     payload.put(surface.name);
     payload.put(surface.material.stiffnessFactor);
+    payload.put(surface.material.frictionStatic);
+    payload.put(surface.material.frictionKinetic);
+    putFields(surface.fields.get(), payload);
     payload.put(static_cast<std::uint64_t>(mesh.vertices_W.size()));
     for (const Vec3& v : mesh.vertices_W)
     {
