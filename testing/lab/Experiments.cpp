@@ -42,6 +42,8 @@ std::vector<Experiment> experiments()
     { "replay", "a recording with scene swaps gives the same bits again, with any number of workers", { 55 }, runReplay },
     { "recorded-touch", "touches known by a formula, pushed in and rendered, give their forces back", { 56 }, runRecordedTouch },
     { "smooth-input", "a hand that moves smoothly feels nothing that is faster than its own motion", { 57 }, runSmoothInput },
+    { "friction", "what sticks stays for ever, breaks away where Coulomb says, and rubs off the energy of its loop",
+      { 23, 24, 26 }, runFriction },
   };
 }
 

@@ -30,5 +30,6 @@ void runTickCost(const Conditions& conditions, Table& table);
 void runReplay(const Conditions& conditions, Table& table);
 void runRecordedTouch(const Conditions& conditions, Table& table);
 void runSmoothInput(const Conditions& conditions, Table& table);
+void runFriction(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab
