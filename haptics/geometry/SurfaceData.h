@@ -56,6 +56,7 @@ struct SurfaceData
   std::vector<std::uint32_t> fanStart; ///< triangles around vertex v: fan[fanStart[v] .. fanStart[v + 1])
   std::vector<std::uint32_t> fan;
   std::uint64_t contentHash = 0;
+  std::uint64_t topologyHash = 0;
 
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 

@@ -11,8 +11,8 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include "haptics/core/WordHash.h"
 #include "haptics/geometry/SurfaceData.h"
+#include "haptics/geometry/SurfaceRecords.h"
 
 namespace palpate
 {
@@ -65,17 +65,18 @@ using Traits = CGAL::AABB_traits<Kernel, BoxPrimitive>;
 using CgalTree = CGAL::AABB_tree<Traits>;
 using CgalNode = CGAL::AABB_node<Traits>;
 
-struct Box
+/// Round nothing yet.
+Box emptyBox()
 {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  return { Vec3::Constant(inf), Vec3::Constant(-inf) };
+}
 
-  void add(const Vec3& v)
-  {
-    this->low = this->low.cwiseMin(v);
-    this->high = this->high.cwiseMax(v);
-  }
-};
+void include(Box& box, const Vec3& v)
+{
+  box.low_W = box.low_W.cwiseMin(v);
+  box.high_W = box.high_W.cwiseMax(v);
+}
 
 /// Writes CGAL's hierarchy down as flat arrays: CGAL keeps each subtree's primitives contiguous and gives the
 /// left child floor(n / 2) of them, so the shape follows from the counts alone.
@@ -100,19 +101,19 @@ public:
     const std::size_t left = count / 2;
     const auto index = static_cast<std::uint32_t>(this->data_.nodes.size());
     this->data_.nodes.emplace_back();
-    Box boxes[2];
+    Box boxes[2] = { emptyBox(), emptyBox() };
     const std::uint32_t child0 = this->flatten(&node->left_child(), first, left, boxes[0]);
     const std::uint32_t child1 = this->flatten(&node->right_child(), first + left, count - left, boxes[1]);
     TreeNode& flat = this->data_.nodes[index];
     flat.child = { child0, child1 };
     for (int axis = 0; axis < 3; ++axis)
     {
-      flat.low_W[axis] = { boxes[0].low[axis], boxes[1].low[axis] };
-      flat.high_W[axis] = { boxes[0].high[axis], boxes[1].high[axis] };
+      flat.low_W[axis] = { boxes[0].low_W[axis], boxes[1].low_W[axis] };
+      flat.high_W[axis] = { boxes[0].high_W[axis], boxes[1].high_W[axis] };
     }
     const auto& bounds = node->bbox();
-    box.add(Vec3(bounds.xmin(), bounds.ymin(), bounds.zmin()));
-    box.add(Vec3(bounds.xmax(), bounds.ymax(), bounds.zmax()));
+    include(box, Vec3(bounds.xmin(), bounds.ymin(), bounds.zmin()));
+    include(box, Vec3(bounds.xmax(), bounds.ymax(), bounds.zmax()));
     return index;
   }
 
@@ -124,13 +125,11 @@ private:
       this->data_.mesh.triangles.push_back(this->unordered_[this->order_[i]]);
       for (const std::uint32_t corner : this->data_.mesh.triangles.back())
       {
-        box.add(this->data_.vertex(corner));
+        include(box, this->data_.vertex(corner));
       }
     }
-    const Vec3 origin_W = box.low + 0.5 * (box.high - box.low);
-    const double extent = (box.high - box.low).maxCoeff();
     this->data_.leaves.push_back(
-      { origin_W, extent, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count) });
+      makeLeaf(box, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
     return static_cast<std::uint32_t>(this->data_.leaves.size() - 1) | TreeNode::leafBit;
   }
 
@@ -170,7 +169,7 @@ void buildHierarchy(SurfaceData& data)
   CgalTree tree(ids.begin(), ids.end(), data.mesh);
   std::vector<std::uint32_t> order;
   order.reserve(count);
-  Box box;
+  Box box = emptyBox();
   const CgalNode* root = nullptr;
   if (count > 1)
   {
@@ -183,8 +182,8 @@ void buildHierarchy(SurfaceData& data)
     order = ids;
   }
   Flattener(data, order).flatten(root, 0, count, box);
-  data.low_W = box.low;
-  data.high_W = box.high;
+  data.low_W = box.low_W;
+  data.high_W = box.high_W;
 }
 
 void buildFans(SurfaceData& data)
@@ -236,83 +235,13 @@ std::uint32_t ownedBits(const SurfaceData& data, std::uint32_t triangle)
   return bits;
 }
 
-FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle)
-{
-  const auto& t = data.mesh.triangles[triangle];
-  FaceRecord face;
-  face.corner_W = { data.vertex(t[0]), data.vertex(t[1]), data.vertex(t[2]) };
-  const Vec3 e = face.corner_W[1] - face.corner_W[0];
-  const Vec3 f = face.corner_W[2] - face.corner_W[0];
-  const double scaleE = e.cwiseAbs().maxCoeff(), scaleF = f.cwiseAbs().maxCoeff(); // no under- or overflow
-  const Vec3 eUnit = (e / scaleE).normalized();
-  const Vec3 fUnit = (f / scaleF).normalized();
-  const Vec3 cross = (e / scaleE).cross(f / scaleF);
-  face.normal_W = cross / cross.norm();
-  face.sliver = static_cast<float>(1.0 / std::max(eUnit.cross(fUnit).norm(), 1e-30));
-  face.owned = ownedBits(data, triangle);
-  return face;
-}
-
-/// A disc in the face's plane that holds its three corners: the circle over the longest edge, or round the centroid.
-void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Vec3& origin_W)
-{
-  const auto& [a, b, c] = face.corner_W;
-  Vec3 centre = (a + b + c) / 3.0;
-  double radius = std::max({ (a - centre).norm(), (b - centre).norm(), (c - centre).norm() });
-  for (int k = 0; k < 3; ++k)
-  {
-    const Vec3 middle = 0.5 * (face.corner_W[k] + face.corner_W[(k + 1) % 3]);
-    const double reach = std::max({ (a - middle).norm(), (b - middle).norm(), (c - middle).norm() });
-    if (reach < radius)
-    {
-      radius = reach;
-      centre = middle;
-    }
-  }
-  const Vec3 local = centre - origin_W;
-  quad.cx[lane] = static_cast<float>(local.x());
-  quad.cy[lane] = static_cast<float>(local.y());
-  quad.cz[lane] = static_cast<float>(local.z());
-  quad.nx[lane] = static_cast<float>(face.normal_W.x());
-  quad.ny[lane] = static_cast<float>(face.normal_W.y());
-  quad.nz[lane] = static_cast<float>(face.normal_W.z());
-  const double roundOff = 4e-7 * (local.cwiseAbs().sum() + radius);
-  quad.radius[lane] = std::nextafter(static_cast<float>(radius + roundOff), std::numeric_limits<float>::infinity());
-}
-
-void buildRecords(SurfaceData& data)
+void buildFaces(SurfaceData& data)
 {
   data.faces.reserve(data.mesh.triangles.size());
   for (std::uint32_t t = 0; t < data.mesh.triangles.size(); ++t)
   {
-    data.faces.push_back(makeFace(data, t));
+    data.faces.push_back(makeFace(data, t, ownedBits(data, t)));
   }
-  data.discs.assign(2 * data.leaves.size(), DiscQuad{});
-  for (std::size_t l = 0; l < data.leaves.size(); ++l)
-  {
-    const Leaf& leaf = data.leaves[l];
-    for (std::uint32_t k = 0; k < leaf.count; ++k)
-    {
-      setDisc(data.discs[2 * l + k / 4], static_cast<int>(k % 4), data.faces[leaf.first + k], leaf.origin_W);
-    }
-  }
-}
-
-std::uint64_t hashMesh(const TriangleMesh& mesh)
-{
-  WordHash hash;
-  for (const Vec3& v : mesh.vertices_W)
-  {
-    hash.add(v.x());
-    hash.add(v.y());
-    hash.add(v.z());
-  }
-  for (const auto& t : mesh.triangles)
-  {
-    hash.add(std::uint64_t{ t[0] } << 32 | t[1]);
-    hash.add(std::uint64_t{ t[2] });
-  }
-  return hash.value();
 }
 
 std::unique_ptr<const SurfaceData> buildData(TriangleMesh clean)
@@ -323,7 +252,6 @@ std::unique_ptr<const SurfaceData> buildData(TriangleMesh clean)
   }
   auto data = std::make_unique<SurfaceData>();
   data->mesh = std::move(clean);
-  data->contentHash = hashMesh(data->mesh); // before the leaves reorder it: content does not know the tree
   const std::size_t leavesAtMost = data->mesh.triangles.size() / (Leaf::capacity / 2) + 1;
   data->leaves.reserve(leavesAtMost);
   data->nodes.reserve(leavesAtMost);
@@ -331,7 +259,10 @@ std::unique_ptr<const SurfaceData> buildData(TriangleMesh clean)
   data->leaves.shrink_to_fit();
   data->nodes.shrink_to_fit();
   buildFans(*data);
-  buildRecords(*data);
+  buildFaces(*data);
+  layDiscs(*data);
+  data->topologyHash = hashTopology(data->mesh);
+  data->contentHash = hashContent(data->mesh, data->topologyHash);
   return data;
 }
 
@@ -348,6 +279,11 @@ SurfaceTree::SurfaceTree(TriangleMesh clean)
 {
 }
 
+SurfaceTree::SurfaceTree(std::unique_ptr<const SurfaceData> data)
+  : data_(std::move(data))
+{
+}
+
 SurfaceTree::~SurfaceTree() = default;
 
 const TriangleMesh& SurfaceTree::mesh() const noexcept
@@ -358,6 +294,11 @@ const TriangleMesh& SurfaceTree::mesh() const noexcept
 std::uint64_t SurfaceTree::contentHash() const noexcept
 {
   return this->data_->contentHash;
+}
+
+std::uint64_t SurfaceTree::topologyHash() const noexcept
+{
+  return this->data_->topologyHash;
 }
 
 std::size_t SurfaceTree::bytes() const noexcept

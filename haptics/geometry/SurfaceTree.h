@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "haptics/geometry/TriangleMesh.h"
 
@@ -10,6 +12,14 @@ namespace palpate
 {
 
 struct SurfaceData;
+class SurfaceTree;
+
+/// A surface whose vertices moved, or one sentence why it has to be built anew.
+struct RefitResult
+{
+  std::shared_ptr<const SurfaceTree> tree; ///< null when refused
+  std::string refusal;
+};
 
 /// A cleaned mesh with everything the tick needs beside it: tree, adjacency, normals. Immutable.
 /// Built eagerly on a worker; no query builds anything lazily.
@@ -22,15 +32,26 @@ public:
   SurfaceTree(const SurfaceTree&) = delete;
   SurfaceTree& operator=(const SurfaceTree&) = delete;
 
+  /// The same triangles with their vertices elsewhere: numbers of triangles, edges and vertices and the shape of the
+  /// tree stay, boxes and all that follows from positions are new. Much cheaper than building; a tree that has been
+  /// bent far out of its first shape asks for more visits a query, nothing else.
+  /// `vertices_W` [u]: one for each vertex of mesh(), in its order. Refuses another count, a vertex that is not
+  /// finite, a triangle that has become exactly collinear.
+  [[nodiscard]] RefitResult refitted(std::vector<Vec3> vertices_W) const;
+
   [[nodiscard]] const TriangleMesh& mesh() const noexcept;
   /// Bytes kept beside the mesh (tree, adjacency, normals).
   [[nodiscard]] std::size_t bytes() const noexcept;
   /// Hash of vertices and triangles.
   [[nodiscard]] std::uint64_t contentHash() const noexcept;
+  /// Hash of the triangles as the tree has ordered them: where it is the same, features have the same numbers.
+  [[nodiscard]] std::uint64_t topologyHash() const noexcept;
   /// What contact computes from; internal to haptics/.
   [[nodiscard]] const SurfaceData& data() const noexcept { return *this->data_; }
 
 private:
+  explicit SurfaceTree(std::unique_ptr<const SurfaceData> data);
+
   std::unique_ptr<const SurfaceData> data_;
 };
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "haptics/contact/ContactPlan.h"
+#include "haptics/contact/GodObject.h"
+#include "haptics/contact/PosedSurface.h"
+#include "haptics/contact/Sweep.h"
+
+namespace palpate
+{
+
+/// The surface of `after` that surface i of `before` has become: the same content, or the same triangles under the same
+/// name with vertices elsewhere. after.size() where it is gone.
+[[nodiscard]] std::uint32_t successorOf(
+  const std::vector<Surface>& before, std::uint32_t i, const std::vector<Surface>& after) noexcept;
+
+/// First contact on a straight way in a scene, of a ball that touches nothing yet.
+template <class SceneView>
+[[nodiscard]] SweepHit sweepStraight(
+  const SceneView& scene, const ContactPlan& plan, double radius_u, const Vec3& from_W, const Vec3& to_W) noexcept;
+
+/// The place from which a point that comes straight from a free one stops short of what it would hit; `to_W` where it
+/// hits nothing. The way to the result is free, exactly. SceneView: Scene or MovingScene.
+template <class SceneView>
+[[nodiscard]] Vec3 stopBefore(
+  const SceneView& scene, const ContactPlan& plan, double radius_u, const Vec3& free_W, const Vec3& to_W) noexcept;
+
+/// Takes the ball along with surfaces that kept their triangles while their vertices moved, so that none passes it.
+///
+/// Only where a triangle could have come over the ball on its straight way from old to new is anything done: the
+/// nearest point of the old surface goes with its triangle by barycentric coordinates, and what lay between it and the
+/// ball turns with the normals around it. From just above the new triangle, on the side where the ball was, the way to
+/// that place is swept exactly: what came between stops it. A ball is moved out of what it overlaps there.
+/// Bounded by plan.nodeBudget, allocation-free.
+template <class SceneView>
+void carryWithVertices(
+  const SceneView& from, const SceneView& to, const ContactPlan& plan, GodObjectState& state) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/geometry/SurfaceRecords.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "haptics/core/WordHash.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// A disc in the face's plane that holds its three corners: the circle over the longest edge, or round the centroid.
+void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Vec3& origin_W)
+{
+  const auto& [a, b, c] = face.corner_W;
+  Vec3 centre = (a + b + c) / 3.0;
+  double radius = std::max({ (a - centre).norm(), (b - centre).norm(), (c - centre).norm() });
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vec3 middle = 0.5 * (face.corner_W[k] + face.corner_W[(k + 1) % 3]);
+    const double reach = std::max({ (a - middle).norm(), (b - middle).norm(), (c - middle).norm() });
+    if (reach < radius)
+    {
+      radius = reach;
+      centre = middle;
+    }
+  }
+  const Vec3 local = centre - origin_W;
+  quad.cx[lane] = static_cast<float>(local.x());
+  quad.cy[lane] = static_cast<float>(local.y());
+  quad.cz[lane] = static_cast<float>(local.z());
+  quad.nx[lane] = static_cast<float>(face.normal_W.x());
+  quad.ny[lane] = static_cast<float>(face.normal_W.y());
+  quad.nz[lane] = static_cast<float>(face.normal_W.z());
+  const double roundOff = 4e-7 * (local.cwiseAbs().sum() + radius);
+  quad.radius[lane] = std::nextafter(static_cast<float>(radius + roundOff), std::numeric_limits<float>::infinity());
+}
+
+} // namespace
+
+FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept
+{
+  const auto& t = data.mesh.triangles[triangle];
+  FaceRecord face;
+  face.corner_W = { data.vertex(t[0]), data.vertex(t[1]), data.vertex(t[2]) };
+  const Vec3 e = face.corner_W[1] - face.corner_W[0];
+  const Vec3 f = face.corner_W[2] - face.corner_W[0];
+  const double scaleE = e.cwiseAbs().maxCoeff(), scaleF = f.cwiseAbs().maxCoeff(); // no under- or overflow
+  const Vec3 eUnit = (e / scaleE).normalized();
+  const Vec3 fUnit = (f / scaleF).normalized();
+  const Vec3 cross = (e / scaleE).cross(f / scaleF);
+  face.normal_W = cross / cross.norm();
+  face.sliver = static_cast<float>(1.0 / std::max(eUnit.cross(fUnit).norm(), 1e-30));
+  face.owned = owned;
+  return face;
+}
+
+Leaf makeLeaf(const Box& box, std::uint32_t first, std::uint32_t count) noexcept
+{
+  const Vec3 sides = box.high_W - box.low_W;
+  return { box.low_W + 0.5 * sides, sides.maxCoeff(), first, count };
+}
+
+void layDiscs(SurfaceData& data)
+{
+  data.discs.assign(2 * data.leaves.size(), DiscQuad{});
+  for (std::size_t l = 0; l < data.leaves.size(); ++l)
+  {
+    const Leaf& leaf = data.leaves[l];
+    for (std::uint32_t k = 0; k < leaf.count; ++k)
+    {
+      setDisc(data.discs[2 * l + k / 4], static_cast<int>(k % 4), data.faces[leaf.first + k], leaf.origin_W);
+    }
+  }
+}
+
+std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept
+{
+  WordHash hash;
+  for (const auto& t : mesh.triangles)
+  {
+    hash.add(std::uint64_t{ t[0] } << 32 | t[1]);
+    hash.add(std::uint64_t{ t[2] });
+  }
+  return hash.value();
+}
+
+std::uint64_t hashContent(const TriangleMesh& mesh, std::uint64_t topologyHash) noexcept
+{
+  WordHash hash;
+  hash.add(topologyHash);
+  for (const Vec3& v : mesh.vertices_W)
+  {
+    hash.add(v.x());
+    hash.add(v.y());
+    hash.add(v.z());
+  }
+  return hash.value();
+}
+
+} // namespace palpate

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/geometry/SurfaceData.h"
+
+namespace palpate
+{
+
+/// What a surface keeps of its vertices where they are, beside the hierarchy: the part that building it and moving
+/// its vertices have in common. Internal to haptics/geometry.
+
+/// Corners, normal and sliver of a triangle of data.mesh; `owned` is the caller's.
+[[nodiscard]] FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept;
+
+/// The leaf that holds `count` triangles from `first` on, all of them in the box.
+[[nodiscard]] Leaf makeLeaf(const Box& box, std::uint32_t first, std::uint32_t count) noexcept;
+
+/// data.discs from data.faces and data.leaves.
+void layDiscs(SurfaceData& data);
+
+/// Hash of the triangles in the order of the leaves: the same for two surfaces whose features have the same numbers.
+[[nodiscard]] std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept;
+
+/// Hash of vertices and triangles.
+[[nodiscard]] std::uint64_t hashContent(const TriangleMesh& mesh, std::uint64_t topologyHash) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+
+#include "haptics/geometry/ExactPredicates.h"
+#include "haptics/geometry/SurfaceData.h"
+#include "haptics/geometry/SurfaceRecords.h"
+#include "haptics/geometry/SurfaceTree.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// A normal in double precision leaves no doubt below this amplification of its rounding.
+constexpr float certainlyFlat = 1e9F;
+
+std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_W)
+{
+  if (vertices_W.size() != old.mesh.vertices_W.size())
+  {
+    return "the surface has " + std::to_string(old.mesh.vertices_W.size()) + " vertices, but there are positions for " +
+           std::to_string(vertices_W.size());
+  }
+  const auto bad = std::find_if(vertices_W.begin(), vertices_W.end(), [](const Vec3& v) { return !v.allFinite(); });
+  if (bad != vertices_W.end())
+  {
+    return "vertex " + std::to_string(bad - vertices_W.begin()) + " has moved to a place that is not finite";
+  }
+  return {};
+}
+
+/// Returns false where a triangle has no area left.
+bool refitFaces(SurfaceData& data, const std::vector<FaceRecord>& old)
+{
+  data.faces.reserve(old.size());
+  for (std::uint32_t t = 0; t < old.size(); ++t)
+  {
+    data.faces.push_back(makeFace(data, t, old[t].owned));
+    const FaceRecord& face = data.faces.back();
+    const auto& [a, b, c] = face.corner_W;
+    const bool certain = face.sliver < certainlyFlat && face.normal_W.allFinite();
+    if (!certain && (exactlyCollinear(a, b, c) || !face.normal_W.allFinite()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Box boxOf(const SurfaceData& data, const Leaf& leaf)
+{
+  Box box{ data.faces[leaf.first].corner_W[0], data.faces[leaf.first].corner_W[0] };
+  for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
+  {
+    for (const Vec3& corner : data.faces[t].corner_W)
+    {
+      box.low_W = box.low_W.cwiseMin(corner);
+      box.high_W = box.high_W.cwiseMax(corner);
+    }
+  }
+  return box;
+}
+
+/// Around both children of a node.
+Box boxOf(const TreeNode& node)
+{
+  Box box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto along = static_cast<std::size_t>(axis);
+    box.low_W[axis] = std::min(node.low_W[along][0], node.low_W[along][1]);
+    box.high_W[axis] = std::max(node.high_W[along][0], node.high_W[along][1]);
+  }
+  return box;
+}
+
+/// A parent stands before its children: from the last node to the first, every child is done before it is asked for.
+void refitBoxes(SurfaceData& data)
+{
+  std::vector<Box> leafBoxes;
+  leafBoxes.reserve(data.leaves.size());
+  for (Leaf& leaf : data.leaves)
+  {
+    leafBoxes.push_back(boxOf(data, leaf));
+    leaf = makeLeaf(leafBoxes.back(), leaf.first, leaf.count);
+  }
+  for (auto node = data.nodes.rbegin(); node != data.nodes.rend(); ++node)
+  {
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const std::uint32_t child = node->child[k];
+      const bool leaf = (child & TreeNode::leafBit) != 0;
+      const Box box = leaf ? leafBoxes[child & ~TreeNode::leafBit] : boxOf(data.nodes[child]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const auto along = static_cast<std::size_t>(axis);
+        node->low_W[along][k] = box.low_W[axis];
+        node->high_W[along][k] = box.high_W[axis];
+      }
+    }
+  }
+  const Box all = data.nodes.empty() ? leafBoxes[0] : boxOf(data.nodes[0]);
+  data.low_W = all.low_W;
+  data.high_W = all.high_W;
+}
+
+} // namespace
+
+RefitResult SurfaceTree::refitted(std::vector<Vec3> vertices_W) const
+{
+  const SurfaceData& old = *this->data_;
+  if (std::string refusal = refusalOf(old, vertices_W); !refusal.empty())
+  {
+    return { nullptr, std::move(refusal) };
+  }
+  auto data = std::make_unique<SurfaceData>();
+  data->mesh.vertices_W = std::move(vertices_W);
+  data->mesh.triangles = old.mesh.triangles;
+  data->fanStart = old.fanStart;
+  data->fan = old.fan;
+  data->leaves = old.leaves;
+  data->nodes = old.nodes;
+  data->topologyHash = old.topologyHash;
+  if (!refitFaces(*data, old.faces))
+  {
+    return { nullptr, "triangle " + std::to_string(data->faces.size() - 1) + " has become collinear" };
+  }
+  refitBoxes(*data);
+  layDiscs(*data);
+  data->contentHash = hashContent(data->mesh, data->topologyHash);
+  return { std::shared_ptr<const SurfaceTree>(new SurfaceTree(std::move(data))), {} };
+}
+
+} // namespace palpate
