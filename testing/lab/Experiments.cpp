@@ -44,6 +44,8 @@ std::vector<Experiment> experiments()
     { "smooth-input", "a hand that moves smoothly feels nothing that is faster than its own motion", { 57 }, runSmoothInput },
     { "friction", "what sticks stays for ever, breaks away where Coulomb says, and rubs off the energy of its loop",
       { 23, 24, 26 }, runFriction },
+    { "moving", "nothing passes a surface that comes, closes or turns: it carries the hand, and rubs by its own motion",
+      { 21, 22, 25 }, runMoving },
   };
 }
 

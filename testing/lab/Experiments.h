@@ -31,5 +31,6 @@ void runReplay(const Conditions& conditions, Table& table);
 void runRecordedTouch(const Conditions& conditions, Table& table);
 void runSmoothInput(const Conditions& conditions, Table& table);
 void runFriction(const Conditions& conditions, Table& table);
+void runMoving(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab

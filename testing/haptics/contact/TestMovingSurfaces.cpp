@@ -2,15 +2,13 @@
 // Rows 21, 22 and 25: surfaces that come at the hand, close on it or turn under it are never passed.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "haptics/contact/CarryBall.h"
-#include "haptics/contact/PosedSurface.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
+#include "testing/support/Stage.h"
 
 namespace palpate
 {
@@ -19,87 +17,8 @@ namespace
 
 constexpr double K = 1000.0, T = 1e-3; // scenes in metres
 
-/// Surfaces whose poses are given as functions of time, sampled into snapshots as a view would.
-class Stage
-{
-public:
-  using Path = std::function<Pose(double time_s)>;
-
-  void add(const TriangleMesh& mesh, Path path)
-  {
-    this->surfaces_.push_back(test::sceneOf(mesh)->surfaces()[0]);
-    this->paths_.push_back(std::move(path));
-  }
-
-  /// The scene whose surfaces go from where they are at one time to where they are at another.
-  [[nodiscard]] std::shared_ptr<const Scene> between(double from_s, double to_s)
-  {
-    for (std::size_t i = 0; i < this->surfaces_.size(); ++i)
-    {
-      this->surfaces_[i].motion = { this->paths_[i](from_s), this->paths_[i](to_s) };
-    }
-    return std::make_shared<Scene>(++this->revision_, this->surfaces_, to_s - from_s);
-  }
-
-  [[nodiscard]] Pose pose(std::size_t i, double time_s) const { return this->paths_[i](time_s); }
-
-private:
-  std::vector<Surface> surfaces_;
-  std::vector<Path> paths_;
-  std::uint64_t revision_ = 0;
-};
-
-/// A god-object in a stage: snapshots of several ticks each, the poses between them interpolated tick by tick.
-class Actor
-{
-public:
-  Actor(Stage& stage, const ContactPlan& plan, const Vec3& start_W)
-    : stage_(stage)
-    , plan_(plan)
-  {
-    this->scene_ = stage.between(0.0, this->snapshot_s());
-    static_cast<void>(moveGodObject(MovingScene(*this->scene_, 0.0), plan, start_W, this->state));
-  }
-
-  ContactResult tick(const Vec3& p_W)
-  {
-    const std::shared_ptr<const Scene> old = this->scene_;
-    const double shareBefore = static_cast<double>(this->inSnapshot_) / ticksPerSnapshot;
-    if (this->inSnapshot_ == ticksPerSnapshot)
-    {
-      this->begin_s_ += this->snapshot_s();
-      this->scene_ = this->stage_.between(this->begin_s_, this->begin_s_ + this->snapshot_s());
-      this->inSnapshot_ = 0;
-    }
-    ++this->inSnapshot_;
-    this->now_ = { static_cast<double>(this->inSnapshot_) / ticksPerSnapshot };
-    this->carry = carryBall(MovingScene(*old, shareBefore), MovingScene(*this->scene_, this->now_), this->plan_, this->state);
-    return moveGodObject(MovingScene(*this->scene_, this->now_), this->plan_, p_W, this->state);
-  }
-
-  /// Where surface i is in this tick.
-  [[nodiscard]] Pose pose(std::size_t i) const { return this->scene_->surfaces()[i].motion.at(this->now_); }
-  [[nodiscard]] Vec3 inSurface(std::size_t i) const
-  {
-    const Pose pose = this->pose(i);
-    return pose.q.conjugate() * (this->state.x_W - pose.p);
-  }
-  [[nodiscard]] double time_s() const { return this->begin_s_ + this->now_ * this->snapshot_s(); }
-
-  GodObjectState state;
-  CarryResult carry;
-
-private:
-  static constexpr int ticksPerSnapshot = 16;
-  [[nodiscard]] static double snapshot_s() { return ticksPerSnapshot * T; }
-
-  Stage& stage_;
-  ContactPlan plan_;
-  std::shared_ptr<const Scene> scene_;
-  double begin_s_ = 0.0;
-  double now_ = 0.0;
-  int inSnapshot_ = 0;
-};
+using test::Actor;
+using test::Stage;
 
 TriangleMesh plate(std::uint64_t seed)
 {
