@@ -46,6 +46,9 @@ std::vector<Experiment> experiments()
       { 23, 24, 26 }, runFriction },
     { "moving", "nothing passes a surface that comes, closes or turns: it carries the hand, and rubs by its own motion",
       { 21, 22, 25 }, runMoving },
+    { "many-surfaces", "a scene of up to a thousand surfaces is felt as the one mesh of them all, at about its cost",
+      { 54 }, runManySurfaces },
+    { "closed-loop", "a hand gets no more out of a loop in a convex room than a held force leaks", { 27 }, runClosedLoop },
   };
 }
 

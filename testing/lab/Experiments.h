@@ -32,5 +32,7 @@ void runRecordedTouch(const Conditions& conditions, Table& table);
 void runSmoothInput(const Conditions& conditions, Table& table);
 void runFriction(const Conditions& conditions, Table& table);
 void runMoving(const Conditions& conditions, Table& table);
+void runManySurfaces(const Conditions& conditions, Table& table);
+void runClosedLoop(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes of one to a thousand surfaces are felt as the one mesh of all their triangles, and cost about as much.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/geometry/SceneBuilder.h"
+#include "testing/lab/Experiments.h"
+#include "testing/lab/methods/StaticFrameProxy.h"
+#include "testing/support/Meshes.h"
+#include "testing/support/Probe.h"
+#include "testing/support/Random.h"
+
+namespace palpate::lab
+{
+namespace
+{
+
+constexpr double largest_m = 0.04;
+
+/// Spheres of 4 to 40 mm in a cube of 100 mm about the largest: many overlap, every fifth is a shell inside the one
+/// before it.
+std::vector<TriangleMesh> crowd(std::size_t count, test::Random& random)
+{
+  double radius_m = largest_m;
+  Vec3 centre_W = Vec3::Zero();
+  std::vector<TriangleMesh> meshes;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (i % 5 == 4)
+    {
+      radius_m *= 0.5;
+    }
+    else if (i > 0)
+    {
+      radius_m = 0.1 * largest_m * std::pow(10.0, random.uniform());
+      centre_W = random.inCube(0.05);
+    }
+    meshes.push_back(test::shifted(test::makeIcosphere(2, radius_m), centre_W));
+  }
+  return meshes;
+}
+
+std::shared_ptr<const Scene> sceneOfMany(const std::vector<TriangleMesh>& meshes)
+{
+  std::vector<SurfaceInput> inputs;
+  for (const TriangleMesh& mesh : meshes)
+  {
+    inputs.push_back({ "part " + std::to_string(inputs.size()), std::make_shared<TriangleMesh>(mesh), {} });
+  }
+  return SceneBuilder().build(inputs).scene;
+}
+
+TriangleMesh merged(const std::vector<TriangleMesh>& meshes)
+{
+  TriangleMesh whole;
+  for (const TriangleMesh& mesh : meshes)
+  {
+    test::append(whole, mesh);
+  }
+  return whole;
+}
+
+const Vec3 start_W(0, 0, 0.2);
+
+/// Round the largest sphere at about 100 mm/s, up to 6 mm under it with a tremor, over all that stands out of it.
+std::vector<Vec3> slide(int ticks, test::Random& random)
+{
+  std::vector<Vec3> path_W;
+  for (int i = 0; i < ticks; ++i)
+  {
+    const double a = 2.8e-3 * i, b = 0.3 * a;
+    path_W.emplace_back((largest_m - 5e-3) * Vec3(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)) +
+                        5e-4 * random.direction());
+  }
+  return path_W;
+}
+
+struct Comparison
+{
+  double apart_m = 0.0;  ///< largest distance between the two proxies
+  double contacts = 0.0; ///< ticks in contact: what makes it a comparison
+  Cost many, one;
+};
+
+/// The same way in both scenes, tick by tick in turn, so that a change of the machine's pace meets both.
+Comparison compare(const std::shared_ptr<const Scene>& many, const std::shared_ptr<const Scene>& one, double radius_m,
+  const std::vector<Vec3>& path_W)
+{
+  test::Probe apart(many, radius_m, start_W), together(one, radius_m, start_W);
+  test::CostSample manyCost(path_W.size()), oneCost(path_W.size());
+  Comparison seen;
+  for (const Vec3& p_W : path_W)
+  {
+    ContactResult a, b;
+    manyCost.time([&] { a = apart.to(p_W); });
+    oneCost.time([&] { b = together.to(p_W); });
+    seen.apart_m = std::max(seen.apart_m, (a.proxy_W - b.proxy_W).norm());
+    seen.contacts += a.contacts > 0;
+  }
+  seen.many = Cost::of(manyCost);
+  seen.one = Cost::of(oneCost);
+  return seen;
+}
+
+/// A proxy without anything above the surfaces: each is asked in turn.
+Cost askedInTurn(const std::vector<TriangleMesh>& meshes, const std::vector<Vec3>& path_W)
+{
+  StaticFrameProxy proxy(meshes, start_W);
+  const std::vector<Pose> poses(meshes.size());
+  test::CostSample sample(path_W.size());
+  for (const Vec3& p_W : path_W)
+  {
+    sample.time([&] { (void)proxy.tick(poses, p_W); });
+  }
+  return Cost::of(sample);
+}
+
+void runCount(std::size_t count, int ticks, std::uint64_t seed, Table& table)
+{
+  test::Random random(seed);
+  const std::vector<TriangleMesh> meshes = crowd(count, random);
+  const auto many = sceneOfMany(meshes), one = test::sceneOf(merged(meshes));
+  const std::vector<Vec3> path_W = slide(ticks, random);
+  double mergedTick_us = 0.0;
+  for (const double radius_m : { 0.0, 5e-4 })
+  {
+    const std::string name = caseName({ { "surfaces", static_cast<double>(count) }, { "r_mm", 1e3 * radius_m } });
+    const Comparison seen = compare(many, one, radius_m, path_W);
+    table.atMost({ name, "god-object", "distance from the proxy of the merged mesh", "m" }, seen.apart_m, 1e-9);
+    table.atLeast({ name, "god-object", "ticks in contact" }, seen.contacts, 0.5 * ticks);
+    const bool cheap = seen.many.p50_us <= 2 * seen.one.p50_us;
+    table.within({ name, "god-object", "p50 within 2 ticks on the merged mesh" }, cheap, 1.0, 0.0).cost = seen.many;
+    table.info({ name, "merged", "surfaces" }, 1.0).cost = seen.one;
+    mergedTick_us = std::max(mergedTick_us, seen.one.p50_us);
+  }
+  const Cost inTurn = askedInTurn(meshes, path_W);
+  const std::string name = caseName({ { "surfaces", static_cast<double>(count) } });
+  if (count >= 1000)
+  {
+    const bool dear = inTurn.p50_us > 2 * mergedTick_us;
+    table.within({ name, "each-in-turn", "p50 above 2 ticks on the merged mesh" }, dear, 1.0, 0.0).cost = inTurn;
+    return;
+  }
+  table.info({ name, "each-in-turn", "surfaces" }, static_cast<double>(count)).cost = inTurn;
+}
+
+} // namespace
+
+void runManySurfaces(const Conditions& conditions, Table& table)
+{
+  double done = 0.0;
+  for (const std::size_t count : { 1u, 10u, 100u, 1000u })
+  {
+    runCount(count, conditions.pick(1500, 10000, 100000), conditions.seed, table);
+    conditions.progress(done += 0.25);
+  }
+}
+
+} // namespace palpate::lab
