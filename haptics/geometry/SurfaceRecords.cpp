@@ -16,18 +16,22 @@ namespace
 void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Vec3& origin_W)
 {
   const auto& [a, b, c] = face.corner_W;
+  const auto reach2 = [&](const Vec3& from) {
+    return std::max({ (a - from).squaredNorm(), (b - from).squaredNorm(), (c - from).squaredNorm() });
+  };
   Vec3 centre = (a + b + c) / 3.0;
-  double radius = std::max({ (a - centre).norm(), (b - centre).norm(), (c - centre).norm() });
+  double radius2 = reach2(centre);
   for (int k = 0; k < 3; ++k)
   {
     const Vec3 middle = 0.5 * (face.corner_W[k] + face.corner_W[(k + 1) % 3]);
-    const double reach = std::max({ (a - middle).norm(), (b - middle).norm(), (c - middle).norm() });
-    if (reach < radius)
+    const double fromMiddle2 = reach2(middle);
+    if (fromMiddle2 < radius2)
     {
-      radius = reach;
+      radius2 = fromMiddle2;
       centre = middle;
     }
   }
+  const double radius = std::sqrt(radius2);
   const Vec3 local = centre - origin_W;
   quad.cx[lane] = static_cast<float>(local.x());
   quad.cy[lane] = static_cast<float>(local.y());
@@ -49,11 +53,12 @@ FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32
   const Vec3 e = face.corner_W[1] - face.corner_W[0];
   const Vec3 f = face.corner_W[2] - face.corner_W[0];
   const double scaleE = e.cwiseAbs().maxCoeff(), scaleF = f.cwiseAbs().maxCoeff(); // no under- or overflow
-  const Vec3 eUnit = (e / scaleE).normalized();
-  const Vec3 fUnit = (f / scaleF).normalized();
-  const Vec3 cross = (e / scaleE).cross(f / scaleF);
-  face.normal_W = cross / cross.norm();
-  face.sliver = static_cast<float>(1.0 / std::max(eUnit.cross(fUnit).norm(), 1e-30));
+  const Vec3 eScaled = e / scaleE, fScaled = f / scaleF;
+  const Vec3 cross = eScaled.cross(fScaled);
+  const double area = cross.norm();
+  face.normal_W = cross * (1.0 / area);
+  const double sine = area / std::sqrt(eScaled.squaredNorm() * fScaled.squaredNorm());
+  face.sliver = static_cast<float>(1.0 / std::max(sine, 1e-30));
   face.owned = owned;
   return face;
 }
@@ -64,16 +69,13 @@ Leaf makeLeaf(const Box& box, std::uint32_t first, std::uint32_t count) noexcept
   return { box.low_W + 0.5 * sides, sides.maxCoeff(), first, count };
 }
 
-void layDiscs(SurfaceData& data)
+void layDiscs(SurfaceData& data, const Leaf& leaf)
 {
-  data.discs.assign(2 * data.leaves.size(), DiscQuad{});
-  for (std::size_t l = 0; l < data.leaves.size(); ++l)
+  const std::size_t first = data.discs.size();
+  data.discs.resize(first + 2);
+  for (std::uint32_t k = 0; k < leaf.count; ++k)
   {
-    const Leaf& leaf = data.leaves[l];
-    for (std::uint32_t k = 0; k < leaf.count; ++k)
-    {
-      setDisc(data.discs[2 * l + k / 4], static_cast<int>(k % 4), data.faces[leaf.first + k], leaf.origin_W);
-    }
+    setDisc(data.discs[first + k / 4], static_cast<int>(k % 4), data.faces[leaf.first + k], leaf.origin_W);
   }
 }
 

@@ -30,22 +30,10 @@ std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_
   return {};
 }
 
-/// Returns false where a triangle has no area left.
-bool refitFaces(SurfaceData& data, const std::vector<FaceRecord>& old)
+bool hasArea(const FaceRecord& face)
 {
-  data.faces.reserve(old.size());
-  for (std::uint32_t t = 0; t < old.size(); ++t)
-  {
-    data.faces.push_back(makeFace(data, t, old[t].owned));
-    const FaceRecord& face = data.faces.back();
-    const auto& [a, b, c] = face.corner_W;
-    const bool certain = face.sliver < certainlyFlat && face.normal_W.allFinite();
-    if (!certain && (exactlyCollinear(a, b, c) || !face.normal_W.allFinite()))
-    {
-      return false;
-    }
-  }
-  return true;
+  const auto& [a, b, c] = face.corner_W;
+  return face.normal_W.allFinite() && (face.sliver < certainlyFlat || !exactlyCollinear(a, b, c));
 }
 
 Box boxOf(const SurfaceData& data, const Leaf& leaf)
@@ -75,16 +63,32 @@ Box boxOf(const TreeNode& node)
   return box;
 }
 
-/// A parent stands before its children: from the last node to the first, every child is done before it is asked for.
-void refitBoxes(SurfaceData& data)
+/// Leaf by leaf, while its faces are at hand: memory is what this costs. Returns false where a triangle has no area.
+bool refitLeaves(SurfaceData& data, const std::vector<FaceRecord>& old, std::vector<Box>& leafBoxes)
 {
-  std::vector<Box> leafBoxes;
+  data.faces.reserve(old.size());
+  data.discs.reserve(2 * data.leaves.size());
   leafBoxes.reserve(data.leaves.size());
   for (Leaf& leaf : data.leaves)
   {
+    for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
+    {
+      data.faces.push_back(makeFace(data, t, old[t].owned));
+      if (!hasArea(data.faces.back()))
+      {
+        return false;
+      }
+    }
     leafBoxes.push_back(boxOf(data, leaf));
     leaf = makeLeaf(leafBoxes.back(), leaf.first, leaf.count);
+    layDiscs(data, leaf);
   }
+  return true;
+}
+
+/// A parent stands before its children: from the last node to the first, every child is done before it is asked for.
+void refitNodes(SurfaceData& data, const std::vector<Box>& leafBoxes)
+{
   for (auto node = data.nodes.rbegin(); node != data.nodes.rend(); ++node)
   {
     for (std::size_t k = 0; k < 2; ++k)
@@ -122,12 +126,12 @@ RefitResult SurfaceTree::refitted(std::vector<Vec3> vertices_W) const
   data->leaves = old.leaves;
   data->nodes = old.nodes;
   data->topologyHash = old.topologyHash;
-  if (!refitFaces(*data, old.faces))
+  std::vector<Box> leafBoxes;
+  if (!refitLeaves(*data, old.faces, leafBoxes))
   {
     return { nullptr, "triangle " + std::to_string(data->faces.size() - 1) + " has become collinear" };
   }
-  refitBoxes(*data);
-  layDiscs(*data);
+  refitNodes(*data, leafBoxes);
   data->contentHash = hashContent(data->mesh, data->topologyHash);
   return { std::shared_ptr<const SurfaceTree>(new SurfaceTree(std::move(data))), {} };
 }

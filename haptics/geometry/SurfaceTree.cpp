@@ -235,12 +235,17 @@ std::uint32_t ownedBits(const SurfaceData& data, std::uint32_t triangle)
   return bits;
 }
 
-void buildFaces(SurfaceData& data)
+void buildRecords(SurfaceData& data)
 {
   data.faces.reserve(data.mesh.triangles.size());
   for (std::uint32_t t = 0; t < data.mesh.triangles.size(); ++t)
   {
     data.faces.push_back(makeFace(data, t, ownedBits(data, t)));
+  }
+  data.discs.reserve(2 * data.leaves.size());
+  for (const Leaf& leaf : data.leaves)
+  {
+    layDiscs(data, leaf);
   }
 }
 
@@ -259,8 +264,7 @@ std::unique_ptr<const SurfaceData> buildData(TriangleMesh clean)
   data->leaves.shrink_to_fit();
   data->nodes.shrink_to_fit();
   buildFans(*data);
-  buildFaces(*data);
-  layDiscs(*data);
+  buildRecords(*data);
   data->topologyHash = hashTopology(data->mesh);
   data->contentHash = hashContent(data->mesh, data->topologyHash);
   return data;
