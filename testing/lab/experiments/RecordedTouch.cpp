@@ -2,9 +2,12 @@
 // Row 56: touches known by a formula, pushed in by force / stiffness and rendered, give their forces back.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <string>
 
 #include "testing/lab/Experiments.h"
+#include "testing/lab/methods/GodObjectMethod.h"
 #include "testing/lab/shapes/AnalyticTouch.h"
 
 namespace palpate::lab
@@ -49,20 +52,44 @@ void judge(const AnalyticTouch& touch, int ticks, Table& table)
   }
 }
 
+/// A rough body: exact on a plane, on a sphere in the limit of small steps and small depth over radius.
+void judgeRubbed(const AnalyticTouch& smooth, int ticks, Table& table)
+{
+  constexpr double mu = 0.3;
+  const AnalyticTouch touch = rubbed(smooth, mu);
+  const std::string name = "body=" + touch.name + " mu=0.3";
+  for (const double radius_m : { 0.0, 1e-3 })
+  {
+    const MethodKind ours{ radius_m == 0.0 ? "god-object r=0" : "god-object r=1mm", radius_m,
+      [radius_m](const World& world)
+      { return std::make_unique<GodObjectMethod>(world, radius_m, FrictionPlan{ mu, mu }); } };
+    const RenderedTouch rendered = render(touch, ours, ticks);
+    table.atMost({ name, ours.name, "force vector error, RMS" }, errorOf(rendered).rms, 0.03).cost = rendered.cost;
+  }
+  // Rendered without friction all of it is missing: mu / sqrt(1 + mu^2).
+  const RenderedTouch slippery = render(touch, method("god-object r=0"), ticks);
+  table.atLeast({ name, "without friction", "force vector error, RMS" }, errorOf(slippery).rms,
+    0.95 * mu / std::sqrt(1 + mu * mu));
+}
+
 } // namespace
 
 void runRecordedTouch(const Conditions& conditions, Table& table)
 {
   const int ticks = conditions.pick(4000, 20000, 200000);
   test::Random random(conditions.seed);
-  judge(touchPlane(random), ticks, table);
+  const AnalyticTouch plane = touchPlane(random);
+  judge(plane, ticks, table);
+  judgeRubbed(plane, ticks, table);
   const AnalyticTouch wedge = touchWedge();
   judge(wedge, ticks, table);
   // In a narrow wedge the nearest face knows nothing of the other one.
   const RenderedTouch nearest = render(wedge, method("penalty"), ticks);
   table.atLeast({ "body=wedge", "penalty", "force vector error, RMS" }, errorOf(nearest).rms, 0.1).cost = nearest.cost;
   conditions.progress(0.3);
-  judge(touchSphere(conditions.pick(6, 7, 7)), ticks, table);
+  const AnalyticTouch sphere = touchSphere(conditions.pick(6, 7, 7));
+  judge(sphere, ticks, table);
+  judgeRubbed(sphere, ticks, table);
   judge(touchTorus(conditions.pick(320U, 600U, 600U), conditions.pick(320U, 600U, 600U)), ticks, table);
 }
 

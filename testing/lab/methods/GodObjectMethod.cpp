@@ -39,8 +39,10 @@ private:
 
 } // namespace
 
-GodObjectMethod::GodObjectMethod(const World& world, double radius_m) : scene_(world.scene)
+GodObjectMethod::GodObjectMethod(const World& world, double radius_m, const FrictionPlan& friction)
+  : scene_(world.scene)
 {
+  this->plan_.friction = friction;
   this->plan_.radius_u = radius_m * world.metre_u;
 }
 

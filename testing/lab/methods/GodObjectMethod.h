@@ -11,7 +11,7 @@ namespace palpate::lab
 class GodObjectMethod final : public ContactMethod
 {
 public:
-  GodObjectMethod(const World& world, double radius_m);
+  GodObjectMethod(const World& world, double radius_m, const FrictionPlan& friction = {});
 
   void start(const Vec3& p_W) override;
   [[nodiscard]] MethodTick tick(const Vec3& p_W) override;

@@ -110,6 +110,20 @@ AnalyticTouch touchTorus(std::uint32_t around, std::uint32_t across)
     } };
 }
 
+AnalyticTouch rubbed(const AnalyticTouch& smooth, double mu)
+{
+  AnalyticTouch rough = smooth;
+  rough.at = [at = smooth.at, mu](double t_s, double radius_m)
+  {
+    constexpr double h_s = 1e-6;
+    TouchMoment moment = at(t_s, radius_m);
+    const Vec3 way_W = at(t_s + h_s, radius_m).centre_W - at(t_s - h_s, radius_m).centre_W;
+    moment.force_N -= mu * moment.force_N.norm() * way_W.normalized();
+    return moment;
+  };
+  return rough;
+}
+
 RenderedTouch render(const AnalyticTouch& touch, const MethodKind& method, int ticks)
 {
   RenderedTouch rendered;

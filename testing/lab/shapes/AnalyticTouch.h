@@ -17,10 +17,10 @@ namespace palpate::lab
 struct TouchMoment
 {
   Vec3 centre_W = Vec3::Zero(); ///< [m]
-  Vec3 force_N = Vec3::Zero();  ///< on the hand, in the normal cone of the body there
+  Vec3 force_N = Vec3::Zero();  ///< on the hand, in the normal cone of the body there, or in its friction cone
 };
 
-/// A frictionless touch of a body known by a formula, and the body as a mesh. In metres, 20 to 150 mm/s, 0.6 to 1.4 N.
+/// A touch of a body known by a formula, frictionless unless rubbed,, and the body as a mesh. In metres, 20 to 150 mm/s, 0.6 to 1.4 N.
 struct AnalyticTouch
 {
   std::string name;
@@ -36,6 +36,9 @@ struct AnalyticTouch
 [[nodiscard]] AnalyticTouch touchWedge();
 /// Radii 40 and 15 mm, `around` times `across` cells of two triangles.
 [[nodiscard]] AnalyticTouch touchTorus(std::uint32_t around, std::uint32_t across);
+
+/// The same way on a rough body: with Coulomb friction mu times the force, against the motion.
+[[nodiscard]] AnalyticTouch rubbed(const AnalyticTouch& smooth, double mu);
 
 /// A touch as a method renders it.
 struct RenderedTouch
