@@ -31,6 +31,7 @@ constexpr int refreshPeriod_ms = 100;
 constexpr int leastFieldWidth = 90;
 /// What the core accepts.
 constexpr int longestDelay_ticks = 16;
+constexpr double largestFriction = 10.0;
 
 QLabel* Value(QWidget* parent, const char* name, const QString& tip)
 {
@@ -104,6 +105,8 @@ public:
   QDoubleSpinBox* Radius;
   QDoubleSpinBox* Scale;
   QPushButton* Fit;
+  QDoubleSpinBox* FrictionStatic;
+  QDoubleSpinBox* FrictionKinetic;
   QCheckBox* Passivity;
   QCheckBox* Limit;
   QSpinBox* Delay;
@@ -115,6 +118,7 @@ public:
   QLabel* Used;
   QLabel* Energy;
   QLabel* Stabiliser;
+  QLabel* Friction;
   QLabel* Contact;
   QLabel* Rate;
   QLabel* Lateness;
@@ -127,6 +131,7 @@ public:
 
   void addHand(QVBoxLayout* column);
   void addContact(QVBoxLayout* column);
+  void addFriction(QVBoxLayout* column);
   void addStability(QVBoxLayout* column);
   void addState(QVBoxLayout* column);
   void addServo(QVBoxLayout* column);
@@ -175,6 +180,18 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
   form->addRow(this->Fit);
 }
 
+void pqHapticPanel::Internals::addFriction(QVBoxLayout* column)
+{
+  QFormLayout* form = Group(column, "frictionGroup", tr("Friction"));
+  QWidget* parent = form->parentWidget();
+  this->FrictionStatic = Number(parent, "frictionStatic", 0.0, largestFriction, 3,
+    tr("What holds the proxy at rest: force along the surface over force into it; 0 is none"));
+  this->FrictionKinetic = Number(parent, "frictionKinetic", 0.0, largestFriction, 3,
+    tr("What brakes the proxy while it slides; no more than the static one is used"));
+  form->addRow(tr("St&atic [1]"), this->FrictionStatic);
+  form->addRow(tr("&Kinetic [1]"), this->FrictionKinetic);
+}
+
 void pqHapticPanel::Internals::addStability(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "stabilityGroup", tr("Stability"));
@@ -209,6 +226,7 @@ void pqHapticPanel::Internals::addState(QVBoxLayout* column)
     tr("Work of the force on the hand [mJ], negative: taken from it; what the contact gave more than its spring "
        "holds, now and at most [mJ]"));
   this->Stabiliser = Value(parent, "stabiliser", tr("Part of the force that passivity control added [N]"));
+  this->Friction = Value(parent, "friction", tr("sticks or slips; none without contact or friction"));
   this->Contact = Value(parent, "contact", tr("Time in contact [s] and planes touched now"));
   form->addRow(tr("State"), this->State);
   form->addRow(this->Reason);
@@ -216,6 +234,7 @@ void pqHapticPanel::Internals::addState(QVBoxLayout* column)
   form->addRow(tr("Stiffness"), this->Used);
   form->addRow(tr("Energy"), this->Energy);
   form->addRow(tr("Stabiliser"), this->Stabiliser);
+  form->addRow(tr("Friction"), this->Friction);
   form->addRow(tr("Contact"), this->Contact);
 }
 
@@ -250,7 +269,8 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 void pqHapticPanel::Internals::setTabOrder()
 {
   QWidget* order[] = { this->Device, this->Hand, this->Touch, this->Release, this->Stiffness, this->Radius, this->Scale,
-    this->Fit, this->Limit, this->Passivity, this->Delay, this->Velocity, this->Scene };
+    this->Fit, this->FrictionStatic, this->FrictionKinetic, this->Limit, this->Passivity, this->Delay, this->Velocity,
+    this->Scene };
   for (std::size_t i = 1; i < std::size(order); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
@@ -284,6 +304,7 @@ void pqHapticPanel::build()
   auto* column = new QVBoxLayout(body);
   this->Widgets->addHand(column);
   this->Widgets->addContact(column);
+  this->Widgets->addFriction(column);
   this->Widgets->addStability(column);
   this->Widgets->addState(column);
   this->Widgets->addServo(column);
@@ -324,6 +345,8 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   link(w.Stiffness, "value", SIGNAL(valueChanged(double)), "Stiffness");
   link(w.Radius, "value", SIGNAL(valueChanged(double)), "Radius");
   link(w.Scale, "value", SIGNAL(valueChanged(double)), "Scale");
+  link(w.FrictionStatic, "value", SIGNAL(valueChanged(double)), "FrictionStatic");
+  link(w.FrictionKinetic, "value", SIGNAL(valueChanged(double)), "FrictionKinetic");
   link(w.Limit, "checked", SIGNAL(toggled(bool)), "LimitStiffness");
   link(w.Passivity, "checked", SIGNAL(toggled(bool)), "Passivity");
   link(w.Delay, "value", SIGNAL(valueChanged(int)), "Delay");
@@ -351,6 +374,7 @@ void pqHapticPanel::refresh()
   w.Used->setText(now.Stiffness);
   w.Energy->setText(now.Energy);
   w.Stabiliser->setText(now.Stabiliser);
+  w.Friction->setText(now.Friction);
   w.Contact->setText(now.Contact);
   w.Rate->setText(now.Rate);
   w.Lateness->setText(now.Lateness);

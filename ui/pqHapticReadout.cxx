@@ -29,6 +29,17 @@ QString StiffnessOf(const vtkHapticSession& session)
            : used;
 }
 
+/// What friction does, and that the kinetic coefficient is not what was asked for.
+QString FrictionOf(const vtkHapticSession& session)
+{
+  const QString text = QString::fromUtf8(session.GetFrictionText());
+  const QString now = text.isEmpty() ? QString("none") : text;
+  const double used = session.GetFrictionKineticUsed();
+  return used < session.GetFrictionKinetic()
+           ? QString("%1, kinetic limited to the static %2").arg(now).arg(used, 0, 'f', 2)
+           : now;
+}
+
 /// A fault has a reason; otherwise the last thing that was refused is what the person must know.
 QString ReasonOf(const vtkHapticSession& session)
 {
@@ -49,6 +60,7 @@ pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
                  .arg(Millijoules(session.GetDeliveredEnergy()), Millijoules(session.GetExcessEnergy()),
                    Millijoules(session.GetPeakExcessEnergy()));
   now.Stabiliser = Quantity(session.GetStabiliserForce(), 2, "N");
+  now.Friction = FrictionOf(session);
   now.Contact =
     QString("%1 planes, %2 in all").arg(session.GetContacts()).arg(Quantity(session.GetContactSeconds(), 1, "s"));
   now.Rate = Quantity(session.GetRate(), 0, "Hz");

@@ -16,6 +16,7 @@ struct pqHapticReadout
   QString Stiffness;
   QString Energy;
   QString Stabiliser;
+  QString Friction;
   QString Contact;
   QString Rate;
   QString Lateness;

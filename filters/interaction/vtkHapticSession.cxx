@@ -111,6 +111,9 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Hand: " << this->Impl->HeldBy << "\n";
   os << indent << "Damping: " << this->GetDamping() << " N s/m\n";
   os << indent << "Radius: " << this->GetRadius() << " u\n";
+  os << indent << "FrictionStatic: " << this->GetFrictionStatic() << "\n";
+  os << indent << "FrictionKinetic: " << this->GetFrictionKinetic() << ", used " << this->GetFrictionKineticUsed()
+     << "\n";
   os << indent << "Scale: " << this->GetScale() << " u/m\n";
   os << indent << "Stroke: " << this->Impl->Stroke_W.size() << " points, " << this->Impl->StrokeSpeed << " m/s\n";
   os << indent << "RecordFile: " << this->Impl->RecordFile << "\n";

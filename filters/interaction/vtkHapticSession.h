@@ -155,6 +155,19 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Coulomb friction between ball and surfaces [1]: what holds at rest, 0 (none, default) to 10, and what brakes while
+   * it slides, 0 (default) or more. No more than the static one is used of the kinetic one (GetFrictionKineticUsed()),
+   * so the order of the two calls does not matter (Harwin & Melder 2002).
+   */
+  virtual void SetFrictionStatic(double coefficient);
+  virtual double GetFrictionStatic() const;
+  virtual void SetFrictionKinetic(double coefficient);
+  virtual double GetFrictionKinetic() const;
+  double GetFrictionKineticUsed() const;
+  ///@}
+
+  ///@{
   /// From device to scene frame, a unit quaternion (w, x, y, z). Default (1, 0, 0, 0).
   virtual void SetRotation(double w, double x, double y, double z);
   virtual void SetRotation(const double wxyz[4]);
@@ -262,6 +275,9 @@ public:
   double GetDepth() const;
   ///@}
 
+  /// What friction does now: "sticks", "slips", or "" without contact or friction.
+  const char* GetFrictionText() const;
+
   ///@{
   /**
    * How stiff a wall the device can hold with these settings [N/m], infinite where nothing is known to limit it, and
@@ -273,10 +289,12 @@ public:
 
   ///@{
   /// Stiffness of the last tick after every limit [N/m], 0 before the first; whether it is less than was set because
-  /// the device or the rate cannot hold that; size of the part of the force that passivity control added [N].
+  /// the device or the rate cannot hold that; size of the part of the force that passivity control added, now and the
+  /// largest of all ticks [N].
   double GetStiffnessUsed() const;
   bool GetStiffnessLimited() const;
   double GetStabiliserForce() const;
+  double GetPeakStabiliserForce() const;
   ///@}
 
   ///@{

@@ -18,6 +18,7 @@ public:
 
   palpate::HapticSession Core;
   palpate::HapticParameters Parameters;
+  double FrictionKinetic = 0.0; ///< as set; the parameters have no more than the static one
   std::vector<palpate::KnownDevice> Known = palpate::knownDevices();
   vtkHapticSceneWorker Worker;
   vtkHapticBuiltScene Built;

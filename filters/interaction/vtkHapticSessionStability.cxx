@@ -126,6 +126,11 @@ double vtkHapticSession::GetStabiliserForce() const
   return this->Impl->State.stabiliser_D.norm();
 }
 
+double vtkHapticSession::GetPeakStabiliserForce() const
+{
+  return this->Impl->Report.peakStabiliser_N;
+}
+
 double vtkHapticSession::GetDeliveredEnergy() const
 {
   return this->Impl->State.energy.delivered_J;

@@ -66,8 +66,8 @@ public:
     }
     output->SetPoints(this->Points);
     output->SetLines(lines);
-    for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
-           this->Force, this->Depth, this->Contacts, this->Device, this->Time })
+    for (vtkDataArray* array :
+      std::initializer_list<vtkDataArray*>{ this->Force, this->Depth, this->Contacts, this->Device, this->Time })
     {
       output->GetPointData()->AddArray(array);
     }
@@ -128,7 +128,7 @@ bool Touch(const vtkHapticHandPath& path, const palpate::Scene& scene, const pal
   }
   return true;
 }
-}
+} // namespace
 
 vtkTouchAlongPath::vtkTouchAlongPath()
 {
@@ -145,6 +145,8 @@ void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Stiffness: " << this->Stiffness << " N/m\n";
   os << indent << "Radius: " << this->Radius << " u\n";
+  os << indent << "FrictionStatic: " << this->FrictionStatic << "\n";
+  os << indent << "FrictionKinetic: " << this->FrictionKinetic << "\n";
   os << indent << "Scale: " << this->Scale << " u/m\n";
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "TimeArray: " << (this->TimeArray ? this->TimeArray : "(none)") << "\n";
@@ -175,6 +177,7 @@ palpate::HapticParameters vtkTouchAlongPath::Parameters() const
   palpate::HapticParameters parameters;
   parameters.stiffness_N_per_m = this->Stiffness;
   parameters.contact.radius_u = this->Radius;
+  parameters.contact.friction = { this->FrictionStatic, this->FrictionKinetic };
   parameters.map.scale_u_per_m = this->Scale;
   parameters.safety = palpate::SafetyLimits::none();
   return parameters;

@@ -53,6 +53,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Coulomb friction between ball and surface [1]: what holds at rest, 0 (none, default) to 10, and what brakes while
+   * it slides, 0 (default) to the static one; more is an error.
+   */
+  vtkSetMacro(FrictionStatic, double);
+  vtkGetMacro(FrictionStatic, double);
+  vtkSetMacro(FrictionKinetic, double);
+  vtkGetMacro(FrictionKinetic, double);
+  ///@}
+
+  ///@{
   /// Scene units per metre of the hand, > 0. Default 1.
   vtkSetMacro(Scale, double);
   vtkGetMacro(Scale, double);
@@ -89,6 +100,8 @@ private:
 
   double Stiffness = 1000.0;
   double Radius = 0.0;
+  double FrictionStatic = 0.0;
+  double FrictionKinetic = 0.0;
   double Scale = 1.0;
   double Rate = 1000.0;
   char* TimeArray = nullptr;

@@ -28,10 +28,11 @@ struct LoopReport
   std::uint64_t cappedTicks = 0;  ///< the god-object was stopped by its cap or budget
   double elapsed_s = 0.0;         ///< from the first period to the last
   double peakForce_N = 0.0;
-  double forceResidual_N = 0.0; ///< largest |F - stabiliser - K (proxy - device)| while fully engaged and unlimited
-  Quantiles lateness;           ///< of the last 5 s [us]
-  Quantiles cost;               ///< of all ticks [us]
-  bool ended = false;           ///< the device has no more samples
+  double peakStabiliser_N = 0.0; ///< largest part of a force that passivity control added
+  double forceResidual_N = 0.0;  ///< largest |F - stabiliser - K (proxy - device)| while fully engaged and unlimited
+  Quantiles lateness;            ///< of the last 5 s [us]
+  Quantiles cost;                ///< of all ticks [us]
+  bool ended = false;            ///< the device has no more samples
 };
 
 /// What other threads and the servo share. Each buffer has one writer and one reader (ARCHITECTURE.md).

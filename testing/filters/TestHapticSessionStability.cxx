@@ -209,6 +209,19 @@ TEST_F(HapticSessionStability, WithoutPassivityTheForceIsTheSpringsAlone)
   EXPECT_GT(inward, 20);
 }
 
+TEST_F(HapticSessionStability, ThePeakOfTheStabiliserIsTheLargestOfAllTicks)
+{
+  this->startTouching();
+  double largest_N = 0.0;
+  for (int i = 0; i < ticksToTurn; ++i)
+  {
+    this->session_->Step(1);
+    largest_N = std::max(largest_N, this->session_->GetStabiliserForce());
+  }
+  EXPECT_GT(largest_N, 0.0);
+  EXPECT_EQ(this->session_->GetPeakStabiliserForce(), largest_N);
+}
+
 TEST_F(HapticSessionStability, TheEnergyIsTheSumOfForceTimesWay)
 {
   this->startTouching();

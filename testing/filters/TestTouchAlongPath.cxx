@@ -101,6 +101,39 @@ TEST(TouchAlongPath, TheScaleTurnsSceneUnitsIntoMetresOfTheHand)
   EXPECT_LT((vectorAt(touch->GetOutput(), "Force", last) - Vec3(0.0, 0.0, 500.0 * 2.0 / scale)).norm(), 1e-12);
 }
 
+TEST(TouchAlongPath, FrictionHoldsUpToTheStaticConeThenBrakesWithTheKineticOne)
+{
+  constexpr double depth = 0.5;
+  constexpr double stiffness = 1000.0;
+  constexpr double statical = 0.5;
+  constexpr double kinetic = 0.3;
+  std::vector<Vec3> path_W{ Vec3(0.0, 0.0, 1.0) };
+  for (const Vec3& p_W : straight(Vec3(0.0, 0.0, -depth), Vec3(2.1, 0.0, -depth), 200))
+  {
+    path_W.push_back(p_W);
+  }
+  const auto touch = touchPlane(path_W);
+  touch->SetStiffness(stiffness);
+  touch->SetFrictionStatic(statical);
+  touch->SetFrictionKinetic(kinetic);
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  for (std::size_t i = 1; i < path_W.size(); ++i)
+  {
+    const double x = path_W[i].x();
+    const double drag_N = stiffness * (x < statical * depth ? x : kinetic * depth);
+    const Vec3 force_W = vectorAt(touch->GetOutput(), "Force", static_cast<vtkIdType>(i));
+    EXPECT_LT((force_W - Vec3(-drag_N, 0.0, stiffness * depth)).norm(), 1e-12 * stiffness) << "x = " << x;
+  }
+}
+
+TEST(TouchAlongPath, KineticFrictionAboveTheStaticOneIsRefused)
+{
+  const auto touch = touchPlane({ Vec3(0, 0, 1), Vec3(0, 0, -1) });
+  touch->SetFrictionStatic(0.2);
+  touch->SetFrictionKinetic(0.3);
+  EXPECT_THAT(errorsOf(touch).at(0), HasSubstr("friction"));
+}
+
 TEST(TouchAlongPath, ForceOnASphereIsThatOfTheFaceTheHandIsBehind)
 {
   constexpr double radius = 50.0;
@@ -164,8 +197,8 @@ TEST(TouchAlongPath, AnAbortLeavesAnEmptyOutput)
 {
   const auto touch = touchPlane(straight(Vec3(0, 0, 1), Vec3(0, 0, -1), 5000));
   vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*) { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
   touch->AddObserver(vtkCommand::ProgressEvent, stop);
   touch->Update();
   EXPECT_EQ(touch->GetOutput()->GetNumberOfPoints(), 0);

@@ -92,6 +92,8 @@ class Session(unittest.TestCase):
         self.assertAlmostEqual(read(self.proxy, "PeakExcessEnergy"), 0.5 * 400.0 * 0.002**2, delta=1e-12)
         self.assertEqual(read(self.proxy, "StiffnessUsed"), 400.0)
         self.assertEqual(read(self.proxy, "StabiliserForce"), 0.0)  # "fed" pushes nobody
+        self.assertEqual(read(self.proxy, "PeakStabiliserForce"), 0.0)
+        self.assertEqual(read(self.proxy, "FrictionText"), "")  # the default is none
         self.assertEqual(read(self.proxy, "Ticks"), TICKS_TO_ENGAGE + 200)
         self.assertEqual(read(self.proxy, "Missed"), 0)
         self.assertIn("plane: ", read(self.proxy, "SceneReport"))
@@ -120,6 +122,8 @@ class Session(unittest.TestCase):
     def test_is_saved_in_the_state_file_but_not_the_touching(self):
         write(self.proxy, "Stiffness", 321.5)
         write(self.proxy, "Radius", 0.75)
+        write(self.proxy, "FrictionStatic", 0.5)
+        write(self.proxy, "FrictionKinetic", 0.25)
         write(self.proxy, "Scale", 250.0)
         write(self.proxy, "Passivity", 0)
         write(self.proxy, "LimitStiffness", 0)
@@ -147,6 +151,8 @@ class Session(unittest.TestCase):
         session = loaded.GetClientSideObject()
         self.assertEqual(session.GetStiffness(), 321.5)
         self.assertEqual(session.GetDeviceName(), "simulated-ideal")
+        self.assertEqual((session.GetFrictionStatic(), session.GetFrictionKinetic()), (0.5, 0.25))
+        self.assertEqual(session.GetFrictionKineticUsed(), 0.25)
         self.assertFalse(session.GetPassivity())
         self.assertFalse(session.GetLimitStiffness())
         self.assertEqual(session.GetVelocityMethod(), session.LowPass)

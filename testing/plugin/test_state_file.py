@@ -16,6 +16,8 @@ class StateFile(unittest.TestCase):
         proxy = manager().NewProxy("haptics", "HapticSession")
         put(proxy, "Stiffness", 345.0)
         put(proxy, "Radius", 1.25)
+        put(proxy, "FrictionStatic", 0.75)
+        put(proxy, "FrictionKinetic", 0.5)
         put(proxy, "Passivity", 0)
         put(proxy, "Hand", "light")
         manager().RegisterProxy("haptics", "HapticSession", proxy)
@@ -26,6 +28,7 @@ class StateFile(unittest.TestCase):
             simple.LoadState(state)
         loaded = manager().GetProxy("haptics", "HapticSession").GetClientSideObject()
         self.assertEqual((loaded.GetStiffness(), loaded.GetRadius()), (345.0, 1.25))
+        self.assertEqual((loaded.GetFrictionStatic(), loaded.GetFrictionKineticUsed()), (0.75, 0.5))
         self.assertEqual((loaded.GetPassivity(), loaded.GetLimitStiffness(), loaded.GetHand()), (False, True, "light"))
         self.assertFalse(loaded.GetTouching())
 

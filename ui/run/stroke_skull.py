@@ -118,7 +118,6 @@ class Watch:
         self.framebuffer = os.environ.get("PALPATE_RUN_FRAMEBUFFER")
         self.pictured = not self.framebuffer
         self.leading = False
-        self.stabiliser_N = 0.0
         self.clock = summary.WallClock()
         self.interactor = view.GetInteractor()
         self.observer = self.interactor.AddObserver("TimerEvent", self.look)
@@ -138,13 +137,12 @@ class Watch:
             self.stop()
 
     def follow(self):
-        self.stabiliser_N = max(self.stabiliser_N, self.session.GetStabiliserForce())
         contact = self.session.GetContactSeconds()
         if not self.pictured and contact > self.seconds / 4 and self.worth_a_picture():
             self.picture()
         if contact >= self.seconds or self.clock.seconds() > 2 * self.seconds + 60:
             self.stop()
-            numbers = summary.of(self.session, self.seconds, self.clock, self.stabiliser_N)
+            numbers = summary.of(self.session, self.seconds, self.clock)
             summary.write(os.environ["PALPATE_RUN_OUT"], numbers)
 
     def worth_a_picture(self):

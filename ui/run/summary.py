@@ -20,8 +20,8 @@ class WallClock:
         return time.monotonic() - self.start
 
 
-def of(session, wanted_s, clock, stabiliser_N):
-    """The session's numbers now, and the largest force of the passivity control among the looks at it."""
+def of(session, wanted_s, clock):
+    """The session's numbers now."""
     return {
         "ticks": session.GetTicks(),
         "missed_periods": session.GetMissed(),
@@ -34,7 +34,7 @@ def of(session, wanted_s, clock, stabiliser_N):
         "cost_p99_us": session.GetCostP99(),
         "force_residual_N": session.GetForceResidual(),
         "peak_force_N": session.GetPeakForce(),
-        "stabiliser_force_N": stabiliser_N,
+        "peak_stabiliser_N": session.GetPeakStabiliserForce(),
         "stiffness_N_per_m": session.GetStiffnessUsed(),
         "stiffness_limited": session.GetStiffnessLimited(),
         "stability": session.GetStabilitySentence(),
@@ -80,7 +80,7 @@ def text(numbers):
         ("ticks at a work limit", f"{numbers['capped_ticks']}"),
         ("largest |F - S - K (p - x)|", f"{numbers['force_residual_N']:.2g} N"),
         ("peak force", f"{numbers['peak_force_N']:.2f} N"),
-        ("stabiliser S, largest seen", f"{numbers['stabiliser_force_N']:.3f} N"),
+        ("stabiliser S, peak", f"{numbers['peak_stabiliser_N']:.3f} N"),
         ("stiffness K", stiffness(numbers)),
         ("energy given / in excess", f"{1e3 * numbers['delivered_J']:.2f} / {1e3 * numbers['peak_excess_J']:.3f} mJ"),
         ("servo thread", numbers["scheduling"].strip()),

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "vtkCallbackCommand.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+
+namespace
+{
+constexpr int ticksToEngage = 1100; // arming, the ramp of 1 s, and some to spare
+constexpr double stiffness = 500.0; // N/m
+constexpr double scale = 1000.0;    // u/m
+constexpr double depth = 2.0;       // u
+constexpr double normal_N = stiffness * depth / scale;
+constexpr double statical = 0.5;
+constexpr double kinetic = 0.3;
+
+/// A fed hand in virtual time, pressed at the origin into the plane z = 0.
+class HapticSessionFriction : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->session_->VirtualTimeOn();
+    this->session_->SetStiffness(stiffness);
+    this->session_->SetScale(scale);
+    ASSERT_TRUE(this->session_->AddSurface("plane", makePlane(100.0), nullptr));
+    this->session_->CommitScene();
+    ASSERT_TRUE(this->session_->FinishScene());
+  }
+
+  void press()
+  {
+    this->session_->SetHandPosition(0.0, 0.0, 1.0);
+    this->session_->TouchingOn();
+    ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+    this->session_->Step(ticksToEngage);
+    this->session_->SetHandPosition(0.0, 0.0, -depth);
+    this->session_->Step(100);
+    ASSERT_NEAR(this->session_->GetForce()[2], normal_N, 1e-12);
+  }
+
+  /// A tick with the hand at x [u], as deep as before; the force against the way [N].
+  double dragTo(double x)
+  {
+    this->session_->SetHandPosition(x, 0.0, -depth);
+    this->session_->Step(1);
+    EXPECT_NEAR(this->session_->GetForce()[2], normal_N, 1e-12);
+    EXPECT_NEAR(this->session_->GetForce()[1], 0.0, 1e-12);
+    return -this->session_->GetForce()[0];
+  }
+
+  void expectRefused(double coefficient, void (vtkHapticSession::*set)(double))
+  {
+    std::string error;
+    vtkNew<vtkCallbackCommand> listener;
+    listener->SetClientData(&error);
+    listener->SetCallback([](vtkObject*, unsigned long, void* first, void* text)
+      { *static_cast<std::string*>(first) = static_cast<const char*>(text); });
+    const unsigned long tag = this->session_->AddObserver(vtkCommand::ErrorEvent, listener);
+    (this->session_.Get()->*set)(coefficient);
+    this->session_->RemoveObserver(tag);
+    EXPECT_THAT(error, HasSubstr("friction")) << coefficient;
+  }
+
+  vtkNew<vtkHapticSession> session_;
+};
+} // namespace
+
+TEST_F(HapticSessionFriction, HoldsUpToTheStaticConeThenBrakesWithTheKineticOne)
+{
+  this->session_->SetFrictionStatic(statical);
+  this->session_->SetFrictionKinetic(kinetic);
+  this->press();
+  constexpr double step = 0.03; // u a tick; breakAway is no multiple of it
+  constexpr double breakAway = statical * depth;
+  for (int i = 1; i <= 200; ++i)
+  {
+    const double x = i * step;
+    const double drag_N = this->dragTo(x);
+    ASSERT_NEAR(drag_N, x < breakAway ? stiffness * x / scale : kinetic * normal_N, 1e-12) << "x = " << x;
+    ASSERT_STREQ(this->session_->GetFrictionText(), x < breakAway ? "sticks" : "slips") << "x = " << x;
+  }
+}
+
+TEST_F(HapticSessionFriction, WithoutFrictionNothingBrakesAndNothingIsSaid)
+{
+  this->press();
+  for (int i = 1; i <= 50; ++i)
+  {
+    ASSERT_NEAR(this->dragTo(0.1 * i), 0.0, 1e-12);
+  }
+  EXPECT_STREQ(this->session_->GetFrictionText(), "");
+}
+
+TEST_F(HapticSessionFriction, TheOrderOfTheCoefficientsDoesNotMatter)
+{
+  this->session_->SetFrictionKinetic(kinetic);
+  EXPECT_EQ(this->session_->GetFrictionKineticUsed(), 0.0);
+  this->session_->SetFrictionStatic(statical);
+  EXPECT_EQ(this->session_->GetFrictionKineticUsed(), kinetic);
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+}
+
+TEST_F(HapticSessionFriction, NoMoreThanTheStaticCoefficientIsUsedOfTheKineticOne)
+{
+  this->session_->SetFrictionKinetic(0.9);
+  this->session_->SetFrictionStatic(statical);
+  EXPECT_EQ(this->session_->GetFrictionKinetic(), 0.9);
+  EXPECT_EQ(this->session_->GetFrictionKineticUsed(), statical);
+  this->session_->SetFrictionKinetic(kinetic);
+  EXPECT_EQ(this->session_->GetFrictionKineticUsed(), kinetic);
+}
+
+TEST_F(HapticSessionFriction, CoefficientsThatCannotBeAreRefusedAndTheOldOnesStay)
+{
+  this->session_->SetFrictionStatic(statical);
+  this->session_->SetFrictionKinetic(kinetic);
+  for (const double bad : { -0.1, std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    this->expectRefused(bad, &vtkHapticSession::SetFrictionStatic);
+    this->expectRefused(bad, &vtkHapticSession::SetFrictionKinetic);
+  }
+  this->expectRefused(10.5, &vtkHapticSession::SetFrictionStatic);
+  EXPECT_EQ(this->session_->GetFrictionStatic(), statical);
+  EXPECT_EQ(this->session_->GetFrictionKinetic(), kinetic);
+  EXPECT_EQ(this->session_->GetFrictionKineticUsed(), kinetic);
+}
