@@ -69,13 +69,13 @@ Leaf makeLeaf(const Box& box, std::uint32_t first, std::uint32_t count) noexcept
   return { box.low_W + 0.5 * sides, sides.maxCoeff(), first, count };
 }
 
-void layDiscs(SurfaceData& data, const Leaf& leaf)
+void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept
 {
-  const std::size_t first = data.discs.size();
-  data.discs.resize(first + 2);
+  const Leaf& leaf = data.leaves[leafIndex];
   for (std::uint32_t k = 0; k < leaf.count; ++k)
   {
-    setDisc(data.discs[first + k / 4], static_cast<int>(k % 4), data.faces[leaf.first + k], leaf.origin_W);
+    DiscQuad& quad = data.discs[2 * leafIndex + k / 4];
+    setDisc(quad, static_cast<int>(k % 4), data.faces[leaf.first + k], leaf.origin_W);
   }
 }
 

@@ -17,8 +17,8 @@ namespace palpate
 /// The leaf that holds `count` triangles from `first` on, all of them in the box.
 [[nodiscard]] Leaf makeLeaf(const Box& box, std::uint32_t first, std::uint32_t count) noexcept;
 
-/// Appends the discs of a leaf, whose faces are there, to data.discs: leaf by leaf in their order.
-void layDiscs(SurfaceData& data, const Leaf& leaf);
+/// The discs of a leaf whose faces are there; data.discs has its room.
+void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept;
 
 /// Hash of the triangles in the order of the leaves: the same for two surfaces whose features have the same numbers.
 [[nodiscard]] std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "haptics/geometry/ExactPredicates.h"
@@ -66,22 +67,23 @@ Box boxOf(const TreeNode& node)
 /// Leaf by leaf, while its faces are at hand: memory is what this costs. Returns false where a triangle has no area.
 bool refitLeaves(SurfaceData& data, const std::vector<FaceRecord>& old, std::vector<Box>& leafBoxes)
 {
-  data.faces.reserve(old.size());
-  data.discs.reserve(2 * data.leaves.size());
+  data.faces.resize(old.size());
+  data.discs.resize(2 * data.leaves.size());
   leafBoxes.reserve(data.leaves.size());
-  for (Leaf& leaf : data.leaves)
+  for (std::size_t index = 0; index < data.leaves.size(); ++index)
   {
+    Leaf& leaf = data.leaves[index];
     for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
     {
-      data.faces.push_back(makeFace(data, t, old[t].owned));
-      if (!hasArea(data.faces.back()))
+      data.faces[t] = makeFace(data, t, old[t].owned);
+      if (!hasArea(data.faces[t]))
       {
         return false;
       }
     }
     leafBoxes.push_back(boxOf(data, leaf));
     leaf = makeLeaf(leafBoxes.back(), leaf.first, leaf.count);
-    layDiscs(data, leaf);
+    layDiscs(data, index);
   }
   return true;
 }
@@ -111,25 +113,37 @@ void refitNodes(SurfaceData& data, const std::vector<Box>& leafBoxes)
 
 } // namespace
 
-RefitResult SurfaceTree::refitted(std::vector<Vec3> vertices_W) const
+std::unique_ptr<SurfaceData> SurfaceTree::roomForRefit(std::shared_ptr<const SurfaceTree> retired) const
 {
-  const SurfaceData& old = *this->data_;
-  if (std::string refusal = refusalOf(old, vertices_W); !refusal.empty())
+  if (retired && retired.get() != this && retired.use_count() == 1 && retired->topologyHash() == this->topologyHash())
   {
-    return { nullptr, std::move(refusal) };
+    std::atomic_thread_fence(std::memory_order_acquire); // after whatever the last other holder read
+    return std::move(std::const_pointer_cast<SurfaceTree>(retired)->data_);
   }
+  const SurfaceData& old = *this->data_;
   auto data = std::make_unique<SurfaceData>();
-  data->mesh.vertices_W = std::move(vertices_W);
   data->mesh.triangles = old.mesh.triangles;
   data->fanStart = old.fanStart;
   data->fan = old.fan;
   data->leaves = old.leaves;
   data->nodes = old.nodes;
   data->topologyHash = old.topologyHash;
+  return data;
+}
+
+RefitResult SurfaceTree::refitted(std::vector<Vec3> vertices_W, std::shared_ptr<const SurfaceTree> retired) const
+{
+  const SurfaceData& old = *this->data_;
+  if (std::string refusal = refusalOf(old, vertices_W); !refusal.empty())
+  {
+    return { nullptr, std::move(refusal) };
+  }
+  std::unique_ptr<SurfaceData> data = this->roomForRefit(std::move(retired));
+  data->mesh.vertices_W = std::move(vertices_W);
   std::vector<Box> leafBoxes;
   if (!refitLeaves(*data, old.faces, leafBoxes))
   {
-    return { nullptr, "triangle " + std::to_string(data->faces.size() - 1) + " has become collinear" };
+    return { nullptr, "a triangle has become collinear" };
   }
   refitNodes(*data, leafBoxes);
   data->contentHash = hashContent(data->mesh, data->topologyHash);

@@ -39,9 +39,8 @@ public:
   using Point_reference = Point;
 
   BoxPrimitive() = default;
-  template<class Iterator>
-  BoxPrimitive(Iterator it, const TriangleMesh& mesh)
-    : id_(*it)
+  template <class Iterator>
+  BoxPrimitive(Iterator it, const TriangleMesh& mesh) : id_(*it)
   {
     const auto& t = mesh.triangles[this->id_];
     const Vec3 &a = mesh.vertices_W[t[0]], &b = mesh.vertices_W[t[1]], &c = mesh.vertices_W[t[2]];
@@ -83,9 +82,7 @@ void include(Box& box, const Vec3& v)
 class Flattener
 {
 public:
-  Flattener(SurfaceData& data, const std::vector<std::uint32_t>& order)
-    : data_(data)
-    , order_(order)
+  Flattener(SurfaceData& data, const std::vector<std::uint32_t>& order) : data_(data), order_(order)
   {
     data.mesh.triangles.swap(this->unordered_);
     data.mesh.triangles.reserve(order.size());
@@ -128,8 +125,7 @@ private:
         include(box, this->data_.vertex(corner));
       }
     }
-    this->data_.leaves.push_back(
-      makeLeaf(box, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
+    this->data_.leaves.push_back(makeLeaf(box, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
     return static_cast<std::uint32_t>(this->data_.leaves.size() - 1) | TreeNode::leafBit;
   }
 
@@ -242,14 +238,14 @@ void buildRecords(SurfaceData& data)
   {
     data.faces.push_back(makeFace(data, t, ownedBits(data, t)));
   }
-  data.discs.reserve(2 * data.leaves.size());
-  for (const Leaf& leaf : data.leaves)
+  data.discs.assign(2 * data.leaves.size(), DiscQuad{});
+  for (std::size_t leaf = 0; leaf < data.leaves.size(); ++leaf)
   {
     layDiscs(data, leaf);
   }
 }
 
-std::unique_ptr<const SurfaceData> buildData(TriangleMesh clean)
+std::unique_ptr<SurfaceData> buildData(TriangleMesh clean)
 {
   if (clean.triangles.empty())
   {
@@ -270,7 +266,7 @@ std::unique_ptr<const SurfaceData> buildData(TriangleMesh clean)
   return data;
 }
 
-template<class T>
+template <class T>
 std::size_t bytesOf(const std::vector<T>& v)
 {
   return v.capacity() * sizeof(T);
@@ -278,15 +274,9 @@ std::size_t bytesOf(const std::vector<T>& v)
 
 } // namespace
 
-SurfaceTree::SurfaceTree(TriangleMesh clean)
-  : data_(buildData(std::move(clean)))
-{
-}
+SurfaceTree::SurfaceTree(TriangleMesh clean) : data_(buildData(std::move(clean))) {}
 
-SurfaceTree::SurfaceTree(std::unique_ptr<const SurfaceData> data)
-  : data_(std::move(data))
-{
-}
+SurfaceTree::SurfaceTree(std::unique_ptr<SurfaceData> data) : data_(std::move(data)) {}
 
 SurfaceTree::~SurfaceTree() = default;
 
@@ -309,7 +299,7 @@ std::size_t SurfaceTree::bytes() const noexcept
 {
   const SurfaceData& d = *this->data_;
   return sizeof(SurfaceData) + bytesOf(d.faces) + bytesOf(d.discs) + bytesOf(d.leaves) + bytesOf(d.nodes) +
-    bytesOf(d.fanStart) + bytesOf(d.fan);
+         bytesOf(d.fanStart) + bytesOf(d.fan);
 }
 
 } // namespace palpate

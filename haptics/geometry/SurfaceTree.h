@@ -37,7 +37,10 @@ public:
   /// bent far out of its first shape asks for more visits a query, nothing else.
   /// `vertices_W` [u]: one for each vertex of mesh(), in its order. Refuses another count, a vertex that is not
   /// finite, a triangle that has become exactly collinear.
-  [[nodiscard]] RefitResult refitted(std::vector<Vec3> vertices_W) const;
+  /// `retired`: a tree of the same triangles whose memory the new one takes if nobody else holds it. Two trees in turn,
+  /// one felt and one refitted, ask the system for no memory, which is half of the cost.
+  [[nodiscard]] RefitResult refitted(
+    std::vector<Vec3> vertices_W, std::shared_ptr<const SurfaceTree> retired = nullptr) const;
 
   [[nodiscard]] const TriangleMesh& mesh() const noexcept;
   /// Bytes kept beside the mesh (tree, adjacency, normals).
@@ -50,9 +53,11 @@ public:
   [[nodiscard]] const SurfaceData& data() const noexcept { return *this->data_; }
 
 private:
-  explicit SurfaceTree(std::unique_ptr<const SurfaceData> data);
+  /// Everything but positions: of the retired tree if that can be had, else copied.
+  [[nodiscard]] std::unique_ptr<SurfaceData> roomForRefit(std::shared_ptr<const SurfaceTree> retired) const;
+  explicit SurfaceTree(std::unique_ptr<SurfaceData> data);
 
-  std::unique_ptr<const SurfaceData> data_;
+  std::unique_ptr<SurfaceData> data_;
 };
 
 } // namespace palpate

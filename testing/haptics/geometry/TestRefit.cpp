@@ -117,6 +117,30 @@ TEST(Refit, ChainsFromOneToTheNextWithoutDrift)
   EXPECT_EQ(moved->refitted(tree.mesh().vertices_W).tree->contentHash(), tree.contentHash());
 }
 
+TEST(Refit, InTheMemoryOfARetiredTreeIsTheSameAndNeverTakesOneThatIsHeld)
+{
+  Random random(testSeed(404));
+  const SurfaceTree tree = treeOf(makeIcosphere(3, 0.05));
+  const std::vector<Vec3> one = bent(tree.mesh(), 1e-3, random), two = bent(tree.mesh(), 1e-3, random);
+  const auto expected = tree.refitted(two).tree;
+  auto retired = tree.refitted(one).tree;
+  const auto held = retired;
+  EXPECT_EQ(tree.refitted(two, retired).tree->contentHash(), expected->contentHash());
+  EXPECT_EQ(held->mesh().vertices_W, one);
+
+  auto alone = tree.refitted(one).tree;
+  const FaceRecord* const memory = alone->data().faces.data();
+  const auto reused = tree.refitted(two, std::move(alone)).tree;
+  EXPECT_EQ(reused->data().faces.data(), memory);
+  EXPECT_EQ(reused->contentHash(), expected->contentHash());
+  EXPECT_EQ(reused->data().low_W, expected->data().low_W);
+  for (std::size_t i = 0; i < reused->data().discs.size(); ++i)
+  {
+    ASSERT_EQ(reused->data().discs[i].cx, expected->data().discs[i].cx);
+    ASSERT_EQ(reused->data().discs[i].radius, expected->data().discs[i].radius);
+  }
+}
+
 TEST(Refit, OfASingleTriangleWorks)
 {
   const SurfaceTree tree(TriangleMesh{ { { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 } }, { { 0, 1, 2 } } });
