@@ -127,6 +127,10 @@ Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
     const double depth_m = wall.offset_m - wall.normal_D.dot(this->shown_D());
     force += std::max(0.0, wall.stiffness_N_per_m * depth_m) * wall.normal_D;
   }
+  if (this->model_.loop_s > 0.0)
+  {
+    force -= command.viscosity_Ns_per_m * this->speed_D(); // firmware has a finer clock than its encoder has steps
+  }
   if (this->model_.planar)
   {
     force.z() = 0.0; // no motor that way, so nothing of the largest force goes there

@@ -32,8 +32,8 @@ struct SimulationOptions
 };
 
 /// A device in the grip of a spring-damper hand that is led along a polyline, or in nobody's grip: deterministic, exact
-/// between ticks, with friction, encoder steps, delay, force limit and stops. A device with an encoder shows
-/// A joystick closes the walls of a command in its own loop, however slow the host is. A device with an encoder shows
+/// between ticks, with friction, encoder steps, delay, force limit and stops. A joystick closes the walls of a command
+/// and its viscosity in its own loop, however slow the host is. A device with an encoder shows
 /// floor(x / D) D and no velocity: whoever wants one estimates it. One without encoder shows both exactly.
 class SimulatedDevice final : public HapticDevice
 {
@@ -60,7 +60,7 @@ private:
   void advance() noexcept;
   /// The command that acts in the coming period.
   [[nodiscard]] DeviceCommand due() noexcept;
-  /// What the motors give now: the command's force and the walls the device closes itself, cut to the largest force.
+  /// What the motors give now: the command's force, the walls and the viscosity the device closes itself, cut to the largest force.
   [[nodiscard]] Vec3 motorForce(const DeviceCommand& command) const noexcept;
   [[nodiscard]] Vec3 shown_D() const noexcept;
   void move(const Vec3& u_N) noexcept;

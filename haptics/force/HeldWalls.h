@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "haptics/core/DeviceCommand.h"
+
+namespace palpate
+{
+
+/// A straight wall near the virtual location of a plane world: a touched plane of the god-object, or one not yet
+/// reached that the device should close before the host looks again.
+struct NearWall
+{
+  Vec3 normal_D = Vec3::Zero(); ///< unit, in the plane z = 0, towards the virtual location
+  double gap_m = 0.0;           ///< >= 0; 0: touched
+};
+
+/// At most one wall in each of the directions 0, 90, 180 and 270 degrees, which is what a force-feedback joystick can
+/// hold by itself. Wall i keeps the handle at direction(i) . p_D >= offset_m[i].
+struct AxisWalls
+{
+  static constexpr int count = 4;
+
+  std::array<std::optional<double>, count> offset_m{};
+
+  /// (1, 0), (0, 1), (-1, 0), (0, -1): the normal of wall i, on whose side the handle stays.
+  [[nodiscard]] static Vec3 direction(int i) noexcept;
+};
+
+/// The walls that keep the handle from going where the virtual location x_D [m] cannot: one in each direction against
+/// which a near wall leans, at the first place where one of them is met along the axis. A slanted wall becomes two that
+/// meet at x_D; where it is touched, their springs give the handle the same force as a spring to x_D.
+/// What leans by no more than `leastLean`, the sine of its angle to the axis, does not count: a wall along an axis is
+/// one wall in spite of rounding, and the force lost is at most that share of the whole.
+[[nodiscard]] AxisWalls wallsAround(const Vec3& x_D, std::span<const NearWall> near, double leastLean = 0.02) noexcept;
+
+/// The walls to hold next. Moving one by d into a handle that is p behind it gives the hand K d (p + d / 2), so a wall
+/// enters the hand by at most `most_m` an update: a new one begins at the handle. Away from it each moves at once.
+[[nodiscard]] AxisWalls ledTo(
+  const AxisWalls& held, const AxisWalls& wanted, const Vec3& handle_D, double most_m) noexcept;
+
+/// Whether `now` is worth sending to a device that holds `sent`: another set of walls, or one that moved by at least
+/// `step_m`, which is what the device can tell apart [m].
+[[nodiscard]] bool differ(const AxisWalls& sent, const AxisWalls& now, double step_m) noexcept;
+
+/// The walls as part of a command, each as a spring of that stiffness.
+void command(const AxisWalls& walls, double stiffness_N_per_m, DeviceCommand& command) noexcept;
+
+/// How two held walls resist a handle that slides along the slanted wall they stand for.
+struct Velvet
+{
+  double mean_N = 0.0;
+  double peak_N = 0.0;
+};
+
+/// A handle that slides at a steady speed along a slanted wall, pressed against it.
+struct Slide
+{
+  double stiffness_N_per_m = 0.0; ///< of each held wall, >= 0
+  double speed_m_per_s = 0.0;     ///< >= 0
+  double depth_m = 0.0;           ///< of the handle behind the slanted wall, >= 0
+  double host_s = 0.0;            ///< between two updates of the walls, a multiple of device_s
+  double device_s = 0.0;          ///< period of the device's own loop, > 0
+  double lean = 0.0; ///< sine of the angle between the slanted wall and the held wall it slides into, in (0, 1)
+};
+
+/// The drag of such a slide. The corner of the two walls stays behind by s = speed * (time since the update) until it
+/// is moved on: while both walls press that pulls back with K s, whatever the angle, so a saw tooth with the peak
+/// K v (T_host - T_device) and the mean of half of it. From s = depth * lean / sqrt(1 - lean^2) on the handle is off
+/// one of them and drags against the other alone, with K lean (depth sqrt(1 - lean^2) + s lean). Both directions along
+/// a wall differ by their lean, unless it is at 45 degrees. Mean over the periods of the device.
+[[nodiscard]] Velvet velvet(const Slide& slide) noexcept;
+
+} // namespace palpate
