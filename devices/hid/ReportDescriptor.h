@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+
+enum class HidReportKind : std::uint8_t
+{
+  Input,
+  Output,
+  Feature,
+};
+
+/// What a control or a collection means: page in the upper, number in the lower 16 bits.
+using HidUsage = std::uint32_t;
+
+/// Elements of one main item: `count` values of `size_bits` each, side by side.
+struct HidField
+{
+  std::uint32_t bit = 0; ///< of the first element, counted after the byte with the report's ID
+  std::uint32_t size_bits = 0;
+  std::uint32_t count = 0;
+  std::vector<HidUsage>
+    usages; ///< Variable: one an element; Array: what the values logicalMin, logicalMin + 1, ... mean
+  std::int64_t logicalMin = 0;
+  std::int64_t logicalMax = 0;
+  std::int64_t physicalMin = 0; ///< may be left over from an earlier item: never rely on it alone
+  std::int64_t physicalMax = 0;
+  int exponent = 0; ///< of ten, of the unit
+  std::uint32_t unit = 0;
+  bool constant = false;
+  bool variable = false; ///< else an array of selectors
+  bool relative = false;
+  std::vector<HidUsage> path; ///< the collections around it, outermost first
+
+  [[nodiscard]] bool isWithin(HidUsage collection) const noexcept;
+};
+
+/// Reports are told apart by kind and ID: an ID may come back in another kind.
+struct HidReport
+{
+  HidReportKind kind = HidReportKind::Input;
+  std::uint8_t id = 0;    ///< 0: the device has one report a kind and sends no ID
+  std::uint32_t bits = 0; ///< after the ID, padding included
+  std::vector<HidField> fields;
+
+  /// Of the whole report with its ID in front, as hidapi takes it. (A report without ID is read without that byte.)
+  [[nodiscard]] std::size_t bytes() const noexcept { return 1 + (std::size_t{ this->bits } + 7) / 8; }
+};
+
+/// One element of a field of a report.
+struct HidControl
+{
+  const HidReport* report = nullptr;
+  const HidField* field = nullptr;
+  std::uint32_t element = 0;
+
+  [[nodiscard]] explicit operator bool() const noexcept { return this->field != nullptr; }
+};
+
+/// What a device says about its reports: Device Class Definition for HID 1.11, sections 6.2.2 and 5.
+struct ReportDescriptor
+{
+  std::vector<HidReport> reports;
+  std::string problem; ///< empty, or what is wrong with the bytes and where; then there are no reports
+
+  /// The first report of that kind with a field within the collection, or null.
+  [[nodiscard]] const HidReport* report(HidReportKind kind, HidUsage collection) const noexcept;
+  [[nodiscard]] const HidReport* reportById(HidReportKind kind, std::uint8_t id) const noexcept;
+  /// Some collection has this usage.
+  [[nodiscard]] bool hasCollection(HidUsage collection) const noexcept;
+  /// Reports begin with their ID.
+  [[nodiscard]] bool numbered() const noexcept;
+};
+
+/// Reads the bytes of a report descriptor. Never fails half: a descriptor that is cut, contradicts itself or asks for
+/// more than any device has (64 bits a value, 4096 values a field, 16384 bits a report, 32 collections) is refused
+/// whole.
+[[nodiscard]] ReportDescriptor parseReportDescriptor(std::span<const std::uint8_t> bytes);
+
+/// The element with that usage, where its innermost collection is `parent` if one is given: the axes of a joystick
+/// stand in several places. Also found where a value is wrongly declared an array.
+[[nodiscard]] HidControl findControl(const HidReport& report, HidUsage usage, HidUsage parent = 0) noexcept;
+
+/// The field that selects one of several usages and lists this one: an array, or bits of their own.
+struct HidSelector
+{
+  HidControl control;
+  std::int64_t value = 0; ///< to be written there
+  [[nodiscard]] explicit operator bool() const noexcept { return static_cast<bool>(this->control); }
+};
+[[nodiscard]] HidSelector findSelector(const HidReport& report, HidUsage usage) noexcept;
+
+} // namespace palpate
