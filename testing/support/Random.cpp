@@ -43,7 +43,8 @@ double Random::uniform() noexcept
 
 std::uint32_t Random::below(std::uint32_t count) noexcept
 {
-  return static_cast<std::uint32_t>((static_cast<std::uint64_t>(static_cast<std::uint32_t>(this->next())) * count) >> 32);
+  return static_cast<std::uint32_t>(
+    (static_cast<std::uint64_t>(static_cast<std::uint32_t>(this->next())) * count) >> 32);
 }
 
 Vec3 Random::inCube(double half) noexcept
@@ -72,6 +73,11 @@ std::uint64_t testSeed(std::uint64_t ownSeed)
 std::size_t testCount(std::size_t ownCount)
 {
   return numberFromEnvironment("PALPATE_TEST_COUNT", ownCount);
+}
+
+std::size_t testMeshes(std::size_t ownCount)
+{
+  return numberFromEnvironment("PALPATE_TEST_MESHES", ownCount);
 }
 
 std::size_t testTriangles(std::size_t ownCount)

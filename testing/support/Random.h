@@ -47,6 +47,8 @@ private:
 [[nodiscard]] std::uint64_t testSeed(std::uint64_t ownSeed);
 /// PALPATE_TEST_COUNT where it is set, else the test's own count of cases.
 [[nodiscard]] std::size_t testCount(std::size_t ownCount);
+/// PALPATE_TEST_MESHES where it is set, else the test's own count of meshes.
+[[nodiscard]] std::size_t testMeshes(std::size_t ownCount);
 /// PALPATE_TEST_TRIANGLES where it is set, else the test's own largest mesh.
 [[nodiscard]] std::size_t testTriangles(std::size_t ownCount);
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "haptics/contact/GodObject.h"
+#include "haptics/geometry/TriangleMesh.h"
+#include "testing/support/NearestPoints.h"
+#include "testing/support/PathChecker.h"
+#include "testing/support/RandomHand.h"
+
+namespace palpate::test
+{
+
+/// What many ticks came to. The first six must be 0.
+struct RunFigures
+{
+  std::uint64_t through = 0;   ///< ticks whose way met a triangle or came nearer than the radius
+  std::uint64_t fallen = 0;    ///< ticks whose way met the clean closed shape, or sank deeper than its gaps allow
+  std::uint64_t stuck = 0;     ///< the way to the hand was free and the ball did not come
+  std::uint64_t restless = 0;  ///< the hand kept still and the ball still moved
+  std::uint64_t notAtRest = 0; ///< where the ball stood it could have gone on towards the hand
+  std::uint64_t notFinite = 0;
+  std::uint64_t ticks = 0;
+  std::uint64_t touching = 0;
+  std::uint64_t pulls = 0; ///< times the hand pulled away on a free way
+  std::uint64_t rests = 0; ///< times it kept still with something touched
+  std::uint64_t capped = 0;
+  std::uint64_t overBudget = 0;
+  std::uint64_t infeasible = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t mostNodes = 0; ///< of one tick
+  double spent = 0.0;          ///< what the hand put into the spring, [depth^2], stiffness 1
+  double created = 0.0;        ///< what the ball's own motion added to it: must be rounding
+  std::string first;           ///< the first of all findings in words
+
+  [[nodiscard]] bool clean() const noexcept;
+  RunFigures& operator+=(const RunFigures& more);
+  [[nodiscard]] std::string text() const;
+};
+
+/// A surface to be touched for a long time and how it is judged.
+struct RunTask
+{
+  std::shared_ptr<const Scene> scene;
+  const TriangleMesh* touched = nullptr; ///< the scene's one mesh, cleaned
+  const TriangleMesh* shape = nullptr;   ///< what must not be passed although `touched` has gaps, or null
+  double gap_u = 0.0;                    ///< of `touched` against `shape`
+  double size_u = 1.0;                   ///< largest extent
+  ContactPlan plan;
+  bool inside = false; ///< which side the ball begins on: that the normals point away from
+  std::uint64_t seed = 0;
+};
+
+/// A random hand leads a ball over a surface; every tick's path is judged in exact arithmetic, now and then the hand
+/// keeps still or pulls freely away and an oracle says where the ball had to be.
+class LongRun final : private PathSink
+{
+public:
+  /// The meshes must outlive it.
+  explicit LongRun(const RunTask& task);
+
+  /// False where a ball of this radius has no room on that side: nothing can be run.
+  [[nodiscard]] bool placed() const noexcept { return this->placed_; }
+  void run(std::uint64_t ticks);
+  [[nodiscard]] const RunFigures& figures() const noexcept { return this->figures_; }
+
+private:
+  void segment(const Vec3& from_W, const Vec3& to_W) noexcept override;
+  [[nodiscard]] bool place();
+  ContactResult tick(const Vec3& p_W);
+  void judgeEnergy(const Vec3& before_W, const Vec3& p_W);
+  void judgePath(const Vec3& before_W);
+  void keepStill();
+  void pullAway();
+  void judgeRest(const ContactResult& result);
+  [[nodiscard]] bool pointCouldGoOn();
+  [[nodiscard]] bool ballCouldGoOn() const;
+  [[nodiscard]] bool freeWay(const Vec3& to_W);
+  void note(std::uint64_t& count, const std::string& what);
+
+  RunTask task_;
+  PathChecker checker_;
+  PathChecker wayChecker_; ///< for ways that are only asked for
+  std::optional<PathChecker> shapeChecker_;
+  NearestPoints nearest_;
+  Random random_;
+  double depth_u_;
+  RandomHand hand_;
+  GodObjectState state_;
+  Vec3 p_W_ = Vec3::Zero();
+  bool placed_ = false;
+  RunFigures figures_;
+};
+
+} // namespace palpate::test
