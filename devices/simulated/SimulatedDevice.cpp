@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "devices/Condition.h"
+
 namespace palpate
 {
 namespace
@@ -14,7 +16,9 @@ namespace
 int passesOf(const DeviceModel& model, const SimulationOptions& options)
 {
   constexpr double rounding = 1e-9;
-  return model.loop_s > 0.0 ? std::max(1, static_cast<int>(std::ceil(options.period_s / model.loop_s * (1.0 - rounding)))) : 1;
+  return model.loop_s > 0.0
+           ? std::max(1, static_cast<int>(std::ceil(options.period_s / model.loop_s * (1.0 - rounding))))
+           : 1;
 }
 
 } // namespace
@@ -120,16 +124,22 @@ DeviceCommand SimulatedDevice::due() noexcept
 Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
 {
   Vec3 force = command.wrench_D.force;
-  const std::size_t walls = this->model_.loop_s > 0.0 ? std::min<std::size_t>(command.wallCount, command.walls.size()) : 0;
+  const std::size_t walls =
+    this->model_.loop_s > 0.0 ? std::min<std::size_t>(command.wallCount, command.walls.size()) : 0;
   for (std::size_t i = 0; i < walls; ++i)
   {
     const HeldWall& wall = command.walls[i];
-    const double depth_m = wall.offset_m - wall.normal_D.dot(this->shown_D());
-    force += std::max(0.0, wall.stiffness_N_per_m * depth_m) * wall.normal_D;
+    const Condition spring = lowerWall(wall.offset_m, wall.stiffness_N_per_m);
+    force += conditionForce(spring, wall.normal_D.dot(this->shown_D())) * wall.normal_D;
   }
   if (this->model_.loop_s > 0.0)
   {
-    force -= command.viscosity_Ns_per_m * this->speed_D(); // firmware has a finer clock than its encoder has steps
+    const Condition braking = damper(command.viscosity_Ns_per_m);
+    const Vec3 speed_D = this->speed_D(); // the true one: firmware has a finer clock than its encoder has steps
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      force[axis] += conditionForce(braking, speed_D[axis]);
+    }
   }
   if (this->model_.planar)
   {
