@@ -20,6 +20,7 @@ struct ContactPlan
 {
   double radius_u = 0.0;           ///< ball radius [u], >= 0; 0 is a point
   FrictionPlan friction;
+  bool shading = false;            ///< smooth forces over facets (contact/Shading); its work over a closed way is not zero
   std::uint32_t passCap = 64;      ///< passes of the god-object loop per tick
   std::uint32_t nodeBudget = 60000; ///< tree nodes visited per tick; beyond it the ball moves only as far as is proven free
 };

@@ -6,19 +6,10 @@
 
 namespace palpate
 {
-namespace
-{
-
-/// Sums of mu l over the planes that hold: radii of the discs in which the god-object may rest, and trail [u].
-struct Reach
-{
-  double statical = 0.0, kinetic = 0.0;
-};
-
 template<class SceneView>
-Reach reachOf(const SceneView& scene, const ContactPlan& plan, ContactSet<SceneView>& contacts, const ProjectionResult& held) noexcept
+FrictionReach reachOf(const SceneView& scene, const ContactPlan& plan, ContactSet<SceneView>& contacts, const ProjectionResult& held) noexcept
 {
-  Reach reach;
+  FrictionReach reach;
   for (int k = 0; k < held.count; ++k)
   {
     const double depth = held.lambda[static_cast<std::size_t>(k)];
@@ -31,8 +22,6 @@ Reach reachOf(const SceneView& scene, const ContactPlan& plan, ContactSet<SceneV
   }
   return reach;
 }
-
-} // namespace
 
 template<class SceneView>
 FrictionVerdict judgeFriction(
@@ -50,17 +39,12 @@ FrictionVerdict judgeFriction(
     return verdict;
   }
   const double behind = held.y.norm(); // |x0 - xf|
-  const Reach reach = reachOf(scene, plan, contacts, held);
+  const FrictionReach reach = reachOf(scene, plan, contacts, held);
   state.slips = behind > (state.slips ? reach.kinetic : reach.statical);
   if (!state.slips)
   {
     verdict.motion = FrictionMotion::Sticks;
-    for (int k = 0; k < held.count; ++k)
-    {
-      const auto at = static_cast<std::size_t>(k);
-      verdict.held[at] = { contacts.feature(held.active[at]), held.lambda[at] };
-    }
-    verdict.contacts = held.count;
+    verdict.contacts = listHeld(contacts, held, verdict.held);
     return verdict;
   }
   verdict.motion = FrictionMotion::Slips;
@@ -68,6 +52,10 @@ FrictionVerdict judgeFriction(
   return verdict;
 }
 
+template FrictionReach reachOf(
+  const Scene&, const ContactPlan&, ContactSet<Scene>&, const ProjectionResult&) noexcept;
+template FrictionReach reachOf(
+  const MovingScene&, const ContactPlan&, ContactSet<MovingScene>&, const ProjectionResult&) noexcept;
 template FrictionVerdict judgeFriction(const Scene&, const ContactPlan&, const Vec3&, GodObjectState&) noexcept;
 template FrictionVerdict judgeFriction(const MovingScene&, const ContactPlan&, const Vec3&, GodObjectState&) noexcept;
 

@@ -4,12 +4,41 @@
 #include <cstdint>
 
 #include "haptics/contact/ContactPlan.h"
+#include "haptics/contact/ContactSet.h"
 #include "haptics/contact/GodObject.h"
 #include "haptics/core/Types.h"
 #include "haptics/geometry/Scene.h"
 
 namespace palpate
 {
+
+/// Sums of mu l over the planes that hold: radii of the discs in which the god-object may rest, and trail [u].
+struct FrictionReach
+{
+  double statical = 0.0, kinetic = 0.0;
+};
+template<class SceneView>
+[[nodiscard]] FrictionReach reachOf(const SceneView& scene, const ContactPlan& plan, ContactSet<SceneView>& contacts,
+  const ProjectionResult& held) noexcept;
+
+/// False where nothing rubs: no friction in the plan, and no surface that has one of its own.
+template<class SceneView>
+[[nodiscard]] bool frictionMatters(const SceneView& scene, const ContactPlan& plan) noexcept
+{
+  return !plan.friction.none() || sceneOf(scene).hasMaterials();
+}
+
+/// The planes of a projection that hold, with their depths. Returns how many.
+template<class SceneView>
+int listHeld(ContactSet<SceneView>& contacts, const ProjectionResult& held, std::array<HeldPlane, 3>& planes) noexcept
+{
+  for (int k = 0; k < held.count; ++k)
+  {
+    const auto at = static_cast<std::size_t>(k);
+    planes[at] = { contacts.feature(held.active[at]), held.lambda[at] };
+  }
+  return held.count;
+}
 
 /// What friction lets the god-object do in a tick.
 struct FrictionVerdict

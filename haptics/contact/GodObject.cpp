@@ -13,6 +13,7 @@
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Roll.h"
 #include "haptics/contact/Seat.h"
+#include "haptics/contact/Shading.h"
 #include "haptics/contact/SurfaceResponse.h"
 #include "haptics/contact/Sweep.h"
 #include "haptics/contact/VertexDescent.h"
@@ -567,6 +568,65 @@ ContactResult moveUnderFriction(const SceneView& scene, const ContactPlan& plan,
 }
 
 template<class SceneView>
+ContactResult moveUnshaded(
+  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
+{
+  return frictionMatters(scene, plan) ? moveUnderFriction(scene, plan, p_W, state, sink)
+                                      : Tick(scene, plan, p_W, state, sink).run();
+}
+
+/// What holds the ball where it is, for a device at p.
+template<class SceneView>
+void holdShaded(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
+  ContactResult& result) noexcept
+{
+  ContactSet<SceneView> contacts(scene, plan.radius_u, state);
+  contacts.include(p_W);
+  contacts.relinearise();
+  result.proxy_W = state.x_W;
+  result.heldCount = result.contacts =
+    listHeld(contacts, contacts.solve(p_W - state.x_W, contacts.lift()), result.held);
+}
+
+/// A few rounds bring the ball to where the shaded force is at rest.
+template<class SceneView>
+ContactResult moveShaded(
+  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
+{
+  constexpr int mostRounds = 4;
+  ContactResult result;
+  const auto add = [&result](ContactResult more)
+  {
+    more.passes += result.passes;
+    more.sweeps += result.sweeps;
+    more.nodes += result.nodes;
+    result = more;
+  };
+  bool slipping = false, settled = false;
+  for (int round = 0; round < mostRounds && !settled; ++round)
+  {
+    const ShadedStep step = judgeShading(scene, plan, p_W, slipping, state);
+    slipping = step.motion == FrictionMotion::Slips;
+    if (!step.touches)
+    {
+      add(moveUnshaded(scene, plan, p_W, state, sink));
+    }
+    else if (!step.rests)
+    {
+      add(Tick(scene, plan, step.target_W, state, sink).run());
+      result.friction = step.motion;
+    }
+    else
+    {
+      result.friction = step.motion;
+    }
+    settled = (step.touches ? step.rests : state.count == 0) || result.capped || result.overBudget;
+  }
+  holdShaded(scene, plan, p_W, state, result);
+  return result;
+}
+
+template<class SceneView>
 ContactResult move(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
   PathSink* sink) noexcept
 {
@@ -583,9 +643,8 @@ ContactResult move(const SceneView& scene, const ContactPlan& plan, const Vec3& 
     state.placed = true;
     state.device_W = p_W;
   }
-  const bool slippery = plan.friction.none() && !sceneOf(scene).hasMaterials();
   ContactResult result =
-    slippery ? Tick(scene, plan, p_W, state, sink).run() : moveUnderFriction(scene, plan, p_W, state, sink);
+    plan.shading ? moveShaded(scene, plan, p_W, state, sink) : moveUnshaded(scene, plan, p_W, state, sink);
   result.pull_W = sceneOf(scene).hasMaterials()
                     ? respond(scene, plan, result, p_W, (p_W - state.device_W).norm())
                     : Vec3(result.proxy_W - p_W);

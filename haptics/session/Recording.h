@@ -71,7 +71,7 @@ struct RecordedScene
 /// A whole recording: a text header, then little-endian chunks (type, size, payload), then a closing chunk.
 struct Recording
 {
-  static constexpr int formatVersion = 2;
+  static constexpr int formatVersion = 3;
 
   std::string device;
   HapticParameters parameters;

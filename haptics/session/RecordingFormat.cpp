@@ -93,6 +93,7 @@ void layParameters(const Io& io, T& p)
   io(p.contact.radius_u);
   io(p.contact.friction.statical);
   io(p.contact.friction.kinetic);
+  io(p.contact.shading);
   io(p.contact.passCap);
   io(p.contact.nodeBudget);
   layMap(io, p.map);

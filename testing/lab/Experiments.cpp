@@ -34,6 +34,7 @@ std::vector<Experiment> experiments()
     { "soup", "damaged meshes feel like whole ones, and a ball bridges gaps", { 15 }, runSoup },
     { "scale", "the unit and the place of a scene change nothing", { 16 }, runScale },
     { "facets", "what the facets of a sphere do to the force on it, and what a tick costs", { 17 }, runFacets },
+    { "force-shading", "smooth forces over facets: no jumps from face to face, and how little work a closed way does", { 18 }, runForceShading },
     { "groove", "a ball hangs in a groove at its radius and rolls over an edge on an arc", { 19, 20 }, runGroove },
     { "queries", "which libraries answer a collision query rightly, and what an answer costs", { 54 }, runQueries },
     { "solver", "the nearest point in front of many planes: enumeration is exact, two textbook methods are not",

@@ -23,6 +23,7 @@ void runTessellatedPlane(const Conditions& conditions, Table& table);
 void runSoup(const Conditions& conditions, Table& table);
 void runScale(const Conditions& conditions, Table& table);
 void runFacets(const Conditions& conditions, Table& table);
+void runForceShading(const Conditions& conditions, Table& table);
 void runGroove(const Conditions& conditions, Table& table);
 void runQueries(const Conditions& conditions, Table& table);
 void runSolver(const Conditions& conditions, Table& table);
