@@ -17,32 +17,31 @@ struct Blend
   std::array<Vec3, 3> slope{ Vec3::Zero(), Vec3::Zero(), Vec3::Zero() };
   int count = 0;
 
-  [[nodiscard]] double value(const std::vector<double>& field, double own) const noexcept
+  /// Of a quantity given at the vertices.
+  template <class At>
+  [[nodiscard]] double value(At at) const noexcept
   {
-    if (field.empty())
-    {
-      return own;
-    }
     double sum = 0.0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(this->count); ++k)
     {
-      sum += this->weight[k] * field[this->vertex[k]];
+      sum += this->weight[k] * at(this->vertex[k]);
     }
     return sum;
   }
-  [[nodiscard]] Vec3 gradient(const std::vector<double>& field) const noexcept
+  template <class At>
+  [[nodiscard]] Vec3 gradient(At at) const noexcept
   {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; !field.empty() && k < static_cast<std::size_t>(this->count); ++k)
+    for (std::size_t k = 0; k < static_cast<std::size_t>(this->count); ++k)
     {
-      sum += field[this->vertex[k]] * this->slope[k];
+      sum += at(this->vertex[k]) * this->slope[k];
     }
     return sum;
   }
 };
 
 /// Barycentric coordinates: each weight rises from the opposite side to its corner.
-template<class View>
+template <class View>
 Blend blendOnFace(const View& s, std::uint32_t triangle, const Vec3& foot_W) noexcept
 {
   const FaceRecord& face = s.face(triangle);
@@ -60,7 +59,7 @@ Blend blendOnFace(const View& s, std::uint32_t triangle, const Vec3& foot_W) noe
   return blend;
 }
 
-template<class View>
+template <class View>
 Blend blendOnEdge(const View& s, const ActiveFeature& f, const Vec3& foot_W) noexcept
 {
   const EdgeLine line = edgeLine(s, f.a, f.b);
@@ -69,7 +68,7 @@ Blend blendOnEdge(const View& s, const ActiveFeature& f, const Vec3& foot_W) noe
   return { { f.a, f.b, 0 }, { 1.0 - along, along, 0.0 }, { -slope, slope, Vec3::Zero() }, 2 };
 }
 
-template<class View>
+template <class View>
 Blend blendAt(const View& s, const ActiveFeature& f, const Vec3& foot_W) noexcept
 {
   if (f.kind == FeatureKind::Face)
@@ -83,7 +82,7 @@ Blend blendAt(const View& s, const ActiveFeature& f, const Vec3& foot_W) noexcep
   return { { f.a, 0, 0 }, { 1.0, 0.0, 0.0 }, { Vec3::Zero(), Vec3::Zero(), Vec3::Zero() }, 1 };
 }
 
-template<class View>
+template <class View>
 double shortestSide(const View& s, const ActiveFeature& f) noexcept
 {
   if (f.kind != FeatureKind::Face)
@@ -95,16 +94,54 @@ double shortestSide(const View& s, const ActiveFeature& f) noexcept
   return std::min({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
 }
 
+double shareOf(double stiffness_N_per_m, const ContactPlan& plan) noexcept
+{
+  return stiffness_N_per_m < plan.coupling_N_per_m ? stiffness_N_per_m / plan.coupling_N_per_m : 1.0;
+}
+
+void addStiffness(
+  const Blend& blend, const std::vector<double>& field, const ContactPlan& plan, ContactMaterial& at) noexcept
+{
+  if (field.empty())
+  {
+    return;
+  }
+  const auto share = [&field, &plan](std::uint32_t v) { return shareOf(field[v], plan); };
+  at.share = blend.value(share);
+  at.shareSlope_W = blend.gradient(share);
+}
+
+/// A vertex without a coefficient of its own has the plan's.
+double blendFriction(const Blend& blend, const std::vector<double>& field, double planned) noexcept
+{
+  return field.empty() ? planned : blend.value([&](std::uint32_t v) { return field[v] < 0.0 ? planned : field[v]; });
+}
+
+template <class View>
+void addTexture(const View& view, const ActiveFeature& f, const Blend& blend, const MaterialFields& fields,
+  ContactMaterial& at) noexcept
+{
+  if (fields.height_u.empty())
+  {
+    return;
+  }
+  const auto height = [&fields](std::uint32_t v) { return fields.height_u[v]; };
+  at.height_u = blend.value(height);
+  at.slope_W = blend.gradient(height);
+  at.texture = fields.texture;
+  at.texture.period_u = std::max(at.texture.period_u, 2.0 * shortestSide(view, f));
+}
+
 } // namespace
 
-template<class SceneView>
+template <class SceneView>
 ContactMaterial materialAt(
   const SceneView& scene, const ContactPlan& plan, const ActiveFeature& f, const Vec3& foot_W) noexcept
 {
   const Surface& surface = sceneOf(scene).surfaces()[f.surface];
   const Material& own = surface.material;
   ContactMaterial at;
-  at.stiffnessFactor = own.stiffnessFactor;
+  at.share = shareOf(own.stiffness_N_per_m, plan);
   at.friction = own.frictionStatic < 0.0 ? plan.friction : FrictionPlan{ own.frictionStatic, own.frictionKinetic };
   if (surface.fields == nullptr)
   {
@@ -113,12 +150,11 @@ ContactMaterial materialAt(
   const auto& view = surfaceOf(scene, f.surface);
   const Blend blend = blendAt(view, f, foot_W);
   const MaterialFields& fields = *surface.fields;
-  at.stiffnessFactor = blend.value(fields.stiffnessFactor, at.stiffnessFactor);
-  at.friction.statical = std::max(0.0, blend.value(fields.frictionStatic, at.friction.statical));
-  at.friction.kinetic = std::clamp(blend.value(fields.frictionKinetic, at.friction.kinetic), 0.0, at.friction.statical);
-  at.height_u = blend.value(fields.height_u, 0.0);
-  at.slope_W = blend.gradient(fields.height_u);
-  at.grain_u = shortestSide(view, f);
+  addStiffness(blend, fields.stiffness_N_per_m, plan, at);
+  at.friction.statical = blendFriction(blend, fields.frictionStatic, at.friction.statical);
+  at.friction.kinetic =
+    std::min(blendFriction(blend, fields.frictionKinetic, at.friction.kinetic), at.friction.statical);
+  addTexture(view, f, blend, fields, at);
   return at;
 }
 

@@ -19,6 +19,7 @@ struct FrictionPlan
 struct ContactPlan
 {
   double radius_u = 0.0;           ///< ball radius [u], >= 0; 0 is a point
+  double coupling_N_per_m = 1000.0; ///< of this tick, which sets it: what soft walls are compared with
   FrictionPlan friction;
   bool shading = false;            ///< smooth forces over facets (contact/Shading); its work over a closed way is not zero
   std::uint32_t passCap = 64;      ///< passes of the god-object loop per tick

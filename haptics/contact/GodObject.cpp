@@ -35,8 +35,8 @@ constexpr int stopAttempts = 6;
 struct Slide
 {
   double t = 1.0;
-  int ends = -1;           ///< index of the feature that is left at t, or -1
-  ActiveFeature successor; ///< the edge or vertex over which it is left
+  int ends = -1;              ///< index of the feature that is left at t, or -1
+  ActiveFeature successor;    ///< the edge or vertex over which it is left
   std::uint32_t lastFace = 0; ///< the face from which that edge was reached
 };
 
@@ -45,12 +45,7 @@ class Tick
 {
 public:
   Tick(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
-    : scene_(scene)
-    , plan_(plan)
-    , p_W_(p_W)
-    , state_(state)
-    , sink_(sink)
-    , contacts_(scene, plan.radius_u, state)
+    : scene_(scene), plan_(plan), p_W_(p_W), state_(state), sink_(sink), contacts_(scene, plan.radius_u, state)
   {
     this->contacts_.include(p_W);
   }
@@ -240,7 +235,8 @@ private:
         continue; // the last plan turned less than that already
       }
       const RollPlan plan =
-        RollPlanner<SceneView>(this->contacts_, this->x(), this->p_W_, this->plan_.radius_u, this->solution_, mostTurn).plan();
+        RollPlanner<SceneView>(this->contacts_, this->x(), this->p_W_, this->plan_.radius_u, this->solution_, mostTurn)
+          .plan();
       if (!plan.worthwhile)
       {
         return false;
@@ -300,7 +296,8 @@ private:
   }
 
   /// Takes the way over the corner if it ends nearer to the device.
-  [[nodiscard]] bool commitRoll(const Vec3& corner_W, const Vec3& end_W, const SweepHit& hit, double tolerance_u2) noexcept
+  [[nodiscard]] bool commitRoll(
+    const Vec3& corner_W, const Vec3& end_W, const SweepHit& hit, double tolerance_u2) noexcept
   {
     if (this->wouldOverlap(corner_W) || this->wouldOverlap(end_W))
     {
@@ -505,7 +502,7 @@ private:
       const LeftFaces::Entry& entry = this->left_[i];
       const double near = 4 * this->tol();
       if (entry.face.surface == f.surface && entry.face.a == f.a && (this->x() - entry.leftAt_W).norm() <= near &&
-        wanted.norm() <= near)
+          wanted.norm() <= near)
       {
         for (int j = i; j < this->left_.count(); ++j)
         {
@@ -534,8 +531,8 @@ private:
 
 /// A ball in the air first lands; where it lands friction decides what becomes of the rest of the way.
 template<class SceneView>
-ContactResult moveUnderFriction(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
-  PathSink* sink) noexcept
+ContactResult moveUnderFriction(
+  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
 {
   FrictionVerdict verdict = judgeFriction(scene, plan, p_W, state);
   ContactResult landing;
@@ -627,8 +624,8 @@ ContactResult moveShaded(
 }
 
 template<class SceneView>
-ContactResult move(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
-  PathSink* sink) noexcept
+ContactResult move(
+  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
 {
   if (!state.placed)
   {
@@ -645,17 +642,22 @@ ContactResult move(const SceneView& scene, const ContactPlan& plan, const Vec3& 
   }
   ContactResult result =
     plan.shading ? moveShaded(scene, plan, p_W, state, sink) : moveUnshaded(scene, plan, p_W, state, sink);
-  result.pull_W = sceneOf(scene).hasMaterials()
-                    ? respond(scene, plan, result, p_W, (p_W - state.device_W).norm())
-                    : Vec3(result.proxy_W - p_W);
+  result.pull_W = result.proxy_W - p_W;
+  result.held_u2 = result.pull_W.squaredNorm();
+  if (sceneOf(scene).hasMaterials())
+  {
+    const Response response = respond(scene, plan, result, p_W, p_W - state.device_W);
+    result.pull_W = response.pull_W;
+    result.held_u2 = response.held_u2;
+  }
   state.device_W = p_W;
   return result;
 }
 
 } // namespace
 
-ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
-  PathSink* sink) noexcept
+ContactResult moveGodObject(
+  const Scene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
 {
   if (scene.moves())
   {
@@ -664,8 +666,8 @@ ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const V
   return move(scene, plan, p_W, state, sink);
 }
 
-ContactResult moveGodObject(const MovingScene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state,
-  PathSink* sink) noexcept
+ContactResult moveGodObject(
+  const MovingScene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
 {
   return move(scene, plan, p_W, state, sink);
 }

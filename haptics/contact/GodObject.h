@@ -67,6 +67,7 @@ struct ContactResult
 {
   Vec3 proxy_W = Vec3::Zero();
   Vec3 pull_W = Vec3::Zero(); ///< what the coupling multiplies with its stiffness: proxy - device, or see SurfaceResponse
+  double held_u2 = 0.0; ///< twice the energy the coupling holds, over its stiffness: |pull|^2, or see SurfaceResponse
   std::array<HeldPlane, 3> held{};
   int heldCount = 0;
   int contacts = 0;          ///< planes with l > 0 after merging coplanar ones

@@ -8,15 +8,26 @@
 namespace palpate
 {
 
-/// What pulls the hand towards the surface side of the coupling [u]: proxy - device for plain walls; where surfaces
-/// differ, the sum over the planes that hold the ball of their stiffness factor times depth along the normal, and the pull
-/// of friction with the mean factor.
+/// What the coupling does to the hand where surfaces differ.
+struct Response
+{
+  Vec3 pull_W = Vec3::Zero(); ///< what the coupling multiplies with its stiffness [u]
+  double held_u2 = 0.0;       ///< the energy it holds, over half its stiffness [u^2]
+};
+
+/// Over the planes that hold the ball the coupling is a spring of the share s(x) of its stiffness that a wall of that
+/// material leaves, stretched by the depth d and the texture's height h(x); along the surface friction pulls with the
+/// mean share. Both are fields over the surface, so the force of the energy K s (d + h)^2 / 2 has a part along it,
 ///
-/// A texture of height h(x) moves the constraint out: the spring's energy K (d + h)^2 / 2 is a potential, so its force
-/// K (d + h) (n - grad h) takes nothing and gives nothing over a closed way. A hand that passes more than a fifth of a
-/// grain in a tick gets the texture smaller in proportion, and none where it could only buzz.
-template<class SceneView>
-[[nodiscard]] Vec3 respond(const SceneView& scene, const ContactPlan& plan, const ContactResult& contact, const Vec3& p_W,
-  double step_u) noexcept;
+///     F = K s (d + h) (n - grad h) - K (d + h)^2 / 2 grad s,
+///
+/// and takes nothing and gives nothing over a closed way; without that part a hand that goes in where a wall is soft
+/// and comes out where it is hard is paid for it.
+///
+/// A texture of period L is felt up to the speed at which a period takes ten ticks; from there its height goes to its
+/// mean, and is there when a period takes five: what is faster could only buzz. `step_W`: way of the hand in the tick.
+template <class SceneView>
+[[nodiscard]] Response respond(const SceneView& scene, const ContactPlan& plan, const ContactResult& contact,
+  const Vec3& p_W, const Vec3& step_W) noexcept;
 
 } // namespace palpate

@@ -19,13 +19,13 @@ std::uint64_t hashGeometry(const std::vector<Surface>& surfaces)
   for (const Surface& surface : surfaces)
   {
     hash.add(surface.tree->contentHash());
-    hash.add(surface.material.stiffnessFactor);
+    hash.add(surface.material.stiffness_N_per_m);
     hash.add(surface.material.frictionStatic);
     hash.add(surface.material.frictionKinetic);
     if (surface.fields)
     {
       const MaterialFields& f = *surface.fields;
-      for (const std::vector<double>* const field : { &f.stiffnessFactor, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
+      for (const std::vector<double>* const field : { &f.stiffness_N_per_m, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
       {
         hash.add(static_cast<std::uint64_t>(field->size()));
         std::for_each(field->begin(), field->end(), [&hash](double value) { hash.add(value); });

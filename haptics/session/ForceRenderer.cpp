@@ -2,6 +2,7 @@
 #include "haptics/session/ForceRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "haptics/contact/CarryBall.h"
 #include "haptics/force/VirtualCoupling.h"
@@ -40,7 +41,7 @@ class Render
 {
 public:
   Render(const TickInput& input, const HapticParameters& parameters, RendererState& state, PathSink* sink) noexcept
-    : in_(input), p_(parameters), s_(state), sink_(sink)
+    : in_(input), p_(parameters), plan_(parameters.contact), s_(state), sink_(sink)
   {
     this->out_.state.tick = input.tick;
     this->out_.state.time_s = input.sample.time_s;
@@ -65,6 +66,7 @@ public:
     {
       return this->holdNothing();
     }
+    this->stiffen();
     this->contact();
     this->blendScenes();
     this->protect();
@@ -126,6 +128,16 @@ private:
     return this->out_;
   }
 
+  void stiffen() noexcept
+  {
+    HapticState& state = this->out_.state;
+    state.stiffnessFactor = this->in_.lateness.stiffnessFactor;
+    state.stiffnessLimited = this->p_.stiffness_N_per_m > this->p_.stiffnessLimit_N_per_m;
+    state.stiffness_N_per_m =
+      std::min(this->p_.stiffness_N_per_m, this->p_.stiffnessLimit_N_per_m) * state.stiffnessFactor;
+    this->plan_.coupling_N_per_m = state.stiffness_N_per_m;
+  }
+
   void contact() noexcept
   {
     HapticState& state = this->out_.state;
@@ -143,38 +155,37 @@ private:
     state.overBudget = result.overBudget;
     state.infeasible = result.infeasible;
     this->seatFailed_ = result.seatFailed;
-    this->couple(this->p_.map.directionToDevice(result.pull_W / this->p_.map.scale_u_per_m));
+    const double scale_u_per_m = this->p_.map.scale_u_per_m;
+    this->couple(
+      this->p_.map.directionToDevice(result.pull_W / scale_u_per_m), std::sqrt(result.held_u2) / scale_u_per_m);
   }
 
-  /// Spring, damper, and the damping that keeps their held force passive. Stretch in D [m].
-  void couple(const Vec3& stretch_D) noexcept
+  /// Spring, damper, and the damping that keeps their held force passive. Pull in D and the stretch of
+  /// a plain spring that holds as much energy [m].
+  void couple(const Vec3& pull_D, double stretch_m) noexcept
   {
     HapticState& state = this->out_.state;
-    state.stiffnessFactor = this->in_.lateness.stiffnessFactor;
-    state.stiffnessLimited = this->p_.stiffness_N_per_m > this->p_.stiffnessLimit_N_per_m;
-    state.stiffness_N_per_m =
-      std::min(this->p_.stiffness_N_per_m, this->p_.stiffnessLimit_N_per_m) * state.stiffnessFactor;
-    const Vec3 plain_D =
-      coupleDevice(stretch_D, state.velocity_D, state.stiffness_N_per_m, this->p_.damping_Ns_per_m);
-    const SpringTick spring = this->springTick(stretch_D);
+    const Vec3 plain_D = coupleDevice(pull_D, state.velocity_D, state.stiffness_N_per_m, this->p_.damping_Ns_per_m);
+    const SpringTick spring = this->springTick(pull_D, stretch_m);
     measureEnergy(spring, this->s_.energy);
     state.energy = this->s_.energy;
     const double damping = stabilisingDamping(this->p_.passivity, spring, this->s_.energy);
     state.rendered_D = damping == 0.0 ? plain_D
-                                      : coupleDevice(stretch_D, state.velocity_D, state.stiffness_N_per_m,
+                                      : coupleDevice(pull_D, state.velocity_D, state.stiffness_N_per_m,
                                           this->p_.damping_Ns_per_m + damping);
     state.stabiliser_D = state.rendered_D - plain_D;
     this->coupled_D_ = state.rendered_D;
   }
 
   /// What the hand did in the period that ended, under the force it really got.
-  [[nodiscard]] SpringTick springTick(const Vec3& stretch_D) noexcept
+  [[nodiscard]] SpringTick springTick(const Vec3& pull_D, double stretch_m) noexcept
   {
     const HapticState& state = this->out_.state;
     const Vec3& p_D = this->in_.sample.pose_D.p;
     SpringTick spring;
-    spring.stretch_m = stretch_D.norm();
-    spring.inward_m_per_s = spring.stretch_m > 0.0 ? -stretch_D.dot(state.velocity_D) / spring.stretch_m : 0.0;
+    const double pull_m = pull_D.norm();
+    spring.stretch_m = stretch_m;
+    spring.inward_m_per_s = pull_m > 0.0 ? -pull_D.dot(state.velocity_D) / pull_m : 0.0;
     spring.stiffness_N_per_m = state.stiffness_N_per_m;
     spring.work_J = this->s_.tracked ? this->s_.lastForce_D.dot(p_D - this->s_.lastP_D) : 0.0;
     spring.dt_s = this->in_.dt_s;
@@ -230,16 +241,16 @@ private:
     {
       if (this->replaced())
       {
-        handOver(*before, scene, this->p_.contact, p_W, contact);
+        handOver(*before, scene, this->plan_, p_W, contact);
       }
       return;
     }
     const MovingScene was(*before, before->shareAt(this->s_.sceneAge_s)), is(scene, scene.shareAt(this->age_s()));
     if (this->replaced())
     {
-      handOver(was, is, this->p_.contact, p_W, contact);
+      handOver(was, is, this->plan_, p_W, contact);
     }
-    const CarryResult carry = carryBall(was, is, this->p_.contact, contact);
+    const CarryResult carry = carryBall(was, is, this->plan_, contact);
     this->out_.state.pinned = carry.pinned;
     this->out_.state.nodes = carry.nodes;
   }
@@ -249,8 +260,8 @@ private:
     const Scene& scene = *this->in_.scene;
     GodObjectState& contact = this->s_.contact;
     return scene.moves()
-             ? moveGodObject(MovingScene(scene, scene.shareAt(this->age_s())), this->p_.contact, p_W, contact, this->sink_)
-             : moveGodObject(scene, this->p_.contact, p_W, contact, this->sink_);
+             ? moveGodObject(MovingScene(scene, scene.shareAt(this->age_s())), this->plan_, p_W, contact, this->sink_)
+             : moveGodObject(scene, this->plan_, p_W, contact, this->sink_);
   }
 
   /// Of the scene, at the end of this tick [s].
@@ -262,7 +273,8 @@ private:
   /// Other surfaces than before, not only the same in other places.
   [[nodiscard]] bool replaced() const noexcept
   {
-    return this->sceneChanged() && (this->in_.scene == nullptr || this->in_.scene->geometryHash() != this->s_.sceneGeometry);
+    return this->sceneChanged() &&
+           (this->in_.scene == nullptr || this->in_.scene->geometryHash() != this->s_.sceneGeometry);
   }
 
   [[nodiscard]] bool sceneChanged() const noexcept
@@ -354,6 +366,7 @@ private:
 
   const TickInput& in_;
   const HapticParameters& p_;
+  ContactPlan plan_; ///< with the stiffness of this tick
   RendererState& s_;
   PathSink* sink_;
   TickOutput out_;

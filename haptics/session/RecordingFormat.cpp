@@ -186,7 +186,7 @@ std::shared_ptr<const MaterialFields> readFields(ByteReader& in)
 {
   auto fields = std::make_shared<MaterialFields>();
   for (std::vector<double>* const field :
-    { &fields->stiffnessFactor, &fields->frictionStatic, &fields->frictionKinetic, &fields->height_u })
+    { &fields->stiffness_N_per_m, &fields->frictionStatic, &fields->frictionKinetic, &fields->height_u })
   {
     *field = readNumbers(in);
   }
@@ -197,7 +197,7 @@ void putFields(const MaterialFields* fields, ByteWriter& payload)
 {
   const MaterialFields none;
   const MaterialFields& f = fields != nullptr ? *fields : none;
-  for (const std::vector<double>* const field : { &f.stiffnessFactor, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
+  for (const std::vector<double>* const field : { &f.stiffness_N_per_m, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
   {
     payload.put(static_cast<std::uint64_t>(field->size()));
     for (const double number : *field)
@@ -217,7 +217,7 @@ RecordedScene readScene(ByteReader& in)
     SurfaceInput input;
     auto mesh = std::make_shared<TriangleMesh>();
     in.get(input.name);
-    in.get(input.material.stiffnessFactor);
+    in.get(input.material.stiffness_N_per_m);
     in.get(input.material.frictionStatic);
     in.get(input.material.frictionKinetic);
     input.fields = readFields(in);
@@ -374,7 +374,7 @@ std::vector<char> sceneChunk(const Scene& scene)
   {
     const TriangleMesh& mesh = surface.tree->mesh();
     payload.put(surface.name);
-    payload.put(surface.material.stiffnessFactor);
+    payload.put(surface.material.stiffness_N_per_m);
     payload.put(surface.material.frictionStatic);
     payload.put(surface.material.frictionKinetic);
     putFields(surface.fields.get(), payload);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stiffness, friction and texture from the data of a surface.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,6 +9,7 @@
 
 #include "haptics/contact/GodObject.h"
 #include "haptics/geometry/SceneBuilder.h"
+#include "haptics/session/ForceRenderer.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
 
@@ -47,8 +49,7 @@ class Finger
 {
 public:
   explicit Finger(std::shared_ptr<const Scene> scene, const ContactPlan& plan = {})
-    : scene_(std::move(scene))
-    , plan_(plan)
+    : scene_(std::move(scene)), plan_(plan)
   {
     static_cast<void>(moveGodObject(*this->scene_, this->plan_, { 0, 0, 0.05 }, this->state_));
   }
@@ -71,17 +72,17 @@ TEST(Materials, StiffnessIsInterpolatedBetweenVerticesWhateverCleaningDidToTheir
 {
   test::Random random(test::testSeed(111));
   const TriangleMesh mesh = test::shuffled(sheet(10, 110), random);
-  const auto factor = [](const Vec3& v) { return 0.5 + 2.0 * v.x() + 1.5 * v.y(); }; // linear: exact in every triangle
+  const Vec3 slope(2000, 1500, 0);                                               // N/m per m
+  const auto stiffness = [&slope](const Vec3& v) { return 500 + slope.dot(v); }; // linear: exact in every triangle
   MaterialFields fields;
-  fields.stiffnessFactor = sampled(mesh, factor);
+  fields.stiffness_N_per_m = sampled(mesh, stiffness);
   Finger finger(build(mesh, {}, fields).scene);
-  const double d = 2e-3;
+  const double d = 2e-3, K = ContactPlan().coupling_N_per_m;
   for (std::size_t i = 0; i < test::testCount(500); ++i)
   {
     const Vec3 p(random.uniform(-0.09, 0.09), random.uniform(-0.09, 0.09), -d);
-    const Vec3 pull = finger.restingAt(p);
-    EXPECT_NEAR(pull.z(), factor(p) * d, 1e-12);
-    EXPECT_NEAR(pull.head<2>().norm(), 0.0, 1e-12);
+    const Vec3 force = stiffness(p) * d * Vec3::UnitZ() - 0.5 * d * d * slope; // -grad of k d^2 / 2
+    EXPECT_NEAR((K * finger.restingAt(p) - force).norm(), 0.0, 1e-12 * K);
   }
 }
 
@@ -89,7 +90,7 @@ TEST(Materials, TwoWallsOfOneCornerPushWithTheirOwnStiffness)
 {
   const double a = 3e-3, b = 2e-3;
   Material soft, hard;
-  soft.stiffnessFactor = 0.25;
+  soft.stiffness_N_per_m = 0.25 * ContactPlan().coupling_N_per_m;
   const auto floor = std::make_shared<TriangleMesh>(test::makeBox({ 0, -0.5, -0.1 }, { 0.5, 0.5, 0.0 }));
   const auto wall = std::make_shared<TriangleMesh>(test::makeBox({ -0.1, -0.5, -0.1 }, { 0.0, 0.5, 0.5 }));
   const auto scene = SceneBuilder().build({ { "floor", floor, soft }, { "wall", wall, hard } }).scene;
@@ -105,7 +106,7 @@ TEST(Materials, FrictionFromDataBreaksAwayAtTheConeOfThePlaceTouched)
   const auto mu = [](const Vec3& v) { return 0.5 + 3.0 * v.x(); };
   MaterialFields fields;
   fields.frictionStatic = fields.frictionKinetic = sampled(mesh, mu);
-  const auto scene = build(mesh, { 1.0, 0.5, 0.5 }, fields).scene;
+  const auto scene = build(mesh, { Material::rigid_N_per_m, 0.5, 0.5 }, fields).scene;
   const double d = 2e-3;
   for (const double x : { -0.08, 0.0, 0.05 })
   {
@@ -114,7 +115,8 @@ TEST(Materials, FrictionFromDataBreaksAwayAtTheConeOfThePlaceTouched)
       Finger finger(scene);
       static_cast<void>(finger.to({ x, 0, 0.01 }));
       static_cast<void>(finger.to({ x, 0, -d }));
-      const ContactResult result = finger.to({ x, mu({ x, 0, 0 }) * d + off, -d }); // along y the coefficient is constant
+      const ContactResult result =
+        finger.to({ x, mu({ x, 0, 0 }) * d + off, -d }); // along y the coefficient is constant
       EXPECT_EQ(result.friction, off > 0 ? FrictionMotion::Slips : FrictionMotion::Sticks) << x;
     }
   }
@@ -137,10 +139,11 @@ TEST(Materials, TextureOfASlopeIsFeltAsTheForceOfItsPotential)
   }
 }
 
-TEST(Materials, AClosedWayOverATextureTakesNoWork)
+TEST(Materials, AClosedWayOverTextureAndChangingStiffnessTakesNoWork)
 {
   const TriangleMesh mesh = sheet(40, 115, 0.0);
   MaterialFields fields;
+  fields.stiffness_N_per_m = sampled(mesh, [](const Vec3& v) { return 600 + 300 * std::cos(90 * v.x() + 40 * v.y()); });
   fields.height_u = sampled(mesh, [](const Vec3& v) { return 4e-4 * std::sin(200 * v.x()) * std::cos(170 * v.y()); });
   Finger finger(build(mesh, {}, fields).scene);
   const double K = 1000.0, d = 2e-3, radius = 0.03;
@@ -162,40 +165,121 @@ TEST(Materials, AClosedWayOverATextureTakesNoWork)
   EXPECT_LT(std::abs(work), 1e-3 * 0.5 * K * d * d); // the trapezium's own error at this step
 }
 
-TEST(Materials, AHandThatIsTooFastForATextureFeelsLessOfIt)
+TEST(Materials, AHandThatIsTooFastForATextureFeelsItsMean)
 {
   const TriangleMesh mesh = sheet(20, 116, 0.0); // cells of 10 mm: periods of 20 mm
   MaterialFields fields;
   fields.height_u = sampled(mesh, [](const Vec3& v) { return std::lround(v.x() / 0.01) % 2 == 0 ? 1e-3 : 0.0; });
-  const double d = 2e-3;
-  const auto liftAt = [&](double step)
+  const double d = 2e-3, period = 0.02, mean = 0.5e-3, ridge = 1e-3;
+  const auto liftAt = [&](double ticksAPeriod)
   {
     Finger finger(build(mesh, {}, fields).scene);
-    static_cast<void>(finger.to({ -step, 0.001, -d }));
+    static_cast<void>(finger.to({ -period / ticksAPeriod, 0.001, -d }));
     return finger.to({ 0.0, 0.001, -d }).pull_W.z() - d;
   };
-  const double slow = liftAt(1e-4), fast = liftAt(1e-2);
-  EXPECT_NEAR(slow, 1e-3, 1e-12); // on a ridge
-  EXPECT_NEAR(fast / slow, 2.0 * 0.01 / (5.0 * 0.01), 1e-9); // share 2 grain / (5 step)
+  EXPECT_NEAR(liftAt(200.0), ridge, 1e-12);
+  EXPECT_NEAR(liftAt(10.0), ridge, 1e-12);
+  EXPECT_NEAR(liftAt(8.0), mean + (8.0 / 5.0 - 1.0) * (ridge - mean), 1e-12);
+  EXPECT_NEAR(liftAt(5.0), mean, 1e-12);
+  EXPECT_NEAR(liftAt(2.0), mean, 1e-12);
+}
+
+TEST(Materials, ThePeriodOfATextureIsTheLengthOfItsWaveHoweverFineTheMesh)
+{
+  const double wave = 0.02; // ten of them on the sheet
+  for (const int cells : { 200, 300 })
+  {
+    const TriangleMesh mesh = sheet(cells, 119, 0.0);
+    const TextureScale scale = measureTexture(
+      mesh, sampled(mesh, [=](const Vec3& v) { return 1e-3 + 4e-4 * std::sin(2 * std::numbers::pi * v.x() / wave); }));
+    EXPECT_NEAR(scale.period_u, wave, 0.01 * wave);
+    EXPECT_NEAR(scale.mean_u, 1e-3, 1e-6);
+  }
+  const TriangleMesh mesh = sheet(4, 120);
+  EXPECT_EQ(measureTexture(mesh, sampled(mesh, [](const Vec3&) { return 2e-3; })).period_u,
+    std::numeric_limits<double>::infinity()); // what is level is felt at every speed
+}
+
+/// A hand that is led, a tick a place; scene units are metres.
+class Hand
+{
+public:
+  Hand(std::shared_ptr<const Scene> scene, const HapticParameters& parameters)
+    : scene_(std::move(scene)), parameters_(parameters)
+  {
+    this->parameters_.safety = SafetyLimits::none();
+  }
+  HapticState to(const Vec3& p_W)
+  {
+    TickInput input;
+    input.scene = this->scene_.get();
+    input.sample.pose_D.p = p_W;
+    return renderTick(input, this->parameters_, this->renderer_).state;
+  }
+
+private:
+  std::shared_ptr<const Scene> scene_;
+  HapticParameters parameters_;
+  RendererState renderer_;
+};
+
+TEST(Materials, WhatIsFeltIsTheStiffnessOfTheDataUpToTheCouplingsOwn)
+{
+  const TriangleMesh mesh = sheet(4, 121);
+  const double d = 2e-3;
+  for (const double wall : { 0.0, 200.0, 700.0, 1000.0, 5000.0 })
+  {
+    for (const double limit : { 400.0, 1e4 }) // what the device can hold
+    {
+      HapticParameters parameters;
+      parameters.stiffness_N_per_m = 1000.0;
+      parameters.stiffnessLimit_N_per_m = limit;
+      MaterialFields fields;
+      fields.stiffness_N_per_m = sampled(mesh, [wall](const Vec3&) { return wall; });
+      Hand hand(build(mesh, {}, fields).scene, parameters);
+      static_cast<void>(hand.to({ 0, 0, 0.01 }));
+      const double felt = std::min({ wall, parameters.stiffness_N_per_m, limit });
+      EXPECT_NEAR(hand.to({ 0, 0, -d }).force_W.z(), felt * d, 1e-12) << wall << ", limit " << limit;
+    }
+  }
+}
+
+TEST(Materials, TheEnergyOfASoftWallIsMeasuredAsItIs)
+{
+  const double wall = 250.0, d = 2e-3;
+  const int steps = 100;
+  const double h = d / steps;
+  Material soft;
+  soft.stiffness_N_per_m = wall;
+  Hand hand(build(sheet(4, 122), soft, {}).scene, HapticParameters());
+  static_cast<void>(hand.to({ 0, 0, h }));
+  HapticState state;
+  for (int i = 0; i <= steps; ++i)
+  {
+    state = hand.to({ 0, 0, -i * h });
+  }
+  const double taken = wall * h * h * steps * (steps - 1) / 2.0; // held forces k h i over steps of h
+  EXPECT_NEAR(state.energy.delivered_J, -taken, 1e-12);
+  EXPECT_NEAR(state.energy.excess_J, 0.5 * wall * d * d - taken, 1e-12); // what a spring of k holds beyond that
 }
 
 TEST(Materials, ValuesThatCannotBeUsedFallBackToTheSurfacesOwnAndAreCounted)
 {
   const TriangleMesh mesh = sheet(4, 117);
   MaterialFields fields;
-  fields.stiffnessFactor = sampled(mesh, [](const Vec3&) { return 0.5; });
-  fields.stiffnessFactor[0] = nan;
-  fields.stiffnessFactor[1] = 1.5;
+  fields.stiffness_N_per_m = sampled(mesh, [](const Vec3&) { return 500.0; });
+  fields.stiffness_N_per_m[0] = nan;
+  fields.stiffness_N_per_m[1] = -1.5;
   fields.height_u = sampled(mesh, [](const Vec3&) { return 0.0; });
   fields.height_u[2] = std::numeric_limits<double>::infinity();
   Material own;
-  own.stiffnessFactor = 0.75;
+  own.stiffness_N_per_m = 750.0;
   const SceneBuildResult built = build(mesh, own, fields);
   ASSERT_NE(built.scene, nullptr);
   EXPECT_EQ(built.reports[0].materialReplaced, 3u);
-  for (const double value : built.scene->surfaces()[0].fields->stiffnessFactor)
+  for (const double value : built.scene->surfaces()[0].fields->stiffness_N_per_m)
   {
-    EXPECT_TRUE(value == 0.5 || value == 0.75);
+    EXPECT_TRUE(value == 500.0 || value == 750.0);
   }
 }
 
@@ -207,7 +291,8 @@ TEST(Materials, ArraysOfTheWrongLengthAndFrictionOutOfRangeAreRefusedInOneSenten
   SceneBuildResult built = build(mesh, {}, fields);
   EXPECT_EQ(built.scene, nullptr);
   EXPECT_NE(built.reports[0].refusal.find("2 values for " + std::to_string(mesh.vertices_W.size())), std::string::npos);
-  for (const Material& bad : { Material{ 1.5 }, Material{ nan }, Material{ 1.0, 0.2, 0.3 }, Material{ 1.0, 11.0, 1.0 } })
+  for (const Material& bad :
+    { Material{ -1.5 }, Material{ nan }, Material{ 500.0, 0.2, 0.3 }, Material{ 500.0, 11.0, 1.0 } })
   {
     built = build(mesh, bad, {});
     EXPECT_EQ(built.scene, nullptr);

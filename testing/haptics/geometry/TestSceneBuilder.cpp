@@ -92,7 +92,7 @@ TEST(SceneBuilder, TheHashNamesTheContentAndNotTheRevision)
   const auto first = builder.build(inputs).scene;
   EXPECT_EQ(builder.build(inputs).scene->contentHash(), first->contentHash());
   std::vector<SurfaceInput> softer = inputs;
-  softer[0].material.stiffnessFactor = 0.5;
+  softer[0].material.stiffness_N_per_m = 500.0;
   EXPECT_NE(builder.build(softer).scene->contentHash(), first->contentHash());
 }
 
