@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+
+/// One HID device as the system lists it.
+struct HidEntry
+{
+  std::string path; ///< where it is now; another one after it was plugged in again
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
+  std::string serial; ///< empty where it has none
+  std::string name;   ///< what its maker calls it
+};
+
+/// An open HID device. Calls may block: on USB a write takes a frame, and seconds once the device has stopped
+/// answering, so none of this runs on the servo thread. read() may run in one thread while another does the rest. A
+/// report begins with its ID, 0 where the device has none; read() alone leaves that 0 out.
+class HidConnection
+{
+public:
+  virtual ~HidConnection() = default;
+
+  /// The next input report within `timeout_ms`: its length [bytes], 0 when none came, -1 when the device is gone.
+  [[nodiscard]] virtual int read(std::span<std::uint8_t> report, int timeout_ms) noexcept = 0;
+  /// False: the device is gone or has not taken it in time.
+  [[nodiscard]] virtual bool write(std::span<const std::uint8_t> report) noexcept = 0;
+  [[nodiscard]] virtual bool setFeature(std::span<const std::uint8_t> report) noexcept = 0;
+  /// The report whose ID stands in report[0]: its length [bytes], -1 when it did not come.
+  [[nodiscard]] virtual int getFeature(std::span<std::uint8_t> report) noexcept = 0;
+  /// What the system said about the last failure, for a person.
+  [[nodiscard]] virtual std::string error() const = 0;
+  /// Lets time pass.
+  virtual void wait(int duration_ms) noexcept = 0;
+};
+
+/// Where HID devices come from: the system, or a test.
+class HidBus
+{
+public:
+  virtual ~HidBus() = default;
+
+  /// Every HID device that is there now, each once.
+  [[nodiscard]] virtual std::vector<HidEntry> devices() = 0;
+
+  struct Descriptor
+  {
+    std::vector<std::uint8_t> bytes;
+    std::string problem; ///< empty, or why it cannot be had
+  };
+  /// Needs no permission on Linux.
+  [[nodiscard]] virtual Descriptor descriptor(const HidEntry& entry) = 0;
+
+  struct Opened
+  {
+    std::unique_ptr<HidConnection> connection;
+    std::string problem; ///< empty, or why it cannot be opened and what to do
+  };
+  [[nodiscard]] virtual Opened open(const HidEntry& entry) = 0;
+};
+
+} // namespace palpate

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "devices/Condition.h"
+#include "devices/hid/HidConnection.h"
+#include "devices/hid/PidUsages.h"
+#include "devices/hid/ReportDescriptor.h"
+
+namespace palpate
+{
+
+/// What a device's conditions can express.
+struct ConditionAbilities
+{
+  bool twoCoefficients = false; ///< one for each side of the centre
+  bool deadBand = false;
+  bool saturation = false;
+};
+
+/// How an effect is played. Written anew while it plays, it changes in place.
+struct EffectSettings
+{
+  HidUsage type = pid::constantForce;
+  int duration_ms = 200;               ///< it ends by itself unless it is started again
+  double gain = 1.0;                   ///< share of the largest, 0 .. 1
+  std::optional<double> direction_deg; ///< clockwise from -y: 90 is +x, 180 is +y; none: along the axes
+  bool alongX = true;
+  bool alongY = true;
+};
+
+/// What a device says about itself while it runs.
+struct PidState
+{
+  bool actuatorsEnabled = true;
+  bool powered = true;
+  bool paused = false;
+  bool playing = false; ///< the effect of `block`
+  int block = 0;        ///< 0 where the device does not say
+};
+
+/// The USB Physical Interface Devices protocol 1.0 with a pool of effects that the device manages. Reports, their
+/// fields and the numbers of what is selected are found by usage in the device's own descriptor; a field that it does
+/// not have is not written. Forces and positions are shares of the device's largest, -1 .. 1. Blocking: one thread, not
+/// the servo's. Each bool says whether the device took the report.
+class PidEngine
+{
+public:
+  /// Both must outlive the engine and stay where they are.
+  PidEngine(HidConnection& connection, const ReportDescriptor& descriptor) noexcept;
+
+  /// Why this descriptor is not that of a force-feedback device we can drive, or empty. Asks the device nothing.
+  [[nodiscard]] static std::string refusal(const ReportDescriptor& descriptor);
+
+  /// Asks for the pool, resets, enables the actuators, sets full gain. Empty, or why not.
+  [[nodiscard]] std::string open();
+  /// Stops everything, frees the effects it made and disables the actuators.
+  void close() noexcept;
+
+  struct Created
+  {
+    int block = 0; ///< 1 .. , 0: not created
+    std::string problem;
+  };
+  [[nodiscard]] Created create(HidUsage type);
+  [[nodiscard]] bool supports(HidUsage type) const noexcept;
+  [[nodiscard]] ConditionAbilities conditionAbilities() const noexcept;
+
+  [[nodiscard]] bool setEffect(int block, const EffectSettings& settings) noexcept;
+  /// One axis, 0 or 1, of a spring or a damper; centre, dead band, coefficients and saturations as shares.
+  [[nodiscard]] bool setCondition(int block, int axis, const Condition& condition) noexcept;
+  [[nodiscard]] bool setConstantForce(int block, double share) noexcept;
+  [[nodiscard]] bool setPeriodic(int block, double magnitude, double period_ms) noexcept;
+  /// Starting a playing effect restarts its clock and is not felt.
+  [[nodiscard]] bool start(int block) noexcept { return this->operate(block, pid::start); }
+  [[nodiscard]] bool startSolo(int block) noexcept { return this->operate(block, pid::startSolo); }
+  [[nodiscard]] bool stop(int block) noexcept { return this->operate(block, pid::stop); }
+  [[nodiscard]] bool free(int block) noexcept;
+  /// enableActuators, disableActuators, stopAll, reset, pause or resume; true too where the device has no such control.
+  [[nodiscard]] bool control(HidUsage what) noexcept;
+  [[nodiscard]] bool setGain(double share) noexcept;
+
+  /// The state, where `report`, as read, is one.
+  [[nodiscard]] std::optional<PidState> state(std::span<const std::uint8_t> report) const noexcept;
+
+  /// What a constant force becomes in the device's own numbers: equal ones need not be sent twice.
+  [[nodiscard]] std::int64_t constantForceSteps(double share) const noexcept;
+
+private:
+  /// An output report that is being filled.
+  struct Draft
+  {
+    const HidReport* report = nullptr;
+    std::vector<std::uint8_t> bytes;
+  };
+  [[nodiscard]] Draft draft(HidUsage collection, int block) const;
+  [[nodiscard]] bool send(const Draft& draft) noexcept;
+  [[nodiscard]] bool operate(int block, HidUsage what) noexcept;
+  [[nodiscard]] std::string askForPool();
+  [[nodiscard]] std::string request(HidUsage type);
+  [[nodiscard]] Created awaitBlock();
+  [[nodiscard]] std::string getFeature(const HidReport& report, std::vector<std::uint8_t>& bytes);
+
+  HidConnection& connection_;
+  const ReportDescriptor& descriptor_;
+  std::vector<int> blocks_; ///< made and not freed
+};
+
+} // namespace palpate

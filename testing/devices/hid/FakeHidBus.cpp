@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "testing/devices/hid/FakeHidBus.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr int stall_ms = 5000;
+
+} // namespace
+
+/// One open handle of a port. Locks the bus for each call, but not while it waits.
+class FakeConnection final : public HidConnection
+{
+public:
+  FakeConnection(FakeHidBus& bus, FakePort& port) : bus_(bus), port_(port) {}
+
+  ~FakeConnection() override
+  {
+    this->bus_.alone([this] { return ++this->port_.closed; });
+  }
+
+  int read(std::span<std::uint8_t> report, int timeout_ms) noexcept override
+  {
+    for (int waited_ms = 0;; ++waited_ms)
+    {
+      const int length = this->bus_.alone([&] { return this->take(report); });
+      if (length != 0 || waited_ms >= timeout_ms)
+      {
+        return length;
+      }
+      this->wait(1);
+    }
+  }
+
+  bool write(std::span<const std::uint8_t> report) noexcept override
+  {
+    std::unique_lock lock(this->bus_.mutex_);
+    if (!this->bus_.answers(this->port_))
+    {
+      return this->fail("No such device");
+    }
+    if (this->port_.stalls && !this->waitForRelease(lock))
+    {
+      return this->fail("Connection timed out");
+    }
+    this->bus_.pass(1);
+    this->port_.device->take(HidReportKind::Output, report);
+    return true;
+  }
+
+  bool setFeature(std::span<const std::uint8_t> report) noexcept override
+  {
+    const std::lock_guard lock(this->bus_.mutex_);
+    if (!this->bus_.answers(this->port_))
+    {
+      return this->fail("No such device");
+    }
+    return this->port_.device->take(HidReportKind::Feature, report) || this->fail("Broken pipe");
+  }
+
+  int getFeature(std::span<std::uint8_t> report) noexcept override
+  {
+    const std::lock_guard lock(this->bus_.mutex_);
+    if (!this->bus_.answers(this->port_) || this->port_.featureTimesOut)
+    {
+      static_cast<void>(this->fail(this->port_.present ? "Connection timed out" : "No such device"));
+      return -1;
+    }
+    std::vector<std::uint8_t> feature = this->port_.device->feature(report[0]);
+    if (this->port_.shortFeature >= 0)
+    {
+      feature.resize(static_cast<std::size_t>(this->port_.shortFeature));
+    }
+    std::copy_n(feature.begin(), std::min(feature.size(), report.size()), report.begin());
+    return static_cast<int>(feature.size());
+  }
+
+  std::string error() const override
+  {
+    const std::lock_guard lock(this->bus_.mutex_);
+    return this->error_;
+  }
+
+  void wait(int duration_ms) noexcept override
+  {
+    if (this->bus_.virtualTime_)
+    {
+      this->bus_.advance(duration_ms);
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(duration_ms));
+  }
+
+private:
+  bool fail(const char* why)
+  {
+    this->error_ = why;
+    return false;
+  }
+
+  int take(std::span<std::uint8_t> report)
+  {
+    const std::vector<std::uint8_t> input = this->port_.device->nextInput();
+    if (input.empty() && !this->port_.present)
+    {
+      return -1; // what was queued before still comes
+    }
+    std::copy_n(input.begin(), std::min(input.size(), report.size()), report.begin());
+    return static_cast<int>(std::min(input.size(), report.size()));
+  }
+
+  bool waitForRelease(std::unique_lock<std::mutex>& lock)
+  {
+    if (this->bus_.virtualTime_)
+    {
+      this->bus_.pass(stall_ms);
+      return false;
+    }
+    return this->bus_.released_.wait_for(lock, std::chrono::milliseconds(stall_ms),
+             [this] { return !this->port_.stalls || !this->port_.present; }) &&
+           this->port_.present;
+  }
+
+  FakeHidBus& bus_;
+  FakePort& port_;
+  std::string error_;
+};
+
+std::int64_t FakeHidBus::Time::now_ns() const noexcept
+{
+  const std::lock_guard lock(this->bus_.mutex_);
+  return this->bus_.now_ms_ * 1000000;
+}
+
+FakePort& FakeHidBus::plug(const PidLayout& layout, const std::string& serial)
+{
+  const std::lock_guard lock(this->mutex_);
+  auto port = std::make_unique<FakePort>();
+  port->entry = { "fake" + std::to_string(this->ports_.size()), 0x1209, 0xFFB0, serial, layout.name + " stick" };
+  port->device = std::make_shared<VirtualPidDevice>(layout);
+  port->descriptor = descriptorOf(layout);
+  this->ports_.push_back(std::move(port));
+  return *this->ports_.back();
+}
+
+std::vector<HidEntry> FakeHidBus::devices()
+{
+  const std::lock_guard lock(this->mutex_);
+  std::vector<HidEntry> there;
+  for (const auto& port : this->ports_)
+  {
+    if (port->present)
+    {
+      there.push_back(port->entry);
+    }
+  }
+  return there;
+}
+
+HidBus::Descriptor FakeHidBus::descriptor(const HidEntry& entry)
+{
+  const std::lock_guard lock(this->mutex_);
+  for (const auto& port : this->ports_)
+  {
+    if (port->entry.path == entry.path && this->answers(*port))
+    {
+      return { port->descriptor, {} };
+    }
+  }
+  return { {}, "No such device" };
+}
+
+HidBus::Opened FakeHidBus::open(const HidEntry& entry)
+{
+  const std::lock_guard lock(this->mutex_);
+  for (const auto& port : this->ports_)
+  {
+    if (port->entry.path != entry.path || !this->answers(*port))
+    {
+      continue;
+    }
+    if (!port->openProblem.empty())
+    {
+      return { nullptr, port->openProblem };
+    }
+    ++port->opened;
+    return { std::make_unique<FakeConnection>(*this, *port), {} };
+  }
+  return { nullptr, "No such device" };
+}
+
+void FakeHidBus::advance(int duration_ms)
+{
+  const std::lock_guard lock(this->mutex_);
+  this->now_ms_ += duration_ms;
+  for (const auto& port : this->ports_)
+  {
+    port->device->advance(duration_ms);
+  }
+}
+
+void FakeHidBus::release(FakePort& port)
+{
+  const std::lock_guard lock(this->mutex_);
+  port.stalls = false;
+  this->released_.notify_all();
+}
+
+bool FakeHidBus::answers(FakePort& port)
+{
+  if (port.callsUntilUnplugged == 0)
+  {
+    port.present = false;
+  }
+  if (port.callsUntilUnplugged > 0)
+  {
+    --port.callsUntilUnplugged;
+  }
+  return port.present;
+}
+
+void FakeHidBus::pass(int duration_ms)
+{
+  if (this->virtualTime_)
+  {
+    this->now_ms_ += duration_ms;
+    for (const auto& port : this->ports_)
+    {
+      port->device->advance(duration_ms);
+    }
+  }
+}
+
+} // namespace palpate::test

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "devices/Condition.h"
+#include "devices/hid/ReportDescriptor.h"
+#include "testing/devices/hid/PidLayout.h"
+
+namespace palpate::test
+{
+
+/// A force-feedback joystick without any hardware: its firmware takes the reports of a layout, keeps a pool of effects,
+/// runs them at 1 kHz and lets them expire; its handle is a mass with friction between two stops. Positions are shares
+/// of half the travel and forces of the largest force, x to the right and y towards the person, as HID has them.
+class VirtualPidDevice
+{
+public:
+  using Axes = std::array<double, 2>;
+
+  /// Force of a condition's coefficient of 1 at a distance of 1: full force at a tenth of half the travel.
+  static constexpr double springGain = 10.0;
+  /// What the metric of a damper is, of the speed in half travels a second.
+  static constexpr double damperMetric = 0.2;
+  static constexpr double handleMass = 0.01, handleFriction = 0.6;
+
+  explicit VirtualPidDevice(const PidLayout& layout);
+
+  /// An output report, or a feature to be set. False: unknown, short or for a block that is not there.
+  bool take(HidReportKind kind, std::span<const std::uint8_t> bytes);
+  /// A feature, or empty.
+  [[nodiscard]] std::vector<std::uint8_t> feature(std::uint8_t id);
+  /// The oldest input report not yet read, or empty.
+  [[nodiscard]] std::vector<std::uint8_t> nextInput();
+
+  /// Firmware and handle, a millisecond at a time.
+  void advance(int duration_ms);
+
+  /// Of all effects now [shares].
+  [[nodiscard]] Axes force() const;
+
+  Axes push{}; ///< of the hand
+  std::uint8_t buttons = 0;
+  bool frozen = false;                                ///< the handle's sensor shows the same for ever
+  int slowLoads = 0;                                  ///< so many block loads say nothing yet
+  std::optional<std::vector<std::uint8_t>> wrongLoad; ///< what a block load answers instead
+
+  Axes position{};
+  Axes velocity{};
+  int badReports = 0, outputs = 0, stopAlls = 0, resets = 0, constantForces = 0, conditions = 0;
+  double gain = 1.0;
+  bool actuators = false;
+  [[nodiscard]] int effectsUsed() const;
+  [[nodiscard]] int effectsPlaying() const;
+  [[nodiscard]] const PidLayout& layout() const noexcept { return this->layout_; }
+  /// Of the effect in a block, 1 and up, along an axis.
+  [[nodiscard]] const Condition& condition(int block, int axis) const;
+
+private:
+  struct Effect
+  {
+    bool allocated = false, playing = false, directed = false;
+    std::uint8_t type = 0;
+    std::int64_t duration_ms = 0, age_ms = 0;
+    double gain = 1.0, direction_deg = 0.0, constant = 0.0, magnitude = 0.0, period_ms = 1.0;
+    std::array<bool, 2> axes{};
+    std::array<Condition, 2> conditions{};
+  };
+
+  [[nodiscard]] std::int64_t number(
+    const HidReport& report, std::span<const std::uint8_t> bytes, HidUsage usage, HidUsage parent = 0) const;
+  [[nodiscard]] std::uint8_t chosen(const std::vector<std::uint8_t>& order, std::int64_t number) const;
+  void create(const HidReport& report, std::span<const std::uint8_t> bytes);
+  bool takeEffect(const HidReport& report, std::span<const std::uint8_t> bytes);
+  void setEffect(Effect& effect, const HidReport& report, std::span<const std::uint8_t> bytes);
+  bool setCondition(Effect& effect, const HidReport& report, std::span<const std::uint8_t> bytes);
+  void operate(Effect& effect, const HidReport& report, std::span<const std::uint8_t> bytes);
+  void control(const HidReport& report, std::span<const std::uint8_t> bytes);
+  void control(std::uint8_t usage);
+  void play(Effect& effect, bool playing);
+  void showState(int block, bool playing);
+  void showInput();
+  void step();
+  [[nodiscard]] double effectForce(const Effect& effect, std::size_t axis) const;
+
+  PidLayout layout_;
+  ReportDescriptor descriptor_;
+  std::vector<Effect> effects_;
+  std::deque<std::vector<std::uint8_t>> inputs_;
+  int lastBlock_ = 0;
+  std::uint8_t lastStatus_ = 0;
+};
+
+} // namespace palpate::test
