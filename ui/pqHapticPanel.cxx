@@ -2,6 +2,7 @@
 #include "pqHapticPanel.h"
 
 #include "pqHapticController.h"
+#include "pqHapticMaterialGroup.h"
 #include "pqHapticReadout.h"
 #include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
@@ -107,6 +108,7 @@ public:
   QPushButton* Fit;
   QDoubleSpinBox* FrictionStatic;
   QDoubleSpinBox* FrictionKinetic;
+  pqHapticMaterialGroup* Material;
   QCheckBox* Passivity;
   QCheckBox* Limit;
   QSpinBox* Delay;
@@ -137,6 +139,9 @@ public:
   void addServo(QVBoxLayout* column);
   void addScene(QVBoxLayout* column);
   void setTabOrder();
+  void followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower);
+
+  vtkMTimeType MaterialTime = 0; ///< of the settings the view's scene was made with
 };
 
 void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
@@ -275,6 +280,23 @@ void pqHapticPanel::Internals::setTabOrder()
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
   }
+  QWidget* before = this->FrictionKinetic;
+  for (QWidget* field : this->Material->fields())
+  {
+    QWidget::setTabOrder(before, field);
+    before = field;
+  }
+}
+
+/// Settings can change without a frame being drawn, from a script for one.
+void pqHapticPanel::Internals::followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower)
+{
+  this->Material->setArrayNames(follower.arrayNames());
+  if (session.GetMaterialTime() != this->MaterialTime)
+  {
+    this->MaterialTime = session.GetMaterialTime();
+    follower.refresh();
+  }
 }
 
 pqHapticPanel::pqHapticPanel(const QString& title, QWidget* parent, Qt::WindowFlags flags)
@@ -305,6 +327,8 @@ void pqHapticPanel::build()
   this->Widgets->addHand(column);
   this->Widgets->addContact(column);
   this->Widgets->addFriction(column);
+  this->Widgets->Material = new pqHapticMaterialGroup;
+  column->addWidget(this->Widgets->Material);
   this->Widgets->addStability(column);
   this->Widgets->addState(column);
   this->Widgets->addServo(column);
@@ -327,6 +351,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
 {
   Internals& w = *this->Widgets;
   w.Links.clear();
+  w.Material->setProxy(proxy);
   this->widget()->setEnabled(proxy != nullptr);
   if (!proxy)
   {
@@ -361,6 +386,7 @@ void pqHapticPanel::refresh()
   if (session)
   {
     session->Update();
+    this->Widgets->followMaterials(*session, *controller->follower());
   }
   const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   Internals& w = *this->Widgets;

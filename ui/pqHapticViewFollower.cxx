@@ -36,6 +36,11 @@ QString pqHapticViewFollower::report() const
   return QString::fromUtf8(this->Scene->GetReport());
 }
 
+QStringList pqHapticViewFollower::arrayNames() const
+{
+  return QString::fromStdString(this->Scene->GetArrayNames()).split('\n', Qt::SkipEmptyParts);
+}
+
 void pqHapticViewFollower::setView(pqView* view)
 {
   auto* next = qobject_cast<pqRenderView*>(view);

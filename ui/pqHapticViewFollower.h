@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QPointer>
 #include <QString>
+#include <QStringList>
 
 #include "pqRenderView.h" // QPointer needs the whole class
 #include "vtkNew.h"
@@ -37,6 +38,8 @@ public:
   pqRenderView* view() const { return this->View; }
   /// What is touched, and what is not and why.
   QString report() const;
+  /// Of the points and cells of what the view shows, whether it is touched or not.
+  QStringList arrayNames() const;
 
 public Q_SLOTS:
   void setView(pqView* view);

@@ -22,13 +22,15 @@ void Extend(std::array<double, 6>& bounds, const palpate::TriangleMesh& mesh)
   }
 }
 
-std::string Describe(const palpate::SceneBuildResult& built)
+/// `materials`: a note for each report, or "".
+std::string Describe(const palpate::SceneBuildResult& built, const std::vector<std::string>& materials)
 {
   constexpr std::size_t kibibyte = 1024;
   std::string report;
   std::size_t next = 0; // refused surfaces are not in the scene
-  for (const palpate::SurfaceReport& surface : built.reports)
+  for (std::size_t i = 0; i < built.reports.size(); ++i)
   {
+    const palpate::SurfaceReport& surface = built.reports[i];
     if (!surface.refusal.empty())
     {
       report += surface.name + ": refused: " + surface.refusal + "\n";
@@ -36,17 +38,19 @@ std::string Describe(const palpate::SceneBuildResult& built)
     }
     const std::size_t bytes = built.scene->surfaces()[next++].tree->bytes();
     report += surface.name + ": " + surface.clean.summary() + "; every kept triangle is touched, through a tree of " +
-      std::to_string(bytes / kibibyte) + " KiB\n";
+              std::to_string(bytes / kibibyte) + " KiB" + (materials[i].empty() ? "" : "; material: " + materials[i]) +
+              "\n";
   }
   return report;
 }
 
-vtkHapticBuiltScene Build(palpate::SceneBuilder& builder, const std::vector<palpate::SurfaceInput>& inputs)
+vtkHapticBuiltScene Build(palpate::SceneBuilder& builder, const std::vector<palpate::SurfaceInput>& inputs,
+  const std::vector<std::string>& materials)
 {
   const palpate::SceneBuildResult built = builder.build(inputs);
   vtkHapticBuiltScene result;
   result.Scene = built.scene;
-  result.Report = Describe(built);
+  result.Report = Describe(built, materials);
   if (built.scene)
   {
     const palpate::Vec3 first_W = built.scene->surfaces().front().tree->mesh().vertices_W.front();
@@ -58,7 +62,7 @@ vtkHapticBuiltScene Build(palpate::SceneBuilder& builder, const std::vector<palp
   }
   return result;
 }
-}
+} // namespace
 
 vtkHapticSceneWorker::~vtkHapticSceneWorker()
 {
@@ -70,6 +74,26 @@ void vtkHapticSceneWorker::Clear()
   this->Adding.clear();
 }
 
+void vtkHapticSceneWorker::SetMaterials(const vtkHapticMaterialSettings& settings)
+{
+  this->Materials = settings;
+}
+
+/// Unless they are what was read before: the arrays of a million points take a while.
+void vtkHapticSceneWorker::ReadMaterial(vtkDataObject* data, Kept& kept) const
+{
+  const std::uint64_t key = this->Materials.Empty() ? 0 : vtkHapticArraysKey(data);
+  if (kept.Settings == this->Materials && kept.ArraysKey == key)
+  {
+    return;
+  }
+  vtkHapticMaterialResult material = vtkHapticToMaterial(data, kept.PartPoints, this->Materials);
+  kept.Input.fields = std::move(material.Fields);
+  kept.MaterialNote = std::move(material.Note);
+  kept.Settings = this->Materials;
+  kept.ArraysKey = key;
+}
+
 std::string vtkHapticSceneWorker::Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   const std::uint64_t key = vtkHapticContentKey(data, matrix);
@@ -78,6 +102,7 @@ std::string vtkHapticSceneWorker::Add(const std::string& name, vtkDataObject* da
   if (known != this->Committed.end())
   {
     this->Adding.push_back(*known); // the same mesh object: the builder keeps its tree
+    this->ReadMaterial(data, this->Adding.back());
     return {};
   }
   vtkHapticConversionResult converted = vtkHapticToMesh(data, matrix);
@@ -85,7 +110,9 @@ std::string vtkHapticSceneWorker::Add(const std::string& name, vtkDataObject* da
   {
     return name + ": " + converted.Problem;
   }
-  this->Adding.push_back({ key, { name, std::move(converted.Mesh), palpate::Material() } });
+  this->Adding.push_back(
+    { key, { name, std::move(converted.Mesh), palpate::Material() }, std::move(converted.PartPoints), 0, {}, {} });
+  this->ReadMaterial(data, this->Adding.back());
   return {};
 }
 
@@ -103,13 +130,15 @@ void vtkHapticSceneWorker::Commit()
 void vtkHapticSceneWorker::Launch()
 {
   std::vector<palpate::SurfaceInput> inputs;
+  std::vector<std::string> materials;
   for (const Kept& kept : this->Committed)
   {
     inputs.push_back(kept.Input);
+    materials.push_back(kept.MaterialNote);
   }
   this->Again = false;
-  this->Running = std::async(
-    std::launch::async, [this, inputs = std::move(inputs)] { return Build(this->Builder, inputs); });
+  this->Running = std::async(std::launch::async, [this, inputs = std::move(inputs), materials = std::move(materials)]
+    { return Build(this->Builder, inputs, materials); });
 }
 
 std::optional<vtkHapticBuiltScene> vtkHapticSceneWorker::Poll()

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "haptics/geometry/SceneBuilder.h"
+#include "vtkHapticMaterialArrays.h"
 
 class vtkDataObject;
 class vtkMatrix4x4;
@@ -30,6 +31,8 @@ public:
   ~vtkHapticSceneWorker();
 
   void Clear();
+  /// Which arrays say what the surfaces that are added from now on are made of.
+  void SetMaterials(const vtkHapticMaterialSettings& settings);
   /// Converts at once (the pipeline may change its data later). Empty, or why there is nothing to touch.
   std::string Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   /// Builds what was added since Clear(). While a build is running the newest commit waits for it.
@@ -45,10 +48,17 @@ private:
   {
     std::uint64_t Key;
     palpate::SurfaceInput Input;
+    std::vector<std::size_t> PartPoints;
+    std::uint64_t ArraysKey = 0; ///< of the arrays Input.fields came from
+    vtkHapticMaterialSettings Settings;
+    std::string MaterialNote;
   };
 
   void Launch();
 
+  void ReadMaterial(vtkDataObject* data, Kept& kept) const;
+
+  vtkHapticMaterialSettings Materials;
   std::vector<Kept> Adding;
   std::vector<Kept> Committed;
   palpate::SceneBuilder Builder{ 2 };

@@ -114,6 +114,9 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FrictionStatic: " << this->GetFrictionStatic() << "\n";
   os << indent << "FrictionKinetic: " << this->GetFrictionKinetic() << ", used " << this->GetFrictionKineticUsed()
      << "\n";
+  os << indent << "StiffnessArray: " << this->GetStiffnessArray() << "\n";
+  os << indent << "FrictionArray: " << this->GetFrictionArray() << "\n";
+  os << indent << "TextureArray: " << this->GetTextureArray() << "\n";
   os << indent << "Scale: " << this->GetScale() << " u/m\n";
   os << indent << "Stroke: " << this->Impl->Stroke_W.size() << " points, " << this->Impl->StrokeSpeed << " m/s\n";
   os << indent << "RecordFile: " << this->Impl->RecordFile << "\n";

@@ -34,6 +34,7 @@ namespace palpate
 struct HapticParameters;
 }
 
+struct vtkHapticMaterialSettings;
 class vtkDataObject;
 class vtkMatrix4x4;
 class vtkPolyData;
@@ -166,6 +167,53 @@ public:
   virtual double GetFrictionKinetic() const;
   double GetFrictionKineticUsed() const;
   ///@}
+
+  /** @name Material from data
+   * From an array of the points, or else the cells, of a surface (cells: the mean of those around a point): its name
+   * ("", default: none), its component (-1, default: the length of a vector, the value of a scalar), a data range
+   * (equal ends, default: the array's own) and what its two ends feel like: linear between, level beyond. Where a value
+   * is not finite the surface's own is felt. A surface without the array keeps its own; GetSceneReport() says what each
+   * array gives. Surfaces that are added later feel it; none is built again for that.
+   */
+  ///@{
+  /// [N/m], >= 0, default 100 to 1000: what is felt, up to the stiffness of the spring between hand and proxy.
+  virtual void SetStiffnessArray(const char* name);
+  virtual const char* GetStiffnessArray() const;
+  virtual void SetStiffnessComponent(int component);
+  virtual int GetStiffnessComponent() const;
+  virtual void SetStiffnessDataRange(double low, double high);
+  virtual double* GetStiffnessDataRange() VTK_SIZEHINT(2);
+  virtual void SetStiffnessFeltRange(double atLow, double atHigh);
+  virtual double* GetStiffnessFeltRange() VTK_SIZEHINT(2);
+  ///@}
+
+  ///@{
+  /// [1], 0 to 10, default 0 to 1: at rest and sliding alike.
+  virtual void SetFrictionArray(const char* name);
+  virtual const char* GetFrictionArray() const;
+  virtual void SetFrictionComponent(int component);
+  virtual int GetFrictionComponent() const;
+  virtual void SetFrictionDataRange(double low, double high);
+  virtual double* GetFrictionDataRange() VTK_SIZEHINT(2);
+  virtual void SetFrictionFeltRange(double atLow, double atHigh);
+  virtual double* GetFrictionFeltRange() VTK_SIZEHINT(2);
+  ///@}
+
+  ///@{
+  /// [u], default 0 to 1: how far the felt surface stands out; its mean for a hand too fast for it.
+  virtual void SetTextureArray(const char* name);
+  virtual const char* GetTextureArray() const;
+  virtual void SetTextureComponent(int component);
+  virtual int GetTextureComponent() const;
+  virtual void SetTextureDataRange(double low, double high);
+  virtual double* GetTextureDataRange() VTK_SIZEHINT(2);
+  virtual void SetTextureFeltRange(double atLow, double atHigh);
+  virtual double* GetTextureFeltRange() VTK_SIZEHINT(2);
+  ///@}
+
+  /// Changes whenever one of these settings does; whether any array is named.
+  vtkMTimeType GetMaterialTime() const;
+  bool GetUsesMaterialArrays() const;
 
   ///@{
   /// From device to scene frame, a unit quaternion (w, x, y, z). Default (1, 0, 0, 0).
@@ -346,6 +394,9 @@ private:
   void Stop();
   /// Sets parameters that were changed by `change`, or refuses them and keeps the old ones.
   void Change(const std::function<void(palpate::HapticParameters&)>& change);
+
+  /// Sets arrays and ranges that were changed by `change`, or refuses them and keeps the old ones.
+  void ChangeMaterial(const std::function<void(vtkHapticMaterialSettings&)>& change);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

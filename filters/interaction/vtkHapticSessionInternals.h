@@ -6,6 +6,7 @@
 #include "haptics/session/HapticSession.h"
 #include "vtkHapticSceneWorker.h"
 #include "vtkHapticSession.h"
+#include "vtkTimeStamp.h"
 
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ public:
   palpate::HapticParameters Parameters;
   double FrictionKinetic = 0.0; ///< as set; the parameters have no more than the static one
   std::vector<palpate::KnownDevice> Known = palpate::knownDevices();
+  vtkHapticMaterialSettings Materials;
+  vtkTimeStamp MaterialTime;
   vtkHapticSceneWorker Worker;
   vtkHapticBuiltScene Built;
 

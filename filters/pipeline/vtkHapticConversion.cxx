@@ -64,23 +64,29 @@ std::string CheckMatrix(vtkMatrix4x4* matrix)
   return affine ? "" : "its transform is a perspective; only shift, rotation, scale, shear and mirror can be touched";
 }
 
-/// Triangles of a data set; null with a problem.
+/// Poly data as it is, the outer faces of anything else.
+vtkSmartPointer<vtkPolyData> SkinOf(vtkDataSet* data)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+  {
+    return surface;
+  }
+  vtkNew<vtkGeometryFilter> skin;
+  skin->SetInputData(data);
+  skin->Update();
+  return skin->GetOutput();
+}
+
+/// Triangles of a data set; null with a problem. The points are those of its skin.
 vtkSmartPointer<vtkPolyData> Triangulated(vtkDataSet* data, std::string& problem)
 {
-  vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
-  if (!surface)
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  problem = grid ? vtkHapticCellChecks::CheckGrid(grid) : "";
+  if (!problem.empty())
   {
-    auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
-    problem = grid ? vtkHapticCellChecks::CheckGrid(grid) : "";
-    if (!problem.empty())
-    {
-      return nullptr;
-    }
-    vtkNew<vtkGeometryFilter> skin;
-    skin->SetInputData(data);
-    skin->Update();
-    surface = skin->GetOutput();
+    return nullptr;
   }
+  const vtkSmartPointer<vtkPolyData> surface = SkinOf(data);
   problem = vtkHapticCellChecks::CheckPolyData(surface);
   if (!problem.empty())
   {
@@ -133,41 +139,100 @@ std::string Append(vtkDataSet* data, const Placement& placement, palpate::Triang
   return {};
 }
 
-std::string AppendAll(vtkDataObject* data, const Placement& placement, palpate::TriangleMesh& mesh)
+/// Why a data object has no surface at all.
+std::string CheckKind(vtkDataObject* data)
+{
+  if (vtkDataSet::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data))
+  {
+    return {};
+  }
+  return data ? std::string("a ") + data->GetClassName() + " has no surface" : "there is no data";
+}
+
+void AppendAll(
+  vtkDataObject* data, const Placement& placement, palpate::TriangleMesh& mesh, vtkHapticConversionResult& result)
+{
+  vtkHapticForEachDataSet(data,
+    [&](vtkDataSet& set)
+    {
+      if (result.Problem.empty())
+      {
+        const std::size_t before = mesh.vertices_W.size();
+        result.Problem = Append(&set, placement, mesh);
+        result.PartPoints.push_back(mesh.vertices_W.size() - before);
+      }
+    });
+}
+
+/// What a key is made of: an object's identity counts through its time, which no other object has had.
+void AddGeometry(vtkDataSet& set, palpate::WordHash& key)
+{
+  auto* surface = vtkPolyData::SafeDownCast(&set);
+  if (!surface)
+  {
+    key.add(std::uint64_t{ set.GetMTime() });
+    return;
+  }
+  key.add(std::uint64_t{ surface->GetPoints() ? surface->GetPoints()->GetMTime() : 0 });
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    key.add(std::uint64_t{ cells->GetMTime() });
+  }
+}
+} // namespace
+
+void vtkHapticForEachDataSet(vtkDataObject* data, const std::function<void(vtkDataSet&)>& visit)
 {
   if (auto* set = vtkDataSet::SafeDownCast(data))
   {
-    return Append(set, placement, mesh);
+    visit(*set);
   }
   auto* composite = vtkCompositeDataSet::SafeDownCast(data);
   if (!composite)
   {
-    return data ? std::string("a ") + data->GetClassName() + " has no surface" : "there is no data";
+    return;
   }
   auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
   {
-    auto* block = vtkDataSet::SafeDownCast(each->GetCurrentDataObject());
-    std::string problem = block ? Append(block, placement, mesh) : "";
-    if (!problem.empty())
+    if (auto* block = vtkDataSet::SafeDownCast(each->GetCurrentDataObject()))
     {
-      return problem;
+      visit(*block);
     }
   }
-  return {};
 }
+
+std::vector<vtkSmartPointer<vtkPolyData>> vtkHapticSurfaceParts(
+  vtkDataObject* data, const std::vector<std::size_t>& partPoints)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  std::size_t next = 0;
+  bool fits = true;
+  vtkHapticForEachDataSet(data,
+    [&](vtkDataSet& set)
+    {
+      const std::size_t points = next < partPoints.size() ? partPoints[next] : 0;
+      fits = fits && next++ < partPoints.size();
+      if (fits && points > 0)
+      {
+        parts.push_back(SkinOf(&set));
+        fits = static_cast<std::size_t>(parts.back()->GetNumberOfPoints()) == points;
+      }
+    });
+  return fits ? parts : std::vector<vtkSmartPointer<vtkPolyData>>();
 }
 
 vtkHapticConversionResult vtkHapticToMesh(vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   vtkHapticConversionResult result;
   result.Problem = CheckMatrix(matrix);
+  result.Problem = result.Problem.empty() ? CheckKind(data) : result.Problem;
   if (!result.Problem.empty())
   {
     return result;
   }
   auto mesh = std::make_shared<palpate::TriangleMesh>();
-  result.Problem = AppendAll(data, PlacementOf(matrix), *mesh);
+  AppendAll(data, PlacementOf(matrix), *mesh, result);
   if (result.Problem.empty() && mesh->triangles.empty())
   {
     result.Problem = "it has no polygons; only surfaces can be touched (apply Extract Surface or Contour)";
@@ -204,18 +269,7 @@ vtkSmartPointer<vtkPolyData> vtkHapticToPolyData(const palpate::TriangleMesh& me
 std::uint64_t vtkHapticContentKey(vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   palpate::WordHash key;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
-    {
-      key.add(std::uint64_t{ each->GetCurrentDataObject()->GetMTime() });
-    }
-  }
-  else if (data)
-  {
-    key.add(std::uint64_t{ data->GetMTime() });
-  }
+  vtkHapticForEachDataSet(data, [&key](vtkDataSet& set) { AddGeometry(set, key); });
   for (int i = 0; matrix && i < 16; ++i)
   {
     key.add(matrix->GetData()[i]);

@@ -2,15 +2,19 @@
 #ifndef vtkHapticConversion_h
 #define vtkHapticConversion_h
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "haptics/geometry/TriangleMesh.h"
 #include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
 class vtkDataObject;
+class vtkDataSet;
 class vtkMatrix4x4;
 class vtkPolyData;
 
@@ -19,6 +23,7 @@ struct vtkHapticConversionResult
 {
   std::shared_ptr<const palpate::TriangleMesh> Mesh; ///< null on a problem
   std::string Problem;                               ///< one line without a name in front; empty when Mesh is there
+  std::vector<std::size_t> PartPoints; ///< vertices from each data set in turn, 0 from one without polygons
 };
 
 /// All polygons and strips of a data object as triangles, placed by `matrix` (data frame to W; null: identity).
@@ -30,12 +35,22 @@ struct vtkHapticConversionResult
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticConversionResult vtkHapticToMesh(
   vtkDataObject* data, vtkMatrix4x4* matrix = nullptr);
 
+/// What `visit` makes of a data object that is a data set, or of each one in a composite, in order.
+VTKHAPTICPIPELINE_EXPORT void vtkHapticForEachDataSet(
+  vtkDataObject* data, const std::function<void(vtkDataSet&)>& visit);
+
+/// The surfaces whose points are the vertices of the mesh that was made of `data`, with their arrays: all parts with
+/// points. Empty when `partPoints` are not of these data.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<vtkSmartPointer<vtkPolyData>> vtkHapticSurfaceParts(
+  vtkDataObject* data, const std::vector<std::size_t>& partPoints);
+
 /// Triangles as poly data with points in double precision: vertices and triangles keep their order.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkPolyData> vtkHapticToPolyData(
   const palpate::TriangleMesh& mesh);
 
-/// Names the content of a data object placed by `matrix` (null: identity). Modification times are unique within a
-/// process, so equal keys mean equal content, and a change of either changes the key.
+/// Names the geometry of a data object placed by `matrix` (null: identity): of poly data its points and cells, of other
+/// data all of it. Modification times are unique within a process, so equal keys mean equal geometry, and a change of
+/// either changes the key; arrays of poly data do not count.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::uint64_t vtkHapticContentKey(vtkDataObject* data, vtkMatrix4x4* matrix);
 
 #endif

@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticHandPath.h"
+#include "vtkHapticMaterialArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -83,7 +84,8 @@ private:
 };
 
 /// The surface as a scene; null with a problem.
-std::shared_ptr<const palpate::Scene> BuildScene(vtkDataObject* surface, std::string& problem)
+std::shared_ptr<const palpate::Scene> BuildScene(
+  vtkDataObject* surface, const vtkHapticMaterialSettings& settings, std::string& problem)
 {
   vtkHapticConversionResult converted = vtkHapticToMesh(surface);
   problem = converted.Problem;
@@ -91,8 +93,14 @@ std::shared_ptr<const palpate::Scene> BuildScene(vtkDataObject* surface, std::st
   {
     return nullptr;
   }
-  const palpate::SceneBuildResult built =
-    palpate::SceneBuilder().build({ { "surface", std::move(converted.Mesh), palpate::Material() } });
+  vtkHapticMaterialResult material = vtkHapticToMaterial(surface, converted.PartPoints, settings);
+  problem = material.Problem;
+  if (!problem.empty())
+  {
+    return nullptr;
+  }
+  const palpate::SceneBuildResult built = palpate::SceneBuilder().build(
+    { { "surface", std::move(converted.Mesh), palpate::Material(), std::move(material.Fields) } });
   problem = built.scene ? "" : built.reports.front().refusal;
   return built.scene;
 }
@@ -109,7 +117,7 @@ palpate::TickInput TickOf(const vtkHapticHandPath& path, std::size_t i, const pa
 }
 
 /// One tick a point; false if `goes` asked to stop. `fault` receives the first one.
-template <class Goes>
+template<class Goes>
 bool Touch(const vtkHapticHandPath& path, const palpate::Scene& scene, const palpate::HapticParameters& parameters,
   Rows& rows, palpate::Fault& fault, Goes goes)
 {
@@ -130,7 +138,7 @@ bool Touch(const vtkHapticHandPath& path, const palpate::Scene& scene, const pal
 }
 } // namespace
 
-vtkTouchAlongPath::vtkTouchAlongPath()
+vtkTouchAlongPath::vtkTouchAlongPath() : Materials(std::make_unique<vtkHapticMaterialSettings>())
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -147,6 +155,9 @@ void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Radius: " << this->Radius << " u\n";
   os << indent << "FrictionStatic: " << this->FrictionStatic << "\n";
   os << indent << "FrictionKinetic: " << this->FrictionKinetic << "\n";
+  os << indent << "StiffnessArray: " << this->GetStiffnessArray() << "\n";
+  os << indent << "FrictionArray: " << this->GetFrictionArray() << "\n";
+  os << indent << "TextureArray: " << this->GetTextureArray() << "\n";
   os << indent << "Scale: " << this->Scale << " u/m\n";
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "TimeArray: " << (this->TimeArray ? this->TimeArray : "(none)") << "\n";
@@ -185,7 +196,8 @@ palpate::HapticParameters vtkTouchAlongPath::Parameters() const
 
 std::string vtkTouchAlongPath::CheckParameters() const
 {
-  const std::string problem = this->Parameters().validate();
+  std::string problem = this->Parameters().validate();
+  problem = problem.empty() ? this->Materials->Check() : problem;
   const bool rate = this->Rate > 0.0 && std::isfinite(this->Rate);
   return problem.empty() && !rate ? "the rate must be a finite number of hertz above 0" : problem;
 }
@@ -210,7 +222,7 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
     return 0;
   }
   std::string problem;
-  const auto scene = BuildScene(vtkDataObject::GetData(input[0]), problem);
+  const auto scene = BuildScene(vtkDataObject::GetData(input[0]), *this->Materials, problem);
   if (!scene)
   {
     vtkErrorMacro("The surface cannot be touched: " << problem);

@@ -22,12 +22,16 @@
 #include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <string> // for the return type
+#include <functional> // for an argument
+#include <memory>     // for a member
+#include <string>     // for the return type
 
 namespace palpate
 {
 struct HapticParameters;
 }
+
+struct vtkHapticMaterialSettings;
 
 class VTKHAPTICPIPELINE_EXPORT vtkTouchAlongPath : public vtkPolyDataAlgorithm
 {
@@ -63,6 +67,48 @@ public:
   vtkGetMacro(FrictionKinetic, double);
   ///@}
 
+  /** @name Material from data
+   * From an array of the points, or else the cells, of a surface (cells: the mean of those around a point): its name
+   * ("", default: none), its component (-1, default: the length of a vector, the value of a scalar), a data range
+   * (equal ends, default: the array's own) and what its two ends feel like: linear between, level beyond. Where a value
+   * is not finite the surface's own is felt. An array that is missing or cannot be used is an error.
+   */
+  ///@{
+  /// [N/m], >= 0, default 100 to 1000: what is felt, up to the stiffness of the spring between hand and proxy.
+  void SetStiffnessArray(const char* name);
+  const char* GetStiffnessArray() const;
+  void SetStiffnessComponent(int component);
+  int GetStiffnessComponent() const;
+  void SetStiffnessDataRange(double low, double high);
+  double* GetStiffnessDataRange() VTK_SIZEHINT(2);
+  void SetStiffnessFeltRange(double atLow, double atHigh);
+  double* GetStiffnessFeltRange() VTK_SIZEHINT(2);
+  ///@}
+
+  ///@{
+  /// [1], 0 to 10, default 0 to 1: at rest and sliding alike.
+  void SetFrictionArray(const char* name);
+  const char* GetFrictionArray() const;
+  void SetFrictionComponent(int component);
+  int GetFrictionComponent() const;
+  void SetFrictionDataRange(double low, double high);
+  double* GetFrictionDataRange() VTK_SIZEHINT(2);
+  void SetFrictionFeltRange(double atLow, double atHigh);
+  double* GetFrictionFeltRange() VTK_SIZEHINT(2);
+  ///@}
+
+  ///@{
+  /// [u], default 0 to 1: how far the felt surface stands out; its mean for a hand too fast for it.
+  void SetTextureArray(const char* name);
+  const char* GetTextureArray() const;
+  void SetTextureComponent(int component);
+  int GetTextureComponent() const;
+  void SetTextureDataRange(double low, double high);
+  double* GetTextureDataRange() VTK_SIZEHINT(2);
+  void SetTextureFeltRange(double atLow, double atHigh);
+  double* GetTextureFeltRange() VTK_SIZEHINT(2);
+  ///@}
+
   ///@{
   /// Scene units per metre of the hand, > 0. Default 1.
   vtkSetMacro(Scale, double);
@@ -95,6 +141,7 @@ private:
   palpate::HapticParameters Parameters() const;
   /// Empty, or what cannot be used.
   std::string CheckParameters() const;
+  void ChangeMaterial(const std::function<void(vtkHapticMaterialSettings&)>& change);
   /// Reports progress; false when someone asked to stop.
   bool Goes(double progress);
 
@@ -105,6 +152,7 @@ private:
   double Scale = 1.0;
   double Rate = 1000.0;
   char* TimeArray = nullptr;
+  std::unique_ptr<vtkHapticMaterialSettings> Materials;
 };
 
 #endif

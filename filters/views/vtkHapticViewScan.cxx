@@ -5,6 +5,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkGeometryRepresentation.h"
+#include "vtkHapticMaterialArrays.h"
 #include "vtkMapper.h"
 #include "vtkPVCompositeRepresentation.h"
 #include "vtkPVLODActor.h"
@@ -128,6 +129,7 @@ void ScanRepresentation(vtkSMProxy* proxy, const std::string& name, vtkHapticVie
       name + ": no polygons are shown; choose the representation Surface, or apply Extract Surface.");
     return;
   }
+  surface.ArraysKey = vtkHapticArraysKey(shown);
   surface.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
   surface.Matrix->DeepCopy(actor->GetMatrix());
   scan.Surfaces.push_back(std::move(surface));
@@ -179,6 +181,12 @@ bool vtkHapticViewScan::SameAs(const vtkHapticViewScan& other) const
   const auto same = [](const Surface& a, const Surface& b)
   { return a.Name == b.Name && a.GeometryKey == b.GeometryKey && SameMatrix(a.Matrix, b.Matrix); };
   return std::equal(this->Surfaces.begin(), this->Surfaces.end(), other.Surfaces.begin(), other.Surfaces.end(), same);
+}
+
+bool vtkHapticViewScan::SameArraysAs(const vtkHapticViewScan& other) const
+{
+  return std::equal(this->Surfaces.begin(), this->Surfaces.end(), other.Surfaces.begin(), other.Surfaces.end(),
+    [](const Surface& a, const Surface& b) { return a.ArraysKey == b.ArraysKey; });
 }
 
 vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view)

@@ -29,6 +29,7 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
     vtkSmartPointer<vtkDataObject> Data;
     vtkSmartPointer<vtkMatrix4x4> Matrix; ///< actor frame to W
     std::uint64_t GeometryKey = 0;        ///< equal while points and cells are the same objects, unmodified
+    std::uint64_t ArraysKey = 0;          ///< equal while its arrays are the same, unmodified
   };
 
   std::vector<Surface> Surfaces;
@@ -37,6 +38,8 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
 
   /// Same surfaces, same geometry, same transforms.
   bool SameAs(const vtkHapticViewScan& other) const;
+  /// The same arrays on surfaces that are the same.
+  bool SameArraysAs(const vtkHapticViewScan& other) const;
 };
 
 /// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence.

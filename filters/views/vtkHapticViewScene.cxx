@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticViewScene.h"
 
+#include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticViewScan.h"
 #include "vtkObjectFactory.h"
@@ -8,6 +9,7 @@
 #include "vtkWeakPointer.h"
 
 #include <map>
+#include <set>
 #include <string>
 
 vtkStandardNewMacro(vtkHapticViewScene);
@@ -21,6 +23,14 @@ public:
   std::string Report;
   std::map<std::string, std::string> Rejected; ///< surfaces the session would not take, and why
   bool HandedOver = false;                     ///< the session has Scan
+  vtkMTimeType MaterialTime = 0;               ///< of the session's settings when it got Scan
+
+  /// What the session makes of the surfaces' arrays is what it made of those of Scan.
+  bool SameMaterials(const vtkHapticViewScan& now) const
+  {
+    return !this->Session || (this->Session->GetMaterialTime() == this->MaterialTime &&
+                               (!this->Session->GetUsesMaterialArrays() || now.SameArraysAs(this->Scan)));
+  }
 };
 
 vtkHapticViewScene::vtkHapticViewScene() : Impl(std::make_unique<Internals>()) {}
@@ -70,6 +80,25 @@ int vtkHapticViewScene::GetNumberOfSurfaces() const
   return static_cast<int>(this->Impl->Scan.Surfaces.size());
 }
 
+std::string vtkHapticViewScene::GetArrayNames() const
+{
+  std::set<std::string> names;
+  const vtkHapticViewScan now = vtkHapticScanView(this->Impl->View);
+  for (const vtkHapticViewScan::Surface& surface : now.Surfaces)
+  {
+    for (const std::string& name : vtkHapticArrayNames(surface.Data))
+    {
+      names.insert(name);
+    }
+  }
+  std::string lines;
+  for (const std::string& name : names)
+  {
+    lines += name + "\n";
+  }
+  return lines;
+}
+
 const char* vtkHapticViewScene::GetReport() const
 {
   return this->Impl->Report.c_str();
@@ -78,13 +107,14 @@ const char* vtkHapticViewScene::GetReport() const
 bool vtkHapticViewScene::Update()
 {
   vtkHapticViewScan now = vtkHapticScanView(this->Impl->View);
-  const bool same = this->Impl->HandedOver && now.SameAs(this->Impl->Scan);
+  const bool same = this->Impl->HandedOver && now.SameAs(this->Impl->Scan) && this->Impl->SameMaterials(now);
   this->Impl->Scan = std::move(now);
   const bool handOver = !same && this->Impl->Session;
   if (handOver)
   {
     this->HandOver();
     this->Impl->HandedOver = true;
+    this->Impl->MaterialTime = this->Impl->Session->GetMaterialTime();
   }
   this->WriteReport();
   return handOver;

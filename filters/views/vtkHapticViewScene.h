@@ -18,6 +18,7 @@
 #include "vtkObject.h"
 
 #include <memory> // for the implementation
+#include <string> // for the return type
 
 class vtkHapticSession;
 class vtkSMProxy;
@@ -47,8 +48,8 @@ public:
 
   /**
    * Looks at the view and, if anything touchable changed since the last time (visibility, geometry, transform,
-   * deletion), hands a new scene to the session. Colours and camera do not count. Costs microseconds when nothing
-   * changed. GUI thread. Returns true if a scene was handed over.
+   * deletion; arrays if the session uses any, and its settings of them), hands a new scene to the session. Colours and
+   * camera do not count. Costs microseconds when nothing changed. GUI thread. Returns true if a scene was handed over.
    */
   bool Update();
 
@@ -56,6 +57,9 @@ public:
   const char* GetReport() const;
 
   int GetNumberOfSurfaces() const;
+
+  /// Names of all arrays of points and cells with numbers that the view shows now, a line each, sorted.
+  std::string GetArrayNames() const;
 
 protected:
   vtkHapticViewScene();

@@ -21,6 +21,10 @@ void addSurface(const SurfaceInput& input, const std::shared_ptr<const SurfaceTr
     FittedFields fitted = fitFields(*input.fields, input.material, sourceVertex, input.mesh->vertices_W.size());
     report.refusal = fitted.refusal;
     report.materialReplaced = fitted.replaced;
+    if (!fitted.fields.height_u.empty())
+    {
+      fitted.fields.texture = measureTexture(tree->mesh(), fitted.fields.height_u);
+    }
     surface.fields = std::make_shared<const MaterialFields>(std::move(fitted.fields));
   }
   if (report.refusal.empty())

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "vtkHapticCliCommands.h"
+#include "vtkHapticCliMaterials.h"
 #include "vtkHapticCliProblem.h"
 
 namespace
@@ -18,6 +19,7 @@ struct Arguments
   bool Json = false;
   std::string File;
   std::optional<double> Iso;
+  vtkHapticMaterialSettings Materials;
   vtkHapticCliTouchOptions Touch;
   vtkHapticCliReplayOptions Replay;
 };
@@ -36,6 +38,7 @@ void AddCheck(CLI::App& app, Arguments& arguments)
   CLI::App* command = app.add_subcommand("check", "can it be touched? what was repaired, what is refused");
   command->add_option("FILE", arguments.File, "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso")->required();
   command->add_option("--iso", arguments.Iso, "value of the surface in an image");
+  vtkHapticCliAddMaterials(*command, arguments.Materials);
   command->add_flag("--json", arguments.Json, "for a program to read");
 }
 
@@ -53,6 +56,7 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   command->add_option("--scale", options.Scale_u_per_m, "scene units per metre of the hand")->capture_default_str();
   command->add_option("--mu-static", options.MuStatic, "friction that holds at rest")->capture_default_str();
   command->add_option("--mu-kinetic", options.MuKinetic, "friction while it slides; without it the static one");
+  vtkHapticCliAddMaterials(*command, options.Materials);
   const std::string absent = "not there yet";
   command->add_flag(AbsentOptions[0], absent);
 }
@@ -95,6 +99,7 @@ int Touch(const CLI::App& command, const vtkHapticCliTouchOptions& options)
   {
     CheckNumber("--mu-kinetic", *options.MuKinetic, true, "friction");
   }
+  vtkHapticCliCheckMaterials(options.Materials);
   return vtkHapticCliTouch(options);
 }
 
@@ -106,7 +111,8 @@ int Run(const CLI::App& app, const Arguments& arguments)
   }
   if (app.got_subcommand("check"))
   {
-    return vtkHapticCliCheck(arguments.File, arguments.Iso, arguments.Json);
+    vtkHapticCliCheckMaterials(arguments.Materials);
+    return vtkHapticCliCheck(arguments.File, arguments.Iso, arguments.Materials, arguments.Json);
   }
   if (app.got_subcommand("touch"))
   {

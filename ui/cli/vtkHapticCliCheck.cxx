@@ -62,7 +62,7 @@ nlohmann::ordered_json ToJson(const palpate::ScenePlan& plan)
   return json;
 }
 
-nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report)
+nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report, const std::string& material)
 {
   nlohmann::ordered_json json;
   json["file"] = report.name;
@@ -75,6 +75,7 @@ nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report)
     { "duplicate", report.clean.duplicate } };
   json["boundary_edges"] = report.clean.boundaryEdges;
   json["non_manifold_edges"] = report.clean.nonManifoldEdges;
+  json["material"] = material;
   return json;
 }
 
@@ -94,7 +95,7 @@ void Print(const nlohmann::ordered_json& json)
   std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-void Print(const palpate::SurfaceReport& report, const palpate::Surface& surface)
+void Print(const palpate::SurfaceReport& report, const palpate::Surface& surface, const std::string& material)
 {
   const Box box = BoundsOf(surface.tree->mesh());
   const palpate::Vec3 size_u = box.High_W - box.Low_W;
@@ -103,15 +104,22 @@ void Print(const palpate::SurfaceReport& report, const palpate::Surface& surface
             << "  size      " << size_u.x() << " x " << size_u.y() << " x " << size_u.z() << " scene units, from ("
             << box.Low_W.x() << ", " << box.Low_W.y() << ", " << box.Low_W.z() << ")\n"
             << "  plan      " << PlanOf(surface) << '\n'
-            << "  facets    100 mm long in the hand and " << TouchPlanOf(surface).sentence() << '\n';
+            << "  facets    100 mm long in the hand and " << TouchPlanOf(surface).sentence() << '\n'
+            << (material.empty() ? "" : "  material  " + material + '\n');
 }
 
 /// A machine that asked for JSON gets JSON for a refusal as well.
-palpate::SurfaceInput ReadOrRefuse(const std::string& file, std::optional<double> iso, bool json)
+vtkHapticCliSurface ReadOrRefuse(
+  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials, bool json)
 {
   try
   {
-    return vtkHapticCliReadSurface(file, iso);
+    vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, iso, materials);
+    if (!surface.Material.Problem.empty())
+    {
+      throw vtkHapticCliProblem(file + ": " + surface.Material.Problem);
+    }
+    return surface;
   }
   catch (const vtkHapticCliProblem& problem)
   {
@@ -124,13 +132,15 @@ palpate::SurfaceInput ReadOrRefuse(const std::string& file, std::optional<double
 }
 } // namespace
 
-int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, bool json)
+int vtkHapticCliCheck(
+  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials, bool json)
 {
-  const palpate::SceneBuildResult built = palpate::SceneBuilder().build({ ReadOrRefuse(file, iso, json) });
+  const vtkHapticCliSurface surface = ReadOrRefuse(file, iso, materials, json);
+  const palpate::SceneBuildResult built = palpate::SceneBuilder().build({ surface.Input });
   const palpate::SurfaceReport& report = built.reports.front();
   if (json)
   {
-    nlohmann::ordered_json described = ToJson(report);
+    nlohmann::ordered_json described = ToJson(report, surface.Material.Note);
     if (built.scene)
     {
       AddScene(described, built.scene->surfaces().front());
@@ -143,7 +153,7 @@ int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, bool j
   }
   if (!json)
   {
-    Print(report, built.scene->surfaces().front());
+    Print(report, built.scene->surfaces().front(), surface.Material.Note);
   }
   return 0;
 }

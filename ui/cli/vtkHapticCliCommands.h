@@ -6,13 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "vtkHapticMaterialArrays.h"
+
 /// The four commands of the program `palpate`. Each returns the exit code and throws vtkHapticCliProblem for bad input.
 
 /// What is attached, what each device can do, why one cannot be used.
 int vtkHapticCliDevices(bool json);
 
 /// Whether a file can be touched, what was repaired, what is refused. 0: touchable; a refusal throws.
-int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, bool json);
+int vtkHapticCliCheck(
+  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials, bool json);
 
 struct vtkHapticCliTouchOptions
 {
@@ -23,6 +26,7 @@ struct vtkHapticCliTouchOptions
   double Radius_u = 0.0;
   double MuStatic = 0.0;
   std::optional<double> MuKinetic;
+  vtkHapticMaterialSettings Materials;
   double Stiffness_N_per_m = 1000.0;
   double Scale_u_per_m = 1.0;
 };

@@ -37,7 +37,7 @@ std::size_t TrianglesOf(vtkPolyData* surface)
 }
 
 /// Triangles of a surface, and a note when polygons could not be cut into as many as they should be.
-std::shared_ptr<const palpate::TriangleMesh> ToMesh(const std::string& file, vtkPolyData* surface)
+vtkHapticConversionResult ToMesh(const std::string& file, vtkPolyData* surface)
 {
   const vtkHapticMessageCapture messages; // VTK warns of each polygon without area
   const vtkHapticConversionResult converted = vtkHapticToMesh(surface);
@@ -55,7 +55,37 @@ std::shared_ptr<const palpate::TriangleMesh> ToMesh(const std::string& file, vtk
   {
     Note(file, std::to_string(expected - found) + " triangles of polygons without area were left out");
   }
-  return converted.Mesh;
+  return converted;
+}
+
+std::shared_ptr<const palpate::MaterialFields> PerSceneUnit(
+  const std::shared_ptr<const palpate::MaterialFields>& fields, double scale_u_per_m)
+{
+  if (!fields)
+  {
+    return nullptr;
+  }
+  auto scaled = std::make_shared<palpate::MaterialFields>(*fields);
+  for (double& stiffness : scaled->stiffness_N_per_m)
+  {
+    stiffness /= scale_u_per_m;
+  }
+  return scaled;
+}
+
+/// An array that is in none of the files is a mistake of a person; in some of many files it may be missing.
+void CheckMaterials(const std::vector<vtkHapticCliSurface>& surfaces)
+{
+  const auto broken = [](const vtkHapticCliSurface& surface) { return !surface.Material.Problem.empty(); };
+  if (std::all_of(surfaces.begin(), surfaces.end(), broken))
+  {
+    const vtkHapticCliSurface& first = surfaces.front();
+    throw vtkHapticCliProblem(first.Input.name + ": " + first.Material.Problem);
+  }
+  for (const vtkHapticCliSurface& surface : surfaces)
+  {
+    Note(surface.Input.name, surface.Material.Note);
+  }
 }
 
 void CheckIsoIsUsed(const std::vector<std::string>& files, std::optional<double> iso)
@@ -83,7 +113,8 @@ void CheckReports(const std::vector<palpate::SurfaceReport>& reports)
 }
 } // namespace
 
-palpate::SurfaceInput vtkHapticCliReadSurface(const std::string& file, std::optional<double> iso)
+vtkHapticCliSurface vtkHapticCliReadSurface(
+  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials)
 {
   const vtkHapticReadResult read = vtkHapticReadSurface(file, iso);
   if (!read.Surface)
@@ -91,19 +122,26 @@ palpate::SurfaceInput vtkHapticCliReadSurface(const std::string& file, std::opti
     throw vtkHapticCliProblem(read.Problem);
   }
   Note(file, read.Note);
-  return { file, ToMesh(file, read.Surface), palpate::Material() };
+  vtkHapticConversionResult converted = ToMesh(file, read.Surface);
+  vtkHapticCliSurface surface;
+  surface.Material = vtkHapticToMaterial(read.Surface, converted.PartPoints, materials);
+  surface.Input = { file, std::move(converted.Mesh), palpate::Material(), surface.Material.Fields };
+  return surface;
 }
 
-std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(
-  const std::vector<std::string>& files, std::optional<double> iso)
+std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(const std::vector<std::string>& files,
+  std::optional<double> iso, const vtkHapticMaterialSettings& materials, double scale_u_per_m)
 {
   CheckIsoIsUsed(files, iso);
+  std::vector<vtkHapticCliSurface> surfaces;
   std::vector<palpate::SurfaceInput> inputs;
-  inputs.reserve(files.size());
   for (const std::string& file : files)
   {
-    inputs.push_back(vtkHapticCliReadSurface(file, vtkHapticIsImageFile(file) ? iso : std::nullopt));
+    surfaces.push_back(vtkHapticCliReadSurface(file, vtkHapticIsImageFile(file) ? iso : std::nullopt, materials));
+    inputs.push_back(surfaces.back().Input);
+    inputs.back().fields = PerSceneUnit(inputs.back().fields, scale_u_per_m);
   }
+  CheckMaterials(surfaces);
   const palpate::SceneBuildResult built = palpate::SceneBuilder(std::thread::hardware_concurrency()).build(inputs);
   CheckReports(built.reports);
   return built.scene;

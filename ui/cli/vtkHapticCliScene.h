@@ -9,14 +9,25 @@
 
 #include "haptics/geometry/Scene.h"
 #include "haptics/geometry/SceneBuilder.h"
+#include "vtkHapticMaterialArrays.h"
 
-/// The surface of one file as the scene builder takes it, named after the file [scene units].
-/// Throws vtkHapticCliProblem. What a reader had to say besides goes to stderr.
-[[nodiscard]] palpate::SurfaceInput vtkHapticCliReadSurface(const std::string& file, std::optional<double> iso);
+/// What a file gives.
+struct vtkHapticCliSurface
+{
+  palpate::SurfaceInput Input;      ///< as the scene builder takes it, named after the file [scene units]
+  vtkHapticMaterialResult Material; ///< of its arrays; Input.fields are its fields
+};
+
+/// Throws vtkHapticCliProblem. What a reader had to say besides goes to stderr. An array that cannot be used is a
+/// problem of the result: the caller knows whether it must be there.
+[[nodiscard]] vtkHapticCliSurface vtkHapticCliReadSurface(
+  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials = {});
 
 /// The scene of several files, in their order; `iso` is for the images among them. Throws vtkHapticCliProblem when a
-/// file cannot be read or touched; what cleaning dropped from the others goes to stderr.
-[[nodiscard]] std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(
-  const std::vector<std::string>& files, std::optional<double> iso);
+/// file cannot be read or touched, or an array cannot be used in any of them; what cleaning dropped from the others and
+/// what their arrays give goes to stderr. Stiffness in the scene is in newtons per metre times 1 / scale, that is per
+/// scene unit.
+[[nodiscard]] std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(const std::vector<std::string>& files,
+  std::optional<double> iso, const vtkHapticMaterialSettings& materials = {}, double scale_u_per_m = 1.0);
 
 #endif

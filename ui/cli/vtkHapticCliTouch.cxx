@@ -85,7 +85,8 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
 {
   const palpate::HapticParameters parameters = ParametersOf(options);
   const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path);
-  const std::shared_ptr<const palpate::Scene> scene = vtkHapticCliBuildScene(options.Files, options.Iso);
+  const std::shared_ptr<const palpate::Scene> scene =
+    vtkHapticCliBuildScene(options.Files, options.Iso, options.Materials, options.Scale_u_per_m);
   std::vector<std::string> inputs = options.Files;
   inputs.push_back(options.Path);
   vtkHapticCliOutput output(options.Output, inputs);

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What surfaces are made of, from their arrays.
+#include "vtkHapticSessionInternals.h"
+
+void vtkHapticSession::ChangeMaterial(const std::function<void(vtkHapticMaterialSettings&)>& change)
+{
+  vtkHapticMaterialSettings settings = this->Impl->Materials;
+  change(settings);
+  if (const std::string problem = settings.Check(); !problem.empty())
+  {
+    this->Refuse(problem);
+    return;
+  }
+  if (settings != this->Impl->Materials)
+  {
+    this->Impl->Materials = settings;
+    this->Impl->Worker.SetMaterials(settings);
+    this->Impl->MaterialTime.Modified();
+    this->Modified();
+  }
+}
+
+vtkMTimeType vtkHapticSession::GetMaterialTime() const
+{
+  return this->Impl->MaterialTime.GetMTime();
+}
+
+bool vtkHapticSession::GetUsesMaterialArrays() const
+{
+  return !this->Impl->Materials.Empty();
+}
+
+void vtkHapticSession::SetStiffnessArray(const char* name)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Stiffness.Array = name ? name : ""; });
+}
+
+const char* vtkHapticSession::GetStiffnessArray() const
+{
+  return this->Impl->Materials.Stiffness.Array.c_str();
+}
+
+void vtkHapticSession::SetStiffnessComponent(int component)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Stiffness.Component = component; });
+}
+
+int vtkHapticSession::GetStiffnessComponent() const
+{
+  return this->Impl->Materials.Stiffness.Component;
+}
+
+void vtkHapticSession::SetStiffnessDataRange(double low, double high)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Stiffness.DataRange = { low, high }; });
+}
+
+double* vtkHapticSession::GetStiffnessDataRange()
+{
+  return this->Impl->Materials.Stiffness.DataRange.data();
+}
+
+void vtkHapticSession::SetStiffnessFeltRange(double atLow, double atHigh)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Stiffness.FeltRange = { atLow, atHigh }; });
+}
+
+double* vtkHapticSession::GetStiffnessFeltRange()
+{
+  return this->Impl->Materials.Stiffness.FeltRange.data();
+}
+
+void vtkHapticSession::SetFrictionArray(const char* name)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Friction.Array = name ? name : ""; });
+}
+
+const char* vtkHapticSession::GetFrictionArray() const
+{
+  return this->Impl->Materials.Friction.Array.c_str();
+}
+
+void vtkHapticSession::SetFrictionComponent(int component)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Friction.Component = component; });
+}
+
+int vtkHapticSession::GetFrictionComponent() const
+{
+  return this->Impl->Materials.Friction.Component;
+}
+
+void vtkHapticSession::SetFrictionDataRange(double low, double high)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Friction.DataRange = { low, high }; });
+}
+
+double* vtkHapticSession::GetFrictionDataRange()
+{
+  return this->Impl->Materials.Friction.DataRange.data();
+}
+
+void vtkHapticSession::SetFrictionFeltRange(double atLow, double atHigh)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Friction.FeltRange = { atLow, atHigh }; });
+}
+
+double* vtkHapticSession::GetFrictionFeltRange()
+{
+  return this->Impl->Materials.Friction.FeltRange.data();
+}
+
+void vtkHapticSession::SetTextureArray(const char* name)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Texture.Array = name ? name : ""; });
+}
+
+const char* vtkHapticSession::GetTextureArray() const
+{
+  return this->Impl->Materials.Texture.Array.c_str();
+}
+
+void vtkHapticSession::SetTextureComponent(int component)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Texture.Component = component; });
+}
+
+int vtkHapticSession::GetTextureComponent() const
+{
+  return this->Impl->Materials.Texture.Component;
+}
+
+void vtkHapticSession::SetTextureDataRange(double low, double high)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Texture.DataRange = { low, high }; });
+}
+
+double* vtkHapticSession::GetTextureDataRange()
+{
+  return this->Impl->Materials.Texture.DataRange.data();
+}
+
+void vtkHapticSession::SetTextureFeltRange(double atLow, double atHigh)
+{
+  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Texture.FeltRange = { atLow, atHigh }; });
+}
+
+double* vtkHapticSession::GetTextureFeltRange()
+{
+  return this->Impl->Materials.Texture.FeltRange.data();
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A session that feels arrays: what it says of them, and what a change of them costs.
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "vtkDoubleArray.h"
+#include "vtkHapticSceneWorker.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+namespace
+{
+constexpr double half = 100.0;      // u
+constexpr double stiffness = 500.0; // N/m
+constexpr double scale = 1000.0;    // u/m
+constexpr double depth = 2.0;       // u
+
+vtkSmartPointer<vtkPolyData> planeWithX()
+{
+  auto plane = makePlane(half);
+  vtkNew<vtkDoubleArray> x;
+  x->SetName("x");
+  for (vtkIdType i = 0; i < plane->GetNumberOfPoints(); ++i)
+  {
+    x->InsertNextValue(plane->GetPoint(i)[0]);
+  }
+  plane->GetPointData()->AddArray(x);
+  return plane;
+}
+
+/// A fed hand in virtual time.
+class HapticSessionMaterials : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->session_->VirtualTimeOn();
+    this->session_->SetStiffness(stiffness);
+    this->session_->SetScale(scale);
+  }
+
+  void show(vtkPolyData* surface)
+  {
+    this->session_->ClearSurfaces();
+    ASSERT_TRUE(this->session_->AddSurface("plane", surface, nullptr));
+    this->session_->CommitScene();
+    ASSERT_TRUE(this->session_->FinishScene());
+  }
+
+  Vec3 pressedAt(double x)
+  {
+    this->session_->SetHandPosition(x, 0.0, 1.0);
+    this->session_->TouchingOn();
+    this->session_->Step(1200); // arming and the ramp of 1 s
+    this->session_->SetHandPosition(x, 0.0, -depth);
+    this->session_->Step(100);
+    return Vec3(this->session_->GetForce());
+  }
+
+  vtkNew<vtkHapticSession> session_;
+};
+} // namespace
+
+TEST_F(HapticSessionMaterials, AnArrayIsFeltAndTheReportSaysHow)
+{
+  this->session_->SetStiffnessArray("x");
+  this->session_->SetStiffnessFeltRange(100.0, 400.0);
+  this->show(planeWithX());
+  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("stiffness from 'x', -100 to 100 as 100 to 400 N/m"));
+  const double x = 40.0, slope = 300.0 / (2.0 * half); // N/m per u
+  const double wall = 100.0 + slope * (x + half);
+  const Vec3 expected_W = Vec3(-0.5 * depth * depth * slope, 0.0, wall * depth) / scale;
+  EXPECT_LT((this->pressedAt(x) - expected_W).norm(), 1e-12);
+}
+
+TEST_F(HapticSessionMaterials, ASurfaceWithoutTheArrayKeepsItsOwnAndTheReportSaysSo)
+{
+  this->session_->SetTextureArray("roughness");
+  this->show(planeWithX());
+  EXPECT_THAT(
+    this->session_->GetSceneReport(), HasSubstr("its own texture, for it has no array 'roughness'; it has 'x'"));
+  EXPECT_NEAR(this->pressedAt(40.0).z(), stiffness * depth / scale, 1e-12);
+}
+
+TEST_F(HapticSessionMaterials, PointsWithoutANumberAreCountedInTheReport)
+{
+  const auto plane = planeWithX();
+  plane->GetPointData()->GetArray("x")->SetComponent(2, 0, std::numeric_limits<double>::infinity());
+  this->session_->SetFrictionArray("x");
+  this->show(plane);
+  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("1 point without a number as the surface itself"));
+}
+
+TEST_F(HapticSessionMaterials, RangesThatCannotBeAreRefusedAndTheOldOnesStay)
+{
+  vtkObject::GlobalWarningDisplayOff();
+  this->session_->SetFrictionFeltRange(0.1, 0.2);
+  this->session_->SetFrictionFeltRange(0.1, 10.5);
+  this->session_->SetStiffnessDataRange(std::nan(""), 1.0);
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_EQ(this->session_->GetFrictionFeltRange()[1], 0.2);
+  EXPECT_EQ(this->session_->GetStiffnessDataRange()[0], 0.0);
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("stiffness"));
+}
+
+TEST_F(HapticSessionMaterials, OnlyAChangeOfTheSettingsChangesTheirTime)
+{
+  const vtkMTimeType before = this->session_->GetMaterialTime();
+  this->session_->SetFrictionArray("");
+  this->session_->SetStiffness(300.0);
+  EXPECT_EQ(this->session_->GetMaterialTime(), before);
+  EXPECT_FALSE(this->session_->GetUsesMaterialArrays());
+  this->session_->SetFrictionArray("x");
+  EXPECT_NE(this->session_->GetMaterialTime(), before);
+  EXPECT_TRUE(this->session_->GetUsesMaterialArrays());
+}
+
+TEST_F(HapticSessionMaterials, AnotherRangeOrOtherValuesAreFeltAtOnce)
+{
+  const auto plane = planeWithX();
+  this->session_->SetStiffnessArray("x");
+  this->session_->SetStiffnessFeltRange(100.0, 100.0);
+  this->show(plane);
+  EXPECT_NEAR(this->pressedAt(0.0).z(), 100.0 * depth / scale, 1e-12);
+  this->session_->SetStiffnessFeltRange(300.0, 300.0);
+  this->show(plane);
+  this->session_->Step(1000); // the force before fades out
+  EXPECT_NEAR(this->session_->GetForce()[2], 300.0 * depth / scale, 1e-12);
+  this->session_->SetStiffnessFeltRange(0.0, 400.0);
+  this->session_->SetStiffnessDataRange(0.0, 100.0);
+  plane->GetPointData()->GetArray("x")->Fill(75.0);
+  plane->GetPointData()->GetArray("x")->Modified();
+  this->show(plane);
+  this->session_->Step(1000);
+  EXPECT_NEAR(this->session_->GetForce()[2], 300.0 * depth / scale, 1e-12);
+}
+
+TEST(SceneWorkerMaterials, AnotherRangeOrOtherValuesBuildNoTree)
+{
+  const auto plane = planeWithX();
+  vtkHapticSceneWorker worker;
+  const auto built = [&]
+  {
+    worker.Clear();
+    EXPECT_EQ(worker.Add("plane", plane, nullptr), "");
+    worker.Commit();
+    return worker.Wait()->Scene;
+  };
+  const auto first = built();
+  vtkHapticMaterialSettings settings;
+  settings.Stiffness.Array = "x";
+  worker.SetMaterials(settings);
+  const auto second = built();
+  plane->GetPointData()->GetArray("x")->Fill(1.0);
+  plane->GetPointData()->GetArray("x")->Modified();
+  const auto third = built();
+  EXPECT_EQ(first->surfaces()[0].tree, second->surfaces()[0].tree);
+  EXPECT_EQ(first->surfaces()[0].tree, third->surfaces()[0].tree);
+  EXPECT_EQ(first->surfaces()[0].fields, nullptr);
+  EXPECT_NE(second->geometryHash(), third->geometryHash());
+}

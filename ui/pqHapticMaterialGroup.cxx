@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticMaterialGroup.h"
+
+#include "pqHapticArrayChoice.h"
+#include "vtkSMProxy.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QSpinBox>
+
+namespace
+{
+/// Else the widest number a field could hold makes the whole panel wide [pixels].
+constexpr int leastFieldWidth = 60;
+constexpr double anything = 1e100;
+/// What the core accepts.
+constexpr double largestFriction = 10.0;
+
+QDoubleSpinBox* Number(QWidget* parent, const QString& name, double low, double high, const QString& tip)
+{
+  constexpr int decimals = 6;
+  auto* box = new QDoubleSpinBox(parent);
+  box->setObjectName(name);
+  box->setDecimals(decimals);
+  box->setRange(low, high);
+  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  box->setKeyboardTracking(false);
+  box->setMinimumWidth(leastFieldWidth);
+  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  box->setToolTip(tip);
+  return box;
+}
+
+QHBoxLayout* Beside(QWidget* left, QWidget* right)
+{
+  auto* row = new QHBoxLayout;
+  row->addWidget(left, 1);
+  row->addWidget(right, 1);
+  return row;
+}
+} // namespace
+
+pqHapticMaterialGroup::pqHapticMaterialGroup(QWidget* parent) : Superclass(tr("Material from data"), parent)
+{
+  this->setObjectName("materialGroup");
+  auto* form = new QFormLayout(this);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  this->add(
+    form, { "Stiffness", "stiffness", tr("Stiff&ness from"),
+            tr("Stiffness that is felt at that value [N/m]; never more than the spring's"), tr(" N/m"), 0.0, 1e6 });
+  this->add(
+    form, { "Friction", "friction", tr("Friction fro&m"),
+            tr("Friction that is felt at that value [1], at rest and sliding"), QString(), 0.0, largestFriction });
+  this->add(form,
+    { "Texture", "texture", tr("Te&xture from"),
+      tr("How far the felt surface stands out at that value [scene units]; its mean when the hand is too fast for it"),
+      tr(" u"), -1e9, 1e9 });
+}
+
+void pqHapticMaterialGroup::add(QFormLayout* form, const Looks& looks)
+{
+  const QString name = looks.Name;
+  Transfer transfer{};
+  transfer.Property = looks.Property;
+  transfer.Array = new pqHapticArrayChoice(this);
+  transfer.Array->setObjectName(name + "Array");
+  transfer.Array->setToolTip(tr("Array of points or cells of what is shown; surfaces without it keep their own"));
+  transfer.Component = new QSpinBox(this);
+  transfer.Component->setObjectName(name + "Component");
+  transfer.Component->setRange(-1, 99);
+  transfer.Component->setSpecialValueText(tr("length"));
+  transfer.Component->setPrefix(tr("part "));
+  transfer.Component->setKeyboardTracking(false);
+  transfer.Component->setToolTip(tr("Component of the array, from 0 on, or the length of a vector"));
+  const QString dataTip = tr("Value of the array at this end; both ends equal: the whole range of the array");
+  const char* const ends[] = { "Low", "High" };
+  for (int end = 0; end < 2; ++end)
+  {
+    transfer.Data[end] = Number(this, name + "Data" + ends[end], -anything, anything, dataTip);
+    transfer.Felt[end] = Number(this, name + "Felt" + ends[end], looks.Least, looks.Most, looks.FeltTip);
+    transfer.Felt[end]->setSuffix(looks.Unit);
+  }
+  form->addRow(looks.Title, transfer.Array);
+  form->labelForField(transfer.Array)->setToolTip(transfer.Array->toolTip());
+  form->addRow(tr("Component"), transfer.Component);
+  form->addRow(tr("Data range"), Beside(transfer.Data[0], transfer.Data[1]));
+  form->addRow(tr("Feels like"), Beside(transfer.Felt[0], transfer.Felt[1]));
+  const auto enable = [transfer]
+  {
+    const bool used = !transfer.Array->array().isEmpty();
+    for (QWidget* field : std::initializer_list<QWidget*>{
+           transfer.Component, transfer.Data[0], transfer.Data[1], transfer.Felt[0], transfer.Felt[1] })
+    {
+      field->setEnabled(used);
+    }
+  };
+  this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, enable);
+  enable();
+  this->Transfers.push_back(transfer);
+}
+
+void pqHapticMaterialGroup::setProxy(vtkSMProxy* proxy)
+{
+  this->Links.clear();
+  for (const Transfer& transfer : this->Transfers)
+  {
+    if (proxy)
+    {
+      this->link(transfer, proxy);
+    }
+  }
+}
+
+void pqHapticMaterialGroup::link(const Transfer& transfer, vtkSMProxy* proxy)
+{
+  const auto link = [&](QObject* widget, const char* what, const char* signal, const char* name, int index)
+  {
+    const QByteArray property = QByteArray(transfer.Property) + name;
+    this->Links.addTraceablePropertyLink(widget, what, signal, proxy, proxy->GetProperty(property), index);
+  };
+  link(transfer.Array, "array", SIGNAL(arrayChanged()), "Array", -1);
+  link(transfer.Component, "value", SIGNAL(valueChanged(int)), "Component", -1);
+  for (int end = 0; end < 2; ++end)
+  {
+    link(transfer.Data[end], "value", SIGNAL(valueChanged(double)), "DataRange", end);
+    link(transfer.Felt[end], "value", SIGNAL(valueChanged(double)), "FeltRange", end);
+  }
+}
+
+void pqHapticMaterialGroup::setArrayNames(const QStringList& names)
+{
+  for (const Transfer& transfer : this->Transfers)
+  {
+    transfer.Array->setNames(names);
+  }
+}
+
+QList<QWidget*> pqHapticMaterialGroup::fields() const
+{
+  QList<QWidget*> fields;
+  for (const Transfer& transfer : this->Transfers)
+  {
+    fields << transfer.Array << transfer.Component << transfer.Data[0] << transfer.Data[1] << transfer.Felt[0]
+           << transfer.Felt[1];
+  }
+  return fields;
+}
