@@ -92,22 +92,56 @@ private:
     {
       return;
     }
-    const double t = std::max(0.0, (distance - m.r) / -rate);
-    if (t > this->best_.t)
+    double t = std::max(0.0, (distance - m.r) / -rate);
+    if (t <= this->best_.t && (this->isOver(face, t) || this->comesOver(face, distance, rate, t)))
     {
-      return;
+      this->offer(t, { this->surface_, triangle, 0, FeatureKind::Face, static_cast<std::int8_t>(side), false });
     }
-    const Vec3 centre_W = m.x_W + t * m.d;
+  }
+
+  /// True if the centre projects into the face at t.
+  [[nodiscard]] bool isOver(const FaceRecord& face, double t) const noexcept
+  {
+    const Vec3 centre_W = this->m_.x_W + t * this->m_.d;
     for (int k = 0; k < 3; ++k)
     {
       const Vec3& a = face.corner_W[k];
       const Vec3 e = face.corner_W[(k + 1) % 3] - a;
       if (e.cross(face.normal_W).dot(centre_W - a) > 0.0)
       {
-        return;
+        return false;
       }
     }
-    this->offer(t, { this->surface_, triangle, 0, FeatureKind::Face, static_cast<std::int8_t>(side), false });
+    return true;
+  }
+
+  /// A ball that hardly sinks may be at the plane of a face before it comes over the face, too little below it to meet
+  /// the border, and get deeper than rounding later: then the moment it comes over it is the contact. t: in, when the
+  /// plane is reached; out, that moment.
+  [[nodiscard]] bool comesOver(const FaceRecord& face, double distance, double rate, double& t) const noexcept
+  {
+    const Motion& m = this->m_;
+    const double limit = m.r - m.tol;
+    double out = 1.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vec3& a = face.corner_W[k];
+      const Vec3 outward = (face.corner_W[(k + 1) % 3] - a).cross(face.normal_W);
+      const double outside = outward.dot(m.x_W - a), leaving = outward.dot(m.d);
+      if (outside + t * leaving > 0.0)
+      {
+        t = leaving < 0.0 ? -outside / leaving : 2.0;
+        if (t > 1.0 || distance + t * rate < limit - m.tol)
+        {
+          return false; // never, or surely deep enough to meet the border first
+        }
+      }
+      else if (leaving > 0.0)
+      {
+        out = std::min(out, -outside / leaving);
+      }
+    }
+    return out > t && distance + out * rate < limit;
   }
 
   void testEdge(std::uint32_t i, std::uint32_t j) noexcept
