@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/geometry/InkLines.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+
+/// The eight pixels round one, from above it clockwise.
+constexpr std::array<std::array<int, 2>, 8> round{ { { 0, -1 }, { 1, -1 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 },
+  { -1, 0 }, { -1, -1 } } };
+
+std::array<bool, 8> neighbours(const Bitmap& drawing, std::size_t pixel)
+{
+  const auto x = static_cast<std::int64_t>(pixel % drawing.width), y = static_cast<std::int64_t>(pixel / drawing.width);
+  std::array<bool, 8> ink{};
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    ink[i] = drawing.at(x + round[i][0], y + round[i][1]);
+  }
+  return ink;
+}
+
+/// Guo & Hall's conditions: one run of ink round the pixel, two or three neighbours when pairs are counted once, and
+/// the side whose turn it is blank.
+bool mayGo(const std::array<bool, 8>& p, bool secondTurn)
+{
+  int runs = 0, pairs = 0, shifted = 0;
+  for (std::size_t i = 0; i < 8; i += 2)
+  {
+    runs += !p[i] && (p[i + 1] || p[(i + 2) % 8]) ? 1 : 0;
+    pairs += p[(i + 7) % 8] || p[i] ? 1 : 0;
+    shifted += p[i] || p[i + 1] ? 1 : 0;
+  }
+  const int count = std::min(pairs, shifted);
+  const bool sideBlank = secondTurn ? !((p[4] || p[5] || !p[7]) && p[6]) : !((p[0] || p[1] || !p[3]) && p[2]);
+  return runs == 1 && count >= 2 && count <= 3 && sideBlank;
+}
+
+} // namespace
+
+void thin(Bitmap& drawing)
+{
+  std::vector<std::size_t> left, going;
+  for (std::size_t pixel = 0; pixel < drawing.ink.size(); ++pixel)
+  {
+    if (drawing.ink[pixel])
+    {
+      left.push_back(pixel);
+    }
+  }
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (const bool secondTurn : { false, true })
+    {
+      going.clear();
+      std::copy_if(left.begin(), left.end(), std::back_inserter(going),
+        [&](std::size_t pixel) { return mayGo(neighbours(drawing, pixel), secondTurn); });
+      for (const std::size_t pixel : going)
+      {
+        drawing.ink[pixel] = 0;
+      }
+      std::erase_if(left, [&](std::size_t pixel) { return !drawing.ink[pixel]; });
+      changed = changed || !going.empty();
+    }
+  }
+}
+
+LooseLines linesOf(const Bitmap& thinned)
+{
+  LooseLines lines;
+  std::vector<std::uint32_t> index(thinned.ink.size());
+  for (std::size_t pixel = 0; pixel < thinned.ink.size(); ++pixel)
+  {
+    if (!thinned.ink[pixel])
+    {
+      continue;
+    }
+    const auto x = static_cast<std::int64_t>(pixel % thinned.width);
+    const auto y = static_cast<std::int64_t>(pixel / thinned.width);
+    index[pixel] = static_cast<std::uint32_t>(lines.points_W.size());
+    lines.points_W.emplace_back(x, y, 0.0);
+    const auto join = [&](int dx, int dy) {
+      lines.segments.push_back({ index[static_cast<std::size_t>((y + dy) * thinned.width + x + dx)], index[pixel] });
+    };
+    const bool west = thinned.at(x - 1, y), north = thinned.at(x, y - 1), east = thinned.at(x + 1, y);
+    if (west)
+    {
+      join(-1, 0);
+    }
+    if (north)
+    {
+      join(0, -1);
+    }
+    if (thinned.at(x - 1, y - 1) && !west && !north)
+    {
+      join(-1, -1);
+    }
+    if (thinned.at(x + 1, y - 1) && !north && !east)
+    {
+      join(1, -1);
+    }
+  }
+  return lines;
+}
+
+} // namespace palpate

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// A drawing: which pixels have ink, row after row. Its edge counts as blank all round.
+struct Bitmap
+{
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint8_t> ink; ///< width * height, 0 or 1
+
+  [[nodiscard]] bool at(std::int64_t x, std::int64_t y) const noexcept
+  {
+    return x >= 0 && y >= 0 && x < this->width && y < this->height &&
+           this->ink[static_cast<std::size_t>(y * this->width + x)] != 0;
+  }
+};
+
+/// Takes ink from the sides of strokes, evenly, until they are one pixel wide: Guo & Hall 1989. Pieces stay as many as
+/// they are and keep their holes; ends of strokes stay. O(pixels + ink * width of the widest stroke).
+void thin(Bitmap& drawing);
+
+/// Loose lines: points and pairs of their indices.
+struct LooseLines
+{
+  std::vector<Vec3> points_W;
+  std::vector<std::array<std::uint32_t, 2>> segments;
+};
+
+/// The lines from pixel to neighbouring pixel of a thinned drawing, a point at each pixel (x, y, 0) with ink. Across a
+/// corner only where no third pixel joins the two: so a bend has no little triangle.
+[[nodiscard]] LooseLines linesOf(const Bitmap& thinned);
+
+/// Joins every free end to the nearest point of another line, or to the other end of its own, that is no farther than
+/// gap_u > 0. Before that it leaves out the hooks: lines shorter than gap_u between a free end and a place where more
+/// than two meet, which thinning leaves behind and which would be closed to loops. O(n) for evenly spread points.
+void mendGaps(LooseLines& lines, double gap_u);
+
+} // namespace palpate
