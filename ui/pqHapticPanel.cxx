@@ -110,6 +110,7 @@ public:
   QDoubleSpinBox* FrictionKinetic;
   pqHapticMaterialGroup* Material;
   QCheckBox* Passivity;
+  QCheckBox* Shading;
   QCheckBox* Limit;
   QSpinBox* Delay;
   QComboBox* Velocity;
@@ -180,6 +181,8 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
   form->addRow(tr("&Radius"), this->Radius);
   form->addRow(tr("S&cale"), this->Scale);
   this->Fit = new QPushButton(tr("&Fit Hand to Scene"), parent);
+  this->Shading = Switch(form, "shading", tr("Smoot&h forces over facets"),
+    tr("As if the surface were round between its corners; edges sharper than 30 degrees stay as they are"));
   this->Fit->setObjectName("fit");
   this->Fit->setToolTip(tr("Scale and offset such that the device's workspace holds everything that is touched"));
   form->addRow(this->Fit);
@@ -274,7 +277,7 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 void pqHapticPanel::Internals::setTabOrder()
 {
   QWidget* order[] = { this->Device, this->Hand, this->Touch, this->Release, this->Stiffness, this->Radius, this->Scale,
-    this->Fit, this->FrictionStatic, this->FrictionKinetic, this->Limit, this->Passivity, this->Delay, this->Velocity,
+    this->Shading, this->Fit, this->FrictionStatic, this->FrictionKinetic, this->Limit, this->Passivity, this->Delay, this->Velocity,
     this->Scene };
   for (std::size_t i = 1; i < std::size(order); ++i)
   {
@@ -374,6 +377,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   link(w.FrictionKinetic, "value", SIGNAL(valueChanged(double)), "FrictionKinetic");
   link(w.Limit, "checked", SIGNAL(toggled(bool)), "LimitStiffness");
   link(w.Passivity, "checked", SIGNAL(toggled(bool)), "Passivity");
+  link(w.Shading, "checked", SIGNAL(toggled(bool)), "ForceShading");
   link(w.Delay, "value", SIGNAL(valueChanged(int)), "Delay");
   link(w.Velocity, "currentText", SIGNAL(currentTextChanged(const QString&)), "VelocityMethod");
   this->refresh();

@@ -40,11 +40,12 @@ QString FrictionOf(const vtkHapticSession& session)
            : now;
 }
 
-/// A fault has a reason; otherwise the last thing that was refused is what the person must know.
+/// A fault has a reason, a warning comes next; otherwise the last thing that was refused is what the person must know.
 QString ReasonOf(const vtkHapticSession& session)
 {
   const QString fault = QString::fromUtf8(session.GetFaultText());
-  return fault.isEmpty() ? QString::fromUtf8(session.GetProblem()) : fault;
+  const QString warning = QString::fromUtf8(session.GetWarning());
+  return !fault.isEmpty() ? fault : !warning.isEmpty() ? warning : QString::fromUtf8(session.GetProblem());
 }
 } // namespace
 

@@ -108,6 +108,7 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Passivity: " << this->GetPassivity() << ", delay " << this->GetDelay() << " ticks\n";
   os << indent << "LimitStiffness: " << this->GetLimitStiffness() << "\n";
   os << indent << "VelocityMethod: " << this->GetVelocityMethod() << "\n";
+  os << indent << "ForceShading: " << this->GetForceShading() << "\n";
   os << indent << "Hand: " << this->Impl->HeldBy << "\n";
   os << indent << "Damping: " << this->GetDamping() << " N s/m\n";
   os << indent << "Radius: " << this->GetRadius() << " u\n";
@@ -208,7 +209,9 @@ void vtkHapticSession::Start()
   {
     fed->feed(SampleAt(impl.Parameters.map, impl.Hand_W)); // before the first tick reads it
   }
-  impl.Parameters.safety = palpate::SafetyLimits::forDevice(made.device->info().maxForce_N.value);
+  const palpate::DeadMan deadMan = impl.Parameters.safety.deadMan;
+  impl.Parameters.safety = palpate::SafetyLimits::forDevice(made.device->info());
+  impl.Parameters.safety.deadMan = deadMan;
   impl.Problem.clear();
   this->Refuse(impl.Core.setParameters(impl.Parameters));
   palpate::SessionOptions options;

@@ -168,6 +168,28 @@ public:
   double GetFrictionKineticUsed() const;
   ///@}
 
+  ///@{
+  /**
+   * What the hand must hold to be pushed: buttons (bit i: button i will do; default 0) or the grip sensor (default off);
+   * none of both: nothing. Let go, the force is zero within 50 ms and starts again from a small one.
+   */
+  virtual void SetDeadManButtons(int mask);
+  virtual int GetDeadManButtons() const;
+  virtual void SetDeadManGrip(bool on);
+  virtual bool GetDeadManGrip() const;
+  vtkBooleanMacro(DeadManGrip, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Smooth forces over the facets of a mesh (Morgenbesser & Srinivasan 1996), never across edges sharper than 30 degrees.
+   * Such a force has no potential: a closed way may take or give a little work. Default off.
+   */
+  virtual void SetForceShading(bool on);
+  virtual bool GetForceShading() const;
+  vtkBooleanMacro(ForceShading, bool);
+  ///@}
+
   /** @name Material from data
    * From an array of the points, or else the cells, of a surface (cells: the mean of those around a point): its name
    * ("", default: none), its component (-1, default: the length of a vector, the value of a scalar), a data range
@@ -322,6 +344,8 @@ public:
   int GetContacts() const;
   double GetDepth() const;
   ///@}
+  /// What needs attention without being a fault, and what to do: "" if nothing.
+  const char* GetWarning() const;
 
   /// What friction does now: "sticks", "slips", or "" without contact or friction.
   const char* GetFrictionText() const;

@@ -155,6 +155,7 @@ void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Radius: " << this->Radius << " u\n";
   os << indent << "FrictionStatic: " << this->FrictionStatic << "\n";
   os << indent << "FrictionKinetic: " << this->FrictionKinetic << "\n";
+  os << indent << "ForceShading: " << this->ForceShading << "\n";
   os << indent << "StiffnessArray: " << this->GetStiffnessArray() << "\n";
   os << indent << "FrictionArray: " << this->GetFrictionArray() << "\n";
   os << indent << "TextureArray: " << this->GetTextureArray() << "\n";
@@ -189,6 +190,7 @@ palpate::HapticParameters vtkTouchAlongPath::Parameters() const
   parameters.stiffness_N_per_m = this->Stiffness;
   parameters.contact.radius_u = this->Radius;
   parameters.contact.friction = { this->FrictionStatic, this->FrictionKinetic };
+  parameters.contact.shading = this->ForceShading;
   parameters.map.scale_u_per_m = this->Scale;
   parameters.safety = palpate::SafetyLimits::none();
   return parameters;

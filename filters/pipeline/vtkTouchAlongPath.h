@@ -67,6 +67,13 @@ public:
   vtkGetMacro(FrictionKinetic, double);
   ///@}
 
+  ///@{
+  /// Smooth forces over facets, never across edges sharper than 30 degrees. Default off.
+  vtkSetMacro(ForceShading, bool);
+  vtkGetMacro(ForceShading, bool);
+  vtkBooleanMacro(ForceShading, bool);
+  ///@}
+
   /** @name Material from data
    * From an array of the points, or else the cells, of a surface (cells: the mean of those around a point): its name
    * ("", default: none), its component (-1, default: the length of a vector, the value of a scalar), a data range
@@ -149,6 +156,7 @@ private:
   double Radius = 0.0;
   double FrictionStatic = 0.0;
   double FrictionKinetic = 0.0;
+  bool ForceShading = false;
   double Scale = 1.0;
   double Rate = 1000.0;
   char* TimeArray = nullptr;

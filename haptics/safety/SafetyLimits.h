@@ -3,6 +3,11 @@
 
 #include <limits>
 
+#include "haptics/core/DeviceInfo.h"
+#include "haptics/safety/DeadMan.h"
+#include "haptics/safety/HandLimits.h"
+#include "haptics/safety/PositionWatch.h"
+
 namespace palpate
 {
 
@@ -18,23 +23,37 @@ struct SafetyLimits
   double releaseRamp_s = 0.05;
   double faultRamp_s = 0.01;
   bool needsEngage = true; ///< false: a program's own path, engaged from the first tick
+  DeadMan deadMan;         ///< what must be held; let go: force to zero, and armed again
+  HandLimits hand;
+  double frozenAbove_N = PositionWatch::never; ///< a position that stays the same under more force than this is said
 
   /// No device, no hand: the headless tick.
   [[nodiscard]] static SafetyLimits none() noexcept
   {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
-    return { unlimited, unlimited, 0.0, unlimited, 0.0, 0.0, false };
+    SafetyLimits limits;
+    limits.maxForce_N = limits.maxRise_N_per_s = limits.engageBelow_N = unlimited;
+    limits.engageRamp_s = limits.releaseRamp_s = limits.faultRamp_s = 0.0;
+    limits.needsEngage = false;
+    return limits;
   }
 
-  /// Limits for a device that can give maxForce_N: 60 % of it, reached in no less than 20 ms (S1, S2).
-  [[nodiscard]] static SafetyLimits forDevice(double deviceMaxForce_N) noexcept
+  /// Of a device: 60 % of its largest force, reached in no less than 20 ms, and what no hand does. A device that pushes
+  /// nobody may be led as fast as one likes; a simulated one may stand still to the bit.
+  [[nodiscard]] static SafetyLimits forDevice(const DeviceInfo& device) noexcept
   {
     SafetyLimits limits;
-    if (deviceMaxForce_N < std::numeric_limits<double>::infinity())
+    const double most_N = device.maxForce_N.value;
+    if (most_N < std::numeric_limits<double>::infinity())
     {
-      limits.maxForce_N = 0.6 * deviceMaxForce_N;
-      limits.maxRise_N_per_s = 50.0 * deviceMaxForce_N;
-      limits.engageBelow_N = 0.1 * deviceMaxForce_N;
+      limits.maxForce_N = 0.6 * most_N;
+      limits.maxRise_N_per_s = 50.0 * most_N;
+      limits.engageBelow_N = 0.1 * most_N;
+    }
+    if (device.rendersForce)
+    {
+      limits.hand = handLimits(device.workspaceRadius_m.value, most_N);
+      limits.frozenAbove_N = device.simulated ? PositionWatch::never : 0.2 * most_N;
     }
     return limits;
   }

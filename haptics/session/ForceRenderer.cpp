@@ -58,16 +58,16 @@ public:
       this->latch(Fault::DeviceLost);
       this->s_.gain = 0.0;
     }
-    if (this->in_.lateness.fault != Fault::None)
-    {
-      this->latch(this->in_.lateness.fault);
-    }
+    this->latchIf(this->in_.lateness.fault);
     if (!isFinite(this->in_.sample) || !this->p_.map.toScene(this->in_.sample.pose_D.p).allFinite())
     {
       return this->holdNothing();
     }
     this->stiffen();
+    this->watchHand();
     this->contact();
+    this->latchIf(judgeHand(this->p_.safety.hand, this->out_.state.velocity_D.norm(), this->s_.lastForce_D.norm(),
+      this->out_.state.energy.excess_J));
     this->blendScenes();
     this->protect();
     return this->out_;
@@ -82,6 +82,27 @@ private:
     {
       this->s_.engage = EngageState::Fault;
       this->s_.fault = fault;
+    }
+  }
+
+  void latchIf(Fault fault) noexcept
+  {
+    if (fault != Fault::None)
+    {
+      this->latch(fault);
+    }
+  }
+
+  /// Who lets go of what must be held is not pushed, and starts again from a small force.
+  void watchHand() noexcept
+  {
+    const DeviceSample& sample = this->in_.sample;
+    this->out_.state.frozen = this->s_.tracked && this->s_.watch.look(sample.pose_D.p, this->s_.lastP_D,
+                                                    this->s_.lastForce_D.norm(), this->p_.safety.frozenAbove_N, this->in_.dt_s);
+    this->out_.state.letGo = !isHeld(this->p_.safety.deadMan, sample.buttons, sample.grip);
+    if (this->out_.state.letGo && this->s_.engage == EngageState::Engaged)
+    {
+      this->s_.engage = EngageState::Armed;
     }
   }
 
@@ -307,7 +328,7 @@ private:
   {
     HapticState& state = this->out_.state;
     const SafetyLimits& limits = this->p_.safety;
-    if (this->s_.engage == EngageState::Armed && !this->seatFailed_ && this->touchable() &&
+    if (this->s_.engage == EngageState::Armed && !state.letGo && !this->seatFailed_ && this->touchable() &&
         state.rendered_D.norm() <= limits.engageBelow_N)
     {
       this->s_.engage = EngageState::Engaged;

@@ -18,7 +18,7 @@ bool nonNegative(double value)
 bool usable(const SafetyLimits& s)
 {
   const auto limits = { s.maxForce_N, s.maxRise_N_per_s, s.engageRamp_s, s.engageBelow_N, s.releaseRamp_s,
-    s.faultRamp_s };
+    s.faultRamp_s, s.hand.speed_m_per_s, s.hand.excess_J, s.frozenAbove_N };
   return std::all_of(limits.begin(), limits.end(), [](double limit) { return limit >= 0.0; });
 }
 

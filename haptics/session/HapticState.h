@@ -50,6 +50,8 @@ struct HapticState
   bool pinned = false;          ///< moving surfaces leave the ball less room than it needs
   bool held = false;            ///< no force this tick: its sample was not finite
   double gain = 0.0;            ///< engage ramp, 0..1
+  bool frozen = false;          ///< the position stays the same to the bit under force: does the device still measure?
+  bool letGo = false;           ///< what must be held is not
   double stiffnessFactor = 1.0; ///< below 1: cut because the loop runs late
   double stiffness_N_per_m = 0.0; ///< of the coupling in this tick, after every limit
   bool stiffnessLimited = false;  ///< to what the device and the rate can hold

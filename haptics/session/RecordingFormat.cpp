@@ -104,6 +104,11 @@ void layParameters(const Io& io, T& p)
   io(p.safety.releaseRamp_s);
   io(p.safety.faultRamp_s);
   io(p.safety.needsEngage);
+  io(p.safety.deadMan.buttons);
+  io(p.safety.deadMan.grip);
+  io(p.safety.hand.speed_m_per_s);
+  io(p.safety.hand.excess_J);
+  io(p.safety.frozenAbove_N);
 }
 
 template <class Io, class T>
@@ -126,6 +131,7 @@ void layState(const Io& io, T& s)
   io(s.fault);
   io(s.gain);
   io(s.engagedFor_s);
+  io(s.watch.same_s);
   io(s.lastForce_D);
   io(s.lastRendered_D);
   io(s.blend_D);

@@ -56,6 +56,7 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   command->add_option("--scale", options.Scale_u_per_m, "scene units per metre of the hand")->capture_default_str();
   command->add_option("--mu-static", options.MuStatic, "friction that holds at rest")->capture_default_str();
   command->add_option("--mu-kinetic", options.MuKinetic, "friction while it slides; without it the static one");
+  command->add_flag("--shading", options.Shading, "smooth forces over facets, not across edges sharper than 30 degrees");
   vtkHapticCliAddMaterials(*command, options.Materials);
   const std::string absent = "not there yet";
   command->add_flag(AbsentOptions[0], absent);

@@ -26,6 +26,7 @@ struct vtkHapticCliTouchOptions
   double Radius_u = 0.0;
   double MuStatic = 0.0;
   std::optional<double> MuKinetic;
+  bool Shading = false;
   vtkHapticMaterialSettings Materials;
   double Stiffness_N_per_m = 1000.0;
   double Scale_u_per_m = 1.0;

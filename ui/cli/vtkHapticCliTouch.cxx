@@ -22,6 +22,7 @@ palpate::HapticParameters ParametersOf(const vtkHapticCliTouchOptions& options)
   parameters.stiffness_N_per_m = options.Stiffness_N_per_m / options.Scale_u_per_m;
   parameters.contact.radius_u = options.Radius_u;
   parameters.contact.friction = { options.MuStatic, options.MuKinetic.value_or(options.MuStatic) };
+  parameters.contact.shading = options.Shading;
   parameters.safety = palpate::SafetyLimits::none();
   if (const std::string problem = parameters.validate(); !problem.empty())
   {

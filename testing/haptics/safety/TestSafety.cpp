@@ -84,10 +84,22 @@ TEST(LatenessPolicy, FollowsTheFaultTable)
 
 TEST(SafetyLimits, OfADeviceAreSharesOfItsLargestForce)
 {
-  const SafetyLimits limits = SafetyLimits::forDevice(10.0);
+  DeviceInfo device;
+  device.maxForce_N = { 10.0, true };
+  device.workspaceRadius_m = { 0.1, true };
+  const SafetyLimits limits = SafetyLimits::forDevice(device);
   EXPECT_EQ(limits.maxForce_N, 6.0);
   EXPECT_EQ(limits.maxRise_N_per_s, 500.0); // 0 to 10 N in 20 ms
   EXPECT_EQ(limits.engageBelow_N, 1.0);
+  EXPECT_EQ(limits.frozenAbove_N, 2.0);
+  EXPECT_EQ(limits.hand.speed_m_per_s, 2.0);
+}
+
+TEST(SafetyLimits, LeaveADeviceThatPushesNobodyAsFastAsItIsLed)
+{
+  DeviceInfo device;
+  device.rendersForce = false;
+  EXPECT_EQ(SafetyLimits::forDevice(device).hand.speed_m_per_s, HandLimits::unlimited);
 }
 
 } // namespace

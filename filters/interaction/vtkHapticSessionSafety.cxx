@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a hand must hold, and what is said without ending the force.
+#include "vtkHapticSessionInternals.h"
+
+void vtkHapticSession::SetDeadManButtons(int mask)
+{
+  if (mask < 0)
+  {
+    vtkErrorMacro("dead-man buttons: bit i stands for button i, so the mask is 0 (none) or more, not " << mask);
+    return;
+  }
+  this->Change([=](palpate::HapticParameters& p) { p.safety.deadMan.buttons = static_cast<std::uint32_t>(mask); });
+}
+
+int vtkHapticSession::GetDeadManButtons() const
+{
+  return static_cast<int>(this->Impl->Parameters.safety.deadMan.buttons);
+}
+
+void vtkHapticSession::SetDeadManGrip(bool on)
+{
+  this->Change([=](palpate::HapticParameters& p) { p.safety.deadMan.grip = on; });
+}
+
+bool vtkHapticSession::GetDeadManGrip() const
+{
+  return this->Impl->Parameters.safety.deadMan.grip;
+}
+
+const char* vtkHapticSession::GetWarning() const
+{
+  if (this->Impl->State.letGo)
+  {
+    return "the dead-man is not held: hold its button or the grip to feel";
+  }
+  if (this->Impl->State.frozen)
+  {
+    return "the position has not changed for a quarter of a second under force: if the handle moved, check the device";
+  }
+  return "";
+}
