@@ -134,6 +134,35 @@ TEST(TouchAlongPath, KineticFrictionAboveTheStaticOneIsRefused)
   EXPECT_THAT(errorsOf(touch).at(0), HasSubstr("friction"));
 }
 
+TEST(TouchAlongPath, ForceShadingTurnsTheForceOnAFacetedSphereToItsRadius)
+{
+  constexpr double radius = 50.0;
+  const vtkSmartPointer<vtkPolyData> sphere = makeSphere(radius, 24); // its corners lie on the sphere
+  const auto mostOff = [&](bool shading)
+  {
+    std::vector<Vec3> path_W{ Vec3(1.2 * radius, 0.0, 0.0) };
+    for (int i = 0; i <= 2000; ++i)
+    {
+      const double a = 1e-3 * i;
+      path_W.push_back((radius - 1.0) * Vec3(std::cos(a), std::sin(a), 0.1).normalized());
+    }
+    vtkNew<vtkTouchAlongPath> touch;
+    touch->SetInputData(sphere);
+    touch->SetPathData(makePath(path_W));
+    touch->SetForceShading(shading);
+    touch->Update();
+    double off = 0.0;
+    for (std::size_t i = 5; i < path_W.size(); ++i) // it lands unshaded
+    {
+      const Vec3 force_W = vectorAt(touch->GetOutput(), "Force", static_cast<vtkIdType>(i));
+      off = std::max(off, force_W.cross(path_W[i]).norm() / (force_W.norm() * path_W[i].norm()));
+    }
+    return off;
+  };
+  EXPECT_LT(mostOff(true), 1e-4);
+  EXPECT_GT(mostOff(false), 0.05); // half of the 7.5 degrees between faces, and more
+}
+
 TEST(TouchAlongPath, ForceOnASphereIsThatOfTheFaceTheHandIsBehind)
 {
   constexpr double radius = 50.0;
