@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "testing/support/QpOracle.h"
@@ -27,6 +28,8 @@ constexpr double touchShare = 1e-6;
 constexpr double restShare = 2e-3;
 
 } // namespace
+
+JudgedMesh::JudgedMesh(TriangleMesh clean) : mesh(std::move(clean)), nearest(this->mesh), path(this->mesh, 0.0) {}
 
 bool RunFigures::clean() const noexcept
 {
@@ -70,15 +73,16 @@ std::string RunFigures::text() const
 }
 
 LongRun::LongRun(const RunTask& task)
-  : task_(task), checker_(*task.touched, task.plan.radius_u, clearanceShare * task.size_u),
-    wayChecker_(*task.touched, task.plan.radius_u, clearanceShare * task.size_u), nearest_(*task.touched),
-    random_(task.seed), depth_u_(std::max(0.03 * task.size_u, 1.5 * task.plan.radius_u)),
-    hand_(task.shape != nullptr ? *task.shape : *task.touched, this->depth_u_, task.seed + 1)
+  : task_(task), checker_(task.touched->path, task.plan.radius_u, clearanceShare * task.size_u),
+    wayChecker_(task.touched->path, task.plan.radius_u, clearanceShare * task.size_u), random_(task.seed),
+    depth_u_(std::max(0.03 * task.size_u, 1.5 * task.plan.radius_u)),
+    hand_(task.shape != nullptr ? task.shape->mesh : task.touched->mesh, this->depth_u_, task.seed + 1)
 {
   const double half_u = task.gap_u / 2;
   if (task.shape != nullptr && half_u < task.plan.radius_u + (task.gap_u == 0.0))
   {
-    this->shapeChecker_.emplace(*task.shape, std::max(0.0, task.plan.radius_u - half_u), clearanceShare * task.size_u);
+    this->shapeChecker_.emplace(
+      task.shape->path, std::max(0.0, task.plan.radius_u - half_u), clearanceShare * task.size_u);
   }
   this->placed_ = this->place();
 }
@@ -86,8 +90,8 @@ LongRun::LongRun(const RunTask& task)
 /// A random place beside a face, on the wanted side of it and free of everything else.
 bool LongRun::place()
 {
-  const TriangleMesh& mesh = this->task_.shape != nullptr ? *this->task_.shape : *this->task_.touched;
-  const NearestPoints shape(mesh);
+  const JudgedMesh& shape = this->task_.shape != nullptr ? *this->task_.shape : *this->task_.touched;
+  const TriangleMesh& mesh = shape.mesh;
   for (int attempt = 0; attempt < placeAttempts; ++attempt)
   {
     const auto [a, b, c] = mesh.triangles[this->random_.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
@@ -96,7 +100,7 @@ bool LongRun::place()
     const Vec3 normal = (vb - va).cross(vc - va).normalized() * (this->task_.inside ? -1.0 : 1.0);
     const Vec3 x_W = (va + vb + vc) / 3 + away_u * normal;
     const double least_u = 1.1 * this->task_.plan.radius_u + 0.5e-4 * this->task_.size_u;
-    if (shape.distance_u(x_W) > (1 - 1e-6) * away_u && this->nearest_.distance_u(x_W) > least_u)
+    if (shape.nearest.distance_u(x_W) > (1 - 1e-6) * away_u && this->task_.touched->nearest.distance_u(x_W) > least_u)
     {
       this->tick(x_W);
       return this->state_.x_W == x_W;
@@ -206,7 +210,10 @@ void LongRun::keepStill()
     this->note(this->figures_.restless, "it moves while the hand keeps still");
     return;
   }
-  this->judgeRest(result);
+  if (this->task_.plan.friction.none())
+  {
+    this->judgeRest(result);
+  }
 }
 
 void LongRun::judgeRest(const ContactResult& result)
@@ -232,7 +239,7 @@ bool LongRun::ballCouldGoOn() const
     return false;
   }
   std::vector<PlaneRow> rows;
-  for (const Vec3& nearest_W : this->nearest_.within(this->state_.x_W, (1 + touchShare) * r))
+  for (const Vec3& nearest_W : this->task_.touched->nearest.within(this->state_.x_W, (1 + touchShare) * r))
   {
     const Vec3 normal = (this->state_.x_W - nearest_W).normalized();
     const auto same = [&](const PlaneRow& row) { return (row.n - normal).norm() <= touchShare; };

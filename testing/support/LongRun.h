@@ -42,14 +42,24 @@ struct RunFigures
   [[nodiscard]] std::string text() const;
 };
 
+/// A mesh with what judges ways over it.
+struct JudgedMesh
+{
+  explicit JudgedMesh(TriangleMesh clean);
+
+  TriangleMesh mesh;
+  NearestPoints nearest;
+  PathChecker path;
+};
+
 /// A surface to be touched for a long time and how it is judged.
 struct RunTask
 {
   std::shared_ptr<const Scene> scene;
-  const TriangleMesh* touched = nullptr; ///< the scene's one mesh, cleaned
-  const TriangleMesh* shape = nullptr;   ///< what must not be passed although `touched` has gaps, or null
-  double gap_u = 0.0;                    ///< of `touched` against `shape`
-  double size_u = 1.0;                   ///< largest extent
+  const JudgedMesh* touched = nullptr; ///< the scene's one mesh, cleaned
+  const JudgedMesh* shape = nullptr;   ///< what must not be passed although `touched` has gaps, or null
+  double gap_u = 0.0;                  ///< of `touched` against `shape`
+  double size_u = 1.0;                 ///< largest extent
   ContactPlan plan;
   bool inside = false; ///< which side the ball begins on: that the normals point away from
   std::uint64_t seed = 0;
@@ -60,7 +70,7 @@ struct RunTask
 class LongRun final : private PathSink
 {
 public:
-  /// The meshes must outlive it.
+  /// The meshes must outlive it. Under friction nothing is said about where the ball rests.
   explicit LongRun(const RunTask& task);
 
   /// False where a ball of this radius has no room on that side: nothing can be run.
@@ -86,7 +96,6 @@ private:
   PathChecker checker_;
   PathChecker wayChecker_; ///< for ways that are only asked for
   std::optional<PathChecker> shapeChecker_;
-  NearestPoints nearest_;
   Random random_;
   double depth_u_;
   RandomHand hand_;

@@ -36,8 +36,7 @@ typename Kernel::Triangle_3 triangleOf(const TriangleMesh& mesh, std::size_t t)
 template<class Kernel>
 typename Kernel::FT squaredDistance(const typename Kernel::Segment_3& way, const typename Kernel::Triangle_3& triangle)
 {
-  auto least = std::min(
-    CGAL::squared_distance(way.source(), triangle), CGAL::squared_distance(way.target(), triangle));
+  auto least = std::min(CGAL::squared_distance(way.source(), triangle), CGAL::squared_distance(way.target(), triangle));
   for (int k = 0; k < 3; ++k)
   {
     const typename Kernel::Segment_3 side(triangle.vertex(k), triangle.vertex(k + 1));
@@ -60,8 +59,7 @@ std::string text(const Vec3& v)
 class PathChecker::Grid
 {
 public:
-  explicit Grid(const TriangleMesh& mesh)
-    : mesh_(mesh)
+  explicit Grid(const TriangleMesh& mesh) : mesh_(mesh)
   {
     this->low_ = this->high_ = mesh.vertices_W.at(mesh.triangles.at(0)[0]);
     for (const auto& t : mesh.triangles)
@@ -133,8 +131,12 @@ private:
 };
 
 PathChecker::PathChecker(const TriangleMesh& mesh, double radius_u, double clearanceTolerance_u)
-  : grid_(std::make_unique<const Grid>(mesh))
-  , leastDistance_u_(std::max(0.0, radius_u - clearanceTolerance_u))
+  : grid_(std::make_shared<const Grid>(mesh)), leastDistance_u_(std::max(0.0, radius_u - clearanceTolerance_u))
+{
+}
+
+PathChecker::PathChecker(const PathChecker& sameMesh, double radius_u, double clearanceTolerance_u)
+  : grid_(sameMesh.grid_), leastDistance_u_(std::max(0.0, radius_u - clearanceTolerance_u))
 {
 }
 
@@ -179,7 +181,8 @@ std::string PathChecker::findingFor(const Piece& piece) const
     const auto triangle = triangleOf<Filtered>(this->grid_->mesh(), t);
     if (CGAL::do_intersect(way, triangle))
     {
-      return "from " + text(piece.from_W) + " to " + text(piece.to_W) + " the centre meets triangle " + std::to_string(t);
+      return "from " + text(piece.from_W) + " to " + text(piece.to_W) + " the centre meets triangle " +
+             std::to_string(t);
     }
     if (least == 0.0 || squaredDistance<Filtered>(way, triangle) >= least * least)
     {

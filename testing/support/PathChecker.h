@@ -18,6 +18,8 @@ class PathChecker final : public PathSink
 public:
   /// `clearanceTolerance_u`: by how much the centre of a ball of radius r > 0 may come nearer than r.
   PathChecker(const TriangleMesh& mesh, double radius_u, double clearanceTolerance_u = 0.0);
+  /// The same for another ball over the same mesh, whose grid is shared.
+  PathChecker(const PathChecker& sameMesh, double radius_u, double clearanceTolerance_u);
   ~PathChecker() override;
 
   void segment(const Vec3& from_W, const Vec3& to_W) noexcept override;
@@ -38,7 +40,7 @@ private:
   };
   [[nodiscard]] std::string findingFor(const Piece& piece) const;
 
-  std::unique_ptr<const Grid> grid_;
+  std::shared_ptr<const Grid> grid_;
   double leastDistance_u_;
   std::vector<Piece> pieces_;
   std::size_t judged_ = 0;

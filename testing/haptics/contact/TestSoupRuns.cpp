@@ -29,11 +29,11 @@ std::vector<double> radiiFor(const BadMesh& made, Random& random)
 RunFigures runOn(const BadMesh& made, std::uint64_t seed, std::uint64_t ticks)
 {
   Random random(seed);
-  const TriangleMesh touched = cleanMesh(made.bad).mesh;
+  const JudgedMesh touched(cleanMesh(made.bad).mesh), shape(made.clean);
   RunTask task;
   task.scene = sceneOf(made.bad);
   task.touched = &touched;
-  task.shape = &made.clean;
+  task.shape = &shape;
   task.gap_u = made.gap_u;
   task.size_u = made.size_u;
   RunFigures figures;
