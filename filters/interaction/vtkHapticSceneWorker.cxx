@@ -9,19 +9,6 @@
 
 namespace
 {
-void Extend(std::array<double, 6>& bounds, const palpate::TriangleMesh& mesh)
-{
-  for (const palpate::Vec3& p_W : mesh.vertices_W)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const double x = p_W[static_cast<int>(axis)];
-      bounds[2 * axis] = std::min(bounds[2 * axis], x);
-      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], x);
-    }
-  }
-}
-
 /// `materials`: a note for each report, or "".
 std::string Describe(const palpate::SceneBuildResult& built, const std::vector<std::string>& materials)
 {
@@ -38,8 +25,8 @@ std::string Describe(const palpate::SceneBuildResult& built, const std::vector<s
     }
     const std::size_t bytes = built.scene->surfaces()[next++].tree->bytes();
     report += surface.name + ": " + surface.clean.summary() + "; every kept triangle is touched, through a tree of " +
-              std::to_string(bytes / kibibyte) + " KiB" + (materials[i].empty() ? "" : "; material: " + materials[i]) +
-              "\n";
+              std::to_string(bytes / kibibyte) + " KiB" + (surface.refitted ? ", refitted" : "") +
+              (materials[i].empty() ? "" : "; material: " + materials[i]) + "\n";
   }
   return report;
 }
@@ -53,12 +40,9 @@ vtkHapticBuiltScene Build(palpate::SceneBuilder& builder, const std::vector<palp
   result.Report = Describe(built, materials);
   if (built.scene)
   {
-    const palpate::Vec3 first_W = built.scene->surfaces().front().tree->mesh().vertices_W.front();
-    result.Bounds = { first_W.x(), first_W.x(), first_W.y(), first_W.y(), first_W.z(), first_W.z() };
-    for (const palpate::Surface& surface : built.scene->surfaces())
-    {
-      Extend(result.Bounds, surface.tree->mesh());
-    }
+    const palpate::Box& box = built.scene->surfaceTree().bounds;
+    const palpate::Vec3 &low_W = box.low_W, &high_W = box.high_W;
+    result.Bounds = { low_W.x(), high_W.x(), low_W.y(), high_W.y(), low_W.z(), high_W.z() };
   }
   return result;
 }
@@ -72,6 +56,8 @@ vtkHapticSceneWorker::~vtkHapticSceneWorker()
 void vtkHapticSceneWorker::Clear()
 {
   this->Adding.clear();
+  this->Refusals.clear();
+  this->Editing = true;
 }
 
 void vtkHapticSceneWorker::SetMaterials(const vtkHapticMaterialSettings& settings)
@@ -96,35 +82,107 @@ void vtkHapticSceneWorker::ReadMaterial(vtkDataObject* data, Kept& kept) const
 
 std::string vtkHapticSceneWorker::Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
-  const std::uint64_t key = vtkHapticContentKey(data, matrix);
-  const auto same = [&](const Kept& kept) { return kept.Key == key && kept.Input.name == name; };
-  const auto known = std::find_if(this->Committed.begin(), this->Committed.end(), same);
-  if (known != this->Committed.end())
+  this->Editing = true;
+  const std::uint64_t key = vtkHapticContentKey(data, nullptr);
+  if (vtkHapticCheckPlacement(matrix).empty() && this->AddKnown(name, key, vtkHapticPlacementOf(matrix)))
   {
-    this->Adding.push_back(*known); // the same mesh object: the builder keeps its tree
     this->ReadMaterial(data, this->Adding.back());
     return {};
   }
   vtkHapticConversionResult converted = vtkHapticToMesh(data, matrix);
   if (!converted.Mesh)
   {
-    return name + ": " + converted.Problem;
+    const std::string problem = name + ": " + converted.Problem;
+    this->Refusals += "not touched: " + problem + "\n";
+    return problem;
   }
-  this->Adding.push_back(
-    { key, { name, std::move(converted.Mesh), palpate::Material() }, std::move(converted.PartPoints), 0, {}, {} });
+  Kept kept;
+  kept.Key = key;
+  kept.Input.name = name;
+  kept.Input.mesh = std::move(converted.Mesh);
+  kept.Baked = vtkHapticPlacementOf(matrix);
+  kept.PartPoints = std::move(converted.PartPoints);
+  this->Adding.push_back(std::move(kept));
   this->ReadMaterial(data, this->Adding.back());
   return {};
 }
 
-void vtkHapticSceneWorker::Commit()
+/// The same mesh object, so that the builder keeps its tree, if all that changed is its pose.
+bool vtkHapticSceneWorker::AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement)
 {
+  const auto same = [&](const Kept& kept) { return kept.Key == key && kept.Input.name == name; };
+  const auto known = std::find_if(this->Committed.begin(), this->Committed.end(), same);
+  const auto pose = known != this->Committed.end() ? vtkHapticMotionBetween(known->Baked, placement) : std::nullopt;
+  if (pose)
+  {
+    this->Adding.push_back(*known);
+    this->Adding.back().Input.pose_WS = *pose;
+  }
+  return pose.has_value();
+}
+
+std::string vtkHapticSceneWorker::Place(const std::string& name, vtkMatrix4x4* matrix)
+{
+  const auto named = [&](const Kept& kept) { return kept.Input.name == name; };
+  const auto found = std::find_if(this->Adding.begin(), this->Adding.end(), named);
+  if (found == this->Adding.end())
+  {
+    return name + ": there is no surface of that name to move; add it first";
+  }
+  if (const std::string problem = vtkHapticCheckPlacement(matrix); !problem.empty())
+  {
+    return name + ": " + problem;
+  }
+  this->Editing = true;
+  const vtkHapticPlacement placement = vtkHapticPlacementOf(matrix);
+  if (const auto pose = vtkHapticMotionBetween(found->Baked, placement))
+  {
+    found->Input.pose_WS = *pose;
+  }
+  else
+  {
+    Bake(*found, placement);
+  }
+  return {};
+}
+
+void vtkHapticSceneWorker::Bake(Kept& kept, const vtkHapticPlacement& placement)
+{
+  kept.Input.mesh =
+    std::make_shared<const palpate::TriangleMesh>(vtkHapticPlaced(*kept.Input.mesh, placement * kept.Baked.inverse()));
+  kept.Input.pose_WS = {};
+  kept.Baked = placement;
+}
+
+void vtkHapticSceneWorker::Commit(double stamp_s)
+{
+  this->Editing = false;
+  this->Stamp = stamp_s;
   this->Committed = this->Adding;
+  this->CommittedRefusals = this->Refusals;
   if (this->Running.valid())
   {
     this->Again = true;
     return;
   }
   this->Launch();
+}
+
+void vtkHapticSceneWorker::Settle()
+{
+  if (this->Editing || this->Running.valid())
+  {
+    return;
+  }
+  for (Kept& kept : this->Adding)
+  {
+    const palpate::Pose& pose = kept.Input.pose_WS;
+    if (pose.p != palpate::Vec3::Zero() || pose.q.coeffs() != palpate::Quat::Identity().coeffs())
+    {
+      Bake(kept, Eigen::Translation3d(pose.p) * pose.q * kept.Baked);
+    }
+  }
+  this->Commit(this->Stamp);
 }
 
 void vtkHapticSceneWorker::Launch()
@@ -137,8 +195,20 @@ void vtkHapticSceneWorker::Launch()
     materials.push_back(kept.MaterialNote);
   }
   this->Again = false;
-  this->Running = std::async(std::launch::async, [this, inputs = std::move(inputs), materials = std::move(materials)]
-    { return Build(this->Builder, inputs, materials); });
+  auto build = [this, inputs, materials, refusals = this->CommittedRefusals, stamp = this->Stamp]
+  {
+    vtkHapticBuiltScene built = Build(this->Builder, inputs, materials);
+    built.Report = refusals + built.Report;
+    built.Stamp = stamp;
+    return built;
+  };
+  // What only moves waits for nobody: a pose is felt with the next snapshot.
+  const std::launch how = this->Builder.knows(inputs) ? std::launch::deferred : std::launch::async;
+  this->Running = std::async(how, std::move(build));
+  if (how == std::launch::deferred)
+  {
+    this->Running.wait();
+  }
 }
 
 std::optional<vtkHapticBuiltScene> vtkHapticSceneWorker::Poll()

@@ -11,6 +11,7 @@
 
 #include "haptics/geometry/SceneBuilder.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticSurfacePlacement.h"
 
 class vtkDataObject;
 class vtkMatrix4x4;
@@ -21,6 +22,7 @@ struct vtkHapticBuiltScene
   std::shared_ptr<const palpate::Scene> Scene; ///< null when nothing is touchable
   std::string Report;                          ///< a line a surface: what was repaired, refused and planned
   std::array<double, 6> Bounds{};              ///< of what is touchable: low and high x, y, z [u]
+  double Stamp = 0.0;                          ///< of the commit [s]
 };
 
 /// Turns VTK surfaces into scenes, off the caller's thread. One thread calls every method.
@@ -33,10 +35,16 @@ public:
   void Clear();
   /// Which arrays say what the surfaces that are added from now on are made of.
   void SetMaterials(const vtkHapticMaterialSettings& settings);
-  /// Converts at once (the pipeline may change its data later). Empty, or why there is nothing to touch.
+  /// Converts at once (the pipeline may change its data later). Empty, or why there is nothing to touch. The first
+  /// matrix is baked into the vertices; while later ones differ from it by a rigid motion, that is the surface's pose.
   std::string Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
-  /// Builds what was added since Clear(). While a build is running the newest commit waits for it.
-  void Commit();
+  /// Another matrix for a surface that was added since Clear(). Empty, or why it stays where it is.
+  std::string Place(const std::string& name, vtkMatrix4x4* matrix);
+  /// Builds what was added since Clear(). While a build is running the newest commit waits for it; one that only moves
+  /// surfaces is done at once. `stamp_s`: when it was so, on the caller's clock.
+  void Commit(double stamp_s = 0.0);
+  /// Bakes the poses of what was committed into the vertices and commits that: it costs less to touch.
+  void Settle();
 
   /// The newest scene, once, when it is done; nothing else.
   std::optional<vtkHapticBuiltScene> Poll();
@@ -46,8 +54,9 @@ public:
 private:
   struct Kept
   {
-    std::uint64_t Key;
+    std::uint64_t Key = 0;
     palpate::SurfaceInput Input;
+    vtkHapticPlacement Baked = vtkHapticPlacement::Identity(); ///< what the vertices were placed by
     std::vector<std::size_t> PartPoints;
     std::uint64_t ArraysKey = 0; ///< of the arrays Input.fields came from
     vtkHapticMaterialSettings Settings;
@@ -55,12 +64,19 @@ private:
   };
 
   void Launch();
+  bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement);
+  /// Moves the vertices to where `placement` has them.
+  static void Bake(Kept& kept, const vtkHapticPlacement& placement);
 
   void ReadMaterial(vtkDataObject* data, Kept& kept) const;
 
   vtkHapticMaterialSettings Materials;
   std::vector<Kept> Adding;
+  std::string Refusals; ///< since Clear(), a line each
+  bool Editing = false; ///< something was added or moved since Commit()
   std::vector<Kept> Committed;
+  std::string CommittedRefusals;
+  double Stamp = 0.0;
   palpate::SceneBuilder Builder{ 2 };
   std::future<vtkHapticBuiltScene> Running;
   bool Again = false; ///< there was another commit while building

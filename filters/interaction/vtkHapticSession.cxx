@@ -62,15 +62,6 @@ void vtkHapticSession::Internals::Feed()
   }
 }
 
-void vtkHapticSession::Internals::TakeScene(std::optional<vtkHapticBuiltScene> built)
-{
-  if (built)
-  {
-    this->Built = std::move(*built);
-    this->Core.setScene(this->Built.Scene);
-  }
-}
-
 void vtkHapticSession::Internals::ShowState()
 {
   this->State = this->Core.state();
@@ -108,7 +99,6 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Passivity: " << this->GetPassivity() << ", delay " << this->GetDelay() << " ticks\n";
   os << indent << "LimitStiffness: " << this->GetLimitStiffness() << "\n";
   os << indent << "VelocityMethod: " << this->GetVelocityMethod() << "\n";
-  os << indent << "ForceShading: " << this->GetForceShading() << "\n";
   os << indent << "Hand: " << this->Impl->HeldBy << "\n";
   os << indent << "Damping: " << this->GetDamping() << " N s/m\n";
   os << indent << "Radius: " << this->GetRadius() << " u\n";
@@ -118,6 +108,7 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StiffnessArray: " << this->GetStiffnessArray() << "\n";
   os << indent << "FrictionArray: " << this->GetFrictionArray() << "\n";
   os << indent << "TextureArray: " << this->GetTextureArray() << "\n";
+  os << indent << "ForceShading: " << this->GetForceShading() << "\n";
   os << indent << "Scale: " << this->GetScale() << " u/m\n";
   os << indent << "Stroke: " << this->Impl->Stroke_W.size() << " points, " << this->Impl->StrokeSpeed << " m/s\n";
   os << indent << "RecordFile: " << this->Impl->RecordFile << "\n";
@@ -266,6 +257,7 @@ void vtkHapticSession::Update()
 {
   this->Impl->TakeScene(this->Impl->Worker.Poll());
   this->Impl->ShowState();
+  this->Impl->SettleScene();
 }
 
 // Parameters --------------------------------------------------------------------------------------------------------
@@ -491,7 +483,7 @@ bool vtkHapticSession::AddSurface(const char* name, vtkDataObject* data, vtkMatr
 
 void vtkHapticSession::CommitScene()
 {
-  this->Impl->Worker.Commit();
+  this->Impl->Worker.Commit(this->Impl->Now());
 }
 
 bool vtkHapticSession::FinishScene()

@@ -294,6 +294,21 @@ public:
   bool FinishScene();
   ///@}
 
+  /**
+   * Puts a surface that was added under `name` where `matrix` says (null: as its data is), with the next CommitScene().
+   * While what changes is rigid the surface moves there, in as long as it took from the last commit to this one, 0.2 s at
+   * most, and carries or pushes the hand; anything else, and any new data with AddSurface(), is there at once, and the
+   * hand stays on its side. False, with GetProblem(), for a matrix that is not finite, singular or a perspective.
+   */
+  bool SetSurfacePose(const char* name, vtkMatrix4x4* matrix);
+
+  /// How late moving surfaces are felt [s]: the time between the two snapshots they are felt between, and what handing
+  /// the last one over took. 0 when all of them are where they were shown last.
+  double GetMotionLag() const;
+
+  /// True while a surface is felt by a pose: it moves, or has rested for less than a second.
+  bool GetSceneMoves() const;
+
   /// Bounds of the touched scene [u]; false and an empty box when there is none.
   bool GetSceneBounds(double bounds[6]) const;
 
@@ -329,6 +344,8 @@ public:
   int GetEngageState() const;
   const char* GetStateText() const;
   const char* GetFaultText() const;
+  /// What needs attention without being a fault, and what to do: "" if nothing.
+  const char* GetWarning() const;
   ///@}
 
   /// Last thing that was refused: one line, what and why; "" when nothing was.
@@ -344,8 +361,6 @@ public:
   int GetContacts() const;
   double GetDepth() const;
   ///@}
-  /// What needs attention without being a fault, and what to do: "" if nothing.
-  const char* GetWarning() const;
 
   /// What friction does now: "sticks", "slips", or "" without contact or friction.
   const char* GetFrictionText() const;

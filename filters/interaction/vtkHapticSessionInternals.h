@@ -24,7 +24,8 @@ public:
   vtkHapticMaterialSettings Materials;
   vtkTimeStamp MaterialTime;
   vtkHapticSceneWorker Worker;
-  vtkHapticBuiltScene Built;
+  vtkHapticBuiltScene Built; ///< its scene as the servo has it, with motions
+  double HandOver = 0.0;     ///< from the commit of that scene until the servo could have it [s]
 
   std::string DeviceName = "fed";
   std::string RecordFile;
@@ -49,7 +50,12 @@ public:
 
   palpate::DeviceOptions Options() const;
   void Feed();
+  /// Seconds of the session: ticks in virtual time.
+  double Now();
+  /// Its surfaces come from where they are felt, as long as it took from the snapshot before to this one.
   void TakeScene(std::optional<vtkHapticBuiltScene> built);
+  /// Once what moved has rested for a while its poses go into the vertices: then touching it costs no more than ever.
+  void SettleScene();
   void ShowState();
   /// How stiff the running device can be, else the chosen one: milliseconds, for changes of what it depends on only.
   void JudgeStability();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticConversion.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "haptics/core/WordHash.h"
@@ -12,6 +10,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkGeometryFilter.h"
 #include "vtkHapticCellChecks.h"
+#include "vtkHapticSurfacePlacement.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -21,48 +20,12 @@
 
 namespace
 {
-/// p_W = Linear p + Shift.
+/// p_W = Map p.
 struct Placement
 {
-  palpate::Mat3 Linear = palpate::Mat3::Identity();
-  palpate::Vec3 Shift = palpate::Vec3::Zero();
-  bool Identity = true;
+  vtkHapticPlacement Map;
+  bool Identity;
 };
-
-Placement PlacementOf(vtkMatrix4x4* matrix)
-{
-  Placement placement;
-  if (!matrix || matrix->IsIdentity())
-  {
-    return placement;
-  }
-  placement.Identity = false;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      placement.Linear(row, column) = matrix->GetElement(row, column);
-    }
-    placement.Shift[row] = matrix->GetElement(row, 3);
-  }
-  return placement;
-}
-
-/// A matrix that puts points somewhere: finite and affine. Else what is wrong.
-std::string CheckMatrix(vtkMatrix4x4* matrix)
-{
-  if (!matrix)
-  {
-    return {};
-  }
-  if (!std::all_of(matrix->GetData(), matrix->GetData() + 16, [](double x) { return std::isfinite(x); }))
-  {
-    return "its transform is not finite; reset the transform";
-  }
-  const double* last = matrix->GetData() + 12;
-  const bool affine = last[0] == 0.0 && last[1] == 0.0 && last[2] == 0.0 && last[3] == 1.0;
-  return affine ? "" : "its transform is a perspective; only shift, rotation, scale, shear and mirror can be touched";
-}
 
 /// Poly data as it is, the outer faces of anything else.
 vtkSmartPointer<vtkPolyData> SkinOf(vtkDataSet* data)
@@ -132,10 +95,10 @@ std::string Append(vtkDataSet* data, const Placement& placement, palpate::Triang
   {
     palpate::Vec3 p;
     surface->GetPoint(static_cast<vtkIdType>(i), p.data());
-    mesh.vertices_W.push_back(placement.Identity ? p : (placement.Linear * p + placement.Shift).eval());
+    mesh.vertices_W.push_back(placement.Identity ? p : placement.Map * p);
   }
   mesh.triangles.reserve(mesh.triangles.size() + static_cast<std::size_t>(surface->GetNumberOfPolys()));
-  AppendTriangles(surface, placement.Linear.determinant() < 0.0, static_cast<std::uint32_t>(base), mesh);
+  AppendTriangles(surface, placement.Map.linear().determinant() < 0.0, static_cast<std::uint32_t>(base), mesh);
   return {};
 }
 
@@ -225,14 +188,15 @@ std::vector<vtkSmartPointer<vtkPolyData>> vtkHapticSurfaceParts(
 vtkHapticConversionResult vtkHapticToMesh(vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   vtkHapticConversionResult result;
-  result.Problem = CheckMatrix(matrix);
+  result.Problem = vtkHapticCheckPlacement(matrix);
   result.Problem = result.Problem.empty() ? CheckKind(data) : result.Problem;
   if (!result.Problem.empty())
   {
     return result;
   }
   auto mesh = std::make_shared<palpate::TriangleMesh>();
-  AppendAll(data, PlacementOf(matrix), *mesh, result);
+  const Placement placement{ vtkHapticPlacementOf(matrix), !matrix || matrix->IsIdentity() };
+  AppendAll(data, placement, *mesh, result);
   if (result.Problem.empty() && mesh->triangles.empty())
   {
     result.Problem = "it has no polygons; only surfaces can be touched (apply Extract Surface or Contour)";

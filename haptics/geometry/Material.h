@@ -34,6 +34,7 @@ struct Material
   }
   /// Empty, or one sentence that names the value that cannot be used.
   [[nodiscard]] std::string validate() const;
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// How a texture varies over its surface: what it is when it is too fine for a moving hand, and how fine it is.

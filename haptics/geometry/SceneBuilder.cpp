@@ -3,53 +3,128 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 #include <thread>
+#include <utility>
 
 namespace palpate
 {
-namespace
-{
-
-/// With its material; a surface whose material cannot be used is refused, not touched with another one.
-void addSurface(const SurfaceInput& input, const std::shared_ptr<const SurfaceTree>& tree,
-  const std::vector<std::uint32_t>& sourceVertex, std::vector<Surface>& surfaces, SurfaceReport& report)
-{
-  report.refusal = input.material.validate();
-  Surface surface{ input.name, tree, input.material };
-  if (report.refusal.empty() && input.fields && !input.fields->empty())
-  {
-    FittedFields fitted = fitFields(*input.fields, input.material, sourceVertex, input.mesh->vertices_W.size());
-    report.refusal = fitted.refusal;
-    report.materialReplaced = fitted.replaced;
-    if (!fitted.fields.height_u.empty())
-    {
-      fitted.fields.texture = measureTexture(tree->mesh(), fitted.fields.height_u);
-    }
-    surface.fields = std::make_shared<const MaterialFields>(std::move(fitted.fields));
-  }
-  if (report.refusal.empty())
-  {
-    surfaces.push_back(std::move(surface));
-  }
-}
-
-} // namespace
 
 SceneBuilder::SceneBuilder(unsigned workers)
   : workers_(std::max(1u, workers))
 {
 }
 
-SceneBuilder::Kept SceneBuilder::buildOne(const SurfaceInput& input) const
+bool SceneBuilder::knows(const std::vector<SurfaceInput>& inputs) const
 {
-  const auto known = std::find_if(this->kept_.begin(), this->kept_.end(),
-    [&input](const Kept& kept) { return kept.mesh == input.mesh; });
-  if (known != this->kept_.end())
+  const auto known = [this](const SurfaceInput& input)
   {
-    Kept reused = *known;
-    reused.report.name = input.name;
-    return reused;
+    return std::any_of(this->kept_.begin(), this->kept_.end(), [&](const Kept& kept)
+      {
+        return kept.mesh == input.mesh && kept.rawFields == input.fields && kept.material == input.material;
+      });
+  };
+  return std::all_of(inputs.begin(), inputs.end(), known);
+}
+
+/// What the previous build has for each input: the same mesh, else the surface of that name.
+std::vector<SceneBuilder::Kept> SceneBuilder::takeKnown(const std::vector<SurfaceInput>& inputs)
+{
+  std::vector<Kept> known(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    const auto same = [&](const Kept& kept)
+    { return kept.mesh == inputs[i].mesh; };
+    const auto found = std::find_if(this->kept_.begin(), this->kept_.end(), same);
+    known[i] = found != this->kept_.end() ? *found : Kept{};
   }
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    const auto named = [&](const Kept& kept) { return kept.tree && kept.report.name == inputs[i].name; };
+    const auto found = std::find_if(this->kept_.begin(), this->kept_.end(), named);
+    if (!known[i].mesh && found != this->kept_.end())
+    {
+      known[i] = std::exchange(*found, {});
+    }
+  }
+  this->kept_.clear(); // the last holder of a retired tree is the one that gives its memory away
+  return known;
+}
+
+void SceneBuilder::bringUpToDate(const SurfaceInput& input, Kept& kept)
+{
+  if (kept.mesh && kept.mesh == input.mesh)
+  {
+    kept.report.name = input.name;
+    kept.report.refitted = false;
+  }
+  else if (!refit(input, kept))
+  {
+    kept = buildAnew(input);
+  }
+  if (kept.tree)
+  {
+    fitMaterial(input, kept);
+  }
+}
+
+/// A surface whose material cannot be used is refused, not touched with another one.
+void SceneBuilder::fitMaterial(const SurfaceInput& input, Kept& kept)
+{
+  const bool fitted = kept.fields && kept.rawFields == input.fields && kept.material == input.material;
+  if (fitted && !kept.report.refitted && kept.report.refusal.empty())
+  {
+    return;
+  }
+  kept.rawFields = input.fields;
+  kept.material = input.material;
+  kept.fields.reset();
+  kept.report.materialReplaced = 0;
+  kept.report.refusal = input.material.validate();
+  if (!kept.report.refusal.empty() || !input.fields || input.fields->empty())
+  {
+    return;
+  }
+  FittedFields fit = fitFields(*input.fields, input.material, kept.sourceVertex, input.mesh->vertices_W.size());
+  kept.report.refusal = fit.refusal;
+  kept.report.materialReplaced = fit.replaced;
+  if (!fit.fields.height_u.empty())
+  {
+    fit.fields.texture = measureTexture(kept.tree->mesh(), fit.fields.height_u);
+  }
+  kept.fields = std::make_shared<const MaterialFields>(std::move(fit.fields));
+}
+
+bool SceneBuilder::refit(const SurfaceInput& input, Kept& kept)
+{
+  if (!kept.tree || !input.mesh)
+  {
+    return false;
+  }
+  if (!kept.vertices) // asked for only by surfaces that move
+  {
+    const CleanReport& clean = kept.report.clean;
+    kept.vertices = std::make_shared<const CleanedVertices>(
+      kept.mesh, kept.tree->mesh().vertices_W, kept.sourceVertex, clean.nonFinite + clean.collinear > 0);
+  }
+  std::optional<std::vector<Vec3>> vertices_W = kept.vertices->follow(*input.mesh);
+  if (!vertices_W)
+  {
+    return false;
+  }
+  RefitResult fitted = kept.tree->refitted(std::move(*vertices_W), std::move(kept.retired));
+  if (!fitted.tree)
+  {
+    return false;
+  }
+  kept.retired = std::exchange(kept.tree, std::move(fitted.tree));
+  kept.mesh = input.mesh;
+  kept.report.refitted = true;
+  return true;
+}
+
+SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input)
+{
   Kept built;
   built.mesh = input.mesh;
   CleanResult clean = input.mesh ? cleanMesh(*input.mesh) : CleanResult{ {}, {}, "it has no mesh", {} };
@@ -64,13 +139,13 @@ SceneBuilder::Kept SceneBuilder::buildOne(const SurfaceInput& input) const
 
 SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs)
 {
-  std::vector<Kept> built(inputs.size());
+  std::vector<Kept> built = this->takeKnown(inputs);
   std::atomic<std::size_t> next = 0;
-  const auto work = [&]
+  const auto work = [&inputs, &built, &next]
   {
     for (std::size_t i = next.fetch_add(1); i < inputs.size(); i = next.fetch_add(1))
     {
-      built[i] = this->buildOne(inputs[i]);
+      bringUpToDate(inputs[i], built[i]);
     }
   };
   {
@@ -88,9 +163,10 @@ SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs)
   {
     const Kept& kept = this->kept_[i];
     result.reports.push_back(kept.report);
-    if (kept.tree)
+    if (kept.tree && kept.report.refusal.empty())
     {
-      addSurface(inputs[i], kept.tree, kept.sourceVertex, surfaces, result.reports.back());
+      const Pose& pose_WS = inputs[i].pose_WS;
+      surfaces.push_back({ inputs[i].name, kept.tree, inputs[i].material, { pose_WS, pose_WS }, kept.fields });
     }
   }
   if (!surfaces.empty())

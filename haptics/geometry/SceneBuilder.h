@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/geometry/CleanedVertices.h"
 #include "haptics/geometry/Material.h"
 #include "haptics/geometry/Scene.h"
 #include "haptics/geometry/TriangleMesh.h"
@@ -13,13 +14,14 @@
 namespace palpate
 {
 
-/// One surface as a view or a file gives it, already in W (pose, scale and shear baked into the vertices).
+/// One surface as a view or a file gives it: scale and shear baked into the vertices, which are in W but for `pose_WS`.
 struct SurfaceInput
 {
   std::string name;
   std::shared_ptr<const TriangleMesh> mesh;
   Material material;
   std::shared_ptr<const MaterialFields> fields = {}; ///< of the mesh's vertices, or null
+  Pose pose_WS = {};                                 ///< where the mesh stands in W [u]
 };
 
 /// What became of one input.
@@ -29,6 +31,7 @@ struct SurfaceReport
   CleanReport clean;
   std::string refusal; ///< empty when the surface is in the scene
   std::size_t materialReplaced = 0; ///< values of its arrays that could not be used: the surface's own took their place
+  bool refitted = false;            ///< the vertices of a known mesh have moved: its tree was refitted, not built
 };
 
 /// A new scene (null when nothing is touchable) and the reports, one per input, in the order of the inputs.
@@ -40,22 +43,34 @@ struct SceneBuildResult
 
 /// Cleans, plans and builds all trees eagerly. Off the servo thread; call from one thread at a time.
 /// The scene is the same, bit for bit, for any number of workers. A surface whose mesh object was in the
-/// previous build is reused, not built again.
+/// previous build is reused, not built again; one that has the triangles of the previous build's surface of its name
+/// with vertices elsewhere keeps that tree's shape and is refitted.
 class SceneBuilder
 {
 public:
   explicit SceneBuilder(unsigned workers = 1);
   [[nodiscard]] SceneBuildResult build(const std::vector<SurfaceInput>& inputs);
+  /// True if meshes and fields of all inputs were in the previous build: then build() takes no time worth a worker.
+  [[nodiscard]] bool knows(const std::vector<SurfaceInput>& inputs) const;
 
 private:
   struct Kept
   {
     std::shared_ptr<const TriangleMesh> mesh;
     std::shared_ptr<const SurfaceTree> tree;
+    std::shared_ptr<const SurfaceTree> retired; ///< the tree before, for its memory
+    std::shared_ptr<const CleanedVertices> vertices;
     std::vector<std::uint32_t> sourceVertex;
+    std::shared_ptr<const MaterialFields> rawFields; ///< what `fields` were fitted from
+    Material material;                               ///< and with
+    std::shared_ptr<const MaterialFields> fields;
     SurfaceReport report;
   };
-  [[nodiscard]] Kept buildOne(const SurfaceInput& input) const;
+  [[nodiscard]] std::vector<Kept> takeKnown(const std::vector<SurfaceInput>& inputs);
+  static void bringUpToDate(const SurfaceInput& input, Kept& kept);
+  [[nodiscard]] static bool refit(const SurfaceInput& input, Kept& kept);
+  [[nodiscard]] static Kept buildAnew(const SurfaceInput& input);
+  static void fitMaterial(const SurfaceInput& input, Kept& kept);
 
   unsigned workers_;
   std::uint64_t revision_ = 0;

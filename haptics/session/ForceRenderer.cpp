@@ -372,6 +372,9 @@ private:
   void report() noexcept
   {
     HapticState& state = this->out_.state;
+    state.sceneAge_s = this->s_.sceneAge_s;
+    const bool underWay = this->touchable() && this->in_.scene->shareAt(state.sceneAge_s) < 1.0;
+    state.motionLag_s = underWay ? this->in_.scene->motion_s() : 0.0;
     state.engage = this->s_.engage;
     state.gain = this->s_.gain;
     state.fault = this->s_.fault;

@@ -40,6 +40,8 @@ struct HapticState
   std::uint32_t nodes = 0;
   FrictionMotion friction = FrictionMotion::None;
   std::uint64_t sceneRevision = 0;
+  double sceneAge_s = 0.0;  ///< since the scene was taken
+  double motionLag_s = 0.0; ///< how late moving surfaces are felt: the time from the snapshot before to this one
   EngageState engage = EngageState::Safe;
   Fault fault = Fault::None;
   bool clamped = false; ///< the force was cut to the largest allowed
@@ -48,10 +50,10 @@ struct HapticState
   bool overBudget = false;
   bool infeasible = false;
   bool pinned = false;          ///< moving surfaces leave the ball less room than it needs
-  bool held = false;            ///< no force this tick: its sample was not finite
-  double gain = 0.0;            ///< engage ramp, 0..1
   bool frozen = false;          ///< the position stays the same to the bit under force: does the device still measure?
   bool letGo = false;           ///< what must be held is not
+  bool held = false;            ///< no force this tick: its sample was not finite
+  double gain = 0.0;            ///< engage ramp, 0..1
   double stiffnessFactor = 1.0; ///< below 1: cut because the loop runs late
   double stiffness_N_per_m = 0.0; ///< of the coupling in this tick, after every limit
   bool stiffnessLimited = false;  ///< to what the device and the rate can hold

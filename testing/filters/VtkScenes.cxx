@@ -75,18 +75,25 @@ double enclosedVolume(const TriangleMesh& mesh)
   return volume;
 }
 
-std::vector<std::string> errorsOf(vtkAlgorithm* algorithm)
+std::vector<std::string> errorsOf(vtkObject* object, const std::function<void()>& change)
 {
   std::vector<std::string> errors;
   vtkNew<vtkCallbackCommand> listener;
   listener->SetClientData(&errors);
   listener->SetCallback([](vtkObject*, unsigned long, void* list, void* text)
     { static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<const char*>(text)); });
-  const unsigned long own = algorithm->AddObserver(vtkCommand::ErrorEvent, listener);
-  const unsigned long executive = algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
-  algorithm->Update();
-  algorithm->RemoveObserver(own);
-  algorithm->GetExecutive()->RemoveObserver(executive);
+  const unsigned long tag = object->AddObserver(vtkCommand::ErrorEvent, listener);
+  change();
+  object->RemoveObserver(tag);
+  return errors;
+}
+
+std::vector<std::string> errorsOf(vtkAlgorithm* algorithm)
+{
+  std::vector<std::string> errors;
+  const std::vector<std::string> own = errorsOf(algorithm,
+    [&] { errors = errorsOf(static_cast<vtkObject*>(algorithm->GetExecutive()), [&] { algorithm->Update(); }); });
+  errors.insert(errors.end(), own.begin(), own.end());
   return errors;
 }
 

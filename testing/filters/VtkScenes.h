@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "vtkSmartPointer.h"
 
 class vtkAlgorithm;
+class vtkObject;
 class vtkPolyData;
 
 namespace palpate::testing
@@ -27,7 +29,10 @@ namespace palpate::testing
 /// The volume that the triangles enclose, positive if they point out.
 [[nodiscard]] double enclosedVolume(const TriangleMesh& mesh);
 
-/// Runs the algorithm and returns what it and its executive reported as errors, in order; prints nothing.
+/// Runs the algorithm and returns what its executive and it reported as errors; prints nothing.
 [[nodiscard]] std::vector<std::string> errorsOf(vtkAlgorithm* algorithm);
+
+/// Runs `change` and returns what the object reported as errors, in order; prints nothing.
+[[nodiscard]] std::vector<std::string> errorsOf(vtkObject* object, const std::function<void()>& change);
 
 } // namespace palpate::testing

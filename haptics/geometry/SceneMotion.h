@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "haptics/geometry/Scene.h"
+
+namespace palpate
+{
+
+/// `next`, whose surfaces come from where they were in `now`, at a share of its way (0..1), in `motion_s` [s].
+///
+/// A surface that was not in `now` under its name with the same vertices is where `next` has it, at once, and so is
+/// everything if `motion_s` is not above 0. Returns `next` itself if nothing moves. Starting where a surface is felt,
+/// not where its last motion was to end, keeps it from jumping when snapshots come early.
+[[nodiscard]] std::shared_ptr<const Scene> movingFrom(
+  const Scene& now, double share, const std::shared_ptr<const Scene>& next, double motion_s);
+
+} // namespace palpate
