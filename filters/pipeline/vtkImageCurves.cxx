@@ -132,7 +132,7 @@ int vtkImageCurves::FillInputPortInformation(int, vtkInformation* info)
 
 double vtkImageCurves::GetAllowedError() const
 {
-  return this->SimplifyBy == BY_FEEL ? this->LeastForce / this->Stiffness * this->Scale : this->Tolerance;
+  return this->SimplifyBy == ByFeel ? this->LeastForce / this->Stiffness * this->Scale : this->Tolerance;
 }
 
 const char* vtkImageCurves::CheckNumbers() const
@@ -175,18 +175,18 @@ bool vtkImageCurves::Goes(double progress)
 
 palpate::LooseLines vtkImageCurves::FindLines(const vtkHapticImagePlane& plane)
 {
-  if (this->Kind == LABELS)
+  if (this->Kind == Labels)
   {
     return vtkHapticImageLines::Labels(plane, [this](double share) { return this->Goes(LinesShare * share); });
   }
   const double value = this->ChooseValue(plane);
-  return this->Kind == DRAWING ? vtkHapticImageLines::Drawing(plane, value, this->InkIsDark, this->Gap)
+  return this->Kind == Drawing ? vtkHapticImageLines::Drawing(plane, value, this->InkIsDark, this->Gap)
                                : vtkHapticImageLines::Contour(plane, value);
 }
 
 void vtkImageCurves::MakeCurves(vtkImageData* image, vtkDataArray* values, vtkPolyData* output)
 {
-  const vtkHapticImagePlane plane(image, values, this->Kind != LABELS);
+  const vtkHapticImagePlane plane(image, values, this->Kind != Labels);
   palpate::LooseLines lines = this->FindLines(plane);
   for (Vec3& p_W : lines.points_W)
   {

@@ -48,19 +48,19 @@ public:
 
   enum Kinds
   {
-    CONTOUR = 0,
-    LABELS = 1,
-    DRAWING = 2
+    Contour = 0,
+    Labels = 1,
+    Drawing = 2
   };
   enum Tolerances
   {
-    BY_LENGTH = 0,
-    BY_FEEL = 1
+    ByLength = 0,
+    ByFeel = 1
   };
 
   ///@{
-  /// What the image is. Default CONTOUR.
-  vtkSetClampMacro(Kind, int, CONTOUR, DRAWING);
+  /// What the image is. Default Contour.
+  vtkSetClampMacro(Kind, int, Contour, Drawing);
   vtkGetMacro(Kind, int);
   ///@}
 
@@ -97,8 +97,8 @@ public:
   ///@}
 
   ///@{
-  /// Simplify within a length or within what can be felt. Default BY_LENGTH.
-  vtkSetClampMacro(SimplifyBy, int, BY_LENGTH, BY_FEEL);
+  /// Simplify within a length or within what can be felt. Default ByLength.
+  vtkSetClampMacro(SimplifyBy, int, ByLength, ByFeel);
   vtkGetMacro(SimplifyBy, int);
   ///@}
 
@@ -144,13 +144,13 @@ private:
   /// Reports progress; false when someone asked to stop.
   bool Goes(double progress);
 
-  int Kind = CONTOUR;
+  int Kind = Contour;
   bool UseMiddle = true;
   double Value = 0.5;
   bool InkIsDark = true;
   double Gap = 0.0;
   double ShortestCurve = 0.0;
-  int SimplifyBy = BY_LENGTH;
+  int SimplifyBy = ByLength;
   double Tolerance = 0.0;
   double LeastForce = 0.07;
   double Stiffness = 500.0;

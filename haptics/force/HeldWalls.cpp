@@ -78,18 +78,18 @@ Velvet velvet(const Slide& slide) noexcept
 {
   // Period k of n after an update: the corner is k steps of the handle behind.
   const double n = std::max(1.0, static_cast<double>(static_cast<long>(slide.host_s / slide.device_s + 0.5)));
-  const double step_m = slide.speed_m_per_s * slide.device_s, K = slide.stiffness_N_per_m;
+  const double step_m = slide.speed_m_per_s * slide.device_s, stiffness_N_per_m = slide.stiffness_N_per_m;
   const double upright = std::sqrt(1.0 - slide.lean * slide.lean);
   const double detached_m = slide.depth_m * slide.lean / upright;
   // Periods 0 .. both - 1 press both walls.
   const double most = step_m > 0.0 ? detached_m / step_m : n;
   const double both = most < n - 1.0 ? static_cast<double>(static_cast<long>(most)) + 1.0 : n;
   const auto alone_N = [&](double behind_m)
-  { return K * slide.lean * (slide.depth_m * upright + behind_m * slide.lean); };
+  { return stiffness_N_per_m * slide.lean * (slide.depth_m * upright + behind_m * slide.lean); };
   const double last_m = (n - 1.0) * step_m;
   const double sumBoth_m = step_m * both * (both - 1.0) / 2.0;
   const double sumAlone_N = (n - both) * alone_N(step_m * (both + n - 1.0) / 2.0);
-  return { (K * sumBoth_m + sumAlone_N) / n, both == n ? K * last_m : alone_N(last_m) };
+  return { (stiffness_N_per_m * sumBoth_m + sumAlone_N) / n, both == n ? stiffness_N_per_m * last_m : alone_N(last_m) };
 }
 
 } // namespace palpate

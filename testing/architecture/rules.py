@@ -23,7 +23,7 @@ SKIPPED_FOLDERS = {".git", "cache", "out", "__pycache__"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 CGAL = re.compile(r"^CGAL/")
-VTK = re.compile(r"^vtk(?!Haptic|Touch)\w*\.h(xx)?$")
+VTK = re.compile(r"^vtk(?!Haptic|Touch|ImageCurves)\w*\.h(xx)?$")
 PARAVIEW = re.compile(r"^(vtkPV|vtkSM|vtkSI|vtkPVRender|pq)\w*\.h$")
 QT = re.compile(r"^(Q[A-Z]\w*(/\w+)?|Qt\w*/\w+|q[a-z]\w*\.h|pq(?!Haptic)\w+\.h)$")
 HIDAPI = re.compile(r"^(hidapi/)?hidapi\w*\.h$")

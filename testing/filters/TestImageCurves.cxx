@@ -76,7 +76,7 @@ std::vector<Curve> curvesOf(vtkPolyData* data)
   return curves;
 }
 
-vtkSmartPointer<vtkImageCurves> filterOf(vtkImageData* image, int kind = vtkImageCurves::CONTOUR)
+vtkSmartPointer<vtkImageCurves> filterOf(vtkImageData* image, int kind = vtkImageCurves::Contour)
 {
   const auto filter = vtkSmartPointer<vtkImageCurves>::New();
   filter->SetInputData(image);
@@ -187,7 +187,7 @@ TEST(ImageCurves, ASimplifiedCircleStaysWithinTheToleranceItReportsAndAsksFor)
 TEST(ImageCurves, WhatCannotBeFeltIsLeastForceOverStiffnessInUnitsOfTheScene)
 {
   const auto filter = contourAt(squareImage(40, circle({ 20, 20, 0 }, 15.0)), 0.0);
-  filter->SetSimplifyBy(vtkImageCurves::BY_FEEL);
+  filter->SetSimplifyBy(vtkImageCurves::ByFeel);
   filter->SetScale(1000.0); // a scene in millimetres
   EXPECT_DOUBLE_EQ(filter->GetAllowedError(), 0.14);
   ASSERT_FALSE(run(filter).empty());
@@ -265,7 +265,7 @@ TEST(ImageCurves, ACurveThatLeavesTheImageIsOpenAndOneRoundMissingPixelsEndsTher
 TEST(ImageCurves, BordersOfLabelsLieHalfWayBetweenPixelsAndAreSharedByTheirAreas)
 {
   const auto halves = [](const Vec3& p_W) { return p_W.x() < 10 ? 3.0 : 8.0; };
-  const auto one = run(filterOf(squareImage(21, halves, VTK_INT), vtkImageCurves::LABELS));
+  const auto one = run(filterOf(squareImage(21, halves, VTK_INT), vtkImageCurves::Labels));
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one[0].size(), 2u);
   EXPECT_EQ(one[0].front().x(), 9.5);
@@ -273,7 +273,7 @@ TEST(ImageCurves, BordersOfLabelsLieHalfWayBetweenPixelsAndAreSharedByTheirAreas
   const auto three = [&](const Vec3& p_W)
   { return std::max(std::abs(p_W.x() - 10), std::abs(p_W.y() - 10)) < 4 ? 5.0 : halves(p_W); };
   double length = 0.0;
-  const auto filter = filterOf(squareImage(21, three, VTK_INT), vtkImageCurves::LABELS);
+  const auto filter = filterOf(squareImage(21, three, VTK_INT), vtkImageCurves::Labels);
   for (const Curve& curve : run(filter))
   {
     for (std::size_t i = 1; i < curve.size(); ++i)
@@ -296,10 +296,10 @@ TEST(ImageCurves, ADrawingBecomesTheMiddleLineOfItsStrokesWithItsGapsClosed)
     return std::abs(r_W.norm() - 35.0) < 2.5 && std::abs(std::atan2(r_W.y(), r_W.x())) > 0.1 ? 20.0 : 240.0;
   };
   const auto image = squareImage(100, ring, VTK_UNSIGNED_CHAR);
-  const auto open = run(filterOf(image, vtkImageCurves::DRAWING));
+  const auto open = run(filterOf(image, vtkImageCurves::Drawing));
   ASSERT_EQ(open.size(), 1u);
   EXPECT_NE(open[0].front(), open[0].back());
-  const auto filter = filterOf(image, vtkImageCurves::DRAWING);
+  const auto filter = filterOf(image, vtkImageCurves::Drawing);
   filter->SetGap(14.0); // 7 are blank, up to 2.5 of each end go with the thinning
   filter->SetTolerance(1.0);
   const auto closed = run(filter);
@@ -310,7 +310,7 @@ TEST(ImageCurves, ADrawingBecomesTheMiddleLineOfItsStrokesWithItsGapsClosed)
     EXPECT_NEAR((p_W - centre_W).norm(), 35.0, 1.5);
   }
   const auto inverse =
-    filterOf(squareImage(100, [&](const Vec3& p_W) { return 260.0 - ring(p_W); }), vtkImageCurves::DRAWING);
+    filterOf(squareImage(100, [&](const Vec3& p_W) { return 260.0 - ring(p_W); }), vtkImageCurves::Drawing);
   inverse->InkIsDarkOff();
   EXPECT_EQ(run(inverse), open);
 }
@@ -336,9 +336,9 @@ TEST(ImageCurves, ImagesWithoutCurvesAreRefusedWithTheReason)
   expectRefused(filterOf(squareImage(8, slope, VTK_FLOAT, 2)), "2 values per pixel");
   expectRefused(
     contourAt(squareImage(8, slope), 9.0), "the value 9 meets no curve; the image holds values from 0 to 7");
-  expectRefused(filterOf(squareImage(8, slope, VTK_UNSIGNED_CHAR, 3), vtkImageCurves::LABELS), "a label map has one");
+  expectRefused(filterOf(squareImage(8, slope, VTK_UNSIGNED_CHAR, 3), vtkImageCurves::Labels), "a label map has one");
   expectRefused(
-    filterOf(squareImage(8, [](const Vec3& p_W) { return 0.5 * p_W.x(); }), vtkImageCurves::LABELS), "no label map");
+    filterOf(squareImage(8, [](const Vec3& p_W) { return 0.5 * p_W.x(); }), vtkImageCurves::Labels), "no label map");
   expectRefused(filterOf(squareImage(8, [](const Vec3&) { return std::nan(""); })), "no value of the image is finite");
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(4, 4, 1);
@@ -360,7 +360,7 @@ TEST(ImageCurves, NumbersThatCannotBeAreRefused)
     }
   }
   const auto filter = filterOf(image);
-  filter->SetSimplifyBy(vtkImageCurves::BY_FEEL);
+  filter->SetSimplifyBy(vtkImageCurves::ByFeel);
   filter->SetStiffness(0.0);
   expectRefused(filter, "Stiffness");
 }
