@@ -2,9 +2,13 @@
 #include "devices/DeviceFactory.h"
 
 #include <functional>
+#include <utility>
 
 #include "devices/FedDevice.h"
 #include "devices/ReplayDevice.h"
+#include "devices/hid/HidapiBus.h"
+#include "devices/hid/PidDiscovery.h"
+#include "devices/io/PidDevice.h"
 
 namespace palpate
 {
@@ -16,6 +20,7 @@ struct Kind
   std::string name;
   std::string what;
   std::function<MadeDevice(const DeviceOptions&)> make;
+  std::string problem = {}; ///< why it cannot be used now
 };
 
 MadeDevice makeSimulated(const DeviceModel& model, const DeviceOptions& options)
@@ -36,28 +41,47 @@ MadeDevice makeSimulated(const DeviceModel& model, const DeviceOptions& options)
   return { std::make_unique<SimulatedDevice>(model, *hand, options.stroke, simulation), "" };
 }
 
-std::vector<Kind> kinds()
+std::vector<Kind> builtIn()
 {
-  std::vector<Kind> all{ { "fed", "poses fed by a program: the mouse in a view, a script",
-    [](const DeviceOptions&) { return MadeDevice{ std::make_unique<FedDevice>(), "" }; } } };
+  std::vector<Kind> all{ { "fed", "poses fed by a program: the mouse in a view, a script", [](const DeviceOptions&) {
+                            return MadeDevice{ std::make_unique<FedDevice>(), "" };
+                          } } };
   for (const DeviceModel& model : deviceModels())
   {
     all.push_back({ model.name, "a simulated hand on " + model.what,
       [&model](const DeviceOptions& options) { return makeSimulated(model, options); } });
   }
-  all.push_back({ "replay", "the hand of a recording",
-    [](const DeviceOptions& o) { return MadeDevice{ std::make_unique<ReplayDevice>(o.recordingFile), "" }; } });
+  all.push_back({ "replay", "the hand of a recording", [](const DeviceOptions& o) {
+                   return MadeDevice{ std::make_unique<ReplayDevice>(o.recordingFile), "" };
+                 } });
+  return all;
+}
+
+std::vector<Kind> pluggedIn(const DeviceOptions& options)
+{
+  const std::shared_ptr<HidBus> bus = options.hid != nullptr ? options.hid : systemHidBus();
+  std::vector<Kind> all;
+  for (FoundPid& found : findPidDevices(*bus))
+  {
+    const auto make = [bus, name = found.name, entry = found.entry](const DeviceOptions&) {
+      return MadeDevice{ std::make_unique<PidDevice>(name, bus, entry), "" };
+    };
+    all.push_back({ found.name, "force feedback through USB: " + found.entry.name, make, std::move(found.problem) });
+  }
   return all;
 }
 
 } // namespace
 
-std::vector<KnownDevice> knownDevices()
+std::vector<KnownDevice> knownDevices(const DeviceOptions& options)
 {
   std::vector<KnownDevice> known;
-  for (const Kind& kind : kinds())
+  for (const std::vector<Kind>& kinds : { builtIn(), pluggedIn(options) })
   {
-    known.push_back({ kind.name, kind.what, kind.make({}).device->info(), "" });
+    for (const Kind& kind : kinds)
+    {
+      known.push_back({ kind.name, kind.what, kind.make({}).device->info(), kind.problem });
+    }
   }
   return known;
 }
@@ -65,13 +89,17 @@ std::vector<KnownDevice> knownDevices()
 MadeDevice makeDevice(const std::string& name, const DeviceOptions& options)
 {
   std::string names;
-  for (const Kind& kind : kinds())
+  // What is plugged in is looked for only where nothing else has the name: looking means opening it.
+  for (const auto& list : { std::function(builtIn), std::function([&options] { return pluggedIn(options); }) })
   {
-    if (name == kind.name)
+    for (const Kind& kind : list())
     {
-      return kind.make(options);
+      if (name == kind.name)
+      {
+        return kind.make(options);
+      }
+      names += (names.empty() ? "" : ", ") + kind.name;
     }
-    names += (names.empty() ? "" : ", ") + kind.name;
   }
   return { nullptr, "device \"" + name + "\" is not known; known are " + names };
 }

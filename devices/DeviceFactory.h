@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "devices/hid/HidConnection.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/core/HapticDevice.h"
 
@@ -19,6 +20,7 @@ struct DeviceOptions
   int delay_ticks = 0;         ///< of a simulated link
   std::string recordingFile;   ///< replay
   double period_s = 1e-3;
+  std::shared_ptr<HidBus> hid; ///< where real devices are looked for; null: this computer
 };
 
 /// One device this build knows.
@@ -30,8 +32,8 @@ struct KnownDevice
   std::string problem; ///< empty, or why it cannot be used now and what to do
 };
 
-/// All devices this build knows, usable or not.
-[[nodiscard]] std::vector<KnownDevice> knownDevices();
+/// All devices this build knows and all that are plugged in, usable or not.
+[[nodiscard]] std::vector<KnownDevice> knownDevices(const DeviceOptions& options = {});
 
 /// A device by name, or null and a sentence that names the known ones.
 struct MadeDevice

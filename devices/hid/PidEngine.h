@@ -85,6 +85,9 @@ public:
   [[nodiscard]] bool control(HidUsage what) noexcept;
   [[nodiscard]] bool setGain(double share) noexcept;
 
+  /// What the system said about the last failure.
+  [[nodiscard]] std::string error() const { return this->connection_.error(); }
+
   /// The state, where `report`, as read, is one.
   [[nodiscard]] std::optional<PidState> state(std::span<const std::uint8_t> report) const noexcept;
 

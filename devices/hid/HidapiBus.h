@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "devices/hid/HidConnection.h"
+
+namespace palpate
+{
+
+/// The HID devices of this computer, through hidapi on the kernel's hidraw.
+[[nodiscard]] std::shared_ptr<HidBus> systemHidBus();
+
+/// Why the system did not open a device, from the number it gave, and what to do.
+[[nodiscard]] std::string openProblem(const std::string& path, int systemError);
+
+} // namespace palpate

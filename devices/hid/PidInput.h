@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "devices/hid/ReportDescriptor.h"
+
+namespace palpate
+{
+
+/// What an input report says of the hand.
+struct PidHand
+{
+  std::array<double, 2> at{}; ///< shares along HID's axes, -1 .. 1
+  std::uint32_t buttons = 0;  ///< bit i: button i + 1 is down
+  bool outOfRange = false;    ///< a position beyond what the descriptor allows, cut to it
+};
+
+/// Reads the axes and buttons of a joystick from its input reports.
+class PidInput
+{
+public:
+  /// The descriptor must outlive it and stay where it is.
+  explicit PidInput(const ReportDescriptor& descriptor) noexcept;
+
+  /// It has an x axis at least.
+  [[nodiscard]] bool usable() const noexcept { return static_cast<bool>(this->axes_[0]); }
+  [[nodiscard]] bool hasTwoAxes() const noexcept { return static_cast<bool>(this->axes_[1]); }
+  [[nodiscard]] std::uint32_t buttonCount() const noexcept;
+  /// The smallest step of an axis as a share of half its travel.
+  [[nodiscard]] double step() const noexcept;
+
+  /// The hand, where `report`, as read, is the one with the axes. Another or a short one says nothing.
+  [[nodiscard]] std::optional<PidHand> hand(std::span<const std::uint8_t> report) const noexcept;
+
+private:
+  std::array<HidControl, 2> axes_{};
+  HidControl firstButton_;
+};
+
+} // namespace palpate

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/hid/PidOutput.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "haptics/safety/ForceLimits.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr std::int64_t perMs_ns = 1000000;
+constexpr std::array<double, 2> axisDirection_deg{ 90.0, 180.0 }; // +x and +y of HID
+constexpr double pulse_ms = 40.0, shake_ms = 20.0;
+constexpr double signalShare = 0.3;
+
+bool asksForForce(const DeviceCommand& command) noexcept
+{
+  return command.wallCount > 0 || command.viscosity_Ns_per_m > 0.0 || command.wrench_D.force != Vec3::Zero();
+}
+
+bool same(const Condition& a, const Condition& b) noexcept
+{
+  return a.centre == b.centre && a.deadBand == b.deadBand && a.positiveCoefficient == b.positiveCoefficient &&
+         a.negativeCoefficient == b.negativeCoefficient && a.positiveSaturation == b.positiveSaturation &&
+         a.negativeSaturation == b.negativeSaturation;
+}
+
+/// A shake along x.
+EffectSettings signalSettings(int duration_ms) noexcept
+{
+  EffectSettings settings;
+  settings.type = pid::sine;
+  settings.duration_ms = duration_ms;
+  settings.direction_deg = axisDirection_deg[0];
+  return settings;
+}
+
+PidOutput::Step taken(bool ok) noexcept
+{
+  return ok ? PidOutput::Step::Sent : PidOutput::Step::Failed;
+}
+
+} // namespace
+
+PidOutput::PidOutput(PidEngine& engine, const PidOutputOptions& options) noexcept : engine_(engine), options_(options)
+{
+}
+
+std::string PidOutput::begin()
+{
+  this->abilities_ = this->engine_.conditionAbilities();
+  for (const std::size_t axis : { 0U, 1U })
+  {
+    EffectSettings settings;
+    settings.direction_deg = axisDirection_deg[axis];
+    settings.alongX = axis == 0;
+    settings.alongY = axis == 1;
+    if (std::string problem = this->make(this->forces_[axis], settings); !problem.empty())
+    {
+      return problem;
+    }
+  }
+  this->makeConditions();
+  this->makeSignal();
+  // Last, so that a device that went meanwhile is not taken for one that merely lacks what came before.
+  const bool takes = this->engine_.setConstantForce(this->forces_[0].block, 0.0) &&
+                     this->engine_.setConstantForce(this->forces_[1].block, 0.0);
+  return takes ? "" : "it does not take a force: " + this->engine_.error();
+}
+
+std::string PidOutput::make(Effect& effect, const EffectSettings& settings)
+{
+  EffectSettings finite = settings;
+  finite.duration_ms = this->options_.duration_ms;
+  const PidEngine::Created made = this->engine_.create(settings.type);
+  if (!made.problem.empty())
+  {
+    return made.problem;
+  }
+  effect = { made.block, never };
+  return this->engine_.setEffect(made.block, finite) ? "" : "it does not take the settings of an effect";
+}
+
+void PidOutput::makeConditions()
+{
+  EffectSettings settings;
+  settings.type = pid::spring;
+  const bool canHold = this->abilities_.saturation && (this->abilities_.deadBand || this->abilities_.twoCoefficients);
+  if (!canHold || !this->make(this->spring_, settings).empty() || !this->empty(this->spring_, this->sentSprings_))
+  {
+    this->spring_.block = 0;
+    this->abilities_ = {};
+    this->shortcomings_ += "It holds no walls by itself: the program closes them, softer. ";
+  }
+  settings.type = pid::damper;
+  if (!this->make(this->damper_, settings).empty() || !this->empty(this->damper_, this->sentDampers_))
+  {
+    this->damper_.block = 0;
+    this->shortcomings_ += "It has no viscosity. ";
+  }
+}
+
+/// Nobody promises that a new effect does nothing.
+bool PidOutput::empty(const Effect& effect, std::array<Condition, 2>& sent) noexcept
+{
+  sent = {};
+  return this->engine_.setCondition(effect.block, 0, sent[0]) && this->engine_.setCondition(effect.block, 1, sent[1]);
+}
+
+void PidOutput::makeSignal()
+{
+  if (!this->make(this->signal_, signalSettings(this->options_.duration_ms)).empty())
+  {
+    this->signal_.block = 0;
+    this->shortcomings_ += "It cannot shake. ";
+  }
+}
+
+PidOutput::Step PidOutput::step(std::int64_t now_ns, const Wish& wish) noexcept
+{
+  if (this->fallsSilent(now_ns, wish.beat))
+  {
+    return taken(this->engine_.control(pid::stopAll));
+  }
+  // While silent the effects are emptied: what starts again must not start with an old force.
+  const Wish wanted = this->silent_ ? Wish{} : wish;
+  Step step = this->silent_ ? Step::Idle : this->restart(now_ns);
+  if (step == Step::Idle)
+  {
+    step = this->sendWalls(now_ns, wanted.command);
+  }
+  if (step == Step::Idle)
+  {
+    step = this->sendSignal(wanted.command.signal);
+  }
+  return step == Step::Idle ? this->sendForce(wanted) : step;
+}
+
+bool PidOutput::fallsSilent(std::int64_t now_ns, std::uint64_t beat) noexcept
+{
+  if (this->beat_ns_ == never || beat != this->beat_)
+  {
+    this->beat_ = beat;
+    this->beat_ns_ = now_ns;
+    this->silent_ = false;
+    return false;
+  }
+  if (this->silent_ || now_ns - this->beat_ns_ <= this->options_.silence_ms * perMs_ns)
+  {
+    return false;
+  }
+  this->silent_ = true;
+  this->askedSince_ns_ = never;
+  for (Effect* effect : { &this->forces_[0], &this->forces_[1], &this->spring_, &this->damper_ })
+  {
+    effect->started_ns = never;
+  }
+  return true;
+}
+
+PidOutput::Step PidOutput::restart(std::int64_t now_ns) noexcept
+{
+  for (Effect* effect : { &this->forces_[0], &this->forces_[1], &this->spring_, &this->damper_ })
+  {
+    const bool due =
+      effect->started_ns == never || now_ns - effect->started_ns >= this->options_.restartEvery_ms * perMs_ns;
+    if (effect->block > 0 && due)
+    {
+      effect->started_ns = now_ns;
+      return taken(this->engine_.start(effect->block));
+    }
+  }
+  return Step::Idle;
+}
+
+bool PidOutput::plays(int block) const noexcept
+{
+  const auto playing = [block](const Effect& effect) { return effect.block == block && effect.started_ns != never; };
+  return block > 0 &&
+         (playing(this->forces_[0]) || playing(this->forces_[1]) || playing(this->spring_) || playing(this->damper_));
+}
+
+double PidOutput::rampedShare(std::int64_t now_ns, const DeviceCommand& command) noexcept
+{
+  if (!asksForForce(command))
+  {
+    return this->options_.largestShare;
+  }
+  if (this->askedSince_ns_ == never)
+  {
+    this->askedSince_ns_ = now_ns;
+  }
+  const double since_ms = static_cast<double>(now_ns - this->askedSince_ns_) / static_cast<double>(perMs_ns);
+  return this->options_.largestShare * smoothstep(since_ms / std::max(1, this->options_.rampUp_ms));
+}
+
+PidOutput::Step PidOutput::sendWalls(std::int64_t now_ns, const DeviceCommand& command) noexcept
+{
+  const double share = this->rampedShare(now_ns, command);
+  this->plan_ = planWalls(command, this->options_.scale, this->abilities_, share);
+  Step step = this->sendConditions();
+  const bool early =
+    this->wallsSent_ns_ != never && now_ns - this->wallsSent_ns_ < this->options_.wallsEvery_ms * perMs_ns;
+  if (step != Step::Idle || early)
+  {
+    return step;
+  }
+  // The last round has been sent whole; only now the next one begins, so that the force gets its turn in between.
+  const Condition braking = planDamper(command, this->options_.scale, share);
+  this->wantedSprings_ = this->plan_.springs;
+  this->wantedDampers_ = { braking, braking };
+  step = this->sendConditions();
+  this->wallsSent_ns_ = step == Step::Idle ? this->wallsSent_ns_ : now_ns;
+  return step;
+}
+
+PidOutput::Step PidOutput::sendConditions() noexcept
+{
+  const Step step = this->sendCondition(this->spring_, this->sentSprings_, this->wantedSprings_);
+  return step == Step::Idle ? this->sendCondition(this->damper_, this->sentDampers_, this->wantedDampers_) : step;
+}
+
+PidOutput::Step PidOutput::sendCondition(
+  Effect& effect, std::array<Condition, 2>& sent, const std::array<Condition, 2>& now) noexcept
+{
+  for (const std::size_t axis : { 0U, 1U })
+  {
+    if (effect.block > 0 && !same(sent[axis], now[axis]))
+    {
+      sent[axis] = now[axis];
+      return taken(this->engine_.setCondition(effect.block, static_cast<int>(axis), now[axis]));
+    }
+  }
+  return Step::Idle;
+}
+
+PidOutput::Step PidOutput::sendSignal(Signal signal) noexcept
+{
+  if (this->signal_.block == 0 || signal == Signal::None || signal == this->lastSignal_)
+  {
+    this->lastSignal_ = signal;
+    this->signalPart_ = 0;
+    return Step::Idle;
+  }
+  const bool pulse = signal == Signal::Pulse;
+  switch (this->signalPart_++)
+  {
+    case 0:
+      return taken(this->engine_.setEffect(
+        this->signal_.block, signalSettings(pulse ? static_cast<int>(pulse_ms) : this->options_.duration_ms)));
+    case 1:
+      return taken(this->engine_.setPeriodic(this->signal_.block, signalShare, pulse ? pulse_ms : shake_ms));
+    default:
+      this->lastSignal_ = signal;
+      this->signalPart_ = 0;
+      return taken(this->engine_.start(this->signal_.block));
+  }
+}
+
+PidOutput::Step PidOutput::sendForce(const Wish& wish) noexcept
+{
+  const double largest_N = this->options_.scale.maxForce_N;
+  const Vec3 walls_N =
+    clampMagnitude(hostWallForce(wish.command, this->plan_, wish.p_D), this->options_.largestShare * largest_N);
+  const Vec3 force_N = wish.command.wrench_D.force + walls_N;
+  std::array<double, 2> shares{};
+  std::array<bool, 2> changed{};
+  for (const std::size_t axis : { 0U, 1U })
+  {
+    const int a = static_cast<int>(axis);
+    shares[axis] = (this->options_.flipsForce ? -1.0 : 1.0) * PidScale::sign(a) * force_N[a] / largest_N;
+    changed[axis] = this->engine_.constantForceSteps(shares[axis]) != this->sentForce_[axis];
+  }
+  if (!changed[0] && !changed[1])
+  {
+    return Step::Idle;
+  }
+  // Both: in turn, so that neither starves.
+  const std::size_t axis = changed[0] && changed[1] ? static_cast<std::size_t>(1 - this->lastAxis_)
+                           : changed[0]             ? 0
+                                                    : 1;
+  this->lastAxis_ = static_cast<int>(axis);
+  this->sentForce_[axis] = this->engine_.constantForceSteps(shares[axis]);
+  return taken(this->engine_.setConstantForce(this->forces_[axis].block, shares[axis]));
+}
+
+} // namespace palpate

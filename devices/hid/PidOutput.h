@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "devices/hid/PidEngine.h"
+#include "devices/hid/PidWalls.h"
+#include "haptics/core/DeviceCommand.h"
+
+namespace palpate
+{
+
+/// How a joystick is driven. The times are those of the safety rules (ARCHITECTURE.md).
+struct PidOutputOptions
+{
+  PidScale scale;
+  double largestShare = 0.6; ///< of the device's force, for what the device closes or the link does
+  bool flipsForce = false;   ///< some firmwares take a direction as the one the force comes from
+  int duration_ms = 200;     ///< of every effect: a program that dies leaves no force behind
+  int restartEvery_ms = 100;
+  int wallsEvery_ms = 16; ///< at most that often
+  int silence_ms = 20;    ///< without a new command everything stops
+  int rampUp_ms = 1000;   ///< of what the device closes by itself, once it is first asked for force
+};
+
+/// Decides what one report to send next so that a device does what the newest command says, at whatever rate its link
+/// takes reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis.
+/// Not real-time; one thread.
+class PidOutput
+{
+public:
+  PidOutput(PidEngine& engine, const PidOutputOptions& options) noexcept;
+
+  /// Makes the effects. Empty, or why the device gives no force at all.
+  [[nodiscard]] std::string begin();
+  /// What the device cannot do, for a person; may be empty.
+  [[nodiscard]] const std::string& shortcomings() const noexcept { return this->shortcomings_; }
+  [[nodiscard]] bool holdsWalls() const noexcept { return this->spring_.block > 0; }
+
+  /// What is wanted now: the newest command, its number, where the handle is.
+  struct Wish
+  {
+    DeviceCommand command;
+    std::uint64_t beat = 0;
+    Vec3 p_D = Vec3::Zero(); ///< [m]
+  };
+  enum class Step : std::uint8_t
+  {
+    Idle, ///< the device has all it needs
+    Sent,
+    Failed,
+  };
+  [[nodiscard]] Step step(std::int64_t now_ns, const Wish& wish) noexcept;
+
+  /// Everything was stopped because no new command came.
+  [[nodiscard]] bool silent() const noexcept { return this->silent_; }
+  /// An effect that should be playing.
+  [[nodiscard]] bool plays(int block) const noexcept;
+
+private:
+  struct Effect
+  {
+    int block = 0; ///< 0: the device has none
+    std::int64_t started_ns = never;
+  };
+  static constexpr std::int64_t never = -1;
+
+  [[nodiscard]] std::string make(Effect& effect, const EffectSettings& settings);
+  void makeConditions();
+  void makeSignal();
+  [[nodiscard]] bool empty(const Effect& effect, std::array<Condition, 2>& sent) noexcept;
+  [[nodiscard]] bool fallsSilent(std::int64_t now_ns, std::uint64_t beat) noexcept;
+  [[nodiscard]] Step restart(std::int64_t now_ns) noexcept;
+  [[nodiscard]] Step sendWalls(std::int64_t now_ns, const DeviceCommand& command) noexcept;
+  [[nodiscard]] Step sendConditions() noexcept;
+  [[nodiscard]] Step sendCondition(
+    Effect& effect, std::array<Condition, 2>& sent, const std::array<Condition, 2>& now) noexcept;
+  [[nodiscard]] Step sendSignal(Signal signal) noexcept;
+  [[nodiscard]] Step sendForce(const Wish& wish) noexcept;
+  [[nodiscard]] double rampedShare(std::int64_t now_ns, const DeviceCommand& command) noexcept;
+
+  PidEngine& engine_;
+  PidOutputOptions options_;
+  ConditionAbilities abilities_;
+  std::string shortcomings_;
+  std::array<Effect, 2> forces_{};
+  Effect spring_, damper_, signal_;
+  std::array<Condition, 2> wantedSprings_{}, wantedDampers_{}; ///< of the round that is being sent
+  std::array<Condition, 2> sentSprings_{}, sentDampers_{};
+  std::array<std::int64_t, 2> sentForce_{};
+  int lastAxis_ = 1;
+  WallPlan plan_;
+  std::int64_t wallsSent_ns_ = never;
+  std::int64_t askedSince_ns_ = never; ///< since when force has been asked for
+  Signal lastSignal_ = Signal::None;
+  int signalPart_ = 0;
+  std::uint64_t beat_ = 0;
+  std::int64_t beat_ns_ = never;
+  bool silent_ = false;
+};
+
+} // namespace palpate

@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "devices/io/PidDevice.h"
+#include "testing/devices/hid/FakeHidBus.h"
+#include "testing/support/AllocationGuard.h"
+
+namespace palpate
+{
+namespace
+{
+
+using test::FakeHidBus;
+using test::FakePort;
+using test::PidLayout;
+using test::VirtualPidDevice;
+
+PidDeviceOptions virtualOptions(const FakeHidBus& bus)
+{
+  PidDeviceOptions options;
+  options.threads = false;
+  options.clock = &bus.time();
+  PidScale& scale = options.output.scale;
+  scale.springStiffness_N_per_m = VirtualPidDevice::springGain * scale.maxForce_N / scale.halfTravel_m;
+  scale.damperViscosity_Ns_per_m = VirtualPidDevice::damperMetric * scale.springStiffness_N_per_m;
+  return options;
+}
+
+/// A device on a bus in virtual time: every millisecond a tick of the servo and a pass of the reader and the writer.
+struct Rig
+{
+  explicit Rig(const PidLayout& layout, const std::string& serial = "0001")
+    : port(bus->plug(layout, serial)), options(virtualOptions(*bus)), device("pid", bus, port.entry, options)
+  {
+  }
+
+  VirtualPidDevice& stick() { return *this->port.device; }
+  [[nodiscard]] const PidScale& scale() const { return this->options.output.scale; }
+
+  /// Lets the servo run; the command holds.
+  void run(int duration_ms)
+  {
+    const std::int64_t until_ns = this->bus->time().now_ns() + duration_ms * std::int64_t{ 1000000 };
+    while (this->bus->time().now_ns() < until_ns)
+    {
+      this->status = this->device.read(0.0, this->sample);
+      this->lostTicks += this->status == DeviceStatus::Lost ? 1 : 0;
+      this->device.write(this->command);
+      this->pass();
+    }
+  }
+
+  /// The threads alone: the servo stands still.
+  void pass()
+  {
+    static_cast<void>(this->device.link().readPass(0));
+    if (!this->device.link().writePass())
+    {
+      this->bus->advance(1); // a report takes its time by itself
+    }
+  }
+
+  std::shared_ptr<FakeHidBus> bus = std::make_shared<FakeHidBus>();
+  FakePort& port;
+  PidDeviceOptions options;
+  PidDevice device;
+  DeviceCommand command;
+  DeviceSample sample;
+  DeviceStatus status = DeviceStatus::Ok;
+  int lostTicks = 0;
+};
+
+TEST(PidDevice, ShowsTheHandInMetresOnEveryLayoutToOneStep)
+{
+  for (const PidLayout& layout : test::allLayouts())
+  {
+    Rig rig(layout);
+    ASSERT_EQ(rig.device.open(), "") << layout.name;
+    rig.stick().position = { 0.25, -0.5 };
+    rig.stick().buttons = 0x81;
+    rig.run(5);
+    EXPECT_EQ(rig.status, DeviceStatus::Ok);
+    // One step is the range divided by its numbers; y is turned round: HID's points towards the person.
+    const double step_m = rig.device.info().resolution_m.value;
+    EXPECT_NEAR(step_m, 2 * 0.05 / static_cast<double>(layout.axis.max - layout.axis.min), 1e-12) << layout.name;
+    EXPECT_NEAR(rig.sample.pose_D.p.x(), 0.25 * 0.05, step_m) << layout.name;
+    EXPECT_NEAR(rig.sample.pose_D.p.y(), 0.5 * 0.05, step_m) << layout.name;
+    EXPECT_EQ(rig.sample.buttons, 0x81u);
+    EXPECT_EQ(rig.device.info().deviceClass, DeviceClass::Joystick2D);
+    EXPECT_EQ(rig.stick().badReports, 0) << layout.name;
+  }
+}
+
+TEST(PidDevice, GivesTheForceOfTheCommandOnEveryLayout)
+{
+  for (const PidLayout& layout : test::allLayouts())
+  {
+    Rig rig(layout);
+    ASSERT_EQ(rig.device.open(), "");
+    rig.command.wrench_D.force = { 1.0, -2.0, 0.0 };
+    rig.run(30);
+    const double step_N =
+      5.0 * (1.0 / static_cast<double>(layout.magnitude.max) + M_PI / static_cast<double>(layout.wholeTurn));
+    EXPECT_NEAR(rig.stick().force()[0] * 5.0, 1.0, step_N) << layout.name;
+    EXPECT_NEAR(rig.stick().force()[1] * 5.0, 2.0, step_N) << layout.name;
+    EXPECT_EQ(rig.stick().badReports, 0) << layout.name;
+    rig.command = {};
+    rig.run(10);
+    EXPECT_EQ(rig.stick().force()[0], 0.0) << layout.name;
+    EXPECT_EQ(rig.stick().force()[1], 0.0) << layout.name;
+  }
+}
+
+TEST(PidDevice, HoldsFourWallsWhileTheHostOnlyRestartsThem)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  const double half_m = rig.scale().halfTravel_m, K = rig.scale().springStiffness_N_per_m;
+  rig.command.wallCount = 4;
+  rig.command.walls = { { { Vec3::UnitX(), -0.3 * half_m, K }, { -Vec3::UnitX(), -0.5 * half_m, K },
+    { Vec3::UnitY(), -0.2 * half_m, K }, { -Vec3::UnitY(), -0.2 * half_m, K } } };
+  rig.run(1500); // the ramp
+  const int outputs = rig.stick().outputs, conditions = rig.stick().conditions;
+  rig.stick().push = { 0.5, 0.0 };
+  rig.run(2000);
+  EXPECT_NEAR(rig.stick().position[0], 0.5 + 0.5 / VirtualPidDevice::springGain, 1e-3);
+  EXPECT_EQ(rig.stick().conditions, conditions);
+  // Four effects restarted every 100 ms, each a report of 1 ms.
+  EXPECT_NEAR(rig.stick().outputs - outputs, 4 * 20, 8);
+  EXPECT_EQ(rig.stick().badReports, 0);
+}
+
+TEST(PidDevice, ClosesWallsItselfWhereTheDeviceCannot)
+{
+  Rig rig(test::adapterLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  EXPECT_NE(rig.device.link().shortcomings().find("no walls"), std::string::npos);
+  const double half_m = rig.scale().halfTravel_m;
+  rig.command.wallCount = 1;
+  rig.command.walls[0] = { -Vec3::UnitX(), 0.0, 40.0 };
+  rig.stick().push = { 0.2, 0.0 };
+  rig.run(4000);
+  // At rest the spring of 40 N/m balances a fifth of 5 N.
+  EXPECT_NEAR(rig.stick().position[0] * half_m, 0.2 * 5.0 / 40.0, 0.05 * half_m);
+}
+
+TEST(PidDevice, WhatTheDeviceHoldsRisesSlowlyOnceForceIsAskedFor)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.stick().position = { -0.8, 0.0 };
+  rig.stick().push = { -1.0, 0.0 }; // held there
+  rig.run(50);
+  rig.command.wallCount = 1;
+  rig.command.walls[0] = { Vec3::UnitX(), 0.0, rig.scale().springStiffness_N_per_m };
+  double before = 0.0;
+  for (int ms = 0; ms < 1200; ms += 20)
+  {
+    rig.run(20);
+    const double force = rig.stick().force()[0];
+    // The steepest rise of 3 s^2 - 2 s^3 is 1.5 a second; updates come every 16 ms.
+    EXPECT_LE(force - before, 0.6 * 1.5 * 0.040) << ms;
+    before = force;
+  }
+  EXPECT_NEAR(before, 0.6, 0.01);
+}
+
+TEST(PidDevice, ForceStopsWhenTheServoFallsSilentAndOldForceDoesNotComeBack)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.run(100);
+  EXPECT_GT(rig.stick().force()[0], 0.3);
+  for (int ms = 0; ms < 40; ++ms)
+  {
+    rig.pass();
+  }
+  EXPECT_EQ(rig.stick().force()[0], 0.0);
+  EXPECT_EQ(rig.stick().stopAlls, 1);
+  rig.command = {};
+  for (int ms = 0; ms < 100; ++ms)
+  {
+    rig.run(1);
+    EXPECT_EQ(rig.stick().force()[0], 0.0);
+  }
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.run(20);
+  EXPECT_GT(rig.stick().force()[0], 0.3);
+}
+
+TEST(PidDevice, AProgramThatDiesLeavesNoForceAfterAQuarterSecond)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.command.wallCount = 1;
+  rig.command.walls[0] = { Vec3::UnitX(), 0.05, rig.scale().springStiffness_N_per_m };
+  rig.run(1500);
+  EXPECT_GT(rig.stick().force()[0], 0.3);
+  rig.bus->advance(250); // nobody writes any more
+  EXPECT_EQ(rig.stick().effectsPlaying(), 0);
+  EXPECT_EQ(rig.stick().force()[0], 0.0);
+}
+
+TEST(PidDevice, ClosingLeavesTheDeviceWithoutForceAndEffects)
+{
+  Rig rig(test::hobbyLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.run(50);
+  rig.device.close();
+  EXPECT_EQ(rig.stick().force()[0], 0.0);
+  EXPECT_EQ(rig.stick().effectsUsed(), 0);
+  EXPECT_EQ(rig.port.opened, 1);
+  EXPECT_EQ(rig.port.closed, 1);
+}
+
+TEST(PidDevice, UnpluggedAndPluggedInAgainItGivesForceOnlyAfterARest)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.run(50);
+  rig.port.present = false;
+  rig.run(1000);
+  EXPECT_EQ(rig.status, DeviceStatus::Lost);
+  EXPECT_NE(rig.device.link().report().message.find("is not there"), std::string::npos);
+  rig.port.present = true;
+  rig.port.entry.path = "elsewhere";
+  rig.port.device = std::make_shared<VirtualPidDevice>(test::plainLayout()); // it forgot everything
+  rig.run(1000);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+  EXPECT_EQ(rig.stick().force()[0], 0.0); // still asked for, but nobody has engaged again
+  rig.command = {};
+  rig.run(5);
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.run(20);
+  EXPECT_NEAR(rig.stick().force()[0], 0.4, 1e-3);
+}
+
+TEST(PidDevice, AnotherProgramThatResetsTheDeviceIsNoticed)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.run(50);
+  const std::vector<std::uint8_t> disable{ 0x1C, 2 };
+  ASSERT_TRUE(rig.stick().take(HidReportKind::Output, disable));
+  rig.run(50);
+  EXPECT_GE(rig.lostTicks, 1);
+  EXPECT_TRUE(rig.stick().actuators);
+  EXPECT_EQ(rig.stick().force()[0], 0.0);
+  EXPECT_NE(rig.device.link().report().message.find("another program"), std::string::npos);
+}
+
+TEST(PidDevice, OfTwoAlikeTheSerialNumberDecidesAndWithoutOneNeitherIsTakenAgain)
+{
+  auto bus = std::make_shared<FakeHidBus>();
+  FakePort& first = bus->plug(test::plainLayout(), "A");
+  FakePort& second = bus->plug(test::plainLayout(), "B");
+  HidEntry moved = second.entry;
+  moved.path = "gone";
+  EXPECT_EQ(findAgain(*bus, moved).entry->path, second.entry.path);
+  first.entry.serial = second.entry.serial = "";
+  HidEntry there = first.entry;
+  EXPECT_EQ(findAgain(*bus, there).entry->path, first.entry.path);
+  there.path = "gone";
+  EXPECT_NE(findAgain(*bus, there).problem.find("nothing tells them apart"), std::string::npos);
+  first.present = false;
+  EXPECT_EQ(findAgain(*bus, there).entry->path, second.entry.path);
+}
+
+TEST(PidDevice, NoPermissionBusyAndABrokenDescriptorAreSaidWithTheName)
+{
+  for (const std::string problem : { "no permission", "busy" })
+  {
+    Rig rig(test::plainLayout());
+    rig.port.openProblem = problem;
+    EXPECT_NE(rig.device.open().find("\"plain stick\": " + problem), std::string::npos);
+  }
+  Rig cut(test::plainLayout());
+  cut.port.descriptor.resize(cut.port.descriptor.size() / 2);
+  EXPECT_NE(cut.device.open().find("report descriptor of"), std::string::npos);
+  Rig managed(test::driverManagedLayout());
+  EXPECT_NE(managed.device.open().find("driver-managed pool"), std::string::npos);
+}
+
+TEST(PidDevice, UnpluggingAtAnyStepOfOpeningIsAnAnswerAndNothingStaysOpen)
+{
+  bool opened = false;
+  int steps = 0;
+  for (; !opened; ++steps)
+  {
+    auto rig = std::make_unique<Rig>(test::plainLayout());
+    rig->port.callsUntilUnplugged = steps;
+    const std::string problem = rig->device.open();
+    opened = problem.empty();
+    EXPECT_TRUE(opened || problem.find("plain stick") != std::string::npos) << problem;
+    EXPECT_TRUE(opened || rig->port.opened == rig->port.closed) << steps;
+    ASSERT_LT(steps, 200);
+  }
+  EXPECT_GT(steps, 20);
+}
+
+TEST(PidDevice, AFullPoolLeavesTheForceAndSaysWhatIsMissing)
+{
+  PidLayout small = test::plainLayout();
+  small.slots = 2;
+  Rig two(small);
+  EXPECT_EQ(two.device.open(), "");
+  EXPECT_NE(two.device.link().shortcomings().find("no walls"), std::string::npos);
+  small.slots = 1;
+  Rig one(small);
+  EXPECT_NE(one.device.open().find("full"), std::string::npos);
+}
+
+TEST(PidDevice, ShortAndForeignInputIsCountedAndChangesNothing)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  const ReportDescriptor descriptor = parseReportDescriptor(rig.port.descriptor);
+  const PidInput input(descriptor);
+  EXPECT_FALSE(input.hand(std::vector<std::uint8_t>{ 0x01, 1, 2, 3 }));
+  EXPECT_FALSE(input.hand(std::vector<std::uint8_t>{ 0x77, 1, 2, 3, 4, 5 }));
+  EXPECT_FALSE(input.hand({}));
+  const std::optional<PidHand> beyond = input.hand(std::vector<std::uint8_t>{ 0x01, 0x00, 0x80, 0, 0, 0 });
+  ASSERT_TRUE(beyond); // -32768 where -32767 is the least
+  EXPECT_TRUE(beyond->outOfRange);
+  EXPECT_EQ(beyond->at[0], -1.0);
+}
+
+TEST(PidDevice, AHandleThatShowsTheSamePlaceUnderForceIsSaidToBeFrozen)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.run(200);
+  EXPECT_FALSE(rig.device.link().report().frozen);
+  rig.stick().frozen = true;
+  rig.run(300);
+  EXPECT_TRUE(rig.device.link().report().frozen);
+}
+
+TEST(PidDevice, InputThatPiledUpIsReadToTheNewest)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.stick().push = { 1.0, 0.0 };
+  rig.bus->advance(60); // 60 reports wait
+  ASSERT_TRUE(rig.device.link().readPass(0));
+  ASSERT_EQ(rig.device.read(0.0, rig.sample), DeviceStatus::Ok);
+  EXPECT_NEAR(rig.sample.pose_D.p.x(), rig.stick().position[0] * rig.scale().halfTravel_m, 1e-5);
+}
+
+TEST(PidDevice, AStalledWriteFailsAndIsALossInVirtualTime)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.run(50);
+  rig.port.stalls = true;
+  rig.run(6000);
+  EXPECT_GE(rig.lostTicks, 1);
+  EXPECT_EQ(rig.stick().effectsPlaying(), 0); // it ended by itself
+}
+
+/// Waits until something holds, generously: a machine may be busy.
+template<class Condition>
+bool eventually(Condition condition)
+{
+  for (int i = 0; i < 4000; ++i)
+  {
+    if (condition())
+    {
+      return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+// 5 s of servo, tick by tick in virtual time, while a write hangs for real: no tick waits, locks or allocates.
+TEST(PidDevice, AWriteThatHangsDelaysNoTick)
+{
+  auto bus = std::make_shared<FakeHidBus>(false);
+  FakePort& port = bus->plug(test::plainLayout());
+  PidDevice device("pid", bus, port.entry);
+  ASSERT_EQ(device.open(), "");
+  bus->alone([&] { return port.stalls = true; });
+  DeviceCommand command;
+  DeviceSample sample;
+  int lost = 0;
+  {
+    const test::AllocationGuard guard;
+    for (int tick = 0; tick < 5000; ++tick)
+    {
+      lost += device.read(1e-3 * tick, sample) == DeviceStatus::Lost ? 1 : 0;
+      command.wrench_D.force.x() = 1e-3 * tick;
+      device.write(command);
+    }
+    EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0u);
+  }
+  EXPECT_TRUE(eventually(
+    [&]
+    {
+      device.write(command);
+      lost += device.read(0.0, sample) == DeviceStatus::Lost ? 1 : 0;
+      return lost > 0;
+    })); // noticed after 50 ms
+  bus->release(port);
+}
+
+TEST(PidDevice, ItsThreadsCarryTheHandAndTheForce)
+{
+  auto bus = std::make_shared<FakeHidBus>(false);
+  FakePort& port = bus->plug(test::plainLayout());
+  PidDevice device("pid", bus, port.entry);
+  ASSERT_EQ(device.open(), "");
+  bus->alone([&] { return port.device->position[0] = 0.5; });
+  DeviceCommand command;
+  DeviceSample sample;
+  command.wrench_D.force.x() = 1.0;
+  EXPECT_TRUE(eventually(
+    [&]
+    {
+      bus->advance(1);
+      device.write(command);
+      static_cast<void>(device.read(0.0, sample));
+      return bus->alone([&] { return port.device->force()[0]; }) > 0.19 && sample.pose_D.p.x() > 0.02;
+    }));
+  device.close();
+  EXPECT_EQ(bus->alone([&] { return port.device->effectsUsed(); }), 0);
+}
+
+} // namespace
+} // namespace palpate
