@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "haptics/contact/NearestOnTriangle.h"
+#include "haptics/geometry/NearestOnTriangle.h"
 #include "haptics/contact/Resolution.h"
 #include "haptics/contact/Seat.h"
 #include "haptics/contact/Sweep.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "haptics/contact/NearestOnTriangle.h"
+#include "haptics/geometry/NearestOnTriangle.h"
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Projection.h"
 #include "haptics/contact/Sweep.h"
@@ -42,17 +42,17 @@ void forEachNear(const SceneView& scene, const Vec3& x_W, double reach, Visit vi
   {
     const auto& surface = surfaceOf(scene, s);
     const SurfaceData& data = dataOf(surface);
-    const Motion& inSurface = inTree(surface, still);
-    return walkWithin(data.nodes, BoxTest(inSurface), unbounded, nodes,
-      [&](std::uint32_t index) noexcept
+    const auto visitLeaf = [&](std::uint32_t index) noexcept
+    {
+      const Leaf& leaf = data.leaves[index];
+      for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
       {
-        const Leaf& leaf = data.leaves[index];
-        for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
-        {
-          visit(surface, s, t);
-        }
-        return true;
-      });
+        visit(surface, s, t);
+      }
+      return true;
+    };
+    return askTree(surface, still, [&](const Motion& inSurface) noexcept
+      { return walkWithin(data.nodes, BoxTest(inSurface), unbounded, nodes, visitLeaf); });
   };
   static_cast<void>(walkWithin(sceneOf(scene).surfaceTree().nodes, test, unbounded, nodes, visitSurface));
 }
@@ -60,9 +60,10 @@ void forEachNear(const SceneView& scene, const Vec3& x_W, double reach, Visit vi
 /// What the ball at x comes nearest to.
 struct Nearest
 {
-  double distance = std::numeric_limits<double>::infinity();
+  double clearance = std::numeric_limits<double>::infinity(); ///< from the centre to the surface, or to its coat
+  double coat = 0.0;
   Vec3 foot_W = Vec3::Zero();
-  Vec3 normal_W = Vec3::Zero(); ///< of the face, for a centre that lies in it
+  Vec3 normal_W = Vec3::Zero(); ///< of the face or across the curve, for a centre that lies in it
   std::uint32_t surface = 0;
   std::uint32_t triangle = 0;
 };
@@ -77,10 +78,12 @@ Nearest nearestWithin(const SceneView& scene, const Vec3& x_W, double reach) noe
       const FaceRecord& face = surface.face(t);
       const auto& [a, b, c] = face.corner_W;
       const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c);
-      const double distance = (x_W - foot_W).norm();
-      if (distance < nearest.distance)
+      const double coat = dataOf(surface).coat_u;
+      const double clearance = (x_W - foot_W).norm() - coat;
+      if (clearance < nearest.clearance)
       {
-        nearest = { distance, foot_W, face.normal_W, s, t };
+        const Vec3 across = coat > 0.0 ? Vec3((b - a).unitOrthogonal()) : face.normal_W;
+        nearest = { clearance, coat, foot_W, across, s, t };
       }
     });
   return nearest;
@@ -124,7 +127,8 @@ bool seatRound(const SceneView& scene, double r, const Vec3& p_W, Vec3& x_W) noe
 {
   Resolution resolution;
   resolution.include(p_W);
-  resolution.include(Vec3::Constant(r));
+  resolution.include(Vec3::Constant(r + sceneOf(scene).mostCoat_u()));
+  double furthest = r; // how far the ball may be moved: out of what it lies in
   const double tol = resolution.tol();
   SeatPlanes planes;
   Vec3 y = Vec3::Zero();
@@ -132,16 +136,18 @@ bool seatRound(const SceneView& scene, double r, const Vec3& p_W, Vec3& x_W) noe
   {
     const Vec3 x = p_W + y;
     const Nearest nearest = nearestWithin(scene, x, r);
-    if (nearest.distance >= r - tol)
+    if (nearest.clearance >= r - tol)
     {
       x_W = x;
       return true;
     }
-    const Vec3 n = nearest.distance > tol ? Vec3((x - nearest.foot_W) / nearest.distance) : nearest.normal_W;
-    planes.set(nearest, { n, r - n.dot(p_W - nearest.foot_W) });
+    const double distance = nearest.clearance + nearest.coat;
+    const Vec3 n = distance > tol ? Vec3((x - nearest.foot_W).normalized()) : nearest.normal_W;
+    planes.set(nearest, { n, r + nearest.coat - n.dot(p_W - nearest.foot_W) });
+    furthest = std::max(furthest, r + nearest.coat);
     const ProjectionResult out = projectOntoPlanes(planes.rows(), Vec3::Zero(), 0.25 * tol);
     y = out.y;
-    if (!out.feasible || y.norm() > r + tol)
+    if (!out.feasible || y.norm() > furthest + tol)
     {
       return false;
     }
