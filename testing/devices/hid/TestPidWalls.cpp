@@ -105,6 +105,7 @@ double stepOf(const PidLayout& layout, std::uint8_t usage)
   return 1.0 / static_cast<double>(layout.conditionNumber(usage)->max);
 }
 
+// Row 48.
 TEST(PidWalls, FourWallsAreHeldWhereTheyAreToOneStepOnEveryLayoutWithADeadBand)
 {
   test::Random random(test::testSeed(5301));

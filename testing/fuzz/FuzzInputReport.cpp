@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes as an input report of any descriptor: the hand stays within its travel, and what is too short or another
+// report says nothing. First two bytes: how many of the following are the descriptor.
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <span>
+
+#include "devices/hid/PidInput.h"
+
+namespace
+{
+
+void require(bool holds)
+{
+  if (!holds)
+  {
+    std::abort();
+  }
+}
+
+} // namespace
+
+// NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const std::size_t promised = size < 2 ? 0 : data[0] + 256U * data[1];
+  if (size < 2 || promised > size - 2)
+  {
+    return 0;
+  }
+  const palpate::ReportDescriptor descriptor = palpate::parseReportDescriptor({ data + 2, promised });
+  const palpate::PidInput input(descriptor);
+  if (!input.usable())
+  {
+    return 0;
+  }
+  require(input.step() > 0.0 && input.buttonCount() <= 32);
+  const std::span<const std::uint8_t> report(data + 2 + promised, size - 2 - promised);
+  const std::optional<palpate::PidHand> hand = input.hand(report);
+  require(!hand || (hand->at[0] >= -1.0 && hand->at[0] <= 1.0 && hand->at[1] >= -1.0 && hand->at[1] <= 1.0));
+  require(!input.hand(report.first(0)) || !descriptor.numbered());
+  return 0;
+}
