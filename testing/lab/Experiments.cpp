@@ -50,6 +50,8 @@ std::vector<Experiment> experiments()
     { "many-surfaces", "a scene of up to a thousand surfaces is felt as the one mesh of them all, at about its cost",
       { 54 }, runManySurfaces },
     { "closed-loop", "a hand gets no more out of a loop in a convex room than a held force leaks", { 27 }, runClosedLoop },
+    { "materials", "data felt as they say: soft and hard, rough and fast, and no work from a loop over any of it", { 27 },
+      runMaterials },
     { "deforming", "a surface whose vertices move stays felt, at a fraction of what building it anew costs", { 51 },
       runDeforming },
     { "scene-swap", "surfaces replaced ten times a second under a pressed hand: it stays, and its force never jumps",

@@ -35,6 +35,7 @@ void runFriction(const Conditions& conditions, Table& table);
 void runMoving(const Conditions& conditions, Table& table);
 void runManySurfaces(const Conditions& conditions, Table& table);
 void runClosedLoop(const Conditions& conditions, Table& table);
+void runMaterials(const Conditions& conditions, Table& table);
 void runDeforming(const Conditions& conditions, Table& table);
 void runSceneSwap(const Conditions& conditions, Table& table);
 
