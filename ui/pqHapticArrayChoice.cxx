@@ -13,7 +13,7 @@ pqHapticArrayChoice::pqHapticArrayChoice(QWidget* parent) : Superclass(parent)
 
 QString pqHapticArrayChoice::array() const
 {
-  return this->currentIndex() > 0 ? this->currentText() : QString();
+  return this->currentIndex() > 0 ? this->currentText() : QString(""); // a null string is never sent to a property
 }
 
 void pqHapticArrayChoice::setArray(const QString& name)

@@ -10,6 +10,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkHapticConversion.h"
+#include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticToolProps.h"
 #include "vtkMapper.h"
@@ -34,7 +35,7 @@ vtkDataObject* ShownBy(vtkActor* actor)
   mapper->GetInputAlgorithm()->Update();
   return mapper->GetInputDataObject(0, 0);
 }
-}
+} // namespace
 
 class vtkHapticInteractor::Internals
 {
@@ -107,11 +108,13 @@ bool vtkHapticInteractor::HandOver()
 {
   Internals& impl = *this->Impl;
   palpate::WordHash key;
+  key.add(std::uint64_t{ impl.Session->GetMaterialTime() });
   std::vector<vtkDataObject*> shown;
   for (vtkActor* actor : impl.Actors)
   {
     shown.push_back(ShownBy(actor));
     key.add(shown.back() ? vtkHapticContentKey(shown.back(), actor->GetMatrix()) : std::uint64_t{ 0 });
+    key.add(impl.Session->GetUsesMaterialArrays() ? vtkHapticArraysKey(shown.back()) : std::uint64_t{ 0 });
   }
   if (impl.Given && key.value() == impl.Key)
   {

@@ -301,7 +301,7 @@ vtkHapticMaterialResult vtkHapticToMaterial(
   const std::vector<vtkSmartPointer<vtkPolyData>> parts = vtkHapticSurfaceParts(data, partPoints);
   if (parts.empty())
   {
-    result.Problem = "its arrays could not be read";
+    result.Note = result.Problem = "its arrays are not those of its points";
     return result;
   }
   palpate::MaterialFields fields;

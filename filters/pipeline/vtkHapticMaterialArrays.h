@@ -50,9 +50,10 @@ struct vtkHapticMaterialResult
 
 /// Values for each vertex of a mesh that vtkHapticToMesh() made of `data`; `partPoints` as it gave them.
 ///
-/// Point arrays go to the vertices as they are. A cell array goes to them as the mean of the cells around a point, all
-/// counting the same. A value that is not finite is left NaN: there the surface's own value is felt. Where a block of
-/// composite data has no such array the same holds for all of it.
+/// The transfer is applied at the vertices; what is felt between them is interpolated. Point arrays go to the vertices
+/// as they are. A cell array goes to them as the mean of the cells around a point, all counting the same. A value that
+/// is not finite is left NaN: there the surface's own value is felt. Where a block of composite data has no such array
+/// the same holds for all of it.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMaterialResult vtkHapticToMaterial(
   vtkDataObject* data, const std::vector<std::size_t>& partPoints, const vtkHapticMaterialSettings& settings);
 

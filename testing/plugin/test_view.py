@@ -77,6 +77,33 @@ class TouchInAView(unittest.TestCase):
         simple.Render(self.view)
         self.assertFalse(self.follow())
 
+    def test_an_array_is_felt_and_a_change_of_it_or_of_its_range_is_noticed(self):
+        height = simple.Elevation(Input=simple.Box(), LowPoint=[0.0, -0.5, 0.0], HighPoint=[0.0, 0.5, 0.0])
+        self.show(height)
+        put(self.proxy, "StiffnessArray", "Elevation")
+        put(self.proxy, "StiffnessFeltRange", 50.0, 150.0)
+        self.assertTrue(self.follow())
+        self.assertFalse(self.follow())
+        self.assertIn("Elevation", self.scene.GetArrayNames().split())
+        self.assertIn("stiffness from 'Elevation', 0 to 1 as 50 to 150 N/m", self.session.GetSceneReport())
+        y, slope = 0.1, 100.0  # N/m per u
+        self.press(0.5 - DEPTH, y, 0.1)
+        wall = 50.0 + slope * (y + 0.5)
+        self.assertAlmostEqual(self.session.GetForce()[0], wall * DEPTH, delta=1e-6)  # the array has single precision
+        self.assertAlmostEqual(self.session.GetForce()[1], -0.5 * slope * DEPTH**2, delta=1e-6)
+        put(self.proxy, "StiffnessFeltRange", 80.0, 80.0)
+        self.assertTrue(self.follow())
+        self.session.Step(1000)
+        self.assertAlmostEqual(self.session.GetForce()[0], 80.0 * DEPTH, delta=1e-6)
+        put(self.proxy, "StiffnessFeltRange", 40.0, 140.0)
+        height.HighPoint = [0.0, 1.5, 0.0]
+        height.ScalarRange = [0.0, 2.0]
+        put(self.proxy, "StiffnessDataRange", 0.0, 1.0)
+        simple.Render(self.view)
+        self.assertTrue(self.follow())
+        self.session.Step(1000)
+        self.assertAlmostEqual(self.session.GetForce()[0], (40.0 + 100.0 * (y + 0.5)) * DEPTH, delta=1e-6)
+
     def test_a_moved_scaled_and_mirrored_actor_is_touched_where_it_is_seen(self):
         display = self.show(simple.Box())
         display.Position = [3.0, 0.0, 0.0]

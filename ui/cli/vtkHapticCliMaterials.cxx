@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticCliMaterials.h"
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "vtkHapticCliProblem.h"

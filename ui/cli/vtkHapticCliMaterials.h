@@ -2,12 +2,9 @@
 #ifndef vtkHapticCliMaterials_h
 #define vtkHapticCliMaterials_h
 
-#include "vtkHapticMaterialArrays.h"
+#include <CLI/App.hpp>
 
-namespace CLI
-{
-class App;
-}
+#include "vtkHapticMaterialArrays.h"
 
 /// The options that say which arrays of a file make its stiffness, friction and texture, for one command. `settings`
 /// is filled while the command line is read and has to be checked afterwards.

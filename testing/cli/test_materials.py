@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`palpate touch` and `check` with arrays of the data: stiffness, friction and texture by their formulas."""
+
+import json
+import unittest
+
+from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest
+
+HALF = 8.0  # scene units, of the square
+STIFFNESS = 512.0  # N/m, of the coupling
+DEPTH = 0.5  # scene units
+PLACES = [-6.0, -1.5, 0.5, 3.0, 7.0]
+
+
+def vtp_with(points, faces, point_data="", cell_data=""):
+    numbers = " ".join(str(value) for point in points for value in point)
+    corners = " ".join(str(i) for face in faces for i in face)
+    offsets = " ".join(str(sum(map(len, faces[:n + 1]))) for n in range(len(faces)))
+    return f"""<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
+<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="{len(faces)}">
+<PointData>{point_data}</PointData><CellData>{cell_data}</CellData>
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{numbers}</DataArray></Points>
+<Polys><DataArray type="Int64" Name="connectivity" format="ascii">{corners}</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">{offsets}</DataArray></Polys>
+</Piece></PolyData></VTKFile>
+"""
+
+
+def array(name, values, components=1):
+    return (f'<DataArray type="Float64" Name="{name}" NumberOfComponents="{components}" format="ascii">'
+            f'{" ".join(map(str, values))}</DataArray>')
+
+
+class Materials(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        x = [point[0] for point in SQUARE_POINTS]
+        y = [point[1] for point in SQUARE_POINTS]
+        self.write("square.vtp", vtp_with(
+            SQUARE_POINTS, SQUARE_FACES,
+            array("x", x) + array("y", y) + array("v", [c for point in SQUARE_POINTS for c in point], 3) +
+            array("holes", [x[0], "nan", "nan", x[3]]),
+            array("c", [3.0, 3.0])))
+
+    def touch(self, rows, *options, files=("square.vtp",)):
+        self.write_path(rows)
+        self.succeed("touch", *files, "--path", "path.csv", "--csv", "out.csv", "--stiffness", STIFFNESS, *options)
+        return self.read_rows()
+
+    def pressed(self, *options):
+        """Down to DEPTH at each place and at rest there: what is felt at each."""
+        rows = []
+        for place in PLACES:
+            rows += [(place, 0.25, 1.0), (place, 0.25, -DEPTH), (place, 0.25, -DEPTH)]
+        return self.touch([(n / 1024, *row) for n, row in enumerate(rows)], *options)[2::3]
+
+    def assert_force(self, row, expected):
+        for axis, value in zip("xyz", expected):
+            self.assertAlmostEqual(row[f"force_{axis}"], value, delta=STIFFNESS * 1e-12)
+
+    def test_stiffness_follows_an_array_at_every_place(self):
+        slope = (400.0 - 80.0) / (2.0 * HALF)
+        for row, place in zip(self.pressed("--stiffness-array", "x", "--stiffness-to", "80,400"), PLACES):
+            wall = 80.0 + slope * (place + HALF)
+            self.assert_force(row, (-0.5 * slope * DEPTH**2, 0.0, wall * DEPTH))
+
+    def test_the_scale_of_the_hand_divides_all_of_it(self):
+        slope = (400.0 - 80.0) / (2.0 * HALF)
+        options = ("--stiffness-array", "x", "--stiffness-to", "80,400", "--scale", "4")
+        for row, place in zip(self.pressed(*options), PLACES):
+            wall = 80.0 + slope * (place + HALF)
+            self.assert_force(row, (-0.5 * slope * DEPTH**2 / 4, 0.0, wall * DEPTH / 4))
+
+    def test_a_range_of_the_data_and_a_component(self):
+        options = ("--stiffness-array", "v", "--stiffness-component", "0", "--stiffness-range", "-1,1",
+                   "--stiffness-to", "100,300")
+        for row, place in zip(self.pressed(*options), PLACES):
+            # The corners, at -8 and 8, lie beyond the range; between them what they feel like is interpolated.
+            wall = 100.0 + 200.0 * (place + HALF) / (2.0 * HALF)
+            self.assertAlmostEqual(row["force_z"], wall * DEPTH, delta=STIFFNESS * 1e-12)
+
+    def test_texture_is_the_force_of_its_potential(self):
+        slope = 0.25 / HALF
+        for row, place in zip(self.pressed("--texture-array", "x", "--texture-to", "-0.25,0.25"), PLACES):
+            deep = STIFFNESS * (DEPTH + slope * place)
+            self.assert_force(row, (-slope * deep, 0.0, deep))
+
+    def test_friction_follows_an_array(self):
+        rows = [(0.0, -4.0, 2.0, 1.0)] + [(n / 1024, -4.0 + n / 32, 2.0, -DEPTH) for n in range(1, 200)]
+        out = self.touch(rows, "--friction-array", "y", "--friction-to", "0,0.5")
+        mu = 0.5 * (2.0 + HALF) / (2.0 * HALF)
+        self.assertAlmostEqual(out[-1]["force_x"], -mu * STIFFNESS * DEPTH, delta=1e-9)
+        self.assertAlmostEqual(out[-1]["force_z"], STIFFNESS * DEPTH, delta=1e-9)
+
+    def test_points_without_a_number_are_counted_and_feel_like_the_surface(self):
+        self.write_path([(0.0, 7.0, 0.0, 1.0), (1 / 1024, 7.0, 0.0, -DEPTH), (2 / 1024, 7.0, 0.0, -DEPTH)])
+        run = self.succeed("touch", "square.vtp", "--path", "path.csv", "--csv", "out.csv", "--stiffness", STIFFNESS,
+                           "--stiffness-array", "holes", "--stiffness-to", "64,64")
+        self.assertIn("2 points without a number", run.stderr)
+        share = (7.0 + HALF) / (2.0 * HALF)
+        wall = 64.0 + share * (STIFFNESS - 64.0)
+        self.assertAlmostEqual(self.read_rows()[-1]["force_z"], wall * DEPTH, delta=1e-9)
+
+    def test_check_says_what_an_array_gives(self):
+        text = self.succeed("check", "square.vtp", "--friction-array", "c", "--friction-to", "0.25,0.75").stdout
+        self.assertIn("friction from 'c', 3 to 3 as 0.25 to 0.75", text)
+        described = json.loads(self.succeed("check", "square.vtp", "--texture-array", "x", "--json").stdout)
+        self.assertIn("texture from 'x', -8 to 8 as 0 to 1 scene units", described["material"])
+
+    def test_one_of_many_files_may_be_without_the_array(self):
+        self.write_off("other.off", [(x, y, z - 2.0) for x, y, z in SQUARE_POINTS], SQUARE_FACES)
+        self.write_path([(0.0, 0.0, 0.5, 1.0)])
+        run = self.succeed("touch", "square.vtp", "other.off", "--path", "path.csv", "--csv", "out.csv",
+                           "--stiffness-array", "x")
+        self.assertIn("other.off: its own stiffness, for it has no array 'x'", run.stderr)
+
+    def test_an_array_that_cannot_be_used_is_refused_in_one_line(self):
+        self.write_path([(0.0, 0.0, 0.0, 1.0)])
+        touch = ("touch", "square.vtp", "--path", "path.csv", "--csv", "out.csv")
+        self.refused(*touch, "--stiffness-array", "X", saying=["square.vtp", "no array 'X'", "'c', 'holes', 'v', 'x', 'y'"])
+        self.refused("check", "square.vtp", "--texture-array", "v", "--texture-component", "3",
+                     saying=["square.vtp", "'v' has 3 components"])
+        self.refused(*touch, "--friction-array", "x", "--friction-to", "0,10.5", saying=["friction", "0 to 10"])
+        self.refused(*touch, "--stiffness-array", "x", "--stiffness-to", "-1,5", saying=["stiffness"])
+        self.refused(*touch, "--stiffness-array", "x", "--stiffness-to", "1", saying=["--stiffness-to"])
+        self.assertFalse((self.folder / "out.csv").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

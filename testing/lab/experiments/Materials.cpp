@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Row 27 for surfaces that change along the way, and what is felt of data at all: stiffness and texture given at the
+// vertices, beside a wall in series with the coupling, a stiffness without a slope, a turned normal, and two other
+// limits of a texture's speed.
+//
+// The truth is the energy V = k(x) (d + h(x))^2 / 2 of a wall that is pressed d deep: its force is -grad V, and no
+// closed way does work. K = 1000 N/m; scenes in metres.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "haptics/geometry/SceneBuilder.h"
+#include "testing/lab/Experiments.h"
+#include "testing/support/Meshes.h"
+#include "testing/support/Probe.h"
+
+namespace palpate::lab
+{
+namespace
+{
+
+constexpr double K = 1000.0, T = 1e-3, pi = std::numbers::pi;
+constexpr double soft_N_per_m = 200.0, hard_N_per_m = 1000.0, length_m = 0.04, width_m = 0.004, cell_m = 1e-4;
+constexpr double bump_m = 2e-4, wave_m = 2e-3;
+constexpr const char* ours = "god-object r=0";
+
+using Field = std::function<double(double x)>;
+
+double wall(double x)
+{
+  return soft_N_per_m + (hard_N_per_m - soft_N_per_m) * (x / length_m + 0.5);
+}
+
+constexpr double wallSlope = (hard_N_per_m - soft_N_per_m) / length_m;
+
+double bump(double x)
+{
+  return 0.5 * bump_m * (1.0 - std::cos(2 * pi * x / wave_m));
+}
+
+/// A strip along x, cells of 0.1 mm, with values at its vertices.
+std::shared_ptr<const Scene> strip(const Conditions& conditions, const Field& stiffness, const Field& height)
+{
+  test::Random random(conditions.seed);
+  const auto cells = [](double side_m) { return static_cast<int>(std::lround(side_m / cell_m)); };
+  auto mesh = std::make_shared<TriangleMesh>(
+    test::makeSheet({ length_m, width_m, cells(length_m), cells(width_m), 0.0 }, random));
+  auto fields = std::make_shared<MaterialFields>();
+  for (const Vec3& v : mesh->vertices_W)
+  {
+    if (stiffness)
+    {
+      fields->stiffness_N_per_m.push_back(stiffness(v.x()));
+    }
+    if (height)
+    {
+      fields->height_u.push_back(height(v.x()));
+    }
+  }
+  return SceneBuilder().build({ { "strip", mesh, Material(), fields } }).scene;
+}
+
+test::Probe above(const std::shared_ptr<const Scene>& scene, double x)
+{
+  test::Probe probe(scene, 0.0, { x, 0, 0.01 });
+  probe.plan().coupling_N_per_m = K;
+  return probe;
+}
+
+void feltStiffness(const Conditions& conditions, Table& table)
+{
+  test::Probe probe = above(strip(conditions, wall, nullptr), 0.0);
+  test::Random random(conditions.seed);
+  double wrong = 0.0, wrongInSeries = 0.0;
+  for (int i = 0; i < conditions.pick(200, 2000, 20000); ++i)
+  {
+    const double x = random.uniform(-0.49, 0.49) * length_m, d = random.uniform(1e-4, 2e-3);
+    const Vec3 force_N = K * probe.to({ x, 0, -d }).pull_W, truth_N = { -0.5 * d * d * wallSlope, 0, wall(x) * d };
+    wrong = std::max(wrong, (force_N - truth_N).norm());
+    wrongInSeries = std::max(wrongInSeries, 1.0 - K / (K + wall(x)));
+  }
+  const std::string name = "wall=200..1000 N/m";
+  table.atMost({ name, ours, "error of the force", "N" }, wrong, 1e-9);
+  // A wall of the data's stiffness behind the coupling is felt as K k / (K + k): at k = K as half of it.
+  table.atLeast({ name, "in series with the coupling", "error of the felt stiffness" }, wrongInSeries, 0.45);
+}
+
+constexpr double shallow_m = 5e-4, deep_m = 2e-3;
+
+/// In at `from`, along to `to`, out there, and back: the force in the middle of each step times the step, which is
+/// exact where the force is linear over it.
+template<class ForceAt>
+double loopWork_J(double from, double to, int stepsPerSide, ForceAt forceAt)
+{
+  const Vec3 corners_W[] = { { from, 0, -shallow_m }, { from, 0, -deep_m }, { to, 0, -deep_m }, { to, 0, -shallow_m } };
+  double work_J = 0.0;
+  for (int side = 0; side < 4; ++side)
+  {
+    const Vec3 step_m = (corners_W[(side + 1) % 4] - corners_W[side]) / stepsPerSide;
+    for (int i = 0; i < stepsPerSide; ++i)
+    {
+      work_J += Vec3(forceAt(Vec3(corners_W[side] + (i + 0.5) * step_m))).dot(step_m);
+    }
+  }
+  return work_J;
+}
+
+double ourWork_J(const std::shared_ptr<const Scene>& scene, double from, double to, int stepsPerSide)
+{
+  test::Probe probe = above(scene, from);
+  (void)probe.along({ from, 0, -shallow_m }, 100);
+  return loopWork_J(from, to, stepsPerSide, [&probe](const Vec3& p_W) { return K * probe.to(p_W).pull_W; });
+}
+
+void closedWays(const Conditions& conditions, Table& table)
+{
+  const double from = -0.4 * length_m, to = -from, area2_m2 = deep_m * deep_m - shallow_m * shallow_m;
+  // Both sides along x are cut where cells end, so that the field is linear over every step.
+  const int steps = static_cast<int>(std::lround(2 * to / cell_m)) * conditions.pick(2, 10, 40);
+  const std::string ramp = "in where it is soft, out where it is hard";
+  table.within(
+    { ramp, ours, "work of a loop", "J" }, ourWork_J(strip(conditions, wall, nullptr), from, to, steps), 0.0, 1e-9);
+  const double gain_J = 0.5 * (wall(to) - wall(from)) * area2_m2;
+  const double without_J =
+    loopWork_J(from, to, steps, [](const Vec3& p_W) { return Vec3(0, 0, -wall(p_W.x()) * p_W.z()); });
+  table.within({ ramp, "stiffness without its slope", "work of a loop", "J" }, without_J, gain_J, 1e-9);
+  table.atLeast(
+    { ramp, "stiffness without its slope", "energy a hand is given in a loop", "J" }, without_J, 0.5 * gain_J);
+
+  const int bumpSteps = conditions.pick(200, 1000, 4000); // half a wave is ten cells
+  const std::string waves = "over a bump of 0.2 mm, back deeper";
+  table.within({ waves, ours, "work of a loop", "J" },
+    ourWork_J(strip(conditions, nullptr, bump), 0.0, wave_m / 2, bumpSteps), 0.0, 1e-9);
+  const double turned_J = loopWork_J(wave_m / 2, 0.0, bumpSteps,
+    [](const Vec3& p_W)
+    {
+      const double slope = bump_m * pi / wave_m * std::sin(2 * pi * p_W.x() / wave_m);
+      return Vec3(-K * p_W.z() * Vec3(-slope, 0, 1));
+    });
+  const double truth_J = K * (deep_m - shallow_m) * bump_m;
+  table.within({ waves, "turned normal", "work of a loop", "J" }, turned_J, truth_J, 1e-3 * truth_J);
+  table.atLeast({ waves, "turned normal", "energy a hand is given in a loop", "J" }, turned_J, 0.5 * truth_J);
+}
+
+/// What is felt of a texture over what there is, by least squares, on a way of so many ticks a wave.
+double shareFelt(const std::shared_ptr<const Scene>& scene, double ticksAWave)
+{
+  constexpr double d = 1e-3;
+  const double step_m = wave_m / ticksAWave, mean_m = 0.5 * bump_m;
+  double x = -0.45 * length_m;
+  test::Probe probe = above(scene, x);
+  probe.to({ x - step_m, 0, -d });
+  double product = 0.0, square = 0.0;
+  for (; x < 0.45 * length_m; x += step_m)
+  {
+    const double felt_m = probe.to({ x, 0, -d }).pull_W.z() - d - mean_m, there_m = bump(x) - mean_m;
+    product += felt_m * there_m;
+    square += there_m * there_m;
+  }
+  return product / square;
+}
+
+/// None of a texture whose period is less than five ticks, all of it from ten on.
+double shareOf(double ticks)
+{
+  return std::clamp(ticks / 5.0 - 1.0, 0.0, 1.0);
+}
+
+/// Of the force of the texture as it lies there, by its crossings of the mean: two a wave.
+double frequency_Hz(double ticksAWave)
+{
+  constexpr int ticks = 1000;
+  int crossings = 0;
+  for (int i = 0; i < ticks; ++i)
+  {
+    const auto isHigh = [=](int tick) { return bump(tick * wave_m / ticksAWave) > 0.5 * bump_m; };
+    crossings += isHigh(i) != isHigh(i + 1) ? 1 : 0;
+  }
+  return crossings / (2.0 * ticks * T);
+}
+
+void speedOfTexture(const Conditions& conditions, Table& table)
+{
+  const auto scene = strip(conditions, nullptr, bump);
+  for (const double ticks : { 40.0, 12.3, 9.1, 7.3, 6.1, 4.9, 3.1 })
+  {
+    const std::string name = caseName({ { "ticks-a-wave", ticks } });
+    table.within({ name, ours, "share of the texture felt" }, shareFelt(scene, ticks), shareOf(ticks), 0.02);
+  }
+  table.atLeast(
+    { caseName({ { "ticks-a-wave", 3.1 } }), "texture at any speed", "frequency of the force over 1 / (5 T)" },
+    frequency_Hz(3.1) / (1.0 / (5.0 * T)), 1.5);
+  // The mesh alone does not say how long a wave is: twenty cells make this one.
+  const double grainTicks = 2 * cell_m / (wave_m / 40.0);
+  table.atLeast(
+    { caseName({ { "ticks-a-wave", 40.0 } }), "limit from the mesh", "share of a slow texture that is lost" },
+    shareOf(40.0) - shareOf(grainTicks), 0.5);
+}
+
+} // namespace
+
+void runMaterials(const Conditions& conditions, Table& table)
+{
+  feltStiffness(conditions, table);
+  conditions.progress(0.2);
+  closedWays(conditions, table);
+  conditions.progress(0.8);
+  speedOfTexture(conditions, table);
+  conditions.progress(1.0);
+}
+
+} // namespace palpate::lab
