@@ -9,8 +9,8 @@
 namespace palpate
 {
 
-/// The HID devices of this computer, through hidapi on the kernel's hidraw.
-[[nodiscard]] std::shared_ptr<HidBus> systemHidBus();
+/// The HID devices of this computer, through hidapi on the kernel's hidraw, whose descriptors stand in `sysfs`.
+[[nodiscard]] std::shared_ptr<HidBus> systemHidBus(const std::string& sysfs = "/sys/class/hidraw");
 
 /// Why the system did not open a device, from the number it gave, and what to do.
 [[nodiscard]] std::string openProblem(const std::string& path, int systemError);

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <hidapi/hidapi.h>
@@ -85,7 +86,7 @@ private:
 class HidapiBus final : public HidBus
 {
 public:
-  HidapiBus() { hid_init(); }
+  explicit HidapiBus(std::string sysfs) : sysfs_(std::move(sysfs)) { hid_init(); }
   ~HidapiBus() override { hid_exit(); }
   HidapiBus(const HidapiBus&) = delete;
   HidapiBus& operator=(const HidapiBus&) = delete;
@@ -115,7 +116,7 @@ public:
   Descriptor descriptor(const HidEntry& entry) override
   {
     const std::string node = entry.path.substr(entry.path.rfind('/') + 1);
-    const std::string file = "/sys/class/hidraw/" + node + "/device/report_descriptor";
+    const std::string file = this->sysfs_ + "/" + node + "/device/report_descriptor";
     std::ifstream stream(file, std::ios::binary);
     Descriptor read;
     read.bytes.assign(std::istreambuf_iterator<char>(stream), {});
@@ -144,14 +145,15 @@ public:
   }
 
 private:
+  std::string sysfs_;
   std::mutex mutex_; ///< hidapi's own lists are not made for two threads
 };
 
 } // namespace
 
-std::shared_ptr<HidBus> systemHidBus()
+std::shared_ptr<HidBus> systemHidBus(const std::string& sysfs)
 {
-  return std::make_shared<HidapiBus>();
+  return std::make_shared<HidapiBus>(sysfs);
 }
 
 std::string openProblem(const std::string& path, int systemError)
