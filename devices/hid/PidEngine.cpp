@@ -372,8 +372,6 @@ std::optional<PidState> PidEngine::state(std::span<const std::uint8_t> report) c
   }
   PidState state;
   state.actuatorsEnabled = get(*layout, report, pid::actuatorsEnabled, 1) != 0;
-  state.powered = get(*layout, report, pid::actuatorPower, 1) != 0;
-  state.paused = get(*layout, report, pid::paused, 0) != 0;
   state.playing = get(*layout, report, pid::effectPlaying, 0) != 0;
   state.block = static_cast<int>(get(*layout, report, pid::blockIndex, 0));
   return state;

@@ -38,8 +38,6 @@ struct EffectSettings
 struct PidState
 {
   bool actuatorsEnabled = true;
-  bool powered = true;
-  bool paused = false;
   bool playing = false; ///< the effect of `block`
   int block = 0;        ///< 0 where the device does not say
 };

@@ -45,14 +45,15 @@ PidOutput::Step taken(bool ok) noexcept
 
 } // namespace
 
-PidOutput::PidOutput(PidEngine& engine, const PidOutputOptions& options) noexcept : engine_(engine), options_(options)
+PidOutput::PidOutput(PidEngine& engine, const PidOutputOptions& options, std::size_t axes) noexcept
+  : engine_(engine), options_(options), axes_(axes)
 {
 }
 
 std::string PidOutput::begin()
 {
   this->abilities_ = this->engine_.conditionAbilities();
-  for (const std::size_t axis : { 0U, 1U })
+  for (std::size_t axis = 0; axis < this->axes_; ++axis)
   {
     EffectSettings settings;
     settings.direction_deg = axisDirection_deg[axis];
@@ -66,8 +67,11 @@ std::string PidOutput::begin()
   this->makeConditions();
   this->makeSignal();
   // Last, so that a device that went meanwhile is not taken for one that merely lacks what came before.
-  const bool takes = this->engine_.setConstantForce(this->forces_[0].block, 0.0) &&
-                     this->engine_.setConstantForce(this->forces_[1].block, 0.0);
+  bool takes = true;
+  for (std::size_t axis = 0; axis < this->axes_; ++axis)
+  {
+    takes = takes && this->engine_.setConstantForce(this->forces_[axis].block, 0.0);
+  }
   return takes ? "" : "it does not take a force: " + this->engine_.error();
 }
 
@@ -107,7 +111,12 @@ void PidOutput::makeConditions()
 bool PidOutput::empty(const Effect& effect, std::array<Condition, 2>& sent) noexcept
 {
   sent = {};
-  return this->engine_.setCondition(effect.block, 0, sent[0]) && this->engine_.setCondition(effect.block, 1, sent[1]);
+  bool taken = true;
+  for (std::size_t axis = 0; axis < this->axes_; ++axis)
+  {
+    taken = taken && this->engine_.setCondition(effect.block, static_cast<int>(axis), sent[axis]);
+  }
+  return taken;
 }
 
 void PidOutput::makeSignal()
@@ -226,7 +235,7 @@ PidOutput::Step PidOutput::sendConditions() noexcept
 PidOutput::Step PidOutput::sendCondition(
   Effect& effect, std::array<Condition, 2>& sent, const std::array<Condition, 2>& now) noexcept
 {
-  for (const std::size_t axis : { 0U, 1U })
+  for (std::size_t axis = 0; axis < this->axes_; ++axis)
   {
     if (effect.block > 0 && !same(sent[axis], now[axis]))
     {
@@ -268,7 +277,7 @@ PidOutput::Step PidOutput::sendForce(const Wish& wish) noexcept
   const Vec3 force_N = wish.command.wrench_D.force + walls_N;
   std::array<double, 2> shares{};
   std::array<bool, 2> changed{};
-  for (const std::size_t axis : { 0U, 1U })
+  for (std::size_t axis = 0; axis < this->axes_; ++axis)
   {
     const int a = static_cast<int>(axis);
     shares[axis] = (this->options_.flipsForce ? -1.0 : 1.0) * PidScale::sign(a) * force_N[a] / largest_N;

@@ -31,7 +31,8 @@ struct PidOutputOptions
 class PidOutput
 {
 public:
-  PidOutput(PidEngine& engine, const PidOutputOptions& options) noexcept;
+  /// With one axis, a wheel, nothing is ever sent for y: some firmwares would turn it into x.
+  PidOutput(PidEngine& engine, const PidOutputOptions& options, std::size_t axes) noexcept;
 
   /// Makes the effects. Empty, or why the device gives no force at all.
   [[nodiscard]] std::string begin();
@@ -83,6 +84,7 @@ private:
 
   PidEngine& engine_;
   PidOutputOptions options_;
+  std::size_t axes_; ///< 1 or 2
   ConditionAbilities abilities_;
   std::string shortcomings_;
   std::array<Effect, 2> forces_{};

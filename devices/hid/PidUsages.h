@@ -39,8 +39,7 @@ inline constexpr HidUsage enableActuators = page | 0x97, disableActuators = page
 inline constexpr HidUsage loaded = page | 0x8C, full = page | 0x8D, loadError = page | 0x8E;
 
 // Device state.
-inline constexpr HidUsage paused = page | 0x9F, actuatorsEnabled = page | 0xA0, effectPlaying = page | 0x94,
-                          actuatorPower = page | 0xA6;
+inline constexpr HidUsage actuatorsEnabled = page | 0xA0, effectPlaying = page | 0x94, actuatorPower = page | 0xA6;
 
 // Other pages.
 inline constexpr HidUsage axisX = 0x010030, axisY = 0x010031, byteCount = 0x01003B, firstOrdinal = 0x0A0001,

@@ -65,22 +65,21 @@ struct PidDevice::Threads
     this->writerDone = true;
   }
 
-  /// Waits a while; a thread that hangs in a call to the device is left to itself.
-  static void leave(std::thread& thread, const std::atomic<bool>& done)
+  /// Waits a while; a thread that hangs in a call to the device is left to itself. True: it has ended.
+  static bool leave(std::thread& thread, const std::atomic<bool>& done)
   {
     const auto until = std::chrono::steady_clock::now() + patience;
     while (!done && std::chrono::steady_clock::now() < until)
     {
       std::this_thread::sleep_for(idle);
     }
-    if (done)
-    {
-      thread.join();
-    }
-    else
+    if (!done)
     {
       thread.detach();
+      return false;
     }
+    thread.join();
+    return true;
   }
 };
 
@@ -98,12 +97,17 @@ DeviceInfo pidInfo(
   return info;
 }
 
-PidDevice::PidDevice(std::string name, std::shared_ptr<HidBus> bus, HidEntry entry, const PidDeviceOptions& options)
-  : options_(options), clock_(clockOf(options))
+PidDevice::PidDevice(
+  const std::string& name, std::shared_ptr<HidBus> bus, HidEntry entry, const PidDeviceOptions& options)
+  : bus_(std::move(bus)), entry_(std::move(entry)), options_(options), clock_(clockOf(options)), link_(this->newLink())
 {
-  const ReportDescriptor descriptor = parseReportDescriptor(bus->descriptor(entry).bytes);
-  this->info_ = pidInfo(name, entry, descriptor, options.output.scale);
-  this->link_ = std::make_shared<PidLink>(std::move(bus), std::move(entry), options.output, *this->clock_);
+  const ReportDescriptor descriptor = parseReportDescriptor(this->bus_->descriptor(this->entry_).bytes);
+  this->info_ = pidInfo(name, this->entry_, descriptor, options.output.scale);
+}
+
+std::shared_ptr<PidLink> PidDevice::newLink() const
+{
+  return std::make_shared<PidLink>(this->bus_, this->entry_, this->options_.output, *this->clock_);
 }
 
 PidDevice::~PidDevice()
@@ -140,8 +144,12 @@ void PidDevice::close() noexcept
   }
   const std::shared_ptr<Threads> threads = std::exchange(this->threads_, nullptr);
   threads->stop = true;
-  Threads::leave(threads->writer, threads->writerDone);
-  Threads::leave(threads->reader, threads->readerDone);
+  const bool writerEnded = Threads::leave(threads->writer, threads->writerDone);
+  const bool readerEnded = Threads::leave(threads->reader, threads->readerDone);
+  if (!writerEnded || !readerEnded)
+  {
+    this->link_ = this->newLink(); // the old one is theirs, whenever they come back
+  }
 }
 
 DeviceStatus PidDevice::read(double tickTime_s, DeviceSample& sample) noexcept

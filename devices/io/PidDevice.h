@@ -23,7 +23,7 @@ struct PidDeviceOptions
 class PidDevice final : public HapticDevice
 {
 public:
-  PidDevice(std::string name, std::shared_ptr<HidBus> bus, HidEntry entry, const PidDeviceOptions& options = {});
+  PidDevice(const std::string& name, std::shared_ptr<HidBus> bus, HidEntry entry, const PidDeviceOptions& options = {});
   ~PidDevice() override;
   PidDevice(const PidDevice&) = delete;
   PidDevice& operator=(const PidDevice&) = delete;
@@ -39,7 +39,11 @@ public:
 private:
   struct Threads;
 
+  [[nodiscard]] std::shared_ptr<PidLink> newLink() const;
+
   DeviceInfo info_;
+  std::shared_ptr<HidBus> bus_;
+  HidEntry entry_;
   PidDeviceOptions options_;
   std::shared_ptr<const Clock> clock_; ///< our own, where none was given
   std::shared_ptr<PidLink> link_;

@@ -108,7 +108,7 @@ std::string PidLink::Attached::begin(HidBus& bus, const PidOutputOptions& option
   }
   this->connection = std::move(opened.connection);
   this->engine.emplace(*this->connection, this->descriptor);
-  this->output.emplace(*this->engine, options);
+  this->output.emplace(*this->engine, options, this->input->hasTwoAxes() ? 2U : 1U);
   problem = this->engine->open();
   return problem.empty() ? this->output->begin() : problem;
 }
@@ -232,7 +232,6 @@ bool PidLink::writePass()
   if (this->disturbed(*device->output))
   {
     this->lose("another program or a switch on it took its forces away");
-    this->triedAt_ns_ = 0;
     return true;
   }
   const Outgoing& newest = this->commands_.read();

@@ -87,8 +87,17 @@ private:
   void axes()
   {
     const PidNumber& axis = this->layout_.axis;
-    this->w_.reportId(this->layout_.inputId).usage(0x01).begin(0).logical(axis.min, axis.max).size(axis.size_bits, 2);
-    this->w_.usages({ 0x30, 0x31 }).main(Kind::Input, value).end();
+    this->w_.reportId(this->layout_.inputId)
+      .usage(0x01)
+      .begin(0)
+      .logical(axis.min, axis.max)
+      .size(axis.size_bits, this->layout_.axes);
+    this->w_.usage(0x30);
+    if (this->layout_.axes > 1)
+    {
+      this->w_.usage(0x31);
+    }
+    this->w_.main(Kind::Input, value).end();
     this->w_.page(9).usageRange(1, 8).logical(0, 1).size(1, 8).main(Kind::Input, value);
   }
 
@@ -360,6 +369,14 @@ PidLayout oneSidedLayout()
   PidLayout layout = plainLayout();
   layout.name = "one-sided";
   layout.condition.pop_back();
+  return layout;
+}
+
+PidLayout wheelLayout()
+{
+  PidLayout layout = plainLayout();
+  layout.name = "wheel";
+  layout.axes = 1;
   return layout;
 }
 

@@ -115,6 +115,42 @@ TEST(PidDevice, GivesTheForceOfTheCommandOnEveryLayout)
   }
 }
 
+TEST(PidDevice, AWheelIsNeverAskedForTheAxisItDoesNotHave)
+{
+  Rig rig(test::wheelLayout());
+  EXPECT_EQ(rig.device.info().deviceClass, DeviceClass::Wheel1D);
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command.wrench_D.force = { 1.0, 2.0, 0.0 };
+  rig.run(30);
+  EXPECT_NEAR(rig.stick().force()[0], 0.2, 1e-3);
+  EXPECT_NEAR(rig.stick().force()[1], 0.0, 1e-12); // the cosine of a right angle
+  EXPECT_EQ(rig.stick().effectsUsed(), 4); // a force, a spring, a damper, a shake
+  EXPECT_EQ(rig.stick().badReports, 0);
+}
+
+TEST(PidDevice, ASignalIsFeltOnceAndEndsByItself)
+{
+  for (const Signal signal : { Signal::Pulse, Signal::Oscillation })
+  {
+    Rig rig(test::plainLayout());
+    ASSERT_EQ(rig.device.open(), "");
+    rig.run(50);
+    rig.command.signal = signal;
+    double strongest = 0.0;
+    int shaken = 0;
+    for (int ms = 0; ms < 600; ++ms)
+    {
+      rig.run(1);
+      strongest = std::max(strongest, std::fabs(rig.stick().force()[0]));
+      shaken += rig.stick().force()[0] != 0.0 ? 1 : 0;
+    }
+    EXPECT_NEAR(strongest, 0.3, 0.01);
+    const int duration_ms = signal == Signal::Pulse ? 40 : 200;
+    EXPECT_NEAR(shaken, duration_ms, 0.2 * duration_ms); // less the passages through zero
+    EXPECT_EQ(rig.stick().force()[0], 0.0);
+  }
+}
+
 TEST(PidDevice, HoldsFourWallsWhileTheHostOnlyRestartsThem)
 {
   Rig rig(test::plainLayout());

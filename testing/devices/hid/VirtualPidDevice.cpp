@@ -293,7 +293,7 @@ void VirtualPidDevice::showInput()
   std::vector<std::uint8_t> bytes(report->bytes());
   bytes[0] = report->id;
   const auto low = static_cast<double>(this->layout_.axis.min), high = static_cast<double>(this->layout_.axis.max);
-  for (const std::size_t axis : { 0U, 1U })
+  for (std::size_t axis = 0; axis < this->layout_.axes; ++axis)
   {
     const double at = this->frozen ? 0.0 : this->position[axis];
     const double shown = low < 0.0 ? at * high : low + 0.5 * (at + 1.0) * (high - low);
