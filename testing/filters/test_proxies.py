@@ -50,6 +50,21 @@ class Filters(unittest.TestCase):
             self.assertAlmostEqual(force.GetComponent(i, 2), 300.0 * expected, delta=300.0 * 1e-6)
         pv.Delete(touch)
 
+    def test_stiffness_follows_an_array_of_the_surface(self):
+        plane = pv.Plane(Origin=[-5, -5, 0], Point1=[5, -5, 0], Point2=[-5, 5, 0])
+        height = pv.Elevation(Input=plane, LowPoint=[-5, 0, 0], HighPoint=[5, 0, 0])
+        line = pv.Line(Point1=[1, 2, 1], Point2=[1, 2, -1], Resolution=40)
+        touch = pv.TouchAlongPath(Input=height, Path=line, StiffnessArray="Elevation", StiffnessFeltRange=[100.0, 300.0])
+        force = servermanager.Fetch(touch).GetPointData().GetArray("Force")
+        slope = 200.0 / 10.0  # N/m per scene unit
+        for i in range(41):
+            depth = max(0.0, -(1.0 - 2.0 * i / 40))
+            # vtkLineSource and vtkElevationFilter make single precision
+            self.assertAlmostEqual(force.GetComponent(i, 2), (100.0 + slope * 6.0) * depth, delta=1e-3)
+            self.assertAlmostEqual(force.GetComponent(i, 0), -0.5 * slope * depth**2, delta=1e-3)
+        for proxy in (touch, line, height, plane):
+            pv.Delete(proxy)
+
     def test_a_stroke_over_a_sphere_presses_all_along(self):
         sphere = pv.Sphere(Radius=50.0, ThetaResolution=60, PhiResolution=60)
         stroke = pv.HapticStroke(Input=sphere, Depth=1.0, Lift=5.0)
