@@ -8,6 +8,7 @@
 
 #include "haptics/contact/BoxTest.h"
 #include "haptics/contact/ContactSet.h"
+#include "haptics/contact/PlanFor.h"
 #include "haptics/contact/Sweep.h"
 #include "haptics/contact/TreeWalk.h"
 
@@ -163,8 +164,9 @@ private:
       for (int i = 0; i < this->count_; ++i)
       {
         const Holder& holder = this->holders_[static_cast<std::size_t>(i)];
-        const FeaturePlane plane = planeOf(surfaceOf(this->now_, holder.feature.surface), holder.feature, holder.kept_W, 0.0);
-        const double distance = share * this->plan_.radius_u + contacts.lift();
+        const FeaturePlane plane =
+          planeOf(surfaceOf(this->now_, holder.feature.surface), holder.feature, holder.kept_W, 0.0);
+        const double distance = share * contacts.radius(holder.feature) + contacts.lift();
         rows[static_cast<std::size_t>(i)] = { plane.n, distance - plane.n.dot(wanted_W - plane.foot_W) };
       }
       const ProjectionResult free =
@@ -268,7 +270,8 @@ private:
 CarryResult carryBall(
   const MovingScene& before, const MovingScene& now, const ContactPlan& plan, GodObjectState& state) noexcept
 {
-  return state.placed ? Carry(before, now, plan, state).run() : CarryResult{};
+  const ContactPlan fitted = planFor(now.scene(), plan);
+  return state.placed ? Carry(before, now, fitted, state).run() : CarryResult{};
 }
 
 } // namespace palpate

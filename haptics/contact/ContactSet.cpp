@@ -32,7 +32,7 @@ ContactSet<SceneView>::ContactSet(const SceneView& scene, double radius_u, GodOb
   , radius_u_(radius_u)
   , state_(state)
 {
-  this->resolution_.include(Vec3::Constant(radius_u));
+  this->resolution_.include(Vec3::Constant(radius_u + sceneOf(scene).mostCoat_u()));
   this->resolution_.include(state.x_W);
   for (const ActiveFeature& f : this->features())
   {

@@ -32,6 +32,11 @@ public:
   {
     return surfaceOf(this->scene_, f.surface);
   }
+  /// Radius with which the ball rolls round f: its own and the coat of what it touches [u].
+  [[nodiscard]] double radius(const ActiveFeature& f) const noexcept
+  {
+    return this->radius_u_ + sceneOf(this->scene_).surfaces()[f.surface].tree->data().coat_u;
+  }
   [[nodiscard]] FeaturePlane plane(const ActiveFeature& f) const noexcept
   {
     return planeOf(this->surface(f), f, this->state_.x_W, this->radius_u_);

@@ -341,6 +341,30 @@ private:
   int side_ = 0;
 };
 
+/// A ball beside a curve has no side of it: it goes with the nearest point of the curve, and from there back to where it
+/// was, swept, so that the curve pushes it along.
+template <class SceneView>
+std::optional<Vec3> carryWithCurve(const SceneView& from, const SceneView& to, std::uint32_t before, std::uint32_t now,
+  const ContactPlan& plan, const Vec3& x_W) noexcept
+{
+  const auto &was = surfaceOf(from, before), &is = surfaceOf(to, now);
+  Resolution resolution;
+  resolution.include(x_W);
+  const double reach = plan.radius_u + dataOf(is).coat_u + 4 * resolution.tol();
+  const std::optional<std::uint32_t> nearest =
+    PassingTriangles(dataOf(was), dataOf(is), inFrame(was, x_W), inFrame(is, x_W), reach, plan.nodeBudget).nearest();
+  if (!nearest)
+  {
+    return std::nullopt;
+  }
+  const FaceRecord old = was.face(*nearest), fresh = is.face(*nearest);
+  const Vec3 along = old.corner_W[1] - old.corner_W[0];
+  const double at = std::clamp((x_W - old.corner_W[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  const auto pointAt = [at](const FaceRecord& face)
+  { return Vec3((1.0 - at) * face.corner_W[0] + at * face.corner_W[1]); };
+  return stopBefore(to, plan, plan.radius_u, x_W + pointAt(fresh) - pointAt(old), x_W);
+}
+
 /// A face that has come to have the ball on its other side without passing it, beside the triangle, holds it no more.
 template <class SceneView>
 void dropTurnedFaces(const SceneView& to, GodObjectState& state) noexcept
@@ -406,7 +430,10 @@ void carryWithVertices(
     {
       continue;
     }
-    if (const std::optional<Vec3> carried_W = Advection(from, to, i, now, plan, state.x_W).run())
+    const bool curves = after[now].tree->coat_u() > 0.0;
+    const std::optional<Vec3> carried_W = curves ? carryWithCurve(from, to, i, now, plan, state.x_W)
+                                                 : Advection(from, to, i, now, plan, state.x_W).run();
+    if (carried_W)
     {
       state.x_W = *carried_W;
       moved = true;

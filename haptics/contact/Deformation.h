@@ -34,6 +34,7 @@ template <class SceneView>
 /// nearest point of the old surface goes with its triangle by barycentric coordinates, and what lay between it and the
 /// ball turns with the normals around it. From just above the new triangle, on the side where the ball was, the way to
 /// that place is swept exactly: what came between stops it. A ball is moved out of what it overlaps there.
+/// Beside a curve it goes with the curve's nearest point and back to where it was, as far as the curve lets it.
 /// Bounded by plan.nodeBudget, allocation-free.
 template <class SceneView>
 void carryWithVertices(

@@ -145,10 +145,10 @@ FeaturePlane planeOf(const View& s, const ActiveFeature& f, const Vec3& x_W, dou
     {
       const EdgeLine line = edgeLine(s, f.a, f.b);
       const double along = std::clamp(axialPosition(s, f, line, x_W), 0.0, line.length);
-      return planeAround(s.vertex(f.a) + along * line.unit, x_W, r);
+      return planeAround(s.vertex(f.a) + along * line.unit, x_W, r + dataOf(s).coat_u);
     }
     default:
-      return planeAround(s.vertex(f.a), x_W, r);
+      return planeAround(s.vertex(f.a), x_W, r + dataOf(s).coat_u);
   }
 }
 
@@ -186,7 +186,7 @@ ActiveFeature normalised(const View& s, ActiveFeature f, const Vec3& x_W) noexce
     f.b = std::max(f.a, other);
     f.a = std::min(f.a, other);
   }
-  if (f.kind == FeatureKind::Edge)
+  if (f.kind == FeatureKind::Edge && dataOf(s).coat_u == 0.0) // curves have no faces
   {
     const std::uint32_t face = faceUnder(s, f.a, f.b, x_W);
     if (face != SurfaceData::none)
@@ -276,8 +276,8 @@ double exitRound(const View& s, const ActiveFeature& f, const Vec3& x_W, const V
       t = std::min(t, (std::max(ahead, 0.0) + 4 * del) / std::fabs(rate));
     }
   }
-  const double reach = tangential.norm();
-  return reach > r ? std::min(t, r / reach) : t;
+  const double reach = tangential.norm(), limit = r + dataOf(s).coat_u;
+  return reach > limit ? std::min(t, limit / reach) : t;
 }
 
 #define PALPATE_INSTANTIATE(View)                                                                                      \

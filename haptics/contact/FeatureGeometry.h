@@ -11,6 +11,7 @@ namespace palpate
 {
 
 // View: SurfaceData, or PosedSurface where surfaces move. Both are instantiated in FeatureGeometry.cpp.
+// r: of the ball alone; the coat of curves is added here.
 
 /// The tangent plane of a touched feature as the ball sees it from x.
 struct FeaturePlane

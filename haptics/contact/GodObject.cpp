@@ -10,6 +10,7 @@
 #include "haptics/contact/Friction.h"
 #include "haptics/contact/LeftFaces.h"
 #include "haptics/contact/Neighbourhood.h"
+#include "haptics/contact/PlanFor.h"
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Roll.h"
 #include "haptics/contact/Seat.h"
@@ -25,7 +26,7 @@ namespace
 
 /// Passes beyond the cap, used only while the ball touches nothing: they bring it back to contact.
 constexpr std::uint32_t settlingPasses = 2;
-/// In ball radii: of a way longer than longWay the first firstPart is looked at alone; mostly it ends there.
+/// In radii of the roundest thing that is touched: of a way longer than longWay the first firstPart is looked at alone; mostly it ends there.
 constexpr double longWay = 0.2;
 constexpr double firstPart = 0.02;
 /// Attempts to stop a point just before what it hits, each a little further off.
@@ -45,7 +46,8 @@ class Tick
 {
 public:
   Tick(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
-    : scene_(scene), plan_(plan), p_W_(p_W), state_(state), sink_(sink), contacts_(scene, plan.radius_u, state)
+    : scene_(scene), plan_(plan), p_W_(p_W), state_(state), sink_(sink),
+      scale_u_(plan.radius_u + sceneOf(scene).leastCoat_u()), contacts_(scene, plan.radius_u, state)
   {
     this->contacts_.include(p_W);
   }
@@ -145,9 +147,9 @@ private:
   [[nodiscard]] SweepHit sweep(const Vec3& from_W, const Vec3& to_W) noexcept
   {
     const double length = (to_W - from_W).norm();
-    if (length > longWay * this->plan_.radius_u && this->round())
+    if (length > longWay * this->scale_u_ && this->round())
     {
-      const double part = firstPart * this->plan_.radius_u / length;
+      const double part = firstPart * this->scale_u_ / length;
       SweepHit hit = this->sweepOnce(from_W, from_W + part * (to_W - from_W));
       if (hit.hit || hit.freeUntil < 1.0)
       {
@@ -173,7 +175,7 @@ private:
     }
     const std::uint32_t left = this->plan_.nodeBudget - std::min(this->plan_.nodeBudget, this->result_.nodes);
     // Half of the ticks need one sweep only: gathering what is around pays from the second on.
-    const bool gather = this->result_.sweeps >= 1 && (to_W - from_W).norm() <= longWay * this->plan_.radius_u;
+    const bool gather = this->result_.sweeps >= 1 && (to_W - from_W).norm() <= longWay * this->scale_u_;
     const SweepHit hit = sweepBall(this->scene_, query, left, gather ? &this->near_ : nullptr);
     ++this->result_.sweeps;
     this->result_.nodes += hit.nodes;
@@ -521,6 +523,7 @@ private:
   const Vec3 p_W_;
   GodObjectState& state_;
   PathSink* sink_;
+  const double scale_u_; ///< ball and thinnest curve: what a way is long or short against
   ContactSet<SceneView> contacts_;
   LeftFaces left_;
   Vec3 reconsideredAt_W_ = Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -663,13 +666,13 @@ ContactResult moveGodObject(
   {
     return moveGodObject(MovingScene(scene, 1.0), plan, p_W, state, sink);
   }
-  return move(scene, plan, p_W, state, sink);
+  return move(scene, planFor(sceneOf(scene), plan), p_W, state, sink);
 }
 
 ContactResult moveGodObject(
   const MovingScene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
 {
-  return move(scene, plan, p_W, state, sink);
+  return move(scene, planFor(sceneOf(scene), plan), p_W, state, sink);
 }
 
 } // namespace palpate

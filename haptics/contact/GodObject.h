@@ -95,6 +95,7 @@ public:
 /// touched feature, which constrains only while that feature supports the ball.
 /// At rest p - x lies in the normal cone of the touched features. Deterministic and independent of the order of
 /// triangles; bounded by plan.passCap and plan.nodeBudget; allocates nothing, locks nothing, asks no clock.
+/// Where there are curves a point is a ball too small to matter (PlanFor.h).
 /// The first call places the ball at p_W, moved out of a surface it overlaps to the side of its centre.
 [[nodiscard]] ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W,
   GodObjectState& state, PathSink* sink = nullptr) noexcept;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/contact/Deformation.h"
 #include "haptics/contact/GodObject.h"
+#include "haptics/contact/PlanFor.h"
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Sweep.h"
 
@@ -50,13 +51,13 @@ void takeOver(
 void handOver(
   const Scene& from, const Scene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
 {
-  takeOver(from, to, plan, p_W, state);
+  takeOver(from, to, planFor(sceneOf(to), plan), p_W, state);
 }
 
 void handOver(const MovingScene& from, const MovingScene& to, const ContactPlan& plan, const Vec3& p_W,
   GodObjectState& state) noexcept
 {
-  takeOver(from, to, plan, p_W, state);
+  takeOver(from, to, planFor(sceneOf(to), plan), p_W, state);
 }
 
 } // namespace palpate

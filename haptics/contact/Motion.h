@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "haptics/contact/Sweep.h"
@@ -29,6 +30,16 @@ struct Motion
   m.magnitude = q.resolution.magnitude;
   m.dd = m.d.squaredNorm();
   m.length = std::sqrt(m.dd);
+  return m;
+}
+
+/// The same way of a ball that is larger by the coat of a surface, which lies as near as the surface was.
+[[nodiscard]] inline Motion coated(Motion m, double coat_u) noexcept
+{
+  m.r += coat_u;
+  Resolution resolution;
+  resolution.include(Vec3::Constant(m.r));
+  m.tol = std::max(m.tol, resolution.tol());
   return m;
 }
 

@@ -87,8 +87,15 @@ bool Neighbourhood::gather(const SceneView& scene, const Motion& m, std::uint32_
 template<class View>
 bool Neighbourhood::gatherSurface(const View& view, std::uint32_t surface, const Motion& still, std::uint32_t budget, std::uint32_t& nodes) noexcept
 {
+  return askTree(view, still, [&](const Motion& inSurface) noexcept
+    { return this->gatherLeaves(view, surface, inSurface, budget, nodes); });
+}
+
+template<class View>
+bool Neighbourhood::gatherLeaves(const View& view, std::uint32_t surface, const Motion& inSurface,
+  std::uint32_t budget, std::uint32_t& nodes) noexcept
+{
   const SurfaceData& data = dataOf(view);
-  const Motion& inSurface = inTree(view, still);
   const BoxTest test(inSurface);
   return walkWithin(data.nodes, test, budget, nodes,
     [&](std::uint32_t index) noexcept

@@ -44,6 +44,9 @@ private:
   [[nodiscard]] bool gatherSurface(const View& view, std::uint32_t surface, const Motion& still,
     std::uint32_t budget, std::uint32_t& nodes) noexcept;
   template<class View>
+  [[nodiscard]] bool gatherLeaves(const View& view, std::uint32_t surface, const Motion& inSurface,
+    std::uint32_t budget, std::uint32_t& nodes) noexcept;
+  template<class View>
   void add(const View& view, std::uint32_t surface, std::uint32_t leaf, std::uint32_t lane) noexcept;
 
   Vec3 centre_W_ = Vec3::Zero();

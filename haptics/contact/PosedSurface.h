@@ -113,4 +113,12 @@ private:
 [[nodiscard]] inline const SurfaceData& dataOf(const SurfaceData& s) noexcept { return s; }
 [[nodiscard]] inline const SurfaceData& dataOf(const PosedSurface& s) noexcept { return s.data(); }
 
+/// Calls ask(motion) with what the surface's tree is to be asked for a ball on its way.
+template<class View, class Ask>
+decltype(auto) askTree(const View& s, const Motion& m, Ask ask) noexcept
+{
+  const double coat_u = dataOf(s).coat_u;
+  return coat_u > 0.0 ? ask(coated(inTree(s, m), coat_u)) : ask(inTree(s, m));
+}
+
 } // namespace palpate

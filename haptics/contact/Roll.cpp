@@ -22,6 +22,10 @@ template<class View>
 ConeLimit coneLimit(const View& s, const ActiveFeature& f, const RollPivot& pivot) noexcept
 {
   ConeLimit limit;
+  if (f.kind == FeatureKind::Edge && dataOf(s).coat_u > 0.0)
+  {
+    return limit; // nothing lies at the side of a curve
+  }
   const auto include = [&](const Vec3& t)
   {
     const double turn = t.dot(pivot.w);
@@ -153,19 +157,20 @@ template<class SceneView>
 Vec3 RollPlanner<SceneView>::creviceAim() noexcept
 {
   const Vec3 t = freeDirection(this->rows_[this->solution_.active[0]].n, this->rows_[this->solution_.active[1]].n);
-  double hessian = 1.0;
+  double hessian = 1.0, roundest = 0.0;
   for (int k = 0; k < 2; ++k)
   {
     const ActiveFeature& f = this->contacts_.features()[this->solution_.active[k]];
+    roundest = std::max(roundest, this->contacts_.radius(f));
     if (f.kind != FeatureKind::Face)
     {
       const double along = t.dot(this->axisOf(f));
-      hessian -= this->solution_.lambda[k] * (1.0 - along * along) / this->radius_u_;
+      hessian -= this->solution_.lambda[k] * (1.0 - along * along) / this->contacts_.radius(f);
     }
   }
   constexpr double flat = 0.01;
   const double pull = this->solution_.y.dot(t);
-  const double step = hessian > flat ? pull / hessian : std::copysign(10 * this->radius_u_, pull);
+  const double step = hessian > flat ? pull / hessian : std::copysign(10 * roundest, pull);
   Vec3 aim = step * t;
   for (int k = 0; k < 2; ++k)
   {
@@ -202,6 +207,7 @@ void RollPlanner<SceneView>::chooseTargets(Vec3& aim) noexcept
       continue;
     }
     RollPivot pivot{ i, this->contacts_.plane(f), this->axisOf(f) };
+    pivot.radius = this->contacts_.radius(f);
     pivot.w = aim - aim.dot(pivot.plane.n) * pivot.plane.n;
     pivot.w -= pivot.w.dot(pivot.axis) * pivot.axis;
     const double reach = pivot.w.norm();
@@ -213,17 +219,17 @@ void RollPlanner<SceneView>::chooseTargets(Vec3& aim) noexcept
     const ConeLimit cone = coneLimit(this->contacts_.surface(f), f, pivot);
     pivot.limit = cone.tangent;
     pivot.turn = std::min(pivot.limit, this->mostTurn_);
-    if (crevice && reach > pivot.turn * this->radius_u_)
+    if (crevice && reach > pivot.turn * pivot.radius)
     {
-      aim *= pivot.turn * this->radius_u_ / reach; // not beyond the face or edge it will come to lie on
+      aim *= pivot.turn * pivot.radius / reach; // not beyond the face or edge it will come to lie on
       this->hasBorder_ = pivot.turn == pivot.limit && pivot.limit > 0.0;
       this->border_ = this->hasBorder_ ? RollBorder{ cone.into.normalized(), pivot.plane.foot_W } : RollBorder{};
     }
     const Vec3 pull = crevice ? aim : Vec3(this->solution_.y - this->solution_.lambda[k] * pivot.plane.n);
-    const Vec3 n = targetNormal(pivot, this->x_W_ + pull, crevice ? 2 * this->radius_u_ + reach : this->radius_u_);
-    if ((n - pivot.plane.n).norm() * this->radius_u_ > 4 * this->slack_)
+    const Vec3 n = targetNormal(pivot, this->x_W_ + pull, crevice ? 2 * pivot.radius + reach : pivot.radius);
+    if ((n - pivot.plane.n).norm() * pivot.radius > 4 * this->slack_)
     {
-      this->rows_[i] = { n, this->radius_u_ - n.dot(this->x_W_ - pivot.plane.foot_W) };
+      this->rows_[i] = { n, pivot.radius - n.dot(this->x_W_ - pivot.plane.foot_W) };
       this->pivots_[this->pivotCount_++] = pivot;
     }
   }
@@ -235,7 +241,7 @@ Vec3 RollPlanner<SceneView>::arcAim() const noexcept
 {
   const RollPivot& pivot = this->pivots_[0];
   const Vec3 along = this->solution_.y.dot(pivot.axis) * pivot.axis;
-  return this->radius_u_ * (this->rows_[pivot.row].n - pivot.plane.n) +
+  return pivot.radius * (this->rows_[pivot.row].n - pivot.plane.n) +
     this->heldFraction(this->contacts_.features()[pivot.row], along) * along;
 }
 
@@ -252,9 +258,9 @@ bool RollPlanner<SceneView>::correct(const Vec3& y) noexcept
     const double distance = away.norm();
     const Vec3 n = away / distance;
     const bool insideCone = n.dot(pivot.w) <= pivot.limit * n.dot(pivot.plane.n);
-    if (insideCone && distance - this->radius_u_ > this->slack_)
+    if (insideCone && distance - pivot.radius > this->slack_)
     {
-      this->rows_[pivot.row] = { n, this->radius_u_ - n.dot(this->x_W_ - pivot.plane.foot_W) };
+      this->rows_[pivot.row] = { n, pivot.radius - n.dot(this->x_W_ - pivot.plane.foot_W) };
       settled = false;
     }
   }
@@ -268,7 +274,8 @@ Vec3 RollPlanner<SceneView>::pressed(const Vec3& y) const noexcept
   Vec3 target = y;
   for (int k = 0; k < this->solution_.count; ++k)
   {
-    target -= this->radius_u_ * this->rows_[this->solution_.active[k]].n;
+    const int i = this->solution_.active[k];
+    target -= this->contacts_.radius(this->contacts_.features()[i]) * this->rows_[i].n;
   }
   return target;
 }

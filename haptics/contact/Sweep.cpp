@@ -284,7 +284,9 @@ void sweepSurface(const SurfaceData& data, std::uint32_t surface, const SweepQue
 template<class SceneView>
 void sweepList(const SceneView& scene, const Neighbourhood& near, const SweepQuery& query, const Motion& m, SweepHit& best) noexcept
 {
-  const DiscFilter filter(m, near.centre_W(), near.extent_u());
+  Motion widest = m;
+  widest.r += sceneOf(scene).mostCoat_u();
+  const DiscFilter filter(widest, near.centre_W(), near.extent_u());
   for (int quad = 0; quad * 4 < near.count(); ++quad)
   {
     int lanes = filter.touched(near.discs(quad)) & ((1 << std::min(4, near.count() - quad * 4)) - 1);
@@ -292,8 +294,9 @@ void sweepList(const SceneView& scene, const Neighbourhood& near, const SweepQue
     {
       const Neighbourhood::Face& face = near.face(quad * 4 + __builtin_ctz(static_cast<unsigned>(lanes)));
       const auto& surface = surfaceOf(scene, face.surface);
-      const Motion& inSurface = inTree(surface, m);
-      SurfaceSweep(dataOf(surface), face.surface, query, inSurface, best).testTriangle(face.triangle);
+      askTree(surface, m,
+        [&](const Motion& inSurface) noexcept
+        { SurfaceSweep(dataOf(surface), face.surface, query, inSurface, best).testTriangle(face.triangle); });
     }
   }
 }
@@ -304,7 +307,8 @@ SweepHit sweepSurface(
   const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, std::uint32_t budget) noexcept
 {
   SweepHit best;
-  sweepSurface(data, surface, query, motionOf(query), budget, best);
+  askTree(data, motionOf(query),
+    [&](const Motion& m) noexcept { sweepSurface(data, surface, query, m, budget, best); });
   return best;
 }
 
@@ -321,8 +325,8 @@ SweepHit sweepBall(const SceneView& scene, const SweepQuery& query, std::uint32_
   const auto sweepOne = [&](std::uint32_t s) noexcept
   {
     const auto& surface = surfaceOf(scene, s);
-    const Motion& inSurface = inTree(surface, m);
-    sweepSurface(dataOf(surface), s, query, inSurface, budget, best);
+    askTree(surface, m,
+      [&](const Motion& inSurface) noexcept { sweepSurface(dataOf(surface), s, query, inSurface, budget, best); });
   };
   const Scene& whole = sceneOf(scene);
   if (whole.surfaces().size() == 1)

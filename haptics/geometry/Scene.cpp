@@ -72,7 +72,7 @@ void include(Box& box, const Pose& pose, const SurfaceData& data)
 
 /// Around the surface on all of its way. Between two poses a point leaves the chord of its arc by at most
 /// R (1 - cos(angle / 2)), which is R |q1 - q0|^2 / 2.
-Box boxAroundWay(const Surface& surface)
+Box boxAroundSkeleton(const Surface& surface)
 {
   const SurfaceData& data = surface.tree->data();
   if (surface.motion.isStill())
@@ -89,6 +89,16 @@ Box boxAroundWay(const Surface& surface)
   const double turn2 = (motion.end_WS.q.coeffs() - sign * motion.begin_WS.q.coeffs()).squaredNorm();
   constexpr double rounding = 1e-12;
   const double grow = 0.5 * turn2 * radius + rounding * (radius + motion.begin_WS.p.norm() + motion.end_WS.p.norm());
+  box.low_W.array() -= grow;
+  box.high_W.array() += grow;
+  return box;
+}
+
+/// With the coat, and a little more than it takes to round.
+Box boxAroundWay(const Surface& surface)
+{
+  Box box = boxAroundSkeleton(surface);
+  const double grow = (1.0 + 1e-9) * surface.tree->coat_u();
   box.low_W.array() -= grow;
   box.high_W.array() += grow;
   return box;
@@ -116,6 +126,13 @@ Scene::Scene(std::uint64_t revision, std::vector<Surface> surfaces, double motio
 {
   this->hasMaterials_ = std::any_of(this->surfaces_.begin(), this->surfaces_.end(),
     [](const Surface& s) { return s.fields != nullptr || !s.material.isPlain(); });
+  for (const Surface& surface : this->surfaces_)
+  {
+    const double coat_u = surface.tree->coat_u();
+    const bool first = this->leastCoat_u_ == 0.0;
+    this->mostCoat_u_ = std::max(this->mostCoat_u_, coat_u);
+    this->leastCoat_u_ = coat_u > 0.0 && (first || coat_u < this->leastCoat_u_) ? coat_u : this->leastCoat_u_;
+  }
   this->contentHash_ = this->moves_ ? hashMotions(this->geometryHash_, this->surfaces_, motion_s) : this->geometryHash_;
 }
 

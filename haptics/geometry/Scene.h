@@ -41,6 +41,10 @@ public:
   [[nodiscard]] bool hasMaterials() const noexcept { return this->hasMaterials_; }
   /// One leaf a surface, around all of its way: what a query walks before it walks a surface.
   [[nodiscard]] const BoxTree& surfaceTree() const noexcept { return this->surfaceTree_; }
+  /// Radius of the thickest curves [u]; 0 where there are none.
+  [[nodiscard]] double mostCoat_u() const noexcept { return this->mostCoat_u_; }
+  /// Radius of the thinnest curves [u]; 0 where there are none.
+  [[nodiscard]] double leastCoat_u() const noexcept { return this->leastCoat_u_; }
   [[nodiscard]] bool empty() const noexcept { return this->surfaces_.empty(); }
   /// Hash of all vertices, triangles and materials, in order, wherever the surfaces are.
   [[nodiscard]] std::uint64_t geometryHash() const noexcept { return this->geometryHash_; }
@@ -60,6 +64,8 @@ private:
   std::uint64_t contentHash_ = 0;
   std::vector<Surface> surfaces_;
   BoxTree surfaceTree_;
+  double mostCoat_u_ = 0.0;
+  double leastCoat_u_ = 0.0;
   bool moves_ = false;
   bool hasMaterials_ = false;
 };

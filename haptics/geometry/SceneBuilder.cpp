@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "haptics/geometry/PolyLines.h"
+
 namespace palpate
 {
 
@@ -21,7 +23,8 @@ bool SceneBuilder::knows(const std::vector<SurfaceInput>& inputs) const
   {
     return std::any_of(this->kept_.begin(), this->kept_.end(), [&](const Kept& kept)
       {
-        return kept.mesh == input.mesh && kept.rawFields == input.fields && kept.material == input.material;
+        return kept.mesh == input.mesh && kept.lineRadius_u == input.lineRadius_u &&
+               kept.rawFields == input.fields && kept.material == input.material;
       });
   };
   return std::all_of(inputs.begin(), inputs.end(), known);
@@ -34,7 +37,7 @@ std::vector<SceneBuilder::Kept> SceneBuilder::takeKnown(const std::vector<Surfac
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
     const auto same = [&](const Kept& kept)
-    { return kept.mesh == inputs[i].mesh; };
+    { return kept.mesh == inputs[i].mesh && kept.lineRadius_u == inputs[i].lineRadius_u; };
     const auto found = std::find_if(this->kept_.begin(), this->kept_.end(), same);
     known[i] = found != this->kept_.end() ? *found : Kept{};
   }
@@ -53,7 +56,7 @@ std::vector<SceneBuilder::Kept> SceneBuilder::takeKnown(const std::vector<Surfac
 
 void SceneBuilder::bringUpToDate(const SurfaceInput& input, Kept& kept)
 {
-  if (kept.mesh && kept.mesh == input.mesh)
+  if (kept.mesh && kept.mesh == input.mesh && kept.lineRadius_u == input.lineRadius_u)
   {
     kept.report.name = input.name;
     kept.report.refitted = false;
@@ -88,6 +91,10 @@ void SceneBuilder::fitMaterial(const SurfaceInput& input, Kept& kept)
   FittedFields fit = fitFields(*input.fields, input.material, kept.sourceVertex, input.mesh->vertices_W.size());
   kept.report.refusal = fit.refusal;
   kept.report.materialReplaced = fit.replaced;
+  if (input.lineRadius_u)
+  {
+    fit.fields.height_u.clear(); // a texture is measured over areas
+  }
   if (!fit.fields.height_u.empty())
   {
     fit.fields.texture = measureTexture(kept.tree->mesh(), fit.fields.height_u);
@@ -97,7 +104,7 @@ void SceneBuilder::fitMaterial(const SurfaceInput& input, Kept& kept)
 
 bool SceneBuilder::refit(const SurfaceInput& input, Kept& kept)
 {
-  if (!kept.tree || !input.mesh)
+  if (!kept.tree || !input.mesh || kept.lineRadius_u != input.lineRadius_u)
   {
     return false;
   }
@@ -123,16 +130,36 @@ bool SceneBuilder::refit(const SurfaceInput& input, Kept& kept)
   return true;
 }
 
+CleanResult SceneBuilder::cleanInput(const SurfaceInput& input)
+{
+  if (!input.mesh || !input.lineRadius_u)
+  {
+    return input.mesh ? cleanMesh(*input.mesh) : CleanResult{ {}, {}, "it has no mesh", {} };
+  }
+  CleanResult clean = cleanSegments(*input.mesh);
+  double largest_u = 0.0;
+  for (const Vec3& v_W : clean.mesh.vertices_W)
+  {
+    largest_u = std::max(largest_u, v_W.cwiseAbs().maxCoeff());
+  }
+  if (clean.ok())
+  {
+    clean.refusal = refuseLineRadius(*input.lineRadius_u, largest_u);
+  }
+  return clean;
+}
+
 SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input)
 {
   Kept built;
   built.mesh = input.mesh;
-  CleanResult clean = input.mesh ? cleanMesh(*input.mesh) : CleanResult{ {}, {}, "it has no mesh", {} };
+  built.lineRadius_u = input.lineRadius_u;
+  CleanResult clean = cleanInput(input);
   built.report = { input.name, clean.report, clean.refusal };
   built.sourceVertex = std::move(clean.sourceVertex);
   if (clean.ok())
   {
-    built.tree = std::make_shared<const SurfaceTree>(std::move(clean.mesh));
+    built.tree = std::make_shared<const SurfaceTree>(std::move(clean.mesh), input.lineRadius_u.value_or(0.0));
   }
   return built;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct SurfaceInput
   Material material;
   std::shared_ptr<const MaterialFields> fields = {}; ///< of the mesh's vertices, or null
   Pose pose_WS = {};                                 ///< where the mesh stands in W [u]
+  std::optional<double>
+    lineRadius_u = {}; ///< given: the mesh holds curves (segmentsOf()) of this radius [u], felt without texture
 };
 
 /// What became of one input.
@@ -29,7 +32,7 @@ struct SurfaceReport
 {
   std::string name;
   CleanReport clean;
-  std::string refusal; ///< empty when the surface is in the scene
+  std::string refusal;              ///< empty when the surface is in the scene
   std::size_t materialReplaced = 0; ///< values of its arrays that could not be used: the surface's own took their place
   bool refitted = false;            ///< the vertices of a known mesh have moved: its tree was refitted, not built
 };
@@ -57,6 +60,7 @@ private:
   struct Kept
   {
     std::shared_ptr<const TriangleMesh> mesh;
+    std::optional<double> lineRadius_u;
     std::shared_ptr<const SurfaceTree> tree;
     std::shared_ptr<const SurfaceTree> retired; ///< the tree before, for its memory
     std::shared_ptr<const CleanedVertices> vertices;
@@ -69,6 +73,7 @@ private:
   [[nodiscard]] std::vector<Kept> takeKnown(const std::vector<SurfaceInput>& inputs);
   static void bringUpToDate(const SurfaceInput& input, Kept& kept);
   [[nodiscard]] static bool refit(const SurfaceInput& input, Kept& kept);
+  [[nodiscard]] static CleanResult cleanInput(const SurfaceInput& input);
   [[nodiscard]] static Kept buildAnew(const SurfaceInput& input);
   static void fitMaterial(const SurfaceInput& input, Kept& kept);
 

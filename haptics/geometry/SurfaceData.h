@@ -43,10 +43,17 @@ struct Leaf
   std::uint32_t count;
 };
 
+/// A segment of a curve stands among triangles as (a, b, b): an edge and two vertices without a face.
+[[nodiscard]] inline bool isSegment(const std::array<std::uint32_t, 3>& corners) noexcept
+{
+  return corners[1] == corners[2];
+}
+
 /// Everything contact reads of one surface. Triangles stand in the order of the tree's leaves, corners ascending.
 struct SurfaceData
 {
   TriangleMesh mesh;
+  double coat_u = 0.0; ///< above 0 for curves, which are segments: what is felt begins so far from them
   std::vector<FaceRecord> faces;
   std::vector<DiscQuad> discs; ///< two a leaf
   std::vector<Leaf> leaves;

@@ -50,6 +50,13 @@ FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32
   const auto& t = data.mesh.triangles[triangle];
   FaceRecord face;
   face.corner_W = { data.vertex(t[0]), data.vertex(t[1]), data.vertex(t[2]) };
+  face.owned = owned;
+  if (isSegment(t))
+  {
+    face.normal_W = Vec3::Zero();
+    face.sliver = 1.0F;
+    return face;
+  }
   const Vec3 e = face.corner_W[1] - face.corner_W[0];
   const Vec3 f = face.corner_W[2] - face.corner_W[0];
   const double scaleE = e.cwiseAbs().maxCoeff(), scaleF = f.cwiseAbs().maxCoeff(); // no under- or overflow
@@ -59,7 +66,6 @@ FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32
   face.normal_W = cross * (1.0 / area);
   const double sine = area / std::sqrt(eScaled.squaredNorm() * fScaled.squaredNorm());
   face.sliver = static_cast<float>(1.0 / std::max(sine, 1e-30));
-  face.owned = owned;
   return face;
 }
 
@@ -90,11 +96,15 @@ std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept
   return hash.value();
 }
 
-std::uint64_t hashContent(const TriangleMesh& mesh, std::uint64_t topologyHash) noexcept
+std::uint64_t hashContent(const SurfaceData& data) noexcept
 {
   WordHash hash;
-  hash.add(topologyHash);
-  for (const Vec3& v : mesh.vertices_W)
+  hash.add(data.topologyHash);
+  if (data.coat_u > 0.0)
+  {
+    hash.add(data.coat_u);
+  }
+  for (const Vec3& v : data.mesh.vertices_W)
   {
     hash.add(v.x());
     hash.add(v.y());

@@ -11,7 +11,7 @@ namespace palpate
 /// What a surface keeps of its vertices where they are, beside the hierarchy: the part that building it and moving
 /// its vertices have in common. Internal to haptics/geometry.
 
-/// Corners, normal and sliver of a triangle of data.mesh; `owned` is the caller's.
+/// Corners, normal (zero for a segment) and sliver of a triangle of data.mesh; `owned` is the caller's.
 [[nodiscard]] FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept;
 
 /// The leaf that holds `count` triangles from `first` on, all of them in the box.
@@ -23,7 +23,7 @@ void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept;
 /// Hash of the triangles in the order of the leaves: the same for two surfaces whose features have the same numbers.
 [[nodiscard]] std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept;
 
-/// Hash of vertices and triangles.
-[[nodiscard]] std::uint64_t hashContent(const TriangleMesh& mesh, std::uint64_t topologyHash) noexcept;
+/// Hash of vertices, triangles and coat, of which the topology has been hashed.
+[[nodiscard]] std::uint64_t hashContent(const SurfaceData& data) noexcept;
 
 } // namespace palpate

@@ -31,9 +31,14 @@ std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_
   return {};
 }
 
-bool hasArea(const FaceRecord& face)
+/// Area, or length in a segment.
+bool hasExtent(const FaceRecord& face)
 {
   const auto& [a, b, c] = face.corner_W;
+  if (b == c)
+  {
+    return a != b;
+  }
   return face.normal_W.allFinite() && (face.sliver < certainlyFlat || !exactlyCollinear(a, b, c));
 }
 
@@ -64,7 +69,7 @@ Box boxOf(const TreeNode& node)
   return box;
 }
 
-/// Leaf by leaf, while its faces are at hand: memory is what this costs. Returns false where a triangle has no area.
+/// Leaf by leaf, while its faces are at hand: memory is what this costs. Returns false where a triangle has no area, a segment no length.
 bool refitLeaves(SurfaceData& data, const std::vector<FaceRecord>& old, std::vector<Box>& leafBoxes)
 {
   data.faces.resize(old.size());
@@ -76,7 +81,7 @@ bool refitLeaves(SurfaceData& data, const std::vector<FaceRecord>& old, std::vec
     for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
     {
       data.faces[t] = makeFace(data, t, old[t].owned);
-      if (!hasArea(data.faces[t]))
+      if (!hasExtent(data.faces[t]))
       {
         return false;
       }
@@ -143,10 +148,11 @@ RefitResult SurfaceTree::refitted(std::vector<Vec3> vertices_W, std::shared_ptr<
   std::vector<Box> leafBoxes;
   if (!refitLeaves(*data, old.faces, leafBoxes))
   {
-    return { nullptr, "a triangle has become collinear" };
+    return { nullptr, old.coat_u > 0.0 ? "a segment has no length any more" : "a triangle has become collinear" };
   }
   refitNodes(*data, leafBoxes);
-  data->contentHash = hashContent(data->mesh, data->topologyHash);
+  data->coat_u = old.coat_u;
+  data->contentHash = hashContent(*data);
   return { std::shared_ptr<const SurfaceTree>(new SurfaceTree(std::move(data))), {} };
 }
 

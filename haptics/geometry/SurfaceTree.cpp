@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -182,12 +183,17 @@ void buildHierarchy(SurfaceData& data)
   data.high_W = box.high_W;
 }
 
+std::span<const std::uint32_t> cornersOnce(const std::array<std::uint32_t, 3>& corners)
+{
+  return { corners.data(), isSegment(corners) ? 2U : 3U };
+}
+
 void buildFans(SurfaceData& data)
 {
   data.fanStart.assign(data.mesh.vertices_W.size() + 1, 0);
   for (const auto& t : data.mesh.triangles)
   {
-    for (const std::uint32_t corner : t)
+    for (const std::uint32_t corner : cornersOnce(t))
     {
       ++data.fanStart[corner + 1];
     }
@@ -200,7 +206,7 @@ void buildFans(SurfaceData& data)
   std::vector<std::uint32_t> next(data.fanStart.begin(), data.fanStart.end() - 1);
   for (std::uint32_t t = 0; t < data.mesh.triangles.size(); ++t)
   {
-    for (const std::uint32_t corner : data.mesh.triangles[t])
+    for (const std::uint32_t corner : cornersOnce(data.mesh.triangles[t]))
     {
       data.fan[next[corner]++] = t;
     }
@@ -211,12 +217,17 @@ std::uint32_t ownedBits(const SurfaceData& data, std::uint32_t triangle)
 {
   const auto& t = data.mesh.triangles[triangle];
   std::uint32_t bits = 0;
-  for (std::uint32_t k = 0; k < 3; ++k)
+  const std::uint32_t vertices = isSegment(t) ? 2 : 3, edges = isSegment(t) ? 1 : 3;
+  for (std::uint32_t k = 0; k < vertices; ++k)
   {
     const std::uint32_t begin = data.fanStart[t[k]];
     if (data.fan[begin] == triangle)
     {
       bits |= ownsVertex0 << k;
+    }
+    if (k >= edges)
+    {
+      continue;
     }
     std::uint32_t i = begin; // fans ascend: the first one that holds the edge owns it
     while (!data.hasCorner(data.fan[i], t[(k + 1) % 3]))
@@ -245,7 +256,7 @@ void buildRecords(SurfaceData& data)
   }
 }
 
-std::unique_ptr<SurfaceData> buildData(TriangleMesh clean)
+std::unique_ptr<SurfaceData> buildData(TriangleMesh clean, double coat_u)
 {
   if (clean.triangles.empty())
   {
@@ -253,6 +264,7 @@ std::unique_ptr<SurfaceData> buildData(TriangleMesh clean)
   }
   auto data = std::make_unique<SurfaceData>();
   data->mesh = std::move(clean);
+  data->coat_u = coat_u;
   const std::size_t leavesAtMost = data->mesh.triangles.size() / (Leaf::capacity / 2) + 1;
   data->leaves.reserve(leavesAtMost);
   data->nodes.reserve(leavesAtMost);
@@ -262,7 +274,7 @@ std::unique_ptr<SurfaceData> buildData(TriangleMesh clean)
   buildFans(*data);
   buildRecords(*data);
   data->topologyHash = hashTopology(data->mesh);
-  data->contentHash = hashContent(data->mesh, data->topologyHash);
+  data->contentHash = hashContent(*data);
   return data;
 }
 
@@ -274,7 +286,7 @@ std::size_t bytesOf(const std::vector<T>& v)
 
 } // namespace
 
-SurfaceTree::SurfaceTree(TriangleMesh clean) : data_(buildData(std::move(clean))) {}
+SurfaceTree::SurfaceTree(TriangleMesh clean, double coat_u) : data_(buildData(std::move(clean), coat_u)) {}
 
 SurfaceTree::SurfaceTree(std::unique_ptr<SurfaceData> data) : data_(std::move(data)) {}
 
@@ -283,6 +295,11 @@ SurfaceTree::~SurfaceTree() = default;
 const TriangleMesh& SurfaceTree::mesh() const noexcept
 {
   return this->data_->mesh;
+}
+
+double SurfaceTree::coat_u() const noexcept
+{
+  return this->data_->coat_u;
 }
 
 std::uint64_t SurfaceTree::contentHash() const noexcept

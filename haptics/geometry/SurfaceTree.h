@@ -26,8 +26,9 @@ struct RefitResult
 class SurfaceTree
 {
 public:
-  /// Takes the output of cleanMesh(); throws std::invalid_argument for an empty mesh.
-  explicit SurfaceTree(TriangleMesh clean);
+  /// Takes the output of cleanMesh(), or of cleanSegments() with the radius of the curves as `coat_u` > 0; throws
+  /// std::invalid_argument for an empty mesh.
+  explicit SurfaceTree(TriangleMesh clean, double coat_u = 0.0);
   ~SurfaceTree();
   SurfaceTree(const SurfaceTree&) = delete;
   SurfaceTree& operator=(const SurfaceTree&) = delete;
@@ -45,7 +46,9 @@ public:
   [[nodiscard]] const TriangleMesh& mesh() const noexcept;
   /// Bytes kept beside the mesh (tree, adjacency, normals).
   [[nodiscard]] std::size_t bytes() const noexcept;
-  /// Hash of vertices and triangles.
+  /// Radius of the curves [u], 0 for triangles.
+  [[nodiscard]] double coat_u() const noexcept;
+  /// Hash of vertices, triangles and coat.
   [[nodiscard]] std::uint64_t contentHash() const noexcept;
   /// Hash of the triangles as the tree has ordered them: where it is the same, features have the same numbers.
   [[nodiscard]] std::uint64_t topologyHash() const noexcept;

@@ -141,6 +141,17 @@ std::string indexRefusal(const TriangleMesh& raw)
   return {};
 }
 
+/// A triangle without area; of curves, a segment without length. Corners ascend.
+bool isNothing(const Triangle& t, const Weld& welded, bool segments)
+{
+  if (segments)
+  {
+    return t[0] == t[2];
+  }
+  return t[0] == t[1] || t[1] == t[2] ||
+         exactlyCollinear(welded.vertices_W[t[0]], welded.vertices_W[t[1]], welded.vertices_W[t[2]]);
+}
+
 /// Re-indexed triangles with ascending corners; bad ones are counted and left out.
 std::vector<Triangle> goodTriangles(const TriangleMesh& raw, const Weld& welded, CleanReport& report)
 {
@@ -154,14 +165,13 @@ std::vector<Triangle> goodTriangles(const TriangleMesh& raw, const Weld& welded,
     {
       ++report.nonFinite;
     }
-    else if (t[0] == t[1] || t[1] == t[2] ||
-      exactlyCollinear(welded.vertices_W[t[0]], welded.vertices_W[t[1]], welded.vertices_W[t[2]]))
+    else if (isNothing(t, welded, report.segments))
     {
       ++report.collinear;
     }
     else
     {
-      good.push_back(t);
+      good.push_back(report.segments ? Triangle{ t[0], t[2], t[2] } : t);
     }
   }
   std::sort(good.begin(), good.end());
@@ -175,7 +185,7 @@ std::vector<Triangle> goodTriangles(const TriangleMesh& raw, const Weld& welded,
 
 std::string CleanReport::summary() const
 {
-  std::string text = "kept " + std::to_string(this->trianglesOut) + " of " + std::to_string(this->trianglesIn) + " triangles";
+  std::string text = "kept " + std::to_string(this->trianglesOut) + " of " + std::to_string(this->trianglesIn) + (this->segments ? " segments" : " triangles");
   const auto add = [&text](std::size_t count, const char* what)
   {
     if (count > 0)
@@ -183,18 +193,33 @@ std::string CleanReport::summary() const
       text += "; " + std::to_string(count) + " " + what;
     }
   };
-  add(this->nonFinite, "dropped: non-finite corner");
-  add(this->collinear, "dropped: no area");
+  add(this->nonFinite, this->segments ? "dropped: non-finite end" : "dropped: non-finite corner");
+  add(this->collinear, this->segments ? "dropped: no length" : "dropped: no area");
   add(this->duplicate, "dropped: duplicate");
   add(this->boundaryEdges, "boundary edges");
   add(this->nonManifoldEdges, "non-manifold edges");
   return text;
 }
 
-CleanResult cleanMesh(const TriangleMesh& raw)
+namespace
+{
+
+std::string emptyRefusal(const TriangleMesh& raw, bool segments)
+{
+  if (raw.triangles.empty())
+  {
+    return segments ? "it has no lines" : "it has no triangles";
+  }
+  return "none of its " + std::to_string(raw.triangles.size()) +
+         (segments ? " segments can be touched (all non-finite or without length)"
+                   : " triangles can be touched (all non-finite or without area)");
+}
+
+CleanResult clean(const TriangleMesh& raw, bool segments)
 {
   CleanResult result;
   result.report.trianglesIn = raw.triangles.size();
+  result.report.segments = segments;
   result.refusal = indexRefusal(raw);
   if (!result.ok())
   {
@@ -209,13 +234,34 @@ CleanResult cleanMesh(const TriangleMesh& raw)
   result.report.verticesOut = result.mesh.vertices_W.size();
   if (result.mesh.triangles.empty())
   {
-    result.refusal = raw.triangles.empty()
-      ? "it has no triangles"
-      : "none of its " + std::to_string(raw.triangles.size()) + " triangles can be touched (all non-finite or without area)";
+    result.refusal = emptyRefusal(raw, segments);
+  }
+  return result;
+}
+
+} // namespace
+
+CleanResult cleanMesh(const TriangleMesh& raw)
+{
+  CleanResult result = clean(raw, false);
+  if (result.ok())
+  {
+    countEdges(result.mesh, result.report);
+  }
+  return result;
+}
+
+CleanResult cleanSegments(const TriangleMesh& raw)
+{
+  const auto noSegment = std::find_if(raw.triangles.begin(), raw.triangles.end(),
+    [](const Triangle& t) { return t[1] != t[2]; });
+  if (noSegment != raw.triangles.end())
+  {
+    CleanResult result;
+    result.refusal = "triangle " + std::to_string(noSegment - raw.triangles.begin()) + " is no segment of a curve";
     return result;
   }
-  countEdges(result.mesh, result.report);
-  return result;
+  return clean(raw, true);
 }
 
 } // namespace palpate

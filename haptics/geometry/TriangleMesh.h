@@ -29,6 +29,7 @@ struct CleanReport
   std::size_t duplicate = 0;        ///< dropped: the same three corners again, in any order
   std::size_t boundaryEdges = 0;    ///< edges of one triangle (kept)
   std::size_t nonManifoldEdges = 0; ///< edges of three or more triangles (kept)
+  bool segments = false;            ///< of curves: "triangles" are segments, "collinear" those without length
 
   /// "kept 78 604 of 78 610 triangles; dropped 6 (...)": one line for a person.
   [[nodiscard]] std::string summary() const;
@@ -50,5 +51,9 @@ struct CleanResult
 /// exactly collinear ones dropped. The result does not depend on the order of the input.
 /// Refuses (never throws for bad data): an index out of range, no triangle left.
 [[nodiscard]] CleanResult cleanMesh(const TriangleMesh& raw);
+
+/// The same for curves, whose segments stand in the mesh as triangles (a, b, b): PolyLines.h makes them. Welded and
+/// ordered alike; segments without length and repeats are dropped. Refuses a triangle that is no segment.
+[[nodiscard]] CleanResult cleanSegments(const TriangleMesh& raw);
 
 } // namespace palpate

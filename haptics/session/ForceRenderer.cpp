@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "haptics/contact/CarryBall.h"
+#include "haptics/contact/PlanFor.h"
 #include "haptics/force/VirtualCoupling.h"
 #include "haptics/safety/ForceLimits.h"
 
@@ -41,7 +42,9 @@ class Render
 {
 public:
   Render(const TickInput& input, const HapticParameters& parameters, RendererState& state, PathSink* sink) noexcept
-    : in_(input), p_(parameters), plan_(parameters.contact), s_(state), sink_(sink)
+    : in_(input), p_(parameters),
+      plan_(input.scene != nullptr ? planFor(*input.scene, parameters.contact) : parameters.contact), s_(state),
+      sink_(sink)
   {
     this->out_.state.tick = input.tick;
     this->out_.state.time_s = input.sample.time_s;
@@ -221,9 +224,9 @@ private:
     GodObjectState& contact = this->s_.contact;
     const Vec3& p_W = this->out_.state.device_W.p;
     const bool otherMap = !sameMap(this->s_.map, this->p_.map);
-    const bool otherBall = this->s_.radius_u != this->p_.contact.radius_u;
+    const bool otherBall = this->s_.radius_u != this->plan_.radius_u;
     this->s_.map = this->p_.map;
-    this->s_.radius_u = this->p_.contact.radius_u;
+    this->s_.radius_u = this->plan_.radius_u;
     if (!this->touchable())
     {
       contact = GodObjectState{};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace palpate
@@ -227,6 +228,9 @@ RecordedScene readScene(ByteReader& in)
     in.get(input.material.frictionStatic);
     in.get(input.material.frictionKinetic);
     input.fields = readFields(in);
+    double lineRadius_u = 0.0; // 0: triangles
+    in.get(lineRadius_u);
+    input.lineRadius_u = lineRadius_u != 0.0 ? std::optional(lineRadius_u) : std::nullopt;
     mesh->vertices_W.resize(in.count(3 * sizeof(double)));
     for (Vec3& v : mesh->vertices_W)
     {
@@ -384,6 +388,7 @@ std::vector<char> sceneChunk(const Scene& scene)
     payload.put(surface.material.frictionStatic);
     payload.put(surface.material.frictionKinetic);
     putFields(surface.fields.get(), payload);
+    payload.put(surface.tree->coat_u());
     payload.put(static_cast<std::uint64_t>(mesh.vertices_W.size()));
     for (const Vec3& v : mesh.vertices_W)
     {

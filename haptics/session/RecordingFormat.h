@@ -24,7 +24,7 @@ enum class ChunkType : std::uint32_t
   const std::string& device, const HapticParameters& parameters, const RendererState& state);
 [[nodiscard]] std::vector<char> tickChunk(const TickRecord& record);
 [[nodiscard]] std::vector<char> changeChunk(const RecordedChange& change);
-/// The meshes of a scene, wherever its surfaces are.
+/// The meshes and curves of a scene, wherever its surfaces are.
 [[nodiscard]] std::vector<char> sceneChunk(const Scene& scene);
 /// Where the surfaces of a scene that moves are, by the hash of its meshes.
 [[nodiscard]] std::vector<char> motionChunk(const Scene& scene);

@@ -11,7 +11,12 @@ namespace palpate::test
 
 void Stage::add(const TriangleMesh& mesh, Path path)
 {
-  this->surfaces_.push_back(sceneOf(mesh)->surfaces()[0]);
+  this->add(sceneOf(mesh)->surfaces()[0], std::move(path));
+}
+
+void Stage::add(const Surface& surface, Path path)
+{
+  this->surfaces_.push_back(surface);
   this->paths_.push_back(std::move(path));
 }
 

@@ -20,6 +20,7 @@ public:
 
   /// `path`: pose of the mesh in W.
   void add(const TriangleMesh& mesh, Path path);
+  void add(const Surface& surface, Path path);
 
   /// The scene whose surfaces go from where they are at one time to where they are at another.
   [[nodiscard]] std::shared_ptr<const Scene> between(double from_s, double to_s);

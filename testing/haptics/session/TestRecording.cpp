@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/FedDevice.h"
+#include "haptics/geometry/PolyLines.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/Recording.h"
 #include "testing/support/Meshes.h"
@@ -124,11 +125,11 @@ TEST(Recording, WithSceneSwapsReplaysBitForBitWithOneTwoAndFourBuilders)
   }
 }
 
-/// The same hand over a ball that swings and turns under it: a new snapshot of its pose every 16 ticks.
-void recordMoving(const std::string& path, int ticks, double radius_u)
+/// The same hand over a surface, the second, that swings and turns under it: a new snapshot of its pose every 16 ticks.
+void recordMoving(const std::string& path, int ticks, double radius_u, const std::vector<SurfaceInput>& surfaces)
 {
   constexpr int ticksPerSnapshot = 16;
-  const auto still = SceneBuilder().build(threeSurfaces(3)).scene;
+  const auto still = SceneBuilder().build(surfaces).scene;
   const auto poseAt = [](double t)
   { return Pose{ { 0.01 * std::sin(9 * t), 0, 0.004 * std::sin(21 * t) }, Quat(Eigen::AngleAxisd(t, Vec3::UnitX())) }; };
   HapticSession session;
@@ -164,10 +165,33 @@ TEST(Recording, OfSurfacesThatMoveStoresTheirMeshesOnceAndReplaysBitForBit)
   for (const double radius : { 0.0, 0.001 })
   {
     const TemporaryFile file("moving");
-    recordMoving(file.path, 1600, radius);
+    recordMoving(file.path, 1600, radius, threeSurfaces(3));
     const Recording recording = readGood(file.path);
     EXPECT_EQ(recording.scenes.size(), 1U);
     EXPECT_EQ(recording.motions.size(), 100U);
+    const ReplayResult result = replay(recording);
+    EXPECT_EQ(result.problem, "");
+    EXPECT_EQ(result.difference, "");
+    EXPECT_EQ(result.ticks, 1600U);
+  }
+}
+
+TEST(Recording, OfCurvesThatMoveReplaysBitForBit)
+{
+  for (const double radius : { 0.0, 0.001 })
+  {
+    std::vector<SurfaceInput> inputs = threeSurfaces(3);
+    PolyLines curves;
+    curves.points_W = { { 0.05, 0, 0 }, { 0.08, 0.01, 0.002 }, { 0.12, 0, 0 }, { 0.08, -0.05, 0 }, { 0.08, 0.05, 0 } };
+    curves.lines = { { 0, 1, 2 }, { 3, 4 } };
+    inputs[1].mesh = std::make_shared<const TriangleMesh>(segmentsOf(curves));
+    inputs[1].lineRadius_u = 0.05;
+    const TemporaryFile file("curves");
+    recordMoving(file.path, 1600, radius, inputs);
+    const Recording recording = readGood(file.path);
+    ASSERT_EQ(recording.scenes.size(), 1U);
+    EXPECT_EQ(recording.scenes[0].surfaces.at(1).lineRadius_u, 0.05);
+    EXPECT_EQ(recording.scenes[0].surfaces.at(0).lineRadius_u, std::nullopt);
     const ReplayResult result = replay(recording);
     EXPECT_EQ(result.problem, "");
     EXPECT_EQ(result.difference, "");
