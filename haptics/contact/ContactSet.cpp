@@ -106,20 +106,25 @@ void ContactSet<SceneView>::relinearise(const ActiveFeature* keep) noexcept
     const bool isKeep = keep != nullptr && sameFeature(f, *keep);
     if (this->radius_u_ > 0.0 && f.kind != FeatureKind::Face)
     {
-      f = normalised(this->surface(f), f, this->state_.x_W);
+      const ActiveFeature holder = normalised(this->surface(f), f, this->state_.x_W);
+      // What was just hit although the face that holds it is touched already would only be hit again.
+      f = isKeep && this->isAmong(holder, kept) ? f : holder;
       this->include(f);
     }
-    bool drop = !isKeep && !this->supported(f);
-    for (int j = 0; j < kept && !drop; ++j)
-    {
-      drop = sameFeature(this->feature(j), f);
-    }
+    const bool drop = (!isKeep && !this->supported(f)) || this->isAmong(f, kept);
     if (!drop)
     {
       this->feature(kept++) = f;
     }
   }
   this->state_.count = kept;
+}
+
+template<class SceneView>
+bool ContactSet<SceneView>::isAmong(const ActiveFeature& f, int first) const noexcept
+{
+  return std::any_of(this->state_.features.begin(), this->state_.features.begin() + first,
+    [&f](const ActiveFeature& g) { return sameFeature(f, g); });
 }
 
 template<class SceneView>

@@ -72,6 +72,9 @@ public:
   }
 
 private:
+  /// True if f is one of the first so many features.
+  [[nodiscard]] bool isAmong(const ActiveFeature& f, int first) const noexcept;
+
   const SceneView& scene_;
   double radius_u_;
   GodObjectState& state_;

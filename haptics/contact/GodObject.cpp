@@ -391,7 +391,7 @@ private:
         continue;
       }
       this->reconsideredAt_W_ = this->x();
-      const std::optional<Descent> descent = descendFromVertex(s, f, v, this->p_W_ - this->x());
+      const std::optional<Descent> descent = descendFromVertex(s, f, v, this->x(), this->p_W_ - this->x());
       if (descent && descent->gain > this->tol())
       {
         this->state_.count = 0;

@@ -313,7 +313,8 @@ RollPlan RollPlanner<SceneView>::plan() noexcept
   const ProjectionResult first = projectOntoPlanes({ this->both_.data(), count + this->pivotCount_ }, target, this->slack_);
   // Near the solution a Newton step gains less than a distance resolves.
   plan.tolerance_u2 = crevice ? 4 * this->slack_ * this->q_.norm() : 0.0;
-  plan.worthwhile = first.feasible && second.feasible &&
+  // At the end of an edge it cannot go on by rolling: a slide leaves the edge.
+  plan.worthwhile = first.feasible && second.feasible && second.y.norm() > 4 * this->slack_ &&
     (second.y - this->q_).squaredNorm() < this->q_.squaredNorm() + plan.tolerance_u2;
   plan.first = first.y;
   plan.second = second.y;

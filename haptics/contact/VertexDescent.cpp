@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "haptics/contact/FeatureGeometry.h"
+#include "haptics/geometry/ExactPredicates.h"
 
 namespace palpate
 {
@@ -25,7 +26,8 @@ struct Fan
 {
   std::array<ActiveFeature, mostFaces> faces;
   int count = 0;
-  bool simple = true;
+  bool whole = true;     ///< there was room for all of them
+  bool branches = false; ///< three or more faces meet in an edge of it
 
   [[nodiscard]] bool holds(std::uint32_t triangle) const noexcept
   {
@@ -34,30 +36,41 @@ struct Fan
   }
 };
 
-/// Carries the side over one edge from v to `far`.
+/// The first face met on turning from face `from` round its edge from v to `far`, on the side the point lies on, with
+/// the side it shows; none at a free edge. Exact: a fin may lie as close to a face as it likes.
 template<class View>
-void spread(const View& s, const ActiveFeature& from, std::uint32_t v, std::uint32_t far, Fan& fan) noexcept
+std::optional<ActiveFeature> across(
+  const View& s, const ActiveFeature& from, std::uint32_t v, std::uint32_t far, bool& branches) noexcept
 {
-  int others = 0;
+  const Vec3 &a = s.vertex(v), &b = s.vertex(far), &own = s.vertex(s.opposite(from.a, v, far));
+  const int turn = from.side * (runsFrom(s, from.a, v, far) ? 1 : -1);
+  std::uint32_t first = SurfaceData::none;
+  bool firstAbove = false;
   s.forEachAtEdge(v, far,
     [&](std::uint32_t triangle)
     {
-      if (triangle == from.a || ++others > 1)
+      if (triangle == from.a)
       {
         return;
       }
-      if (fan.holds(triangle) || fan.count == mostFaces)
-      {
-        fan.simple &= fan.count < mostFaces;
-        return;
-      }
-      ActiveFeature next = from;
-      next.a = triangle;
-      const bool sameTurn = runsFrom(s, from.a, v, far) != runsFrom(s, triangle, v, far);
-      next.side = sameTurn ? from.side : static_cast<std::int8_t>(-from.side);
-      fan.faces[static_cast<std::size_t>(fan.count++)] = next;
+      branches |= first != SurfaceData::none;
+      const Vec3& tip = s.vertex(s.opposite(triangle, v, far));
+      const bool above = turn * orientation(a, b, own, tip) > 0; // less than half a turn away
+      const bool sooner =
+        first == SurfaceData::none || (above && !firstAbove) ||
+        (above == firstAbove && turn * orientation(a, b, tip, s.vertex(s.opposite(first, v, far))) > 0);
+      first = sooner ? triangle : first;
+      firstAbove = sooner ? above : firstAbove;
     });
-  fan.simple &= others <= 1;
+  if (first == SurfaceData::none)
+  {
+    return std::nullopt;
+  }
+  ActiveFeature next = from;
+  next.a = first;
+  const bool sameTurn = runsFrom(s, from.a, v, far) != runsFrom(s, first, v, far);
+  next.side = sameTurn ? from.side : static_cast<std::int8_t>(-from.side);
+  return next;
 }
 
 template<class View>
@@ -67,14 +80,19 @@ Fan fanAround(const View& s, const ActiveFeature& f, std::uint32_t v) noexcept
   fan.faces[0] = f;
   fan.faces[0].stuck = false;
   fan.count = 1;
-  for (int k = 0; k < fan.count && fan.simple; ++k)
+  for (int k = 0; k < fan.count; ++k)
   {
     const ActiveFeature face = fan.faces[static_cast<std::size_t>(k)];
     for (const std::uint32_t corner : s.corners(face.a))
     {
-      if (corner != v)
+      const std::optional<ActiveFeature> next = corner != v ? across(s, face, v, corner, fan.branches) : std::nullopt;
+      if (next && !fan.holds(next->a))
       {
-        spread(s, face, v, corner, fan);
+        fan.whole = fan.count < mostFaces;
+        if (fan.whole)
+        {
+          fan.faces[static_cast<std::size_t>(fan.count++)] = *next;
+        }
       }
     }
   }
@@ -121,17 +139,23 @@ std::uint32_t cornerAt(const View& s, const ActiveFeature& f, const Vec3& x_W, d
 
 template<class View>
 std::optional<Descent> descendFromVertex(
-  const View& s, const ActiveFeature& f, std::uint32_t v, const Vec3& q) noexcept
+  const View& s, const ActiveFeature& f, std::uint32_t v, const Vec3& x_W, const Vec3& q) noexcept
 {
-  const Fan fan = fanAround(s, f, v);
-  if (!fan.simple)
+  Fan fan = fanAround(s, f, v);
+  if (!fan.whole)
   {
     return std::nullopt;
   }
+  // A fan with branches has pockets that the point may not be in.
+  const auto isThere = [&](const ActiveFeature& face) { return !fan.branches || sideOf(s, face.a, x_W) == face.side; };
   Descent best;
   for (int i = 0; i < fan.count; ++i)
   {
     const ActiveFeature& face = fan.faces[static_cast<std::size_t>(i)];
+    if (!isThere(face))
+    {
+      continue;
+    }
     const double gain = gainOnFace(s, face.a, v, q);
     if (gain > best.gain)
     {
@@ -144,15 +168,10 @@ std::optional<Descent> descendFromVertex(
       {
         continue;
       }
-      best = { gainOnEdge, 1, { face, face } };
-      for (int j = 0; j < fan.count; ++j)
+      const std::optional<ActiveFeature> other = across(s, face, v, corner, fan.branches);
+      if (!other || isThere(*other))
       {
-        const ActiveFeature& other = fan.faces[static_cast<std::size_t>(j)];
-        if (j != i && s.hasCorner(other.a, corner))
-        {
-          best.count = 2;
-          best.faces[1] = other;
-        }
+        best = { gainOnEdge, other ? 2 : 1, { face, other.value_or(face) } };
       }
     }
   }
@@ -162,7 +181,7 @@ std::optional<Descent> descendFromVertex(
 #define PALPATE_INSTANTIATE(View)                                                                                      \
   template std::uint32_t cornerAt(const View&, const ActiveFeature&, const Vec3&, double) noexcept;                    \
   template std::optional<Descent> descendFromVertex(                                                                   \
-    const View&, const ActiveFeature&, std::uint32_t, const Vec3&) noexcept;
+    const View&, const ActiveFeature&, std::uint32_t, const Vec3&, const Vec3&) noexcept;
 
 PALPATE_INSTANTIATE(SurfaceData)
 PALPATE_INSTANTIATE(PosedSurface)
