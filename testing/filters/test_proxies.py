@@ -75,6 +75,19 @@ class Filters(unittest.TestCase):
         self.assertTrue(all(contacts.GetValue(i) > 0 for i in range(1, count)))
         pv.Delete(touch)
 
+    def test_curves_of_an_image_stay_within_the_tolerance_asked_for(self):
+        image = pv.Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 0])
+        curves = pv.ImageCurves(Input=image, Tolerance=0.1)
+        output = servermanager.Fetch(curves)
+        self.assertGreater(output.GetNumberOfLines(), 0)
+        self.assertLessEqual(output.GetCellData().GetArray("Error").GetRange()[1], 0.1)
+        self.assertEqual(output.GetFieldData().GetArray("Tolerance").GetValue(0), 0.1)
+        by_feel = pv.ImageCurves(Input=image, SimplifyBy="Feel", LeastForce=0.1, Stiffness=500.0, Scale=1000.0)
+        asked = servermanager.Fetch(by_feel).GetFieldData().GetArray("Tolerance").GetValue(0)
+        self.assertAlmostEqual(asked, 0.1 / 500.0 * 1000.0)
+        for proxy in (by_feel, curves, image):
+            pv.Delete(proxy)
+
 
 class Session(unittest.TestCase):
     def setUp(self):

@@ -38,5 +38,10 @@ void runClosedLoop(const Conditions& conditions, Table& table);
 void runMaterials(const Conditions& conditions, Table& table);
 void runDeforming(const Conditions& conditions, Table& table);
 void runSceneSwap(const Conditions& conditions, Table& table);
+void runPlaneWedge(const Conditions& conditions, Table& table);
+void runImageCurves(const Conditions& conditions, Table& table);
+void runSlantedWall(const Conditions& conditions, Table& table);
+void runCorridor(const Conditions& conditions, Table& table);
+void runSmallestFeature(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab
