@@ -37,6 +37,7 @@ void runManySurfaces(const Conditions& conditions, Table& table);
 void runClosedLoop(const Conditions& conditions, Table& table);
 void runMaterials(const Conditions& conditions, Table& table);
 void runDeforming(const Conditions& conditions, Table& table);
+void runCurves(const Conditions& conditions, Table& table);
 void runSceneSwap(const Conditions& conditions, Table& table);
 void runPlaneWedge(const Conditions& conditions, Table& table);
 void runImageCurves(const Conditions& conditions, Table& table);
