@@ -3,12 +3,22 @@
 
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 #include <utility>
 
+#include "haptics/contact/PlanFor.h"
 #include "vtkHapticConversion.h"
 
 namespace
 {
+std::string DescribeTubes(const palpate::SurfaceTree& tree, const palpate::Scene& scene)
+{
+  std::ostringstream text;
+  text << "segment is touched as a tube of " << tree.coat_u() << " u, by a point as by a ball of "
+       << palpate::planFor(scene, {}).radius_u << " u";
+  return text.str();
+}
+
 /// `materials`: a note for each report, or "".
 std::string Describe(const palpate::SceneBuildResult& built, const std::vector<std::string>& materials)
 {
@@ -23,10 +33,12 @@ std::string Describe(const palpate::SceneBuildResult& built, const std::vector<s
       report += surface.name + ": refused: " + surface.refusal + "\n";
       continue;
     }
-    const std::size_t bytes = built.scene->surfaces()[next++].tree->bytes();
-    report += surface.name + ": " + surface.clean.summary() + "; every kept triangle is touched, through a tree of " +
-              std::to_string(bytes / kibibyte) + " KiB" + (surface.refitted ? ", refitted" : "") +
-              (materials[i].empty() ? "" : "; material: " + materials[i]) + "\n";
+    const palpate::SurfaceTree& tree = *built.scene->surfaces()[next++].tree;
+    report += surface.name + ": " + surface.clean.summary() + "; every kept " +
+              (surface.clean.segments ? DescribeTubes(tree, *built.scene) : "triangle is touched") +
+              ", through a tree of " + std::to_string(tree.bytes() / kibibyte) + " KiB" +
+              (surface.refitted ? ", refitted" : "") + (materials[i].empty() ? "" : "; material: " + materials[i]) +
+              "\n";
   }
   return report;
 }
@@ -80,26 +92,53 @@ void vtkHapticSceneWorker::ReadMaterial(vtkDataObject* data, Kept& kept) const
   kept.ArraysKey = key;
 }
 
+void vtkHapticSceneWorker::SetLineRadius(double radius_u)
+{
+  this->LineRadius_u = radius_u;
+}
+
 std::string vtkHapticSceneWorker::Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   this->Editing = true;
+  const std::size_t lines = vtkHapticCountLines(data);
+  std::string problem = this->AddPart(name, data, matrix, std::nullopt);
+  if (lines > 0 && this->LineRadius_u != 0.0)
+  {
+    const std::string ofLines = this->AddPart(name, data, matrix, this->LineRadius_u);
+    problem = ofLines.empty() ? ofLines : problem;
+  }
+  else if (lines > 0 && problem.empty())
+  {
+    this->Refusals += "not touched: " + name + ": " + std::to_string(lines) + " lines; their radius is 0\n";
+  }
+  if (!problem.empty())
+  {
+    problem = name + ": " + problem;
+    this->Refusals += "not touched: " + problem + "\n";
+  }
+  return problem;
+}
+
+std::string vtkHapticSceneWorker::AddPart(
+  const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, std::optional<double> lineRadius_u)
+{
   const std::uint64_t key = vtkHapticContentKey(data, nullptr);
-  if (vtkHapticCheckPlacement(matrix).empty() && this->AddKnown(name, key, vtkHapticPlacementOf(matrix)))
+  if (vtkHapticCheckPlacement(matrix).empty() && this->AddKnown(name, key, vtkHapticPlacementOf(matrix), lineRadius_u))
   {
     this->ReadMaterial(data, this->Adding.back());
     return {};
   }
-  vtkHapticConversionResult converted = vtkHapticToMesh(data, matrix);
+  vtkHapticConversionResult converted = lineRadius_u ? vtkHapticToLines(data, matrix) : vtkHapticToMesh(data, matrix);
   if (!converted.Mesh)
   {
-    const std::string problem = name + ": " + converted.Problem;
-    this->Refusals += "not touched: " + problem + "\n";
-    return problem;
+    return converted.Problem;
   }
   Kept kept;
   kept.Key = key;
-  kept.Input.name = name;
+  kept.Name = name;
+  kept.Input.name = lineRadius_u ? name + " (lines)" : name;
   kept.Input.mesh = std::move(converted.Mesh);
+  kept.Input.lineRadius_u = lineRadius_u;
   kept.Baked = vtkHapticPlacementOf(matrix);
   kept.PartPoints = std::move(converted.PartPoints);
   this->Adding.push_back(std::move(kept));
@@ -108,9 +147,11 @@ std::string vtkHapticSceneWorker::Add(const std::string& name, vtkDataObject* da
 }
 
 /// The same mesh object, so that the builder keeps its tree, if all that changed is its pose.
-bool vtkHapticSceneWorker::AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement)
+bool vtkHapticSceneWorker::AddKnown(
+  const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement, std::optional<double> lineRadius_u)
 {
-  const auto same = [&](const Kept& kept) { return kept.Key == key && kept.Input.name == name; };
+  const auto same = [&](const Kept& kept)
+  { return kept.Key == key && kept.Name == name && kept.Input.lineRadius_u == lineRadius_u; };
   const auto known = std::find_if(this->Committed.begin(), this->Committed.end(), same);
   const auto pose = known != this->Committed.end() ? vtkHapticMotionBetween(known->Baked, placement) : std::nullopt;
   if (pose)
@@ -123,9 +164,8 @@ bool vtkHapticSceneWorker::AddKnown(const std::string& name, std::uint64_t key, 
 
 std::string vtkHapticSceneWorker::Place(const std::string& name, vtkMatrix4x4* matrix)
 {
-  const auto named = [&](const Kept& kept) { return kept.Input.name == name; };
-  const auto found = std::find_if(this->Adding.begin(), this->Adding.end(), named);
-  if (found == this->Adding.end())
+  const auto named = [&](const Kept& kept) { return kept.Name == name; };
+  if (std::none_of(this->Adding.begin(), this->Adding.end(), named))
   {
     return name + ": there is no surface of that name to move; add it first";
   }
@@ -134,16 +174,26 @@ std::string vtkHapticSceneWorker::Place(const std::string& name, vtkMatrix4x4* m
     return name + ": " + problem;
   }
   this->Editing = true;
-  const vtkHapticPlacement placement = vtkHapticPlacementOf(matrix);
-  if (const auto pose = vtkHapticMotionBetween(found->Baked, placement))
+  for (Kept& kept : this->Adding)
   {
-    found->Input.pose_WS = *pose;
+    if (named(kept))
+    {
+      MoveTo(kept, vtkHapticPlacementOf(matrix));
+    }
+  }
+  return {};
+}
+
+void vtkHapticSceneWorker::MoveTo(Kept& kept, const vtkHapticPlacement& placement)
+{
+  if (const auto pose = vtkHapticMotionBetween(kept.Baked, placement))
+  {
+    kept.Input.pose_WS = *pose;
   }
   else
   {
-    Bake(*found, placement);
+    Bake(kept, placement);
   }
-  return {};
 }
 
 void vtkHapticSceneWorker::Bake(Kept& kept, const vtkHapticPlacement& placement)

@@ -35,6 +35,8 @@ public:
   void Clear();
   /// Which arrays say what the surfaces that are added from now on are made of.
   void SetMaterials(const vtkHapticMaterialSettings& settings);
+  /// Radius of the tubes as which lines that are added from now on are touched [u]; 0: they are not.
+  void SetLineRadius(double radius_u);
   /// Converts at once (the pipeline may change its data later). Empty, or why there is nothing to touch. The first
   /// matrix is baked into the vertices; while later ones differ from it by a rigid motion, that is the surface's pose.
   std::string Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
@@ -55,6 +57,7 @@ private:
   struct Kept
   {
     std::uint64_t Key = 0;
+    std::string Name; ///< it was added by: its triangles and its lines are two surfaces
     palpate::SurfaceInput Input;
     vtkHapticPlacement Baked = vtkHapticPlacement::Identity(); ///< what the vertices were placed by
     std::vector<std::size_t> PartPoints;
@@ -64,13 +67,19 @@ private:
   };
 
   void Launch();
-  bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement);
+  /// Triangles, or with a radius lines. Empty, or why there are none.
+  std::string AddPart(
+    const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, std::optional<double> lineRadius_u);
+  bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,
+    std::optional<double> lineRadius_u);
+  static void MoveTo(Kept& kept, const vtkHapticPlacement& placement);
   /// Moves the vertices to where `placement` has them.
   static void Bake(Kept& kept, const vtkHapticPlacement& placement);
 
   void ReadMaterial(vtkDataObject* data, Kept& kept) const;
 
   vtkHapticMaterialSettings Materials;
+  double LineRadius_u = 0.0;
   std::vector<Kept> Adding;
   std::string Refusals; ///< since Clear(), a line each
   bool Editing = false; ///< something was added or moved since Commit()

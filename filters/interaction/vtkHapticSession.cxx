@@ -102,6 +102,7 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Hand: " << this->Impl->HeldBy << "\n";
   os << indent << "Damping: " << this->GetDamping() << " N s/m\n";
   os << indent << "Radius: " << this->GetRadius() << " u\n";
+  os << indent << "LineRadius: " << this->GetLineRadius() << " u\n";
   os << indent << "FrictionStatic: " << this->GetFrictionStatic() << "\n";
   os << indent << "FrictionKinetic: " << this->GetFrictionKinetic() << ", used " << this->GetFrictionKineticUsed()
      << "\n";

@@ -150,6 +150,13 @@ public:
   ///@}
 
   ///@{
+  /// Radius of the tubes as which lines (streamlines, centre lines, fibres) are touched [u], >= 0, default 0: they are
+  /// not touched, which GetSceneReport() says. Surfaces that are added later feel it.
+  virtual void SetLineRadius(double radius_u);
+  virtual double GetLineRadius() const;
+  ///@}
+
+  ///@{
   /// Scene units per metre of the hand's motion, > 0. Default 1000: data in millimetres feels as large as it is.
   virtual void SetScale(double scale_u_per_m);
   virtual double GetScale() const;

@@ -22,6 +22,7 @@ public:
   double FrictionKinetic = 0.0; ///< as set; the parameters have no more than the static one
   std::vector<palpate::KnownDevice> Known = palpate::knownDevices();
   vtkHapticMaterialSettings Materials;
+  double LineRadius_u = 0.0;
   vtkTimeStamp MaterialTime;
   vtkHapticSceneWorker Worker;
   vtkHapticBuiltScene Built; ///< its scene as the servo has it, with motions

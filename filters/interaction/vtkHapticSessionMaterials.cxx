@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What surfaces are made of, from their arrays.
+#include <cmath>
+
 #include "vtkHapticSessionInternals.h"
 
 void vtkHapticSession::ChangeMaterial(const std::function<void(vtkHapticMaterialSettings&)>& change)
@@ -18,6 +20,27 @@ void vtkHapticSession::ChangeMaterial(const std::function<void(vtkHapticMaterial
     this->Impl->MaterialTime.Modified();
     this->Modified();
   }
+}
+
+void vtkHapticSession::SetLineRadius(double radius_u)
+{
+  if (!(radius_u >= 0.0) || !std::isfinite(radius_u))
+  {
+    this->Refuse("the radius of lines must be a finite number of scene units, 0 or above");
+    return;
+  }
+  if (radius_u != this->Impl->LineRadius_u)
+  {
+    this->Impl->LineRadius_u = radius_u;
+    this->Impl->Worker.SetLineRadius(radius_u);
+    this->Impl->MaterialTime.Modified();
+    this->Modified();
+  }
+}
+
+double vtkHapticSession::GetLineRadius() const
+{
+  return this->Impl->LineRadius_u;
 }
 
 vtkMTimeType vtkHapticSession::GetMaterialTime() const

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticConversion.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "haptics/core/WordHash.h"
+#include "haptics/geometry/PolyLines.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCompositeDataIterator.h"
@@ -40,8 +42,8 @@ vtkSmartPointer<vtkPolyData> SkinOf(vtkDataSet* data)
   return skin->GetOutput();
 }
 
-/// Triangles of a data set; null with a problem. The points are those of its skin.
-vtkSmartPointer<vtkPolyData> Triangulated(vtkDataSet* data, std::string& problem)
+/// Poly data whose cells can be trusted, or null with a problem.
+vtkSmartPointer<vtkPolyData> CheckedSkin(vtkDataSet* data, std::string& problem)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   problem = grid ? vtkHapticCellChecks::CheckGrid(grid) : "";
@@ -49,9 +51,16 @@ vtkSmartPointer<vtkPolyData> Triangulated(vtkDataSet* data, std::string& problem
   {
     return nullptr;
   }
-  const vtkSmartPointer<vtkPolyData> surface = SkinOf(data);
+  vtkSmartPointer<vtkPolyData> surface = SkinOf(data);
   problem = vtkHapticCellChecks::CheckPolyData(surface);
-  if (!problem.empty())
+  return problem.empty() ? surface : nullptr;
+}
+
+/// Triangles of a data set; null with a problem. The points are those of its skin.
+vtkSmartPointer<vtkPolyData> Triangulated(vtkDataSet* data, std::string& problem)
+{
+  const vtkSmartPointer<vtkPolyData> surface = CheckedSkin(data, problem);
+  if (!surface)
   {
     return nullptr;
   }
@@ -76,14 +85,8 @@ void AppendTriangles(vtkPolyData* surface, bool mirrored, std::uint32_t base, pa
   }
 }
 
-std::string Append(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
+std::string AppendPoints(vtkPolyData* surface, const Placement& placement, palpate::TriangleMesh& mesh)
 {
-  std::string problem;
-  const vtkSmartPointer<vtkPolyData> surface = Triangulated(data, problem);
-  if (!surface || surface->GetNumberOfPolys() == 0)
-  {
-    return problem;
-  }
   const std::size_t base = mesh.vertices_W.size();
   const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
   if (base + count > std::numeric_limits<std::uint32_t>::max())
@@ -97,10 +100,54 @@ std::string Append(vtkDataSet* data, const Placement& placement, palpate::Triang
     surface->GetPoint(static_cast<vtkIdType>(i), p.data());
     mesh.vertices_W.push_back(placement.Identity ? p : placement.Map * p);
   }
-  mesh.triangles.reserve(mesh.triangles.size() + static_cast<std::size_t>(surface->GetNumberOfPolys()));
-  AppendTriangles(surface, placement.Map.linear().determinant() < 0.0, static_cast<std::uint32_t>(base), mesh);
   return {};
 }
+
+std::string AppendSurface(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
+{
+  std::string problem;
+  const vtkSmartPointer<vtkPolyData> surface = Triangulated(data, problem);
+  if (!surface || surface->GetNumberOfPolys() == 0)
+  {
+    return problem;
+  }
+  const auto base = static_cast<std::uint32_t>(mesh.vertices_W.size());
+  problem = AppendPoints(surface, placement, mesh);
+  if (problem.empty())
+  {
+    mesh.triangles.reserve(mesh.triangles.size() + static_cast<std::size_t>(surface->GetNumberOfPolys()));
+    AppendTriangles(surface, placement.Map.linear().determinant() < 0.0, base, mesh);
+  }
+  return problem;
+}
+
+std::string AppendLines(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
+{
+  std::string problem;
+  const vtkSmartPointer<vtkPolyData> skin = CheckedSkin(data, problem);
+  if (!skin || skin->GetNumberOfLines() == 0)
+  {
+    return problem;
+  }
+  const auto base = static_cast<std::uint32_t>(mesh.vertices_W.size());
+  problem = AppendPoints(skin, placement, mesh);
+  palpate::PolyLines curves;
+  auto each = vtkSmartPointer<vtkCellArrayIterator>::Take(skin->GetLines()->NewIterator());
+  for (each->GoToFirstCell(); problem.empty() && !each->IsDoneWithTraversal(); each->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* point = nullptr;
+    each->GetCurrentCell(count, point);
+    curves.lines.emplace_back();
+    std::for_each(
+      point, point + count, [&](vtkIdType i) { curves.lines.back().push_back(base + static_cast<std::uint32_t>(i)); });
+  }
+  const palpate::TriangleMesh segments = palpate::segmentsOf(curves);
+  mesh.triangles.insert(mesh.triangles.end(), segments.triangles.begin(), segments.triangles.end());
+  return problem;
+}
+
+using AppendPart = std::string (*)(vtkDataSet*, const Placement&, palpate::TriangleMesh&);
 
 /// Why a data object has no surface at all.
 std::string CheckKind(vtkDataObject* data)
@@ -112,8 +159,8 @@ std::string CheckKind(vtkDataObject* data)
   return data ? std::string("a ") + data->GetClassName() + " has no surface" : "there is no data";
 }
 
-void AppendAll(
-  vtkDataObject* data, const Placement& placement, palpate::TriangleMesh& mesh, vtkHapticConversionResult& result)
+void AppendAll(vtkDataObject* data, const Placement& placement, AppendPart append, palpate::TriangleMesh& mesh,
+  vtkHapticConversionResult& result)
 {
   vtkHapticForEachDataSet(data,
     [&](vtkDataSet& set)
@@ -121,7 +168,7 @@ void AppendAll(
       if (result.Problem.empty())
       {
         const std::size_t before = mesh.vertices_W.size();
-        result.Problem = Append(&set, placement, mesh);
+        result.Problem = append(&set, placement, mesh);
         result.PartPoints.push_back(mesh.vertices_W.size() - before);
       }
     });
@@ -137,7 +184,7 @@ void AddGeometry(vtkDataSet& set, palpate::WordHash& key)
     return;
   }
   key.add(std::uint64_t{ surface->GetPoints() ? surface->GetPoints()->GetMTime() : 0 });
-  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips(), surface->GetLines() })
   {
     key.add(std::uint64_t{ cells->GetMTime() });
   }
@@ -185,7 +232,11 @@ std::vector<vtkSmartPointer<vtkPolyData>> vtkHapticSurfaceParts(
   return fits ? parts : std::vector<vtkSmartPointer<vtkPolyData>>();
 }
 
-vtkHapticConversionResult vtkHapticToMesh(vtkDataObject* data, vtkMatrix4x4* matrix)
+namespace
+{
+/// `nothing`: the problem of data without what `append` takes.
+vtkHapticConversionResult Convert(
+  vtkDataObject* data, vtkMatrix4x4* matrix, AppendPart append, const std::string& nothing)
 {
   vtkHapticConversionResult result;
   result.Problem = vtkHapticCheckPlacement(matrix);
@@ -196,16 +247,42 @@ vtkHapticConversionResult vtkHapticToMesh(vtkDataObject* data, vtkMatrix4x4* mat
   }
   auto mesh = std::make_shared<palpate::TriangleMesh>();
   const Placement placement{ vtkHapticPlacementOf(matrix), !matrix || matrix->IsIdentity() };
-  AppendAll(data, placement, *mesh, result);
+  AppendAll(data, placement, append, *mesh, result);
   if (result.Problem.empty() && mesh->triangles.empty())
   {
-    result.Problem = "it has no polygons; only surfaces can be touched (apply Extract Surface or Contour)";
+    result.Problem = nothing;
   }
   if (result.Problem.empty())
   {
     result.Mesh = std::move(mesh);
   }
   return result;
+}
+} // namespace
+
+vtkHapticConversionResult vtkHapticToMesh(vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  const bool lines = vtkHapticCountLines(data) > 0;
+  return Convert(data, matrix, AppendSurface,
+    lines ? "it has no polygons but lines; give a line radius above 0 to touch them as tubes"
+          : "it has no polygons; only surfaces can be touched (apply Extract Surface or Contour)");
+}
+
+vtkHapticConversionResult vtkHapticToLines(vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  return Convert(data, matrix, AppendLines, "it has no lines");
+}
+
+std::size_t vtkHapticCountLines(vtkDataObject* data)
+{
+  vtkIdType lines = 0;
+  vtkHapticForEachDataSet(data,
+    [&lines](vtkDataSet& set)
+    {
+      auto* surface = vtkPolyData::SafeDownCast(&set);
+      lines += surface ? surface->GetNumberOfLines() : 0;
+    });
+  return static_cast<std::size_t>(lines);
 }
 
 vtkSmartPointer<vtkPolyData> vtkHapticToPolyData(const palpate::TriangleMesh& mesh)

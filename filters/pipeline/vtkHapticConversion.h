@@ -23,7 +23,7 @@ struct vtkHapticConversionResult
 {
   std::shared_ptr<const palpate::TriangleMesh> Mesh; ///< null on a problem
   std::string Problem;                               ///< one line without a name in front; empty when Mesh is there
-  std::vector<std::size_t> PartPoints; ///< vertices from each data set in turn, 0 from one without polygons
+  std::vector<std::size_t> PartPoints; ///< vertices from each data set in turn, 0 from one without what was asked for
 };
 
 /// All polygons and strips of a data object as triangles, placed by `matrix` (data frame to W; null: identity).
@@ -34,6 +34,14 @@ struct vtkHapticConversionResult
 /// (all corners on a line) are left out. The input is not changed and no array of it is kept.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticConversionResult vtkHapticToMesh(
   vtkDataObject* data, vtkMatrix4x4* matrix = nullptr);
+
+/// All lines and poly-lines of a data object as the segments of curves (palpate::segmentsOf()), placed alike. The radius
+/// they are touched with is the caller's: it is in W and takes no part in the placement. Not the edges of polygons.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticConversionResult vtkHapticToLines(
+  vtkDataObject* data, vtkMatrix4x4* matrix = nullptr);
+
+/// Lines and poly-lines in the poly data of a data object.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::size_t vtkHapticCountLines(vtkDataObject* data);
 
 /// What `visit` makes of a data object that is a data set, or of each one in a composite, in order.
 VTKHAPTICPIPELINE_EXPORT void vtkHapticForEachDataSet(

@@ -130,9 +130,10 @@ SurfacePointer ReadWithParser(const std::string& path, TextParser parse)
   return ToPolyData(mesh);
 }
 
+/// Lines do as well: they can be touched by whoever has a radius for them.
 void CheckHasTriangles(vtkPolyData* surface, vtkIdType pointsOfFile)
 {
-  if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
+  if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() + surface->GetNumberOfLines() > 0)
   {
     return;
   }

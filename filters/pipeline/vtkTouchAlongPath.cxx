@@ -83,26 +83,42 @@ private:
   vtkNew<vtkDoubleArray> Time;
 };
 
+/// Triangles with their material, and lines if they have a radius; none with a problem.
+std::vector<palpate::SurfaceInput> ReadInputs(
+  vtkDataObject* surface, const vtkHapticMaterialSettings& settings, double lineRadius_u, std::string& problem)
+{
+  std::vector<palpate::SurfaceInput> inputs;
+  vtkHapticConversionResult lines;
+  if (lineRadius_u > 0.0 && (lines = vtkHapticToLines(surface)).Mesh)
+  {
+    inputs.push_back({ "lines", std::move(lines.Mesh), palpate::Material(), {}, {}, lineRadius_u });
+  }
+  vtkHapticConversionResult converted = vtkHapticToMesh(surface);
+  problem = inputs.empty() ? converted.Problem : "";
+  if (converted.Mesh)
+  {
+    vtkHapticMaterialResult material = vtkHapticToMaterial(surface, converted.PartPoints, settings);
+    problem = material.Problem;
+    inputs.push_back({ "surface", std::move(converted.Mesh), palpate::Material(), std::move(material.Fields) });
+  }
+  return inputs;
+}
+
 /// The surface as a scene; null with a problem.
 std::shared_ptr<const palpate::Scene> BuildScene(
-  vtkDataObject* surface, const vtkHapticMaterialSettings& settings, std::string& problem)
+  vtkDataObject* surface, const vtkHapticMaterialSettings& settings, double lineRadius_u, std::string& problem)
 {
-  vtkHapticConversionResult converted = vtkHapticToMesh(surface);
-  problem = converted.Problem;
-  if (!converted.Mesh)
-  {
-    return nullptr;
-  }
-  vtkHapticMaterialResult material = vtkHapticToMaterial(surface, converted.PartPoints, settings);
-  problem = material.Problem;
+  const std::vector<palpate::SurfaceInput> inputs = ReadInputs(surface, settings, lineRadius_u, problem);
   if (!problem.empty())
   {
     return nullptr;
   }
-  const palpate::SceneBuildResult built = palpate::SceneBuilder().build(
-    { { "surface", std::move(converted.Mesh), palpate::Material(), std::move(material.Fields) } });
-  problem = built.scene ? "" : built.reports.front().refusal;
-  return built.scene;
+  const palpate::SceneBuildResult built = palpate::SceneBuilder().build(inputs);
+  for (const palpate::SurfaceReport& report : built.reports)
+  {
+    problem = problem.empty() ? report.refusal : problem;
+  }
+  return problem.empty() ? built.scene : nullptr;
 }
 
 /// What each tick works on. The orientation of the hand plays no part for a ball.
@@ -153,6 +169,7 @@ void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Stiffness: " << this->Stiffness << " N/m\n";
   os << indent << "Radius: " << this->Radius << " u\n";
+  os << indent << "LineRadius: " << this->LineRadius << " u\n";
   os << indent << "FrictionStatic: " << this->FrictionStatic << "\n";
   os << indent << "FrictionKinetic: " << this->FrictionKinetic << "\n";
   os << indent << "ForceShading: " << this->ForceShading << "\n";
@@ -201,6 +218,8 @@ std::string vtkTouchAlongPath::CheckParameters() const
   std::string problem = this->Parameters().validate();
   problem = problem.empty() ? this->Materials->Check() : problem;
   const bool rate = this->Rate > 0.0 && std::isfinite(this->Rate);
+  const bool lines = this->LineRadius >= 0.0 && std::isfinite(this->LineRadius);
+  problem = problem.empty() && !lines ? "the radius of lines must be a finite number, 0 or above" : problem;
   return problem.empty() && !rate ? "the rate must be a finite number of hertz above 0" : problem;
 }
 
@@ -224,7 +243,7 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
     return 0;
   }
   std::string problem;
-  const auto scene = BuildScene(vtkDataObject::GetData(input[0]), *this->Materials, problem);
+  const auto scene = BuildScene(vtkDataObject::GetData(input[0]), *this->Materials, this->LineRadius, problem);
   if (!scene)
   {
     vtkErrorMacro("The surface cannot be touched: " << problem);

@@ -57,6 +57,12 @@ public:
   ///@}
 
   ///@{
+  /// Radius of the tubes as which lines are touched [u], >= 0. Default 0: they are not.
+  vtkSetMacro(LineRadius, double);
+  vtkGetMacro(LineRadius, double);
+  ///@}
+
+  ///@{
   /**
    * Coulomb friction between ball and surface [1]: what holds at rest, 0 (none, default) to 10, and what brakes while
    * it slides, 0 (default) to the static one; more is an error.
@@ -154,6 +160,7 @@ private:
 
   double Stiffness = 1000.0;
   double Radius = 0.0;
+  double LineRadius = 0.0;
   double FrictionStatic = 0.0;
   double FrictionKinetic = 0.0;
   bool ForceShading = false;

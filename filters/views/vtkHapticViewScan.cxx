@@ -39,35 +39,37 @@ bool SameMatrix(vtkMatrix4x4* a, vtkMatrix4x4* b)
   return std::equal(a->GetData(), a->GetData() + 16, b->GetData());
 }
 
-bool HasFaces(vtkPolyData* data)
+bool IsTouchable(vtkPolyData* data, bool lines)
 {
-  return data && data->GetPoints() && data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
+  return data && data->GetPoints() &&
+         data->GetNumberOfPolys() + data->GetNumberOfStrips() + (lines ? data->GetNumberOfLines() : 0) > 0;
 }
 
-void MixPiece(std::uint64_t& key, vtkPolyData* data)
+void MixPiece(std::uint64_t& key, vtkPolyData* data, bool lines)
 {
-  if (HasFaces(data))
+  if (IsTouchable(data, lines))
   {
     MixObject(key, data->GetPoints());
     MixObject(key, data->GetPolys());
     MixObject(key, data->GetStrips());
+    MixObject(key, data->GetLines());
   }
 }
 
-/// 0 if there is no polygon.
-std::uint64_t GeometryKey(vtkDataObject* shown)
+/// 0 if there is no polygon and, if they count, no line.
+std::uint64_t GeometryKey(vtkDataObject* shown, bool lines)
 {
   std::uint64_t key = 0;
   auto* composite = vtkCompositeDataSet::SafeDownCast(shown);
   if (!composite)
   {
-    MixPiece(key, vtkPolyData::SafeDownCast(shown));
+    MixPiece(key, vtkPolyData::SafeDownCast(shown), lines);
     return key;
   }
   auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
   {
-    MixPiece(key, vtkPolyData::SafeDownCast(each->GetCurrentDataObject()));
+    MixPiece(key, vtkPolyData::SafeDownCast(each->GetCurrentDataObject()), lines);
   }
   return key;
 }
@@ -104,7 +106,7 @@ vtkPVLODActor* SurfaceActor(vtkObject* active)
   return geometry && !geometry->IsA("vtkGlyph3DRepresentation") ? geometry->GetActor() : nullptr;
 }
 
-void ScanRepresentation(vtkSMProxy* proxy, const std::string& name, vtkHapticViewScan& scan)
+void ScanRepresentation(vtkSMProxy* proxy, const std::string& name, bool lines, vtkHapticViewScan& scan)
 {
   vtkObject* active = ActiveRepresentation(proxy);
   vtkPVLODActor* actor = SurfaceActor(active);
@@ -122,7 +124,7 @@ void ScanRepresentation(vtkSMProxy* proxy, const std::string& name, vtkHapticVie
   Surface surface;
   surface.Name = name;
   surface.Data = shown;
-  surface.GeometryKey = GeometryKey(shown);
+  surface.GeometryKey = GeometryKey(shown, lines);
   if (surface.GeometryKey == 0)
   {
     scan.Refusals.push_back(
@@ -189,7 +191,7 @@ bool vtkHapticViewScan::SameArraysAs(const vtkHapticViewScan& other) const
     [](const Surface& a, const Surface& b) { return a.ArraysKey == b.ArraysKey; });
 }
 
-vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view)
+vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, bool lines)
 {
   vtkHapticViewScan scan;
   if (std::string refusal = RefusalOf(view); !refusal.empty())
@@ -204,7 +206,7 @@ vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view)
     const std::string name = representation ? InputName(representation) : std::string();
     if (!name.empty() && Visible(representation))
     {
-      ScanRepresentation(representation, name, scan);
+      ScanRepresentation(representation, name, lines, scan);
     }
   }
   return scan;

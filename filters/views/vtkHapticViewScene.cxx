@@ -25,6 +25,8 @@ public:
   bool HandedOver = false;                     ///< the session has Scan
   vtkMTimeType MaterialTime = 0;               ///< of the session's settings when it got Scan
 
+  bool TouchesLines() const { return this->Session && this->Session->GetLineRadius() > 0.0; }
+
   /// What the session makes of the surfaces' arrays is what it made of those of Scan.
   bool SameMaterials(const vtkHapticViewScan& now) const
   {
@@ -83,7 +85,7 @@ int vtkHapticViewScene::GetNumberOfSurfaces() const
 std::string vtkHapticViewScene::GetArrayNames() const
 {
   std::set<std::string> names;
-  const vtkHapticViewScan now = vtkHapticScanView(this->Impl->View);
+  const vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->TouchesLines());
   for (const vtkHapticViewScan::Surface& surface : now.Surfaces)
   {
     for (const std::string& name : vtkHapticArrayNames(surface.Data))
@@ -106,7 +108,7 @@ const char* vtkHapticViewScene::GetReport() const
 
 bool vtkHapticViewScene::Update()
 {
-  vtkHapticViewScan now = vtkHapticScanView(this->Impl->View);
+  vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->TouchesLines());
   const bool same = this->Impl->HandedOver && now.SameAs(this->Impl->Scan) && this->Impl->SameMaterials(now);
   this->Impl->Scan = std::move(now);
   const bool handOver = !same && this->Impl->Session;

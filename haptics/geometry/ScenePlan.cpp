@@ -118,7 +118,7 @@ ScenePlan planTouch(const SurfaceTree& surface, const TouchConditions& condition
   plan.conditions = conditions;
   plan.triangles = data.mesh.triangles.size();
   std::size_t sharpSides = 0;
-  for (std::uint32_t t = 0; t < plan.triangles; ++t)
+  for (std::uint32_t t = 0; t < plan.triangles && surface.coat_u() == 0.0; ++t)
   {
     const Facet facet = facetOf(data, t);
     plan.deviation_u = std::max(plan.deviation_u, sagitta_u(facet));

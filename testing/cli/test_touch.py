@@ -16,6 +16,14 @@ PLACE = 1e-12
 FORCE = STIFFNESS * PLACE
 WALL_POINTS = [(0, -8, -8), (0, 8, -8), (0, 8, 8), (0, -8, 8)]
 
+# From (-2, 0, 0) to (2, 0, 0).
+LINE_VTP = """<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
+<Piece NumberOfPoints="2" NumberOfVerts="0" NumberOfLines="1" NumberOfStrips="0" NumberOfPolys="0">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">-2 0 0 2 0 0</DataArray></Points>
+<Lines><DataArray type="Int64" Name="connectivity" format="ascii">0 1</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">2</DataArray></Lines></Piece></PolyData></VTKFile>
+"""
+
 
 def descent(depths, x=0.5, y=0.25):
     """Straight down to each depth below z = 0 in turn, a tick every 1/1024 s."""
@@ -104,6 +112,15 @@ class OnAPlane(CommandLineTest):
         out = self.touch(descent([0.5]), "--stiffness", STIFFNESS, "--radius", 0.25)
         self.assert_proxy(out[1], (0.5, 0.25, 0.25))
         self.assert_force(out[1], (0, 0, STIFFNESS * (0.25 + 0.5)))
+
+    def test_lines_are_tubes_of_their_radius(self):
+        (self.folder / "line.vtp").write_text(LINE_VTP)
+        out = self.touch(
+            [(0.0, 0.5, 0.0, 1.0), (0.001, 0.5, 0.0, 0.5)],
+            "--stiffness", STIFFNESS, "--radius", 0.25, "--line-radius", 0.5, files=("line.vtp",),
+        )
+        self.assert_proxy(out[1], (0.5, 0.0, 0.75))
+        self.assert_force(out[1], (0, 0, STIFFNESS * 0.25))
 
     def test_the_scale_turns_scene_units_into_metres(self):
         # 1024 scene units per metre, so that 0.5 units are 0.5 / 1024 m

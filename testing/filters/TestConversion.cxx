@@ -164,6 +164,19 @@ TEST(Conversion, WhatHasNoSurfaceIsRefusedWithAReason)
   EXPECT_THAT(vtkHapticToMesh(makePath({ Vec3::Zero(), Vec3::Ones() })).Problem, HasSubstr("no polygons"));
 }
 
+TEST(Conversion, LinesBecomeSegmentsInTheirPlace)
+{
+  const vtkSmartPointer<vtkPolyData> path = makePath({ Vec3::Zero(), Vec3::UnitX(), Vec3(1, 2, 0) });
+  const auto lines = vtkHapticToLines(path, matrixOf({ 1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }));
+  ASSERT_TRUE(lines.Mesh) << lines.Problem;
+  EXPECT_EQ(vtkHapticCountLines(path), 1u);
+  const std::vector<std::array<std::uint32_t, 3>> segments{ { 0, 1, 1 }, { 1, 2, 2 } };
+  EXPECT_EQ(lines.Mesh->triangles, segments);
+  EXPECT_EQ(lines.Mesh->vertices_W.at(2), Vec3(6, 2, 0));
+  EXPECT_THAT(vtkHapticToLines(makePlane(1.0)).Problem, HasSubstr("no lines"));
+  EXPECT_THAT(vtkHapticToMesh(path).Problem, HasSubstr("no polygons but lines; give a line radius above 0"));
+}
+
 TEST(Conversion, AnIndexOutOfRangeIsRefusedBeforeAFilterMeetsIt)
 {
   const vtkSmartPointer<vtkPolyData> plane = makePlane(1.0);

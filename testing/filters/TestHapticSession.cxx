@@ -9,6 +9,7 @@
 #include "VtkScenes.h"
 #include "haptics/session/Recording.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticStroke.h"
 #include "vtkMatrix4x4.h"
@@ -58,7 +59,7 @@ protected:
   }
 
   /// Runs `change` and returns what it reported as errors; prints nothing.
-  template <class Change>
+  template<class Change>
   std::vector<std::string> errorsOfChange(Change change)
   {
     std::vector<std::string> errors;
@@ -234,8 +235,8 @@ TEST_F(HapticSession, NumbersThatCannotBeAreRefusedAndTheOldOnesStay)
     EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetScale(bad); }).at(0), HasSubstr("scale"));
     EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetStrokeSpeed(bad); }).at(0), HasSubstr("speed"));
   }
-  EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetRotation(1.0, 1.0, 0.0, 0.0); }).at(0),
-    HasSubstr("unit quaternion"));
+  EXPECT_THAT(
+    this->errorsOfChange([&] { this->session_->SetRotation(1.0, 1.0, 0.0, 0.0); }).at(0), HasSubstr("unit quaternion"));
   EXPECT_EQ(this->session_->GetStiffness(), stiffness);
   EXPECT_EQ(this->session_->GetRadius(), 0.0);
   EXPECT_EQ(this->session_->GetScale(), scale);
@@ -281,13 +282,39 @@ TEST_F(HapticSession, ARecordFileThatCannotBeWrittenDoesNotStart)
 TEST_F(HapticSession, ASurfaceWithoutPolygonsIsRefusedByNameAndTheSceneStays)
 {
   this->session_->ClearSurfaces();
-  const auto errors =
-    this->errorsOfChange([&] { this->session_->AddSurface("path", makePath({ Vec3::Zero(), Vec3::Ones() }), nullptr); });
+  const auto errors = this->errorsOfChange(
+    [&] {
+      this->session_->AddSurface("path", makePath({ Vec3::Zero(), Vec3::Ones() }), nullptr);
+    });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("path: it has no polygons"));
   double bounds[6];
   EXPECT_TRUE(this->session_->GetSceneBounds(bounds));
   EXPECT_EQ(bounds[0], -100.0);
+}
+
+TEST_F(HapticSession, LinesAreTouchedOnceTheyHaveARadiusAndTheReportSaysSo)
+{
+  const vtkSmartPointer<vtkPolyData> both = makePlane(100.0);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 3 });
+  both->SetLines(lines);
+  this->show(both);
+  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("not touched: surface: 1 lines; their radius is 0"));
+  double flat[6], thick[6];
+  ASSERT_TRUE(this->session_->GetSceneBounds(flat));
+  constexpr double radius = 2.5;
+  this->session_->SetLineRadius(radius);
+  this->show(both);
+  EXPECT_THAT(this->session_->GetSceneReport(),
+    HasSubstr("surface (lines): kept 1 of 1 segments; every kept segment is touched as a tube of 2.5 u, by a point as "
+              "by a ball of 0.0025 u"));
+  ASSERT_TRUE(this->session_->GetSceneBounds(thick));
+  EXPECT_NEAR(thick[5] - flat[5], radius, 1e-6);
+  const auto errors = this->errorsOfChange([&] { this->session_->SetLineRadius(std::nan("")); });
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr("radius of lines"));
+  EXPECT_EQ(this->session_->GetLineRadius(), radius);
 }
 
 TEST_F(HapticSession, ReportsWhatWasDropped)

@@ -18,6 +18,7 @@ using namespace palpate;
 using namespace palpate::testing;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 namespace
 {
@@ -88,6 +89,26 @@ TEST(TouchAlongPath, ABallRestsItsRadiusAboveThePlane)
   output->GetPoint(last, proxy_W);
   EXPECT_NEAR(proxy_W[2], radius, 1e-12);
   EXPECT_LT((vectorAt(output, "Force", last) - Vec3(0.0, 0.0, 100.0 * (radius + 1.0))).norm(), 1e-10);
+}
+
+TEST(TouchAlongPath, LinesAreTubesOfTheirRadius)
+{
+  constexpr double tube = 0.2, ball = 0.1, depth = 0.12, stiffness = 100.0;
+  auto touch = vtkSmartPointer<vtkTouchAlongPath>::New();
+  touch->SetInputData(makePath({ Vec3(-1, 0, 0), Vec3(0, 0, 0), Vec3(1, 0, 0) }));
+  const Vec3 out = Vec3(0, 1, 2).normalized();
+  touch->SetPathData(makePath(straight(Vec3(0.3, 0, 0) + out, Vec3(0.3, 0, 0) + (tube + ball - depth) * out, 60)));
+  touch->SetRadius(ball);
+  touch->SetStiffness(stiffness);
+  EXPECT_THAT(errorsOf(touch), Not(IsEmpty())); // without a radius there is nothing to touch
+  touch->SetLineRadius(tube);
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  const vtkIdType last = touch->GetOutput()->GetNumberOfPoints() - 1;
+  EXPECT_LT((vectorAt(touch->GetOutput(), "Force", last) - stiffness * depth * out).norm(), 1e-11);
+  touch->SetLineRadius(std::nan(""));
+  const auto errors = errorsOf(touch);
+  ASSERT_THAT(errors, Not(IsEmpty()));
+  EXPECT_THAT(errors.front(), HasSubstr("radius of lines"));
 }
 
 TEST(TouchAlongPath, TheScaleTurnsSceneUnitsIntoMetresOfTheHand)

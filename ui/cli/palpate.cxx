@@ -52,6 +52,8 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   command->add_option("--csv", options.Output, "OUT.csv: a row per tick")->required();
   command->add_option("--iso", options.Iso, "value of the surface in an image");
   command->add_option("--radius", options.Radius_u, "ball radius [scene units]")->capture_default_str();
+  command->add_option("--line-radius", options.LineRadius_u, "lines are tubes of this radius [scene units]; 0: not touched")
+    ->capture_default_str();
   command->add_option("--stiffness", options.Stiffness_N_per_m, "coupling [N/m]")->capture_default_str();
   command->add_option("--scale", options.Scale_u_per_m, "scene units per metre of the hand")->capture_default_str();
   command->add_option("--mu-static", options.MuStatic, "friction that holds at rest")->capture_default_str();
@@ -93,6 +95,7 @@ int Touch(const CLI::App& command, const vtkHapticCliTouchOptions& options)
     }
   }
   CheckNumber("--radius", options.Radius_u, true, "scene units");
+  CheckNumber("--line-radius", options.LineRadius_u, true, "scene units");
   CheckNumber("--stiffness", options.Stiffness_N_per_m, true, "newtons per metre");
   CheckNumber("--scale", options.Scale_u_per_m, false, "scene units per metre");
   CheckNumber("--mu-static", options.MuStatic, true, "friction");

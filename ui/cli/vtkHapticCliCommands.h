@@ -24,6 +24,7 @@ struct vtkHapticCliTouchOptions
   std::string Output;
   std::optional<double> Iso;
   double Radius_u = 0.0;
+  double LineRadius_u = 0.0;
   double MuStatic = 0.0;
   std::optional<double> MuKinetic;
   bool Shading = false;

@@ -114,7 +114,7 @@ void CheckReports(const std::vector<palpate::SurfaceReport>& reports)
 } // namespace
 
 vtkHapticCliSurface vtkHapticCliReadSurface(
-  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials)
+  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials, bool lines)
 {
   const vtkHapticReadResult read = vtkHapticReadSurface(file, iso);
   if (!read.Surface)
@@ -122,24 +122,42 @@ vtkHapticCliSurface vtkHapticCliReadSurface(
     throw vtkHapticCliProblem(read.Problem);
   }
   Note(file, read.Note);
-  vtkHapticConversionResult converted = ToMesh(file, read.Surface);
   vtkHapticCliSurface surface;
+  if (lines && vtkHapticCountLines(read.Surface) > 0)
+  {
+    surface.Lines = vtkHapticToLines(read.Surface).Mesh;
+  }
+  if (surface.Lines && read.Surface->GetNumberOfPolys() + read.Surface->GetNumberOfStrips() == 0)
+  {
+    surface.Input.name = file;
+    return surface;
+  }
+  vtkHapticConversionResult converted = ToMesh(file, read.Surface);
   surface.Material = vtkHapticToMaterial(read.Surface, converted.PartPoints, materials);
   surface.Input = { file, std::move(converted.Mesh), palpate::Material(), surface.Material.Fields };
   return surface;
 }
 
 std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(const std::vector<std::string>& files,
-  std::optional<double> iso, const vtkHapticMaterialSettings& materials, double scale_u_per_m)
+  std::optional<double> iso, const vtkHapticMaterialSettings& materials, double scale_u_per_m, double lineRadius_u)
 {
   CheckIsoIsUsed(files, iso);
   std::vector<vtkHapticCliSurface> surfaces;
   std::vector<palpate::SurfaceInput> inputs;
   for (const std::string& file : files)
   {
-    surfaces.push_back(vtkHapticCliReadSurface(file, vtkHapticIsImageFile(file) ? iso : std::nullopt, materials));
-    inputs.push_back(surfaces.back().Input);
-    inputs.back().fields = PerSceneUnit(inputs.back().fields, scale_u_per_m);
+    surfaces.push_back(
+      vtkHapticCliReadSurface(file, vtkHapticIsImageFile(file) ? iso : std::nullopt, materials, lineRadius_u > 0.0));
+    const vtkHapticCliSurface& read = surfaces.back();
+    if (read.Input.mesh)
+    {
+      inputs.push_back(read.Input);
+      inputs.back().fields = PerSceneUnit(inputs.back().fields, scale_u_per_m);
+    }
+    if (read.Lines)
+    {
+      inputs.push_back({ file + " (lines)", read.Lines, palpate::Material(), {}, {}, lineRadius_u });
+    }
   }
   CheckMaterials(surfaces);
   const palpate::SceneBuildResult built = palpate::SceneBuilder(std::thread::hardware_concurrency()).build(inputs);

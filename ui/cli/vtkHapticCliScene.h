@@ -15,19 +15,22 @@
 struct vtkHapticCliSurface
 {
   palpate::SurfaceInput Input;      ///< as the scene builder takes it, named after the file [scene units]
+  std::shared_ptr<const palpate::TriangleMesh> Lines; ///< segments of its curves, if they were asked for
   vtkHapticMaterialResult Material; ///< of its arrays; Input.fields are its fields
 };
 
 /// Throws vtkHapticCliProblem. What a reader had to say besides goes to stderr. An array that cannot be used is a
-/// problem of the result: the caller knows whether it must be there.
-[[nodiscard]] vtkHapticCliSurface vtkHapticCliReadSurface(
-  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials = {});
+/// problem of the result: the caller knows whether it must be there. `lines`: curves are wanted too, and a file of nothing
+/// else has no Input.mesh.
+[[nodiscard]] vtkHapticCliSurface vtkHapticCliReadSurface(const std::string& file, std::optional<double> iso,
+  const vtkHapticMaterialSettings& materials = {}, bool lines = false);
 
 /// The scene of several files, in their order; `iso` is for the images among them. Throws vtkHapticCliProblem when a
 /// file cannot be read or touched, or an array cannot be used in any of them; what cleaning dropped from the others and
 /// what their arrays give goes to stderr. Stiffness in the scene is in newtons per metre times 1 / scale, that is per
-/// scene unit.
+/// scene unit. Lines are tubes of that radius [scene units]; 0: they are not touched.
 [[nodiscard]] std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(const std::vector<std::string>& files,
-  std::optional<double> iso, const vtkHapticMaterialSettings& materials = {}, double scale_u_per_m = 1.0);
+  std::optional<double> iso, const vtkHapticMaterialSettings& materials = {}, double scale_u_per_m = 1.0,
+  double lineRadius_u = 0.0);
 
 #endif

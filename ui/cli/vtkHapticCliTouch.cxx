@@ -87,7 +87,7 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   const palpate::HapticParameters parameters = ParametersOf(options);
   const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path);
   const std::shared_ptr<const palpate::Scene> scene =
-    vtkHapticCliBuildScene(options.Files, options.Iso, options.Materials, options.Scale_u_per_m);
+    vtkHapticCliBuildScene(options.Files, options.Iso, options.Materials, options.Scale_u_per_m, options.LineRadius_u);
   std::vector<std::string> inputs = options.Files;
   inputs.push_back(options.Path);
   vtkHapticCliOutput output(options.Output, inputs);

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lines that a view shows are touched as tubes once they have a radius."""
+
+import sys
+import unittest
+
+from paraview import simple
+
+from haptic_proxies import put
+from view_fixture import DEPTH, SCALE, STIFFNESS, ViewTest
+
+RADIUS = 0.25  # u
+POINT = 1e-3 * RADIUS  # where there are curves a point is a ball of a thousandth of the thinnest
+
+
+class LinesInAView(ViewTest):
+    def test_lines_are_tubes_once_they_have_a_radius(self):
+        self.show(simple.Line(Point1=[0.0, -1.0, 0.0], Point2=[0.0, 1.0, 0.0]))
+        self.follow()
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
+        self.assertIn("no polygons are shown", self.scene.GetReport())
+        put(self.proxy, "LineRadius", RADIUS)
+        self.assertTrue(self.follow())
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 1)
+        self.assertIn("(lines): kept", self.session.GetSceneReport())
+        self.press(RADIUS - DEPTH, 0.1, 0.0)
+        self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * (DEPTH + POINT) / SCALE, delta=1e-9)
+        self.assertAlmostEqual(self.session.GetForce()[1], 0.0, delta=1e-9)
+
+    def test_a_change_of_the_radius_is_felt_in_the_next_scene(self):
+        self.show(simple.Line(Point1=[0.0, -1.0, 0.0], Point2=[0.0, 1.0, 0.0]))
+        put(self.proxy, "LineRadius", RADIUS)
+        self.assertTrue(self.follow())
+        self.assertFalse(self.follow())
+        put(self.proxy, "LineRadius", 2 * RADIUS)
+        self.assertTrue(self.follow())
+        self.press(2 * RADIUS - DEPTH, 0.1, 0.0)
+        self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * (DEPTH + 2 * POINT) / SCALE, delta=1e-9)
+
+
+if __name__ == "__main__":
+    # A SystemExit would skip pvpython's own ending, which closes views before the display.
+    if not unittest.main(exit=False).result.wasSuccessful():
+        sys.exit(1)
