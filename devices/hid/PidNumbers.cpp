@@ -43,7 +43,7 @@ std::int64_t timeToField(const HidField& field, double time_ms) noexcept
   constexpr int milli = -3;
   const bool said = field.unit != 0 && field.exponent != 0;
   const double value = time_ms * (said ? std::pow(10.0, milli - field.exponent) : 1.0);
-  const std::int64_t forever = static_cast<std::int64_t>((std::uint64_t{ 1 } << std::min(field.size_bits, 62U)) - 1);
+  const std::int64_t forever = static_cast<std::int64_t>((std::uint64_t{ 1 } << std::min(field.bitCount, 62U)) - 1);
   return std::min(inRange(field, value), std::max(field.logicalMin, forever - 1));
 }
 

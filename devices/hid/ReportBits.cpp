@@ -12,19 +12,19 @@ constexpr std::size_t idBits = 8;
 
 std::size_t bitOf(const HidControl& control) noexcept
 {
-  return idBits + control.field->bit + std::size_t{ control.element } * control.field->size_bits;
+  return idBits + control.field->bit + std::size_t{ control.element } * control.field->bitCount;
 }
 
 } // namespace
 
-std::uint64_t extractBits(std::span<const std::uint8_t> bytes, std::size_t bit, std::uint32_t size_bits) noexcept
+std::uint64_t extractBits(std::span<const std::uint8_t> bytes, std::size_t bit, std::uint32_t bitCount) noexcept
 {
   std::uint64_t value = 0;
-  for (std::uint32_t done = 0; done < size_bits;)
+  for (std::uint32_t done = 0; done < bitCount;)
   {
     const std::size_t at = bit + done;
     const auto shift = static_cast<std::uint32_t>(at % 8);
-    const std::uint32_t taken = std::min(8 - shift, size_bits - done);
+    const std::uint32_t taken = std::min(8 - shift, bitCount - done);
     if (at / 8 >= bytes.size())
     {
       break;
@@ -36,13 +36,13 @@ std::uint64_t extractBits(std::span<const std::uint8_t> bytes, std::size_t bit, 
   return value;
 }
 
-void insertBits(std::span<std::uint8_t> bytes, std::size_t bit, std::uint32_t size_bits, std::uint64_t value) noexcept
+void insertBits(std::span<std::uint8_t> bytes, std::size_t bit, std::uint32_t bitCount, std::uint64_t value) noexcept
 {
-  for (std::uint32_t done = 0; done < size_bits;)
+  for (std::uint32_t done = 0; done < bitCount;)
   {
     const std::size_t at = bit + done;
     const auto shift = static_cast<std::uint32_t>(at % 8);
-    const std::uint32_t taken = std::min(8 - shift, size_bits - done);
+    const std::uint32_t taken = std::min(8 - shift, bitCount - done);
     if (at / 8 >= bytes.size())
     {
       return;
@@ -56,9 +56,9 @@ void insertBits(std::span<std::uint8_t> bytes, std::size_t bit, std::uint32_t si
 
 std::int64_t readControl(const HidControl& control, std::span<const std::uint8_t> report) noexcept
 {
-  const std::uint32_t size_bits = control.field->size_bits;
-  const std::uint64_t value = extractBits(report, bitOf(control), size_bits);
-  const std::uint64_t sign = std::uint64_t{ 1 } << (size_bits - 1);
+  const std::uint32_t bitCount = control.field->bitCount;
+  const std::uint64_t value = extractBits(report, bitOf(control), bitCount);
+  const std::uint64_t sign = std::uint64_t{ 1 } << (bitCount - 1);
   const bool negative = control.field->logicalMin < 0 && (value & sign) != 0;
   return static_cast<std::int64_t>(negative ? value - sign - sign : value);
 }
@@ -70,7 +70,7 @@ void writeControl(const HidControl& control, std::span<std::uint8_t> report, std
 
 void writeRaw(const HidControl& control, std::span<std::uint8_t> report, std::int64_t value) noexcept
 {
-  insertBits(report, bitOf(control), control.field->size_bits, static_cast<std::uint64_t>(value));
+  insertBits(report, bitOf(control), control.field->bitCount, static_cast<std::uint64_t>(value));
 }
 
 } // namespace palpate

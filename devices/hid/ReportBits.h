@@ -10,10 +10,10 @@ namespace palpate
 {
 
 /// Bits of a report, lowest first, wherever they lie. What lies beyond the bytes reads as 0 and is not written.
-/// `size_bits` is 1 to 64. Real-time safe.
+/// `bitCount` is 1 to 64. Real-time safe.
 [[nodiscard]] std::uint64_t extractBits(
-  std::span<const std::uint8_t> bytes, std::size_t bit, std::uint32_t size_bits) noexcept;
-void insertBits(std::span<std::uint8_t> bytes, std::size_t bit, std::uint32_t size_bits, std::uint64_t value) noexcept;
+  std::span<const std::uint8_t> bytes, std::size_t bit, std::uint32_t bitCount) noexcept;
+void insertBits(std::span<std::uint8_t> bytes, std::size_t bit, std::uint32_t bitCount, std::uint64_t value) noexcept;
 
 /// The value of an element: negative ones where its range has such. `report` begins with the ID. Real-time safe.
 [[nodiscard]] std::int64_t readControl(const HidControl& control, std::span<const std::uint8_t> report) noexcept;

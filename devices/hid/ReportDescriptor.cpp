@@ -13,9 +13,9 @@ constexpr std::size_t longestDescriptor = 16384;
 constexpr std::size_t deepestCollection = 32;
 constexpr std::size_t deepestPush = 16;
 constexpr std::uint32_t longestRange = 4096;
-constexpr std::uint32_t largestSize_bits = 64;
+constexpr std::uint32_t mostBitsAValue = 64;
 constexpr std::uint32_t largestCount = 4096;
-constexpr std::uint32_t largestReport_bits = 16384;
+constexpr std::uint32_t mostBitsAReport = 16384;
 
 /// A number of an item as it stands and with its sign.
 struct ItemValue
@@ -46,7 +46,7 @@ struct GlobalState
   Range physical;
   int exponent = 0;
   std::uint32_t unit = 0;
-  std::uint32_t size_bits = 0;
+  std::uint32_t bitCount = 0;
   std::uint32_t count = 0;
   std::uint8_t report = 0;
 };
@@ -153,8 +153,8 @@ private:
     {
       value.plain |= std::uint32_t{ this->bytes_[this->at_++] } << (8 * i);
     }
-    const auto unused_bits = static_cast<std::uint32_t>(32 - 8 * size);
-    value.withSign = size == 0 ? 0 : static_cast<std::int32_t>(value.plain << unused_bits) >> unused_bits;
+    const auto unusedBits = static_cast<std::uint32_t>(32 - 8 * size);
+    value.withSign = size == 0 ? 0 : static_cast<std::int32_t>(value.plain << unusedBits) >> unusedBits;
     return value;
   }
 
@@ -202,7 +202,7 @@ private:
     switch (tag)
     {
       case 7:
-        state.size_bits = value.plain;
+        state.bitCount = value.plain;
         break;
       case 8:
         state.report = static_cast<std::uint8_t>(value.plain);
@@ -347,21 +347,21 @@ private:
   void field(HidReportKind kind, std::uint32_t flags)
   {
     const GlobalState& state = this->global_;
-    if (state.size_bits > largestSize_bits || state.count > largestCount)
+    if (state.bitCount > mostBitsAValue || state.count > largestCount)
     {
-      this->refuse("a field of " + std::to_string(state.count) + " times " + std::to_string(state.size_bits) + " bits");
+      this->refuse("a field of " + std::to_string(state.count) + " times " + std::to_string(state.bitCount) + " bits");
       return;
     }
     HidReport& report = this->reportOf(kind, state.report);
     const std::uint32_t first = report.bits;
-    if (state.size_bits * state.count > largestReport_bits - first)
+    if (state.bitCount * state.count > mostBitsAReport - first)
     {
       this->refuse("report " + std::to_string(state.report) + " is longer than 16384 bits");
       return;
     }
-    report.bits += state.size_bits * state.count;
+    report.bits += state.bitCount * state.count;
     const bool padding = (flags & 1U) != 0 && this->local_.usages.empty();
-    if (!padding && state.size_bits * state.count > 0)
+    if (!padding && state.bitCount * state.count > 0)
     {
       this->keep(report, first, flags);
     }
@@ -372,7 +372,7 @@ private:
     const GlobalState& state = this->global_;
     HidField field;
     field.bit = first;
-    field.size_bits = state.size_bits;
+    field.bitCount = state.bitCount;
     field.count = state.count;
     field.logicalMin = state.logical.min();
     field.logicalMax = state.logical.max();

@@ -20,11 +20,11 @@ enum class HidReportKind : std::uint8_t
 /// What a control or a collection means: page in the upper, number in the lower 16 bits.
 using HidUsage = std::uint32_t;
 
-/// Elements of one main item: `count` values of `size_bits` each, side by side.
+/// Elements of one main item: `count` values of `bitCount` each, side by side.
 struct HidField
 {
   std::uint32_t bit = 0; ///< of the first element, counted after the byte with the report's ID
-  std::uint32_t size_bits = 0;
+  std::uint32_t bitCount = 0;
   std::uint32_t count = 0;
   std::vector<HidUsage>
     usages; ///< Variable: one an element; Array: what the values logicalMin, logicalMin + 1, ... mean

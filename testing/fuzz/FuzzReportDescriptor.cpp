@@ -21,14 +21,14 @@ void require(bool holds)
 
 void requireUsable(const palpate::HidReport& report, const palpate::HidField& field)
 {
-  require(field.size_bits >= 1 && field.size_bits <= 64 && field.count >= 1);
-  require(field.bit + field.size_bits * field.count <= report.bits);
+  require(field.bitCount >= 1 && field.bitCount <= 64 && field.count >= 1);
+  require(field.bit + field.bitCount * field.count <= report.bits);
   require(field.logicalMin <= field.logicalMax && field.physicalMin <= field.physicalMax);
   require(!field.variable || field.usages.empty() || field.usages.size() == field.count);
   const palpate::HidControl last{ &report, &field, field.count - 1 };
   std::vector<std::uint8_t> bytes(report.bytes());
   palpate::writeControl(last, bytes, field.logicalMax);
-  const bool fits = field.size_bits == 64 || field.logicalMax < (std::int64_t{ 1 } << (field.size_bits - 1));
+  const bool fits = field.bitCount == 64 || field.logicalMax < (std::int64_t{ 1 } << (field.bitCount - 1));
   require(!fits || field.logicalMax < 0 || palpate::readControl(last, bytes) == field.logicalMax);
   for (const palpate::HidUsage usage : field.usages)
   {

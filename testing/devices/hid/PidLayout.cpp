@@ -52,7 +52,7 @@ private:
     {
       this->w_.logical(number.min, number.max);
     }
-    this->w_.size(number.size_bits);
+    this->w_.size(number.bitCount);
     if (this->layout_.sloppy)
     {
       this->w_.wideUsage(0x0F0000U | number.usage);
@@ -91,7 +91,7 @@ private:
       .usage(0x01)
       .begin(0)
       .logical(axis.min, axis.max)
-      .size(axis.size_bits, this->layout_.axes);
+      .size(axis.bitCount, this->layout_.axes);
     this->w_.usage(0x30);
     if (this->layout_.axes > 1)
     {

@@ -14,7 +14,7 @@ namespace palpate::test
 struct PidNumber
 {
   std::uint8_t usage = 0;
-  std::uint32_t size_bits = 16;
+  std::uint32_t bitCount = 16;
   std::int64_t min = 0;
   std::int64_t max = 0;
 };

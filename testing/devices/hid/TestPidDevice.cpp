@@ -124,7 +124,7 @@ TEST(PidDevice, AWheelIsNeverAskedForTheAxisItDoesNotHave)
   rig.run(30);
   EXPECT_NEAR(rig.stick().force()[0], 0.2, 1e-3);
   EXPECT_NEAR(rig.stick().force()[1], 0.0, 1e-12); // the cosine of a right angle
-  EXPECT_EQ(rig.stick().effectsUsed(), 4); // a force, a spring, a damper, a shake
+  EXPECT_EQ(rig.stick().effectsUsed(), 4);         // a force, a spring, a damper, a shake
   EXPECT_EQ(rig.stick().badReports, 0);
 }
 

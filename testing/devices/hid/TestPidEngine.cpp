@@ -140,7 +140,7 @@ TEST(PidEngine, AnEffectEndsByItselfUnlessItIsStartedAgain)
 TEST(PidEngine, ADurationLongerThanTheFieldIsItsLongestAndNeverForever)
 {
   HidField field;
-  field.size_bits = 16;
+  field.bitCount = 16;
   field.logicalMax = 32767;
   EXPECT_EQ(timeToField(field, 65535.0), 32767);
   field.logicalMax = 65535;

@@ -260,7 +260,7 @@ struct Drawn
 {
   Kind kind;
   std::uint8_t id;
-  std::uint32_t bit, size_bits, count;
+  std::uint32_t bit, bitCount, count;
   std::int64_t min, max;
   HidUsage firstUsage;
 };
@@ -281,11 +281,11 @@ TEST(ReportDescriptor, SaysOfRandomDescriptorsWhatWasWritten)
       const std::uint32_t kind = random.below(3), id = 1 + random.below(3);
       Drawn field{ static_cast<Kind>(kind), static_cast<std::uint8_t>(id), bits[kind][id], 1 + random.below(32),
         1 + random.below(5), 0, 0, 0x10000 + f };
-      const std::int64_t top = std::int64_t{ 1 } << (field.size_bits - 1);
+      const std::int64_t top = std::int64_t{ 1 } << (field.bitCount - 1);
       field.min = random.below(2) == 0 ? 0 : -top;
       field.max = field.min < 0 ? top - 1 : 2 * top - 1;
-      bits[kind][id] += field.size_bits * field.count;
-      writer.reportId(field.id).logical(field.min, field.max).size(field.size_bits, field.count);
+      bits[kind][id] += field.bitCount * field.count;
+      writer.reportId(field.id).logical(field.min, field.max).size(field.bitCount, field.count);
       writer.usage(static_cast<std::uint16_t>(f)).main(field.kind, value);
       drawn.push_back(field);
     }
@@ -300,7 +300,7 @@ TEST(ReportDescriptor, SaysOfRandomDescriptorsWhatWasWritten)
       const HidControl control = findControl(*report, field.firstUsage);
       ASSERT_TRUE(control);
       EXPECT_EQ(control.field->bit, field.bit);
-      EXPECT_EQ(control.field->size_bits, field.size_bits);
+      EXPECT_EQ(control.field->bitCount, field.bitCount);
       EXPECT_EQ(control.field->count, field.count);
       EXPECT_EQ(control.field->logicalMin, field.min);
       EXPECT_EQ(control.field->logicalMax, field.max);
@@ -309,10 +309,10 @@ TEST(ReportDescriptor, SaysOfRandomDescriptorsWhatWasWritten)
 }
 
 /// Bit by bit, the slow way.
-std::uint64_t bitByBit(const std::vector<std::uint8_t>& bytes, std::size_t bit, std::uint32_t size_bits)
+std::uint64_t bitByBit(const std::vector<std::uint8_t>& bytes, std::size_t bit, std::uint32_t bitCount)
 {
   std::uint64_t found = 0;
-  for (std::uint32_t i = 0; i < size_bits; ++i)
+  for (std::uint32_t i = 0; i < bitCount; ++i)
   {
     const std::size_t at = bit + i;
     found |= std::uint64_t{ (bytes[at / 8] >> (at % 8)) & 1U } << i;
@@ -332,14 +332,14 @@ TEST(ReportBits, InsertingAnywhereGivesTheValueBackAndTouchesNoOtherBit)
       byte = static_cast<std::uint8_t>(random.below(256));
     }
     const std::vector<std::uint8_t> before = bytes;
-    const std::uint32_t size_bits = 1 + random.below(64);
-    const std::size_t bit = random.below(160 - size_bits + 1);
-    const std::uint64_t mask = size_bits == 64 ? ~std::uint64_t{ 0 } : (std::uint64_t{ 1 } << size_bits) - 1;
+    const std::uint32_t bitCount = 1 + random.below(64);
+    const std::size_t bit = random.below(160 - bitCount + 1);
+    const std::uint64_t mask = bitCount == 64 ? ~std::uint64_t{ 0 } : (std::uint64_t{ 1 } << bitCount) - 1;
     const std::uint64_t wanted = random.next();
-    ASSERT_EQ(extractBits(bytes, bit, size_bits), bitByBit(bytes, bit, size_bits));
-    insertBits(bytes, bit, size_bits, wanted);
-    ASSERT_EQ(bitByBit(bytes, bit, size_bits), wanted & mask);
-    insertBits(bytes, bit, size_bits, bitByBit(before, bit, size_bits));
+    ASSERT_EQ(extractBits(bytes, bit, bitCount), bitByBit(bytes, bit, bitCount));
+    insertBits(bytes, bit, bitCount, wanted);
+    ASSERT_EQ(bitByBit(bytes, bit, bitCount), wanted & mask);
+    insertBits(bytes, bit, bitCount, bitByBit(before, bit, bitCount));
     ASSERT_EQ(bytes, before);
   }
 }
