@@ -13,6 +13,7 @@ namespace
 {
 /// Else the widest number a field could hold makes the whole panel wide [pixels].
 constexpr int leastFieldWidth = 60;
+constexpr int largestComponent = 99;
 constexpr double anything = 1e100;
 /// What the core accepts.
 constexpr double largestFriction = 10.0;
@@ -47,15 +48,15 @@ pqHapticMaterialGroup::pqHapticMaterialGroup(QWidget* parent) : Superclass(tr("M
   auto* form = new QFormLayout(this);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   this->add(
-    form, { "Stiffness", "stiffness", tr("Stiff&ness from"),
-            tr("Stiffness that is felt at that value [N/m]; never more than the spring's"), tr(" N/m"), 0.0, 1e6 });
-  this->add(
-    form, { "Friction", "friction", tr("Friction fro&m"),
-            tr("Friction that is felt at that value [1], at rest and sliding"), QString(), 0.0, largestFriction });
+    form, { "Stiffness", "stiffness", tr("Stiffn&ess from"),
+            tr("Stiffness that is felt at that value [N/m]; never more than the spring's"), tr("N/m"), 0.0, 1e6, 1 });
+  this->add(form,
+    { "Friction", "friction", tr("Friction fro&m"), tr("Friction that is felt at that value [1], at rest and sliding"),
+      QStringLiteral("1"), 0.0, largestFriction, 3 });
   this->add(form,
     { "Texture", "texture", tr("Te&xture from"),
       tr("How far the felt surface stands out at that value [scene units]; its mean when the hand is too fast for it"),
-      tr(" u"), -1e9, 1e9 });
+      tr("u"), -1e9, 1e9, 6 });
 }
 
 void pqHapticMaterialGroup::add(QFormLayout* form, const Looks& looks)
@@ -66,38 +67,40 @@ void pqHapticMaterialGroup::add(QFormLayout* form, const Looks& looks)
   transfer.Array = new pqHapticArrayChoice(this);
   transfer.Array->setObjectName(name + "Array");
   transfer.Array->setToolTip(tr("Array of points or cells of what is shown; surfaces without it keep their own"));
-  transfer.Component = new QSpinBox(this);
+  form->addRow(looks.Title, transfer.Array);
+  auto* details = new QWidget(this); // only what is used takes room
+  details->setObjectName(name + "Details");
+  this->addDetails(details, looks, transfer);
+  form->addRow(details);
+  const auto show = [details, array = transfer.Array] { details->setVisible(!array->array().isEmpty()); };
+  this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, show);
+  show();
+  this->Transfers.push_back(transfer);
+}
+
+void pqHapticMaterialGroup::addDetails(QWidget* parent, const Looks& looks, Transfer& transfer)
+{
+  const QString name = looks.Name;
+  transfer.Component = new QSpinBox(parent);
   transfer.Component->setObjectName(name + "Component");
-  transfer.Component->setRange(-1, 99);
+  transfer.Component->setRange(-1, largestComponent);
   transfer.Component->setSpecialValueText(tr("length"));
-  transfer.Component->setPrefix(tr("part "));
   transfer.Component->setKeyboardTracking(false);
   transfer.Component->setToolTip(tr("Component of the array, from 0 on, or the length of a vector"));
   const QString dataTip = tr("Value of the array at this end; both ends equal: the whole range of the array");
   const char* const ends[] = { "Low", "High" };
   for (int end = 0; end < 2; ++end)
   {
-    transfer.Data[end] = Number(this, name + "Data" + ends[end], -anything, anything, dataTip);
-    transfer.Felt[end] = Number(this, name + "Felt" + ends[end], looks.Least, looks.Most, looks.FeltTip);
-    transfer.Felt[end]->setSuffix(looks.Unit);
+    transfer.Data[end] = Number(parent, name + "Data" + ends[end], -anything, anything, dataTip);
+    transfer.Felt[end] = Number(parent, name + "Felt" + ends[end], looks.Least, looks.Most, looks.FeltTip);
+    transfer.Felt[end]->setDecimals(looks.Decimals);
   }
-  form->addRow(looks.Title, transfer.Array);
-  form->labelForField(transfer.Array)->setToolTip(transfer.Array->toolTip());
+  auto* form = new QFormLayout(parent);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Component"), transfer.Component);
   form->addRow(tr("Data range"), Beside(transfer.Data[0], transfer.Data[1]));
-  form->addRow(tr("Feels like"), Beside(transfer.Felt[0], transfer.Felt[1]));
-  const auto enable = [transfer]
-  {
-    const bool used = !transfer.Array->array().isEmpty();
-    for (QWidget* field : std::initializer_list<QWidget*>{
-           transfer.Component, transfer.Data[0], transfer.Data[1], transfer.Felt[0], transfer.Felt[1] })
-    {
-      field->setEnabled(used);
-    }
-  };
-  this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, enable);
-  enable();
-  this->Transfers.push_back(transfer);
+  form->addRow(tr("Feels like [%1]").arg(looks.Unit), Beside(transfer.Felt[0], transfer.Felt[1]));
 }
 
 void pqHapticMaterialGroup::setProxy(vtkSMProxy* proxy)

@@ -50,9 +50,11 @@ private:
     QString Unit;
     double Least;
     double Most;
+    int Decimals;
   };
 
   void add(QFormLayout* form, const Looks& looks);
+  void addDetails(QWidget* parent, const Looks& looks, Transfer& transfer);
   void link(const Transfer& transfer, vtkSMProxy* proxy);
 
   std::vector<Transfer> Transfers;
