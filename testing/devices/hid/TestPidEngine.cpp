@@ -95,6 +95,15 @@ TEST(PidEngine, ZeroForceIsExactlyZeroAndNotANumberIsZero)
   }
 }
 
+TEST(PidEngine, NotANumberIsTheMiddleOfAFieldWithoutNegativeNumbers)
+{
+  HidField field;
+  field.logicalMax = 254;
+  EXPECT_EQ(signedShareToField(field, std::numeric_limits<double>::quiet_NaN()), 127);
+  EXPECT_EQ(signedShareToField(field, -1.0), 0);
+  EXPECT_EQ(signedShareToField(field, 1.0), 254);
+}
+
 TEST(PidEngine, ForcesOutsideTheirRangeAreCutToIt)
 {
   for (const PidLayout& layout : test::allLayouts())
