@@ -123,6 +123,7 @@ public:
   QLabel* Stabiliser;
   QLabel* Friction;
   QLabel* Contact;
+  QLabel* MotionLag;
   QLabel* Rate;
   QLabel* Lateness;
   QLabel* Cost;
@@ -236,6 +237,8 @@ void pqHapticPanel::Internals::addState(QVBoxLayout* column)
   this->Stabiliser = Value(parent, "stabiliser", tr("Part of the force that passivity control added [N]"));
   this->Friction = Value(parent, "friction", tr("sticks or slips; none without contact or friction"));
   this->Contact = Value(parent, "contact", tr("Time in contact [s] and planes touched now"));
+  this->MotionLag =
+    Value(parent, "motionLag", tr("How late moving surfaces are felt [ms]; 0 when all are where they were shown last"));
   form->addRow(tr("State"), this->State);
   form->addRow(this->Reason);
   form->addRow(tr("Force"), this->Force);
@@ -244,6 +247,7 @@ void pqHapticPanel::Internals::addState(QVBoxLayout* column)
   form->addRow(tr("Stabiliser"), this->Stabiliser);
   form->addRow(tr("Friction"), this->Friction);
   form->addRow(tr("Contact"), this->Contact);
+  form->addRow(tr("Motion lag"), this->MotionLag);
 }
 
 void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
@@ -406,6 +410,7 @@ void pqHapticPanel::refresh()
   w.Stabiliser->setText(now.Stabiliser);
   w.Friction->setText(now.Friction);
   w.Contact->setText(now.Contact);
+  w.MotionLag->setText(now.MotionLag);
   w.Rate->setText(now.Rate);
   w.Lateness->setText(now.Lateness);
   w.Cost->setText(now.Cost);

@@ -64,6 +64,7 @@ pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
   now.Friction = FrictionOf(session);
   now.Contact =
     QString("%1 planes, %2 in all").arg(session.GetContacts()).arg(Quantity(session.GetContactSeconds(), 1, "s"));
+  now.MotionLag = Quantity(1e3 * session.GetMotionLag(), 0, "ms");
   now.Rate = Quantity(session.GetRate(), 0, "Hz");
   now.Lateness = Percentiles(session.GetLatenessP50(), session.GetLatenessP99());
   now.Cost = Percentiles(session.GetCostP50(), session.GetCostP99());

@@ -18,6 +18,7 @@ struct pqHapticReadout
   QString Stabiliser;
   QString Friction;
   QString Contact;
+  QString MotionLag;
   QString Rate;
   QString Lateness;
   QString Cost;
