@@ -104,6 +104,7 @@ public:
   QPushButton* Release;
   QDoubleSpinBox* Stiffness;
   QDoubleSpinBox* Radius;
+  QDoubleSpinBox* LineRadius;
   QDoubleSpinBox* Scale;
   QPushButton* Fit;
   QDoubleSpinBox* FrictionStatic;
@@ -176,14 +177,18 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
   this->Radius = Number(parent, "radius", 0.0, 1e9, 6, tr("Ball that touches [scene units]; 0 is a point"));
   this->Scale = Number(parent, "scale", 1e-9, 1e9, 6, tr("Scene units per metre of the hand's motion"));
   this->Stiffness->setSuffix(tr(" N/m"));
+  this->LineRadius =
+    Number(parent, "lineRadius", 0.0, 1e9, 6, tr("Tubes as which lines are touched [scene units]; 0: they are not"));
   this->Radius->setSuffix(tr(" u"));
+  this->LineRadius->setSuffix(tr(" u"));
   this->Scale->setSuffix(tr(" u/m"));
   form->addRow(tr("&Stiffness"), this->Stiffness);
   form->addRow(tr("&Radius"), this->Radius);
+  form->addRow(tr("Radius of li&nes"), this->LineRadius);
   form->addRow(tr("S&cale"), this->Scale);
-  this->Fit = new QPushButton(tr("&Fit Hand to Scene"), parent);
   this->Shading = Switch(form, "shading", tr("Smoot&h forces over facets"),
     tr("As if the surface were round between its corners; edges sharper than 30 degrees stay as they are"));
+  this->Fit = new QPushButton(tr("&Fit Hand to Scene"), parent);
   this->Fit->setObjectName("fit");
   this->Fit->setToolTip(tr("Scale and offset such that the device's workspace holds everything that is touched"));
   form->addRow(this->Fit);
@@ -280,7 +285,8 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  QWidget* order[] = { this->Device, this->Hand, this->Touch, this->Release, this->Stiffness, this->Radius, this->Scale,
+  QWidget* order[] = { this->Device, this->Hand, this->Touch, this->Release, this->Stiffness, this->Radius,
+    this->LineRadius, this->Scale,
     this->Shading, this->Fit, this->FrictionStatic, this->FrictionKinetic, this->Limit, this->Passivity, this->Delay, this->Velocity,
     this->Scene };
   for (std::size_t i = 1; i < std::size(order); ++i)
@@ -376,12 +382,13 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   link(w.Touch, "checked", SIGNAL(toggled(bool)), "Touching");
   link(w.Stiffness, "value", SIGNAL(valueChanged(double)), "Stiffness");
   link(w.Radius, "value", SIGNAL(valueChanged(double)), "Radius");
+  link(w.LineRadius, "value", SIGNAL(valueChanged(double)), "LineRadius");
   link(w.Scale, "value", SIGNAL(valueChanged(double)), "Scale");
+  link(w.Shading, "checked", SIGNAL(toggled(bool)), "ForceShading");
   link(w.FrictionStatic, "value", SIGNAL(valueChanged(double)), "FrictionStatic");
   link(w.FrictionKinetic, "value", SIGNAL(valueChanged(double)), "FrictionKinetic");
   link(w.Limit, "checked", SIGNAL(toggled(bool)), "LimitStiffness");
   link(w.Passivity, "checked", SIGNAL(toggled(bool)), "Passivity");
-  link(w.Shading, "checked", SIGNAL(toggled(bool)), "ForceShading");
   link(w.Delay, "value", SIGNAL(valueChanged(int)), "Delay");
   link(w.Velocity, "currentText", SIGNAL(currentTextChanged(const QString&)), "VelocityMethod");
   this->refresh();
