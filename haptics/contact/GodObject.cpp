@@ -61,6 +61,11 @@ public:
       this->result_.passes = static_cast<int>(pass) + 1;
       this->project();
       this->reconsiderVertex();
+      if (this->result_.infeasible && !this->startedAnew_)
+      {
+        this->startAnew();
+        continue;
+      }
       if (this->result_.infeasible || this->solution_.y.norm() <= this->tol())
       {
         break;
@@ -102,6 +107,15 @@ private:
       }
     }
     this->result_.contacts = this->result_.heldCount;
+  }
+
+  /// Planes that contradict each other are no place to be: what holds the ball is found anew by sweeps, once a tick.
+  void startAnew() noexcept
+  {
+    this->state_.count = 0;
+    this->left_.clear();
+    this->result_.infeasible = false;
+    this->startedAnew_ = true;
   }
 
   /// Nearest point under the touched planes and those left faces that turn out to obstruct it.
@@ -530,6 +544,7 @@ private:
   Neighbourhood near_;
   ProjectionResult solution_;
   ContactResult result_;
+  bool startedAnew_ = false;
 };
 
 /// A ball in the air first lands; where it lands friction decides what becomes of the rest of the way.
