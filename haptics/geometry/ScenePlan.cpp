@@ -127,11 +127,17 @@ ScenePlan planTouch(const SurfaceTree& surface, const TouchConditions& condition
   plan.sharpEdges = sharpSides / 2;
   plan.deviation_m = plan.deviation_u / conditions.scale_u_per_m;
   plan.forceError = plan.deviation_m / conditions.penetration_m;
-  const double limit_m = std::max(ScenePlan::noticed * conditions.penetration_m, conditions.resolution_m);
+  const double limit_m = plan.unnoticed_u() / conditions.scale_u_per_m;
   plan.felt = plan.deviation_m > limit_m;
   const double needed = std::ceil(static_cast<double>(plan.triangles) * plan.deviation_m / limit_m);
   plan.trianglesNeeded = static_cast<std::size_t>(std::min(needed, 1e15));
   return plan;
+}
+
+double ScenePlan::unnoticed_u() const
+{
+  return std::max(noticed * this->conditions.penetration_m, this->conditions.resolution_m) *
+         this->conditions.scale_u_per_m;
 }
 
 std::string ScenePlan::sentence() const

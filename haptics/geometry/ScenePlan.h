@@ -39,6 +39,9 @@ struct ScenePlan
   /// Difference in force a hand just notices, relative.
   static constexpr double noticed = 0.07;
 
+  /// So far a surface may be from another one before a hand tells them apart [u].
+  [[nodiscard]] double unnoticed_u() const;
+
   /// "pressed 1 mm deep at 1000 N/m, facets change the force by up to 5.7 % (...)": for a person, with units.
   [[nodiscard]] std::string sentence() const;
 };

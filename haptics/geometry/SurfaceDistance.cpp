@@ -93,8 +93,8 @@ std::pair<Piece, Piece> cut(const Piece& piece, const Vec3& normal_W, double off
   return parts;
 }
 
-/// Across its longest way from corner to corner.
-std::pair<Piece, Piece> halves(const Piece& piece) noexcept
+/// From corner to corner.
+Vec3 longestWay(const Piece& piece) noexcept
 {
   Vec3 longest = Vec3::Zero();
   for (int i = 0; i < piece.count; ++i)
@@ -105,7 +105,13 @@ std::pair<Piece, Piece> halves(const Piece& piece) noexcept
       longest = way.squaredNorm() > longest.squaredNorm() ? way : longest;
     }
   }
-  const Vec3 normal = longest.normalized();
+  return longest;
+}
+
+/// Across its longest way.
+std::pair<Piece, Piece> halves(const Piece& piece) noexcept
+{
+  const Vec3 normal = longestWay(piece).normalized();
   return cut(piece, normal, normal.dot(piece.centre_W()));
 }
 

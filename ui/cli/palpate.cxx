@@ -16,6 +16,7 @@ constexpr int BadInput = 2;
 
 struct Arguments
 {
+  bool Simplify = false;
   bool Json = false;
   std::string File;
   std::optional<double> Iso;
@@ -39,6 +40,7 @@ void AddCheck(CLI::App& app, Arguments& arguments)
   command->add_option("FILE", arguments.File, "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso")->required();
   command->add_option("--iso", arguments.Iso, "value of the surface in an image");
   vtkHapticCliAddMaterials(*command, arguments.Materials);
+  command->add_flag("--simplify", arguments.Simplify, "with how few triangles it would feel the same, proven");
   command->add_flag("--json", arguments.Json, "for a program to read");
 }
 
@@ -116,7 +118,7 @@ int Run(const CLI::App& app, const Arguments& arguments)
   if (app.got_subcommand("check"))
   {
     vtkHapticCliCheckMaterials(arguments.Materials);
-    return vtkHapticCliCheck(arguments.File, arguments.Iso, arguments.Materials, arguments.Json);
+    return vtkHapticCliCheck(arguments.File, arguments.Iso, arguments.Materials, arguments.Simplify, arguments.Json);
   }
   if (app.got_subcommand("touch"))
   {

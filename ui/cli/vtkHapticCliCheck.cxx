@@ -3,9 +3,11 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "haptics/contact/ContactPlan.h"
 #include "haptics/geometry/ScenePlan.h"
+#include "haptics/geometry/Simplification.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
 
@@ -60,6 +62,36 @@ nlohmann::ordered_json ToJson(const palpate::ScenePlan& plan)
   json["sharp_edges"] = plan.sharpEdges;
   json["sentence"] = plan.sentence();
   return json;
+}
+
+palpate::Simplification SimplifiedOf(const palpate::Surface& surface)
+{
+  return palpate::simplifyWithin(*surface.tree, { TouchPlanOf(surface).unnoticed_u() });
+}
+
+nlohmann::ordered_json ToJson(const palpate::Simplification& fewer)
+{
+  nlohmann::ordered_json json;
+  json["triangles"] = fewer.tree ? fewer.tree->mesh().triangles.size() : 0;
+  json["bound_u"] = fewer.bound_u;
+  json["refusal"] = fewer.refusal;
+  return json;
+}
+
+std::string SentenceOf(const palpate::Simplification& fewer)
+{
+  std::ostringstream text;
+  text << "for a comparison only: ";
+  if (fewer.tree)
+  {
+    text << fewer.tree->mesh().triangles.size() << " triangles feel the same, everywhere within " << fewer.bound_u
+         << " scene units, proven both ways";
+  }
+  else
+  {
+    text << "no simpler surface: " << fewer.refusal;
+  }
+  return text.str();
 }
 
 nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report, const std::string& material)
@@ -133,7 +165,8 @@ vtkHapticCliSurface ReadOrRefuse(
 } // namespace
 
 int vtkHapticCliCheck(
-  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials, bool json)
+  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials, bool simplify,
+  bool json)
 {
   const vtkHapticCliSurface surface = ReadOrRefuse(file, iso, materials, json);
   const palpate::SceneBuildResult built = palpate::SceneBuilder().build({ surface.Input });
@@ -144,6 +177,10 @@ int vtkHapticCliCheck(
     if (built.scene)
     {
       AddScene(described, built.scene->surfaces().front());
+      if (simplify)
+      {
+        described["simplified"] = ToJson(SimplifiedOf(built.scene->surfaces().front()));
+      }
     }
     Print(described);
   }
@@ -154,6 +191,10 @@ int vtkHapticCliCheck(
   if (!json)
   {
     Print(report, built.scene->surfaces().front(), surface.Material.Note);
+    if (simplify)
+    {
+      std::cout << "  simpler   " << SentenceOf(SimplifiedOf(built.scene->surfaces().front())) << '\n';
+    }
   }
   return 0;
 }

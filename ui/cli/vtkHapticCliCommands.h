@@ -13,9 +13,10 @@
 /// What is attached, what each device can do, why one cannot be used.
 int vtkHapticCliDevices(bool json);
 
-/// Whether a file can be touched, what was repaired, what is refused. 0: touchable; a refusal throws.
-int vtkHapticCliCheck(
-  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials, bool json);
+/// Whether a file can be touched, what was repaired, what is refused. 0: touchable; a refusal throws. `simplify`: also
+/// with how few triangles it would feel the same, which takes a while.
+int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials,
+  bool simplify, bool json);
 
 struct vtkHapticCliTouchOptions
 {

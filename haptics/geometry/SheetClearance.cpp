@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/geometry/SheetClearance.h"
+
+#include <algorithm>
+
+#include "haptics/geometry/ExactPredicates.h"
+#include "haptics/geometry/SurfaceData.h"
+
+namespace palpate
+{
+namespace
+{
+
+using Corners = std::array<std::uint32_t, 3>;
+
+Box boxOf(const FaceRecord& face, double grown_u)
+{
+  const auto& [a, b, c] = face.corner_W;
+  const Vec3 grown = Vec3::Constant(grown_u);
+  return { a.cwiseMin(b).cwiseMin(c) - grown, a.cwiseMax(b).cwiseMax(c) + grown };
+}
+
+bool overlap(const Box& a, const Box& b)
+{
+  return (a.low_W.array() <= b.high_W.array()).all() && (b.low_W.array() <= a.high_W.array()).all();
+}
+
+/// Calls visit(triangle) for each triangle whose box meets `box`.
+template<class Visit>
+void forEachInBox(const SurfaceData& data, const Box& box, std::vector<std::uint32_t>& stack, Visit visit)
+{
+  stack.assign(1, data.nodes.empty() ? TreeNode::leafBit : 0u);
+  while (!stack.empty())
+  {
+    const std::uint32_t child = stack.back();
+    stack.pop_back();
+    if (child & TreeNode::leafBit)
+    {
+      const Leaf& leaf = data.leaves[child & ~TreeNode::leafBit];
+      for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
+      {
+        if (overlap(box, boxOf(data.face(t), 0.0)))
+        {
+          visit(t);
+        }
+      }
+      continue;
+    }
+    const TreeNode& node = data.nodes[child];
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const Vec3 low_W(node.low_W[0][k], node.low_W[1][k], node.low_W[2][k]);
+      const Vec3 high_W(node.high_W[0][k], node.high_W[1][k], node.high_W[2][k]);
+      if (overlap(box, { low_W, high_W }))
+      {
+        stack.push_back(node.child[k]);
+      }
+    }
+  }
+}
+
+/// Segment and triangle in one plane, both closed.
+bool meetsInPlane(const Vec3& p, const Vec3& q, const FaceRecord& face)
+{
+  int drop = 0;
+  face.normal_W.cwiseAbs().maxCoeff(&drop);
+  const int i = (drop + 1) % 3, j = (drop + 2) % 3;
+  const auto turn = [i, j](const Vec3& a, const Vec3& b, const Vec3& c)
+  { return orientation2(a[i], a[j], b[i], b[j], c[i], c[j]); };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vec3 &a = face.corner_W[k], &b = face.corner_W[(k + 1) % 3], &c = face.corner_W[(k + 2) % 3];
+    const int inside = turn(a, b, c);
+    if (turn(a, b, p) == -inside && turn(a, b, q) == -inside)
+    {
+      return false;
+    }
+  }
+  const int u = turn(p, q, face.corner_W[0]), v = turn(p, q, face.corner_W[1]), w = turn(p, q, face.corner_W[2]);
+  return !(u == v && v == w && u != 0);
+}
+
+/// A closed segment and a closed triangle.
+bool meets(const Vec3& p, const Vec3& q, const FaceRecord& face)
+{
+  const auto& [a, b, c] = face.corner_W;
+  const int above = orientation(a, b, c, p), below = orientation(a, b, c, q);
+  if (above == 0 && below == 0)
+  {
+    return meetsInPlane(p, q, face);
+  }
+  if (above == below)
+  {
+    return false;
+  }
+  const int u = orientation(p, q, a, b), v = orientation(p, q, b, c), w = orientation(p, q, c, a);
+  return !((u > 0 || v > 0 || w > 0) && (u < 0 || v < 0 || w < 0));
+}
+
+/// Whether an edge of triangle s that shares no vertex with triangle t meets it, or a corner next to an edge they share
+/// lies folded upon it.
+bool edgesMeet(const SurfaceData& data, std::uint32_t s, std::uint32_t t)
+{
+  const Corners& corners = data.corners(s);
+  int shared = 0;
+  for (const std::uint32_t v : corners)
+  {
+    shared += data.hasCorner(t, v);
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];
+    const bool apart = !data.hasCorner(t, i) && !data.hasCorner(t, j);
+    if (apart && meets(data.vertex(i), data.vertex(j), data.face(t)))
+    {
+      return true;
+    }
+    if (shared == 2 && data.hasCorner(t, i) && data.hasCorner(t, j))
+    {
+      const Vec3& tip = data.vertex(data.opposite(s, i, j));
+      const Vec3& other = data.vertex(data.opposite(t, i, j));
+      const Vec3 edge = data.vertex(j) - data.vertex(i);
+      const auto& [a, b, c] = data.face(t).corner_W;
+      const bool flat = orientation(a, b, c, tip) == 0;
+      return flat && edge.cross(tip - data.vertex(i)).dot(edge.cross(other - data.vertex(i))) > 0.0;
+    }
+  }
+  return false;
+}
+
+/// What of a triangle's surroundings hangs together with it.
+class Surroundings
+{
+public:
+  explicit Surroundings(const SurfaceData& data) : data_(data), seen_(data.faces.size(), 0) {}
+
+  /// True if a triangle within the distance of this one cannot be reached over others that are.
+  bool holdOtherSheet(std::uint32_t triangle, double distance_u)
+  {
+    this->gather(boxOf(this->data_.face(triangle), distance_u));
+    std::size_t reached = 1;
+    this->seen_[triangle] = this->round_ + 1;
+    this->front_.assign(1, triangle);
+    while (!this->front_.empty())
+    {
+      const std::uint32_t at = this->front_.back();
+      this->front_.pop_back();
+      for (const std::uint32_t v : this->data_.corners(at))
+      {
+        this->data_.forEachAround(v, [&](std::uint32_t t) { reached += this->reach(t); });
+      }
+    }
+    return reached < this->near_;
+  }
+
+private:
+  bool reach(std::uint32_t triangle)
+  {
+    const bool fresh = this->seen_[triangle] == this->round_;
+    if (fresh)
+    {
+      this->seen_[triangle] = this->round_ + 1;
+      this->front_.push_back(triangle);
+    }
+    return fresh;
+  }
+
+  void gather(const Box& box)
+  {
+    this->round_ += 2;
+    this->near_ = 0;
+    forEachInBox(this->data_, box, this->stack_,
+      [this](std::uint32_t t)
+      {
+        this->seen_[t] = this->round_;
+        ++this->near_;
+      });
+  }
+
+  const SurfaceData& data_;
+  std::vector<std::uint32_t> seen_; ///< the round in which a triangle was near, and one more if it was reached
+  std::uint32_t round_ = 0;
+  std::size_t near_ = 0;
+  std::vector<std::uint32_t> stack_, front_;
+};
+
+} // namespace
+
+std::vector<bool> verticesNearOtherSheets(const SurfaceTree& surface, double distance_u, const std::stop_token& stop)
+{
+  const SurfaceData& data = surface.data();
+  std::vector<bool> near(data.mesh.vertices_W.size(), false);
+  Surroundings surroundings(data);
+  for (std::uint32_t t = 0; t < data.faces.size() && !stop.stop_requested(); ++t)
+  {
+    if (surroundings.holdOtherSheet(t, distance_u))
+    {
+      for (const std::uint32_t v : data.corners(t))
+      {
+        near[v] = true;
+      }
+    }
+  }
+  return near;
+}
+
+std::optional<std::array<std::uint32_t, 2>> crossingTriangles(const SurfaceTree& surface, const std::stop_token& stop)
+{
+  const SurfaceData& data = surface.data();
+  std::vector<std::uint32_t> stack;
+  std::optional<std::array<std::uint32_t, 2>> found;
+  for (std::uint32_t s = 0; s < data.faces.size() && !found && !stop.stop_requested(); ++s)
+  {
+    forEachInBox(data, boxOf(data.face(s), 0.0), stack,
+      [&](std::uint32_t t)
+      {
+        if (t > s && (edgesMeet(data, s, t) || edgesMeet(data, t, s)))
+        {
+          found = { s, t };
+        }
+      });
+  }
+  return found;
+}
+
+} // namespace palpate

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+
+#include "haptics/geometry/SurfaceTree.h"
+
+namespace palpate
+{
+
+/// What a simplified surface must keep.
+struct SimplifyLimits
+{
+  double limit_u = 0.0; ///< no point of either surface may be further from the other, > 0 [u]
+  std::stop_token stop = {};
+  std::function<void(double share)> progress = {}; ///< 0..1 of the collapses of one attempt
+};
+
+/// A surface with fewer triangles that nobody can tell from the first, or one sentence why there is none.
+struct Simplification
+{
+  std::shared_ptr<const SurfaceTree> tree; ///< null when refused
+  double bound_u = 0.0;                    ///< proven: no point of either is further from the other, <= the limit
+  std::string refusal;
+};
+
+/// Collapses edges onto one of their ends in the order of Garland & Heckbert's quadrics (1997), as long as every vertex
+/// that went stays near what replaced it, and then proves it: all points of both surfaces lie within the limit
+/// of the other one (SurfaceDistance), and the new surface crosses itself nowhere (exact predicates).
+/// Every vertex is one of the original's. Sheets closer together than twice the limit are left as they are, so that
+/// they cannot merge. Refuses what it cannot prove, curves, edges of three or more triangles, a surface that crosses
+/// itself, and one that would not lose half of its triangles. Any thread but the servo's; deterministic.
+[[nodiscard]] Simplification simplifyWithin(const SurfaceTree& surface, const SimplifyLimits& limits);
+
+} // namespace palpate
