@@ -88,6 +88,11 @@ vtkHapticImagePlane::vtkHapticImagePlane(vtkImageData* image, vtkDataArray* valu
   }
 }
 
+vtkImageData* vtkHapticImagePlane::GetPixels() const
+{
+  return this->Pixels;
+}
+
 double vtkHapticImagePlane::GetValue(std::int64_t i, std::int64_t j) const
 {
   return this->Values->GetComponent(static_cast<vtkIdType>(j * this->Size[0] + i), 0);

@@ -26,7 +26,7 @@ public:
   [[nodiscard]] std::uint32_t GetHeight() const { return this->Size[1]; }
 
   /// The same values on a grid of (width, height, 1) points at whole numbers.
-  [[nodiscard]] vtkImageData* GetPixels() const { return this->Pixels; }
+  [[nodiscard]] vtkImageData* GetPixels() const;
   [[nodiscard]] double GetValue(std::int64_t i, std::int64_t j) const;
   /// Least and largest finite value; throws if all pixels have the same, or none is finite.
   void GetRange(double range[2]) const;

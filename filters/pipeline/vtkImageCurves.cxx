@@ -210,6 +210,14 @@ void vtkImageCurves::MakeCurves(vtkImageData* image, vtkDataArray* values, vtkPo
   curves.MoveTo(output, this->GetAllowedError());
 }
 
+vtkDataArray* vtkImageCurves::ValuesOf(vtkImageData* image, vtkInformationVector** input)
+{
+  // A proxy made before its input was ever run has no array to choose: its name is empty.
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  vtkDataArray* chosen = this->GetInputArrayToProcess(0, input);
+  return chosen || (name && *name) ? chosen : image->GetPointData()->GetScalars();
+}
+
 int vtkImageCurves::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   if (const char* problem = this->CheckNumbers())
@@ -219,8 +227,8 @@ int vtkImageCurves::RequestData(vtkInformation*, vtkInformationVector** input, v
   }
   try
   {
-    this->MakeCurves(
-      vtkImageData::GetData(input[0]), this->GetInputArrayToProcess(0, input), vtkPolyData::GetData(output));
+    vtkImageData* image = vtkImageData::GetData(input[0]);
+    this->MakeCurves(image, this->ValuesOf(image, input), vtkPolyData::GetData(output));
   }
   catch (const std::exception& error)
   {

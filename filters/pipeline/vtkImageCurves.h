@@ -135,6 +135,8 @@ private:
 
   /// Null, or what cannot be used.
   const char* CheckNumbers() const;
+  /// The array chosen, or the active one where none is; null where there is none.
+  vtkDataArray* ValuesOf(vtkImageData* image, vtkInformationVector** input);
   /// The value between the two sides of a curve; throws where no pixel is on one of them.
   double ChooseValue(const vtkHapticImagePlane& plane) const;
   /// In pixel coordinates; throws std::runtime_error.
