@@ -45,7 +45,7 @@ class Bar(unittest.TestCase):
     text = (ROOT / "testing" / "BAR.md").read_text(encoding="utf-8")
 
     def test_every_test_it_names_is_in_the_tree(self):
-        sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "testing").rglob("*.cpp"))
+        sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "testing").rglob("*.c[px][px]"))
         defined = {".".join(names) for names in re.findall(r"^TEST(?:_P|_F)?\((\w+), (\w+)\)", sources, re.MULTILINE)}
         named = set(re.findall(r"`([A-Z]\w+\.[A-Z]\w+)`", self.text))
         self.assertGreater(len(named), 20)
