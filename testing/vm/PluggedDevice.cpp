@@ -70,6 +70,7 @@ void PluggedDevice::passMillisecond()
   {
     this->send(input);
   }
+  this->frame();
 }
 
 bool PluggedDevice::take(HidReportKind kind, std::span<const std::uint8_t> report)

@@ -52,6 +52,8 @@ protected:
   /// Answers the host until then, or less long.
   virtual void serve(Instant until) = 0;
   virtual void send(std::span<const std::uint8_t> input) = 0;
+  /// Ends every millisecond.
+  virtual void frame() {}
 
   [[nodiscard]] bool take(HidReportKind kind, std::span<const std::uint8_t> report);
   [[nodiscard]] std::vector<std::uint8_t> feature(std::uint8_t id);
