@@ -42,11 +42,30 @@ class Plan(CommandLineTest):
         plane = self.plan_of(SQUARE_POINTS, SQUARE_FACES)
         self.assertEqual((plane["felt"], plane["deviation_u"], plane["sharp_edges"]), (False, 0.0, 0))
 
+    def test_the_sentence_of_a_session_is_said_for_a_file(self):
+        points, faces = tube(10.0, 40.0, 32)
+        self.write_off("a.off", points, faces)
+        said = (f"all {len(faces)} triangles are felt (simpler surfaces pay from 50000 triangles on), "
+                "by a point without friction, through a tree of boxes")
+        self.assertIn(said, self.succeed("check", "a.off").stdout)
+        self.assertEqual(json.loads(self.succeed("check", "a.off", "--json").stdout)["choice"], said)
+
     def test_a_person_reads_it_with_units(self):
         self.write_off("a.off", *tube(10.0, 40.0, 32))
         text = self.succeed("check", "a.off").stdout
         for part in ("facets", "1 mm deep at 1000 N/m", "%", "felt", "triangles would feel smooth"):
             self.assertIn(part, text)
+
+    def test_a_ball_of_any_size_fits_a_few_triangles_and_a_huge_one_not_a_fine_mesh(self):
+        self.write_off("a.off", SQUARE_POINTS, SQUARE_FACES)
+        few = json.loads(self.succeed("check", "a.off", "--radius", 1000, "--json").stdout)["radius"]
+        self.assertEqual((few["asked_u"], few["largest_u"], few["kept"]), (1000.0, None, True))
+        self.write_off("a.off", *tube(10.0, 40.0, 4000))
+        text = self.succeed("check", "a.off", "--radius", 9.5).stdout
+        self.assertIn("may run out of a tick's work", text)
+        fine = json.loads(self.succeed("check", "a.off", "--json").stdout)["radius"]
+        self.assertTrue(fine["kept"])  # a point
+        self.assertLess(fine["largest_u"], 9.5)
 
 
 if __name__ == "__main__":

@@ -224,6 +224,24 @@ class OnAnImage(CommandLineTest):
         self.assertAlmostEqual(row["force_z"], STIFFNESS * 0.5, delta=1e-9)
 
 
+class LargeBall(CommandLineTest):
+    """A ball too large for its mesh is told of on one line and goes on: no tick moves it where it is not free."""
+
+    def test_is_warned_of_and_one_that_fits_is_not(self):
+        n = 64  # 8192 triangles: more than a tick may look at in every sweep
+        points = [(i - n / 2, j - n / 2, 0) for j in range(n + 1) for i in range(n + 1)]
+        faces = [f for j in range(n) for i in range(n) for v in [j * (n + 1) + i]
+                 for f in ((v, v + 1, v + n + 1), (v + 1, v + n + 2, v + n + 1))]
+        self.write_off("fine.off", points, faces)
+        for radius, warned in ((1.0, False), (500.0, True)):
+            self.write_path([(0.0, 0.25, 0.5, radius + 1.0), (0.001, 0.25, 0.5, radius - 0.5)])
+            result = self.succeed("touch", "fine.off", "--path", "path.csv", "--csv", "out.csv", "--radius", radius,
+                                  "--stiffness", STIFFNESS)
+            self.assertEqual("--radius" in result.stderr, warned)
+            self.assertEqual(len(result.stderr.splitlines()), int(warned))
+            self.assertAlmostEqual(self.read_rows()[1]["force_z"], STIFFNESS * 0.5, delta=1e-9)
+
+
 class Check(CommandLineTest):
     def test_the_report_counts_what_was_repaired(self):
         # of 6 triangles: 2 good ones, one repeated, one without area, one twice the same corner, one with NaN

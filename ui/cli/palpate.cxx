@@ -20,6 +20,7 @@ struct Arguments
   bool Json = false;
   std::string File;
   std::optional<double> Iso;
+  double Radius_u = 0.0;
   vtkHapticMaterialSettings Materials;
   vtkHapticCliTouchOptions Touch;
   vtkHapticCliReplayOptions Replay;
@@ -39,6 +40,7 @@ void AddCheck(CLI::App& app, Arguments& arguments)
   CLI::App* command = app.add_subcommand("check", "can it be touched? what was repaired, what is refused");
   command->add_option("FILE", arguments.File, "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso")->required();
   command->add_option("--iso", arguments.Iso, "value of the surface in an image");
+  command->add_option("--radius", arguments.Radius_u, "does a ball of this radius fit? [scene units]");
   vtkHapticCliAddMaterials(*command, arguments.Materials);
   command->add_flag("--simplify", arguments.Simplify, "with how few triangles it would feel the same, proven");
   command->add_flag("--json", arguments.Json, "for a program to read");
@@ -117,8 +119,10 @@ int Run(const CLI::App& app, const Arguments& arguments)
   }
   if (app.got_subcommand("check"))
   {
+    CheckNumber("--radius", arguments.Radius_u, true, "scene units");
     vtkHapticCliCheckMaterials(arguments.Materials);
-    return vtkHapticCliCheck(arguments.File, arguments.Iso, arguments.Materials, arguments.Simplify, arguments.Json);
+    return vtkHapticCliCheck(
+      arguments.File, arguments.Iso, arguments.Materials, arguments.Simplify, arguments.Radius_u, arguments.Json);
   }
   if (app.got_subcommand("touch"))
   {

@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "haptics/contact/ContactPlan.h"
+#include "haptics/contact/PlanFor.h"
+#include "haptics/contact/RadiusLimit.h"
 #include "haptics/geometry/ScenePlan.h"
 #include "haptics/geometry/Simplification.h"
+#include "haptics/session/PlanSentence.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
 
@@ -48,6 +50,12 @@ palpate::ScenePlan TouchPlanOf(const palpate::Surface& surface)
   return palpate::planTouch(*surface.tree, conditions);
 }
 
+/// What a session says of this file before it has looked for simpler surfaces.
+std::string ChoiceOf(const palpate::Scene& scene)
+{
+  return palpate::planSentence(palpate::chooseAtFirst(scene, {}, {}), palpate::planFor(scene, {}));
+}
+
 nlohmann::ordered_json ToJson(const palpate::ScenePlan& plan)
 {
   nlohmann::ordered_json json;
@@ -61,6 +69,23 @@ nlohmann::ordered_json ToJson(const palpate::ScenePlan& plan)
   json["triangles_needed"] = plan.trianglesNeeded;
   json["sharp_edges"] = plan.sharpEdges;
   json["sentence"] = plan.sentence();
+  return json;
+}
+
+palpate::RadiusLimit RadiusLimitOf(const palpate::Scene& scene, double radius_u)
+{
+  palpate::ContactPlan plan;
+  plan.radius_u = radius_u;
+  return palpate::radiusLimit(scene, palpate::planFor(scene, plan));
+}
+
+nlohmann::ordered_json ToJson(const palpate::RadiusLimit& limit)
+{
+  nlohmann::ordered_json json;
+  json["asked_u"] = limit.asked_u;
+  json["largest_u"] = limit.largest_u; // null where no ball is too large
+  json["kept"] = limit.kept();
+  json["sentence"] = limit.sentence();
   return json;
 }
 
@@ -111,13 +136,15 @@ nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report, const std::s
   return json;
 }
 
-void AddScene(nlohmann::ordered_json& json, const palpate::Surface& surface)
+void AddScene(nlohmann::ordered_json& json, const palpate::Scene& scene)
 {
+  const palpate::Surface& surface = scene.surfaces().front();
   const Box box = BoundsOf(surface.tree->mesh());
   json["low_u"] = { box.Low_W.x(), box.Low_W.y(), box.Low_W.z() };
   json["high_u"] = { box.High_W.x(), box.High_W.y(), box.High_W.z() };
   json["tree_bytes"] = surface.tree->bytes();
   json["tree"] = PlanOf(surface);
+  json["choice"] = ChoiceOf(scene);
   json["plan"] = ToJson(TouchPlanOf(surface));
 }
 
@@ -127,8 +154,9 @@ void Print(const nlohmann::ordered_json& json)
   std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-void Print(const palpate::SurfaceReport& report, const palpate::Surface& surface, const std::string& material)
+void Print(const palpate::SurfaceReport& report, const palpate::Scene& scene, const std::string& material)
 {
+  const palpate::Surface& surface = scene.surfaces().front();
   const Box box = BoundsOf(surface.tree->mesh());
   const palpate::Vec3 size_u = box.High_W - box.Low_W;
   std::cout << report.name << ": it can be touched\n"
@@ -136,6 +164,7 @@ void Print(const palpate::SurfaceReport& report, const palpate::Surface& surface
             << "  size      " << size_u.x() << " x " << size_u.y() << " x " << size_u.z() << " scene units, from ("
             << box.Low_W.x() << ", " << box.Low_W.y() << ", " << box.Low_W.z() << ")\n"
             << "  plan      " << PlanOf(surface) << '\n'
+            << "  felt      " << ChoiceOf(scene) << '\n'
             << "  facets    100 mm long in the hand and " << TouchPlanOf(surface).sentence() << '\n'
             << (material.empty() ? "" : "  material  " + material + '\n');
 }
@@ -164,9 +193,8 @@ vtkHapticCliSurface ReadOrRefuse(
 }
 } // namespace
 
-int vtkHapticCliCheck(
-  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials, bool simplify,
-  bool json)
+int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials,
+  bool simplify, double radius_u, bool json)
 {
   const vtkHapticCliSurface surface = ReadOrRefuse(file, iso, materials, json);
   const palpate::SceneBuildResult built = palpate::SceneBuilder().build({ surface.Input });
@@ -176,7 +204,8 @@ int vtkHapticCliCheck(
     nlohmann::ordered_json described = ToJson(report, surface.Material.Note);
     if (built.scene)
     {
-      AddScene(described, built.scene->surfaces().front());
+      AddScene(described, *built.scene);
+      described["radius"] = ToJson(RadiusLimitOf(*built.scene, radius_u));
       if (simplify)
       {
         described["simplified"] = ToJson(SimplifiedOf(built.scene->surfaces().front()));
@@ -190,7 +219,8 @@ int vtkHapticCliCheck(
   }
   if (!json)
   {
-    Print(report, built.scene->surfaces().front(), surface.Material.Note);
+    Print(report, *built.scene, surface.Material.Note);
+    std::cout << "  radius    " << RadiusLimitOf(*built.scene, radius_u).sentence() << '\n';
     if (simplify)
     {
       std::cout << "  simpler   " << SentenceOf(SimplifiedOf(built.scene->surfaces().front())) << '\n';

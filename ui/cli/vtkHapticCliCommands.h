@@ -16,7 +16,7 @@ int vtkHapticCliDevices(bool json);
 /// Whether a file can be touched, what was repaired, what is refused. 0: touchable; a refusal throws. `simplify`: also
 /// with how few triangles it would feel the same, which takes a while.
 int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials,
-  bool simplify, bool json);
+  bool simplify, double radius_u, bool json);
 
 struct vtkHapticCliTouchOptions
 {

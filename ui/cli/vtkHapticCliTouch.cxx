@@ -3,6 +3,8 @@
 
 #include <iostream>
 
+#include "haptics/contact/PlanFor.h"
+#include "haptics/contact/RadiusLimit.h"
 #include "haptics/session/ForceRenderer.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"
@@ -57,6 +59,16 @@ struct Shortfalls
   }
 };
 
+/// A ball that is too large is safe and may lag: that is the person's choice.
+void WarnOfRadius(const palpate::Scene& scene, const palpate::ContactPlan& plan)
+{
+  const palpate::RadiusLimit limit = palpate::radiusLimit(scene, palpate::planFor(scene, plan));
+  if (!limit.kept())
+  {
+    std::cerr << "palpate: --radius: " << limit.sentence() << '\n';
+  }
+}
+
 void Render(const std::vector<vtkHapticCliPathRow>& path, const palpate::Scene& scene,
   const palpate::HapticParameters& parameters, vtkHapticCliOutput& output)
 {
@@ -88,6 +100,7 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path);
   const std::shared_ptr<const palpate::Scene> scene =
     vtkHapticCliBuildScene(options.Files, options.Iso, options.Materials, options.Scale_u_per_m, options.LineRadius_u);
+  WarnOfRadius(*scene, parameters.contact);
   std::vector<std::string> inputs = options.Files;
   inputs.push_back(options.Path);
   vtkHapticCliOutput output(options.Output, inputs);

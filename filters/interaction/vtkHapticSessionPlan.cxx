@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is felt of a scene: all of its triangles first, fewer of them where nobody can tell.
+#include <algorithm>
+#include <utility>
+
+#include "haptics/contact/PlanFor.h"
+#include "haptics/session/PlanSentence.h"
+#include "vtkHapticSessionInternals.h"
+
+namespace
+{
+bool Searched(const palpate::SurfaceChoice& choice)
+{
+  return choice.reason.empty();
+}
+} // namespace
+
+palpate::SimplifyRules vtkHapticSession::Internals::RulesNow() const
+{
+  palpate::SimplifyRules rules;
+  rules.touch.scale_u_per_m = this->Parameters.map.scale_u_per_m;
+  rules.touch.resolution_m = this->ChosenInfo().resolution_m.value;
+  rules.leastTriangles = this->Simplify == On ? 0 : rules.leastTriangles;
+  return rules;
+}
+
+void vtkHapticSession::Internals::PlanScene()
+{
+  this->Simpler.Cancel();
+  this->Choices.clear();
+  this->Rules = this->RulesNow();
+  if (!this->Full.Scene)
+  {
+    return;
+  }
+  this->Choices = palpate::chooseAtFirst(*this->Full.Scene, this->Full.Deforms, this->Rules);
+  if (this->Simplify == Off)
+  {
+    std::for_each(this->Choices.begin(), this->Choices.end(),
+      [](palpate::SurfaceChoice& choice) { choice.reason = "simpler surfaces are off"; });
+  }
+  if (std::any_of(this->Choices.begin(), this->Choices.end(), Searched) &&
+      this->Simpler.Follow(this->Full.Scene, this->Choices, this->Rules, this->Worker.TakeRevision()))
+  {
+    this->TakeSimpler(this->Simpler.Poll());
+  }
+}
+
+void vtkHapticSession::Internals::FollowRules()
+{
+  const palpate::SimplifyRules now = this->RulesNow();
+  const palpate::TouchConditions &then = this->Rules.touch, &touch = now.touch;
+  if (then.scale_u_per_m == touch.scale_u_per_m && then.resolution_m == touch.resolution_m)
+  {
+    return;
+  }
+  this->RestoreFull();
+  this->PlanScene();
+}
+
+void vtkHapticSession::Internals::RestoreFull()
+{
+  if (this->Built.Scene != this->Full.Scene)
+  {
+    this->Built = this->Full;
+    this->Core.setScene(this->Built.Scene);
+  }
+}
+
+void vtkHapticSession::Internals::TakeSimpler(std::optional<palpate::SimplerScene> found)
+{
+  if (!found)
+  {
+    return;
+  }
+  this->Choices = std::move(found->choices);
+  if (!found->scene)
+  {
+    return;
+  }
+  for (const palpate::SurfaceChoice& choice : this->Choices)
+  {
+    if (choice.felt < choice.triangles)
+    {
+      this->Built.Report += choice.name + ": " + palpate::planSentence(choice) + "\n";
+    }
+  }
+  this->Built.Scene = std::move(found->scene);
+  this->Core.setScene(this->Built.Scene);
+}
+
+void vtkHapticSession::SetSimplify(int choice)
+{
+  if (choice < Auto || choice > On)
+  {
+    this->Refuse("simpler surfaces must be 0 (auto), 1 (off) or 2 (on)");
+    return;
+  }
+  if (choice != this->Impl->Simplify)
+  {
+    this->Impl->Simplify = choice;
+    this->Impl->RestoreFull();
+    this->Impl->PlanScene();
+    this->Modified();
+  }
+}
+
+int vtkHapticSession::GetSimplify() const
+{
+  return this->Impl->Simplify;
+}
+
+bool vtkHapticSession::FinishSimplification()
+{
+  this->Impl->FollowRules();
+  this->Impl->TakeSimpler(this->Impl->Simpler.Wait());
+  return this->Impl->Built.Scene != this->Impl->Full.Scene;
+}
+
+const char* vtkHapticSession::GetPlanSentence() const
+{
+  const palpate::Scene* const scene = this->Impl->Built.Scene.get();
+  const palpate::ContactPlan& contact = this->Impl->Parameters.contact;
+  this->Impl->PlanSentence =
+    palpate::planSentence(this->Impl->Choices, scene ? palpate::planFor(*scene, contact) : contact);
+  return this->Impl->PlanSentence.c_str();
+}

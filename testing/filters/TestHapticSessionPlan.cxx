@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces finer than a hand feels: all of their triangles first, fewer later, in virtual time.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+namespace
+{
+constexpr int ticksToEngage = 1100; // arming, the ramp of 1 s, and some to spare
+constexpr int ticksToSettle = 1500; // e^-50 of what a new scene changed is left
+constexpr double scale = 1000.0;    // u/m: a unit is a millimetre
+constexpr double radius = 50.0;
+constexpr double stiffness = 500.0;
+constexpr double notNoticed = 0.07; // of a depth of 1 mm
+constexpr int fine = 180, coarse = 150;
+
+/// Of makeSphere(): two fans at the poles and two triangles for each quad between them.
+std::string trianglesOf(int resolution)
+{
+  return std::to_string(2 * resolution * (resolution - 2));
+}
+
+/// How far the longest edge, a diagonal at the equator, runs inside the sphere, at most.
+double sagitta(int resolution)
+{
+  const double side = 1.1 * 2 * std::numbers::pi * radius / resolution; // rows are some more than half a turn / n apart
+  return 2 * side * side / (8 * radius);
+}
+
+class HapticSessionPlan : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->session_->VirtualTimeOn();
+    this->session_->SetStiffness(stiffness);
+    this->session_->SetScale(scale);
+    this->session_->SetHandPosition(this->handAt(0.0, radius + 5.0).data());
+  }
+
+  void show(vtkPolyData* surface)
+  {
+    this->session_->ClearSurfaces();
+    ASSERT_TRUE(this->session_->AddSurface("sphere", surface, nullptr)) << this->session_->GetProblem();
+    this->session_->CommitScene();
+  }
+
+  /// Presses this deep.
+  void touch(double depth)
+  {
+    this->session_->TouchingOn();
+    ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+    this->session_->Step(ticksToEngage);
+    this->session_->SetHandPosition(this->handAt(0.0, radius - depth).data());
+    this->session_->Step(ticksToSettle);
+  }
+
+  /// A point of a plane that goes through no edge.
+  static Vec3 handAt(double angle, double r) { return r * Vec3(std::cos(angle), std::sin(angle), 0.3).normalized(); }
+
+  [[nodiscard]] double force_N() const { return this->session_->GetForceMagnitude(); }
+  [[nodiscard]] std::string sentence() const { return this->session_->GetPlanSentence(); }
+
+  vtkNew<vtkHapticSession> session_;
+};
+} // namespace
+
+TEST_F(HapticSessionPlan, APressedFineSphereIsFeltWithAllItsTrianglesFirstAndWithFewerLaterAndNobodyCanTell)
+{
+  constexpr double depth = 2.0;
+  const double wall_N = stiffness * depth / scale;
+  this->show(makeSphere(radius, fine));
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(fine) + " triangles are felt (a simpler surface is"));
+  this->touch(depth);
+  const double full_N = this->force_N();
+  EXPECT_NEAR(full_N, wall_N, stiffness * sagitta(fine) / scale);
+  ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
+  EXPECT_THAT(this->sentence(), HasSubstr(" of " + trianglesOf(fine) + " triangles are felt (proven"));
+  EXPECT_LE(2 * std::stoi(this->sentence()), std::stoi(trianglesOf(fine)));
+  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("sphere: " + std::to_string(std::stoi(this->sentence()))));
+
+  // Two surfaces of which no point is further from the other are everywhere as far off, but for that.
+  double last_N = full_N, largestStep_N = 0.0;
+  for (int tick = 0; tick < ticksToSettle + 1000; ++tick)
+  {
+    const double angle = 5e-4 * std::max(0, tick - ticksToSettle); // 25 mm along the sphere, once it has blended
+    this->session_->SetHandPosition(this->handAt(angle, radius - depth).data());
+    this->session_->Step(1);
+    largestStep_N = std::max(largestStep_N, std::abs(this->force_N() - last_N));
+    last_N = this->force_N();
+    ASSERT_NEAR(last_N, wall_N, stiffness * (notNoticed + sagitta(fine)) / scale) << "tick " << tick;
+    ASSERT_GE(Vec3(this->session_->GetProxyPosition()).norm(), radius - notNoticed - sagitta(fine)) << tick;
+  }
+  EXPECT_LE(notNoticed + sagitta(fine), 0.07 * depth); // so this was within 7 % of K p
+  EXPECT_LE(largestStep_N, 0.1);
+  EXPECT_EQ(this->session_->GetCappedTicks(), 0);
+  EXPECT_STREQ(this->session_->GetFaultText(), "");
+}
+
+TEST_F(HapticSessionPlan, TheSameDataAgainAreSimplerAtOnceAndOtherDataAreNot)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = makeSphere(radius, fine);
+  this->show(sphere);
+  ASSERT_TRUE(this->session_->FinishScene());
+  ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
+  const std::string before = this->sentence();
+  this->show(sphere);
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_EQ(this->sentence(), before);
+  this->show(makeSphere(radius, fine + 1));
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(fine + 1) + " triangles"));
+}
+
+TEST_F(HapticSessionPlan, TheNewestCommitCancelsWhatIsLookedForAndOnlyItsOwnSimplerSurfaceIsFelt)
+{
+  constexpr double depth = 2.0, shrunk = 1.0;
+  this->show(makeSphere(radius, fine));
+  ASSERT_TRUE(this->session_->FinishScene());
+  this->touch(depth);
+  this->show(makeSphere(radius - shrunk, fine + 1));
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(fine + 1) + " triangles"));
+  ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
+  EXPECT_THAT(this->sentence(), HasSubstr(" of " + trianglesOf(fine + 1) + " triangles are felt"));
+  this->session_->Step(ticksToSettle);
+  EXPECT_NEAR(this->force_N(), stiffness * (depth - shrunk) / scale, stiffness * (notNoticed + sagitta(fine)) / scale);
+  EXPECT_FALSE(this->session_->FinishSimplification() && this->sentence().starts_with("all"));
+}
+
+TEST_F(HapticSessionPlan, OffKeepsEveryTriangleAndSwitchedOffTheyAllComeBack)
+{
+  this->session_->SetSimplify(vtkHapticSession::Off);
+  this->show(makeSphere(radius, fine));
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_FALSE(this->session_->FinishSimplification());
+  const std::string all = "all " + trianglesOf(fine) + " triangles are felt (simpler surfaces are off)";
+  EXPECT_THAT(this->sentence(), StartsWith(all));
+  this->session_->SetSimplify(vtkHapticSession::Auto);
+  ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
+  EXPECT_THAT(this->sentence(), Not(StartsWith("all")));
+  this->session_->SetSimplify(vtkHapticSession::Off);
+  EXPECT_THAT(this->sentence(), StartsWith(all));
+  EXPECT_THAT(this->session_->GetSceneReport(), Not(HasSubstr("proven")));
+}
+
+TEST_F(HapticSessionPlan, ASmallSurfaceIsLeftAsItIsUnlessAskedFor)
+{
+  this->show(makeSphere(radius, coarse));
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_FALSE(this->session_->FinishSimplification());
+  EXPECT_THAT(this->sentence(), HasSubstr("simpler surfaces pay from 50000 triangles on"));
+  this->session_->SetSimplify(vtkHapticSession::On);
+  EXPECT_TRUE(this->session_->FinishSimplification());
+  EXPECT_THAT(this->sentence(), HasSubstr(" of " + trianglesOf(coarse) + " triangles are felt"));
+  // A ten times larger picture of it in the hand, and what went is felt.
+  this->session_->SetScale(scale / 10);
+  this->session_->Update();
+  EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(coarse) + " triangles"));
+  EXPECT_FALSE(this->session_->FinishSimplification());
+  EXPECT_THAT(this->sentence(), HasSubstr("its facets are no finer than a hand feels"));
+}
+
+TEST_F(HapticSessionPlan, WhatMovesOrHasMaterialFromArraysIsTouchedAsItIs)
+{
+  this->session_->SetSimplify(vtkHapticSession::On);
+  this->show(makeSphere(radius, coarse));
+  ASSERT_TRUE(this->session_->FinishScene());
+  this->show(makeSphere(radius + 1.0, coarse)); // a time step of the same triangles
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("refitted"));
+  EXPECT_FALSE(this->session_->FinishSimplification());
+  EXPECT_THAT(this->sentence(), HasSubstr("(what moves or deforms is touched as it is)"));
+  this->session_->SetFrictionArray("Normals");
+  this->show(makeSphere(radius, coarse + 1));
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_FALSE(this->session_->FinishSimplification());
+  EXPECT_THAT(this->sentence(), HasSubstr("(its material comes from arrays)"));
+}
+
+TEST_F(HapticSessionPlan, TheSentenceSaysWhatTouchesAndAChoiceThatIsNoneIsRefused)
+{
+  EXPECT_EQ(this->sentence(), "there is nothing to touch");
+  this->show(makePlane(radius));
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_THAT(this->sentence(), StartsWith("all 2 triangles are felt"));
+  EXPECT_THAT(this->sentence(), HasSubstr(", by a point without friction, through a tree of boxes"));
+  this->session_->SetRadius(1.5);
+  this->session_->SetFrictionStatic(0.5);
+  this->session_->SetFrictionKinetic(0.25);
+  EXPECT_THAT(this->sentence(), HasSubstr(", by a ball of 1.5 u with friction 0.5 at rest, 0.25 sliding,"));
+  const auto errors = errorsOf(this->session_, [this] { this->session_->SetSimplify(3); });
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr("simpler surfaces must be 0 (auto), 1 (off) or 2 (on)"));
+  EXPECT_EQ(this->session_->GetSimplify(), vtkHapticSession::Auto);
+}
