@@ -130,6 +130,8 @@ public:
   QLabel* Cost;
   QLabel* Ticks;
   QLabel* Scheduling;
+  QComboBox* Simplify;
+  QLabel* Plan;
   QPlainTextEdit* Scene;
   QTimer Refresh;
   pqPropertyLinks Links;
@@ -274,6 +276,12 @@ void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
 void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "sceneGroup", tr("Scene"));
+  this->Simplify = Choice(form->parentWidget(), "simplify",
+    tr("Surfaces finer than a hand feels are replaced by simpler ones, proven to feel the same; auto: from 50,000 "
+       "triangles on"));
+  form->addRow(tr("Simpler s&urfaces"), this->Simplify);
+  this->Plan = Value(form->parentWidget(), "plan", tr("What is felt of the scene, by what, and why"));
+  form->addRow(this->Plan);
   this->Scene = new QPlainTextEdit(form->parentWidget());
   this->Scene->setObjectName("scene");
   this->Scene->setReadOnly(true);
@@ -288,7 +296,7 @@ void pqHapticPanel::Internals::setTabOrder()
   QWidget* order[] = { this->Device, this->Hand, this->Touch, this->Release, this->Stiffness, this->Radius,
     this->LineRadius, this->Scale,
     this->Shading, this->Fit, this->FrictionStatic, this->FrictionKinetic, this->Limit, this->Passivity, this->Delay, this->Velocity,
-    this->Scene };
+    this->Simplify, this->Scene };
   for (std::size_t i = 1; i < std::size(order); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
@@ -373,6 +381,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   }
   Fill(w.Hand, proxy->GetProperty("Hand"));
   Fill(w.Velocity, proxy->GetProperty("VelocityMethod"));
+  Fill(w.Simplify, proxy->GetProperty("Simplify"));
   w.Device->clear();
   w.Device->addItems(pqHapticReadout::deviceNames(*vtkHapticSession::SafeDownCast(proxy->GetClientSideObject())));
   const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
@@ -391,6 +400,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   link(w.Passivity, "checked", SIGNAL(toggled(bool)), "Passivity");
   link(w.Delay, "value", SIGNAL(valueChanged(int)), "Delay");
   link(w.Velocity, "currentText", SIGNAL(currentTextChanged(const QString&)), "VelocityMethod");
+  link(w.Simplify, "currentText", SIGNAL(currentTextChanged(const QString&)), "Simplify");
   this->refresh();
 }
 
@@ -423,6 +433,7 @@ void pqHapticPanel::refresh()
   w.Cost->setText(now.Cost);
   w.Ticks->setText(now.Ticks);
   w.Scheduling->setText(now.Scheduling);
+  w.Plan->setText(now.Plan);
   const QString scene = controller->follower()->report() + now.Scene;
   if (scene != w.Scene->toPlainText())
   {

@@ -71,6 +71,7 @@ pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
   now.Ticks = QString("%1, missed %2").arg(session.GetTicks()).arg(session.GetMissed());
   now.Stability = QString("This device can hold %1.").arg(QString::fromUtf8(session.GetStabilitySentence()));
   now.Scheduling = QString::fromUtf8(session.GetSchedulingReport());
+  now.Plan = QString::fromUtf8(session.GetPlanSentence());
   now.Scene = QString::fromUtf8(session.GetSceneReport());
   return now;
 }

@@ -25,6 +25,7 @@ struct pqHapticReadout
   QString Ticks;
   QString Stability;
   QString Scheduling;
+  QString Plan;
   QString Scene;
 
   static pqHapticReadout of(vtkHapticSession& session);

@@ -50,6 +50,13 @@ vtkHapticBuiltScene Build(palpate::SceneBuilder& builder, const std::vector<palp
   vtkHapticBuiltScene result;
   result.Scene = built.scene;
   result.Report = Describe(built, materials);
+  for (const palpate::SurfaceReport& surface : built.reports)
+  {
+    if (surface.refusal.empty())
+    {
+      result.Deforms.push_back(surface.refitted);
+    }
+  }
   if (built.scene)
   {
     const palpate::Box& box = built.scene->surfaceTree().bounds;
@@ -287,4 +294,9 @@ std::optional<vtkHapticBuiltScene> vtkHapticSceneWorker::Wait()
     }
   }
   return std::nullopt;
+}
+
+std::uint64_t vtkHapticSceneWorker::TakeRevision()
+{
+  return this->Builder.takeRevision();
 }

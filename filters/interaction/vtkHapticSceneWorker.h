@@ -22,6 +22,7 @@ struct vtkHapticBuiltScene
   std::shared_ptr<const palpate::Scene> Scene; ///< null when nothing is touchable
   std::string Report;                          ///< a line a surface: what was repaired, refused and planned
   std::array<double, 6> Bounds{};              ///< of what is touchable: low and high x, y, z [u]
+  std::vector<bool> Deforms;                   ///< for each surface of the scene: its vertices have moved
   double Stamp = 0.0;                          ///< of the commit [s]
 };
 
@@ -52,6 +53,8 @@ public:
   std::optional<vtkHapticBuiltScene> Poll();
   /// The same, waiting for it. Nothing if no commit is open.
   std::optional<vtkHapticBuiltScene> Wait();
+  /// For a scene that is made from one of the worker's.
+  std::uint64_t TakeRevision();
 
 private:
   struct Kept

@@ -110,6 +110,8 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FrictionArray: " << this->GetFrictionArray() << "\n";
   os << indent << "TextureArray: " << this->GetTextureArray() << "\n";
   os << indent << "ForceShading: " << this->GetForceShading() << "\n";
+  os << indent << "Simplify: " << this->GetSimplify() << "\n";
+  os << indent << "Plan: " << this->GetPlanSentence() << "\n";
   os << indent << "Scale: " << this->GetScale() << " u/m\n";
   os << indent << "Stroke: " << this->Impl->Stroke_W.size() << " points, " << this->Impl->StrokeSpeed << " m/s\n";
   os << indent << "RecordFile: " << this->Impl->RecordFile << "\n";
@@ -257,6 +259,8 @@ void vtkHapticSession::Step(int ticks)
 void vtkHapticSession::Update()
 {
   this->Impl->TakeScene(this->Impl->Worker.Poll());
+  this->Impl->FollowRules();
+  this->Impl->TakeSimpler(this->Impl->VirtualTime ? std::nullopt : this->Impl->Simpler.Poll());
   this->Impl->ShowState();
   this->Impl->SettleScene();
 }
@@ -484,6 +488,7 @@ bool vtkHapticSession::AddSurface(const char* name, vtkDataObject* data, vtkMatr
 
 void vtkHapticSession::CommitScene()
 {
+  this->Impl->Simpler.Cancel();
   this->Impl->Worker.Commit(this->Impl->Now());
 }
 

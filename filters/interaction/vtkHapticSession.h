@@ -156,6 +156,30 @@ public:
   virtual double GetLineRadius() const;
   ///@}
 
+  /// Order of the choices as SetSimplify() takes them.
+  enum SimplifyChoices
+  {
+    Auto = 0,
+    Off = 1,
+    On = 2,
+  };
+
+  ///@{
+  /**
+   * Whether surfaces that are finer than a hand feels are replaced by simpler ones: once a scene is felt as it is they
+   * are looked for meanwhile, and swapped in where it is proven that no point of either surface is further from the other
+   * than a hand notices (7 % of a depth of 1 mm, or what the device resolves) and half of the triangles go. Never those
+   * that move, deform, or have curves or material arrays; with Auto (default) none of fewer than 50,000 triangles.
+   * In virtual time they wait for FinishSimplification(), which waits for them; true if any is felt.
+   */
+  virtual void SetSimplify(int choice);
+  virtual int GetSimplify() const;
+  bool FinishSimplification();
+  ///@}
+
+  /// What is felt of the scene and why, in one sentence: how many triangles, by a point or a ball, with what friction.
+  const char* GetPlanSentence() const;
+
   ///@{
   /// Scene units per metre of the hand's motion, > 0. Default 1000: data in millimetres feels as large as it is.
   virtual void SetScale(double scale_u_per_m);

@@ -6,6 +6,7 @@
 #include "haptics/session/HapticSession.h"
 #include "vtkHapticSceneWorker.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSimplerScene.h"
 #include "vtkTimeStamp.h"
 
 #include <string>
@@ -26,7 +27,13 @@ public:
   vtkTimeStamp MaterialTime;
   vtkHapticSceneWorker Worker;
   vtkHapticBuiltScene Built; ///< its scene as the servo has it, with motions
-  double HandOver = 0.0;     ///< from the commit of that scene until the servo could have it [s]
+  vtkHapticBuiltScene Full;  ///< the same with all triangles of the data
+  vtkHapticSimplerScene Simpler;
+  int Simplify = Auto;
+  palpate::SimplifyRules Rules; ///< that `Choices` were made by
+  std::vector<palpate::SurfaceChoice> Choices;
+  std::string PlanSentence;
+  double HandOver = 0.0; ///< from the commit of that scene until the servo could have it [s]
 
   std::string DeviceName = "fed";
   std::string RecordFile;
@@ -57,6 +64,15 @@ public:
   void TakeScene(std::optional<vtkHapticBuiltScene> built);
   /// Once what moved has rested for a while its poses go into the vertices: then touching it costs no more than ever.
   void SettleScene();
+  palpate::SimplifyRules RulesNow() const;
+  /// Says what of the full scene is felt, and looks for simpler surfaces of it.
+  void PlanScene();
+  /// Plans again if what the choice depends on has changed.
+  void FollowRules();
+  /// All triangles of the data again.
+  void RestoreFull();
+  /// Swaps them in.
+  void TakeSimpler(std::optional<palpate::SimplerScene> found);
   void ShowState();
   /// How stiff the running device can be, else the chosen one: milliseconds, for changes of what it depends on only.
   void JudgeStability();

@@ -30,7 +30,7 @@ void vtkHapticSession::Internals::TakeScene(std::optional<vtkHapticBuiltScene> b
   if (this->Core.running() && this->Built.Scene)
   {
     const palpate::HapticState& felt = this->Core.state();
-    const palpate::Scene& now = *this->Built.Scene;
+    const palpate::Scene& now = *this->Full.Scene; // what moves is felt with all its triangles
     const double share = felt.sceneRevision == now.revision() ? now.shareAt(felt.sceneAge_s) : 0.0;
     const double motion_s = std::clamp(built->Stamp - this->Built.Stamp, PeriodSeconds, longestMotion_s);
     built->Scene = palpate::movingFrom(now, share, built->Scene, motion_s);
@@ -38,6 +38,8 @@ void vtkHapticSession::Internals::TakeScene(std::optional<vtkHapticBuiltScene> b
   this->Built = std::move(*built);
   this->HandOver = std::max(0.0, this->Now() - this->Built.Stamp);
   this->Core.setScene(this->Built.Scene);
+  this->Full = this->Built;
+  this->PlanScene();
 }
 
 void vtkHapticSession::Internals::SettleScene()

@@ -198,7 +198,7 @@ SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs)
   }
   if (!surfaces.empty())
   {
-    result.scene = std::make_shared<const Scene>(++this->revision_, std::move(surfaces));
+    result.scene = std::make_shared<const Scene>(this->takeRevision(), std::move(surfaces));
   }
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -55,6 +56,8 @@ public:
   [[nodiscard]] SceneBuildResult build(const std::vector<SurfaceInput>& inputs);
   /// True if meshes and fields of all inputs were in the previous build: then build() takes no time worth a worker.
   [[nodiscard]] bool knows(const std::vector<SurfaceInput>& inputs) const;
+  /// For a scene that is made from one of the builder's: no other has it. Any thread, at any time.
+  [[nodiscard]] std::uint64_t takeRevision() { return ++this->revision_; }
 
 private:
   struct Kept
@@ -78,7 +81,7 @@ private:
   static void fitMaterial(const SurfaceInput& input, Kept& kept);
 
   unsigned workers_;
-  std::uint64_t revision_ = 0;
+  std::atomic<std::uint64_t> revision_ = 0;
   std::vector<Kept> kept_;
 };
 
