@@ -66,6 +66,10 @@ public:
         this->startAnew();
         continue;
       }
+      if (!this->result_.infeasible && this->solution_.y.norm() <= this->tol() && this->lookAgain())
+      {
+        continue;
+      }
       if (this->result_.infeasible || this->solution_.y.norm() <= this->tol())
       {
         break;
@@ -88,6 +92,9 @@ public:
     this->keepHeld();
     return this->result_;
   }
+
+  /// True if a point may go straight towards the device, whatever planes it carries with it.
+  [[nodiscard]] bool wayIsFree() noexcept { return !this->round() && this->isFree(this->p_W_ - this->x()); }
 
 private:
   [[nodiscard]] bool round() const noexcept { return this->plan_.radius_u > 0.0; }
@@ -420,6 +427,31 @@ private:
     }
   }
 
+  /// A point that rests in a corner of planes may be held by one of a face that is not there: it stands beside the face
+  /// by less than rounding. Where it has not moved in a tick the planes are found anew from the faces themselves, in exact
+  /// arithmetic; in a tick that moves this would cost more than it could find.
+  [[nodiscard]] bool lookAgain() noexcept
+  {
+    if (this->round() || this->solution_.count < 2 || this->startedAnew_ || this->result_.passes > 1)
+    {
+      return false;
+    }
+    this->startAnew();
+    return true;
+  }
+
+  /// True if a point may go along y for more than what rounding makes of a way into a plane.
+  [[nodiscard]] bool isFree(const Vec3& y) noexcept
+  {
+    const double much = 64 * this->tol(), way = y.norm();
+    if (way <= much)
+    {
+      return false;
+    }
+    const SweepHit hit = this->sweepOnce(this->x(), this->x() + y);
+    return (hit.hit ? hit.t : hit.freeUntil) * way > much;
+  }
+
   /// Slides under the touched planes to the last supported point or to the next obstacle. False: the tick is over.
   [[nodiscard]] bool slide() noexcept
   {
@@ -562,6 +594,11 @@ ContactResult moveUnderFriction(
       return landing;
     }
     verdict = judgeFriction(scene, plan, p_W, state);
+  }
+  if (verdict.motion == FrictionMotion::Sticks && Tick(scene, plan, p_W, state, sink).wayIsFree())
+  {
+    state.count = 0; // it stands beside what seems to hold it
+    return Tick(scene, plan, p_W, state, sink).run();
   }
   ContactResult result;
   result.proxy_W = state.x_W;
