@@ -43,6 +43,7 @@ void runPlaneWedge(const Conditions& conditions, Table& table);
 void runImageCurves(const Conditions& conditions, Table& table);
 void runSlantedWall(const Conditions& conditions, Table& table);
 void runCorridor(const Conditions& conditions, Table& table);
+void runPlan(const Conditions& conditions, Table& table);
 void runSmallestFeature(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab
