@@ -46,7 +46,7 @@ class Tick
 {
 public:
   Tick(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
-    : scene_(scene), plan_(plan), p_W_(p_W), state_(state), sink_(sink),
+    : scene_(scene), plan_(plan), p_W_(p_W), start_W_(state.x_W), state_(state), sink_(sink),
       scale_u_(plan.radius_u + sceneOf(scene).leastCoat_u()), contacts_(scene, plan.radius_u, state)
   {
     this->contacts_.include(p_W);
@@ -432,7 +432,9 @@ private:
   /// arithmetic; in a tick that moves this would cost more than it could find.
   [[nodiscard]] bool lookAgain() noexcept
   {
-    if (this->round() || this->solution_.count < 2 || this->startedAnew_ || this->result_.passes > 1)
+    constexpr double hardly = 1e-6; // of the way to the device; nothing here may depend on rounding
+    const double moved = (this->x() - this->start_W_).norm(), left = (this->p_W_ - this->x()).norm();
+    if (this->round() || this->solution_.count < 2 || this->startedAnew_ || moved > hardly * left)
     {
       return false;
     }
@@ -567,6 +569,7 @@ private:
   const SceneView& scene_;
   const ContactPlan& plan_;
   const Vec3 p_W_;
+  const Vec3 start_W_; ///< where the ball was before
   GodObjectState& state_;
   PathSink* sink_;
   const double scale_u_; ///< ball and thinnest curve: what a way is long or short against
