@@ -50,6 +50,19 @@ function (_palpate_set_properties test)
     LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${arg_ENVIRONMENT}")
 endfunction ()
 
+# Parsing the headers that every test includes is most of its compile time: one test compiles them, those with the same flags
+# take them over.
+function (_palpate_share_headers target)
+  get_property(owner GLOBAL PROPERTY PALPATE_TEST_HEADERS_OWNER)
+  if (owner)
+    target_precompile_headers("${target}" REUSE_FROM "${owner}")
+    return ()
+  endif ()
+  target_precompile_headers("${target}" PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry>
+    <algorithm> <memory> <string> <vector>)
+  set_property(GLOBAL PROPERTY PALPATE_TEST_HEADERS_OWNER "${target}")
+endfunction ()
+
 # palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [VTK_MODULES VTK::IOXML ...])
 # A GoogleTest program linked to the core and testing/support; each TEST becomes a ctest "name.Suite.Test".
 # Label: unit. CGAL: the sources use CGAL (oracles). VTK_MODULES: linked and auto-initialised.
@@ -60,6 +73,9 @@ function (palpate_add_unit_test)
     GTest::gmock GTest::gtest_main)
   if (arg_CGAL)
     target_link_libraries("${arg_NAME}" PRIVATE CGAL::CGAL)
+  endif ()
+  if (NOT arg_CGAL AND NOT arg_LIBRARIES AND NOT arg_VTK_MODULES)
+    _palpate_share_headers("${arg_NAME}")
   endif ()
   if (arg_VTK_MODULES)
     vtk_module_autoinit(TARGETS "${arg_NAME}" MODULES ${arg_VTK_MODULES})
