@@ -277,23 +277,20 @@ std::optional<vtkHapticBuiltScene> vtkHapticSceneWorker::Poll()
   vtkHapticBuiltScene built = this->Running.get();
   if (this->Again)
   {
-    this->Launch();
-    return std::nullopt;
+    this->Launch(); // what is done is felt meanwhile: commits may come faster than builds for as long as they like
   }
   return built;
 }
 
 std::optional<vtkHapticBuiltScene> vtkHapticSceneWorker::Wait()
 {
+  std::optional<vtkHapticBuiltScene> newest;
   while (this->Running.valid())
   {
     this->Running.wait();
-    if (auto built = this->Poll())
-    {
-      return built;
-    }
+    newest = this->Poll();
   }
-  return std::nullopt;
+  return newest;
 }
 
 std::uint64_t vtkHapticSceneWorker::TakeRevision()

@@ -49,9 +49,9 @@ public:
   /// Bakes the poses of what was committed into the vertices and commits that: it costs less to touch.
   void Settle();
 
-  /// The newest scene, once, when it is done; nothing else.
+  /// The newest scene that is done, once.
   std::optional<vtkHapticBuiltScene> Poll();
-  /// The same, waiting for it. Nothing if no commit is open.
+  /// The scene of the newest commit, waiting for it. Nothing if no commit is open.
   std::optional<vtkHapticBuiltScene> Wait();
   /// For a scene that is made from one of the worker's.
   std::uint64_t TakeRevision();
