@@ -8,7 +8,6 @@
 
 #include "VtkScenes.h"
 #include "haptics/session/Recording.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticStroke.h"
@@ -56,21 +55,6 @@ protected:
     ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
     this->session_->Step(ticksToEngage);
     ASSERT_EQ(this->session_->GetEngageState(), vtkHapticSession::Engaged);
-  }
-
-  /// Runs `change` and returns what it reported as errors; prints nothing.
-  template<class Change>
-  std::vector<std::string> errorsOfChange(Change change)
-  {
-    std::vector<std::string> errors;
-    vtkNew<vtkCallbackCommand> listener;
-    listener->SetClientData(&errors);
-    listener->SetCallback([](vtkObject*, unsigned long, void* list, void* text)
-      { static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<const char*>(text)); });
-    const unsigned long tag = this->session_->AddObserver(vtkCommand::ErrorEvent, listener);
-    change();
-    this->session_->RemoveObserver(tag);
-    return errors;
   }
 
   [[nodiscard]] Vec3 force() const { return Vec3(this->session_->GetForce()); }
@@ -230,13 +214,13 @@ TEST_F(HapticSession, NumbersThatCannotBeAreRefusedAndTheOldOnesStay)
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : { -1.0, std::nan(""), infinity })
   {
-    EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetStiffness(bad); }).at(0), HasSubstr("stiffness"));
-    EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetRadius(bad); }).at(0), HasSubstr("radius"));
-    EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetScale(bad); }).at(0), HasSubstr("scale"));
-    EXPECT_THAT(this->errorsOfChange([&] { this->session_->SetStrokeSpeed(bad); }).at(0), HasSubstr("speed"));
+    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetStiffness(bad); }).at(0), HasSubstr("stiffness"));
+    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetRadius(bad); }).at(0), HasSubstr("radius"));
+    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetScale(bad); }).at(0), HasSubstr("scale"));
+    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetStrokeSpeed(bad); }).at(0), HasSubstr("speed"));
   }
-  EXPECT_THAT(
-    this->errorsOfChange([&] { this->session_->SetRotation(1.0, 1.0, 0.0, 0.0); }).at(0), HasSubstr("unit quaternion"));
+  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetRotation(1.0, 1.0, 0.0, 0.0); }).at(0),
+    HasSubstr("unit quaternion"));
   EXPECT_EQ(this->session_->GetStiffness(), stiffness);
   EXPECT_EQ(this->session_->GetRadius(), 0.0);
   EXPECT_EQ(this->session_->GetScale(), scale);
@@ -244,7 +228,7 @@ TEST_F(HapticSession, NumbersThatCannotBeAreRefusedAndTheOldOnesStay)
 
 TEST_F(HapticSession, AnUnknownDeviceIsRefusedByNameAndTheOldOneStays)
 {
-  const auto errors = this->errorsOfChange([&] { this->session_->SetDeviceName("touchstone"); });
+  const auto errors = errorsOf(this->session_, [&] { this->session_->SetDeviceName("touchstone"); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("touchstone"));
   EXPECT_THAT(errors[0], HasSubstr("fed"));
@@ -255,7 +239,7 @@ TEST_F(HapticSession, AnUnknownDeviceIsRefusedByNameAndTheOldOneStays)
 TEST_F(HapticSession, ASimulatedHandWithoutAStrokeDoesNotStart)
 {
   this->session_->SetDeviceName("simulated-ideal");
-  const auto errors = this->errorsOfChange([&] { this->session_->TouchingOn(); });
+  const auto errors = errorsOf(this->session_, [&] { this->session_->TouchingOn(); });
   EXPECT_EQ(errors.size(), 1u);
   EXPECT_FALSE(this->session_->GetTouching());
 }
@@ -264,7 +248,7 @@ TEST_F(HapticSession, ARecordingThatCannotBeReadDoesNotStart)
 {
   this->session_->SetDeviceName("replay");
   this->session_->SetReplayFile("nowhere.palpate");
-  const auto errors = this->errorsOfChange([&] { this->session_->TouchingOn(); });
+  const auto errors = errorsOf(this->session_, [&] { this->session_->TouchingOn(); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("nowhere.palpate"));
   EXPECT_FALSE(this->session_->GetTouching());
@@ -273,7 +257,7 @@ TEST_F(HapticSession, ARecordingThatCannotBeReadDoesNotStart)
 TEST_F(HapticSession, ARecordFileThatCannotBeWrittenDoesNotStart)
 {
   this->session_->SetRecordFile("no/such/folder/x.palpate");
-  const auto errors = this->errorsOfChange([&] { this->session_->TouchingOn(); });
+  const auto errors = errorsOf(this->session_, [&] { this->session_->TouchingOn(); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("no/such/folder/x.palpate"));
   EXPECT_FALSE(this->session_->GetTouching());
@@ -282,7 +266,7 @@ TEST_F(HapticSession, ARecordFileThatCannotBeWrittenDoesNotStart)
 TEST_F(HapticSession, ASurfaceWithoutPolygonsIsRefusedByNameAndTheSceneStays)
 {
   this->session_->ClearSurfaces();
-  const auto errors = this->errorsOfChange(
+  const auto errors = errorsOf(this->session_,
     [&] {
       this->session_->AddSurface("path", makePath({ Vec3::Zero(), Vec3::Ones() }), nullptr);
     });
@@ -311,7 +295,7 @@ TEST_F(HapticSession, LinesAreTouchedOnceTheyHaveARadiusAndTheReportSaysSo)
               "by a ball of 0.0025 u"));
   ASSERT_TRUE(this->session_->GetSceneBounds(thick));
   EXPECT_NEAR(thick[5] - flat[5], radius, 1e-6);
-  const auto errors = this->errorsOfChange([&] { this->session_->SetLineRadius(std::nan("")); });
+  const auto errors = errorsOf(this->session_, [&] { this->session_->SetLineRadius(std::nan("")); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("radius of lines"));
   EXPECT_EQ(this->session_->GetLineRadius(), radius);

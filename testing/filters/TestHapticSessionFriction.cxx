@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "VtkScenes.h"
-#include "vtkCallbackCommand.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
 using namespace palpate;
 using namespace palpate::testing;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 namespace
@@ -62,15 +62,8 @@ protected:
 
   void expectRefused(double coefficient, void (vtkHapticSession::*set)(double))
   {
-    std::string error;
-    vtkNew<vtkCallbackCommand> listener;
-    listener->SetClientData(&error);
-    listener->SetCallback([](vtkObject*, unsigned long, void* first, void* text)
-      { *static_cast<std::string*>(first) = static_cast<const char*>(text); });
-    const unsigned long tag = this->session_->AddObserver(vtkCommand::ErrorEvent, listener);
-    (this->session_.Get()->*set)(coefficient);
-    this->session_->RemoveObserver(tag);
-    EXPECT_THAT(error, HasSubstr("friction")) << coefficient;
+    const auto errors = errorsOf(this->session_, [&] { (this->session_.Get()->*set)(coefficient); });
+    EXPECT_THAT(errors, ElementsAre(HasSubstr("friction"))) << coefficient;
   }
 
   vtkNew<vtkHapticSession> session_;
