@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "haptics/contact/TickState.h"
+#include "haptics/contact/VertexDescent.h"
+
+namespace palpate
+{
+
+/// A left face obstructs if the way dips into its plane and leads back over it.
+template<class SceneView>
+[[nodiscard]] bool obstructs(const TickState<SceneView>& tick, const ActiveFeature& f, const Vec3& y) noexcept
+{
+  const auto& s = tick.contacts.surface(f);
+  if (f.side * s.face(f.a).normal_W.dot(y) >= 0.0)
+  {
+    return false;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    if (outsideOfEdge(s, f.a, k, tick.x()) > -8 * tick.del() && outwardNormal(s, f.a, k).dot(y) > 0.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Nearest point under the touched planes and those left faces that turn out to obstruct it.
+template<class SceneView>
+void project(TickState<SceneView>& tick) noexcept
+{
+  bool again = true;
+  while (again)
+  {
+    tick.solution = tick.contacts.solve(tick.p_W - tick.x(), tick.contacts.lift());
+    again = false;
+    for (int i = 0; i < tick.left.count() && !again; ++i)
+    {
+      if (obstructs(tick, tick.left[i].face, tick.solution.y))
+      {
+        tick.contacts.add(tick.left[i].face);
+        tick.left.remove(i);
+        again = true;
+      }
+    }
+  }
+  tick.result.infeasible = !tick.solution.feasible;
+}
+
+/// A point at a vertex is held by half-spaces, of which on a saddle not each is an obstacle, and which of them it
+/// brought along depends on its way there. What holds it is found anew from the surface itself, once at each place.
+template<class SceneView>
+void reconsiderVertex(TickState<SceneView>& tick) noexcept
+{
+  if (tick.round() || tick.solution.count == 0 || tick.x() == tick.reconsideredAt_W)
+  {
+    return;
+  }
+  for (int k = 0; k < tick.solution.count; ++k)
+  {
+    const ActiveFeature f = tick.contacts.feature(tick.solution.active[static_cast<std::size_t>(k)]);
+    const auto& s = tick.contacts.surface(f);
+    const std::uint32_t v = cornerAt(s, f, tick.x(), tick.tol());
+    if (v == SurfaceData::none)
+    {
+      continue;
+    }
+    tick.reconsideredAt_W = tick.x();
+    const std::optional<Descent> descent = descendFromVertex(s, f, v, tick.x(), tick.p_W - tick.x());
+    if (descent && descent->gain > tick.tol())
+    {
+      tick.forgetContacts();
+      for (int i = 0; i < descent->count; ++i)
+      {
+        tick.contacts.add(descent->faces[static_cast<std::size_t>(i)]);
+      }
+      project(tick);
+    }
+    return;
+  }
+}
+
+/// Forgets what holds the ball, so that sweeps find it anew, once a tick. False: that has been done.
+template<class SceneView>
+[[nodiscard]] bool startAnew(TickState<SceneView>& tick) noexcept
+{
+  if (tick.startedAnew)
+  {
+    return false;
+  }
+  tick.forgetContacts();
+  tick.result.infeasible = false;
+  tick.startedAnew = true;
+  return true;
+}
+
+/// A point that rests in a corner of planes may be held by one of a face that is not there: it stands beside the face
+/// by less than rounding. Where it has not moved in a tick the planes are found anew from the faces themselves, in
+/// exact arithmetic; in a tick that moves this would cost more than it could find.
+template<class SceneView>
+[[nodiscard]] bool lookAgain(TickState<SceneView>& tick) noexcept
+{
+  constexpr double hardly = 1e-6; // of the way to the device; nothing here may depend on rounding
+  const double moved = (tick.x() - tick.start_W).norm(), left = (tick.p_W - tick.x()).norm();
+  if (tick.round() || tick.solution.count < 2 || moved > hardly * left)
+  {
+    return false;
+  }
+  return startAnew(tick);
+}
+
+} // namespace palpate

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/contact/Roll.h"
+#include "haptics/contact/TickState.h"
+
+namespace palpate
+{
+
+/// True if the ball would lie deeper than rounding in a touched feature, which sweeps leave out.
+template<class SceneView>
+[[nodiscard]] bool wouldOverlap(const TickState<SceneView>& tick, const Vec3& end_W) noexcept
+{
+  for (const ActiveFeature& f : tick.contacts.features())
+  {
+    const bool under = f.kind != FeatureKind::Face || projectsInside(tick.contacts.surface(f), f.a, end_W, 0.0);
+    if (under && planeOf(tick.contacts.surface(f), f, end_W, tick.plan.radius_u).gap < -tick.tol())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Takes the way over the corner if it ends nearer to the device.
+template<class SceneView>
+[[nodiscard]] bool commitRoll(TickState<SceneView>& tick, const Vec3& corner_W, const Vec3& end_W, const SweepHit& hit,
+  double tolerance_u2) noexcept
+{
+  if (wouldOverlap(tick, corner_W) || wouldOverlap(tick, end_W))
+  {
+    return false;
+  }
+  if ((end_W - tick.p_W).squaredNorm() >= (tick.x() - tick.p_W).squaredNorm() + tolerance_u2)
+  {
+    return false;
+  }
+  tick.moveOver(corner_W, end_W);
+  tick.touch(hit);
+  return true;
+}
+
+/// Goes the planned way as far as it is free.
+template<class SceneView>
+[[nodiscard]] bool tryRoll(TickState<SceneView>& tick, const RollPlan& plan) noexcept
+{
+  const Vec3 corner_W = tick.x() + plan.first;
+  Vec3 end_W = tick.x() + plan.second;
+  const SweepHit first = tick.sweep(tick.x(), corner_W);
+  if (first.hit && first.t * plan.first.norm() <= tick.tol())
+  {
+    tick.contacts.add(first.feature); // it is touched already: the next projection takes it into account
+    return true;
+  }
+  if (first.freeUntil < 1.0)
+  {
+    return false;
+  }
+  if (first.hit)
+  {
+    end_W = tick.x() + first.t * plan.first;
+    return commitRoll(tick, end_W, end_W, first, 0.0);
+  }
+  const SweepHit second = tick.sweep(corner_W, end_W);
+  if (second.freeUntil < 1.0)
+  {
+    return false;
+  }
+  if (second.hit)
+  {
+    end_W = corner_W + second.t * (end_W - corner_W);
+  }
+  return commitRoll(tick, corner_W, end_W, second, plan.tolerance_u2);
+}
+
+/// Rolls the ball round an edge or a vertex if that brings it nearer to the device; false if a plain slide is due.
+template<class SceneView>
+[[nodiscard]] bool rollBall(TickState<SceneView>& tick) noexcept
+{
+  double turn = 2.0;
+  for (const double mostTurn : { 1.0, 0.2, 0.04 })
+  {
+    if (mostTurn >= turn)
+    {
+      continue; // the last plan turned less than that already
+    }
+    const RollPlan plan =
+      RollPlanner<SceneView>(tick.contacts, tick.x(), tick.p_W, tick.plan.radius_u, tick.solution, mostTurn).plan();
+    if (!plan.worthwhile)
+    {
+      return false;
+    }
+    if (tryRoll(tick, plan))
+    {
+      return true;
+    }
+    turn = plan.turn;
+  }
+  return false;
+}
+
+} // namespace palpate

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/contact/StopPoint.h"
+#include "haptics/contact/TickState.h"
+
+namespace palpate
+{
+
+/// What limits a straight slide: how far every holding feature supports it, and which one ends first.
+struct Slide
+{
+  double t = 1.0;
+  int ends = -1;              ///< index of the feature that is left at t, or -1
+  ActiveFeature successor;    ///< the edge or vertex over which it is left
+  std::uint32_t lastFace = 0; ///< the face from which that edge was reached
+};
+
+/// How far feature i supports a slide along y, and what a ball comes to lie on there.
+template<class SceneView>
+[[nodiscard]] Slide limitBy(TickState<SceneView>& tick, int i, const Vec3& y) noexcept
+{
+  const ActiveFeature& f = tick.contacts.feature(i);
+  const auto& s = tick.contacts.surface(f);
+  Slide slide{ 1.0, i, f };
+  if (f.kind == FeatureKind::Face)
+  {
+    const FaceExit exit = walkFace(s, f.a, tick.x(), y, tick.del());
+    slide.t = exit.t;
+    slide.successor = { f.surface, exit.i, exit.j, FeatureKind::Edge, 1, false };
+    slide.lastFace = exit.triangle;
+    return slide;
+  }
+  slide.t = exitRound(s, f, tick.x(), y, tick.plan.radius_u, tick.del());
+  if (f.kind == FeatureKind::Edge)
+  {
+    const std::uint32_t end = edgeLine(s, f.a, f.b).unit.dot(y) > 0.0 ? f.b : f.a;
+    slide.successor = { f.surface, end, 0, FeatureKind::Vertex, 1, false };
+  }
+  return slide;
+}
+
+template<class SceneView>
+[[nodiscard]] Slide limitSlide(TickState<SceneView>& tick) noexcept
+{
+  Slide least;
+  const Vec3& y = tick.solution.y;
+  for (int k = 0; k < tick.solution.count; ++k)
+  {
+    const int i = tick.solution.active[k];
+    const ActiveFeature& f = tick.contacts.feature(i);
+    if (tick.solution.lambda[k] <= 0.0)
+    {
+      continue;
+    }
+    Slide slide = limitBy(tick, i, y);
+    if (f.stuck && slide.t * y.norm() <= 4 * tick.tol())
+    {
+      const FaceRecord& face = tick.contacts.surface(f).face(f.a);
+      slide = { 1e-4 * (face.corner_W[1] - face.corner_W[0]).norm() / y.norm(), -1, f };
+    }
+    if (slide.t < least.t)
+    {
+      least = slide;
+    }
+  }
+  return least;
+}
+
+/// A ball that slides off a face lies on its edge, off an edge on its end; a point comes over the next face.
+template<class SceneView>
+void leave(TickState<SceneView>& tick, const Slide& limit) noexcept
+{
+  const ActiveFeature left = tick.contacts.feature(limit.ends);
+  tick.contacts.remove(limit.ends);
+  if (tick.round())
+  {
+    tick.contacts.add(limit.successor);
+    return;
+  }
+  tick.left.add(left, tick.x());
+  const auto& s = tick.contacts.surface(left);
+  ActiveFeature next = left;
+  next.a = s.neighbour(limit.lastFace, limit.successor.a, limit.successor.b);
+  if (next.a != SurfaceData::none)
+  {
+    next.side = static_cast<std::int8_t>(sideOf(s, next.a, tick.x()));
+    if (next.side != 0)
+    {
+      tick.contacts.add(next); // settle() drops it again where it does not hold
+    }
+  }
+}
+
+template<class SceneView>
+void stopBall(TickState<SceneView>& tick, const SweepHit& hit, const Vec3& to_W) noexcept
+{
+  tick.moveTo(tick.x() + hit.t * (to_W - tick.x()));
+  tick.touch(hit);
+}
+
+/// Slides under the touched planes to the last supported point or to the next obstacle. False: the tick is over.
+template<class SceneView>
+[[nodiscard]] bool slideOn(TickState<SceneView>& tick) noexcept
+{
+  const Slide limit = limitSlide(tick);
+  const bool straight = tick.solution.count == 0 && limit.t >= 1.0;
+  const Vec3 to_W = straight ? tick.p_W : Vec3(tick.x() + limit.t * tick.solution.y);
+  const SweepHit hit = tick.sweep(tick.x(), to_W);
+  if (hit.freeUntil < 1.0 && !hit.hit)
+  {
+    if (tick.round())
+    {
+      tick.moveTo(tick.x() + hit.freeUntil * (to_W - tick.x()));
+      tick.settle();
+    }
+    return false;
+  }
+  if (hit.hit)
+  {
+    tick.round() ? stopBall(tick, hit, to_W) : stopPoint(tick, hit, to_W);
+    return !tick.result.overBudget;
+  }
+  tick.moveTo(to_W);
+  if (limit.ends >= 0)
+  {
+    leave(tick, limit);
+  }
+  tick.settle();
+  return !(tick.contacts.count() == 0 && tick.x() == tick.p_W);
+}
+
+} // namespace palpate

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/contact/TickState.h"
+
+namespace palpate
+{
+
+/// Attempts to stop a point just before what it hits, each a little further off.
+inline constexpr int stopAttempts = 6;
+
+/// A face left here and hit again without progress comes back, with all that were left after it.
+template<class SceneView>
+void returnStuck(TickState<SceneView>& tick, const ActiveFeature& f, const Vec3& wanted) noexcept
+{
+  for (int i = 0; i < tick.left.count(); ++i)
+  {
+    const LeftFaces::Entry& entry = tick.left[i];
+    const double near = 4 * tick.tol();
+    if (entry.face.surface == f.surface && entry.face.a == f.a && (tick.x() - entry.leftAt_W).norm() <= near &&
+        wanted.norm() <= near)
+    {
+      for (int j = i; j < tick.left.count(); ++j)
+      {
+        ActiveFeature back = tick.left[j].face;
+        back.stuck = true;
+        tick.contacts.add(back);
+      }
+      tick.left.clear();
+      return;
+    }
+  }
+}
+
+/// Stops a point just before what it hits. Each committed way is one that the exact sweep found free.
+template<class SceneView>
+void stopPoint(TickState<SceneView>& tick, const SweepHit& hit, const Vec3& to_W) noexcept
+{
+  const Vec3 wanted = hit.t * (to_W - tick.x());
+  returnStuck(tick, hit.feature, wanted);
+  SweepHit next = hit;
+  double lift = tick.contacts.lift();
+  for (int attempt = 0; attempt < stopAttempts; ++attempt, lift *= 2)
+  {
+    tick.contacts.add(next.feature);
+    const ProjectionResult stop = tick.contacts.solve(wanted, lift);
+    if (!stop.feasible)
+    {
+      break;
+    }
+    const Vec3 end_W = tick.x() + stop.y;
+    next = tick.sweep(tick.x(), end_W);
+    if (next.freeUntil < 1.0)
+    {
+      break;
+    }
+    if (!next.hit)
+    {
+      tick.moveTo(end_W);
+      tick.settle(&hit.feature);
+      return;
+    }
+  }
+}
+
+} // namespace palpate

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "haptics/contact/HoldingPlanes.h"
+#include "haptics/contact/RollMove.h"
+#include "haptics/contact/SlideMove.h"
+#include "haptics/contact/TickState.h"
+
+namespace palpate
+{
+
+/// Passes beyond the cap, used only while the ball touches nothing: they bring it back to contact.
+inline constexpr std::uint32_t settlingPasses = 2;
+
+/// The god-object without friction and shading: pass after pass it is projected, rolled or slid until it rests.
+template<class SceneView>
+class Tick
+{
+public:
+  Tick(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
+    : tick_(scene, plan, p_W, state, sink)
+  {
+  }
+
+  /// `landing`: ends as soon as anything is touched.
+  ContactResult run(bool landing = false) noexcept
+  {
+    this->tick_.contacts.relinearise();
+    for (std::uint32_t pass = 0;; ++pass)
+    {
+      this->tick_.result.passes = static_cast<int>(pass) + 1;
+      project(this->tick_);
+      reconsiderVertex(this->tick_);
+      if (this->tick_.result.infeasible || this->tick_.rests())
+      {
+        // Planes that contradict each other are no place to be.
+        if (this->tick_.result.infeasible ? startAnew(this->tick_) : lookAgain(this->tick_))
+        {
+          continue;
+        }
+        break;
+      }
+      if (this->isCapped(pass))
+      {
+        break;
+      }
+      if (this->tick_.round() && rollBall(this->tick_))
+      {
+        continue;
+      }
+      if (!slideOn(this->tick_) || (landing && this->tick_.contacts.count() > 0))
+      {
+        break;
+      }
+    }
+    this->tick_.result.proxy_W = this->tick_.x();
+    this->keepHeld();
+    return this->tick_.result;
+  }
+
+  /// True if a point may go straight towards the device for more than what rounding makes of a way into a plane,
+  /// whatever planes it carries with it.
+  [[nodiscard]] bool wayIsFree() noexcept
+  {
+    const Vec3 y = this->tick_.p_W - this->tick_.x();
+    const double much = 64 * this->tick_.tol(), way = y.norm();
+    if (this->tick_.round() || way <= much)
+    {
+      return false;
+    }
+    const SweepHit hit = this->tick_.sweepOnce(this->tick_.x(), this->tick_.x() + y);
+    return (hit.hit ? hit.t : hit.freeUntil) * way > much;
+  }
+
+private:
+  [[nodiscard]] bool isCapped(std::uint32_t pass) noexcept
+  {
+    const std::uint32_t cap = this->tick_.plan.passCap;
+    this->tick_.result.capped = pass >= cap + settlingPasses || (pass >= cap && this->tick_.contacts.count() > 0);
+    return this->tick_.result.capped;
+  }
+
+  void keepHeld() noexcept
+  {
+    const ProjectionResult& solution = this->tick_.solution;
+    ContactResult& result = this->tick_.result;
+    for (int k = 0; k < solution.count; ++k)
+    {
+      if (solution.lambda[k] > this->tick_.tol() && solution.active[k] < this->tick_.contacts.count())
+      {
+        result.held[static_cast<std::size_t>(result.heldCount++)] = { this->tick_.contacts.feature(solution.active[k]),
+          solution.lambda[k] };
+      }
+    }
+    result.contacts = result.heldCount;
+  }
+
+  TickState<SceneView> tick_;
+};
+
+} // namespace palpate

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "haptics/contact/ContactSet.h"
+#include "haptics/contact/LeftFaces.h"
+#include "haptics/contact/Neighbourhood.h"
+#include "haptics/contact/PosedSurface.h"
+#include "haptics/contact/Sweep.h"
+
+namespace palpate
+{
+
+/// In radii of the roundest thing that is touched: of a way longer than longWay the first firstPart is looked at alone.
+inline constexpr double longWay = 0.2;
+inline constexpr double firstPart = 0.02;
+
+/// What the moves of one tick share: the ball on its way, what it touches, and what that cost so far.
+/// Only for the tick (Tick.h) and its moves. Servo thread; no allocation.
+template<class SceneView>
+struct TickState
+{
+  TickState(
+    const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
+    : scene(scene), plan(plan), p_W(p_W), start_W(state.x_W), state(state), sink(sink),
+      scale_u(plan.radius_u + sceneOf(scene).leastCoat_u()), contacts(scene, plan.radius_u, state)
+  {
+    this->contacts.include(p_W);
+  }
+
+  [[nodiscard]] bool round() const noexcept { return this->plan.radius_u > 0.0; }
+  [[nodiscard]] double tol() const noexcept { return this->contacts.resolution().tol(); }
+  [[nodiscard]] double del() const noexcept { return this->contacts.resolution().del(); }
+  [[nodiscard]] const Vec3& x() const noexcept { return this->state.x_W; }
+  /// There is no way on under the planes that hold the ball.
+  [[nodiscard]] bool rests() const noexcept { return this->solution.y.norm() <= this->tol(); }
+
+  /// A long way of a ball is looked at in two parts: mostly it ends soon, and the first part is cheap.
+  [[nodiscard]] SweepHit sweep(const Vec3& from_W, const Vec3& to_W) noexcept;
+  [[nodiscard]] SweepHit sweepOnce(const Vec3& from_W, const Vec3& to_W) noexcept;
+  void moveTo(const Vec3& to_W) noexcept;
+  /// A move over a corner: the way has two pieces, the bookkeeping is done once.
+  void moveOver(const Vec3& corner_W, const Vec3& to_W) noexcept;
+  /// Drops what no longer holds, never `keep`.
+  void settle(const ActiveFeature* keep = nullptr) noexcept;
+  /// Adds what was hit, if anything, and drops what no longer holds.
+  void touch(const SweepHit& hit) noexcept;
+  void forgetContacts() noexcept;
+
+  const SceneView& scene;
+  const ContactPlan& plan;
+  const Vec3 p_W;
+  const Vec3 start_W; ///< where the ball was before
+  GodObjectState& state;
+  PathSink* sink;
+  const double scale_u; ///< ball and thinnest curve: what a way is long or short against
+  ContactSet<SceneView> contacts;
+  LeftFaces left;
+  Vec3 reconsideredAt_W = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Neighbourhood near;
+  ProjectionResult solution;
+  ContactResult result;
+  bool startedAnew = false;
+};
+
+template<class SceneView>
+SweepHit TickState<SceneView>::sweep(const Vec3& from_W, const Vec3& to_W) noexcept
+{
+  const double length = (to_W - from_W).norm();
+  if (length > longWay * this->scale_u && this->round())
+  {
+    const double part = firstPart * this->scale_u / length;
+    SweepHit hit = this->sweepOnce(from_W, from_W + part * (to_W - from_W));
+    if (hit.hit || hit.freeUntil < 1.0)
+    {
+      hit.t *= part;
+      hit.freeUntil = hit.freeUntil < 1.0 ? hit.freeUntil * part : 1.0;
+      return hit;
+    }
+  }
+  return this->sweepOnce(from_W, to_W);
+}
+
+template<class SceneView>
+SweepHit TickState<SceneView>::sweepOnce(const Vec3& from_W, const Vec3& to_W) noexcept
+{
+  SweepQuery query;
+  query.from_W = from_W;
+  query.to_W = to_W;
+  query.radius_u = this->plan.radius_u;
+  query.resolution = this->contacts.resolution();
+  query.resolution.include(to_W);
+  if (this->round())
+  {
+    query.touched = this->contacts.features();
+  }
+  const std::uint32_t left = this->plan.nodeBudget - std::min(this->plan.nodeBudget, this->result.nodes);
+  // Half of the ticks need one sweep only: gathering what is around pays from the second on.
+  const bool gather = this->result.sweeps >= 1 && (to_W - from_W).norm() <= longWay * this->scale_u;
+  const SweepHit hit = sweepBall(this->scene, query, left, gather ? &this->near : nullptr);
+  ++this->result.sweeps;
+  this->result.nodes += hit.nodes;
+  this->result.overBudget |= hit.freeUntil < 1.0;
+  return hit;
+}
+
+template<class SceneView>
+void TickState<SceneView>::moveTo(const Vec3& to_W) noexcept
+{
+  const Vec3 from_W = this->x();
+  this->moveOver(from_W, to_W);
+}
+
+template<class SceneView>
+void TickState<SceneView>::moveOver(const Vec3& corner_W, const Vec3& to_W) noexcept
+{
+  if (this->sink != nullptr)
+  {
+    if (corner_W != this->x())
+    {
+      this->sink->segment(this->x(), corner_W);
+    }
+    this->sink->segment(corner_W, to_W);
+  }
+  const Vec3 from_W = this->x();
+  const Vec3 moved = to_W - from_W;
+  this->state.x_W = to_W;
+  this->contacts.include(to_W);
+  this->contacts.advanceFaces(from_W, moved);
+  if (moved.norm() > 4 * this->tol())
+  {
+    for (int i = 0; i < this->contacts.count(); ++i)
+    {
+      this->contacts.feature(i).stuck = false;
+    }
+  }
+}
+
+template<class SceneView>
+void TickState<SceneView>::settle(const ActiveFeature* keep) noexcept
+{
+  this->contacts.relinearise(keep);
+  for (int i = this->left.count() - 1; i >= 0; --i)
+  {
+    if (!this->contacts.supported(this->left[i].face))
+    {
+      this->left.remove(i);
+    }
+  }
+}
+
+template<class SceneView>
+void TickState<SceneView>::touch(const SweepHit& hit) noexcept
+{
+  if (hit.hit)
+  {
+    this->contacts.add(hit.feature);
+  }
+  this->settle(hit.hit ? &hit.feature : nullptr);
+}
+
+template<class SceneView>
+void TickState<SceneView>::forgetContacts() noexcept
+{
+  this->state.count = 0;
+  this->left.clear();
+}
+
+} // namespace palpate
