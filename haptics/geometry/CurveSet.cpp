@@ -1,17 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/geometry/CurveSet.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "haptics/geometry/SurfaceData.h"
+
 namespace palpate
 {
+namespace
+{
 
-TriangleMesh raiseWalls(const CurveSet& curves, double halfHeight_u)
+/// Of a whole scene of coordinates, what single precision loses, with room for a rotation.
+double roundingOf(const TriangleMesh& segments)
+{
+  constexpr double units = 4.0;
+  double largest_u = 0.0;
+  for (const Vec3& p_W : segments.vertices_W)
+  {
+    largest_u = p_W.allFinite() ? std::max(largest_u, p_W.cwiseAbs().maxCoeff()) : largest_u;
+  }
+  return units * static_cast<double>(std::numeric_limits<float>::epsilon()) * largest_u;
+}
+
+std::string outOfPlane(std::size_t point, double z_u)
+{
+  std::ostringstream text;
+  text << "point " << point << " of its lines stands " << z_u << " scene units out of the plane";
+  return text.str();
+}
+
+} // namespace
+
+PlaneCurves curvesInPlane(const TriangleMesh& segments, const Pose& plane_WP)
+{
+  PlaneCurves found;
+  const double most_u = roundingOf(segments);
+  const Quat q_PW = plane_WP.q.conjugate();
+  found.curves.points_W.reserve(segments.vertices_W.size());
+  for (const Vec3& p_W : segments.vertices_W)
+  {
+    const Vec3 p_P = q_PW * (p_W - plane_WP.p);
+    if (std::fabs(p_P.z()) > most_u && found.refusal.empty())
+    {
+      found.refusal = outOfPlane(found.curves.points_W.size(), p_P.z());
+    }
+    found.curves.points_W.emplace_back(p_P.head<2>());
+  }
+  for (const auto& corners : segments.triangles)
+  {
+    if (!isSegment(corners) || std::max(corners[0], corners[1]) >= segments.vertices_W.size())
+    {
+      found.refusal = "its lines name points that are not there";
+      break;
+    }
+    found.curves.segments.push_back({ corners[0], corners[1] });
+  }
+  if (found.refusal.empty() && found.curves.segments.empty())
+  {
+    found.refusal = "it has no lines";
+  }
+  return found;
+}
+
+TriangleMesh raiseWalls(const CurveSet& curves, double halfHeight_u, const Pose& plane_WP)
 {
   TriangleMesh walls;
   walls.vertices_W.reserve(2 * curves.points_W.size());
   for (const Eigen::Vector2d& p : curves.points_W)
   {
-    walls.vertices_W.emplace_back(p.x(), p.y(), -halfHeight_u);
-    walls.vertices_W.emplace_back(p.x(), p.y(), halfHeight_u);
+    walls.vertices_W.push_back(plane_WP.p + plane_WP.q * Vec3(p.x(), p.y(), -halfHeight_u));
+    walls.vertices_W.push_back(plane_WP.p + plane_WP.q * Vec3(p.x(), p.y(), halfHeight_u));
   }
   walls.triangles.reserve(2 * curves.segments.size());
   for (const auto& [a, b] : curves.segments)
@@ -20,6 +81,22 @@ TriangleMesh raiseWalls(const CurveSet& curves, double halfHeight_u)
     walls.triangles.push_back({ 2 * a, 2 * b + 1, 2 * a + 1 });
   }
   return walls;
+}
+
+double wallHalfHeight(const CurveSet& curves, double radius_u)
+{
+  double sum_u = 0.0;
+  std::size_t count = 0;
+  for (const auto& [a, b] : curves.segments)
+  {
+    const double length_u = (curves.points_W[a] - curves.points_W[b]).norm();
+    sum_u += length_u > 0.0 && std::isfinite(length_u) ? length_u : 0.0;
+    count += length_u > 0.0 && std::isfinite(length_u) ? 1 : 0;
+  }
+  const double mean_u = count > 0 ? sum_u / static_cast<double>(count) : 1.0;
+  int exponent = 0;
+  static_cast<void>(std::frexp(std::max(0.5 * mean_u, 2.0 * radius_u), &exponent));
+  return std::ldexp(1.0, exponent);
 }
 
 } // namespace palpate

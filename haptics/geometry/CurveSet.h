@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,17 +13,34 @@
 namespace palpate
 {
 
-/// Line segments in the plane z = 0, in scene units: a plane world.
+/// Line segments in a plane, in scene units and the coordinates of that plane: a plane world.
 struct CurveSet
 {
   std::vector<Eigen::Vector2d> points_W;
   std::vector<std::array<std::uint32_t, 2>> segments;
 };
 
-/// The plane world as walls: each segment becomes a rectangle from z = -halfHeight_u to +halfHeight_u. A ball that is
-/// led in the plane z = 0 meets the walls as a disc meets the lines and never leaves the plane: the walls' normals and
-/// the feet of its contacts have no z, exactly. So one god-object serves two dimensions and three.
-/// halfHeight_u > 0 must exceed the ball's radius. Indices are checked by cleanMesh().
-[[nodiscard]] TriangleMesh raiseWalls(const CurveSet& curves, double halfHeight_u);
+/// Curves in a plane, or why these are none.
+struct PlaneCurves
+{
+  CurveSet curves;
+  std::string refusal; ///< one line without a name in front; empty when there are curves
+};
+
+/// Segments as they come in, (a, b, b) as segmentsOf() makes them, as curves in the plane z = 0 of plane_WP. A point is
+/// in the plane if it is no further from it than single precision rounds the largest coordinate. Points that are not
+/// finite are left to cleanMesh(), which counts what it drops. Refuses a point out of the plane, an index out of range
+/// and curves without segments.
+[[nodiscard]] PlaneCurves curvesInPlane(const TriangleMesh& segments, const Pose& plane_WP = {});
+
+/// The plane world as walls: each segment becomes a rectangle from -halfHeight_u to +halfHeight_u about the plane. A
+/// ball that is led in the plane meets the walls as a disc meets the lines. In the plane z = 0 of W it never leaves it:
+/// the walls' normals and the feet of its contacts have no z, exactly. So one god-object serves two dimensions and
+/// three. halfHeight_u > 0 must exceed the ball's radius. Indices are checked by cleanMesh().
+[[nodiscard]] TriangleMesh raiseWalls(const CurveSet& curves, double halfHeight_u, const Pose& plane_WP = {});
+
+/// How high walls should stand for discs up to radius_u: above the disc, and else no higher than the segments are long,
+/// for what is taller than long is found more slowly. A power of two, so that scaling by it rounds nothing [u].
+[[nodiscard]] double wallHalfHeight(const CurveSet& curves, double radius_u);
 
 } // namespace palpate

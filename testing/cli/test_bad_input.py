@@ -258,11 +258,10 @@ class Options(CommandLineTest):
             self.refused(*self.touch, option, "abc", saying=[option])
         self.refused(*self.touch, "--scale", "0", saying=["--scale", "more than 0"])
 
-    def test_options_that_are_not_there_yet_say_so(self):
+    def test_friction_that_makes_no_sense(self):
         self.refused(*self.touch, "--mu-static", "-0.5", saying=["--mu-static", "0 or more"])
         self.refused(*self.touch, "--mu-static", "nan", saying=["--mu-static"])
         self.refused(*self.touch, "--mu-static", "0.2", "--mu-kinetic", "0.5", saying=["kinetic", "static"])
-        self.refused(*self.touch, "--two-d", saying=["--two-d", "not there yet"])
 
     def test_nothing_is_ignored(self):
         self.refused(*self.touch, "--colour", "red", saying=["--colour"])

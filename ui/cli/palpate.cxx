@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliMaterials.h"
@@ -25,9 +26,6 @@ struct Arguments
   vtkHapticCliTouchOptions Touch;
   vtkHapticCliReplayOptions Replay;
 };
-
-/// Options that scripts may already name: refusing them beats doing something else than was asked.
-constexpr std::array<const char*, 1> AbsentOptions = { "--two-d" };
 
 void AddDevices(CLI::App& app, Arguments& arguments)
 {
@@ -56,16 +54,17 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   command->add_option("--csv", options.Output, "OUT.csv: a row per tick")->required();
   command->add_option("--iso", options.Iso, "value of the surface in an image");
   command->add_option("--radius", options.Radius_u, "ball radius [scene units]")->capture_default_str();
-  command->add_option("--line-radius", options.LineRadius_u, "lines are tubes of this radius [scene units]; 0: not touched")
+  command
+    ->add_option("--line-radius", options.LineRadius_u, "lines are tubes of this radius [scene units]; 0: not touched")
     ->capture_default_str();
   command->add_option("--stiffness", options.Stiffness_N_per_m, "coupling [N/m]")->capture_default_str();
   command->add_option("--scale", options.Scale_u_per_m, "scene units per metre of the hand")->capture_default_str();
   command->add_option("--mu-static", options.MuStatic, "friction that holds at rest")->capture_default_str();
   command->add_option("--mu-kinetic", options.MuKinetic, "friction while it slides; without it the static one");
-  command->add_flag("--shading", options.Shading, "smooth forces over facets, not across edges sharper than 30 degrees");
+  command->add_flag(
+    "--shading", options.Shading, "smooth forces over facets, not across edges sharper than 30 degrees");
   vtkHapticCliAddMaterials(*command, options.Materials);
-  const std::string absent = "not there yet";
-  command->add_flag(AbsentOptions[0], absent);
+  command->add_flag("--two-d", options.TwoD, "lines in the plane z = 0 are walls, felt in that plane");
 }
 
 void AddReplay(CLI::App& app, Arguments& arguments)
@@ -89,14 +88,27 @@ void CheckNumber(const char* option, double value, bool zeroAllowed, const char*
   }
 }
 
-int Touch(const CLI::App& command, const vtkHapticCliTouchOptions& options)
+/// What has no meaning among lines without width is refused rather than ignored.
+void CheckTwoD(const vtkHapticCliTouchOptions& options)
 {
-  for (const char* option : AbsentOptions)
+  const std::array<std::pair<const char*, bool>, 4> others = { { { "--iso", options.Iso.has_value() },
+    { "--line-radius", options.LineRadius_u != 0.0 }, { "--shading", options.Shading },
+    { "arrays of materials", !options.Materials.Empty() } } };
+  for (const auto& [name, given] : others)
   {
-    if (command.count(option) > 0)
+    if (given)
     {
-      throw vtkHapticCliProblem(std::string(option) + " is not there yet; leave it out");
+      throw vtkHapticCliProblem(
+        std::string("--two-d feels lines as they are, without ") + name + "; leave out one of both");
     }
+  }
+}
+
+int Touch(const vtkHapticCliTouchOptions& options)
+{
+  if (options.TwoD)
+  {
+    CheckTwoD(options);
   }
   CheckNumber("--radius", options.Radius_u, true, "scene units");
   CheckNumber("--line-radius", options.LineRadius_u, true, "scene units");
@@ -126,7 +138,7 @@ int Run(const CLI::App& app, const Arguments& arguments)
   }
   if (app.got_subcommand("touch"))
   {
-    return Touch(*app.get_subcommand("touch"), arguments.Touch);
+    return Touch(arguments.Touch);
   }
   if (app.got_subcommand("replay"))
   {

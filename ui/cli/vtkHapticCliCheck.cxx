@@ -10,6 +10,7 @@
 #include "haptics/geometry/ScenePlan.h"
 #include "haptics/geometry/Simplification.h"
 #include "haptics/session/PlanSentence.h"
+#include "vtkHapticCliPlane.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
 
@@ -175,7 +176,13 @@ vtkHapticCliSurface ReadOrRefuse(
 {
   try
   {
-    vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, iso, materials);
+    vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, iso, materials, true);
+    if (!surface.Input.mesh)
+    {
+      surface.Input = vtkHapticCliWallsOf(file, surface, 0.0);
+      return surface;
+    }
+    surface.Lines.reset(); // a surface with lines beside it is one with polygons
     if (!surface.Material.Problem.empty())
     {
       throw vtkHapticCliProblem(file + ": " + surface.Material.Problem);
@@ -193,6 +200,15 @@ vtkHapticCliSurface ReadOrRefuse(
 }
 } // namespace
 
+namespace
+{
+std::string SentenceOfPlane(const vtkHapticCliSurface& surface)
+{
+  return "a plane world: " + std::to_string(surface.Lines->triangles.size()) +
+         " segments in the plane z = 0, felt in that plane (touch --two-d) as walls, of two triangles each, across it";
+}
+} // namespace
+
 int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials,
   bool simplify, double radius_u, bool json)
 {
@@ -202,6 +218,7 @@ int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, const 
   if (json)
   {
     nlohmann::ordered_json described = ToJson(report, surface.Material.Note);
+    described["plane_world"] = surface.Lines != nullptr;
     if (built.scene)
     {
       AddScene(described, *built.scene);
@@ -220,6 +237,10 @@ int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, const 
   if (!json)
   {
     Print(report, *built.scene, surface.Material.Note);
+    if (surface.Lines)
+    {
+      std::cout << "  world     " << SentenceOfPlane(surface) << '\n';
+    }
     std::cout << "  radius    " << RadiusLimitOf(*built.scene, radius_u).sentence() << '\n';
     if (simplify)
     {

@@ -29,6 +29,7 @@ struct vtkHapticCliTouchOptions
   double MuStatic = 0.0;
   std::optional<double> MuKinetic;
   bool Shading = false;
+  bool TwoD = false; ///< lines in the plane z = 0, felt by a disc
   vtkHapticMaterialSettings Materials;
   double Stiffness_N_per_m = 1000.0;
   double Scale_u_per_m = 1.0;

@@ -160,6 +160,11 @@ std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(const std::vector<s
     }
   }
   CheckMaterials(surfaces);
+  return vtkHapticCliBuild(inputs);
+}
+
+std::shared_ptr<const palpate::Scene> vtkHapticCliBuild(const std::vector<palpate::SurfaceInput>& inputs)
+{
   const palpate::SceneBuildResult built = palpate::SceneBuilder(std::thread::hardware_concurrency()).build(inputs);
   CheckReports(built.reports);
   return built.scene;

@@ -33,4 +33,8 @@ struct vtkHapticCliSurface
   std::optional<double> iso, const vtkHapticMaterialSettings& materials = {}, double scale_u_per_m = 1.0,
   double lineRadius_u = 0.0);
 
+/// The scene of surfaces as they were read. Throws vtkHapticCliProblem that names what cannot be touched; what cleaning
+/// dropped goes to stderr.
+[[nodiscard]] std::shared_ptr<const palpate::Scene> vtkHapticCliBuild(const std::vector<palpate::SurfaceInput>& inputs);
+
 #endif

@@ -8,6 +8,7 @@
 #include "haptics/session/ForceRenderer.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"
+#include "vtkHapticCliPlane.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
 #include "vtkHapticCliTicks.h"
@@ -98,8 +99,14 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
 {
   const palpate::HapticParameters parameters = ParametersOf(options);
   const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path);
+  if (options.TwoD)
+  {
+    vtkHapticCliCheckPlanePath(options.Path, path);
+  }
   const std::shared_ptr<const palpate::Scene> scene =
-    vtkHapticCliBuildScene(options.Files, options.Iso, options.Materials, options.Scale_u_per_m, options.LineRadius_u);
+    options.TwoD ? vtkHapticCliBuildPlane(options.Files, options.Radius_u)
+                 : vtkHapticCliBuildScene(
+                     options.Files, options.Iso, options.Materials, options.Scale_u_per_m, options.LineRadius_u);
   WarnOfRadius(*scene, parameters.contact);
   std::vector<std::string> inputs = options.Files;
   inputs.push_back(options.Path);
