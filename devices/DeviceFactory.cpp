@@ -6,9 +6,10 @@
 
 #include "devices/FedDevice.h"
 #include "devices/ReplayDevice.h"
+#include "devices/hid/HidDiscovery.h"
 #include "devices/hid/HidapiBus.h"
-#include "devices/hid/PidDiscovery.h"
 #include "devices/io/PidDevice.h"
+#include "devices/io/SpaceMouseDevice.h"
 
 namespace palpate
 {
@@ -57,16 +58,28 @@ std::vector<Kind> builtIn()
   return all;
 }
 
+std::unique_ptr<HapticDevice> makePluggedIn(
+  FoundHid::Kind kind, const std::string& name, const std::shared_ptr<HidBus>& bus, const HidEntry& entry)
+{
+  if (kind == FoundHid::Kind::SpaceMouse)
+  {
+    return std::make_unique<SpaceMouseDevice>(name, bus, entry);
+  }
+  return std::make_unique<PidDevice>(name, bus, entry);
+}
+
 std::vector<Kind> pluggedIn(const DeviceOptions& options)
 {
   const std::shared_ptr<HidBus> bus = options.hid != nullptr ? options.hid : systemHidBus();
   std::vector<Kind> all;
-  for (FoundPid& found : findPidDevices(*bus))
+  for (FoundHid& found : findHidDevices(*bus))
   {
-    const auto make = [bus, name = found.name, entry = found.entry](const DeviceOptions&) {
-      return MadeDevice{ std::make_unique<PidDevice>(name, bus, entry), "" };
+    const auto make = [bus, kind = found.kind, name = found.name, entry = found.entry](const DeviceOptions&) {
+      return MadeDevice{ makePluggedIn(kind, name, bus, entry), "" };
     };
-    all.push_back({ found.name, "force feedback through USB: " + found.entry.name, make, std::move(found.problem) });
+    const bool pushes = found.kind == FoundHid::Kind::ForceFeedback;
+    all.push_back({ found.name, (pushes ? "force feedback through USB: " : "six axes, no force: ") + found.entry.name,
+      make, std::move(found.problem) });
   }
   return all;
 }

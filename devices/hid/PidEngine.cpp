@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "devices/hid/PidKind.h"
 #include "devices/hid/PidNumbers.h"
 #include "devices/hid/ReportBits.h"
 
@@ -96,7 +97,7 @@ std::string PidEngine::refusal(const ReportDescriptor& descriptor)
   {
     return "its effects live in a driver-managed pool, whose memory the host would have to hand out: not supported";
   }
-  return output(pid::setConstantForce) ? "" : "it has no constant force";
+  return pidKind(descriptor).problem;
 }
 
 std::string PidEngine::open()
@@ -153,9 +154,9 @@ bool PidEngine::supports(HidUsage type) const noexcept
   return report != nullptr && static_cast<bool>(findSelector(*report, type));
 }
 
-ConditionAbilities PidEngine::conditionAbilities() const noexcept
+ConditionAbilities conditionAbilities(const ReportDescriptor& descriptor) noexcept
 {
-  const HidReport* report = this->descriptor_.report(HidReportKind::Output, pid::setCondition);
+  const HidReport* report = descriptor.report(HidReportKind::Output, pid::setCondition);
   if (report == nullptr)
   {
     return {};
@@ -342,14 +343,26 @@ bool PidEngine::free(int block) noexcept
   return this->send(this->draft(pid::blockFree, block));
 }
 
-bool PidEngine::control(HidUsage what) noexcept
+PidEngine::Draft PidEngine::draftControl(HidUsage what) const
 {
   Draft draft = this->draft(pid::deviceControl, 0);
   if (draft.report == nullptr)
   {
     draft = this->draft(pid::deviceControlReport, 0);
   }
-  return draft.report == nullptr || !select(*draft.report, draft.bytes, what) || this->send(draft);
+  return draft.report != nullptr && select(*draft.report, draft.bytes, what) ? draft : Draft{};
+}
+
+bool PidEngine::control(HidUsage what) noexcept
+{
+  const Draft draft = this->draftControl(what);
+  return draft.report == nullptr || this->send(draft);
+}
+
+bool PidEngine::stopAllNow() const noexcept
+{
+  const Draft draft = this->draftControl(pid::stopAll);
+  return draft.report != nullptr && this->connection_.setOutput(draft.bytes);
 }
 
 bool PidEngine::setGain(double share) noexcept

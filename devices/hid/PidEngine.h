@@ -23,6 +23,8 @@ struct ConditionAbilities
   bool saturation = false;
 };
 
+[[nodiscard]] ConditionAbilities conditionAbilities(const ReportDescriptor& descriptor) noexcept;
+
 /// How an effect is played. Written anew while it plays, it changes in place.
 struct EffectSettings
 {
@@ -67,7 +69,6 @@ public:
   };
   [[nodiscard]] Created create(HidUsage type);
   [[nodiscard]] bool supports(HidUsage type) const noexcept;
-  [[nodiscard]] ConditionAbilities conditionAbilities() const noexcept;
 
   [[nodiscard]] bool setEffect(int block, const EffectSettings& settings) noexcept;
   /// One axis, 0 or 1, of a spring or a damper; centre, dead band, coefficients and saturations as shares.
@@ -81,6 +82,8 @@ public:
   [[nodiscard]] bool free(int block) noexcept;
   /// enableActuators, disableActuators, stopAll, reset, pause or resume; true too where the device has no such control.
   [[nodiscard]] bool control(HidUsage what) noexcept;
+  /// Stops all effects past whatever write waits. Any thread.
+  [[nodiscard]] bool stopAllNow() const noexcept;
   [[nodiscard]] bool setGain(double share) noexcept;
 
   /// What the system said about the last failure.
@@ -100,6 +103,8 @@ private:
     std::vector<std::uint8_t> bytes;
   };
   [[nodiscard]] Draft draft(HidUsage collection, int block) const;
+  /// Without a report where the device has no such control.
+  [[nodiscard]] Draft draftControl(HidUsage what) const;
   [[nodiscard]] bool send(const Draft& draft) noexcept;
   [[nodiscard]] bool operate(int block, HidUsage what) noexcept;
   [[nodiscard]] std::string askForPool();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "devices/hid/HidButtons.h"
 #include "devices/hid/ReportDescriptor.h"
 
 namespace palpate
@@ -23,13 +24,14 @@ struct PidHand
 class PidInput
 {
 public:
-  /// The descriptor must outlive it and stay where it is.
-  explicit PidInput(const ReportDescriptor& descriptor) noexcept;
+  /// The descriptor must outlive it and stay where it is. With one axis what calls itself y is no part of the hand: a
+  /// pedal of a wheel.
+  explicit PidInput(const ReportDescriptor& descriptor, std::size_t axes = 2) noexcept;
 
   /// It has an x axis at least.
   [[nodiscard]] bool usable() const noexcept { return static_cast<bool>(this->axes_[0]); }
   [[nodiscard]] bool hasTwoAxes() const noexcept { return static_cast<bool>(this->axes_[1]); }
-  [[nodiscard]] std::uint32_t buttonCount() const noexcept;
+  [[nodiscard]] std::uint32_t buttonCount() const noexcept { return this->buttons_.count(); }
   /// The smallest step of an axis as a share of half its travel.
   [[nodiscard]] double step() const noexcept;
 
@@ -38,7 +40,7 @@ public:
 
 private:
   std::array<HidControl, 2> axes_{};
-  HidControl firstButton_;
+  HidButtons buttons_;
 };
 
 } // namespace palpate

@@ -12,9 +12,7 @@ namespace
 {
 
 constexpr std::int64_t perMs_ns = 1000000;
-constexpr std::array<double, 2> axisDirection_deg{ 90.0, 180.0 }; // +x and +y of HID
-constexpr double pulse_ms = 40.0, shake_ms = 20.0;
-constexpr double signalShare = 0.3;
+constexpr std::array<double, 2> axisDirection_deg{ alongX_deg, alongY_deg };
 
 bool asksForForce(const DeviceCommand& command) noexcept
 {
@@ -28,32 +26,39 @@ bool same(const Condition& a, const Condition& b) noexcept
          a.negativeSaturation == b.negativeSaturation;
 }
 
-/// A shake along x.
-EffectSettings signalSettings(int duration_ms) noexcept
-{
-  EffectSettings settings;
-  settings.type = pid::sine;
-  settings.duration_ms = duration_ms;
-  settings.direction_deg = axisDirection_deg[0];
-  return settings;
-}
-
-PidOutput::Step taken(bool ok) noexcept
-{
-  return ok ? PidOutput::Step::Sent : PidOutput::Step::Failed;
-}
-
 } // namespace
 
-PidOutput::PidOutput(PidEngine& engine, const PidOutputOptions& options, std::size_t axes) noexcept
-  : engine_(engine), options_(options), axes_(axes)
+PidOutput::PidOutput(PidEngine& engine, const PidOutputOptions& options, const PidKind& kind) noexcept
+  : engine_(engine), options_(options), kind_(kind),
+    shake_(engine, { options.duration_ms, options.restartEvery_ms, options.wallsEvery_ms }),
+    rumble_({ options.scale.maxForce_N, options.largestShare })
 {
 }
 
 std::string PidOutput::begin()
 {
-  this->abilities_ = this->engine_.conditionAbilities();
-  for (std::size_t axis = 0; axis < this->axes_; ++axis)
+  if (std::string problem = this->makeForces(); !problem.empty())
+  {
+    return problem;
+  }
+  this->makeConditions();
+  std::string problem = this->kind_.shaking ? this->shake_.begin(*this->kind_.shaking) : "";
+  if (this->kind_.pushedAxes == 0)
+  {
+    return problem;
+  }
+  // Last, so that a device that went meanwhile is not taken for one that merely lacks what came before.
+  bool takes = true;
+  for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
+  {
+    takes = takes && this->engine_.setConstantForce(this->forces_[axis].block, 0.0);
+  }
+  return takes ? "" : "it does not take a force: " + this->engine_.error();
+}
+
+std::string PidOutput::makeForces()
+{
+  for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
   {
     EffectSettings settings;
     settings.direction_deg = axisDirection_deg[axis];
@@ -64,15 +69,13 @@ std::string PidOutput::begin()
       return problem;
     }
   }
-  this->makeConditions();
-  this->makeSignal();
-  // Last, so that a device that went meanwhile is not taken for one that merely lacks what came before.
-  bool takes = true;
-  for (std::size_t axis = 0; axis < this->axes_; ++axis)
-  {
-    takes = takes && this->engine_.setConstantForce(this->forces_[axis].block, 0.0);
-  }
-  return takes ? "" : "it does not take a force: " + this->engine_.error();
+  return {};
+}
+
+DeviceAbilities PidOutput::abilities() const noexcept
+{
+  return { static_cast<std::uint8_t>(this->kind_.sensedAxes), this->spring_.block > 0, this->damper_.block > 0,
+    this->shake_.exists() };
 }
 
 std::string PidOutput::make(Effect& effect, const EffectSettings& settings)
@@ -90,20 +93,21 @@ std::string PidOutput::make(Effect& effect, const EffectSettings& settings)
 
 void PidOutput::makeConditions()
 {
+  const DeviceAbilities wanted = promised(this->kind_);
   EffectSettings settings;
   settings.type = pid::spring;
-  const bool canHold = this->abilities_.saturation && (this->abilities_.deadBand || this->abilities_.twoCoefficients);
-  if (!canHold || !this->make(this->spring_, settings).empty() || !this->empty(this->spring_, this->sentSprings_))
+  this->conditions_ = this->kind_.conditions;
+  if (!wanted.holdsWalls || !this->make(this->spring_, settings).empty() ||
+      !this->empty(this->spring_, this->sentSprings_))
   {
     this->spring_.block = 0;
-    this->abilities_ = {};
-    this->shortcomings_ += "It holds no walls by itself: the program closes them, softer. ";
+    this->conditions_ = {};
   }
   settings.type = pid::damper;
-  if (!this->make(this->damper_, settings).empty() || !this->empty(this->damper_, this->sentDampers_))
+  if (!wanted.viscous || !this->make(this->damper_, settings).empty() ||
+      !this->empty(this->damper_, this->sentDampers_))
   {
     this->damper_.block = 0;
-    this->shortcomings_ += "It has no viscosity. ";
   }
 }
 
@@ -112,30 +116,25 @@ bool PidOutput::empty(const Effect& effect, std::array<Condition, 2>& sent) noex
 {
   sent = {};
   bool taken = true;
-  for (std::size_t axis = 0; axis < this->axes_; ++axis)
+  for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
   {
     taken = taken && this->engine_.setCondition(effect.block, static_cast<int>(axis), sent[axis]);
   }
   return taken;
 }
 
-void PidOutput::makeSignal()
-{
-  if (!this->make(this->signal_, signalSettings(this->options_.duration_ms)).empty())
-  {
-    this->signal_.block = 0;
-    this->shortcomings_ += "It cannot shake. ";
-  }
-}
-
 PidOutput::Step PidOutput::step(std::int64_t now_ns, const Wish& wish) noexcept
 {
   if (this->fallsSilent(now_ns, wish.beat))
   {
-    return taken(this->engine_.control(pid::stopAll));
+    return sentOrFailed(this->engine_.control(pid::stopAll));
   }
   // While silent the effects are emptied: what starts again must not start with an old force.
   const Wish wanted = this->silent_ ? Wish{} : wish;
+  if (this->kind_.pushedAxes == 0)
+  {
+    return this->shake_.vibrate(now_ns, this->rumble_.next(now_ns, wanted.command, wanted.p_D));
+  }
   Step step = this->silent_ ? Step::Idle : this->restart(now_ns);
   if (step == Step::Idle)
   {
@@ -143,7 +142,7 @@ PidOutput::Step PidOutput::step(std::int64_t now_ns, const Wish& wish) noexcept
   }
   if (step == Step::Idle)
   {
-    step = this->sendSignal(wanted.command.signal);
+    step = this->shake_.play(wanted.command.signal);
   }
   return step == Step::Idle ? this->sendForce(wanted) : step;
 }
@@ -167,6 +166,7 @@ bool PidOutput::fallsSilent(std::int64_t now_ns, std::uint64_t beat) noexcept
   {
     effect->started_ns = never;
   }
+  this->shake_.forget();
   return true;
 }
 
@@ -178,8 +178,9 @@ PidOutput::Step PidOutput::restart(std::int64_t now_ns) noexcept
       effect->started_ns == never || now_ns - effect->started_ns >= this->options_.restartEvery_ms * perMs_ns;
     if (effect->block > 0 && due)
     {
+      this->restarts_ += effect->started_ns != never ? 1 : 0;
       effect->started_ns = now_ns;
-      return taken(this->engine_.start(effect->block));
+      return sentOrFailed(this->engine_.start(effect->block));
     }
   }
   return Step::Idle;
@@ -209,7 +210,7 @@ double PidOutput::rampedShare(std::int64_t now_ns, const DeviceCommand& command)
 PidOutput::Step PidOutput::sendWalls(std::int64_t now_ns, const DeviceCommand& command) noexcept
 {
   const double share = this->rampedShare(now_ns, command);
-  this->plan_ = planWalls(command, this->options_.scale, this->abilities_, share);
+  this->plan_ = planWalls(command, this->options_.scale, this->conditions_, share);
   Step step = this->sendConditions();
   const bool early =
     this->wallsSent_ns_ != never && now_ns - this->wallsSent_ns_ < this->options_.wallsEvery_ms * perMs_ns;
@@ -235,38 +236,15 @@ PidOutput::Step PidOutput::sendConditions() noexcept
 PidOutput::Step PidOutput::sendCondition(
   Effect& effect, std::array<Condition, 2>& sent, const std::array<Condition, 2>& now) noexcept
 {
-  for (std::size_t axis = 0; axis < this->axes_; ++axis)
+  for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
   {
     if (effect.block > 0 && !same(sent[axis], now[axis]))
     {
       sent[axis] = now[axis];
-      return taken(this->engine_.setCondition(effect.block, static_cast<int>(axis), now[axis]));
+      return sentOrFailed(this->engine_.setCondition(effect.block, static_cast<int>(axis), now[axis]));
     }
   }
   return Step::Idle;
-}
-
-PidOutput::Step PidOutput::sendSignal(Signal signal) noexcept
-{
-  if (this->signal_.block == 0 || signal == Signal::None || signal == this->lastSignal_)
-  {
-    this->lastSignal_ = signal;
-    this->signalPart_ = 0;
-    return Step::Idle;
-  }
-  const bool pulse = signal == Signal::Pulse;
-  switch (this->signalPart_++)
-  {
-    case 0:
-      return taken(this->engine_.setEffect(
-        this->signal_.block, signalSettings(pulse ? static_cast<int>(pulse_ms) : this->options_.duration_ms)));
-    case 1:
-      return taken(this->engine_.setPeriodic(this->signal_.block, signalShare, pulse ? pulse_ms : shake_ms));
-    default:
-      this->lastSignal_ = signal;
-      this->signalPart_ = 0;
-      return taken(this->engine_.start(this->signal_.block));
-  }
 }
 
 PidOutput::Step PidOutput::sendForce(const Wish& wish) noexcept
@@ -277,7 +255,7 @@ PidOutput::Step PidOutput::sendForce(const Wish& wish) noexcept
   const Vec3 force_N = wish.command.wrench_D.force + walls_N;
   std::array<double, 2> shares{};
   std::array<bool, 2> changed{};
-  for (std::size_t axis = 0; axis < this->axes_; ++axis)
+  for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
   {
     const int a = static_cast<int>(axis);
     shares[axis] = (this->options_.flipsForce ? -1.0 : 1.0) * PidScale::sign(a) * force_N[a] / largest_N;
@@ -293,7 +271,7 @@ PidOutput::Step PidOutput::sendForce(const Wish& wish) noexcept
                                                     : 1;
   this->lastAxis_ = static_cast<int>(axis);
   this->sentForce_[axis] = this->engine_.constantForceSteps(shares[axis]);
-  return taken(this->engine_.setConstantForce(this->forces_[axis].block, shares[axis]));
+  return sentOrFailed(this->engine_.setConstantForce(this->forces_[axis].block, shares[axis]));
 }
 
 } // namespace palpate

@@ -6,7 +6,11 @@
 #include <string>
 
 #include "devices/hid/PidEngine.h"
+#include "devices/hid/PidKind.h"
+#include "devices/hid/PidShake.h"
+#include "devices/hid/PidStep.h"
 #include "devices/hid/PidWalls.h"
+#include "devices/hid/Rumble.h"
 #include "haptics/core/DeviceCommand.h"
 
 namespace palpate
@@ -31,14 +35,14 @@ struct PidOutputOptions
 class PidOutput
 {
 public:
-  /// With one axis, a wheel, nothing is ever sent for y: some firmwares would turn it into x.
-  PidOutput(PidEngine& engine, const PidOutputOptions& options, std::size_t axes) noexcept;
+  /// With one axis, a wheel, nothing is ever sent for y: some firmwares would turn it into x. With none what would push
+  /// is felt as vibration.
+  PidOutput(PidEngine& engine, const PidOutputOptions& options, const PidKind& kind) noexcept;
 
   /// Makes the effects. Empty, or why the device gives no force at all.
   [[nodiscard]] std::string begin();
-  /// What the device cannot do, for a person; may be empty.
-  [[nodiscard]] const std::string& shortcomings() const noexcept { return this->shortcomings_; }
-  [[nodiscard]] bool holdsWalls() const noexcept { return this->spring_.block > 0; }
+  /// What the device can do, now that its effects are made.
+  [[nodiscard]] DeviceAbilities abilities() const noexcept;
 
   /// What is wanted now: the newest command, its number, where the handle is.
   struct Wish
@@ -47,18 +51,15 @@ public:
     std::uint64_t beat = 0;
     Vec3 p_D = Vec3::Zero(); ///< [m]
   };
-  enum class Step : std::uint8_t
-  {
-    Idle, ///< the device has all it needs
-    Sent,
-    Failed,
-  };
+  using Step = PidStep;
   [[nodiscard]] Step step(std::int64_t now_ns, const Wish& wish) noexcept;
 
   /// Everything was stopped because no new command came.
   [[nodiscard]] bool silent() const noexcept { return this->silent_; }
   /// An effect that should be playing.
   [[nodiscard]] bool plays(int block) const noexcept;
+  /// Effects that were armed again before they ended.
+  [[nodiscard]] std::uint64_t restarts() const noexcept { return this->restarts_; }
 
 private:
   struct Effect
@@ -69,8 +70,8 @@ private:
   static constexpr std::int64_t never = -1;
 
   [[nodiscard]] std::string make(Effect& effect, const EffectSettings& settings);
+  [[nodiscard]] std::string makeForces();
   void makeConditions();
-  void makeSignal();
   [[nodiscard]] bool empty(const Effect& effect, std::array<Condition, 2>& sent) noexcept;
   [[nodiscard]] bool fallsSilent(std::int64_t now_ns, std::uint64_t beat) noexcept;
   [[nodiscard]] Step restart(std::int64_t now_ns) noexcept;
@@ -78,17 +79,17 @@ private:
   [[nodiscard]] Step sendConditions() noexcept;
   [[nodiscard]] Step sendCondition(
     Effect& effect, std::array<Condition, 2>& sent, const std::array<Condition, 2>& now) noexcept;
-  [[nodiscard]] Step sendSignal(Signal signal) noexcept;
   [[nodiscard]] Step sendForce(const Wish& wish) noexcept;
   [[nodiscard]] double rampedShare(std::int64_t now_ns, const DeviceCommand& command) noexcept;
 
   PidEngine& engine_;
   PidOutputOptions options_;
-  std::size_t axes_; ///< 1 or 2
-  ConditionAbilities abilities_;
-  std::string shortcomings_;
+  PidKind kind_;
+  ConditionAbilities conditions_; ///< none without the effect that has them
   std::array<Effect, 2> forces_{};
-  Effect spring_, damper_, signal_;
+  Effect spring_, damper_;
+  PidShake shake_;
+  Rumble rumble_;
   std::array<Condition, 2> wantedSprings_{}, wantedDampers_{}; ///< of the round that is being sent
   std::array<Condition, 2> sentSprings_{}, sentDampers_{};
   std::array<std::int64_t, 2> sentForce_{};
@@ -96,8 +97,7 @@ private:
   WallPlan plan_;
   std::int64_t wallsSent_ns_ = never;
   std::int64_t askedSince_ns_ = never; ///< since when force has been asked for
-  Signal lastSignal_ = Signal::None;
-  int signalPart_ = 0;
+  std::uint64_t restarts_ = 0;
   std::uint64_t beat_ = 0;
   std::int64_t beat_ns_ = never;
   bool silent_ = false;

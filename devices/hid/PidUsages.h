@@ -30,7 +30,9 @@ inline constexpr HidUsage loopCount = page | 0x7C, deviceGain = page | 0x7E;
 inline constexpr HidUsage deviceManaged = page | 0xA9, largestEffectCount = page | 0x83;
 
 // Effect types.
-inline constexpr HidUsage constantForce = page | 0x26, sine = page | 0x31, spring = page | 0x40, damper = page | 0x41;
+inline constexpr HidUsage constantForce = page | 0x26, square = page | 0x30, sine = page | 0x31, triangle = page | 0x32,
+                          sawtoothUp = page | 0x33, sawtoothDown = page | 0x34, spring = page | 0x40,
+                          damper = page | 0x41;
 
 // What is selected.
 inline constexpr HidUsage start = page | 0x79, startSolo = page | 0x7A, stop = page | 0x7B;

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/io/PidDevice.h"
 
-#include <chrono>
-#include <thread>
 #include <utility>
-
-#include "haptics/realtime/RealtimeThread.h"
 
 namespace palpate
 {
@@ -14,9 +10,7 @@ namespace
 
 constexpr int readTimeout_ms = 100;
 constexpr int writerPriority = 19; // just below the servo
-constexpr auto idle = std::chrono::milliseconds(1);
-constexpr auto noDevice = std::chrono::milliseconds(20);
-constexpr auto patience = std::chrono::milliseconds(500);
+constexpr int writerIdle_ms = 1, noDevice_ms = 20;
 
 /// What a detached thread still needs when the device object is gone.
 std::shared_ptr<const Clock> clockOf(const PidDeviceOptions& options)
@@ -28,69 +22,25 @@ std::shared_ptr<const Clock> clockOf(const PidDeviceOptions& options)
   return std::make_shared<MonotonicClock>();
 }
 
-} // namespace
-
-/// The reader and the writer. Each owns what it works on, so that one that hangs in the system can be left behind.
-struct PidDevice::Threads
+/// A link and the clock it asks.
+struct Kept
 {
   std::shared_ptr<PidLink> link;
   std::shared_ptr<const Clock> clock;
-  std::atomic<bool> stop = false;
-  std::atomic<bool> readerDone = false, writerDone = false;
-  std::thread reader, writer;
-
-  void read()
-  {
-    while (!this->stop)
-    {
-      if (!this->link->readPass(readTimeout_ms))
-      {
-        std::this_thread::sleep_for(noDevice);
-      }
-    }
-    this->readerDone = true;
-  }
-
-  void write()
-  {
-    static_cast<void>(acquireScheduling(writerPriority));
-    while (!this->stop)
-    {
-      if (!this->link->writePass())
-      {
-        std::this_thread::sleep_for(idle);
-      }
-    }
-    this->link->detach();
-    this->writerDone = true;
-  }
-
-  /// Waits a while; a thread that hangs in a call to the device is left to itself. True: it has ended.
-  static bool leave(std::thread& thread, const std::atomic<bool>& done)
-  {
-    const auto until = std::chrono::steady_clock::now() + patience;
-    while (!done && std::chrono::steady_clock::now() < until)
-    {
-      std::this_thread::sleep_for(idle);
-    }
-    if (!done)
-    {
-      thread.detach();
-      return false;
-    }
-    thread.join();
-    return true;
-  }
 };
+
+} // namespace
 
 DeviceInfo pidInfo(
   const std::string& name, const HidEntry& entry, const ReportDescriptor& descriptor, const PidScale& scale)
 {
-  const PidInput input(descriptor);
+  const PidKind kind = pidKind(descriptor);
+  const PidInput input(descriptor, kind.sensedAxes);
   DeviceInfo info;
   info.name = name;
   info.serial = entry.serial;
-  info.deviceClass = input.hasTwoAxes() ? DeviceClass::Joystick2D : DeviceClass::Wheel1D;
+  info.deviceClass = kind.deviceClass;
+  info.abilities = promised(kind);
   info.workspaceRadius_m = { scale.halfTravel_m, false };
   info.resolution_m = { input.usable() ? input.step() * scale.halfTravel_m : 0.0, false };
   info.maxForce_N = { scale.maxForce_N, false };
@@ -126,12 +76,12 @@ std::string PidDevice::open()
   {
     return problem;
   }
-  auto threads = std::make_shared<Threads>();
-  threads->link = this->link_;
-  threads->clock = this->clock_;
-  this->threads_ = threads;
-  threads->reader = std::thread([threads] { threads->read(); });
-  threads->writer = std::thread([threads] { threads->write(); });
+  const auto kept = std::make_shared<Kept>(Kept{ this->link_, this->clock_ });
+  PidLink* const link = kept->link.get();
+  this->threads_ = std::make_unique<DeviceThreads>();
+  this->threads_->run(
+    { [link] { return link->writePass(); }, writerIdle_ms, writerPriority, [link] { link->detach(); }, kept });
+  this->threads_->run({ [link] { return link->readPass(readTimeout_ms); }, noDevice_ms, 0, {}, kept });
   return {};
 }
 
@@ -142,11 +92,7 @@ void PidDevice::close() noexcept
     this->link_->detach();
     return;
   }
-  const std::shared_ptr<Threads> threads = std::exchange(this->threads_, nullptr);
-  threads->stop = true;
-  const bool writerEnded = Threads::leave(threads->writer, threads->writerDone);
-  const bool readerEnded = Threads::leave(threads->reader, threads->readerDone);
-  if (!writerEnded || !readerEnded)
+  if (!std::exchange(this->threads_, nullptr)->end())
   {
     this->link_ = this->newLink(); // the old one is theirs, whenever they come back
   }
@@ -164,6 +110,11 @@ DeviceStatus PidDevice::read(double tickTime_s, DeviceSample& sample) noexcept
   sample.pose_D.p = hand->p_D;
   sample.buttons = hand->buttons;
   return DeviceStatus::Ok;
+}
+
+DeviceAbilities PidDevice::abilitiesNow() const
+{
+  return this->link_->abilities().value_or(this->info_.abilities);
 }
 
 } // namespace palpate

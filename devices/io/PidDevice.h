@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "devices/io/DeviceThreads.h"
+#include "devices/io/LinkedDevice.h"
 #include "devices/io/PidLink.h"
 #include "haptics/core/HapticDevice.h"
 
@@ -20,7 +22,9 @@ struct PidDeviceOptions
 
 /// A force-feedback joystick, wheel or base of the USB PID class, with a reader and a writer thread of its own. Reading
 /// and writing are wait-free whatever the device does. Its lengths and forces are assumed until somebody measures them.
-class PidDevice final : public HapticDevice
+class PidDevice final
+  : public HapticDevice
+  , public LinkedDevice
 {
 public:
   PidDevice(const std::string& name, std::shared_ptr<HidBus> bus, HidEntry entry, const PidDeviceOptions& options = {});
@@ -34,11 +38,12 @@ public:
   [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
   void write(const DeviceCommand& command) noexcept override { this->link_->command(command); }
 
+  [[nodiscard]] LinkReport linkReport() const override { return this->link_->report(); }
+  [[nodiscard]] DeviceAbilities abilitiesNow() const override;
+
   [[nodiscard]] PidLink& link() noexcept { return *this->link_; }
 
 private:
-  struct Threads;
-
   [[nodiscard]] std::shared_ptr<PidLink> newLink() const;
 
   DeviceInfo info_;
@@ -47,7 +52,7 @@ private:
   PidDeviceOptions options_;
   std::shared_ptr<const Clock> clock_; ///< our own, where none was given
   std::shared_ptr<PidLink> link_;
-  std::shared_ptr<Threads> threads_;
+  std::unique_ptr<DeviceThreads> threads_;
 };
 
 /// What a device of that entry is, from its descriptor alone.

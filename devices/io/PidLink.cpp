@@ -4,6 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "devices/hid/InputReport.h"
+#include "devices/io/FindAgain.h"
+
 namespace palpate
 {
 namespace
@@ -15,45 +18,13 @@ constexpr std::int64_t tryAgainAfter_ns = 500 * perMs_ns;
 constexpr std::int64_t frozenAfter_ns = 250 * perMs_ns;
 constexpr double frozenAbove = 0.2; ///< of the largest force
 constexpr int mostQueued = 256;     ///< more reports than any system keeps
-constexpr std::size_t longestReport = 2049;
 
 bool atRest(const DeviceCommand& command) noexcept
 {
   return command.wallCount == 0 && command.viscosity_Ns_per_m == 0.0 && command.wrench_D.force == Vec3::Zero();
 }
 
-bool sameKind(const HidEntry& a, const HidEntry& b) noexcept
-{
-  return a.vendor == b.vendor && a.product == b.product && a.serial == b.serial;
-}
-
 } // namespace
-
-FoundDevice findAgain(HidBus& bus, const HidEntry& wanted)
-{
-  std::vector<HidEntry> alike;
-  for (HidEntry& entry : bus.devices())
-  {
-    if (sameKind(entry, wanted))
-    {
-      alike.push_back(std::move(entry));
-    }
-  }
-  const std::string name = "\"" + wanted.name + "\"" + (wanted.serial.empty() ? "" : " " + wanted.serial);
-  if (alike.empty())
-  {
-    return { std::nullopt, name + " is not there: plug it in" };
-  }
-  for (const HidEntry& entry : alike)
-  {
-    if (alike.size() == 1 || entry.path == wanted.path)
-    {
-      return { entry, {} };
-    }
-  }
-  return { std::nullopt,
-    "there are " + std::to_string(alike.size()) + " of " + name + " and nothing tells them apart: plug in only one" };
-}
 
 PidLink::PidLink(std::shared_ptr<HidBus> bus, HidEntry entry, const PidOutputOptions& options, const Clock& clock)
   : bus_(std::move(bus)), entry_(std::move(entry)), options_(options), clock_(clock)
@@ -77,9 +48,9 @@ std::string PidLink::attach()
   this->actuatorsOff_ = false;
   this->stoppedBlock_ = 0;
   const std::lock_guard lock(this->mutex_);
-  this->shortcomings_ = device->output->shortcomings();
+  this->abilities_ = device->output->abilities();
   this->attached_ = std::move(device);
-  this->live_ = true;
+  this->presence_.found();
   return {};
 }
 
@@ -96,11 +67,8 @@ std::string PidLink::Attached::begin(HidBus& bus, const PidOutputOptions& option
   {
     return problem;
   }
-  this->input.emplace(this->descriptor);
-  if (!this->input->usable())
-  {
-    return "it has no axis that tells where the hand is";
-  }
+  const PidKind kind = pidKind(this->descriptor);
+  this->input.emplace(this->descriptor, kind.sensedAxes);
   HidBus::Opened opened = bus.open(this->entry);
   if (opened.connection == nullptr)
   {
@@ -108,14 +76,14 @@ std::string PidLink::Attached::begin(HidBus& bus, const PidOutputOptions& option
   }
   this->connection = std::move(opened.connection);
   this->engine.emplace(*this->connection, this->descriptor);
-  this->output.emplace(*this->engine, options, this->input->hasTwoAxes() ? 2U : 1U);
+  this->output.emplace(*this->engine, options, kind);
   problem = this->engine->open();
   return problem.empty() ? this->output->begin() : problem;
 }
 
 void PidLink::Attached::drain() const noexcept
 {
-  std::array<std::uint8_t, longestReport> report;
+  std::array<std::uint8_t, InputReport::longest> report;
   for (int i = 0; i<mostQueued&& this->connection->read(report, 0)> 0; ++i)
   {
   }
@@ -128,7 +96,7 @@ void PidLink::detach() noexcept
   {
     device->engine->close();
   }
-  this->live_ = false;
+  this->presence_.left();
   const std::lock_guard lock(this->mutex_);
   this->attached_.reset();
 }
@@ -141,8 +109,7 @@ std::shared_ptr<PidLink::Attached> PidLink::attached() const
 
 void PidLink::lose(const std::string& why)
 {
-  this->live_ = false;
-  ++this->losses_;
+  this->presence_.lost();
   const std::lock_guard lock(this->mutex_);
   this->message_ = why;
   this->attached_.reset();
@@ -155,14 +122,16 @@ bool PidLink::readPass(int timeout_ms)
   {
     return false;
   }
-  std::array<std::uint8_t, longestReport> report;
+  std::array<std::uint8_t, InputReport::longest> report;
   std::optional<Hand> newest;
+  const std::uint64_t before = this->inputs_;
   int length = device->connection->read(report, timeout_ms);
   for (int i = 0; length > 0 && i < mostQueued; ++i)
   {
     this->take(*device, { report.data(), static_cast<std::size_t>(length) }, newest);
     length = device->connection->read(report, 0);
   }
+  this->rate_.count(this->inputs_ - before, this->clock_.now_ns());
   if (newest)
   {
     this->handToServo_.write(*newest);
@@ -203,19 +172,17 @@ void PidLink::take(const Attached& device, std::span<const std::uint8_t> report,
   }
 }
 
-/// A write that hangs cannot be called back; a second way to the device may still work.
+/// A write that hangs cannot be called back, but the device may still take an order by its control requests. That may
+/// hang too, for as long: the reader has nothing else to do for a device that is lost.
 void PidLink::watchWriter(const Attached& device)
 {
   const std::int64_t since_ns = this->writingSince_ns_;
   const bool stuck = since_ns != notWriting && this->clock_.now_ns() - since_ns > stuckAfter_ns;
   if (stuck && !this->writerStuck_)
   {
-    ++this->losses_;
-    HidBus::Opened second = this->bus_->open(device.entry);
-    if (second.connection != nullptr)
-    {
-      static_cast<void>(PidEngine(*second.connection, device.descriptor).control(pid::stopAll));
-    }
+    this->presence_.stalled();
+    ++this->stalls_;
+    static_cast<void>(device.engine->stopAllNow());
   }
   this->writerStuck_ = stuck;
 }
@@ -239,9 +206,12 @@ bool PidLink::writePass()
   const PidOutput::Wish wish{ this->muted_ ? DeviceCommand{} : newest.command, newest.beat,
     this->handToWriter_.read().p_D };
   this->watchHand(now_ns, wish);
+  const std::uint64_t restarts = device->output->restarts();
   this->writingSince_ns_ = now_ns;
   const PidOutput::Step step = device->output->step(now_ns, wish);
   this->writingSince_ns_ = notWriting;
+  this->outputs_ += step == PidOutput::Step::Sent ? 1 : 0;
+  this->restarts_ += device->output->restarts() - restarts;
   if (step == PidOutput::Step::Failed)
   {
     this->lose("it does not take forces: " + device->connection->error());
@@ -284,10 +254,7 @@ void PidLink::watchHand(std::int64_t now_ns, const PidOutput::Wish& wish) noexce
 std::optional<PidLink::Hand> PidLink::hand() noexcept
 {
   const Hand& newest = this->handToServo_.read();
-  const std::uint64_t losses = this->losses_.load(std::memory_order_acquire);
-  const bool lost = losses != this->seenLosses_ || !this->live_.load(std::memory_order_acquire);
-  this->seenLosses_ = losses;
-  return lost ? std::nullopt : std::optional<Hand>(newest);
+  return this->presence_.steady() ? std::optional<Hand>(newest) : std::nullopt;
 }
 
 void PidLink::command(const DeviceCommand& command) noexcept
@@ -297,15 +264,26 @@ void PidLink::command(const DeviceCommand& command) noexcept
 
 LinkReport PidLink::report() const
 {
+  LinkReport report;
+  report.inputs = this->inputs_;
+  report.strange = this->strange_;
+  report.outOfRange = this->outOfRange_;
+  report.outputs = this->outputs_;
+  report.restarts = this->restarts_;
+  report.stalls = this->stalls_;
+  report.losses = this->presence_.losses();
+  report.inputRate_Hz = this->rate_.rate_Hz();
+  report.frozen = this->frozen_;
   const std::lock_guard lock(this->mutex_);
-  return { this->inputs_, this->strange_, this->outOfRange_, this->losses_, this->attached_ != nullptr, this->frozen_,
-    this->message_ };
+  report.attached = this->attached_ != nullptr;
+  report.message = this->message_;
+  return report;
 }
 
-std::string PidLink::shortcomings() const
+std::optional<DeviceAbilities> PidLink::abilities() const
 {
   const std::lock_guard lock(this->mutex_);
-  return this->shortcomings_;
+  return this->abilities_;
 }
 
 } // namespace palpate

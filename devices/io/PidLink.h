@@ -11,32 +11,14 @@
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/PidInput.h"
 #include "devices/hid/PidOutput.h"
+#include "devices/io/LinkedDevice.h"
+#include "devices/io/Presence.h"
+#include "devices/io/ReportRate.h"
 #include "haptics/core/Clock.h"
 #include "haptics/realtime/TripleBuffer.h"
 
 namespace palpate
 {
-
-/// Which of the devices that are there is meant: the one with that serial number; without one, the only one of its
-/// kind.
-struct FoundDevice
-{
-  std::optional<HidEntry> entry;
-  std::string problem;
-};
-[[nodiscard]] FoundDevice findAgain(HidBus& bus, const HidEntry& wanted);
-
-/// How the link went so far.
-struct LinkReport
-{
-  std::uint64_t inputs = 0;     ///< reports with the hand
-  std::uint64_t strange = 0;    ///< neither that nor a state: another ID, or too short
-  std::uint64_t outOfRange = 0; ///< positions beyond what the descriptor allows
-  std::uint64_t losses = 0;     ///< times the device was lost
-  bool attached = false;
-  bool frozen = false; ///< it shows the same place although it pushes
-  std::string message; ///< what was wrong last, for a person; empty: nothing
-};
 
 /// A force-feedback joystick that comes and goes, between a reader, a writer and a servo. The reader and the writer
 /// each call their pass again and again and may be blocked in it for seconds; the servo exchanges newest values with
@@ -70,8 +52,8 @@ public:
 
   /// Any thread but the servo's.
   [[nodiscard]] LinkReport report() const;
-  /// What the device cannot do. Any thread but the servo's.
-  [[nodiscard]] std::string shortcomings() const;
+  /// What the device can do; none before it was attached. Any thread but the servo's.
+  [[nodiscard]] std::optional<DeviceAbilities> abilities() const;
 
 private:
   /// All that lives as long as a device stays plugged in.
@@ -107,20 +89,23 @@ private:
 
   mutable std::mutex mutex_; ///< reader, writer and owner only
   std::shared_ptr<Attached> attached_;
-  std::string message_, shortcomings_;
+  std::string message_;
+  std::optional<DeviceAbilities> abilities_;
 
   TripleBuffer<Hand> handToServo_;  ///< reader -> servo
   TripleBuffer<Hand> handToWriter_; ///< reader -> writer
   TripleBuffer<Outgoing> commands_; ///< servo -> writer
-  std::atomic<bool> live_ = false;
+  Presence presence_;
+  ReportRate rate_;
   std::atomic<bool> frozen_ = false;
   std::atomic<bool> actuatorsOff_ = false;
   std::atomic<int> stoppedBlock_ = 0;
-  std::atomic<std::uint64_t> losses_ = 0, inputs_ = 0, strange_ = 0, outOfRange_ = 0;
+  std::atomic<std::uint64_t> inputs_ = 0, strange_ = 0, outOfRange_ = 0; ///< reader's
+  std::atomic<std::uint64_t> stalls_ = 0;                                ///< reader's
+  std::atomic<std::uint64_t> outputs_ = 0, restarts_ = 0;                ///< writer's
   std::atomic<std::int64_t> writingSince_ns_ = notWriting;
   static constexpr std::int64_t notWriting = -1;
 
-  std::uint64_t seenLosses_ = 0;   ///< servo's
   std::uint64_t beat_ = 0;         ///< servo's
   bool muted_ = false;             ///< writer's: until no force is asked for
   std::int64_t triedAt_ns_ = 0;    ///< writer's

@@ -47,6 +47,7 @@ DeviceInfo infoOf(const DeviceModel& model)
   info.name = model.name;
   info.simulated = true;
   info.deviceClass = model.planar ? DeviceClass::Joystick2D : DeviceClass::Point3D;
+  info.abilities.sensedAxes = model.planar ? 2 : 3;
   const bool defined = model.provenance == Provenance::Definition, listed = model.provenance == Provenance::Listed;
   const auto limit = [=](double value) {
     return DeviceQuantity{ value, defined || (listed && value < DeviceModel::unlimited) };

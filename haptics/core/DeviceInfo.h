@@ -39,6 +39,17 @@ struct DeviceQuantity
   bool known = false;
 };
 
+/// What a device tells of the hand, and what it can do to it besides one force.
+struct DeviceAbilities
+{
+  std::uint8_t sensedAxes = 3; ///< 1: x; 2: x and y; 3: a point; 6: a point and how it is turned
+  bool holdsWalls = false;     ///< by itself, at its own rate
+  bool viscous = false;        ///< brakes the hand by itself
+  bool signals = false;        ///< a pulse, a shake
+
+  friend bool operator==(const DeviceAbilities&, const DeviceAbilities&) = default;
+};
+
 /// What a device can do. Filled once when it is opened.
 struct DeviceInfo
 {
@@ -47,8 +58,9 @@ struct DeviceInfo
   DeviceClass deviceClass = DeviceClass::Point3D;
   Causality causality = Causality::Impedance;
   Pacing pacing = Pacing::Timer;
-  bool rendersForce = true; ///< false: forces go nowhere (poses fed by a program, a replay)
-  bool simulated = false;                                               ///< lateness is counted, never a fault
+  bool rendersForce = true; ///< false: forces go nowhere (poses fed by a program, a replay, a SpaceMouse)
+  bool simulated = false;   ///< lateness is counted, never a fault
+  DeviceAbilities abilities;
   DeviceQuantity workspaceRadius_m{ 0.1, false };
   DeviceQuantity resolution_m{ 0.0, false };
   DeviceQuantity maxForce_N{ std::numeric_limits<double>::infinity(), false };

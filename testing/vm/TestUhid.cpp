@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "devices/hid/HidDiscovery.h"
 #include "devices/hid/HidapiBus.h"
-#include "devices/hid/PidDiscovery.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/vm/OtherProgram.h"
 #include "testing/vm/Servo.h"
@@ -43,7 +43,7 @@ TEST(Uhid, EveryLayoutIsFoundAsAForceFeedbackDeviceWithTheDescriptorItHas)
     const HidEntry entry = test::waitForEntry(*bus, device.serial());
     EXPECT_EQ(entry.name, layout.name);
     EXPECT_EQ(bus->descriptor(entry).bytes, test::descriptorOf(layout)) << layout.name;
-    const std::vector<FoundPid> found = findPidDevices(*bus);
+    const std::vector<FoundHid> found = findHidDevices(*bus);
     ASSERT_EQ(found.size(), 1u) << layout.name;
     EXPECT_EQ(found[0].problem, "") << layout.name;
     EXPECT_EQ(found[0].entry.serial, device.serial());

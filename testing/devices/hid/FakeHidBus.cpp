@@ -54,6 +54,16 @@ public:
     return true;
   }
 
+  bool setOutput(std::span<const std::uint8_t> report) noexcept override
+  {
+    const std::lock_guard lock(this->bus_.mutex_);
+    if (!this->port_.present || this->port_.controlStalls)
+    {
+      return false;
+    }
+    return this->port_.device->take(HidReportKind::Output, report);
+  }
+
   bool setFeature(std::span<const std::uint8_t> report) noexcept override
   {
     const std::lock_guard lock(this->bus_.mutex_);

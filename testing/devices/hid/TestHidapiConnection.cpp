@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "devices/hid/HidapiBus.h"
-#include "devices/hid/PidDiscovery.h"
+#include "devices/hid/HidDiscovery.h"
 #include "devices/io/PidDevice.h"
 #include "testing/devices/hid/FakeHidapi.h"
 
@@ -63,7 +63,7 @@ TEST_F(HidapiConnection, ADeviceListedOnceForEachCollectionIsOneDevice)
 TEST_F(HidapiConnection, DrivesADeviceFromFindingItToForceAndClosesIt)
 {
   test::FakePort& port = this->plug(test::plainLayout(), "A");
-  const std::vector<FoundPid> found = findPidDevices(*this->bus);
+  const std::vector<FoundHid> found = findHidDevices(*this->bus);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].problem, "");
   PidDeviceOptions options;
@@ -110,7 +110,7 @@ TEST_F(HidapiConnection, WhatTheSystemSaysOfAFailureIsPassedOn)
 TEST_F(HidapiConnection, ADeviceWithoutDescriptorIsPassedOver)
 {
   this->plugged->plug(test::plainLayout(), "A"); // nothing in the folder of descriptors
-  EXPECT_TRUE(findPidDevices(*this->bus).empty());
+  EXPECT_TRUE(findHidDevices(*this->bus).empty());
   EXPECT_NE(this->bus->descriptor(this->bus->devices().at(0)).problem, "");
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "devices/io/FindAgain.h"
 #include "devices/io/PidDevice.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/AllocationGuard.h"
@@ -174,7 +175,7 @@ TEST(PidDevice, ClosesWallsItselfWhereTheDeviceCannot)
 {
   Rig rig(test::adapterLayout());
   ASSERT_EQ(rig.device.open(), "");
-  EXPECT_NE(rig.device.link().shortcomings().find("no walls"), std::string::npos);
+  EXPECT_FALSE(rig.device.abilitiesNow().holdsWalls);
   const double half_m = rig.scale().halfTravel_m;
   rig.command.wallCount = 1;
   rig.command.walls[0] = { -Vec3::UnitX(), 0.0, 40.0 };
@@ -349,7 +350,7 @@ TEST(PidDevice, AFullPoolLeavesTheForceAndSaysWhatIsMissing)
   small.slots = 2;
   Rig two(small);
   EXPECT_EQ(two.device.open(), "");
-  EXPECT_NE(two.device.link().shortcomings().find("no walls"), std::string::npos);
+  EXPECT_EQ(two.device.abilitiesNow(), (DeviceAbilities{ 2, false, false, false }));
   small.slots = 1;
   Rig one(small);
   EXPECT_NE(one.device.open().find("full"), std::string::npos);

@@ -64,7 +64,7 @@ struct Held
       connection(bus.open(port.entry).connection), engine(*connection, descriptor)
   {
     EXPECT_EQ(this->engine.open(), "");
-    this->plan = planWalls(command, scale, this->engine.conditionAbilities(), largestShare);
+    this->plan = planWalls(command, scale, conditionAbilities(this->descriptor), largestShare);
     this->spring = this->hold(pid::spring, this->plan.springs);
     const Condition braking = planDamper(command, scale, largestShare);
     static_cast<void>(this->hold(pid::damper, { braking, braking }));

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "devices/DeviceFactory.h"
+#include "devices/hid/HidDiscovery.h"
 #include "devices/hid/HidapiBus.h"
-#include "devices/hid/PidDiscovery.h"
 #include "testing/devices/hid/FakeHidBus.h"
 
 namespace palpate
@@ -17,7 +17,7 @@ namespace
 using test::FakeHidBus;
 using test::FakePort;
 
-TEST(PidDiscovery, NamesWhatIsPluggedInAndSaysWhatCannotBeUsedAndWhy)
+TEST(HidDiscovery, NamesWhatIsPluggedInAndSaysWhatCannotBeUsedAndWhy)
 {
   FakeHidBus bus;
   bus.plug(test::plainLayout(), "7");
@@ -25,7 +25,7 @@ TEST(PidDiscovery, NamesWhatIsPluggedInAndSaysWhatCannotBeUsedAndWhy)
   bus.plug(test::hobbyLayout(), "9").openProblem = "no permission";
   FakePort& mouse = bus.plug(test::plainLayout(), "10");
   mouse.descriptor = { 0x05, 0x01, 0x09, 0x02, 0xA1, 0x01, 0x09, 0x30, 0x75, 0x08, 0x95, 0x01, 0x81, 0x06, 0xC0 };
-  const std::vector<FoundPid> found = findPidDevices(bus);
+  const std::vector<FoundHid> found = findHidDevices(bus);
   ASSERT_EQ(found.size(), 3u);
   EXPECT_EQ(found[0].name, "pid-1209-ffb0-7");
   EXPECT_EQ(found[0].problem, "");
@@ -33,18 +33,18 @@ TEST(PidDiscovery, NamesWhatIsPluggedInAndSaysWhatCannotBeUsedAndWhy)
   EXPECT_EQ(found[2].problem, "no permission");
 }
 
-TEST(PidDiscovery, TwoAlikeWithoutSerialNumbersGetNamesOfTheirOwn)
+TEST(HidDiscovery, TwoAlikeWithoutSerialNumbersGetNamesOfTheirOwn)
 {
   FakeHidBus bus;
   bus.plug(test::plainLayout(), "");
   bus.plug(test::plainLayout(), "");
-  const std::vector<FoundPid> found = findPidDevices(bus);
+  const std::vector<FoundHid> found = findHidDevices(bus);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].name, "pid-1209-ffb0");
   EXPECT_EQ(found[1].name, "pid-1209-ffb0-2");
 }
 
-TEST(PidDiscovery, TheFactoryListsAndMakesThem)
+TEST(HidDiscovery, TheFactoryListsAndMakesThem)
 {
   auto bus = std::make_shared<FakeHidBus>();
   bus->plug(test::plainLayout(), "7");

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "haptics/core/DeviceInfo.h"
+
+namespace palpate
+{
+
+/// What a device of that kind cannot do, for the person who holds it: sentences, or empty. Pure.
+[[nodiscard]] std::string shortcomings(const DeviceInfo& device);
+
+/// What kind of device it is, in a few words: "2 axes of force". Pure.
+[[nodiscard]] std::string kindOf(const DeviceInfo& device);
+
+} // namespace palpate

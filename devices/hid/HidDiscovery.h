@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "devices/hid/HidConnection.h"
+#include "devices/hid/ReportDescriptor.h"
+
+namespace palpate
+{
+
+/// A device for a hand that is plugged in, usable or not.
+struct FoundHid
+{
+  enum class Kind : std::uint8_t
+  {
+    ForceFeedback, ///< of the PID class
+    SpaceMouse,    ///< six axes, no force
+  };
+  Kind kind = Kind::ForceFeedback;
+  std::string name; ///< for the factory: the same as long as the same devices are plugged in
+  HidEntry entry;
+  ReportDescriptor descriptor;
+  std::string problem; ///< empty, or why it cannot be used and what to do
+};
+
+/// The force-feedback devices and SpaceMice on a bus; mice, keyboards and joysticks without force are left out. Each is
+/// opened for a moment to see whether it may be.
+[[nodiscard]] std::vector<FoundHid> findHidDevices(HidBus& bus);
+
+} // namespace palpate

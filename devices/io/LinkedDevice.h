@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "haptics/core/DeviceInfo.h"
+
+namespace palpate
+{
+
+/// How the link to a device went so far.
+struct LinkReport
+{
+  std::uint64_t inputs = 0;     ///< reports with the hand
+  std::uint64_t strange = 0;    ///< neither that nor a state: another ID, or too short
+  std::uint64_t outOfRange = 0; ///< positions beyond what the descriptor allows
+  std::uint64_t outputs = 0;    ///< reports that the device took
+  std::uint64_t restarts = 0;   ///< of these, effects that were armed again before they ended
+  std::uint64_t stalls = 0;     ///< times a write hung for longer than a link may
+  std::uint64_t losses = 0;     ///< times the device was lost, stalls included
+  double inputRate_Hz = 0.0;    ///< of the last second or so; 0 before the first
+  bool attached = false;
+  bool frozen = false; ///< it shows the same place although it pushes
+  std::string message; ///< what was wrong last, for a person; empty: nothing
+};
+
+/// A device behind a link that can be slow, hang or go. Any thread but the servo's.
+class LinkedDevice
+{
+public:
+  virtual ~LinkedDevice() = default;
+
+  [[nodiscard]] virtual LinkReport linkReport() const = 0;
+  /// What it really can do, as far as that shows only once it is open.
+  [[nodiscard]] virtual DeviceAbilities abilitiesNow() const = 0;
+};
+
+} // namespace palpate

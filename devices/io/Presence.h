@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace palpate
+{
+
+/// Whether a device is there, between the threads that notice and the servo, which misses no loss however short.
+class Presence
+{
+public:
+  /// Any thread but the servo's.
+  void found() noexcept { this->live_ = true; }
+  void lost() noexcept
+  {
+    this->live_ = false;
+    ++this->losses_;
+  }
+  /// Nobody asks for it any more.
+  void left() noexcept { this->live_ = false; }
+  /// It is there and does not take what it is told.
+  void stalled() noexcept { ++this->losses_; }
+  [[nodiscard]] std::uint64_t losses() const noexcept { return this->losses_; }
+
+  /// It is there, and was all the time since the last call. Servo thread; wait-free.
+  [[nodiscard]] bool steady() noexcept
+  {
+    const std::uint64_t losses = this->losses_.load(std::memory_order_acquire);
+    const bool same = losses == this->seenLosses_;
+    this->seenLosses_ = losses;
+    return same && this->live_.load(std::memory_order_acquire);
+  }
+
+private:
+  std::atomic<bool> live_ = false;
+  std::atomic<std::uint64_t> losses_ = 0;
+  std::uint64_t seenLosses_ = 0; ///< servo's
+};
+
+} // namespace palpate

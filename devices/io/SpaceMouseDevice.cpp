@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/io/SpaceMouseDevice.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+
+constexpr int readTimeout_ms = 100;
+constexpr int noDevice_ms = 20;
+constexpr double forgetAfter_s = 0.1; ///< a pressed cap is told about every 8 or 16 ms
+constexpr double longestTick_s = 0.02;
+
+std::shared_ptr<const Clock> clockOf(const SpaceMouseOptions& options)
+{
+  if (options.clock != nullptr)
+  {
+    return { options.clock, [](const Clock*) {} };
+  }
+  return std::make_shared<MonotonicClock>();
+}
+
+struct Kept
+{
+  std::shared_ptr<SpaceMouseLink> link;
+  std::shared_ptr<const Clock> clock;
+};
+
+} // namespace
+
+SpaceMouseDevice::SpaceMouseDevice(
+  const std::string& name, std::shared_ptr<HidBus> bus, HidEntry entry, const SpaceMouseOptions& options)
+  : bus_(std::move(bus)), entry_(std::move(entry)), options_(options), clock_(clockOf(options)), link_(this->newLink()),
+    motion_(options.motion)
+{
+  this->info_.name = name;
+  this->info_.serial = this->entry_.serial;
+  this->info_.deviceClass = DeviceClass::Rigid6D;
+  this->info_.rendersForce = false;
+  this->info_.abilities.sensedAxes = 6;
+  this->info_.workspaceRadius_m = { options.motion.radius_m, true }; // ours to choose
+}
+
+std::shared_ptr<SpaceMouseLink> SpaceMouseDevice::newLink() const
+{
+  return std::make_shared<SpaceMouseLink>(this->bus_, this->entry_, *this->clock_);
+}
+
+SpaceMouseDevice::~SpaceMouseDevice()
+{
+  this->close();
+}
+
+std::string SpaceMouseDevice::open()
+{
+  if (this->threads_ != nullptr)
+  {
+    return {};
+  }
+  std::string problem = this->link_->attach();
+  if (!problem.empty() || !this->options_.threads)
+  {
+    return problem;
+  }
+  const auto kept = std::make_shared<Kept>(Kept{ this->link_, this->clock_ });
+  SpaceMouseLink* const link = kept->link.get();
+  this->threads_ = std::make_unique<DeviceThreads>();
+  this->threads_->run(
+    { [link] { return link->readPass(readTimeout_ms); }, noDevice_ms, 0, [link] { link->detach(); }, kept });
+  return {};
+}
+
+void SpaceMouseDevice::close() noexcept
+{
+  if (this->threads_ == nullptr)
+  {
+    this->link_->detach();
+  }
+  else if (!std::exchange(this->threads_, nullptr)->end())
+  {
+    this->link_ = this->newLink(); // the old one is its reader's, whenever that comes back
+  }
+}
+
+/// A cap of which nothing more comes is not one that is held: a radio link that breaks off must not run on.
+Cap SpaceMouseDevice::heard(double tickTime_s, const SpaceMouseLink::News& news) noexcept
+{
+  if (news.reports != this->heardOf_)
+  {
+    this->heardOf_ = news.reports;
+    this->heardAt_s_ = tickTime_s;
+  }
+  Cap cap = news.cap;
+  if (tickTime_s - this->heardAt_s_ > forgetAfter_s)
+  {
+    cap.at = {};
+  }
+  return cap;
+}
+
+DeviceStatus SpaceMouseDevice::read(double tickTime_s, DeviceSample& sample) noexcept
+{
+  const double dt_s = this->lastTick_s_ == never ? 0.0 : std::clamp(tickTime_s - this->lastTick_s_, 0.0, longestTick_s);
+  this->lastTick_s_ = tickTime_s;
+  const std::optional<SpaceMouseLink::News> news = this->link_->news();
+  if (!news)
+  {
+    return DeviceStatus::Lost;
+  }
+  const Cap cap = this->heard(tickTime_s, *news);
+  this->motion_.step(cap, dt_s);
+  sample = {};
+  sample.time_s = tickTime_s;
+  sample.pose_D = this->motion_.pose_D();
+  sample.velocity_D = this->motion_.velocity_D();
+  sample.buttons = cap.buttons;
+  return DeviceStatus::Ok;
+}
+
+} // namespace palpate

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "devices/io/CapMotion.h"
+#include "devices/io/DeviceThreads.h"
+#include "devices/io/LinkedDevice.h"
+#include "devices/io/SpaceMouseLink.h"
+#include "haptics/core/HapticDevice.h"
+
+namespace palpate
+{
+
+/// How a SpaceMouseDevice runs; the defaults are for people, the rest for tests.
+struct SpaceMouseOptions
+{
+  CapMotionOptions motion;
+  bool threads = true;          ///< false: nothing runs by itself, the link's passes are called from outside
+  const Clock* clock = nullptr; ///< null: the system's monotonic clock; must outlive the device
+};
+
+/// A SpaceMouse leads the hand with six degrees of freedom and gives no force. A cap that is pressed moves the hand and
+/// turns it, one that is let go, or of which nothing has been heard for a tenth of a second, holds it where it is. Its
+/// buttons can be what must be held. Reading is wait-free whatever the device does.
+class SpaceMouseDevice final
+  : public HapticDevice
+  , public LinkedDevice
+{
+public:
+  SpaceMouseDevice(
+    const std::string& name, std::shared_ptr<HidBus> bus, HidEntry entry, const SpaceMouseOptions& options = {});
+  ~SpaceMouseDevice() override;
+  SpaceMouseDevice(const SpaceMouseDevice&) = delete;
+  SpaceMouseDevice& operator=(const SpaceMouseDevice&) = delete;
+
+  [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
+  [[nodiscard]] std::string open() override;
+  void close() noexcept override;
+  [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
+  void write(const DeviceCommand&) noexcept override {}
+
+  [[nodiscard]] LinkReport linkReport() const override { return this->link_->report(); }
+  [[nodiscard]] DeviceAbilities abilitiesNow() const override { return this->info_.abilities; }
+
+  [[nodiscard]] SpaceMouseLink& link() noexcept { return *this->link_; }
+
+private:
+  [[nodiscard]] std::shared_ptr<SpaceMouseLink> newLink() const;
+  [[nodiscard]] Cap heard(double tickTime_s, const SpaceMouseLink::News& news) noexcept;
+
+  DeviceInfo info_;
+  std::shared_ptr<HidBus> bus_;
+  HidEntry entry_;
+  SpaceMouseOptions options_;
+  std::shared_ptr<const Clock> clock_; ///< our own, where none was given
+  std::shared_ptr<SpaceMouseLink> link_;
+  std::unique_ptr<DeviceThreads> threads_;
+
+  CapMotion motion_;          ///< servo's
+  double lastTick_s_ = never; ///< servo's
+  double heardAt_s_ = 0.0;    ///< servo's
+  std::uint64_t heardOf_ = 0; ///< servo's
+  static constexpr double never = -1.0;
+};
+
+} // namespace palpate

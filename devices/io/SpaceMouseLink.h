@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "devices/hid/HidConnection.h"
+#include "devices/hid/SpaceMouseInput.h"
+#include "devices/io/LinkedDevice.h"
+#include "devices/io/Presence.h"
+#include "devices/io/ReportRate.h"
+#include "haptics/core/Clock.h"
+#include "haptics/realtime/TripleBuffer.h"
+
+namespace palpate
+{
+
+/// A SpaceMouse that comes and goes, between a reader, which may be blocked in its pass, and a servo, which never
+/// waits. After a loss the reader opens the device again.
+class SpaceMouseLink
+{
+public:
+  /// `clock` must outlive the link.
+  SpaceMouseLink(std::shared_ptr<HidBus> bus, HidEntry entry, const Clock& clock);
+
+  /// Finds and opens the device. Empty, or why not. Reader thread, or before there is one.
+  [[nodiscard]] std::string attach();
+  /// Lets it go. Reader thread, or after it.
+  void detach() noexcept;
+  /// Waits for input and keeps the newest; without a device tries to find it again. False: there is none. Reader
+  /// thread.
+  bool readPass(int timeout_ms);
+
+  struct News
+  {
+    Cap cap;
+    std::uint64_t reports = 0; ///< so many have said something so far
+  };
+  /// The newest; none: the device is lost, or was since the last call. Servo thread; wait-free.
+  [[nodiscard]] std::optional<News> news() noexcept;
+
+  /// Any thread but the servo's.
+  [[nodiscard]] LinkReport report() const;
+
+private:
+  struct Attached
+  {
+    std::unique_ptr<HidConnection> connection;
+    ReportDescriptor descriptor;
+    std::optional<SpaceMouseInput> input;
+  };
+
+  [[nodiscard]] std::shared_ptr<Attached> attached() const;
+  [[nodiscard]] std::string begin(const HidEntry& entry, Attached& device);
+  void lose(const std::string& why);
+  void reattach(std::int64_t now_ns);
+  void take(const Attached& device, std::span<const std::uint8_t> report) noexcept;
+
+  std::shared_ptr<HidBus> bus_;
+  HidEntry entry_;
+  const Clock& clock_;
+
+  mutable std::mutex mutex_; ///< reader and owner only
+  std::shared_ptr<Attached> attached_;
+  std::string message_;
+
+  TripleBuffer<News> newsToServo_; ///< reader -> servo
+  Presence presence_;
+  ReportRate rate_;
+  std::atomic<std::uint64_t> inputs_ = 0, strange_ = 0, outOfRange_ = 0;
+  News news_;                   ///< reader's
+  std::int64_t triedAt_ns_ = 0; ///< reader's
+};
+
+} // namespace palpate
