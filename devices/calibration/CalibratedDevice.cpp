@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/calibration/CalibratedDevice.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+
+Mat3 sensorsOf(const Calibration& calibration)
+{
+  Mat3 sensors = Mat3::Identity();
+  for (int i = 0; i < calibration.axisCount; ++i)
+  {
+    const AxisCalibration& axis = calibration.axes[static_cast<std::size_t>(i)];
+    sensors.row(i).setZero();
+    sensors(i, axis.sensor) = axis.sensorSign;
+  }
+  return sensors;
+}
+
+Mat3 motorsOf(const Calibration& calibration)
+{
+  Mat3 motors = Mat3::Identity();
+  for (int i = 0; i < calibration.axisCount; ++i)
+  {
+    const AxisCalibration& axis = calibration.axes[static_cast<std::size_t>(i)];
+    motors.col(i).setZero();
+    motors(axis.motor, i) = axis.motorSign;
+  }
+  return motors;
+}
+
+Vec3 middleOf(const Calibration& calibration)
+{
+  Vec3 middle_D = Vec3::Zero();
+  for (int i = 0; i < calibration.axisCount; ++i)
+  {
+    const AxisCalibration& axis = calibration.axes[static_cast<std::size_t>(i)];
+    middle_D[i] = 0.5 * axis.sensorSign * (axis.low_m + axis.high_m);
+  }
+  return middle_D;
+}
+
+/// The largest ball that fits between all ends.
+double radiusOf(const Calibration& calibration)
+{
+  double radius_m = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < calibration.axisCount; ++i)
+  {
+    const AxisCalibration& axis = calibration.axes[static_cast<std::size_t>(i)];
+    radius_m = std::min(radius_m, 0.5 * (axis.high_m - axis.low_m));
+  }
+  return radius_m;
+}
+
+} // namespace
+
+CalibratedDevice::CalibratedDevice(std::unique_ptr<HapticDevice> device, const Calibration& calibration)
+  : device_(std::move(device)), info_(this->device_->info()), sensors_(sensorsOf(calibration)),
+    motors_(motorsOf(calibration)), middle_D_(middleOf(calibration))
+{
+  this->info_.workspaceRadius_m = { radiusOf(calibration), true };
+}
+
+DeviceStatus CalibratedDevice::read(double tickTime_s, DeviceSample& sample) noexcept
+{
+  const DeviceStatus status = this->device_->read(tickTime_s, sample);
+  sample.pose_D.p = (this->sensors_ * sample.pose_D.p - this->middle_D_).eval();
+  sample.velocity_D.linear = (this->sensors_ * sample.velocity_D.linear).eval();
+  sample.sensed_D.force = (this->sensors_ * sample.sensed_D.force).eval();
+  return status;
+}
+
+void CalibratedDevice::write(const DeviceCommand& command) noexcept
+{
+  DeviceCommand raw = command;
+  raw.wrench_D.force = this->motors_ * command.wrench_D.force;
+  raw.target_D.p = this->sensors_.transpose() * (command.target_D.p + this->middle_D_);
+  // The device measures its own walls along its own axes.
+  for (std::size_t i = 0; i < std::min<std::size_t>(raw.wallCount, raw.walls.size()); ++i)
+  {
+    const HeldWall& wall = command.walls[i];
+    raw.walls[i].normal_D = this->sensors_.transpose() * wall.normal_D;
+    raw.walls[i].offset_m = wall.offset_m + wall.normal_D.dot(this->middle_D_);
+  }
+  this->device_->write(raw);
+}
+
+} // namespace palpate

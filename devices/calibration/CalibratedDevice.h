@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "devices/calibration/Calibration.h"
+#include "haptics/core/HapticDevice.h"
+
+namespace palpate
+{
+
+/// A device seen through its calibration: x is to the right, y up or away, z towards the person, the middle of its
+/// range is the origin, and a force pushes where it points. Forces are never made larger. Orientations and torques are
+/// passed on as they are. Real-time safe where the device is.
+class CalibratedDevice final : public HapticDevice
+{
+public:
+  /// The calibration must be one that is not refused.
+  CalibratedDevice(std::unique_ptr<HapticDevice> device, const Calibration& calibration);
+
+  [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
+  [[nodiscard]] std::string open() override { return this->device_->open(); }
+  void close() noexcept override { this->device_->close(); }
+  [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
+  void write(const DeviceCommand& command) noexcept override;
+
+private:
+  std::unique_ptr<HapticDevice> device_;
+  DeviceInfo info_;
+  Mat3 sensors_;  ///< from the driver's axes to D: a permutation with signs
+  Mat3 motors_;   ///< from D to the driver's axes of force
+  Vec3 middle_D_; ///< of the range, before it becomes the origin
+};
+
+} // namespace palpate

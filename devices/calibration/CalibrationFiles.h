@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "devices/calibration/Calibration.h"
+
+namespace palpate
+{
+
+/// Where a person's calibrations are kept, from the values of XDG_CONFIG_HOME and HOME (null: not set); empty: nowhere.
+[[nodiscard]] std::string userCalibrationFolder(const char* xdgConfigHome, const char* home);
+
+/// The file of one device in a folder: one per name and serial number, whatever characters these have.
+[[nodiscard]] std::string calibrationFile(
+  const std::string& folder, const std::string& device, const std::string& serial);
+
+/// What is known of a device.
+struct KeptCalibration
+{
+  std::optional<Calibration> calibration;
+  std::string problem; ///< one sentence that names a file that cannot be used and why; empty too where there is none
+};
+
+/// The calibration of a device. Where its file is damaged the one before it is taken, and `problem` says so.
+[[nodiscard]] KeptCalibration loadCalibration(
+  const std::string& folder, const std::string& device, const std::string& serial);
+
+/// Keeps a calibration, and the one it replaces beside it. The file is whole at every moment; if it cannot be written
+/// the old one stays. Empty, or one sentence that names the file and why.
+[[nodiscard]] std::string saveCalibration(const std::string& folder, const Calibration& calibration);
+
+} // namespace palpate

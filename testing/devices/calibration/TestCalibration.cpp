@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <limits>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "devices/calibration/CalibratedDevice.h"
+#include "devices/calibration/CalibrationFiles.h"
+#include "testing/support/Random.h"
+
+namespace palpate
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// The driver's y counts what goes to the left, and its x what goes up; the motors are as they should be but x is
+/// reversed.
+Calibration example()
+{
+  Calibration c{ "pid-1209-ffb0-17", "17", "2026-01-31", 2, {} };
+  c.axes[0] = { 1, -1, -0.06, 0.04, 0, -1, 0.002, 0.5 };
+  c.axes[1] = { 0, 1, -0.03, 0.03, 1, 1, 1.0 / 3.0, 0.0 };
+  return c;
+}
+
+/// A folder of its own for each test, empty.
+class CalibrationFiles : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+    this->folder_ = fs::path(testing::TempDir()) / (std::string("palpate-calibration-") + test->name());
+    fs::remove_all(this->folder_);
+  }
+  void TearDown() override { fs::remove_all(this->folder_); }
+
+  [[nodiscard]] std::string folder() const { return this->folder_.string(); }
+  [[nodiscard]] std::string file() const { return calibrationFile(this->folder(), "pid-1209-ffb0-17", "17"); }
+  [[nodiscard]] KeptCalibration load() const { return loadCalibration(this->folder(), "pid-1209-ffb0-17", "17"); }
+  void write(const std::string& text) const
+  {
+    fs::create_directories(this->folder_);
+    std::ofstream(this->file(), std::ios::binary) << text;
+  }
+
+private:
+  fs::path folder_;
+};
+
+std::string replaced(std::string text, const std::string& what, const std::string& by)
+{
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), by);
+}
+
+TEST(Calibration, ComesBackFromItsTextToTheLastBit)
+{
+  test::Random random(test::testSeed(511));
+  for (std::size_t run = 0; run < test::testCount(200); ++run)
+  {
+    Calibration c = example();
+    c.axes[0].low_m = -random.uniform(1e-9, 1.0);
+    c.axes[1].response_m_per_N = random.uniform(0.0, 1e-3);
+    const ParsedCalibration parsed = parseCalibration(writeCalibration(c));
+    ASSERT_TRUE(parsed.calibration) << parsed.problem;
+    EXPECT_EQ(*parsed.calibration, c);
+  }
+}
+
+TEST(Calibration, EachWayOfBeingWrongIsNamed)
+{
+  const std::string good = writeCalibration(example());
+  ASSERT_TRUE(parseCalibration(good).calibration);
+  const std::vector<std::pair<std::string, std::string>> bad = {
+    { "", "not a calibration" },
+    { replaced(good, "calibration 1", "calibration 2"), "version" },
+    { replaced(good, "low -0.06", "low nan"), "line 5" },
+    { replaced(good, "low -0.06", "low -inf"), "line 5" },
+    { replaced(good, "low -0.06", "low 1e999"), "line 5" },
+    { replaced(good, "low -0.06", "low 0.04"), "no range" },
+    { replaced(good, "low -0.06", "low -1e9"), "not a length" },
+    { replaced(good, "strength 0.5", "strength -0.5"), "strength" },
+    { replaced(good, "sensor y-", "sensor x-"), "share a sensor" },
+    { replaced(good, "motor x-", "motor y-"), "share a sensor or a motor" },
+    { replaced(good, "motor x-", "motor z-"), "axis that the device does not have" },
+    { replaced(good, "motor x-", "motor x"), "line 5" },
+    { replaced(good, "axis y", "axis z"), "line 6" },
+    { replaced(good, "2026-01-31", "yesterday"), "date" },
+    { replaced(good, "serial 17", "serial " + std::string(300, '1')), "line 3" },
+    { replaced(good, "serial 17", "serial 1\a7"), "line 3" },
+    { good + "end\n", "line 8" },
+    { good + std::string(5000, ' '), "longer than any" },
+  };
+  for (const auto& [text, reason] : bad)
+  {
+    const ParsedCalibration parsed = parseCalibration(text);
+    EXPECT_FALSE(parsed.calibration) << text;
+    EXPECT_NE(parsed.problem.find(reason), std::string::npos) << reason << " is not in: " << parsed.problem;
+  }
+}
+
+TEST(Calibration, NoPartOfItPassesForTheWhole)
+{
+  const std::string good = writeCalibration(example());
+  for (std::size_t length = 0; length < good.size(); ++length)
+  {
+    EXPECT_FALSE(parseCalibration(good.substr(0, length)).calibration) << length;
+  }
+}
+
+TEST(Calibration, TheFolderIsThatOfThePersonsSettings)
+{
+  EXPECT_EQ(userCalibrationFolder("/settings", "/me"), "/settings/palpate/calibration");
+  EXPECT_EQ(userCalibrationFolder(nullptr, "/me"), "/me/.config/palpate/calibration");
+  EXPECT_EQ(userCalibrationFolder("relative", "/me"), "/me/.config/palpate/calibration"); // must be ignored, says XDG
+  EXPECT_EQ(userCalibrationFolder("", nullptr), "");
+}
+
+TEST(Calibration, DevicesThatDifferInOddCharactersOnlyHaveFilesOfTheirOwn)
+{
+  const std::string one = calibrationFile("f", "pid", "a/b"), other = calibrationFile("f", "pid", "a:b");
+  EXPECT_NE(one, other);
+  EXPECT_EQ(fs::path(one).parent_path(), "f");
+  EXPECT_EQ(fs::path(calibrationFile("f", "../..", "..")).parent_path(), "f");
+}
+
+TEST_F(CalibrationFiles, NothingIsKnownOfADeviceThatWasNeverChecked)
+{
+  const KeptCalibration kept = this->load();
+  EXPECT_FALSE(kept.calibration);
+  EXPECT_EQ(kept.problem, "");
+}
+
+TEST_F(CalibrationFiles, WhatWasKeptIsFoundAgainAndLeavesNothingElseBehind)
+{
+  ASSERT_EQ(saveCalibration(this->folder(), example()), "");
+  EXPECT_EQ(this->load().calibration, example());
+  EXPECT_EQ(std::distance(fs::directory_iterator(this->folder()), fs::directory_iterator()), 1);
+}
+
+TEST_F(CalibrationFiles, ADamagedFileGivesTheOneBeforeItAndSaysSo)
+{
+  ASSERT_EQ(saveCalibration(this->folder(), example()), "");
+  Calibration second = example();
+  second.date = "2026-02-01";
+  ASSERT_EQ(saveCalibration(this->folder(), second), "");
+  this->write("palpate calib");
+  const KeptCalibration kept = this->load();
+  EXPECT_EQ(kept.calibration, example());
+  EXPECT_NE(kept.problem.find(this->file()), std::string::npos) << kept.problem;
+  EXPECT_NE(kept.problem.find("before it is used"), std::string::npos) << kept.problem;
+
+  // A new one takes the place of the damaged one, not of the good one.
+  ASSERT_EQ(saveCalibration(this->folder(), second), "");
+  EXPECT_EQ(this->load().calibration, second);
+  this->write("");
+  EXPECT_EQ(this->load().calibration, example());
+}
+
+TEST_F(CalibrationFiles, WithoutAnOlderOneADamagedFileIsNamedWithItsReason)
+{
+  this->write(replaced(writeCalibration(example()), "low -0.06", "low nan"));
+  const KeptCalibration kept = this->load();
+  EXPECT_FALSE(kept.calibration);
+  EXPECT_EQ(kept.problem, this->file() + ": line 5 is damaged or not as expected");
+}
+
+TEST_F(CalibrationFiles, ACopyOfAnotherDevicesFileIsNotTaken)
+{
+  this->write(replaced(writeCalibration(example()), "serial 17", "serial 18"));
+  const KeptCalibration kept = this->load();
+  EXPECT_FALSE(kept.calibration);
+  EXPECT_NE(kept.problem.find("another device"), std::string::npos) << kept.problem;
+}
+
+TEST_F(CalibrationFiles, OneThatCannotBeWrittenLeavesTheOldOne)
+{
+  ASSERT_EQ(saveCalibration(this->folder(), example()), "");
+  fs::create_directories(this->file() + ".part"); // no file can have that name now
+  Calibration second = example();
+  second.date = "2026-02-01";
+  const std::string problem = saveCalibration(this->folder(), second);
+  EXPECT_NE(problem.find(this->file()), std::string::npos) << problem;
+  EXPECT_EQ(this->load().calibration, example());
+}
+
+TEST_F(CalibrationFiles, OneThatCannotBeIsNotKept)
+{
+  Calibration c = example();
+  c.axes[0].high_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(saveCalibration(this->folder(), c), "");
+  EXPECT_FALSE(fs::exists(this->folder()));
+}
+
+/// Remembers what it was told and shows what it is set to.
+class Notebook final : public HapticDevice
+{
+public:
+  [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
+  [[nodiscard]] std::string open() override { return {}; }
+  void close() noexcept override {}
+  [[nodiscard]] DeviceStatus read(double, DeviceSample& sample) noexcept override
+  {
+    sample = this->shown;
+    return DeviceStatus::Ok;
+  }
+  void write(const DeviceCommand& command) noexcept override { this->told = command; }
+
+  DeviceSample shown;
+  DeviceCommand told;
+
+private:
+  DeviceInfo info_;
+};
+
+TEST(CalibratedDevice, ShowsRightAsXAndPushesWhereAForcePoints)
+{
+  auto notebook = std::make_unique<Notebook>();
+  Notebook& raw = *notebook;
+  CalibratedDevice device(std::move(notebook), example());
+  // The driver's y at its low end, -0.06, is the right end: half of the range of 0.1 m from the middle.
+  raw.shown.pose_D.p = Vec3(0.02, -0.06, 0.001);
+  raw.shown.velocity_D.linear = Vec3(1.0, 2.0, 3.0);
+  DeviceSample sample;
+  ASSERT_EQ(device.read(0.0, sample), DeviceStatus::Ok);
+  EXPECT_LT((sample.pose_D.p - Vec3(0.05, 0.02, 0.001)).norm(), 1e-15);
+  EXPECT_EQ(sample.velocity_D.linear, Vec3(-2.0, 1.0, 3.0));
+
+  DeviceCommand command;
+  command.wrench_D.force = Vec3(1.0, 2.0, 3.0);
+  device.write(command);
+  EXPECT_EQ(raw.told.wrench_D.force, Vec3(-1.0, 2.0, 3.0));
+}
+
+TEST(CalibratedDevice, AWallThatTheDeviceHoldsStandsWhereItStoodForTheHand)
+{
+  auto notebook = std::make_unique<Notebook>();
+  Notebook& raw = *notebook;
+  CalibratedDevice device(std::move(notebook), example());
+  test::Random random(test::testSeed(512));
+  for (int run = 0; run < 100; ++run)
+  {
+    DeviceCommand command;
+    command.wallCount = 1;
+    command.walls[0] = { random.direction(), random.uniform(-0.05, 0.05), 100.0 };
+    device.write(command);
+    raw.shown.pose_D.p = random.direction() * 0.05;
+    DeviceSample sample;
+    ASSERT_EQ(device.read(0.0, sample), DeviceStatus::Ok);
+    const HeldWall& seen = command.walls[0];
+    const HeldWall& told = raw.told.walls[0];
+    EXPECT_NEAR(
+      told.normal_D.dot(raw.shown.pose_D.p) - told.offset_m, seen.normal_D.dot(sample.pose_D.p) - seen.offset_m, 1e-15);
+  }
+}
+
+TEST(CalibratedDevice, ItsWorkspaceIsTheLargestBallBetweenItsEnds)
+{
+  const CalibratedDevice device(std::make_unique<Notebook>(), example());
+  EXPECT_EQ(device.info().workspaceRadius_m.value, 0.03); // y goes from -0.03 to 0.03, x has 0.1
+  EXPECT_TRUE(device.info().workspaceRadius_m.known);
+}
+
+} // namespace
+} // namespace palpate

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes as a calibration: refused with one phrase, or a calibration that may be applied and that comes back the
+// same when it is written and read again.
+#include <cstdint>
+#include <cstdlib>
+
+#include "devices/calibration/Calibration.h"
+
+namespace
+{
+
+void require(bool holds)
+{
+  if (!holds)
+  {
+    std::abort();
+  }
+}
+
+} // namespace
+
+// NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const palpate::ParsedCalibration parsed = palpate::parseCalibration({ reinterpret_cast<const char*>(data), size });
+  require(parsed.problem.empty() == parsed.calibration.has_value());
+  require(parsed.problem.find('\n') == std::string::npos);
+  if (parsed.calibration)
+  {
+    require(parsed.calibration->refusal().empty());
+    require(
+      palpate::parseCalibration(palpate::writeCalibration(*parsed.calibration)).calibration == parsed.calibration);
+  }
+  return 0;
+}
