@@ -108,6 +108,16 @@ Vec3 longestWay(const Piece& piece) noexcept
   return longest;
 }
 
+double area(const Piece& piece) noexcept
+{
+  Vec3 twice = Vec3::Zero();
+  for (int i = 2; i < piece.count; ++i)
+  {
+    twice += (piece.corner_W[i - 1] - piece.corner_W[0]).cross(piece.corner_W[i] - piece.corner_W[0]);
+  }
+  return 0.5 * twice.norm();
+}
+
 /// Across its longest way.
 std::pair<Piece, Piece> halves(const Piece& piece) noexcept
 {
@@ -189,9 +199,8 @@ private:
     {
       return;
     }
-    const bool roomToCut = piece.count + 3 <= Piece::most;
-    if (!roomToCut || (!this->cutAlong(piece, nearest.triangle, this->overhang(piece, nearest.triangle)) &&
-                        !this->cutAlong(piece, nearest.triangle, 0.0)))
+    if (!this->mayBeCut(piece) || (!this->cutAlong(piece, nearest.triangle, this->overhang(piece, nearest.triangle)) &&
+                                    !this->cutAlong(piece, nearest.triangle, 0.0)))
     {
       this->halve(piece);
     }
@@ -209,7 +218,14 @@ private:
     return height < this->limit_u_ ? 0.5 * std::sqrt(this->limit_u_ * this->limit_u_ - height * height) : 0.0;
   }
 
-  /// The part over the triangle is proven, the rest is pending. False, with nothing changed, if that cannot be done.
+  /// Of a piece as thin as rounding a cut along its length leaves the same piece again.
+  [[nodiscard]] bool mayBeCut(const Piece& piece) const noexcept
+  {
+    return piece.count + 3 <= Piece::most && area(piece) > this->rounding_u_ * longestWay(piece).norm();
+  }
+
+  /// The part over the triangle is proven, the rest is pending. False, with nothing changed, if that cannot be done, or
+  /// if that part is so small that the rest would be cut by the lines of many more triangles than it lies near to.
   bool cutAlong(const Piece& piece, std::uint32_t triangle, double over_u)
   {
     const FaceRecord& face = this->to_.face(triangle);
@@ -221,7 +237,8 @@ private:
       const Vec3 outward = (b - a).cross(face.normal_W).normalized();
       std::tie(inside, outside[k]) = cut(inside, outward, outward.dot(a) + over_u);
     }
-    if (inside.count == 0 || !this->accept(inside, triangle))
+    constexpr double leastShare = 0.05;
+    if (inside.count == 0 || area(inside) <= leastShare * area(piece) || !this->accept(inside, triangle))
     {
       return false;
     }

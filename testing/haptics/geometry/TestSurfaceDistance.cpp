@@ -135,6 +135,21 @@ TEST(SurfaceDistance, AHoleIsNotMissedHoweverSmall)
   EXPECT_EQ(proveWithin(b, a, 1e-9).verdict, DistanceProof::Verdict::Within);
 }
 
+TEST(SurfaceDistance, TwoTrianglesNearAFineSheetAreCutIntoFewPiecesATriangleOfIt)
+{
+  Random random(testSeed(4105));
+  const int cells = static_cast<int>(std::sqrt(static_cast<double>(testTriangles(100'000)) / 2));
+  const SurfaceTree fine = treeOf(makeSheet({ 100.0, 100.0, cells, cells, 0.3 }, random));
+  const SurfaceTree coarse = treeOf(makeSheet({ 100.0, 100.0, 1, 1, 0.0 }, random));
+  for (const double limit : { 0.07, 1e-6 })
+  {
+    const DistanceProof proof = proveWithin(coarse, fine, limit);
+    EXPECT_EQ(proof.verdict, DistanceProof::Verdict::Within);
+    // Halves down to the size of a triangle are two a triangle, each then meets the lines of a few.
+    EXPECT_LE(proof.pieces, 8 * fine.mesh().triangles.size()) << limit;
+  }
+}
+
 TEST(SurfaceDistance, StopsWhenItIsAskedTo)
 {
   std::stop_source source;
