@@ -44,9 +44,16 @@ MadeDevice makeSimulated(const DeviceModel& model, const DeviceOptions& options)
 
 std::vector<Kind> builtIn()
 {
-  std::vector<Kind> all{ { "fed", "poses fed by a program: the mouse in a view, a script", [](const DeviceOptions&) {
-                            return MadeDevice{ std::make_unique<FedDevice>(), "" };
-                          } } };
+  std::vector<Kind> all{
+    { "fed", "poses fed by a program",
+      [](const DeviceOptions&) {
+        return MadeDevice{ std::make_unique<FedDevice>(), "" };
+      } },
+    { "mouse", "the mouse in the view",
+      [](const DeviceOptions&) {
+        return MadeDevice{ FedDevice::mouse(), "" };
+      } },
+  };
   for (const DeviceModel& model : deviceModels())
   {
     all.push_back({ model.name, "a simulated hand on " + model.what,

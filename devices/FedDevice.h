@@ -1,17 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+
 #include "haptics/core/HapticDevice.h"
 #include "haptics/realtime/TripleBuffer.h"
 
 namespace palpate
 {
 
-/// A device whose poses a program feeds: the mouse in a view, a script, a test. What is fed last holds.
+/// How a hand gets from pose to pose where these come slower than ticks. The defaults: at once.
+struct Glide
+{
+  double longest_s = 0.0; ///< takes as long as since the pose before, up to this: a screen's 60 Hz are no steps
+  double fastest_m_per_s = std::numeric_limits<double>::infinity();
+};
+
+/// A device whose poses a program feeds. What is fed last holds.
 class FedDevice final : public HapticDevice
 {
 public:
+  /// Poses of a script or a test, there at the next tick: "fed".
   FedDevice();
+  /// The mouse in a view, between whose events the hand glides evenly: "mouse".
+  [[nodiscard]] static std::unique_ptr<FedDevice> mouse();
 
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
   [[nodiscard]] std::string open() override { return {}; }
@@ -20,14 +35,32 @@ public:
   void write(const DeviceCommand& command) noexcept override { this->command_.write(command); }
 
   /// Feeding thread only; wait-free. The time of the sample is set by the tick that reads it.
-  void feed(const DeviceSample& sample) noexcept { this->fed_.write(sample); }
+  void feed(const DeviceSample& sample) noexcept;
   /// The newest command. Feeding thread only; wait-free.
   [[nodiscard]] const DeviceCommand& command() noexcept { return this->command_.read(); }
 
 private:
+  struct Fed
+  {
+    DeviceSample sample;
+    std::uint64_t count = 0; ///< of poses fed so far
+  };
+
+  FedDevice(const char* name, const Glide& glide);
+  void glideTo(const Fed& fed, double tickTime_s) noexcept;
+
   DeviceInfo info_;
-  TripleBuffer<DeviceSample> fed_;
+  Glide glide_;
+  TripleBuffer<Fed> fed_;
   TripleBuffer<DeviceCommand> command_;
+  std::uint64_t feeds_ = 0; ///< feeding thread's
+
+  // The servo thread's: where the hand is, and when it is to arrive.
+  Vec3 hand_D_ = Vec3::Zero();
+  std::uint64_t seen_ = 0; ///< count of the pose it goes to; 0: nowhere yet
+  double news_s_ = 0.0;
+  double arrival_s_ = 0.0;
+  double last_s_ = 0.0;
 };
 
 } // namespace palpate

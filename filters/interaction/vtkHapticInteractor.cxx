@@ -11,12 +11,15 @@
 #include "vtkDataObject.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticMouse.h"
+#include "vtkHapticMouseInput.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticToolProps.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
@@ -42,12 +45,18 @@ class vtkHapticInteractor::Internals
 public:
   vtkNew<vtkHapticSession> Session;
   vtkNew<vtkHapticToolProps> Props;
+  vtkNew<vtkHapticMouse> Mouse;
+  vtkNew<vtkHapticMouseInput> Input;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   std::uint64_t Key = 0; ///< of what the session was given
   bool Given = false;
 };
 
-vtkHapticInteractor::vtkHapticInteractor() : Impl(std::make_unique<Internals>()) {}
+vtkHapticInteractor::vtkHapticInteractor() : Impl(std::make_unique<Internals>())
+{
+  this->Impl->Mouse->SetSession(this->Impl->Session);
+  this->Impl->Input->SetMouse(this->Impl->Mouse);
+}
 
 vtkHapticInteractor::~vtkHapticInteractor()
 {
@@ -65,6 +74,17 @@ void vtkHapticInteractor::PrintSelf(ostream& os, vtkIndent indent)
 void vtkHapticInteractor::SetRenderer(vtkRenderer* renderer)
 {
   this->Impl->Props->AddToRenderer(renderer);
+  this->Impl->Mouse->SetRenderer(renderer);
+}
+
+void vtkHapticInteractor::FollowMouse(vtkRenderWindowInteractor* interactor)
+{
+  this->Impl->Input->SetInteractor(interactor);
+}
+
+vtkHapticMouse* vtkHapticInteractor::GetMouse() const
+{
+  return this->Impl->Mouse;
 }
 
 void vtkHapticInteractor::AddActor(vtkActor* actor)
@@ -153,5 +173,6 @@ void vtkHapticInteractor::Update()
 {
   this->HandOver();
   this->Impl->Session->Update();
+  this->Impl->Mouse->Update();
   this->Impl->Props->UpdateFrom(this->Impl->Session);
 }

@@ -23,8 +23,10 @@
 #include <memory> // for the implementation
 
 class vtkActor;
+class vtkHapticMouse;
 class vtkHapticSession;
 class vtkHapticToolProps;
+class vtkRenderWindowInteractor;
 class vtkRenderer;
 
 class VTKHAPTICINTERACTION_EXPORT vtkHapticInteractor : public vtkObject
@@ -50,6 +52,13 @@ public:
   vtkHapticSession* GetSession() const;
   vtkHapticToolProps* GetToolProps() const;
   ///@}
+
+  /**
+   * Mouse and keyboard of this window move the hand while the session's device is "mouse" (vtkHapticMouseInput); null:
+   * they do not. The interactor is watched, not kept alive.
+   */
+  void FollowMouse(vtkRenderWindowInteractor* interactor);
+  vtkHapticMouse* GetMouse() const;
 
   ///@{
   /// Builds the scene, then lets the session touch; false, with the session's GetProblem(), if it cannot. And back.

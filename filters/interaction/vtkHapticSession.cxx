@@ -7,6 +7,7 @@
 
 #include "devices/FedDevice.h"
 #include "vtkCellArray.h"
+#include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -114,6 +115,7 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Plan: " << this->GetPlanSentence() << "\n";
   os << indent << "Scale: " << this->GetScale() << " u/m\n";
   os << indent << "Stroke: " << this->Impl->Stroke_W.size() << " points, " << this->Impl->StrokeSpeed << " m/s\n";
+  os << indent << "PressDepth: " << this->Impl->PressDepth_m << " m\n";
   os << indent << "RecordFile: " << this->Impl->RecordFile << "\n";
   os << indent << "ReplayFile: " << this->Impl->ReplayFile << "\n";
   os << indent << "State: " << this->GetStateText() << "\n";
@@ -192,6 +194,7 @@ bool vtkHapticSession::GetTouching() const
 
 void vtkHapticSession::Start()
 {
+  this->InvokeEvent(vtkCommand::StartEvent);
   Internals& impl = *this->Impl;
   palpate::MadeDevice made = palpate::makeDevice(impl.DeviceName, impl.Options());
   if (!made.device)

@@ -74,7 +74,7 @@ public:
   ///@{
   /**
    * Device on, servo on, force engaged through its ramp; off: force to zero, servo ended. If it cannot start it stays
-   * off and GetProblem() says why. Default off.
+   * off and GetProblem() says why. Default off. StartEvent is the last moment to say where a program's hand begins.
    */
   virtual void SetTouching(bool touching);
   virtual bool GetTouching() const;
@@ -344,7 +344,20 @@ public:
   bool GetSceneBounds(double bounds[6]) const;
 
   ///@{
-  /// Where a program holds the hand (device "fed"): a point in W [u].
+  /// How deep the device "mouse" presses [m of the hand], > 0, default 0.002 (vtkHapticMouse); whether it is chosen.
+  virtual void SetPressDepth(double depth_m);
+  virtual double GetPressDepth() const;
+  bool GetFollowsMouse() const;
+  ///@}
+
+  /**
+   * Where a ball as large as the one that touches is first stopped on its way from one point to another: its centre and
+   * the unit normal of what stops it, to its side. False, and both unchanged, where nothing does.
+   */
+  bool PickSurface(const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const;
+
+  ///@{
+  /// Where a program holds the hand (devices "fed" and "mouse"): a point in W [u].
   void SetHandPosition(double x, double y, double z);
   void SetHandPosition(const double p_W[3]);
   ///@}

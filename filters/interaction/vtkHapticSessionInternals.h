@@ -40,6 +40,7 @@ public:
   std::string ReplayFile;
   std::vector<palpate::Vec3> Stroke_W;
   double StrokeSpeed = 0.05;
+  double PressDepth_m = 0.002;
   std::string HeldBy = palpate::DeviceOptions().hand;
   bool VirtualTime = false;
   palpate::Vec3 Hand_W = palpate::Vec3::Zero(); ///< where a program holds it

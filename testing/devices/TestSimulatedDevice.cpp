@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "devices/DeviceFactory.h"
-#include "devices/FedDevice.h"
 #include "devices/ReplayDevice.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/force/LinearPlant.h"
@@ -406,18 +405,6 @@ TEST(DeviceFactory, AnUnknownHandIsAnsweredWithTheKnownOnes)
   {
     EXPECT_NE(made.problem.find(known.name), std::string::npos) << known.name;
   }
-}
-
-TEST(FedDevice, GivesTheLatestPoseWithTheTicksTime)
-{
-  FedDevice device;
-  DeviceSample fed, read;
-  fed.pose_D.p = { 1, 2, 3 };
-  fed.time_s = 99.0;
-  device.feed(fed);
-  EXPECT_EQ(device.read(0.5, read), DeviceStatus::Ok);
-  EXPECT_EQ(read.pose_D.p, Vec3(1, 2, 3));
-  EXPECT_EQ(read.time_s, 0.5);
 }
 
 TEST(ReplayDevice, GivesItsSamplesOnceAndEnds)

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticMouse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "haptics/core/Types.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkHapticSession.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+vtkStandardNewMacro(vtkHapticMouse);
+
+namespace
+{
+using palpate::Vec3;
+
+/// The hand hovers so far in front of what is under the pointer [m of the hand].
+constexpr double hover_m = 0.005;
+/// Of the scene's diagonal: presses and hovers no further, whatever the scale.
+constexpr double largestShare = 0.05;
+constexpr double leastDepth_m = 5e-5;
+constexpr double mostDepth_m = 0.05;
+
+/// From the near to the far plane of a camera.
+struct Ray
+{
+  Vec3 Near;
+  Vec3 Far;
+
+  Vec3 along() const { return (this->Far - this->Near).normalized(); }
+};
+
+/// What the pointer means.
+struct Aim
+{
+  Vec3 Hover;
+  Vec3 Press;
+};
+
+/// The hand strokes, or on its way to where it cannot go straight it rises and goes across in front of everything.
+enum class Travel
+{
+  Strokes,
+  Rises,
+  Crosses,
+};
+} // namespace
+
+class vtkHapticMouse::Internals
+{
+public:
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkHapticSession> Session;
+  unsigned long StartObserver = 0;
+  double Pointer[2] = { 0.0, 0.0 };
+  bool Inside = false;
+  bool Pressing = false;
+  Travel Way = Travel::Rises;
+  Vec3 Hover_W = Vec3::Zero(); ///< the last free place it was led to
+
+  bool Sees() const { return this->Renderer && this->Renderer->GetRenderWindow(); }
+  Ray RayAt(double x, double y) const;
+  Ray RayOfPointer() const;
+  Ray RayThrough(const Vec3& p_W) const;
+  double DepthOf(const Vec3& p_W) const;
+  Vec3 AtDepth(const Ray& ray, double depth) const;
+  double Reach(double length_m) const;
+  Vec3 Lifted(const Ray& ray) const;
+  Aim AimAt(const Ray& ray) const;
+  bool IsFree(const Vec3& to_W) const;
+  bool IsAt(const Vec3& p_W) const;
+  Vec3 Next(const Ray& ray);
+  void PlaceBeforeStart();
+};
+
+// Geometry of the view
+// -------------------------------------------------------------------------------------------------
+
+Ray vtkHapticMouse::Internals::RayAt(double x, double y) const
+{
+  const auto unproject = [this, x, y](double z)
+  {
+    double p[4];
+    this->Renderer->SetDisplayPoint(x, y, z);
+    this->Renderer->DisplayToWorld();
+    this->Renderer->GetWorldPoint(p);
+    return Vec3(Vec3(p) / p[3]);
+  };
+  return { unproject(0.0), unproject(1.0) };
+}
+
+/// Without a pointer in the view, through its middle.
+Ray vtkHapticMouse::Internals::RayOfPointer() const
+{
+  const double* middle = this->Renderer->GetCenter();
+  return this->Inside ? this->RayAt(this->Pointer[0], this->Pointer[1]) : this->RayAt(middle[0], middle[1]);
+}
+
+Ray vtkHapticMouse::Internals::RayThrough(const Vec3& p_W) const
+{
+  double display[3];
+  this->Renderer->SetWorldPoint(p_W.x(), p_W.y(), p_W.z(), 1.0);
+  this->Renderer->WorldToDisplay();
+  this->Renderer->GetDisplayPoint(display);
+  return this->RayAt(display[0], display[1]);
+}
+
+/// Along the direction of projection, from the eye [u].
+double vtkHapticMouse::Internals::DepthOf(const Vec3& p_W) const
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  return (p_W - Vec3(camera->GetPosition())).dot(Vec3(camera->GetDirectionOfProjection()));
+}
+
+Vec3 vtkHapticMouse::Internals::AtDepth(const Ray& ray, double depth) const
+{
+  const double nearest = this->DepthOf(ray.Near);
+  return ray.Near + (depth - nearest) / (this->DepthOf(ray.Far) - nearest) * (ray.Far - ray.Near);
+}
+
+/// A length of the hand in the scene [u], never much of it.
+double vtkHapticMouse::Internals::Reach(double length_m) const
+{
+  const double length = length_m * this->Session->GetScale();
+  double b[6];
+  return this->Session->GetSceneBounds(b)
+           ? std::min(length, largestShare * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]))
+           : length;
+}
+
+/// In front of all that is shown and all that is touched.
+Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
+{
+  vtkBoundingBox box;
+  double b[6];
+  this->Renderer->ComputeVisiblePropBounds(b);
+  box.AddBounds(b);
+  if (this->Session->GetSceneBounds(b))
+  {
+    box.AddBounds(b);
+  }
+  double depth =
+    box.IsValid() ? std::numeric_limits<double>::infinity() : this->Renderer->GetActiveCamera()->GetDistance();
+  for (int corner = 0; box.IsValid() && corner < 8; ++corner)
+  {
+    Vec3 p_W;
+    box.GetCorner(corner, p_W.data());
+    depth = std::min(depth, this->DepthOf(p_W));
+  }
+  return this->AtDepth(ray, std::max(depth - this->Reach(hover_m), this->DepthOf(ray.Near)));
+}
+
+// The hand
+// -------------------------------------------------------------------------------------------------------------
+
+Aim vtkHapticMouse::Internals::AimAt(const Ray& ray) const
+{
+  Vec3 ball_W;
+  Vec3 n_W;
+  if (!this->Session->PickSurface(ray.Near.data(), ray.Far.data(), ball_W.data(), n_W.data()))
+  {
+    const Vec3 inPlane_W = this->AtDepth(ray, this->DepthOf(Vec3(this->Session->GetProxyPosition())));
+    return { inPlane_W, inPlane_W };
+  }
+  const double clearance = std::min(this->Reach(hover_m), (ball_W - ray.Near).norm());
+  return { ball_W - clearance * ray.along(), ball_W - this->Reach(this->Session->GetPressDepth()) * n_W };
+}
+
+bool vtkHapticMouse::Internals::IsFree(const Vec3& to_W) const
+{
+  Vec3 ball_W;
+  Vec3 n_W;
+  return !this->Session->PickSurface(this->Hover_W.data(), to_W.data(), ball_W.data(), n_W.data());
+}
+
+/// Near enough to turn: the hand is always a little behind.
+bool vtkHapticMouse::Internals::IsAt(const Vec3& p_W) const
+{
+  return (Vec3(this->Session->GetHandPosition()) - p_W).norm() <= this->Reach(hover_m);
+}
+
+Vec3 vtkHapticMouse::Internals::Next(const Ray& ray)
+{
+  const Aim aim = this->AimAt(ray);
+  if (!this->Inside || (this->Way == Travel::Strokes && !this->IsFree(aim.Hover)))
+  {
+    this->Way = Travel::Rises;
+  }
+  if (this->Way == Travel::Rises)
+  {
+    const Vec3 up_W = this->Lifted(this->RayThrough(this->Hover_W));
+    this->Way = this->Inside && this->IsAt(up_W) ? Travel::Crosses : Travel::Rises;
+    return up_W;
+  }
+  if (this->Way == Travel::Crosses)
+  {
+    this->Hover_W = this->Lifted(ray);
+    this->Way = this->IsAt(this->Hover_W) ? Travel::Strokes : Travel::Crosses;
+    return this->Hover_W;
+  }
+  this->Hover_W = aim.Hover;
+  const bool felt = this->Session->GetEngageState() == vtkHapticSession::Engaged;
+  return this->Pressing && felt ? aim.Press : aim.Hover;
+}
+
+/// A hand that began inside of something could never leave it.
+void vtkHapticMouse::Internals::PlaceBeforeStart()
+{
+  if (this->Session->GetFollowsMouse() && this->Sees())
+  {
+    this->Hover_W = this->Lifted(this->RayOfPointer());
+    this->Way = Travel::Rises;
+    this->Session->SetHandPosition(this->Hover_W.data());
+  }
+}
+
+// The object
+// -----------------------------------------------------------------------------------------------------------
+
+vtkHapticMouse::vtkHapticMouse() : Impl(std::make_unique<Internals>()) {}
+
+vtkHapticMouse::~vtkHapticMouse()
+{
+  this->SetSession(nullptr);
+}
+
+void vtkHapticMouse::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Leads: " << this->GetLeads() << "\n";
+  os << indent << "Pointer: " << this->Impl->Pointer[0] << " " << this->Impl->Pointer[1]
+     << (this->Impl->Inside ? "" : ", gone") << "\n";
+  os << indent << "Pressing: " << this->Impl->Pressing << "\n";
+}
+
+void vtkHapticMouse::SetRenderer(vtkRenderer* renderer)
+{
+  this->Leave();
+  this->Impl->Renderer = renderer;
+}
+
+void vtkHapticMouse::SetSession(vtkHapticSession* session)
+{
+  Internals& impl = *this->Impl;
+  if (impl.Session)
+  {
+    impl.Session->RemoveObserver(impl.StartObserver);
+  }
+  impl.Session = session;
+  if (session)
+  {
+    impl.StartObserver = session->AddObserver(vtkCommand::StartEvent, &impl, &Internals::PlaceBeforeStart);
+  }
+}
+
+vtkHapticSession* vtkHapticMouse::GetSession() const
+{
+  return this->Impl->Session;
+}
+
+bool vtkHapticMouse::GetLeads() const
+{
+  const Internals& impl = *this->Impl;
+  return impl.Sees() && impl.Session && impl.Session->GetTouching() && impl.Session->GetFollowsMouse();
+}
+
+void vtkHapticMouse::SetPointer(double x, double y)
+{
+  Internals& impl = *this->Impl;
+  if (!impl.Sees() || !impl.Renderer->IsInViewport(static_cast<int>(x), static_cast<int>(y)))
+  {
+    this->Leave();
+    return;
+  }
+  impl.Pointer[0] = x;
+  impl.Pointer[1] = y;
+  impl.Inside = true;
+}
+
+void vtkHapticMouse::MovePointer(double dx, double dy)
+{
+  Internals& impl = *this->Impl;
+  if (impl.Sees())
+  {
+    const double* middle = impl.Renderer->GetCenter();
+    this->SetPointer(
+      (impl.Inside ? impl.Pointer[0] : middle[0]) + dx, (impl.Inside ? impl.Pointer[1] : middle[1]) + dy);
+  }
+}
+
+void vtkHapticMouse::Leave()
+{
+  this->Impl->Inside = false;
+  this->Impl->Pressing = false;
+}
+
+void vtkHapticMouse::SetPressing(bool on)
+{
+  this->Impl->Pressing = on;
+}
+
+bool vtkHapticMouse::GetPressing() const
+{
+  return this->Impl->Pressing;
+}
+
+void vtkHapticMouse::Deepen(double factor)
+{
+  vtkHapticSession* session = this->Impl->Session;
+  if (session && factor > 0.0)
+  {
+    session->SetPressDepth(std::clamp(session->GetPressDepth() * factor, leastDepth_m, mostDepth_m));
+    this->InvokeEvent(vtkCommand::InteractionEvent);
+  }
+}
+
+double vtkHapticMouse::GetUsedDepth() const
+{
+  return this->Impl->Session ? this->Impl->Reach(this->Impl->Session->GetPressDepth()) : 0.0;
+}
+
+bool vtkHapticMouse::GetRay(double near_W[3], double far_W[3]) const
+{
+  if (!this->Impl->Sees())
+  {
+    return false;
+  }
+  const Ray ray = this->Impl->RayOfPointer();
+  Eigen::Map<Vec3>{ near_W } = ray.Near;
+  Eigen::Map<Vec3>{ far_W } = ray.Far;
+  return true;
+}
+
+void vtkHapticMouse::Update()
+{
+  if (this->GetLeads())
+  {
+    const Vec3 hand_W = this->Impl->Next(this->Impl->RayOfPointer());
+    this->Impl->Session->SetHandPosition(hand_W.data());
+  }
+}

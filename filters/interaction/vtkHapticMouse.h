@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkHapticMouse
+ * @brief   the way of a hand from a pointer in a view: hovers over what is under it, presses on it, lifts
+ *
+ * For a session whose device is "mouse". The pointer's ray is swept with the ball that touches. The hand hovers in
+ * front of what it meets; pressing it goes behind it along the normal by the session's PressDepth, so that a plain
+ * surface pushes with stiffness x depth. Where the ray meets nothing the hand goes in the plane through the proxy that
+ * is parallel to the screen. Where the straight way is barred by a surface, and when the pointer leaves, it first rises
+ * towards the eye, in front of everything. It presses only while the session is engaged.
+ *
+ *     mouse.SetRenderer(renderer)
+ *     mouse.SetSession(session)
+ *     mouse.SetPointer(120, 80)
+ *     mouse.SetPressing(True)
+ *     mouse.Update()
+ *
+ * Update() once a frame and after every change leads the hand; between two of them the device glides. GUI thread only.
+ */
+#ifndef vtkHapticMouse_h
+#define vtkHapticMouse_h
+
+#include "vtkHapticInteractionModule.h" // for the export macro
+#include "vtkObject.h"
+
+#include <memory> // for the implementation
+
+class vtkHapticSession;
+class vtkRenderer;
+
+class VTKHAPTICINTERACTION_EXPORT vtkHapticMouse : public vtkObject
+{
+public:
+  static vtkHapticMouse* New();
+  vtkTypeMacro(vtkHapticMouse, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Through whose camera the pointer looks, and whose hand it leads; null: none. The renderer is watched, not kept.
+  void SetRenderer(vtkRenderer* renderer);
+  void SetSession(vtkHapticSession* session);
+  vtkHapticSession* GetSession() const;
+  ///@}
+
+  /// True while the session touches with the device "mouse".
+  bool GetLeads() const;
+
+  ///@{
+  /// Where the pointer is [pixels from the lower left corner of the window]; by how much it moves; that it is gone, which
+  /// lifts the hand and ends pressing. Outside of the renderer's viewport it is gone.
+  void SetPointer(double x, double y);
+  void MovePointer(double dx, double dy);
+  void Leave();
+  ///@}
+
+  ///@{
+  /// Whether the hand presses. Default off.
+  void SetPressing(bool on);
+  bool GetPressing() const;
+  ///@}
+
+  /// Multiplies the session's PressDepth by `factor` > 0, within 0.05 mm and 50 mm; InteractionEvent tells of it.
+  void Deepen(double factor);
+
+  /// How deep it presses now [u]: PressDepth, no more than a twentieth of the scene's diagonal.
+  double GetUsedDepth() const;
+
+  /// The pointer's ray, from the near to the far plane of the camera [u]; false without a renderer in a window.
+  bool GetRay(double near_W[3], double far_W[3]) const;
+
+  /// Leads the hand to where it is to be now.
+  void Update();
+
+protected:
+  vtkHapticMouse();
+  ~vtkHapticMouse() override;
+
+private:
+  vtkHapticMouse(const vtkHapticMouse&) = delete;
+  void operator=(const vtkHapticMouse&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticMouseInput.h"
+
+#include <string>
+#include <vector>
+
+#include "vtkCommand.h"
+#include "vtkHapticMouse.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+vtkStandardNewMacro(vtkHapticMouseInput);
+
+namespace
+{
+/// Styles have 0, widgets 0.5: what the hand takes must not turn the camera too.
+constexpr float beforeOthers = 1.0F;
+constexpr double deeper = 1.25; ///< a notch of the wheel, a key
+constexpr double step_px = 10.0;
+constexpr double smallStep_px = 1.0;
+} // namespace
+
+class vtkHapticMouseInput::Internals
+{
+public:
+  vtkSmartPointer<vtkHapticMouse> Mouse;
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
+  std::vector<unsigned long> Observers;
+
+  /// True: nobody else is to hear of it.
+  bool Heard(vtkObject*, unsigned long event, void*);
+  bool Take(unsigned long event);
+  bool TakeWheel(double factor);
+  bool TakeKey(const std::string& key);
+  void Forget();
+};
+
+bool vtkHapticMouseInput::Internals::Heard(vtkObject*, unsigned long event, void*)
+{
+  if (!this->Mouse || !this->Mouse->GetLeads())
+  {
+    return false;
+  }
+  const bool taken = this->Take(event);
+  this->Mouse->Update();
+  return taken;
+}
+
+bool vtkHapticMouseInput::Internals::Take(unsigned long event)
+{
+  const int* at = this->Interactor->GetEventPosition();
+  switch (event)
+  {
+    case vtkCommand::LeaveEvent:
+      this->Mouse->Leave();
+      return false;
+    case vtkCommand::LeftButtonPressEvent:
+      this->Mouse->SetPointer(at[0], at[1]);
+      this->Mouse->SetPressing(this->Interactor->GetShiftKey() != 0);
+      return this->Mouse->GetPressing();
+    case vtkCommand::LeftButtonReleaseEvent:
+    {
+      const bool pressed = this->Mouse->GetPressing();
+      this->Mouse->SetPressing(false);
+      return pressed;
+    }
+    case vtkCommand::MouseWheelForwardEvent:
+      return this->TakeWheel(deeper);
+    case vtkCommand::MouseWheelBackwardEvent:
+      return this->TakeWheel(1.0 / deeper);
+    case vtkCommand::KeyPressEvent:
+      return this->TakeKey(this->Interactor->GetKeySym() ? this->Interactor->GetKeySym() : "");
+    default: // it enters or moves
+      this->Mouse->SetPointer(at[0], at[1]);
+      return this->Mouse->GetPressing();
+  }
+}
+
+bool vtkHapticMouseInput::Internals::TakeWheel(double factor)
+{
+  const bool taken = this->Mouse->GetPressing() || this->Interactor->GetShiftKey();
+  if (taken)
+  {
+    this->Mouse->Deepen(factor);
+  }
+  return taken;
+}
+
+bool vtkHapticMouseInput::Internals::TakeKey(const std::string& key)
+{
+  const double step = this->Interactor->GetShiftKey() ? smallStep_px : step_px;
+  if (key == "Left" || key == "Right")
+  {
+    this->Mouse->MovePointer(key == "Left" ? -step : step, 0.0);
+  }
+  else if (key == "Down" || key == "Up")
+  {
+    this->Mouse->MovePointer(0.0, key == "Down" ? -step : step);
+  }
+  else if (key == "Next" || key == "Prior")
+  {
+    const bool pressed = this->Mouse->GetPressing();
+    this->Mouse->MovePointer(0.0, 0.0);
+    this->Mouse->Deepen(key == "Prior" ? 1.0 / deeper : pressed ? deeper : 1.0);
+    this->Mouse->SetPressing(pressed || key == "Next");
+  }
+  else if (key == "Home")
+  {
+    this->Mouse->SetPressing(false);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+void vtkHapticMouseInput::Internals::Forget()
+{
+  for (unsigned long observer : this->Observers)
+  {
+    if (this->Interactor)
+    {
+      this->Interactor->RemoveObserver(observer);
+    }
+  }
+  this->Observers.clear();
+}
+
+vtkHapticMouseInput::vtkHapticMouseInput() : Impl(std::make_unique<Internals>()) {}
+
+vtkHapticMouseInput::~vtkHapticMouseInput()
+{
+  this->Impl->Forget();
+}
+
+void vtkHapticMouseInput::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Interactor: " << this->Impl->Interactor.Get() << "\n";
+}
+
+void vtkHapticMouseInput::SetMouse(vtkHapticMouse* mouse)
+{
+  this->Impl->Mouse = mouse;
+}
+
+void vtkHapticMouseInput::SetInteractor(vtkRenderWindowInteractor* interactor)
+{
+  Internals& impl = *this->Impl;
+  if (interactor == impl.Interactor)
+  {
+    return;
+  }
+  impl.Forget();
+  impl.Interactor = interactor;
+  for (unsigned long event : { vtkCommand::EnterEvent, vtkCommand::LeaveEvent, vtkCommand::MouseMoveEvent,
+         vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent, vtkCommand::MouseWheelForwardEvent,
+         vtkCommand::MouseWheelBackwardEvent, vtkCommand::KeyPressEvent })
+  {
+    if (interactor)
+    {
+      impl.Observers.push_back(interactor->AddObserver(event, &impl, &Internals::Heard, beforeOthers));
+    }
+  }
+}
