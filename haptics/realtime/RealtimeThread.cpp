@@ -22,6 +22,8 @@ namespace
 
 constexpr std::size_t stackTouched = 64 * 1024;
 constexpr rlim_t longestRun_us = 200'000;
+constexpr int wantedNice = -11;
+constexpr int defaultPriority = 20;
 
 std::string reason(int error)
 {
@@ -40,13 +42,17 @@ extern "C" void demoteCaller(int)
 
 bool installDemotion()
 {
-  struct sigaction current{};
+  struct sigaction current
+  {
+  };
   sigaction(SIGXCPU, nullptr, &current);
   if (current.sa_handler != SIG_DFL)
   {
     return current.sa_handler == demoteCaller;
   }
-  struct sigaction demote{};
+  struct sigaction demote
+  {
+  };
   demote.sa_handler = demoteCaller;
   demote.sa_flags = SA_RESTART;
   sigemptyset(&demote.sa_mask);
@@ -75,6 +81,45 @@ struct SchedulingAttributes
   std::uint64_t period_ns = 0;
 };
 
+/// What the calling thread has now: 0 unless it is a real-time one.
+int realtimePriority()
+{
+  sched_param parameters{};
+  int policy = 0;
+  pthread_getschedparam(pthread_self(), &policy, &parameters);
+  policy &= ~SCHED_RESET_ON_FORK;
+  return policy == SCHED_FIFO || policy == SCHED_RR ? parameters.sched_priority : 0;
+}
+
+/// One broker's answer; what it says is believed only if the thread has it.
+Granted ask(RealtimeBroker& broker, int wantedPriority)
+{
+  const Granted answer = broker.request(wantedPriority);
+  const int priority = realtimePriority();
+  if (answer.ok && priority > 0)
+  {
+    return { true, "real-time priority " + std::to_string(priority) + " through " + broker.name() };
+  }
+  return { false, broker.name() + ": " + (answer.ok ? "it agreed, but nothing changed" : answer.message) };
+}
+
+/// The limits of the user first, then the brokers, until one grants it; else every reason.
+Granted requestRealtime(int wantedPriority, std::span<const std::shared_ptr<RealtimeBroker>> brokers)
+{
+  Granted granted = demoteRunaways();
+  if (!granted.ok)
+  {
+    return granted;
+  }
+  granted = requestFifo(wantedPriority);
+  for (auto broker = brokers.begin(); broker != brokers.end() && !granted.ok; ++broker)
+  {
+    Granted answer = ask(**broker, wantedPriority);
+    granted = { answer.ok, answer.ok ? answer.message : granted.message + "; " + answer.message };
+  }
+  return granted;
+}
+
 } // namespace
 
 Granted requestFifo(int wantedPriority)
@@ -96,6 +141,15 @@ Granted requestFifo(int wantedPriority)
     return { false, "real-time priority " + std::to_string(priority) + " was refused: " + reason(error) };
   }
   return { true, "SCHED_FIFO priority " + std::to_string(priority) };
+}
+
+Granted requestNice()
+{
+  if (setpriority(PRIO_PROCESS, 0, wantedNice) == 0) // 0: this thread
+  {
+    return { true, "nice " + std::to_string(wantedNice) };
+  }
+  return { false, "nice " + std::to_string(wantedNice) + " is not allowed" };
 }
 
 Granted requestTimerSlack()
@@ -123,8 +177,9 @@ Granted demoteRunaways()
 {
   if (!installDemotion())
   {
-    return { false, "real-time priority is not asked for: this program handles SIGXCPU itself, so a runaway servo could "
-                    "not be stopped" };
+    return { false,
+      "real-time priority is not asked for: this program handles SIGXCPU itself, so a runaway servo could "
+      "not be stopped" };
   }
   rlimit limit{};
   getrlimit(RLIMIT_RTTIME, &limit);
@@ -137,33 +192,47 @@ Granted demoteRunaways()
   return { true, "ordinary after 0.2 s without sleep" };
 }
 
-SchedulingReport acquireScheduling(int wantedPriority)
+Granted limitRealtimeRuns(std::int64_t longest_us)
+{
+  if (longest_us < 2)
+  {
+    return { false, "a limit of " + std::to_string(longest_us) + " us for real-time threads cannot be set" };
+  }
+  rlimit limit{};
+  getrlimit(RLIMIT_RTTIME, &limit);
+  limit.rlim_max = std::min(limit.rlim_max, static_cast<rlim_t>(longest_us));
+  limit.rlim_cur = std::min(limit.rlim_cur, limit.rlim_max / 2);
+  if (setrlimit(RLIMIT_RTTIME, &limit) != 0)
+  {
+    return { false,
+      "a limit of " + std::to_string(longest_us) + " us for real-time threads was refused: " + reason(errno) };
+  }
+  return { true, "no real-time run above " + std::to_string(longest_us) + " us" };
+}
+
+SchedulingReport acquireScheduling(int wantedPriority, std::span<const std::shared_ptr<RealtimeBroker>> brokers)
 {
   touchStack();
-  const Granted guarded = demoteRunaways();
-  const Granted fifo = guarded.ok ? requestFifo(wantedPriority) : guarded;
-  if (fifo.ok)
+  const Granted realtime = requestRealtime(wantedPriority, brokers);
+  if (realtime.ok)
   {
-    sched_param parameters{};
-    int policy = 0;
-    pthread_getschedparam(pthread_self(), &policy, &parameters);
-    return { true, parameters.sched_priority, "servo thread: " + fifo.message };
+    return { true, realtimePriority(), "servo thread: " + realtime.message };
   }
   SchedulingReport report{ false, 0, "servo thread: ordinary scheduling" };
-  for (const Granted& step : { requestTimerSlack(), requestShortSlice() })
+  for (const Granted& step : { requestNice(), requestTimerSlack(), requestShortSlice() })
   {
     report.message += ", " + step.message;
   }
-  report.message += "; " + fifo.message;
+  report.message += "; " + realtime.message;
   return report;
 }
 
-RealtimeThread::RealtimeThread(
-  std::function<void(const SchedulingReport&)> onScheduled, std::function<void(std::stop_token)> body)
+RealtimeThread::RealtimeThread(std::function<void(const SchedulingReport&)> onScheduled,
+  std::function<void(std::stop_token)> body, RealtimeBrokers brokers)
   : thread_(
-      [onScheduled = std::move(onScheduled), body = std::move(body)](std::stop_token stop)
+      [onScheduled = std::move(onScheduled), body = std::move(body), brokers = std::move(brokers)](std::stop_token stop)
       {
-        onScheduled(acquireScheduling());
+        onScheduled(acquireScheduling(defaultPriority, brokers));
         body(std::move(stop));
       })
 {

@@ -21,6 +21,7 @@ struct SessionOptions
   bool virtualTime = false; ///< nothing runs by itself: step() computes ticks in the caller's thread
   std::string recordFile;   ///< empty: no recording
   bool engage = true;       ///< ask for force at once
+  RealtimeBrokers brokers;  ///< who is asked for real-time priority where the user's limits do not allow it
 };
 
 /// Owner of a device, a servo and what they share, for programs and the user interface. One thread, the owner's,

@@ -27,17 +27,18 @@ VTK = re.compile(r"^vtk(?!Haptic|Touch|ImageCurves)\w*\.h(xx)?$")
 PARAVIEW = re.compile(r"^(vtkPV|vtkSM|vtkSI|vtkPVRender|pq)\w*\.h$")
 QT = re.compile(r"^(Q[A-Z]\w*(/\w+)?|Qt\w*/\w+|q[a-z]\w*\.h|pq(?!Haptic)\w+\.h)$")
 HIDAPI = re.compile(r"^(hidapi/)?hidapi\w*\.h$")
+DBUS = re.compile(r"^dbus/")
 
 # What each place must not include: pattern, in words, and why.
 FORBIDDEN = {
-    "haptics": [(VTK, "VTK"), (QT, "Qt"), (HIDAPI, "hidapi")],
+    "haptics": [(VTK, "VTK"), (QT, "Qt"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
     "devices": [(VTK, "VTK"), (QT, "Qt"), (CGAL, "CGAL")],
-    "filters": [(QT, "Qt"), (CGAL, "CGAL"), (HIDAPI, "hidapi")],
+    "filters": [(QT, "Qt"), (CGAL, "CGAL"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
     "filters/pipeline": [(PARAVIEW, "ParaView")],
     "filters/interaction": [(PARAVIEW, "ParaView")],
-    "ui": [(CGAL, "CGAL"), (HIDAPI, "hidapi")],
+    "ui": [(CGAL, "CGAL"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
     "ui/cli": [(QT, "Qt"), (PARAVIEW, "ParaView")],
-    "plugin": [(CGAL, "CGAL"), (HIDAPI, "hidapi")],
+    "plugin": [(CGAL, "CGAL"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
 }
 
 # Written in pieces, so that this file keeps its own rule.

@@ -68,7 +68,8 @@ TEST(RealtimeThread, ReportsWhatSchedulingItGotAndRunsItsBody)
 {
   SchedulingReport report;
   bool ran = false;
-  RealtimeThread thread([&report](const SchedulingReport& r) { report = r; }, [&ran](const std::stop_token&) { ran = true; });
+  RealtimeThread thread(
+    [&report](const SchedulingReport& r) { report = r; }, [&ran](const std::stop_token&) { ran = true; });
   thread.join();
   EXPECT_TRUE(ran);
   EXPECT_FALSE(report.message.empty());
@@ -111,6 +112,44 @@ TEST(RealtimeThread, IsOrdinaryAndSaysWhyWhereTheProgramHandlesTheRunawaySignalI
   std::signal(SIGXCPU, before);
   EXPECT_FALSE(report.realtime);
   EXPECT_NE(report.message.find("SIGXCPU"), std::string::npos) << report.message;
+}
+
+TEST(RealtimeThread, NicenessIsRaisedWhereItIsAllowedAndTheAnswerSaysWhich)
+{
+  std::jthread(
+    []
+    {
+      const Granted granted = requestNice();
+      EXPECT_EQ(granted.ok, getpriority(PRIO_PROCESS, 0) == -11) << granted.message;
+      EXPECT_NE(granted.message.find("nice -11"), std::string::npos);
+    })
+    .join();
+}
+
+TEST(RealtimeThread, BrokersAreAskedInTurnOnceTheLimitsRefuse)
+{
+  class Refusing final : public RealtimeBroker
+  {
+  public:
+    explicit Refusing(std::vector<std::string>& asked, std::string name) : asked_(asked), name_(std::move(name)) {}
+    [[nodiscard]] std::string name() const override { return this->name_; }
+    [[nodiscard]] Granted request(int) override
+    {
+      this->asked_.push_back(this->name_);
+      return { false, "not today" };
+    }
+
+  private:
+    std::vector<std::string>& asked_;
+    std::string name_;
+  };
+  std::vector<std::string> asked;
+  const RealtimeBrokers brokers{ std::make_shared<Refusing>(asked, "A"), std::make_shared<Refusing>(asked, "B") };
+  SchedulingReport report;
+  std::jthread([&] { report = acquireScheduling(0, brokers); }).join(); // no limit allows a priority of 0
+  EXPECT_EQ(asked, (std::vector<std::string>{ "A", "B" }));
+  EXPECT_FALSE(report.realtime);
+  EXPECT_NE(report.message.find("A: not today; B: not today"), std::string::npos) << report.message;
 }
 
 TEST(RealtimeThread, AShortSliceKeepsTheNicenessThatWasGiven)

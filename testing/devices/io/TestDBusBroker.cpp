@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <thread>
+
+#include <sched.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include "devices/io/DBusBroker.h"
+#include "testing/devices/io/FakeRealtimeService.h"
+
+namespace palpate
+{
+namespace
+{
+
+using test::FakeRealtimeService;
+using test::Manner;
+
+struct Answer
+{
+  Granted granted;
+  std::uint64_t thread = 0;
+  int policy = 0; ///< of the thread that asked, afterwards
+};
+
+/// Asks from a thread of its own, which may become a real-time one.
+Answer ask(const DBusService& service, int priority)
+{
+  Answer answer;
+  std::jthread(
+    [&]
+    {
+      DBusBroker broker(service);
+      answer.granted = broker.request(priority);
+      answer.thread = static_cast<std::uint64_t>(syscall(SYS_gettid));
+      answer.policy = sched_getscheduler(0) & ~SCHED_RESET_ON_FORK;
+    })
+    .join();
+  return answer;
+}
+
+std::uint64_t hardLimit_us()
+{
+  rlimit limit{};
+  getrlimit(RLIMIT_RTTIME, &limit);
+  return limit.rlim_max;
+}
+
+class DBusBrokers : public testing::Test
+{
+protected:
+  void SetUp() override { ASSERT_NE(this->bus.address(), ""); }
+
+  test::PrivateBus bus;
+};
+
+TEST_F(DBusBrokers, RealtimeKitIsAskedForThisThreadWithinItsOwnLimits)
+{
+  const DBusService kit = realtimeKit(this->bus.address());
+  const FakeRealtimeService service(kit, Manner::Grants);
+  const Answer answer = ask(kit, 99);
+  EXPECT_TRUE(answer.granted.ok) << answer.granted.message;
+  EXPECT_EQ(service.asked().thread, answer.thread);
+  EXPECT_EQ(service.asked().process, 0U);
+  EXPECT_EQ(service.asked().priority, static_cast<std::uint32_t>(FakeRealtimeService::mostPriority));
+  EXPECT_LE(service.asked().hardLimit_us, static_cast<std::uint64_t>(FakeRealtimeService::longestRun_us));
+  EXPECT_EQ(answer.policy == SCHED_RR, service.asked().granted);
+}
+
+TEST_F(DBusBrokers, AnAllowedPriorityIsNotRaised)
+{
+  const DBusService kit = realtimeKit(this->bus.address());
+  const FakeRealtimeService service(kit, Manner::Lies);
+  EXPECT_TRUE(ask(kit, 7).granted.ok);
+  EXPECT_EQ(service.asked().priority, 7U);
+}
+
+TEST_F(DBusBrokers, ThePortalIsToldTheProcessToo)
+{
+  const DBusService portal = realtimePortal(this->bus.address());
+  const FakeRealtimeService service(portal, Manner::Grants);
+  const Answer answer = ask(portal, 10);
+  EXPECT_TRUE(answer.granted.ok) << answer.granted.message;
+  EXPECT_EQ(service.asked().process, static_cast<std::uint64_t>(getpid()));
+  EXPECT_EQ(service.asked().thread, answer.thread);
+}
+
+TEST_F(DBusBrokers, ARunawayIsDemotedBeforeTheProgramWouldBeEnded)
+{
+  const DBusService kit = realtimeKit(this->bus.address());
+  const FakeRealtimeService service(kit, Manner::Lies);
+  EXPECT_TRUE(ask(kit, 10).granted.ok);
+  rlimit limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_RTTIME, &limit), 0);
+  EXPECT_LE(limit.rlim_max, static_cast<rlim_t>(FakeRealtimeService::longestRun_us));
+  EXPECT_LE(limit.rlim_cur, limit.rlim_max / 2);
+}
+
+TEST_F(DBusBrokers, ARefusalIsToldInOneLineWithTheServicesReason)
+{
+  const DBusService kit = realtimeKit(this->bus.address());
+  const FakeRealtimeService service(kit, Manner::Refuses);
+  const Granted granted = ask(kit, 10).granted;
+  EXPECT_FALSE(granted.ok);
+  EXPECT_EQ(granted.message, "it refused: nobody is sitting at this computer");
+}
+
+TEST_F(DBusBrokers, AServiceThatIsNotThereIsSaidAndChangesNoLimit)
+{
+  const std::uint64_t before_us = hardLimit_us();
+  const Granted granted = ask(realtimeKit(this->bus.address()), 10).granted;
+  EXPECT_FALSE(granted.ok);
+  EXPECT_EQ(granted.message, "it is not there");
+  EXPECT_EQ(hardLimit_us(), before_us);
+}
+
+TEST_F(DBusBrokers, AServiceThatDoesNotAnswerIsLeftAfterAWhile)
+{
+  DBusService kit = realtimeKit(this->bus.address());
+  const FakeRealtimeService service(kit, Manner::IsSilent);
+  kit.patience_ms = 50;
+  const Granted granted = ask(kit, 10).granted;
+  EXPECT_FALSE(granted.ok);
+  EXPECT_EQ(granted.message, "it did not answer within 50 ms");
+}
+
+TEST_F(DBusBrokers, TextsWhereNumbersBelongAreRefused)
+{
+  const DBusService kit = realtimeKit(this->bus.address());
+  const FakeRealtimeService service(kit, Manner::Babbles);
+  const Granted granted = ask(kit, 10).granted;
+  EXPECT_FALSE(granted.ok);
+  EXPECT_EQ(granted.message, "it gave no number as MaxRealtimePriority");
+}
+
+TEST(DBusBroker, WithoutABusThereIsOneLineThatSaysSo)
+{
+  EXPECT_EQ(ask(realtimePortal(""), 10).granted.message, "there is no bus to ask it on");
+  const Granted nowhere = ask(realtimeKit("unix:path=/nowhere/at/all"), 10).granted;
+  EXPECT_FALSE(nowhere.ok);
+  EXPECT_NE(nowhere.message.find("cannot be reached"), std::string::npos) << nowhere.message;
+  EXPECT_EQ(nowhere.message.find('\n'), std::string::npos);
+}
+
+TEST_F(DBusBrokers, TheThreadsReportNamesWhoGrantedItOrEveryReason)
+{
+  const DBusService kit = realtimeKit(this->bus.address()), portal = realtimePortal(this->bus.address());
+  const FakeRealtimeService refusing(kit, Manner::Refuses), lying(portal, Manner::Lies);
+  const RealtimeBrokers brokers{ std::make_shared<DBusBroker>(kit), std::make_shared<DBusBroker>(portal) };
+  SchedulingReport report;
+  // Nobody is granted a priority of 0 by the limits, so the brokers are asked whoever runs this.
+  std::jthread([&] { report = acquireScheduling(0, brokers); }).join();
+  EXPECT_FALSE(report.realtime);
+  EXPECT_NE(report.message.find("RTKit: it refused: nobody is sitting at this computer"), std::string::npos)
+    << report.message;
+  EXPECT_NE(report.message.find("desktop portal: it agreed, but nothing changed"), std::string::npos) << report.message;
+  EXPECT_EQ(report.message.find('\n'), std::string::npos);
+}
+
+} // namespace
+} // namespace palpate
