@@ -50,7 +50,7 @@ public:
       return this->fail("Connection timed out");
     }
     this->bus_.pass(1);
-    this->port_.device->take(HidReportKind::Output, report);
+    this->port_.firmware().take(HidReportKind::Output, report);
     return true;
   }
 
@@ -61,7 +61,7 @@ public:
     {
       return false;
     }
-    return this->port_.device->take(HidReportKind::Output, report);
+    return this->port_.firmware().take(HidReportKind::Output, report);
   }
 
   bool setFeature(std::span<const std::uint8_t> report) noexcept override
@@ -71,7 +71,7 @@ public:
     {
       return this->fail("No such device");
     }
-    return this->port_.device->take(HidReportKind::Feature, report) || this->fail("Broken pipe");
+    return this->port_.firmware().take(HidReportKind::Feature, report) || this->fail("Broken pipe");
   }
 
   int getFeature(std::span<std::uint8_t> report) noexcept override
@@ -82,7 +82,7 @@ public:
       static_cast<void>(this->fail(this->port_.present ? "Connection timed out" : "No such device"));
       return -1;
     }
-    std::vector<std::uint8_t> feature = this->port_.device->feature(report[0]);
+    std::vector<std::uint8_t> feature = this->port_.firmware().feature(report[0]);
     if (this->port_.shortFeature >= 0)
     {
       feature.resize(static_cast<std::size_t>(this->port_.shortFeature));
@@ -116,7 +116,7 @@ private:
 
   int take(std::span<std::uint8_t> report)
   {
-    const std::vector<std::uint8_t> input = this->port_.device->nextInput();
+    const std::vector<std::uint8_t> input = this->port_.firmware().nextInput();
     if (input.empty() && !this->port_.present)
     {
       return -1; // what was queued before still comes
@@ -148,15 +148,30 @@ std::int64_t FakeHidBus::Time::now_ns() const noexcept
   return this->bus_.now_ms_ * 1000000;
 }
 
+FakePort& FakeHidBus::place(HidEntry entry)
+{
+  entry.path = "fake" + std::to_string(this->ports_.size());
+  this->ports_.push_back(std::make_unique<FakePort>());
+  this->ports_.back()->entry = std::move(entry);
+  return *this->ports_.back();
+}
+
 FakePort& FakeHidBus::plug(const PidLayout& layout, const std::string& serial)
 {
   const std::lock_guard lock(this->mutex_);
-  auto port = std::make_unique<FakePort>();
-  port->entry = { "fake" + std::to_string(this->ports_.size()), 0x1209, 0xFFB0, serial, layout.name + " stick" };
-  port->device = std::make_shared<VirtualPidDevice>(layout);
-  port->descriptor = descriptorOf(layout);
-  this->ports_.push_back(std::move(port));
-  return *this->ports_.back();
+  FakePort& port = this->place({ "", 0x1209, 0xFFB0, serial, layout.name + " stick" });
+  port.device = std::make_shared<VirtualPidDevice>(layout);
+  port.descriptor = descriptorOf(layout);
+  return port;
+}
+
+FakePort& FakeHidBus::plug(const CapLayout& layout, const std::string& serial)
+{
+  const std::lock_guard lock(this->mutex_);
+  FakePort& port = this->place({ "", 0x256F, 0xC62E, serial, layout.name });
+  port.spaceMouse = std::make_shared<VirtualSpaceMouse>(layout);
+  port.descriptor = descriptorOf(layout);
+  return port;
 }
 
 std::vector<HidEntry> FakeHidBus::devices()
@@ -211,7 +226,7 @@ void FakeHidBus::advance(int duration_ms)
   this->now_ms_ += duration_ms;
   for (const auto& port : this->ports_)
   {
-    port->device->advance(duration_ms);
+    port->firmware().advance(duration_ms);
   }
 }
 
@@ -242,7 +257,7 @@ void FakeHidBus::pass(int duration_ms)
     this->now_ms_ += duration_ms;
     for (const auto& port : this->ports_)
     {
-      port->device->advance(duration_ms);
+      port->firmware().advance(duration_ms);
     }
   }
 }

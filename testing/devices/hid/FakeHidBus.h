@@ -10,6 +10,7 @@
 #include "devices/hid/HidConnection.h"
 #include "haptics/core/Clock.h"
 #include "testing/devices/hid/VirtualPidDevice.h"
+#include "testing/devices/hid/VirtualSpaceMouse.h"
 
 namespace palpate::test
 {
@@ -18,7 +19,8 @@ namespace palpate::test
 struct FakePort
 {
   HidEntry entry;
-  std::shared_ptr<VirtualPidDevice> device;
+  std::shared_ptr<VirtualPidDevice> device; ///< one of the two
+  std::shared_ptr<VirtualSpaceMouse> spaceMouse;
   std::vector<std::uint8_t> descriptor;
   bool present = true;
   std::string openProblem; ///< no permission, busy: what the system says
@@ -28,6 +30,11 @@ struct FakePort
   int callsUntilUnplugged = -1; ///< it goes after that many calls more, whatever they are
   int shortFeature = -1;        ///< features are cut to that many bytes
   int opened = 0, closed = 0;
+
+  [[nodiscard]] VirtualHid& firmware()
+  {
+    return this->device != nullptr ? static_cast<VirtualHid&>(*this->device) : *this->spaceMouse;
+  }
 };
 
 /// A bus without a system: connections to virtual devices. With virtual time a call takes the time it would take and
@@ -50,6 +57,7 @@ public:
 
   /// Plugs a device in. References stay valid.
   FakePort& plug(const PidLayout& layout, const std::string& serial = "0001");
+  FakePort& plug(const CapLayout& layout, const std::string& serial = "0001");
 
   [[nodiscard]] std::vector<HidEntry> devices() override;
   [[nodiscard]] Descriptor descriptor(const HidEntry& entry) override;
@@ -72,6 +80,7 @@ private:
   friend class FakeConnection;
   [[nodiscard]] bool answers(FakePort& port);
   void pass(int duration_ms);
+  FakePort& place(HidEntry entry);
 
   bool virtualTime_;
   Time time_;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include "devices/io/PidDevice.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/AllocationGuard.h"
+#include "testing/support/Eventually.h"
 
 namespace palpate
 {
@@ -406,21 +405,6 @@ TEST(PidDevice, AStalledWriteFailsAndIsALossInVirtualTime)
   EXPECT_EQ(rig.stick().effectsPlaying(), 0); // it ended by itself
 }
 
-/// Waits until something holds, generously: a machine may be busy.
-template<class Condition>
-bool eventually(Condition condition)
-{
-  for (int i = 0; i < 4000; ++i)
-  {
-    if (condition())
-    {
-      return true;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
-}
-
 // 5 s of servo, tick by tick in virtual time, while a write hangs for real: no tick waits, locks or allocates.
 TEST(PidDevice, AWriteThatHangsDelaysNoTick)
 {
@@ -442,7 +426,7 @@ TEST(PidDevice, AWriteThatHangsDelaysNoTick)
     }
     EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0u);
   }
-  EXPECT_TRUE(eventually(
+  EXPECT_TRUE(test::eventually(
     [&]
     {
       device.write(command);
@@ -462,7 +446,7 @@ TEST(PidDevice, ItsThreadsCarryTheHandAndTheForce)
   DeviceCommand command;
   DeviceSample sample;
   command.wrench_D.force.x() = 1.0;
-  EXPECT_TRUE(eventually(
+  EXPECT_TRUE(test::eventually(
     [&]
     {
       bus->advance(1);

@@ -11,6 +11,7 @@
 #include "devices/Condition.h"
 #include "devices/hid/ReportDescriptor.h"
 #include "testing/devices/hid/PidLayout.h"
+#include "testing/devices/hid/VirtualHid.h"
 
 namespace palpate::test
 {
@@ -18,7 +19,7 @@ namespace palpate::test
 /// A force-feedback joystick without any hardware: its firmware takes the reports of a layout, keeps a pool of effects,
 /// runs them at 1 kHz and lets them expire; its handle is a mass with friction between two stops. Positions are shares
 /// of half the travel and forces of the largest force, x to the right and y towards the person, as HID has them.
-class VirtualPidDevice
+class VirtualPidDevice final : public VirtualHid
 {
 public:
   using Axes = std::array<double, 2>;
@@ -32,14 +33,11 @@ public:
   explicit VirtualPidDevice(const PidLayout& layout);
 
   /// An output report, or a feature to be set. False: unknown, short or for a block that is not there.
-  bool take(HidReportKind kind, std::span<const std::uint8_t> bytes);
-  /// A feature, or empty.
-  [[nodiscard]] std::vector<std::uint8_t> feature(std::uint8_t id);
-  /// The oldest input report not yet read, or empty.
-  [[nodiscard]] std::vector<std::uint8_t> nextInput();
-
-  /// Firmware and handle, a millisecond at a time.
-  void advance(int duration_ms);
+  bool take(HidReportKind kind, std::span<const std::uint8_t> bytes) override;
+  [[nodiscard]] std::vector<std::uint8_t> feature(std::uint8_t id) override;
+  [[nodiscard]] std::vector<std::uint8_t> nextInput() override;
+  /// Firmware and handle.
+  void advance(int duration_ms) override;
 
   /// Of all effects now [shares].
   [[nodiscard]] Axes force() const;
