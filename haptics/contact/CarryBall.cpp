@@ -8,6 +8,7 @@
 
 #include "haptics/contact/BoxTest.h"
 #include "haptics/contact/ContactSet.h"
+#include "haptics/contact/Deformation.h"
 #include "haptics/contact/PlanFor.h"
 #include "haptics/contact/Sweep.h"
 #include "haptics/contact/TreeWalk.h"
@@ -98,6 +99,10 @@ private:
     if (was == earlier.end())
     {
       return std::nullopt;
+    }
+    if (verticesMoved(this->before_, static_cast<std::uint32_t>(was - earlier.begin()), this->now_, surface))
+    {
+      return std::nullopt; // the ball came along with its vertices, and so with all of its motion
     }
     const Pose old = was->motion.at(this->before_.share()), fresh = surfaces[surface].motion.at(this->now_.share());
     const bool moved = old.p != fresh.p || old.q.coeffs() != fresh.q.coeffs();
@@ -243,7 +248,9 @@ private:
         [](const Holder& holder) { return holder.feature; });
       query.touched = { held.data(), static_cast<std::size_t>(this->count_) };
     }
-    const SweepHit hit = sweepSurface(surfaceOf(this->now_, surface).data(), surface, query, this->plan_.nodeBudget);
+    const PosedSurface now = surfaceOf(this->now_, surface);
+    const SweepHit hit = askShape(
+      now, [&](const auto& shape) noexcept { return sweepSurface(shape, surface, query, this->plan_.nodeBudget); });
     this->result_.nodes += hit.nodes;
     return hit;
   }

@@ -8,16 +8,16 @@
 #include <optional>
 #include <utility>
 
-#include "haptics/geometry/NearestOnTriangle.h"
 #include "haptics/contact/Resolution.h"
 #include "haptics/contact/Seat.h"
 #include "haptics/contact/Sweep.h"
 #include "haptics/contact/TreeWalk.h"
+#include "haptics/geometry/NearestOnTriangle.h"
 
 namespace palpate
 {
 
-template <class SceneView>
+template<class SceneView>
 SweepHit sweepStraight(
   const SceneView& scene, const ContactPlan& plan, double radius_u, const Vec3& from_W, const Vec3& to_W) noexcept
 {
@@ -62,13 +62,25 @@ struct SurfacePoint
   Vec3 weights = Vec3::Zero();
 };
 
+const std::array<Vec3, 3>& ownCorners(const SurfaceData& s, std::uint32_t triangle) noexcept
+{
+  return s.face(triangle).corner_W;
+}
+
+std::array<Vec3, 3> ownCorners(const PosedSurface& s, std::uint32_t triangle) noexcept
+{
+  return s.shape().cornersOf(triangle);
+}
+
 /// Walks the two trees of a surface, which are of one shape, for the triangle nearest to the ball among those that may
 /// have come over it: a vertex goes straight from old to new, so a triangle never leaves the hull of both its boxes.
+/// Of triangles as near as each other it is the first, whatever room the boxes have.
+template<class View>
 class PassingTriangles
 {
 public:
-  PassingTriangles(const SurfaceData& before, const SurfaceData& now, const Vec3& x_before, const Vec3& x_now,
-    double reach, std::uint32_t budget) noexcept
+  PassingTriangles(const View& before, const View& now, const Vec3& x_before, const Vec3& x_now, double reach,
+    std::uint32_t budget) noexcept
     : before_(before), now_(now), x_(x_before), low_(x_before.cwiseMin(x_now).array() - reach),
       high_(x_before.cwiseMax(x_now).array() + reach), budget_(budget)
   {
@@ -76,13 +88,14 @@ public:
 
   [[nodiscard]] std::optional<std::uint32_t> nearest() noexcept
   {
-    this->stack_[this->top_++] = { this->before_.nodes.empty() ? TreeNode::leafBit : 0u, 0.0 };
+    const SurfaceData& data = dataOf(this->before_);
+    this->stack_[this->top_++] = { data.nodes.empty() ? TreeNode::leafBit : 0u, 0.0 };
     while (this->top_ > 0 && this->visited_++ < this->budget_)
     {
       const Pending next = this->stack_[--this->top_];
-      if (next.distance2 < this->best2_)
+      if (next.distance2 <= this->best2_)
       {
-        (next.child & TreeNode::leafBit) != 0 ? this->visitLeaf(this->before_.leaves[next.child & ~TreeNode::leafBit])
+        (next.child & TreeNode::leafBit) != 0 ? this->visitLeaf(data.leaves[next.child & ~TreeNode::leafBit])
                                               : this->visitNode(next.child);
       }
     }
@@ -104,7 +117,7 @@ private:
 
   void visitNode(std::uint32_t index) noexcept
   {
-    const TreeNode &before = this->before_.nodes[index], &now = this->now_.nodes[index];
+    const TreeNode &before = dataOf(this->before_).nodes[index], &now = dataOf(this->now_).nodes[index];
     std::array<Pending, 2> children;
     int count = 0;
     for (std::size_t k = 0; k < 2; ++k)
@@ -127,9 +140,10 @@ private:
   {
     for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
     {
-      const auto &old = this->before_.face(t).corner_W, &now = this->now_.face(t).corner_W;
+      const auto &old = ownCorners(this->before_, t), &now = ownCorners(this->now_, t);
       const double distance2 = (this->x_ - nearestOnTriangle(this->x_, old[0], old[1], old[2])).squaredNorm();
-      if (distance2 < this->best2_ && this->mayPass(around(old), around(now)))
+      const bool nearer = distance2 < this->best2_ || (distance2 == this->best2_ && t < this->triangle_);
+      if (nearer && this->mayPass(around(old), around(now)))
       {
         this->best2_ = distance2;
         this->triangle_ = t;
@@ -143,8 +157,8 @@ private:
       corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) };
   }
 
-  const SurfaceData& before_;
-  const SurfaceData& now_;
+  const View& before_;
+  const View& now_;
   Vec3 x_, low_, high_;
   std::uint32_t budget_;
   std::uint32_t visited_ = 0;
@@ -172,7 +186,7 @@ Vec3 pointOf(const FaceRecord& face, const Vec3& weights) noexcept
 }
 
 /// Calls visit(triangle) for each triangle that holds a point of one of them.
-template <class View, class Visit>
+template<class View, class Visit>
 void forEachHolding(const View& s, const SurfacePoint& point, Visit visit) noexcept
 {
   const auto& corners = s.corners(point.triangle);
@@ -209,7 +223,7 @@ Vec3 turnedAlong(const Vec3& from, const Vec3& to, const Vec3& v) noexcept
 }
 
 /// A ball and one surface before and after its vertices moved.
-template <class SceneView>
+template<class SceneView>
 class Advection
 {
 public:
@@ -225,8 +239,8 @@ public:
   [[nodiscard]] std::optional<Vec3> run() noexcept
   {
     const Vec3 xBefore = inFrame(this->before_, this->x_W_), xNow = inFrame(this->now_, this->x_W_);
-    const std::optional<std::uint32_t> nearest = PassingTriangles(dataOf(this->before_), dataOf(this->now_), xBefore,
-      xNow, this->plan_.radius_u + 4 * this->resolution_.tol(), this->plan_.nodeBudget)
+    const std::optional<std::uint32_t> nearest = PassingTriangles(this->before_, this->now_, xBefore, xNow,
+      this->plan_.radius_u + 4 * this->resolution_.tol(), this->plan_.nodeBudget)
                                                    .nearest();
     if (!nearest || !this->look(*nearest))
     {
@@ -341,9 +355,9 @@ private:
   int side_ = 0;
 };
 
-/// A ball beside a curve has no side of it: it goes with the nearest point of the curve, and from there back to where it
-/// was, swept, so that the curve pushes it along.
-template <class SceneView>
+/// A ball beside a curve has no side of it: it goes with the nearest point of the curve, and from there back to where
+/// it was, swept, so that the curve pushes it along.
+template<class SceneView>
 std::optional<Vec3> carryWithCurve(const SceneView& from, const SceneView& to, std::uint32_t before, std::uint32_t now,
   const ContactPlan& plan, const Vec3& x_W) noexcept
 {
@@ -352,7 +366,7 @@ std::optional<Vec3> carryWithCurve(const SceneView& from, const SceneView& to, s
   resolution.include(x_W);
   const double reach = plan.radius_u + dataOf(is).coat_u + 4 * resolution.tol();
   const std::optional<std::uint32_t> nearest =
-    PassingTriangles(dataOf(was), dataOf(is), inFrame(was, x_W), inFrame(is, x_W), reach, plan.nodeBudget).nearest();
+    PassingTriangles(was, is, inFrame(was, x_W), inFrame(is, x_W), reach, plan.nodeBudget).nearest();
   if (!nearest)
   {
     return std::nullopt;
@@ -366,7 +380,7 @@ std::optional<Vec3> carryWithCurve(const SceneView& from, const SceneView& to, s
 }
 
 /// A face that has come to have the ball on its other side without passing it, beside the triangle, holds it no more.
-template <class SceneView>
+template<class SceneView>
 void dropTurnedFaces(const SceneView& to, GodObjectState& state) noexcept
 {
   const auto begin = state.features.begin();
@@ -376,6 +390,19 @@ void dropTurnedFaces(const SceneView& to, GodObjectState& state) noexcept
 }
 
 } // namespace
+
+bool verticesMoved(const Scene& from, std::uint32_t before, const Scene& to, std::uint32_t now) noexcept
+{
+  return from.surfaces()[before].tree->contentHash() != to.surfaces()[now].tree->contentHash();
+}
+
+bool verticesMoved(const MovingScene& from, std::uint32_t before, const MovingScene& to, std::uint32_t now) noexcept
+{
+  const Surface &was = from.scene().surfaces()[before], &is = to.scene().surfaces()[now];
+  const bool rested = !was.from || from.share() >= 1.0, rests = !is.from || to.share() >= 1.0;
+  const bool alike = rested && rests ? true : was.from == is.from && from.share() == to.share();
+  return !alike || verticesMoved(from.scene(), before, to.scene(), now);
+}
 
 std::uint32_t successorOf(
   const std::vector<Surface>& before, std::uint32_t i, const std::vector<Surface>& after) noexcept
@@ -396,7 +423,7 @@ std::uint32_t successorOf(
   return static_cast<std::uint32_t>(found - after.begin());
 }
 
-template <class SceneView>
+template<class SceneView>
 Vec3 stopBefore(
   const SceneView& scene, const ContactPlan& plan, double radius_u, const Vec3& free_W, const Vec3& to_W) noexcept
 {
@@ -417,7 +444,7 @@ Vec3 stopBefore(
   return free_W;
 }
 
-template <class SceneView>
+template<class SceneView>
 void carryWithVertices(
   const SceneView& from, const SceneView& to, const ContactPlan& plan, GodObjectState& state) noexcept
 {
@@ -426,13 +453,13 @@ void carryWithVertices(
   for (std::uint32_t i = 0; state.placed && i < before.size(); ++i)
   {
     const std::uint32_t now = successorOf(before, i, after);
-    if (now == after.size() || after[now].tree->contentHash() == before[i].tree->contentHash())
+    if (now == after.size() || !verticesMoved(from, i, to, now))
     {
       continue;
     }
     const bool curves = after[now].tree->coat_u() > 0.0;
-    const std::optional<Vec3> carried_W = curves ? carryWithCurve(from, to, i, now, plan, state.x_W)
-                                                 : Advection(from, to, i, now, plan, state.x_W).run();
+    const std::optional<Vec3> carried_W =
+      curves ? carryWithCurve(from, to, i, now, plan, state.x_W) : Advection(from, to, i, now, plan, state.x_W).run();
     if (carried_W)
     {
       state.x_W = *carried_W;

@@ -17,18 +17,25 @@ namespace palpate
 [[nodiscard]] std::uint32_t successorOf(
   const std::vector<Surface>& before, std::uint32_t i, const std::vector<Surface>& after) noexcept;
 
+/// True if the vertices of surface `before` are elsewhere in surface `now`, which it has become.
+[[nodiscard]] bool verticesMoved(const Scene& from, std::uint32_t before, const Scene& to, std::uint32_t now) noexcept;
+/// The same between two moments.
+[[nodiscard]] bool verticesMoved(
+  const MovingScene& from, std::uint32_t before, const MovingScene& to, std::uint32_t now) noexcept;
+
 /// First contact on a straight way in a scene, of a ball that touches nothing yet.
-template <class SceneView>
+template<class SceneView>
 [[nodiscard]] SweepHit sweepStraight(
   const SceneView& scene, const ContactPlan& plan, double radius_u, const Vec3& from_W, const Vec3& to_W) noexcept;
 
 /// The place from which a point that comes straight from a free one stops short of what it would hit; `to_W` where it
 /// hits nothing. The way to the result is free, exactly. SceneView: Scene or MovingScene.
-template <class SceneView>
+template<class SceneView>
 [[nodiscard]] Vec3 stopBefore(
   const SceneView& scene, const ContactPlan& plan, double radius_u, const Vec3& free_W, const Vec3& to_W) noexcept;
 
-/// Takes the ball along with surfaces that kept their triangles while their vertices moved, so that none passes it.
+/// Takes the ball along with surfaces that kept their triangles while their vertices moved, so that none passes it:
+/// from one scene to the next, or between two moments of vertices that are on their way.
 ///
 /// Only where a triangle could have come over the ball on its straight way from old to new is anything done: the
 /// nearest point of the old surface goes with its triangle by barycentric coordinates, and what lay between it and the
@@ -36,7 +43,7 @@ template <class SceneView>
 /// that place is swept exactly: what came between stops it. A ball is moved out of what it overlaps there.
 /// Beside a curve it goes with the curve's nearest point and back to where it was, as far as the curve lets it.
 /// Bounded by plan.nodeBudget, allocation-free.
-template <class SceneView>
+template<class SceneView>
 void carryWithVertices(
   const SceneView& from, const SceneView& to, const ContactPlan& plan, GodObjectState& state) noexcept;
 

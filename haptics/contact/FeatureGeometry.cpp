@@ -96,6 +96,10 @@ EdgeLine edgeLine(const View& s, std::uint32_t i, std::uint32_t j) noexcept
 {
   const Vec3 e = s.vertex(j) - s.vertex(i);
   const double scale = e.cwiseAbs().maxCoeff();
+  if (scale == 0.0)
+  {
+    return {}; // vertices that move may meet for a moment
+  }
   const double length = (e / scale).norm() * scale;
   return { e / length, length };
 }

@@ -11,7 +11,7 @@ namespace palpate
 
 FaceRecord PosedSurface::face(std::uint32_t triangle) const noexcept
 {
-  FaceRecord face = this->data_.face(triangle);
+  FaceRecord face = this->shape_.face(triangle);
   for (Vec3& corner : face.corner_W)
   {
     corner = this->toWorld(corner);
@@ -22,7 +22,7 @@ FaceRecord PosedSurface::face(std::uint32_t triangle) const noexcept
 
 int PosedSurface::sideOf(std::uint32_t triangle, const Vec3& x_W) const noexcept
 {
-  const auto& [a, b, c] = this->data_.face(triangle).corner_W;
+  const auto& [a, b, c] = this->shape_.cornersOf(triangle);
   return orientation(a, b, c, this->toSurface(x_W));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "haptics/contact/BentSurface.h"
 #include "haptics/contact/Motion.h"
 #include "haptics/core/Types.h"
 #include "haptics/geometry/ExactPredicates.h"
@@ -12,13 +13,16 @@
 namespace palpate
 {
 
-/// A surface where it is at one moment: the same questions as SurfaceData answers, with corners and normals in W.
+/// A surface where it is at one moment, moved as a whole and bent: the same questions as SurfaceData answers, with corners and normals in W.
 /// Every vertex is moved on its own, the same way each time: faces that share one go on sharing it, bit for bit.
 class PosedSurface
 {
 public:
-  PosedSurface(const SurfaceData& data, const Pose& pose_WS) noexcept
+  /// `from`: where its vertices come from, a share of their way ago; null: they stand.
+  PosedSurface(
+    const SurfaceData& data, const Pose& pose_WS, const VertexStart* from = nullptr, double share = 1.0) noexcept
     : data_(data)
+    , shape_(data, from, share)
     , turn_WS_(pose_WS.q.toRotationMatrix())
     , shift_W_(pose_WS.p)
   {
@@ -35,8 +39,10 @@ public:
   [[nodiscard]] Motion toSurface(const Motion& m) const noexcept;
 
   [[nodiscard]] const SurfaceData& data() const noexcept { return this->data_; }
+  /// What it is in its own frame.
+  [[nodiscard]] const BentSurface& shape() const noexcept { return this->shape_; }
   [[nodiscard]] FaceRecord face(std::uint32_t triangle) const noexcept;
-  [[nodiscard]] Vec3 vertex(std::uint32_t v) const noexcept { return this->toWorld(this->data_.vertex(v)); }
+  [[nodiscard]] Vec3 vertex(std::uint32_t v) const noexcept { return this->toWorld(this->shape_.vertex(v)); }
   /// On which side of a face a point is, exactly, in the surface's own frame.
   [[nodiscard]] int sideOf(std::uint32_t triangle, const Vec3& x_W) const noexcept;
   [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t t) const noexcept { return this->data_.corners(t); }
@@ -62,11 +68,12 @@ public:
 
 private:
   const SurfaceData& data_;
+  BentSurface shape_;
   Mat3 turn_WS_;
   Vec3 shift_W_;
 };
 
-/// A scene at one moment, 0 .. 1 of the way from the poses its surfaces begin with to those they end with.
+/// A scene at one moment, 0 .. 1 of the way from where its surfaces and their vertices begin to where they end.
 class MovingScene
 {
 public:
@@ -94,7 +101,7 @@ private:
 [[nodiscard]] inline PosedSurface surfaceOf(const MovingScene& moving, std::uint32_t i) noexcept
 {
   const Surface& surface = moving.scene().surfaces()[i];
-  return { surface.tree->data(), surface.motion.at(moving.share()) };
+  return { surface.tree->data(), surface.motion.at(moving.share()), surface.from.get(), moving.share() };
 }
 
 [[nodiscard]] inline int sideOf(const PosedSurface& s, std::uint32_t triangle, const Vec3& x_W) noexcept
@@ -112,6 +119,19 @@ private:
 [[nodiscard]] inline Motion inTree(const PosedSurface& s, const Motion& m) noexcept { return s.toSurface(m); }
 [[nodiscard]] inline const SurfaceData& dataOf(const SurfaceData& s) noexcept { return s; }
 [[nodiscard]] inline const SurfaceData& dataOf(const PosedSurface& s) noexcept { return s.data(); }
+[[nodiscard]] inline const SurfaceData& dataOf(const BentSurface& s) noexcept { return s.data(); }
+
+/// Calls ask(shape) with the surface in its own frame: one that stands is asked as it is.
+template<class Ask>
+decltype(auto) askShape(const SurfaceData& s, Ask ask) noexcept
+{
+  return ask(s);
+}
+template<class Ask>
+decltype(auto) askShape(const PosedSurface& s, Ask ask) noexcept
+{
+  return s.shape().bends() ? ask(s.shape()) : ask(s.data());
+}
 
 /// Calls ask(motion) with what the surface's tree is to be asked for a ball on its way.
 template<class View, class Ask>

@@ -28,11 +28,13 @@ bool isTouched(const SweepQuery& query, const ActiveFeature& f) noexcept
 
 /// The exact tests of one surface's faces, edges and vertices, and the best hit so far. All in the surface's own frame:
 /// a point is mapped there the same way each time, so that what is proven free stays free.
+template <class Shape>
 class SurfaceSweep
 {
 public:
-  SurfaceSweep(const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, const Motion& m, SweepHit& best)
-    : data_(data)
+  SurfaceSweep(const Shape& shape, std::uint32_t surface, const SweepQuery& query, const Motion& m, SweepHit& best)
+    : shape_(shape)
+    , data_(dataOf(shape))
     , surface_(surface)
     , query_(query)
     , m_(m)
@@ -64,8 +66,11 @@ public:
 private:
   void testBall(std::uint32_t triangle) noexcept
   {
-    const FaceRecord& face = this->data_.face(triangle);
-    this->testFace(triangle, face);
+    const FaceRecord& face = this->shape_.face(triangle);
+    if (hasArea(this->shape_, face))
+    {
+      this->testFace(triangle, face);
+    }
     const auto& corners = this->data_.corners(triangle);
     for (int k = 0; k < 3; ++k)
     {
@@ -147,8 +152,8 @@ private:
   void testEdge(std::uint32_t i, std::uint32_t j) noexcept
   {
     const Motion& m = this->m_;
-    const Vec3& a = this->data_.vertex(i);
-    const Vec3 e = this->data_.vertex(j) - a;
+    const Vec3& a = this->shape_.vertex(i);
+    const Vec3 e = this->shape_.vertex(j) - a;
     const double length2 = e.squaredNorm();
     const Vec3 away = m.x_W - a;
     const double awayAlong = away.dot(e) / length2, dAlong = m.d.dot(e) / length2;
@@ -191,7 +196,11 @@ private:
   void testPoint(std::uint32_t triangle) noexcept
   {
     const Motion& m = this->m_;
-    const FaceRecord& face = this->data_.face(triangle);
+    const FaceRecord& face = this->shape_.face(triangle);
+    if (!hasArea(this->shape_, face))
+    {
+      return;
+    }
     const auto& [a, b, c] = face.corner_W;
     const double s0 = face.normal_W.dot(m.x_W - a), s1 = face.normal_W.dot(m.e_W - a);
     const double largest = std::max({ m.magnitude, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff() });
@@ -264,6 +273,7 @@ private:
     this->best_.feature = f;
   }
 
+  const Shape& shape_;
   const SurfaceData& data_;
   std::uint32_t surface_;
   const SweepQuery& query_;
@@ -272,10 +282,12 @@ private:
 };
 
 /// Near-first walk of one surface's tree.
-void sweepSurface(const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, const Motion& m,
+template <class Shape>
+void sweepSurface(const Shape& shape, std::uint32_t surface, const SweepQuery& query, const Motion& m,
   std::uint32_t budget, SweepHit& best) noexcept
 {
-  SurfaceSweep sweep(data, surface, query, m, best);
+  const SurfaceData& data = dataOf(shape);
+  SurfaceSweep sweep(shape, surface, query, m, best);
   walkNearFirst(data.nodes, { data.low_W, data.high_W }, m, budget, best,
     [&sweep](std::uint32_t leaf) noexcept { sweep.testLeaf(leaf); });
 }
@@ -296,19 +308,23 @@ void sweepList(const SceneView& scene, const Neighbourhood& near, const SweepQue
       const auto& surface = surfaceOf(scene, face.surface);
       askTree(surface, m,
         [&](const Motion& inSurface) noexcept
-        { SurfaceSweep(dataOf(surface), face.surface, query, inSurface, best).testTriangle(face.triangle); });
+        {
+          askShape(surface, [&](const auto& shape) noexcept
+            { SurfaceSweep(shape, face.surface, query, inSurface, best).testTriangle(face.triangle); });
+        });
     }
   }
 }
 
 } // namespace
 
+template <class Shape>
 SweepHit sweepSurface(
-  const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, std::uint32_t budget) noexcept
+  const Shape& shape, std::uint32_t surface, const SweepQuery& query, std::uint32_t budget) noexcept
 {
   SweepHit best;
-  askTree(data, motionOf(query),
-    [&](const Motion& m) noexcept { sweepSurface(data, surface, query, m, budget, best); });
+  askTree(dataOf(shape), motionOf(query),
+    [&](const Motion& m) noexcept { sweepSurface(shape, surface, query, m, budget, best); });
   return best;
 }
 
@@ -326,7 +342,11 @@ SweepHit sweepBall(const SceneView& scene, const SweepQuery& query, std::uint32_
   {
     const auto& surface = surfaceOf(scene, s);
     askTree(surface, m,
-      [&](const Motion& inSurface) noexcept { sweepSurface(dataOf(surface), s, query, inSurface, budget, best); });
+      [&](const Motion& inSurface) noexcept
+      {
+        askShape(surface,
+          [&](const auto& shape) noexcept { sweepSurface(shape, s, query, inSurface, budget, best); });
+      });
   };
   const Scene& whole = sceneOf(scene);
   if (whole.surfaces().size() == 1)
@@ -344,6 +364,8 @@ SweepHit sweepBall(const SceneView& scene, const SweepQuery& query, std::uint32_
   return best;
 }
 
+template SweepHit sweepSurface(const SurfaceData&, std::uint32_t, const SweepQuery&, std::uint32_t) noexcept;
+template SweepHit sweepSurface(const BentSurface&, std::uint32_t, const SweepQuery&, std::uint32_t) noexcept;
 template SweepHit sweepBall(const Scene&, const SweepQuery&, std::uint32_t, Neighbourhood*) noexcept;
 template SweepHit sweepBall(const MovingScene&, const SweepQuery&, std::uint32_t, Neighbourhood*) noexcept;
 

@@ -36,7 +36,10 @@ struct SweepHit
 };
 
 /// First contact with one surface, whose own frame the query is given in. As sweepBall otherwise.
-[[nodiscard]] SweepHit sweepSurface(const SurfaceData& data, std::uint32_t surface, const SweepQuery& query, std::uint32_t budget) noexcept;
+/// Shape: SurfaceData, or BentSurface for a moment of one whose vertices move.
+template <class Shape>
+[[nodiscard]] SweepHit sweepSurface(
+  const Shape& shape, std::uint32_t surface, const SweepQuery& query, std::uint32_t budget) noexcept;
 
 /// First contact of the ball with any surface of the scene.
 ///

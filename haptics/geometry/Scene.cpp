@@ -13,19 +13,21 @@ namespace palpate
 namespace
 {
 
-std::uint64_t hashGeometry(const std::vector<Surface>& surfaces)
+/// `began`: of the surfaces that these come from.
+std::uint64_t hashGeometry(const std::vector<Surface>& surfaces, bool began)
 {
   WordHash hash;
   for (const Surface& surface : surfaces)
   {
-    hash.add(surface.tree->contentHash());
+    hash.add(began && surface.from ? surface.from->continues : surface.tree->contentHash());
     hash.add(surface.material.stiffness_N_per_m);
     hash.add(surface.material.frictionStatic);
     hash.add(surface.material.frictionKinetic);
     if (surface.fields)
     {
       const MaterialFields& f = *surface.fields;
-      for (const std::vector<double>* const field : { &f.stiffness_N_per_m, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
+      for (const std::vector<double>* const field :
+        { &f.stiffness_N_per_m, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
       {
         hash.add(static_cast<std::uint64_t>(field->size()));
         std::for_each(field->begin(), field->end(), [&hash](double value) { hash.add(value); });
@@ -49,6 +51,7 @@ std::uint64_t hashMotions(std::uint64_t geometry, const std::vector<Surface>& su
         hash.add(number);
       }
     }
+    hash.add(surface.from ? surface.from->hash : std::uint64_t{ 0 });
   }
   return hash.value();
 }
@@ -116,14 +119,20 @@ BoxTree treeOver(const std::vector<Surface>& surfaces)
 
 } // namespace
 
-Scene::Scene(std::uint64_t revision, std::vector<Surface> surfaces, double motion_s)
-  : revision_(revision)
-  , motion_s_(motion_s)
-  , geometryHash_(hashGeometry(surfaces))
-  , surfaces_(std::move(surfaces))
-  , surfaceTree_(treeOver(surfaces_))
-  , moves_(anyPosed(surfaces_))
+std::uint64_t wayNameOf(const Surface& surface) noexcept
 {
+  WordHash hash;
+  hash.add(surface.tree->contentHash());
+  hash.add(surface.from ? surface.from->hash : std::uint64_t{ 0 });
+  return hash.value();
+}
+
+Scene::Scene(std::uint64_t revision, std::vector<Surface> surfaces, double motion_s)
+  : revision_(revision), motion_s_(motion_s), geometryHash_(hashGeometry(surfaces, false)),
+    continuesGeometry_(hashGeometry(surfaces, true)), surfaces_(std::move(surfaces)), surfaceTree_(treeOver(surfaces_)),
+    bends_(std::any_of(surfaces_.begin(), surfaces_.end(), [](const Surface& s) { return s.from != nullptr; }))
+{
+  this->moves_ = this->bends_ || anyPosed(this->surfaces_);
   this->hasMaterials_ = std::any_of(this->surfaces_.begin(), this->surfaces_.end(),
     [](const Surface& s) { return s.fields != nullptr || !s.material.isPlain(); });
   for (const Surface& surface : this->surfaces_)

@@ -11,6 +11,7 @@
 #include "haptics/geometry/Material.h"
 #include "haptics/geometry/RigidMotion.h"
 #include "haptics/geometry/SurfaceTree.h"
+#include "haptics/geometry/VertexStart.h"
 
 namespace palpate
 {
@@ -23,20 +24,27 @@ struct Surface
   Material material;
   RigidMotion motion = {};
   std::shared_ptr<const MaterialFields> fields = {}; ///< of the tree's vertices, or null
+  std::shared_ptr<const VertexStart> from = {};      ///< given: its vertices come from there; the tree has room for it
 };
+
+/// Names all the places where a surface may be on its way.
+[[nodiscard]] std::uint64_t wayNameOf(const Surface& surface) noexcept;
 
 /// Everything that can be felt at one moment. Immutable once built: the servo reads it, a worker frees it.
 class Scene
 {
 public:
   Scene() = default;
-  /// `motion_s`: how long the surfaces take from their first poses to their last [s]; 0: they are there at once.
+  /// `motion_s`: how long the surfaces take from their first poses and places to their last [s]; 0: they are there at
+  /// once.
   Scene(std::uint64_t revision, std::vector<Surface> surfaces, double motion_s = 0.0);
 
   [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
   [[nodiscard]] const std::vector<Surface>& surfaces() const noexcept { return this->surfaces_; }
   /// True if any surface is posed or moves: then its vertices alone do not say where it is.
   [[nodiscard]] bool moves() const noexcept { return this->moves_; }
+  /// True if the vertices of any surface come from elsewhere.
+  [[nodiscard]] bool bends() const noexcept { return this->bends_; }
   /// True if any surface is anything else than a plain wall.
   [[nodiscard]] bool hasMaterials() const noexcept { return this->hasMaterials_; }
   /// One leaf a surface, around all of its way: what a query walks before it walks a surface.
@@ -48,7 +56,9 @@ public:
   [[nodiscard]] bool empty() const noexcept { return this->surfaces_.empty(); }
   /// Hash of all vertices, triangles and materials, in order, wherever the surfaces are.
   [[nodiscard]] std::uint64_t geometryHash() const noexcept { return this->geometryHash_; }
-  /// The same and the poses: names a scene in a recording.
+  /// The same of the surfaces that these come from: a scene of that hash goes over into this one without a step.
+  [[nodiscard]] std::uint64_t continuesGeometry() const noexcept { return this->continuesGeometry_; }
+  /// The same as geometryHash() and the ways: names a scene in a recording.
   [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
   [[nodiscard]] double motion_s() const noexcept { return this->motion_s_; }
   /// How far the surfaces have come, 0..1, an age after the scene was taken [s].
@@ -61,12 +71,14 @@ private:
   std::uint64_t revision_ = 0;
   double motion_s_ = 0.0;
   std::uint64_t geometryHash_ = 0;
+  std::uint64_t continuesGeometry_ = 0;
   std::uint64_t contentHash_ = 0;
   std::vector<Surface> surfaces_;
   BoxTree surfaceTree_;
   double mostCoat_u_ = 0.0;
   double leastCoat_u_ = 0.0;
   bool moves_ = false;
+  bool bends_ = false;
   bool hasMaterials_ = false;
 };
 

@@ -11,20 +11,39 @@
 
 namespace palpate
 {
-
-SceneBuilder::SceneBuilder(unsigned workers)
-  : workers_(std::max(1u, workers))
+namespace
 {
+
+/// From wherever the surface of that name is felt to where the input has it, if they are the same triangles in W.
+std::optional<VertexWay> wayFrom(const Scene& felt, const SurfaceInput& input, const SurfaceTree& tree)
+{
+  const auto was = std::find_if(felt.surfaces().begin(), felt.surfaces().end(),
+    [&](const Surface& s) { return s.name == input.name && s.tree->topologyHash() == tree.topologyHash(); });
+  if (was == felt.surfaces().end() || !was->motion.isStill() || !RigidMotion{ input.pose_WS, input.pose_WS }.isStill())
+  {
+    return std::nullopt;
+  }
+  VertexWay way{ wayNameOf(*was), { &was->tree->mesh().vertices_W } };
+  if (was->from)
+  {
+    way.also.push_back(&was->from->vertices_W);
+  }
+  return way;
 }
 
-bool SceneBuilder::knows(const std::vector<SurfaceInput>& inputs) const
+} // namespace
+
+SceneBuilder::SceneBuilder(unsigned workers) : workers_(std::max(1u, workers)) {}
+
+bool SceneBuilder::knows(const std::vector<SurfaceInput>& inputs, const Scene* felt) const
 {
-  const auto known = [this](const SurfaceInput& input)
+  const auto known = [this, felt](const SurfaceInput& input)
   {
-    return std::any_of(this->kept_.begin(), this->kept_.end(), [&](const Kept& kept)
+    return std::any_of(this->kept_.begin(), this->kept_.end(),
+      [&](const Kept& kept)
       {
-        return kept.mesh == input.mesh && kept.lineRadius_u == input.lineRadius_u &&
-               kept.rawFields == input.fields && kept.material == input.material;
+        return kept.mesh == input.mesh && kept.lineRadius_u == input.lineRadius_u && kept.rawFields == input.fields &&
+               kept.material == input.material && (felt != nullptr || !kept.tree || kept.tree->wayName() == 0);
       });
   };
   return std::all_of(inputs.begin(), inputs.end(), known);
@@ -54,14 +73,18 @@ std::vector<SceneBuilder::Kept> SceneBuilder::takeKnown(const std::vector<Surfac
   return known;
 }
 
-void SceneBuilder::bringUpToDate(const SurfaceInput& input, Kept& kept)
+void SceneBuilder::bringUpToDate(const SurfaceInput& input, const Scene* felt, Kept& kept)
 {
   if (kept.mesh && kept.mesh == input.mesh && kept.lineRadius_u == input.lineRadius_u)
   {
     kept.report.name = input.name;
     kept.report.refitted = false;
+    if (felt == nullptr)
+    {
+      tighten(kept);
+    }
   }
-  else if (!refit(input, kept))
+  else if (!refit(input, felt, kept))
   {
     kept = buildAnew(input);
   }
@@ -102,7 +125,17 @@ void SceneBuilder::fitMaterial(const SurfaceInput& input, Kept& kept)
   kept.fields = std::make_shared<const MaterialFields>(std::move(fit.fields));
 }
 
-bool SceneBuilder::refit(const SurfaceInput& input, Kept& kept)
+/// Nothing comes from elsewhere any more: room for it would cost visits for nothing.
+void SceneBuilder::tighten(Kept& kept)
+{
+  if (kept.tree && kept.tree->wayName() != 0)
+  {
+    RefitResult fitted = kept.tree->refitted(kept.tree->mesh().vertices_W, std::move(kept.retired));
+    kept.retired = std::exchange(kept.tree, std::move(fitted.tree));
+  }
+}
+
+bool SceneBuilder::refit(const SurfaceInput& input, const Scene* felt, Kept& kept)
 {
   if (!kept.tree || !input.mesh || kept.lineRadius_u != input.lineRadius_u)
   {
@@ -119,7 +152,8 @@ bool SceneBuilder::refit(const SurfaceInput& input, Kept& kept)
   {
     return false;
   }
-  RefitResult fitted = kept.tree->refitted(std::move(*vertices_W), std::move(kept.retired));
+  const std::optional<VertexWay> way = felt != nullptr ? wayFrom(*felt, input, *kept.tree) : std::nullopt;
+  RefitResult fitted = kept.tree->refitted(std::move(*vertices_W), std::move(kept.retired), way ? &*way : nullptr);
   if (!fitted.tree)
   {
     return false;
@@ -164,15 +198,15 @@ SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input)
   return built;
 }
 
-SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs)
+SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, const Scene* felt)
 {
   std::vector<Kept> built = this->takeKnown(inputs);
   std::atomic<std::size_t> next = 0;
-  const auto work = [&inputs, &built, &next]
+  const auto work = [&inputs, felt, &built, &next]
   {
     for (std::size_t i = next.fetch_add(1); i < inputs.size(); i = next.fetch_add(1))
     {
-      bringUpToDate(inputs[i], built[i]);
+      bringUpToDate(inputs[i], felt, built[i]);
     }
   };
   {

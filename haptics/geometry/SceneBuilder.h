@@ -48,14 +48,16 @@ struct SceneBuildResult
 /// Cleans, plans and builds all trees eagerly. Off the servo thread; call from one thread at a time.
 /// The scene is the same, bit for bit, for any number of workers. A surface whose mesh object was in the
 /// previous build is reused, not built again; one that has the triangles of the previous build's surface of its name
-/// with vertices elsewhere keeps that tree's shape and is refitted.
+/// with vertices elsewhere keeps that tree's shape and is refitted. A tree with room for a way loses it in the next
+/// build without `felt`.
 class SceneBuilder
 {
 public:
   explicit SceneBuilder(unsigned workers = 1);
-  [[nodiscard]] SceneBuildResult build(const std::vector<SurfaceInput>& inputs);
+  /// `felt`: what is felt now, if surfaces are to move from there (movingFrom): refitted trees have room for that way.
+  [[nodiscard]] SceneBuildResult build(const std::vector<SurfaceInput>& inputs, const Scene* felt = nullptr);
   /// True if meshes and fields of all inputs were in the previous build: then build() takes no time worth a worker.
-  [[nodiscard]] bool knows(const std::vector<SurfaceInput>& inputs) const;
+  [[nodiscard]] bool knows(const std::vector<SurfaceInput>& inputs, const Scene* felt = nullptr) const;
   /// For a scene that is made from one of the builder's: no other has it. Any thread, at any time.
   [[nodiscard]] std::uint64_t takeRevision() { return ++this->revision_; }
 
@@ -74,8 +76,9 @@ private:
     SurfaceReport report;
   };
   [[nodiscard]] std::vector<Kept> takeKnown(const std::vector<SurfaceInput>& inputs);
-  static void bringUpToDate(const SurfaceInput& input, Kept& kept);
-  [[nodiscard]] static bool refit(const SurfaceInput& input, Kept& kept);
+  static void bringUpToDate(const SurfaceInput& input, const Scene* felt, Kept& kept);
+  [[nodiscard]] static bool refit(const SurfaceInput& input, const Scene* felt, Kept& kept);
+  static void tighten(Kept& kept);
   [[nodiscard]] static CleanResult cleanInput(const SurfaceInput& input);
   [[nodiscard]] static Kept buildAnew(const SurfaceInput& input);
   static void fitMaterial(const SurfaceInput& input, Kept& kept);

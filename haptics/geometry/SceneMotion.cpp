@@ -15,6 +15,19 @@ bool sameSurface(const Surface& a, const Surface& b)
   return a.name == b.name && a.tree->contentHash() == b.tree->contentHash();
 }
 
+/// True if the tree of `next` has room for a way from anywhere that `was` is on its own.
+bool comesFrom(const Surface& was, const Surface& next)
+{
+  return was.name == next.name && next.tree->wayName() == wayNameOf(was) && was.motion.isStill() &&
+         next.motion.isStill();
+}
+
+/// Still on a way whose room the same tree has.
+bool goesOn(const Surface& was, const Surface& next, double share)
+{
+  return was.name == next.name && was.tree == next.tree && was.from && share < 1.0;
+}
+
 /// The surface in `now` that `surface` is, at the same place in the list if it can be; null if there is none.
 const Surface* find(const std::vector<Surface>& now, const Surface& surface, std::size_t index)
 {
@@ -27,12 +40,34 @@ const Surface* find(const std::vector<Surface>& now, const Surface& surface, std
   return found != now.end() ? &*found : nullptr;
 }
 
+const Surface* findBent(const std::vector<Surface>& now, double share, const Surface& surface)
+{
+  if (surface.tree->wayName() == 0)
+  {
+    return nullptr;
+  }
+  const auto found = std::find_if(
+    now.begin(), now.end(), [&](const Surface& s) { return comesFrom(s, surface) || goesOn(s, surface, share); });
+  return found != now.end() ? &*found : nullptr;
+}
+
+std::shared_ptr<const VertexStart> startAt(const Surface& was, double share)
+{
+  std::vector<Vec3> places_W = was.tree->mesh().vertices_W;
+  if (was.from && share < 1.0)
+  {
+    std::transform(was.from->vertices_W.begin(), was.from->vertices_W.end(), places_W.begin(), places_W.begin(),
+      [share](const Vec3& begin, const Vec3& end) { return alongWay(begin, end, share); });
+  }
+  return std::make_shared<const VertexStart>(std::move(places_W), was.tree->contentHash());
+}
+
 } // namespace
 
 std::shared_ptr<const Scene> movingFrom(
   const Scene& now, double share, const std::shared_ptr<const Scene>& next, double motion_s)
 {
-  if (!next || !(motion_s > 0.0) || !(now.moves() || next->moves()))
+  if (!next || !(motion_s > 0.0))
   {
     return next;
   }
@@ -44,6 +79,11 @@ std::shared_ptr<const Scene> movingFrom(
     {
       surfaces[i].motion.begin_WS = was->motion.at(share);
       moves = moves || surfaces[i].motion.moves();
+    }
+    if (const Surface* const was = findBent(now.surfaces(), share, surfaces[i]))
+    {
+      surfaces[i].from = startAt(*was, share);
+      moves = true;
     }
   }
   return moves ? std::make_shared<const Scene>(next->revision(), std::move(surfaces), motion_s) : next;

@@ -10,9 +10,11 @@ namespace palpate
 
 /// `next`, whose surfaces come from where they were in `now`, at a share of its way (0..1), in `motion_s` [s].
 ///
-/// A surface that was not in `now` under its name with the same vertices is where `next` has it, at once, and so is
-/// everything if `motion_s` is not above 0. Returns `next` itself if nothing moves. Starting where a surface is felt,
-/// not where its last motion was to end, keeps it from jumping when snapshots come early.
+/// A surface with the same vertices comes from its pose in `now`; one whose tree was refitted on the way from there
+/// (SceneBuilder::build with `now`) from the places that its vertices have in `now`, if neither is posed.
+/// Any other surface is where `next` has it, at once, and so is everything if `motion_s` is not above 0. Returns `next`
+/// itself if nothing moves. Starting where a surface is felt, not where its last motion was to end, keeps it from
+/// jumping when snapshots come early. O(vertices that move).
 [[nodiscard]] std::shared_ptr<const Scene> movingFrom(
   const Scene& now, double share, const std::shared_ptr<const Scene>& next, double motion_s);
 

@@ -64,6 +64,7 @@ struct SurfaceData
   std::vector<std::uint32_t> fan;
   std::uint64_t contentHash = 0;
   std::uint64_t topologyHash = 0;
+  std::uint64_t wayName = 0; ///< of the places beside the vertices' own that boxes and discs hold; 0: none
 
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 

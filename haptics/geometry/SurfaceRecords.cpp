@@ -12,6 +12,19 @@ namespace palpate
 namespace
 {
 
+/// `local`: its centre from the leaf's origin.
+void writeDisc(DiscQuad& quad, int lane, const Vec3& local, const Vec3& normal, double radius)
+{
+  quad.cx[lane] = static_cast<float>(local.x());
+  quad.cy[lane] = static_cast<float>(local.y());
+  quad.cz[lane] = static_cast<float>(local.z());
+  quad.nx[lane] = static_cast<float>(normal.x());
+  quad.ny[lane] = static_cast<float>(normal.y());
+  quad.nz[lane] = static_cast<float>(normal.z());
+  const double roundOff = 4e-7 * (local.cwiseAbs().sum() + radius);
+  quad.radius[lane] = std::nextafter(static_cast<float>(radius + roundOff), std::numeric_limits<float>::infinity());
+}
+
 /// A disc in the face's plane that holds its three corners: the circle over the longest edge, or round the centroid.
 void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Vec3& origin_W)
 {
@@ -32,15 +45,35 @@ void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Vec3& origi
     }
   }
   const double radius = std::sqrt(radius2);
-  const Vec3 local = centre - origin_W;
-  quad.cx[lane] = static_cast<float>(local.x());
-  quad.cy[lane] = static_cast<float>(local.y());
-  quad.cz[lane] = static_cast<float>(local.z());
-  quad.nx[lane] = static_cast<float>(face.normal_W.x());
-  quad.ny[lane] = static_cast<float>(face.normal_W.y());
-  quad.nz[lane] = static_cast<float>(face.normal_W.z());
-  const double roundOff = 4e-7 * (local.cwiseAbs().sum() + radius);
-  quad.radius[lane] = std::nextafter(static_cast<float>(radius + roundOff), std::numeric_limits<float>::infinity());
+  writeDisc(quad, lane, centre - origin_W, face.normal_W, radius);
+}
+
+/// A ball that holds the three corners wherever they are: round the middle of their box.
+void setBall(DiscQuad& quad, int lane, const FaceRecord& face, const std::array<std::uint32_t, 3>& corners,
+  const std::vector<const std::vector<Vec3>*>& also, const Vec3& origin_W)
+{
+  const auto forEach = [&](auto visit)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      visit(face.corner_W[k]);
+      for (const std::vector<Vec3>* const place : also)
+      {
+        visit((*place)[corners[k]]);
+      }
+    }
+  };
+  Vec3 low = face.corner_W[0], high = low;
+  forEach(
+    [&](const Vec3& v)
+    {
+      low = low.cwiseMin(v);
+      high = high.cwiseMax(v);
+    });
+  const Vec3 centre = low + 0.5 * (high - low);
+  double radius2 = 0.0;
+  forEach([&](const Vec3& v) { radius2 = std::max(radius2, (v - centre).squaredNorm()); });
+  writeDisc(quad, lane, centre - origin_W, Vec3::Zero(), std::sqrt(radius2));
 }
 
 } // namespace
@@ -48,10 +81,15 @@ void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Vec3& origi
 FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept
 {
   const auto& t = data.mesh.triangles[triangle];
+  return makeFace({ data.vertex(t[0]), data.vertex(t[1]), data.vertex(t[2]) }, isSegment(t), owned);
+}
+
+FaceRecord makeFace(const std::array<Vec3, 3>& corners_W, bool segment, std::uint32_t owned) noexcept
+{
   FaceRecord face;
-  face.corner_W = { data.vertex(t[0]), data.vertex(t[1]), data.vertex(t[2]) };
+  face.corner_W = corners_W;
   face.owned = owned;
-  if (isSegment(t))
+  if (segment)
   {
     face.normal_W = Vec3::Zero();
     face.sliver = 1.0F;
@@ -82,6 +120,17 @@ void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept
   {
     DiscQuad& quad = data.discs[2 * leafIndex + k / 4];
     setDisc(quad, static_cast<int>(k % 4), data.faces[leaf.first + k], leaf.origin_W);
+  }
+}
+
+void layBalls(SurfaceData& data, std::size_t leafIndex, const std::vector<const std::vector<Vec3>*>& also) noexcept
+{
+  const Leaf& leaf = data.leaves[leafIndex];
+  for (std::uint32_t k = 0; k < leaf.count; ++k)
+  {
+    const std::uint32_t t = leaf.first + k;
+    setBall(
+      data.discs[2 * leafIndex + k / 4], static_cast<int>(k % 4), data.faces[t], data.corners(t), also, leaf.origin_W);
   }
 }
 

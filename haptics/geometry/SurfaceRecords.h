@@ -14,11 +14,18 @@ namespace palpate
 /// Corners, normal (zero for a segment) and sliver of a triangle of data.mesh; `owned` is the caller's.
 [[nodiscard]] FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept;
 
+/// The same of corners that are elsewhere.
+[[nodiscard]] FaceRecord makeFace(const std::array<Vec3, 3>& corners_W, bool segment, std::uint32_t owned) noexcept;
+
 /// The leaf that holds `count` triangles from `first` on, all of them in the box.
 [[nodiscard]] Leaf makeLeaf(const Box& box, std::uint32_t first, std::uint32_t count) noexcept;
 
 /// The discs of a leaf whose faces are there; data.discs has its room.
 void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept;
+
+/// The same for faces that come from elsewhere: a disc without a normal is a ball, and what holds all places of three
+/// corners holds the triangle on all of its way.
+void layBalls(SurfaceData& data, std::size_t leafIndex, const std::vector<const std::vector<Vec3>*>& also) noexcept;
 
 /// Hash of the triangles in the order of the leaves: the same for two surfaces whose features have the same numbers.
 [[nodiscard]] std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept;

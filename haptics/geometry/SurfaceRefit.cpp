@@ -31,6 +31,16 @@ std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_
   return {};
 }
 
+std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_W, const VertexWay* way)
+{
+  std::string refusal = refusalOf(old, vertices_W);
+  for (std::size_t i = 0; way != nullptr && refusal.empty() && i < way->also.size(); ++i)
+  {
+    refusal = refusalOf(old, *way->also[i]);
+  }
+  return refusal;
+}
+
 /// Area, or length in a segment.
 bool hasExtent(const FaceRecord& face)
 {
@@ -42,15 +52,27 @@ bool hasExtent(const FaceRecord& face)
   return face.normal_W.allFinite() && (face.sliver < certainlyFlat || !exactlyCollinear(a, b, c));
 }
 
-Box boxOf(const SurfaceData& data, const Leaf& leaf)
+void include(Box& box, const Vec3& v)
+{
+  box.low_W = box.low_W.cwiseMin(v);
+  box.high_W = box.high_W.cwiseMax(v);
+}
+
+Box boxOf(const SurfaceData& data, const Leaf& leaf, const VertexWay* way)
 {
   Box box{ data.faces[leaf.first].corner_W[0], data.faces[leaf.first].corner_W[0] };
   for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
   {
     for (const Vec3& corner : data.faces[t].corner_W)
     {
-      box.low_W = box.low_W.cwiseMin(corner);
-      box.high_W = box.high_W.cwiseMax(corner);
+      include(box, corner);
+    }
+    for (std::size_t i = 0; way != nullptr && i < way->also.size(); ++i)
+    {
+      for (const std::uint32_t corner : data.corners(t))
+      {
+        include(box, (*way->also[i])[corner]);
+      }
     }
   }
   return box;
@@ -69,8 +91,10 @@ Box boxOf(const TreeNode& node)
   return box;
 }
 
-/// Leaf by leaf, while its faces are at hand: memory is what this costs. Returns false where a triangle has no area, a segment no length.
-bool refitLeaves(SurfaceData& data, const std::vector<FaceRecord>& old, std::vector<Box>& leafBoxes)
+/// Leaf by leaf, while its faces are at hand: memory is what this costs. Returns false where a triangle has no area, a
+/// segment no length.
+bool refitLeaves(
+  SurfaceData& data, const std::vector<FaceRecord>& old, const VertexWay* way, std::vector<Box>& leafBoxes)
 {
   data.faces.resize(old.size());
   data.discs.resize(2 * data.leaves.size());
@@ -86,9 +110,9 @@ bool refitLeaves(SurfaceData& data, const std::vector<FaceRecord>& old, std::vec
         return false;
       }
     }
-    leafBoxes.push_back(boxOf(data, leaf));
+    leafBoxes.push_back(boxOf(data, leaf, way));
     leaf = makeLeaf(leafBoxes.back(), leaf.first, leaf.count);
-    layDiscs(data, index);
+    way != nullptr ? layBalls(data, index, way->also) : layDiscs(data, index);
   }
   return true;
 }
@@ -136,22 +160,24 @@ std::unique_ptr<SurfaceData> SurfaceTree::roomForRefit(std::shared_ptr<const Sur
   return data;
 }
 
-RefitResult SurfaceTree::refitted(std::vector<Vec3> vertices_W, std::shared_ptr<const SurfaceTree> retired) const
+RefitResult SurfaceTree::refitted(
+  std::vector<Vec3> vertices_W, std::shared_ptr<const SurfaceTree> retired, const VertexWay* way) const
 {
   const SurfaceData& old = *this->data_;
-  if (std::string refusal = refusalOf(old, vertices_W); !refusal.empty())
+  if (std::string refusal = refusalOf(old, vertices_W, way); !refusal.empty())
   {
     return { nullptr, std::move(refusal) };
   }
   std::unique_ptr<SurfaceData> data = this->roomForRefit(std::move(retired));
   data->mesh.vertices_W = std::move(vertices_W);
   std::vector<Box> leafBoxes;
-  if (!refitLeaves(*data, old.faces, leafBoxes))
+  if (!refitLeaves(*data, old.faces, way, leafBoxes))
   {
     return { nullptr, old.coat_u > 0.0 ? "a segment has no length any more" : "a triangle has become collinear" };
   }
   refitNodes(*data, leafBoxes);
   data->coat_u = old.coat_u;
+  data->wayName = way != nullptr ? way->name : 0;
   data->contentHash = hashContent(*data);
   return { std::shared_ptr<const SurfaceTree>(new SurfaceTree(std::move(data))), {} };
 }

@@ -312,6 +312,11 @@ std::uint64_t SurfaceTree::topologyHash() const noexcept
   return this->data_->topologyHash;
 }
 
+std::uint64_t SurfaceTree::wayName() const noexcept
+{
+  return this->data_->wayName;
+}
+
 std::size_t SurfaceTree::bytes() const noexcept
 {
   const SurfaceData& d = *this->data_;

@@ -21,6 +21,13 @@ struct RefitResult
   std::string refusal;
 };
 
+/// Where else the vertices of a surface may be: its boxes have room for the straight ways between all these places.
+struct VertexWay
+{
+  std::uint64_t name = 0;                     ///< not 0; the tree keeps it: who may come from there knows it by that
+  std::vector<const std::vector<Vec3>*> also; ///< each one for each vertex of the mesh, in its order [u]
+};
+
 /// A cleaned mesh with everything the tick needs beside it: tree, adjacency, normals. Immutable.
 /// Built eagerly on a worker; no query builds anything lazily.
 class SurfaceTree
@@ -40,8 +47,10 @@ public:
   /// finite, a triangle that has become exactly collinear.
   /// `retired`: a tree of the same triangles whose memory the new one takes if nobody else holds it. Two trees in turn,
   /// one felt and one refitted, ask the system for no memory, which is half of the cost.
-  [[nodiscard]] RefitResult refitted(
-    std::vector<Vec3> vertices_W, std::shared_ptr<const SurfaceTree> retired = nullptr) const;
+  /// `way`: boxes that hold the vertices at other places too, for a surface that comes from there. They are looser, so
+  /// a query asks for more visits; nothing else differs, neither does the content.
+  [[nodiscard]] RefitResult refitted(std::vector<Vec3> vertices_W, std::shared_ptr<const SurfaceTree> retired = nullptr,
+    const VertexWay* way = nullptr) const;
 
   [[nodiscard]] const TriangleMesh& mesh() const noexcept;
   /// Bytes kept beside the mesh (tree, adjacency, normals).
@@ -50,6 +59,8 @@ public:
   [[nodiscard]] double coat_u() const noexcept;
   /// Hash of vertices, triangles and coat.
   [[nodiscard]] std::uint64_t contentHash() const noexcept;
+  /// Name of the way its boxes have room for; 0: they are tight.
+  [[nodiscard]] std::uint64_t wayName() const noexcept;
   /// Hash of the triangles as the tree has ordered them: where it is the same, features have the same numbers.
   [[nodiscard]] std::uint64_t topologyHash() const noexcept;
   /// What contact computes from; internal to haptics/.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "haptics/contact/CarryBall.h"
+#include "haptics/contact/Deformation.h"
 #include "haptics/contact/PlanFor.h"
 #include "haptics/force/VirtualCoupling.h"
 #include "haptics/safety/ForceLimits.h"
@@ -263,16 +264,20 @@ private:
     }
     if (!scene.moves() && !before->moves())
     {
-      if (this->replaced())
+      if (this->otherGeometry())
       {
         handOver(*before, scene, this->plan_, p_W, contact);
       }
       return;
     }
     const MovingScene was(*before, before->shareAt(this->s_.sceneAge_s)), is(scene, scene.shareAt(this->age_s()));
-    if (this->replaced())
+    if (this->otherGeometry())
     {
       handOver(was, is, this->plan_, p_W, contact);
+    }
+    else if (before->bends() || scene.bends())
+    {
+      carryWithVertices(was, is, this->plan_, contact);
     }
     const CarryResult carry = carryBall(was, is, this->plan_, contact);
     this->out_.state.pinned = carry.pinned;
@@ -295,10 +300,17 @@ private:
   }
 
   /// Other surfaces than before, not only the same in other places.
-  [[nodiscard]] bool replaced() const noexcept
+  [[nodiscard]] bool otherGeometry() const noexcept
   {
     return this->sceneChanged() &&
            (this->in_.scene == nullptr || this->in_.scene->geometryHash() != this->s_.sceneGeometry);
+  }
+
+  /// The same, and they do not come from where those before are felt either.
+  [[nodiscard]] bool replaced() const noexcept
+  {
+    return this->otherGeometry() &&
+           (this->in_.scene == nullptr || this->in_.scene->continuesGeometry() != this->s_.sceneGeometry);
   }
 
   [[nodiscard]] bool sceneChanged() const noexcept
@@ -307,7 +319,7 @@ private:
   }
 
   /// F = F_new + (F_old - F_new) decaying: a replaced scene never steps (Mark et al. 1996). Not for the first scene,
-  /// not for surfaces that only move,
+  /// not for surfaces that only move or bend,
   /// and not a safety limit.
   void blendScenes() noexcept
   {

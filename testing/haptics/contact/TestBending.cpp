@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vertices on their straight way from one snapshot to the next: what is felt in each tick between them.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "haptics/contact/PosedSurface.h"
+#include "haptics/geometry/ExactPredicates.h"
+#include "haptics/geometry/NearestOnTriangle.h"
+#include "testing/support/AllocationGuard.h"
+#include "testing/support/Bender.h"
+#include "testing/support/Meshes.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double twoPi = 2 * std::numbers::pi;
+constexpr double K = 1000.0;
+constexpr int at20Hz = 50; // ticks a snapshot
+
+TriangleMesh sheetOf(int cells, std::uint64_t seed)
+{
+  Random random(testSeed(seed));
+  return makeSheet({ 0.2, 0.2, cells, cells, 0.2 }, random);
+}
+
+double distanceTo(const TriangleMesh& mesh, const Vec3& x_W)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& t : mesh.triangles)
+  {
+    const Vec3 foot_W = nearestOnTriangle(x_W, mesh.vertices_W[t[0]], mesh.vertices_W[t[1]], mesh.vertices_W[t[2]]);
+    nearest = std::min(nearest, (x_W - foot_W).norm());
+  }
+  return nearest;
+}
+
+/// Height of a surface that is one over the plane z = 0.
+double heightAt(const TriangleMesh& mesh, const Vec3& x_W)
+{
+  for (const auto& t : mesh.triangles)
+  {
+    const Vec3 &a = mesh.vertices_W[t[0]], &b = mesh.vertices_W[t[1]], &c = mesh.vertices_W[t[2]];
+    const int ab = orientation2(a.x(), a.y(), b.x(), b.y(), x_W.x(), x_W.y());
+    const int bc = orientation2(b.x(), b.y(), c.x(), c.y(), x_W.x(), x_W.y());
+    const int ca = orientation2(c.x(), c.y(), a.x(), a.y(), x_W.x(), x_W.y());
+    if (std::min({ ab, bc, ca }) >= 0 || std::max({ ab, bc, ca }) <= 0)
+    {
+      const Vec3 n = (b - a).cross(c - a);
+      return a.z() - (n.x() * (x_W.x() - a.x()) + n.y() * (x_W.y() - a.y())) / n.z();
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+class Bending : public testing::TestWithParam<double>
+{
+};
+
+TEST_P(Bending, ASheetThatRisesUnderARestingHandPushesHarderInEqualStepsFromTickToTick)
+{
+  const double radius = GetParam(), speed = 0.05;
+  Bender sheet(
+    sheetOf(20, 421), [=](const Vec3& v, double t_s) { return Vec3(v + Vec3(0, 0, speed * t_s)); }, at20Hz);
+  sheet.parameters.contact.radius_u = radius;
+  const Vec3 hand(0.0031, 0.0023, radius - 1e-3);
+  static_cast<void>(sheet.tick(hand + Vec3(0, 0, 0.01)));
+  for (int i = 2; i <= 400; ++i)
+  {
+    const TickOutput out = sheet.tick(hand);
+    const double height = speed * 1e-3 * i; // at the snapshots i / 50, and between them
+    ASSERT_NEAR(out.state.force_D.z(), K * (height + radius - hand.z()), 1e-9) << "tick " << i;
+    ASSERT_LE(out.state.force_D.head<2>().norm(), 1e-9) << "tick " << i;
+  }
+}
+
+TEST_P(Bending, AWaveIsFeltWhereItsVerticesAreOnTheirWay)
+{
+  const double radius = GetParam();
+  const auto wave = [](const Vec3& v, double t_s)
+  { return Vec3(v.x(), v.y(), 5e-3 * std::sin(twoPi * (v.x() / 0.08 - 2.0 * t_s))); };
+  Bender sheet(sheetOf(40, 422), wave, at20Hz);
+  sheet.parameters.contact.radius_u = radius;
+  static_cast<void>(sheet.tick({ 0.0031, 0.0023, 0.05 }));
+  int touching = 0;
+  for (int i = 2; i <= 400; ++i)
+  {
+    const double along = 0.02 * std::sin(twoPi * 1e-3 * i);
+    const TickOutput out = sheet.tick({ along, 0.0023, -8e-3 });
+    const TriangleMesh felt = sheet.mesh();
+    const Vec3 x = out.state.proxy_W.p;
+    touching += out.state.contacts > 0 ? 1 : 0;
+    ASSERT_NEAR(distanceTo(felt, x), radius, 1e-9) << "tick " << i;
+    ASSERT_GT(x.z(), heightAt(felt, x)) << "tick " << i;
+  }
+  EXPECT_EQ(touching, 399);
+}
+
+TEST_P(Bending, ABumpThatShootsAtAHandNeverPassesIt)
+{
+  const double radius = GetParam();
+  for (const double speed : { 0.1, 1.0, 5.0 })
+  {
+    for (const double side : { 1.0, -1.0 })
+    {
+      for (const double depth : { -0.02, 2e-3 }) // the hand waits in the air, or is pressed
+      {
+        const auto bump = [=](const Vec3& v, double t_s)
+        {
+          const double r2 = v.head<2>().squaredNorm() / (0.03 * 0.03);
+          return Vec3(v.x(), v.y(), side * speed * t_s * std::exp(-r2));
+        };
+        Bender sheet(sheetOf(30, 423), bump, 10);
+        sheet.parameters.contact.radius_u = radius;
+        const Vec3 start(0.0131, 0.0043, side * (0.03 + radius)), hand(0.0131, 0.0043, side * (radius - depth));
+        static_cast<void>(sheet.tick(start));
+        for (int i = 2; i <= std::min(400, static_cast<int>(0.2 / speed * 1e3)); ++i)
+        {
+          const Vec3 x = sheet.tick(hand).state.proxy_W.p;
+          const TriangleMesh felt = sheet.mesh();
+          ASSERT_GT(side * (x.z() - heightAt(felt, x)), 0.0) << speed << " m/s, side " << side << ", tick " << i;
+          ASSERT_GE(distanceTo(felt, x), radius - 1e-9) << speed << " m/s, side " << side << ", tick " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Bending, FrictionHoldsAHandAtTheSamePointOfItsTriangle)
+{
+  const double radius = GetParam();
+  // A stretch with shear: what is a point of a triangle stays the same affine function of all of them.
+  const auto stretch = [](const Vec3& v, double t_s)
+  { return Vec3(v.x() * (1 + t_s) + 0.3 * t_s * v.y(), v.y() * (1 - 0.4 * t_s), 0.02 * t_s + 0.1 * t_s * v.x()); };
+  Bender sheet(sheetOf(20, 424), stretch, at20Hz);
+  sheet.parameters.contact.radius_u = radius;
+  sheet.parameters.contact.friction = { 100.0, 100.0 };
+  const Vec3 hand(0.0371, 0.0263, -5e-3);
+  static_cast<void>(sheet.tick(hand + Vec3(0, 0, 0.02)));
+  static_cast<void>(sheet.tick(hand));
+  const auto pointAt = [&](double t_s, const Vec3& inMesh) { return stretch(inMesh, t_s); };
+  // The foot of where it landed, back in the mesh: the map of the plane is linear in x and y.
+  const double t0 = 2e-3;
+  Eigen::Matrix3d turned;
+  const auto normalAt = [&](double t_s)
+  {
+    const Vec3 u = pointAt(t_s, { 1, 0, 0 }) - pointAt(t_s, Vec3::Zero());
+    const Vec3 v = pointAt(t_s, { 0, 1, 0 }) - pointAt(t_s, Vec3::Zero());
+    return Vec3(u.cross(v).normalized());
+  };
+  const Vec3 foot = sheet.state.contact.x_W - radius * normalAt(t0);
+  const Eigen::Matrix2d map{ { 1 + t0, 0.3 * t0 }, { 0.0, 1 - 0.4 * t0 } };
+  const Eigen::Vector2d inMesh = map.inverse() * foot.head<2>();
+  for (int i = 3; i <= 300; ++i)
+  {
+    const TickOutput out = sheet.tick(hand);
+    ASSERT_EQ(out.state.friction, FrictionMotion::Sticks) << "tick " << i;
+    const Vec3 held = pointAt(1e-3 * i, { inMesh.x(), inMesh.y(), 0 }) + radius * normalAt(1e-3 * i);
+    ASSERT_LE((out.state.proxy_W.p - held).norm(), 1e-9) << "tick " << i;
+  }
+}
+
+TEST_P(Bending, AHandBetweenASheetThatComesAndAWallPassesNeither)
+{
+  const double radius = GetParam(), wall = 0.02;
+  const auto come = [](const Vec3& v, double t_s)
+  { return Vec3(v.x(), v.y(), 0.06 * t_s * std::exp(-v.head<2>().squaredNorm() / (0.05 * 0.05))); };
+  Bender sheet(sheetOf(20, 425), come, at20Hz);
+  sheet.addStanding(shifted(sheetOf(7, 426), { 0, 0, wall }));
+  sheet.parameters.contact.radius_u = radius;
+  static_cast<void>(sheet.tick({ 0.0011, 0.0013, 0.01 }));
+  for (int i = 2; i <= 330; ++i) // the top stands at 0.0198 then
+  {
+    const double swing = 0.02 * std::sin(0.05 * i);
+    const Vec3 x = sheet.tick({ 0.0011, 0.0013, 0.01 + swing }).state.proxy_W.p;
+    ASSERT_GT(x.z(), heightAt(sheet.mesh(), x)) << "tick " << i;
+    ASSERT_LT(x.z(), wall) << "tick " << i;
+  }
+}
+
+TEST_P(Bending, TrianglesThatPassThroughHavingNoAreaHoldTheHandAsWell)
+{
+  const double radius = GetParam();
+  // One side of a fold runs through its crease line and comes out on the other side of it: flat halfway, exactly.
+  TriangleMesh fold;
+  fold.vertices_W = { { -0.1, 0, 0 }, { 0.1, 0, 0 }, { 0, 0.1, 0 }, { 0, -0.1, 0 } };
+  fold.triangles = { { 0, 1, 2 }, { 1, 0, 3 } };
+  const auto turn = [](const Vec3& v, double t_s) { return v.y() < 0.0 ? Vec3(v.x(), v.y() + 2.0 * t_s, v.z()) : v; };
+  Bender sheet(fold, turn, 100);
+  sheet.parameters.contact.radius_u = radius;
+  const Vec3 hand(0.0011, 0.03, -1e-3);
+  static_cast<void>(sheet.tick(hand + Vec3(0, 0, 0.02)));
+  for (int i = 2; i <= 100; ++i)
+  {
+    const Vec3 x = sheet.tick(hand).state.proxy_W.p;
+    ASSERT_TRUE(x.allFinite()) << "tick " << i;
+    ASSERT_LE((x - Vec3(hand.x(), hand.y(), radius)).norm(), 1e-9) << "tick " << i;
+  }
+}
+
+TEST_P(Bending, ASnapshotThatComesEarlyStartsFromWhereTheSurfaceIsFelt)
+{
+  const double radius = GetParam();
+  // Snapshots every 20 ticks that each announce a way of 20 ticks; every other one is cut short.
+  Bender sheet(
+    sheetOf(20, 427), [](const Vec3& v, double t_s) { return Vec3(v + Vec3(0, 0, 0.05 * t_s)); }, 20);
+  sheet.parameters.contact.radius_u = radius;
+  const Vec3 hand(0.0031, 0.0023, radius - 1e-3);
+  static_cast<void>(sheet.tick(hand + Vec3(0, 0, 0.01)));
+  double before = sheet.tick(hand).state.force_D.z();
+  for (int i = 3; i <= 400; ++i)
+  {
+    if (i % 33 == 0)
+    {
+      sheet.cutShort();
+    }
+    const double force = sheet.tick(hand).state.force_D.z();
+    // A way cut short leaves up to 20 ticks' rise for the next one: at most twice as fast, never a step.
+    ASSERT_GE(force, before - 1e-9) << "tick " << i;
+    ASSERT_LE(force, before + 2 * K * 0.05 * 1e-3 + 1e-9) << "tick " << i;
+    before = force;
+  }
+}
+
+TEST_P(Bending, NothingIsAllocatedAndNothingLockedInATick)
+{
+  if (!AllocationGuard::works())
+  {
+    return;
+  }
+  const auto wave = [](const Vec3& v, double t_s)
+  { return Vec3(v.x(), v.y(), 5e-3 * std::sin(twoPi * (v.x() / 0.08 - 2.0 * t_s))); };
+  Bender sheet(sheetOf(40, 428), wave, 10);
+  sheet.parameters.contact.radius_u = GetParam();
+  sheet.parameters.contact.friction = { 0.3, 0.2 };
+  std::uint64_t disturbed = 0;
+  sheet.compute = [&](const TickInput& input)
+  {
+    const AllocationGuard guard;
+    const TickOutput output = renderTick(input, sheet.parameters, sheet.state);
+    disturbed += guard.allocations() + guard.frees() + guard.locks();
+    return output;
+  };
+  for (int i = 1; i <= 200; ++i)
+  {
+    static_cast<void>(sheet.tick({ 0.02 * std::sin(0.01 * i), 0.0023, i < 3 ? 0.05 : -8e-3 }));
+  }
+  EXPECT_EQ(disturbed, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(PointAndBall, Bending, testing::Values(0.0, 1e-3));
+
+} // namespace
+} // namespace palpate::test
