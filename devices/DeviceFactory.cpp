@@ -6,6 +6,8 @@
 
 #include "devices/FedDevice.h"
 #include "devices/ReplayDevice.h"
+#include "devices/calibration/CalibratedDevice.h"
+#include "devices/calibration/CalibrationFiles.h"
 #include "devices/hid/HidDiscovery.h"
 #include "devices/hid/HidapiBus.h"
 #include "devices/io/PidDevice.h"
@@ -91,6 +93,26 @@ std::vector<Kind> pluggedIn(const DeviceOptions& options)
   return all;
 }
 
+MadeDevice calibrated(MadeDevice made, const std::string& folder)
+{
+  if (!made.device || !made.device->info().rendersForce)
+  {
+    return made;
+  }
+  const DeviceInfo& info = made.device->info();
+  KeptCalibration kept = loadCalibration(folder, info.name, info.serial);
+  if (!kept.calibration && !kept.problem.empty())
+  {
+    return { nullptr, kept.problem + "; remove the file, or check the device again" };
+  }
+  if (kept.calibration)
+  {
+    made.device = std::make_unique<CalibratedDevice>(std::move(made.device), *kept.calibration);
+    made.warning = std::move(kept.problem);
+  }
+  return made;
+}
+
 } // namespace
 
 std::vector<KnownDevice> knownDevices(const DeviceOptions& options)
@@ -116,7 +138,7 @@ MadeDevice makeDevice(const std::string& name, const DeviceOptions& options)
     {
       if (name == kind.name)
       {
-        return kind.make(options);
+        return calibrated(kind.make(options), options.calibrationFolder);
       }
       names += (names.empty() ? "" : ", ") + kind.name;
     }

@@ -20,7 +20,8 @@ struct DeviceOptions
   int delay_ticks = 0;         ///< of a simulated link
   std::string recordingFile;   ///< replay
   double period_s = 1e-3;
-  std::shared_ptr<HidBus> hid; ///< where real devices are looked for; null: this computer
+  std::shared_ptr<HidBus> hid;   ///< where real devices are looked for; null: this computer
+  std::string calibrationFolder; ///< what was found out about devices is applied from here; empty: nothing is
 };
 
 /// One device this build knows.
@@ -35,11 +36,13 @@ struct KnownDevice
 /// All devices this build knows and all that are plugged in, usable or not.
 [[nodiscard]] std::vector<KnownDevice> knownDevices(const DeviceOptions& options = {});
 
-/// A device by name, or null and a sentence that names the known ones.
+/// A device by name, or null and a sentence that names the known ones. A device whose calibration cannot be read is not
+/// given: it may push the wrong way.
 struct MadeDevice
 {
   std::unique_ptr<HapticDevice> device;
   std::string problem;
+  std::string warning = {}; ///< of a device that can be used: what a person should know
 };
 [[nodiscard]] MadeDevice makeDevice(const std::string& name, const DeviceOptions& options);
 
