@@ -104,6 +104,25 @@ Vec3 SimulatedDevice::target(double time_s) const noexcept
   return this->path_.points_D[i - 1] + share * (this->path_.points_D[i] - this->path_.points_D[i - 1]);
 }
 
+void SimulatedDevice::lead(const Vec3& target_D) noexcept
+{
+  if (!this->led_)
+  {
+    this->reached_D_ = this->target(this->time_s_);
+  }
+  this->led_ = true;
+  this->led_D_ = target_D;
+}
+
+std::pair<Vec3, Vec3> SimulatedDevice::ledAlong() noexcept
+{
+  if (!this->led_)
+  {
+    return { this->target(this->time_s_), this->target(this->time_s_ + this->options_.period_s) };
+  }
+  return { std::exchange(this->reached_D_, this->led_D_), this->led_D_ };
+}
+
 void SimulatedDevice::write(const DeviceCommand& command) noexcept
 {
   this->commands_[static_cast<std::size_t>(this->newest_)] = command;
@@ -166,7 +185,7 @@ void SimulatedDevice::move(const Vec3& u_N) noexcept
 void SimulatedDevice::advance() noexcept
 {
   const double T = this->options_.period_s;
-  const Vec3 before = this->target(this->time_s_), after = this->target(this->time_s_ + T);
+  const auto [before, after] = this->ledAlong();
   const Vec3 led = this->hand_.stiffness_N_per_m * after + this->hand_.damping_Ns_per_m / T * (after - before);
   const DeviceCommand command = this->due();
   for (int pass = 0; pass < this->parts_; ++pass)

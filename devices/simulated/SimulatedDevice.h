@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "devices/simulated/DeviceModels.h"
@@ -51,6 +52,9 @@ public:
   /// Where the hand is led to at a time since the start [s], in D.
   [[nodiscard]] Vec3 target(double time_s) const noexcept;
 
+  /// From the next period on the hand is led here instead of along its path, for a program that decides as it goes [m].
+  void lead(const Vec3& target_D) noexcept;
+
   /// The true state, which an encoder does not show [m, m/s].
   [[nodiscard]] Vec3 position_D() const noexcept;
   [[nodiscard]] Vec3 speed_D() const noexcept;
@@ -58,6 +62,8 @@ public:
 private:
   [[nodiscard]] std::string refusal() const;
   void advance() noexcept;
+  /// Where the hand is led in the coming period, and from where.
+  [[nodiscard]] std::pair<Vec3, Vec3> ledAlong() noexcept;
   /// The command that acts in the coming period.
   [[nodiscard]] DeviceCommand due() noexcept;
   /// What the motors give now: the command's force, the walls and the viscosity the device closes itself, cut to the largest force.
@@ -73,6 +79,9 @@ private:
   int parts_; ///< of a period: passes of the device's own loop, or one
   FrictionPlant plant_;
   std::vector<double> reached_m_; ///< length of the path up to each point
+  Vec3 led_D_ = Vec3::Zero();         ///< where a program leads the hand [m]
+  Vec3 reached_D_ = Vec3::Zero();     ///< and led it in the period before
+  bool led_ = false;                  ///< by a program
   std::array<FrictionPlant::State, 3> axes_;
   std::array<DeviceCommand, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
   int newest_ = 0;

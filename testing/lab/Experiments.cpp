@@ -63,6 +63,8 @@ std::vector<Experiment> experiments()
       runCorridor },
     { "smallest-feature", "the narrowest corridor a hand can tell apart, and the zoom that makes a scene feelable", { 59 },
       runSmallestFeature },
+    { "blind-solver", "a hand that knows no walls finds its way through every maze, by force and position alone", {},
+      runBlindSolver },
     { "curves", "fibres are cylinders, bends are two at once, and no net or spring is passed at any speed", {}, runCurves },
     { "plan", "how large a ball may be, when a tree is worth it, and what a proven simpler surface feels like", {}, runPlan },
     { "scene-swap", "surfaces replaced ten times a second under a pressed hand: it stays, and its force never jumps",

@@ -45,5 +45,6 @@ void runSlantedWall(const Conditions& conditions, Table& table);
 void runCorridor(const Conditions& conditions, Table& table);
 void runPlan(const Conditions& conditions, Table& table);
 void runSmallestFeature(const Conditions& conditions, Table& table);
+void runBlindSolver(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/simulated/BlindHand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+
+/// Held back for so long without coming nearer is a wall; three looks at least.
+constexpr double patience_s = 0.04;
+/// The arm goes slower where less is left, or friction would have it swing about its goal.
+constexpr double approach_Hz = 10.0;
+/// A place that is not reached again within this many times the time it should take will not be reached.
+constexpr double hopeless = 100.0;
+
+} // namespace
+
+BlindHand::BlindHand(const BlindPlan& plan, const Vec3& start_D) : plan_(plan), start_D_(start_D), arm_D_(start_D)
+{
+  this->choose();
+}
+
+Vec3 BlindHand::centre_D(const PlaceMemory::Place& place) const
+{
+  return this->start_D_ + this->plan_.step_m * Vec3(place.first, place.second, 0);
+}
+
+Vec3 BlindHand::goal_D() const
+{
+  const PlaceMemory::Place& here = this->memory_.here();
+  return this->centre_D(this->way_ ? PlaceMemory::beside(here, *this->way_) : here);
+}
+
+Vec3 BlindHand::look(const Felt& felt, double dt_s)
+{
+  if (!this->exhausted_ && !this->lost_)
+  {
+    this->decide(felt, dt_s);
+    this->lead(felt, dt_s);
+  }
+  return this->arm_D_;
+}
+
+void BlindHand::decide(const Felt& felt, double dt_s)
+{
+  this->since_s_ += dt_s;
+  if (this->reached(felt))
+  {
+    if (this->way_)
+    {
+      this->memory_.walked(*this->way_);
+    }
+    this->choose();
+  }
+  else if (this->stopped(felt, dt_s))
+  {
+    if (this->known())
+    {
+      this->feelAbout(felt);
+    }
+    else
+    {
+      this->memory_.closed(*this->way_);
+      this->set(std::nullopt);
+    }
+  }
+  else if (this->since_s_ > hopeless * this->plan_.step_m / this->plan_.speed_m_per_s)
+  {
+    this->lost_ = true;
+  }
+}
+
+bool BlindHand::known() const
+{
+  return !this->way_ || this->memory_.knows(PlaceMemory::beside(this->memory_.here(), *this->way_));
+}
+
+bool BlindHand::reached(const Felt& felt) const
+{
+  return (felt.location_D - this->goal_D()).norm() <= (this->known() ? this->plan_.again_m : this->plan_.near_m);
+}
+
+/// A way that was open is open: the end of a wall is in between, so it is passed a little to the left, or to the right.
+void BlindHand::feelAbout(const Felt& felt)
+{
+  ++this->tries_;
+  const Vec3 ahead = (this->goal_D() - felt.location_D).normalized(), left(-ahead.y(), ahead.x(), 0);
+  const double side = this->tries_ % 2 == 1 ? 1.0 : -1.0, share = 0.1 * ((this->tries_ + 1) / 2 % 5);
+  this->aside_D_ = side * share * this->plan_.step_m * left;
+  this->held_s_ = 0.0;
+  this->least_m_ = std::numeric_limits<double>::infinity();
+}
+
+/// It comes no nearer, and is pushed back or the handle is where it should be.
+bool BlindHand::stopped(const Felt& felt, double dt_s)
+{
+  const Vec3 ahead = this->goal_D() - felt.location_D;
+  const double left_m = ahead.norm();
+  if (left_m < this->least_m_ - 0.02 * this->plan_.step_m)
+  {
+    this->least_m_ = left_m;
+    this->held_s_ = 0.0;
+  }
+  const bool pushedBack = -felt.force_D.dot(ahead) > this->plan_.touch_N * left_m;
+  const bool there = (felt.handle_D - this->goal_D() - this->aside_D_).cwiseAbs().maxCoeff() <= this->plan_.grain_m;
+  this->held_s_ += pushedBack || there ? dt_s : 0.0;
+  return this->held_s_ >= std::max(patience_s, 3 * dt_s);
+}
+
+void BlindHand::choose()
+{
+  this->set(this->memory_.next());
+  this->exhausted_ = !this->way_;
+}
+
+void BlindHand::set(std::optional<int> way)
+{
+  this->way_ = way;
+  this->tries_ = 0;
+  this->aside_D_ = Vec3::Zero();
+  this->held_s_ = this->since_s_ = 0.0;
+  this->least_m_ = std::numeric_limits<double>::infinity();
+}
+
+/// Each axis by itself, as friction holds each by itself: the arm goes on until the handle is there.
+void BlindHand::lead(const Felt& felt, double dt_s)
+{
+  const Vec3 missing = this->goal_D() + this->aside_D_ - felt.handle_D;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    if (std::fabs(missing[axis]) > this->plan_.grain_m)
+    {
+      const double most_m = this->plan_.speed_m_per_s * dt_s, wish_m = approach_Hz * dt_s * missing[axis];
+      this->arm_D_[axis] += std::clamp(wish_m, -most_m, most_m);
+    }
+    const double from_m = felt.handle_D[axis];
+    this->arm_D_[axis] = std::clamp(this->arm_D_[axis], from_m - this->plan_.lead_m, from_m + this->plan_.lead_m);
+  }
+}
+
+} // namespace palpate

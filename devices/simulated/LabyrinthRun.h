@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "devices/simulated/DeviceModels.h"
+#include "haptics/labyrinth/Labyrinth.h"
+
+namespace palpate
+{
+
+/// How a blind hand is sent through a labyrinth.
+struct LabyrinthRun
+{
+  DeviceModel device = *deviceModel("simulated-joystick");
+  HandModel hand = *handModel("firm");
+  double host_Hz = 1000.0;
+  bool deviceHoldsWalls =
+    false;                    ///< the device closes at most four walls in its own loop; else the host closes the force
+  double mostTime_s = 7200.0; ///< of the virtual clock
+  bool trace = false;
+};
+
+/// A moment of the way.
+struct LabyrinthMoment
+{
+  double time_s = 0.0;
+  Vec3 hand_W = Vec3::Zero();     ///< [u]
+  Vec3 location_W = Vec3::Zero(); ///< of the disc [u]
+  double force_N = 0.0;
+};
+
+/// How it went.
+struct LabyrinthOutcome
+{
+  std::string problem; ///< empty: it arrived; else one sentence
+  double time_s = 0.0;
+  double way_u = 0.0; ///< of the disc
+  std::size_t places = 0;
+  double peakForce_N = 0.0;
+  std::vector<LabyrinthMoment> trace; ///< one every 10 ms at most
+};
+
+/// Sends a BlindHand on a SimulatedDevice from start to exit, the tick computed at the host's rate: in virtual time,
+/// deterministic, bounded by mostTime_s.
+[[nodiscard]] LabyrinthOutcome runBlind(const Labyrinth& labyrinth, const LabyrinthRun& run);
+
+} // namespace palpate

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticLabyrinthData.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkHapticConversion.h"
+#include "vtkHapticReaders.h"
+#include "vtkPolyData.h"
+
+namespace
+{
+std::optional<Eigen::Vector2d> Place(vtkDataObject* data, const char* name)
+{
+  vtkDataArray* const array = data->GetFieldData() ? data->GetFieldData()->GetArray(name) : nullptr;
+  if (!array || array->GetNumberOfTuples() < 1 || array->GetNumberOfComponents() < 2)
+  {
+    return std::nullopt;
+  }
+  return Eigen::Vector2d(array->GetComponent(0, 0), array->GetComponent(0, 1));
+}
+
+double Corridor(vtkDataObject* data)
+{
+  vtkDataArray* const array = data->GetFieldData() ? data->GetFieldData()->GetArray("Corridor") : nullptr;
+  return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : 1.0;
+}
+} // namespace
+
+vtkHapticLabyrinthResult vtkHapticToLabyrinth(vtkDataObject* data, const std::string& name)
+{
+  vtkHapticLabyrinthResult result;
+  result.Labyrinth.name = name;
+  const vtkHapticConversionResult lines = vtkHapticToLines(data);
+  if (!lines.Mesh)
+  {
+    result.Problem = name + ": " + lines.Problem;
+    return result;
+  }
+  palpate::PlaneCurves plane = palpate::curvesInPlane(*lines.Mesh);
+  if (!plane.refusal.empty())
+  {
+    result.Problem = name + ": " + plane.refusal;
+    return result;
+  }
+  result.Labyrinth.curves = std::move(plane.curves);
+  result.Labyrinth.start_W = Place(data, "Start");
+  result.Labyrinth.exit_W = Place(data, "Exit");
+  result.Labyrinth.corridor_u = Corridor(data);
+  return result;
+}
+
+vtkHapticLabyrinthResult vtkHapticReadLabyrinth(const std::string& file)
+{
+  const vtkHapticReadResult read = vtkHapticReadSurface(file, std::nullopt);
+  if (!read.Surface)
+  {
+    vtkHapticLabyrinthResult result;
+    result.Labyrinth.name = file;
+    result.Problem = read.Problem;
+    return result;
+  }
+  return vtkHapticToLabyrinth(read.Surface, file);
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticLabyrinthData_h
+#define vtkHapticLabyrinthData_h
+
+#include <string>
+
+#include "haptics/labyrinth/Labyrinth.h"
+#include "vtkHapticPipelineModule.h" // for the export macro
+
+class vtkDataObject;
+
+/// A labyrinth, or why there is none.
+struct vtkHapticLabyrinthResult
+{
+  palpate::Labyrinth Labyrinth; ///< named as it was asked for
+  std::string Problem;          ///< one line that begins with the name; empty when there are lines in the plane z = 0
+};
+
+/// The lines of a data object in the plane z = 0, with the first tuples of its field arrays Start and Exit, if it has
+/// them, and its Corridor, else 1 [scene units]. A structure without start and exit is a result too.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticLabyrinthResult vtkHapticToLabyrinth(
+  vtkDataObject* data, const std::string& name);
+
+/// The same of a file that ParaView's readers of surfaces know.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticLabyrinthResult vtkHapticReadLabyrinth(const std::string& file);
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/labyrinth/Labyrinth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace palpate
+{
+namespace
+{
+
+bool finite(const std::optional<Eigen::Vector2d>& place)
+{
+  return !place || place->allFinite();
+}
+
+} // namespace
+
+std::string refuse(const Labyrinth& labyrinth)
+{
+  const auto because = [&](const char* reason) { return labyrinth.name + ": " + reason; };
+  if (labyrinth.curves.segments.empty())
+  {
+    return because("it has no lines");
+  }
+  const auto& points = labyrinth.curves.points_W;
+  const bool linesFinite = std::all_of(points.begin(), points.end(), [](const auto& p) { return p.allFinite(); });
+  if (!linesFinite || !finite(labyrinth.start_W) || !finite(labyrinth.exit_W))
+  {
+    return because("a point of it is not finite");
+  }
+  if (!(labyrinth.corridor_u > 0.0 && std::isfinite(labyrinth.corridor_u)))
+  {
+    return because("the width of its corridors must be above zero");
+  }
+  if (!labyrinth.start_W)
+  {
+    return because("it says no place to start (field array Start): a structure to explore, not a maze");
+  }
+  return labyrinth.exit_W ? std::string() : because("it says no exit (field array Exit): nobody could arrive");
+}
+
+PlaneBox fence(const Labyrinth& labyrinth)
+{
+  const auto& points = labyrinth.curves.points_W;
+  PlaneBox lines{ points.front(), points.front() };
+  for (const Eigen::Vector2d& p : points)
+  {
+    lines.low_W = lines.low_W.cwiseMin(p);
+    lines.high_W = lines.high_W.cwiseMax(p);
+  }
+  PlaneBox box = lines;
+  for (const auto& place : { labyrinth.start_W, labyrinth.exit_W })
+  {
+    if (place)
+    {
+      box.low_W = box.low_W.cwiseMin(2.0 * *place - lines.low_W);
+      box.high_W = box.high_W.cwiseMax(2.0 * *place - lines.high_W);
+    }
+  }
+  return box;
+}
+
+CurveSet fenced(const Labyrinth& labyrinth)
+{
+  CurveSet curves = labyrinth.curves;
+  const PlaneBox box = fence(labyrinth);
+  const auto first = static_cast<std::uint32_t>(curves.points_W.size());
+  curves.points_W.insert(curves.points_W.end(),
+    { box.low_W, { box.high_W.x(), box.low_W.y() }, box.high_W, { box.low_W.x(), box.high_W.y() } });
+  for (std::uint32_t i = 0; i < 4; ++i)
+  {
+    curves.segments.push_back({ first + i, first + (i + 1) % 4 });
+  }
+  return curves;
+}
+
+SurfaceInput wallsOf(const Labyrinth& labyrinth)
+{
+  const CurveSet curves = fenced(labyrinth);
+  SurfaceInput input;
+  input.name = labyrinth.name;
+  input.mesh = std::make_shared<TriangleMesh>(raiseWalls(curves, wallHalfHeight(curves, labyrinth.radius_u())));
+  return input;
+}
+
+WorkspaceMap fitted(const Labyrinth& labyrinth, double workspaceRadius_m)
+{
+  const PlaneBox box = fence(labyrinth);
+  const Eigen::Vector2d middle_W = 0.5 * (box.low_W + box.high_W);
+  WorkspaceMap map;
+  map.scale_u_per_m = (box.high_W - box.low_W).maxCoeff() / (std::numbers::sqrt2 * workspaceRadius_m);
+  map.offset_W = { middle_W.x(), middle_W.y(), 0.0 };
+  return map;
+}
+
+} // namespace palpate

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "haptics/force/WorkspaceMap.h"
+#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/SceneBuilder.h"
+
+namespace palpate
+{
+
+/// A plane world, and where it begins and ends if it is a maze. In scene units, z = 0.
+struct Labyrinth
+{
+  std::string name;
+  CurveSet curves;
+  std::optional<Eigen::Vector2d> start_W, exit_W;
+  double corridor_u = 1.0; ///< width of its corridors, > 0
+
+  /// Of the disc that is led through it: it fits with room to spare, and never leaves a corridor by rounding.
+  [[nodiscard]] double radius_u() const noexcept { return 0.2 * this->corridor_u; }
+  /// How near to the exit's middle the disc has arrived; less than half a corridor and a radius, so never through a
+  /// wall.
+  [[nodiscard]] double exitReach_u() const noexcept { return 0.4 * this->corridor_u; }
+};
+
+/// Empty, or one sentence that names the labyrinth and says why no hand can be led through it: no line, no place to
+/// start, no exit, a number that is not finite.
+[[nodiscard]] std::string refuse(const Labyrinth& labyrinth);
+
+/// A rectangle in the plane.
+struct PlaneBox
+{
+  Eigen::Vector2d low_W, high_W;
+};
+
+/// The box of the lines; where start or exit lie outside of it, as far beyond them as they are from it. Needs a line.
+[[nodiscard]] PlaneBox fence(const Labyrinth& labyrinth);
+
+/// Its lines and the fence round them, so that nobody goes round a maze.
+[[nodiscard]] CurveSet fenced(const Labyrinth& labyrinth);
+
+/// The same as one surface, for a SceneBuilder.
+[[nodiscard]] SurfaceInput wallsOf(const Labyrinth& labyrinth);
+
+/// The fence, fitted into the square inside a device's workspace, middle on middle.
+[[nodiscard]] WorkspaceMap fitted(const Labyrinth& labyrinth, double workspaceRadius_m);
+
+} // namespace palpate
