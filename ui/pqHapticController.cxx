@@ -4,6 +4,7 @@
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqHapticFrames.h"
+#include "pqHapticMouse.h"
 #include "pqHapticViewFollower.h"
 #include "pqRenderView.h"
 #include "pqServer.h"
@@ -55,12 +56,17 @@ pqHapticController* pqHapticController::instance()
 }
 
 pqHapticController::pqHapticController(QObject* parent)
-  : Superclass(parent), Follower(new pqHapticViewFollower(this)), Frames(new pqHapticFrames(this))
+  : Superclass(parent), Follower(new pqHapticViewFollower(this)), Frames(new pqHapticFrames(this)),
+    Mouse(new pqHapticMouse(this))
 {
   this->makeActions();
   this->connectApplication();
   this->Frames->setView(this->Follower->view());
+  this->Mouse->setView(this->Follower->view());
   this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Frames, &pqHapticFrames::setView);
+  this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Mouse, &pqHapticMouse::setView);
+  this->connect(this->Frames, &pqHapticFrames::updated, this->Mouse, &pqHapticMouse::update);
+  this->connect(this->Mouse, &pqHapticMouse::depthChanged, this, &pqHapticController::setPressDepth);
   this->connect(this->Follower, &pqHapticViewFollower::viewClosing, this, &pqHapticController::release);
 }
 
@@ -146,6 +152,12 @@ void pqHapticController::fitWorkspace()
   this->Proxy->UpdateVTKObjects();
 }
 
+void pqHapticController::setPressDepth(double depth_m)
+{
+  vtkSMPropertyHelper(this->Proxy, "PressDepth").Set(depth_m);
+  this->Proxy->UpdateVTKObjects();
+}
+
 void pqHapticController::shutdown()
 {
   this->release();
@@ -213,10 +225,12 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
     this->Proxy->RemoveObserver(this->ProxyObserver);
   }
   this->Frames->setActive(false);
+  this->Mouse->setActive(false);
   this->Follower->setActive(false);
   this->Proxy = proxy;
   this->Follower->setSession(this->session());
   this->Frames->setSession(this->session());
+  this->Mouse->setSession(this->session());
   if (proxy)
   {
     this->ProxyObserver = proxy->AddObserver(vtkCommand::UpdateEvent, this, &pqHapticController::proxyChanged);
@@ -238,5 +252,6 @@ void pqHapticController::proxyChanged()
   this->ReleaseAction->setEnabled(on);
   this->Follower->setActive(on);
   this->Frames->setActive(on);
+  this->Mouse->setActive(on);
   Q_EMIT this->touchingChanged(on);
 }

@@ -11,6 +11,7 @@
 
 class QAction;
 class pqHapticFrames;
+class pqHapticMouse;
 class pqHapticViewFollower;
 class pqServer;
 class vtkHapticSession;
@@ -37,6 +38,7 @@ public:
   /// Null when no server is connected.
   vtkHapticSession* session() const;
   pqHapticViewFollower* follower() const { return this->Follower; }
+  pqHapticMouse* mouse() const { return this->Mouse; }
 
   QAction* touchAction() const { return this->TouchAction; }
   QAction* releaseAction() const { return this->ReleaseAction; }
@@ -69,11 +71,13 @@ private:
   void proxyUnregistered(const QString& group, vtkSMProxy* proxy);
   void adopt(vtkSMProxy* proxy);
   void proxyChanged();
+  void setPressDepth(double depth_m);
 
   vtkSmartPointer<vtkSMProxy> Proxy;
   unsigned long ProxyObserver = 0;
   pqHapticViewFollower* Follower;
   pqHapticFrames* Frames;
+  pqHapticMouse* Mouse;
   QAction* TouchAction;
   QAction* ReleaseAction;
 };

@@ -113,6 +113,7 @@ void pqHapticFrames::nextFrame()
     return;
   }
   this->Session->Update();
+  Q_EMIT this->updated();
   this->Props->UpdateFrom(this->Session);
   this->Pause.start(pauseWhenHidden);
   this->View->render();

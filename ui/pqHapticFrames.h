@@ -34,6 +34,10 @@ public:
 public Q_SLOTS:
   void setView(pqRenderView* view);
 
+Q_SIGNALS:
+  /// The newest state is known; the hand may be led on before it is drawn.
+  void updated();
+
 private:
   void nextFrame();
   void frameEnded();

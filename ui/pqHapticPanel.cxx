@@ -3,6 +3,7 @@
 
 #include "pqHapticController.h"
 #include "pqHapticMaterialGroup.h"
+#include "pqHapticMouse.h"
 #include "pqHapticReadout.h"
 #include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
@@ -100,10 +101,13 @@ class pqHapticPanel::Internals
 public:
   QComboBox* Device;
   QComboBox* Hand;
+  QDoubleSpinBox* PressDepth;
+  QLabel* MouseHelp;
   QPushButton* Touch;
   QPushButton* Release;
   QDoubleSpinBox* Stiffness;
   QDoubleSpinBox* Radius;
+  QCheckBox* LimitRadius;
   QDoubleSpinBox* LineRadius;
   QDoubleSpinBox* Scale;
   QPushButton* Fit;
@@ -157,6 +161,12 @@ void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
   form->addRow(tr("&Device"), this->Device);
   this->Hand = Choice(parent, "hand", tr("Who holds a simulated device"));
   form->addRow(tr("Held &by"), this->Hand);
+  this->PressDepth =
+    Number(parent, "pressDepth", 0.00005, 0.05, 5, tr("How deep the mouse in the view presses [m of the hand]"));
+  this->PressDepth->setSuffix(tr(" m"));
+  form->addRow(tr("Mouse &goes in by"), this->PressDepth);
+  this->MouseHelp = Value(parent, "mouseHelp", tr("What mouse and keyboard do in the view while they lead the hand"));
+  form->addRow(this->MouseHelp);
 
   auto* buttons = new QHBoxLayout;
   this->Touch = new QPushButton(tr("&Touch"), parent);
@@ -186,6 +196,8 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
   this->Scale->setSuffix(tr(" u/m"));
   form->addRow(tr("&Stiffness"), this->Stiffness);
   form->addRow(tr("&Radius"), this->Radius);
+  this->LimitRadius = Switch(form, "limitRadius", tr("No larger than &work allows"),
+    tr("Above that a ball may run out of a tick's work and lag; the plan of the scene says how large it may be"));
   form->addRow(tr("Radius of li&nes"), this->LineRadius);
   form->addRow(tr("S&cale"), this->Scale);
   this->Shading = Switch(form, "shading", tr("Smoot&h forces over facets"),
@@ -293,8 +305,8 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  QWidget* order[] = { this->Device, this->Hand, this->Touch, this->Release, this->Stiffness, this->Radius,
-    this->LineRadius, this->Scale,
+  QWidget* order[] = { this->Device, this->Hand, this->PressDepth, this->Touch, this->Release, this->Stiffness, this->Radius,
+    this->LimitRadius, this->LineRadius, this->Scale,
     this->Shading, this->Fit, this->FrictionStatic, this->FrictionKinetic, this->Limit, this->Passivity, this->Delay, this->Velocity,
     this->Simplify, this->Scene };
   for (std::size_t i = 1; i < std::size(order); ++i)
@@ -388,9 +400,11 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   { w.Links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
   link(w.Device, "currentText", SIGNAL(currentTextChanged(const QString&)), "DeviceName");
   link(w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), "Hand");
+  link(w.PressDepth, "value", SIGNAL(valueChanged(double)), "PressDepth");
   link(w.Touch, "checked", SIGNAL(toggled(bool)), "Touching");
   link(w.Stiffness, "value", SIGNAL(valueChanged(double)), "Stiffness");
   link(w.Radius, "value", SIGNAL(valueChanged(double)), "Radius");
+  link(w.LimitRadius, "checked", SIGNAL(toggled(bool)), "LimitRadius");
   link(w.LineRadius, "value", SIGNAL(valueChanged(double)), "LineRadius");
   link(w.Scale, "value", SIGNAL(valueChanged(double)), "Scale");
   link(w.Shading, "checked", SIGNAL(toggled(bool)), "ForceShading");
@@ -421,6 +435,10 @@ void pqHapticPanel::refresh()
   w.Reason->setVisible(!now.Reason.isEmpty());
   w.Force->setText(now.Force);
   w.Hand->setEnabled(session && session->GetDeviceTakesHand());
+  w.PressDepth->setEnabled(session && session->GetFollowsMouse());
+  const QString help = controller->mouse()->help();
+  w.MouseHelp->setText(help);
+  w.MouseHelp->setVisible(!help.isEmpty());
   w.Stability->setText(now.Stability);
   w.Used->setText(now.Stiffness);
   w.Energy->setText(now.Energy);

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticMouse.h"
+
+#include "pqCoreUtilities.h"
+#include "vtkCommand.h"
+#include "vtkHapticMouse.h"
+#include "vtkHapticMouseInput.h"
+#include "vtkHapticSession.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkSMRenderViewProxy.h"
+
+#include <QApplication>
+#include <QMainWindow>
+#include <QStatusBar>
+#include <QWidget>
+
+namespace
+{
+/// Rounding of a depth that nothing limits.
+constexpr double sameDepth = 1.0 - 1e-9;
+
+void ShowStatus(const QString& text)
+{
+  if (auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
+  {
+    text.isEmpty() ? window->statusBar()->clearMessage() : window->statusBar()->showMessage(text);
+  }
+}
+
+bool Holds(const QWidget* parent, const QWidget* child)
+{
+  return parent && child && (parent == child || parent->isAncestorOf(child));
+}
+} // namespace
+
+pqHapticMouse::pqHapticMouse(QObject* parent) : Superclass(parent)
+{
+  this->Input->SetMouse(this->Mouse);
+  this->Mouse->AddObserver(vtkCommand::InteractionEvent, this, &pqHapticMouse::deepened);
+  this->connect(qApp, &QApplication::focusChanged, this, &pqHapticMouse::focusMoved);
+  this->connect(qApp, &QGuiApplication::applicationStateChanged, this,
+    [this](Qt::ApplicationState state)
+    {
+      if (state != Qt::ApplicationActive)
+      {
+        this->Mouse->Leave();
+      }
+    });
+}
+
+pqHapticMouse::~pqHapticMouse() = default;
+
+void pqHapticMouse::setSession(vtkHapticSession* session)
+{
+  this->Mouse->SetSession(session);
+}
+
+void pqHapticMouse::setView(pqRenderView* view)
+{
+  this->View = view;
+  vtkSMRenderViewProxy* proxy = view ? view->getRenderViewProxy() : nullptr;
+  this->Mouse->SetRenderer(proxy ? proxy->GetRenderer() : nullptr);
+  this->Input->SetInteractor(proxy ? proxy->GetInteractor() : nullptr);
+}
+
+void pqHapticMouse::setActive(bool active)
+{
+  const bool leads = active && this->Mouse->GetSession() && this->Mouse->GetSession()->GetFollowsMouse();
+  if (leads != this->Active)
+  {
+    this->Active = leads;
+    this->Mouse->Leave();
+    ShowStatus(leads ? this->help() : QString());
+  }
+}
+
+void pqHapticMouse::update()
+{
+  this->Mouse->Update();
+}
+
+QString pqHapticMouse::help() const
+{
+  vtkHapticSession* session = this->Mouse->GetSession();
+  if (!session || !session->GetFollowsMouse())
+  {
+    return QString();
+  }
+  QString text =
+    tr("Move the pointer over the view. Shift + left button presses, wheel: deeper. Keys: arrows move, Page "
+       "Down presses and goes deeper, Page Up less deep, Home lifts. All else moves the camera as ever.");
+  const double used = this->Mouse->GetUsedDepth();
+  if (used < sameDepth * session->GetPressDepth() * session->GetScale())
+  {
+    text += tr(" Presses %1 u only, a twentieth of the scene: Fit Hand to Scene to feel more.").arg(used, 0, 'g', 3);
+  }
+  return text;
+}
+
+void pqHapticMouse::deepened()
+{
+  Q_EMIT this->depthChanged(this->Mouse->GetSession()->GetPressDepth());
+}
+
+void pqHapticMouse::focusMoved(QWidget* from, QWidget* to)
+{
+  const QWidget* view = this->View ? this->View->widget() : nullptr;
+  if (Holds(view, from) && !Holds(view, to))
+  {
+    this->Mouse->Leave();
+  }
+}
