@@ -13,6 +13,7 @@
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticCellChecks.h"
+#include "vtkHapticDrawingFiles.h"
 #include "vtkHapticFaceMesh.h"
 #include "vtkHapticFileGuards.h"
 #include "vtkHapticImageSurface.h"
@@ -34,7 +35,7 @@ namespace
 using SurfacePointer = vtkSmartPointer<vtkPolyData>;
 using TextParser = vtkHapticFaceMesh (*)(std::string_view);
 
-constexpr const char* KnownExtensions = "vtp, vtu, stl, ply, obj, off, and with --iso vti, nii, nii.gz";
+constexpr const char* KnownExtensions = "vtp, vtu, stl, ply, obj, off, svg, png, and with --iso vti, nii, nii.gz";
 
 void ThrowIf(const std::string& problem)
 {
@@ -70,6 +71,11 @@ std::string ExtensionOf(const std::string& path)
 bool IsImage(const std::string& extension)
 {
   return extension == "vti" || extension == "nii" || extension == "nii.gz";
+}
+
+bool IsDrawing(const std::string& extension)
+{
+  return extension == "svg" || extension == "png";
 }
 
 TextParser ParserFor(const std::string& extension)
@@ -198,13 +204,18 @@ SurfacePointer Read(const std::string& path, const std::string& extension, std::
   {
     return ReadSTL(path);
   }
+  if (IsDrawing(extension))
+  {
+    return extension == "svg" ? vtkHapticDrawingFiles::ReadSVG(path, note) : vtkHapticDrawingFiles::ReadPNG(path, note);
+  }
   return extension == "vti" ? vtkHapticImageSurface::ReadVTI(path, *iso)
                             : vtkHapticImageSurface::ReadNIfTI(path, *iso, note);
 }
 
 void CheckExtension(const std::string& extension)
 {
-  if (!ParserFor(extension) && extension != "vtp" && extension != "vtu" && extension != "stl" && !IsImage(extension))
+  if (!ParserFor(extension) && extension != "vtp" && extension != "vtu" && extension != "stl" &&
+      !IsDrawing(extension) && !IsImage(extension))
   {
     throw std::runtime_error(
       (extension.empty() ? std::string("it has no extension") : "the extension '" + extension + "' is not known") +

@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow
-from palpate.vtkHapticPipeline import vtkHapticOFFReader
+from palpate.vtkHapticPipeline import vtkHapticFileReader
 
 from palpate_cli import SQUARE_POINTS, off_text
 
@@ -17,7 +17,7 @@ class OFFReader(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "a.off")
             path.write_text(text)
-            reader = vtkHapticOFFReader()
+            reader = vtkHapticFileReader()
             reader.SetFileName(str(path))
             reader.AddObserver("ErrorEvent", lambda *_: messages.append(True))
             vtkOutputWindow.GetInstance().SetDisplayModeToNever()

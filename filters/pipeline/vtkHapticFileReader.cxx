@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vtkHapticOFFReader.h"
+#include "vtkHapticFileReader.h"
 
 #include <optional>
 
@@ -7,19 +7,19 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-vtkStandardNewMacro(vtkHapticOFFReader);
+vtkStandardNewMacro(vtkHapticFileReader);
 
-vtkHapticOFFReader::vtkHapticOFFReader()
+vtkHapticFileReader::vtkHapticFileReader()
 {
   this->SetNumberOfInputPorts(0);
 }
 
-vtkHapticOFFReader::~vtkHapticOFFReader()
+vtkHapticFileReader::~vtkHapticFileReader()
 {
   this->SetFileName(nullptr);
 }
 
-int vtkHapticOFFReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkHapticFileReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   if (!this->FileName)
   {
@@ -36,7 +36,7 @@ int vtkHapticOFFReader::RequestData(vtkInformation*, vtkInformationVector**, vtk
   return 1;
 }
 
-void vtkHapticOFFReader::PrintSelf(ostream& os, vtkIndent indent)
+void vtkHapticFileReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
