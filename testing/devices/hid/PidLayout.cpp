@@ -141,12 +141,22 @@ private:
       this->number(Kind::Output, { 0x52, 8, 0, 255 });
     }
     this->number(Kind::Output, { 0x53, 8, this->layout_.firstTrigger, 8 });
-    this->w_.usage(0x55).begin().wideUsage(0x010030).wideUsage(0x010031).logical(0, 1).size(1, 2);
-    this->w_.main(Kind::Output, value).end();
+    this->axesEnable();
     this->number(Kind::Output, { 0x56, 1, 0, 1 });
-    this->pad(Kind::Output, 5);
+    this->pad(Kind::Output, 7 - std::max(1U, this->layout_.forceAxes));
     this->w_.usage(0x57).begin().wideUsage(0x0A0001).wideUsage(0x0A0002).logical(0, this->layout_.wholeTurn);
     this->w_.size(this->layout_.wholeTurn > 255 ? 16 : 8, 2).main(Kind::Output, value).end().end();
+  }
+
+  void axesEnable()
+  {
+    constexpr HidUsage x = 0x010030, y = 0x010031, slider = 0x010036;
+    this->w_.usage(0x55).begin().wideUsage(this->layout_.forceAxes > 0 ? x : slider);
+    if (this->layout_.forceAxes > 1)
+    {
+      this->w_.wideUsage(y);
+    }
+    this->w_.logical(0, 1).size(1, std::max(1U, this->layout_.forceAxes)).main(Kind::Output, value).end();
   }
 
   void condition()
@@ -165,6 +175,10 @@ private:
 
   void periodic()
   {
+    if (this->layout_.periodicId == 0)
+    {
+      return;
+    }
     this->w_.reportId(this->layout_.periodicId).usage(0x6E).begin();
     this->block(Kind::Output);
     this->number(Kind::Output, { 0x70, 16, 0, 10000 });
@@ -177,6 +191,10 @@ private:
 
   void constantForce()
   {
+    if (this->layout_.constantId == 0)
+    {
+      return;
+    }
     this->w_.reportId(this->layout_.constantId).usage(0x73).begin();
     this->block(Kind::Output);
     this->number(Kind::Output, this->layout_.magnitude);
@@ -377,6 +395,33 @@ PidLayout wheelLayout()
   PidLayout layout = plainLayout();
   layout.name = "wheel";
   layout.axes = 1;
+  return layout;
+}
+
+PidLayout pedalWheelLayout()
+{
+  PidLayout layout = plainLayout();
+  layout.name = "wheel with pedals";
+  layout.forceAxes = 1;
+  return layout;
+}
+
+PidLayout rumbleLayout()
+{
+  PidLayout layout = plainLayout();
+  layout.name = "rumble pad";
+  layout.effects = { 0x30, 0x31, 0x32 };
+  layout.constantId = 0;
+  return layout;
+}
+
+PidLayout buzzerLayout()
+{
+  PidLayout layout = plainLayout();
+  layout.name = "buzzer";
+  layout.effects = { 0x26 };
+  layout.periodicId = 0;
+  layout.forceAxes = 0;
   return layout;
 }
 

@@ -25,7 +25,8 @@ struct PidLayout
   std::string name;
   std::uint8_t inputId = 0x01, stateId = 0x02;
   PidNumber axis{ 0x30, 16, -32767, 32767 };
-  std::uint32_t axes = 2;
+  std::uint32_t axes = 2;      ///< that it senses
+  std::uint32_t forceAxes = 2; ///< that its effects may act along
   std::uint8_t setEffectId = 0x11, conditionId = 0x13, periodicId = 0x14, constantId = 0x15, operationId = 0x1A,
                freeId = 0x1B, controlId = 0x1C, gainId = 0x1D, createId = 0x21, loadId = 0x22, poolId = 0x23;
   std::vector<std::uint8_t> effects{ 0x26, 0x27, 0x30, 0x31, 0x32, 0x33, 0x34, 0x40, 0x41, 0x42, 0x43 };
@@ -60,6 +61,9 @@ struct PidLayout
 [[nodiscard]] PidLayout openBoardLayout();     ///< an open controller board: +-32767
 [[nodiscard]] PidLayout oneSidedLayout();      ///< two coefficients, no dead band
 [[nodiscard]] PidLayout wheelLayout();         ///< one axis
+[[nodiscard]] PidLayout pedalWheelLayout();    ///< a wheel whose pedals call themselves y
+[[nodiscard]] PidLayout rumbleLayout();        ///< a pad with a stick and periodic effects only
+[[nodiscard]] PidLayout buzzerLayout();        ///< the same with constant ones only, along no axis of the stick
 [[nodiscard]] PidLayout bitControlLayout();    ///< device control as bits
 [[nodiscard]] std::vector<PidLayout> allLayouts(); ///< whose pool the device manages
 

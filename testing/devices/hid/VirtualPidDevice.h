@@ -6,6 +6,7 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "devices/Condition.h"
@@ -38,6 +39,9 @@ public:
   [[nodiscard]] std::vector<std::uint8_t> nextInput() override;
   /// Firmware and handle.
   void advance(int duration_ms) override;
+
+  /// Shows the host an input report, whatever it says.
+  void show(std::vector<std::uint8_t> report) { this->inputs_.push_back(std::move(report)); }
 
   /// Of all effects now [shares].
   [[nodiscard]] Axes force() const;

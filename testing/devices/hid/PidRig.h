@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "devices/io/PidDevice.h"
+#include "testing/devices/hid/FakeHidBus.h"
+
+namespace palpate::test
+{
+
+/// Nothing runs by itself, and the scale is that of the virtual firmware.
+inline PidDeviceOptions virtualOptions(const FakeHidBus& bus)
+{
+  PidDeviceOptions options;
+  options.threads = false;
+  options.clock = &bus.time();
+  PidScale& scale = options.output.scale;
+  scale.springStiffness_N_per_m = VirtualPidDevice::springGain * scale.maxForce_N / scale.halfTravel_m;
+  scale.damperViscosity_Ns_per_m = VirtualPidDevice::damperMetric * scale.springStiffness_N_per_m;
+  return options;
+}
+
+/// A device on a bus in virtual time: every millisecond a tick of the servo and a pass of the reader and the writer.
+struct PidRig
+{
+  explicit PidRig(const PidLayout& layout, const std::string& serial = "0001")
+    : port(bus->plug(layout, serial)), options(virtualOptions(*bus)), device("pid", bus, port.entry, options)
+  {
+  }
+
+  VirtualPidDevice& stick() { return *this->port.device; }
+  [[nodiscard]] const PidScale& scale() const { return this->options.output.scale; }
+
+  /// Lets the servo run; the command holds.
+  void run(int duration_ms)
+  {
+    const std::int64_t until_ns = this->bus->time().now_ns() + duration_ms * std::int64_t{ 1000000 };
+    while (this->bus->time().now_ns() < until_ns)
+    {
+      this->status = this->device.read(0.0, this->sample);
+      this->lostTicks += this->status == DeviceStatus::Lost ? 1 : 0;
+      this->device.write(this->command);
+      this->pass();
+    }
+  }
+
+  /// The threads alone: the servo stands still.
+  void pass()
+  {
+    static_cast<void>(this->device.link().readPass(0));
+    if (!this->device.link().writePass())
+    {
+      this->bus->advance(1); // a report takes its time by itself
+    }
+  }
+
+  std::shared_ptr<FakeHidBus> bus = std::make_shared<FakeHidBus>();
+  FakePort& port;
+  PidDeviceOptions options;
+  PidDevice device;
+  DeviceCommand command;
+  DeviceSample sample;
+  DeviceStatus status = DeviceStatus::Ok;
+  int lostTicks = 0;
+};
+
+} // namespace palpate::test

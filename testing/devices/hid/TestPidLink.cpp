@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the link to a device says of itself, and what it does when the device does not keep up.
+#include <gtest/gtest.h>
+
+#include "testing/devices/hid/PidRig.h"
+#include "testing/support/Eventually.h"
+
+namespace palpate
+{
+namespace
+{
+
+using test::FakeHidBus;
+using test::FakePort;
+using Rig = test::PidRig;
+
+// Virtual sticks report each millisecond; four effects are armed again every 100 ms.
+TEST(PidLink, ReportsHowManyReportsComeHowManyGoAndWhatIsArmedAgain)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  const int opening = rig.stick().outputs;
+  rig.command.wrench_D.force.x() = 1.0;
+  rig.run(3000);
+  const LinkReport report = rig.device.linkReport();
+  EXPECT_NEAR(report.inputRate_Hz, 1000.0, 10.0);
+  EXPECT_NEAR(static_cast<double>(report.inputs), 3000.0, 10.0);
+  EXPECT_NEAR(static_cast<double>(report.restarts), 4 * 30, 8);
+  EXPECT_EQ(report.outputs, static_cast<std::uint64_t>(rig.stick().outputs - opening));
+  EXPECT_EQ(report.strange + report.outOfRange + report.stalls + report.losses, 0U);
+  EXPECT_TRUE(report.attached);
+}
+
+TEST(PidLink, ShortForeignAndImpossibleReportsAreCountedAndChangeNothing)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(5);
+  const Vec3 before_D = rig.sample.pose_D.p;
+  rig.stick().show({ 0x01, 1, 2, 3 });
+  rig.stick().show({ 0x77, 1, 2, 3, 4, 5 });
+  ASSERT_TRUE(rig.device.link().readPass(0));
+  EXPECT_EQ(rig.device.linkReport().strange, 2U);
+  EXPECT_EQ(rig.device.read(0.0, rig.sample), DeviceStatus::Ok);
+  EXPECT_EQ(rig.sample.pose_D.p, before_D);
+  rig.stick().show({ 0x01, 0x00, 0x80, 0, 0, 0 }); // -32768 where -32767 is the least
+  ASSERT_TRUE(rig.device.link().readPass(0));
+  EXPECT_EQ(rig.device.linkReport().outOfRange, 1U);
+  EXPECT_EQ(rig.device.read(0.0, rig.sample), DeviceStatus::Ok);
+  EXPECT_EQ(rig.sample.pose_D.p.x(), -rig.scale().halfTravel_m);
+}
+
+TEST(PidLink, AFeatureThatDoesNotComeInTimeIsSaidWithTheNameAndNothingStaysOpen)
+{
+  Rig rig(test::plainLayout());
+  rig.port.featureTimesOut = true;
+  const std::string problem = rig.device.open();
+  EXPECT_NE(
+    problem.find("\"plain stick\": it does not say what effects it can hold: Connection timed out"), std::string::npos)
+    << problem;
+  EXPECT_EQ(rig.port.opened, rig.port.closed);
+  rig.port.featureTimesOut = false;
+  EXPECT_EQ(rig.device.open(), "");
+}
+
+TEST(PidLink, WhatKeepsItFromOpeningAgainAfterALossIsSaidAndItComesBackWhenThatIsOver)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(50);
+  rig.port.present = false;
+  rig.run(600);
+  rig.port.present = true;
+  rig.port.device = std::make_shared<test::VirtualPidDevice>(test::plainLayout());
+  for (const auto& [set, said] : { std::pair<std::function<void(bool)>, std::string>{
+                                     [&](bool on) { rig.port.openProblem = on ? "busy" : ""; }, "busy" },
+         { [&](bool on) { rig.port.featureTimesOut = on; }, "timed out" } })
+  {
+    set(true);
+    rig.run(600);
+    EXPECT_EQ(rig.status, DeviceStatus::Lost);
+    EXPECT_NE(rig.device.linkReport().message.find(said), std::string::npos);
+    set(false);
+  }
+  rig.run(1100);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+}
+
+TEST(PidLink, OfTwoAlikeWithoutSerialNumbersEachIsOpenedByItsPathAndTheOtherIsLeftAlone)
+{
+  auto bus = std::make_shared<FakeHidBus>();
+  FakePort& first = bus->plug(test::plainLayout(), "");
+  FakePort& second = bus->plug(test::plainLayout(), "");
+  PidDevice device("pid", bus, second.entry, test::virtualOptions(*bus));
+  ASSERT_EQ(device.open(), "");
+  EXPECT_EQ(first.opened, 0);
+  EXPECT_EQ(second.opened, 1);
+}
+
+/// A device in real time under a force, whose output stalls: told to stop while the write still hangs.
+struct Stalled
+{
+  Stalled()
+  {
+    EXPECT_EQ(this->device.open(), "");
+    this->command.wrench_D.force.x() = 2.0;
+    EXPECT_TRUE(test::eventually([&] { return this->tick(), this->force() > 0.3; }));
+  }
+  ~Stalled() { this->bus->release(this->port); }
+
+  void tick()
+  {
+    this->bus->advance(1);
+    this->lost = this->device.read(0.0, this->sample) == DeviceStatus::Lost || this->lost;
+    this->device.write(this->command);
+  }
+  double force()
+  {
+    return this->bus->alone([this] { return this->port.device->force()[0]; });
+  }
+  int stops()
+  {
+    return this->bus->alone([this] { return this->port.device->stopAlls; });
+  }
+  bool stalls()
+  {
+    return this->bus->alone([this] { return this->port.stalls; });
+  }
+
+  std::shared_ptr<FakeHidBus> bus = std::make_shared<FakeHidBus>(false);
+  FakePort& port = bus->plug(test::plainLayout());
+  PidDevice device{ "pid", bus, port.entry };
+  DeviceCommand command;
+  DeviceSample sample;
+  bool lost = false;
+};
+
+TEST(PidLink, ADeviceWhoseOutputHangsIsToldToStopPastTheWriteThatHangs)
+{
+  Stalled rig;
+  const int before = rig.stops();
+  rig.bus->alone([&] { return rig.port.stalls = true; });
+  EXPECT_TRUE(test::eventually([&] { return rig.tick(), rig.stops() > before; }));
+  EXPECT_TRUE(rig.stalls());
+  EXPECT_EQ(rig.force(), 0.0);
+  EXPECT_TRUE(test::eventually([&] { return rig.tick(), rig.lost; }));
+  EXPECT_EQ(rig.device.linkReport().stalls, 1U);
+}
+
+TEST(PidLink, ADeviceThatTakesNothingAtAllIsLostAndItsForceEndsByItself)
+{
+  Stalled rig;
+  rig.bus->alone([&] { return rig.port.stalls = rig.port.controlStalls = true; });
+  EXPECT_TRUE(test::eventually([&] { return rig.tick(), rig.lost && rig.force() == 0.0; }));
+  EXPECT_EQ(rig.stops(), 0);
+  EXPECT_EQ(rig.device.linkReport().stalls, 1U);
+}
+
+} // namespace
+} // namespace palpate
