@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// A force that rises, stays for a moment and goes, half a second in all: harmless, and slow enough for a hand to give
+/// way like a spring.
+namespace push
+{
+constexpr double rise_s = 0.40;
+constexpr double stay_s = 0.05;
+constexpr double fall_s = 0.05;
+constexpr double all_s = rise_s + stay_s + fall_s;
+
+/// Share of the largest force at a time since it began, 0 .. 1. Real-time safe.
+[[nodiscard]] double share(double time_s) noexcept;
+} // namespace push
+
+/// What a push did along one axis of measurement.
+struct PushAnswer
+{
+  double moved_m = 0.0;          ///< at the end, with sign
+  double early_m = 0.0;          ///< while there was hardly any force yet
+  double response_m_per_N = 0.0; ///< slope of the motion over the force, once it moved; < 0: against it
+};
+
+/// Watches a push: where the hand was at which force. Friction shifts the force at which motion begins, not the slope
+/// of what follows. Real-time safe.
+class PushRecord
+{
+public:
+  void begin(const Vec3& p_D) noexcept;
+  void add(double time_s, const Vec3& p_D) noexcept;
+  /// `force_N`: the largest, with sign.
+  [[nodiscard]] PushAnswer answer(int axis, double force_N) const noexcept;
+
+private:
+  static constexpr std::size_t bins = 64;
+
+  /// Mean way while the force rose, in one of the bins.
+  [[nodiscard]] double way(std::size_t bin, int axis) const noexcept;
+
+  Vec3 from_D_ = Vec3::Zero();
+  std::array<Vec3, bins> sums_{};
+  std::array<int, bins> counts_{};
+  Vec3 staySum_ = Vec3::Zero();
+  int stayCount_ = 0;
+};
+
+} // namespace palpate

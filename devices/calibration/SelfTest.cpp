@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/calibration/SelfTest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "devices/calibration/SelfTestFindings.h"
+#include "haptics/safety/ForceLimits.h"
+#include "haptics/safety/HandLimits.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr double still_s = 0.5;     // this long still counts as having stopped
+constexpr double settled_s = 0.25;  // and this long before a push
+constexpr double noise_s = 1.0;     // watched for noise
+constexpr double brace_s = 1.1;     // a device's spring comes within a second
+constexpr double patience_s = 30.0; // with a person who is to move it
+constexpr double restless_s = 8.0;  // with one who is to hold still
+constexpr double latest_s = 0.020;  // between two ticks under force
+constexpr double leaves = 0.1;      // radii: less is not going to an end
+constexpr double middleHalf = 0.6;  // of the way to an end
+constexpr int warmUps = 2;
+
+int roundsOf(const SelfTestPlan& plan)
+{
+  return plan.holdsWalls ? 3 * 2 : 2 * 2;
+}
+
+/// The first four rounds go against the device's own spring where it has one; there nothing can run away.
+bool isHeld(const SelfTestPlan& plan, const SelfTestState& state)
+{
+  return plan.holdsWalls && state.round < 2 * 2;
+}
+
+double stillWithin_m(const SelfTestPlan& plan)
+{
+  return std::max(4.0 * plan.resolution_m, 0.02 * plan.radius_m);
+}
+
+void end(SelfTestState& state, SelfTestVerdict verdict, SelfTestReason reason) noexcept
+{
+  state.stage = SelfTestStage::Done;
+  state.verdict = verdict;
+  state.reason = reason;
+}
+
+void enter(SelfTestState& state, SelfTestStage stage) noexcept
+{
+  state.stage = stage;
+  state.stage_s = state.still_s = 0.0;
+  state.from_D = state.least_D = state.most_D = state.last_D;
+}
+
+/// Follows the hand; a box that grows too large starts anew where the hand is.
+void follow(const SelfTestPlan& plan, const Vec3& p_D, double dt_s, SelfTestState& state) noexcept
+{
+  constexpr double smoothing = 0.2;
+  if (!state.seen)
+  {
+    state.last_D = p_D;
+    enter(state, state.stage);
+    state.seen = true;
+  }
+  state.velocity_D += smoothing * ((p_D - state.last_D) / dt_s - state.velocity_D);
+  state.last_D = p_D;
+  state.stage_s += dt_s;
+  state.still_s += dt_s;
+  state.least_D = state.least_D.cwiseMin(p_D);
+  state.most_D = state.most_D.cwiseMax(p_D);
+  if ((state.most_D - state.least_D).maxCoeff() > stillWithin_m(plan))
+  {
+    state.least_D = state.most_D = p_D;
+    state.still_s = 0.0;
+  }
+}
+
+bool givesForce(const SelfTestState& state)
+{
+  return state.stage == SelfTestStage::Brace || state.stage == SelfTestStage::Push;
+}
+
+SelfTestReason danger(
+  const SelfTestPlan& plan, const DeviceSample& sample, double dt_s, const SelfTestState& state) noexcept
+{
+  if (!givesForce(state))
+  {
+    return SelfTestReason::None;
+  }
+  if (dt_s > latest_s && !plan.simulated)
+  {
+    return SelfTestReason::Late;
+  }
+  if (!palpate::isHeld(plan.deadMan, sample.buttons, sample.grip))
+  {
+    return SelfTestReason::LetGo;
+  }
+  if ((state.last_D - state.from_D).norm() > plan.farthest_m)
+  {
+    return SelfTestReason::TooFar;
+  }
+  return state.velocity_D.norm() > plan.fastest_m_per_s ? SelfTestReason::TooFast : SelfTestReason::None;
+}
+
+void awaitStill(SelfTestState& state) noexcept
+{
+  if (state.still_s >= noise_s)
+  {
+    state.noise_m = (state.most_D - state.least_D).maxCoeff();
+    state.axis = 0;
+    state.up = false;
+    enter(state, SelfTestStage::End);
+  }
+  else if (state.stage_s > restless_s)
+  {
+    end(state, SelfTestVerdict::Inconclusive, SelfTestReason::NeverStill);
+  }
+}
+
+bool sensorIsTaken(const SelfTestPlan& plan, const SelfTestState& state) noexcept
+{
+  const int sensor = findAxis(plan, state, state.axis).sensor;
+  for (int other = 0; other < state.axis; ++other)
+  {
+    if (findAxis(plan, state, other).sensor == sensor)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void awaitEnd(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  const bool moved = (state.last_D - state.from_D).cwiseAbs().maxCoeff() >= leaves * plan.radius_m;
+  if (!moved || state.still_s < still_s)
+  {
+    if (state.stage_s > patience_s)
+    {
+      end(state, SelfTestVerdict::Inconclusive, SelfTestReason::NotMoved);
+    }
+    return;
+  }
+  const auto at = static_cast<std::size_t>(state.axis);
+  (state.up ? state.high_D : state.low_D)[at] = state.last_D;
+  if (!state.up)
+  {
+    state.up = true;
+    enter(state, SelfTestStage::End);
+    return;
+  }
+  if (!findAxis(plan, state, state.axis).found || sensorIsTaken(plan, state))
+  {
+    end(state, SelfTestVerdict::Inconclusive, SelfTestReason::NotAlongAxis);
+    return;
+  }
+  state.up = false;
+  ++state.axis;
+  enter(state, state.axis < plan.axes ? SelfTestStage::End : SelfTestStage::Middle);
+}
+
+bool inMiddle(const SelfTestPlan& plan, const SelfTestState& state) noexcept
+{
+  for (int axis = 0; axis < plan.axes; ++axis)
+  {
+    const AxisFinding found = findAxis(plan, state, axis);
+    const double half_m = 0.5 * (found.high_m - found.low_m);
+    if (std::fabs(state.last_D[found.sensor] - found.low_m - half_m) > middleHalf * half_m)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void awaitMiddle(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  if (state.still_s >= still_s && inMiddle(plan, state))
+  {
+    state.axis = state.round = 0;
+    state.up = true;
+    enter(state, SelfTestStage::Settle);
+  }
+  else if (state.stage_s > patience_s)
+  {
+    end(state, SelfTestVerdict::Inconclusive, SelfTestReason::NotInMiddle);
+  }
+}
+
+void beginPush(SelfTestState& state) noexcept
+{
+  enter(state, SelfTestStage::Push);
+  state.record.begin(state.last_D);
+}
+
+void awaitSettled(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  if (state.still_s >= settled_s)
+  {
+    isHeld(plan, state) ? enter(state, SelfTestStage::Brace) : beginPush(state);
+  }
+  else if (state.stage_s > restless_s)
+  {
+    end(state, SelfTestVerdict::Inconclusive, SelfTestReason::NeverStill);
+  }
+}
+
+void judgeMotors(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  bool dead = false;
+  int moved = 0;
+  for (int motor = 0; motor < plan.axes; ++motor)
+  {
+    const MotorFinding found = findMotor(plan, state, motor);
+    const int bit = found.motion == MotorMotion::Clear ? 1 << found.sensor : 0;
+    if (found.motion == MotorMotion::Unclear || (moved & bit) != 0)
+    {
+      end(state, SelfTestVerdict::Inconclusive, SelfTestReason::PushUnclear);
+      return;
+    }
+    dead = dead || found.motion == MotorMotion::None;
+    moved |= bit;
+  }
+  end(state, dead ? SelfTestVerdict::Faulty : SelfTestVerdict::Passed,
+    dead ? SelfTestReason::NoMotion : SelfTestReason::None);
+}
+
+/// The first pushes of a motor only loosen it: friction keeps a hand where it last came from.
+void endPush(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  if (state.round >= warmUps)
+  {
+    MotorAnswers& answers = state.motors[static_cast<std::size_t>(state.axis)];
+    auto& kept = (isHeld(plan, state) ? answers.held : answers.free)[state.up ? 0 : 1];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      kept[static_cast<std::size_t>(axis)] = state.record.answer(axis, state.up ? plan.push_N : -plan.push_N);
+    }
+  }
+  state.up = !state.up;
+  if (++state.round == roundsOf(plan))
+  {
+    state.round = 0;
+    ++state.axis;
+  }
+  if (state.axis < plan.axes)
+  {
+    enter(state, SelfTestStage::Settle);
+    return;
+  }
+  judgeMotors(plan, state);
+}
+
+void advance(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  switch (state.stage)
+  {
+    case SelfTestStage::Still:
+      return awaitStill(state);
+    case SelfTestStage::End:
+      return awaitEnd(plan, state);
+    case SelfTestStage::Middle:
+      return awaitMiddle(plan, state);
+    case SelfTestStage::Settle:
+      return awaitSettled(plan, state);
+    case SelfTestStage::Brace:
+      return state.stage_s >= brace_s ? beginPush(state) : void();
+    case SelfTestStage::Push:
+      state.record.add(state.stage_s, state.last_D);
+      return state.stage_s >= push::all_s ? endPush(plan, state) : void();
+    case SelfTestStage::Done:
+      return;
+  }
+}
+
+/// Two opposite walls through the hand along each axis are a spring.
+void holdSpring(const SelfTestPlan& plan, const Vec3& at_D, DeviceCommand& command) noexcept
+{
+  const int axes = std::min<int>(plan.axes, static_cast<int>(command.walls.size() / 2));
+  for (int axis = 0; axis < axes; ++axis)
+  {
+    const Vec3 along_D = Vec3::Unit(axis);
+    command.walls[command.wallCount++] = { along_D, at_D[axis], plan.spring_N_per_m };
+    command.walls[command.wallCount++] = { -along_D, -at_D[axis], plan.spring_N_per_m };
+  }
+}
+
+DeviceCommand commandOf(const SelfTestPlan& plan, const SelfTestState& state) noexcept
+{
+  DeviceCommand command;
+  if (!givesForce(state))
+  {
+    return command;
+  }
+  if (isHeld(plan, state))
+  {
+    holdSpring(plan, state.from_D, command);
+  }
+  if (state.stage == SelfTestStage::Push)
+  {
+    const double force_N = plan.push_N * push::share(state.stage_s);
+    command.wrench_D.force = (state.up ? force_N : -force_N) * Vec3::Unit(state.axis);
+  }
+  return command;
+}
+
+int axesOf(const DeviceInfo& device)
+{
+  switch (device.deviceClass)
+  {
+    case DeviceClass::Vibration0D:
+      return 0;
+    case DeviceClass::Wheel1D:
+      return 1;
+    case DeviceClass::Joystick2D:
+      return 2;
+    case DeviceClass::Point3D:
+    case DeviceClass::Rigid6D:
+      return 3;
+  }
+  return 0;
+}
+
+} // namespace
+
+SelfTestPlan SelfTestPlan::forDevice(const DeviceInfo& device, const DeadMan& deadMan)
+{
+  constexpr double assumedForce_N = 5.0, shareOfForce = 0.1, shareOfWay = 0.35, springGivesWay = 0.1;
+  SelfTestPlan plan;
+  plan.axes = device.rendersForce && device.causality == Causality::Impedance ? axesOf(device) : 0;
+  plan.wheel = device.deviceClass == DeviceClass::Wheel1D;
+  plan.holdsWalls = device.abilities.holdsWalls && plan.axes <= 2;
+  plan.simulated = device.simulated;
+  plan.radius_m = device.workspaceRadius_m.value;
+  plan.resolution_m = device.resolution_m.value;
+  plan.push_N = shareOfForce * std::min(device.maxForce_N.value, assumedForce_N);
+  plan.spring_N_per_m = std::min(plan.push_N / (springGivesWay * plan.radius_m), device.maxStiffness_N_per_m.value);
+  plan.farthest_m = shareOfWay * plan.radius_m;
+  plan.fastest_m_per_s = handLimits(plan.radius_m, plan.push_N).speed_m_per_s;
+  plan.deadMan = deadMan;
+  return plan;
+}
+
+std::string SelfTestPlan::refusal() const
+{
+  if (this->axes == 0)
+  {
+    return "this device gives no force, so there is nothing to check";
+  }
+  const bool measurable = this->radius_m > 0.0 && this->radius_m < std::numeric_limits<double>::infinity();
+  return measurable && this->push_N > 0.0 ? "" : "this device says neither how far it moves nor how strong it is";
+}
+
+DeviceCommand stepSelfTest(
+  const SelfTestPlan& plan, const DeviceSample& sample, DeviceStatus status, double dt_s, SelfTestState& state) noexcept
+{
+  if (state.verdict != SelfTestVerdict::None)
+  {
+    return {};
+  }
+  if (status != DeviceStatus::Ok || !isFinite(sample))
+  {
+    end(state, SelfTestVerdict::Aborted, status != DeviceStatus::Ok ? SelfTestReason::Lost : SelfTestReason::NotFinite);
+    return {};
+  }
+  follow(plan, sample.pose_D.p, dt_s, state);
+  const SelfTestReason unexpected = danger(plan, sample, dt_s, state);
+  if (unexpected != SelfTestReason::None)
+  {
+    end(state, SelfTestVerdict::Aborted, unexpected);
+    return {};
+  }
+  advance(plan, state);
+  return commandOf(plan, state);
+}
+
+void stopSelfTest(SelfTestState& state) noexcept
+{
+  if (state.verdict == SelfTestVerdict::None)
+  {
+    end(state, SelfTestVerdict::Aborted, SelfTestReason::Stopped);
+  }
+}
+
+double selfTestProgress(const SelfTestPlan& plan, const SelfTestState& state) noexcept
+{
+  const int ends = 2 * plan.axes, pushes = plan.axes * roundsOf(plan), all = 1 + ends + 1 + pushes;
+  int done = 0;
+  switch (state.stage)
+  {
+    case SelfTestStage::Still:
+      break;
+    case SelfTestStage::End:
+      done = 1 + 2 * state.axis + (state.up ? 1 : 0);
+      break;
+    case SelfTestStage::Middle:
+      done = 1 + ends;
+      break;
+    case SelfTestStage::Settle:
+    case SelfTestStage::Brace:
+    case SelfTestStage::Push:
+      done = 1 + ends + 1 + state.axis * roundsOf(plan) + state.round;
+      break;
+    case SelfTestStage::Done:
+      done = all;
+      break;
+  }
+  return static_cast<double>(done) / all;
+}
+
+Vec3 askedPlace_D(const SelfTestPlan& plan, const SelfTestState& state) noexcept
+{
+  constexpr double beyondTheEnd = 1.2;
+  if (state.stage != SelfTestStage::End)
+  {
+    return Vec3::Zero();
+  }
+  return (state.up ? 1.0 : -1.0) * beyondTheEnd * plan.radius_m * Vec3::Unit(state.axis);
+}
+
+} // namespace palpate

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "devices/calibration/GentlePush.h"
+#include "haptics/core/DeviceCommand.h"
+#include "haptics/core/DeviceInfo.h"
+#include "haptics/core/DeviceSample.h"
+#include "haptics/core/HapticDevice.h"
+#include "haptics/safety/DeadMan.h"
+
+namespace palpate
+{
+
+/// What a self-test may do with a device. Fixed while it runs.
+struct SelfTestPlan
+{
+  int axes = 0; ///< with force, 1 .. 3; 0: there is nothing to test
+  bool wheel = false;
+  bool holdsWalls = false; ///< the device can hold a spring by itself
+  bool simulated = false;  ///< ticks may come late
+  double radius_m = 0.0;   ///< of the workspace, as it is assumed so far
+  double resolution_m = 0.0;
+  double push_N = 0.0;          ///< at most a tenth of the device's largest force
+  double spring_N_per_m = 0.0;  ///< that the device holds during half of the pushes
+  double farthest_m = 0.0;      ///< a push that moves the hand further ends the test
+  double fastest_m_per_s = 0.0; ///< and so does a faster hand under force
+  DeadMan deadMan;
+
+  [[nodiscard]] static SelfTestPlan forDevice(const DeviceInfo& device, const DeadMan& deadMan = {});
+  /// Empty, or one sentence why this device cannot be tested.
+  [[nodiscard]] std::string refusal() const;
+};
+
+/// What the test waits for, in this order; Settle to Push again for each push of each motor.
+enum class SelfTestStage : std::uint8_t
+{
+  Still,  ///< the hand holds still
+  End,    ///< the hand goes to one end of an axis
+  Middle, ///< the hand lets it rest in the middle
+  Settle, ///< the hand holds still before a push
+  Brace,  ///< the device holds its spring where the hand is, before a push against it
+  Push,
+  Done,
+};
+
+enum class SelfTestVerdict : std::uint8_t
+{
+  None, ///< it still runs
+  Passed,
+  Faulty,       ///< a motor does not move its axis
+  Inconclusive, ///< the hand did not do what was asked, so nothing is known
+  Aborted,      ///< something unexpected: the force was taken away at once
+};
+
+/// Why it is not Passed.
+enum class SelfTestReason : std::uint8_t
+{
+  None,
+  NeverStill,   ///< the hand moves by itself
+  NotMoved,     ///< nobody moved it to the end that was asked for
+  NotAlongAxis, ///< two ends of one axis do not lie along one axis of the device, or two axes share one
+  NotInMiddle,  ///< the hand did not bring it back
+  PushUnclear,  ///< what it did was not what the pushes ask for: the hand moves by itself
+  NoMotion,     ///< a motor moves nothing
+  TooFar,
+  TooFast,
+  NotFinite,
+  Lost,
+  Late,
+  LetGo,
+  Stopped, ///< by the person
+};
+
+/// Pushes of one motor along both directions: [0] up, [1] down, each with what all three axes did.
+struct MotorAnswers
+{
+  std::array<std::array<PushAnswer, 3>, 2> free{};
+  std::array<std::array<PushAnswer, 3>, 2> held{}; ///< against the device's own spring
+};
+
+/// All that a self-test remembers. Copyable.
+struct SelfTestState
+{
+  SelfTestStage stage = SelfTestStage::Still;
+  SelfTestVerdict verdict = SelfTestVerdict::None;
+  SelfTestReason reason = SelfTestReason::None;
+  int axis = 0;    ///< End: of D. Settle, Push: the motor
+  bool up = false; ///< End: the upper one. Push: a positive command
+  int round = 0;   ///< of the pushes of one motor
+  double stage_s = 0.0;
+
+  double noise_m = 0.0;                  ///< how far the position wandered while the hand held still
+  std::array<Vec3, 3> low_D{}, high_D{}; ///< where the hand was at the ends of each axis
+  std::array<MotorAnswers, 3> motors{};
+
+  double still_s = 0.0; ///< for how long the position has not left the box from least_D to most_D
+  Vec3 least_D = Vec3::Zero(), most_D = Vec3::Zero();
+  Vec3 from_D = Vec3::Zero(); ///< where the stage began; in a push, where the hand rested
+  Vec3 last_D = Vec3::Zero();
+  Vec3 velocity_D = Vec3::Zero(); ///< smoothed [m/s]
+  bool seen = false;              ///< last_D is of the tick before
+  PushRecord record;
+};
+
+/// One tick of a self-test: (sample, plan, state) -> (state, command). Pure: no clock, no allocation, no lock. Without
+/// a verdict yet the command is a push, or nothing; with one it is nothing. Real-time safe.
+[[nodiscard]] DeviceCommand stepSelfTest(const SelfTestPlan& plan, const DeviceSample& sample, DeviceStatus status,
+  double dt_s, SelfTestState& state) noexcept;
+
+/// Ends it without a result.
+void stopSelfTest(SelfTestState& state) noexcept;
+
+/// How much of it is done, 0 .. 1.
+[[nodiscard]] double selfTestProgress(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
+
+/// Where a hand that does what it is asked goes now, in D [m]: simulated ones do.
+[[nodiscard]] Vec3 askedPlace_D(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "devices/simulated/SimulatedDevice.h"
+
+namespace palpate::test
+{
+
+/// What is wrong between a simulated device and its driver. Nothing by default.
+struct Wiring
+{
+  Mat3 sensors = Mat3::Identity(); ///< what the driver measures of where the hand is
+  Mat3 motors = Mat3::Identity();  ///< what the motors give of what the driver is asked for
+  double springs = 1.0;            ///< what the device's own springs give of what they are asked for
+  Vec3 travel_m = Vec3::Constant(std::numeric_limits<double>::infinity()); ///< positions are stuck beyond +- this
+  int lostAfter_ticks = -1;
+};
+
+/// A simulated device whose wires are swapped, turned round, weak or cut, led by somebody.
+class MiswiredDevice final : public HapticDevice
+{
+public:
+  MiswiredDevice(const DeviceModel& model, const HandModel& hand, const Wiring& wiring);
+
+  [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
+  [[nodiscard]] std::string open() override { return this->device_.open(); }
+  void close() noexcept override {}
+  [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
+  void write(const DeviceCommand& command) noexcept override;
+
+  /// Where the person takes the hand, in true directions [m].
+  void lead(const Vec3& place_D) noexcept { this->device_.lead(place_D); }
+  [[nodiscard]] const DeviceCommand& told() const noexcept { return this->told_; }
+
+private:
+  DeviceInfo info_;
+  SimulatedDevice device_;
+  Wiring wiring_;
+  DeviceCommand told_;
+  int ticks_ = 0;
+};
+
+} // namespace palpate::test

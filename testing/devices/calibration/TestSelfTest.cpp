@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <limits>
+#include <utility>
+
+#include "devices/calibration/SelfTestFindings.h"
+#include "testing/devices/calibration/MiswiredDevice.h"
+
+namespace palpate
+{
+namespace
+{
+
+using test::MiswiredDevice;
+using test::Wiring;
+
+constexpr double period_s = 1e-3;
+constexpr int longest_ticks = 200'000;
+
+/// Who holds the device: goes where it is asked to at the pace of a hand, or does something of its own.
+using Person = std::function<Vec3(const Vec3& asked_D, double time_s, const SelfTestState& state)>;
+
+Vec3 obliging(const Vec3& asked_D, double, const SelfTestState&)
+{
+  return asked_D;
+}
+
+struct Outcome
+{
+  SelfTestPlan plan;
+  SelfTestState state;
+  DeviceInfo device;
+  double largest_N = 0.0;
+  double longestPush_s = 0.0;
+  Vec3 atEnd_N = Vec3::Zero(); ///< the command with the verdict
+
+  [[nodiscard]] Calibration calibration() const
+  {
+    return calibrationFrom(this->plan, this->state, this->device, "2026-01-31").value_or(Calibration{});
+  }
+  [[nodiscard]] std::string text() const { return resultOf(this->plan, this->state); }
+};
+
+Outcome run(const DeviceModel& model, const std::string& hand, const Wiring& wiring, const Person& person = obliging,
+  const std::function<void(int tick, DeviceSample& sample, SelfTestState& state)>& meddle = {})
+{
+  constexpr double pace_m_per_s = 0.1;
+  MiswiredDevice device(model, *handModel(hand), wiring);
+  EXPECT_EQ(device.open(), "");
+  Outcome outcome{ SelfTestPlan::forDevice(device.info()), {}, device.info() };
+  Vec3 hand_D = Vec3::Zero();
+  double push_s = 0.0;
+  for (int tick = 1; tick < longest_ticks && outcome.state.verdict == SelfTestVerdict::None; ++tick)
+  {
+    const Vec3 way_D = person(askedPlace_D(outcome.plan, outcome.state), tick * period_s, outcome.state) - hand_D;
+    hand_D += way_D * std::min(1.0, pace_m_per_s * period_s / std::max(way_D.norm(), 1e-12));
+    device.lead(hand_D);
+    DeviceSample sample;
+    const DeviceStatus status = device.read(tick * period_s, sample);
+    if (meddle)
+    {
+      meddle(tick, sample, outcome.state);
+    }
+    const DeviceCommand command = stepSelfTest(outcome.plan, sample, status, period_s, outcome.state);
+    device.write(command);
+    const double force_N = command.wrench_D.force.norm();
+    outcome.largest_N = std::max(outcome.largest_N, force_N);
+    push_s = force_N > 0.0 ? push_s + period_s : 0.0;
+    outcome.longestPush_s = std::max(outcome.longestPush_s, push_s);
+    outcome.atEnd_N = command.wrench_D.force;
+  }
+  return outcome;
+}
+
+const DeviceModel& joystick()
+{
+  return *deviceModel("simulated-joystick");
+}
+
+Mat3 swapped()
+{
+  Mat3 m;
+  m << 0, 1, 0, 1, 0, 0, 0, 0, 1;
+  return m;
+}
+
+TEST(SelfTest, ADeviceAsItShouldBeIsFoundAsItIs)
+{
+  const Outcome found = run(joystick(), "light", {});
+  ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  const Calibration c = found.calibration();
+  ASSERT_EQ(c.refusal(), "");
+  EXPECT_EQ(c.axisCount, 2);
+  for (int i = 0; i < 2; ++i)
+  {
+    const AxisCalibration& axis = c.axes[static_cast<std::size_t>(i)];
+    EXPECT_EQ(std::pair(axis.sensor, axis.sensorSign), std::pair(i, 1));
+    EXPECT_EQ(std::pair(axis.motor, axis.motorSign), std::pair(i, 1));
+    EXPECT_NEAR(axis.low_m, -joystick().travel_m, joystick().encoderStep_m); // which rounds down
+    EXPECT_NEAR(axis.high_m, joystick().travel_m, joystick().encoderStep_m);
+    // A hand of 200 N/m gives way by 5 mm per N; a staircase of some twenty steps tells the slope to a tenth.
+    EXPECT_NEAR(axis.response_m_per_N, 1.0 / handModel("light")->stiffness_N_per_m, 0.1 * 5e-3);
+    EXPECT_NEAR(axis.strength, 1.0, 0.3);
+  }
+}
+
+TEST(SelfTest, NoPushIsStrongerThanATenthOrLongerThanHalfASecond)
+{
+  for (const DeviceModel& model : deviceModels())
+  {
+    const Outcome found = run(model, "light", {});
+    EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << model.name << ": " << found.text();
+    EXPECT_LE(found.largest_N, 0.1 * std::min(model.maxForce_N, 5.0) * (1.0 + 1e-12)) << model.name;
+    EXPECT_GT(found.largest_N, 0.0);
+    EXPECT_LE(found.longestPush_s, 0.5) << model.name;
+  }
+}
+
+TEST(SelfTest, AnExactDeviceShowsTheStiffnessOfTheHandThatHoldsIt)
+{
+  for (const char* name : { "light", "stylus", "firm" })
+  {
+    const HandModel& hand = *handModel(name);
+    const Outcome found = run(*deviceModel("simulated-ideal"), name, {});
+    ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+    for (const AxisCalibration& axis : found.calibration().axes)
+    {
+      // What is left is how fast the hand follows: it lags by b / K, a hundredth of a second of the ramp's 0.4.
+      EXPECT_NEAR(axis.response_m_per_N * hand.stiffness_N_per_m, 1.0, 0.05) << name;
+    }
+  }
+}
+
+TEST(SelfTest, EverySwappedAndTurnedSensorIsFound)
+{
+  for (int signs = 0; signs < 4; ++signs)
+  {
+    for (const Mat3& order : { Mat3(Mat3::Identity()), swapped() })
+    {
+      Wiring wiring;
+      wiring.sensors = order * Vec3(signs & 1 ? -1.0 : 1.0, signs & 2 ? -1.0 : 1.0, 1.0).asDiagonal();
+      const Outcome found = run(joystick(), "light", wiring);
+      ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+      const Calibration c = found.calibration();
+      for (int i = 0; i < 2; ++i)
+      {
+        const AxisCalibration& axis = c.axes[static_cast<std::size_t>(i)];
+        EXPECT_EQ(wiring.sensors(axis.sensor, i), axis.sensorSign); // what shows axis i of D, and which way
+        EXPECT_EQ(std::pair(axis.motor, axis.motorSign), std::pair(i, 1));
+      }
+    }
+  }
+}
+
+TEST(SelfTest, EverySwappedAndTurnedMotorIsFoundWhateverTheSensorsAre)
+{
+  for (int signs = 0; signs < 4; ++signs)
+  {
+    for (const Mat3& order : { Mat3(Mat3::Identity()), swapped() })
+    {
+      Wiring wiring;
+      wiring.motors = order * Vec3(signs & 1 ? -1.0 : 1.0, signs & 2 ? -1.0 : 1.0, 1.0).asDiagonal();
+      wiring.sensors = swapped() * Vec3(1.0, -1.0, 1.0).asDiagonal();
+      const Outcome found = run(joystick(), "light", wiring);
+      ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+      const Calibration c = found.calibration();
+      for (int i = 0; i < 2; ++i)
+      {
+        const AxisCalibration& axis = c.axes[static_cast<std::size_t>(i)];
+        EXPECT_EQ(wiring.motors(i, axis.motor), axis.motorSign); // a positive command moves axis i of D that way
+      }
+    }
+  }
+}
+
+TEST(SelfTest, SwappedAxesOfThreeAreFound)
+{
+  Wiring wiring;
+  wiring.sensors << 0, 0, -1, 1, 0, 0, 0, 1, 0;
+  wiring.motors << 0, 1, 0, 0, 0, 1, -1, 0, 0;
+  const Outcome found = run(*deviceModel("simulated-premium"), "light", wiring);
+  ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  for (int i = 0; i < 3; ++i)
+  {
+    const AxisCalibration& axis = found.calibration().axes[static_cast<std::size_t>(i)];
+    EXPECT_EQ(wiring.sensors(axis.sensor, i), axis.sensorSign);
+    EXPECT_EQ(wiring.motors(i, axis.motor), axis.motorSign);
+  }
+}
+
+TEST(SelfTest, AMotorThatIsWeakIsSaidAndMeasuredAgainstTheDevicesOwnSpring)
+{
+  Wiring wiring;
+  wiring.motors(1, 1) = 0.25;
+  DeviceModel smooth = joystick(); // a quarter of the push would not overcome its friction
+  smooth.friction_N = 0.0;
+  const Outcome found = run(smooth, "light", wiring);
+  ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  const Calibration c = found.calibration();
+  EXPECT_NEAR(c.axes[1].response_m_per_N / c.axes[0].response_m_per_N, 0.25, 0.05);
+  EXPECT_NEAR(c.axes[0].strength, 1.0, 0.3);
+  EXPECT_NE(found.text().find("weak beside the strongest"), std::string::npos) << found.text();
+}
+
+TEST(SelfTest, ADeadMotorIsAFaultAndGivesNoCalibration)
+{
+  for (int motor = 0; motor < 2; ++motor)
+  {
+    Wiring wiring;
+    wiring.motors(motor, motor) = 0.0;
+    const Outcome found = run(joystick(), "light", wiring);
+    EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
+    EXPECT_EQ(found.state.reason, SelfTestReason::NoMotion);
+    EXPECT_EQ(findMotor(found.plan, found.state, motor).motion, MotorMotion::None);
+    EXPECT_EQ(findMotor(found.plan, found.state, 1 - motor).motion, MotorMotion::Clear);
+    EXPECT_FALSE(calibrationFrom(found.plan, found.state, found.device, "2026-01-31"));
+    EXPECT_NE(found.text().find(std::string("motor ") + "xy"[motor] + ": moves nothing"), std::string::npos);
+  }
+}
+
+TEST(SelfTest, ALimitedRangeIsFoundAndSaid)
+{
+  Wiring wiring;
+  wiring.travel_m.x() = 0.4 * joystick().travel_m;
+  const Outcome found = run(joystick(), "light", wiring);
+  ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  const Calibration c = found.calibration();
+  EXPECT_NEAR(c.axes[0].high_m - c.axes[0].low_m, 0.8 * joystick().travel_m, 2.0 * joystick().encoderStep_m);
+  EXPECT_NEAR(c.axes[1].high_m - c.axes[1].low_m, 2.0 * joystick().travel_m, 2.0 * joystick().encoderStep_m);
+  EXPECT_NE(found.text().find("less than half of the 100 mm"), std::string::npos) << found.text();
+}
+
+TEST(SelfTest, AnAxisThatIsNotMeasuredIsNotWaitedForForEver)
+{
+  Wiring wiring;
+  wiring.sensors(1, 1) = 0.0;
+  const Outcome found = run(joystick(), "light", wiring);
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Inconclusive);
+  EXPECT_EQ(found.state.reason, SelfTestReason::NotMoved);
+  EXPECT_EQ(found.largest_N, 0.0);
+}
+
+TEST(SelfTest, AHandThatMovesByItselfMakesItInconclusiveAndIsSaid)
+{
+  // Swings by 4 mm each way, twice a second, from the first push on.
+  const auto swings = [](const Vec3& asked_D, double time_s, const SelfTestState& state)
+  {
+    constexpr double turns_Hz = 2.0, swing_m = 4e-3;
+    const bool pushed = state.stage >= SelfTestStage::Settle;
+    return pushed ? Vec3(asked_D + Vec3(swing_m * std::sin(2.0 * M_PI * turns_Hz * time_s), 0, 0)) : asked_D;
+  };
+  const Outcome swinging = run(joystick(), "stylus", {}, swings);
+  EXPECT_EQ(swinging.state.verdict, SelfTestVerdict::Inconclusive);
+  EXPECT_NE(swinging.text().find("the hand moves by itself"), std::string::npos) << swinging.text();
+
+  // Creeps by 3 mm a second, slow enough to count as still; but both pushes of a pair go the same way.
+  const auto creeps = [](const Vec3& asked_D, double time_s, const SelfTestState& state)
+  {
+    constexpr double speed_m_per_s = 3e-3;
+    return state.stage >= SelfTestStage::Settle ? Vec3(asked_D + Vec3(0, speed_m_per_s * (time_s - 40.0), 0)) : asked_D;
+  };
+  const Outcome creeping = run(*deviceModel("simulated-premium"), "firm", {}, creeps);
+  EXPECT_EQ(creeping.state.verdict, SelfTestVerdict::Inconclusive) << creeping.text();
+  EXPECT_EQ(creeping.state.reason, SelfTestReason::PushUnclear);
+  EXPECT_FALSE(calibrationFrom(creeping.plan, creeping.state, creeping.device, "2026-01-31"));
+}
+
+TEST(SelfTest, SomebodyWhoNeverHoldsStillIsNotPushed)
+{
+  const auto fidgets = [](const Vec3&, double time_s, const SelfTestState&)
+  { return Vec3(Vec3(std::sin(20.0 * time_s), std::cos(20.0 * time_s), 0.0) * 5e-3); };
+  const Outcome found = run(joystick(), "firm", {}, fidgets);
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Inconclusive);
+  EXPECT_EQ(found.state.reason, SelfTestReason::NeverStill);
+  EXPECT_EQ(found.largest_N, 0.0);
+}
+
+TEST(SelfTest, SomebodyWhoDoesNothingIsAskedNoLongerThanHalfAMinute)
+{
+  const Outcome found =
+    run(joystick(), "light", {}, [](const Vec3&, double, const SelfTestState&) { return Vec3(Vec3::Zero()); });
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Inconclusive);
+  EXPECT_EQ(found.state.reason, SelfTestReason::NotMoved);
+}
+
+TEST(SelfTest, ADeviceThatRunsAwayLosesItsForceInThatTick)
+{
+  // In nobody's hand: nothing holds against the push.
+  const DeviceModel& free = *deviceModel("simulated-premium");
+  const auto stays = [](int, DeviceSample&, SelfTestState& state)
+  {
+    if (state.stage == SelfTestStage::End || state.stage == SelfTestStage::Still)
+    {
+      state = SelfTestState{};
+      state.stage = SelfTestStage::Settle; // nobody can lead it to its ends
+    }
+  };
+  const Outcome found = run(free, "none", {}, obliging, stays);
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Aborted) << found.text();
+  EXPECT_TRUE(found.state.reason == SelfTestReason::TooFar || found.state.reason == SelfTestReason::TooFast);
+  EXPECT_EQ(found.atEnd_N, Vec3::Zero());
+}
+
+/// What ends the test at once while it pushes.
+SelfTestReason reasonWhen(const std::function<void(DeviceSample&)>& break_, const DeadMan& deadMan, double dt_s)
+{
+  DeviceInfo info;
+  info.abilities = {};
+  info.maxForce_N = { 5.0, true };
+  SelfTestState state;
+  state.stage = SelfTestStage::Push;
+  const SelfTestPlan plan = SelfTestPlan::forDevice(info, deadMan);
+  DeviceSample sample;
+  sample.buttons = 1;
+  for (int tick = 0; tick < 100; ++tick)
+  {
+    EXPECT_EQ(state.verdict, SelfTestVerdict::None);
+    static_cast<void>(stepSelfTest(plan, sample, DeviceStatus::Ok, period_s, state));
+  }
+  break_(sample);
+  const DeviceCommand last = stepSelfTest(plan, sample, DeviceStatus::Ok, dt_s, state);
+  EXPECT_EQ(last.wrench_D.force, Vec3::Zero());
+  EXPECT_EQ(state.verdict, SelfTestVerdict::Aborted);
+  EXPECT_EQ(stepSelfTest(plan, sample, DeviceStatus::Ok, period_s, state).wrench_D.force, Vec3::Zero());
+  return state.reason;
+}
+
+TEST(SelfTest, WhateverIsUnexpectedWhileItPushesEndsTheForceInThatTick)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(reasonWhen([&](DeviceSample& s) { s.pose_D.p.z() = nan; }, {}, period_s), SelfTestReason::NotFinite);
+  EXPECT_EQ(reasonWhen([](DeviceSample& s) { s.pose_D.p.x() = 0.09; }, {}, period_s), SelfTestReason::TooFar);
+  // 30 mm in a tick, a fifth of which counts at once: 6 m/s, where a workspace of 0.1 m allows 2.
+  EXPECT_EQ(reasonWhen([](DeviceSample& s) { s.pose_D.p.x() = 0.03; }, {}, period_s), SelfTestReason::TooFast);
+  EXPECT_EQ(reasonWhen([](DeviceSample& s) { s.buttons = 0; }, DeadMan{ 1, false }, period_s), SelfTestReason::LetGo);
+  EXPECT_EQ(reasonWhen([](DeviceSample&) {}, {}, 0.025), SelfTestReason::Late);
+}
+
+TEST(SelfTest, ADeviceThatIsLostEndsIt)
+{
+  Wiring wiring;
+  wiring.lostAfter_ticks = 500;
+  const Outcome found = run(joystick(), "light", wiring);
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Aborted);
+  EXPECT_EQ(found.state.reason, SelfTestReason::Lost);
+}
+
+TEST(SelfTest, APersonCanStopIt)
+{
+  SelfTestState state;
+  stopSelfTest(state);
+  EXPECT_EQ(state.verdict, SelfTestVerdict::Aborted);
+  EXPECT_EQ(state.reason, SelfTestReason::Stopped);
+}
+
+TEST(SelfTest, SaysWhatToDoAtEachStepAndNothingAfterwards)
+{
+  DeviceInfo info;
+  info.deviceClass = DeviceClass::Joystick2D;
+  info.maxForce_N = { 5.0, true };
+  const SelfTestPlan plan = SelfTestPlan::forDevice(info);
+  SelfTestState state;
+  EXPECT_NE(askOf(plan, state).find("still"), std::string::npos);
+  state.stage = SelfTestStage::End;
+  EXPECT_NE(askOf(plan, state).find("left"), std::string::npos);
+  state.up = true;
+  EXPECT_NE(askOf(plan, state).find("right"), std::string::npos);
+  state.axis = 1;
+  EXPECT_NE(askOf(plan, state).find("away from you"), std::string::npos);
+  EXPECT_EQ(resultOf(plan, state), "");
+  stopSelfTest(state);
+  EXPECT_EQ(askOf(plan, state), "");
+  EXPECT_NE(resultOf(plan, state).find("it was stopped"), std::string::npos);
+}
+
+TEST(SelfTest, ADeviceWithoutForceIsRefusedInWords)
+{
+  DeviceInfo info;
+  info.rendersForce = false;
+  EXPECT_NE(SelfTestPlan::forDevice(info).refusal().find("no force"), std::string::npos);
+  info.rendersForce = true;
+  EXPECT_EQ(SelfTestPlan::forDevice(info).refusal(), "");
+  info.workspaceRadius_m.value = std::numeric_limits<double>::infinity();
+  EXPECT_NE(SelfTestPlan::forDevice(info).refusal(), "");
+}
+
+} // namespace
+} // namespace palpate
