@@ -93,6 +93,8 @@ std::vector<Kind> pluggedIn(const DeviceOptions& options)
   return all;
 }
 
+constexpr const char* toDo = "; remove the file, or check the device again";
+
 MadeDevice calibrated(MadeDevice made, const std::string& folder)
 {
   if (!made.device || !made.device->info().rendersForce)
@@ -103,7 +105,7 @@ MadeDevice calibrated(MadeDevice made, const std::string& folder)
   KeptCalibration kept = loadCalibration(folder, info.name, info.serial);
   if (!kept.calibration && !kept.problem.empty())
   {
-    return { nullptr, kept.problem + "; remove the file, or check the device again" };
+    return { nullptr, kept.problem + toDo };
   }
   if (kept.calibration)
   {
@@ -126,6 +128,24 @@ std::vector<KnownDevice> knownDevices(const DeviceOptions& options)
     }
   }
   return known;
+}
+
+void applyCalibrations(std::vector<KnownDevice>& devices, const std::string& calibrationFolder)
+{
+  for (KnownDevice& device : devices)
+  {
+    const KeptCalibration kept = device.info.rendersForce
+                                   ? loadCalibration(calibrationFolder, device.info.name, device.info.serial)
+                                   : KeptCalibration{};
+    if (kept.calibration)
+    {
+      device.info = calibratedInfo(device.info, *kept.calibration);
+    }
+    else if (!kept.problem.empty() && device.problem.empty())
+    {
+      device.problem = kept.problem + toDo;
+    }
+  }
 }
 
 MadeDevice makeDevice(const std::string& name, const DeviceOptions& options)

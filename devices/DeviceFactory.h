@@ -36,6 +36,9 @@ struct KnownDevice
 /// All devices this build knows and all that are plugged in, usable or not.
 [[nodiscard]] std::vector<KnownDevice> knownDevices(const DeviceOptions& options = {});
 
+/// Puts what is known of each from a calibration into what it says of itself, or what is wrong with that file.
+void applyCalibrations(std::vector<KnownDevice>& devices, const std::string& calibrationFolder);
+
 /// A device by name, or null and a sentence that names the known ones. A device whose calibration cannot be read is not
 /// given: it may push the wrong way.
 struct MadeDevice

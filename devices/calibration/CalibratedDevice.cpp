@@ -45,8 +45,9 @@ Vec3 middleOf(const Calibration& calibration)
   return middle_D;
 }
 
-/// The largest ball that fits between all ends.
-double radiusOf(const Calibration& calibration)
+} // namespace
+
+DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration)
 {
   double radius_m = std::numeric_limits<double>::infinity();
   for (int i = 0; i < calibration.axisCount; ++i)
@@ -54,16 +55,14 @@ double radiusOf(const Calibration& calibration)
     const AxisCalibration& axis = calibration.axes[static_cast<std::size_t>(i)];
     radius_m = std::min(radius_m, 0.5 * (axis.high_m - axis.low_m));
   }
-  return radius_m;
+  info.workspaceRadius_m = { radius_m, true };
+  return info;
 }
 
-} // namespace
-
 CalibratedDevice::CalibratedDevice(std::unique_ptr<HapticDevice> device, const Calibration& calibration)
-  : device_(std::move(device)), info_(this->device_->info()), sensors_(sensorsOf(calibration)),
-    motors_(motorsOf(calibration)), middle_D_(middleOf(calibration))
+  : device_(std::move(device)), info_(calibratedInfo(this->device_->info(), calibration)),
+    sensors_(sensorsOf(calibration)), motors_(motorsOf(calibration)), middle_D_(middleOf(calibration))
 {
-  this->info_.workspaceRadius_m = { radiusOf(calibration), true };
 }
 
 DeviceStatus CalibratedDevice::read(double tickTime_s, DeviceSample& sample) noexcept

@@ -10,6 +10,9 @@
 namespace palpate
 {
 
+/// What a device says of itself once its ends are known: its workspace is the largest ball between them.
+[[nodiscard]] DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration);
+
 /// A device seen through its calibration: x is to the right, y up or away, z towards the person, the middle of its
 /// range is the origin, and a force pushes where it points. Forces are never made larger. Orientations and torques are
 /// passed on as they are. Real-time safe where the device is.

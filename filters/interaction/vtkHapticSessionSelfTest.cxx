@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of vtkHapticSession that checks a device and keeps what is found.
+#include "vtkHapticSession.h"
+
+#include "devices/calibration/CalibrationFiles.h"
+#include "devices/calibration/SelfTestFindings.h"
+#include "devices/io/DBusBroker.h"
+#include "vtkHapticSessionInternals.h"
+
+#include <array>
+#include <ctime>
+
+namespace
+{
+std::string Today()
+{
+  const std::time_t now = std::time(nullptr);
+  std::tm day{};
+  localtime_r(&now, &day);
+  std::array<char, 16> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d", &day);
+  return text.data();
+}
+} // namespace
+
+void vtkHapticSession::Internals::FollowCheck()
+{
+  if (!this->Check.running())
+  {
+    return;
+  }
+  if (this->Check.state().verdict != palpate::SelfTestVerdict::None)
+  {
+    this->Check.stop();
+  }
+  this->CheckAsk = palpate::askOf(this->Check.plan(), this->Check.state());
+  this->CheckResult = palpate::resultOf(this->Check.plan(), this->Check.state());
+}
+
+void vtkHapticSession::StartSelfTest()
+{
+  Internals& impl = *this->Impl;
+  if (this->GetTouching())
+  {
+    this->Refuse("a device is checked only while it is not touching; let go first");
+    return;
+  }
+  impl.Check.stop();
+  impl.Checked = false;
+  palpate::DeviceOptions device = impl.Options();
+  device.calibrationFolder.clear(); // what the driver says, not what was found before
+  device.hand = "light";
+  device.stroke.points_D = { palpate::Vec3::Zero() };
+  palpate::MadeDevice made = palpate::makeDevice(impl.DeviceName, device);
+  std::string problem = made.problem;
+  if (made.device)
+  {
+    palpate::SelfTestOptions options;
+    options.period_s = Internals::PeriodSeconds;
+    options.virtualTime = impl.VirtualTime;
+    options.deadMan = impl.Parameters.safety.deadMan;
+    options.brokers = palpate::systemBrokers();
+    problem = impl.Check.start(std::move(made.device), options);
+  }
+  impl.Checked = problem.empty();
+  impl.Problem.clear();
+  this->Refuse(problem);
+  impl.CheckAsk.clear();
+  impl.CheckResult.clear();
+  impl.FollowCheck();
+  this->Modified();
+}
+
+void vtkHapticSession::StopSelfTest()
+{
+  if (this->Impl->Check.running())
+  {
+    this->Impl->Check.stop();
+    this->Impl->CheckAsk.clear();
+    this->Impl->CheckResult = palpate::resultOf(this->Impl->Check.plan(), this->Impl->Check.state());
+    this->Modified();
+  }
+}
+
+int vtkHapticSession::GetSelfTestState() const
+{
+  if (!this->Impl->Checked)
+  {
+    return CheckNone;
+  }
+  switch (this->Impl->Check.state().verdict)
+  {
+    case palpate::SelfTestVerdict::Passed:
+      return CheckPassed;
+    case palpate::SelfTestVerdict::Faulty:
+      return CheckFaulty;
+    case palpate::SelfTestVerdict::Inconclusive:
+      return CheckInconclusive;
+    case palpate::SelfTestVerdict::Aborted:
+      return CheckAborted;
+    case palpate::SelfTestVerdict::None:
+      break;
+  }
+  return CheckRuns;
+}
+
+double vtkHapticSession::GetSelfTestProgress() const
+{
+  return this->Impl->Checked ? palpate::selfTestProgress(this->Impl->Check.plan(), this->Impl->Check.state()) : 0.0;
+}
+
+const char* vtkHapticSession::GetSelfTestAsk() const
+{
+  return this->Impl->CheckAsk.c_str();
+}
+
+const char* vtkHapticSession::GetSelfTestResult() const
+{
+  return this->Impl->CheckResult.c_str();
+}
+
+void vtkHapticSession::SetCalibrationFolder(const char* folder)
+{
+  const std::string wanted = folder ? folder : "";
+  if (wanted != this->Impl->CalibrationFolder)
+  {
+    if (!this->Impl->CalibrationFolder.empty())
+    {
+      this->Impl->Known = palpate::knownDevices(); // without what the folder before said of them
+    }
+    this->Impl->CalibrationFolder = wanted;
+    palpate::applyCalibrations(this->Impl->Known, wanted);
+    this->Impl->JudgeStability();
+    this->Modified();
+  }
+}
+
+const char* vtkHapticSession::GetCalibrationFolder() const
+{
+  return this->Impl->CalibrationFolder.c_str();
+}
+
+bool vtkHapticSession::KeepCalibration()
+{
+  Internals& impl = *this->Impl;
+  const std::optional<palpate::Calibration> found =
+    palpate::calibrationFrom(impl.Check.plan(), impl.Check.state(), impl.Check.device(), Today());
+  const std::string problem = found ? palpate::saveCalibration(impl.CalibrationFolder, *found)
+                                    : "there is nothing to keep: no check of a device has passed";
+  this->Refuse(problem);
+  if (problem.empty())
+  {
+    palpate::applyCalibrations(impl.Known, impl.CalibrationFolder);
+    impl.JudgeStability();
+    this->Modified();
+  }
+  return problem.empty();
+}
