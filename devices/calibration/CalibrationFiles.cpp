@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -104,6 +105,16 @@ std::string userCalibrationFolder(const char* xdgConfigHome, const char* home)
 std::string calibrationFile(const std::string& folder, const std::string& device, const std::string& serial)
 {
   return folder + '/' + plain(device) + (serial.empty() ? "" : "." + plain(serial)) + ".calibration";
+}
+
+std::string today()
+{
+  const std::time_t now = std::time(nullptr);
+  std::tm day{};
+  localtime_r(&now, &day);
+  std::array<char, 16> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d", &day);
+  return text.data();
 }
 
 KeptCalibration loadCalibration(const std::string& folder, const std::string& device, const std::string& serial)

@@ -16,6 +16,9 @@ namespace palpate
 [[nodiscard]] std::string calibrationFile(
   const std::string& folder, const std::string& device, const std::string& serial);
 
+/// The date here and now, YYYY-MM-DD.
+[[nodiscard]] std::string today();
+
 /// What is known of a device.
 struct KeptCalibration
 {

@@ -7,22 +7,6 @@
 #include "devices/io/DBusBroker.h"
 #include "vtkHapticSessionInternals.h"
 
-#include <array>
-#include <ctime>
-
-namespace
-{
-std::string Today()
-{
-  const std::time_t now = std::time(nullptr);
-  std::tm day{};
-  localtime_r(&now, &day);
-  std::array<char, 16> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%d", &day);
-  return text.data();
-}
-} // namespace
-
 void vtkHapticSession::Internals::FollowCheck()
 {
   if (!this->Check.running())
@@ -144,7 +128,7 @@ bool vtkHapticSession::KeepCalibration()
 {
   Internals& impl = *this->Impl;
   const std::optional<palpate::Calibration> found =
-    palpate::calibrationFrom(impl.Check.plan(), impl.Check.state(), impl.Check.device(), Today());
+    palpate::calibrationFrom(impl.Check.plan(), impl.Check.state(), impl.Check.device(), palpate::today());
   const std::string problem = found ? palpate::saveCalibration(impl.CalibrationFolder, *found)
                                     : "there is nothing to keep: no check of a device has passed";
   this->Refuse(problem);
