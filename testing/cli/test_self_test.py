@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`palpate devices --self-test`: a simulated hand does what it is asked; what was found is kept where settings are."""
+
+import os
+import re
+import subprocess
+import unittest
+
+from palpate_cli import PROGRAM, CommandLineTest
+
+
+class SelfTest(CommandLineTest):
+    def check(self, *arguments):
+        environment = dict(os.environ, XDG_CONFIG_HOME=str(self.folder))
+        command = [PROGRAM, "devices", "--self-test", *arguments]
+        return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=60)
+
+    def test_a_simulated_joystick_works_and_its_range_is_that_of_its_stops(self):
+        run = self.check("simulated-joystick")
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIn("The device works.", run.stdout)
+        for axis in "xy":  # stops at 50 mm either side, 1024 steps
+            self.assertIn(f"{axis}: 100 mm, 1024 steps; motor {axis}: moves the driver's {axis} by", run.stdout)
+        for ask in ["still", "left", "right", "towards you", "away from you", "relaxed"]:
+            self.assertIn(ask, run.stdout)
+        self.assertFalse((self.folder / "palpate").exists())
+
+    def test_what_was_found_is_kept_where_it_says(self):
+        run = self.check("simulated-joystick", "--keep")
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        file = re.search(r"^kept in (.*)$", run.stdout, re.MULTILINE).group(1)
+        self.assertTrue(file.startswith(str(self.folder / "palpate" / "calibration")), file)
+        with open(file, encoding="ascii") as text:
+            lines = text.read().splitlines()
+        self.assertEqual(lines[0], "palpate calibration 1")
+        self.assertIn("device simulated-joystick", lines)
+        self.assertEqual(lines[-1], "end")
+        self.assertEqual(sum(line.startswith("axis ") for line in lines), 2)
+
+    def test_the_same_check_finds_the_same_to_the_last_digit(self):
+        self.assertEqual(self.check("simulated-premium").stdout, self.check("simulated-premium").stdout)
+
+    def test_bad_input_is_named(self):
+        self.refused("devices", "--self-test", "abacus", saying=["abacus", "simulated-joystick"])
+        self.refused("devices", "--self-test", "fed", saying=["fed", "no force"])
+        self.refused("devices", "--keep", saying=["--self-test"])
+
+
+if __name__ == "__main__":
+    unittest.main()

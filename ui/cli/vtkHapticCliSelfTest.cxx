@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticCliCommands.h"
+
+#include "devices/DeviceFactory.h"
+#include "devices/calibration/CalibrationFiles.h"
+#include "devices/calibration/SelfTestFindings.h"
+#include "devices/calibration/SelfTestRun.h"
+#include "devices/io/DBusBroker.h"
+#include "vtkHapticCliProblem.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+
+namespace
+{
+/// Until there is a verdict; whoever holds the device reads what to do. A simulated hand needs no time of ours.
+void Follow(palpate::SelfTestRun& run, bool simulated)
+{
+  constexpr int ticksAtOnce = 100;
+  constexpr auto pause = std::chrono::milliseconds(20);
+  std::string said;
+  while (run.state().verdict == palpate::SelfTestVerdict::None)
+  {
+    const std::string ask = palpate::askOf(run.plan(), run.state());
+    if (ask != said)
+    {
+      said = ask;
+      std::cout << ask << std::endl; // now, not when the buffer is full
+    }
+    if (simulated)
+    {
+      run.step(ticksAtOnce);
+    }
+    else
+    {
+      std::this_thread::sleep_for(pause);
+    }
+  }
+  run.stop();
+}
+
+void Keep(const palpate::Calibration& calibration)
+{
+  const std::string folder = palpate::userCalibrationFolder(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
+  const std::string problem = palpate::saveCalibration(folder, calibration);
+  if (!problem.empty())
+  {
+    throw vtkHapticCliProblem(problem);
+  }
+  std::cout << "kept in " << palpate::calibrationFile(folder, calibration.device, calibration.serial) << '\n';
+}
+} // namespace
+
+int vtkHapticCliSelfTest(const std::string& device, bool keep)
+{
+  palpate::DeviceOptions wanted;
+  wanted.hand = "light";
+  wanted.stroke.points_D = { palpate::Vec3::Zero() };
+  palpate::MadeDevice made = palpate::makeDevice(device, wanted);
+  if (!made.device)
+  {
+    throw vtkHapticCliProblem(made.problem);
+  }
+  palpate::SelfTestOptions options;
+  options.virtualTime = made.device->info().simulated;
+  options.brokers = palpate::systemBrokers();
+  palpate::SelfTestRun run;
+  const std::string problem = run.start(std::move(made.device), options);
+  if (!problem.empty())
+  {
+    throw vtkHapticCliProblem(device + ": " + problem);
+  }
+  Follow(run, options.virtualTime);
+  std::cout << palpate::resultOf(run.plan(), run.state()) << '\n';
+  const std::optional<palpate::Calibration> found =
+    palpate::calibrationFrom(run.plan(), run.state(), run.device(), palpate::today());
+  if (found && keep)
+  {
+    Keep(*found);
+  }
+  return found ? 0 : 1;
+}

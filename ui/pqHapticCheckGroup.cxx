@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticCheckGroup.h"
+
+#include "pqHapticController.h"
+#include "vtkHapticSession.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace
+{
+constexpr int wholeProgress = 100;
+
+QLabel* Text(QWidget* parent, const char* name, const QString& tip)
+{
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setToolTip(tip);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+void Say(QLabel* label, const QString& text)
+{
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
+}
+} // namespace
+
+pqHapticCheckGroup::pqHapticCheckGroup(QWidget* parent)
+  : Superclass(tr("Device check"), parent), Verify(new QPushButton(this)), Adjust(new QPushButton(this)),
+    Progress(new QProgressBar(this))
+{
+  this->setObjectName("checkGroup");
+  this->Verify->setObjectName("verify");
+  this->Verify->setToolTip(
+    tr("Noise, ends and gentle pushes of the chosen device, a tenth of its force at most; you are told what to do"));
+  this->Adjust->setObjectName("adjust");
+  this->Adjust->setText(tr("Ad&just Device"));
+  this->Adjust->setToolTip(
+    tr("Keeps the directions and ends that were found, and applies them from the next touch on"));
+  this->Progress->setObjectName("progress");
+  this->Progress->setRange(0, wholeProgress);
+  this->Progress->setToolTip(tr("How much of the check is done [%]"));
+  this->Ask = Text(this, "ask", tr("What to do now"));
+  this->Result = Text(this, "result", tr("What the check found"));
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(this->Verify);
+  buttons->addWidget(this->Adjust);
+  auto* form = new QFormLayout(this);
+  form->addRow(buttons);
+  form->addRow(this->Progress);
+  form->addRow(this->Ask);
+  form->addRow(this->Result);
+  this->connect(this->Verify, &QPushButton::clicked, this, &pqHapticCheckGroup::startOrStop);
+  this->connect(this->Adjust, &QPushButton::clicked, this, &pqHapticCheckGroup::keep);
+  this->refresh(nullptr);
+}
+
+void pqHapticCheckGroup::refresh(vtkHapticSession* session)
+{
+  const int state = session ? session->GetSelfTestState() : vtkHapticSession::CheckNone;
+  const bool runs = state == vtkHapticSession::CheckRuns;
+  this->Verify->setEnabled(session && !session->GetTouching());
+  this->Verify->setText(runs ? tr("Stop Check (&V)") : tr("&Verify Device"));
+  this->Adjust->setEnabled(state == vtkHapticSession::CheckPassed && *session->GetCalibrationFolder() != '\0');
+  this->Progress->setVisible(runs);
+  this->Progress->setValue(session ? static_cast<int>(wholeProgress * session->GetSelfTestProgress()) : 0);
+  Say(this->Ask, session ? QString::fromUtf8(session->GetSelfTestAsk()) : QString());
+  const QString result = session ? QString::fromUtf8(session->GetSelfTestResult()) : QString();
+  Say(this->Result, this->Note.isEmpty() ? result : this->Note);
+}
+
+QList<QWidget*> pqHapticCheckGroup::fields() const
+{
+  return { this->Verify, this->Adjust };
+}
+
+void pqHapticCheckGroup::startOrStop()
+{
+  vtkHapticSession* session = pqHapticController::instance()->session();
+  if (!session)
+  {
+    return;
+  }
+  session->GetSelfTestState() == vtkHapticSession::CheckRuns ? session->StopSelfTest() : session->StartSelfTest();
+  const bool refused = session->GetSelfTestState() == vtkHapticSession::CheckNone;
+  this->Note = refused ? QString::fromUtf8(session->GetProblem()) : QString();
+  this->refresh(session);
+}
+
+void pqHapticCheckGroup::keep()
+{
+  vtkHapticSession* session = pqHapticController::instance()->session();
+  if (session)
+  {
+    const bool kept = session->KeepCalibration();
+    this->Note = kept ? tr("Kept, and applied from the next touch on.") : QString::fromUtf8(session->GetProblem());
+    this->refresh(session);
+  }
+}
