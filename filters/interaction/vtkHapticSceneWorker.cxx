@@ -44,9 +44,9 @@ std::string Describe(const palpate::SceneBuildResult& built, const std::vector<s
 }
 
 vtkHapticBuiltScene Build(palpate::SceneBuilder& builder, const std::vector<palpate::SurfaceInput>& inputs,
-  const std::vector<std::string>& materials)
+  const palpate::Scene* felt, const std::vector<std::string>& materials)
 {
-  const palpate::SceneBuildResult built = builder.build(inputs);
+  const palpate::SceneBuildResult built = builder.build(inputs, felt);
   vtkHapticBuiltScene result;
   result.Scene = built.scene;
   result.Report = Describe(built, materials);
@@ -135,7 +135,8 @@ std::string vtkHapticSceneWorker::AddPart(
     this->ReadMaterial(data, this->Adding.back());
     return {};
   }
-  vtkHapticConversionResult converted = lineRadius_u ? vtkHapticToLines(data, matrix) : vtkHapticToMesh(data, matrix);
+  vtkHapticConversionResult converted =
+    lineRadius_u ? vtkHapticToLines(data, matrix) : vtkHapticToMesh(data, matrix, this->CutsOf(name));
   if (!converted.Mesh)
   {
     return converted.Problem;
@@ -147,10 +148,18 @@ std::string vtkHapticSceneWorker::AddPart(
   kept.Input.mesh = std::move(converted.Mesh);
   kept.Input.lineRadius_u = lineRadius_u;
   kept.Baked = vtkHapticPlacementOf(matrix);
+  kept.Cuts = std::move(converted.Cuts);
   kept.PartPoints = std::move(converted.PartPoints);
   this->Adding.push_back(std::move(kept));
   this->ReadMaterial(data, this->Adding.back());
   return {};
+}
+
+const vtkHapticCuts* vtkHapticSceneWorker::CutsOf(const std::string& name) const
+{
+  const auto known = std::find_if(this->Committed.begin(), this->Committed.end(),
+    [&name](const Kept& kept) { return kept.Name == name && kept.Cuts.Mesh; });
+  return known != this->Committed.end() ? &known->Cuts : nullptr;
 }
 
 /// The same mesh object, so that the builder keeps its tree, if all that changed is its pose.
@@ -239,7 +248,22 @@ void vtkHapticSceneWorker::Settle()
       Bake(kept, Eigen::Translation3d(pose.p) * pose.q * kept.Baked);
     }
   }
+  this->Felt.reset(); // nothing comes from elsewhere any more
   this->Commit(this->Stamp);
+}
+
+void vtkHapticSceneWorker::Follow(std::shared_ptr<const palpate::Scene> felt)
+{
+  this->Felt = std::move(felt);
+  this->Resume();
+}
+
+void vtkHapticSceneWorker::Resume()
+{
+  if (this->Again && !this->Running.valid())
+  {
+    this->Launch();
+  }
 }
 
 void vtkHapticSceneWorker::Launch()
@@ -252,15 +276,15 @@ void vtkHapticSceneWorker::Launch()
     materials.push_back(kept.MaterialNote);
   }
   this->Again = false;
-  auto build = [this, inputs, materials, refusals = this->CommittedRefusals, stamp = this->Stamp]
+  auto build = [this, inputs, materials, felt = this->Felt, refusals = this->CommittedRefusals, stamp = this->Stamp]
   {
-    vtkHapticBuiltScene built = Build(this->Builder, inputs, materials);
+    vtkHapticBuiltScene built = Build(this->Builder, inputs, felt.get(), materials);
     built.Report = refusals + built.Report;
     built.Stamp = stamp;
     return built;
   };
   // What only moves waits for nobody: a pose is felt with the next snapshot.
-  const std::launch how = this->Builder.knows(inputs) ? std::launch::deferred : std::launch::async;
+  const std::launch how = this->Builder.knows(inputs, this->Felt.get()) ? std::launch::deferred : std::launch::async;
   this->Running = std::async(how, std::move(build));
   if (how == std::launch::deferred)
   {
@@ -275,10 +299,6 @@ std::optional<vtkHapticBuiltScene> vtkHapticSceneWorker::Poll()
     return std::nullopt;
   }
   vtkHapticBuiltScene built = this->Running.get();
-  if (this->Again)
-  {
-    this->Launch(); // what is done is felt meanwhile: commits may come faster than builds for as long as they like
-  }
   return built;
 }
 
@@ -289,6 +309,7 @@ std::optional<vtkHapticBuiltScene> vtkHapticSceneWorker::Wait()
   {
     this->Running.wait();
     newest = this->Poll();
+    this->Resume();
   }
   return newest;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "haptics/geometry/SceneBuilder.h"
+#include "vtkHapticConversion.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSurfacePlacement.h"
 
@@ -46,10 +47,14 @@ public:
   /// Builds what was added since Clear(). While a build is running the newest commit waits for it; one that only moves
   /// surfaces is done at once. `stamp_s`: when it was so, on the caller's clock.
   void Commit(double stamp_s = 0.0);
-  /// Bakes the poses of what was committed into the vertices and commits that: it costs less to touch.
+  /// Bakes the poses of what was committed into the vertices and commits that, with trees that have no room for ways:
+  /// it costs less to touch.
   void Settle();
+  /// What is felt now, from where vertices of the next builds come; null: from nowhere. The commit that waits begins:
+  /// commits may come faster than builds for as long as they like, and each build is felt and followed by the next.
+  void Follow(std::shared_ptr<const palpate::Scene> felt);
 
-  /// The newest scene that is done, once.
+  /// The newest scene that is done, once. A commit that waits begins with Follow().
   std::optional<vtkHapticBuiltScene> Poll();
   /// The scene of the newest commit, waiting for it. Nothing if no commit is open.
   std::optional<vtkHapticBuiltScene> Wait();
@@ -63,13 +68,17 @@ private:
     std::string Name; ///< it was added by: its triangles and its lines are two surfaces
     palpate::SurfaceInput Input;
     vtkHapticPlacement Baked = vtkHapticPlacement::Identity(); ///< what the vertices were placed by
+    vtkHapticCuts Cuts; ///< of the polygons it came from
     std::vector<std::size_t> PartPoints;
     std::uint64_t ArraysKey = 0; ///< of the arrays Input.fields came from
     vtkHapticMaterialSettings Settings;
     std::string MaterialNote;
   };
 
+  /// How the polygons of what was committed under that name were cut; null: there is no such surface.
+  [[nodiscard]] const vtkHapticCuts* CutsOf(const std::string& name) const;
   void Launch();
+  void Resume();
   /// Triangles, or with a radius lines. Empty, or why there are none.
   std::string AddPart(
     const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, std::optional<double> lineRadius_u);
@@ -90,6 +99,7 @@ private:
   std::string CommittedRefusals;
   double Stamp = 0.0;
   palpate::SceneBuilder Builder{ 2 };
+  std::shared_ptr<const palpate::Scene> Felt;
   std::future<vtkHapticBuiltScene> Running;
   bool Again = false; ///< there was another commit while building
 };

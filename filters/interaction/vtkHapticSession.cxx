@@ -492,6 +492,7 @@ bool vtkHapticSession::AddSurface(const char* name, vtkDataObject* data, vtkMatr
 void vtkHapticSession::CommitScene()
 {
   this->Impl->Simpler.Cancel();
+  this->Impl->Worker.Follow(this->Impl->Core.running() ? this->Impl->Full.Scene : nullptr);
   this->Impl->Worker.Commit(this->Impl->Now());
 }
 

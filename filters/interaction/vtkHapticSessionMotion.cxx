@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces that move: from where to where, how long, how late, and when they have come to rest.
+// Surfaces that move or bend: from where to where, how long, how late, and when they have come to rest.
 #include <algorithm>
 #include <utility>
 
@@ -39,7 +39,9 @@ void vtkHapticSession::Internals::TakeScene(std::optional<vtkHapticBuiltScene> b
   this->HandOver = std::max(0.0, this->Now() - this->Built.Stamp);
   this->Core.setScene(this->Built.Scene);
   this->Full = this->Built;
+  this->Worker.Follow(this->Core.running() ? this->Full.Scene : nullptr);
   this->PlanScene();
+  this->FollowPlane();
 }
 
 void vtkHapticSession::Internals::SettleScene()

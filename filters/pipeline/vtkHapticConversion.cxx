@@ -2,7 +2,9 @@
 #include "vtkHapticConversion.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 #include "haptics/core/WordHash.h"
 #include "haptics/geometry/PolyLines.h"
@@ -56,14 +58,9 @@ vtkSmartPointer<vtkPolyData> CheckedSkin(vtkDataSet* data, std::string& problem)
   return problem.empty() ? surface : nullptr;
 }
 
-/// Triangles of a data set; null with a problem. The points are those of its skin.
-vtkSmartPointer<vtkPolyData> Triangulated(vtkDataSet* data, std::string& problem)
+/// Triangles of a surface, whose points stay.
+vtkSmartPointer<vtkPolyData> Triangulated(vtkPolyData* surface)
 {
-  const vtkSmartPointer<vtkPolyData> surface = CheckedSkin(data, problem);
-  if (!surface)
-  {
-    return nullptr;
-  }
   vtkNew<vtkTriangleFilter> filter;
   filter->SetInputData(surface);
   filter->PassLinesOff();
@@ -103,23 +100,113 @@ std::string AppendPoints(vtkPolyData* surface, const Placement& placement, palpa
   return {};
 }
 
-std::string AppendSurface(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
+/// The polygons and strips of a surface by the ids of their corners, and how many triangles they are.
+struct Polygons
 {
-  std::string problem;
-  const vtkSmartPointer<vtkPolyData> surface = Triangulated(data, problem);
-  if (!surface || surface->GetNumberOfPolys() == 0)
+  std::uint64_t Key = 0;
+  std::size_t Triangles = 0;
+};
+
+Polygons PolygonsOf(vtkPolyData* surface, bool mirrored)
+{
+  Polygons polygons;
+  palpate::WordHash key;
+  key.add(static_cast<std::uint64_t>(surface->GetNumberOfPoints()));
+  key.add(std::uint64_t{ mirrored });
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
   {
+    auto each = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
+    for (each->GoToFirstCell(); !each->IsDoneWithTraversal(); each->GoToNextCell())
+    {
+      vtkIdType count = 0;
+      const vtkIdType* corner = nullptr;
+      each->GetCurrentCell(count, corner);
+      key.add(static_cast<std::uint64_t>(count));
+      std::for_each(corner, corner + count, [&key](vtkIdType id) { key.add(static_cast<std::uint64_t>(id)); });
+      polygons.Triangles += static_cast<std::size_t>(std::max<vtkIdType>(0, count - 2));
+    }
+    key.add(std::uint64_t{ 0 });
+  }
+  polygons.Key = key.value();
+  return polygons;
+}
+
+/// Appends surfaces, each cut as it was known before where it has the same polygons.
+class SurfaceAppender
+{
+public:
+  SurfaceAppender(const vtkHapticCuts* known, std::vector<vtkHapticCuts::Part>& parts)
+    : Known(known)
+    , Parts(parts)
+  {
+  }
+
+  std::string operator()(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
+  {
+    const vtkHapticCuts::Part* const known = this->KnownPart();
+    vtkHapticCuts::Part& part = this->Parts.emplace_back();
+    part.FirstTriangle = mesh.triangles.size();
+    part.FirstVertex = static_cast<std::uint32_t>(mesh.vertices_W.size());
+    std::string problem;
+    const vtkSmartPointer<vtkPolyData> skin = CheckedSkin(data, problem);
+    if (!skin || skin->GetNumberOfPolys() + skin->GetNumberOfStrips() == 0)
+    {
+      return problem;
+    }
+    const bool mirrored = placement.Map.linear().determinant() < 0.0;
+    const Polygons polygons = PolygonsOf(skin, mirrored);
+    if (known && known->Polygons == polygons.Key)
+    {
+      problem = AppendPoints(skin, placement, mesh);
+      this->AppendKnown(*known, part, mesh);
+    }
+    else
+    {
+      problem = AppendCut(Triangulated(skin), placement, mirrored, mesh);
+    }
+    part.Triangles = mesh.triangles.size() - part.FirstTriangle;
+    part.Polygons = part.Triangles == polygons.Triangles ? polygons.Key : 0;
     return problem;
   }
-  const auto base = static_cast<std::uint32_t>(mesh.vertices_W.size());
-  problem = AppendPoints(surface, placement, mesh);
-  if (problem.empty())
+
+private:
+  [[nodiscard]] const vtkHapticCuts::Part* KnownPart() const
   {
-    mesh.triangles.reserve(mesh.triangles.size() + static_cast<std::size_t>(surface->GetNumberOfPolys()));
-    AppendTriangles(surface, placement.Map.linear().determinant() < 0.0, base, mesh);
+    const std::size_t index = this->Parts.size();
+    const bool known = this->Known && this->Known->Mesh && index < this->Known->Parts.size();
+    return known && this->Known->Parts[index].Polygons != 0 ? &this->Known->Parts[index] : nullptr;
   }
-  return problem;
-}
+
+  void AppendKnown(
+    const vtkHapticCuts::Part& known, const vtkHapticCuts::Part& part, palpate::TriangleMesh& mesh) const
+  {
+    const auto first = this->Known->Mesh->triangles.begin() + static_cast<std::ptrdiff_t>(known.FirstTriangle);
+    const std::uint32_t shift = part.FirstVertex - known.FirstVertex; // the sums come out right although it may wrap
+    std::for_each(first, first + static_cast<std::ptrdiff_t>(known.Triangles),
+      [&](const std::array<std::uint32_t, 3>& t)
+      { mesh.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift }); });
+  }
+
+  static std::string AppendCut(
+    vtkPolyData* surface, const Placement& placement, bool mirrored, palpate::TriangleMesh& mesh)
+  {
+    if (surface->GetNumberOfPolys() == 0)
+    {
+      return {};
+    }
+    const auto base = static_cast<std::uint32_t>(mesh.vertices_W.size());
+    std::string problem = AppendPoints(surface, placement, mesh);
+    if (problem.empty())
+    {
+      mesh.triangles.reserve(mesh.triangles.size() + static_cast<std::size_t>(surface->GetNumberOfPolys()));
+      AppendTriangles(surface, mirrored, base, mesh);
+    }
+    return problem;
+  }
+
+  const vtkHapticCuts* Known;
+  std::vector<vtkHapticCuts::Part>& Parts;
+};
 
 std::string AppendLines(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
 {
@@ -147,7 +234,7 @@ std::string AppendLines(vtkDataSet* data, const Placement& placement, palpate::T
   return problem;
 }
 
-using AppendPart = std::string (*)(vtkDataSet*, const Placement&, palpate::TriangleMesh&);
+using AppendPart = std::function<std::string(vtkDataSet*, const Placement&, palpate::TriangleMesh&)>;
 
 /// Why a data object has no surface at all.
 std::string CheckKind(vtkDataObject* data)
@@ -159,7 +246,7 @@ std::string CheckKind(vtkDataObject* data)
   return data ? std::string("a ") + data->GetClassName() + " has no surface" : "there is no data";
 }
 
-void AppendAll(vtkDataObject* data, const Placement& placement, AppendPart append, palpate::TriangleMesh& mesh,
+void AppendAll(vtkDataObject* data, const Placement& placement, const AppendPart& append, palpate::TriangleMesh& mesh,
   vtkHapticConversionResult& result)
 {
   vtkHapticForEachDataSet(data,
@@ -236,7 +323,7 @@ namespace
 {
 /// `nothing`: the problem of data without what `append` takes.
 vtkHapticConversionResult Convert(
-  vtkDataObject* data, vtkMatrix4x4* matrix, AppendPart append, const std::string& nothing)
+  vtkDataObject* data, vtkMatrix4x4* matrix, const AppendPart& append, const std::string& nothing)
 {
   vtkHapticConversionResult result;
   result.Problem = vtkHapticCheckPlacement(matrix);
@@ -260,12 +347,15 @@ vtkHapticConversionResult Convert(
 }
 } // namespace
 
-vtkHapticConversionResult vtkHapticToMesh(vtkDataObject* data, vtkMatrix4x4* matrix)
+vtkHapticConversionResult vtkHapticToMesh(vtkDataObject* data, vtkMatrix4x4* matrix, const vtkHapticCuts* known)
 {
   const bool lines = vtkHapticCountLines(data) > 0;
-  return Convert(data, matrix, AppendSurface,
+  std::vector<vtkHapticCuts::Part> parts;
+  vtkHapticConversionResult result = Convert(data, matrix, SurfaceAppender(known, parts),
     lines ? "it has no polygons but lines; give a line radius above 0 to touch them as tubes"
           : "it has no polygons; only surfaces can be touched (apply Extract Surface or Contour)");
+  result.Cuts = { result.Mesh, std::move(parts) };
+  return result;
 }
 
 vtkHapticConversionResult vtkHapticToLines(vtkDataObject* data, vtkMatrix4x4* matrix)

@@ -18,11 +18,27 @@ class vtkDataSet;
 class vtkMatrix4x4;
 class vtkPolyData;
 
+/// How polygons were cut into triangles, to cut the same ones again wherever their corners have gone.
+struct vtkHapticCuts
+{
+  struct Part
+  {
+    std::uint64_t Polygons =
+      0; ///< names them by the ids of their corners; 0: some were left out, the cuts are of no use
+    std::size_t FirstTriangle = 0;
+    std::size_t Triangles = 0;
+    std::uint32_t FirstVertex = 0;
+  };
+  std::shared_ptr<const palpate::TriangleMesh> Mesh;
+  std::vector<Part> Parts; ///< one a data set
+};
+
 /// Triangles in W, or why there are none.
 struct vtkHapticConversionResult
 {
   std::shared_ptr<const palpate::TriangleMesh> Mesh; ///< null on a problem
   std::string Problem;                               ///< one line without a name in front; empty when Mesh is there
+  vtkHapticCuts Cuts;                                ///< of polygons
   std::vector<std::size_t> PartPoints; ///< vertices from each data set in turn, 0 from one without what was asked for
 };
 
@@ -32,11 +48,14 @@ struct vtkHapticConversionResult
 /// mirror are baked into the vertices, and a mirror turns the corners around, so that outside stays outside. Nothing
 /// is cleaned: NaN points and degenerate triangles are for cleaning to report. Polygons that VTK cannot triangulate
 /// (all corners on a line) are left out. The input is not changed and no array of it is kept.
+/// `known`: cuts of an earlier time step. Where a diagonal runs depends on where the corners are; a part with the same
+/// polygons is cut as it was, so that a surface that only deforms keeps its triangles.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticConversionResult vtkHapticToMesh(
-  vtkDataObject* data, vtkMatrix4x4* matrix = nullptr);
+  vtkDataObject* data, vtkMatrix4x4* matrix = nullptr, const vtkHapticCuts* known = nullptr);
 
-/// All lines and poly-lines of a data object as the segments of curves (palpate::segmentsOf()), placed alike. The radius
-/// they are touched with is the caller's: it is in W and takes no part in the placement. Not the edges of polygons.
+/// All lines and poly-lines of a data object as the segments of curves (palpate::segmentsOf()), placed alike. The
+/// radius they are touched with is the caller's: it is in W and takes no part in the placement. Not the edges of
+/// polygons.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticConversionResult vtkHapticToLines(
   vtkDataObject* data, vtkMatrix4x4* matrix = nullptr);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -137,7 +138,7 @@ void SceneBuilder::tighten(Kept& kept)
 
 bool SceneBuilder::refit(const SurfaceInput& input, const Scene* felt, Kept& kept)
 {
-  if (!kept.tree || !input.mesh || kept.lineRadius_u != input.lineRadius_u)
+  if (!kept.tree || !input.mesh || kept.lineRadius_u != input.lineRadius_u || input.ordered)
   {
     return false;
   }
@@ -183,8 +184,28 @@ CleanResult SceneBuilder::cleanInput(const SurfaceInput& input)
   return clean;
 }
 
+SceneBuilder::Kept SceneBuilder::buildInOrder(const SurfaceInput& input)
+{
+  Kept built;
+  built.mesh = input.mesh;
+  built.lineRadius_u = input.lineRadius_u;
+  built.report.name = input.name;
+  built.report.refusal = refuseUnclean(*input.mesh, input.lineRadius_u.has_value());
+  built.sourceVertex.resize(input.mesh->vertices_W.size());
+  std::iota(built.sourceVertex.begin(), built.sourceVertex.end(), 0u);
+  if (built.report.refusal.empty())
+  {
+    built.tree = SurfaceTree::inOrder(*input.mesh, input.lineRadius_u.value_or(0.0));
+  }
+  return built;
+}
+
 SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input)
 {
+  if (input.ordered && input.mesh)
+  {
+    return buildInOrder(input);
+  }
   Kept built;
   built.mesh = input.mesh;
   built.lineRadius_u = input.lineRadius_u;

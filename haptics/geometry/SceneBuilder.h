@@ -26,6 +26,7 @@ struct SurfaceInput
   Pose pose_WS = {};                                 ///< where the mesh stands in W [u]
   std::optional<double>
     lineRadius_u = {}; ///< given: the mesh holds curves (segmentsOf()) of this radius [u], felt without texture
+  bool ordered = false; ///< the mesh is a tree's own: vertices and triangles keep their numbers, nothing is cleaned
 };
 
 /// What became of one input.
@@ -81,6 +82,7 @@ private:
   static void tighten(Kept& kept);
   [[nodiscard]] static CleanResult cleanInput(const SurfaceInput& input);
   [[nodiscard]] static Kept buildAnew(const SurfaceInput& input);
+  [[nodiscard]] static Kept buildInOrder(const SurfaceInput& input);
   static void fitMaterial(const SurfaceInput& input, Kept& kept);
 
   unsigned workers_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -90,7 +91,7 @@ public:
   }
 
   /// Returns the child index of the subtree with these `count` primitives.
-  std::uint32_t flatten(const CgalNode* node, std::size_t first, std::size_t count, Box& box)
+  std::uint32_t flatten(std::size_t first, std::size_t count, Box& box)
   {
     if (count <= Leaf::capacity)
     {
@@ -100,8 +101,8 @@ public:
     const auto index = static_cast<std::uint32_t>(this->data_.nodes.size());
     this->data_.nodes.emplace_back();
     Box boxes[2] = { emptyBox(), emptyBox() };
-    const std::uint32_t child0 = this->flatten(&node->left_child(), first, left, boxes[0]);
-    const std::uint32_t child1 = this->flatten(&node->right_child(), first + left, count - left, boxes[1]);
+    const std::uint32_t child0 = this->flatten(first, left, boxes[0]);
+    const std::uint32_t child1 = this->flatten(first + left, count - left, boxes[1]);
     TreeNode& flat = this->data_.nodes[index];
     flat.child = { child0, child1 };
     for (int axis = 0; axis < 3; ++axis)
@@ -109,9 +110,11 @@ public:
       flat.low_W[axis] = { boxes[0].low_W[axis], boxes[1].low_W[axis] };
       flat.high_W[axis] = { boxes[0].high_W[axis], boxes[1].high_W[axis] };
     }
-    const auto& bounds = node->bbox();
-    include(box, Vec3(bounds.xmin(), bounds.ymin(), bounds.zmin()));
-    include(box, Vec3(bounds.xmax(), bounds.ymax(), bounds.zmax()));
+    for (const Box& child : boxes)
+    {
+      include(box, child.low_W);
+      include(box, child.high_W);
+    }
     return index;
   }
 
@@ -155,7 +158,8 @@ void collectOrder(const CgalNode* node, std::size_t count, std::vector<std::uint
   }
 }
 
-void buildHierarchy(SurfaceData& data)
+/// The order in which CGAL's tree has the triangles.
+std::vector<std::uint32_t> hierarchyOrder(const SurfaceData& data)
 {
   const auto count = static_cast<std::uint32_t>(data.mesh.triangles.size());
   std::vector<std::uint32_t> ids(count);
@@ -164,21 +168,21 @@ void buildHierarchy(SurfaceData& data)
     ids[i] = i;
   }
   CgalTree tree(ids.begin(), ids.end(), data.mesh);
+  if (count < 2)
+  {
+    return ids;
+  }
   std::vector<std::uint32_t> order;
   order.reserve(count);
+  tree.build();
+  collectOrder(tree.root_node(), count, order);
+  return order;
+}
+
+void layHierarchy(SurfaceData& data, const std::vector<std::uint32_t>& order)
+{
   Box box = emptyBox();
-  const CgalNode* root = nullptr;
-  if (count > 1)
-  {
-    tree.build();
-    root = tree.root_node();
-    collectOrder(root, count, order);
-  }
-  else
-  {
-    order = ids;
-  }
-  Flattener(data, order).flatten(root, 0, count, box);
+  Flattener(data, order).flatten(0, order.size(), box);
   data.low_W = box.low_W;
   data.high_W = box.high_W;
 }
@@ -256,7 +260,8 @@ void buildRecords(SurfaceData& data)
   }
 }
 
-std::unique_ptr<SurfaceData> buildData(TriangleMesh clean, double coat_u)
+/// `ordered`: the triangles stand in the order of a tree.
+std::unique_ptr<SurfaceData> buildData(TriangleMesh clean, double coat_u, bool ordered)
 {
   if (clean.triangles.empty())
   {
@@ -268,7 +273,17 @@ std::unique_ptr<SurfaceData> buildData(TriangleMesh clean, double coat_u)
   const std::size_t leavesAtMost = data->mesh.triangles.size() / (Leaf::capacity / 2) + 1;
   data->leaves.reserve(leavesAtMost);
   data->nodes.reserve(leavesAtMost);
-  buildHierarchy(*data);
+  std::vector<std::uint32_t> order;
+  if (ordered)
+  {
+    order.resize(data->mesh.triangles.size());
+    std::iota(order.begin(), order.end(), 0u);
+  }
+  else
+  {
+    order = hierarchyOrder(*data);
+  }
+  layHierarchy(*data, order);
   data->leaves.shrink_to_fit();
   data->nodes.shrink_to_fit();
   buildFans(*data);
@@ -286,7 +301,12 @@ std::size_t bytesOf(const std::vector<T>& v)
 
 } // namespace
 
-SurfaceTree::SurfaceTree(TriangleMesh clean, double coat_u) : data_(buildData(std::move(clean), coat_u)) {}
+SurfaceTree::SurfaceTree(TriangleMesh clean, double coat_u) : data_(buildData(std::move(clean), coat_u, false)) {}
+
+std::shared_ptr<const SurfaceTree> SurfaceTree::inOrder(TriangleMesh ordered, double coat_u)
+{
+  return std::shared_ptr<const SurfaceTree>(new SurfaceTree(buildData(std::move(ordered), coat_u, true)));
+}
 
 SurfaceTree::SurfaceTree(std::unique_ptr<SurfaceData> data) : data_(std::move(data)) {}
 

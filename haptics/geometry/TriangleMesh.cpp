@@ -264,4 +264,32 @@ CleanResult cleanSegments(const TriangleMesh& raw)
   return clean(raw, true);
 }
 
+namespace
+{
+
+bool isClean(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t, bool segments)
+{
+  if (std::max({ t[0], t[1], t[2] }) >= mesh.vertices_W.size() || t[0] >= t[1] || (segments ? t[1] != t[2] : t[1] >= t[2]))
+  {
+    return false;
+  }
+  const Vec3 &a = mesh.vertices_W[t[0]], &b = mesh.vertices_W[t[1]], &c = mesh.vertices_W[t[2]];
+  return a.allFinite() && b.allFinite() && c.allFinite() && (segments ? a != b : !exactlyCollinear(a, b, c));
+}
+
+} // namespace
+
+std::string refuseUnclean(const TriangleMesh& mesh, bool segments)
+{
+  if (mesh.triangles.empty())
+  {
+    return "it has no triangles";
+  }
+  const auto bad = std::find_if(mesh.triangles.begin(), mesh.triangles.end(),
+    [&](const std::array<std::uint32_t, 3>& t) { return !isClean(mesh, t, segments); });
+  return bad == mesh.triangles.end()
+           ? ""
+           : "triangle " + std::to_string(bad - mesh.triangles.begin()) + " is not one that cleaning leaves";
+}
+
 } // namespace palpate

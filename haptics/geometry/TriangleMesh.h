@@ -56,4 +56,8 @@ struct CleanResult
 /// ordered alike; segments without length and repeats are dropped. Refuses a triangle that is no segment.
 [[nodiscard]] CleanResult cleanSegments(const TriangleMesh& raw);
 
+/// Why a mesh cannot be touched as it is, without cleaning; empty when it can: a corner that is no finite vertex, corners
+/// out of order, a triangle without area or a segment without length, nothing at all.
+[[nodiscard]] std::string refuseUnclean(const TriangleMesh& mesh, bool segments);
+
 } // namespace palpate

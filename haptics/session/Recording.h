@@ -59,6 +59,7 @@ struct RecordedMotion
   std::uint64_t geometryHash = 0;
   double motion_s = 0.0;
   std::vector<RigidMotion> motions; ///< one a surface
+  std::vector<std::shared_ptr<const VertexStart>> starts; ///< one a surface; null: its vertices stand
 };
 
 /// A scene as a recording keeps it: the cleaned surfaces it was built from.
@@ -71,7 +72,7 @@ struct RecordedScene
 /// A whole recording: a text header, then little-endian chunks (type, size, payload), then a closing chunk.
 struct Recording
 {
-  static constexpr int formatVersion = 3;
+  static constexpr int formatVersion = 4;
 
   std::string device;
   HapticParameters parameters;

@@ -245,9 +245,32 @@ RecordedScene readScene(ByteReader& in)
       }
     }
     input.mesh = std::move(mesh);
+    input.ordered = true;
     scene.surfaces.push_back(std::move(input));
   }
   return scene;
+}
+
+std::shared_ptr<const VertexStart> readStart(ByteReader& in)
+{
+  std::uint64_t continues = 0;
+  in.get(continues);
+  std::vector<Vec3> vertices_W(in.count(3 * sizeof(double)));
+  for (Vec3& v : vertices_W)
+  {
+    in.get(v);
+  }
+  return vertices_W.empty() ? nullptr : std::make_shared<const VertexStart>(std::move(vertices_W), continues);
+}
+
+void putStart(const VertexStart* start, ByteWriter& payload)
+{
+  payload.put(start != nullptr ? start->continues : std::uint64_t{ 0 });
+  payload.put(static_cast<std::uint64_t>(start != nullptr ? start->vertices_W.size() : 0));
+  for (std::size_t i = 0; start != nullptr && i < start->vertices_W.size(); ++i)
+  {
+    payload.put(start->vertices_W[i]);
+  }
 }
 
 RecordedMotion readMotion(ByteReader& in)
@@ -256,11 +279,12 @@ RecordedMotion readMotion(ByteReader& in)
   in.get(motion.contentHash);
   in.get(motion.geometryHash);
   in.get(motion.motion_s);
-  motion.motions.resize(in.count(2 * 7 * sizeof(double)));
+  motion.motions.resize(in.count(2 * 7 * sizeof(double) + 2 * sizeof(std::uint64_t)));
   for (RigidMotion& m : motion.motions)
   {
     in.get(m.begin_WS);
     in.get(m.end_WS);
+    motion.starts.push_back(readStart(in));
   }
   return motion;
 }
@@ -417,6 +441,7 @@ std::vector<char> motionChunk(const Scene& scene)
   {
     payload.put(surface.motion.begin_WS);
     payload.put(surface.motion.end_WS);
+    putStart(surface.from.get(), payload);
   }
   return chunk(ChunkType::Motion, payload);
 }

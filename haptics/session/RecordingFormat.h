@@ -26,7 +26,7 @@ enum class ChunkType : std::uint32_t
 [[nodiscard]] std::vector<char> changeChunk(const RecordedChange& change);
 /// The meshes and curves of a scene, wherever its surfaces are.
 [[nodiscard]] std::vector<char> sceneChunk(const Scene& scene);
-/// Where the surfaces of a scene that moves are, by the hash of its meshes.
+/// Where the surfaces of a scene that moves are and where their vertices come from, by the hash of its meshes.
 [[nodiscard]] std::vector<char> motionChunk(const Scene& scene);
 [[nodiscard]] std::vector<char> endChunk(std::uint64_t lost);
 

@@ -51,6 +51,15 @@ const char* firstDifference(const TickRecord& a, const TickRecord& b)
   return a.flags != b.flags ? "flags" : nullptr;
 }
 
+/// Gives the tree of a surface the room that coming from there takes. False if it cannot come from there.
+bool letCome(Surface& surface, const std::shared_ptr<const VertexStart>& from)
+{
+  const VertexWay way{ from->hash, { &from->vertices_W } };
+  surface.tree = surface.tree->refitted(surface.tree->mesh().vertices_W, nullptr, &way).tree;
+  surface.from = from;
+  return surface.tree != nullptr;
+}
+
 class Replayer
 {
 public:
@@ -131,6 +140,10 @@ private:
     for (std::size_t i = 0; i < surfaces.size(); ++i)
     {
       surfaces[i].motion = recorded.motions[i];
+      if (recorded.starts[i] && !letCome(surfaces[i], recorded.starts[i]))
+      {
+        return;
+      }
     }
     auto scene = std::make_shared<const Scene>(0, std::move(surfaces), recorded.motion_s);
     if (scene->contentHash() == recorded.contentHash)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -196,4 +198,81 @@ TEST(Conversion, ATransformThatPutsPointsNowhereIsRefused)
   EXPECT_THAT(vtkHapticToMesh(plane, endless).Problem, HasSubstr("not finite"));
   const auto perspective = matrixOf({ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0.5, 1 });
   EXPECT_THAT(vtkHapticToMesh(plane, perspective).Problem, HasSubstr("perspective"));
+}
+
+namespace
+{
+/// Two squares side by side and a pentagon on top, whose shortest diagonals change with the shear.
+vtkSmartPointer<vtkPolyData> makePolygons(double shear)
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  std::vector<std::array<double, 3>> corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 },
+    { 2, 1, 0 }, { 1, 2, 0 } };
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& [x, y, z] : corners)
+  {
+    points->InsertNextPoint(x + shear * y, y, z);
+  }
+  surface->SetPoints(points);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 1, 4, 3 });
+  polygons->InsertNextCell({ 1, 2, 5, 4 });
+  polygons->InsertNextCell({ 3, 4, 5, 6 });
+  surface->SetPolys(polygons);
+  return surface;
+}
+} // namespace
+
+TEST(Conversion, PolygonsThatHaveOnlyMovedAreCutAsTheyWere)
+{
+  const auto first = vtkHapticToMesh(makePolygons(0.4));
+  ASSERT_EQ(first.Mesh->triangles.size(), 6u);
+  const auto sheared = makePolygons(-0.4);
+  ASSERT_NE(vtkHapticToMesh(sheared).Mesh->triangles, first.Mesh->triangles) << "the shorter diagonals are others";
+  const auto second = vtkHapticToMesh(sheared, nullptr, &first.Cuts);
+  EXPECT_EQ(second.Mesh->triangles, first.Mesh->triangles);
+  EXPECT_EQ(second.Mesh->vertices_W, vtkHapticToMesh(sheared).Mesh->vertices_W);
+  EXPECT_EQ(vtkHapticToMesh(makePolygons(-0.5), nullptr, &second.Cuts).Mesh->triangles, first.Mesh->triangles);
+}
+
+TEST(Conversion, CutsOfBlocksAreTakenBlockByBlockAndOnlyForTheSamePolygons)
+{
+  const auto blocks = [](double shear, int points)
+  {
+    auto both = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    both->SetBlock(0, makeSphere(1.0, points));
+    both->SetBlock(1, makePolygons(shear));
+    return both;
+  };
+  const auto first = vtkHapticToMesh(blocks(0.4, 8));
+  const auto moved = vtkHapticToMesh(blocks(-0.4, 8), nullptr, &first.Cuts);
+  EXPECT_EQ(moved.Mesh->triangles, first.Mesh->triangles);
+  const auto other = vtkHapticToMesh(blocks(-0.4, 9), nullptr, &first.Cuts); // the squares begin at another vertex now
+  const std::size_t before = first.Mesh->triangles.size() - 6, now = other.Mesh->triangles.size() - 6;
+  const auto shift = static_cast<std::uint32_t>(other.PartPoints[0] - first.PartPoints[0]);
+  ASSERT_NE(shift, 0u);
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(other.Mesh->triangles[now + i][k], first.Mesh->triangles[before + i][k] + shift);
+    }
+  }
+  EXPECT_EQ(vtkHapticToMesh(blocks(-0.4, 9)).Mesh->triangles.size(), other.Mesh->triangles.size());
+}
+
+TEST(Conversion, AMirrorOrAPolygonThatWasLeftOutIsCutAnew)
+{
+  const auto first = vtkHapticToMesh(makePolygons(0.4));
+  const auto mirror = matrixOf({ -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 });
+  const auto mirrored = vtkHapticToMesh(makePolygons(0.4), mirror, &first.Cuts);
+  EXPECT_EQ(mirrored.Mesh->triangles, vtkHapticToMesh(makePolygons(0.4), mirror).Mesh->triangles);
+  const auto flat = makePolygons(0.4); // every corner on one line: nothing to cut
+  for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
+  {
+    flat->GetPoints()->SetPoint(i, static_cast<double>(i), 0.0, 0.0);
+  }
+  const auto lost = vtkHapticToMesh(flat);
+  EXPECT_EQ(vtkHapticToMesh(makePolygons(0.4), nullptr, &lost.Cuts).Mesh->triangles, first.Mesh->triangles);
 }

@@ -9,10 +9,12 @@
 
 #include "VtkScenes.h"
 #include "haptics/geometry/TriangleMesh.h"
+#include "vtkCellArray.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticSession.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 using namespace palpate;
@@ -242,6 +244,64 @@ TEST_F(HapticSessionMotion, TheHandGoesWithATimeSeriesOfTheSameTriangles)
     ASSERT_GT(depth_m, 0.0);
     EXPECT_LT((this->force() - stiffness * depth_m * normal).norm(), 1e-9) << "tilt " << tilt;
   }
+}
+
+TEST_F(HapticSessionMotion, BetweenTwoTimeStepsTheSurfaceIsFeltOnItsStraightWayInEveryTick)
+{
+  constexpr double stiffness = 100.0;
+  constexpr int ticks = 50; // a time step at 20 Hz
+  const Vec3 hand_W(3.0, 20.0, -2.0);
+  this->start(stiffness, makePlane(size, 0.1), nullptr, 5.0);
+  this->session_->SetHandPosition(hand_W.x(), hand_W.y(), 5.0);
+  this->session_->Step(100);
+  this->session_->SetHandPosition(hand_W.data());
+  this->session_->Step(ticksToBlend);
+  this->show(makePlane(size, 0.1)); // the last one at rest: how long the first way takes
+  ASSERT_TRUE(this->session_->FinishScene());
+  this->session_->Step(ticks);
+  double begin = 0.1;
+  for (const double end : { 0.12, 0.2, 0.15, 0.15, 0.05 })
+  {
+    this->show(makePlane(size, end));
+    ASSERT_TRUE(this->session_->FinishScene());
+    for (int i = 1; i <= ticks; ++i)
+    {
+      this->session_->Step(1);
+      const double tilt = begin + (end - begin) * i / ticks;
+      const Vec3 normal = Vec3(0.0, -tilt, 1.0).normalized();
+      const double depth_m = -normal.dot(hand_W) / scale;
+      ASSERT_LT((this->force() - stiffness * depth_m * normal).norm(), 1e-9) << "to tilt " << end << ", tick " << i;
+    }
+    begin = end;
+  }
+  this->session_->Step(1200); // at rest for more than a second: the tree has no room for ways any more
+  this->session_->FinishScene();
+  this->session_->Step(10);
+  EXPECT_FALSE(this->session_->GetSceneMoves());
+  const Vec3 normal = Vec3(0.0, -begin, 1.0).normalized();
+  EXPECT_LT((this->force() - stiffness * (-normal.dot(hand_W) / scale) * normal).norm(), 1e-9);
+}
+
+TEST_F(HapticSessionMotion, ATimeSeriesOfPolygonsKeepsItsTriangles)
+{
+  const auto squares = [](double shear)
+  {
+    const vtkSmartPointer<vtkPolyData> surface = makePlane(size);
+    vtkNew<vtkCellArray> polygons;
+    polygons->InsertNextCell({ 0, 1, 2, 3 });
+    surface->SetPolys(polygons);
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      Vec3 p(surface->GetPoint(i));
+      p.x() += shear * p.y();
+      surface->GetPoints()->SetPoint(i, p.data());
+    }
+    return surface;
+  };
+  this->start(100.0, squares(0.4), nullptr, 5.0);
+  this->show(squares(-0.4)); // its shorter diagonal is the other one
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("refitted"));
 }
 
 TEST_F(HapticSessionMotion, AnEmptyTimeStepLetsGoWithASentenceAndTheSurfaceComesBack)

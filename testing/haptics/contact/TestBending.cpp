@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/contact/PosedSurface.h"
+#include "haptics/contact/Sweep.h"
 #include "haptics/geometry/ExactPredicates.h"
 #include "haptics/geometry/NearestOnTriangle.h"
 #include "testing/support/AllocationGuard.h"
@@ -251,6 +252,47 @@ TEST_P(Bending, NothingIsAllocatedAndNothingLockedInATick)
     static_cast<void>(sheet.tick({ 0.02 * std::sin(0.01 * i), 0.0023, i < 3 ? 0.05 : -8e-3 }));
   }
   EXPECT_EQ(disturbed, 0u);
+}
+
+TEST(BentSurface, AnswersAtAnyMomentAsATreeThatWasBuiltThere)
+{
+  Random random(testSeed(429));
+  const auto first = std::make_shared<const SurfaceTree>(cleanMesh(makeIcosphere(3, 0.05)).mesh);
+  const auto shaken = [&](const std::vector<Vec3>& places_W)
+  {
+    std::vector<Vec3> moved = places_W;
+    std::for_each(moved.begin(), moved.end(), [&](Vec3& v) { v = 1.1 * v + 2e-3 * random.direction(); });
+    return moved;
+  };
+  const std::vector<Vec3> begin = first->mesh().vertices_W, end = shaken(begin);
+  const VertexWay way{ 7, { &begin } };
+  Surface surface{ "it", first->refitted(end, nullptr, &way).tree, {} };
+  surface.from = std::make_shared<const VertexStart>(begin, 0);
+  const Scene scene(1, { surface }, 0.05);
+  std::size_t hits = 0;
+  for (const double share : { 0.0, 0.13, 0.5, 0.87, 1.0 })
+  {
+    TriangleMesh felt = surface.tree->mesh();
+    for (std::size_t i = 0; i < begin.size(); ++i)
+    {
+      felt.vertices_W[i] = alongWay(begin[i], end[i], share);
+    }
+    const auto built = sceneOf(felt);
+    for (std::size_t i = 0; i < testCount(2000); ++i)
+    {
+      SweepQuery query;
+      query.from_W = random.inCube(0.08);
+      query.to_W = random.inCube(0.08);
+      query.radius_u = i % 2 == 0 ? 0.0 : 2e-3;
+      query.resolution.include(query.from_W);
+      query.resolution.include(query.to_W);
+      const SweepHit a = sweepBall(MovingScene(scene, share), query, 1000000), b = sweepBall(*built, query, 1000000);
+      ASSERT_EQ(a.hit, b.hit) << share << ", " << i;
+      ASSERT_NEAR(a.t, b.t, 1e-10) << share << ", " << i; // rounded otherwise: vertices have other numbers
+      hits += a.hit ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hits, testCount(2000) / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(PointAndBall, Bending, testing::Values(0.0, 1e-3));

@@ -142,5 +142,109 @@ TEST(MovingInputs, WhatIsNewOrStandsStillDoesNotMove)
   EXPECT_EQ(movingFrom(*flat, 1.0, next, 0.1), next);
 }
 
+/// Builds a sheet after another, each on the way from where the one before is felt.
+class Series
+{
+public:
+  std::shared_ptr<const Scene> next(const TriangleMesh& mesh, double share)
+  {
+    const auto built = this->builder.build({ input(mesh) }, this->felt.get()).scene;
+    this->felt = this->felt ? movingFrom(*this->felt, share, built, 0.05) : built;
+    return this->felt;
+  }
+  SceneBuilder builder;
+  std::shared_ptr<const Scene> felt;
+};
+
+TEST(MovingInputs, VerticesBeginWhereTheyAreFeltAlsoIfASnapshotComesEarly)
+{
+  Series series;
+  const TriangleMesh flat = unweldedSheet(), bent = warped(flat), more = warped(bent);
+  const auto first = series.next(flat, 1.0), second = series.next(bent, 1.0), third = series.next(more, 0.4);
+  EXPECT_FALSE(first->moves());
+  ASSERT_TRUE(second->bends());
+  ASSERT_TRUE(third->bends());
+  const auto placesOf = [](const std::shared_ptr<const Scene>& scene) -> const std::vector<Vec3>&
+  { return scene->surfaces()[0].tree->mesh().vertices_W; };
+  EXPECT_EQ(second->surfaces()[0].from->vertices_W, placesOf(first));
+  EXPECT_EQ(second->continuesGeometry(), first->geometryHash());
+  EXPECT_EQ(third->continuesGeometry(), second->geometryHash());
+  for (std::size_t i = 0; i < placesOf(first).size(); ++i)
+  {
+    const Vec3 felt_W = 0.6 * placesOf(first)[i] + 0.4 * placesOf(second)[i];
+    ASSERT_LE((third->surfaces()[0].from->vertices_W[i] - felt_W).norm(), 1e-15);
+  }
+}
+
+TEST(MovingInputs, AWayGoesOnInANewSceneOfTheSameVertices)
+{
+  Series series;
+  const TriangleMesh flat = unweldedSheet(), bent = warped(flat);
+  static_cast<void>(series.next(flat, 1.0));
+  const SurfaceInput same = input(bent);
+  const auto moving = movingFrom(*series.felt, 1.0, series.builder.build({ same }, series.felt.get()).scene, 0.05);
+  const auto again = movingFrom(*moving, 0.5, series.builder.build({ same }, moving.get()).scene, 0.05);
+  ASSERT_TRUE(again->bends());
+  EXPECT_EQ(again->surfaces()[0].tree, moving->surfaces()[0].tree);
+  for (std::size_t i = 0; i < again->surfaces()[0].from->vertices_W.size(); ++i)
+  {
+    const Vec3 &end = moving->surfaces()[0].tree->mesh().vertices_W[i],
+               &begin = moving->surfaces()[0].from->vertices_W[i];
+    ASSERT_LE((again->surfaces()[0].from->vertices_W[i] - 0.5 * (begin + end)).norm(), 1e-15);
+  }
+  EXPECT_FALSE(movingFrom(*moving, 1.0, series.builder.build({ same }, moving.get()).scene, 0.05)->bends())
+    << "arrived";
+}
+
+TEST(MovingInputs, WhatIsNotFeltWhereItWouldComeFromIsThereAtOnce)
+{
+  Series series;
+  const TriangleMesh flat = unweldedSheet(), bent = warped(flat);
+  const auto first = series.next(flat, 1.0);
+  const auto straight = series.builder.build({ input(bent) }).scene; // nobody said from where
+  EXPECT_FALSE(movingFrom(*first, 1.0, straight, 0.05)->moves());
+  const auto second = series.next(warped(bent), 1.0); // comes from the first scene
+  EXPECT_TRUE(second->bends());
+  const auto third = series.builder.build({ input(bent) }, second.get()).scene;
+  EXPECT_FALSE(movingFrom(*first, 1.0, third, 0.05)->moves()) << "the second is felt, not the first";
+  SurfaceInput posed = input(warped(flat));
+  posed.pose_WS.p = { 0, 0, 1 };
+  const auto fourth = series.builder.build({ posed }, third.get()).scene;
+  EXPECT_FALSE(movingFrom(*third, 1.0, fourth, 0.05)->bends()) << "posed";
+}
+
+TEST(MovingInputs, RoomForAWayIsGivenBackAndTheContentStaysTheSame)
+{
+  Series series;
+  static_cast<void>(series.next(unweldedSheet(), 1.0));
+  const SurfaceInput same = input(warped(unweldedSheet()));
+  const auto wide = series.builder.build({ same }, series.felt.get()).scene;
+  EXPECT_TRUE(series.builder.knows({ same }, wide.get()));
+  EXPECT_FALSE(series.builder.knows({ same }));
+  const auto tight = series.builder.build({ same }).scene;
+  EXPECT_NE(wide->surfaces()[0].tree->wayName(), 0u);
+  EXPECT_EQ(tight->surfaces()[0].tree->wayName(), 0u);
+  EXPECT_EQ(tight->geometryHash(), wide->geometryHash());
+  EXPECT_LT(tight->surfaceTree().bounds.high_W.z() - tight->surfaceTree().bounds.low_W.z(), 0.2);
+  EXPECT_TRUE(series.builder.knows({ same }));
+}
+
+TEST(MovingInputs, TheMeshOfATreeInItsOrderIsThatTreeAgain)
+{
+  SceneBuilder builder;
+  const TriangleMesh flat = unweldedSheet();
+  static_cast<void>(builder.build({ input(flat) }));
+  const auto refitted = builder.build({ input(warped(flat)) }).scene;
+  SurfaceInput ordered = input(refitted->surfaces()[0].tree->mesh());
+  ordered.ordered = true;
+  const auto again = SceneBuilder().build({ ordered }).scene;
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->geometryHash(), refitted->geometryHash());
+  TriangleMesh broken = *ordered.mesh;
+  broken.triangles[3][2] = 1000000;
+  ordered.mesh = std::make_shared<TriangleMesh>(broken);
+  EXPECT_EQ(SceneBuilder().build({ ordered }).reports[0].refusal, "triangle 3 is not one that cleaning leaves");
+}
+
 } // namespace
 } // namespace palpate::test

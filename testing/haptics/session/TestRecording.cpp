@@ -12,6 +12,7 @@
 
 #include "devices/FedDevice.h"
 #include "haptics/geometry/PolyLines.h"
+#include "haptics/geometry/SceneMotion.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/Recording.h"
 #include "testing/support/Meshes.h"
@@ -196,6 +197,64 @@ TEST(Recording, OfCurvesThatMoveReplaysBitForBit)
     EXPECT_EQ(result.problem, "");
     EXPECT_EQ(result.difference, "");
     EXPECT_EQ(result.ticks, 1600U);
+  }
+}
+
+/// A hand on a sphere that breathes while its other half stands; the recording begins with a tree that was refitted.
+void recordBending(const std::string& path, int ticks, double radius_u)
+{
+  constexpr int ticksPerSnapshot = 16;
+  SceneBuilder builder;
+  const auto sphereAt = [](double t)
+  {
+    TriangleMesh mesh = test::makeIcosphere(3, 0.05);
+    for (Vec3& v : mesh.vertices_W)
+    {
+      v *= 1.0 + 0.1 * std::sin(9 * t) + 0.1 * std::sin(5 * t) * v.x() / 0.05;
+    }
+    return SurfaceInput{ "it", std::make_shared<TriangleMesh>(std::move(mesh)), {} };
+  };
+  auto felt = builder.build({ sphereAt(-0.1) }).scene;
+  felt = builder.build({ sphereAt(0) }).scene;
+  HapticSession session;
+  HapticParameters parameters;
+  parameters.contact.radius_u = radius_u;
+  parameters.contact.friction = { 0.4, 0.3 };
+  ASSERT_EQ(session.setParameters(parameters), "");
+  session.setScene(felt);
+  SessionOptions options;
+  options.virtualTime = true;
+  options.recordFile = path;
+  ASSERT_EQ(session.start(std::make_unique<FedDevice>(), options), "");
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    const double s = 1e-3 * tick;
+    if (tick % ticksPerSnapshot == 0 && tick % 112 != 0) // one in seven comes late
+    {
+      const double share = session.state().sceneRevision == felt->revision() ? felt->shareAt(session.state().sceneAge_s) : 0.0;
+      felt = movingFrom(*felt, share, builder.build({ sphereAt(s) }, felt.get()).scene, 0.021);
+      ASSERT_TRUE(felt->bends());
+      session.setScene(felt);
+    }
+    DeviceSample sample;
+    sample.pose_D.p = tick < 2 ? Vec3(0, 0, 0.09) : Vec3(0.01 * std::sin(3 * s), 0, 0.042);
+    static_cast<FedDevice*>(session.device())->feed(sample);
+    ASSERT_EQ(session.step(1), 1);
+  }
+  EXPECT_GT(session.report().contactTicks, static_cast<std::uint64_t>(ticks) / 2);
+  EXPECT_EQ(session.stop(), "");
+}
+
+TEST(Recording, OfVerticesOnTheirWayReplaysBitForBit)
+{
+  for (const double radius : { 0.0, 0.001 })
+  {
+    const TemporaryFile file("bending");
+    recordBending(file.path, 800, radius);
+    const ReplayResult result = replay(readGood(file.path));
+    EXPECT_EQ(result.problem, "");
+    EXPECT_EQ(result.difference, "");
+    EXPECT_EQ(result.ticks, 800U);
   }
 }
 
