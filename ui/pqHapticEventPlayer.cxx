@@ -47,7 +47,7 @@ pqHapticEventPlayer::pqHapticEventPlayer(pqHapticController* controller, QObject
 {
 }
 
-bool pqHapticEventPlayer::playEvent(QObject*, const QString& command, const QString& arguments, bool& failed)
+bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, const QString& arguments, bool& failed)
 {
   const QStringList list = arguments.split(',');
   const std::map<QString, std::function<bool()>> commands = {
@@ -61,6 +61,7 @@ bool pqHapticEventPlayer::playEvent(QObject*, const QString& command, const QStr
     { "hapticWaitUntilReleased", [&] { return this->waitUntilReleased(arguments.toInt()); } },
     { "hapticWaitFor", [&] { return this->waitFor(list); } },
     { "hapticCheck", [&] { return this->check(list); } },
+    { "hapticTabOrder", [&] { return this->checkTabOrder(object, list); } },
   };
   const auto found = commands.find(command);
   if (found == commands.end())
@@ -189,6 +190,24 @@ bool pqHapticEventPlayer::holds(const QStringList& range) const
   session->Update();
   const auto quantity = QuantityOf(range[0]);
   return quantity && quantity(*session) >= range[1].toDouble() && quantity(*session) <= range[2].toDouble();
+}
+
+bool pqHapticEventPlayer::checkTabOrder(QObject* object, const QStringList& names) const
+{
+  const auto* first = object->findChild<QWidget*>(names.value(0));
+  QStringList reached;
+  for (const QWidget* at = first; at && (reached.isEmpty() || at != first); at = at->nextInFocusChain())
+  {
+    if (names.contains(at->objectName()) && (at->focusPolicy() & Qt::TabFocus))
+    {
+      reached << at->objectName();
+    }
+  }
+  if (reached != names)
+  {
+    qCritical() << "hapticTabOrder" << names << ": Tab goes to" << reached;
+  }
+  return reached == names;
 }
 
 bool pqHapticEventPlayer::check(const QStringList& range)

@@ -19,6 +19,7 @@ class pqHapticController;
  *   hapticStroke "x,y,z"             one more point of the path a simulated hand is led along, scene frame [u]
  *   hapticCheck "name,low,high"      fails unless it lies in [low, high]: force [N], depth [u], contacts, ticks, missed,
  *                                    largestStiffness [N/m], limitStiffness, passivity, delay [ticks], velocityMethod
+ *   hapticTabOrder "name,name,..."   fails unless Tab goes through these fields of the object in this order
  *   hapticWaitFor "name,low,high,ms" processes events until hapticCheck would pass, at most that long
  *
  * Q_OBJECT is required: ParaView keys players by class name.
@@ -46,6 +47,7 @@ private:
   bool waitFor(const QStringList& arguments);
   bool holds(const QStringList& range) const;
   bool check(const QStringList& range);
+  bool checkTabOrder(QObject* object, const QStringList& names) const;
 
   pqHapticController* Controller;
   double Hand_W[3] = { 0.0, 0.0, 0.0 }; ///< where the script put it last [u]
