@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The self-test through the whole of a USB link: descriptors, reports, effects that the firmware runs.
+#include <gtest/gtest.h>
+
+#include "devices/calibration/SelfTestFindings.h"
+#include "testing/devices/hid/PidRig.h"
+
+namespace palpate
+{
+namespace
+{
+
+using test::PidLayout;
+using test::PidRig;
+
+/// A resting hand, in what the firmware counts in: half travels, the device's largest force, HID's axes.
+constexpr double limpHand = 2.0, restingHand = 8.0, pace = 2e-3;
+
+struct Outcome
+{
+  SelfTestPlan plan;
+  SelfTestState state;
+  PidScale scale;
+
+  [[nodiscard]] std::string text() const { return resultOf(this->plan, this->state); }
+};
+
+Outcome check(const PidLayout& layout, double handStiffness, double motorSign)
+{
+  constexpr int longest_ms = 100'000;
+  PidRig rig(layout);
+  EXPECT_EQ(rig.device.open(), "");
+  rig.run(5);
+  Outcome outcome{ SelfTestPlan::forDevice(rig.device.info()), {}, rig.scale() };
+  Vec3 hand = Vec3::Zero();
+  for (int ms = 0; ms < longest_ms && outcome.state.verdict == SelfTestVerdict::None; ++ms)
+  {
+    const Vec3 asked = askedPlace_D(outcome.plan, outcome.state) / outcome.scale.halfTravel_m;
+    hand += (asked - hand).cwiseMax(-pace).cwiseMin(pace);
+    const auto& at = rig.stick().position;
+    rig.stick().push = { handStiffness * (hand.x() - at[0]), handStiffness * (-hand.y() - at[1]) };
+    rig.run(1);
+    rig.command = stepSelfTest(outcome.plan, rig.sample, rig.status, 1e-3, outcome.state);
+    rig.command.wrench_D.force *= motorSign;
+  }
+  EXPECT_EQ(rig.stick().badReports, 0) << layout.name;
+  return outcome;
+}
+
+TEST(PidSelfTest, FindsEveryLayoutAsItIs)
+{
+  for (const PidLayout& layout : test::allLayouts())
+  {
+    const Outcome found = check(layout, restingHand, 1.0);
+    ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << layout.name << ": " << found.text();
+    const double given_m_per_N = found.scale.halfTravel_m / (restingHand * found.scale.maxForce_N);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const AxisFinding range = findAxis(found.plan, found.state, axis);
+      const MotorFinding motor = findMotor(found.plan, found.state, axis);
+      EXPECT_EQ(std::pair(range.sensor, range.sign), std::pair(axis, 1)) << layout.name;
+      EXPECT_NEAR(range.high_m - range.low_m, 2.0 * found.scale.halfTravel_m, 2.0 * found.plan.resolution_m);
+      EXPECT_EQ(std::pair(motor.sensor, motor.sign), std::pair(axis, 1)) << layout.name;
+      // The handle's friction of 0.6 makes the hand lag by tau = 0.6 / 8 = 0.075 s: where a quarter of the way is
+      // reached, t = 0.16 s, its slope is 1 - exp(-t / tau) = 0.88 of the true one, and nearer to it afterwards.
+      EXPECT_GT(motor.response_m_per_N, 0.88 * given_m_per_N) << layout.name;
+      EXPECT_LT(motor.response_m_per_N, 1.02 * given_m_per_N) << layout.name; // what rounding to steps may add
+    }
+  }
+}
+
+TEST(PidSelfTest, FindsAFirmwareThatTakesADirectionAsTheOneTheForceComesFrom)
+{
+  const Outcome found = check(test::plainLayout(), restingHand, -1.0);
+  ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    EXPECT_EQ(findAxis(found.plan, found.state, axis).sign, 1);
+    EXPECT_EQ(findMotor(found.plan, found.state, axis).sign, -1);
+  }
+}
+
+TEST(PidSelfTest, MeasuresTheMotorAgainstTheSpringThatTheFirmwareHolds)
+{
+  const Outcome found = check(test::plainLayout(), limpHand, 1.0);
+  ASSERT_TRUE(found.plan.holdsWalls);
+  // The firmware's spring and its forces are on the same scale; the hand's lag takes from both slopes, not quite alike.
+  // softness.
+  EXPECT_NEAR(findMotor(found.plan, found.state, 0).strength, 1.0, 0.2);
+  EXPECT_NEAR(findMotor(found.plan, found.state, 1).strength, 1.0, 0.2);
+}
+
+} // namespace
+} // namespace palpate
