@@ -35,15 +35,16 @@ struct LabyrinthMoment
 struct LabyrinthOutcome
 {
   std::string problem; ///< empty: it arrived; else one sentence
-  double time_s = 0.0;
-  double way_u = 0.0; ///< of the disc
+  double lead_s = 0.0; ///< it took to bring the hand to the start
+  double time_s = 0.0; ///< from there to the exit
+  double way_u = 0.0;  ///< of the disc
   std::size_t places = 0;
   double peakForce_N = 0.0;
   std::vector<LabyrinthMoment> trace; ///< one every 10 ms at most
 };
 
-/// Sends a BlindHand on a SimulatedDevice from start to exit, the tick computed at the host's rate: in virtual time,
-/// deterministic, bounded by mostTime_s.
+/// Plays the game with a BlindHand on a SimulatedDevice: brought to the start, let go, on its own until the exit is
+/// felt. The tick is computed at the host's rate; in virtual time, deterministic, bounded by mostTime_s.
 [[nodiscard]] LabyrinthOutcome runBlind(const Labyrinth& labyrinth, const LabyrinthRun& run);
 
 } // namespace palpate

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/labyrinth/Labyrinth.h"
 #include "haptics/safety/ForceLimits.h"
 
 namespace palpate
@@ -12,7 +13,7 @@ namespace
 {
 
 constexpr double creep_m_per_s = 0.01; // of the draw beyond the start, for a hand that friction holds short of it
-constexpr double share = 0.625;        // of the fastest speed, left for what the velocity's estimate is late
+constexpr double carefully = 0.625;    // of the fastest speed, left for what the velocity's estimate is late
 constexpr double lightest_kg = 0.02;   // a damper that acts once a period never turns a mass like this round
 
 void enter(GamePhase phase, GameState& state) noexcept
@@ -25,8 +26,8 @@ void enter(GamePhase phase, GameState& state) noexcept
 GamePlan atRate(GamePlan plan, const GameTick& tick) noexcept
 {
   plan.stiffness_N_per_m = std::min(plan.stiffness_N_per_m, tick.stiffness_N_per_m);
-  plan.damping_Ns_per_m = std::min(plan.damping_Ns_per_m, lightest_kg / tick.dt_s);
-  plan.largest_N = std::min(plan.largest_N, share * GamePlan::fastest_m_per_s * plan.damping_Ns_per_m);
+  plan.damping_Ns_per_m = std::min(plan.damping_Ns_per_m, lightest_kg / tick.loop_s);
+  plan.largest_N = std::min(plan.largest_N, carefully * GamePlan::fastest_m_per_s * plan.damping_Ns_per_m);
   return plan;
 }
 
@@ -153,10 +154,14 @@ GameForce lead(const GamePlan& wanted, const GameTick& tick, GameState& state) n
       enter(GamePhase::LetsGo, state);
     }
   }
-  force.walls = state.phase == GamePhase::LetsGo ? smoothstep(state.phase_s / plan.fade_s) : 0.0;
-  const Vec3 spring_D = plan.stiffness_N_per_m * (state.drawn_D - tick.hand_D);
-  force.lead_D =
-    (1.0 - force.walls) * (clampMagnitude(spring_D, plan.largest_N) - plan.damping_Ns_per_m * tick.velocity_D);
+  force.contact = state.phase != GamePhase::Leads;
+  force.walls = force.contact ? smoothstep(state.phase_s / plan.fade_s) : 0.0;
+  const double share = 1.0 - force.walls;
+  force.spring_N_per_m = share * plan.stiffness_N_per_m;
+  force.spring_N = share * plan.largest_N;
+  force.damping_Ns_per_m = share * plan.damping_Ns_per_m;
+  force.lead_D = clampMagnitude(force.spring_N_per_m * (state.drawn_D - tick.hand_D), force.spring_N) -
+                 force.damping_Ns_per_m * tick.velocity_D;
   if (force.walls >= 1.0)
   {
     enter(GamePhase::Explores, state);

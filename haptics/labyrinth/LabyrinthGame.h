@@ -5,10 +5,11 @@
 #include <string>
 
 #include "haptics/core/Types.h"
-#include "haptics/labyrinth/Labyrinth.h"
 
 namespace palpate
 {
+
+struct Labyrinth;
 
 /// Where a game of finding the way stands.
 enum class GamePhase : std::uint8_t
@@ -73,14 +74,19 @@ struct GameTick
   bool engaged = false;           ///< somebody holds the device and has asked for force
   bool again = false;             ///< another game is asked for
   double dt_s = 1e-3;
+  double loop_s = 1e-3; ///< between two forces: dt_s, or the period of a device that closes springs itself
 };
 
 /// What the game asks of the tick.
 struct GameForce
 {
-  Vec3 lead_D = Vec3::Zero(); ///< [N]
-  double walls = 1.0;         ///< share of the force of the walls; 0: no contact at all
-  bool seat = false;          ///< contact begins in this tick, at the start
+  Vec3 lead_D = Vec3::Zero();    ///< [N]
+  bool contact = true;           ///< the walls hold the hand
+  double walls = 1.0;            ///< share of their force that acts
+  double spring_N_per_m = 0.0;   ///< the lead as a spring to GameState::drawn_D
+  double spring_N = 0.0;         ///< up to that force
+  double damping_Ns_per_m = 0.0; ///< and a damper, for a device that closes them itself
+  bool seat = false;             ///< contact begins in this tick, at the start
 };
 
 /// The first half of a tick, before contact. Pure but for the state; real-time safe.

@@ -23,6 +23,7 @@ struct Arguments
   std::optional<double> Iso;
   double Radius_u = 0.0;
   vtkHapticMaterialSettings Materials;
+  vtkHapticCliLabyrinthOptions Labyrinth;
   vtkHapticCliTouchOptions Touch;
   vtkHapticCliReplayOptions Replay;
 };
@@ -85,6 +86,21 @@ void CheckNumber(const char* option, double value, bool zeroAllowed, const char*
     message << option << ' ' << value << ": it has to be a finite number of " << unit
             << (zeroAllowed ? ", 0 or more" : ", more than 0");
     throw vtkHapticCliProblem(message.str());
+void AddLabyrinth(CLI::App& app, Arguments& arguments)
+{
+  vtkHapticCliLabyrinthOptions& options = arguments.Labyrinth;
+  CLI::App* command = app.add_subcommand("labyrinth", "a plane world: what it is, and a hand's way through it");
+  command->add_option("FILE", options.File, "lines in the plane z = 0, or a name of the gallery; without: all of these");
+  CLI::Option* solve = command->add_flag("--solve", options.Solve, "a blind hand finds the exit, by touch alone");
+  command->add_option("--path", options.Path, "PATH.csv: t,x,y,z of a hand [s, scene units], a tick per row")
+    ->excludes(solve);
+  command->add_option("--csv", options.Output, "TRACE.csv of the way");
+  command->add_option("--corridor", options.Corridor_u, "width of its corridors [scene units]");
+  command->add_option("--device", options.Device, "simulated device of the blind hand")->capture_default_str();
+  command->add_option("--host", options.Host_Hz, "updates of the host [Hz]")->capture_default_str();
+  command->add_flag("--device-walls", options.DeviceWalls, "the device holds the walls in its own loop");
+}
+
   }
 }
 
@@ -136,6 +152,28 @@ int Run(const CLI::App& app, const Arguments& arguments)
     return vtkHapticCliCheck(
       arguments.File, arguments.Iso, arguments.Materials, arguments.Simplify, arguments.Radius_u, arguments.Json);
   }
+int Check(const vtkHapticCliCheckOptions& options)
+{
+  CheckNumber("--radius", options.Radius_u, true, "scene units");
+  CheckFriction(options.MuStatic, options.MuKinetic);
+  vtkHapticCliCheckMaterials(options.Materials);
+  return vtkHapticCliCheck(options);
+}
+
+int Labyrinth(const vtkHapticCliLabyrinthOptions& options)
+{
+  constexpr double slowest_Hz = 10.0, fastest_Hz = 1000.0;
+  if (!(options.Host_Hz >= slowest_Hz && options.Host_Hz <= fastest_Hz))
+  {
+    throw vtkHapticCliProblem("--host: a rate from 10 to 1000 Hz");
+  }
+  if (options.Corridor_u)
+  {
+    CheckNumber("--corridor", *options.Corridor_u, false, "scene units");
+  }
+  return vtkHapticCliLabyrinth(options);
+}
+
   if (app.got_subcommand("touch"))
   {
     return Touch(arguments.Touch);
@@ -151,6 +189,10 @@ int Refuse(std::string reason)
 {
   std::replace_if(
     reason.begin(), reason.end(), [](unsigned char c) { return c < 0x20; }, ' ');
+  if (app.got_subcommand("labyrinth"))
+  {
+    return Labyrinth(arguments.Labyrinth);
+  }
   std::cerr << "palpate: " << reason << '\n';
   return BadInput;
 }
@@ -177,6 +219,7 @@ int main(int argc, char** argv)
   }
   catch (const CLI::ParseError& error)
   {
+  AddLabyrinth(app, arguments);
     return Refuse(std::string(error.what()) + " (palpate --help says what can be asked)");
   }
   catch (const std::bad_alloc&)

@@ -50,3 +50,19 @@ struct vtkHapticCliReplayOptions
 int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options);
 
 #endif
+struct vtkHapticCliLabyrinthOptions
+{
+  std::string File; ///< or the name of a world of the gallery; empty: list them
+  std::string Device = "simulated-joystick";
+  double Host_Hz = 1000.0;
+  bool DeviceWalls = false;
+  bool Solve = false;
+  std::optional<double> Corridor_u; ///< else what the file says, or 1
+  std::string Path;                 ///< of a hand, in place of a blind one
+  std::string Output;               ///< trace; empty: none
+};
+
+/// A plane world: what it is, or a hand's way through it, blind or along a path. 0: described or arrived; 1: not
+/// arrived.
+int vtkHapticCliLabyrinth(const vtkHapticCliLabyrinthOptions& options);
+

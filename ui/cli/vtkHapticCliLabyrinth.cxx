@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <iostream>
+
+#include "devices/simulated/LabyrinthRun.h"
+#include "haptics/session/ForceRenderer.h"
+#include "vtkHapticCliCommands.h"
+#include "vtkHapticCliOutput.h"
+#include "vtkHapticCliPath.h"
+#include "vtkHapticCliPlane.h"
+#include "vtkHapticCliProblem.h"
+#include "vtkHapticCliScene.h"
+#include "vtkHapticGallery.h"
+#include "vtkHapticLabyrinthData.h"
+
+namespace
+{
+constexpr int NotArrived = 1;
+
+palpate::Labyrinth Read(const std::string& nameOrFile, std::optional<double> corridor_u)
+{
+  vtkHapticLabyrinthResult read = vtkHapticReadLabyrinth(vtkHapticGallery::FileOf(nameOrFile));
+  if (!read.Problem.empty())
+  {
+    throw vtkHapticCliProblem(read.Problem);
+  }
+  read.Labyrinth.corridor_u = corridor_u.value_or(read.Labyrinth.corridor_u);
+  return read.Labyrinth;
+}
+
+void Describe(const palpate::Labyrinth& labyrinth)
+{
+  const bool maze = labyrinth.start_W && labyrinth.exit_W;
+  const palpate::PlaneBox box = palpate::fence(labyrinth);
+  const Eigen::Vector2d size = box.high_W - box.low_W;
+  std::cout << labyrinth.name << ": " << (maze ? "a maze" : "a structure to explore") << " of "
+            << labyrinth.curves.segments.size() << " segments, " << size.x() << " by " << size.y() << '\n';
+  if (maze)
+  {
+    const Eigen::Vector2d& a = *labyrinth.start_W;
+    const Eigen::Vector2d& b = *labyrinth.exit_W;
+    std::cout << "  from (" << a.x() << ", " << a.y() << ") to (" << b.x() << ", " << b.y() << ")\n";
+  }
+}
+
+int List()
+{
+  const std::vector<std::string> names = vtkHapticGallery::Names();
+  if (names.empty())
+  {
+    throw vtkHapticCliProblem("there is no gallery beside this program (share/palpate/gallery); give a file");
+  }
+  for (const std::string& name : names)
+  {
+    palpate::Labyrinth labyrinth = Read(name, std::nullopt);
+    labyrinth.name = name;
+    Describe(labyrinth);
+  }
+  return 0;
+}
+
+class Trace
+{
+public:
+  Trace(const std::string& file, const std::vector<std::string>& inputs)
+  {
+    if (!file.empty())
+    {
+      this->Output.emplace(file, inputs);
+      this->Output->Header("t,x,y,hand_x,hand_y,force");
+    }
+  }
+
+  void Row(const palpate::LabyrinthMoment& moment)
+  {
+    if (this->Output)
+    {
+      for (const double value : { moment.time_s, moment.location_W.x(), moment.location_W.y(), moment.hand_W.x(),
+             moment.hand_W.y(), moment.force_N })
+      {
+        this->Output->Value(value);
+      }
+      this->Output->EndRow();
+    }
+  }
+
+  void Commit()
+  {
+    if (this->Output)
+    {
+      this->Output->Commit();
+    }
+  }
+
+private:
+  std::optional<vtkHapticCliOutput> Output;
+};
+
+palpate::LabyrinthRun RunOf(const vtkHapticCliLabyrinthOptions& options)
+{
+  const palpate::DeviceModel* const model = palpate::deviceModel(options.Device);
+  if (!model)
+  {
+    throw vtkHapticCliProblem("--device " + options.Device + ": no simulated device has that name (palpate devices)");
+  }
+  if (options.DeviceWalls && model->loop_s == 0.0)
+  {
+    throw vtkHapticCliProblem("--device-walls: " + options.Device + " has no loop of its own to hold walls in");
+  }
+  palpate::LabyrinthRun run;
+  run.device = *model;
+  run.host_Hz = options.Host_Hz;
+  run.deviceHoldsWalls = options.DeviceWalls;
+  run.trace = !options.Output.empty();
+  return run;
+}
+
+int Solve(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOptions& options)
+{
+  const palpate::LabyrinthRun run = RunOf(options);
+  Trace trace(options.Output, { labyrinth.name });
+  const palpate::LabyrinthOutcome outcome = palpate::runBlind(labyrinth, run);
+  for (const palpate::LabyrinthMoment& moment : outcome.trace)
+  {
+    trace.Row(moment);
+  }
+  trace.Commit();
+  std::cout << labyrinth.name << ": " << (outcome.problem.empty() ? "arrived" : outcome.problem) << " after "
+            << outcome.time_s << " s, a way of " << outcome.way_u << " and " << outcome.places << " places; "
+            << outcome.lead_s << " s to the start before\n";
+  return outcome.problem.empty() ? 0 : NotArrived;
+}
+
+/// The hand is where the path says, the disc where the walls let it.
+int Follow(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOptions& options)
+{
+  const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path);
+  vtkHapticCliCheckPlanePath(options.Path, path);
+  const std::shared_ptr<const palpate::Scene> scene = vtkHapticCliBuild({ palpate::wallsOf(labyrinth) });
+  Trace trace(options.Output, { labyrinth.name, options.Path });
+  palpate::HapticParameters parameters;
+  parameters.contact.radius_u = labyrinth.radius_u();
+  parameters.safety = palpate::SafetyLimits::none();
+  palpate::RendererState state;
+  palpate::TickInput input;
+  input.scene = scene.get();
+  std::optional<double> arrived_s;
+  for (const vtkHapticCliPathRow& row : path)
+  {
+    ++input.tick;
+    input.dt_s = input.tick > 1 ? row.Time_s - input.sample.time_s : input.dt_s;
+    input.sample.time_s = row.Time_s;
+    input.sample.pose_D = row.Pose_W;
+    const palpate::HapticState now = palpate::renderTick(input, parameters, state).state;
+    trace.Row({ row.Time_s, row.Pose_W.p, now.proxy_W.p, now.force_D.norm() });
+    if (!arrived_s && (now.proxy_W.p.head<2>() - *labyrinth.exit_W).norm() <= labyrinth.exitReach_u())
+    {
+      arrived_s = row.Time_s;
+    }
+  }
+  trace.Commit();
+  std::cout << labyrinth.name << ": ";
+  arrived_s ? std::cout << "arrived after " << *arrived_s - path.front().Time_s << " s\n"
+            : std::cout << "the path does not arrive at the exit\n";
+  return arrived_s ? 0 : NotArrived;
+}
+} // namespace
+
+int vtkHapticCliLabyrinth(const vtkHapticCliLabyrinthOptions& options)
+{
+  if (options.File.empty())
+  {
+    return List();
+  }
+  const palpate::Labyrinth labyrinth = Read(options.File, options.Corridor_u);
+  if (!options.Solve && options.Path.empty())
+  {
+    Describe(labyrinth);
+    return 0;
+  }
+  if (const std::string problem = palpate::refuse(labyrinth); !problem.empty())
+  {
+    throw vtkHapticCliProblem(problem);
+  }
+  return options.Path.empty() ? Solve(labyrinth, options) : Follow(labyrinth, options);
+}
