@@ -17,15 +17,13 @@ constexpr int BadInput = 2;
 
 struct Arguments
 {
-  bool Simplify = false;
-  bool Json = false;
-  std::string File;
-  std::optional<double> Iso;
-  double Radius_u = 0.0;
-  vtkHapticMaterialSettings Materials;
-  vtkHapticCliLabyrinthOptions Labyrinth;
+  bool DevicesJson = false;
+  std::string SelfTest;
+  bool Keep = false;
+  vtkHapticCliCheckOptions Check;
   vtkHapticCliTouchOptions Touch;
   vtkHapticCliReplayOptions Replay;
+  vtkHapticCliLabyrinthOptions Labyrinth;
 };
 
 void AddDevices(CLI::App& app, Arguments& arguments)
@@ -178,6 +176,10 @@ int Labyrinth(const vtkHapticCliLabyrinthOptions& options)
   {
     return Touch(arguments.Touch);
   }
+  if (app.got_subcommand("labyrinth"))
+  {
+    return Labyrinth(arguments.Labyrinth);
+  }
   if (app.got_subcommand("replay"))
   {
     return vtkHapticCliReplay(arguments.Replay);
@@ -189,10 +191,6 @@ int Refuse(std::string reason)
 {
   std::replace_if(
     reason.begin(), reason.end(), [](unsigned char c) { return c < 0x20; }, ' ');
-  if (app.got_subcommand("labyrinth"))
-  {
-    return Labyrinth(arguments.Labyrinth);
-  }
   std::cerr << "palpate: " << reason << '\n';
   return BadInput;
 }
@@ -208,6 +206,7 @@ int main(int argc, char** argv)
   AddCheck(app, arguments);
   AddTouch(app, arguments);
   AddReplay(app, arguments);
+  AddLabyrinth(app, arguments);
   try
   {
     app.parse(argc, argv);
@@ -219,7 +218,6 @@ int main(int argc, char** argv)
   }
   catch (const CLI::ParseError& error)
   {
-  AddLabyrinth(app, arguments);
     return Refuse(std::string(error.what()) + " (palpate --help says what can be asked)");
   }
   catch (const std::bad_alloc&)
