@@ -17,10 +17,12 @@ constexpr int BadInput = 2;
 
 struct Arguments
 {
-  bool DevicesJson = false;
-  std::string SelfTest;
-  bool Keep = false;
-  vtkHapticCliCheckOptions Check;
+  bool Simplify = false;
+  bool Json = false;
+  std::string File;
+  std::optional<double> Iso;
+  double Radius_u = 0.0;
+  vtkHapticMaterialSettings Materials;
   vtkHapticCliTouchOptions Touch;
   vtkHapticCliReplayOptions Replay;
   vtkHapticCliLabyrinthOptions Labyrinth;
@@ -76,14 +78,6 @@ void AddReplay(CLI::App& app, Arguments& arguments)
   command->add_option("--csv", options.Output, "OUT.csv: a row per tick, as recomputed");
 }
 
-void CheckNumber(const char* option, double value, bool zeroAllowed, const char* unit)
-{
-  if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !zeroAllowed))
-  {
-    std::ostringstream message;
-    message << option << ' ' << value << ": it has to be a finite number of " << unit
-            << (zeroAllowed ? ", 0 or more" : ", more than 0");
-    throw vtkHapticCliProblem(message.str());
 void AddLabyrinth(CLI::App& app, Arguments& arguments)
 {
   vtkHapticCliLabyrinthOptions& options = arguments.Labyrinth;
@@ -99,6 +93,14 @@ void AddLabyrinth(CLI::App& app, Arguments& arguments)
   command->add_flag("--device-walls", options.DeviceWalls, "the device holds the walls in its own loop");
 }
 
+void CheckNumber(const char* option, double value, bool zeroAllowed, const char* unit)
+{
+  if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !zeroAllowed))
+  {
+    std::ostringstream message;
+    message << option << ' ' << value << ": it has to be a finite number of " << unit
+            << (zeroAllowed ? ", 0 or more" : ", more than 0");
+    throw vtkHapticCliProblem(message.str());
   }
 }
 
@@ -137,27 +139,6 @@ int Touch(const vtkHapticCliTouchOptions& options)
   return vtkHapticCliTouch(options);
 }
 
-int Run(const CLI::App& app, const Arguments& arguments)
-{
-  if (app.got_subcommand("devices"))
-  {
-    return vtkHapticCliDevices(arguments.Json);
-  }
-  if (app.got_subcommand("check"))
-  {
-    CheckNumber("--radius", arguments.Radius_u, true, "scene units");
-    vtkHapticCliCheckMaterials(arguments.Materials);
-    return vtkHapticCliCheck(
-      arguments.File, arguments.Iso, arguments.Materials, arguments.Simplify, arguments.Radius_u, arguments.Json);
-  }
-int Check(const vtkHapticCliCheckOptions& options)
-{
-  CheckNumber("--radius", options.Radius_u, true, "scene units");
-  CheckFriction(options.MuStatic, options.MuKinetic);
-  vtkHapticCliCheckMaterials(options.Materials);
-  return vtkHapticCliCheck(options);
-}
-
 int Labyrinth(const vtkHapticCliLabyrinthOptions& options)
 {
   constexpr double slowest_Hz = 10.0, fastest_Hz = 1000.0;
@@ -172,6 +153,19 @@ int Labyrinth(const vtkHapticCliLabyrinthOptions& options)
   return vtkHapticCliLabyrinth(options);
 }
 
+int Run(const CLI::App& app, const Arguments& arguments)
+{
+  if (app.got_subcommand("devices"))
+  {
+    return vtkHapticCliDevices(arguments.Json);
+  }
+  if (app.got_subcommand("check"))
+  {
+    CheckNumber("--radius", arguments.Radius_u, true, "scene units");
+    vtkHapticCliCheckMaterials(arguments.Materials);
+    return vtkHapticCliCheck(
+      arguments.File, arguments.Iso, arguments.Materials, arguments.Simplify, arguments.Radius_u, arguments.Json);
+  }
   if (app.got_subcommand("touch"))
   {
     return Touch(arguments.Touch);
@@ -184,7 +178,7 @@ int Labyrinth(const vtkHapticCliLabyrinthOptions& options)
   {
     return vtkHapticCliReplay(arguments.Replay);
   }
-  throw vtkHapticCliProblem("say what to do: devices, check, touch or replay (palpate --help says more)");
+  throw vtkHapticCliProblem("say what to do: devices, check, touch, replay or labyrinth (palpate --help says more)");
 }
 
 int Refuse(std::string reason)

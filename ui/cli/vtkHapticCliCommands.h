@@ -49,7 +49,6 @@ struct vtkHapticCliReplayOptions
 /// Recomputes a recording. 0: the same bit for bit; 1: the first difference was printed.
 int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options);
 
-#endif
 struct vtkHapticCliLabyrinthOptions
 {
   std::string File; ///< or the name of a world of the gallery; empty: list them
@@ -66,3 +65,4 @@ struct vtkHapticCliLabyrinthOptions
 /// arrived.
 int vtkHapticCliLabyrinth(const vtkHapticCliLabyrinthOptions& options);
 
+#endif
