@@ -65,6 +65,15 @@ CalibratedDevice::CalibratedDevice(std::unique_ptr<HapticDevice> device, const C
 {
 }
 
+std::string CalibratedDevice::open()
+{
+  std::string problem = this->device_->open();
+  const DeviceQuantity radius_m = this->info_.workspaceRadius_m;
+  this->info_ = this->device_->info(); // some devices know what they can do only once they are open
+  this->info_.workspaceRadius_m = radius_m;
+  return problem;
+}
+
 DeviceStatus CalibratedDevice::read(double tickTime_s, DeviceSample& sample) noexcept
 {
   const DeviceStatus status = this->device_->read(tickTime_s, sample);

@@ -23,7 +23,7 @@ public:
   CalibratedDevice(std::unique_ptr<HapticDevice> device, const Calibration& calibration);
 
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
-  [[nodiscard]] std::string open() override { return this->device_->open(); }
+  [[nodiscard]] std::string open() override;
   void close() noexcept override { this->device_->close(); }
   [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
   void write(const DeviceCommand& command) noexcept override;

@@ -204,7 +204,11 @@ class Notebook final : public HapticDevice
 {
 public:
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
-  [[nodiscard]] std::string open() override { return {}; }
+  [[nodiscard]] std::string open() override
+  {
+    this->info_.abilities.holdsWalls = true;
+    return {};
+  }
   void close() noexcept override {}
   [[nodiscard]] DeviceStatus read(double, DeviceSample& sample) noexcept override
   {
@@ -266,6 +270,15 @@ TEST(CalibratedDevice, ItsWorkspaceIsTheLargestBallBetweenItsEnds)
   const CalibratedDevice device(std::make_unique<Notebook>(), example());
   EXPECT_EQ(device.info().workspaceRadius_m.value, 0.03); // y goes from -0.03 to 0.03, x has 0.1
   EXPECT_TRUE(device.info().workspaceRadius_m.known);
+}
+
+TEST(CalibratedDevice, SaysWhatItsDeviceLearntWhenItWasOpened)
+{
+  CalibratedDevice device(std::make_unique<Notebook>(), example());
+  EXPECT_FALSE(device.info().abilities.holdsWalls);
+  ASSERT_EQ(device.open(), "");
+  EXPECT_TRUE(device.info().abilities.holdsWalls);
+  EXPECT_EQ(device.info().workspaceRadius_m.value, 0.03);
 }
 
 } // namespace
