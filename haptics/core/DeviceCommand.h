@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "haptics/core/Types.h"
 
@@ -15,6 +16,7 @@ struct HeldWall
   Vec3 normal_D = Vec3::Zero();
   double offset_m = 0.0;
   double stiffness_N_per_m = 0.0;
+  double largest_N = std::numeric_limits<double>::infinity(); ///< no harder, however deep the handle is
 };
 
 /// A short effect the hand feels once.

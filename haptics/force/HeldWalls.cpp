@@ -62,16 +62,28 @@ bool differ(const AxisWalls& sent, const AxisWalls& now, double step_m) noexcept
   return false;
 }
 
-void command(const AxisWalls& walls, double stiffness_N_per_m, DeviceCommand& command) noexcept
+void command(const AxisWalls& walls, double stiffness_N_per_m, DeviceCommand& command, double largest_N) noexcept
 {
   command.wallCount = 0;
   for (int i = 0; i < AxisWalls::count; ++i)
   {
     if (const std::optional<double>& offset_m = walls.offset_m[static_cast<std::size_t>(i)])
     {
-      command.walls[command.wallCount++] = { AxisWalls::direction(i), *offset_m, stiffness_N_per_m };
+      command.walls[command.wallCount++] = { AxisWalls::direction(i), *offset_m, stiffness_N_per_m, largest_N };
     }
   }
+}
+
+Vec3 forceOfWalls(const DeviceCommand& command, const Vec3& p_D) noexcept
+{
+  Vec3 force = Vec3::Zero();
+  for (std::size_t i = 0; i < std::min<std::size_t>(command.wallCount, command.walls.size()); ++i)
+  {
+    const HeldWall& wall = command.walls[i];
+    const double depth_m = std::max(0.0, wall.offset_m - wall.normal_D.dot(p_D));
+    force += std::min(wall.stiffness_N_per_m * depth_m, wall.largest_N) * wall.normal_D;
+  }
+  return force;
 }
 
 Velvet velvet(const Slide& slide) noexcept

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -46,8 +47,23 @@ struct AxisWalls
 /// `step_m`, which is what the device can tell apart [m].
 [[nodiscard]] bool differ(const AxisWalls& sent, const AxisWalls& now, double step_m) noexcept;
 
-/// The walls as part of a command, each as a spring of that stiffness.
-void command(const AxisWalls& walls, double stiffness_N_per_m, DeviceCommand& command) noexcept;
+/// The walls as part of a command, each as a spring of that stiffness up to that force.
+void command(const AxisWalls& walls, double stiffness_N_per_m, DeviceCommand& command,
+  double largest_N = std::numeric_limits<double>::infinity()) noexcept;
+
+/// What the walls of a command do to a handle at p_D [m] at rest [N].
+[[nodiscard]] Vec3 forceOfWalls(const DeviceCommand& command, const Vec3& p_D) noexcept;
+
+/// How a device that holds walls is used. Whether it does is a matter of the device and the world, so off.
+struct HeldWallPlan
+{
+  bool hold = false;
+  double every_s = 0.008;          ///< walls are looked for and moved no more often: the rate of the link
+  double step_m = 0.0;             ///< how far a wall must have moved to be sent again
+  double viscosity_Ns_per_m = 0.0; ///< of the whole world, so that no corridor shakes (Viscosity.h)
+
+  friend bool operator==(const HeldWallPlan&, const HeldWallPlan&) = default;
+};
 
 /// How two held walls resist a handle that slides along the slanted wall they stand for.
 struct Velvet

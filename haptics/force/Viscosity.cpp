@@ -74,4 +74,23 @@ std::optional<double> smallestViscosity(const Corridor& corridor, double within_
   return enough;
 }
 
+double corridorViscosity(const DeviceInfo& device, double stiffness_N_per_m)
+{
+  constexpr double usualMass_kg = 0.05, usualForce_N = 5.0, loop_s = 1e-3, thrown_m_per_s = 0.1;
+  constexpr double narrow_m = 0.125e-3, wide_m = 4e-3; // from the middle
+  Corridor corridor;
+  corridor.stiffness_N_per_m = stiffness_N_per_m;
+  corridor.maxForce_N = std::isfinite(device.maxForce_N.value) ? device.maxForce_N.value : usualForce_N;
+  corridor.mass_kg = device.mass_kg.value > 0.0 ? device.mass_kg.value : usualMass_kg;
+  corridor.damping_Ns_per_m = device.damping_Ns_per_m.value;
+  corridor.period_s = loop_s;
+  corridor.speed_m_per_s = thrown_m_per_s;
+  double most = 0.0;
+  for (corridor.halfWidth_m = narrow_m; corridor.halfWidth_m <= wide_m; corridor.halfWidth_m *= 2)
+  {
+    most = std::max(most, smallestViscosity(corridor).value_or(corridor.mass_kg / loop_s));
+  }
+  return most;
+}
+
 } // namespace palpate

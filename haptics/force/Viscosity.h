@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "haptics/core/DeviceInfo.h"
+
 namespace palpate
 {
 
@@ -38,5 +40,11 @@ struct Throw
 /// from a ten-thousandth of mass / period, the viscosity that would stop the handle within a period.
 /// Not for a tick: it simulates some dozen throws.
 [[nodiscard]] std::optional<double> smallestViscosity(const Corridor& corridor, double within_s = 2.0);
+
+/// The viscosity that a device with held walls of that stiffness needs in corridors of any width: the largest of those
+/// from 0.25 to 8 mm, thrown at 0.1 m/s, its own loop at 1 kHz. A mass that is not known is taken as 50 g, a damping
+/// that is not known as none. What no viscosity stops gets mass / period, which stops a handle within a period. Off the
+/// servo thread: some hundred throws, milliseconds.
+[[nodiscard]] double corridorViscosity(const DeviceInfo& device, double stiffness_N_per_m);
 
 } // namespace palpate

@@ -32,7 +32,85 @@ std::string outOfPlane(std::size_t point, double z_u)
   return text.str();
 }
 
+/// Finite points of the segments.
+std::vector<Vec3> pointsOf(const TriangleMesh& segments)
+{
+  std::vector<Vec3> points_W;
+  for (const auto& corners : segments.triangles)
+  {
+    for (const std::uint32_t corner : { corners[0], corners[1] })
+    {
+      if (corner < segments.vertices_W.size() && segments.vertices_W[corner].allFinite())
+      {
+        points_W.push_back(segments.vertices_W[corner]);
+      }
+    }
+  }
+  return points_W;
+}
+
+template<class Measure>
+Vec3 farthest(const std::vector<Vec3>& points_W, Measure measure)
+{
+  return *std::max_element(
+    points_W.begin(), points_W.end(), [&](const Vec3& a, const Vec3& b) { return measure(a) < measure(b); });
+}
+
+/// Across an axis of W if the points are all at one height over it, else across three of them; zero where there is
+/// none.
+Vec3 normalThrough(const std::vector<Vec3>& points_W, double rounding_u)
+{
+  const Vec3 a = points_W.front();
+  for (const int axis : { 2, 0, 1 })
+  {
+    const Vec3 far = farthest(points_W, [&](const Vec3& p) { return std::fabs(p[axis] - a[axis]); });
+    if (std::fabs(far[axis] - a[axis]) <= rounding_u)
+    {
+      return Vec3::Unit(axis);
+    }
+  }
+  const Vec3 along = (farthest(points_W, [&](const Vec3& p) { return (p - a).norm(); }) - a).normalized();
+  const Vec3 aside = farthest(points_W, [&](const Vec3& p) { return (p - a).cross(along).norm(); }) - a;
+  const Vec3 normal = along.cross(aside);
+  return normal.norm() > rounding_u ? Vec3(normal.normalized()) : Vec3(Vec3::Zero());
+}
+
+Quat orientationAcross(Vec3 normal_W)
+{
+  int axis = 0;
+  static_cast<void>(normal_W.cwiseAbs().maxCoeff(&axis));
+  const Vec3 up = axis == 2 ? Vec3::UnitY() : Vec3::UnitZ();
+  normal_W = (up.cross(normal_W))[axis == 0 ? 1 : 0] < 0.0 ? Vec3(-normal_W) : normal_W;
+  Mat3 axes;
+  axes.col(0) = up.cross(normal_W).normalized();
+  axes.col(1) = normal_W.cross(axes.col(0));
+  axes.col(2) = normal_W;
+  return Quat(axes).normalized();
+}
+
 } // namespace
+
+std::optional<Pose> planeOf(const TriangleMesh& segments)
+{
+  const std::vector<Vec3> points_W = pointsOf(segments);
+  if (points_W.empty())
+  {
+    return std::nullopt;
+  }
+  const double rounding_u = roundingOf(segments);
+  const Vec3 normal_W = normalThrough(points_W, rounding_u);
+  if (normal_W.isZero(0.0))
+  {
+    return std::nullopt;
+  }
+  Pose plane_WP;
+  plane_WP.q = orientationAcross(normal_W);
+  const double height_u = normal_W.dot(points_W.front());
+  plane_WP.p = std::fabs(height_u) > rounding_u ? Vec3(height_u * normal_W) : Vec3(Vec3::Zero());
+  const bool flat = std::all_of(points_W.begin(), points_W.end(),
+    [&](const Vec3& p) { return std::fabs(normal_W.dot(p - plane_WP.p)) <= rounding_u; });
+  return flat ? std::optional(plane_WP) : std::nullopt;
+}
 
 PlaneCurves curvesInPlane(const TriangleMesh& segments, const Pose& plane_WP)
 {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct PlaneCurves
   CurveSet curves;
   std::string refusal; ///< one line without a name in front; empty when there are curves
 };
+
+/// The plane that segments lie in, or nothing where they lie in none or all on one line that is slanted. Its z is the
+/// normal, its x points along y of W where it stands across x, else along x as far as it can; its origin is the point
+/// nearest to that of W. Curves at one height z, or one x or y, give that plane exactly.
+[[nodiscard]] std::optional<Pose> planeOf(const TriangleMesh& segments);
 
 /// Segments as they come in, (a, b, b) as segmentsOf() makes them, as curves in the plane z = 0 of plane_WP. A point is
 /// in the plane if it is no further from it than single precision rounds the largest coordinate. Points that are not

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "haptics/core/DeviceInfo.h"
 #include "haptics/force/StabilityLimits.h"
 #include "haptics/session/HapticParameters.h"
@@ -15,9 +17,10 @@ namespace palpate
 }
 
 /// What a person set, completed by what the device says about itself: the encoder step the velocity is estimated
-/// with, the largest stiffness, and no passivity control where no force reaches a hand.
+/// with, the largest stiffness, no passivity control where no force reaches a hand, and walls left to it only if it holds
+/// them. `viscosity_Ns_per_m`: what its corridors need (Viscosity.h).
 [[nodiscard]] inline HapticParameters adaptToDevice(
-  HapticParameters parameters, const DeviceInfo& device, const StabilityLimits& limits) noexcept
+  HapticParameters parameters, const DeviceInfo& device, const StabilityLimits& limits, double viscosity_Ns_per_m = 0.0) noexcept
 {
   parameters.passivity.enabled = parameters.passivity.enabled && device.rendersForce;
   if (parameters.velocity.resolution_m == 0.0)
@@ -26,6 +29,12 @@ namespace palpate
   }
   parameters.stiffnessLimit_N_per_m =
     parameters.limitStiffness ? limits.largest_N_per_m : StabilityLimits::unlimited;
+  parameters.walls.hold = parameters.walls.hold && device.abilities.holdsWalls;
+  if (parameters.walls.step_m == 0.0)
+  {
+    parameters.walls.step_m = device.resolution_m.value;
+  }
+  parameters.walls.viscosity_Ns_per_m = std::max(parameters.walls.viscosity_Ns_per_m, viscosity_Ns_per_m);
   return parameters;
 }
 

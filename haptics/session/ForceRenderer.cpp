@@ -32,6 +32,7 @@ const char* name(EngageState state) noexcept
 namespace
 {
 
+constexpr double deviceLoop_s = 1e-3; // of a device that closes walls itself
 constexpr double badSampleWindow_s = 1.0; // the third bad sample within it latches
 
 bool sameMap(const WorkspaceMap& a, const WorkspaceMap& b) noexcept
@@ -73,6 +74,7 @@ public:
     this->latchIf(judgeHand(this->p_.safety.hand, this->out_.state.velocity_D.norm(), this->s_.lastForce_D.norm(),
       this->out_.state.energy.excess_J));
     this->blendScenes();
+    this->arrive();
     this->protect();
     return this->out_;
   }
@@ -126,6 +128,10 @@ private:
         this->s_.sinceBad_s = this->s_.sinceBadBefore_s = RendererState::longAgo_s;
         this->s_.gain = 0.0;
       }
+      else if (event.kind == EventKind::Play)
+      {
+        this->again_ = true;
+      }
       else if (event.kind == EventKind::Release)
       {
         this->s_.engage = EngageState::Safe;
@@ -147,6 +153,7 @@ private:
     this->s_.lastForce_D = Vec3::Zero();
     this->s_.velocity.count = 0;
     this->s_.tracked = false;
+    this->s_.walls = {};
     this->out_.state.held = true;
     this->out_.state.proxy_W.p = this->s_.contact.x_W;
     this->report();
@@ -169,6 +176,7 @@ private:
     state.device_W = { this->p_.map.toScene(this->in_.sample.pose_D.p), this->p_.map.q_WD * this->in_.sample.pose_D.q };
     state.velocity_D =
       estimateVelocity(this->p_.velocity, this->in_.sample.pose_D.p, this->in_.dt_s, this->s_.velocity);
+    this->lead();
     const ContactResult result = this->moveProxy();
     state.proxy_W = { result.proxy_W, state.device_W.q };
     state.contacts = result.contacts;
@@ -183,6 +191,76 @@ private:
     const double scale_u_per_m = this->p_.map.scale_u_per_m;
     this->couple(
       this->p_.map.directionToDevice(result.pull_W / scale_u_per_m), std::sqrt(result.held_u2) / scale_u_per_m);
+    this->guide();
+  }
+
+  /// Where contact is computed: a hand that is led to a plane touches what is below it there.
+  [[nodiscard]] Vec3 target_W() const noexcept
+  {
+    const Vec3& p_W = this->out_.state.device_W.p;
+    return this->p_.guide.on ? this->p_.guide.foot_W(p_W) : p_W;
+  }
+
+  /// Only once force is given, so that who is far from the plane can ask for it.
+  void guide() noexcept
+  {
+    HapticState& state = this->out_.state;
+    GuidePlan plan = this->p_.guide;
+    const bool on = plan.on && this->s_.engage == EngageState::Engaged;
+    this->s_.guideShare = rampedShare(this->s_.guideShare, on, plan.ramp_s, this->in_.dt_s);
+    state.guideShare = this->s_.guideShare;
+    this->s_.lastGuide_D = Vec3::Zero();
+    if (state.guideShare > 0.0)
+    {
+      plan.stiffness_N_per_m =
+        std::min(plan.stiffness_N_per_m, this->p_.stiffnessLimit_N_per_m) * state.stiffnessFactor;
+      const double height_m = plan.normal_W.dot(state.device_W.p - plan.point_W) / this->p_.map.scale_u_per_m;
+      const Vec3 normal_D = this->p_.map.directionToDevice(plan.normal_W);
+      this->s_.lastGuide_D =
+        guideForce(plan, state.guideShare, height_m, normal_D.dot(state.velocity_D), this->in_.dt_s) * normal_D;
+      state.rendered_D += this->s_.lastGuide_D;
+      this->coupled_D_ = state.rendered_D;
+    }
+  }
+
+  /// Whose hand is led to the start of a labyrinth feels no wall on the way.
+  void lead() noexcept
+  {
+    GameTick tick;
+    tick.hand_D = this->in_.sample.pose_D.p;
+    tick.velocity_D = this->out_.state.velocity_D;
+    tick.start_D = this->p_.map.toDevice(this->p_.game.start_W);
+    tick.stiffness_N_per_m = this->p_.stiffnessLimit_N_per_m * this->out_.state.stiffnessFactor;
+    tick.engaged = this->s_.engage == EngageState::Engaged && this->touchable();
+    tick.again = this->again_;
+    tick.dt_s = this->in_.dt_s;
+    tick.loop_s = this->p_.walls.hold ? deviceLoop_s : this->in_.dt_s;
+    this->game_ = palpate::lead(this->p_.game, tick, this->s_.game);
+    if (this->game_.seat)
+    {
+      this->s_.contact = GodObjectState{};
+      this->s_.contact.x_W = this->s_.contact.device_W = this->p_.game.start_W;
+      this->s_.contact.placed = true;
+    }
+  }
+
+  /// The lead and the shaking at the exit; a device that holds the walls shakes by itself.
+  void arrive() noexcept
+  {
+    HapticState& state = this->out_.state;
+    const GamePhase before = this->s_.game.phase;
+    const Vec3 shake_D = palpate::arrive(this->p_.game, state.proxy_W.p, this->in_.dt_s, this->s_.game);
+    state.game = this->s_.game.phase;
+    state.gameTime_s = this->s_.game.time_s;
+    if (this->p_.walls.hold && state.game == GamePhase::Arrived && before != GamePhase::Arrived)
+    {
+      this->out_.command.signal = Signal::Oscillation;
+    }
+    if (this->game_.walls < 1.0)
+    {
+      state.rendered_D = this->game_.walls * state.rendered_D + this->game_.lead_D;
+    }
+    state.rendered_D += shake_D;
   }
 
   /// Spring, damper, and the damping that keeps their held force passive. Pull in D and the stretch of
@@ -212,7 +290,8 @@ private:
     spring.stretch_m = stretch_m;
     spring.inward_m_per_s = pull_m > 0.0 ? -pull_D.dot(state.velocity_D) / pull_m : 0.0;
     spring.stiffness_N_per_m = state.stiffness_N_per_m;
-    spring.work_J = this->s_.tracked ? this->s_.lastForce_D.dot(p_D - this->s_.lastP_D) : 0.0;
+    const Vec3 contact_D = this->s_.ownForce ? Vec3(this->s_.lastForce_D - this->s_.lastGuide_D) : this->s_.lastForce_D;
+    spring.work_J = this->s_.tracked ? contact_D.dot(p_D - this->s_.lastP_D) : 0.0;
     spring.dt_s = this->in_.dt_s;
     spring.restart = !this->s_.ownForce || this->replaced();
     this->s_.lastP_D = p_D;
@@ -223,12 +302,12 @@ private:
   ContactResult moveProxy() noexcept
   {
     GodObjectState& contact = this->s_.contact;
-    const Vec3& p_W = this->out_.state.device_W.p;
+    const Vec3 p_W = this->target_W();
     const bool otherMap = !sameMap(this->s_.map, this->p_.map);
     const bool otherBall = this->s_.radius_u != this->plan_.radius_u;
     this->s_.map = this->p_.map;
     this->s_.radius_u = this->plan_.radius_u;
-    if (!this->touchable())
+    if (!this->touchable() || !this->game_.contact)
     {
       contact = GodObjectState{};
       ContactResult free;
@@ -350,6 +429,13 @@ private:
       this->s_.engagedFor_s = 0.0;
     }
     this->updateGain();
+    if (this->deviceHolds())
+    {
+      this->game_.walls < 1.0 ? this->giveLead() : this->giveWalls();
+      this->report();
+      return;
+    }
+    this->s_.walls = {};
     Vec3 force = smoothstep(this->s_.gain) * (this->seatFailed_ ? Vec3(Vec3::Zero()) : state.rendered_D);
     const Vec3 clamped = clampMagnitude(force, limits.maxForce_N);
     state.clamped = clamped != force;
@@ -366,6 +452,57 @@ private:
     state.force_W = this->p_.map.directionToScene(force);
     this->out_.command.wrench_D.force = force;
     this->report();
+  }
+
+  /// Walls are looked for where lines stand still: what moves is felt by the host's own force.
+  [[nodiscard]] bool deviceHolds() const noexcept
+  {
+    return this->p_.walls.hold && this->touchable() && !this->in_.scene->moves() && !this->seatFailed_ &&
+           this->s_.gain > 0.0;
+  }
+
+  /// The force on the hand is the device's business; what is told of it is what the walls give at rest.
+  void giveWalls() noexcept
+  {
+    HapticState& state = this->out_.state;
+    const SafetyLimits& limits = this->p_.safety;
+    const WallTick tick{ *this->in_.scene, this->plan_, this->s_.contact, this->p_.map, this->in_.sample.pose_D.p,
+      state.stiffness_N_per_m, limits.maxRise_N_per_s, this->in_.dt_s };
+    state.nodes += keepWalls(this->p_.walls, tick, this->s_.walls);
+    const double share = smoothstep(this->s_.gain);
+    command(this->s_.walls.walls, share * state.stiffness_N_per_m, this->out_.command, limits.maxForce_N);
+    this->out_.command.viscosity_Ns_per_m = share * this->p_.walls.viscosity_Ns_per_m;
+    const Vec3 braking_D = this->out_.command.viscosity_Ns_per_m * state.velocity_D;
+    const Vec3 force_D = forceOfWalls(this->out_.command, this->in_.sample.pose_D.p) - braking_D;
+    state.force_D = clampMagnitude(force_D, limits.maxForce_N);
+    state.clamped = state.force_D != force_D;
+    state.force_W = this->p_.map.directionToScene(state.force_D);
+    state.deviceHolds = true;
+    state.walls = this->out_.command.wallCount;
+    this->s_.lastForce_D = state.force_D;
+    this->s_.ownForce = false;
+  }
+
+  /// Opposite walls at one place are the spring of the lead.
+  void giveLead() noexcept
+  {
+    HapticState& state = this->out_.state;
+    const double share = smoothstep(this->s_.gain);
+    const Vec3& drawn_D = this->s_.game.drawn_D;
+    this->s_.walls = {};
+    AxisWalls walls;
+    for (int i = 0; i < AxisWalls::count; ++i)
+    {
+      walls.offset_m[static_cast<std::size_t>(i)] = AxisWalls::direction(i).dot(drawn_D);
+    }
+    command(walls, share * this->game_.spring_N_per_m, this->out_.command, share * this->game_.spring_N);
+    this->out_.command.viscosity_Ns_per_m = share * this->game_.damping_Ns_per_m;
+    state.force_D = share * this->game_.lead_D;
+    state.force_W = this->p_.map.directionToScene(state.force_D);
+    state.deviceHolds = true;
+    state.walls = this->out_.command.wallCount;
+    this->s_.lastForce_D = state.force_D;
+    this->s_.ownForce = false;
   }
 
   /// Up over the engage ramp; down over the release ramp, or the shorter one of a fault.
@@ -409,6 +546,8 @@ private:
   RendererState& s_;
   PathSink* sink_;
   TickOutput out_;
+  GameForce game_;
+  bool again_ = false; ///< another game is asked for
   bool seatFailed_ = false;
   Vec3 coupled_D_ = Vec3::Zero(); ///< force of spring and damper, before blend and limits [N]
 };

@@ -14,6 +14,7 @@
 #include "haptics/session/HapticEvent.h"
 #include "haptics/session/HapticParameters.h"
 #include "haptics/session/HapticState.h"
+#include "haptics/session/WallKeeper.h"
 
 namespace palpate
 {
@@ -39,6 +40,10 @@ struct RendererState
   double radius_u = 0.0;              ///< of the last tick: another ball is seated where the old one was
   std::uint64_t sceneRevision = 0;
   std::uint64_t sceneGeometry = 0; ///< what surfaces it had, wherever they were
+  HeldWallState walls;
+  GameState game;
+  double guideShare = 0.0;            ///< of the guide that acts, 0..1
+  Vec3 lastGuide_D = Vec3::Zero();    ///< its part of the last tick's force [N]
   double sceneAge_s = 0.0;         ///< since the scene was taken: how far its surfaces have moved
   double sinceBad_s = longAgo_s;       ///< time since the last sample that was not finite
   double sinceBadBefore_s = longAgo_s; ///< and since the one before it

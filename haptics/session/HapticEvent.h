@@ -17,6 +17,7 @@ enum class EventKind : std::uint8_t
   Scene,      ///< the tick took another scene (value: content hash)
   Parameters, ///< the tick took other parameters
   Fault,      ///< a fault was raised in the tick before it (value: Fault)
+  Play,       ///< another game in the labyrinth: the hand is brought to the start
 };
 
 struct HapticEvent

@@ -35,6 +35,18 @@ bool usable(const FrictionPlan& friction)
   return nonNegative(friction.kinetic) && friction.kinetic <= friction.statical && friction.statical <= largest;
 }
 
+bool usable(const HeldWallPlan& walls)
+{
+  return nonNegative(walls.every_s) && nonNegative(walls.step_m) && nonNegative(walls.viscosity_Ns_per_m);
+}
+
+bool usable(const GuidePlan& guide)
+{
+  constexpr double rounding = 1e-6;
+  return guide.point_W.allFinite() && std::fabs(guide.normal_W.norm() - 1.0) < rounding &&
+         nonNegative(guide.stiffness_N_per_m) && nonNegative(guide.largest_N) && nonNegative(guide.ramp_s);
+}
+
 bool usable(const VelocityFilter& filter)
 {
   return nonNegative(filter.resolution_m) && nonNegative(filter.lowPass_s) && filter.window >= 1 &&
@@ -85,6 +97,19 @@ std::string HapticParameters::validate() const
   if (!nonNegative(this->sceneBlend_s))
   {
     return "scene blend time [s] must be a number that is not negative";
+  }
+  if (!usable(this->walls))
+  {
+    return "held walls: period [s], step [m] and viscosity [N s/m] must be numbers that are not negative";
+  }
+  if (!usable(this->guide))
+  {
+    return "guide: the point must be finite, the normal a unit vector, stiffness [N/m], limit [N] and ramp [s] not "
+           "negative";
+  }
+  if (this->game.on && !refuse(this->game).empty())
+  {
+    return refuse(this->game);
   }
   if (!usable(this->safety))
   {

@@ -5,9 +5,12 @@
 #include <string>
 
 #include "haptics/contact/ContactPlan.h"
+#include "haptics/force/Guide.h"
+#include "haptics/force/HeldWalls.h"
 #include "haptics/force/PassivityController.h"
 #include "haptics/force/VelocityEstimator.h"
 #include "haptics/force/WorkspaceMap.h"
+#include "haptics/labyrinth/LabyrinthGame.h"
 #include "haptics/safety/SafetyLimits.h"
 
 namespace palpate
@@ -22,8 +25,11 @@ struct HapticParameters
   double stiffnessLimit_N_per_m = std::numeric_limits<double>::infinity(); ///< set by the session from the device
   PassivityPlan passivity;
   VelocityFilter velocity;
-  double sceneBlend_s = 0.03;    ///< time constant in which a scene change reaches the hand
+  double sceneBlend_s = 0.03; ///< time constant in which a scene change reaches the hand
   ContactPlan contact;
+  HeldWallPlan walls; ///< for a plane world that lies across the device's z
+  GuidePlan guide;    ///< contact is computed in its plane while it is on
+  GamePlan game;        ///< of a labyrinth: leads the hand to its start, and says that it is at the exit
   WorkspaceMap map;
   SafetyLimits safety;
 

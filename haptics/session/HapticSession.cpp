@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/HapticSession.h"
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
 #include <utility>
 
+#include "haptics/force/Viscosity.h"
 #include "haptics/session/DeviceAdaptation.h"
 
 namespace palpate
@@ -42,11 +44,19 @@ struct HapticSession::Run
       this->loop_ = loop;
       this->limits = stabilityLimits(this->device->info(), loop);
     }
-    this->adapted = adaptToDevice(parameters, this->device->info(), this->limits);
+    const double stiffness_N_per_m = std::min(parameters.stiffness_N_per_m, this->limits.largest_N_per_m);
+    if (parameters.walls.hold && this->device->info().abilities.holdsWalls && stiffness_N_per_m != this->viscousAt_N_per_m_)
+    {
+      this->viscousAt_N_per_m_ = stiffness_N_per_m;
+      this->viscosity_Ns_per_m_ = corridorViscosity(this->device->info(), stiffness_N_per_m);
+    }
+    this->adapted = adaptToDevice(parameters, this->device->info(), this->limits, this->viscosity_Ns_per_m_);
   }
 
 private:
   LoopSettings loop_;
+  double viscousAt_N_per_m_ = -1.0; ///< stiffness that the viscosity was found for
+  double viscosity_Ns_per_m_ = 0.0;
 };
 
 HapticSession::HapticSession() = default;
@@ -123,7 +133,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
         const std::lock_guard lock(r.schedulingMutex);
         r.scheduling = report;
       },
-      [&r](const std::stop_token& stop) { r.loop->run(stop); });
+      [&r](const std::stop_token& stop) { r.loop->run(stop); }, options.brokers);
   }
   return {};
 }
@@ -206,6 +216,11 @@ void HapticSession::engage()
 void HapticSession::release()
 {
   this->push(EventKind::Release);
+}
+
+void HapticSession::play()
+{
+  this->push(EventKind::Play);
 }
 
 void HapticSession::mark()

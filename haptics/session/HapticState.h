@@ -7,6 +7,7 @@
 #include "haptics/core/Fault.h"
 #include "haptics/core/Types.h"
 #include "haptics/force/PassivityController.h"
+#include "haptics/labyrinth/LabyrinthGame.h"
 
 namespace palpate
 {
@@ -52,6 +53,11 @@ struct HapticState
   bool pinned = false;          ///< moving surfaces leave the ball less room than it needs
   bool frozen = false;          ///< the position stays the same to the bit under force: does the device still measure?
   bool letGo = false;           ///< what must be held is not
+  bool deviceHolds = false;     ///< the device closes walls and viscosity itself; force_D is what they give
+  std::int32_t walls = 0;       ///< that it holds
+  double guideShare = 0.0;      ///< of the guide to a plane that acts, 0..1
+  GamePhase game = GamePhase::Off;
+  double gameTime_s = 0.0;      ///< of exploring the labyrinth, until now or until the exit
   bool held = false;            ///< no force this tick: its sample was not finite
   double gain = 0.0;            ///< engage ramp, 0..1
   double stiffnessFactor = 1.0; ///< below 1: cut because the loop runs late

@@ -18,7 +18,7 @@ constexpr char magic[] = "PALPATE-RECORDING";
 struct Put
 {
   ByteWriter& stream;
-  template <class T>
+  template<class T>
   void operator()(const T& value) const
   {
     this->stream.put(value);
@@ -28,21 +28,21 @@ struct Put
 struct Get
 {
   ByteReader& stream;
-  template <class T>
+  template<class T>
   void operator()(T& value) const
   {
     this->stream.get(value);
   }
 };
 
-template <class Io, class T>
+template<class Io, class T>
 void layWrench(const Io& io, T& w)
 {
   io(w.force);
   io(w.torque);
 }
 
-template <class Io, class T>
+template<class Io, class T>
 void layMap(const Io& io, T& m)
 {
   io(m.scale_u_per_m);
@@ -50,7 +50,7 @@ void layMap(const Io& io, T& m)
   io(m.offset_W);
 }
 
-template <class Io, class T>
+template<class Io, class T>
 void layTick(const Io& io, T& r)
 {
   io(r.tick);
@@ -73,9 +73,16 @@ void layTick(const Io& io, T& r)
   io(r.delivered_J);
   io(r.excess_J);
   io(r.flags);
+  for (auto& offset_m : r.walls.offset_m)
+  {
+    io(offset_m);
+  }
+  io(r.walls.mask);
+  io(r.walls.stiffness_N_per_m);
+  io(r.walls.viscosity_Ns_per_m);
 }
 
-template <class Io, class T>
+template<class Io, class T>
 void layParameters(const Io& io, T& p)
 {
   io(p.stiffness_N_per_m);
@@ -97,6 +104,29 @@ void layParameters(const Io& io, T& p)
   io(p.contact.shading);
   io(p.contact.passCap);
   io(p.contact.nodeBudget);
+  io(p.walls.hold);
+  io(p.walls.every_s);
+  io(p.walls.step_m);
+  io(p.walls.viscosity_Ns_per_m);
+  io(p.guide.on);
+  io(p.guide.point_W);
+  io(p.guide.normal_W);
+  io(p.guide.stiffness_N_per_m);
+  io(p.guide.largest_N);
+  io(p.guide.ramp_s);
+  io(p.game.on);
+  io(p.game.start_W);
+  io(p.game.exit_W);
+  io(p.game.exitReach_u);
+  io(p.game.lead_m_per_s);
+  io(p.game.stiffness_N_per_m);
+  io(p.game.damping_Ns_per_m);
+  io(p.game.largest_N);
+  io(p.game.near_m);
+  io(p.game.fade_s);
+  io(p.game.shake_N);
+  io(p.game.shake_Hz);
+  io(p.game.shake_s);
   layMap(io, p.map);
   io(p.safety.maxForce_N);
   io(p.safety.maxRise_N_per_s);
@@ -112,7 +142,7 @@ void layParameters(const Io& io, T& p)
   io(p.safety.frozenAbove_N);
 }
 
-template <class Io, class T>
+template<class Io, class T>
 void layState(const Io& io, T& s)
 {
   io(s.contact.x_W);
@@ -204,7 +234,8 @@ void putFields(const MaterialFields* fields, ByteWriter& payload)
 {
   const MaterialFields none;
   const MaterialFields& f = fields != nullptr ? *fields : none;
-  for (const std::vector<double>* const field : { &f.stiffness_N_per_m, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
+  for (const std::vector<double>* const field :
+    { &f.stiffness_N_per_m, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
   {
     payload.put(static_cast<std::uint64_t>(field->size()));
     for (const double number : *field)
@@ -355,11 +386,37 @@ std::uint32_t recordFlags(const HapticState& s) noexcept
   return flags;
 }
 
+namespace
+{
+
+/// Wall i of a command stands across one of the four directions; which says its normal.
+DeviceWalls wallsOf(const DeviceCommand& command) noexcept
+{
+  DeviceWalls walls;
+  for (std::size_t i = 0; i < command.wallCount; ++i)
+  {
+    const HeldWall& wall = command.walls[i];
+    for (int k = 0; k < AxisWalls::count; ++k)
+    {
+      if (wall.normal_D == AxisWalls::direction(k))
+      {
+        walls.mask = static_cast<std::uint8_t>(walls.mask | 1u << k);
+        walls.offset_m[static_cast<std::size_t>(k)] = wall.offset_m;
+        walls.stiffness_N_per_m = wall.stiffness_N_per_m;
+      }
+    }
+  }
+  walls.viscosity_Ns_per_m = command.viscosity_Ns_per_m;
+  return walls;
+}
+
+} // namespace
+
 TickRecord makeRecord(const TickInput& input, const TickOutput& output) noexcept
 {
   return { input.tick, input.dt_s, input.sample, input.status, input.lateness, 0, output.command.wrench_D,
     output.state.proxy_W, output.state.contacts, output.state.sceneRevision, output.state.energy.delivered_J,
-    output.state.energy.excess_J, recordFlags(output.state) };
+    output.state.energy.excess_J, recordFlags(output.state), wallsOf(output.command) };
 }
 
 std::string recordingHeader(const std::string& device, const HapticParameters& parameters, const RendererState& state)

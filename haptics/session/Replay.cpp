@@ -16,7 +16,7 @@ bool sameBits(double a, double b)
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-template <class Vector>
+template<class Vector>
 bool sameBits(const Vector& a, const Vector& b)
 {
   for (int k = 0; k < a.size(); ++k)
@@ -27,6 +27,14 @@ bool sameBits(const Vector& a, const Vector& b)
     }
   }
   return true;
+}
+
+bool sameWalls(const DeviceWalls& a, const DeviceWalls& b)
+{
+  return std::equal(a.offset_m.begin(), a.offset_m.end(), b.offset_m.begin(),
+           [](double x, double y) { return sameBits(x, y); }) &&
+         a.mask == b.mask && sameBits(a.stiffness_N_per_m, b.stiffness_N_per_m) &&
+         sameBits(a.viscosity_Ns_per_m, b.viscosity_Ns_per_m);
 }
 
 /// The first quantity that is not as recorded, or null.
@@ -47,6 +55,10 @@ const char* firstDifference(const TickRecord& a, const TickRecord& b)
   if (!sameBits(a.delivered_J, b.delivered_J) || !sameBits(a.excess_J, b.excess_J))
   {
     return "energy";
+  }
+  if (!sameWalls(a.walls, b.walls))
+  {
+    return "walls";
   }
   return a.flags != b.flags ? "flags" : nullptr;
 }
@@ -166,8 +178,8 @@ private:
       this->result_.problem = "its scenes were left out or do not match: give the files they came from with --scene";
       return;
     }
-    this->scene_ = std::make_shared<const Scene>(
-      change.sceneRevision, found->second->surfaces(), found->second->motion_s());
+    this->scene_ =
+      std::make_shared<const Scene>(change.sceneRevision, found->second->surfaces(), found->second->motion_s());
   }
 
   void compute(const TickRecord& record, const std::function<void(const TickOutput&)>& visit)

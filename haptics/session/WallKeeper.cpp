@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/WallKeeper.h"
+
+#include <algorithm>
+#include <array>
+
+#include "haptics/contact/FeatureGeometry.h"
+#include "haptics/contact/Resolution.h"
+#include "haptics/contact/Sweep.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr double leastLean = 0.02; // what leans less counts as along the axis
+constexpr std::uint32_t mostNodes = 4000;
+
+/// A hand that is this fast stays within reach for two updates.
+constexpr double fast_m_per_s = 0.5;
+
+FeaturePlane planeAt(const WallTick& tick, const ActiveFeature& f, const Vec3& x_W)
+{
+  return planeOf(surfaceOf(tick.scene, f.surface), f, x_W, tick.contact.radius_u);
+}
+
+AxisWalls touchedWalls(const WallTick& tick, const Vec3& x_D) noexcept
+{
+  std::array<NearWall, GodObjectState::maxFeatures> near{};
+  const auto count = static_cast<std::size_t>(tick.state.count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    near[i].normal_D = tick.map.directionToDevice(planeAt(tick, tick.state.features[i], tick.state.x_W).n);
+  }
+  return wallsAround(x_D, { near.data(), count }, leastLean);
+}
+
+/// How far the way along direction i is free [m]; all of it where nothing that stands across it is met.
+double freeAlong(const WallTick& tick, int i, double reach_m, std::uint32_t& nodes) noexcept
+{
+  SweepQuery query;
+  const Vec3 way_W = -reach_m * tick.map.scale_u_per_m * tick.map.directionToScene(AxisWalls::direction(i));
+  query.from_W = tick.state.x_W;
+  query.to_W = tick.state.x_W + way_W;
+  query.radius_u = tick.contact.radius_u;
+  query.resolution.include(query.from_W);
+  query.resolution.include(query.to_W);
+  query.touched = { tick.state.features.data(), static_cast<std::size_t>(tick.state.count) };
+  const SweepHit hit = sweepBall(tick.scene, query, mostNodes);
+  nodes += hit.nodes;
+  if (!hit.hit)
+  {
+    return reach_m;
+  }
+  const Vec3 normal_D = tick.map.directionToDevice(planeAt(tick, hit.feature, query.from_W + hit.t * way_W).n);
+  return AxisWalls::direction(i).dot(normal_D) > leastLean ? hit.t * reach_m : reach_m;
+}
+
+} // namespace
+
+bool HeldWallState::any() const noexcept
+{
+  const auto& offsets = this->walls.offset_m;
+  return std::any_of(offsets.begin(), offsets.end(), [](const auto& offset) { return offset.has_value(); });
+}
+
+AxisWalls lookForWalls(const WallTick& tick, double reach_m, std::uint32_t& nodes) noexcept
+{
+  const Vec3 x_D = tick.map.toDevice(tick.state.x_W);
+  AxisWalls walls = touchedWalls(tick, x_D);
+  for (int i = 0; i < AxisWalls::count; ++i)
+  {
+    std::optional<double>& offset_m = walls.offset_m[static_cast<std::size_t>(i)];
+    const double free_m = offset_m ? reach_m : freeAlong(tick, i, reach_m, nodes);
+    if (free_m < reach_m)
+    {
+      offset_m = AxisWalls::direction(i).dot(x_D) - free_m;
+    }
+  }
+  return walls;
+}
+
+std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWallState& held) noexcept
+{
+  held.since_s += tick.dt_s;
+  if (held.since_s + 0.5 * tick.dt_s < plan.every_s)
+  {
+    return 0;
+  }
+  std::uint32_t nodes = 0;
+  const AxisWalls wanted = lookForWalls(tick, 2.0 * fast_m_per_s * std::max(plan.every_s, tick.dt_s), nodes);
+  const double since_s = std::min(held.since_s, std::max(plan.every_s, tick.dt_s));
+  const double most_m = tick.stiffness_N_per_m > 0.0 ? tick.maxRise_N_per_s * since_s / tick.stiffness_N_per_m : 0.0;
+  const AxisWalls next = ledTo(held.walls, wanted, tick.handle_D, most_m);
+  if (differ(held.walls, next, plan.step_m))
+  {
+    held.walls = next;
+  }
+  held.since_s = 0.0;
+  return nodes;
+}
+
+} // namespace palpate

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+#include "haptics/contact/GodObject.h"
+#include "haptics/force/HeldWalls.h"
+#include "haptics/force/WorkspaceMap.h"
+#include "haptics/geometry/Scene.h"
+
+namespace palpate
+{
+
+/// The walls that a device holds, from tick to tick.
+struct HeldWallState
+{
+  AxisWalls walls;
+  double since_s = std::numeric_limits<double>::infinity(); ///< they were looked for
+
+  [[nodiscard]] bool any() const noexcept;
+};
+
+/// What is known in a tick after contact.
+struct WallTick
+{
+  const Scene& scene;
+  const ContactPlan& contact;
+  const GodObjectState& state; ///< where the virtual location rests and what it touches
+  const WorkspaceMap& map;
+  Vec3 handle_D = Vec3::Zero();   ///< [m]
+  double stiffness_N_per_m = 0.0; ///< of the walls
+  double maxRise_N_per_s = std::numeric_limits<double>::infinity();
+  double dt_s = 1e-3;
+};
+
+/// The walls round the virtual location: those it touches, and along each of the device's four directions the first
+/// line that is met within `reach_m` of it. Real-time safe; four sweeps.
+[[nodiscard]] AxisWalls lookForWalls(const WallTick& tick, double reach_m, std::uint32_t& nodes) noexcept;
+
+/// Renews the walls once their time has come. One that enters the hand does so by no more than adds, at the stiffness,
+/// the force that may be added in that time. Returns the tree nodes visited.
+std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWallState& held) noexcept;
+
+} // namespace palpate

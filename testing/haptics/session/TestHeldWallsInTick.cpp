@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A plane world on a device that holds walls: what the tick asks it to hold, when, and how fast. K = 200 N/m.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <optional>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "devices/simulated/SimulatedDevice.h"
+#include "haptics/force/Viscosity.h"
+#include "haptics/geometry/CurveSet.h"
+#include "haptics/session/HapticSession.h"
+#include "haptics/session/Recording.h"
+#include "testing/support/AllocationGuard.h"
+#include "testing/support/Meshes.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr double K = 200.0;
+
+std::shared_ptr<const Scene> sceneOf(const CurveSet& curves)
+{
+  return test::sceneOf(raiseWalls(curves, 0.01));
+}
+
+/// Along x between y = -half and +half [m], closed at neither end.
+CurveSet corridor(double half_m)
+{
+  return { { { -0.04, half_m }, { 0.04, half_m }, { -0.04, -half_m }, { 0.04, -half_m } }, { { 0, 1 }, { 2, 3 } } };
+}
+
+/// Through the origin, the free place on the side of (sin, cos) of the angle to the x axis.
+CurveSet slant(double angle_rad)
+{
+  const Eigen::Vector2d along(0.04 * std::cos(angle_rad), -0.04 * std::sin(angle_rad));
+  return { { -along, along }, { { 0, 1 } } };
+}
+
+HapticParameters holding()
+{
+  HapticParameters parameters;
+  parameters.stiffness_N_per_m = K;
+  parameters.safety = SafetyLimits::none();
+  parameters.walls.hold = true;
+  return parameters;
+}
+
+/// The tick by itself, with a hand that is put where it is wanted.
+struct Tick
+{
+  std::shared_ptr<const Scene> scene;
+  HapticParameters parameters = holding();
+  RendererState state = {};
+  std::uint64_t tick = 0;
+
+  TickOutput at(double x_m, double y_m, double dt_s = 1e-3)
+  {
+    TickInput input;
+    input.tick = ++this->tick;
+    input.dt_s = dt_s;
+    input.scene = this->scene.get();
+    input.sample.time_s = dt_s * static_cast<double>(this->tick);
+    input.sample.pose_D.p = { x_m, y_m, 0 };
+    return renderTick(input, this->parameters, this->state);
+  }
+};
+
+std::optional<double> offset(const DeviceCommand& command, const Vec3& normal_D)
+{
+  for (std::size_t i = 0; i < command.wallCount; ++i)
+  {
+    if (command.walls[i].normal_D == normal_D)
+    {
+      return command.walls[i].offset_m;
+    }
+  }
+  return std::nullopt;
+}
+
+TEST(HeldWallsInTick, ACorridorIsHeldByTheTwoWallsAcrossItBeforeEitherIsTouched)
+{
+  Tick tick{ sceneOf(corridor(0.002)) };
+  const DeviceCommand command = tick.at(0.0, 0.0005).command;
+  ASSERT_EQ(command.wallCount, 2);
+  EXPECT_NEAR(offset(command, Vec3::UnitY()).value(), -0.002, 1e-15);
+  EXPECT_NEAR(offset(command, -Vec3::UnitY()).value(), -0.002, 1e-15);
+  EXPECT_EQ(command.walls[0].stiffness_N_per_m, K);
+  EXPECT_EQ(command.wrench_D.force, Vec3(Vec3::Zero())) << "the device closes them: the host must not as well";
+}
+
+TEST(HeldWallsInTick, ARoomIsHeldByItsFourWallsInAnyFrameOfTheDevice)
+{
+  const CurveSet room{ { { -3, -2 }, { 4, -2 }, { 4, 1 }, { -3, 1 } }, { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } } };
+  Tick tick{ test::sceneOf(raiseWalls(room, 1.0)) };
+  tick.parameters.map.scale_u_per_m = 1000.0;
+  tick.parameters.map.q_WD = Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ())); // D's x is W's y
+  const DeviceCommand command = tick.at(0.0, 0.0).command;
+  ASSERT_EQ(command.wallCount, 4);
+  EXPECT_NEAR(offset(command, Vec3::UnitX()).value(), -0.002, 1e-12);
+  EXPECT_NEAR(offset(command, -Vec3::UnitX()).value(), -0.001, 1e-12);
+  EXPECT_NEAR(offset(command, Vec3::UnitY()).value(), -0.004, 1e-12);
+  EXPECT_NEAR(offset(command, -Vec3::UnitY()).value(), -0.003, 1e-12);
+}
+
+// Two springs to the corner at the virtual location are one spring to it.
+TEST(HeldWallsInTick, AtEverySlantTheHeldWallsGiveTheForceTheHostWouldClose)
+{
+  for (const double degrees : { 0.0, 10.0, 45.0, 80.0, 90.0 })
+  {
+    const double angle_rad = degrees * std::numbers::pi / 180;
+    const Vec3 n(std::sin(angle_rad), std::cos(angle_rad), 0);
+    Tick held{ sceneOf(slant(angle_rad)) }, host{ held.scene };
+    held.parameters.walls.every_s = 0.0;
+    host.parameters.walls.hold = false;
+    for (const double depth_m : { -0.003, 0.001, 0.005 })
+    {
+      const TickOutput byDevice = held.at(-depth_m * n.x(), -depth_m * n.y());
+      const TickOutput byHost = host.at(-depth_m * n.x(), -depth_m * n.y());
+      EXPECT_LE((byDevice.state.force_D - byHost.command.wrench_D.force).norm(), 1e-12) << degrees << ' ' << depth_m;
+      EXPECT_NEAR(byDevice.state.force_D.norm(), K * std::max(0.0, depth_m), 1e-12) << degrees;
+      EXPECT_EQ(byHost.command.wallCount, 0);
+    }
+  }
+}
+
+TEST(HeldWallsInTick, WallsChangeNoMoreOftenThanTheLinkTakesThem)
+{
+  Tick tick{ sceneOf(slant(std::numbers::pi / 4)) };
+  tick.parameters.walls.every_s = 0.008;
+  int changes = 0;
+  std::optional<double> before;
+  static_cast<void>(tick.at(0.01, 0.01));
+  for (int i = 0; i < 400; ++i)
+  {
+    const double along_m = 5e-5 * i; // pressed in 3 mm, along the line
+    const DeviceCommand command = tick.at(-0.01 + along_m - 0.002, 0.01 - along_m - 0.002).command;
+    const std::optional<double> now = offset(command, Vec3::UnitX());
+    changes += now != before;
+    before = now;
+  }
+  EXPECT_GE(changes, 400 / 8 - 1);
+  EXPECT_LE(changes, 400 / 8 + 1);
+}
+
+// A wall that moves by d into a hand adds K d to its force: at most the rise that is allowed in the time between two
+// updates. The hand starts deep behind the line, so that the whole force has to be led in.
+TEST(HeldWallsInTick, NoWallStepsIntoTheHandByMoreThanTheForceMayRise)
+{
+  for (const double every_s : { 0.0, 0.008, 0.05 })
+  {
+    Tick tick{ sceneOf(slant(0.0)) };
+    tick.parameters.walls.hold = false;
+    static_cast<void>(tick.at(0.0, 0.01));
+    tick.parameters.walls.every_s = every_s;
+    tick.parameters.safety.maxRise_N_per_s = 20.0;
+    const double depth_m = 0.01, period_s = std::max(every_s, 1e-3);
+    double force_N = 0.0, last_N = 0.0;
+    tick.parameters.walls.hold = true;
+    for (int i = 0; i < 400; ++i)
+    {
+      force_N = tick.at(0.0, -depth_m).state.force_D.y();
+      ASSERT_LE(force_N - last_N, 20.0 * period_s + 1e-12) << every_s << ' ' << i;
+      last_N = force_N;
+    }
+    EXPECT_NEAR(force_N, K * depth_m, 1e-12) << every_s;
+  }
+}
+
+TEST(HeldWallsInTick, WallsGoWithTheGainAndAreGoneWhenNoForceMayBeGiven)
+{
+  Tick tick{ sceneOf(corridor(0.002)) };
+  tick.parameters.safety = SafetyLimits();
+  EXPECT_EQ(tick.at(0, 0).command.wallCount, 0) << "not asked for yet";
+  const HapticEvent engage{ 0, EventKind::Engage, 0 }, release{ 0, EventKind::Release, 0 };
+  const auto with = [&](const HapticEvent& event)
+  {
+    TickInput input;
+    input.scene = tick.scene.get();
+    input.events = { &event, 1 };
+    static_cast<void>(renderTick(input, tick.parameters, tick.state));
+  };
+  with(engage);
+  double before = 0.0;
+  for (int i = 0; i < 1100; ++i)
+  {
+    const DeviceCommand command = tick.at(0, 0).command;
+    const double stiffness = command.wallCount > 0 ? command.walls[0].stiffness_N_per_m : 0.0;
+    ASSERT_GE(stiffness, before);
+    ASSERT_LE(stiffness - before, 2.0 * K * 1e-3) << "a smooth ramp of 1 s is nowhere steeper than 1.5 K";
+    before = stiffness;
+  }
+  EXPECT_EQ(before, K);
+  with(release);
+  for (int i = 0; i < 50; ++i)
+  {
+    static_cast<void>(tick.at(0, 0));
+  }
+  EXPECT_EQ(tick.at(0, 0).command.wallCount, 0);
+}
+
+TEST(HeldWallsInTick, WhatMovesIsClosedByTheHost)
+{
+  const auto still = sceneOf(corridor(0.002));
+  std::vector<Surface> surfaces = still->surfaces();
+  surfaces[0].motion.end_WS.p = Vec3(0, 0.001, 0);
+  Tick tick{ std::make_shared<const Scene>(9, surfaces, 0.1) };
+  static_cast<void>(tick.at(0, 0));
+  const TickOutput out = tick.at(0, -0.003);
+  EXPECT_EQ(out.command.wallCount, 0);
+  EXPECT_FALSE(out.state.deviceHolds);
+  EXPECT_GT(out.command.wrench_D.force.y(), 0.0);
+}
+
+TEST(HeldWallsInTick, LookingForWallsAllocatesNothing)
+{
+  Tick tick{ sceneOf(slant(0.5)) };
+  tick.parameters.walls.every_s = 0.0;
+  static_cast<void>(tick.at(0.01, 0.01));
+  const test::AllocationGuard guard;
+  for (int i = 0; i < 100; ++i)
+  {
+    static_cast<void>(tick.at(0.01 - 3e-4 * i, 0.01 - 3e-4 * i));
+  }
+  EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0U);
+}
+
+/// A joystick as the plane worlds of the nineties had it, with little damping of its own.
+DeviceModel joystick(double damping_Ns_per_m)
+{
+  DeviceModel model = *deviceModel("simulated-joystick");
+  model.damping_Ns_per_m = damping_Ns_per_m;
+  model.friction_N = 0.0;
+  model.encoderStep_m = 0.0;
+  model.maxStiffness_N_per_m = DeviceModel::unlimited;
+  return model;
+}
+
+struct Played
+{
+  HapticSession session;
+  SimulatedDevice* device = nullptr;
+};
+
+/// A session of that host period with a pushed or thrown handle, in virtual time.
+void play(Played& played, const DeviceModel& model, const SimulationOptions& simulation, const CurveSet& curves,
+  const HapticParameters& parameters, const std::string& recordFile = {})
+{
+  HandPath path;
+  path.points_D = { Vec3::Zero() };
+  auto device = std::make_unique<SimulatedDevice>(model, *handModel("none"), path, simulation);
+  played.device = device.get();
+  ASSERT_EQ(played.session.setParameters(parameters), "");
+  played.session.setScene(sceneOf(curves));
+  SessionOptions options;
+  options.period_s = simulation.period_s;
+  options.virtualTime = true;
+  options.recordFile = recordFile;
+  ASSERT_EQ(played.session.start(std::move(device), options), "");
+}
+
+// A handle that is pushed with f rests f / K behind the wall, whatever the rate of the host. Heavy, so that it is still in
+// the corner when a slow host looks for the first time, and critically damped.
+TEST(HeldWallsInTick, AtTwentyToAThousandHertzAPushedHandleRestsAtForceOverStiffness)
+{
+  for (const double rate_Hz : { 20.0, 50.0, 125.0, 1000.0 })
+  {
+    SimulationOptions simulation;
+    simulation.period_s = 1.0 / rate_Hz;
+    simulation.push_D = { 0.3, -0.8, 0 };
+    HapticParameters parameters = holding();
+    parameters.limitStiffness = false;
+    Played played;
+    const CurveSet corner{ { { -0.04, -0.002 }, { 0.01, -0.002 }, { 0.01, 0.04 } }, { { 0, 1 }, { 1, 2 } } };
+    DeviceModel heavy = joystick(2 * std::sqrt(K));
+    heavy.mass_kg = 1.0;
+    play(played, heavy, simulation, corner, parameters);
+    static_cast<void>(played.session.step(static_cast<int>(4 * rate_Hz)));
+    EXPECT_NEAR(played.device->position_D().x(), 0.01 + 0.3 / K, 1e-7) << rate_Hz;
+    EXPECT_NEAR(played.device->position_D().y(), -0.002 - 0.8 / K, 1e-7) << rate_Hz;
+    EXPECT_TRUE(played.session.state().deviceHolds);
+  }
+}
+
+// Half width 2 mm, K 2000 N/m, 50 g, 0.05 N s/m, thrown at 0.1 m/s: without viscosity the device shakes harder and
+// harder, with what the session finds by itself it is at rest within 2 s.
+TEST(HeldWallsInTick, TheViscosityFoundForADeviceStopsACorridorThatShakesWithoutIt)
+{
+  SimulationOptions simulation;
+  simulation.period_s = 0.008;
+  simulation.velocity_D = { 0, 0.1, 0 };
+  HapticParameters parameters = holding();
+  parameters.stiffness_N_per_m = 2000.0;
+  parameters.limitStiffness = false;
+  Played played;
+  play(played, joystick(0.05), simulation, corridor(0.002), parameters);
+  static_cast<void>(played.session.step(250));
+  double fastest_m_per_s = 0.0;
+  for (int i = 0; i < 125; ++i)
+  {
+    static_cast<void>(played.session.step(1));
+    fastest_m_per_s = std::max(fastest_m_per_s, played.device->speed_D().norm());
+  }
+  EXPECT_LT(fastest_m_per_s, 0.01);
+
+  const Corridor bare{ 0.002, 2000.0, 5.0, 0.05, 0.05, 1e-3, 0.1 };
+  EXPECT_GT(throwIn(bare, 0.0, 3.0).speed_m_per_s, 0.1);
+}
+
+TEST(HeldWallsInTick, ARecordingHoldsTheWallsAndReplaysBitForBit)
+{
+  const std::string file =
+    (std::filesystem::temp_directory_path() / ("palpate-walls-" + std::to_string(getpid()))).string();
+  SimulationOptions simulation;
+  simulation.velocity_D = { 0.05, 0.1, 0 };
+  HapticParameters parameters = holding();
+  Played played;
+  play(played, joystick(0.5), simulation, slant(0.6), parameters, file);
+  static_cast<void>(played.session.step(500));
+  ASSERT_EQ(played.session.stop(), "");
+  auto read = readRecording(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+  Recording& recording = std::get<Recording>(read);
+  const ReplayResult same = replay(recording);
+  EXPECT_EQ(same.problem + same.difference, "");
+  EXPECT_EQ(same.ticks, 500U);
+  int held = 0;
+  for (RecordedEntry& entry : recording.entries)
+  {
+    if (auto* const tick = std::get_if<TickRecord>(&entry); tick != nullptr && tick->walls.mask != 0 && ++held == 50)
+    {
+      tick->walls.offset_m[0] = std::nextafter(tick->walls.offset_m[0], 1.0);
+      break;
+    }
+  }
+  ASSERT_EQ(held, 50);
+  EXPECT_NE(replay(recording).difference.find("walls"), std::string::npos);
+}
+
+} // namespace
+} // namespace palpate
