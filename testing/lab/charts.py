@@ -10,7 +10,7 @@ import argparse
 import pathlib
 import sys
 
-from charting import costs, speed_accuracy, stability
+from charting import costs, plane_worlds, speed_accuracy, stability
 from charting.page import page
 from charting.style import pyplot
 from charting.tables import Problem, read_folder
@@ -43,6 +43,18 @@ CHARTS = [
      "What one query costs in each library on the same meshes and segments; a band reaches from the median to the 99th of a hundred. "
      "Hollow marks answer wrongly somewhere: what is cheap at a vertex or a seam is often not right there.",
      ["queries"], lambda t: costs.draw_queries(t["queries"])),
+    ("host-rate", "A slanted wall behind a slow host (C8)",
+     "A joystick holds a slanted line as two walls, which the host moves on: between two updates they drag. Marks are measured on "
+     "held walls, dashed lines are the formula; above the dotted line a hand feels it. At the device's own rate there is none (drawn at the edge).",
+     ["slanted-wall"], lambda t: plane_worlds.draw_host_rate(t["slanted-wall"])),
+    ("smallest-feature", "How small a feature may be",
+     "A hand that presses with F stands F / K behind a wall: corridors and walls narrower than 2 F / K (dashed) cannot be told apart. "
+     "Right: how many corridors off the hand comes to rest, and that the zoom that is offered makes it none.",
+     ["smallest-feature"], lambda t: plane_worlds.draw_smallest_feature(t["smallest-feature"])),
+    ("blind-solver", "Blind hands in mazes",
+     "A hand that knows no walls finds its way by force and position alone (Tremaux's rules): the virtual time from start to exit, for "
+     "each simulated device with the host closing the force at 1 kHz, and with a joystick that holds four walls behind a host of 20 Hz.",
+     ["blind-solver"], lambda t: plane_worlds.draw_blind_solver(t["blind-solver"])),
 ]
 
 

@@ -98,7 +98,7 @@ void judge(const How& how, Table& table)
 
 void runSlantedWall(const Conditions&, Table& table)
 {
-  for (const double rate_Hz : { 20.0, 50.0, 125.0, 1000.0 })
+  for (const double rate_Hz : { 20.0, 25.0, 50.0, 100.0, 125.0, 200.0, 250.0, 500.0, 1000.0 })
   {
     for (const double speed : { 0.05, 0.2 })
     {
