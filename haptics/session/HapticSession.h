@@ -56,6 +56,8 @@ public:
   void engage();
   void release();
   void mark();
+  /// Another game in the labyrinth, if one is played: the hand is brought to its start.
+  void play();
   /// Virtual time: computes that many ticks now. Returns how many the device allowed.
   int step(int ticks);
 

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The game as the tick plays it, with simulated devices in simulated hands.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "devices/simulated/SimulatedDevice.h"
+#include "haptics/labyrinth/Labyrinth.h"
+#include "haptics/session/DeviceAdaptation.h"
+#include "haptics/session/ForceRenderer.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr double tick_s = 1e-3;
+
+/// A closed box of 20 by 20 with the start in its middle and the exit to its right.
+Labyrinth box()
+{
+  Labyrinth labyrinth;
+  labyrinth.name = "box";
+  labyrinth.curves = { { { -10, -10 }, { 10, -10 }, { 10, 10 }, { -10, 10 } },
+    { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } } };
+  labyrinth.start_W = Eigen::Vector2d(0, 0);
+  labyrinth.exit_W = Eigen::Vector2d(8, 0);
+  return labyrinth;
+}
+
+/// A game in the tick, on a device whose hand holds still where the device is, or leads it.
+class Game
+{
+public:
+  Game(const DeviceModel& model, const HandModel& hand, const Vec3& from_D, bool deviceHolds = false)
+    : scene_(SceneBuilder().build({ wallsOf(box()) }).scene),
+      device_(model, hand, { { from_D } }, { .period_s = tick_s }), hand_D_(from_D)
+  {
+    EXPECT_EQ(this->device_.open(), "");
+    const DeviceInfo info = infoOf(model);
+    HapticParameters& p = this->parameters;
+    p.contact.radius_u = box().radius_u();
+    p.map = fitted(box(), info.workspaceRadius_m.value);
+    p.game = gameOf(box());
+    p.walls.hold = deviceHolds;
+    p.safety = SafetyLimits::forDevice(info);
+    p.safety.needsEngage = false;
+    p.safety.deadMan.grip = true;
+    p = adaptToDevice(p, info, stabilityLimits(info, loopSettings(p, tick_s)));
+  }
+
+  TickOutput tick()
+  {
+    TickInput input;
+    input.tick = ++this->tick_;
+    input.status = this->lost ? DeviceStatus::Lost : DeviceStatus::Ok;
+    input.scene = this->scene_.get();
+    (void)this->device_.read(static_cast<double>(this->tick_) * tick_s, input.sample);
+    input.sample.grip = this->grip;
+    const TickOutput out = renderTick(input, this->parameters, this->state);
+    this->device_.write(out.command);
+    return out;
+  }
+
+  /// Until a phase is reached, 20 s at most. The hand goes where it is drawn unless it holds still.
+  TickOutput until(GamePhase phase, bool yields = true)
+  {
+    TickOutput out;
+    for (int k = 0; k < 20000 && out.state.game != phase; ++k)
+    {
+      out = this->tick();
+      this->fastest_m_per_s = std::max(this->fastest_m_per_s, this->device_.speed_D().norm());
+      this->strongest_N = std::max(this->strongest_N, this->state.lastForce_D.norm());
+      if (yields)
+      {
+        this->device_.lead(this->device_.position_D());
+      }
+    }
+    return out;
+  }
+
+  void lead(const Vec3& p_W)
+  {
+    const Vec3 goal_D = this->parameters.map.toDevice(p_W);
+    this->hand_D_ = this->device_.position_D();
+    for (int k = 1; k <= 2000; ++k)
+    {
+      this->device_.lead(this->hand_D_ + k / 2000.0 * (goal_D - this->hand_D_));
+      this->last = this->tick();
+      this->shaken =
+        this->shaken || (this->last.state.game == GamePhase::Arrived && this->last.state.force_D.norm() > 0.5);
+    }
+  }
+
+  [[nodiscard]] Vec3 hand_W() const { return this->parameters.map.toScene(this->device_.position_D()); }
+  [[nodiscard]] double fromStart_m() const
+  {
+    return (this->device_.position_D() - this->parameters.map.toDevice(this->parameters.game.start_W)).norm();
+  }
+
+  HapticParameters parameters;
+  RendererState state;
+  TickOutput last;
+  bool grip = true, lost = false, shaken = false;
+  double fastest_m_per_s = 0.0, strongest_N = 0.0;
+
+private:
+  std::shared_ptr<const Scene> scene_;
+  SimulatedDevice device_;
+  Vec3 hand_D_;
+  std::uint64_t tick_ = 0;
+};
+
+const HandModel& nobody()
+{
+  return *handModel("none");
+}
+
+TEST(LabyrinthGame, EveryDeviceInEveryHandIsBroughtToTheStartNoFasterThanAllowedAndLetGoNearIt)
+{
+  for (const DeviceModel& model : deviceModels())
+  {
+    for (const HandModel& hand : handModels())
+    {
+      Game game(model, hand, { -0.02, 0.015, 0 });
+      const TickOutput out = game.until(GamePhase::LetsGo);
+      ASSERT_EQ(out.state.game, GamePhase::LetsGo) << model.name << ", " << hand.name;
+      EXPECT_LE(game.fromStart_m(), game.parameters.game.near_m + 2 * model.encoderStep_m) << model.name;
+      game.until(GamePhase::Explores, false);
+      EXPECT_GE(game.fastest_m_per_s, 0.02) << model.name << ", " << hand.name;
+      EXPECT_LE(game.fastest_m_per_s, GamePlan::fastest_m_per_s) << model.name << ", " << hand.name;
+    }
+  }
+}
+
+// The spring's limit and the damper at the speed it can bring about: twice the limit at most.
+TEST(LabyrinthGame, AHandThatHoldsStillIsPulledWithNoMoreThanTheLimit)
+{
+  for (const HandModel& hand : handModels())
+  {
+    Game game(*deviceModel("simulated-generic"), hand, { -0.05, 0, 0 });
+    for (int k = 0; k < 5000; ++k)
+    {
+      const TickOutput out = game.tick();
+      if (out.state.game == GamePhase::Leads)
+      {
+        ASSERT_LE(out.state.force_D.norm(), 2 * game.parameters.game.largest_N);
+      }
+    }
+    const bool held = hand.stiffness_N_per_m > 0.0;
+    EXPECT_EQ(game.state.game.phase == GamePhase::Leads, held) << hand.name;
+    if (held)
+    {
+      EXPECT_NEAR(game.state.lastForce_D.norm(), game.parameters.game.largest_N, 0.01) << hand.name;
+    }
+  }
+}
+
+TEST(LabyrinthGame, OnTheWayToTheStartNoWallIsFeltAndFromThereOnEachIs)
+{
+  Game game(*deviceModel("simulated-generic"), *handModel("firm"), { -0.02, 0, 0 });
+  TickOutput out = game.until(GamePhase::LetsGo);
+  EXPECT_EQ(out.state.contacts, 0);
+  game.until(GamePhase::Explores);
+  game.lead({ 0, 12, 0 });
+  EXPECT_GT(game.last.state.contacts, 0);
+  EXPECT_NEAR(game.last.state.proxy_W.p.y(), 10 - box().radius_u(), 1e-9);
+  EXPECT_LT(game.last.state.force_D.y(), 0.0);
+}
+
+TEST(LabyrinthGame, TheHandIsShakenAtTheExitOnlyAtItsFrequencyWithinItsAmplitudeAndForItsTime)
+{
+  Game game(*deviceModel("simulated-generic"), *handModel("firm"), { 0, 0, 0 });
+  game.until(GamePhase::Explores);
+  game.lead({ 5, 0, 0 });
+  EXPECT_EQ(game.last.state.game, GamePhase::Explores);
+  EXPECT_EQ(game.last.state.force_D.norm(), 0.0); // in the free, not at the exit
+  EXPECT_FALSE(game.shaken);
+  game.lead({ 8, 0, 0 });
+  EXPECT_TRUE(game.shaken);
+  // It arrived on the way; the same shaking, tick by tick, from the pure function.
+  const GamePlan& plan = game.parameters.game;
+  GameState state;
+  state.phase = GamePhase::Explores;
+  int turns = 0, ticks = 0;
+  double before_N = 0.0;
+  while (state.phase != GamePhase::Rests && ticks < 100000)
+  {
+    state.phase_s += tick_s;
+    const double now_N = arrive(plan, plan.exit_W, tick_s, state).x();
+    ASSERT_LE(std::fabs(now_N), plan.shake_N);
+    turns += before_N * now_N < 0.0 ? 1 : 0;
+    before_N = now_N != 0.0 ? now_N : before_N;
+    ++ticks;
+  }
+  EXPECT_NEAR(ticks * tick_s, plan.shake_s, 2.5 * tick_s);
+  EXPECT_NEAR(turns, 2 * plan.shake_Hz * plan.shake_s - 1, 1);
+}
+
+TEST(LabyrinthGame, TheTimeIsThatOfExploringAndStopsAtTheExit)
+{
+  Game game(*deviceModel("simulated-generic"), *handModel("firm"), { 0, 0, 0 });
+  game.until(GamePhase::Explores);
+  game.lead({ 8, 0, 0 });
+  const double time_s = game.last.state.gameTime_s;
+  EXPECT_GT(time_s, 1.0);
+  EXPECT_LT(time_s, 2.0); // two seconds to the exit's middle, less its reach
+  for (int k = 0; k < 3000; ++k)
+  {
+    game.last = game.tick();
+  }
+  EXPECT_EQ(game.last.state.game, GamePhase::Rests);
+  EXPECT_EQ(game.last.state.gameTime_s, time_s);
+}
+
+TEST(LabyrinthGame, WhoLetsGoAndGripsAgainIsBroughtToTheStartAgain)
+{
+  Game game(*deviceModel("simulated-generic"), *handModel("firm"), { 0, 0, 0 });
+  game.until(GamePhase::Explores);
+  game.lead({ 5, 0, 0 });
+  game.grip = false;
+  for (int k = 0; k < 200; ++k)
+  {
+    game.last = game.tick();
+  }
+  EXPECT_EQ(game.last.state.game, GamePhase::Waits);
+  EXPECT_EQ(game.last.state.force_D.norm(), 0.0);
+  game.grip = true;
+  EXPECT_EQ(game.until(GamePhase::LetsGo).state.game, GamePhase::LetsGo);
+  EXPECT_LE(game.fromStart_m(), game.parameters.game.near_m);
+  EXPECT_EQ(game.state.game.time_s, 0.0);
+}
+
+TEST(LabyrinthGame, ALostDeviceEndsTheLeadWithoutAForceUntilThePersonAsksAgain)
+{
+  Game game(*deviceModel("simulated-generic"), *handModel("firm"), { -0.05, 0, 0 });
+  game.until(GamePhase::Leads);
+  game.lost = true;
+  const TickOutput out = game.tick();
+  EXPECT_EQ(out.state.fault, Fault::DeviceLost);
+  game.lost = false;
+  for (int k = 0; k < 1000; ++k)
+  {
+    const TickOutput later = game.tick();
+    ASSERT_EQ(later.state.force_D.norm(), 0.0);
+    ASSERT_EQ(later.state.game, GamePhase::Waits);
+  }
+}
+
+TEST(LabyrinthGame, AJoystickThatHoldsWallsIsLedByThemAndToldToShakeOnce)
+{
+  Game game(*deviceModel("simulated-joystick"), nobody(), { -0.03, 0.02, 0 }, true);
+  TickOutput out = game.until(GamePhase::Leads);
+  for (int k = 0; k < 100; ++k)
+  {
+    out = game.tick();
+  }
+  EXPECT_EQ(out.command.wallCount, 4);
+  EXPECT_EQ(out.command.wrench_D.force.norm(), 0.0);
+  EXPECT_EQ(game.until(GamePhase::LetsGo).state.game, GamePhase::LetsGo);
+  EXPECT_LE(game.fastest_m_per_s, GamePlan::fastest_m_per_s);
+}
+
+} // namespace
+} // namespace palpate
