@@ -27,6 +27,8 @@ public:
   void close() noexcept override { this->device_->close(); }
   [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
   void write(const DeviceCommand& command) noexcept override;
+  /// The device itself.
+  [[nodiscard]] HapticDevice& inner() const noexcept { return *this->device_; }
 
 private:
   std::unique_ptr<HapticDevice> device_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "devices/io/LinkedDevice.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/realtime/PeriodicTimer.h"
 #include "haptics/realtime/TripleBuffer.h"
@@ -113,6 +114,10 @@ std::string SelfTestRun::start(std::unique_ptr<HapticDevice> device, const SelfT
   }
   // Some devices know what they can do only once they are open.
   this->device_ = device->info();
+  if (const auto* linked = dynamic_cast<const LinkedDevice*>(device.get()))
+  {
+    this->device_.abilities = linked->abilitiesNow();
+  }
   this->plan_ = SelfTestPlan::forDevice(this->device_, options.deadMan);
   this->lastState_ = SelfTestState{};
   this->run_ = std::make_unique<Run>(std::move(device), this->plan_, options);

@@ -125,7 +125,8 @@ TEST(SelfTest, AnExactDeviceShowsTheStiffnessOfTheHandThatHoldsIt)
     const HandModel& hand = *handModel(name);
     const Outcome found = run(*deviceModel("simulated-ideal"), name, {});
     ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
-    for (const AxisCalibration& axis : found.calibration().axes)
+    const Calibration c = found.calibration();
+    for (const AxisCalibration& axis : c.axes)
     {
       // What is left is how fast the hand follows: it lags by b / K, a hundredth of a second of the ramp's 0.4.
       EXPECT_NEAR(axis.response_m_per_N * hand.stiffness_N_per_m, 1.0, 0.05) << name;
@@ -182,9 +183,10 @@ TEST(SelfTest, SwappedAxesOfThreeAreFound)
   wiring.motors << 0, 1, 0, 0, 0, 1, -1, 0, 0;
   const Outcome found = run(*deviceModel("simulated-premium"), "light", wiring);
   ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  const Calibration c = found.calibration();
   for (int i = 0; i < 3; ++i)
   {
-    const AxisCalibration& axis = found.calibration().axes[static_cast<std::size_t>(i)];
+    const AxisCalibration& axis = c.axes[static_cast<std::size_t>(i)];
     EXPECT_EQ(wiring.sensors(axis.sensor, i), axis.sensorSign);
     EXPECT_EQ(wiring.motors(i, axis.motor), axis.motorSign);
   }
