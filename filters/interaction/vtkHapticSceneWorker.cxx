@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "haptics/contact/PlanFor.h"
+#include "haptics/contact/RadiusLimit.h"
 #include "vtkHapticConversion.h"
+#include "vtkHapticPlaneWalls.h"
 
 namespace
 {
@@ -41,6 +43,11 @@ std::string Describe(const palpate::SceneBuildResult& built, const std::vector<s
               "\n";
   }
   return report;
+}
+
+double LargestRadius(const palpate::Scene* scene)
+{
+  return scene ? palpate::radiusLimit(*scene, {}).largest_u : std::numeric_limits<double>::infinity();
 }
 
 vtkHapticBuiltScene Build(palpate::SceneBuilder& builder, const std::vector<palpate::SurfaceInput>& inputs,
@@ -104,11 +111,72 @@ void vtkHapticSceneWorker::SetLineRadius(double radius_u)
   this->LineRadius_u = radius_u;
 }
 
+void vtkHapticSceneWorker::SetPlaneWorld(bool on, double radius_u)
+{
+  this->PlaneWorld = on;
+  this->WallRadius_u = radius_u;
+}
+
+bool vtkHapticSceneWorker::AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  const std::uint64_t key = vtkHapticContentKey(data, matrix);
+  const auto same = [&](const Kept& kept)
+  { return kept.Key == key && kept.Name == name && kept.Plane_WP && kept.WallRadius_u == this->WallRadius_u; };
+  if (const auto known = std::find_if(this->Committed.begin(), this->Committed.end(), same);
+      known != this->Committed.end())
+  {
+    this->Adding.push_back(*known);
+    return true;
+  }
+  vtkHapticPlaneWalls walls = vtkHapticRaiseLines(data, matrix, this->WallRadius_u);
+  if (!walls.Mesh)
+  {
+    return false;
+  }
+  Kept kept;
+  kept.Key = key;
+  kept.Name = name;
+  kept.Input.name = name + " (walls)";
+  kept.Input.mesh = std::move(walls.Mesh);
+  kept.Baked = vtkHapticPlacementOf(matrix);
+  kept.Plane_WP = walls.Plane_WP;
+  kept.WallRadius_u = this->WallRadius_u;
+  this->Adding.push_back(std::move(kept));
+  return true;
+}
+
+std::optional<palpate::Pose> vtkHapticSceneWorker::CommittedPlane() const
+{
+  std::optional<palpate::Pose> all_WP;
+  for (const Kept& kept : this->Committed)
+  {
+    if (!kept.Plane_WP)
+    {
+      return std::nullopt;
+    }
+    const palpate::Pose &moved = kept.Input.pose_WS, &plane = *kept.Plane_WP;
+    const palpate::Pose one{ moved.p + moved.q * plane.p, moved.q * plane.q };
+    const double size_u = kept.Input.mesh->vertices_W.front().cwiseAbs().maxCoeff();
+    all_WP = all_WP ? vtkHapticOnePlane(*all_WP, one, size_u) : one;
+    if (!all_WP)
+    {
+      return std::nullopt;
+    }
+  }
+  return all_WP;
+}
+
 std::string vtkHapticSceneWorker::Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   this->Editing = true;
   const std::size_t lines = vtkHapticCountLines(data);
+  const bool walls = lines > 0 && this->PlaneWorld && vtkHapticCheckPlacement(matrix).empty() &&
+                     this->AddWalls(name, data, matrix);
   std::string problem = this->AddPart(name, data, matrix, std::nullopt);
+  if (walls)
+  {
+    return {}; // polygons beside them are touched as well, where there are any
+  }
   if (lines > 0 && this->LineRadius_u != 0.0)
   {
     const std::string ofLines = this->AddPart(name, data, matrix, this->LineRadius_u);
@@ -167,7 +235,7 @@ bool vtkHapticSceneWorker::AddKnown(
   const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement, std::optional<double> lineRadius_u)
 {
   const auto same = [&](const Kept& kept)
-  { return kept.Key == key && kept.Name == name && kept.Input.lineRadius_u == lineRadius_u; };
+  { return kept.Key == key && kept.Name == name && !kept.Plane_WP && kept.Input.lineRadius_u == lineRadius_u; };
   const auto known = std::find_if(this->Committed.begin(), this->Committed.end(), same);
   const auto pose = known != this->Committed.end() ? vtkHapticMotionBetween(known->Baked, placement) : std::nullopt;
   if (pose)
@@ -208,6 +276,7 @@ void vtkHapticSceneWorker::MoveTo(Kept& kept, const vtkHapticPlacement& placemen
   }
   else
   {
+    kept.Plane_WP.reset(); // walls that are sheared stand across nothing
     Bake(kept, placement);
   }
 }
@@ -245,6 +314,10 @@ void vtkHapticSceneWorker::Settle()
     const palpate::Pose& pose = kept.Input.pose_WS;
     if (pose.p != palpate::Vec3::Zero() || pose.q.coeffs() != palpate::Quat::Identity().coeffs())
     {
+      if (kept.Plane_WP)
+      {
+        kept.Plane_WP = palpate::Pose{ pose.p + pose.q * kept.Plane_WP->p, pose.q * kept.Plane_WP->q };
+      }
       Bake(kept, Eigen::Translation3d(pose.p) * pose.q * kept.Baked);
     }
   }
@@ -276,15 +349,19 @@ void vtkHapticSceneWorker::Launch()
     materials.push_back(kept.MaterialNote);
   }
   this->Again = false;
-  auto build = [this, inputs, materials, felt = this->Felt, refusals = this->CommittedRefusals, stamp = this->Stamp]
+  // What only moves waits for nobody: a pose is felt with the next snapshot, and balls stay as large as they may be.
+  const std::launch how = this->Builder.knows(inputs, this->Felt.get()) ? std::launch::deferred : std::launch::async;
+  auto build = [this, how, inputs, materials, felt = this->Felt, refusals = this->CommittedRefusals, stamp = this->Stamp,
+                 plane = this->CommittedPlane(),
+                 largest = this->LargestRadius_u]
   {
     vtkHapticBuiltScene built = Build(this->Builder, inputs, felt.get(), materials);
     built.Report = refusals + built.Report;
     built.Stamp = stamp;
+    built.Plane_WP = plane;
+    built.LargestRadius_u = how == std::launch::deferred ? largest : LargestRadius(built.Scene.get());
     return built;
   };
-  // What only moves waits for nobody: a pose is felt with the next snapshot.
-  const std::launch how = this->Builder.knows(inputs, this->Felt.get()) ? std::launch::deferred : std::launch::async;
   this->Running = std::async(how, std::move(build));
   if (how == std::launch::deferred)
   {
@@ -299,6 +376,7 @@ std::optional<vtkHapticBuiltScene> vtkHapticSceneWorker::Poll()
     return std::nullopt;
   }
   vtkHapticBuiltScene built = this->Running.get();
+  this->LargestRadius_u = built.LargestRadius_u;
   return built;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <future>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,8 +24,10 @@ struct vtkHapticBuiltScene
   std::shared_ptr<const palpate::Scene> Scene; ///< null when nothing is touchable
   std::string Report;                          ///< a line a surface: what was repaired, refused and planned
   std::array<double, 6> Bounds{};              ///< of what is touchable: low and high x, y, z [u]
-  std::vector<bool> Deforms;                   ///< for each surface of the scene: its vertices have moved
-  double Stamp = 0.0;                          ///< of the commit [s]
+  double LargestRadius_u = std::numeric_limits<double>::infinity(); ///< whose work fits into a tick
+  std::optional<palpate::Pose> Plane_WP; ///< of the walls, where all that is touchable stands across one plane
+  std::vector<bool> Deforms; ///< for each surface of the scene: its vertices have moved
+  double Stamp = 0.0;        ///< of the commit [s]
 };
 
 /// Turns VTK surfaces into scenes, off the caller's thread. One thread calls every method.
@@ -39,6 +42,8 @@ public:
   void SetMaterials(const vtkHapticMaterialSettings& settings);
   /// Radius of the tubes as which lines that are added from now on are touched [u]; 0: they are not.
   void SetLineRadius(double radius_u);
+  /// Whether lines that are added from now on and lie in a plane are walls across it, for balls up to that radius [u].
+  void SetPlaneWorld(bool on, double radius_u);
   /// Converts at once (the pipeline may change its data later). Empty, or why there is nothing to touch. The first
   /// matrix is baked into the vertices; while later ones differ from it by a rigid motion, that is the surface's pose.
   std::string Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
@@ -67,6 +72,8 @@ private:
     std::uint64_t Key = 0;
     std::string Name; ///< it was added by: its triangles and its lines are two surfaces
     palpate::SurfaceInput Input;
+    std::optional<palpate::Pose> Plane_WP; ///< its triangles are walls across that plane, as baked
+    double WallRadius_u = 0.0;             ///< for balls up to this radius
     vtkHapticPlacement Baked = vtkHapticPlacement::Identity(); ///< what the vertices were placed by
     vtkHapticCuts Cuts; ///< of the polygons it came from
     std::vector<std::size_t> PartPoints;
@@ -82,6 +89,10 @@ private:
   /// Triangles, or with a radius lines. Empty, or why there are none.
   std::string AddPart(
     const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, std::optional<double> lineRadius_u);
+  /// Lines as walls. False where they lie in no plane.
+  bool AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  /// The plane of all that was committed.
+  std::optional<palpate::Pose> CommittedPlane() const;
   bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,
     std::optional<double> lineRadius_u);
   static void MoveTo(Kept& kept, const vtkHapticPlacement& placement);
@@ -92,6 +103,8 @@ private:
 
   vtkHapticMaterialSettings Materials;
   double LineRadius_u = 0.0;
+  bool PlaneWorld = false;
+  double WallRadius_u = 0.0;
   std::vector<Kept> Adding;
   std::string Refusals; ///< since Clear(), a line each
   bool Editing = false; ///< something was added or moved since Commit()
@@ -101,7 +114,8 @@ private:
   palpate::SceneBuilder Builder{ 2 };
   std::shared_ptr<const palpate::Scene> Felt;
   std::future<vtkHapticBuiltScene> Running;
-  bool Again = false; ///< there was another commit while building
+  double LargestRadius_u = std::numeric_limits<double>::infinity(); ///< of the last scene that was not only moved
+  bool Again = false;                                               ///< there was another commit while building
 };
 
 #endif

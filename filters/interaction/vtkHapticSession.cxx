@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "devices/FedDevice.h"
+#include "devices/io/DBusBroker.h"
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
@@ -45,6 +46,7 @@ palpate::DeviceOptions vtkHapticSession::Internals::Options() const
   palpate::DeviceOptions options;
   options.recordingFile = this->ReplayFile;
   options.period_s = PeriodSeconds;
+  options.calibrationFolder = this->CalibrationFolder;
   options.hand = this->HeldBy;
   options.delay_ticks = static_cast<int>(this->Parameters.passivity.delay_ticks);
   options.stroke.speed_m_per_s = this->StrokeSpeed;
@@ -102,7 +104,8 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VelocityMethod: " << this->GetVelocityMethod() << "\n";
   os << indent << "Hand: " << this->Impl->HeldBy << "\n";
   os << indent << "Damping: " << this->GetDamping() << " N s/m\n";
-  os << indent << "Radius: " << this->GetRadius() << " u\n";
+  os << indent << "Radius: " << this->GetRadius() << " u, used " << this->GetRadiusUsed() << " u, limit "
+     << this->GetRadiusLimit() << " u " << (this->GetLimitRadius() ? "on" : "off") << "\n";
   os << indent << "LineRadius: " << this->GetLineRadius() << " u\n";
   os << indent << "FrictionStatic: " << this->GetFrictionStatic() << "\n";
   os << indent << "FrictionKinetic: " << this->GetFrictionKinetic() << ", used " << this->GetFrictionKineticUsed()
@@ -149,7 +152,10 @@ void vtkHapticSession::SetDeviceName(const char* name)
     return;
   }
   this->Impl->DeviceName = wanted;
+  this->Impl->LearnDevices();
   this->Impl->JudgeStability();
+  this->Impl->FollowWalls();
+  this->Impl->FollowPlane();
   this->Modified();
 }
 
@@ -196,6 +202,11 @@ void vtkHapticSession::Start()
 {
   this->InvokeEvent(vtkCommand::StartEvent);
   Internals& impl = *this->Impl;
+  if (impl.Check.running())
+  {
+    this->Refuse("the device is being checked; stop that first");
+    return;
+  }
   palpate::MadeDevice made = palpate::makeDevice(impl.DeviceName, impl.Options());
   if (!made.device)
   {
@@ -210,11 +221,13 @@ void vtkHapticSession::Start()
   impl.Parameters.safety = palpate::SafetyLimits::forDevice(made.device->info());
   impl.Parameters.safety.deadMan = deadMan;
   impl.Problem.clear();
-  this->Refuse(impl.Core.setParameters(impl.Parameters));
+  this->Refuse(made.warning);
+  this->Refuse(impl.Core.setParameters(impl.Allowed(impl.Parameters)));
   palpate::SessionOptions options;
   options.period_s = Internals::PeriodSeconds;
   options.virtualTime = impl.VirtualTime;
   options.recordFile = impl.RecordFile;
+  options.brokers = palpate::systemBrokers();
   this->Refuse(impl.Core.start(std::move(made.device), options));
 }
 
@@ -256,6 +269,7 @@ bool vtkHapticSession::GetVirtualTime() const
 void vtkHapticSession::Step(int ticks)
 {
   this->Impl->Core.step(ticks);
+  this->Impl->Check.step(ticks);
   this->Update();
 }
 
@@ -265,7 +279,9 @@ void vtkHapticSession::Update()
   this->Impl->FollowRules();
   this->Impl->TakeSimpler(this->Impl->VirtualTime ? std::nullopt : this->Impl->Simpler.Poll());
   this->Impl->ShowState();
+  this->Impl->FollowRadius();
   this->Impl->SettleScene();
+  this->Impl->FollowCheck();
 }
 
 // Parameters --------------------------------------------------------------------------------------------------------
@@ -274,17 +290,20 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
 {
   palpate::HapticParameters parameters = this->Impl->Parameters;
   change(parameters);
-  const std::string problem = this->Impl->Core.setParameters(parameters);
+  const palpate::HapticParameters allowed = this->Impl->Allowed(parameters);
+  const std::string problem = this->Impl->Core.setParameters(allowed);
   if (!problem.empty())
   {
     this->Refuse(problem);
     return;
   }
   const palpate::HapticParameters before = std::exchange(this->Impl->Parameters, parameters);
+  this->Impl->RadiusUsed_u = allowed.contact.radius_u;
   if (before.passivity != parameters.passivity || before.damping_Ns_per_m != parameters.damping_Ns_per_m)
   {
     this->Impl->JudgeStability();
   }
+  this->Impl->FollowPlane();
   this->Impl->Feed(); // the hand stays where it is in the scene when the map changes
   this->Modified();
 }
@@ -312,6 +331,7 @@ double vtkHapticSession::GetDamping() const
 void vtkHapticSession::SetRadius(double radius_u)
 {
   this->Change([=](palpate::HapticParameters& p) { p.contact.radius_u = radius_u; });
+  this->Impl->FollowWalls();
 }
 
 double vtkHapticSession::GetRadius() const
@@ -386,6 +406,10 @@ void vtkHapticSession::FitWorkspace()
     {
       p.map.scale_u_per_m = half / radius_m;
       p.map.offset_W = 0.5 * (low_W + high_W);
+      if (this->Impl->Built.Plane_WP && this->Impl->ChosenInfo().abilities.sensedAxes == 2)
+      {
+        p.map.q_WD = this->Impl->Built.Plane_WP->q; // a device that moves in a plane moves in this one
+      }
     });
 }
 
@@ -499,6 +523,7 @@ void vtkHapticSession::CommitScene()
 bool vtkHapticSession::FinishScene()
 {
   this->Impl->TakeScene(this->Impl->Worker.Wait());
+  this->Impl->FollowRadius();
   return this->Impl->Built.Scene != nullptr;
 }
 

@@ -72,6 +72,64 @@ public:
   ///@}
 
   ///@{
+  /// What the chosen device is ("2 axes of force"), and what it cannot do, "" if nothing; of a running one what it really
+  /// cannot.
+  const char* GetDeviceKind() const;
+  const char* GetDeviceNotes() const;
+  ///@}
+
+  ///@{
+  /**
+   * The link to a running device of this computer's USB bus: in one sentence, "" for other devices; reports with the hand
+   * in the last second [Hz]; writes that hung, times it was lost (stalls included), reports that were no known ones or too
+   * short, effects that were renewed before they ended by themselves.
+   */
+  const char* GetLinkText() const;
+  double GetLinkRate() const;
+  vtkIdType GetLinkStalls() const;
+  vtkIdType GetLinkLosses() const;
+  vtkIdType GetLinkStrange() const;
+  vtkIdType GetLinkRestarts() const;
+  ///@}
+
+  /// Order of the states as GetSelfTestState() gives them; all from CheckPassed on are final.
+  enum SelfTestStates
+  {
+    CheckNone = 0,
+    CheckRuns = 1,
+    CheckPassed = 2,
+    CheckFaulty = 3,
+    CheckInconclusive = 4,
+    CheckAborted = 5,
+  };
+
+  ///@{
+  /**
+   * Checks the chosen device with a person who does what GetSelfTestAsk() says: noise, ends, then pushes of at most a tenth
+   * of its force and half a second each; anything unexpected ends them at once. Not while touching; a device without force
+   * is refused. Simulated hands do what is asked. Update() follows it; GetSelfTestResult() says what was found, "" before
+   * the end; progress is 0 to 1.
+   */
+  void StartSelfTest();
+  void StopSelfTest();
+  int GetSelfTestState() const;
+  double GetSelfTestProgress() const;
+  const char* GetSelfTestAsk() const;
+  const char* GetSelfTestResult() const;
+  ///@}
+
+  ///@{
+  /**
+   * Folder with what is known of devices: directions, ends. It is applied to a device whenever it is opened; a device whose
+   * file is damaged is refused by name. "" (default): none is. KeepCalibration() adds what a passed check found; false,
+   * with GetProblem(), if there is none or it cannot be written.
+   */
+  virtual void SetCalibrationFolder(const char* folder);
+  virtual const char* GetCalibrationFolder() const;
+  bool KeepCalibration();
+  ///@}
+
+  ///@{
   /**
    * Device on, servo on, force engaged through its ramp; off: force to zero, servo ended. If it cannot start it stays
    * off and GetProblem() says why. Default off. StartEvent is the last moment to say where a program's hand begins.
@@ -150,13 +208,83 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Ball no larger than one whose work fits into a tick: GetRadiusLimit() [u], which the worker counts in the trees of a
+   * new scene; infinity where any ball does, and before there is a scene. GetRadiusUsed() is the ball that touches. Off:
+   * the one asked for, however large; it may lag. Default on.
+   */
+  virtual void SetLimitRadius(bool on);
+  virtual bool GetLimitRadius() const;
+  vtkBooleanMacro(LimitRadius, bool);
+  double GetRadiusLimit() const;
+  double GetRadiusUsed() const;
+  ///@}
+
+  ///@{
   /// Radius of the tubes as which lines (streamlines, centre lines, fibres) are touched [u], >= 0, default 0: they are
   /// not touched, which GetSceneReport() says. Surfaces that are added later feel it.
   virtual void SetLineRadius(double radius_u);
   virtual double GetLineRadius() const;
   ///@}
 
-  /// Order of the choices as SetSimplify() takes them.
+  /** @name Plane worlds
+   * Lines that lie in one plane, as Image Curves and slices give them, are walls across it, felt in that plane by a disc. */
+  ///@{
+  /// Whether lines that lie in a plane are such walls, instead of tubes of LineRadius: with Auto (default) on devices that
+  /// move in a plane only. Surfaces that are added later feel it.
+  virtual void SetLinesAsWalls(int choice);
+  virtual int GetLinesAsWalls() const;
+  ///@}
+
+  ///@{
+  /// Whether a device that can holds the walls of a plane world by itself, at most four, in its own loop and with the
+  /// viscosity that keeps narrow corridors still; the plan's sentence says if it does. Default on.
+  virtual void SetHoldWalls(bool on);
+  virtual bool GetHoldWalls() const;
+  vtkBooleanMacro(HoldWalls, bool);
+  ///@}
+
+  ///@{
+  /// How often held walls are moved on at most [Hz], 20 to 1000, default 125: along a slanted line a handle is dragged
+  /// by stiffness * speed / rate / 2.
+  virtual void SetWallRate(double rate_Hz);
+  virtual double GetWallRate() const;
+  ///@}
+
+  ///@{
+  /// Leads the hand to the plane of a plane world with 200 N/m and at most 2 N, from nothing within half a second, and
+  /// touches what is below the hand in that plane. Default on; where not all that is touched is walls across one plane it
+  /// does nothing.
+  virtual void SetPlaneGuide(bool on);
+  virtual bool GetPlaneGuide() const;
+  vtkBooleanMacro(PlaneGuide, bool);
+  ///@}
+
+  ///@{
+  /// Whether what is touched is a plane world; how many walls the device holds now; how much of the guide acts, 0 to 1.
+  bool GetPlaneWorld() const;
+  int GetWallsHeld() const;
+  double GetGuideShare() const;
+  ///@}
+
+  ///@{
+  /**
+   * The game of finding the way through lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball, scale and
+   * place so that the device's workspace holds the whole. Once force is engaged the hand is brought to the start, at
+   * most 0.2 m/s fast, and let go; at the exit it is shaken. Who lets go of the dead-man and holds it again starts anew, as
+   * does PlayAgain(). What is touched are the surfaces, so the lines are added as one. False, with GetProblem(), for a world without
+   * start or exit: before the hand is moved.
+   */
+  bool PlayLabyrinth(vtkDataObject* maze, const char* name);
+  void PlayAgain();
+  void EndLabyrinth();
+  bool GetLabyrinthPlayed() const;
+  /// "off", "waits", "leads", "lets go", "explores", "arrived" or "rests"; time of exploring [s].
+  const char* GetLabyrinthPhase() const;
+  double GetLabyrinthTime() const;
+  ///@}
+
+  /// Order of the choices as SetSimplify() and SetLinesAsWalls() take them.
   enum SimplifyChoices
   {
     Auto = 0,

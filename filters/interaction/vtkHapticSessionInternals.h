@@ -3,7 +3,10 @@
 #define vtkHapticSessionInternals_h
 
 #include "devices/DeviceFactory.h"
+#include "devices/io/LinkedDevice.h"
+#include "devices/calibration/SelfTestRun.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/PlanSentence.h"
 #include "vtkHapticSceneWorker.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticSimplerScene.h"
@@ -30,10 +33,23 @@ public:
   vtkHapticBuiltScene Full;  ///< the same with all triangles of the data
   vtkHapticSimplerScene Simpler;
   int Simplify = Auto;
+  bool LimitRadius = true;
+  int LinesAsWalls = Auto;
+  bool Raises = false; ///< lines, as the worker was told
+  bool HoldWalls = true;
+  double WallRate = 125.0; ///< [Hz]
+  bool PlaneGuide = true;
   palpate::SimplifyRules Rules; ///< that `Choices` were made by
   std::vector<palpate::SurfaceChoice> Choices;
+  double RadiusUsed_u = 0.0; ///< as the servo was told
   std::string PlanSentence;
   double HandOver = 0.0; ///< from the commit of that scene until the servo could have it [s]
+
+  palpate::SelfTestRun Check;
+  bool Checked = false; ///< a check was started
+  std::string CheckAsk;
+  std::string CheckResult;
+  std::string CalibrationFolder;
 
   std::string DeviceName = "fed";
   std::string RecordFile;
@@ -49,6 +65,7 @@ public:
   palpate::LoopReport Report;
   palpate::StabilityLimits Limits;
   std::string StabilitySentence;
+  std::string DeviceKind, DeviceNotes, LinkText;
   std::string Scheduling;
   std::string Problem;
   double Rotation[4] = { 1.0, 0.0, 0.0, 0.0 };
@@ -58,7 +75,14 @@ public:
   double Force[3] = { 0.0, 0.0, 0.0 };
 
   palpate::DeviceOptions Options() const;
+  /// What a check says now; ends it once there is a verdict.
+  void FollowCheck();
   void Feed();
+  /// Looks again where the chosen device was not there at the last look.
+  void LearnDevices();
+  /// The running device where it is behind a link, else null; how the link goes.
+  const palpate::LinkedDevice* Linked();
+  palpate::LinkReport Link();
   /// Seconds of the session: ticks in virtual time.
   double Now();
   /// Its surfaces come from where they are felt, as long as it took from the snapshot before to this one.
@@ -73,7 +97,23 @@ public:
   /// All triangles of the data again.
   void RestoreFull();
   /// Swaps them in.
-  void TakeSimpler(std::optional<palpate::SimplerScene> found);
+  void TakeSimpler(std::optional<vtkHapticFoundScene> found);
+  /// By what the scene is touched.
+  palpate::TouchChoice Touch() const;
+  /// The parameters with a ball that is no larger than the scene allows, if that is wanted.
+  palpate::HapticParameters Allowed(palpate::HapticParameters asked) const;
+  /// The servo gets the ball of the scene that is felt; never in the tick of a swap, in which a pressed hand changes over.
+  void FollowRadius();
+  /// Whether lines are walls for the chosen device.
+  bool RaisesLines() const;
+  /// Tells the worker so.
+  void FollowWalls();
+  /// Walls that the device may hold and the guide to their plane, as the scene that is felt allows.
+  void FollowPlane();
+  /// "; ..." about a plane world, or "".
+  std::string PlaneSentence() const;
+  /// What held walls brake a slide of 0.1 m/s along a slanted line by, on average.
+  double SlantDrag_N() const;
   void ShowState();
   /// How stiff the running device can be, else the chosen one: milliseconds, for changes of what it depends on only.
   void JudgeStability();

@@ -39,6 +39,11 @@ void vtkHapticSession::Internals::PlanScene()
     std::for_each(this->Choices.begin(), this->Choices.end(),
       [](palpate::SurfaceChoice& choice) { choice.reason = "simpler surfaces are off"; });
   }
+  if (this->Full.Plane_WP)
+  {
+    std::for_each(this->Choices.begin(), this->Choices.end(),
+      [](palpate::SurfaceChoice& choice) { choice.reason = "walls across a plane stay as they are"; });
+  }
   if (std::any_of(this->Choices.begin(), this->Choices.end(), Searched) &&
       this->Simpler.Follow(this->Full.Scene, this->Choices, this->Rules, this->Worker.TakeRevision()))
   {
@@ -67,7 +72,7 @@ void vtkHapticSession::Internals::RestoreFull()
   }
 }
 
-void vtkHapticSession::Internals::TakeSimpler(std::optional<palpate::SimplerScene> found)
+void vtkHapticSession::Internals::TakeSimpler(std::optional<vtkHapticFoundScene> found)
 {
   if (!found)
   {
@@ -86,7 +91,51 @@ void vtkHapticSession::Internals::TakeSimpler(std::optional<palpate::SimplerScen
     }
   }
   this->Built.Scene = std::move(found->scene);
+  this->Built.LargestRadius_u = found->LargestRadius_u;
   this->Core.setScene(this->Built.Scene);
+}
+
+palpate::HapticParameters vtkHapticSession::Internals::Allowed(palpate::HapticParameters asked) const
+{
+  asked.contact.radius_u =
+    palpate::chosenRadius_u(asked.contact.radius_u, this->Built.LargestRadius_u, this->LimitRadius);
+  return asked;
+}
+
+void vtkHapticSession::Internals::FollowRadius()
+{
+  const palpate::HapticParameters allowed = this->Allowed(this->Parameters);
+  const palpate::Scene* const scene = this->Built.Scene.get();
+  const bool felt = !this->Core.running() || !scene || this->Core.state().sceneRevision == scene->revision();
+  if (felt && allowed.contact.radius_u != this->RadiusUsed_u && this->Core.setParameters(allowed).empty())
+  {
+    this->RadiusUsed_u = allowed.contact.radius_u;
+  }
+}
+
+void vtkHapticSession::SetLimitRadius(bool on)
+{
+  if (on != this->Impl->LimitRadius)
+  {
+    this->Impl->LimitRadius = on;
+    this->Impl->FollowRadius();
+    this->Modified();
+  }
+}
+
+bool vtkHapticSession::GetLimitRadius() const
+{
+  return this->Impl->LimitRadius;
+}
+
+double vtkHapticSession::GetRadiusLimit() const
+{
+  return this->Impl->Built.LargestRadius_u;
+}
+
+double vtkHapticSession::GetRadiusUsed() const
+{
+  return this->Impl->Touch().plan.radius_u;
 }
 
 void vtkHapticSession::SetSimplify(int choice)
@@ -117,11 +166,24 @@ bool vtkHapticSession::FinishSimplification()
   return this->Impl->Built.Scene != this->Impl->Full.Scene;
 }
 
+palpate::TouchChoice vtkHapticSession::Internals::Touch() const
+{
+  const palpate::Scene* const scene = this->Built.Scene.get();
+  palpate::TouchChoice touch;
+  touch.plan = this->Parameters.contact;
+  touch.plan.radius_u = this->RadiusUsed_u;
+  touch.asked_u = this->Parameters.contact.radius_u;
+  touch.largest_u = this->Built.LargestRadius_u;
+  if (scene)
+  {
+    touch.plan = palpate::planFor(*scene, touch.plan);
+    touch.frictionFromData = palpate::hasOwnFriction(*scene);
+  }
+  return touch;
+}
+
 const char* vtkHapticSession::GetPlanSentence() const
 {
-  const palpate::Scene* const scene = this->Impl->Built.Scene.get();
-  const palpate::ContactPlan& contact = this->Impl->Parameters.contact;
-  this->Impl->PlanSentence =
-    palpate::planSentence(this->Impl->Choices, scene ? palpate::planFor(*scene, contact) : contact);
+  this->Impl->PlanSentence = palpate::planSentence(this->Impl->Choices, this->Impl->Touch()) + this->Impl->PlaneSentence();
   return this->Impl->PlanSentence.c_str();
 }

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "haptics/contact/RadiusLimit.h"
+
 vtkHapticSimplerScene::~vtkHapticSimplerScene()
 {
   this->Cancel();
@@ -33,9 +35,8 @@ bool vtkHapticSimplerScene::Launch()
   this->Next->Rules.stop = this->Stop.get_token();
   Order order = *std::exchange(this->Next, std::nullopt);
   const bool known = this->Simplifier.knows(*order.Full, order.Choices, order.Rules);
-  this->Running =
-    std::async(known ? std::launch::deferred : std::launch::async, [this, order = std::move(order)]() mutable
-      { return this->Simplifier.simplify(*order.Full, std::move(order.Choices), order.Rules, order.Revision); });
+  this->Running = std::async(known ? std::launch::deferred : std::launch::async,
+    [this, order = std::move(order)]() mutable { return this->Look(std::move(order)); });
   if (known)
   {
     this->Running.wait();
@@ -43,14 +44,22 @@ bool vtkHapticSimplerScene::Launch()
   return known;
 }
 
-std::optional<palpate::SimplerScene> vtkHapticSimplerScene::Poll()
+vtkHapticFoundScene vtkHapticSimplerScene::Look(Order order)
+{
+  vtkHapticFoundScene found{ this->Simplifier.simplify(
+    *order.Full, std::move(order.Choices), order.Rules, order.Revision) };
+  found.LargestRadius_u = found.scene ? palpate::radiusLimit(*found.scene, {}).largest_u : 0.0;
+  return found;
+}
+
+std::optional<vtkHapticFoundScene> vtkHapticSimplerScene::Poll()
 {
   if (!this->Running.valid() || this->Running.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
   {
     return std::nullopt;
   }
   const bool wanted = !this->Stop.stop_requested();
-  palpate::SimplerScene found = this->Running.get();
+  vtkHapticFoundScene found = this->Running.get();
   if (this->Next)
   {
     this->Launch();
@@ -58,7 +67,7 @@ std::optional<palpate::SimplerScene> vtkHapticSimplerScene::Poll()
   return wanted ? std::optional(std::move(found)) : std::nullopt;
 }
 
-std::optional<palpate::SimplerScene> vtkHapticSimplerScene::Wait()
+std::optional<vtkHapticFoundScene> vtkHapticSimplerScene::Wait()
 {
   while (this->Running.valid())
   {

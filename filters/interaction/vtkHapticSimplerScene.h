@@ -12,6 +12,12 @@
 
 #include "haptics/geometry/SceneSimplifier.h"
 
+/// What was found, and the largest ball whose work fits into a tick there [u].
+struct vtkHapticFoundScene : palpate::SimplerScene
+{
+  double LargestRadius_u = 0.0; ///< 0 without a scene
+};
+
 /// Looks for simpler surfaces of the scene that is felt, off the caller's thread. One thread calls every method.
 class vtkHapticSimplerScene
 {
@@ -26,9 +32,9 @@ public:
   /// Nothing is wanted any more.
   void Cancel();
   /// What was found for the scene followed last, once, when it is done; nothing else.
-  std::optional<palpate::SimplerScene> Poll();
+  std::optional<vtkHapticFoundScene> Poll();
   /// The same, waiting for it. Nothing if nothing is looked for.
-  std::optional<palpate::SimplerScene> Wait();
+  std::optional<vtkHapticFoundScene> Wait();
 
 private:
   struct Order
@@ -40,11 +46,12 @@ private:
   };
   /// True if it is done.
   bool Launch();
+  vtkHapticFoundScene Look(Order order);
 
   palpate::SceneSimplifier Simplifier; ///< the running task's while there is one
   std::optional<Order> Next;           ///< waits for what was cancelled to end
   std::stop_source Stop;               ///< of what is running
-  std::future<palpate::SimplerScene> Running;
+  std::future<vtkHapticFoundScene> Running;
 };
 
 #endif

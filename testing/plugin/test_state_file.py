@@ -26,6 +26,10 @@ class StateFile(unittest.TestCase):
         put(proxy, "TextureFeltRange", -0.5, 0.25)
         put(proxy, "Passivity", 0)
         put(proxy, "Hand", "light")
+        put(proxy, "LinesAsWalls", 2)
+        put(proxy, "HoldWalls", 0)
+        put(proxy, "PlaneGuide", 0)
+        put(proxy, "WallRate", 50.0)
         manager().RegisterProxy("haptics", "HapticSession", proxy)
         with tempfile.TemporaryDirectory() as folder:
             state = os.path.join(folder, "state.pvsm")
@@ -41,6 +45,8 @@ class StateFile(unittest.TestCase):
                          ((-2.0, 3.0), (50.0, 250.0)))
         self.assertEqual(tuple(loaded.GetTextureFeltRange()), (-0.5, 0.25))
         self.assertEqual((loaded.GetPassivity(), loaded.GetLimitStiffness(), loaded.GetHand()), (False, True, "light"))
+        self.assertEqual((loaded.GetLinesAsWalls(), loaded.GetHoldWalls(), loaded.GetPlaneGuide()), (2, False, False))
+        self.assertEqual(loaded.GetWallRate(), 50.0)
         self.assertFalse(loaded.GetTouching())
 
 

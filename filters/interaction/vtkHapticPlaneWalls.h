@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticPlaneWalls_h
+#define vtkHapticPlaneWalls_h
+
+#include <memory>
+#include <optional>
+
+#include "haptics/core/Types.h"
+#include "haptics/geometry/TriangleMesh.h"
+
+class vtkDataObject;
+class vtkMatrix4x4;
+
+/// The lines of a data object as walls across the plane they lie in.
+struct vtkHapticPlaneWalls
+{
+  std::shared_ptr<const palpate::TriangleMesh> Mesh; ///< null where there are no lines, or in no plane
+  palpate::Pose Plane_WP;                            ///< its z is the normal
+};
+
+/// `matrix` places the data in W (null: identity). Walls for balls up to that radius [u].
+vtkHapticPlaneWalls vtkHapticRaiseLines(vtkDataObject* data, vtkMatrix4x4* matrix, double radius_u);
+
+/// The one plane that all of these are, or nothing: the same to the direction of a normal and to what rounding moves
+/// it.
+std::optional<palpate::Pose> vtkHapticOnePlane(const palpate::Pose& a_WP, const palpate::Pose& b_WP, double size_u);
+
+#endif

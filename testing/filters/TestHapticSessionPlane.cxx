@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plane worlds in a session: lines as walls, walls that a joystick holds, the guide of a hand in space. Virtual time.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+namespace
+{
+constexpr int ticksToEngage = 1100;
+constexpr int ticksToGuide = 600;
+constexpr double scale = 1000.0; // a unit is a millimetre
+constexpr double stiffness = 200.0;
+
+class HapticSessionPlane : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->session_->VirtualTimeOn();
+    this->session_->PassivityOff();
+    this->session_->SetStiffness(stiffness);
+    this->session_->SetScale(scale);
+  }
+
+  void show(const std::vector<Vec3>& line_W)
+  {
+    this->session_->ClearSurfaces();
+    ASSERT_TRUE(this->session_->AddSurface("line", makePath(line_W), nullptr)) << this->session_->GetProblem();
+    this->session_->CommitScene();
+    ASSERT_TRUE(this->session_->FinishScene()) << this->session_->GetSceneReport();
+  }
+
+  Vec3 force() { return Vec3(this->session_->GetForce()); }
+
+  vtkNew<vtkHapticSession> session_;
+};
+
+// The hand is led 3 mm over the line and a simulated joystick holds it: the wall is where the line is.
+TEST_F(HapticSessionPlane, AJoystickHoldsTheWallsOfLinesItself)
+{
+  this->session_->SetDeviceName("simulated-joystick");
+  this->session_->SetHand("firm");
+  for (const Vec3& p : { Vec3(0, 5, 0), Vec3(10, -3, 0) })
+  {
+    this->session_->AddStrokePoint(p.x(), p.y(), p.z());
+  }
+  this->show({ { -40, 0, 0 }, { 40, 0, 0 } });
+  EXPECT_TRUE(this->session_->GetPlaneWorld());
+  EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr("held by the device itself, moved on at 125 Hz"));
+  std::ostringstream drag; // K s (Th - T) / 2
+  drag.precision(3);
+  drag << "braked by " << std::min(stiffness, this->session_->GetLargestStiffness()) * 0.1 * (0.008 - 0.001) / 2
+       << " N";
+  EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr(drag.str()));
+  this->session_->TouchingOn();
+  this->session_->Step(ticksToEngage);
+  bool felt = false;
+  for (int i = 0; i < 200; ++i)
+  {
+    this->session_->Step(10);
+    const double depth_m = std::max(0.0, -Vec3(this->session_->GetHandPosition()).y()) / scale;
+    if (depth_m > 1e-3)
+    {
+      felt = true;
+      ASSERT_GE(this->session_->GetWallsHeld(), 1);
+      const double viscous_N = 0.1; // the hand is slow
+      ASSERT_NEAR(this->force().y(), std::min(this->session_->GetStiffnessUsed() * depth_m, 3.0), viscous_N);
+    }
+  }
+  EXPECT_TRUE(felt);
+  this->session_->HoldWallsOff();
+  EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr("closed by the program, as was asked for"));
+  this->session_->Step(10);
+  EXPECT_EQ(this->session_->GetWallsHeld(), 0);
+}
+
+// A slice at x = 5 mm. Led by 200 N/m: 4 mm beside it 0.8 N, 30 mm beside it no more than 2 N; off: nothing.
+TEST_F(HapticSessionPlane, AHandInSpaceIsLedToThePlaneAndTouchesWhatIsBelowIt)
+{
+  this->session_->SetLinesAsWalls(vtkHapticSession::On);
+  this->show({ { 5, -40, 1 }, { 5, 40, 1 }, { 5, 40, 50 } });
+  ASSERT_TRUE(this->session_->GetPlaneWorld());
+  this->session_->SetHandPosition(5, 0, 10);
+  this->session_->TouchingOn();
+  this->session_->Step(ticksToEngage);
+  this->session_->SetHandPosition(9, 0, 10);
+  this->session_->Step(ticksToGuide);
+  EXPECT_EQ(this->session_->GetGuideShare(), 1.0);
+  EXPECT_LE((this->force() - Vec3(-200.0 * 0.004, 0, 0)).norm(), 1e-9);
+  EXPECT_NEAR(this->session_->GetProxyPosition()[0], 5.0, 1e-12);
+
+  this->session_->SetHandPosition(7, 0, -2); // and 3 mm through the line
+  this->session_->Step(200);
+  EXPECT_LE((this->force() - Vec3(-200.0 * 0.002, 0, stiffness * 0.003)).norm(), 1e-9);
+
+  this->session_->SetHandPosition(35, 0, 10);
+  this->session_->Step(200);
+  EXPECT_LE((this->force() - Vec3(-2.0, 0, 0)).norm(), 1e-9);
+
+  this->session_->PlaneGuideOff();
+  this->session_->Step(ticksToGuide);
+  EXPECT_EQ(this->session_->GetGuideShare(), 0.0);
+  EXPECT_LE(this->force().norm(), 1e-9);
+}
+
+TEST_F(HapticSessionPlane, LinesAreWallsOnlyWhereThatIsAskedForOrTheDeviceMovesInAPlane)
+{
+  const auto line = makePath({ { -40, 0, 0 }, { 40, 0, 0 } });
+  EXPECT_THAT(
+    errorsOf(this->session_, [&] { this->session_->AddSurface("line", line, nullptr); }), Not(::testing::IsEmpty()));
+  this->session_->SetDeviceName("simulated-joystick");
+  this->session_->ClearSurfaces();
+  EXPECT_TRUE(this->session_->AddSurface("line", line, nullptr));
+  this->session_->SetLinesAsWalls(vtkHapticSession::Off);
+  EXPECT_THAT(
+    errorsOf(this->session_, [&] { this->session_->AddSurface("line", line, nullptr); }), Not(::testing::IsEmpty()));
+}
+
+TEST_F(HapticSessionPlane, ASurfaceBesideTheLinesIsNoPlaneWorldAndTwoPlanesAreNone)
+{
+  this->session_->SetLinesAsWalls(vtkHapticSession::On);
+  this->show({ { -40, 0, 0 }, { 40, 0, 0 } });
+  EXPECT_TRUE(this->session_->GetPlaneWorld());
+  ASSERT_TRUE(this->session_->AddSurface("other", makePath({ { 0, -40, 0 }, { 0, 40, 0 } }), nullptr));
+  this->session_->CommitScene();
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_TRUE(this->session_->GetPlaneWorld());
+  ASSERT_TRUE(this->session_->AddSurface("third", makePath({ { 0, -40, 9 }, { 0, 40, 9 } }), nullptr));
+  this->session_->CommitScene();
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_FALSE(this->session_->GetPlaneWorld());
+  this->show({ { -40, 0, 0 }, { 40, 0, 0 } });
+  ASSERT_TRUE(this->session_->AddSurface("plane", makePlane(40.0), nullptr));
+  this->session_->CommitScene();
+  ASSERT_TRUE(this->session_->FinishScene());
+  EXPECT_FALSE(this->session_->GetPlaneWorld());
+}
+
+TEST_F(HapticSessionPlane, FittingTurnsAJoystickIntoThePlaneOfTheLines)
+{
+  this->session_->SetDeviceName("simulated-joystick");
+  this->show({ { 5, -40, -40 }, { 5, 40, -40 }, { 5, 40, 40 } });
+  EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr("does not lie across the device"));
+  this->session_->FitWorkspace();
+  EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr("held by the device itself"));
+  const Quat q(this->session_->GetRotation()[0], this->session_->GetRotation()[1], this->session_->GetRotation()[2],
+    this->session_->GetRotation()[3]);
+  EXPECT_LE((q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);
+  EXPECT_LE((q * Vec3::UnitY() - Vec3::UnitZ()).norm(), 1e-12);
+}
+
+TEST_F(HapticSessionPlane, ARateThatNoLinkHasIsRefusedAndTheOldOneStays)
+{
+  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetWallRate(5.0); }), ::testing::SizeIs(1));
+  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetWallRate(std::nan("")); }), ::testing::SizeIs(1));
+  EXPECT_EQ(this->session_->GetWallRate(), 125.0);
+}
+
+} // namespace
