@@ -104,7 +104,10 @@ class Properties(unittest.TestCase):
     def test_the_user_guide_names_every_setting_and_nothing_else(self):
         with open(os.path.join(os.environ["PALPATE_SOURCE_DIR"], "plugin", "README.md"), encoding="utf-8") as file:
             guide = file.read()
-        said = set(re.findall(r"`([A-Z][A-Za-z]+)`", guide[guide.index("## What it sets"):guide.index("## What it shows")]))
+        part = guide[guide.index("## What it sets"):guide.index("## What it shows")]
+        rows = [row.split("|")[2] for row in part.splitlines() if row.startswith("| ")]
+        prose = part[part.index("Without a place in the panel"):].split("\n\n")[0]
+        said = set(re.findall(r"`([A-Z][A-Za-z]+)`", " ".join(rows) + prose))
         arrays = {stem + part for stem in ("Stiffness", "Friction", "Texture")
                   for part in ("Array", "Component", "DataRange", "FeltRange")}
         missing = [name for name in settings(self.proxy) if name not in said | arrays]
