@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticController.h"
 
+#include "devices/calibration/CalibrationFiles.h"
+
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqHapticFrames.h"
@@ -21,6 +23,7 @@
 #include <QIcon>
 #include <QTimer>
 
+#include <cstdlib>
 #include <cstring>
 
 namespace
@@ -228,6 +231,11 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
   this->Mouse->setActive(false);
   this->Follower->setActive(false);
   this->Proxy = proxy;
+  if (this->session() && *this->session()->GetCalibrationFolder() == '\0')
+  {
+    const std::string folder = palpate::userCalibrationFolder(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
+    this->session()->SetCalibrationFolder(folder.c_str());
+  }
   this->Follower->setSession(this->session());
   this->Frames->setSession(this->session());
   this->Mouse->setSession(this->session());
