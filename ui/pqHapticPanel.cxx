@@ -135,6 +135,9 @@ public:
   QLabel* Ticks;
   QLabel* Scheduling;
   QComboBox* Simplify;
+  QComboBox* LinesAsWalls;
+  QCheckBox* HoldWalls;
+  QCheckBox* PlaneGuide;
   QLabel* Plan;
   QPlainTextEdit* Scene;
   QTimer Refresh;
@@ -292,6 +295,12 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
     tr("Surfaces finer than a hand feels are replaced by simpler ones, proven to feel the same; auto: from 50,000 "
        "triangles on"));
   form->addRow(tr("Simpler s&urfaces"), this->Simplify);
+  this->LinesAsWalls = Choice(form->parentWidget(), "linesAsWalls",
+    tr("Lines that lie in a plane are walls across it, felt in that plane; auto: on devices that move in a plane"));
+  form->addRow(tr("Lines as walls"), this->LinesAsWalls);
+  this->HoldWalls = Switch(form, "holdWalls", tr("Walls held by the device"),
+    tr("A device that can holds the walls of a plane world by itself, in its own loop"));
+  this->PlaneGuide = Switch(form, "planeGuide", tr("Led to the plane"), tr("The hand is led to the plane of a plane world"));
   this->Plan = Value(form->parentWidget(), "plan", tr("What is felt of the scene, by what, and why"));
   form->addRow(this->Plan);
   this->Scene = new QPlainTextEdit(form->parentWidget());
@@ -308,7 +317,7 @@ void pqHapticPanel::Internals::setTabOrder()
   QWidget* order[] = { this->Device, this->Hand, this->PressDepth, this->Touch, this->Release, this->Stiffness, this->Radius,
     this->LimitRadius, this->LineRadius, this->Scale,
     this->Shading, this->Fit, this->FrictionStatic, this->FrictionKinetic, this->Limit, this->Passivity, this->Delay, this->Velocity,
-    this->Simplify, this->Scene };
+    this->Simplify, this->LinesAsWalls, this->HoldWalls, this->PlaneGuide, this->Scene };
   for (std::size_t i = 1; i < std::size(order); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
@@ -394,6 +403,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   Fill(w.Hand, proxy->GetProperty("Hand"));
   Fill(w.Velocity, proxy->GetProperty("VelocityMethod"));
   Fill(w.Simplify, proxy->GetProperty("Simplify"));
+  Fill(w.LinesAsWalls, proxy->GetProperty("LinesAsWalls"));
   w.Device->clear();
   w.Device->addItems(pqHapticReadout::deviceNames(*vtkHapticSession::SafeDownCast(proxy->GetClientSideObject())));
   const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
@@ -415,6 +425,9 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   link(w.Delay, "value", SIGNAL(valueChanged(int)), "Delay");
   link(w.Velocity, "currentText", SIGNAL(currentTextChanged(const QString&)), "VelocityMethod");
   link(w.Simplify, "currentText", SIGNAL(currentTextChanged(const QString&)), "Simplify");
+  link(w.LinesAsWalls, "currentText", SIGNAL(currentTextChanged(const QString&)), "LinesAsWalls");
+  link(w.HoldWalls, "checked", SIGNAL(toggled(bool)), "HoldWalls");
+  link(w.PlaneGuide, "checked", SIGNAL(toggled(bool)), "PlaneGuide");
   this->refresh();
 }
 

@@ -265,8 +265,8 @@ void play(Played& played, const DeviceModel& model, const SimulationOptions& sim
   ASSERT_EQ(played.session.start(std::move(device), options), "");
 }
 
-// A handle that is pushed with f rests f / K behind the wall, whatever the rate of the host. Heavy, so that it is still in
-// the corner when a slow host looks for the first time, and critically damped.
+// A handle that is pushed with f rests f / K behind the wall, whatever the rate of the host. Heavy, so that it is still
+// in the corner when a slow host looks for the first time, and critically damped.
 TEST(HeldWallsInTick, AtTwentyToAThousandHertzAPushedHandleRestsAtForceOverStiffness)
 {
   for (const double rate_Hz : { 20.0, 50.0, 125.0, 1000.0 })
