@@ -21,8 +21,8 @@ struct HidEntry
 };
 
 /// An open HID device. Calls may block: on USB a write takes a frame, and seconds once the device has stopped
-/// answering, so none of this runs on the servo thread. read() may run in one thread while another does the rest, and
-/// setOutput() in any. A report begins with its ID, 0 where the device has none; read() alone leaves that 0 out.
+/// answering, so none of this runs on the servo thread. read() may run in one thread while another does the rest. A
+/// report begins with its ID, 0 where the device has none; read() alone leaves that 0 out.
 class HidConnection
 {
 public:
@@ -32,9 +32,6 @@ public:
   [[nodiscard]] virtual int read(std::span<std::uint8_t> report, int timeout_ms) noexcept = 0;
   /// False: the device is gone or has not taken it in time.
   [[nodiscard]] virtual bool write(std::span<const std::uint8_t> report) noexcept = 0;
-  /// An output report by a way of its own, that of the device's control requests: it does not wait for a write that
-  /// hangs.
-  [[nodiscard]] virtual bool setOutput(std::span<const std::uint8_t> report) noexcept = 0;
   [[nodiscard]] virtual bool setFeature(std::span<const std::uint8_t> report) noexcept = 0;
   /// The report whose ID stands in report[0]: its length [bytes], -1 when it did not come.
   [[nodiscard]] virtual int getFeature(std::span<std::uint8_t> report) noexcept = 0;

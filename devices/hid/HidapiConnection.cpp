@@ -14,7 +14,6 @@
 
 #include <fcntl.h>
 #include <hidapi/hidapi.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace palpate
@@ -51,16 +50,8 @@ std::string narrow(const wchar_t* wide)
 class HidapiConnection final : public HidConnection
 {
 public:
-  /// `past`: the same device opened once more, for setOutput(); -1 where that did not work.
-  HidapiConnection(hid_device* device, int past) noexcept : device_(device), past_(past) {}
-  ~HidapiConnection() override
-  {
-    if (this->past_ >= 0)
-    {
-      ::close(this->past_);
-    }
-    hid_close(this->device_);
-  }
+  explicit HidapiConnection(hid_device* device) noexcept : device_(device) {}
+  ~HidapiConnection() override { hid_close(this->device_); }
   HidapiConnection(const HidapiConnection&) = delete;
   HidapiConnection& operator=(const HidapiConnection&) = delete;
 
@@ -72,19 +63,6 @@ public:
   bool write(std::span<const std::uint8_t> report) noexcept override
   {
     return hid_write(this->device_, report.data(), report.size()) == static_cast<int>(report.size());
-  }
-
-  /// hidapi learned this in version 0.15 only. A kernel before 5.11 does not know it: there the report waits its turn.
-  bool setOutput(std::span<const std::uint8_t> report) noexcept override
-  {
-    if (this->past_ < 0)
-    {
-      return this->write(report);
-    }
-    std::vector<std::uint8_t> bytes(report.begin(), report.end());
-    const auto request = _IOC(_IOC_WRITE | _IOC_READ, 'H', 0x0B, static_cast<unsigned>(bytes.size()));
-    return ::ioctl(this->past_, request, bytes.data()) >= 0 ||
-           ::write(this->past_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
   }
 
   bool setFeature(std::span<const std::uint8_t> report) noexcept override
@@ -103,7 +81,6 @@ public:
 
 private:
   hid_device* device_;
-  int past_;
 };
 
 class HidapiBus final : public HidBus
@@ -155,9 +132,7 @@ public:
     const std::lock_guard lock(this->mutex_);
     if (hid_device* const device = hid_open_path(entry.path.c_str()))
     {
-      // Now: while a write hangs the kernel lets nobody open the device.
-      const int past = ::open(entry.path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
-      return { std::make_unique<HidapiConnection>(device, past), {} };
+      return { std::make_unique<HidapiConnection>(device), {} };
     }
     // hidapi has only words; the system's own number says which cure helps.
     const int again = ::open(entry.path.c_str(), O_RDWR | O_CLOEXEC);

@@ -343,26 +343,14 @@ bool PidEngine::free(int block) noexcept
   return this->send(this->draft(pid::blockFree, block));
 }
 
-PidEngine::Draft PidEngine::draftControl(HidUsage what) const
+bool PidEngine::control(HidUsage what) noexcept
 {
   Draft draft = this->draft(pid::deviceControl, 0);
   if (draft.report == nullptr)
   {
     draft = this->draft(pid::deviceControlReport, 0);
   }
-  return draft.report != nullptr && select(*draft.report, draft.bytes, what) ? draft : Draft{};
-}
-
-bool PidEngine::control(HidUsage what) noexcept
-{
-  const Draft draft = this->draftControl(what);
-  return draft.report == nullptr || this->send(draft);
-}
-
-bool PidEngine::stopAllNow() const noexcept
-{
-  const Draft draft = this->draftControl(pid::stopAll);
-  return draft.report != nullptr && this->connection_.setOutput(draft.bytes);
+  return draft.report == nullptr || !select(*draft.report, draft.bytes, what) || this->send(draft);
 }
 
 bool PidEngine::setGain(double share) noexcept

@@ -82,8 +82,6 @@ public:
   [[nodiscard]] bool free(int block) noexcept;
   /// enableActuators, disableActuators, stopAll, reset, pause or resume; true too where the device has no such control.
   [[nodiscard]] bool control(HidUsage what) noexcept;
-  /// Stops all effects past whatever write waits. Any thread.
-  [[nodiscard]] bool stopAllNow() const noexcept;
   [[nodiscard]] bool setGain(double share) noexcept;
 
   /// What the system said about the last failure.
@@ -103,8 +101,6 @@ private:
     std::vector<std::uint8_t> bytes;
   };
   [[nodiscard]] Draft draft(HidUsage collection, int block) const;
-  /// Without a report where the device has no such control.
-  [[nodiscard]] Draft draftControl(HidUsage what) const;
   [[nodiscard]] bool send(const Draft& draft) noexcept;
   [[nodiscard]] bool operate(int block, HidUsage what) noexcept;
   [[nodiscard]] std::string askForPool();

@@ -75,6 +75,7 @@ std::string PidLink::Attached::begin(HidBus& bus, const PidOutputOptions& option
     return opened.problem;
   }
   this->connection = std::move(opened.connection);
+  this->spare = bus.open(this->entry).connection;
   this->engine.emplace(*this->connection, this->descriptor);
   this->output.emplace(*this->engine, options, kind);
   problem = this->engine->open();
@@ -172,8 +173,9 @@ void PidLink::take(const Attached& device, std::span<const std::uint8_t> report,
   }
 }
 
-/// A write that hangs cannot be called back, but the device may still take an order by its control requests. That may
-/// hang too, for as long: the reader has nothing else to do for a device that is lost.
+/// A write that hangs cannot be called back, and until it ends nobody can open the device; so the order to stop goes by
+/// a connection that was opened before. It lies behind the other in the system's queue, and comes first when the device
+/// takes anything again. That may hang as long: the reader has nothing else to do for a device that is lost.
 void PidLink::watchWriter(const Attached& device)
 {
   const std::int64_t since_ns = this->writingSince_ns_;
@@ -182,7 +184,10 @@ void PidLink::watchWriter(const Attached& device)
   {
     this->presence_.stalled();
     ++this->stalls_;
-    static_cast<void>(device.engine->stopAllNow());
+    if (device.spare != nullptr)
+    {
+      static_cast<void>(PidEngine(*device.spare, device.descriptor).control(pid::stopAll));
+    }
   }
   this->writerStuck_ = stuck;
 }
@@ -201,10 +206,11 @@ bool PidLink::writePass()
     this->lose("another program or a switch on it took its forces away");
     return true;
   }
-  const Outgoing& newest = this->commands_.read();
-  this->muted_ = this->muted_ && !atRest(newest.command);
-  const PidOutput::Wish wish{ this->muted_ ? DeviceCommand{} : newest.command, newest.beat,
-    this->handToWriter_.read().p_D };
+  // First its number: a command that is newer than that is taken for one that is late, never the other way round.
+  const std::uint64_t beat = this->beat_.load(std::memory_order_acquire);
+  const DeviceCommand& newest = this->commands_.read();
+  this->muted_ = this->muted_ && !atRest(newest);
+  const PidOutput::Wish wish{ this->muted_ ? DeviceCommand{} : newest, beat, this->handToWriter_.read().p_D };
   this->watchHand(now_ns, wish);
   const std::uint64_t restarts = device->output->restarts();
   this->writingSince_ns_ = now_ns;
@@ -259,7 +265,8 @@ std::optional<PidLink::Hand> PidLink::hand() noexcept
 
 void PidLink::command(const DeviceCommand& command) noexcept
 {
-  this->commands_.write({ command, ++this->beat_ });
+  this->commands_.write(command);
+  this->beat_.store(this->beat_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
 }
 
 LinkReport PidLink::report() const

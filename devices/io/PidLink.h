@@ -61,6 +61,7 @@ private:
   {
     HidEntry entry;
     std::unique_ptr<HidConnection> connection;
+    std::unique_ptr<HidConnection> spare; ///< for the order to stop while a write hangs; null: there is none
     ReportDescriptor descriptor;
     std::optional<PidInput> input;
     std::optional<PidEngine> engine;
@@ -68,12 +69,6 @@ private:
     [[nodiscard]] std::string begin(HidBus& bus, const PidOutputOptions& options);
     void drain() const noexcept;
   };
-  struct Outgoing
-  {
-    DeviceCommand command;
-    std::uint64_t beat = 0;
-  };
-
   [[nodiscard]] std::shared_ptr<Attached> attached() const;
   void lose(const std::string& why);
   void reattach(std::int64_t now_ns);
@@ -92,11 +87,13 @@ private:
   std::string message_;
   std::optional<DeviceAbilities> abilities_;
 
-  TripleBuffer<Hand> handToServo_;  ///< reader -> servo
-  TripleBuffer<Hand> handToWriter_; ///< reader -> writer
-  TripleBuffer<Outgoing> commands_; ///< servo -> writer
-  Presence presence_;
-  ReportRate rate_;
+  TripleBuffer<Hand> handToServo_;       ///< reader -> servo
+  TripleBuffer<Hand> handToWriter_;      ///< reader -> writer
+  TripleBuffer<DeviceCommand> commands_; ///< servo -> writer
+  // Lines of their own: the servo reads and writes these every tick, and the reader counts every report.
+  alignas(64) Presence presence_;
+  alignas(64) std::atomic<std::uint64_t> beat_ = 0; ///< servo's: commands so far
+  alignas(64) ReportRate rate_;
   std::atomic<bool> frozen_ = false;
   std::atomic<bool> actuatorsOff_ = false;
   std::atomic<int> stoppedBlock_ = 0;
@@ -106,7 +103,6 @@ private:
   std::atomic<std::int64_t> writingSince_ns_ = notWriting;
   static constexpr std::int64_t notWriting = -1;
 
-  std::uint64_t beat_ = 0;         ///< servo's
   bool muted_ = false;             ///< writer's: until no force is asked for
   std::int64_t triedAt_ns_ = 0;    ///< writer's
   Vec3 stillAt_D_ = Vec3::Zero();  ///< writer's

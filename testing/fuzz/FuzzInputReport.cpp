@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as an input report of any descriptor: the hand stays within its travel, and what is too short or another
-// report says nothing. First two bytes: how many of the following are the descriptor.
+// Any bytes as an input report of any descriptor: the hand and the cap stay within their travel, and what is too short
+// or another report says nothing. First two bytes: how many of the following are the descriptor.
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <span>
 
 #include "devices/hid/PidInput.h"
+#include "devices/hid/SpaceMouseInput.h"
 
 namespace
 {
@@ -17,6 +19,30 @@ void require(bool holds)
   {
     std::abort();
   }
+}
+
+void judgeJoystick(const palpate::ReportDescriptor& descriptor, std::span<const std::uint8_t> report)
+{
+  const palpate::PidInput input(descriptor);
+  if (!input.usable())
+  {
+    return;
+  }
+  require(input.step() > 0.0 && input.buttonCount() <= 32);
+  const std::optional<palpate::PidHand> hand = input.hand(report);
+  require(!hand || (hand->at[0] >= -1.0 && hand->at[0] <= 1.0 && hand->at[1] >= -1.0 && hand->at[1] <= 1.0));
+  require(!input.hand(report.first(0)) || !descriptor.numbered());
+}
+
+void judgeSpaceMouse(const palpate::ReportDescriptor& descriptor, std::span<const std::uint8_t> report)
+{
+  const palpate::SpaceMouseInput input(descriptor);
+  require(input.buttonCount() <= 32);
+  palpate::Cap cap;
+  const bool said = input.take(report, cap) != palpate::SpaceMouseInput::Said::Nothing;
+  require(std::all_of(cap.at.begin(), cap.at.end(), [](double at) { return at >= -1.0 && at <= 1.0; }));
+  const palpate::Cap untouched;
+  require(said || (cap.at == untouched.at && cap.buttons == untouched.buttons));
 }
 
 } // namespace
@@ -30,15 +56,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const palpate::ReportDescriptor descriptor = palpate::parseReportDescriptor({ data + 2, promised });
-  const palpate::PidInput input(descriptor);
-  if (!input.usable())
-  {
-    return 0;
-  }
-  require(input.step() > 0.0 && input.buttonCount() <= 32);
   const std::span<const std::uint8_t> report(data + 2 + promised, size - 2 - promised);
-  const std::optional<palpate::PidHand> hand = input.hand(report);
-  require(!hand || (hand->at[0] >= -1.0 && hand->at[0] <= 1.0 && hand->at[1] >= -1.0 && hand->at[1] <= 1.0));
-  require(!input.hand(report.first(0)) || !descriptor.numbered());
+  judgeJoystick(descriptor, report);
+  judgeSpaceMouse(descriptor, report);
   return 0;
 }

@@ -54,16 +54,6 @@ public:
     return true;
   }
 
-  bool setOutput(std::span<const std::uint8_t> report) noexcept override
-  {
-    const std::lock_guard lock(this->bus_.mutex_);
-    if (!this->port_.present || this->port_.controlStalls)
-    {
-      return false;
-    }
-    return this->port_.firmware().take(HidReportKind::Output, report);
-  }
-
   bool setFeature(std::span<const std::uint8_t> report) noexcept override
   {
     const std::lock_guard lock(this->bus_.mutex_);
@@ -132,9 +122,11 @@ private:
       this->bus_.pass(stall_ms);
       return false;
     }
-    return this->bus_.released_.wait_for(lock, std::chrono::milliseconds(stall_ms),
-             [this] { return !this->port_.stalls || !this->port_.present; }) &&
-           this->port_.present;
+    ++this->port_.hanging;
+    const bool released = this->bus_.released_.wait_for(
+      lock, std::chrono::milliseconds(stall_ms), [this] { return !this->port_.stalls || !this->port_.present; });
+    --this->port_.hanging;
+    return released && this->port_.present;
   }
 
   FakeHidBus& bus_;

@@ -26,7 +26,7 @@ struct FakePort
   std::string openProblem; ///< no permission, busy: what the system says
   bool featureTimesOut = false;
   bool stalls = false;          ///< a write waits until this ends, or 5 s, then fails
-  bool controlStalls = false;   ///< control requests too
+  int hanging = 0;              ///< so many writes wait now
   int callsUntilUnplugged = -1; ///< it goes after that many calls more, whatever they are
   int shortFeature = -1;        ///< features are cut to that many bytes
   int opened = 0, closed = 0;

@@ -197,8 +197,8 @@ TEST(PidDevice, ClosingLeavesTheDeviceWithoutForceAndEffects)
   rig.device.close();
   EXPECT_EQ(rig.stick().force()[0], 0.0);
   EXPECT_EQ(rig.stick().effectsUsed(), 0);
-  EXPECT_EQ(rig.port.opened, 1);
-  EXPECT_EQ(rig.port.closed, 1);
+  EXPECT_EQ(rig.port.opened, 2); // one for the order to stop
+  EXPECT_EQ(rig.port.closed, 2);
 }
 
 TEST(PidDevice, UnpluggedAndPluggedInAgainItGivesForceOnlyAfterARest)

@@ -94,7 +94,7 @@ TEST(PidLink, OfTwoAlikeWithoutSerialNumbersEachIsOpenedByItsPathAndTheOtherIsLe
   PidDevice device("pid", bus, second.entry, test::virtualOptions(*bus));
   ASSERT_EQ(device.open(), "");
   EXPECT_EQ(first.opened, 0);
-  EXPECT_EQ(second.opened, 1);
+  EXPECT_GT(second.opened, 0);
 }
 
 /// A device in real time under a force, whose output stalls: told to stop while the write still hangs.
@@ -122,9 +122,9 @@ struct Stalled
   {
     return this->bus->alone([this] { return this->port.device->stopAlls; });
   }
-  bool stalls()
+  int hanging()
   {
-    return this->bus->alone([this] { return this->port.stalls; });
+    return this->bus->alone([this] { return this->port.hanging; });
   }
 
   std::shared_ptr<FakeHidBus> bus = std::make_shared<FakeHidBus>(false);
@@ -135,25 +135,27 @@ struct Stalled
   bool lost = false;
 };
 
-TEST(PidLink, ADeviceWhoseOutputHangsIsToldToStopPastTheWriteThatHangs)
+TEST(PidLink, ADeviceWhoseOutputHangsIsToldToStopBeforeTheWriteThatHangsEnds)
 {
   Stalled rig;
-  const int before = rig.stops();
   rig.bus->alone([&] { return rig.port.stalls = true; });
-  EXPECT_TRUE(test::eventually([&] { return rig.tick(), rig.stops() > before; }));
-  EXPECT_TRUE(rig.stalls());
-  EXPECT_EQ(rig.force(), 0.0);
-  EXPECT_TRUE(test::eventually([&] { return rig.tick(), rig.lost; }));
+  // The write that hangs, and the order behind it.
+  EXPECT_TRUE(test::eventually([&] { return rig.tick(), rig.hanging() == 2; }));
+  EXPECT_TRUE(rig.lost);
   EXPECT_EQ(rig.device.linkReport().stalls, 1U);
+  rig.command = {}; // as after any fault
+  rig.tick();
+  const int before = rig.stops();
+  rig.bus->release(rig.port);
+  EXPECT_TRUE(test::eventually([&] { return rig.tick(), rig.stops() > before && rig.force() == 0.0; }));
 }
 
-TEST(PidLink, ADeviceThatTakesNothingAtAllIsLostAndItsForceEndsByItself)
+TEST(PidLink, TheForceOfADeviceThatTakesNothingAnyMoreEndsByItself)
 {
   Stalled rig;
-  rig.bus->alone([&] { return rig.port.stalls = rig.port.controlStalls = true; });
+  rig.bus->alone([&] { return rig.port.stalls = true; });
   EXPECT_TRUE(test::eventually([&] { return rig.tick(), rig.lost && rig.force() == 0.0; }));
   EXPECT_EQ(rig.stops(), 0);
-  EXPECT_EQ(rig.device.linkReport().stalls, 1U);
 }
 
 } // namespace
