@@ -38,6 +38,24 @@ public:
     const std::lock_guard lock(this->mutex_);
     return body(this->firmware_);
   }
+  /// Of all effects now along x [share].
+  [[nodiscard]] double forceX()
+  {
+    return this->alone([](VirtualPidDevice& stick) { return stick.force()[0]; });
+  }
+  [[nodiscard]] int effectsPlaying()
+  {
+    return this->alone([](VirtualPidDevice& stick) { return stick.effectsPlaying(); });
+  }
+  [[nodiscard]] int badReports()
+  {
+    return this->alone([](VirtualPidDevice& stick) { return stick.badReports; });
+  }
+  /// Orders to stop all effects that it has taken.
+  [[nodiscard]] int stopAlls()
+  {
+    return this->alone([](VirtualPidDevice& stick) { return stick.stopAlls; });
+  }
   /// What the firmware's own clock shows since it was made.
   [[nodiscard]] std::int64_t time_ms() const noexcept { return this->time_ms_; }
   [[nodiscard]] const PidLayout& layout() const noexcept { return this->layout_; }

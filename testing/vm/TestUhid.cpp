@@ -9,6 +9,7 @@
 #include "devices/hid/HidapiBus.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/vm/OtherProgram.h"
+#include "testing/vm/Pushing.h"
 #include "testing/vm/Servo.h"
 #include "testing/vm/UhidDevice.h"
 
@@ -18,20 +19,11 @@ namespace
 {
 
 using test::OtherProgram;
+using test::Pushing;
 using test::Servo;
 using test::UhidDevice;
 using test::VirtualPidDevice;
 using test::waitUntil;
-
-double forceX(UhidDevice& device)
-{
-  return device.alone([](VirtualPidDevice& stick) { return stick.force()[0]; });
-}
-
-int effectsPlaying(UhidDevice& device)
-{
-  return device.alone([](VirtualPidDevice& stick) { return stick.effectsPlaying(); });
-}
 
 TEST(Uhid, EveryLayoutIsFoundAsAForceFeedbackDeviceWithTheDescriptorItHas)
 {
@@ -84,12 +76,12 @@ TEST(Uhid, TheForceOfTheCommandReachesTheFirmwareOnEveryLayout)
     servo.command.wrench_D.force = { 1.0, 0.0, 0.0 };
     const double wanted = 1.0 / servo.options.output.scale.maxForce_N;
     const double step = 1.0 / static_cast<double>(layout.magnitude.max) + M_PI / static_cast<double>(layout.wholeTurn);
-    EXPECT_TRUE(servo.runUntil([&] { return std::fabs(forceX(device) - wanted) <= step; })) << layout.name;
+    EXPECT_TRUE(servo.runUntil([&] { return std::fabs(device.forceX() - wanted) <= step; })) << layout.name;
     servo.device.close();
     const auto emptied = [](VirtualPidDevice& stick) { return stick.effectsUsed() == 0; };
     EXPECT_TRUE(waitUntil([&] { return device.alone(emptied); })) << layout.name;
-    EXPECT_EQ(forceX(device), 0.0) << layout.name;
-    EXPECT_EQ(device.alone([](VirtualPidDevice& stick) { return stick.badReports; }), 0) << layout.name;
+    EXPECT_EQ(device.forceX(), 0.0) << layout.name;
+    EXPECT_EQ(device.badReports(), 0) << layout.name;
   }
 }
 
@@ -121,7 +113,7 @@ TEST(Uhid, TheHandRestsAgainstEachOfFourWallsThatTheDeviceHolds)
     { return std::fabs(stick.position[axis] - push.rest[axis]) < 0.01 && std::fabs(stick.velocity[axis]) < 0.01; };
     EXPECT_TRUE(servo.runUntil([&] { return device.alone(rests); })) << push.push[0] << " " << push.push[1];
   }
-  EXPECT_EQ(device.alone([](VirtualPidDevice& stick) { return stick.badReports; }), 0);
+  EXPECT_EQ(device.badReports(), 0);
 }
 
 TEST(Uhid, AProgramThatIsKilledLeavesNoForceAfterAQuarterSecond)
@@ -129,30 +121,26 @@ TEST(Uhid, AProgramThatIsKilledLeavesNoForceAfterAQuarterSecond)
   UhidDevice device(test::plainLayout(), "killed");
   device.plug();
   OtherProgram program({ "--push", device.serial() });
-  ASSERT_TRUE(waitUntil([&] { return forceX(device) > 0.3; }));
+  ASSERT_TRUE(waitUntil([&] { return device.forceX() > 0.3; }));
   program.kill();
   const std::int64_t killed_ms = device.time_ms();
-  EXPECT_TRUE(waitUntil([&] { return effectsPlaying(device) == 0; }));
+  EXPECT_TRUE(waitUntil([&] { return device.effectsPlaying() == 0; }));
   EXPECT_LE(device.time_ms() - killed_ms, 250);
-  EXPECT_EQ(forceX(device), 0.0);
+  EXPECT_EQ(device.forceX(), 0.0);
 }
 
 TEST(Uhid, AFirmwareThatTakesNothingAnyMoreLeavesTheServoAloneAndItsForceEnds)
 {
-  UhidDevice device(test::plainLayout(), "deaf");
-  device.plug();
-  Servo servo(device.serial());
-  ASSERT_EQ(servo.device.open(), "");
-  servo.command.wrench_D.force = { 2.0, 0.0, 0.0 };
-  ASSERT_TRUE(servo.runUntil([&] { return forceX(device) > 0.3; }));
-  device.stalls = true;
-  const std::int64_t from_ms = device.time_ms();
-  EXPECT_TRUE(servo.runUntil([&] { return effectsPlaying(device) == 0; }));
-  EXPECT_LE(device.time_ms() - from_ms, 250);
-  EXPECT_EQ(forceX(device), 0.0);
-  servo.run(500);
+  Pushing<UhidDevice> rig("deaf");
+  ASSERT_TRUE(rig.begin());
+  rig.device.stalls = true;
+  const std::int64_t from_ms = rig.device.time_ms();
+  EXPECT_TRUE(rig.servo.runUntil([&] { return rig.device.effectsPlaying() == 0; }));
+  EXPECT_LE(rig.device.time_ms() - from_ms, 250);
+  EXPECT_EQ(rig.device.forceX(), 0.0);
+  rig.servo.run(500);
   // A call that waited for the device would take 5 s.
-  EXPECT_LT(servo.longestTick, std::chrono::seconds(1));
+  EXPECT_LT(rig.servo.longestTick, std::chrono::seconds(1));
 }
 
 TEST(Uhid, ADeviceThatDoesNotAnswerIsSaidAfterTheKernelsPatience)
@@ -167,25 +155,20 @@ TEST(Uhid, ADeviceThatDoesNotAnswerIsSaidAfterTheKernelsPatience)
 
 TEST(Uhid, UnpluggedItIsAFaultAndPluggedInAgainElsewhereItHasNoForceUntilItIsAskedForAnew)
 {
-  UhidDevice device(test::plainLayout(), "replugged");
-  device.plug();
-  Servo servo(device.serial());
-  ASSERT_EQ(servo.device.open(), "");
-  servo.command.wrench_D.force = { 2.0, 0.0, 0.0 };
-  ASSERT_TRUE(servo.runUntil([&] { return forceX(device) > 0.3; }));
-  device.unplug();
+  Pushing<UhidDevice> rig("replugged");
+  ASSERT_TRUE(rig.begin());
+  rig.device.unplug();
   UhidDevice another(test::plainLayout(), "another");
   another.plug(); // it may get the path that the first one had
-  EXPECT_TRUE(servo.runUntil([&] { return servo.status == DeviceStatus::Lost; }));
-  device.plug();
-  EXPECT_TRUE(servo.runUntil([&] { return servo.status == DeviceStatus::Ok; }));
-  servo.run(200);
-  EXPECT_EQ(forceX(device), 0.0);
-  servo.command = {};
-  servo.run(20);
-  servo.command.wrench_D.force = { 2.0, 0.0, 0.0 };
-  EXPECT_TRUE(servo.runUntil([&] { return forceX(device) > 0.3; }));
-  EXPECT_EQ(forceX(another), 0.0);
+  EXPECT_TRUE(rig.servo.runUntil([&] { return rig.servo.status == DeviceStatus::Lost; }));
+  rig.device.plug();
+  EXPECT_TRUE(rig.servo.runUntil([&] { return rig.servo.status == DeviceStatus::Ok; }));
+  rig.servo.run(200);
+  EXPECT_EQ(rig.device.forceX(), 0.0);
+  rig.servo.command = {};
+  rig.servo.run(20);
+  EXPECT_TRUE(rig.push());
+  EXPECT_EQ(another.forceX(), 0.0);
 }
 
 TEST(Uhid, ASessionWhoseDeviceWasUnpluggedStaysAtFaultUntilAPersonEngages)
