@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticPanel.h"
 
+#include "pqHapticCheckGroup.h"
 #include "pqHapticController.h"
+#include "pqHapticDeviceRows.h"
 #include "pqHapticMaterialGroup.h"
 #include "pqHapticMouse.h"
 #include "pqHapticReadout.h"
@@ -100,6 +102,7 @@ class pqHapticPanel::Internals
 {
 public:
   QComboBox* Device;
+  pqHapticDeviceRows* DeviceRows;
   QComboBox* Hand;
   QDoubleSpinBox* PressDepth;
   QLabel* MouseHelp;
@@ -114,6 +117,7 @@ public:
   QDoubleSpinBox* FrictionStatic;
   QDoubleSpinBox* FrictionKinetic;
   pqHapticMaterialGroup* Material;
+  pqHapticCheckGroup* Check;
   QCheckBox* Passivity;
   QCheckBox* Shading;
   QCheckBox* Limit;
@@ -162,6 +166,7 @@ void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
   QWidget* parent = form->parentWidget();
   this->Device = Choice(parent, "device", tr("Who moves the hand: a device, a simulated hand or a program"));
   form->addRow(tr("&Device"), this->Device);
+  this->DeviceRows = new pqHapticDeviceRows(form);
   this->Hand = Choice(parent, "hand", tr("Who holds a simulated device"));
   form->addRow(tr("Held &by"), this->Hand);
   this->PressDepth =
@@ -322,12 +327,17 @@ void pqHapticPanel::Internals::setTabOrder()
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
   }
-  QWidget* before = this->FrictionKinetic;
-  for (QWidget* field : this->Material->fields())
+  const auto follow = [](QWidget* before, const QList<QWidget*>& fields)
   {
-    QWidget::setTabOrder(before, field);
-    before = field;
-  }
+    for (QWidget* field : fields)
+    {
+      QWidget::setTabOrder(before, field);
+      before = field;
+    }
+  };
+  follow(this->FrictionKinetic, this->Material->fields());
+  follow(this->Velocity, this->Check->fields());
+  follow(this->Device, this->DeviceRows->fields());
 }
 
 /// Settings can change without a frame being drawn, from a script for one.
@@ -372,6 +382,8 @@ void pqHapticPanel::build()
   this->Widgets->Material = new pqHapticMaterialGroup;
   column->addWidget(this->Widgets->Material);
   this->Widgets->addStability(column);
+  this->Widgets->Check = new pqHapticCheckGroup;
+  column->addWidget(this->Widgets->Check);
   this->Widgets->addState(column);
   this->Widgets->addServo(column);
   this->Widgets->addScene(column);
@@ -394,6 +406,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   Internals& w = *this->Widgets;
   w.Links.clear();
   w.Material->setProxy(proxy);
+  w.DeviceRows->setProxy(proxy);
   this->widget()->setEnabled(proxy != nullptr);
   if (!proxy)
   {
@@ -465,6 +478,8 @@ void pqHapticPanel::refresh()
   w.Ticks->setText(now.Ticks);
   w.Scheduling->setText(now.Scheduling);
   w.Plan->setText(now.Plan);
+  w.Check->refresh(session);
+  w.DeviceRows->refresh(session);
   const QString scene = controller->follower()->report() + now.Scene;
   if (scene != w.Scene->toPlainText())
   {

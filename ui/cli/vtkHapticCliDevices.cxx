@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "devices/DeviceFactory.h"
+#include "devices/DeviceNotes.h"
 
 namespace
 {
@@ -29,24 +30,6 @@ constexpr std::array<Quantity, 8> Quantities = { {
   { &palpate::DeviceInfo::damping_Ns_per_m, "damping_Ns_per_m", "damping", "N s/m" },
   { &palpate::DeviceInfo::friction_N, "friction_N", "friction", "N" },
 } };
-
-const char* NameOf(palpate::DeviceClass deviceClass)
-{
-  switch (deviceClass)
-  {
-    case palpate::DeviceClass::Vibration0D:
-      return "vibration only";
-    case palpate::DeviceClass::Wheel1D:
-      return "1 axis of force";
-    case palpate::DeviceClass::Joystick2D:
-      return "2 axes of force";
-    case palpate::DeviceClass::Point3D:
-      return "3 axes of force";
-    case palpate::DeviceClass::Rigid6D:
-      return "6 axes of force and torque";
-  }
-  return "unknown";
-}
 
 const char* NameOf(palpate::Pacing pacing)
 {
@@ -76,7 +59,12 @@ nlohmann::ordered_json ToJson(const palpate::KnownDevice& device)
   json["problem"] = device.problem;
   json["serial"] = device.info.serial;
   json["simulated"] = device.info.simulated;
-  json["class"] = NameOf(device.info.deviceClass);
+  json["class"] = palpate::kindOf(device.info);
+  json["cannot"] = palpate::shortcomings(device.info);
+  json["sensed_axes"] = device.info.abilities.sensedAxes;
+  json["holds_walls"] = device.info.abilities.holdsWalls;
+  json["viscous"] = device.info.abilities.viscous;
+  json["signals"] = device.info.abilities.signals;
   json["causality"] = NameOf(device.info.causality);
   json["pacing"] = NameOf(device.info.pacing);
   for (const Quantity& quantity : Quantities)
@@ -91,9 +79,13 @@ nlohmann::ordered_json ToJson(const palpate::KnownDevice& device)
 void Print(const palpate::KnownDevice& device)
 {
   std::cout << device.name << (device.problem.empty() ? ": " : ": cannot be used: ")
-            << (device.problem.empty() ? device.what : device.problem) << "\n  " << NameOf(device.info.deviceClass)
-            << ", " << NameOf(device.info.causality) << ", paced by " << NameOf(device.info.pacing)
+            << (device.problem.empty() ? device.what : device.problem) << "\n  " << palpate::kindOf(device.info) << ", "
+            << NameOf(device.info.causality) << ", paced by " << NameOf(device.info.pacing)
             << (device.info.simulated ? ", simulated" : "") << '\n';
+  if (const std::string cannot = palpate::shortcomings(device.info); !cannot.empty())
+  {
+    std::cout << "  " << cannot << '\n';
+  }
   for (const Quantity& quantity : Quantities)
   {
     const palpate::DeviceQuantity& value = device.info.*quantity.Member;

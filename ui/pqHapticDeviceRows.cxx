@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticDeviceRows.h"
+
+#include "vtkHapticSession.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+namespace
+{
+constexpr int Buttons = 8;
+/// Row 0 is nothing, then the buttons, any of them, the grip, and last what only a script can ask for.
+constexpr int AnyButton = Buttons + 1, Grip = Buttons + 2, Other = Buttons + 3;
+constexpr int AllMask = (1 << Buttons) - 1;
+
+int MaskOf(int row)
+{
+  return row >= 1 && row <= Buttons ? 1 << (row - 1) : row == AnyButton ? AllMask : 0;
+}
+
+int RowOf(int mask, bool grip)
+{
+  for (int row = 0; row < Other; ++row)
+  {
+    if (MaskOf(row) == mask && (row == Grip) == grip)
+    {
+      return row;
+    }
+  }
+  return Other;
+}
+
+QLabel* Text(QFormLayout* form, const char* name, const QString& tip)
+{
+  auto* label = new QLabel(form->parentWidget());
+  label->setObjectName(name);
+  label->setToolTip(tip);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  form->addRow(label);
+  return label;
+}
+
+void Show(QLabel* label, const QString& text)
+{
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
+}
+} // namespace
+
+pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->parentWidget())
+{
+  this->Notes = Text(form, "deviceNotes", tr("What the device is, and what it cannot do"));
+  this->DeadMan = new QComboBox(form->parentWidget());
+  this->DeadMan->setObjectName("deadMan");
+  this->DeadMan->setToolTip(tr(
+    "What the hand must hold to be pushed; let go, the force is zero within 50 ms and starts again from a small one"));
+  this->DeadMan->addItem(tr("nothing"));
+  for (int button = 1; button <= Buttons; ++button)
+  {
+    this->DeadMan->addItem(tr("button %1").arg(button));
+  }
+  this->DeadMan->addItems({ tr("any button"), tr("the grip"), tr("as set by a script") });
+  form->addRow(tr("&Must be held"), this->DeadMan);
+  this->Link = Text(form, "link",
+    tr("How the link to the device goes: reports with the hand, effects renewed before "
+       "they end, writes that hung, losses, reports that are none"));
+  QObject::connect(
+    this->DeadMan, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &pqHapticDeviceRows::choose);
+}
+
+void pqHapticDeviceRows::choose(int row)
+{
+  if (this->Proxy && row != Other)
+  {
+    vtkSMPropertyHelper(this->Proxy, "DeadManButtons").Set(MaskOf(row));
+    vtkSMPropertyHelper(this->Proxy, "DeadManGrip").Set(row == Grip ? 1 : 0);
+    this->Proxy->UpdateVTKObjects();
+  }
+}
+
+void pqHapticDeviceRows::refresh(vtkHapticSession* session)
+{
+  const auto text = [](const char* utf8) { return QString::fromUtf8(utf8); };
+  QString notes;
+  if (session)
+  {
+    notes = QString("%1. %2").arg(text(session->GetDeviceKind()), text(session->GetDeviceNotes())).trimmed();
+    notes[0] = notes[0].toUpper();
+  }
+  Show(this->Notes, notes);
+  Show(this->Link, session ? text(session->GetLinkText()) : QString());
+  const QSignalBlocker blocker(this->DeadMan);
+  this->DeadMan->setCurrentIndex(session ? RowOf(session->GetDeadManButtons(), session->GetDeadManGrip()) : 0);
+}
+
+QList<QWidget*> pqHapticDeviceRows::fields() const
+{
+  return { this->DeadMan };
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticDeviceRows_h
+#define pqHapticDeviceRows_h
+
+#include <QList>
+#include <QObject>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QWidget;
+class vtkHapticSession;
+class vtkSMProxy;
+
+/// Rows of the panel about the chosen device: what it is and cannot do, how its link goes, and what must be held for a
+/// force to be given.
+class pqHapticDeviceRows : public QObject
+{
+  Q_OBJECT
+  typedef QObject Superclass;
+
+public:
+  explicit pqHapticDeviceRows(QFormLayout* form);
+
+  void setProxy(vtkSMProxy* proxy) { this->Proxy = proxy; }
+  /// What the session says now; null: nothing.
+  void refresh(vtkHapticSession* session);
+  /// In the order of the Tab key.
+  QList<QWidget*> fields() const;
+
+private:
+  void choose(int row);
+
+  vtkSMProxy* Proxy = nullptr;
+  QLabel* Notes;
+  QComboBox* DeadMan;
+  QLabel* Link;
+};
+
+#endif
