@@ -2,7 +2,10 @@
 #include "haptics/session/PlanSentence.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
+
+#include "haptics/geometry/SurfaceData.h"
 
 namespace palpate
 {
@@ -27,7 +30,94 @@ SurfaceChoice sumOf(const std::vector<SurfaceChoice>& choices)
   return sum;
 }
 
+/// Why a ball is as large as it was asked for.
+std::string reasonForBall(const TouchChoice& touch)
+{
+  std::ostringstream text;
+  text.precision(3);
+  if (std::isinf(touch.largest_u))
+  {
+    text << "asked for; one of any size finishes its work in a tick";
+  }
+  else if (touch.asked_u <= touch.largest_u)
+  {
+    text << "asked for; up to " << touch.largest_u << " u one finishes its work in a tick";
+  }
+  else
+  {
+    text << "asked for and forced; above " << touch.largest_u
+         << " u one may run out of a tick's work and then moves only as far as is proven free";
+  }
+  return text.str();
+}
+
+std::string ballOf(const TouchChoice& touch)
+{
+  std::ostringstream text;
+  text.precision(3);
+  const double used_u = touch.plan.radius_u;
+  const bool smaller = used_u < touch.asked_u;
+  text << (used_u > 0.0 ? "a ball of " : "a point");
+  if (used_u > 0.0)
+  {
+    text << used_u << " u";
+  }
+  text << " (";
+  if (smaller)
+  {
+    text << touch.asked_u << " u is asked for, and may run out of a tick's work on triangles so fine";
+  }
+  else if (used_u > touch.asked_u)
+  {
+    text << "curves are rolled round, by a point as by the smallest of balls";
+  }
+  else
+  {
+    text << (used_u > 0.0 ? reasonForBall(touch) : "no radius is asked for");
+  }
+  text << ")";
+  return text.str();
+}
+
+std::string frictionOf(const TouchChoice& touch)
+{
+  std::ostringstream text;
+  const FrictionPlan& friction = touch.plan.friction;
+  if (!friction.none())
+  {
+    text << " with friction " << friction.statical << " at rest, " << friction.kinetic << " sliding (asked for"
+         << (touch.frictionFromData ? "; where the data has its own, that)" : ")");
+    return text.str();
+  }
+  return touch.frictionFromData ? " with friction from the data" : " without friction (none is asked for)";
+}
+
+std::string searchOf(std::size_t surfaces, std::size_t triangles)
+{
+  const std::string capacity = std::to_string(Leaf::capacity);
+  if (surfaces == 1 && triangles <= Leaf::capacity)
+  {
+    return "a list (up to " + capacity + " triangles are one)";
+  }
+  return "a tree of boxes (lists of more than " + capacity + " triangles are dearer)";
+}
+
 } // namespace
+
+bool hasOwnFriction(const Scene& scene) noexcept
+{
+  return std::any_of(scene.surfaces().begin(), scene.surfaces().end(),
+    [](const Surface& surface)
+    {
+      return surface.material.frictionStatic >= 0.0 || (surface.fields && !surface.fields->frictionStatic.empty());
+    });
+}
+
+double chosenRadius_u(double asked_u, double largest_u, bool keepLimit) noexcept
+{
+  // what is no radius at all stays so, to be refused
+  return keepLimit && std::isfinite(asked_u) ? std::min(asked_u, largest_u) : asked_u;
+}
 
 std::string planSentence(const SurfaceChoice& choice)
 {
@@ -43,32 +133,15 @@ std::string planSentence(const SurfaceChoice& choice)
   return text.str();
 }
 
-std::string planSentence(const std::vector<SurfaceChoice>& choices, const ContactPlan& plan)
+std::string planSentence(const std::vector<SurfaceChoice>& choices, const TouchChoice& touch)
 {
   if (choices.empty())
   {
     return "there is nothing to touch";
   }
-  std::ostringstream text;
-  text << planSentence(sumOf(choices)) << ", by ";
-  if (plan.radius_u > 0.0)
-  {
-    text << "a ball of " << plan.radius_u << " u";
-  }
-  else
-  {
-    text << "a point";
-  }
-  if (plan.friction.none())
-  {
-    text << " without friction";
-  }
-  else
-  {
-    text << " with friction " << plan.friction.statical << " at rest, " << plan.friction.kinetic << " sliding";
-  }
-  text << ", through a tree of boxes";
-  return text.str();
+  const SurfaceChoice sum = sumOf(choices);
+  return planSentence(sum) + ", by " + ballOf(touch) + frictionOf(touch) + ", through " +
+         searchOf(choices.size(), sum.felt);
 }
 
 } // namespace palpate

@@ -46,9 +46,28 @@ class Plan(CommandLineTest):
         points, faces = tube(10.0, 40.0, 32)
         self.write_off("a.off", points, faces)
         said = (f"all {len(faces)} triangles are felt (simpler surfaces pay from 50000 triangles on), "
-                "by a point without friction, through a tree of boxes")
+                "by a point (no radius is asked for) without friction (none is asked for), "
+                "through a tree of boxes (lists of more than 8 triangles are dearer)")
         self.assertIn(said, self.succeed("check", "a.off").stdout)
         self.assertEqual(json.loads(self.succeed("check", "a.off", "--json").stdout)["choice"], said)
+
+    def test_what_a_person_asks_for_is_in_the_sentence_with_what_came_of_it(self):
+        self.write_off("a.off", SQUARE_POINTS, SQUARE_FACES)
+        choice = lambda *options: json.loads(self.succeed("check", "a.off", "--json", *options).stdout)["choice"]  # noqa: E731
+        few = choice("--radius", 1000, "--mu-static", 0.5, "--mu-kinetic", 0.25)
+        self.assertIn("by a ball of 1e+03 u (asked for; one of any size finishes its work in a tick)", few)
+        self.assertIn("with friction 0.5 at rest, 0.25 sliding (asked for)", few)
+        self.assertIn("through a list (up to 8 triangles are one)", few)
+        self.write_off("a.off", *tube(10.0, 40.0, 4000))
+        self.assertIn(" u (9.5 u is asked for, and may run out of a tick's work", choice("--radius", 9.5))
+        forced = choice("--radius", 9.5, "--force-radius")
+        self.assertIn("by a ball of 9.5 u (asked for and forced; above ", forced)
+
+    def test_a_simpler_surface_that_is_asked_for_is_in_the_sentence(self):
+        self.write_off("a.off", *tube(10.0, 40.0, 400))
+        found = json.loads(self.succeed("check", "a.off", "--simplify", "--json").stdout)
+        self.assertGreater(found["simplified"]["triangles"], 0)
+        self.assertIn(f"{found['simplified']['triangles']} of 800 triangles are felt (proven", found["choice"])
 
     def test_a_person_reads_it_with_units(self):
         self.write_off("a.off", *tube(10.0, 40.0, 32))

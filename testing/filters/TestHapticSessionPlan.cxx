@@ -2,6 +2,7 @@
 // Surfaces finer than a hand feels: all of their triangles first, fewer later, in virtual time.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -16,6 +17,7 @@
 
 using namespace palpate;
 using namespace palpate::testing;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -218,17 +220,93 @@ TEST_F(HapticSessionPlan, WhatMovesOrHasMaterialFromArraysIsTouchedAsItIs)
   EXPECT_THAT(this->sentence(), HasSubstr("(its material comes from arrays)"));
 }
 
+TEST_F(HapticSessionPlan, ABallIsNoLargerThanItsWorkAllowsUnlessItIsForced)
+{
+  constexpr double depth = 2.0;
+  EXPECT_TRUE(std::isinf(this->session_->GetRadiusLimit()));
+  this->session_->SetSimplify(vtkHapticSession::Off);
+  this->show(makeSphere(radius, fine));
+  ASSERT_TRUE(this->session_->FinishScene());
+  const double limit = this->session_->GetRadiusLimit();
+  ASSERT_TRUE(std::isfinite(limit));
+  this->session_->SetRadius(limit);
+  EXPECT_EQ(this->session_->GetRadiusUsed(), limit);
+  EXPECT_THAT(this->sentence(), HasSubstr(" u (asked for; up to "));
+  this->session_->SetRadius(2 * limit);
+  EXPECT_EQ(this->session_->GetRadius(), 2 * limit);
+  EXPECT_EQ(this->session_->GetRadiusUsed(), limit);
+  EXPECT_THAT(this->sentence(), HasSubstr(" u is asked for, and may run out of a tick's work on triangles so fine)"));
+
+  // The centre of the ball that really touches rests so far off the sphere.
+  const auto rest = [this] { return Vec3(this->session_->GetProxyPosition()).norm() - radius; };
+  this->session_->SetHandPosition(this->handAt(0.0, radius + 3 * limit).data());
+  this->touch(depth);
+  EXPECT_NEAR(rest(), limit, sagitta(fine));
+  this->session_->LimitRadiusOff();
+  this->session_->Step(ticksToSettle);
+  EXPECT_EQ(this->session_->GetRadiusUsed(), 2 * limit);
+  EXPECT_THAT(this->sentence(), HasSubstr(" u (asked for and forced; above "));
+  EXPECT_NEAR(rest(), 2 * limit, sagitta(fine));
+  this->session_->LimitRadiusOn();
+  this->session_->Step(ticksToSettle);
+  EXPECT_NEAR(rest(), limit, sagitta(fine));
+  EXPECT_STREQ(this->session_->GetFaultText(), "");
+}
+
+TEST_F(HapticSessionPlan, APressedBallGrowsAndShrinksWithWhatTheSceneAllows)
+{
+  constexpr double depth = 2.0;
+  constexpr double soft = 100.0; // far below what the device gives at most
+  this->session_->SetSimplify(vtkHapticSession::Off);
+  this->session_->SetStiffness(soft);
+  this->show(makeSphere(radius, fine));
+  ASSERT_TRUE(this->session_->FinishScene());
+  const double limit = this->session_->GetRadiusLimit(), asked = 2 * limit;
+  this->session_->SetRadius(asked);
+  this->session_->SetHandPosition(this->handAt(0.0, radius + 3 * asked).data());
+  this->touch(depth);
+  const auto rest = [this] { return Vec3(this->session_->GetProxyPosition()).norm() - radius; };
+  for (const int resolution : { coarse, fine, coarse })
+  {
+    this->show(makeSphere(radius, resolution));
+    ASSERT_TRUE(this->session_->FinishScene());
+    this->session_->Step(1); // the swap; then the ball follows
+    this->session_->Step(ticksToSettle);
+    const double used = resolution == fine ? limit : asked;
+    ASSERT_GE(this->session_->GetRadiusLimit(), used);
+    EXPECT_EQ(this->session_->GetRadiusUsed(), used);
+    EXPECT_NEAR(rest(), used, sagitta(resolution));
+    EXPECT_NEAR(this->force_N(), soft * (depth + used) / scale, soft * sagitta(resolution) / scale);
+    EXPECT_STREQ(this->session_->GetFaultText(), "");
+  }
+}
+
+TEST_F(HapticSessionPlan, ARadiusThatIsNoneIsRefusedWhateverTheLimit)
+{
+  this->show(makeSphere(radius, fine));
+  ASSERT_TRUE(this->session_->FinishScene());
+  this->session_->SetRadius(0.5);
+  for (const double bad : { -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    EXPECT_EQ(errorsOf(this->session_, [this, bad] { this->session_->SetRadius(bad); }).size(), 1u) << bad;
+    EXPECT_EQ(this->session_->GetRadius(), 0.5);
+    EXPECT_EQ(this->session_->GetRadiusUsed(), 0.5);
+  }
+}
+
 TEST_F(HapticSessionPlan, TheSentenceSaysWhatTouchesAndAChoiceThatIsNoneIsRefused)
 {
   EXPECT_EQ(this->sentence(), "there is nothing to touch");
   this->show(makePlane(radius));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all 2 triangles are felt"));
-  EXPECT_THAT(this->sentence(), HasSubstr(", by a point without friction, through a tree of boxes"));
+  EXPECT_THAT(this->sentence(), EndsWith(", by a point (no radius is asked for) without friction (none is asked for), "
+                                         "through a list (up to 8 triangles are one)"));
   this->session_->SetRadius(1.5);
   this->session_->SetFrictionStatic(0.5);
   this->session_->SetFrictionKinetic(0.25);
-  EXPECT_THAT(this->sentence(), HasSubstr(", by a ball of 1.5 u with friction 0.5 at rest, 0.25 sliding,"));
+  EXPECT_THAT(this->sentence(), HasSubstr(", by a ball of 1.5 u (asked for; one of any size finishes its work in a "
+                                          "tick) with friction 0.5 at rest, 0.25 sliding (asked for),"));
   const auto errors = errorsOf(this->session_, [this] { this->session_->SetSimplify(3); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("simpler surfaces must be 0 (auto), 1 (off) or 2 (on)"));

@@ -150,6 +150,7 @@ class Session(unittest.TestCase):
     def test_is_saved_in_the_state_file_but_not_the_touching(self):
         write(self.proxy, "Stiffness", 321.5)
         write(self.proxy, "Radius", 0.75)
+        write(self.proxy, "LimitRadius", 0)
         write(self.proxy, "FrictionStatic", 0.5)
         write(self.proxy, "FrictionKinetic", 0.25)
         write(self.proxy, "ForceShading", 1)
@@ -183,6 +184,8 @@ class Session(unittest.TestCase):
         self.assertEqual(session.GetDeviceName(), "simulated-ideal")
         self.assertEqual((session.GetFrictionStatic(), session.GetFrictionKinetic()), (0.5, 0.25))
         self.assertEqual(session.GetFrictionKineticUsed(), 0.25)
+        self.assertFalse(session.GetLimitRadius())
+        self.assertEqual((session.GetRadiusUsed(), session.GetRadiusLimit()), (0.75, float("inf")))
         self.assertTrue(session.GetForceShading())
         self.assertEqual(session.GetSimplify(), session.On)
         self.assertFalse(session.GetPassivity())

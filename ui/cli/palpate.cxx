@@ -17,12 +17,8 @@ constexpr int BadInput = 2;
 
 struct Arguments
 {
-  bool Simplify = false;
-  bool Json = false;
-  std::string File;
-  std::optional<double> Iso;
-  double Radius_u = 0.0;
-  vtkHapticMaterialSettings Materials;
+  bool DevicesJson = false;
+  vtkHapticCliCheckOptions Check;
   vtkHapticCliTouchOptions Touch;
   vtkHapticCliReplayOptions Replay;
   vtkHapticCliLabyrinthOptions Labyrinth;
@@ -31,18 +27,22 @@ struct Arguments
 void AddDevices(CLI::App& app, Arguments& arguments)
 {
   CLI::App* command = app.add_subcommand("devices", "what is attached, what each can do, why one cannot be used");
-  command->add_flag("--json", arguments.Json, "for a program to read");
+  command->add_flag("--json", arguments.DevicesJson, "for a program to read");
 }
 
 void AddCheck(CLI::App& app, Arguments& arguments)
 {
+  vtkHapticCliCheckOptions& options = arguments.Check;
   CLI::App* command = app.add_subcommand("check", "can it be touched? what was repaired, what is refused");
-  command->add_option("FILE", arguments.File, "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso")->required();
-  command->add_option("--iso", arguments.Iso, "value of the surface in an image");
-  command->add_option("--radius", arguments.Radius_u, "does a ball of this radius fit? [scene units]");
-  vtkHapticCliAddMaterials(*command, arguments.Materials);
-  command->add_flag("--simplify", arguments.Simplify, "with how few triangles it would feel the same, proven");
-  command->add_flag("--json", arguments.Json, "for a program to read");
+  command->add_option("FILE", options.File, "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso")->required();
+  command->add_option("--iso", options.Iso, "value of the surface in an image");
+  command->add_option("--radius", options.Radius_u, "does a ball of this radius fit? [scene units]");
+  command->add_flag("--force-radius", options.ForceRadius, "that ball, although a tick may run out of its work");
+  command->add_option("--mu-static", options.MuStatic, "friction that holds at rest")->capture_default_str();
+  command->add_option("--mu-kinetic", options.MuKinetic, "friction while it slides; without it the static one");
+  vtkHapticCliAddMaterials(*command, options.Materials);
+  command->add_flag("--simplify", options.Simplify, "with how few triangles it would feel the same, proven");
+  command->add_flag("--json", options.Json, "for a program to read");
 }
 
 void AddTouch(CLI::App& app, Arguments& arguments)
@@ -55,6 +55,8 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   command->add_option("--csv", options.Output, "OUT.csv: a row per tick")->required();
   command->add_option("--iso", options.Iso, "value of the surface in an image");
   command->add_option("--radius", options.Radius_u, "ball radius [scene units]")->capture_default_str();
+  command->add_flag(
+    "--limit-radius", options.LimitRadius, "no larger a ball than one that finishes its work in a tick");
   command
     ->add_option("--line-radius", options.LineRadius_u, "lines are tubes of this radius [scene units]; 0: not touched")
     ->capture_default_str();
@@ -120,6 +122,15 @@ void CheckTwoD(const vtkHapticCliTouchOptions& options)
   }
 }
 
+void CheckFriction(double muStatic, const std::optional<double>& muKinetic)
+{
+  CheckNumber("--mu-static", muStatic, true, "friction");
+  if (muKinetic)
+  {
+    CheckNumber("--mu-kinetic", *muKinetic, true, "friction");
+  }
+}
+
 int Touch(const vtkHapticCliTouchOptions& options)
 {
   if (options.TwoD)
@@ -130,13 +141,17 @@ int Touch(const vtkHapticCliTouchOptions& options)
   CheckNumber("--line-radius", options.LineRadius_u, true, "scene units");
   CheckNumber("--stiffness", options.Stiffness_N_per_m, true, "newtons per metre");
   CheckNumber("--scale", options.Scale_u_per_m, false, "scene units per metre");
-  CheckNumber("--mu-static", options.MuStatic, true, "friction");
-  if (options.MuKinetic)
-  {
-    CheckNumber("--mu-kinetic", *options.MuKinetic, true, "friction");
-  }
+  CheckFriction(options.MuStatic, options.MuKinetic);
   vtkHapticCliCheckMaterials(options.Materials);
   return vtkHapticCliTouch(options);
+}
+
+int Check(const vtkHapticCliCheckOptions& options)
+{
+  CheckNumber("--radius", options.Radius_u, true, "scene units");
+  CheckFriction(options.MuStatic, options.MuKinetic);
+  vtkHapticCliCheckMaterials(options.Materials);
+  return vtkHapticCliCheck(options);
 }
 
 int Labyrinth(const vtkHapticCliLabyrinthOptions& options)
@@ -157,14 +172,11 @@ int Run(const CLI::App& app, const Arguments& arguments)
 {
   if (app.got_subcommand("devices"))
   {
-    return vtkHapticCliDevices(arguments.Json);
+    return vtkHapticCliDevices(arguments.DevicesJson);
   }
   if (app.got_subcommand("check"))
   {
-    CheckNumber("--radius", arguments.Radius_u, true, "scene units");
-    vtkHapticCliCheckMaterials(arguments.Materials);
-    return vtkHapticCliCheck(
-      arguments.File, arguments.Iso, arguments.Materials, arguments.Simplify, arguments.Radius_u, arguments.Json);
+    return Check(arguments.Check);
   }
   if (app.got_subcommand("touch"))
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticCliCommands.h"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -8,7 +9,7 @@
 #include "haptics/contact/PlanFor.h"
 #include "haptics/contact/RadiusLimit.h"
 #include "haptics/geometry/ScenePlan.h"
-#include "haptics/geometry/Simplification.h"
+#include "haptics/geometry/SceneSimplifier.h"
 #include "haptics/session/PlanSentence.h"
 #include "vtkHapticCliPlane.h"
 #include "vtkHapticCliProblem.h"
@@ -51,10 +52,39 @@ palpate::ScenePlan TouchPlanOf(const palpate::Surface& surface)
   return palpate::planTouch(*surface.tree, conditions);
 }
 
-/// What a session says of this file before it has looked for simpler surfaces.
-std::string ChoiceOf(const palpate::Scene& scene)
+/// What a session would choose for this file.
+struct Choice
 {
-  return palpate::planSentence(palpate::chooseAtFirst(scene, {}, {}), palpate::planFor(scene, {}));
+  palpate::SurfaceChoice Surface;
+  palpate::RadiusLimit Radius;
+  std::string Sentence;
+};
+
+/// A scene of one surface, before simpler surfaces were looked for or after it.
+palpate::SurfaceChoice SurfaceChoiceOf(const palpate::Scene& scene, bool simplify)
+{
+  palpate::SimplifyRules rules;
+  rules.touch = TouchPlanOf(scene.surfaces().front()).conditions;
+  rules.leastTriangles = simplify ? 0 : rules.leastTriangles;
+  const std::vector<palpate::SurfaceChoice> atFirst = palpate::chooseAtFirst(scene, {}, rules);
+  return simplify ? palpate::SceneSimplifier().simplify(scene, atFirst, rules, 2).choices.front() : atFirst.front();
+}
+
+Choice ChoiceOf(const palpate::Scene& scene, const vtkHapticCliCheckOptions& options)
+{
+  Choice choice;
+  palpate::TouchChoice touch;
+  touch.plan.radius_u = options.Radius_u;
+  choice.Surface = SurfaceChoiceOf(scene, options.Simplify);
+  choice.Radius = palpate::radiusLimit(scene, palpate::planFor(scene, touch.plan));
+  touch.asked_u = options.Radius_u;
+  touch.largest_u = choice.Radius.largest_u;
+  touch.plan.radius_u = palpate::chosenRadius_u(touch.asked_u, touch.largest_u, !options.ForceRadius);
+  touch.plan.friction = { options.MuStatic, std::min(options.MuKinetic.value_or(options.MuStatic), options.MuStatic) };
+  touch.plan = palpate::planFor(scene, touch.plan);
+  touch.frictionFromData = palpate::hasOwnFriction(scene);
+  choice.Sentence = palpate::planSentence({ choice.Surface }, touch);
+  return choice;
 }
 
 nlohmann::ordered_json ToJson(const palpate::ScenePlan& plan)
@@ -73,13 +103,6 @@ nlohmann::ordered_json ToJson(const palpate::ScenePlan& plan)
   return json;
 }
 
-palpate::RadiusLimit RadiusLimitOf(const palpate::Scene& scene, double radius_u)
-{
-  palpate::ContactPlan plan;
-  plan.radius_u = radius_u;
-  return palpate::radiusLimit(scene, palpate::planFor(scene, plan));
-}
-
 nlohmann::ordered_json ToJson(const palpate::RadiusLimit& limit)
 {
   nlohmann::ordered_json json;
@@ -90,32 +113,26 @@ nlohmann::ordered_json ToJson(const palpate::RadiusLimit& limit)
   return json;
 }
 
-palpate::Simplification SimplifiedOf(const palpate::Surface& surface)
-{
-  return palpate::simplifyWithin(*surface.tree, { TouchPlanOf(surface).unnoticed_u() });
-}
-
-nlohmann::ordered_json ToJson(const palpate::Simplification& fewer)
+nlohmann::ordered_json ToJson(const palpate::SurfaceChoice& surface)
 {
   nlohmann::ordered_json json;
-  json["triangles"] = fewer.tree ? fewer.tree->mesh().triangles.size() : 0;
-  json["bound_u"] = fewer.bound_u;
-  json["refusal"] = fewer.refusal;
+  json["triangles"] = surface.felt < surface.triangles ? surface.felt : 0;
+  json["bound_u"] = surface.bound_u;
+  json["refusal"] = surface.reason;
   return json;
 }
 
-std::string SentenceOf(const palpate::Simplification& fewer)
+std::string SentenceOf(const palpate::SurfaceChoice& surface)
 {
   std::ostringstream text;
-  text << "for a comparison only: ";
-  if (fewer.tree)
+  if (surface.felt < surface.triangles)
   {
-    text << fewer.tree->mesh().triangles.size() << " triangles feel the same, everywhere within " << fewer.bound_u
+    text << surface.felt << " triangles feel the same, everywhere within " << surface.bound_u
          << " scene units, proven both ways";
   }
   else
   {
-    text << "no simpler surface: " << fewer.refusal;
+    text << "no simpler surface: " << surface.reason;
   }
   return text.str();
 }
@@ -137,16 +154,22 @@ nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report, const std::s
   return json;
 }
 
-void AddScene(nlohmann::ordered_json& json, const palpate::Scene& scene)
+void AddScene(nlohmann::ordered_json& json, const palpate::Scene& scene, const vtkHapticCliCheckOptions& options)
 {
+  const Choice choice = ChoiceOf(scene, options);
   const palpate::Surface& surface = scene.surfaces().front();
   const Box box = BoundsOf(surface.tree->mesh());
   json["low_u"] = { box.Low_W.x(), box.Low_W.y(), box.Low_W.z() };
   json["high_u"] = { box.High_W.x(), box.High_W.y(), box.High_W.z() };
   json["tree_bytes"] = surface.tree->bytes();
   json["tree"] = PlanOf(surface);
-  json["choice"] = ChoiceOf(scene);
+  json["choice"] = choice.Sentence;
   json["plan"] = ToJson(TouchPlanOf(surface));
+  json["radius"] = ToJson(choice.Radius);
+  if (options.Simplify)
+  {
+    json["simplified"] = ToJson(choice.Surface);
+  }
 }
 
 void Print(const nlohmann::ordered_json& json)
@@ -155,8 +178,10 @@ void Print(const nlohmann::ordered_json& json)
   std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-void Print(const palpate::SurfaceReport& report, const palpate::Scene& scene, const std::string& material)
+void Print(const palpate::SurfaceReport& report, const palpate::Scene& scene, const std::string& material,
+  const vtkHapticCliCheckOptions& options)
 {
+  const Choice choice = ChoiceOf(scene, options);
   const palpate::Surface& surface = scene.surfaces().front();
   const Box box = BoundsOf(surface.tree->mesh());
   const palpate::Vec3 size_u = box.High_W - box.Low_W;
@@ -165,18 +190,23 @@ void Print(const palpate::SurfaceReport& report, const palpate::Scene& scene, co
             << "  size      " << size_u.x() << " x " << size_u.y() << " x " << size_u.z() << " scene units, from ("
             << box.Low_W.x() << ", " << box.Low_W.y() << ", " << box.Low_W.z() << ")\n"
             << "  plan      " << PlanOf(surface) << '\n'
-            << "  felt      " << ChoiceOf(scene) << '\n'
+            << "  felt      " << choice.Sentence << '\n'
             << "  facets    100 mm long in the hand and " << TouchPlanOf(surface).sentence() << '\n'
-            << (material.empty() ? "" : "  material  " + material + '\n');
+            << (material.empty() ? "" : "  material  " + material + '\n') << "  radius    " << choice.Radius.sentence()
+            << '\n';
+  if (options.Simplify)
+  {
+    std::cout << "  simpler   " << SentenceOf(choice.Surface) << '\n';
+  }
 }
 
 /// A machine that asked for JSON gets JSON for a refusal as well.
-vtkHapticCliSurface ReadOrRefuse(
-  const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials, bool json)
+vtkHapticCliSurface ReadOrRefuse(const vtkHapticCliCheckOptions& options)
 {
+  const std::string& file = options.File;
   try
   {
-    vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, iso, materials, true);
+    vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, options.Iso, options.Materials, true);
     if (!surface.Input.mesh)
     {
       surface.Input = vtkHapticCliWallsOf(file, surface, 0.0);
@@ -191,17 +221,14 @@ vtkHapticCliSurface ReadOrRefuse(
   }
   catch (const vtkHapticCliProblem& problem)
   {
-    if (json)
+    if (options.Json)
     {
       Print(nlohmann::ordered_json{ { "file", file }, { "touchable", false }, { "refusal", problem.what() } });
     }
     throw;
   }
 }
-} // namespace
 
-namespace
-{
 std::string SentenceOfPlane(const vtkHapticCliSurface& surface)
 {
   return "a plane world: " + std::to_string(surface.Lines->triangles.size()) +
@@ -209,42 +236,31 @@ std::string SentenceOfPlane(const vtkHapticCliSurface& surface)
 }
 } // namespace
 
-int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials,
-  bool simplify, double radius_u, bool json)
+int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options)
 {
-  const vtkHapticCliSurface surface = ReadOrRefuse(file, iso, materials, json);
+  const vtkHapticCliSurface surface = ReadOrRefuse(options);
   const palpate::SceneBuildResult built = palpate::SceneBuilder().build({ surface.Input });
   const palpate::SurfaceReport& report = built.reports.front();
-  if (json)
+  if (options.Json)
   {
     nlohmann::ordered_json described = ToJson(report, surface.Material.Note);
     described["plane_world"] = surface.Lines != nullptr;
     if (built.scene)
     {
-      AddScene(described, *built.scene);
-      described["radius"] = ToJson(RadiusLimitOf(*built.scene, radius_u));
-      if (simplify)
-      {
-        described["simplified"] = ToJson(SimplifiedOf(built.scene->surfaces().front()));
-      }
+      AddScene(described, *built.scene, options);
     }
     Print(described);
   }
   if (!built.scene)
   {
-    throw vtkHapticCliProblem(file + ": it cannot be touched: " + report.refusal);
+    throw vtkHapticCliProblem(options.File + ": it cannot be touched: " + report.refusal);
   }
-  if (!json)
+  if (!options.Json)
   {
-    Print(report, *built.scene, surface.Material.Note);
+    Print(report, *built.scene, surface.Material.Note, options);
     if (surface.Lines)
     {
       std::cout << "  world     " << SentenceOfPlane(surface) << '\n';
-    }
-    std::cout << "  radius    " << RadiusLimitOf(*built.scene, radius_u).sentence() << '\n';
-    if (simplify)
-    {
-      std::cout << "  simpler   " << SentenceOf(SimplifiedOf(built.scene->surfaces().front())) << '\n';
     }
   }
   return 0;

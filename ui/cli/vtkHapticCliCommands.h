@@ -13,10 +13,22 @@
 /// What is attached, what each device can do, why one cannot be used.
 int vtkHapticCliDevices(bool json);
 
-/// Whether a file can be touched, what was repaired, what is refused. 0: touchable; a refusal throws. `simplify`: also
-/// with how few triangles it would feel the same, which takes a while.
-int vtkHapticCliCheck(const std::string& file, std::optional<double> iso, const vtkHapticMaterialSettings& materials,
-  bool simplify, double radius_u, bool json);
+struct vtkHapticCliCheckOptions
+{
+  std::string File;
+  std::optional<double> Iso;
+  vtkHapticMaterialSettings Materials;
+  bool Simplify = false; ///< also with how few triangles it would feel the same, which takes a while
+  double Radius_u = 0.0;
+  bool ForceRadius = false; ///< although a tick may run out of its work
+  double MuStatic = 0.0;
+  std::optional<double> MuKinetic;
+  bool Json = false;
+};
+
+/// Whether a file can be touched, what was repaired, what is refused, and what a session would choose for it. 0:
+/// touchable; a refusal throws.
+int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options);
 
 struct vtkHapticCliTouchOptions
 {
@@ -25,6 +37,7 @@ struct vtkHapticCliTouchOptions
   std::string Output;
   std::optional<double> Iso;
   double Radius_u = 0.0;
+  bool LimitRadius = false;
   double LineRadius_u = 0.0;
   double MuStatic = 0.0;
   std::optional<double> MuKinetic;

@@ -6,6 +6,7 @@
 #include "haptics/contact/PlanFor.h"
 #include "haptics/contact/RadiusLimit.h"
 #include "haptics/session/ForceRenderer.h"
+#include "haptics/session/PlanSentence.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"
 #include "vtkHapticCliPlane.h"
@@ -61,13 +62,17 @@ struct Shortfalls
 };
 
 /// A ball that is too large is safe and may lag: that is the person's choice.
-void WarnOfRadius(const palpate::Scene& scene, const palpate::ContactPlan& plan)
+double ChooseRadius_u(const palpate::Scene& scene, const palpate::ContactPlan& plan, bool keepLimit)
 {
   const palpate::RadiusLimit limit = palpate::radiusLimit(scene, palpate::planFor(scene, plan));
+  const double chosen_u = palpate::chosenRadius_u(plan.radius_u, limit.largest_u, keepLimit);
   if (!limit.kept())
   {
-    std::cerr << "palpate: --radius: " << limit.sentence() << '\n';
+    std::cerr << "palpate: --radius: " << limit.sentence() << "; "
+              << (keepLimit ? "the ball is so large instead" : "--limit-radius makes the ball so large instead")
+              << '\n';
   }
+  return chosen_u;
 }
 
 void Render(const std::vector<vtkHapticCliPathRow>& path, const palpate::Scene& scene,
@@ -97,7 +102,7 @@ void Render(const std::vector<vtkHapticCliPathRow>& path, const palpate::Scene& 
 
 int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
 {
-  const palpate::HapticParameters parameters = ParametersOf(options);
+  palpate::HapticParameters parameters = ParametersOf(options);
   const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path);
   if (options.TwoD)
   {
@@ -107,7 +112,7 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
     options.TwoD ? vtkHapticCliBuildPlane(options.Files, options.Radius_u)
                  : vtkHapticCliBuildScene(
                      options.Files, options.Iso, options.Materials, options.Scale_u_per_m, options.LineRadius_u);
-  WarnOfRadius(*scene, parameters.contact);
+  parameters.contact.radius_u = ChooseRadius_u(*scene, parameters.contact, options.LimitRadius);
   std::vector<std::string> inputs = options.Files;
   inputs.push_back(options.Path);
   vtkHapticCliOutput output(options.Output, inputs);
