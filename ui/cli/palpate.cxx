@@ -18,6 +18,8 @@ constexpr int BadInput = 2;
 struct Arguments
 {
   bool DevicesJson = false;
+  std::string SelfTest;
+  bool Keep = false;
   vtkHapticCliCheckOptions Check;
   vtkHapticCliTouchOptions Touch;
   vtkHapticCliReplayOptions Replay;
@@ -27,7 +29,11 @@ struct Arguments
 void AddDevices(CLI::App& app, Arguments& arguments)
 {
   CLI::App* command = app.add_subcommand("devices", "what is attached, what each can do, why one cannot be used");
-  command->add_flag("--json", arguments.DevicesJson, "for a program to read");
+  CLI::Option* json = command->add_flag("--json", arguments.DevicesJson, "for a program to read");
+  CLI::Option* test = command->add_option("--self-test", arguments.SelfTest,
+    "ID: check that device with the person who holds it; a simulated hand does what is asked");
+  test->excludes(json);
+  command->add_flag("--keep", arguments.Keep, "what the check found, to be applied from now on")->needs(test);
 }
 
 void AddCheck(CLI::App& app, Arguments& arguments)
@@ -172,7 +178,8 @@ int Run(const CLI::App& app, const Arguments& arguments)
 {
   if (app.got_subcommand("devices"))
   {
-    return vtkHapticCliDevices(arguments.DevicesJson);
+    const bool test = app.get_subcommand("devices")->count("--self-test") > 0;
+    return test ? vtkHapticCliSelfTest(arguments.SelfTest, arguments.Keep) : vtkHapticCliDevices(arguments.DevicesJson);
   }
   if (app.got_subcommand("check"))
   {

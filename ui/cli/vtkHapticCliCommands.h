@@ -8,10 +8,13 @@
 
 #include "vtkHapticMaterialArrays.h"
 
-/// The four commands of the program `palpate`. Each returns the exit code and throws vtkHapticCliProblem for bad input.
+/// The commands of the program `palpate`. Each returns the exit code and throws vtkHapticCliProblem for bad input.
 
 /// What is attached, what each device can do, why one cannot be used.
 int vtkHapticCliDevices(bool json);
+
+/// Checks a device with whoever holds it, and keeps what was found if `keep`. 0: it passed, 1: it did not.
+int vtkHapticCliSelfTest(const std::string& device, bool keep);
 
 struct vtkHapticCliCheckOptions
 {
