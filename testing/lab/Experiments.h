@@ -39,6 +39,8 @@ void runMaterials(const Conditions& conditions, Table& table);
 void runDeforming(const Conditions& conditions, Table& table);
 void runCurves(const Conditions& conditions, Table& table);
 void runSceneSwap(const Conditions& conditions, Table& table);
+void runPlaneCost(const Conditions& conditions, Table& table);
+void runPlayedWalls(const Conditions& conditions, Table& table);
 void runPlaneWedge(const Conditions& conditions, Table& table);
 void runImageCurves(const Conditions& conditions, Table& table);
 void runSlantedWall(const Conditions& conditions, Table& table);

@@ -216,8 +216,10 @@ void judgeCost(const Conditions& conditions, Table& table)
     maze.segments.push_back({ 2 * i, 2 * i + 1 });
   }
   const std::vector<Vec3> path_W = wandering(conditions.pick(2000, 20000, 20000), random);
-  test::PathChecker checker(raiseWalls(maze, wallHeight_u), 0.0);
-  test::Probe judged(sceneOf(maze), 0.0, path_W.front(), &checker), timed(sceneOf(maze), 0.0, path_W.front());
+  const TriangleMesh walls = raiseWalls(maze, wallHalfHeight(maze, 0.0));
+  test::PathChecker checker(walls, 0.0);
+  test::Probe judged(test::sceneOf(walls), 0.0, path_W.front(), &checker);
+  test::Probe timed(test::sceneOf(walls), 0.0, path_W.front());
   test::CostSample cost(path_W.size());
   for (const Vec3& p_W : path_W)
   {

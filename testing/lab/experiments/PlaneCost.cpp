@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows 44 and 45: what a tick among lines costs, by a tree and by asking every line, and what coarser lines would save.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "haptics/contact/Sweep.h"
+#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/MultiresolutionCurve.h"
+#include "testing/lab/Experiments.h"
+#include "testing/support/Meshes.h"
+#include "testing/support/Polylines.h"
+#include "testing/support/Probe.h"
+
+namespace palpate::lab
+{
+namespace
+{
+
+using Vec2 = Eigen::Vector2d;
+
+constexpr double half_u = 2.0; // of the square world
+constexpr const char* ours = "tree";
+constexpr const char* flat = "every line asked once";
+
+std::shared_ptr<const Scene> sceneOf(const CurveSet& curves)
+{
+  return test::sceneOf(raiseWalls(curves, wallHalfHeight(curves, 0.0)));
+}
+
+/// A square of cells, half of their sides walls: about `segments` of them.
+CurveSet maze(std::size_t segments, test::Random& random)
+{
+  const auto cells = static_cast<std::uint32_t>(std::max(2.0, std::round(std::sqrt(static_cast<double>(segments)))));
+  const double cell_u = 2 * half_u / cells;
+  CurveSet curves;
+  const auto corner = [cells](std::uint32_t i, std::uint32_t j) { return j * (cells + 1) + i; };
+  for (std::uint32_t j = 0; j <= cells; ++j)
+  {
+    for (std::uint32_t i = 0; i <= cells; ++i)
+    {
+      curves.points_W.emplace_back(i * cell_u - half_u, j * cell_u - half_u);
+      if (i < cells && (j == 0 || j == cells || random.uniform() < 0.5))
+      {
+        curves.segments.push_back({ corner(i, j), corner(i + 1, j) });
+      }
+      if (j < cells && (i == 0 || i == cells || random.uniform() < 0.5))
+      {
+        curves.segments.push_back({ corner(i, j), corner(i, j + 1) });
+      }
+    }
+  }
+  return curves;
+}
+
+/// Where the way from a to b first meets a line, as a share of it, 1 if nowhere: all lines in turn.
+double firstCrossing(const CurveSet& curves, const Vec2& a, const Vec2& b)
+{
+  const auto cross = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); };
+  double first = 1.0;
+  for (const auto& [i, j] : curves.segments)
+  {
+    const Vec2 &p = curves.points_W[i], along = curves.points_W[j] - p, way = b - a;
+    const double turn = cross(way, along);
+    const double t = cross(p - a, along) / turn, s = cross(p - a, way) / turn;
+    first = t >= 0.0 && t < first && s >= 0.0 && s <= 1.0 ? t : first;
+  }
+  return first;
+}
+
+/// A hand that strokes: about 0.2 m/s where the world is 10 cm wide, mostly behind walls.
+std::vector<Vec3> stroking(std::size_t ticks, test::Random& random)
+{
+  constexpr double step_u = 0.2 * 1e-3 * 2 * half_u / 0.1;
+  std::vector<Vec3> path_W{ { 0.0137, -0.0171, 0 } };
+  Vec3 goal_W = path_W.front();
+  while (path_W.size() < ticks)
+  {
+    const Vec3 way_W = goal_W - path_W.back();
+    if (way_W.norm() <= step_u)
+    {
+      goal_W = path_W.back() + Vec3(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0);
+      goal_W = goal_W.cwiseMax(Vec3(-half_u, -half_u, 0)).cwiseMin(Vec3(half_u, half_u, 0));
+      continue;
+    }
+    path_W.push_back(path_W.back() + step_u * way_W.normalized());
+  }
+  return path_W;
+}
+
+/// Ticks of a stroke. Only ways as short as that are asked of the flat list, which is one question of a tick of
+/// several.
+void judgeStroke(const CurveSet& curves, const std::string& name, const Conditions& conditions, Table& table)
+{
+  test::Random random(conditions.seed + 4);
+  const std::size_t lines = curves.segments.size();
+  const std::vector<Vec3> path_W = stroking(conditions.pick<std::size_t>(2000, 20000, 100000), random);
+  const auto scene = sceneOf(curves);
+  test::Probe probe(scene, 0.0, path_W.front());
+  test::CostSample tree(path_W.size());
+  double incomplete = 0.0, nodes = 0.0;
+  for (const Vec3& p_W : path_W)
+  {
+    ContactResult result;
+    tree.time([&] { result = probe.to(p_W); });
+    incomplete += result.overBudget || result.capped;
+    nodes = std::max(nodes, static_cast<double>(result.nodes));
+  }
+  table.within({ name, ours, "ticks that ran out of work" }, incomplete, 0.0, 0.0).cost = Cost::of(tree);
+  table.info({ name, ours, "nodes in a tick, most" }, nodes);
+
+  const std::size_t asked = std::min<std::size_t>(path_W.size(), 1 + 20000000 / lines);
+  test::CostSample list(asked);
+  double differ = 0.0;
+  for (std::size_t i = 1; i < asked; ++i)
+  {
+    const Vec3 from_W = path_W[i - 1], to_W = from_W + 20.0 * (path_W[i] - from_W);
+    SweepQuery query;
+    query.from_W = from_W;
+    query.to_W = to_W;
+    query.resolution.include(from_W);
+    query.resolution.include(to_W);
+    double met = 1.0;
+    list.time([&] { met = firstCrossing(curves, from_W.head<2>(), to_W.head<2>()); });
+    differ += std::fabs(sweepBall(*scene, query, ContactPlan().nodeBudget).t - met) > 1e-9;
+  }
+  table.within({ name, flat, "first lines met that differ from the tree's" }, differ, 0.0, 0.0).cost = Cost::of(list);
+}
+
+CurveSet through(const std::vector<Vec3>& points_W)
+{
+  CurveSet lines;
+  for (const Vec3& p_W : points_W)
+  {
+    lines.points_W.emplace_back(p_W.head<2>());
+    const auto last = static_cast<std::uint32_t>(lines.points_W.size() - 1);
+    if (last > 0)
+    {
+      lines.segments.push_back({ last - 1, last });
+    }
+  }
+  return lines;
+}
+
+/// A stroke of 0.2 m/s from inside along a ring whose world is 10 cm wide. Ticks whose work did not suffice.
+double stroked(const std::vector<Vec3>& ring_W, std::size_t ticks, Cost& cost)
+{
+  constexpr double step_rad = 4e-3; // 2 units from the middle: 0.2 mm of the hand
+  test::Probe probe(sceneOf(through(ring_W)), 0.0, 0.2 * ring_W.front());
+  test::CostSample sample(ticks);
+  double incomplete = 0.0;
+  for (std::size_t i = 0; i < ticks; ++i)
+  {
+    const double angle_rad = step_rad * static_cast<double>(i);
+    const Vec3 p_W(2.0 * std::cos(angle_rad), 2.0 * std::sin(angle_rad), 0);
+    ContactResult result;
+    sample.time([&] { result = probe.to(p_W); });
+    incomplete += result.overBudget || result.capped;
+  }
+  cost = Cost::of(sample);
+  return incomplete;
+}
+
+/// A curve far finer than a hand feels: a tick passes one facet after the other, and a stroke passes more of them than
+/// a tick has passes. Not the tree but that is what coarser lines are for; once they are within what is felt, all at
+/// once.
+void judgeLevels(const Conditions& conditions, Table& table)
+{
+  constexpr double stiffness_N_per_u = 500.0 / 40.0, felt_N = 0.07; // 500 N/m where the world is 10 cm wide
+  const std::size_t points = conditions.pick<std::size_t>(100000, 300000, 1000000);
+  const std::size_t ticks = conditions.pick<std::size_t>(1500, 5000, 50000);
+  const MultiresolutionCurve curve(test::wavyLine(conditions.seed, points, true));
+  CurveDetail detail;
+  detail.limit_u = 0.5 * felt_N / stiffness_N_per_u; // two choices differ by at most twice that
+  const std::vector<Vec3> coarse_W = test::pick(curve.points_W(), curve.choose(detail));
+  const std::string all = caseName({ { "points", static_cast<double>(points) } });
+  const std::string kept =
+    caseName({ { "points", static_cast<double>(points) }, { "kept", static_cast<double>(coarse_W.size()) } });
+  Cost cost;
+  table.atLeast({ all, "all points", "ticks that ran out of passes" }, stroked(curve.points_W(), ticks, cost), 1.0)
+    .cost = cost;
+  table
+    .within({ kept, "within what is felt", "ticks that ran out of passes" }, stroked(coarse_W, ticks, cost), 0.0, 0.0)
+    .cost = cost;
+  double away_u = 0.0;
+  for (std::size_t i = 0; i < points; i += points / 2000)
+  {
+    away_u = std::max(away_u, test::distanceToPolyline(curve.points_W()[i], coarse_W));
+  }
+  table.atMost(
+    { kept, "within what is felt", "force of a change of level", "N" }, 2 * stiffness_N_per_u * away_u, felt_N);
+}
+
+} // namespace
+
+void runPlaneCost(const Conditions& conditions, Table& table)
+{
+  test::Random random(conditions.seed);
+  std::vector<std::size_t> sizes = { 8, 32, 128, 512, 2000, 10000, 100000 };
+  if (conditions.size != Size::Quick)
+  {
+    sizes.push_back(1000000);
+  }
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    const CurveSet curves = maze(sizes[i], random);
+    judgeStroke(curves, caseName({ { "lines", static_cast<double>(curves.segments.size()) } }), conditions, table);
+    conditions.progress(0.9 * static_cast<double>(i + 1) / static_cast<double>(sizes.size()));
+  }
+  judgeLevels(conditions, table);
+}
+
+} // namespace palpate::lab
