@@ -31,6 +31,10 @@ bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
       p.map =
         palpate::fitted(labyrinth, workspace_m > 0.0 ? workspace_m : palpate::DeviceInfo().workspaceRadius_m.value);
     });
+  if (this->Impl->Stroke_W.empty()) // where a simulated hand begins that nobody told
+  {
+    this->Impl->Stroke_W.push_back(this->Impl->Parameters.map.offset_W);
+  }
   return this->GetLabyrinthPlayed();
 }
 
