@@ -3,6 +3,7 @@
 
 #include "pqCoreUtilities.h"
 #include "pqHapticController.h"
+#include "pqHapticLabyrinths.h"
 #include "pqHapticPanel.h"
 
 #include <QAction>
@@ -18,6 +19,15 @@ void ShowPanel()
     panel->setFocus();
   }
 }
+
+void ShowLabyrinths()
+{
+  QWidget* const main = pqCoreUtilities::mainWidget();
+  auto* dialog = main->findChild<pqHapticLabyrinths*>();
+  dialog = dialog ? dialog : new pqHapticLabyrinths(main);
+  dialog->show();
+  dialog->raise();
+}
 } // namespace
 
 pqHapticMenu::pqHapticMenu(QObject* parent) : Superclass(parent)
@@ -31,4 +41,9 @@ pqHapticMenu::pqHapticMenu(QObject* parent) : Superclass(parent)
   panel->setObjectName("hapticPanelAction");
   panel->setToolTip(tr("Show the panel with device, stiffness and the servo's state"));
   this->connect(panel, &QAction::triggered, this, &ShowPanel);
+
+  QAction* labyrinths = this->addAction(tr("&Labyrinths..."));
+  labyrinths->setObjectName("hapticLabyrinthsAction");
+  labyrinths->setToolTip(tr("Find the way through a maze by touch"));
+  this->connect(labyrinths, &QAction::triggered, this, &ShowLabyrinths);
 }
