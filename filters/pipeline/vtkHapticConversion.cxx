@@ -135,11 +135,7 @@ Polygons PolygonsOf(vtkPolyData* surface, bool mirrored)
 class SurfaceAppender
 {
 public:
-  SurfaceAppender(const vtkHapticCuts* known, std::vector<vtkHapticCuts::Part>& parts)
-    : Known(known)
-    , Parts(parts)
-  {
-  }
+  SurfaceAppender(const vtkHapticCuts* known, std::vector<vtkHapticCuts::Part>& parts) : Known(known), Parts(parts) {}
 
   std::string operator()(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
   {
@@ -177,14 +173,14 @@ private:
     return known && this->Known->Parts[index].Polygons != 0 ? &this->Known->Parts[index] : nullptr;
   }
 
-  void AppendKnown(
-    const vtkHapticCuts::Part& known, const vtkHapticCuts::Part& part, palpate::TriangleMesh& mesh) const
+  void AppendKnown(const vtkHapticCuts::Part& known, const vtkHapticCuts::Part& part, palpate::TriangleMesh& mesh) const
   {
     const auto first = this->Known->Mesh->triangles.begin() + static_cast<std::ptrdiff_t>(known.FirstTriangle);
     const std::uint32_t shift = part.FirstVertex - known.FirstVertex; // the sums come out right although it may wrap
     std::for_each(first, first + static_cast<std::ptrdiff_t>(known.Triangles),
-      [&](const std::array<std::uint32_t, 3>& t)
-      { mesh.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift }); });
+      [&](const std::array<std::uint32_t, 3>& t) {
+        mesh.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
+      });
   }
 
   static std::string AppendCut(

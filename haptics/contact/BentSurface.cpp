@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/contact/BentSurface.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "haptics/geometry/ExactPredicates.h"
 #include "haptics/geometry/SurfaceRecords.h"
 
 namespace palpate
 {
+namespace
+{
+
+/// Between these nothing under- or overflows: a tick computes the same face several times, and this is the quick way.
+constexpr double leastArea2 = 1e-250, mostArea2 = 1e250;
+constexpr double mostSliver = 1e30;
+
+} // namespace
 
 FaceRecord BentSurface::face(std::uint32_t triangle) const noexcept
 {
@@ -14,7 +25,19 @@ FaceRecord BentSurface::face(std::uint32_t triangle) const noexcept
   {
     return end;
   }
-  FaceRecord face = makeFace(this->cornersOf(triangle), isSegment(this->data_.corners(triangle)), end.owned);
+  FaceRecord face;
+  face.corner_W = this->cornersOf(triangle);
+  face.owned = end.owned;
+  const Vec3 e = face.corner_W[1] - face.corner_W[0], f = face.corner_W[2] - face.corner_W[0], cross = e.cross(f);
+  const double area2 = cross.squaredNorm(), sides2 = e.squaredNorm() * f.squaredNorm();
+  if (area2 > leastArea2 && area2 < mostArea2)
+  {
+    const double inverse = 1.0 / std::sqrt(area2);
+    face.normal_W = inverse * cross;
+    face.sliver = static_cast<float>(std::min(inverse * std::sqrt(sides2), mostSliver));
+    return face;
+  }
+  face = makeFace(face.corner_W, isSegment(this->data_.corners(triangle)), end.owned);
   if (!face.normal_W.allFinite())
   {
     face.normal_W = end.normal_W;

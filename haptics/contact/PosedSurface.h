@@ -42,6 +42,11 @@ public:
   /// What it is in its own frame.
   [[nodiscard]] const BentSurface& shape() const noexcept { return this->shape_; }
   [[nodiscard]] FaceRecord face(std::uint32_t triangle) const noexcept;
+  [[nodiscard]] std::array<Vec3, 3> cornersOf(std::uint32_t triangle) const noexcept
+  {
+    const auto& [a, b, c] = this->shape_.cornersOf(triangle);
+    return { this->toWorld(a), this->toWorld(b), this->toWorld(c) };
+  }
   [[nodiscard]] Vec3 vertex(std::uint32_t v) const noexcept { return this->toWorld(this->shape_.vertex(v)); }
   /// On which side of a face a point is, exactly, in the surface's own frame.
   [[nodiscard]] int sideOf(std::uint32_t triangle, const Vec3& x_W) const noexcept;
@@ -118,6 +123,15 @@ private:
 [[nodiscard]] inline const Motion& inTree(const SurfaceData&, const Motion& m) noexcept { return m; }
 [[nodiscard]] inline Motion inTree(const PosedSurface& s, const Motion& m) noexcept { return s.toSurface(m); }
 [[nodiscard]] inline const SurfaceData& dataOf(const SurfaceData& s) noexcept { return s; }
+/// Corners in W: where vertices are on their way they cost less than a whole face.
+[[nodiscard]] inline const std::array<Vec3, 3>& cornersIn(const SurfaceData& s, std::uint32_t triangle) noexcept
+{
+  return s.face(triangle).corner_W;
+}
+[[nodiscard]] inline std::array<Vec3, 3> cornersIn(const PosedSurface& s, std::uint32_t triangle) noexcept
+{
+  return s.cornersOf(triangle);
+}
 [[nodiscard]] inline const SurfaceData& dataOf(const PosedSurface& s) noexcept { return s.data(); }
 [[nodiscard]] inline const SurfaceData& dataOf(const BentSurface& s) noexcept { return s.data(); }
 

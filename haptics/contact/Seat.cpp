@@ -75,14 +75,13 @@ Nearest nearestWithin(const SceneView& scene, const Vec3& x_W, double reach) noe
   forEachNear(scene, x_W, reach,
     [&](const auto& surface, std::uint32_t s, std::uint32_t t)
     {
-      const FaceRecord& face = surface.face(t);
-      const auto& [a, b, c] = face.corner_W;
+      const auto& [a, b, c] = cornersIn(surface, t);
       const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c);
       const double coat = dataOf(surface).coat_u;
       const double clearance = (x_W - foot_W).norm() - coat;
       if (clearance < nearest.clearance)
       {
-        const Vec3 across = coat > 0.0 ? Vec3((b - a).unitOrthogonal()) : face.normal_W;
+        const Vec3 across = coat > 0.0 ? Vec3((b - a).unitOrthogonal()) : surface.face(t).normal_W;
         nearest = { clearance, coat, foot_W, across, s, t };
       }
     });

@@ -48,34 +48,6 @@ void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Vec3& origi
   writeDisc(quad, lane, centre - origin_W, face.normal_W, radius);
 }
 
-/// A ball that holds the three corners wherever they are: round the middle of their box.
-void setBall(DiscQuad& quad, int lane, const FaceRecord& face, const std::array<std::uint32_t, 3>& corners,
-  const std::vector<const std::vector<Vec3>*>& also, const Vec3& origin_W)
-{
-  const auto forEach = [&](auto visit)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      visit(face.corner_W[k]);
-      for (const std::vector<Vec3>* const place : also)
-      {
-        visit((*place)[corners[k]]);
-      }
-    }
-  };
-  Vec3 low = face.corner_W[0], high = low;
-  forEach(
-    [&](const Vec3& v)
-    {
-      low = low.cwiseMin(v);
-      high = high.cwiseMax(v);
-    });
-  const Vec3 centre = low + 0.5 * (high - low);
-  double radius2 = 0.0;
-  forEach([&](const Vec3& v) { radius2 = std::max(radius2, (v - centre).squaredNorm()); });
-  writeDisc(quad, lane, centre - origin_W, Vec3::Zero(), std::sqrt(radius2));
-}
-
 } // namespace
 
 FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept
@@ -123,14 +95,14 @@ void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept
   }
 }
 
-void layBalls(SurfaceData& data, std::size_t leafIndex, const std::vector<const std::vector<Vec3>*>& also) noexcept
+void layBalls(SurfaceData& data, std::size_t leafIndex, const std::array<Box, Leaf::capacity>& faceBoxes) noexcept
 {
   const Leaf& leaf = data.leaves[leafIndex];
   for (std::uint32_t k = 0; k < leaf.count; ++k)
   {
-    const std::uint32_t t = leaf.first + k;
-    setBall(
-      data.discs[2 * leafIndex + k / 4], static_cast<int>(k % 4), data.faces[t], data.corners(t), also, leaf.origin_W);
+    const Vec3 half = 0.5 * (faceBoxes[k].high_W - faceBoxes[k].low_W);
+    writeDisc(data.discs[2 * leafIndex + k / 4], static_cast<int>(k % 4), faceBoxes[k].low_W + half - leaf.origin_W,
+      Vec3::Zero(), half.norm());
   }
 }
 

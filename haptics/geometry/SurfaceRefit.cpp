@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <utility>
 
@@ -58,21 +59,16 @@ void include(Box& box, const Vec3& v)
   box.high_W = box.high_W.cwiseMax(v);
 }
 
-Box boxOf(const SurfaceData& data, const Leaf& leaf, const VertexWay* way)
+/// Around the corners of a face wherever they may be.
+Box boxOf(const SurfaceData& data, std::uint32_t triangle, const VertexWay* way)
 {
-  Box box{ data.faces[leaf.first].corner_W[0], data.faces[leaf.first].corner_W[0] };
-  for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
+  const auto& [a, b, c] = data.faces[triangle].corner_W;
+  Box box{ a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c) };
+  for (std::size_t i = 0; way != nullptr && i < way->also.size(); ++i)
   {
-    for (const Vec3& corner : data.faces[t].corner_W)
+    for (const std::uint32_t corner : data.corners(triangle))
     {
-      include(box, corner);
-    }
-    for (std::size_t i = 0; way != nullptr && i < way->also.size(); ++i)
-    {
-      for (const std::uint32_t corner : data.corners(t))
-      {
-        include(box, (*way->also[i])[corner]);
-      }
+      include(box, (*way->also[i])[corner]);
     }
   }
   return box;
@@ -99,20 +95,29 @@ bool refitLeaves(
   data.faces.resize(old.size());
   data.discs.resize(2 * data.leaves.size());
   leafBoxes.reserve(data.leaves.size());
+  std::array<Box, Leaf::capacity> faceBoxes;
   for (std::size_t index = 0; index < data.leaves.size(); ++index)
   {
     Leaf& leaf = data.leaves[index];
-    for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
+    for (std::uint32_t k = 0; k < leaf.count; ++k)
     {
+      const std::uint32_t t = leaf.first + k;
       data.faces[t] = makeFace(data, t, old[t].owned);
       if (!hasExtent(data.faces[t]))
       {
         return false;
       }
+      faceBoxes[k] = boxOf(data, t, way);
     }
-    leafBoxes.push_back(boxOf(data, leaf, way));
-    leaf = makeLeaf(leafBoxes.back(), leaf.first, leaf.count);
-    way != nullptr ? layBalls(data, index, way->also) : layDiscs(data, index);
+    Box box = faceBoxes[0];
+    for (std::uint32_t k = 1; k < leaf.count; ++k)
+    {
+      include(box, faceBoxes[k].low_W);
+      include(box, faceBoxes[k].high_W);
+    }
+    leafBoxes.push_back(box);
+    leaf = makeLeaf(box, leaf.first, leaf.count);
+    way != nullptr ? layBalls(data, index, faceBoxes) : layDiscs(data, index);
   }
   return true;
 }

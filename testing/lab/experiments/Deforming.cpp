@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What it costs to keep a deforming surface felt: moving the vertices of its tree against building it anew, and that
-// the moved tree holds a pressed hand where the surface is.
+// What is felt of a surface between two snapshots, on its way or in steps, and what it costs to keep it felt: moving
+// the vertices of its tree against building it anew, and a tick on the way against one on a surface that stands.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "haptics/contact/Deformation.h"
 #include "haptics/contact/GodObject.h"
+#include "haptics/contact/PosedSurface.h"
 #include "haptics/geometry/SurfaceTree.h"
 #include "testing/lab/Experiments.h"
+#include "testing/support/Bender.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
 
@@ -17,10 +21,10 @@ namespace palpate::lab
 namespace
 {
 
-std::shared_ptr<const SurfaceTree> refitted(
-  const SurfaceTree& tree, std::vector<Vec3> vertices_W, std::shared_ptr<const SurfaceTree> retired = nullptr)
+std::shared_ptr<const SurfaceTree> refitted(const SurfaceTree& tree, std::vector<Vec3> vertices_W,
+  std::shared_ptr<const SurfaceTree> retired = nullptr, const VertexWay* way = nullptr)
 {
-  RefitResult result = tree.refitted(std::move(vertices_W), std::move(retired));
+  RefitResult result = tree.refitted(std::move(vertices_W), std::move(retired), way);
   if (!result.tree)
   {
     throw std::runtime_error(result.refusal);
@@ -39,7 +43,7 @@ std::vector<Vec3> stretched(const std::vector<Vec3>& vertices_W, double factor)
 }
 
 /// As a worker answers a stream of new vertices: the last tree is felt until the next one is there.
-template <class Make>
+template<class Make>
 Cost costOf(const std::vector<Vec3>& vertices_W, int repetitions, Make make)
 {
   test::CostSample sample(static_cast<std::size_t>(repetitions));
@@ -70,8 +74,143 @@ void compareCost(std::size_t triangles, int repetitions, Table& table)
     [&](std::vector<Vec3> moved_W, std::shared_ptr<const SurfaceTree> retired)
     { return refitted(first, std::move(moved_W), std::move(retired)); });
   table.info({ name, "build", "triangles" }, static_cast<double>(first.mesh().triangles.size())).cost = build;
-  const bool quarter = 4 * move.p50_us <= build.p50_us;
-  table.atLeast({ name, "refit", "refit costs at most a quarter of a build" }, quarter ? 1.0 : 0.0, 1.0).cost = move;
+  const std::vector<Vec3> began = stretched(first.mesh().vertices_W, 1.05);
+  const VertexWay way{ 1, { &began, &first.mesh().vertices_W } }; // a snapshot that came early: three places
+  const Cost come = costOf(first.mesh().vertices_W, repetitions,
+    [&](std::vector<Vec3> moved_W, std::shared_ptr<const SurfaceTree> retired)
+    { return refitted(first, std::move(moved_W), std::move(retired), &way); });
+  table.info({ name, "build", "triangles" }, static_cast<double>(first.mesh().triangles.size())).cost = build;
+  const auto quarter = [&](const Cost& cost) { return 4 * cost.p50_us <= build.p50_us ? 1.0 : 0.0; };
+  const char* const line = "refit costs at most a quarter of a build";
+  table.atLeast({ name, "refit", line }, quarter(move), 1.0).cost = move;
+  table.atLeast({ name, "refit with room for the way", line }, quarter(come), 1.0).cost = come;
+}
+
+constexpr double K = 1000.0, T = 1e-3;
+constexpr double mostTickRatio = 10.0;
+constexpr int at20Hz = 50; // ticks a snapshot
+
+TriangleMesh sheet()
+{
+  test::Random random(test::testSeed(431));
+  return test::makeSheet({ 0.2, 0.2, 30, 30, 0.2 }, random);
+}
+
+struct Felt
+{
+  double wrong_N = 0.0; ///< against the straight way between the snapshots
+  double step_N = 0.0;  ///< largest change from one tick to the next
+};
+
+/// A flat sheet that rises at 50 mm/s under a hand at rest, its snapshots 20 a second.
+Felt feelRise(test::Bender::Between between, double blend_s, double ball_m, int ticks)
+{
+  constexpr double speed = 0.05;
+  test::Bender rising(
+    sheet(), [](const Vec3& v, double t_s) { return Vec3(v + Vec3(0, 0, speed * t_s)); }, at20Hz, between);
+  rising.parameters.contact.radius_u = ball_m;
+  rising.parameters.sceneBlend_s = blend_s;
+  const Vec3 hand_W(0.0031, 0.0023, ball_m - 1e-3);
+  static_cast<void>(rising.tick(hand_W + Vec3(0, 0, 0.01)));
+  Felt felt;
+  double before_N = rising.tick(hand_W).state.force_D.z();
+  for (int i = 3; i <= ticks; ++i)
+  {
+    const double force_N = rising.tick(hand_W).state.force_D.z();
+    felt.wrong_N = std::max(felt.wrong_N, std::abs(force_N - K * (speed * T * i + 1e-3)));
+    felt.step_N = std::max(felt.step_N, std::abs(force_N - before_N));
+    before_N = force_N;
+  }
+  return felt;
+}
+
+void compareRise(int ticks, Table& table)
+{
+  constexpr double perTick_N = K * 0.05 * T, perSnapshot_N = at20Hz * perTick_N;
+  for (const double ball_m : { 0.0, 1e-3 })
+  {
+    const std::string name = "sheet rises at 50 mm/s, 20 Hz " + caseName({ { "r", 1e3 * ball_m } });
+    const Felt way = feelRise(test::Bender::Between::Moves, 0.03, ball_m, ticks);
+    table.atMost({ name, "on its way", "error of the force", "N" }, way.wrong_N, 1e-9);
+    table.within({ name, "on its way", "largest step of the force", "N" }, way.step_N, perTick_N, 1e-9);
+    const Felt step = feelRise(test::Bender::Between::Steps, 0.0, ball_m, ticks);
+    table.atLeast({ name, "a step a snapshot", "largest step of the force", "N" }, step.step_N, 0.99 * perSnapshot_N);
+    const Felt blended = feelRise(test::Bender::Between::Steps, 0.03, ball_m, ticks);
+    table.atLeast(
+      { name, "a step a snapshot, force blended", "error of the force", "N" }, blended.wrong_N, 0.2 * perSnapshot_N);
+  }
+}
+
+/// A bump that shoots up to a hand over its flank, at rest in the air or pressed; snapshots 100 a second.
+int passes(double speed, double depth_m, double ball_m)
+{
+  const auto height = [=](double x, double y, double t_s)
+  { return speed * t_s * std::exp(-(x * x + y * y) / (0.03 * 0.03)); };
+  test::Bender bump(
+    sheet(), [=](const Vec3& v, double t_s) { return Vec3(v.x(), v.y(), height(v.x(), v.y(), t_s)); }, 10);
+  bump.parameters.contact.radius_u = ball_m;
+  const Vec3 hand_W(0.0131, 0.0043, ball_m - depth_m);
+  static_cast<void>(bump.tick({ hand_W.x(), hand_W.y(), 0.03 }));
+  int through = 0;
+  // Facets lie below the bump by less than its curvature times an edge squared, which grows with its height.
+  for (int i = 2; i <= std::min(400, static_cast<int>(200.0 / speed)); ++i)
+  {
+    const Vec3 x = bump.tick(hand_W).state.proxy_W.p;
+    const double top = height(x.x(), x.y(), T * i), edge = 1.6 * 0.2 / 30;
+    const double facet = 2.0 * speed * T * (i + 10) / (0.03 * 0.03) * edge * edge / 2;
+    through += x.z() < top - facet ? 1 : 0;
+  }
+  return through;
+}
+
+/// The same stroke over a noisy sphere that stands and one whose vertices are on their way.
+void compareTicks(std::size_t triangles, int ticks, Table& table)
+{
+  const test::NoisySphere sphere(triangles, 1e-3);
+  const SurfaceTree first(cleanMesh(sphere.mesh()).mesh);
+  const std::vector<Vec3>& begin = first.mesh().vertices_W;
+  const VertexWay way{ 1, { &begin } };
+  const std::vector<Vec3> end = stretched(begin, 1.01);
+  Surface bending{ "it", refitted(first, end, nullptr, &way), {} };
+  bending.from = std::make_shared<const VertexStart>(begin, 0);
+  const Scene moving(1, { bending }, T * ticks), standing(2, { { "it", refitted(first, end), {} } });
+  ContactPlan plan;
+  plan.radius_u = 1e-3;
+  const auto handAt = [&](int i)
+  {
+    const double turn = 1e-3 * i;
+    return Vec3(0.047 * Vec3(std::sin(turn), 0.3, std::cos(turn)).normalized());
+  };
+  const auto cost = [&](auto tick)
+  {
+    test::CostSample sample(static_cast<std::size_t>(ticks));
+    for (int i = 1; i <= ticks; ++i)
+    {
+      sample.time([&] { tick(i); });
+    }
+    return Cost::of(sample);
+  };
+  GodObjectState a, b;
+  static_cast<void>(moveGodObject(standing, plan, 1.5 * handAt(0), a));
+  static_cast<void>(moveGodObject(MovingScene(moving, 0.0), plan, 1.5 * handAt(0), b));
+  const Cost still = cost([&](int i) { static_cast<void>(moveGodObject(standing, plan, handAt(i), a)); });
+  const Cost onWay = cost(
+    [&](int i)
+    {
+      const double share = static_cast<double>(i) / ticks, before = static_cast<double>(i - 1) / ticks;
+      const MovingScene was(moving, before), is(moving, share);
+      carryWithVertices(was, is, plan, b);
+      static_cast<void>(moveGodObject(is, plan, handAt(i), b));
+    });
+  const std::string name = caseName({ { "triangles", static_cast<double>(triangles) }, { "r", 1.0 } });
+  table.info({ name, "standing", "ticks" }, ticks).cost = still;
+  // A triangle that is met is computed again each time it is asked for: that costs most where most are near, in the
+  // slowest ticks. What counts is that these stay in step.
+  const bool bounded = onWay.p99_us <= mostTickRatio * still.p99_us;
+  table
+    .atLeast(
+      { name, "on its way", "the slowest hundredth of ticks takes at most 10 times as long" }, bounded ? 1.0 : 0.0, 1.0)
+    .cost = onWay;
 }
 
 /// What a hand feels on a smooth sphere that breathes when a method answers for new vertices.
@@ -132,6 +271,17 @@ void runDeforming(const Conditions& conditions, Table& table)
   const std::string point = caseName({ { "r", 0.0 }, { "seconds", 1e-3 * ticks } });
   table.atLeast(
     { point, "new mesh, point where it was", "ticks below the surface" }, falls(sphere, 0.0, ticks, false), 1.0);
+  compareRise(conditions.pick(200, 400, 4000), table);
+  for (const double speed : { 0.1, 1.0, 5.0 })
+  {
+    for (const double ball_m : { 0.0, 1e-3 })
+    {
+      const std::string name = "bump shoots at the hand " + caseName({ { "speed", speed }, { "r", 1e3 * ball_m } });
+      const int through = passes(speed, -0.02, ball_m) + passes(speed, 2e-3, ball_m);
+      table.atMost({ name, "on its way", "ticks below the surface" }, through, 0.0);
+    }
+  }
+  compareTicks(100000, conditions.pick(500, 2000, 20000), table);
   conditions.progress(0.3);
   compareCost(100000, conditions.pick(5, 9, 15), table);
   conditions.progress(0.5);
