@@ -2,6 +2,7 @@
 #include "haptics/geometry/SheetClearance.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "haptics/geometry/ExactPredicates.h"
 #include "haptics/geometry/SurfaceData.h"
@@ -188,14 +189,22 @@ private:
 
 std::vector<bool> verticesNearOtherSheets(const SurfaceTree& surface, double distance_u, const std::stop_token& stop)
 {
+  std::vector<std::uint32_t> all(surface.data().faces.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return verticesNearOtherSheets(surface, distance_u, all, stop);
+}
+
+std::vector<bool> verticesNearOtherSheets(const SurfaceTree& surface, double distance_u,
+  const std::vector<std::uint32_t>& triangles, const std::stop_token& stop)
+{
   const SurfaceData& data = surface.data();
   std::vector<bool> near(data.mesh.vertices_W.size(), false);
   Surroundings surroundings(data);
-  for (std::uint32_t t = 0; t < data.faces.size() && !stop.stop_requested(); ++t)
+  for (std::size_t i = 0; i < triangles.size() && !stop.stop_requested(); ++i)
   {
-    if (surroundings.holdOtherSheet(t, distance_u))
+    if (surroundings.holdOtherSheet(triangles[i], distance_u))
     {
-      for (const std::uint32_t v : data.corners(t))
+      for (const std::uint32_t v : data.corners(triangles[i]))
       {
         near[v] = true;
       }
@@ -204,7 +213,27 @@ std::vector<bool> verticesNearOtherSheets(const SurfaceTree& surface, double dis
   return near;
 }
 
+double trianglesWithin(const SurfaceTree& surface, double distance_u, std::size_t samples)
+{
+  const SurfaceData& data = surface.data();
+  const std::size_t count = std::min(samples, data.faces.size());
+  std::vector<std::uint32_t> stack;
+  std::size_t within = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto triangle = static_cast<std::uint32_t>(i * data.faces.size() / count);
+    forEachInBox(data, boxOf(data.face(triangle), distance_u), stack, [&within](std::uint32_t) { ++within; });
+  }
+  return static_cast<double>(within) / static_cast<double>(std::max<std::size_t>(1, count));
+}
+
 std::optional<std::array<std::uint32_t, 2>> crossingTriangles(const SurfaceTree& surface, const std::stop_token& stop)
+{
+  return crossingTriangles(surface, std::vector<bool>(surface.data().faces.size(), false), stop);
+}
+
+std::optional<std::array<std::uint32_t, 2>> crossingTriangles(
+  const SurfaceTree& surface, const std::vector<bool>& ignored, const std::stop_token& stop)
 {
   const SurfaceData& data = surface.data();
   std::vector<std::uint32_t> stack;
@@ -214,7 +243,7 @@ std::optional<std::array<std::uint32_t, 2>> crossingTriangles(const SurfaceTree&
     forEachInBox(data, boxOf(data.face(s), 0.0), stack,
       [&](std::uint32_t t)
       {
-        if (t > s && (edgesMeet(data, s, t) || edgesMeet(data, t, s)))
+        if (t > s && !(ignored[s] && ignored[t]) && (edgesMeet(data, s, t) || edgesMeet(data, t, s)))
         {
           found = { s, t };
         }

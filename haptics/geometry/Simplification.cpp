@@ -19,6 +19,7 @@
 #include "haptics/geometry/NearestOnTriangle.h"
 #include "haptics/geometry/SheetClearance.h"
 #include "haptics/geometry/SurfaceDistance.h"
+#include "haptics/geometry/SurfacePatches.h"
 
 namespace palpate
 {
@@ -46,33 +47,41 @@ struct Workpiece
   Mesh::Property_map<Vertex, bool> fixed;
 };
 
-bool hasCrowdedEdges(const SurfaceData& data)
+/// All corners of triangles at edges of three or more: nothing there changes.
+void fixCrowded(const SurfaceData& data, std::vector<bool>& fixed)
 {
   for (const auto& corners : data.mesh.triangles)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
+      const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];
       int around = 0;
-      data.forEachAtEdge(corners[k], corners[(k + 1) % 3], [&around](std::uint32_t) { ++around; });
+      data.forEachAtEdge(i, j, [&around](std::uint32_t) { ++around; });
       if (around > 2)
       {
-        return true;
+        data.forEachAtEdge(i, j,
+          [&](std::uint32_t t)
+          {
+            for (const std::uint32_t v : data.corners(t))
+            {
+              fixed[v] = true;
+            }
+          });
       }
     }
   }
-  return false;
 }
 
 /// Null when CGAL cannot hold it.
-std::optional<Workpiece> makeWorkpiece(const SurfaceData& data, std::vector<bool> fixed)
+std::optional<Workpiece> makeWorkpiece(const TriangleMesh& surface, std::vector<bool> fixed)
 {
   std::vector<Point> points;
-  for (const Vec3& v : data.mesh.vertices_W)
+  for (const Vec3& v : surface.vertices_W)
   {
     points.emplace_back(v.x(), v.y(), v.z());
   }
   std::vector<std::array<std::size_t, 3>> faces;
-  for (const auto& t : data.mesh.triangles)
+  for (const auto& t : surface.triangles)
   {
     faces.push_back({ t[0], t[1], t[2] });
   }
@@ -157,11 +166,23 @@ private:
   const Workpiece& piece_;
 };
 
-/// Which vertices have gone, and by which face each of them is represented now.
+/// Which points have gone, and by which face each of them is represented now.
 class Ledger
 {
 public:
-  Ledger(Workpiece& piece, double limit_u) : piece_(piece), limit_u_(limit_u), gone_(piece.mesh.number_of_faces()) {}
+  /// Middles of faces are watched too: with vertices alone a surface folds up between them.
+  Ledger(Workpiece& piece, double limit_u) : piece_(piece), limit_u_(limit_u), gone_(piece.mesh.number_of_faces())
+  {
+    for (const Face f : piece.mesh.faces())
+    {
+      Vec3 sum_W = Vec3::Zero();
+      for (const Vertex v : CGAL::vertices_around_face(piece.mesh.halfedge(f), piece.mesh))
+      {
+        sum_W += toVec(piece.mesh.point(v));
+      }
+      this->gone_[f].push_back(sum_W / 3);
+    }
+  }
 
   /// Whether everything that went near this edge, and the end that goes now, stays within the limit.
   template<class Profile>
@@ -280,11 +301,14 @@ struct Allowed
 struct Bookkeeper : sms::internal::Dummy_visitor
 {
   Ledger* ledger = nullptr;
+  Workpiece* piece = nullptr;
 
   template<class Profile, class Kept>
-  void OnCollapsed(const Profile&, Kept) const
+  void OnCollapsed(const Profile& profile, Kept kept) const
   {
     this->ledger->commit();
+    // which of the two is left is CGAL's choice; where it stands now is where the one stood that may not go
+    this->piece->fixed[kept] = this->piece->fixed[profile.v0()] || this->piece->fixed[profile.v1()];
   }
 };
 
@@ -311,6 +335,7 @@ void collapse(Workpiece& piece, double limit_u, const SimplifyLimits& limits)
   Ledger ledger(piece, limit_u);
   Bookkeeper bookkeeper;
   bookkeeper.ledger = &ledger;
+  bookkeeper.piece = &piece;
   sms::edge_collapse(piece.mesh, StopWhenAsked{ limits },
     CGAL::parameters::get_cost(Cost(quadrics))
       .get_placement(EndOfEdge(quadrics, piece))
@@ -343,7 +368,37 @@ Simplification refuse(std::string reason)
   return { nullptr, 0.0, std::move(reason) };
 }
 
-/// Both ways within the limit, and nothing crosses.
+/// Which triangles of the simpler surface are the first one's as they were.
+std::vector<bool> unchangedTriangles(const SurfaceTree& surface, const SurfaceTree& fewer)
+{
+  using Key = std::array<std::array<double, 3>, 3>;
+  const auto keyOf = [](const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& corners)
+  {
+    Key key;
+    std::transform(corners.begin(), corners.end(), key.begin(),
+      [&mesh](std::uint32_t v)
+      {
+        const Vec3& p_W = mesh.vertices_W[v];
+        return std::array{ p_W.x(), p_W.y(), p_W.z() };
+      });
+    std::sort(key.begin(), key.end());
+    return key;
+  };
+  std::vector<Key> before;
+  for (const auto& corners : surface.mesh().triangles)
+  {
+    before.push_back(keyOf(surface.mesh(), corners));
+  }
+  std::sort(before.begin(), before.end());
+  std::vector<bool> unchanged;
+  for (const auto& corners : fewer.mesh().triangles)
+  {
+    unchanged.push_back(std::binary_search(before.begin(), before.end(), keyOf(fewer.mesh(), corners)));
+  }
+  return unchanged;
+}
+
+/// Both ways within the limit, and nothing crosses that did not before.
 Simplification prove(const SurfaceTree& surface, std::shared_ptr<const SurfaceTree> fewer, const SimplifyLimits& limits)
 {
   const DistanceProof there = proveWithin(surface, *fewer, limits.limit_u, limits.stop);
@@ -354,32 +409,163 @@ Simplification prove(const SurfaceTree& surface, std::shared_ptr<const SurfaceTr
   {
     return refuse("it could not be proven that the simplified surface stays near enough");
   }
-  if (crossingTriangles(*fewer, limits.stop))
+  if (crossingTriangles(*fewer, limits.stop) &&
+      crossingTriangles(*fewer, unchangedTriangles(surface, *fewer), limits.stop))
   {
     return refuse("the simplified surface would cross itself");
   }
   return { std::move(fewer), std::max(there.bound_u, back.bound_u), {} };
 }
 
-Simplification attempt(
-  const SurfaceTree& surface, const std::vector<bool>& fixed, double share, const SimplifyLimits& limits)
+/// What came of one try.
+struct Attempt
 {
-  std::optional<Workpiece> piece = makeWorkpiece(surface.data(), fixed);
+  Simplification result;
+  bool lessMayDo = false; ///< refused for what it changed, not for what it kept
+};
+
+/// So much of what a limit allows is used while edges collapse. What lies between the points that are watched may get
+/// further; if it gets too far, less is allowed.
+constexpr std::array<double, 3> shares = { 0.75, 0.4, 0.25 };
+
+Attempt attempt(const SurfaceTree& surface, const std::vector<bool>& fixed, double share, const SimplifyLimits& limits)
+{
+  std::optional<Workpiece> piece = makeWorkpiece(surface.mesh(), fixed);
   if (!piece)
   {
-    return refuse("its triangles do not make a surface that edges can be collapsed on");
+    return { refuse("its triangles do not make a surface that edges can be collapsed on") };
   }
   collapse(*piece, share * limits.limit_u, limits);
   CleanResult clean = cleanMesh(meshOf(piece->mesh));
   if (!clean.ok() || clean.report.collinear > 0)
   {
-    return refuse("nothing would be left of it");
+    return { refuse("nothing would be left of it"), true };
   }
   if (2 * clean.mesh.triangles.size() > surface.mesh().triangles.size())
   {
-    return refuse("fewer than half of its triangles could go without being missed");
+    return { refuse("fewer than half of its triangles could go without being missed") };
   }
-  return prove(surface, std::make_shared<const SurfaceTree>(std::move(clean.mesh)), limits);
+  return { prove(surface, std::make_shared<const SurfaceTree>(std::move(clean.mesh)), limits), true };
+}
+
+/// Parts of a surface, on which a share of the limit is tried before it is tried on all.
+class Sample
+{
+public:
+  enum class Verdict
+  {
+    Promising,
+    KeepsTooMuch, ///< far more than half; a smaller share keeps more
+    Unproven,     ///< and so will be the whole surface
+  };
+
+  Sample(const SurfaceTree& surface, const SimplifyLimits& limits)
+    : limits_{ limits.limit_u, limits.stop, {} }, patches_(patchesOf(surface, count, size))
+  {
+    const std::vector<bool> near =
+      verticesNearOtherSheets(surface, 2 * limits.limit_u, this->patches_.triangles, limits.stop);
+    this->fixed_ = this->patches_.rim;
+    for (std::size_t v = 0; v < this->fixed_.size(); ++v)
+    {
+      this->fixed_[v] = this->fixed_[v] || near[this->patches_.vertices[v]];
+    }
+  }
+
+  [[nodiscard]] static bool pays(const SurfaceTree& surface)
+  {
+    return surface.mesh().triangles.size() >= 4 * count * size;
+  }
+
+  [[nodiscard]] Verdict judge(double share) const
+  {
+    std::optional<Workpiece> piece = makeWorkpiece(this->patches_.mesh, this->fixed_);
+    if (!piece)
+    {
+      return Verdict::Promising; // the whole surface says why not
+    }
+    const auto before = static_cast<double>(piece->mesh.number_of_vertices());
+    collapse(*piece, share * this->limits_.limit_u, this->limits_);
+    const double gone = before - static_cast<double>(piece->mesh.number_of_vertices());
+    // Those that have all of their triangles in a part stand for the surface.
+    const auto inner = static_cast<double>(std::count(this->patches_.rim.begin(), this->patches_.rim.end(), false));
+    if (gone < (1.0 - mostThatStays) * inner)
+    {
+      return Verdict::KeepsTooMuch;
+    }
+    return this->proven(meshOf(piece->mesh)) ? Verdict::Promising : Verdict::Unproven;
+  }
+
+private:
+  static constexpr std::size_t count = 16, size = 512;
+  static constexpr double mostThatStays = 0.6; // half, and what a sample may be wrong by
+  static constexpr double ofLimit = 0.8;       // the worst place of all is worse than that of a sample
+
+  [[nodiscard]] bool proven(const TriangleMesh& simpler) const
+  {
+    CleanResult full = cleanMesh(this->patches_.mesh), fewer = cleanMesh(simpler);
+    if (!full.ok() || !fewer.ok())
+    {
+      return false;
+    }
+    const SurfaceTree from(std::move(full.mesh)), to(std::move(fewer.mesh));
+    const auto within = [this](const SurfaceTree& a, const SurfaceTree& b)
+    {
+      return proveWithin(a, b, ofLimit * this->limits_.limit_u, this->limits_.stop).verdict ==
+             DistanceProof::Verdict::Within;
+    };
+    return within(from, to) && within(to, from);
+  }
+
+  SimplifyLimits limits_;
+  SurfacePatches patches_;
+  std::vector<bool> fixed_;
+};
+
+/// No further than what looking for other sheets can afford: its work grows with the square of the distance.
+double affordable_u(const SurfaceTree& surface, double limit_u)
+{
+  constexpr std::size_t samples = 64;
+  constexpr double mostLookedAt = 256.0;
+  const double lookedAt = trianglesWithin(surface, 2 * limit_u, samples);
+  return limit_u * std::sqrt(std::min(1.0, mostLookedAt / lookedAt));
+}
+
+std::vector<bool> whatStays(const SurfaceTree& surface, const SimplifyLimits& limits)
+{
+  std::vector<bool> fixed = verticesNearOtherSheets(surface, 2 * limits.limit_u, limits.stop);
+  fixCrowded(surface.data(), fixed);
+  return fixed;
+}
+
+/// Where a sample can be tried first, all of it is tried once: the sample has chosen the share.
+Simplification search(const SurfaceTree& surface, const SimplifyLimits& limits)
+{
+  const std::optional<Sample> sample =
+    Sample::pays(surface) ? std::optional<Sample>(std::in_place, surface, limits) : std::nullopt;
+  const std::size_t mostAttempts = sample ? 1 : shares.size();
+  std::vector<bool> fixed;
+  std::size_t attempts = 0;
+  Simplification last = refuse("in a sample of it no simpler surface could be proven to stay near enough");
+  for (const double share : shares)
+  {
+    const Sample::Verdict verdict = sample ? sample->judge(share) : Sample::Verdict::Promising;
+    if (verdict == Sample::Verdict::KeepsTooMuch)
+    {
+      return refuse("in a sample of it fewer than half of the triangles could go without being missed");
+    }
+    if (verdict == Sample::Verdict::Unproven)
+    {
+      continue;
+    }
+    fixed = fixed.empty() ? whatStays(surface, limits) : std::move(fixed);
+    Attempt tried = attempt(surface, fixed, share, limits);
+    last = std::move(tried.result);
+    if (last.tree || !tried.lessMayDo || ++attempts == mostAttempts || limits.stop.stop_requested())
+    {
+      break;
+    }
+  }
+  return last;
 }
 
 } // namespace
@@ -394,26 +580,10 @@ Simplification simplifyWithin(const SurfaceTree& surface, const SimplifyLimits& 
   {
     return refuse("curves are touched as they are");
   }
-  if (hasCrowdedEdges(surface.data()))
-  {
-    return refuse("it has edges of three or more triangles");
-  }
-  const std::vector<bool> fixed = verticesNearOtherSheets(surface, 2 * limits.limit_u, limits.stop);
-  Simplification result;
-  // What lies between the vertices is not watched while edges collapse: if it gets too far, less is allowed.
-  for (const double share : { 0.75, 0.5, 0.25 })
-  {
-    result = attempt(surface, fixed, share, limits);
-    if (limits.stop.stop_requested())
-    {
-      return refuse("it was stopped");
-    }
-    if (result.tree)
-    {
-      break;
-    }
-  }
-  return result;
+  SimplifyLimits afforded = limits;
+  afforded.limit_u = affordable_u(surface, limits.limit_u);
+  const Simplification result = search(surface, afforded);
+  return limits.stop.stop_requested() ? refuse("it was stopped") : result;
 }
 
 } // namespace palpate

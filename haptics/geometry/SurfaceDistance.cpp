@@ -138,7 +138,7 @@ public:
 
   DistanceProof run(const std::stop_token& stop)
   {
-    constexpr std::size_t piecesATriangle = 64;
+    constexpr std::size_t piecesATriangle = 16;
     const std::size_t triangles = this->from_.faces.size() + this->to_.faces.size();
     const std::size_t budget = 100'000 + piecesATriangle * triangles;
     this->proof_.verdict = DistanceProof::Verdict::Within;

@@ -11,7 +11,9 @@
 #include "haptics/geometry/SheetClearance.h"
 #include "haptics/geometry/SurfaceDistance.h"
 #include "testing/support/Meshes.h"
+#include "testing/support/NearestPoints.h"
 #include "testing/support/NoisySphere.h"
+#include "testing/support/SoupMaker.h"
 
 namespace palpate::test
 {
@@ -118,7 +120,11 @@ TEST(Simplification, RefusesWhatItCannotKeepItsWordFor)
   Random random(testSeed(4204));
   EXPECT_NE(
     simplifyWithin(treeOf(makeBox({ 0, 0, 0 }, { 1, 1, 1 })), { 0.01 }).refusal.find("half"), std::string::npos);
-  EXPECT_NE(simplifyWithin(treeOf(makeFin()), { 0.01 }).refusal.find("three or more"), std::string::npos);
+  TriangleMesh curve;
+  curve.vertices_W = { { 0, 0, 0 }, { 1, 0, 0 } };
+  curve.triangles = { { 0, 1, 1 } };
+  EXPECT_NE(
+    simplifyWithin(SurfaceTree(cleanSegments(curve).mesh, 0.1), { 0.01 }).refusal.find("curves"), std::string::npos);
   EXPECT_FALSE(simplifyWithin(treeOf(makeSoup(300, 1.0, random)), { 0.01 }).tree);
   EXPECT_NE(simplifyWithin(treeOf(makeIcosphere(3, 1.0)), { 0.0 }).refusal.find("above zero"), std::string::npos);
   SimplifyLimits limits{ 0.1 };
@@ -126,6 +132,115 @@ TEST(Simplification, RefusesWhatItCannotKeepItsWordFor)
   source.request_stop();
   limits.stop = source.get_token();
   EXPECT_NE(simplifyWithin(treeOf(makeIcosphere(4, 1.0)), limits).refusal.find("stopped"), std::string::npos);
+}
+
+TEST(Simplification, ASampleRefusesALargeRoughSurfaceBeforeAllOfItIsTried)
+{
+  const SurfaceTree rough = treeOf(NoisySphere(100'000, 1.0).mesh());
+  SimplifyLimits limits{ 0.02 };
+  bool all = false;
+  limits.progress = [&all](double) { all = true; };
+  const Simplification none = simplifyWithin(rough, limits);
+  EXPECT_FALSE(none.tree);
+  EXPECT_NE(none.refusal.find("in a sample of it"), std::string::npos) << none.refusal;
+  EXPECT_FALSE(all); // only collapses on all of it are told
+}
+
+TEST(Simplification, EdgesOfThreeTrianglesStayAsTheyAreAndTheRestGoes)
+{
+  Random random(testSeed(4207));
+  TriangleMesh mesh = makeSheet({ 20.0, 20.0, 60, 60, 0.0 }, random);
+  // A fin on the row of edges along y = 0, on the vertices of the sheet.
+  const TriangleMesh flat = mesh;
+  for (const auto& corners : flat.triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];
+      const Vec3 &p = flat.vertices_W[i], &q = flat.vertices_W[j];
+      if (std::abs(p.y()) < 1e-9 && std::abs(q.y()) < 1e-9 && p.x() < q.x())
+      {
+        const auto tip = static_cast<std::uint32_t>(mesh.vertices_W.size());
+        mesh.vertices_W.push_back(0.5 * (p + q) + Vec3(0, 0, 1));
+        mesh.triangles.push_back({ i, j, tip });
+      }
+    }
+  }
+  const CleanResult clean = cleanMesh(mesh);
+  ASSERT_EQ(clean.report.nonManifoldEdges, 60U);
+  const SurfaceTree surface(clean.mesh);
+  const Simplification fewer = simplifyWithin(surface, { 0.05 });
+  ASSERT_TRUE(fewer.tree) << fewer.refusal;
+  const CleanResult after = cleanMesh(fewer.tree->mesh());
+  EXPECT_EQ(after.report.nonManifoldEdges, 60U);
+  // 60 edges with two triangles of the sheet and one of the fin each; the rest of 7,200 lies in their plane.
+  EXPECT_LE(fewer.tree->mesh().triangles.size(), 7200U / 4);
+  EXPECT_LE(sampled(surface, *fewer.tree), 0.05);
+}
+
+TEST(Simplification, WhatCrossedBeforeMayCrossAfterWhereItIsTheSame)
+{
+  TriangleMesh two = makeIcosphere(5, 50.0);
+  append(two, shifted(makeIcosphere(5, 50.0), { 60.0, 1.0, 2.0 }));
+  const SurfaceTree surface = treeOf(two);
+  ASSERT_TRUE(crossingTriangles(surface));
+  const Simplification fewer = simplifyWithin(surface, { 0.2 });
+  ASSERT_TRUE(fewer.tree) << fewer.refusal;
+  EXPECT_TRUE(crossingTriangles(*fewer.tree));
+  EXPECT_LE(sampled(surface, *fewer.tree), 0.2);
+}
+
+TEST(Simplification, TrianglesSoFineThatOtherSheetsAreFarAwayInThemAreStillSimplified)
+{
+  Random random(testSeed(4208));
+  const SurfaceTree sheet = treeOf(makeSheet({ 1.0, 1.0, 60, 60, 0.0 }, random));
+  const Simplification flat = simplifyWithin(sheet, { 1.0 }); // each triangle has all others within the limit
+  ASSERT_TRUE(flat.tree) << flat.refusal;
+  EXPECT_EQ(flat.tree->mesh().triangles.size(), 2U);
+}
+
+constexpr int samplesAnEdge = 12;
+
+/// Points of all triangles, on a grid of so many steps an edge.
+template<class Visit>
+void forEachSample(const TriangleMesh& mesh, Visit visit)
+{
+  for (const auto& [a, b, c] : mesh.triangles)
+  {
+    for (int i = 0; i <= samplesAnEdge; ++i)
+    {
+      for (int j = 0; i + j <= samplesAnEdge; ++j)
+      {
+        const double s = static_cast<double>(i) / samplesAnEdge, t = static_cast<double>(j) / samplesAnEdge;
+        visit((1 - s - t) * mesh.vertices_W[a] + s * mesh.vertices_W[b] + t * mesh.vertices_W[c]);
+      }
+    }
+  }
+}
+
+TEST(Simplification, NoSampleOfEitherOfRandomSurfacesIsBeyondTheProvenBound)
+{
+  Random random(testSeed(4209));
+  std::size_t simpler = 0;
+  for (std::size_t i = 0; i < testCount(12); ++i)
+  {
+    const BadMesh made = makeHarmlessBadMesh(random);
+    const SurfaceTree surface = treeOf(made.bad);
+    const double limit = made.edge_u * random.uniform(0.02, 1.0);
+    const Simplification fewer = simplifyWithin(surface, { limit });
+    if (!fewer.tree)
+    {
+      continue;
+    }
+    ++simpler;
+    const NearestPoints before(surface.mesh()), after(fewer.tree->mesh());
+    const double rounding = 1e-12 * made.size_u;
+    EXPECT_LE(fewer.bound_u, limit);
+    forEachSample(surface.mesh(), [&](const Vec3& x_W) { ASSERT_LE(after.distance_u(x_W), fewer.bound_u + rounding); });
+    forEachSample(
+      fewer.tree->mesh(), [&](const Vec3& x_W) { ASSERT_LE(before.distance_u(x_W), fewer.bound_u + rounding); });
+  }
+  EXPECT_GT(simpler, 0U) << "nothing was proven, so nothing was tested";
 }
 
 TEST(Simplification, SaysHowFarItHasCome)

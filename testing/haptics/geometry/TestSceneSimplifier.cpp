@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/geometry/SceneSimplifier.h"
+
+#include <gtest/gtest.h>
+
+#include "testing/support/Meshes.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double radius_u = 50.0;
+
+Surface surfaceOf(const std::string& name, const TriangleMesh& mesh, double coat_u = 0.0)
+{
+  CleanResult clean = coat_u > 0.0 ? cleanSegments(mesh) : cleanMesh(mesh);
+  return { name, std::make_shared<const SurfaceTree>(std::move(clean.mesh), coat_u), {} };
+}
+
+TriangleMesh segment()
+{
+  TriangleMesh mesh;
+  mesh.vertices_W = { { 0, 0, 0 }, { 1, 0, 0 } };
+  mesh.triangles = { { 0, 1, 1 } };
+  return mesh;
+}
+
+/// In millimetres, and however few triangles.
+SimplifyRules rules()
+{
+  SimplifyRules rules;
+  rules.touch.scale_u_per_m = 1000.0;
+  rules.leastTriangles = 0;
+  return rules;
+}
+
+Scene fineAndCoarse()
+{
+  return Scene(1, { surfaceOf("fine", makeIcosphere(5, radius_u)), surfaceOf("coarse", makeIcosphere(2, radius_u)) });
+}
+
+TEST(SceneSimplifier, SaysAtFirstWhyASurfaceIsLeftAsItIs)
+{
+  Surface arrays = surfaceOf("arrays", makeIcosphere(2, radius_u));
+  auto fields = std::make_shared<MaterialFields>();
+  fields->stiffness_N_per_m.assign(arrays.tree->mesh().vertices_W.size(), 100.0);
+  arrays.fields = fields;
+  const Scene scene(
+    1, { surfaceOf("curve", segment(), 0.5), surfaceOf("deforms", makeIcosphere(2, radius_u)), arrays,
+         surfaceOf("small", makeIcosphere(2, radius_u)), surfaceOf("large", makeIcosphere(3, radius_u)) });
+  SimplifyRules some = rules();
+  some.leastTriangles = 1000; // between 320 and 1280
+  const std::vector<SurfaceChoice> choices = chooseAtFirst(scene, { false, true, false, false, false }, some);
+  const std::vector<std::string> reasons{ "curves are touched as they are", "what moves or deforms is touched as it is",
+    "its material comes from arrays", "simpler surfaces pay from 1000 triangles on", "" };
+  ASSERT_EQ(choices.size(), reasons.size());
+  for (std::size_t i = 0; i < reasons.size(); ++i)
+  {
+    EXPECT_EQ(choices[i].name, scene.surfaces()[i].name);
+    EXPECT_EQ(choices[i].reason, reasons[i]);
+    EXPECT_EQ(choices[i].felt, choices[i].triangles);
+    EXPECT_EQ(choices[i].triangles, scene.surfaces()[i].tree->mesh().triangles.size());
+  }
+}
+
+TEST(SceneSimplifier, EverySurfaceOfASceneThatMovesIsTouchedAsItIs)
+{
+  Surface moving = surfaceOf("moving", makeIcosphere(3, radius_u));
+  moving.motion.end_WS.p = { 1.0, 0.0, 0.0 };
+  const Scene scene(1, { moving, surfaceOf("still", makeIcosphere(3, radius_u)) });
+  ASSERT_TRUE(scene.moves());
+  for (const SurfaceChoice& choice : chooseAtFirst(scene, {}, rules()))
+  {
+    EXPECT_EQ(choice.reason, "what moves or deforms is touched as it is");
+  }
+}
+
+TEST(SceneSimplifier, ReplacesWhatPaysAndLeavesTheRestInItsPlace)
+{
+  const Scene scene = fineAndCoarse();
+  SceneSimplifier simplifier;
+  const SimplerScene simpler = simplifier.simplify(scene, chooseAtFirst(scene, {}, rules()), rules(), 7);
+  ASSERT_TRUE(simpler.scene);
+  EXPECT_EQ(simpler.scene->revision(), 7U);
+  EXPECT_EQ(simpler.scene->surfaces()[1].tree, scene.surfaces()[1].tree);
+  const auto fine = scene.surfaces()[0].tree->mesh().triangles.size();
+  EXPECT_EQ(simpler.choices[0].felt, simpler.scene->surfaces()[0].tree->mesh().triangles.size());
+  EXPECT_LE(2 * simpler.choices[0].felt, fine);
+  EXPECT_LE(simpler.choices[0].bound_u, ScenePlan::noticed * 1.0); // of a depth of 1 mm
+  EXPECT_EQ(simpler.choices[1].reason, "its facets are no finer than a hand feels");
+  EXPECT_EQ(simpler.choices[1].felt, simpler.choices[1].triangles);
+}
+
+TEST(SceneSimplifier, SaysWhyASurfaceItLookedForIsRefused)
+{
+  Random random(testSeed(4301));
+  TriangleMesh crossed = makeSheet({ 20.0, 20.0, 40, 40, 0.0 }, random);
+  append(crossed, shifted(crossed, { 0, 0, 0.01 })); // within what is not noticed: nothing may go
+  const Scene scene(1, { surfaceOf("plate", crossed) });
+  SceneSimplifier simplifier;
+  const SimplerScene none = simplifier.simplify(scene, chooseAtFirst(scene, {}, rules()), rules(), 2);
+  EXPECT_FALSE(none.scene);
+  EXPECT_EQ(none.choices[0].reason, "fewer than half of its triangles could go without being missed");
+}
+
+TEST(SceneSimplifier, KnowsASurfaceWhileItStaysAndUnderTheSameRules)
+{
+  const Scene scene = fineAndCoarse();
+  SceneSimplifier simplifier;
+  const std::vector<SurfaceChoice> first = chooseAtFirst(scene, {}, rules());
+  EXPECT_FALSE(simplifier.knows(scene, first, rules()));
+  const SimplerScene once = simplifier.simplify(scene, first, rules(), 2);
+  EXPECT_TRUE(simplifier.knows(scene, first, rules()));
+  const SimplerScene again = simplifier.simplify(scene, first, rules(), 3);
+  EXPECT_EQ(again.scene->surfaces()[0].tree, once.scene->surfaces()[0].tree);
+  EXPECT_EQ(again.choices[1].reason, once.choices[1].reason);
+  SimplifyRules finer = rules();
+  finer.touch.penetration_m /= 2;
+  EXPECT_FALSE(simplifier.knows(scene, first, finer));
+  const Scene other(4, { surfaceOf("other", makeIcosphere(4, radius_u)) });
+  (void)simplifier.simplify(other, chooseAtFirst(other, {}, rules()), rules(), 5);
+  EXPECT_FALSE(simplifier.knows(scene, first, rules())); // it went
+}
+
+TEST(SceneSimplifier, StoppedItHasNothingAndForgetsNothing)
+{
+  const Scene scene = fineAndCoarse();
+  SceneSimplifier simplifier;
+  const std::vector<SurfaceChoice> first = chooseAtFirst(scene, {}, rules());
+  (void)simplifier.simplify(scene, first, rules(), 2);
+  SimplifyRules stopped = rules();
+  std::stop_source source;
+  source.request_stop();
+  stopped.stop = source.get_token();
+  const Scene other(3, { surfaceOf("other", makeIcosphere(4, radius_u)) });
+  const SimplerScene none = simplifier.simplify(other, chooseAtFirst(other, {}, stopped), stopped, 4);
+  EXPECT_FALSE(none.scene);
+  EXPECT_TRUE(none.choices.empty());
+  EXPECT_TRUE(simplifier.knows(scene, first, rules()));
+}
+
+} // namespace
+} // namespace palpate::test
