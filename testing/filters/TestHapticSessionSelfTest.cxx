@@ -70,15 +70,20 @@ TEST_F(HapticSessionSelfTest, WhatItFoundIsKeptAndAppliedFromThenOn)
   const KeptCalibration kept = loadCalibration(this->folder_.string(), "simulated-joystick", "");
   ASSERT_TRUE(kept.calibration) << kept.problem;
 
-  // The hand rests at the driver's own origin; the middle of the ends, which its steps round down, is half a step
-  // lower.
+  const AxisCalibration& x = kept.calibration->axes[0];
+  EXPECT_NEAR(x.low_m, -0.05, 1e-4); // its stops, to a step of 0.1 mm
+  EXPECT_NEAR(x.high_m, 0.05, 1e-4);
+
+  // As if it ended at 30 mm on the right: the middle, -10 mm for the driver, is then the origin.
+  Calibration shorter = *kept.calibration;
+  shorter.axes[0].low_m = -0.05;
+  shorter.axes[0].high_m = 0.03;
+  ASSERT_EQ(saveCalibration(this->folder_.string(), shorter), "");
   this->session_->SetScale(1.0);
   this->session_->AddStrokePoint(0.0, 0.0, 0.0);
   this->session_->TouchingOn();
   this->session_->Step(1);
-  const AxisCalibration& x = kept.calibration->axes[0];
-  EXPECT_NE(x.low_m, -x.high_m);
-  EXPECT_DOUBLE_EQ(this->session_->GetHandPosition()[0], -0.5 * (x.low_m + x.high_m));
+  EXPECT_DOUBLE_EQ(this->session_->GetHandPosition()[0], 0.01);
 }
 
 TEST_F(HapticSessionSelfTest, StoppedItSaysSoAndThereIsNothingToKeep)
