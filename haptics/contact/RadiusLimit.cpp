@@ -14,7 +14,8 @@ namespace palpate
 namespace
 {
 
-constexpr std::size_t placesPerSurface = 256;
+/// Of one surface, and of all: with hundreds of surfaces each is looked at in few places.
+constexpr std::size_t placesPerSurface = 256, placesOfAll = 16384, leastPlaces = 8;
 /// Of the ball: the first part of a long way, looked at alone, goes so far beyond where it rests.
 constexpr double reach = 1.02;
 /// Radii tried, in scene sizes: beyond the largest a ball is flat, below the smallest it is a point.
@@ -110,7 +111,8 @@ RadiusLimit radiusLimit(const Scene& scene, const ContactPlan& plan)
   {
     const PosedSurface surface = surfaceOf(MovingScene(scene, 1.0), s);
     const std::size_t count = surface.data().faces.size();
-    const std::size_t places = std::min(count, placesPerSurface);
+    const std::size_t share = std::clamp(placesOfAll / scene.surfaces().size(), leastPlaces, placesPerSurface);
+    const std::size_t places = std::min(count, share);
     for (std::size_t i = 0; i < 2 * places && largest_u > 0.0; ++i)
     {
       // The triangles stand in the order of the leaves: taken evenly, they are dense where the surface is fine.
