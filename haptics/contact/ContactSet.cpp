@@ -2,6 +2,7 @@
 #include "haptics/contact/ContactSet.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace palpate
 {
@@ -28,9 +29,7 @@ Vec3 furthestShift(const PosedSurface& posed) noexcept
 
 template<class SceneView>
 ContactSet<SceneView>::ContactSet(const SceneView& scene, double radius_u, GodObjectState& state) noexcept
-  : scene_(scene)
-  , radius_u_(radius_u)
-  , state_(state)
+  : scene_(scene), radius_u_(radius_u), state_(state)
 {
   this->resolution_.include(Vec3::Constant(radius_u + sceneOf(scene).mostCoat_u()));
   this->resolution_.include(state.x_W);
@@ -58,6 +57,30 @@ void ContactSet<SceneView>::include(const ActiveFeature& f) noexcept
   {
     this->include(data.vertex(f.b));
   }
+}
+
+template<class SceneView>
+bool ContactSet<SceneView>::supported(const ActiveFeature& f) const noexcept
+{
+  const auto& s = this->surface(f);
+  const double tol = this->resolution_.tol();
+  if (this->radius_u_ > 0.0 || f.kind != FeatureKind::Face)
+  {
+    return supports(s, f, this->state_.x_W, this->radius_u_, tol);
+  }
+  return this->plane(f).gap <= this->holdsWithin(f) && projectsInside(s, f.a, this->state_.x_W, tol);
+}
+
+/// Exact sweeps stop a point where a face is, and that is not where its plane is computed to be.
+template<class SceneView>
+double ContactSet<SceneView>::holdsWithin(const ActiveFeature& f) const noexcept
+{
+  constexpr double most = 4096; // in tol: where a normal is known even worse nothing can be said
+  const double tol = this->resolution_.tol();
+  const FaceRecord& face = this->surface(f).face(f.a);
+  const double error =
+    4 * std::numeric_limits<double>::epsilon() * face.sliver * (this->state_.x_W - face.corner_W[0]).norm();
+  return std::max({ tol, 2 * this->lift(), std::min(error, most * tol) });
 }
 
 template<class SceneView>
@@ -94,6 +117,15 @@ void ContactSet<SceneView>::remove(int i) noexcept
   std::copy(this->state_.features.begin() + i + 1, this->state_.features.begin() + this->state_.count,
     this->state_.features.begin() + i);
   --this->state_.count;
+}
+
+template<class SceneView>
+bool ContactSet<SceneView>::raise() noexcept
+{
+  constexpr double most = 32.0;
+  const bool may = this->raised_ < most;
+  this->raised_ *= may ? 2.0 : 1.0;
+  return may;
 }
 
 template<class SceneView>
@@ -142,7 +174,8 @@ void ContactSet<SceneView>::advanceFaces(const Vec3& from_W, const Vec3& moved) 
     if (reached != f.a)
     {
       // The stored corner order differs from face to face: the side is that of the common plane.
-      f.side = data.face(reached).normal_W.dot(data.face(f.a).normal_W) >= 0.0 ? f.side : static_cast<std::int8_t>(-f.side);
+      f.side =
+        data.face(reached).normal_W.dot(data.face(f.a).normal_W) >= 0.0 ? f.side : static_cast<std::int8_t>(-f.side);
       f.a = reached;
     }
   }

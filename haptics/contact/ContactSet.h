@@ -41,10 +41,8 @@ public:
   {
     return planeOf(this->surface(f), f, this->state_.x_W, this->radius_u_);
   }
-  [[nodiscard]] bool supported(const ActiveFeature& f) const noexcept
-  {
-    return supports(this->surface(f), f, this->state_.x_W, this->radius_u_, this->resolution_.tol());
-  }
+  /// True while f goes on holding the ball where it is.
+  [[nodiscard]] bool supported(const ActiveFeature& f) const noexcept;
 
   [[nodiscard]] const Resolution& resolution() const noexcept { return this->resolution_; }
   void include(const Vec3& v_W) noexcept { this->resolution_.include(v_W); }
@@ -54,6 +52,7 @@ public:
   /// Adds f unless it is there; returns its index.
   int add(const ActiveFeature& f) noexcept;
   void remove(int i) noexcept;
+  [[nodiscard]] bool has(const ActiveFeature& f) const noexcept { return this->isAmong(f, this->count()); }
   /// After a move: normalises, drops what no longer supports the ball (never `keep`), merges what became equal.
   void relinearise(const ActiveFeature* keep = nullptr) noexcept;
   /// Walks every touched face along a move that has been made from x_W - moved.
@@ -68,10 +67,16 @@ public:
   {
     // Where surfaces move, the way from their frame to W and back is rounded too.
     constexpr double units = std::is_same_v<SceneView, MovingScene> ? 6.0 : 2.0;
-    return this->radius_u_ > 0.0 ? 0.0 : units * this->resolution_.del();
+    return this->radius_u_ > 0.0 ? 0.0 : this->raised_ * units * this->resolution_.del();
   }
+  /// Keeps a point higher for the rest of the tick: the normal of a sliver is known so badly that its plane, where it
+  /// is computed to be, cuts through it. What holds the point at that height goes on holding it. False: it is as high
+  /// as may be.
+  bool raise() noexcept;
 
 private:
+  /// How far above its plane a face still holds a point [u].
+  [[nodiscard]] double holdsWithin(const ActiveFeature& f) const noexcept;
   /// True if f is one of the first so many features.
   [[nodiscard]] bool isAmong(const ActiveFeature& f, int first) const noexcept;
 
@@ -79,6 +84,7 @@ private:
   double radius_u_;
   GodObjectState& state_;
   Resolution resolution_;
+  double raised_ = 1.0; ///< times the least lift
 };
 
 } // namespace palpate

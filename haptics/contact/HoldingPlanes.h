@@ -51,12 +51,23 @@ void project(TickState<SceneView>& tick) noexcept
   tick.result.infeasible = !tick.solution.feasible;
 }
 
+/// True if it has been asked often enough what holds a point where it is: a stop before what is hit moves it by less
+/// than rounding, and from there the answer may be another one, but not for ever.
+template<class SceneView>
+[[nodiscard]] bool isReconsidered(TickState<SceneView>& tick) noexcept
+{
+  constexpr int often = 4;
+  const double moved = (tick.x() - tick.reconsideredAt_W).norm();
+  tick.reconsidered = moved <= 4 * tick.tol() ? tick.reconsidered : 0;
+  return moved == 0.0 || tick.reconsidered >= often;
+}
+
 /// A point at a vertex is held by half-spaces, of which on a saddle not each is an obstacle, and which of them it
-/// brought along depends on its way there. What holds it is found anew from the surface itself, once at each place.
+/// brought along depends on its way there. What holds it is found anew from the surface itself.
 template<class SceneView>
 void reconsiderVertex(TickState<SceneView>& tick) noexcept
 {
-  if (tick.round() || tick.solution.count == 0 || tick.x() == tick.reconsideredAt_W)
+  if (tick.round() || tick.solution.count == 0 || isReconsidered(tick))
   {
     return;
   }
@@ -70,6 +81,7 @@ void reconsiderVertex(TickState<SceneView>& tick) noexcept
       continue;
     }
     tick.reconsideredAt_W = tick.x();
+    ++tick.reconsidered;
     const std::optional<Descent> descent = descendFromVertex(s, f, v, tick.x(), tick.p_W - tick.x());
     if (descent && descent->gain > tick.tol())
     {
@@ -93,6 +105,8 @@ template<class SceneView>
     return false;
   }
   tick.forgetContacts();
+  tick.reconsidered = 0;
+  tick.reconsideredAt_W = nowhere_W();
   tick.result.infeasible = false;
   tick.startedAnew = true;
   return true;

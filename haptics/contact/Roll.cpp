@@ -294,7 +294,7 @@ RollPlan RollPlanner<SceneView>::plan() noexcept
   const auto count = static_cast<std::size_t>(this->contacts_.count());
   Vec3 target = crevice ? this->pressed(aim) : (this->solution_.count == 1 ? this->pressed(this->arcAim()) : this->q_);
   ProjectionResult second = projectOntoPlanes({ this->rows_.data(), count }, target, this->slack_);
-  constexpr int corrections = 5;
+  constexpr int corrections = 10;
   for (int k = 0; k < corrections && second.feasible; ++k)
   {
     const bool corrected = this->correct(second.y);

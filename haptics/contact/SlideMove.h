@@ -8,7 +8,7 @@ namespace palpate
 {
 
 /// What limits a straight slide: how far every holding feature supports it, and which one ends first.
-struct Slide
+struct SlideLimit
 {
   double t = 1.0;
   int ends = -1;              ///< index of the feature that is left at t, or -1
@@ -18,11 +18,11 @@ struct Slide
 
 /// How far feature i supports a slide along y, and what a ball comes to lie on there.
 template<class SceneView>
-[[nodiscard]] Slide limitBy(TickState<SceneView>& tick, int i, const Vec3& y) noexcept
+[[nodiscard]] SlideLimit limitBy(TickState<SceneView>& tick, int i, const Vec3& y) noexcept
 {
   const ActiveFeature& f = tick.contacts.feature(i);
   const auto& s = tick.contacts.surface(f);
-  Slide slide{ 1.0, i, f };
+  SlideLimit slide{ 1.0, i, f };
   if (f.kind == FeatureKind::Face)
   {
     const FaceExit exit = walkFace(s, f.a, tick.x(), y, tick.del());
@@ -41,9 +41,9 @@ template<class SceneView>
 }
 
 template<class SceneView>
-[[nodiscard]] Slide limitSlide(TickState<SceneView>& tick) noexcept
+[[nodiscard]] SlideLimit limitSlide(TickState<SceneView>& tick) noexcept
 {
-  Slide least;
+  SlideLimit least;
   const Vec3& y = tick.solution.y;
   for (int k = 0; k < tick.solution.count; ++k)
   {
@@ -53,7 +53,7 @@ template<class SceneView>
     {
       continue;
     }
-    Slide slide = limitBy(tick, i, y);
+    SlideLimit slide = limitBy(tick, i, y);
     if (f.stuck && slide.t * y.norm() <= 4 * tick.tol())
     {
       const FaceRecord& face = tick.contacts.surface(f).face(f.a);
@@ -69,7 +69,7 @@ template<class SceneView>
 
 /// A ball that slides off a face lies on its edge, off an edge on its end; a point comes over the next face.
 template<class SceneView>
-void leave(TickState<SceneView>& tick, const Slide& limit) noexcept
+void leave(TickState<SceneView>& tick, const SlideLimit& limit) noexcept
 {
   const ActiveFeature left = tick.contacts.feature(limit.ends);
   tick.contacts.remove(limit.ends);
@@ -103,7 +103,7 @@ void stopBall(TickState<SceneView>& tick, const SweepHit& hit, const Vec3& to_W)
 template<class SceneView>
 [[nodiscard]] bool slideOn(TickState<SceneView>& tick) noexcept
 {
-  const Slide limit = limitSlide(tick);
+  const SlideLimit limit = limitSlide(tick);
   const bool straight = tick.solution.count == 0 && limit.t >= 1.0;
   const Vec3 to_W = straight ? tick.p_W : Vec3(tick.x() + limit.t * tick.solution.y);
   const SweepHit hit = tick.sweep(tick.x(), to_W);

@@ -6,9 +6,6 @@
 namespace palpate
 {
 
-/// Attempts to stop a point just before what it hits, each a little further off.
-inline constexpr int stopAttempts = 6;
-
 /// A face left here and hit again without progress comes back, with all that were left after it.
 template<class SceneView>
 void returnStuck(TickState<SceneView>& tick, const ActiveFeature& f, const Vec3& wanted) noexcept
@@ -38,26 +35,33 @@ void stopPoint(TickState<SceneView>& tick, const SweepHit& hit, const Vec3& to_W
 {
   const Vec3 wanted = hit.t * (to_W - tick.x());
   returnStuck(tick, hit.feature, wanted);
+  if (wanted.norm() <= tick.tol() && tick.contacts.has(hit.feature))
+  {
+    tick.contacts.raise(); // it stands on it already, but too low to go along it
+  }
   SweepHit next = hit;
-  double lift = tick.contacts.lift();
-  for (int attempt = 0; attempt < stopAttempts; ++attempt, lift *= 2)
+  while (true)
   {
     tick.contacts.add(next.feature);
-    const ProjectionResult stop = tick.contacts.solve(wanted, lift);
+    const ProjectionResult stop = tick.contacts.solve(wanted, tick.contacts.lift());
     if (!stop.feasible)
     {
-      break;
+      return;
     }
     const Vec3 end_W = tick.x() + stop.y;
     next = tick.sweep(tick.x(), end_W);
     if (next.freeUntil < 1.0)
     {
-      break;
+      return;
     }
     if (!next.hit)
     {
       tick.moveTo(end_W);
       tick.settle(&hit.feature);
+      return;
+    }
+    if (!tick.contacts.raise())
+    {
       return;
     }
   }

@@ -18,6 +18,12 @@ namespace palpate
 inline constexpr double longWay = 0.2;
 inline constexpr double firstPart = 0.02;
 
+/// Far from every place.
+[[nodiscard]] inline Vec3 nowhere_W() noexcept
+{
+  return Vec3::Constant(std::numeric_limits<double>::infinity());
+}
+
 /// What the moves of one tick share: the ball on its way, what it touches, and what that cost so far.
 /// Only for the tick (Tick.h) and its moves. Servo thread; no allocation.
 template<class SceneView>
@@ -59,7 +65,8 @@ struct TickState
   const double scale_u; ///< ball and thinnest curve: what a way is long or short against
   ContactSet<SceneView> contacts;
   LeftFaces left;
-  Vec3 reconsideredAt_W = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 reconsideredAt_W = nowhere_W(); ///< where it was last asked what holds a point at a vertex
+  int reconsidered = 0;                ///< so often there
   Neighbourhood near;
   ProjectionResult solution;
   ContactResult result;
