@@ -10,10 +10,13 @@ from palpate_cli import PROGRAM, CommandLineTest
 
 
 class SelfTest(CommandLineTest):
-    def check(self, *arguments):
+    def devices(self, *arguments):
         environment = dict(os.environ, XDG_CONFIG_HOME=str(self.folder))
-        command = [PROGRAM, "devices", "--self-test", *arguments]
+        command = [PROGRAM, "devices", *arguments]
         return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=60)
+
+    def check(self, *arguments):
+        return self.devices("--self-test", *arguments)
 
     def test_a_simulated_joystick_works_and_its_range_is_that_of_its_stops(self):
         run = self.check("simulated-joystick")
@@ -36,6 +39,15 @@ class SelfTest(CommandLineTest):
         self.assertIn("device simulated-joystick", lines)
         self.assertEqual(lines[-1], "end")
         self.assertEqual(sum(line.startswith("axis ") for line in lines), 2)
+        self.assertIn("workspace radius 0.05 m\n", self.devices().stdout)  # measured, no longer assumed
+
+    def test_a_damaged_file_is_named_where_devices_are_listed(self):
+        folder = self.folder / "palpate" / "calibration"
+        folder.mkdir(parents=True)
+        (folder / "simulated-joystick.calibration").write_text("nonsense")
+        listed = self.devices()
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        self.assertIn(f"cannot be used: {folder}/simulated-joystick.calibration: it is not a calibration", listed.stdout)
 
     def test_the_same_check_finds_the_same_to_the_last_digit(self):
         self.assertEqual(self.check("simulated-premium").stdout, self.check("simulated-premium").stdout)

@@ -3,11 +3,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "devices/DeviceFactory.h"
 #include "devices/DeviceNotes.h"
+#include "devices/calibration/CalibrationFiles.h"
 
 namespace
 {
@@ -101,7 +104,10 @@ void Print(const palpate::KnownDevice& device)
 int vtkHapticCliDevices(bool json)
 {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const palpate::KnownDevice& device : palpate::knownDevices())
+  std::vector<palpate::KnownDevice> devices = palpate::knownDevices();
+  palpate::applyCalibrations(
+    devices, palpate::userCalibrationFolder(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME")));
+  for (const palpate::KnownDevice& device : devices)
   {
     if (json)
     {
