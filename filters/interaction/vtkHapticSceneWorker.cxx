@@ -177,6 +177,10 @@ std::string vtkHapticSceneWorker::Add(const std::string& name, vtkDataObject* da
   {
     return {}; // polygons beside them are touched as well, where there are any
   }
+  if (lines > 0 && this->PlaneWorld && this->LineRadius_u == 0.0 && !problem.empty())
+  {
+    problem = "its lines lie in no plane; give a line radius above 0 to touch them as tubes";
+  }
   if (lines > 0 && this->LineRadius_u != 0.0)
   {
     const std::string ofLines = this->AddPart(name, data, matrix, this->LineRadius_u);

@@ -234,6 +234,8 @@ public:
   /// move in a plane only. Surfaces that are added later feel it.
   virtual void SetLinesAsWalls(int choice);
   virtual int GetLinesAsWalls() const;
+  /// What that comes to with the chosen device.
+  bool GetRaisesLines() const;
   ///@}
 
   ///@{

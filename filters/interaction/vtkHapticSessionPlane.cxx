@@ -104,6 +104,11 @@ int vtkHapticSession::GetLinesAsWalls() const
   return this->Impl->LinesAsWalls;
 }
 
+bool vtkHapticSession::GetRaisesLines() const
+{
+  return this->Impl->RaisesLines();
+}
+
 void vtkHapticSession::SetHoldWalls(bool on)
 {
   if (on != this->Impl->HoldWalls)

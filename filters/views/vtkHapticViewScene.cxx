@@ -25,7 +25,10 @@ public:
   bool HandedOver = false;                     ///< the session has Scan
   vtkMTimeType MaterialTime = 0;               ///< of the session's settings when it got Scan
 
-  bool TouchesLines() const { return this->Session && this->Session->GetLineRadius() > 0.0; }
+  bool TouchesLines() const
+  {
+    return this->Session && (this->Session->GetLineRadius() > 0.0 || this->Session->GetRaisesLines());
+  }
 
   /// What the session makes of the surfaces' arrays is what it made of those of Scan.
   bool SameMaterials(const vtkHapticViewScan& now) const

@@ -149,6 +149,16 @@ TEST_F(HapticSessionPlane, ASurfaceBesideTheLinesIsNoPlaneWorldAndTwoPlanesAreNo
   EXPECT_FALSE(this->session_->GetPlaneWorld());
 }
 
+TEST_F(HapticSessionPlane, LinesInSpaceAreRefusedWithWhatToDo)
+{
+  this->session_->SetLinesAsWalls(vtkHapticSession::On);
+  const auto bent = makePath({ { -40, 0, 0 }, { 40, 0, 0 }, { 40, 40, 0 }, { 40, 40, 9 } });
+  const std::vector<std::string> said =
+    errorsOf(this->session_, [&] { this->session_->AddSurface("bent", bent, nullptr); });
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_THAT(said[0], ::testing::AllOf(HasSubstr("bent"), HasSubstr("in no plane"), HasSubstr("line radius")));
+}
+
 TEST_F(HapticSessionPlane, FittingTurnsAJoystickIntoThePlaneOfTheLines)
 {
   this->session_->SetDeviceName("simulated-joystick");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lines that a view shows are touched as tubes once they have a radius."""
+"""Lines that a view shows are touched as tubes once they have a radius, and as walls across their plane."""
 
 import sys
 import unittest
@@ -36,6 +36,22 @@ class LinesInAView(ViewTest):
         self.assertTrue(self.follow())
         self.press(2 * RADIUS - DEPTH, 0.1, 0.0)
         self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * (DEPTH + 2 * POINT) / SCALE, delta=1e-9)
+
+    def test_lines_in_a_plane_are_walls_where_that_is_asked_for(self):
+        self.show(simple.Line(Point1=[0.0, -1.0, 0.0], Point2=[0.0, 1.0, 0.0]))
+        self.follow()
+        self.assertFalse(self.session.GetPlaneWorld())
+        put(self.proxy, "LinesAsWalls", 2)
+        self.assertTrue(self.follow())
+        self.assertTrue(self.session.GetPlaneWorld())
+        self.press(-DEPTH, 0.1, 0.0)
+        self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * DEPTH / SCALE, delta=1e-9)
+
+    def test_on_a_joystick_they_are_walls_by_themselves(self):
+        put(self.proxy, "DeviceName", "simulated-joystick")
+        self.show(simple.Line(Point1=[0.0, -1.0, 0.0], Point2=[0.0, 1.0, 0.0]))
+        self.assertTrue(self.follow())
+        self.assertIn("held by the device itself", self.session.GetPlanSentence())
 
 
 if __name__ == "__main__":
