@@ -22,9 +22,9 @@ std::unique_ptr<FedDevice> FedDevice::mouse()
   return std::unique_ptr<FedDevice>(new FedDevice("mouse", { threeFrames_s, briskHand_m_per_s }));
 }
 
-void FedDevice::feed(const DeviceSample& sample) noexcept
+void FedDevice::feed(const DeviceSample& sample, std::uint64_t places) noexcept
 {
-  this->fed_.write({ sample, ++this->feeds_ });
+  this->fed_.write({ sample, ++this->feeds_, places });
 }
 
 DeviceStatus FedDevice::read(double tickTime_s, DeviceSample& sample) noexcept
@@ -45,7 +45,7 @@ void FedDevice::glideTo(const Fed& fed, double tickTime_s) noexcept
 {
   const double dt_s = tickTime_s - this->last_s_;
   this->last_s_ = tickTime_s;
-  if (this->seen_ == 0 || !this->hand_D_.allFinite())
+  if (this->seen_ == 0 || fed.places != this->placed_ || !this->hand_D_.allFinite())
   {
     this->hand_D_ = fed.sample.pose_D.p; // there is no way from nowhere
   }
@@ -55,6 +55,7 @@ void FedDevice::glideTo(const Fed& fed, double tickTime_s) noexcept
     this->arrival_s_ = tickTime_s - dt_s + std::min(since_s, this->glide_.longest_s);
     this->news_s_ = tickTime_s;
     this->seen_ = fed.count;
+    this->placed_ = fed.places;
   }
   const double left_s = this->arrival_s_ - (tickTime_s - dt_s);
   const Vec3 way_D = fed.sample.pose_D.p - this->hand_D_;

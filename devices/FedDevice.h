@@ -35,7 +35,9 @@ public:
   void write(const DeviceCommand& command) noexcept override { this->command_.write(command); }
 
   /// Feeding thread only; wait-free. The time of the sample is set by the tick that reads it.
-  void feed(const DeviceSample& sample) noexcept;
+  void feed(const DeviceSample& sample) noexcept { this->feed(sample, this->places_); }
+  /// The same, and the hand is there at the next tick: where the old place means nothing any more.
+  void place(const DeviceSample& sample) noexcept { this->feed(sample, ++this->places_); }
   /// The newest command. Feeding thread only; wait-free.
   [[nodiscard]] const DeviceCommand& command() noexcept { return this->command_.read(); }
 
@@ -43,21 +45,25 @@ private:
   struct Fed
   {
     DeviceSample sample;
-    std::uint64_t count = 0; ///< of poses fed so far
+    std::uint64_t count = 0;  ///< of poses fed so far
+    std::uint64_t places = 0; ///< of these, where the hand was put without a way
   };
 
   FedDevice(const char* name, const Glide& glide);
+  void feed(const DeviceSample& sample, std::uint64_t places) noexcept;
   void glideTo(const Fed& fed, double tickTime_s) noexcept;
 
   DeviceInfo info_;
   Glide glide_;
   TripleBuffer<Fed> fed_;
   TripleBuffer<DeviceCommand> command_;
-  std::uint64_t feeds_ = 0; ///< feeding thread's
+  std::uint64_t feeds_ = 0;  ///< feeding thread's
+  std::uint64_t places_ = 0; ///< feeding thread's
 
   // The servo thread's: where the hand is, and when it is to arrive.
   Vec3 hand_D_ = Vec3::Zero();
   std::uint64_t seen_ = 0; ///< count of the pose it goes to; 0: nowhere yet
+  std::uint64_t placed_ = 0;
   double news_s_ = 0.0;
   double arrival_s_ = 0.0;
   double last_s_ = 0.0;

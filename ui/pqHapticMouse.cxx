@@ -71,13 +71,29 @@ void pqHapticMouse::setActive(bool active)
   {
     this->Active = leads;
     this->Mouse->Leave();
-    ShowStatus(leads ? this->help() : QString());
+    this->showStatus();
   }
 }
 
 void pqHapticMouse::update()
 {
   this->Mouse->Update();
+  this->showStatus();
+}
+
+void pqHapticMouse::showStatus()
+{
+  QString text;
+  if (this->Active)
+  {
+    text = tr("%1 N. Shift + left button presses, wheel: deeper; keys: see the panel.")
+             .arg(this->Mouse->GetSession()->GetForceMagnitude(), 0, 'f', 2);
+  }
+  if (text != this->Status)
+  {
+    this->Status = text;
+    ShowStatus(text);
+  }
 }
 
 QString pqHapticMouse::help() const

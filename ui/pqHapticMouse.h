@@ -36,7 +36,7 @@ public:
 
 public Q_SLOTS:
   void setView(pqRenderView* view);
-  /// While active the hand is led, and the status line says how.
+  /// While active the hand is led, and the status line says how, and the force [N].
   void setActive(bool active);
   /// Once a frame.
   void update();
@@ -47,11 +47,13 @@ Q_SIGNALS:
 
 private:
   void deepened();
+  void showStatus();
   void focusMoved(QWidget* from, QWidget* to);
 
   vtkNew<vtkHapticMouse> Mouse;
   vtkNew<vtkHapticMouseInput> Input;
   QPointer<pqRenderView> View;
+  QString Status; ///< what the status line shows
   bool Active = false;
 };
 

@@ -33,6 +33,11 @@ palpate::HapticParameters Defaults()
   return parameters;
 }
 
+bool SameMap(const palpate::WorkspaceMap& a, const palpate::WorkspaceMap& b)
+{
+  return a.scale_u_per_m == b.scale_u_per_m && a.offset_W == b.offset_W && a.q_WD.coeffs() == b.q_WD.coeffs();
+}
+
 palpate::DeviceSample SampleAt(const palpate::WorkspaceMap& map, const Vec3& p_W)
 {
   palpate::DeviceSample sample;
@@ -57,11 +62,12 @@ palpate::DeviceOptions vtkHapticSession::Internals::Options() const
   return options;
 }
 
-void vtkHapticSession::Internals::Feed()
+void vtkHapticSession::Internals::Feed(bool placed)
 {
   if (auto* fed = dynamic_cast<palpate::FedDevice*>(this->Core.device()))
   {
-    fed->feed(SampleAt(this->Parameters.map, this->Hand_W));
+    const palpate::DeviceSample sample = SampleAt(this->Parameters.map, this->Hand_W);
+    placed ? fed->place(sample) : fed->feed(sample);
   }
 }
 
@@ -298,6 +304,12 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
     return;
   }
   const palpate::HapticParameters before = std::exchange(this->Impl->Parameters, parameters);
+  const bool otherMap = !SameMap(before.map, parameters.map);
+  if (otherMap && this->GetTouching())
+  {
+    this->InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
+    this->Impl->Feed(true);
+  }
   this->Impl->RadiusUsed_u = allowed.contact.radius_u;
   if (before.passivity != parameters.passivity || before.damping_Ns_per_m != parameters.damping_Ns_per_m)
   {

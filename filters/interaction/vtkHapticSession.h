@@ -132,7 +132,8 @@ public:
   ///@{
   /**
    * Device on, servo on, force engaged through its ramp; off: force to zero, servo ended. If it cannot start it stays
-   * off and GetProblem() says why. Default off. StartEvent is the last moment to say where a program's hand begins.
+   * off and GetProblem() says why. Default off. StartEvent is the last moment to say where a program's hand begins; it
+   * comes again when scale, rotation or offset change meanwhile.
    */
   virtual void SetTouching(bool touching);
   virtual bool GetTouching() const;

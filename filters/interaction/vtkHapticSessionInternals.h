@@ -77,7 +77,8 @@ public:
   palpate::DeviceOptions Options() const;
   /// What a check says now; ends it once there is a verdict.
   void FollowCheck();
-  void Feed();
+  /// `placed`: there without a way.
+  void Feed(bool placed = false);
   /// Looks again where the chosen device was not there at the last look.
   void LearnDevices();
   /// The running device where it is behind a link, else null; how the link goes.

@@ -106,6 +106,16 @@ TEST_F(MouseHand, AfterARestItTakesNoLongerThanThreeFrames)
   EXPECT_EQ(x_m.back(), h);
 }
 
+// A pose that is fed after it, before any tick, must not make a way of it again.
+TEST_F(MouseHand, IsAtOnceWhereItIsPut)
+{
+  this->glide(0.0, 100);
+  this->mouse_->place(at(5.0));
+  this->mouse_->feed(at(5.0));
+  EXPECT_EQ(this->tick(), 5.0);
+  EXPECT_LT(this->glide(6.0, 1).back(), 5.001);
+}
+
 TEST_F(MouseHand, IsBackAfterAPoseThatWasNotFinite)
 {
   this->glide(0.0, 10);

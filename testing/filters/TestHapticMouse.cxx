@@ -470,6 +470,25 @@ TEST_F(HapticMouse, TheKeyboardAloneStrokes)
   EXPECT_EQ(this->force().z(), 0.0);
 }
 
+// The map moves the whole workspace in the scene: a hand that stayed where it was in it would be thrown into the sphere.
+TEST_F(HapticMouse, FittedWhileItPressesItBeginsAnewOutside)
+{
+  constexpr double radius = 50.0;
+  this->show(makeSphere(radius, 40));
+  this->look(Vec3(0, -300, 0), false);
+  this->engage();
+  this->press(203.0, 152.0);
+  this->session_->FitWorkspace();
+  for (int i = 0; i < 2 * framesToArrive; ++i)
+  {
+    this->rest(1);
+    ASSERT_GT(this->proxy().norm(), 0.99 * radius);
+    ASSERT_GE(this->force().dot(this->proxy()), 0.0);
+  }
+  EXPECT_LT(this->ray(203.0, 152.0).distanceTo(this->proxy()), 0.1 * radius);
+  EXPECT_GT(this->force().norm(), 0.5 * force_N);
+}
+
 TEST_F(HapticMouse, AnotherDeviceIsNotLed)
 {
   this->show(makePlane(100.0));
