@@ -67,7 +67,8 @@ class Labyrinths(unittest.TestCase):
         session.PlayAgain()
         session.Step(1)
         session.Update()
-        self.assertEqual(session.GetLabyrinthPhase(), "leads")
+        self.assertEqual(session.GetLabyrinthPhase(), "lets go")  # it is at the start already
+        self.assertEqual(session.GetLabyrinthTime(), 0.0)
         session.EndLabyrinth()
         session.Step(1)
         session.Update()
