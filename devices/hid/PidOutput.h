@@ -59,7 +59,7 @@ public:
   /// An effect that should be playing.
   [[nodiscard]] bool plays(int block) const noexcept;
   /// Effects that were armed again before they ended.
-  [[nodiscard]] std::uint64_t restarts() const noexcept { return this->restarts_; }
+  [[nodiscard]] std::uint64_t restarts() const noexcept { return this->restarts_ + this->shake_.restarts(); }
 
 private:
   struct Effect

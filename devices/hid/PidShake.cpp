@@ -91,6 +91,7 @@ PidStep PidShake::vibrate(std::int64_t now_ns, const Vibration& wanted) noexcept
   }
   if (has && since(this->started_ns_, this->timing_.restartEvery_ms))
   {
+    this->restarts_ += this->started_ns_ != never ? 1 : 0;
     this->started_ns_ = now_ns;
     return sentOrFailed(this->engine_.start(this->block_));
   }

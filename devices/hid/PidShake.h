@@ -32,6 +32,8 @@ public:
   /// A signal that is new is played once.
   [[nodiscard]] PidStep play(Signal signal) noexcept;
   [[nodiscard]] PidStep vibrate(std::int64_t now_ns, const Vibration& wanted) noexcept;
+  /// Vibrations that were armed again before they ended.
+  [[nodiscard]] std::uint64_t restarts() const noexcept { return this->restarts_; }
   /// Everything was stopped.
   void forget() noexcept;
 
@@ -46,6 +48,7 @@ private:
   Signal lastSignal_ = Signal::None;
   int part_ = 0; ///< of the signal that is being sent
   Vibration sent_;
+  std::uint64_t restarts_ = 0;
   static constexpr std::int64_t never = -1;
   std::int64_t started_ns_ = never, changed_ns_ = never;
 };

@@ -136,7 +136,9 @@ TEST(Rumble, APadFeelsContactAsAPulseAndSlidingAsVibrationThatIsArmedAgainAndAga
   // 72 degrees.
   const double share = 0.5 * 2.0 / rig.scale().maxForce_N * std::sin(0.4 * std::numbers::pi);
   EXPECT_NEAR(strongest(rig, 100, 1.0), share, 0.15 * share); // it is measured in steps of the device
+  const std::uint64_t restarts = rig.device.linkReport().restarts;
   EXPECT_NEAR(strongest(rig, 400, 1.0), share, 0.15 * share); // longer than the effect lasts by itself
+  EXPECT_NEAR(static_cast<double>(rig.device.linkReport().restarts - restarts), 4.0, 1.0); // every 100 ms
   EXPECT_EQ(rig.stick().badReports, 0);
   EXPECT_EQ(rig.stick().constantForces, 0);
 }
