@@ -470,7 +470,8 @@ TEST_F(HapticMouse, TheKeyboardAloneStrokes)
   EXPECT_EQ(this->force().z(), 0.0);
 }
 
-// The map moves the whole workspace in the scene: a hand that stayed where it was in it would be thrown into the sphere.
+// The map moves the whole workspace in the scene: a hand that stayed where it was in it would be thrown into the
+// sphere.
 TEST_F(HapticMouse, FittedWhileItPressesItBeginsAnewOutside)
 {
   constexpr double radius = 50.0;
