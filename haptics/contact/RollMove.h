@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "haptics/contact/Roll.h"
 #include "haptics/contact/TickState.h"
 
@@ -40,13 +42,14 @@ template<class SceneView>
   return true;
 }
 
-/// Goes the planned way as far as it is free.
+/// Goes the planned way as far as it is free. `freeShare`: how much of it is.
 template<class SceneView>
-[[nodiscard]] bool tryRoll(TickState<SceneView>& tick, const RollPlan& plan) noexcept
+[[nodiscard]] bool tryRoll(TickState<SceneView>& tick, const RollPlan& plan, double& freeShare) noexcept
 {
   const Vec3 corner_W = tick.x() + plan.first;
   Vec3 end_W = tick.x() + plan.second;
   const SweepHit first = tick.sweep(tick.x(), corner_W);
+  freeShare = 0.5 * first.t;
   if (first.hit && first.t * plan.first.norm() <= tick.tol())
   {
     tick.contacts.add(first.feature); // it is touched already: the next projection takes it into account
@@ -62,6 +65,7 @@ template<class SceneView>
     return commitRoll(tick, end_W, end_W, first, 0.0);
   }
   const SweepHit second = tick.sweep(corner_W, end_W);
+  freeShare = 0.5 + 0.5 * second.t;
   if (second.freeUntil < 1.0)
   {
     return false;
@@ -74,12 +78,16 @@ template<class SceneView>
 }
 
 /// Rolls the ball round an edge or a vertex if that brings it nearer to the device; false if a plain slide is due.
+/// Where even a small roll gains nothing smaller ones are tried, the first of which ends at what the last one met: for a
+/// device as deep as the radius a slide along the tangent leads away from the obstacle and back to where it began.
 template<class SceneView>
 [[nodiscard]] bool rollBall(TickState<SceneView>& tick) noexcept
 {
-  double turn = 2.0;
-  for (const double mostTurn : { 1.0, 0.2, 0.04 })
+  constexpr std::array largest = { 1.0, 0.2, 0.04, 0.0, 0.0, 0.0 }; // 0: follows from the last one
+  double turn = 2.0, freeShare = 1.0;
+  for (const double most : largest)
   {
+    const double mostTurn = most > 0.0 ? most : (freeShare < 1.0 ? freeShare : 0.2) * turn;
     if (mostTurn >= turn)
     {
       continue; // the last plan turned less than that already
@@ -90,7 +98,7 @@ template<class SceneView>
     {
       return false;
     }
-    if (tryRoll(tick, plan))
+    if (tryRoll(tick, plan, freeShare))
     {
       return true;
     }

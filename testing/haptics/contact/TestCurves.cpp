@@ -206,7 +206,7 @@ TEST_P(Curves, ARandomBundleIsNeverPassedAndEveryRestIsTheNearestFreePlace)
     }
   }
   EXPECT_GT(pressed, ticks / 10);
-  EXPECT_LT(capped, ticks / 200);
+  EXPECT_LT(capped, ticks / 2000); // 16 of 18 000 for the ball where a roll never ends at what it meets
 }
 
 /// Tells two judges of one way.
