@@ -4,7 +4,7 @@
 from .style import line, looks, pyplot
 
 NOTICED_N = 0.35  # 7 % of the 5 N of the simulated joystick
-LEAST_N = 5e-3  # at the device's own rate there is no drag: drawn at the edge
+LEAST_N = 1e-3  # at the device's own rate there is no drag: drawn at the edge
 
 
 def draw_host_rate(rows):
