@@ -32,6 +32,12 @@ std::string outOfPlane(std::size_t point, double z_u)
   return text.str();
 }
 
+std::string tooMany(std::size_t segments)
+{
+  return "its lines have " + std::to_string(segments) + " segments; at most " + std::to_string(mostSegments) +
+         " can be felt: simplify them first, which the filter Image Curves does with a guaranteed error";
+}
+
 /// Finite points of the segments.
 std::vector<Vec3> pointsOf(const TriangleMesh& segments)
 {
@@ -115,6 +121,11 @@ std::optional<Pose> planeOf(const TriangleMesh& segments)
 PlaneCurves curvesInPlane(const TriangleMesh& segments, const Pose& plane_WP)
 {
   PlaneCurves found;
+  if (segments.triangles.size() > mostSegments)
+  {
+    found.refusal = tooMany(segments.triangles.size());
+    return found;
+  }
   const double most_u = roundingOf(segments);
   const Quat q_PW = plane_WP.q.conjugate();
   found.curves.points_W.reserve(segments.vertices_W.size());

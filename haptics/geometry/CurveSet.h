@@ -14,6 +14,9 @@
 namespace palpate
 {
 
+/// Most segments of a plane world: their walls take about 2 GB while they are built, and no hand tells them apart.
+inline constexpr std::size_t mostSegments = 4'000'000;
+
 /// Line segments in a plane, in scene units and the coordinates of that plane: a plane world.
 struct CurveSet
 {
@@ -35,8 +38,8 @@ struct PlaneCurves
 
 /// Segments as they come in, (a, b, b) as segmentsOf() makes them, as curves in the plane z = 0 of plane_WP. A point is
 /// in the plane if it is no further from it than single precision rounds the largest coordinate. Points that are not
-/// finite are left to cleanMesh(), which counts what it drops. Refuses a point out of the plane, an index out of range
-/// and curves without segments.
+/// finite are left to cleanMesh(), which counts what it drops. Refuses a point out of the plane, an index out of range,
+/// curves without segments and more than mostSegments.
 [[nodiscard]] PlaneCurves curvesInPlane(const TriangleMesh& segments, const Pose& plane_WP = {});
 
 /// The plane world as walls: each segment becomes a rectangle from -halfHeight_u to +halfHeight_u about the plane. A

@@ -83,6 +83,16 @@ TEST(CurveSet, LinesInSpaceLieInNoPlaneAndSlantedOnesOfNoneDoNot)
   EXPECT_FALSE(planeOf({}).has_value());
 }
 
+TEST(CurveSet, MoreSegmentsThanCanBeFeltAreRefusedWithWhatToDo)
+{
+  TriangleMesh segments{ { { 0, 0, 0 }, { 1, 0, 0 } }, {} };
+  segments.triangles.assign(mostSegments + 1, { 0, 1, 1 });
+  EXPECT_NE(curvesInPlane(segments).refusal.find(std::to_string(mostSegments + 1) + " segments"), std::string::npos);
+  EXPECT_NE(curvesInPlane(segments).refusal.find("simplify"), std::string::npos);
+  segments.triangles.pop_back();
+  EXPECT_EQ(curvesInPlane(segments).refusal, "");
+}
+
 TEST(CurveSet, WhatSinglePrecisionRoundsIsInThePlaneAndWhatIsNotFiniteIsLeftToCleaning)
 {
   TriangleMesh segments = curveIn({}, 3.0);
