@@ -105,6 +105,7 @@ private:
     const DeviceSample& sample = this->in_.sample;
     this->out_.state.frozen = this->s_.tracked && this->s_.watch.look(sample.pose_D.p, this->s_.lastP_D,
                                                     this->s_.lastForce_D.norm(), this->p_.safety.frozenAbove_N, this->in_.dt_s);
+    this->out_.state.buttons = sample.buttons;
     this->out_.state.letGo = !isHeld(this->p_.safety.deadMan, sample.buttons, sample.grip);
     if (this->out_.state.letGo && this->s_.engage == EngageState::Engaged)
     {

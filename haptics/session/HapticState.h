@@ -53,6 +53,7 @@ struct HapticState
   bool pinned = false;          ///< moving surfaces leave the ball less room than it needs
   bool frozen = false;          ///< the position stays the same to the bit under force: does the device still measure?
   bool letGo = false;           ///< what must be held is not
+  std::uint32_t buttons = 0;    ///< that are down, as DeviceSample has them
   bool deviceHolds = false;     ///< the device closes walls and viscosity itself; force_D is what they give
   std::int32_t walls = 0;       ///< that it holds
   double guideShare = 0.0;      ///< of the guide to a plane that acts, 0..1
