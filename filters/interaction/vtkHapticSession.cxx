@@ -82,6 +82,7 @@ void vtkHapticSession::Internals::ShowState()
   Eigen::Map<Vec3>(this->Proxy) = this->State.proxy_W.p;
   Eigen::Map<Vec3>(this->Hand) = this->State.device_W.p;
   Eigen::Map<Vec3>(this->Force) = this->State.force_W;
+  this->FollowGame();
 }
 
 vtkHapticSession::vtkHapticSession() : Impl(std::make_unique<Internals>())

@@ -285,7 +285,39 @@ public:
   /// "off", "waits", "leads", "lets go", "explores", "arrived" or "rests"; time of exploring [s].
   const char* GetLabyrinthPhase() const;
   double GetLabyrinthTime() const;
+  /// The phase in words for the person: who has a device without force goes to the start alone.
+  const char* GetLabyrinthText() const;
+  /// Whether the chosen device can push the hand, so bring it to the start.
+  bool GetDeviceGivesForce() const;
   ///@}
+
+  ///@{
+  /**
+   * By how much the labyrinth that was played last must be enlarged, about the hand say, for neighbouring corridors to be
+   * told apart [1], at least 1: 1 where everything can be felt, or nothing was played; infinite without stiffness. The
+   * narrowest corridor that can be told apart is 2 F / K wide [m of the hand], F = 1 N, K the stiffness that is used.
+   */
+  double GetFeelableZoom() const;
+  double GetFeelableWidth() const;
+  ///@}
+
+  /**
+   * The way of the proxy since it was let go, until now or until the exit: a polyline in W [u], as the calls of Update()
+   * saw it. At most 4096 points, a tenth of a corridor apart; twice as far each time that is not enough.
+   */
+  void GetLabyrinthTrace(vtkPolyData* trace) const;
+
+  /// Order of the wishes as TakeLabyrinthWish() gives them.
+  enum LabyrinthWishes
+  {
+    NoWish = 0,
+    NextWish = 1,
+    AgainWish = 2,
+  };
+
+  /// What the device's buttons asked for since the last call, while no game is played: button 1 the next labyrinth,
+  /// button 2 to start again; a button of the dead-man nothing.
+  int TakeLabyrinthWish();
 
   /// Order of the choices as SetSimplify() and SetLinesAsWalls() take them.
   enum SimplifyChoices

@@ -3,8 +3,10 @@
 #define vtkHapticSessionInternals_h
 
 #include "devices/DeviceFactory.h"
-#include "devices/io/LinkedDevice.h"
 #include "devices/calibration/SelfTestRun.h"
+#include "devices/io/LinkedDevice.h"
+#include "haptics/labyrinth/MazeButtons.h"
+#include "haptics/labyrinth/WayTrace.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/PlanSentence.h"
 #include "vtkHapticSceneWorker.h"
@@ -59,6 +61,12 @@ public:
   double PressDepth_m = 0.002;
   std::string HeldBy = palpate::DeviceOptions().hand;
   bool VirtualTime = false;
+  double Corridor_u = 0.0; ///< of the labyrinth that was played last
+  double TraceApart_u = 1.0;
+  palpate::WayTrace Trace;
+  double TraceTime_s = 0.0;    ///< of its game
+  std::uint32_t Buttons = ~0u; ///< at the last look; what is down at the first was not pressed
+  palpate::MazeWish Wish = palpate::MazeWish::None;
   palpate::Vec3 Hand_W = palpate::Vec3::Zero(); ///< where a program holds it
 
   palpate::HapticState State;
@@ -103,7 +111,8 @@ public:
   palpate::TouchChoice Touch() const;
   /// The parameters with a ball that is no larger than the scene allows, if that is wanted.
   palpate::HapticParameters Allowed(palpate::HapticParameters asked) const;
-  /// The servo gets the ball of the scene that is felt; never in the tick of a swap, in which a pressed hand changes over.
+  /// The servo gets the ball of the scene that is felt; never in the tick of a swap, in which a pressed hand changes
+  /// over.
   void FollowRadius();
   /// Whether lines are walls for the chosen device.
   bool RaisesLines() const;
@@ -116,6 +125,10 @@ public:
   /// What held walls brake a slide of 0.1 m/s along a slanted line by, on average.
   double SlantDrag_N() const;
   void ShowState();
+  /// Its way goes on, or begins anew; buttons ask for another one.
+  void FollowGame();
+  /// What is set, but no more than the device can hold [N/m].
+  double FeltStiffness() const;
   /// How stiff the running device can be, else the chosen one: milliseconds, for changes of what it depends on only.
   void JudgeStability();
   const palpate::DeviceInfo& ChosenInfo() const;

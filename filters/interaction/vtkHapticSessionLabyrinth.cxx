@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The game of finding the way: what is played, and where it stands.
+// The game of finding the way: what is played, where it stands, and the way so far.
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "haptics/force/FeatureSize.h"
 #include "haptics/labyrinth/Labyrinth.h"
+#include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkHapticLabyrinthData.h"
 #include "vtkHapticSessionInternals.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+namespace
+{
+constexpr double pressing_N = 1.0; // of a hand that explores
+constexpr double traceApart = 0.1; // of a corridor
+} // namespace
 
 bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
 {
@@ -15,12 +30,18 @@ bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
   const std::string problem = !maze                  ? "there is no labyrinth to play"
                               : read.Problem.empty() ? palpate::refuse(read.Labyrinth)
                                                      : read.Problem;
+  if (maze && read.Problem.empty()) // a structure is explored too
+  {
+    this->Impl->Corridor_u = read.Labyrinth.corridor_u;
+  }
   if (!problem.empty())
   {
     this->Refuse(problem);
     return false;
   }
   const palpate::Labyrinth& labyrinth = read.Labyrinth;
+  this->Impl->TraceApart_u = traceApart * labyrinth.corridor_u;
+  this->Impl->Trace = palpate::WayTrace(this->Impl->TraceApart_u);
   this->SetLinesAsWalls(On);
   const double workspace_m = this->Impl->ChosenInfo().workspaceRadius_m.value;
   this->Change(
@@ -61,4 +82,80 @@ const char* vtkHapticSession::GetLabyrinthPhase() const
 double vtkHapticSession::GetLabyrinthTime() const
 {
   return this->Impl->State.gameTime_s;
+}
+
+const char* vtkHapticSession::GetLabyrinthText() const
+{
+  const bool alone = this->Impl->State.game == palpate::GamePhase::Leads && !this->GetDeviceGivesForce();
+  return alone ? "go to the start yourself (no force)" : this->GetLabyrinthPhase();
+}
+
+bool vtkHapticSession::GetDeviceGivesForce() const
+{
+  return this->Impl->ChosenInfo().rendersForce;
+}
+
+double vtkHapticSession::GetFeelableWidth() const
+{
+  const double stiffness_N_per_m = this->Impl->FeltStiffness();
+  return stiffness_N_per_m > 0.0 ? palpate::smallestFeature_m(pressing_N, stiffness_N_per_m)
+                                 : std::numeric_limits<double>::infinity();
+}
+
+double vtkHapticSession::GetFeelableZoom() const
+{
+  const double width_m = this->Impl->Corridor_u / this->GetScale(), stiffness_N_per_m = this->Impl->FeltStiffness();
+  if (!(width_m > 0.0))
+  {
+    return 1.0;
+  }
+  return stiffness_N_per_m > 0.0 ? palpate::zoomToFeel(width_m, pressing_N, stiffness_N_per_m)
+                                 : std::numeric_limits<double>::infinity();
+}
+
+double vtkHapticSession::Internals::FeltStiffness() const
+{
+  return std::min(this->Parameters.stiffness_N_per_m, this->Limits.largest_N_per_m);
+}
+
+void vtkHapticSession::GetLabyrinthTrace(vtkPolyData* trace) const
+{
+  const std::vector<palpate::Vec3>& way_W = this->Impl->Trace.points_W();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(way_W.size()));
+  for (const palpate::Vec3& p_W : way_W)
+  {
+    lines->InsertCellPoint(points->InsertNextPoint(p_W.data()));
+  }
+  trace->Initialize();
+  trace->SetPoints(points);
+  if (way_W.size() > 1)
+  {
+    trace->SetLines(lines);
+  }
+}
+
+int vtkHapticSession::TakeLabyrinthWish()
+{
+  return static_cast<int>(std::exchange(this->Impl->Wish, palpate::MazeWish::None));
+}
+
+void vtkHapticSession::Internals::FollowGame()
+{
+  const palpate::HapticState& state = this->State;
+  const std::uint32_t down = state.tick > 0 ? state.buttons : ~0u;
+  const std::uint32_t wentDown = down & ~std::exchange(this->Buttons, down);
+  const palpate::MazeWish wish = palpate::wishOf(state.game, wentDown, this->Parameters.safety.deadMan.buttons);
+  this->Wish = wish != palpate::MazeWish::None ? wish : this->Wish;
+  const double before_s = std::exchange(this->TraceTime_s, state.gameTime_s);
+  if (state.gameTime_s < before_s)
+  {
+    this->Trace = palpate::WayTrace(this->TraceApart_u);
+  }
+  if (state.gameTime_s > before_s)
+  {
+    this->Trace.add(state.proxy_W.p);
+  }
 }

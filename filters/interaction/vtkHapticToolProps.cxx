@@ -11,6 +11,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -25,6 +26,7 @@ constexpr int ballResolution = 32;
 constexpr int arrowResolution = 24;
 /// The hand is drawn smaller than the proxy, so that both are seen when they are at one place.
 constexpr double handShare = 0.75;
+constexpr float traceWidth = 3.0f; // pixels
 
 /// What is drawn without a scene is as large as if the hand's workspace of 0.2 m were the scene.
 double DiagonalOf(vtkHapticSession* session)
@@ -61,16 +63,18 @@ public:
   vtkNew<vtkActor> Proxy;
   vtkNew<vtkActor> Hand;
   vtkNew<vtkActor> Arrow;
+  vtkNew<vtkActor> Trace;
+  vtkNew<vtkPolyData> Way;
   vtkNew<vtkMatrix4x4> ArrowFrame;
   vtkWeakPointer<vtkRenderer> Renderer;
 
   Internals();
   vtkActor* const* begin() const { return this->All; }
-  vtkActor* const* end() const { return this->All + 3; }
+  vtkActor* const* end() const { return this->All + 4; }
   void Place(vtkActor* actor, const double p_W[3], double radius) const;
 
 private:
-  vtkActor* All[3] = { this->Proxy, this->Hand, this->Arrow };
+  vtkActor* All[4] = { this->Proxy, this->Hand, this->Arrow, this->Trace };
 };
 
 vtkHapticToolProps::Internals::Internals()
@@ -90,6 +94,12 @@ vtkHapticToolProps::Internals::Internals()
   this->Hand->SetMapper(ballMapper);
   this->Arrow->SetMapper(arrowMapper);
   this->Arrow->SetUserMatrix(this->ArrowFrame);
+  vtkNew<vtkPolyDataMapper> wayMapper;
+  wayMapper->SetInputData(this->Way);
+  this->Trace->SetMapper(wayMapper);
+  this->Trace->GetProperty()->SetLineWidth(traceWidth);
+  this->Trace->GetProperty()->LightingOff();
+  this->Trace->GetProperty()->SetColor(0.1, 0.65, 0.3);
   this->Proxy->GetProperty()->SetColor(1.0, 0.75, 0.1);
   this->Hand->GetProperty()->SetColor(0.15, 0.45, 1.0);
   this->Arrow->GetProperty()->SetColor(0.9, 0.1, 0.1);
@@ -120,6 +130,7 @@ void vtkHapticToolProps::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Renderer: " << this->Impl->Renderer.Get() << "\n";
   os << indent << "RelativeSize: " << this->RelativeSize << "\n";
   os << indent << "ForceScale: " << this->ForceScale << "\n";
+  os << indent << "ShowTrace: " << this->ShowTrace << "\n";
 }
 
 void vtkHapticToolProps::AddToRenderer(vtkRenderer* renderer)
@@ -159,6 +170,11 @@ void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
   {
     return;
   }
+  impl.Trace->SetVisibility(this->ShowTrace);
+  if (this->ShowTrace)
+  {
+    session->GetLabyrinthTrace(impl.Way);
+  }
   const double diagonal = DiagonalOf(session);
   const double radius = std::max(session->GetRadius(), this->RelativeSize * diagonal);
   impl.Place(impl.Proxy, session->GetProxyPosition(), radius);
@@ -184,4 +200,9 @@ vtkActor* vtkHapticToolProps::GetHandActor() const
 vtkActor* vtkHapticToolProps::GetForceActor() const
 {
   return this->Impl->Arrow;
+}
+
+vtkActor* vtkHapticToolProps::GetTraceActor() const
+{
+  return this->Impl->Trace;
 }

@@ -3,8 +3,9 @@
  * @class   vtkHapticToolProps
  * @brief   what a person sees of a haptic session: proxy, hand and force
  *
- * Two balls and an arrow. The proxy's ball has the session's radius where that can be seen; the arrow starts at the
- * proxy and points along the force on the hand. None is picked or counted in the bounds of a scene.
+ * Two balls, an arrow and the way through a labyrinth. The proxy's ball has the session's radius where that can be
+ * seen; the arrow starts at the proxy and points along the force on the hand. None is picked or counted in the bounds
+ * of a scene.
  */
 #ifndef vtkHapticToolProps_h
 #define vtkHapticToolProps_h
@@ -47,9 +48,17 @@ public:
   ///@}
 
   ///@{
+  /// Whether the way that the session remembers of a labyrinth is drawn. Default off.
+  vtkSetMacro(ShowTrace, bool);
+  vtkGetMacro(ShowTrace, bool);
+  vtkBooleanMacro(ShowTrace, bool);
+  ///@}
+
+  ///@{
   vtkActor* GetProxyActor() const;
   vtkActor* GetHandActor() const;
   vtkActor* GetForceActor() const;
+  vtkActor* GetTraceActor() const;
   ///@}
 
 protected:
@@ -62,6 +71,7 @@ private:
 
   double RelativeSize = 0.01;
   double ForceScale = 0.1;
+  bool ShowTrace = false;
 
   class Internals;
   std::unique_ptr<Internals> Impl;

@@ -86,7 +86,7 @@ TEST_F(HapticInteractor, TheToolIsNotPickedAndNotPartOfTheBounds)
 {
   this->restingHeight();
   for (vtkActor* actor : { this->touch_->GetToolProps()->GetProxyActor(), this->touch_->GetToolProps()->GetHandActor(),
-         this->touch_->GetToolProps()->GetForceActor() })
+         this->touch_->GetToolProps()->GetForceActor(), this->touch_->GetToolProps()->GetTraceActor() })
   {
     EXPECT_FALSE(actor->GetPickable());
     EXPECT_FALSE(actor->GetUseBounds());

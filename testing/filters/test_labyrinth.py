@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A labyrinth of the gallery as lines, and the game in a session that runs in virtual time."""
 
+import math
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules import vtkRenderingCore  # noqa: F401  wraps the actors
 
-from palpate.vtkHapticInteraction import vtkHapticSession
+from palpate.vtkHapticInteraction import vtkHapticSession, vtkHapticToolProps
 from palpate.vtkHapticPipeline import vtkHapticLabyrinth
 
 MAZES = ("chartres", "corridor", "hampton-court", "spiral", "versailles")
 STRUCTURES = ("circle-set", "wedge-field")
+CORRIDOR_U = 1.0  # of hampton-court
+PRESSING_N = 1.0  # of a hand that explores
 
 
 def lines_of(world):
@@ -33,9 +38,9 @@ class Labyrinths(unittest.TestCase):
         self.window = vtkStringOutputWindow()
         vtkOutputWindow.SetInstance(self.window)
 
-    def session(self, world):
+    def session(self, world, device="simulated-joystick"):
         session = vtkHapticSession()
-        session.SetDeviceName("simulated-joystick")
+        session.SetDeviceName(device)
         session.SetHand("none")
         session.SetVirtualTime(True)
         lines = lines_of(world)
@@ -73,6 +78,77 @@ class Labyrinths(unittest.TestCase):
         session.Step(1)
         session.Update()
         self.assertEqual(session.GetLabyrinthPhase(), "off")
+
+    def test_zoom_makes_a_corridor_as_wide_as_a_hand_tells_apart(self):
+        session, _ = self.session("hampton-court")
+        stiffness_N_per_m = min(session.GetStiffness(), session.GetLargestStiffness())
+        self.assertAlmostEqual(session.GetFeelableWidth(), 2 * PRESSING_N / stiffness_N_per_m, 15)
+        width_m = CORRIDOR_U / session.GetScale()
+        zoom = 2 * PRESSING_N / stiffness_N_per_m / width_m
+        self.assertGreater(zoom, 1)
+        self.assertAlmostEqual(session.GetFeelableZoom() / zoom, 1, 12)
+        session.SetScale(session.GetScale() / zoom)
+        self.assertAlmostEqual(session.GetFeelableZoom(), 1, 12)
+        session.SetScale(session.GetScale() / 2)
+        self.assertEqual(session.GetFeelableZoom(), 1)
+
+    def test_zoom_is_one_where_nothing_was_played_and_infinite_without_stiffness(self):
+        self.assertEqual(vtkHapticSession().GetFeelableZoom(), 1)
+        session, _ = self.session("wedge-field")  # refused as a game, and explored
+        self.assertGreater(session.GetFeelableZoom(), 1)
+        session.SetStiffness(0)
+        self.assertEqual(session.GetFeelableZoom(), math.inf)
+
+    def test_hand_without_force_is_told_to_go_to_the_start(self):
+        for device, forces in (("simulated-joystick", True), ("fed", False), ("mouse", False)):
+            session, _ = self.session("hampton-court", device)
+            session.SetHandPosition(7.5, 2.5, 0)  # in the middle of a corridor, 3 u from the start
+            self.assertEqual(session.GetDeviceGivesForce(), forces, device)
+            session.SetTouching(True)
+            self.assertTrue(step_until(session, "leads"), device)
+            text = "leads" if forces else "go to the start yourself (no force)"
+            self.assertEqual(session.GetLabyrinthText(), text, device)
+
+    def test_trace_is_the_way_since_the_hand_was_let_go(self):
+        session, _ = self.session("hampton-court", "fed")
+        start = lines_of("hampton-court").GetFieldData().GetArray("Start").GetTuple(0)
+        session.SetHandPosition(start[0], start[1], 0)
+        trace = vtkPolyData()
+        session.GetLabyrinthTrace(trace)
+        self.assertEqual(trace.GetNumberOfPoints(), 0)
+        session.SetTouching(True)
+        self.assertTrue(step_until(session, "explores"), session.GetLabyrinthPhase() + session.GetFaultText())
+        steps = 64
+        for k in range(steps + 1):  # to and fro in the corridor of the start
+            session.SetHandPosition(start[0], start[1] + 0.25 * math.sin(2 * math.pi * k / steps), 0)
+            session.Step(20)
+            session.Update()
+        session.GetLabyrinthTrace(trace)
+        way = [trace.GetPoint(k) for k in range(trace.GetNumberOfPoints())]
+        self.assertEqual(trace.GetNumberOfLines(), 1)
+        self.assertGreaterEqual(len(way), 5)  # a way of 1 u, a point each 0.1 u at least where it does not turn
+        for a, b in zip(way, way[1:]):
+            self.assertGreaterEqual(math.dist(a, b), 0.1 * CORRIDOR_U)
+        for p in way:
+            self.assertLessEqual(math.dist(p, (start[0], start[1], 0)), 0.25 + 1e-9)
+        drawn = vtkHapticToolProps()
+        drawn.UpdateFrom(session)
+        self.assertFalse(drawn.GetTraceActor().GetVisibility())
+        drawn.ShowTraceOn()
+        drawn.UpdateFrom(session)
+        self.assertTrue(drawn.GetTraceActor().GetVisibility())
+        self.assertEqual(drawn.GetTraceActor().GetMapper().GetInput().GetNumberOfPoints(), len(way))
+        session.PlayAgain()
+        session.Step(1)
+        session.GetLabyrinthTrace(trace)
+        self.assertEqual(trace.GetNumberOfPoints(), 0)
+
+    def test_no_button_that_was_not_pressed_asks_for_a_labyrinth(self):
+        session, _ = self.session("hampton-court")
+        session.SetTouching(True)
+        session.Step(100)
+        session.Update()
+        self.assertEqual(session.TakeLabyrinthWish(), vtkHapticSession.NoWish)
 
     def test_structure_is_refused_before_the_hand_is_moved(self):
         session, played = self.session("wedge-field")
