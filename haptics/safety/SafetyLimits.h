@@ -11,9 +11,8 @@
 namespace palpate
 {
 
-/// What the hand is protected by. The defaults are 60 % of a device's force, reached in
-/// 20 ms or more, and a ramp of 1 s from a small force; forces of a device without a known maximum
-/// are limited as if it had 5 N.
+/// What the hand is protected by. The defaults are for a device whose largest force nobody knows: 3 N, reached in 20 ms
+/// or more, and a ramp of 1 s from a small force.
 struct SafetyLimits
 {
   double maxForce_N = 3.0;
@@ -38,8 +37,8 @@ struct SafetyLimits
     return limits;
   }
 
-  /// Of a device: 60 % of its largest force, reached in no less than 20 ms, and what no hand does. A device that pushes
-  /// nobody may be led as fast as one likes; a simulated one may stand still to the bit.
+  /// Of a device: 60 % of its largest force, growing by no more than all of it in 20 ms, and what no hand does. A
+  /// device that pushes nobody may be led as fast as one likes; a simulated one may stand still to the bit.
   [[nodiscard]] static SafetyLimits forDevice(const DeviceInfo& device) noexcept
   {
     SafetyLimits limits;
