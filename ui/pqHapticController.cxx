@@ -142,6 +142,11 @@ void pqHapticController::release()
   this->setTouching(false);
 }
 
+void pqHapticController::showTrace(bool shown)
+{
+  this->Frames->showTrace(shown);
+}
+
 void pqHapticController::fitWorkspace()
 {
   vtkHapticSession* session = this->session();

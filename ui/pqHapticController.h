@@ -52,6 +52,8 @@ public Q_SLOTS:
   void release();
   /// Scale and offset such that the device's workspace holds the whole scene, written to the proxy.
   void fitWorkspace();
+  /// Whether the way through a labyrinth is drawn while touching.
+  void showTrace(bool shown);
   /// Before the application ends: lets go and gives everything back.
   void shutdown();
 

@@ -47,6 +47,11 @@ void pqHapticFrames::setSession(vtkHapticSession* session)
   this->Session = session;
 }
 
+void pqHapticFrames::showTrace(bool shown)
+{
+  this->Props->SetShowTrace(shown);
+}
+
 void pqHapticFrames::setActive(bool active)
 {
   if (active == this->Active)

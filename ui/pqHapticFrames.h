@@ -30,6 +30,8 @@ public:
 
   void setSession(vtkHapticSession* session);
   void setActive(bool active);
+  /// Whether the way through a labyrinth is drawn too; off at first.
+  void showTrace(bool shown);
 
 public Q_SLOTS:
   void setView(pqRenderView* view);

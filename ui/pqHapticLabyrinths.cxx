@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticLabyrinths.h"
 
-#include "haptics/force/FeatureSize.h"
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
@@ -11,9 +10,7 @@
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "vtkAlgorithm.h"
-#include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "vtkFieldData.h"
 #include "vtkHapticLabyrinth.h"
 #include "vtkHapticSession.h"
 #include "vtkSMPropertyHelper.h"
@@ -26,12 +23,11 @@
 #include <QPushButton>
 #include <QTimer>
 
-#include <algorithm>
+#include <cmath>
 
 namespace
 {
 constexpr int readOutEvery_ms = 100;
-constexpr double pressing_N = 1.0; // of a hand that explores
 
 QPushButton* Button(QWidget* parent, const char* name, const QString& text)
 {
@@ -47,25 +43,19 @@ QLabel* Label(QWidget* parent, const char* name)
   label->setWordWrap(true);
   return label;
 }
-
-/// Width of the corridors of the labyrinth that a source gives [u]; 0 without one.
-double CorridorOf(pqPipelineSource* source)
-{
-  auto* const lines = source ? vtkAlgorithm::SafeDownCast(source->getProxy()->GetClientSideObject()) : nullptr;
-  vtkDataObject* const data = lines ? lines->GetOutputDataObject(0) : nullptr;
-  vtkDataArray* const array = data ? data->GetFieldData()->GetArray("Corridor") : nullptr;
-  return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : 0.0;
-}
 } // namespace
 
 pqHapticLabyrinths::pqHapticLabyrinths(QWidget* parent)
   : Superclass(parent), Worlds(new QListWidget(this)), Hidden(new QCheckBox(tr("&Hide walls: by touch alone"), this)),
-    State(Label(this, "state")), Time(Label(this, "time")), Place(Label(this, "place")), Message(Label(this, "message"))
+    Trace(new QCheckBox(tr("&Trace"), this)), State(Label(this, "state")), Time(Label(this, "time")),
+    Place(Label(this, "place")), Message(Label(this, "message"))
 {
   this->setObjectName("hapticLabyrinths");
   this->setWindowTitle(tr("Labyrinths"));
   this->Worlds->setObjectName("worlds");
   this->Hidden->setObjectName("hidden");
+  this->Trace->setObjectName("trace");
+  this->Trace->setToolTip(tr("Draws the way since the hand was let go"));
   QPushButton* const file = Button(this, "file", tr("&Own file..."));
   QPushButton* const play = Button(this, "play", tr("&Play"));
   QPushButton* const again = Button(this, "again", tr("Start &again"));
@@ -76,7 +66,8 @@ pqHapticLabyrinths::pqHapticLabyrinths(QWidget* parent)
   grid->addWidget(file, 1, 0);
   grid->addWidget(play, 1, 1);
   grid->addWidget(again, 1, 2);
-  grid->addWidget(this->Hidden, 2, 0, 1, 2);
+  grid->addWidget(this->Hidden, 2, 0);
+  grid->addWidget(this->Trace, 2, 1);
   grid->addWidget(zoom, 2, 2);
   grid->addWidget(this->State, 3, 0, 1, 2);
   grid->addWidget(this->Time, 3, 2);
@@ -88,6 +79,7 @@ pqHapticLabyrinths::pqHapticLabyrinths(QWidget* parent)
   this->connect(zoom, &QPushButton::clicked, this, &pqHapticLabyrinths::zoom);
   this->connect(this->Worlds, &QListWidget::itemActivated, this, &pqHapticLabyrinths::play);
   this->connect(this->Hidden, &QCheckBox::toggled, this, &pqHapticLabyrinths::hideWalls);
+  this->connect(this->Trace, &QCheckBox::toggled, pqHapticController::instance(), &pqHapticController::showTrace);
   auto* timer = new QTimer(this);
   this->connect(timer, &QTimer::timeout, this, &pqHapticLabyrinths::readOut);
   timer->start(readOutEvery_ms);
@@ -150,7 +142,10 @@ void pqHapticLabyrinths::play()
   }
   session->EndLabyrinth();
   const bool maze = session->PlayLabyrinth(lines->GetOutputDataObject(0), item->text().toUtf8().constData());
-  this->Message->setText(maze ? tr("You are brought to the start, then let go.") : QString(session->GetProblem()));
+  const QString begins = session->GetDeviceGivesForce()
+                           ? tr("You are brought to the start, then let go.")
+                           : tr("This device gives no force: go to the start yourself, there the game begins.");
+  this->Message->setText(maze ? begins : QString(session->GetProblem()));
   this->tellProxy();
   this->hideWalls(this->Hidden->isChecked());
   pqHapticController::instance()->setTouching(true);
@@ -189,18 +184,20 @@ void pqHapticLabyrinths::hideWalls(bool hidden)
 void pqHapticLabyrinths::zoom()
 {
   vtkHapticSession* const session = pqHapticController::instance()->session();
-  const double width_u = session ? CorridorOf(this->Source) : 0.0;
-  if (!(width_u > 0.0))
+  if (!session || !this->Source)
   {
     this->Message->setText(tr("Play a labyrinth first."));
     return;
   }
-  const double scale_u_per_m = session->GetScale();
-  const double stiffness_N_per_m = std::min(session->GetStiffness(), session->GetLargestStiffness());
-  const double zoom = palpate::zoomToFeel(width_u / scale_u_per_m, pressing_N, stiffness_N_per_m);
+  const double zoom = session->GetFeelableZoom();
+  if (!std::isfinite(zoom))
+  {
+    this->Message->setText(tr("Nothing is felt without stiffness: set one first."));
+    return;
+  }
   this->Message->setText(zoom > 1.0 ? tr("Enlarged %1 times: corridors of %2 mm and more can be told apart.")
                                         .arg(zoom, 0, 'g', 3)
-                                        .arg(1e3 * palpate::smallestFeature_m(pressing_N, stiffness_N_per_m), 0, 'g', 3)
+                                        .arg(1e3 * session->GetFeelableWidth(), 0, 'g', 3)
                                     : tr("Its corridors can be told apart as they are."));
   double offset[3];
   for (int i = 0; i < 3; ++i)
@@ -209,7 +206,7 @@ void pqHapticLabyrinths::zoom()
     offset[i] = hand + (session->GetOffset()[i] - hand) / zoom; // the hand stays where it is
   }
   vtkSMProxy* const proxy = pqHapticController::instance()->sessionProxy();
-  vtkSMPropertyHelper(proxy, "Scale").Set(scale_u_per_m / zoom);
+  vtkSMPropertyHelper(proxy, "Scale").Set(session->GetScale() / zoom);
   vtkSMPropertyHelper(proxy, "Offset").Set(offset, 3);
   proxy->UpdateVTKObjects();
 }
@@ -217,12 +214,43 @@ void pqHapticLabyrinths::zoom()
 void pqHapticLabyrinths::readOut()
 {
   vtkHapticSession* const session = pqHapticController::instance()->session();
-  if (!session || !this->isVisible())
+  if (!session)
   {
     return;
   }
-  this->State->setText(session->GetLabyrinthPhase());
+  const int wish = session->TakeLabyrinthWish(); // none is kept until the dialog is seen again
+  if (!this->isVisible())
+  {
+    return;
+  }
+  this->grant(wish);
+  this->followTrace();
+  this->State->setText(session->GetLabyrinthText());
   this->Time->setText(tr("%1 s").arg(session->GetLabyrinthTime(), 0, 'f', 1));
   const double* const p = session->GetProxyPosition();
   this->Place->setText(tr("Where am I: %1, %2").arg(p[0], 0, 'f', 1).arg(p[1], 0, 'f', 1));
+}
+
+void pqHapticLabyrinths::grant(int wish)
+{
+  if (wish == vtkHapticSession::AgainWish)
+  {
+    this->again();
+  }
+  if (wish == vtkHapticSession::NextWish && this->Source) // whoever touches something else keeps it
+  {
+    this->Worlds->setCurrentRow((this->Worlds->currentRow() + 1) % this->Worlds->count());
+    this->play();
+  }
+}
+
+void pqHapticLabyrinths::followTrace()
+{
+  const QString phase = pqHapticController::instance()->session()->GetLabyrinthPhase();
+  const bool finished = phase == "arrived" || phase == "rests";
+  if (finished != this->Finished)
+  {
+    this->Finished = finished;
+    this->Trace->setChecked(finished);
+  }
 }

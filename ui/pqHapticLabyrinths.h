@@ -29,6 +29,10 @@ private:
   void play();
   void again();
   void hideWalls(bool hidden);
+  /// What the buttons of the device asked for.
+  void grant(int wish);
+  /// The way is shown from the exit on, unless somebody asks for it before.
+  void followTrace();
   /// Enlarges the world about the hand until neighbouring corridors can be told apart.
   void zoom();
   void readOut();
@@ -39,12 +43,14 @@ private:
 
   QListWidget* Worlds;
   QCheckBox* Hidden;
+  QCheckBox* Trace;
   QLabel* State;
   QLabel* Time;
   QLabel* Place;
   QLabel* Message;
   QPointer<pqPipelineSource> Source;
   QPointer<pqDataRepresentation> Shown;
+  bool Finished = false; ///< the exit was reached
 };
 
 #endif
