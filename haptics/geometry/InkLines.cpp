@@ -39,34 +39,96 @@ bool mayGo(const std::array<bool, 8>& p, bool secondTurn)
   return runs == 1 && count >= 2 && count <= 3 && sideBlank;
 }
 
+/// Both turns of Guo & Hall over and over, but asking only pixels round which something has changed since their last
+/// turn: the others would answer as before. So the work follows the ink that goes, not the passes times all of it.
+class Thinning
+{
+public:
+  explicit Thinning(Bitmap& drawing) : drawing_(drawing), waits_(drawing.ink.size(), 0)
+  {
+    for (std::size_t pixel = 0; pixel < this->drawing_.ink.size(); ++pixel)
+    {
+      if (!this->drawing_.ink[pixel])
+      {
+        continue;
+      }
+      const std::array<bool, 8> p = neighbours(this->drawing_, pixel);
+      if (std::find(p.begin(), p.end(), false) != p.end()) // ink all round holds a pixel
+      {
+        this->ask(pixel);
+      }
+    }
+  }
+
+  void run()
+  {
+    while (!this->asked_[0].empty() || !this->asked_[1].empty())
+    {
+      this->turn(0);
+      this->turn(1);
+    }
+  }
+
+private:
+  void ask(std::size_t pixel)
+  {
+    for (const std::size_t turn : { 0, 1 })
+    {
+      const auto bit = static_cast<std::uint8_t>(1U << turn);
+      if (this->drawing_.ink[pixel] && !(this->waits_[pixel] & bit))
+      {
+        this->waits_[pixel] |= bit;
+        this->asked_[turn].push_back(pixel);
+      }
+    }
+  }
+
+  void turn(std::size_t which)
+  {
+    this->going_.clear();
+    for (const std::size_t pixel : this->asked_[which])
+    {
+      this->waits_[pixel] &= static_cast<std::uint8_t>(~(1U << which));
+      if (this->drawing_.ink[pixel] && mayGo(neighbours(this->drawing_, pixel), which == 1))
+      {
+        this->going_.push_back(pixel);
+      }
+    }
+    this->asked_[which].clear();
+    for (const std::size_t pixel : this->going_)
+    {
+      this->drawing_.ink[pixel] = 0;
+    }
+    for (const std::size_t pixel : this->going_)
+    {
+      this->askRound(pixel);
+    }
+  }
+
+  void askRound(std::size_t pixel)
+  {
+    const auto x = static_cast<std::int64_t>(pixel % this->drawing_.width);
+    const auto y = static_cast<std::int64_t>(pixel / this->drawing_.width);
+    for (const auto& [dx, dy] : round)
+    {
+      if (this->drawing_.at(x + dx, y + dy))
+      {
+        this->ask(static_cast<std::size_t>((y + dy) * this->drawing_.width + x + dx));
+      }
+    }
+  }
+
+  Bitmap& drawing_;
+  std::array<std::vector<std::size_t>, 2> asked_; // pixels that wait for a turn
+  std::vector<std::uint8_t> waits_;               // a bit for each turn that a pixel waits for
+  std::vector<std::size_t> going_;
+};
+
 } // namespace
 
 void thin(Bitmap& drawing)
 {
-  std::vector<std::size_t> left, going;
-  for (std::size_t pixel = 0; pixel < drawing.ink.size(); ++pixel)
-  {
-    if (drawing.ink[pixel])
-    {
-      left.push_back(pixel);
-    }
-  }
-  for (bool changed = true; changed;)
-  {
-    changed = false;
-    for (const bool secondTurn : { false, true })
-    {
-      going.clear();
-      std::copy_if(left.begin(), left.end(), std::back_inserter(going),
-        [&](std::size_t pixel) { return mayGo(neighbours(drawing, pixel), secondTurn); });
-      for (const std::size_t pixel : going)
-      {
-        drawing.ink[pixel] = 0;
-      }
-      std::erase_if(left, [&](std::size_t pixel) { return !drawing.ink[pixel]; });
-      changed = changed || !going.empty();
-    }
-  }
+  Thinning(drawing).run();
 }
 
 LooseLines linesOf(const Bitmap& thinned)

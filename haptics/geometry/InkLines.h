@@ -24,7 +24,7 @@ struct Bitmap
 };
 
 /// Takes ink from the sides of strokes, evenly, until they are one pixel wide: Guo & Hall 1989. Pieces stay as many as
-/// they are and keep their holes; ends of strokes stay. O(pixels + ink * width of the widest stroke).
+/// they are and keep their holes; ends of strokes stay. O(pixels).
 void thin(Bitmap& drawing);
 
 /// Loose lines: points and pairs of their indices.

@@ -90,6 +90,9 @@ TEST(InkLines, ThinningKeepsTheNumberOfPiecesAndOfHoles)
     thin(drawing);
     ASSERT_EQ(pieces(drawing, true), ink) << "case " << i;
     ASSERT_EQ(pieces(drawing, false), paper) << "case " << i;
+    const Bitmap once = drawing;
+    thin(drawing); // which begins by asking all of them
+    ASSERT_EQ(drawing.ink, once.ink) << "case " << i << ": a pixel that may go was not asked";
   }
 }
 
