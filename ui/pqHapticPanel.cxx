@@ -305,7 +305,8 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
   form->addRow(tr("Lines as walls"), this->LinesAsWalls);
   this->HoldWalls = Switch(form, "holdWalls", tr("Walls held by the device"),
     tr("A device that can holds the walls of a plane world by itself, in its own loop"));
-  this->PlaneGuide = Switch(form, "planeGuide", tr("Led to the plane"), tr("The hand is led to the plane of a plane world"));
+  this->PlaneGuide =
+    Switch(form, "planeGuide", tr("Led to the plane"), tr("The hand is led to the plane of a plane world"));
   this->Plan = Value(form->parentWidget(), "plan", tr("What is felt of the scene, by what, and why"));
   form->addRow(this->Plan);
   this->Scene = new QPlainTextEdit(form->parentWidget());
@@ -319,10 +320,10 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  QWidget* order[] = { this->Device, this->Hand, this->PressDepth, this->Touch, this->Release, this->Stiffness, this->Radius,
-    this->LimitRadius, this->LineRadius, this->Scale,
-    this->Shading, this->Fit, this->FrictionStatic, this->FrictionKinetic, this->Limit, this->Passivity, this->Delay, this->Velocity,
-    this->Simplify, this->LinesAsWalls, this->HoldWalls, this->PlaneGuide, this->Scene };
+  QWidget* order[] = { this->Device, this->Hand, this->PressDepth, this->Touch, this->Release, this->Stiffness,
+    this->Radius, this->LimitRadius, this->LineRadius, this->Scale, this->Shading, this->Fit, this->FrictionStatic,
+    this->FrictionKinetic, this->Limit, this->Passivity, this->Delay, this->Velocity, this->Simplify,
+    this->LinesAsWalls, this->HoldWalls, this->PlaneGuide, this->Scene };
   for (std::size_t i = 1; i < std::size(order); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);

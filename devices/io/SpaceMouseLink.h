@@ -69,7 +69,7 @@ private:
   std::string message_;
 
   TripleBuffer<News> newsToServo_; ///< reader -> servo
-  alignas(64) Presence presence_; ///< a line of its own: the servo reads it every tick
+  alignas(64) Presence presence_;  ///< a line of its own: the servo reads it every tick
   alignas(64) ReportRate rate_;
   std::atomic<std::uint64_t> inputs_ = 0, strange_ = 0, outOfRange_ = 0;
   News news_;                   ///< reader's

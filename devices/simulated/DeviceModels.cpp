@@ -10,7 +10,7 @@ namespace
 
 constexpr double none = DeviceModel::unlimited;
 
-template <class Model>
+template<class Model>
 const Model* byName(const std::vector<Model>& models, const std::string& name)
 {
   const auto found =

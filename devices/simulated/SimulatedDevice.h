@@ -66,7 +66,8 @@ private:
   [[nodiscard]] std::pair<Vec3, Vec3> ledAlong() noexcept;
   /// The command that acts in the coming period.
   [[nodiscard]] DeviceCommand due() noexcept;
-  /// What the motors give now: the command's force, the walls and the viscosity the device closes itself, cut to the largest force.
+  /// What the motors give now: the command's force, the walls and the viscosity the device closes itself, cut to the
+  /// largest force.
   [[nodiscard]] Vec3 motorForce(const DeviceCommand& command) const noexcept;
   [[nodiscard]] Vec3 shown_D() const noexcept;
   void move(const Vec3& u_N) noexcept;
@@ -79,9 +80,9 @@ private:
   int parts_; ///< of a period: passes of the device's own loop, or one
   FrictionPlant plant_;
   std::vector<double> reached_m_; ///< length of the path up to each point
-  Vec3 led_D_ = Vec3::Zero();         ///< where a program leads the hand [m]
-  Vec3 reached_D_ = Vec3::Zero();     ///< and led it in the period before
-  bool led_ = false;                  ///< by a program
+  Vec3 led_D_ = Vec3::Zero();     ///< where a program leads the hand [m]
+  Vec3 reached_D_ = Vec3::Zero(); ///< and led it in the period before
+  bool led_ = false;              ///< by a program
   std::array<FrictionPlant::State, 3> axes_;
   std::array<DeviceCommand, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
   int newest_ = 0;

@@ -46,8 +46,8 @@ public:
   bool GetLeads() const;
 
   ///@{
-  /// Where the pointer is [pixels from the lower left corner of the window]; by how much it moves; that it is gone, which
-  /// lifts the hand and ends pressing. Outside of the renderer's viewport it is gone.
+  /// Where the pointer is [pixels from the lower left corner of the window]; by how much it moves; that it is gone,
+  /// which lifts the hand and ends pressing. Outside of the renderer's viewport it is gone.
   void SetPointer(double x, double y);
   void MovePointer(double dx, double dy);
   void Leave();

@@ -170,8 +170,8 @@ std::string vtkHapticSceneWorker::Add(const std::string& name, vtkDataObject* da
 {
   this->Editing = true;
   const std::size_t lines = vtkHapticCountLines(data);
-  const bool walls = lines > 0 && this->PlaneWorld && vtkHapticCheckPlacement(matrix).empty() &&
-                     this->AddWalls(name, data, matrix);
+  const bool walls =
+    lines > 0 && this->PlaneWorld && vtkHapticCheckPlacement(matrix).empty() && this->AddWalls(name, data, matrix);
   std::string problem = this->AddPart(name, data, matrix, std::nullopt);
   if (walls)
   {
@@ -355,9 +355,8 @@ void vtkHapticSceneWorker::Launch()
   this->Again = false;
   // What only moves waits for nobody: a pose is felt with the next snapshot, and balls stay as large as they may be.
   const std::launch how = this->Builder.knows(inputs, this->Felt.get()) ? std::launch::deferred : std::launch::async;
-  auto build = [this, how, inputs, materials, felt = this->Felt, refusals = this->CommittedRefusals, stamp = this->Stamp,
-                 plane = this->CommittedPlane(),
-                 largest = this->LargestRadius_u]
+  auto build = [this, how, inputs, materials, felt = this->Felt, refusals = this->CommittedRefusals,
+                 stamp = this->Stamp, plane = this->CommittedPlane(), largest = this->LargestRadius_u]
   {
     vtkHapticBuiltScene built = Build(this->Builder, inputs, felt.get(), materials);
     built.Report = refusals + built.Report;

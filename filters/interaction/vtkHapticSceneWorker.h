@@ -26,8 +26,8 @@ struct vtkHapticBuiltScene
   std::array<double, 6> Bounds{};              ///< of what is touchable: low and high x, y, z [u]
   double LargestRadius_u = std::numeric_limits<double>::infinity(); ///< whose work fits into a tick
   std::optional<palpate::Pose> Plane_WP; ///< of the walls, where all that is touchable stands across one plane
-  std::vector<bool> Deforms; ///< for each surface of the scene: its vertices have moved
-  double Stamp = 0.0;        ///< of the commit [s]
+  std::vector<bool> Deforms;             ///< for each surface of the scene: its vertices have moved
+  double Stamp = 0.0;                    ///< of the commit [s]
 };
 
 /// Turns VTK surfaces into scenes, off the caller's thread. One thread calls every method.
@@ -72,10 +72,10 @@ private:
     std::uint64_t Key = 0;
     std::string Name; ///< it was added by: its triangles and its lines are two surfaces
     palpate::SurfaceInput Input;
-    std::optional<palpate::Pose> Plane_WP; ///< its triangles are walls across that plane, as baked
-    double WallRadius_u = 0.0;             ///< for balls up to this radius
+    std::optional<palpate::Pose> Plane_WP;                     ///< its triangles are walls across that plane, as baked
+    double WallRadius_u = 0.0;                                 ///< for balls up to this radius
     vtkHapticPlacement Baked = vtkHapticPlacement::Identity(); ///< what the vertices were placed by
-    vtkHapticCuts Cuts; ///< of the polygons it came from
+    vtkHapticCuts Cuts;                                        ///< of the polygons it came from
     std::vector<std::size_t> PartPoints;
     std::uint64_t ArraysKey = 0; ///< of the arrays Input.fields came from
     vtkHapticMaterialSettings Settings;

@@ -72,17 +72,17 @@ public:
   ///@}
 
   ///@{
-  /// What the chosen device is ("2 axes of force"), and what it cannot do, "" if nothing; of a running one what it really
-  /// cannot.
+  /// What the chosen device is ("2 axes of force"), and what it cannot do, "" if nothing; of a running one what it
+  /// really cannot.
   const char* GetDeviceKind() const;
   const char* GetDeviceNotes() const;
   ///@}
 
   ///@{
   /**
-   * The link to a running device of this computer's USB bus: in one sentence, "" for other devices; reports with the hand
-   * in the last second [Hz]; writes that hung, times it was lost (stalls included), reports that were no known ones or too
-   * short, effects that were renewed before they ended by themselves.
+   * The link to a running device of this computer's USB bus: in one sentence, "" for other devices; reports with the
+   * hand in the last second [Hz]; writes that hung, times it was lost (stalls included), reports that were no known
+   * ones or too short, effects that were renewed before they ended by themselves.
    */
   const char* GetLinkText() const;
   double GetLinkRate() const;
@@ -105,10 +105,10 @@ public:
 
   ///@{
   /**
-   * Checks the chosen device with a person who does what GetSelfTestAsk() says: noise, ends, then pushes of at most a tenth
-   * of its force and half a second each; anything unexpected ends them at once. Not while touching; a device without force
-   * is refused. Simulated hands do what is asked. Update() follows it; GetSelfTestResult() says what was found, "" before
-   * the end; progress is 0 to 1.
+   * Checks the chosen device with a person who does what GetSelfTestAsk() says: noise, ends, then pushes of at most a
+   * tenth of its force and half a second each; anything unexpected ends them at once. Not while touching; a device
+   * without force is refused. Simulated hands do what is asked. Update() follows it; GetSelfTestResult() says what was
+   * found, "" before the end; progress is 0 to 1.
    */
   void StartSelfTest();
   void StopSelfTest();
@@ -120,9 +120,9 @@ public:
 
   ///@{
   /**
-   * Folder with what is known of devices: directions, ends. It is applied to a device whenever it is opened; a device whose
-   * file is damaged is refused by name. "" (default): none is. KeepCalibration() adds what a passed check found; false,
-   * with GetProblem(), if there is none or it cannot be written.
+   * Folder with what is known of devices: directions, ends. It is applied to a device whenever it is opened; a device
+   * whose file is damaged is refused by name. "" (default): none is. KeepCalibration() adds what a passed check found;
+   * false, with GetProblem(), if there is none or it cannot be written.
    */
   virtual void SetCalibrationFolder(const char* folder);
   virtual const char* GetCalibrationFolder() const;
@@ -210,9 +210,9 @@ public:
 
   ///@{
   /**
-   * Ball no larger than one whose work fits into a tick: GetRadiusLimit() [u], which the worker counts in the trees of a
-   * new scene; infinity where any ball does, and before there is a scene. GetRadiusUsed() is the ball that touches. Off:
-   * the one asked for, however large; it may lag. Default on.
+   * Ball no larger than one whose work fits into a tick: GetRadiusLimit() [u], which the worker counts in the trees of
+   * a new scene; infinity where any ball does, and before there is a scene. GetRadiusUsed() is the ball that touches.
+   * Off: the one asked for, however large; it may lag. Default on.
    */
   virtual void SetLimitRadius(bool on);
   virtual bool GetLimitRadius() const;
@@ -229,10 +229,11 @@ public:
   ///@}
 
   /** @name Plane worlds
-   * Lines that lie in one plane, as Image Curves and slices give them, are walls across it, felt in that plane by a disc. */
+   * Lines that lie in one plane, as Image Curves and slices give them, are walls across it, felt in that plane by a
+   * disc. */
   ///@{
-  /// Whether lines that lie in a plane are such walls, instead of tubes of LineRadius: with Auto (default) on devices that
-  /// move in a plane only. Surfaces that are added later feel it.
+  /// Whether lines that lie in a plane are such walls, instead of tubes of LineRadius: with Auto (default) on devices
+  /// that move in a plane only. Surfaces that are added later feel it.
   virtual void SetLinesAsWalls(int choice);
   virtual int GetLinesAsWalls() const;
   /// What that comes to with the chosen device.
@@ -256,8 +257,8 @@ public:
 
   ///@{
   /// Leads the hand to the plane of a plane world with 200 N/m and at most 2 N, from nothing within half a second, and
-  /// touches what is below the hand in that plane. Default on; where not all that is touched is walls across one plane it
-  /// does nothing.
+  /// touches what is below the hand in that plane. Default on; where not all that is touched is walls across one plane
+  /// it does nothing.
   virtual void SetPlaneGuide(bool on);
   virtual bool GetPlaneGuide() const;
   vtkBooleanMacro(PlaneGuide, bool);
@@ -272,11 +273,11 @@ public:
 
   ///@{
   /**
-   * The game of finding the way through lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball, scale and
-   * place so that the device's workspace holds the whole. Once force is engaged the hand is brought to the start, at
-   * most 0.2 m/s fast, and let go; at the exit it is shaken. Who lets go of the dead-man and holds it again starts anew, as
-   * does PlayAgain(). What is touched are the surfaces, so the lines are added as one. False, with GetProblem(), for a world without
-   * start or exit: before the hand is moved.
+   * The game of finding the way through lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball,
+   * scale and place so that the device's workspace holds the whole. Once force is engaged the hand is brought to the
+   * start, at most 0.2 m/s fast, and let go; at the exit it is shaken. Who lets go of the dead-man and holds it again
+   * starts anew, as does PlayAgain(). What is touched are the surfaces, so the lines are added as one. False, with
+   * GetProblem(), for a world without start or exit: before the hand is moved.
    */
   bool PlayLabyrinth(vtkDataObject* maze, const char* name);
   void PlayAgain();
@@ -293,17 +294,18 @@ public:
 
   ///@{
   /**
-   * By how much the labyrinth that was played last must be enlarged, about the hand say, for neighbouring corridors to be
-   * told apart [1], at least 1: 1 where everything can be felt, or nothing was played; infinite without stiffness. The
-   * narrowest corridor that can be told apart is 2 F / K wide [m of the hand], F = 1 N, K the stiffness that is used.
+   * By how much the labyrinth that was played last must be enlarged, about the hand say, for neighbouring corridors to
+   * be told apart [1], at least 1: 1 where everything can be felt, or nothing was played; infinite without stiffness.
+   * The narrowest corridor that can be told apart is 2 F / K wide [m of the hand], F = 1 N, K the stiffness that is
+   * used.
    */
   double GetFeelableZoom() const;
   double GetFeelableWidth() const;
   ///@}
 
   /**
-   * The way of the proxy since it was let go, until now or until the exit: a polyline in W [u], as the calls of Update()
-   * saw it. At most 4096 points, a tenth of a corridor apart; twice as far each time that is not enough.
+   * The way of the proxy since it was let go, until now or until the exit: a polyline in W [u], as the calls of
+   * Update() saw it. At most 4096 points, a tenth of a corridor apart; twice as far each time that is not enough.
    */
   void GetLabyrinthTrace(vtkPolyData* trace) const;
 
@@ -330,10 +332,10 @@ public:
   ///@{
   /**
    * Whether surfaces that are finer than a hand feels are replaced by simpler ones: once a scene is felt as it is they
-   * are looked for meanwhile, and swapped in where it is proven that no point of either surface is further from the other
-   * than a hand notices (7 % of a depth of 1 mm, or what the device resolves) and half of the triangles go. Never those
-   * that move, deform, or have curves or material arrays; with Auto (default) none of fewer than 50,000 triangles.
-   * In virtual time they wait for FinishSimplification(), which waits for them; true if any is felt.
+   * are looked for meanwhile, and swapped in where it is proven that no point of either surface is further from the
+   * other than a hand notices (7 % of a depth of 1 mm, or what the device resolves) and half of the triangles go. Never
+   * those that move, deform, or have curves or material arrays; with Auto (default) none of fewer than 50,000
+   * triangles. In virtual time they wait for FinishSimplification(), which waits for them; true if any is felt.
    */
   virtual void SetSimplify(int choice);
   virtual int GetSimplify() const;
@@ -364,8 +366,8 @@ public:
 
   ///@{
   /**
-   * What the hand must hold to be pushed: buttons (bit i: button i will do; default 0) or the grip sensor (default off);
-   * none of both: nothing. Let go, the force is zero within 50 ms and starts again from a small one.
+   * What the hand must hold to be pushed: buttons (bit i: button i will do; default 0) or the grip sensor (default
+   * off); none of both: nothing. Let go, the force is zero within 50 ms and starts again from a small one.
    */
   virtual void SetDeadManButtons(int mask);
   virtual int GetDeadManButtons() const;
@@ -376,8 +378,8 @@ public:
 
   ///@{
   /**
-   * Smooth forces over the facets of a mesh (Morgenbesser & Srinivasan 1996), never across edges sharper than 30 degrees.
-   * Such a force has no potential: a closed way may take or give a little work. Default off.
+   * Smooth forces over the facets of a mesh (Morgenbesser & Srinivasan 1996), never across edges sharper than 30
+   * degrees. Such a force has no potential: a closed way may take or give a little work. Default off.
    */
   virtual void SetForceShading(bool on);
   virtual bool GetForceShading() const;
@@ -490,9 +492,9 @@ public:
 
   /**
    * Puts a surface that was added under `name` where `matrix` says (null: as its data is), with the next CommitScene().
-   * While what changes is rigid the surface moves there, in as long as it took from the last commit to this one, 0.2 s at
-   * most, and carries or pushes the hand; anything else, and any new data with AddSurface(), is there at once, and the
-   * hand stays on its side. False, with GetProblem(), for a matrix that is not finite, singular or a perspective.
+   * While what changes is rigid the surface moves there, in as long as it took from the last commit to this one, 0.2 s
+   * at most, and carries or pushes the hand; anything else, and any new data with AddSurface(), is there at once, and
+   * the hand stays on its side. False, with GetProblem(), for a matrix that is not finite, singular or a perspective.
    */
   bool SetSurfacePose(const char* name, vtkMatrix4x4* matrix);
 

@@ -184,6 +184,7 @@ palpate::TouchChoice vtkHapticSession::Internals::Touch() const
 
 const char* vtkHapticSession::GetPlanSentence() const
 {
-  this->Impl->PlanSentence = palpate::planSentence(this->Impl->Choices, this->Impl->Touch()) + this->Impl->PlaneSentence();
+  this->Impl->PlanSentence =
+    palpate::planSentence(this->Impl->Choices, this->Impl->Touch()) + this->Impl->PlaneSentence();
   return this->Impl->PlanSentence.c_str();
 }

@@ -55,7 +55,7 @@ void SetFrame(vtkMatrix4x4* matrix, const double along[3], double length, const 
     matrix->SetElement(row, 3, place[row]);
   }
 }
-}
+} // namespace
 
 class vtkHapticToolProps::Internals
 {

@@ -74,7 +74,7 @@ std::string ReadTimes(
   }
   return {};
 }
-}
+} // namespace
 
 vtkHapticHandPath vtkHapticReadHandPath(vtkPolyData* path, const char* timeArray, double rate)
 {

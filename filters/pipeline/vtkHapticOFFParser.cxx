@@ -107,7 +107,7 @@ void ReadFace(std::string_view line, vtkHapticFaceMesh& mesh)
 }
 
 /// One line, one record.
-template <class Read>
+template<class Read>
 void ReadRecords(LineReader& lines, std::int64_t count, const char* name, Read read)
 {
   std::string_view line;

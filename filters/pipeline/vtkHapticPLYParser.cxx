@@ -201,7 +201,7 @@ private:
     return Decode(type, bytes);
   }
 
-  template <class T>
+  template<class T>
   static double As(const std::array<char, 8>& bytes)
   {
     T value{};

@@ -18,8 +18,8 @@ struct vtkHapticReadResult
   std::string Note;                     ///< what a reader warned of or left out, one line; mostly empty
 };
 
-/// Reads vtp, vtu, stl, ply, obj and off, and with an iso value vti, nii and nii.gz, as a surface [scene units]; svg and
-/// png as lines in the plane z = 0, with the field arrays Start and Exit (3) double where a drawing is a maze.
+/// Reads vtp, vtu, stl, ply, obj and off, and with an iso value vti, nii and nii.gz, as a surface [scene units]; svg
+/// and png as lines in the plane z = 0, with the field arrays Start and Exit (3) double where a drawing is a maze.
 ///
 /// The skin of a volume mesh, the iso surface of an image. An image stands where its header puts it: vti by origin,
 /// spacing and direction, NIfTI by its sform or else qform matrix, its values rescaled as its header says, so that

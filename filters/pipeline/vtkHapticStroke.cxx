@@ -48,7 +48,7 @@ bool Orthonormal(const double up[3], const double along[3], vtkHapticCutFrame& f
   frame.Along_W = across_W.normalized();
   constexpr double leastAngle = 1e-6;
   return frame.Up_W.allFinite() && frame.Along_W.allFinite() && Vec3(up).norm() > 0.0 &&
-    across_W.norm() > leastAngle * Vec3(along).norm();
+         across_W.norm() > leastAngle * Vec3(along).norm();
 }
 
 /// Points of the stroke in the frame of the cut, pushed in along the profile's normal.
@@ -103,7 +103,7 @@ void Write(const std::vector<PushedPoint>& points, const vtkHapticCutFrame& fram
   output->SetLines(lines);
   output->GetPointData()->AddArray(depth);
 }
-}
+} // namespace
 
 void vtkHapticStroke::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -165,13 +165,12 @@ int vtkHapticStroke::RequestData(vtkInformation*, vtkInformationVector** input, 
   }
   frame.Origin_W = this->UseCentre ? CentreOf(*surface.Mesh) : Vec3(this->Origin);
   const auto profile = vtkHapticCutProfile(*surface.Mesh, frame, this->Step, MostPlaces);
-  const vtkHapticHeights run =
-    vtkHapticLongestRun(profile.value_or(vtkHapticHeights()), SteepestSlope * this->Step);
+  const vtkHapticHeights run = vtkHapticLongestRun(profile.value_or(vtkHapticHeights()), SteepestSlope * this->Step);
   const vtkHapticHeights stroked = vtkHapticMiddle(run, this->Reach);
   if (stroked.Height.size() < 2)
   {
     vtkErrorMacro("The plane of the stroke cuts no part of the surface that is longer than a step of "
-      << this->Step << " u; move the plane or choose another step");
+                  << this->Step << " u; move the plane or choose another step");
     return 0;
   }
   // Smoothed as a whole: a window that shrinks at the ends of the stroke would bend it there.

@@ -71,9 +71,8 @@ std::vector<Piece> CutMesh(const palpate::TriangleMesh& mesh, const vtkHapticCut
   for (const auto& [a, b, c] : mesh.triangles)
   {
     const Piece piece = CutTriangle({ corners[a], corners[b], corners[c] });
-    if (piece.Count >= 2 &&
-      std::all_of(piece.End.begin(), piece.End.begin() + piece.Count,
-        [](const Point& p) { return std::isfinite(p.S) && std::isfinite(p.H); }))
+    if (piece.Count >= 2 && std::all_of(piece.End.begin(), piece.End.begin() + piece.Count,
+                              [](const Point& p) { return std::isfinite(p.S) && std::isfinite(p.H); }))
     {
       pieces.push_back(piece);
     }
@@ -99,7 +98,7 @@ void Raise(vtkHapticHeights& profile, Point p, Point q)
     profile.Height[i] = std::max(profile.Height[i], height);
   }
 }
-}
+} // namespace
 
 std::optional<vtkHapticHeights> vtkHapticCutProfile(
   const palpate::TriangleMesh& mesh, const vtkHapticCutFrame& frame, double step, std::size_t most)

@@ -30,7 +30,8 @@ struct vtkHapticHeights
 [[nodiscard]] std::optional<vtkHapticHeights> vtkHapticCutProfile(
   const palpate::TriangleMesh& mesh, const vtkHapticCutFrame& frame, double step, std::size_t most);
 
-/// The longest run of places that are cut and rise or fall by at most `cliff` from one to the next; the first of equals.
+/// The longest run of places that are cut and rise or fall by at most `cliff` from one to the next; the first of
+/// equals.
 [[nodiscard]] vtkHapticHeights vtkHapticLongestRun(const vtkHapticHeights& profile, double cliff);
 
 /// The middle `reach` (0..1] of a profile.

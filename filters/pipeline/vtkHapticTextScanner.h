@@ -40,7 +40,7 @@ inline constexpr std::string_view Blanks = " \t\r\v\f";
 }
 
 /// The whole word as a number, or nothing. NaN and infinity are numbers; what overflows T is none.
-template <class T>
+template<class T>
 [[nodiscard]] std::optional<T> Parse(std::string_view word)
 {
   word.remove_prefix(word.size() > 1 && word.front() == '+' && word[1] != '-' ? 1 : 0);
@@ -49,7 +49,7 @@ template <class T>
   return error == std::errc() && end == word.data() + word.size() ? std::optional<T>(value) : std::nullopt;
 }
 
-template <class T>
+template<class T>
 [[nodiscard]] T ParseOrThrow(std::string_view word, const char* where)
 {
   if (word.empty())
@@ -65,7 +65,7 @@ template <class T>
   return *value;
 }
 
-template <class T>
+template<class T>
 [[nodiscard]] T TakeNumber(std::string_view& rest, const char* where)
 {
   return ParseOrThrow<T>(TakeWord(rest), where);

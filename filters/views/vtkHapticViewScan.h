@@ -42,8 +42,8 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
   bool SameArraysAs(const vtkHapticViewScan& other) const;
 };
 
-/// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence. `lines`: what
-/// is drawn as lines alone is followed too.
+/// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence. `lines`:
+/// what is drawn as lines alone is followed too.
 VTKHAPTICVIEWS_EXPORT vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, bool lines = false);
 
 #endif

@@ -32,9 +32,7 @@ struct Entries
 class BoxTest
 {
 public:
-  explicit BoxTest(const Motion& m) noexcept
-    : m_(m)
-    , ordered_(m.length > m.r)
+  explicit BoxTest(const Motion& m) noexcept : m_(m), ordered_(m.length > m.r)
   {
     for (int k = 0; k < 3; ++k)
     {
@@ -87,7 +85,8 @@ public:
       missed = _mm_or_pd(missed, _mm_cmpgt_pd(entry, _mm_add_pd(exit, roundOff)));
       entry = _mm_max_pd(zero, _mm_sub_pd(entry, roundOff));
     }
-    entry = _mm_or_pd(_mm_andnot_pd(missed, entry), _mm_and_pd(missed, _mm_set1_pd(std::numeric_limits<double>::infinity())));
+    entry =
+      _mm_or_pd(_mm_andnot_pd(missed, entry), _mm_and_pd(missed, _mm_set1_pd(std::numeric_limits<double>::infinity())));
     Entries entries;
     _mm_storeu_pd(entries.time.data(), entry);
     return entries;
@@ -95,8 +94,7 @@ public:
 
   [[nodiscard]] Entries operator()(const TreeNode& node) const noexcept
   {
-    const auto load = [](const std::array<std::array<double, 2>, 3>& corner)
-    {
+    const auto load = [](const std::array<std::array<double, 2>, 3>& corner) {
       return Lanes{ { _mm_load_pd(corner[0].data()), _mm_load_pd(corner[1].data()), _mm_load_pd(corner[2].data()) } };
     };
     return (*this)(load(node.low_W), load(node.high_W));
@@ -104,8 +102,9 @@ public:
 
   [[nodiscard]] double one(const Vec3& low_W, const Vec3& high_W) const noexcept
   {
-    const auto both = [](const Vec3& v)
-    { return Lanes{ { _mm_set1_pd(v.x()), _mm_set1_pd(v.y()), _mm_set1_pd(v.z()) } }; };
+    const auto both = [](const Vec3& v) {
+      return Lanes{ { _mm_set1_pd(v.x()), _mm_set1_pd(v.y()), _mm_set1_pd(v.z()) } };
+    };
     return (*this)(both(low_W), both(high_W)).time[0];
   }
 

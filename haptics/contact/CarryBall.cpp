@@ -31,11 +31,7 @@ class Carry
 {
 public:
   Carry(const MovingScene& before, const MovingScene& now, const ContactPlan& plan, GodObjectState& state) noexcept
-    : before_(before)
-    , now_(now)
-    , plan_(plan)
-    , state_(state)
-    , start_W_(state.x_W)
+    : before_(before), now_(now), plan_(plan), state_(state), start_W_(state.x_W)
   {
   }
 
@@ -213,8 +209,8 @@ private:
       return true;
     };
     // Boxes of moving surfaces hold all of their way.
-    static_cast<void>(
-      walkWithin(this->now_.scene().surfaceTree().nodes, BoxTest(way), this->plan_.nodeBudget, this->result_.nodes, visit));
+    static_cast<void>(walkWithin(
+      this->now_.scene().surfaceTree().nodes, BoxTest(way), this->plan_.nodeBudget, this->result_.nodes, visit));
     return met;
   }
 

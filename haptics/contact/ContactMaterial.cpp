@@ -18,7 +18,7 @@ struct Blend
   int count = 0;
 
   /// Of a quantity given at the vertices.
-  template <class At>
+  template<class At>
   [[nodiscard]] double value(At at) const noexcept
   {
     double sum = 0.0;
@@ -28,7 +28,7 @@ struct Blend
     }
     return sum;
   }
-  template <class At>
+  template<class At>
   [[nodiscard]] Vec3 gradient(At at) const noexcept
   {
     Vec3 sum = Vec3::Zero();
@@ -41,7 +41,7 @@ struct Blend
 };
 
 /// Barycentric coordinates: each weight rises from the opposite side to its corner.
-template <class View>
+template<class View>
 Blend blendOnFace(const View& s, std::uint32_t triangle, const Vec3& foot_W) noexcept
 {
   const FaceRecord& face = s.face(triangle);
@@ -59,7 +59,7 @@ Blend blendOnFace(const View& s, std::uint32_t triangle, const Vec3& foot_W) noe
   return blend;
 }
 
-template <class View>
+template<class View>
 Blend blendOnEdge(const View& s, const ActiveFeature& f, const Vec3& foot_W) noexcept
 {
   const EdgeLine line = edgeLine(s, f.a, f.b);
@@ -68,7 +68,7 @@ Blend blendOnEdge(const View& s, const ActiveFeature& f, const Vec3& foot_W) noe
   return { { f.a, f.b, 0 }, { 1.0 - along, along, 0.0 }, { -slope, slope, Vec3::Zero() }, 2 };
 }
 
-template <class View>
+template<class View>
 Blend blendAt(const View& s, const ActiveFeature& f, const Vec3& foot_W) noexcept
 {
   if (f.kind == FeatureKind::Face)
@@ -82,7 +82,7 @@ Blend blendAt(const View& s, const ActiveFeature& f, const Vec3& foot_W) noexcep
   return { { f.a, 0, 0 }, { 1.0, 0.0, 0.0 }, { Vec3::Zero(), Vec3::Zero(), Vec3::Zero() }, 1 };
 }
 
-template <class View>
+template<class View>
 double shortestSide(const View& s, const ActiveFeature& f) noexcept
 {
   if (f.kind != FeatureKind::Face)
@@ -117,7 +117,7 @@ double blendFriction(const Blend& blend, const std::vector<double>& field, doubl
   return field.empty() ? planned : blend.value([&](std::uint32_t v) { return field[v] < 0.0 ? planned : field[v]; });
 }
 
-template <class View>
+template<class View>
 void addTexture(const View& view, const ActiveFeature& f, const Blend& blend, const MaterialFields& fields,
   ContactMaterial& at) noexcept
 {
@@ -134,7 +134,7 @@ void addTexture(const View& view, const ActiveFeature& f, const Blend& blend, co
 
 } // namespace
 
-template <class SceneView>
+template<class SceneView>
 ContactMaterial materialAt(
   const SceneView& scene, const ContactPlan& plan, const ActiveFeature& f, const Vec3& foot_W) noexcept
 {

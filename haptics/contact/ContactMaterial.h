@@ -21,7 +21,7 @@ struct ContactMaterial
 
 /// Material of feature f at the foot of the ball: fields are linear over a face and along an edge (there without a
 /// slope across it); where a surface has none, its own value, and where it has none of its own, the plan's.
-template <class SceneView>
+template<class SceneView>
 [[nodiscard]] ContactMaterial materialAt(
   const SceneView& scene, const ContactPlan& plan, const ActiveFeature& f, const Vec3& foot_W) noexcept;
 

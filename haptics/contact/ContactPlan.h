@@ -18,12 +18,13 @@ struct FrictionPlan
 /// What the contact of a tick models, and how much work it may do. Part of every recording.
 struct ContactPlan
 {
-  double radius_u = 0.0;           ///< ball radius [u], >= 0; 0 is a point
+  double radius_u = 0.0;            ///< ball radius [u], >= 0; 0 is a point
   double coupling_N_per_m = 1000.0; ///< of this tick, which sets it: what soft walls are compared with
   FrictionPlan friction;
-  bool shading = false;            ///< smooth forces over facets (contact/Shading); its work over a closed way is not zero
-  std::uint32_t passCap = 64;      ///< passes of the god-object loop per tick
-  std::uint32_t nodeBudget = 60000; ///< tree nodes visited per tick; beyond it the ball moves only as far as is proven free
+  bool shading = false;       ///< smooth forces over facets (contact/Shading); its work over a closed way is not zero
+  std::uint32_t passCap = 64; ///< passes of the god-object loop per tick
+  std::uint32_t nodeBudget =
+    60000; ///< tree nodes visited per tick; beyond it the ball moves only as far as is proven free
 };
 
 } // namespace palpate

@@ -205,8 +205,7 @@ ActiveFeature normalised(const View& s, ActiveFeature f, const Vec3& x_W) noexce
 }
 
 template<class View>
-FaceExit walkFace(
-  const View& s, std::uint32_t triangle, const Vec3& x_W, const Vec3& y, double del) noexcept
+FaceExit walkFace(const View& s, std::uint32_t triangle, const Vec3& x_W, const Vec3& y, double del) noexcept
 {
   const Vec3 n = s.face(triangle).normal_W;
   const Vec3 anchor_W = s.face(triangle).corner_W[0];
@@ -262,8 +261,7 @@ FaceExit walkFace(
 }
 
 template<class View>
-double exitRound(const View& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r,
-  double del) noexcept
+double exitRound(const View& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r, double del) noexcept
 {
   const FeaturePlane plane = planeOf(s, f, x_W, r);
   Vec3 tangential = y - y.dot(plane.n) * plane.n;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "haptics/contact/GodObject.h"
+#include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Resolution.h"
 #include "haptics/core/Types.h"
-#include "haptics/contact/PosedSurface.h"
 #include "haptics/geometry/SurfaceData.h"
 
 namespace palpate
@@ -16,8 +16,8 @@ namespace palpate
 /// The tangent plane of a touched feature as the ball sees it from x.
 struct FeaturePlane
 {
-  Vec3 n = Vec3::Zero();   ///< unit, from the feature to the ball's centre
-  double gap = 0.0;        ///< distance between ball and feature [u], negative when they overlap
+  Vec3 n = Vec3::Zero();      ///< unit, from the feature to the ball's centre
+  double gap = 0.0;           ///< distance between ball and feature [u], negative when they overlap
   Vec3 foot_W = Vec3::Zero(); ///< the feature's point nearest to x
 };
 
@@ -48,9 +48,9 @@ template<class View>
 /// Where a motion x -> x + y along a face leaves it.
 struct FaceExit
 {
-  double t = 1.0;              ///< fraction of y
-  std::uint32_t triangle = 0;  ///< the triangle reached: coplanar neighbours are walked through
-  std::uint32_t i = 0, j = 0;  ///< t < 1: the edge it is left by, i < j
+  double t = 1.0;             ///< fraction of y
+  std::uint32_t triangle = 0; ///< the triangle reached: coplanar neighbours are walked through
+  std::uint32_t i = 0, j = 0; ///< t < 1: the edge it is left by, i < j
 };
 
 /// Walks over faces that continue the starting plane; stops just outside the last one.
@@ -60,8 +60,8 @@ template<class View>
 
 /// Fraction of y after which edge or vertex f no longer supports a ball of radius r.
 template<class View>
-[[nodiscard]] double exitRound(const View& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r,
-  double del) noexcept;
+[[nodiscard]] double exitRound(
+  const View& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r, double del) noexcept;
 
 /// Unit vector from vertex i to vertex j, and the length [u].
 struct EdgeLine

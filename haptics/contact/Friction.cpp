@@ -7,16 +7,16 @@
 namespace palpate
 {
 template<class SceneView>
-FrictionReach reachOf(const SceneView& scene, const ContactPlan& plan, ContactSet<SceneView>& contacts, const ProjectionResult& held) noexcept
+FrictionReach reachOf(const SceneView& scene, const ContactPlan& plan, ContactSet<SceneView>& contacts,
+  const ProjectionResult& held) noexcept
 {
   FrictionReach reach;
   for (int k = 0; k < held.count; ++k)
   {
     const double depth = held.lambda[static_cast<std::size_t>(k)];
     const ActiveFeature& f = contacts.feature(held.active[static_cast<std::size_t>(k)]);
-    const FrictionPlan friction = sceneOf(scene).hasMaterials()
-                                    ? materialAt(scene, plan, f, contacts.plane(f).foot_W).friction
-                                    : plan.friction;
+    const FrictionPlan friction =
+      sceneOf(scene).hasMaterials() ? materialAt(scene, plan, f, contacts.plane(f).foot_W).friction : plan.friction;
     reach.statical += friction.statical * depth;
     reach.kinetic += friction.kinetic * depth;
   }
@@ -52,8 +52,7 @@ FrictionVerdict judgeFriction(
   return verdict;
 }
 
-template FrictionReach reachOf(
-  const Scene&, const ContactPlan&, ContactSet<Scene>&, const ProjectionResult&) noexcept;
+template FrictionReach reachOf(const Scene&, const ContactPlan&, ContactSet<Scene>&, const ProjectionResult&) noexcept;
 template FrictionReach reachOf(
   const MovingScene&, const ContactPlan&, ContactSet<MovingScene>&, const ProjectionResult&) noexcept;
 template FrictionVerdict judgeFriction(const Scene&, const ContactPlan&, const Vec3&, GodObjectState&) noexcept;

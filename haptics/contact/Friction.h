@@ -44,9 +44,10 @@ int listHeld(ContactSet<SceneView>& contacts, const ProjectionResult& held, std:
 struct FrictionVerdict
 {
   FrictionMotion motion = FrictionMotion::None;
-  int contacts = 0;             ///< that hold it while it sticks
+  int contacts = 0;              ///< that hold it while it sticks
   std::array<HeldPlane, 3> held; ///< and which
-  Vec3 pulled_W = Vec3::Zero(); ///< where the device would have to be for the frictionless god-object to go where it goes
+  Vec3 pulled_W =
+    Vec3::Zero(); ///< where the device would have to be for the frictionless god-object to go where it goes
 };
 
 /// The friction cone of the god-object (Harwin & Melder 2002), in the free directions of all touched planes.

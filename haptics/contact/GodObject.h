@@ -66,19 +66,20 @@ struct HeldPlane
 struct ContactResult
 {
   Vec3 proxy_W = Vec3::Zero();
-  Vec3 pull_W = Vec3::Zero(); ///< what the coupling multiplies with its stiffness: proxy - device, or see SurfaceResponse
+  Vec3 pull_W =
+    Vec3::Zero();       ///< what the coupling multiplies with its stiffness: proxy - device, or see SurfaceResponse
   double held_u2 = 0.0; ///< twice the energy the coupling holds, over its stiffness: |pull|^2, or see SurfaceResponse
   std::array<HeldPlane, 3> held{};
   int heldCount = 0;
-  int contacts = 0;          ///< planes with l > 0 after merging coplanar ones
+  int contacts = 0; ///< planes with l > 0 after merging coplanar ones
   int passes = 0;
   int sweeps = 0;
-  std::uint32_t nodes = 0;   ///< tree nodes visited
-  bool capped = false;       ///< the pass cap ended the tick before a rest was proven
-  bool overBudget = false;   ///< the node budget was met: the ball moved only as far as proven free
-  bool infeasible = false;   ///< the projection found no feasible point: the ball stayed
+  std::uint32_t nodes = 0; ///< tree nodes visited
+  bool capped = false;     ///< the pass cap ended the tick before a rest was proven
+  bool overBudget = false; ///< the node budget was met: the ball moved only as far as proven free
+  bool infeasible = false; ///< the projection found no feasible point: the ball stayed
   FrictionMotion friction = FrictionMotion::None;
-  bool seatFailed = false;   ///< no free place within the radius at the start: Fault::Seated
+  bool seatFailed = false; ///< no free place within the radius at the start: Fault::Seated
 };
 
 /// Receives the tick's path, a polyline: tests check in exact arithmetic that it crosses nothing.

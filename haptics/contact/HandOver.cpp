@@ -11,7 +11,7 @@ namespace
 {
 
 /// Puts the ball in front of a surface of the new scene that has come between it and the outside.
-template <class SceneView>
+template<class SceneView>
 void stayOutside(
   const SceneView& from, const SceneView& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
 {
@@ -22,7 +22,7 @@ void stayOutside(
   state.x_W = stopBefore(to, plan, plan.radius_u, inside_W + outward * (outside_W - inside_W), inside_W);
 }
 
-template <class SceneView>
+template<class SceneView>
 void takeOver(
   const SceneView& from, const SceneView& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
 {

@@ -85,15 +85,16 @@ bool Neighbourhood::gather(const SceneView& scene, const Motion& m, std::uint32_
 }
 
 template<class View>
-bool Neighbourhood::gatherSurface(const View& view, std::uint32_t surface, const Motion& still, std::uint32_t budget, std::uint32_t& nodes) noexcept
+bool Neighbourhood::gatherSurface(
+  const View& view, std::uint32_t surface, const Motion& still, std::uint32_t budget, std::uint32_t& nodes) noexcept
 {
-  return askTree(view, still, [&](const Motion& inSurface) noexcept
-    { return this->gatherLeaves(view, surface, inSurface, budget, nodes); });
+  return askTree(view, still,
+    [&](const Motion& inSurface) noexcept { return this->gatherLeaves(view, surface, inSurface, budget, nodes); });
 }
 
 template<class View>
-bool Neighbourhood::gatherLeaves(const View& view, std::uint32_t surface, const Motion& inSurface,
-  std::uint32_t budget, std::uint32_t& nodes) noexcept
+bool Neighbourhood::gatherLeaves(
+  const View& view, std::uint32_t surface, const Motion& inSurface, std::uint32_t budget, std::uint32_t& nodes) noexcept
 {
   const SurfaceData& data = dataOf(view);
   const BoxTest test(inSurface);

@@ -27,7 +27,8 @@ public:
   [[nodiscard]] bool covers(const Motion& m) const noexcept;
   /// Gathers the faces around the motion, with room for the motions that follow. False if they do not fit.
   template<class SceneView>
-  [[nodiscard]] bool gather(const SceneView& scene, const Motion& m, std::uint32_t budget, std::uint32_t& nodes) noexcept;
+  [[nodiscard]] bool gather(
+    const SceneView& scene, const Motion& m, std::uint32_t budget, std::uint32_t& nodes) noexcept;
 
   [[nodiscard]] int count() const noexcept { return this->count_; }
   [[nodiscard]] const Face& face(int i) const noexcept { return this->faces_[i]; }
@@ -41,8 +42,8 @@ private:
   static constexpr int capacity = 512;
 
   template<class View>
-  [[nodiscard]] bool gatherSurface(const View& view, std::uint32_t surface, const Motion& still,
-    std::uint32_t budget, std::uint32_t& nodes) noexcept;
+  [[nodiscard]] bool gatherSurface(
+    const View& view, std::uint32_t surface, const Motion& still, std::uint32_t budget, std::uint32_t& nodes) noexcept;
   template<class View>
   [[nodiscard]] bool gatherLeaves(const View& view, std::uint32_t surface, const Motion& inSurface,
     std::uint32_t budget, std::uint32_t& nodes) noexcept;
@@ -52,7 +53,7 @@ private:
   Vec3 centre_W_ = Vec3::Zero();
   double reach_u_ = -1.0; ///< negative: nothing gathered
   double extent_u_ = 0.0;
-  bool crowded_ = false;  ///< gathering did not fit once: not tried again
+  bool crowded_ = false; ///< gathering did not fit once: not tried again
   int count_ = 0;
   std::array<Face, capacity> faces_;
   std::array<DiscQuad, capacity / 4> discs_;

@@ -13,18 +13,16 @@
 namespace palpate
 {
 
-/// A surface where it is at one moment, moved as a whole and bent: the same questions as SurfaceData answers, with corners and normals in W.
-/// Every vertex is moved on its own, the same way each time: faces that share one go on sharing it, bit for bit.
+/// A surface where it is at one moment, moved as a whole and bent: the same questions as SurfaceData answers, with
+/// corners and normals in W. Every vertex is moved on its own, the same way each time: faces that share one go on
+/// sharing it, bit for bit.
 class PosedSurface
 {
 public:
   /// `from`: where its vertices come from, a share of their way ago; null: they stand.
   PosedSurface(
     const SurfaceData& data, const Pose& pose_WS, const VertexStart* from = nullptr, double share = 1.0) noexcept
-    : data_(data)
-    , shape_(data, from, share)
-    , turn_WS_(pose_WS.q.toRotationMatrix())
-    , shift_W_(pose_WS.p)
+    : data_(data), shape_(data, from, share), turn_WS_(pose_WS.q.toRotationMatrix()), shift_W_(pose_WS.p)
   {
   }
 
@@ -50,7 +48,10 @@ public:
   [[nodiscard]] Vec3 vertex(std::uint32_t v) const noexcept { return this->toWorld(this->shape_.vertex(v)); }
   /// On which side of a face a point is, exactly, in the surface's own frame.
   [[nodiscard]] int sideOf(std::uint32_t triangle, const Vec3& x_W) const noexcept;
-  [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t t) const noexcept { return this->data_.corners(t); }
+  [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t t) const noexcept
+  {
+    return this->data_.corners(t);
+  }
   [[nodiscard]] bool hasCorner(std::uint32_t t, std::uint32_t v) const noexcept { return this->data_.hasCorner(t, v); }
   [[nodiscard]] std::uint32_t opposite(std::uint32_t t, std::uint32_t i, std::uint32_t j) const noexcept
   {
@@ -82,11 +83,7 @@ private:
 class MovingScene
 {
 public:
-  MovingScene(const Scene& scene, double share) noexcept
-    : scene_(scene)
-    , share_(share)
-  {
-  }
+  MovingScene(const Scene& scene, double share) noexcept : scene_(scene), share_(share) {}
 
   [[nodiscard]] const Scene& scene() const noexcept { return this->scene_; }
   [[nodiscard]] double share() const noexcept { return this->share_; }
@@ -97,8 +94,14 @@ private:
 };
 
 /// Two ways to look at a scene: as it stands, which costs nothing, and as it moves.
-[[nodiscard]] inline const Scene& sceneOf(const Scene& scene) noexcept { return scene; }
-[[nodiscard]] inline const Scene& sceneOf(const MovingScene& moving) noexcept { return moving.scene(); }
+[[nodiscard]] inline const Scene& sceneOf(const Scene& scene) noexcept
+{
+  return scene;
+}
+[[nodiscard]] inline const Scene& sceneOf(const MovingScene& moving) noexcept
+{
+  return moving.scene();
+}
 [[nodiscard]] inline const SurfaceData& surfaceOf(const Scene& scene, std::uint32_t i) noexcept
 {
   return scene.surfaces()[i].tree->data();
@@ -120,9 +123,18 @@ private:
 }
 
 /// What a tree is asked with: a surface that stands still is asked as it is.
-[[nodiscard]] inline const Motion& inTree(const SurfaceData&, const Motion& m) noexcept { return m; }
-[[nodiscard]] inline Motion inTree(const PosedSurface& s, const Motion& m) noexcept { return s.toSurface(m); }
-[[nodiscard]] inline const SurfaceData& dataOf(const SurfaceData& s) noexcept { return s; }
+[[nodiscard]] inline const Motion& inTree(const SurfaceData&, const Motion& m) noexcept
+{
+  return m;
+}
+[[nodiscard]] inline Motion inTree(const PosedSurface& s, const Motion& m) noexcept
+{
+  return s.toSurface(m);
+}
+[[nodiscard]] inline const SurfaceData& dataOf(const SurfaceData& s) noexcept
+{
+  return s;
+}
 /// Corners in W: where vertices are on their way they cost less than a whole face.
 [[nodiscard]] inline const std::array<Vec3, 3>& cornersIn(const SurfaceData& s, std::uint32_t triangle) noexcept
 {
@@ -132,8 +144,14 @@ private:
 {
   return s.cornersOf(triangle);
 }
-[[nodiscard]] inline const SurfaceData& dataOf(const PosedSurface& s) noexcept { return s.data(); }
-[[nodiscard]] inline const SurfaceData& dataOf(const BentSurface& s) noexcept { return s.data(); }
+[[nodiscard]] inline const SurfaceData& dataOf(const PosedSurface& s) noexcept
+{
+  return s.data();
+}
+[[nodiscard]] inline const SurfaceData& dataOf(const BentSurface& s) noexcept
+{
+  return s.data();
+}
 
 /// Calls ask(shape) with the surface in its own frame: one that stands is asked as it is.
 template<class Ask>

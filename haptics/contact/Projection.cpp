@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr int maxRows = 48;
-constexpr double parallelPair = 1e-26;   // |sin|^2 below which two planes act as one
+constexpr double parallelPair = 1e-26;    // |sin|^2 below which two planes act as one
 constexpr double dependentTriple = 1e-13; // |det| below which three planes have no common corner
 
 bool before(const PlaneRow& a, const PlaneRow& b) noexcept
@@ -30,10 +30,7 @@ class Solver
 {
 public:
   Solver(std::span<const PlaneRow> rows, const Vec3& q, double slack) noexcept
-    : rows_(rows)
-    , q_(q)
-    , slack_(slack)
-    , count_(rows.size() < maxRows ? static_cast<int>(rows.size()) : maxRows)
+    : rows_(rows), q_(q), slack_(slack), count_(rows.size() < maxRows ? static_cast<int>(rows.size()) : maxRows)
   {
     for (int i = 0; i < this->count_; ++i)
     {

@@ -20,9 +20,9 @@ struct PlaneRow
 struct ProjectionResult
 {
   Vec3 y = Vec3::Zero();
-  int count = 0;                     ///< active rows, at most 3 (Caratheodory for the normal cone in 3-D)
-  std::array<int, 3> active{};       ///< indices into the rows given
-  std::array<double, 3> lambda{};    ///< multipliers, all >= 0: y - q = sum lambda_i n_i
+  int count = 0;                  ///< active rows, at most 3 (Caratheodory for the normal cone in 3-D)
+  std::array<int, 3> active{};    ///< indices into the rows given
+  std::array<double, 3> lambda{}; ///< multipliers, all >= 0: y - q = sum lambda_i n_i
   bool feasible = true;
 };
 

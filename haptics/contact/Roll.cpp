@@ -81,16 +81,10 @@ Vec3 freeDirection(const Vec3& n1, const Vec3& n2) noexcept
 } // namespace
 
 template<class SceneView>
-RollPlanner<SceneView>::RollPlanner(
-  const ContactSet<SceneView>& contacts, const Vec3& x_W, const Vec3& p_W, double radius_u, const ProjectionResult& solution,
-  double mostTurn) noexcept
-  : contacts_(contacts)
-  , x_W_(x_W)
-  , q_(p_W - x_W)
-  , radius_u_(radius_u)
-  , solution_(solution)
-  , mostTurn_(mostTurn)
-  , slack_(0.25 * contacts.resolution().tol())
+RollPlanner<SceneView>::RollPlanner(const ContactSet<SceneView>& contacts, const Vec3& x_W, const Vec3& p_W,
+  double radius_u, const ProjectionResult& solution, double mostTurn) noexcept
+  : contacts_(contacts), x_W_(x_W), q_(p_W - x_W), radius_u_(radius_u), solution_(solution), mostTurn_(mostTurn),
+    slack_(0.25 * contacts.resolution().tol())
 {
   for (int i = 0; i < contacts.count(); ++i)
   {
@@ -242,7 +236,7 @@ Vec3 RollPlanner<SceneView>::arcAim() const noexcept
   const RollPivot& pivot = this->pivots_[0];
   const Vec3 along = this->solution_.y.dot(pivot.axis) * pivot.axis;
   return pivot.radius * (this->rows_[pivot.row].n - pivot.plane.n) +
-    this->heldFraction(this->contacts_.features()[pivot.row], along) * along;
+         this->heldFraction(this->contacts_.features()[pivot.row], along) * along;
 }
 
 /// Re-linearises the target planes where the ball comes to lie on them. True when nothing is left to correct.
@@ -310,12 +304,13 @@ RollPlan RollPlanner<SceneView>::plan() noexcept
     this->both_[count + k] = this->rows_[this->pivots_[k].row];
     plan.turn = std::max(plan.turn, this->pivots_[k].turn);
   }
-  const ProjectionResult first = projectOntoPlanes({ this->both_.data(), count + this->pivotCount_ }, target, this->slack_);
+  const ProjectionResult first =
+    projectOntoPlanes({ this->both_.data(), count + this->pivotCount_ }, target, this->slack_);
   // Near the solution a Newton step gains less than a distance resolves.
   plan.tolerance_u2 = crevice ? 4 * this->slack_ * this->q_.norm() : 0.0;
   // At the end of an edge it cannot go on by rolling: a slide leaves the edge.
   plan.worthwhile = first.feasible && second.feasible && second.y.norm() > 4 * this->slack_ &&
-    (second.y - this->q_).squaredNorm() < this->q_.squaredNorm() + plan.tolerance_u2;
+                    (second.y - this->q_).squaredNorm() < this->q_.squaredNorm() + plan.tolerance_u2;
   plan.first = first.y;
   plan.second = second.y;
   return plan;

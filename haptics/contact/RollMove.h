@@ -78,8 +78,8 @@ template<class SceneView>
 }
 
 /// Rolls the ball round an edge or a vertex if that brings it nearer to the device; false if a plain slide is due.
-/// Where even a small roll gains nothing smaller ones are tried, the first of which ends at what the last one met: for a
-/// device as deep as the radius a slide along the tangent leads away from the obstacle and back to where it began.
+/// Where even a small roll gains nothing smaller ones are tried, the first of which ends at what the last one met: for
+/// a device as deep as the radius a slide along the tangent leads away from the obstacle and back to where it began.
 template<class SceneView>
 [[nodiscard]] bool rollBall(TickState<SceneView>& tick) noexcept
 {

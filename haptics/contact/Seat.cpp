@@ -6,11 +6,11 @@
 #include <limits>
 #include <span>
 
-#include "haptics/geometry/NearestOnTriangle.h"
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Projection.h"
 #include "haptics/contact/Sweep.h"
 #include "haptics/contact/TreeWalk.h"
+#include "haptics/geometry/NearestOnTriangle.h"
 #include "haptics/geometry/SurfaceData.h"
 
 namespace palpate
@@ -51,7 +51,8 @@ void forEachNear(const SceneView& scene, const Vec3& x_W, double reach, Visit vi
       }
       return true;
     };
-    return askTree(surface, still, [&](const Motion& inSurface) noexcept
+    return askTree(surface, still,
+      [&](const Motion& inSurface) noexcept
       { return walkWithin(data.nodes, BoxTest(inSurface), unbounded, nodes, visitLeaf); });
   };
   static_cast<void>(walkWithin(sceneOf(scene).surfaceTree().nodes, test, unbounded, nodes, visitSurface));

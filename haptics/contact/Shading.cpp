@@ -202,8 +202,8 @@ Vec3 shadedGoal(ContactSet<SceneView>& contacts, const ProjectionResult& held, c
 } // namespace
 
 template<class SceneView>
-ShadedStep judgeShading(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, bool slipping,
-  GodObjectState& state) noexcept
+ShadedStep judgeShading(
+  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, bool slipping, GodObjectState& state) noexcept
 {
   ContactSet<SceneView> contacts(scene, plan.radius_u, state);
   contacts.include(p_W);

@@ -16,7 +16,7 @@ namespace palpate
 /// Linear over a face between the normals at its corners. A corner's normal is the sum over the faces that are reached
 /// from this one without crossing such an edge, with Max's weights (1999): they make it exact for corners on a sphere.
 /// `plane`: of f, unit normal and foot [W]. Bounded; real-time safe.
-template <class View>
+template<class View>
 [[nodiscard]] Vec3 smoothNormal(const View& s, const ActiveFeature& f, const FeaturePlane& plane) noexcept;
 
 /// Where the shaded god-object goes next.
@@ -38,7 +38,7 @@ struct ShadedStep
 /// `slipping`: in a later round of the same tick, where whether it slips has been decided.
 /// Re-linearises the features of `state`; real-time safe.
 template<class SceneView>
-[[nodiscard]] ShadedStep judgeShading(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W,
-  bool slipping, GodObjectState& state) noexcept;
+[[nodiscard]] ShadedStep judgeShading(
+  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, bool slipping, GodObjectState& state) noexcept;
 
 } // namespace palpate

@@ -41,7 +41,7 @@ struct Sums
 
 } // namespace
 
-template <class SceneView>
+template<class SceneView>
 Response respond(const SceneView& scene, const ContactPlan& plan, const ContactResult& contact, const Vec3& p_W,
   const Vec3& step_W) noexcept
 {

@@ -26,7 +26,7 @@ struct Response
 ///
 /// A texture of period L is felt up to the speed at which a period takes ten ticks; from there its height goes to its
 /// mean, and is there when a period takes five: what is faster could only buzz. `step_W`: way of the hand in the tick.
-template <class SceneView>
+template<class SceneView>
 [[nodiscard]] Response respond(const SceneView& scene, const ContactPlan& plan, const ContactResult& contact,
   const Vec3& p_W, const Vec3& step_W) noexcept;
 

@@ -22,23 +22,17 @@ namespace
 bool isTouched(const SweepQuery& query, const ActiveFeature& f) noexcept
 {
   return std::any_of(query.touched.begin(), query.touched.end(),
-    [&f](const ActiveFeature& a)
-    { return a.surface == f.surface && a.kind == f.kind && a.a == f.a && a.b == f.b; });
+    [&f](const ActiveFeature& a) { return a.surface == f.surface && a.kind == f.kind && a.a == f.a && a.b == f.b; });
 }
 
 /// The exact tests of one surface's faces, edges and vertices, and the best hit so far. All in the surface's own frame:
 /// a point is mapped there the same way each time, so that what is proven free stays free.
-template <class Shape>
+template<class Shape>
 class SurfaceSweep
 {
 public:
   SurfaceSweep(const Shape& shape, std::uint32_t surface, const SweepQuery& query, const Motion& m, SweepHit& best)
-    : shape_(shape)
-    , data_(dataOf(shape))
-    , surface_(surface)
-    , query_(query)
-    , m_(m)
-    , best_(best)
+    : shape_(shape), data_(dataOf(shape)), surface_(surface), query_(query), m_(m), best_(best)
   {
   }
 
@@ -167,8 +161,8 @@ private:
 
   void testVertex(std::uint32_t v, const Vec3& corner_W) noexcept
   {
-    this->offer(this->roundHit(this->m_.x_W - corner_W, this->m_.d),
-      { this->surface_, v, 0, FeatureKind::Vertex, 1, false });
+    this->offer(
+      this->roundHit(this->m_.x_W - corner_W, this->m_.d), { this->surface_, v, 0, FeatureKind::Vertex, 1, false });
   }
 
   /// First t at which |w + t d| = r for a way that gets nearer than r - tol; NaN if it does not.
@@ -203,7 +197,8 @@ private:
     }
     const auto& [a, b, c] = face.corner_W;
     const double s0 = face.normal_W.dot(m.x_W - a), s1 = face.normal_W.dot(m.e_W - a);
-    const double largest = std::max({ m.magnitude, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff() });
+    const double largest =
+      std::max({ m.magnitude, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff() });
     const double unsure = 8 * std::numeric_limits<double>::epsilon() * double(face.sliver) * largest;
     if ((s0 > unsure && s1 > unsure) || (s0 < -unsure && s1 < -unsure))
     {
@@ -282,7 +277,7 @@ private:
 };
 
 /// Near-first walk of one surface's tree.
-template <class Shape>
+template<class Shape>
 void sweepSurface(const Shape& shape, std::uint32_t surface, const SweepQuery& query, const Motion& m,
   std::uint32_t budget, SweepHit& best) noexcept
 {
@@ -294,7 +289,8 @@ void sweepSurface(const Shape& shape, std::uint32_t surface, const SweepQuery& q
 
 /// The same over a list of faces that holds all that the way can touch.
 template<class SceneView>
-void sweepList(const SceneView& scene, const Neighbourhood& near, const SweepQuery& query, const Motion& m, SweepHit& best) noexcept
+void sweepList(
+  const SceneView& scene, const Neighbourhood& near, const SweepQuery& query, const Motion& m, SweepHit& best) noexcept
 {
   Motion widest = m;
   widest.r += sceneOf(scene).mostCoat_u();
@@ -318,9 +314,8 @@ void sweepList(const SceneView& scene, const Neighbourhood& near, const SweepQue
 
 } // namespace
 
-template <class Shape>
-SweepHit sweepSurface(
-  const Shape& shape, std::uint32_t surface, const SweepQuery& query, std::uint32_t budget) noexcept
+template<class Shape>
+SweepHit sweepSurface(const Shape& shape, std::uint32_t surface, const SweepQuery& query, std::uint32_t budget) noexcept
 {
   SweepHit best;
   askTree(dataOf(shape), motionOf(query),
@@ -342,10 +337,8 @@ SweepHit sweepBall(const SceneView& scene, const SweepQuery& query, std::uint32_
   {
     const auto& surface = surfaceOf(scene, s);
     askTree(surface, m,
-      [&](const Motion& inSurface) noexcept
-      {
-        askShape(surface,
-          [&](const auto& shape) noexcept { sweepSurface(shape, s, query, inSurface, budget, best); });
+      [&](const Motion& inSurface) noexcept {
+        askShape(surface, [&](const auto& shape) noexcept { sweepSurface(shape, s, query, inSurface, budget, best); });
       });
   };
   const Scene& whole = sceneOf(scene);

@@ -29,15 +29,15 @@ struct SweepQuery
 struct SweepHit
 {
   bool hit = false;
-  double t = 1.0;           ///< fraction of the way, in [0, 1]
+  double t = 1.0; ///< fraction of the way, in [0, 1]
   ActiveFeature feature;
-  double freeUntil = 1.0;   ///< below 1 only when the budget was met: proven free up to here
-  std::uint32_t nodes = 0;  ///< tree nodes visited
+  double freeUntil = 1.0;  ///< below 1 only when the budget was met: proven free up to here
+  std::uint32_t nodes = 0; ///< tree nodes visited
 };
 
 /// First contact with one surface, whose own frame the query is given in. As sweepBall otherwise.
 /// Shape: SurfaceData, or BentSurface for a moment of one whose vertices move.
-template <class Shape>
+template<class Shape>
 [[nodiscard]] SweepHit sweepSurface(
   const Shape& shape, std::uint32_t surface, const SweepQuery& query, std::uint32_t budget) noexcept;
 

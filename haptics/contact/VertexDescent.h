@@ -14,8 +14,8 @@ namespace palpate
 /// Where a point at a vertex goes on along the surface.
 struct Descent
 {
-  double gain = 0.0;                     ///< length of the pull that acts along the surface [u]; 0: it rests
-  int count = 0;                         ///< one face, or the two that meet in an edge
+  double gain = 0.0; ///< length of the pull that acts along the surface [u]; 0: it rests
+  int count = 0;     ///< one face, or the two that meet in an edge
   std::array<ActiveFeature, 2> faces{};
 };
 
@@ -26,7 +26,8 @@ template<class View>
 /// The steepest way along the surface from vertex v for a point at x_W that is pulled by q and known to lie on side
 /// f.side of face f, a face at v. Sides are carried from face to face over their common edges: near a saddle the planes
 /// of the faces do not tell them, and the sets of planes that could hold the point are not unique. Where more than two
-/// faces meet in an edge it is the next one on the point's side. Nothing is returned for a vertex of more than 32 faces.
+/// faces meet in an edge it is the next one on the point's side. Nothing is returned for a vertex of more than 32
+/// faces.
 template<class View>
 [[nodiscard]] std::optional<Descent> descendFromVertex(
   const View& s, const ActiveFeature& f, std::uint32_t v, const Vec3& x_W, const Vec3& q) noexcept;

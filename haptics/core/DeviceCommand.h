@@ -30,9 +30,9 @@ enum class Signal : std::uint8_t
 /// What the servo asks of a device for one tick. Wide from the start, like DeviceSample.
 struct DeviceCommand
 {
-  Wrench wrench_D;                  ///< force on the hand [N], torque [N m]
-  Pose target_D;                    ///< for admittance devices [m]
-  std::array<HeldWall, 4> walls{};  ///< the first wallCount are valid
+  Wrench wrench_D;                 ///< force on the hand [N], torque [N m]
+  Pose target_D;                   ///< for admittance devices [m]
+  std::array<HeldWall, 4> walls{}; ///< the first wallCount are valid
   std::uint8_t wallCount = 0;
   double viscosity_Ns_per_m = 0.0;
   Signal signal = Signal::None;

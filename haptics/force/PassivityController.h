@@ -30,7 +30,7 @@ struct EnergyMeter
 /// What the controller looks at in one tick.
 struct SpringTick
 {
-  double stretch_m = 0.0;    ///< |proxy - device|, 0: free
+  double stretch_m = 0.0;      ///< |proxy - device|, 0: free
   double inward_m_per_s = 0.0; ///< speed of the hand along the spring, positive: deeper
   double stiffness_N_per_m = 0.0;
   double work_J = 0.0; ///< of the held force on the hand since the last tick

@@ -9,12 +9,12 @@ namespace palpate
 struct SampledWall
 {
   double mass_kg = 0.1;
-  double damping_Ns_per_m = 0.0; ///< b of device and hand
+  double damping_Ns_per_m = 0.0;      ///< b of device and hand
   double handStiffness_N_per_m = 0.0; ///< spring to ground beside it
   double period_s = 1e-3;
   int delay_ticks = 0;
   double virtualDamping_Ns_per_m = 0.0; ///< B
-  double leadPeriods = 0.0; ///< damping that grows with K, as the passivity controller's does
+  double leadPeriods = 0.0;             ///< damping that grows with K, as the passivity controller's does
 };
 
 /// Largest modulus of the closed loop's eigenvalues: below 1 the wall is stable. Not real-time safe.

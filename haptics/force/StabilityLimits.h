@@ -14,9 +14,9 @@ namespace palpate
 /// Which of the limits decides.
 enum class StiffnessLimit : std::uint8_t
 {
-  None,    ///< nothing is known of the device, or no force reaches a hand
-  Device,  ///< the largest stiffness the device is made for
-  Loop,    ///< the sampled loop itself: mass, damping, rate, delay
+  None,   ///< nothing is known of the device, or no force reaches a hand
+  Device, ///< the largest stiffness the device is made for
+  Loop,   ///< the sampled loop itself: mass, damping, rate, delay
 };
 
 /// How stiff a wall a device can hold at a rate. All in N/m; infinity where nothing limits.
@@ -52,7 +52,6 @@ struct LoopSettings
 [[nodiscard]] StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& loop);
 
 /// One sentence: how stiff, and why.
-[[nodiscard]] std::string describe(
-  const StabilityLimits& limits, const DeviceInfo& device, const LoopSettings& loop);
+[[nodiscard]] std::string describe(const StabilityLimits& limits, const DeviceInfo& device, const LoopSettings& loop);
 
 } // namespace palpate

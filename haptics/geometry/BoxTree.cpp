@@ -13,11 +13,7 @@ namespace
 class Builder
 {
 public:
-  Builder(const std::vector<Box>& boxes, std::vector<TreeNode>& nodes)
-    : boxes_(boxes)
-    , nodes_(nodes)
-  {
-  }
+  Builder(const std::vector<Box>& boxes, std::vector<TreeNode>& nodes) : boxes_(boxes), nodes_(nodes) {}
 
   /// Adds the tree over these boxes and returns the index of its root, with leafBit for a single one.
   std::uint32_t build(std::span<std::uint32_t> some)

@@ -15,7 +15,7 @@ namespace palpate
 struct alignas(16) TreeNode
 {
   static constexpr std::uint32_t leafBit = 0x80000000u;
-  std::array<std::array<double, 2>, 3> low_W;  ///< [axis][child]
+  std::array<std::array<double, 2>, 3> low_W; ///< [axis][child]
   std::array<std::array<double, 2>, 3> high_W;
   std::array<std::uint32_t, 2> child;
 };

@@ -25,10 +25,7 @@ struct Expansion
       this->part[this->size++] = value;
     }
   }
-  [[nodiscard]] int sign() const noexcept
-  {
-    return this->size == 0 ? 0 : (this->part[this->size - 1] > 0 ? 1 : -1);
-  }
+  [[nodiscard]] int sign() const noexcept { return this->size == 0 ? 0 : (this->part[this->size - 1] > 0 ? 1 : -1); }
 };
 
 void twoSum(double a, double b, double& sum, double& error) noexcept
@@ -111,7 +108,8 @@ Expansion<A + B> sum(const Expansion<A>& a, const Expansion<B>& b, double signOf
 }
 
 /// |u v; s t| = u t - v s
-Expansion<16> minor2(const Expansion<2>& u, const Expansion<2>& v, const Expansion<2>& s, const Expansion<2>& t) noexcept
+Expansion<16> minor2(
+  const Expansion<2>& u, const Expansion<2>& v, const Expansion<2>& s, const Expansion<2>& t) noexcept
 {
   return sum(product(u, t), product(v, s), -1.0);
 }
@@ -141,7 +139,8 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noex
   const double yz = qy * rz, zy = qz * ry, zx = qz * rx, xz = qx * rz, xy = qx * ry, yx = qy * rx;
   const double det = px * (yz - zy) + py * (zx - xz) + pz * (xy - yx);
   const double permanent = std::fabs(px) * (std::fabs(yz) + std::fabs(zy)) +
-    std::fabs(py) * (std::fabs(zx) + std::fabs(xz)) + std::fabs(pz) * (std::fabs(xy) + std::fabs(yx));
+                           std::fabs(py) * (std::fabs(zx) + std::fabs(xz)) +
+                           std::fabs(pz) * (std::fabs(xy) + std::fabs(yx));
   const double bound = (7.0 + 56.0 * epsilon) * epsilon * permanent; // Shewchuk's A bound
   if (det > bound || -det > bound)
   {
@@ -166,8 +165,8 @@ int orientation2(double ax, double ay, double bx, double by, double cx, double c
 bool exactlyCollinear(const Vec3& a, const Vec3& b, const Vec3& c) noexcept
 {
   return orientation2(a.x(), a.y(), b.x(), b.y(), c.x(), c.y()) == 0 &&
-    orientation2(a.y(), a.z(), b.y(), b.z(), c.y(), c.z()) == 0 &&
-    orientation2(a.z(), a.x(), b.z(), b.x(), c.z(), c.x()) == 0;
+         orientation2(a.y(), a.z(), b.y(), b.z(), c.y(), c.z()) == 0 &&
+         orientation2(a.z(), a.x(), b.z(), b.x(), c.z(), c.x()) == 0;
 }
 
 } // namespace palpate

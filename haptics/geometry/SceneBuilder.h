@@ -25,7 +25,7 @@ struct SurfaceInput
   std::shared_ptr<const MaterialFields> fields = {}; ///< of the mesh's vertices, or null
   Pose pose_WS = {};                                 ///< where the mesh stands in W [u]
   std::optional<double>
-    lineRadius_u = {}; ///< given: the mesh holds curves (segmentsOf()) of this radius [u], felt without texture
+    lineRadius_u = {};  ///< given: the mesh holds curves (segmentsOf()) of this radius [u], felt without texture
   bool ordered = false; ///< the mesh is a tree's own: vertices and triangles keep their numbers, nothing is cleaned
 };
 

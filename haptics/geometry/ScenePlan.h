@@ -46,8 +46,8 @@ struct ScenePlan
   [[nodiscard]] std::string sentence() const;
 };
 
-/// Plans a touch of this surface; of curves, which have no facets, with none. Off the servo thread; O(triangles). Throws
-/// std::invalid_argument for conditions that are not finite or not in the ranges given.
+/// Plans a touch of this surface; of curves, which have no facets, with none. Off the servo thread; O(triangles).
+/// Throws std::invalid_argument for conditions that are not finite or not in the ranges given.
 [[nodiscard]] ScenePlan planTouch(const SurfaceTree& surface, const TouchConditions& conditions);
 
 } // namespace palpate

@@ -41,7 +41,7 @@ public:
   using Point_reference = Point;
 
   BoxPrimitive() = default;
-  template <class Iterator>
+  template<class Iterator>
   BoxPrimitive(Iterator it, const TriangleMesh& mesh) : id_(*it)
   {
     const auto& t = mesh.triangles[this->id_];
@@ -293,7 +293,7 @@ std::unique_ptr<SurfaceData> buildData(TriangleMesh clean, double coat_u, bool o
   return data;
 }
 
-template <class T>
+template<class T>
 std::size_t bytesOf(const std::vector<T>& v)
 {
   return v.capacity() * sizeof(T);

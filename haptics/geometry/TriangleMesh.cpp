@@ -134,7 +134,7 @@ std::string indexRefusal(const TriangleMesh& raw)
       if (corner >= raw.vertices_W.size())
       {
         return "triangle " + std::to_string(i) + " names vertex " + std::to_string(corner) + ", but there are only " +
-          std::to_string(raw.vertices_W.size()) + " vertices";
+               std::to_string(raw.vertices_W.size()) + " vertices";
       }
     }
   }
@@ -185,7 +185,8 @@ std::vector<Triangle> goodTriangles(const TriangleMesh& raw, const Weld& welded,
 
 std::string CleanReport::summary() const
 {
-  std::string text = "kept " + std::to_string(this->trianglesOut) + " of " + std::to_string(this->trianglesIn) + (this->segments ? " segments" : " triangles");
+  std::string text = "kept " + std::to_string(this->trianglesOut) + " of " + std::to_string(this->trianglesIn) +
+                     (this->segments ? " segments" : " triangles");
   const auto add = [&text](std::size_t count, const char* what)
   {
     if (count > 0)
@@ -253,8 +254,8 @@ CleanResult cleanMesh(const TriangleMesh& raw)
 
 CleanResult cleanSegments(const TriangleMesh& raw)
 {
-  const auto noSegment = std::find_if(raw.triangles.begin(), raw.triangles.end(),
-    [](const Triangle& t) { return t[1] != t[2]; });
+  const auto noSegment =
+    std::find_if(raw.triangles.begin(), raw.triangles.end(), [](const Triangle& t) { return t[1] != t[2]; });
   if (noSegment != raw.triangles.end())
   {
     CleanResult result;
@@ -269,7 +270,8 @@ namespace
 
 bool isClean(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t, bool segments)
 {
-  if (std::max({ t[0], t[1], t[2] }) >= mesh.vertices_W.size() || t[0] >= t[1] || (segments ? t[1] != t[2] : t[1] >= t[2]))
+  if (std::max({ t[0], t[1], t[2] }) >= mesh.vertices_W.size() || t[0] >= t[1] ||
+      (segments ? t[1] != t[2] : t[1] >= t[2]))
   {
     return false;
   }

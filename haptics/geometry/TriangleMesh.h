@@ -40,7 +40,7 @@ struct CleanResult
 {
   TriangleMesh mesh;
   CleanReport report;
-  std::string refusal; ///< empty when the mesh can be touched
+  std::string refusal;                     ///< empty when the mesh can be touched
   std::vector<std::uint32_t> sourceVertex; ///< for each vertex of `mesh` one of the raw mesh, the first of equal ones
 
   [[nodiscard]] bool ok() const noexcept { return refusal.empty(); }
@@ -56,8 +56,8 @@ struct CleanResult
 /// ordered alike; segments without length and repeats are dropped. Refuses a triangle that is no segment.
 [[nodiscard]] CleanResult cleanSegments(const TriangleMesh& raw);
 
-/// Why a mesh cannot be touched as it is, without cleaning; empty when it can: a corner that is no finite vertex, corners
-/// out of order, a triangle without area or a segment without length, nothing at all.
+/// Why a mesh cannot be touched as it is, without cleaning; empty when it can: a corner that is no finite vertex,
+/// corners out of order, a triangle without area or a segment without length, nothing at all.
 [[nodiscard]] std::string refuseUnclean(const TriangleMesh& mesh, bool segments);
 
 } // namespace palpate

@@ -31,10 +31,7 @@ Wakeup wakeupAt(std::int64_t now_ns, std::int64_t expected_ns, std::int64_t peri
 
 } // namespace
 
-PeriodicTimer::PeriodicTimer(std::int64_t period_ns) noexcept
-  : period_ns_(period_ns)
-{
-}
+PeriodicTimer::PeriodicTimer(std::int64_t period_ns) noexcept : period_ns_(period_ns) {}
 
 std::int64_t PeriodicTimer::now_ns() const noexcept
 {

@@ -44,10 +44,7 @@ private:
 class VirtualTimer final : public TickTimer
 {
 public:
-  explicit VirtualTimer(std::int64_t period_ns) noexcept
-    : period_ns_(period_ns)
-  {
-  }
+  explicit VirtualTimer(std::int64_t period_ns) noexcept : period_ns_(period_ns) {}
   /// The next wake-up comes this much later than it is due.
   void delayNext(std::int64_t lateness_ns) noexcept { this->delay_ns_ = lateness_ns; }
   Wakeup wait() noexcept override;

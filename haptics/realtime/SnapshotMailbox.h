@@ -63,7 +63,10 @@ public:
   }
 
   /// What the last acquire() replaced, or null if it brought nothing new. Reader thread only; wait-free.
-  [[nodiscard]] const T* replaced() const noexcept { return this->previous_ != nullptr ? this->previous_->get() : nullptr; }
+  [[nodiscard]] const T* replaced() const noexcept
+  {
+    return this->previous_ != nullptr ? this->previous_->get() : nullptr;
+  }
 
 private:
   void putDown(Holder* old) noexcept

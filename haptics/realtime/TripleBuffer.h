@@ -18,16 +18,14 @@ class TripleBuffer
 
 public:
   TripleBuffer() = default;
-  explicit TripleBuffer(const T& initial) noexcept
-    : slots_{ initial, initial, initial }
-  {
-  }
+  explicit TripleBuffer(const T& initial) noexcept : slots_{ initial, initial, initial } {}
 
   /// Writer thread only; wait-free.
   void write(const T& value) noexcept
   {
     this->slots_[this->back_] = value;
-    const std::uint8_t old = this->shared_.exchange(static_cast<std::uint8_t>(this->back_ | dirty), std::memory_order_acq_rel);
+    const std::uint8_t old =
+      this->shared_.exchange(static_cast<std::uint8_t>(this->back_ | dirty), std::memory_order_acq_rel);
     this->back_ = old & indexMask;
   }
 

@@ -17,8 +17,8 @@ struct HandLimits
   double excess_J = unlimited;      ///< given beyond what the touched spring holds: five times 5 mJ for a device of 3 N
 };
 
-/// The speed cut and the energy latch. `force_N` is what the hand got in the last tick; without a force a hand may be as
-/// fast as it likes. Pure; real-time safe.
+/// The speed cut and the energy latch. `force_N` is what the hand got in the last tick; without a force a hand may be
+/// as fast as it likes. Pure; real-time safe.
 [[nodiscard]] constexpr Fault judgeHand(
   const HandLimits& limits, double speed_m_per_s, double force_N, double excess_J) noexcept
 {

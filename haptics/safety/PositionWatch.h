@@ -8,8 +8,8 @@
 namespace palpate
 {
 
-/// A position that stays the same to the last bit while there is a force: a hand holds very still, or the device no longer
-/// measures. Not a fault: it is said.
+/// A position that stays the same to the last bit while there is a force: a hand holds very still, or the device no
+/// longer measures. Not a fault: it is said.
 struct PositionWatch
 {
   static constexpr double frozenAfter_s = 0.25;

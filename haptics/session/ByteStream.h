@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little, "recordings are little
 class ByteWriter
 {
 public:
-  template <class T>
+  template<class T>
   void put(const T& value)
   {
     static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
@@ -63,7 +63,7 @@ class ByteReader
 public:
   ByteReader(const char* begin, std::size_t size) : at_(begin), left_(size) {}
 
-  template <class T>
+  template<class T>
   void get(T& value)
   {
     static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);

@@ -32,7 +32,7 @@ const char* name(EngageState state) noexcept
 namespace
 {
 
-constexpr double deviceLoop_s = 1e-3; // of a device that closes walls itself
+constexpr double deviceLoop_s = 1e-3;     // of a device that closes walls itself
 constexpr double badSampleWindow_s = 1.0; // the third bad sample within it latches
 
 bool sameMap(const WorkspaceMap& a, const WorkspaceMap& b) noexcept
@@ -103,8 +103,9 @@ private:
   void watchHand() noexcept
   {
     const DeviceSample& sample = this->in_.sample;
-    this->out_.state.frozen = this->s_.tracked && this->s_.watch.look(sample.pose_D.p, this->s_.lastP_D,
-                                                    this->s_.lastForce_D.norm(), this->p_.safety.frozenAbove_N, this->in_.dt_s);
+    this->out_.state.frozen =
+      this->s_.tracked && this->s_.watch.look(sample.pose_D.p, this->s_.lastP_D, this->s_.lastForce_D.norm(),
+                            this->p_.safety.frozenAbove_N, this->in_.dt_s);
     this->out_.state.buttons = sample.buttons;
     this->out_.state.letGo = !isHeld(this->p_.safety.deadMan, sample.buttons, sample.grip);
     if (this->out_.state.letGo && this->s_.engage == EngageState::Engaged)

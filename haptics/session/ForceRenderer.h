@@ -36,15 +36,15 @@ struct RendererState
   Vec3 lastP_D = Vec3::Zero(); ///< where the hand was last tick [m]
   bool tracked = false;        ///< lastP_D is of the tick before
   bool ownForce = false;       ///< what the hand got last tick was the coupling's own force, unlimited
-  WorkspaceMap map;                   ///< of the last tick: another map places the proxy anew
-  double radius_u = 0.0;              ///< of the last tick: another ball is seated where the old one was
+  WorkspaceMap map;            ///< of the last tick: another map places the proxy anew
+  double radius_u = 0.0;       ///< of the last tick: another ball is seated where the old one was
   std::uint64_t sceneRevision = 0;
   std::uint64_t sceneGeometry = 0; ///< what surfaces it had, wherever they were
   HeldWallState walls;
   GameState game;
-  double guideShare = 0.0;            ///< of the guide that acts, 0..1
-  Vec3 lastGuide_D = Vec3::Zero();    ///< its part of the last tick's force [N]
-  double sceneAge_s = 0.0;         ///< since the scene was taken: how far its surfaces have moved
+  double guideShare = 0.0;             ///< of the guide that acts, 0..1
+  Vec3 lastGuide_D = Vec3::Zero();     ///< its part of the last tick's force [N]
+  double sceneAge_s = 0.0;             ///< since the scene was taken: how far its surfaces have moved
   double sinceBad_s = longAgo_s;       ///< time since the last sample that was not finite
   double sinceBadBefore_s = longAgo_s; ///< and since the one before it
 

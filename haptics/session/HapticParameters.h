@@ -29,7 +29,7 @@ struct HapticParameters
   ContactPlan contact;
   HeldWallPlan walls; ///< for a plane world that lies across the device's z
   GuidePlan guide;    ///< contact is computed in its plane while it is on
-  GamePlan game;        ///< of a labyrinth: leads the hand to its start, and says that it is at the exit
+  GamePlan game;      ///< of a labyrinth: leads the hand to its start, and says that it is at the exit
   WorkspaceMap map;
   SafetyLimits safety;
 

@@ -45,7 +45,8 @@ struct HapticSession::Run
       this->limits = stabilityLimits(this->device->info(), loop);
     }
     const double stiffness_N_per_m = std::min(parameters.stiffness_N_per_m, this->limits.largest_N_per_m);
-    if (parameters.walls.hold && this->device->info().abilities.holdsWalls && stiffness_N_per_m != this->viscousAt_N_per_m_)
+    if (parameters.walls.hold && this->device->info().abilities.holdsWalls &&
+        stiffness_N_per_m != this->viscousAt_N_per_m_)
     {
       this->viscousAt_N_per_m_ = stiffness_N_per_m;
       this->viscosity_Ns_per_m_ = corridorViscosity(this->device->info(), stiffness_N_per_m);

@@ -108,9 +108,7 @@ bool hasOwnFriction(const Scene& scene) noexcept
 {
   return std::any_of(scene.surfaces().begin(), scene.surfaces().end(),
     [](const Surface& surface)
-    {
-      return surface.material.frictionStatic >= 0.0 || (surface.fields && !surface.fields->frictionStatic.empty());
-    });
+    { return surface.material.frictionStatic >= 0.0 || (surface.fields && !surface.fields->frictionStatic.empty()); });
 }
 
 double chosenRadius_u(double asked_u, double largest_u, bool keepLimit) noexcept

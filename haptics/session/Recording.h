@@ -70,7 +70,7 @@ struct RecordedMotion
   std::uint64_t contentHash = 0; ///< of the scene as a whole
   std::uint64_t geometryHash = 0;
   double motion_s = 0.0;
-  std::vector<RigidMotion> motions; ///< one a surface
+  std::vector<RigidMotion> motions;                       ///< one a surface
   std::vector<std::shared_ptr<const VertexStart>> starts; ///< one a surface; null: its vertices stand
 };
 

@@ -118,8 +118,8 @@ void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double c
   r.cappedTicks += s.capped || s.overBudget;
   r.peakForce_N = std::max(r.peakForce_N, s.force_D.norm());
   r.peakStabiliser_N = std::max(r.peakStabiliser_N, s.stabiliser_D.norm());
-  if (s.gain == 1.0 && s.stiffnessFactor == 1.0 && !s.clamped && !s.riseLimited && !s.held && !s.deviceHolds && s.guideShare == 0.0 &&
-      this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
+  if (s.gain == 1.0 && s.stiffnessFactor == 1.0 && !s.clamped && !s.riseLimited && !s.held && !s.deviceHolds &&
+      s.guideShare == 0.0 && this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
   {
     const WorkspaceMap& map = this->parameters_.map;
     const Vec3 spring_D = map.directionToDevice(s.stiffness_N_per_m / map.scale_u_per_m * (s.proxy_W.p - s.device_W.p));

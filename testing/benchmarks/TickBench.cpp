@@ -61,7 +61,8 @@ std::vector<Vec3> devicePoints(const NoisySphere& sphere, std::size_t ticks)
 }
 
 /// The whole slide once to warm up and once timed; `ways` receives what happened.
-Cost tickCost(const Scene& scene, double radius_u, const Vec3& start_W, const std::vector<Vec3>& points, std::vector<Way>& ways)
+Cost tickCost(
+  const Scene& scene, double radius_u, const Vec3& start_W, const std::vector<Vec3>& points, std::vector<Way>& ways)
 {
   ContactPlan plan;
   plan.radius_u = radius_u;
@@ -109,8 +110,8 @@ Cost referenceCost(const Reference& reference, const std::vector<Way>& ways)
     }
   }
   const Cost cost = costOf(sample);
-  std::printf("  %-42s p50 %7.2f us  p99 %7.2f us  (met in %.0f %% of the queries)\n", reference.name.c_str(), cost.p50_us, cost.p99_us,
-    50.0 * static_cast<double>(met) / static_cast<double>(ways.size()));
+  std::printf("  %-42s p50 %7.2f us  p99 %7.2f us  (met in %.0f %% of the queries)\n", reference.name.c_str(),
+    cost.p50_us, cost.p99_us, 50.0 * static_cast<double>(met) / static_cast<double>(ways.size()));
   return cost;
 }
 
@@ -130,15 +131,16 @@ std::vector<Reference> references(const TriangleMesh& mesh)
 }
 
 /// Prints what the tick costs in units of each reference; false if it is more than row 54 leaves room for.
-bool reportRatios(double radius_mm, const Cost& tick, const std::vector<Reference>& others,
-  const std::vector<Cost>& costs)
+bool reportRatios(
+  double radius_mm, const Cost& tick, const std::vector<Reference>& others, const std::vector<Cost>& costs)
 {
   for (std::size_t i = 0; i < others.size(); ++i)
   {
     std::printf("  tick r = %g mm / %-30s p50 %6.2f      p99 %6.2f\n", radius_mm, others[i].name.c_str(),
       tick.p50_us / costs[i].p50_us, tick.p99_us / costs[i].p99_us);
   }
-  // Twice the targets of row 54 at 100 000 triangles, 1.5 and 4 us, on a machine whose segment query takes 0.25 us there.
+  // Twice the targets of row 54 at 100 000 triangles, 1.5 and 4 us, on a machine whose segment query takes 0.25 us
+  // there.
   const double limit = radius_mm == 0.0 ? 12.0 : 32.0;
   const double ratio = tick.p50_us / costs[0].p50_us;
   if (ratio > limit)
@@ -157,8 +159,8 @@ bool benchmark(std::size_t triangles, const Options& options)
   const double build_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const auto count = static_cast<double>(mesh->triangles.size());
   std::printf("noisy sphere, %.0f triangles, %zu ticks of 1 ms at 100 mm/s, 1 to 2 mm deep\n", count, options.ticks);
-  std::printf("  build %.2f s per million triangles; beside the mesh %.0f MB per million triangles\n", build_s * 1e6 / count,
-    static_cast<double>(built.scene->surfaces()[0].tree->bytes()) / count);
+  std::printf("  build %.2f s per million triangles; beside the mesh %.0f MB per million triangles\n",
+    build_s * 1e6 / count, static_cast<double>(built.scene->surfaces()[0].tree->bytes()) / count);
 
   const std::vector<Vec3> points = devicePoints(sphere, options.ticks);
   std::vector<Way> ways;

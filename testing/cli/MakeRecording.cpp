@@ -30,7 +30,8 @@ std::string record(const std::string& file)
   SessionOptions options;
   options.virtualTime = true;
   options.recordFile = file;
-  std::string problem = session.start(std::make_unique<SimulatedDevice>(*deviceModel("simulated-generic"), *handModel("stylus"), path), options);
+  std::string problem = session.start(
+    std::make_unique<SimulatedDevice>(*deviceModel("simulated-generic"), *handModel("stylus"), path), options);
   if (!problem.empty())
   {
     return problem;

@@ -385,7 +385,8 @@ TEST_P(SwapWhilePressed, AtTenHertzForAMinuteTheForceStepsByATenthOfANewtonAtMos
     const vtkSmartPointer<vtkPolyData> next[] = { makeGrid(4, false, 0.0), makeGrid(4, false, 1.0),
       makeGrid(8, false, 0.0), makeGrid(4, true, 0.0) };
     this->show(next[swap % 4]);
-    if (GetParam() || swap % 61 == 60) // beside the ticks too, now and then: else a busy computer might show nothing at all
+    if (GetParam() ||
+        swap % 61 == 60) // beside the ticks too, now and then: else a busy computer might show nothing at all
     {
       this->session_->FinishScene();
     }

@@ -44,7 +44,7 @@ struct Header
 {
   std::array<char, EndOfHeader> bytes{};
 
-  template <class Value>
+  template<class Value>
   void put(std::size_t at, Value value)
   {
     std::memcpy(this->bytes.data() + at, &value, sizeof(value));
@@ -79,8 +79,8 @@ struct Header
       for (int column = 0; column < 4; ++column)
       {
         const double value = column < 3 ? linear(row, column) : shift[row];
-        this->put(SRows + 16 * static_cast<std::size_t>(row) + 4 * static_cast<std::size_t>(column),
-          static_cast<float>(value));
+        this->put(
+          SRows + 16 * static_cast<std::size_t>(row) + 4 * static_cast<std::size_t>(column), static_cast<float>(value));
       }
     }
   }
@@ -185,7 +185,8 @@ TEST(NIfTIOrientation, LeftStaysLeftForAQFormWithANegativeQFac)
   Header header(spacing);
   // half a turn around y maps (x, y, z) to (-x, y, -z); qfac -1 turns the third axis back: only x is mirrored
   header.setQForm(Quat(0.0, 0.0, 1.0, 0.0), shift, -1.0f);
-  expectAt(write(header, "palpate-qform-mirrored.nii"), Vec3(-spacing.x(), spacing.y(), spacing.z()).asDiagonal(), shift);
+  expectAt(
+    write(header, "palpate-qform-mirrored.nii"), Vec3(-spacing.x(), spacing.y(), spacing.z()).asDiagonal(), shift);
 }
 
 TEST(NIfTIOrientation, TheSFormIsTakenWhenThereAreBoth)

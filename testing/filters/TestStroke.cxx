@@ -123,7 +123,7 @@ TEST(Stroke, StaysOnTheLongestPartWithoutAGapOrACliff)
 {
   TriangleMesh mesh;
   addStrip(mesh, -30.0, -20.0, 0.0);
-  addStrip(mesh, -15.0, 10.0, 0.0); // the longest
+  addStrip(mesh, -15.0, 10.0, 0.0);  // the longest
   addStrip(mesh, 10.5, 30.0, -20.0); // beyond a cliff
   vtkNew<vtkHapticStroke> stroke;
   stroke->SetInputData(vtkHapticToPolyData(mesh));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Raw arrays through the cleaner: whatever the numbers are, it ends, what it keeps can be built into a tree, and neither
-// the order of the input nor a second cleaning changes it.
+// Raw arrays through the cleaner: whatever the numbers are, it ends, what it keeps can be built into a tree, and
+// neither the order of the input nor a second cleaning changes it.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -59,7 +59,8 @@ palpate::TriangleMesh reversed(palpate::TriangleMesh mesh)
     for (std::uint32_t& corner : t)
     {
       // an index out of range stays out of range
-      corner = corner < mesh.vertices_W.size() ? static_cast<std::uint32_t>(mesh.vertices_W.size()) - 1 - corner : corner;
+      corner =
+        corner < mesh.vertices_W.size() ? static_cast<std::uint32_t>(mesh.vertices_W.size()) - 1 - corner : corner;
     }
   }
   return mesh;

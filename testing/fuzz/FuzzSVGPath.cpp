@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The small languages in the attributes of a drawing; expat stands before them and is not ours. The first byte says which.
+// The small languages in the attributes of a drawing; expat stands before them and is not ours. The first byte says
+// which.
 #include <cstdint>
 #include <cstdlib>
 #include <stdexcept>

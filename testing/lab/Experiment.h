@@ -26,7 +26,7 @@ struct Conditions
   std::uint64_t seed = 1;
   std::function<void(double share)> progress; ///< may be called as often as one likes, 0..1
 
-  template <class T>
+  template<class T>
   [[nodiscard]] T pick(T quick, T usual, T soak) const
   {
     return this->size == Size::Quick ? quick : this->size == Size::Default ? usual : soak;

@@ -86,11 +86,13 @@ int main(int argc, char** argv)
   app.require_subcommand(1);
   CLI::App* const listCommand = app.add_subcommand("list", "what there is, and what each experiment shows");
   listCommand->add_flag("--json", options.json, "as JSON: name, shows, rows");
-  CLI::App* const runCommand = app.add_subcommand("run", "run experiments, one CSV each; exit code 1 if a verdict fails");
+  CLI::App* const runCommand =
+    app.add_subcommand("run", "run experiments, one CSV each; exit code 1 if a verdict fails");
   runCommand->add_option("NAME", options.names, "experiments, or all")->required();
   runCommand->add_option("--out", options.folder, "folder for the CSVs, made where it is missing")->required();
   CLI::Option* const quick = runCommand->add_flag("--quick", options.quick, "about a minute for all");
-  runCommand->add_flag("--soak", options.soak, "again and again with the next seed, until a verdict fails or it is stopped")
+  runCommand
+    ->add_flag("--soak", options.soak, "again and again with the next seed, until a verdict fails or it is stopped")
     ->excludes(quick);
   runCommand->add_option("--seed", options.seed, "for what is random (default 1)");
   try

@@ -56,10 +56,7 @@ std::string nearNames(const std::string& wrong, const std::vector<Experiment>& a
 class ProgressLine
 {
 public:
-  ProgressLine(std::string name, std::ostream& log)
-    : name_(std::move(name)), log_(log)
-  {
-  }
+  ProgressLine(std::string name, std::ostream& log) : name_(std::move(name)), log_(log) {}
 
   void operator()(double share)
   {

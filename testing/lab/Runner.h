@@ -26,7 +26,7 @@ struct Score
 
 /// Runs them one after another, one CSV each in `folder`, which is made; `log` sees progress and failures.
 /// Throws std::runtime_error with the file where it cannot be written. An experiment that throws is one failure.
-[[nodiscard]] Score run(const std::vector<Experiment>& chosen, Conditions conditions,
-  const std::filesystem::path& folder, std::ostream& log);
+[[nodiscard]] Score run(
+  const std::vector<Experiment>& chosen, Conditions conditions, const std::filesystem::path& folder, std::ostream& log);
 
 } // namespace palpate::lab

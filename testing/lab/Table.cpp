@@ -65,10 +65,7 @@ std::string caseName(std::initializer_list<std::pair<const char*, double>> pairs
   return text;
 }
 
-Table::Table(std::string experiment)
-  : experiment_(std::move(experiment))
-{
-}
+Table::Table(std::string experiment) : experiment_(std::move(experiment)) {}
 
 Row& Table::add(Row row)
 {
@@ -76,8 +73,8 @@ Row& Table::add(Row row)
   {
     if (number && !std::isfinite(*number))
     {
-      throw std::domain_error(this->experiment_ + ": " + row.subject.quantity + " of " + row.subject.method + " in case " +
-                              row.subject.caseName + " is not a finite number");
+      throw std::domain_error(this->experiment_ + ": " + row.subject.quantity + " of " + row.subject.method +
+                              " in case " + row.subject.caseName + " is not a finite number");
     }
   }
   this->rows_.push_back(std::move(row));
@@ -118,8 +115,9 @@ std::string toCsv(const Table& table)
   std::string csv = std::string(csvHeader) + "\n";
   for (const Row& row : table.rows())
   {
-    for (const std::string& field : { table.experiment(), row.subject.caseName, row.subject.method, row.subject.quantity,
-           number(row.value), row.subject.unit, number(row.truth), number(row.passLine), std::string(name(row.verdict)) })
+    for (const std::string& field :
+      { table.experiment(), row.subject.caseName, row.subject.method, row.subject.quantity, number(row.value),
+        row.subject.unit, number(row.truth), number(row.passLine), std::string(name(row.verdict)) })
     {
       csv += quoted(field) + ",";
     }

@@ -59,8 +59,14 @@ TEST(Runner, AnExperimentThatThrowsIsOneFailureAndTheOthersGoOn)
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "palpate-lab-runner";
   const std::vector<Experiment> chosen = {
     { "throws", "", { 1 }, [](const Conditions&, Table&) { throw std::domain_error("a number that is none"); } },
-    { "passes", "", { 1 }, [](const Conditions& c, Table& t) { c.progress(1.0), t.atMost({ "c", "m", "q" }, 0.0, 1.0); } },
-    { "fails", "", { 1 }, [](const Conditions&, Table& t) { t.within({ "c", "m", "q" }, 2.0, 1.0, 0.5); } },
+    { "passes", "", { 1 },
+      [](const Conditions& c, Table& t) {
+        c.progress(1.0), t.atMost({ "c", "m", "q" }, 0.0, 1.0);
+      } },
+    { "fails", "", { 1 },
+      [](const Conditions&, Table& t) {
+        t.within({ "c", "m", "q" }, 2.0, 1.0, 0.5);
+      } },
   };
   std::ostringstream log;
   const Score score = run(chosen, {}, folder, log);

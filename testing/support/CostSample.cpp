@@ -6,8 +6,7 @@
 namespace palpate::test
 {
 
-CostSample::CostSample(std::size_t capacity)
-  : overhead_ns_(std::numeric_limits<std::int64_t>::max())
+CostSample::CostSample(std::size_t capacity) : overhead_ns_(std::numeric_limits<std::int64_t>::max())
 {
   this->times_ns_.reserve(capacity);
   for (int i = 0; i < 10000; ++i)

@@ -10,7 +10,8 @@
 namespace palpate::test
 {
 
-/// Times of single calls in microseconds, less what reading the clock costs. A maximum says nothing on a shared machine.
+/// Times of single calls in microseconds, less what reading the clock costs. A maximum says nothing on a shared
+/// machine.
 class CostSample
 {
 public:

@@ -66,8 +66,8 @@ TriangleMesh makeBox(const Vec3& low_W, const Vec3& high_W)
     box.vertices_W.emplace_back(
       (corner & 1 ? high_W : low_W).x(), (corner & 2 ? high_W : low_W).y(), (corner & 4 ? high_W : low_W).z());
   }
-  box.triangles = { { 0, 2, 1 }, { 1, 2, 3 }, { 4, 5, 6 }, { 5, 7, 6 }, { 0, 1, 4 }, { 1, 5, 4 }, { 2, 6, 3 }, { 3, 6, 7 },
-    { 0, 4, 2 }, { 2, 4, 6 }, { 1, 3, 5 }, { 3, 7, 5 } };
+  box.triangles = { { 0, 2, 1 }, { 1, 2, 3 }, { 4, 5, 6 }, { 5, 7, 6 }, { 0, 1, 4 }, { 1, 5, 4 }, { 2, 6, 3 },
+    { 3, 6, 7 }, { 0, 4, 2 }, { 2, 4, 6 }, { 1, 3, 5 }, { 3, 7, 5 } };
   return box;
 }
 
@@ -130,7 +130,8 @@ TriangleMesh makeCracked(double gap_m, Random& random)
 
 TriangleMesh makeFin()
 {
-  return { { { -1, -1, 0 }, { 0, -1, 0 }, { 0, 1, 0 }, { -1, 1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { 0, -1, 1 }, { 0, 1, 1 } },
+  return { { { -1, -1, 0 }, { 0, -1, 0 }, { 0, 1, 0 }, { -1, 1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { 0, -1, 1 },
+             { 0, 1, 1 } },
     { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 4, 5 }, { 1, 5, 2 }, { 1, 2, 6 }, { 2, 7, 6 } } };
 }
 
@@ -142,7 +143,8 @@ TriangleMesh makeSoup(std::size_t count, double half_u, Random& random)
     const Vec3 a = random.inCube(half_u);
     const Vec3 b = a + random.inCube(0.4 * half_u);
     const bool sliver = i % 3 == 2;
-    const Vec3 c = sliver ? Vec3(a + random.uniform() * (b - a) + random.inCube(1e-6 * half_u)) : Vec3(a + random.inCube(0.4 * half_u));
+    const Vec3 c = sliver ? Vec3(a + random.uniform() * (b - a) + random.inCube(1e-6 * half_u))
+                          : Vec3(a + random.inCube(0.4 * half_u));
     const std::uint32_t first = addVertex(soup, a);
     addVertex(soup, b);
     addVertex(soup, c);

@@ -24,7 +24,7 @@ struct Tessellation
   double height_u = 1.0; ///< along y
   int columns = 1;
   int rows = 1;
-  double jitter = 0.0;   ///< 0 .. 0.4: how far an inner vertex moves, in cells
+  double jitter = 0.0; ///< 0 .. 0.4: how far an inner vertex moves, in cells
 };
 
 /// A rectangle with random diagonals and jittered vertices: 2 * columns * rows triangles, all with z == 0.

@@ -67,9 +67,9 @@ Vec3 slideDirection(std::size_t tick)
 } // namespace
 
 NoisySphere::NoisySphere(std::size_t triangles, double unitsPerMillimetre)
-  : base_(icosahedron())
-  , n_(std::max(1u, static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(triangles) / 20.0)))))
-  , unit_(unitsPerMillimetre)
+  : base_(icosahedron()),
+    n_(std::max(1u, static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(triangles) / 20.0))))),
+    unit_(unitsPerMillimetre)
 {
   this->makeVertices();
   this->makeTriangles();

@@ -7,8 +7,7 @@ namespace palpate::test
 {
 
 Probe::Probe(std::shared_ptr<const Scene> scene, double radius_u, const Vec3& start_W, PathChecker* checker)
-  : scene_(std::move(scene))
-  , checker_(checker)
+  : scene_(std::move(scene)), checker_(checker)
 {
   this->plan_.radius_u = radius_u;
   if (moveGodObject(*this->scene_, this->plan_, start_W, this->state_).seatFailed)

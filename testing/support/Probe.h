@@ -24,7 +24,10 @@ public:
 
   [[nodiscard]] const Vec3& x_W() const noexcept { return this->state_.x_W; }
   /// Stiffness (proxy - device): the force on the hand of an undamped coupling [N for u = m].
-  [[nodiscard]] Vec3 force(double stiffness_N_per_u) const noexcept { return stiffness_N_per_u * (this->state_.x_W - this->p_W_); }
+  [[nodiscard]] Vec3 force(double stiffness_N_per_u) const noexcept
+  {
+    return stiffness_N_per_u * (this->state_.x_W - this->p_W_);
+  }
   /// The checker's first finding of all ticks so far; empty is good.
   [[nodiscard]] const std::string& finding() const noexcept { return this->finding_; }
 

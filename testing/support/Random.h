@@ -14,10 +14,7 @@ namespace palpate::test
 class Random
 {
 public:
-  explicit Random(std::uint64_t seed) noexcept
-    : state_(seed)
-  {
-  }
+  explicit Random(std::uint64_t seed) noexcept : state_(seed) {}
 
   [[nodiscard]] std::uint64_t next() noexcept;
   /// Uniform in [0, 1).

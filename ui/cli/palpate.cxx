@@ -90,7 +90,8 @@ void AddLabyrinth(CLI::App& app, Arguments& arguments)
 {
   vtkHapticCliLabyrinthOptions& options = arguments.Labyrinth;
   CLI::App* command = app.add_subcommand("labyrinth", "a plane world: what it is, and a hand's way through it");
-  command->add_option("FILE", options.File, "lines in the plane z = 0, or a name of the gallery; without: all of these");
+  command->add_option(
+    "FILE", options.File, "lines in the plane z = 0, or a name of the gallery; without: all of these");
   CLI::Option* solve = command->add_flag("--solve", options.Solve, "a blind hand finds the exit, by touch alone");
   command->add_option("--path", options.Path, "PATH.csv: t,x,y,z of a hand [s, scene units], a tick per row")
     ->excludes(solve);

@@ -14,14 +14,14 @@
 /// What a file gives.
 struct vtkHapticCliSurface
 {
-  palpate::SurfaceInput Input;      ///< as the scene builder takes it, named after the file [scene units]
+  palpate::SurfaceInput Input; ///< as the scene builder takes it, named after the file [scene units]
   std::shared_ptr<const palpate::TriangleMesh> Lines; ///< segments of its curves, if they were asked for
-  vtkHapticMaterialResult Material; ///< of its arrays; Input.fields are its fields
+  vtkHapticMaterialResult Material;                   ///< of its arrays; Input.fields are its fields
 };
 
 /// Throws vtkHapticCliProblem. What a reader had to say besides goes to stderr. An array that cannot be used is a
-/// problem of the result: the caller knows whether it must be there. `lines`: curves are wanted too, and a file of nothing
-/// else has no Input.mesh.
+/// problem of the result: the caller knows whether it must be there. `lines`: curves are wanted too, and a file of
+/// nothing else has no Input.mesh.
 [[nodiscard]] vtkHapticCliSurface vtkHapticCliReadSurface(const std::string& file, std::optional<double> iso,
   const vtkHapticMaterialSettings& materials = {}, bool lines = false);
 

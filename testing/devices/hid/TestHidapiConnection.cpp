@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "devices/hid/HidapiBus.h"
 #include "devices/hid/HidDiscovery.h"
+#include "devices/hid/HidapiBus.h"
 #include "devices/io/PidDevice.h"
 #include "testing/devices/hid/FakeHidapi.h"
 

@@ -23,7 +23,8 @@ std::shared_ptr<const Scene> floorScene()
   return test::sceneOf(test::makeSheet({ 0.4, 0.4, 20, 20, 0.3 }, random));
 }
 
-test::Probe pressed(const std::shared_ptr<const Scene>& scene, const FrictionPlan& friction, double depth, double radius = 0.0)
+test::Probe pressed(
+  const std::shared_ptr<const Scene>& scene, const FrictionPlan& friction, double depth, double radius = 0.0)
 {
   test::Probe probe(scene, radius, { 0, 0, 0.01 + radius });
   probe.plan().friction = friction;

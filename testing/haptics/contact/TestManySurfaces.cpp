@@ -112,9 +112,8 @@ TEST(BoxTree, EveryBoxLiesInTheBoxesAboveIt)
       const TreeNode& node = tree.nodes[place.child];
       for (std::size_t k = 0; k < 2; ++k)
       {
-        places.push_back({ node.child[k],
-          { { node.low_W[0][k], node.low_W[1][k], node.low_W[2][k] },
-            { node.high_W[0][k], node.high_W[1][k], node.high_W[2][k] } } });
+        places.push_back({ node.child[k], { { node.low_W[0][k], node.low_W[1][k], node.low_W[2][k] },
+                                            { node.high_W[0][k], node.high_W[1][k], node.high_W[2][k] } } });
       }
     }
     EXPECT_EQ(seen, std::vector<int>(count, 1));

@@ -27,7 +27,7 @@ TriangleMesh sheet(int cells, std::uint64_t seed, double jitter = 0.3)
 }
 
 /// One value a vertex of the mesh as it is given, before cleaning.
-template <class Function>
+template<class Function>
 std::vector<double> sampled(const TriangleMesh& mesh, Function value)
 {
   std::vector<double> field;

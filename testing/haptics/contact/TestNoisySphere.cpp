@@ -68,7 +68,8 @@ TEST_P(Rough, EveryTickTouchesAndNoneLagsBehind)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(NoisySphere, Rough, ::testing::Combine(::testing::ValuesIn(sizes(100000)), ::testing::ValuesIn(units)));
+INSTANTIATE_TEST_SUITE_P(
+  NoisySphere, Rough, ::testing::Combine(::testing::ValuesIn(sizes(100000)), ::testing::ValuesIn(units)));
 
 class RoughPath : public ::testing::TestWithParam<std::size_t>
 {

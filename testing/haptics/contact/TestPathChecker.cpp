@@ -70,7 +70,8 @@ TEST(PathChecker, MissesNoTriangleOfALargeMesh)
   PathChecker checker(sphere, 0.0);
   for (std::size_t i = 0; i < testCount(2000); ++i)
   {
-    const Vec3 inside = random.direction() * random.uniform(0, 49), outside = random.direction() * random.uniform(51, 60);
+    const Vec3 inside = random.direction() * random.uniform(0, 49),
+               outside = random.direction() * random.uniform(51, 60);
     ASSERT_NE(judge(checker, inside, outside), "") << "case " << i;
   }
 }

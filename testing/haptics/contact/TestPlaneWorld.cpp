@@ -26,7 +26,8 @@ CurveSet wedge(double angle_rad)
   return { { { 0, 0 }, { 10 * c, 10 * s }, { 10 * c, -10 * s } }, { { 0, 1 }, { 0, 2 } } };
 }
 
-// The disc's centre keeps r from both lines: it rests at distance r / sin(angle / 2) from the tip (row 19 in the plane).
+// The disc's centre keeps r from both lines: it rests at distance r / sin(angle / 2) from the tip (row 19 in the
+// plane).
 TEST(PlaneWorld, ADiscPushedIntoAWedgeRestsAtRadiusOverSineOfHalfTheAngleInOneTick)
 {
   for (const double degrees : { 90.0, 60.0, 30.0, 10.0 })

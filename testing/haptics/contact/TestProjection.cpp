@@ -31,7 +31,8 @@ std::vector<PlaneRow> rowsOf(const Corner& corner)
 }
 
 /// y - q must be the combination sum lambda_i n_i of at most three given rows, lambda >= 0.
-void expectInNormalCone(const std::vector<PlaneRow>& rows, const Vec3& q, const ProjectionResult& result, double tolerance)
+void expectInNormalCone(
+  const std::vector<PlaneRow>& rows, const Vec3& q, const ProjectionResult& result, double tolerance)
 {
   ASSERT_LE(result.count, 3);
   Vec3 sum = Vec3::Zero();

@@ -18,12 +18,7 @@ constexpr std::size_t sphereTriangles = 5000;
 class Scale : public ::testing::TestWithParam<double>
 {
 protected:
-  Scale()
-    : sphere_(sphereTriangles, 1.0)
-    , r_(GetParam())
-    , plain_(sceneOf(sphere_.mesh()), r_, slideStart_W(sphere_))
-  {
-  }
+  Scale() : sphere_(sphereTriangles, 1.0), r_(GetParam()), plain_(sceneOf(sphere_.mesh()), r_, slideStart_W(sphere_)) {}
 
   /// Leads both over the sphere; `toOther` and `fromOther` are the change of frame.
   template<class To, class From>
@@ -53,7 +48,8 @@ TEST_P(Scale, TheForceScalesWithTheScene)
     this->plain_ = Probe(sceneOf(this->sphere_.mesh()), this->r_, slideStart_W(this->sphere_));
     Probe other(sceneOf(scaled(this->sphere_.mesh(), factor)), factor * this->r_, factor * slideStart_W(this->sphere_));
     this->compare(
-      other, [factor](const Vec3& p) { return Vec3(factor * p); }, [factor](const Vec3& x) { return Vec3(x / factor); }, 1e-9);
+      other, [factor](const Vec3& p) { return Vec3(factor * p); }, [factor](const Vec3& x) { return Vec3(x / factor); },
+      1e-9);
   }
 }
 
@@ -66,7 +62,8 @@ TEST_P(Scale, APowerOfTwoChangesNoBit)
     this->plain_ = Probe(sceneOf(this->sphere_.mesh()), this->r_, slideStart_W(this->sphere_));
     Probe other(sceneOf(scaled(this->sphere_.mesh(), factor)), factor * this->r_, factor * slideStart_W(this->sphere_));
     this->compare(
-      other, [factor](const Vec3& p) { return Vec3(factor * p); }, [factor](const Vec3& x) { return Vec3(x / factor); }, 0.0);
+      other, [factor](const Vec3& p) { return Vec3(factor * p); }, [factor](const Vec3& x) { return Vec3(x / factor); },
+      0.0);
   }
 }
 

@@ -44,7 +44,8 @@ TEST(Seat, ABallThatCutsATessellatedPlaneIsLiftedOntoItFromAnyHeight)
     const ContactResult result = moveGodObject(*scene, plan, p, state);
     ASSERT_FALSE(result.seatFailed) << "case " << i << ", height " << height;
     // The least motion to the side of the centre is straight up or down, by less than the radius.
-    ASSERT_LE((state.x_W - Vec3(p.x(), p.y(), height > 0 ? r : -r)).norm(), 1e-9) << "case " << i << ", height " << height;
+    ASSERT_LE((state.x_W - Vec3(p.x(), p.y(), height > 0 ? r : -r)).norm(), 1e-9)
+      << "case " << i << ", height " << height;
   }
 }
 

@@ -20,7 +20,10 @@ constexpr double R = 50.0, depth = 1.0; // mm
 constexpr int ticks = 20000;
 constexpr double degree = std::numbers::pi / 180.0;
 
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angle(const Vec3& a, const Vec3& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 /// Once round a great circle 1 mm below the true sphere.
 std::vector<Vec3> circle(double distance, int count)

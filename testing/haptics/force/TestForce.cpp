@@ -38,8 +38,8 @@ TEST(VirtualCoupling, IsASpringPlusADamperAlongItThatNeverPulls)
   const double K = 800.0, b = 4.0, depth_m = 0.002, speed = 0.3;
   const auto force = [&](const Vec3& velocity) { return coupleDevice(depth_m * n, velocity, K, b); };
   EXPECT_LE((force(-speed * n) - (K * depth_m + b * speed) * n).norm(), 1e-14); // deeper: resists
-  EXPECT_LE((force(speed * n) - (K * depth_m - b * speed) * n).norm(), 1e-14); // out: gives back less
-  EXPECT_LE(force(10.0 * n).norm(), 1e-14);                                    // far faster: the clamp, no pull
+  EXPECT_LE((force(speed * n) - (K * depth_m - b * speed) * n).norm(), 1e-14);  // out: gives back less
+  EXPECT_LE(force(10.0 * n).norm(), 1e-14);                                     // far faster: the clamp, no pull
   EXPECT_LE((force(speed * along) - K * depth_m * n).norm(), 1e-14);            // along: no friction
   EXPECT_LE((force(speed * along - speed * n) - (K * depth_m + b * speed) * n).norm(), 1e-14);
 }

@@ -20,10 +20,7 @@ constexpr double T = 1e-3;
 class HeldWall
 {
 public:
-  HeldWall(double stiffness, PassivityPlan plan)
-    : stiffness_(stiffness), plan_(plan)
-  {
-  }
+  HeldWall(double stiffness, PassivityPlan plan) : stiffness_(stiffness), plan_(plan) {}
 
   /// Force [N] along z for a hand at height z that came from the last one at constant speed.
   double force(double z_m)

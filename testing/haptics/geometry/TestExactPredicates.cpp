@@ -57,7 +57,8 @@ TEST(ExactPredicates, TheSideIsThatOfRationalArithmeticCloseToThePlane)
   int zeros = 0;
   for (std::size_t i = 0; i < testCount(20000); ++i)
   {
-    const Vec3 a = pointNearGrid(random), b = pointNearGrid(random), c = pointNearGrid(random), d = pointNearGrid(random);
+    const Vec3 a = pointNearGrid(random), b = pointNearGrid(random), c = pointNearGrid(random),
+               d = pointNearGrid(random);
     const int truth = exactOrientation(a, b, c, d);
     ASSERT_EQ(orientation(a, b, c, d), truth) << "case " << i;
     zeros += truth == 0;

@@ -17,11 +17,7 @@ namespace
 /// Counts the living, and is marked when it dies so that a reader would see a dead one.
 struct Snapshot
 {
-  explicit Snapshot(std::uint64_t n)
-    : number(n)
-  {
-    ++alive;
-  }
+  explicit Snapshot(std::uint64_t n) : number(n) { ++alive; }
   ~Snapshot()
   {
     this->number = ~std::uint64_t{ 0 };

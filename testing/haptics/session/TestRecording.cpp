@@ -131,8 +131,9 @@ void recordMoving(const std::string& path, int ticks, double radius_u, const std
 {
   constexpr int ticksPerSnapshot = 16;
   const auto still = SceneBuilder().build(surfaces).scene;
-  const auto poseAt = [](double t)
-  { return Pose{ { 0.01 * std::sin(9 * t), 0, 0.004 * std::sin(21 * t) }, Quat(Eigen::AngleAxisd(t, Vec3::UnitX())) }; };
+  const auto poseAt = [](double t) {
+    return Pose{ { 0.01 * std::sin(9 * t), 0, 0.004 * std::sin(21 * t) }, Quat(Eigen::AngleAxisd(t, Vec3::UnitX())) };
+  };
   HapticSession session;
   HapticParameters parameters;
   parameters.contact.radius_u = radius_u;
@@ -231,7 +232,8 @@ void recordBending(const std::string& path, int ticks, double radius_u)
     const double s = 1e-3 * tick;
     if (tick % ticksPerSnapshot == 0 && tick % 112 != 0) // one in seven comes late
     {
-      const double share = session.state().sceneRevision == felt->revision() ? felt->shareAt(session.state().sceneAge_s) : 0.0;
+      const double share =
+        session.state().sceneRevision == felt->revision() ? felt->shareAt(session.state().sceneAge_s) : 0.0;
       felt = movingFrom(*felt, share, builder.build({ sphereAt(s) }, felt.get()).scene, 0.021);
       ASSERT_TRUE(felt->bends());
       session.setScene(felt);

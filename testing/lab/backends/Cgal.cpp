@@ -17,19 +17,19 @@ namespace palpate::lab
 namespace
 {
 
-template <class Kernel>
+template<class Kernel>
 typename Kernel::Point_3 point(const Vec3& v)
 {
   return { v.x(), v.y(), v.z() };
 }
 
-template <class Point>
+template<class Point>
 Vec3 vec(const Point& p)
 {
   return { p.x(), p.y(), p.z() };
 }
 
-template <class Kernel>
+template<class Kernel>
 std::vector<typename Kernel::Triangle_3> trianglesOf(const TriangleMesh& mesh)
 {
   std::vector<typename Kernel::Triangle_3> triangles;
@@ -48,7 +48,7 @@ double fractionOf(const Vec3& p_W, const Vec3& from_W, const Vec3& to_W)
   return std::clamp((p_W - from_W).norm() / (to_W - from_W).norm(), 0.0, 1.0);
 }
 
-template <class Kernel>
+template<class Kernel>
 class CgalTree final : public Backend
 {
 public:

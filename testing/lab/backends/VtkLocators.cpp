@@ -33,7 +33,7 @@ void fill(vtkPolyData& surface, const TriangleMesh& mesh)
   surface.SetPolys(cells);
 }
 
-template <class Locator>
+template<class Locator>
 class VtkLocator final : public Backend
 {
 public:

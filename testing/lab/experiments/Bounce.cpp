@@ -92,7 +92,8 @@ void judgeController(double K, double damping, int phases, Table& table)
   const double limit = damping == 0.0 ? 1.03 : 0.95;
   table.atMost({ name, "spring+passivity", "energy out over energy in, mean" }, passive.mean, limit);
   table.atMost({ name, "spring+passivity", "energy out over energy in, most" }, passive.largest, limit);
-  table.atMost({ name, "spring+passivity", "peak force over the spring's" }, passive.peakForce_N / held.peakForce_N, 1.05);
+  table.atMost(
+    { name, "spring+passivity", "peak force over the spring's" }, passive.peakForce_N / held.peakForce_N, 1.05);
   if (damping == 0.0)
   {
     table.atLeast({ name, "spring", "energy out over energy in, mean" }, held.mean, 1.0);

@@ -42,7 +42,7 @@ struct Work
 };
 
 /// Once round a closed path, after a first round that only leads to where it begins.
-template <class ForceAt>
+template<class ForceAt>
 Work work(const std::vector<Vec3>& path_W, ForceAt forceAt)
 {
   for (const Vec3& p_W : path_W)

@@ -79,7 +79,8 @@ void runEnergyLeak(const Conditions& conditions, Table& table)
     // The mean over n phases of a quadratic is off by (1 / n)^2.
     table.within({ name, "spring", "energy given, mean over phases", "J" }, held.mean_J, mean, 1e-3 * mean);
     table.within({ name, "spring", "energy given, most", "J" }, held.largest_J, most, 1e-3 * most);
-    table.within({ name, "textbook meter", "energy given, mean over phases", "J" }, held.textbook_J, -mean, 1e-3 * mean);
+    table.within(
+      { name, "textbook meter", "energy given, mean over phases", "J" }, held.textbook_J, -mean, 1e-3 * mean);
     const Leak passive = overPhases(how, passiveSpring(K), phases);
     table.atMost({ name, "spring+passivity", "energy given, most", "J" }, passive.largest_J, 0.0);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row 18: the direction of the force on a faceted sphere with and without force shading, what it costs, and the work that
-// a shaded force, which has no potential, does over a closed way.
+// Row 18: the direction of the force on a faceted sphere with and without force shading, what it costs, and the work
+// that a shaded force, which has no potential, does over a closed way.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,10 +26,14 @@ struct Loop
   Cost cost;
 };
 
-double angle_deg(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)) / degree; }
+double angle_deg(const Vec3& a, const Vec3& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b)) / degree;
+}
 
 /// Once round a great circle through the middle of the worst face, `depth_mm` below the true sphere.
-Loop rub(const std::shared_ptr<const Scene>& scene, const Vec3& through, bool shading, double ball_mm, double depth_mm, int ticks)
+Loop rub(const std::shared_ptr<const Scene>& scene, const Vec3& through, bool shading, double ball_mm, double depth_mm,
+  int ticks)
 {
   const Vec3 along = through.unitOrthogonal();
   const double distance_mm = sphere_mm + ball_mm - depth_mm;
@@ -77,11 +81,14 @@ void runForceShading(const Conditions& conditions, Table& table)
       table.atMost({ name, "shaded", "largest jump of direction", "degrees" }, shaded.jump_deg, 0.2).cost = shaded.cost;
       // A ball stands over its foot along the normal of the face, which is up to 5.46 degrees off the sphere's.
       const double lean_deg = 5.46 * ball_mm / (sphere_mm + ball_mm - depth_mm);
-      table.atMost({ name, "shaded", "largest angle to the sphere's normal", "degrees" }, shaded.off_deg, lean_deg + 0.01);
+      table.atMost(
+        { name, "shaded", "largest angle to the sphere's normal", "degrees" }, shaded.off_deg, lean_deg + 0.01);
       table.atMost({ name, "shaded", "work of a closed way over K p^2 / 2" },
         std::abs(shaded.work_mJ) / (0.5 * depth_mm * depth_mm), 0.01);
-      table.info({ name, "god-object", "work of a closed way over K p^2 / 2" },
-        std::abs(plain.work_mJ) / (0.5 * depth_mm * depth_mm)).cost = plain.cost;
+      table
+        .info({ name, "god-object", "work of a closed way over K p^2 / 2" },
+          std::abs(plain.work_mJ) / (0.5 * depth_mm * depth_mm))
+        .cost = plain.cost;
     }
   }
 }

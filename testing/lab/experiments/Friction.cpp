@@ -36,7 +36,7 @@ double tanhForce_N(double mu, double normal_N, double speed_m_per_s)
 }
 
 /// Where a predicate that holds near 0 and fails near `high` changes, to the last bit.
-template <class Holds>
+template<class Holds>
 double threshold(double high, Holds holds)
 {
   double low = 0.0;
@@ -86,7 +86,7 @@ double wave(double phase)
 }
 
 /// Energy that a force takes from the hand in one loop, after a first one that only leads into it [J].
-template <class ForceAt>
+template<class ForceAt>
 double loopEnergy_J(double amplitude_m, int quarter, ForceAt forceAt)
 {
   double energy_J = 0.0, before_m = 0.0, before_N = 0.0;

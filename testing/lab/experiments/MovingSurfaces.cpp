@@ -66,7 +66,7 @@ struct Ride
 };
 
 /// `tick` gives the proxy's height above the plate's plane less its radius, and the height the plate has.
-template <class Tick>
+template<class Tick>
 Ride ride(const Platform& platform, double speed, Tick tick)
 {
   Ride seen;

@@ -240,7 +240,7 @@ private:
     return caseName({ { "triangles", this->triangles_ } }) + " query=" + query;
   }
 
-  template <class Judge>
+  template<class Judge>
   void forEach(const std::string& query, const char* quantity, const char* unit, Judge judge)
   {
     const std::vector<BackendKind> kinds = backendKinds();

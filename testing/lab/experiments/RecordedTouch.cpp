@@ -61,15 +61,16 @@ void judgeRubbed(const AnalyticTouch& smooth, int ticks, Table& table)
   for (const double radius_m : { 0.0, 1e-3 })
   {
     const MethodKind ours{ radius_m == 0.0 ? "god-object r=0" : "god-object r=1mm", radius_m,
-      [radius_m](const World& world)
-      { return std::make_unique<GodObjectMethod>(world, radius_m, FrictionPlan{ mu, mu }); } };
+      [radius_m](const World& world) {
+        return std::make_unique<GodObjectMethod>(world, radius_m, FrictionPlan{ mu, mu });
+      } };
     const RenderedTouch rendered = render(touch, ours, ticks);
     table.atMost({ name, ours.name, "force vector error, RMS" }, errorOf(rendered).rms, 0.03).cost = rendered.cost;
   }
   // Rendered without friction all of it is missing: mu / sqrt(1 + mu^2).
   const RenderedTouch slippery = render(touch, method("god-object r=0"), ticks);
-  table.atLeast({ name, "without friction", "force vector error, RMS" }, errorOf(slippery).rms,
-    0.95 * mu / std::sqrt(1 + mu * mu));
+  table.atLeast(
+    { name, "without friction", "force vector error, RMS" }, errorOf(slippery).rms, 0.95 * mu / std::sqrt(1 + mu * mu));
 }
 
 } // namespace

@@ -65,7 +65,11 @@ void judgeLinear(const std::string& name, const Chain& chain, FreeDevice device,
 {
   device.push_N = 1.0;
   const double found = measuredCriticalStiffness(
-    device, [&](double K) { return WallSetup{ T, chain.parameters(K, device.delay_ticks), {} }; }, stiffest_N_per_m);
+    device,
+    [&](double K) {
+      return WallSetup{ T, chain.parameters(K, device.delay_ticks), {} };
+    },
+    stiffest_N_per_m);
   const double theory = theoreticalLimit(chain, device, T);
   const Subject subject{ name, chain.name, "K_max", "N/m" };
   if (chain.leads)
@@ -137,8 +141,9 @@ void judgeRest(const std::string& name, const Chain& chain, const FreeDevice& de
 {
   const double found = stiffestAtRest(chain, device);
   const double byDamping = 2 * std::max(0.0, device.model.damping_Ns_per_m - chain.virtualDamping) / period_s;
-  const double passive =
-    device.model.encoderStep_m > 0.0 ? std::min(byDamping, 2 * device.model.friction_N / device.model.encoderStep_m) : byDamping;
+  const double passive = device.model.encoderStep_m > 0.0
+                           ? std::min(byDamping, 2 * device.model.friction_N / device.model.encoderStep_m)
+                           : byDamping;
   const double bound = std::min(passive, stiffest_N_per_m);
   table.atLeast({ name, chain.name, "K_max", "N/m" }, found, 0.98 * bound);
   table.info({ name, chain.name, "K_passive", "N/m" }, bound);
@@ -222,7 +227,8 @@ void everyDevice(Table& table)
     for (const Chain& chain : chains())
     {
       const bool exact = device.encoderStep_m == 0.0 && device.friction_N == 0.0;
-      exact ? judgeLinear(name, chain, FreeDevice{ device }, period_s, table) : judgeRest(name, chain, FreeDevice{ device }, table);
+      exact ? judgeLinear(name, chain, FreeDevice{ device }, period_s, table)
+            : judgeRest(name, chain, FreeDevice{ device }, table);
     }
     judgeLimit(name, device, table);
   }

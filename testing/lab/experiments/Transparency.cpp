@@ -69,7 +69,8 @@ void judgeDrag(const Stabiliser& s, const DeviceModel& device, int ticks, Table&
   const Subject subject{ "device=" + device.id + " " + caseName({ { "frequency", 1.0 / (ticks * T) } }), s.name, "drag",
     "N" };
   const double amplitude = hand_m_per_s / omegaOf(ticks);
-  const double drag = moveSine(s.setup(1000.0, T), 2.0 * amplitude + 0.01, amplitude, ticks, device.encoderStep_m).peak_N;
+  const double drag =
+    moveSine(s.setup(1000.0, T), 2.0 * amplitude + 0.01, amplitude, ticks, device.encoderStep_m).peak_N;
   const double truth = s.viscosity_Ns_per_m * hand_m_per_s;
   if (truth > 0.0)
   {
@@ -104,8 +105,7 @@ void judgeStiffness(const Stabiliser& s, const DeviceModel& device, double plain
 {
   FreeDevice pressed = FreeDevice{ device }.linear();
   pressed.push_N = 1.0;
-  const double found =
-    measuredCriticalStiffness(pressed, [&s](double K) { return s.setup(K, T); });
+  const double found = measuredCriticalStiffness(pressed, [&s](double K) { return s.setup(K, T); });
   const Subject subject{ "device=" + device.id, s.name, "K_max", "N/m" };
   if (s.name == "spring+passivity")
   {
@@ -130,8 +130,10 @@ void runTransparency(const Conditions& conditions, Table& table)
     }
     FreeDevice pressed = FreeDevice{ device }.linear();
     pressed.push_N = 1.0;
-    const double plain =
-      measuredCriticalStiffness(pressed, [](double K) { return WallSetup{ T, plainSpring(K), {} }; });
+    const double plain = measuredCriticalStiffness(pressed,
+      [](double K) {
+        return WallSetup{ T, plainSpring(K), {} };
+      });
     for (const Stabiliser& s : stabilisers())
     {
       for (const int ticks : periods_ticks)

@@ -47,7 +47,9 @@ double measured(const Listed& wall)
   device.delay_ticks = wall.delay_ticks;
   device.push_N = 1.0;
   return measuredCriticalStiffness(device,
-    [&wall](double K) { return WallSetup{ 1.0 / wall.rate_Hz, springDamper(K, wall.virtualDamping) }; });
+    [&wall](double K) {
+      return WallSetup{ 1.0 / wall.rate_Hz, springDamper(K, wall.virtualDamping) };
+    });
 }
 
 double eigenvalues(const Listed& wall)

@@ -20,7 +20,8 @@ struct TouchMoment
   Vec3 force_N = Vec3::Zero();  ///< on the hand, in the normal cone of the body there, or in its friction cone
 };
 
-/// A touch of a body known by a formula, frictionless unless rubbed,, and the body as a mesh. In metres, 20 to 150 mm/s, 0.6 to 1.4 N.
+/// A touch of a body known by a formula, frictionless unless rubbed,, and the body as a mesh. In metres, 20 to 150
+/// mm/s, 0.6 to 1.4 N.
 struct AnalyticTouch
 {
   std::string name;

@@ -64,8 +64,8 @@ bool grows(const FreeDevice& pressed, const WallSetup& setup)
   return late > early && late > rounding;
 }
 
-double measuredCriticalStiffness(const FreeDevice& pressed,
-  const std::function<WallSetup(double stiffness_N_per_m)>& setup, double most_N_per_m)
+double measuredCriticalStiffness(
+  const FreeDevice& pressed, const std::function<WallSetup(double stiffness_N_per_m)>& setup, double most_N_per_m)
 {
   double low = 1.0, high = low;
   while (!grows(pressed, setup(high)))

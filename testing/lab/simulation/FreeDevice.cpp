@@ -25,8 +25,8 @@ std::unique_ptr<SimulatedDevice> makeFree(const FreeDevice& what, double period_
   DeviceModel model = what.model;
   model.planar = false;
   model.travel_m = DeviceModel::unlimited;
-  auto device = std::make_unique<SimulatedDevice>(
-    model, *handModel("none"), HandPath{ { Vec3(0, 0, what.z_m) } }, options);
+  auto device =
+    std::make_unique<SimulatedDevice>(model, *handModel("none"), HandPath{ { Vec3(0, 0, what.z_m) } }, options);
   if (const std::string problem = device->open(); !problem.empty())
   {
     throw std::invalid_argument(problem);

@@ -25,13 +25,19 @@ Complex difference(double omega, double T)
 
 Stabiliser nothing()
 {
-  return { "spring", [](double K, double T) { return WallSetup{ T, plainSpring(K), {} }; },
+  return { "spring",
+    [](double K, double T) {
+      return WallSetup{ T, plainSpring(K), {} };
+    },
     [](double w, double, double T) { return hold(w, T); } };
 }
 
 Stabiliser damper()
 {
-  return { "spring+damper", [](double K, double T) { return WallSetup{ T, springDamper(K, damper_Ns_per_m), {} }; },
+  return { "spring+damper",
+    [](double K, double T) {
+      return WallSetup{ T, springDamper(K, damper_Ns_per_m), {} };
+    },
     [](double w, double K, double T) { return hold(w, T) * (1.0 + damper_Ns_per_m / (K * T) * difference(w, T)); } };
 }
 
@@ -39,8 +45,7 @@ Stabiliser damper()
 Stabiliser viscosity()
 {
   // The velocity is estimated by the same backward difference as the damper's.
-  const auto drag = [](const HapticState& state) -> Vec3
-  { return state.force_D - damper_Ns_per_m * state.velocity_D; };
+  const auto drag = [](const HapticState& state) -> Vec3 { return state.force_D - damper_Ns_per_m * state.velocity_D; };
   Stabiliser s = damper();
   s.name = "viscosity everywhere";
   s.setup = [drag](double K, double T)
@@ -72,7 +77,10 @@ Stabiliser filteredForce()
 
 Stabiliser controller()
 {
-  return { "spring+passivity", [](double K, double T) { return WallSetup{ T, passiveSpring(K), {} }; },
+  return { "spring+passivity",
+    [](double K, double T) {
+      return WallSetup{ T, passiveSpring(K), {} };
+    },
     [](double w, double, double T)
     {
       const PassivityPlan plan;

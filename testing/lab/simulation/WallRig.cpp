@@ -43,8 +43,7 @@ HapticParameters passiveSpring(double stiffness_N_per_m, double delay_ticks)
   return parameters;
 }
 
-WallRig::WallRig(HapticDevice& device, const WallSetup& setup)
-  : device_(device), setup_(setup), floor_(makeFloor())
+WallRig::WallRig(HapticDevice& device, const WallSetup& setup) : device_(device), setup_(setup), floor_(makeFloor())
 {
   const std::string problem = device.open();
   if (!problem.empty())
