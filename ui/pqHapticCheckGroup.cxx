@@ -2,6 +2,7 @@
 #include "pqHapticCheckGroup.h"
 
 #include "pqHapticController.h"
+#include "pqHapticLabel.h"
 #include "vtkHapticSession.h"
 
 #include <QFormLayout>
@@ -13,16 +14,6 @@
 namespace
 {
 constexpr int wholeProgress = 100;
-
-QLabel* Text(QWidget* parent, const char* name, const QString& tip)
-{
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setToolTip(tip);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
 
 void Say(QLabel* label, const QString& text)
 {
@@ -46,8 +37,8 @@ pqHapticCheckGroup::pqHapticCheckGroup(QWidget* parent)
   this->Progress->setObjectName("progress");
   this->Progress->setRange(0, wholeProgress);
   this->Progress->setToolTip(tr("How much of the check is done [%]"));
-  this->Ask = Text(this, "ask", tr("What to do now"));
-  this->Result = Text(this, "result", tr("What the check found"));
+  this->Ask = pqHapticLabel(this, "ask", tr("What to do now"));
+  this->Result = pqHapticLabel(this, "result", tr("What the check found"));
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(this->Verify);
   buttons->addWidget(this->Adjust);

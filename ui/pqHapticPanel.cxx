@@ -4,6 +4,7 @@
 #include "pqHapticCheckGroup.h"
 #include "pqHapticController.h"
 #include "pqHapticDeviceRows.h"
+#include "pqHapticLabel.h"
 #include "pqHapticMaterialGroup.h"
 #include "pqHapticMouse.h"
 #include "pqHapticReadout.h"
@@ -36,16 +37,6 @@ constexpr int leastFieldWidth = 90;
 /// What the core accepts.
 constexpr int longestDelay_ticks = 16;
 constexpr double largestFriction = 10.0;
-
-QLabel* Value(QWidget* parent, const char* name, const QString& tip)
-{
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setToolTip(tip);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
 
 QDoubleSpinBox* Number(QWidget* parent, const char* name, double low, double high, int decimals, const QString& tip)
 {
@@ -173,7 +164,8 @@ void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
     Number(parent, "pressDepth", 0.00005, 0.05, 5, tr("How deep the mouse in the view presses [m of the hand]"));
   this->PressDepth->setSuffix(tr(" m"));
   form->addRow(tr("Mouse &goes in by"), this->PressDepth);
-  this->MouseHelp = Value(parent, "mouseHelp", tr("What mouse and keyboard do in the view while they lead the hand"));
+  this->MouseHelp =
+    pqHapticLabel(parent, "mouseHelp", tr("What mouse and keyboard do in the view while they lead the hand"));
   form->addRow(this->MouseHelp);
 
   auto* buttons = new QHBoxLayout;
@@ -245,7 +237,7 @@ void pqHapticPanel::Internals::addStability(QVBoxLayout* column)
   form->addRow(tr("Dela&y"), this->Delay);
   this->Velocity = Choice(parent, "velocity", tr("How the hand's velocity is made from its positions"));
   form->addRow(tr("Vel&ocity"), this->Velocity);
-  this->Stability = Value(parent, "stability", tr("How stiff this device can be, and why"));
+  this->Stability = pqHapticLabel(parent, "stability", tr("How stiff this device can be, and why"));
   form->addRow(this->Stability);
 }
 
@@ -253,19 +245,19 @@ void pqHapticPanel::Internals::addState(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "stateGroup", tr("State"));
   QWidget* parent = form->parentWidget();
-  this->State =
-    Value(parent, "state", tr("safe: no force. armed: waits for a free start. engaged: force flows. fault: no force"));
-  this->Reason = Value(parent, "reason", tr("Why there is no force, and what to do"));
-  this->Force = Value(parent, "force", tr("Force on the hand now, and the largest so far [N]"));
-  this->Used = Value(parent, "used", tr("Stiffness of the spring now, after every limit [N/m]"));
-  this->Energy = Value(parent, "energy",
+  this->State = pqHapticLabel(
+    parent, "state", tr("safe: no force. armed: waits for a free start. engaged: force flows. fault: no force"));
+  this->Reason = pqHapticLabel(parent, "reason", tr("Why there is no force, and what to do"));
+  this->Force = pqHapticLabel(parent, "force", tr("Force on the hand now, and the largest so far [N]"));
+  this->Used = pqHapticLabel(parent, "used", tr("Stiffness of the spring now, after every limit [N/m]"));
+  this->Energy = pqHapticLabel(parent, "energy",
     tr("Work of the force on the hand [mJ], negative: taken from it; what the contact gave more than its spring "
        "holds, now and at most [mJ]"));
-  this->Stabiliser = Value(parent, "stabiliser", tr("Part of the force that passivity control added [N]"));
-  this->Friction = Value(parent, "friction", tr("sticks or slips; none without contact or friction"));
-  this->Contact = Value(parent, "contact", tr("Time in contact [s] and planes touched now"));
-  this->MotionLag =
-    Value(parent, "motionLag", tr("How late moving surfaces are felt [ms]; 0 when all are where they were shown last"));
+  this->Stabiliser = pqHapticLabel(parent, "stabiliser", tr("Part of the force that passivity control added [N]"));
+  this->Friction = pqHapticLabel(parent, "friction", tr("sticks or slips; none without contact or friction"));
+  this->Contact = pqHapticLabel(parent, "contact", tr("Time in contact [s] and planes touched now"));
+  this->MotionLag = pqHapticLabel(
+    parent, "motionLag", tr("How late moving surfaces are felt [ms]; 0 when all are where they were shown last"));
   form->addRow(tr("State"), this->State);
   form->addRow(this->Reason);
   form->addRow(tr("Force"), this->Force);
@@ -281,11 +273,12 @@ void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "servoGroup", tr("Servo"));
   QWidget* parent = form->parentWidget();
-  this->Rate = Value(parent, "rate", tr("Ticks per second [Hz]"));
-  this->Lateness = Value(parent, "lateness", tr("How late ticks start: median and 99th percentile [us]"));
-  this->Cost = Value(parent, "cost", tr("How long a tick takes: median and 99th percentile [us]"));
-  this->Ticks = Value(parent, "ticks", tr("Ticks computed and periods missed; missed periods are never caught up"));
-  this->Scheduling = Value(parent, "scheduling", tr("What the operating system granted the servo thread"));
+  this->Rate = pqHapticLabel(parent, "rate", tr("Ticks per second [Hz]"));
+  this->Lateness = pqHapticLabel(parent, "lateness", tr("How late ticks start: median and 99th percentile [us]"));
+  this->Cost = pqHapticLabel(parent, "cost", tr("How long a tick takes: median and 99th percentile [us]"));
+  this->Ticks =
+    pqHapticLabel(parent, "ticks", tr("Ticks computed and periods missed; missed periods are never caught up"));
+  this->Scheduling = pqHapticLabel(parent, "scheduling", tr("What the operating system granted the servo thread"));
   form->addRow(tr("Rate"), this->Rate);
   form->addRow(tr("Late p50/p99"), this->Lateness);
   form->addRow(tr("Cost p50/p99"), this->Cost);
@@ -307,7 +300,7 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
     tr("A device that can holds the walls of a plane world by itself, in its own loop"));
   this->PlaneGuide =
     Switch(form, "planeGuide", tr("Led to the plane"), tr("The hand is led to the plane of a plane world"));
-  this->Plan = Value(form->parentWidget(), "plan", tr("What is felt of the scene, by what, and why"));
+  this->Plan = pqHapticLabel(form->parentWidget(), "plan", tr("What is felt of the scene, by what, and why"));
   form->addRow(this->Plan);
   this->Scene = new QPlainTextEdit(form->parentWidget());
   this->Scene->setObjectName("scene");

@@ -12,23 +12,6 @@ constexpr int readTimeout_ms = 100;
 constexpr int writerPriority = 19; // just below the servo
 constexpr int writerIdle_ms = 1, noDevice_ms = 20;
 
-/// What a detached thread still needs when the device object is gone.
-std::shared_ptr<const Clock> clockOf(const PidDeviceOptions& options)
-{
-  if (options.clock != nullptr)
-  {
-    return { options.clock, [](const Clock*) {} };
-  }
-  return std::make_shared<MonotonicClock>();
-}
-
-/// A link and the clock it asks.
-struct Kept
-{
-  std::shared_ptr<PidLink> link;
-  std::shared_ptr<const Clock> clock;
-};
-
 } // namespace
 
 DeviceInfo pidInfo(
@@ -48,54 +31,24 @@ DeviceInfo pidInfo(
 }
 
 PidDevice::PidDevice(
-  const std::string& name, std::shared_ptr<HidBus> bus, HidEntry entry, const PidDeviceOptions& options)
-  : bus_(std::move(bus)), entry_(std::move(entry)), options_(options), clock_(clockOf(options)), link_(this->newLink())
+  const std::string& name, const std::shared_ptr<HidBus>& bus, HidEntry entry, const PidDeviceOptions& options)
+  : entry_(std::move(entry)), options_(options),
+    link_(options.clock, [bus, at = this->entry_, output = options.output](const Clock& clock)
+      { return std::make_shared<PidLink>(bus, at, output, clock); })
 {
-  const ReportDescriptor descriptor = parseReportDescriptor(this->bus_->descriptor(this->entry_).bytes);
+  const ReportDescriptor descriptor = parseReportDescriptor(bus->descriptor(this->entry_).bytes);
   this->info_ = pidInfo(name, this->entry_, descriptor, options.output.scale);
-}
-
-std::shared_ptr<PidLink> PidDevice::newLink() const
-{
-  return std::make_shared<PidLink>(this->bus_, this->entry_, this->options_.output, *this->clock_);
-}
-
-PidDevice::~PidDevice()
-{
-  this->close();
 }
 
 std::string PidDevice::open()
 {
-  if (this->threads_ != nullptr)
+  const auto work = [](PidLink& link)
   {
-    return {};
-  }
-  std::string problem = this->link_->attach();
-  if (!problem.empty() || !this->options_.threads)
-  {
-    return problem;
-  }
-  const auto kept = std::make_shared<Kept>(Kept{ this->link_, this->clock_ });
-  PidLink* const link = kept->link.get();
-  this->threads_ = std::make_unique<DeviceThreads>();
-  this->threads_->run(
-    { [link] { return link->writePass(); }, writerIdle_ms, writerPriority, [link] { link->detach(); }, kept });
-  this->threads_->run({ [link] { return link->readPass(readTimeout_ms); }, noDevice_ms, 0, {}, kept });
-  return {};
-}
-
-void PidDevice::close() noexcept
-{
-  if (this->threads_ == nullptr)
-  {
-    this->link_->detach();
-    return;
-  }
-  if (!std::exchange(this->threads_, nullptr)->end())
-  {
-    this->link_ = this->newLink(); // the old one is theirs, whenever they come back
-  }
+    return ServedLink<PidLink>::Work{ { [&link] { return link.writePass(); }, writerIdle_ms, writerPriority,
+                                        [&link] { link.detach(); }, {} },
+      { [&link] { return link.readPass(readTimeout_ms); }, noDevice_ms, 0, {}, {} } };
+  };
+  return this->options_.threads ? this->link_.open(work) : this->link_.open({});
 }
 
 DeviceStatus PidDevice::read(double tickTime_s, DeviceSample& sample) noexcept

@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "devices/io/DeviceThreads.h"
 #include "devices/io/LinkedDevice.h"
 #include "devices/io/PidLink.h"
+#include "devices/io/ServedLink.h"
 #include "haptics/core/HapticDevice.h"
 
 namespace palpate
@@ -27,14 +27,12 @@ class PidDevice final
   , public LinkedDevice
 {
 public:
-  PidDevice(const std::string& name, std::shared_ptr<HidBus> bus, HidEntry entry, const PidDeviceOptions& options = {});
-  ~PidDevice() override;
-  PidDevice(const PidDevice&) = delete;
-  PidDevice& operator=(const PidDevice&) = delete;
+  PidDevice(
+    const std::string& name, const std::shared_ptr<HidBus>& bus, HidEntry entry, const PidDeviceOptions& options = {});
 
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
   [[nodiscard]] std::string open() override;
-  void close() noexcept override;
+  void close() noexcept override { this->link_.close(); }
   [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
   void write(const DeviceCommand& command) noexcept override { this->link_->command(command); }
 
@@ -44,15 +42,10 @@ public:
   [[nodiscard]] PidLink& link() noexcept { return *this->link_; }
 
 private:
-  [[nodiscard]] std::shared_ptr<PidLink> newLink() const;
-
   DeviceInfo info_;
-  std::shared_ptr<HidBus> bus_;
   HidEntry entry_;
   PidDeviceOptions options_;
-  std::shared_ptr<const Clock> clock_; ///< our own, where none was given
-  std::shared_ptr<PidLink> link_;
-  std::unique_ptr<DeviceThreads> threads_;
+  ServedLink<PidLink> link_;
 };
 
 /// What a device of that entry is, from its descriptor alone.

@@ -14,26 +14,12 @@ constexpr int noDevice_ms = 20;
 constexpr double forgetAfter_s = 0.1; ///< a pressed cap is told about every 8 or 16 ms
 constexpr double longestTick_s = 0.02;
 
-std::shared_ptr<const Clock> clockOf(const SpaceMouseOptions& options)
-{
-  if (options.clock != nullptr)
-  {
-    return { options.clock, [](const Clock*) {} };
-  }
-  return std::make_shared<MonotonicClock>();
-}
-
-struct Kept
-{
-  std::shared_ptr<SpaceMouseLink> link;
-  std::shared_ptr<const Clock> clock;
-};
-
 } // namespace
 
 SpaceMouseDevice::SpaceMouseDevice(
-  const std::string& name, std::shared_ptr<HidBus> bus, HidEntry entry, const SpaceMouseOptions& options)
-  : bus_(std::move(bus)), entry_(std::move(entry)), options_(options), clock_(clockOf(options)), link_(this->newLink()),
+  const std::string& name, const std::shared_ptr<HidBus>& bus, HidEntry entry, const SpaceMouseOptions& options)
+  : entry_(std::move(entry)), options_(options), link_(options.clock, [bus, at = this->entry_](const Clock& clock)
+                                                   { return std::make_shared<SpaceMouseLink>(bus, at, clock); }),
     motion_(options.motion)
 {
   this->info_.name = name;
@@ -44,45 +30,14 @@ SpaceMouseDevice::SpaceMouseDevice(
   this->info_.workspaceRadius_m = { options.motion.radius_m, true }; // ours to choose
 }
 
-std::shared_ptr<SpaceMouseLink> SpaceMouseDevice::newLink() const
-{
-  return std::make_shared<SpaceMouseLink>(this->bus_, this->entry_, *this->clock_);
-}
-
-SpaceMouseDevice::~SpaceMouseDevice()
-{
-  this->close();
-}
-
 std::string SpaceMouseDevice::open()
 {
-  if (this->threads_ != nullptr)
+  const auto work = [](SpaceMouseLink& link)
   {
-    return {};
-  }
-  std::string problem = this->link_->attach();
-  if (!problem.empty() || !this->options_.threads)
-  {
-    return problem;
-  }
-  const auto kept = std::make_shared<Kept>(Kept{ this->link_, this->clock_ });
-  SpaceMouseLink* const link = kept->link.get();
-  this->threads_ = std::make_unique<DeviceThreads>();
-  this->threads_->run(
-    { [link] { return link->readPass(readTimeout_ms); }, noDevice_ms, 0, [link] { link->detach(); }, kept });
-  return {};
-}
-
-void SpaceMouseDevice::close() noexcept
-{
-  if (this->threads_ == nullptr)
-  {
-    this->link_->detach();
-  }
-  else if (!std::exchange(this->threads_, nullptr)->end())
-  {
-    this->link_ = this->newLink(); // the old one is its reader's, whenever that comes back
-  }
+    return ServedLink<SpaceMouseLink>::Work{ { [&link] { return link.readPass(readTimeout_ms); }, noDevice_ms, 0,
+      [&link] { link.detach(); }, {} } };
+  };
+  return this->options_.threads ? this->link_.open(work) : this->link_.open({});
 }
 
 /// A cap of which nothing more comes is not one that is held: a radio link that breaks off must not run on.

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "devices/io/CapMotion.h"
-#include "devices/io/DeviceThreads.h"
 #include "devices/io/LinkedDevice.h"
+#include "devices/io/ServedLink.h"
 #include "devices/io/SpaceMouseLink.h"
 #include "haptics/core/HapticDevice.h"
 
@@ -30,14 +30,11 @@ class SpaceMouseDevice final
 {
 public:
   SpaceMouseDevice(
-    const std::string& name, std::shared_ptr<HidBus> bus, HidEntry entry, const SpaceMouseOptions& options = {});
-  ~SpaceMouseDevice() override;
-  SpaceMouseDevice(const SpaceMouseDevice&) = delete;
-  SpaceMouseDevice& operator=(const SpaceMouseDevice&) = delete;
+    const std::string& name, const std::shared_ptr<HidBus>& bus, HidEntry entry, const SpaceMouseOptions& options = {});
 
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
   [[nodiscard]] std::string open() override;
-  void close() noexcept override;
+  void close() noexcept override { this->link_.close(); }
   [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
   void write(const DeviceCommand&) noexcept override {}
 
@@ -47,16 +44,12 @@ public:
   [[nodiscard]] SpaceMouseLink& link() noexcept { return *this->link_; }
 
 private:
-  [[nodiscard]] std::shared_ptr<SpaceMouseLink> newLink() const;
   [[nodiscard]] Cap heard(double tickTime_s, const SpaceMouseLink::News& news) noexcept;
 
   DeviceInfo info_;
-  std::shared_ptr<HidBus> bus_;
   HidEntry entry_;
   SpaceMouseOptions options_;
-  std::shared_ptr<const Clock> clock_; ///< our own, where none was given
-  std::shared_ptr<SpaceMouseLink> link_;
-  std::unique_ptr<DeviceThreads> threads_;
+  ServedLink<SpaceMouseLink> link_;
 
   CapMotion motion_;          ///< servo's
   double lastTick_s_ = never; ///< servo's

@@ -3,8 +3,11 @@
 
 namespace palpate::lab
 {
+namespace
+{
 
-std::vector<Experiment> experiments()
+/// Walls, dampers and estimators in front of a hand.
+std::vector<Experiment> forceExperiments()
 {
   return {
     { "wall-stability",
@@ -22,6 +25,13 @@ std::vector<Experiment> experiments()
       { 7 }, runVelocityEstimators },
     { "transparency", "what each stabiliser costs a hand in drag and impedance, and the stiffness it brings", { 58 },
       runTransparency },
+  };
+}
+
+/// Contact against truths of geometry.
+std::vector<Experiment> contactExperiments()
+{
+  return {
     { "speed-accuracy", "every contact method on every scene: what a tick costs, and whether a hand feels its error",
       { 8, 9, 10, 11, 13, 14, 15, 16, 17, 19 }, runSpeedAccuracy },
     { "thin-plate", "a push far beyond a thin plate is held by the side it came from", { 8 }, runThinPlate },
@@ -37,6 +47,13 @@ std::vector<Experiment> experiments()
     { "force-shading", "smooth forces over facets: no jumps from face to face, and how little work a closed way does",
       { 18 }, runForceShading },
     { "groove", "a ball hangs in a groove at its radius and rolls over an edge on an arc", { 19, 20 }, runGroove },
+  };
+}
+
+/// Whole scenes, sessions and materials.
+std::vector<Experiment> sceneExperiments()
+{
+  return {
     { "queries", "which libraries answer a collision query rightly, and what an answer costs", { 54 }, runQueries },
     { "solver", "the nearest point in front of many planes: enumeration is exact, two textbook methods are not",
       { 11, 12, 13 }, runSolver },
@@ -60,6 +77,13 @@ std::vector<Experiment> experiments()
       { 27 }, runMaterials },
     { "deforming", "a surface whose vertices move stays felt, at a fraction of what building it anew costs", { 51 },
       runDeforming },
+  };
+}
+
+/// Plane worlds, curves and plans.
+std::vector<Experiment> planeExperiments()
+{
+  return {
     { "plane-cost",
       "a tick among up to a million lines by a tree and by asking every line, and what coarser lines save", { 44, 45 },
       runPlaneCost },
@@ -85,6 +109,18 @@ std::vector<Experiment> experiments()
     { "scene-swap", "surfaces replaced ten times a second under a pressed hand: it stays, and its force never jumps",
       { 51 }, runSceneSwap },
   };
+}
+
+} // namespace
+
+std::vector<Experiment> experiments()
+{
+  std::vector<Experiment> all;
+  for (const auto& group : { forceExperiments(), contactExperiments(), sceneExperiments(), planeExperiments() })
+  {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  return all;
 }
 
 } // namespace palpate::lab

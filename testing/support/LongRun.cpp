@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "testing/support/Meshes.h"
 #include "testing/support/QpOracle.h"
 
 namespace palpate::test
@@ -70,6 +71,17 @@ std::string RunFigures::text() const
       << "; nodes " << mean << " a tick, at most " << this->mostNodes << "; energy created " << this->created << " of "
       << this->spent;
   return out.str();
+}
+
+RunTask taskOn(const BadMesh& made, const JudgedMesh& touched, const JudgedMesh& shape)
+{
+  RunTask task;
+  task.scene = sceneOf(made.bad);
+  task.touched = &touched;
+  task.shape = &shape;
+  task.gap_u = made.gap_u;
+  task.size_u = made.size_u;
+  return task;
 }
 
 LongRun::LongRun(const RunTask& task)

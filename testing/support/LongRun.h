@@ -11,6 +11,7 @@
 #include "testing/support/NearestPoints.h"
 #include "testing/support/PathChecker.h"
 #include "testing/support/RandomHand.h"
+#include "testing/support/SoupMaker.h"
 
 namespace palpate::test
 {
@@ -64,6 +65,9 @@ struct RunTask
   bool inside = false; ///< which side the ball begins on: that the normals point away from
   std::uint64_t seed = 0;
 };
+
+/// A bad mesh to be touched, judged against itself and its clean shape; the meshes must outlive the task.
+[[nodiscard]] RunTask taskOn(const BadMesh& made, const JudgedMesh& touched, const JudgedMesh& shape);
 
 /// A random hand leads a ball over a surface; every tick's path is judged in exact arithmetic, now and then the hand
 /// keeps still or pulls freely away and an oracle says where the ball had to be.

@@ -38,12 +38,7 @@ RunFigures runRound(std::uint64_t round, std::uint64_t seed, std::uint64_t ticks
   Random random(seed + 1000003 * round);
   const BadMesh made = surfaceOf(round, random);
   const JudgedMesh touched(cleanMesh(made.bad).mesh), shape(cleanMesh(made.clean).mesh);
-  RunTask task;
-  task.scene = sceneOf(made.bad);
-  task.touched = &touched;
-  task.shape = &shape;
-  task.gap_u = made.gap_u;
-  task.size_u = made.size_u;
+  RunTask task = taskOn(made, touched, shape);
   const bool point = made.watertight && round % 5 == 0;
   task.plan.radius_u = point ? 0.0 : std::max(0.55 * made.gap_u, made.edge_u * random.uniform(0.01, 1.0));
   if (round % 2 == 1)

@@ -30,12 +30,7 @@ RunFigures runOn(const BadMesh& made, std::uint64_t seed, std::uint64_t ticks)
 {
   Random random(seed);
   const JudgedMesh touched(cleanMesh(made.bad).mesh), shape(made.clean);
-  RunTask task;
-  task.scene = sceneOf(made.bad);
-  task.touched = &touched;
-  task.shape = &shape;
-  task.gap_u = made.gap_u;
-  task.size_u = made.size_u;
+  RunTask task = taskOn(made, touched, shape);
   RunFigures figures;
   const std::vector<double> radii = radiiFor(made, random);
   for (const double r : radii)

@@ -17,6 +17,7 @@
 #include "haptics/session/Recording.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Meshes.h"
+#include "testing/support/PlainJoystick.h"
 
 namespace palpate
 {
@@ -231,17 +232,6 @@ TEST(HeldWallsInTick, LookingForWallsAllocatesNothing)
   EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0U);
 }
 
-/// A joystick as the plane worlds of the nineties had it, with little damping of its own.
-DeviceModel joystick(double damping_Ns_per_m)
-{
-  DeviceModel model = *deviceModel("simulated-joystick");
-  model.damping_Ns_per_m = damping_Ns_per_m;
-  model.friction_N = 0.0;
-  model.encoderStep_m = 0.0;
-  model.maxStiffness_N_per_m = DeviceModel::unlimited;
-  return model;
-}
-
 struct Played
 {
   HapticSession session;
@@ -278,7 +268,7 @@ TEST(HeldWallsInTick, AtTwentyToAThousandHertzAPushedHandleRestsAtForceOverStiff
     parameters.limitStiffness = false;
     Played played;
     const CurveSet corner{ { { -0.04, -0.002 }, { 0.01, -0.002 }, { 0.01, 0.04 } }, { { 0, 1 }, { 1, 2 } } };
-    DeviceModel heavy = joystick(2 * std::sqrt(K));
+    DeviceModel heavy = test::plainJoystick(2 * std::sqrt(K));
     heavy.mass_kg = 1.0;
     play(played, heavy, simulation, corner, parameters);
     static_cast<void>(played.session.step(static_cast<int>(4 * rate_Hz)));
@@ -299,7 +289,7 @@ TEST(HeldWallsInTick, TheViscosityFoundForADeviceStopsACorridorThatShakesWithout
   parameters.stiffness_N_per_m = 2000.0;
   parameters.limitStiffness = false;
   Played played;
-  play(played, joystick(0.05), simulation, corridor(0.002), parameters);
+  play(played, test::plainJoystick(0.05), simulation, corridor(0.002), parameters);
   static_cast<void>(played.session.step(250));
   double fastest_m_per_s = 0.0;
   for (int i = 0; i < 125; ++i)
@@ -321,7 +311,7 @@ TEST(HeldWallsInTick, ARecordingHoldsTheWallsAndReplaysBitForBit)
   simulation.velocity_D = { 0.05, 0.1, 0 };
   HapticParameters parameters = holding();
   Played played;
-  play(played, joystick(0.5), simulation, slant(0.6), parameters, file);
+  play(played, test::plainJoystick(0.5), simulation, slant(0.6), parameters, file);
   static_cast<void>(played.session.step(500));
   ASSERT_EQ(played.session.stop(), "");
   auto read = readRecording(file);

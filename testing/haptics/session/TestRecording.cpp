@@ -126,6 +126,39 @@ TEST(Recording, WithSceneSwapsReplaysBitForBitWithOneTwoAndFourBuilders)
   }
 }
 
+/// A fed hand under friction, recorded in virtual time.
+class RecordedHand
+{
+public:
+  HapticSession session;
+
+  void start(const std::string& path, double radius_u)
+  {
+    HapticParameters parameters;
+    parameters.contact.radius_u = radius_u;
+    parameters.contact.friction = { 0.4, 0.3 };
+    ASSERT_EQ(this->session.setParameters(parameters), "");
+    SessionOptions options;
+    options.virtualTime = true;
+    options.recordFile = path;
+    ASSERT_EQ(this->session.start(std::make_unique<FedDevice>(), options), "");
+  }
+
+  void tickAt(const Vec3& p_D)
+  {
+    DeviceSample sample;
+    sample.pose_D.p = p_D;
+    static_cast<FedDevice*>(this->session.device())->feed(sample);
+    ASSERT_EQ(this->session.step(1), 1);
+  }
+
+  void stopAfter(int ticks)
+  {
+    EXPECT_GT(this->session.report().contactTicks, static_cast<std::uint64_t>(ticks) / 2);
+    EXPECT_EQ(this->session.stop(), "");
+  }
+};
+
 /// The same hand over a surface, the second, that swings and turns under it: a new snapshot of its pose every 16 ticks.
 void recordMoving(const std::string& path, int ticks, double radius_u, const std::vector<SurfaceInput>& surfaces)
 {
@@ -134,15 +167,8 @@ void recordMoving(const std::string& path, int ticks, double radius_u, const std
   const auto poseAt = [](double t) {
     return Pose{ { 0.01 * std::sin(9 * t), 0, 0.004 * std::sin(21 * t) }, Quat(Eigen::AngleAxisd(t, Vec3::UnitX())) };
   };
-  HapticSession session;
-  HapticParameters parameters;
-  parameters.contact.radius_u = radius_u;
-  parameters.contact.friction = { 0.4, 0.3 };
-  ASSERT_EQ(session.setParameters(parameters), "");
-  SessionOptions options;
-  options.virtualTime = true;
-  options.recordFile = path;
-  ASSERT_EQ(session.start(std::make_unique<FedDevice>(), options), "");
+  RecordedHand hand;
+  hand.start(path, radius_u);
   for (int tick = 0; tick < ticks; ++tick)
   {
     const double s = 1e-3 * tick;
@@ -151,15 +177,11 @@ void recordMoving(const std::string& path, int ticks, double radius_u, const std
       std::vector<Surface> surfaces = still->surfaces();
       const double period_s = 1e-3 * ticksPerSnapshot;
       surfaces[1].motion = { poseAt(s), poseAt(s + period_s) };
-      session.setScene(std::make_shared<const Scene>(1 + tick, std::move(surfaces), period_s));
+      hand.session.setScene(std::make_shared<const Scene>(1 + tick, std::move(surfaces), period_s));
     }
-    DeviceSample sample;
-    sample.pose_D.p = tick == 0 ? Vec3(0.08, 0, 0.09) : Vec3(0.08 + 0.01 * std::sin(3 * s), 0, 0.046);
-    static_cast<FedDevice*>(session.device())->feed(sample);
-    ASSERT_EQ(session.step(1), 1);
+    hand.tickAt(tick == 0 ? Vec3(0.08, 0, 0.09) : Vec3(0.08 + 0.01 * std::sin(3 * s), 0, 0.046));
   }
-  EXPECT_GT(session.report().contactTicks, static_cast<std::uint64_t>(ticks) / 2);
-  EXPECT_EQ(session.stop(), "");
+  hand.stopAfter(ticks);
 }
 
 TEST(Recording, OfSurfacesThatMoveStoresTheirMeshesOnceAndReplaysBitForBit)
@@ -217,34 +239,23 @@ void recordBending(const std::string& path, int ticks, double radius_u)
   };
   auto felt = builder.build({ sphereAt(-0.1) }).scene;
   felt = builder.build({ sphereAt(0) }).scene;
-  HapticSession session;
-  HapticParameters parameters;
-  parameters.contact.radius_u = radius_u;
-  parameters.contact.friction = { 0.4, 0.3 };
-  ASSERT_EQ(session.setParameters(parameters), "");
-  session.setScene(felt);
-  SessionOptions options;
-  options.virtualTime = true;
-  options.recordFile = path;
-  ASSERT_EQ(session.start(std::make_unique<FedDevice>(), options), "");
+  RecordedHand hand;
+  hand.session.setScene(felt);
+  hand.start(path, radius_u);
   for (int tick = 0; tick < ticks; ++tick)
   {
     const double s = 1e-3 * tick;
     if (tick % ticksPerSnapshot == 0 && tick % 112 != 0) // one in seven comes late
     {
       const double share =
-        session.state().sceneRevision == felt->revision() ? felt->shareAt(session.state().sceneAge_s) : 0.0;
+        hand.session.state().sceneRevision == felt->revision() ? felt->shareAt(hand.session.state().sceneAge_s) : 0.0;
       felt = movingFrom(*felt, share, builder.build({ sphereAt(s) }, felt.get()).scene, 0.021);
       ASSERT_TRUE(felt->bends());
-      session.setScene(felt);
+      hand.session.setScene(felt);
     }
-    DeviceSample sample;
-    sample.pose_D.p = tick < 2 ? Vec3(0, 0, 0.09) : Vec3(0.01 * std::sin(3 * s), 0, 0.042);
-    static_cast<FedDevice*>(session.device())->feed(sample);
-    ASSERT_EQ(session.step(1), 1);
+    hand.tickAt(tick < 2 ? Vec3(0, 0, 0.09) : Vec3(0.01 * std::sin(3 * s), 0, 0.042));
   }
-  EXPECT_GT(session.report().contactTicks, static_cast<std::uint64_t>(ticks) / 2);
-  EXPECT_EQ(session.stop(), "");
+  hand.stopAfter(ticks);
 }
 
 TEST(Recording, OfVerticesOnTheirWayReplaysBitForBit)

@@ -14,22 +14,12 @@
 #include "haptics/session/HapticSession.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/Meshes.h"
+#include "testing/support/PlainJoystick.h"
 
 namespace palpate::lab
 {
 namespace
 {
-
-/// With little damping of its own and exact positions, so that truths are formulas.
-DeviceModel joystick(double damping_Ns_per_m)
-{
-  DeviceModel model = *deviceModel("simulated-joystick");
-  model.damping_Ns_per_m = damping_Ns_per_m;
-  model.friction_N = 0.0;
-  model.encoderStep_m = 0.0;
-  model.maxStiffness_N_per_m = DeviceModel::unlimited;
-  return model;
-}
 
 /// Who closes the walls.
 enum class Closed
@@ -93,7 +83,7 @@ void judgeRest(double rate_Hz, Table& table)
   Game game;
   constexpr double push_N = 0.5;
   const double half = std::sqrt(0.5);
-  game.model = joystick(2 * std::sqrt(game.stiffness_N_per_m));
+  game.model = test::plainJoystick(2 * std::sqrt(game.stiffness_N_per_m));
   game.model.mass_kg = 1.0;
   game.curves = { { { -0.04, 0.038 }, { 0.04, -0.042 } }, { { 0, 1 } } }; // x + y = -2 mm
   game.rate_Hz = rate_Hz;
@@ -120,7 +110,7 @@ struct Ending
 Ending thrown(double speed_m_per_s, double rate_Hz, Closed closed)
 {
   Game game;
-  game.model = joystick(0.05);
+  game.model = test::plainJoystick(0.05);
   const double w = halfWidth_m;
   game.curves = { { { -0.04, w }, { 0.04, w }, { -0.04, -w }, { 0.04, -w } }, { { 0, 1 }, { 2, 3 } } };
   game.stiffness_N_per_m = 2000.0;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticLabel_h
+#define pqHapticLabel_h
+
+#include <QLabel>
+#include <QString>
+
+/// A text of the panel that can be selected, wraps and says in its tip what it is.
+inline QLabel* pqHapticLabel(QWidget* parent, const char* name, const QString& tip)
+{
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setToolTip(tip);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+#endif
