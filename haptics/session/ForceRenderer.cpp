@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/contact/CarryBall.h"
-#include "haptics/contact/Deformation.h"
 #include "haptics/contact/PlanFor.h"
 #include "haptics/force/VirtualCoupling.h"
 #include "haptics/safety/ForceLimits.h"
+#include "haptics/session/ProxyStep.h"
 
 namespace palpate
 {
@@ -35,18 +34,13 @@ namespace
 constexpr double deviceLoop_s = 1e-3;     // of a device that closes walls itself
 constexpr double badSampleWindow_s = 1.0; // the third bad sample within it latches
 
-bool sameMap(const WorkspaceMap& a, const WorkspaceMap& b) noexcept
-{
-  return a.scale_u_per_m == b.scale_u_per_m && a.q_WD.coeffs() == b.q_WD.coeffs() && a.offset_W == b.offset_W;
-}
-
 class Render
 {
 public:
   Render(const TickInput& input, const HapticParameters& parameters, RendererState& state, PathSink* sink) noexcept
     : in_(input), p_(parameters),
       plan_(input.scene != nullptr ? planFor(*input.scene, parameters.contact) : parameters.contact), s_(state),
-      sink_(sink)
+      step_(sceneStep(input, state)), sink_(sink)
   {
     this->out_.state.tick = input.tick;
     this->out_.state.time_s = input.sample.time_s;
@@ -179,12 +173,16 @@ private:
     state.velocity_D =
       estimateVelocity(this->p_.velocity, this->in_.sample.pose_D.p, this->in_.dt_s, this->s_.velocity);
     this->lead();
-    const ContactResult result = this->moveProxy();
+    const ProxyStep moved = moveProxy(
+      { this->in_, this->step_, this->plan_, this->p_.map, this->touchable() && this->game_.contact, this->sink_ },
+      this->target_W(), this->s_);
+    const ContactResult& result = moved.contact;
+    state.pinned = moved.pinned;
     state.proxy_W = { result.proxy_W, state.device_W.q };
     state.contacts = result.contacts;
     state.passes = result.passes;
     state.sweeps = result.sweeps;
-    state.nodes += result.nodes;
+    state.nodes = moved.carryNodes + result.nodes;
     state.friction = result.friction;
     state.capped = result.capped;
     state.overBudget = result.overBudget;
@@ -295,117 +293,18 @@ private:
     const Vec3 contact_D = this->s_.ownForce ? Vec3(this->s_.lastForce_D - this->s_.lastGuide_D) : this->s_.lastForce_D;
     spring.work_J = this->s_.tracked ? contact_D.dot(p_D - this->s_.lastP_D) : 0.0;
     spring.dt_s = this->in_.dt_s;
-    spring.restart = !this->s_.ownForce || this->replaced();
+    spring.restart = !this->s_.ownForce || this->step_.replaced;
     this->s_.lastP_D = p_D;
     this->s_.tracked = true;
     return spring;
   }
 
-  ContactResult moveProxy() noexcept
-  {
-    GodObjectState& contact = this->s_.contact;
-    const Vec3 p_W = this->target_W();
-    const bool otherMap = !sameMap(this->s_.map, this->p_.map);
-    const bool otherBall = this->s_.radius_u != this->plan_.radius_u;
-    this->s_.map = this->p_.map;
-    this->s_.radius_u = this->plan_.radius_u;
-    if (!this->touchable() || !this->game_.contact)
-    {
-      contact = GodObjectState{};
-      ContactResult free;
-      free.proxy_W = p_W;
-      return free;
-    }
-    if (otherMap)
-    {
-      contact.placed = false; // the hand is elsewhere: what lies between was not passed
-    }
-    else if (otherBall && contact.placed)
-    {
-      contact.placed = false; // where the old ball was, not at the device: a pressed one stays on its side
-      static_cast<void>(this->moveIn(Vec3(contact.x_W)));
-    }
-    else
-    {
-      this->comeAlong(p_W);
-    }
-    return this->moveIn(p_W);
-  }
-
-  /// With the scene from the last tick to this one: another scene, or the way its surfaces made.
-  void comeAlong(const Vec3& p_W) noexcept
-  {
-    GodObjectState& contact = this->s_.contact;
-    const Scene& scene = *this->in_.scene;
-    const Scene* const before = this->in_.previousScene != nullptr ? this->in_.previousScene : &scene;
-    if (this->in_.previousScene == nullptr && this->sceneChanged())
-    {
-      contact.count = 0; // features are numbered by their scene
-      return;
-    }
-    if (!scene.moves() && !before->moves())
-    {
-      if (this->otherGeometry())
-      {
-        handOver(*before, scene, this->plan_, p_W, contact);
-      }
-      return;
-    }
-    const MovingScene was(*before, before->shareAt(this->s_.sceneAge_s)), is(scene, scene.shareAt(this->age_s()));
-    if (this->otherGeometry())
-    {
-      handOver(was, is, this->plan_, p_W, contact);
-    }
-    else if (before->bends() || scene.bends())
-    {
-      carryWithVertices(was, is, this->plan_, contact);
-    }
-    const CarryResult carry = carryBall(was, is, this->plan_, contact);
-    this->out_.state.pinned = carry.pinned;
-    this->out_.state.nodes = carry.nodes;
-  }
-
-  ContactResult moveIn(const Vec3& p_W) noexcept
-  {
-    const Scene& scene = *this->in_.scene;
-    GodObjectState& contact = this->s_.contact;
-    return scene.moves()
-             ? moveGodObject(MovingScene(scene, scene.shareAt(this->age_s())), this->plan_, p_W, contact, this->sink_)
-             : moveGodObject(scene, this->plan_, p_W, contact, this->sink_);
-  }
-
-  /// Of the scene, at the end of this tick [s].
-  [[nodiscard]] double age_s() const noexcept
-  {
-    return (this->sceneChanged() ? 0.0 : this->s_.sceneAge_s) + this->in_.dt_s;
-  }
-
-  /// Other surfaces than before, not only the same in other places.
-  [[nodiscard]] bool otherGeometry() const noexcept
-  {
-    return this->sceneChanged() &&
-           (this->in_.scene == nullptr || this->in_.scene->geometryHash() != this->s_.sceneGeometry);
-  }
-
-  /// The same, and they do not come from where those before are felt either.
-  [[nodiscard]] bool replaced() const noexcept
-  {
-    return this->otherGeometry() &&
-           (this->in_.scene == nullptr || this->in_.scene->continuesGeometry() != this->s_.sceneGeometry);
-  }
-
-  [[nodiscard]] bool sceneChanged() const noexcept
-  {
-    return this->in_.previousScene != nullptr || this->out_.state.sceneRevision != this->s_.sceneRevision;
-  }
-
   /// F = F_new + (F_old - F_new) decaying: a replaced scene never steps (Mark et al. 1996). Not for the first scene,
-  /// not for surfaces that only move or bend,
-  /// and not a safety limit.
+  /// not for surfaces that only move or bend, and not a safety limit.
   void blendScenes() noexcept
   {
     HapticState& state = this->out_.state;
-    if (this->replaced() && this->s_.sceneRevision != 0 && this->p_.sceneBlend_s > 0.0)
+    if (this->step_.replaced && this->s_.sceneRevision != 0 && this->p_.sceneBlend_s > 0.0)
     {
       this->s_.blend_D += this->s_.lastRendered_D - state.rendered_D;
     }
@@ -413,7 +312,7 @@ private:
     {
       this->s_.blend_D *= this->p_.sceneBlend_s / (this->p_.sceneBlend_s + this->in_.dt_s);
     }
-    this->s_.sceneAge_s = this->age_s();
+    this->s_.sceneAge_s = this->step_.age_s;
     this->s_.sceneRevision = state.sceneRevision;
     this->s_.sceneGeometry = this->in_.scene != nullptr ? this->in_.scene->geometryHash() : 0;
     this->s_.lastRendered_D = state.rendered_D;
@@ -428,7 +327,6 @@ private:
         state.rendered_D.norm() <= limits.engageBelow_N)
     {
       this->s_.engage = EngageState::Engaged;
-      this->s_.engagedFor_s = 0.0;
     }
     this->updateGain();
     if (this->deviceHolds())
@@ -476,19 +374,14 @@ private:
     this->out_.command.viscosity_Ns_per_m = share * this->p_.walls.viscosity_Ns_per_m;
     const Vec3 braking_D = this->out_.command.viscosity_Ns_per_m * state.velocity_D;
     const Vec3 force_D = forceOfWalls(this->out_.command, this->in_.sample.pose_D.p) - braking_D;
-    state.force_D = clampMagnitude(force_D, limits.maxForce_N);
-    state.clamped = state.force_D != force_D;
-    state.force_W = this->p_.map.directionToScene(state.force_D);
-    state.deviceHolds = true;
-    state.walls = this->out_.command.wallCount;
-    this->s_.lastForce_D = state.force_D;
-    this->s_.ownForce = false;
+    const Vec3 clamped_D = clampMagnitude(force_D, limits.maxForce_N);
+    state.clamped = clamped_D != force_D;
+    this->tellHeld(clamped_D);
   }
 
   /// Opposite walls at one place are the spring of the lead.
   void giveLead() noexcept
   {
-    HapticState& state = this->out_.state;
     const double share = smoothstep(this->s_.gain);
     const Vec3& drawn_D = this->s_.game.drawn_D;
     this->s_.walls = {};
@@ -499,11 +392,18 @@ private:
     }
     command(walls, share * this->game_.spring_N_per_m, this->out_.command, share * this->game_.spring_N);
     this->out_.command.viscosity_Ns_per_m = share * this->game_.damping_Ns_per_m;
-    state.force_D = share * this->game_.lead_D;
-    state.force_W = this->p_.map.directionToScene(state.force_D);
+    this->tellHeld(share * this->game_.lead_D);
+  }
+
+  /// What the device gives by itself, as far as the host knows.
+  void tellHeld(const Vec3& force_D) noexcept
+  {
+    HapticState& state = this->out_.state;
+    state.force_D = force_D;
+    state.force_W = this->p_.map.directionToScene(force_D);
     state.deviceHolds = true;
     state.walls = this->out_.command.wallCount;
-    this->s_.lastForce_D = state.force_D;
+    this->s_.lastForce_D = force_D;
     this->s_.ownForce = false;
   }
 
@@ -546,6 +446,7 @@ private:
   const HapticParameters& p_;
   ContactPlan plan_; ///< with the stiffness of this tick
   RendererState& s_;
+  SceneStep step_;
   PathSink* sink_;
   TickOutput out_;
   GameForce game_;

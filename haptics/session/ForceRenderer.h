@@ -26,7 +26,6 @@ struct RendererState
   EngageState engage = EngageState::Safe;
   Fault fault = Fault::None;
   double gain = 0.0; ///< share of the force that is let through, 0..1
-  double engagedFor_s = 0.0;
   PositionWatch watch;
   Vec3 lastForce_D = Vec3::Zero();    ///< what the hand got last tick [N]
   Vec3 lastRendered_D = Vec3::Zero(); ///< what the scene asked for last tick [N]

@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace palpate
 {
 namespace
 {
+
+/// How far the length of what must be a unit may be off.
+constexpr double unitRounding = 1e-6;
 
 bool nonNegative(double value)
 {
@@ -42,8 +47,7 @@ bool usable(const HeldWallPlan& walls)
 
 bool usable(const GuidePlan& guide)
 {
-  constexpr double rounding = 1e-6;
-  return guide.point_W.allFinite() && std::fabs(guide.normal_W.norm() - 1.0) < rounding &&
+  return guide.point_W.allFinite() && std::fabs(guide.normal_W.norm() - 1.0) < unitRounding &&
          nonNegative(guide.stiffness_N_per_m) && nonNegative(guide.largest_N) && nonNegative(guide.ramp_s);
 }
 
@@ -57,65 +61,32 @@ bool usable(const VelocityFilter& filter)
 
 std::string HapticParameters::validate() const
 {
-  if (!nonNegative(this->stiffness_N_per_m))
-  {
-    return "stiffness [N/m] must be a number that is not negative";
-  }
-  if (!nonNegative(this->damping_Ns_per_m))
-  {
-    return "damping [N s/m] must be a number that is not negative";
-  }
-  if (!(this->stiffnessLimit_N_per_m >= 0.0))
-  {
-    return "largest stiffness [N/m] must be a number that is not negative";
-  }
-  if (!usable(this->passivity))
-  {
-    return "passivity: delay [ticks, at most 16], reserve and repay [K T] must be numbers that are not negative";
-  }
-  if (!usable(this->velocity))
-  {
-    return "velocity: resolution [m] and time constant [s] must not be negative, the window 1 to " +
-           std::to_string(VelocityHistory::capacity - 1) + " ticks";
-  }
-  if (!nonNegative(this->contact.radius_u))
-  {
-    return "radius [scene units] must be a number that is not negative";
-  }
-  if (!usable(this->contact.friction))
-  {
-    return "friction: the kinetic coefficient must be a number from 0 to the static one, which is at most 10";
-  }
-  if (!nonNegative(this->map.scale_u_per_m) || this->map.scale_u_per_m == 0.0)
-  {
-    return "scale [scene units per metre] must be a number above zero";
-  }
-  if (!this->map.offset_W.allFinite() || !(std::fabs(this->map.q_WD.norm() - 1.0) < 1e-6))
-  {
-    return "the device's place in the scene must be finite and its rotation a unit quaternion";
-  }
-  if (!nonNegative(this->sceneBlend_s))
-  {
-    return "scene blend time [s] must be a number that is not negative";
-  }
-  if (!usable(this->walls))
-  {
-    return "held walls: period [s], step [m] and viscosity [N s/m] must be numbers that are not negative";
-  }
-  if (!usable(this->guide))
-  {
-    return "guide: the point must be finite, the normal a unit vector, stiffness [N/m], limit [N] and ramp [s] not "
-           "negative";
-  }
-  if (this->game.on && !refuse(this->game).empty())
-  {
-    return refuse(this->game);
-  }
-  if (!usable(this->safety))
-  {
-    return "safety limits [N, N/s, s] must be numbers that are not negative";
-  }
-  return {};
+  const std::string gameRefusal = this->game.on ? refuse(this->game) : std::string();
+  const std::pair<bool, std::string> rules[] = {
+    { nonNegative(this->stiffness_N_per_m), "stiffness [N/m] must be a number that is not negative" },
+    { nonNegative(this->damping_Ns_per_m), "damping [N s/m] must be a number that is not negative" },
+    { this->stiffnessLimit_N_per_m >= 0.0, "largest stiffness [N/m] must be a number that is not negative" },
+    { usable(this->passivity),
+      "passivity: delay [ticks, at most 16], reserve and repay [K T] must be numbers that are not negative" },
+    { usable(this->velocity), "velocity: resolution [m] and time constant [s] must not be negative, the window 1 to " +
+                                std::to_string(VelocityHistory::capacity - 1) + " ticks" },
+    { nonNegative(this->contact.radius_u), "radius [scene units] must be a number that is not negative" },
+    { usable(this->contact.friction),
+      "friction: the kinetic coefficient must be a number from 0 to the static one, which is at most 10" },
+    { nonNegative(this->map.scale_u_per_m) && this->map.scale_u_per_m > 0.0,
+      "scale [scene units per metre] must be a number above zero" },
+    { this->map.offset_W.allFinite() && std::fabs(this->map.q_WD.norm() - 1.0) < unitRounding,
+      "the device's place in the scene must be finite and its rotation a unit quaternion" },
+    { nonNegative(this->sceneBlend_s), "scene blend time [s] must be a number that is not negative" },
+    { usable(this->walls),
+      "held walls: period [s], step [m] and viscosity [N s/m] must be numbers that are not negative" },
+    { usable(this->guide), "guide: the point must be finite, the normal a unit vector, stiffness [N/m], limit [N] and "
+                           "ramp [s] not negative" },
+    { gameRefusal.empty(), gameRefusal },
+    { usable(this->safety), "safety limits [N, N/s, s] must be numbers that are not negative" },
+  };
+  const auto broken = std::find_if(std::begin(rules), std::end(rules), [](const auto& rule) { return !rule.first; });
+  return broken == std::end(rules) ? std::string() : broken->second;
 }
 
 } // namespace palpate

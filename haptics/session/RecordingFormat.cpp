@@ -161,7 +161,6 @@ void layState(const Io& io, T& s)
   io(s.engage);
   io(s.fault);
   io(s.gain);
-  io(s.engagedFor_s);
   io(s.watch.same_s);
   io(s.lastForce_D);
   io(s.lastRendered_D);
