@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <memory>
-#include <stop_token>
 #include <string>
 
+#include "haptics/geometry/SimplifyLimits.h"
 #include "haptics/geometry/SurfaceTree.h"
 
 namespace palpate
 {
-
-/// What a simplified surface must keep.
-struct SimplifyLimits
-{
-  double limit_u = 0.0; ///< no point of either surface may be further from the other, > 0 [u]
-  std::stop_token stop = {};
-  std::function<void(double share)> progress = {}; ///< 0..1 of the collapses of one attempt
-};
 
 /// A surface with fewer triangles that nobody can tell from the first, or one sentence why there is none.
 struct Simplification
