@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mazes of square cells: a spanning tree of the cells is the ways, all other sides are walls.
+"""Mazes of square cells: one from its published plan, one grown as a spanning tree of its cells.
 
 Everything random comes from splitmix64 (Steele, Lea & Flood 2014), so that the files are the same everywhere.
 """
@@ -26,7 +26,7 @@ class Random:
 
 
 class Maze:
-    """Cells (x, y), which of their sides are open, and rooms: cells that are one place."""
+    """Cells (x, y) and which of their sides are open."""
 
     def __init__(self, width, height):
         self.width, self.height = width, height
@@ -44,13 +44,9 @@ class Maze:
         """The cells beside this one."""
         return [c for c in ((cell[0] + dx, cell[1] + dy) for dx, dy in SIDES) if self.inside(c)]
 
-    def ways(self, cell):
-        """The cells one can go to."""
-        return [c for c in self.around(cell) if (cell, c) in self.open]
-
-    def grow(self, first, random, room=()):
-        """A spanning tree from `first` over all cells outside of the room, which stays one place with one door."""
-        seen, stack, doors = {first, *room}, [first], []
+    def grow(self, first, random):
+        """A spanning tree from `first` over all cells."""
+        seen, stack = {first}, [first]
         while stack:
             fresh = [c for c in self.around(stack[-1]) if c not in seen]
             if not fresh:
@@ -60,28 +56,6 @@ class Maze:
             self.join(stack[-1], cell)
             seen.add(cell)
             stack.append(cell)
-        for cell in room:
-            for beside in self.around(cell):
-                if beside in room:
-                    self.join(cell, beside)
-                else:
-                    doors.append((cell, beside))
-        if doors:
-            self.join(*doors[random.below(len(doors))])
-
-    def path(self, begin, end):
-        """The cells from one to the other."""
-        came = {begin: begin}
-        queue = [begin]
-        for cell in queue:
-            for c in self.ways(cell):
-                if c not in came:
-                    came[c] = cell
-                    queue.append(c)
-        back = [end]
-        while back[-1] != begin:
-            back.append(came[back[-1]])
-        return back[::-1]
 
     def walls(self, gates=()):
         """Walls as the longest straight lines, each once, along grid lines. A gate is an opening in the rim: ((x, y), (x, y))."""
@@ -109,40 +83,43 @@ def _joined(units):
     return lines
 
 
-def turns(maze, path):
-    """Left or right at every place on the path where there is a choice: L or R of the two ways on, - of three."""
-    letters = ""
-    for before, here, after in zip(path, path[1:], path[2:]):
-        heading = SIDES.index((here[0] - before[0], here[1] - before[1]))
-        ways = [c for c in maze.ways(here) if c != before]
-        if len(ways) > 1:
-            # From the leftmost: left of the heading, straight on, right.
-            order = [(here[0] + SIDES[(heading + k) % 4][0], here[1] + SIDES[(heading + k) % 4][1]) for k in (1, 0, 3)]
-            ways = [c for c in order if c in ways]
-            letters += "-" if len(ways) > 2 else "LR"[ways.index(after)]
-    return letters
+# Where a hedge begins and how it runs on from there, in corridors to the east, north, west or south. The two that
+# begin at (9, 10) and (14, 3) touch no other: they make the two islands.
+HAMPTON_HEDGES = (
+    (0, 5, "E1"),
+    (2, 3, "S1 E6 N1 W3 N5 E3"),
+    (2, 7, "N2 E3 N2 E14 S11 W9"),
+    (3, 3, "N5 E2"),
+    (4, 2, "N5"),
+    (4, 10, "W3 S4 E1 S2 W1 S3 E18"),
+    (5, 11, "W5 S11 E9"),
+    (6, 8, "N2 E2 N1"),
+    (7, 9, "E4"),
+    (9, 1, "N3 W3 N3 E6 S3 W2 S2 E8 N3"),
+    (9, 7, "N2"),
+    (9, 10, "E3 S2 E1 S5 W2"),
+    (10, 8, "E2"),
+    (13, 11, "S2 E4 S1"),
+    (14, 3, "N5 E2 S4"),
+    (14, 10, "E4 S3 W1 S4 W2 N4"),
+    (15, 2, "N1"),
+    (18, 6, "E1"),
+)
 
 
-# How visitors of Hampton Court are told to go: left on entering, twice right, then left to the middle.
-HAMPTON_TURNS = "LRRLLLL"
+def _hedge(x, y, runs):
+    line = [(x, y)]
+    for run in runs.split():
+        dx, dy = SIDES["ENWS".index(run[0])]
+        x, y = x + dx * int(run[1:]), y + dy * int(run[1:])
+        line.append((x, y))
+    return line
 
 
 def hampton_court():
-    """A maze of the size of Hampton Court's in whose middle one arrives by the directions given for that one.
-
-    The first of the numbered mazes of this kind with these directions: not a survey of the hedges."""
-    width, height = 15, 9
-    room = [(x, y) for x in (6, 7, 8) for y in (4, 5)]
-    for seed in range(1, 1000000):
-        maze = Maze(width, height)
-        maze.grow((7, 0), Random(seed), room)
-        # The step in from outside counts: it gives the first heading.
-        path = [(7, -1)] + maze.path((7, 0), (7, 4))
-        door = next(i for i, cell in enumerate(path) if cell in room)
-        if turns(maze, path[: door + 1]) == HAMPTON_TURNS:
-            gate = ((7, 0), (8, 0))
-            return PlaneWorld(maze.walls([gate]), start=(7.5, -0.5), exit=(7.5, 5.0))
-    raise ValueError("no maze with these directions")
+    """The maze of Hampton Court (about 1690) as its plan is published, every corridor as wide as any other and all
+    corners square: the same ways in the same order, not the trapezium of the garden."""
+    return PlaneWorld([_hedge(*hedge) for hedge in HAMPTON_HEDGES], start=(9.5, -0.5), exit=(9.0, 5.5))
 
 
 def versailles():

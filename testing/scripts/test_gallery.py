@@ -97,6 +97,43 @@ def open_sides(segments, width, height):
     return [(a, b) for a, b, middle in pairs if middle not in walls]
 
 
+SIDES = ((1, 0), (0, 1), (-1, 0), (0, -1))  # each is to the left of the one before
+
+
+class Ways:
+    """Where one can go from the cells of a maze."""
+
+    def __init__(self, passages):
+        self._open = set(passages) | {(b, a) for a, b in passages}
+
+    def on(self, before, here):
+        """The ways on for somebody who comes from `before`, the leftmost first."""
+        heading = SIDES.index((here[0] - before[0], here[1] - before[1]))
+        turned = [SIDES[(heading + k) % 4] for k in (1, 0, 3)]
+        return [c for c in ((here[0] + dx, here[1] + dy) for dx, dy in turned) if (here, c) in self._open]
+
+    def room(self, cell):
+        """The cells around this one with an open square of four between each and its neighbours."""
+        found, queue = {cell}, [cell]
+        for x, y in queue:
+            for dx, dy in SIDES:
+                beside = (x + dx, y + dy)
+                squares = [
+                    ((x, y), beside, (beside[0] + sx, beside[1] + sy), (x + sx, y + sy))
+                    for sx, sy in ((dy, dx), (-dy, -dx))
+                ]
+                whole = any(all((q[k], q[(k + 1) % 4]) in self._open for k in range(4)) for q in squares)
+                if whole and beside not in found:
+                    found.add(beside)
+                    queue.append(beside)
+        return found
+
+
+def touch(a, b, c, d):
+    """Do two lines along the axes meet?"""
+    return all(max(min(a[k], b[k]), min(c[k], d[k])) <= min(max(a[k], b[k]), max(c[k], d[k])) for k in (0, 1))
+
+
 class Gallery(unittest.TestCase):
     def test_the_script_makes_the_files_that_are_there(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -130,6 +167,33 @@ class Gallery(unittest.TestCase):
         steps = FreePlaces(world.segments(), world.start).steps_to(world.exit)
         circles = sum(2.0 * math.pi * (3.5 + k) for k in range(11))
         self.assertGreater(steps * STEP, circles - 2 * 30)
+
+    def test_the_directions_for_visitors_of_hampton_court_lead_to_its_middle(self):
+        # Left on entering, twice right, then four times left (published for the real one). A place where one can go
+        # on in two ways is a junction; whoever comes to one has a turn to take.
+        world = World(GALLERY / "hampton-court.vtp")
+        ways = Ways(open_sides(world.segments(), 19, 11))
+        middle = tuple(math.floor(v) for v in world.exit)
+        before, here = (9, -1), (9, 0)
+        for turn in "LRRLLLL":
+            while len(ways.on(before, here)) == 1:
+                before, here = here, ways.on(before, here)[0]
+            order = ways.on(before, here)
+            self.assertEqual(len(order), 2, here)
+            before, here = here, order["LR".index(turn)]
+        room = ways.room(middle)
+        self.assertEqual(len(room), 6 * 3)
+        while here not in room:
+            self.assertEqual(len(ways.on(before, here)), 1, here)
+            before, here = here, ways.on(before, here)[0]
+
+    def test_hampton_court_has_two_islands(self):
+        # Hedges that touch belong together: those around the maze, and two more groups.
+        groups = []
+        for a, b in World(GALLERY / "hampton-court.vtp").segments():
+            touching = [g for g in groups if any(touch(a, b, c, d) for c, d in g)]
+            groups = [g for g in groups if g not in touching] + [[(a, b)] + [s for g in touching for s in g]]
+        self.assertEqual(len(groups), 3)
 
     def test_the_maze_of_versailles_size_has_one_way_between_any_two_places(self):
         # A connected graph of n places with n - 1 passages is a tree.
