@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "haptics/session/RecordingFormat.h"
+#include "haptics/session/RecordingChunks.h"
 
 namespace palpate
 {

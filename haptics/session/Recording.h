@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -10,48 +9,15 @@
 #include <variant>
 #include <vector>
 
-#include "haptics/core/HapticDevice.h"
 #include "haptics/geometry/Scene.h"
 #include "haptics/geometry/SceneBuilder.h"
 #include "haptics/session/ForceRenderer.h"
 #include "haptics/session/HapticEvent.h"
 #include "haptics/session/HapticParameters.h"
+#include "haptics/session/TickRecord.h"
 
 namespace palpate
 {
-
-/// The walls of a command as a recording keeps them: of AxisWalls, 0 where there is none.
-struct DeviceWalls
-{
-  std::array<double, AxisWalls::count> offset_m{};
-  std::uint8_t mask = 0; ///< bit i: wall i is held
-  double stiffness_N_per_m = 0.0;
-  double viscosity_Ns_per_m = 0.0;
-};
-
-/// One tick as it was: what went in, and what came out to compare with. One tool so far: tool 0.
-struct TickRecord
-{
-  std::uint64_t tick = 0;
-  double dt_s = 0.0;
-  DeviceSample sample;
-  DeviceStatus status = DeviceStatus::Ok;
-  LatenessVerdict lateness;
-  std::uint32_t tool = 0;
-  Wrench wrench_D;
-  Pose proxy_W;
-  std::int32_t contacts = 0;
-  std::uint64_t sceneRevision = 0;
-  double delivered_J = 0.0; ///< energy meter: net work on the hand
-  double excess_J = 0.0;    ///< and what the contact has given too much
-  std::uint32_t flags = 0;  ///< see recordFlags
-  DeviceWalls walls;
-};
-
-/// The flags of a state as bits: clamped, riseLimited, capped, overBudget, infeasible, held, stiffnessLimited, from the
-/// lowest up.
-[[nodiscard]] std::uint32_t recordFlags(const HapticState& state) noexcept;
-[[nodiscard]] TickRecord makeRecord(const TickInput& input, const TickOutput& output) noexcept;
 
 /// What happened before a tick was computed: an event, new parameters, another scene (by content hash, 0: none).
 struct RecordedChange

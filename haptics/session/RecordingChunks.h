@@ -3,23 +3,14 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
-#include "haptics/session/ByteStream.h"
 #include "haptics/session/Recording.h"
 
 namespace palpate
 {
 
-/// How the parts of a recording lie in its chunks. Each value is named once, for writing and for reading alike.
-enum class ChunkType : std::uint32_t
-{
-  Tick = 1,
-  Change = 2,
-  Scene = 3,
-  End = 4,
-  Motion = 5,
-};
-
+/// The parts of a recording as bytes: its header, then its chunks.
 [[nodiscard]] std::string recordingHeader(
   const std::string& device, const HapticParameters& parameters, const RendererState& state);
 [[nodiscard]] std::vector<char> tickChunk(const TickRecord& record);
