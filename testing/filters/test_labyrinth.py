@@ -24,6 +24,10 @@ def lines_of(world):
     return source.GetOutput()
 
 
+def start_of(world):
+    return lines_of(world).GetFieldData().GetArray("Start").GetTuple(0)
+
+
 def step_until(session, phase, most_s=20):
     for _ in range(most_s * 100):
         session.Step(10)
@@ -67,8 +71,9 @@ class Labyrinths(unittest.TestCase):
         session.SetTouching(True)
         self.assertTrue(step_until(session, "leads"), session.GetLabyrinthPhase() + session.GetFaultText())
         self.assertTrue(step_until(session, "explores"), session.GetLabyrinthPhase())
+        start = start_of("hampton-court")
         x, y, _ = session.GetProxyPosition()
-        self.assertLess(max(abs(x - 7.5), abs(y + 0.5)), 0.5)  # in the corridor of the start
+        self.assertLess(max(abs(x - start[0]), abs(y - start[1])), 0.5)  # in the corridor of the start
         session.PlayAgain()
         session.Step(1)
         session.Update()
@@ -102,7 +107,8 @@ class Labyrinths(unittest.TestCase):
     def test_hand_without_force_is_told_to_go_to_the_start(self):
         for device, forces in (("simulated-joystick", True), ("fed", False), ("mouse", False)):
             session, _ = self.session("hampton-court", device)
-            session.SetHandPosition(7.5, 2.5, 0)  # in the middle of a corridor, 3 u from the start
+            start = start_of("hampton-court")
+            session.SetHandPosition(start[0], start[1] + 3, 0)  # in the middle of a corridor
             self.assertEqual(session.GetDeviceGivesForce(), forces, device)
             session.SetTouching(True)
             self.assertTrue(step_until(session, "leads"), device)
@@ -111,7 +117,7 @@ class Labyrinths(unittest.TestCase):
 
     def test_trace_is_the_way_since_the_hand_was_let_go(self):
         session, _ = self.session("hampton-court", "fed")
-        start = lines_of("hampton-court").GetFieldData().GetArray("Start").GetTuple(0)
+        start = start_of("hampton-court")
         session.SetHandPosition(start[0], start[1], 0)
         trace = vtkPolyData()
         session.GetLabyrinthTrace(trace)
