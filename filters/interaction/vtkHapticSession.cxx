@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticSession.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "devices/FedDevice.h"
 #include "devices/io/DBusBroker.h"
-#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkHapticSession);
 
 namespace
 {
 using palpate::Vec3;
-
-/// Rounding of a quaternion typed by a person or read from a text file.
-constexpr double unitTolerance = 1e-6;
 
 palpate::HapticParameters Defaults()
 {
@@ -36,13 +27,6 @@ palpate::HapticParameters Defaults()
 bool SameMap(const palpate::WorkspaceMap& a, const palpate::WorkspaceMap& b)
 {
   return a.scale_u_per_m == b.scale_u_per_m && a.offset_W == b.offset_W && a.q_WD.coeffs() == b.q_WD.coeffs();
-}
-
-palpate::DeviceSample SampleAt(const palpate::WorkspaceMap& map, const Vec3& p_W)
-{
-  palpate::DeviceSample sample;
-  sample.pose_D.p = map.toDevice(p_W);
-  return sample;
 }
 } // namespace
 
@@ -60,15 +44,6 @@ palpate::DeviceOptions vtkHapticSession::Internals::Options() const
     options.stroke.points_D.push_back(this->Parameters.map.toDevice(p_W));
   }
   return options;
-}
-
-void vtkHapticSession::Internals::Feed(bool placed)
-{
-  if (auto* fed = dynamic_cast<palpate::FedDevice*>(this->Core.device()))
-  {
-    const palpate::DeviceSample sample = SampleAt(this->Parameters.map, this->Hand_W);
-    placed ? fed->place(sample) : fed->feed(sample);
-  }
 }
 
 void vtkHapticSession::Internals::ShowState()
@@ -143,49 +118,6 @@ void vtkHapticSession::Refuse(const std::string& problem)
   }
 }
 
-// Device ------------------------------------------------------------------------------------------------------------
-
-void vtkHapticSession::SetDeviceName(const char* name)
-{
-  const std::string wanted = name ? name : "";
-  if (wanted == this->Impl->DeviceName)
-  {
-    return;
-  }
-  const palpate::MadeDevice made = palpate::makeDevice(wanted, {});
-  if (!made.device)
-  {
-    this->Refuse(made.problem);
-    return;
-  }
-  this->Impl->DeviceName = wanted;
-  this->Impl->LearnDevices();
-  this->Impl->JudgeStability();
-  this->Impl->FollowWalls();
-  this->Impl->FollowPlane();
-  this->Modified();
-}
-
-const char* vtkHapticSession::GetDeviceName() const
-{
-  return this->Impl->DeviceName.c_str();
-}
-
-int vtkHapticSession::GetNumberOfKnownDevices() const
-{
-  return static_cast<int>(this->Impl->Known.size());
-}
-
-const char* vtkHapticSession::GetKnownDeviceName(int index) const
-{
-  return index >= 0 && index < this->GetNumberOfKnownDevices() ? this->Impl->Known[index].name.c_str() : nullptr;
-}
-
-const char* vtkHapticSession::GetKnownDeviceProblem(int index) const
-{
-  return index >= 0 && index < this->GetNumberOfKnownDevices() ? this->Impl->Known[index].problem.c_str() : nullptr;
-}
-
 // Touching ----------------------------------------------------------------------------------------------------------
 
 void vtkHapticSession::SetTouching(bool touching)
@@ -222,7 +154,7 @@ void vtkHapticSession::Start()
   }
   if (auto* fed = dynamic_cast<palpate::FedDevice*>(made.device.get()))
   {
-    fed->feed(SampleAt(impl.Parameters.map, impl.Hand_W)); // before the first tick reads it
+    fed->feed(impl.HandSample()); // before the first tick reads it
   }
   const palpate::DeadMan deadMan = impl.Parameters.safety.deadMan;
   impl.Parameters.safety = palpate::SafetyLimits::forDevice(made.device->info());
@@ -352,142 +284,6 @@ double vtkHapticSession::GetRadius() const
   return this->Impl->Parameters.contact.radius_u;
 }
 
-void vtkHapticSession::SetScale(double scale_u_per_m)
-{
-  this->Change([=](palpate::HapticParameters& p) { p.map.scale_u_per_m = scale_u_per_m; });
-}
-
-double vtkHapticSession::GetScale() const
-{
-  return this->Impl->Parameters.map.scale_u_per_m;
-}
-
-void vtkHapticSession::SetRotation(double w, double x, double y, double z)
-{
-  const palpate::Quat q(w, x, y, z);
-  if (!(std::abs(q.norm() - 1.0) <= unitTolerance))
-  {
-    this->Refuse("the rotation must be a unit quaternion (w, x, y, z)");
-    return;
-  }
-  this->Change([&q](palpate::HapticParameters& p) { p.map.q_WD = q.normalized(); });
-}
-
-void vtkHapticSession::SetRotation(const double wxyz[4])
-{
-  this->SetRotation(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
-}
-
-double* vtkHapticSession::GetRotation()
-{
-  const palpate::Quat& q = this->Impl->Parameters.map.q_WD;
-  const double wxyz[4] = { q.w(), q.x(), q.y(), q.z() };
-  std::copy(wxyz, wxyz + 4, this->Impl->Rotation);
-  return this->Impl->Rotation;
-}
-
-void vtkHapticSession::SetOffset(double x, double y, double z)
-{
-  this->Change([=](palpate::HapticParameters& p) { p.map.offset_W = Vec3(x, y, z); });
-}
-
-void vtkHapticSession::SetOffset(const double offset_W[3])
-{
-  this->SetOffset(offset_W[0], offset_W[1], offset_W[2]);
-}
-
-double* vtkHapticSession::GetOffset()
-{
-  Eigen::Map<Vec3>(this->Impl->Offset) = this->Impl->Parameters.map.offset_W;
-  return this->Impl->Offset;
-}
-
-void vtkHapticSession::FitWorkspace()
-{
-  double bounds[6];
-  if (!this->GetSceneBounds(bounds))
-  {
-    this->Refuse("there is no scene to fit the workspace to; add a surface and commit it");
-    return;
-  }
-  const Vec3 low_W(bounds[0], bounds[2], bounds[4]);
-  const Vec3 high_W(bounds[1], bounds[3], bounds[5]);
-  const double radius_m = this->Impl->ChosenInfo().workspaceRadius_m.value;
-  const double half = 0.5 * (high_W - low_W).norm();
-  this->Change(
-    [&](palpate::HapticParameters& p)
-    {
-      p.map.scale_u_per_m = half / radius_m;
-      p.map.offset_W = 0.5 * (low_W + high_W);
-      if (this->Impl->Built.Plane_WP && this->Impl->ChosenInfo().abilities.sensedAxes == 2)
-      {
-        p.map.q_WD = this->Impl->Built.Plane_WP->q; // a device that moves in a plane moves in this one
-      }
-    });
-}
-
-// Hand --------------------------------------------------------------------------------------------------------------
-
-void vtkHapticSession::SetHandPosition(double x, double y, double z)
-{
-  this->Impl->Hand_W = Vec3(x, y, z);
-  this->Impl->Feed();
-}
-
-void vtkHapticSession::SetHandPosition(const double p_W[3])
-{
-  this->SetHandPosition(p_W[0], p_W[1], p_W[2]);
-}
-
-void vtkHapticSession::SetStrokePath(vtkPolyData* path)
-{
-  if (!path || path->GetNumberOfLines() != 1)
-  {
-    this->Refuse("a stroke is poly data with one polyline");
-    return;
-  }
-  vtkNew<vtkIdList> ids;
-  path->GetLines()->GetCellAtId(0, ids);
-  this->Impl->Stroke_W.clear();
-  for (vtkIdType id : *ids)
-  {
-    this->AddStrokePoint(path->GetPoint(id)[0], path->GetPoint(id)[1], path->GetPoint(id)[2]);
-  }
-}
-
-void vtkHapticSession::ClearStrokePoints()
-{
-  this->Impl->Stroke_W.clear();
-  this->Modified();
-}
-
-void vtkHapticSession::AddStrokePoint(double x, double y, double z)
-{
-  this->Impl->Stroke_W.emplace_back(x, y, z);
-  this->Modified();
-}
-
-int vtkHapticSession::GetNumberOfStrokePoints() const
-{
-  return static_cast<int>(this->Impl->Stroke_W.size());
-}
-
-void vtkHapticSession::SetStrokeSpeed(double speed_m_per_s)
-{
-  if (!(speed_m_per_s > 0.0 && std::isfinite(speed_m_per_s)))
-  {
-    this->Refuse("the speed of the stroke must be more than 0 m/s");
-    return;
-  }
-  this->Impl->StrokeSpeed = speed_m_per_s;
-  this->Modified();
-}
-
-double vtkHapticSession::GetStrokeSpeed() const
-{
-  return this->Impl->StrokeSpeed;
-}
-
 // Files -------------------------------------------------------------------------------------------------------------
 
 void vtkHapticSession::SetRecordFile(const char* file)
@@ -510,43 +306,4 @@ void vtkHapticSession::SetReplayFile(const char* file)
 const char* vtkHapticSession::GetReplayFile() const
 {
   return this->Impl->ReplayFile.c_str();
-}
-
-// Scene -------------------------------------------------------------------------------------------------------------
-
-void vtkHapticSession::ClearSurfaces()
-{
-  this->Impl->Worker.Clear();
-}
-
-bool vtkHapticSession::AddSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix)
-{
-  const std::string problem = this->Impl->Worker.Add(name ? name : "surface", data, matrix);
-  this->Refuse(problem);
-  return problem.empty();
-}
-
-void vtkHapticSession::CommitScene()
-{
-  this->Impl->Simpler.Cancel();
-  this->Impl->Worker.Follow(this->Impl->Core.running() ? this->Impl->Full.Scene : nullptr);
-  this->Impl->Worker.Commit(this->Impl->Now());
-}
-
-bool vtkHapticSession::FinishScene()
-{
-  this->Impl->TakeScene(this->Impl->Worker.Wait());
-  this->Impl->FollowRadius();
-  return this->Impl->Built.Scene != nullptr;
-}
-
-bool vtkHapticSession::GetSceneBounds(double bounds[6]) const
-{
-  std::copy(this->Impl->Built.Bounds.begin(), this->Impl->Built.Bounds.end(), bounds);
-  return this->Impl->Built.Scene != nullptr;
-}
-
-const char* vtkHapticSession::GetSceneReport() const
-{
-  return this->Impl->Built.Report.c_str();
 }

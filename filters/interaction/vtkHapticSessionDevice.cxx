@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the chosen device is, what it cannot do, and how the link to it goes.
+// Which device is chosen, what it is, what it cannot do, and how the link to it goes.
 #include <algorithm>
 #include <cmath>
 
@@ -33,6 +33,47 @@ palpate::LinkReport vtkHapticSession::Internals::Link()
 {
   const palpate::LinkedDevice* const linked = this->Linked();
   return linked ? linked->linkReport() : palpate::LinkReport();
+}
+
+void vtkHapticSession::SetDeviceName(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (wanted == this->Impl->DeviceName)
+  {
+    return;
+  }
+  const palpate::MadeDevice made = palpate::makeDevice(wanted, {});
+  if (!made.device)
+  {
+    this->Refuse(made.problem);
+    return;
+  }
+  this->Impl->DeviceName = wanted;
+  this->Impl->LearnDevices();
+  this->Impl->JudgeStability();
+  this->Impl->FollowWalls();
+  this->Impl->FollowPlane();
+  this->Modified();
+}
+
+const char* vtkHapticSession::GetDeviceName() const
+{
+  return this->Impl->DeviceName.c_str();
+}
+
+int vtkHapticSession::GetNumberOfKnownDevices() const
+{
+  return static_cast<int>(this->Impl->Known.size());
+}
+
+const char* vtkHapticSession::GetKnownDeviceName(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfKnownDevices() ? this->Impl->Known[index].name.c_str() : nullptr;
+}
+
+const char* vtkHapticSession::GetKnownDeviceProblem(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfKnownDevices() ? this->Impl->Known[index].problem.c_str() : nullptr;
 }
 
 const char* vtkHapticSession::GetDeviceKind() const

@@ -85,6 +85,8 @@ public:
   palpate::DeviceOptions Options() const;
   /// What a check says now; ends it once there is a verdict.
   void FollowCheck();
+  /// Where a program holds the hand, as the device would tell it.
+  palpate::DeviceSample HandSample() const;
   /// `placed`: there without a way.
   void Feed(bool placed = false);
   /// Looks again where the chosen device was not there at the last look.

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a program holds the hand, and the stroke that a simulated one makes.
+#include <cmath>
+
+#include "devices/FedDevice.h"
+#include "vtkCellArray.h"
+#include "vtkHapticSessionInternals.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+palpate::DeviceSample vtkHapticSession::Internals::HandSample() const
+{
+  palpate::DeviceSample sample;
+  sample.pose_D.p = this->Parameters.map.toDevice(this->Hand_W);
+  return sample;
+}
+
+void vtkHapticSession::Internals::Feed(bool placed)
+{
+  if (auto* fed = dynamic_cast<palpate::FedDevice*>(this->Core.device()))
+  {
+    placed ? fed->place(this->HandSample()) : fed->feed(this->HandSample());
+  }
+}
+
+void vtkHapticSession::SetHandPosition(double x, double y, double z)
+{
+  this->Impl->Hand_W = palpate::Vec3(x, y, z);
+  this->Impl->Feed();
+}
+
+void vtkHapticSession::SetHandPosition(const double p_W[3])
+{
+  this->SetHandPosition(p_W[0], p_W[1], p_W[2]);
+}
+
+void vtkHapticSession::SetStrokePath(vtkPolyData* path)
+{
+  if (!path || path->GetNumberOfLines() != 1)
+  {
+    this->Refuse("a stroke is poly data with one polyline");
+    return;
+  }
+  vtkNew<vtkIdList> ids;
+  path->GetLines()->GetCellAtId(0, ids);
+  this->Impl->Stroke_W.clear();
+  for (vtkIdType id : *ids)
+  {
+    this->AddStrokePoint(path->GetPoint(id)[0], path->GetPoint(id)[1], path->GetPoint(id)[2]);
+  }
+}
+
+void vtkHapticSession::ClearStrokePoints()
+{
+  this->Impl->Stroke_W.clear();
+  this->Modified();
+}
+
+void vtkHapticSession::AddStrokePoint(double x, double y, double z)
+{
+  this->Impl->Stroke_W.emplace_back(x, y, z);
+  this->Modified();
+}
+
+int vtkHapticSession::GetNumberOfStrokePoints() const
+{
+  return static_cast<int>(this->Impl->Stroke_W.size());
+}
+
+void vtkHapticSession::SetStrokeSpeed(double speed_m_per_s)
+{
+  if (!(speed_m_per_s > 0.0 && std::isfinite(speed_m_per_s)))
+  {
+    this->Refuse("the speed of the stroke must be more than 0 m/s");
+    return;
+  }
+  this->Impl->StrokeSpeed = speed_m_per_s;
+  this->Modified();
+}
+
+double vtkHapticSession::GetStrokeSpeed() const
+{
+  return this->Impl->StrokeSpeed;
+}
