@@ -1,83 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
+#include "HapticMouseTest.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <utility>
 
-#include "VtkScenes.h"
-#include "vtkActor.h"
-#include "vtkCallbackCommand.h"
-#include "vtkCamera.h"
-#include "vtkCommand.h"
-#include "vtkHapticInteractor.h"
-#include "vtkHapticMouse.h"
-#include "vtkHapticSession.h"
 #include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
-#include "vtkRenderer.h"
 
 using namespace palpate;
 using namespace palpate::testing;
 
 namespace
 {
-constexpr int width_px = 400;
-constexpr int height_px = 300;
-constexpr int frame = 16;           // ticks between two frames of 60 Hz
-constexpr int framesToEngage = 80;  // arming, the ramp of 1 s, and some to spare
-constexpr int framesToArrive = 60;  // across the scene at 0.5 m/s of the hand
-constexpr double stiffness = 500.0; // N/m
-constexpr double scale = 1000.0;    // u/m
-constexpr double depth_m = 0.002;   // of the session's default
-constexpr double force_N = stiffness * depth_m;
-/// Of a proxy in free air, that is where a hand 300 u away is.
-constexpr double rounding_N = stiffness / scale * 300.0 * 4 * std::numeric_limits<double>::epsilon();
-constexpr double fastest_m = 0.5e-3; // of the hand in a tick
-constexpr double viewAngle = 30.0;
-constexpr double parallelScale = 60.0;
-
-/// A camera's ray by its formula: where it begins, and its direction.
-struct FormulaRay
-{
-  Vec3 from;
-  Vec3 along;
-
-  double distanceTo(const Vec3& p) const { return (p - this->from).cross(this->along).norm(); }
-  /// Where it meets the plane z = height.
-  Vec3 atHeight(double height) const { return this->from + (height - this->from.z()) / this->along.z() * this->along; }
-};
-
-/// A pinhole with the eye at `eye_W` that looks at the origin, z up on the screen; or the same without perspective.
-FormulaRay rayOf(const Vec3& eye_W, bool parallel, double x_px, double y_px)
-{
-  const Vec3 forward = -eye_W.normalized();
-  const Vec3 right = forward.cross(Vec3::UnitZ()).normalized();
-  const Vec3 up = right.cross(forward);
-  const double half = parallel ? parallelScale : std::tan(0.5 * viewAngle * std::numbers::pi / 180.0);
-  const Vec3 shift =
-    half * ((2 * x_px / width_px - 1) * width_px / height_px * right + (2 * y_px / height_px - 1) * up);
-  return parallel ? FormulaRay{ eye_W + shift, forward } : FormulaRay{ eye_W, (forward + shift).normalized() };
-}
-
-/// Where on the screen a point is seen [pixels]: the same formula backwards.
-std::pair<double, double> pixelOf(const Vec3& eye_W, bool parallel, const Vec3& p_W)
-{
-  const Vec3 forward = -eye_W.normalized();
-  const Vec3 right = forward.cross(Vec3::UnitZ()).normalized();
-  const Vec3 way = p_W - eye_W;
-  const double half =
-    parallel ? parallelScale : std::tan(0.5 * viewAngle * std::numbers::pi / 180.0) * way.dot(forward);
-  return { 0.5 * width_px * (1 + way.dot(right) / half * height_px / width_px),
-    0.5 * height_px * (1 + way.dot(right.cross(forward)) / half) };
-}
-
 struct Facet
 {
   Vec3 middle;
@@ -95,93 +28,6 @@ Facet facetOf(vtkPolyData* surface, vtkIdType cell)
   }
   return { (p[0] + p[1] + p[2]) / 3.0, (p[1] - p[0]).cross(p[2] - p[0]).normalized() };
 }
-
-/// Surfaces in a window that is never opened, touched in virtual time by a mouse that speaks once a frame.
-class HapticMouse : public ::testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    this->window_->SetOffScreenRendering(1);
-    this->window_->SetSize(width_px, height_px);
-    this->window_->AddRenderer(this->renderer_);
-    this->interactor_->SetRenderWindow(this->window_);
-    this->touch_->SetRenderer(this->renderer_);
-    this->touch_->FollowMouse(this->interactor_);
-    this->session_->SetDeviceName("mouse");
-    this->session_->VirtualTimeOn();
-    this->session_->SetStiffness(stiffness);
-    this->session_->SetScale(scale);
-    this->session_->SetPassivity(false);
-  }
-
-  void show(vtkPolyData* surface)
-  {
-    vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
-    mapper->SetInputData(surface);
-    actor->SetMapper(mapper);
-    this->renderer_->AddActor(actor);
-    this->touch_->AddActor(actor);
-  }
-
-  void look(const Vec3& eye_W, bool parallel)
-  {
-    vtkCamera* camera = this->renderer_->GetActiveCamera();
-    camera->SetPosition(eye_W.data());
-    camera->SetFocalPoint(0, 0, 0);
-    camera->SetViewUp(0, 0, 1);
-    camera->SetViewAngle(viewAngle);
-    camera->SetParallelScale(parallelScale);
-    camera->SetParallelProjection(parallel);
-    this->renderer_->ResetCameraClippingRange();
-    this->eye_W_ = eye_W;
-    this->parallel_ = parallel;
-  }
-
-  FormulaRay ray(double x_px, double y_px) const { return rayOf(this->eye_W_, this->parallel_, x_px, y_px); }
-
-  /// Frames in which nothing is said.
-  void rest(int frames)
-  {
-    for (int i = 0; i < frames; ++i)
-    {
-      this->touch_->Update();
-      this->session_->Step(frame);
-    }
-  }
-  void engage()
-  {
-    ASSERT_TRUE(this->touch_->Start()) << this->session_->GetProblem();
-    this->rest(framesToEngage);
-    ASSERT_EQ(this->session_->GetEngageState(), vtkHapticSession::Engaged);
-  }
-  void press(double x_px, double y_px)
-  {
-    this->mouse_->SetPointer(x_px, y_px);
-    this->mouse_->SetPressing(true);
-    this->rest(framesToArrive);
-  }
-  void say(unsigned long event, int x_px, int y_px, bool shift = false, const char* key = nullptr)
-  {
-    this->interactor_->SetEventInformation(x_px, y_px, 0, shift ? 1 : 0, 0, 0, key);
-    this->interactor_->InvokeEvent(event);
-  }
-
-  double depthOf(const Vec3& p_W) const { return (p_W - this->eye_W_).dot(-this->eye_W_.normalized()); }
-  Vec3 hand() const { return Vec3(this->session_->GetHandPosition()); }
-  Vec3 proxy() const { return Vec3(this->session_->GetProxyPosition()); }
-  Vec3 force() const { return Vec3(this->session_->GetForce()); }
-
-  vtkNew<vtkRenderer> renderer_;
-  vtkNew<vtkRenderWindow> window_;
-  vtkNew<vtkRenderWindowInteractor> interactor_;
-  vtkNew<vtkHapticInteractor> touch_;
-  vtkHapticSession* session_ = this->touch_->GetSession();
-  vtkHapticMouse* mouse_ = this->touch_->GetMouse();
-  Vec3 eye_W_ = Vec3::Zero();
-  bool parallel_ = false;
-};
 
 /// With and without perspective, looking down on the scene at a slant.
 class HapticMouseInBothViews
@@ -337,32 +183,6 @@ TEST_F(HapticMouse, APressBeforeTheForceIsEngagedWaits)
   EXPECT_NEAR(this->force().z(), force_N, 1e-9);
 }
 
-TEST_F(HapticMouse, LeavingTheViewLiftsTheHandInFrontOfEverything)
-{
-  this->show(makeSphere(50.0, 40));
-  this->look(Vec3(0, -300, 0), false);
-  this->engage();
-  this->press(200.0, 150.0);
-  EXPECT_GT(this->force().norm(), 0.9 * force_N);
-  this->say(vtkCommand::LeaveEvent, 200, 150);
-  EXPECT_FALSE(this->mouse_->GetPressing());
-  this->rest(framesToArrive);
-  EXPECT_LE(this->force().norm(), rounding_N);
-  EXPECT_LT(this->depthOf(this->hand()), 300.0 - 50.0);
-}
-
-TEST_F(HapticMouse, APointerDraggedOutOfTheViewLiftsTheHand)
-{
-  this->show(makePlane(100.0));
-  this->look(Vec3(0, -100, 300), false);
-  this->engage();
-  this->press(200.0, 150.0);
-  this->say(vtkCommand::MouseMoveEvent, width_px + 20, 150);
-  this->rest(framesToArrive);
-  EXPECT_EQ(this->session_->GetContacts(), 0);
-  EXPECT_LE(this->force().norm(), rounding_N);
-}
-
 // From the plane left of a ball that stands on it to the plane right of it: the straight way goes through the ball.
 TEST_F(HapticMouse, GoesOverWhatBarsTheStraightWay)
 {
@@ -411,63 +231,6 @@ TEST_F(HapticMouse, NeverPressesDeeperThanATwentiethOfTheScene)
   EXPECT_NEAR(this->mouse_->GetUsedDepth(), most, 1e-15);
   this->press(200.0, 150.0);
   EXPECT_NEAR(this->force().norm(), stiffness * most / scale, 1e-9);
-}
-
-TEST_F(HapticMouse, ShiftAndTheLeftButtonPressAndNobodyElseHearsOfIt)
-{
-  this->show(makePlane(100.0));
-  this->look(Vec3(0, -100, 300), false);
-  this->engage();
-  int heard = 0;
-  vtkNew<vtkCallbackCommand> style;
-  style->SetClientData(&heard);
-  style->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-  for (unsigned long event : { vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
-         vtkCommand::MouseMoveEvent, vtkCommand::MouseWheelForwardEvent })
-  {
-    this->interactor_->AddObserver(event, style);
-  }
-  this->say(vtkCommand::LeftButtonPressEvent, 200, 150, true);
-  this->say(vtkCommand::MouseMoveEvent, 210, 150, true);
-  this->say(vtkCommand::MouseWheelForwardEvent, 210, 150, true);
-  this->rest(framesToArrive);
-  EXPECT_NEAR(this->force().z(), 1.25 * force_N, 1e-9);
-  this->say(vtkCommand::LeftButtonReleaseEvent, 210, 150, true);
-  this->rest(framesToArrive);
-  EXPECT_EQ(this->force().z(), 0.0);
-  EXPECT_EQ(heard, 0);
-  this->say(vtkCommand::LeftButtonPressEvent, 200, 150);
-  this->say(vtkCommand::MouseMoveEvent, 210, 150);
-  this->say(vtkCommand::MouseWheelForwardEvent, 210, 150);
-  this->say(vtkCommand::LeftButtonReleaseEvent, 210, 150);
-  this->rest(framesToArrive);
-  EXPECT_EQ(heard, 4);
-  EXPECT_FALSE(this->mouse_->GetPressing());
-  EXPECT_NEAR(this->session_->GetPressDepth(), 1.25 * depth_m, 1e-15);
-}
-
-TEST_F(HapticMouse, TheKeyboardAloneStrokes)
-{
-  this->show(makePlane(100.0));
-  this->look(Vec3(0, -100, 300), false);
-  this->engage();
-  this->say(vtkCommand::KeyPressEvent, 0, 0, false, "Right");
-  this->say(vtkCommand::KeyPressEvent, 0, 0, false, "Up");
-  this->say(vtkCommand::KeyPressEvent, 0, 0, true, "Left");
-  this->say(vtkCommand::KeyPressEvent, 0, 0, false, "Next");
-  this->rest(framesToArrive);
-  const double x_px = 0.5 * width_px + 10 - 1, y_px = 0.5 * height_px + 10;
-  EXPECT_LT((this->proxy() - this->ray(x_px, y_px).atHeight(0.0)).norm(), 1e-9);
-  EXPECT_NEAR(this->force().z(), force_N, 1e-9);
-  this->say(vtkCommand::KeyPressEvent, 0, 0, false, "Next");
-  this->rest(framesToArrive);
-  EXPECT_NEAR(this->force().z(), 1.25 * force_N, 1e-9);
-  this->say(vtkCommand::KeyPressEvent, 0, 0, false, "Prior");
-  this->rest(framesToArrive);
-  EXPECT_NEAR(this->force().z(), force_N, 1e-9);
-  this->say(vtkCommand::KeyPressEvent, 0, 0, false, "Home");
-  this->rest(framesToArrive);
-  EXPECT_EQ(this->force().z(), 0.0);
 }
 
 // The map moves the whole workspace in the scene: a hand that stayed where it was in it would be thrown into the
