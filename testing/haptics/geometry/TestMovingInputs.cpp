@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes built one after another of surfaces that move: what is built anew, what is refitted, and from where it moves.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -72,11 +73,30 @@ TEST(MovingInputs, ARefittedTreeTakesTheMemoryOfTheOneBeforeTheLast)
   EXPECT_EQ(&third->surfaces()[0].tree->data(), taken);
 }
 
+/// How many triangles have a copy of that corner of theirs.
+std::ptrdiff_t copies(const TriangleMesh& mesh, std::size_t vertex)
+{
+  return std::ranges::count(mesh.vertices_W, mesh.vertices_W[vertex]);
+}
+
+/// The first corner that is not the one corner of a single triangle, as two of the four corners of a sheet are.
+std::size_t sharedCorner(const TriangleMesh& mesh)
+{
+  std::size_t vertex = 0;
+  while (vertex + 1 < mesh.vertices_W.size() && copies(mesh, vertex) == 1)
+  {
+    ++vertex;
+  }
+  return vertex;
+}
+
 TEST(MovingInputs, ASurfaceThatTearsOrLosesTrianglesIsBuiltAnew)
 {
   const TriangleMesh flat = unweldedSheet();
   TriangleMesh torn = flat, fewer = flat, collapsed = flat, broken = flat;
-  torn.vertices_W[0].z() += 0.1; // its neighbours' copies of that corner stay
+  const std::size_t shared = sharedCorner(flat);
+  ASSERT_GT(copies(flat, shared), 1);
+  torn.vertices_W[shared].z() += 0.1; // its neighbours' copies of that corner stay
   fewer.triangles.pop_back();
   collapsed.vertices_W[1] = collapsed.vertices_W[0];
   broken.vertices_W[0].x() = std::numeric_limits<double>::quiet_NaN();
