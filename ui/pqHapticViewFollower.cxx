@@ -3,17 +3,40 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
+#include "pqCoreUtilities.h"
+#include "pqInteractivePropertyWidgetAbstract.h"
+#include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "pqServerManagerModel.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticViewScene.h"
 #include "vtkSMRenderViewProxy.h"
 
+#include <algorithm>
+
+namespace
+{
+bool AnyWidgetShown()
+{
+  const auto widgets = pqCoreUtilities::mainWidget()->findChildren<pqInteractivePropertyWidgetAbstract*>();
+  return std::any_of(widgets.begin(), widgets.end(), [](const auto* widget) { return widget->isWidgetVisible(); });
+}
+
+/// The source that was made and not applied yet, while its widget is shown; else null.
+vtkSMProxy* NewDrawing()
+{
+  const pqPipelineSource* source = pqActiveObjects::instance().activeSource();
+  const bool drawn = source && source->modifiedState() == pqProxy::UNINITIALIZED && AnyWidgetShown();
+  return drawn ? source->getProxy() : nullptr;
+}
+} // namespace
+
 pqHapticViewFollower::pqHapticViewFollower(QObject* parent) : Superclass(parent)
 {
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   this->connect(model, &pqServerManagerModel::preViewRemoved, this, &pqHapticViewFollower::viewRemoved);
   this->connect(&pqActiveObjects::instance(), &pqActiveObjects::viewChanged, this, &pqHapticViewFollower::setView);
+  this->connect(&pqActiveObjects::instance(), &pqActiveObjects::sourceChanged, this, &pqHapticViewFollower::refresh);
   this->setView(pqActiveObjects::instance().activeView());
 }
 
@@ -87,7 +110,12 @@ void pqHapticViewFollower::viewRemoved(pqView* view)
 
 void pqHapticViewFollower::refresh()
 {
-  if (this->Active && this->Scene->Update())
+  if (!this->Active)
+  {
+    return;
+  }
+  this->Scene->SetDrawing(NewDrawing());
+  if (this->Scene->Update())
   {
     Q_EMIT this->sceneChanged();
   }

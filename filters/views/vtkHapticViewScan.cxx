@@ -4,7 +4,9 @@
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArrayRange.h"
 #include "vtkGeometryRepresentation.h"
+#include "vtkHapticDrafts.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkMapper.h"
 #include "vtkPVCompositeRepresentation.h"
@@ -41,7 +43,7 @@ bool SameMatrix(vtkMatrix4x4* a, vtkMatrix4x4* b)
 
 bool IsTouchable(vtkPolyData* data, bool lines)
 {
-  return data && data->GetPoints() &&
+  return data && data->GetNumberOfPoints() > 0 &&
          data->GetNumberOfPolys() + data->GetNumberOfStrips() + (lines ? data->GetNumberOfLines() : 0) > 0;
 }
 
@@ -106,7 +108,68 @@ vtkPVLODActor* SurfaceActor(vtkObject* active)
   return geometry && !geometry->IsA("vtkGlyph3DRepresentation") ? geometry->GetActor() : nullptr;
 }
 
-void ScanRepresentation(vtkSMProxy* proxy, const std::string& name, bool lines, vtkHapticViewScan& scan)
+bool SameCurve(vtkDataObject* a, vtkDataObject* b)
+{
+  auto *one = vtkPolyData::SafeDownCast(a), *other = vtkPolyData::SafeDownCast(b);
+  if (!one || !other || !one->GetPoints() || !other->GetPoints() ||
+      one->GetLines()->GetNumberOfConnectivityIds() != other->GetLines()->GetNumberOfConnectivityIds())
+  {
+    return false;
+  }
+  const auto p = vtk::DataArrayValueRange(one->GetPoints()->GetData());
+  const auto q = vtk::DataArrayValueRange(other->GetPoints()->GetData());
+  return std::equal(p.begin(), p.end(), q.begin(), q.end());
+}
+
+/// A curve as its widget draws it, and once that was applied until `shown` has it too; else null.
+vtkDataObject* DraftOf(vtkSMProxy* input, vtkDataObject* shown, vtkHapticDrafts& drafts)
+{
+  if (vtkDataObject* const changed = drafts.Changed(input))
+  {
+    return changed;
+  }
+  vtkDataObject* const applied = drafts.Knows(input) ? drafts.Drawn(input) : nullptr;
+  if (applied && SameCurve(applied, shown))
+  {
+    drafts.Forget(input);
+    return nullptr;
+  }
+  return applied;
+}
+
+vtkSMProxy* InputOf(vtkSMProxy* representation)
+{
+  return representation->GetProperty("Input") ? vtkSMPropertyHelper(representation, "Input", true).GetAsProxy()
+                                              : nullptr;
+}
+
+/// The name in the pipeline browser; empty for annotations, which have no input.
+std::string NameOf(vtkSMProxy* input)
+{
+  const char* name = input ? input->GetSessionProxyManager()->GetProxyName("sources", input) : nullptr;
+  return name ? name : "";
+}
+
+void AddSurface(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, bool lines, vtkHapticViewScan& scan)
+{
+  Surface surface;
+  surface.Name = name;
+  surface.Data = data;
+  surface.GeometryKey = GeometryKey(data, lines);
+  if (surface.GeometryKey == 0)
+  {
+    scan.Refusals.push_back(
+      name + ": no polygons are shown; choose the representation Surface, or apply Extract Surface.");
+    return;
+  }
+  surface.ArraysKey = vtkHapticArraysKey(data);
+  surface.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  surface.Matrix->DeepCopy(matrix);
+  scan.Surfaces.push_back(std::move(surface));
+}
+
+void ScanRepresentation(
+  vtkSMProxy* proxy, const std::string& name, bool lines, vtkHapticDrafts* drafts, vtkHapticViewScan& scan)
 {
   vtkObject* active = ActiveRepresentation(proxy);
   vtkPVLODActor* actor = SurfaceActor(active);
@@ -116,37 +179,29 @@ void ScanRepresentation(vtkSMProxy* proxy, const std::string& name, bool lines, 
     return;
   }
   vtkDataObject* shown = actor->GetMapper() ? actor->GetMapper()->GetInputDataObject(0, 0) : nullptr;
+  if (drafts && !active->IsA("vtkOutlineRepresentation"))
+  {
+    vtkDataObject* const draft = DraftOf(InputOf(proxy), shown, *drafts);
+    shown = draft ? draft : shown;
+  }
   if (!shown)
   {
     scan.Pending = true;
     return;
   }
-  Surface surface;
-  surface.Name = name;
-  surface.Data = shown;
-  surface.GeometryKey = GeometryKey(shown, lines);
-  if (surface.GeometryKey == 0)
-  {
-    scan.Refusals.push_back(
-      name + ": no polygons are shown; choose the representation Surface, or apply Extract Surface.");
-    return;
-  }
-  surface.ArraysKey = vtkHapticArraysKey(shown);
-  surface.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  surface.Matrix->DeepCopy(actor->GetMatrix());
-  scan.Surfaces.push_back(std::move(surface));
+  AddSurface(name, shown, actor->GetMatrix(), lines, scan);
 }
 
-/// The name in the pipeline browser; empty for annotations, which have no input.
-std::string InputName(vtkSMProxy* representation)
+/// A curve that was not applied yet is where its widget is, in no actor.
+void ScanDrawing(vtkSMProxy* drawing, bool lines, vtkHapticDrafts& drafts, vtkHapticViewScan& scan)
 {
-  if (!representation->GetProperty("Input"))
+  drafts.ForgetDeleted();
+  const std::string name = NameOf(drawing);
+  vtkDataObject* const drawn = name.empty() ? nullptr : drafts.Drawn(drawing);
+  if (drawn)
   {
-    return {};
+    AddSurface(name, drawn, vtkNew<vtkMatrix4x4>(), lines, scan);
   }
-  vtkSMProxy* input = vtkSMPropertyHelper(representation, "Input", true).GetAsProxy();
-  const char* name = input ? input->GetSessionProxyManager()->GetProxyName("sources", input) : nullptr;
-  return name ? name : "";
 }
 
 bool Visible(vtkSMProxy* representation)
@@ -191,7 +246,7 @@ bool vtkHapticViewScan::SameArraysAs(const vtkHapticViewScan& other) const
     [](const Surface& a, const Surface& b) { return a.ArraysKey == b.ArraysKey; });
 }
 
-vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, bool lines)
+vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, bool lines, vtkHapticDrafts* drafts, vtkSMProxy* drawing)
 {
   vtkHapticViewScan scan;
   if (std::string refusal = RefusalOf(view); !refusal.empty())
@@ -203,11 +258,17 @@ vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, bool lines)
   for (unsigned int i = 0; i < representations.GetNumberOfElements(); ++i)
   {
     vtkSMProxy* representation = representations.GetAsProxy(i);
-    const std::string name = representation ? InputName(representation) : std::string();
+    vtkSMProxy* const input = representation ? InputOf(representation) : nullptr;
+    const std::string name = NameOf(input);
+    drawing = input == drawing ? nullptr : drawing;
     if (!name.empty() && Visible(representation))
     {
-      ScanRepresentation(representation, name, lines, scan);
+      ScanRepresentation(representation, name, lines, drafts, scan);
     }
+  }
+  if (drafts)
+  {
+    ScanDrawing(drawing, lines, *drafts, scan);
   }
   return scan;
 }

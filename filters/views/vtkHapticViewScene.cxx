@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticViewScene.h"
 
+#include "vtkHapticDrafts.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticViewScan.h"
@@ -18,6 +19,8 @@ class vtkHapticViewScene::Internals
 {
 public:
   vtkWeakPointer<vtkSMProxy> View;
+  vtkWeakPointer<vtkSMProxy> Drawing;
+  vtkHapticDrafts Drafts;
   vtkSmartPointer<vtkHapticSession> Session;
   vtkHapticViewScan Scan;
   std::string Report;
@@ -46,6 +49,7 @@ void vtkHapticViewScene::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "View: " << this->GetView() << "\n";
+  os << indent << "Drawing: " << this->GetDrawing() << "\n";
   os << indent << "Session: " << this->GetSession() << "\n";
   os << indent << "NumberOfSurfaces: " << this->GetNumberOfSurfaces() << "\n";
   os << indent << "Report: " << this->Impl->Report << "\n";
@@ -56,8 +60,23 @@ void vtkHapticViewScene::SetView(vtkSMProxy* view)
   if (view != this->Impl->View)
   {
     this->Impl->View = view;
+    this->Impl->Drafts.ForgetAll();
     this->Modified();
   }
+}
+
+void vtkHapticViewScene::SetDrawing(vtkSMProxy* source)
+{
+  if (source != this->Impl->Drawing)
+  {
+    this->Impl->Drawing = source;
+    this->Modified();
+  }
+}
+
+vtkSMProxy* vtkHapticViewScene::GetDrawing() const
+{
+  return this->Impl->Drawing;
 }
 
 vtkSMProxy* vtkHapticViewScene::GetView() const
@@ -111,7 +130,8 @@ const char* vtkHapticViewScene::GetReport() const
 
 bool vtkHapticViewScene::Update()
 {
-  vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->TouchesLines());
+  vtkHapticViewScan now =
+    vtkHapticScanView(this->Impl->View, this->Impl->TouchesLines(), &this->Impl->Drafts, this->Impl->Drawing);
   const bool same = this->Impl->HandedOver && now.SameAs(this->Impl->Scan) && this->Impl->SameMaterials(now);
   this->Impl->Scan = std::move(now);
   const bool handOver = !same && this->Impl->Session;

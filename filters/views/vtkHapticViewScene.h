@@ -41,6 +41,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * A curve that is drawn with a widget before it is shown for the first time, felt as it is drawn; null (default) for
+   * none. Watched, not kept alive. Curves that are shown need no naming: they are felt where their widgets draw them,
+   * applied or not.
+   */
+  void SetDrawing(vtkSMProxy* source);
+  vtkSMProxy* GetDrawing() const;
+  ///@}
+
+  ///@{
   /// The session that is given the scenes.
   void SetSession(vtkHapticSession* session);
   vtkHapticSession* GetSession() const;
@@ -48,8 +58,9 @@ public:
 
   /**
    * Looks at the view and, if anything touchable changed since the last time (visibility, geometry, transform,
-   * deletion; arrays if the session uses any, and its settings of them), hands a new scene to the session. Colours and
-   * camera do not count. Costs microseconds when nothing changed. GUI thread. Returns true if a scene was handed over.
+   * deletion; a curve that is being drawn; arrays if the session uses any, and its settings of them), hands a new scene
+   * to the session. Colours and camera do not count. Costs microseconds when nothing changed. GUI thread. Returns true
+   * if a scene was handed over.
    */
   bool Update();
 
