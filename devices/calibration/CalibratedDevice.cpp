@@ -77,6 +77,10 @@ std::string CalibratedDevice::open()
 DeviceStatus CalibratedDevice::read(double tickTime_s, DeviceSample& sample) noexcept
 {
   const DeviceStatus status = this->device_->read(tickTime_s, sample);
+  if (status != DeviceStatus::Ok)
+  {
+    return status; // the sample is still that of before, calibrated then
+  }
   sample.pose_D.p = (this->sensors_ * sample.pose_D.p - this->middle_D_).eval();
   sample.velocity_D.linear = (this->sensors_ * sample.velocity_D.linear).eval();
   sample.sensed_D.force = (this->sensors_ * sample.sensed_D.force).eval();

@@ -210,13 +210,15 @@ public:
     return {};
   }
   void close() noexcept override {}
+  /// Of a device that is gone nothing is known.
   [[nodiscard]] DeviceStatus read(double, DeviceSample& sample) noexcept override
   {
-    sample = this->shown;
-    return DeviceStatus::Ok;
+    sample = this->status == DeviceStatus::Ok ? this->shown : sample;
+    return this->status;
   }
   void write(const DeviceCommand& command) noexcept override { this->told = command; }
 
+  DeviceStatus status = DeviceStatus::Ok;
   DeviceSample shown;
   DeviceCommand told;
 
@@ -241,6 +243,25 @@ TEST(CalibratedDevice, ShowsRightAsXAndPushesWhereAForcePoints)
   command.wrench_D.force = Vec3(1.0, 2.0, 3.0);
   device.write(command);
   EXPECT_EQ(raw.told.wrench_D.force, Vec3(-1.0, 2.0, 3.0));
+}
+
+TEST(CalibratedDevice, AHandStaysWhereItWasSeenLastWhileTheDeviceIsGone)
+{
+  auto notebook = std::make_unique<Notebook>();
+  Notebook& raw = *notebook;
+  CalibratedDevice device(std::move(notebook), example());
+  raw.shown.pose_D.p = Vec3(0.02, -0.06, 0.001);
+  raw.shown.velocity_D.linear = Vec3(1.0, 2.0, 3.0);
+  DeviceSample sample;
+  ASSERT_EQ(device.read(0.0, sample), DeviceStatus::Ok);
+  const DeviceSample last = sample;
+  raw.status = DeviceStatus::Lost;
+  for (int tick = 0; tick < 3; ++tick)
+  {
+    EXPECT_EQ(device.read(1e-3 * tick, sample), DeviceStatus::Lost);
+    EXPECT_EQ(sample.pose_D.p, last.pose_D.p);
+    EXPECT_EQ(sample.velocity_D.linear, last.velocity_D.linear);
+  }
 }
 
 TEST(CalibratedDevice, AWallThatTheDeviceHoldsStandsWhereItStoodForTheHand)
