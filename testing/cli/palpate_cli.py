@@ -93,29 +93,33 @@ def stl_text(points, faces):
     return f"solid square\n{facets}endsolid square\n"
 
 
-def vtp_text(points, faces, promised=None):
+def cell_arrays(cells):
+    corners = " ".join(str(i) for cell in cells for i in cell)
+    offsets = " ".join(str(sum(map(len, cells[:n + 1]))) for n in range(len(cells)))
+    return f"""<DataArray type="Int64" Name="connectivity" format="ascii">{corners}</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">{offsets}</DataArray>"""
+
+
+def vtp_text(points, cells, promised=None, kind="Polys", point_data="", cell_data=""):
+    """Poly data of one kind of cells, `Polys` or `Lines`, with the elements of its data arrays."""
+    counts = " ".join(f'NumberOf{each}="{len(cells) if each == kind else 0}"' for each in ("Verts", "Lines", "Strips", "Polys"))
     numbers = " ".join(str(value) for point in points for value in point)
-    corners = " ".join(str(i) for face in faces for i in face)
-    offsets = " ".join(str(sum(map(len, faces[:n + 1]))) for n in range(len(faces)))
     return f"""<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
-<Piece NumberOfPoints="{promised or len(points)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="{len(faces)}">
+<Piece NumberOfPoints="{promised or len(points)}" {counts}>
+<PointData>{point_data}</PointData><CellData>{cell_data}</CellData>
 <Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{numbers}</DataArray></Points>
-<Polys><DataArray type="Int64" Name="connectivity" format="ascii">{corners}</DataArray>
-<DataArray type="Int64" Name="offsets" format="ascii">{offsets}</DataArray></Polys>
+<{kind}>{cell_arrays(cells)}</{kind}>
 </Piece></PolyData></VTKFile>
 """
 
 
 def vtu_text(points, faces, promised=None, cell_type=5):
     numbers = " ".join(str(value) for point in points for value in point)
-    corners = " ".join(str(i) for face in faces for i in face)
-    offsets = " ".join(str(sum(map(len, faces[:n + 1]))) for n in range(len(faces)))
     types = " ".join([str(cell_type)] * len(faces))
     return f"""<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>
 <Piece NumberOfPoints="{promised or len(points)}" NumberOfCells="{len(faces)}">
 <Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{numbers}</DataArray></Points>
-<Cells><DataArray type="Int64" Name="connectivity" format="ascii">{corners}</DataArray>
-<DataArray type="Int64" Name="offsets" format="ascii">{offsets}</DataArray>
+<Cells>{cell_arrays(faces)}
 <DataArray type="UInt8" Name="types" format="ascii">{types}</DataArray></Cells>
 </Piece></UnstructuredGrid></VTKFile>
 """

@@ -4,26 +4,12 @@
 import json
 import unittest
 
-from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest
+from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, vtp_text
 
 HALF = 8.0  # scene units, of the square
 STIFFNESS = 512.0  # N/m, of the coupling
 DEPTH = 0.5  # scene units
 PLACES = [-6.0, -1.5, 0.5, 3.0, 7.0]
-
-
-def vtp_with(points, faces, point_data="", cell_data=""):
-    numbers = " ".join(str(value) for point in points for value in point)
-    corners = " ".join(str(i) for face in faces for i in face)
-    offsets = " ".join(str(sum(map(len, faces[:n + 1]))) for n in range(len(faces)))
-    return f"""<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
-<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="{len(faces)}">
-<PointData>{point_data}</PointData><CellData>{cell_data}</CellData>
-<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{numbers}</DataArray></Points>
-<Polys><DataArray type="Int64" Name="connectivity" format="ascii">{corners}</DataArray>
-<DataArray type="Int64" Name="offsets" format="ascii">{offsets}</DataArray></Polys>
-</Piece></PolyData></VTKFile>
-"""
 
 
 def array(name, values, components=1):
@@ -36,11 +22,11 @@ class Materials(CommandLineTest):
         super().setUp()
         x = [point[0] for point in SQUARE_POINTS]
         y = [point[1] for point in SQUARE_POINTS]
-        self.write("square.vtp", vtp_with(
+        self.write("square.vtp", vtp_text(
             SQUARE_POINTS, SQUARE_FACES,
-            array("x", x) + array("y", y) + array("v", [c for point in SQUARE_POINTS for c in point], 3) +
+            point_data=array("x", x) + array("y", y) + array("v", [c for point in SQUARE_POINTS for c in point], 3) +
             array("holes", [x[0], "nan", "nan", x[3]]),
-            array("c", [3.0, 3.0])))
+            cell_data=array("c", [3.0, 3.0])))
 
     def touch(self, rows, *options, files=("square.vtp",)):
         self.write_path(rows)

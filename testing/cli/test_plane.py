@@ -11,18 +11,6 @@ STIFFNESS = 512.0
 PLACE = 1e-12  # a point rests a few units in the last place off a line
 
 
-def lines_text(points, lines):
-    numbers = " ".join(str(value) for point in points for value in point)
-    corners = " ".join(str(i) for line in lines for i in line)
-    offsets = " ".join(str(sum(map(len, lines[:n + 1]))) for n in range(len(lines)))
-    return f"""<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
-<Piece NumberOfPoints="{len(points)}" NumberOfVerts="0" NumberOfLines="{len(lines)}" NumberOfStrips="0" NumberOfPolys="0">
-<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{numbers}</DataArray></Points>
-<Lines><DataArray type="Int64" Name="connectivity" format="ascii">{corners}</DataArray>
-<DataArray type="Int64" Name="offsets" format="ascii">{offsets}</DataArray></Lines></Piece></PolyData></VTKFile>
-"""
-
-
 def wedge(angle):
     """Two lines of length 10 that meet in the origin, `angle` apart, about the x axis."""
     x, y = 10 * math.cos(angle / 2), 10 * math.sin(angle / 2)
@@ -31,7 +19,7 @@ def wedge(angle):
 
 class PlaneTest(CommandLineTest):
     def lines(self, points, lines, name="lines.vtp"):
-        self.write(name, lines_text(points, lines))
+        self.write(name, vtp_text(points, lines, kind="Lines"))
 
     def touch(self, places, *options, files=("lines.vtp",)):
         self.write_path([(n / 1024, x, y, 0.0) for n, (x, y) in enumerate(places)])

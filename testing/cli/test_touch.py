@@ -6,7 +6,7 @@ import json
 import math
 import unittest
 
-from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, nifti_bytes, obj_text, vti_text
+from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, nifti_bytes, obj_text, vti_text, vtp_text
 
 HEADER = ("t,device_x,device_y,device_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contacts,cost_us")
 # Dyadic numbers: the sums and products of an expected value are exact.
@@ -15,14 +15,6 @@ STIFFNESS = 512.0
 PLACE = 1e-12
 FORCE = STIFFNESS * PLACE
 WALL_POINTS = [(0, -8, -8), (0, 8, -8), (0, 8, 8), (0, -8, 8)]
-
-# From (-2, 0, 0) to (2, 0, 0).
-LINE_VTP = """<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
-<Piece NumberOfPoints="2" NumberOfVerts="0" NumberOfLines="1" NumberOfStrips="0" NumberOfPolys="0">
-<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">-2 0 0 2 0 0</DataArray></Points>
-<Lines><DataArray type="Int64" Name="connectivity" format="ascii">0 1</DataArray>
-<DataArray type="Int64" Name="offsets" format="ascii">2</DataArray></Lines></Piece></PolyData></VTKFile>
-"""
 
 
 def descent(depths, x=0.5, y=0.25):
@@ -114,7 +106,7 @@ class OnAPlane(CommandLineTest):
         self.assert_force(out[1], (0, 0, STIFFNESS * (0.25 + 0.5)))
 
     def test_lines_are_tubes_of_their_radius(self):
-        (self.folder / "line.vtp").write_text(LINE_VTP)
+        self.write("line.vtp", vtp_text([(-2, 0, 0), (2, 0, 0)], [(0, 1)], kind="Lines"))
         out = self.touch(
             [(0.0, 0.5, 0.0, 1.0), (0.001, 0.5, 0.0, 0.5)],
             "--stiffness", STIFFNESS, "--radius", 0.25, "--line-radius", 0.5, files=("line.vtp",),

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
+#include <memory>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include <sched.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
+#include <gtest/gtest.h>
 
 #include "devices/io/DBusBroker.h"
 #include "testing/devices/io/FakeRealtimeService.h"
@@ -98,42 +102,46 @@ TEST_F(DBusBrokers, ARunawayIsDemotedBeforeTheProgramWouldBeEnded)
   EXPECT_LE(limit.rlim_cur, limit.rlim_max / 2);
 }
 
-TEST_F(DBusBrokers, ARefusalIsToldInOneLineWithTheServicesReason)
+struct Failure
 {
-  const DBusService kit = realtimeKit(this->bus.address());
-  const FakeRealtimeService service(kit, Manner::Refuses);
-  const Granted granted = ask(kit, 10).granted;
-  EXPECT_FALSE(granted.ok);
-  EXPECT_EQ(granted.message, "it refused: nobody is sitting at this computer");
+  std::string name;
+  std::optional<Manner> manner; ///< none: there is no service
+  int patience_ms = 1000;
+  bool lowersLimit = false; ///< it came so far that the service was asked for the thread
+  std::string message;
+};
+
+void PrintTo(const Failure& failure, std::ostream* os)
+{
+  *os << failure.name;
 }
 
-TEST_F(DBusBrokers, AServiceThatIsNotThereIsSaidAndChangesNoLimit)
+class FailingDBusBrokers
+  : public DBusBrokers
+  , public testing::WithParamInterface<Failure>
 {
-  const std::uint64_t before_us = hardLimit_us();
-  const Granted granted = ask(realtimeKit(this->bus.address()), 10).granted;
-  EXPECT_FALSE(granted.ok);
-  EXPECT_EQ(granted.message, "it is not there");
-  EXPECT_EQ(hardLimit_us(), before_us);
-}
+};
 
-TEST_F(DBusBrokers, AServiceThatDoesNotAnswerIsLeftAfterAWhile)
+TEST_P(FailingDBusBrokers, SayWhyInOneLineAndLowerNoLimitForNothing)
 {
+  const Failure& failure = this->GetParam();
   DBusService kit = realtimeKit(this->bus.address());
-  const FakeRealtimeService service(kit, Manner::IsSilent);
-  kit.patience_ms = 50;
+  kit.patience_ms = failure.patience_ms;
+  const auto service = failure.manner ? std::make_unique<FakeRealtimeService>(kit, *failure.manner)
+                                      : std::unique_ptr<FakeRealtimeService>();
+  const std::uint64_t before_us = hardLimit_us();
   const Granted granted = ask(kit, 10).granted;
   EXPECT_FALSE(granted.ok);
-  EXPECT_EQ(granted.message, "it did not answer within 50 ms");
+  EXPECT_EQ(granted.message, failure.message);
+  EXPECT_TRUE(failure.lowersLimit || hardLimit_us() == before_us);
 }
 
-TEST_F(DBusBrokers, TextsWhereNumbersBelongAreRefused)
-{
-  const DBusService kit = realtimeKit(this->bus.address());
-  const FakeRealtimeService service(kit, Manner::Babbles);
-  const Granted granted = ask(kit, 10).granted;
-  EXPECT_FALSE(granted.ok);
-  EXPECT_EQ(granted.message, "it gave no number as MaxRealtimePriority");
-}
+INSTANTIATE_TEST_SUITE_P(Reasons, FailingDBusBrokers,
+  testing::Values(Failure{ "Refusal", Manner::Refuses, 1000, true, "it refused: nobody is sitting at this computer" },
+    Failure{ "NotThere", std::nullopt, 1000, false, "it is not there" },
+    Failure{ "Silent", Manner::IsSilent, 50, false, "it did not answer within 50 ms" },
+    Failure{ "TextsForNumbers", Manner::Babbles, 1000, false, "it gave no number as MaxRealtimePriority" }),
+  [](const testing::TestParamInfo<Failure>& info) { return info.param.name; });
 
 TEST(DBusBroker, WithoutABusThereIsOneLineThatSaysSo)
 {
