@@ -358,8 +358,11 @@ TEST(PidDevice, AWriteThatHangsDelaysNoTick)
   PidDevice device("pid", bus, port.entry);
   ASSERT_EQ(device.open(), "");
   bus->alone([&] { return port.stalls = true; });
+  const auto hanging = [&] { return bus->alone([&] { return port.hanging; }); };
   DeviceCommand command;
   DeviceSample sample;
+  command.wrench_D.force.x() = 2.0;
+  ASSERT_TRUE(test::eventually([&] { return device.write(command), hanging() > 0; }));
   int lost = 0;
   {
     const test::AllocationGuard guard;
@@ -371,6 +374,7 @@ TEST(PidDevice, AWriteThatHangsDelaysNoTick)
     }
     EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0u);
   }
+  EXPECT_GT(hanging(), 0);
   EXPECT_TRUE(test::eventually(
     [&]
     {
