@@ -35,6 +35,7 @@ palpate::DeviceOptions vtkHapticSession::Internals::Options() const
   palpate::DeviceOptions options;
   options.recordingFile = this->ReplayFile;
   options.period_s = PeriodSeconds;
+  options.hid = this->Bus;
   options.calibrationFolder = this->CalibrationFolder;
   options.hand = this->HeldBy;
   options.delay_ticks = static_cast<int>(this->Parameters.passivity.delay_ticks);
@@ -64,6 +65,8 @@ vtkHapticSession::vtkHapticSession() : Impl(std::make_unique<Internals>())
 {
   this->Impl->Parameters = Defaults();
   this->Refuse(this->Impl->Core.setParameters(this->Impl->Parameters));
+  this->Impl->Chosen.name = "fed";
+  this->Impl->LookForDevices();
   this->Impl->JudgeStability();
 }
 
@@ -75,7 +78,7 @@ vtkHapticSession::~vtkHapticSession()
 void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "DeviceName: " << this->Impl->DeviceName << "\n";
+  os << indent << "DeviceName: " << this->Impl->Chosen.name << "\n";
   os << indent << "Touching: " << this->GetTouching() << "\n";
   os << indent << "VirtualTime: " << this->Impl->VirtualTime << "\n";
   os << indent << "Stiffness: " << this->GetStiffness() << " N/m\n";
@@ -146,7 +149,7 @@ void vtkHapticSession::Start()
     this->Refuse("the device is being checked; stop that first");
     return;
   }
-  palpate::MadeDevice made = palpate::makeDevice(impl.DeviceName, impl.Options());
+  palpate::MadeDevice made = palpate::makeDevice(impl.Chosen.name, impl.Options());
   if (!made.device)
   {
     this->Refuse(made.problem);
@@ -159,6 +162,8 @@ void vtkHapticSession::Start()
   const palpate::DeadMan deadMan = impl.Parameters.safety.deadMan;
   impl.Parameters.safety = palpate::SafetyLimits::forDevice(made.device->info());
   impl.Parameters.safety.deadMan = deadMan;
+  impl.Running = Internals::RunningChoice{ impl.Chosen.name, made.device->info(), impl.VirtualTime };
+  impl.FollowDevice();
   impl.Problem.clear();
   this->Refuse(made.warning);
   this->Refuse(impl.Core.setParameters(impl.Allowed(impl.Parameters)));
@@ -168,12 +173,19 @@ void vtkHapticSession::Start()
   options.recordFile = impl.RecordFile;
   options.brokers = palpate::systemBrokers();
   this->Refuse(impl.Core.start(std::move(made.device), options));
+  if (!impl.Core.running())
+  {
+    impl.Running.reset();
+    impl.FollowDevice();
+  }
 }
 
 void vtkHapticSession::Stop()
 {
   this->Impl->ShowState(); // the scheduling report ends with the servo
   this->Refuse(this->Impl->Core.stop());
+  this->Impl->Running.reset();
+  this->Impl->FollowDevice();
 }
 
 void vtkHapticSession::Engage()
@@ -216,7 +228,7 @@ void vtkHapticSession::Update()
 {
   this->Impl->TakeScene(this->Impl->Worker.Poll());
   this->Impl->FollowRules();
-  this->Impl->TakeSimpler(this->Impl->VirtualTime ? std::nullopt : this->Impl->Simpler.Poll());
+  this->Impl->TakeSimpler(this->Impl->VirtualTimeNow() ? std::nullopt : this->Impl->Simpler.Poll());
   this->Impl->ShowState();
   this->Impl->FollowRadius();
   this->Impl->SettleScene();

@@ -31,8 +31,9 @@
 
 namespace palpate
 {
+class HidBus;
 struct HapticParameters;
-}
+} // namespace palpate
 
 struct vtkHapticMaterialSettings;
 class vtkDataObject;
@@ -65,15 +66,22 @@ public:
   ///@}
 
   ///@{
-  /// Devices this build knows, and why one cannot be used ("" when it can).
+  /// Devices this build knows and those that were plugged in when they were last looked for, and why one cannot be used
+  /// ("" when it can). Looking takes milliseconds.
+  void LookForDevices();
   int GetNumberOfKnownDevices() const;
   const char* GetKnownDeviceName(int index) const;
   const char* GetKnownDeviceProblem(int index) const;
   ///@}
 
+#ifndef __VTK_WRAP__
+  /// Where devices of the USB bus are looked for; null (default): on this computer.
+  void SetHidBus(std::shared_ptr<palpate::HidBus> bus);
+#endif
+
   ///@{
-  /// What the chosen device is ("2 axes of force"), and what it cannot do, "" if nothing; of a running one what it
-  /// really cannot.
+  /// What the chosen device is ("2 axes of force"), and why it cannot be used or what it cannot do, "" if nothing; of a
+  /// running one what it really cannot.
   const char* GetDeviceKind() const;
   const char* GetDeviceNotes() const;
   ///@}
@@ -236,7 +244,7 @@ public:
   /// that move in a plane only. Surfaces that are added later feel it.
   virtual void SetLinesAsWalls(int choice);
   virtual int GetLinesAsWalls() const;
-  /// What that comes to with the chosen device.
+  /// What that comes to with the running device, else the chosen one.
   bool GetRaisesLines() const;
   ///@}
 
@@ -288,7 +296,7 @@ public:
   double GetLabyrinthTime() const;
   /// The phase in words for the person: who has a device without force goes to the start alone.
   const char* GetLabyrinthText() const;
-  /// Whether the chosen device can push the hand, so bring it to the start.
+  /// Whether the running device, else the chosen one, can push the hand, so bring it to the start.
   bool GetDeviceGivesForce() const;
   ///@}
 

@@ -2,6 +2,7 @@
 // Which device is chosen, what it is, what it cannot do, and how the link to it goes.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "devices/DeviceNotes.h"
 #include "devices/calibration/CalibratedDevice.h"
@@ -9,14 +10,49 @@
 #include "devices/io/LinkedDevice.h"
 #include "vtkHapticSessionInternals.h"
 
-void vtkHapticSession::Internals::LearnDevices()
+void vtkHapticSession::Internals::LookForDevices()
 {
-  const auto named = [this](const palpate::KnownDevice& known) { return known.name == this->DeviceName; };
-  if (std::none_of(this->Known.begin(), this->Known.end(), named))
+  this->Known = palpate::knownDevices(this->Options());
+  palpate::applyCalibrations(this->Known, this->CalibrationFolder);
+  this->LearnChosen();
+}
+
+void vtkHapticSession::Internals::LearnChosen()
+{
+  const auto named = [this](const palpate::KnownDevice& known) { return known.name == this->Chosen.name; };
+  const auto found = std::find_if(this->Known.begin(), this->Known.end(), named);
+  if (found != this->Known.end())
   {
-    this->Known = palpate::knownDevices(); // it was plugged in after the last look
-    palpate::applyCalibrations(this->Known, this->CalibrationFolder);
+    this->Chosen = *found;
   }
+  else
+  {
+    this->Chosen.problem = "it is not plugged in";
+  }
+}
+
+const std::string& vtkHapticSession::Internals::DeviceNameNow() const
+{
+  return this->Running ? this->Running->DeviceName : this->Chosen.name;
+}
+
+const palpate::DeviceInfo& vtkHapticSession::Internals::InfoNow() const
+{
+  return this->Running ? this->Running->Info : this->Chosen.info;
+}
+
+bool vtkHapticSession::Internals::VirtualTimeNow() const
+{
+  return this->Running ? this->Running->VirtualTime : this->VirtualTime;
+}
+
+void vtkHapticSession::Internals::FollowDevice()
+{
+  if (this->RaisesLines() != this->Raises)
+  {
+    this->FollowWalls();
+  }
+  this->FollowPlane();
 }
 
 const palpate::LinkedDevice* vtkHapticSession::Internals::Linked()
@@ -38,27 +74,45 @@ palpate::LinkReport vtkHapticSession::Internals::Link()
 void vtkHapticSession::SetDeviceName(const char* name)
 {
   const std::string wanted = name ? name : "";
-  if (wanted == this->Impl->DeviceName)
+  if (wanted == this->Impl->Chosen.name)
   {
     return;
   }
-  const palpate::MadeDevice made = palpate::makeDevice(wanted, {});
+  palpate::DeviceOptions options;
+  options.hid = this->Impl->Bus;
+  const palpate::MadeDevice made = palpate::makeDevice(wanted, options);
   if (!made.device)
   {
     this->Refuse(made.problem);
     return;
   }
-  this->Impl->DeviceName = wanted;
-  this->Impl->LearnDevices();
+  this->Impl->Chosen = { wanted, "", made.device->info(), "" };
+  this->Impl->LearnChosen();
+  if (!this->Impl->Chosen.problem.empty())
+  {
+    this->Impl->LookForDevices(); // it may have been plugged in after the last look
+  }
   this->Impl->JudgeStability();
-  this->Impl->FollowWalls();
-  this->Impl->FollowPlane();
+  this->Impl->FollowDevice();
   this->Modified();
 }
 
 const char* vtkHapticSession::GetDeviceName() const
 {
-  return this->Impl->DeviceName.c_str();
+  return this->Impl->Chosen.name.c_str();
+}
+
+void vtkHapticSession::LookForDevices()
+{
+  this->Impl->LookForDevices();
+  this->Impl->JudgeStability();
+  this->Impl->FollowDevice();
+}
+
+void vtkHapticSession::SetHidBus(std::shared_ptr<palpate::HidBus> bus)
+{
+  this->Impl->Bus = std::move(bus);
+  this->LookForDevices();
 }
 
 int vtkHapticSession::GetNumberOfKnownDevices() const
@@ -78,18 +132,22 @@ const char* vtkHapticSession::GetKnownDeviceProblem(int index) const
 
 const char* vtkHapticSession::GetDeviceKind() const
 {
-  this->Impl->DeviceKind = palpate::kindOf(this->Impl->ChosenInfo());
+  this->Impl->DeviceKind = palpate::kindOf(this->Impl->Chosen.info);
   return this->Impl->DeviceKind.c_str();
 }
 
 const char* vtkHapticSession::GetDeviceNotes() const
 {
-  palpate::DeviceInfo info = this->Impl->ChosenInfo();
-  if (const palpate::LinkedDevice* const linked = this->Impl->Linked())
+  const Internals& impl = *this->Impl;
+  palpate::DeviceInfo info = impl.Chosen.info;
+  const bool runs = impl.Running && impl.Running->DeviceName == impl.Chosen.name;
+  if (const palpate::LinkedDevice* const linked = runs ? this->Impl->Linked() : nullptr)
   {
     info.abilities = linked->abilitiesNow();
   }
-  this->Impl->DeviceNotes = palpate::shortcomings(info);
+  const std::string problem = runs || impl.Chosen.problem.empty() ? "" : "Cannot be used now: " + impl.Chosen.problem;
+  const std::string notes = palpate::shortcomings(info);
+  this->Impl->DeviceNotes = problem + (problem.empty() || notes.empty() ? "" : ". ") + notes;
   return this->Impl->DeviceNotes.c_str();
 }
 

@@ -14,6 +14,8 @@
 #include "vtkHapticSimplerScene.h"
 #include "vtkTimeStamp.h"
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +28,7 @@ public:
   palpate::HapticSession Core;
   palpate::HapticParameters Parameters;
   double FrictionKinetic = 0.0; ///< as set; the parameters have no more than the static one
-  std::vector<palpate::KnownDevice> Known = palpate::knownDevices();
+  std::vector<palpate::KnownDevice> Known;
   vtkHapticMaterialSettings Materials;
   double LineRadius_u = 0.0;
   vtkTimeStamp MaterialTime;
@@ -53,7 +55,6 @@ public:
   std::string CheckResult;
   std::string CalibrationFolder;
 
-  std::string DeviceName = "fed";
   std::string RecordFile;
   std::string ReplayFile;
   std::vector<palpate::Vec3> Stroke_W;
@@ -82,15 +83,34 @@ public:
   double Hand[3] = { 0.0, 0.0, 0.0 };
   double Force[3] = { 0.0, 0.0, 0.0 };
 
+  std::shared_ptr<palpate::HidBus> Bus; ///< null: this computer's
+  palpate::KnownDevice Chosen;          ///< as it was when it was seen last: it may have been unplugged
+
+  /// What was chosen when touching started; another choice waits until it starts again.
+  struct RunningChoice
+  {
+    std::string DeviceName;
+    palpate::DeviceInfo Info;
+    bool VirtualTime;
+  };
+  std::optional<RunningChoice> Running;
+
   palpate::DeviceOptions Options() const;
+  /// Looks again which devices there are, and what is known of the chosen one.
+  void LookForDevices();
+  void LearnChosen();
+  /// Of what runs, else of what was chosen.
+  const std::string& DeviceNameNow() const;
+  const palpate::DeviceInfo& InfoNow() const;
+  bool VirtualTimeNow() const;
+  /// Another device runs now than a moment ago, or none: what depends on it follows.
+  void FollowDevice();
   /// What a check says now; ends it once there is a verdict.
   void FollowCheck();
   /// Where a program holds the hand, as the device would tell it.
   palpate::DeviceSample HandSample() const;
   /// `placed`: there without a way.
   void Feed(bool placed = false);
-  /// Looks again where the chosen device was not there at the last look.
-  void LearnDevices();
   /// The running device where it is behind a link, else null; how the link goes.
   const palpate::LinkedDevice* Linked();
   palpate::LinkReport Link();
@@ -116,7 +136,7 @@ public:
   /// The servo gets the ball of the scene that is felt; never in the tick of a swap, in which a pressed hand changes
   /// over.
   void FollowRadius();
-  /// Whether lines are walls for the chosen device.
+  /// Whether lines are walls for the running device, else the chosen one.
   bool RaisesLines() const;
   /// Tells the worker so.
   void FollowWalls();
@@ -133,7 +153,7 @@ public:
   double FeltStiffness() const;
   /// How stiff the running device can be, else the chosen one: milliseconds, for changes of what it depends on only.
   void JudgeStability();
-  const palpate::DeviceInfo& ChosenInfo() const;
+  const palpate::DeviceInfo& ChosenInfo() const { return this->Chosen.info; }
 };
 
 #endif

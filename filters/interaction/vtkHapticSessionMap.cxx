@@ -73,14 +73,14 @@ void vtkHapticSession::FitWorkspace()
   }
   const Vec3 low_W(bounds[0], bounds[2], bounds[4]);
   const Vec3 high_W(bounds[1], bounds[3], bounds[5]);
-  const double radius_m = this->Impl->ChosenInfo().workspaceRadius_m.value;
+  const double radius_m = this->Impl->InfoNow().workspaceRadius_m.value;
   const double half = 0.5 * (high_W - low_W).norm();
   this->Change(
     [&](palpate::HapticParameters& p)
     {
       p.map.scale_u_per_m = half / radius_m;
       p.map.offset_W = 0.5 * (low_W + high_W);
-      if (this->Impl->Built.Plane_WP && this->Impl->ChosenInfo().abilities.sensedAxes == 2)
+      if (this->Impl->Built.Plane_WP && this->Impl->InfoNow().abilities.sensedAxes == 2)
       {
         p.map.q_WD = this->Impl->Built.Plane_WP->q; // a device that moves in a plane moves in this one
       }

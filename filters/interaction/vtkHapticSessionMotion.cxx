@@ -17,7 +17,7 @@ constexpr double rest_s = 1.0;
 
 double vtkHapticSession::Internals::Now()
 {
-  return this->VirtualTime ? PeriodSeconds * static_cast<double>(this->Core.state().tick)
+  return this->VirtualTimeNow() ? PeriodSeconds * static_cast<double>(this->Core.state().tick)
                            : 1e-9 * static_cast<double>(palpate::MonotonicClock().now_ns());
 }
 

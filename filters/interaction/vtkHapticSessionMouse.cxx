@@ -85,5 +85,5 @@ double vtkHapticSession::GetPressDepth() const
 
 bool vtkHapticSession::GetFollowsMouse() const
 {
-  return this->Impl->DeviceName == "mouse";
+  return this->Impl->DeviceNameNow() == "mouse";
 }

@@ -19,7 +19,7 @@ palpate::SimplifyRules vtkHapticSession::Internals::RulesNow() const
 {
   palpate::SimplifyRules rules;
   rules.touch.scale_u_per_m = this->Parameters.map.scale_u_per_m;
-  rules.touch.resolution_m = this->ChosenInfo().resolution_m.value;
+  rules.touch.resolution_m = this->InfoNow().resolution_m.value;
   rules.leastTriangles = this->Simplify == On ? 0 : rules.leastTriangles;
   return rules;
 }

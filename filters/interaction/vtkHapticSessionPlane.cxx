@@ -9,7 +9,7 @@
 
 bool vtkHapticSession::Internals::RaisesLines() const
 {
-  return this->LinesAsWalls == On || (this->LinesAsWalls == Auto && this->ChosenInfo().abilities.sensedAxes == 2);
+  return this->LinesAsWalls == On || (this->LinesAsWalls == Auto && this->InfoNow().abilities.sensedAxes == 2);
 }
 
 void vtkHapticSession::Internals::FollowWalls()
@@ -24,7 +24,7 @@ void vtkHapticSession::Internals::FollowWalls()
 
 void vtkHapticSession::Internals::FollowPlane()
 {
-  const bool planar = this->ChosenInfo().abilities.sensedAxes == 2;
+  const bool planar = this->InfoNow().abilities.sensedAxes == 2;
   const std::optional<palpate::Pose>& plane_WP = this->Built.Plane_WP;
   palpate::HapticParameters wanted = this->Parameters;
   wanted.guide.on = plane_WP && this->PlaneGuide;
@@ -66,7 +66,7 @@ std::string vtkHapticSession::Internals::PlaneSentence() const
   std::ostringstream text;
   text.precision(3);
   text << ", in one plane: ";
-  const bool can = this->ChosenInfo().abilities.holdsWalls;
+  const bool can = this->InfoNow().abilities.holdsWalls;
   if (this->Parameters.walls.hold && can)
   {
     text << "at most four walls are held by the device itself, moved on at " << this->WallRate

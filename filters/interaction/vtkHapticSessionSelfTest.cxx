@@ -2,6 +2,8 @@
 // The part of vtkHapticSession that checks a device and keeps what is found.
 #include "vtkHapticSession.h"
 
+#include <utility>
+
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/calibration/SelfTestFindings.h"
 #include "devices/io/DBusBroker.h"
@@ -35,7 +37,7 @@ void vtkHapticSession::StartSelfTest()
   device.calibrationFolder.clear(); // what the driver says, not what was found before
   device.hand = "light";
   device.stroke.points_D = { palpate::Vec3::Zero() };
-  palpate::MadeDevice made = palpate::makeDevice(impl.DeviceName, device);
+  palpate::MadeDevice made = palpate::makeDevice(impl.Chosen.name, device);
   std::string problem = made.problem;
   if (made.device)
   {
@@ -108,12 +110,15 @@ void vtkHapticSession::SetCalibrationFolder(const char* folder)
   const std::string wanted = folder ? folder : "";
   if (wanted != this->Impl->CalibrationFolder)
   {
-    if (!this->Impl->CalibrationFolder.empty())
+    if (!std::exchange(this->Impl->CalibrationFolder, wanted).empty())
     {
-      this->Impl->Known = palpate::knownDevices(); // without what the folder before said of them
+      this->Impl->LookForDevices(); // without what the folder before said of them
     }
-    this->Impl->CalibrationFolder = wanted;
-    palpate::applyCalibrations(this->Impl->Known, wanted);
+    else
+    {
+      palpate::applyCalibrations(this->Impl->Known, wanted);
+      this->Impl->LearnChosen();
+    }
     this->Impl->JudgeStability();
     this->Modified();
   }
@@ -135,6 +140,7 @@ bool vtkHapticSession::KeepCalibration()
   if (problem.empty())
   {
     palpate::applyCalibrations(impl.Known, impl.CalibrationFolder);
+    impl.LearnChosen();
     impl.JudgeStability();
     this->Modified();
   }

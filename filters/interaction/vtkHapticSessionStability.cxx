@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keeps a held force from shaking the hand, and what that costs.
-#include <algorithm>
-
 #include "haptics/session/DeviceAdaptation.h"
 #include "vtkHapticSessionInternals.h"
-
-const palpate::DeviceInfo& vtkHapticSession::Internals::ChosenInfo() const
-{
-  const auto named = [this](const palpate::KnownDevice& known) { return known.name == this->DeviceName; };
-  return std::find_if(this->Known.begin(), this->Known.end(), named)->info;
-}
 
 void vtkHapticSession::Internals::JudgeStability()
 {
@@ -20,8 +12,8 @@ void vtkHapticSession::Internals::JudgeStability()
     return;
   }
   const palpate::LoopSettings loop = palpate::loopSettings(this->Parameters, PeriodSeconds);
-  this->Limits = palpate::stabilityLimits(this->ChosenInfo(), loop);
-  this->StabilitySentence = palpate::describe(this->Limits, this->ChosenInfo(), loop);
+  this->Limits = palpate::stabilityLimits(this->Chosen.info, loop);
+  this->StabilitySentence = palpate::describe(this->Limits, this->Chosen.info, loop);
 }
 
 // Settings ----------------------------------------------------------------------------------------------------------
@@ -96,7 +88,7 @@ const char* vtkHapticSession::GetHand() const
 
 bool vtkHapticSession::GetDeviceTakesHand() const
 {
-  return palpate::deviceModel(this->Impl->DeviceName) != nullptr;
+  return palpate::deviceModel(this->Impl->Chosen.name) != nullptr;
 }
 
 // What it says ------------------------------------------------------------------------------------------------------

@@ -1,12 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Devices that are chosen, unplugged, plugged in, and chosen while another one runs. Virtual time.
+#include <algorithm>
+#include <memory>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VtkScenes.h"
+#include "testing/devices/hid/FakeHidBus.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 
+using namespace palpate;
+using namespace palpate::testing;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StrEq;
+
+namespace
+{
+constexpr int ticksToEngage = 1100;
+constexpr const char* pluggedName = "pid-1209-ffb0-7";
+
+int indexOf(const vtkHapticSession* session, const std::string& name)
+{
+  for (int i = 0; i < session->GetNumberOfKnownDevices(); ++i)
+  {
+    if (session->GetKnownDeviceName(i) == name)
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+/// A joystick that holds the wall y = 0, its hand led 3 mm below it.
+void feelWall(vtkHapticSession* session)
+{
+  session->VirtualTimeOn();
+  session->SetStiffness(200.0);
+  session->SetDeviceName("simulated-joystick");
+  session->SetHand("firm");
+  session->AddStrokePoint(0, 5, 0);
+  session->AddStrokePoint(10, -3, 0);
+  ASSERT_TRUE(session->AddSurface("line", makePath({ { -40, 0, 0 }, { 40, 0, 0 } }), nullptr));
+  session->CommitScene();
+  ASSERT_TRUE(session->FinishScene());
+  session->TouchingOn();
+  session->Step(ticksToEngage);
+}
+} // namespace
 
 TEST(HapticSessionDevice, WhatTheChosenDeviceIsAndCannotDoIsSaidBeforeItIsTouched)
 {
@@ -30,4 +75,90 @@ TEST(HapticSessionDevice, ADeviceWithoutALinkHasNothingToSayAboutOne)
   EXPECT_EQ(session->GetLinkRate(), 0.0);
   EXPECT_EQ(session->GetLinkStalls() + session->GetLinkLosses() + session->GetLinkStrange(), 0);
   EXPECT_EQ(session->GetLinkRestarts(), 0);
+}
+
+// What is touched and how depends on who touches it: another choice waits until touching starts again.
+TEST(HapticSessionDevice, ADeviceThatIsChosenMeanwhileChangesNothingOfTheOneThatRuns)
+{
+  vtkNew<vtkHapticSession> asBefore, chosenAnew;
+  feelWall(asBefore);
+  feelWall(chosenAnew);
+  chosenAnew->SetDeviceName("simulated-premium");
+  EXPECT_TRUE(chosenAnew->GetRaisesLines());
+  EXPECT_THAT(chosenAnew->GetPlanSentence(), StrEq(asBefore->GetPlanSentence()));
+  chosenAnew->FitWorkspace();
+  asBefore->FitWorkspace();
+  EXPECT_EQ(chosenAnew->GetScale(), asBefore->GetScale());
+  int mostHeld = 0;
+  for (int i = 0; i < 100; ++i)
+  {
+    asBefore->Step(10);
+    chosenAnew->Step(10);
+    mostHeld = std::max(mostHeld, asBefore->GetWallsHeld());
+    ASSERT_EQ(chosenAnew->GetWallsHeld(), asBefore->GetWallsHeld());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_EQ(chosenAnew->GetForce()[axis], asBefore->GetForce()[axis]);
+      ASSERT_EQ(chosenAnew->GetHandPosition()[axis], asBefore->GetHandPosition()[axis]);
+    }
+  }
+  EXPECT_GE(mostHeld, 1);
+  chosenAnew->TouchingOff();
+  EXPECT_FALSE(chosenAnew->GetRaisesLines());
+  EXPECT_THAT(chosenAnew->GetPlanSentence(), HasSubstr("the device holds none; the hand is led to the plane"));
+}
+
+TEST(HapticSessionDevice, AMouseThatIsChosenMeanwhileLeadsNoOtherHand)
+{
+  vtkNew<vtkHapticSession> session;
+  session->VirtualTimeOn();
+  session->TouchingOn();
+  session->SetDeviceName("mouse");
+  EXPECT_FALSE(session->GetFollowsMouse());
+  EXPECT_THAT(session->GetDeviceName(), StrEq("mouse"));
+  session->TouchingOff();
+  EXPECT_TRUE(session->GetFollowsMouse());
+  session->TouchingOn();
+  session->SetDeviceName("fed");
+  EXPECT_TRUE(session->GetFollowsMouse());
+}
+
+TEST(HapticSessionDevice, OneThatIsPluggedInLaterIsFoundWhenDevicesAreLookedForAndItsProblemIsSaid)
+{
+  const auto bus = std::make_shared<test::FakeHidBus>();
+  vtkNew<vtkHapticSession> session;
+  session->SetHidBus(bus);
+  EXPECT_EQ(indexOf(session, pluggedName), -1);
+  test::FakePort& port = bus->plug(test::plainLayout(), "7");
+  port.openProblem = "no permission";
+  session->LookForDevices();
+  const int index = indexOf(session, pluggedName);
+  ASSERT_GE(index, 0);
+  EXPECT_THAT(session->GetKnownDeviceProblem(index), StrEq("no permission"));
+  session->SetDeviceName(pluggedName);
+  EXPECT_THAT(session->GetDeviceNotes(), HasSubstr("Cannot be used now: no permission"));
+  port.openProblem.clear();
+  session->LookForDevices();
+  EXPECT_THAT(session->GetDeviceNotes(), Not(HasSubstr("Cannot be used now")));
+}
+
+TEST(HapticSessionDevice, AChosenOneThatIsUnpluggedIsStillKnownForWhatItWas)
+{
+  const auto bus = std::make_shared<test::FakeHidBus>();
+  test::FakePort& port = bus->plug(test::plainLayout(), "7");
+  vtkNew<vtkHapticSession> session;
+  session->SetHidBus(bus);
+  session->SetDeviceName(pluggedName);
+  const std::string kind = session->GetDeviceKind();
+  EXPECT_THAT(kind, StrEq("2 axes of force"));
+  port.present = false;
+  for (const char* folder : { "one", "another", "" }) // whatever is known is looked up anew
+  {
+    session->SetCalibrationFolder(folder);
+    EXPECT_THAT(session->GetDeviceName(), StrEq(pluggedName));
+    EXPECT_THAT(session->GetDeviceKind(), StrEq(kind));
+    EXPECT_TRUE(session->GetDeviceGivesForce());
+  }
+  EXPECT_THAT(session->GetDeviceNotes(), HasSubstr("Cannot be used now: it is not plugged in"));
+  EXPECT_THAT(errorsOf(session, [&] { session->TouchingOn(); }), ::testing::SizeIs(1));
 }

@@ -407,3 +407,16 @@ TEST_P(SwapWhilePressed, AtTenHertzForAMinuteTheForceStepsByATenthOfANewtonAtMos
 
 INSTANTIATE_TEST_SUITE_P(Worker, SwapWhilePressed, ::testing::Bool(),
   [](const auto& info) { return info.param ? "WaitedFor" : "BesideTheTicks"; });
+
+TEST_F(HapticSessionMotion, TimeStaysVirtualUntilTouchingEndsWhateverIsChosenForTheNextTime)
+{
+  constexpr int ticks = 16; // between snapshots
+  this->start(20.0, makePlane(size), shiftTo(-20.0), 0.0);
+  this->place(shiftTo(-20.0));
+  this->session_->Step(ticks);
+  this->session_->VirtualTimeOff();
+  this->place(shiftTo(-10.0));
+  this->session_->Step(1);
+  EXPECT_NEAR(this->session_->GetMotionLag(), ticks * period_s, 1e-12);
+  EXPECT_FALSE(this->session_->GetVirtualTime());
+}
