@@ -374,8 +374,8 @@ public:
 
   ///@{
   /**
-   * What the hand must hold to be pushed: buttons (bit i: button i will do; default 0) or the grip sensor (default
-   * off); none of both: nothing. Let go, the force is zero within 50 ms and starts again from a small one.
+   * What the hand must hold to be pushed: buttons (bit i: button i + 1 will do; default 0) or the grip sensor
+   * (default off); none of both: nothing. Let go, the force is zero within 50 ms and starts again from a small one.
    */
   virtual void SetDeadManButtons(int mask);
   virtual int GetDeadManButtons() const;

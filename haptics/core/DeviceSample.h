@@ -15,7 +15,7 @@ struct DeviceSample
   Pose pose_D;               ///< tool in the device frame [m]
   Twist velocity_D;          ///< measured or zero [m/s, rad/s]
   Wrench sensed_D;           ///< force sensor of an admittance device, else zero [N, N m]
-  std::uint32_t buttons = 0; ///< bit i: button i is down
+  std::uint32_t buttons = 0; ///< bit i: button i + 1 is down
   bool grip = false;         ///< dead-man or grip sensor closed
 };
 

@@ -11,7 +11,7 @@ namespace palpate
 /// What a hand must hold for a force to be given. None of both: nothing.
 struct DeadMan
 {
-  std::uint32_t buttons = 0; ///< bit i: button i will do
+  std::uint32_t buttons = 0; ///< bit i: button i + 1 will do
   bool grip = false;         ///< the grip sensor will do
 
   friend bool operator==(const DeadMan&, const DeadMan&) = default;

@@ -162,3 +162,12 @@ TEST(HapticSessionDevice, AChosenOneThatIsUnpluggedIsStillKnownForWhatItWas)
   EXPECT_THAT(session->GetDeviceNotes(), HasSubstr("Cannot be used now: it is not plugged in"));
   EXPECT_THAT(errorsOf(session, [&] { session->TouchingOn(); }), ::testing::SizeIs(1));
 }
+
+TEST(HapticSessionDevice, AMaskOfButtonsThatIsNoneIsRefusedAndSaid)
+{
+  vtkNew<vtkHapticSession> session;
+  session->SetDeadManButtons(1 << 3);
+  EXPECT_THAT(errorsOf(session, [&] { session->SetDeadManButtons(-1); }), ::testing::SizeIs(1));
+  EXPECT_THAT(session->GetProblem(), HasSubstr("bit i stands for button i + 1"));
+  EXPECT_EQ(session->GetDeadManButtons(), 1 << 3);
+}
