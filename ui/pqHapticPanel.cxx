@@ -160,8 +160,8 @@ void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
   this->DeviceRows = new pqHapticDeviceRows(form);
   this->Hand = Choice(parent, "hand", tr("Who holds a simulated device"));
   form->addRow(tr("Held &by"), this->Hand);
-  this->PressDepth =
-    Number(parent, "pressDepth", 0.00005, 0.05, 5, tr("How deep the mouse in the view presses [m of the hand]"));
+  this->PressDepth = Number(parent, "pressDepth", vtkHapticSession::LeastPressDepth,
+    vtkHapticSession::LargestPressDepth, 5, tr("How deep the mouse in the view presses [m of the hand]"));
   this->PressDepth->setSuffix(tr(" m"));
   form->addRow(tr("Mouse &goes in by"), this->PressDepth);
   this->MouseHelp =

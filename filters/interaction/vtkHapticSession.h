@@ -517,7 +517,10 @@ public:
   bool GetSceneBounds(double bounds[6]) const;
 
   ///@{
-  /// How deep the device "mouse" presses [m of the hand], > 0, default 0.002 (vtkHapticMouse); whether it is chosen.
+  /// How deep the device "mouse" presses [m of the hand], LeastPressDepth to LargestPressDepth, default 0.002
+  /// (vtkHapticMouse); whether it is the running device, else the chosen one.
+  static constexpr double LeastPressDepth = 5e-5;
+  static constexpr double LargestPressDepth = 0.05;
   virtual void SetPressDepth(double depth_m);
   virtual double GetPressDepth() const;
   bool GetFollowsMouse() const;

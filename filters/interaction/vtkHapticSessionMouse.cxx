@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the mouse in a view asks of a session: where a way meets what is touched, and how deep it presses.
-#include <cmath>
+#include <sstream>
 
 #include "haptics/contact/FeatureGeometry.h"
-#include "haptics/contact/PlanFor.h"
 #include "haptics/contact/Sweep.h"
 #include "vtkHapticSessionInternals.h"
 
@@ -51,7 +50,7 @@ bool vtkHapticSession::PickSurface(
   palpate::SweepQuery query;
   query.from_W = Vec3(from_W);
   query.to_W = Vec3(to_W);
-  query.radius_u = palpate::planFor(scene, impl.Parameters.contact).radius_u;
+  query.radius_u = impl.Touch().plan.radius_u;
   query.resolution.include(query.from_W);
   query.resolution.include(query.to_W);
   query.resolution.include(Vec3::Constant(query.radius_u + scene.mostCoat_u()));
@@ -69,9 +68,12 @@ bool vtkHapticSession::PickSurface(
 
 void vtkHapticSession::SetPressDepth(double depth_m)
 {
-  if (!(depth_m > 0.0 && std::isfinite(depth_m)))
+  if (!(depth_m >= LeastPressDepth && depth_m <= LargestPressDepth))
   {
-    this->Refuse("the depth that the mouse presses must be more than 0 m of the hand");
+    std::ostringstream problem;
+    problem << "the depth that the mouse presses must be " << LeastPressDepth << " to " << LargestPressDepth
+            << " m of the hand, not " << depth_m;
+    this->Refuse(problem.str());
     return;
   }
   this->Impl->PressDepth_m = depth_m;

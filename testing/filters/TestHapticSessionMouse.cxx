@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the mouse in a view asks of a session.
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+
+namespace
+{
+
+// A fine sphere allows only a small ball. Its way ends where the ball that touches would be stopped: so far above the
+// pole, where the facets of n slices of half a turn lie below the sphere by their sagitta at most.
+TEST(HapticSessionMouse, AWayIsBarredForTheBallThatTouchesNotForALargerOneThatIsAskedFor)
+{
+  constexpr double radius = 50.0, pi = 3.14159265358979323846;
+  constexpr int resolution = 200;
+  const double sagitta = radius * (1.0 - std::cos(pi / resolution));
+  vtkNew<vtkHapticSession> session;
+  session->SetSimplify(vtkHapticSession::Off);
+  session->AddSurface("sphere", makeSphere(radius, resolution), nullptr);
+  session->CommitScene();
+  ASSERT_TRUE(session->FinishScene());
+  const double limit = session->GetRadiusLimit();
+  ASSERT_TRUE(std::isfinite(limit));
+  ASSERT_GT(limit, 10 * sagitta);
+  session->SetRadius(2 * limit);
+  ASSERT_EQ(session->GetRadiusUsed(), limit);
+  const Vec3 from_W(0, 0, 3 * radius), to_W(0, 0, 0);
+  Vec3 ball_W, normal_W;
+  ASSERT_TRUE(session->PickSurface(from_W.data(), to_W.data(), ball_W.data(), normal_W.data()));
+  EXPECT_NEAR(ball_W.z(), radius + limit, sagitta);
+  session->LimitRadiusOff();
+  ASSERT_TRUE(session->PickSurface(from_W.data(), to_W.data(), ball_W.data(), normal_W.data()));
+  EXPECT_NEAR(ball_W.z(), radius + 2 * limit, sagitta);
+}
+
+TEST(HapticSessionMouse, ADepthIsWithinWhatTheMouseCanPressOrRefused)
+{
+  vtkNew<vtkHapticSession> session;
+  for (const double depth_m : { vtkHapticSession::LeastPressDepth, vtkHapticSession::LargestPressDepth })
+  {
+    session->SetPressDepth(depth_m);
+    EXPECT_EQ(session->GetPressDepth(), depth_m);
+  }
+  for (const double depth_m : { 0.99 * vtkHapticSession::LeastPressDepth, 1.01 * vtkHapticSession::LargestPressDepth })
+  {
+    EXPECT_THAT(errorsOf(session, [&] { session->SetPressDepth(depth_m); }), ::testing::SizeIs(1));
+    EXPECT_EQ(session->GetPressDepth(), vtkHapticSession::LargestPressDepth);
+    EXPECT_THAT(session->GetProblem(), ::testing::HasSubstr("5e-05 to 0.05 m of the hand"));
+  }
+}
+
+} // namespace
