@@ -27,6 +27,8 @@ Labyrinth shortCorridor()
   return labyrinth;
 }
 
+constexpr int playedTicks = 8000;
+
 /// Two games on a joystick that nobody holds, the second one asked for after 4 s; what phases ticks ended in.
 std::string play(const std::string& path, bool deviceHolds)
 {
@@ -45,9 +47,9 @@ std::string play(const std::string& path, bool deviceHolds)
   const HandPath from{ { Vec3(-0.02, 0, 0) } };
   EXPECT_EQ(session.start(std::make_unique<SimulatedDevice>(model, *handModel("none"), from), options), "");
   std::string phases;
-  for (int tick = 0; tick < 8000; ++tick)
+  for (int tick = 0; tick < playedTicks; ++tick)
   {
-    if (tick == 4000)
+    if (tick == playedTicks / 2)
     {
       session.play();
     }
@@ -76,6 +78,7 @@ TEST(LabyrinthGame, IsRecordedAndReplayedBitForBitWithASecondGameAskedForByAnEve
     const ReplayResult result = replay(std::get<Recording>(read));
     EXPECT_EQ(result.problem, "");
     EXPECT_EQ(result.difference, "");
+    EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(playedTicks));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/labyrinth/Labyrinth.h"
+#include "haptics/safety/ForceLimits.h"
 #include "haptics/session/DeviceAdaptation.h"
 #include "haptics/session/ForceRenderer.h"
 
@@ -33,16 +34,17 @@ Labyrinth box()
 class Game
 {
 public:
-  Game(const DeviceModel& model, const HandModel& hand, const Vec3& from_D, bool deviceHolds = false)
-    : scene_(SceneBuilder().build({ wallsOf(box()) }).scene),
+  Game(const DeviceModel& model, const HandModel& hand, const Vec3& from_D, bool deviceHolds = false,
+    const Labyrinth& labyrinth = box())
+    : scene_(SceneBuilder().build({ wallsOf(labyrinth) }).scene),
       device_(model, hand, { { from_D } }, { .period_s = tick_s }), hand_D_(from_D)
   {
     EXPECT_EQ(this->device_.open(), "");
     const DeviceInfo info = infoOf(model);
     HapticParameters& p = this->parameters;
-    p.contact.radius_u = box().radius_u();
-    p.map = fitted(box(), info.workspaceRadius_m.value);
-    p.game = gameOf(box());
+    p.contact.radius_u = labyrinth.radius_u();
+    p.map = fitted(labyrinth, info.workspaceRadius_m.value);
+    p.game = gameOf(labyrinth);
     p.walls.hold = deviceHolds;
     p.safety = SafetyLimits::forDevice(info);
     p.safety.needsEngage = false;
@@ -60,6 +62,19 @@ public:
     input.sample.grip = this->grip;
     const TickOutput out = renderTick(input, this->parameters, this->state);
     this->device_.write(out.command);
+    this->fastest_m_per_s = std::max(this->fastest_m_per_s, this->device_.speed_D().norm());
+    this->strongest_N = std::max(this->strongest_N, out.state.force_D.norm());
+    const bool shakes = out.command.signal == Signal::Oscillation;
+    this->shakeOrders += shakes && !this->shakes_ ? 1 : 0;
+    this->shakes_ = shakes;
+    return out;
+  }
+
+  /// The hand wants to be where it has been drawn.
+  TickOutput yieldingTick()
+  {
+    const TickOutput out = this->tick();
+    this->device_.lead(this->device_.position_D());
     return out;
   }
 
@@ -69,13 +84,7 @@ public:
     TickOutput out;
     for (int k = 0; k < 20000 && out.state.game != phase; ++k)
     {
-      out = this->tick();
-      this->fastest_m_per_s = std::max(this->fastest_m_per_s, this->device_.speed_D().norm());
-      this->strongest_N = std::max(this->strongest_N, this->state.lastForce_D.norm());
-      if (yields)
-      {
-        this->device_.lead(this->device_.position_D());
-      }
+      out = yields ? this->yieldingTick() : this->tick();
     }
     return out;
   }
@@ -93,7 +102,6 @@ public:
     }
   }
 
-  [[nodiscard]] Vec3 hand_W() const { return this->parameters.map.toScene(this->device_.position_D()); }
   [[nodiscard]] double fromStart_m() const
   {
     return (this->device_.position_D() - this->parameters.map.toDevice(this->parameters.game.start_W)).norm();
@@ -104,17 +112,20 @@ public:
   TickOutput last;
   bool grip = true, lost = false, shaken = false;
   double fastest_m_per_s = 0.0, strongest_N = 0.0;
+  int shakeOrders = 0; ///< to a device that shakes by itself
 
 private:
   std::shared_ptr<const Scene> scene_;
   SimulatedDevice device_;
   Vec3 hand_D_;
   std::uint64_t tick_ = 0;
+  bool shakes_ = false;
 };
 
-const HandModel& nobody()
+/// The most that a lead gives a hand of that speed: its spring at its limit and its damper, side by side.
+double mostOfALead_N(const GamePlan& plan, double speed_m_per_s)
 {
-  return *handModel("none");
+  return plan.largest_N + plan.damping_Ns_per_m * speed_m_per_s;
 }
 
 TEST(LabyrinthGame, EveryDeviceInEveryHandIsBroughtToTheStartNoFasterThanAllowedAndLetGoNearIt)
@@ -130,11 +141,13 @@ TEST(LabyrinthGame, EveryDeviceInEveryHandIsBroughtToTheStartNoFasterThanAllowed
       game.until(GamePhase::Explores, false);
       EXPECT_GE(game.fastest_m_per_s, 0.02) << model.name << ", " << hand.name;
       EXPECT_LE(game.fastest_m_per_s, GamePlan::fastest_m_per_s) << model.name << ", " << hand.name;
+      EXPECT_LE(game.strongest_N, mostOfALead_N(game.parameters.game, GamePlan::fastest_m_per_s))
+        << model.name << ", " << hand.name;
     }
   }
 }
 
-// The spring's limit and the damper at the speed it can bring about: twice the limit at most.
+// This device's position is exact, so a speed it estimates is a mean of true ones.
 TEST(LabyrinthGame, AHandThatHoldsStillIsPulledWithNoMoreThanTheLimit)
 {
   for (const HandModel& hand : handModels())
@@ -145,7 +158,7 @@ TEST(LabyrinthGame, AHandThatHoldsStillIsPulledWithNoMoreThanTheLimit)
       const TickOutput out = game.tick();
       if (out.state.game == GamePhase::Leads)
       {
-        ASSERT_LE(out.state.force_D.norm(), 2 * game.parameters.game.largest_N);
+        ASSERT_LE(out.state.force_D.norm(), mostOfALead_N(game.parameters.game, game.fastest_m_per_s)) << hand.name;
       }
     }
     const bool held = hand.stiffness_N_per_m > 0.0;
@@ -157,11 +170,33 @@ TEST(LabyrinthGame, AHandThatHoldsStillIsPulledWithNoMoreThanTheLimit)
   }
 }
 
+/// The box with a wall across the way from its left side to the start.
+Labyrinth boxWithAWall()
+{
+  Labyrinth labyrinth = box();
+  labyrinth.curves.points_W.insert(labyrinth.curves.points_W.end(), { { -2, -8 }, { -2, 8 } });
+  labyrinth.curves.segments.push_back({ 4, 5 });
+  return labyrinth;
+}
+
 TEST(LabyrinthGame, OnTheWayToTheStartNoWallIsFeltAndFromThereOnEachIs)
 {
-  Game game(*deviceModel("simulated-generic"), *handModel("firm"), { -0.02, 0, 0 });
-  TickOutput out = game.until(GamePhase::LetsGo);
-  EXPECT_EQ(out.state.contacts, 0);
+  Game game(*deviceModel("simulated-generic"), *handModel("firm"), { -0.04, 0, 0 }, false, boxWithAWall());
+  const WorkspaceMap& map = game.parameters.map;
+  const GamePlan& plan = game.parameters.game;
+  ASSERT_LT(map.toScene({ -0.04, 0, 0 }).x(), -2.0); // the wall is between the hand and the start
+  ASSERT_GE(game.parameters.stiffnessLimit_N_per_m, plan.stiffness_N_per_m);
+  TickOutput out = game.until(GamePhase::Leads);
+  for (int ticks = 0; ticks < 20000 && out.state.game == GamePhase::Leads; ++ticks)
+  {
+    const Vec3 stretch_D = game.state.game.drawn_D - map.toDevice(out.state.device_W.p);
+    const Vec3 lead_N =
+      clampMagnitude(plan.stiffness_N_per_m * stretch_D, plan.largest_N) - plan.damping_Ns_per_m * out.state.velocity_D;
+    ASSERT_EQ(out.state.contacts, 0) << ticks;
+    ASSERT_LE((out.state.rendered_D - lead_N).norm(), 1e-12) << ticks;
+    out = game.yieldingTick();
+  }
+  EXPECT_EQ(out.state.game, GamePhase::LetsGo);
   game.until(GamePhase::Explores);
   game.lead({ 0, 12, 0 });
   EXPECT_GT(game.last.state.contacts, 0);
@@ -250,7 +285,7 @@ TEST(LabyrinthGame, ALostDeviceEndsTheLeadWithoutAForceUntilThePersonAsksAgain)
 
 TEST(LabyrinthGame, AJoystickThatHoldsWallsIsLedByThemAndToldToShakeOnce)
 {
-  Game game(*deviceModel("simulated-joystick"), nobody(), { -0.03, 0.02, 0 }, true);
+  Game game(*deviceModel("simulated-joystick"), *handModel("firm"), { -0.03, 0.02, 0 }, true);
   TickOutput out = game.until(GamePhase::Leads);
   for (int k = 0; k < 100; ++k)
   {
@@ -260,6 +295,13 @@ TEST(LabyrinthGame, AJoystickThatHoldsWallsIsLedByThemAndToldToShakeOnce)
   EXPECT_EQ(out.command.wrench_D.force.norm(), 0.0);
   EXPECT_EQ(game.until(GamePhase::LetsGo).state.game, GamePhase::LetsGo);
   EXPECT_LE(game.fastest_m_per_s, GamePlan::fastest_m_per_s);
+  game.until(GamePhase::Explores);
+  game.lead({ 5, 0, 0 });
+  EXPECT_EQ(game.shakeOrders, 0); // not at the exit
+  game.lead({ 8, 0, 0 });
+  game.lead({ 8, 0, 0 });
+  EXPECT_EQ(game.last.state.game, GamePhase::Rests);
+  EXPECT_EQ(game.shakeOrders, 1);
 }
 
 } // namespace
