@@ -142,6 +142,30 @@ class Check(PlaneTest):
         self.assertIn("a plane world: 2 segments in the plane z = 0", text)
         self.assertTrue(json.loads(self.succeed("check", "lines.vtp", "--json").stdout)["plane_world"])
 
+    def test_its_size_is_that_of_its_lines(self):
+        self.lines([(-4, 0, 0), (4, 2, 0)], [(0, 1)])
+        for radius in (0, 3):
+            self.assertIn("size      8 x 2 x 0 scene units, from (-4, 0, 0)",
+                          self.succeed("check", "lines.vtp", "--radius", radius).stdout)
+            found = json.loads(self.succeed("check", "lines.vtp", "--radius", radius, "--json").stdout)
+            self.assertEqual((found["low_u"], found["high_u"]), ([-4, 0, 0], [4, 2, 0]))
+            self.assertEqual(found["plan"]["scale_u_per_m"], 8 / 0.1)  # its longest side is taken to be 100 mm
+
+    def test_it_says_of_a_disc_what_touching_says(self):
+        count, radius = 4000, 3.0  # segments a thousandth of the disc long: more than a tick can look at
+        step = radius / 1000
+        points = [(step * n, step * (n % 2), 0) for n in range(count + 1)]
+        self.lines(points, [tuple(range(count + 1))])
+        self.write_path([(0.0, 6.0, 6.0, 0.0)])
+        touched = self.succeed("touch", "lines.vtp", "--two-d", "--radius", radius, "--path", "path.csv", "--csv", "out.csv")
+        said = json.loads(self.succeed("check", "lines.vtp", "--radius", radius, "--json").stdout)["radius"]
+        self.assertFalse(said["kept"])
+        self.assertIn(f"palpate: --radius: {said['sentence']};", touched.stderr)
+
+    def test_arrays_of_materials_mean_nothing_among_lines(self):
+        self.lines(*wedge(1.0))
+        self.refused("check", "lines.vtp", "--stiffness-array", "nope", saying=["lines.vtp", "arrays of materials"])
+
     def test_a_surface_is_not(self):
         self.write_off("plane.off", SQUARE_POINTS, SQUARE_FACES)
         self.assertFalse(json.loads(self.succeed("check", "plane.off", "--json").stdout)["plane_world"])

@@ -23,16 +23,34 @@ struct Box
   palpate::Vec3 High_W;
 };
 
+/// Of what its triangles use.
 Box BoundsOf(const palpate::TriangleMesh& mesh)
 {
-  Box box{ mesh.vertices_W.front(), mesh.vertices_W.front() };
-  for (const palpate::Vec3& vertex : mesh.vertices_W)
+  const palpate::Vec3& first_W = mesh.vertices_W[mesh.triangles.front().front()];
+  Box box{ first_W, first_W };
+  for (const auto& triangle : mesh.triangles)
   {
-    box.Low_W = box.Low_W.cwiseMin(vertex);
-    box.High_W = box.High_W.cwiseMax(vertex);
+    for (const std::uint32_t corner : triangle)
+    {
+      box.Low_W = box.Low_W.cwiseMin(mesh.vertices_W[corner]);
+      box.High_W = box.High_W.cwiseMax(mesh.vertices_W[corner]);
+    }
   }
   return box;
 }
+
+/// A file as it is touched, and as large as it is itself: lines have no height, the walls on them do.
+struct Subject
+{
+  const palpate::Scene& Scene;
+  Box Bounds;
+
+  Subject(const palpate::Scene& scene, const palpate::TriangleMesh* lines)
+    : Scene(scene), Bounds(BoundsOf(lines ? *lines : this->Surface().tree->mesh()))
+  {
+  }
+  [[nodiscard]] const palpate::Surface& Surface() const { return this->Scene.surfaces().front(); }
+};
 
 std::string PlanOf(const palpate::Surface& surface)
 {
@@ -43,13 +61,12 @@ std::string PlanOf(const palpate::Surface& surface)
 }
 
 /// A file says nothing of a device, so the surface is taken to lie in the hand with its longest side 100 mm long.
-palpate::ScenePlan TouchPlanOf(const palpate::Surface& surface)
+palpate::ScenePlan TouchPlanOf(const Subject& subject)
 {
   constexpr double InHand_m = 0.1;
-  const Box box = BoundsOf(surface.tree->mesh());
   palpate::TouchConditions conditions;
-  conditions.scale_u_per_m = (box.High_W - box.Low_W).maxCoeff() / InHand_m;
-  return palpate::planTouch(*surface.tree, conditions);
+  conditions.scale_u_per_m = (subject.Bounds.High_W - subject.Bounds.Low_W).maxCoeff() / InHand_m;
+  return palpate::planTouch(*subject.Surface().tree, conditions);
 }
 
 /// What a session would choose for this file.
@@ -61,21 +78,23 @@ struct Choice
 };
 
 /// A scene of one surface, before simpler surfaces were looked for or after it.
-palpate::SurfaceChoice SurfaceChoiceOf(const palpate::Scene& scene, bool simplify)
+palpate::SurfaceChoice SurfaceChoiceOf(const Subject& subject, bool simplify)
 {
   palpate::SimplifyRules rules;
-  rules.touch = TouchPlanOf(scene.surfaces().front()).conditions;
+  rules.touch = TouchPlanOf(subject).conditions;
   rules.leastTriangles = simplify ? 0 : rules.leastTriangles;
-  const std::vector<palpate::SurfaceChoice> atFirst = palpate::chooseAtFirst(scene, {}, rules);
-  return simplify ? palpate::SceneSimplifier().simplify(scene, atFirst, rules, 2).choices.front() : atFirst.front();
+  const std::vector<palpate::SurfaceChoice> atFirst = palpate::chooseAtFirst(subject.Scene, {}, rules);
+  return simplify ? palpate::SceneSimplifier().simplify(subject.Scene, atFirst, rules, 2).choices.front()
+                  : atFirst.front();
 }
 
-Choice ChoiceOf(const palpate::Scene& scene, const vtkHapticCliCheckOptions& options)
+Choice ChoiceOf(const Subject& subject, const vtkHapticCliCheckOptions& options)
 {
+  const palpate::Scene& scene = subject.Scene;
   Choice choice;
   palpate::TouchChoice touch;
   touch.plan.radius_u = options.Radius_u;
-  choice.Surface = SurfaceChoiceOf(scene, options.Simplify);
+  choice.Surface = SurfaceChoiceOf(subject, options.Simplify);
   choice.Radius = palpate::radiusLimit(scene, palpate::planFor(scene, touch.plan));
   touch.asked_u = options.Radius_u;
   touch.largest_u = choice.Radius.largest_u;
@@ -154,17 +173,17 @@ nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report, const std::s
   return json;
 }
 
-void AddScene(nlohmann::ordered_json& json, const palpate::Scene& scene, const vtkHapticCliCheckOptions& options)
+void AddScene(nlohmann::ordered_json& json, const Subject& subject, const vtkHapticCliCheckOptions& options)
 {
-  const Choice choice = ChoiceOf(scene, options);
-  const palpate::Surface& surface = scene.surfaces().front();
-  const Box box = BoundsOf(surface.tree->mesh());
+  const Choice choice = ChoiceOf(subject, options);
+  const palpate::Surface& surface = subject.Surface();
+  const Box& box = subject.Bounds;
   json["low_u"] = { box.Low_W.x(), box.Low_W.y(), box.Low_W.z() };
   json["high_u"] = { box.High_W.x(), box.High_W.y(), box.High_W.z() };
   json["tree_bytes"] = surface.tree->bytes();
   json["tree"] = PlanOf(surface);
   json["choice"] = choice.Sentence;
-  json["plan"] = ToJson(TouchPlanOf(surface));
+  json["plan"] = ToJson(TouchPlanOf(subject));
   json["radius"] = ToJson(choice.Radius);
   if (options.Simplify)
   {
@@ -178,20 +197,19 @@ void Print(const nlohmann::ordered_json& json)
   std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-void Print(const palpate::SurfaceReport& report, const palpate::Scene& scene, const std::string& material,
+void Print(const palpate::SurfaceReport& report, const Subject& subject, const std::string& material,
   const vtkHapticCliCheckOptions& options)
 {
-  const Choice choice = ChoiceOf(scene, options);
-  const palpate::Surface& surface = scene.surfaces().front();
-  const Box box = BoundsOf(surface.tree->mesh());
+  const Choice choice = ChoiceOf(subject, options);
+  const Box& box = subject.Bounds;
   const palpate::Vec3 size_u = box.High_W - box.Low_W;
   std::cout << report.name << ": it can be touched\n"
             << "  repaired  " << report.clean.summary() << '\n'
             << "  size      " << size_u.x() << " x " << size_u.y() << " x " << size_u.z() << " scene units, from ("
             << box.Low_W.x() << ", " << box.Low_W.y() << ", " << box.Low_W.z() << ")\n"
-            << "  plan      " << PlanOf(surface) << '\n'
+            << "  plan      " << PlanOf(subject.Surface()) << '\n'
             << "  felt      " << choice.Sentence << '\n'
-            << "  facets    100 mm long in the hand and " << TouchPlanOf(surface).sentence() << '\n'
+            << "  facets    100 mm long in the hand and " << TouchPlanOf(subject).sentence() << '\n'
             << (material.empty() ? "" : "  material  " + material + '\n') << "  radius    " << choice.Radius.sentence()
             << '\n';
   if (options.Simplify)
@@ -209,7 +227,11 @@ vtkHapticCliSurface ReadOrRefuse(const vtkHapticCliCheckOptions& options)
     vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, options.Iso, options.Materials, true);
     if (!surface.Input.mesh)
     {
-      surface.Input = vtkHapticCliWallsOf(file, surface, 0.0);
+      if (!options.Materials.Empty())
+      {
+        throw vtkHapticCliProblem(file + ": lines are felt as they are, without arrays of materials; leave those out");
+      }
+      surface.Input = vtkHapticCliWallsOf(file, surface, options.Radius_u);
       return surface;
     }
     surface.Lines.reset(); // a surface with lines beside it is one with polygons
@@ -247,7 +269,7 @@ int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options)
     described["plane_world"] = surface.Lines != nullptr;
     if (built.scene)
     {
-      AddScene(described, *built.scene, options);
+      AddScene(described, { *built.scene, surface.Lines.get() }, options);
     }
     Print(described);
   }
@@ -257,7 +279,7 @@ int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options)
   }
   if (!options.Json)
   {
-    Print(report, *built.scene, surface.Material.Note, options);
+    Print(report, { *built.scene, surface.Lines.get() }, surface.Material.Note, options);
     if (surface.Lines)
     {
       std::cout << "  world     " << SentenceOfPlane(surface) << '\n';
