@@ -19,6 +19,19 @@ def tube(radius, length, around):
     return points, faces
 
 
+class Help(CommandLineTest):
+    def test_every_kind_of_file_that_can_be_read_is_named(self):
+        self.write("a.xyz", "nonsense")
+        read = self.run_palpate("check", "a.xyz").stderr  # "... known are vtp, vtu, ..."
+        kinds = [kind for kind in ("vtp", "vtu", "stl", "ply", "obj", "off", "vti", "nii", "nii.gz", "svg", "png") if kind in read]
+        self.assertEqual(len(kinds), 11, read)
+        said = " ".join(self.succeed("check", "--help").stdout.split())
+        for kind in kinds:
+            self.assertIn(kind, said)
+        for kind in ("svg", "png"):
+            self.assertIn(kind, self.succeed("touch", "--help").stdout)
+
+
 class Plan(CommandLineTest):
     def plan_of(self, points, faces):
         self.write_off("a.off", points, faces)

@@ -41,6 +41,14 @@ class SelfTest(CommandLineTest):
         self.assertEqual(sum(line.startswith("axis ") for line in lines), 2)
         self.assertIn("workspace radius 0.05 m\n", self.devices().stdout)  # measured, no longer assumed
 
+    def test_without_a_folder_to_keep_it_in_no_check_begins(self):
+        environment = {name: value for name, value in os.environ.items() if name not in ("HOME", "XDG_CONFIG_HOME")}
+        command = [PROGRAM, "devices", "--self-test", "simulated-joystick", "--keep"]
+        for home in ({}, {"HOME": "here"}):
+            run = subprocess.run(command, env=environment | home, capture_output=True, text=True, timeout=60)
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+            self.assertIn("--keep: there is no folder to keep anything in", run.stderr)
+
     def test_a_damaged_file_is_named_where_devices_are_listed(self):
         folder = self.folder / "palpate" / "calibration"
         folder.mkdir(parents=True)

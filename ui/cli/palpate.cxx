@@ -40,7 +40,10 @@ void AddCheck(CLI::App& app, Arguments& arguments)
 {
   vtkHapticCliCheckOptions& options = arguments.Check;
   CLI::App* command = app.add_subcommand("check", "can it be touched? what was repaired, what is refused");
-  command->add_option("FILE", options.File, "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso")->required();
+  command
+    ->add_option(
+      "FILE", options.File, "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso; lines: vtp, svg, png")
+    ->required();
   command->add_option("--iso", options.Iso, "value of the surface in an image");
   command->add_option("--radius", options.Radius_u, "does a ball of this radius fit? [scene units]");
   command->add_flag("--force-radius", options.ForceRadius, "that ball, although a tick may run out of its work");
@@ -55,7 +58,10 @@ void AddTouch(CLI::App& app, Arguments& arguments)
 {
   vtkHapticCliTouchOptions& options = arguments.Touch;
   CLI::App* command = app.add_subcommand("touch", "the tick along a given device path, without device limits");
-  command->add_option("FILE", options.Files, "surfaces; images with --iso")->required();
+  command
+    ->add_option(
+      "FILE", options.Files, "surfaces; images with --iso; lines (vtp, svg, png) with --two-d or --line-radius")
+    ->required();
   command->add_option("--path", options.Path, "PATH.csv: t,x,y,z[,qw,qx,qy,qz] [s, scene units], a tick per row")
     ->required();
   command->add_option("--csv", options.Output, "OUT.csv: a row per tick")->required();

@@ -41,9 +41,20 @@ void Follow(palpate::SelfTestRun& run, bool simulated)
   run.stop();
 }
 
-void Keep(const palpate::Calibration& calibration)
+/// Where what is found is to be kept, asked before a person has worked for it.
+std::string FolderToKeepIn()
 {
   const std::string folder = palpate::userCalibrationFolder(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
+  if (folder.empty())
+  {
+    throw vtkHapticCliProblem("--keep: there is no folder to keep anything in: neither XDG_CONFIG_HOME nor HOME is the "
+                              "whole path of one");
+  }
+  return folder;
+}
+
+void Keep(const palpate::Calibration& calibration, const std::string& folder)
+{
   const std::string problem = palpate::saveCalibration(folder, calibration);
   if (!problem.empty())
   {
@@ -55,6 +66,7 @@ void Keep(const palpate::Calibration& calibration)
 
 int vtkHapticCliSelfTest(const std::string& device, bool keep)
 {
+  const std::string folder = keep ? FolderToKeepIn() : "";
   palpate::DeviceOptions wanted;
   wanted.hand = "light";
   wanted.stroke.points_D = { palpate::Vec3::Zero() };
@@ -78,7 +90,7 @@ int vtkHapticCliSelfTest(const std::string& device, bool keep)
     palpate::calibrationFrom(run.plan(), run.state(), run.device(), palpate::today());
   if (found && keep)
   {
-    Keep(*found);
+    Keep(*found, folder);
   }
   return found ? 0 : 1;
 }
