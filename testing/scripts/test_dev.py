@@ -78,6 +78,8 @@ class Dev(unittest.TestCase):
             (("dance",), "unknown command 'dance'"),
             (("test", "--fast"), "unknown option '--fast'"),
             (("test", "--label"), "--label needs a name"),
+            (("test", "--label", "TYPO"), "not 'TYPO'"),
+            (("test", "--full", "--label", "TYPO"), "not 'TYPO'"),
             (("build", "now"), "build takes no options"),
             (("run", "now"), "run takes no options"),
             (("lab", "--fast"), "lab: unknown option '--fast'"),
