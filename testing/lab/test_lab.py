@@ -23,10 +23,6 @@ class Program(LabTest):
         plain = self.lab("list").stdout.splitlines()
         self.assertEqual([line.split()[0] for line in plain], [experiment["name"] for experiment in listed])
 
-    def test_every_row_this_far_has_an_experiment(self):
-        covered = {row for experiment in json.loads(self.lab("list", "--json").stdout) for row in experiment["rows"]}
-        self.assertLessEqual({*range(1, 18), *range(19, 28), 54, 55, 56, 57, 58}, covered)
-
     def test_a_rerun_gives_the_same_values_cost_columns_aside(self):
         for run in ("first", "second"):
             done = self.lab("run", *CHEAP, "--quick", "--seed", "7", "--out", self.folder / run)
