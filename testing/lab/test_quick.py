@@ -4,9 +4,9 @@
 import os
 import unittest
 
+from charting.tables import read_folder
+from charts import CHARTS
 from lab_runs import LabTest
-
-CHARTS = ("speed-accuracy", "stability-atlas", "facets", "solver", "rate-stiffness", "queries")
 
 
 class Everything(LabTest):
@@ -17,7 +17,10 @@ class Everything(LabTest):
         self.assertIn("verdicts passed", run.stdout.splitlines()[-1])
         drawn = self.charts(self.folder)
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
-        for name in CHARTS:
+        tables = read_folder(self.folder)
+        for name, _, _, needs, _ in CHARTS:
+            if any(all(row.value is None for row in tables[experiment]) for experiment in needs):
+                continue  # a build without VTK has no gallery of mazes
             self.assertGreater((self.folder / f"{name}.png").stat().st_size, 10000, name)
             self.assertNotIn("nan", (self.folder / f"{name}.svg").read_text(encoding="utf-8").lower(), name)
 
