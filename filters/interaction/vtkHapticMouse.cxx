@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "haptics/core/Types.h"
 #include "vtkBoundingBox.h"
@@ -74,6 +73,7 @@ public:
   double DepthOf(const Vec3& p_W) const;
   Vec3 AtDepth(const Ray& ray, double depth) const;
   double Reach(double length_m) const;
+  bool MeetsPlane(const Ray& ray, Vec3& hand_W) const;
   Vec3 Lifted(const Ray& ray) const;
   Aim AimAt(const Ray& ray) const;
   bool IsFree(const Vec3& to_W) const;
@@ -137,6 +137,24 @@ double vtkHapticMouse::Internals::Reach(double length_m) const
            : length;
 }
 
+/// Whether a plane world is touched; if so, where the ray meets its plane, or the proxy where it does not. Walls across
+/// a plane have no front to hover before.
+bool vtkHapticMouse::Internals::MeetsPlane(const Ray& ray, Vec3& hand_W) const
+{
+  Vec3 point_W;
+  Vec3 normal_W;
+  if (!this->Session->GetPlane(point_W.data(), normal_W.data()))
+  {
+    return false;
+  }
+  constexpr double edgeOn = 1e-3; // the plane is seen as a line
+  const double facing = ray.along().dot(normal_W);
+  const double distance = (point_W - ray.Near).dot(normal_W) / facing;
+  const bool meets = std::abs(facing) > edgeOn && distance > 0.0;
+  hand_W = meets ? Vec3(ray.Near + distance * ray.along()) : Vec3(this->Session->GetProxyPosition());
+  return true;
+}
+
 /// In front of all that is shown and all that is touched.
 Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
 {
@@ -190,6 +208,10 @@ bool vtkHapticMouse::Internals::IsAt(const Vec3& p_W) const
 
 Vec3 vtkHapticMouse::Internals::Next(const Ray& ray)
 {
+  if (Vec3 hand_W; this->MeetsPlane(ray, hand_W))
+  {
+    return this->Hover_W = this->Inside ? hand_W : Vec3(this->Session->GetProxyPosition());
+  }
   const Aim aim = this->AimAt(ray);
   if (!this->Inside || (this->Way == Travel::Strokes && !this->IsFree(aim.Hover)))
   {
@@ -217,7 +239,11 @@ void vtkHapticMouse::Internals::PlaceBeforeStart()
 {
   if (this->Session->GetFollowsMouse() && this->Sees())
   {
-    this->Hover_W = this->Lifted(this->RayOfPointer());
+    const Ray ray = this->RayOfPointer();
+    if (!this->MeetsPlane(ray, this->Hover_W))
+    {
+      this->Hover_W = this->Lifted(ray);
+    }
     this->Way = Travel::Rises;
     this->Session->SetHandPosition(this->Hover_W.data());
   }

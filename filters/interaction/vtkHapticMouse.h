@@ -7,7 +7,9 @@
  * front of what it meets; pressing it goes behind it along the normal by the session's PressDepth, so that a plain
  * surface pushes with stiffness x depth. Where the ray meets nothing the hand goes in the plane through the proxy that
  * is parallel to the screen. Where the straight way is barred by a surface, and when the pointer leaves, it first rises
- * towards the eye, in front of everything. It presses only while the session is engaged.
+ * towards the eye, in front of everything. It presses only while the session is engaged. In a plane world the hand is
+ * where the ray meets the plane, and walls push by how far they keep the proxy from there; when the pointer leaves it
+ * rests at the proxy.
  *
  *     mouse.SetRenderer(renderer)
  *     mouse.SetSession(session)

@@ -279,18 +279,25 @@ public:
   double GetGuideShare() const;
   ///@}
 
+  /// A point of the plane of a plane world and its unit normal, in W [u]; false where what is touched is none.
+  bool GetPlane(double point_W[3], double normal_W[3]) const;
+
   ///@{
   /**
    * The game of finding the way through lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball,
    * scale and place so that the device's workspace holds the whole. Once force is engaged the hand is brought to the
    * start, at most 0.2 m/s fast, and let go; at the exit it is shaken. Who lets go of the dead-man and holds it again
-   * starts anew, as does PlayAgain(). What is touched are the surfaces, so the lines are added as one. False, with
-   * GetProblem(), for a world without start or exit: before the hand is moved.
+   * starts anew, as does PlayAgain(). What is touched are the surfaces, so the lines are added as one. A world without
+   * start or exit is fitted too and explored without a game: false, and GetProblem() says which it lacks. False with an
+   * error and nothing changed for what is no plane world.
    */
   bool PlayLabyrinth(vtkDataObject* maze, const char* name);
   void PlayAgain();
   void EndLabyrinth();
   bool GetLabyrinthPlayed() const;
+  /// Where the labyrinth that was played last begins and where it ends, in W, and how near counts as there [u].
+  void GetLabyrinthPlaces(double start_W[3], double exit_W[3]) const;
+  double GetLabyrinthReach() const;
   /// "off", "waits", "leads", "lets go", "explores", "arrived" or "rests"; time of exploring [s].
   const char* GetLabyrinthPhase() const;
   double GetLabyrinthTime() const;
@@ -313,7 +320,8 @@ public:
 
   /**
    * The way of the proxy since it was let go, until now or until the exit: a polyline in W [u], as the calls of
-   * Update() saw it. At most 4096 points, a tenth of a corridor apart; twice as far each time that is not enough.
+   * Update() saw it. At most 4096 points, a tenth of a corridor apart; twice as far each time that is not enough. Null
+   * is left alone.
    */
   void GetLabyrinthTrace(vtkPolyData* trace) const;
 

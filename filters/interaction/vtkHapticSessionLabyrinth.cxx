@@ -22,36 +22,36 @@ constexpr double traceApart = 0.1; // of a corridor
 
 bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
 {
+  const std::string label = name ? name : "labyrinth";
   vtkHapticLabyrinthResult read;
+  read.Problem = label + ": there is nothing to play";
   if (maze)
   {
-    read = vtkHapticToLabyrinth(maze, name ? name : "labyrinth");
+    read = vtkHapticToLabyrinth(maze, label);
   }
-  const std::string problem = !maze                  ? "there is no labyrinth to play"
-                              : read.Problem.empty() ? palpate::refuse(read.Labyrinth)
-                                                     : read.Problem;
-  if (maze && read.Problem.empty()) // a structure is explored too
+  if (!read.Problem.empty())
   {
-    this->Impl->Corridor_u = read.Labyrinth.corridor_u;
-  }
-  if (!problem.empty())
-  {
-    this->Refuse(problem);
+    this->Refuse(read.Problem);
     return false;
   }
   const palpate::Labyrinth& labyrinth = read.Labyrinth;
+  this->Impl->Corridor_u = labyrinth.corridor_u;
   this->Impl->TraceApart_u = traceApart * labyrinth.corridor_u;
   this->Impl->Trace = palpate::WayTrace(this->Impl->TraceApart_u);
+  this->Impl->Problem = palpate::refuse(labyrinth); // that a structure is none is no fault: it is explored
+  const bool played = this->Impl->Problem.empty();
   this->SetLinesAsWalls(On);
   const double workspace_m = this->Impl->ChosenInfo().workspaceRadius_m.value;
   this->Change(
     [&](palpate::HapticParameters& p)
     {
-      p.game = palpate::gameOf(labyrinth);
+      p.game = played ? palpate::gameOf(labyrinth) : palpate::GamePlan();
       p.contact.radius_u = labyrinth.radius_u();
       p.map =
         palpate::fitted(labyrinth, workspace_m > 0.0 ? workspace_m : palpate::DeviceInfo().workspaceRadius_m.value);
     });
+  this->Impl->FollowWalls();
+  this->Impl->Core.play(); // a game that went on begins again: the plan alone does not say that it is another
   if (this->Impl->Stroke_W.empty()) // where a simulated hand begins that nobody told
   {
     this->Impl->Stroke_W.push_back(this->Impl->Parameters.map.offset_W);
@@ -72,6 +72,18 @@ void vtkHapticSession::EndLabyrinth()
 bool vtkHapticSession::GetLabyrinthPlayed() const
 {
   return this->Impl->Parameters.game.on;
+}
+
+void vtkHapticSession::GetLabyrinthPlaces(double start_W[3], double exit_W[3]) const
+{
+  const palpate::GamePlan& game = this->Impl->Parameters.game;
+  Eigen::Map<palpate::Vec3>{ start_W } = game.start_W;
+  Eigen::Map<palpate::Vec3>{ exit_W } = game.exit_W;
+}
+
+double vtkHapticSession::GetLabyrinthReach() const
+{
+  return this->Impl->Parameters.game.exitReach_u;
 }
 
 const char* vtkHapticSession::GetLabyrinthPhase() const
@@ -120,6 +132,10 @@ double vtkHapticSession::Internals::FeltStiffness() const
 
 void vtkHapticSession::GetLabyrinthTrace(vtkPolyData* trace) const
 {
+  if (!trace)
+  {
+    return;
+  }
   const std::vector<palpate::Vec3>& way_W = this->Impl->Trace.points_W();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

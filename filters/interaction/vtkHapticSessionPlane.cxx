@@ -48,7 +48,7 @@ void vtkHapticSession::Internals::FollowPlane()
 double vtkHapticSession::Internals::SlantDrag_N() const
 {
   palpate::Slide slide;
-  slide.stiffness_N_per_m = std::min(this->Parameters.stiffness_N_per_m, this->Limits.largest_N_per_m);
+  slide.stiffness_N_per_m = this->FeltStiffness();
   slide.speed_m_per_s = 0.1;
   slide.depth_m = 1.0; // both walls press
   slide.host_s = this->Parameters.walls.every_s;
@@ -159,6 +159,17 @@ bool vtkHapticSession::GetPlaneGuide() const
 bool vtkHapticSession::GetPlaneWorld() const
 {
   return this->Impl->Built.Plane_WP.has_value();
+}
+
+bool vtkHapticSession::GetPlane(double point_W[3], double normal_W[3]) const
+{
+  const std::optional<palpate::Pose>& plane_WP = this->Impl->Built.Plane_WP;
+  if (plane_WP)
+  {
+    Eigen::Map<palpate::Vec3>{ point_W } = plane_WP->p;
+    Eigen::Map<palpate::Vec3>{ normal_W } = (plane_WP->q * palpate::Vec3::UnitZ()).normalized();
+  }
+  return plane_WP.has_value();
 }
 
 int vtkHapticSession::GetWallsHeld() const

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "vtkActor.h"
 #include "vtkArrowSource.h"
@@ -27,6 +28,7 @@ constexpr int arrowResolution = 24;
 /// The hand is drawn smaller than the proxy, so that both are seen when they are at one place.
 constexpr double handShare = 0.75;
 constexpr float traceWidth = 3.0f; // pixels
+constexpr double markOpacity = 0.4; // what is at start and exit shows through
 
 /// What is drawn without a scene is as large as if the hand's workspace of 0.2 m were the scene.
 double DiagonalOf(vtkHapticSession* session)
@@ -64,17 +66,20 @@ public:
   vtkNew<vtkActor> Hand;
   vtkNew<vtkActor> Arrow;
   vtkNew<vtkActor> Trace;
+  vtkNew<vtkActor> Start;
+  vtkNew<vtkActor> Exit;
   vtkNew<vtkPolyData> Way;
   vtkNew<vtkMatrix4x4> ArrowFrame;
   vtkWeakPointer<vtkRenderer> Renderer;
 
   Internals();
   vtkActor* const* begin() const { return this->All; }
-  vtkActor* const* end() const { return this->All + 4; }
+  vtkActor* const* end() const { return this->All + 6; }
   void Place(vtkActor* actor, const double p_W[3], double radius) const;
+  void PlaceMarks(vtkHapticSession* session, bool shown) const;
 
 private:
-  vtkActor* All[4] = { this->Proxy, this->Hand, this->Arrow, this->Trace };
+  vtkActor* All[6] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit };
 };
 
 vtkHapticToolProps::Internals::Internals()
@@ -100,6 +105,13 @@ vtkHapticToolProps::Internals::Internals()
   this->Trace->GetProperty()->SetLineWidth(traceWidth);
   this->Trace->GetProperty()->LightingOff();
   this->Trace->GetProperty()->SetColor(0.1, 0.65, 0.3);
+  for (vtkActor* mark : { this->Start.Get(), this->Exit.Get() })
+  {
+    mark->SetMapper(ballMapper);
+    mark->GetProperty()->SetOpacity(markOpacity);
+  }
+  this->Start->GetProperty()->SetColor(0.1, 0.65, 0.3);
+  this->Exit->GetProperty()->SetColor(0.9, 0.1, 0.1);
   this->Proxy->GetProperty()->SetColor(1.0, 0.75, 0.1);
   this->Hand->GetProperty()->SetColor(0.15, 0.45, 1.0);
   this->Arrow->GetProperty()->SetColor(0.9, 0.1, 0.1);
@@ -117,6 +129,19 @@ void vtkHapticToolProps::Internals::Place(vtkActor* actor, const double p_W[3], 
   actor->SetScale(radius);
 }
 
+void vtkHapticToolProps::Internals::PlaceMarks(vtkHapticSession* session, bool shown) const
+{
+  const bool played = session->GetLabyrinthPlayed();
+  const bool goesToStart = std::string_view(session->GetLabyrinthPhase()) == "leads";
+  double start_W[3];
+  double exit_W[3];
+  session->GetLabyrinthPlaces(start_W, exit_W);
+  this->Place(this->Start, start_W, session->GetLabyrinthReach());
+  this->Place(this->Exit, exit_W, session->GetLabyrinthReach());
+  this->Start->SetVisibility(played && (shown || goesToStart));
+  this->Exit->SetVisibility(played && shown);
+}
+
 vtkHapticToolProps::vtkHapticToolProps() : Impl(std::make_unique<Internals>()) {}
 
 vtkHapticToolProps::~vtkHapticToolProps()
@@ -131,6 +156,7 @@ void vtkHapticToolProps::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RelativeSize: " << this->RelativeSize << "\n";
   os << indent << "ForceScale: " << this->ForceScale << "\n";
   os << indent << "ShowTrace: " << this->ShowTrace << "\n";
+  os << indent << "ShowPlaces: " << this->ShowPlaces << "\n";
 }
 
 void vtkHapticToolProps::AddToRenderer(vtkRenderer* renderer)
@@ -166,17 +192,18 @@ void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
   {
     actor->SetVisibility(shown);
   }
+  impl.Trace->SetVisibility(session && this->ShowTrace);
+  if (session && this->ShowTrace)
+  {
+    session->GetLabyrinthTrace(impl.Way);
+  }
   if (!shown)
   {
     return;
   }
-  impl.Trace->SetVisibility(this->ShowTrace);
-  if (this->ShowTrace)
-  {
-    session->GetLabyrinthTrace(impl.Way);
-  }
+  impl.PlaceMarks(session, this->ShowPlaces);
   const double diagonal = DiagonalOf(session);
-  const double radius = std::max(session->GetRadius(), this->RelativeSize * diagonal);
+  const double radius = std::max(session->GetRadiusUsed(), this->RelativeSize * diagonal);
   impl.Place(impl.Proxy, session->GetProxyPosition(), radius);
   impl.Place(impl.Hand, session->GetHandPosition(), handShare * radius);
   const double length = session->GetForceMagnitude() * this->ForceScale * diagonal;
@@ -205,4 +232,14 @@ vtkActor* vtkHapticToolProps::GetForceActor() const
 vtkActor* vtkHapticToolProps::GetTraceActor() const
 {
   return this->Impl->Trace;
+}
+
+vtkActor* vtkHapticToolProps::GetStartActor() const
+{
+  return this->Impl->Start;
+}
+
+vtkActor* vtkHapticToolProps::GetExitActor() const
+{
+  return this->Impl->Exit;
 }

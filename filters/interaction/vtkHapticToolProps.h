@@ -3,9 +3,9 @@
  * @class   vtkHapticToolProps
  * @brief   what a person sees of a haptic session: proxy, hand and force
  *
- * Two balls, an arrow and the way through a labyrinth. The proxy's ball has the session's radius where that can be
- * seen; the arrow starts at the proxy and points along the force on the hand. None is picked or counted in the bounds
- * of a scene.
+ * Two balls, an arrow, start (green) and exit (red) of a labyrinth and the way through it. The proxy's ball has the
+ * session's radius where that can be seen; the arrow starts at the proxy and points along the force on the hand. None
+ * is picked or counted in the bounds of a scene.
  */
 #ifndef vtkHapticToolProps_h
 #define vtkHapticToolProps_h
@@ -32,7 +32,7 @@ public:
   void RemoveFromRenderer();
   ///@}
 
-  /// Moves the props to the state of the session's last Update(); hides them while it does not touch.
+  /// Moves the props to the state of the session's last Update(); hides all but the way while it does not touch.
   void UpdateFrom(vtkHapticSession* session);
 
   ///@{
@@ -55,10 +55,20 @@ public:
   ///@}
 
   ///@{
+  /// Whether start and exit of the labyrinth that is played are drawn. Default on. While a hand has to go to the start
+  /// the start is drawn in any case.
+  vtkSetMacro(ShowPlaces, bool);
+  vtkGetMacro(ShowPlaces, bool);
+  vtkBooleanMacro(ShowPlaces, bool);
+  ///@}
+
+  ///@{
   vtkActor* GetProxyActor() const;
   vtkActor* GetHandActor() const;
   vtkActor* GetForceActor() const;
   vtkActor* GetTraceActor() const;
+  vtkActor* GetStartActor() const;
+  vtkActor* GetExitActor() const;
   ///@}
 
 protected:
@@ -72,6 +82,7 @@ private:
   double RelativeSize = 0.01;
   double ForceScale = 0.1;
   bool ShowTrace = false;
+  bool ShowPlaces = true;
 
   class Internals;
   std::unique_ptr<Internals> Impl;

@@ -153,13 +153,13 @@ private:
 
 std::optional<double> corridorWidth(const Labyrinth& labyrinth)
 {
-  if (labyrinth.curves.segments.empty() || !labyrinth.start_W || !labyrinth.exit_W)
+  if (!refuse(labyrinth).empty())
   {
     return std::nullopt;
   }
   const CurveSet curves = fenced(labyrinth);
   const PlaneBox box = fence(labyrinth);
-  if (!((box.high_W - box.low_W).maxCoeff() > 0.0) || !(box.high_W - box.low_W).allFinite())
+  if (!((box.high_W - box.low_W).maxCoeff() > 0.0) || !(box.high_W - box.low_W).allFinite()) // a dot, or an overflow
   {
     return std::nullopt;
   }

@@ -11,7 +11,7 @@ namespace palpate
 /// How wide the corridors of a maze are that does not say so [u]: the narrowest place of the widest way from its start
 /// to its exit within the fence (bottleneck path, Pollack 1960), found on a grid of 512 steps along the longer side. It
 /// is at most three steps less than the true width, and at most one more. Nothing where there is no way wider than a
-/// step, or no line, start or exit.
+/// step, and of what refuse() has something against.
 [[nodiscard]] std::optional<double> corridorWidth(const Labyrinth& labyrinth);
 
 } // namespace palpate
