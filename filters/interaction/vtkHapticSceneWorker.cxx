@@ -50,18 +50,21 @@ double LargestRadius(const palpate::Scene* scene)
   return scene ? palpate::radiusLimit(*scene, {}).largest_u : std::numeric_limits<double>::infinity();
 }
 
+/// `planes_WP`: across which an input stands, if it is walls.
 vtkHapticBuiltScene Build(palpate::SceneBuilder& builder, const std::vector<palpate::SurfaceInput>& inputs,
-  const palpate::Scene* felt, const std::vector<std::string>& materials)
+  const palpate::Scene* felt, const std::vector<std::string>& materials,
+  const std::vector<std::optional<palpate::Pose>>& planes_WP)
 {
   const palpate::SceneBuildResult built = builder.build(inputs, felt);
   vtkHapticBuiltScene result;
   result.Scene = built.scene;
   result.Report = Describe(built, materials);
-  for (const palpate::SurfaceReport& surface : built.reports)
+  for (std::size_t i = 0; i < built.reports.size(); ++i)
   {
-    if (surface.refusal.empty())
+    if (built.reports[i].refusal.empty())
     {
-      result.Deforms.push_back(surface.refitted);
+      result.Traits.deforms.push_back(built.reports[i].refitted);
+      result.Traits.walls_WP.push_back(planes_WP[i]);
     }
   }
   if (built.scene)
@@ -347,18 +350,20 @@ void vtkHapticSceneWorker::Launch()
 {
   std::vector<palpate::SurfaceInput> inputs;
   std::vector<std::string> materials;
+  std::vector<std::optional<palpate::Pose>> planes_WP;
   for (const Kept& kept : this->Committed)
   {
     inputs.push_back(kept.Input);
     materials.push_back(kept.MaterialNote);
+    planes_WP.push_back(kept.Plane_WP);
   }
   this->Again = false;
   // What only moves waits for nobody: a pose is felt with the next snapshot, and balls stay as large as they may be.
   const std::launch how = this->Builder.knows(inputs, this->Felt.get()) ? std::launch::deferred : std::launch::async;
-  auto build = [this, how, inputs, materials, felt = this->Felt, refusals = this->CommittedRefusals,
+  auto build = [this, how, inputs, materials, planes_WP, felt = this->Felt, refusals = this->CommittedRefusals,
                  stamp = this->Stamp, plane = this->CommittedPlane(), largest = this->LargestRadius_u]
   {
-    vtkHapticBuiltScene built = Build(this->Builder, inputs, felt.get(), materials);
+    vtkHapticBuiltScene built = Build(this->Builder, inputs, felt.get(), materials, planes_WP);
     built.Report = refusals + built.Report;
     built.Stamp = stamp;
     built.Plane_WP = plane;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/SceneSimplifier.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSurfacePlacement.h"
@@ -26,7 +27,7 @@ struct vtkHapticBuiltScene
   std::array<double, 6> Bounds{};              ///< of what is touchable: low and high x, y, z [u]
   double LargestRadius_u = std::numeric_limits<double>::infinity(); ///< whose work fits into a tick
   std::optional<palpate::Pose> Plane_WP; ///< of the walls, where all that is touchable stands across one plane
-  std::vector<bool> Deforms;             ///< for each surface of the scene: its vertices have moved
+  palpate::SurfaceTraits Traits;         ///< of the surfaces of the scene
   double Stamp = 0.0;                    ///< of the commit [s]
 };
 

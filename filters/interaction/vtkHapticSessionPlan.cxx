@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is felt of a scene: all of its triangles first, fewer of them where nobody can tell.
+// What is felt of a scene: all of its triangles and segments first, fewer of them where nobody can tell.
 #include <algorithm>
 #include <utility>
 
@@ -20,7 +20,10 @@ palpate::SimplifyRules vtkHapticSession::Internals::RulesNow() const
   palpate::SimplifyRules rules;
   rules.touch.scale_u_per_m = this->Parameters.map.scale_u_per_m;
   rules.touch.resolution_m = this->InfoNow().resolution_m.value;
-  rules.leastTriangles = this->Simplify == On ? 0 : rules.leastTriangles;
+  if (this->Simplify == On)
+  {
+    rules.leastTriangles = rules.leastFine = 0;
+  }
   return rules;
 }
 
@@ -33,16 +36,11 @@ void vtkHapticSession::Internals::PlanScene()
   {
     return;
   }
-  this->Choices = palpate::chooseAtFirst(*this->Full.Scene, this->Full.Deforms, this->Rules);
+  this->Choices = palpate::chooseAtFirst(*this->Full.Scene, this->Full.Traits, this->Rules);
   if (this->Simplify == Off)
   {
     std::for_each(this->Choices.begin(), this->Choices.end(),
       [](palpate::SurfaceChoice& choice) { choice.reason = "simpler surfaces are off"; });
-  }
-  if (this->Full.Plane_WP)
-  {
-    std::for_each(this->Choices.begin(), this->Choices.end(),
-      [](palpate::SurfaceChoice& choice) { choice.reason = "walls across a plane stay as they are"; });
   }
   if (std::any_of(this->Choices.begin(), this->Choices.end(), Searched) &&
       this->Simpler.Follow(this->Full.Scene, this->Choices, this->Rules, this->Worker.TakeRevision()))

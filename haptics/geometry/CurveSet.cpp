@@ -172,6 +172,34 @@ TriangleMesh raiseWalls(const CurveSet& curves, double halfHeight_u, const Pose&
   return walls;
 }
 
+LoweredWalls lowerWalls(const TriangleMesh& walls, const Pose& plane_WP)
+{
+  LoweredWalls lowered;
+  const Quat q_PW = plane_WP.q.conjugate();
+  std::vector<bool> below;
+  below.reserve(walls.vertices_W.size());
+  lowered.curves.points_W.reserve(walls.vertices_W.size());
+  for (const Vec3& p_W : walls.vertices_W)
+  {
+    const Vec3 p_P = q_PW * (p_W - plane_WP.p);
+    below.push_back(p_P.z() < 0.0);
+    lowered.curves.points_W.emplace_back(p_P.head<2>());
+    lowered.halfHeight_u = std::max(lowered.halfHeight_u, p_P.z());
+  }
+  for (const auto& corners : walls.triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];
+      if (below[i] && below[j])
+      {
+        lowered.curves.segments.push_back({ i, j });
+      }
+    }
+  }
+  return lowered;
+}
+
 double wallHalfHeight(const CurveSet& curves, double radius_u)
 {
   double sum_u = 0.0;

@@ -48,6 +48,15 @@ struct PlaneCurves
 /// three. halfHeight_u > 0 must exceed the ball's radius. Indices are checked by cleanMesh().
 [[nodiscard]] TriangleMesh raiseWalls(const CurveSet& curves, double halfHeight_u, const Pose& plane_WP = {});
 
+/// The lines that walls were raised from: each wall has one triangle with two corners below the plane, on the line. The
+/// points are as they were but for rounding, in the plane z = 0 of W exactly.
+struct LoweredWalls
+{
+  CurveSet curves;
+  double halfHeight_u = 0.0;
+};
+[[nodiscard]] LoweredWalls lowerWalls(const TriangleMesh& walls, const Pose& plane_WP = {});
+
 /// How high walls should stand for discs up to radius_u: above the disc, and else no higher than the segments are long,
 /// for what is taller than long is found more slowly. A power of two, so that scaling by it rounds nothing [u].
 [[nodiscard]] double wallHalfHeight(const CurveSet& curves, double radius_u);

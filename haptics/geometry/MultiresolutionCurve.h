@@ -24,21 +24,30 @@ struct CurveDetail
   }
 };
 
+/// A run of a curve from one of its points to another, for which the segment between these two may stand.
+struct CurveRun
+{
+  std::uint32_t from = 0, to = 0;
+  std::uint32_t halves = 0; ///< index of the first of two, one after the other; 0: a segment of the curve
+  int level = 0;
+  double bound_u = 0.0; ///< no point of the run is further from the segment, or the segment's from the run [u]
+};
+
 /// A polyline at many levels of detail, after Pai & Reissel 1997: each level halves the points of the one below, and
-/// what it leaves out bounds its error. A node stands for a run of the curve by the segment between its ends; its
-/// detail is how far its middle point is from that segment, and its bound is its detail plus the larger bound of its
-/// halves. So the bound is proven: with p the middle and f its nearest point on the segment a b, the ways a p b and
-/// a f b, walked in step, are nowhere farther apart than |p - f|, and such distances of curves add up. It bounds the
-/// Frechet distance, hence the Hausdorff distance.
+/// what it leaves out bounds its error. The bound of a run is how far the farthest of its points is from the segment
+/// that stands for it. That is proven for all of both: the distance to a segment is convex, so what lies between two
+/// points is as near, and the nearest points run without a gap from one end of the segment to the other. Sums of the
+/// details left out level by level, which need not look at every point, would be larger: of noise as many times as it
+/// has levels.
 ///
-/// Neighbouring nodes share an end, so a choice of nodes is one polyline without gaps; two choices are nested, so they
+/// Neighbouring runs share an end, so a choice of runs is one polyline without gaps; two choices are nested, so they
 /// differ nowhere by more than the larger bound in use there. If all that can be touched is within limit_u, a change of
 /// level moves nothing by more than that.
 class MultiresolutionCurve
 {
 public:
   MultiresolutionCurve() = default;
-  /// At least two finite points [u]; of fewer nothing is made.
+  /// At least two finite points [u]; of fewer nothing is made. O(n log n).
   explicit MultiresolutionCurve(std::vector<Vec3> points_W);
 
   [[nodiscard]] const std::vector<Vec3>& points_W() const noexcept { return this->points_W_; }
@@ -47,35 +56,28 @@ public:
   [[nodiscard]] int levels() const noexcept { return static_cast<int>(this->levelBound_u_.size()); }
   /// Indices of the points of a level, ascending.
   [[nodiscard]] std::vector<std::uint32_t> level(int level) const;
-  /// The largest bound of a level's nodes [u]; falls from level to level and is 0 at the last.
+  /// The whole first, halves behind what they are halves of.
+  [[nodiscard]] const std::vector<CurveRun>& runs() const noexcept { return this->runs_; }
+  /// No run of this level or a finer one has a larger bound [u]; falls from level to level and is 0 at the last.
   [[nodiscard]] double bound_u(int level) const noexcept
   {
     return this->levelBound_u_[static_cast<std::size_t>(level)];
   }
 
-  /// Points of the coarsest choice of nodes that is nowhere farther from the curve than allowed there, ascending. The
+  /// Points of the coarsest choice of runs that is nowhere farther from the curve than allowed there, ascending. The
   /// distance of a run from the focus is that of its segment less its bound, so it is never taken for farther than it
   /// is.
   [[nodiscard]] std::vector<std::uint32_t> choose(const CurveDetail& detail) const;
 
 private:
-  struct Node
-  {
-    std::uint32_t from = 0, to = 0;
-    std::uint32_t halves = 0; ///< index of the first of two, one after the other; 0: a segment of the curve
-    int level = 0;
-    double bound_u = 0.0;
-  };
-
-  [[nodiscard]] double detail_u(const Node& node) const noexcept;
   void divide();
   void bound();
-  /// The points at the ends of the first nodes, from the root down, that `enough` says yes to.
+  /// The points at the ends of the first runs, from the whole down, that `enough` says yes to.
   template<class Enough>
   [[nodiscard]] std::vector<std::uint32_t> cut(Enough enough) const;
 
   std::vector<Vec3> points_W_;
-  std::vector<Node> nodes_;
+  std::vector<CurveRun> runs_;
   std::vector<double> levelBound_u_;
 };
 

@@ -2,7 +2,10 @@
 #include "haptics/geometry/SceneSimplifier.h"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
+
+#include "haptics/geometry/CoarserSurface.h"
 
 namespace palpate
 {
@@ -16,12 +19,27 @@ double limitOf(const TouchConditions& touch)
   return plan.unnoticed_u();
 }
 
-std::string reasonToKeep(const Surface& surface, bool deforms, const SimplifyRules& rules)
+/// Triangles, or segments of curves.
+std::size_t countOf(const SurfaceTree& tree, const SurfaceChoice& choice)
 {
-  if (surface.tree->coat_u() > 0.0)
+  return tree.mesh().triangles.size() / (choice.wall_WP ? 2 : 1);
+}
+
+std::string reasonToKeepCurves(
+  const SurfaceTree& curves, const std::optional<Pose>& wall_WP, const SimplifyRules& rules)
+{
+  if (hasFineLines(curves, wall_WP, { rules.fineBelow_u(), rules.leastFine }))
   {
-    return "curves are touched as they are";
+    return {};
   }
+  std::ostringstream reason;
+  reason.precision(3);
+  reason << "coarser lines pay from " << rules.leastFine << " segments shorter than " << rules.fineBelow_u() << " u on";
+  return reason.str();
+}
+
+std::string reasonToKeep(const Surface& surface, const SurfaceChoice& choice, bool deforms, const SimplifyRules& rules)
+{
   if (deforms || surface.motion.moves())
   {
     return "what moves or deforms is touched as it is";
@@ -29,6 +47,10 @@ std::string reasonToKeep(const Surface& surface, bool deforms, const SimplifyRul
   if (surface.fields && !surface.fields->empty())
   {
     return "its material comes from arrays";
+  }
+  if (choice.curves)
+  {
+    return reasonToKeepCurves(*surface.tree, choice.wall_WP, rules);
   }
   if (surface.tree->mesh().triangles.size() < rules.leastTriangles)
   {
@@ -39,31 +61,43 @@ std::string reasonToKeep(const Surface& surface, bool deforms, const SimplifyRul
 
 } // namespace
 
-std::vector<SurfaceChoice> chooseAtFirst(
-  const Scene& full, const std::vector<bool>& deforms, const SimplifyRules& rules)
+std::vector<SurfaceChoice> chooseAtFirst(const Scene& full, const SurfaceTraits& traits, const SimplifyRules& rules)
 {
   std::vector<SurfaceChoice> choices;
   for (const Surface& surface : full.surfaces())
   {
-    const std::size_t triangles = surface.tree->mesh().triangles.size();
-    const bool moved = choices.size() < deforms.size() && deforms[choices.size()];
-    choices.push_back({ surface.name, triangles, triangles, 0.0, reasonToKeep(surface, full.moves() || moved, rules) });
+    const std::size_t i = choices.size();
+    SurfaceChoice choice;
+    choice.name = surface.name;
+    choice.wall_WP = i < traits.walls_WP.size() ? traits.walls_WP[i] : std::nullopt;
+    choice.curves = choice.wall_WP || surface.tree->coat_u() > 0.0;
+    choice.triangles = choice.felt = countOf(*surface.tree, choice);
+    const bool moved = i < traits.deforms.size() && traits.deforms[i];
+    choice.reason = reasonToKeep(surface, choice, full.moves() || moved, rules);
+    choices.push_back(std::move(choice));
   }
   return choices;
 }
 
 const SceneSimplifier::Kept* SceneSimplifier::find(const SurfaceTree* tree, const SimplifyRules& rules) const
 {
-  const auto same = [&](const Kept& kept) { return kept.tree.get() == tree && kept.limit_u == limitOf(rules.touch); };
+  const auto same = [&](const Kept& kept)
+  { return kept.tree.get() == tree && kept.limit_u == limitOf(rules.touch) && kept.leastFine == rules.leastFine; };
   const auto found = std::find_if(this->kept_.begin(), this->kept_.end(), same);
   return found != this->kept_.end() ? &*found : nullptr;
 }
 
 SceneSimplifier::Kept SceneSimplifier::look(
-  const std::shared_ptr<const SurfaceTree>& tree, const SimplifyRules& rules) const
+  const std::shared_ptr<const SurfaceTree>& tree, const SurfaceChoice& choice, const SimplifyRules& rules)
 {
+  Kept found{ tree, limitOf(rules.touch), rules.leastFine, {} };
+  if (choice.curves)
+  {
+    const std::size_t leastGone = std::max<std::size_t>(1, rules.leastFine);
+    found.fewer = coarserSurface(*tree, choice.wall_WP, leastGone, { found.limit_u, rules.stop, {} });
+    return found;
+  }
   const ScenePlan plan = planTouch(*tree, rules.touch);
-  Kept found{ tree, plan.unnoticed_u(), {} };
   if (plan.trianglesNeeded > plan.triangles / 2)
   {
     found.fewer.refusal = "its facets are no finer than a hand feels";
@@ -99,12 +133,12 @@ SimplerScene SceneSimplifier::simplify(
       continue;
     }
     const Kept* const known = this->find(surfaces[i].tree.get(), rules);
-    kept.push_back(known != nullptr ? *known : this->look(surfaces[i].tree, rules));
+    kept.push_back(known != nullptr ? *known : look(surfaces[i].tree, choices[i], rules));
     const Simplification& fewer = kept.back().fewer;
     choices[i].reason = fewer.refusal;
     if (fewer.tree)
     {
-      choices[i].felt = fewer.tree->mesh().triangles.size();
+      choices[i].felt = countOf(*fewer.tree, choices[i]);
       choices[i].bound_u = fewer.bound_u;
       surfaces[i].tree = fewer.tree;
       simpler = true;

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "haptics/core/Types.h"
 #include "haptics/geometry/Scene.h"
 #include "haptics/geometry/ScenePlan.h"
 #include "haptics/geometry/Simplification.h"
@@ -20,17 +22,31 @@ struct SimplifyRules
 {
   TouchConditions touch;
   std::size_t leastTriangles = 50000; ///< with fewer than these a surface is left as it is
+  std::size_t leastFine = 64;         ///< with fewer fine segments curves are left as they are
   std::stop_token stop = {};
+
+  /// Segments are fine if a hand of 1 m/s goes over more than 32 of them in a tick, half of what a tick has passes for
+  /// [u].
+  [[nodiscard]] double fineBelow_u() const noexcept { return 1e-3 / 32 * this->touch.scale_u_per_m; }
+};
+
+/// What is known of the surfaces of a scene beside their triangles; entries that are missing say nothing.
+struct SurfaceTraits
+{
+  std::vector<bool> deforms;                 ///< its vertices have moved before
+  std::vector<std::optional<Pose>> walls_WP; ///< given: it is walls, raised from lines across that plane
 };
 
 /// What is felt of one surface, and why.
 struct SurfaceChoice
 {
   std::string name;
-  std::size_t triangles = 0; ///< of the data, after cleaning
-  std::size_t felt = 0;      ///< fewer if a simpler surface takes its place
-  double bound_u = 0.0;      ///< proven: no point of either surface is further from the other
-  std::string reason;        ///< why all of them are felt; empty if a simpler surface is, or may be found
+  std::size_t triangles = 0;        ///< of the data, after cleaning; of curves, segments
+  std::size_t felt = 0;             ///< fewer if a simpler surface takes its place
+  double bound_u = 0.0;             ///< proven: no point of either surface is further from the other
+  std::string reason;               ///< why all of them are felt; empty if a simpler surface is, or may be found
+  bool curves = false;              ///< tubes or walls
+  std::optional<Pose> wall_WP = {}; ///< given for walls, of two triangles a segment
 };
 
 /// A scene with simpler surfaces, null if none is simpler or it was stopped, and a choice for each surface.
@@ -40,14 +56,16 @@ struct SimplerScene
   std::vector<SurfaceChoice> choices;
 };
 
-/// What is felt of each surface at first: all its triangles. `deforms`: a flag each, its vertices have moved before.
-/// O(surfaces).
+/// What is felt of each surface at first: all its triangles. O(surfaces + segments of curves).
 [[nodiscard]] std::vector<SurfaceChoice> chooseAtFirst(
-  const Scene& full, const std::vector<bool>& deforms, const SimplifyRules& rules);
+  const Scene& full, const SurfaceTraits& traits, const SimplifyRules& rules);
 
-/// The surfaces of a scene, with those replaced that pay: at rest, without curves or material arrays, planned to need
-/// no more than half of their triangles (planTouch()), and with that proven (simplifyWithin()). What it found for a
-/// surface is kept while the surface stays in the scenes. Any thread but the servo's, one at a time.
+/// The surfaces of a scene, with those replaced that pay: at rest, without material arrays, planned to need no more
+/// than half of their triangles (planTouch()), and with that proven (simplifyWithin()). Curves with fine segments are
+/// felt at one level of detail, the coarsest within what is not noticed (coarserSurface()). A level that is fine near
+/// the hand and coarser beyond brings nothing over that: of 300,000 points 49 instead of 105 stay, which costs a tick
+/// the same to 2 %, and a hand would have to wait for the next level (lab: `plane-cost`). What it found for a surface
+/// is kept while the surface stays in the scenes. Any thread but the servo's, one at a time.
 class SceneSimplifier
 {
 public:
@@ -63,10 +81,12 @@ private:
   {
     std::shared_ptr<const SurfaceTree> tree;
     double limit_u = 0.0;
+    std::size_t leastFine = 0;
     Simplification fewer;
   };
   [[nodiscard]] const Kept* find(const SurfaceTree* tree, const SimplifyRules& rules) const;
-  [[nodiscard]] Kept look(const std::shared_ptr<const SurfaceTree>& tree, const SimplifyRules& rules) const;
+  [[nodiscard]] static Kept look(
+    const std::shared_ptr<const SurfaceTree>& tree, const SurfaceChoice& choice, const SimplifyRules& rules);
 
   std::vector<Kept> kept_;
 };

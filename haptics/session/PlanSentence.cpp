@@ -12,6 +12,13 @@ namespace palpate
 namespace
 {
 
+std::string reasonOf(const SurfaceChoice& choice)
+{
+  const char* const meanwhile =
+    choice.curves ? "coarser lines are looked for meanwhile" : "a simpler surface is looked for meanwhile";
+  return choice.reason.empty() ? meanwhile : choice.reason;
+}
+
 /// All surfaces as one, with each reason once.
 SurfaceChoice sumOf(const std::vector<SurfaceChoice>& choices)
 {
@@ -21,7 +28,7 @@ SurfaceChoice sumOf(const std::vector<SurfaceChoice>& choices)
     sum.triangles += choice.triangles;
     sum.felt += choice.felt;
     sum.bound_u = std::max(sum.bound_u, choice.bound_u);
-    const std::string reason = choice.reason.empty() ? "a simpler surface is looked for meanwhile" : choice.reason;
+    const std::string reason = reasonOf(choice);
     if (choice.felt == choice.triangles && sum.reason.find(reason) == std::string::npos)
     {
       sum.reason += (sum.reason.empty() ? "" : "; ") + reason;
@@ -102,6 +109,41 @@ std::string searchOf(std::size_t surfaces, std::size_t triangles)
   return "a tree of boxes (lists of more than " + capacity + " triangles are dearer)";
 }
 
+/// "9000 of 79600 triangles are felt (...)".
+std::string partsOf(const SurfaceChoice& choice, const std::string& unit)
+{
+  std::ostringstream text;
+  text.precision(3);
+  if (choice.felt < choice.triangles)
+  {
+    text << choice.felt << " of " << choice.triangles << " " << unit << " are felt (proven: no point is further than "
+         << choice.bound_u << " u from the data's " << (unit == "segments" ? "lines" : "surface")
+         << ", or the data's from it, and that is not noticed)";
+    return text.str();
+  }
+  text << "all " << choice.triangles << " " << unit << " are felt (" << choice.reason << ")";
+  return text.str();
+}
+
+std::string unitOf(const std::vector<SurfaceChoice>& choices)
+{
+  const auto curves =
+    std::count_if(choices.begin(), choices.end(), [](const SurfaceChoice& choice) { return choice.curves; });
+  const bool all = curves == static_cast<std::ptrdiff_t>(choices.size());
+  return curves == 0 ? "triangles" : (all ? "segments" : "triangles and segments");
+}
+
+/// As the tree has them: a wall is two.
+std::size_t feltTriangles(const std::vector<SurfaceChoice>& choices)
+{
+  std::size_t sum = 0;
+  for (const SurfaceChoice& choice : choices)
+  {
+    sum += choice.felt * (choice.wall_WP ? 2 : 1);
+  }
+  return sum;
+}
+
 } // namespace
 
 bool hasOwnFriction(const Scene& scene) noexcept
@@ -119,16 +161,7 @@ double chosenRadius_u(double asked_u, double largest_u, bool keepLimit) noexcept
 
 std::string planSentence(const SurfaceChoice& choice)
 {
-  std::ostringstream text;
-  text.precision(3);
-  if (choice.felt < choice.triangles)
-  {
-    text << choice.felt << " of " << choice.triangles << " triangles are felt (proven: no point is further than "
-         << choice.bound_u << " u from the data's surface, or the data's from it, and that is not noticed)";
-    return text.str();
-  }
-  text << "all " << choice.triangles << " triangles are felt (" << choice.reason << ")";
-  return text.str();
+  return partsOf(choice, choice.curves ? "segments" : "triangles");
 }
 
 std::string planSentence(const std::vector<SurfaceChoice>& choices, const TouchChoice& touch)
@@ -137,9 +170,8 @@ std::string planSentence(const std::vector<SurfaceChoice>& choices, const TouchC
   {
     return "there is nothing to touch";
   }
-  const SurfaceChoice sum = sumOf(choices);
-  return planSentence(sum) + ", by " + ballOf(touch) + frictionOf(touch) + ", through " +
-         searchOf(choices.size(), sum.felt);
+  return partsOf(sumOf(choices), unitOf(choices)) + ", by " + ballOf(touch) + frictionOf(touch) + ", through " +
+         searchOf(choices.size(), feltTriangles(choices));
 }
 
 } // namespace palpate

@@ -51,9 +51,10 @@ TEST(SceneSimplifier, SaysAtFirstWhyASurfaceIsLeftAsItIs)
          surfaceOf("small", makeIcosphere(2, radius_u)), surfaceOf("large", makeIcosphere(3, radius_u)) });
   SimplifyRules some = rules();
   some.leastTriangles = 1000; // between 320 and 1280
-  const std::vector<SurfaceChoice> choices = chooseAtFirst(scene, { false, true, false, false, false }, some);
-  const std::vector<std::string> reasons{ "curves are touched as they are", "what moves or deforms is touched as it is",
-    "its material comes from arrays", "simpler surfaces pay from 1000 triangles on", "" };
+  const std::vector<SurfaceChoice> choices = chooseAtFirst(scene, { { false, true, false, false, false }, {} }, some);
+  const std::vector<std::string> reasons{ "coarser lines pay from 64 segments shorter than 0.0312 u on",
+    "what moves or deforms is touched as it is", "its material comes from arrays",
+    "simpler surfaces pay from 1000 triangles on", "" };
   ASSERT_EQ(choices.size(), reasons.size());
   for (std::size_t i = 0; i < reasons.size(); ++i)
   {
