@@ -2,6 +2,7 @@
 #include "vtkHapticMouseInput.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vtkCommand.h"
@@ -28,6 +29,7 @@ public:
   vtkSmartPointer<vtkHapticMouse> Mouse;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   std::vector<unsigned long> Observers;
+  bool ButtonTaken = false; ///< the left button went down to press, so until it is up its drag is no camera's
 
   /// True: nobody else is to hear of it.
   bool Heard(vtkObject*, unsigned long event, void*);
@@ -59,13 +61,10 @@ bool vtkHapticMouseInput::Internals::Take(unsigned long event)
     case vtkCommand::LeftButtonPressEvent:
       this->Mouse->SetPointer(at[0], at[1]);
       this->Mouse->SetPressing(this->Interactor->GetShiftKey() != 0);
-      return this->Mouse->GetPressing();
+      return this->ButtonTaken = this->Mouse->GetPressing();
     case vtkCommand::LeftButtonReleaseEvent:
-    {
-      const bool pressed = this->Mouse->GetPressing();
-      this->Mouse->SetPressing(false);
-      return pressed;
-    }
+      this->Mouse->SetPressing(this->Mouse->GetPressing() && !this->ButtonTaken);
+      return std::exchange(this->ButtonTaken, false);
     case vtkCommand::MouseWheelForwardEvent:
       return this->TakeWheel(deeper);
     case vtkCommand::MouseWheelBackwardEvent:
@@ -74,7 +73,7 @@ bool vtkHapticMouseInput::Internals::Take(unsigned long event)
       return this->TakeKey(this->Interactor->GetKeySym() ? this->Interactor->GetKeySym() : "");
     default: // it enters or moves
       this->Mouse->SetPointer(at[0], at[1]);
-      return this->Mouse->GetPressing();
+      return this->ButtonTaken && this->Mouse->GetPressing();
   }
 }
 

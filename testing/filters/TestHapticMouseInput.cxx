@@ -68,6 +68,36 @@ TEST_F(HapticMouse, ShiftAndTheLeftButtonPressAndNobodyElseHearsOfIt)
   EXPECT_NEAR(this->session_->GetPressDepth(), 1.25 * depth_m, 1e-15);
 }
 
+TEST_F(HapticMouse, WhileAKeyPressesEveryDragIsTheCameras)
+{
+  this->show(makePlane(100.0));
+  this->look(Vec3(0, -100, 300), false);
+  this->engage();
+  int heard = 0;
+  vtkNew<vtkCallbackCommand> style;
+  style->SetClientData(&heard);
+  style->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  this->interactor_->AddObserver(vtkCommand::MouseMoveEvent, style);
+  this->interactor_->AddObserver(vtkCommand::LeftButtonReleaseEvent, style);
+  this->say(vtkCommand::KeyPressEvent, 200, 150, false, "Next");
+  for (unsigned long button : { vtkCommand::MiddleButtonPressEvent, vtkCommand::RightButtonPressEvent })
+  {
+    heard = 0;
+    this->say(button, 200, 150);
+    this->say(vtkCommand::MouseMoveEvent, 210, 150);
+    this->say(vtkCommand::MouseMoveEvent, 200, 150);
+    EXPECT_EQ(heard, 2);
+    EXPECT_TRUE(this->mouse_->GetPressing());
+  }
+  heard = 0; // a key that presses in the middle of a drag leaves it to the camera as well
+  this->say(vtkCommand::LeftButtonPressEvent, 200, 150);
+  this->say(vtkCommand::KeyPressEvent, 200, 150, false, "Next");
+  this->say(vtkCommand::MouseMoveEvent, 210, 150);
+  this->say(vtkCommand::LeftButtonReleaseEvent, 210, 150);
+  EXPECT_EQ(heard, 2);
+  EXPECT_TRUE(this->mouse_->GetPressing());
+}
+
 TEST_F(HapticMouse, TheKeyboardAloneStrokes)
 {
   this->show(makePlane(100.0));
