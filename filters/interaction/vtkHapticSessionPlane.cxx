@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plane worlds: lines as walls, walls that the device holds, and the guide that leads a hand to their plane.
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>

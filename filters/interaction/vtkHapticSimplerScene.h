@@ -3,7 +3,6 @@
 #define vtkHapticSimplerScene_h
 
 #include <cstdint>
-#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
