@@ -14,12 +14,17 @@ namespace
 constexpr double patience_s = 0.04;
 /// The arm goes slower where less is left, or friction would have it swing about its goal.
 constexpr double approach_Hz = 10.0;
-/// A place that is not reached again within this many times the time it should take will not be reached.
+/// A place that is not reached within this many times the time it should take will not be reached.
 constexpr double hopeless = 100.0;
+/// To pass by something, before it goes back to where this way began.
+constexpr int patientTries = 10;
+/// Friction swallows what pulls less: most of that a hand goes through at once, the arm's damper takes the rest.
+constexpr double swallowed = 0.75, swallow_s = 0.05;
 
 } // namespace
 
-BlindHand::BlindHand(const BlindPlan& plan, const Vec3& start_D) : plan_(plan), start_D_(start_D), arm_D_(start_D)
+BlindHand::BlindHand(const BlindPlan& plan, const Vec3& start_D)
+  : plan_(plan), start_D_(start_D), arm_D_(start_D), thread_D_{ start_D }
 {
   this->choose();
 }
@@ -32,6 +37,10 @@ Vec3 BlindHand::centre_D(const PlaceMemory::Place& place) const
 Vec3 BlindHand::goal_D() const
 {
   const PlaceMemory::Place& here = this->memory_.here();
+  if (this->winds_)
+  {
+    return this->thread_D_.back();
+  }
   return this->centre_D(this->way_ ? PlaceMemory::beside(here, *this->way_) : here);
 }
 
@@ -48,12 +57,14 @@ Vec3 BlindHand::look(const Felt& felt, double dt_s)
 void BlindHand::decide(const Felt& felt, double dt_s)
 {
   this->since_s_ += dt_s;
+  this->follow(felt);
   if (this->reached(felt))
   {
     if (this->way_)
     {
       this->memory_.walked(*this->way_);
     }
+    this->thread_D_.assign(1, felt.location_D);
     this->choose();
   }
   else if (this->stopped(felt, dt_s))
@@ -68,9 +79,25 @@ void BlindHand::decide(const Felt& felt, double dt_s)
       this->set(std::nullopt);
     }
   }
-  else if (this->since_s_ > hopeless * this->plan_.step_m / this->plan_.speed_m_per_s)
+  else if (this->since_s_ > hopeless * (this->plan_.step_m + this->plan_.lead_m) / this->plan_.speed_m_per_s)
   {
     this->lost_ = true;
+  }
+}
+
+/// Ariadne's thread: laid out on the way, wound up on the way back.
+void BlindHand::follow(const Felt& felt)
+{
+  const auto near = [&](const Vec3& p_D) { return (felt.location_D - p_D).norm() <= this->plan_.near_m; };
+  if (!this->winds_ && !near(this->thread_D_.back()))
+  {
+    this->thread_D_.push_back(felt.location_D);
+  }
+  while (this->winds_ && near(this->thread_D_.back()))
+  {
+    this->winds_ = this->thread_D_.size() > 1;
+    this->thread_D_.resize(std::max<std::size_t>(1, this->thread_D_.size() - 1));
+    this->startAnew();
   }
 }
 
@@ -81,21 +108,28 @@ bool BlindHand::known() const
 
 bool BlindHand::reached(const Felt& felt) const
 {
-  return (felt.location_D - this->goal_D()).norm() <= (this->known() ? this->plan_.again_m : this->plan_.near_m);
+  return !this->winds_ &&
+         (felt.location_D - this->goal_D()).norm() <= (this->known() ? this->plan_.again_m : this->plan_.near_m);
 }
 
-/// A way that was open is open: the end of a wall is in between, so it is passed a little to the left, or to the right.
+/// A way that was open is open: the end of a wall is in between, so it is passed a little to the left, or to the right;
+/// and who came round an end goes back along the thread.
 void BlindHand::feelAbout(const Felt& felt)
 {
   ++this->tries_;
+  this->startAnew();
+  if (!this->winds_ && this->thread_D_.size() > 1 && (!this->way_ || this->tries_ % patientTries == 0))
+  {
+    this->winds_ = true;
+    return;
+  }
   const Vec3 ahead = (this->goal_D() - felt.location_D).normalized(), left(-ahead.y(), ahead.x(), 0);
   const double side = this->tries_ % 2 == 1 ? 1.0 : -1.0, share = 0.1 * ((this->tries_ + 1) / 2 % 5);
   this->aside_D_ = side * share * this->plan_.step_m * left;
-  this->held_s_ = 0.0;
-  this->least_m_ = std::numeric_limits<double>::infinity();
 }
 
-/// It comes no nearer, and is pushed back or the handle is where it should be.
+/// It comes no nearer, and is pushed back or the handle is where it should be; or it comes no nearer for so long that
+/// the arm could have pushed as hard as it may.
 bool BlindHand::stopped(const Felt& felt, double dt_s)
 {
   const Vec3 ahead = this->goal_D() - felt.location_D;
@@ -103,12 +137,14 @@ bool BlindHand::stopped(const Felt& felt, double dt_s)
   if (left_m < this->least_m_ - 0.02 * this->plan_.step_m)
   {
     this->least_m_ = left_m;
-    this->held_s_ = 0.0;
+    this->held_s_ = this->idle_s_ = 0.0;
   }
   const bool pushedBack = -felt.force_D.dot(ahead) > this->plan_.touch_N * left_m;
   const bool there = (felt.handle_D - this->goal_D() - this->aside_D_).cwiseAbs().maxCoeff() <= this->plan_.grain_m;
   this->held_s_ += pushedBack || there ? dt_s : 0.0;
-  return this->held_s_ >= std::max(patience_s, 3 * dt_s);
+  this->idle_s_ += dt_s;
+  const double swing_s = 2 * this->plan_.lead_m / this->plan_.speed_m_per_s;
+  return std::max(this->held_s_, this->idle_s_ - swing_s) >= std::max(patience_s, 3 * dt_s);
 }
 
 void BlindHand::choose()
@@ -120,10 +156,24 @@ void BlindHand::choose()
 void BlindHand::set(std::optional<int> way)
 {
   this->way_ = way;
+  this->winds_ = false;
   this->tries_ = 0;
+  this->since_s_ = 0.0;
+  this->startAnew();
+}
+
+void BlindHand::startAnew()
+{
   this->aside_D_ = Vec3::Zero();
-  this->held_s_ = this->since_s_ = 0.0;
+  this->held_s_ = this->idle_s_ = 0.0;
   this->least_m_ = std::numeric_limits<double>::infinity();
+}
+
+/// How far the arm may go at once without moving the handle, for friction holds it.
+double BlindHand::unfelt_m(double ahead_m, double dt_s) const
+{
+  const double slack_m = swallowed * this->plan_.friction_m - ahead_m;
+  return std::clamp(slack_m, 0.0, this->plan_.friction_m / swallow_s * dt_s);
 }
 
 /// Each axis by itself, as friction holds each by itself: the arm goes on until the handle is there.
@@ -135,7 +185,9 @@ void BlindHand::lead(const Felt& felt, double dt_s)
     if (std::fabs(missing[axis]) > this->plan_.grain_m)
     {
       const double most_m = this->plan_.speed_m_per_s * dt_s, wish_m = approach_Hz * dt_s * missing[axis];
-      this->arm_D_[axis] += std::clamp(wish_m, -most_m, most_m);
+      const double way = std::copysign(1.0, missing[axis]);
+      const double unfelt_m = this->unfelt_m(way * (this->arm_D_[axis] - felt.handle_D[axis]), dt_s);
+      this->arm_D_[axis] += way * unfelt_m + std::clamp(wish_m, -most_m, most_m);
     }
     const double from_m = felt.handle_D[axis];
     this->arm_D_[axis] = std::clamp(this->arm_D_[axis], from_m - this->plan_.lead_m, from_m + this->plan_.lead_m);

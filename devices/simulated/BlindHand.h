@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "devices/simulated/PlaceMemory.h"
 #include "haptics/core/Types.h"
 
@@ -15,9 +18,9 @@ struct BlindPlan
   double again_m = 0.0;       ///< and a known one; both together are less than what two sides of a wall are apart
   double speed_m_per_s = 0.0; ///< of the hand
   double touch_N = 0.0;       ///< a push back that is a wall
-  double lead_m =
-    0.0; ///< how far the arm is ahead of the handle at most: what the hand pushes with, over its stiffness
-  double grain_m = 0.0; ///< as near to its goal along each axis as the hand takes the handle
+  double lead_m = 0.0;        ///< of the arm before the handle at most: what the hand pushes with, over its stiffness
+  double friction_m = 0.0;    ///< the same for what the device's friction swallows
+  double grain_m = 0.0;       ///< as near to its goal along each axis as the hand takes the handle
 };
 
 /// What a hand feels and knows at a moment.
@@ -29,8 +32,8 @@ struct Felt
 };
 
 /// A hand that finds its way by force and position alone: it knows neither walls nor exit. It pushes the handle
-/// to the place beside the one it is at; where it does not come through it goes back and tries another way
-/// (PlaceMemory). Deterministic.
+/// to the place beside the one it is at; where it does not come through it goes back, along the thread of where it has
+/// been if something is in between, and tries another way (PlaceMemory). Deterministic.
 class BlindHand
 {
 public:
@@ -55,14 +58,19 @@ private:
   [[nodiscard]] bool stopped(const Felt& felt, double dt_s);
   void set(std::optional<int> way);
   void decide(const Felt& felt, double dt_s);
+  void follow(const Felt& felt);
+  void startAnew();
+  [[nodiscard]] double unfelt_m(double ahead_m, double dt_s) const;
   void choose();
   void lead(const Felt& felt, double dt_s);
 
   BlindPlan plan_;
   Vec3 start_D_, arm_D_;
   PlaceMemory memory_;
-  std::optional<int> way_; ///< tried now; nothing: back to where it is
-  double held_s_ = 0.0, since_s_ = 0.0;
+  std::optional<int> way_;     ///< tried now; nothing: back to where it is
+  std::vector<Vec3> thread_D_; ///< where it has been since it was at a place, never empty
+  bool winds_ = false;         ///< goes back along the thread
+  double held_s_ = 0.0, idle_s_ = 0.0, since_s_ = 0.0;
   int tries_ = 0;               ///< to get by something on a known way
   Vec3 aside_D_ = Vec3::Zero(); ///< of the goal, in this try [m]
   double least_m_ = 0.0;        ///< how near to the goal it has come

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
+#include <utility>
 
 #include "devices/simulated/BlindHand.h"
 #include "devices/simulated/SimulatedDevice.h"
@@ -36,16 +38,20 @@ HapticParameters parametersOf(const Labyrinth& labyrinth, const LabyrinthRun& ru
   return adaptToDevice(parameters, info, limits, run.deviceHoldsWalls ? corridorViscosity(info, held_N_per_m) : 0.0);
 }
 
+/// Where a fresh place is reached, as a share of the disc's radius.
+constexpr double near = 0.75;
+
 BlindPlan planOf(const Labyrinth& labyrinth, const LabyrinthRun& run, const WorkspaceMap& map)
 {
   constexpr double pressing_N = 2.0;
   BlindPlan plan;
   plan.step_m = 0.5 * labyrinth.corridor_u / map.scale_u_per_m;
-  plan.near_m = 0.75 * labyrinth.radius_u() / map.scale_u_per_m;
+  plan.near_m = near * labyrinth.radius_u() / map.scale_u_per_m;
   plan.again_m = 1.2 * labyrinth.radius_u() / map.scale_u_per_m;
   plan.speed_m_per_s = std::min(fastest_m_per_s, 0.1 * plan.step_m * run.host_Hz);
-  plan.touch_N = 0.3;
-  plan.lead_m = (pressing_N + run.device.friction_N) / run.hand.stiffness_N_per_m;
+  plan.touch_N = std::min(0.3, 0.5 * stiffness_N_per_m * labyrinth.radius_u() / map.scale_u_per_m);
+  plan.friction_m = run.device.friction_N / run.hand.stiffness_N_per_m;
+  plan.lead_m = pressing_N / run.hand.stiffness_N_per_m + plan.friction_m;
   plan.grain_m = std::max(0.1 * plan.step_m, run.device.encoderStep_m);
   return plan;
 }
@@ -70,6 +76,7 @@ public:
     for (std::int64_t tick = 1; this->outcome_.problem.empty() && tick <= most; ++tick)
     {
       DeviceSample sample;
+      this->device_.lead(this->arm_D(tick));
       (void)this->device_.read(static_cast<double>(tick) * device_s, sample);
       if (tick % this->every_ == 0 && this->host(sample))
       {
@@ -87,6 +94,13 @@ public:
 private:
   [[nodiscard]] double host_s() const { return this->every_ * device_s; }
 
+  /// The arm moves evenly from look to look.
+  [[nodiscard]] Vec3 arm_D(std::int64_t tick) const
+  {
+    const double share = static_cast<double>((tick - 1) % this->every_ + 1) / this->every_;
+    return this->from_D_ + share * (this->to_D_ - this->from_D_);
+  }
+
   /// One update of the host. True when the exit says so.
   bool host(const DeviceSample& sample)
   {
@@ -103,7 +117,7 @@ private:
     }
     else
     {
-      this->device_.lead(sample.pose_D.p); // the arm yields to what moves it
+      this->from_D_ = this->to_D_ = sample.pose_D.p; // the arm yields to what moves it
     }
     return out.state.game == GamePhase::Arrived;
   }
@@ -112,7 +126,7 @@ private:
   {
     const Vec3 location_D = this->parameters_.map.toDevice(state.proxy_W.p);
     const Felt felt{ sample.pose_D.p, location_D, state.stiffness_N_per_m * (location_D - sample.pose_D.p) };
-    this->device_.lead(this->hand_.look(felt, this->host_s()));
+    this->from_D_ = std::exchange(this->to_D_, this->hand_.look(felt, this->host_s()));
     this->note(state);
     if (this->hand_.exhausted() || this->hand_.lost())
     {
@@ -151,6 +165,7 @@ private:
   HapticParameters parameters_;
   BlindHand hand_;
   RendererState renderer_;
+  Vec3 from_D_ = Vec3::Zero(), to_D_ = Vec3::Zero(); ///< the arm, at the last look and the next [m]
   Vec3 location_W_ = Vec3::Zero();
   std::uint64_t ticks_ = 0;
   bool explored_ = false;
@@ -159,10 +174,34 @@ private:
 
 } // namespace
 
+std::string refuse(const Labyrinth& labyrinth, const LabyrinthRun& run)
+{
+  std::string problem = refuse(labyrinth);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  if (!(run.hand.stiffness_N_per_m > 0.0))
+  {
+    return "the hand '" + run.hand.name + "' has no stiffness: it leads the handle nowhere";
+  }
+  const double scale_u_per_m = fitted(labyrinth, run.device.workspaceRadius_m).scale_u_per_m;
+  const double coarsest_m = near * labyrinth.radius_u() / scale_u_per_m / std::sqrt(2.0);
+  if (run.device.encoderStep_m > coarsest_m)
+  {
+    std::ostringstream text;
+    text << "the device '" << run.device.name << "' shows steps of " << 1e3 * run.device.encoderStep_m
+         << " mm, and in corridors of " << 1e3 * labyrinth.corridor_u / scale_u_per_m << " mm a hand finds its way by "
+         << 1e3 * coarsest_m << " mm at most";
+    return text.str();
+  }
+  return {};
+}
+
 LabyrinthOutcome runBlind(const Labyrinth& labyrinth, const LabyrinthRun& run)
 {
   LabyrinthOutcome refused;
-  refused.problem = refuse(labyrinth);
+  refused.problem = refuse(labyrinth, run);
   return refused.problem.empty() ? Runner(labyrinth, run).go() : refused;
 }
 

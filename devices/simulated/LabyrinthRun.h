@@ -43,6 +43,13 @@ struct LabyrinthOutcome
   std::vector<LabyrinthMoment> trace; ///< one every 10 ms at most
 };
 
+/// Empty, or one sentence with the numbers why this labyrinth cannot be played by this hand with this device: what
+/// refuse(labyrinth) says; a hand without stiffness leads nothing; and where the encoder shows a step D, the handle is
+/// known to D along each axis, so that it can be told to be within 0.15 corridors of a place only if
+/// sqrt(2) D <= 0.15 corridors, the corridor fitted into the device's workspace. Friction and the largest force decide
+/// nothing: a hand pushes 2 N harder than friction, and a wall that gives way holds the location all the same.
+[[nodiscard]] std::string refuse(const Labyrinth& labyrinth, const LabyrinthRun& run);
+
 /// Plays the game with a BlindHand on a SimulatedDevice: brought to the start, let go, on its own until the exit is
 /// felt. The tick is computed at the host's rate; in virtual time, deterministic, bounded by mostTime_s.
 [[nodiscard]] LabyrinthOutcome runBlind(const Labyrinth& labyrinth, const LabyrinthRun& run);

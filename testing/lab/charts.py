@@ -53,7 +53,7 @@ CHARTS = [
      ["smallest-feature"], lambda t: plane_worlds.draw_smallest_feature(t["smallest-feature"])),
     ("blind-solver", "Blind hands in mazes",
      "A hand that knows no walls finds its way by force and position alone (Tremaux's rules): the virtual time from start to exit, for "
-     "each simulated device with the host closing the force at 1 kHz, and with a joystick that holds four walls behind a host of 20 Hz.",
+     "each simulated device in each hand with the host closing the force at 1 kHz, and with a joystick that holds four walls behind a host of 20 Hz.",
      ["blind-solver"], lambda t: plane_worlds.draw_blind_solver(t["blind-solver"])),
 ]
 

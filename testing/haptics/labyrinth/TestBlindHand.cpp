@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -131,6 +135,133 @@ TEST(BlindHand, SaysThatAWorldWithoutAWayHasNone)
   closed.curves.points_W[5] = { 4, 1 };
   const LabyrinthOutcome outcome = runBlind(closed, {});
   EXPECT_NE(outcome.problem.find("everywhere"), std::string::npos) << outcome.problem;
+}
+
+/// Rooms of one corridor each with one way between any two of them, so that many walls end where a hand looks for a
+/// place. A line so far away makes them a tenth of a workspace: 1.4 mm on a joystick, where a wall gives 0.3 N.
+class Board
+{
+public:
+  static constexpr int side = 5;
+  static constexpr double far_u = 50.0;
+
+  explicit Board(test::Random& random)
+  {
+    std::iota(this->area_.begin(), this->area_.end(), 0);
+    std::vector<std::array<int, 2>> walls; // between room a and room b
+    for (int room = 0; room < side * side; ++room)
+    {
+      if (room % side + 1 < side)
+      {
+        walls.push_back({ room, room + 1 });
+      }
+      if (room + side < side * side)
+      {
+        walls.push_back({ room, room + side });
+      }
+    }
+    random.shuffle(walls);
+    for (const auto& [a, b] : walls)
+    {
+      this->open(a, b) ? static_cast<void>(0) : this->wall(a, b);
+    }
+    this->line({ far_u, far_u }, { far_u, far_u - 1 });
+    this->line({ 0, 0 }, { side, 0 });
+    this->line({ side, 0 }, { side, side });
+    this->line({ side, side }, { 0, side });
+    this->line({ 0, side }, { 0, 0 });
+    this->labyrinth_.name = "board";
+    this->labyrinth_.start_W = Eigen::Vector2d(0.5, 0.5);
+    this->labyrinth_.exit_W = Eigen::Vector2d(side - 0.5, side - 0.5);
+  }
+
+  [[nodiscard]] const Labyrinth& labyrinth() const { return this->labyrinth_; }
+
+private:
+  /// A door between two rooms that are not joined yet joins all that each is joined with.
+  bool open(int a, int b)
+  {
+    const int from = this->area_[static_cast<std::size_t>(a)], to = this->area_[static_cast<std::size_t>(b)];
+    std::replace(this->area_.begin(), this->area_.end(), from, to);
+    return from != to;
+  }
+
+  void wall(int a, int b)
+  {
+    const double x = b % side, y = static_cast<double>(b / side);
+    b == a + 1 ? this->line({ x, y }, { x, y + 1 }) : this->line({ x, y }, { x + 1, y });
+  }
+
+  void line(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+  {
+    const auto first = static_cast<std::uint32_t>(this->labyrinth_.curves.points_W.size());
+    this->labyrinth_.curves.points_W.insert(this->labyrinth_.curves.points_W.end(), { a, b });
+    this->labyrinth_.curves.segments.push_back({ first, first + 1 });
+  }
+
+  std::array<int, static_cast<std::size_t>(side* side)> area_{};
+  Labyrinth labyrinth_;
+};
+
+/// Every device in every hand that holds it, by the host's force and, where it can, by walls it holds itself.
+std::vector<LabyrinthRun> everyRun()
+{
+  std::vector<LabyrinthRun> runs;
+  for (const DeviceModel& device : deviceModels())
+  {
+    for (const HandModel& hand : handModels())
+    {
+      if (hand.stiffness_N_per_m > 0.0)
+      {
+        runs.push_back({ .device = device, .hand = hand });
+        if (device.loop_s > 0.0)
+        {
+          runs.push_back({ .device = device, .hand = hand, .host_Hz = 20.0, .deviceHoldsWalls = true });
+        }
+      }
+    }
+  }
+  return runs;
+}
+
+// A way has been left open between any two rooms, so whoever tells walls from places arrives.
+TEST(BlindHand, FindsItsWayWithEveryDeviceInEveryHandAmongEndsOfWallsThatPushNoHarderThanFriction)
+{
+  test::Random random(test::testSeed(2));
+  for (std::size_t i = 0; i < test::testCount(1); ++i)
+  {
+    const Board board(random);
+    for (const LabyrinthRun& run : everyRun())
+    {
+      EXPECT_EQ(runBlind(board.labyrinth(), run).problem, "")
+        << "board " << i << ", " << run.device.name << " in a hand that is " << run.hand.name
+        << (run.deviceHoldsWalls ? ", with walls it holds" : "");
+    }
+  }
+}
+
+TEST(BlindHand, IsNotSentWithAHandThatHoldsNothing)
+{
+  LabyrinthRun run;
+  run.hand = *handModel("none");
+  EXPECT_NE(runBlind(hairpin(), run).problem.find("no stiffness"), std::string::npos);
+}
+
+// A place is reached within 0.15 of a corridor; an encoder leaves the handle open by its step along both axes.
+TEST(BlindHand, IsSentWithEncoderStepsUpToTheCoarsestThatTellAPlaceAndRefusedBeyond)
+{
+  const Labyrinth maze = hairpin();
+  LabyrinthRun run;
+  const double corridor_m = maze.corridor_u / fitted(maze, run.device.workspaceRadius_m).scale_u_per_m;
+  const double coarsest_m = 0.15 * corridor_m / std::sqrt(2.0);
+  for (const HandModel& hand : handModels())
+  {
+    run.hand = hand;
+    run.device.encoderStep_m = 0.999 * coarsest_m;
+    EXPECT_EQ(runBlind(maze, run).problem.empty(), hand.stiffness_N_per_m > 0.0) << hand.name;
+  }
+  run.device.encoderStep_m = 1.001 * coarsest_m;
+  EXPECT_NE(runBlind(maze, run).problem.find("steps of"), std::string::npos);
 }
 
 TEST(BlindHand, IsNotSentIntoAStructureWithoutAnExit)

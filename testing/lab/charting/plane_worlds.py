@@ -59,15 +59,19 @@ def draw_blind_solver(rows):
     runs = list(dict.fromkeys((row.pairs["device"], row.method) for row in of))
     style = looks([f"{device}, {method}" for device, method in runs])
     figure, axes = pyplot.subplots(figsize=(10.5, 4.6))
+    hands = list(dict.fromkeys(row.pairs["hand"] for row in of))
     for k, (device, method) in enumerate(runs):
         look = style[f"{device}, {method}"]
-        mine = [row for row in of if (row.pairs["device"], row.method) == (device, method)]
-        places = [mazes.index(row.pairs["maze"]) + 0.08 * (k - len(runs) / 2) for row in mine]
-        axes.plot(places, [row.value for row in mine], label=f"{device.removeprefix('simulated-')}, {method}", linestyle="none",
-                  color=look["color"], marker=look["marker"])
-        for place, row in zip(places, mine):
-            if not arrived[(row.case, row.method)]:
-                axes.annotate("lost", (place, row.value))
-    axes.set(xticks=range(len(mazes)), xticklabels=mazes, yscale="log", ylabel="virtual time to the exit [s]")
+        for j, hand in enumerate(hands):
+            mine = [row for row in of if (row.pairs["device"], row.method, row.pairs["hand"]) == (device, method, hand)]
+            places = [mazes.index(row.pairs["maze"]) + 0.08 * (k - len(runs) / 2) for row in mine]
+            axes.plot(places, [row.value for row in mine], linestyle="none", color=look["color"], marker=look["marker"],
+                      markersize=9 - 2 * (len(hands) - 1 - j),
+                      label=f"{device.removeprefix('simulated-')}, {method}" if hand == hands[-1] else None)
+            for place, row in zip(places, mine):
+                if not arrived[(row.case, row.method)]:
+                    axes.annotate("lost", (place, row.value))
+    axes.set(xticks=range(len(mazes)), xticklabels=mazes, yscale="log", ylabel="virtual time to the exit [s]",
+             title="the larger the mark, the stiffer the hand: " + ", ".join(hands))
     axes.legend(loc="upper left", ncols=2)
     return figure
