@@ -2,7 +2,7 @@
 """A plane world as a VTK poly data file, in text: lines, and where a maze begins and ends.
 
 Lengths are in corridor widths (scene units); z = 0. A maze has the field arrays Start and Exit, three numbers each; a
-structure to explore has none.
+structure to explore has none. Both have the field array Corridor.
 """
 
 from dataclasses import dataclass, field
@@ -31,12 +31,9 @@ def _array(name, values, kind="Float64", **more):
 
 
 def _field(world):
-    if world.start is None:
-        return ""
-    arrays = [
-        _array(name, (*place, 0.0), NumberOfTuples=1, NumberOfComponents=3)
-        for name, place in (("Start", world.start), ("Exit", world.exit))
-    ]
+    places = (("Start", world.start), ("Exit", world.exit))
+    arrays = [_array(name, (*p, 0.0), NumberOfTuples=1, NumberOfComponents=3) for name, p in places if p]
+    arrays.append(_array("Corridor", (1.0,), NumberOfTuples=1))
     return "    <FieldData>\n      " + "\n      ".join(arrays) + "\n    </FieldData>\n"
 
 

@@ -40,9 +40,12 @@ void Write(const palpate::Labyrinth& labyrinth, vtkPolyData* output)
   }
   output->SetPoints(points);
   output->SetLines(lines);
-  if (labyrinth.start_W && labyrinth.exit_W)
+  if (labyrinth.start_W)
   {
     AddField(output, "Start", { labyrinth.start_W->x(), labyrinth.start_W->y(), 0.0 });
+  }
+  if (labyrinth.exit_W)
+  {
     AddField(output, "Exit", { labyrinth.exit_W->x(), labyrinth.exit_W->y(), 0.0 });
   }
   AddField(output, "Corridor", { labyrinth.corridor_u });
@@ -69,12 +72,13 @@ std::string vtkHapticLabyrinth::GetWorldName(int index)
 
 int vtkHapticLabyrinth::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
-  const vtkHapticLabyrinthResult read = vtkHapticReadLabyrinth(vtkHapticGallery::FileOf(this->World));
+  vtkHapticLabyrinthResult read = vtkHapticReadLabyrinth(vtkHapticGallery::FileOf(this->World));
   if (!read.Problem.empty())
   {
     vtkErrorMacro(<< read.Problem);
     return 0;
   }
+  read.Labyrinth.corridor_u = this->Corridor > 0.0 ? this->Corridor : read.Labyrinth.corridor_u;
   Write(read.Labyrinth, vtkPolyData::GetData(output));
   return 1;
 }
@@ -83,4 +87,5 @@ void vtkHapticLabyrinth::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "World: " << this->World << "\n";
+  os << indent << "Corridor: " << this->Corridor << "\n";
 }

@@ -4,7 +4,7 @@
  * @brief   a plane world of the gallery, or of a person's own file, as lines
  *
  * The lines and a fence round them, so that nobody goes round a maze, with the field arrays Start and Exit (3, [u])
- * where it is one, and Corridor (1, [u]). A structure to explore has neither start nor exit.
+ * where it is one, and Corridor (1, [u]). A structure to explore lacks start or exit.
  */
 #ifndef vtkHapticLabyrinth_h
 #define vtkHapticLabyrinth_h
@@ -28,6 +28,13 @@ public:
   ///@}
 
   ///@{
+  /// How wide its corridors are [u]: the disc that is led through them has a fifth of that as its radius. 0 (default):
+  /// as the file says, else as wide as the narrowest place of the widest way from start to exit.
+  vtkSetClampMacro(Corridor, double, 0.0, 1e300);
+  vtkGetMacro(Corridor, double);
+  ///@}
+
+  ///@{
   /// The gallery: what is installed beside this program.
   static int GetNumberOfWorlds();
   static std::string GetWorldName(int index);
@@ -44,6 +51,7 @@ private:
   void operator=(const vtkHapticLabyrinth&) = delete;
 
   std::string World = "corridor";
+  double Corridor = 0.0;
 };
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticLabyrinthData.h"
 
+#include "haptics/labyrinth/CorridorWidth.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkHapticConversion.h"
@@ -19,10 +20,18 @@ std::optional<Eigen::Vector2d> Place(vtkDataObject* data, const char* name)
   return Eigen::Vector2d(array->GetComponent(0, 0), array->GetComponent(0, 1));
 }
 
-double Corridor(vtkDataObject* data)
+/// As the data say; else measured along the way; else, for a structure or where there is no way to see, a twentieth of
+/// the longer side, which makes the disc a hundredth of it.
+double Corridor(vtkDataObject* data, const palpate::Labyrinth& labyrinth)
 {
   vtkDataArray* const array = data->GetFieldData() ? data->GetFieldData()->GetArray("Corridor") : nullptr;
-  return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : 1.0;
+  if (array && array->GetNumberOfValues() > 0)
+  {
+    return array->GetComponent(0, 0);
+  }
+  const std::optional<double> width_u = palpate::corridorWidth(labyrinth);
+  const palpate::PlaneBox box = palpate::fence(labyrinth);
+  return width_u ? *width_u : 0.05 * (box.high_W - box.low_W).maxCoeff();
 }
 } // namespace
 
@@ -45,7 +54,7 @@ vtkHapticLabyrinthResult vtkHapticToLabyrinth(vtkDataObject* data, const std::st
   result.Labyrinth.curves = std::move(plane.curves);
   result.Labyrinth.start_W = Place(data, "Start");
   result.Labyrinth.exit_W = Place(data, "Exit");
-  result.Labyrinth.corridor_u = Corridor(data);
+  result.Labyrinth.corridor_u = Corridor(data, result.Labyrinth);
   return result;
 }
 

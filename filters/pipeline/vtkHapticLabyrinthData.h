@@ -17,7 +17,8 @@ struct vtkHapticLabyrinthResult
 };
 
 /// The lines of a data object in the plane z = 0, with the first tuples of its field arrays Start and Exit, if it has
-/// them, and its Corridor, else 1 [scene units]. A structure without start and exit is a result too.
+/// them, and its Corridor, else what corridorWidth() measures [scene units]. A structure without start and exit is a
+/// result too.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticLabyrinthResult vtkHapticToLabyrinth(
   vtkDataObject* data, const std::string& name);
 

@@ -2,6 +2,9 @@
 """A labyrinth of the gallery as lines, and the game in a session that runs in virtual time."""
 
 import math
+import os
+import shutil
+import tempfile
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
@@ -148,6 +151,100 @@ class Labyrinths(unittest.TestCase):
         session.Step(1)
         session.GetLabyrinthTrace(trace)
         self.assertEqual(trace.GetNumberOfPoints(), 0)
+
+    def test_way_is_still_drawn_when_nothing_is_touched_any_more(self):
+        session, _ = self.session("corridor", "fed")
+        session.SetHandPosition(*start_of("corridor"))
+        session.SetTouching(True)
+        self.assertTrue(step_until(session, "explores"), session.GetLabyrinthPhase())
+        drawn = vtkHapticToolProps()
+        drawn.ShowTraceOn()
+        drawn.UpdateFrom(session)
+        session.SetTouching(False)
+        drawn.UpdateFrom(session)
+        self.assertTrue(drawn.GetTraceActor().GetVisibility())
+        self.assertFalse(drawn.GetProxyActor().GetVisibility())
+        self.assertFalse(drawn.GetStartActor().GetVisibility())
+        session.GetLabyrinthTrace(None)
+
+    def test_start_and_exit_are_drawn_where_they_are_or_only_the_start_as_long_as_it_is_looked_for(self):
+        session, _ = self.session("corridor", "fed")
+        session.SetHandPosition(5, 0.5, 0)
+        session.SetTouching(True)
+        self.assertTrue(step_until(session, "leads"))
+        drawn = vtkHapticToolProps()
+        drawn.UpdateFrom(session)
+        for actor, place in ((drawn.GetStartActor(), (0.5, 0.5, 0)), (drawn.GetExitActor(), (9.5, 0.5, 0))):
+            self.assertTrue(actor.GetVisibility())
+            self.assertEqual(actor.GetPosition(), place)
+            self.assertEqual(actor.GetScale()[0], session.GetLabyrinthReach())
+        drawn.ShowPlacesOff()
+        drawn.UpdateFrom(session)
+        self.assertTrue(drawn.GetStartActor().GetVisibility())
+        self.assertFalse(drawn.GetExitActor().GetVisibility())
+        session.SetHandPosition(0.5, 0.5, 0)
+        self.assertTrue(step_until(session, "explores"))
+        drawn.UpdateFrom(session)
+        self.assertFalse(drawn.GetStartActor().GetVisibility())
+
+    def test_another_labyrinth_begins_at_its_own_start_while_one_is_explored(self):
+        session, _ = self.session("corridor")
+        session.SetTouching(True)
+        self.assertTrue(step_until(session, "explores"))
+        lines = lines_of("hampton-court")
+        self.assertTrue(session.PlayLabyrinth(lines, "hampton-court"))
+        session.ClearSurfaces()
+        session.AddSurface("hampton-court", lines, None)
+        session.CommitScene()
+        session.FinishScene()
+        session.Step(1)
+        session.Update()
+        self.assertEqual(session.GetLabyrinthPhase(), "leads")
+        self.assertTrue(step_until(session, "explores"))
+        self.assertLess(math.dist(session.GetProxyPosition(), start_of("hampton-court")), 0.5)
+        self.assertLess(session.GetLabyrinthTime(), 0.1)
+
+    def test_structure_is_fitted_as_a_maze_is(self):
+        session, played = self.session("circle-set")
+        self.assertFalse(played)
+        fence = lines_of("circle-set").GetBounds()
+        radius_m = 0.05  # of the joystick's workspace: the fence fits into the square inside
+        self.assertAlmostEqual(session.GetScale(), (fence[1] - fence[0]) / (math.sqrt(2) * radius_m), 9)
+        self.assertAlmostEqual(session.GetOffset()[0], 0.5 * (fence[0] + fence[1]), 12)
+        self.assertAlmostEqual(session.GetRadius(), 0.2 * CORRIDOR_U, 15)
+        self.assertEqual(self.window.GetOutput(), "")
+
+    def drawing(self, more):
+        """A corridor of 1000 by 50 with a bend, as an SVG drawing."""
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        path = os.path.join(folder, "bend.svg")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(
+                '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 1000">'
+                '<path d="M 0 0 H 1000 V 1000 H 950 V 50 H 0 Z" fill="none" stroke="black"/>' + more + "</svg>"
+            )
+        return lines_of(path)
+
+    def test_corridors_of_a_drawing_are_measured_unless_it_is_said_how_wide_they_are(self):
+        mark = '<circle id="{}" cx="{}" cy="{}" r="5"/>'
+        data = self.drawing(mark.format("start", 25, 25) + mark.format("exit", 975, 975))
+        width = data.GetFieldData().GetArray("Corridor").GetValue(0)
+        fence = max(data.GetBounds()[1] - data.GetBounds()[0], data.GetBounds()[3] - data.GetBounds()[2])
+        steps = fence / 512
+        self.assertGreaterEqual(width, 50 * fence / 1000 - 3 * steps)
+        self.assertLessEqual(width, 50 * fence / 1000 + steps)
+        said = vtkHapticLabyrinth()
+        said.SetWorld("spiral")
+        said.SetCorridor(0.75)
+        said.Update()
+        self.assertEqual(said.GetOutput().GetFieldData().GetArray("Corridor").GetValue(0), 0.75)
+
+    def test_maze_with_a_start_alone_lacks_its_exit(self):
+        data = self.drawing('<circle id="start" cx="25" cy="25" r="5"/>')
+        session = vtkHapticSession()
+        self.assertFalse(session.PlayLabyrinth(data, "bend.svg"))
+        self.assertIn("bend.svg: it says no exit", session.GetProblem())
 
     def test_no_button_that_was_not_pressed_asks_for_a_labyrinth(self):
         session, _ = self.session("hampton-court")

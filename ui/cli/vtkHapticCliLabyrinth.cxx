@@ -34,12 +34,13 @@ void Describe(const palpate::Labyrinth& labyrinth)
   const palpate::PlaneBox box = palpate::fence(labyrinth);
   const Eigen::Vector2d size = box.high_W - box.low_W;
   std::cout << labyrinth.name << ": " << (maze ? "a maze" : "a structure to explore") << " of "
-            << labyrinth.curves.segments.size() << " segments, " << size.x() << " by " << size.y() << '\n';
+            << labyrinth.curves.segments.size() << " segments, " << size.x() << " by " << size.y()
+            << " u, corridors of " << labyrinth.corridor_u << " u\n";
   if (maze)
   {
     const Eigen::Vector2d& a = *labyrinth.start_W;
     const Eigen::Vector2d& b = *labyrinth.exit_W;
-    std::cout << "  from (" << a.x() << ", " << a.y() << ") to (" << b.x() << ", " << b.y() << ")\n";
+    std::cout << "  from (" << a.x() << ", " << a.y() << ") to (" << b.x() << ", " << b.y() << ") u\n";
   }
 }
 
@@ -126,9 +127,31 @@ int Solve(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOption
   }
   trace.Commit();
   std::cout << labyrinth.name << ": " << (outcome.problem.empty() ? "arrived" : outcome.problem) << " after "
-            << outcome.time_s << " s, a way of " << outcome.way_u << " and " << outcome.places << " places; "
+            << outcome.time_s << " s, a way of " << outcome.way_u << " u and " << outcome.places << " places; "
             << outcome.lead_s << " s to the start before\n";
   return outcome.problem.empty() ? 0 : NotArrived;
+}
+
+/// An option that changes nothing is a mistake somebody would like to hear of.
+void CheckOptions(const vtkHapticCliLabyrinthOptions& options)
+{
+  const auto needs = [](bool given, const char* option, bool there, const char* what)
+  {
+    if (given && !there)
+    {
+      throw vtkHapticCliProblem(std::string(option) + " needs " + what);
+    }
+  };
+  const vtkHapticCliLabyrinthOptions unasked;
+  const bool moves = options.Solve || !options.Path.empty();
+  needs(options.Solve, "--solve", !options.File.empty(), "a labyrinth: a file, or a name of the gallery");
+  needs(!options.Path.empty(), "--path", !options.File.empty(), "a labyrinth: a file, or a name of the gallery");
+  needs(options.Corridor_u.has_value(), "--corridor", !options.File.empty(),
+    "a labyrinth: a file, or a name of the gallery");
+  needs(!options.Output.empty(), "--csv", moves, "a hand that moves: --solve or --path");
+  needs(options.Device != unasked.Device, "--device", options.Solve, "--solve: a path needs no device");
+  needs(options.Host_Hz != unasked.Host_Hz, "--host", options.Solve, "--solve: a path needs no device");
+  needs(options.DeviceWalls, "--device-walls", options.Solve, "--solve: a path needs no device");
 }
 
 /// The hand is where the path says, the disc where the walls let it.
@@ -168,6 +191,7 @@ int Follow(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOptio
 
 int vtkHapticCliLabyrinth(const vtkHapticCliLabyrinthOptions& options)
 {
+  CheckOptions(options);
   if (options.File.empty())
   {
     return List();

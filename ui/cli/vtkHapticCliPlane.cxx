@@ -50,7 +50,7 @@ void vtkHapticCliCheckPlanePath(const std::string& file, const std::vector<vtkHa
     {
       std::ostringstream text;
       text << file << ": row " << i + 1 << " has z = " << path[i].Pose_W.p.z()
-           << "; with --two-d the hand is in the plane z = 0";
+           << "; the hand must be in the plane z = 0";
       throw vtkHapticCliProblem(text.str());
     }
   }
