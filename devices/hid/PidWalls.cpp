@@ -18,6 +18,7 @@ struct Edge
   std::size_t wall = 0;
   double at = 0.0; ///< share, -1 .. 1
   double coefficient = 0.0;
+  double largest = 1.0; ///< share of the largest force
 };
 
 struct AxisEdges
@@ -45,7 +46,8 @@ AxisEdges edgesAcross(int axis, const DeviceCommand& command, const PidScale& sc
     }
     const double offset = wall.offset_m / scale.halfTravel_m;
     const double coefficient = std::clamp(wall.stiffness_N_per_m / scale.springStiffness_N_per_m, 0.0, 1.0);
-    const Edge edge{ i, std::clamp(facing > 0.0 ? offset : -offset, -1.0, 1.0), coefficient };
+    const double largest = std::max(0.0, wall.largest_N) / scale.maxForce_N;
+    const Edge edge{ i, std::clamp(facing > 0.0 ? offset : -offset, -1.0, 1.0), coefficient, largest };
     std::optional<Edge>& side = facing > 0.0 ? edges.lower : edges.upper;
     const bool tighter = !side || (facing > 0.0 ? edge.at > side->at : edge.at < side->at);
     side = tighter ? edge : *side;
@@ -56,15 +58,27 @@ AxisEdges edgesAcross(int axis, const DeviceCommand& command, const PidScale& sc
 /// One wall; without a coefficient for each side the other edge of the dead band lies at the end of the travel.
 Condition oneWall(const Edge& edge, bool lower, const ConditionAbilities& abilities) noexcept
 {
+  Condition wall;
   if (!abilities.twoCoefficients)
   {
-    return lower ? corridor(edge.at, 1.0, edge.coefficient, edge.coefficient)
+    wall = lower ? corridor(edge.at, 1.0, edge.coefficient, edge.coefficient)
                  : corridor(-1.0, edge.at, edge.coefficient, edge.coefficient);
   }
-  Condition wall;
-  wall.centre = edge.at;
-  (lower ? wall.negativeCoefficient : wall.positiveCoefficient) = edge.coefficient;
+  else
+  {
+    wall.centre = edge.at;
+    (lower ? wall.negativeCoefficient : wall.positiveCoefficient) = edge.coefficient;
+  }
+  wall.positiveSaturation = wall.negativeSaturation = edge.largest;
   return wall;
+}
+
+Condition twoWalls(const Edge& low, const Edge& high) noexcept
+{
+  Condition walls = corridor(low.at, high.at, low.coefficient, high.coefficient);
+  walls.negativeSaturation = low.largest;
+  walls.positiveSaturation = high.largest;
+  return walls;
 }
 
 std::optional<Condition> holdAcross(
@@ -77,7 +91,7 @@ std::optional<Condition> holdAcross(
     if (room && abilities.deadBand && (abilities.twoCoefficients || low.coefficient == high.coefficient))
     {
       held[low.wall] = held[high.wall] = true;
-      return corridor(low.at, high.at, low.coefficient, high.coefficient);
+      return twoWalls(low, high);
     }
     if (!room)
     {
@@ -110,7 +124,8 @@ WallPlan planWalls(const DeviceCommand& command, const PidScale& scale, const Co
     if (const std::optional<Condition> held = holdAcross(edgesAcross(axis, command, scale), abilities, plan.held))
     {
       spring = *held;
-      spring.positiveSaturation = spring.negativeSaturation = largestShare;
+      spring.positiveSaturation = std::min(spring.positiveSaturation, largestShare);
+      spring.negativeSaturation = std::min(spring.negativeSaturation, largestShare);
     }
   }
   return plan;
@@ -124,7 +139,9 @@ Vec3 hostWallForce(const DeviceCommand& command, const WallPlan& plan, const Vec
     if (!plan.held[i])
     {
       const HeldWall& wall = command.walls[i];
-      force += conditionForce(lowerWall(wall.offset_m, wall.stiffness_N_per_m), wall.normal_D.dot(p_D)) * wall.normal_D;
+      Condition spring = lowerWall(wall.offset_m, wall.stiffness_N_per_m);
+      spring.negativeSaturation = std::max(0.0, wall.largest_N);
+      force += conditionForce(spring, wall.normal_D.dot(p_D)) * wall.normal_D;
     }
   }
   return force;

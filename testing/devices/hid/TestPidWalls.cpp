@@ -200,6 +200,36 @@ TEST(PidWalls, AHarderPushThanTheLimitGoesThrough)
   EXPECT_EQ(held.device().position[0], 1.0); // the limit on the hand holds on the device, too
 }
 
+TEST(PidWalls, EachWallPushesNoHarderThanItsOwnLimitOnTheDeviceAndOnTheHost)
+{
+  const PidScale scale = virtualScale();
+  const double K = scale.springStiffness_N_per_m;
+  DeviceCommand command = fourWalls({ { -0.01, -0.01 }, { 0.01, 0.01 }, K });
+  command.walls[0].largest_N = 2.0; // x <= 0.01
+  command.walls[2].largest_N = 1.0; // x >= -0.01
+  command.walls[3].largest_N = 0.5; // y <= 0.01, in HID's direction the lower one
+  const Held held(test::plainLayout(), command, scale);
+  EXPECT_EQ(held.plan.springs[0].positiveSaturation, 2.0 / scale.maxForce_N);
+  EXPECT_EQ(held.plan.springs[0].negativeSaturation, 1.0 / scale.maxForce_N);
+  EXPECT_EQ(held.plan.springs[1].negativeSaturation, 0.5 / scale.maxForce_N);
+  EXPECT_EQ(held.plan.springs[1].positiveSaturation, largestShare); // less than a wall without limit asks for
+  // Full force of the springs comes at a tenth of half the travel behind a wall.
+  const Vec3 deep_D(0.01 + 0.1 * scale.halfTravel_m, 0.0, 0.0);
+  EXPECT_NEAR(hostWallForce(command, {}, deep_D).x(), -2.0, 1e-12);
+  EXPECT_NEAR(hostWallForce(command, {}, -deep_D).x(), 1.0, 1e-12);
+}
+
+TEST(PidWalls, OneCoefficientForBothSidesGoesWithOneLimit)
+{
+  const PidScale scale = virtualScale();
+  DeviceCommand command;
+  command.wallCount = 1;
+  command.walls[0] = { Vec3::UnitX(), 0.0, scale.springStiffness_N_per_m, 1.0 };
+  const WallPlan plan = planWalls(command, scale, { false, true, true }, largestShare);
+  EXPECT_EQ(plan.springs[0].negativeSaturation, 1.0 / scale.maxForce_N);
+  EXPECT_EQ(plan.springs[0].positiveSaturation, 1.0 / scale.maxForce_N);
+}
+
 TEST(PidWalls, OneWallLeavesTheOtherSideFreeOnEveryLayoutThatHoldsOne)
 {
   const PidScale scale = virtualScale();
