@@ -43,6 +43,7 @@ std::string PidShake::begin(HidUsage type)
 void PidShake::forget() noexcept
 {
   this->started_ns_ = never;
+  this->playing_ = Signal::None;
 }
 
 bool PidShake::setStrength(const Vibration& vibration) noexcept
@@ -54,13 +55,17 @@ bool PidShake::setStrength(const Vibration& vibration) noexcept
 
 PidStep PidShake::play(Signal signal) noexcept
 {
-  if (!this->exists() || signal == Signal::None || signal == this->lastSignal_)
+  if (signal != this->lastSignal_ && signal != Signal::None && this->exists())
   {
-    this->lastSignal_ = signal;
+    this->playing_ = signal;
     this->part_ = 0;
+  }
+  this->lastSignal_ = signal;
+  if (this->playing_ == Signal::None)
+  {
     return PidStep::Idle;
   }
-  const bool pulse = signal == Signal::Pulse;
+  const bool pulse = this->playing_ == Signal::Pulse;
   switch (this->part_++)
   {
     case 0:
@@ -69,8 +74,7 @@ PidStep PidShake::play(Signal signal) noexcept
     case 1:
       return sentOrFailed(this->setStrength({ signalShare, pulse ? pulse_ms : shake_ms }));
     default:
-      this->lastSignal_ = signal;
-      this->part_ = 0;
+      this->playing_ = Signal::None;
       return sentOrFailed(this->engine_.start(this->block_));
   }
 }

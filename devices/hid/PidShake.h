@@ -29,7 +29,7 @@ public:
   [[nodiscard]] std::string begin(HidUsage type);
   [[nodiscard]] bool exists() const noexcept { return this->block_ > 0; }
 
-  /// A signal that is new is played once.
+  /// A signal that is new is played once, to its end whatever the next one is: that takes three reports.
   [[nodiscard]] PidStep play(Signal signal) noexcept;
   [[nodiscard]] PidStep vibrate(std::int64_t now_ns, const Vibration& wanted) noexcept;
   /// Vibrations that were armed again before they ended.
@@ -46,7 +46,8 @@ private:
   HidUsage type_ = pid::sine;
   int block_ = 0;
   Signal lastSignal_ = Signal::None;
-  int part_ = 0; ///< of the signal that is being sent
+  Signal playing_ = Signal::None; ///< what is being sent
+  int part_ = 0;                  ///< of that
   Vibration sent_;
   std::uint64_t restarts_ = 0;
   static constexpr std::int64_t never = -1;

@@ -244,15 +244,14 @@ private:
     }
   }
 
-  /// The lead and the shaking at the exit; a device that holds the walls shakes by itself.
+  /// The lead and the shaking at the exit; a device that holds the walls shakes by itself, however slow its link is.
   void arrive() noexcept
   {
     HapticState& state = this->out_.state;
-    const GamePhase before = this->s_.game.phase;
     const Vec3 shake_D = palpate::arrive(this->p_.game, state.proxy_W.p, this->in_.dt_s, this->s_.game);
     state.game = this->s_.game.phase;
     state.gameTime_s = this->s_.game.time_s;
-    if (this->p_.walls.hold && state.game == GamePhase::Arrived && before != GamePhase::Arrived)
+    if (this->p_.walls.hold && state.game == GamePhase::Arrived)
     {
       this->out_.command.signal = Signal::Oscillation;
     }

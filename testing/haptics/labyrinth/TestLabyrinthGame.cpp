@@ -99,6 +99,7 @@ public:
       this->last = this->tick();
       this->shaken =
         this->shaken || (this->last.state.game == GamePhase::Arrived && this->last.state.force_D.norm() > 0.5);
+      this->signals += this->last.command.signal == Signal::Oscillation ? 1 : 0;
     }
   }
 
@@ -111,6 +112,7 @@ public:
   RendererState state;
   TickOutput last;
   bool grip = true, lost = false, shaken = false;
+  int signals = 0; ///< ticks that ask the device to shake
   double fastest_m_per_s = 0.0, strongest_N = 0.0;
   int shakeOrders = 0; ///< to a device that shakes by itself
 
@@ -231,6 +233,20 @@ TEST(LabyrinthGame, TheHandIsShakenAtTheExitOnlyAtItsFrequencyWithinItsAmplitude
   }
   EXPECT_NEAR(ticks * tick_s, plan.shake_s, 2.5 * tick_s);
   EXPECT_NEAR(turns, 2 * plan.shake_Hz * plan.shake_s - 1, 1);
+}
+
+// The link to such a device is slower than the tick and takes the newest command only.
+TEST(LabyrinthGame, ADeviceThatHoldsTheWallsIsAskedToShakeForAsLongAsTheHandIsShaken)
+{
+  Game game(*deviceModel("simulated-joystick"), *handModel("firm"), { 0, 0, 0 }, true);
+  ASSERT_TRUE(game.parameters.walls.hold);
+  game.until(GamePhase::Explores);
+  game.lead({ 5, 0, 0 });
+  EXPECT_EQ(game.signals, 0);
+  game.lead({ 8, 0, 0 });
+  game.lead({ 8, 0, 0 });
+  EXPECT_EQ(game.last.state.game, GamePhase::Rests);
+  EXPECT_NEAR(game.signals * tick_s, game.parameters.game.shake_s, 2.5 * tick_s);
 }
 
 TEST(LabyrinthGame, TheTimeIsThatOfExploringAndStopsAtTheExit)
