@@ -2,7 +2,6 @@
 #include "devices/hid/PidOutput.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "haptics/safety/ForceLimits.h"
 
@@ -24,6 +23,46 @@ bool same(const Condition& a, const Condition& b) noexcept
   return a.centre == b.centre && a.deadBand == b.deadBand && a.positiveCoefficient == b.positiveCoefficient &&
          a.negativeCoefficient == b.negativeCoefficient && a.positiveSaturation == b.positiveSaturation &&
          a.negativeSaturation == b.negativeSaturation;
+}
+
+/// The wall on one side of a condition.
+struct Side
+{
+  double beyond = 0.0; ///< so much of the travel lies behind it
+  double coefficient = 0.0, saturation = 0.0;
+};
+
+Side lowerSide(const Condition& c) noexcept
+{
+  return { 1.0 + c.centre - c.deadBand, c.negativeCoefficient, c.negativeSaturation };
+}
+
+Side upperSide(const Condition& c) noexcept
+{
+  return { 1.0 - c.centre - c.deadBand, c.positiveCoefficient, c.positiveSaturation };
+}
+
+bool lessens(const Side& before, const Side& now) noexcept
+{
+  constexpr double nothing = 1e-9;
+  const bool pushed = before.coefficient > 0.0 && before.beyond > nothing;
+  return pushed && (now.coefficient < before.coefficient || now.saturation < before.saturation || now.beyond <= nothing);
+}
+
+/// A wall is gone, or softer, or may push less hard than it did.
+bool lessens(const Condition& before, const Condition& now) noexcept
+{
+  return lessens(lowerSide(before), lowerSide(now)) || lessens(upperSide(before), upperSide(now));
+}
+
+bool lessens(const std::array<Condition, 4>& before, const std::array<Condition, 4>& now) noexcept
+{
+  bool any = false;
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    any = any || lessens(before[i], now[i]);
+  }
+  return any;
 }
 
 } // namespace
@@ -97,28 +136,25 @@ void PidOutput::makeConditions()
   EffectSettings settings;
   settings.type = pid::spring;
   this->conditions_ = this->kind_.conditions;
-  if (!wanted.holdsWalls || !this->make(this->spring_, settings).empty() ||
-      !this->empty(this->spring_, this->sentSprings_))
+  if (!wanted.holdsWalls || !this->make(this->spring_, settings).empty() || !this->empty(this->spring_))
   {
     this->spring_.block = 0;
     this->conditions_ = {};
   }
   settings.type = pid::damper;
-  if (!wanted.viscous || !this->make(this->damper_, settings).empty() ||
-      !this->empty(this->damper_, this->sentDampers_))
+  if (!wanted.viscous || !this->make(this->damper_, settings).empty() || !this->empty(this->damper_))
   {
     this->damper_.block = 0;
   }
 }
 
 /// Nobody promises that a new effect does nothing.
-bool PidOutput::empty(const Effect& effect, std::array<Condition, 2>& sent) noexcept
+bool PidOutput::empty(const Effect& effect) noexcept
 {
-  sent = {};
   bool taken = true;
   for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
   {
-    taken = taken && this->engine_.setCondition(effect.block, static_cast<int>(axis), sent[axis]);
+    taken = taken && this->engine_.setCondition(effect.block, static_cast<int>(axis), {});
   }
   return taken;
 }
@@ -207,43 +243,39 @@ double PidOutput::rampedShare(std::int64_t now_ns, const DeviceCommand& command)
   return this->options_.largestShare * smoothstep(since_ms / std::max(1, this->options_.rampUp_ms));
 }
 
+/// Walls that move wait for their time; what takes force away does not.
 PidOutput::Step PidOutput::sendWalls(std::int64_t now_ns, const DeviceCommand& command) noexcept
 {
   const double share = this->rampedShare(now_ns, command);
   this->plan_ = planWalls(command, this->options_.scale, this->conditions_, share);
-  Step step = this->sendConditions();
+  const Condition braking = planDamper(command, this->options_.scale, share);
+  const Conditions wanted{ this->plan_.springs[0], this->plan_.springs[1], braking, braking };
   const bool early =
     this->wallsSent_ns_ != never && now_ns - this->wallsSent_ns_ < this->options_.wallsEvery_ms * perMs_ns;
-  if (step != Step::Idle || early)
+  if (!early || lessens(this->wanted_, wanted))
   {
-    return step;
+    this->wanted_ = wanted;
   }
-  // The last round has been sent whole; only now the next one begins, so that the force gets its turn in between.
-  const Condition braking = planDamper(command, this->options_.scale, share);
-  this->wantedSprings_ = this->plan_.springs;
-  this->wantedDampers_ = { braking, braking };
-  step = this->sendConditions();
-  this->wallsSent_ns_ = step == Step::Idle ? this->wallsSent_ns_ : now_ns;
+  const Step step = this->sendCondition();
+  this->wallsSent_ns_ = step == Step::Idle || early ? this->wallsSent_ns_ : now_ns;
   return step;
 }
 
-PidOutput::Step PidOutput::sendConditions() noexcept
+/// One after the other, and after all of them a turn for what comes behind them, so that nothing starves.
+PidOutput::Step PidOutput::sendCondition() noexcept
 {
-  const Step step = this->sendCondition(this->spring_, this->sentSprings_, this->wantedSprings_);
-  return step == Step::Idle ? this->sendCondition(this->damper_, this->sentDampers_, this->wantedDampers_) : step;
-}
-
-PidOutput::Step PidOutput::sendCondition(
-  Effect& effect, std::array<Condition, 2>& sent, const std::array<Condition, 2>& now) noexcept
-{
-  for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
+  for (; this->turn_ < this->wanted_.size(); ++this->turn_)
   {
-    if (effect.block > 0 && !same(sent[axis], now[axis]))
+    const std::size_t i = this->turn_, axis = i % 2;
+    const Effect& effect = i < 2 ? this->spring_ : this->damper_;
+    if (effect.block > 0 && axis < this->kind_.pushedAxes && !same(this->sent_[i], this->wanted_[i]))
     {
-      sent[axis] = now[axis];
-      return sentOrFailed(this->engine_.setCondition(effect.block, static_cast<int>(axis), now[axis]));
+      ++this->turn_;
+      this->sent_[i] = this->wanted_[i];
+      return sentOrFailed(this->engine_.setCondition(effect.block, static_cast<int>(axis), this->wanted_[i]));
     }
   }
+  this->turn_ = 0;
   return Step::Idle;
 }
 

@@ -68,17 +68,16 @@ private:
     std::int64_t started_ns = never;
   };
   static constexpr std::int64_t never = -1;
+  using Conditions = std::array<Condition, 4>; ///< the springs of the x and the y axis, then their dampers
 
   [[nodiscard]] std::string make(Effect& effect, const EffectSettings& settings);
   [[nodiscard]] std::string makeForces();
   void makeConditions();
-  [[nodiscard]] bool empty(const Effect& effect, std::array<Condition, 2>& sent) noexcept;
+  [[nodiscard]] bool empty(const Effect& effect) noexcept;
   [[nodiscard]] bool fallsSilent(std::int64_t now_ns, std::uint64_t beat) noexcept;
   [[nodiscard]] Step restart(std::int64_t now_ns) noexcept;
   [[nodiscard]] Step sendWalls(std::int64_t now_ns, const DeviceCommand& command) noexcept;
-  [[nodiscard]] Step sendConditions() noexcept;
-  [[nodiscard]] Step sendCondition(
-    Effect& effect, std::array<Condition, 2>& sent, const std::array<Condition, 2>& now) noexcept;
+  [[nodiscard]] Step sendCondition() noexcept;
   [[nodiscard]] Step sendForce(const Wish& wish) noexcept;
   [[nodiscard]] double rampedShare(std::int64_t now_ns, const DeviceCommand& command) noexcept;
 
@@ -90,8 +89,8 @@ private:
   Effect spring_, damper_;
   PidShake shake_;
   Rumble rumble_;
-  std::array<Condition, 2> wantedSprings_{}, wantedDampers_{}; ///< of the round that is being sent
-  std::array<Condition, 2> sentSprings_{}, sentDampers_{};
+  Conditions wanted_{}, sent_{};
+  std::size_t turn_ = 0; ///< of the conditions: whose it is
   std::array<std::int64_t, 2> sentForce_{};
   int lastAxis_ = 1;
   WallPlan plan_;
