@@ -46,7 +46,8 @@ bool lessens(const Side& before, const Side& now) noexcept
 {
   constexpr double nothing = 1e-9;
   const bool pushed = before.coefficient > 0.0 && before.beyond > nothing;
-  return pushed && (now.coefficient < before.coefficient || now.saturation < before.saturation || now.beyond <= nothing);
+  return pushed &&
+         (now.coefficient < before.coefficient || now.saturation < before.saturation || now.beyond <= nothing);
 }
 
 /// A wall is gone, or softer, or may push less hard than it did.
