@@ -191,13 +191,7 @@ private:
   {
     std::optional<Holder> met;
     double first = 2.0;
-    SweepQuery both;
-    both.from_W = this->start_W_;
-    both.to_W = to_W;
-    both.radius_u = this->plan_.radius_u;
-    both.resolution.include(this->start_W_);
-    both.resolution.include(to_W);
-    const Motion way = motionOf(both);
+    const Motion way = motionOf(straightQuery(this->start_W_, to_W, this->plan_.radius_u));
     const auto visit = [&](std::uint32_t surface) noexcept
     {
       const SweepHit hit = this->sweepRelative(surface, to_W);
@@ -230,12 +224,7 @@ private:
   [[nodiscard]] SweepHit sweepRelative(std::uint32_t surface, const Vec3& to_W) noexcept
   {
     const RelativeWay way = this->relativeWay(surface, to_W);
-    SweepQuery query;
-    query.from_W = way.from_S;
-    query.to_W = way.to_S;
-    query.radius_u = this->plan_.radius_u;
-    query.resolution.include(way.from_S);
-    query.resolution.include(way.to_S);
+    SweepQuery query = straightQuery(way.from_S, way.to_S, this->plan_.radius_u);
     query.resolution.include(Vec3::Constant(this->plan_.radius_u));
     std::array<ActiveFeature, GodObjectState::maxFeatures> held;
     if (this->plan_.radius_u > 0.0)

@@ -21,12 +21,7 @@ template<class SceneView>
 SweepHit sweepStraight(
   const SceneView& scene, const ContactPlan& plan, double radius_u, const Vec3& from_W, const Vec3& to_W) noexcept
 {
-  SweepQuery query;
-  query.from_W = from_W;
-  query.to_W = to_W;
-  query.radius_u = radius_u;
-  query.resolution.include(from_W);
-  query.resolution.include(to_W);
+  SweepQuery query = straightQuery(from_W, to_W, radius_u);
   query.resolution.include(Vec3::Constant(radius_u));
   return sweepBall(scene, query, plan.nodeBudget);
 }

@@ -12,6 +12,7 @@
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/TreeWalk.h"
 #include "haptics/geometry/ExactPredicates.h"
+#include "haptics/geometry/SegmentTriangle.h"
 #include "haptics/geometry/SurfaceData.h"
 
 namespace palpate
@@ -209,7 +210,8 @@ private:
     {
       return;
     }
-    if (o0 == 0 && o1 == 0 ? !meetsInPlane(face) : !this->passesThrough(face))
+    const bool flat = o0 == 0 && o1 == 0;
+    if (flat ? !meetsInPlane(m.x_W, m.e_W, face) : !linePassesThrough(m.x_W, m.e_W, face))
     {
       return;
     }
@@ -217,39 +219,6 @@ private:
     const double span = std::fabs(s0) + std::fabs(s1);
     const double t = o0 == 0 || span == 0.0 ? 0.0 : std::min(1.0, std::fabs(s0) / span);
     this->offer(t, { this->surface_, triangle, 0, FeatureKind::Face, static_cast<std::int8_t>(side), false });
-  }
-
-  /// The line of the way against the triangle when the ends are not both in its plane.
-  [[nodiscard]] bool passesThrough(const FaceRecord& face) const noexcept
-  {
-    const auto& [a, b, c] = face.corner_W;
-    const int u = orientation(this->m_.x_W, this->m_.e_W, a, b);
-    const int v = orientation(this->m_.x_W, this->m_.e_W, b, c);
-    const int w = orientation(this->m_.x_W, this->m_.e_W, c, a);
-    const bool positive = u > 0 || v > 0 || w > 0, negative = u < 0 || v < 0 || w < 0;
-    return !(positive && negative);
-  }
-
-  /// Way and triangle in one plane: they are apart if an edge of the triangle or the way itself separates them.
-  [[nodiscard]] bool meetsInPlane(const FaceRecord& face) const noexcept
-  {
-    int drop = 0;
-    face.normal_W.cwiseAbs().maxCoeff(&drop);
-    const int i = (drop + 1) % 3, j = (drop + 2) % 3;
-    const auto turn = [i, j](const Vec3& p, const Vec3& q, const Vec3& s)
-    { return orientation2(p[i], p[j], q[i], q[j], s[i], s[j]); };
-    const Vec3 &x = this->m_.x_W, &e = this->m_.e_W;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vec3 &a = face.corner_W[k], &b = face.corner_W[(k + 1) % 3], &c = face.corner_W[(k + 2) % 3];
-      const int inside = turn(a, b, c);
-      if (turn(a, b, x) == -inside && turn(a, b, e) == -inside)
-      {
-        return false;
-      }
-    }
-    const int u = turn(x, e, face.corner_W[0]), v = turn(x, e, face.corner_W[1]), w = turn(x, e, face.corner_W[2]);
-    return !(u == v && v == w && u != 0);
   }
 
   void offer(double t, const ActiveFeature& f) noexcept

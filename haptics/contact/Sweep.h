@@ -25,6 +25,15 @@ struct SweepQuery
   std::span<const ActiveFeature> touched; ///< r > 0: not hit again, their planes already hold the ball
 };
 
+/// A straight way with nothing touched, resolved as its ends are.
+[[nodiscard]] inline SweepQuery straightQuery(const Vec3& from_W, const Vec3& to_W, double radius_u = 0.0) noexcept
+{
+  SweepQuery query{ from_W, to_W, radius_u, {}, {} };
+  query.resolution.include(from_W);
+  query.resolution.include(to_W);
+  return query;
+}
+
 /// The first contact, if any.
 struct SweepHit
 {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "haptics/geometry/ExactPredicates.h"
+#include "haptics/geometry/SegmentTriangle.h"
 #include "haptics/geometry/SurfaceData.h"
 
 namespace palpate
@@ -60,27 +61,6 @@ void forEachInBox(const SurfaceData& data, const Box& box, std::vector<std::uint
   }
 }
 
-/// Segment and triangle in one plane, both closed.
-bool meetsInPlane(const Vec3& p, const Vec3& q, const FaceRecord& face)
-{
-  int drop = 0;
-  face.normal_W.cwiseAbs().maxCoeff(&drop);
-  const int i = (drop + 1) % 3, j = (drop + 2) % 3;
-  const auto turn = [i, j](const Vec3& a, const Vec3& b, const Vec3& c)
-  { return orientation2(a[i], a[j], b[i], b[j], c[i], c[j]); };
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Vec3 &a = face.corner_W[k], &b = face.corner_W[(k + 1) % 3], &c = face.corner_W[(k + 2) % 3];
-    const int inside = turn(a, b, c);
-    if (turn(a, b, p) == -inside && turn(a, b, q) == -inside)
-    {
-      return false;
-    }
-  }
-  const int u = turn(p, q, face.corner_W[0]), v = turn(p, q, face.corner_W[1]), w = turn(p, q, face.corner_W[2]);
-  return !(u == v && v == w && u != 0);
-}
-
 /// A closed segment and a closed triangle.
 bool meets(const Vec3& p, const Vec3& q, const FaceRecord& face)
 {
@@ -90,12 +70,7 @@ bool meets(const Vec3& p, const Vec3& q, const FaceRecord& face)
   {
     return meetsInPlane(p, q, face);
   }
-  if (above == below)
-  {
-    return false;
-  }
-  const int u = orientation(p, q, a, b), v = orientation(p, q, b, c), w = orientation(p, q, c, a);
-  return !((u > 0 || v > 0 || w > 0) && (u < 0 || v < 0 || w < 0));
+  return above != below && linePassesThrough(p, q, face);
 }
 
 /// Whether an edge of triangle s that shares no vertex with triangle t meets it, or a corner next to an edge they share

@@ -280,12 +280,8 @@ TEST(BentSurface, AnswersAtAnyMomentAsATreeThatWasBuiltThere)
     const auto built = sceneOf(felt);
     for (std::size_t i = 0; i < testCount(2000); ++i)
     {
-      SweepQuery query;
-      query.from_W = random.inCube(0.08);
-      query.to_W = random.inCube(0.08);
-      query.radius_u = i % 2 == 0 ? 0.0 : 2e-3;
-      query.resolution.include(query.from_W);
-      query.resolution.include(query.to_W);
+      const Vec3 from_W = random.inCube(0.08), to_W = random.inCube(0.08);
+      const SweepQuery query = straightQuery(from_W, to_W, i % 2 == 0 ? 0.0 : 2e-3);
       const SweepHit a = sweepBall(MovingScene(scene, share), query, 1000000), b = sweepBall(*built, query, 1000000);
       ASSERT_EQ(a.hit, b.hit) << share << ", " << i;
       ASSERT_NEAR(a.t, b.t, 1e-10) << share << ", " << i; // rounded otherwise: vertices have other numbers

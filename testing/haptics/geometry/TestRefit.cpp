@@ -9,16 +9,12 @@
 #include "haptics/geometry/SurfaceData.h"
 #include "haptics/geometry/SurfaceTree.h"
 #include "testing/support/Meshes.h"
+#include "testing/support/TreeOf.h"
 
 namespace palpate::test
 {
 namespace
 {
-
-SurfaceTree treeOf(const TriangleMesh& mesh)
-{
-  return SurfaceTree(cleanMesh(mesh).mesh);
-}
 
 /// Every vertex somewhere else: stretched, sheared and shaken.
 std::vector<Vec3> bent(const TriangleMesh& mesh, double shake, Random& random)
@@ -89,12 +85,8 @@ TEST(Refit, AnswersEveryQueryAsATreeThatWasBuiltThere)
   std::size_t hits = 0;
   for (std::size_t i = 0; i < testCount(20000); ++i)
   {
-    SweepQuery query;
-    query.from_W = random.inCube(0.08);
-    query.to_W = random.inCube(0.08);
-    query.radius_u = i % 2 == 0 ? 0.0 : 2e-3;
-    query.resolution.include(query.from_W);
-    query.resolution.include(query.to_W);
+    const Vec3 from_W = random.inCube(0.08), to_W = random.inCube(0.08);
+    const SweepQuery query = straightQuery(from_W, to_W, i % 2 == 0 ? 0.0 : 2e-3);
     const SweepHit a = sweepBall(*refit, query, 1000000), b = sweepBall(*built, query, 1000000);
     ASSERT_EQ(a.hit, b.hit) << i;
     // Built anew, vertices have other numbers and corners another order: the same times, rounded otherwise.

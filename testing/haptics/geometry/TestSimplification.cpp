@@ -14,16 +14,12 @@
 #include "testing/support/NearestPoints.h"
 #include "testing/support/NoisySphere.h"
 #include "testing/support/SoupMaker.h"
+#include "testing/support/TreeOf.h"
 
 namespace palpate::test
 {
 namespace
 {
-
-SurfaceTree treeOf(const TriangleMesh& mesh)
-{
-  return SurfaceTree(cleanMesh(mesh).mesh);
-}
 
 /// The furthest vertex or centre of a triangle of `from`.
 double sampled(const SurfaceTree& from, const SurfaceTree& to)

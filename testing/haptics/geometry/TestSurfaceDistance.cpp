@@ -10,16 +10,12 @@
 #include "haptics/geometry/NearestOnTriangle.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
+#include "testing/support/TreeOf.h"
 
 namespace palpate::test
 {
 namespace
 {
-
-SurfaceTree treeOf(const TriangleMesh& mesh)
-{
-  return SurfaceTree(cleanMesh(mesh).mesh);
-}
 
 double nearestOfAll(const SurfaceTree& surface, const Vec3& x_W)
 {

@@ -7,16 +7,12 @@
 
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
+#include "testing/support/TreeOf.h"
 
 namespace palpate::test
 {
 namespace
 {
-
-SurfaceTree treeOf(const TriangleMesh& mesh)
-{
-  return SurfaceTree(cleanMesh(mesh).mesh);
-}
 
 TEST(SurfaceTree, RefusesAnEmptyMesh)
 {

@@ -33,12 +33,7 @@ public:
 private:
   [[nodiscard]] SweepHit sweep(const Vec3& from_W, const Vec3& to_W) const
   {
-    SweepQuery query;
-    query.from_W = from_W;
-    query.to_W = to_W;
-    query.resolution.include(from_W);
-    query.resolution.include(to_W);
-    return sweepBall(*this->scene_, query, ContactPlan().nodeBudget);
+    return sweepBall(*this->scene_, straightQuery(from_W, to_W), ContactPlan().nodeBudget);
   }
 
   std::shared_ptr<const Scene> scene_;

@@ -117,14 +117,9 @@ void judgeStroke(const CurveSet& curves, const std::string& name, const Conditio
   for (std::size_t i = 1; i < asked; ++i)
   {
     const Vec3 from_W = path_W[i - 1], to_W = from_W + 20.0 * (path_W[i] - from_W);
-    SweepQuery query;
-    query.from_W = from_W;
-    query.to_W = to_W;
-    query.resolution.include(from_W);
-    query.resolution.include(to_W);
     double met = 1.0;
     list.time([&] { met = firstCrossing(curves, from_W.head<2>(), to_W.head<2>()); });
-    differ += std::fabs(sweepBall(*scene, query, ContactPlan().nodeBudget).t - met) > 1e-9;
+    differ += std::fabs(sweepBall(*scene, straightQuery(from_W, to_W), ContactPlan().nodeBudget).t - met) > 1e-9;
   }
   table.within({ name, flat, "first lines met that differ from the tree's" }, differ, 0.0, 0.0).cost = Cost::of(list);
 }
