@@ -9,8 +9,7 @@
 #include "haptics/contact/RadiusLimit.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
-#include "testing/support/Probe.h"
-#include "testing/support/RandomHand.h"
+#include "testing/support/SpherePlay.h"
 
 namespace palpate::test
 {
@@ -23,25 +22,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 double largest_u(const Scene& scene)
 {
   return radiusLimit(scene, ContactPlan{}).largest_u;
-}
-
-/// Ticks over budget while a random hand plays with a ball over a noisy sphere from one of its sides.
-std::size_t overBudget(const NoisySphere& sphere, double radius_u, bool inside, std::size_t ticks)
-{
-  const double unit = sphere.unitsPerMillimetre();
-  const Vec3 start_W = inside ? Vec3(Vec3::Zero()) : Vec3(radius_u + 1.2 * sphere_mm * unit, 0.0, 0.0);
-  Probe probe(sceneOf(sphere.mesh()), radius_u, start_W);
-  RandomHand hand(sphere.mesh(), 2.0 * unit + 0.1 * radius_u, testSeed(71));
-  hand.moveTo(start_W);
-  std::size_t over = 0, touching = 0;
-  for (std::size_t i = 0; i < ticks; ++i)
-  {
-    const ContactResult result = probe.to(hand.next());
-    over += result.overBudget;
-    touching += result.contacts > 0;
-  }
-  EXPECT_GT(touching, ticks / 2) << "the hand played beside the surface";
-  return over;
 }
 
 struct Playground
@@ -63,8 +43,12 @@ TEST_P(UpToTheLargestRadius, NoTickOfARandomHandRunsOutOfItsWorkOnEitherSide)
   {
     for (const bool inside : { false, true })
     {
-      EXPECT_EQ(overBudget(sphere, share * limit_u, inside, testCount(10000)), 0u)
-        << share << " of the limit, " << (inside ? "inside" : "outside");
+      const std::size_t ticks = testCount(10000);
+      ContactPlan plan;
+      plan.radius_u = share * limit_u;
+      const SpherePlay seen = playOn(sphere, { plan, inside, ticks, testSeed(71) });
+      EXPECT_EQ(seen.overBudget, 0u) << share << " of the limit, " << (inside ? "inside" : "outside");
+      EXPECT_GT(seen.touching, ticks / 2) << "the hand played beside the surface";
     }
   }
 }
@@ -76,8 +60,12 @@ INSTANTIATE_TEST_SUITE_P(Spheres, UpToTheLargestRadius,
 TEST(RadiusLimit, FarAboveItTicksDoRunOutOfTheirWork)
 {
   const NoisySphere sphere(100000, 1.0);
-  const double limit_u = largest_u(*sceneOf(sphere.mesh()));
-  EXPECT_GT(overBudget(sphere, 6.0 * limit_u, true, 10000), 0u);
+  const auto scene = sceneOf(sphere.mesh());
+  ContactPlan plan = fewPasses();
+  ASSERT_EQ(radiusLimit(*scene, plan).largest_u, largest_u(*scene));
+  plan.radius_u = 1.05 * radiusOfOneSweep_u(*scene, plan);
+  ASSERT_LT(plan.radius_u, 0.9 * sphere_mm) << "it does not fit into the sphere";
+  EXPECT_GT(playOn(sphere, { plan, true, testCount(2000), testSeed(71) }).overBudget, 0u);
 }
 
 TEST(RadiusLimit, IsALengthAndScalesWithTheScene)
@@ -110,14 +98,16 @@ TEST(RadiusLimit, OfTrianglesThatAllFitInATickIsNone)
 TEST(RadiusLimit, GrowsWithTheBudgetAndFallsWithThePasses)
 {
   const auto scene = sceneOf(NoisySphere(20000, 1.0).mesh());
-  ContactPlan more, longer, nothing;
+  ContactPlan more, longer, nothing, endless;
   more.nodeBudget *= 2;
   longer.passCap *= 2;
   nothing.nodeBudget = 1;
+  endless.passCap = 1U << 30; // times the sweeps of a pass it is more than 32 bits hold
   const double usual_u = largest_u(*scene);
   EXPECT_GT(radiusLimit(*scene, more).largest_u, usual_u);
   EXPECT_LT(radiusLimit(*scene, longer).largest_u, usual_u);
   EXPECT_EQ(radiusLimit(*scene, nothing).largest_u, 0.0);
+  EXPECT_EQ(radiusLimit(*scene, endless).largest_u, 0.0);
 }
 
 TEST(RadiusLimit, OnAPlaneIsANumberOfEdges)

@@ -17,7 +17,7 @@
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
 #include "testing/support/Probe.h"
-#include "testing/support/RandomHand.h"
+#include "testing/support/SpherePlay.h"
 
 namespace palpate::lab
 {
@@ -26,38 +26,28 @@ namespace
 
 constexpr double sphere_mm = 50.0;
 
-struct Play
-{
-  double overBudget = 0.0, mostNodes = 0.0; ///< ticks; of one tick
-  Cost cost;
-};
-
-/// A random hand plays with a ball over a noisy sphere, from one of its sides.
-Play play(const test::NoisySphere& sphere, double radius_mm, bool inside, std::size_t ticks, std::uint64_t seed)
-{
-  const Vec3 start_W = inside ? Vec3(Vec3::Zero()) : Vec3(radius_mm + 1.2 * sphere_mm, 0.0, 0.0);
-  test::Probe probe(test::sceneOf(sphere.mesh()), radius_mm, start_W);
-  test::RandomHand hand(sphere.mesh(), 2.0 + 0.1 * radius_mm, seed);
-  hand.moveTo(start_W);
-  test::CostSample sample(ticks);
-  Play seen;
-  for (std::size_t i = 0; i < ticks; ++i)
-  {
-    const Vec3 p_W = hand.next();
-    ContactResult result;
-    sample.time([&] { result = probe.to(p_W); });
-    seen.overBudget += result.overBudget;
-    seen.mostNodes = std::max(seen.mostNodes, static_cast<double>(result.nodes));
-  }
-  seen.cost = Cost::of(sample);
-  return seen;
-}
-
 /// Edge of a triangle of the mean area on the sphere.
 double edge_mm(const test::NoisySphere& sphere)
 {
   const double area_mm2 = 4 * std::numbers::pi * sphere_mm * sphere_mm;
   return std::sqrt(area_mm2 / static_cast<double>(sphere.mesh().triangles.size()) * 4 / std::sqrt(3.0));
+}
+
+/// A ball so large that one sweep may be too much for a tick, where such a ball fits into the sphere.
+void judgeBeyond(const test::NoisySphere& sphere, std::size_t ticks, std::uint64_t seed, Table& table)
+{
+  const auto scene = test::sceneOf(sphere.mesh());
+  ContactPlan plan = test::fewPasses();
+  const double limit_mm = radiusLimit(*scene, plan).largest_u;
+  plan.radius_u = 1.05 * test::radiusOfOneSweep_u(*scene, plan);
+  if (plan.radius_u < 0.9 * sphere_mm)
+  {
+    const test::SpherePlay seen = test::playOn(sphere, { plan, true, ticks, seed });
+    const std::string name = caseName({ { "triangles", static_cast<double>(sphere.mesh().triangles.size()) },
+      { "inside", 1.0 }, { "r/limit", plan.radius_u / limit_mm } });
+    table.atLeast({ name, "no limit", "ticks over budget" }, static_cast<double>(seen.overBudget), 1.0).cost =
+      Cost::of(seen.cost);
+  }
 }
 
 void radiusAgainstWork(const Conditions& conditions, Table& table)
@@ -72,21 +62,18 @@ void radiusAgainstWork(const Conditions& conditions, Table& table)
     {
       for (const double share : { 0.03, 0.1, 0.3, 1.0 })
       {
-        const Play seen = play(sphere, share * limit_mm, inside, ticks, conditions.seed);
+        ContactPlan plan;
+        plan.radius_u = share * limit_mm;
+        const test::SpherePlay seen = test::playOn(sphere, { plan, inside, ticks, conditions.seed });
         const std::string name =
           caseName({ { "triangles", size }, { "inside", inside ? 1.0 : 0.0 }, { "r/limit", share } });
-        table.within({ name, "god-object", "ticks over budget" }, seen.overBudget, 0.0, 0.0).cost = seen.cost;
+        table.within({ name, "god-object", "ticks over budget" }, static_cast<double>(seen.overBudget), 0.0, 0.0).cost =
+          Cost::of(seen.cost);
         table.info({ name, "god-object", "r / edge" }, share * limit_mm / edge_mm(sphere));
-        table.info({ name, "god-object", "nodes in a tick, most" }, seen.mostNodes);
+        table.info({ name, "god-object", "nodes in a tick, most" }, static_cast<double>(seen.mostNodes));
       }
     }
-    constexpr double beyond = 6.0; // still fits into the sphere of the finer triangles
-    if (beyond * limit_mm < 0.9 * sphere_mm)
-    {
-      const Play seen = play(sphere, beyond * limit_mm, true, 2 * ticks, conditions.seed);
-      const std::string name = caseName({ { "triangles", size }, { "inside", 1.0 }, { "r/limit", beyond } });
-      table.atLeast({ name, "no limit", "ticks over budget" }, seen.overBudget, 1.0).cost = seen.cost;
-    }
+    judgeBeyond(sphere, ticks, conditions.seed, table);
   }
 }
 
