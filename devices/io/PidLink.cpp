@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/io/PidLink.h"
 
-#include <array>
 #include <utility>
 
-#include "devices/hid/InputReport.h"
 #include "devices/io/FindAgain.h"
 
 namespace palpate
@@ -14,10 +12,8 @@ namespace
 
 constexpr std::int64_t perMs_ns = 1000000;
 constexpr std::int64_t stuckAfter_ns = 50 * perMs_ns;
-constexpr std::int64_t tryAgainAfter_ns = 500 * perMs_ns;
 constexpr std::int64_t frozenAfter_ns = 250 * perMs_ns;
 constexpr double frozenAbove = 0.2; ///< of the largest force
-constexpr int mostQueued = 256;     ///< more reports than any system keeps
 
 bool atRest(const DeviceCommand& command) noexcept
 {
@@ -47,10 +43,12 @@ std::string PidLink::attach()
   device->drain();
   this->actuatorsOff_ = false;
   this->stoppedBlock_ = 0;
-  const std::lock_guard lock(this->mutex_);
-  this->abilities_ = device->output->abilities();
-  this->attached_ = std::move(device);
-  this->presence_.found();
+  {
+    const std::lock_guard lock(this->abilitiesMutex_);
+    this->abilities_ = device->output->abilities();
+  }
+  this->presence_.found(); // first: nobody can lose it before it is held
+  this->held_.hold(std::move(device));
   return {};
 }
 
@@ -84,54 +82,37 @@ std::string PidLink::Attached::begin(HidBus& bus, const PidOutputOptions& option
 
 void PidLink::Attached::drain() const noexcept
 {
-  std::array<std::uint8_t, InputReport::longest> report;
-  for (int i = 0; i<mostQueued&& this->connection->read(report, 0)> 0; ++i)
-  {
-  }
+  static_cast<void>(takeReports(*this->connection, 0, [](std::span<const std::uint8_t>) {}));
 }
 
 void PidLink::detach() noexcept
 {
-  const std::shared_ptr<Attached> device = this->attached();
+  const std::shared_ptr<Attached> device = this->held_.get();
   if (device != nullptr)
   {
     device->engine->close();
   }
   this->presence_.left();
-  const std::lock_guard lock(this->mutex_);
-  this->attached_.reset();
-}
-
-std::shared_ptr<PidLink::Attached> PidLink::attached() const
-{
-  const std::lock_guard lock(this->mutex_);
-  return this->attached_;
+  this->held_.letGo();
 }
 
 void PidLink::lose(const std::string& why)
 {
   this->presence_.lost();
-  const std::lock_guard lock(this->mutex_);
-  this->message_ = why;
-  this->attached_.reset();
+  this->held_.letGo(why);
 }
 
 bool PidLink::readPass(int timeout_ms)
 {
-  const std::shared_ptr<Attached> device = this->attached();
+  const std::shared_ptr<Attached> device = this->held_.get();
   if (device == nullptr)
   {
     return false;
   }
-  std::array<std::uint8_t, InputReport::longest> report;
   std::optional<Hand> newest;
   const std::uint64_t before = this->inputs_;
-  int length = device->connection->read(report, timeout_ms);
-  for (int i = 0; length > 0 && i < mostQueued; ++i)
-  {
-    this->take(*device, { report.data(), static_cast<std::size_t>(length) }, newest);
-    length = device->connection->read(report, 0);
-  }
+  const int length = takeReports(*device->connection, timeout_ms,
+    [&](std::span<const std::uint8_t> report) { this->take(*device, report, newest); });
   this->rate_.count(this->inputs_ - before, this->clock_.now_ns());
   if (newest)
   {
@@ -195,7 +176,7 @@ void PidLink::watchWriter(const Attached& device)
 bool PidLink::writePass()
 {
   const std::int64_t now_ns = this->clock_.now_ns();
-  const std::shared_ptr<Attached> device = this->attached();
+  const std::shared_ptr<Attached> device = this->held_.get();
   if (device == nullptr)
   {
     this->reattach(now_ns);
@@ -233,16 +214,14 @@ bool PidLink::disturbed(const PidOutput& output) noexcept
 
 void PidLink::reattach(std::int64_t now_ns)
 {
-  if (this->triedAt_ns_ != 0 && now_ns - this->triedAt_ns_ < tryAgainAfter_ns)
+  if (!this->pause_.over(now_ns))
   {
     return;
   }
-  this->triedAt_ns_ = now_ns;
   this->muted_ = true;
   if (std::string problem = this->attach(); !problem.empty())
   {
-    const std::lock_guard lock(this->mutex_);
-    this->message_ = std::move(problem);
+    this->held_.say(std::move(problem));
   }
 }
 
@@ -281,15 +260,13 @@ LinkReport PidLink::report() const
   report.losses = this->presence_.losses();
   report.inputRate_Hz = this->rate_.rate_Hz();
   report.frozen = this->frozen_;
-  const std::lock_guard lock(this->mutex_);
-  report.attached = this->attached_ != nullptr;
-  report.message = this->message_;
+  this->held_.reportTo(report);
   return report;
 }
 
 std::optional<DeviceAbilities> PidLink::abilities() const
 {
-  const std::lock_guard lock(this->mutex_);
+  const std::lock_guard lock(this->abilitiesMutex_);
   return this->abilities_;
 }
 

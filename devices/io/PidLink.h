@@ -11,6 +11,7 @@
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/PidInput.h"
 #include "devices/hid/PidOutput.h"
+#include "devices/io/HeldDevice.h"
 #include "devices/io/LinkedDevice.h"
 #include "devices/io/Presence.h"
 #include "devices/io/ReportRate.h"
@@ -69,7 +70,6 @@ private:
     [[nodiscard]] std::string begin(HidBus& bus, const PidOutputOptions& options);
     void drain() const noexcept;
   };
-  [[nodiscard]] std::shared_ptr<Attached> attached() const;
   void lose(const std::string& why);
   void reattach(std::int64_t now_ns);
   [[nodiscard]] bool disturbed(const PidOutput& output) noexcept;
@@ -82,9 +82,8 @@ private:
   PidOutputOptions options_;
   const Clock& clock_;
 
-  mutable std::mutex mutex_; ///< reader, writer and owner only
-  std::shared_ptr<Attached> attached_;
-  std::string message_;
+  HeldDevice<Attached> held_;         ///< reader, writer and owner only
+  mutable std::mutex abilitiesMutex_; ///< writer and owner only
   std::optional<DeviceAbilities> abilities_;
 
   TripleBuffer<Hand> handToServo_;       ///< reader -> servo
@@ -104,7 +103,7 @@ private:
   static constexpr std::int64_t notWriting = -1;
 
   bool muted_ = false;             ///< writer's: until no force is asked for
-  std::int64_t triedAt_ns_ = 0;    ///< writer's
+  SearchPause pause_;              ///< writer's
   Vec3 stillAt_D_ = Vec3::Zero();  ///< writer's
   std::int64_t stillSince_ns_ = 0; ///< writer's
   bool writerStuck_ = false;       ///< reader's

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/io/SpaceMouseLink.h"
 
-#include <array>
 #include <utility>
 
-#include "devices/hid/InputReport.h"
 #include "devices/io/FindAgain.h"
 
 namespace palpate
 {
-namespace
-{
-
-constexpr std::int64_t tryAgainAfter_ns = 500000000;
-constexpr int mostQueued = 256; ///< more reports than any system keeps
-
-} // namespace
-
 SpaceMouseLink::SpaceMouseLink(std::shared_ptr<HidBus> bus, HidEntry entry, const Clock& clock)
   : bus_(std::move(bus)), entry_(std::move(entry)), clock_(clock)
 {
@@ -37,9 +27,8 @@ std::string SpaceMouseLink::attach()
   // Whatever it was pressed to before says nothing now.
   this->news_.cap = {};
   this->newsToServo_.write(this->news_);
-  const std::lock_guard lock(this->mutex_);
-  this->attached_ = std::move(device);
-  this->presence_.found();
+  this->presence_.found(); // first: nobody can lose it before it is held
+  this->held_.hold(std::move(device));
   return {};
 }
 
@@ -68,40 +57,26 @@ std::string SpaceMouseLink::begin(const HidEntry& entry, Attached& device)
 void SpaceMouseLink::detach() noexcept
 {
   this->presence_.left();
-  const std::lock_guard lock(this->mutex_);
-  this->attached_.reset();
-}
-
-std::shared_ptr<SpaceMouseLink::Attached> SpaceMouseLink::attached() const
-{
-  const std::lock_guard lock(this->mutex_);
-  return this->attached_;
+  this->held_.letGo();
 }
 
 void SpaceMouseLink::lose(const std::string& why)
 {
   this->presence_.lost();
-  const std::lock_guard lock(this->mutex_);
-  this->message_ = why;
-  this->attached_.reset();
+  this->held_.letGo(why);
 }
 
 bool SpaceMouseLink::readPass(int timeout_ms)
 {
-  const std::shared_ptr<Attached> device = this->attached();
+  const std::shared_ptr<Attached> device = this->held_.get();
   if (device == nullptr)
   {
     this->reattach(this->clock_.now_ns());
     return false;
   }
-  std::array<std::uint8_t, InputReport::longest> report;
   const std::uint64_t before = this->inputs_;
-  int length = device->connection->read(report, timeout_ms);
-  for (int i = 0; length > 0 && i < mostQueued; ++i)
-  {
-    this->take(*device, { report.data(), static_cast<std::size_t>(length) });
-    length = device->connection->read(report, 0);
-  }
+  const int length = takeReports(
+    *device->connection, timeout_ms, [&](std::span<const std::uint8_t> report) { this->take(*device, report); });
   this->rate_.count(this->inputs_ - before, this->clock_.now_ns());
   if (this->inputs_ != before)
   {
@@ -129,15 +104,13 @@ void SpaceMouseLink::take(const Attached& device, std::span<const std::uint8_t> 
 
 void SpaceMouseLink::reattach(std::int64_t now_ns)
 {
-  if (this->triedAt_ns_ != 0 && now_ns - this->triedAt_ns_ < tryAgainAfter_ns)
+  if (!this->pause_.over(now_ns))
   {
     return;
   }
-  this->triedAt_ns_ = now_ns;
   if (std::string problem = this->attach(); !problem.empty())
   {
-    const std::lock_guard lock(this->mutex_);
-    this->message_ = std::move(problem);
+    this->held_.say(std::move(problem));
   }
 }
 
@@ -155,9 +128,7 @@ LinkReport SpaceMouseLink::report() const
   report.outOfRange = this->outOfRange_;
   report.losses = this->presence_.losses();
   report.inputRate_Hz = this->rate_.rate_Hz();
-  const std::lock_guard lock(this->mutex_);
-  report.attached = this->attached_ != nullptr;
-  report.message = this->message_;
+  this->held_.reportTo(report);
   return report;
 }
 

@@ -4,12 +4,12 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/SpaceMouseInput.h"
+#include "devices/io/HeldDevice.h"
 #include "devices/io/LinkedDevice.h"
 #include "devices/io/Presence.h"
 #include "devices/io/ReportRate.h"
@@ -54,7 +54,6 @@ private:
     std::optional<SpaceMouseInput> input;
   };
 
-  [[nodiscard]] std::shared_ptr<Attached> attached() const;
   [[nodiscard]] std::string begin(const HidEntry& entry, Attached& device);
   void lose(const std::string& why);
   void reattach(std::int64_t now_ns);
@@ -64,16 +63,14 @@ private:
   HidEntry entry_;
   const Clock& clock_;
 
-  mutable std::mutex mutex_; ///< reader and owner only
-  std::shared_ptr<Attached> attached_;
-  std::string message_;
+  HeldDevice<Attached> held_; ///< reader and owner only
 
   TripleBuffer<News> newsToServo_; ///< reader -> servo
   alignas(64) Presence presence_;  ///< a line of its own: the servo reads it every tick
   alignas(64) ReportRate rate_;
   std::atomic<std::uint64_t> inputs_ = 0, strange_ = 0, outOfRange_ = 0;
-  News news_;                   ///< reader's
-  std::int64_t triedAt_ns_ = 0; ///< reader's
+  News news_;         ///< reader's
+  SearchPause pause_; ///< reader's
 };
 
 } // namespace palpate
