@@ -226,39 +226,52 @@ private:
   DeviceInfo info_;
 };
 
+/// That device, calibrated.
+struct CalibratedNotebook
+{
+  CalibratedNotebook() : CalibratedNotebook(std::make_unique<Notebook>()) {}
+  explicit CalibratedNotebook(std::unique_ptr<Notebook> notebook)
+    : raw(*notebook), device(std::move(notebook), example())
+  {
+  }
+
+  /// What is read of the raw hand at one place.
+  DeviceSample readThere()
+  {
+    this->raw.shown.pose_D.p = Vec3(0.02, -0.06, 0.001);
+    this->raw.shown.velocity_D.linear = Vec3(1.0, 2.0, 3.0);
+    DeviceSample sample;
+    EXPECT_EQ(this->device.read(0.0, sample), DeviceStatus::Ok);
+    return sample;
+  }
+
+  Notebook& raw;
+  CalibratedDevice device;
+};
+
 TEST(CalibratedDevice, ShowsRightAsXAndPushesWhereAForcePoints)
 {
-  auto notebook = std::make_unique<Notebook>();
-  Notebook& raw = *notebook;
-  CalibratedDevice device(std::move(notebook), example());
+  CalibratedNotebook rig;
   // The driver's y at its low end, -0.06, is the right end: half of the range of 0.1 m from the middle.
-  raw.shown.pose_D.p = Vec3(0.02, -0.06, 0.001);
-  raw.shown.velocity_D.linear = Vec3(1.0, 2.0, 3.0);
-  DeviceSample sample;
-  ASSERT_EQ(device.read(0.0, sample), DeviceStatus::Ok);
+  const DeviceSample sample = rig.readThere();
   EXPECT_LT((sample.pose_D.p - Vec3(0.05, 0.02, 0.001)).norm(), 1e-15);
   EXPECT_EQ(sample.velocity_D.linear, Vec3(-2.0, 1.0, 3.0));
 
   DeviceCommand command;
   command.wrench_D.force = Vec3(1.0, 2.0, 3.0);
-  device.write(command);
-  EXPECT_EQ(raw.told.wrench_D.force, Vec3(-1.0, 2.0, 3.0));
+  rig.device.write(command);
+  EXPECT_EQ(rig.raw.told.wrench_D.force, Vec3(-1.0, 2.0, 3.0));
 }
 
 TEST(CalibratedDevice, AHandStaysWhereItWasSeenLastWhileTheDeviceIsGone)
 {
-  auto notebook = std::make_unique<Notebook>();
-  Notebook& raw = *notebook;
-  CalibratedDevice device(std::move(notebook), example());
-  raw.shown.pose_D.p = Vec3(0.02, -0.06, 0.001);
-  raw.shown.velocity_D.linear = Vec3(1.0, 2.0, 3.0);
-  DeviceSample sample;
-  ASSERT_EQ(device.read(0.0, sample), DeviceStatus::Ok);
-  const DeviceSample last = sample;
-  raw.status = DeviceStatus::Lost;
+  CalibratedNotebook rig;
+  const DeviceSample last = rig.readThere();
+  DeviceSample sample = last;
+  rig.raw.status = DeviceStatus::Lost;
   for (int tick = 0; tick < 3; ++tick)
   {
-    EXPECT_EQ(device.read(1e-3 * tick, sample), DeviceStatus::Lost);
+    EXPECT_EQ(rig.device.read(1e-3 * tick, sample), DeviceStatus::Lost);
     EXPECT_EQ(sample.pose_D.p, last.pose_D.p);
     EXPECT_EQ(sample.velocity_D.linear, last.velocity_D.linear);
   }
@@ -266,23 +279,21 @@ TEST(CalibratedDevice, AHandStaysWhereItWasSeenLastWhileTheDeviceIsGone)
 
 TEST(CalibratedDevice, AWallThatTheDeviceHoldsStandsWhereItStoodForTheHand)
 {
-  auto notebook = std::make_unique<Notebook>();
-  Notebook& raw = *notebook;
-  CalibratedDevice device(std::move(notebook), example());
+  CalibratedNotebook rig;
   test::Random random(test::testSeed(512));
   for (int run = 0; run < 100; ++run)
   {
     DeviceCommand command;
     command.wallCount = 1;
     command.walls[0] = { random.direction(), random.uniform(-0.05, 0.05), 100.0 };
-    device.write(command);
-    raw.shown.pose_D.p = random.direction() * 0.05;
+    rig.device.write(command);
+    rig.raw.shown.pose_D.p = random.direction() * 0.05;
     DeviceSample sample;
-    ASSERT_EQ(device.read(0.0, sample), DeviceStatus::Ok);
+    ASSERT_EQ(rig.device.read(0.0, sample), DeviceStatus::Ok);
     const HeldWall& seen = command.walls[0];
-    const HeldWall& told = raw.told.walls[0];
-    EXPECT_NEAR(
-      told.normal_D.dot(raw.shown.pose_D.p) - told.offset_m, seen.normal_D.dot(sample.pose_D.p) - seen.offset_m, 1e-15);
+    const HeldWall& told = rig.raw.told.walls[0];
+    EXPECT_NEAR(told.normal_D.dot(rig.raw.shown.pose_D.p) - told.offset_m,
+      seen.normal_D.dot(sample.pose_D.p) - seen.offset_m, 1e-15);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "devices/DeviceFactory.h"
 #include "devices/FedDevice.h"
 #include "haptics/session/HapticSession.h"
+#include "testing/support/BareDevice.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate
@@ -15,17 +16,10 @@ namespace
 {
 
 /// Keeps the last command it got where the test can see it after the session has gone.
-class WatchedDevice final : public HapticDevice
+class WatchedDevice final : public test::BareDevice
 {
 public:
-  explicit WatchedDevice(DeviceCommand& last) : last_(last)
-  {
-    this->info_.name = "watched";
-    this->info_.simulated = true;
-  }
-  [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
-  [[nodiscard]] std::string open() override { return {}; }
-  void close() noexcept override {}
+  explicit WatchedDevice(DeviceCommand& last) : BareDevice("watched", true), last_(last) {}
   [[nodiscard]] DeviceStatus read(double time_s, DeviceSample& sample) noexcept override
   {
     sample = DeviceSample{};
@@ -36,7 +30,6 @@ public:
   void write(const DeviceCommand& command) noexcept override { this->last_ = command; }
 
 private:
-  DeviceInfo info_;
   DeviceCommand& last_;
 };
 

@@ -92,6 +92,13 @@ Recording readGood(const std::string& path)
   return std::get<Recording>(std::move(read));
 }
 
+void expectBitForBit(const ReplayResult& result, int ticks)
+{
+  EXPECT_EQ(result.problem, "");
+  EXPECT_EQ(result.difference, "");
+  EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(ticks));
+}
+
 std::vector<char> bytesOf(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
@@ -118,10 +125,7 @@ TEST(Recording, WithSceneSwapsReplaysBitForBitWithOneTwoAndFourBuilders)
     EXPECT_EQ(recording.scenes.size(), 2U) << "each scene is stored once";
     for (const unsigned workers : { 1U, 2U, 4U })
     {
-      const ReplayResult result = replay(recording, {}, workers);
-      EXPECT_EQ(result.problem, "");
-      EXPECT_EQ(result.difference, "");
-      EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(ticks));
+      expectBitForBit(replay(recording, {}, workers), ticks);
     }
   }
 }
@@ -193,10 +197,7 @@ TEST(Recording, OfSurfacesThatMoveStoresTheirMeshesOnceAndReplaysBitForBit)
     const Recording recording = readGood(file.path);
     EXPECT_EQ(recording.scenes.size(), 1U);
     EXPECT_EQ(recording.motions.size(), 100U);
-    const ReplayResult result = replay(recording);
-    EXPECT_EQ(result.problem, "");
-    EXPECT_EQ(result.difference, "");
-    EXPECT_EQ(result.ticks, 1600U);
+    expectBitForBit(replay(recording), 1600);
   }
 }
 
@@ -216,10 +217,7 @@ TEST(Recording, OfCurvesThatMoveReplaysBitForBit)
     ASSERT_EQ(recording.scenes.size(), 1U);
     EXPECT_EQ(recording.scenes[0].surfaces.at(1).lineRadius_u, 0.05);
     EXPECT_EQ(recording.scenes[0].surfaces.at(0).lineRadius_u, std::nullopt);
-    const ReplayResult result = replay(recording);
-    EXPECT_EQ(result.problem, "");
-    EXPECT_EQ(result.difference, "");
-    EXPECT_EQ(result.ticks, 1600U);
+    expectBitForBit(replay(recording), 1600);
   }
 }
 
@@ -264,10 +262,7 @@ TEST(Recording, OfVerticesOnTheirWayReplaysBitForBit)
   {
     const TemporaryFile file("bending");
     recordBending(file.path, 800, radius);
-    const ReplayResult result = replay(readGood(file.path));
-    EXPECT_EQ(result.problem, "");
-    EXPECT_EQ(result.difference, "");
-    EXPECT_EQ(result.ticks, 800U);
+    expectBitForBit(replay(readGood(file.path)), 800);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "haptics/session/Recording.h"
 #include "haptics/session/ServoLoop.h"
 #include "testing/support/AllocationGuard.h"
+#include "testing/support/BareDevice.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate
@@ -22,17 +23,10 @@ constexpr std::int64_t period_ns = 1'000'000;
 constexpr double period_s = 1e-3;
 
 /// A hand that the test moves.
-class MovedDevice final : public HapticDevice
+class MovedDevice final : public test::BareDevice
 {
 public:
-  explicit MovedDevice(bool simulated)
-  {
-    this->info_.name = "moved";
-    this->info_.simulated = simulated;
-  }
-  [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
-  [[nodiscard]] std::string open() override { return {}; }
-  void close() noexcept override {}
+  explicit MovedDevice(bool simulated) : BareDevice("moved", simulated) {}
   [[nodiscard]] DeviceStatus read(double time_s, DeviceSample& sample) noexcept override
   {
     sample = DeviceSample{};
@@ -45,9 +39,6 @@ public:
   Vec3 p_D = { 0, 0, 0.06 };
   Vec3 force_D = Vec3::Zero();
   DeviceStatus status = DeviceStatus::Ok;
-
-private:
-  DeviceInfo info_;
 };
 
 /// A sphere of radius 50 mm, a device, and the loop between them.
