@@ -74,6 +74,25 @@ Outcome run(const DeviceModel& model, const std::string& hand, const Wiring& wir
   return outcome;
 }
 
+/// How far, as a share, the slope of a push is off at most that is seen in steps. Least squares take the part of the
+/// way above its first quarter: a step's rounding takes step^3 / 12 from the way^3 / 12 of the sum of squares, the part
+/// of a step at either end step^2 way / 16. Friction shortens the way.
+double roundingError(const std::array<std::array<PushAnswer, 3>, 2>& pushes, std::size_t axis, double step_m)
+{
+  const double way_m = 0.75 * std::min(std::fabs(pushes[0][axis].moved_m), std::fabs(pushes[1][axis].moved_m));
+  return 2.5 * (step_m / way_m) * (step_m / way_m);
+}
+
+/// How far, as a share, a strength k f h / (f - h) is off at most: the slopes f = 1 / K and h = 1 / (K + k) of a hand
+/// of stiffness K without and with a spring k have errors of their own, each of which counts by its logarithmic
+/// derivative.
+double strengthError(const Outcome& found, std::size_t axis, double step_m, double hand_N_per_m)
+{
+  const MotorAnswers& seen = found.state.motors[axis];
+  const double ratio = hand_N_per_m / found.plan.spring_N_per_m;
+  return ratio * roundingError(seen.free, axis, step_m) + (1.0 + ratio) * roundingError(seen.held, axis, step_m);
+}
+
 const DeviceModel& joystick()
 {
   return *deviceModel("simulated-joystick");
@@ -95,14 +114,15 @@ TEST(SelfTest, ADeviceAsItShouldBeIsFoundAsItIs)
   EXPECT_EQ(c.axisCount, 2);
   for (int i = 0; i < 2; ++i)
   {
-    const AxisCalibration& axis = c.axes[static_cast<std::size_t>(i)];
+    const auto at = static_cast<std::size_t>(i);
+    const AxisCalibration& axis = c.axes[at];
     EXPECT_EQ(std::pair(axis.sensor, axis.sensorSign), std::pair(i, 1));
     EXPECT_EQ(std::pair(axis.motor, axis.motorSign), std::pair(i, 1));
     EXPECT_NEAR(axis.low_m, -joystick().travel_m, joystick().encoderStep_m); // which rounds down
     EXPECT_NEAR(axis.high_m, joystick().travel_m, joystick().encoderStep_m);
-    // A hand of 200 N/m gives way by 5 mm per N; a staircase of some twenty steps tells the slope to a tenth.
-    EXPECT_NEAR(axis.response_m_per_N, 1.0 / handModel("light")->stiffness_N_per_m, 0.1 * 5e-3);
-    EXPECT_NEAR(axis.strength, 1.0, 0.3);
+    const double step_m = joystick().encoderStep_m, hand_N_per_m = handModel("light")->stiffness_N_per_m;
+    EXPECT_NEAR(axis.response_m_per_N * hand_N_per_m, 1.0, roundingError(found.state.motors[at].free, at, step_m));
+    EXPECT_NEAR(axis.strength, 1.0, strengthError(found, at, step_m, hand_N_per_m));
   }
 }
 
@@ -202,7 +222,8 @@ TEST(SelfTest, AMotorThatIsWeakIsSaidAndMeasuredAgainstTheDevicesOwnSpring)
   ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
   const Calibration c = found.calibration();
   EXPECT_NEAR(c.axes[1].response_m_per_N / c.axes[0].response_m_per_N, 0.25, 0.05);
-  EXPECT_NEAR(c.axes[0].strength, 1.0, 0.3);
+  EXPECT_NEAR(
+    c.axes[0].strength, 1.0, strengthError(found, 0, smooth.encoderStep_m, handModel("light")->stiffness_N_per_m));
   EXPECT_NE(found.text().find("weak beside the strongest"), std::string::npos) << found.text();
 }
 
