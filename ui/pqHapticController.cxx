@@ -149,15 +149,10 @@ void pqHapticController::showTrace(bool shown)
 
 void pqHapticController::fitWorkspace()
 {
-  vtkHapticSession* session = this->session();
-  if (!session)
+  if (this->Proxy)
   {
     return;
   }
-  session->FitWorkspace();
-  vtkSMPropertyHelper(this->Proxy, "Scale").Set(session->GetScale());
-  vtkSMPropertyHelper(this->Proxy, "Offset").Set(session->GetOffset(), 3);
-  this->Proxy->UpdateVTKObjects();
 }
 
 void pqHapticController::setPressDepth(double depth_m)
@@ -177,7 +172,7 @@ void pqHapticController::serverAdded(pqServer* server)
   vtkSMSessionProxyManager* manager = server ? server->proxyManager() : nullptr;
   if (!manager || !manager->GetProxyDefinitionManager()->HasDefinition(proxyGroup, proxyName))
   {
-    return;
+    this->Proxy->InvokeCommand("FitWorkspace");
   }
   if (vtkSMProxy* present = manager->GetProxy(proxyGroup, proxyName))
   {

@@ -50,7 +50,7 @@ public Q_SLOTS:
   void setTouching(bool on);
   /// Lets go at once: force to zero, touch off.
   void release();
-  /// Scale and offset such that the device's workspace holds the whole scene, written to the proxy.
+  /// Such a map that the device's workspace holds the whole scene.
   void fitWorkspace();
   /// Whether the way through a labyrinth is drawn while touching.
   void showTrace(bool shown);

@@ -463,7 +463,8 @@ public:
   virtual double* GetOffset() VTK_SIZEHINT(3);
   ///@}
 
-  /// Scale and offset such that the device's workspace holds the whole committed scene, life size no longer.
+  /// Scale and offset such that the device's workspace holds the whole committed scene, life size no longer, and the
+  /// rotation of a plane world for a device that moves in a plane. PropertyModifiedEvent says that they have changed.
   void FitWorkspace();
 
   ///@{

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 
 namespace
@@ -85,4 +86,5 @@ void vtkHapticSession::FitWorkspace()
         p.map.q_WD = this->Impl->Built.Plane_WP->q; // a device that moves in a plane moves in this one
       }
     });
+  this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
 }

@@ -6,12 +6,25 @@ import sys
 import tempfile
 import unittest
 
-from paraview import simple
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from haptic_proxies import manager, put
 
 
 class StateFile(unittest.TestCase):
+    def saved_and_loaded(self, proxy):
+        manager().RegisterProxy("haptics", "HapticSession", proxy)
+        with tempfile.TemporaryDirectory() as folder:
+            state = os.path.join(folder, "state.pvsm")
+            simple.SaveState(state)
+            manager().UnRegisterProxy("haptics", "HapticSession", proxy)
+            simple.LoadState(state)
+        loaded = manager().GetProxy("haptics", "HapticSession")
+        self.addCleanup(manager().UnRegisterProxy, "haptics", "HapticSession", loaded)
+        return loaded.GetClientSideObject()
+
     def test_a_registered_session_comes_back_with_its_settings(self):
         proxy = manager().NewProxy("haptics", "HapticSession")
         put(proxy, "Stiffness", 345.0)
@@ -30,13 +43,7 @@ class StateFile(unittest.TestCase):
         put(proxy, "HoldWalls", 0)
         put(proxy, "PlaneGuide", 0)
         put(proxy, "WallRate", 50.0)
-        manager().RegisterProxy("haptics", "HapticSession", proxy)
-        with tempfile.TemporaryDirectory() as folder:
-            state = os.path.join(folder, "state.pvsm")
-            simple.SaveState(state)
-            manager().UnRegisterProxy("haptics", "HapticSession", proxy)
-            simple.LoadState(state)
-        loaded = manager().GetProxy("haptics", "HapticSession").GetClientSideObject()
+        loaded = self.saved_and_loaded(proxy)
         self.assertEqual((loaded.GetStiffness(), loaded.GetRadius()), (345.0, 1.25))
         self.assertEqual((loaded.GetFrictionStatic(), loaded.GetFrictionKineticUsed()), (0.75, 0.5))
         self.assertEqual((loaded.GetStiffnessArray(), loaded.GetFrictionArray(), loaded.GetTextureArray()), ("E", "mu", ""))
@@ -48,6 +55,36 @@ class StateFile(unittest.TestCase):
         self.assertEqual((loaded.GetLinesAsWalls(), loaded.GetHoldWalls(), loaded.GetPlaneGuide()), (2, False, False))
         self.assertEqual(loaded.GetWallRate(), 50.0)
         self.assertFalse(loaded.GetTouching())
+
+    def test_a_workspace_that_was_fitted_comes_back_as_it_was(self):
+        proxy = manager().NewProxy("haptics", "HapticSession")
+        put(proxy, "DeviceName", "simulated-joystick")
+        session = proxy.GetClientSideObject()
+        upright = vtkPolyData()  # lines across x, 60 u high: a joystick's plane is turned into theirs
+        upright.SetPoints(vtkPoints())
+        corners = [(5, -40, -30), (5, 40, -30), (5, 40, 30)]
+        line = vtkCellArray()
+        line.InsertNextCell(len(corners))
+        for corner in corners:
+            line.InsertCellPoint(upright.GetPoints().InsertNextPoint(corner))
+        upright.SetLines(line)
+        self.assertTrue(session.AddSurface("lines", upright, None))
+        session.CommitScene()
+        self.assertTrue(session.FinishScene())
+        proxy.InvokeCommand("FitWorkspace")
+        fitted = (session.GetScale(), tuple(session.GetRotation()), tuple(session.GetOffset()))
+        self.assertEqual(fitted[2], (5.0, 0.0, 0.0))
+        self.assertNotEqual(fitted[1], (1.0, 0.0, 0.0, 0.0))
+        helper = lambda name: servermanager.vtkSMPropertyHelper(proxy, name)  # noqa: E731
+        self.assertEqual(helper("Scale").GetAsDouble(), fitted[0])
+        self.assertEqual(tuple(helper("Rotation").GetAsDouble(i) for i in range(4)), fitted[1])
+        self.assertEqual(tuple(helper("Offset").GetAsDouble(i) for i in range(3)), fitted[2])
+        put(proxy, "Stiffness", 150.0)  # another change does not undo it
+        self.assertEqual((session.GetScale(), tuple(session.GetRotation()), tuple(session.GetOffset())), fitted)
+        loaded = self.saved_and_loaded(proxy)
+        self.assertAlmostEqual(loaded.GetScale(), fitted[0], delta=1e-9 * fitted[0])
+        for got, wanted in zip(tuple(loaded.GetRotation()) + tuple(loaded.GetOffset()), fitted[1] + fitted[2]):
+            self.assertAlmostEqual(got, wanted, delta=1e-9)
 
 
 if __name__ == "__main__":

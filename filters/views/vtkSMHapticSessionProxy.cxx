@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkSMHapticSessionProxy.h"
+
+#include "vtkCommand.h"
+#include "vtkHapticSession.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPropertyHelper.h"
+
+vtkStandardNewMacro(vtkSMHapticSessionProxy);
+
+void vtkSMHapticSessionProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+void vtkSMHapticSessionProxy::CreateVTKObjects()
+{
+  const bool before = this->GetObjectsCreated() != 0;
+  this->Superclass::CreateVTKObjects();
+  auto* session = vtkHapticSession::SafeDownCast(before ? nullptr : this->GetClientSideObject());
+  if (session)
+  {
+    session->AddObserver(vtkCommand::PropertyModifiedEvent, this, &vtkSMHapticSessionProxy::ReadBack);
+  }
+}
+
+void vtkSMHapticSessionProxy::ReadBack()
+{
+  auto* session = vtkHapticSession::SafeDownCast(this->GetClientSideObject());
+  vtkSMPropertyHelper(this, "Scale").Set(session->GetScale());
+  vtkSMPropertyHelper(this, "Rotation").Set(session->GetRotation(), 4);
+  vtkSMPropertyHelper(this, "Offset").Set(session->GetOffset(), 3);
+  this->UpdateVTKObjects();
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkSMHapticSessionProxy
+ * @brief   proxy of a session that has what the session sets by itself
+ *
+ * FitWorkspace sets scale, rotation and offset. Here they are read back into the properties, whoever asked for it, so
+ * that the panel shows them, a state file keeps them and the next change of another property does not undo them.
+ */
+#ifndef vtkSMHapticSessionProxy_h
+#define vtkSMHapticSessionProxy_h
+
+#include "vtkHapticViewsModule.h" // for the export macro
+#include "vtkSMProxy.h"
+
+class VTKHAPTICVIEWS_EXPORT vtkSMHapticSessionProxy : public vtkSMProxy
+{
+public:
+  static vtkSMHapticSessionProxy* New();
+  vtkTypeMacro(vtkSMHapticSessionProxy, vtkSMProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkSMHapticSessionProxy() = default;
+  ~vtkSMHapticSessionProxy() override = default;
+
+  void CreateVTKObjects() override;
+
+private:
+  vtkSMHapticSessionProxy(const vtkSMHapticSessionProxy&) = delete;
+  void operator=(const vtkSMHapticSessionProxy&) = delete;
+
+  void ReadBack();
+};
+
+#endif
