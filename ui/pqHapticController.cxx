@@ -7,6 +7,7 @@
 #include "pqApplicationCore.h"
 #include "pqHapticFrames.h"
 #include "pqHapticMouse.h"
+#include "pqHapticPencil.h"
 #include "pqHapticViewFollower.h"
 #include "pqRenderView.h"
 #include "pqServer.h"
@@ -60,14 +61,16 @@ pqHapticController* pqHapticController::instance()
 
 pqHapticController::pqHapticController(QObject* parent)
   : Superclass(parent), Follower(new pqHapticViewFollower(this)), Frames(new pqHapticFrames(this)),
-    Mouse(new pqHapticMouse(this))
+    Mouse(new pqHapticMouse(this)), Pencil(new pqHapticPencil(this))
 {
   this->makeActions();
   this->connectApplication();
   this->Frames->setView(this->Follower->view());
   this->Mouse->setView(this->Follower->view());
+  this->Pencil->setView(this->Follower->view());
   this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Frames, &pqHapticFrames::setView);
   this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Mouse, &pqHapticMouse::setView);
+  this->connect(this->Follower, &pqHapticViewFollower::viewChanged, this->Pencil, &pqHapticPencil::setView);
   this->connect(this->Frames, &pqHapticFrames::updated, this->Mouse, &pqHapticMouse::update);
   this->connect(this->Mouse, &pqHapticMouse::depthChanged, this, &pqHapticController::setPressDepth);
   this->connect(this->Follower, &pqHapticViewFollower::viewClosing, this, &pqHapticController::release);
@@ -111,6 +114,12 @@ void pqHapticController::makeActions()
   this->ReleaseAction->setEnabled(false);
   this->ReleaseAction->setToolTip(tr("Force to zero at once, and stop touching"));
   this->connect(this->ReleaseAction, &QAction::triggered, this, &pqHapticController::release);
+
+  this->DrawAction = new QAction(QIcon(":/palpate/icons/draw.svg"), tr("&Draw"), this);
+  this->DrawAction->setObjectName("hapticDrawAction");
+  this->DrawAction->setCheckable(true);
+  this->DrawAction->setToolTip(tr("Draw lines in the view with the left mouse button, and feel them while they grow"));
+  this->connect(this->DrawAction, &QAction::toggled, this->Pencil, &pqHapticPencil::setActive);
 }
 
 vtkSMProxy* pqHapticController::sessionProxy() const
@@ -239,6 +248,7 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
   this->Follower->setSession(this->session());
   this->Frames->setSession(this->session());
   this->Mouse->setSession(this->session());
+  this->Pencil->setSession(this->session());
   if (proxy)
   {
     this->ProxyObserver = proxy->AddObserver(vtkCommand::UpdateEvent, this, &pqHapticController::proxyChanged);

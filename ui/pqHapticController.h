@@ -12,6 +12,7 @@
 class QAction;
 class pqHapticFrames;
 class pqHapticMouse;
+class pqHapticPencil;
 class pqHapticViewFollower;
 class pqServer;
 class vtkHapticSession;
@@ -42,6 +43,7 @@ public:
 
   QAction* touchAction() const { return this->TouchAction; }
   QAction* releaseAction() const { return this->ReleaseAction; }
+  QAction* drawAction() const { return this->DrawAction; }
 
   bool touching() const;
 
@@ -80,8 +82,10 @@ private:
   pqHapticViewFollower* Follower;
   pqHapticFrames* Frames;
   pqHapticMouse* Mouse;
+  pqHapticPencil* Pencil;
   QAction* TouchAction;
   QAction* ReleaseAction;
+  QAction* DrawAction;
 };
 
 #endif

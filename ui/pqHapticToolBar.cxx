@@ -20,4 +20,5 @@ void pqHapticToolBar::build()
   auto* controller = pqHapticController::instance();
   this->addAction(controller->touchAction());
   this->addAction(controller->releaseAction());
+  this->addAction(controller->drawAction());
 }

@@ -91,7 +91,6 @@ void pqHapticViewFollower::connectView()
   }
   const auto follow = [this](auto signal)
   { this->Connections.push_back(this->connect(this->View.data(), signal, this, &pqHapticViewFollower::refresh)); };
-  follow(&pqView::updateDataEvent);
   follow(&pqView::endRender);
   follow(&pqView::representationAdded);
   follow(&pqView::representationRemoved);

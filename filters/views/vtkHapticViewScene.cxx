@@ -89,6 +89,7 @@ void vtkHapticViewScene::SetSession(vtkHapticSession* session)
   if (session != this->Impl->Session)
   {
     this->Impl->Session = session;
+    this->Impl->Drafts.ForgetAll();
     this->Impl->HandedOver = false;
     this->Modified();
   }
