@@ -160,7 +160,7 @@ void pqHapticController::fitWorkspace()
 {
   if (this->Proxy)
   {
-    return;
+    this->Proxy->InvokeCommand("FitWorkspace");
   }
 }
 
@@ -181,7 +181,7 @@ void pqHapticController::serverAdded(pqServer* server)
   vtkSMSessionProxyManager* manager = server ? server->proxyManager() : nullptr;
   if (!manager || !manager->GetProxyDefinitionManager()->HasDefinition(proxyGroup, proxyName))
   {
-    this->Proxy->InvokeCommand("FitWorkspace");
+    return;
   }
   if (vtkSMProxy* present = manager->GetProxy(proxyGroup, proxyName))
   {
@@ -236,6 +236,10 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
   {
     this->Proxy->RemoveObserver(this->ProxyObserver);
   }
+  if (this->session())
+  {
+    this->session()->StopSelfTest(); // nobody could follow it, or stop it, any more
+  }
   this->Frames->setActive(false);
   this->Mouse->setActive(false);
   this->Follower->setActive(false);
@@ -271,5 +275,4 @@ void pqHapticController::proxyChanged()
   this->Follower->setActive(on);
   this->Frames->setActive(on);
   this->Mouse->setActive(on);
-  Q_EMIT this->touchingChanged(on);
 }

@@ -62,7 +62,6 @@ public Q_SLOTS:
 Q_SIGNALS:
   /// Another session proxy, or none.
   void sessionChanged(vtkSMProxy* proxy);
-  void touchingChanged(bool on);
 
 private:
   explicit pqHapticController(QObject* parent);

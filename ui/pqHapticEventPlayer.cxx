@@ -6,6 +6,9 @@
 #include "pqHapticController.h"
 #include "pqHapticViewFollower.h"
 #include "vtkHapticSession.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSmartPointer.h"
 
 #include <QElapsedTimer>
 #include <QStringList>
@@ -61,6 +64,7 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticWaitUntilReleased", [&] { return this->waitUntilReleased(arguments.toInt()); } },
     { "hapticWaitFor", [&] { return this->waitFor(list); } },
     { "hapticCheck", [&] { return this->check(list); } },
+    { "hapticAnotherSession", [&] { return this->replaceSession(); } },
     { "hapticTabOrder", [&] { return this->checkTabOrder(object, list); } },
   };
   const auto found = commands.find(command);
@@ -208,6 +212,22 @@ bool pqHapticEventPlayer::checkTabOrder(QObject* object, const QStringList& name
     qCritical() << "hapticTabOrder" << names << ": Tab goes to" << reached;
   }
   return reached == names;
+}
+
+/// As a script does it. The one before must be left in peace.
+bool pqHapticEventPlayer::replaceSession()
+{
+  vtkSMProxy* before = this->Controller->sessionProxy();
+  const vtkSmartPointer<vtkHapticSession> left = this->Controller->session();
+  if (!left)
+  {
+    return false;
+  }
+  vtkSMSessionProxyManager* manager = before->GetSessionProxyManager();
+  const auto proxy = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy("haptics", "HapticSession"));
+  manager->RegisterProxy("haptics", "another", proxy);
+  const bool quiet = !left->GetTouching() && left->GetSelfTestState() != vtkHapticSession::CheckRuns;
+  return quiet && this->Controller->session() != left;
 }
 
 bool pqHapticEventPlayer::check(const QStringList& range)

@@ -17,10 +17,11 @@ class pqHapticController;
  *   hapticWait "ms"                  processes events for that long
  *   hapticWaitUntilReleased "ms"     processes events until nothing is touched any more, at most that long
  *   hapticStroke "x,y,z"             one more point of the path a simulated hand is led along, scene frame [u]
- *   hapticCheck "name,low,high"      fails unless it lies in [low, high]: force [N], depth [u], contacts, ticks,
- * missed, largestStiffness [N/m], limitStiffness, passivity, delay [ticks], velocityMethod hapticTabOrder
- * "name,name,..."   fails unless Tab goes through these fields of the object in this order hapticWaitFor
- * "name,low,high,ms" processes events until hapticCheck would pass, at most that long
+ *   hapticCheck "name,low,high"      fails unless it lies in [low, high]: force [N], depth [u], contacts, ticks, missed,
+ *                                    largestStiffness [N/m], limitStiffness, passivity, delay [ticks], velocityMethod
+ *   hapticWaitFor "name,low,high,ms" processes events until hapticCheck would pass, at most that long
+ *   hapticTabOrder "name,name,..."   fails unless Tab goes through these fields of the object in this order
+ *   hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
  *
  * Q_OBJECT is required: ParaView keys players by class name.
  */
@@ -47,6 +48,7 @@ private:
   bool waitFor(const QStringList& arguments);
   bool holds(const QStringList& range) const;
   bool check(const QStringList& range);
+  bool replaceSession();
   bool checkTabOrder(QObject* object, const QStringList& names) const;
 
   pqHapticController* Controller;

@@ -114,8 +114,5 @@ void pqHapticViewFollower::refresh()
     return;
   }
   this->Scene->SetDrawing(NewDrawing());
-  if (this->Scene->Update())
-  {
-    Q_EMIT this->sceneChanged();
-  }
+  this->Scene->Update();
 }

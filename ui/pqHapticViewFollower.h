@@ -48,7 +48,6 @@ public Q_SLOTS:
 
 Q_SIGNALS:
   void viewChanged(pqRenderView* view);
-  void sceneChanged();
   /// The view that was touched is being destroyed.
   void viewClosing();
 
