@@ -14,12 +14,6 @@
 namespace
 {
 constexpr int wholeProgress = 100;
-
-void Say(QLabel* label, const QString& text)
-{
-  label->setText(text);
-  label->setVisible(!text.isEmpty());
-}
 } // namespace
 
 pqHapticCheckGroup::pqHapticCheckGroup(QWidget* parent)
@@ -61,9 +55,9 @@ void pqHapticCheckGroup::refresh(vtkHapticSession* session)
   this->Adjust->setEnabled(state == vtkHapticSession::CheckPassed && *session->GetCalibrationFolder() != '\0');
   this->Progress->setVisible(runs);
   this->Progress->setValue(session ? static_cast<int>(wholeProgress * session->GetSelfTestProgress()) : 0);
-  Say(this->Ask, session ? QString::fromUtf8(session->GetSelfTestAsk()) : QString());
+  pqHapticSay(this->Ask, session ? QString::fromUtf8(session->GetSelfTestAsk()) : QString());
   const QString result = session ? QString::fromUtf8(session->GetSelfTestResult()) : QString();
-  Say(this->Result, this->Note.isEmpty() ? result : this->Note);
+  pqHapticSay(this->Result, this->Note.isEmpty() ? result : this->Note);
 }
 
 QList<QWidget*> pqHapticCheckGroup::fields() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticDeviceRows.h"
 
+#include "pqHapticLabel.h"
 #include "vtkHapticSession.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -33,29 +34,14 @@ int RowOf(int mask, bool grip)
   }
   return Other;
 }
-
-QLabel* Text(QFormLayout* form, const char* name, const QString& tip)
-{
-  auto* label = new QLabel(form->parentWidget());
-  label->setObjectName(name);
-  label->setToolTip(tip);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  form->addRow(label);
-  return label;
-}
-
-void Show(QLabel* label, const QString& text)
-{
-  label->setText(text);
-  label->setVisible(!text.isEmpty());
-}
 } // namespace
 
 pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->parentWidget())
 {
-  this->Notes = Text(form, "deviceNotes", tr("What the device is, and what it cannot do"));
-  this->DeadMan = new QComboBox(form->parentWidget());
+  QWidget* parent = form->parentWidget();
+  this->Notes = pqHapticLabel(parent, "deviceNotes", tr("What the device is, and what it cannot do"));
+  form->addRow(this->Notes);
+  this->DeadMan = new QComboBox(parent);
   this->DeadMan->setObjectName("deadMan");
   this->DeadMan->setToolTip(tr(
     "What the hand must hold to be pushed; let go, the force is zero within 50 ms and starts again from a small one"));
@@ -66,9 +52,10 @@ pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->par
   }
   this->DeadMan->addItems({ tr("any button"), tr("the grip"), tr("as set by a script") });
   form->addRow(tr("&Must be held"), this->DeadMan);
-  this->Link = Text(form, "link",
+  this->Link = pqHapticLabel(parent, "link",
     tr("How the link to the device goes: reports with the hand, effects renewed before "
        "they end, writes that hung, losses, reports that are none"));
+  form->addRow(this->Link);
   QObject::connect(
     this->DeadMan, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &pqHapticDeviceRows::choose);
 }
@@ -92,8 +79,8 @@ void pqHapticDeviceRows::refresh(vtkHapticSession* session)
     notes = QString("%1. %2").arg(text(session->GetDeviceKind()), text(session->GetDeviceNotes())).trimmed();
     notes[0] = notes[0].toUpper();
   }
-  Show(this->Notes, notes);
-  Show(this->Link, session ? text(session->GetLinkText()) : QString());
+  pqHapticSay(this->Notes, notes);
+  pqHapticSay(this->Link, session ? text(session->GetLinkText()) : QString());
   const QSignalBlocker blocker(this->DeadMan);
   this->DeadMan->setCurrentIndex(session ? RowOf(session->GetDeadManButtons(), session->GetDeadManGrip()) : 0);
 }

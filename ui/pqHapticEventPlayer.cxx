@@ -10,7 +10,11 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSmartPointer.h"
 
+#include <QAbstractButton>
 #include <QElapsedTimer>
+#include <QKeySequence>
+#include <QLabel>
+#include <QRegularExpression>
 #include <QStringList>
 #include <QWidget>
 #include <QtDebug>
@@ -65,6 +69,7 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticWaitFor", [&] { return this->waitFor(list); } },
     { "hapticCheck", [&] { return this->check(list); } },
     { "hapticAnotherSession", [&] { return this->replaceSession(); } },
+    { "hapticMnemonics", [&] { return this->checkMnemonics(object); } },
     { "hapticTabOrder", [&] { return this->checkTabOrder(object, list); } },
   };
   const auto found = commands.find(command);
@@ -228,6 +233,31 @@ bool pqHapticEventPlayer::replaceSession()
   manager->RegisterProxy("haptics", "another", proxy);
   const bool quiet = !left->GetTouching() && left->GetSelfTestState() != vtkHapticSession::CheckRuns;
   return quiet && this->Controller->session() != left;
+}
+
+bool pqHapticEventPlayer::checkMnemonics(QObject* object) const
+{
+  QStringList keys;
+  for (const QWidget* widget : object->findChildren<QWidget*>())
+  {
+    const auto* label = qobject_cast<const QLabel*>(widget);
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    const bool leads = label && label->buddy() && (label->buddy()->focusPolicy() & Qt::TabFocus);
+    if (leads || button)
+    {
+      const QString title = leads ? label->text() : button->text();
+      const QString key = QKeySequence::mnemonic(title).toString();
+      keys << (key.isEmpty() ? title : key);
+    }
+  }
+  const QStringList without = keys.filter(QRegularExpression("^(?!Alt\\+.$)"));
+  const int twice = keys.removeDuplicates();
+  if (twice > 0 || !without.isEmpty() || keys.isEmpty())
+  {
+    qCritical() << "hapticMnemonics:" << twice << "stand twice, and these have none:" << without;
+    return false;
+  }
+  return true;
 }
 
 bool pqHapticEventPlayer::check(const QStringList& range)

@@ -21,6 +21,7 @@ class pqHapticController;
  *                                    largestStiffness [N/m], limitStiffness, passivity, delay [ticks], velocityMethod
  *   hapticWaitFor "name,low,high,ms" processes events until hapticCheck would pass, at most that long
  *   hapticTabOrder "name,name,..."   fails unless Tab goes through these fields of the object in this order
+ *   hapticMnemonics ""               fails unless all that can be edited in the object has a mnemonic of its own
  *   hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
  *
  * Q_OBJECT is required: ParaView keys players by class name.
@@ -48,6 +49,7 @@ private:
   bool waitFor(const QStringList& arguments);
   bool holds(const QStringList& range) const;
   bool check(const QStringList& range);
+  bool checkMnemonics(QObject* object) const;
   bool replaceSession();
   bool checkTabOrder(QObject* object, const QStringList& names) const;
 

@@ -16,4 +16,11 @@ inline QLabel* pqHapticLabel(QWidget* parent, const char* name, const QString& t
   return label;
 }
 
+/// A label with nothing to say takes no room.
+inline void pqHapticSay(QLabel* label, const QString& text)
+{
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
+}
+
 #endif

@@ -2,43 +2,40 @@
 #include "pqHapticMaterialGroup.h"
 
 #include "pqHapticArrayChoice.h"
+#include "pqHapticNumber.h"
 #include "vtkSMProxy.h"
 
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QSpinBox>
 
 namespace
 {
-/// Else the widest number a field could hold makes the whole panel wide [pixels].
-constexpr int leastFieldWidth = 60;
 constexpr int largestComponent = 99;
 constexpr double anything = 1e100;
-/// What the core accepts.
-constexpr double largestFriction = 10.0;
+constexpr int dataDecimals = 6;
 
-QDoubleSpinBox* Number(QWidget* parent, const QString& name, double low, double high, const QString& tip)
+/// Two of them stand in a row.
+QDoubleSpinBox* Number(QWidget* parent, const QString& name, double low, double high, int decimals, const QString& tip)
 {
-  constexpr int decimals = 6;
-  auto* box = new QDoubleSpinBox(parent);
-  box->setObjectName(name);
-  box->setDecimals(decimals);
-  box->setRange(low, high);
-  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  box->setKeyboardTracking(false);
-  box->setMinimumWidth(leastFieldWidth);
+  constexpr int leastWidth = 60; // [pixels]
+  QDoubleSpinBox* box = pqHapticNumber(parent, name, low, high, decimals, tip);
+  box->setMinimumWidth(leastWidth);
   box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  box->setToolTip(tip);
   return box;
 }
 
-QHBoxLayout* Beside(QWidget* left, QWidget* right)
+/// A row of two fields; the mnemonic of its title leads to the first.
+void AddPair(QFormLayout* form, const QString& title, QWidget* left, QWidget* right)
 {
+  auto* label = new QLabel(title, form->parentWidget());
+  label->setBuddy(left);
   auto* row = new QHBoxLayout;
   row->addWidget(left, 1);
   row->addWidget(right, 1);
-  return row;
+  form->addRow(label, row);
 }
 } // namespace
 
@@ -50,9 +47,9 @@ pqHapticMaterialGroup::pqHapticMaterialGroup(QWidget* parent) : Superclass(tr("M
   this->add(
     form, { "Stiffness", "stiffness", tr("Stiffn&ess from"),
             tr("Stiffness that is felt at that value [N/m]; never more than the spring's"), tr("N/m"), 0.0, 1e6, 1 });
-  this->add(form,
-    { "Friction", "friction", tr("Friction fro&m"), tr("Friction that is felt at that value [1], at rest and sliding"),
-      QStringLiteral("1"), 0.0, largestFriction, 3 });
+  this->add(form, { "Friction", "friction", tr("Friction from (&-)"),
+                    tr("Friction that is felt at that value [1], at rest and sliding"), QStringLiteral("1"), 0.0,
+                    pqHapticLargestFriction, 3 });
   this->add(form,
     { "Texture", "texture", tr("Te&xture from"),
       tr("How far the felt surface stands out at that value [scene units]; its mean when the hand is too fast for it"),
@@ -91,16 +88,17 @@ void pqHapticMaterialGroup::addDetails(QWidget* parent, const Looks& looks, Tran
   const char* const ends[] = { "Low", "High" };
   for (int end = 0; end < 2; ++end)
   {
-    transfer.Data[end] = Number(parent, name + "Data" + ends[end], -anything, anything, dataTip);
-    transfer.Felt[end] = Number(parent, name + "Felt" + ends[end], looks.Least, looks.Most, looks.FeltTip);
-    transfer.Felt[end]->setDecimals(looks.Decimals);
+    transfer.Data[end] = Number(parent, name + "Data" + ends[end], -anything, anything, dataDecimals, dataTip);
+    transfer.Felt[end] =
+      Number(parent, name + "Felt" + ends[end], looks.Least, looks.Most, looks.Decimals, looks.FeltTip);
   }
   auto* form = new QFormLayout(parent);
   form->setContentsMargins(0, 0, 0, 0);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form->addRow(tr("Component"), transfer.Component);
-  form->addRow(tr("Data range"), Beside(transfer.Data[0], transfer.Data[1]));
-  form->addRow(tr("Feels like [%1]").arg(looks.Unit), Beside(transfer.Felt[0], transfer.Felt[1]));
+  const int before = 3 * static_cast<int>(this->Transfers.size()); // digits: the panel has used up the letters
+  form->addRow(tr("Component (&%1)").arg(before + 1), transfer.Component);
+  AddPair(form, tr("Data range (&%1)").arg(before + 2), transfer.Data[0], transfer.Data[1]);
+  AddPair(form, tr("Feels like [%1] (&%2)").arg(looks.Unit).arg(before + 3), transfer.Felt[0], transfer.Felt[1]);
 }
 
 void pqHapticMaterialGroup::setProxy(vtkSMProxy* proxy)

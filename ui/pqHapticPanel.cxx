@@ -3,10 +3,12 @@
 
 #include "pqHapticCheckGroup.h"
 #include "pqHapticController.h"
+#include "pqHapticDeviceChoice.h"
 #include "pqHapticDeviceRows.h"
 #include "pqHapticLabel.h"
 #include "pqHapticMaterialGroup.h"
 #include "pqHapticMouse.h"
+#include "pqHapticNumber.h"
 #include "pqHapticReadout.h"
 #include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
@@ -32,24 +34,8 @@ namespace
 {
 /// Read-outs change ten times a second: faster cannot be read.
 constexpr int refreshPeriod_ms = 100;
-/// Else the widest number a field could hold makes the whole panel wide [pixels].
-constexpr int leastFieldWidth = 90;
 /// What the core accepts.
 constexpr int longestDelay_ticks = 16;
-constexpr double largestFriction = 10.0;
-
-QDoubleSpinBox* Number(QWidget* parent, const char* name, double low, double high, int decimals, const QString& tip)
-{
-  auto* box = new QDoubleSpinBox(parent);
-  box->setObjectName(name);
-  box->setRange(low, high);
-  box->setDecimals(decimals);
-  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  box->setKeyboardTracking(false);
-  box->setMinimumWidth(leastFieldWidth);
-  box->setToolTip(tip);
-  return box;
-}
 
 QComboBox* Choice(QWidget* parent, const char* name, const QString& tip)
 {
@@ -92,7 +78,7 @@ QFormLayout* Group(QVBoxLayout* column, const char* name, const QString& title)
 class pqHapticPanel::Internals
 {
 public:
-  QComboBox* Device;
+  pqHapticDeviceChoice* Device;
   pqHapticDeviceRows* DeviceRows;
   QComboBox* Hand;
   QDoubleSpinBox* PressDepth;
@@ -155,12 +141,13 @@ void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "handGroup", tr("Hand"));
   QWidget* parent = form->parentWidget();
-  this->Device = Choice(parent, "device", tr("Who moves the hand: a device, a simulated hand or a program"));
+  this->Device = new pqHapticDeviceChoice(parent);
+  this->Device->setObjectName("device");
   form->addRow(tr("&Device"), this->Device);
   this->DeviceRows = new pqHapticDeviceRows(form);
   this->Hand = Choice(parent, "hand", tr("Who holds a simulated device"));
   form->addRow(tr("Held &by"), this->Hand);
-  this->PressDepth = Number(parent, "pressDepth", vtkHapticSession::LeastPressDepth,
+  this->PressDepth = pqHapticNumber(parent, "pressDepth", vtkHapticSession::LeastPressDepth,
     vtkHapticSession::LargestPressDepth, 5, tr("How deep the mouse in the view presses [m of the hand]"));
   this->PressDepth->setSuffix(tr(" m"));
   form->addRow(tr("Mouse &goes in by"), this->PressDepth);
@@ -185,12 +172,12 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "contactGroup", tr("Contact"));
   QWidget* parent = form->parentWidget();
-  this->Stiffness = Number(parent, "stiffness", 0.0, 100000.0, 1, tr("Spring between hand and proxy [N/m]"));
-  this->Radius = Number(parent, "radius", 0.0, 1e9, 6, tr("Ball that touches [scene units]; 0 is a point"));
-  this->Scale = Number(parent, "scale", 1e-9, 1e9, 6, tr("Scene units per metre of the hand's motion"));
+  this->Stiffness = pqHapticNumber(parent, "stiffness", 0.0, 100000.0, 1, tr("Spring between hand and proxy [N/m]"));
+  this->Radius = pqHapticNumber(parent, "radius", 0.0, 1e9, 6, tr("Ball that touches [scene units]; 0 is a point"));
+  this->Scale = pqHapticNumber(parent, "scale", 1e-9, 1e9, 6, tr("Scene units per metre of the hand's motion"));
   this->Stiffness->setSuffix(tr(" N/m"));
-  this->LineRadius =
-    Number(parent, "lineRadius", 0.0, 1e9, 6, tr("Tubes as which lines are touched [scene units]; 0: they are not"));
+  this->LineRadius = pqHapticNumber(
+    parent, "lineRadius", 0.0, 1e9, 6, tr("Tubes as which lines are touched [scene units]; 0: they are not"));
   this->Radius->setSuffix(tr(" u"));
   this->LineRadius->setSuffix(tr(" u"));
   this->Scale->setSuffix(tr(" u/m"));
@@ -212,9 +199,9 @@ void pqHapticPanel::Internals::addFriction(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "frictionGroup", tr("Friction"));
   QWidget* parent = form->parentWidget();
-  this->FrictionStatic = Number(parent, "frictionStatic", 0.0, largestFriction, 3,
+  this->FrictionStatic = pqHapticNumber(parent, "frictionStatic", 0.0, pqHapticLargestFriction, 3,
     tr("What holds the proxy at rest: force along the surface over force into it; 0 is none"));
-  this->FrictionKinetic = Number(parent, "frictionKinetic", 0.0, largestFriction, 3,
+  this->FrictionKinetic = pqHapticNumber(parent, "frictionKinetic", 0.0, pqHapticLargestFriction, 3,
     tr("What brakes the proxy while it slides; no more than the static one is used"));
   form->addRow(tr("St&atic [1]"), this->FrictionStatic);
   form->addRow(tr("&Kinetic [1]"), this->FrictionKinetic);
@@ -290,16 +277,17 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "sceneGroup", tr("Scene"));
   this->Simplify = Choice(form->parentWidget(), "simplify",
-    tr("Surfaces finer than a hand feels are replaced by simpler ones, proven to feel the same; auto: from 50,000 "
+    tr("Surfaces and lines finer than a hand feels are replaced by simpler ones, proven to feel the same; auto: from "
+       "50,000 "
        "triangles on"));
   form->addRow(tr("Simpler s&urfaces"), this->Simplify);
   this->LinesAsWalls = Choice(form->parentWidget(), "linesAsWalls",
     tr("Lines that lie in a plane are walls across it, felt in that plane; auto: on devices that move in a plane"));
-  form->addRow(tr("Lines as walls"), this->LinesAsWalls);
-  this->HoldWalls = Switch(form, "holdWalls", tr("Walls held by the device"),
+  form->addRow(tr("Lines as walls (&Q)"), this->LinesAsWalls);
+  this->HoldWalls = Switch(form, "holdWalls", tr("Walls held by the device (&Z)"),
     tr("A device that can holds the walls of a plane world by itself, in its own loop"));
   this->PlaneGuide =
-    Switch(form, "planeGuide", tr("Led to the plane"), tr("The hand is led to the plane of a plane world"));
+    Switch(form, "planeGuide", tr("Led to the plane (&0)"), tr("The hand is led to the plane of a plane world"));
   this->Plan = pqHapticLabel(form->parentWidget(), "plan", tr("What is felt of the scene, by what, and why"));
   form->addRow(this->Plan);
   this->Scene = new QPlainTextEdit(form->parentWidget());
@@ -401,6 +389,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   w.Links.clear();
   w.Material->setProxy(proxy);
   w.DeviceRows->setProxy(proxy);
+  w.Device->setSession(proxy ? vtkHapticSession::SafeDownCast(proxy->GetClientSideObject()) : nullptr);
   this->widget()->setEnabled(proxy != nullptr);
   if (!proxy)
   {
@@ -411,8 +400,6 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   Fill(w.Velocity, proxy->GetProperty("VelocityMethod"));
   Fill(w.Simplify, proxy->GetProperty("Simplify"));
   Fill(w.LinesAsWalls, proxy->GetProperty("LinesAsWalls"));
-  w.Device->clear();
-  w.Device->addItems(pqHapticReadout::deviceNames(*vtkHapticSession::SafeDownCast(proxy->GetClientSideObject())));
   const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
   { w.Links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
   link(w.Device, "currentText", SIGNAL(currentTextChanged(const QString&)), "DeviceName");
@@ -451,14 +438,11 @@ void pqHapticPanel::refresh()
   Internals& w = *this->Widgets;
   w.Release->setEnabled(controller->touching());
   w.State->setText(now.State);
-  w.Reason->setText(now.Reason);
-  w.Reason->setVisible(!now.Reason.isEmpty());
+  pqHapticSay(w.Reason, now.Reason);
   w.Force->setText(now.Force);
   w.Hand->setEnabled(session && session->GetDeviceTakesHand());
   w.PressDepth->setEnabled(session && session->GetFollowsMouse());
-  const QString help = controller->mouse()->help();
-  w.MouseHelp->setText(help);
-  w.MouseHelp->setVisible(!help.isEmpty());
+  pqHapticSay(w.MouseHelp, controller->mouse()->help());
   w.Stability->setText(now.Stability);
   w.Used->setText(now.Stiffness);
   w.Energy->setText(now.Energy);

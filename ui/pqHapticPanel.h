@@ -12,7 +12,8 @@ class vtkSMProxy;
  * The dock "Haptics": which device, what touching feels like, and what the servo says about itself.
  *
  * Every edit goes to the session's proxy and every change of the proxy comes back here; the panel holds no state.
- * Every widget has an object name, a unit beside its number and a mnemonic where it can be edited.
+ * Every widget has an object name, a unit beside its number and, where it can be edited, a mnemonic of its own; of two
+ * fields in a row the first has it.
  */
 class pqHapticPanel : public QDockWidget
 {

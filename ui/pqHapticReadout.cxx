@@ -75,13 +75,3 @@ pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
   now.Scene = QString::fromUtf8(session.GetSceneReport());
   return now;
 }
-
-QStringList pqHapticReadout::deviceNames(vtkHapticSession& session)
-{
-  QStringList names;
-  for (int i = 0; i < session.GetNumberOfKnownDevices(); ++i)
-  {
-    names << QString::fromUtf8(session.GetKnownDeviceName(i));
-  }
-  return names;
-}

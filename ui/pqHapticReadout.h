@@ -3,7 +3,6 @@
 #define pqHapticReadout_h
 
 #include <QString>
-#include <QStringList>
 
 class vtkHapticSession;
 
@@ -29,7 +28,6 @@ struct pqHapticReadout
   QString Scene;
 
   static pqHapticReadout of(vtkHapticSession& session);
-  static QStringList deviceNames(vtkHapticSession& session);
 };
 
 #endif

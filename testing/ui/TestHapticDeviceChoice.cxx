@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The list of devices of the panel, without a window.
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "pqHapticDeviceChoice.h"
+#include "testing/devices/hid/FakeHidBus.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+
+using namespace palpate;
+
+namespace
+{
+constexpr const char* pluggedName = "pid-1209-ffb0-7";
+
+class HapticDeviceChoice : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    this->application_ = std::make_unique<QApplication>(this->count_, this->arguments_);
+    this->choice_ = std::make_unique<pqHapticDeviceChoice>();
+    this->session_->SetHidBus(this->bus_);
+    this->choice_->setSession(this->session_);
+  }
+
+  void open()
+  {
+    this->choice_->showPopup();
+    this->choice_->hidePopup();
+  }
+
+  QString tip(const char* device) const
+  {
+    return this->choice_->itemData(this->choice_->findText(device), Qt::ToolTipRole).toString();
+  }
+
+  int count_ = 1;
+  char name_[5] = "test";
+  char* arguments_[2] = { this->name_, nullptr };
+  std::unique_ptr<QApplication> application_;
+  std::unique_ptr<pqHapticDeviceChoice> choice_;
+  std::shared_ptr<test::FakeHidBus> bus_ = std::make_shared<test::FakeHidBus>();
+  vtkNew<vtkHapticSession> session_;
+};
+
+TEST_F(HapticDeviceChoice, ADeviceThatIsPluggedInLaterIsThereWhenTheListIsOpenedAndItsTipSaysWhatIsWrong)
+{
+  EXPECT_GE(this->choice_->findText("simulated-joystick"), 0);
+  test::FakePort& port = this->bus_->plug(test::plainLayout(), "7");
+  port.openProblem = "no permission";
+  EXPECT_EQ(this->choice_->findText(pluggedName), -1);
+  this->open();
+  EXPECT_GE(this->choice_->findText(pluggedName), 0);
+  EXPECT_EQ(this->tip(pluggedName), "no permission");
+  port.openProblem.clear();
+  this->open();
+  EXPECT_EQ(this->tip(pluggedName), "");
+}
+
+TEST_F(HapticDeviceChoice, AChosenDeviceStaysChosenWhenItIsUnpluggedAndNobodyHearsOfTheList)
+{
+  test::FakePort& port = this->bus_->plug(test::plainLayout(), "7");
+  this->open();
+  this->session_->SetDeviceName(pluggedName);
+  this->choice_->setSession(this->session_);
+  int heard = 0;
+  QObject::connect(this->choice_.get(), &QComboBox::currentTextChanged, [&] { ++heard; });
+  for (const bool present : { false, true })
+  {
+    port.present = present;
+    this->open();
+    EXPECT_EQ(this->choice_->currentText(), pluggedName);
+    EXPECT_EQ(this->tip(pluggedName), present ? "" : "it is not plugged in");
+  }
+  EXPECT_EQ(heard, 0);
+}
+
+} // namespace

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticDeviceChoice.h"
+
+#include "vtkHapticSession.h"
+
+#include <QSignalBlocker>
+
+pqHapticDeviceChoice::pqHapticDeviceChoice(QWidget* parent) : Superclass(parent)
+{
+  this->setToolTip(tr("Who moves the hand: a device, a simulated hand or a program"));
+}
+
+pqHapticDeviceChoice::~pqHapticDeviceChoice() = default;
+
+void pqHapticDeviceChoice::setSession(vtkHapticSession* session)
+{
+  this->Session = session;
+  this->list();
+}
+
+void pqHapticDeviceChoice::showPopup()
+{
+  if (this->Session)
+  {
+    this->Session->LookForDevices();
+    this->list();
+  }
+  this->Superclass::showPopup();
+}
+
+/// Nobody hears of it: what is chosen stays chosen, there or not.
+void pqHapticDeviceChoice::list()
+{
+  const QSignalBlocker blocker(this);
+  this->clear();
+  if (!this->Session)
+  {
+    return;
+  }
+  for (int i = 0; i < this->Session->GetNumberOfKnownDevices(); ++i)
+  {
+    this->addItem(QString::fromUtf8(this->Session->GetKnownDeviceName(i)));
+    this->setItemData(i, QString::fromUtf8(this->Session->GetKnownDeviceProblem(i)), Qt::ToolTipRole);
+  }
+  const QString chosen = QString::fromUtf8(this->Session->GetDeviceName());
+  if (this->findText(chosen) < 0)
+  {
+    this->addItem(chosen);
+    this->setItemData(this->count() - 1, tr("it is not plugged in"), Qt::ToolTipRole);
+  }
+  this->setCurrentText(chosen);
+}
