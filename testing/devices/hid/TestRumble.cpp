@@ -84,7 +84,7 @@ TEST(Rumble, AForceThatFlickersAboutTheLimitIsOneContact)
   EXPECT_EQ(strong, 40);
 }
 
-TEST(Rumble, SignalsOfTheCommandAreAPulseAndAShakeOnce)
+TEST(Rumble, ASignalOfTheCommandIsAShakeOnce)
 {
   Rumble rumble(defaults);
   DeviceCommand command;
@@ -98,9 +98,9 @@ TEST(Rumble, SignalsOfTheCommandAreAPulseAndAShakeOnce)
     }
     return count;
   };
-  EXPECT_EQ(shaken(Signal::Pulse, 0), 40);
-  EXPECT_EQ(shaken(Signal::Oscillation, 1000), 200);
-  EXPECT_EQ(shaken(Signal::None, 2000), 0);
+  EXPECT_EQ(shaken(Signal::Oscillation, 0), 200);
+  EXPECT_EQ(shaken(Signal::None, 1000), 0);
+  EXPECT_EQ(shaken(Signal::Oscillation, 2000), 200);
 }
 
 /// The strongest vibration of a pad within so many milliseconds, while its stick is led along x [shares a second].
@@ -135,9 +135,12 @@ TEST(Rumble, APadFeelsContactAsAPulseAndSlidingAsVibrationThatIsArmedAgainAndAga
   // Half travels of 50 mm a second, full at 0.1 m/s: half. Sampled at tenths of a period, whose largest sine is that of
   // 72 degrees.
   const double share = 0.5 * 2.0 / rig.scale().maxForce_N * std::sin(0.4 * std::numbers::pi);
-  EXPECT_NEAR(strongest(rig, 100, 1.0), share, 0.15 * share); // it is measured in steps of the device
+  // The speed is that of 16 ms or more, of which a report of 1 ms more or less may have come; what differs by less than
+  // 1 % of the largest force from what plays is not sent.
+  const double off = share / 16.0 + 0.01;
+  EXPECT_NEAR(strongest(rig, 100, 1.0), share, off);
   const std::uint64_t restarts = rig.device.linkReport().restarts;
-  EXPECT_NEAR(strongest(rig, 400, 1.0), share, 0.15 * share); // longer than the effect lasts by itself
+  EXPECT_NEAR(strongest(rig, 400, 1.0), share, off); // longer than the effect lasts by itself
   EXPECT_NEAR(static_cast<double>(rig.device.linkReport().restarts - restarts), 4.0, 1.0); // every 100 ms
   EXPECT_EQ(rig.stick().badReports, 0);
   EXPECT_EQ(rig.stick().constantForces, 0);
