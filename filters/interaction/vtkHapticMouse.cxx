@@ -26,8 +26,6 @@ using palpate::Vec3;
 constexpr double hover_m = 0.005;
 /// Of the scene's diagonal: presses and hovers no further, whatever the scale.
 constexpr double largestShare = 0.05;
-constexpr double leastDepth_m = 5e-5;
-constexpr double mostDepth_m = 0.05;
 
 /// From the near to the far plane of a camera.
 struct Ray
@@ -344,7 +342,8 @@ void vtkHapticMouse::Deepen(double factor)
   vtkHapticSession* session = this->Impl->Session;
   if (session && factor > 0.0)
   {
-    session->SetPressDepth(std::clamp(session->GetPressDepth() * factor, leastDepth_m, mostDepth_m));
+    session->SetPressDepth(std::clamp(
+      session->GetPressDepth() * factor, vtkHapticSession::LeastPressDepth, vtkHapticSession::LargestPressDepth));
     this->InvokeEvent(vtkCommand::InteractionEvent);
   }
 }

@@ -153,7 +153,6 @@ public:
   double FeltStiffness() const;
   /// How stiff the running device can be, else the chosen one: milliseconds, for changes of what it depends on only.
   void JudgeStability();
-  const palpate::DeviceInfo& ChosenInfo() const { return this->Chosen.info; }
 };
 
 #endif

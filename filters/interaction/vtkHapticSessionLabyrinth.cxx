@@ -41,7 +41,7 @@ bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
   this->Impl->Problem = palpate::refuse(labyrinth); // that a structure is none is no fault: it is explored
   const bool played = this->Impl->Problem.empty();
   this->SetLinesAsWalls(On);
-  const double workspace_m = this->Impl->ChosenInfo().workspaceRadius_m.value;
+  const double workspace_m = this->Impl->InfoNow().workspaceRadius_m.value;
   this->Change(
     [&](palpate::HapticParameters& p)
     {
@@ -104,7 +104,7 @@ const char* vtkHapticSession::GetLabyrinthText() const
 
 bool vtkHapticSession::GetDeviceGivesForce() const
 {
-  return this->Impl->ChosenInfo().rendersForce;
+  return this->Impl->InfoNow().rendersForce;
 }
 
 double vtkHapticSession::GetFeelableWidth() const

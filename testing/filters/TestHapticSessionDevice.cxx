@@ -85,6 +85,9 @@ TEST(HapticSessionDevice, ADeviceThatIsChosenMeanwhileChangesNothingOfTheOneThat
   feelWall(chosenAnew);
   chosenAnew->SetDeviceName("simulated-premium");
   EXPECT_TRUE(chosenAnew->GetRaisesLines());
+  chosenAnew->SetDeviceName("mouse");
+  EXPECT_TRUE(chosenAnew->GetDeviceGivesForce());
+  chosenAnew->SetDeviceName("simulated-premium");
   EXPECT_THAT(chosenAnew->GetPlanSentence(), StrEq(asBefore->GetPlanSentence()));
   chosenAnew->FitWorkspace();
   asBefore->FitWorkspace();

@@ -2,7 +2,6 @@
 #include "vtkHapticCliPlane.h"
 
 #include <sstream>
-#include <thread>
 
 #include "haptics/geometry/CurveSet.h"
 #include "vtkHapticCliProblem.h"
