@@ -52,7 +52,9 @@ std::string shortcomings(const DeviceInfo& device)
   const bool real = device.rendersForce && !device.simulated;
   const bool pushes = device.deviceClass != DeviceClass::Vibration0D;
   add(text, real && pushes && !abilities.holdsWalls, "It holds no walls by itself: the program closes them, softer.");
-  add(text, real && pushes && !abilities.viscous, "It has no viscosity.");
+  add(text, real && pushes && abilities.holdsWalls && !abilities.viscous,
+    "It holds walls without viscosity, in which corridors shake: the program closes them, softer.");
+  add(text, real && pushes && !abilities.holdsWalls && !abilities.viscous, "It has no viscosity.");
   add(text, real && pushes && !abilities.signals, "It cannot shake.");
   return text;
 }

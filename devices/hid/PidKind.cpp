@@ -73,8 +73,9 @@ PidKind pidKind(const ReportDescriptor& descriptor)
   kind.deviceClass = classOf(kind.pushedAxes);
   kind.shaking = shaking(descriptor, force && kind.pushedAxes == 0);
   const bool springs = kind.pushedAxes > 0 && creates(descriptor, pid::spring);
-  kind.conditions = springs ? conditionAbilities(descriptor) : ConditionAbilities{};
-  kind.damper = kind.pushedAxes > 0 && creates(descriptor, pid::damper);
+  const ConditionAbilities conditions = conditionAbilities(descriptor);
+  kind.conditions = springs ? conditions : ConditionAbilities{};
+  kind.damper = kind.pushedAxes > 0 && creates(descriptor, pid::damper) && conditions.saturation;
   if (kind.sensedAxes == 0)
   {
     kind.problem = "it has no axis that tells where the hand is";

@@ -20,7 +20,7 @@ struct PidKind
   std::size_t pushedAxes = 2;      ///< 0: it only shakes
   std::optional<HidUsage> shaking; ///< the kind of effect that shakes best; none: it cannot
   ConditionAbilities conditions;
-  bool damper = false;
+  bool damper = false; ///< one whose force it can limit
   std::string problem; ///< empty, or why it cannot be driven
 };
 [[nodiscard]] PidKind pidKind(const ReportDescriptor& descriptor);

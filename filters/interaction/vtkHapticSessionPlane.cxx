@@ -65,7 +65,8 @@ std::string vtkHapticSession::Internals::PlaneSentence() const
   std::ostringstream text;
   text.precision(3);
   text << ", in one plane: ";
-  const bool can = this->InfoNow().abilities.holdsWalls;
+  const palpate::DeviceAbilities abilities = this->InfoNow().abilities;
+  const bool can = abilities.closesWalls();
   if (this->Parameters.walls.hold && can)
   {
     text << "at most four walls are held by the device itself, moved on at " << this->WallRate
@@ -74,9 +75,10 @@ std::string vtkHapticSession::Internals::PlaneSentence() const
   else
   {
     text << "walls are closed by the program";
-    text << (!can               ? ", for the device holds none"
-             : !this->HoldWalls ? ", as was asked for"
-                                : ", for the plane does not lie across the device");
+    text << (!abilities.holdsWalls ? ", for the device holds none"
+             : !can                ? ", for the device has no viscosity, without which corridors shake"
+             : !this->HoldWalls    ? ", as was asked for"
+                                   : ", for the plane does not lie across the device");
   }
   text << (this->Parameters.guide.on && this->Parameters.guide.largest_N > 0.0 ? "; the hand is led to the plane" : "");
   return text.str();

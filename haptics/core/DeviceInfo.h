@@ -45,8 +45,10 @@ struct DeviceAbilities
   std::uint8_t sensedAxes = 3; ///< 1: x; 2: x and y; 3: a point; 6: a point and how it is turned
   bool holdsWalls = false;     ///< by itself, at its own rate
   bool viscous = false;        ///< brakes the hand by itself
-  bool signals = false;        ///< a pulse, a shake
+  bool signals = false;        ///< a shake
 
+  /// Walls are left to a device that brakes the hand, too: without viscosity its corridors shake.
+  [[nodiscard]] bool closesWalls() const noexcept { return this->holdsWalls && this->viscous; }
   friend bool operator==(const DeviceAbilities&, const DeviceAbilities&) = default;
 };
 

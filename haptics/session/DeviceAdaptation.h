@@ -17,8 +17,8 @@ namespace palpate
 }
 
 /// What a person set, completed by what the device says about itself: the encoder step the velocity is estimated
-/// with, the largest stiffness, no passivity control where no force reaches a hand, and walls left to it only if it can
-/// hold them. `viscosity_Ns_per_m`: what its corridors need (Viscosity.h).
+/// with, the largest stiffness, no passivity control where no force reaches a hand, and walls left to it only if it
+/// closes them. `viscosity_Ns_per_m`: what its corridors need (Viscosity.h).
 [[nodiscard]] inline HapticParameters adaptToDevice(HapticParameters parameters, const DeviceInfo& device,
   const StabilityLimits& limits, double viscosity_Ns_per_m = 0.0) noexcept
 {
@@ -28,7 +28,7 @@ namespace palpate
     parameters.velocity.resolution_m = device.resolution_m.value;
   }
   parameters.stiffnessLimit_N_per_m = parameters.limitStiffness ? limits.largest_N_per_m : StabilityLimits::unlimited;
-  parameters.walls.hold = parameters.walls.hold && device.abilities.holdsWalls;
+  parameters.walls.hold = parameters.walls.hold && device.abilities.closesWalls();
   if (parameters.walls.step_m == 0.0)
   {
     parameters.walls.step_m = device.resolution_m.value;

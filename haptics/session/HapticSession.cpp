@@ -45,7 +45,7 @@ struct HapticSession::Run
       this->limits = stabilityLimits(this->device->info(), loop);
     }
     const double stiffness_N_per_m = std::min(parameters.stiffness_N_per_m, this->limits.largest_N_per_m);
-    if (parameters.walls.hold && this->device->info().abilities.holdsWalls &&
+    if (parameters.walls.hold && this->device->info().abilities.closesWalls() &&
         stiffness_N_per_m != this->viscousAt_N_per_m_)
     {
       this->viscousAt_N_per_m_ = stiffness_N_per_m;

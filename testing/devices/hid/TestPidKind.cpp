@@ -44,8 +44,8 @@ TEST(PidKind, WhatItCanDoIsWhatItsConditionsCanExpressAndWhatItsPoolPromises)
 {
   EXPECT_EQ(promised(kindOfLayout(test::plainLayout())), (DeviceAbilities{ 2, true, true, true }));
   EXPECT_EQ(promised(kindOfLayout(test::oneSidedLayout())), (DeviceAbilities{ 2, true, true, true }));
-  // A single coefficient without saturation: nobody would limit its force.
-  EXPECT_EQ(promised(kindOfLayout(test::adapterLayout())), (DeviceAbilities{ 2, false, true, true }));
+  // A single coefficient without saturation: nobody would limit the force of a spring or of a damper.
+  EXPECT_EQ(promised(kindOfLayout(test::adapterLayout())), (DeviceAbilities{ 2, false, false, true }));
   test::PidLayout bare = test::plainLayout();
   bare.effects = { 0x26 };
   EXPECT_EQ(promised(kindOfLayout(bare)), (DeviceAbilities{ 2, false, false, false }));
@@ -92,6 +92,11 @@ TEST(PidKind, WhatEachKindCannotDoIsSaid)
   test::PidLayout bare = test::plainLayout();
   bare.effects = { 0x26 };
   EXPECT_NE(notes(bare).find("It has no viscosity. It cannot shake."), std::string::npos);
+  test::PidLayout shaky = test::plainLayout();
+  std::erase(shaky.effects, 0x41);
+  EXPECT_NE(notes(shaky).find("It holds walls without viscosity, in which corridors shake: the program closes them"),
+    std::string::npos);
+  EXPECT_EQ(notes(shaky).find("It has no viscosity"), std::string::npos);
   DeviceInfo ideal;
   ideal.simulated = true;
   EXPECT_EQ(shortcomings(ideal), "");

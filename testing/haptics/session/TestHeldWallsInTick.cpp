@@ -13,6 +13,7 @@
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/force/Viscosity.h"
 #include "haptics/geometry/CurveSet.h"
+#include "haptics/session/DeviceAdaptation.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/Recording.h"
 #include "testing/support/AllocationGuard.h"
@@ -301,6 +302,21 @@ TEST(HeldWallsInTick, TheViscosityFoundForADeviceStopsACorridorThatShakesWithout
 
   const Corridor bare{ 0.002, 2000.0, 5.0, 0.05, 0.05, 1e-3, 0.1 };
   EXPECT_GT(throwIn(bare, 0.0, 3.0).speed_m_per_s, 0.1);
+}
+
+// Without a damper the viscosity that corridors need would be dropped without a word.
+TEST(HeldWallsInTick, WallsAreLeftOnlyToADeviceThatHoldsThemAndBrakesTheHand)
+{
+  for (const bool holds : { false, true })
+  {
+    for (const bool viscous : { false, true })
+    {
+      DeviceInfo info = infoOf(test::plainJoystick(0.5));
+      info.abilities.holdsWalls = holds;
+      info.abilities.viscous = viscous;
+      EXPECT_EQ(adaptToDevice(holding(), info, {}).walls.hold, holds && viscous);
+    }
+  }
 }
 
 TEST(HeldWallsInTick, ARecordingHoldsTheWallsAndReplaysBitForBit)
