@@ -91,7 +91,6 @@ void CalibratedDevice::write(const DeviceCommand& command) noexcept
 {
   DeviceCommand raw = command;
   raw.wrench_D.force = this->motors_ * command.wrench_D.force;
-  raw.target_D.p = this->sensors_.transpose() * (command.target_D.p + this->middle_D_);
   // The device measures its own walls along its own axes.
   for (std::size_t i = 0; i < std::min<std::size_t>(raw.wallCount, raw.walls.size()); ++i)
   {

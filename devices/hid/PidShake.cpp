@@ -9,17 +9,17 @@ namespace
 {
 
 constexpr std::int64_t perMs_ns = 1000000;
-constexpr double pulse_ms = 40.0, shake_ms = 20.0;
+constexpr double shake_ms = 20.0;
 constexpr double signalShare = 0.3;
 constexpr double felt = 0.01; ///< a smaller change of strength is not sent
 
 } // namespace
 
-EffectSettings PidShake::settings(int duration_ms) const noexcept
+EffectSettings PidShake::settings() const noexcept
 {
   EffectSettings settings;
   settings.type = this->type_;
-  settings.duration_ms = duration_ms;
+  settings.duration_ms = this->timing_.duration_ms;
   settings.direction_deg = alongX_deg;
   return settings;
 }
@@ -32,7 +32,7 @@ std::string PidShake::begin(HidUsage type)
   {
     return made.problem;
   }
-  if (!this->engine_.setEffect(made.block, this->settings(this->timing_.duration_ms)))
+  if (!this->engine_.setEffect(made.block, this->settings()))
   {
     return "it does not take the settings of an effect";
   }
@@ -43,7 +43,7 @@ std::string PidShake::begin(HidUsage type)
 void PidShake::forget() noexcept
 {
   this->started_ns_ = never;
-  this->playing_ = Signal::None;
+  this->plays_ = false;
 }
 
 bool PidShake::setStrength(const Vibration& vibration) noexcept
@@ -57,24 +57,22 @@ PidStep PidShake::play(Signal signal) noexcept
 {
   if (signal != this->lastSignal_ && signal != Signal::None && this->exists())
   {
-    this->playing_ = signal;
+    this->plays_ = true;
     this->part_ = 0;
   }
   this->lastSignal_ = signal;
-  if (this->playing_ == Signal::None)
+  if (!this->plays_)
   {
     return PidStep::Idle;
   }
-  const bool pulse = this->playing_ == Signal::Pulse;
   switch (this->part_++)
   {
     case 0:
-      return sentOrFailed(this->engine_.setEffect(
-        this->block_, this->settings(pulse ? static_cast<int>(pulse_ms) : this->timing_.duration_ms)));
+      return sentOrFailed(this->engine_.setEffect(this->block_, this->settings()));
     case 1:
-      return sentOrFailed(this->setStrength({ signalShare, pulse ? pulse_ms : shake_ms }));
+      return sentOrFailed(this->setStrength({ signalShare, shake_ms }));
     default:
-      this->playing_ = Signal::None;
+      this->plays_ = false;
       return sentOrFailed(this->engine_.start(this->block_));
   }
 }

@@ -38,7 +38,7 @@ public:
   void forget() noexcept;
 
 private:
-  [[nodiscard]] EffectSettings settings(int duration_ms) const noexcept;
+  [[nodiscard]] EffectSettings settings() const noexcept;
   [[nodiscard]] bool setStrength(const Vibration& vibration) noexcept;
 
   PidEngine& engine_;
@@ -46,8 +46,8 @@ private:
   HidUsage type_ = pid::sine;
   int block_ = 0;
   Signal lastSignal_ = Signal::None;
-  Signal playing_ = Signal::None; ///< what is being sent
-  int part_ = 0;                  ///< of that
+  bool plays_ = false; ///< a signal is being sent
+  int part_ = 0;       ///< of that
   Vibration sent_;
   std::uint64_t restarts_ = 0;
   static constexpr std::int64_t never = -1;

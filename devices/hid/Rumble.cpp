@@ -58,7 +58,6 @@ void Rumble::watchSignal(std::int64_t now_ns, Signal signal) noexcept
 {
   if (signal != this->lastSignal_)
   {
-    this->pulseUntil_ns_ = signal == Signal::Pulse ? now_ns + pulse_ns : this->pulseUntil_ns_;
     this->shakeUntil_ns_ = signal == Signal::Oscillation ? now_ns + shake_ns : this->shakeUntil_ns_;
   }
   this->lastSignal_ = signal;

@@ -24,8 +24,8 @@ struct RumbleOptions
 
 /// Contact and sliding for a device that can only shake: a pulse where contact begins, then a vibration that grows with
 /// the force and with how fast the hand slides across it, so that texture is felt in it; a hand that only rests on a
-/// surface feels nothing, for a vibration that never ends says nothing. Signals of the command are pulses and shakes
-/// too. Deterministic.
+/// surface feels nothing, for a vibration that never ends says nothing. A signal of the command is a shake, too.
+/// Deterministic.
 class Rumble
 {
 public:

@@ -19,19 +19,17 @@ struct HeldWall
   double largest_N = std::numeric_limits<double>::infinity(); ///< no harder, however deep the handle is
 };
 
-/// A short effect the hand feels once.
+/// A short effect the hand feels once, when it is asked for after it was not.
 enum class Signal : std::uint8_t
 {
   None,
-  Pulse,
   Oscillation,
 };
 
-/// What the servo asks of a device for one tick. Wide from the start, like DeviceSample.
+/// What the servo asks of a device for one tick.
 struct DeviceCommand
 {
   Wrench wrench_D;                 ///< force on the hand [N], torque [N m]
-  Pose target_D;                   ///< for admittance devices [m]
   std::array<HeldWall, 4> walls{}; ///< the first wallCount are valid
   std::uint8_t wallCount = 0;
   double viscosity_Ns_per_m = 0.0;
