@@ -15,6 +15,16 @@ namespace palpate
 namespace
 {
 
+std::string refuseRadius(double radius_u, const TriangleMesh& lines)
+{
+  double largest_u = 0.0;
+  for (const Vec3& v_W : lines.vertices_W)
+  {
+    largest_u = std::max(largest_u, v_W.cwiseAbs().maxCoeff());
+  }
+  return refuseLineRadius(radius_u, largest_u);
+}
+
 /// From wherever the surface of that name is felt to where the input has it, if they are the same triangles in W.
 std::optional<VertexWay> wayFrom(const Scene& felt, const SurfaceInput& input, const SurfaceTree& tree)
 {
@@ -172,14 +182,9 @@ CleanResult SceneBuilder::cleanInput(const SurfaceInput& input)
     return input.mesh ? cleanMesh(*input.mesh) : CleanResult{ {}, {}, "it has no mesh", {} };
   }
   CleanResult clean = cleanSegments(*input.mesh);
-  double largest_u = 0.0;
-  for (const Vec3& v_W : clean.mesh.vertices_W)
-  {
-    largest_u = std::max(largest_u, v_W.cwiseAbs().maxCoeff());
-  }
   if (clean.ok())
   {
-    clean.refusal = refuseLineRadius(*input.lineRadius_u, largest_u);
+    clean.refusal = refuseRadius(*input.lineRadius_u, clean.mesh);
   }
   return clean;
 }
@@ -191,6 +196,10 @@ SceneBuilder::Kept SceneBuilder::buildInOrder(const SurfaceInput& input)
   built.lineRadius_u = input.lineRadius_u;
   built.report.name = input.name;
   built.report.refusal = refuseUnclean(*input.mesh, input.lineRadius_u.has_value());
+  if (built.report.refusal.empty() && input.lineRadius_u)
+  {
+    built.report.refusal = refuseRadius(*input.lineRadius_u, *input.mesh);
+  }
   built.sourceVertex.resize(input.mesh->vertices_W.size());
   std::iota(built.sourceVertex.begin(), built.sourceVertex.end(), 0u);
   if (built.report.refusal.empty())

@@ -40,6 +40,14 @@ bool usable(const FrictionPlan& friction)
   return nonNegative(friction.kinetic) && friction.kinetic <= friction.statical && friction.statical <= largest;
 }
 
+/// The tick must end.
+bool bounded(const ContactPlan& contact)
+{
+  constexpr std::uint32_t mostPasses = 1024, mostNodes = 10000000;
+  return contact.passCap >= 1 && contact.passCap <= mostPasses && contact.nodeBudget >= 1 &&
+         contact.nodeBudget <= mostNodes;
+}
+
 bool usable(const HeldWallPlan& walls)
 {
   return nonNegative(walls.every_s) && nonNegative(walls.step_m) && nonNegative(walls.viscosity_Ns_per_m);
@@ -71,6 +79,7 @@ std::string HapticParameters::validate() const
     { usable(this->velocity), "velocity: resolution [m] and time constant [s] must not be negative, the window 1 to " +
                                 std::to_string(VelocityHistory::capacity - 1) + " ticks" },
     { nonNegative(this->contact.radius_u), "radius [scene units] must be a number that is not negative" },
+    { bounded(this->contact), "the work of a tick must be 1 to 1024 passes and 1 to 10000000 tree nodes" },
     { usable(this->contact.friction),
       "friction: the kinetic coefficient must be a number from 0 to the static one, which is at most 10" },
     { nonNegative(this->map.scale_u_per_m) && this->map.scale_u_per_m > 0.0,

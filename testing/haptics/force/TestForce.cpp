@@ -79,6 +79,20 @@ TEST(HapticParameters, RefuseEachValueThatCannotBeByName)
   }
 }
 
+// They come from recordings, too.
+TEST(HapticParameters, RefuseATickWithoutEndOrWithoutWork)
+{
+  for (std::uint32_t ContactPlan::*bound : { &ContactPlan::passCap, &ContactPlan::nodeBudget })
+  {
+    for (const std::uint32_t bad : { 0U, 1U << 30, std::numeric_limits<std::uint32_t>::max() })
+    {
+      HapticParameters parameters;
+      parameters.contact.*bound = bad;
+      EXPECT_NE(parameters.validate().find("work of a tick"), std::string::npos) << bad;
+    }
+  }
+}
+
 TEST(HapticParameters, RefuseSafetyLimitsThatWouldLimitNothing)
 {
   for (double SafetyLimits::*limit :

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/geometry/PolyLines.h"
 #include "haptics/geometry/SceneBuilder.h"
 #include "haptics/geometry/SceneMotion.h"
 #include "testing/support/Meshes.h"
@@ -264,6 +265,23 @@ TEST(MovingInputs, TheMeshOfATreeInItsOrderIsThatTreeAgain)
   broken.triangles[3][2] = 1000000;
   ordered.mesh = std::make_shared<TriangleMesh>(broken);
   EXPECT_EQ(SceneBuilder().build({ ordered }).reports[0].refusal, "triangle 3 is not one that cleaning leaves");
+}
+
+TEST(MovingInputs, LinesInTheirOrderWithARadiusThatCannotBeAreRefusedAsAnyOthers)
+{
+  SurfaceInput lines = input(segmentsOf({ { Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY() }, { { 0, 1, 2 } } }));
+  lines.lineRadius_u = 0.1;
+  lines = input(SceneBuilder().build({ lines }).scene->surfaces()[0].tree->mesh());
+  for (const double radius_u : { std::numeric_limits<double>::quiet_NaN(), -0.1, 0.0, 1e-12, 0.1 })
+  {
+    lines.lineRadius_u = radius_u;
+    lines.ordered = false;
+    const SceneBuildResult cleaned = SceneBuilder().build({ lines });
+    lines.ordered = true;
+    const SceneBuildResult ordered = SceneBuilder().build({ lines });
+    EXPECT_EQ(ordered.reports[0].refusal, cleaned.reports[0].refusal);
+    EXPECT_EQ(ordered.scene != nullptr, radius_u == 0.1) << radius_u;
+  }
 }
 
 } // namespace
