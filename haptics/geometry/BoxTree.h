@@ -24,6 +24,12 @@ struct Box
 {
   Vec3 low_W = Vec3::Zero();
   Vec3 high_W = Vec3::Zero();
+
+  void include(const Vec3& p_W) noexcept
+  {
+    this->low_W = this->low_W.cwiseMin(p_W);
+    this->high_W = this->high_W.cwiseMax(p_W);
+  }
 };
 
 /// A tree of boxes, one leaf a box, over a few things that are trees themselves: the surfaces of a scene.

@@ -67,9 +67,7 @@ void include(Box& box, const Pose& pose, const SurfaceData& data)
   {
     const Vec3 at_S((corner & 1) != 0 ? data.high_W.x() : data.low_W.x(),
       (corner & 2) != 0 ? data.high_W.y() : data.low_W.y(), (corner & 4) != 0 ? data.high_W.z() : data.low_W.z());
-    const Vec3 at_W = pose.q * at_S + pose.p;
-    box.low_W = box.low_W.cwiseMin(at_W);
-    box.high_W = box.high_W.cwiseMax(at_W);
+    box.include(pose.q * at_S + pose.p);
   }
 }
 

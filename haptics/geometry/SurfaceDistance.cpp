@@ -273,41 +273,6 @@ private:
   DistanceProof proof_;
 };
 
-/// The largest distance of a vertex or a triangle's centre of `from`.
-double sampledDistance(const SurfaceData& from, const SurfaceData& to)
-{
-  double largest = 0.0;
-  for (const Vec3& v_W : from.mesh.vertices_W)
-  {
-    largest = std::max(largest, nearestOn(to, v_W).distance_u);
-  }
-  for (const FaceRecord& face : from.faces)
-  {
-    const Vec3 centre_W = (face.corner_W[0] + face.corner_W[1] + face.corner_W[2]) / 3;
-    largest = std::max(largest, nearestOn(to, centre_W).distance_u);
-  }
-  return largest;
-}
-
-double boundOneWay(const SurfaceTree& from, const SurfaceTree& to, const std::stop_token& stop)
-{
-  constexpr double step = 1.25;
-  const double size = (from.data().high_W - from.data().low_W).norm() + from.data().high_W.cwiseAbs().maxCoeff();
-  double limit = std::max(step * sampledDistance(from.data(), to.data()), 1e-12 * size);
-  while (!stop.stop_requested() && limit < std::numeric_limits<double>::infinity())
-  {
-    const DistanceProof proof = proveWithin(from, to, limit, stop);
-    if (proof.verdict == DistanceProof::Verdict::Within)
-    {
-      return proof.bound_u;
-    }
-    const double seen =
-      proof.verdict == DistanceProof::Verdict::Beyond ? nearestOn(to.data(), proof.witness_W).distance_u : limit;
-    limit = step * std::max(seen, limit);
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
 } // namespace
 
 NearestPoint nearestOn(const SurfaceData& surface, const Vec3& x_W, double within_u)
@@ -352,11 +317,6 @@ NearestPoint nearestOn(const SurfaceData& surface, const Vec3& x_W, double withi
 DistanceProof proveWithin(const SurfaceTree& from, const SurfaceTree& to, double limit_u, std::stop_token stop)
 {
   return Prover(from.data(), to.data(), limit_u).run(stop);
-}
-
-double boundDistance(const SurfaceTree& a, const SurfaceTree& b, std::stop_token stop)
-{
-  return std::max(boundOneWay(a, b, stop), boundOneWay(b, a, stop));
 }
 
 } // namespace palpate

@@ -47,8 +47,4 @@ struct DistanceProof
 [[nodiscard]] DistanceProof proveWithin(
   const SurfaceTree& from, const SurfaceTree& to, double limit_u, std::stop_token stop = {});
 
-/// An upper bound of the two-sided Hausdorff distance between whole surfaces, proven: at most 1.25 times the distance
-/// of some point of one from the other, or rounding (1e-12 of the size) where they are the same. Infinity when stopped.
-[[nodiscard]] double boundDistance(const SurfaceTree& a, const SurfaceTree& b, std::stop_token stop = {});
-
 } // namespace palpate

@@ -53,12 +53,6 @@ bool hasExtent(const FaceRecord& face)
   return face.normal_W.allFinite() && (face.sliver < certainlyFlat || !exactlyCollinear(a, b, c));
 }
 
-void include(Box& box, const Vec3& v)
-{
-  box.low_W = box.low_W.cwiseMin(v);
-  box.high_W = box.high_W.cwiseMax(v);
-}
-
 /// Around the corners of a face wherever they may be.
 Box boxOf(const SurfaceData& data, std::uint32_t triangle, const VertexWay* way)
 {
@@ -68,7 +62,7 @@ Box boxOf(const SurfaceData& data, std::uint32_t triangle, const VertexWay* way)
   {
     for (const std::uint32_t corner : data.corners(triangle))
     {
-      include(box, (*way->also[i])[corner]);
+      box.include((*way->also[i])[corner]);
     }
   }
   return box;
@@ -112,8 +106,8 @@ bool refitLeaves(
     Box box = faceBoxes[0];
     for (std::uint32_t k = 1; k < leaf.count; ++k)
     {
-      include(box, faceBoxes[k].low_W);
-      include(box, faceBoxes[k].high_W);
+      box.include(faceBoxes[k].low_W);
+      box.include(faceBoxes[k].high_W);
     }
     leafBoxes.push_back(box);
     leaf = makeLeaf(box, leaf.first, leaf.count);

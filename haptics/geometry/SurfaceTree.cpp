@@ -73,12 +73,6 @@ Box emptyBox()
   return { Vec3::Constant(inf), Vec3::Constant(-inf) };
 }
 
-void include(Box& box, const Vec3& v)
-{
-  box.low_W = box.low_W.cwiseMin(v);
-  box.high_W = box.high_W.cwiseMax(v);
-}
-
 /// Writes CGAL's hierarchy down as flat arrays: CGAL keeps each subtree's primitives contiguous and gives the
 /// left child floor(n / 2) of them, so the shape follows from the counts alone.
 class Flattener
@@ -112,8 +106,8 @@ public:
     }
     for (const Box& child : boxes)
     {
-      include(box, child.low_W);
-      include(box, child.high_W);
+      box.include(child.low_W);
+      box.include(child.high_W);
     }
     return index;
   }
@@ -126,7 +120,7 @@ private:
       this->data_.mesh.triangles.push_back(this->unordered_[this->order_[i]]);
       for (const std::uint32_t corner : this->data_.mesh.triangles.back())
       {
-        include(box, this->data_.vertex(corner));
+        box.include(this->data_.vertex(corner));
       }
     }
     this->data_.leaves.push_back(makeLeaf(box, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));

@@ -64,9 +64,9 @@ TEST(SurfaceDistance, AShiftedSheetIsAsFarAsItIsShifted)
   for (const double up : { 0.0, 1e-6, 0.01, 3.0 })
   {
     const SurfaceTree other = treeOf(shifted(makeSheet({ 1.0, 1.0, 7, 9, 0.3 }, random), { 0, 0, up }));
-    EXPECT_NEAR(boundDistance(sheet, other), up, 0.25 * up + 4e-12) << up;
-    EXPECT_GE(boundDistance(sheet, other), up);
-    EXPECT_EQ(proveWithin(sheet, other, up + 1e-9).verdict, DistanceProof::Verdict::Within) << up;
+    const DistanceProof proof = proveWithin(sheet, other, up + 1e-9);
+    EXPECT_EQ(proof.verdict, DistanceProof::Verdict::Within) << up;
+    EXPECT_GE(proof.bound_u, up);
     if (up > 0.0)
     {
       EXPECT_EQ(proveWithin(sheet, other, 0.99 * up).verdict, DistanceProof::Verdict::Beyond) << up;
@@ -83,7 +83,7 @@ TEST(SurfaceDistance, APartIsNearTheWholeAndNotTheOtherWayRound)
   const DistanceProof back = proveWithin(whole, part, 0.49); // its ends stand 0.5 out
   EXPECT_EQ(back.verdict, DistanceProof::Verdict::Beyond);
   EXPECT_GT(nearestOfAll(part, back.witness_W), 0.49);
-  EXPECT_NEAR(boundDistance(whole, part), 0.5, 0.125 + 1e-9);
+  EXPECT_EQ(proveWithin(whole, part, 0.5 + 1e-9).verdict, DistanceProof::Verdict::Within);
 }
 
 TEST(SurfaceDistance, ACoarserSphereIsAsFarAsItsSagittaSays)
@@ -97,25 +97,28 @@ TEST(SurfaceDistance, ACoarserSphereIsAsFarAsItsSagittaSays)
     lowest = std::min(lowest, std::abs(face.normal_W.dot(face.corner_W[0])));
   }
   const double sagitta = 50.0 - lowest;
-  const double bound = boundDistance(coarse, fine);
-  EXPECT_LE(bound, 1.25 * sagitta);
-  EXPECT_GE(bound, 0.7 * sagitta); // the finer one's own middle face dips a quarter of it
+  EXPECT_EQ(proveWithin(coarse, fine, (1 + 1e-9) * sagitta).verdict, DistanceProof::Verdict::Within);
+  EXPECT_EQ(proveWithin(fine, coarse, (1 + 1e-9) * sagitta).verdict, DistanceProof::Verdict::Within);
+  // The finer one's own middle face dips a quarter of it.
+  EXPECT_EQ(proveWithin(fine, coarse, 0.7 * sagitta).verdict, DistanceProof::Verdict::Beyond);
 }
 
-TEST(SurfaceDistance, NoSampleIsBeyondTheBoundAndTheBoundIsWithinTwiceTheSamples)
+TEST(SurfaceDistance, NothingIsProvenThatASampleDeniesAndTwiceTheSamplesAre)
 {
   Random random(testSeed(4104));
   for (const int levels : { 2, 3 })
   {
     const SurfaceTree coarse = treeOf(makeIcosphere(levels, 50.0)), fine = treeOf(makeIcosphere(levels + 2, 50.0));
-    const double bound = boundDistance(coarse, fine);
-    const double seen =
-      std::max(sampled(coarse, fine, testCount(5000), random), sampled(fine, coarse, testCount(5000), random));
-    EXPECT_GE(bound, seen);
-    EXPECT_LE(bound, 2 * seen);
+    const double there = sampled(coarse, fine, testCount(5000), random);
+    const double back = sampled(fine, coarse, testCount(5000), random);
+    EXPECT_NE(proveWithin(coarse, fine, 0.999 * there).verdict, DistanceProof::Verdict::Within);
+    EXPECT_NE(proveWithin(fine, coarse, 0.999 * back).verdict, DistanceProof::Verdict::Within);
+    EXPECT_EQ(proveWithin(coarse, fine, 2 * std::max(there, back)).verdict, DistanceProof::Verdict::Within);
+    EXPECT_EQ(proveWithin(fine, coarse, 2 * std::max(there, back)).verdict, DistanceProof::Verdict::Within);
   }
   const SurfaceTree rough = treeOf(NoisySphere(5000, 1.0).mesh()), finer = treeOf(NoisySphere(20000, 1.0).mesh());
-  EXPECT_GE(boundDistance(rough, finer), sampled(finer, rough, testCount(5000), random));
+  const double furthest = sampled(finer, rough, testCount(5000), random);
+  EXPECT_NE(proveWithin(finer, rough, 0.999 * furthest).verdict, DistanceProof::Verdict::Within);
 }
 
 TEST(SurfaceDistance, AHoleIsNotMissedHoweverSmall)
