@@ -67,25 +67,18 @@ Cost tickCost(
   ContactPlan plan;
   plan.radius_u = radius_u;
   CostSample sample(points.size());
-  for (const bool timed : { false, true })
-  {
-    GodObjectState state;
-    (void)moveGodObject(scene, plan, start_W, state);
-    ways.clear();
-    for (const Vec3& p_W : points)
+  sample.timeWarm(
+    [&](auto call)
     {
-      ways.push_back({ state.x_W, p_W });
-      const auto tick = [&] { (void)moveGodObject(scene, plan, p_W, state); };
-      if (timed)
+      GodObjectState state;
+      (void)moveGodObject(scene, plan, start_W, state);
+      ways.clear();
+      for (const Vec3& p_W : points)
       {
-        sample.time(tick);
+        ways.push_back({ state.x_W, p_W });
+        call([&] { (void)moveGodObject(scene, plan, p_W, state); });
       }
-      else
-      {
-        tick();
-      }
-    }
-  }
+    });
   return costOf(sample);
 }
 
@@ -94,21 +87,14 @@ Cost referenceCost(const Reference& reference, const std::vector<Way>& ways)
 {
   CostSample sample(ways.size());
   std::size_t met = 0;
-  for (const bool timed : { false, true })
-  {
-    for (const Way& way : ways)
+  sample.timeWarm(
+    [&](auto call)
     {
-      const auto query = [&] { met += reference.backend->meets(way.proxy_W, way.device_W); };
-      if (timed)
+      for (const Way& way : ways)
       {
-        sample.time(query);
+        call([&] { met += reference.backend->meets(way.proxy_W, way.device_W); });
       }
-      else
-      {
-        query();
-      }
-    }
-  }
+    });
   const Cost cost = costOf(sample);
   std::printf("  %-42s p50 %7.2f us  p99 %7.2f us  (met in %.0f %% of the queries)\n", reference.name.c_str(),
     cost.p50_us, cost.p99_us, 50.0 * static_cast<double>(met) / static_cast<double>(ways.size()));

@@ -25,6 +25,14 @@ public:
     this->times_ns_.push_back(this->clock_.now_ns() - begin_ns);
   }
 
+  /// Runs pass(call) twice, once to warm up: each call(f) calls f(), and times it the second time.
+  template<class Pass>
+  void timeWarm(Pass pass)
+  {
+    pass([](auto call) { call(); });
+    pass([this](auto call) { this->time(call); });
+  }
+
   /// The value below which `fraction` of the calls lie [us].
   [[nodiscard]] double quantile_us(double fraction) const;
 

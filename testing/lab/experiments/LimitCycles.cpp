@@ -45,22 +45,7 @@ double tail(double damping, double friction, const HapticParameters& parameters)
   const auto device = makeFree(pushed, T);
   WallRig rig(*device, { T, parameters });
   const int ticks = static_cast<int>(watch_s / T);
-  double low = 1e9, high = -1e9;
-  for (int tick = 0; tick < ticks; ++tick)
-  {
-    rig.tick();
-    const double z = device->position_D().z();
-    if (!(z > -1.0 && z < 1.0))
-    {
-      return 2.0 / D;
-    }
-    if (tick > 0.7 * ticks)
-    {
-      low = std::min(low, z);
-      high = std::max(high, z);
-    }
-  }
-  return (high - low) / D;
+  return swing_m(rig, *device, ticks, static_cast<int>(0.7 * ticks) + 1).value_or(2.0) / D;
 }
 
 } // namespace

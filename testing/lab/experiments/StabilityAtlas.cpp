@@ -94,20 +94,9 @@ bool rests(const Chain& chain, FreeDevice released, double K)
   const auto device = makeFree(released, period_s);
   WallRig rig(*device, { period_s, chain.parameters(K, released.delay_ticks), {} });
   constexpr int ticks = 4000, tail = 2800;
-  double low = 1e9, high = -1e9;
-  for (int tick = 0; tick < ticks; ++tick)
-  {
-    rig.tick();
-    const double z = device->position_D().z();
-    if (!(std::abs(z) < 1.0))
-    {
-      return false;
-    }
-    low = tick >= tail ? std::min(low, z) : low;
-    high = tick >= tail ? std::max(high, z) : high;
-  }
+  const std::optional<double> left_m = swing_m(rig, *device, ticks, tail);
   const double exactPositions_m = 1e-6;
-  return high - low <= std::max(3.0 * released.model.encoderStep_m, exactPositions_m);
+  return left_m && *left_m <= std::max(3.0 * released.model.encoderStep_m, exactPositions_m);
 }
 
 /// Upper end of the stiffnesses from 20 N/m on that come to rest, to 2 %.

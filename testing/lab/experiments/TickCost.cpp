@@ -75,21 +75,14 @@ Cost queryCost(Backend& backend, const std::vector<Vec3>& proxies_W, const std::
 {
   test::CostSample sample(path_W.size());
   int met = 0;
-  for (const bool timed : { false, true })
-  {
-    for (std::size_t i = 1; i < path_W.size(); ++i)
+  sample.timeWarm(
+    [&](auto call)
     {
-      const auto query = [&] { met += backend.meets(proxies_W[i - 1], path_W[i]); };
-      if (timed)
+      for (std::size_t i = 1; i < path_W.size(); ++i)
       {
-        sample.time(query);
+        call([&] { met += backend.meets(proxies_W[i - 1], path_W[i]); });
       }
-      else
-      {
-        query();
-      }
-    }
-  }
+    });
   return Cost::of(sample);
 }
 

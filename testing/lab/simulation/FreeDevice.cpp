@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "testing/lab/simulation/FreeDevice.h"
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
+
+#include "testing/lab/simulation/WallRig.h"
 
 namespace palpate::lab
 {
@@ -32,6 +36,26 @@ std::unique_ptr<SimulatedDevice> makeFree(const FreeDevice& what, double period_
     throw std::invalid_argument(problem);
   }
   return device;
+}
+
+std::optional<double> swing_m(WallRig& rig, const SimulatedDevice& device, int ticks, int from)
+{
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    rig.tick();
+    const double z = device.position_D().z();
+    if (!(z > -1.0 && z < 1.0))
+    {
+      return std::nullopt;
+    }
+    if (tick >= from)
+    {
+      low = std::min(low, z);
+      high = std::max(high, z);
+    }
+  }
+  return high - low;
 }
 
 } // namespace palpate::lab

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "devices/simulated/SimulatedDevice.h"
 
 namespace palpate::lab
 {
+
+class WallRig;
 
 /// A device that nobody holds and that moves along z.
 struct FreeDevice
@@ -22,5 +25,9 @@ struct FreeDevice
 };
 
 [[nodiscard]] std::unique_ptr<SimulatedDevice> makeFree(const FreeDevice& what, double period_s);
+
+/// Lets the rig run for `ticks`: peak to peak of its device's true height from tick `from` on [m], none once it leaves
+/// +-1 m.
+[[nodiscard]] std::optional<double> swing_m(WallRig& rig, const SimulatedDevice& device, int ticks, int from);
 
 } // namespace palpate::lab
