@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "haptics/core/WordHash.h"
@@ -69,17 +71,28 @@ vtkSmartPointer<vtkPolyData> Triangulated(vtkPolyData* surface)
   return filter->GetOutput();
 }
 
-void AppendTriangles(vtkPolyData* surface, bool mirrored, std::uint32_t base, palpate::TriangleMesh& mesh)
+/// Calls visit(corners), a span of the ids of their points, for each cell.
+template<class Visit>
+void ForEachCell(vtkCellArray* cells, Visit visit)
 {
-  auto each = vtkSmartPointer<vtkCellArrayIterator>::Take(surface->GetPolys()->NewIterator());
+  auto each = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
   for (each->GoToFirstCell(); !each->IsDoneWithTraversal(); each->GoToNextCell())
   {
     vtkIdType count = 0;
     const vtkIdType* corner = nullptr;
     each->GetCurrentCell(count, corner);
-    const auto at = [&](int i) { return base + static_cast<std::uint32_t>(corner[i]); };
-    mesh.triangles.push_back({ at(0), at(mirrored ? 2 : 1), at(mirrored ? 1 : 2) });
+    visit(std::span<const vtkIdType>(corner, static_cast<std::size_t>(count)));
   }
+}
+
+void AppendTriangles(vtkPolyData* surface, bool mirrored, std::uint32_t base, palpate::TriangleMesh& mesh)
+{
+  ForEachCell(surface->GetPolys(),
+    [&](std::span<const vtkIdType> corners)
+    {
+      const auto at = [&](std::size_t i) { return base + static_cast<std::uint32_t>(corners[i]); };
+      mesh.triangles.push_back({ at(0), at(mirrored ? 2 : 1), at(mirrored ? 1 : 2) });
+    });
 }
 
 std::string AppendPoints(vtkPolyData* surface, const Placement& placement, palpate::TriangleMesh& mesh)
@@ -115,16 +128,14 @@ Polygons PolygonsOf(vtkPolyData* surface, bool mirrored)
   key.add(std::uint64_t{ mirrored });
   for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
   {
-    auto each = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
-    for (each->GoToFirstCell(); !each->IsDoneWithTraversal(); each->GoToNextCell())
-    {
-      vtkIdType count = 0;
-      const vtkIdType* corner = nullptr;
-      each->GetCurrentCell(count, corner);
-      key.add(static_cast<std::uint64_t>(count));
-      std::for_each(corner, corner + count, [&key](vtkIdType id) { key.add(static_cast<std::uint64_t>(id)); });
-      polygons.Triangles += static_cast<std::size_t>(std::max<vtkIdType>(0, count - 2));
-    }
+    ForEachCell(cells,
+      [&](std::span<const vtkIdType> corners)
+      {
+        key.add(std::uint64_t{ corners.size() });
+        std::for_each(
+          corners.begin(), corners.end(), [&key](vtkIdType id) { key.add(static_cast<std::uint64_t>(id)); });
+        polygons.Triangles += std::max<std::size_t>(2, corners.size()) - 2;
+      });
     key.add(std::uint64_t{ 0 });
   }
   polygons.Key = key.value();
@@ -215,16 +226,17 @@ std::string AppendLines(vtkDataSet* data, const Placement& placement, palpate::T
   const auto base = static_cast<std::uint32_t>(mesh.vertices_W.size());
   problem = AppendPoints(skin, placement, mesh);
   palpate::PolyLines curves;
-  auto each = vtkSmartPointer<vtkCellArrayIterator>::Take(skin->GetLines()->NewIterator());
-  for (each->GoToFirstCell(); problem.empty() && !each->IsDoneWithTraversal(); each->GoToNextCell())
+  if (!problem.empty())
   {
-    vtkIdType count = 0;
-    const vtkIdType* point = nullptr;
-    each->GetCurrentCell(count, point);
-    curves.lines.emplace_back();
-    std::for_each(
-      point, point + count, [&](vtkIdType i) { curves.lines.back().push_back(base + static_cast<std::uint32_t>(i)); });
+    return problem;
   }
+  ForEachCell(skin->GetLines(),
+    [&](std::span<const vtkIdType> points)
+    {
+      std::vector<std::uint32_t>& line = curves.lines.emplace_back();
+      std::transform(points.begin(), points.end(), std::back_inserter(line),
+        [base](vtkIdType i) { return base + static_cast<std::uint32_t>(i); });
+    });
   const palpate::TriangleMesh segments = palpate::segmentsOf(curves);
   mesh.triangles.insert(mesh.triangles.end(), segments.triangles.begin(), segments.triangles.end());
   return problem;

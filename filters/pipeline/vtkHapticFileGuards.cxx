@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 
 #include "vtk_zlib.h"
@@ -218,4 +219,12 @@ std::string vtkHapticFileGuards::CheckNIfTIType(const std::string& path)
     return "its voxels are of NIfTI type " + std::to_string(type) + "; an iso surface needs one real number per voxel";
   }
   return "";
+}
+
+void vtkHapticFileGuards::ThrowIf(const std::string& problem)
+{
+  if (!problem.empty())
+  {
+    throw std::runtime_error(problem);
+  }
 }

@@ -26,6 +26,9 @@ namespace vtkHapticFileGuards
 /// An image of that many bytes could be stored in that file; gzip packs at most 1032 to 1.
 [[nodiscard]] std::string CheckImageBytes(
   const std::string& path, const int dimensions[3], double bytesPerVoxel, bool compressed);
+
+/// Throws std::runtime_error with what one of them returned, unless that is empty.
+void ThrowIf(const std::string& problem);
 } // namespace vtkHapticFileGuards
 
 #endif

@@ -23,13 +23,7 @@
 
 namespace
 {
-void ThrowIf(const std::string& problem)
-{
-  if (!problem.empty())
-  {
-    throw std::runtime_error(problem);
-  }
-}
+using vtkHapticFileGuards::ThrowIf;
 
 vtkDataArray* ScalarsOf(vtkImageData* image)
 {

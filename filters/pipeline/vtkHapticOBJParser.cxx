@@ -43,18 +43,6 @@ bool NextStatement(LineReader& lines, std::string& joined, std::string_view& sta
   return true;
 }
 
-void ReadPoint(std::string_view line, vtkHapticFaceMesh& mesh)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    mesh.Coordinates.push_back(TakeNumber<double>(line, "a point"));
-  }
-  while (!IsBlank(line)) // a weight or a colour
-  {
-    static_cast<void>(TakeNumber<double>(line, "a point"));
-  }
-}
-
 void ReadFace(std::string_view line, vtkHapticFaceMesh& mesh)
 {
   while (!IsBlank(line))
@@ -75,7 +63,7 @@ void ReadStatement(std::string_view line, vtkHapticFaceMesh& mesh)
   const std::string_view keyword = TakeWord(line);
   if (keyword == "v")
   {
-    ReadPoint(line, mesh);
+    ReadPoint(line, mesh.Coordinates);
   }
   else if (keyword == "f")
   {

@@ -18,15 +18,6 @@ struct Counts
   std::int64_t Faces = 0;
 };
 
-/// Colours and the like: whatever stands behind a record has to be numbers.
-void SkipNumbers(std::string_view line, const char* where)
-{
-  while (!IsBlank(line))
-  {
-    static_cast<void>(TakeNumber<double>(line, where));
-  }
-}
-
 /// Takes the keyword off the line; nothing is left of a line that is the keyword alone.
 void TakeKeyword(std::string_view& line)
 {
@@ -76,15 +67,6 @@ Counts ReadCounts(LineReader& lines, std::size_t size)
   return counts;
 }
 
-void ReadPoint(std::string_view line, vtkHapticFaceMesh& mesh)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    mesh.Coordinates.push_back(TakeNumber<double>(line, "a point"));
-  }
-  SkipNumbers(line, "a point");
-}
-
 void ReadFace(std::string_view line, vtkHapticFaceMesh& mesh)
 {
   const auto corners = TakeNumber<std::int64_t>(line, "a face");
@@ -126,7 +108,7 @@ void ReadAll(LineReader& lines, std::size_t size, vtkHapticFaceMesh& mesh)
 {
   const Counts counts = ReadCounts(lines, size);
   mesh.Coordinates.reserve(static_cast<std::size_t>(counts.Points) * 3);
-  ReadRecords(lines, counts.Points, "points", [&mesh](std::string_view line) { ReadPoint(line, mesh); });
+  ReadRecords(lines, counts.Points, "points", [&mesh](std::string_view line) { ReadPoint(line, mesh.Coordinates); });
   ReadRecords(lines, counts.Faces, "faces", [&mesh](std::string_view line) { ReadFace(line, mesh); });
   std::string_view line;
   if (lines.Next(line))

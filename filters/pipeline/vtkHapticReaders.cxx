@@ -32,18 +32,11 @@
 
 namespace
 {
+using vtkHapticFileGuards::ThrowIf;
 using SurfacePointer = vtkSmartPointer<vtkPolyData>;
 using TextParser = vtkHapticFaceMesh (*)(std::string_view);
 
 constexpr const char* KnownExtensions = "vtp, vtu, stl, ply, obj, off, svg, png, and with --iso vti, nii, nii.gz";
-
-void ThrowIf(const std::string& problem)
-{
-  if (!problem.empty())
-  {
-    throw std::runtime_error(problem);
-  }
-}
 
 /// VTK names what it stumbled over; a person wants to know what that means.
 void ThrowIfBroken(const vtkHapticMessageCapture& messages)

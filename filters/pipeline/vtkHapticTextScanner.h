@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 /// The words and lines of an untrusted text. Functions throw std::runtime_error with a sentence for a person.
 namespace vtkHapticText
@@ -69,6 +70,25 @@ template<class T>
 [[nodiscard]] T TakeNumber(std::string_view& rest, const char* where)
 {
   return ParseOrThrow<T>(TakeWord(rest), where);
+}
+
+/// Colours and the like: whatever stands behind a record has to be numbers.
+inline void SkipNumbers(std::string_view line, const char* where)
+{
+  while (!IsBlank(line))
+  {
+    static_cast<void>(TakeNumber<double>(line, where));
+  }
+}
+
+/// A line of three coordinates, and maybe a weight or a colour.
+inline void ReadPoint(std::string_view line, std::vector<double>& coordinates)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    coordinates.push_back(TakeNumber<double>(line, "a point"));
+  }
+  SkipNumbers(line, "a point");
 }
 
 /// Hands out the lines that say something: comments cut off, blank ones passed over.
