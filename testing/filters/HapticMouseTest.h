@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "vtkHapticInteractor.h"
 #include "vtkHapticMouse.h"
@@ -23,12 +24,10 @@ namespace palpate::testing
 
 inline constexpr int width_px = 400;
 inline constexpr int height_px = 300;
-inline constexpr int frame = 16;           // ticks between two frames of 60 Hz
-inline constexpr int framesToEngage = 80;  // arming, the ramp of 1 s, and some to spare
-inline constexpr int framesToArrive = 60;  // across the scene at 0.5 m/s of the hand
-inline constexpr double stiffness = 500.0; // N/m
-inline constexpr double scale = 1000.0;    // u/m
-inline constexpr double depth_m = 0.002;   // of the session's default
+inline constexpr int frame = 16;          // ticks between two frames of 60 Hz
+inline constexpr int framesToEngage = 80; // arming, the ramp of 1 s, and some to spare
+inline constexpr int framesToArrive = 60; // across the scene at 0.5 m/s of the hand
+inline constexpr double depth_m = 0.002;  // of the session's default
 inline constexpr double force_N = stiffness * depth_m;
 /// Of a proxy in free air, that is where a hand 300 u away is.
 inline constexpr double rounding_N = stiffness / scale * 300.0 * 4 * std::numeric_limits<double>::epsilon();

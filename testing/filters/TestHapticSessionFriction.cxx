@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
@@ -17,33 +18,21 @@ using ::testing::HasSubstr;
 
 namespace
 {
-constexpr int ticksToEngage = 1100; // arming, the ramp of 1 s, and some to spare
-constexpr double stiffness = 500.0; // N/m
-constexpr double scale = 1000.0;    // u/m
-constexpr double depth = 2.0;       // u
+constexpr double depth = 2.0; // u
 constexpr double normal_N = stiffness * depth / scale;
 constexpr double statical = 0.5;
 constexpr double kinetic = 0.3;
 
 /// A fed hand in virtual time, pressed at the origin into the plane z = 0.
-class HapticSessionFriction : public ::testing::Test
+class HapticSessionFriction : public VirtualSession
 {
 protected:
-  void SetUp() override
-  {
-    this->session_->VirtualTimeOn();
-    this->session_->SetStiffness(stiffness);
-    this->session_->SetScale(scale);
-    ASSERT_TRUE(this->session_->AddSurface("plane", makePlane(100.0), nullptr));
-    this->session_->CommitScene();
-    ASSERT_TRUE(this->session_->FinishScene());
-  }
+  void SetUp() override { this->show(makePlane(100.0)); }
 
   void press()
   {
     this->session_->SetHandPosition(0.0, 0.0, 1.0);
-    this->session_->TouchingOn();
-    ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+    this->startTouching();
     this->session_->Step(ticksToEngage);
     this->session_->SetHandPosition(0.0, 0.0, -depth);
     this->session_->Step(100);
@@ -65,8 +54,6 @@ protected:
     const auto errors = errorsOf(this->session_, [&] { (this->session_.Get()->*set)(coefficient); });
     EXPECT_THAT(errors, ElementsAre(HasSubstr("friction"))) << coefficient;
   }
-
-  vtkNew<vtkHapticSession> session_;
 };
 } // namespace
 

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticSceneWorker.h"
@@ -21,10 +22,8 @@ using ::testing::Not;
 
 namespace
 {
-constexpr double half = 100.0;      // u
-constexpr double stiffness = 500.0; // N/m
-constexpr double scale = 1000.0;    // u/m
-constexpr double depth = 2.0;       // u
+constexpr double half = 100.0; // u
+constexpr double depth = 2.0;  // u
 
 vtkSmartPointer<vtkPolyData> planeWithX()
 {
@@ -40,24 +39,9 @@ vtkSmartPointer<vtkPolyData> planeWithX()
 }
 
 /// A fed hand in virtual time.
-class HapticSessionMaterials : public ::testing::Test
+class HapticSessionMaterials : public VirtualSession
 {
 protected:
-  void SetUp() override
-  {
-    this->session_->VirtualTimeOn();
-    this->session_->SetStiffness(stiffness);
-    this->session_->SetScale(scale);
-  }
-
-  void show(vtkPolyData* surface)
-  {
-    this->session_->ClearSurfaces();
-    ASSERT_TRUE(this->session_->AddSurface("plane", surface, nullptr));
-    this->session_->CommitScene();
-    ASSERT_TRUE(this->session_->FinishScene());
-  }
-
   Vec3 pressedAt(double x)
   {
     this->session_->SetHandPosition(x, 0.0, 1.0);
@@ -67,8 +51,6 @@ protected:
     this->session_->Step(100);
     return Vec3(this->session_->GetForce());
   }
-
-  vtkNew<vtkHapticSession> session_;
 };
 } // namespace
 

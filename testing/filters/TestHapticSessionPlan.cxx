@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
@@ -24,11 +25,8 @@ using ::testing::StartsWith;
 
 namespace
 {
-constexpr int ticksToEngage = 1100; // arming, the ramp of 1 s, and some to spare
 constexpr int ticksToSettle = 1500; // e^-50 of what a new scene changed is left
-constexpr double scale = 1000.0;    // u/m: a unit is a millimetre
 constexpr double radius = 50.0;
-constexpr double stiffness = 500.0;
 constexpr double notNoticed = 0.07; // of a depth of 1 mm
 constexpr int fine = 180, coarse = 24;
 constexpr int cells = 100;
@@ -59,18 +57,13 @@ vtkSmartPointer<vtkPolyData> makeSheet()
   return source->GetOutput();
 }
 
-class HapticSessionPlan : public ::testing::Test
+class HapticSessionPlan : public VirtualSession
 {
 protected:
-  void SetUp() override
-  {
-    this->session_->VirtualTimeOn();
-    this->session_->SetStiffness(stiffness);
-    this->session_->SetScale(scale);
-    this->session_->SetHandPosition(this->handAt(0.0, radius + 5.0).data());
-  }
+  void SetUp() override { this->session_->SetHandPosition(this->handAt(0.0, radius + 5.0).data()); }
 
-  void show(vtkPolyData* surface)
+  /// Its scene is not waited for.
+  void commit(vtkPolyData* surface)
   {
     this->session_->ClearSurfaces();
     ASSERT_TRUE(this->session_->AddSurface("sphere", surface, nullptr)) << this->session_->GetProblem();
@@ -80,8 +73,7 @@ protected:
   /// Presses this deep.
   void touch(double depth)
   {
-    this->session_->TouchingOn();
-    ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+    this->startTouching();
     this->session_->Step(ticksToEngage);
     this->session_->SetHandPosition(this->handAt(0.0, radius - depth).data());
     this->session_->Step(ticksToSettle);
@@ -92,8 +84,6 @@ protected:
 
   [[nodiscard]] double force_N() const { return this->session_->GetForceMagnitude(); }
   [[nodiscard]] std::string sentence() const { return this->session_->GetPlanSentence(); }
-
-  vtkNew<vtkHapticSession> session_;
 };
 } // namespace
 
@@ -101,7 +91,7 @@ TEST_F(HapticSessionPlan, APressedFineSphereIsFeltWithAllItsTrianglesFirstAndWit
 {
   constexpr double depth = 2.0;
   const double wall_N = stiffness * depth / scale;
-  this->show(makeSphere(radius, fine));
+  this->commit(makeSphere(radius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(fine) + " triangles are felt (a simpler surface is"));
   this->touch(depth);
@@ -133,14 +123,14 @@ TEST_F(HapticSessionPlan, APressedFineSphereIsFeltWithAllItsTrianglesFirstAndWit
 TEST_F(HapticSessionPlan, TheSameDataAgainAreSimplerAtOnceAndOtherDataAreNot)
 {
   const vtkSmartPointer<vtkPolyData> sphere = makeSphere(radius, fine);
-  this->show(sphere);
+  this->commit(sphere);
   ASSERT_TRUE(this->session_->FinishScene());
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
   const std::string before = this->sentence();
-  this->show(sphere);
+  this->commit(sphere);
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_EQ(this->sentence(), before);
-  this->show(makeSphere(radius, fine + 1));
+  this->commit(makeSphere(radius, fine + 1));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(fine + 1) + " triangles"));
 }
@@ -148,10 +138,10 @@ TEST_F(HapticSessionPlan, TheSameDataAgainAreSimplerAtOnceAndOtherDataAreNot)
 TEST_F(HapticSessionPlan, TheNewestCommitCancelsWhatIsLookedForAndOnlyItsOwnSimplerSurfaceIsFelt)
 {
   constexpr double depth = 2.0, shrinks = 1.0;
-  this->show(makeSphere(radius + shrinks, fine + 1));
+  this->commit(makeSphere(radius + shrinks, fine + 1));
   ASSERT_TRUE(this->session_->FinishScene());
   this->touch(depth);
-  this->show(makeSphere(radius, fine));
+  this->commit(makeSphere(radius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(fine) + " triangles"));
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
@@ -163,7 +153,7 @@ TEST_F(HapticSessionPlan, TheNewestCommitCancelsWhatIsLookedForAndOnlyItsOwnSimp
 TEST_F(HapticSessionPlan, OffKeepsEveryTriangleAndSwitchedOffTheyAllComeBack)
 {
   this->session_->SetSimplify(vtkHapticSession::Off);
-  this->show(makeSphere(radius, fine));
+  this->commit(makeSphere(radius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
   const std::string all = "all " + trianglesOf(fine) + " triangles are felt (simpler surfaces are off)";
@@ -179,7 +169,7 @@ TEST_F(HapticSessionPlan, OffKeepsEveryTriangleAndSwitchedOffTheyAllComeBack)
 TEST_F(HapticSessionPlan, ASmallSurfaceIsLeftAsItIsUnlessAskedFor)
 {
   const std::string triangles = std::to_string(2 * cells * cells);
-  this->show(makeSheet());
+  this->commit(makeSheet());
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), HasSubstr("simpler surfaces pay from 50000 triangles on"));
@@ -196,7 +186,7 @@ TEST_F(HapticSessionPlan, ASmallSurfaceIsLeftAsItIsUnlessAskedFor)
 TEST_F(HapticSessionPlan, ASurfaceWhoseFacetsAreFeltIsLeftAsItIs)
 {
   this->session_->SetSimplify(vtkHapticSession::On);
-  this->show(makeSphere(radius, coarse));
+  this->commit(makeSphere(radius, coarse));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(),
@@ -206,15 +196,15 @@ TEST_F(HapticSessionPlan, ASurfaceWhoseFacetsAreFeltIsLeftAsItIs)
 TEST_F(HapticSessionPlan, WhatMovesOrHasMaterialFromArraysIsTouchedAsItIs)
 {
   this->session_->SetSimplify(vtkHapticSession::On);
-  this->show(makeSphere(radius, coarse));
+  this->commit(makeSphere(radius, coarse));
   ASSERT_TRUE(this->session_->FinishScene());
-  this->show(makeSphere(radius + 1.0, coarse)); // a time step of the same triangles
+  this->commit(makeSphere(radius + 1.0, coarse)); // a time step of the same triangles
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("refitted"));
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), HasSubstr("(what moves or deforms is touched as it is)"));
   this->session_->SetFrictionArray("Normals");
-  this->show(makeSphere(radius, coarse + 1));
+  this->commit(makeSphere(radius, coarse + 1));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), HasSubstr("(its material comes from arrays)"));
@@ -225,7 +215,7 @@ TEST_F(HapticSessionPlan, ABallIsNoLargerThanItsWorkAllowsUnlessItIsForced)
   constexpr double depth = 2.0;
   EXPECT_TRUE(std::isinf(this->session_->GetRadiusLimit()));
   this->session_->SetSimplify(vtkHapticSession::Off);
-  this->show(makeSphere(radius, fine));
+  this->commit(makeSphere(radius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   const double limit = this->session_->GetRadiusLimit();
   ASSERT_TRUE(std::isfinite(limit));
@@ -259,7 +249,7 @@ TEST_F(HapticSessionPlan, APressedBallGrowsAndShrinksWithWhatTheSceneAllows)
   constexpr double soft = 100.0; // far below what the device gives at most
   this->session_->SetSimplify(vtkHapticSession::Off);
   this->session_->SetStiffness(soft);
-  this->show(makeSphere(radius, fine));
+  this->commit(makeSphere(radius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   const double limit = this->session_->GetRadiusLimit(), asked = 2 * limit;
   this->session_->SetRadius(asked);
@@ -268,7 +258,7 @@ TEST_F(HapticSessionPlan, APressedBallGrowsAndShrinksWithWhatTheSceneAllows)
   const auto rest = [this] { return Vec3(this->session_->GetProxyPosition()).norm() - radius; };
   for (const int resolution : { coarse, fine, coarse })
   {
-    this->show(makeSphere(radius, resolution));
+    this->commit(makeSphere(radius, resolution));
     ASSERT_TRUE(this->session_->FinishScene());
     this->session_->Step(1); // the swap; then the ball follows
     this->session_->Step(ticksToSettle);
@@ -283,7 +273,7 @@ TEST_F(HapticSessionPlan, APressedBallGrowsAndShrinksWithWhatTheSceneAllows)
 
 TEST_F(HapticSessionPlan, ARadiusThatIsNoneIsRefusedWhateverTheLimit)
 {
-  this->show(makeSphere(radius, fine));
+  this->commit(makeSphere(radius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   this->session_->SetRadius(0.5);
   for (const double bad : { -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
@@ -297,7 +287,7 @@ TEST_F(HapticSessionPlan, ARadiusThatIsNoneIsRefusedWhateverTheLimit)
 TEST_F(HapticSessionPlan, TheSentenceSaysWhatTouchesAndAChoiceThatIsNoneIsRefused)
 {
   EXPECT_EQ(this->sentence(), "there is nothing to touch");
-  this->show(makePlane(radius));
+  this->commit(makePlane(radius));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all 2 triangles are felt"));
   EXPECT_THAT(this->sentence(), EndsWith(", by a point (no radius is asked for) without friction (none is asked for), "

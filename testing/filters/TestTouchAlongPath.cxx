@@ -225,20 +225,28 @@ TEST(TouchAlongPath, PointsWithoutLinesAreTakenInTheirOrder)
   EXPECT_NEAR(vectorAt(touch->GetOutput(), "Force", 10).z(), 1000.0, 1e-9);
 }
 
-TEST(TouchAlongPath, TimesComeFromTheNamedArray)
+/// A plane, touched at these times.
+vtkSmartPointer<vtkTouchAlongPath> touchAt(const std::vector<double>& times_s)
 {
-  const vtkSmartPointer<vtkPolyData> path = makePath(straight(Vec3(0, 0, 1), Vec3(0, 0, -1), 3));
+  const int steps = static_cast<int>(times_s.size()) - 1;
+  const vtkSmartPointer<vtkPolyData> path = makePath(straight(Vec3(0, 0, 1), Vec3(0, 0, -1), steps));
   vtkNew<vtkDoubleArray> times;
   times->SetName("t");
-  for (const double t : { 0.5, 0.75, 2.0, 2.125 })
+  for (const double t_s : times_s)
   {
-    times->InsertNextValue(t);
+    times->InsertNextValue(t_s);
   }
   path->GetPointData()->AddArray(times);
-  vtkNew<vtkTouchAlongPath> touch;
+  const auto touch = vtkSmartPointer<vtkTouchAlongPath>::New();
   touch->SetInputData(makePlane(10.0));
   touch->SetPathData(path);
   touch->SetTimeArray("t");
+  return touch;
+}
+
+TEST(TouchAlongPath, TimesComeFromTheNamedArray)
+{
+  const auto touch = touchAt({ 0.5, 0.75, 2.0, 2.125 });
   ASSERT_THAT(errorsOf(touch), IsEmpty());
   EXPECT_EQ(numberAt(touch->GetOutput(), "Time", 2), 2.0);
 }
@@ -306,19 +314,7 @@ TEST(TouchAlongPath, PathsThatCannotBeFollowedAreRefused)
 
 TEST(TouchAlongPath, TimeThatStandsStillIsRefused)
 {
-  const vtkSmartPointer<vtkPolyData> path = makePath(straight(Vec3(0, 0, 1), Vec3(0, 0, -1), 2));
-  vtkNew<vtkDoubleArray> times;
-  times->SetName("t");
-  for (const double t : { 0.0, 1.0, 1.0 })
-  {
-    times->InsertNextValue(t);
-  }
-  path->GetPointData()->AddArray(times);
-  vtkNew<vtkTouchAlongPath> touch;
-  touch->SetInputData(makePlane(10.0));
-  touch->SetPathData(path);
-  touch->SetTimeArray("t");
-  expectRefused(touch, "does not increase at point 2");
+  expectRefused(touchAt({ 0.0, 1.0, 1.0 }), "does not increase at point 2");
 }
 
 TEST(TouchAlongPath, SurfacesThatCannotBeTouchedAreRefused)
