@@ -10,12 +10,19 @@ vtkHapticPlaneWalls vtkHapticRaiseLines(vtkDataObject* data, vtkMatrix4x4* matri
 {
   vtkHapticPlaneWalls walls;
   const vtkHapticConversionResult lines = vtkHapticToLines(data, matrix);
-  const std::optional<palpate::Pose> plane_WP = lines.Mesh ? palpate::planeOf(*lines.Mesh) : std::nullopt;
-  if (!plane_WP)
+  walls.Problem = lines.Mesh ? palpate::refuseSegments(lines.Mesh->triangles.size()) : lines.Problem;
+  if (!walls.Problem.empty())
   {
     return walls;
   }
+  const std::optional<palpate::Pose> plane_WP = palpate::planeOf(*lines.Mesh);
+  if (!plane_WP)
+  {
+    walls.Problem = "its lines lie in no plane; give a line radius above 0 to touch them as tubes";
+    return walls;
+  }
   const palpate::PlaneCurves plane = palpate::curvesInPlane(*lines.Mesh, *plane_WP);
+  walls.Problem = plane.refusal;
   if (plane.refusal.empty())
   {
     walls.Plane_WP = *plane_WP;

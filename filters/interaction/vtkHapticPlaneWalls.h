@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "haptics/core/Types.h"
 #include "haptics/geometry/TriangleMesh.h"
@@ -16,6 +17,7 @@ struct vtkHapticPlaneWalls
 {
   std::shared_ptr<const palpate::TriangleMesh> Mesh; ///< null where there are no lines, or in no plane
   palpate::Pose Plane_WP;                            ///< its z is the normal
+  std::string Problem;                               ///< why there are none, or ""
 };
 
 /// `matrix` places the data in W (null: identity). Walls for balls up to that radius [u].

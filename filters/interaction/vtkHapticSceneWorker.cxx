@@ -8,6 +8,7 @@
 
 #include "haptics/contact/PlanFor.h"
 #include "haptics/contact/RadiusLimit.h"
+#include "haptics/geometry/CurveSet.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticPlaneWalls.h"
 
@@ -120,7 +121,7 @@ void vtkHapticSceneWorker::SetPlaneWorld(bool on, double radius_u)
   this->WallRadius_u = radius_u;
 }
 
-bool vtkHapticSceneWorker::AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
+std::string vtkHapticSceneWorker::AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   const std::uint64_t key = vtkHapticContentKey(data, matrix);
   const auto same = [&](const Kept& kept)
@@ -129,12 +130,12 @@ bool vtkHapticSceneWorker::AddWalls(const std::string& name, vtkDataObject* data
       known != this->Committed.end())
   {
     this->Adding.push_back(*known);
-    return true;
+    return {};
   }
   vtkHapticPlaneWalls walls = vtkHapticRaiseLines(data, matrix, this->WallRadius_u);
   if (!walls.Mesh)
   {
-    return false;
+    return walls.Problem;
   }
   Kept kept;
   kept.Key = key;
@@ -145,7 +146,7 @@ bool vtkHapticSceneWorker::AddWalls(const std::string& name, vtkDataObject* data
   kept.Plane_WP = walls.Plane_WP;
   kept.WallRadius_u = this->WallRadius_u;
   this->Adding.push_back(std::move(kept));
-  return true;
+  return {};
 }
 
 std::optional<palpate::Pose> vtkHapticSceneWorker::CommittedPlane() const
@@ -173,21 +174,22 @@ std::string vtkHapticSceneWorker::Add(const std::string& name, vtkDataObject* da
 {
   this->Editing = true;
   const std::size_t lines = vtkHapticCountLines(data);
-  const bool walls =
-    lines > 0 && this->PlaneWorld && vtkHapticCheckPlacement(matrix).empty() && this->AddWalls(name, data, matrix);
+  const bool raised = lines > 0 && this->PlaneWorld && vtkHapticCheckPlacement(matrix).empty();
+  const std::string ofWalls = raised ? this->AddWalls(name, data, matrix) : "";
   std::string problem = this->AddPart(name, data, matrix, std::nullopt);
-  if (walls)
+  if (raised && ofWalls.empty())
   {
     return {}; // polygons beside them are touched as well, where there are any
   }
-  if (lines > 0 && this->PlaneWorld && this->LineRadius_u == 0.0 && !problem.empty())
+  if (raised && this->LineRadius_u == 0.0 && !problem.empty())
   {
-    problem = "its lines lie in no plane; give a line radius above 0 to touch them as tubes";
+    problem = ofWalls;
   }
   if (lines > 0 && this->LineRadius_u != 0.0)
   {
     const std::string ofLines = this->AddPart(name, data, matrix, this->LineRadius_u);
-    problem = ofLines.empty() ? ofLines : problem;
+    this->Refusals += problem.empty() && !ofLines.empty() ? "not touched: " + name + ": " + ofLines + "\n" : "";
+    problem = problem.empty() ? problem : ofLines;
   }
   else if (lines > 0 && problem.empty())
   {
@@ -215,6 +217,11 @@ std::string vtkHapticSceneWorker::AddPart(
   if (!converted.Mesh)
   {
     return converted.Problem;
+  }
+  if (const std::string many = lineRadius_u ? palpate::refuseSegments(converted.Mesh->triangles.size()) : "";
+      !many.empty())
+  {
+    return many;
   }
   Kept kept;
   kept.Key = key;

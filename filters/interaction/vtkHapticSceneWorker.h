@@ -90,8 +90,8 @@ private:
   /// Triangles, or with a radius lines. Empty, or why there are none.
   std::string AddPart(
     const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, std::optional<double> lineRadius_u);
-  /// Lines as walls. False where they lie in no plane.
-  bool AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  /// Lines as walls. Empty, or why they are none.
+  std::string AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   /// The plane of all that was committed.
   std::optional<palpate::Pose> CommittedPlane() const;
   bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,

@@ -349,9 +349,11 @@ public:
   /**
    * Whether surfaces that are finer than a hand feels are replaced by simpler ones: once a scene is felt as it is they
    * are looked for meanwhile, and swapped in where it is proven that no point of either surface is further from the
-   * other than a hand notices (7 % of a depth of 1 mm, or what the device resolves) and half of the triangles go. Never
-   * those that move, deform, or have curves or material arrays; with Auto (default) none of fewer than 50,000
-   * triangles. In virtual time they wait for FinishSimplification(), which waits for them; true if any is felt.
+   * other than a hand notices (7 % of a depth of 1 mm, or what the device resolves) and half of the triangles go. Lines
+   * are felt at their coarsest level within that distance, joined and crossed as before. Never those that move, deform
+   * or have material arrays; with Auto (default) no surface of fewer than 50,000 triangles, and no lines of which fewer
+   * than 64 segments are shorter than 1/32 mm in the hand. In virtual time they wait for FinishSimplification(), which
+   * waits for them; true if any is felt.
    */
   virtual void SetSimplify(int choice);
   virtual int GetSimplify() const;

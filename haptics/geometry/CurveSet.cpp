@@ -32,12 +32,6 @@ std::string outOfPlane(std::size_t point, double z_u)
   return text.str();
 }
 
-std::string tooMany(std::size_t segments)
-{
-  return "its lines have " + std::to_string(segments) + " segments; at most " + std::to_string(mostSegments) +
-         " can be felt: simplify them first, which the filter Image Curves does with a guaranteed error";
-}
-
 /// Finite points of the segments.
 std::vector<Vec3> pointsOf(const TriangleMesh& segments)
 {
@@ -96,6 +90,14 @@ Quat orientationAcross(Vec3 normal_W)
 
 } // namespace
 
+std::string refuseSegments(std::size_t segments)
+{
+  return segments <= mostSegments
+           ? ""
+           : "its lines have " + std::to_string(segments) + " segments; at most " + std::to_string(mostSegments) +
+               " can be felt: simplify them first, which the filter Image Curves does with a guaranteed error";
+}
+
 std::optional<Pose> planeOf(const TriangleMesh& segments)
 {
   const std::vector<Vec3> points_W = pointsOf(segments);
@@ -121,9 +123,9 @@ std::optional<Pose> planeOf(const TriangleMesh& segments)
 PlaneCurves curvesInPlane(const TriangleMesh& segments, const Pose& plane_WP)
 {
   PlaneCurves found;
-  if (segments.triangles.size() > mostSegments)
+  found.refusal = refuseSegments(segments.triangles.size());
+  if (!found.refusal.empty())
   {
-    found.refusal = tooMany(segments.triangles.size());
     return found;
   }
   const double most_u = roundingOf(segments);

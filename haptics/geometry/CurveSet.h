@@ -14,8 +14,11 @@
 namespace palpate
 {
 
-/// Most segments of a plane world: their walls take about 2 GB while they are built, and no hand tells them apart.
+/// Most segments of curves: as walls they take about 2 GB while they are built, and no hand tells them apart.
 inline constexpr std::size_t mostSegments = 4'000'000;
+
+/// "its lines have 5000000 segments; at most ...": one line without a name in front. Empty where they are not too many.
+[[nodiscard]] std::string refuseSegments(std::size_t segments);
 
 /// Line segments in a plane, in scene units and the coordinates of that plane: a plane world.
 struct CurveSet

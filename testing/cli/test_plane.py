@@ -162,6 +162,25 @@ class Check(PlaneTest):
         self.assertFalse(said["kept"])
         self.assertIn(f"palpate: --radius: {said['sentence']};", touched.stderr)
 
+    def test_lines_finer_than_a_hand_feels_are_named_with_what_stands_for_them(self):
+        count = 20000  # segments of 0.016 mm where the ring is 100 mm wide
+        ring = [(math.cos(2 * math.pi * n / count), math.sin(2 * math.pi * n / count), 0) for n in range(count)]
+        self.lines(ring, [(*range(count), 0)])
+        found = json.loads(self.succeed("check", "lines.vtp", "--json").stdout)
+        kept = int(found["choice"].split()[0])
+        self.assertIn(f"{kept} of {count} segments are felt (proven: no point is further than", found["choice"])
+        unnoticed = 0.07 * 1e-3 * 2 / 0.1  # 7 % of a depth of 1 mm, in scene units
+        longest = 2 * math.acos(1 - unnoticed)  # whose sagitta that is
+        self.assertLessEqual(kept, 2 * (2 * math.pi / longest) + 1)  # for runs are halved
+        self.assertGreaterEqual(kept, 2 * math.pi / longest)
+        self.assertIn(found["choice"], self.succeed("check", "lines.vtp").stdout)
+        self.assertIn(f"{kept} segments feel the same", self.succeed("check", "lines.vtp", "--simplify").stdout)
+
+    def test_coarse_lines_are_felt_as_they_are(self):
+        self.lines(*wedge(math.radians(60)))
+        self.assertIn("all 2 segments are felt (coarser lines pay from 64 segments shorter than",
+                      self.succeed("check", "lines.vtp").stdout)
+
     def test_arrays_of_materials_mean_nothing_among_lines(self):
         self.lines(*wedge(1.0))
         self.refused("check", "lines.vtp", "--stiffness-array", "nope", saying=["lines.vtp", "arrays of materials"])

@@ -44,10 +44,15 @@ struct Subject
 {
   const palpate::Scene& Scene;
   Box Bounds;
+  palpate::SurfaceTraits Traits;
 
   Subject(const palpate::Scene& scene, const palpate::TriangleMesh* lines)
     : Scene(scene), Bounds(BoundsOf(lines ? *lines : this->Surface().tree->mesh()))
   {
+    if (lines)
+    {
+      this->Traits.walls_WP = { palpate::Pose() };
+    }
   }
   [[nodiscard]] const palpate::Surface& Surface() const { return this->Scene.surfaces().front(); }
 };
@@ -77,15 +82,19 @@ struct Choice
   std::string Sentence;
 };
 
-/// A scene of one surface, before simpler surfaces were looked for or after it.
+/// A scene of one surface, before simpler surfaces were looked for or after it. Coarser lines always are: that takes
+/// no longer than to read them.
 palpate::SurfaceChoice SurfaceChoiceOf(const Subject& subject, bool simplify)
 {
   palpate::SimplifyRules rules;
   rules.touch = TouchPlanOf(subject).conditions;
-  rules.leastTriangles = simplify ? 0 : rules.leastTriangles;
-  const std::vector<palpate::SurfaceChoice> atFirst = palpate::chooseAtFirst(subject.Scene, {}, rules);
-  return simplify ? palpate::SceneSimplifier().simplify(subject.Scene, atFirst, rules, 2).choices.front()
-                  : atFirst.front();
+  if (simplify)
+  {
+    rules.leastTriangles = rules.leastFine = 0;
+  }
+  const std::vector<palpate::SurfaceChoice> atFirst = palpate::chooseAtFirst(subject.Scene, subject.Traits, rules);
+  const bool look = simplify || atFirst.front().curves;
+  return look ? palpate::SceneSimplifier().simplify(subject.Scene, atFirst, rules, 2).choices.front() : atFirst.front();
 }
 
 Choice ChoiceOf(const Subject& subject, const vtkHapticCliCheckOptions& options)
@@ -146,8 +155,8 @@ std::string SentenceOf(const palpate::SurfaceChoice& surface)
   std::ostringstream text;
   if (surface.felt < surface.triangles)
   {
-    text << surface.felt << " triangles feel the same, everywhere within " << surface.bound_u
-         << " scene units, proven both ways";
+    text << surface.felt << (surface.curves ? " segments" : " triangles") << " feel the same, everywhere within "
+         << surface.bound_u << " scene units, proven both ways";
   }
   else
   {

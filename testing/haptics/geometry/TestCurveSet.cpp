@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plane worlds: which plane lines lie in, and the walls they become.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,17 @@ TriangleMesh curveIn(const Pose& plane_WP, double size_u)
   return segmentsOf(curve);
 }
 
+/// How far points may be off a plane that were written as single numbers: four units of the last place of the largest.
+double floatRounding_u(const TriangleMesh& segments)
+{
+  double largest_u = 0.0;
+  for (const Vec3& p_W : segments.vertices_W)
+  {
+    largest_u = std::max(largest_u, p_W.cwiseAbs().maxCoeff());
+  }
+  return 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * largest_u;
+}
+
 TEST(CurveSet, LinesInThePlaneZ0GiveItExactly)
 {
   const std::optional<Pose> plane_WP = planeOf(curveIn({}, 3.0));
@@ -53,8 +65,8 @@ TEST(CurveSet, SlicesAcrossTheAxesHaveTheirXToTheRightAndTheirYUp)
 
 TEST(CurveSet, CurvesInAnyPlaneAreFoundInItAndTheWallsStandAcrossIt)
 {
-  test::Random random(12);
-  for (int i = 0; i < 200; ++i)
+  test::Random random(test::testSeed(12));
+  for (std::size_t i = 0; i < test::testCount(200); ++i)
   {
     const Pose placed_WP{ random.inCube(50.0), Quat(Eigen::AngleAxisd(random.uniform(0, 6), random.direction())) };
     const TriangleMesh segments = curveIn(placed_WP, 3.0);
@@ -64,10 +76,11 @@ TEST(CurveSet, CurvesInAnyPlaneAreFoundInItAndTheWallsStandAcrossIt)
     const PlaneCurves plane = curvesInPlane(segments, *plane_WP);
     ASSERT_EQ(plane.refusal, "");
     const TriangleMesh walls = raiseWalls(plane.curves, 0.5, *plane_WP);
+    const double rounding_u = floatRounding_u(segments);
     for (std::size_t v = 0; v < segments.vertices_W.size(); ++v)
     {
       const Vec3 middle_W = 0.5 * (walls.vertices_W[2 * v] + walls.vertices_W[2 * v + 1]);
-      ASSERT_LE((middle_W - segments.vertices_W[v]).norm(), 1e-4);
+      ASSERT_LE((middle_W - segments.vertices_W[v]).norm(), rounding_u);
       ASSERT_NEAR((walls.vertices_W[2 * v + 1] - walls.vertices_W[2 * v]).norm(), 1.0, 1e-12);
     }
   }
@@ -115,6 +128,38 @@ TEST(CurveSet, WallsAreHigherThanTheDiscAndElseNotMuchHigherThanSegmentsAreLong)
   EXPECT_GT(high_u, 10.0);
   int exponent = 0;
   EXPECT_EQ(std::frexp(low_u, &exponent), 0.5) << "a power of two";
+}
+
+TEST(CurveSet, LoweredWallsAreTheLinesTheyWereRaisedFrom)
+{
+  test::Random random(test::testSeed(681));
+  CurveSet curves;
+  for (std::uint32_t i = 0; i < 100; ++i)
+  {
+    curves.points_W.emplace_back(random.uniform(-9, 9), random.uniform(-9, 9));
+    curves.segments.push_back({ i, random.below(100) });
+  }
+  const Pose slanted{ { 1, 2, 3 }, Quat(0.5, 0.5, -0.1, 0.7).normalized() };
+  for (const Pose& plane_WP : { Pose(), slanted })
+  {
+    const double rounding_u = plane_WP.p.isZero(0.0) ? 0.0 : 1e-13;
+    const CleanResult walls = cleanMesh(raiseWalls(curves, 0.25, plane_WP));
+    const LoweredWalls lowered = lowerWalls(walls.mesh, plane_WP);
+    EXPECT_NEAR(lowered.halfHeight_u, 0.25, rounding_u);
+    std::size_t found = 0;
+    for (const auto& [a, b] : lowered.curves.segments)
+    {
+      const auto is = [&](std::uint32_t i, std::uint32_t j)
+      {
+        return (curves.points_W[i] - lowered.curves.points_W[a]).norm() <= rounding_u &&
+               (curves.points_W[j] - lowered.curves.points_W[b]).norm() <= rounding_u;
+      };
+      found += std::any_of(curves.segments.begin(), curves.segments.end(),
+        [&](const auto& segment) { return is(segment[0], segment[1]) || is(segment[1], segment[0]); });
+    }
+    EXPECT_EQ(found, lowered.curves.segments.size());
+    EXPECT_EQ(2 * found, walls.mesh.triangles.size());
+  }
 }
 
 } // namespace

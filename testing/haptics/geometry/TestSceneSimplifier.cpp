@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/geometry/SceneSimplifier.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
+#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/SurfaceDistance.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate::test
@@ -91,6 +96,53 @@ TEST(SceneSimplifier, ReplacesWhatPaysAndLeavesTheRestInItsPlace)
   EXPECT_LE(simpler.choices[0].bound_u, ScenePlan::noticed * 1.0); // of a depth of 1 mm
   EXPECT_EQ(simpler.choices[1].reason, "its facets are no finer than a hand feels");
   EXPECT_EQ(simpler.choices[1].felt, simpler.choices[1].triangles);
+}
+
+/// So many segments along a circle in z = 0.
+TriangleMesh ring(std::uint32_t segments)
+{
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < segments; ++i)
+  {
+    const double angle = 2 * std::numbers::pi * i / segments;
+    mesh.vertices_W.emplace_back(radius_u * std::cos(angle), radius_u * std::sin(angle), 0.0);
+    mesh.triangles.push_back({ i, (i + 1) % segments, (i + 1) % segments });
+  }
+  return mesh;
+}
+
+TEST(SceneSimplifier, CurvesAreFeltAtTheirCoarsestLevelAsTubesAndAsWalls)
+{
+  constexpr std::uint32_t count = 20000; // of 0.016 mm each
+  const TriangleMesh lines = ring(count);
+  const Surface walls = surfaceOf("walls", raiseWalls(curvesInPlane(lines).curves, 0.5));
+  const Scene scene(1, { walls, surfaceOf("tubes", lines, 0.25), surfaceOf("coarse", ring(500), 0.25) });
+  const SurfaceTraits traits{ {}, { Pose() } };
+  SimplifyRules rules;
+  rules.touch.scale_u_per_m = 1000.0;
+  const std::vector<SurfaceChoice> first = chooseAtFirst(scene, traits, rules);
+  EXPECT_EQ(first[0].triangles, count);
+  EXPECT_EQ(first[1].triangles, count);
+  EXPECT_EQ(first[2].reason, "coarser lines pay from 64 segments shorter than 0.0312 u on");
+  SceneSimplifier simplifier;
+  const SimplerScene simpler = simplifier.simplify(scene, first, rules, 2);
+  ASSERT_TRUE(simpler.scene);
+  EXPECT_EQ(simpler.scene->surfaces()[2].tree, scene.surfaces()[2].tree);
+  const double limit_u = ScenePlan::noticed * 1.0;
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const SurfaceTree& level = *simpler.scene->surfaces()[i].tree;
+    const SurfaceChoice& choice = simpler.choices[i];
+    EXPECT_EQ(choice.felt * (i == 0 ? 2 : 1), level.mesh().triangles.size());
+    EXPECT_EQ(level.coat_u(), scene.surfaces()[i].tree->coat_u());
+    EXPECT_LE(choice.bound_u, limit_u);
+    const double longest_rad =
+      2 * std::acos(1 - limit_u / radius_u); // whose sagitta is the limit; halving may miss it by 2
+    EXPECT_LE(static_cast<double>(choice.felt), 2 * 2 * std::numbers::pi / longest_rad + 1);
+    EXPECT_EQ(
+      proveWithin(*scene.surfaces()[i].tree, level, 1.001 * choice.bound_u).verdict, DistanceProof::Verdict::Within);
+  }
+  EXPECT_TRUE(simplifier.knows(scene, first, rules));
 }
 
 TEST(SceneSimplifier, SaysWhyASurfaceItLookedForIsRefused)

@@ -49,6 +49,24 @@ TEST(PlanSentence, AddsSurfacesUpAndSaysEachReasonOnce)
   EXPECT_EQ(planSentence({}, {}), "there is nothing to touch");
 }
 
+TEST(PlanSentence, CountsSegmentsOfCurvesAndSaysWhatStandsForThem)
+{
+  SurfaceChoice lines = all(300000, "");
+  lines.curves = true;
+  EXPECT_THAT(planSentence({ lines }, {}),
+    StartsWith("all 300000 segments are felt (coarser lines are looked for meanwhile), by "));
+  EXPECT_THAT(planSentence({ lines, all(10, "a") }, {}), StartsWith("all 300010 triangles and segments are felt ("));
+  lines.wall_WP = Pose();
+  lines.felt = 4;
+  lines.bound_u = 0.0625;
+  EXPECT_THAT(planSentence({ lines }, {}),
+    ::testing::AllOf(StartsWith("4 of 300000 segments are felt (proven: no point is further than 0.0625 u from the "
+                                "data's lines, or the data's from it"),
+      HasSubstr("a list (up to 8 triangles are one)"))); // a wall is two
+  lines.felt = 5;
+  EXPECT_THAT(planSentence({ lines }, {}), HasSubstr("a tree of boxes"));
+}
+
 TEST(PlanSentence, SaysWhyTheBallIsAsLargeAsItIs)
 {
   EXPECT_THAT(said(ballOf(0, 0, 3)), HasSubstr(", by a point (no radius is asked for) "));

@@ -139,23 +139,71 @@ CurveSet through(const std::vector<Vec3>& points_W)
   return lines;
 }
 
-/// A stroke of 0.2 m/s from inside along a ring whose world is 10 cm wide. Ticks whose work did not suffice.
-double stroked(const std::vector<Vec3>& ring_W, std::size_t ticks, Cost& cost)
+/// A ring as it is felt while the hand is there: a scene, and for how many ticks.
+struct Level
 {
-  constexpr double step_rad = 4e-3; // 2 units from the middle: 0.2 mm of the hand
-  test::Probe probe(sceneOf(through(ring_W)), 0.0, 0.2 * ring_W.front());
+  std::shared_ptr<const Scene> scene;
+  std::size_t ticks = 0;
+};
+
+constexpr double strokeStep_rad = 4e-3; // 2 units from the middle: 0.2 mm of the hand
+
+Vec3 strokeAt(std::size_t tick)
+{
+  const double angle_rad = strokeStep_rad * static_cast<double>(tick);
+  return { 2.0 * std::cos(angle_rad), 2.0 * std::sin(angle_rad), 0 };
+}
+
+/// A stroke of 0.2 m/s from inside along a ring whose world is 10 cm wide. Ticks whose work did not suffice.
+template<class LevelAt>
+double stroked(LevelAt levelAt, const Vec3& start_W, std::size_t ticks, Cost& cost)
+{
+  Level level = levelAt(0);
+  test::Probe probe(level.scene, 0.0, start_W);
   test::CostSample sample(ticks);
   double incomplete = 0.0;
-  for (std::size_t i = 0; i < ticks; ++i)
+  for (std::size_t i = 0, left = level.ticks; i < ticks; ++i, --left)
   {
-    const double angle_rad = step_rad * static_cast<double>(i);
-    const Vec3 p_W(2.0 * std::cos(angle_rad), 2.0 * std::sin(angle_rad), 0);
+    if (left == 0)
+    {
+      level = levelAt(i);
+      left = level.ticks;
+      probe.changeScene(level.scene);
+    }
     ContactResult result;
-    sample.time([&] { result = probe.to(p_W); });
+    sample.time([&] { result = probe.to(strokeAt(i)); });
     incomplete += result.overBudget || result.capped;
   }
   cost = Cost::of(sample);
   return incomplete;
+}
+
+/// One choice for all of the stroke.
+double stroked(const std::vector<Vec3>& ring_W, std::size_t ticks, Cost& cost)
+{
+  const Level level{ sceneOf(through(ring_W)), ticks };
+  return stroked([&](std::size_t) { return level; }, 0.2 * ring_W.front(), ticks, cost);
+}
+
+/// What a level that follows the hand could save: a choice every 16 ms that is fine where the hand may come meanwhile
+/// and coarser beyond.
+void judgeFollowing(const MultiresolutionCurve& curve, double limit_u, std::size_t ticks, Table& table)
+{
+  constexpr std::size_t every_ticks = 16;
+  constexpr double reach_u = 1.0, growth = 0.1; // the hand is up to 2 / 3 of a unit from where it touches
+  std::size_t most = 0;
+  const auto levelAt = [&](std::size_t tick)
+  {
+    const std::vector<Vec3> chosen_W =
+      test::pick(curve.points_W(), curve.choose({ strokeAt(tick), limit_u, reach_u, growth }));
+    most = std::max(most, chosen_W.size());
+    return Level{ sceneOf(through(chosen_W)), every_ticks };
+  };
+  Cost cost;
+  const double incomplete = stroked(levelAt, 0.2 * curve.points_W().front(), ticks, cost);
+  const std::string kept =
+    caseName({ { "points", static_cast<double>(curve.points_W().size()) }, { "kept", static_cast<double>(most) } });
+  table.within({ kept, "fine near the hand", "ticks that ran out of passes" }, incomplete, 0.0, 0.0).cost = cost;
 }
 
 /// A curve far finer than a hand feels: a tick passes one facet after the other, and a stroke passes more of them than
@@ -179,6 +227,7 @@ void judgeLevels(const Conditions& conditions, Table& table)
   table
     .within({ kept, "within what is felt", "ticks that ran out of passes" }, stroked(coarse_W, ticks, cost), 0.0, 0.0)
     .cost = cost;
+  judgeFollowing(curve, detail.limit_u, ticks, table);
   double away_u = 0.0;
   for (std::size_t i = 0; i < points; i += points / 2000)
   {
