@@ -2,22 +2,9 @@
 // Any bytes as a calibration: refused with one phrase, or a calibration that may be applied and that comes back the
 // same when it is written and read again.
 #include <cstdint>
-#include <cstdlib>
 
 #include "devices/calibration/Calibration.h"
-
-namespace
-{
-
-void require(bool holds)
-{
-  if (!holds)
-  {
-    std::abort();
-  }
-}
-
-} // namespace
+#include "testing/fuzz/Require.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

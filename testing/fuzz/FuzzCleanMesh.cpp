@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 
 #include "haptics/geometry/TriangleMesh.h"
+#include "testing/fuzz/Require.h"
 
 namespace
 {
@@ -33,14 +33,6 @@ palpate::TriangleMesh meshFrom(const std::uint8_t* data, std::size_t size)
     mesh.triangles.push_back({ data[at], data[at + 1], data[at + 2] });
   }
   return mesh;
-}
-
-void require(bool holds)
-{
-  if (!holds)
-  {
-    std::abort();
-  }
 }
 
 bool same(const palpate::TriangleMesh& a, const palpate::TriangleMesh& b)

@@ -3,23 +3,15 @@
 // or another report says nothing. First two bytes: how many of the following are the descriptor.
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <span>
 
 #include "devices/hid/PidInput.h"
 #include "devices/hid/SpaceMouseInput.h"
+#include "testing/fuzz/Require.h"
 
 namespace
 {
-
-void require(bool holds)
-{
-  if (!holds)
-  {
-    std::abort();
-  }
-}
 
 void judgeJoystick(const palpate::ReportDescriptor& descriptor, std::span<const std::uint8_t> report)
 {

@@ -3,18 +3,11 @@
 #include PARSER_HEADER
 
 #include <cstdint>
-#include <cstdlib>
+
+#include "testing/fuzz/Require.h"
 
 namespace
 {
-void require(bool holds)
-{
-  if (!holds)
-  {
-    std::abort();
-  }
-}
-
 /// What the readers rely on without asking again.
 void requireConsistent(const vtkHapticFaceMesh& mesh)
 {

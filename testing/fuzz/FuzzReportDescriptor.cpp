@@ -2,22 +2,15 @@
 // Any bytes as a report descriptor: refused with one sentence, or every control it names can be read and written within
 // its report and gives back what was written.
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "devices/hid/ReportBits.h"
 #include "devices/hid/ReportDescriptor.h"
+#include "testing/devices/hid/ReportWithId.h"
+#include "testing/fuzz/Require.h"
 
 namespace
 {
-
-void require(bool holds)
-{
-  if (!holds)
-  {
-    std::abort();
-  }
-}
 
 void requireUsable(const palpate::HidReport& report, const palpate::HidField& field)
 {

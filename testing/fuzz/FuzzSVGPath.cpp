@@ -2,22 +2,14 @@
 // The small languages in the attributes of a drawing; expat stands before them and is not ours. The first byte says
 // which.
 #include <cstdint>
-#include <cstdlib>
 #include <stdexcept>
 #include <string_view>
 
+#include "testing/fuzz/Require.h"
 #include "vtkHapticSVGPath.h"
 
 namespace
 {
-void require(bool holds)
-{
-  if (!holds)
-  {
-    std::abort();
-  }
-}
-
 void parsePath(std::string_view text)
 {
   vtkHapticPlaneLines lines;

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdlib>
+
+/// What does not hold is a finding: the fuzzer keeps the bytes that led to it.
+inline void require(bool holds)
+{
+  if (!holds)
+  {
+    std::abort();
+  }
+}
