@@ -156,6 +156,11 @@ void pqHapticController::showTrace(bool shown)
   this->Frames->showTrace(shown);
 }
 
+void pqHapticController::showPlaces(bool shown)
+{
+  this->Frames->showPlaces(shown);
+}
+
 void pqHapticController::fitWorkspace()
 {
   if (this->Proxy)

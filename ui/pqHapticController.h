@@ -54,8 +54,10 @@ public Q_SLOTS:
   void release();
   /// Such a map that the device's workspace holds the whole scene.
   void fitWorkspace();
-  /// Whether the way through a labyrinth is drawn while touching.
+  /// Whether the way through a labyrinth is drawn.
   void showTrace(bool shown);
+  /// Whether start and exit of a labyrinth are drawn while touching.
+  void showPlaces(bool shown);
   /// Before the application ends: lets go and gives everything back.
   void shutdown();
 

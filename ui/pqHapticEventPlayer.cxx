@@ -11,9 +11,11 @@
 #include "vtkSmartPointer.h"
 
 #include <QAbstractButton>
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QKeySequence>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QRegularExpression>
 #include <QStringList>
 #include <QWidget>
@@ -22,11 +24,19 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <string_view>
 
 namespace
 {
 /// Long enough for the panel's next refresh.
 constexpr int settle_ms = 150;
+/// Of a pointer that glides.
+constexpr int betweenMoves_ms = 30;
+
+bool PhaseIs(const vtkHapticSession& session, std::string_view phase)
+{
+  return session.GetLabyrinthPhase() == phase;
+}
 
 /// What hapticCheck and hapticWaitFor can ask for; null: no such name.
 std::function<double(const vtkHapticSession&)> QuantityOf(const QString& name)
@@ -34,6 +44,8 @@ std::function<double(const vtkHapticSession&)> QuantityOf(const QString& name)
   using S = const vtkHapticSession&;
   static const std::map<QString, std::function<double(S)>> quantities = {
     { "force", [](S s) { return s.GetForceMagnitude(); } },
+    { "arrived", [](S s) { return PhaseIs(s, "arrived") || PhaseIs(s, "rests") ? 1.0 : 0.0; } },
+    { "leads", [](S s) { return PhaseIs(s, "leads") ? 1.0 : 0.0; } },
     { "depth", [](S s) { return s.GetDepth(); } },
     { "contacts", [](S s) { return static_cast<double>(s.GetContacts()); } },
     { "ticks", [](S s) { return static_cast<double>(s.GetTicks()); } },
@@ -61,6 +73,7 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticPose", [&] { return this->pose(list); } },
     { "hapticStroke", [&] { return this->addStrokePoint(list); } },
     { "hapticVirtualTime", [&] { return this->setVirtualTime(arguments.toInt() != 0); } },
+    { "hapticGlide", [&] { return this->glide(qobject_cast<QWidget*>(object), list); } },
     { "hapticMove", [&] { return this->move(list); } },
     { "hapticStep", [&] { return this->step(arguments.toInt()); } },
     { "hapticWindow", [&] { return this->resizeWindow(list); } },
@@ -68,8 +81,8 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticWaitUntilReleased", [&] { return this->waitUntilReleased(arguments.toInt()); } },
     { "hapticWaitFor", [&] { return this->waitFor(list); } },
     { "hapticCheck", [&] { return this->check(list); } },
-    { "hapticAnotherSession", [&] { return this->replaceSession(); } },
     { "hapticMnemonics", [&] { return this->checkMnemonics(object); } },
+    { "hapticAnotherSession", [&] { return this->replaceSession(); } },
     { "hapticTabOrder", [&] { return this->checkTabOrder(object, list); } },
   };
   const auto found = commands.find(command);
@@ -154,6 +167,22 @@ bool pqHapticEventPlayer::addStrokePoint(const QStringList& numbers)
   return true;
 }
 
+bool pqHapticEventPlayer::glide(QWidget* widget, const QStringList& arguments)
+{
+  const int steps = arguments.size() == 5 ? arguments[4].toInt() : 0;
+  for (int i = 0; widget && i <= steps; ++i)
+  {
+    const double t = static_cast<double>(i) / steps;
+    const auto along = [&](int from, int to)
+    { return (1.0 - t) * arguments[from].toDouble() + t * arguments[to].toDouble(); };
+    const QPointF at(along(0, 2) * widget->width(), along(1, 3) * widget->height());
+    QMouseEvent move(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(widget, &move);
+    this->wait(betweenMoves_ms);
+  }
+  return widget && steps > 0;
+}
+
 bool pqHapticEventPlayer::step(int ticks)
 {
   vtkHapticSession* session = this->Controller->session();
@@ -219,22 +248,6 @@ bool pqHapticEventPlayer::checkTabOrder(QObject* object, const QStringList& name
   return reached == names;
 }
 
-/// As a script does it. The one before must be left in peace.
-bool pqHapticEventPlayer::replaceSession()
-{
-  vtkSMProxy* before = this->Controller->sessionProxy();
-  const vtkSmartPointer<vtkHapticSession> left = this->Controller->session();
-  if (!left)
-  {
-    return false;
-  }
-  vtkSMSessionProxyManager* manager = before->GetSessionProxyManager();
-  const auto proxy = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy("haptics", "HapticSession"));
-  manager->RegisterProxy("haptics", "another", proxy);
-  const bool quiet = !left->GetTouching() && left->GetSelfTestState() != vtkHapticSession::CheckRuns;
-  return quiet && this->Controller->session() != left;
-}
-
 bool pqHapticEventPlayer::checkMnemonics(QObject* object) const
 {
   QStringList keys;
@@ -258,6 +271,22 @@ bool pqHapticEventPlayer::checkMnemonics(QObject* object) const
     return false;
   }
   return true;
+}
+
+/// As a script does it. The one before must be left in peace.
+bool pqHapticEventPlayer::replaceSession()
+{
+  vtkSMProxy* before = this->Controller->sessionProxy();
+  const vtkSmartPointer<vtkHapticSession> left = this->Controller->session();
+  if (!left)
+  {
+    return false;
+  }
+  vtkSMSessionProxyManager* manager = before->GetSessionProxyManager();
+  const auto proxy = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy("haptics", "HapticSession"));
+  manager->RegisterProxy("haptics", "another", proxy);
+  const bool quiet = !left->GetTouching() && left->GetSelfTestState() != vtkHapticSession::CheckRuns;
+  return quiet && this->Controller->session() != left;
 }
 
 bool pqHapticEventPlayer::check(const QStringList& range)

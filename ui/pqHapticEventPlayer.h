@@ -12,17 +12,20 @@ class pqHapticController;
  *   hapticPose "x,y,z"               where the fed device holds the hand, in scene coordinates [u]
  *   hapticVirtualTime "1"            from the next touch on, only hapticMove and hapticStep make the servo tick
  *   hapticMove "x,y,z,n"             n ticks of virtual time in which the hand goes evenly to a point [u]
+ *   hapticGlide "x,y,x,y,n"          the pointer goes over a widget in n moves; shares of its width and height
  *   hapticStep "n"                   n ticks of virtual time, then time for the panel to show them
  *   hapticWindow "width,height"      size of the main window [pixels]: there is no window manager
  *   hapticWait "ms"                  processes events for that long
  *   hapticWaitUntilReleased "ms"     processes events until nothing is touched any more, at most that long
  *   hapticStroke "x,y,z"             one more point of the path a simulated hand is led along, scene frame [u]
- *   hapticCheck "name,low,high"      fails unless it lies in [low, high]: force [N], depth [u], contacts, ticks, missed,
- *                                    largestStiffness [N/m], limitStiffness, passivity, delay [ticks], velocityMethod
+ *   hapticCheck "name,low,high"      fails unless it lies in [low, high]
  *   hapticWaitFor "name,low,high,ms" processes events until hapticCheck would pass, at most that long
  *   hapticTabOrder "name,name,..."   fails unless Tab goes through these fields of the object in this order
  *   hapticMnemonics ""               fails unless all that can be edited in the object has a mnemonic of its own
  *   hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
+ *
+ * Names: force [N], depth [u], contacts, ticks, missed, largestStiffness [N/m], delay [ticks], velocityMethod; 0 or 1:
+ * limitStiffness, passivity, leads and arrived (of a labyrinth).
  *
  * Q_OBJECT is required: ParaView keys players by class name.
  */
@@ -41,6 +44,7 @@ private:
   bool pose(const QStringList& numbers);
   bool move(const QStringList& arguments);
   bool addStrokePoint(const QStringList& numbers);
+  bool glide(QWidget* widget, const QStringList& arguments);
   bool step(int ticks);
   bool resizeWindow(const QStringList& size);
   bool setVirtualTime(bool on);

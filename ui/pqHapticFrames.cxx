@@ -50,6 +50,12 @@ void pqHapticFrames::setSession(vtkHapticSession* session)
 void pqHapticFrames::showTrace(bool shown)
 {
   this->Props->SetShowTrace(shown);
+  this->follow();
+}
+
+void pqHapticFrames::showPlaces(bool shown)
+{
+  this->Props->SetShowPlaces(shown);
 }
 
 void pqHapticFrames::setActive(bool active)
@@ -66,8 +72,27 @@ void pqHapticFrames::setActive(bool active)
   }
   else
   {
-    this->detach();
     this->Pause.stop();
+    this->follow();
+  }
+}
+
+void pqHapticFrames::follow()
+{
+  if (this->Active)
+  {
+    return;
+  }
+  if (!this->Props->GetShowTrace() || !this->Session)
+  {
+    this->detach();
+    return;
+  }
+  this->attach();
+  this->Props->UpdateFrom(this->Session);
+  if (this->View)
+  {
+    this->View->render();
   }
 }
 

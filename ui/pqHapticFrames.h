@@ -30,8 +30,10 @@ public:
 
   void setSession(vtkHapticSession* session);
   void setActive(bool active);
-  /// Whether the way through a labyrinth is drawn too; off at first.
+  /// Whether the way through a labyrinth is drawn too, then also when nothing is touched any more; off at first.
   void showTrace(bool shown);
+  /// Whether start and exit of a labyrinth are drawn too; on at first.
+  void showPlaces(bool shown);
 
 public Q_SLOTS:
   void setView(pqRenderView* view);
@@ -45,6 +47,8 @@ private:
   void frameEnded();
   void attach();
   void detach();
+  /// Without a tool: what is left to see once touching has ended.
+  void follow();
 
   vtkNew<vtkHapticToolProps> Props;
   vtkSmartPointer<vtkHapticSession> Session;

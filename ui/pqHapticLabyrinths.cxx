@@ -6,17 +6,21 @@
 #include "pqDataRepresentation.h"
 #include "pqFileDialog.h"
 #include "pqHapticController.h"
+#include "pqHapticLabel.h"
 #include "pqObjectBuilder.h"
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkHapticGallery.h"
 #include "vtkHapticLabyrinth.h"
+#include "vtkHapticLabyrinthData.h"
 #include "vtkHapticSession.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -24,59 +28,90 @@
 #include <QTimer>
 
 #include <cmath>
+#include <utility>
 
 namespace
 {
 constexpr int readOutEvery_ms = 100;
 
-QPushButton* Button(QWidget* parent, const char* name, const QString& text)
+/// What a game sets.
+constexpr const char* settings[] = { "LinesAsWalls", "Radius", "Scale", "Offset", "Rotation" };
+
+QPushButton* Button(QWidget* parent, const char* name, const QString& text, const QString& tip)
 {
   auto* button = new QPushButton(text, parent);
   button->setObjectName(name);
+  button->setToolTip(tip);
   return button;
 }
 
-QLabel* Label(QWidget* parent, const char* name)
+QCheckBox* Check(QWidget* parent, const char* name, const QString& text, const QString& tip)
 {
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  return label;
+  auto* box = new QCheckBox(text, parent);
+  box->setObjectName(name);
+  box->setToolTip(tip);
+  return box;
+}
+
+QDoubleSpinBox* CorridorBox(QWidget* parent)
+{
+  auto* box = new QDoubleSpinBox(parent);
+  box->setObjectName("corridor");
+  box->setRange(0.0, 1e9);
+  box->setDecimals(4);
+  box->setSuffix(QObject::tr(" u"));
+  box->setSpecialValueText(QObject::tr("as the file says, else measured"));
+  box->setToolTip(
+    QObject::tr("Width of corridors: the disc that is led through them has a fifth of that as its radius"));
+  return box;
 }
 } // namespace
 
 pqHapticLabyrinths::pqHapticLabyrinths(QWidget* parent)
-  : Superclass(parent), Worlds(new QListWidget(this)), Hidden(new QCheckBox(tr("&Hide walls: by touch alone"), this)),
-    Trace(new QCheckBox(tr("&Trace"), this)), State(Label(this, "state")), Time(Label(this, "time")),
-    Place(Label(this, "place")), Message(Label(this, "message"))
+  : Superclass(parent), Worlds(new QListWidget(this)), Corridor(CorridorBox(this)),
+    Hidden(Check(this, "hidden", tr("&Hide walls: by touch alone"), tr("Walls cannot be seen but are felt"))),
+    Trace(Check(this, "trace", tr("&Trace"), tr("Draws the way since the hand was let go"))),
+    State(pqHapticLabel(this, "state", tr("Where the game stands"))),
+    Time(pqHapticLabel(this, "time", tr("Time of exploring"))),
+    Place(pqHapticLabel(this, "place", tr("The proxy in the plane, in scene units"))),
+    Message(pqHapticLabel(this, "message", tr("What happened, and what to do next")))
 {
   this->setObjectName("hapticLabyrinths");
   this->setWindowTitle(tr("Labyrinths"));
   this->Worlds->setObjectName("worlds");
-  this->Hidden->setObjectName("hidden");
-  this->Trace->setObjectName("trace");
-  this->Trace->setToolTip(tr("Draws the way since the hand was let go"));
-  QPushButton* const file = Button(this, "file", tr("&Own file..."));
-  QPushButton* const play = Button(this, "play", tr("&Play"));
-  QPushButton* const again = Button(this, "again", tr("Start &again"));
-  QPushButton* const zoom = Button(this, "zoom", tr("&Zoom until it can be felt"));
+  this->Worlds->setToolTip(tr("The gallery and files of your own; Enter plays"));
+  QPushButton* const file =
+    Button(this, "file", tr("&Own file..."), tr("Adds a drawing (svg), a picture (png) or lines (vtp)"));
+  QPushButton* const play = Button(this, "play", tr("&Play"), tr("Opens the world and leads the hand to its start"));
+  QPushButton* const again =
+    Button(this, "again", tr("Start &again"), tr("Shows the whole world and leads the hand to its start"));
+  QPushButton* const zoom = Button(this, "zoom", tr("&Zoom until it can be felt"),
+    tr("Enlarges the world about the hand until neighbouring corridors can be told apart"));
+  QPushButton* const end = Button(this, "end", tr("&End the game"), tr("Ball, scale and place are as before the game"));
+  auto* const corridors = new QLabel(tr("&Corridors"), this);
+  corridors->setBuddy(this->Corridor);
   play->setDefault(true);
   auto* grid = new QGridLayout(this);
   grid->addWidget(this->Worlds, 0, 0, 1, 3);
-  grid->addWidget(file, 1, 0);
-  grid->addWidget(play, 1, 1);
-  grid->addWidget(again, 1, 2);
-  grid->addWidget(this->Hidden, 2, 0);
-  grid->addWidget(this->Trace, 2, 1);
-  grid->addWidget(zoom, 2, 2);
-  grid->addWidget(this->State, 3, 0, 1, 2);
-  grid->addWidget(this->Time, 3, 2);
-  grid->addWidget(this->Place, 4, 0, 1, 3);
-  grid->addWidget(this->Message, 5, 0, 1, 3);
+  grid->addWidget(corridors, 1, 0);
+  grid->addWidget(this->Corridor, 1, 1, 1, 2);
+  grid->addWidget(file, 2, 0);
+  grid->addWidget(play, 2, 1);
+  grid->addWidget(again, 2, 2);
+  grid->addWidget(this->Hidden, 3, 0);
+  grid->addWidget(this->Trace, 3, 1);
+  grid->addWidget(zoom, 3, 2);
+  grid->addWidget(this->State, 4, 0);
+  grid->addWidget(this->Time, 4, 1);
+  grid->addWidget(end, 4, 2);
+  grid->addWidget(this->Place, 5, 0, 1, 3);
+  grid->addWidget(this->Message, 6, 0, 1, 3);
   this->connect(file, &QPushButton::clicked, this, &pqHapticLabyrinths::chooseFile);
   this->connect(play, &QPushButton::clicked, this, &pqHapticLabyrinths::play);
   this->connect(again, &QPushButton::clicked, this, &pqHapticLabyrinths::again);
   this->connect(zoom, &QPushButton::clicked, this, &pqHapticLabyrinths::zoom);
+  this->connect(end, &QPushButton::clicked, this, &pqHapticLabyrinths::end);
+  this->connect(this, &QDialog::finished, this, &pqHapticLabyrinths::end);
   this->connect(this->Worlds, &QListWidget::itemActivated, this, &pqHapticLabyrinths::play);
   this->connect(this->Hidden, &QCheckBox::toggled, this, &pqHapticLabyrinths::hideWalls);
   this->connect(this->Trace, &QCheckBox::toggled, pqHapticController::instance(), &pqHapticController::showTrace);
@@ -106,73 +141,138 @@ void pqHapticLabyrinths::chooseFile()
   }
 }
 
+QString pqHapticLabyrinths::refusal(const QString& world) const
+{
+  if (world.isEmpty())
+  {
+    return tr("Choose a labyrinth in the list, or a file of your own.");
+  }
+  if (!pqHapticController::instance()->session() || !pqActiveObjects::instance().activeServer())
+  {
+    return tr("There is no haptic session: connect to a server first.");
+  }
+  if (!qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView()))
+  {
+    return tr("A labyrinth needs a render view: open one first.");
+  }
+  const std::string file = vtkHapticGallery::FileOf(world.toStdString());
+  return QString::fromStdString(vtkHapticReadLabyrinth(file).Problem);
+}
+
+/// One source for all games, so that filters on it and its place in the pipeline stay.
 pqPipelineSource* pqHapticLabyrinths::open(const QString& world)
 {
-  pqServer* const server = pqActiveObjects::instance().activeServer();
-  pqView* const view = pqActiveObjects::instance().activeView();
-  if (!server || !qobject_cast<pqRenderView*>(view))
-  {
-    this->Message->setText(tr("A labyrinth needs a render view: open one first."));
-    return nullptr;
-  }
   pqObjectBuilder* const builder = pqApplicationCore::instance()->getObjectBuilder();
-  if (this->Source)
+  if (!this->Source)
   {
-    builder->destroy(this->Source);
+    this->Source = builder->createSource("sources", "HapticLabyrinth", pqActiveObjects::instance().activeServer());
+    this->connect(this->Source, &QObject::destroyed, this, &pqHapticLabyrinths::end);
   }
-  this->Source = builder->createSource("sources", "HapticLabyrinth", server);
   vtkSMPropertyHelper(this->Source->getProxy(), "World").Set(world.toUtf8().constData());
+  vtkSMPropertyHelper(this->Source->getProxy(), "Corridor").Set(this->Corridor->value());
   this->Source->getProxy()->UpdateVTKObjects();
   this->Source->updatePipeline();
   this->Source->setModifiedState(pqProxy::UNMODIFIED);
-  this->Shown = builder->createDataRepresentation(this->Source->getOutputPort(0), view);
+  pqView* const view = pqActiveObjects::instance().activeView();
+  this->Shown = this->Source->getRepresentation(0, view);
+  this->Shown =
+    this->Shown ? this->Shown.data() : builder->createDataRepresentation(this->Source->getOutputPort(0), view);
+  this->Shown->setVisible(true);
   view->resetDisplay();
   return this->Source;
 }
 
 void pqHapticLabyrinths::play()
 {
-  vtkHapticSession* const session = pqHapticController::instance()->session();
   const QListWidgetItem* const item = this->Worlds->currentItem();
-  pqPipelineSource* const source = session && item ? this->open(item->text()) : nullptr;
-  auto* const lines = source ? vtkAlgorithm::SafeDownCast(source->getProxy()->GetClientSideObject()) : nullptr;
-  if (!lines)
+  const QString world = item ? item->text() : QString();
+  const QString refused = this->refusal(world);
+  if (!refused.isEmpty())
   {
+    this->Message->setText(refused);
     return;
   }
-  session->EndLabyrinth();
-  const bool maze = session->PlayLabyrinth(lines->GetOutputDataObject(0), item->text().toUtf8().constData());
+  this->keepSettings();
+  this->open(world);
+  this->hideWalls(this->Hidden->isChecked());
+  this->begin();
+}
+
+void pqHapticLabyrinths::begin()
+{
+  vtkHapticSession* const session = pqHapticController::instance()->session();
+  auto* const lines = vtkAlgorithm::SafeDownCast(this->Source->getProxy()->GetClientSideObject());
+  if (!session || !lines)
+  {
+    this->Message->setText(tr("A labyrinth is played where ParaView computes: with the built-in server."));
+    return;
+  }
+  const std::string world = vtkSMPropertyHelper(this->Source->getProxy(), "World").GetAsString();
+  const bool maze = session->PlayLabyrinth(lines->GetOutputDataObject(0), world.c_str());
   const QString begins = session->GetDeviceGivesForce()
                            ? tr("You are brought to the start, then let go.")
                            : tr("This device gives no force: go to the start yourself, there the game begins.");
   this->Message->setText(maze ? begins : QString(session->GetProblem()));
-  this->tellProxy();
-  this->hideWalls(this->Hidden->isChecked());
-  pqHapticController::instance()->setTouching(true);
-}
-
-void pqHapticLabyrinths::tellProxy()
-{
-  vtkHapticSession* const session = pqHapticController::instance()->session();
   vtkSMProxy* const proxy = pqHapticController::instance()->sessionProxy();
   vtkSMPropertyHelper(proxy, "LinesAsWalls").Set(vtkHapticSession::On);
   vtkSMPropertyHelper(proxy, "Radius").Set(session->GetRadius());
   vtkSMPropertyHelper(proxy, "Scale").Set(session->GetScale());
   vtkSMPropertyHelper(proxy, "Offset").Set(session->GetOffset(), 3);
+  vtkSMPropertyHelper(proxy, "Rotation").Set(session->GetRotation(), 4);
   proxy->UpdateVTKObjects();
+  pqHapticController::instance()->setTouching(true);
+}
+
+void pqHapticLabyrinths::keepSettings()
+{
+  vtkSMProxy* const proxy = pqHapticController::instance()->sessionProxy();
+  if (!this->Before.empty())
+  {
+    return;
+  }
+  for (const char* name : settings)
+  {
+    const vtkSMPropertyHelper property(proxy, name);
+    for (unsigned int i = 0; i < property.GetNumberOfElements(); ++i)
+    {
+      this->Before.push_back({ name, i, property.GetAsDouble(i) });
+    }
+  }
 }
 
 void pqHapticLabyrinths::again()
 {
-  if (vtkHapticSession* const session = pqHapticController::instance()->session())
+  if (!this->Source)
   {
-    session->PlayAgain();
+    this->Message->setText(tr("Play a labyrinth first."));
+    return;
   }
+  this->begin();
+}
+
+void pqHapticLabyrinths::end()
+{
+  vtkHapticSession* const session = pqHapticController::instance()->session();
+  const std::vector<Setting> before = std::exchange(this->Before, {});
+  if (!session || before.empty())
+  {
+    return;
+  }
+  session->EndLabyrinth();
+  vtkSMProxy* const proxy = pqHapticController::instance()->sessionProxy();
+  for (const Setting& setting : before)
+  {
+    vtkSMPropertyHelper(proxy, setting.Name).Set(setting.Element, setting.Value);
+  }
+  proxy->UpdateVTKObjects();
+  this->hideWalls(false);
+  this->Message->setText(tr("The game is over: ball, scale and place are as before."));
 }
 
 /// Transparent, not invisible: what is not visible is not felt.
 void pqHapticLabyrinths::hideWalls(bool hidden)
 {
+  pqHapticController::instance()->showPlaces(!hidden);
   if (this->Shown)
   {
     vtkSMPropertyHelper(this->Shown->getProxy(), "Opacity").Set(hidden ? 0.0 : 1.0);
@@ -228,7 +328,7 @@ void pqHapticLabyrinths::readOut()
   this->State->setText(session->GetLabyrinthText());
   this->Time->setText(tr("%1 s").arg(session->GetLabyrinthTime(), 0, 'f', 1));
   const double* const p = session->GetProxyPosition();
-  this->Place->setText(tr("Where am I: %1, %2").arg(p[0], 0, 'f', 1).arg(p[1], 0, 'f', 1));
+  this->Place->setText(tr("Where am I: %1, %2 u").arg(p[0], 0, 'g', 4).arg(p[1], 0, 'g', 4));
 }
 
 void pqHapticLabyrinths::grant(int wish)
@@ -248,9 +348,18 @@ void pqHapticLabyrinths::followTrace()
 {
   const QString phase = pqHapticController::instance()->session()->GetLabyrinthPhase();
   const bool finished = phase == "arrived" || phase == "rests";
-  if (finished != this->Finished)
+  if (finished == this->Finished)
   {
-    this->Finished = finished;
-    this->Trace->setChecked(finished);
+    return;
+  }
+  this->Finished = finished;
+  if (finished)
+  {
+    this->Showed = !this->Trace->isChecked();
+    this->Trace->setChecked(true);
+  }
+  else if (std::exchange(this->Showed, false))
+  {
+    this->Trace->setChecked(false);
   }
 }

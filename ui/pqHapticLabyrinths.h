@@ -5,15 +5,20 @@
 #include <QDialog>
 #include <QPointer>
 
+#include <vector>
+
 class QCheckBox;
+class QDoubleSpinBox;
 class QLabel;
 class QListWidget;
 class pqDataRepresentation;
 class pqPipelineSource;
+class vtkSMProxy;
 
 /**
  * The game of finding the way: a world of the gallery or of one's own, start again, walls hidden so that it is explored
- * by touch alone, where the hand is and how long it took. Everything can be reached with the keyboard.
+ * by touch alone, where the hand is and how long it took. Everything can be reached with the keyboard. The game ends
+ * with its button, with the dialog and with its source; ball, scale and place are then as before.
  */
 class pqHapticLabyrinths : public QDialog
 {
@@ -27,7 +32,9 @@ private:
   void list();
   void chooseFile();
   void play();
+  /// Fits the world anew, which undoes a zoom, and leads the hand to the start.
   void again();
+  void end();
   void hideWalls(bool hidden);
   /// What the buttons of the device asked for.
   void grant(int wish);
@@ -36,12 +43,25 @@ private:
   /// Enlarges the world about the hand until neighbouring corridors can be told apart.
   void zoom();
   void readOut();
-  /// The chosen world as a source in the pipeline, shown in the active view; null with a message if it is none.
+  /// The source of the game in the pipeline, shown in the active view; null with a message if that cannot be.
   pqPipelineSource* open(const QString& world);
-  /// What the session set for the game, in its proxy too, so that panel and state file say the same.
-  void tellProxy();
+  /// Why the chosen world cannot be played, or nothing.
+  QString refusal(const QString& world) const;
+  /// Plays what the source gives. What the session sets for that goes to its proxy too, so that panel and state file
+  /// say the same.
+  void begin();
+  void keepSettings();
+
+  /// An element of a property that a game sets, and what it was before.
+  struct Setting
+  {
+    const char* Name;
+    unsigned int Element;
+    double Value;
+  };
 
   QListWidget* Worlds;
+  QDoubleSpinBox* Corridor;
   QCheckBox* Hidden;
   QCheckBox* Trace;
   QLabel* State;
@@ -50,7 +70,9 @@ private:
   QLabel* Message;
   QPointer<pqPipelineSource> Source;
   QPointer<pqDataRepresentation> Shown;
-  bool Finished = false; ///< the exit was reached
+  std::vector<Setting> Before; ///< empty while nothing is played
+  bool Finished = false;       ///< the exit was reached
+  bool Showed = false;         ///< the trace, because of that
 };
 
 #endif

@@ -103,6 +103,12 @@ QString pqHapticMouse::help() const
   {
     return QString();
   }
+  if (session->GetPlaneWorld())
+  {
+    return tr(
+      "Move the pointer over the view: the hand is under it, in the plane of the lines, and walls hold it back. "
+      "Arrow keys move it too. All else moves the camera as ever.");
+  }
   QString text =
     tr("Move the pointer over the view. Shift + left button presses, wheel: deeper. Keys: arrows move, Page "
        "Down presses and goes deeper, Page Up less deep, Home lifts. All else moves the camera as ever.");
