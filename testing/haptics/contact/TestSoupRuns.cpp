@@ -88,6 +88,18 @@ TEST(SoupRuns, WhereABallOnceStoodStillItGoesOn)
   }
 }
 
+/// A small ball in a box.
+RunTask taskInBox(const TriangleMesh& box, const JudgedMesh& touched)
+{
+  RunTask task;
+  task.scene = sceneOf(box);
+  task.touched = &touched;
+  task.size_u = 2.0;
+  task.plan.radius_u = 0.05;
+  task.seed = 7;
+  return task;
+}
+
 /// The judge sees what it is there for.
 TEST(SoupRuns, AHoleThatIsWiderThanClaimedIsSeenAsAFall)
 {
@@ -95,13 +107,8 @@ TEST(SoupRuns, AHoleThatIsWiderThanClaimedIsSeenAsAFall)
   const JudgedMesh shape(cleanMesh(box).mesh);
   box.triangles.resize(box.triangles.size() - 20);
   const JudgedMesh touched(cleanMesh(box).mesh);
-  RunTask task;
-  task.scene = sceneOf(box);
-  task.touched = &touched;
+  RunTask task = taskInBox(box, touched);
   task.shape = &shape;
-  task.size_u = 2.0;
-  task.plan.radius_u = 0.05;
-  task.seed = 7;
   LongRun run(task);
   ASSERT_TRUE(run.placed());
   run.run(20000);
@@ -112,13 +119,8 @@ TEST(SoupRuns, AHoleThatIsWiderThanClaimedIsSeenAsAFall)
 TEST(SoupRuns, ABallThatMayNotLookFarIsSeenToBeStuck)
 {
   const JudgedMesh touched(cleanMesh(makeCellBox(6)).mesh);
-  RunTask task;
-  task.scene = sceneOf(touched.mesh);
-  task.touched = &touched;
-  task.size_u = 2.0;
-  task.plan.radius_u = 0.05;
+  RunTask task = taskInBox(touched.mesh, touched);
   task.plan.nodeBudget = 1;
-  task.seed = 7;
   LongRun run(task);
   ASSERT_TRUE(run.placed());
   run.run(5000);
