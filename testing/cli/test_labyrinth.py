@@ -50,6 +50,20 @@ class Labyrinth(CommandLineTest):
         self.refused("labyrinth", "corridor", "--solve", "--host", 5, saying=("--host",))
         self.refused("labyrinth", "corridor", "--solve", "--corridor", 0, saying=("--corridor",))
 
+    def test_an_option_that_would_change_nothing_is_refused(self):
+        self.write_path([(0.0, 0.5, 0.5, 0.0), (1.0, 1.5, 0.5, 0.0)])
+        path = ("labyrinth", "corridor", "--path", "path.csv")
+        self.refused("labyrinth", "corridor", "--csv", "out.csv", saying=("--csv", "--solve or --path"))
+        self.refused("labyrinth", "--solve", saying=("--solve", "a name of the gallery"))
+        self.refused("labyrinth", "--corridor", 2, saying=("--corridor", "a name of the gallery"))
+        self.refused(*path, "--device", "simulated-touch", saying=("--device", "--solve"))
+        self.refused(*path, "--host", 20, saying=("--host", "--solve"))
+        self.refused(*path, "--device-walls", saying=("--device-walls", "--solve"))
+
+    def test_a_hand_out_of_the_plane_is_named(self):
+        self.write_path([(0.0, 0.5, 0.5, 0.0), (1.0, 1.5, 0.5, 0.25)])
+        self.refused("labyrinth", "corridor", "--path", "path.csv", saying=("row 2", "z = 0.25", "the plane z = 0"))
+
 
 if __name__ == "__main__":
     unittest.main()
