@@ -38,7 +38,6 @@ public:
 
   /// From the snapshot before to the one after, in the tick that was.
   [[nodiscard]] double share() const { return static_cast<double>(this->inSnapshot_) / this->ticksPerSnapshot_; }
-  [[nodiscard]] double begin_s() const { return this->begin_s_; }
   [[nodiscard]] double snapshot_s() const { return 1e-3 * this->ticksPerSnapshot_; }
   /// Where a vertex is felt in the tick that was, if it goes straight.
   [[nodiscard]] Vec3 between(const Vec3& inMesh_W) const;

@@ -230,10 +230,6 @@ TEST_P(Bending, ASnapshotThatComesEarlyStartsFromWhereTheSurfaceIsFelt)
 
 TEST_P(Bending, NothingIsAllocatedAndNothingLockedInATick)
 {
-  if (!AllocationGuard::works())
-  {
-    return;
-  }
   const auto wave = [](const Vec3& v, double t_s)
   { return Vec3(v.x(), v.y(), 5e-3 * std::sin(twoPi * (v.x() / 0.08 - 2.0 * t_s))); };
   Bender sheet(sheetOf(40, 428), wave, 10);
