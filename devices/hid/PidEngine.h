@@ -80,7 +80,7 @@ public:
   [[nodiscard]] bool startSolo(int block) noexcept { return this->operate(block, pid::startSolo); }
   [[nodiscard]] bool stop(int block) noexcept { return this->operate(block, pid::stop); }
   [[nodiscard]] bool free(int block) noexcept;
-  /// enableActuators, disableActuators, stopAll, reset, pause or resume; true too where the device has no such control.
+  /// enableActuators, disableActuators, stopAll or reset; true too where the device has no such control.
   [[nodiscard]] bool control(HidUsage what) noexcept;
   [[nodiscard]] bool setGain(double share) noexcept;
 

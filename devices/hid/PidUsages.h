@@ -18,10 +18,10 @@ inline constexpr HidUsage setEffect = page | 0x21, setCondition = page | 0x5F, s
                           pool = page | 0x7F, stateReport = page | 0x92;
 
 // Fields.
-inline constexpr HidUsage blockIndex = page | 0x22, parameterOffset = page | 0x23, effectType = page | 0x25,
-                          duration = page | 0x50, samplePeriod = page | 0x51, effectGain = page | 0x52,
-                          triggerButton = page | 0x53, repeatInterval = page | 0x54, axesEnable = page | 0x55,
-                          directionEnable = page | 0x56, direction = page | 0x57, startDelay = page | 0xA7;
+inline constexpr HidUsage blockIndex = page | 0x22, parameterOffset = page | 0x23, duration = page | 0x50,
+                          samplePeriod = page | 0x51, effectGain = page | 0x52, triggerButton = page | 0x53,
+                          repeatInterval = page | 0x54, axesEnable = page | 0x55, directionEnable = page | 0x56,
+                          direction = page | 0x57, startDelay = page | 0xA7;
 inline constexpr HidUsage centreOffset = page | 0x60, positiveCoefficient = page | 0x61,
                           negativeCoefficient = page | 0x62, positiveSaturation = page | 0x63,
                           negativeSaturation = page | 0x64, deadBand = page | 0x65;
@@ -37,14 +37,13 @@ inline constexpr HidUsage constantForce = page | 0x26, square = page | 0x30, sin
 // What is selected.
 inline constexpr HidUsage start = page | 0x79, startSolo = page | 0x7A, stop = page | 0x7B;
 inline constexpr HidUsage enableActuators = page | 0x97, disableActuators = page | 0x98, stopAll = page | 0x99,
-                          reset = page | 0x9A, pause = page | 0x9B, resume = page | 0x9C;
+                          reset = page | 0x9A;
 inline constexpr HidUsage loaded = page | 0x8C, full = page | 0x8D, loadError = page | 0x8E;
 
 // Device state.
 inline constexpr HidUsage actuatorsEnabled = page | 0xA0, effectPlaying = page | 0x94, actuatorPower = page | 0xA6;
 
 // Other pages.
-inline constexpr HidUsage axisX = 0x010030, axisY = 0x010031, byteCount = 0x01003B, firstOrdinal = 0x0A0001,
-                          buttonPage = 0x090000;
+inline constexpr HidUsage axisX = 0x010030, axisY = 0x010031, firstOrdinal = 0x0A0001, buttonPage = 0x090000;
 
 } // namespace palpate::pid

@@ -20,10 +20,6 @@ struct PidScale
 
   /// The device frame D has x to the right and y away from the person; HID has y towards the person. Axis 0 or 1.
   [[nodiscard]] static double sign(int axis) noexcept { return axis == 0 ? 1.0 : -1.0; }
-  [[nodiscard]] double toShare(int axis, double position_m) const noexcept
-  {
-    return sign(axis) * position_m / this->halfTravel_m;
-  }
   [[nodiscard]] double toMetres(int axis, double share) const noexcept
   {
     return sign(axis) * share * this->halfTravel_m;

@@ -26,18 +26,6 @@ const HidReport* ReportDescriptor::report(HidReportKind kind, HidUsage collectio
   return nullptr;
 }
 
-const HidReport* ReportDescriptor::reportById(HidReportKind kind, std::uint8_t id) const noexcept
-{
-  for (const HidReport& candidate : this->reports)
-  {
-    if (candidate.kind == kind && candidate.id == id)
-    {
-      return &candidate;
-    }
-  }
-  return nullptr;
-}
-
 bool ReportDescriptor::hasCollection(HidUsage collection) const noexcept
 {
   return std::any_of(this->reports.begin(), this->reports.end(),

@@ -72,7 +72,6 @@ struct ReportDescriptor
 
   /// The first report of that kind with a field within the collection, or null.
   [[nodiscard]] const HidReport* report(HidReportKind kind, HidUsage collection) const noexcept;
-  [[nodiscard]] const HidReport* reportById(HidReportKind kind, std::uint8_t id) const noexcept;
   /// Some collection has this usage.
   [[nodiscard]] bool hasCollection(HidUsage collection) const noexcept;
   /// Reports begin with their ID.

@@ -22,7 +22,7 @@ struct SweepQuery
   Vec3 to_W = Vec3::Zero();
   double radius_u = 0.0;
   Resolution resolution;
-  std::span<const ActiveFeature> touched; ///< r > 0: not hit again, their planes already hold the ball
+  std::span<const ActiveFeature> touched; ///< not hit again: their planes already hold the ball
 };
 
 /// A straight way with nothing touched, resolved as its ends are.

@@ -51,7 +51,6 @@ public:
   RealtimeThread(std::function<void(const SchedulingReport&)> onScheduled, std::function<void(std::stop_token)> body,
     RealtimeBrokers brokers = {});
 
-  void requestStop() noexcept { this->thread_.request_stop(); }
   void join();
   [[nodiscard]] bool joinable() const noexcept { return this->thread_.joinable(); }
 

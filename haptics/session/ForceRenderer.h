@@ -19,7 +19,7 @@
 namespace palpate
 {
 
-/// All that the tick remembers. Copyable; part of every recording.
+/// All that the tick remembers. Copyable; every recording begins with a new one.
 struct RendererState
 {
   GodObjectState contact;

@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(parsed.problem.find('\n') == std::string::npos);
   for (const palpate::HidReport& report : parsed.reports)
   {
-    require(parsed.reportById(report.kind, report.id) == &report);
+    require(palpate::test::reportWithId(parsed, report.kind, report.id) == &report);
     std::size_t checked = 0;
     for (const palpate::HidField& field : report.fields)
     {

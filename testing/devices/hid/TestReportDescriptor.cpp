@@ -6,6 +6,7 @@
 #include "devices/hid/ReportBits.h"
 #include "devices/hid/ReportDescriptor.h"
 #include "testing/devices/hid/DescriptorWriter.h"
+#include "testing/devices/hid/ReportWithId.h"
 #include "testing/support/Random.h"
 
 namespace palpate
@@ -124,7 +125,7 @@ TEST(ReportDescriptor, TheSameIdInAnotherKindIsAnotherReport)
   const std::array kinds{ Kind::Input, Kind::Output, Kind::Feature };
   for (std::size_t i = 0; i < kinds.size(); ++i)
   {
-    const HidReport* report = parsed.reportById(kinds[i], 7);
+    const HidReport* report = test::reportWithId(parsed, kinds[i], 7);
     ASSERT_NE(report, nullptr);
     EXPECT_EQ(report->bytes(), i + 2);
     EXPECT_TRUE(findControl(*report, static_cast<HidUsage>(0x10030 + i)));
@@ -294,7 +295,7 @@ TEST(ReportDescriptor, SaysOfRandomDescriptorsWhatWasWritten)
     ASSERT_EQ(parsed.problem, "");
     for (const Drawn& field : drawn)
     {
-      const HidReport* report = parsed.reportById(field.kind, field.id);
+      const HidReport* report = test::reportWithId(parsed, field.kind, field.id);
       ASSERT_NE(report, nullptr);
       EXPECT_EQ(report->bits, bits[static_cast<std::size_t>(field.kind)][field.id]);
       const HidControl control = findControl(*report, field.firstUsage);

@@ -7,6 +7,7 @@
 
 #include "devices/hid/PidUsages.h"
 #include "devices/hid/ReportBits.h"
+#include "testing/devices/hid/ReportWithId.h"
 
 namespace palpate::test
 {
@@ -46,7 +47,7 @@ std::uint8_t VirtualPidDevice::chosen(const std::vector<std::uint8_t>& order, st
 
 bool VirtualPidDevice::take(HidReportKind kind, std::span<const std::uint8_t> bytes)
 {
-  const HidReport* report = bytes.empty() ? nullptr : this->descriptor_.reportById(kind, bytes[0]);
+  const HidReport* report = bytes.empty() ? nullptr : reportWithId(this->descriptor_, kind, bytes[0]);
   if (report == nullptr || bytes.size() != report->bytes())
   {
     ++this->badReports;
@@ -230,7 +231,7 @@ void VirtualPidDevice::control(std::uint8_t usage)
 
 std::vector<std::uint8_t> VirtualPidDevice::feature(std::uint8_t id)
 {
-  const HidReport* report = this->descriptor_.reportById(HidReportKind::Feature, id);
+  const HidReport* report = reportWithId(this->descriptor_, HidReportKind::Feature, id);
   if (report == nullptr || id == 0)
   {
     return {};
@@ -273,7 +274,7 @@ std::vector<std::uint8_t> VirtualPidDevice::nextInput()
 
 void VirtualPidDevice::showState(int block, bool playing)
 {
-  const HidReport* report = this->descriptor_.reportById(HidReportKind::Input, this->layout_.stateId);
+  const HidReport* report = reportWithId(this->descriptor_, HidReportKind::Input, this->layout_.stateId);
   if (this->layout_.stateId == 0 || report == nullptr)
   {
     return;
@@ -289,13 +290,17 @@ void VirtualPidDevice::showState(int block, bool playing)
 
 void VirtualPidDevice::showInput()
 {
-  const HidReport* report = this->descriptor_.reportById(HidReportKind::Input, this->layout_.inputId);
+  if (this->silent)
+  {
+    return;
+  }
+  const HidReport* report = reportWithId(this->descriptor_, HidReportKind::Input, this->layout_.inputId);
   std::vector<std::uint8_t> bytes(report->bytes());
   bytes[0] = report->id;
   const auto low = static_cast<double>(this->layout_.axis.min), high = static_cast<double>(this->layout_.axis.max);
   for (std::size_t axis = 0; axis < this->layout_.axes; ++axis)
   {
-    const double at = this->frozen ? 0.0 : this->position[axis];
+    const double at = this->position[axis];
     const double shown = low < 0.0 ? at * high : low + 0.5 * (at + 1.0) * (high - low);
     writeControl(findControl(*report, axis == 0 ? pid::axisX : pid::axisY), bytes, std::llround(shown));
   }

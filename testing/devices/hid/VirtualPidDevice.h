@@ -48,7 +48,7 @@ public:
 
   Axes push{}; ///< of the hand
   std::uint8_t buttons = 0;
-  bool frozen = false;                                ///< the handle's sensor shows the same for ever
+  bool silent = false;                                ///< it shows nothing of the handle
   int slowLoads = 0;                                  ///< so many block loads say nothing yet
   std::optional<std::vector<std::uint8_t>> wrongLoad; ///< what a block load answers instead
 
