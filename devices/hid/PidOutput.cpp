@@ -13,11 +13,6 @@ namespace
 constexpr std::int64_t perMs_ns = 1000000;
 constexpr std::array<double, 2> axisDirection_deg{ alongX_deg, alongY_deg };
 
-bool asksForForce(const DeviceCommand& command) noexcept
-{
-  return command.wallCount > 0 || command.viscosity_Ns_per_m > 0.0 || command.wrench_D.force != Vec3::Zero();
-}
-
 bool same(const Condition& a, const Condition& b) noexcept
 {
   return a.centre == b.centre && a.deadBand == b.deadBand && a.positiveCoefficient == b.positiveCoefficient &&
@@ -67,6 +62,11 @@ bool lessens(const std::array<Condition, 4>& before, const std::array<Condition,
 }
 
 } // namespace
+
+bool asksForForce(const DeviceCommand& command) noexcept
+{
+  return command.wallCount > 0 || command.viscosity_Ns_per_m > 0.0 || command.wrench_D.force != Vec3::Zero();
+}
 
 PidOutput::PidOutput(PidEngine& engine, const PidOutputOptions& options, const PidKind& kind) noexcept
   : engine_(engine), options_(options), kind_(kind),

@@ -29,6 +29,9 @@ struct PidOutputOptions
   int rampUp_ms = 1000;   ///< of what the device closes by itself, once it is first asked for force
 };
 
+/// A device may have to push for it.
+[[nodiscard]] bool asksForForce(const DeviceCommand& command) noexcept;
+
 /// Decides what one report to send next so that a device does what the newest command says, at whatever rate its link
 /// takes reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis.
 /// Not real-time; one thread.

@@ -28,21 +28,40 @@ public:
     const std::lock_guard lock(this->mutex_);
     return this->device_;
   }
-  void hold(std::shared_ptr<Attached> device)
+  /// Says so by found(), before anybody else can have it.
+  template<class Found>
+  void hold(std::shared_ptr<Attached> device, Found found)
   {
     const std::lock_guard lock(this->mutex_);
     this->device_ = std::move(device);
+    found();
+  }
+  /// Does something while nobody lets go of `device`; nothing if it has been let go of.
+  template<class Act>
+  void with(const std::shared_ptr<Attached>& device, Act act)
+  {
+    const std::lock_guard lock(this->mutex_);
+    if (this->device_ == device)
+    {
+      act();
+    }
   }
   void letGo() noexcept
   {
     const std::lock_guard lock(this->mutex_);
     this->device_.reset();
   }
-  void letGo(const std::string& why)
+  /// And says so by lost(). Another one that is held by now stays.
+  template<class Lost>
+  void letGo(const std::shared_ptr<Attached>& device, const std::string& why, Lost lost)
   {
     const std::lock_guard lock(this->mutex_);
-    this->message_ = why;
-    this->device_.reset();
+    if (this->device_ == device)
+    {
+      this->message_ = why;
+      this->device_.reset();
+      lost();
+    }
   }
   void say(std::string message)
   {

@@ -21,7 +21,6 @@ struct LinkReport
   std::uint64_t losses = 0;     ///< times the device was lost, stalls included
   double inputRate_Hz = 0.0;    ///< of the last second or so; 0 before the first
   bool attached = false;
-  bool frozen = false; ///< it shows the same place although it pushes
   std::string message; ///< what was wrong last, for a person; empty: nothing
 };
 

@@ -12,13 +12,7 @@ namespace
 
 constexpr std::int64_t perMs_ns = 1000000;
 constexpr std::int64_t stuckAfter_ns = 50 * perMs_ns;
-constexpr std::int64_t frozenAfter_ns = 250 * perMs_ns;
-constexpr double frozenAbove = 0.2; ///< of the largest force
-
-bool atRest(const DeviceCommand& command) noexcept
-{
-  return command.wallCount == 0 && command.viscosity_Ns_per_m == 0.0 && command.wrench_D.force == Vec3::Zero();
-}
+constexpr int firstReads = 10, firstRead_ms = 10; ///< a device that has something to say says it in that time
 
 } // namespace
 
@@ -41,15 +35,38 @@ std::string PidLink::attach()
     return "\"" + device->entry.name + "\": " + problem;
   }
   device->drain();
-  this->actuatorsOff_ = false;
-  this->stoppedBlock_ = 0;
+  const std::optional<Hand> hand = this->firstHand(*device);
   {
     const std::lock_guard lock(this->abilitiesMutex_);
     this->abilities_ = device->output->abilities();
   }
-  this->presence_.found(); // first: nobody can lose it before it is held
-  this->held_.hold(std::move(device));
+  const auto sayFound = [this, &hand]
+  {
+    this->tell(hand);
+    this->presence_.found();
+  };
+  this->held_.hold(std::move(device), sayFound);
   return {};
+}
+
+/// One that stands still may say nothing; where the hand was before says nothing either.
+std::optional<PidLink::Hand> PidLink::firstHand(Attached& device)
+{
+  std::optional<Hand> hand;
+  for (int i = 0; i < firstReads && !hand; ++i)
+  {
+    static_cast<void>(takeReports(*device.connection, firstRead_ms,
+      [&](std::span<const std::uint8_t> report) { this->take(device, report, hand); }));
+  }
+  return hand;
+}
+
+/// One thread at a time: who holds the device.
+void PidLink::tell(const std::optional<Hand>& hand) noexcept
+{
+  this->handToServo_.write(hand);
+  this->handToWriter_.write(hand);
+  this->handKnown_ = hand.has_value();
 }
 
 std::string PidLink::Attached::begin(HidBus& bus, const PidOutputOptions& options)
@@ -96,10 +113,20 @@ void PidLink::detach() noexcept
   this->held_.letGo();
 }
 
-void PidLink::lose(const std::string& why)
+/// Not again for one that somebody else has lost already.
+void PidLink::lose(const std::shared_ptr<Attached>& device, const std::string& why)
 {
-  this->presence_.lost();
-  this->held_.letGo(why);
+  this->held_.letGo(device, why, [this] { this->presence_.lost(); });
+}
+
+/// Unless somebody does so already.
+void PidLink::Attached::stopPastTheWriter() noexcept
+{
+  const std::unique_lock alone(this->spareMutex, std::try_to_lock);
+  if (alone && this->spare != nullptr)
+  {
+    static_cast<void>(PidEngine(*this->spare, this->descriptor).control(pid::stopAll));
+  }
 }
 
 bool PidLink::readPass(int timeout_ms)
@@ -116,19 +143,19 @@ bool PidLink::readPass(int timeout_ms)
   this->rate_.count(this->inputs_ - before, this->clock_.now_ns());
   if (newest)
   {
-    this->handToServo_.write(*newest);
-    this->handToWriter_.write(*newest);
+    this->held_.with(device, [&] { this->tell(newest); });
   }
   if (length < 0)
   {
-    this->lose("it was unplugged");
+    device->stopPastTheWriter(); // it may still be there and push
+    this->lose(device, "it was unplugged");
     return false;
   }
   this->watchWriter(*device);
   return true;
 }
 
-void PidLink::take(const Attached& device, std::span<const std::uint8_t> report, std::optional<Hand>& newest)
+void PidLink::take(Attached& device, std::span<const std::uint8_t> report, std::optional<Hand>& newest)
 {
   if (const std::optional<PidHand> hand = device.input->hand(report))
   {
@@ -146,18 +173,18 @@ void PidLink::take(const Attached& device, std::span<const std::uint8_t> report,
   }
   if (!state->actuatorsEnabled)
   {
-    this->actuatorsOff_ = true;
+    device.actuatorsOff = true;
   }
   if (!state->playing && state->block > 0)
   {
-    this->stoppedBlock_ = state->block;
+    device.stoppedBlock = state->block;
   }
 }
 
 /// A write that hangs cannot be called back, and until it ends nobody can open the device; so the order to stop goes by
 /// a connection that was opened before. It lies behind the other in the system's queue, and comes first when the device
 /// takes anything again. That may hang as long: the reader has nothing else to do for a device that is lost.
-void PidLink::watchWriter(const Attached& device)
+void PidLink::watchWriter(Attached& device)
 {
   const std::int64_t since_ns = this->writingSince_ns_;
   const bool stuck = since_ns != notWriting && this->clock_.now_ns() - since_ns > stuckAfter_ns;
@@ -165,10 +192,7 @@ void PidLink::watchWriter(const Attached& device)
   {
     this->presence_.stalled();
     ++this->stalls_;
-    if (device.spare != nullptr)
-    {
-      static_cast<void>(PidEngine(*device.spare, device.descriptor).control(pid::stopAll));
-    }
+    device.stopPastTheWriter();
   }
   this->writerStuck_ = stuck;
 }
@@ -182,34 +206,46 @@ bool PidLink::writePass()
     this->reattach(now_ns);
     return false;
   }
-  if (this->disturbed(*device->output))
+  if (device->disturbed())
   {
-    this->lose("another program or a switch on it took its forces away");
+    this->stopAndLose(device, now_ns, "another program or a switch on it took its forces away");
     return true;
   }
   // First its number: a command that is newer than that is taken for one that is late, never the other way round.
   const std::uint64_t beat = this->beat_.load(std::memory_order_acquire);
   const DeviceCommand& newest = this->commands_.read();
-  this->muted_ = this->muted_ && !atRest(newest);
-  const PidOutput::Wish wish{ this->muted_ ? DeviceCommand{} : newest, beat, this->handToWriter_.read().p_D };
-  this->watchHand(now_ns, wish);
+  this->muted_ = this->muted_ && asksForForce(newest);
+  const std::optional<Hand>& hand = this->handToWriter_.read();
+  const PidOutput::Wish wish{ this->muted_ || !hand ? DeviceCommand{} : newest, beat, hand.value_or(Hand{}).p_D };
   const std::uint64_t restarts = device->output->restarts();
   this->writingSince_ns_ = now_ns;
   const PidOutput::Step step = device->output->step(now_ns, wish);
+  if (step == PidOutput::Step::Failed)
+  {
+    this->stopAndLose(device, now_ns, "it does not take forces: " + device->connection->error());
+  }
   this->writingSince_ns_ = notWriting;
   this->outputs_ += step == PidOutput::Step::Sent ? 1 : 0;
   this->restarts_ += device->output->restarts() - restarts;
-  if (step == PidOutput::Step::Failed)
-  {
-    this->lose("it does not take forces: " + device->connection->error());
-  }
   return step == PidOutput::Step::Sent;
 }
 
-bool PidLink::disturbed(const PidOutput& output) noexcept
+/// What it was told last would go on until it ends by itself. Who took nothing for long would only hang again, and has
+/// been told past the writer.
+void PidLink::stopAndLose(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why)
 {
-  const int stopped = this->stoppedBlock_.exchange(0);
-  return this->actuatorsOff_.exchange(false) || output.plays(stopped);
+  const bool answers = this->clock_.now_ns() - since_ns <= stuckAfter_ns;
+  if (answers && !device->engine->control(pid::stopAll))
+  {
+    device->stopPastTheWriter();
+  }
+  this->lose(device, why);
+}
+
+bool PidLink::Attached::disturbed() noexcept
+{
+  const int stopped = this->stoppedBlock.exchange(0);
+  return this->actuatorsOff.exchange(false) || this->output->plays(stopped);
 }
 
 void PidLink::reattach(std::int64_t now_ns)
@@ -225,21 +261,11 @@ void PidLink::reattach(std::int64_t now_ns)
   }
 }
 
-void PidLink::watchHand(std::int64_t now_ns, const PidOutput::Wish& wish) noexcept
-{
-  const bool pushed = wish.command.wrench_D.force.norm() > frozenAbove * this->options_.scale.maxForce_N;
-  if (!pushed || wish.p_D != this->stillAt_D_)
-  {
-    this->stillAt_D_ = wish.p_D;
-    this->stillSince_ns_ = now_ns;
-  }
-  this->frozen_ = now_ns - this->stillSince_ns_ > frozenAfter_ns;
-}
-
 std::optional<PidLink::Hand> PidLink::hand() noexcept
 {
-  const Hand& newest = this->handToServo_.read();
-  return this->presence_.steady() ? std::optional<Hand>(newest) : std::nullopt;
+  const bool steady = this->presence_.steady(); // first: the hand of a device that is found is there before
+  const std::optional<Hand>& newest = this->handToServo_.read();
+  return steady ? newest : std::nullopt;
 }
 
 void PidLink::command(const DeviceCommand& command) noexcept
@@ -259,8 +285,11 @@ LinkReport PidLink::report() const
   report.stalls = this->stalls_;
   report.losses = this->presence_.losses();
   report.inputRate_Hz = this->rate_.rate_Hz();
-  report.frozen = this->frozen_;
   this->held_.reportTo(report);
+  if (report.attached && !this->handKnown_)
+  {
+    report.message = "it has not said yet where the hand is: move it";
+  }
   return report;
 }
 

@@ -46,7 +46,8 @@ public:
     Vec3 p_D = Vec3::Zero(); ///< [m]
     std::uint32_t buttons = 0;
   };
-  /// The newest hand; none: the device is lost, or was since the last call. Servo thread; wait-free.
+  /// The newest hand; none: the device is lost, or was since the last call, or has not said yet where the hand is.
+  /// Servo thread; wait-free.
   [[nodiscard]] std::optional<Hand> hand() noexcept;
   /// Servo thread; wait-free.
   void command(const DeviceCommand& command) noexcept;
@@ -67,15 +68,21 @@ private:
     std::optional<PidInput> input;
     std::optional<PidEngine> engine;
     std::optional<PidOutput> output;
+    std::mutex spareMutex;
+    std::atomic<bool> actuatorsOff = false; ///< so it said
+    std::atomic<int> stoppedBlock = 0;      ///< the last one it said so of
     [[nodiscard]] std::string begin(HidBus& bus, const PidOutputOptions& options);
     void drain() const noexcept;
+    void stopPastTheWriter() noexcept;
+    [[nodiscard]] bool disturbed() noexcept;
   };
-  void lose(const std::string& why);
+  [[nodiscard]] std::optional<Hand> firstHand(Attached& device);
+  void tell(const std::optional<Hand>& hand) noexcept;
+  void lose(const std::shared_ptr<Attached>& device, const std::string& why);
+  void stopAndLose(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why);
   void reattach(std::int64_t now_ns);
-  [[nodiscard]] bool disturbed(const PidOutput& output) noexcept;
-  void take(const Attached& device, std::span<const std::uint8_t> report, std::optional<Hand>& newest);
-  void watchWriter(const Attached& device);
-  void watchHand(std::int64_t now_ns, const PidOutput::Wish& wish) noexcept;
+  void take(Attached& device, std::span<const std::uint8_t> report, std::optional<Hand>& newest);
+  void watchWriter(Attached& device);
 
   std::shared_ptr<HidBus> bus_;
   HidEntry entry_;
@@ -86,27 +93,23 @@ private:
   mutable std::mutex abilitiesMutex_; ///< writer and owner only
   std::optional<DeviceAbilities> abilities_;
 
-  TripleBuffer<Hand> handToServo_;       ///< reader -> servo
-  TripleBuffer<Hand> handToWriter_;      ///< reader -> writer
-  TripleBuffer<DeviceCommand> commands_; ///< servo -> writer
+  TripleBuffer<std::optional<Hand>> handToServo_;  ///< reader -> servo; none: not known yet
+  TripleBuffer<std::optional<Hand>> handToWriter_; ///< reader -> writer
+  TripleBuffer<DeviceCommand> commands_;           ///< servo -> writer
   // Lines of their own: the servo reads and writes these every tick, and the reader counts every report.
   alignas(64) Presence presence_;
   alignas(64) std::atomic<std::uint64_t> beat_ = 0; ///< servo's: commands so far
   alignas(64) ReportRate rate_;
-  std::atomic<bool> frozen_ = false;
-  std::atomic<bool> actuatorsOff_ = false;
-  std::atomic<int> stoppedBlock_ = 0;
+  std::atomic<bool> handKnown_ = false;
   std::atomic<std::uint64_t> inputs_ = 0, strange_ = 0, outOfRange_ = 0; ///< reader's
   std::atomic<std::uint64_t> stalls_ = 0;                                ///< reader's
   std::atomic<std::uint64_t> outputs_ = 0, restarts_ = 0;                ///< writer's
   std::atomic<std::int64_t> writingSince_ns_ = notWriting;
   static constexpr std::int64_t notWriting = -1;
 
-  bool muted_ = false;             ///< writer's: until no force is asked for
-  SearchPause pause_;              ///< writer's
-  Vec3 stillAt_D_ = Vec3::Zero();  ///< writer's
-  std::int64_t stillSince_ns_ = 0; ///< writer's
-  bool writerStuck_ = false;       ///< reader's
+  bool muted_ = false;       ///< writer's: until no force is asked for
+  SearchPause pause_;        ///< writer's
+  bool writerStuck_ = false; ///< reader's
 };
 
 } // namespace palpate

@@ -27,8 +27,7 @@ std::string SpaceMouseLink::attach()
   // Whatever it was pressed to before says nothing now.
   this->news_.cap = {};
   this->newsToServo_.write(this->news_);
-  this->presence_.found(); // first: nobody can lose it before it is held
-  this->held_.hold(std::move(device));
+  this->held_.hold(std::move(device), [this] { this->presence_.found(); });
   return {};
 }
 
@@ -60,12 +59,6 @@ void SpaceMouseLink::detach() noexcept
   this->held_.letGo();
 }
 
-void SpaceMouseLink::lose(const std::string& why)
-{
-  this->presence_.lost();
-  this->held_.letGo(why);
-}
-
 bool SpaceMouseLink::readPass(int timeout_ms)
 {
   const std::shared_ptr<Attached> device = this->held_.get();
@@ -84,7 +77,7 @@ bool SpaceMouseLink::readPass(int timeout_ms)
   }
   if (length < 0)
   {
-    this->lose("it was unplugged");
+    this->held_.letGo(device, "it was unplugged", [this] { this->presence_.lost(); });
   }
   return length >= 0;
 }
@@ -116,8 +109,9 @@ void SpaceMouseLink::reattach(std::int64_t now_ns)
 
 std::optional<SpaceMouseLink::News> SpaceMouseLink::news() noexcept
 {
+  const bool steady = this->presence_.steady(); // first: the news of a device that is found is there before
   const News& newest = this->newsToServo_.read();
-  return this->presence_.steady() ? std::optional<News>(newest) : std::nullopt;
+  return steady ? std::optional<News>(newest) : std::nullopt;
 }
 
 LinkReport SpaceMouseLink::report() const

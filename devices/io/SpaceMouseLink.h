@@ -55,7 +55,6 @@ private:
   };
 
   [[nodiscard]] std::string begin(const HidEntry& entry, Attached& device);
-  void lose(const std::string& why);
   void reattach(std::int64_t now_ns);
   void take(const Attached& device, std::span<const std::uint8_t> report) noexcept;
 

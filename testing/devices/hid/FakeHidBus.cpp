@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace palpate::test
 {
@@ -27,6 +28,11 @@ public:
 
   int read(std::span<std::uint8_t> report, int timeout_ms) noexcept override
   {
+    if (const auto meanwhile = this->bus_.alone([&] { return this->begin(timeout_ms); }))
+    {
+      meanwhile();
+      return -1;
+    }
     for (int waited_ms = 0;; ++waited_ms)
     {
       const int length = this->bus_.alone([&] { return this->take(report); });
@@ -44,6 +50,11 @@ public:
     if (!this->bus_.answers(this->port_))
     {
       return this->fail("No such device");
+    }
+    if (this->port_.writesThatFail > 0)
+    {
+      --this->port_.writesThatFail;
+      return this->fail("Input/output error");
     }
     if (this->port_.stalls && !this->waitForRelease(lock))
     {
@@ -104,8 +115,18 @@ private:
     return false;
   }
 
+  std::function<void()> begin(int timeout_ms)
+  {
+    this->port_.longestRead_ms = std::max(this->port_.longestRead_ms, timeout_ms);
+    return std::exchange(this->port_.whileReading, nullptr);
+  }
+
   int take(std::span<std::uint8_t> report)
   {
+    if (this->port_.readFails)
+    {
+      return -1;
+    }
     const std::vector<std::uint8_t> input = this->port_.firmware().nextInput();
     if (input.empty() && !this->port_.present)
     {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -25,10 +26,14 @@ struct FakePort
   bool present = true;
   std::string openProblem; ///< no permission, busy: what the system says
   bool featureTimesOut = false;
-  bool stalls = false;          ///< a write waits until this ends, or 5 s, then fails
-  int hanging = 0;              ///< so many writes wait now
-  int callsUntilUnplugged = -1; ///< it goes after that many calls more, whatever they are
-  int shortFeature = -1;        ///< features are cut to that many bytes
+  bool stalls = false;                ///< a write waits until this ends, or 5 s, then fails
+  int hanging = 0;                    ///< so many writes wait now
+  int callsUntilUnplugged = -1;       ///< it goes after that many calls more, whatever they are
+  int shortFeature = -1;              ///< features are cut to that many bytes
+  int writesThatFail = 0;             ///< so many fail although it is there
+  bool readFails = false;             ///< although it is there
+  std::function<void()> whileReading; ///< happens once while a read waits, which fails then
+  int longestRead_ms = 0;             ///< that a read was to wait
   int opened = 0, closed = 0;
 
   [[nodiscard]] VirtualHid& firmware()

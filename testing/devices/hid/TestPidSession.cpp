@@ -139,7 +139,14 @@ TEST(PidSession, ALostDeviceIsAFaultThatStaysWhenItIsPluggedInAgain)
   SessionOptions options;
   options.virtualTime = true;
   ASSERT_EQ(session.start(std::move(owned), options), "");
+  const auto hear = [&]
+  {
+    bus->advance(1);
+    return link.readPass(0);
+  };
+  ASSERT_TRUE(hear());
   session.step(1);
+  EXPECT_EQ(session.state().fault, Fault::SceneRefused); // only that there is nothing to touch here
   bus->alone([&] { return port.present = false; });
   while (link.readPass(0)) // what was queued before still comes
   {
@@ -149,11 +156,12 @@ TEST(PidSession, ALostDeviceIsAFaultThatStaysWhenItIsPluggedInAgain)
   bus->alone([&] { return port.present = true; });
   static_cast<void>(link.writePass());
   EXPECT_TRUE(link.report().attached);
+  ASSERT_TRUE(hear());
   session.step(100);
   EXPECT_EQ(session.state().fault, Fault::DeviceLost); // until a person engages
   session.engage();
   session.step(1);
-  EXPECT_EQ(session.state().fault, Fault::SceneRefused); // only that there is nothing to touch here
+  EXPECT_EQ(session.state().fault, Fault::SceneRefused);
 }
 
 } // namespace

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A device that goes and comes back: what it is told last, who throws it away, and where the hand is then.
+#include <gtest/gtest.h>
+
+#include "testing/devices/hid/PidRig.h"
+
+namespace palpate
+{
+namespace
+{
+
+using Rig = test::PidRig;
+
+/// A device under force that cannot be opened again once it is lost.
+struct UnderForce : Rig
+{
+  UnderForce() : Rig(test::plainLayout())
+  {
+    EXPECT_EQ(this->device.open(), "");
+    this->command.wrench_D.force = { 2.0, 0.0, 0.0 };
+    this->run(50);
+    EXPECT_GT(this->stick().force()[0], 0.3);
+    this->port.openProblem = "busy";
+    this->command.wrench_D.force = { 2.5, 0.0, 0.0 };
+    this->device.write(this->command); // for the next pass
+  }
+};
+
+// The write that fails, one more that fails on the same connection, then the other connection.
+TEST(PidLoss, ADeviceThatIsLostForWhatItDoesNotTakeIsToldToStopOverEitherConnection)
+{
+  for (const int failing : { 1, 2 })
+  {
+    UnderForce rig;
+    rig.port.writesThatFail = failing;
+    rig.pass();
+    EXPECT_FALSE(rig.device.linkReport().attached);
+    EXPECT_EQ(rig.stick().stopAlls, 1) << failing;
+    EXPECT_EQ(rig.stick().force()[0], 0.0) << failing;
+  }
+}
+
+TEST(PidLoss, ADeviceThatTellsNothingAnyMoreIsToldToStop)
+{
+  UnderForce rig;
+  rig.port.readFails = true;
+  rig.pass();
+  EXPECT_FALSE(rig.device.linkReport().attached);
+  EXPECT_EQ(rig.stick().stopAlls, 1);
+  EXPECT_EQ(rig.stick().force()[0], 0.0);
+}
+
+TEST(PidLoss, AReadThatHasWaitedOnTheDeviceBeforeDoesNotThrowAwayTheOneThatWasFoundAgain)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(50);
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.device.write(rig.command);
+  rig.port.writesThatFail = 1;
+  PidLink& link = rig.device.link();
+  rig.port.whileReading = [&]
+  {
+    static_cast<void>(link.writePass());
+    ASSERT_FALSE(link.report().attached);
+    static_cast<void>(link.writePass());
+    ASSERT_TRUE(link.report().attached);
+  };
+  static_cast<void>(link.readPass(0));
+  EXPECT_TRUE(link.report().attached);
+  EXPECT_EQ(link.report().losses, 1U);
+}
+
+TEST(PidLoss, TheHandIsWhereItIsFromTheFirstTickOn)
+{
+  Rig rig(test::plainLayout());
+  rig.stick().position = { 0.5, 0.0 };
+  ASSERT_EQ(rig.device.open(), "");
+  ASSERT_EQ(rig.device.read(0.0, rig.sample), DeviceStatus::Ok);
+  EXPECT_NEAR(rig.sample.pose_D.p.x(), 0.5 * rig.scale().halfTravel_m, 1e-5);
+}
+
+TEST(PidLoss, WhereTheHandIsIsNotKnownBeforeTheDeviceSaysSo)
+{
+  Rig rig(test::adapterLayout()); // the host closes walls, at the place where the hand is
+  rig.stick().position = { -0.5, 0.0 };
+  rig.stick().silent = true;
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command.wallCount = 1;
+  rig.command.walls[0] = { Vec3::UnitX(), 0.01, 40.0 }; // in front of a hand in the middle
+  rig.run(1500);
+  EXPECT_EQ(rig.status, DeviceStatus::Lost);
+  EXPECT_EQ(rig.stick().force()[0], 0.0);
+  EXPECT_NE(rig.device.linkReport().message.find("move it"), std::string::npos);
+  rig.stick().silent = false;
+  rig.run(5);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+  EXPECT_NEAR(rig.sample.pose_D.p.x(), -0.5 * rig.scale().halfTravel_m, rig.device.info().resolution_m.value);
+  EXPECT_EQ(rig.device.linkReport().message, "");
+}
+
+TEST(PidLoss, AHandThatMovedWhileItsDeviceWasGoneIsNotWhereItWas)
+{
+  Rig rig(test::plainLayout());
+  rig.stick().position = { 0.2, 0.0 };
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(50);
+  rig.port.present = false;
+  rig.run(100);
+  rig.port.device = std::make_shared<test::VirtualPidDevice>(test::plainLayout());
+  rig.stick().position = { -0.6, 0.0 };
+  rig.stick().silent = true;
+  rig.port.present = true;
+  rig.run(1500);
+  EXPECT_TRUE(rig.device.linkReport().attached);
+  EXPECT_EQ(rig.status, DeviceStatus::Lost);
+  rig.stick().silent = false;
+  rig.run(5);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+  EXPECT_NEAR(rig.sample.pose_D.p.x(), -0.6 * rig.scale().halfTravel_m, 1e-5);
+}
+
+} // namespace
+} // namespace palpate
