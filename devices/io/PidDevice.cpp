@@ -8,7 +8,7 @@ namespace palpate
 namespace
 {
 
-constexpr int readTimeout_ms = 100;
+constexpr int readTimeout_ms = 10; // so late a write that hangs is noticed at most
 constexpr int writerPriority = 19; // just below the servo
 constexpr int writerIdle_ms = 1, noDevice_ms = 20;
 
@@ -27,6 +27,11 @@ DeviceInfo pidInfo(
   info.workspaceRadius_m = { scale.halfTravel_m, false };
   info.resolution_m = { input.usable() ? input.step() * scale.halfTravel_m : 0.0, false };
   info.maxForce_N = { scale.maxForce_N, false };
+  if (info.abilities.holdsWalls)
+  {
+    info.heldStiffness_N_per_m = { scale.springStiffness_N_per_m, false };
+    info.heldForce_N = { scale.maxForce_N, false };
+  }
   return info;
 }
 
@@ -48,7 +53,9 @@ std::string PidDevice::open()
                                         [&link] { link.detach(); }, {} },
       { [&link] { return link.readPass(readTimeout_ms); }, noDevice_ms, 0, {}, {} } };
   };
-  return this->options_.threads ? this->link_.open(work) : this->link_.open({});
+  std::string problem = this->options_.threads ? this->link_.open(work) : this->link_.open({});
+  this->info_.abilities = this->abilitiesNow();
+  return problem;
 }
 
 DeviceStatus PidDevice::read(double tickTime_s, DeviceSample& sample) noexcept

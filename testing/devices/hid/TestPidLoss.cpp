@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "testing/devices/hid/PidRig.h"
+#include "testing/support/Eventually.h"
 
 namespace palpate
 {
 namespace
 {
 
+using test::FakeHidBus;
+using test::FakePort;
 using Rig = test::PidRig;
 
 /// A device under force that cannot be opened again once it is lost.
@@ -118,6 +121,28 @@ TEST(PidLoss, AHandThatMovedWhileItsDeviceWasGoneIsNotWhereItWas)
   rig.run(5);
   EXPECT_EQ(rig.status, DeviceStatus::Ok);
   EXPECT_NEAR(rig.sample.pose_D.p.x(), -0.6 * rig.scale().halfTravel_m, 1e-5);
+}
+
+// A write that hangs is looked for after each read: 50 ms that a write may take, and one read more.
+TEST(PidLoss, NoReadWaitsSoLongThatAWriteThatHangsIsNoticedLate)
+{
+  auto bus = std::make_shared<FakeHidBus>(false);
+  FakePort& port = bus->plug(test::plainLayout());
+  PidDevice device("pid", bus, port.entry);
+  ASSERT_EQ(device.open(), "");
+  EXPECT_TRUE(test::eventually([&] { return bus->advance(1), device.linkReport().inputs > 1; }));
+  device.close();
+  EXPECT_LE(port.longestRead_ms, 20);
+}
+
+TEST(PidLoss, WhatADeviceCanDoIsKnownOnceItIsOpen)
+{
+  test::PidLayout small = test::plainLayout();
+  small.slots = 2; // two forces, and no room for a spring
+  Rig rig(small);
+  ASSERT_TRUE(rig.device.info().abilities.holdsWalls);
+  ASSERT_EQ(rig.device.open(), "");
+  EXPECT_EQ(rig.device.info().abilities, (DeviceAbilities{ 2, false, false, false }));
 }
 
 } // namespace
