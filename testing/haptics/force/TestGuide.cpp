@@ -33,8 +33,8 @@ TEST(Guide, IsASpringToThePlaneUpToItsLimitFromBothSides)
 TEST(Guide, NeverPushesAwayFromThePlaneAndNeverBeyondItsLimitHoweverFastTheHandIs)
 {
   const GuidePlan plan;
-  test::Random random(7);
-  for (int i = 0; i < 10000; ++i)
+  test::Random random(test::testSeed(7));
+  for (std::size_t i = 0; i < test::testCount(10000); ++i)
   {
     const double height_m = random.uniform(-0.05, 0.05);
     const double force_N = guideForce(plan, random.uniform(0, 1), height_m, random.uniform(-3, 3), T);
@@ -64,7 +64,7 @@ TEST(Guide, AClosedWayTakesNothingButWhatTheHoldOfAnAcceleratedHandLeaves)
 {
   GuidePlan plan;
   plan.largest_N = 1e9;
-  test::Random random(11);
+  test::Random random(test::testSeed(11));
   std::vector<double> d_m;
   constexpr int period = 400;
   const double phase = random.uniform(0, 6);
@@ -110,9 +110,11 @@ TEST(Guide, AFreeDeviceComesToThePlaneAndStays)
       before_m = height_m;
       fastest = std::max(fastest, device.speed_D().norm());
     }
-    // Friction holds a device where the guide is weaker than it, one encoder step further at most.
-    const double rest_m = model.friction_N / plan.stiffness_N_per_m + 2 * model.encoderStep_m;
-    EXPECT_LE(std::fabs(device.position_D().z()), rest_m + 1e-4) << name;
+    // Friction holds a device where the guide is weaker than it; what is measured is a step off at most. What swings is
+    // damped by the device: by e^(-b t / 2 m) since the guide has all its force.
+    const double left_m = 0.02 * std::exp(-0.5 * model.damping_Ns_per_m / model.mass_kg * (8.0 - plan.ramp_s));
+    const double rest_m = model.friction_N / plan.stiffness_N_per_m + model.encoderStep_m + left_m;
+    EXPECT_LE(std::fabs(device.position_D().z()), rest_m) << name;
     EXPECT_LE(device.speed_D().norm(), 1e-3) << name;
     const double most_J = plan.largest_N * 0.02;
     EXPECT_LE(0.5 * model.mass_kg * fastest * fastest, most_J) << name;
