@@ -68,6 +68,8 @@ struct DeviceInfo
   DeviceQuantity maxForce_N{ std::numeric_limits<double>::infinity(), false };
   DeviceQuantity maxStiffness_N_per_m{ std::numeric_limits<double>::infinity(), false };
   DeviceQuantity maxDamping_Ns_per_m{ std::numeric_limits<double>::infinity(), false };
+  DeviceQuantity heldStiffness_N_per_m{ std::numeric_limits<double>::infinity(), false }; ///< of walls it closes itself
+  DeviceQuantity heldForce_N{ std::numeric_limits<double>::infinity(), false };           ///< that they push with
   DeviceQuantity mass_kg{ 0.0, false };
   DeviceQuantity damping_Ns_per_m{ 0.0, false };
   DeviceQuantity friction_N{ 0.0, false };
