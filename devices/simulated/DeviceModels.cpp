@@ -56,6 +56,11 @@ DeviceInfo infoOf(const DeviceModel& model)
   const auto typical = [=](double value) { return DeviceQuantity{ value, defined }; };
   info.maxForce_N = limit(model.maxForce_N);
   info.maxStiffness_N_per_m = limit(model.maxStiffness_N_per_m);
+  if (info.abilities.holdsWalls)
+  {
+    info.heldStiffness_N_per_m = limit(model.maxStiffness_N_per_m);
+    info.heldForce_N = limit(model.maxForce_N);
+  }
   info.maxDamping_Ns_per_m = limit(model.maxDamping_Ns_per_m);
   info.workspaceRadius_m = typical(model.workspaceRadius_m);
   info.resolution_m = typical(model.encoderStep_m);

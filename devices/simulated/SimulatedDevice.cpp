@@ -148,7 +148,8 @@ Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
   for (std::size_t i = 0; i < walls; ++i)
   {
     const HeldWall& wall = command.walls[i];
-    Condition spring = lowerWall(wall.offset_m, wall.stiffness_N_per_m);
+    Condition spring =
+      lowerWall(wall.offset_m, std::min(wall.stiffness_N_per_m, this->info_.heldStiffness_N_per_m.value));
     spring.negativeSaturation = wall.largest_N;
     force += conditionForce(spring, wall.normal_D.dot(this->shown_D())) * wall.normal_D;
   }

@@ -127,7 +127,10 @@ double vtkHapticSession::GetFeelableZoom() const
 
 double vtkHapticSession::Internals::FeltStiffness() const
 {
-  return std::min(this->Parameters.stiffness_N_per_m, this->Limits.largest_N_per_m);
+  const palpate::DeviceInfo& info = this->InfoNow();
+  const bool held = this->Parameters.walls.hold && info.abilities.closesWalls();
+  const double limit_N_per_m = held ? info.heldStiffness_N_per_m.value : palpate::StabilityLimits::unlimited;
+  return std::min({ this->Parameters.stiffness_N_per_m, this->Limits.largest_N_per_m, limit_N_per_m });
 }
 
 void vtkHapticSession::GetLabyrinthTrace(vtkPolyData* trace) const

@@ -17,7 +17,7 @@ double guideForce(const GuidePlan& plan, double share, double height_m, double s
 {
   const double way = height_m < 0.0 ? -1.0 : 1.0;
   const double stiffness_N_per_m = share * plan.stiffness_N_per_m;
-  const double damping_Ns_per_m = 0.5 * stiffness_N_per_m * dt_s;
+  const double damping_Ns_per_m = stiffness_N_per_m * dt_s;
   const double back_N = stiffness_N_per_m * std::fabs(height_m) + way * damping_Ns_per_m * speed_m_per_s;
   return -way * std::clamp(back_N, 0.0, share * plan.largest_N);
 }

@@ -64,14 +64,28 @@ bool differ(const AxisWalls& sent, const AxisWalls& now, double step_m) noexcept
 
 void command(const AxisWalls& walls, double stiffness_N_per_m, DeviceCommand& command, double largest_N) noexcept
 {
+  const auto& offsets = walls.offset_m;
+  const bool bothAxes = (offsets[0] || offsets[2]) && (offsets[1] || offsets[3]);
+  const double each_N = bothAxes ? largest_N / std::sqrt(2.0) : largest_N;
   command.wallCount = 0;
   for (int i = 0; i < AxisWalls::count; ++i)
   {
     if (const std::optional<double>& offset_m = walls.offset_m[static_cast<std::size_t>(i)])
     {
-      command.walls[command.wallCount++] = { AxisWalls::direction(i), *offset_m, stiffness_N_per_m, largest_N };
+      command.walls[command.wallCount++] = { AxisWalls::direction(i), *offset_m, stiffness_N_per_m, each_N };
     }
   }
+}
+
+bool isFinite(const DeviceCommand& command) noexcept
+{
+  const auto last = command.walls.begin() + std::min<std::size_t>(command.wallCount, command.walls.size());
+  const auto usable = [](const HeldWall& wall)
+  {
+    return wall.normal_D.allFinite() && std::isfinite(wall.offset_m) && std::isfinite(wall.stiffness_N_per_m) &&
+           wall.largest_N >= 0.0;
+  };
+  return std::isfinite(command.viscosity_Ns_per_m) && std::all_of(command.walls.begin(), last, usable);
 }
 
 Vec3 forceOfWalls(const DeviceCommand& command, const Vec3& p_D) noexcept

@@ -47,9 +47,14 @@ struct AxisWalls
 /// `step_m`, which is what the device can tell apart [m].
 [[nodiscard]] bool differ(const AxisWalls& sent, const AxisWalls& now, double step_m) noexcept;
 
-/// The walls as part of a command, each as a spring of that stiffness up to that force.
+/// The walls as part of a command, springs of that stiffness that together push with no more than `largest_N`: of two
+/// opposite walls one pushes at a time, and where walls stand across both axes each pushes with at most
+/// largest_N / sqrt(2), so that sqrt(F_x^2 + F_y^2) <= largest_N however deep the handle gets before the next update.
 void command(const AxisWalls& walls, double stiffness_N_per_m, DeviceCommand& command,
   double largest_N = std::numeric_limits<double>::infinity()) noexcept;
+
+/// Whether all that a device is to close by itself are numbers; a largest force may be infinite, for it cuts nothing.
+[[nodiscard]] bool isFinite(const DeviceCommand& command) noexcept;
 
 /// What the walls of a command do to a handle at p_D [m] at rest [N].
 [[nodiscard]] Vec3 forceOfWalls(const DeviceCommand& command, const Vec3& p_D) noexcept;

@@ -18,7 +18,8 @@ namespace palpate
 
 /// What a person set, completed by what the device says about itself: the encoder step the velocity is estimated
 /// with, the largest stiffness, no passivity control where no force reaches a hand, and walls left to it only if it
-/// closes them. `viscosity_Ns_per_m`: what its corridors need (Viscosity.h).
+/// closes them: then no stiffer and no harder than it can, and what the host closes beside them neither.
+/// `viscosity_Ns_per_m`: what its corridors need (Viscosity.h).
 [[nodiscard]] inline HapticParameters adaptToDevice(HapticParameters parameters, const DeviceInfo& device,
   const StabilityLimits& limits, double viscosity_Ns_per_m = 0.0) noexcept
 {
@@ -29,6 +30,11 @@ namespace palpate
   }
   parameters.stiffnessLimit_N_per_m = parameters.limitStiffness ? limits.largest_N_per_m : StabilityLimits::unlimited;
   parameters.walls.hold = parameters.walls.hold && device.abilities.closesWalls();
+  if (parameters.walls.hold)
+  {
+    parameters.stiffnessLimit_N_per_m = std::min(parameters.stiffnessLimit_N_per_m, device.heldStiffness_N_per_m.value);
+    parameters.safety.maxForce_N = std::min(parameters.safety.maxForce_N, device.heldForce_N.value);
+  }
   if (parameters.walls.step_m == 0.0)
   {
     parameters.walls.step_m = device.resolution_m.value;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "haptics/contact/PlanFor.h"
+#include "haptics/contact/Resolution.h"
 #include "haptics/force/VirtualCoupling.h"
 #include "haptics/safety/ForceLimits.h"
 #include "haptics/session/ProxyStep.h"
@@ -189,8 +190,8 @@ private:
     state.infeasible = result.infeasible;
     this->seatFailed_ = result.seatFailed;
     const double scale_u_per_m = this->p_.map.scale_u_per_m;
-    this->couple(
-      this->p_.map.directionToDevice(result.pull_W / scale_u_per_m), std::sqrt(result.held_u2) / scale_u_per_m);
+    const double share = this->isRounding(result) ? 0.0 : 1.0 / scale_u_per_m;
+    this->couple(this->p_.map.directionToDevice(share * result.pull_W), share * std::sqrt(result.held_u2));
     this->guide();
   }
 
@@ -199,6 +200,15 @@ private:
   {
     const Vec3& p_W = this->out_.state.device_W.p;
     return this->p_.guide.on ? this->p_.guide.foot_W(p_W) : p_W;
+  }
+
+  /// The foot of a hand that moves across the plane stays but for rounding, and that is not a spring to be damped.
+  [[nodiscard]] bool isRounding(const ContactResult& result) const noexcept
+  {
+    Resolution resolution;
+    resolution.include(result.proxy_W);
+    resolution.include(this->out_.state.device_W.p);
+    return this->p_.guide.on && result.pull_W.norm() <= resolution.tol();
   }
 
   /// Only once force is given, so that who is far from the plane can ask for it.
@@ -353,11 +363,9 @@ private:
     this->report();
   }
 
-  /// Walls are looked for where lines stand still: what moves is felt by the host's own force.
   [[nodiscard]] bool deviceHolds() const noexcept
   {
-    return this->p_.walls.hold && this->touchable() && !this->in_.scene->moves() && !this->seatFailed_ &&
-           this->s_.gain > 0.0;
+    return this->p_.walls.hold && this->touchable() && !this->seatFailed_ && this->s_.gain > 0.0;
   }
 
   /// The force on the hand is the device's business; what is told of it is what the walls give at rest.
@@ -366,13 +374,12 @@ private:
     HapticState& state = this->out_.state;
     const SafetyLimits& limits = this->p_.safety;
     const WallTick tick{ *this->in_.scene, this->plan_, this->s_.contact, this->p_.map, this->in_.sample.pose_D.p,
-      state.stiffness_N_per_m, limits.maxRise_N_per_s, this->in_.dt_s };
+      state.stiffness_N_per_m, limits.maxRise_N_per_s, this->in_.dt_s, this->in_.scene->shareAt(this->s_.sceneAge_s) };
     state.nodes += keepWalls(this->p_.walls, tick, this->s_.walls);
     const double share = smoothstep(this->s_.gain);
     command(this->s_.walls.walls, share * state.stiffness_N_per_m, this->out_.command, limits.maxForce_N);
     this->out_.command.viscosity_Ns_per_m = share * this->p_.walls.viscosity_Ns_per_m;
-    const Vec3 braking_D = this->out_.command.viscosity_Ns_per_m * state.velocity_D;
-    const Vec3 force_D = forceOfWalls(this->out_.command, this->in_.sample.pose_D.p) - braking_D;
+    const Vec3 force_D = this->heldForce();
     const Vec3 clamped_D = clampMagnitude(force_D, limits.maxForce_N);
     state.clamped = clamped_D != force_D;
     this->tellHeld(clamped_D);
@@ -391,18 +398,33 @@ private:
     }
     command(walls, share * this->game_.spring_N_per_m, this->out_.command, share * this->game_.spring_N);
     this->out_.command.viscosity_Ns_per_m = share * this->game_.damping_Ns_per_m;
-    this->tellHeld(share * this->game_.lead_D);
+    this->tellHeld(this->heldForce());
   }
 
-  /// What the device gives by itself, as far as the host knows.
+  /// What walls and viscosity of the command give a hand where it is [N].
+  [[nodiscard]] Vec3 heldForce() const noexcept
+  {
+    const DeviceCommand& held = this->out_.command;
+    return forceOfWalls(held, this->in_.sample.pose_D.p) - held.viscosity_Ns_per_m * this->out_.state.velocity_D;
+  }
+
+  /// What the device gives by itself, as far as the host knows. Walls that are not numbers are not sent.
   void tellHeld(const Vec3& force_D) noexcept
   {
     HapticState& state = this->out_.state;
-    state.force_D = force_D;
-    state.force_W = this->p_.map.directionToScene(force_D);
+    const bool usable = isFinite(this->out_.command) && force_D.allFinite();
+    if (!usable)
+    {
+      this->s_.walls = {};
+      this->out_.command.wallCount = 0;
+      this->out_.command.viscosity_Ns_per_m = 0.0;
+      this->latch(Fault::NonFiniteSample);
+    }
+    state.force_D = usable ? force_D : Vec3(Vec3::Zero());
+    state.force_W = this->p_.map.directionToScene(state.force_D);
     state.deviceHolds = true;
     state.walls = this->out_.command.wallCount;
-    this->s_.lastForce_D = force_D;
+    this->s_.lastForce_D = state.force_D;
     this->s_.ownForce = false;
   }
 

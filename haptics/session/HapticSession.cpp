@@ -44,14 +44,15 @@ struct HapticSession::Run
       this->loop_ = loop;
       this->limits = stabilityLimits(this->device->info(), loop);
     }
-    const double stiffness_N_per_m = std::min(parameters.stiffness_N_per_m, this->limits.largest_N_per_m);
-    if (parameters.walls.hold && this->device->info().abilities.closesWalls() &&
-        stiffness_N_per_m != this->viscousAt_N_per_m_)
+    const DeviceInfo& info = this->device->info();
+    const double stiffness_N_per_m =
+      std::min({ parameters.stiffness_N_per_m, this->limits.largest_N_per_m, info.heldStiffness_N_per_m.value });
+    if (parameters.walls.hold && info.abilities.closesWalls() && stiffness_N_per_m != this->viscousAt_N_per_m_)
     {
       this->viscousAt_N_per_m_ = stiffness_N_per_m;
-      this->viscosity_Ns_per_m_ = corridorViscosity(this->device->info(), stiffness_N_per_m);
+      this->viscosity_Ns_per_m_ = corridorViscosity(info, stiffness_N_per_m);
     }
-    this->adapted = adaptToDevice(parameters, this->device->info(), this->limits, this->viscosity_Ns_per_m_);
+    this->adapted = adaptToDevice(parameters, info, this->limits, this->viscosity_Ns_per_m_);
   }
 
 private:

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "haptics/contact/FeatureGeometry.h"
+#include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Resolution.h"
 #include "haptics/contact/Sweep.h"
 
@@ -19,24 +20,29 @@ constexpr std::uint32_t mostNodes = 4000;
 /// A hand that is this fast stays within reach for two updates.
 constexpr double fast_m_per_s = 0.5;
 
-FeaturePlane planeAt(const WallTick& tick, const ActiveFeature& f, const Vec3& x_W)
+// SceneView: Scene, or MovingScene for the moment of the tick.
+
+template<class SceneView>
+FeaturePlane planeAt(const SceneView& scene, const WallTick& tick, const ActiveFeature& f, const Vec3& x_W) noexcept
 {
-  return planeOf(surfaceOf(tick.scene, f.surface), f, x_W, tick.contact.radius_u);
+  return planeOf(surfaceOf(scene, f.surface), f, x_W, tick.contact.radius_u);
 }
 
-AxisWalls touchedWalls(const WallTick& tick, const Vec3& x_D) noexcept
+template<class SceneView>
+AxisWalls touchedWalls(const SceneView& scene, const WallTick& tick, const Vec3& x_D) noexcept
 {
   std::array<NearWall, GodObjectState::maxFeatures> near{};
   const auto count = static_cast<std::size_t>(tick.state.count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    near[i].normal_D = tick.map.directionToDevice(planeAt(tick, tick.state.features[i], tick.state.x_W).n);
+    near[i].normal_D = tick.map.directionToDevice(planeAt(scene, tick, tick.state.features[i], tick.state.x_W).n);
   }
   return wallsAround(x_D, { near.data(), count }, leastLean);
 }
 
 /// How far the way along direction i is free [m]; all of it where nothing that stands across it is met.
-double freeAlong(const WallTick& tick, int i, double reach_m, std::uint32_t& nodes) noexcept
+template<class SceneView>
+double freeAlong(const SceneView& scene, const WallTick& tick, int i, double reach_m, std::uint32_t& nodes) noexcept
 {
   SweepQuery query;
   const Vec3 way_W = -reach_m * tick.map.scale_u_per_m * tick.map.directionToScene(AxisWalls::direction(i));
@@ -46,14 +52,31 @@ double freeAlong(const WallTick& tick, int i, double reach_m, std::uint32_t& nod
   query.resolution.include(query.from_W);
   query.resolution.include(query.to_W);
   query.touched = { tick.state.features.data(), static_cast<std::size_t>(tick.state.count) };
-  const SweepHit hit = sweepBall(tick.scene, query, mostNodes);
+  const SweepHit hit = sweepBall(scene, query, mostNodes);
   nodes += hit.nodes;
   if (!hit.hit)
   {
     return reach_m;
   }
-  const Vec3 normal_D = tick.map.directionToDevice(planeAt(tick, hit.feature, query.from_W + hit.t * way_W).n);
+  const Vec3 normal_D = tick.map.directionToDevice(planeAt(scene, tick, hit.feature, query.from_W + hit.t * way_W).n);
   return AxisWalls::direction(i).dot(normal_D) > leastLean ? hit.t * reach_m : reach_m;
+}
+
+template<class SceneView>
+AxisWalls wallsIn(const SceneView& scene, const WallTick& tick, double reach_m, std::uint32_t& nodes) noexcept
+{
+  const Vec3 x_D = tick.map.toDevice(tick.state.x_W);
+  AxisWalls walls = touchedWalls(scene, tick, x_D);
+  for (int i = 0; i < AxisWalls::count; ++i)
+  {
+    std::optional<double>& offset_m = walls.offset_m[static_cast<std::size_t>(i)];
+    const double free_m = offset_m ? reach_m : freeAlong(scene, tick, i, reach_m, nodes);
+    if (free_m < reach_m)
+    {
+      offset_m = AxisWalls::direction(i).dot(x_D) - free_m;
+    }
+  }
+  return walls;
 }
 
 } // namespace
@@ -66,18 +89,8 @@ bool HeldWallState::any() const noexcept
 
 AxisWalls lookForWalls(const WallTick& tick, double reach_m, std::uint32_t& nodes) noexcept
 {
-  const Vec3 x_D = tick.map.toDevice(tick.state.x_W);
-  AxisWalls walls = touchedWalls(tick, x_D);
-  for (int i = 0; i < AxisWalls::count; ++i)
-  {
-    std::optional<double>& offset_m = walls.offset_m[static_cast<std::size_t>(i)];
-    const double free_m = offset_m ? reach_m : freeAlong(tick, i, reach_m, nodes);
-    if (free_m < reach_m)
-    {
-      offset_m = AxisWalls::direction(i).dot(x_D) - free_m;
-    }
-  }
-  return walls;
+  return tick.scene.moves() ? wallsIn(MovingScene(tick.scene, tick.share), tick, reach_m, nodes)
+                            : wallsIn(tick.scene, tick, reach_m, nodes);
 }
 
 std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWallState& held) noexcept

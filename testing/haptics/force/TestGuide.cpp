@@ -58,9 +58,9 @@ TEST(Guide, ComesAndGoesLinearlyInItsRampTime)
 }
 
 // With d_k the heights of a closed way and steps D_k = d_{k+1} - d_k the held force of the spring gives K/2 sum D_k^2,
-// and the damping K T / 2 takes K/2 sum D_k D_{k-1}: what is left is K/4 sum (D_k - D_{k-1})^2, nothing for a steady
-// hand.
-TEST(Guide, AClosedWayTakesNothingButWhatTheHoldOfAnAcceleratedHandLeaves)
+// and the damping K T takes K sum D_k D_{k-1}: all that the hold gives, and as much again but for what the acceleration
+// of the hand leaves, K/2 sum (D_k - D_{k-1})^2.
+TEST(Guide, AClosedWayTakesFromTheHandWhatTheHoldOfTheForceWouldGiveIt)
 {
   GuidePlan plan;
   plan.largest_N = 1e9;
@@ -72,17 +72,19 @@ TEST(Guide, AClosedWayTakesNothingButWhatTheHoldOfAnAcceleratedHandLeaves)
   {
     d_m.push_back(0.02 + 0.005 * std::sin(2 * M_PI * i / period + phase) + 0.002 * std::cos(6 * M_PI * i / period));
   }
-  double work_J = 0.0, expected_J = 0.0;
+  double work_J = 0.0, expected_J = 0.0, hold_J = 0.0, bent_J = 0.0;
   for (int i = 0; i < period; ++i)
   {
     const double before = d_m[(i + period - 1) % period], now = d_m[i], after = d_m[(i + 1) % period];
     work_J += guideForce(plan, 1.0, now, (now - before) / T, T) * (after - now);
-    const double bend = (after - now) - (now - before);
-    expected_J += 0.25 * plan.stiffness_N_per_m * bend * bend;
+    const double step = after - now, stepBefore = now - before;
+    hold_J += 0.5 * plan.stiffness_N_per_m * step * step;
+    bent_J += 0.5 * plan.stiffness_N_per_m * (step - stepBefore) * (step - stepBefore);
+    expected_J += plan.stiffness_N_per_m * (0.5 * step * step - step * stepBefore);
   }
   EXPECT_NEAR(work_J, expected_J, 1e-15);
-  const double held_J = 0.5 * plan.stiffness_N_per_m * 0.005 * 0.005;
-  EXPECT_LT(work_J, 1e-3 * held_J) << "of what the spring holds at the turn";
+  EXPECT_NEAR(work_J, bent_J - hold_J, 1e-15) << "sum D_k^2 is sum D_{k-1}^2 on a closed way";
+  EXPECT_LT(work_J, -0.99 * hold_J);
 }
 
 // Nobody holds the device: from 2 cm above the plane it comes down to it and stays, and is never faster than all the

@@ -105,6 +105,39 @@ TEST(HeldWalls, NeverEnterTheHandFasterThanTheLimitAndLeaveItAtOnce)
   EXPECT_FALSE(ledTo(held, AxisWalls{}, handle_D, most_m).offset_m[0].has_value());
 }
 
+// Two springs across each other give at most sqrt(F_x^2 + F_y^2); with F / sqrt(2) each that is F, and a corner deep
+// enough reaches it. Of two opposite walls that leave room between them no more than one pushes, and with all of F.
+TEST(HeldWalls, TogetherPushNoHarderThanTheLimitHoweverDeepTheHandleIs)
+{
+  constexpr double largest_N = 3.0;
+  test::Random random(test::testSeed(632));
+  for (std::size_t k = 0; k < test::testCount(1000); ++k)
+  {
+    AxisWalls walls;
+    for (int i = 0; i < AxisWalls::count; ++i)
+    {
+      if (random.uniform() < 0.6)
+      {
+        walls.offset_m[static_cast<std::size_t>(i)] = random.uniform(-0.03, 0.0);
+      }
+    }
+    DeviceCommand sent;
+    command(walls, K, sent, largest_N);
+    ASSERT_LE(
+      forceOfWalls(sent, { random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0 }).norm(), 3.0 * (1 + 1e-15));
+  }
+  constexpr double deep_m = 2 * largest_N / K;
+  DeviceCommand sent;
+  AxisWalls corner;
+  corner.offset_m[0] = corner.offset_m[1] = 0.0;
+  command(corner, K, sent, largest_N);
+  EXPECT_NEAR(forceOfWalls(sent, { -deep_m, -deep_m, 0 }).norm(), largest_N, 1e-12);
+  AxisWalls corridor;
+  corridor.offset_m[0] = corridor.offset_m[2] = -0.01;
+  command(corridor, K, sent, largest_N);
+  EXPECT_NEAR(forceOfWalls(sent, { -0.01 - deep_m, 0, 0 }).x(), largest_N, 1e-12);
+}
+
 TEST(HeldWalls, AreSentAgainWhenTheyMovedByAStepOfTheDeviceOrAnotherSetHolds)
 {
   AxisWalls sent, now;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -209,17 +210,47 @@ TEST(HeldWallsInTick, WallsGoWithTheGainAndAreGoneWhenNoForceMayBeGiven)
   EXPECT_EQ(tick.at(0, 0).command.wallCount, 0);
 }
 
-TEST(HeldWallsInTick, WhatMovesIsClosedByTheHost)
+/// A corridor of 4 mm that goes along y by that way, in that time.
+std::shared_ptr<const Scene> movingCorridor(double way_m, double time_s)
 {
-  const auto still = sceneOf(corridor(0.002));
-  std::vector<Surface> surfaces = still->surfaces();
-  surfaces[0].motion.end_WS.p = Vec3(0, 0.001, 0);
-  Tick tick{ std::make_shared<const Scene>(9, surfaces, 0.1) };
-  static_cast<void>(tick.at(0, 0));
-  const TickOutput out = tick.at(0, -0.003);
-  EXPECT_EQ(out.command.wallCount, 0);
-  EXPECT_FALSE(out.state.deviceHolds);
-  EXPECT_GT(out.command.wrench_D.force.y(), 0.0);
+  std::vector<Surface> surfaces = sceneOf(corridor(0.002))->surfaces();
+  surfaces[0].motion.end_WS.p = Vec3(0, way_m, 0);
+  return std::make_shared<const Scene>(9, surfaces, time_s);
+}
+
+// The wall below stands 0.5 mm under the hand at first, and 2.5 mm over it in the end.
+TEST(HeldWallsInTick, AWallThatMovesIsHeldWhereItIsInEachTick)
+{
+  constexpr double way_m = 0.003, time_s = 0.1, hand_m = -0.0015;
+  Tick tick{ movingCorridor(way_m, time_s) };
+  tick.parameters.walls.every_s = 0.0;
+  for (int i = 1; i <= 150; ++i)
+  {
+    const TickOutput out = tick.at(0, hand_m);
+    const double wall_m = way_m * std::min(1.0, i * 1e-3 / time_s) - 0.002;
+    ASSERT_TRUE(out.state.deviceHolds);
+    ASSERT_NEAR(offset(out.command, Vec3::UnitY()).value_or(1.0), wall_m, 1e-12) << i;
+    ASSERT_NEAR(out.state.force_D.y(), K * std::max(0.0, wall_m - hand_m), 1e-10) << i;
+  }
+}
+
+// The corridor comes along at 1 m/s; 20 N/s let a wall at 200 N/m into the hand at 0.1 m/s.
+TEST(HeldWallsInTick, NoWallThatMovesGoesIntoTheHandFasterThanTheForceMayRise)
+{
+  for (const double every_s : { 0.0, 0.008, 0.05 })
+  {
+    Tick tick{ movingCorridor(0.01, 0.01) };
+    tick.parameters.walls.every_s = every_s;
+    tick.parameters.safety.maxRise_N_per_s = 20.0;
+    double force_N = 0.0, last_N = 0.0;
+    for (int i = 0; i < 400; ++i)
+    {
+      force_N = tick.at(0.0, 0.0).state.force_D.y();
+      ASSERT_LE(force_N - last_N, 20.0 * std::max(every_s, 1e-3) + 1e-12) << every_s << ' ' << i;
+      last_N = force_N;
+    }
+    EXPECT_NEAR(force_N, K * 0.008, 1e-10) << every_s;
+  }
 }
 
 TEST(HeldWallsInTick, LookingForWallsAllocatesNothing)
@@ -278,6 +309,65 @@ TEST(HeldWallsInTick, AtTwentyToAThousandHertzAPushedHandleRestsAtForceOverStiff
     EXPECT_NEAR(played.device->position_D().x(), 0.01 + 0.3 / K, 1e-7) << rate_Hz;
     EXPECT_NEAR(played.device->position_D().y(), -0.002 - 0.8 / K, 1e-7) << rate_Hz;
     EXPECT_TRUE(played.session.state().deviceHolds);
+  }
+}
+
+// The device holds 100 N/m and is asked for 1000: a handle pushed with f rests f / 100 behind the wall, and what the
+// session reports is f, not ten times as much.
+TEST(HeldWallsInTick, NoStifferWallsAreAskedForThanTheDeviceHoldsAndWhatItHoldsIsReported)
+{
+  constexpr double held_N_per_m = 100.0, push_N = 1.2;
+  SimulationOptions simulation;
+  simulation.push_D = { 0, -push_N, 0 };
+  DeviceModel heavy = test::plainJoystick(2 * std::sqrt(held_N_per_m));
+  heavy.mass_kg = 1.0;
+  heavy.maxStiffness_N_per_m = held_N_per_m;
+  HapticParameters parameters = holding();
+  parameters.stiffness_N_per_m = 1000.0;
+  parameters.limitStiffness = false; // what the loop of the host can hold does not matter here
+  Played played;
+  play(played, heavy, simulation, corridor(0.002), parameters);
+  static_cast<void>(played.session.step(4000));
+  EXPECT_NEAR(played.device->position_D().y(), -0.002 - push_N / held_N_per_m, 1e-7);
+  const HapticState& state = played.session.state();
+  EXPECT_EQ(state.stiffness_N_per_m, held_N_per_m);
+  EXPECT_TRUE(state.stiffnessLimited);
+  EXPECT_NEAR((state.force_D - Vec3(0, push_N, 0)).norm(), 0.0, 1e-5);
+}
+
+TEST(HeldWallsInTick, ADeviceIsAskedForNoMoreForceThanItsWallsHaveEvenWhereItsMotorsHaveMore)
+{
+  DeviceInfo info = infoOf(test::plainJoystick(0.5));
+  info.heldForce_N.value = 2.0;
+  HapticParameters parameters = holding();
+  parameters.safety.maxForce_N = 3.0;
+  EXPECT_EQ(adaptToDevice(parameters, info, {}).safety.maxForce_N, 2.0);
+  parameters.walls.hold = false;
+  EXPECT_EQ(adaptToDevice(parameters, info, {}).safety.maxForce_N, 3.0);
+}
+
+TEST(HeldWallsInTick, WallsThatAreNotNumbersAreNotSentAndLatch)
+{
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const auto spoilt = [](auto spoil)
+  {
+    Tick tick{ sceneOf(corridor(0.002)) };
+    EXPECT_EQ(tick.at(0.0, 0.0).command.wallCount, 2);
+    spoil(tick);
+    return tick.at(0.0, -0.003);
+  };
+  const TickOutput outs[] = { spoilt([](Tick& tick) { tick.parameters.stiffness_N_per_m = none; }),
+    spoilt([](Tick& tick) { tick.state.walls.walls.offset_m[1] = none; }),
+    spoilt([](Tick& tick) { tick.state.walls.walls.offset_m[3] = -std::numeric_limits<double>::infinity(); }),
+    spoilt([](Tick& tick) { tick.parameters.walls.viscosity_Ns_per_m = none; }) };
+  for (const TickOutput& out : outs)
+  {
+    EXPECT_EQ(out.command.wallCount, 0);
+    EXPECT_EQ(out.command.viscosity_Ns_per_m, 0.0);
+    EXPECT_EQ(out.command.wrench_D.force, Vec3(Vec3::Zero()));
+    EXPECT_EQ(out.state.force_D, Vec3(Vec3::Zero()));
+    EXPECT_EQ(out.state.walls, 0);
+    EXPECT_EQ(out.state.fault, Fault::NonFiniteSample);
   }
 }
 
