@@ -22,7 +22,8 @@ set(PALPATE_TEST_ENVIRONMENT
   "PALPATE_BUILD_DIR=${CMAKE_BINARY_DIR}"
   "PALPATE_PROGRAM=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/palpate"
   "PALPATE_PLUGIN=${PALPATE_PLUGIN_PATH}/Palpate.so"
-  "PV_PLUGIN_PATH=${PALPATE_PLUGIN_PATH}")
+  "PV_PLUGIN_PATH=${PALPATE_PLUGIN_PATH}"
+  "XDG_CONFIG_HOME=${PALPATE_TEST_OUTPUT}/settings") # never the person's own: what a test keeps stays in the build
 
 # Parses ARGN into arg_*; keeps the defaults in one place.
 macro (_palpate_parse default_label one_value multi_value)
