@@ -16,6 +16,7 @@ from haptic_proxies import manager
 VALUES = {
     "DeviceName": ["mouse"],
     "Hand": ["light"],
+    "PressDepth": [0.0035],
     "Rotation": [0.5, 0.5, -0.5, 0.5],
     "StrokePoints": [1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
 }
