@@ -86,8 +86,11 @@ void pqHapticMouse::showStatus()
   QString text;
   if (this->Active)
   {
-    text = tr("%1 N. Shift + left button presses, wheel: deeper; keys: see the panel.")
-             .arg(this->Mouse->GetSession()->GetForceMagnitude(), 0, 'f', 2);
+    const vtkHapticSession* session = this->Mouse->GetSession();
+    const QString how = session->GetPlaneWorld()
+                          ? tr("the hand is under the pointer, in the plane; keys: see the panel.")
+                          : tr("Shift + left button presses, wheel: deeper; keys: see the panel.");
+    text = tr("%1 N: %2").arg(session->GetForceMagnitude(), 0, 'f', 2).arg(how);
   }
   if (text != this->Status)
   {
