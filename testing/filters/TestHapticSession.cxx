@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "haptics/session/Recording.h"
 #include "vtkCellArray.h"
@@ -22,47 +23,32 @@ using ::testing::HasSubstr;
 
 namespace
 {
-/// Ticks after which the force is let through in full: it arms, then the engage ramp of 1 s, then some to spare.
-constexpr int ticksToEngage = 1100;
-
-/// A session in virtual time with a fed hand at (0, 0, 1) over the plane z = 0; one unit is a millimetre.
-class HapticSession : public ::testing::Test
+/// With a fed hand at (0, 0, 1) over the plane z = 0.
+class HapticSession : public VirtualSession
 {
 protected:
   void SetUp() override
   {
-    this->session_->VirtualTimeOn();
-    this->session_->SetStiffness(stiffness);
-    this->session_->SetScale(scale);
     this->session_->SetHandPosition(0.0, 0.0, 1.0);
     this->show(makePlane(100.0));
   }
 
-  void show(vtkDataObject* surface)
+  void showNothing()
   {
     this->session_->ClearSurfaces();
-    if (surface)
-    {
-      ASSERT_TRUE(this->session_->AddSurface("surface", surface, nullptr)) << this->session_->GetProblem();
-    }
     this->session_->CommitScene();
-    ASSERT_EQ(this->session_->FinishScene(), surface != nullptr);
+    ASSERT_FALSE(this->session_->FinishScene());
   }
 
   void engage()
   {
-    this->session_->TouchingOn();
-    ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+    this->startTouching();
     this->session_->Step(ticksToEngage);
     ASSERT_EQ(this->session_->GetEngageState(), vtkHapticSession::Engaged);
   }
 
   [[nodiscard]] Vec3 force() const { return Vec3(this->session_->GetForce()); }
   [[nodiscard]] Vec3 proxy_W() const { return Vec3(this->session_->GetProxyPosition()); }
-
-  static constexpr double stiffness = 500.0;
-  static constexpr double scale = 1000.0;
-  vtkNew<vtkHapticSession> session_;
 };
 } // namespace
 
@@ -134,7 +120,7 @@ TEST_F(HapticSession, AnEmptySceneReleasesAndSaysSo)
   this->engage();
   this->session_->SetHandPosition(0.0, 0.0, -2.0);
   this->session_->Step(100);
-  this->show(nullptr);
+  this->showNothing();
   this->session_->Step(1000);
   EXPECT_LT(this->session_->GetForceMagnitude(), 1e-6);
   EXPECT_STRNE(this->session_->GetFaultText(), "");

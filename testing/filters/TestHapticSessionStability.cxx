@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "devices/simulated/DeviceModels.h"
 #include "haptics/force/StabilityLimits.h"
@@ -22,36 +23,23 @@ using ::testing::HasSubstr;
 namespace
 {
 constexpr double period_s = 1e-3;
-constexpr double stiffness = 500.0; // N/m
-constexpr double scale = 1000.0;    // u/m: one unit is a millimetre
-constexpr double speed = 0.05;      // m/s
-constexpr double start = 80.0;      // u above the plane: 1.6 s of free air, longer than the engage ramp
-constexpr double goal = -2.0;       // u, where the stroke turns
+constexpr double speed = 0.05; // m/s
+constexpr double start = 80.0; // u above the plane: 1.6 s of free air, longer than the engage ramp
+constexpr double goal = -2.0;  // u, where the stroke turns
 constexpr int ticksInFreeAir = 1500;
 constexpr int ticksToTurn = 1640; // (start - goal) / scale / speed / period
 
 /// A hand that is led straight down onto the plane z = 0 and back, in virtual time, one tick at a time.
-class HapticSessionStability : public ::testing::Test
+class HapticSessionStability : public VirtualSession
 {
 protected:
   void SetUp() override
   {
-    this->session_->VirtualTimeOn();
-    this->session_->SetStiffness(stiffness);
-    this->session_->SetScale(scale);
     this->session_->SetStrokeSpeed(speed);
     this->session_->SetDeviceName("simulated-generic");
     this->session_->AddStrokePoint(0.0, 0.0, start);
     this->session_->AddStrokePoint(0.0, 0.0, goal);
-    ASSERT_TRUE(this->session_->AddSurface("plane", makePlane(100.0), nullptr));
-    this->session_->CommitScene();
-    ASSERT_TRUE(this->session_->FinishScene());
-  }
-
-  void startTouching()
-  {
-    this->session_->TouchingOn();
-    ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+    this->show(makePlane(100.0));
   }
 
   /// Heights of the hand in each of so many ticks after the start [u]; without a force if it is let go.
@@ -80,8 +68,6 @@ protected:
 
   [[nodiscard]] Vec3 hand_W() const { return Vec3(this->session_->GetHandPosition()); }
   [[nodiscard]] Vec3 force_W() const { return Vec3(this->session_->GetForce()); }
-
-  vtkNew<vtkHapticSession> session_;
 };
 
 std::size_t firstDifference(const std::vector<double>& a, const std::vector<double>& b)
