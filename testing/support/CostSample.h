@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "haptics/core/Clock.h"
@@ -41,5 +42,22 @@ private:
   std::int64_t overhead_ns_;
   std::vector<std::int64_t> times_ns_;
 };
+
+/// Two costs of the same run that are to be compared, measured in turn some times over, so that whatever else the
+/// machine does meets both alike: the pair whose ratio of p50_us is the median.
+template<class One, class Other>
+auto costsInTurn(One one, Other other)
+{
+  constexpr std::size_t rounds = 5;
+  std::vector<std::pair<decltype(one()), decltype(other())>> pairs;
+  for (std::size_t i = 0; i < rounds; ++i)
+  {
+    auto first = one();
+    pairs.emplace_back(std::move(first), other());
+  }
+  std::ranges::nth_element(
+    pairs, pairs.begin() + rounds / 2, {}, [](const auto& pair) { return pair.first.p50_us / pair.second.p50_us; });
+  return pairs[rounds / 2];
+}
 
 } // namespace palpate::test

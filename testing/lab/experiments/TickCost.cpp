@@ -138,8 +138,13 @@ void runSize(std::size_t triangles, std::size_t ticks, Table& table)
     const std::string name =
       caseName({ { "triangles", static_cast<double>(sphere.mesh().triangles.size()) }, { "r", radius_mm } });
     Work work;
-    const Cost tick = slide(*scene, radius_mm, sphere, path_W, work);
-    const Cost query = queryCost(*cgal, work.proxies_W, path_W);
+    const auto [tick, query] = test::costsInTurn(
+      [&]
+      {
+        work = {};
+        return slide(*scene, radius_mm, sphere, path_W, work);
+      },
+      [&] { return queryCost(*cgal, work.proxies_W, path_W); });
     reportWork(name, work, table);
     // A point is kept some rounding errors above the surface, a ball touches it.
     table.atMost(
