@@ -113,15 +113,17 @@ void judgeStroke(const CurveSet& curves, const std::string& name, const Conditio
 
   const std::size_t asked = std::min<std::size_t>(path_W.size(), 1 + 20000000 / lines);
   test::CostSample list(asked);
-  double differ = 0.0;
+  double differ = 0.0, hits = 0.0;
   for (std::size_t i = 1; i < asked; ++i)
   {
     const Vec3 from_W = path_W[i - 1], to_W = from_W + 20.0 * (path_W[i] - from_W);
     double met = 1.0;
     list.time([&] { met = firstCrossing(curves, from_W.head<2>(), to_W.head<2>()); });
+    hits += met < 1.0;
     differ += std::fabs(sweepBall(*scene, straightQuery(from_W, to_W), ContactPlan().nodeBudget).t - met) > 1e-9;
   }
   table.within({ name, flat, "first lines met that differ from the tree's" }, differ, 0.0, 0.0).cost = Cost::of(list);
+  table.atLeast({ name, flat, "ways that meet a line" }, hits, 1.0);
 }
 
 CurveSet through(const std::vector<Vec3>& points_W)

@@ -134,7 +134,8 @@ void judgeRest(const std::string& name, const Chain& chain, const FreeDevice& de
                            ? std::min(byDamping, 2 * device.model.friction_N / device.model.encoderStep_m)
                            : byDamping;
   const double bound = std::min(passive, stiffest_N_per_m);
-  table.atLeast({ name, chain.name, "K_max", "N/m" }, found, 0.98 * bound);
+  const Subject subject{ name, chain.name, "K_max", "N/m" };
+  bound > 0.0 ? table.atLeast(subject, found, 0.98 * bound) : table.info(subject, found); // else nothing is promised
   table.info({ name, chain.name, "K_passive", "N/m" }, bound);
 }
 

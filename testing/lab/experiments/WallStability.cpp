@@ -73,7 +73,10 @@ void judge(const Listed& wall, const std::string& name, Table& table)
   const double lag_s = (0.5 + wall.delay_ticks) / wall.rate_Hz;
   const double passive = std::max(0.0, (wall.damping - wall.virtualDamping) / lag_s);
   table.info({ name, method, "K_passive", "N/m" }, passive);
-  table.atLeast({ name, method, "K_crit over K_passive" }, found - passive, 0.0);
+  if (passive > 0.0)
+  {
+    table.atLeast({ name, method, "K_crit / K_passive" }, found / passive, 1.0);
+  }
 }
 
 } // namespace
