@@ -125,6 +125,7 @@ TEST(BlindHand, GoesThroughAHairpinRoundTheEndOfItsWallAndNotThroughIt)
 TEST(BlindHand, IsTheSameInEveryRun)
 {
   const LabyrinthOutcome a = runBlind(hairpin(), {}), b = runBlind(hairpin(), {});
+  EXPECT_EQ(a.problem, "");
   EXPECT_EQ(a.time_s, b.time_s);
   EXPECT_EQ(a.way_u, b.way_u);
 }
