@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <filesystem>
 #include <limits>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "testing/lab/Runner.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate::lab
 {
@@ -56,7 +56,7 @@ TEST(Table, NamesACaseByItsPairs)
 
 TEST(Runner, AnExperimentThatThrowsIsOneFailureAndTheOthersGoOn)
 {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "palpate-lab-runner";
+  const test::TemporaryFolder folder;
   const std::vector<Experiment> chosen = {
     { "throws", "", { 1 }, [](const Conditions&, Table&) { throw std::domain_error("a number that is none"); } },
     { "passes", "", { 1 },
@@ -69,13 +69,12 @@ TEST(Runner, AnExperimentThatThrowsIsOneFailureAndTheOthersGoOn)
       } },
   };
   std::ostringstream log;
-  const Score score = run(chosen, {}, folder, log);
+  const Score score = run(chosen, {}, folder.path(), log);
   EXPECT_EQ(score.passed, 1);
   EXPECT_EQ(score.judged, 3);
   ASSERT_EQ(score.failures.size(), 2u);
   EXPECT_NE(score.failures[0].find("a number that is none"), std::string::npos);
   EXPECT_NE(score.failures[1].find("fails, c, m: q is 2"), std::string::npos);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Runner, ChoosesInTheOrderOfTheListWhateverTheOrderOfNames)

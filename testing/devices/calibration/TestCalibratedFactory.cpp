@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 
 #include "devices/DeviceFactory.h"
 #include "devices/calibration/CalibrationFiles.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate
 {
 namespace
 {
-
-namespace fs = std::filesystem;
 
 /// A folder of its own for each test, empty; the joystick's sensors are swapped.
 class CalibratedFactory : public testing::Test
@@ -19,18 +17,14 @@ class CalibratedFactory : public testing::Test
 protected:
   void SetUp() override
   {
-    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-    this->folder_ = fs::path(testing::TempDir()) / (std::string("palpate-factory-") + test->name());
-    fs::remove_all(this->folder_);
-    this->options.calibrationFolder = this->folder_.string();
+    this->options.calibrationFolder = this->folder_.path().string();
     this->options.stroke.points_D = { Vec3(0.02, -0.03, 0.0) };
   }
-  void TearDown() override { fs::remove_all(this->folder_); }
 
   DeviceOptions options;
 
 private:
-  fs::path folder_;
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(CalibratedFactory, AppliesWhatIsKnownOfADevice)
@@ -58,7 +52,6 @@ TEST_F(CalibratedFactory, LeavesOtherDevicesAsTheyAre)
 
 TEST_F(CalibratedFactory, GivesNoDeviceThatMayPushTheWrongWayBecauseItsFileIsDamaged)
 {
-  fs::create_directories(this->options.calibrationFolder);
   const std::string path = calibrationFile(this->options.calibrationFolder, "simulated-joystick", "");
   std::ofstream(path) << "nonsense";
   const MadeDevice made = makeDevice("simulated-joystick", this->options);

@@ -10,6 +10,7 @@
 #include "devices/calibration/CalibratedDevice.h"
 #include "devices/calibration/CalibrationFiles.h"
 #include "testing/support/Random.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate
 {
@@ -28,18 +29,10 @@ Calibration example()
   return c;
 }
 
-/// A folder of its own for each test, empty.
+/// A folder of its own for each test, not there yet.
 class CalibrationFiles : public testing::Test
 {
 protected:
-  void SetUp() override
-  {
-    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-    this->folder_ = fs::path(testing::TempDir()) / (std::string("palpate-calibration-") + test->name());
-    fs::remove_all(this->folder_);
-  }
-  void TearDown() override { fs::remove_all(this->folder_); }
-
   [[nodiscard]] std::string folder() const { return this->folder_.string(); }
   [[nodiscard]] std::string file() const { return calibrationFile(this->folder(), "pid-1209-ffb0-17", "17"); }
   [[nodiscard]] KeptCalibration load() const { return loadCalibration(this->folder(), "pid-1209-ffb0-17", "17"); }
@@ -50,7 +43,8 @@ protected:
   }
 
 private:
-  fs::path folder_;
+  const test::TemporaryFolder temporary_;
+  const fs::path folder_ = this->temporary_.path() / "calibration";
 };
 
 std::string replaced(std::string text, const std::string& what, const std::string& by)
@@ -281,7 +275,7 @@ TEST(CalibratedDevice, AWallThatTheDeviceHoldsStandsWhereItStoodForTheHand)
 {
   CalibratedNotebook rig;
   test::Random random(test::testSeed(512));
-  for (int run = 0; run < 100; ++run)
+  for (std::size_t run = 0; run < test::testCount(100); ++run)
   {
     DeviceCommand command;
     command.wallCount = 1;
