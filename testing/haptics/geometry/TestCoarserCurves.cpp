@@ -209,7 +209,8 @@ TEST(CoarserCurves, CurvesNearerThanTheLimitThatDidNotCrossDoNot)
     const double apart_u = random.uniform(0.01, 0.2);
     for (int k = 0; k < 4; ++k)
     {
-      drawing.addRing(noisyRing(3000, 10.0 + apart_u * k, 0.4 * apart_u, random));
+      // of another number of points, so that their chords would not stand over each other
+      drawing.addRing(noisyRing(2000 + random.below(2000), 10.0 + apart_u * k, 0.4 * apart_u, random));
     }
     ASSERT_TRUE(crossingsOf(drawing.points_W, drawing.segments).empty());
     const CoarserCurves coarse = coarsen(drawing);
@@ -300,14 +301,14 @@ double linkingNumber(const std::vector<Vec3>& points_W, const std::vector<Segmen
 TEST(CoarserCurves, StrandsInSpaceThatAreLinkedStaySo)
 {
   Random random(testSeed(666));
-  const int turns = 7;
+  const int turns = 50; // more than the ring would have segments left
   Drawing drawing;
   drawing.addRing(noisyRing(600, 3.0, 0.0, random));
   const std::size_t ring = drawing.segments.size();
   std::vector<Vec3> strand_W;
-  for (int i = 0; i < 2000; ++i)
+  for (int i = 0; i < 4000; ++i)
   {
-    const double t = 2 * std::numbers::pi * i / 2000;
+    const double t = 2 * std::numbers::pi * i / 4000;
     const double r = 3.0 + limit_u / 3 * std::cos(turns * t);
     strand_W.emplace_back(r * std::cos(t), r * std::sin(t), limit_u / 3 * std::sin(turns * t));
   }
