@@ -10,6 +10,14 @@
 namespace palpate::test
 {
 
+/// By when an effect is seen to have ended that nobody arms again: it expires by itself, and a look, one a millisecond,
+/// may come a quarter of that late on a machine that is shared. On the firmware's clock.
+[[nodiscard]] inline int expired_ms()
+{
+  const int expiry_ms = PidOutputOptions().duration_ms;
+  return expiry_ms + expiry_ms / 4;
+}
+
 /// A plain joystick that is plugged in and a servo that pushes it with 2 N.
 template<class Device>
 struct Pushing

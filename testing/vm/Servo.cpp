@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "testing/vm/Servo.h"
 
-#include <algorithm>
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 
@@ -77,10 +77,8 @@ bool Servo::runUntil(const std::function<bool()>& done, int patience_ms)
 
 void Servo::tick()
 {
-  const auto began = steady_clock::now();
   this->status = this->device.read(0.0, this->sample);
   this->device.write(this->command);
-  this->longestTick = std::max(this->longestTick, steady_clock::now() - began);
 }
 
 } // namespace palpate::test

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <memory>
 
@@ -31,7 +30,6 @@ struct Servo
   DeviceCommand command;
   DeviceSample sample;
   DeviceStatus status = DeviceStatus::Ok;
-  std::chrono::steady_clock::duration longestTick{}; ///< of reading and writing the device
 
 private:
   void tick();

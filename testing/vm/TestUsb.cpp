@@ -56,11 +56,10 @@ TEST(Usb, ADeviceWhoseOutputStallsIsAFaultIsToldToStopAndPushesNoLongerWhileTheS
   EXPECT_TRUE(rig.servo.runUntil(look, 15000));
   std::cout << "lost after " << lost_ms << " ms, told to stop after " << told_ms << " ms, still after " << still_ms
             << " ms\n";
-  EXPECT_LE(still_ms, 250);
-  EXPECT_LE(lost_ms, 2000); // long before the kernel gives up
+  EXPECT_LE(still_ms, test::expired_ms());
+  // Long before the kernel gives up: a tick that waited for the device would see nothing of it for 5 s.
+  EXPECT_LE(lost_ms, 2000);
   EXPECT_LE(told_ms, 2000);
-  // A call that waited for the device would take 5 s.
-  EXPECT_LT(rig.servo.longestTick, std::chrono::seconds(1));
   rig.device.stalls = false;
   EXPECT_TRUE(rig.servo.runUntil([&] { return rig.device.stopAlls() > stopsBefore; }));
   EXPECT_TRUE(rig.servo.runUntil([&] { return rig.servo.device.link().report().attached; }, 20000));
