@@ -339,6 +339,7 @@ TEST_F(Drawings, WhatIsClearInAPictureIsPaper)
   const vtkHapticReadResult result = vtkHapticReadSurface(path, std::nullopt);
   ASSERT_TRUE(result.Surface) << result.Problem;
   EXPECT_FALSE(result.Surface->GetFieldData()->GetArray("Start"));
+  EXPECT_GT(result.Surface->GetNumberOfPoints(), 8);
   for (vtkIdType i = 0; i < result.Surface->GetNumberOfPoints(); ++i)
   {
     EXPECT_NEAR((Vec3(result.Surface->GetPoint(i)) - Vec3(50, 50, 0)).norm(), 40.0, 1.5);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -9,6 +8,7 @@
 #include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "haptics/session/Recording.h"
+#include "testing/support/TemporaryFolder.h"
 #include "vtkCellArray.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticStroke.h"
@@ -168,7 +168,8 @@ TEST_F(HapticSession, TwoRunsAreTheSameToTheLastBit)
 
 TEST_F(HapticSession, ARecordingReplaysBitForBit)
 {
-  const std::string file = (std::filesystem::temp_directory_path() / "palpate-session.palpate").string();
+  const palpate::test::TemporaryFolder folder;
+  const std::string file = folder.file("session.palpate");
   this->session_->SetRecordFile(file.c_str());
   this->engage();
   this->session_->SetHandPosition(1.0, 2.0, -2.0);
@@ -176,7 +177,6 @@ TEST_F(HapticSession, ARecordingReplaysBitForBit)
   this->session_->TouchingOff();
   EXPECT_STREQ(this->session_->GetProblem(), "");
   const auto recording = readRecording(file);
-  std::filesystem::remove(file);
   ASSERT_TRUE(std::holds_alternative<Recording>(recording)) << std::get<std::string>(recording);
   const ReplayResult result = replay(std::get<Recording>(recording));
   EXPECT_EQ(result.problem, "");

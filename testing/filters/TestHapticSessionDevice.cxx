@@ -3,18 +3,21 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "VtkScenes.h"
 #include "testing/devices/hid/FakeHidBus.h"
+#include "testing/support/Eventually.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
 using namespace palpate;
 using namespace palpate::testing;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StrEq;
@@ -49,6 +52,7 @@ void feelWall(vtkHapticSession* session)
   session->CommitScene();
   ASSERT_TRUE(session->FinishScene());
   session->TouchingOn();
+  ASSERT_TRUE(session->GetTouching()) << session->GetProblem();
   session->Step(ticksToEngage);
 }
 } // namespace
@@ -173,4 +177,44 @@ TEST(HapticSessionDevice, AMaskOfButtonsThatIsNoneIsRefusedAndSaid)
   EXPECT_THAT(errorsOf(session, [&] { session->SetDeadManButtons(-1); }), ::testing::SizeIs(1));
   EXPECT_THAT(session->GetProblem(), HasSubstr("bit i stands for button i + 1"));
   EXPECT_EQ(session->GetDeadManButtons(), 1 << 3);
+}
+
+// Both buttons at once: the first one chooses, unless it is what holds the hand engaged.
+TEST(HapticSessionDevice, ItsButtonsChooseALabyrinthOnceUnlessTheyHoldTheHandEngaged)
+{
+  const auto wishes = [](int deadMan, std::vector<std::uint32_t> pressed)
+  {
+    const auto bus = std::make_shared<test::FakeHidBus>();
+    test::FakePort& port = bus->plug(test::plainLayout(), "7");
+    vtkNew<vtkHapticSession> session;
+    session->SetHidBus(bus);
+    session->VirtualTimeOn();
+    session->SetDeviceName(pluggedName);
+    session->SetDeadManButtons(deadMan);
+    session->TouchingOn();
+    EXPECT_TRUE(session->GetTouching()) << session->GetProblem();
+    session->Step(10);
+    EXPECT_EQ(session->TakeLabyrinthWish(), vtkHapticSession::NoWish);
+    std::vector<int> seen;
+    for (const std::uint32_t buttons : pressed)
+    {
+      bus->alone([&] { port.device->buttons = buttons; });
+      int wish = vtkHapticSession::NoWish;
+      EXPECT_TRUE(test::eventually(
+        [&]
+        {
+          session->Step(1);
+          wish = session->TakeLabyrinthWish();
+          return wish != vtkHapticSession::NoWish;
+        }));
+      seen.push_back(wish);
+      session->Step(10);
+      EXPECT_EQ(session->TakeLabyrinthWish(), vtkHapticSession::NoWish) << "held down, it asks once";
+    }
+    return seen;
+  };
+  EXPECT_THAT(wishes(0, { 1, 2, 1 }),
+    ElementsAre(vtkHapticSession::NextWish, vtkHapticSession::AgainWish, vtkHapticSession::NextWish));
+  EXPECT_THAT(wishes(0, { 3 }), ElementsAre(vtkHapticSession::NextWish));
+  EXPECT_THAT(wishes(1, { 3 }), ElementsAre(vtkHapticSession::AgainWish));
 }

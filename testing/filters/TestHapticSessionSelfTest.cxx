@@ -7,6 +7,7 @@
 
 #include "VtkScenes.h"
 #include "devices/calibration/CalibrationFiles.h"
+#include "testing/support/TemporaryFolder.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
 
@@ -25,14 +26,10 @@ class HapticSessionSelfTest : public ::testing::Test
 protected:
   void SetUp() override
   {
-    const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-    this->folder_ = fs::path(::testing::TempDir()) / (std::string("palpate-session-") + test->name());
-    fs::remove_all(this->folder_);
     this->session_->VirtualTimeOn();
     this->session_->SetDeviceName("simulated-joystick");
     this->session_->SetCalibrationFolder(this->folder_.c_str());
   }
-  void TearDown() override { fs::remove_all(this->folder_); }
 
   void finish()
   {
@@ -44,7 +41,8 @@ protected:
     }
   }
 
-  fs::path folder_;
+  const palpate::test::TemporaryFolder temporary_;
+  const fs::path folder_ = this->temporary_.path() / "calibration"; // not there yet
   vtkNew<vtkHapticSession> session_;
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include "devices/simulated/DeviceModels.h"
 #include "haptics/force/StabilityLimits.h"
 #include "haptics/session/Recording.h"
+#include "testing/support/TemporaryFolder.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -244,13 +244,13 @@ TEST_F(HapticSessionStability, OnlySimulatedDevicesAreHeld)
 
 TEST_F(HapticSessionStability, EverySettingReachesTheRecording)
 {
-  const std::string file = (std::filesystem::temp_directory_path() / "palpate-stability.palpate").string();
+  const palpate::test::TemporaryFolder folder;
+  const std::string file = folder.file("stability.palpate");
   this->session_->SetRecordFile(file.c_str());
   this->session_->SetVelocityMethod(vtkHapticSession::LowPass);
   this->session_->SetDelay(3);
   this->heights(10);
   const auto recording = readRecording(file);
-  std::filesystem::remove(file);
   ASSERT_TRUE(std::holds_alternative<Recording>(recording)) << std::get<std::string>(recording);
   const HapticParameters& parameters = std::get<Recording>(recording).parameters;
   EXPECT_EQ(parameters.velocity.method, VelocityMethod::LowPass);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -53,7 +54,11 @@ TEST(HapticSimplerScene, OfManyOrdersOnlyTheLastArrives)
   for (std::uint64_t revision = 2; revision <= last; ++revision)
   {
     Follow(simpler, Sphere(50.0 - static_cast<double>(revision)), revision);
-    EXPECT_FALSE(simpler.Poll()) << "an order that was replaced arrived before " << revision;
+    if (const auto early = revision < last ? simpler.Poll() : std::nullopt) // on a fast machine it is done already
+    {
+      ASSERT_TRUE(early->scene) << early->choices[0].reason;
+      EXPECT_EQ(early->scene->revision(), revision) << "an order that was replaced arrived";
+    }
   }
   const auto found = simpler.Wait();
   ASSERT_TRUE(found);

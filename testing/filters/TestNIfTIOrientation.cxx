@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "haptics/core/Types.h"
+#include "testing/support/TemporaryFolder.h"
 #include "vtkHapticReaders.h"
 #include "vtkPolyData.h"
 
@@ -103,9 +103,8 @@ bool inside(int i, int j, int k)
   return i >= low[0] && i <= high[0] && j >= low[1] && j <= high[1] && k >= low[2] && k <= high[2];
 }
 
-std::string write(const Header& header, const std::string& name)
+void write(const Header& header, const std::string& path)
 {
-  const std::string path = (std::filesystem::temp_directory_path() / name).string();
   std::ofstream file(path, std::ios::binary);
   file.write(header.bytes.data(), header.bytes.size());
   for (int k = 0; k < size[2]; ++k)
@@ -118,15 +117,15 @@ std::string write(const Header& header, const std::string& name)
       }
     }
   }
-  return path;
 }
 
 /// The iso surface of half the brightness lies half a voxel outside the box on all sides, so its bounds have the
 /// middle of the box as their centre wherever `linear`, a signed permutation times spacing, puts them.
-void expectAt(const std::string& path, const Mat3& linear, const Vec3& shift)
+void expectAt(const Header& header, const Mat3& linear, const Vec3& shift)
 {
-  const vtkHapticReadResult result = vtkHapticReadSurface(path, 100.0);
-  std::filesystem::remove(path);
+  const palpate::test::TemporaryFolder folder;
+  write(header, folder.file("box.nii"));
+  const vtkHapticReadResult result = vtkHapticReadSurface(folder.file("box.nii"), 100.0);
   ASSERT_TRUE(result.Surface) << result.Problem;
   double bounds[6];
   result.Surface->GetBounds(bounds);
@@ -151,7 +150,7 @@ TEST(NIfTIOrientation, AnSFormPutsVoxelsWhereItsRowsSay)
   Header header(spacing);
   const Mat3 linear = spacing.asDiagonal();
   header.setSForm(linear, shift);
-  expectAt(write(header, "palpate-sform.nii"), linear, shift);
+  expectAt(header, linear, shift);
 }
 
 TEST(NIfTIOrientation, LeftStaysLeftWhenVoxelsAreStoredFromRightToLeft)
@@ -159,7 +158,7 @@ TEST(NIfTIOrientation, LeftStaysLeftWhenVoxelsAreStoredFromRightToLeft)
   Header header(spacing);
   const Mat3 linear = Vec3(-spacing.x(), spacing.y(), spacing.z()).asDiagonal();
   header.setSForm(linear, Vec3(90.0, -126.0, -72.0));
-  expectAt(write(header, "palpate-sform-mirrored.nii"), linear, Vec3(90.0, -126.0, -72.0));
+  expectAt(header, linear, Vec3(90.0, -126.0, -72.0));
 }
 
 TEST(NIfTIOrientation, ATurnedSFormSwapsTheAxes)
@@ -170,14 +169,14 @@ TEST(NIfTIOrientation, ATurnedSFormSwapsTheAxes)
   linear(0, 1) = -spacing.y();
   linear(1, 2) = spacing.z();
   header.setSForm(linear, shift);
-  expectAt(write(header, "palpate-sform-turned.nii"), linear, shift);
+  expectAt(header, linear, shift);
 }
 
 TEST(NIfTIOrientation, AQFormPutsVoxelsWhereItsQuaternionSays)
 {
   Header header(spacing);
   header.setQForm(Quat(1.0, 0.0, 0.0, 0.0), shift, 1.0f);
-  expectAt(write(header, "palpate-qform.nii"), spacing.asDiagonal(), shift);
+  expectAt(header, spacing.asDiagonal(), shift);
 }
 
 TEST(NIfTIOrientation, LeftStaysLeftForAQFormWithANegativeQFac)
@@ -185,8 +184,7 @@ TEST(NIfTIOrientation, LeftStaysLeftForAQFormWithANegativeQFac)
   Header header(spacing);
   // half a turn around y maps (x, y, z) to (-x, y, -z); qfac -1 turns the third axis back: only x is mirrored
   header.setQForm(Quat(0.0, 0.0, 1.0, 0.0), shift, -1.0f);
-  expectAt(
-    write(header, "palpate-qform-mirrored.nii"), Vec3(-spacing.x(), spacing.y(), spacing.z()).asDiagonal(), shift);
+  expectAt(header, Vec3(-spacing.x(), spacing.y(), spacing.z()).asDiagonal(), shift);
 }
 
 TEST(NIfTIOrientation, TheSFormIsTakenWhenThereAreBoth)
@@ -195,5 +193,5 @@ TEST(NIfTIOrientation, TheSFormIsTakenWhenThereAreBoth)
   const Mat3 linear = Vec3(-spacing.x(), spacing.y(), spacing.z()).asDiagonal();
   header.setQForm(Quat(1.0, 0.0, 0.0, 0.0), Vec3::Zero(), 1.0f);
   header.setSForm(linear, shift);
-  expectAt(write(header, "palpate-both.nii"), linear, shift);
+  expectAt(header, linear, shift);
 }
