@@ -35,6 +35,7 @@ DeviceModel joystick(const Corridor& corridor)
   model.friction_N = 0.0;
   model.encoderStep_m = 0.0;
   model.maxForce_N = corridor.maxForce_N;
+  model.maxStiffness_N_per_m = corridor.stiffness_N_per_m;
   model.travel_m = DeviceModel::unlimited;
   return model;
 }

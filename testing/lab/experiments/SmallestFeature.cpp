@@ -34,7 +34,7 @@ Rest press(const Press& how, double width_m, Edge edge)
   model.friction_N = 0.0;
   model.encoderStep_m = 0.0;
   model.travel_m = DeviceModel::unlimited;
-  model.maxForce_N = DeviceModel::unlimited;
+  model.maxForce_N = model.maxStiffness_N_per_m = DeviceModel::unlimited;
   // No overshoot: a hand that lets itself down gently, damped four times as much as it needs not to swing.
   model.damping_Ns_per_m = 8.0 * std::sqrt(model.mass_kg * how.stiffness_N_per_m);
   SimulationOptions options;
