@@ -15,6 +15,11 @@ LARGEST_STEP = 0.1  # N in a tick: nobody feels a jump
 FRAME = 33  # ticks between two pictures of a widget that is dragged
 ACROSS = 0.1  # of the hand along the line [u]
 
+JOYSTICK_FORCE = 0.6 * 5.0  # N, of the simulated one's 5 N
+JOYSTICK_RISE = 50.0 * 5.0  # N/s
+JOYSTICK_SCALE = 1000.0  # a unit is a millimetre
+TICK = 1e-3  # s
+
 
 class Drawing(ViewTest):
     def draw(self, *points):
@@ -193,6 +198,83 @@ class Drawing(ViewTest):
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
         self.drag_widget([0, -1, 0], [0, 1, 0])
         self.assertIn("kept 1 of 1", self.session.GetSceneReport())
+
+
+class DrawingWithWallsOnTheDevice(ViewTest):
+    """A joystick holds the wall that a line is, and is led through it by a hand, while the line is dragged."""
+
+    def setUp(self):
+        super().setUp()
+        put(self.proxy, "DeviceName", "simulated-joystick")
+        put(self.proxy, "Scale", JOYSTICK_SCALE)
+        put(self.proxy, "WallRate", 1 / TICK)
+        self.session.SetHand("firm")
+        for point in ((0, 5, 0), (20, -20, 0)):
+            self.session.AddStrokePoint(*point)
+        self.line = simple.PolyLineSource(Points=[-40, 0, 0, 40, 0, 0])
+        self.show(self.line)
+        self.follow()
+        self.height = self.felt = 0.0  # of the line that is shown, and of the one that is felt [u]
+        put(self.proxy, "Touching", 1)
+        self.session.Step(1500)
+        while self.session.GetForce()[1] < 0.4:
+            self.session.Step(1)
+
+    def drag_to(self, height):
+        values = self.line.SMProxy.GetProperty("Points")
+        values.SetUncheckedElement(1, height)
+        values.SetUncheckedElement(4, height)
+        simple.Render(self.view)
+        self.follow()
+        self.height = height
+
+    def step(self, ticks):
+        """Up with the line, always over the hand, and pushed no harder or sooner than is allowed. Largest rise."""
+        largest = 0.0
+        for _ in range(ticks):
+            force, hand = self.session.GetForce()[1], self.session.GetHandPosition()[1]
+            self.session.Step(1)
+            proxy, now = self.session.GetProxyPosition()[1], self.session.GetHandPosition()[1]
+            rise = self.session.GetForce()[1] - force
+            self.assertGreaterEqual(self.session.GetWallsHeld(), 1)
+            self.assertGreaterEqual(proxy, self.felt - 1e-9)
+            self.assertLessEqual(proxy, self.height + 1e-9)
+            self.assertGreater(proxy, now)
+            self.felt = proxy
+            self.assertLessEqual(self.session.GetForceMagnitude(), JOYSTICK_FORCE + 1e-9)
+            by_hand = self.session.GetStiffnessUsed() * max(0.0, hand - now) / JOYSTICK_SCALE
+            self.assertLessEqual(rise, JOYSTICK_RISE * TICK + by_hand + 1e-9)
+            largest = max(largest, rise - by_hand)
+        return largest
+
+    def test_the_wall_that_the_device_holds_goes_with_the_handle_that_is_dragged(self):
+        for i in range(1, 11):
+            self.drag_to(0.2 * i)
+            self.step(FRAME)
+        self.step(50)
+        self.assertAlmostEqual(self.session.GetProxyPosition()[1], 2.0, delta=1e-9)
+
+    def test_a_hasty_drag_leads_the_wall_into_the_hand_no_faster_than_the_force_may_rise(self):
+        self.drag_to(0.1)
+        self.step(5)
+        self.drag_to(10.1)  # within 5 ticks: 200 N/m x 2 mm, 0.4 N a tick, were nobody to limit it
+        largest = self.step(30)
+        self.assertGreater(largest, 0.9 * JOYSTICK_RISE * TICK)
+        self.assertAlmostEqual(self.session.GetProxyPosition()[1], 10.1, delta=1e-9)
+
+    def test_a_wall_that_is_dragged_far_into_the_hand_pushes_with_no_more_than_the_limit(self):
+        for i in range(1, 31):
+            self.drag_to(1.0 * i)
+            self.step(FRAME)
+        self.step(FRAME)
+        self.assertAlmostEqual(self.session.GetForce()[1], JOYSTICK_FORCE, delta=1e-9)
+
+    def test_what_is_dragged_away_lets_go_of_the_hand(self):
+        for i in range(1, 21):
+            self.drag_to(-1.0 * i)
+            self.session.Step(FRAME)
+        self.session.Step(FRAME)
+        self.assertEqual(self.session.GetForceMagnitude(), 0.0)
 
 
 if __name__ == "__main__":
