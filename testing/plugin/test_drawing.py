@@ -182,6 +182,18 @@ class Drawing(ViewTest):
         self.session.Step(200)
         self.expect_tube_around(-1 / 256, 0.0)
 
+    def test_a_line_source_is_felt_while_its_end_is_dragged_too(self):
+        self.line = simple.Line(Point1=[0, -1, 0], Point2=[0, 1, 0])
+        put(self.proxy, "LineRadius", RADIUS)
+        self.show(self.line)
+        self.follow()
+        self.press(RADIUS - DEPTH, ACROSS, 0.0)
+        for point in ("Point1", "Point2"):
+            self.line.SMProxy.GetProperty(point).SetUncheckedElement(0, -1 / 256)  # its points are floats
+        self.next_picture()
+        self.session.Step(200)
+        self.expect_tube_around(-1 / 256, 0.0)
+
     def test_what_has_no_curve_to_drag_is_felt_as_it_is_applied(self):
         sphere = simple.Sphere(Radius=1.0)
         self.show(sphere)
