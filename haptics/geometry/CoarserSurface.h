@@ -22,8 +22,9 @@ struct FineLines
 [[nodiscard]] bool hasFineLines(const SurfaceTree& curves, const std::optional<Pose>& plane_WP, const FineLines& fine);
 
 /// Curves at the coarsest level that nobody can tell from them (coarsestWithin()), as a surface: tubes, or walls, which
-/// stand no lower than before and no lower than wallHalfHeight() would have them. One sentence where fewer than
-/// `leastGone` > 0 segments could go. Any thread but the servo's.
+/// stand no lower than before and no lower than wallHalfHeight() would have them. What is proven is where they are, not
+/// where they point: noise of points nearer to each other than it is large is steep and holds a hand that slides, its
+/// level does not. One sentence where fewer than `leastGone` > 0 segments could go. Any thread but the servo's.
 [[nodiscard]] Simplification coarserSurface(
   const SurfaceTree& curves, const std::optional<Pose>& plane_WP, std::size_t leastGone, const SimplifyLimits& limits);
 
