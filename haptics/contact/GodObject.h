@@ -95,7 +95,8 @@ public:
 /// Zilles & Salisbury 1995 for the idea, Ruspini, Kolarov & Khatib 1997 for the ball; one plane per
 /// touched feature, which constrains only while that feature supports the ball.
 /// At rest p - x lies in the normal cone of the touched features. Deterministic and independent of the order of
-/// triangles; bounded by plan.passCap and plan.nodeBudget; allocates nothing, locks nothing, asks no clock.
+/// triangles; allocates nothing, locks nothing, asks no clock. Bounded by plan.passCap passes and plan.nodeBudget nodes
+/// a run: one without friction and shading, which take a bounded number of runs each.
 /// Where there are curves a point is a ball too small to matter (PlanFor.h).
 /// The first call places the ball at p_W, moved out of a surface it overlaps to the side of its centre.
 [[nodiscard]] ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W,

@@ -148,10 +148,16 @@ private:
     this->s_.sinceBadBefore_s = this->s_.sinceBad_s;
     this->s_.sinceBad_s = 0.0;
     this->s_.lastForce_D = Vec3::Zero();
+    this->s_.lastGuide_D = Vec3::Zero();
+    this->s_.ownForce = false;
     this->s_.velocity.count = 0;
     this->s_.tracked = false;
     this->s_.walls = {};
     this->out_.state.held = true;
+    this->out_.state.buttons = this->in_.sample.buttons;
+    this->out_.state.letGo = !isHeld(this->p_.safety.deadMan, this->in_.sample.buttons, this->in_.sample.grip);
+    this->out_.state.game = this->s_.game.phase;
+    this->out_.state.gameTime_s = this->s_.game.time_s;
     this->out_.state.proxy_W.p = this->s_.contact.x_W;
     this->report();
     return this->out_;
@@ -317,9 +323,10 @@ private:
     {
       this->s_.blend_D += this->s_.lastRendered_D - state.rendered_D;
     }
-    else if (this->p_.sceneBlend_s > 0.0)
+    else
     {
-      this->s_.blend_D *= this->p_.sceneBlend_s / (this->p_.sceneBlend_s + this->in_.dt_s);
+      const double blend_s = this->p_.sceneBlend_s;
+      this->s_.blend_D *= blend_s > 0.0 ? blend_s / (blend_s + this->in_.dt_s) : 0.0;
     }
     this->s_.sceneAge_s = this->step_.age_s;
     this->s_.sceneRevision = state.sceneRevision;
@@ -377,7 +384,8 @@ private:
       state.stiffness_N_per_m, limits.maxRise_N_per_s, this->in_.dt_s, this->in_.scene->shareAt(this->s_.sceneAge_s) };
     state.nodes += keepWalls(this->p_.walls, tick, this->s_.walls);
     const double share = smoothstep(this->s_.gain);
-    command(this->s_.walls.walls, share * state.stiffness_N_per_m, this->out_.command, limits.maxForce_N);
+    const double stiffness_N_per_m = heldStiffness(share * state.stiffness_N_per_m, tick, this->s_.walls);
+    command(this->s_.walls.walls, stiffness_N_per_m, this->out_.command, limits.maxForce_N);
     this->out_.command.viscosity_Ns_per_m = share * this->p_.walls.viscosity_Ns_per_m;
     const Vec3 force_D = this->heldForce();
     const Vec3 clamped_D = clampMagnitude(force_D, limits.maxForce_N);
@@ -396,7 +404,8 @@ private:
     {
       walls.offset_m[static_cast<std::size_t>(i)] = AxisWalls::direction(i).dot(drawn_D);
     }
-    command(walls, share * this->game_.spring_N_per_m, this->out_.command, share * this->game_.spring_N);
+    command(walls, share * this->game_.spring_N_per_m, this->out_.command,
+      std::min(share * this->game_.spring_N, this->p_.safety.maxForce_N));
     this->out_.command.viscosity_Ns_per_m = share * this->game_.damping_Ns_per_m;
     this->tellHeld(this->heldForce());
   }

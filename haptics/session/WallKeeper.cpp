@@ -40,7 +40,7 @@ AxisWalls touchedWalls(const SceneView& scene, const WallTick& tick, const Vec3&
   return wallsAround(x_D, { near.data(), count }, leastLean);
 }
 
-/// How far the way along direction i is free [m]; all of it where nothing that stands across it is met.
+/// How far the way along direction i is proven free [m]; all of it where nothing that stands across it is met.
 template<class SceneView>
 double freeAlong(const SceneView& scene, const WallTick& tick, int i, double reach_m, std::uint32_t& nodes) noexcept
 {
@@ -56,7 +56,7 @@ double freeAlong(const SceneView& scene, const WallTick& tick, int i, double rea
   nodes += hit.nodes;
   if (!hit.hit)
   {
-    return reach_m;
+    return hit.freeUntil * reach_m; // what was not looked at for want of time may be a wall
   }
   const Vec3 normal_D = tick.map.directionToDevice(planeAt(scene, tick, hit.feature, query.from_W + hit.t * way_W).n);
   return AxisWalls::direction(i).dot(normal_D) > leastLean ? hit.t * reach_m : reach_m;
@@ -80,12 +80,6 @@ AxisWalls wallsIn(const SceneView& scene, const WallTick& tick, double reach_m, 
 }
 
 } // namespace
-
-bool HeldWallState::any() const noexcept
-{
-  const auto& offsets = this->walls.offset_m;
-  return std::any_of(offsets.begin(), offsets.end(), [](const auto& offset) { return offset.has_value(); });
-}
 
 AxisWalls lookForWalls(const WallTick& tick, double reach_m, std::uint32_t& nodes) noexcept
 {
@@ -111,6 +105,18 @@ std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWall
   }
   held.since_s = 0.0;
   return nodes;
+}
+
+double heldStiffness(double wanted_N_per_m, const WallTick& tick, HeldWallState& held) noexcept
+{
+  DeviceCommand unit;
+  command(held.walls, 1.0, unit);
+  const double behind_m = forceOfWalls(unit, tick.handle_D).norm();
+  const bool presses = held.stiffness_N_per_m > 0.0 && behind_m > 0.0;
+  const double more_N = tick.maxRise_N_per_s * tick.dt_s;
+  held.stiffness_N_per_m =
+    presses ? std::min(wanted_N_per_m, held.stiffness_N_per_m + more_N / behind_m) : wanted_N_per_m;
+  return held.stiffness_N_per_m;
 }
 
 } // namespace palpate

@@ -16,8 +16,7 @@ struct HeldWallState
 {
   AxisWalls walls;
   double since_s = std::numeric_limits<double>::infinity(); ///< they were looked for
-
-  [[nodiscard]] bool any() const noexcept;
+  double stiffness_N_per_m = 0.0;                           ///< they were given last
 };
 
 /// What is known in a tick after contact.
@@ -41,5 +40,9 @@ struct WallTick
 /// Renews the walls once their time has come. One that enters the hand does so by no more than adds, at the stiffness,
 /// the force that may be added in that time. Returns the tree nodes visited.
 std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWallState& held) noexcept;
+
+/// How stiff these walls may be now, at most `wanted` [N/m]: where the handle is behind them already, stiffer than
+/// before by no more than adds the force that may be added in a tick.
+[[nodiscard]] double heldStiffness(double wanted_N_per_m, const WallTick& tick, HeldWallState& held) noexcept;
 
 } // namespace palpate

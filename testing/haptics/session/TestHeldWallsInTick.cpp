@@ -2,12 +2,9 @@
 // A plane world on a device that holds walls: what the tick asks it to hold, when, and how fast. K = 200 N/m.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <optional>
-
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +17,7 @@
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/PlainJoystick.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate
 {
@@ -174,6 +172,62 @@ TEST(HeldWallsInTick, NoWallStepsIntoTheHandByMoreThanTheForceMayRise)
     }
     EXPECT_NEAR(force_N, K * depth_m, 1e-12) << every_s;
   }
+}
+
+// A hand rests p = 2 mm behind a wall of K / 10 when K comes back, as after a time of late ticks: K p / 10 + r T k.
+TEST(HeldWallsInTick, AWallThatPressesGetsStifferNoFasterThanAForceMayRise)
+{
+  constexpr double p_m = 0.002, rise_N_per_s = 150.0, dt_s = 1e-3;
+  Tick tick{ sceneOf(slant(0.0)) };
+  tick.parameters.stiffness_N_per_m = K / 10;
+  static_cast<void>(tick.at(0.0, p_m));
+  EXPECT_NEAR(tick.at(0.0, -p_m).state.force_D.y(), K / 10 * p_m, 1e-12);
+  tick.parameters.safety.maxRise_N_per_s = rise_N_per_s;
+  tick.parameters.stiffness_N_per_m = K;
+  for (int k = 1; k <= 5; ++k)
+  {
+    const double force_N = tick.at(0.0, -p_m, dt_s).state.force_D.y();
+    EXPECT_NEAR(force_N, std::min(K * p_m, K / 10 * p_m + rise_N_per_s * dt_s * k), 1e-12) << k;
+  }
+}
+
+TEST(HeldWallsInTick, ALeadPushesNoHarderThanAnythingMay)
+{
+  Tick tick{ sceneOf(corridor(0.01)) };
+  tick.parameters.game.on = true;
+  tick.parameters.game.start_W = { 0.03, 0.0, 0.0 };
+  tick.parameters.game.exitReach_u = 1e-3;
+  tick.parameters.safety.maxForce_N = 0.25 * tick.parameters.game.largest_N;
+  double strongest_N = 0.0;
+  for (int i = 0; i < 1000; ++i) // a hand that is not moved by it
+  {
+    const TickOutput now = tick.at(0.0, 0.0);
+    ASSERT_EQ(now.state.game, GamePhase::Leads);
+    strongest_N = std::max(strongest_N, now.state.force_D.norm());
+  }
+  EXPECT_GT(strongest_N, 0.5 * tick.parameters.safety.maxForce_N);
+  EXPECT_LE(strongest_N, tick.parameters.safety.maxForce_N);
+}
+
+TEST(HeldWallsInTick, ASampleThatIsNoNumberForgetsNeitherTheGameNorTheButtons)
+{
+  Tick tick{ sceneOf(corridor(0.01)) };
+  tick.parameters.game.on = true;
+  tick.parameters.game.start_W = Vec3::Zero();
+  tick.parameters.game.exit_W = { 0.03, 0.0, 0.0 };
+  tick.parameters.game.exitReach_u = 1e-3;
+  HapticState before;
+  for (int i = 0; i < 500; ++i)
+  {
+    before = tick.at(0.0, 0.0).state;
+  }
+  ASSERT_EQ(before.game, GamePhase::Explores);
+  ASSERT_GT(before.gameTime_s, 0.0);
+  const HapticState bad = tick.at(std::numeric_limits<double>::quiet_NaN(), 0.0).state;
+  EXPECT_TRUE(bad.held);
+  EXPECT_EQ(bad.game, GamePhase::Explores);
+  EXPECT_EQ(bad.gameTime_s, before.gameTime_s);
+  EXPECT_EQ(bad.force_D, Vec3(Vec3::Zero()));
 }
 
 TEST(HeldWallsInTick, WallsGoWithTheGainAndAreGoneWhenNoForceMayBeGiven)
@@ -413,8 +467,8 @@ TEST(HeldWallsInTick, WallsAreLeftOnlyToADeviceThatHoldsThemAndBrakesTheHand)
 
 TEST(HeldWallsInTick, ARecordingHoldsTheWallsAndReplaysBitForBit)
 {
-  const std::string file =
-    (std::filesystem::temp_directory_path() / ("palpate-walls-" + std::to_string(getpid()))).string();
+  const test::TemporaryFolder folder;
+  const std::string file = folder.file("walls");
   SimulationOptions simulation;
   simulation.velocity_D = { 0.05, 0.1, 0 };
   HapticParameters parameters = holding();
@@ -423,7 +477,6 @@ TEST(HeldWallsInTick, ARecordingHoldsTheWallsAndReplaysBitForBit)
   static_cast<void>(played.session.step(500));
   ASSERT_EQ(played.session.stop(), "");
   auto read = readRecording(file);
-  std::filesystem::remove(file);
   ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
   Recording& recording = std::get<Recording>(read);
   const ReplayResult same = replay(recording);
