@@ -23,11 +23,13 @@ struct Quantity
   const char* Unit;
 };
 
-constexpr std::array<Quantity, 8> Quantities = { {
+constexpr std::array<Quantity, 10> Quantities = { {
   { &palpate::DeviceInfo::workspaceRadius_m, "workspace_radius_m", "workspace radius", "m" },
   { &palpate::DeviceInfo::resolution_m, "resolution_m", "resolution", "m" },
   { &palpate::DeviceInfo::maxForce_N, "max_force_N", "largest force", "N" },
   { &palpate::DeviceInfo::maxStiffness_N_per_m, "max_stiffness_N_per_m", "largest stiffness", "N/m" },
+  { &palpate::DeviceInfo::heldStiffness_N_per_m, "held_stiffness_N_per_m", "stiffness of walls it holds", "N/m" },
+  { &palpate::DeviceInfo::heldForce_N, "held_force_N", "largest force of these walls", "N" },
   { &palpate::DeviceInfo::maxDamping_Ns_per_m, "max_damping_Ns_per_m", "largest damping", "N s/m" },
   { &palpate::DeviceInfo::mass_kg, "mass_kg", "mass", "kg" },
   { &palpate::DeviceInfo::damping_Ns_per_m, "damping_Ns_per_m", "damping", "N s/m" },

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -37,6 +38,31 @@ TEST(PidDevice, ShowsTheHandInMetresOnEveryLayoutToOneStep)
     EXPECT_EQ(rig.sample.buttons, 0x81u);
     EXPECT_EQ(rig.device.info().deviceClass, DeviceClass::Joystick2D);
     EXPECT_EQ(rig.stick().badReports, 0) << layout.name;
+  }
+}
+
+// What a coefficient of 1 gives; half as stiff a wall is a coefficient of a half, a stiffer one would be cut.
+TEST(PidDevice, SaysHowStiffAndHowHardItsWallsAreWhereItHoldsAny)
+{
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  for (const PidLayout& layout : test::allLayouts())
+  {
+    Rig rig(layout);
+    const DeviceInfo& info = rig.device.info();
+    if (!info.abilities.holdsWalls)
+    {
+      EXPECT_EQ(info.heldStiffness_N_per_m.value, unlimited) << layout.name;
+      continue;
+    }
+    EXPECT_EQ(info.heldForce_N.value, rig.scale().maxForce_N) << layout.name;
+    for (const double share : { 0.5, 1.0 })
+    {
+      DeviceCommand command;
+      command.walls[0] = { Vec3::UnitX(), 0.0, share * info.heldStiffness_N_per_m.value };
+      command.wallCount = 1;
+      const WallPlan plan = planWalls(command, rig.scale(), { true, true, true }, 1.0);
+      EXPECT_DOUBLE_EQ(plan.springs[0].negativeCoefficient, share) << layout.name;
+    }
   }
 }
 
