@@ -9,10 +9,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "haptics/core/Types.h"
 #include "testing/support/Polylines.h"
+#include "testing/support/TemporaryFolder.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -38,9 +38,6 @@ constexpr double height = 800.0;
 class Drawings : public ::testing::Test
 {
 protected:
-  void SetUp() override { std::filesystem::create_directories(this->folder_); }
-  void TearDown() override { std::filesystem::remove_all(this->folder_); }
-
   vtkHapticReadResult readText(const std::string& text)
   {
     const std::filesystem::path path = this->folder_ / "a.svg";
@@ -88,8 +85,8 @@ protected:
     return array ? Vec3(array->GetTuple3(0)) : Vec3::Constant(std::nan(""));
   }
 
-  const std::filesystem::path folder_ =
-    std::filesystem::temp_directory_path() / ("palpate-drawings-" + std::to_string(getpid()));
+  const test::TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = this->temporary_.path();
 };
 
 /// The farthest that a point of the curve, at 10 000 places, is from the line.

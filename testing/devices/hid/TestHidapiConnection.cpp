@@ -4,12 +4,12 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "devices/hid/HidDiscovery.h"
 #include "devices/hid/HidapiBus.h"
 #include "devices/io/PidDevice.h"
 #include "testing/devices/hid/FakeHidapi.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate
 {
@@ -22,18 +22,12 @@ namespace fs = std::filesystem;
 class HidapiConnection : public testing::Test
 {
 protected:
-  HidapiConnection()
-    : fake(*plugged), sysfs(fs::temp_directory_path() / ("palpate-hid-" + std::to_string(getpid()))),
-      bus(systemHidBus(this->sysfs.string()))
-  {
-  }
-
-  ~HidapiConnection() override { fs::remove_all(this->sysfs); }
+  HidapiConnection() : fake(*plugged), bus(systemHidBus(this->sysfs.path().string())) {}
 
   test::FakePort& plug(const test::PidLayout& layout, const std::string& serial)
   {
     test::FakePort& port = this->plugged->plug(layout, serial);
-    const fs::path folder = this->sysfs / port.entry.path / "device";
+    const fs::path folder = this->sysfs.path() / port.entry.path / "device";
     fs::create_directories(folder);
     std::ofstream file(folder / "report_descriptor", std::ios::binary);
     file.write(
@@ -43,7 +37,7 @@ protected:
 
   std::shared_ptr<test::FakeHidBus> plugged = std::make_shared<test::FakeHidBus>();
   test::FakeHidapi fake;
-  fs::path sysfs;
+  const test::TemporaryFolder sysfs;
   std::shared_ptr<HidBus> bus;
 };
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdio>
-#include <filesystem>
-
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/labyrinth/Labyrinth.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/Recording.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate
 {
@@ -68,12 +64,11 @@ TEST(LabyrinthGame, IsRecordedAndReplayedBitForBitWithASecondGameAskedForByAnEve
 {
   for (const bool deviceHolds : { false, true })
   {
-    const std::string path =
-      (std::filesystem::temp_directory_path() / ("palpate-game-" + std::to_string(getpid()))).string();
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("game");
     const std::string phases = play(path, deviceHolds);
     EXPECT_EQ(phases, "waits;leads;lets go;arrived;rests;lets go;arrived;rests;");
     const auto read = readRecording(path);
-    std::remove(path.c_str());
     ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
     const ReplayResult result = replay(std::get<Recording>(read));
     EXPECT_EQ(result.problem, "");

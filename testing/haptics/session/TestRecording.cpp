@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -16,23 +12,18 @@
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/Recording.h"
 #include "testing/support/Meshes.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate
 {
 namespace
 {
 
-std::string fileNamed(const std::string& name)
-{
-  return (std::filesystem::temp_directory_path() / ("palpate-" + std::to_string(getpid()) + "-" + name)).string();
-}
-
-/// Deletes its file in the end.
+/// Gone in the end.
 struct TemporaryFile
 {
-  explicit TemporaryFile(const std::string& name) : path(fileNamed(name)) {}
-  ~TemporaryFile() { std::remove(this->path.c_str()); }
-  std::string path;
+  const test::TemporaryFolder folder;
+  const std::string path = this->folder.file("recording");
 };
 
 std::vector<SurfaceInput> threeSurfaces(int levels)
@@ -119,7 +110,7 @@ TEST(Recording, WithSceneSwapsReplaysBitForBitWithOneTwoAndFourBuilders)
   const int ticks = count != nullptr ? std::atoi(count) : 4000;
   for (const double radius : { 0.0, 0.001 })
   {
-    const TemporaryFile file("swaps");
+    const TemporaryFile file;
     record(file.path, ticks, radius);
     const Recording recording = readGood(file.path);
     EXPECT_EQ(recording.scenes.size(), 2U) << "each scene is stored once";
@@ -192,7 +183,7 @@ TEST(Recording, OfSurfacesThatMoveStoresTheirMeshesOnceAndReplaysBitForBit)
 {
   for (const double radius : { 0.0, 0.001 })
   {
-    const TemporaryFile file("moving");
+    const TemporaryFile file;
     recordMoving(file.path, 1600, radius, threeSurfaces(3));
     const Recording recording = readGood(file.path);
     EXPECT_EQ(recording.scenes.size(), 1U);
@@ -211,7 +202,7 @@ TEST(Recording, OfCurvesThatMoveReplaysBitForBit)
     curves.lines = { { 0, 1, 2 }, { 3, 4 } };
     inputs[1].mesh = std::make_shared<const TriangleMesh>(segmentsOf(curves));
     inputs[1].lineRadius_u = 0.05;
-    const TemporaryFile file("curves");
+    const TemporaryFile file;
     recordMoving(file.path, 1600, radius, inputs);
     const Recording recording = readGood(file.path);
     ASSERT_EQ(recording.scenes.size(), 1U);
@@ -260,7 +251,7 @@ TEST(Recording, OfVerticesOnTheirWayReplaysBitForBit)
 {
   for (const double radius : { 0.0, 0.001 })
   {
-    const TemporaryFile file("bending");
+    const TemporaryFile file;
     recordBending(file.path, 800, radius);
     expectBitForBit(replay(readGood(file.path)), 800);
   }
@@ -268,7 +259,7 @@ TEST(Recording, OfVerticesOnTheirWayReplaysBitForBit)
 
 TEST(Recording, ReplayNamesTheFirstTickThatDiffers)
 {
-  const TemporaryFile file("tampered");
+  const TemporaryFile file;
   record(file.path, 600, 0.0);
   Recording recording = readGood(file.path);
   int seen = 0;
@@ -284,7 +275,7 @@ TEST(Recording, ReplayNamesTheFirstTickThatDiffers)
 
 TEST(Recording, WithoutItsScenesAsksForThemAndTakesThemByContent)
 {
-  const TemporaryFile file("sceneless");
+  const TemporaryFile file;
   record(file.path, 600, 0.0);
   Recording recording = readGood(file.path);
   recording.scenes.clear();
@@ -297,7 +288,7 @@ TEST(Recording, WithoutItsScenesAsksForThemAndTakesThemByContent)
 
 TEST(Recording, EveryPlaceWhereAFileMayBeCutGivesOneSentence)
 {
-  const TemporaryFile file("cut");
+  const TemporaryFile file;
   record(file.path, 20, 0.0);
   const std::vector<char> whole = bytesOf(file.path);
   ASSERT_EQ(problemOf(whole), "");
@@ -311,7 +302,7 @@ TEST(Recording, EveryPlaceWhereAFileMayBeCutGivesOneSentence)
 
 TEST(Recording, AnyDamagedByteIsSurvived)
 {
-  const TemporaryFile file("damaged");
+  const TemporaryFile file;
   record(file.path, 20, 0.0);
   const std::vector<char> whole = bytesOf(file.path);
   for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 1499)

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The servo loop in virtual time: lateness, faults, and what it must not do.
-#include <cstdio>
-#include <filesystem>
 #include <optional>
-
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +9,7 @@
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/BareDevice.h"
 #include "testing/support/Meshes.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate
 {
@@ -162,8 +159,8 @@ TEST(ServoLoop, TheEndLeavesTheDeviceWithoutForce)
 
 TEST(ServoLoop, AScenePublishedTwiceAndAFaultAreInTheRecordingAndItReplays)
 {
-  const std::string path =
-    (std::filesystem::temp_directory_path() / ("palpate-" + std::to_string(getpid()) + "-loop")).string();
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("loop");
   Recorder recorder;
   HapticParameters first;
   first.safety.engageRamp_s = 0.01;
@@ -179,7 +176,6 @@ TEST(ServoLoop, AScenePublishedTwiceAndAFaultAreInTheRecordingAndItReplays)
   }
   ASSERT_EQ(recorder.close(), "");
   const auto read = readRecording(path);
-  std::remove(path.c_str());
   ASSERT_TRUE(std::holds_alternative<Recording>(read));
   const Recording& recording = std::get<Recording>(read);
   int scenes = 0;

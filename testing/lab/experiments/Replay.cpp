@@ -2,12 +2,9 @@
 // Row 55: a recording with scene swaps, computed again, gives the same bits whatever number of workers builds its
 // scenes.
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include <unistd.h>
 
 #include "devices/FedDevice.h"
 #include "haptics/session/HapticSession.h"
@@ -15,33 +12,12 @@
 #include "testing/lab/Experiments.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate::lab
 {
 namespace
 {
-
-/// A file of its own for each process, gone in the end.
-class TemporaryFile
-{
-public:
-  TemporaryFile()
-    : path_(std::filesystem::temp_directory_path() / ("palpate-lab-" + std::to_string(getpid()) + ".palpate"))
-  {
-  }
-  ~TemporaryFile()
-  {
-    std::error_code ignored;
-    std::filesystem::remove(this->path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  [[nodiscard]] std::string path() const { return this->path_.string(); }
-
-private:
-  std::filesystem::path path_;
-};
 
 void demand(const std::string& problem)
 {
@@ -138,11 +114,12 @@ void runReplay(const Conditions& conditions, Table& table)
   const int ticks = conditions.pick(4000, 60000, 60000);
   for (const double radius_m : { 0.0, 1e-3 })
   {
-    const TemporaryFile file;
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("recording.palpate");
     const std::string name = caseName({ { "r", 1e3 * radius_m }, { "seconds", 1e-3 * ticks } });
-    const double touched = record(file.path(), ticks, radius_m, conditions.seed);
+    const double touched = record(file, ticks, radius_m, conditions.seed);
     table.atLeast({ name, "god-object", "ticks in contact" }, touched, 0.5 * ticks);
-    const Recording recording = recorded(file.path());
+    const Recording recording = recorded(file);
     for (const unsigned workers : { 1U, 2U, 4U })
     {
       const std::string method = "replay, workers=" + std::to_string(workers);
