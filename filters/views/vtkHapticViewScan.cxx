@@ -108,9 +108,30 @@ vtkPVLODActor* SurfaceActor(vtkObject* active)
   return geometry && !geometry->IsA("vtkGlyph3DRepresentation") ? geometry->GetActor() : nullptr;
 }
 
+/// Others show what they make of a curve, and nothing of it while it is drawn.
+bool DrawsCurves(vtkObject* active)
+{
+  return !active->IsA("vtkOutlineRepresentation") && !active->IsA("vtkFeatureEdgesRepresentation");
+}
+
+/// What a mapper shows of a source that gives poly data: a composite of that one; null if it is of more or none.
+vtkPolyData* OnlyPiece(vtkDataObject* shown)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(shown);
+  if (!composite)
+  {
+    return vtkPolyData::SafeDownCast(shown);
+  }
+  auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  each->InitTraversal();
+  auto* first = each->IsDoneWithTraversal() ? nullptr : vtkPolyData::SafeDownCast(each->GetCurrentDataObject());
+  each->GoToNextItem();
+  return each->IsDoneWithTraversal() ? first : nullptr;
+}
+
 bool SameCurve(vtkDataObject* a, vtkDataObject* b)
 {
-  auto *one = vtkPolyData::SafeDownCast(a), *other = vtkPolyData::SafeDownCast(b);
+  vtkPolyData *const one = OnlyPiece(a), *const other = OnlyPiece(b);
   if (!one || !other || !one->GetPoints() || !other->GetPoints() ||
       one->GetLines()->GetNumberOfConnectivityIds() != other->GetLines()->GetNumberOfConnectivityIds())
   {
@@ -179,7 +200,7 @@ void ScanRepresentation(
     return;
   }
   vtkDataObject* shown = actor->GetMapper() ? actor->GetMapper()->GetInputDataObject(0, 0) : nullptr;
-  if (drafts && !active->IsA("vtkOutlineRepresentation"))
+  if (drafts && DrawsCurves(active))
   {
     vtkDataObject* const draft = DraftOf(InputOf(proxy), shown, *drafts);
     shown = draft ? draft : shown;

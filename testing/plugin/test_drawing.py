@@ -119,6 +119,41 @@ class Drawing(ViewTest):
             self.next_picture()
         self.assertFalse(self.follow())
 
+    def expect_felt_with_the_next_picture(self, *points):
+        """As a source whose widget was never touched: not before the picture that shows it."""
+        self.line.Points = [c for point in points for c in point]
+        self.assertFalse(self.follow())
+        simple.Render(self.view)
+        self.assertTrue(self.follow())
+
+    def test_what_is_applied_is_felt_as_it_is_shown_once_a_picture_shows_it(self):
+        self.draw([0, -1, 0], [0, 1, 0])
+        self.expect_felt_with_the_next_picture([0.1, -1, 0], [0.1, 1, 0])
+        self.drag_widget([0, -1, 0], [-0.5, 1, 0])
+        self.line.Points = [0, -1, 0, -0.5, 1, 0]
+        self.next_picture()
+        self.expect_felt_with_the_next_picture([0.1, -1, 0], [0.1, 1, 0])
+
+    def test_what_was_reset_is_felt_as_it_is_shown(self):
+        self.draw([0, -1, 0], [0, 1, 0])
+        self.drag_widget([0, -1, 0], [-0.5, 1, 0])
+        self.line.SMProxy.GetProperty("Points").ClearUncheckedElements()
+        self.next_picture()
+        self.expect_felt_with_the_next_picture([0.1, -1, 0], [0.1, 1, 0])
+
+    def test_an_applied_curve_of_which_nothing_is_shown_is_refused_although_it_was_dragged(self):
+        self.draw([0, -1, 0], [0, 1, 0])
+        self.drag_widget([0, -1, 0], [-0.5, 1, 0])
+        self.line.Points = [0, -1, 0, -0.5, 1, 0]
+        self.next_picture()
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 1)
+        simple.GetDisplayProperties(self.line, self.view).Representation = "Feature Edges"  # a line has none
+        self.next_picture()
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
+        self.assertIn("no polygons are shown", self.scene.GetReport())
+        self.drag_widget([0, -1, 0], [-0.6, 1, 0])
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
+
     def test_reset_takes_the_force_back_without_a_jump(self):
         self.draw([0, -1, 0], [0, 1, 0])
         self.press(RADIUS - DEPTH, ACROSS, 0.0)
