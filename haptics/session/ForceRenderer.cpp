@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "haptics/contact/PlanFor.h"
 #include "haptics/contact/Resolution.h"
@@ -387,10 +388,8 @@ private:
     const double stiffness_N_per_m = heldStiffness(share * state.stiffness_N_per_m, tick, this->s_.walls);
     command(this->s_.walls.walls, stiffness_N_per_m, this->out_.command, limits.maxForce_N);
     this->out_.command.viscosity_Ns_per_m = share * this->p_.walls.viscosity_Ns_per_m;
-    const Vec3 force_D = this->heldForce();
-    const Vec3 clamped_D = clampMagnitude(force_D, limits.maxForce_N);
-    state.clamped = clamped_D != force_D;
-    this->tellHeld(clamped_D);
+    rampLimits(tick, this->s_.walls, this->out_.command);
+    this->tellHeld();
   }
 
   /// Opposite walls at one place are the spring of the lead.
@@ -405,9 +404,10 @@ private:
       walls.offset_m[static_cast<std::size_t>(i)] = AxisWalls::direction(i).dot(drawn_D);
     }
     command(walls, share * this->game_.spring_N_per_m, this->out_.command,
-      std::min(share * this->game_.spring_N, this->p_.safety.maxForce_N));
+      std::min(
+        std::numbers::sqrt2 * share * this->game_.spring_N, this->p_.safety.maxForce_N)); // along an axis all of it
     this->out_.command.viscosity_Ns_per_m = share * this->game_.damping_Ns_per_m;
-    this->tellHeld(this->heldForce());
+    this->tellHeld();
   }
 
   /// What walls and viscosity of the command give a hand where it is [N].
@@ -418,9 +418,12 @@ private:
   }
 
   /// What the device gives by itself, as far as the host knows. Walls that are not numbers are not sent.
-  void tellHeld(const Vec3& force_D) noexcept
+  void tellHeld() noexcept
   {
     HapticState& state = this->out_.state;
+    const Vec3 held_D = this->heldForce();
+    const Vec3 force_D = clampMagnitude(held_D, this->p_.safety.maxForce_N);
+    state.clamped = force_D != held_D;
     const bool usable = isFinite(this->out_.command) && force_D.allFinite();
     if (!usable)
     {

@@ -119,4 +119,13 @@ double heldStiffness(double wanted_N_per_m, const WallTick& tick, HeldWallState&
   return held.stiffness_N_per_m;
 }
 
+void rampLimits(const WallTick& tick, HeldWallState& held, DeviceCommand& command) noexcept
+{
+  const double most_N = held.each_N + tick.maxRise_N_per_s * tick.dt_s;
+  for (std::size_t i = 0; i < command.wallCount; ++i)
+  {
+    held.each_N = command.walls[i].largest_N = std::min(command.walls[i].largest_N, most_N);
+  }
+}
+
 } // namespace palpate

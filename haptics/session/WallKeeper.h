@@ -17,6 +17,7 @@ struct HeldWallState
   AxisWalls walls;
   double since_s = std::numeric_limits<double>::infinity(); ///< they were looked for
   double stiffness_N_per_m = 0.0;                           ///< they were given last
+  double each_N = std::numeric_limits<double>::infinity();  ///< one of them could push last
 };
 
 /// What is known in a tick after contact.
@@ -44,5 +45,9 @@ std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWall
 /// How stiff these walls may be now, at most `wanted` [N/m]: where the handle is behind them already, stiffer than
 /// before by no more than adds the force that may be added in a tick.
 [[nodiscard]] double heldStiffness(double wanted_N_per_m, const WallTick& tick, HeldWallState& held) noexcept;
+
+/// How hard each wall of the command may push goes up no faster than a force may rise: where a wall across the other
+/// axis is gone, one that is pressed to its limit may push harder.
+void rampLimits(const WallTick& tick, HeldWallState& held, DeviceCommand& command) noexcept;
 
 } // namespace palpate

@@ -14,6 +14,7 @@
 #include "haptics/session/DeviceAdaptation.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/Recording.h"
+#include "testing/haptics/session/HoldingTick.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/PlainJoystick.h"
@@ -24,54 +25,12 @@ namespace palpate
 namespace
 {
 
-constexpr double K = 200.0;
-
-std::shared_ptr<const Scene> sceneOf(const CurveSet& curves)
-{
-  return test::sceneOf(raiseWalls(curves, 0.01));
-}
-
-/// Along x between y = -half and +half [m], closed at neither end.
-CurveSet corridor(double half_m)
-{
-  return { { { -0.04, half_m }, { 0.04, half_m }, { -0.04, -half_m }, { 0.04, -half_m } }, { { 0, 1 }, { 2, 3 } } };
-}
-
-/// Through the origin, the free place on the side of (sin, cos) of the angle to the x axis.
-CurveSet slant(double angle_rad)
-{
-  const Eigen::Vector2d along(0.04 * std::cos(angle_rad), -0.04 * std::sin(angle_rad));
-  return { { -along, along }, { { 0, 1 } } };
-}
-
-HapticParameters holding()
-{
-  HapticParameters parameters;
-  parameters.stiffness_N_per_m = K;
-  parameters.safety = SafetyLimits::none();
-  parameters.walls.hold = true;
-  return parameters;
-}
-
-/// The tick by itself, with a hand that is put where it is wanted.
-struct Tick
-{
-  std::shared_ptr<const Scene> scene;
-  HapticParameters parameters = holding();
-  RendererState state = {};
-  std::uint64_t tick = 0;
-
-  TickOutput at(double x_m, double y_m, double dt_s = 1e-3)
-  {
-    TickInput input;
-    input.tick = ++this->tick;
-    input.dt_s = dt_s;
-    input.scene = this->scene.get();
-    input.sample.time_s = dt_s * static_cast<double>(this->tick);
-    input.sample.pose_D.p = { x_m, y_m, 0 };
-    return renderTick(input, this->parameters, this->state);
-  }
-};
+using test::corridor;
+using test::holding;
+using test::K;
+using test::sceneOf;
+using test::slant;
+using Tick = test::HoldingTick;
 
 std::optional<double> offset(const DeviceCommand& command, const Vec3& normal_D)
 {
@@ -172,62 +131,6 @@ TEST(HeldWallsInTick, NoWallStepsIntoTheHandByMoreThanTheForceMayRise)
     }
     EXPECT_NEAR(force_N, K * depth_m, 1e-12) << every_s;
   }
-}
-
-// A hand rests p = 2 mm behind a wall of K / 10 when K comes back, as after a time of late ticks: K p / 10 + r T k.
-TEST(HeldWallsInTick, AWallThatPressesGetsStifferNoFasterThanAForceMayRise)
-{
-  constexpr double p_m = 0.002, rise_N_per_s = 150.0, dt_s = 1e-3;
-  Tick tick{ sceneOf(slant(0.0)) };
-  tick.parameters.stiffness_N_per_m = K / 10;
-  static_cast<void>(tick.at(0.0, p_m));
-  EXPECT_NEAR(tick.at(0.0, -p_m).state.force_D.y(), K / 10 * p_m, 1e-12);
-  tick.parameters.safety.maxRise_N_per_s = rise_N_per_s;
-  tick.parameters.stiffness_N_per_m = K;
-  for (int k = 1; k <= 5; ++k)
-  {
-    const double force_N = tick.at(0.0, -p_m, dt_s).state.force_D.y();
-    EXPECT_NEAR(force_N, std::min(K * p_m, K / 10 * p_m + rise_N_per_s * dt_s * k), 1e-12) << k;
-  }
-}
-
-TEST(HeldWallsInTick, ALeadPushesNoHarderThanAnythingMay)
-{
-  Tick tick{ sceneOf(corridor(0.01)) };
-  tick.parameters.game.on = true;
-  tick.parameters.game.start_W = { 0.03, 0.0, 0.0 };
-  tick.parameters.game.exitReach_u = 1e-3;
-  tick.parameters.safety.maxForce_N = 0.25 * tick.parameters.game.largest_N;
-  double strongest_N = 0.0;
-  for (int i = 0; i < 1000; ++i) // a hand that is not moved by it
-  {
-    const TickOutput now = tick.at(0.0, 0.0);
-    ASSERT_EQ(now.state.game, GamePhase::Leads);
-    strongest_N = std::max(strongest_N, now.state.force_D.norm());
-  }
-  EXPECT_GT(strongest_N, 0.5 * tick.parameters.safety.maxForce_N);
-  EXPECT_LE(strongest_N, tick.parameters.safety.maxForce_N);
-}
-
-TEST(HeldWallsInTick, ASampleThatIsNoNumberForgetsNeitherTheGameNorTheButtons)
-{
-  Tick tick{ sceneOf(corridor(0.01)) };
-  tick.parameters.game.on = true;
-  tick.parameters.game.start_W = Vec3::Zero();
-  tick.parameters.game.exit_W = { 0.03, 0.0, 0.0 };
-  tick.parameters.game.exitReach_u = 1e-3;
-  HapticState before;
-  for (int i = 0; i < 500; ++i)
-  {
-    before = tick.at(0.0, 0.0).state;
-  }
-  ASSERT_EQ(before.game, GamePhase::Explores);
-  ASSERT_GT(before.gameTime_s, 0.0);
-  const HapticState bad = tick.at(std::numeric_limits<double>::quiet_NaN(), 0.0).state;
-  EXPECT_TRUE(bad.held);
-  EXPECT_EQ(bad.game, GamePhase::Explores);
-  EXPECT_EQ(bad.gameTime_s, before.gameTime_s);
-  EXPECT_EQ(bad.force_D, Vec3(Vec3::Zero()));
 }
 
 TEST(HeldWallsInTick, WallsGoWithTheGainAndAreGoneWhenNoForceMayBeGiven)
