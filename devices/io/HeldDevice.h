@@ -51,17 +51,19 @@ public:
     const std::lock_guard lock(this->mutex_);
     this->device_.reset();
   }
-  /// And says so by lost(). Another one that is held by now stays.
+  /// And says so by lost(). False: somebody else has let go of it already; another one that is held by now stays.
   template<class Lost>
-  void letGo(const std::shared_ptr<Attached>& device, const std::string& why, Lost lost)
+  bool letGo(const std::shared_ptr<Attached>& device, const std::string& why, Lost lost)
   {
     const std::lock_guard lock(this->mutex_);
-    if (this->device_ == device)
+    const bool held = this->device_ == device;
+    if (held)
     {
       this->message_ = why;
       this->device_.reset();
       lost();
     }
+    return held;
   }
   void say(std::string message)
   {

@@ -113,10 +113,10 @@ void PidLink::detach() noexcept
   this->held_.letGo();
 }
 
-/// Not again for one that somebody else has lost already.
-void PidLink::lose(const std::shared_ptr<Attached>& device, const std::string& why)
+/// False: somebody else has lost it already.
+bool PidLink::lose(const std::shared_ptr<Attached>& device, const std::string& why)
 {
-  this->held_.letGo(device, why, [this] { this->presence_.lost(); });
+  return this->held_.letGo(device, why, [this] { this->presence_.lost(); });
 }
 
 /// Unless somebody does so already.
@@ -147,12 +147,23 @@ bool PidLink::readPass(int timeout_ms)
   }
   if (length < 0)
   {
-    device->stopPastTheWriter(); // it may still be there and push
-    this->lose(device, "it was unplugged");
+    this->loseAndStop(device);
     return false;
   }
   this->watchWriter(*device);
   return true;
+}
+
+/// The servo knows before the order to stop is sent: that may hang. It may still be there and push; one that the writer
+/// has lost has been told, and what is there now may be another one.
+void PidLink::loseAndStop(const std::shared_ptr<Attached>& device)
+{
+  this->stopping_ = true;
+  if (this->lose(device, "it was unplugged"))
+  {
+    device->stopPastTheWriter();
+  }
+  this->stopping_ = false;
 }
 
 void PidLink::take(Attached& device, std::span<const std::uint8_t> report, std::optional<Hand>& newest)
@@ -208,7 +219,7 @@ bool PidLink::writePass()
   }
   if (device->disturbed())
   {
-    this->stopAndLose(device, now_ns, "another program or a switch on it took its forces away");
+    this->loseAndStop(device, now_ns, "another program or a switch on it took its forces away");
     return true;
   }
   // First its number: a command that is newer than that is taken for one that is late, never the other way round.
@@ -222,7 +233,7 @@ bool PidLink::writePass()
   const PidOutput::Step step = device->output->step(now_ns, wish);
   if (step == PidOutput::Step::Failed)
   {
-    this->stopAndLose(device, now_ns, "it does not take forces: " + device->connection->error());
+    this->loseAndStop(device, now_ns, "it does not take forces: " + device->connection->error());
   }
   this->writingSince_ns_ = notWriting;
   this->outputs_ += step == PidOutput::Step::Sent ? 1 : 0;
@@ -231,15 +242,15 @@ bool PidLink::writePass()
 }
 
 /// What it was told last would go on until it ends by itself. Who took nothing for long would only hang again, and has
-/// been told past the writer.
-void PidLink::stopAndLose(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why)
+/// been told past the writer. The servo knows before the order to stop is sent: that may hang.
+void PidLink::loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why)
 {
   const bool answers = this->clock_.now_ns() - since_ns <= stuckAfter_ns;
+  static_cast<void>(this->lose(device, why));
   if (answers && !device->engine->control(pid::stopAll))
   {
     device->stopPastTheWriter();
   }
-  this->lose(device, why);
 }
 
 bool PidLink::Attached::disturbed() noexcept
@@ -250,7 +261,7 @@ bool PidLink::Attached::disturbed() noexcept
 
 void PidLink::reattach(std::int64_t now_ns)
 {
-  if (!this->pause_.over(now_ns))
+  if (this->stopping_ || !this->pause_.over(now_ns))
   {
     return;
   }

@@ -78,8 +78,9 @@ private:
   };
   [[nodiscard]] std::optional<Hand> firstHand(Attached& device);
   void tell(const std::optional<Hand>& hand) noexcept;
-  void lose(const std::shared_ptr<Attached>& device, const std::string& why);
-  void stopAndLose(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why);
+  [[nodiscard]] bool lose(const std::shared_ptr<Attached>& device, const std::string& why);
+  void loseAndStop(const std::shared_ptr<Attached>& device);
+  void loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why);
   void reattach(std::int64_t now_ns);
   void take(Attached& device, std::span<const std::uint8_t> report, std::optional<Hand>& newest);
   void watchWriter(Attached& device);
@@ -106,6 +107,7 @@ private:
   std::atomic<std::uint64_t> outputs_ = 0, restarts_ = 0;                ///< writer's
   std::atomic<std::int64_t> writingSince_ns_ = notWriting;
   static constexpr std::int64_t notWriting = -1;
+  std::atomic<bool> stopping_ = false; ///< reader's: it tells a lost device to stop, and no other one must hear that
 
   bool muted_ = false;       ///< writer's: until no force is asked for
   SearchPause pause_;        ///< writer's

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A device that goes and comes back: what it is told last, who throws it away, and where the hand is then.
+#include <future>
+
 #include <gtest/gtest.h>
 
 #include "testing/devices/hid/PidRig.h"
@@ -53,7 +55,86 @@ TEST(PidLoss, ADeviceThatTellsNothingAnyMoreIsToldToStop)
   EXPECT_EQ(rig.stick().force()[0], 0.0);
 }
 
-TEST(PidLoss, AReadThatHasWaitedOnTheDeviceBeforeDoesNotThrowAwayTheOneThatWasFoundAgain)
+/// A device under force whose writes really hang; a pass that hangs stays on a thread of its own.
+struct Hanging
+{
+  Hanging()
+  {
+    EXPECT_EQ(this->device.open(), "");
+    this->command.wrench_D.force.x() = 2.0;
+    for (int ms = 0; ms < 50; ++ms)
+    {
+      this->device.write(this->command);
+      this->bus->advance(1);
+      static_cast<void>(this->device.link().readPass(0));
+      static_cast<void>(this->device.link().writePass());
+    }
+    EXPECT_GT(this->stick().force()[0], 0.3);
+    EXPECT_EQ(this->device.read(0.0, this->sample), DeviceStatus::Ok);
+  }
+  ~Hanging() { this->bus->release(this->port); }
+
+  test::VirtualPidDevice& stick() { return *this->port.device; }
+  /// Lets a pass run until it hangs, with so many writes in all.
+  template<class Pass>
+  std::future<bool> hang(int writes, Pass pass)
+  {
+    this->bus->alone([this] { return this->port.stalls = true; });
+    std::future<bool> hanging = std::async(std::launch::async, pass);
+    const auto hangs = [&] { return this->bus->alone([this] { return this->port.hanging; }) == writes; };
+    EXPECT_TRUE(test::eventually(hangs));
+    return hanging;
+  }
+  std::future<bool> hangingRead(int writes)
+  {
+    return this->hang(writes, [this] { return this->device.link().readPass(0); });
+  }
+  std::future<bool> hangingWrite(int writes)
+  {
+    return this->hang(writes, [this] { return this->device.link().writePass(); });
+  }
+
+  std::shared_ptr<FakeHidBus> bus = std::make_shared<FakeHidBus>(false);
+  FakePort& port = bus->plug(test::plainLayout());
+  PidDevice device{ "pid", bus, port.entry, test::virtualOptions(*bus) };
+  DeviceCommand command;
+  DeviceSample sample;
+};
+
+TEST(PidLoss, TheServoKnowsThatTheForcesWereTakenAwayWhileTheOrderToStopHangs)
+{
+  Hanging rig;
+  ASSERT_TRUE(rig.stick().take(HidReportKind::Output, std::vector<std::uint8_t>{ 0x1C, 2 })); // somebody disables it
+  ASSERT_TRUE(rig.device.link().readPass(0));
+  const std::future<bool> writer = rig.hangingWrite(1);
+  EXPECT_EQ(rig.device.read(0.0, rig.sample), DeviceStatus::Lost);
+  rig.bus->release(rig.port);
+}
+
+TEST(PidLoss, TheServoKnowsThatNothingIsReadAnyMoreWhileTheOrderToStopHangs)
+{
+  Hanging rig;
+  rig.port.readFails = true;
+  const std::future<bool> reader = rig.hangingRead(1);
+  EXPECT_EQ(rig.device.read(0.0, rig.sample), DeviceStatus::Lost);
+  rig.bus->release(rig.port);
+}
+
+// The order would stop the one that was found meanwhile: it is the same device, behind another connection.
+TEST(PidLoss, NoDeviceIsFoundAgainWhileTheOrderToStopIsOnItsWay)
+{
+  Hanging rig;
+  rig.port.readFails = true;
+  std::future<bool> reader = rig.hangingRead(1);
+  EXPECT_FALSE(rig.device.link().writePass());
+  EXPECT_EQ(rig.port.opened, 2);
+  rig.bus->release(rig.port);
+  EXPECT_FALSE(reader.get());
+  EXPECT_FALSE(rig.device.link().writePass());
+  EXPECT_TRUE(rig.device.linkReport().attached);
+}
+
+TEST(PidLoss, AReadThatHasWaitedOnTheDeviceBeforeLeavesTheOneThatWasFoundAgainAlone)
 {
   Rig rig(test::plainLayout());
   ASSERT_EQ(rig.device.open(), "");
@@ -62,16 +143,19 @@ TEST(PidLoss, AReadThatHasWaitedOnTheDeviceBeforeDoesNotThrowAwayTheOneThatWasFo
   rig.device.write(rig.command);
   rig.port.writesThatFail = 1;
   PidLink& link = rig.device.link();
+  int told = 0;
   rig.port.whileReading = [&]
   {
     static_cast<void>(link.writePass());
     ASSERT_FALSE(link.report().attached);
     static_cast<void>(link.writePass());
     ASSERT_TRUE(link.report().attached);
+    told = rig.stick().stopAlls;
   };
   static_cast<void>(link.readPass(0));
   EXPECT_TRUE(link.report().attached);
   EXPECT_EQ(link.report().losses, 1U);
+  EXPECT_EQ(rig.stick().stopAlls, told);
 }
 
 TEST(PidLoss, TheHandIsWhereItIsFromTheFirstTickOn)
