@@ -70,6 +70,7 @@ public:
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<vtkHapticSession> Session;
   std::vector<unsigned long> Observers;
+  unsigned long ViewObserver = 0; ///< of the view's deletion
   bool Active = false;
   bool Drawing = false; ///< the button is held
   vtkHapticPencilStroke Stroke;
@@ -77,6 +78,8 @@ public:
 
   /// True: nobody else is to hear of it.
   bool Heard(vtkObject*, unsigned long event, void*);
+  void Watch(vtkSMRenderViewProxy* view);
+  void ViewDeleted();
   vtkHapticPencilStroke NewStroke() const;
   void Draw();
   void ShowStroke();
@@ -193,6 +196,24 @@ void vtkHapticPencil::Internals::Forget()
   this->Observers.clear();
 }
 
+void vtkHapticPencil::Internals::Watch(vtkSMRenderViewProxy* view)
+{
+  if (this->View)
+  {
+    this->View->RemoveObserver(this->ViewObserver);
+  }
+  this->View = view;
+  this->ViewObserver = view ? view->AddObserver(vtkCommand::DeleteEvent, this, &Internals::ViewDeleted) : 0;
+}
+
+void vtkHapticPencil::Internals::ViewDeleted()
+{
+  this->Forget();
+  this->View = nullptr;
+  this->End();
+  this->Owner->Modified();
+}
+
 vtkHapticPencil::vtkHapticPencil() : Impl(std::make_unique<Internals>())
 {
   this->Impl->Owner = this;
@@ -201,6 +222,7 @@ vtkHapticPencil::vtkHapticPencil() : Impl(std::make_unique<Internals>())
 vtkHapticPencil::~vtkHapticPencil()
 {
   this->Impl->Forget();
+  this->Impl->Watch(nullptr);
 }
 
 void vtkHapticPencil::PrintSelf(ostream& os, vtkIndent indent)
@@ -218,7 +240,7 @@ void vtkHapticPencil::SetView(vtkSMProxy* view)
   {
     this->Impl->End();
     this->Impl->Forget();
-    this->Impl->View = next;
+    this->Impl->Watch(next);
     this->Impl->Listen();
     this->Modified();
   }

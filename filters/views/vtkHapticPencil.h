@@ -32,7 +32,7 @@ public:
 
   ///@{
   /// The proxy of the render view to draw in; null or a view of another kind: none. Watched, not kept alive. Another
-  /// one ends the line.
+  /// one, or its deletion, ends the line.
   void SetView(vtkSMProxy* view);
   vtkSMProxy* GetView() const;
   ///@}

@@ -171,19 +171,39 @@ class Pencil(ViewTest):
         self.say("MouseMoveEvent", 90, 60)
         self.assertEqual(len(self.points()), 2)
 
-    def test_a_view_that_is_closed_while_it_is_drawn_in_ends_the_line(self):
+    def test_another_view_ends_the_line(self):
+        other = simple.CreateView("RenderView")
+        self.draw((20, 20), (60, 20))
+        self.assertIsNotNone(self.pencil.GetLine())
+        put(self.pencil_proxy, "View", other.SMProxy)
+        self.assertIsNone(self.pencil.GetLine())
+        put(self.pencil_proxy, "View", self.view.SMProxy)
+        self.say("MouseMoveEvent", 90, 60)
+        self.assertEqual(len(self.points()), 2)
+        simple.Delete(other)
+
+    def test_a_view_that_is_deleted_while_it_is_drawn_in_ends_the_line(self):
         other = simple.CreateView("RenderView")
         other.ViewSize = [WIDTH, HEIGHT]
         simple.Render(other)
-        put(self.pencil_proxy, "View", other.SMProxy)
+        put(self.pencil_proxy, "View", None)
+        self.pencil.SetView(other.SMProxy)  # a property would keep it
         interactor = other.GetInteractor()
         for event, x in (("LeftButtonPressEvent", 20), ("MouseMoveEvent", 60)):
             interactor.SetEventInformation(x, 20, 0, 0)
             interactor.InvokeEvent(event)
-        self.assertEqual(len(self.points()), 2)
-        put(self.pencil_proxy, "View", None)
-        self.assertIsNone(self.pencil.GetLine())
+        self.assertIsNotNone(self.pencil.GetLine())
+        said = []
+        self.pencil.AddObserver("EndInteractionEvent", lambda *_: said.append("end"))
+        other.SMProxy.AddObserver("DeleteEvent", lambda *_: said.append("deleted"))
         simple.Delete(other)
+        del other
+        self.assertEqual(sorted(said), ["deleted", "end"])
+        self.assertIsNone(self.pencil.GetView())
+        self.assertIsNone(self.pencil.GetLine())
+        self.assertEqual(simple.GetActiveSource(), self.lines()[0])
+        interactor.SetEventInformation(90, 20, 0, 0)
+        interactor.InvokeEvent("MouseMoveEvent")
         self.assertEqual(len(self.points()), 2)
 
 
