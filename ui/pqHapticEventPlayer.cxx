@@ -45,7 +45,6 @@ std::function<double(const vtkHapticSession&)> QuantityOf(const QString& name)
   static const std::map<QString, std::function<double(S)>> quantities = {
     { "force", [](S s) { return s.GetForceMagnitude(); } },
     { "arrived", [](S s) { return PhaseIs(s, "arrived") || PhaseIs(s, "rests") ? 1.0 : 0.0; } },
-    { "leads", [](S s) { return PhaseIs(s, "leads") ? 1.0 : 0.0; } },
     { "depth", [](S s) { return s.GetDepth(); } },
     { "contacts", [](S s) { return static_cast<double>(s.GetContacts()); } },
     { "ticks", [](S s) { return static_cast<double>(s.GetTicks()); } },

@@ -25,7 +25,7 @@ class pqHapticController;
  *   hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
  *
  * Names: force [N], depth [u], contacts, ticks, missed, largestStiffness [N/m], delay [ticks], velocityMethod; 0 or 1:
- * limitStiffness, passivity, leads and arrived (of a labyrinth).
+ * limitStiffness, passivity and arrived (at the exit of a labyrinth).
  *
  * Q_OBJECT is required: ParaView keys players by class name.
  */

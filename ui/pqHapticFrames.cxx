@@ -45,6 +45,7 @@ pqHapticFrames::~pqHapticFrames()
 void pqHapticFrames::setSession(vtkHapticSession* session)
 {
   this->Session = session;
+  this->follow();
 }
 
 void pqHapticFrames::showTrace(bool shown)
@@ -109,6 +110,7 @@ void pqHapticFrames::setView(pqRenderView* view)
     this->attach();
     this->Pause.start(0);
   }
+  this->follow();
 }
 
 void pqHapticFrames::attach()

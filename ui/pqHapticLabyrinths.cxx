@@ -112,6 +112,8 @@ pqHapticLabyrinths::pqHapticLabyrinths(QWidget* parent)
   this->connect(zoom, &QPushButton::clicked, this, &pqHapticLabyrinths::zoom);
   this->connect(end, &QPushButton::clicked, this, &pqHapticLabyrinths::end);
   this->connect(this, &QDialog::finished, this, &pqHapticLabyrinths::end);
+  this->connect(
+    pqHapticController::instance(), &pqHapticController::sessionChanged, this, &pqHapticLabyrinths::forgetSettings);
   this->connect(this->Worlds, &QListWidget::itemActivated, this, &pqHapticLabyrinths::play);
   this->connect(this->Hidden, &QCheckBox::toggled, this, &pqHapticLabyrinths::hideWalls);
   this->connect(this->Trace, &QCheckBox::toggled, pqHapticController::instance(), &pqHapticController::showTrace);
@@ -163,6 +165,7 @@ QString pqHapticLabyrinths::refusal(const QString& world) const
 pqPipelineSource* pqHapticLabyrinths::open(const QString& world)
 {
   pqObjectBuilder* const builder = pqApplicationCore::instance()->getObjectBuilder();
+  this->hideWalls(false); // where it was shown until now
   if (!this->Source)
   {
     this->Source = builder->createSource("sources", "HapticLabyrinth", pqActiveObjects::instance().activeServer());
@@ -192,9 +195,7 @@ void pqHapticLabyrinths::play()
     this->Message->setText(refused);
     return;
   }
-  this->keepSettings();
   this->open(world);
-  this->hideWalls(this->Hidden->isChecked());
   this->begin();
 }
 
@@ -207,19 +208,14 @@ void pqHapticLabyrinths::begin()
     this->Message->setText(tr("A labyrinth is played where ParaView computes: with the built-in server."));
     return;
   }
+  this->keepSettings();
+  this->hideWalls(this->Hidden->isChecked());
   const std::string world = vtkSMPropertyHelper(this->Source->getProxy(), "World").GetAsString();
   const bool maze = session->PlayLabyrinth(lines->GetOutputDataObject(0), world.c_str());
   const QString begins = session->GetDeviceGivesForce()
                            ? tr("You are brought to the start, then let go.")
                            : tr("This device gives no force: go to the start yourself, there the game begins.");
   this->Message->setText(maze ? begins : QString(session->GetProblem()));
-  vtkSMProxy* const proxy = pqHapticController::instance()->sessionProxy();
-  vtkSMPropertyHelper(proxy, "LinesAsWalls").Set(vtkHapticSession::On);
-  vtkSMPropertyHelper(proxy, "Radius").Set(session->GetRadius());
-  vtkSMPropertyHelper(proxy, "Scale").Set(session->GetScale());
-  vtkSMPropertyHelper(proxy, "Offset").Set(session->GetOffset(), 3);
-  vtkSMPropertyHelper(proxy, "Rotation").Set(session->GetRotation(), 4);
-  proxy->UpdateVTKObjects();
   pqHapticController::instance()->setTouching(true);
 }
 
@@ -238,6 +234,11 @@ void pqHapticLabyrinths::keepSettings()
       this->Before.push_back({ name, i, property.GetAsDouble(i) });
     }
   }
+}
+
+void pqHapticLabyrinths::forgetSettings()
+{
+  this->Before.clear();
 }
 
 void pqHapticLabyrinths::again()
@@ -273,9 +274,19 @@ void pqHapticLabyrinths::end()
 void pqHapticLabyrinths::hideWalls(bool hidden)
 {
   pqHapticController::instance()->showPlaces(!hidden);
-  if (this->Shown)
+  if (!this->Shown)
   {
-    vtkSMPropertyHelper(this->Shown->getProxy(), "Opacity").Set(hidden ? 0.0 : 1.0);
+    this->Opacity.reset();
+  }
+  else if (hidden != this->Opacity.has_value())
+  {
+    vtkSMPropertyHelper opacity(this->Shown->getProxy(), "Opacity");
+    const double before = std::exchange(this->Opacity, std::nullopt).value_or(0.0);
+    if (hidden)
+    {
+      this->Opacity = opacity.GetAsDouble();
+    }
+    opacity.Set(before);
     this->Shown->getProxy()->UpdateVTKObjects();
     this->Shown->renderViewEventually();
   }
@@ -284,7 +295,7 @@ void pqHapticLabyrinths::hideWalls(bool hidden)
 void pqHapticLabyrinths::zoom()
 {
   vtkHapticSession* const session = pqHapticController::instance()->session();
-  if (!session || !this->Source)
+  if (!session || this->Before.empty())
   {
     this->Message->setText(tr("Play a labyrinth first."));
     return;
@@ -348,17 +359,13 @@ void pqHapticLabyrinths::followTrace()
 {
   const QString phase = pqHapticController::instance()->session()->GetLabyrinthPhase();
   const bool finished = phase == "arrived" || phase == "rests";
-  if (finished == this->Finished)
-  {
-    return;
-  }
-  this->Finished = finished;
-  if (finished)
+  const bool begun = phase == "leads" || phase == "lets go" || phase == "explores";
+  if (finished && !std::exchange(this->Finished, true))
   {
     this->Showed = !this->Trace->isChecked();
     this->Trace->setChecked(true);
   }
-  else if (std::exchange(this->Showed, false))
+  else if (begun && std::exchange(this->Finished, false) && this->Showed)
   {
     this->Trace->setChecked(false);
   }

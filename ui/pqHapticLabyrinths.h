@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QPointer>
 
+#include <optional>
 #include <vector>
 
 class QCheckBox;
@@ -51,6 +52,8 @@ private:
   /// say the same.
   void begin();
   void keepSettings();
+  /// Another session has settings of its own.
+  void forgetSettings();
 
   /// An element of a property that a game sets, and what it was before.
   struct Setting
@@ -70,9 +73,10 @@ private:
   QLabel* Message;
   QPointer<pqPipelineSource> Source;
   QPointer<pqDataRepresentation> Shown;
-  std::vector<Setting> Before; ///< empty while nothing is played
-  bool Finished = false;       ///< the exit was reached
-  bool Showed = false;         ///< the trace, because of that
+  std::vector<Setting> Before;   ///< empty while nothing is played
+  std::optional<double> Opacity; ///< of walls that are hidden now, as it was
+  bool Finished = false;         ///< the exit was reached
+  bool Showed = false;           ///< the trace, because of that
 };
 
 #endif

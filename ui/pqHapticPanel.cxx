@@ -278,8 +278,7 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
   QFormLayout* form = Group(column, "sceneGroup", tr("Scene"));
   this->Simplify = Choice(form->parentWidget(), "simplify",
     tr("Surfaces and lines finer than a hand feels are replaced by simpler ones, proven to feel the same; auto: from "
-       "50,000 "
-       "triangles on"));
+       "50,000 triangles, or 64 segments shorter than 1/32 mm in the hand, on"));
   form->addRow(tr("Simpler s&urfaces"), this->Simplify);
   this->LinesAsWalls = Choice(form->parentWidget(), "linesAsWalls",
     tr("Lines that lie in a plane are walls across it, felt in that plane; auto: on devices that move in a plane"));

@@ -7,6 +7,7 @@
 
 #include "vtkCommand.h"
 #include "vtkHapticMouse.h"
+#include "vtkHapticSession.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSmartPointer.h"
@@ -36,6 +37,8 @@ public:
   bool Take(unsigned long event);
   bool TakeWheel(double factor);
   bool TakeKey(const std::string& key);
+  /// In a plane world there is nothing to press.
+  bool Presses() const { return !this->Mouse->GetSession()->GetPlaneWorld(); }
   void Forget();
 };
 
@@ -43,6 +46,7 @@ bool vtkHapticMouseInput::Internals::Heard(vtkObject*, unsigned long event, void
 {
   if (!this->Mouse || !this->Mouse->GetLeads())
   {
+    this->ButtonTaken = false;
     return false;
   }
   const bool taken = this->Take(event);
@@ -60,7 +64,7 @@ bool vtkHapticMouseInput::Internals::Take(unsigned long event)
       return false;
     case vtkCommand::LeftButtonPressEvent:
       this->Mouse->SetPointer(at[0], at[1]);
-      this->Mouse->SetPressing(this->Interactor->GetShiftKey() != 0);
+      this->Mouse->SetPressing(this->Presses() && this->Interactor->GetShiftKey() != 0);
       return this->ButtonTaken = this->Mouse->GetPressing();
     case vtkCommand::LeftButtonReleaseEvent:
       this->Mouse->SetPressing(this->Mouse->GetPressing() && !this->ButtonTaken);
@@ -79,7 +83,7 @@ bool vtkHapticMouseInput::Internals::Take(unsigned long event)
 
 bool vtkHapticMouseInput::Internals::TakeWheel(double factor)
 {
-  const bool taken = this->Mouse->GetPressing() || this->Interactor->GetShiftKey();
+  const bool taken = this->Presses() && (this->Mouse->GetPressing() || this->Interactor->GetShiftKey());
   if (taken)
   {
     this->Mouse->Deepen(factor);
@@ -97,6 +101,10 @@ bool vtkHapticMouseInput::Internals::TakeKey(const std::string& key)
   else if (key == "Down" || key == "Up")
   {
     this->Mouse->MovePointer(0.0, key == "Down" ? -step : step);
+  }
+  else if (!this->Presses())
+  {
+    return false;
   }
   else if (key == "Next" || key == "Prior")
   {

@@ -7,6 +7,7 @@
 #include "haptics/force/FeatureSize.h"
 #include "haptics/labyrinth/Labyrinth.h"
 #include "vtkCellArray.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkHapticLabyrinthData.h"
 #include "vtkHapticSessionInternals.h"
@@ -56,6 +57,7 @@ bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
   {
     this->Impl->Stroke_W.push_back(this->Impl->Parameters.map.offset_W);
   }
+  this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
   return this->GetLabyrinthPlayed();
 }
 

@@ -27,6 +27,8 @@ void vtkSMHapticSessionProxy::CreateVTKObjects()
 void vtkSMHapticSessionProxy::ReadBack()
 {
   auto* session = vtkHapticSession::SafeDownCast(this->GetClientSideObject());
+  vtkSMPropertyHelper(this, "LinesAsWalls").Set(session->GetLinesAsWalls());
+  vtkSMPropertyHelper(this, "Radius").Set(session->GetRadius());
   vtkSMPropertyHelper(this, "Scale").Set(session->GetScale());
   vtkSMPropertyHelper(this, "Rotation").Set(session->GetRotation(), 4);
   vtkSMPropertyHelper(this, "Offset").Set(session->GetOffset(), 3);

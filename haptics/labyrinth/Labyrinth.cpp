@@ -39,8 +39,12 @@ std::string refuse(const Labyrinth& labyrinth)
     return because("it says no place to start (field array Start, id start in a drawing, a green spot in a picture): a "
                    "structure to explore, not a maze");
   }
-  return labyrinth.exit_W ? std::string() : because("it says no exit (field array Exit, id exit in a drawing, a red spot in a picture): nobody could "
-                                                           "arrive");
+  if (!labyrinth.exit_W)
+  {
+    return because("it says no exit (field array Exit, id exit in a drawing, a red spot in a picture): nobody could "
+                   "arrive");
+  }
+  return {};
 }
 
 PlaneBox fence(const Labyrinth& labyrinth)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "HapticMouseTest.h"
+#include "vtkCommand.h"
 #include "vtkPolyData.h"
 
 using namespace palpate;
@@ -76,6 +77,22 @@ TEST_F(HapticMousePlane, APlaneThatIsSeenAsALineMovesNoHand)
   this->mouse_->SetPointer(0.25 * width_px, 0.5 * height_px);
   this->rest(framesToArrive);
   EXPECT_LE((this->hand() - Vec3(5, 3, 0)).norm(), 1e-9);
+}
+
+TEST_F(HapticMousePlane, ThereIsNothingToPressSoButtonsWheelAndPageKeysAreTheCameras)
+{
+  this->begin(above_W, false);
+  const double depth_m = this->session_->GetPressDepth();
+  this->say(vtkCommand::LeftButtonPressEvent, width_px / 2, height_px / 2, true);
+  EXPECT_FALSE(this->mouse_->GetPressing());
+  this->say(vtkCommand::LeftButtonReleaseEvent, width_px / 2, height_px / 2, true);
+  this->say(vtkCommand::MouseWheelForwardEvent, width_px / 2, height_px / 2, true);
+  for (const char* key : { "Next", "Next", "Prior", "Home" })
+  {
+    this->say(vtkCommand::KeyPressEvent, width_px / 2, height_px / 2, false, key);
+    EXPECT_FALSE(this->mouse_->GetPressing()) << key;
+  }
+  EXPECT_EQ(this->session_->GetPressDepth(), depth_m);
 }
 
 TEST_F(HapticMousePlane, WithoutAPlaneWorldThereIsNoPlane)
