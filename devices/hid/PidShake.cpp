@@ -2,6 +2,7 @@
 #include "devices/hid/PidShake.h"
 
 #include <cmath>
+#include <utility>
 
 namespace palpate
 {
@@ -43,7 +44,7 @@ std::string PidShake::begin(HidUsage type)
 void PidShake::forget() noexcept
 {
   this->started_ns_ = never;
-  this->plays_ = false;
+  this->sends_ = this->begun_ = false;
 }
 
 bool PidShake::setStrength(const Vibration& vibration) noexcept
@@ -55,13 +56,18 @@ bool PidShake::setStrength(const Vibration& vibration) noexcept
 
 PidStep PidShake::play(Signal signal) noexcept
 {
-  if (signal != this->lastSignal_ && signal != Signal::None && this->exists())
+  const bool isNew = signal != this->lastSignal_;
+  this->lastSignal_ = signal;
+  if (signal == Signal::None)
   {
-    this->plays_ = true;
+    return this->end();
+  }
+  if (isNew && this->exists())
+  {
+    this->sends_ = true;
     this->part_ = 0;
   }
-  this->lastSignal_ = signal;
-  if (!this->plays_)
+  if (!this->sends_)
   {
     return PidStep::Idle;
   }
@@ -72,9 +78,17 @@ PidStep PidShake::play(Signal signal) noexcept
     case 1:
       return sentOrFailed(this->setStrength({ signalShare, shake_ms }));
     default:
-      this->plays_ = false;
+      this->sends_ = false;
+      this->begun_ = true;
       return sentOrFailed(this->engine_.start(this->block_));
   }
+}
+
+/// Nobody looks whether it has ended by itself: to stop it again does nothing.
+PidStep PidShake::end() noexcept
+{
+  this->sends_ = false;
+  return std::exchange(this->begun_, false) ? sentOrFailed(this->engine_.stop(this->block_)) : PidStep::Idle;
 }
 
 PidStep PidShake::vibrate(std::int64_t now_ns, const Vibration& wanted) noexcept

@@ -29,7 +29,8 @@ public:
   [[nodiscard]] std::string begin(HidUsage type);
   [[nodiscard]] bool exists() const noexcept { return this->block_ > 0; }
 
-  /// A signal that is new is played once, to its end whatever the next one is: that takes three reports.
+  /// A signal that is new is played once, which takes three reports, and no longer than it is asked for: without force
+  /// nothing may shake.
   [[nodiscard]] PidStep play(Signal signal) noexcept;
   [[nodiscard]] PidStep vibrate(std::int64_t now_ns, const Vibration& wanted) noexcept;
   /// Vibrations that were armed again before they ended.
@@ -38,6 +39,7 @@ public:
   void forget() noexcept;
 
 private:
+  [[nodiscard]] PidStep end() noexcept;
   [[nodiscard]] EffectSettings settings() const noexcept;
   [[nodiscard]] bool setStrength(const Vibration& vibration) noexcept;
 
@@ -46,8 +48,9 @@ private:
   HidUsage type_ = pid::sine;
   int block_ = 0;
   Signal lastSignal_ = Signal::None;
-  bool plays_ = false; ///< a signal is being sent
+  bool sends_ = false; ///< a signal is being sent
   int part_ = 0;       ///< of that
+  bool begun_ = false; ///< it was started, and not stopped since
   Vibration sent_;
   std::uint64_t restarts_ = 0;
   static constexpr std::int64_t never = -1;
