@@ -25,13 +25,30 @@ void pqHapticPencil::setSession(vtkHapticSession* session)
 
 void pqHapticPencil::setView(pqRenderView* view)
 {
-  if (this->View && view != this->View)
+  if (view != this->View)
   {
-    this->View->setCursor(QCursor());
+    this->leaveView();
+    this->View = view;
   }
-  this->View = view;
   this->Pencil->SetView(view ? view->getProxy() : nullptr);
   this->showCursor();
+}
+
+void pqHapticPencil::leaveView()
+{
+  const QPointer<pqRenderView> left = this->View;
+  const bool drawn = this->Pencil->GetLine() != nullptr;
+  this->View = nullptr;
+  this->Pencil->SetView(nullptr);
+  if (left)
+  {
+    left->setCursor(QCursor());
+  }
+  if (left && drawn)
+  {
+    // Its line is finished now. With its next frame, not at once: a view that is left may be closing.
+    left->render();
+  }
 }
 
 void pqHapticPencil::setActive(bool active)

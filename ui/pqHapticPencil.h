@@ -37,6 +37,7 @@ private:
   void showLine();
   void end();
   void showCursor();
+  void leaveView();
 
   vtkNew<vtkHapticPencil> Pencil;
   QPointer<pqRenderView> View;
