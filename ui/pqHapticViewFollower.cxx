@@ -16,18 +16,20 @@
 
 namespace
 {
-bool AnyWidgetShown()
+/// Where a source is edited; null: nowhere.
+pqProxyWidget* FindPanel(const vtkSMProxy* source)
 {
-  const auto widgets = pqCoreUtilities::mainWidget()->findChildren<pqInteractivePropertyWidgetAbstract*>();
-  return std::any_of(widgets.begin(), widgets.end(), [](const auto* widget) { return widget->isWidgetVisible(); });
+  const QWidget* window = pqCoreUtilities::mainWidget();
+  const auto panels = window ? window->findChildren<pqProxyWidget*>() : QList<pqProxyWidget*>();
+  const auto found =
+    std::find_if(panels.begin(), panels.end(), [&](const auto* panel) { return panel->proxy() == source; });
+  return found == panels.end() ? nullptr : *found;
 }
 
-/// The source that was made and not applied yet, while its widget is shown; else null.
-vtkSMProxy* NewDrawing()
+bool ShowsWidget(const pqProxyWidget& panel)
 {
-  const pqPipelineSource* source = pqActiveObjects::instance().activeSource();
-  const bool drawn = source && source->modifiedState() == pqProxy::UNINITIALIZED && AnyWidgetShown();
-  return drawn ? source->getProxy() : nullptr;
+  const auto widgets = panel.findChildren<pqInteractivePropertyWidgetAbstract*>();
+  return std::any_of(widgets.begin(), widgets.end(), [](const auto* widget) { return widget->isWidgetVisible(); });
 }
 } // namespace
 
@@ -113,6 +115,20 @@ void pqHapticViewFollower::refresh()
   {
     return;
   }
-  this->Scene->SetDrawing(NewDrawing());
+  this->Scene->SetDrawing(this->newDrawing());
   this->Scene->Update();
+}
+
+vtkSMProxy* pqHapticViewFollower::newDrawing()
+{
+  const pqPipelineSource* source = pqActiveObjects::instance().activeSource();
+  if (!source || source->modifiedState() != pqProxy::UNINITIALIZED)
+  {
+    return nullptr;
+  }
+  if (!this->Panel || this->Panel->proxy() != source->getProxy())
+  {
+    this->Panel = FindPanel(source->getProxy());
+  }
+  return this->Panel && ShowsWidget(*this->Panel) ? source->getProxy() : nullptr;
 }

@@ -7,7 +7,8 @@
 #include <QString>
 #include <QStringList>
 
-#include "pqRenderView.h" // QPointer needs the whole class
+#include "pqProxyWidget.h" // QPointer needs the whole class
+#include "pqRenderView.h"
 #include "vtkNew.h"
 
 #include <vector>
@@ -15,6 +16,7 @@
 class pqView;
 class vtkHapticSession;
 class vtkHapticViewScene;
+class vtkSMProxy;
 
 /**
  * Keeps the session's scene the same as what the active render view shows.
@@ -54,9 +56,12 @@ Q_SIGNALS:
 private:
   void viewRemoved(pqView* view);
   void connectView();
+  /// The active source, if it was made and not applied yet and its widget is shown; else null.
+  vtkSMProxy* newDrawing();
 
   vtkNew<vtkHapticViewScene> Scene;
   QPointer<pqRenderView> View;
+  QPointer<pqProxyWidget> Panel;   ///< of the last new source: the window is not searched for it every frame
   const pqView* Touched = nullptr; ///< the last render view; compared only: no view is active while one closes
   std::vector<QMetaObject::Connection> Connections;
   bool Active = false;
