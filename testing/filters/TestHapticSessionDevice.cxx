@@ -8,11 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/Eventually.h"
-#include "vtkHapticSession.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 using namespace palpate;
@@ -24,7 +23,6 @@ using ::testing::StrEq;
 
 namespace
 {
-constexpr int ticksToEngage = 1100;
 constexpr const char* pluggedName = "pid-1209-ffb0-7";
 
 int indexOf(const vtkHapticSession* session, const std::string& name)

@@ -9,10 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "testing/support/Random.h"
-#include "vtkHapticSession.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 using namespace palpate;
@@ -22,10 +21,7 @@ using ::testing::StartsWith;
 
 namespace
 {
-constexpr int ticksToEngage = 1100;
 constexpr int ticksToSettle = 1500;
-constexpr double scale = 1000.0; // a unit is a millimetre
-constexpr double stiffness = 500.0;
 constexpr double notNoticed = 0.07; // of a depth of 1 mm
 constexpr double jnd_N = stiffness * notNoticed / scale;
 constexpr double noise = 0.005;
@@ -78,30 +74,22 @@ std::vector<Vec3> makeLine(int points, double off)
   return line_W;
 }
 
-class HapticSessionFineLines : public ::testing::Test
+class HapticSessionFineLines : public VirtualSession
 {
 protected:
-  void SetUp() override
-  {
-    this->session_->VirtualTimeOn();
-    this->session_->PassivityOff();
-    this->session_->SetStiffness(stiffness);
-    this->session_->SetScale(scale);
-  }
+  HapticSessionFineLines() { this->session_->PassivityOff(); }
 
-  void show(const std::vector<Vec3>& line_W)
+  void showLine(const std::vector<Vec3>& line_W)
   {
     this->session_->SetLinesAsWalls(
       this->session_->GetLineRadius() > 0.0 ? vtkHapticSession::Off : vtkHapticSession::On);
-    ASSERT_TRUE(this->session_->AddSurface("line", makePath(line_W), nullptr)) << this->session_->GetProblem();
-    this->session_->CommitScene();
-    ASSERT_TRUE(this->session_->FinishScene()) << this->session_->GetSceneReport();
+    this->show(makePath(line_W));
   }
 
   void touch(const Vec3& from_W, const Vec3& press_W)
   {
     this->session_->SetHandPosition(from_W.data());
-    this->session_->TouchingOn();
+    this->startTouching();
     this->session_->Step(ticksToEngage);
     this->stepTo(press_W);
     this->session_->Step(ticksToSettle);
@@ -145,7 +133,6 @@ protected:
   [[nodiscard]] double force_N() const { return this->session_->GetForceMagnitude(); }
   [[nodiscard]] std::string sentence() const { return this->session_->GetPlanSentence(); }
 
-  vtkNew<vtkHapticSession> session_;
   double angle_ = 0.0; ///< of the hand on the ring
 };
 
@@ -156,7 +143,7 @@ protected:
 // less than what is noticed.
 TEST_F(HapticSessionFineLines, ARingOf300000PointsIsFeltThroughACoarserLevelWithoutATickThatRunsOutOfPasses)
 {
-  this->show(makeRippledRing());
+  this->showLine(makeRippledRing());
   EXPECT_THAT(this->sentence(), StartsWith("all 300000 segments are felt (coarser lines are looked for meanwhile)"));
   this->touch(onRing(radius - 5.0, 0.0), onRing(radius + depth, 0.0));
   this->slide(100);
@@ -169,7 +156,7 @@ TEST_F(HapticSessionFineLines, ARingOf300000PointsIsFeltThroughACoarserLevelWith
   EXPECT_LE(std::stoi(this->sentence()), 300);
   EXPECT_TRUE(this->session_->GetPlaneWorld());
   EXPECT_THAT(
-    this->session_->GetSceneReport(), HasSubstr("line (walls): " + std::to_string(std::stoi(this->sentence()))));
+    this->session_->GetSceneReport(), HasSubstr("surface (walls): " + std::to_string(std::stoi(this->sentence()))));
   this->slide(5000); // three times round
   EXPECT_EQ(this->session_->GetCappedTicks(), capped);
   EXPECT_STREQ(this->session_->GetFaultText(), "");
@@ -178,7 +165,7 @@ TEST_F(HapticSessionFineLines, ARingOf300000PointsIsFeltThroughACoarserLevelWith
 // Noise of points far nearer than it is large is steep: it would hold a hand fast. Of the level only its size is felt.
 TEST_F(HapticSessionFineLines, NoiseIsFeltNoMoreThanItIsLarge)
 {
-  this->show(makeRing(many, noise));
+  this->showLine(makeRing(many, noise));
   this->touch(onRing(radius - 5.0, 0.0), onRing(radius + depth, 0.0));
   EXPECT_LE(this->largestStepOfSwap_N(), jnd_N);
   this->slide(2000);
@@ -187,7 +174,7 @@ TEST_F(HapticSessionFineLines, NoiseIsFeltNoMoreThanItIsLarge)
 
 TEST_F(HapticSessionFineLines, ANoisyLineIsFeltAsTheStraightLineFromBothSides)
 {
-  this->show(makeLine(many, noise));
+  this->showLine(makeLine(many, noise));
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
   EXPECT_LE(std::stoi(this->sentence()), 2);
   for (const double side : { 1.0, -1.0 })
@@ -208,7 +195,7 @@ TEST_F(HapticSessionFineLines, TubesOfAFineCurveAreFeltThroughACoarserLevelToo)
 {
   constexpr double tube = 1.0;
   this->session_->SetLineRadius(tube);
-  this->show(makeRing(30000, noise));
+  this->showLine(makeRing(30000, noise));
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
   EXPECT_THAT(this->sentence(), HasSubstr(" of 30000 segments are felt (proven"));
   this->touch(onRing(radius - 5.0, 0.0), onRing(radius - tube + depth / 2, 0.0));
@@ -224,7 +211,7 @@ TEST_F(HapticSessionFineLines, TubesOfAFineCurveAreFeltThroughACoarserLevelToo)
 
 TEST_F(HapticSessionFineLines, CoarseLinesStayAsTheyAreAndFineOnesDoWhereThatIsWanted)
 {
-  this->show(makeRing(1000, 0.0));
+  this->showLine(makeRing(1000, 0.0));
   EXPECT_THAT(this->sentence(), StartsWith("all 1000 segments are felt (coarser lines pay from 64 segments shorter"));
   EXPECT_FALSE(this->session_->FinishSimplification());
   this->session_->SetSimplify(vtkHapticSession::On);
@@ -233,8 +220,7 @@ TEST_F(HapticSessionFineLines, CoarseLinesStayAsTheyAreAndFineOnesDoWhereThatIsW
   this->session_->SetSimplify(vtkHapticSession::Off);
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), StartsWith("all 1000 segments are felt (simpler surfaces are off)"));
-  this->session_->ClearSurfaces();
-  this->show(makeRing(many, noise));
+  this->showLine(makeRing(many, noise));
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), StartsWith("all 300000 segments are felt (simpler surfaces are off)"));
 }
@@ -245,7 +231,7 @@ TEST_F(HapticSessionFineLines, InASlantedPlaneTheLevelLiesInThatPlane)
   const Quat turn = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 2, 3));
   std::vector<Vec3> ring_W = makeRing(30000, noise);
   std::transform(ring_W.begin(), ring_W.end(), ring_W.begin(), [&](const Vec3& p) { return Vec3(turn * p); });
-  this->show(ring_W);
+  this->showLine(ring_W);
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
   EXPECT_TRUE(this->session_->GetPlaneWorld());
   this->touch(turn * onRing(radius - 5.0, 0.0), turn * onRing(radius + depth, 0.0));
