@@ -203,6 +203,7 @@ void PidLink::watchWriter(Attached& device)
   {
     this->presence_.stalled();
     ++this->stalls_;
+    device.stalled = true; // before it can say that it has stopped
     device.stopPastTheWriter();
   }
   this->writerStuck_ = stuck;
@@ -217,9 +218,9 @@ bool PidLink::writePass()
     this->reattach(now_ns);
     return false;
   }
-  if (device->disturbed())
+  if (const char* const why = device->disturbance())
   {
-    this->loseAndStop(device, now_ns, "another program or a switch on it took its forces away");
+    this->loseAndStop(device, now_ns, why);
     return true;
   }
   // First its number: a command that is newer than that is taken for one that is late, never the other way round.
@@ -253,10 +254,17 @@ void PidLink::loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t 
   }
 }
 
-bool PidLink::Attached::disturbed() noexcept
+/// Why its effects do not play any more; null: they do. The order to stop leaves its actuators on.
+const char* PidLink::Attached::disturbance() noexcept
 {
+  constexpr const char* takenAway = "another program or a switch on it took its forces away";
   const int stopped = this->stoppedBlock.exchange(0);
-  return this->actuatorsOff.exchange(false) || this->output->plays(stopped);
+  if (this->actuatorsOff.exchange(false))
+  {
+    return takenAway;
+  }
+  const char* const why = this->stalled ? "it did not take forces in time and was told to stop" : takenAway;
+  return this->output->plays(stopped) ? why : nullptr;
 }
 
 void PidLink::reattach(std::int64_t now_ns)

@@ -71,10 +71,11 @@ private:
     std::mutex spareMutex;
     std::atomic<bool> actuatorsOff = false; ///< so it said
     std::atomic<int> stoppedBlock = 0;      ///< the last one it said so of
+    std::atomic<bool> stalled = false;      ///< a write hung, and so it was told to stop
     [[nodiscard]] std::string begin(HidBus& bus, const PidOutputOptions& options);
     void drain() const noexcept;
     void stopPastTheWriter() noexcept;
-    [[nodiscard]] bool disturbed() noexcept;
+    [[nodiscard]] const char* disturbance() noexcept;
   };
   [[nodiscard]] std::optional<Hand> firstHand(Attached& device);
   void tell(const std::optional<Hand>& hand) noexcept;

@@ -120,6 +120,26 @@ TEST(PidLoss, TheServoKnowsThatNothingIsReadAnyMoreWhileTheOrderToStopHangs)
   rig.bus->release(rig.port);
 }
 
+// A write may take 50 ms. It ends afterwards, and then the device says that its effects have stopped.
+TEST(PidLoss, ADeviceThatWasToldToStopBecauseAWriteHungIsNotSaidToBeTakenByAnotherProgram)
+{
+  Hanging rig;
+  rig.command.wrench_D.force.x() = 2.5;
+  rig.device.write(rig.command);
+  std::future<bool> writer = rig.hangingWrite(1);
+  rig.bus->advance(51);
+  std::future<bool> reader = rig.hangingRead(2);
+  rig.bus->release(rig.port);
+  EXPECT_TRUE(writer.get());
+  EXPECT_TRUE(reader.get());
+  ASSERT_TRUE(rig.device.linkReport().attached);
+  ASSERT_TRUE(rig.device.link().readPass(0));
+  EXPECT_TRUE(rig.device.link().writePass());
+  const LinkReport report = rig.device.linkReport();
+  EXPECT_FALSE(report.attached);
+  EXPECT_NE(report.message.find("in time"), std::string::npos) << report.message;
+}
+
 // The order would stop the one that was found meanwhile: it is the same device, behind another connection.
 TEST(PidLoss, NoDeviceIsFoundAgainWhileTheOrderToStopIsOnItsWay)
 {
