@@ -14,6 +14,16 @@ constexpr std::int64_t perMs_ns = 1000000;
 constexpr std::int64_t stuckAfter_ns = 50 * perMs_ns;
 constexpr int firstReads = 10, firstRead_ms = 10; ///< a device that has something to say says it in that time
 
+/// For walls that are left to the device, which it could hold before; empty: nothing.
+const char* missing(const DeviceAbilities& before, const DeviceAbilities& now) noexcept
+{
+  if (!before.closesWalls() || now.closesWalls())
+  {
+    return "";
+  }
+  return now.holdsWalls ? "viscosity" : "walls";
+}
+
 } // namespace
 
 PidLink::PidLink(std::shared_ptr<HidBus> bus, HidEntry entry, const PidOutputOptions& options, const Clock& clock)
@@ -22,6 +32,14 @@ PidLink::PidLink(std::shared_ptr<HidBus> bus, HidEntry entry, const PidOutputOpt
 }
 
 std::string PidLink::attach()
+{
+  std::string problem = this->find({});
+  this->opened_ = this->abilities().value_or(DeviceAbilities{});
+  return problem;
+}
+
+/// Whoever steers by what the device held goes on as if it held it: walls without their viscosity shake.
+std::string PidLink::find(const DeviceAbilities& least)
 {
   FoundDevice found = findAgain(*this->bus_, this->entry_);
   if (!found.entry)
@@ -33,6 +51,11 @@ std::string PidLink::attach()
   if (std::string problem = device->begin(*this->bus_, this->options_); !problem.empty())
   {
     return "\"" + device->entry.name + "\": " + problem;
+  }
+  if (const std::string lack = missing(least, device->output->abilities()); !lack.empty())
+  {
+    device->engine->close();
+    return "\"" + device->entry.name + "\": it came back without " + lack + ": its memory for effects may be full";
   }
   device->drain();
   const std::optional<Hand> hand = this->firstHand(*device);
@@ -274,7 +297,7 @@ void PidLink::reattach(std::int64_t now_ns)
     return;
   }
   this->muted_ = true;
-  if (std::string problem = this->attach(); !problem.empty())
+  if (std::string problem = this->find(this->opened_); !problem.empty())
   {
     this->held_.say(std::move(problem));
   }

@@ -31,7 +31,8 @@ public:
   /// Numbers are those of a device of the PID class; `clock` must outlive the link.
   PidLink(std::shared_ptr<HidBus> bus, HidEntry entry, const PidOutputOptions& options, const Clock& clock);
 
-  /// Finds, opens and prepares the device. Empty, or why not. Writer thread, or before there is one.
+  /// Finds, opens and prepares the device; what it can do to a hand then is what it must be able to do whenever it
+  /// comes back. Empty, or why not. Before there is a writer thread.
   [[nodiscard]] std::string attach();
   /// Leaves the device without force and lets it go. Writer thread, or after it.
   void detach() noexcept;
@@ -77,6 +78,7 @@ private:
     void stopPastTheWriter() noexcept;
     [[nodiscard]] const char* disturbance() noexcept;
   };
+  [[nodiscard]] std::string find(const DeviceAbilities& least);
   [[nodiscard]] std::optional<Hand> firstHand(Attached& device);
   void tell(const std::optional<Hand>& hand) noexcept;
   [[nodiscard]] bool lose(const std::shared_ptr<Attached>& device, const std::string& why);
@@ -110,6 +112,7 @@ private:
   static constexpr std::int64_t notWriting = -1;
   std::atomic<bool> stopping_ = false; ///< reader's: it tells a lost device to stop, and no other one must hear that
 
+  DeviceAbilities opened_;   ///< writer's, and the owner's before: what it could do when it was opened
   bool muted_ = false;       ///< writer's: until no force is asked for
   SearchPause pause_;        ///< writer's
   bool writerStuck_ = false; ///< reader's

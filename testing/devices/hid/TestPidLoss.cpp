@@ -239,6 +239,30 @@ TEST(PidLoss, NoReadWaitsSoLongThatAWriteThatHangsIsNoticedLate)
   EXPECT_LE(port.longestRead_ms, 20);
 }
 
+// Two forces, a spring, a damper and a shake make five effects.
+TEST(PidLoss, ADeviceThatComesBackWithoutRoomForItsWallsOrTheirViscosityStaysLost)
+{
+  for (const auto& [slots, lack] : { std::pair<int, std::string>{ 2, "walls" }, { 3, "viscosity" } })
+  {
+    Rig rig(test::plainLayout());
+    ASSERT_EQ(rig.device.open(), "");
+    rig.port.present = false;
+    rig.run(100);
+    test::PidLayout small = test::plainLayout();
+    small.slots = slots;
+    rig.port.device = std::make_shared<test::VirtualPidDevice>(small);
+    rig.port.present = true;
+    rig.run(1500);
+    EXPECT_EQ(rig.status, DeviceStatus::Lost) << slots;
+    EXPECT_NE(rig.device.linkReport().message.find("came back without " + lack), std::string::npos) << slots;
+    EXPECT_EQ(rig.stick().effectsUsed(), 0) << slots;
+    small.slots = 4; // nothing of what holds a hand is missing
+    rig.port.device = std::make_shared<test::VirtualPidDevice>(small);
+    rig.run(1500);
+    EXPECT_EQ(rig.status, DeviceStatus::Ok) << slots;
+  }
+}
+
 TEST(PidLoss, WhatADeviceCanDoIsKnownOnceItIsOpen)
 {
   test::PidLayout small = test::plainLayout();
