@@ -418,6 +418,12 @@ std::uint32_t successorOf(
   return static_cast<std::uint32_t>(found - after.begin());
 }
 
+std::optional<std::uint32_t> nearestTriangle(
+  const SurfaceData& surface, const Vec3& x_W, double reach_u, std::uint32_t budget) noexcept
+{
+  return PassingTriangles(surface, surface, x_W, x_W, reach_u, budget).nearest();
+}
+
 template<class SceneView>
 Vec3 stopBefore(
   const SceneView& scene, const ContactPlan& plan, double radius_u, const Vec3& free_W, const Vec3& to_W) noexcept

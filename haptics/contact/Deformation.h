@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "haptics/contact/ContactPlan.h"
@@ -33,6 +34,11 @@ template<class SceneView>
 template<class SceneView>
 [[nodiscard]] Vec3 stopBefore(
   const SceneView& scene, const ContactPlan& plan, double radius_u, const Vec3& free_W, const Vec3& to_W) noexcept;
+
+/// Triangle of a surface that stands, in its own frame, nearest to x_W among those whose boxes are within reach_u of it
+/// in each coordinate; nothing where there is none. Visits at most `budget` nodes and has the nearest of those.
+[[nodiscard]] std::optional<std::uint32_t> nearestTriangle(
+  const SurfaceData& surface, const Vec3& x_W, double reach_u, std::uint32_t budget) noexcept;
 
 /// Takes the ball along with surfaces that kept their triangles while their vertices moved, so that none passes it:
 /// from one scene to the next, or between two moments of vertices that are on their way.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
 #include "haptics/contact/Deformation.h"
 #include "haptics/contact/GodObject.h"
+#include "haptics/contact/KeepSide.h"
 #include "haptics/contact/PlanFor.h"
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Sweep.h"
@@ -39,7 +42,11 @@ void takeOver(
     }
   }
   state.count = kept;
-  if (kept < touched)
+  if (const std::optional<Vec3> kept_W = state.placed ? keepSide(from, to, plan, p_W, state.x_W) : std::nullopt)
+  {
+    state.x_W = *kept_W;
+  }
+  else if (kept < touched)
   {
     stayOutside(from, to, plan, p_W, state);
   }

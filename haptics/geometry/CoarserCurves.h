@@ -26,12 +26,13 @@ struct CoarserCurves
 /// that is over, in the end down to the segments they were given as. So curves cross and touch where they did, in the
 /// same points, and nowhere else, and no gap opens, in the plane as in space.
 ///
-/// Exempt is what makes no more than a pocket that nobody feels: runs that share an end, and runs of a chain that has
-/// not left the distance 2 limit_u between them, as noise does that is larger than its steps. These need only not
-/// cross or touch by what stands for them.
+/// Exempt is what makes no more than a pocket that nobody feels: runs of a chain that has not left the distance
+/// 2 limit_u between them, as noise does that is larger than its steps, need only not cross or touch by what stands for
+/// them. Runs that share an end are not compared: what stands for them is straight, so it meets there alone, or one
+/// lies on the other where they set out in exactly one direction.
 ///
-/// What is no finer than limit_u stays as it is. Finite points, indices below their number; any thread; deterministic;
-/// O(n log n) where few runs come near each other.
+/// What bends by more than limit_u stays as it is; points on a straight way go, however far apart. Finite points,
+/// indices below their number; any thread; deterministic; O(n log n) where few runs come near each other.
 [[nodiscard]] CoarserCurves coarsestWithin(std::span<const Vec3> points_W,
   std::span<const std::array<std::uint32_t, 2>> segments, double limit_u, const std::stop_token& stop = {});
 

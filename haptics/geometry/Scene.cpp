@@ -23,6 +23,11 @@ std::uint64_t hashGeometry(const std::vector<Surface>& surfaces, bool began)
     hash.add(surface.material.stiffness_N_per_m);
     hash.add(surface.material.frictionStatic);
     hash.add(surface.material.frictionKinetic);
+    if (surface.standsFor.full != 0)
+    {
+      hash.add(surface.standsFor.full);
+      hash.add(surface.standsFor.bound_u);
+    }
     if (surface.fields)
     {
       const MaterialFields& f = *surface.fields;

@@ -16,6 +16,13 @@
 namespace palpate
 {
 
+/// Content that a simpler surface is felt instead of, and how far it may be from it.
+struct StandIn
+{
+  std::uint64_t full = 0; ///< hash of that content; 0: the surface stands for itself
+  double bound_u = 0.0;   ///< proven: no point of either is further from the other [u]
+};
+
 /// One touchable surface: its tree in W and what it is made of. Immutable and shared between revisions of a scene.
 struct Surface
 {
@@ -25,6 +32,7 @@ struct Surface
   RigidMotion motion = {};
   std::shared_ptr<const MaterialFields> fields = {}; ///< of the tree's vertices, or null
   std::shared_ptr<const VertexStart> from = {};      ///< given: its vertices come from there; the tree has room for it
+  StandIn standsFor = {};
 };
 
 /// Names all the places where a surface may be on its way.
@@ -54,7 +62,7 @@ public:
   /// Radius of the thinnest curves [u]; 0 where there are none.
   [[nodiscard]] double leastCoat_u() const noexcept { return this->leastCoat_u_; }
   [[nodiscard]] bool empty() const noexcept { return this->surfaces_.empty(); }
-  /// Hash of all vertices, triangles and materials, in order, wherever the surfaces are.
+  /// Hash of all vertices, triangles, materials and what surfaces stand for, in order, wherever the surfaces are.
   [[nodiscard]] std::uint64_t geometryHash() const noexcept { return this->geometryHash_; }
   /// The same of the surfaces that these come from: a scene of that hash goes over into this one without a step.
   [[nodiscard]] std::uint64_t continuesGeometry() const noexcept { return this->continuesGeometry_; }

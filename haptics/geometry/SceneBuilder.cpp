@@ -257,7 +257,8 @@ SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, co
     if (kept.tree && kept.report.refusal.empty())
     {
       const Pose& pose_WS = inputs[i].pose_WS;
-      surfaces.push_back({ inputs[i].name, kept.tree, inputs[i].material, { pose_WS, pose_WS }, kept.fields });
+      surfaces.push_back(
+        { inputs[i].name, kept.tree, inputs[i].material, { pose_WS, pose_WS }, kept.fields, {}, inputs[i].standsFor });
     }
   }
   if (!surfaces.empty())

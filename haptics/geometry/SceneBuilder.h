@@ -27,6 +27,7 @@ struct SurfaceInput
   std::optional<double>
     lineRadius_u = {};  ///< given: the mesh holds curves (segmentsOf()) of this radius [u], felt without texture
   bool ordered = false; ///< the mesh is a tree's own: vertices and triangles keep their numbers, nothing is cleaned
+  StandIn standsFor = {};
 };
 
 /// What became of one input.

@@ -140,6 +140,7 @@ SimplerScene SceneSimplifier::simplify(
     {
       choices[i].felt = countOf(*fewer.tree, choices[i]);
       choices[i].bound_u = fewer.bound_u;
+      surfaces[i].standsFor = { surfaces[i].tree->contentHash(), fewer.bound_u };
       surfaces[i].tree = fewer.tree;
       simpler = true;
     }

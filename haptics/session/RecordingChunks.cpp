@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/RecordingChunks.h"
 
+#include <algorithm>
+
 #include "haptics/session/RecordingLayout.h"
 
 namespace palpate
@@ -40,6 +42,19 @@ void putStart(const VertexStart* start, ByteWriter& payload)
   for (std::size_t i = 0; start != nullptr && i < start->vertices_W.size(); ++i)
   {
     payload.put(start->vertices_W[i]);
+  }
+}
+
+/// At the end, and only where there are any.
+void putStandIns(const std::vector<Surface>& surfaces, ByteWriter& payload)
+{
+  if (std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return s.standsFor.full != 0; }))
+  {
+    for (const Surface& surface : surfaces)
+    {
+      payload.put(surface.standsFor.full);
+      payload.put(surface.standsFor.bound_u);
+    }
   }
 }
 
@@ -104,6 +119,7 @@ std::vector<char> sceneChunk(const Scene& scene)
       }
     }
   }
+  putStandIns(scene.surfaces(), payload);
   return chunk(ChunkType::Scene, payload);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -83,6 +84,17 @@ RecordedScene readScene(ByteReader& in)
     input.mesh = std::move(mesh);
     input.ordered = true;
     scene.surfaces.push_back(std::move(input));
+  }
+  const bool standIns = in.ok() && in.left() != 0;
+  for (std::size_t s = 0; standIns && s < scene.surfaces.size(); ++s)
+  {
+    StandIn& standsFor = scene.surfaces[s].standsFor;
+    in.get(standsFor.full);
+    in.get(standsFor.bound_u);
+    if (!std::isfinite(standsFor.bound_u) || standsFor.bound_u < 0.0)
+    {
+      in.fail();
+    }
   }
   return scene;
 }

@@ -257,6 +257,40 @@ TEST(Recording, OfVerticesOnTheirWayReplaysBitForBit)
   }
 }
 
+TEST(Recording, OfASurfaceAndOneThatStandsForItKeepsTheirBoundAndReplaysBitForBit)
+{
+  constexpr int ticks = 800;
+  constexpr double bound_u = 0.0005; // more than a facet of the coarser sphere is below it
+  const auto sphere = [](int levels) {
+    return Surface{ "it", std::make_shared<const SurfaceTree>(cleanMesh(test::makeIcosphere(levels, 0.05)).mesh), {} };
+  };
+  Surface full = sphere(4), coarse = sphere(3);
+  coarse.standsFor = { full.tree->contentHash(), bound_u };
+  for (const double radius : { 0.0, 0.001 })
+  {
+    const TemporaryFile file;
+    RecordedHand hand;
+    hand.session.setScene(std::make_shared<const Scene>(1, std::vector<Surface>{ full }));
+    hand.start(file.path, radius);
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+      if (tick % 50 == 49)
+      {
+        const std::vector<Surface> felt{ tick % 100 == 49 ? coarse : full };
+        hand.session.setScene(std::make_shared<const Scene>(tick, felt));
+      }
+      hand.tickAt(tick < 2 ? Vec3(0, 0, 0.09) : Vec3(0.003 * std::sin(3e-3 * tick), 0, 0.0495 + radius));
+    }
+    hand.stopAfter(ticks);
+    const Recording recording = readGood(file.path);
+    ASSERT_EQ(recording.scenes.size(), 2U);
+    EXPECT_EQ(recording.scenes[0].surfaces.at(0).standsFor.full, 0U);
+    EXPECT_EQ(recording.scenes[1].surfaces.at(0).standsFor.full, full.tree->contentHash());
+    EXPECT_EQ(recording.scenes[1].surfaces.at(0).standsFor.bound_u, bound_u);
+    expectBitForBit(replay(recording), ticks);
+  }
+}
+
 TEST(Recording, ReplayNamesTheFirstTickThatDiffers)
 {
   const TemporaryFile file;
