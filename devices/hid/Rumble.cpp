@@ -58,7 +58,7 @@ void Rumble::watchSignal(std::int64_t now_ns, Signal signal) noexcept
 {
   if (signal != this->lastSignal_)
   {
-    this->shakeUntil_ns_ = signal == Signal::Oscillation ? now_ns + shake_ns : this->shakeUntil_ns_;
+    this->shakeUntil_ns_ = signal == Signal::Oscillation ? now_ns + shake_ns : now_ns;
   }
   this->lastSignal_ = signal;
 }

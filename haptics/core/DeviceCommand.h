@@ -19,7 +19,7 @@ struct HeldWall
   double largest_N = std::numeric_limits<double>::infinity(); ///< no harder, however deep the handle is
 };
 
-/// A short effect the hand feels once, when it is asked for after it was not.
+/// A short effect the hand feels once when it is asked for after it was not, and no longer than it is asked for.
 enum class Signal : std::uint8_t
 {
   None,

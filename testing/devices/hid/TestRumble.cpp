@@ -88,11 +88,11 @@ TEST(Rumble, ASignalOfTheCommandIsAShakeOnce)
 {
   Rumble rumble(defaults);
   DeviceCommand command;
-  const auto shaken = [&](Signal signal, int from_ms)
+  const auto shaken = [&](Signal signal, int from_ms, int duration_ms = 500)
   {
     command.signal = signal;
     int count = 0;
-    for (int i = 0; i < 500; ++i)
+    for (int i = 0; i < duration_ms; ++i)
     {
       count += rumble.next((from_ms + i) * ms_ns, command, Vec3::Zero()).share > 0.0 ? 1 : 0;
     }
@@ -101,6 +101,9 @@ TEST(Rumble, ASignalOfTheCommandIsAShakeOnce)
   EXPECT_EQ(shaken(Signal::Oscillation, 0), 200);
   EXPECT_EQ(shaken(Signal::None, 1000), 0);
   EXPECT_EQ(shaken(Signal::Oscillation, 2000), 200);
+  EXPECT_EQ(shaken(Signal::None, 3000), 0);
+  EXPECT_EQ(shaken(Signal::Oscillation, 4000, 50), 50);
+  EXPECT_EQ(shaken(Signal::None, 4050), 0) << "who lets go is not shaken after that";
 }
 
 /// The strongest vibration of a pad within so many milliseconds, while its stick is led along x [shares a second].
