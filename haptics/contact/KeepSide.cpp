@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "haptics/contact/Deformation.h"
+#include "haptics/contact/GodObject.h"
 #include "haptics/contact/Resolution.h"
 #include "haptics/contact/Sweep.h"
 #include "haptics/geometry/NearestOnTriangle.h"
@@ -85,11 +86,12 @@ public:
       return std::nullopt;
     }
     this->best_u_ = this->clearOf(this->x_W_);
-    for (const Exchange& exchange : this->exchanges())
+    this->tryAll(p_W);
+    if (this->best_u_ <= this->enough_u_)
     {
-      this->tryAround(exchange);
+      this->slides_ = true;
+      this->tryAll(p_W);
     }
-    this->tryTowards(this->x_W_ - p_W);
     return stopBefore(this->to_, this->plan_, this->plan_.radius_u, this->best_W_, this->x_W_);
   }
 
@@ -109,6 +111,7 @@ private:
     {
       this->near_[this->count_++] = exchange;
       // From as far on the other side as the old one may be to as far on this side, and as much again to spare.
+      this->enough_u_ = std::max(this->enough_u_, exchange.bound_u + touches_u);
       this->way_u_ = std::max(this->way_u_, 4 * exchange.bound_u + touches_u);
     }
   }
@@ -123,6 +126,15 @@ private:
       least_u = foot ? std::min(least_u, (y_W - foot->at_W).norm()) : least_u;
     }
     return least_u;
+  }
+
+  void tryAll(const Vec3& p_W) noexcept
+  {
+    for (const Exchange& exchange : this->exchanges())
+    {
+      this->tryAround(exchange);
+    }
+    this->tryTowards(this->x_W_ - p_W);
   }
 
   void tryAround(const Exchange& exchange) noexcept
@@ -141,6 +153,29 @@ private:
     }
   }
 
+  [[nodiscard]] Vec3 straight(const Vec3& way_W) const noexcept
+  {
+    const SweepHit hit = sweepStraight(this->from_, this->plan_, this->plan_.radius_u, this->x_W_, this->x_W_ + way_W);
+    return this->x_W_ + (hit.hit ? 0.5 * hit.t : hit.freeUntil) * way_W;
+  }
+
+  /// Out of a pocket, as a hand would be drawn out of it.
+  [[nodiscard]] Vec3 slid(const Vec3& way_W) const noexcept
+  {
+    constexpr int ticks = 4;
+    ContactPlan smooth = this->plan_;
+    smooth.friction = {};
+    smooth.shading = false;
+    GodObjectState state;
+    state.x_W = state.device_W = this->x_W_;
+    state.placed = true;
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+      static_cast<void>(moveGodObject(this->from_, smooth, this->x_W_ + way_W, state));
+    }
+    return state.x_W;
+  }
+
   void tryTowards(const Vec3& along_W) noexcept
   {
     const double length = along_W.norm();
@@ -149,8 +184,7 @@ private:
       return;
     }
     const Vec3 way_W = this->way_u_ / length * along_W;
-    const SweepHit hit = sweepStraight(this->from_, this->plan_, this->plan_.radius_u, this->x_W_, this->x_W_ + way_W);
-    const Vec3 y_W = this->x_W_ + (hit.hit ? 0.5 * hit.t : hit.freeUntil) * way_W;
+    const Vec3 y_W = this->slides_ ? this->slid(way_W) : this->straight(way_W);
     const double clear_u = this->clearOf(y_W);
     if (clear_u > this->best_u_)
     {
@@ -167,7 +201,9 @@ private:
   std::array<Exchange, mostNear> near_;
   std::size_t count_ = 0;
   double way_u_ = 0.0;
-  double best_u_ = 0.0; ///< how clear of them all the best place is
+  double enough_u_ = 0.0; ///< that clear of it a place is out of what is between two surfaces
+  bool slides_ = false;   ///< round what is in the way
+  double best_u_ = 0.0;   ///< how clear of them all the best place is
   Vec3 best_W_;
 };
 
