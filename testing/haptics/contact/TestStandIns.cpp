@@ -12,6 +12,7 @@
 #include "haptics/geometry/CurveSet.h"
 #include "haptics/geometry/NearestOnTriangle.h"
 #include "haptics/geometry/SceneSimplifier.h"
+#include "testing/support/AllocationGuard.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
 #include "testing/support/Random.h"
@@ -147,7 +148,11 @@ void holdsWhatIsPushed(const Felt& felt, const Places& places, const Ball& ball,
     for (int exchange = 0; exchange < 3; ++exchange)
     {
       const auto& next = coarseFirst == (exchange % 2 == 1) ? felt.coarse : felt.full;
-      probe.changeScene(next);
+      {
+        const AllocationGuard guard;
+        probe.changeScene(next);
+        ASSERT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0U);
+      }
       ASSERT_GE(distanceTo(*next, probe.x_W()), reach_u - 1e-9) << "hand " << i << ", exchange " << exchange;
       ASSERT_GE(out_W.dot(probe.x_W()), least_u) << "hand " << i << ", exchange " << exchange;
       probe.to(p_W);
