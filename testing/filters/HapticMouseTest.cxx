@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "vtkActor.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -99,6 +100,17 @@ void HapticMouse::say(unsigned long event, int x_px, int y_px, bool shift, const
 {
   this->interactor_->SetEventInformation(x_px, y_px, 0, shift ? 1 : 0, 0, 0, key);
   this->interactor_->InvokeEvent(event);
+}
+
+void HapticMouse::count(std::initializer_list<unsigned long> events, int& heard)
+{
+  vtkNew<vtkCallbackCommand> style;
+  style->SetClientData(&heard);
+  style->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  for (const unsigned long event : events)
+  {
+    this->interactor_->AddObserver(event, style);
+  }
 }
 
 } // namespace palpate::testing

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 
@@ -66,6 +67,9 @@ protected:
   void engage();
   void press(double x_px, double y_px);
   void say(unsigned long event, int x_px, int y_px, bool shift = false, const char* key = nullptr);
+
+  /// Counts those of these events that are left to the window's own style.
+  void count(std::initializer_list<unsigned long> events, int& heard);
 
   double depthOf(const Vec3& p_W) const { return (p_W - this->eye_W_).dot(-this->eye_W_.normalized()); }
   Vec3 hand() const { return Vec3(this->session_->GetHandPosition()); }

@@ -2,7 +2,6 @@
 // What is said to a view with the mouse and the keyboard.
 #include "HapticMouseTest.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkPolyData.h"
 
@@ -41,14 +40,9 @@ TEST_F(HapticMouse, ShiftAndTheLeftButtonPressAndNobodyElseHearsOfIt)
   this->look(Vec3(0, -100, 300), false);
   this->engage();
   int heard = 0;
-  vtkNew<vtkCallbackCommand> style;
-  style->SetClientData(&heard);
-  style->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-  for (unsigned long event : { vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
-         vtkCommand::MouseMoveEvent, vtkCommand::MouseWheelForwardEvent })
-  {
-    this->interactor_->AddObserver(event, style);
-  }
+  this->count({ vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent, vtkCommand::MouseMoveEvent,
+                vtkCommand::MouseWheelForwardEvent },
+    heard);
   this->say(vtkCommand::LeftButtonPressEvent, 200, 150, true);
   this->say(vtkCommand::MouseMoveEvent, 210, 150, true);
   this->say(vtkCommand::MouseWheelForwardEvent, 210, 150, true);
@@ -74,11 +68,7 @@ TEST_F(HapticMouse, WhileAKeyPressesEveryDragIsTheCameras)
   this->look(Vec3(0, -100, 300), false);
   this->engage();
   int heard = 0;
-  vtkNew<vtkCallbackCommand> style;
-  style->SetClientData(&heard);
-  style->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-  this->interactor_->AddObserver(vtkCommand::MouseMoveEvent, style);
-  this->interactor_->AddObserver(vtkCommand::LeftButtonReleaseEvent, style);
+  this->count({ vtkCommand::MouseMoveEvent, vtkCommand::LeftButtonReleaseEvent }, heard);
   this->say(vtkCommand::KeyPressEvent, 200, 150, false, "Next");
   for (unsigned long button : { vtkCommand::MiddleButtonPressEvent, vtkCommand::RightButtonPressEvent })
   {

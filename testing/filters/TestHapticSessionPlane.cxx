@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
@@ -19,33 +20,21 @@ using ::testing::Not;
 
 namespace
 {
-constexpr int ticksToEngage = 1100;
 constexpr int ticksToGuide = 600;
-constexpr double scale = 1000.0; // a unit is a millimetre
-constexpr double stiffness = 200.0;
+constexpr double wall = 200.0; // N/m
 
-class HapticSessionPlane : public ::testing::Test
+class HapticSessionPlane : public VirtualSession
 {
 protected:
-  void SetUp() override
+  HapticSessionPlane()
   {
-    this->session_->VirtualTimeOn();
     this->session_->PassivityOff();
-    this->session_->SetStiffness(stiffness);
-    this->session_->SetScale(scale);
+    this->session_->SetStiffness(wall);
   }
 
-  void show(const std::vector<Vec3>& line_W)
-  {
-    this->session_->ClearSurfaces();
-    ASSERT_TRUE(this->session_->AddSurface("line", makePath(line_W), nullptr)) << this->session_->GetProblem();
-    this->session_->CommitScene();
-    ASSERT_TRUE(this->session_->FinishScene()) << this->session_->GetSceneReport();
-  }
+  void show(const std::vector<Vec3>& line_W) { this->VirtualSession::show(makePath(line_W)); }
 
   Vec3 force() { return Vec3(this->session_->GetForce()); }
-
-  vtkNew<vtkHapticSession> session_;
 };
 
 // The hand is led 3 mm over the line and a simulated joystick holds it: the wall is where the line is.
@@ -62,8 +51,7 @@ TEST_F(HapticSessionPlane, AJoystickHoldsTheWallsOfLinesItself)
   EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr("held by the device itself, moved on at 125 Hz"));
   std::ostringstream drag; // K s (Th - T) / 2
   drag.precision(3);
-  drag << "braked by " << std::min(stiffness, this->session_->GetLargestStiffness()) * 0.1 * (0.008 - 0.001) / 2
-       << " N";
+  drag << "braked by " << std::min(wall, this->session_->GetLargestStiffness()) * 0.1 * (0.008 - 0.001) / 2 << " N";
   EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr(drag.str()));
   this->session_->TouchingOn();
   this->session_->Step(ticksToEngage);
@@ -104,7 +92,7 @@ TEST_F(HapticSessionPlane, AHandInSpaceIsLedToThePlaneAndTouchesWhatIsBelowIt)
 
   this->session_->SetHandPosition(7, 0, -2); // and 3 mm through the line
   this->session_->Step(200);
-  EXPECT_LE((this->force() - Vec3(-200.0 * 0.002, 0, stiffness * 0.003)).norm(), 1e-9);
+  EXPECT_LE((this->force() - Vec3(-200.0 * 0.002, 0, wall * 0.003)).norm(), 1e-9);
 
   this->session_->SetHandPosition(35, 0, 10);
   this->session_->Step(200);
