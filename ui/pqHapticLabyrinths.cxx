@@ -162,7 +162,7 @@ QString pqHapticLabyrinths::refusal(const QString& world) const
 }
 
 /// One source for all games, so that filters on it and its place in the pipeline stay.
-pqPipelineSource* pqHapticLabyrinths::open(const QString& world)
+void pqHapticLabyrinths::open(const QString& world)
 {
   pqObjectBuilder* const builder = pqApplicationCore::instance()->getObjectBuilder();
   this->hideWalls(false); // where it was shown until now
@@ -182,7 +182,6 @@ pqPipelineSource* pqHapticLabyrinths::open(const QString& world)
     this->Shown ? this->Shown.data() : builder->createDataRepresentation(this->Source->getOutputPort(0), view);
   this->Shown->setVisible(true);
   view->resetDisplay();
-  return this->Source;
 }
 
 void pqHapticLabyrinths::play()

@@ -14,7 +14,6 @@ class QLabel;
 class QListWidget;
 class pqDataRepresentation;
 class pqPipelineSource;
-class vtkSMProxy;
 
 /**
  * The game of finding the way: a world of the gallery or of one's own, start again, walls hidden so that it is explored
@@ -44,8 +43,8 @@ private:
   /// Enlarges the world about the hand until neighbouring corridors can be told apart.
   void zoom();
   void readOut();
-  /// The source of the game in the pipeline, shown in the active view; null with a message if that cannot be.
-  pqPipelineSource* open(const QString& world);
+  /// Gives the world to the source of the game in the pipeline, shown in the active view.
+  void open(const QString& world);
   /// Why the chosen world cannot be played, or nothing.
   QString refusal(const QString& world) const;
   /// Plays what the source gives. What the session sets for that goes to its proxy too, so that panel and state file

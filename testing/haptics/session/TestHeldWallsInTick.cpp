@@ -210,17 +210,22 @@ TEST(HeldWallsInTick, NoWallThatMovesGoesIntoTheHandFasterThanTheForceMayRise)
   }
 }
 
-TEST(HeldWallsInTick, LookingForWallsAllocatesNothing)
+TEST(HeldWallsInTick, LookingForWallsAllocatesNothingWhetherTheyStandOrMove)
 {
-  Tick tick{ sceneOf(slant(0.5)) };
-  tick.parameters.walls.every_s = 0.0;
-  static_cast<void>(tick.at(0.01, 0.01));
-  const test::AllocationGuard guard;
-  for (int i = 0; i < 100; ++i)
+  for (const auto& scene : { sceneOf(slant(0.5)), movingCorridor(0.003, 0.05) })
   {
-    static_cast<void>(tick.at(0.01 - 3e-4 * i, 0.01 - 3e-4 * i));
+    Tick tick{ scene };
+    tick.parameters.walls.every_s = 0.0;
+    static_cast<void>(tick.at(0.01, 0.001));
+    int held = 0;
+    const test::AllocationGuard guard;
+    for (int i = 0; i < 100; ++i)
+    {
+      held += tick.at(0.01 - 3e-4 * i, 0.001 - 3e-4 * i).state.walls > 0 ? 1 : 0;
+    }
+    EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0U);
+    EXPECT_GT(held, 50);
   }
-  EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0U);
 }
 
 struct Played

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows 44 and 45: what a tick among lines costs, by a tree and by asking every line, and what coarser lines would save.
+// Rows 49 and 54: what a tick among lines costs, by a tree and by asking every line, and what coarser lines would save.
 #include <algorithm>
 #include <cmath>
 #include <limits>
