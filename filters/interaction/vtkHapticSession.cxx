@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "devices/FedDevice.h"
 #include "devices/io/DBusBroker.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
@@ -157,7 +156,7 @@ void vtkHapticSession::Start()
   }
   if (auto* fed = dynamic_cast<palpate::FedDevice*>(made.device.get()))
   {
-    fed->feed(impl.HandSample()); // before the first tick reads it
+    impl.FeedTo(*fed, false); // before the first tick reads it
   }
   const palpate::DeadMan deadMan = impl.Parameters.safety.deadMan;
   impl.Parameters.safety = palpate::SafetyLimits::forDevice(made.device->info());
