@@ -133,6 +133,40 @@ TEST(HeldWallsInTick, NoWallStepsIntoTheHandByMoreThanTheForceMayRise)
   }
 }
 
+// In a tick that does not know where the hand is the device is asked for nothing, and has nothing: from there on n
+// ticks may add n times the rise of one. That 2 N are there in the end says that the hand was pressed all the time.
+TEST(HeldWallsInTick, AfterATickWithoutAHandTheForceRisesFromNothingNoFasterThanInAnyOtherTick)
+{
+  constexpr double rise_N_per_s = 20.0, depth_m = 0.01, dt_s = 1e-3;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const double every_s : { 0.0, 0.008, 0.05 })
+  {
+    for (const DeviceStatus status : { DeviceStatus::Ok, DeviceStatus::Waiting })
+    {
+      Tick tick{ sceneOf(slant(0.0)) };
+      tick.parameters.walls.every_s = every_s;
+      tick.parameters.safety.maxRise_N_per_s = rise_N_per_s;
+      static_cast<void>(tick.at(0.0, 0.01));
+      for (int n = 1; n <= 200; ++n)
+      {
+        static_cast<void>(tick.at(0.0, -depth_m, dt_s));
+      }
+      TickInput lost;
+      lost.scene = tick.scene.get();
+      lost.status = status;
+      lost.sample.pose_D.p.x() = status == DeviceStatus::Ok ? none : 0.0;
+      ASSERT_EQ(renderTick(lost, tick.parameters, tick.state).command.wallCount, 0);
+      double force_N = 0.0;
+      for (int n = 1; n <= 200; ++n)
+      {
+        force_N = tick.at(0.0, -depth_m, dt_s).state.force_D.y();
+        ASSERT_LE(force_N, rise_N_per_s * n * dt_s + 1e-12) << "every " << every_s << " s, tick " << n;
+      }
+      EXPECT_NEAR(force_N, K * depth_m, 1e-12) << "every " << every_s << " s";
+    }
+  }
+}
+
 TEST(HeldWallsInTick, WallsGoWithTheGainAndAreGoneWhenNoForceMayBeGiven)
 {
   Tick tick{ sceneOf(corridor(0.002)) };
