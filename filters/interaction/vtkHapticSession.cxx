@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "devices/io/DBusBroker.h"
+#include "haptics/session/Warning.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkObjectFactory.h"
@@ -50,6 +51,7 @@ void vtkHapticSession::Internals::ShowState()
 {
   this->State = this->Core.state();
   this->Report = this->Core.report();
+  this->Warning = this->Core.running() ? palpate::warning(this->State, this->Report) : std::string();
   if (this->Core.running())
   {
     this->Scheduling = this->Core.scheduling().message;

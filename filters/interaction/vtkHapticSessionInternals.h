@@ -77,6 +77,7 @@ public:
   std::string StabilitySentence;
   std::string DeviceKind, DeviceNotes, LinkText;
   std::string Scheduling;
+  std::string Warning;
   std::string Problem;
   double Rotation[4] = { 1.0, 0.0, 0.0, 0.0 };
   double Offset[3] = { 0.0, 0.0, 0.0 };

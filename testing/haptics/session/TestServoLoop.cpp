@@ -6,6 +6,7 @@
 
 #include "haptics/session/Recording.h"
 #include "haptics/session/ServoLoop.h"
+#include "haptics/session/Warning.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/BareDevice.h"
 #include "testing/support/Meshes.h"
@@ -124,6 +125,18 @@ TEST(ServoLoop, SteadyLatenessOfTwoMillisecondsLeavesTheStiffnessThatRateCanHold
   EXPECT_EQ(rig.links.state.read().fault, Fault::None);
   // K ~ 1 / (T / 2 + lateness): 0.5 ms of 0.5 ms + 2 ms.
   EXPECT_NEAR(rig.device.force_D.norm(), 0.5 / 2.5 * full, 1e-11);
+  EXPECT_EQ(warning(rig.links.state.read(), rig.links.report.read()),
+    "the servo is late by 2.0 ms (99th percentile): stiffness limited to 20 %; close other programs or grant real-time "
+    "priority");
+}
+
+TEST(ServoLoop, LatenessThatCostsNoStiffnessIsNoWarning)
+{
+  Rig rig(false);
+  rig.press();
+  rig.run(3000, period_ns / 2);
+  EXPECT_EQ(rig.links.state.read().stiffnessFactor, 1.0);
+  EXPECT_EQ(warning(rig.links.state.read(), rig.links.report.read()), "");
 }
 
 TEST(ServoLoop, SteadyLatenessAboveFiveMillisecondsDropsTheForce)
