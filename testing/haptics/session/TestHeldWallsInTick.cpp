@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -407,6 +408,38 @@ TEST(HeldWallsInTick, WallsAreLeftOnlyToADeviceThatHoldsThemAndBrakesTheHand)
   }
 }
 
+/// The tick with that number among those with walls; null if there are fewer.
+TickRecord* heldTick(Recording& recording, int number)
+{
+  int held = 0;
+  for (RecordedEntry& entry : recording.entries)
+  {
+    if (auto* const tick = std::get_if<TickRecord>(&entry);
+        tick != nullptr && tick->walls.mask != 0 && ++held == number)
+    {
+      return tick;
+    }
+  }
+  return nullptr;
+}
+
+// Two walls across both axes push with largest / sqrt(2) each.
+TEST(HeldWallsInTick, ARecordingHoldsHowHardEachWallMayPush)
+{
+  Tick tick{ sceneOf(slant(std::numbers::pi / 4)) };
+  tick.parameters.walls.every_s = 0.0;
+  tick.parameters.safety.maxForce_N = 1.0;
+  static_cast<void>(tick.at(0.01, 0.01));
+  const TickInput input;
+  const TickRecord record = makeRecord(input, tick.at(-0.001, -0.001));
+  ASSERT_EQ(record.walls.mask, 0b0011);
+  for (const std::size_t k : { 0, 1 })
+  {
+    EXPECT_NEAR(record.walls.largest_N[k], std::numbers::sqrt2 / 2, 1e-15);
+    EXPECT_EQ(record.walls.largest_N[k + 2], 0.0) << "no wall";
+  }
+}
+
 TEST(HeldWallsInTick, ARecordingHoldsTheWallsAndReplaysBitForBit)
 {
   const test::TemporaryFolder folder;
@@ -424,17 +457,16 @@ TEST(HeldWallsInTick, ARecordingHoldsTheWallsAndReplaysBitForBit)
   const ReplayResult same = replay(recording);
   EXPECT_EQ(same.problem + same.difference, "");
   EXPECT_EQ(same.ticks, 500U);
-  int held = 0;
-  for (RecordedEntry& entry : recording.entries)
+  TickRecord* const held = heldTick(recording, 50);
+  ASSERT_NE(held, nullptr);
+  const std::string differs = "tick " + std::to_string(held->tick) + ": walls differs";
+  for (double* const number : { &held->walls.offset_m[0], &held->walls.largest_N[0] })
   {
-    if (auto* const tick = std::get_if<TickRecord>(&entry); tick != nullptr && tick->walls.mask != 0 && ++held == 50)
-    {
-      tick->walls.offset_m[0] = std::nextafter(tick->walls.offset_m[0], 1.0);
-      break;
-    }
+    const double was = std::exchange(*number, std::nextafter(*number, 100.0));
+    EXPECT_EQ(replay(recording).difference, differs);
+    *number = was;
   }
-  ASSERT_EQ(held, 50);
-  EXPECT_NE(replay(recording).difference.find("walls"), std::string::npos);
+  EXPECT_EQ(replay(recording).difference, "");
 }
 
 } // namespace
