@@ -11,6 +11,7 @@
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/PidInput.h"
 #include "devices/hid/PidOutput.h"
+#include "devices/io/FindAgain.h"
 #include "devices/io/HeldDevice.h"
 #include "devices/io/LinkedDevice.h"
 #include "devices/io/Presence.h"
@@ -78,7 +79,7 @@ private:
     void stopPastTheWriter() noexcept;
     [[nodiscard]] const char* disturbance() noexcept;
   };
-  [[nodiscard]] std::string find(const DeviceAbilities& least);
+  [[nodiscard]] std::string prepare(FoundDevice found, const DeviceAbilities& least);
   [[nodiscard]] std::optional<Hand> firstHand(Attached& device);
   void tell(const std::optional<Hand>& hand) noexcept;
   [[nodiscard]] bool lose(const std::shared_ptr<Attached>& device, const std::string& why);
@@ -89,7 +90,7 @@ private:
   void watchWriter(Attached& device);
 
   std::shared_ptr<HidBus> bus_;
-  HidEntry entry_;
+  DeviceSearch search_; ///< writer's, and the owner's before
   PidOutputOptions options_;
   const Clock& clock_;
 
