@@ -173,23 +173,13 @@ LooseLines vtkHapticImageLines::Labels(const vtkHapticImagePlane& plane, const s
 
 LooseLines vtkHapticImageLines::Drawing(const vtkHapticImagePlane& plane, double value, bool inkIsDark, double gap)
 {
-  palpate::Bitmap drawing = InkOf(plane, value, inkIsDark);
-  palpate::thin(drawing);
-  LooseLines lines = palpate::linesOf(drawing);
+  const palpate::Bitmap drawing = InkOf(plane, value, inkIsDark);
+  palpate::Bitmap thinned = drawing;
+  palpate::thin(thinned);
+  LooseLines lines = palpate::linesOf(thinned);
   if (gap > 0.0)
   {
-    // Pixels may be longer than wide: gaps are measured in space.
-    const Vec3 size(plane.GetSpacing(0), plane.GetSpacing(1), 1.0);
-    const auto scale = [&lines](const Vec3& by)
-    {
-      for (Vec3& p : lines.points_W)
-      {
-        p = p.cwiseProduct(by);
-      }
-    };
-    scale(size);
-    palpate::mendGaps(lines, gap);
-    scale(size.cwiseInverse());
+    palpate::mendGaps(lines, drawing, { plane.GetSpacing(0), plane.GetSpacing(1) }, gap);
   }
   return lines;
 }

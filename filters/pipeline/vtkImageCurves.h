@@ -18,7 +18,8 @@
  *   Labels: borders of the areas with the same value, half way between the pixels (vtkDiscreteFlyingEdges2D); a border
  *   of two areas is one curve, and curves end where three areas meet.
  *   Drawing: the middle lines of strokes. What is on the ink's side of Value is thinned to lines of one pixel
- *   (Guo & Hall 1989), hooks are left out and ends joined over gaps no longer than Gap.
+ *   (Guo & Hall 1989), hooks are left out and ends joined over gaps no longer than Gap: what is blank between the tip
+ *   of a stroke and the next one, however wide they are.
  *
  * Simplified after Douglas & Peucker 1973 within Tolerance, or within what can be felt: LeastForce / Stiffness, times
  * the scene units per metre of the hand. Simplified curves may touch or cross where the given ones come nearer to each

@@ -8,17 +8,13 @@ namespace palpate
 namespace
 {
 
-/// The eight pixels round one, from above it clockwise.
-constexpr std::array<std::array<int, 2>, 8> round{ { { 0, -1 }, { 1, -1 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 },
-  { -1, 0 }, { -1, -1 } } };
-
 std::array<bool, 8> neighbours(const Bitmap& drawing, std::size_t pixel)
 {
   const auto x = static_cast<std::int64_t>(pixel % drawing.width), y = static_cast<std::int64_t>(pixel / drawing.width);
   std::array<bool, 8> ink{};
   for (std::size_t i = 0; i < 8; ++i)
   {
-    ink[i] = drawing.at(x + round[i][0], y + round[i][1]);
+    ink[i] = drawing.at(x + pixelsRound[i][0], y + pixelsRound[i][1]);
   }
   return ink;
 }
@@ -109,7 +105,7 @@ private:
   {
     const auto x = static_cast<std::int64_t>(pixel % this->drawing_.width);
     const auto y = static_cast<std::int64_t>(pixel / this->drawing_.width);
-    for (const auto& [dx, dy] : round)
+    for (const auto& [dx, dy] : pixelsRound)
     {
       if (this->drawing_.at(x + dx, y + dy))
       {

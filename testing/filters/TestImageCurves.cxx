@@ -300,8 +300,12 @@ TEST(ImageCurves, ADrawingBecomesTheMiddleLineOfItsStrokesWithItsGapsClosed)
   ASSERT_EQ(open.size(), 1u);
   EXPECT_NE(open[0].front(), open[0].back());
   const auto filter = filterOf(image, vtkImageCurves::Drawing);
-  filter->SetGap(14.0); // 7 are blank, up to 2.5 of each end go with the thinning
   filter->SetTolerance(1.0);
+  const double blank = 2 * 32.5 * std::sin(0.1); // between the ends' inner corners
+  filter->SetGap(blank - 1.5);
+  EXPECT_EQ(run(filter).size(), 1u);
+  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("Closed")->GetTuple1(0), 0.0);
+  filter->SetGap(blank + 1.5);
   const auto closed = run(filter);
   ASSERT_EQ(closed.size(), 1u);
   EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("Closed")->GetTuple1(0), 1.0);
