@@ -301,11 +301,11 @@ void PidLink::reattach(std::int64_t now_ns)
   }
 }
 
-std::optional<PidLink::Hand> PidLink::hand() noexcept
+PidLink::Heard PidLink::heard() noexcept
 {
   const bool steady = this->presence_.steady(); // first: the hand of a device that is found is there before
   const std::optional<Hand>& newest = this->handToServo_.read();
-  return steady ? newest : std::nullopt;
+  return steady ? Heard{ true, newest } : Heard{};
 }
 
 void PidLink::command(const DeviceCommand& command) noexcept

@@ -48,9 +48,13 @@ public:
     Vec3 p_D = Vec3::Zero(); ///< [m]
     std::uint32_t buttons = 0;
   };
-  /// The newest hand; none: the device is lost, or was since the last call, or has not said yet where the hand is.
-  /// Servo thread; wait-free.
-  [[nodiscard]] std::optional<Hand> hand() noexcept;
+  struct Heard
+  {
+    bool there = false;       ///< now, and all the time since the last call
+    std::optional<Hand> hand; ///< none: it has not said yet where the hand is
+  };
+  /// The newest. Servo thread; wait-free.
+  [[nodiscard]] Heard heard() noexcept;
   /// Servo thread; wait-free.
   void command(const DeviceCommand& command) noexcept;
 

@@ -25,7 +25,7 @@ const char* describe(Fault fault) noexcept
     case Fault::Seated:
       return "the ball does not fit where it is: move the hand out of the surface or use a smaller radius";
     case Fault::NoHand:
-      return "there is no hand yet: move the pointer over the view, or tell the session where the hand is";
+      return "there is no hand yet: move the device or the pointer, or tell the session where the hand is";
   }
   return "unknown fault";
 }

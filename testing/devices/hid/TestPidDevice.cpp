@@ -239,7 +239,8 @@ TEST(PidDevice, UnpluggedAndPluggedInAgainItGivesForceOnlyAfterARest)
   rig.port.device = std::make_shared<VirtualPidDevice>(test::plainLayout()); // it forgot everything
   rig.run(1000);
   EXPECT_EQ(rig.status, DeviceStatus::Ok);
-  EXPECT_EQ(rig.stick().force()[0], 0.0); // still asked for, but nobody has engaged again
+  EXPECT_EQ(rig.device.link().report().message, "it was unplugged"); // no more that it is not there
+  EXPECT_EQ(rig.stick().force()[0], 0.0);                            // still asked for, but nobody has engaged again
   rig.command = {};
   rig.run(5);
   rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
