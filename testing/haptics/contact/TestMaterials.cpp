@@ -86,6 +86,31 @@ TEST(Materials, StiffnessIsInterpolatedBetweenVerticesWhateverCleaningDidToTheir
   }
 }
 
+TEST(Materials, OfARampThatGoesBeyondTheCouplingTheDataAreFeltUpToIt)
+{
+  const TriangleMesh mesh = sheet(3, 126); // coarse: most triangles have corners on both sides of the coupling's
+  const Vec3 slope(24500, 0, 0);           // N/m per m: 100 to 5000 N/m
+  const auto ramp = [&slope](const Vec3& v) { return 2550 + slope.dot(v); };
+  MaterialFields fields;
+  fields.stiffness_N_per_m = sampled(mesh, ramp);
+  const auto scene = build(mesh, {}, fields).scene;
+  const double d = 2e-3;
+  for (const double K : { 500.0, 1000.0, 4000.0, 1e4 })
+  {
+    ContactPlan plan;
+    plan.coupling_N_per_m = K;
+    Finger finger(scene, plan);
+    test::Random random(test::testSeed(127));
+    for (std::size_t i = 0; i < test::testCount(300); ++i)
+    {
+      const Vec3 p(random.uniform(-0.09, 0.09), random.uniform(-0.09, 0.09), -d);
+      const Vec3 soft = ramp(p) * d * Vec3::UnitZ() - 0.5 * d * d * slope; // -grad of k d^2 / 2
+      const Vec3 force = ramp(p) < K ? soft : Vec3(0, 0, K * d);
+      EXPECT_NEAR((K * finger.restingAt(p) - force).norm(), 0.0, 1e-12 * K) << K << ", " << p.transpose();
+    }
+  }
+}
+
 TEST(Materials, TwoWallsOfOneCornerPushWithTheirOwnStiffness)
 {
   const double a = 3e-3, b = 2e-3;
@@ -210,6 +235,22 @@ TEST(Materials, AHandThatTouchesATextureAndLeavesItAtAnotherHeightGetsNoWork)
       }
     }
   }
+}
+
+TEST(Materials, AClosedWayInBelowTheCouplingsStiffnessAndOutBeyondItTakesNoWork)
+{
+  const TriangleMesh mesh = sheet(3, 128);
+  const double slope = 24500, K = 1000.0, d = 2e-3, x = 0.09;
+  MaterialFields fields;
+  fields.stiffness_N_per_m = sampled(mesh, [=](const Vec3& v) { return 2550 + slope * v.x(); });
+  ContactPlan plan;
+  plan.coupling_N_per_m = K;
+  Finger finger(build(mesh, {}, fields).scene, plan);
+  const int steps = 8192;
+  // Where the coupling's stiffness is reached the force along the way ends within a step.
+  const double jump = 0.5 * d * d * slope * 2 * x / steps, landing = 2 * K * std::pow(2 * d / steps, 2);
+  const double work = workOf(finger, K, { { -x, 0.01, d }, { -x, 0.01, -d }, { x, 0.01, -d }, { x, 0.01, d } }, steps);
+  EXPECT_NEAR(work, 0.0, 0.5 * jump + landing);
 }
 
 TEST(Materials, ATextureIsMetWithoutAStepAtTheSurfaceWhereverItIsTouched)
