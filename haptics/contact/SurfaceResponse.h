@@ -25,6 +25,8 @@ struct Response
 /// and takes nothing and gives nothing over a closed way; without that part a hand that goes in where a wall is soft
 /// and comes out where it is hard is paid for it. A surface is met at d = 0, wherever that is: were the texture to
 /// stand out of it, d + h instead of d - c, a hand would be given K s h^2 / 2 on touching it and could leave elsewhere.
+/// While friction holds the ball the slopes are those where it stands, however the hand moves: there a small closed way
+/// of the hand can take or give their force times that way.
 ///
 /// A texture of period L is felt up to the speed at which a period takes ten ticks; from there its height goes to its
 /// mean, and is there when a period takes five: what is faster could only buzz. At any one speed that is a potential
