@@ -86,10 +86,9 @@ class Materials(CommandLineTest):
             rows += [tuple(b + (e - b) * i / steps for b, e in zip(begin, end)) for i in range(steps)]
         rows.append(corners[0])
         out = self.touch([(n / 1024, *row) for n, row in enumerate(rows)], "--texture-array", "x")
-        work = 0.0
-        for before, after in zip(out, out[1:]):
-            work += sum(0.5 * (before[f"force_{axis}"] + after[f"force_{axis}"]) * (after[axis] - before[axis])
-                        for axis in "xyz")
+        forces = [tuple(row[f"force_{axis}"] for axis in "xyz") for row in out]
+        work = sum(0.5 * (f + g) * (b - a) for here, there, before, after in zip(rows, rows[1:], forces, forces[1:])
+                   for a, b, f, g in zip(here, there, before, after))
         # Where a step straddles the end of a hollow the mean of its forces is wrong by K (1 + slope) step^2 / 2 at most.
         self.assertLess(abs(work), 4 * STIFFNESS * max(0.25, 14.0 / 16.0) ** 2 / steps**2)
 
