@@ -19,6 +19,9 @@ namespace
 constexpr double leastDetour = 2.0;
 /// So that a gap of three pixels of 0.1 is one of 0.3.
 constexpr double rounding = 1e-9;
+/// Of the work.
+constexpr double rimsShare = 0.5;
+constexpr std::size_t endsPerReport = 256;
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 
 std::vector<int> degrees(const LooseLines& lines)
@@ -137,16 +140,24 @@ std::map<std::uint32_t, std::vector<Vec3>> tipsOf(const std::vector<RimPixel>& r
 
 } // namespace
 
-void mendGaps(LooseLines& lines, const Bitmap& drawing, const Eigen::Vector2d& pixel_u, double gap_u)
+void mendGaps(LooseLines& lines, const Bitmap& drawing, const Eigen::Vector2d& pixel_u, double gap_u, const Goes& goes)
 {
   const Ruler ruler(pixel_u);
   leaveOutHooks(lines, ruler, gap_u);
-  const std::vector<RimPixel> rims = rimsOf(lines, drawing, ruler);
+  const std::vector<RimPixel> rims = rimsOf(lines, drawing, ruler, partOf(goes, 0.0, rimsShare));
   const RimCells cells(rims, ruler, gap_u);
   Ways ways(lines, ruler);
   std::vector<std::array<std::uint32_t, 2>> joints;
-  for (const auto& [end, tip] : tipsOf(rims, degrees(lines)))
+  const std::map<std::uint32_t, std::vector<Vec3>> tips = tipsOf(rims, degrees(lines));
+  const Goes joining = partOf(goes, rimsShare, 1.0);
+  Steps steps(joining, endsPerReport);
+  std::size_t done = 0;
+  for (const auto& [end, tip] : tips)
   {
+    if (!steps.go(done++, tips.size()))
+    {
+      return;
+    }
     ways.startFrom(end);
     // Sides of the same stroke, and of one that branches from it, are near but no gap lies between.
     const auto jointLength_u = [&, end = end](std::uint32_t point)

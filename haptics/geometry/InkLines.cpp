@@ -40,14 +40,17 @@ bool mayGo(const std::array<bool, 8>& p, bool secondTurn)
 class Thinning
 {
 public:
-  explicit Thinning(Bitmap& drawing) : drawing_(drawing), waits_(drawing.ink.size(), 0)
+  Thinning(Bitmap& drawing, const Goes& goes) : drawing_(drawing), goes_(goes), waits_(drawing.ink.size(), 0)
   {
-    for (std::size_t pixel = 0; pixel < this->drawing_.ink.size(); ++pixel)
+    Steps steps(this->askingAll_);
+    for (std::size_t pixel = 0; pixel < this->drawing_.ink.size() && steps.go(pixel, this->drawing_.ink.size());
+         ++pixel)
     {
       if (!this->drawing_.ink[pixel])
       {
         continue;
       }
+      ++this->ink_;
       const std::array<bool, 8> p = neighbours(this->drawing_, pixel);
       if (std::find(p.begin(), p.end(), false) != p.end()) // ink all round holds a pixel
       {
@@ -58,10 +61,13 @@ public:
 
   void run()
   {
+    Steps steps(this->takingInk_);
     while (!this->asked_[0].empty() || !this->asked_[1].empty())
     {
-      this->turn(0);
-      this->turn(1);
+      if (!this->turn(0, steps) || !this->turn(1, steps))
+      {
+        return;
+      }
     }
   }
 
@@ -79,11 +85,15 @@ private:
     }
   }
 
-  void turn(std::size_t which)
+  bool turn(std::size_t which, Steps& steps)
   {
     this->going_.clear();
     for (const std::size_t pixel : this->asked_[which])
     {
+      if (!steps.go(this->gone_, this->ink_))
+      {
+        return false;
+      }
       this->waits_[pixel] &= static_cast<std::uint8_t>(~(1U << which));
       if (this->drawing_.ink[pixel] && mayGo(neighbours(this->drawing_, pixel), which == 1))
       {
@@ -99,6 +109,8 @@ private:
     {
       this->askRound(pixel);
     }
+    this->gone_ += this->going_.size();
+    return true;
   }
 
   void askRound(std::size_t pixel)
@@ -115,6 +127,9 @@ private:
   }
 
   Bitmap& drawing_;
+  const Goes& goes_;
+  const Goes askingAll_ = partOf(goes_, 0.0, 0.3), takingInk_ = partOf(goes_, 0.3, 1.0);
+  std::size_t ink_ = 0, gone_ = 0;
   std::array<std::vector<std::size_t>, 2> asked_; // pixels that wait for a turn
   std::vector<std::uint8_t> waits_;               // a bit for each turn that a pixel waits for
   std::vector<std::size_t> going_;
@@ -122,9 +137,9 @@ private:
 
 } // namespace
 
-void thin(Bitmap& drawing)
+void thin(Bitmap& drawing, const Goes& goes)
 {
-  Thinning(drawing).run();
+  Thinning(drawing, goes).run();
 }
 
 LooseLines linesOf(const Bitmap& thinned)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "haptics/core/Types.h"
+#include "haptics/geometry/Progress.h"
 
 namespace palpate
 {
@@ -28,8 +29,8 @@ inline constexpr std::array<std::array<int, 2>, 8> pixelsRound{ { { 0, -1 }, { 1
   { -1, 1 }, { -1, 0 }, { -1, -1 } } };
 
 /// Takes ink from the sides of strokes, evenly, until they are one pixel wide: Guo & Hall 1989. Pieces stay as many as
-/// they are and keep their holes; ends of strokes stay. O(pixels).
-void thin(Bitmap& drawing);
+/// they are and keep their holes; ends of strokes stay. Half done where goes says no. O(pixels).
+void thin(Bitmap& drawing, const Goes& goes = always);
 
 /// Loose lines: points and pairs of their indices.
 struct LooseLines
@@ -47,7 +48,8 @@ struct LooseLines
 /// more than two meet, which thinning leaves behind and which would be closed to loops. Then it joins every free end to
 /// the line across the least blank, where that is no wider than gap_u: measured from the tip of the stroke to the rim
 /// of the other, so strokes of any width count alike. A place to which the lines themselves lead by less than twice the
-/// straight way is none to join. O(pixels) for evenly spread ends.
-void mendGaps(LooseLines& lines, const Bitmap& drawing, const Eigen::Vector2d& pixel_u, double gap_u);
+/// straight way is none to join. Half done where goes says no. O(pixels) for evenly spread ends.
+void mendGaps(
+  LooseLines& lines, const Bitmap& drawing, const Eigen::Vector2d& pixel_u, double gap_u, const Goes& goes = always);
 
 } // namespace palpate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/geometry/InkRims.h"
 
+#include <algorithm>
 #include <limits>
 #include <queue>
 
@@ -18,7 +19,7 @@ using Pixel = std::array<std::int64_t, 2>;
 class NearestPoints
 {
 public:
-  NearestPoints(const LooseLines& lines, const Bitmap& drawing, const Ruler& ruler)
+  NearestPoints(const LooseLines& lines, const Bitmap& drawing, const Ruler& ruler, const Goes& goes)
     : lines_(lines), drawing_(drawing), ruler_(ruler), nearest_(drawing.ink.size(), noPoint)
   {
     for (const auto& [a, b] : lines.segments)
@@ -26,7 +27,9 @@ public:
       this->start(a);
       this->start(b);
     }
-    for (; !this->wave_.empty(); this->wave_.pop())
+    const auto ink = static_cast<std::size_t>(std::count(drawing.ink.begin(), drawing.ink.end(), 1));
+    Steps steps(goes);
+    for (; !this->wave_.empty() && steps.go(this->reached_, ink); this->wave_.pop())
     {
       const auto [x, y] = this->wave_.front();
       const std::uint32_t point = this->nearest_[this->index(x, y)];
@@ -62,6 +65,7 @@ private:
     if (known == noPoint || this->ruler_.length_u(here, this->lines_.points_W[point]) <
                               this->ruler_.length_u(here, this->lines_.points_W[known]))
     {
+      this->reached_ += known == noPoint ? 1 : 0;
       known = point;
       this->wave_.push({ x, y });
     }
@@ -72,13 +76,14 @@ private:
   const Ruler& ruler_;
   std::vector<std::uint32_t> nearest_;
   std::queue<Pixel> wave_;
+  std::size_t reached_ = 0;
 };
 
 } // namespace
 
-std::vector<RimPixel> rimsOf(const LooseLines& lines, const Bitmap& drawing, const Ruler& ruler)
+std::vector<RimPixel> rimsOf(const LooseLines& lines, const Bitmap& drawing, const Ruler& ruler, const Goes& goes)
 {
-  const NearestPoints nearest(lines, drawing, ruler);
+  const NearestPoints nearest(lines, drawing, ruler, goes);
   std::vector<RimPixel> rims;
   for (std::size_t pixel = 0; pixel < drawing.ink.size(); ++pixel)
   {

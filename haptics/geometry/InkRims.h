@@ -41,8 +41,10 @@ struct RimPixel
   std::uint32_t point;
 };
 
-/// The rims of the strokes that lines in pixels are the middle of. Points without a segment have none. O(pixels).
-[[nodiscard]] std::vector<RimPixel> rimsOf(const LooseLines& lines, const Bitmap& drawing, const Ruler& ruler);
+/// The rims of the strokes that lines in pixels are the middle of. Points without a segment have none. Not all of them
+/// where goes says no. O(pixels).
+[[nodiscard]] std::vector<RimPixel> rimsOf(
+  const LooseLines& lines, const Bitmap& drawing, const Ruler& ruler, const Goes& goes);
 
 /// A joint of an end with a point on the other side of a blank; better: across less blank, then shorter.
 struct Joint
