@@ -427,7 +427,9 @@ private:
     return forceOfWalls(held, this->in_.sample.pose_D.p) - held.viscosity_Ns_per_m * this->out_.state.velocity_D;
   }
 
-  /// What the device gives by itself, as far as the host knows. Walls that are not numbers are not sent.
+  /// What the device gives by itself, as far as the host knows. Walls that are not numbers are not sent. Energy is not
+  /// metered: the force that is told is a spring's, a function of the place, and gives nothing over a closed way
+  /// whatever the device really does.
   void tellHeld() noexcept
   {
     HapticState& state = this->out_.state;
