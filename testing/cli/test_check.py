@@ -5,7 +5,7 @@ import json
 import math
 import unittest
 
-from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest
+from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, vtp_text
 
 
 def tube(radius, length, around):
@@ -90,6 +90,20 @@ class Plan(CommandLineTest):
         self.assertGreater(found["simplified"]["triangles"], 0)
         self.assertIn(f"{found['simplified']['triangles']} of 800 triangles are felt (proven", found["choice"])
 
+    def test_nobody_is_said_to_look_for_a_simpler_surface_that_was_not_asked_for(self):
+        self.write_off("a.off", *tube(10.0, 40.0, 30000))
+        text = self.succeed("check", "a.off").stdout
+        self.assertIn("all 60000 triangles are felt (pass --simplify to look for a simpler surface)", text)
+        self.assertNotIn("meanwhile", text)
+
+    def test_no_line_of_the_report_says_otherwise_than_what_was_chosen(self):
+        self.write_off("a.off", *tube(10.0, 40.0, 400))
+        self.assertNotIn("touched as it is", self.succeed("check", "a.off", "--simplify").stdout)
+        self.write_off("a.off", SQUARE_POINTS, SQUARE_FACES)
+        text = self.succeed("check", "a.off").stdout
+        self.assertIn("through a list", text)
+        self.assertNotIn("through a tree", text)
+
     def test_a_person_reads_it_with_units(self):
         self.write_off("a.off", *tube(10.0, 40.0, 32))
         text = self.succeed("check", "a.off").stdout
@@ -106,6 +120,47 @@ class Plan(CommandLineTest):
         fine = json.loads(self.succeed("check", "a.off", "--json").stdout)["radius"]
         self.assertTrue(fine["kept"])  # a point
         self.assertLess(fine["largest_u"], 9.5)
+
+
+class Curves(CommandLineTest):
+    """Lines that lie in no plane: they are touched as tubes."""
+
+    def setUp(self):
+        super().setUp()
+        points = [(0, 0, 0), (4, 0, 0), (4, 4, 1), (0, 4, 3)]
+        self.write("lines.vtp", vtp_text(points, [(0, 1, 2, 3)], kind="Lines"))
+
+    def test_without_a_radius_tubes_are_named(self):
+        self.refused("check", "lines.vtp", saying=["plane z = 0", "tubes", "--line-radius"])
+
+    def test_tubes_are_counted_and_their_radius_is_said(self):
+        text = self.succeed("check", "lines.vtp", "--line-radius", 0.25).stdout
+        for said in ("kept 3 of 3 segments", "4 x 4 x 3 scene units", "all 3 segments are felt",
+                     "3 segments, touched as tubes of 0.25 scene units"):
+            self.assertIn(said, text)
+        self.assertNotIn("facets", text)
+        found = json.loads(self.succeed("check", "lines.vtp", "--line-radius", 0.25, "--json").stdout)
+        self.assertEqual((found["touchable"], found["plane_world"], found["tube_radius_u"]), (True, False, 0.25))
+
+    def test_lines_beside_polygons_are_checked_with_them(self):
+        both = vtp_text(SQUARE_POINTS, SQUARE_FACES).replace(
+            'NumberOfLines="0"', 'NumberOfLines="1"').replace("<Polys>", """<Lines>
+<DataArray type="Int64" Name="connectivity" format="ascii">0 2</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">2</DataArray></Lines><Polys>""")
+        self.write("both.vtp", both)
+        text = self.succeed("check", "both.vtp", "--line-radius", 0.25).stdout
+        for said in ("kept 2 of 2 triangles", "kept 1 of 1 segments", "all 3 triangles and segments are felt", "tubes of 0.25"):
+            self.assertIn(said, text)
+        found = json.loads(self.succeed("check", "both.vtp", "--line-radius", 0.25, "--json").stdout)
+        self.assertEqual((found["triangles_in"], found["lines"]["triangles_in"]), (2, 1))
+
+    def test_a_radius_that_cannot_be_is_refused(self):
+        for bad in ("-1", "nan", "inf"):
+            self.refused("check", "lines.vtp", "--line-radius", bad, saying=["--line-radius", "0 or more"])
+        self.write_off("a.off", SQUARE_POINTS, SQUARE_FACES)
+        self.write_path([(0.0, 0.0, 0.0, 1.0)])
+        for command in (("check", "a.off"), ("touch", "a.off", "--path", "path.csv", "--csv", "out.csv")):
+            self.refused(*command, "--line-radius", 1, saying=["a.off", "no lines", "leave out --line-radius"])
 
 
 if __name__ == "__main__":

@@ -251,7 +251,7 @@ class Check(CommandLineTest):
         self.write_off("a.off", SQUARE_POINTS, SQUARE_FACES)
         text = self.succeed("check", "a.off").stdout
         self.assertIn("16 x 16 x 0 scene units", text)
-        self.assertIn("plan", text)
+        self.assertIn("work", text)
 
     def test_polygons_are_cut_into_triangles(self):
         self.write_off("quad.off", SQUARE_POINTS, [(0, 1, 2, 3)])

@@ -48,6 +48,10 @@ void AddCheck(CLI::App& app, Arguments& arguments)
   command->add_option("--iso", options.Iso, "value of the surface in an image");
   command->add_option("--radius", options.Radius_u, "does a ball of this radius fit? [scene units]");
   command->add_flag("--force-radius", options.ForceRadius, "that ball, although a tick may run out of its work");
+  command
+    ->add_option("--line-radius", options.LineRadius_u,
+      "lines are tubes of this radius [scene units]; 0: walls across the plane z = 0")
+    ->capture_default_str();
   command->add_option("--mu-static", options.MuStatic, "friction that holds at rest")->capture_default_str();
   command->add_option("--mu-kinetic", options.MuKinetic, "friction while it slides; without it the static one");
   vtkHapticCliAddMaterials(*command, options.Materials);
@@ -169,6 +173,7 @@ int Touch(const vtkHapticCliTouchOptions& options)
 int Check(const vtkHapticCliCheckOptions& options)
 {
   CheckNumber("--radius", options.Radius_u, true, "scene units");
+  CheckNumber("--line-radius", options.LineRadius_u, true, "scene units");
   CheckFriction(options.MuStatic, options.MuKinetic);
   vtkHapticCliCheckMaterials(options.Materials);
   return vtkHapticCliCheck(options);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticCliCommands.h"
 
-#include <algorithm>
+#include <iomanip>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -19,15 +20,13 @@ namespace
 {
 struct Box
 {
-  palpate::Vec3 Low_W;
-  palpate::Vec3 High_W;
+  palpate::Vec3 Low_W = palpate::Vec3::Constant(std::numeric_limits<double>::infinity());
+  palpate::Vec3 High_W = palpate::Vec3::Constant(-std::numeric_limits<double>::infinity());
 };
 
-/// Of what its triangles use.
-Box BoundsOf(const palpate::TriangleMesh& mesh)
+/// With what the triangles of a mesh use.
+Box Grown(Box box, const palpate::TriangleMesh& mesh)
 {
-  const palpate::Vec3& first_W = mesh.vertices_W[mesh.triangles.front().front()];
-  Box box{ first_W, first_W };
   for (const auto& triangle : mesh.triangles)
   {
     for (const std::uint32_t corner : triangle)
@@ -39,6 +38,24 @@ Box BoundsOf(const palpate::TriangleMesh& mesh)
   return box;
 }
 
+/// What a file gives to touch: its polygons, its lines as tubes, or its lines as walls.
+struct Input
+{
+  std::vector<palpate::SurfaceInput> Surfaces;
+  std::shared_ptr<const palpate::TriangleMesh> Lines; ///< those of the walls, if it is a plane world
+  std::string Material;                               ///< a note
+
+  void Add(palpate::SurfaceInput surface, const vtkHapticMaterialResult& material)
+  {
+    if (!material.Problem.empty())
+    {
+      throw vtkHapticCliProblem(surface.name + ": " + material.Problem);
+    }
+    this->Material = material.Note; // lines have the arrays of the polygons beside them
+    this->Surfaces.push_back(std::move(surface));
+  }
+};
+
 /// A file as it is touched, and as large as it is itself: lines have no height, the walls on them do.
 struct Subject
 {
@@ -46,23 +63,36 @@ struct Subject
   Box Bounds;
   palpate::SurfaceTraits Traits;
 
-  Subject(const palpate::Scene& scene, const palpate::TriangleMesh* lines)
-    : Scene(scene), Bounds(BoundsOf(lines ? *lines : this->Surface().tree->mesh()))
+  Subject(const palpate::Scene& scene, const palpate::TriangleMesh* lines) : Scene(scene)
   {
     if (lines)
     {
+      this->Bounds = Grown(Box(), *lines);
       this->Traits.walls_WP = { palpate::Pose() };
+      return;
+    }
+    for (const palpate::Surface& surface : scene.surfaces())
+    {
+      this->Bounds = Grown(this->Bounds, surface.tree->mesh());
     }
   }
   [[nodiscard]] const palpate::Surface& Surface() const { return this->Scene.surfaces().front(); }
 };
 
-std::string PlanOf(const palpate::Surface& surface)
+std::size_t BytesOf(const palpate::Scene& scene)
 {
-  const palpate::ContactPlan plan;
-  return "every kept triangle is touched as it is, through a tree of " +
-         std::to_string((surface.tree->bytes() + 1023) / 1024) + " KiB beside the mesh; a tick visits at most " +
-         std::to_string(plan.nodeBudget) + " nodes";
+  std::size_t bytes = 0;
+  for (const palpate::Surface& surface : scene.surfaces())
+  {
+    bytes += surface.tree->bytes();
+  }
+  return bytes;
+}
+
+std::string WorkOf(const palpate::Scene& scene)
+{
+  return std::to_string((BytesOf(scene) + 1023) / 1024) + " KiB of boxes beside the mesh; a tick visits at most " +
+         std::to_string(palpate::ContactPlan().nodeBudget) + " of them";
 }
 
 /// A file says nothing of a device, so the surface is taken to lie in the hand with its longest side 100 mm long.
@@ -77,14 +107,14 @@ palpate::ScenePlan TouchPlanOf(const Subject& subject)
 /// What a session would choose for this file.
 struct Choice
 {
-  palpate::SurfaceChoice Surface;
+  std::vector<palpate::SurfaceChoice> Surfaces;
   palpate::RadiusLimit Radius;
   std::string Sentence;
 };
 
-/// A scene of one surface, before simpler surfaces were looked for or after it. Coarser lines always are: that takes
-/// no longer than to read them.
-palpate::SurfaceChoice SurfaceChoiceOf(const Subject& subject, bool simplify)
+/// Before simpler surfaces were looked for or after it. Coarser lines always are: that takes no longer than to read
+/// them.
+std::vector<palpate::SurfaceChoice> SurfaceChoicesOf(const Subject& subject, bool simplify)
 {
   palpate::SimplifyRules rules;
   rules.touch = TouchPlanOf(subject).conditions;
@@ -92,9 +122,15 @@ palpate::SurfaceChoice SurfaceChoiceOf(const Subject& subject, bool simplify)
   {
     rules.leastTriangles = rules.leastFine = 0;
   }
-  const std::vector<palpate::SurfaceChoice> atFirst = palpate::chooseAtFirst(subject.Scene, subject.Traits, rules);
-  const bool look = simplify || atFirst.front().curves;
-  return look ? palpate::SceneSimplifier().simplify(subject.Scene, atFirst, rules, 2).choices.front() : atFirst.front();
+  std::vector<palpate::SurfaceChoice> choices = palpate::chooseAtFirst(subject.Scene, subject.Traits, rules);
+  for (palpate::SurfaceChoice& choice : choices)
+  {
+    if (!simplify && !choice.curves && choice.reason.empty())
+    {
+      choice.reason = "pass --simplify to look for a simpler surface";
+    }
+  }
+  return palpate::SceneSimplifier().simplify(subject.Scene, choices, rules, 2).choices;
 }
 
 Choice ChoiceOf(const Subject& subject, const vtkHapticCliCheckOptions& options)
@@ -103,7 +139,7 @@ Choice ChoiceOf(const Subject& subject, const vtkHapticCliCheckOptions& options)
   Choice choice;
   palpate::TouchChoice touch;
   touch.plan.radius_u = options.Radius_u;
-  choice.Surface = SurfaceChoiceOf(subject, options.Simplify);
+  choice.Surfaces = SurfaceChoicesOf(subject, options.Simplify);
   choice.Radius = palpate::radiusLimit(scene, palpate::planFor(scene, touch.plan));
   touch.asked_u = options.Radius_u;
   touch.largest_u = choice.Radius.largest_u;
@@ -111,7 +147,7 @@ Choice ChoiceOf(const Subject& subject, const vtkHapticCliCheckOptions& options)
   touch.plan.friction = { options.MuStatic, options.MuKinetic.value_or(options.MuStatic) };
   touch.plan = palpate::planFor(scene, touch.plan);
   touch.frictionFromData = palpate::hasOwnFriction(scene);
-  choice.Sentence = palpate::planSentence({ choice.Surface }, touch);
+  choice.Sentence = palpate::planSentence(choice.Surfaces, touch);
   return choice;
 }
 
@@ -165,10 +201,8 @@ std::string SentenceOf(const palpate::SurfaceChoice& surface)
   return text.str();
 }
 
-nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report, const std::string& material)
+void AddReport(nlohmann::ordered_json& json, const palpate::SurfaceReport& report)
 {
-  nlohmann::ordered_json json;
-  json["file"] = report.name;
   json["touchable"] = report.refusal.empty();
   json["refusal"] = report.refusal;
   json["triangles_in"] = report.clean.trianglesIn;
@@ -178,25 +212,38 @@ nlohmann::ordered_json ToJson(const palpate::SurfaceReport& report, const std::s
     { "duplicate", report.clean.duplicate } };
   json["boundary_edges"] = report.clean.boundaryEdges;
   json["non_manifold_edges"] = report.clean.nonManifoldEdges;
-  json["material"] = material;
+}
+
+/// Of the first surface; `lines` beside it have their own report.
+nlohmann::ordered_json ToJson(
+  const vtkHapticCliCheckOptions& options, const Input& input, const std::vector<palpate::SurfaceReport>& reports)
+{
+  nlohmann::ordered_json json{ { "file", options.File } };
+  AddReport(json, reports.front());
+  if (reports.size() > 1)
+  {
+    AddReport(json["lines"], reports.back());
+  }
+  json["material"] = input.Material;
+  json["plane_world"] = input.Lines != nullptr;
+  json["tube_radius_u"] = input.Surfaces.back().lineRadius_u.value_or(0.0);
   return json;
 }
 
 void AddScene(nlohmann::ordered_json& json, const Subject& subject, const vtkHapticCliCheckOptions& options)
 {
   const Choice choice = ChoiceOf(subject, options);
-  const palpate::Surface& surface = subject.Surface();
   const Box& box = subject.Bounds;
   json["low_u"] = { box.Low_W.x(), box.Low_W.y(), box.Low_W.z() };
   json["high_u"] = { box.High_W.x(), box.High_W.y(), box.High_W.z() };
-  json["tree_bytes"] = surface.tree->bytes();
-  json["tree"] = PlanOf(surface);
+  json["tree_bytes"] = BytesOf(subject.Scene);
+  json["work"] = WorkOf(subject.Scene);
   json["choice"] = choice.Sentence;
   json["plan"] = ToJson(TouchPlanOf(subject));
   json["radius"] = ToJson(choice.Radius);
   if (options.Simplify)
   {
-    json["simplified"] = ToJson(choice.Surface);
+    json["simplified"] = ToJson(choice.Surfaces.front());
   }
 }
 
@@ -206,93 +253,130 @@ void Print(const nlohmann::ordered_json& json)
   std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-void Print(const palpate::SurfaceReport& report, const Subject& subject, const std::string& material,
-  const vtkHapticCliCheckOptions& options)
+/// As what lines are touched, if there are any.
+std::string WorldOf(const Input& input)
 {
-  const Choice choice = ChoiceOf(subject, options);
-  const Box& box = subject.Bounds;
-  const palpate::Vec3 size_u = box.High_W - box.Low_W;
-  std::cout << report.name << ": it can be touched\n"
-            << "  repaired  " << report.clean.summary() << '\n'
-            << "  size      " << size_u.x() << " x " << size_u.y() << " x " << size_u.z() << " scene units, from ("
-            << box.Low_W.x() << ", " << box.Low_W.y() << ", " << box.Low_W.z() << ")\n"
-            << "  plan      " << PlanOf(subject.Surface()) << '\n'
-            << "  felt      " << choice.Sentence << '\n'
-            << "  facets    100 mm long in the hand and " << TouchPlanOf(subject).sentence() << '\n'
-            << (material.empty() ? "" : "  material  " + material + '\n') << "  radius    " << choice.Radius.sentence()
-            << '\n';
-  if (options.Simplify)
+  std::ostringstream text;
+  if (input.Lines)
   {
-    std::cout << "  simpler   " << SentenceOf(choice.Surface) << '\n';
+    text << "a plane world: " << input.Lines->triangles.size() << " segments in the plane z = 0, felt in that plane "
+         << "(touch --two-d) as walls, of two triangles each, across it";
+  }
+  else if (const palpate::SurfaceInput& last = input.Surfaces.back(); last.lineRadius_u)
+  {
+    text << "curves in space: " << last.mesh->triangles.size() << " segments, touched as tubes of "
+         << *last.lineRadius_u << " scene units";
+  }
+  return text.str();
+}
+
+void PrintLine(const char* title, const std::string& text)
+{
+  if (!text.empty())
+  {
+    std::cout << "  " << std::left << std::setw(10) << title << text << '\n';
   }
 }
 
-/// A machine that asked for JSON gets JSON for a refusal as well.
-vtkHapticCliSurface ReadOrRefuse(const vtkHapticCliCheckOptions& options)
+void Print(const vtkHapticCliCheckOptions& options, const Input& input, const Subject& subject,
+  const std::vector<palpate::SurfaceReport>& reports)
+{
+  const Choice choice = ChoiceOf(subject, options);
+  const palpate::Vec3 low_W = subject.Bounds.Low_W, size_u = subject.Bounds.High_W - low_W;
+  std::ostringstream size;
+  size << size_u.x() << " x " << size_u.y() << " x " << size_u.z() << " scene units, from (" << low_W.x() << ", "
+       << low_W.y() << ", " << low_W.z() << ")";
+  std::cout << options.File << ": it can be touched\n";
+  for (const palpate::SurfaceReport& report : reports)
+  {
+    PrintLine("repaired", report.clean.summary());
+  }
+  PrintLine("size", size.str());
+  PrintLine("work", WorkOf(subject.Scene));
+  PrintLine("felt", choice.Sentence);
+  if (subject.Surface().tree->coat_u() == 0.0) // tubes have none
+  {
+    PrintLine("facets", "100 mm long in the hand and " + TouchPlanOf(subject).sentence());
+  }
+  PrintLine("material", input.Material);
+  PrintLine("radius", choice.Radius.sentence());
+  PrintLine("simpler", options.Simplify ? SentenceOf(choice.Surfaces.front()) : "");
+  PrintLine("world", WorldOf(input));
+}
+
+Input Read(const vtkHapticCliCheckOptions& options)
 {
   const std::string& file = options.File;
+  const vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, options.Iso, options.Materials, true);
+  if (options.LineRadius_u > 0.0 && !surface.Lines)
+  {
+    throw vtkHapticCliProblem(file + ": it has no lines; leave out --line-radius");
+  }
+  Input input;
+  if (surface.Input.mesh)
+  {
+    input.Add(surface.Input, surface.Material);
+  }
+  if (options.LineRadius_u > 0.0)
+  {
+    input.Add(vtkHapticCliTubesOf(file, surface, options.LineRadius_u), surface.LineMaterial);
+  }
+  if (!input.Surfaces.empty())
+  {
+    return input;
+  }
+  if (!options.Materials.Empty())
+  {
+    throw vtkHapticCliProblem(file + ": lines as walls are felt without arrays of materials; leave those out, or " +
+                              "make tubes of the lines (--line-radius)");
+  }
+  input.Surfaces = { vtkHapticCliWallsOf(file, surface, options.Radius_u) };
+  input.Lines = surface.Lines;
+  return input;
+}
+
+/// A machine that asked for JSON gets JSON for a refusal as well.
+Input ReadOrRefuse(const vtkHapticCliCheckOptions& options)
+{
   try
   {
-    vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, options.Iso, options.Materials, true);
-    if (!surface.Input.mesh)
-    {
-      if (!options.Materials.Empty())
-      {
-        throw vtkHapticCliProblem(file + ": lines are felt as they are, without arrays of materials; leave those out");
-      }
-      surface.Input = vtkHapticCliWallsOf(file, surface, options.Radius_u);
-      return surface;
-    }
-    surface.Lines.reset(); // a surface with lines beside it is one with polygons
-    if (!surface.Material.Problem.empty())
-    {
-      throw vtkHapticCliProblem(file + ": " + surface.Material.Problem);
-    }
-    return surface;
+    return Read(options);
   }
   catch (const vtkHapticCliProblem& problem)
   {
     if (options.Json)
     {
-      Print(nlohmann::ordered_json{ { "file", file }, { "touchable", false }, { "refusal", problem.what() } });
+      Print(nlohmann::ordered_json{ { "file", options.File }, { "touchable", false }, { "refusal", problem.what() } });
     }
     throw;
   }
-}
-
-std::string SentenceOfPlane(const vtkHapticCliSurface& surface)
-{
-  return "a plane world: " + std::to_string(surface.Lines->triangles.size()) +
-         " segments in the plane z = 0, felt in that plane (touch --two-d) as walls, of two triangles each, across it";
 }
 } // namespace
 
 int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options)
 {
-  const vtkHapticCliSurface surface = ReadOrRefuse(options);
-  const palpate::SceneBuildResult built = palpate::SceneBuilder().build({ surface.Input });
-  const palpate::SurfaceReport& report = built.reports.front();
+  const Input input = ReadOrRefuse(options);
+  const palpate::SceneBuildResult built = palpate::SceneBuilder().build(input.Surfaces);
+  const bool whole = built.scene && built.scene->surfaces().size() == input.Surfaces.size();
   if (options.Json)
   {
-    nlohmann::ordered_json described = ToJson(report, surface.Material.Note);
-    described["plane_world"] = surface.Lines != nullptr;
-    if (built.scene)
+    nlohmann::ordered_json described = ToJson(options, input, built.reports);
+    if (whole)
     {
-      AddScene(described, { *built.scene, surface.Lines.get() }, options);
+      AddScene(described, { *built.scene, input.Lines.get() }, options);
     }
     Print(described);
   }
-  if (!built.scene)
+  for (const palpate::SurfaceReport& report : built.reports)
   {
-    throw vtkHapticCliProblem(options.File + ": it cannot be touched: " + report.refusal);
+    if (!report.refusal.empty())
+    {
+      throw vtkHapticCliProblem(report.name + ": it cannot be touched: " + report.refusal);
+    }
   }
   if (!options.Json)
   {
-    Print(report, { *built.scene, surface.Lines.get() }, surface.Material.Note, options);
-    if (surface.Lines)
-    {
-      std::cout << "  world     " << SentenceOfPlane(surface) << '\n';
-    }
+    Print(options, input, { *built.scene, input.Lines.get() }, built.reports);
   }
   return 0;
 }

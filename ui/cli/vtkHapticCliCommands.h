@@ -23,7 +23,8 @@ struct vtkHapticCliCheckOptions
   vtkHapticMaterialSettings Materials;
   bool Simplify = false; ///< also with how few triangles it would feel the same, which takes a while
   double Radius_u = 0.0;
-  bool ForceRadius = false; ///< although a tick may run out of its work
+  bool ForceRadius = false;  ///< although a tick may run out of its work
+  double LineRadius_u = 0.0; ///< of the tubes as which lines are touched; 0: lines are walls
   double MuStatic = 0.0;
   std::optional<double> MuKinetic;
   bool Json = false;

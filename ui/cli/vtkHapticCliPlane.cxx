@@ -15,10 +15,15 @@ palpate::SurfaceInput vtkHapticCliWallsOf(const std::string& file, const vtkHapt
                               ": a plane world is made of lines and this file has polygons; take their edges or a " +
                               "slice of them (Feature Edges, Slice), or leave out --two-d");
   }
+  if (const std::string many = palpate::refuseSegments(surface.Lines->triangles.size()); !many.empty())
+  {
+    throw vtkHapticCliProblem(file + ": " + many);
+  }
   const palpate::PlaneCurves plane = palpate::curvesInPlane(*surface.Lines);
   if (!plane.refusal.empty())
   {
-    throw vtkHapticCliProblem(file + ": a plane world lies in the plane z = 0: " + plane.refusal);
+    throw vtkHapticCliProblem(file + ": a plane world lies in the plane z = 0: " + plane.refusal +
+                              "; curves in space are touched as tubes (--line-radius, without --two-d)");
   }
   palpate::SurfaceInput walls;
   walls.name = file;
