@@ -7,19 +7,18 @@
 
 namespace
 {
-void AddRange(CLI::App& command, const std::string& option, std::array<double, 2>& range, const std::string& what)
-{
-  command.add_option(option, range, what)->delimiter(',')->type_name("LOW,HIGH");
-}
-
 void AddTransfer(CLI::App& command, const std::string& name, vtkHapticTransfer& transfer, const std::string& felt)
 {
   const std::string option = "--" + name;
-  command.add_option(option + "-array", transfer.Array, "array of points or cells that gives the " + name);
+  CLI::Option* array =
+    command.add_option(option + "-array", transfer.Array, "array of points or cells that gives the " + name);
   command.add_option(option + "-component", transfer.Component, "of that array; -1: the length of a vector")
-    ->capture_default_str();
-  AddRange(command, option + "-range", transfer.DataRange, "its values between which the " + name + " changes; all");
-  AddRange(command, option + "-to", transfer.FeltRange, felt);
+    ->capture_default_str()
+    ->needs(array);
+  const auto addRange = [&](const std::string& of, std::array<double, 2>& range, const std::string& what)
+  { command.add_option(option + of, range, what)->delimiter(',')->type_name("LOW,HIGH")->needs(array); };
+  addRange("-range", transfer.DataRange, "its values between which the " + name + " changes; all");
+  addRange("-to", transfer.FeltRange, felt);
 }
 } // namespace
 

@@ -171,6 +171,11 @@ std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(const std::vector<s
       add(vtkHapticCliTubesOf(file, surface, lineRadius_u), surface.LineMaterial);
     }
   }
+  const auto isTubes = [](const palpate::SurfaceInput& input) { return input.lineRadius_u.has_value(); };
+  if (lineRadius_u > 0.0 && std::none_of(inputs.begin(), inputs.end(), isTubes))
+  {
+    throw vtkHapticCliProblem(files.front() + ": it has no lines; leave out --line-radius");
+  }
   CheckMaterials(read);
   return vtkHapticCliBuild(inputs);
 }

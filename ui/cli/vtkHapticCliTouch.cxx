@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticCliCommands.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "haptics/contact/PlanFor.h"
@@ -75,6 +76,16 @@ double ChooseRadius_u(const palpate::Scene& scene, const palpate::ContactPlan& p
   return chosen_u;
 }
 
+void TellOfCoupling(const vtkHapticCliTouchOptions& options)
+{
+  const vtkHapticTransfer& data = options.Materials.Stiffness;
+  if (!data.Array.empty() && std::max(data.FeltRange[0], data.FeltRange[1]) > options.Stiffness_N_per_m)
+  {
+    std::cerr << "palpate: --stiffness-to: at most " << options.Stiffness_N_per_m
+              << " N/m is felt, the coupling's own (--stiffness)\n";
+  }
+}
+
 void Render(const std::vector<vtkHapticCliPathRow>& path, const palpate::Scene& scene,
   const palpate::HapticParameters& parameters, vtkHapticCliOutput& output)
 {
@@ -112,6 +123,7 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
     options.TwoD ? vtkHapticCliBuildPlane(options.Files, options.Radius_u)
                  : vtkHapticCliBuildScene(
                      options.Files, options.Iso, options.Materials, options.Scale_u_per_m, options.LineRadius_u);
+  TellOfCoupling(options);
   parameters.contact.radius_u = ChooseRadius_u(*scene, parameters.contact, options.LimitRadius);
   std::vector<std::string> inputs = options.Files;
   inputs.push_back(options.Path);
