@@ -43,7 +43,9 @@ void ThrowIfBroken(const vtkHapticMessageCapture& messages)
 {
   if (!messages.FirstError().empty())
   {
-    throw std::runtime_error("it is broken or cut short (" + messages.FirstError() + ")");
+    const bool array = messages.FirstError().find("data array") != std::string::npos;
+    throw std::runtime_error("it is broken or cut short (" + messages.FirstError() +
+                             (array ? "; VTK reads no array as text that ends with nan" : "") + ")");
   }
 }
 

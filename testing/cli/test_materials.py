@@ -128,6 +128,10 @@ class Materials(CommandLineTest):
         wall = 64.0 + share * (STIFFNESS - 64.0)
         self.assertAlmostEqual(self.read_rows()[-1]["force_z"], wall * DEPTH, delta=1e-9)
 
+    def test_an_array_of_text_that_ends_with_nan_is_said_to_be_what_vtk_cannot_read(self):
+        self.write("nan.vtp", vtp_text(SQUARE_POINTS, SQUARE_FACES, point_data=array("a", [1, 2, 3, "nan"])))
+        self.refused("check", "nan.vtp", saying=["nan.vtp", "broken or cut short", "ends with nan"])
+
     def test_check_says_what_an_array_gives(self):
         text = self.succeed("check", "square.vtp", "--friction-array", "c", "--friction-to", "0.25,0.75").stdout
         self.assertIn("friction from 'c', 3 to 3 as 0.25 to 0.75", text)
@@ -140,6 +144,19 @@ class Materials(CommandLineTest):
         run = self.succeed("touch", "square.vtp", "other.off", "--path", "path.csv", "--csv", "out.csv",
                            "--stiffness-array", "x")
         self.assertIn("other.off: its own stiffness, for it has no array 'x'", run.stderr)
+
+    def test_what_the_coupling_cuts_off_is_said(self):
+        self.write_path([(0.0, 0.0, 0.0, 1.0)])
+        touch = ("touch", "square.vtp", "--path", "path.csv", "--csv", "out.csv", "--stiffness", 512, "--stiffness-array", "x")
+        said = "at most 512 N/m is felt"
+        self.assertIn(said, self.succeed(*touch, "--stiffness-to", "100,513").stderr)
+        self.assertNotIn(said, self.succeed(*touch, "--stiffness-to", "100,512").stderr)
+
+    def test_what_only_an_array_makes_sense_of_is_refused_without_one(self):
+        self.write_path([(0.0, 0.0, 0.0, 1.0)])
+        for command in (("check", "square.vtp"), ("touch", "square.vtp", "--path", "path.csv", "--csv", "out.csv")):
+            for option in ("--stiffness-to=1,2", "--friction-range=1,2", "--texture-component=0"):
+                self.refused(*command, option, saying=[option.split("=")[0], option.split("-")[2] + "-array"])
 
     def test_an_array_that_cannot_be_used_is_refused_in_one_line(self):
         self.write_path([(0.0, 0.0, 0.0, 1.0)])
