@@ -118,7 +118,21 @@ void vtkHapticSession::Refuse(const std::string& problem)
   if (!problem.empty())
   {
     this->Impl->Problem = problem;
+    this->Impl->ProblemOf.clear();
     vtkErrorMacro(<< problem);
+  }
+}
+
+void vtkHapticSession::Internals::Follow(const std::string& what, const std::string& problem)
+{
+  if (!problem.empty())
+  {
+    this->ProblemOf = what;
+  }
+  else if (this->ProblemOf == what)
+  {
+    this->Problem.clear();
+    this->ProblemOf.clear();
   }
 }
 
@@ -244,9 +258,10 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
   change(parameters);
   const palpate::HapticParameters allowed = this->Impl->Allowed(parameters);
   const std::string problem = this->Impl->Core.setParameters(allowed);
+  this->Refuse(problem);
+  this->Impl->Follow("parameters", problem);
   if (!problem.empty())
   {
-    this->Refuse(problem);
     return;
   }
   const palpate::HapticParameters before = std::exchange(this->Impl->Parameters, parameters);

@@ -79,6 +79,10 @@ public:
   std::string Scheduling;
   std::string Warning;
   std::string Problem;
+  std::string ProblemOf; ///< what that is about, if it is known when the same succeeds
+  static constexpr const char* OfSurface = "surface ";
+  static constexpr const char* OfFormerSurface =
+    "former surface"; ///< cleared; the next scene has it refused again, or not
   double Rotation[4] = { 1.0, 0.0, 0.0, 0.0 };
   double Offset[3] = { 0.0, 0.0, 0.0 };
   double Proxy[3] = { 0.0, 0.0, 0.0 };
@@ -97,6 +101,8 @@ public:
   };
   std::optional<RunningChoice> Running;
 
+  /// Remembers what was refused, or without a problem takes its refusal back, for it succeeded now.
+  void Follow(const std::string& what, const std::string& problem);
   palpate::DeviceOptions Options() const;
   /// Looks again which devices there are, and what is known of the chosen one.
   void LookForDevices();

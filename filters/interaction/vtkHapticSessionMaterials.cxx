@@ -8,9 +8,11 @@ void vtkHapticSession::ChangeMaterial(const std::function<void(vtkHapticMaterial
 {
   vtkHapticMaterialSettings settings = this->Impl->Materials;
   change(settings);
-  if (const std::string problem = settings.Check(); !problem.empty())
+  const std::string problem = settings.Check();
+  this->Refuse(problem);
+  this->Impl->Follow("materials", problem);
+  if (!problem.empty())
   {
-    this->Refuse(problem);
     return;
   }
   if (settings != this->Impl->Materials)
@@ -24,9 +26,12 @@ void vtkHapticSession::ChangeMaterial(const std::function<void(vtkHapticMaterial
 
 void vtkHapticSession::SetLineRadius(double radius_u)
 {
-  if (!(radius_u >= 0.0) || !std::isfinite(radius_u))
+  const bool usable = radius_u >= 0.0 && std::isfinite(radius_u);
+  const std::string problem = usable ? "" : "the radius of lines must be a finite number of scene units, 0 or above";
+  this->Refuse(problem);
+  this->Impl->Follow("line radius", problem);
+  if (!usable)
   {
-    this->Refuse("the radius of lines must be a finite number of scene units, 0 or above");
     return;
   }
   if (radius_u != this->Impl->LineRadius_u)

@@ -56,8 +56,10 @@ void vtkHapticSession::Internals::SettleScene()
 
 bool vtkHapticSession::SetSurfacePose(const char* name, vtkMatrix4x4* matrix)
 {
-  const std::string problem = this->Impl->Worker.Place(name ? name : "surface", matrix);
+  const std::string known = name ? name : "surface";
+  const std::string problem = this->Impl->Worker.Place(known, matrix);
   this->Refuse(problem);
+  this->Impl->Follow(Internals::OfSurface + known, problem);
   return problem.empty();
 }
 

@@ -7,17 +7,24 @@
 void vtkHapticSession::ClearSurfaces()
 {
   this->Impl->Worker.Clear();
+  if (this->Impl->ProblemOf.starts_with(Internals::OfSurface))
+  {
+    this->Impl->ProblemOf = Internals::OfFormerSurface;
+  }
 }
 
 bool vtkHapticSession::AddSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
-  const std::string problem = this->Impl->Worker.Add(name ? name : "surface", data, matrix);
+  const std::string known = name ? name : "surface";
+  const std::string problem = this->Impl->Worker.Add(known, data, matrix);
   this->Refuse(problem);
+  this->Impl->Follow(Internals::OfSurface + known, problem);
   return problem.empty();
 }
 
 void vtkHapticSession::CommitScene()
 {
+  this->Impl->Follow(Internals::OfFormerSurface, "");
   this->Impl->Simpler.Cancel();
   this->Impl->Worker.Follow(this->Impl->Core.running() ? this->Impl->Full.Scene : nullptr);
   this->Impl->Worker.Commit(this->Impl->Now());

@@ -263,6 +263,45 @@ TEST_F(HapticSession, NumbersThatCannotBeAreRefusedAndTheOldOnesStay)
   EXPECT_EQ(this->session_->GetScale(), scale);
 }
 
+TEST_F(HapticSession, ARefusalIsTakenBackWhenTheSameSucceeds)
+{
+  const auto refused = [this](const std::function<void()>& change, const char* reason)
+  {
+    EXPECT_EQ(errorsOf(this->session_, change).size(), 1u);
+    EXPECT_THAT(this->session_->GetProblem(), HasSubstr(reason));
+  };
+  refused([this] { this->session_->SetLineRadius(std::nan("")); }, "radius of lines");
+  this->session_->SetLineRadius(0.0);
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+  refused([this] { this->session_->SetStiffness(-1.0); }, "stiffness");
+  this->session_->SetLineRadius(0.5); // something else
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("stiffness"));
+  this->session_->SetStiffness(stiffness);
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+  refused([this] { this->session_->SetStiffnessFeltRange(-1.0, 1.0); }, "stiffness");
+  this->session_->SetStiffnessFeltRange(0.0, 1.0);
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+}
+
+TEST_F(HapticSession, ASurfaceThatIsThereAgainOrNoLongerShownIsNotSaidToBeRefused)
+{
+  const auto showEmpty = [this]
+  {
+    this->session_->ClearSurfaces();
+    vtkNew<vtkPolyData> empty;
+    EXPECT_EQ(errorsOf(this->session_, [&] { this->session_->AddSurface("surface", empty, nullptr); }).size(), 1u);
+    this->session_->CommitScene();
+    EXPECT_FALSE(this->session_->FinishScene());
+    EXPECT_THAT(this->session_->GetProblem(), HasSubstr("surface: it has no polygons"));
+  };
+  showEmpty();
+  this->show(makePlane(100.0));
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+  showEmpty();
+  this->showNothing();
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+}
+
 TEST_F(HapticSession, AnUnknownDeviceIsRefusedByNameAndTheOldOneStays)
 {
   const auto errors = errorsOf(this->session_, [&] { this->session_->SetDeviceName("touchstone"); });
