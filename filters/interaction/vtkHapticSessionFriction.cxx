@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/geometry/Material.h"
 #include "vtkHapticSessionInternals.h"
 
 namespace
@@ -10,7 +11,7 @@ namespace
 /// A number that cannot be is left as it is, for the parameters to refuse.
 double Used(double kinetic, double statical)
 {
-  return std::isfinite(kinetic) ? std::min(kinetic, statical) : kinetic;
+  return kinetic <= palpate::Material::largestFriction ? std::min(kinetic, statical) : kinetic;
 }
 } // namespace
 

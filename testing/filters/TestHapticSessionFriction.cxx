@@ -112,6 +112,7 @@ TEST_F(HapticSessionFriction, CoefficientsThatCannotBeAreRefusedAndTheOldOnesSta
     this->expectRefused(bad, &vtkHapticSession::SetFrictionKinetic);
   }
   this->expectRefused(10.5, &vtkHapticSession::SetFrictionStatic);
+  this->expectRefused(10.5, &vtkHapticSession::SetFrictionKinetic);
   EXPECT_EQ(this->session_->GetFrictionStatic(), statical);
   EXPECT_EQ(this->session_->GetFrictionKinetic(), kinetic);
   EXPECT_EQ(this->session_->GetFrictionKineticUsed(), kinetic);
