@@ -140,6 +140,7 @@ std::string vtkHapticSceneWorker::AddWalls(const std::string& name, vtkDataObjec
   Kept kept;
   kept.Key = key;
   kept.Name = name;
+    this->NoteWithoutArrays(this->Adding.back());
   kept.Input.name = name + " (walls)";
   kept.Input.mesh = std::move(walls.Mesh);
   kept.Baked = vtkHapticPlacementOf(matrix);
@@ -155,10 +156,16 @@ std::optional<palpate::Pose> vtkHapticSceneWorker::CommittedPlane() const
   for (const Kept& kept : this->Committed)
   {
     if (!kept.Plane_WP)
+  this->NoteWithoutArrays(kept);
     {
       return std::nullopt;
     }
     const palpate::Pose &moved = kept.Input.pose_WS, &plane = *kept.Plane_WP;
+void vtkHapticSceneWorker::NoteWithoutArrays(Kept& walls) const
+{
+  walls.MaterialNote = this->Materials.Empty() ? "" : "its own, for walls are felt without arrays";
+}
+
     const palpate::Pose one{ moved.p + moved.q * plane.p, moved.q * plane.q };
     const double size_u = kept.Input.mesh->vertices_W.front().cwiseAbs().maxCoeff();
     all_WP = all_WP ? vtkHapticOnePlane(*all_WP, one, size_u) : one;

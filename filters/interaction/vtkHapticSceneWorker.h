@@ -92,6 +92,7 @@ private:
     const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, std::optional<double> lineRadius_u);
   /// Lines as walls. Empty, or why they are none.
   std::string AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  void NoteWithoutArrays(Kept& walls) const;
   /// The plane of all that was committed.
   std::optional<palpate::Pose> CommittedPlane() const;
   bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,

@@ -75,6 +75,21 @@ TEST_F(HapticSessionMaterials, ASurfaceWithoutTheArrayKeepsItsOwnAndTheReportSay
   EXPECT_NEAR(this->pressedAt(40.0).z(), stiffness * depth / scale, 1e-12);
 }
 
+TEST_F(HapticSessionMaterials, WallsAreFeltWithoutArraysAndTheReportSaysSo)
+{
+  const auto line = makePath({ Vec3(-half, 0.0, 0.0), Vec3(half, 0.0, 0.0), Vec3(half, half, 0.0) });
+  this->session_->SetLinesAsWalls(2);
+  this->session_->SetStiffnessArray("x");
+  for (int again = 0; again < 2; ++again)
+  {
+    this->show(line);
+    EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("walls are felt without arrays"));
+  }
+  this->session_->SetStiffnessArray("");
+  this->show(line);
+  EXPECT_THAT(this->session_->GetSceneReport(), Not(HasSubstr("without arrays")));
+}
+
 TEST_F(HapticSessionMaterials, PointsWithoutANumberAreCountedInTheReport)
 {
   const auto plane = planeWithX();
