@@ -40,6 +40,7 @@ bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
   this->Impl->TraceApart_u = traceApart * labyrinth.corridor_u;
   this->Impl->Trace = palpate::WayTrace(this->Impl->TraceApart_u);
   this->Impl->Problem = palpate::refuse(labyrinth); // that a structure is none is no fault: it is explored
+  this->Impl->ProblemOf.clear();
   const bool played = this->Impl->Problem.empty();
   this->SetLinesAsWalls(On);
   const double workspace_m = this->Impl->InfoNow().workspaceRadius_m.value;

@@ -18,7 +18,7 @@ constexpr double rest_s = 1.0;
 double vtkHapticSession::Internals::Now()
 {
   return this->VirtualTimeNow() ? PeriodSeconds * static_cast<double>(this->Core.state().tick)
-                           : 1e-9 * static_cast<double>(palpate::MonotonicClock().now_ns());
+                                : 1e-9 * static_cast<double>(palpate::MonotonicClock().now_ns());
 }
 
 void vtkHapticSession::Internals::TakeScene(std::optional<vtkHapticBuiltScene> built)

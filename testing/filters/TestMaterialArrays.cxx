@@ -121,6 +121,46 @@ TEST(MaterialArrays, StiffnessFollowsALinearArrayAtEachPlace)
   }
 }
 
+TEST(MaterialArrays, ATubeFollowsTheArrayOfItsLineAtEachPlace)
+{
+  constexpr double tube = 2.0, ball = 0.25; // u
+  const auto line = makePath({ Vec3(-half, 0.0, 0.0), Vec3(half, 0.0, 0.0) });
+  line->GetPointData()->AddArray(makeArray("a", { -half, half }));
+  vtkNew<vtkTouchAlongPath> touch;
+  touch->SetInputData(line);
+  touch->SetLineRadius(tube);
+  touch->SetRadius(ball);
+  touch->SetStiffnessArray("a");
+  touch->SetStiffnessFeltRange(200.0, 900.0);
+  const double slope = 700.0 / (2.0 * half); // N/m per u
+  const std::vector<Vec3> forces_W = pressedAt(touch, places, 0.0, tube + ball);
+  ASSERT_EQ(forces_W.size(), places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const double wall = 200.0 + slope * (places[i] + half);
+    const Vec3 expected_W(-0.5 * depth * depth * slope, 0.0, wall * depth); // -grad of k(x) d^2 / 2
+    EXPECT_LT((forces_W[i] - expected_W).norm(), 1e-12 * stiffness) << places[i];
+  }
+}
+
+TEST(MaterialArrays, ALineWithoutTheArrayIsAnErrorUnlessASurfaceBesideItHasIt)
+{
+  const auto line = makePath({ Vec3(-half, 0.0, 5.0), Vec3(half, 0.0, 5.0) });
+  vtkNew<vtkTouchAlongPath> touch;
+  touch->SetInputData(line);
+  touch->SetPathData(makePath({ Vec3(0.0, 0.0, 9.0), Vec3(0.0, 0.0, 8.0) }));
+  touch->SetLineRadius(0.5);
+  touch->SetStiffnessArray("a");
+  const auto errors = errorsOf(touch);
+  ASSERT_FALSE(errors.empty());
+  EXPECT_THAT(errors.front(), HasSubstr("no array 'a'"));
+  vtkNew<vtkMultiBlockDataSet> both;
+  both->SetBlock(0, line);
+  both->SetBlock(1, makePlaneWith(xOf));
+  touch->SetInputData(both);
+  EXPECT_THAT(errorsOf(touch), IsEmpty());
+}
+
 TEST(MaterialArrays, ADataRangeIsLevelBeyondItsEndsAndTheFeltRangeMayFall)
 {
   vtkNew<vtkTouchAlongPath> touch;
