@@ -47,6 +47,10 @@ CHARTS = [
      "A joystick holds a slanted line as two walls, which the host moves on: between two updates they drag. Marks are measured on "
      "held walls, dashed lines are the formula; above the dotted line a hand feels it. At the device's own rate there is none (drawn at the edge).",
      ["slanted-wall"], lambda t: plane_worlds.draw_host_rate(t["slanted-wall"])),
+    ("plane-cost", "A tree or every line",
+     "Where a way of 20 ticks first meets a line, asked of the tree and of all lines in turn: they cross where a tree begins to be "
+     "worth it. A tick asks the tree several times, of shorter ways, and does the rest of contact as well. Bands reach from the median to the 99th of a hundred.",
+     ["plane-cost"], lambda t: costs.draw_lines(t["plane-cost"])),
     ("smallest-feature", "How small a feature may be",
      "A hand that presses with F stands F / K behind a wall: corridors and walls narrower than 2 F / K (dashed) cannot be told apart. "
      "Right: how many corridors off the hand comes to rest, and that the zoom that is offered makes it none.",

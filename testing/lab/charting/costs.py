@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""C1, C2 and C9: what size costs, and what it brings."""
+"""C1, C2, C9 and lines in a plane: what size costs, and what it brings."""
 
 from matplotlib.ticker import LogFormatter, MaxNLocator
 
@@ -81,4 +81,14 @@ def draw_queries(rows):
         row[0].set_ylabel("cost of a query [µs]")
     figure.supxlabel("triangles", fontsize="medium")
     figure.legend(*cells[0].get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=6)
+    return figure
+
+
+def draw_lines(rows):
+    """Lines of a plane world against the cost of a question, by the tree and by asking every line, and of a whole tick."""
+    timed = [row for row in rows if "lines" in row.pairs and row.cost_us_p50 is not None and not row.quantity.startswith("p50")]
+    figure, axes = pyplot.subplots(figsize=(8, 4.4))
+    spread(axes, timed, "lines", looks(row.method for row in timed))
+    axes.set(xscale="log", yscale="log", xlabel="lines", ylabel="cost, p50 to p99 [µs]")
+    axes.legend()
     return figure

@@ -22,8 +22,9 @@ namespace
 using Vec2 = Eigen::Vector2d;
 
 constexpr double half_u = 2.0; // of the square world
-constexpr const char* ours = "tree";
-constexpr const char* flat = "every line asked once";
+constexpr const char* ours = "tree, a whole tick";
+constexpr const char* asked = "tree, asked once";
+constexpr const char* flat = "every line, asked once";
 
 std::shared_ptr<const Scene> sceneOf(const CurveSet& curves)
 {
@@ -90,15 +91,23 @@ std::vector<Vec3> stroking(std::size_t ticks, test::Random& random)
   return path_W;
 }
 
-/// Ticks of a stroke. Only ways as short as that are asked of the flat list, which is one question of a tick of
-/// several.
-void judgeStroke(const CurveSet& curves, const std::string& name, const Conditions& conditions, Table& table)
+/// Lines, and the same as walls.
+struct World
 {
-  test::Random random(conditions.seed + 4);
-  const std::size_t lines = curves.segments.size();
-  const std::vector<Vec3> path_W = stroking(conditions.pick<std::size_t>(2000, 20000, 100000), random);
-  const auto scene = sceneOf(curves);
-  test::Probe probe(scene, 0.0, path_W.front());
+  CurveSet curves;
+  std::shared_ptr<const Scene> scene;
+
+  [[nodiscard]] std::string name() const
+  {
+    return caseName({ { "lines", static_cast<double>(this->curves.segments.size()) } });
+  }
+};
+
+/// Ticks of a stroke.
+void judgeStroke(const World& world, const std::vector<Vec3>& path_W, Table& table)
+{
+  const std::string name = world.name();
+  test::Probe probe(world.scene, 0.0, path_W.front());
   test::CostSample tree(path_W.size());
   double incomplete = 0.0, nodes = 0.0;
   for (const Vec3& p_W : path_W)
@@ -110,20 +119,56 @@ void judgeStroke(const CurveSet& curves, const std::string& name, const Conditio
   }
   table.within({ name, ours, "ticks that ran out of work" }, incomplete, 0.0, 0.0).cost = Cost::of(tree);
   table.info({ name, ours, "nodes in a tick, most" }, nodes);
+}
 
-  const std::size_t asked = std::min<std::size_t>(path_W.size(), 1 + 20000000 / lines);
-  test::CostSample list(asked);
+/// The question of which a tick asks several: where a way, 20 ticks long here, first meets a line.
+void judgeQuestion(const World& world, const std::vector<Vec3>& path_W, Table& table)
+{
+  const std::string name = world.name();
+  const std::size_t ways = std::min<std::size_t>(path_W.size(), 1 + 20000000 / world.curves.segments.size());
+  test::CostSample list(ways), tree(ways);
   double differ = 0.0, hits = 0.0;
-  for (std::size_t i = 1; i < asked; ++i)
+  for (std::size_t i = 1; i < ways; ++i)
   {
     const Vec3 from_W = path_W[i - 1], to_W = from_W + 20.0 * (path_W[i] - from_W);
-    double met = 1.0;
-    list.time([&] { met = firstCrossing(curves, from_W.head<2>(), to_W.head<2>()); });
+    double met = 1.0, swept = 1.0;
+    list.time([&] { met = firstCrossing(world.curves, from_W.head<2>(), to_W.head<2>()); });
+    tree.time([&] { swept = sweepBall(*world.scene, straightQuery(from_W, to_W), ContactPlan().nodeBudget).t; });
     hits += met < 1.0;
-    differ += std::fabs(sweepBall(*scene, straightQuery(from_W, to_W), ContactPlan().nodeBudget).t - met) > 1e-9;
+    differ += std::fabs(swept - met) > 1e-9;
   }
-  table.within({ name, flat, "first lines met that differ from the tree's" }, differ, 0.0, 0.0).cost = Cost::of(list);
-  table.atLeast({ name, flat, "ways that meet a line" }, hits, 1.0);
+  table.within({ name, asked, "first lines met that differ from those of the list" }, differ, 0.0, 0.0).cost =
+    Cost::of(tree);
+  table.atLeast({ name, flat, "ways that meet a line" }, hits, 1.0).cost = Cost::of(list);
+  if (world.curves.segments.size() >= 2000)
+  {
+    const bool cheaper = tree.quantile_us(0.5) < list.quantile_us(0.5);
+    table.within({ name, asked, "cheaper than every line" }, cheaper, 1.0, 0.0);
+  }
+}
+
+Cost tickCost(const std::shared_ptr<const Scene>& scene, const std::vector<Vec3>& path_W)
+{
+  test::Probe probe(scene, 0.0, path_W.front());
+  test::CostSample sample(path_W.size());
+  for (const Vec3& p_W : path_W)
+  {
+    sample.time([&] { probe.to(p_W); });
+  }
+  return Cost::of(sample);
+}
+
+/// A tick among very many lines against one among two thousand: the way down a tree grows with their logarithm.
+void judgeGrowth(const World& few, const World& many, const std::vector<Vec3>& path_W, Table& table)
+{
+  constexpr int allowed = 2;
+  const auto [large, small] =
+    test::costsInTurn([&] { return tickCost(many.scene, path_W); }, [&] { return tickCost(few.scene, path_W); });
+  const bool within = large.p50_us <= allowed * small.p50_us;
+  table
+    .within({ many.name(), ours, "p50 within " + std::to_string(allowed) + " ticks among two thousand lines" }, within,
+      1.0, 0.0)
+    .cost = large;
 }
 
 CurveSet through(const std::vector<Vec3>& points_W)
@@ -249,12 +294,19 @@ void runPlaneCost(const Conditions& conditions, Table& table)
   {
     sizes.push_back(1000000);
   }
+  test::Random hand(conditions.seed + 4);
+  const std::vector<Vec3> path_W = stroking(conditions.pick<std::size_t>(2000, 20000, 100000), hand);
+  World few, world;
   for (std::size_t i = 0; i < sizes.size(); ++i)
   {
-    const CurveSet curves = maze(sizes[i], random);
-    judgeStroke(curves, caseName({ { "lines", static_cast<double>(curves.segments.size()) } }), conditions, table);
-    conditions.progress(0.9 * static_cast<double>(i + 1) / static_cast<double>(sizes.size()));
+    world.curves = maze(sizes[i], random);
+    world.scene = sceneOf(world.curves);
+    few = sizes[i] == 2000 ? world : few;
+    judgeStroke(world, path_W, table);
+    judgeQuestion(world, path_W, table);
+    conditions.progress(0.8 * static_cast<double>(i + 1) / static_cast<double>(sizes.size()));
   }
+  judgeGrowth(few, world, path_W, table);
   judgeLevels(conditions, table);
 }
 
