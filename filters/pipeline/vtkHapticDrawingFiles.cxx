@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -209,6 +210,11 @@ vtkSmartPointer<vtkPolyData> ReadPNG(const std::string& path, std::string& note)
   AddPlace(world, "Start", ink.Start.GetPlace());
   AddPlace(world, "Exit", ink.Exit.GetPlace());
   note = "lines are the middle of its dark strokes, within a pixel";
+  if (curves->GetInkShare() > vtkImageCurves::MostInk)
+  {
+    note = "it is mostly dark (" + std::to_string(std::lround(100.0 * curves->GetInkShare())) +
+           " %); if its lines are the light ones, invert it: " + note;
+  }
   return world;
 }
 } // namespace vtkHapticDrawingFiles

@@ -135,7 +135,7 @@ LooseLines vtkHapticImageLines::Labels(const vtkHapticImagePlane& plane, const p
   return vtkHapticPixelSquares(plane, Areas{ range[0] }).Walk(goes);
 }
 
-LooseLines vtkHapticImageLines::Drawing(
+vtkHapticImageLines::Drawn vtkHapticImageLines::Drawing(
   const vtkHapticImagePlane& plane, double value, bool inkIsDark, double gap, const palpate::Goes& goes)
 {
   bool going = true;
@@ -145,13 +145,16 @@ LooseLines vtkHapticImageLines::Drawing(
   {
     return {};
   }
+  Drawn drawn;
+  drawn.InkShare = static_cast<double>(std::count(drawing.ink.begin(), drawing.ink.end(), 1)) /
+                   static_cast<double>(drawing.ink.size());
   palpate::Bitmap thinned = drawing;
   palpate::thin(thinned, palpate::partOf(watched, ReadShare, gap > 0.0 ? ThinnedShare : 1.0));
-  LooseLines lines = palpate::linesOf(thinned);
+  drawn.Lines = palpate::linesOf(thinned);
   if (gap > 0.0 && going)
   {
     palpate::mendGaps(
-      lines, drawing, { plane.GetSpacing(0), plane.GetSpacing(1) }, gap, palpate::partOf(watched, ThinnedShare, 1.0));
+      drawn.Lines, drawing, { plane.GetSpacing(0), plane.GetSpacing(1) }, gap, palpate::partOf(watched, ThinnedShare, 1.0));
   }
-  return lines;
+  return drawn;
 }

@@ -17,8 +17,15 @@ namespace vtkHapticImageLines
 /// Borders of areas with the same whole value.
 [[nodiscard]] palpate::LooseLines Labels(const vtkHapticImagePlane& plane, const palpate::Goes& goes);
 
-/// The middle lines of what is darker, or lighter, than `value`; gaps up to `gap` [u] closed.
-[[nodiscard]] palpate::LooseLines Drawing(
+/// The share of an image that is ink, and its middle lines.
+struct Drawn
+{
+  double InkShare = 0.0;
+  palpate::LooseLines Lines;
+};
+
+/// Of what is darker, or lighter, than `value`; gaps up to `gap` [u] closed.
+[[nodiscard]] Drawn Drawing(
   const vtkHapticImagePlane& plane, double value, bool inkIsDark, double gap, const palpate::Goes& goes);
 } // namespace vtkHapticImageLines
 

@@ -70,5 +70,7 @@ vtkHapticLabyrinthResult vtkHapticReadLabyrinth(const std::string& file, std::op
     result.Problem = read.Problem;
     return result;
   }
-  return vtkHapticToLabyrinth(read.Surface, file, corridor_u);
+  vtkHapticLabyrinthResult result = vtkHapticToLabyrinth(read.Surface, file, corridor_u);
+  result.Note = read.Note;
+  return result;
 }

@@ -14,6 +14,7 @@ class vtkDataObject;
 struct vtkHapticLabyrinthResult
 {
   palpate::Labyrinth Labyrinth; ///< named as it was asked for
+  std::string Note;             ///< what a person should know of the file, without its name; may be empty
   std::string Problem;          ///< one line that begins with the name; empty when it can be explored
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "haptics/geometry/CurveChains.h"
 #include "haptics/geometry/CurveSimplification.h"
@@ -184,8 +185,13 @@ palpate::LooseLines vtkImageCurves::FindLines(const vtkHapticImagePlane& plane)
     return vtkHapticImageLines::Labels(plane, goes);
   }
   const double value = this->ChooseValue(plane);
-  return this->Kind == Drawing ? vtkHapticImageLines::Drawing(plane, value, this->InkIsDark, this->Gap, goes)
-                               : vtkHapticImageLines::Contour(plane, value, goes);
+  if (this->Kind == Contour)
+  {
+    return vtkHapticImageLines::Contour(plane, value, goes);
+  }
+  vtkHapticImageLines::Drawn drawn = vtkHapticImageLines::Drawing(plane, value, this->InkIsDark, this->Gap, goes);
+  this->InkShare = drawn.InkShare;
+  return std::move(drawn.Lines);
 }
 
 void vtkImageCurves::MakeCurves(vtkImageData* image, vtkDataArray* values, vtkPolyData* output)
@@ -237,6 +243,7 @@ int vtkImageCurves::RequestData(vtkInformation*, vtkInformationVector** input, v
     vtkErrorMacro(<< problem);
     return 0;
   }
+  this->InkShare = 0.0;
   try
   {
     vtkImageData* image = vtkImageData::GetData(input[0]);
@@ -246,6 +253,12 @@ int vtkImageCurves::RequestData(vtkInformation*, vtkInformationVector** input, v
   {
     vtkErrorMacro("No curves: " << error.what());
     return 0;
+  }
+  if (this->InkShare > MostInk)
+  {
+    vtkWarningMacro(<< std::lround(100.0 * this->InkShare)
+                    << " % of the image count as ink: if its lines are the rest, turn \"Ink is dark\" "
+                    << (this->InkIsDark ? "off" : "on"));
   }
   return 1;
 }

@@ -120,6 +120,11 @@ public:
   vtkGetMacro(Scale, double);
   ///@}
 
+  /// More of a drawing than this share is rarely its lines: then there is a warning.
+  static constexpr double MostInk = 0.5;
+  /// The share of ink in the image that was a drawing last, 0..1.
+  vtkGetMacro(InkShare, double);
+
   /// How far a simplified curve may be from the one given, with the numbers as they are set [u].
   double GetAllowedError() const;
 
@@ -158,6 +163,7 @@ private:
   double LeastForce = 0.07;
   double Stiffness = 500.0;
   double Scale = 1.0;
+  double InkShare = 0.0;
 };
 
 #endif

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`palpate labyrinth`: the gallery, a blind hand, a path with a known time, and what is refused before a hand is moved."""
 
+import struct
 import unittest
+import zlib
 
 from palpate_cli import CommandLineTest, vtp_text
 
@@ -21,7 +23,25 @@ def world_text(points=LINES, line=(0, 1, 2, 3), **places):
     return lines.replace("<PolyData>", f"<PolyData><FieldData>{arrays}</FieldData>", 1)
 
 
+def png(rows):
+    """A grey picture."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    pixels = b"".join(b"\0" + bytes(row) for row in rows)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 0, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(pixels)) + chunk(b"IEND", b""))
+
+
 class Labyrinth(CommandLineTest):
+    # 1 - (0.2 + 0.8 / 60) of the light lines' picture are dark.
+    def test_says_of_a_picture_what_its_lines_are_and_when_it_is_mostly_dark(self):
+        for line, said in ((0, "the middle of its dark strokes"), (255, "mostly dark (79 %)")):
+            rows = [[line if i % 10 < 2 or j == 20 else 255 - line for i in range(60)] for j in range(60)]
+            (self.folder / "own.png").write_bytes(png(rows))
+            run = self.succeed("labyrinth", "own.png")
+            self.assertIn(said, run.stderr)
+            self.assertEqual(line == 255, "mostly dark" in run.stderr)
+
     def test_lists_the_gallery_with_what_each_world_is(self):
         listed = self.succeed("labyrinth").stdout
         for name in MAZES:

@@ -26,6 +26,8 @@
 using namespace palpate;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Matcher;
+using ::testing::Not;
 
 namespace
 {
@@ -326,6 +328,35 @@ TEST_F(Drawings, APictureBecomesTheMiddleOfItsInkAndItsMarks)
     }
     EXPECT_EQ(place(result, "Start"), Vec3(30, 50, 0));
     EXPECT_EQ(place(result, "Exit"), Vec3(70, 60, 0));
+  }
+}
+
+// The lines between would be walls in the middle of what is meant as corridors.
+TEST_F(Drawings, APictureWithLightLinesIsSaidToBeMostlyDark)
+{
+  constexpr int size = 40;
+  const std::filesystem::path path = this->folder_ / "light.png";
+  for (const int line : { 0, 255 })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(size, size, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    for (int j = 0; j < size; ++j)
+    {
+      for (int i = 0; i < size; ++i)
+      {
+        image->SetScalarComponentFromDouble(i, j, 0, 0, i % 10 < 2 ? line : 255 - line); // a fifth is line
+      }
+    }
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetFileName(path.c_str());
+    writer->SetInputData(image);
+    writer->Write();
+    const vtkHapticReadResult result = vtkHapticReadSurface(path, std::nullopt);
+    ASSERT_TRUE(result.Surface) << result.Problem;
+    const auto said = HasSubstr("mostly dark (80 %); if its lines are the light ones, invert it");
+    EXPECT_THAT(result.Note, line == 0 ? Matcher<std::string>(Not(said)) : Matcher<std::string>(said));
+    EXPECT_THAT(result.Note, HasSubstr("middle of its dark strokes"));
   }
 }
 

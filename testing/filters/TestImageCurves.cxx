@@ -405,6 +405,29 @@ TEST(ImageCurves, ADrawingBecomesTheMiddleLineOfItsStrokesWithItsGapsClosed)
   EXPECT_EQ(run(inverse), open);
 }
 
+TEST(ImageCurves, AWarningSaysThatMostOfADrawingIsInkAndWhatToSwitch)
+{
+  const auto image = squareImage(40, [](const Vec3& p_W) { return std::fmod(p_W.x(), 10.0) < 2.0 ? 0.0 : 1.0; });
+  const auto filter = filterOf(image, vtkImageCurves::Drawing);
+  for (const bool dark : { true, false })
+  {
+    filter->SetInkIsDark(dark);
+    std::string said;
+    vtkNew<vtkCallbackCommand> listen;
+    listen->SetClientData(&said);
+    listen->SetCallback([](vtkObject*, unsigned long, void* client, void* text)
+      { *static_cast<std::string*>(client) = static_cast<const char*>(text); });
+    const unsigned long tag = filter->AddObserver(vtkCommand::WarningEvent, listen);
+    filter->Update();
+    filter->RemoveObserver(tag);
+    EXPECT_NEAR(filter->GetInkShare(), dark ? 0.2 : 0.8, 1e-12);
+    EXPECT_EQ(said.empty(), dark) << said;
+    EXPECT_THAT(
+      said, dark ? HasSubstr("")
+                 : HasSubstr("80 % of the image count as ink: if its lines are the rest, turn \"Ink is dark\" on"));
+  }
+}
+
 TEST(ImageCurves, ShortCurvesAreLeftOutOnDemand)
 {
   const auto image = squareImage(60, [](const Vec3& p_W)

@@ -24,6 +24,10 @@ palpate::Labyrinth Read(const std::string& nameOrFile, std::optional<double> cor
   {
     throw vtkHapticCliProblem(read.Problem);
   }
+  if (!read.Note.empty())
+  {
+    std::cerr << "palpate: " << nameOrFile << ": " << read.Note << '\n';
+  }
   return read.Labyrinth;
 }
 
