@@ -96,7 +96,8 @@ std::string refuseSegments(std::size_t segments)
   return segments <= mostSegments
            ? ""
            : "its lines have " + std::to_string(segments) + " segments; at most " + std::to_string(mostSegments) +
-               " can be felt: simplify them first, which the filter Image Curves does with a guaranteed error";
+               " can be felt: simplify them first (ParaView's Decimate Polyline, or Image Curves with a larger " +
+               "tolerance where they come from an image)";
 }
 
 std::optional<Pose> planeOf(const TriangleMesh& segments)

@@ -254,6 +254,6 @@ TEST_F(HapticSessionFineLines, MoreSegmentsThanCanBeFeltAreRefusedWithTheirNumbe
       errorsOf(this->session_, [&] { this->session_->AddSurface("line", line, nullptr); });
     ASSERT_EQ(said.size(), 1U);
     EXPECT_THAT(said[0],
-      ::testing::AllOf(HasSubstr("line: its lines have 4000001 segments; at most 4000000"), HasSubstr("Image Curves")));
+      ::testing::AllOf(HasSubstr("line: its lines have 4000001 segments; at most 4000000"), HasSubstr("Decimate Polyline")));
   }
 }
