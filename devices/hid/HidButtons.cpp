@@ -18,54 +18,62 @@ bool isButton(HidUsage usage) noexcept
   return usage > pid::buttonPage && usage <= pid::buttonPage + mostButtons;
 }
 
+std::uint32_t bitOf(HidUsage usage) noexcept
+{
+  return isButton(usage) ? std::uint32_t{ 1 } << (usage - pid::buttonPage - 1) : 0;
+}
+
 } // namespace
 
-HidButtons::HidButtons(const HidReport& report) noexcept
+HidButtons::HidButtons(const HidReport& report) : report_(&report)
 {
   for (const HidField& field : report.fields)
   {
-    if (this->field_ == nullptr && std::any_of(field.usages.begin(), field.usages.end(), isButton))
+    if (std::any_of(field.usages.begin(), field.usages.end(), isButton))
     {
-      this->report_ = &report;
-      this->field_ = &field;
+      this->fields_.push_back(&field);
     }
   }
 }
 
 std::uint32_t HidButtons::count() const noexcept
 {
-  if (this->field_ == nullptr)
-  {
-    return 0;
-  }
   HidUsage last = pid::buttonPage;
-  for (const HidUsage usage : this->field_->usages)
+  for (const HidField* const field : this->fields_)
   {
-    last = isButton(usage) ? std::max(last, usage) : last;
+    for (const HidUsage usage : field->usages)
+    {
+      last = isButton(usage) ? std::max(last, usage) : last;
+    }
   }
   return last - pid::buttonPage;
-}
-
-std::uint32_t HidButtons::bitOf(HidUsage usage) const noexcept
-{
-  return isButton(usage) ? std::uint32_t{ 1 } << (usage - pid::buttonPage - 1) : 0;
 }
 
 std::uint32_t HidButtons::down(std::span<const std::uint8_t> report) const noexcept
 {
   std::uint32_t buttons = 0;
-  for (std::uint32_t element = 0; this->field_ != nullptr && element < this->field_->count; ++element)
+  for (const HidField* const field : this->fields_)
   {
-    const std::int64_t value = readControl({ this->report_, this->field_, element }, report);
-    const auto& usages = this->field_->usages;
-    if (this->field_->variable)
+    buttons |= this->down(*field, report);
+  }
+  return buttons;
+}
+
+std::uint32_t HidButtons::down(const HidField& field, std::span<const std::uint8_t> report) const noexcept
+{
+  std::uint32_t buttons = 0;
+  const std::vector<HidUsage>& usages = field.usages;
+  for (std::uint32_t element = 0; element < field.count; ++element)
+  {
+    const std::int64_t value = readControl({ this->report_, &field, element }, report);
+    if (field.variable)
     {
-      buttons |= value != 0 && element < usages.size() ? this->bitOf(usages[element]) : 0;
+      buttons |= value != 0 && element < usages.size() ? bitOf(usages[element]) : 0;
       continue;
     }
-    const std::int64_t index = value - this->field_->logicalMin;
+    const std::int64_t index = value - field.logicalMin;
     const bool listed = index >= 0 && index < static_cast<std::int64_t>(usages.size());
-    buttons |= listed ? this->bitOf(usages[static_cast<std::size_t>(index)]) : 0;
+    buttons |= listed ? bitOf(usages[static_cast<std::size_t>(index)]) : 0;
   }
   return buttons;
 }

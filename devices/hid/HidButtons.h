@@ -3,21 +3,22 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "devices/hid/ReportDescriptor.h"
 
 namespace palpate
 {
 
-/// The buttons of one input report: a bit each, or the numbers of those that are down.
+/// The buttons of one input report, in however many fields: a bit each, or the numbers of those that are down.
 class HidButtons
 {
 public:
   HidButtons() = default;
   /// The report must outlive it and stay where it is.
-  explicit HidButtons(const HidReport& report) noexcept;
+  explicit HidButtons(const HidReport& report);
 
-  [[nodiscard]] explicit operator bool() const noexcept { return this->field_ != nullptr; }
+  [[nodiscard]] explicit operator bool() const noexcept { return !this->fields_.empty(); }
   [[nodiscard]] const HidReport& report() const noexcept { return *this->report_; }
   /// At most 32.
   [[nodiscard]] std::uint32_t count() const noexcept;
@@ -25,10 +26,10 @@ public:
   [[nodiscard]] std::uint32_t down(std::span<const std::uint8_t> report) const noexcept;
 
 private:
-  [[nodiscard]] std::uint32_t bitOf(HidUsage usage) const noexcept;
+  [[nodiscard]] std::uint32_t down(const HidField& field, std::span<const std::uint8_t> report) const noexcept;
 
   const HidReport* report_ = nullptr;
-  const HidField* field_ = nullptr;
+  std::vector<const HidField*> fields_;
 };
 
 } // namespace palpate

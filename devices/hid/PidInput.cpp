@@ -22,7 +22,7 @@ HidControl absoluteAxis(const HidReport& report, HidUsage usage) noexcept
 
 } // namespace
 
-PidInput::PidInput(const ReportDescriptor& descriptor, std::size_t axes) noexcept
+PidInput::PidInput(const ReportDescriptor& descriptor, std::size_t axes)
 {
   for (const HidReport& report : descriptor.reports)
   {

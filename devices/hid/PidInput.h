@@ -26,7 +26,7 @@ class PidInput
 public:
   /// The descriptor must outlive it and stay where it is. With one axis what calls itself y is no part of the hand: a
   /// pedal of a wheel.
-  explicit PidInput(const ReportDescriptor& descriptor, std::size_t axes = 2) noexcept;
+  explicit PidInput(const ReportDescriptor& descriptor, std::size_t axes = 2);
 
   /// It has an x axis at least.
   [[nodiscard]] bool usable() const noexcept { return static_cast<bool>(this->axes_[0]); }

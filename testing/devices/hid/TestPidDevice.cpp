@@ -417,6 +417,27 @@ TEST(PidDevice, ShortAndForeignInputIsCountedAndChangesNothing)
   EXPECT_EQ(beyond->at[0], -1.0);
 }
 
+// Buttons 1 and 2 before the axis, 5 and 6 behind it.
+TEST(PidDevice, ButtonsInSeveralGroupsOfAReportAreAllHeard)
+{
+  const std::vector<std::uint8_t> bytes{ 0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95,
+    0x02, 0x05, 0x09, 0x19, 0x01, 0x29, 0x02, 0x81, 0x02, 0x95, 0x06, 0x81, 0x01, 0x05, 0x01, 0x09, 0x30, 0x25, 0x7F,
+    0x75, 0x08, 0x95, 0x01, 0x81, 0x02, 0x25, 0x01, 0x75, 0x01, 0x95, 0x02, 0x05, 0x09, 0x19, 0x05, 0x29, 0x06, 0x81,
+    0x02, 0x95, 0x06, 0x81, 0x01, 0xC0 };
+  const ReportDescriptor descriptor = parseReportDescriptor(bytes);
+  ASSERT_EQ(descriptor.problem, "");
+  const PidInput input(descriptor, 1);
+  EXPECT_EQ(input.buttonCount(), 6U);
+  for (std::uint8_t down = 0; down < 16; ++down)
+  {
+    const std::vector<std::uint8_t> report{ static_cast<std::uint8_t>(down & 3U), 64,
+      static_cast<std::uint8_t>(down >> 2U) };
+    const std::optional<PidHand> hand = input.hand(report);
+    ASSERT_TRUE(hand);
+    EXPECT_EQ(hand->buttons, (down & 3U) | (down >> 2U) << 4U);
+  }
+}
+
 TEST(PidDevice, InputThatPiledUpIsReadToTheNewest)
 {
   Rig rig(test::plainLayout());
