@@ -291,7 +291,7 @@ PidOutput::Step PidOutput::sendForce(const Wish& wish) noexcept
   for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
   {
     const int a = static_cast<int>(axis);
-    shares[axis] = (this->options_.flipsForce ? -1.0 : 1.0) * PidScale::sign(a) * force_N[a] / largest_N;
+    shares[axis] = PidScale::sign(a) * force_N[a] / largest_N;
     changed[axis] = this->engine_.constantForceSteps(shares[axis]) != this->sentForce_[axis];
   }
   if (!changed[0] && !changed[1])

@@ -21,7 +21,6 @@ struct PidOutputOptions
 {
   PidScale scale;
   double largestShare = 0.6; ///< of the device's force, for what the device closes or the link does
-  bool flipsForce = false;   ///< some firmwares take a direction as the one the force comes from
   int duration_ms = 200;     ///< of every effect: a program that dies leaves no force behind
   int restartEvery_ms = 100;
   int wallsEvery_ms = 16; ///< at most that often

@@ -134,6 +134,7 @@ TEST(PidWalls, FourWallsAreHeldWhereTheyAreToOneStepOnEveryLayoutWithADeadBand)
         EXPECT_NEAR(kept.positiveCoefficient, coefficient, 0.5000001 * stepOf(layout, 0x61)) << layout.name;
         EXPECT_NEAR(kept.negativeCoefficient, coefficient, 0.5000001 * stepOf(layout, 0x62)) << layout.name;
         EXPECT_NEAR(kept.positiveSaturation, largestShare, 0.5000001 * stepOf(layout, 0x63)) << layout.name;
+        EXPECT_NEAR(kept.negativeSaturation, largestShare, 0.5000001 * stepOf(layout, 0x64)) << layout.name;
       }
       EXPECT_EQ(held.device().badReports, 0) << layout.name;
     }
@@ -152,19 +153,24 @@ TEST(PidWalls, TheForceOfTheDeviceAlongAWholeSweepIsThatOfTheFourWallsAskedFor)
     }
     const Corridors c = randomCorridors(random, scale);
     Held held(layout, fourWalls(c), scale);
-    const double K = c.stiffness_N_per_m;
+    const double K = c.stiffness_N_per_m, most_N = largestShare * scale.maxForce_N;
     for (int i = -200; i <= 200; ++i)
     {
-      const double x_m = 0.005 * i * scale.halfTravel_m;
-      held.device().position = { 0.005 * i, 0.0 };
-      // Springs from the low wall downwards and from the high wall upwards, each cut to 60 % of the largest force.
-      const double wanted_N = std::min(K * std::max(0.0, c.low_m[0] - x_m), largestShare * scale.maxForce_N) -
-                              std::min(K * std::max(0.0, x_m - c.high_m[0]), largestShare * scale.maxForce_N);
-      const double depth_m = std::max({ 0.0, c.low_m[0] - x_m, x_m - c.high_m[0] });
-      const double edge_N = K * scale.halfTravel_m * std::max(stepOf(layout, 0x60), stepOf(layout, 0x65));
-      const double slope_N = scale.springStiffness_N_per_m * depth_m * stepOf(layout, 0x61);
-      const double top_N = scale.maxForce_N * stepOf(layout, 0x63);
-      EXPECT_NEAR(held.device().force()[0] * scale.maxForce_N, wanted_N, edge_N + slope_N + top_N) << layout.name;
+      // Not along a diagonal of the rectangle: one axis must not make up for the other.
+      const std::array<double, 2> at_m{ 0.005 * i * scale.halfTravel_m, 0.004 * (100 - i) * scale.halfTravel_m };
+      held.device().position = { at_m[0] / scale.halfTravel_m, -at_m[1] / scale.halfTravel_m };
+      for (const std::size_t a : { 0U, 1U })
+      {
+        // Springs from the low wall downwards and from the high wall upwards, each cut to 60 % of the largest force.
+        const double below_m = std::max(0.0, c.low_m[a] - at_m[a]), above_m = std::max(0.0, at_m[a] - c.high_m[a]);
+        const double wanted_N = std::min(K * below_m, most_N) - std::min(K * above_m, most_N);
+        const double edge_N = K * scale.halfTravel_m * std::max(stepOf(layout, 0x60), stepOf(layout, 0x65));
+        const double slope_N = scale.springStiffness_N_per_m * std::max(below_m, above_m) * stepOf(layout, 0x61);
+        const double top_N = scale.maxForce_N * stepOf(layout, 0x63);
+        const double given_N =
+          (a == 0 ? 1.0 : -1.0) * held.device().force()[a] * scale.maxForce_N; // HID's y is ours reversed
+        EXPECT_NEAR(given_N, wanted_N, edge_N + slope_N + top_N) << layout.name << ", axis " << a;
+      }
     }
   }
 }
