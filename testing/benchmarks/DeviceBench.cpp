@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// palpate-device-bench: what a USB joystick costs the servo in a tick, with its threads at work, beside a tick of
+// contact.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "devices/io/PidDevice.h"
+#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/realtime/PeriodicTimer.h"
+#include "haptics/session/ForceRenderer.h"
+#include "testing/devices/hid/FakeHidBus.h"
+#include "testing/support/CostSample.h"
+#include "testing/support/Eventually.h"
+#include "testing/support/NoisySphere.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr std::int64_t period_ns = 200000;
+constexpr std::size_t triangles = 100000;
+constexpr std::uint64_t fewestReports = 100;
+constexpr double largestRatio = 0.25, largestRatioAtP99 = 1.0; // to a tick of 3.5 us it is to cost 1 us at most
+
+struct Cost
+{
+  double p50_us, p99_us;
+};
+
+/// Both are called as the servo calls: once in a period, between two sleeps.
+template<class Call>
+Cost pacedCost(std::size_t ticks, Call call)
+{
+  CostSample sample(ticks);
+  sample.timeWarm(
+    [&](auto timed)
+    {
+      PeriodicTimer timer(period_ns);
+      for (std::size_t i = 0; i < ticks; ++i)
+      {
+        (void)timer.wait();
+        timed([&] { call(i); });
+      }
+    });
+  return { sample.quantile_us(0.5), sample.quantile_us(0.99) };
+}
+
+/// A virtual stick that shows another place each millisecond and takes what is written, with the threads of its link.
+class MovedStick
+{
+public:
+  [[nodiscard]] bool open()
+  {
+    DeviceSample sample;
+    return this->device_.open().empty() &&
+           eventually([&] { return this->device_.read(0.0, sample) == DeviceStatus::Ok; });
+  }
+
+  /// Reads the hand and writes another force than before.
+  Cost cost(std::size_t ticks)
+  {
+    return pacedCost(ticks,
+      [this](std::size_t i)
+      {
+        DeviceSample sample;
+        this->lost_ += this->device_.read(1e-3 * static_cast<double>(i), sample) != DeviceStatus::Ok;
+        DeviceCommand command;
+        command.wrench_D.force.x() = 1e-3 * static_cast<double>(i % 1000);
+        this->device_.write(command);
+      });
+  }
+
+  [[nodiscard]] LinkReport report() const { return this->device_.linkReport(); }
+  [[nodiscard]] std::size_t lost() const noexcept { return this->lost_; }
+
+private:
+  void move(const std::stop_token& stop)
+  {
+    for (int ms = 0; !stop.stop_requested(); ++ms)
+    {
+      this->bus_->alone([&] { this->port_.device->position[0] = 1e-3 * (ms % 500); });
+      this->bus_->advance(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
+  std::shared_ptr<FakeHidBus> bus_ = std::make_shared<FakeHidBus>(false);
+  FakePort& port_ = bus_->plug(plainLayout());
+  PidDevice device_{ "pid", bus_, port_.entry };
+  std::size_t lost_ = 0;
+  std::jthread hand_{ [this](const std::stop_token& stop) { this->move(stop); } };
+};
+
+/// A point that slides over a bumpy sphere, with all that a tick does.
+class Sliding
+{
+public:
+  explicit Sliding(std::size_t ticks)
+  {
+    for (std::size_t i = 0; i < ticks; ++i)
+    {
+      this->hand_m_.push_back(1e-3 * slideOver(this->sphere_, i).p_W);
+    }
+  }
+
+  Cost cost()
+  {
+    HapticParameters parameters;
+    parameters.safety = SafetyLimits::none();
+    parameters.map.scale_u_per_m = 1000.0;
+    RendererState state;
+    TickInput input;
+    input.scene = this->scene_.get();
+    const auto tickAt = [&](const Vec3& p_D)
+    {
+      ++input.tick;
+      input.sample.pose_D.p = p_D;
+      (void)renderTick(input, parameters, state);
+    };
+    tickAt(1e-3 * slideStart_W(this->sphere_));
+    return pacedCost(this->hand_m_.size(), [&](std::size_t i) { tickAt(this->hand_m_[i]); });
+  }
+
+private:
+  NoisySphere sphere_{ triangles, 1.0 };
+  std::shared_ptr<const Scene> scene_ =
+    SceneBuilder().build({ { "noisy sphere", std::make_shared<TriangleMesh>(sphere_.mesh()), {} } }).scene;
+  std::vector<Vec3> hand_m_;
+};
+
+/// False: too dear, or the threads had nothing to do and the figures say nothing.
+bool benchmark(std::size_t ticks)
+{
+  MovedStick stick;
+  if (!stick.open())
+  {
+    std::printf("the virtual device cannot be opened\n");
+    return false;
+  }
+  Sliding sliding(ticks);
+  const auto [io, tick] = costsInTurn([&] { return stick.cost(ticks); }, [&] { return sliding.cost(); });
+  const LinkReport link = stick.report();
+  const double ratio = io.p50_us / tick.p50_us, ratioAtP99 = io.p99_us / tick.p99_us;
+  std::printf("read and write of a USB joystick  p50 %6.3f us  p99 %6.3f us\n", io.p50_us, io.p99_us);
+  std::printf("tick of contact                   p50 %6.3f us  p99 %6.3f us\n", tick.p50_us, tick.p99_us);
+  std::printf("ratios p50 %.2f  p99 %.2f; the link took in %llu reports and gave out %llu meanwhile\n", ratio,
+    ratioAtP99, static_cast<unsigned long long>(link.inputs), static_cast<unsigned long long>(link.outputs));
+  if (link.inputs < fewestReports || link.outputs < fewestReports || stick.lost() > 0)
+  {
+    std::printf("the link stood still: this is no measurement\n");
+    return false;
+  }
+  const bool within = ratio <= largestRatio && ratioAtP99 <= largestRatioAtP99;
+  if (!within)
+  {
+    std::printf("OVER: the limits are %.2f and %.2f of a tick\n", largestRatio, largestRatioAtP99);
+  }
+  return within;
+}
+
+} // namespace
+} // namespace palpate::test
+
+int main(int argc, char** argv)
+{
+  std::size_t ticks = 5000;
+  bool withAssertions = false;
+  CLI::App app("Cost of a USB joystick to the servo in a tick, as a ratio to a tick of contact");
+  app.add_option("--ticks", ticks, "ticks timed of each")->check(CLI::PositiveNumber);
+  app.add_flag("--assert", withAssertions, "exit 1 if it costs more than a part of a tick of contact");
+  CLI11_PARSE(app, argc, argv);
+  return palpate::test::benchmark(ticks) || !withAssertions ? 0 : 1;
+}
