@@ -8,6 +8,7 @@
 
 #include "haptics/contact/PlanFor.h"
 #include "haptics/contact/RadiusLimit.h"
+#include "haptics/core/WordHash.h"
 #include "haptics/geometry/CurveSet.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticPlaneWalls.h"
@@ -44,6 +45,15 @@ std::string Describe(const palpate::SceneBuildResult& built, const std::vector<s
               "\n";
   }
   return report;
+}
+
+/// Names the frame that vertices are in which were placed so.
+std::uint64_t FrameOf(const vtkHapticPlacement& baked)
+{
+  palpate::WordHash hash;
+  std::for_each(
+    baked.matrix().data(), baked.matrix().data() + baked.matrix().size(), [&hash](double number) { hash.add(number); });
+  return hash.value();
 }
 
 double LargestRadius(const palpate::Scene* scene)
@@ -130,6 +140,7 @@ std::string vtkHapticSceneWorker::AddWalls(const std::string& name, vtkDataObjec
       known != this->Committed.end())
   {
     this->Adding.push_back(*known);
+    this->NoteWithoutArrays(this->Adding.back());
     return {};
   }
   vtkHapticPlaneWalls walls = vtkHapticRaiseLines(data, matrix, this->WallRadius_u);
@@ -140,14 +151,19 @@ std::string vtkHapticSceneWorker::AddWalls(const std::string& name, vtkDataObjec
   Kept kept;
   kept.Key = key;
   kept.Name = name;
-    this->NoteWithoutArrays(this->Adding.back());
   kept.Input.name = name + " (walls)";
   kept.Input.mesh = std::move(walls.Mesh);
   kept.Baked = vtkHapticPlacementOf(matrix);
   kept.Plane_WP = walls.Plane_WP;
   kept.WallRadius_u = this->WallRadius_u;
+  this->NoteWithoutArrays(kept);
   this->Adding.push_back(std::move(kept));
   return {};
+}
+
+void vtkHapticSceneWorker::NoteWithoutArrays(Kept& walls) const
+{
+  walls.MaterialNote = this->Materials.Empty() ? "" : "its own, for walls are felt without arrays";
 }
 
 std::optional<palpate::Pose> vtkHapticSceneWorker::CommittedPlane() const
@@ -156,16 +172,10 @@ std::optional<palpate::Pose> vtkHapticSceneWorker::CommittedPlane() const
   for (const Kept& kept : this->Committed)
   {
     if (!kept.Plane_WP)
-  this->NoteWithoutArrays(kept);
     {
       return std::nullopt;
     }
     const palpate::Pose &moved = kept.Input.pose_WS, &plane = *kept.Plane_WP;
-void vtkHapticSceneWorker::NoteWithoutArrays(Kept& walls) const
-{
-  walls.MaterialNote = this->Materials.Empty() ? "" : "its own, for walls are felt without arrays";
-}
-
     const palpate::Pose one{ moved.p + moved.q * plane.p, moved.q * plane.q };
     const double size_u = kept.Input.mesh->vertices_W.front().cwiseAbs().maxCoeff();
     all_WP = all_WP ? vtkHapticOnePlane(*all_WP, one, size_u) : one;
@@ -239,9 +249,33 @@ std::string vtkHapticSceneWorker::AddPart(
   kept.Baked = vtkHapticPlacementOf(matrix);
   kept.Cuts = std::move(converted.Cuts);
   kept.PartPoints = std::move(converted.PartPoints);
+  this->KeepFrame(kept);
   this->Adding.push_back(std::move(kept));
   this->ReadMaterial(data, this->Adding.back());
   return {};
+}
+
+void vtkHapticSceneWorker::KeepFrame(Kept& kept) const
+{
+  const auto same = [&kept](const Kept& was)
+  {
+    return was.Name == kept.Name && !was.Plane_WP && was.Input.lineRadius_u == kept.Input.lineRadius_u &&
+           was.Input.mesh->triangles == kept.Input.mesh->triangles;
+  };
+  const auto was = std::find_if(this->Committed.begin(), this->Committed.end(), same);
+  const auto pose = was != this->Committed.end() ? vtkHapticMotionBetween(was->Baked, kept.Baked) : std::nullopt;
+  if (!pose)
+  {
+    return;
+  }
+  constexpr double rounding = 1e-12;
+  if (!was->Baked.isApprox(kept.Baked, rounding))
+  {
+    const vtkHapticPlacement back = (Eigen::Translation3d(pose->p) * pose->q).inverse(Eigen::Isometry);
+    kept.Input.mesh = std::make_shared<const palpate::TriangleMesh>(vtkHapticPlaced(*kept.Input.mesh, back));
+    kept.Input.pose_WS = *pose;
+  }
+  kept.Baked = was->Baked;
 }
 
 const vtkHapticCuts* vtkHapticSceneWorker::CutsOf(const std::string& name) const
@@ -368,6 +402,7 @@ void vtkHapticSceneWorker::Launch()
   for (const Kept& kept : this->Committed)
   {
     inputs.push_back(kept.Input);
+    inputs.back().frame = FrameOf(kept.Baked);
     materials.push_back(kept.MaterialNote);
     planes_WP.push_back(kept.Plane_WP);
   }

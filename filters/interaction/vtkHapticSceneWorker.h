@@ -97,6 +97,9 @@ private:
   std::optional<palpate::Pose> CommittedPlane() const;
   bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,
     std::optional<double> lineRadius_u);
+  /// Gives a surface whose points are new the frame that it was in when it was committed, if its triangles are the same
+  /// and a rigid motion leads from there to where it is: then it goes on bending in that frame while that moves.
+  void KeepFrame(Kept& kept) const;
   static void MoveTo(Kept& kept, const vtkHapticPlacement& placement);
   /// Moves the vertices to where `placement` has them.
   static void Bake(Kept& kept, const vtkHapticPlacement& placement);

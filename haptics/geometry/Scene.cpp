@@ -122,6 +122,11 @@ BoxTree treeOver(const std::vector<Surface>& surfaces)
 
 } // namespace
 
+bool inOneFrame(const Surface& was, std::uint64_t frame, const RigidMotion& motion) noexcept
+{
+  return was.frame == frame || (was.motion.isStill() && motion.isStill());
+}
+
 std::uint64_t wayNameOf(const Surface& surface) noexcept
 {
   WordHash hash;

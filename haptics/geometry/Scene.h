@@ -33,7 +33,12 @@ struct Surface
   std::shared_ptr<const MaterialFields> fields = {}; ///< of the tree's vertices, or null
   std::shared_ptr<const VertexStart> from = {};      ///< given: its vertices come from there; the tree has room for it
   StandIn standsFor = {};
+  std::uint64_t frame = 0; ///< names what the vertices are given in, whatever the pose
 };
+
+/// True if the vertices of `was` and of a surface in that frame, with that motion, can be compared: they are given in
+/// one frame, or both lie in W as they are.
+[[nodiscard]] bool inOneFrame(const Surface& was, std::uint64_t frame, const RigidMotion& motion) noexcept;
 
 /// Names all the places where a surface may be on its way.
 [[nodiscard]] std::uint64_t wayNameOf(const Surface& surface) noexcept;

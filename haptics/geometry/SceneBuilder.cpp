@@ -25,12 +25,13 @@ std::string refuseRadius(double radius_u, const TriangleMesh& lines)
   return refuseLineRadius(radius_u, largest_u);
 }
 
-/// From wherever the surface of that name is felt to where the input has it, if they are the same triangles in W.
+/// From wherever the surface of that name is felt to where the input has it, if they are the same triangles in one
+/// frame.
 std::optional<VertexWay> wayFrom(const Scene& felt, const SurfaceInput& input, const SurfaceTree& tree)
 {
   const auto was = std::find_if(felt.surfaces().begin(), felt.surfaces().end(),
     [&](const Surface& s) { return s.name == input.name && s.tree->topologyHash() == tree.topologyHash(); });
-  if (was == felt.surfaces().end() || !was->motion.isStill() || !RigidMotion{ input.pose_WS, input.pose_WS }.isStill())
+  if (was == felt.surfaces().end() || !inOneFrame(*was, input.frame, { input.pose_WS, input.pose_WS }))
   {
     return std::nullopt;
   }
@@ -253,12 +254,16 @@ SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, co
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
     const Kept& kept = this->kept_[i];
-    result.reports.push_back(kept.report);
-    if (kept.tree && kept.report.refusal.empty())
+    const Pose& pose_WS = inputs[i].pose_WS;
+    SurfaceReport& report = result.reports.emplace_back(kept.report);
+    if (report.refusal.empty() && !RigidMotion{ pose_WS, pose_WS }.isRigid())
     {
-      const Pose& pose_WS = inputs[i].pose_WS;
-      surfaces.push_back(
-        { inputs[i].name, kept.tree, inputs[i].material, { pose_WS, pose_WS }, kept.fields, {}, inputs[i].standsFor });
+      report.refusal = "its pose is not rigid: its place must be finite and its rotation a unit quaternion";
+    }
+    if (kept.tree && report.refusal.empty())
+    {
+      surfaces.push_back({ inputs[i].name, kept.tree, inputs[i].material, { pose_WS, pose_WS }, kept.fields, {},
+        inputs[i].standsFor, inputs[i].frame });
     }
   }
   if (!surfaces.empty())

@@ -28,6 +28,7 @@ struct SurfaceInput
     lineRadius_u = {};  ///< given: the mesh holds curves (segmentsOf()) of this radius [u], felt without texture
   bool ordered = false; ///< the mesh is a tree's own: vertices and triangles keep their numbers, nothing is cleaned
   StandIn standsFor = {};
+  std::uint64_t frame = 0; ///< names the frame S of the mesh: what bends in one bends under any pose of it
 };
 
 /// What became of one input.

@@ -15,11 +15,10 @@ bool sameSurface(const Surface& a, const Surface& b)
   return a.name == b.name && a.tree->contentHash() == b.tree->contentHash();
 }
 
-/// True if the tree of `next` has room for a way from anywhere that `was` is on its own.
+/// True if the tree of `next` has room for a way from anywhere that `was` is on its own, in the frame of both.
 bool comesFrom(const Surface& was, const Surface& next)
 {
-  return was.name == next.name && next.tree->wayName() == wayNameOf(was) && was.motion.isStill() &&
-         next.motion.isStill();
+  return was.name == next.name && next.tree->wayName() == wayNameOf(was) && inOneFrame(was, next.frame, next.motion);
 }
 
 /// Still on a way whose room the same tree has.
@@ -82,6 +81,7 @@ std::shared_ptr<const Scene> movingFrom(
     }
     if (const Surface* const was = findBent(now.surfaces(), share, surfaces[i]))
     {
+      surfaces[i].motion.begin_WS = was->motion.at(share);
       surfaces[i].from = startAt(*was, share);
       moves = true;
     }

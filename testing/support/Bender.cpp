@@ -36,6 +36,8 @@ std::shared_ptr<const Scene> Bender::snapshot(double time_s, const Scene* felt)
   std::vector<SurfaceInput> inputs(1);
   inputs[0].name = "bending";
   inputs[0].mesh = std::move(mesh);
+  inputs[0].lineRadius_u = this->lineRadius_u;
+  inputs[0].pose_WS = this->poseAt(time_s);
   inputs.insert(inputs.end(), this->standing_.begin(), this->standing_.end());
   SceneBuildResult built = this->builder_.build(inputs, felt);
   for (const SurfaceReport& report : built.reports)
@@ -91,14 +93,34 @@ TickOutput Bender::tick(const Vec3& p_W)
   return output;
 }
 
-Vec3 Bender::between(const Vec3& inMesh_W) const
+Vec3 Bender::between(const Vec3& inMesh_S) const
 {
   const double s = this->share();
-  return (1.0 - s) * this->path_(inMesh_W, this->begin_s_) +
-         s * this->path_(inMesh_W, this->begin_s_ + this->snapshot_s());
+  return (1.0 - s) * this->path_(inMesh_S, this->begin_s_) +
+         s * this->path_(inMesh_S, this->begin_s_ + this->snapshot_s());
+}
+
+Pose Bender::pose_WS() const
+{
+  const double s = this->share();
+  const Pose begin = this->poseAt(this->begin_s_), end = this->poseAt(this->begin_s_ + this->snapshot_s());
+  const double sign = begin.q.dot(end.q) < 0.0 ? -1.0 : 1.0;
+  const Quat mean(Eigen::Vector4d((1.0 - s) * begin.q.coeffs() + s * sign * end.q.coeffs()));
+  return { (1.0 - s) * begin.p + s * end.p, mean.normalized() };
 }
 
 TriangleMesh Bender::mesh() const
+{
+  const Pose pose_WS = this->pose_WS();
+  TriangleMesh felt = this->mesh_S();
+  for (Vec3& v : felt.vertices_W)
+  {
+    v = pose_WS.q * v + pose_WS.p;
+  }
+  return felt;
+}
+
+TriangleMesh Bender::mesh_S() const
 {
   TriangleMesh felt = this->mesh_;
   for (Vec3& v : felt.vertices_W)

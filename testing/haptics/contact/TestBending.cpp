@@ -2,18 +2,16 @@
 // Vertices on their straight way from one snapshot to the next: what is felt in each tick between them.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Sweep.h"
-#include "haptics/geometry/ExactPredicates.h"
-#include "haptics/geometry/NearestOnTriangle.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Bender.h"
 #include "testing/support/Meshes.h"
+#include "testing/support/SheetHeight.h"
 
 namespace palpate::test
 {
@@ -28,35 +26,6 @@ TriangleMesh sheetOf(int cells, std::uint64_t seed)
 {
   Random random(testSeed(seed));
   return makeSheet({ 0.2, 0.2, cells, cells, 0.2 }, random);
-}
-
-double distanceTo(const TriangleMesh& mesh, const Vec3& x_W)
-{
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& t : mesh.triangles)
-  {
-    const Vec3 foot_W = nearestOnTriangle(x_W, mesh.vertices_W[t[0]], mesh.vertices_W[t[1]], mesh.vertices_W[t[2]]);
-    nearest = std::min(nearest, (x_W - foot_W).norm());
-  }
-  return nearest;
-}
-
-/// Height of a surface that is one over the plane z = 0.
-double heightAt(const TriangleMesh& mesh, const Vec3& x_W)
-{
-  for (const auto& t : mesh.triangles)
-  {
-    const Vec3 &a = mesh.vertices_W[t[0]], &b = mesh.vertices_W[t[1]], &c = mesh.vertices_W[t[2]];
-    const int ab = orientation2(a.x(), a.y(), b.x(), b.y(), x_W.x(), x_W.y());
-    const int bc = orientation2(b.x(), b.y(), c.x(), c.y(), x_W.x(), x_W.y());
-    const int ca = orientation2(c.x(), c.y(), a.x(), a.y(), x_W.x(), x_W.y());
-    if (std::min({ ab, bc, ca }) >= 0 || std::max({ ab, bc, ca }) <= 0)
-    {
-      const Vec3 n = (b - a).cross(c - a);
-      return a.z() - (n.x() * (x_W.x() - a.x()) + n.y() * (x_W.y() - a.y())) / n.z();
-    }
-  }
-  return std::numeric_limits<double>::quiet_NaN();
 }
 
 class Bending : public testing::TestWithParam<double>

@@ -230,8 +230,38 @@ TEST(MovingInputs, WhatIsNotFeltWhereItWouldComeFromIsThereAtOnce)
   EXPECT_FALSE(movingFrom(*first, 1.0, third, 0.05)->moves()) << "the second is felt, not the first";
   SurfaceInput posed = input(warped(flat));
   posed.pose_WS.p = { 0, 0, 1 };
+  posed.frame = 7;
   const auto fourth = series.builder.build({ posed }, third.get()).scene;
-  EXPECT_FALSE(movingFrom(*third, 1.0, fourth, 0.05)->bends()) << "posed";
+  EXPECT_FALSE(movingFrom(*third, 1.0, fourth, 0.05)->bends()) << "posed in another frame";
+}
+
+TEST(MovingInputs, VerticesGoStraightInTheirFrameWhileItMovesAndBothBeginWhereTheyAreFelt)
+{
+  SceneBuilder builder;
+  const auto at = [&](const TriangleMesh& mesh, double z, const Scene* felt)
+  {
+    SurfaceInput sheet = input(mesh);
+    sheet.pose_WS.p.z() = z;
+    sheet.frame = 7;
+    return builder.build({ sheet }, felt).scene;
+  };
+  const TriangleMesh flat = unweldedSheet(), bent = warped(flat), more = warped(bent);
+  const auto first = at(flat, 1.0, nullptr);
+  const auto second = movingFrom(*first, 1.0, at(bent, 3.0, first.get()), 0.05);
+  const auto third = movingFrom(*second, 0.25, at(more, 4.0, second.get()), 0.05);
+  const Surface &is = second->surfaces()[0], &next = third->surfaces()[0];
+  ASSERT_TRUE(is.from);
+  EXPECT_EQ(is.from->vertices_W, first->surfaces()[0].tree->mesh().vertices_W);
+  EXPECT_EQ(is.motion.begin_WS.p.z(), 1.0);
+  EXPECT_EQ(is.motion.end_WS.p.z(), 3.0);
+  EXPECT_EQ(second->continuesGeometry(), first->geometryHash());
+  ASSERT_TRUE(next.from);
+  EXPECT_EQ(next.motion.begin_WS.p.z(), 1.0 + 0.25 * 2.0);
+  for (std::size_t i = 0; i < next.from->vertices_W.size(); ++i)
+  {
+    const Vec3 felt_S = 0.75 * is.from->vertices_W[i] + 0.25 * is.tree->mesh().vertices_W[i];
+    ASSERT_LE((next.from->vertices_W[i] - felt_S).norm(), 1e-15);
+  }
 }
 
 TEST(MovingInputs, RoomForAWayIsGivenBackAndTheContentStaysTheSame)

@@ -212,19 +212,23 @@ TEST(Recording, OfCurvesThatMoveReplaysBitForBit)
   }
 }
 
-/// A hand on a sphere that breathes while its other half stands; the recording begins with a tree that was refitted.
-void recordBending(const std::string& path, int ticks, double radius_u)
+/// A hand on a sphere that breathes while its other half stands, and swings and turns by `swing` (0: it stays); the
+/// recording begins with a tree that was refitted.
+void recordBending(const std::string& path, int ticks, double radius_u, double swing)
 {
   constexpr int ticksPerSnapshot = 16;
   SceneBuilder builder;
-  const auto sphereAt = [](double t)
+  const auto sphereAt = [swing](double t)
   {
     TriangleMesh mesh = test::makeIcosphere(3, 0.05);
     for (Vec3& v : mesh.vertices_W)
     {
       v *= 1.0 + 0.1 * std::sin(9 * t) + 0.1 * std::sin(5 * t) * v.x() / 0.05;
     }
-    return SurfaceInput{ "it", std::make_shared<TriangleMesh>(std::move(mesh)), {} };
+    SurfaceInput sphere{ "it", std::make_shared<TriangleMesh>(std::move(mesh)), {} };
+    sphere.pose_WS = { swing * Vec3(0.01 * std::sin(9 * t), 0, 0.004 * std::sin(21 * t)),
+      Quat(Eigen::AngleAxisd(swing * t, Vec3::UnitX())) };
+    return sphere;
   };
   auto felt = builder.build({ sphereAt(-0.1) }).scene;
   felt = builder.build({ sphereAt(0) }).scene;
@@ -252,8 +256,22 @@ TEST(Recording, OfVerticesOnTheirWayReplaysBitForBit)
   for (const double radius : { 0.0, 0.001 })
   {
     const TemporaryFile file;
-    recordBending(file.path, 800, radius);
+    recordBending(file.path, 800, radius, 0.0);
     expectBitForBit(replay(readGood(file.path)), 800);
+  }
+}
+
+TEST(Recording, OfVerticesOnTheirWayInAFrameThatMovesReplaysBitForBit)
+{
+  for (const double radius : { 0.0, 0.001 })
+  {
+    const TemporaryFile file;
+    recordBending(file.path, 800, radius, 1.0);
+    const Recording recording = readGood(file.path);
+    ASSERT_FALSE(recording.motions.empty());
+    EXPECT_NE(recording.motions.back().starts.at(0), nullptr);
+    EXPECT_TRUE(recording.motions.back().motions.at(0).moves());
+    expectBitForBit(replay(recording), 800);
   }
 }
 
