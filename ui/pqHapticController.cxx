@@ -112,7 +112,7 @@ void pqHapticController::makeActions()
   this->ReleaseAction = new QAction(QIcon(":/palpate/icons/release.svg"), tr("&Let Go"), this);
   this->ReleaseAction->setObjectName("hapticReleaseAction");
   this->ReleaseAction->setEnabled(false);
-  this->ReleaseAction->setToolTip(tr("Force to zero at once, and stop touching"));
+  this->ReleaseAction->setToolTip(tr("Force to zero within 50 ms, and stop touching"));
   this->connect(this->ReleaseAction, &QAction::triggered, this, &pqHapticController::release);
 
   this->DrawAction = new QAction(QIcon(":/palpate/icons/draw.svg"), tr("&Draw"), this);

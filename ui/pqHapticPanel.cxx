@@ -162,7 +162,7 @@ void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
   this->Touch->setToolTip(tr("Touch every surface shown in the active view"));
   this->Release = new QPushButton(tr("&Let Go"), parent);
   this->Release->setObjectName("release");
-  this->Release->setToolTip(tr("Force to zero at once, and stop touching"));
+  this->Release->setToolTip(tr("Force to zero within 50 ms, and stop touching"));
   buttons->addWidget(this->Touch);
   buttons->addWidget(this->Release);
   form->addRow(buttons);
