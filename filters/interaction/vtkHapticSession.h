@@ -436,7 +436,8 @@ public:
   ///@}
 
   ///@{
-  /// [u], default 0 to 1: how far the felt surface stands out; its mean for a hand too fast for it.
+  /// [u], default 0 to 1: heights, of which the highest is the surface and lower ones are hollows; their mean for a
+  /// hand too fast for them.
   virtual void SetTextureArray(const char* name);
   virtual const char* GetTextureArray() const;
   virtual void SetTextureComponent(int component);
