@@ -20,9 +20,9 @@ class HapticMousePlane : public HapticMouse
 protected:
   void begin(const Vec3& eye_W, bool parallel)
   {
-    this->look(eye_W, parallel);
     this->session_->SetLinesAsWalls(vtkHapticSession::On);
     this->show(makePath({ { -40, 0, 0 }, { 40, 0, 0 } }));
+    this->look(eye_W, parallel); // what is seen sets the clipping range, whose width costs a ray its digits
     this->pointAt({ 0, 10, 0 });
     this->engage();
   }
@@ -93,6 +93,32 @@ TEST_F(HapticMousePlane, ThereIsNothingToPressSoButtonsWheelAndPageKeysAreTheCam
     EXPECT_FALSE(this->mouse_->GetPressing()) << key;
   }
   EXPECT_EQ(this->session_->GetPressDepth(), depth_m);
+}
+
+TEST_F(HapticMousePlane, TheArrowKeysAloneLeadTheHandAlongTheWallAndBehindIt)
+{
+  this->begin(above_W, false);
+  const auto [x_px, y_px] = pixelOf(above_W, false, { 0, 10, 0 });
+  const auto type = [this](const char* key, bool shift) { this->say(vtkCommand::KeyPressEvent, 0, 0, shift, key); };
+  type("Right", false);
+  type("Left", true);
+  this->rest(framesToArrive);
+  const Vec3 beside_W = this->ray(x_px + 9, y_px).atHeight(0.0); // an arrow key is 10 pixels, with shift 1
+  EXPECT_LE((this->hand() - beside_W).norm(), 1e-9);
+  EXPECT_LE(this->force().norm(), 1e-9);
+  type("Down", false);
+  type("Down", false);
+  this->rest(framesToArrive);
+  const Vec3 behind_W = this->ray(x_px + 9, y_px - 20).atHeight(0.0);
+  ASSERT_LT(behind_W.y(), 0.0);
+  EXPECT_LE((this->hand() - behind_W).norm(), 1e-9);
+  EXPECT_LE((this->proxy() - Vec3(behind_W.x(), 0, 0)).norm(), 1e-9);
+  EXPECT_NEAR(this->force().y(), -stiffness * behind_W.y() / scale, 1e-9);
+  type("Up", false);
+  type("Up", false);
+  this->rest(framesToArrive);
+  EXPECT_LE((this->hand() - beside_W).norm(), 1e-9);
+  EXPECT_LE(this->force().norm(), 1e-9);
 }
 
 TEST_F(HapticMousePlane, WithoutAPlaneWorldThereIsNoPlane)
