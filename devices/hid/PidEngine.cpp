@@ -91,7 +91,7 @@ std::string PidEngine::refusal(const ReportDescriptor& descriptor)
   const auto feature = [&](HidUsage usage) { return descriptor.report(HidReportKind::Feature, usage) != nullptr; };
   if (!output(pid::setEffect) || !output(pid::effectOperation))
   {
-    return "it has no force feedback of the HID PID kind";
+    return "it gives no force: it is not of the USB PID class";
   }
   if (!feature(pid::createEffect) || !feature(pid::blockLoad))
   {
@@ -373,9 +373,19 @@ std::optional<PidState> PidEngine::state(std::span<const std::uint8_t> report) c
   }
   PidState state;
   state.actuatorsEnabled = get(*layout, report, pid::actuatorsEnabled, 1) != 0;
+  state.paused = get(*layout, report, pid::paused, 0) != 0;
+  state.power = get(*layout, report, pid::actuatorPower, 1) != 0;
+  state.safetyClosed = get(*layout, report, pid::safetySwitch, 0) != 0;
+  state.overrideOn = get(*layout, report, pid::overrideSwitch, 0) != 0;
   state.playing = get(*layout, report, pid::effectPlaying, 0) != 0;
   state.block = static_cast<int>(get(*layout, report, pid::blockIndex, 0));
   return state;
+}
+
+bool PidEngine::hasSafetySwitch(const ReportDescriptor& descriptor) noexcept
+{
+  const HidReport* layout = descriptor.report(HidReportKind::Input, pid::stateReport);
+  return layout != nullptr && static_cast<bool>(findControl(*layout, pid::safetySwitch));
 }
 
 std::int64_t PidEngine::constantForceSteps(double share) const noexcept

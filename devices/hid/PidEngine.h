@@ -40,8 +40,12 @@ struct EffectSettings
 struct PidState
 {
   bool actuatorsEnabled = true;
-  bool playing = false; ///< the effect of `block`
-  int block = 0;        ///< 0 where the device does not say
+  bool paused = false;
+  bool power = true;         ///< of its motors
+  bool safetyClosed = false; ///< what must be held on it is held: a grip
+  bool overrideOn = false;   ///< its own switch lets forces through
+  bool playing = false;      ///< the effect of `block`
+  int block = 0;             ///< 0 where the device does not say
 };
 
 /// The USB Physical Interface Devices protocol 1.0 with a pool of effects that the device manages. Reports, their
@@ -75,7 +79,8 @@ public:
   [[nodiscard]] bool setCondition(int block, int axis, const Condition& condition) noexcept;
   [[nodiscard]] bool setConstantForce(int block, double share) noexcept;
   [[nodiscard]] bool setPeriodic(int block, double magnitude, double period_ms) noexcept;
-  /// Starting a playing effect restarts its clock and is not felt.
+  /// Starting a playing effect restarts its clock; that this is not felt is assumed of every firmware and was not
+  /// checked on a real one.
   [[nodiscard]] bool start(int block) noexcept { return this->operate(block, pid::start); }
   [[nodiscard]] bool startSolo(int block) noexcept { return this->operate(block, pid::startSolo); }
   [[nodiscard]] bool stop(int block) noexcept { return this->operate(block, pid::stop); }
@@ -83,6 +88,9 @@ public:
   /// enableActuators, disableActuators, stopAll or reset; true too where the device has no such control.
   [[nodiscard]] bool control(HidUsage what) noexcept;
   [[nodiscard]] bool setGain(double share) noexcept;
+
+  /// It can tell whether it is gripped.
+  [[nodiscard]] static bool hasSafetySwitch(const ReportDescriptor& descriptor) noexcept;
 
   /// What the system said about the last failure.
   [[nodiscard]] std::string error() const { return this->connection_.error(); }

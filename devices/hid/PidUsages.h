@@ -41,7 +41,8 @@ inline constexpr HidUsage enableActuators = page | 0x97, disableActuators = page
 inline constexpr HidUsage loaded = page | 0x8C, full = page | 0x8D, loadError = page | 0x8E;
 
 // Device state.
-inline constexpr HidUsage actuatorsEnabled = page | 0xA0, effectPlaying = page | 0x94, actuatorPower = page | 0xA6;
+inline constexpr HidUsage actuatorsEnabled = page | 0xA0, effectPlaying = page | 0x94, actuatorPower = page | 0xA6,
+                          paused = page | 0x9F, safetySwitch = page | 0xA4, overrideSwitch = page | 0xA5;
 
 // Other pages.
 inline constexpr HidUsage axisX = 0x010030, axisY = 0x010031, firstOrdinal = 0x0A0001, buttonPage = 0x090000;

@@ -23,6 +23,7 @@ DeviceInfo pidInfo(
   info.name = name;
   info.serial = entry.serial;
   info.deviceClass = kind.deviceClass;
+  info.rendersForce = descriptor.hasCollection(pid::setEffect);
   info.abilities = promised(kind);
   info.workspaceRadius_m = { scale.halfTravel_m, false };
   info.resolution_m = { input.usable() ? input.step() * scale.halfTravel_m : 0.0, false };
@@ -69,6 +70,7 @@ DeviceStatus PidDevice::read(double tickTime_s, DeviceSample& sample) noexcept
   sample.time_s = tickTime_s;
   sample.pose_D.p = heard.hand->p_D;
   sample.buttons = heard.hand->buttons;
+  sample.grip = heard.hand->grip;
   return DeviceStatus::Ok;
 }
 

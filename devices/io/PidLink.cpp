@@ -192,7 +192,9 @@ void PidLink::take(Attached& device, std::span<const std::uint8_t> report, std::
   if (const std::optional<PidHand> hand = device.input->hand(report))
   {
     const PidScale& scale = this->options_.scale;
-    newest = Hand{ { scale.toMetres(0, hand->at[0]), scale.toMetres(1, hand->at[1]), 0.0 }, hand->buttons };
+    newest =
+      Hand{ { scale.toMetres(0, hand->at[0]), scale.toMetres(1, hand->at[1]), 0.0 }, hand->buttons, device.gripped };
+    device.last = newest;
     ++this->inputs_;
     this->outOfRange_ += hand->outOfRange ? 1 : 0;
     return;
@@ -203,13 +205,30 @@ void PidLink::take(Attached& device, std::span<const std::uint8_t> report, std::
     ++this->strange_;
     return;
   }
-  if (!state->actuatorsEnabled)
+  this->takeState(device, *state, newest);
+}
+
+/// Some firmwares never say that their switch is on: only one that was has been switched off.
+void PidLink::takeState(Attached& device, const PidState& state, std::optional<Hand>& newest)
+{
+  if (!state.actuatorsEnabled)
   {
     device.actuatorsOff = true;
   }
-  if (!state->playing && state->block > 0)
+  if (!state.playing && state.block > 0)
   {
-    device.stoppedBlock = state->block;
+    device.stoppedBlock = state.block;
+  }
+  device.switchSeen = device.switchSeen || state.overrideOn;
+  device.withoutForce = !state.power                             ? "its motors have no power: check its power supply"
+                        : state.paused                           ? "it is paused"
+                        : device.switchSeen && !state.overrideOn ? "its forces are switched off by a switch on it"
+                                                                 : nullptr;
+  device.gripped = state.safetyClosed;
+  if (device.last)
+  {
+    device.last->grip = device.gripped;
+    newest = device.last;
   }
 }
 
@@ -326,6 +345,11 @@ LinkReport PidLink::report() const
   report.losses = this->presence_.losses();
   report.inputRate_Hz = this->rate_.rate_Hz();
   this->held_.reportTo(report);
+  const std::shared_ptr<Attached> device = this->held_.get();
+  if (const char* const why = device != nullptr ? device->withoutForce.load() : nullptr)
+  {
+    report.message = why;
+  }
   if (report.attached && !this->handKnown_)
   {
     report.message = "it has not said yet where the hand is: move it";

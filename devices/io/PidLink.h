@@ -47,6 +47,7 @@ public:
   {
     Vec3 p_D = Vec3::Zero(); ///< [m]
     std::uint32_t buttons = 0;
+    bool grip = false; ///< its safety switch is closed, as far as it has said so
   };
   struct Heard
   {
@@ -75,9 +76,12 @@ private:
     std::optional<PidEngine> engine;
     std::optional<PidOutput> output;
     std::mutex spareMutex;
-    std::atomic<bool> actuatorsOff = false; ///< so it said
-    std::atomic<int> stoppedBlock = 0;      ///< the last one it said so of
-    std::atomic<bool> stalled = false;      ///< a write hung, and so it was told to stop
+    std::optional<Hand> last;                        ///< reader's
+    bool gripped = false, switchSeen = false;        ///< reader's
+    std::atomic<const char*> withoutForce = nullptr; ///< why its motors give none, as it says itself; null: they do
+    std::atomic<bool> actuatorsOff = false;          ///< so it said
+    std::atomic<int> stoppedBlock = 0;               ///< the last one it said so of
+    std::atomic<bool> stalled = false;               ///< a write hung, and so it was told to stop
     [[nodiscard]] std::string begin(HidBus& bus, const PidOutputOptions& options);
     void drain() const noexcept;
     void stopPastTheWriter() noexcept;
@@ -90,6 +94,7 @@ private:
   void loseAndStop(const std::shared_ptr<Attached>& device);
   void loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why);
   void reattach(std::int64_t now_ns);
+  void takeState(Attached& device, const PidState& state, std::optional<Hand>& newest);
   void take(Attached& device, std::span<const std::uint8_t> report, std::optional<Hand>& newest);
   void watchWriter(Attached& device);
 

@@ -50,6 +50,45 @@ TEST(PidLink, ShortForeignAndImpossibleReportsAreCountedAndChangeNothing)
   EXPECT_EQ(rig.sample.pose_D.p.x(), -rig.scale().halfTravel_m);
 }
 
+// A state: paused, actuators enabled, safety switch, override switch, power from bit 0 on, then the block's byte.
+TEST(PidLink, ItsSafetySwitchIsTheGripAndNoReportOfTheHandForgetsIt)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  const std::uint8_t id = test::plainLayout().stateId;
+  rig.run(5);
+  EXPECT_FALSE(rig.sample.grip);
+  rig.stick().show({ id, 0b10110, 0 });
+  ASSERT_TRUE(rig.device.link().readPass(0));
+  ASSERT_EQ(rig.device.read(0.0, rig.sample), DeviceStatus::Ok);
+  EXPECT_TRUE(rig.sample.grip);
+  rig.run(5);
+  EXPECT_TRUE(rig.sample.grip);
+  rig.stick().show({ id, 0b10010, 0 });
+  ASSERT_TRUE(rig.device.link().readPass(0));
+  ASSERT_EQ(rig.device.read(0.0, rig.sample), DeviceStatus::Ok);
+  EXPECT_FALSE(rig.sample.grip);
+}
+
+TEST(PidLink, ADeviceThatSaysItGivesNoForceNowIsBelieved)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  const std::uint8_t id = test::plainLayout().stateId;
+  rig.run(5);
+  // A switch that was never on says nothing.
+  for (const auto& [state, said] : { std::pair<std::uint8_t, std::string>{ 0b00010, "no power" }, { 0b10010, "" },
+         { 0b10011, "paused" }, { 0b11010, "" }, { 0b10010, "switched off" }, { 0b11010, "" } })
+  {
+    rig.stick().show({ id, state, 0 });
+    ASSERT_TRUE(rig.device.link().readPass(0));
+    const std::string message = rig.device.linkReport().message;
+    EXPECT_TRUE(said.empty() ? message.empty() : message.find(said) != std::string::npos) << message;
+  }
+  rig.run(5);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+}
+
 TEST(PidLink, AFeatureThatDoesNotComeInTimeIsSaidWithTheNameAndNothingStaysOpen)
 {
   Rig rig(test::plainLayout());
