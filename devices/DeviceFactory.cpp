@@ -10,6 +10,7 @@
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/hid/HidDiscovery.h"
 #include "devices/hid/HidapiBus.h"
+#include "devices/hid/PidEngine.h"
 #include "devices/io/PidDevice.h"
 #include "devices/io/SpaceMouseDevice.h"
 
@@ -24,7 +25,7 @@ struct Kind
   std::string what;
   std::function<MadeDevice(const DeviceOptions&)> make;
   std::string problem = {}; ///< why it cannot be used now
-  bool hasTwin = false;
+  bool hasTwin = false, hasGrip = false;
 };
 
 MadeDevice makeSimulated(const DeviceModel& model, const DeviceOptions& options)
@@ -60,7 +61,7 @@ std::vector<Kind> builtIn()
   for (const DeviceModel& model : deviceModels())
   {
     all.push_back({ model.name, "a simulated hand on " + model.what,
-      [&model](const DeviceOptions& options) { return makeSimulated(model, options); } });
+      [&model](const DeviceOptions& options) { return makeSimulated(model, options); }, "", false, true });
   }
   all.push_back({ "replay", "the hand of a recording", [](const DeviceOptions& o) {
                    return MadeDevice{ std::make_unique<ReplayDevice>(o.recordingFile), "" };
@@ -87,9 +88,11 @@ std::vector<Kind> pluggedIn(const DeviceOptions& options)
     const auto make = [bus, found](const DeviceOptions&) {
       return MadeDevice{ makePluggedIn(found.kind, found.name, bus, found.entry), "", "", found.hasTwin };
     };
-    const bool pushes = found.kind == FoundHid::Kind::ForceFeedback;
-    all.push_back({ found.name, (pushes ? "force feedback through USB: " : "six axes, no force: ") + found.entry.name,
-      make, found.problem, found.hasTwin });
+    const std::string what = found.kind == FoundHid::Kind::ForceFeedback ? "force feedback through USB: "
+                             : found.kind == FoundHid::Kind::SpaceMouse  ? "six axes, no force: "
+                                                                         : "cannot be used: ";
+    all.push_back({ found.name, what + found.entry.name, make, found.problem, found.hasTwin,
+      PidEngine::hasSafetySwitch(found.descriptor) });
   }
   return all;
 }
@@ -130,7 +133,7 @@ std::vector<KnownDevice> knownDevices(const DeviceOptions& options)
   {
     for (const Kind& kind : kinds)
     {
-      known.push_back({ kind.name, kind.what, kind.make({}).device->info(), kind.problem, kind.hasTwin });
+      known.push_back({ kind.name, kind.what, kind.make({}).device->info(), kind.problem, kind.hasTwin, kind.hasGrip });
     }
   }
   return known;

@@ -32,11 +32,16 @@ struct KnownDevice
   DeviceInfo info;
   std::string problem;  ///< empty, or why it cannot be used now and what to do
   bool hasTwin = false; ///< another one is plugged in that nothing tells apart: see twinNote
+  bool hasGrip = false; ///< it can tell whether it is gripped
 };
 
 /// Of a device with a twin, for a person. What a check found out about one of the two may be wrong for the other.
 inline constexpr const char* twinNote =
   "Another one is plugged in that neither its kind nor a serial number tells apart: no calibration is used or kept.";
+
+/// Of a device without a grip sensor, for a person who chose the grip as what must be held.
+inline constexpr const char* noGripNote =
+  "It has no grip sensor: with the grip as what must be held it never pushes; choose a button.";
 
 /// All devices this build knows and all that are plugged in, usable or not.
 [[nodiscard]] std::vector<KnownDevice> knownDevices(const DeviceOptions& options = {});

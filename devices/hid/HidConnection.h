@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "devices/hid/ReportDescriptor.h"
+
 namespace palpate
 {
 
@@ -18,6 +20,7 @@ struct HidEntry
   std::uint16_t product = 0;
   std::string serial; ///< empty where it has none
   std::string name;   ///< what its maker calls it
+  HidUsage usage = 0; ///< what it is for, where the system says so
 };
 
 /// An open HID device. Calls may block: on USB a write takes a frame, and seconds once the device has stopped

@@ -25,7 +25,9 @@ std::string nameOf(const FoundHid& one)
 {
   std::array<char, 16> ids{};
   std::snprintf(ids.data(), ids.size(), "-%04x-%04x", one.entry.vendor, one.entry.product);
-  const std::string first = one.kind == FoundHid::Kind::SpaceMouse ? "spacemouse" : "pid";
+  const std::string first = one.kind == FoundHid::Kind::SpaceMouse ? "spacemouse"
+                            : one.kind == FoundHid::Kind::Unusable ? "hid"
+                                                                   : "pid";
   return first + ids.data() + (one.entry.serial.empty() ? "" : "-" + one.entry.serial);
 }
 
@@ -56,6 +58,23 @@ std::optional<FoundHid::Kind> promisedBy(const ReportDescriptor& descriptor) noe
   return SpaceMouseInput::describes(descriptor) ? std::optional(FoundHid::Kind::SpaceMouse) : std::nullopt;
 }
 
+/// Joystick, game pad, multi-axis controller; flight stick, wheel and their kin.
+bool isForHands(HidUsage purpose) noexcept
+{
+  constexpr HidUsage joystick = 0x010004, pad = 0x010005, multiAxis = 0x010008, simulation = 0x02;
+  return purpose == joystick || purpose == pad || purpose == multiAxis || purpose >> 16U == simulation;
+}
+
+/// Why something that was made for a hand is none of those; none: it was not.
+std::optional<std::string> shortfall(const HidEntry& entry, const HidBus::Descriptor& read, const ReportDescriptor& d)
+{
+  if (!isForHands(entry.usage) && std::none_of(d.purposes.begin(), d.purposes.end(), isForHands))
+  {
+    return std::nullopt;
+  }
+  return read.problem.empty() ? PidEngine::refusal(d) : "its report descriptor cannot be read: " + read.problem;
+}
+
 std::string refusal(FoundHid::Kind kind, const ReportDescriptor& descriptor)
 {
   return kind == FoundHid::Kind::SpaceMouse ? SpaceMouseInput(descriptor).refusal() : PidEngine::refusal(descriptor);
@@ -70,10 +89,15 @@ std::vector<FoundHid> findHidDevices(HidBus& bus)
   std::sort(entries.begin(), entries.end(), [](const HidEntry& a, const HidEntry& b) { return a.path < b.path; });
   for (HidEntry& entry : entries)
   {
-    ReportDescriptor descriptor = parseReportDescriptor(bus.descriptor(entry).bytes);
+    const HidBus::Descriptor read = bus.descriptor(entry);
+    ReportDescriptor descriptor = parseReportDescriptor(read.bytes);
     const std::optional<FoundHid::Kind> kind = promisedBy(descriptor);
     if (!kind)
     {
+      if (std::optional<std::string> why = shortfall(entry, read, descriptor))
+      {
+        add(found, { FoundHid::Kind::Unusable, {}, std::move(entry), std::move(descriptor), std::move(*why) });
+      }
       continue;
     }
     std::string problem = refusal(*kind, descriptor);

@@ -18,6 +18,7 @@ struct FoundHid
   {
     ForceFeedback, ///< of the PID class
     SpaceMouse,    ///< six axes, no force
+    Unusable,      ///< a joystick, wheel or pad without force, or one that cannot be told what it is
   };
   Kind kind = Kind::ForceFeedback;
   std::string name; ///< for the factory: the same as long as the same devices are plugged in
@@ -27,8 +28,8 @@ struct FoundHid
   bool hasTwin = false; ///< another one is plugged in that neither kind nor serial number tells apart
 };
 
-/// The force-feedback devices and SpaceMice on a bus; mice, keyboards and joysticks without force are left out. Each is
-/// opened for a moment to see whether it may be.
+/// The force-feedback devices and SpaceMice on a bus, and what else is made for a hand to lead, such as a joystick
+/// without force; mice and keyboards are left out. What can be used is opened for a moment to see whether it may be.
 [[nodiscard]] std::vector<FoundHid> findHidDevices(HidBus& bus);
 
 } // namespace palpate

@@ -103,8 +103,8 @@ public:
         std::any_of(found.begin(), found.end(), [one](const HidEntry& entry) { return entry.path == one->path; });
       if (!known)
       {
-        found.push_back(
-          { one->path, one->vendor_id, one->product_id, narrow(one->serial_number), narrow(one->product_string) });
+        found.push_back({ one->path, one->vendor_id, one->product_id, narrow(one->serial_number),
+          narrow(one->product_string), HidUsage{ one->usage_page } << 16U | one->usage });
       }
     }
     hid_free_enumeration(all);
@@ -162,7 +162,8 @@ std::string openProblem(const std::string& path, int systemError)
   {
     case EACCES:
     case EPERM:
-      return "no permission to use " + path + ": install the udev rule 70-palpate.rules and plug the device in again";
+      return "no permission to use " + path +
+             ": copy devices/udev/70-palpate.rules to /etc/udev/rules.d/ and plug the device in again";
     case EBUSY:
       return path + " is busy: close the other program that uses it";
     case ENOENT:

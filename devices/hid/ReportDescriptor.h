@@ -68,7 +68,8 @@ struct HidControl
 struct ReportDescriptor
 {
   std::vector<HidReport> reports;
-  std::string problem; ///< empty, or what is wrong with the bytes and where; then there are no reports
+  std::string problem;                 ///< empty, or what is wrong with the bytes and where; then there are no reports
+  std::vector<HidUsage> purposes = {}; ///< of its outermost collections; with a problem of those before it
 
   /// The first report of that kind with a field within the collection, or null.
   [[nodiscard]] const HidReport* report(HidReportKind kind, HidUsage collection) const noexcept;

@@ -34,7 +34,7 @@ public:
     this->refuse(this->result_.reports.empty() ? "it describes no report" : "");
     if (!this->problem_.empty())
     {
-      return { {}, std::move(this->problem_) };
+      return { {}, std::move(this->problem_), std::move(this->result_.purposes) };
     }
     return std::move(this->result_);
   }
@@ -98,6 +98,10 @@ private:
       return;
     }
     this->path_.push_back(this->state_.usages().empty() ? 0 : this->state_.usages().front());
+    if (this->path_.size() == 1)
+    {
+      this->result_.purposes.push_back(this->path_.front());
+    }
   }
 
   void closeCollection()

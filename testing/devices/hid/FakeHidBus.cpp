@@ -208,7 +208,8 @@ HidBus::Descriptor FakeHidBus::descriptor(const HidEntry& entry)
   {
     if (port->entry.path == entry.path && this->answers(*port))
     {
-      return { port->descriptor, {} };
+      return { port->descriptorProblem.empty() ? port->descriptor : std::vector<std::uint8_t>(),
+        port->descriptorProblem };
     }
   }
   return { {}, "No such device" };

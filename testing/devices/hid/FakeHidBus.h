@@ -24,7 +24,8 @@ struct FakePort
   std::shared_ptr<VirtualSpaceMouse> spaceMouse;
   std::vector<std::uint8_t> descriptor;
   bool present = true;
-  std::string openProblem; ///< no permission, busy: what the system says
+  std::string descriptorProblem; ///< why its descriptor cannot be had
+  std::string openProblem;       ///< no permission, busy: what the system says
   bool featureTimesOut = false;
   bool stalls = false;                ///< a write waits until this ends, or 5 s, then fails
   int hanging = 0;                    ///< so many writes wait now

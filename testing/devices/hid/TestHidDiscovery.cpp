@@ -33,6 +33,54 @@ TEST(HidDiscovery, NamesWhatIsPluggedInAndSaysWhatCannotBeUsedAndWhy)
   EXPECT_EQ(found[2].problem, "no permission");
 }
 
+// The number of bytes and the place of the fault are for whoever writes the firmware.
+TEST(HidDiscovery, AStickWhoseDescriptorIsCutIsListedWithTheReason)
+{
+  FakeHidBus bus;
+  FakePort& cut = bus.plug(test::plainLayout(), "7");
+  cut.descriptor.resize(cut.descriptor.size() / 2);
+  const std::vector<FoundHid> found = findHidDevices(bus);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "hid-1209-ffb0-7");
+  EXPECT_NE(found[0].problem.find("report descriptor of " + std::to_string(cut.descriptor.size()) + " bytes, at byte"),
+    std::string::npos)
+    << found[0].problem;
+  EXPECT_EQ(cut.opened, 0);
+}
+
+TEST(HidDiscovery, AJoystickWithoutForceIsListedAndAKeyboardIsNotHoweverBrokenItIs)
+{
+  FakeHidBus bus;
+  const auto described = [&](std::uint8_t purpose)
+  {
+    return std::vector<std::uint8_t>{ 0x05, 0x01, 0x09, purpose, 0xA1, 0x01, 0x09, 0x30, 0x15, 0x00, 0x25, 0x7F, 0x75,
+      0x08, 0x95, 0x01, 0x81, 0x02, 0xC0 };
+  };
+  bus.plug(test::plainLayout(), "7").descriptor = described(0x04);
+  std::vector<std::uint8_t> keyboard = described(0x06);
+  bus.plug(test::plainLayout(), "8").descriptor = keyboard;
+  keyboard.pop_back();
+  bus.plug(test::plainLayout(), "9").descriptor = keyboard;
+  const std::vector<FoundHid> found = findHidDevices(bus);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].entry.serial, "7");
+  EXPECT_NE(found[0].problem.find("gives no force: it is not of the USB PID class"), std::string::npos);
+}
+
+TEST(HidDiscovery, AStickWithoutADescriptorIsListedWhereTheSystemSaysWhatItIs)
+{
+  FakeHidBus bus;
+  for (const HidUsage usage : { 0x010004u, 0x010006u })
+  {
+    FakePort& port = bus.plug(test::plainLayout(), std::to_string(usage));
+    port.entry.usage = usage;
+    port.descriptorProblem = "cannot be read";
+  }
+  const std::vector<FoundHid> found = findHidDevices(bus);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].problem.find("its report descriptor cannot be read"), std::string::npos);
+}
+
 TEST(HidDiscovery, TwoAlikeWithoutSerialNumbersGetNamesOfTheirOwn)
 {
   FakeHidBus bus;
@@ -63,13 +111,19 @@ TEST(HidDiscovery, TheFactoryListsAndMakesThem)
   const MadeDevice made = makeDevice("pid-1209-ffb0-8", options);
   ASSERT_NE(made.device, nullptr);
   EXPECT_NE(made.device->open().find("driver-managed"), std::string::npos);
+  bus->plug(test::plainLayout(), "9").descriptor.resize(100);
+  const MadeDevice broken = makeDevice("hid-1209-ffb0-9", options);
+  ASSERT_NE(broken.device, nullptr);
+  EXPECT_FALSE(broken.device->info().rendersForce);
+  EXPECT_NE(broken.device->open().find("report descriptor of 100 bytes"), std::string::npos);
   const MadeDevice unknown = makeDevice("pid-0000-0000", options);
   EXPECT_NE(unknown.problem.find("pid-1209-ffb0-7"), std::string::npos);
 }
 
 TEST(HidapiBus, WhyADeviceCannotBeOpenedComesWithTheCure)
 {
-  EXPECT_NE(openProblem("/dev/hidraw0", EACCES).find("70-palpate.rules"), std::string::npos);
+  EXPECT_NE(openProblem("/dev/hidraw0", EACCES).find("copy devices/udev/70-palpate.rules to /etc/udev/rules.d/"),
+    std::string::npos);
   EXPECT_NE(openProblem("/dev/hidraw0", EBUSY).find("close the other program"), std::string::npos);
   EXPECT_NE(openProblem("/dev/hidraw0", ENODEV).find("plug the device in again"), std::string::npos);
   EXPECT_NE(openProblem("/dev/hidraw0", EIO).find("/dev/hidraw0"), std::string::npos);
