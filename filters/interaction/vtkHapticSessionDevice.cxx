@@ -71,6 +71,17 @@ palpate::LinkReport vtkHapticSession::Internals::Link()
   return linked ? linked->linkReport() : palpate::LinkReport();
 }
 
+std::string vtkHapticSession::Internals::DescribeLoss()
+{
+  const palpate::LinkReport link = this->Link();
+  if (link.message.empty())
+  {
+    return palpate::describe(palpate::Fault::DeviceLost);
+  }
+  return link.attached ? "the device was lost: " + link.message + "; it is there again: engage again"
+                       : "the device is lost: " + link.message + "; then engage again";
+}
+
 void vtkHapticSession::SetDeviceName(const char* name)
 {
   const std::string wanted = name ? name : "";
@@ -148,6 +159,8 @@ const char* vtkHapticSession::GetDeviceNotes() const
   const std::string problem = runs || impl.Chosen.problem.empty() ? "" : "Cannot be used now: " + impl.Chosen.problem;
   std::string notes = palpate::shortcomings(info);
   notes += impl.Chosen.hasTwin ? (notes.empty() ? "" : " ") + std::string(palpate::twinNote) : "";
+  const bool neverHeld = impl.Parameters.safety.deadMan.grip && !impl.Chosen.hasGrip && info.rendersForce;
+  notes += neverHeld ? (notes.empty() ? "" : " ") + std::string(palpate::noGripNote) : "";
   this->Impl->DeviceNotes = problem + (problem.empty() || notes.empty() ? "" : ". ") + notes;
   return this->Impl->DeviceNotes.c_str();
 }
@@ -161,8 +174,8 @@ const char* vtkHapticSession::GetLinkText() const
     const palpate::LinkReport link = this->Impl->Link();
     text = std::to_string(std::lround(link.inputRate_Hz)) + " reports a second, " + std::to_string(link.restarts) +
            " effects renewed, " + std::to_string(link.stalls) + " stalls, " + std::to_string(link.losses) +
-           " losses, " + std::to_string(link.strange) + " strange" + (link.attached ? "" : "; not there") +
-           (link.message.empty() ? "" : ": " + link.message);
+           " losses, " + std::to_string(link.strange) + " strange, " + std::to_string(link.outOfRange) +
+           " out of range" + (link.attached ? "" : "; not there") + (link.message.empty() ? "" : ": " + link.message);
   }
   return text.c_str();
 }

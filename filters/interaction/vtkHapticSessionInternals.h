@@ -75,7 +75,7 @@ public:
   palpate::LoopReport Report;
   palpate::StabilityLimits Limits;
   std::string StabilitySentence;
-  std::string DeviceKind, DeviceNotes, LinkText;
+  std::string DeviceKind, DeviceNotes, LinkText, LossText;
   std::string Scheduling;
   std::string Warning;
   std::string Problem;
@@ -122,6 +122,8 @@ public:
   /// The running device where it is behind a link, else null; how the link goes.
   const palpate::LinkedDevice* Linked();
   palpate::LinkReport Link();
+  /// Why the device was lost, in the words of its link, and what to do.
+  std::string DescribeLoss();
   /// Seconds of the session: ticks in virtual time.
   double Now();
   /// Its surfaces come from where they are felt, as long as it took from the snapshot before to this one.

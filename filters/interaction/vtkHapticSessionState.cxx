@@ -18,8 +18,13 @@ const char* vtkHapticSession::GetFaultText() const
   {
     return "The hand's path has ended: start touching again.";
   }
-  const bool quiet = !this->GetTouching() || this->Impl->State.fault == palpate::Fault::None;
-  return quiet ? "" : palpate::describe(this->Impl->State.fault);
+  const palpate::Fault fault = this->GetTouching() ? this->Impl->State.fault : palpate::Fault::None;
+  if (fault == palpate::Fault::DeviceLost)
+  {
+    this->Impl->LossText = this->Impl->DescribeLoss();
+    return this->Impl->LossText.c_str();
+  }
+  return fault == palpate::Fault::None ? "" : palpate::describe(fault);
 }
 
 const char* vtkHapticSession::GetProblem() const

@@ -168,6 +168,33 @@ TEST(HapticSessionDevice, AChosenOneThatIsUnpluggedIsStillKnownForWhatItWas)
   EXPECT_THAT(errorsOf(session, [&] { session->TouchingOn(); }), ::testing::SizeIs(1));
 }
 
+TEST(HapticSessionDevice, WhyADeviceWasLostIsSaidAndThatItIsThereAgain)
+{
+  const auto bus = std::make_shared<test::FakeHidBus>();
+  test::FakePort& port = bus->plug(test::plainLayout(), "7");
+  vtkNew<vtkHapticSession> session;
+  session->SetHidBus(bus);
+  session->VirtualTimeOn();
+  session->SetDeviceName(pluggedName);
+  session->TouchingOn();
+  ASSERT_TRUE(session->GetTouching()) << session->GetProblem();
+  EXPECT_THAT(session->GetLinkText(), HasSubstr(" 0 out of range"));
+  const auto says = [&](const char* text)
+  {
+    return test::eventually(
+      [&]
+      {
+        session->Step(1);
+        session->Update();
+        return std::string(session->GetFaultText()).find(text) != std::string::npos;
+      });
+  };
+  bus->alone([&] { return port.present = false; });
+  EXPECT_TRUE(says("\"plain stick\" 7 is not there: plug it in; then engage again")) << session->GetFaultText();
+  bus->alone([&] { return port.present = true; });
+  EXPECT_TRUE(says("it was unplugged; it is there again: engage again")) << session->GetFaultText();
+}
+
 TEST(HapticSessionDevice, AMaskOfButtonsThatIsNoneIsRefusedAndSaid)
 {
   vtkNew<vtkHapticSession> session;
@@ -175,6 +202,23 @@ TEST(HapticSessionDevice, AMaskOfButtonsThatIsNoneIsRefusedAndSaid)
   EXPECT_THAT(errorsOf(session, [&] { session->SetDeadManButtons(-1); }), ::testing::SizeIs(1));
   EXPECT_THAT(session->GetProblem(), HasSubstr("bit i stands for button i + 1"));
   EXPECT_EQ(session->GetDeadManButtons(), 1 << 3);
+}
+
+TEST(HapticSessionDevice, AGripThatADeviceDoesNotHaveIsSaidWhereItIsAskedFor)
+{
+  const auto bus = std::make_shared<test::FakeHidBus>();
+  bus->plug(test::plainLayout(), "7");
+  test::PidLayout gripless = test::plainLayout();
+  gripless.stateId = 0;
+  bus->plug(gripless, "8");
+  vtkNew<vtkHapticSession> session;
+  session->SetHidBus(bus);
+  session->SetDeviceName("pid-1209-ffb0-8");
+  EXPECT_THAT(session->GetDeviceNotes(), Not(HasSubstr("grip")));
+  session->DeadManGripOn();
+  EXPECT_THAT(session->GetDeviceNotes(), HasSubstr("no grip sensor"));
+  session->SetDeviceName(pluggedName);
+  EXPECT_THAT(session->GetDeviceNotes(), Not(HasSubstr("grip")));
 }
 
 TEST(HapticSessionDevice, WhoDoesNotHoldTheDeadManIsToldWhileTouching)
