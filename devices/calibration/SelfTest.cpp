@@ -357,7 +357,7 @@ std::string SelfTestPlan::refusal() const
 DeviceCommand stepSelfTest(
   const SelfTestPlan& plan, const DeviceSample& sample, DeviceStatus status, double dt_s, SelfTestState& state) noexcept
 {
-  if (state.verdict != SelfTestVerdict::None)
+  if (state.verdict != SelfTestVerdict::None || status == DeviceStatus::Waiting)
   {
     return {};
   }

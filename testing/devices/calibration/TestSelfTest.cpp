@@ -370,6 +370,18 @@ TEST(SelfTest, ADeviceThatIsLostEndsIt)
   EXPECT_EQ(found.state.reason, SelfTestReason::Lost);
 }
 
+TEST(SelfTest, ADeviceThatHasNotSaidWhereTheHandIsIsWaitedForWithoutForce)
+{
+  const SelfTestPlan plan = SelfTestPlan::forDevice(SimulatedDevice(joystick(), *handModel("light"), {}).info());
+  SelfTestState state;
+  for (int tick = 0; tick < 1000; ++tick)
+  {
+    const DeviceCommand command = stepSelfTest(plan, {}, DeviceStatus::Waiting, period_s, state);
+    ASSERT_EQ(command.wrench_D.force.norm(), 0.0);
+  }
+  EXPECT_EQ(state.verdict, SelfTestVerdict::None);
+}
+
 TEST(SelfTest, APersonCanStopIt)
 {
   SelfTestState state;
