@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/geometry/SceneBuilder.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "testing/support/Meshes.h"
@@ -64,6 +66,29 @@ TEST(SceneBuilder, LeavesARefusedSurfaceOutAndSaysWhy)
   EXPECT_EQ(built.scene->surfaces()[0].name, "box");
   EXPECT_NE(built.reports[0].refusal, "");
   EXPECT_EQ(built.reports[1].refusal, "");
+}
+
+TEST(SceneBuilder, RefusesAPoseThatIsNotRigidUntilItIsOne)
+{
+  const SurfaceInput good = input("ball", makeIcosphere(1, 1.0));
+  SceneBuilder builder;
+  const Pose bad_WS[] = { { Vec3(0.0, std::numeric_limits<double>::quiet_NaN(), 0.0), Quat::Identity() },
+    { Vec3(std::numeric_limits<double>::infinity(), 0.0, 0.0), Quat::Identity() },
+    { Vec3::Zero(), Quat(2.0, 0.0, 0.0, 0.0) }, { Vec3::Zero(), Quat(0.0, 0.0, 0.0, 0.0) },
+    { Vec3::Zero(), Quat(1.0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0) } };
+  for (const Pose& pose_WS : bad_WS)
+  {
+    SurfaceInput moved = good;
+    moved.name = "moved";
+    moved.pose_WS = pose_WS;
+    const SceneBuildResult built = builder.build({ good, moved });
+    ASSERT_TRUE(built.scene);
+    EXPECT_EQ(built.scene->surfaces().size(), 1u);
+    EXPECT_EQ(built.reports[0].refusal, "");
+    EXPECT_NE(built.reports[1].refusal.find("its pose is not rigid"), std::string::npos);
+    moved.pose_WS = { Vec3(3.0, 0.0, 0.0), Quat::Identity() };
+    EXPECT_EQ(builder.build({ good, moved }).scene->surfaces().size(), 2u);
+  }
 }
 
 TEST(SceneBuilder, GivesNoSceneWhenNothingCanBeTouched)
