@@ -5,6 +5,7 @@
 
 #include "haptics/contact/HoldingPlanes.h"
 #include "haptics/contact/RollMove.h"
+#include "haptics/contact/RoundMove.h"
 #include "haptics/contact/SlideMove.h"
 #include "haptics/contact/TickState.h"
 
@@ -37,6 +38,10 @@ public:
       {
         // Planes that contradict each other are no place to be.
         if (this->tick_.result.infeasible ? startAnew(this->tick_) : lookAgain(this->tick_))
+        {
+          continue;
+        }
+        if (this->tick_.startedAnew && goRoundVertex(this->tick_))
         {
           continue;
         }

@@ -71,6 +71,7 @@ struct TickState
   ProjectionResult solution;
   ContactResult result;
   bool startedAnew = false;
+  bool wentRound = false;
 };
 
 template<class SceneView>
