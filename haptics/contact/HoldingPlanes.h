@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -49,6 +50,27 @@ void project(TickState<SceneView>& tick) noexcept
     }
   }
   tick.result.infeasible = !tick.solution.feasible;
+}
+
+/// True if the straight way to the device surely meets one of the faces that hold the point. Beside them all, by less
+/// than their planes tell, it may be free, and only the faces themselves can say so.
+template<class SceneView>
+[[nodiscard]] bool meetsWhatHolds(const TickState<SceneView>& tick) noexcept
+{
+  const Vec3 q = tick.p_W - tick.x();
+  for (int k = 0; k < tick.solution.count; ++k)
+  {
+    const int i = tick.solution.active[static_cast<std::size_t>(k)];
+    const ActiveFeature& f = tick.contacts.features()[static_cast<std::size_t>(i)];
+    const FeaturePlane plane = tick.contacts.plane(f);
+    const double sinks = -plane.n.dot(q);
+    if (sinks > 0.0 &&
+        projectsInside(tick.contacts.surface(f), f.a, tick.x() + std::max(0.0, plane.gap) / sinks * q, -tick.del()))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// True if it has been asked often enough what holds a point where it is: a stop before what is hit moves it by less

@@ -33,6 +33,11 @@ public:
     {
       this->tick_.result.passes = static_cast<int>(pass) + 1;
       project(this->tick_);
+      if (pass == 0 && this->tick_.solution.count > 0 && !meetsWhatHolds(this->tick_) && this->wayIsFree())
+      {
+        this->tick_.forgetContacts();
+        continue;
+      }
       reconsiderVertex(this->tick_);
       if (this->tick_.result.infeasible || this->tick_.rests())
       {
