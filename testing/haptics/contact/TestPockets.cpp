@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Row 15: fins make pockets that end at a vertex. A point that lies on the faces passes over the vertex; one that is
+// kept off them by rounding, as a point must be, cannot come to it.
+#include <gtest/gtest.h>
+
+#include "testing/support/Meshes.h"
+#include "testing/support/Probe.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+/// A mesh and a way of the hand over it, turned and shifted together so that no coordinate is a round number.
+struct Place
+{
+  Quat turn = Quat::Identity();
+  Vec3 shift_W = Vec3::Zero();
+
+  explicit Place(Random& random)
+  {
+    this->turn = Quat(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    this->turn.normalize();
+    this->shift_W = random.inCube(3.0);
+  }
+  [[nodiscard]] Vec3 operator()(const Vec3& v) const { return this->turn * v + this->shift_W; }
+  [[nodiscard]] TriangleMesh operator()(const TriangleMesh& mesh) const
+  {
+    return shifted(rotated(mesh, this->turn), this->shift_W);
+  }
+};
+
+/// The valley z = 0.3 |y|, -1 <= x, y <= 1, of six triangles round the origin, vertex 0.
+TriangleMesh makeValley()
+{
+  TriangleMesh mesh;
+  mesh.vertices_W = { { 0, 0, 0 }, { -1, 0, 0 }, { -1, 1, 0.3 }, { -1, -1, 0.3 }, { 1, 1, 0.3 }, { 1, 0, 0 },
+    { 1, -1, 0.3 } };
+  mesh.triangles = { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 6 }, { 0, 6, 5 }, { 0, 5, 4 }, { 0, 4, 2 } };
+  return mesh;
+}
+
+/// A fin that stands on the edge from the origin to vertex `on` and leans over the bottom of the valley as far as
+/// `tip`.
+void addFin(TriangleMesh& valley, std::uint32_t on, const Vec3& tip)
+{
+  valley.triangles.push_back({ 0, on, static_cast<std::uint32_t>(valley.vertices_W.size()) });
+  valley.vertices_W.push_back(tip);
+}
+
+/// From the bottom of the valley under the fins, which meet it at the origin, along it and past the origin. The hand
+/// ends below the bottom, that is in the cone of its sides' normals: the point must end right above it.
+void drawOutOf(const TriangleMesh& pocket, Random& random)
+{
+  for (std::size_t i = 0; i < testCount(100); ++i)
+  {
+    const Place place(random);
+    const TriangleMesh mesh = place(pocket);
+    PathChecker checker(mesh, 0.0);
+    Probe probe(sceneOf(mesh), 0.0, place({ -0.5, 0.0, 0.03 }), &checker);
+    probe.to(place({ -0.5, 0.0, -0.1 }));
+    probe.along(place({ 0.5, 0.0, -0.25 }), 20);
+    probe.to(place({ 0.5, 0.0, -0.25 }));
+    ASSERT_LE((probe.x_W() - place({ 0.5, 0.0, 0.0 })).norm(), 1e-12) << "place " << i;
+    ASSERT_EQ(probe.finding(), "") << "place " << i;
+  }
+}
+
+TEST(Pockets, APointIsDrawnOutOfThePocketUnderAFinOverTheVertexWhereItEnds)
+{
+  Random random(testSeed(111));
+  TriangleMesh mesh = makeValley();
+  addFin(mesh, 2, { -1, -0.5, 0.25 });
+  drawOutOf(mesh, random);
+}
+
+TEST(Pockets, APointIsDrawnOutFromBetweenTwoFinsRoundTheFreeEdgeOfOne)
+{
+  Random random(testSeed(112));
+  TriangleMesh mesh = makeValley();
+  addFin(mesh, 2, { -1, -0.2, 0.26 }); // above
+  addFin(mesh, 3, { -1, 0.3, 0.14 });  // below, its free edge under the other one
+  drawOutOf(mesh, random);
+}
+
+/// A face is remembered as touched as long as the point is over it within rounding. From beside it, by less than that,
+/// the straight way leads past its border and is free.
+TEST(Pockets, APointBesideAFaceIsNotHeldByThePlaneOfIt)
+{
+  Random random(testSeed(113));
+  TriangleMesh face;
+  face.vertices_W = { { 0, -1, 0 }, { 0, 1, 0 }, { -2, 0, 0 } }; // its border is the y axis
+  face.triangles = { { 0, 1, 2 } };
+  const auto scene = sceneOf(face);
+  for (std::size_t i = 0; i < testCount(100); ++i)
+  {
+    const double height = random.uniform(1e-15, 3e-15), beside = random.uniform(5e-15, 1e-14);
+    GodObjectState state;
+    state.placed = true;
+    state.x_W = state.device_W = { beside, random.uniform(-0.5, 0.5), height };
+    state.features[0] = { 0, 0, 0, FeatureKind::Face, 1, false };
+    state.count = 1;
+    const Vec3 start_W = state.x_W, p_W(random.uniform(-0.8, -0.1), start_W.y(), -1.0); // z = 0 at x > beside - height
+    PathChecker checker(face, 0.0);
+    checker.segment(start_W, p_W);
+    ASSERT_EQ(checker.finding(start_W), "") << "case " << i;
+    (void)moveGodObject(*scene, {}, p_W, state, &checker);
+    ASSERT_EQ(state.x_W, p_W) << "case " << i;
+    ASSERT_EQ(checker.finding(start_W), "") << "case " << i;
+  }
+}
+
+} // namespace
+} // namespace palpate::test
