@@ -44,6 +44,10 @@ template<class SceneView>
   for (int i = 0; i < way.count; ++i)
   {
     const Vec3& to_W = way.places_W[static_cast<std::size_t>(i)];
+    if (!to_W.allFinite())
+    {
+      return false; // vertices that move may meet for a moment
+    }
     const SweepHit hit = tick.sweepOnce(from_W, to_W);
     if (hit.hit || hit.freeUntil < 1.0)
     {

@@ -3,6 +3,7 @@
 // kept off them by rounding, as a point must be, cannot come to it.
 #include <gtest/gtest.h>
 
+#include "testing/support/Anywhere.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
 
@@ -10,25 +11,6 @@ namespace palpate::test
 {
 namespace
 {
-
-/// A mesh and a way of the hand over it, turned and shifted together so that no coordinate is a round number.
-struct Place
-{
-  Quat turn = Quat::Identity();
-  Vec3 shift_W = Vec3::Zero();
-
-  explicit Place(Random& random)
-  {
-    this->turn = Quat(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-    this->turn.normalize();
-    this->shift_W = random.inCube(3.0);
-  }
-  [[nodiscard]] Vec3 operator()(const Vec3& v) const { return this->turn * v + this->shift_W; }
-  [[nodiscard]] TriangleMesh operator()(const TriangleMesh& mesh) const
-  {
-    return shifted(rotated(mesh, this->turn), this->shift_W);
-  }
-};
 
 /// The valley z = 0.3 |y|, -1 <= x, y <= 1, of six triangles round the origin, vertex 0.
 TriangleMesh makeValley()
@@ -54,7 +36,7 @@ void drawOutOf(const TriangleMesh& pocket, Random& random)
 {
   for (std::size_t i = 0; i < testCount(100); ++i)
   {
-    const Place place(random);
+    const Anywhere place(random, 3.0);
     const TriangleMesh mesh = place(pocket);
     PathChecker checker(mesh, 0.0);
     Probe probe(sceneOf(mesh), 0.0, place({ -0.5, 0.0, 0.03 }), &checker);
