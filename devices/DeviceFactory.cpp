@@ -24,6 +24,7 @@ struct Kind
   std::string what;
   std::function<MadeDevice(const DeviceOptions&)> make;
   std::string problem = {}; ///< why it cannot be used now
+  bool hasTwin = false;
 };
 
 MadeDevice makeSimulated(const DeviceModel& model, const DeviceOptions& options)
@@ -81,14 +82,14 @@ std::vector<Kind> pluggedIn(const DeviceOptions& options)
 {
   const std::shared_ptr<HidBus> bus = options.hid != nullptr ? options.hid : systemHidBus();
   std::vector<Kind> all;
-  for (FoundHid& found : findHidDevices(*bus))
+  for (const FoundHid& found : findHidDevices(*bus))
   {
-    const auto make = [bus, kind = found.kind, name = found.name, entry = found.entry](const DeviceOptions&) {
-      return MadeDevice{ makePluggedIn(kind, name, bus, entry), "" };
+    const auto make = [bus, found](const DeviceOptions&) {
+      return MadeDevice{ makePluggedIn(found.kind, found.name, bus, found.entry), "", "", found.hasTwin };
     };
     const bool pushes = found.kind == FoundHid::Kind::ForceFeedback;
     all.push_back({ found.name, (pushes ? "force feedback through USB: " : "six axes, no force: ") + found.entry.name,
-      make, std::move(found.problem) });
+      make, found.problem, found.hasTwin });
   }
   return all;
 }
@@ -103,6 +104,11 @@ MadeDevice calibrated(MadeDevice made, const std::string& folder)
   }
   const DeviceInfo& info = made.device->info();
   KeptCalibration kept = loadCalibration(folder, info.name, info.serial);
+  if (made.hasTwin && (kept.calibration || !kept.problem.empty()))
+  {
+    made.warning = twinNote;
+    return made;
+  }
   if (!kept.calibration && !kept.problem.empty())
   {
     return { nullptr, kept.problem + toDo };
@@ -124,7 +130,7 @@ std::vector<KnownDevice> knownDevices(const DeviceOptions& options)
   {
     for (const Kind& kind : kinds)
     {
-      known.push_back({ kind.name, kind.what, kind.make({}).device->info(), kind.problem });
+      known.push_back({ kind.name, kind.what, kind.make({}).device->info(), kind.problem, kind.hasTwin });
     }
   }
   return known;
@@ -134,7 +140,7 @@ void applyCalibrations(std::vector<KnownDevice>& devices, const std::string& cal
 {
   for (KnownDevice& device : devices)
   {
-    const KeptCalibration kept = device.info.rendersForce
+    const KeptCalibration kept = device.info.rendersForce && !device.hasTwin
                                    ? loadCalibration(calibrationFolder, device.info.name, device.info.serial)
                                    : KeptCalibration{};
     if (kept.calibration)

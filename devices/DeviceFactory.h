@@ -30,8 +30,13 @@ struct KnownDevice
   std::string name;
   std::string what; ///< one line for a person
   DeviceInfo info;
-  std::string problem; ///< empty, or why it cannot be used now and what to do
+  std::string problem;  ///< empty, or why it cannot be used now and what to do
+  bool hasTwin = false; ///< another one is plugged in that nothing tells apart: see twinNote
 };
+
+/// Of a device with a twin, for a person. What a check found out about one of the two may be wrong for the other.
+inline constexpr const char* twinNote =
+  "Another one is plugged in that neither its kind nor a serial number tells apart: no calibration is used or kept.";
 
 /// All devices this build knows and all that are plugged in, usable or not.
 [[nodiscard]] std::vector<KnownDevice> knownDevices(const DeviceOptions& options = {});
@@ -46,6 +51,7 @@ struct MadeDevice
   std::unique_ptr<HapticDevice> device;
   std::string problem;
   std::string warning = {}; ///< of a device that can be used: what a person should know
+  bool hasTwin = false;     ///< as KnownDevice says
 };
 [[nodiscard]] MadeDevice makeDevice(const std::string& name, const DeviceOptions& options);
 

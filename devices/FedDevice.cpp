@@ -30,6 +30,10 @@ void FedDevice::feed(const DeviceSample& sample, std::uint64_t places) noexcept
 DeviceStatus FedDevice::read(double tickTime_s, DeviceSample& sample) noexcept
 {
   const Fed& fed = this->fed_.read();
+  if (fed.count == 0)
+  {
+    return DeviceStatus::Waiting;
+  }
   sample = fed.sample;
   sample.time_s = tickTime_s;
   if (this->glide_.longest_s > 0.0)

@@ -19,7 +19,7 @@ struct Glide
   double fastest_m_per_s = std::numeric_limits<double>::infinity();
 };
 
-/// A device whose poses a program feeds. What is fed last holds.
+/// A device whose poses a program feeds. What is fed last holds; before the first there is no hand.
 class FedDevice final : public HapticDevice
 {
 public:

@@ -34,7 +34,7 @@ std::string ReplayDevice::open()
     this->samples_.clear();
     for (const RecordedEntry& entry : std::get<Recording>(read).entries)
     {
-      if (const auto* tick = std::get_if<TickRecord>(&entry))
+      if (const auto* tick = std::get_if<TickRecord>(&entry); tick != nullptr && tick->status != DeviceStatus::Waiting)
       {
         this->samples_.push_back(tick->sample);
       }

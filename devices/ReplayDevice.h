@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// The hand of a recording: gives its samples one a tick, then ends. Forces go nowhere.
+/// The hand of a recording, from where there was one: gives its samples one a tick, then ends. Forces go nowhere.
 class ReplayDevice final : public HapticDevice
 {
 public:

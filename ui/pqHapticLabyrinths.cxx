@@ -158,7 +158,9 @@ QString pqHapticLabyrinths::refusal(const QString& world) const
     return tr("A labyrinth needs a render view: open one first.");
   }
   const std::string file = vtkHapticGallery::FileOf(world.toStdString());
-  return QString::fromStdString(vtkHapticReadLabyrinth(file).Problem);
+  const double corridor_u = this->Corridor->value();
+  return QString::fromStdString(
+    vtkHapticReadLabyrinth(file, corridor_u > 0.0 ? std::optional(corridor_u) : std::nullopt).Problem);
 }
 
 /// One source for all games, so that filters on it and its place in the pipeline stay.
@@ -207,9 +209,15 @@ void pqHapticLabyrinths::begin()
     this->Message->setText(tr("A labyrinth is played where ParaView computes: with the built-in server."));
     return;
   }
+  const std::string world = vtkSMPropertyHelper(this->Source->getProxy(), "World").GetAsString();
+  const std::string problem = vtkHapticToLabyrinth(lines->GetOutputDataObject(0), world).Problem;
+  if (!problem.empty()) // the source may be another one than was played, from its own properties
+  {
+    this->Message->setText(QString::fromStdString(problem));
+    return;
+  }
   this->keepSettings();
   this->hideWalls(this->Hidden->isChecked());
-  const std::string world = vtkSMPropertyHelper(this->Source->getProxy(), "World").GetAsString();
   const bool maze = session->PlayLabyrinth(lines->GetOutputDataObject(0), world.c_str());
   const QString begins = session->GetDeviceGivesForce()
                            ? tr("You are brought to the start, then let go.")

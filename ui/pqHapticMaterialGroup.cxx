@@ -50,10 +50,10 @@ pqHapticMaterialGroup::pqHapticMaterialGroup(QWidget* parent) : Superclass(tr("M
   this->add(form, { "Friction", "friction", tr("Friction from (&-)"),
                     tr("Friction that is felt at that value [1], at rest and sliding"), QStringLiteral("1"), 0.0,
                     pqHapticLargestFriction, 3 });
-  this->add(form,
-    { "Texture", "texture", tr("Te&xture from"),
-      tr("How far the felt surface stands out at that value [scene units]; its mean when the hand is too fast for it"),
-      tr("u"), -1e9, 1e9, 6 });
+  this->add(form, { "Texture", "texture", tr("Te&xture from"),
+                    tr("Height felt at that value [scene units]: the highest place is the surface itself, lower ones "
+                       "are hollows in it; its mean when the hand is too fast for it"),
+                    tr("u"), -1e9, 1e9, 6 });
 }
 
 void pqHapticMaterialGroup::add(QFormLayout* form, const Looks& looks)

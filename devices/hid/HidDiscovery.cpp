@@ -15,19 +15,35 @@ namespace palpate
 namespace
 {
 
-std::string nameOf(FoundHid::Kind kind, const HidEntry& entry, const std::vector<FoundHid>& others)
+bool alike(const FoundHid& a, const FoundHid& b) noexcept
+{
+  return a.kind == b.kind && a.entry.vendor == b.entry.vendor && a.entry.product == b.entry.product &&
+         a.entry.serial == b.entry.serial;
+}
+
+std::string nameOf(const FoundHid& one)
 {
   std::array<char, 16> ids{};
-  std::snprintf(ids.data(), ids.size(), "-%04x-%04x", entry.vendor, entry.product);
-  const std::string first = kind == FoundHid::Kind::SpaceMouse ? "spacemouse" : "pid";
-  const std::string name = first + ids.data() + (entry.serial.empty() ? "" : "-" + entry.serial);
-  const auto alike = std::count_if(others.begin(), others.end(),
-    [&](const FoundHid& other)
+  std::snprintf(ids.data(), ids.size(), "-%04x-%04x", one.entry.vendor, one.entry.product);
+  const std::string first = one.kind == FoundHid::Kind::SpaceMouse ? "spacemouse" : "pid";
+  return first + ids.data() + (one.entry.serial.empty() ? "" : "-" + one.entry.serial);
+}
+
+/// Adds one, with a name of its own.
+void add(std::vector<FoundHid>& found, FoundHid one)
+{
+  one.name = nameOf(one);
+  int before = 0;
+  for (FoundHid& other : found)
+  {
+    if (alike(other, one))
     {
-      return other.kind == kind && other.entry.vendor == entry.vendor && other.entry.product == entry.product &&
-             other.entry.serial == entry.serial;
-    });
-  return alike == 0 ? name : name + "-" + std::to_string(alike + 1);
+      other.hasTwin = one.hasTwin = true;
+      ++before;
+    }
+  }
+  one.name += before == 0 ? "" : "-" + std::to_string(before + 1);
+  found.push_back(std::move(one));
 }
 
 /// What a descriptor promises, usable or not.
@@ -65,8 +81,7 @@ std::vector<FoundHid> findHidDevices(HidBus& bus)
     {
       problem = bus.open(entry).problem;
     }
-    std::string name = nameOf(*kind, entry, found);
-    found.push_back({ *kind, std::move(name), std::move(entry), std::move(descriptor), std::move(problem) });
+    add(found, { *kind, {}, std::move(entry), std::move(descriptor), std::move(problem) });
   }
   return found;
 }

@@ -23,7 +23,8 @@ struct FoundHid
   std::string name; ///< for the factory: the same as long as the same devices are plugged in
   HidEntry entry;
   ReportDescriptor descriptor;
-  std::string problem; ///< empty, or why it cannot be used and what to do
+  std::string problem;  ///< empty, or why it cannot be used and what to do
+  bool hasTwin = false; ///< another one is plugged in that neither kind nor serial number tells apart
 };
 
 /// The force-feedback devices and SpaceMice on a bus; mice, keyboards and joysticks without force are left out. Each is

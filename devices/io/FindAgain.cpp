@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/io/FindAgain.h"
 
+#include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace palpate
 {
@@ -14,32 +14,92 @@ bool sameKind(const HidEntry& a, const HidEntry& b) noexcept
   return a.vendor == b.vendor && a.product == b.product && a.serial == b.serial;
 }
 
+std::optional<HidEntry> at(const std::string& path, const std::vector<HidEntry>& entries)
+{
+  const auto found =
+    std::find_if(entries.begin(), entries.end(), [&](const HidEntry& entry) { return entry.path == path; });
+  return found == entries.end() ? std::nullopt : std::optional(*found);
+}
+
 } // namespace
 
-FoundDevice findAgain(HidBus& bus, const HidEntry& wanted)
+FoundDevice DeviceSearch::first(HidBus& bus)
 {
-  std::vector<HidEntry> alike;
-  for (HidEntry& entry : bus.devices())
+  const std::vector<HidEntry> alike = this->alike(bus);
+  const std::optional<HidEntry> inPlace = at(this->wanted_.path, alike);
+  return inPlace ? FoundDevice{ inPlace, {} } : this->only(alike);
+}
+
+FoundDevice DeviceSearch::again(HidBus& bus)
+{
+  const std::vector<HidEntry> alike = this->alike(bus);
+  if (std::exchange(this->looking_, true))
   {
-    if (sameKind(entry, wanted))
-    {
-      alike.push_back(std::move(entry));
-    }
+    return this->newcomer(alike);
   }
-  const std::string name = "\"" + wanted.name + "\"" + (wanted.serial.empty() ? "" : " " + wanted.serial);
-  if (alike.empty())
-  {
-    return { std::nullopt, name + " is not there: plug it in" };
-  }
+  this->others_.clear();
   for (const HidEntry& entry : alike)
   {
-    if (alike.size() == 1 || entry.path == wanted.path)
+    if (entry.path != this->wanted_.path)
     {
-      return { entry, {} };
+      this->others_.push_back(entry.path);
     }
   }
-  return { std::nullopt,
-    "there are " + std::to_string(alike.size()) + " of " + name + " and nothing tells them apart: plug in only one" };
+  const std::optional<HidEntry> inPlace = at(this->wanted_.path, alike);
+  return inPlace ? FoundDevice{ inPlace, {} } : this->newcomer(alike);
+}
+
+void DeviceSearch::found(HidBus& bus, const HidEntry& entry)
+{
+  this->wanted_ = entry;
+  this->descriptor_ = bus.descriptor(entry).bytes;
+  this->looking_ = false;
+}
+
+/// One plug may have several parts, each with a descriptor of its own.
+std::vector<HidEntry> DeviceSearch::alike(HidBus& bus) const
+{
+  std::vector<HidEntry> alike = bus.devices();
+  std::erase_if(alike,
+    [&](const HidEntry& entry)
+    {
+      return !sameKind(entry, this->wanted_) ||
+             (!this->descriptor_.empty() && bus.descriptor(entry).bytes != this->descriptor_);
+    });
+  return alike;
+}
+
+FoundDevice DeviceSearch::only(const std::vector<HidEntry>& alike) const
+{
+  if (alike.empty())
+  {
+    return { std::nullopt, this->name() + " is not there: plug it in" };
+  }
+  if (alike.size() == 1)
+  {
+    return { alike.front(), {} };
+  }
+  return { std::nullopt, "there are " + std::to_string(alike.size()) + " of " + this->name() +
+                           " and nothing tells them apart: plug in only one" };
+}
+
+FoundDevice DeviceSearch::newcomer(const std::vector<HidEntry>& alike) const
+{
+  std::vector<HidEntry> come = alike;
+  std::erase_if(come, [&](const HidEntry& entry)
+    { return std::find(this->others_.begin(), this->others_.end(), entry.path) != this->others_.end(); });
+  if (!come.empty() && alike.size() - come.size() < this->others_.size())
+  {
+    return { std::nullopt, "another one of " + this->name() +
+                             " went meanwhile, and nothing tells them apart: plug in only the right one, then choose "
+                             "the device again" };
+  }
+  return this->only(come);
+}
+
+std::string DeviceSearch::name() const
+{
+  return "\"" + this->wanted_.name + "\"" + (this->wanted_.serial.empty() ? "" : " " + this->wanted_.serial);
 }
 
 } // namespace palpate

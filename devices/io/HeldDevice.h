@@ -34,6 +34,7 @@ public:
   {
     const std::lock_guard lock(this->mutex_);
     this->device_ = std::move(device);
+    this->message_ = this->lostFor_; // not what kept it away since
     found();
   }
   /// Does something while nobody lets go of `device`; nothing if it has been let go of.
@@ -59,7 +60,7 @@ public:
     const bool held = this->device_ == device;
     if (held)
     {
-      this->message_ = why;
+      this->message_ = this->lostFor_ = why;
       this->device_.reset();
       lost();
     }
@@ -82,6 +83,7 @@ private:
   mutable std::mutex mutex_;
   std::shared_ptr<Attached> device_;
   std::string message_;
+  std::string lostFor_; ///< why it was let go of last
 };
 
 /// Says when it is time to look for a lost device again. One thread.

@@ -60,15 +60,15 @@ std::string PidDevice::open()
 
 DeviceStatus PidDevice::read(double tickTime_s, DeviceSample& sample) noexcept
 {
-  const std::optional<PidLink::Hand> hand = this->link_->hand();
-  if (!hand)
+  const PidLink::Heard heard = this->link_->heard();
+  if (!heard.hand)
   {
-    return DeviceStatus::Lost;
+    return heard.there ? DeviceStatus::Waiting : DeviceStatus::Lost;
   }
   sample = {};
   sample.time_s = tickTime_s;
-  sample.pose_D.p = hand->p_D;
-  sample.buttons = hand->buttons;
+  sample.pose_D.p = heard.hand->p_D;
+  sample.buttons = heard.hand->buttons;
   return DeviceStatus::Ok;
 }
 

@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "devices/io/FindAgain.h"
-
 namespace palpate
 {
 namespace
@@ -27,21 +25,20 @@ const char* missing(const DeviceAbilities& before, const DeviceAbilities& now) n
 } // namespace
 
 PidLink::PidLink(std::shared_ptr<HidBus> bus, HidEntry entry, const PidOutputOptions& options, const Clock& clock)
-  : bus_(std::move(bus)), entry_(std::move(entry)), options_(options), clock_(clock)
+  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock)
 {
 }
 
 std::string PidLink::attach()
 {
-  std::string problem = this->find({});
+  std::string problem = this->prepare(this->search_.first(*this->bus_), {});
   this->opened_ = this->abilities().value_or(DeviceAbilities{});
   return problem;
 }
 
 /// Whoever steers by what the device held goes on as if it held it: walls without their viscosity shake.
-std::string PidLink::find(const DeviceAbilities& least)
+std::string PidLink::prepare(FoundDevice found, const DeviceAbilities& least)
 {
-  FoundDevice found = findAgain(*this->bus_, this->entry_);
   if (!found.entry)
   {
     return found.problem;
@@ -57,6 +54,7 @@ std::string PidLink::find(const DeviceAbilities& least)
     device->engine->close();
     return "\"" + device->entry.name + "\": it came back without " + lack + ": its memory for effects may be full";
   }
+  this->search_.found(*this->bus_, device->entry);
   device->drain();
   const std::optional<Hand> hand = this->firstHand(*device);
   {
@@ -297,17 +295,17 @@ void PidLink::reattach(std::int64_t now_ns)
     return;
   }
   this->muted_ = true;
-  if (std::string problem = this->find(this->opened_); !problem.empty())
+  if (std::string problem = this->prepare(this->search_.again(*this->bus_), this->opened_); !problem.empty())
   {
     this->held_.say(std::move(problem));
   }
 }
 
-std::optional<PidLink::Hand> PidLink::hand() noexcept
+PidLink::Heard PidLink::heard() noexcept
 {
   const bool steady = this->presence_.steady(); // first: the hand of a device that is found is there before
   const std::optional<Hand>& newest = this->handToServo_.read();
-  return steady ? newest : std::nullopt;
+  return steady ? Heard{ true, newest } : Heard{};
 }
 
 void PidLink::command(const DeviceCommand& command) noexcept

@@ -11,6 +11,7 @@
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/PidInput.h"
 #include "devices/hid/PidOutput.h"
+#include "devices/io/FindAgain.h"
 #include "devices/io/HeldDevice.h"
 #include "devices/io/LinkedDevice.h"
 #include "devices/io/Presence.h"
@@ -47,9 +48,13 @@ public:
     Vec3 p_D = Vec3::Zero(); ///< [m]
     std::uint32_t buttons = 0;
   };
-  /// The newest hand; none: the device is lost, or was since the last call, or has not said yet where the hand is.
-  /// Servo thread; wait-free.
-  [[nodiscard]] std::optional<Hand> hand() noexcept;
+  struct Heard
+  {
+    bool there = false;       ///< now, and all the time since the last call
+    std::optional<Hand> hand; ///< none: it has not said yet where the hand is
+  };
+  /// The newest. Servo thread; wait-free.
+  [[nodiscard]] Heard heard() noexcept;
   /// Servo thread; wait-free.
   void command(const DeviceCommand& command) noexcept;
 
@@ -78,7 +83,7 @@ private:
     void stopPastTheWriter() noexcept;
     [[nodiscard]] const char* disturbance() noexcept;
   };
-  [[nodiscard]] std::string find(const DeviceAbilities& least);
+  [[nodiscard]] std::string prepare(FoundDevice found, const DeviceAbilities& least);
   [[nodiscard]] std::optional<Hand> firstHand(Attached& device);
   void tell(const std::optional<Hand>& hand) noexcept;
   [[nodiscard]] bool lose(const std::shared_ptr<Attached>& device, const std::string& why);
@@ -89,7 +94,7 @@ private:
   void watchWriter(Attached& device);
 
   std::shared_ptr<HidBus> bus_;
-  HidEntry entry_;
+  DeviceSearch search_; ///< writer's, and the owner's before
   PidOutputOptions options_;
   const Clock& clock_;
 

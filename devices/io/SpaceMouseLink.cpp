@@ -3,18 +3,20 @@
 
 #include <utility>
 
-#include "devices/io/FindAgain.h"
-
 namespace palpate
 {
 SpaceMouseLink::SpaceMouseLink(std::shared_ptr<HidBus> bus, HidEntry entry, const Clock& clock)
-  : bus_(std::move(bus)), entry_(std::move(entry)), clock_(clock)
+  : bus_(std::move(bus)), search_(std::move(entry)), clock_(clock)
 {
 }
 
 std::string SpaceMouseLink::attach()
 {
-  FoundDevice found = findAgain(*this->bus_, this->entry_);
+  return this->prepare(this->search_.first(*this->bus_));
+}
+
+std::string SpaceMouseLink::prepare(const FoundDevice& found)
+{
   if (!found.entry)
   {
     return found.problem;
@@ -24,6 +26,7 @@ std::string SpaceMouseLink::attach()
   {
     return "\"" + found.entry->name + "\": " + problem;
   }
+  this->search_.found(*this->bus_, *found.entry);
   // Whatever it was pressed to before says nothing now.
   this->news_.cap = {};
   this->newsToServo_.write(this->news_);
@@ -101,7 +104,7 @@ void SpaceMouseLink::reattach(std::int64_t now_ns)
   {
     return;
   }
-  if (std::string problem = this->attach(); !problem.empty())
+  if (std::string problem = this->prepare(this->search_.again(*this->bus_)); !problem.empty())
   {
     this->held_.say(std::move(problem));
   }

@@ -9,6 +9,7 @@
 
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/SpaceMouseInput.h"
+#include "devices/io/FindAgain.h"
 #include "devices/io/HeldDevice.h"
 #include "devices/io/LinkedDevice.h"
 #include "devices/io/Presence.h"
@@ -54,12 +55,13 @@ private:
     std::optional<SpaceMouseInput> input;
   };
 
+  [[nodiscard]] std::string prepare(const FoundDevice& found);
   [[nodiscard]] std::string begin(const HidEntry& entry, Attached& device);
   void reattach(std::int64_t now_ns);
   void take(const Attached& device, std::span<const std::uint8_t> report) noexcept;
 
   std::shared_ptr<HidBus> bus_;
-  HidEntry entry_;
+  DeviceSearch search_; ///< reader's, and the owner's before
   const Clock& clock_;
 
   HeldDevice<Attached> held_; ///< reader and owner only

@@ -85,8 +85,8 @@ public:
     }
     if (this->outcome_.problem.empty())
     {
-      this->outcome_.problem = this->explored_ ? "it did not arrive in the time it was given"
-                                               : "it could not be brought to the start in the time it was given";
+      this->outcome_.problem =
+        this->outcome_.explored ? "it did not arrive in the time it was given" : this->notBrought();
     }
     return this->finish();
   }
@@ -118,6 +118,7 @@ private:
     else
     {
       this->from_D_ = this->to_D_ = sample.pose_D.p; // the arm yields to what moves it
+      this->lead_N_ = std::max(this->lead_N_, out.state.force_D.norm());
     }
     return out.state.game == GamePhase::Arrived;
   }
@@ -139,17 +140,31 @@ private:
   {
     const Vec3& location_W = state.proxy_W.p;
     const double force_N = state.force_D.norm();
-    this->outcome_.lead_s = this->explored_ ? this->outcome_.lead_s : state.time_s;
+    this->outcome_.lead_s = this->outcome_.explored ? this->outcome_.lead_s : state.time_s;
     this->outcome_.time_s = state.gameTime_s;
-    this->outcome_.way_u += this->explored_ ? (location_W - this->location_W_).norm() : 0.0;
+    this->outcome_.way_u += this->outcome_.explored ? (location_W - this->location_W_).norm() : 0.0;
     this->outcome_.peakForce_N = std::max(this->outcome_.peakForce_N, force_N);
     this->location_W_ = location_W;
-    this->explored_ = true;
+    this->outcome_.explored = true;
     const int every = std::max(1, 10 / this->every_);
     if (this->run_.trace && this->ticks_ % static_cast<std::uint64_t>(every) == 0)
     {
       this->outcome_.trace.push_back({ state.gameTime_s, state.device_W.p, location_W, force_N });
     }
+  }
+
+  /// A host must lead the more gently the slower it is, and may not overcome the device's friction then.
+  [[nodiscard]] std::string notBrought() const
+  {
+    std::ostringstream text;
+    text << "it could not be brought to the start in the time it was given";
+    if (this->lead_N_ <= this->run_.device.friction_N)
+    {
+      text << ": a host of " << this->run_.host_Hz << " Hz may pull it by " << this->lead_N_
+           << " N at most, and its friction is " << this->run_.device.friction_N
+           << " N; a faster host, or a device that holds its walls itself, can";
+    }
+    return text.str();
   }
 
   LabyrinthOutcome finish()
@@ -168,7 +183,7 @@ private:
   Vec3 from_D_ = Vec3::Zero(), to_D_ = Vec3::Zero(); ///< the arm, at the last look and the next [m]
   Vec3 location_W_ = Vec3::Zero();
   std::uint64_t ticks_ = 0;
-  bool explored_ = false;
+  double lead_N_ = 0.0; ///< the largest force on the way to the start
   LabyrinthOutcome outcome_;
 };
 

@@ -34,10 +34,11 @@ struct LabyrinthMoment
 /// How it went.
 struct LabyrinthOutcome
 {
-  std::string problem; ///< empty: it arrived; else one sentence
-  double lead_s = 0.0; ///< it took to bring the hand to the start
-  double time_s = 0.0; ///< from there to the exit
-  double way_u = 0.0;  ///< of the disc
+  std::string problem;   ///< empty: it arrived; else one sentence
+  bool explored = false; ///< it was let go at the start; else all that follows is zero
+  double lead_s = 0.0;   ///< it took to bring the hand to the start
+  double time_s = 0.0;   ///< from there to the exit
+  double way_u = 0.0;    ///< of the disc
   std::size_t places = 0;
   double peakForce_N = 0.0;
   std::vector<LabyrinthMoment> trace; ///< one every 10 ms at most

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "devices/FedDevice.h"
 #include "devices/io/DBusBroker.h"
+#include "haptics/session/Warning.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkObjectFactory.h"
@@ -51,6 +51,7 @@ void vtkHapticSession::Internals::ShowState()
 {
   this->State = this->Core.state();
   this->Report = this->Core.report();
+  this->Warning = this->Core.running() ? palpate::warning(this->State, this->Report) : std::string();
   if (this->Core.running())
   {
     this->Scheduling = this->Core.scheduling().message;
@@ -157,7 +158,7 @@ void vtkHapticSession::Start()
   }
   if (auto* fed = dynamic_cast<palpate::FedDevice*>(made.device.get()))
   {
-    fed->feed(impl.HandSample()); // before the first tick reads it
+    impl.FeedTo(*fed, false); // before the first tick reads it
   }
   const palpate::DeadMan deadMan = impl.Parameters.safety.deadMan;
   impl.Parameters.safety = palpate::SafetyLimits::forDevice(made.device->info());

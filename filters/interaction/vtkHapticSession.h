@@ -544,7 +544,7 @@ public:
   bool PickSurface(const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const;
 
   ///@{
-  /// Where a program holds the hand (devices "fed" and "mouse"): a point in W [u].
+  /// Where a program holds the hand (devices "fed" and "mouse"): a point in W [u]. Before the first there is no hand.
   void SetHandPosition(double x, double y, double z);
   void SetHandPosition(const double p_W[3]);
   ///@}

@@ -146,7 +146,8 @@ const char* vtkHapticSession::GetDeviceNotes() const
     info.abilities = linked->abilitiesNow();
   }
   const std::string problem = runs || impl.Chosen.problem.empty() ? "" : "Cannot be used now: " + impl.Chosen.problem;
-  const std::string notes = palpate::shortcomings(info);
+  std::string notes = palpate::shortcomings(info);
+  notes += impl.Chosen.hasTwin ? (notes.empty() ? "" : " ") + std::string(palpate::twinNote) : "";
   this->Impl->DeviceNotes = problem + (problem.empty() || notes.empty() ? "" : ". ") + notes;
   return this->Impl->DeviceNotes.c_str();
 }

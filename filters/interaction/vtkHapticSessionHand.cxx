@@ -2,25 +2,27 @@
 // Where a program holds the hand, and the stroke that a simulated one makes.
 #include <cmath>
 
-#include "devices/FedDevice.h"
 #include "vtkCellArray.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
-palpate::DeviceSample vtkHapticSession::Internals::HandSample() const
+void vtkHapticSession::Internals::FeedTo(palpate::FedDevice& fed, bool placed) const
 {
-  palpate::DeviceSample sample;
-  sample.pose_D.p = this->Parameters.map.toDevice(this->Hand_W);
-  return sample;
+  if (this->Hand_W)
+  {
+    palpate::DeviceSample sample;
+    sample.pose_D.p = this->Parameters.map.toDevice(*this->Hand_W);
+    placed ? fed.place(sample) : fed.feed(sample);
+  }
 }
 
 void vtkHapticSession::Internals::Feed(bool placed)
 {
   if (auto* fed = dynamic_cast<palpate::FedDevice*>(this->Core.device()))
   {
-    placed ? fed->place(this->HandSample()) : fed->feed(this->HandSample());
+    this->FeedTo(*fed, placed);
   }
 }
 

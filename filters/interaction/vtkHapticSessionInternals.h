@@ -3,6 +3,7 @@
 #define vtkHapticSessionInternals_h
 
 #include "devices/DeviceFactory.h"
+#include "devices/FedDevice.h"
 #include "devices/calibration/SelfTestRun.h"
 #include "devices/io/LinkedDevice.h"
 #include "haptics/labyrinth/MazeButtons.h"
@@ -68,7 +69,7 @@ public:
   double TraceTime_s = 0.0;    ///< of its game
   std::uint32_t Buttons = ~0u; ///< at the last look; what is down at the first was not pressed
   palpate::MazeWish Wish = palpate::MazeWish::None;
-  palpate::Vec3 Hand_W = palpate::Vec3::Zero(); ///< where a program holds it
+  std::optional<palpate::Vec3> Hand_W; ///< where a program holds it, once it said so
 
   palpate::HapticState State;
   palpate::LoopReport Report;
@@ -76,6 +77,7 @@ public:
   std::string StabilitySentence;
   std::string DeviceKind, DeviceNotes, LinkText;
   std::string Scheduling;
+  std::string Warning;
   std::string Problem;
   double Rotation[4] = { 1.0, 0.0, 0.0, 0.0 };
   double Offset[3] = { 0.0, 0.0, 0.0 };
@@ -107,9 +109,9 @@ public:
   void FollowDevice();
   /// What a check says now; ends it once there is a verdict.
   void FollowCheck();
-  /// Where a program holds the hand, as the device would tell it.
-  palpate::DeviceSample HandSample() const;
-  /// `placed`: there without a way.
+  /// Tells a fed device where the program holds the hand, if it said so. `placed`: there without a way.
+  void FeedTo(palpate::FedDevice& fed, bool placed) const;
+  /// The same for the running device, if it is one.
   void Feed(bool placed = false);
   /// The running device where it is behind a link, else null; how the link goes.
   const palpate::LinkedDevice* Linked();

@@ -25,8 +25,8 @@ bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
 {
   const std::string label = name ? name : "labyrinth";
   vtkHapticLabyrinthResult read;
-  read.Problem = label + ": there is nothing to play";
-  if (maze)
+  read.Problem = label + ": there is nothing to play; if it comes from a source that failed, that one says why";
+  if (maze && maze->GetNumberOfElements(vtkDataObject::CELL) > 0)
   {
     read = vtkHapticToLabyrinth(maze, label);
   }
@@ -52,7 +52,7 @@ bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
         palpate::fitted(labyrinth, workspace_m > 0.0 ? workspace_m : palpate::DeviceInfo().workspaceRadius_m.value);
     });
   this->Impl->FollowWalls();
-  this->Impl->Core.play(); // a game that went on begins again: the plan alone does not say that it is another
+  this->Impl->Core.play();          // a game that went on begins again: the plan alone does not say that it is another
   if (this->Impl->Stroke_W.empty()) // where a simulated hand begins that nobody told
   {
     this->Impl->Stroke_W.push_back(this->Impl->Parameters.map.offset_W);

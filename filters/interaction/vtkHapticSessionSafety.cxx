@@ -32,13 +32,5 @@ bool vtkHapticSession::GetDeadManGrip() const
 
 const char* vtkHapticSession::GetWarning() const
 {
-  if (this->Impl->State.letGo)
-  {
-    return "the dead-man is not held: hold its button or the grip to feel";
-  }
-  if (this->Impl->State.frozen)
-  {
-    return "the position has not changed for a quarter of a second under force: if the handle moved, check the device";
-  }
-  return "";
+  return this->Impl->Warning.c_str();
 }

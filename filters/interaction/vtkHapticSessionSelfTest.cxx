@@ -2,6 +2,7 @@
 // The part of vtkHapticSession that checks a device and keeps what is found.
 #include "vtkHapticSession.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "devices/calibration/CalibrationFiles.h"
@@ -134,8 +135,11 @@ bool vtkHapticSession::KeepCalibration()
   Internals& impl = *this->Impl;
   const std::optional<palpate::Calibration> found =
     palpate::calibrationFrom(impl.Check.plan(), impl.Check.state(), impl.Check.device(), palpate::today());
-  const std::string problem = found ? palpate::saveCalibration(impl.CalibrationFolder, *found)
-                                    : "there is nothing to keep: no check of a device has passed";
+  const auto isTwin = [&](const palpate::KnownDevice& known) { return known.hasTwin && known.name == found->device; };
+  const std::string problem = !found ? "there is nothing to keep: no check of a device has passed"
+                              : std::any_of(impl.Known.begin(), impl.Known.end(), isTwin)
+                                ? palpate::twinNote
+                                : palpate::saveCalibration(impl.CalibrationFolder, *found);
   this->Refuse(problem);
   if (problem.empty())
   {

@@ -1,61 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticImageLines.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <stdexcept>
-#include <unordered_map>
 
-#include "vtkCellArray.h"
-#include "vtkDiscreteFlyingEdges2D.h"
-#include "vtkFlyingEdges2D.h"
 #include "vtkHapticImagePlane.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
+#include "vtkHapticPixelSquares.h"
 
 using palpate::LooseLines;
-using palpate::Vec3;
 
 namespace
 {
 /// More labels than this are a field and no label map.
 constexpr std::size_t MostLabels = 4096;
 
-/// VTK keeps points in single precision: in a large image too little for the bounds of a contour. A point lies between
-/// two pixels, so its place there is worked out anew.
-Vec3 Sharpened(const vtkHapticImagePlane& plane, double value, const double p[3])
+/// Shares of the work on a drawing: read, thinned; and the rest for its gaps, of which there are none without gap.
+constexpr double ReadShare = 0.2, ThinnedShare = 0.6;
+constexpr std::size_t RowsPerReport = 16;
+
+bool AllFinite(const std::array<double, 4>& values)
 {
-  const double i = std::floor(p[0]), j = std::floor(p[1]);
-  const bool alongI = p[0] > i, alongJ = p[1] > j;
-  if (alongI == alongJ)
-  {
-    return { p[0], p[1], 0.0 };
-  }
-  const auto column = static_cast<std::int64_t>(i), row = static_cast<std::int64_t>(j);
-  const double here = plane.GetValue(column, row);
-  const double there = plane.GetValue(column + alongI, row + alongJ);
-  const double share = (value - here) / (there - here);
-  return { i + (alongI ? share : 0.0), j + (alongJ ? share : 0.0), 0.0 };
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-void AddSegments(vtkCellArray* cells, const std::vector<std::uint32_t>& indexOf, LooseLines& lines)
+/// What reaches a value, and the rest.
+struct Level
 {
-  vtkIdType count = 0;
-  const vtkIdType* points = nullptr;
-  for (cells->InitTraversal(); cells->GetNextCell(count, points);)
+  double Value;
+
+  template<class Draw>
+  void Divide(const std::array<double, 4>& values, Draw draw) const
   {
-    const std::uint32_t a = indexOf[static_cast<std::size_t>(points[0])];
-    const std::uint32_t b = indexOf[static_cast<std::size_t>(points[1])];
-    if (lines.points_W[a].allFinite() && lines.points_W[b].allFinite())
+    unsigned reached = 0;
+    for (unsigned k = 0; k < 4; ++k)
     {
-      lines.segments.push_back({ a, b });
+      reached |= values[k] >= this->Value ? 1U << k : 0U;
+    }
+    if (reached != 0 && reached != 15 && AllFinite(values))
+    {
+      draw(reached);
     }
   }
-}
 
-std::set<double> LabelsOf(const vtkHapticImagePlane& plane)
+  [[nodiscard]] double GetShare(double a, double b) const { return (this->Value - a) / (b - a); }
+};
+
+/// Each area and the rest. What is left has the borders of the least label too.
+struct Areas
+{
+  double Least;
+
+  template<class Draw>
+  void Divide(const std::array<double, 4>& values, Draw draw) const
+  {
+    if ((values[0] == values[1] && values[0] == values[2] && values[0] == values[3]) || !AllFinite(values))
+    {
+      return;
+    }
+    unsigned drawn = 0;
+    for (unsigned k = 0; k < 4; ++k)
+    {
+      unsigned same = 0;
+      for (unsigned other = 0; other < 4; ++other)
+      {
+        same |= values[other] == values[k] ? 1U << other : 0U;
+      }
+      if (values[k] != this->Least && !(drawn & same))
+      {
+        draw(same);
+      }
+      drawn |= same;
+    }
+  }
+
+  [[nodiscard]] double GetShare(double, double) const { return 0.5; }
+};
+
+void CheckLabels(const vtkHapticImagePlane& plane)
 {
   std::set<double> labels;
   double last = std::nan("");
@@ -77,38 +101,16 @@ std::set<double> LabelsOf(const vtkHapticImagePlane& plane)
       }
     }
   }
-  return labels;
 }
 
-/// Points of borders lie half way between pixels: the same ones of two areas get the same index.
-class SharedPoints
-{
-public:
-  explicit SharedPoints(LooseLines& lines) : Lines(lines) {}
-
-  std::uint32_t IndexOf(const double p[3])
-  {
-    const auto key = static_cast<std::uint64_t>(2 * p[1] + 0.5) << 32 | static_cast<std::uint64_t>(2 * p[0] + 0.5);
-    const auto [place, isNew] = this->Known.try_emplace(key, static_cast<std::uint32_t>(this->Lines.points_W.size()));
-    if (isNew)
-    {
-      this->Lines.points_W.emplace_back(p[0], p[1], 0.0);
-    }
-    return place->second;
-  }
-
-private:
-  LooseLines& Lines;
-  std::unordered_map<std::uint64_t, std::uint32_t> Known;
-};
-
-palpate::Bitmap InkOf(const vtkHapticImagePlane& plane, double value, bool inkIsDark)
+palpate::Bitmap InkOf(const vtkHapticImagePlane& plane, double value, bool inkIsDark, const palpate::Goes& goes)
 {
   palpate::Bitmap drawing;
   drawing.width = plane.GetWidth();
   drawing.height = plane.GetHeight();
   drawing.ink.reserve(static_cast<std::size_t>(drawing.width) * drawing.height);
-  for (std::int64_t j = 0; j < drawing.height; ++j)
+  palpate::Steps steps(goes, RowsPerReport);
+  for (std::uint32_t j = 0; j < drawing.height && steps.go(j, drawing.height); ++j)
   {
     for (std::int64_t i = 0; i < drawing.width; ++i)
     {
@@ -120,76 +122,36 @@ palpate::Bitmap InkOf(const vtkHapticImagePlane& plane, double value, bool inkIs
 }
 } // namespace
 
-LooseLines vtkHapticImageLines::Contour(const vtkHapticImagePlane& plane, double value)
+LooseLines vtkHapticImageLines::Contour(const vtkHapticImagePlane& plane, double value, const palpate::Goes& goes)
 {
-  vtkNew<vtkFlyingEdges2D> contour;
-  contour->SetInputData(plane.GetPixels());
-  contour->SetValue(0, value);
-  contour->ComputeScalarsOff();
-  contour->Update();
-  vtkPolyData* found = contour->GetOutput();
-  LooseLines lines;
-  std::vector<std::uint32_t> indexOf(static_cast<std::size_t>(found->GetNumberOfPoints()));
-  lines.points_W.reserve(indexOf.size());
-  for (std::size_t i = 0; i < indexOf.size(); ++i)
-  {
-    indexOf[i] = static_cast<std::uint32_t>(i);
-    lines.points_W.push_back(Sharpened(plane, value, found->GetPoint(static_cast<vtkIdType>(i))));
-  }
-  AddSegments(found->GetLines(), indexOf, lines);
-  return lines;
+  return vtkHapticPixelSquares(plane, Level{ value }).Walk(goes);
 }
 
-LooseLines vtkHapticImageLines::Labels(const vtkHapticImagePlane& plane, const std::function<bool(double)>& goes)
+LooseLines vtkHapticImageLines::Labels(const vtkHapticImagePlane& plane, const palpate::Goes& goes)
 {
   double range[2];
   plane.GetRange(range);
-  std::set<double> labels = LabelsOf(plane);
-  labels.erase(labels.begin()); // what is left has the borders of the least label too
-  LooseLines lines;
-  SharedPoints shared(lines);
-  double done = 0.0;
-  for (const double label : labels)
-  {
-    if (!goes(done++ / static_cast<double>(labels.size())))
-    {
-      break;
-    }
-    vtkNew<vtkDiscreteFlyingEdges2D> border;
-    border->SetInputData(plane.GetPixels());
-    border->SetValue(0, label);
-    border->ComputeScalarsOff();
-    border->Update();
-    vtkPolyData* found = border->GetOutput();
-    std::vector<std::uint32_t> indexOf(static_cast<std::size_t>(found->GetNumberOfPoints()));
-    for (std::size_t i = 0; i < indexOf.size(); ++i)
-    {
-      indexOf[i] = shared.IndexOf(found->GetPoint(static_cast<vtkIdType>(i)));
-    }
-    AddSegments(found->GetLines(), indexOf, lines);
-  }
-  return lines;
+  CheckLabels(plane);
+  return vtkHapticPixelSquares(plane, Areas{ range[0] }).Walk(goes);
 }
 
-LooseLines vtkHapticImageLines::Drawing(const vtkHapticImagePlane& plane, double value, bool inkIsDark, double gap)
+LooseLines vtkHapticImageLines::Drawing(
+  const vtkHapticImagePlane& plane, double value, bool inkIsDark, double gap, const palpate::Goes& goes)
 {
-  palpate::Bitmap drawing = InkOf(plane, value, inkIsDark);
-  palpate::thin(drawing);
-  LooseLines lines = palpate::linesOf(drawing);
-  if (gap > 0.0)
+  bool going = true;
+  const palpate::Goes watched = [&](double share) { return going = going && goes(share); };
+  const palpate::Bitmap drawing = InkOf(plane, value, inkIsDark, palpate::partOf(watched, 0.0, ReadShare));
+  if (!going)
   {
-    // Pixels may be longer than wide: gaps are measured in space.
-    const Vec3 size(plane.GetSpacing(0), plane.GetSpacing(1), 1.0);
-    const auto scale = [&lines](const Vec3& by)
-    {
-      for (Vec3& p : lines.points_W)
-      {
-        p = p.cwiseProduct(by);
-      }
-    };
-    scale(size);
-    palpate::mendGaps(lines, gap);
-    scale(size.cwiseInverse());
+    return {};
+  }
+  palpate::Bitmap thinned = drawing;
+  palpate::thin(thinned, palpate::partOf(watched, ReadShare, gap > 0.0 ? ThinnedShare : 1.0));
+  LooseLines lines = palpate::linesOf(thinned);
+  if (gap > 0.0 && going)
+  {
+    palpate::mendGaps(
+      lines, drawing, { plane.GetSpacing(0), plane.GetSpacing(1) }, gap, palpate::partOf(watched, ThinnedShare, 1.0));
   }
   return lines;
 }

@@ -72,13 +72,13 @@ std::string vtkHapticLabyrinth::GetWorldName(int index)
 
 int vtkHapticLabyrinth::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
-  vtkHapticLabyrinthResult read = vtkHapticReadLabyrinth(vtkHapticGallery::FileOf(this->World));
+  const std::optional<double> corridor_u = this->Corridor > 0.0 ? std::optional(this->Corridor) : std::nullopt;
+  const vtkHapticLabyrinthResult read = vtkHapticReadLabyrinth(vtkHapticGallery::FileOf(this->World), corridor_u);
   if (!read.Problem.empty())
   {
     vtkErrorMacro(<< read.Problem);
     return 0;
   }
-  read.Labyrinth.corridor_u = this->Corridor > 0.0 ? this->Corridor : read.Labyrinth.corridor_u;
   Write(read.Labyrinth, vtkPolyData::GetData(output));
   return 1;
 }

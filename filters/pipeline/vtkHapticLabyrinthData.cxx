@@ -35,7 +35,8 @@ double Corridor(vtkDataObject* data, const palpate::Labyrinth& labyrinth)
 }
 } // namespace
 
-vtkHapticLabyrinthResult vtkHapticToLabyrinth(vtkDataObject* data, const std::string& name)
+vtkHapticLabyrinthResult vtkHapticToLabyrinth(
+  vtkDataObject* data, const std::string& name, std::optional<double> corridor_u)
 {
   vtkHapticLabyrinthResult result;
   result.Labyrinth.name = name;
@@ -54,11 +55,12 @@ vtkHapticLabyrinthResult vtkHapticToLabyrinth(vtkDataObject* data, const std::st
   result.Labyrinth.curves = std::move(plane.curves);
   result.Labyrinth.start_W = Place(data, "Start");
   result.Labyrinth.exit_W = Place(data, "Exit");
-  result.Labyrinth.corridor_u = Corridor(data, result.Labyrinth);
+  result.Labyrinth.corridor_u = corridor_u ? *corridor_u : Corridor(data, result.Labyrinth);
+  result.Problem = palpate::refuseWorld(result.Labyrinth);
   return result;
 }
 
-vtkHapticLabyrinthResult vtkHapticReadLabyrinth(const std::string& file)
+vtkHapticLabyrinthResult vtkHapticReadLabyrinth(const std::string& file, std::optional<double> corridor_u)
 {
   const vtkHapticReadResult read = vtkHapticReadSurface(file, std::nullopt);
   if (!read.Surface)
@@ -68,5 +70,5 @@ vtkHapticLabyrinthResult vtkHapticReadLabyrinth(const std::string& file)
     result.Problem = read.Problem;
     return result;
   }
-  return vtkHapticToLabyrinth(read.Surface, file);
+  return vtkHapticToLabyrinth(read.Surface, file, corridor_u);
 }

@@ -2,6 +2,7 @@
 #ifndef vtkHapticLabyrinthData_h
 #define vtkHapticLabyrinthData_h
 
+#include <optional>
 #include <string>
 
 #include "haptics/labyrinth/Labyrinth.h"
@@ -13,16 +14,17 @@ class vtkDataObject;
 struct vtkHapticLabyrinthResult
 {
   palpate::Labyrinth Labyrinth; ///< named as it was asked for
-  std::string Problem;          ///< one line that begins with the name; empty when there are lines in the plane z = 0
+  std::string Problem;          ///< one line that begins with the name; empty when it can be explored
 };
 
 /// The lines of a data object in the plane z = 0, with the first tuples of its field arrays Start and Exit, if it has
-/// them, and its Corridor, else what corridorWidth() measures [scene units]. A structure without start and exit is a
-/// result too.
+/// them, and corridors of corridor_u if that is given, else its Corridor, else what corridorWidth() measures [scene
+/// units]. A structure without start and exit is a result too; what refuseWorld() has something against is a problem.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticLabyrinthResult vtkHapticToLabyrinth(
-  vtkDataObject* data, const std::string& name);
+  vtkDataObject* data, const std::string& name, std::optional<double> corridor_u = std::nullopt);
 
 /// The same of a file that ParaView's readers of surfaces know.
-[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticLabyrinthResult vtkHapticReadLabyrinth(const std::string& file);
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticLabyrinthResult vtkHapticReadLabyrinth(
+  const std::string& file, std::optional<double> corridor_u = std::nullopt);
 
 #endif

@@ -33,19 +33,20 @@ double ValueAt(vtkDataArray& array, vtkIdType tuple, int component)
   {
     return array.GetComponent(tuple, std::max(0, component));
   }
-  double square = 0.0;
+  double length = 0.0;
   for (int c = 0; c < array.GetNumberOfComponents(); ++c)
   {
-    square += array.GetComponent(tuple, c) * array.GetComponent(tuple, c);
+    length = std::hypot(length, array.GetComponent(tuple, c)); // squares of large numbers overflow
   }
-  return std::sqrt(square);
+  return length;
 }
 
-/// The mean of the cells around each point; 0 for a point without any, which no triangle uses.
+/// The mean of the cells around each point; 0 for a point without any, which no triangle uses. Of equal values it is
+/// that value to the last bit: what is left of rounding would be stretched over the whole felt range.
 Values MeanOfCells(vtkPolyData& surface, vtkDataArray& array, int component)
 {
   const auto points = static_cast<std::size_t>(surface.GetNumberOfPoints());
-  Values sum(points, 0.0);
+  Values mean(points, 0.0);
   std::vector<int> cells(points, 0);
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < surface.GetNumberOfCells(); ++cell)
@@ -54,13 +55,11 @@ Values MeanOfCells(vtkPolyData& surface, vtkDataArray& array, int component)
     surface.GetCellPoints(cell, corners);
     for (const vtkIdType point : *corners)
     {
-      sum[point] += value;
-      ++cells[point];
+      const int count = ++cells[point];
+      mean[point] += value / count - mean[point] / count;
     }
   }
-  std::transform(
-    sum.begin(), sum.end(), cells.begin(), sum.begin(), [](double s, int n) { return n > 0 ? s / n : 0.0; });
-  return sum;
+  return mean;
 }
 
 /// One array of one surface, whatever it is attached to.
@@ -257,6 +256,18 @@ std::string CheckTransfer(const vtkHapticTransfer& transfer, const std::string& 
   return transfer.Component < -1 ? "the component for the " + what + " must be -1, the length, or a number from 0 on"
                                  : std::string();
 }
+
+/// Of the way from one end of a range to the other; ends so far apart that their difference overflows are halved.
+double ShareOf(double value, const std::array<double, 2>& range)
+{
+  constexpr double middle = 0.5; // of an array of one value
+  if (range[0] == range[1])
+  {
+    return middle;
+  }
+  const double half = std::isfinite(range[1] - range[0]) ? 1.0 : 0.5;
+  return std::clamp((half * value - half * range[0]) / (half * range[1] - half * range[0]), 0.0, 1.0);
+}
 } // namespace
 
 double vtkHapticTransfer::Felt(double value, const std::array<double, 2>& range) const
@@ -265,8 +276,7 @@ double vtkHapticTransfer::Felt(double value, const std::array<double, 2>& range)
   {
     return NaN;
   }
-  constexpr double middle = 0.5; // of an array of one value
-  const double share = range[0] != range[1] ? std::clamp((value - range[0]) / (range[1] - range[0]), 0.0, 1.0) : middle;
+  const double share = ShareOf(value, range);
   return this->FeltRange[0] * (1.0 - share) + this->FeltRange[1] * share;
 }
 

@@ -27,9 +27,9 @@ namespace
 {
 using palpate::Vec3;
 
-/// Shares of the work, for progress: lines, joined curves.
-constexpr double LinesShare = 0.6;
-constexpr std::size_t ReportEvery = 256;
+/// Shares of the work, for progress: lines found, laid in space, joined; the rest to simplify.
+constexpr double LinesShare = 0.6, PlacedShare = 0.65, JoinedShare = 0.75;
+constexpr std::size_t ReportEvery = 64;
 
 /// The points of a chain, without those that coincide with the one before: contours through a pixel make such.
 std::vector<Vec3> PointsOf(const palpate::CurveChain& chain, const std::vector<Vec3>& points_W)
@@ -169,35 +169,47 @@ double vtkImageCurves::ChooseValue(const vtkHapticImagePlane& plane) const
 
 bool vtkImageCurves::Goes(double progress)
 {
-  this->UpdateProgress(progress);
+  if (!this->GetAbortExecute())
+  {
+    this->UpdateProgress(progress);
+  }
   return !this->GetAbortExecute();
 }
 
 palpate::LooseLines vtkImageCurves::FindLines(const vtkHapticImagePlane& plane)
 {
+  const auto goes = [this](double share) { return this->Goes(LinesShare * share); };
   if (this->Kind == Labels)
   {
-    return vtkHapticImageLines::Labels(plane, [this](double share) { return this->Goes(LinesShare * share); });
+    return vtkHapticImageLines::Labels(plane, goes);
   }
   const double value = this->ChooseValue(plane);
-  return this->Kind == Drawing ? vtkHapticImageLines::Drawing(plane, value, this->InkIsDark, this->Gap)
-                               : vtkHapticImageLines::Contour(plane, value);
+  return this->Kind == Drawing ? vtkHapticImageLines::Drawing(plane, value, this->InkIsDark, this->Gap, goes)
+                               : vtkHapticImageLines::Contour(plane, value, goes);
 }
 
 void vtkImageCurves::MakeCurves(vtkImageData* image, vtkDataArray* values, vtkPolyData* output)
 {
   const vtkHapticImagePlane plane(image, values, this->Kind != Labels);
   palpate::LooseLines lines = this->FindLines(plane);
+  if (!this->Goes(LinesShare))
+  {
+    return;
+  }
   for (Vec3& p_W : lines.points_W)
   {
     p_W = plane.ToWorld(p_W.x(), p_W.y());
+  }
+  if (!this->Goes(PlacedShare))
+  {
+    return;
   }
   const std::vector<palpate::CurveChain> chains = palpate::joinSegments(lines.segments, lines.points_W.size());
   Curves curves;
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
     const double share = static_cast<double>(i) / static_cast<double>(chains.size());
-    if (i % ReportEvery == 0 && !this->Goes(LinesShare + (1.0 - LinesShare) * share))
+    if (i % ReportEvery == 0 && !this->Goes(JoinedShare + (1.0 - JoinedShare) * share))
     {
       return;
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkTouchAlongPath.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "haptics/geometry/SceneBuilder.h"
 #include "haptics/session/ForceRenderer.h"
@@ -83,23 +85,32 @@ private:
   vtkNew<vtkDoubleArray> Time;
 };
 
-/// Triangles with their material, and lines if they have a radius; none with a problem.
+/// Triangles, and lines if they have a radius, with their material; none with a problem.
 std::vector<palpate::SurfaceInput> ReadInputs(
   vtkDataObject* surface, const vtkHapticMaterialSettings& settings, double lineRadius_u, std::string& problem)
 {
   std::vector<palpate::SurfaceInput> inputs;
-  vtkHapticConversionResult lines;
-  if (lineRadius_u > 0.0 && (lines = vtkHapticToLines(surface)).Mesh)
+  std::vector<std::string> ofArrays;
+  const auto add = [&](const char* name, vtkHapticConversionResult read, std::optional<double> radius_u)
   {
-    inputs.push_back({ "lines", std::move(lines.Mesh), palpate::Material(), {}, {}, lineRadius_u });
+    if (!read.Mesh)
+    {
+      problem = read.Problem;
+      return;
+    }
+    vtkHapticMaterialResult material = vtkHapticToMaterial(surface, read.PartPoints, settings);
+    ofArrays.push_back(material.Problem);
+    inputs.push_back({ name, std::move(read.Mesh), palpate::Material(), std::move(material.Fields), {}, radius_u });
+  };
+  if (lineRadius_u > 0.0)
+  {
+    add("lines", vtkHapticToLines(surface), lineRadius_u);
   }
-  vtkHapticConversionResult converted = vtkHapticToMesh(surface);
-  problem = inputs.empty() ? converted.Problem : "";
-  if (converted.Mesh)
+  add("surface", vtkHapticToMesh(surface), std::nullopt);
+  if (!inputs.empty()) // one of both may be without an array, as a block of composite data may
   {
-    vtkHapticMaterialResult material = vtkHapticToMaterial(surface, converted.PartPoints, settings);
-    problem = material.Problem;
-    inputs.push_back({ "surface", std::move(converted.Mesh), palpate::Material(), std::move(material.Fields) });
+    const bool any = std::any_of(ofArrays.begin(), ofArrays.end(), [](const auto& text) { return text.empty(); });
+    problem = any ? "" : ofArrays.front();
   }
   return inputs;
 }

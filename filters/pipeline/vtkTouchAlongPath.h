@@ -111,7 +111,8 @@ public:
   ///@}
 
   ///@{
-  /// [u], default 0 to 1: how far the felt surface stands out; its mean for a hand too fast for it.
+  /// [u], default 0 to 1: heights, of which the highest is the surface and lower ones are hollows; their mean for a hand
+  /// too fast for them.
   void SetTextureArray(const char* name);
   const char* GetTextureArray() const;
   void SetTextureComponent(int component);

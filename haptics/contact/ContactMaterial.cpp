@@ -99,6 +99,8 @@ double shareOf(double stiffness_N_per_m, const ContactPlan& plan) noexcept
   return stiffness_N_per_m < plan.coupling_N_per_m ? stiffness_N_per_m / plan.coupling_N_per_m : 1.0;
 }
 
+/// What the data say between the vertices, and no more than the coupling's of that; a vertex that is rigid, for want of
+/// a number, has the coupling's.
 void addStiffness(
   const Blend& blend, const std::vector<double>& field, const ContactPlan& plan, ContactMaterial& at) noexcept
 {
@@ -106,9 +108,18 @@ void addStiffness(
   {
     return;
   }
-  const auto share = [&field, &plan](std::uint32_t v) { return shareOf(field[v], plan); };
-  at.share = blend.value(share);
-  at.shareSlope_W = blend.gradient(share);
+  const auto stiffness = [&field, &plan](std::uint32_t v)
+  {
+    constexpr double stiffest_N_per_m = 1e100; // its slope is finite
+    return field[v] < Material::rigid_N_per_m ? std::min(field[v], stiffest_N_per_m) : plan.coupling_N_per_m;
+  };
+  const double there_N_per_m = blend.value(stiffness);
+  at.share = shareOf(there_N_per_m, plan);
+  at.shareSlope_W = Vec3::Zero();
+  if (there_N_per_m < plan.coupling_N_per_m)
+  {
+    at.shareSlope_W = blend.gradient(stiffness) / plan.coupling_N_per_m;
+  }
 }
 
 /// A vertex without a coefficient of its own has the plan's.

@@ -35,7 +35,6 @@ FrictionVerdict judgeFriction(
   const ProjectionResult held = contacts.solve(p_W - state.x_W, contacts.lift());
   if (held.count == 0 || !held.feasible)
   {
-    state.slips = false;
     return verdict;
   }
   const double behind = held.y.norm(); // |x0 - xf|

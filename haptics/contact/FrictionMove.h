@@ -7,7 +7,8 @@
 namespace palpate
 {
 
-/// A ball in the air first lands; where it lands friction decides what becomes of the rest of the way.
+/// A ball in the air first lands; where it lands friction decides what becomes of the rest of the way. One that slid in
+/// the last tick slides on, if its surface was replaced by other triangles it has to land on first.
 template<class SceneView>
 ContactResult moveUnderFriction(
   const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
@@ -19,9 +20,11 @@ ContactResult moveUnderFriction(
     landing = Tick(scene, plan, p_W, state, sink).run(true);
     if (state.count == 0 || landing.capped || landing.overBudget || landing.infeasible)
     {
+      state.slips = false;
       return landing;
     }
     verdict = judgeFriction(scene, plan, p_W, state);
+    state.slips = verdict.motion == FrictionMotion::Slips;
   }
   if (verdict.motion == FrictionMotion::Sticks && Tick(scene, plan, p_W, state, sink).wayIsFree())
   {

@@ -36,7 +36,7 @@ ContactResult move(
   result.held_u2 = result.pull_W.squaredNorm();
   if (sceneOf(scene).hasMaterials())
   {
-    const Response response = respond(scene, plan, result, p_W, p_W - state.device_W);
+    const Response response = respond(scene, plan, result, p_W, p_W - state.device_W, state.texture);
     result.pull_W = response.pull_W;
     result.held_u2 = response.held_u2;
   }

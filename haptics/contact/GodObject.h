@@ -53,6 +53,7 @@ struct GodObjectState
   int count = 0;
   std::array<ActiveFeature, maxFeatures> features{};
   Vec3 device_W = Vec3::Zero(); ///< of the last tick
+  double texture = -1.0;        ///< share of it that is felt, see SurfaceResponse; below 0: nothing is held
 };
 
 /// A plane that holds the ball, and how deep the device is pressed along it.

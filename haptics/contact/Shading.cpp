@@ -213,7 +213,6 @@ ShadedStep judgeShading(
   ShadedStep step;
   if (held.count == 0 || !held.feasible)
   {
-    state.slips = false;
     return step;
   }
   step.touches = true;

@@ -24,6 +24,8 @@ const char* describe(Fault fault) noexcept
       return "nothing that can be touched is shown: show a surface";
     case Fault::Seated:
       return "the ball does not fit where it is: move the hand out of the surface or use a smaller radius";
+    case Fault::NoHand:
+      return "there is no hand yet: move the device or the pointer, or tell the session where the hand is";
   }
   return "unknown fault";
 }

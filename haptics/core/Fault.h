@@ -17,6 +17,7 @@ enum class Fault : std::uint8_t
   VelocityCut,     ///< the handle moved faster than a hand can
   SceneRefused,    ///< the scene is empty or was refused
   Seated,          ///< the ball overlaps a surface and no free place lies within its radius
+  NoHand,          ///< nobody has said yet where the hand is
 };
 
 /// One sentence for the panel: what happened and what to do next.

@@ -14,8 +14,9 @@ namespace palpate
 enum class DeviceStatus : std::uint8_t
 {
   Ok,
-  Ended, ///< a scripted or replayed device has no more samples
-  Lost,  ///< the device does not answer any more
+  Ended,   ///< a scripted or replayed device has no more samples
+  Lost,    ///< the device does not answer any more
+  Waiting, ///< nobody has said yet where the hand is
 };
 
 /// The seam between the servo and whatever moves and pushes a hand.

@@ -28,7 +28,8 @@ double roundingOf(const TriangleMesh& segments)
 std::string outOfPlane(std::size_t point, double z_u)
 {
   std::ostringstream text;
-  text << "point " << point << " of its lines stands " << z_u << " scene units out of the plane";
+  text << "point " << point << " of its lines stands " << z_u
+       << " scene units out of the plane z = 0; ParaView's Transform moves them there";
   return text.str();
 }
 

@@ -8,17 +8,13 @@ namespace palpate
 namespace
 {
 
-/// The eight pixels round one, from above it clockwise.
-constexpr std::array<std::array<int, 2>, 8> round{ { { 0, -1 }, { 1, -1 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 },
-  { -1, 0 }, { -1, -1 } } };
-
 std::array<bool, 8> neighbours(const Bitmap& drawing, std::size_t pixel)
 {
   const auto x = static_cast<std::int64_t>(pixel % drawing.width), y = static_cast<std::int64_t>(pixel / drawing.width);
   std::array<bool, 8> ink{};
   for (std::size_t i = 0; i < 8; ++i)
   {
-    ink[i] = drawing.at(x + round[i][0], y + round[i][1]);
+    ink[i] = drawing.at(x + pixelsRound[i][0], y + pixelsRound[i][1]);
   }
   return ink;
 }
@@ -44,14 +40,17 @@ bool mayGo(const std::array<bool, 8>& p, bool secondTurn)
 class Thinning
 {
 public:
-  explicit Thinning(Bitmap& drawing) : drawing_(drawing), waits_(drawing.ink.size(), 0)
+  Thinning(Bitmap& drawing, const Goes& goes) : drawing_(drawing), goes_(goes), waits_(drawing.ink.size(), 0)
   {
-    for (std::size_t pixel = 0; pixel < this->drawing_.ink.size(); ++pixel)
+    Steps steps(this->askingAll_);
+    for (std::size_t pixel = 0; pixel < this->drawing_.ink.size() && steps.go(pixel, this->drawing_.ink.size());
+         ++pixel)
     {
       if (!this->drawing_.ink[pixel])
       {
         continue;
       }
+      ++this->ink_;
       const std::array<bool, 8> p = neighbours(this->drawing_, pixel);
       if (std::find(p.begin(), p.end(), false) != p.end()) // ink all round holds a pixel
       {
@@ -62,10 +61,13 @@ public:
 
   void run()
   {
+    Steps steps(this->takingInk_);
     while (!this->asked_[0].empty() || !this->asked_[1].empty())
     {
-      this->turn(0);
-      this->turn(1);
+      if (!this->turn(0, steps) || !this->turn(1, steps))
+      {
+        return;
+      }
     }
   }
 
@@ -83,11 +85,15 @@ private:
     }
   }
 
-  void turn(std::size_t which)
+  bool turn(std::size_t which, Steps& steps)
   {
     this->going_.clear();
     for (const std::size_t pixel : this->asked_[which])
     {
+      if (!steps.go(this->gone_, this->ink_))
+      {
+        return false;
+      }
       this->waits_[pixel] &= static_cast<std::uint8_t>(~(1U << which));
       if (this->drawing_.ink[pixel] && mayGo(neighbours(this->drawing_, pixel), which == 1))
       {
@@ -103,13 +109,15 @@ private:
     {
       this->askRound(pixel);
     }
+    this->gone_ += this->going_.size();
+    return true;
   }
 
   void askRound(std::size_t pixel)
   {
     const auto x = static_cast<std::int64_t>(pixel % this->drawing_.width);
     const auto y = static_cast<std::int64_t>(pixel / this->drawing_.width);
-    for (const auto& [dx, dy] : round)
+    for (const auto& [dx, dy] : pixelsRound)
     {
       if (this->drawing_.at(x + dx, y + dy))
       {
@@ -119,6 +127,9 @@ private:
   }
 
   Bitmap& drawing_;
+  const Goes& goes_;
+  const Goes askingAll_ = partOf(goes_, 0.0, 0.3), takingInk_ = partOf(goes_, 0.3, 1.0);
+  std::size_t ink_ = 0, gone_ = 0;
   std::array<std::vector<std::size_t>, 2> asked_; // pixels that wait for a turn
   std::vector<std::uint8_t> waits_;               // a bit for each turn that a pixel waits for
   std::vector<std::size_t> going_;
@@ -126,9 +137,9 @@ private:
 
 } // namespace
 
-void thin(Bitmap& drawing)
+void thin(Bitmap& drawing, const Goes& goes)
 {
-  Thinning(drawing).run();
+  Thinning(drawing, goes).run();
 }
 
 LooseLines linesOf(const Bitmap& thinned)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "haptics/core/Types.h"
+#include "haptics/geometry/Progress.h"
 
 namespace palpate
 {
@@ -23,9 +24,13 @@ struct Bitmap
   }
 };
 
+/// The eight pixels round one, from above it clockwise.
+inline constexpr std::array<std::array<int, 2>, 8> pixelsRound{ { { 0, -1 }, { 1, -1 }, { 1, 0 }, { 1, 1 }, { 0, 1 },
+  { -1, 1 }, { -1, 0 }, { -1, -1 } } };
+
 /// Takes ink from the sides of strokes, evenly, until they are one pixel wide: Guo & Hall 1989. Pieces stay as many as
-/// they are and keep their holes; ends of strokes stay. O(pixels).
-void thin(Bitmap& drawing);
+/// they are and keep their holes; ends of strokes stay. Half done where goes says no. O(pixels).
+void thin(Bitmap& drawing, const Goes& goes = always);
 
 /// Loose lines: points and pairs of their indices.
 struct LooseLines
@@ -38,9 +43,13 @@ struct LooseLines
 /// corner only where no third pixel joins the two: so a bend has no little triangle.
 [[nodiscard]] LooseLines linesOf(const Bitmap& thinned);
 
-/// Joins every free end to the nearest point of another line, or to the other end of its own, that is no farther than
-/// gap_u > 0. Before that it leaves out the hooks: lines shorter than gap_u between a free end and a place where more
-/// than two meet, which thinning leaves behind and which would be closed to loops. O(n) for evenly spread points.
-void mendGaps(LooseLines& lines, double gap_u);
+/// Mends the lines of a thinned drawing (in pixels), given the drawing as it was before it was thinned and how long its
+/// pixels are [u]. First it leaves out the hooks: lines shorter than gap_u > 0 between a free end and a place where
+/// more than two meet, which thinning leaves behind and which would be closed to loops. Then it joins every free end to
+/// the line across the least blank, where that is no wider than gap_u: measured from the tip of the stroke to the rim
+/// of the other, so strokes of any width count alike. A place to which the lines themselves lead by less than twice the
+/// straight way is none to join. Half done where goes says no. O(pixels) for evenly spread ends.
+void mendGaps(
+  LooseLines& lines, const Bitmap& drawing, const Eigen::Vector2d& pixel_u, double gap_u, const Goes& goes = always);
 
 } // namespace palpate

@@ -42,6 +42,18 @@ void fit(const std::vector<double>& raw, double own, const Range& range, const s
   }
 }
 
+/// Of those of the cleaned vertices that can be used; 0 if there are none.
+double largestHeight(const std::vector<double>& raw_u, const std::vector<std::uint32_t>& sourceVertex)
+{
+  double largest_u = -std::numeric_limits<double>::infinity();
+  for (const std::uint32_t source : sourceVertex)
+  {
+    const double height_u = raw_u.empty() ? 0.0 : raw_u[source];
+    largest_u = heights.holds(height_u) ? std::max(largest_u, height_u) : largest_u;
+  }
+  return std::isfinite(largest_u) ? largest_u : 0.0;
+}
+
 /// Moments of a linear height over one triangle.
 struct HeightOnFace
 {
@@ -77,6 +89,7 @@ TextureScale measureTexture(const TriangleMesh& mesh, const std::vector<double>&
     whole.slope2 += face.area_u2 * face.slope2;
   }
   TextureScale scale;
+  scale.largest_u = *std::max_element(height_u.begin(), height_u.end());
   scale.mean_u = whole.mean_u / whole.area_u2;
   const double variance_u2 = std::max(0.0, whole.square_u2 / whole.area_u2 - scale.mean_u * scale.mean_u);
   if (whole.slope2 > 0.0)
@@ -120,7 +133,7 @@ FittedFields fitFields(const MaterialFields& raw, const Material& own, const std
     raw.stiffness_N_per_m, own.stiffness_N_per_m, stiffnesses, sourceVertex, fields.stiffness_N_per_m, result.replaced);
   fit(raw.frictionStatic, own.frictionStatic, frictions, sourceVertex, fields.frictionStatic, result.replaced);
   fit(raw.frictionKinetic, own.frictionKinetic, frictions, sourceVertex, fields.frictionKinetic, result.replaced);
-  fit(raw.height_u, 0.0, heights, sourceVertex, fields.height_u, result.replaced);
+  fit(raw.height_u, largestHeight(raw.height_u, sourceVertex), heights, sourceVertex, fields.height_u, result.replaced);
   return result;
 }
 

@@ -40,7 +40,8 @@ struct Material
 /// How a texture varies over its surface: what it is when it is too fine for a moving hand, and how fine it is.
 struct TextureScale
 {
-  double mean_u = 0.0; ///< height, by area
+  double largest_u = 0.0; ///< height: there the surface is met
+  double mean_u = 0.0;    ///< height, by area
   double period_u =
     std::numeric_limits<double>::infinity(); ///< 2 pi rms(height - mean) / rms(slope); of a wave: its length
 };
@@ -51,7 +52,7 @@ struct MaterialFields
   std::vector<double> stiffness_N_per_m;
   std::vector<double> frictionStatic;
   std::vector<double> frictionKinetic;
-  std::vector<double> height_u; ///< texture: how far the felt surface stands out along its normal
+  std::vector<double> height_u; ///< texture: its highest places are the surface itself, lower ones are hollows in it
   TextureScale texture;         ///< of height_u
 
   [[nodiscard]] bool empty() const noexcept
@@ -66,10 +67,12 @@ struct FittedFields
 {
   MaterialFields fields;
   std::string refusal;      ///< not empty: an array is not as long as the mesh has vertices
-  std::size_t replaced = 0; ///< values that were NaN or out of range: the surface's own took their place
+  std::size_t replaced = 0; ///< values that were NaN or out of range: the surface's own took their place, its top
+                            ///< that of a height
 };
 
-/// Mean and period of heights, one a vertex. The period is Rice's mean distance of two upward crossings of the mean.
+/// Largest, mean and period of heights, one a vertex. The period is Rice's mean distance of two upward crossings of the
+/// mean.
 [[nodiscard]] TextureScale measureTexture(const TriangleMesh& mesh, const std::vector<double>& height_u);
 
 /// `sourceVertex`: for each cleaned vertex its number in the raw mesh; `rawVertices` how many that had.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 namespace palpate
 {
@@ -15,11 +16,26 @@ bool finite(const std::optional<Eigen::Vector2d>& place)
   return !place || place->allFinite();
 }
 
+bool onePoint(const CurveSet& curves)
+{
+  const Eigen::Vector2d& first_W = curves.points_W[curves.segments.front()[0]];
+  return std::all_of(curves.segments.begin(), curves.segments.end(),
+    [&](const auto& segment)
+    { return curves.points_W[segment[0]] == first_W && curves.points_W[segment[1]] == first_W; });
+}
+
+std::string dot(const Eigen::Vector2d& p_W)
+{
+  std::ostringstream text;
+  text << "its lines are all one point, (" << p_W.x() << ", " << p_W.y() << "): a line needs two";
+  return text.str();
+}
+
 } // namespace
 
-std::string refuse(const Labyrinth& labyrinth)
+std::string refuseWorld(const Labyrinth& labyrinth)
 {
-  const auto because = [&](const char* reason) { return labyrinth.name + ": " + reason; };
+  const auto because = [&](const std::string& reason) { return labyrinth.name + ": " + reason; };
   if (labyrinth.curves.segments.empty())
   {
     return because("it has no lines");
@@ -30,10 +46,24 @@ std::string refuse(const Labyrinth& labyrinth)
   {
     return because("a point of it is not finite");
   }
+  if (onePoint(labyrinth.curves))
+  {
+    return because(dot(points[labyrinth.curves.segments.front()[0]]));
+  }
   if (!(labyrinth.corridor_u > 0.0 && std::isfinite(labyrinth.corridor_u)))
   {
     return because("the width of its corridors must be above zero");
   }
+  return {};
+}
+
+std::string refuse(const Labyrinth& labyrinth)
+{
+  if (std::string problem = refuseWorld(labyrinth); !problem.empty())
+  {
+    return problem;
+  }
+  const auto because = [&](const char* reason) { return labyrinth.name + ": " + reason; };
   if (!labyrinth.start_W)
   {
     return because("it says no place to start (field array Start, id start in a drawing, a green spot in a picture): a "

@@ -60,8 +60,13 @@ public:
       this->s_.gain = 0.0;
     }
     this->latchIf(this->in_.lateness.fault);
+    if (this->in_.status == DeviceStatus::Waiting)
+    {
+      return this->holdNothing();
+    }
     if (!isFinite(this->in_.sample) || !this->p_.map.toScene(this->in_.sample.pose_D.p).allFinite())
     {
+      this->countBadSample();
       return this->holdNothing();
     }
     this->stiffen();
@@ -138,8 +143,8 @@ private:
     }
   }
 
-  /// A sample that is not finite gives no force in its tick; the third within a second latches.
-  TickOutput holdNothing() noexcept
+  /// The third within a second latches.
+  void countBadSample() noexcept
   {
     if (this->s_.sinceBadBefore_s < badSampleWindow_s)
     {
@@ -148,6 +153,11 @@ private:
     }
     this->s_.sinceBadBefore_s = this->s_.sinceBad_s;
     this->s_.sinceBad_s = 0.0;
+  }
+
+  /// No force in a tick that does not know where the hand is.
+  TickOutput holdNothing() noexcept
+  {
     this->s_.lastForce_D = Vec3::Zero();
     this->s_.lastGuide_D = Vec3::Zero();
     this->s_.ownForce = false;
@@ -417,7 +427,9 @@ private:
     return forceOfWalls(held, this->in_.sample.pose_D.p) - held.viscosity_Ns_per_m * this->out_.state.velocity_D;
   }
 
-  /// What the device gives by itself, as far as the host knows. Walls that are not numbers are not sent.
+  /// What the device gives by itself, as far as the host knows. Walls that are not numbers are not sent. Energy is not
+  /// metered: the force that is told is a spring's, a function of the place, and gives nothing over a closed way
+  /// whatever the device really does.
   void tellHeld() noexcept
   {
     HapticState& state = this->out_.state;
@@ -465,7 +477,11 @@ private:
     state.engage = this->s_.engage;
     state.gain = this->s_.gain;
     state.fault = this->s_.fault;
-    if (state.fault == Fault::None && this->seatFailed_)
+    if (state.fault == Fault::None && this->in_.status == DeviceStatus::Waiting)
+    {
+      state.fault = Fault::NoHand;
+    }
+    else if (state.fault == Fault::None && this->seatFailed_)
     {
       state.fault = Fault::Seated;
     }

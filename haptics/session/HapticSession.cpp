@@ -152,6 +152,7 @@ std::string HapticSession::stop()
   }
   else
   {
+    this->release();
     this->run_->thread.join();
   }
   this->lastState_ = this->run_->links.state.read();

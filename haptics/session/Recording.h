@@ -50,7 +50,7 @@ struct RecordedScene
 /// A whole recording: a text header, then little-endian chunks (type, size, payload), then a closing chunk.
 struct Recording
 {
-  static constexpr int formatVersion = 4;
+  static constexpr int formatVersion = 5;
 
   std::string device;
   HapticParameters parameters;
@@ -76,7 +76,8 @@ struct ReplayResult
   std::string problem;    ///< not empty: it could not be recomputed, and why
 };
 
-/// Computes every tick again and compares force, proxy, contacts and flags bit for bit. Scenes come from the
+/// Computes every tick again and compares force, proxy, contacts, energy, flags and what the device is asked to do by
+/// itself (walls, viscosity, signal) bit for bit. Scenes come from the
 /// recording, or from `given` (by their meshes' hash) where it left them out. `visit` sees each recomputed tick.
 [[nodiscard]] ReplayResult replay(const Recording& recording,
   const std::vector<std::shared_ptr<const Scene>>& given = {}, unsigned workers = 1,

@@ -87,7 +87,12 @@ void layTick(const Io& io, T& r)
   }
   io(r.walls.mask);
   io(r.walls.stiffness_N_per_m);
+  for (auto& largest_N : r.walls.largest_N)
+  {
+    io(largest_N);
+  }
   io(r.walls.viscosity_Ns_per_m);
+  io(r.signal);
 }
 
 template<class Io, class T>

@@ -31,10 +31,10 @@ bool sameBits(const Vector& a, const Vector& b)
 
 bool sameWalls(const DeviceWalls& a, const DeviceWalls& b)
 {
-  return std::equal(a.offset_m.begin(), a.offset_m.end(), b.offset_m.begin(),
-           [](double x, double y) { return sameBits(x, y); }) &&
-         a.mask == b.mask && sameBits(a.stiffness_N_per_m, b.stiffness_N_per_m) &&
-         sameBits(a.viscosity_Ns_per_m, b.viscosity_Ns_per_m);
+  const auto sameAll = [](const auto& x, const auto& y)
+  { return std::equal(x.begin(), x.end(), y.begin(), [](double u, double v) { return sameBits(u, v); }); };
+  return sameAll(a.offset_m, b.offset_m) && sameAll(a.largest_N, b.largest_N) && a.mask == b.mask &&
+         sameBits(a.stiffness_N_per_m, b.stiffness_N_per_m) && sameBits(a.viscosity_Ns_per_m, b.viscosity_Ns_per_m);
 }
 
 /// The first quantity that is not as recorded, or null.
@@ -59,6 +59,10 @@ const char* firstDifference(const TickRecord& a, const TickRecord& b)
   if (!sameWalls(a.walls, b.walls))
   {
     return "walls";
+  }
+  if (a.signal != b.signal)
+  {
+    return "signal";
   }
   return a.flags != b.flags ? "flags" : nullptr;
 }

@@ -9,6 +9,12 @@ namespace
 {
 
 constexpr std::uint64_t ticksPerReport = 250;
+constexpr double letGoSlack_s = 0.005, longestLetGo_s = 0.5;
+
+bool pushes(const DeviceCommand& command) noexcept
+{
+  return command.wrench_D.force != Vec3::Zero() || command.wallCount > 0 || command.viscosity_Ns_per_m > 0.0;
+}
 
 } // namespace
 
@@ -23,10 +29,26 @@ ServoLoop::ServoLoop(HapticDevice& device, TickTimer& timer, ServoLinks& links, 
 
 void ServoLoop::run(const std::stop_token& stop) noexcept
 {
-  while (!stop.stop_requested() && this->tick())
+  bool more = true;
+  while (more && !stop.stop_requested())
   {
+    more = this->tick();
+  }
+  if (more)
+  {
+    this->letGo();
   }
   this->finish();
+}
+
+/// Nobody waits longer than the ramp takes, whatever keeps the force.
+void ServoLoop::letGo() noexcept
+{
+  double left_s = std::min(this->parameters_.safety.releaseRamp_s + letGoSlack_s, longestLetGo_s);
+  while (this->pushes_ && left_s > 0.0 && this->tick())
+  {
+    left_s -= this->input_.dt_s;
+  }
 }
 
 void ServoLoop::finish() noexcept
@@ -87,6 +109,7 @@ bool ServoLoop::tick() noexcept
   this->takeChanges();
   const TickOutput output = renderTick(this->input_, this->parameters_, this->renderer_);
   this->device_.write(output.command);
+  this->pushes_ = pushes(output.command);
   if (this->recorder_ != nullptr)
   {
     this->recorder_->pushTick(makeRecord(this->input_, output));

@@ -58,7 +58,8 @@ public:
   ServoLoop(HapticDevice& device, TickTimer& timer, ServoLinks& links, Recorder* recorder, const Clock& costClock,
     double period_s) noexcept;
 
-  /// Until a stop is asked for or the device ends; then the device gets a zero command. Servo thread.
+  /// Until a stop is asked for or the device ends; then the device gets a zero command. Whoever asks for it queues a
+  /// release first: a hand that is still pushed then is let go within the release ramp. Servo thread.
   void run(const std::stop_token& stop) noexcept;
   /// One period. False when the device has ended. Servo thread; real-time safe.
   bool tick() noexcept;
@@ -68,6 +69,7 @@ public:
   void publishReport() noexcept;
 
 private:
+  void letGo() noexcept;
   void takeChanges() noexcept;
   /// How much later the thread ran than its next period began, missed periods included [s].
   [[nodiscard]] double behind_s(const Wakeup& wakeup) const noexcept;
@@ -86,6 +88,7 @@ private:
   TickInput input_;
   std::array<HapticEvent, 16> events_;
   Fault fault_ = Fault::None; ///< of the last tick
+  bool pushes_ = false;       ///< the device was told to push, or to hold something, in the last tick
   DurationHistogram cost_;
   SlidingHistogram lateness_;
   double latenessP99_s_ = 0.0;

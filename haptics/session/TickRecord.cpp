@@ -20,6 +20,7 @@ DeviceWalls wallsOf(const DeviceCommand& command) noexcept
         walls.mask = static_cast<std::uint8_t>(walls.mask | 1u << k);
         walls.offset_m[static_cast<std::size_t>(k)] = wall.offset_m;
         walls.stiffness_N_per_m = wall.stiffness_N_per_m;
+        walls.largest_N[static_cast<std::size_t>(k)] = wall.largest_N;
       }
     }
   }
@@ -43,7 +44,7 @@ TickRecord makeRecord(const TickInput& input, const TickOutput& output) noexcept
 {
   return { input.tick, input.dt_s, input.sample, input.status, input.lateness, 0, output.command.wrench_D,
     output.state.proxy_W, output.state.contacts, output.state.sceneRevision, output.state.energy.delivered_J,
-    output.state.energy.excess_J, recordFlags(output.state), wallsOf(output.command) };
+    output.state.energy.excess_J, recordFlags(output.state), wallsOf(output.command), output.command.signal };
 }
 
 } // namespace palpate

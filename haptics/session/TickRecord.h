@@ -16,6 +16,7 @@ struct DeviceWalls
   std::array<double, AxisWalls::count> offset_m{};
   std::uint8_t mask = 0; ///< bit i: wall i is held
   double stiffness_N_per_m = 0.0;
+  std::array<double, AxisWalls::count> largest_N{}; ///< each may push; infinite: as hard as its spring
   double viscosity_Ns_per_m = 0.0;
 };
 
@@ -36,6 +37,7 @@ struct TickRecord
   double excess_J = 0.0;    ///< and what the contact has given too much
   std::uint32_t flags = 0;  ///< see recordFlags
   DeviceWalls walls;
+  Signal signal = Signal::None;
 };
 
 /// The flags of a state as bits: clamped, riseLimited, capped, overBudget, infeasible, held, stiffnessLimited, from the

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "haptics/contact/FeatureGeometry.h"
 #include "haptics/contact/PosedSurface.h"
@@ -96,7 +97,9 @@ std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWall
   }
   std::uint32_t nodes = 0;
   const AxisWalls wanted = lookForWalls(tick, 2.0 * fast_m_per_s * std::max(plan.every_s, tick.dt_s), nodes);
-  const double since_s = std::min(held.since_s, std::max(plan.every_s, tick.dt_s));
+  // Where nothing was held a tick ago no time has been saved up: the device has had that one tick at most.
+  const double since_s =
+    std::isfinite(held.since_s) ? std::min(held.since_s, std::max(plan.every_s, tick.dt_s)) : tick.dt_s;
   const double most_m = tick.stiffness_N_per_m > 0.0 ? tick.maxRise_N_per_s * since_s / tick.stiffness_N_per_m : 0.0;
   const AxisWalls next = ledTo(held.walls, wanted, tick.handle_D, most_m);
   if (differ(held.walls, next, plan.step_m))

@@ -15,7 +15,7 @@ namespace palpate
 struct HeldWallState
 {
   AxisWalls walls;
-  double since_s = std::numeric_limits<double>::infinity(); ///< they were looked for
+  double since_s = std::numeric_limits<double>::infinity(); ///< they were looked for; infinite: none are held
   double stiffness_N_per_m = 0.0;                           ///< they were given last
   double each_N = std::numeric_limits<double>::infinity();  ///< one of them could push last
 };
@@ -39,7 +39,8 @@ struct WallTick
 [[nodiscard]] AxisWalls lookForWalls(const WallTick& tick, double reach_m, std::uint32_t& nodes) noexcept;
 
 /// Renews the walls once their time has come. One that enters the hand does so by no more than adds, at the stiffness,
-/// the force that may be added in that time. Returns the tree nodes visited.
+/// the force that may be added in that time; the first ones after none were held, in one tick. Returns the tree nodes
+/// visited.
 std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWallState& held) noexcept;
 
 /// How stiff these walls may be now, at most `wanted` [N/m]: where the handle is behind them already, stiffer than

@@ -76,6 +76,14 @@ class Plan(CommandLineTest):
         forced = choice("--radius", 9.5, "--force-radius")
         self.assertIn("by a ball of 9.5 u (asked for and forced; above ", forced)
 
+    def test_friction_that_cannot_be_felt_is_refused_by_check_as_by_touch(self):
+        self.write_off("a.off", SQUARE_POINTS, SQUARE_FACES)
+        self.write_path([(0.0, 0.0, 0.0, 1.0)])
+        for friction in (("--mu-static", 11), ("--mu-kinetic", 0.5), ("--mu-static", 0.3, "--mu-kinetic", 0.5)):
+            for command in (("check", "a.off"), ("touch", "a.off", "--path", "path.csv", "--csv", "out.csv")):
+                self.refused(*command, *friction, saying=["--mu-static, --mu-kinetic", "static one, which is at most 10"])
+        self.assertIn("friction 0.3 at rest, 0.3 sliding", self.succeed("check", "a.off", "--mu-static", 0.3).stdout)
+
     def test_a_simpler_surface_that_is_asked_for_is_in_the_sentence(self):
         self.write_off("a.off", *tube(10.0, 40.0, 400))
         found = json.loads(self.succeed("check", "a.off", "--simplify", "--json").stdout)

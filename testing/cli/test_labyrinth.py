@@ -3,11 +3,22 @@
 
 import unittest
 
-from palpate_cli import CommandLineTest
+from palpate_cli import CommandLineTest, vtp_text
 
 MAZES = ("chartres", "corridor", "hampton-court", "spiral", "versailles")
 STRUCTURES = ("circle-set", "wedge-field")
 REACH = 0.4  # of the exit, in corridor widths
+
+LINES = [(0.0, 1.0, 0.0), (10.0, 1.0, 0.0), (10.0, 0.0, 0.0), (0.0, 0.0, 0.0)]  # a corridor, open on the left
+INSIDE, OUTSIDE = (9.5, 0.5, 0.0), (-0.5, 0.5, 0.0)
+
+
+def world_text(points=LINES, line=(0, 1, 2, 3), **places):
+    """One line as poly data, with field arrays of one point each."""
+    arrays = "".join(f'<DataArray type="Float64" Name="{name}" NumberOfTuples="1" NumberOfComponents="3" format="ascii">'
+                     f'{" ".join(map(str, place))}</DataArray>' for name, place in places.items())
+    lines = vtp_text(points, [line], kind="Lines")
+    return lines.replace("<PolyData>", f"<PolyData><FieldData>{arrays}</FieldData>", 1)
 
 
 class Labyrinth(CommandLineTest):
@@ -27,6 +38,11 @@ class Labyrinth(CommandLineTest):
             self.assertAlmostEqual(rows[-1]["x"], 9.5 - REACH, delta=0.2)  # the trace has a row every 10 ms or each update
             for row in rows:
                 self.assertTrue(0.2 - 1e-9 <= row["y"] <= 0.8 + 1e-9, row)  # the disc's radius from the walls
+
+    def test_a_blind_hand_arrives_in_every_maze_with_a_host_that_closes_the_force_and_behind_one_of_20_hz(self):
+        for maze in MAZES:
+            for options in ((), ("--device-walls", "--host", 20)):
+                self.assertIn("arrived after", self.succeed("labyrinth", maze, "--solve", *options).stdout, (maze, options))
 
     # One corridor width in a second: the exit's middle is 9 s away, its reach is entered 0.4 s before.
     def test_a_path_straight_through_the_corridor_takes_its_time(self):
@@ -49,6 +65,39 @@ class Labyrinth(CommandLineTest):
                      saying=("simulated-touch", "loop"))
         self.refused("labyrinth", "corridor", "--solve", "--host", 5, saying=("--host",))
         self.refused("labyrinth", "corridor", "--solve", "--corridor", 0, saying=("--corridor",))
+
+    def test_a_line_of_one_point_is_named_with_that_point_and_so_is_a_number_that_is_none(self):
+        for name, points, line in (("one", [(1, 2, 0)], (0,)), ("twice", [(1, 2, 0), (1, 2, 0)], (0, 1))):
+            self.write(f"{name}.vtp", world_text(points, line, Start=OUTSIDE, Exit=INSIDE))
+            self.refused("labyrinth", f"{name}.vtp", saying=(f"{name}.vtp", "all one point, (1, 2)"))
+        self.write("point.vtp", world_text([(0, "nan", 0)] + LINES[1:], Start=OUTSIDE, Exit=INSIDE))
+        self.write("place.vtp", world_text(Start=("nan", 0.5, 0), Exit=INSIDE))
+        for file in ("point.vtp", "place.vtp"):
+            self.refused("labyrinth", file, saying=(file, "not finite"))
+        self.write("narrow.vtp", world_text(Start=OUTSIDE, Exit=INSIDE, Corridor=(0, 0, 0)))
+        self.refused("labyrinth", "narrow.vtp", saying=("narrow.vtp", "width of its corridors"))
+        self.assertIn("corridors of 1 u", self.succeed("labyrinth", "narrow.vtp", "--corridor", 1).stdout)
+
+    def test_a_world_of_ones_own_that_is_no_maze_says_what_it_lacks(self):
+        self.write("lost.vtp", world_text(Start=OUTSIDE))
+        self.assertIn("lost.vtp: it says no exit", self.succeed("labyrinth", "lost.vtp").stdout)
+        self.write("lines.vtp", world_text())
+        self.assertIn("lines.vtp: it says no place to start", self.succeed("labyrinth", "lines.vtp").stdout)
+        self.write("maze.vtp", world_text(Start=OUTSIDE, Exit=INSIDE))
+        self.assertEqual(self.succeed("labyrinth", "maze.vtp").stdout.count("\n"), 2)
+
+    def test_a_hand_that_never_explored_has_no_time_and_no_way(self):
+        self.refused("labyrinth", "corridor", "--solve", "--corridor", 0.05,
+                     saying=("corridor.vtp", "'simulated-joystick' shows steps of"))
+        run = self.run_palpate("labyrinth", "corridor", "--solve", "--host", 20)  # too weak a lead for its friction
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("not be brought to the start", run.stdout)
+        self.assertIn("friction is 0.3 N", run.stdout)
+        self.assertNotIn("a way of", run.stdout)
+
+    def test_lines_out_of_the_plane_say_in_which_plane_they_must_lie_and_how_they_get_there(self):
+        self.write("high.vtp", world_text([(x, y, 5.0) for x, y, _ in LINES]))
+        self.refused("labyrinth", "high.vtp", saying=("high.vtp", "the plane z = 0", "5 scene units", "Transform"))
 
     def test_an_option_that_would_change_nothing_is_refused(self):
         self.write_path([(0.0, 0.5, 0.5, 0.0), (1.0, 1.5, 0.5, 0.0)])

@@ -9,7 +9,7 @@ from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, vtp_text
 HALF = 8.0  # scene units, of the square
 STIFFNESS = 512.0  # N/m, of the coupling
 DEPTH = 0.5  # scene units
-PLACES = [-6.0, -1.5, 0.5, 3.0, 7.0]
+PLACES = [-7.5, -6.0, -1.5, 0.5, 3.0, 7.0]
 
 
 def array(name, values, components=1):
@@ -65,11 +65,52 @@ class Materials(CommandLineTest):
             wall = 100.0 + 200.0 * (place + HALF) / (2.0 * HALF)
             self.assertAlmostEqual(row["force_z"], wall * DEPTH, delta=STIFFNESS * 1e-12)
 
+    def test_of_a_ramp_beyond_the_coupling_the_data_are_felt_up_to_it(self):
+        slope = (5000.0 - 100.0) / (2.0 * HALF)
+        for row, place in zip(self.pressed("--stiffness-array", "x", "--stiffness-to", "100,5000"), PLACES):
+            wall = 100.0 + slope * (place + HALF)
+            expected = (-0.5 * slope * DEPTH**2, 0.0, wall * DEPTH) if wall < STIFFNESS else (0.0, 0.0, STIFFNESS * DEPTH)
+            self.assert_force(row, expected)
+
     def test_texture_is_the_force_of_its_potential(self):
-        slope = 0.25 / HALF
-        for row, place in zip(self.pressed("--texture-array", "x", "--texture-to", "-0.25,0.25"), PLACES):
-            deep = STIFFNESS * (DEPTH + slope * place)
-            self.assert_force(row, (-slope * deep, 0.0, deep))
+        slope = 0.2 / HALF
+        for height in ("-0.2,0.2", "0,0.4"):  # what is highest is the surface
+            for row, place in zip(self.pressed("--texture-array", "x", "--texture-to", height), PLACES):
+                deep = STIFFNESS * (DEPTH + slope * (place - HALF))
+                self.assert_force(row, (-slope * deep, 0.0, deep))
+
+    def test_a_loop_over_a_texture_from_one_height_to_another_gives_no_work(self):
+        corners = [(7.0, 0.25, 0.125), (7.0, 0.25, -0.125), (-7.0, 0.25, -0.125), (-7.0, 0.25, 0.125)]
+        steps, rows = 1024, []
+        for begin, end in zip(corners, corners[1:] + corners[:1]):
+            rows += [tuple(b + (e - b) * i / steps for b, e in zip(begin, end)) for i in range(steps)]
+        rows.append(corners[0])
+        out = self.touch([(n / 1024, *row) for n, row in enumerate(rows)], "--texture-array", "x")
+        forces = [tuple(row[f"force_{axis}"] for axis in "xyz") for row in out]
+        work = sum(0.5 * (f + g) * (b - a) for here, there, before, after in zip(rows, rows[1:], forces, forces[1:])
+                   for a, b, f, g in zip(here, there, before, after))
+        # Where a step straddles the end of a hollow the mean of its forces is wrong by K (1 + slope) step^2 / 2 at most.
+        self.assertLess(abs(work), 4 * STIFFNESS * max(0.25, 14.0 / 16.0) ** 2 / steps**2)
+
+    def test_tubes_feel_the_arrays_of_their_lines(self):
+        tube, ball = 2.0, 0.25
+        self.write("line.vtp", vtp_text([(-HALF, 0, 0), (HALF, 0, 0)], [(0, 1)], kind="Lines",
+                                        point_data=array("x", [-HALF, HALF])))
+        rows = [(n / 1024, place, 0.0, tube + ball + height) for n, (place, height) in
+                enumerate((place, height) for place in PLACES for height in (1.0, -DEPTH, -DEPTH))]
+        options = ("--line-radius", tube, "--radius", ball, "--stiffness-array", "x", "--stiffness-to", "80,400", "--scale", "4")
+        slope = (400.0 - 80.0) / (2.0 * HALF)
+        for row, place in zip(self.touch(rows, *options, files=("line.vtp",))[2::3], PLACES):
+            wall = 80.0 + slope * (place + HALF)
+            self.assert_force(row, (-0.5 * slope * DEPTH**2 / 4, 0.0, wall * DEPTH / 4))
+
+    def test_an_array_that_lines_lack_is_refused_unless_another_file_has_it(self):
+        self.write("line.vtp", vtp_text([(-2, 0, 5), (2, 0, 5)], [(0, 1)], kind="Lines"))
+        self.write_path([(0.0, 0.0, 0.0, 1.0)])
+        touch = ("--path", "path.csv", "--csv", "out.csv", "--line-radius", 0.5, "--stiffness-array", "x")
+        self.refused("touch", "line.vtp", *touch, saying=["line.vtp", "no array 'x'"])
+        run = self.succeed("touch", "line.vtp", "square.vtp", *touch)
+        self.assertIn("line.vtp (lines): its own stiffness, for it has no array 'x'", run.stderr)
 
     def test_friction_follows_an_array(self):
         rows = [(0.0, -4.0, 2.0, 1.0)] + [(n / 1024, -4.0 + n / 32, 2.0, -DEPTH) for n in range(1, 200)]

@@ -61,6 +61,15 @@ TEST(FedDevice, GivesTheLatestPoseWithTheTicksTime)
   EXPECT_EQ(read.time_s, 0.5);
 }
 
+TEST(FedDevice, WaitsUntilItIsFed)
+{
+  FedDevice device;
+  DeviceSample read;
+  EXPECT_EQ(device.read(0.5, read), DeviceStatus::Waiting);
+  device.feed(at(0.0));
+  EXPECT_EQ(device.read(0.6, read), DeviceStatus::Ok);
+}
+
 TEST_F(MouseHand, IsAtItsFirstPoseAtOnce)
 {
   EXPECT_EQ(this->glide(7.0, 1).back(), 7.0);

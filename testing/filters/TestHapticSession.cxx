@@ -50,6 +50,16 @@ protected:
   [[nodiscard]] Vec3 force() const { return Vec3(this->session_->GetForce()); }
   [[nodiscard]] Vec3 proxy_W() const { return Vec3(this->session_->GetProxyPosition()); }
 };
+
+void expectReplays(const std::string& file, int ticks)
+{
+  const auto recording = readRecording(file);
+  ASSERT_TRUE(std::holds_alternative<Recording>(recording)) << std::get<std::string>(recording);
+  const ReplayResult result = replay(std::get<Recording>(recording));
+  EXPECT_EQ(result.problem, "");
+  EXPECT_EQ(result.difference, "");
+  EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(ticks));
+}
 } // namespace
 
 TEST_F(HapticSession, ForceIsStiffnessTimesDepthOverScale)
@@ -63,6 +73,28 @@ TEST_F(HapticSession, ForceIsStiffnessTimesDepthOverScale)
   EXPECT_LT((this->proxy_W() - Vec3(3.0, 4.0, 0.0)).norm(), 1e-12);
   EXPECT_EQ(this->session_->GetContacts(), 1);
   EXPECT_NEAR(this->session_->GetDepth(), depth, 1e-12);
+}
+
+// The origin lies below the plane that is shown here: a hand that came from there would be held by its lower side.
+TEST_F(VirtualSession, BeforeAHandIsPutSomewhereThereIsNoneAndItBeginsWhereItIsPut)
+{
+  vtkNew<vtkMatrix4x4> raised;
+  raised->SetElement(2, 3, 5.0);
+  ASSERT_TRUE(this->session_->AddSurface("surface", makePlane(100.0), raised));
+  this->session_->CommitScene();
+  ASSERT_TRUE(this->session_->FinishScene());
+  this->startTouching();
+  this->session_->Step(ticksToEngage);
+  EXPECT_THAT(this->session_->GetFaultText(), HasSubstr("no hand yet"));
+  EXPECT_EQ(this->session_->GetForceMagnitude(), 0.0);
+  this->session_->SetHandPosition(0.0, 0.0, 8.0);
+  this->session_->Step(ticksToEngage);
+  EXPECT_STREQ(this->session_->GetFaultText(), "");
+  EXPECT_EQ(this->session_->GetForceMagnitude(), 0.0);
+  constexpr double depth = 2.0;
+  this->session_->SetHandPosition(0.0, 0.0, 5.0 - depth);
+  this->session_->Step(100);
+  EXPECT_LT((Vec3(this->session_->GetForce()) - Vec3(0.0, 0.0, stiffness * depth / scale)).norm(), 1e-12);
 }
 
 TEST_F(HapticSession, CountsEveryTickOfVirtualTime)
@@ -176,12 +208,31 @@ TEST_F(HapticSession, ARecordingReplaysBitForBit)
   this->session_->Step(200);
   this->session_->TouchingOff();
   EXPECT_STREQ(this->session_->GetProblem(), "");
-  const auto recording = readRecording(file);
-  ASSERT_TRUE(std::holds_alternative<Recording>(recording)) << std::get<std::string>(recording);
-  const ReplayResult result = replay(std::get<Recording>(recording));
-  EXPECT_EQ(result.problem, "");
-  EXPECT_EQ(result.difference, "");
-  EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(ticksToEngage + 200));
+  expectReplays(file, ticksToEngage + 200);
+}
+
+TEST_F(HapticSession, ARecordingThatBeginsBeforeThereIsAHandReplaysAndItsHandBeginsWhereItWasPut)
+{
+  const palpate::test::TemporaryFolder folder;
+  const std::string file = folder.file("session.palpate");
+  vtkNew<vtkHapticSession> fresh;
+  fresh->VirtualTimeOn();
+  ASSERT_TRUE(fresh->AddSurface("surface", makePlane(100.0), nullptr));
+  fresh->CommitScene();
+  ASSERT_TRUE(fresh->FinishScene());
+  fresh->SetRecordFile(file.c_str());
+  fresh->TouchingOn();
+  fresh->Step(10);
+  fresh->SetHandPosition(0.0, 0.0, 7.0);
+  fresh->Step(10);
+  fresh->TouchingOff();
+  expectReplays(file, 20);
+  this->session_->SetScale(fresh->GetScale());
+  this->session_->SetDeviceName("replay");
+  this->session_->SetReplayFile(file.c_str());
+  this->startTouching();
+  this->session_->Step(1);
+  EXPECT_LT((Vec3(this->session_->GetHandPosition()) - Vec3(0.0, 0.0, 7.0)).norm(), 1e-12);
 }
 
 TEST_F(HapticSession, TheWorkspaceCanBeFittedToTheScene)

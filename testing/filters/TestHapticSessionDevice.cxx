@@ -177,6 +177,19 @@ TEST(HapticSessionDevice, AMaskOfButtonsThatIsNoneIsRefusedAndSaid)
   EXPECT_EQ(session->GetDeadManButtons(), 1 << 3);
 }
 
+TEST(HapticSessionDevice, WhoDoesNotHoldTheDeadManIsToldWhileTouching)
+{
+  vtkNew<vtkHapticSession> session;
+  session->VirtualTimeOn();
+  session->SetDeadManButtons(1);
+  session->TouchingOn();
+  session->Step(10);
+  session->Update();
+  EXPECT_THAT(session->GetWarning(), HasSubstr("dead-man is not held"));
+  session->TouchingOff();
+  EXPECT_THAT(session->GetWarning(), StrEq(""));
+}
+
 // Both buttons at once: the first one chooses, unless it is what holds the hand engaged.
 TEST(HapticSessionDevice, ItsButtonsChooseALabyrinthOnceUnlessTheyHoldTheHandEngaged)
 {

@@ -16,6 +16,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTouchAlongPath.h"
@@ -26,6 +27,7 @@ using namespace palpate::testing;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 namespace
@@ -72,13 +74,13 @@ vtkHapticMaterialResult materialOf(vtkDataObject* data, const vtkHapticMaterialS
   return vtkHapticToMaterial(data, vtkHapticToMesh(data).PartPoints, settings);
 }
 
-/// Down from above at each x, then pressed and at rest there: a row of forces.
-std::vector<Vec3> pressedAt(vtkTouchAlongPath* touch, const std::vector<double>& xs, double y = 1.0)
+/// Down from above at each x, then pressed and at rest there: a row of forces. `top_u`: z of what is touched.
+std::vector<Vec3> pressedAt(vtkTouchAlongPath* touch, const std::vector<double>& xs, double y = 1.0, double top_u = 0.0)
 {
   std::vector<Vec3> path_W;
   for (const double x : xs)
   {
-    path_W.insert(path_W.end(), { Vec3(x, y, 1.0), Vec3(x, y, -depth), Vec3(x, y, -depth) });
+    path_W.insert(path_W.end(), { Vec3(x, y, top_u + 1.0), Vec3(x, y, top_u - depth), Vec3(x, y, top_u - depth) });
   }
   touch->SetPathData(makePath(path_W));
   touch->SetStiffness(stiffness);
@@ -186,8 +188,69 @@ TEST(MaterialArrays, ATextureIsTheForceOfItsPotential)
   ASSERT_EQ(forces_W.size(), places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const Vec3 expected_W = stiffness * (depth + slope * places[i]) * Vec3(-slope, 0.0, 1.0);
+    const double deep = depth + slope * (places[i] - half); // below the highest place, at the rim
+    const Vec3 expected_W = stiffness * deep * Vec3(-slope, 0.0, 1.0);
     EXPECT_LT((forces_W[i] - expected_W).norm(), 1e-12 * stiffness) << places[i];
+  }
+}
+
+TEST(MaterialArrays, NumbersOfAnySizeAreNumbers)
+{
+  constexpr double huge = std::numeric_limits<double>::max(), tiny = std::numeric_limits<double>::denorm_min();
+  const auto plane = makePlane(half);
+  plane->GetPointData()->AddArray(makeArray("huge", { -huge, huge, 0.0, 0.5 * huge }));
+  plane->GetPointData()->AddArray(makeArray("tiny", { 0.0, tiny, 0.0, 2 * tiny }));
+  plane->GetPointData()->AddArray(
+    makeArray("v", { 0.75 * huge, 0, 0, 0, 0, -0.5 * huge, 0, 0.25 * huge, 0, 0, 0, 0 }, 3));
+  plane->GetCellData()->AddArray(makeArray("cells", { huge, 0.5 * huge })); // around points 0 1 2 and 0 2 3
+  vtkHapticMaterialSettings settings = stiffnessFrom("");
+  settings.Stiffness.FeltRange = { 0.0, 400.0 };
+  const std::pair<const char*, std::array<double, 4>> cases[] = {
+    { "huge", { 0.0, 400.0, 200.0, 300.0 } },
+    { "tiny", { 0.0, 200.0, 0.0, 400.0 } },
+    { "v", { 400.0, 800.0 / 3.0, 400.0 / 3.0, 0.0 } },
+    { "cells", { 200.0, 400.0, 200.0, 0.0 } },
+  };
+  for (const auto& [name, felt] : cases)
+  {
+    settings.Stiffness.Array = name;
+    const vtkHapticMaterialResult material = materialOf(plane, settings);
+    ASSERT_NE(material.Fields, nullptr) << material.Problem;
+    EXPECT_THAT(material.Note, Not(HasSubstr("without a number"))) << name;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      EXPECT_NEAR(material.Fields->stiffness_N_per_m[i], felt[i], 1e-9) << name << ' ' << i;
+    }
+  }
+}
+
+TEST(MaterialArrays, CellsOfOneValueAreOneValueAtEveryPoint)
+{
+  vtkNew<vtkPolyData> fan; // points with one to nine cells around them
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  for (int i = 0; i < 10; ++i)
+  {
+    points->InsertNextPoint(std::cos(0.3 * i), std::sin(0.3 * i), 0);
+  }
+  fan->SetPoints(points);
+  fan->AllocateEstimate(9, 3);
+  for (vtkIdType i = 1; i < 10; ++i)
+  {
+    const vtkIdType ids[3] = { 0, i, i + 1 };
+    fan->InsertNextCell(VTK_TRIANGLE, 3, ids);
+  }
+  for (const double value : { 0.1, 0.7, 1e-3, -3.3, 1.7e308 })
+  {
+    fan->GetCellData()->AddArray(makeArray("c", std::vector<double>(9, value)));
+    vtkHapticMaterialSettings settings = stiffnessFrom("c");
+    settings.Stiffness.FeltRange = { 100.0, 500.0 };
+    const vtkHapticMaterialResult material = materialOf(fan, settings);
+    ASSERT_NE(material.Fields, nullptr) << material.Problem;
+    for (const double felt : material.Fields->stiffness_N_per_m)
+    {
+      EXPECT_EQ(felt, 300.0) << value; // the middle: there is no range to place it in
+    }
   }
 }
 

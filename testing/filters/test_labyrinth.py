@@ -7,8 +7,8 @@ import shutil
 import tempfile
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules import vtkRenderingCore  # noqa: F401  wraps the actors
 
 from palpate.vtkHapticInteraction import vtkHapticSession, vtkHapticToolProps
@@ -245,6 +245,21 @@ class Labyrinths(unittest.TestCase):
         session = vtkHapticSession()
         self.assertFalse(session.PlayLabyrinth(data, "bend.svg"))
         self.assertIn("bend.svg: it says no exit", session.GetProblem())
+
+    def test_line_of_one_point_changes_nothing_and_is_named_with_that_point(self):
+        data = vtkPolyData()
+        data.SetPoints(vtkPoints())
+        data.GetPoints().InsertNextPoint(1, 2, 0)
+        lines = vtkCellArray()
+        lines.InsertNextCell(2, (0, 0))
+        data.SetLines(lines)
+        session = vtkHapticSession()
+        before = session.GetScale(), session.GetRadius(), session.GetLinesAsWalls()
+        self.assertFalse(session.PlayLabyrinth(data, "dot.vtp"))
+        self.assertIn("dot.vtp: its lines are all one point, (1, 2)", session.GetProblem())
+        self.assertEqual((session.GetScale(), session.GetRadius(), session.GetLinesAsWalls()), before)
+        self.assertFalse(session.PlayLabyrinth(vtkPolyData(), "none.vtp"))
+        self.assertIn("none.vtp: there is nothing to play", session.GetProblem())
 
     def test_no_button_that_was_not_pressed_asks_for_a_labyrinth(self):
         session, _ = self.session("hampton-court")

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "haptics/session/HapticParameters.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliMaterials.h"
 #include "vtkHapticCliProblem.h"
@@ -141,6 +142,12 @@ void CheckFriction(double muStatic, const std::optional<double>& muKinetic)
   if (muKinetic)
   {
     CheckNumber("--mu-kinetic", *muKinetic, true, "friction");
+  }
+  palpate::HapticParameters parameters;
+  parameters.contact.friction = { muStatic, muKinetic.value_or(muStatic) };
+  if (const std::string problem = parameters.validate(); !problem.empty())
+  {
+    throw vtkHapticCliProblem("--mu-static, --mu-kinetic: " + problem);
   }
 }
 

@@ -108,7 +108,7 @@ Choice ChoiceOf(const Subject& subject, const vtkHapticCliCheckOptions& options)
   touch.asked_u = options.Radius_u;
   touch.largest_u = choice.Radius.largest_u;
   touch.plan.radius_u = palpate::chosenRadius_u(touch.asked_u, touch.largest_u, !options.ForceRadius);
-  touch.plan.friction = { options.MuStatic, std::min(options.MuKinetic.value_or(options.MuStatic), options.MuStatic) };
+  touch.plan.friction = { options.MuStatic, options.MuKinetic.value_or(options.MuStatic) };
   touch.plan = palpate::planFor(scene, touch.plan);
   touch.frictionFromData = palpate::hasOwnFriction(scene);
   choice.Sentence = palpate::planSentence({ choice.Surface }, touch);

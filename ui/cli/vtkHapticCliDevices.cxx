@@ -65,6 +65,7 @@ nlohmann::ordered_json ToJson(const palpate::KnownDevice& device)
   json["serial"] = device.info.serial;
   json["simulated"] = device.info.simulated;
   json["class"] = palpate::kindOf(device.info);
+  json["has_twin"] = device.hasTwin;
   json["cannot"] = palpate::shortcomings(device.info);
   json["sensed_axes"] = device.info.abilities.sensedAxes;
   json["holds_walls"] = device.info.abilities.holdsWalls;
@@ -90,6 +91,10 @@ void Print(const palpate::KnownDevice& device)
   if (const std::string cannot = palpate::shortcomings(device.info); !cannot.empty())
   {
     std::cout << "  " << cannot << '\n';
+  }
+  if (device.hasTwin)
+  {
+    std::cout << "  " << palpate::twinNote << '\n';
   }
   for (const Quantity& quantity : Quantities)
   {

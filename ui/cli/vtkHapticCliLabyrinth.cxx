@@ -19,12 +19,11 @@ constexpr int NotArrived = 1;
 
 palpate::Labyrinth Read(const std::string& nameOrFile, std::optional<double> corridor_u)
 {
-  vtkHapticLabyrinthResult read = vtkHapticReadLabyrinth(vtkHapticGallery::FileOf(nameOrFile));
+  const vtkHapticLabyrinthResult read = vtkHapticReadLabyrinth(vtkHapticGallery::FileOf(nameOrFile), corridor_u);
   if (!read.Problem.empty())
   {
     throw vtkHapticCliProblem(read.Problem);
   }
-  read.Labyrinth.corridor_u = corridor_u.value_or(read.Labyrinth.corridor_u);
   return read.Labyrinth;
 }
 
@@ -119,6 +118,10 @@ palpate::LabyrinthRun RunOf(const vtkHapticCliLabyrinthOptions& options)
 int Solve(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOptions& options)
 {
   const palpate::LabyrinthRun run = RunOf(options);
+  if (const std::string problem = palpate::refuse(labyrinth, run); !problem.empty())
+  {
+    throw vtkHapticCliProblem(labyrinth.name + ": " + problem);
+  }
   Trace trace(options.Output, { labyrinth.name });
   const palpate::LabyrinthOutcome outcome = palpate::runBlind(labyrinth, run);
   for (const palpate::LabyrinthMoment& moment : outcome.trace)
@@ -126,9 +129,13 @@ int Solve(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOption
     trace.Row(moment);
   }
   trace.Commit();
-  std::cout << labyrinth.name << ": " << (outcome.problem.empty() ? "arrived" : outcome.problem) << " after "
-            << outcome.time_s << " s, a way of " << outcome.way_u << " u and " << outcome.places << " places; "
-            << outcome.lead_s << " s to the start before\n";
+  std::cout << labyrinth.name << ": " << (outcome.problem.empty() ? "arrived" : outcome.problem);
+  if (outcome.explored)
+  {
+    std::cout << " after " << outcome.time_s << " s, a way of " << outcome.way_u << " u and " << outcome.places
+              << " places; " << outcome.lead_s << " s to the start before";
+  }
+  std::cout << "\n";
   return outcome.problem.empty() ? 0 : NotArrived;
 }
 
@@ -197,14 +204,16 @@ int vtkHapticCliLabyrinth(const vtkHapticCliLabyrinthOptions& options)
     return List();
   }
   const palpate::Labyrinth labyrinth = Read(options.File, options.Corridor_u);
+  const std::string lacking = palpate::refuse(labyrinth);
   if (!options.Solve && options.Path.empty())
   {
     Describe(labyrinth);
+    std::cout << lacking << (lacking.empty() ? "" : "\n");
     return 0;
   }
-  if (const std::string problem = palpate::refuse(labyrinth); !problem.empty())
+  if (!lacking.empty())
   {
-    throw vtkHapticCliProblem(problem);
+    throw vtkHapticCliProblem(lacking);
   }
   return options.Path.empty() ? Solve(labyrinth, options) : Follow(labyrinth, options);
 }

@@ -27,7 +27,8 @@ void vtkHapticCliAddMaterials(CLI::App& command, vtkHapticMaterialSettings& sett
 {
   AddTransfer(command, "stiffness", settings.Stiffness, "what they feel like [N/m]; 100,1000");
   AddTransfer(command, "friction", settings.Friction, "what they feel like, 0 to 10, at rest and sliding; 0,1");
-  AddTransfer(command, "texture", settings.Texture, "how far the surface stands out [scene units]; 0,1");
+  AddTransfer(command, "texture", settings.Texture,
+    "how high they feel [scene units]: the highest is the surface itself, lower ones are hollows; 0,1");
 }
 
 void vtkHapticCliCheckMaterials(const vtkHapticMaterialSettings& settings)

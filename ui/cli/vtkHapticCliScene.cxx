@@ -73,18 +73,24 @@ std::shared_ptr<const palpate::MaterialFields> PerSceneUnit(
   return scaled;
 }
 
-/// An array that is in none of the files is a mistake of a person; in some of many files it may be missing.
-void CheckMaterials(const std::vector<vtkHapticCliSurface>& surfaces)
+/// What the arrays of one surface, or of the lines in a file, give.
+struct NamedMaterial
 {
-  const auto broken = [](const vtkHapticCliSurface& surface) { return !surface.Material.Problem.empty(); };
-  if (std::all_of(surfaces.begin(), surfaces.end(), broken))
+  std::string Name;
+  vtkHapticMaterialResult Material;
+};
+
+/// An array that is in none of the files is a mistake of a person; in some of many files it may be missing.
+void CheckMaterials(const std::vector<NamedMaterial>& materials)
+{
+  const auto broken = [](const NamedMaterial& one) { return !one.Material.Problem.empty(); };
+  if (std::all_of(materials.begin(), materials.end(), broken))
   {
-    const vtkHapticCliSurface& first = surfaces.front();
-    throw vtkHapticCliProblem(first.Input.name + ": " + first.Material.Problem);
+    throw vtkHapticCliProblem(materials.front().Name + ": " + materials.front().Material.Problem);
   }
-  for (const vtkHapticCliSurface& surface : surfaces)
+  for (const NamedMaterial& one : materials)
   {
-    Note(surface.Input.name, surface.Material.Note);
+    Note(one.Name, one.Material.Note);
   }
 }
 
@@ -125,7 +131,9 @@ vtkHapticCliSurface vtkHapticCliReadSurface(
   vtkHapticCliSurface surface;
   if (lines && vtkHapticCountLines(read.Surface) > 0)
   {
-    surface.Lines = vtkHapticToLines(read.Surface).Mesh;
+    const vtkHapticConversionResult converted = vtkHapticToLines(read.Surface);
+    surface.Lines = converted.Mesh;
+    surface.LineMaterial = vtkHapticToMaterial(read.Surface, converted.PartPoints, materials);
   }
   if (surface.Lines && read.Surface->GetNumberOfPolys() + read.Surface->GetNumberOfStrips() == 0)
   {
@@ -142,25 +150,35 @@ std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(const std::vector<s
   std::optional<double> iso, const vtkHapticMaterialSettings& materials, double scale_u_per_m, double lineRadius_u)
 {
   CheckIsoIsUsed(files, iso);
-  std::vector<vtkHapticCliSurface> surfaces;
+  std::vector<NamedMaterial> read;
   std::vector<palpate::SurfaceInput> inputs;
+  const auto add = [&](palpate::SurfaceInput input, const vtkHapticMaterialResult& material)
+  {
+    read.push_back({ input.name, material });
+    input.fields = PerSceneUnit(input.fields, scale_u_per_m);
+    inputs.push_back(std::move(input));
+  };
   for (const std::string& file : files)
   {
-    surfaces.push_back(
-      vtkHapticCliReadSurface(file, vtkHapticIsImageFile(file) ? iso : std::nullopt, materials, lineRadius_u > 0.0));
-    const vtkHapticCliSurface& read = surfaces.back();
-    if (read.Input.mesh)
+    const vtkHapticCliSurface surface =
+      vtkHapticCliReadSurface(file, vtkHapticIsImageFile(file) ? iso : std::nullopt, materials, lineRadius_u > 0.0);
+    if (surface.Input.mesh)
     {
-      inputs.push_back(read.Input);
-      inputs.back().fields = PerSceneUnit(inputs.back().fields, scale_u_per_m);
+      add(surface.Input, surface.Material);
     }
-    if (read.Lines)
+    if (surface.Lines)
     {
-      inputs.push_back({ file + " (lines)", read.Lines, palpate::Material(), {}, {}, lineRadius_u });
+      add(vtkHapticCliTubesOf(file, surface, lineRadius_u), surface.LineMaterial);
     }
   }
-  CheckMaterials(surfaces);
+  CheckMaterials(read);
   return vtkHapticCliBuild(inputs);
+}
+
+palpate::SurfaceInput vtkHapticCliTubesOf(
+  const std::string& file, const vtkHapticCliSurface& surface, double lineRadius_u)
+{
+  return { file + " (lines)", surface.Lines, palpate::Material(), surface.LineMaterial.Fields, {}, lineRadius_u };
 }
 
 std::shared_ptr<const palpate::Scene> vtkHapticCliBuild(const std::vector<palpate::SurfaceInput>& inputs)

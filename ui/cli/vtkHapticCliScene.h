@@ -17,6 +17,7 @@ struct vtkHapticCliSurface
   palpate::SurfaceInput Input; ///< as the scene builder takes it, named after the file [scene units]
   std::shared_ptr<const palpate::TriangleMesh> Lines; ///< segments of its curves, if they were asked for
   vtkHapticMaterialResult Material;                   ///< of its arrays; Input.fields are its fields
+  vtkHapticMaterialResult LineMaterial;               ///< of the arrays of its curves
 };
 
 /// Throws vtkHapticCliProblem. What a reader had to say besides goes to stderr. An array that cannot be used is a
@@ -32,6 +33,10 @@ struct vtkHapticCliSurface
 [[nodiscard]] std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(const std::vector<std::string>& files,
   std::optional<double> iso, const vtkHapticMaterialSettings& materials = {}, double scale_u_per_m = 1.0,
   double lineRadius_u = 0.0);
+
+/// Curves as tubes of that radius [scene units], named after their file, with their material.
+[[nodiscard]] palpate::SurfaceInput vtkHapticCliTubesOf(
+  const std::string& file, const vtkHapticCliSurface& surface, double lineRadius_u);
 
 /// The scene of surfaces as they were read. Throws vtkHapticCliProblem that names what cannot be touched; what cleaning
 /// dropped goes to stderr.

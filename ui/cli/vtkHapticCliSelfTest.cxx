@@ -75,6 +75,10 @@ int vtkHapticCliSelfTest(const std::string& device, bool keep)
   {
     throw vtkHapticCliProblem(made.problem);
   }
+  if (keep && made.hasTwin)
+  {
+    throw vtkHapticCliProblem("--keep: " + device + ": " + palpate::twinNote);
+  }
   palpate::SelfTestOptions options;
   options.virtualTime = made.device->info().simulated;
   options.brokers = palpate::systemBrokers();

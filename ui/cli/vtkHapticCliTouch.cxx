@@ -30,7 +30,7 @@ palpate::HapticParameters ParametersOf(const vtkHapticCliTouchOptions& options)
   parameters.safety = palpate::SafetyLimits::none();
   if (const std::string problem = parameters.validate(); !problem.empty())
   {
-    throw vtkHapticCliProblem("--stiffness, --scale, --mu-static, --mu-kinetic: " + problem);
+    throw vtkHapticCliProblem("--stiffness, --scale: " + problem);
   }
   return parameters;
 }

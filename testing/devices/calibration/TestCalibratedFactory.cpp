@@ -4,6 +4,9 @@
 
 #include "devices/DeviceFactory.h"
 #include "devices/calibration/CalibrationFiles.h"
+#include "devices/hid/HidDiscovery.h"
+#include "devices/hid/PidWalls.h"
+#include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/TemporaryFolder.h"
 
 namespace palpate
@@ -57,6 +60,56 @@ TEST_F(CalibratedFactory, GivesNoDeviceThatMayPushTheWrongWayBecauseItsFileIsDam
   const MadeDevice made = makeDevice("simulated-joystick", this->options);
   EXPECT_EQ(made.device, nullptr);
   EXPECT_NE(made.problem.find(path), std::string::npos) << made.problem;
+}
+
+/// What is known of a stick is there, and one more is plugged in.
+class CalibratedTwins : public CalibratedFactory
+{
+protected:
+  void plugBoth(const std::string& serial)
+  {
+    auto bus = std::make_shared<test::FakeHidBus>();
+    this->options.hid = bus;
+    bus->plug(test::plainLayout(), serial);
+    Calibration c{ findHidDevices(*bus).front().name, serial, "2026-01-31", 2, {} };
+    c.axes[0] = { 0, -1, -0.03, 0.03, 0, -1, 0.0, 0.0 };
+    c.axes[1] = { 1, 1, -0.03, 0.03, 1, 1, 0.0, 0.0 };
+    ASSERT_EQ(saveCalibration(this->options.calibrationFolder, c), "");
+    this->alone = makeDevice(c.device, this->options);
+    bus->plug(test::plainLayout(), serial);
+    this->together = makeDevice(c.device, this->options);
+    this->known = knownDevices(this->options);
+    applyCalibrations(this->known, this->options.calibrationFolder);
+  }
+  MadeDevice alone, together;
+  std::vector<KnownDevice> known;
+};
+
+TEST_F(CalibratedTwins, UsesWhatIsKnownOfAStickOnlyWhereNoneIsPluggedInThatNothingTellsApart)
+{
+  for (const std::string serial : { "", "7" })
+  {
+    this->plugBoth(serial);
+    ASSERT_NE(this->alone.device, nullptr);
+    ASSERT_NE(this->together.device, nullptr);
+    EXPECT_EQ(this->alone.device->info().workspaceRadius_m.value, 0.03);
+    EXPECT_EQ(this->alone.warning, "");
+    EXPECT_EQ(this->together.device->info().workspaceRadius_m.value, PidScale().halfTravel_m);
+    EXPECT_EQ(this->together.warning, twinNote);
+    EXPECT_TRUE(this->known.back().hasTwin);
+    const KnownDevice& first = this->known[this->known.size() - 2];
+    EXPECT_TRUE(first.hasTwin);
+    EXPECT_EQ(first.info.workspaceRadius_m.value, PidScale().halfTravel_m);
+  }
+}
+
+TEST_F(CalibratedFactory, OneOfAnotherSerialNumberIsNoTwin)
+{
+  auto bus = std::make_shared<test::FakeHidBus>();
+  bus->plug(test::plainLayout(), "7");
+  bus->plug(test::plainLayout(), "8");
+  this->options.hid = bus;
+  EXPECT_FALSE(knownDevices(this->options).back().hasTwin);
 }
 
 } // namespace

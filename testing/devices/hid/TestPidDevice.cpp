@@ -239,7 +239,8 @@ TEST(PidDevice, UnpluggedAndPluggedInAgainItGivesForceOnlyAfterARest)
   rig.port.device = std::make_shared<VirtualPidDevice>(test::plainLayout()); // it forgot everything
   rig.run(1000);
   EXPECT_EQ(rig.status, DeviceStatus::Ok);
-  EXPECT_EQ(rig.stick().force()[0], 0.0); // still asked for, but nobody has engaged again
+  EXPECT_EQ(rig.device.link().report().message, "it was unplugged"); // no more that it is not there
+  EXPECT_EQ(rig.stick().force()[0], 0.0);                            // still asked for, but nobody has engaged again
   rig.command = {};
   rig.run(5);
   rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
@@ -262,21 +263,99 @@ TEST(PidDevice, AnotherProgramThatResetsTheDeviceIsNoticed)
   EXPECT_NE(rig.device.link().report().message.find("another program"), std::string::npos);
 }
 
-TEST(PidDevice, OfTwoAlikeTheSerialNumberDecidesAndWithoutOneNeitherIsTakenAgain)
+TEST(DeviceSearch, OfTwoAlikeTheSerialNumberDecidesAndWithoutOneThePlace)
 {
-  auto bus = std::make_shared<FakeHidBus>();
-  FakePort& first = bus->plug(test::plainLayout(), "A");
-  FakePort& second = bus->plug(test::plainLayout(), "B");
+  FakeHidBus bus;
+  FakePort& first = bus.plug(test::plainLayout(), "A");
+  FakePort& second = bus.plug(test::plainLayout(), "B");
   HidEntry moved = second.entry;
   moved.path = "gone";
-  EXPECT_EQ(findAgain(*bus, moved).entry->path, second.entry.path);
+  EXPECT_EQ(DeviceSearch(moved).first(bus).entry->path, second.entry.path);
   first.entry.serial = second.entry.serial = "";
   HidEntry there = first.entry;
-  EXPECT_EQ(findAgain(*bus, there).entry->path, first.entry.path);
+  EXPECT_EQ(DeviceSearch(there).first(bus).entry->path, first.entry.path);
   there.path = "gone";
-  EXPECT_NE(findAgain(*bus, there).problem.find("nothing tells them apart"), std::string::npos);
-  first.present = false;
-  EXPECT_EQ(findAgain(*bus, there).entry->path, second.entry.path);
+  EXPECT_NE(DeviceSearch(there).first(bus).problem.find("nothing tells them apart"), std::string::npos);
+}
+
+/// Two sticks that look alike, one of them under force, the other somebody else's.
+struct Twins : Rig
+{
+  explicit Twins(const std::string& serial)
+    : Rig(test::plainLayout(), serial), other(this->bus->plug(test::plainLayout(), serial))
+  {
+    EXPECT_EQ(this->device.open(), "");
+    this->command.wrench_D.force = { 2.0, 0.0, 0.0 };
+    this->run(50);
+    this->port.present = false;
+    this->run(1000);
+  }
+  /// It was not reset, got no effects, was not even opened.
+  void expectTheOtherUntouched() const
+  {
+    EXPECT_EQ(this->other.opened, 0);
+    EXPECT_EQ(this->other.device->outputs, 0);
+  }
+  FakePort& other;
+};
+
+TEST(DeviceSearch, AStickThatIsUnpluggedDoesNotTakeItsTwin)
+{
+  for (const std::string serial : { "", "0001" })
+  {
+    Twins rig(serial);
+    EXPECT_EQ(rig.status, DeviceStatus::Lost);
+    rig.expectTheOtherUntouched();
+    EXPECT_NE(rig.device.link().report().message.find("is not there"), std::string::npos);
+    rig.port.present = true;
+    rig.port.entry.path = "elsewhere";
+    rig.run(1000);
+    EXPECT_EQ(rig.status, DeviceStatus::Ok);
+    rig.expectTheOtherUntouched();
+  }
+}
+
+TEST(DeviceSearch, ATwinThatIsUnpluggedTooAndComesBackFirstIsNotTaken)
+{
+  Twins rig("");
+  rig.other.present = false;
+  rig.run(1000);
+  std::swap(rig.other.entry.path, rig.port.entry.path);
+  rig.other.present = true;
+  rig.run(1000);
+  EXPECT_EQ(rig.status, DeviceStatus::Lost);
+  rig.expectTheOtherUntouched();
+  EXPECT_NE(rig.device.link().report().message.find("choose the device again"), std::string::npos);
+}
+
+TEST(DeviceSearch, ATwinThatCameWhileTheStickWasInUseIsNotTakenEither)
+{
+  Rig rig(test::plainLayout(), "");
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(50);
+  const FakePort& late = rig.bus->plug(test::plainLayout(), "");
+  rig.run(50);
+  rig.port.present = false;
+  rig.run(1000);
+  EXPECT_EQ(rig.status, DeviceStatus::Lost);
+  EXPECT_EQ(late.opened, 0);
+}
+
+// Such as one that has keys as well: the parts come and go together.
+TEST(DeviceSearch, AnotherPartOfTheSamePlugIsNoTwin)
+{
+  Rig rig(test::plainLayout(), "");
+  FakePort& keys = rig.bus->plug(test::hobbyLayout(), "");
+  ASSERT_EQ(rig.device.open(), "");
+  rig.run(50);
+  rig.port.present = keys.present = false;
+  rig.run(1000);
+  rig.port.entry.path = "elsewhere";
+  keys.entry.path = "elsewhere too";
+  rig.port.present = keys.present = true;
+  rig.run(1000);
+  EXPECT_EQ(rig.status, DeviceStatus::Ok);
+  EXPECT_EQ(keys.opened, 0);
 }
 
 TEST(PidDevice, NoPermissionBusyAndABrokenDescriptorAreSaidWithTheName)

@@ -34,8 +34,9 @@ private:
 /// the link's writer get their turn; a pass that hangs stays where it is, on a thread of its own.
 struct PressedSession
 {
-  PressedSession()
+  explicit PressedSession(bool silent = false)
   {
+    this->port.device->silent = silent;
     SessionOptions virtualTime;
     virtualTime.virtualTime = true;
     this->session.setScene(test::sceneOf(raiseWalls({ { { -1.0, 0.0 }, { 1.0, 0.0 } }, { { 0, 1 } } }, 0.01)));
@@ -125,6 +126,26 @@ TEST(PidSession, AStalledDeviceMakesNoTickLate)
   EXPECT_EQ(rig.session.state().force_D.norm(), 0.0);
   rig.ticks(5000);
   EXPECT_EQ(rig.hanging(), 2); // all the while, with the order to stop behind it
+}
+
+// The force begins, with its ramp, when the hand is known; nobody has to touch again.
+TEST(PidSession, ADeviceThatSaysNothingUntilItIsMovedIsNoLostOne)
+{
+  PressedSession rig(true);
+  for (int k = 0; k < 100; ++k)
+  {
+    rig.millisecond(-0.1);
+    ASSERT_EQ(rig.session.state().fault, Fault::NoHand);
+    ASSERT_EQ(rig.session.state().force_D.norm(), 0.0);
+  }
+  rig.bus->alone([&] { return rig.port.device->silent = false; });
+  double hand = -0.1;
+  for (int k = 0; k < 2000 && rig.session.state().force_D.norm() < 0.5; ++k)
+  {
+    rig.millisecond(hand = std::min(hand + 1e-3, 0.2));
+  }
+  EXPECT_EQ(rig.session.state().fault, Fault::None);
+  EXPECT_GE(rig.session.state().force_D.norm(), 0.5);
 }
 
 TEST(PidSession, ALostDeviceIsAFaultThatStaysWhenItIsPluggedInAgain)

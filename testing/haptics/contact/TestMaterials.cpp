@@ -55,10 +55,10 @@ public:
   }
 
   ContactResult to(const Vec3& p_W) { return moveGodObject(*this->scene_, this->plan_, p_W, this->state_); }
-  /// The same place twice: a hand at rest feels all of a texture.
+  /// Straight down from above: a hand that does not move along feels all of a texture.
   Vec3 restingAt(const Vec3& p_W)
   {
-    static_cast<void>(this->to(p_W));
+    static_cast<void>(this->to({ p_W.x(), p_W.y(), 0.05 }));
     return this->to(p_W).pull_W;
   }
 
@@ -83,6 +83,31 @@ TEST(Materials, StiffnessIsInterpolatedBetweenVerticesWhateverCleaningDidToTheir
     const Vec3 p(random.uniform(-0.09, 0.09), random.uniform(-0.09, 0.09), -d);
     const Vec3 force = stiffness(p) * d * Vec3::UnitZ() - 0.5 * d * d * slope; // -grad of k d^2 / 2
     EXPECT_NEAR((K * finger.restingAt(p) - force).norm(), 0.0, 1e-12 * K);
+  }
+}
+
+TEST(Materials, OfARampThatGoesBeyondTheCouplingTheDataAreFeltUpToIt)
+{
+  const TriangleMesh mesh = sheet(3, 126); // coarse: most triangles have corners on both sides of the coupling's
+  const Vec3 slope(24500, 0, 0);           // N/m per m: 100 to 5000 N/m
+  const auto ramp = [&slope](const Vec3& v) { return 2550 + slope.dot(v); };
+  MaterialFields fields;
+  fields.stiffness_N_per_m = sampled(mesh, ramp);
+  const auto scene = build(mesh, {}, fields).scene;
+  const double d = 2e-3;
+  for (const double K : { 500.0, 1000.0, 4000.0, 1e4 })
+  {
+    ContactPlan plan;
+    plan.coupling_N_per_m = K;
+    Finger finger(scene, plan);
+    test::Random random(test::testSeed(127));
+    for (std::size_t i = 0; i < test::testCount(300); ++i)
+    {
+      const Vec3 p(random.uniform(-0.09, 0.09), random.uniform(-0.09, 0.09), -d);
+      const Vec3 soft = ramp(p) * d * Vec3::UnitZ() - 0.5 * d * d * slope; // -grad of k d^2 / 2
+      const Vec3 force = ramp(p) < K ? soft : Vec3(0, 0, K * d);
+      EXPECT_NEAR((K * finger.restingAt(p) - force).norm(), 0.0, 1e-12 * K) << K << ", " << p.transpose();
+    }
   }
 }
 
@@ -125,16 +150,17 @@ TEST(Materials, FrictionFromDataBreaksAwayAtTheConeOfThePlaceTouched)
 TEST(Materials, TextureOfASlopeIsFeltAsTheForceOfItsPotential)
 {
   const TriangleMesh mesh = sheet(10, 113);
-  const Vec3 slope(0.02, -0.015, 0); // at most 3.5 mm high: never above the finger
+  const Vec3 slope(0.02, -0.015, 0);                    // hollows of 7 mm at most: never below the finger
+  const double highest = slope.dot(Vec3(0.1, -0.1, 0)); // a corner of the sheet
   MaterialFields fields;
   fields.height_u = sampled(mesh, [&slope](const Vec3& v) { return slope.dot(v); });
   Finger finger(build(mesh, {}, fields).scene);
   test::Random random(test::testSeed(114));
-  const double d = 5e-3;
+  const double d = 8e-3;
   for (std::size_t i = 0; i < test::testCount(300); ++i)
   {
     const Vec3 p(random.uniform(-0.09, 0.09), random.uniform(-0.09, 0.09), -d);
-    const double deep = d + slope.dot(p); // V = K deep^2 / 2, F = -grad V
+    const double deep = d + slope.dot(p) - highest; // V = K deep^2 / 2, F = -grad V
     EXPECT_NEAR((finger.restingAt(p) - deep * (Vec3::UnitZ() - slope)).norm(), 0.0, 1e-12);
   }
 }
@@ -165,23 +191,166 @@ TEST(Materials, AClosedWayOverTextureAndChangingStiffnessTakesNoWork)
   EXPECT_LT(std::abs(work), 1e-3 * 0.5 * K * d * d); // the trapezium's own error at this step
 }
 
+/// What a hand gets [J] out of a closed way of straight parts: the trapezium is exact where the force changes linearly,
+/// as it does over hollows of one slope between the places where it begins and ends.
+double workOf(Finger& finger, double stiffness_N_per_m, const std::vector<Vec3>& corners_W, int stepsPerPart)
+{
+  static_cast<void>(finger.to(corners_W[0]));
+  Vec3 before = finger.to(corners_W[0]).pull_W;
+  double work = 0.0;
+  for (std::size_t part = 0; part < corners_W.size(); ++part)
+  {
+    const Vec3 &from = corners_W[part], &to = corners_W[(part + 1) % corners_W.size()];
+    for (int i = 1; i <= stepsPerPart; ++i)
+    {
+      const Vec3 pull = finger.to(from + (to - from) * i / stepsPerPart).pull_W;
+      work += 0.5 * stiffness_N_per_m * (pull + before).dot(to - from) / stepsPerPart;
+      before = pull;
+    }
+  }
+  return work;
+}
+
+TEST(Materials, AHandThatTouchesATextureAndLeavesItAtAnotherHeightGetsNoWork)
+{
+  const TriangleMesh mesh = sheet(10, 123, 0.0);
+  const double slope = 1.0 / 32, unit = 1.0 / 1024, K = 1000.0; // every kink is a sample: hollows end at multiples
+  for (const double offset : { 0.0, 4 * unit, -8 * unit })      // a height counts from the highest place
+  {
+    MaterialFields fields;
+    fields.height_u = sampled(mesh, [=](const Vec3& v) { return slope * v.x() + offset; });
+    const auto scene = build(mesh, {}, fields).scene;
+    for (const double depth : { 4 * unit, 8 * unit }) // less and more than the deepest hollow on the way
+    {
+      const double x = 0.0625; // hollows from x on: slope (0.1 -+ x)
+      const std::vector<Vec3> way = { { x, 0, unit }, { x, 0, -depth }, { -x, 0, -depth }, { -x, 0, unit } };
+      const std::vector<Vec3> back(way.rbegin(), way.rend());
+      for (const std::vector<Vec3>& corners_W : { way, back })
+      {
+        Finger finger(scene);
+        // Where a step straddles the end of a hollow the trapezium is wrong by K step^2 / 2 at most, on three parts.
+        const int steps = 8192;
+        const double rounded = 2 * K * std::pow((depth + unit) / steps, 2);
+        EXPECT_NEAR(workOf(finger, K, corners_W, steps), 0.0, rounded) << offset << ", " << depth;
+      }
+    }
+  }
+}
+
+TEST(Materials, AClosedWayInBelowTheCouplingsStiffnessAndOutBeyondItTakesNoWork)
+{
+  const TriangleMesh mesh = sheet(3, 128);
+  const double slope = 24500, K = 1000.0, d = 2e-3, x = 0.09;
+  MaterialFields fields;
+  fields.stiffness_N_per_m = sampled(mesh, [=](const Vec3& v) { return 2550 + slope * v.x(); });
+  ContactPlan plan;
+  plan.coupling_N_per_m = K;
+  Finger finger(build(mesh, {}, fields).scene, plan);
+  const int steps = 8192;
+  // Where the coupling's stiffness is reached the force along the way ends within a step.
+  const double jump = 0.5 * d * d * slope * 2 * x / steps, landing = 2 * K * std::pow(2 * d / steps, 2);
+  const double work = workOf(finger, K, { { -x, 0.01, d }, { -x, 0.01, -d }, { x, 0.01, -d }, { x, 0.01, d } }, steps);
+  EXPECT_NEAR(work, 0.0, 0.5 * jump + landing);
+}
+
+TEST(Materials, ATextureIsMetWithoutAStepAtTheSurfaceWhereverItIsTouched)
+{
+  const TriangleMesh mesh = sheet(10, 124);
+  MaterialFields fields;
+  fields.height_u = sampled(mesh, [](const Vec3& v) { return 5e-3 * std::cos(60 * v.x()) * std::cos(50 * v.y()); });
+  const auto scene = build(mesh, {}, fields).scene;
+  test::Random random(test::testSeed(125));
+  for (std::size_t i = 0; i < test::testCount(200); ++i)
+  {
+    const Vec3 at(random.uniform(-0.09, 0.09), random.uniform(-0.09, 0.09), 0.0);
+    Finger finger(scene);
+    static_cast<void>(finger.to(at + Vec3(0, 0, 1e-6)));
+    EXPECT_LT(finger.to(at - Vec3(0, 0, 1e-6)).pull_W.norm(), 2e-6); // slopes are below 1
+  }
+}
+
+constexpr double ridge = 1e-3, rib = 0.02; // ribs along y, at even centimetres
+
+/// Ribs on cells of 10 mm: the mesh can say no finer.
+std::shared_ptr<const Scene> ribs()
+{
+  const TriangleMesh mesh = sheet(20, 116, 0.0);
+  MaterialFields fields;
+  fields.height_u = sampled(mesh, [](const Vec3& v) { return std::lround(v.x() / 0.01) % 2 == 0 ? ridge : 0.0; });
+  return build(mesh, {}, fields).scene;
+}
+
 TEST(Materials, AHandThatIsTooFastForATextureFeelsItsMean)
 {
-  const TriangleMesh mesh = sheet(20, 116, 0.0); // cells of 10 mm: periods of 20 mm
-  MaterialFields fields;
-  fields.height_u = sampled(mesh, [](const Vec3& v) { return std::lround(v.x() / 0.01) % 2 == 0 ? 1e-3 : 0.0; });
-  const double d = 2e-3, period = 0.02, mean = 0.5e-3, ridge = 1e-3;
-  const auto liftAt = [&](double ticksAPeriod)
+  const double d = 2e-3, mean = 0.5 * ridge;
+  const auto hollowAt = [&](double ticksAPeriod)
   {
-    Finger finger(build(mesh, {}, fields).scene);
-    static_cast<void>(finger.to({ -period / ticksAPeriod, 0.001, -d }));
-    return finger.to({ 0.0, 0.001, -d }).pull_W.z() - d;
+    Finger finger(ribs());
+    static_cast<void>(finger.to({ -2 * rib / ticksAPeriod, 0.001, 1e-3 })); // in the air
+    static_cast<void>(finger.to({ -rib / ticksAPeriod, 0.001, -d }));
+    return d - finger.to({ 0.0, 0.001, -d }).pull_W.z();
   };
-  EXPECT_NEAR(liftAt(200.0), ridge, 1e-12);
-  EXPECT_NEAR(liftAt(10.0), ridge, 1e-12);
-  EXPECT_NEAR(liftAt(8.0), mean + (8.0 / 5.0 - 1.0) * (ridge - mean), 1e-12);
-  EXPECT_NEAR(liftAt(5.0), mean, 1e-12);
-  EXPECT_NEAR(liftAt(2.0), mean, 1e-12);
+  const auto faded = [&](double share) { return (1.0 - share) * (ridge - mean); }; // on a ridge
+  EXPECT_NEAR(hollowAt(200.0), 0.0, 1e-12);
+  EXPECT_NEAR(hollowAt(10.0), 0.0, 1e-12);
+  EXPECT_NEAR(hollowAt(8.0), faded(8.0 / 5.0 - 1.0), 1e-12);
+  EXPECT_NEAR(hollowAt(5.0), faded(0.0), 1e-12);
+  EXPECT_NEAR(hollowAt(2.0), faded(0.0), 1e-12);
+}
+
+TEST(Materials, ATextureFadesOnItsHillsAndReturnsInItsHollows)
+{
+  const double d = 2e-3, y = 0.001;
+  Finger finger(ribs());
+  const auto hollowAt = [&](double x) { return (d - finger.to({ x, y, -d }).pull_W.z()) / ridge; };
+  static_cast<void>(finger.restingAt({ 0.01, y, -d }));
+  EXPECT_NEAR(hollowAt(0.0125), 0.75, 1e-9); // fast, but lower than the mean: as it is
+  EXPECT_NEAR(hollowAt(0.0225), 0.5, 1e-9);  // on a hill: faded
+  EXPECT_NEAR(hollowAt(0.0225), 0.5, 1e-9);  // and at rest there it stays so
+  for (int i = 1; i <= 11; ++i)
+  {
+    const double x = 0.0225 + i * 5e-4, there = (x - 0.02) / 0.01; // slowly down the other side
+    EXPECT_NEAR(hollowAt(x), std::max(0.5, there), 1e-9);
+  }
+  for (int i = 1; i <= 16; ++i)
+  {
+    const double x = 0.028 - i * 5e-4; // and up again: all of it
+    EXPECT_NEAR(hollowAt(x), (x - 0.02) / 0.01, 1e-9);
+  }
+}
+
+/// Work [J] of forces in the middle of steps: exact where they change linearly over a step.
+double middlesWork(Finger& finger, double stiffness_N_per_m, const Vec3& from, const Vec3& to, int steps)
+{
+  double work = 0.0;
+  const Vec3 step = (to - from) / steps;
+  for (int i = 0; i < steps; ++i)
+  {
+    work += stiffness_N_per_m * finger.to(from + (i + 0.5) * step).pull_W.dot(step);
+  }
+  return work;
+}
+
+TEST(Materials, AHandThatEntersAndLeavesATextureSlowlyAndStrokesItFastIsNotPaid)
+{
+  const double d = 2e-3, K = 1000.0, y = 0.001;
+  const int slowly = 4000;                      // steps of 1 um: every kink of a full or faded texture is an end of one
+  for (const int ticksAPeriod : { 4, 8, 4000 }) // not felt, faded, felt
+  {
+    for (const auto& [in, out] : { std::pair(0.01, 0.04), std::pair(0.02, 0.05), std::pair(0.01, 0.05) })
+    {
+      Finger finger(ribs());
+      const int ticks = static_cast<int>(std::lround((out - in) / rib * ticksAPeriod));
+      const double work = middlesWork(finger, K, { in, y, d }, { in, y, -d }, slowly) +
+                          middlesWork(finger, K, { in, y, -d }, { out, y, -d }, ticks) +
+                          middlesWork(finger, K, { out, y, -d }, { out, y, d }, slowly);
+      EXPECT_LT(work, 1e-8) << in << " to " << out << ", " << ticksAPeriod; // of 1.5e-3 J where the speed alone decides
+      if (ticksAPeriod == 4000)
+      {
+        EXPECT_NEAR(work, 0.0, 1e-8) << in << " to " << out;
+      }
+    }
+  }
 }
 
 TEST(Materials, ThePeriodOfATextureIsTheLengthOfItsWaveHoweverFineTheMesh)
@@ -194,6 +363,8 @@ TEST(Materials, ThePeriodOfATextureIsTheLengthOfItsWaveHoweverFineTheMesh)
       mesh, sampled(mesh, [=](const Vec3& v) { return 1e-3 + 4e-4 * std::sin(2 * std::numbers::pi * v.x() / wave); }));
     EXPECT_NEAR(scale.period_u, wave, 0.01 * wave);
     EXPECT_NEAR(scale.mean_u, 1e-3, 1e-6);
+    const double besideCrest = std::numbers::pi * 0.2 / cells / wave; // half a cell, as a phase
+    EXPECT_NEAR(scale.largest_u, 1.4e-3, 4e-4 * (1.0 - std::cos(besideCrest)));
   }
   const TriangleMesh mesh = sheet(4, 120);
   EXPECT_EQ(measureTexture(mesh, sampled(mesh, [](const Vec3&) { return 2e-3; })).period_u,
@@ -270,8 +441,9 @@ TEST(Materials, ValuesThatCannotBeUsedFallBackToTheSurfacesOwnAndAreCounted)
   fields.stiffness_N_per_m = sampled(mesh, [](const Vec3&) { return 500.0; });
   fields.stiffness_N_per_m[0] = nan;
   fields.stiffness_N_per_m[1] = -1.5;
-  fields.height_u = sampled(mesh, [](const Vec3&) { return 0.0; });
+  fields.height_u = sampled(mesh, [](const Vec3& v) { return -1.0 + 0.1 * v.x(); });
   fields.height_u[2] = std::numeric_limits<double>::infinity();
+  const double highest = *std::max_element(fields.height_u.begin() + 3, fields.height_u.end());
   Material own;
   own.stiffness_N_per_m = 750.0;
   const SceneBuildResult built = build(mesh, own, fields);
@@ -281,6 +453,9 @@ TEST(Materials, ValuesThatCannotBeUsedFallBackToTheSurfacesOwnAndAreCounted)
   {
     EXPECT_TRUE(value == 500.0 || value == 750.0);
   }
+  const MaterialFields& felt = *built.scene->surfaces()[0].fields;
+  EXPECT_EQ(felt.texture.largest_u, highest);
+  EXPECT_GE(std::count(felt.height_u.begin(), felt.height_u.end(), highest), 2); // no hollow where there is no height
 }
 
 TEST(Materials, ArraysOfTheWrongLengthAndFrictionOutOfRangeAreRefusedInOneSentence)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -26,26 +27,38 @@ TriangleMesh plate(std::uint64_t seed)
   return test::makeSheet({ 0.4, 0.4, 12, 12, 0.3 }, random);
 }
 
-ContactPlan ball(double radius)
+struct Ball
 {
-  ContactPlan plan;
-  plan.radius_u = radius;
-  return plan;
+  double radius;
+  FrictionPlan friction = {};
+};
+
+void PrintTo(const Ball& ball, std::ostream* out)
+{
+  *out << "r=" << ball.radius << " mu=" << ball.friction.statical << ',' << ball.friction.kinetic;
 }
 
-class MovingSurfaces : public testing::TestWithParam<double>
+class MovingSurfaces : public testing::TestWithParam<Ball>
 {
+protected:
+  [[nodiscard]] static ContactPlan plan()
+  {
+    ContactPlan plan;
+    plan.radius_u = GetParam().radius;
+    plan.friction = GetParam().friction;
+    return plan;
+  }
 };
 
 TEST_P(MovingSurfaces, APlatformThatComesAtAHandCarriesTheProxyBeforeIt)
 {
-  const double radius = GetParam();
+  const double radius = GetParam().radius;
   for (const double speed : { 0.01, 0.5, 5.0, -0.5, -5.0 })
   {
     Stage stage;
     const double start = speed > 0 ? -0.02 : 0.02;
     stage.add(plate(101), [&](double t) { return Pose{ { 0, 0, start + speed * t }, Quat::Identity() }; });
-    Actor actor(stage, ball(radius), Vec3::Zero());
+    Actor actor(stage, plan(), Vec3::Zero());
     const int ticks = std::min(400, static_cast<int>(0.05 / std::abs(speed) / T));
     const double side = speed > 0 ? 1.0 : -1.0;
     for (int i = 1; i <= ticks; ++i)
@@ -61,7 +74,7 @@ TEST_P(MovingSurfaces, APlatformThatComesAtAHandCarriesTheProxyBeforeIt)
 
 TEST_P(MovingSurfaces, PlatesThatCloseLikeScissorsPushItOutAlongTheirBisectorOrPinIt)
 {
-  const double radius = GetParam();
+  const double radius = GetParam().radius;
   // Two plates hinged on the y axis at x = -0.2, closing on a hand at the origin from +-40 degrees.
   Stage stage;
   const Vec3 hinge(-0.2, 0, 0);
@@ -76,7 +89,7 @@ TEST_P(MovingSurfaces, PlatesThatCloseLikeScissorsPushItOutAlongTheirBisectorOrP
   };
   stage.add(plate(102), blade(1.0));
   stage.add(plate(103), blade(-1.0));
-  Actor actor(stage, ball(radius), { 0.0, 0.0, 0.0 });
+  Actor actor(stage, plan(), { 0.0, 0.0, 0.0 });
   const double first = actor.inSurface(0).z(), second = actor.inSurface(1).z();
   for (int i = 0; i < 190; ++i) // to 2 degrees
   {
@@ -96,7 +109,7 @@ TEST_P(MovingSurfaces, PlatesThatCloseLikeScissorsPushItOutAlongTheirBisectorOrP
 
 TEST_P(MovingSurfaces, ATumblingShellKeepsWhatIsInItAndWhatIsOutside)
 {
-  const double radius = GetParam(), R = 0.05;
+  const double radius = GetParam().radius, R = 0.05;
   const TriangleMesh shell = test::makeIcosphere(2, R);
   double inner = R;
   for (const auto& t : shell.triangles)
@@ -115,7 +128,7 @@ TEST_P(MovingSurfaces, ATumblingShellKeepsWhatIsInItAndWhatIsOutside)
       });
     test::Random random(test::testSeed(104));
     const Vec3 start = inside ? stage.pose(0, 0.0).p : Vec3(0, 0.04, 0.3);
-    Actor actor(stage, ball(radius), start);
+    Actor actor(stage, plan(), start);
     for (std::size_t i = 0; i < test::testCount(2000); ++i)
     {
       actor.tick(0.05 * random.direction());
@@ -134,7 +147,6 @@ TEST_P(MovingSurfaces, ATumblingShellKeepsWhatIsInItAndWhatIsOutside)
 
 TEST_P(MovingSurfaces, AStillPoseIsFeltLikeTheSameMeshTurnedThere)
 {
-  const double radius = GetParam();
   test::Random random(test::testSeed(105));
   const TriangleMesh rough = test::makeIcosphere(3, 0.05);
   const Quat q(Eigen::AngleAxisd(1.1, Vec3(3, -1, 2).normalized()));
@@ -143,28 +155,26 @@ TEST_P(MovingSurfaces, AStillPoseIsFeltLikeTheSameMeshTurnedThere)
   stage.add(rough, [&](double) { return Pose{ shift, q }; });
   const auto turned = test::sceneOf(test::shifted(test::rotated(rough, q), shift));
   const Vec3 start = shift + Vec3(0, 0, 0.1);
-  Actor actor(stage, ball(radius), start);
+  Actor actor(stage, plan(), start);
   GodObjectState state;
-  static_cast<void>(moveGodObject(*turned, ball(radius), start, state));
+  static_cast<void>(moveGodObject(*turned, plan(), start, state));
   Vec3 p = start;
   for (std::size_t i = 0; i < test::testCount(1000); ++i)
   {
     p = shift + 0.047 * (p - shift + random.direction() * 3e-3).normalized(); // 3 mm deep: one place is nearest
-    const ContactResult a = actor.tick(p), b = moveGodObject(*turned, ball(radius), p, state);
+    const ContactResult a = actor.tick(p), b = moveGodObject(*turned, plan(), p, state);
     ASSERT_LE((a.proxy_W - b.proxy_W).norm(), 1e-9) << "tick " << i;
   }
 }
 
 TEST_P(MovingSurfaces, ATurntableDragsTheHandWithKineticFrictionAtAnySpeed)
 {
-  const double radius = GetParam(), d = 2e-3, mu_s = 0.5, mu_k = 0.3;
+  const double radius = GetParam().radius, d = 2e-3, mu_k = GetParam().friction.kinetic;
   for (const double speed : { 0.01, 0.3, 1.0 })
   {
     Stage stage;
     stage.add(plate(106), [&](double t) { return Pose{ { speed * t - 0.1, 0, 0 }, Quat::Identity() }; });
-    ContactPlan plan = ball(radius);
-    plan.friction = { mu_s, mu_k };
-    Actor actor(stage, plan, { 0, 0, 0.01 + radius });
+    Actor actor(stage, plan(), { 0, 0, 0.01 + radius });
     const Vec3 p(0, 0, radius - d);
     bool slips = false;
     for (int i = 1; i <= 150; ++i)
@@ -182,11 +192,13 @@ TEST_P(MovingSurfaces, ATurntableDragsTheHandWithKineticFrictionAtAnySpeed)
       }
       slips = result.friction == FrictionMotion::Slips;
     }
-    EXPECT_TRUE(slips) << speed;
+    EXPECT_EQ(slips, mu_k > 0.0) << speed;
+    EXPECT_NEAR(K * actor.state.x_W.x(), mu_k * K * d, 1e-6) << speed;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(PointAndBall, MovingSurfaces, testing::Values(0.0, 1e-3));
+INSTANTIATE_TEST_SUITE_P(PointAndBall, MovingSurfaces,
+  testing::Values(Ball{ 0.0 }, Ball{ 1e-3 }, Ball{ 0.0, { 0.5, 0.3 } }, Ball{ 1e-3, { 0.5, 0.3 } }));
 
 } // namespace
 } // namespace palpate

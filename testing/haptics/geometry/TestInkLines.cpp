@@ -124,50 +124,116 @@ TEST(InkLines, ABendAndACrossHaveNoLittleTriangles)
   EXPECT_EQ(chainsOf(linesOf(cross)).size(), 4u);
 }
 
-/// A circle drawn with a gap of so many pixels between its ends.
-LooseLines brokenRing(double gap)
+/// A drawing's lines with gaps up to so many pixels closed.
+LooseLines mended(const Bitmap& drawing, double gap)
 {
-  const double radius = 40.0, half = gap / 2 / radius;
-  Bitmap ring = draw(121, [&](double x, double y)
-    { return std::abs(std::hypot(x - 60, y - 60) - radius) <= 2 && std::abs(std::atan2(y - 60, x - 60)) >= half; });
-  thin(ring);
-  return linesOf(ring);
+  Bitmap thinned = drawing;
+  thin(thinned);
+  LooseLines lines = linesOf(thinned);
+  mendGaps(lines, drawing, { 1.0, 1.0 }, gap);
+  return lines;
 }
 
-TEST(InkLines, AGapIsClosedWhereItIsNoLongerThanAskedAndLeftWhereItIs)
+// Thinning takes half its width from each end of a stroke, which is no part of the gap.
+TEST(InkLines, AGapIsClosedUpToItsLengthInTheDrawingHoweverWideTheStrokes)
 {
-  for (const auto& [size, closed] : { std::pair(16.0, true), std::pair(7.0, false) })
+  for (const double width : { 1.0, 2.0, 3.0, 5.0, 10.0, 20.0 })
   {
-    LooseLines lines = brokenRing(10.0); // up to 2 pixels of each end go as the stroke is thinned
-    mendGaps(lines, size);
-    const std::vector<CurveChain> chains = chainsOf(lines);
+    for (const double blank : { 2.0, 6.0, 13.0, 30.0 })
+    {
+      const Bitmap drawing = draw(160, [&](double x, double y)
+        { return x >= 10 && x < 150 && y >= 60 && y < 60 + width && !(x >= 70 && x < 70 + blank); });
+      EXPECT_EQ(chainsOf(mended(drawing, blank)).size(), 1u) << width << " wide, blank " << blank;
+      EXPECT_EQ(chainsOf(mended(drawing, 0.99 * blank)).size(), 2u) << width << " wide, blank " << blank;
+    }
+  }
+}
+
+// The nearest pixels of two round ends are off from them by less than a pixel each.
+TEST(InkLines, AGapBetweenRoundEndsInAnyDirectionIsClosedUpToItsLength)
+{
+  for (const double degrees : { 0.0, 17.0, 30.0, 45.0, 80.0 })
+  {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    for (const double width : { 3.0, 8.0, 16.0 })
+    {
+      for (const double blank : { 4.0, 9.0, 20.0 })
+      {
+        const Bitmap drawing = draw(220,
+          [&](double x, double y)
+          {
+            const double along = std::cos(angle) * (x - 110) + std::sin(angle) * (y - 110);
+            const double aside = std::cos(angle) * (y - 110) - std::sin(angle) * (x - 110);
+            const double past =
+              std::max({ std::abs(along) - 90, blank / 2 + width / 2 - std::abs(along), 0.0 }); // the end's middle
+            return std::hypot(past, aside) <= width / 2;
+          });
+        EXPECT_EQ(chainsOf(mended(drawing, blank + 1.5)).size(), 1u) << degrees << " " << width << " " << blank;
+        EXPECT_EQ(chainsOf(mended(drawing, blank - 1.5)).size(), 2u) << degrees << " " << width << " " << blank;
+      }
+    }
+  }
+}
+
+TEST(InkLines, AGapIsMeasuredInSpaceWherePixelsAreOblong)
+{
+  // 3 blank columns of 0.7 units and 3 blank rows of 0.1: 3 * 0.1 is not 0.3 in binary
+  for (const bool across : { false, true })
+  {
+    Bitmap drawing = draw(60, [&](double x, double y)
+      { return std::abs((across ? x : y) - 30) <= 2 && !((across ? y : x) > 28 && (across ? y : x) < 32); });
+    const double blank_u = across ? 0.3 : 2.1;
+    for (const auto& [gap_u, chains] : { std::pair(blank_u, 1u), std::pair(0.99 * blank_u, 2u) })
+    {
+      Bitmap thinned = drawing;
+      thin(thinned);
+      LooseLines lines = linesOf(thinned);
+      mendGaps(lines, drawing, { 0.7, 0.1 }, gap_u);
+      EXPECT_EQ(chainsOf(lines).size(), chains) << across << " " << gap_u;
+    }
+  }
+}
+
+TEST(InkLines, ABrokenRingIsClosedWhereItsGapIsNoLongerThanAskedAndLeftWhereItIs)
+{
+  const double radius = 40.0, half = 5.0 / radius; // a blank of 10 along the middle, of 9.5 along the inner rim
+  const Bitmap ring = draw(121, [&](double x, double y)
+    { return std::abs(std::hypot(x - 60, y - 60) - radius) <= 2 && std::abs(std::atan2(y - 60, x - 60)) >= half; });
+  for (const auto& [size, closed] : { std::pair(11.0, true), std::pair(8.0, false) })
+  {
+    const std::vector<CurveChain> chains = chainsOf(mended(ring, size));
     ASSERT_EQ(chains.size(), 1u);
     EXPECT_EQ(chains[0].closed(), closed) << size;
   }
 }
 
-TEST(InkLines, AnEndIsJoinedToTheSideOfAnotherLineAndAHookIsLeftOut)
+// A wall 9 wide, and a stroke 5 wide that ends 6 above it.
+TEST(InkLines, AnEndIsJoinedStraightToTheSideOfAnotherStroke)
 {
-  // A wall of points along x with a hook of length 2, and a line that ends 3 above the wall.
-  LooseLines lines;
-  for (std::uint32_t i = 0; i <= 20; ++i)
+  const Bitmap drawing = draw(80, [](double x, double y)
+    { return (std::abs(y - 60) <= 4 && x >= 5 && x <= 75) || (std::abs(x - 40) <= 2 && y >= 5 && y < 50); });
+  EXPECT_EQ(chainsOf(mended(drawing, 5.9)).size(), 2u);
+  const LooseLines lines = mended(drawing, 6.0);
+  EXPECT_EQ(chainsOf(lines).size(), 3u); // both halves of the wall and the stroke between them
+  const auto& [end, foot] = lines.segments.back();
+  EXPECT_NEAR(lines.points_W[foot].x(), 40.0, 1.0);
+  EXPECT_NEAR(lines.points_W[foot].y(), 60.0, 1.0);
+  EXPECT_NEAR(lines.points_W[end].x(), 40.0, 1.0);
+}
+
+// Between a wall and what branches from it there is a corner and no gap, however short the branch.
+TEST(InkLines, ABranchIsNotJoinedToTheWallItBranchesFromAndAHookIsLeftOut)
+{
+  for (const double length : { 10.0, 12.0, 20.0, 30.0 })
   {
-    lines.points_W.emplace_back(i, 0.0, 0.0);
-    if (i > 0)
-    {
-      lines.segments.push_back({ i - 1, i });
-    }
+    const Bitmap drawing = draw(100,
+      [&](double x, double y) {
+        return (std::abs(y - 60) <= 4 && x >= 5 && x <= 95) || (std::abs(x - 50) <= 3 && y <= 60 && y >= 56 - length);
+      });
+    // From the wall's middle the branch is 4 longer; thinning takes half the branch's width again.
+    EXPECT_EQ(chainsOf(mended(drawing, length - 2)).size(), 3u) << length;
+    EXPECT_EQ(chainsOf(mended(drawing, length + 6)).size(), 1u) << length;
   }
-  lines.points_W.insert(lines.points_W.end(), { { 5, -2, 0 }, { 12, 3, 0 }, { 12, 30, 0 } });
-  lines.segments.push_back({ 5, 21 });
-  lines.segments.push_back({ 22, 23 });
-  mendGaps(lines, 4.0);
-  const auto has = [&](std::uint32_t a, std::uint32_t b) {
-    return std::find(lines.segments.begin(), lines.segments.end(), std::array{ a, b }) != lines.segments.end();
-  };
-  EXPECT_TRUE(has(22, 12));
-  EXPECT_FALSE(has(5, 21));
-  EXPECT_EQ(chainsOf(lines).size(), 3u); // both halves of the wall and the line between them
 }
 
 } // namespace

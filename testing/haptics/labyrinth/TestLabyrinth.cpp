@@ -42,6 +42,22 @@ TEST(Labyrinth, WithoutLinesStartOrExitItSaysItsNameAndWhatIsMissing)
   EXPECT_NE(refuse(without).find("above zero"), std::string::npos);
 }
 
+TEST(Labyrinth, WhoseLinesAreAllOnePointIsNamedWithThatPointAndOneThatOnlyLacksStartOrExitCanBeExplored)
+{
+  Labyrinth world = corridor();
+  EXPECT_EQ(refuseWorld(world), "");
+  world.start_W.reset();
+  EXPECT_EQ(refuseWorld(world), "");
+  for (const auto& curves :
+    { CurveSet{ { { 1, 2 } }, { { 0, 0 } } }, CurveSet{ { { 1, 2 }, { 1, 2 } }, { { 0, 1 } } } })
+  {
+    world = corridor();
+    world.curves = curves;
+    EXPECT_EQ(refuseWorld(world), "corridor.vtp: its lines are all one point, (1, 2): a line needs two");
+    EXPECT_EQ(refuse(world), refuseWorld(world));
+  }
+}
+
 // The start is 0.5 outside of the lines on the left: the fence is 0.5 beyond it there, and on the lines elsewhere.
 TEST(Labyrinth, TheFenceIsTheBoxOfTheLinesAndAsFarBeyondTheStartAsThatIsOutside)
 {

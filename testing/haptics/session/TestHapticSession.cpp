@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -8,6 +9,7 @@
 #include "devices/FedDevice.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/support/BareDevice.h"
+#include "testing/support/Eventually.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate
@@ -16,7 +18,7 @@ namespace
 {
 
 /// Keeps the last command it got where the test can see it after the session has gone.
-class WatchedDevice final : public test::BareDevice
+class WatchedDevice : public test::BareDevice
 {
 public:
   explicit WatchedDevice(DeviceCommand& last) : BareDevice("watched", true), last_(last) {}
@@ -31,6 +33,43 @@ public:
 
 private:
   DeviceCommand& last_;
+};
+
+/// How a force went.
+struct Course
+{
+  double peak_N = 0.0;
+  double steepestFall_N_per_s = 0.0;
+};
+
+/// A force that is still there at the end, in no tick, falls at once.
+class FallingDevice final : public WatchedDevice
+{
+public:
+  FallingDevice(DeviceCommand& last, Course& course) : WatchedDevice(last), course_(course) {}
+  [[nodiscard]] DeviceStatus read(double time_s, DeviceSample& sample) noexcept override
+  {
+    this->now_s_ = time_s;
+    return WatchedDevice::read(time_s, sample);
+  }
+  void write(const DeviceCommand& command) noexcept override
+  {
+    const double force_N = command.wrench_D.force.norm();
+    this->course_.peak_N = std::max(this->course_.peak_N, force_N);
+    if (force_N < this->force_N_)
+    {
+      this->course_.steepestFall_N_per_s =
+        std::max(this->course_.steepestFall_N_per_s, (this->force_N_ - force_N) / (this->now_s_ - this->then_s_));
+    }
+    this->force_N_ = force_N;
+    this->then_s_ = this->now_s_;
+    WatchedDevice::write(command);
+  }
+
+private:
+  Course& course_;
+  double force_N_ = 0.0;
+  double now_s_ = 0.0, then_s_ = 0.0;
 };
 
 HapticParameters quickRamp()
@@ -73,6 +112,22 @@ TEST(HapticSession, OnTheWallClockTicksPlusMissedPeriodsAreThePeriodsElapsed)
   EXPECT_GT(report.ticks, 0U);
   EXPECT_EQ(report.ticks + report.missed, report.periods);
   EXPECT_EQ(last.wrench_D.force.norm(), 0.0);
+}
+
+// smoothstep over 50 ms is nowhere steeper than 3/2 of the whole in 50 ms; periods that are missed count as time.
+TEST(HapticSession, OnTheWallClockStoppingLetsGoOfAPressedHandInARampToo)
+{
+  HapticSession session;
+  session.setScene(test::sceneOf(test::makeIcosphere(3, 0.05)));
+  DeviceCommand last;
+  Course course;
+  ASSERT_EQ(session.setParameters(quickRamp()), "");
+  ASSERT_EQ(session.start(std::make_unique<FallingDevice>(last, course)), "");
+  ASSERT_TRUE(test::eventually([&] { return session.state().gain == 1.0 && session.state().force_D.norm() > 0.4; }));
+  EXPECT_EQ(session.stop(), "");
+  EXPECT_EQ(last.wrench_D.force.norm(), 0.0);
+  EXPECT_GT(course.steepestFall_N_per_s, 0.0);
+  EXPECT_LE(course.steepestFall_N_per_s, 1.5 * course.peak_N / 0.05 * (1 + 1e-9));
 }
 
 TEST(HapticSession, SurvivesScenesParametersAndEventsArrivingWhileItRuns)

@@ -114,6 +114,29 @@ TEST(HeldWallLimits, AWallThatIsPressedToItsLimitGetsTheShareOfAnotherNoFasterTh
   EXPECT_NEAR(force_N, most_N, 1e-12);
 }
 
+// What such a device gives beyond what it was told cannot be metered; the hand that it throws is seen by its speed.
+TEST(HeldWallLimits, AHandThatIsThrownFromHeldWallsFasterThanAHandCanBeIsLetGo)
+{
+  constexpr double fastest_m_per_s = 2.0, p_m = 0.02, dt_s = 1e-3;
+  Tick tick{ sceneOf(slant(0.0)) };
+  tick.parameters.safety.hand.speed_m_per_s = fastest_m_per_s;
+  static_cast<void>(tick.at(0.0, p_m));
+  for (int i = 0; i < 100; ++i)
+  {
+    ASSERT_EQ(tick.at(0.0, -p_m).state.fault, Fault::None) << i; // the jump was in free air
+  }
+  double y_m = -p_m;
+  TickOutput out;
+  do
+  {
+    y_m += 1.01 * fastest_m_per_s * dt_s;
+    ASSERT_LT(y_m, 0.0) << "while the wall still pushes";
+    out = tick.at(0.0, y_m);
+  } while (out.state.fault == Fault::None);
+  EXPECT_EQ(out.state.fault, Fault::VelocityCut);
+  EXPECT_EQ(tick.at(0.0, -p_m).command.wallCount, 0);
+}
+
 TEST(HeldWallLimits, ASampleThatIsNoNumberForgetsNeitherTheGameNorTheButtons)
 {
   Tick tick{ sceneOf(corridor(0.01)) };

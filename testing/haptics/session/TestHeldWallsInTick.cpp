@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -130,6 +131,40 @@ TEST(HeldWallsInTick, NoWallStepsIntoTheHandByMoreThanTheForceMayRise)
       last_N = force_N;
     }
     EXPECT_NEAR(force_N, K * depth_m, 1e-12) << every_s;
+  }
+}
+
+// In a tick that does not know where the hand is the device is asked for nothing, and has nothing: from there on n
+// ticks may add n times the rise of one. That 2 N are there in the end says that the hand was pressed all the time.
+TEST(HeldWallsInTick, AfterATickWithoutAHandTheForceRisesFromNothingNoFasterThanInAnyOtherTick)
+{
+  constexpr double rise_N_per_s = 20.0, depth_m = 0.01, dt_s = 1e-3;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const double every_s : { 0.0, 0.008, 0.05 })
+  {
+    for (const DeviceStatus status : { DeviceStatus::Ok, DeviceStatus::Waiting })
+    {
+      Tick tick{ sceneOf(slant(0.0)) };
+      tick.parameters.walls.every_s = every_s;
+      tick.parameters.safety.maxRise_N_per_s = rise_N_per_s;
+      static_cast<void>(tick.at(0.0, 0.01));
+      for (int n = 1; n <= 200; ++n)
+      {
+        static_cast<void>(tick.at(0.0, -depth_m, dt_s));
+      }
+      TickInput lost;
+      lost.scene = tick.scene.get();
+      lost.status = status;
+      lost.sample.pose_D.p.x() = status == DeviceStatus::Ok ? none : 0.0;
+      ASSERT_EQ(renderTick(lost, tick.parameters, tick.state).command.wallCount, 0);
+      double force_N = 0.0;
+      for (int n = 1; n <= 200; ++n)
+      {
+        force_N = tick.at(0.0, -depth_m, dt_s).state.force_D.y();
+        ASSERT_LE(force_N, rise_N_per_s * n * dt_s + 1e-12) << "every " << every_s << " s, tick " << n;
+      }
+      EXPECT_NEAR(force_N, K * depth_m, 1e-12) << "every " << every_s << " s";
+    }
   }
 }
 
@@ -373,6 +408,38 @@ TEST(HeldWallsInTick, WallsAreLeftOnlyToADeviceThatHoldsThemAndBrakesTheHand)
   }
 }
 
+/// The tick with that number among those with walls; null if there are fewer.
+TickRecord* heldTick(Recording& recording, int number)
+{
+  int held = 0;
+  for (RecordedEntry& entry : recording.entries)
+  {
+    if (auto* const tick = std::get_if<TickRecord>(&entry);
+        tick != nullptr && tick->walls.mask != 0 && ++held == number)
+    {
+      return tick;
+    }
+  }
+  return nullptr;
+}
+
+// Two walls across both axes push with largest / sqrt(2) each.
+TEST(HeldWallsInTick, ARecordingHoldsHowHardEachWallMayPush)
+{
+  Tick tick{ sceneOf(slant(std::numbers::pi / 4)) };
+  tick.parameters.walls.every_s = 0.0;
+  tick.parameters.safety.maxForce_N = 1.0;
+  static_cast<void>(tick.at(0.01, 0.01));
+  const TickInput input;
+  const TickRecord record = makeRecord(input, tick.at(-0.001, -0.001));
+  ASSERT_EQ(record.walls.mask, 0b0011);
+  for (const std::size_t k : { 0, 1 })
+  {
+    EXPECT_NEAR(record.walls.largest_N[k], std::numbers::sqrt2 / 2, 1e-15);
+    EXPECT_EQ(record.walls.largest_N[k + 2], 0.0) << "no wall";
+  }
+}
+
 TEST(HeldWallsInTick, ARecordingHoldsTheWallsAndReplaysBitForBit)
 {
   const test::TemporaryFolder folder;
@@ -390,17 +457,16 @@ TEST(HeldWallsInTick, ARecordingHoldsTheWallsAndReplaysBitForBit)
   const ReplayResult same = replay(recording);
   EXPECT_EQ(same.problem + same.difference, "");
   EXPECT_EQ(same.ticks, 500U);
-  int held = 0;
-  for (RecordedEntry& entry : recording.entries)
+  TickRecord* const held = heldTick(recording, 50);
+  ASSERT_NE(held, nullptr);
+  const std::string differs = "tick " + std::to_string(held->tick) + ": walls differs";
+  for (double* const number : { &held->walls.offset_m[0], &held->walls.largest_N[0] })
   {
-    if (auto* const tick = std::get_if<TickRecord>(&entry); tick != nullptr && tick->walls.mask != 0 && ++held == 50)
-    {
-      tick->walls.offset_m[0] = std::nextafter(tick->walls.offset_m[0], 1.0);
-      break;
-    }
+    const double was = std::exchange(*number, std::nextafter(*number, 100.0));
+    EXPECT_EQ(replay(recording).difference, differs);
+    *number = was;
   }
-  ASSERT_EQ(held, 50);
-  EXPECT_NE(replay(recording).difference.find("walls"), std::string::npos);
+  EXPECT_EQ(replay(recording).difference, "");
 }
 
 } // namespace

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The servo loop in virtual time: lateness, faults, and what it must not do.
+#include <algorithm>
 #include <optional>
 
 #include <gtest/gtest.h>
 
 #include "haptics/session/Recording.h"
 #include "haptics/session/ServoLoop.h"
+#include "haptics/session/Warning.h"
+#include "testing/haptics/session/HoldingTick.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/BareDevice.h"
 #include "testing/support/Meshes.h"
@@ -31,10 +34,18 @@ public:
     sample.pose_D.p = this->p_D;
     return this->status;
   }
-  void write(const DeviceCommand& command) noexcept override { this->force_D = command.wrench_D.force; }
+  void write(const DeviceCommand& command) noexcept override
+  {
+    const Vec3 force_D = command.wrench_D.force + forceOfWalls(command, this->p_D);
+    this->fall_N = std::max(this->fall_N, this->force_D.norm() - force_D.norm());
+    this->force_D = force_D;
+    this->wallCount = command.wallCount;
+  }
 
   Vec3 p_D = { 0, 0, 0.06 };
-  Vec3 force_D = Vec3::Zero();
+  Vec3 force_D = Vec3::Zero(); ///< of the command and of the walls it holds
+  double fall_N = 0.0;         ///< most from one tick to the next
+  int wallCount = 0;
   DeviceStatus status = DeviceStatus::Ok;
 };
 
@@ -63,12 +74,36 @@ struct Rig
   void press()
   {
     this->run(1);
-    this->device.p_D.z() = 0.0485;
+    this->device.p_D = this->pressed_D;
     this->run(200);
+  }
+
+  /// The device holds the wall y = 0.05 of a plane world instead, free where y is larger.
+  void hold()
+  {
+    HapticParameters parameters = test::holding();
+    parameters.safety = SafetyLimits{};
+    parameters.safety.engageRamp_s = 0.01;
+    this->links.parameters.write({ 2, parameters });
+    this->links.scenes.publish(test::sceneOf(CurveSet{ { { -0.04, 0.05 }, { 0.04, 0.05 } }, { { 0, 1 } } }));
+    this->device.p_D = { 0, 0.06, 0 };
+    this->pressed_D = { 0, 0.045, 0 };
+  }
+  /// Asked to stop, after a release, as a session does it. Returns the ticks until it had ended.
+  std::uint64_t stop()
+  {
+    const std::uint64_t before = this->links.state.read().tick;
+    std::stop_source source;
+    source.request_stop();
+    this->links.events.tryPush({ 0, EventKind::Release, 0 });
+    this->device.fall_N = 0.0;
+    this->loop->run(source.get_token());
+    return this->links.state.read().tick - before;
   }
 
   std::shared_ptr<const Scene> scene = test::sceneOf(test::makeIcosphere(4, 0.05));
   MovedDevice device;
+  Vec3 pressed_D = { 0, 0, 0.0485 };
   VirtualTimer timer{ period_ns };
   MonotonicClock clock;
   ServoLinks links;
@@ -124,6 +159,18 @@ TEST(ServoLoop, SteadyLatenessOfTwoMillisecondsLeavesTheStiffnessThatRateCanHold
   EXPECT_EQ(rig.links.state.read().fault, Fault::None);
   // K ~ 1 / (T / 2 + lateness): 0.5 ms of 0.5 ms + 2 ms.
   EXPECT_NEAR(rig.device.force_D.norm(), 0.5 / 2.5 * full, 1e-11);
+  EXPECT_EQ(warning(rig.links.state.read(), rig.links.report.read()),
+    "the servo is late by 2.0 ms (99th percentile): stiffness limited to 20 %; close other programs or grant real-time "
+    "priority");
+}
+
+TEST(ServoLoop, LatenessThatCostsNoStiffnessIsNoWarning)
+{
+  Rig rig(false);
+  rig.press();
+  rig.run(3000, period_ns / 2);
+  EXPECT_EQ(rig.links.state.read().stiffnessFactor, 1.0);
+  EXPECT_EQ(warning(rig.links.state.read(), rig.links.report.read()), "");
 }
 
 TEST(ServoLoop, SteadyLatenessAboveFiveMillisecondsDropsTheForce)
@@ -155,6 +202,50 @@ TEST(ServoLoop, TheEndLeavesTheDeviceWithoutForce)
   rig.loop->finish();
   EXPECT_EQ(rig.device.force_D.norm(), 0.0);
   EXPECT_TRUE(rig.links.report.read().ended);
+}
+
+// The gain falls by dt / 50 ms a tick, and smoothstep is nowhere steeper than 3/2.
+TEST(ServoLoop, WhoIsPushedWhenItIsToStopIsLetGoAsSlowlyAsByARelease)
+{
+  Rig rig(false);
+  rig.press();
+  const double full_N = rig.device.force_D.norm();
+  ASSERT_GT(full_N, 0.7);
+  EXPECT_NEAR(static_cast<double>(rig.stop()), 50.0, 2.0);
+  EXPECT_LE(rig.device.fall_N, 1.5 * full_N / 50 + 1e-12);
+  EXPECT_EQ(rig.device.force_D.norm(), 0.0);
+}
+
+TEST(ServoLoop, WallsThatADeviceHoldsAreTakenFromTheHandAsSlowlyWhenItIsToStop)
+{
+  Rig rig(false);
+  rig.hold();
+  rig.press();
+  ASSERT_EQ(rig.device.wallCount, 1);
+  const double full_N = rig.device.force_D.norm();
+  ASSERT_GT(full_N, 0.7);
+  EXPECT_NEAR(static_cast<double>(rig.stop()), 50.0, 2.0);
+  EXPECT_LE(rig.device.fall_N, 1.5 * full_N / 50 + 1e-12);
+  EXPECT_EQ(rig.device.wallCount, 0);
+}
+
+TEST(ServoLoop, WhoIsNotPushedWhenItIsToStopIsNotWaitedFor)
+{
+  Rig rig(false);
+  rig.run(200);
+  EXPECT_EQ(rig.stop(), 0U);
+}
+
+TEST(ServoLoop, AForceThatDoesNotGoEndsTheLoopAllTheSame)
+{
+  Rig rig(false);
+  HapticParameters parameters;
+  parameters.safety.needsEngage = false;
+  rig.links.parameters.write({ 2, parameters });
+  rig.press();
+  ASSERT_GT(rig.device.force_D.norm(), 0.7);
+  EXPECT_LE(rig.stop(), 60U);
+  EXPECT_EQ(rig.device.force_D.norm(), 0.0);
 }
 
 TEST(ServoLoop, AScenePublishedTwiceAndAFaultAreInTheRecordingAndItReplays)

@@ -148,6 +148,28 @@ TEST(Tick, ALostDeviceLatchesUntilThePersonEngagesAgain)
   EXPECT_EQ(renderTick(again, parameters, state).state.engage, EngageState::Engaged);
 }
 
+// Where a sample says the hand is before anybody knows is nowhere: one that appears above is not held below.
+TEST(Tick, BeforeAnybodySaidWhereTheHandIsThereIsNoForceAndNoProxy)
+{
+  const auto scene = floorScene();
+  HapticParameters parameters;
+  RendererState state;
+  for (std::uint64_t tick = 1; tick <= 4; ++tick)
+  {
+    TickInput waiting = inputAt({ 0, 0, -0.01 }, scene.get(), tick);
+    waiting.status = DeviceStatus::Waiting;
+    const TickOutput out = renderTick(waiting, parameters, state);
+    EXPECT_EQ(out.state.fault, Fault::NoHand);
+    EXPECT_EQ(out.command.wrench_D.force, Vec3(0, 0, 0));
+    EXPECT_FALSE(state.contact.placed);
+  }
+  const Vec3 hand(0, 0, 0.03);
+  const TickOutput out = renderTick(inputAt(hand, scene.get(), 5), parameters, state);
+  EXPECT_EQ(out.state.fault, Fault::None);
+  EXPECT_EQ(out.state.proxy_W.p, hand);
+  EXPECT_EQ(out.command.wrench_D.force, Vec3(0, 0, 0));
+}
+
 TEST(Tick, WithoutASceneTheForceRampsOutIn50Milliseconds)
 {
   const auto scene = floorScene();

@@ -16,7 +16,7 @@ namespace palpate::lab
 namespace
 {
 
-using Field = std::function<double(double, double)>;
+using Field = PixelField;
 using Curves = std::vector<std::vector<Vec3>>;
 
 constexpr const char* ours = "image curves";
@@ -130,6 +130,61 @@ void judgeSimplified(ImageContour contour, double radius, int places, Table& tab
   table.atMost({ name, ours, "points over the fewest possible" }, felt.points / (places * fewest), 2.5);
 }
 
+/// Squares of a grid, each of another label than its neighbours: the same borders for 2 labels and for 160.
+Field squaresOf(int labels)
+{
+  constexpr int side = 32;
+  return [labels](double x, double y)
+  { return static_cast<double>((7 * (static_cast<int>(x) / side) + 13 * (static_cast<int>(y) / side)) % labels); };
+}
+
+Field waves()
+{
+  return [](double x, double y) { return std::sin(x / 20) * std::sin(y / 20); };
+}
+
+/// Strokes of 6 pixels every 32, along both axes.
+Field strokes()
+{
+  return [](double x, double y) { return std::fmod(x, 32) < 6 || std::fmod(y, 32) < 6 ? 0.0 : 1.0; };
+}
+
+/// A row for what one run costs, judged by another of the same machine and minute.
+void judgeCost(
+  const std::string& name, const char* limit, double allowed, const Cost& cost, const Cost& other, Table& table)
+{
+  table.within({ name, ours, limit }, cost.p50_us <= allowed * other.p50_us, 1.0, 0.0).cost = cost;
+}
+
+/// Every pixel is looked at once, whatever the image is: so the cost is that of the pixels and of the lines among them,
+/// and the work says how far it is.
+void judgeRuns(ImageRunner runner, int size, Table& table)
+{
+  constexpr int fewerPixels = 4; // along each side
+  constexpr double notMoreThan = 2.0, longestStep = 0.15;
+  const std::pair<const char*, std::pair<ImageKind, Field>> runs[] = { { "contour", { ImageKind::Contour, waves() } },
+    { "labels", { ImageKind::Labels, squaresOf(160) } }, { "drawing", { ImageKind::Drawing, strokes() } } };
+  for (const auto& [kind, image] : runs)
+  {
+    const std::string name = caseName({ { "pixels", static_cast<double>(size) } }) + " " + kind;
+    const ImageRun large = runner(image.first, size, image.second);
+    const ImageRun small = runner(image.first, size / fewerPixels, image.second);
+    judgeCost(name, "within twice the cost of 16 images of a sixteenth", notMoreThan * fewerPixels * fewerPixels,
+      large.cost, small.cost, table);
+    table.atMost({ name, ours, "longest step of progress" }, large.longestStep, longestStep);
+  }
+}
+
+/// A walk for each label would cost 80 times as much.
+void judgeLabels(ImageRunner runner, int size, Table& table)
+{
+  constexpr double notMoreThan = 2.0;
+  const auto costOf = [&](int labels) { return runner(ImageKind::Labels, size, squaresOf(labels)).cost; };
+  const auto [many, few] = test::costsInTurn([&] { return costOf(160); }, [&] { return costOf(2); });
+  const std::string name = caseName({ { "pixels", static_cast<double>(size) }, { "labels", 160.0 } });
+  judgeCost(name, "within twice the cost of 2 labels", notMoreThan, many, few, table);
+}
+
 } // namespace
 
 void runImageCurves(const Conditions& conditions, Table& table)
@@ -149,7 +204,13 @@ void runImageCurves(const Conditions& conditions, Table& table)
       table.absent({ name, ours, "error of points", "h" });
     }
     table.atLeast({ name, stairs, "error of lines", "h" }, worst(radius, places, pixelEdges).chord_u, 0.5);
-    conditions.progress(radius / 200.0);
+    conditions.progress(radius / 400.0);
+  }
+  if (const ImageRunner runner = imageRunner())
+  {
+    judgeRuns(runner, conditions.pick(1024, 4096, 4096), table);
+    judgeLabels(runner, conditions.pick(512, 1024, 4096), table);
+    conditions.progress(1.0);
   }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Row 27 for surfaces that change along the way, and what is felt of data at all: stiffness and texture given at the
-// vertices, beside a wall in series with the coupling, a stiffness without a slope, a turned normal, and two other
-// limits of a texture's speed.
+// vertices, beside a wall in series with the coupling, a stiffness cut off at the vertices, one without a slope, a
+// turned normal, a texture that stands out of the surface that is met, and three other limits of a texture's speed.
 //
-// The truth is the energy V = k(x) (d + h(x))^2 / 2 of a wall that is pressed d deep: its force is -grad V, and no
-// closed way does work. K = 1000 N/m; scenes in metres.
+// The truth is the energy V = k(x) max(0, d - c(x))^2 / 2 of a wall that is pressed d deep over hollows c: its force is
+// -grad V, and no closed way does work. K = 1000 N/m; scenes in metres.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -42,11 +42,12 @@ double bump(double x)
   return 0.5 * bump_m * (1.0 - std::cos(2 * pi * x / wave_m));
 }
 
-/// A strip along x, cells of 0.1 mm, with values at its vertices.
-std::shared_ptr<const Scene> strip(const Conditions& conditions, const Field& stiffness, const Field& height)
+/// A strip along x with values at its vertices.
+std::shared_ptr<const Scene> strip(
+  const Conditions& conditions, const Field& stiffness, const Field& height, double side_m = cell_m)
 {
   test::Random random(conditions.seed);
-  const auto cells = [](double side_m) { return static_cast<int>(std::lround(side_m / cell_m)); };
+  const auto cells = [side_m](double way_m) { return std::max(1, static_cast<int>(std::lround(way_m / side_m))); };
   auto mesh = std::make_shared<TriangleMesh>(
     test::makeSheet({ length_m, width_m, cells(length_m), cells(width_m), 0.0 }, random));
   auto fields = std::make_shared<MaterialFields>();
@@ -89,14 +90,44 @@ void feltStiffness(const Conditions& conditions, Table& table)
   table.atLeast({ name, "in series with the coupling", "error of the felt stiffness" }, wrongInSeries, 0.45);
 }
 
+/// Two cells along the strip, so that the data are beyond the coupling's stiffness at two of three vertices.
+void rampBeyond(const Conditions& conditions, Table& table)
+{
+  constexpr double least = 100.0, slope = 4900.0 / length_m;
+  const auto ramp = [](double x) { return least + slope * (x + 0.5 * length_m); };
+  const auto cutOff = [](double x)
+  { return x < 0.0 ? least + (K - least) * (x / (0.5 * length_m) + 1.0) : K; }; // between the vertices: linear
+  test::Probe probe = above(strip(conditions, ramp, nullptr, 0.5 * length_m), 0.0);
+  test::Random random(conditions.seed);
+  double wrong_N = 0.0, wrongCutOff = 0.0;
+  for (int i = 0; i < conditions.pick(200, 2000, 20000); ++i)
+  {
+    const double x = random.uniform(-0.49, 0.49) * length_m, d = random.uniform(1e-4, 2e-3);
+    const bool soft = ramp(x) < K;
+    const Vec3 truth_N(soft ? -0.5 * d * d * slope : 0.0, 0, std::min(K, ramp(x)) * d);
+    wrong_N = std::max(wrong_N, (K * probe.to({ x, 0, -d }).pull_W - truth_N).norm());
+    wrongCutOff = std::max(wrongCutOff, 1.0 - cutOff(x) / std::min(K, ramp(x)));
+  }
+  const std::string name = "wall=100..5000 N/m";
+  table.atMost({ name, ours, "error of the force", "N" }, wrong_N, 1e-9);
+  table.atLeast({ name, "cut off at the vertices", "error of the felt stiffness" }, wrongCutOff, 0.45);
+}
+
 constexpr double shallow_m = 5e-4, deep_m = 2e-3;
+
+/// Between which depths a loop goes; below 0 is air.
+struct Depths
+{
+  double least_m = shallow_m, most_m = deep_m;
+};
 
 /// In at `from`, along to `to`, out there, and back: the force in the middle of each step times the step, which is
 /// exact where the force is linear over it.
 template<class ForceAt>
-double loopWork_J(double from, double to, int stepsPerSide, ForceAt forceAt)
+double loopWork_J(double from, double to, int stepsPerSide, ForceAt forceAt, const Depths& depths = {})
 {
-  const Vec3 corners_W[] = { { from, 0, -shallow_m }, { from, 0, -deep_m }, { to, 0, -deep_m }, { to, 0, -shallow_m } };
+  const Vec3 corners_W[] = { { from, 0, -depths.least_m }, { from, 0, -depths.most_m }, { to, 0, -depths.most_m },
+    { to, 0, -depths.least_m } };
   double work_J = 0.0;
   for (int side = 0; side < 4; ++side)
   {
@@ -109,11 +140,13 @@ double loopWork_J(double from, double to, int stepsPerSide, ForceAt forceAt)
   return work_J;
 }
 
-double ourWork_J(const std::shared_ptr<const Scene>& scene, double from, double to, int stepsPerSide)
+double ourWork_J(
+  const std::shared_ptr<const Scene>& scene, double from, double to, int stepsPerSide, const Depths& depths = {})
 {
   test::Probe probe = above(scene, from);
-  (void)probe.along({ from, 0, -shallow_m }, 100);
-  return loopWork_J(from, to, stepsPerSide, [&probe](const Vec3& p_W) { return K * probe.to(p_W).pull_W; });
+  (void)probe.along({ from, 0, -depths.least_m }, 100);
+  return loopWork_J(
+    from, to, stepsPerSide, [&probe](const Vec3& p_W) -> Vec3 { return K * probe.to(p_W).pull_W; }, depths);
 }
 
 void closedWays(const Conditions& conditions, Table& table)
@@ -146,6 +179,71 @@ void closedWays(const Conditions& conditions, Table& table)
   table.atLeast({ waves, "turned normal", "energy a hand is given in a loop", "J" }, turned_J, 0.5 * truth_J);
 }
 
+/// From the air in on the top of a bump, out where it ends, and back through the air.
+void touchAndLeave(const Conditions& conditions, Table& table)
+{
+  const auto scene = strip(conditions, nullptr, bump);
+  const int steps = conditions.pick(200, 1000, 4000);
+  for (const double most_m : { 0.5 * bump_m, 4 * bump_m })
+  {
+    const Depths depths{ -bump_m, most_m };
+    const std::string name = caseName({ { "in on a bump, out beside it, depth over its height", most_m / bump_m } });
+    // Over the step in which a hollow ends the force is not linear.
+    const double step_m = std::max({ wave_m / 2, bump_m + most_m }) / steps;
+    table.within({ name, ours, "work of a loop", "J" }, ourWork_J(scene, wave_m / 2, 0.0, steps, depths), 0.0,
+      K * step_m * step_m);
+    const auto standsOut = [](const Vec3& p_W)
+    {
+      const double slope = bump_m * pi / wave_m * std::sin(2 * pi * p_W.x() / wave_m);
+      return p_W.z() < 0.0 ? Vec3(K * (bump(p_W.x()) - p_W.z()) * Vec3(-slope, 0, 1)) : Vec3(Vec3::Zero());
+    };
+    const double truth_J = 0.5 * K * bump_m * bump_m, naive_J = loopWork_J(wave_m / 2, 0.0, steps, standsOut, depths);
+    table.within({ name, "texture stands out", "work of a loop", "J" }, naive_J, truth_J, 1e-2 * truth_J);
+    table.atLeast({ name, "texture stands out", "energy a hand is given in a loop", "J" }, naive_J, 0.5 * truth_J);
+  }
+}
+
+/// Slowly in beside a bump, along at four ticks a wave, slowly out on the top of another: the work of forceAt [J].
+template<class ForceAt>
+double strokeWork_J(int slowSteps, ForceAt forceAt)
+{
+  constexpr int fastSteps = 6;
+  constexpr double to = 1.5 * wave_m;
+  double work_J = 0.0;
+  const auto lead = [&](const Vec3& from_W, const Vec3& to_W, int steps)
+  {
+    const Vec3 step_m = (to_W - from_W) / steps;
+    for (int i = 0; i < steps; ++i)
+    {
+      work_J += Vec3(forceAt(Vec3(from_W + (i + 0.5) * step_m), steps == fastSteps)).dot(step_m);
+    }
+  };
+  lead({ 0, 0, deep_m }, { 0, 0, -deep_m }, slowSteps);
+  lead({ 0, 0, -deep_m }, { to, 0, -deep_m }, fastSteps);
+  lead({ to, 0, -deep_m }, { to, 0, deep_m }, slowSteps);
+  return work_J;
+}
+
+void slowInFastAlong(const Conditions& conditions, Table& table)
+{
+  const int slowSteps = conditions.pick(2000, 10000, 40000);
+  test::Probe probe = above(strip(conditions, nullptr, bump), 0.0);
+  (void)probe.to({ 0, 0, deep_m });
+  const double ours_J =
+    strokeWork_J(slowSteps, [&probe](const Vec3& p_W, bool) -> Vec3 { return K * probe.to(p_W).pull_W; });
+  const double alone_J = strokeWork_J(slowSteps,
+    [](const Vec3& p_W, bool fast)
+    {
+      const double hollow_m = fast ? 0.5 * bump_m : bump_m - bump(p_W.x()); // at its mean it has no slope
+      return Vec3(0, 0, K * std::max(0.0, -p_W.z() - hollow_m));
+    });
+  const std::string name = "slowly in beside a bump, fast along, slowly out on one";
+  const double step_m = 2 * deep_m / slowSteps, gain_J = 0.5 * K * (deep_m * deep_m - std::pow(deep_m - bump_m, 2));
+  table.atMost({ name, ours, "work of a loop", "J" }, ours_J, K * step_m * step_m);
+  table.within({ name, "share by speed alone", "work of a loop", "J" }, alone_J, gain_J, 1e-3 * gain_J);
+  table.atLeast({ name, "share by speed alone", "energy a hand is given in a loop", "J" }, alone_J, 0.5 * gain_J);
+}
+
 /// What is felt of a texture over what there is, by least squares, on a way of so many ticks a wave.
 double shareFelt(const std::shared_ptr<const Scene>& scene, double ticksAWave)
 {
@@ -157,7 +255,7 @@ double shareFelt(const std::shared_ptr<const Scene>& scene, double ticksAWave)
   double product = 0.0, square = 0.0;
   for (; x < 0.45 * length_m; x += step_m)
   {
-    const double felt_m = probe.to({ x, 0, -d }).pull_W.z() - d - mean_m, there_m = bump(x) - mean_m;
+    const double felt_m = probe.to({ x, 0, -d }).pull_W.z() - d + bump_m - mean_m, there_m = bump(x) - mean_m;
     product += felt_m * there_m;
     square += there_m * there_m;
   }
@@ -206,8 +304,11 @@ void speedOfTexture(const Conditions& conditions, Table& table)
 void runMaterials(const Conditions& conditions, Table& table)
 {
   feltStiffness(conditions, table);
+  rampBeyond(conditions, table);
   conditions.progress(0.2);
   closedWays(conditions, table);
+  touchAndLeave(conditions, table);
+  slowInFastAlong(conditions, table);
   conditions.progress(0.8);
   speedOfTexture(conditions, table);
   conditions.progress(1.0);

@@ -52,7 +52,8 @@ void judge(const AnalyticTouch& touch, int ticks, Table& table)
   }
 }
 
-/// A rough body: exact on a plane, on a sphere in the limit of small steps and small depth over radius.
+/// A rough body: exact where the way is straight on flat ground, elsewhere in the limit of small steps and of a depth
+/// that is small beside the bends of way and body.
 void judgeRubbed(const AnalyticTouch& smooth, int ticks, Table& table)
 {
   constexpr double mu = 0.3;
@@ -84,6 +85,7 @@ void runRecordedTouch(const Conditions& conditions, Table& table)
   judgeRubbed(plane, ticks, table);
   const AnalyticTouch wedge = touchWedge();
   judge(wedge, ticks, table);
+  judgeRubbed(wedge, ticks, table);
   // In a narrow wedge the nearest face knows nothing of the other one.
   const RenderedTouch nearest = render(wedge, method("penalty"), ticks);
   table.atLeast({ "body=wedge", "penalty", "force vector error, RMS" }, errorOf(nearest).rms, 0.1).cost = nearest.cost;
@@ -91,7 +93,11 @@ void runRecordedTouch(const Conditions& conditions, Table& table)
   const AnalyticTouch sphere = touchSphere(conditions.pick(6, 7, 7));
   judge(sphere, ticks, table);
   judgeRubbed(sphere, ticks, table);
-  judge(touchTorus(conditions.pick(320U, 600U, 600U), conditions.pick(320U, 600U, 600U)), ticks, table);
+  conditions.progress(0.6);
+  const std::uint32_t cells = conditions.pick(320U, 600U, 600U);
+  const AnalyticTouch torus = touchTorus(cells, cells);
+  judge(torus, ticks, table);
+  judgeRubbed(torus, ticks, table);
 }
 
 } // namespace palpate::lab

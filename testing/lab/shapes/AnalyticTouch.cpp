@@ -44,23 +44,39 @@ TriangleMesh makeTorus(std::uint32_t around, std::uint32_t across, double tube_m
   return mesh;
 }
 
-/// From wall to wall and back: 0 .. 2, of which the middle 0.6 is spent in the crease.
-double phaseAt(double t_s)
+/// A straight part along the crease, and a loop of two straights and two half circles that touches it at both ends.
+struct Lap
 {
-  const double phase = std::fmod(t_s, 4.0);
-  return phase < 2.0 ? phase : 4.0 - phase;
-}
+  static constexpr double straight_m = 0.05, bend_m = 0.015, speed_m_per_s = 0.08;
+  double along_m = 0.0, up_m = 0.0; ///< along the crease from its middle, and up the wall from it
+  double turned = 0.0;              ///< share of the straight part that is done
+
+  explicit Lap(double way_m)
+  {
+    constexpr double half_m = straight_m / 2, round_m = pi * bend_m;
+    const double bend = way_m < 2 * straight_m + round_m ? std::clamp((way_m - straight_m) / round_m, 0.0, 1.0)
+                                                         : 1.0 + (way_m - 2 * straight_m - round_m) / round_m;
+    const double back_m = std::clamp(way_m - straight_m - round_m, 0.0, straight_m);
+    this->turned = std::min(1.0, way_m / straight_m);
+    this->along_m = -half_m + straight_m * this->turned - back_m + bend_m * std::sin(pi * bend);
+    this->up_m = bend_m * (1.0 - std::cos(pi * bend));
+  }
+  static constexpr double length_m() { return 2 * straight_m + 2 * pi * bend_m; }
+  /// High on a wall, where there is room before it to come from.
+  static constexpr double begin_m() { return 1.5 * straight_m + pi * bend_m; }
+};
 
 TouchMoment wedgeAt(double t_s, double radius_m)
 {
   constexpr double half_rad = pi / 6;
   const Vec3 left(std::cos(half_rad), 0, std::sin(half_rad)), right(-std::cos(half_rad), 0, std::sin(half_rad));
-  const double phase = phaseAt(t_s);
-  const double turn = std::clamp((phase - 0.7) / 0.6, 0.0, 1.0);
-  const double up_m = 0.03 * std::max({ 0.0, 0.7 - phase, phase - 1.3 }) / 0.7;
-  const Vec3 along = Vec3(phase < 1.0 ? -std::sin(half_rad) : std::sin(half_rad), 0, std::cos(half_rad));
-  const Vec3 crease_W(0, 0.02 * std::sin(t_s), radius_m / std::sin(half_rad));
-  return { crease_W + up_m * along, pushAt_N(t_s) * ((1 - turn) * left + turn * right) };
+  const double way_m = std::fmod(Lap::begin_m() + Lap::speed_m_per_s * t_s, 2 * Lap::length_m());
+  const bool toRight = way_m < Lap::length_m(); // and over the right wall, of normal `right`
+  const Lap lap(toRight ? way_m : way_m - Lap::length_m());
+  const Vec3 up(toRight ? std::sin(half_rad) : -std::sin(half_rad), 0, std::cos(half_rad));
+  const double turn = toRight ? lap.turned : 1.0 - lap.turned, push_N = pushAt_N(t_s);
+  const Vec3 crease_W(0, lap.along_m, radius_m / std::sin(half_rad));
+  return { crease_W + lap.up_m * up, push_N * ((1 - turn) * left + turn * right), push_N };
 }
 
 } // namespace
@@ -73,7 +89,7 @@ AnalyticTouch touchPlane(test::Random& random)
     [=](double t_s, double radius_m)
     {
       const Vec3 foot_W = 0.05 * std::sin(2 * t_s) * e1 + 0.03 * std::sin(3.1 * t_s) * e2;
-      return TouchMoment{ foot_W + radius_m * n, pushAt_N(t_s) * n };
+      return TouchMoment{ foot_W + radius_m * n, pushAt_N(t_s) * n, pushAt_N(t_s) };
     } };
 }
 
@@ -85,7 +101,7 @@ AnalyticTouch touchSphere(int levels)
     {
       const double a = 2 * t_s, b = 0.3 * t_s;
       const Vec3 n(std::cos(a), std::sin(a) * std::cos(b), std::sin(a) * std::sin(b));
-      return TouchMoment{ (sphere_m + radius_m) * n, pushAt_N(t_s) * n };
+      return TouchMoment{ (sphere_m + radius_m) * n, pushAt_N(t_s) * n, pushAt_N(t_s) };
     } };
   // A facet whose corners lie on the sphere dips under it by 5.83 R / N in its middle, so its corners are tilted by
   // the root of twice that over R; of a contact anywhere on it no more.
@@ -106,7 +122,7 @@ AnalyticTouch touchTorus(std::uint32_t around, std::uint32_t across)
     {
       const double u = 0.8 * t_s, v = 3.0 * t_s;
       const Vec3 n(std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v));
-      return TouchMoment{ torusPoint(u, v, tube_m + radius_m), pushAt_N(t_s) * n };
+      return TouchMoment{ torusPoint(u, v, tube_m + radius_m), pushAt_N(t_s) * n, pushAt_N(t_s) };
     } };
 }
 
@@ -118,7 +134,7 @@ AnalyticTouch rubbed(const AnalyticTouch& smooth, double mu)
     constexpr double h_s = 1e-6;
     TouchMoment moment = at(t_s, radius_m);
     const Vec3 way_W = at(t_s + h_s, radius_m).centre_W - at(t_s - h_s, radius_m).centre_W;
-    moment.force_N -= mu * moment.force_N.norm() * way_W.normalized();
+    moment.force_N -= mu * moment.pressed_N * way_W.normalized();
     return moment;
   };
   return rough;

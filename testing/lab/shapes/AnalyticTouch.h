@@ -18,9 +18,10 @@ struct TouchMoment
 {
   Vec3 centre_W = Vec3::Zero(); ///< [m]
   Vec3 force_N = Vec3::Zero();  ///< on the hand, in the normal cone of the body there, or in its friction cone
+  double pressed_N = 0.0;       ///< sum of the reactions of the surfaces that are touched
 };
 
-/// A touch of a body known by a formula, frictionless unless rubbed,, and the body as a mesh. In metres, 20 to 150
+/// A touch of a body known by a formula, frictionless unless rubbed, and the body as a mesh. In metres, 20 to 150
 /// mm/s, 0.6 to 1.4 N.
 struct AnalyticTouch
 {
@@ -33,12 +34,14 @@ struct AnalyticTouch
 [[nodiscard]] AnalyticTouch touchPlane(test::Random& random);
 /// Radius 50 mm, 20 * 4^levels triangles.
 [[nodiscard]] AnalyticTouch touchSphere(int levels);
-/// The inside of a wedge of 60 degrees: down one wall, along the crease with the force turning, up the other.
+/// The inside of a wedge of 60 degrees, over and over: along the crease with the force turning from wall to wall, a loop over that
+/// wall back to where the crease began, along it again with the force turning back, a loop over the first wall. The way
+/// has no corner and no reversal: there the friction of a spring needs a way of its own to turn round.
 [[nodiscard]] AnalyticTouch touchWedge();
 /// Radii 40 and 15 mm, `around` times `across` cells of two triangles.
 [[nodiscard]] AnalyticTouch touchTorus(std::uint32_t around, std::uint32_t across);
 
-/// The same way on a rough body: with Coulomb friction mu times the force, against the motion.
+/// The same way on a rough body: with Coulomb friction mu times the reactions, against the motion.
 [[nodiscard]] AnalyticTouch rubbed(const AnalyticTouch& smooth, double mu);
 
 /// A touch as a method renders it.
