@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -49,6 +50,48 @@ void project(TickState<SceneView>& tick) noexcept
     }
   }
   tick.result.infeasible = !tick.solution.feasible;
+}
+
+/// True if a point may pass beside face f on its straight way along q: it comes to the plane of f beyond a side that no
+/// other face continues, or so near to one that rounding cannot tell.
+template<class SceneView>
+[[nodiscard]] bool mayPassBeside(const TickState<SceneView>& tick, const ActiveFeature& f, const Vec3& q) noexcept
+{
+  const auto& s = tick.contacts.surface(f);
+  const FeaturePlane plane = tick.contacts.plane(f);
+  const double sinks = -plane.n.dot(q);
+  if (sinks <= 0.0)
+  {
+    return true;
+  }
+  const Vec3 there_W = tick.x() + std::max(0.0, plane.gap) / sinks * q;
+  const auto& corners = s.corners(f.a);
+  for (int k = 0; k < 3; ++k)
+  {
+    if (outsideOfEdge(s, f.a, k, there_W) > -tick.del() &&
+        s.neighbour(f.a, corners[k], corners[(k + 1) % 3]) == SurfaceData::none)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// True if the faces that hold the point may all be beside its straight way to the device: only exact arithmetic can
+/// tell whether their planes hold it rightly.
+template<class SceneView>
+[[nodiscard]] bool mayPassBesideAll(const TickState<SceneView>& tick) noexcept
+{
+  const Vec3 q = tick.p_W - tick.x();
+  for (int k = 0; k < tick.solution.count; ++k)
+  {
+    const int i = tick.solution.active[static_cast<std::size_t>(k)];
+    if (!mayPassBeside(tick, tick.contacts.features()[static_cast<std::size_t>(i)], q))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// True if it has been asked often enough what holds a point where it is: a stop before what is hit moves it by less

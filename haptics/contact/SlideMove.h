@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+
 #include "haptics/contact/StopPoint.h"
 #include "haptics/contact/TickState.h"
 
@@ -90,6 +93,33 @@ void leave(TickState<SceneView>& tick, const SlideLimit& limit) noexcept
       tick.contacts.add(next); // settle() drops it again where it does not hold
     }
   }
+}
+
+/// True if a ball lies on a face, beside what else it may lie on.
+template<class SceneView>
+[[nodiscard]] bool liesOnFace(const TickState<SceneView>& tick) noexcept
+{
+  const auto isFace = [&tick](int i)
+  { return tick.contacts.features()[static_cast<std::size_t>(i)].kind == FeatureKind::Face; };
+  return std::any_of(tick.solution.active.begin(), tick.solution.active.begin() + tick.solution.count, isFace);
+}
+
+/// A face on whose border a ball lies, and which it is about to leave, is left where it is: a slide over the last of it
+/// would be a whole pass for a way of nothing.
+template<class SceneView>
+[[nodiscard]] bool leaveBorder(TickState<SceneView>& tick) noexcept
+{
+  if (!tick.round() || tick.rests() || !liesOnFace(tick))
+  {
+    return false;
+  }
+  const SlideLimit limit = limitSlide(tick);
+  if (limit.ends < 0 || limit.t * tick.solution.y.norm() > tick.tol())
+  {
+    return false;
+  }
+  leave(tick, limit);
+  return true;
 }
 
 template<class SceneView>

@@ -5,6 +5,7 @@
 
 #include "haptics/contact/HoldingPlanes.h"
 #include "haptics/contact/RollMove.h"
+#include "haptics/contact/RoundMove.h"
 #include "haptics/contact/SlideMove.h"
 #include "haptics/contact/TickState.h"
 
@@ -32,11 +33,19 @@ public:
     {
       this->tick_.result.passes = static_cast<int>(pass) + 1;
       project(this->tick_);
+      for (int i = 0; i < 2 && leaveBorder(this->tick_); ++i) // a face for its edge, the edge for its end
+      {
+        project(this->tick_);
+      }
+      if (pass == 0 && this->standsBeside())
+      {
+        this->tick_.forgetContacts();
+        continue;
+      }
       reconsiderVertex(this->tick_);
       if (this->tick_.result.infeasible || this->tick_.rests())
       {
-        // Planes that contradict each other are no place to be.
-        if (this->tick_.result.infeasible ? startAnew(this->tick_) : lookAgain(this->tick_))
+        if (this->goesOn())
         {
           continue;
         }
@@ -75,6 +84,22 @@ public:
   }
 
 private:
+  /// True if a point carries planes with it none of which is in its way.
+  [[nodiscard]] bool standsBeside() noexcept
+  {
+    return !this->tick_.round() && this->tick_.solution.count > 0 && mayPassBesideAll(this->tick_) && this->wayIsFree();
+  }
+
+  /// True if it turns out that what seems to be a rest is none. Planes that contradict each other are no place to be.
+  [[nodiscard]] bool goesOn() noexcept
+  {
+    if (this->tick_.result.infeasible ? startAnew(this->tick_) : lookAgain(this->tick_))
+    {
+      return true;
+    }
+    return this->tick_.startedAnew && goRoundVertex(this->tick_);
+  }
+
   [[nodiscard]] bool isCapped(std::uint32_t pass) noexcept
   {
     const std::uint32_t cap = this->tick_.plan.passCap;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -41,8 +42,17 @@ struct TickState
   [[nodiscard]] double tol() const noexcept { return this->contacts.resolution().tol(); }
   [[nodiscard]] double del() const noexcept { return this->contacts.resolution().del(); }
   [[nodiscard]] const Vec3& x() const noexcept { return this->state.x_W; }
-  /// There is no way on under the planes that hold the ball.
-  [[nodiscard]] bool rests() const noexcept { return this->solution.y.norm() <= this->tol(); }
+  /// There is no way on under the planes that hold the ball, or none but what rounding makes of them: planes at a small
+  /// angle tell where they meet so much worse than where they are. The last way was no longer than that either.
+  [[nodiscard]] bool rests() const noexcept
+  {
+    constexpr double most = 4096; // in tol: planes that are all but parallel tell nothing
+    const double way_u = this->solution.y.norm(), ways_u = std::max(way_u, this->lastWay_u);
+    return way_u <= this->tol() || (ways_u <= most * this->tol() && ways_u <= this->blur_u());
+  }
+  /// How far from where the planes meet that hold the ball rounding may see that place; 0 if there is a way on that
+  /// they do not tell, along the line where two of them meet [u].
+  [[nodiscard]] double blur_u() const noexcept;
 
   /// A long way of a ball is looked at in two parts: mostly it ends soon, and the first part is cheap.
   [[nodiscard]] SweepHit sweep(const Vec3& from_W, const Vec3& to_W) noexcept;
@@ -67,10 +77,12 @@ struct TickState
   LeftFaces left;
   Vec3 reconsideredAt_W = nowhere_W(); ///< where it was last asked what holds a point at a vertex
   int reconsidered = 0;                ///< so often there
+  double lastWay_u = 0.0;              ///< length of the last move
   Neighbourhood near;
   ProjectionResult solution;
   ContactResult result;
   bool startedAnew = false;
+  bool wentRound = false;
 };
 
 template<class SceneView>
@@ -134,16 +146,36 @@ void TickState<SceneView>::moveOver(const Vec3& corner_W, const Vec3& to_W) noex
   }
   const Vec3 from_W = this->x();
   const Vec3 moved = to_W - from_W;
+  this->lastWay_u = moved.norm();
   this->state.x_W = to_W;
   this->contacts.include(to_W);
   this->contacts.advanceFaces(from_W, moved);
-  if (moved.norm() > 4 * this->tol())
+  if (this->lastWay_u > 4 * this->tol())
   {
     for (int i = 0; i < this->contacts.count(); ++i)
     {
       this->contacts.feature(i).stuck = false;
     }
   }
+}
+
+template<class SceneView>
+double TickState<SceneView>::blur_u() const noexcept
+{
+  const auto normal = [this](std::size_t k)
+  { return this->contacts.plane(this->contacts.features()[static_cast<std::size_t>(this->solution.active[k])]).n; };
+  if (this->solution.count < 2)
+  {
+    return 0.0;
+  }
+  const Vec3 a = normal(0), b = normal(1), ab = a.cross(b);
+  if (this->solution.count == 2)
+  {
+    const bool goesAlong = std::fabs(ab.dot(this->solution.y)) > this->tol() * ab.norm();
+    return goesAlong ? 0.0 : 2 * this->del() / ab.norm();
+  }
+  const Vec3 c = normal(2), bc = b.cross(c), ca = c.cross(a);
+  return this->del() * (ab.norm() + bc.norm() + ca.norm()) / std::fabs(a.dot(bc));
 }
 
 template<class SceneView>

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/contact/VertexFan.h"
+
+#include <algorithm>
+
+#include "haptics/geometry/ExactPredicates.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// True if the stored corner order of the triangle runs from i to j along their edge.
+template<class View>
+bool runsFrom(const View& s, std::uint32_t triangle, std::uint32_t i, std::uint32_t j) noexcept
+{
+  const auto& t = s.corners(triangle);
+  return (t[0] == i && t[1] == j) || (t[1] == i && t[2] == j) || (t[2] == i && t[0] == j);
+}
+
+/// A fan that is turned round free edges shows faces from both sides.
+bool holds(const VertexFan& fan, const ActiveFeature& f, FreeEdge atFreeEdge) noexcept
+{
+  return std::any_of(fan.faces.begin(), fan.faces.begin() + fan.count,
+    [&](const VertexFan::Face& g)
+    { return g.face.a == f.a && (atFreeEdge == FreeEdge::Ends || g.face.side == f.side); });
+}
+
+ActiveFeature otherSideOf(ActiveFeature f) noexcept
+{
+  f.side = static_cast<std::int8_t>(-f.side);
+  return f;
+}
+
+} // namespace
+
+template<class View>
+std::optional<ActiveFeature> across(
+  const View& s, const ActiveFeature& from, std::uint32_t v, std::uint32_t far, bool& branches) noexcept
+{
+  const Vec3 &a = s.vertex(v), &b = s.vertex(far), &own = s.vertex(s.opposite(from.a, v, far));
+  const int turn = from.side * (runsFrom(s, from.a, v, far) ? 1 : -1);
+  std::uint32_t first = SurfaceData::none;
+  bool firstAbove = false;
+  s.forEachAtEdge(v, far,
+    [&](std::uint32_t triangle)
+    {
+      if (triangle == from.a)
+      {
+        return;
+      }
+      branches |= first != SurfaceData::none;
+      const Vec3& tip = s.vertex(s.opposite(triangle, v, far));
+      const bool above = turn * orientation(a, b, own, tip) > 0; // less than half a turn away
+      const bool sooner =
+        first == SurfaceData::none || (above && !firstAbove) ||
+        (above == firstAbove && turn * orientation(a, b, tip, s.vertex(s.opposite(first, v, far))) > 0);
+      first = sooner ? triangle : first;
+      firstAbove = sooner ? above : firstAbove;
+    });
+  if (first == SurfaceData::none)
+  {
+    return std::nullopt;
+  }
+  ActiveFeature next = from;
+  next.a = first;
+  const bool sameTurn = runsFrom(s, from.a, v, far) != runsFrom(s, first, v, far);
+  next.side = sameTurn ? from.side : static_cast<std::int8_t>(-from.side);
+  return next;
+}
+
+template<class View>
+VertexFan fanAround(const View& s, const ActiveFeature& f, std::uint32_t v, FreeEdge atFreeEdge) noexcept
+{
+  const int room = atFreeEdge == FreeEdge::Turns ? VertexFan::capacity : VertexFan::capacity / 2;
+  VertexFan fan;
+  fan.faces[0] = { f, -1, 0 };
+  fan.faces[0].face.stuck = false;
+  fan.count = 1;
+  for (int k = 0; k < fan.count; ++k)
+  {
+    const ActiveFeature face = fan[k];
+    for (const std::uint32_t corner : s.corners(face.a))
+    {
+      if (corner == v)
+      {
+        continue;
+      }
+      std::optional<ActiveFeature> next = across(s, face, v, corner, fan.branches);
+      if (!next && atFreeEdge == FreeEdge::Turns)
+      {
+        next = otherSideOf(face);
+      }
+      if (next && !holds(fan, *next, atFreeEdge))
+      {
+        fan.whole = fan.count < room;
+        if (fan.whole)
+        {
+          fan.faces[static_cast<std::size_t>(fan.count++)] = { *next, k, corner };
+        }
+      }
+    }
+  }
+  return fan;
+}
+
+#define PALPATE_INSTANTIATE(View)                                                                                      \
+  template std::optional<ActiveFeature> across(                                                                        \
+    const View&, const ActiveFeature&, std::uint32_t, std::uint32_t, bool&) noexcept;                                  \
+  template VertexFan fanAround(const View&, const ActiveFeature&, std::uint32_t, FreeEdge) noexcept;
+
+PALPATE_INSTANTIATE(SurfaceData)
+PALPATE_INSTANTIATE(PosedSurface)
+#undef PALPATE_INSTANTIATE
+
+} // namespace palpate
