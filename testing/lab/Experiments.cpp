@@ -85,7 +85,7 @@ std::vector<Experiment> planeExperiments()
 {
   return {
     { "plane-cost",
-      "a tick among up to a million lines by a tree and by asking every line, and what coarser lines save", { 49, 54 },
+      "a tick among up to a million lines by a tree and by asking every line, and what coarser lines save", { 44, 49, 54 },
       runPlaneCost },
     { "played-walls",
       "plane worlds played: walls held by a joystick behind a host at 20 to 1000 Hz, a hand led to a plane", { 46, 47 },
