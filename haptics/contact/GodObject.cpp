@@ -20,6 +20,8 @@ ContactResult move(
   if (!state.placed)
   {
     state.count = 0;
+    state.slips = false;
+    state.texture = -1.0;
     if (!seatBall(scene, plan.radius_u, p_W, state.x_W))
     {
       ContactResult refused;
@@ -39,6 +41,10 @@ ContactResult move(
     const Response response = respond(scene, plan, result, p_W, p_W - state.device_W, state.texture);
     result.pull_W = response.pull_W;
     result.held_u2 = response.held_u2;
+  }
+  else
+  {
+    state.texture = -1.0;
   }
   state.device_W = p_W;
   return result;

@@ -134,7 +134,10 @@ void SceneBuilder::fitMaterial(const SurfaceInput& input, Kept& kept)
   {
     fit.fields.texture = measureTexture(kept.tree->mesh(), fit.fields.height_u);
   }
-  kept.fields = std::make_shared<const MaterialFields>(std::move(fit.fields));
+  if (!fit.fields.empty())
+  {
+    kept.fields = std::make_shared<const MaterialFields>(std::move(fit.fields));
+  }
 }
 
 /// Nothing comes from elsewhere any more: room for it would cost visits for nothing.

@@ -192,18 +192,36 @@ TEST(Recording, OfSurfacesThatMoveStoresTheirMeshesOnceAndReplaysBitForBit)
   }
 }
 
+/// The second of three surfaces is curves.
+std::vector<SurfaceInput> surfacesAndCurves()
+{
+  std::vector<SurfaceInput> inputs = threeSurfaces(3);
+  PolyLines curves;
+  curves.points_W = { { 0.05, 0, 0 }, { 0.08, 0.01, 0.002 }, { 0.12, 0, 0 }, { 0.08, -0.05, 0 }, { 0.08, 0.05, 0 } };
+  curves.lines = { { 0, 1, 2 }, { 3, 4 } };
+  inputs[1].mesh = std::make_shared<const TriangleMesh>(segmentsOf(curves));
+  inputs[1].lineRadius_u = 0.05;
+  return inputs;
+}
+
+// A texture is left out on curves, and with it nothing is left of what their arrays say.
+TEST(Recording, OfCurvesWithATextureReplaysBitForBit)
+{
+  std::vector<SurfaceInput> inputs = surfacesAndCurves();
+  MaterialFields fields;
+  fields.height_u = { 0.0, 0.001, 0.002, 0.001, 0.0 };
+  inputs[1].fields = std::make_shared<const MaterialFields>(fields);
+  const TemporaryFile file;
+  recordMoving(file.path, 200, 0.001, inputs);
+  expectBitForBit(replay(readGood(file.path)), 200);
+}
+
 TEST(Recording, OfCurvesThatMoveReplaysBitForBit)
 {
   for (const double radius : { 0.0, 0.001 })
   {
-    std::vector<SurfaceInput> inputs = threeSurfaces(3);
-    PolyLines curves;
-    curves.points_W = { { 0.05, 0, 0 }, { 0.08, 0.01, 0.002 }, { 0.12, 0, 0 }, { 0.08, -0.05, 0 }, { 0.08, 0.05, 0 } };
-    curves.lines = { { 0, 1, 2 }, { 3, 4 } };
-    inputs[1].mesh = std::make_shared<const TriangleMesh>(segmentsOf(curves));
-    inputs[1].lineRadius_u = 0.05;
     const TemporaryFile file;
-    recordMoving(file.path, 1600, radius, inputs);
+    recordMoving(file.path, 1600, radius, surfacesAndCurves());
     const Recording recording = readGood(file.path);
     ASSERT_EQ(recording.scenes.size(), 1U);
     EXPECT_EQ(recording.scenes[0].surfaces.at(1).lineRadius_u, 0.05);
