@@ -17,13 +17,6 @@ constexpr double smoothCosine = 0.8660254037844386; // of 30 degrees: sharper ed
 constexpr double trustCosine = 0.7071067811865476;  // of 45 degrees between the smooth and the true normal
 constexpr int mostFaces = 128;
 
-/// True if the two faces run through edge (i, j), i < j, in opposite directions as their corners are stored, which is
-/// how two faces of one oriented surface do.
-bool runsUpwards(const std::array<std::uint32_t, 3>& t, std::uint32_t i, std::uint32_t j) noexcept
-{
-  return (t[0] == i && t[1] == j) || (t[1] == i && t[2] == j) || (t[2] == i && t[0] == j);
-}
-
 /// A face on the way round a vertex, and by which side it continues the first one.
 struct Step
 {
@@ -41,7 +34,7 @@ Step across(const View& s, const Step& from, std::uint32_t v, std::uint32_t w) n
   {
     return {};
   }
-  const bool opposite = runsUpwards(s.corners(from.triangle), i, j) != runsUpwards(s.corners(next), i, j);
+  const bool opposite = runsAlong(s.corners(from.triangle), i, j) != runsAlong(s.corners(next), i, j);
   const double side = opposite ? from.side : -from.side;
   const double cosine = from.side * side * s.face(from.triangle).normal_W.dot(s.face(next).normal_W);
   return cosine >= smoothCosine ? Step{ next, side } : Step{};

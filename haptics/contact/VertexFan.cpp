@@ -10,14 +10,6 @@ namespace palpate
 namespace
 {
 
-/// True if the stored corner order of the triangle runs from i to j along their edge.
-template<class View>
-bool runsFrom(const View& s, std::uint32_t triangle, std::uint32_t i, std::uint32_t j) noexcept
-{
-  const auto& t = s.corners(triangle);
-  return (t[0] == i && t[1] == j) || (t[1] == i && t[2] == j) || (t[2] == i && t[0] == j);
-}
-
 /// A fan that is turned round free edges shows faces from both sides.
 bool holds(const VertexFan& fan, const ActiveFeature& f, FreeEdge atFreeEdge) noexcept
 {
@@ -39,7 +31,7 @@ std::optional<ActiveFeature> across(
   const View& s, const ActiveFeature& from, std::uint32_t v, std::uint32_t far, bool& branches) noexcept
 {
   const Vec3 &a = s.vertex(v), &b = s.vertex(far), &own = s.vertex(s.opposite(from.a, v, far));
-  const int turn = from.side * (runsFrom(s, from.a, v, far) ? 1 : -1);
+  const int turn = from.side * (runsAlong(s.corners(from.a), v, far) ? 1 : -1);
   std::uint32_t first = SurfaceData::none;
   bool firstAbove = false;
   s.forEachAtEdge(v, far,
@@ -64,7 +56,7 @@ std::optional<ActiveFeature> across(
   }
   ActiveFeature next = from;
   next.a = first;
-  const bool sameTurn = runsFrom(s, from.a, v, far) != runsFrom(s, first, v, far);
+  const bool sameTurn = runsAlong(s.corners(from.a), v, far) != runsAlong(s.corners(first), v, far);
   next.side = sameTurn ? from.side : static_cast<std::int8_t>(-from.side);
   return next;
 }

@@ -49,6 +49,15 @@ struct Leaf
   return corners[1] == corners[2];
 }
 
+/// True if the corners as they are stored run from i to j along their edge: two faces of one oriented surface run along
+/// theirs in opposite directions.
+[[nodiscard]] inline bool runsAlong(
+  const std::array<std::uint32_t, 3>& corners, std::uint32_t i, std::uint32_t j) noexcept
+{
+  return (corners[0] == i && corners[1] == j) || (corners[1] == i && corners[2] == j) ||
+         (corners[2] == i && corners[0] == j);
+}
+
 /// Everything contact reads of one surface. Triangles stand in the order of the tree's leaves, corners ascending.
 struct SurfaceData
 {

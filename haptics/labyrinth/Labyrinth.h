@@ -26,8 +26,8 @@ struct Labyrinth
   [[nodiscard]] double exitReach_u() const noexcept { return 0.4 * this->corridor_u; }
 };
 
-/// Empty, or one sentence that names the plane world and says why nobody can even explore it: no line, lines that are all
-/// one point, a number that is not finite, corridors without width.
+/// Empty, or one sentence that names the plane world and says why nobody can even explore it: no line, lines that are
+/// all one point, a number that is not finite, corridors without width.
 [[nodiscard]] std::string refuseWorld(const Labyrinth& labyrinth);
 
 /// Empty, or one sentence that names the labyrinth and says why no hand can be led through it: what refuseWorld() says,

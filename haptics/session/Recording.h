@@ -77,8 +77,8 @@ struct ReplayResult
 };
 
 /// Computes every tick again and compares force, proxy, contacts, energy, flags and what the device is asked to do by
-/// itself (walls, viscosity, signal) bit for bit. Scenes come from the
-/// recording, or from `given` (by their meshes' hash) where it left them out. `visit` sees each recomputed tick.
+/// itself (walls, viscosity, signal) bit for bit. Scenes come from the recording, or from `given` (by their meshes'
+/// hash) where it left them out. `visit` sees each recomputed tick.
 [[nodiscard]] ReplayResult replay(const Recording& recording,
   const std::vector<std::shared_ptr<const Scene>>& given = {}, unsigned workers = 1,
   const std::function<void(const TickOutput&)>& visit = {});

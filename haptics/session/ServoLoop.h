@@ -59,7 +59,8 @@ public:
     double period_s) noexcept;
 
   /// Until a stop is asked for or the device ends; then the device gets a zero command. Whoever asks for it queues a
-  /// release first: a hand that is still pushed then is let go within the release ramp. Servo thread.
+  /// release first: a hand that is still pushed then is let go in the release ramp or the first half second
+  /// of it. Servo thread.
   void run(const std::stop_token& stop) noexcept;
   /// One period. False when the device has ended. Servo thread; real-time safe.
   bool tick() noexcept;
