@@ -51,7 +51,8 @@ public:
   double HandOver = 0.0; ///< from the commit of that scene until the servo could have it [s]
 
   palpate::SelfTestRun Check;
-  bool Checked = false; ///< a check was started
+  bool Checked = false;     ///< a check was started
+  bool CheckedTwin = false; ///< of a device that had a twin then
   std::string CheckAsk;
   std::string CheckResult;
   std::string CalibrationFolder;

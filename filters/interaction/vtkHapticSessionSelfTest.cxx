@@ -40,6 +40,7 @@ void vtkHapticSession::StartSelfTest()
   device.stroke.points_D = { palpate::Vec3::Zero() };
   palpate::MadeDevice made = palpate::makeDevice(impl.Chosen.name, device);
   std::string problem = made.problem;
+  impl.CheckedTwin = made.hasTwin;
   if (made.device)
   {
     palpate::SelfTestOptions options;
@@ -137,7 +138,7 @@ bool vtkHapticSession::KeepCalibration()
     palpate::calibrationFrom(impl.Check.plan(), impl.Check.state(), impl.Check.device(), palpate::today());
   const auto isTwin = [&](const palpate::KnownDevice& known) { return known.hasTwin && known.name == found->device; };
   const std::string problem = !found ? "there is nothing to keep: no check of a device has passed"
-                              : std::any_of(impl.Known.begin(), impl.Known.end(), isTwin)
+                              : impl.CheckedTwin || std::any_of(impl.Known.begin(), impl.Known.end(), isTwin)
                                 ? palpate::twinNote
                                 : palpate::saveCalibration(impl.CalibrationFolder, *found);
   this->Refuse(problem);

@@ -71,7 +71,7 @@ vtkSmartPointer<vtkDataArray> Luminance(vtkImageData* pixels)
 } // namespace
 
 vtkHapticImagePlane::vtkHapticImagePlane(vtkImageData* image, vtkDataArray* values, bool coloursCount)
-  : Image(image), Pixels(vtkSmartPointer<vtkImageData>::New()), Values(values)
+  : Image(image), Values(values)
 {
   FlatAxes(image, this->Axes);
   CheckValues(image, values, coloursCount);
@@ -79,18 +79,13 @@ vtkHapticImagePlane::vtkHapticImagePlane(vtkImageData* image, vtkDataArray* valu
   {
     this->Size[i] = static_cast<std::uint32_t>(image->GetDimensions()[this->Axes[i]]);
   }
-  this->Pixels->SetDimensions(static_cast<int>(this->Size[0]), static_cast<int>(this->Size[1]), 1);
-  this->Pixels->GetPointData()->SetScalars(values);
   if (values->GetNumberOfComponents() > 1)
   {
-    this->Values = Luminance(this->Pixels);
-    this->Pixels->GetPointData()->SetScalars(this->Values);
+    vtkNew<vtkImageData> pixels;
+    pixels->SetDimensions(static_cast<int>(this->Size[0]), static_cast<int>(this->Size[1]), 1);
+    pixels->GetPointData()->SetScalars(values);
+    this->Values = Luminance(pixels);
   }
-}
-
-vtkImageData* vtkHapticImagePlane::GetPixels() const
-{
-  return this->Pixels;
 }
 
 double vtkHapticImagePlane::GetValue(std::int64_t i, std::int64_t j) const

@@ -25,8 +25,6 @@ public:
   [[nodiscard]] std::uint32_t GetWidth() const { return this->Size[0]; }
   [[nodiscard]] std::uint32_t GetHeight() const { return this->Size[1]; }
 
-  /// The same values on a grid of (width, height, 1) points at whole numbers.
-  [[nodiscard]] vtkImageData* GetPixels() const;
   [[nodiscard]] double GetValue(std::int64_t i, std::int64_t j) const;
   /// Least and largest finite value; throws if all pixels have the same, or none is finite.
   void GetRange(double range[2]) const;
@@ -38,7 +36,6 @@ public:
 
 private:
   vtkImageData* Image;
-  vtkSmartPointer<vtkImageData> Pixels;
   vtkSmartPointer<vtkDataArray> Values;
   int Axes[2] = { 0, 1 };
   std::uint32_t Size[2] = { 0, 0 };

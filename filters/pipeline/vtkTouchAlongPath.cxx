@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "haptics/geometry/CurveSet.h"
 #include "haptics/geometry/SceneBuilder.h"
 #include "haptics/session/ForceRenderer.h"
 #include "vtkCellArray.h"
@@ -104,7 +105,13 @@ std::vector<palpate::SurfaceInput> ReadInputs(
   };
   if (lineRadius_u > 0.0)
   {
-    add("lines", vtkHapticToLines(surface), lineRadius_u);
+    vtkHapticConversionResult lines = vtkHapticToLines(surface);
+    problem = lines.Mesh ? palpate::refuseSegments(lines.Mesh->triangles.size()) : "";
+    if (!problem.empty())
+    {
+      return {};
+    }
+    add("lines", std::move(lines), lineRadius_u);
   }
   add("surface", vtkHapticToMesh(surface), std::nullopt);
   if (!inputs.empty()) // one of both may be without an array, as a block of composite data may

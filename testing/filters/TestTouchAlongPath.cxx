@@ -111,6 +111,14 @@ TEST(TouchAlongPath, LinesAreTubesOfTheirRadius)
   EXPECT_THAT(errors.front(), HasSubstr("radius of lines"));
 }
 
+TEST(TouchAlongPath, MoreSegmentsThanCanBeFeltAreRefusedAsInASession)
+{
+  const auto touch = touchPlane({ Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0) });
+  touch->SetInputData(makePath(straight(Vec3(0.0, 0.0, 0.0), Vec3(1.0, 0.0, 0.0), 4000001)));
+  touch->SetLineRadius(0.01);
+  EXPECT_THAT(errorsOf(touch), ::testing::Contains(HasSubstr("its lines have 4000001 segments; at most 4000000")));
+}
+
 TEST(TouchAlongPath, TheScaleTurnsSceneUnitsIntoMetresOfTheHand)
 {
   constexpr double scale = 1000.0; // millimetres

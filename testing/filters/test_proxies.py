@@ -98,6 +98,16 @@ class Session(unittest.TestCase):
     def tearDown(self):
         write(self.proxy, "Touching", 0)
 
+    def test_a_hand_that_is_put_at_the_origin_first_is_there(self):
+        write(self.proxy, "VirtualTime", 1)
+        write(self.proxy, "Touching", 1)
+        session = self.proxy.GetClientSideObject()
+        session.Step(1)
+        self.assertIn("no hand yet", session.GetFaultText())
+        write(self.proxy, "HandPosition", 0.0, 0.0, 0.0)
+        session.Step(1)
+        self.assertNotIn("no hand yet", session.GetFaultText())
+
     def test_steps_in_virtual_time_and_reads_out(self):
         plane = pv.Plane(Origin=[-50, -50, 0], Point1=[50, -50, 0], Point2=[-50, 50, 0])
         session = self.proxy.GetClientSideObject()

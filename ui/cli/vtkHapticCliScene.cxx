@@ -5,6 +5,7 @@
 #include <iostream>
 #include <thread>
 
+#include "haptics/geometry/CurveSet.h"
 #include "vtkCellArray.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticConversion.h"
@@ -183,6 +184,10 @@ std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(const std::vector<s
 palpate::SurfaceInput vtkHapticCliTubesOf(
   const std::string& file, const vtkHapticCliSurface& surface, double lineRadius_u)
 {
+  if (const std::string many = palpate::refuseSegments(surface.Lines->triangles.size()); !many.empty())
+  {
+    throw vtkHapticCliProblem(file + ": " + many);
+  }
   return { file + " (lines)", surface.Lines, palpate::Material(), surface.LineMaterial.Fields, {}, lineRadius_u };
 }
 
