@@ -20,6 +20,7 @@ constexpr double noise_s = 1.0;     // watched for noise
 constexpr double brace_s = 1.1;     // a device's spring comes within a second
 constexpr double patience_s = 30.0; // with a person who is to move it
 constexpr double restless_s = 8.0;  // with one who is to hold still
+constexpr double silent_s = 30.0;   // with a device that says where the hand is once it is moved
 constexpr double latest_s = 0.020;  // between two ticks under force
 constexpr double leaves = 0.1;      // radii: less is not going to an end
 constexpr double middleHalf = 0.6;  // of the way to an end
@@ -75,6 +76,16 @@ void follow(const SelfTestPlan& plan, const Vec3& p_D, double dt_s, SelfTestStat
   {
     state.least_D = state.most_D = p_D;
     state.still_s = 0.0;
+  }
+}
+
+/// Some devices say nothing until they are moved; nobody is asked to for ever.
+void awaitHand(double dt_s, SelfTestState& state) noexcept
+{
+  state.waiting_s += dt_s;
+  if (state.waiting_s > silent_s)
+  {
+    end(state, SelfTestVerdict::Inconclusive, SelfTestReason::Silent);
   }
 }
 
@@ -357,8 +368,13 @@ std::string SelfTestPlan::refusal() const
 DeviceCommand stepSelfTest(
   const SelfTestPlan& plan, const DeviceSample& sample, DeviceStatus status, double dt_s, SelfTestState& state) noexcept
 {
-  if (state.verdict != SelfTestVerdict::None || status == DeviceStatus::Waiting)
+  if (state.verdict != SelfTestVerdict::None)
   {
+    return {};
+  }
+  if (status == DeviceStatus::Waiting)
+  {
+    awaitHand(dt_s, state);
     return {};
   }
   if (status != DeviceStatus::Ok || !isFinite(sample))
@@ -366,6 +382,7 @@ DeviceCommand stepSelfTest(
     end(state, SelfTestVerdict::Aborted, status != DeviceStatus::Ok ? SelfTestReason::Lost : SelfTestReason::NotFinite);
     return {};
   }
+  state.waiting_s = 0.0;
   follow(plan, sample.pose_D.p, dt_s, state);
   const SelfTestReason unexpected = danger(plan, sample, dt_s, state);
   if (unexpected != SelfTestReason::None)

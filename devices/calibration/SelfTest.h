@@ -73,6 +73,7 @@ enum class SelfTestReason : std::uint8_t
   Late,
   LetGo,
   Stopped, ///< by the person
+  Silent,  ///< the device never said where the hand is
 };
 
 /// Pushes of one motor along both directions: [0] up, [1] down, each with what all three axes did.
@@ -92,6 +93,7 @@ struct SelfTestState
   bool up = false; ///< End: the upper one. Push: a positive command
   int round = 0;   ///< of the pushes of one motor
   double stage_s = 0.0;
+  double waiting_s = 0.0; ///< for how long the device has not said where the hand is; 0: it says so
 
   double noise_m = 0.0;                  ///< how far the position wandered while the hand held still
   std::array<Vec3, 3> low_D{}, high_D{}; ///< where the hand was at the ends of each axis

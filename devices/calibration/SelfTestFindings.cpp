@@ -141,6 +141,8 @@ const char* because(SelfTestReason reason)
       return "what must be held was let go";
     case SelfTestReason::Stopped:
       return "it was stopped";
+    case SelfTestReason::Silent:
+      return "the device has not said where the hand is: move it until it does, and try again";
   }
   return "";
 }
@@ -260,6 +262,10 @@ std::optional<Calibration> calibrationFrom(
 
 std::string askOf(const SelfTestPlan& plan, const SelfTestState& state)
 {
+  if (state.waiting_s > 0.0 && state.stage != SelfTestStage::Done)
+  {
+    return "It has not said yet where the hand is: move it.";
+  }
   switch (state.stage)
   {
     case SelfTestStage::Still:

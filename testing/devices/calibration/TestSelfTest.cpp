@@ -370,16 +370,42 @@ TEST(SelfTest, ADeviceThatIsLostEndsIt)
   EXPECT_EQ(found.state.reason, SelfTestReason::Lost);
 }
 
-TEST(SelfTest, ADeviceThatHasNotSaidWhereTheHandIsIsWaitedForWithoutForce)
+/// A test that has heard nothing of the device for that long.
+struct Unheard
 {
-  const SelfTestPlan plan = SelfTestPlan::forDevice(SimulatedDevice(joystick(), *handModel("light"), {}).info());
+  SelfTestPlan plan = SelfTestPlan::forDevice(SimulatedDevice(joystick(), *handModel("light"), {}).info());
   SelfTestState state;
-  for (int tick = 0; tick < 1000; ++tick)
+
+  void wait(double duration_s)
   {
-    const DeviceCommand command = stepSelfTest(plan, {}, DeviceStatus::Waiting, period_s, state);
-    ASSERT_EQ(command.wrench_D.force.norm(), 0.0);
+    for (int tick = 0; tick < std::lround(duration_s / period_s); ++tick)
+    {
+      const DeviceCommand command = stepSelfTest(this->plan, {}, DeviceStatus::Waiting, period_s, this->state);
+      ASSERT_EQ(command.wrench_D.force.norm(), 0.0);
+    }
   }
-  EXPECT_EQ(state.verdict, SelfTestVerdict::None);
+};
+
+TEST(SelfTest, ADeviceThatHasNotSaidWhereTheHandIsIsWaitedForWithoutForceAndThePersonIsToldToMoveIt)
+{
+  Unheard check;
+  check.wait(29.9);
+  EXPECT_EQ(check.state.verdict, SelfTestVerdict::None);
+  EXPECT_NE(askOf(check.plan, check.state).find("move it"), std::string::npos) << askOf(check.plan, check.state);
+  static_cast<void>(stepSelfTest(check.plan, {}, DeviceStatus::Ok, period_s, check.state));
+  EXPECT_NE(askOf(check.plan, check.state).find("still"), std::string::npos) << askOf(check.plan, check.state);
+  check.wait(29.9); // counted anew
+  EXPECT_EQ(check.state.verdict, SelfTestVerdict::None);
+}
+
+TEST(SelfTest, ADeviceThatNeverSaysWhereTheHandIsEndsItWithThatReason)
+{
+  Unheard check;
+  check.wait(30.1);
+  EXPECT_EQ(check.state.verdict, SelfTestVerdict::Inconclusive);
+  EXPECT_EQ(check.state.reason, SelfTestReason::Silent);
+  EXPECT_EQ(askOf(check.plan, check.state), "");
+  EXPECT_NE(resultOf(check.plan, check.state).find("not said where the hand is"), std::string::npos);
 }
 
 TEST(SelfTest, APersonCanStopIt)
