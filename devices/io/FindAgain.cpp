@@ -30,14 +30,21 @@ FoundDevice DeviceSearch::first(HidBus& bus)
   return inPlace ? FoundDevice{ inPlace, {} } : this->only(alike);
 }
 
-FoundDevice DeviceSearch::again(HidBus& bus)
+/// A loose plug, or a system that wakes up, can have it back in another place before anybody looks. Its serial number
+/// says so where no other one ever had it; without one it is a stranger until it is plugged in anew.
+void DeviceSearch::lost(HidBus& bus)
 {
-  const std::vector<HidEntry> alike = this->alike(bus);
   if (std::exchange(this->looking_, true))
   {
-    return this->newcomer(alike);
+    return;
   }
+  const std::vector<HidEntry> alike = this->alike(bus);
+  this->mayBeOwn_ = !this->hadTwin_ && alike.size() == 1 && alike.front().path != this->wanted_.path;
   this->others_.clear();
+  if (this->mayBeOwn_ && !this->wanted_.serial.empty())
+  {
+    return;
+  }
   for (const HidEntry& entry : alike)
   {
     if (entry.path != this->wanted_.path)
@@ -45,14 +52,23 @@ FoundDevice DeviceSearch::again(HidBus& bus)
       this->others_.push_back(entry.path);
     }
   }
-  const std::optional<HidEntry> inPlace = at(this->wanted_.path, alike);
-  return inPlace ? FoundDevice{ inPlace, {} } : this->newcomer(alike);
+}
+
+FoundDevice DeviceSearch::again(HidBus& bus)
+{
+  const std::vector<HidEntry> alike = this->alike(bus);
+  if (this->mayBeOwn_)
+  {
+    std::erase_if(this->others_, [&](const std::string& path) { return !at(path, alike); });
+  }
+  return this->newcomer(alike);
 }
 
 void DeviceSearch::found(HidBus& bus, const HidEntry& entry)
 {
   this->wanted_ = entry;
   this->descriptor_ = bus.descriptor(entry).bytes;
+  this->hadTwin_ = this->hadTwin_ || this->alike(bus).size() > 1;
   this->looking_ = false;
 }
 

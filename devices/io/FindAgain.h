@@ -20,7 +20,8 @@ struct FoundDevice
 };
 
 /// Finds one device on a bus, and finds it again after it was lost. What has the same maker, product and serial number
-/// looks alike, and another program may use it: one that was there beside the wanted one is never taken for it.
+/// looks alike, and another program may use it: one that was there beside the wanted one is never taken for it, as far
+/// as that can be seen: one that came later with the same serial number, and is there alone after the loss, is.
 class DeviceSearch
 {
 public:
@@ -28,8 +29,10 @@ public:
 
   /// When a person asks for it: the one in its place, else the only one that looks alike.
   [[nodiscard]] FoundDevice first(HidBus& bus);
-  /// After a loss. The first look must follow the loss at once: whatever is in other places then is not the one that
-  /// was lost. Later it is what has come since, as long as the others stay where they are.
+  /// At once after a loss, before anything that may hang: whatever is in other places then is not the one that was
+  /// lost, unless its serial number says so. Again before it is found: nothing. Opens nothing.
+  void lost(HidBus& bus);
+  /// After lost(): what has come since, as long as the others stay where they are.
   [[nodiscard]] FoundDevice again(HidBus& bus);
   /// That one is used from now on.
   void found(HidBus& bus, const HidEntry& entry);
@@ -43,6 +46,8 @@ private:
   HidEntry wanted_;
   std::vector<std::uint8_t> descriptor_; ///< of the one that is used
   bool looking_ = false;                 ///< since it was lost
+  bool hadTwin_ = false;                 ///< once when it was found: its serial number says nothing
+  bool mayBeOwn_ = false;                ///< what was in another place after the loss
   std::vector<std::string> others_;      ///< the places of those that were there beside it then
 };
 

@@ -307,8 +307,10 @@ const char* PidLink::Attached::disturbance() noexcept
   return this->output->plays(stopped) ? why : nullptr;
 }
 
+/// What is there is noted before anything is waited for: soon the lost device may be back in another place.
 void PidLink::reattach(std::int64_t now_ns)
 {
+  this->search_.lost(*this->bus_);
   if (this->stopping_ || !this->pause_.over(now_ns))
   {
     return;

@@ -81,6 +81,7 @@ bool SpaceMouseLink::readPass(int timeout_ms)
   if (length < 0)
   {
     this->held_.letGo(device, "it was unplugged", [this] { this->presence_.lost(); });
+    this->search_.lost(*this->bus_);
   }
   return length >= 0;
 }

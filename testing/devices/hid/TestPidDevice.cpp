@@ -341,6 +341,98 @@ TEST(DeviceSearch, ATwinThatCameWhileTheStickWasInUseIsNotTakenEither)
   EXPECT_EQ(late.opened, 0);
 }
 
+/// A stick that has just been found again after a loss.
+struct FoundAgain : Rig
+{
+  explicit FoundAgain(const std::string& serial) : Rig(test::plainLayout(), serial)
+  {
+    EXPECT_EQ(this->device.open(), "");
+    this->run(50);
+    this->bounce("bounced");
+    EXPECT_TRUE(this->runUntilFound());
+  }
+  void bounce(const std::string& path)
+  {
+    this->port.present = false;
+    this->run(5);
+    this->port.entry.path = path;
+    this->port.device = std::make_shared<VirtualPidDevice>(test::plainLayout());
+    this->port.present = true;
+  }
+  /// Looked for each half a second.
+  bool runUntilFound()
+  {
+    for (int i = 0; i < 10 && !this->device.linkReport().attached; ++i)
+    {
+      this->run(100);
+    }
+    return this->device.linkReport().attached;
+  }
+};
+
+TEST(DeviceSearch, ALoosePlugThatBouncesSoonAfterItWasFoundIsFoundInItsNewPlace)
+{
+  for (const std::string serial : { "", "0001" })
+  {
+    FoundAgain rig(serial);
+    rig.bounce("bounced again");
+    EXPECT_FALSE(rig.device.linkReport().attached);
+    EXPECT_TRUE(rig.runUntilFound()) << serial << rig.device.linkReport().message;
+    rig.run(5);
+    EXPECT_EQ(rig.status, DeviceStatus::Ok) << serial;
+  }
+}
+
+/// What a search makes of a lost device that is in another place before anybody looks.
+struct BackBeforeTheLook
+{
+  explicit BackBeforeTheLook(const std::string& serial)
+    : port(this->bus.plug(test::plainLayout(), serial)), search(this->port.entry)
+  {
+    this->search.found(this->bus, this->port.entry);
+  }
+  [[nodiscard]] FoundDevice look()
+  {
+    this->search.lost(this->bus);
+    return this->search.again(this->bus);
+  }
+  FakeHidBus bus;
+  FakePort& port;
+  DeviceSearch search;
+};
+
+TEST(DeviceSearch, ASerialNumberThatNoOtherOneHadTellsALostStickThatIsBackElsewhereBeforeTheFirstLook)
+{
+  BackBeforeTheLook own("0001");
+  own.port.entry.path = "elsewhere";
+  const FoundDevice found = own.look();
+  ASSERT_TRUE(found.entry) << found.problem;
+  EXPECT_EQ(found.entry->path, "elsewhere");
+}
+
+TEST(DeviceSearch, ASerialNumberThatAnotherOneHadOnceTellsNothing)
+{
+  BackBeforeTheLook twins("0001");
+  FakePort& twin = twins.bus.plug(test::plainLayout(), "0001");
+  twins.search.found(twins.bus, twins.port.entry);
+  twin.present = false;
+  twins.search.found(twins.bus, twins.port.entry);
+  twins.port.present = false;
+  twin.present = true;
+  EXPECT_FALSE(twins.look().entry);
+}
+
+TEST(DeviceSearch, OneWithoutASerialNumberThatIsBackElsewhereBeforeTheFirstLookIsFoundWhenItIsPluggedInAnew)
+{
+  BackBeforeTheLook own("");
+  own.port.entry.path = "elsewhere";
+  EXPECT_NE(own.look().problem.find("plug it in"), std::string::npos);
+  own.port.present = false;
+  EXPECT_FALSE(own.look().entry);
+  own.port.present = true;
+  EXPECT_TRUE(own.look().entry);
+}
+
 // Such as one that has keys as well: the parts come and go together.
 TEST(DeviceSearch, AnotherPartOfTheSamePlugIsNoTwin)
 {

@@ -224,6 +224,27 @@ TEST(SpaceMouse, UnpluggedItIsLostAndPluggedInAgainItGoesOnFromWhereItWas)
   EXPECT_GT(rig.motionOf(1, -350).p.y(), 0.0);
 }
 
+TEST(SpaceMouse, ALoosePlugThatBouncesSoonAfterItWasFoundIsFoundInItsNewPlace)
+{
+  Rig rig(test::wiredCap(), "");
+  ASSERT_EQ(rig.device->open(), "");
+  for (const char* path : { "bounced", "bounced again" })
+  {
+    rig.run(20);
+    rig.port.present = false;
+    rig.run(5);
+    EXPECT_FALSE(rig.device->linkReport().attached) << path;
+    rig.port.entry.path = path;
+    rig.port.spaceMouse = std::make_shared<VirtualSpaceMouse>(test::wiredCap());
+    rig.port.present = true;
+    for (int i = 0; i < 60 && !rig.device->linkReport().attached; ++i)
+    {
+      rig.run(10); // looked for each half a second
+    }
+    EXPECT_TRUE(rig.device->linkReport().attached) << path << ": " << rig.device->linkReport().message;
+  }
+}
+
 TEST(SpaceMouse, UnpluggingAtAnyStepOfOpeningIsAnAnswerAndNothingStaysOpen)
 {
   bool opened = false;
