@@ -71,12 +71,13 @@ public:
     const std::lock_guard lock(this->mutex_);
     this->message_ = std::move(message);
   }
-  /// Writes down whether it is there, and the message.
+  /// Writes down whether it is there, the message, and why it was let go of last.
   void reportTo(LinkReport& report) const
   {
     const std::lock_guard lock(this->mutex_);
     report.attached = this->device_ != nullptr;
     report.message = this->message_;
+    report.lostFor = this->lostFor_;
   }
 
 private:

@@ -22,6 +22,7 @@ struct LinkReport
   double inputRate_Hz = 0.0;    ///< of the last second or so; 0 before the first
   bool attached = false;
   std::string message; ///< what was wrong last, for a person; empty: nothing
+  std::string lostFor; ///< why it was lost last, whatever it says since; empty: it was not
 };
 
 /// A device behind a link that can be slow, hang or go. Any thread but the servo's.

@@ -74,12 +74,18 @@ palpate::LinkReport vtkHapticSession::Internals::Link()
 std::string vtkHapticSession::Internals::DescribeLoss()
 {
   const palpate::LinkReport link = this->Link();
-  if (link.message.empty())
+  const std::string& why = link.attached ? link.lostFor : link.message;
+  if (why.empty())
   {
     return palpate::describe(palpate::Fault::DeviceLost);
   }
-  return link.attached ? "the device was lost: " + link.message + "; it is there again: engage again"
-                       : "the device is lost: " + link.message + "; then engage again";
+  if (!link.attached)
+  {
+    return "the device is lost: " + why + "; then engage again";
+  }
+  const bool saysMore = !link.message.empty() && link.message != why;
+  return "the device was lost: " + why + "; it is there again" +
+         (saysMore ? ", but " + link.message + ", then engage again" : ": engage again");
 }
 
 void vtkHapticSession::SetDeviceName(const char* name)

@@ -170,7 +170,7 @@ TEST(HapticSessionDevice, AChosenOneThatIsUnpluggedIsStillKnownForWhatItWas)
 
 TEST(HapticSessionDevice, WhyADeviceIsLostIsSaid)
 {
-  const auto bus = std::make_shared<test::FakeHidBus>();
+  const auto bus = std::make_shared<test::FakeHidBus>(false);
   test::FakePort& port = bus->plug(test::plainLayout(), "7");
   vtkNew<vtkHapticSession> session;
   session->SetHidBus(bus);
@@ -184,6 +184,7 @@ TEST(HapticSessionDevice, WhyADeviceIsLostIsSaid)
     return test::eventually(
       [&]
       {
+        bus->advance(1);
         session->Step(1);
         session->Update();
         return std::string(session->GetFaultText()).find(text) != std::string::npos;
@@ -191,6 +192,14 @@ TEST(HapticSessionDevice, WhyADeviceIsLostIsSaid)
   };
   bus->alone([&] { return port.present = false; });
   EXPECT_TRUE(says("\"plain stick\" 7 is not there: plug it in; then engage again")) << session->GetFaultText();
+  bus->alone([&] { return port.device->silent = port.present = true; });
+  EXPECT_TRUE(
+    says("the device was lost: it was unplugged; it is there again, but it has not said yet where the hand is: "
+         "move it, then engage again"))
+    << session->GetFaultText();
+  bus->alone([&] { return port.device->silent = false; });
+  EXPECT_TRUE(says("the device was lost: it was unplugged; it is there again: engage again"))
+    << session->GetFaultText();
 }
 
 TEST(HapticSessionDevice, AMaskOfButtonsThatIsNoneIsRefusedAndSaid)

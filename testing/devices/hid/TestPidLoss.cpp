@@ -223,6 +223,7 @@ TEST(PidLoss, AHandThatMovedWhileItsDeviceWasGoneIsNotWhereItWas)
   EXPECT_TRUE(rig.device.linkReport().attached);
   EXPECT_EQ(rig.status, DeviceStatus::Waiting);
   EXPECT_GT(rig.lostTicks, 0); // so the loss was latched, before
+  EXPECT_EQ(rig.device.linkReport().lostFor, "it was unplugged");
   rig.stick().silent = false;
   rig.run(5);
   EXPECT_EQ(rig.status, DeviceStatus::Ok);
