@@ -33,10 +33,7 @@ public:
     {
       this->tick_.result.passes = static_cast<int>(pass) + 1;
       project(this->tick_);
-      for (int i = 0; i < 2 && leaveBorder(this->tick_); ++i) // a face for its edge, the edge for its end
-      {
-        project(this->tick_);
-      }
+      this->leaveBorders();
       if (pass == 0 && this->standsBeside())
       {
         this->tick_.forgetContacts();
@@ -84,6 +81,20 @@ public:
   }
 
 private:
+  /// A face for its edge, the edge for its end; once at a place, where a ball that comes back has gone in a circle.
+  void leaveBorders() noexcept
+  {
+    if ((this->tick_.x() - this->bordersLeftAt_W_).norm() <= 4 * this->tick_.tol())
+    {
+      return;
+    }
+    for (int i = 0; i < 2 && leaveBorder(this->tick_); ++i)
+    {
+      this->bordersLeftAt_W_ = this->tick_.x();
+      project(this->tick_);
+    }
+  }
+
   /// True if a point carries planes with it none of which is in its way.
   [[nodiscard]] bool standsBeside() noexcept
   {
@@ -123,6 +134,7 @@ private:
   }
 
   TickState<SceneView> tick_;
+  Vec3 bordersLeftAt_W_ = nowhere_W();
 };
 
 } // namespace palpate

@@ -76,10 +76,11 @@ TEST(SoupRuns, ABallHoldsOnAnyBadMeshAndIsNeverStuck)
 /// only (1, 24, 33), the end of a crevice between two edges (36, 55), an edge under a face already touched (59), and a
 /// point at a vertex where a fin stands (22), points held by the plane of a face they stand beside (98, 461, 537), one
 /// that was asked again and again what holds it at a vertex (337), and some in the crevice of a sliver whose plane,
-/// where it is computed to be, cuts through it (87, 541, 991), and one in the pocket under a fin (952).
+/// where it is computed to be, cuts through it (87, 541, 991), one in the pocket under a fin (952), and balls that came
+/// back to the border they had just left (582, 734).
 TEST(SoupRuns, WhereABallOnceStoodStillItGoesOn)
 {
-  for (const std::uint64_t i : { 1, 22, 24, 33, 36, 55, 59, 87, 98, 337, 461, 537, 541, 952, 991 })
+  for (const std::uint64_t i : { 1, 22, 24, 33, 36, 55, 59, 87, 98, 337, 461, 537, 541, 582, 734, 952, 991 })
   {
     Random random(2401 + 1000003 * i);
     const BadMesh made = makeBadMesh(random);
