@@ -102,6 +102,18 @@ double xOf(const Vec3& p)
 }
 
 const std::vector<double> places = { -9.5, -6.0, -2.5, 0.0, 1.0, 4.0, 8.0 };
+/// The array runs along x from 200 to 900 N/m over what is pressed.
+void expectForcesOfARamp(const std::vector<Vec3>& forces_W)
+{
+  const double slope = 700.0 / (2.0 * half); // N/m per u
+  ASSERT_EQ(forces_W.size(), places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const double wall = 200.0 + slope * (places[i] + half);
+    const Vec3 expected_W(-0.5 * depth * depth * slope, 0.0, wall * depth); // -grad of k(x) d^2 / 2
+    EXPECT_LT((forces_W[i] - expected_W).norm(), 1e-12 * stiffness) << places[i];
+  }
+}
 } // namespace
 
 TEST(MaterialArrays, StiffnessFollowsALinearArrayAtEachPlace)
@@ -110,15 +122,7 @@ TEST(MaterialArrays, StiffnessFollowsALinearArrayAtEachPlace)
   touch->SetInputData(makePlaneWith(xOf));
   touch->SetStiffnessArray("a");
   touch->SetStiffnessFeltRange(200.0, 900.0);
-  const double slope = 700.0 / (2.0 * half); // N/m per u
-  const std::vector<Vec3> forces_W = pressedAt(touch, places);
-  ASSERT_EQ(forces_W.size(), places.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    const double wall = 200.0 + slope * (places[i] + half);
-    const Vec3 expected_W(-0.5 * depth * depth * slope, 0.0, wall * depth); // -grad of k(x) d^2 / 2
-    EXPECT_LT((forces_W[i] - expected_W).norm(), 1e-12 * stiffness) << places[i];
-  }
+  expectForcesOfARamp(pressedAt(touch, places));
 }
 
 TEST(MaterialArrays, ATubeFollowsTheArrayOfItsLineAtEachPlace)
@@ -132,15 +136,7 @@ TEST(MaterialArrays, ATubeFollowsTheArrayOfItsLineAtEachPlace)
   touch->SetRadius(ball);
   touch->SetStiffnessArray("a");
   touch->SetStiffnessFeltRange(200.0, 900.0);
-  const double slope = 700.0 / (2.0 * half); // N/m per u
-  const std::vector<Vec3> forces_W = pressedAt(touch, places, 0.0, tube + ball);
-  ASSERT_EQ(forces_W.size(), places.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    const double wall = 200.0 + slope * (places[i] + half);
-    const Vec3 expected_W(-0.5 * depth * depth * slope, 0.0, wall * depth); // -grad of k(x) d^2 / 2
-    EXPECT_LT((forces_W[i] - expected_W).norm(), 1e-12 * stiffness) << places[i];
-  }
+  expectForcesOfARamp(pressedAt(touch, places, 0.0, tube + ball));
 }
 
 TEST(MaterialArrays, ALineWithoutTheArrayIsAnErrorUnlessASurfaceBesideItHasIt)

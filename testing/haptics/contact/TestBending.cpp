@@ -2,13 +2,12 @@
 // Vertices on their straight way from one snapshot to the next: what is felt in each tick between them.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Sweep.h"
-#include "testing/support/AllocationGuard.h"
+#include "testing/haptics/contact/BendingSheet.h"
 #include "testing/support/Bender.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/SheetHeight.h"
@@ -17,16 +16,6 @@ namespace palpate::test
 {
 namespace
 {
-
-constexpr double twoPi = 2 * std::numbers::pi;
-constexpr double K = 1000.0;
-constexpr int at20Hz = 50; // ticks a snapshot
-
-TriangleMesh sheetOf(int cells, std::uint64_t seed)
-{
-  Random random(testSeed(seed));
-  return makeSheet({ 0.2, 0.2, cells, cells, 0.2 }, random);
-}
 
 class Bending : public testing::TestWithParam<double>
 {
@@ -181,20 +170,7 @@ TEST_P(Bending, ASnapshotThatComesEarlyStartsFromWhereTheSurfaceIsFelt)
     sheetOf(20, 427), [](const Vec3& v, double t_s) { return Vec3(v + Vec3(0, 0, 0.05 * t_s)); }, 20);
   sheet.parameters.contact.radius_u = radius;
   const Vec3 hand(0.0031, 0.0023, radius - 1e-3);
-  static_cast<void>(sheet.tick(hand + Vec3(0, 0, 0.01)));
-  double before = sheet.tick(hand).state.force_D.z();
-  for (int i = 3; i <= 400; ++i)
-  {
-    if (i % 33 == 0)
-    {
-      sheet.cutShort();
-    }
-    const double force = sheet.tick(hand).state.force_D.z();
-    // A way cut short leaves up to 20 ticks' rise for the next one: at most twice as fast, never a step.
-    ASSERT_GE(force, before - 1e-9) << "tick " << i;
-    ASSERT_LE(force, before + 2 * K * 0.05 * 1e-3 + 1e-9) << "tick " << i;
-    before = force;
-  }
+  expectNoStepWhereWaysAreCutShort(sheet, hand, 0.05);
 }
 
 TEST_P(Bending, NothingIsAllocatedAndNothingLockedInATick)
@@ -204,19 +180,7 @@ TEST_P(Bending, NothingIsAllocatedAndNothingLockedInATick)
   Bender sheet(sheetOf(40, 428), wave, 10);
   sheet.parameters.contact.radius_u = GetParam();
   sheet.parameters.contact.friction = { 0.3, 0.2 };
-  std::uint64_t disturbed = 0;
-  sheet.compute = [&](const TickInput& input)
-  {
-    const AllocationGuard guard;
-    const TickOutput output = renderTick(input, sheet.parameters, sheet.state);
-    disturbed += guard.allocations() + guard.frees() + guard.locks();
-    return output;
-  };
-  for (int i = 1; i <= 200; ++i)
-  {
-    static_cast<void>(sheet.tick({ 0.02 * std::sin(0.01 * i), 0.0023, i < 3 ? 0.05 : -8e-3 }));
-  }
-  EXPECT_EQ(disturbed, 0u);
+  EXPECT_EQ(disturbancesUnderAStroke(sheet), 0u);
 }
 
 TEST(BentSurface, AnswersAtAnyMomentAsATreeThatWasBuiltThere)

@@ -3,12 +3,11 @@
 // moment on its shape of that moment.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "haptics/geometry/PolyLines.h"
-#include "testing/support/AllocationGuard.h"
+#include "testing/haptics/contact/BendingSheet.h"
 #include "testing/support/Bender.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/SheetHeight.h"
@@ -17,16 +16,6 @@ namespace palpate::test
 {
 namespace
 {
-
-constexpr double twoPi = 2 * std::numbers::pi;
-constexpr double K = 1000.0;
-constexpr int at20Hz = 50; // ticks a snapshot
-
-TriangleMesh sheetOf(int cells, std::uint64_t seed)
-{
-  Random random(testSeed(seed));
-  return makeSheet({ 0.2, 0.2, cells, cells, 0.2 }, random);
-}
 
 /// Goes on and turns about a slanted axis.
 Pose tumbling(double time_s)
@@ -219,20 +208,7 @@ TEST_P(BendingInMotion, ASnapshotThatComesEarlyStartsFromWhereTheSurfaceIsFelt)
   sheet.path_WS = [=](double t_s) { return Pose{ { 0, 0, lift * t_s }, Quat(Eigen::AngleAxisd(t_s, Vec3::UnitZ())) }; };
   sheet.parameters.contact.radius_u = radius;
   const Vec3 hand(0.0031, 0.0023, radius - 1e-3);
-  static_cast<void>(sheet.tick(hand + Vec3(0, 0, 0.01)));
-  double before = sheet.tick(hand).state.force_D.z();
-  for (int i = 3; i <= 400; ++i)
-  {
-    if (i % 33 == 0)
-    {
-      sheet.cutShort();
-    }
-    const double force = sheet.tick(hand).state.force_D.z();
-    // A way cut short leaves up to 20 ticks' rise for the next one: at most twice as fast, never a step.
-    ASSERT_GE(force, before - 1e-9) << "tick " << i;
-    ASSERT_LE(force, before + 2 * K * (rise + lift) * 1e-3 + 1e-9) << "tick " << i;
-    before = force;
-  }
+  expectNoStepWhereWaysAreCutShort(sheet, hand, rise + lift);
 }
 
 TEST_P(BendingInMotion, NothingIsAllocatedAndNothingLockedInATick)
@@ -243,19 +219,7 @@ TEST_P(BendingInMotion, NothingIsAllocatedAndNothingLockedInATick)
   sheet.path_WS = tumbling;
   sheet.parameters.contact.radius_u = GetParam();
   sheet.parameters.contact.friction = { 0.3, 0.2 };
-  std::uint64_t disturbed = 0;
-  sheet.compute = [&](const TickInput& input)
-  {
-    const AllocationGuard guard;
-    const TickOutput output = renderTick(input, sheet.parameters, sheet.state);
-    disturbed += guard.allocations() + guard.frees() + guard.locks();
-    return output;
-  };
-  for (int i = 1; i <= 200; ++i)
-  {
-    static_cast<void>(sheet.tick({ 0.02 * std::sin(0.01 * i), 0.0023, i < 3 ? 0.05 : -8e-3 }));
-  }
-  EXPECT_EQ(disturbed, 0u);
+  EXPECT_EQ(disturbancesUnderAStroke(sheet), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(PointAndBall, BendingInMotion, testing::Values(0.0, 1e-3));
