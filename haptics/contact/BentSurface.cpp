@@ -35,7 +35,10 @@ FaceRecord BentSurface::face(std::uint32_t triangle) const noexcept
     const double inverse = 1.0 / std::sqrt(area2);
     face.normal_W = inverse * cross;
     face.sliver = static_cast<float>(std::min(inverse * std::sqrt(sides2), mostSliver));
-    return face;
+    if (face.sliver <= needleSliver)
+    {
+      return face;
+    }
   }
   face = makeFace(face.corner_W, isSegment(this->data_.corners(triangle)), end.owned);
   if (!face.normal_W.allFinite())

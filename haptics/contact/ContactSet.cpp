@@ -173,10 +173,7 @@ void ContactSet<SceneView>::advanceFaces(const Vec3& from_W, const Vec3& moved) 
     const std::uint32_t reached = walkFace(data, f.a, from_W, moved, this->resolution_.del()).triangle;
     if (reached != f.a)
     {
-      // The stored corner order differs from face to face: the side is that of the common plane.
-      f.side =
-        data.face(reached).normal_W.dot(data.face(f.a).normal_W) >= 0.0 ? f.side : static_cast<std::int8_t>(-f.side);
-      f.a = reached;
+      f = onSamePlane(data, f, reached);
     }
   }
 }

@@ -282,6 +282,27 @@ double exitRound(const View& s, const ActiveFeature& f, const Vec3& x_W, const V
   return reach > limit ? std::min(t, limit / reach) : t;
 }
 
+template<class View>
+ActiveFeature onSamePlane(const View& s, const ActiveFeature& from, std::uint32_t to) noexcept
+{
+  ActiveFeature next = from;
+  next.a = to;
+  const bool sameTurn = s.face(to).normal_W.dot(s.face(from.a).normal_W) >= 0.0;
+  next.side = sameTurn ? from.side : static_cast<std::int8_t>(-from.side);
+  return next;
+}
+
+template<class View>
+ActiveFeature continued(
+  const View& s, const ActiveFeature& from, std::uint32_t to, std::uint32_t i, std::uint32_t j) noexcept
+{
+  ActiveFeature next = from;
+  next.a = to;
+  const bool sameTurn = runsAlong(s.corners(from.a), i, j) != runsAlong(s.corners(to), i, j);
+  next.side = sameTurn ? from.side : static_cast<std::int8_t>(-from.side);
+  return next;
+}
+
 #define PALPATE_INSTANTIATE(View)                                                                                      \
   template FeaturePlane planeOf(const View&, const ActiveFeature&, const Vec3&, double) noexcept;                      \
   template double outsideOfEdge(const View&, std::uint32_t, int, const Vec3&) noexcept;                                \
@@ -291,6 +312,9 @@ double exitRound(const View& s, const ActiveFeature& f, const Vec3& x_W, const V
   template ActiveFeature normalised(const View&, ActiveFeature, const Vec3&) noexcept;                                 \
   template FaceExit walkFace(const View&, std::uint32_t, const Vec3&, const Vec3&, double) noexcept;                   \
   template double exitRound(const View&, const ActiveFeature&, const Vec3&, const Vec3&, double, double) noexcept;     \
+  template ActiveFeature onSamePlane(const View&, const ActiveFeature&, std::uint32_t) noexcept;                       \
+  template ActiveFeature continued(                                                                                    \
+    const View&, const ActiveFeature&, std::uint32_t, std::uint32_t, std::uint32_t) noexcept;                          \
   template EdgeLine edgeLine(const View&, std::uint32_t, std::uint32_t) noexcept;
 
 PALPATE_INSTANTIATE(SurfaceData)

@@ -63,6 +63,17 @@ template<class View>
 [[nodiscard]] double exitRound(
   const View& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r, double del) noexcept;
 
+/// Face `to` with the side of its plane that side from.side of face from.a is: the two lie in one plane, but the order
+/// of the stored corners differs from face to face.
+template<class View>
+[[nodiscard]] ActiveFeature onSamePlane(const View& s, const ActiveFeature& from, std::uint32_t to) noexcept;
+
+/// Face `to` with the side that continues side from.side of face from.a over their common edge (i, j): it follows from
+/// how the two run along the edge, whatever their planes say.
+template<class View>
+[[nodiscard]] ActiveFeature continued(
+  const View& s, const ActiveFeature& from, std::uint32_t to, std::uint32_t i, std::uint32_t j) noexcept;
+
 /// Unit vector from vertex i to vertex j, and the length [u].
 struct EdgeLine
 {

@@ -46,7 +46,9 @@ FrictionVerdict judgeFriction(
     verdict.contacts = listHeld(contacts, held, verdict.held);
     return verdict;
   }
+  constexpr double rounding = 1e-9;
   verdict.motion = FrictionMotion::Slips;
+  verdict.trailsTooFar = behind > (1.0 + rounding) * reach.kinetic;
   verdict.pulled_W = p_W - (reach.kinetic / behind) * held.y;
   return verdict;
 }

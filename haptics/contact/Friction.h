@@ -44,7 +44,8 @@ int listHeld(ContactSet<SceneView>& contacts, const ProjectionResult& held, std:
 struct FrictionVerdict
 {
   FrictionMotion motion = FrictionMotion::None;
-  int contacts = 0;              ///< that hold it while it sticks
+  bool trailsTooFar = false; ///< it slips, and lies outside of the kinetic cone by more than rounding makes of a slide
+  int contacts = 0;          ///< that hold it while it sticks
   std::array<HeldPlane, 3> held; ///< and which
   Vec3 pulled_W =
     Vec3::Zero(); ///< where the device would have to be for the frictionless god-object to go where it goes

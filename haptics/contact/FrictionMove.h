@@ -7,6 +7,52 @@
 namespace palpate
 {
 
+/// So often is a slide that came too far to lie in its cone drawn on: after a step over a bend the planes are others
+/// than those that friction was judged by. Where that does not converge the next tick goes on.
+inline constexpr int mostSlides = 8;
+
+/// The work of several runs is that of a tick.
+inline void addWork(ContactResult& result, const ContactResult& before) noexcept
+{
+  result.passes += before.passes;
+  result.sweeps += before.sweeps;
+  result.nodes += before.nodes;
+}
+
+/// Follows the pull of friction until the god-object lies within the cone of the planes where it has come to.
+template<class SceneView>
+ContactResult slideUnderFriction(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W,
+  FrictionVerdict verdict, GodObjectState& state, PathSink* sink) noexcept
+{
+  ContactResult result;
+  for (int slide = 0; slide < mostSlides; ++slide)
+  {
+    const ContactResult before = result;
+    result = Tick(scene, plan, verdict.pulled_W, state, sink).run();
+    addWork(result, before);
+    if (state.count == 0 || Tick(scene, plan, p_W, state, sink).wayIsOpen())
+    {
+      const ContactResult left = result;
+      state.count = 0;
+      result = Tick(scene, plan, p_W, state, sink).run(); // it left the surface: nothing drags any more
+      addWork(result, left);
+      break;
+    }
+    if (result.capped || result.overBudget || result.infeasible)
+    {
+      break;
+    }
+    verdict = judgeFriction(scene, plan, p_W, state);
+    if (!verdict.trailsTooFar)
+    {
+      break;
+    }
+  }
+  state.slips = true;
+  result.friction = FrictionMotion::Slips;
+  return result;
+}
+
 /// A ball in the air first lands; where it lands friction decides what becomes of the rest of the way. One that slid in
 /// the last tick slides on, if its surface was replaced by other triangles it has to land on first.
 template<class SceneView>
@@ -32,21 +78,22 @@ ContactResult moveUnderFriction(
     return Tick(scene, plan, p_W, state, sink).run();
   }
   ContactResult result;
-  result.proxy_W = state.x_W;
-  result.held = verdict.held;
-  result.heldCount = result.contacts = verdict.contacts;
-  if (verdict.motion != FrictionMotion::Sticks)
+  if (verdict.motion == FrictionMotion::Slips)
   {
-    result = Tick(scene, plan, verdict.pulled_W, state, sink).run();
-    if (state.count == 0)
-    {
-      result = Tick(scene, plan, p_W, state, sink).run(); // it left the surface: nothing drags any more
-    }
+    result = slideUnderFriction(scene, plan, p_W, verdict, state, sink);
   }
-  result.friction = verdict.motion;
-  result.passes += landing.passes;
-  result.sweeps += landing.sweeps;
-  result.nodes += landing.nodes;
+  else if (verdict.motion == FrictionMotion::None)
+  {
+    result = Tick(scene, plan, p_W, state, sink).run();
+  }
+  else
+  {
+    result.proxy_W = state.x_W;
+    result.held = verdict.held;
+    result.heldCount = result.contacts = verdict.contacts;
+    result.friction = FrictionMotion::Sticks;
+  }
+  addWork(result, landing);
   return result;
 }
 

@@ -17,7 +17,7 @@ namespace
 struct Placed
 {
   Vec3 origin_W, centre_W, normal_W;
-  double extent;
+  double radius_u, extent_u;
 };
 
 Vec3 centreOf(const DiscQuad& quad, std::uint32_t k) noexcept
@@ -34,7 +34,9 @@ Placed place(const SurfaceData&, const SurfaceData& data, std::uint32_t leaf, st
 {
   const DiscQuad& quad = data.discs[2 * leaf + lane / 4];
   const Vec3& origin = data.leaves[leaf].origin_W;
-  return { origin, origin + centreOf(quad, lane % 4), normalOf(quad, lane % 4), data.leaves[leaf].extent };
+  const double unit_u = 1.0 / data.leaves[leaf].perUnit;
+  return { origin, origin + unit_u * centreOf(quad, lane % 4), normalOf(quad, lane % 4), unit_u * quad.radius[lane % 4],
+    unit_u };
 }
 
 Placed place(const PosedSurface& posed, const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
@@ -43,7 +45,7 @@ Placed place(const PosedSurface& posed, const SurfaceData& data, std::uint32_t l
   placed.origin_W = posed.toWorld(placed.origin_W);
   placed.centre_W = posed.toWorld(placed.centre_W);
   placed.normal_W = posed.turned(placed.normal_W);
-  placed.extent *= 1.75; // a cube's corner is sqrt 3 times as far as its faces
+  placed.extent_u *= 1.75; // a cube's corner is sqrt 3 times as far as its faces
   return placed;
 }
 
@@ -67,7 +69,8 @@ bool Neighbourhood::gather(const SceneView& scene, const Motion& m, std::uint32_
   this->centre_W_ = m.x_W + 0.5 * m.d;
   this->reach_u_ = 1.1 * m.length + (1.0 + room) * m.r + 8 * m.tol;
   this->count_ = 0;
-  this->extent_u_ = 0.0;
+  this->perUnit_ = 1.0 / this->reach_u_;
+  this->extent_ = 0.0;
   Motion still = m;
   still.x_W = still.e_W = this->centre_W_;
   still.d = Vec3::Zero();
@@ -102,7 +105,7 @@ bool Neighbourhood::gatherLeaves(
     [&](std::uint32_t index) noexcept
     {
       const Leaf& leaf = data.leaves[index];
-      const DiscFilter filter(inSurface, leaf.origin_W, leaf.extent);
+      const DiscFilter filter(inSurface, leaf.origin_W, leaf.perUnit);
       const int lanes = filter.touched(data.discs[2 * index]) | filter.touched(data.discs[2 * index + 1]) << 4;
       for (std::uint32_t lane = 0; lane < leaf.count; ++lane)
       {
@@ -124,10 +127,10 @@ void Neighbourhood::add(const View& view, std::uint32_t surface, std::uint32_t l
 {
   const SurfaceData& data = dataOf(view);
   const Placed placed = place(view, data, leaf, lane);
-  const Vec3 centre = placed.centre_W - this->centre_W_;
+  const Vec3 centre = this->perUnit_ * (placed.centre_W - this->centre_W_);
   // Discs of one leaf lie within its extent, also where it has been turned.
   const Vec3 origin = placed.origin_W - this->centre_W_;
-  this->extent_u_ = std::max(this->extent_u_, placed.extent + origin.cwiseAbs().maxCoeff());
+  this->extent_ = std::max(this->extent_, this->perUnit_ * (placed.extent_u + origin.cwiseAbs().maxCoeff()));
   DiscQuad& to = this->discs_[this->count_ / 4];
   const int at = this->count_ % 4;
   to.cx[at] = static_cast<float>(centre.x());
@@ -136,7 +139,7 @@ void Neighbourhood::add(const View& view, std::uint32_t surface, std::uint32_t l
   to.nx[at] = static_cast<float>(placed.normal_W.x());
   to.ny[at] = static_cast<float>(placed.normal_W.y());
   to.nz[at] = static_cast<float>(placed.normal_W.z());
-  to.radius[at] = data.discs[2 * leaf + lane / 4].radius[lane % 4];
+  to.radius[at] = static_cast<float>(this->perUnit_ * placed.radius_u);
   this->faces_[this->count_++] = { surface, data.leaves[leaf].first + lane };
 }
 

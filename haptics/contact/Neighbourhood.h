@@ -35,8 +35,10 @@ public:
   /// Discs of faces 4 quad .. 4 quad + 3, relative to centre_W().
   [[nodiscard]] const DiscQuad& discs(int quad) const noexcept { return this->discs_[quad]; }
   [[nodiscard]] const Vec3& centre_W() const noexcept { return this->centre_W_; }
-  /// No coordinate of a disc relative to centre_W() is larger than this [u].
-  [[nodiscard]] double extent_u() const noexcept { return this->extent_u_; }
+  /// 1 u in the unit of the discs.
+  [[nodiscard]] double perUnit() const noexcept { return this->perUnit_; }
+  /// No coordinate of a disc relative to centre_W() is larger than this, in that unit.
+  [[nodiscard]] double extent() const noexcept { return this->extent_; }
 
 private:
   static constexpr int capacity = 512;
@@ -52,7 +54,8 @@ private:
 
   Vec3 centre_W_ = Vec3::Zero();
   double reach_u_ = -1.0; ///< negative: nothing gathered
-  double extent_u_ = 0.0;
+  double perUnit_ = 1.0;
+  double extent_ = 0.0;
   bool crowded_ = false; ///< gathering did not fit once: not tried again
   int count_ = 0;
   std::array<Face, capacity> faces_;

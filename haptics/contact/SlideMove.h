@@ -83,15 +83,17 @@ void leave(TickState<SceneView>& tick, const SlideLimit& limit) noexcept
   }
   tick.left.add(left, tick.x());
   const auto& s = tick.contacts.surface(left);
-  ActiveFeature next = left;
-  next.a = s.neighbour(limit.lastFace, limit.successor.a, limit.successor.b);
-  if (next.a != SurfaceData::none)
+  const std::uint32_t neighbour = s.neighbour(limit.lastFace, limit.successor.a, limit.successor.b);
+  if (neighbour == SurfaceData::none)
   {
-    next.side = static_cast<std::int8_t>(sideOf(s, next.a, tick.x()));
-    if (next.side != 0)
-    {
-      tick.contacts.add(next); // settle() drops it again where it does not hold
-    }
+    return;
+  }
+  const ActiveFeature last = onSamePlane(s, left, limit.lastFace);
+  const ActiveFeature next = continued(s, last, neighbour, limit.successor.a, limit.successor.b);
+  // Just beyond a sharp crest the point lies on the inner side of the next face's plane: nothing holds it there.
+  if (sideOf(s, next.a, tick.x()) == next.side)
+  {
+    tick.contacts.add(next); // settle() drops it again where it does not hold
   }
 }
 

@@ -40,7 +40,7 @@ public:
   void testLeaf(std::uint32_t index) noexcept
   {
     const Leaf& leaf = this->data_.leaves[index];
-    const DiscFilter filter(this->m_, leaf.origin_W, leaf.extent);
+    const DiscFilter filter(this->m_, leaf.origin_W, leaf.perUnit);
     int lanes = filter.touched(this->data_.discs[2 * index]);
     if (leaf.count > 4)
     {
@@ -263,7 +263,7 @@ void sweepList(
 {
   Motion widest = m;
   widest.r += sceneOf(scene).mostCoat_u();
-  const DiscFilter filter(widest, near.centre_W(), near.extent_u());
+  const DiscFilter filter(widest, near.centre_W(), near.perUnit(), near.extent());
   for (int quad = 0; quad * 4 < near.count(); ++quad)
   {
     int lanes = filter.touched(near.discs(quad)) & ((1 << std::min(4, near.count() - quad * 4)) - 1);
@@ -326,6 +326,22 @@ SweepHit sweepBall(const SceneView& scene, const SweepQuery& query, std::uint32_
   return best;
 }
 
+template<class SceneView>
+bool meetsFace(const SceneView& scene, const ActiveFeature& f, const SweepQuery& query) noexcept
+{
+  SweepHit best;
+  const auto& surface = surfaceOf(scene, f.surface);
+  askTree(surface, motionOf(query),
+    [&](const Motion& inSurface) noexcept
+    {
+      askShape(surface,
+        [&](const auto& shape) noexcept { SurfaceSweep(shape, f.surface, query, inSurface, best).testTriangle(f.a); });
+    });
+  return best.hit;
+}
+
+template bool meetsFace(const Scene&, const ActiveFeature&, const SweepQuery&) noexcept;
+template bool meetsFace(const MovingScene&, const ActiveFeature&, const SweepQuery&) noexcept;
 template SweepHit sweepSurface(const SurfaceData&, std::uint32_t, const SweepQuery&, std::uint32_t) noexcept;
 template SweepHit sweepSurface(const BentSurface&, std::uint32_t, const SweepQuery&, std::uint32_t) noexcept;
 template SweepHit sweepBall(const Scene&, const SweepQuery&, std::uint32_t, Neighbourhood*) noexcept;

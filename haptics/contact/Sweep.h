@@ -63,4 +63,8 @@ template<class SceneView>
 [[nodiscard]] SweepHit sweepBall(
   const SceneView& scene, const SweepQuery& query, std::uint32_t budget, Neighbourhood* near = nullptr) noexcept;
 
+/// True if the closed straight way meets face f, decided as the sweep of a point decides it.
+template<class SceneView>
+[[nodiscard]] bool meetsFace(const SceneView& scene, const ActiveFeature& f, const SweepQuery& query) noexcept;
+
 } // namespace palpate

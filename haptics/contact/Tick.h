@@ -61,9 +61,30 @@ public:
         break;
       }
     }
+    this->comeIfFree();
     this->tick_.result.proxy_W = this->tick_.x();
     this->keepHeld();
     return this->tick_.result;
+  }
+
+  /// True if nothing at all lies between a point and the device: what seems to hold the point does not. Mostly one of
+  /// the faces that hold the point is in the way, and no sweep is needed to see that.
+  [[nodiscard]] bool wayIsOpen() noexcept
+  {
+    if (this->tick_.round() || this->tick_.x() == this->tick_.p_W)
+    {
+      return false;
+    }
+    const SweepQuery query = straightQuery(this->tick_.x(), this->tick_.p_W);
+    for (const ActiveFeature& f : this->tick_.contacts.features())
+    {
+      if (meetsFace(this->tick_.scene, f, query))
+      {
+        return false;
+      }
+    }
+    const SweepHit hit = this->tick_.sweepOnce(this->tick_.x(), this->tick_.p_W);
+    return !hit.hit && hit.freeUntil >= 1.0;
   }
 
   /// True if a point may go straight towards the device for more than what rounding makes of a way into a plane,
@@ -109,6 +130,19 @@ private:
       return true;
     }
     return this->tick_.startedAnew && goRoundVertex(this->tick_);
+  }
+
+  /// Planes say where a point is held to within rounding, and between planes at a sharp angle, or at a vertex that was
+  /// met exactly, that is not enough. No tick leaves a point where exact arithmetic sees nothing in its way.
+  void comeIfFree() noexcept
+  {
+    if (!this->tick_.result.overBudget && this->wayIsOpen())
+    {
+      this->tick_.forgetContacts();
+      this->tick_.solution = {};
+      this->tick_.result.infeasible = false;
+      this->tick_.moveTo(this->tick_.p_W);
+    }
   }
 
   [[nodiscard]] bool isCapped(std::uint32_t pass) noexcept

@@ -56,6 +56,9 @@ struct TickState
 
   /// A long way of a ball is looked at in two parts: mostly it ends soon, and the first part is cheap.
   [[nodiscard]] SweepHit sweep(const Vec3& from_W, const Vec3& to_W) noexcept;
+  /// Round so long a way there are few enough faces to gather them [u]: for a ball it is a share of its radius, for a
+  /// point about the size of the face that it touches.
+  [[nodiscard]] double gatheredWay_u() const noexcept;
   [[nodiscard]] SweepHit sweepOnce(const Vec3& from_W, const Vec3& to_W) noexcept;
   void moveTo(const Vec3& to_W) noexcept;
   /// A move over a corner: the way has two pieces, the bookkeeping is done once.
@@ -104,6 +107,18 @@ SweepHit TickState<SceneView>::sweep(const Vec3& from_W, const Vec3& to_W) noexc
 }
 
 template<class SceneView>
+double TickState<SceneView>::gatheredWay_u() const noexcept
+{
+  if (this->round() || this->contacts.count() == 0)
+  {
+    return longWay * this->scale_u;
+  }
+  const ActiveFeature& f = this->contacts.features().front();
+  const auto& [a, b, c] = cornersIn(this->contacts.surface(f), f.a);
+  return std::max((b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff());
+}
+
+template<class SceneView>
 SweepHit TickState<SceneView>::sweepOnce(const Vec3& from_W, const Vec3& to_W) noexcept
 {
   SweepQuery query;
@@ -118,7 +133,7 @@ SweepHit TickState<SceneView>::sweepOnce(const Vec3& from_W, const Vec3& to_W) n
   }
   const std::uint32_t left = this->plan.nodeBudget - std::min(this->plan.nodeBudget, this->result.nodes);
   // Half of the ticks need one sweep only: gathering what is around pays from the second on.
-  const bool gather = this->result.sweeps >= 1 && (to_W - from_W).norm() <= longWay * this->scale_u;
+  const bool gather = this->result.sweeps >= 1 && (to_W - from_W).norm() <= this->gatheredWay_u();
   const SweepHit hit = sweepBall(this->scene, query, left, gather ? &this->near : nullptr);
   ++this->result.sweeps;
   this->result.nodes += hit.nodes;

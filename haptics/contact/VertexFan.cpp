@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "haptics/contact/FeatureGeometry.h"
 #include "haptics/geometry/ExactPredicates.h"
 
 namespace palpate
@@ -32,8 +33,15 @@ std::optional<ActiveFeature> across(
 {
   const Vec3 &a = s.vertex(v), &b = s.vertex(far), &own = s.vertex(s.opposite(from.a, v, far));
   const int turn = from.side * (runsAlong(s.corners(from.a), v, far) ? 1 : -1);
+  const auto tip = [&](std::uint32_t triangle) -> decltype(auto) { return s.vertex(s.opposite(triangle, v, far)); };
+  const auto above = [&](std::uint32_t triangle) // less than half a turn away
+  { return turn * orientation(a, b, own, tip(triangle)) > 0; };
+  const auto isSooner = [&](std::uint32_t one, std::uint32_t other)
+  {
+    const bool oneAbove = above(one);
+    return oneAbove != above(other) ? oneAbove : turn * orientation(a, b, tip(one), tip(other)) > 0;
+  };
   std::uint32_t first = SurfaceData::none;
-  bool firstAbove = false;
   s.forEachAtEdge(v, far,
     [&](std::uint32_t triangle)
     {
@@ -41,24 +49,15 @@ std::optional<ActiveFeature> across(
       {
         return;
       }
-      branches |= first != SurfaceData::none;
-      const Vec3& tip = s.vertex(s.opposite(triangle, v, far));
-      const bool above = turn * orientation(a, b, own, tip) > 0; // less than half a turn away
-      const bool sooner =
-        first == SurfaceData::none || (above && !firstAbove) ||
-        (above == firstAbove && turn * orientation(a, b, tip, s.vertex(s.opposite(first, v, far))) > 0);
-      first = sooner ? triangle : first;
-      firstAbove = sooner ? above : firstAbove;
+      const bool another = first != SurfaceData::none;
+      branches |= another;
+      first = !another || isSooner(triangle, first) ? triangle : first;
     });
   if (first == SurfaceData::none)
   {
     return std::nullopt;
   }
-  ActiveFeature next = from;
-  next.a = first;
-  const bool sameTurn = runsAlong(s.corners(from.a), v, far) != runsAlong(s.corners(first), v, far);
-  next.side = sameTurn ? from.side : static_cast<std::int8_t>(-from.side);
-  return next;
+  return continued(s, from, first, v, far);
 }
 
 template<class View>

@@ -25,6 +25,16 @@ struct Expansion
       this->part[this->size++] = value;
     }
   }
+  /// The sum, rounded hardly more than once: the components do not overlap.
+  [[nodiscard]] double value() const noexcept
+  {
+    double value = 0.0;
+    for (int i = 0; i < this->size; ++i)
+    {
+      value += this->part[i];
+    }
+    return value;
+  }
   [[nodiscard]] int sign() const noexcept { return this->size == 0 ? 0 : (this->part[this->size - 1] > 0 ? 1 : -1); }
 };
 
@@ -160,6 +170,18 @@ int orientation2(double ax, double ay, double bx, double by, double cx, double c
     return det > 0 ? 1 : -1;
   }
   return minor2(difference(bx, ax), difference(by, ay), difference(cx, ax), difference(cy, ay)).sign();
+}
+
+Vec3 exactCross(const Vec3& a, const Vec3& b, const Vec3& c) noexcept
+{
+  Expansion<2> p[3], q[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    p[k] = difference(b[k], a[k]);
+    q[k] = difference(c[k], a[k]);
+  }
+  return { minor2(p[1], p[2], q[1], q[2]).value(), minor2(p[2], p[0], q[2], q[0]).value(),
+    minor2(p[0], p[1], q[0], q[1]).value() };
 }
 
 bool exactlyCollinear(const Vec3& a, const Vec3& b, const Vec3& c) noexcept

@@ -20,4 +20,8 @@ namespace palpate
 /// True if the three points lie exactly on one line (or coincide).
 [[nodiscard]] bool exactlyCollinear(const Vec3& a, const Vec3& b, const Vec3& c) noexcept;
 
+/// (b-a) x (c-a) with each coordinate rounded once only, however thin the triangle; zero if it has no area. The same
+/// conditions as above, for products of two coordinates.
+[[nodiscard]] Vec3 exactCross(const Vec3& a, const Vec3& b, const Vec3& c) noexcept;
+
 } // namespace palpate

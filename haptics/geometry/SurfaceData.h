@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "haptics/geometry/BoxTree.h"
@@ -22,11 +23,12 @@ struct FaceRecord
 {
   std::array<Vec3, 3> corner_W;
   Vec3 normal_W; ///< unit, right-handed for the stored corners
-  float sliver;  ///< |e||f| / |e x f| of two edges: how much the normal's rounding is amplified
+  float sliver;  ///< how much the normal's rounding is amplified: |e||f| / |e x f| of two edges, 1 where it is exact
   std::uint32_t owned;
 };
 
-/// Four faces' bounding discs in single precision relative to Leaf::origin_W, rounded outward: the prefilter.
+/// Four faces' bounding discs in single precision relative to Leaf::origin_W, in the leaf's own unit, rounded outward:
+/// the prefilter.
 struct alignas(16) DiscQuad
 {
   std::array<float, 4> cx, cy, cz, nx, ny, nz;
@@ -38,7 +40,8 @@ struct Leaf
 {
   static constexpr std::uint32_t capacity = 8;
   Vec3 origin_W;
-  double extent; ///< no coordinate of its faces is further from the origin than this [u]
+  double
+    perUnit; ///< 1 u in the unit of its discs, of which no coordinate of its faces is further from the origin than 1
   std::uint32_t first;
   std::uint32_t count;
 };
@@ -108,10 +111,21 @@ struct SurfaceData
     return t[0] != i && t[0] != j ? t[0] : (t[1] != i && t[1] != j ? t[1] : t[2]);
   }
 
-  /// Calls visit(triangle) for each triangle around edge (i, j).
+  /// How many triangles there are around vertex v.
+  [[nodiscard]] std::uint32_t valence(std::uint32_t v) const noexcept
+  {
+    return this->fanStart[v + 1] - this->fanStart[v];
+  }
+
+  /// Calls visit(triangle) for each triangle around edge (i, j), in ascending order. The end with fewer triangles is
+  /// asked: a spoke of a disc costs as little at the hub as at the rim.
   template<class Visit>
   void forEachAtEdge(std::uint32_t i, std::uint32_t j, Visit visit) const
   {
+    if (this->valence(j) < this->valence(i))
+    {
+      std::swap(i, j);
+    }
     for (std::uint32_t k = this->fanStart[i]; k < this->fanStart[i + 1]; ++k)
     {
       if (this->hasCorner(this->fan[k], j))

@@ -6,13 +6,14 @@
 #include <limits>
 
 #include "haptics/core/WordHash.h"
+#include "haptics/geometry/ExactPredicates.h"
 
 namespace palpate
 {
 namespace
 {
 
-/// `local`: its centre from the leaf's origin.
+/// `local`: its centre from the leaf's origin, in the leaf's unit, as is its radius.
 void writeDisc(DiscQuad& quad, int lane, const Vec3& local, const Vec3& normal, double radius)
 {
   quad.cx[lane] = static_cast<float>(local.x());
@@ -26,7 +27,7 @@ void writeDisc(DiscQuad& quad, int lane, const Vec3& local, const Vec3& normal, 
 }
 
 /// A disc in the face's plane that holds its three corners: the circle over the longest edge, or round the centroid.
-void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Vec3& origin_W)
+void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Leaf& leaf)
 {
   const auto& [a, b, c] = face.corner_W;
   const auto reach2 = [&](const Vec3& from) {
@@ -45,7 +46,20 @@ void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Vec3& origi
     }
   }
   const double radius = std::sqrt(radius2);
-  writeDisc(quad, lane, centre - origin_W, face.normal_W, radius);
+  writeDisc(quad, lane, leaf.perUnit * (centre - leaf.origin_W), face.normal_W, leaf.perUnit * radius);
+}
+
+/// Of a sliver so thin that rounding of its sides makes of its normal what it likes.
+void setNeedleNormal(FaceRecord& face) noexcept
+{
+  const auto& [a, b, c] = face.corner_W;
+  const Vec3 cross = exactCross(a, b, c);
+  const double most = cross.cwiseAbs().maxCoeff();
+  if (most > 0.0)
+  {
+    face.normal_W = (cross / most).normalized();
+    face.sliver = 1.0F;
+  }
 }
 
 } // namespace
@@ -76,13 +90,17 @@ FaceRecord makeFace(const std::array<Vec3, 3>& corners_W, bool segment, std::uin
   face.normal_W = cross * (1.0 / area);
   const double sine = area / std::sqrt(eScaled.squaredNorm() * fScaled.squaredNorm());
   face.sliver = static_cast<float>(1.0 / std::max(sine, 1e-30));
+  if (face.sliver > needleSliver)
+  {
+    setNeedleNormal(face);
+  }
   return face;
 }
 
 Leaf makeLeaf(const Box& box, std::uint32_t first, std::uint32_t count) noexcept
 {
   const Vec3 sides = box.high_W - box.low_W;
-  return { box.low_W + 0.5 * sides, sides.maxCoeff(), first, count };
+  return { box.low_W + 0.5 * sides, 1.0 / sides.maxCoeff(), first, count };
 }
 
 void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept
@@ -91,7 +109,7 @@ void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept
   for (std::uint32_t k = 0; k < leaf.count; ++k)
   {
     DiscQuad& quad = data.discs[2 * leafIndex + k / 4];
-    setDisc(quad, static_cast<int>(k % 4), data.faces[leaf.first + k], leaf.origin_W);
+    setDisc(quad, static_cast<int>(k % 4), data.faces[leaf.first + k], leaf);
   }
 }
 
@@ -101,8 +119,8 @@ void layBalls(SurfaceData& data, std::size_t leafIndex, const std::array<Box, Le
   for (std::uint32_t k = 0; k < leaf.count; ++k)
   {
     const Vec3 half = 0.5 * (faceBoxes[k].high_W - faceBoxes[k].low_W);
-    writeDisc(data.discs[2 * leafIndex + k / 4], static_cast<int>(k % 4), faceBoxes[k].low_W + half - leaf.origin_W,
-      Vec3::Zero(), half.norm());
+    writeDisc(data.discs[2 * leafIndex + k / 4], static_cast<int>(k % 4),
+      leaf.perUnit * (faceBoxes[k].low_W + half - leaf.origin_W), Vec3::Zero(), leaf.perUnit * half.norm());
   }
 }
 

@@ -11,6 +11,9 @@ namespace palpate
 /// What a surface keeps of its vertices where they are, beside the hierarchy: the part that building it and moving
 /// its vertices have in common. Internal to haptics/geometry.
 
+/// From this FaceRecord::sliver on a normal is computed exactly, for its rounding is 1e-8 and more.
+inline constexpr float needleSliver = 1e8F;
+
 /// Corners, normal (zero for a segment) and sliver of a triangle of data.mesh; `owned` is the caller's.
 [[nodiscard]] FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept;
 
