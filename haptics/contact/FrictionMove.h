@@ -19,6 +19,15 @@ inline void addWork(ContactResult& result, const ContactResult& before) noexcept
   result.nodes += before.nodes;
 }
 
+/// True if what seems to hold the ball is beside its way: then nothing drags.
+template<class SceneView>
+[[nodiscard]] bool standsBeside(
+  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
+{
+  Tick tick(scene, plan, p_W, state, sink);
+  return tick.wayIsOpen() || tick.wayIsFree();
+}
+
 /// Follows the pull of friction until the god-object lies within the cone of the planes where it has come to.
 template<class SceneView>
 ContactResult slideUnderFriction(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W,
@@ -72,9 +81,9 @@ ContactResult moveUnderFriction(
     verdict = judgeFriction(scene, plan, p_W, state);
     state.slips = verdict.motion == FrictionMotion::Slips;
   }
-  if (verdict.motion == FrictionMotion::Sticks && Tick(scene, plan, p_W, state, sink).wayIsFree())
+  if (verdict.motion == FrictionMotion::Sticks && standsBeside(scene, plan, p_W, state, sink))
   {
-    state.count = 0; // it stands beside what seems to hold it
+    state.count = 0;
     return Tick(scene, plan, p_W, state, sink).run();
   }
   ContactResult result;

@@ -20,6 +20,9 @@ namespace palpate
 namespace
 {
 
+/// From so many squared radii on a way is long.
+constexpr double longWay2 = 1e4;
+
 bool isTouched(const SweepQuery& query, const ActiveFeature& f) noexcept
 {
   return std::any_of(query.touched.begin(), query.touched.end(),
@@ -97,8 +100,8 @@ private:
     {
       return false;
     }
-    const double rounding = 8 * std::numeric_limits<double>::epsilon() * double(face.sliver) *
-                            (away.cwiseAbs().sum() + m.d.cwiseAbs().sum());
+    const double rounding =
+      8 * std::numeric_limits<double>::epsilon() * double(face.sliver) * (away.cwiseAbs().sum() + m.d.cwiseAbs().sum());
     return rounding <= 0.5 * m.tol;
   }
 
@@ -203,9 +206,25 @@ private:
     {
       return miss;
     }
+    if (a > longWay2 * m.r * m.r)
+    {
+      return this->timeOfEntry(w, d, a);
+    }
     const double distance = std::sqrt(ww);
     const double c = (distance - m.r) * (distance + m.r);
     return c <= 0.0 ? 0.0 : c / (-b + std::sqrt(std::max(0.0, b * b - a * c)));
+  }
+
+  /// The same for a way that is so long against the ball that squares of it would lose the radius: from where it comes
+  /// nearest, back by what is left of the radius there.
+  [[nodiscard]] double timeOfEntry(const Vec3& w, const Vec3& d, double a) const noexcept
+  {
+    double t = -w.dot(d) / a;
+    Vec3 foot = w + t * d;
+    t -= foot.dot(d) / a;
+    foot = w + t * d;
+    const double r = this->m_.r;
+    return std::max(0.0, t - std::sqrt(std::max(0.0, (r - foot.norm()) * (r + foot.norm()) / a)));
   }
 
   /// The closed way against the closed triangle, exactly.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "haptics/contact/HoldingPlanes.h"
@@ -67,23 +68,14 @@ public:
     return this->tick_.result;
   }
 
-  /// True if nothing at all lies between a point and the device: what seems to hold the point does not. Mostly one of
-  /// the faces that hold the point is in the way, and no sweep is needed to see that.
+  /// True if nothing at all lies between ball and device, touched or not: what seems to hold the ball does not.
   [[nodiscard]] bool wayIsOpen() noexcept
   {
-    if (this->tick_.round() || this->tick_.x() == this->tick_.p_W)
+    if (this->tick_.x() == this->tick_.p_W || (!this->tick_.round() && this->oneIsInTheWay()))
     {
       return false;
     }
-    const SweepQuery query = straightQuery(this->tick_.x(), this->tick_.p_W);
-    for (const ActiveFeature& f : this->tick_.contacts.features())
-    {
-      if (meetsFace(this->tick_.scene, f, query))
-      {
-        return false;
-      }
-    }
-    const SweepHit hit = this->tick_.sweepOnce(this->tick_.x(), this->tick_.p_W);
+    const SweepHit hit = this->tick_.sweepPast({}, this->tick_.x(), this->tick_.p_W);
     return !hit.hit && hit.freeUntil >= 1.0;
   }
 
@@ -102,6 +94,15 @@ public:
   }
 
 private:
+  /// True if one of the faces that hold a point is in its way: mostly it is, and no sweep is needed to see that.
+  [[nodiscard]] bool oneIsInTheWay() const noexcept
+  {
+    const SweepQuery query = straightQuery(this->tick_.x(), this->tick_.p_W);
+    const auto held = this->tick_.contacts.features();
+    return std::any_of(
+      held.begin(), held.end(), [&](const ActiveFeature& f) { return meetsFace(this->tick_.scene, f, query); });
+  }
+
   /// A face for its edge, the edge for its end; once at a place, where a ball that comes back has gone in a circle.
   void leaveBorders() noexcept
   {
@@ -136,7 +137,7 @@ private:
   /// met exactly, that is not enough. No tick leaves a point where exact arithmetic sees nothing in its way.
   void comeIfFree() noexcept
   {
-    if (!this->tick_.result.overBudget && this->wayIsOpen())
+    if (!this->tick_.round() && !this->tick_.result.overBudget && this->wayIsOpen())
     {
       this->tick_.forgetContacts();
       this->tick_.solution = {};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 #include "haptics/contact/ContactSet.h"
 #include "haptics/contact/LeftFaces.h"
@@ -60,6 +61,9 @@ struct TickState
   /// point about the size of the face that it touches.
   [[nodiscard]] double gatheredWay_u() const noexcept;
   [[nodiscard]] SweepHit sweepOnce(const Vec3& from_W, const Vec3& to_W) noexcept;
+  /// The same past features that are known to be touched.
+  [[nodiscard]] SweepHit sweepPast(
+    std::span<const ActiveFeature> touched, const Vec3& from_W, const Vec3& to_W) noexcept;
   void moveTo(const Vec3& to_W) noexcept;
   /// A move over a corner: the way has two pieces, the bookkeeping is done once.
   void moveOver(const Vec3& corner_W, const Vec3& to_W) noexcept;
@@ -121,16 +125,21 @@ double TickState<SceneView>::gatheredWay_u() const noexcept
 template<class SceneView>
 SweepHit TickState<SceneView>::sweepOnce(const Vec3& from_W, const Vec3& to_W) noexcept
 {
+  const auto touched = this->round() ? this->contacts.features() : std::span<const ActiveFeature>();
+  return this->sweepPast(touched, from_W, to_W);
+}
+
+template<class SceneView>
+SweepHit TickState<SceneView>::sweepPast(
+  std::span<const ActiveFeature> touched, const Vec3& from_W, const Vec3& to_W) noexcept
+{
   SweepQuery query;
   query.from_W = from_W;
   query.to_W = to_W;
   query.radius_u = this->plan.radius_u;
   query.resolution = this->contacts.resolution();
   query.resolution.include(to_W);
-  if (this->round())
-  {
-    query.touched = this->contacts.features();
-  }
+  query.touched = touched;
   const std::uint32_t left = this->plan.nodeBudget - std::min(this->plan.nodeBudget, this->result.nodes);
   // Half of the ticks need one sweep only: gathering what is around pays from the second on.
   const bool gather = this->result.sweeps >= 1 && (to_W - from_W).norm() <= this->gatheredWay_u();
