@@ -7,111 +7,117 @@
 namespace palpate
 {
 
-/// So often is a slide that came too far to lie in its cone drawn on: after a step over a bend the planes are others
-/// than those that friction was judged by. Where that does not converge the next tick goes on.
-inline constexpr int mostSlides = 8;
-
-/// The work of several runs is that of a tick.
-inline void addWork(ContactResult& result, const ContactResult& before) noexcept
-{
-  result.passes += before.passes;
-  result.sweeps += before.sweeps;
-  result.nodes += before.nodes;
-}
-
-/// True if what seems to hold the ball is beside its way: then nothing drags.
+/// One tick under friction. What friction lets the ball do is asked anew wherever it has come to: after a step over a
+/// bend other planes hold it than those that friction was judged by.
 template<class SceneView>
-[[nodiscard]] bool standsBeside(
-  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
+class FrictionMove
 {
-  Tick tick(scene, plan, p_W, state, sink);
-  return tick.wayIsOpen() || tick.wayIsFree();
-}
+public:
+  FrictionMove(
+    const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
+    : scene_(scene), plan_(plan), p_W_(p_W), state_(state), sink_(sink)
+  {
+  }
 
-/// Follows the pull of friction until the god-object lies within the cone of the planes where it has come to.
-template<class SceneView>
-ContactResult slideUnderFriction(const SceneView& scene, const ContactPlan& plan, const Vec3& p_W,
-  FrictionVerdict verdict, GodObjectState& state, PathSink* sink) noexcept
-{
-  ContactResult result;
-  for (int slide = 0; slide < mostSlides; ++slide)
+  [[nodiscard]] ContactResult run() noexcept
   {
-    const ContactResult before = result;
-    result = Tick(scene, plan, verdict.pulled_W, state, sink).run();
-    addWork(result, before);
-    if (state.count == 0 || Tick(scene, plan, p_W, state, sink).wayIsOpen())
+    FrictionVerdict verdict = this->judged();
+    bool falls = false;
+    for (int step = 0; step < mostSteps && verdict.motion != FrictionMotion::Sticks; ++step)
     {
-      const ContactResult left = result;
-      state.count = 0;
-      result = Tick(scene, plan, p_W, state, sink).run(); // it left the surface: nothing drags any more
-      addWork(result, left);
-      break;
+      const bool slides = verdict.motion == FrictionMotion::Slips, fellBefore = falls;
+      falls = !slides;
+      this->go(verdict.pulled_W, falls && !fellBefore);
+      if (slides && (this->state_.count == 0 || this->tickTo(this->p_W_).wayIsOpen()))
+      {
+        return this->goFreely();
+      }
+      if (this->isOver() || (falls && fellBefore))
+      {
+        return this->end(slides);
+      }
+      verdict = this->judged();
+      if (slides && verdict.motion != FrictionMotion::None && !verdict.trailsTooFar)
+      {
+        return this->end(true);
+      }
     }
-    if (result.capped || result.overBudget || result.infeasible)
-    {
-      break;
-    }
-    verdict = judgeFriction(scene, plan, p_W, state);
-    if (!verdict.trailsTooFar)
-    {
-      break;
-    }
+    return verdict.motion == FrictionMotion::Sticks ? this->stick(verdict) : this->end(true);
   }
-  state.slips = true;
-  result.friction = FrictionMotion::Slips;
-  return result;
-}
 
-/// A ball in the air first lands; where it lands friction decides what becomes of the rest of the way. One that slid in
-/// the last tick slides on, if its surface was replaced by other triangles it has to land on first.
-template<class SceneView>
-ContactResult moveUnderFriction(
-  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
-{
-  FrictionVerdict verdict = judgeFriction(scene, plan, p_W, state);
-  ContactResult landing;
-  if (verdict.motion == FrictionMotion::None)
+private:
+  /// Where it does not converge in so many the next tick goes on.
+  static constexpr int mostSteps = 8;
+
+  [[nodiscard]] Tick<SceneView> tickTo(const Vec3& p_W) noexcept
   {
-    landing = Tick(scene, plan, p_W, state, sink).run(true);
-    if (state.count == 0 || landing.capped || landing.overBudget || landing.infeasible)
+    return { this->scene_, this->plan_, p_W, this->state_, this->sink_ };
+  }
+
+  [[nodiscard]] FrictionVerdict judged() noexcept
+  {
+    return judgeFriction(this->scene_, this->plan_, this->p_W_, this->state_);
+  }
+
+  /// `landing`: no further than to what is touched first, for friction decides what becomes of the rest of the way.
+  void go(const Vec3& to_W, bool landing) noexcept
+  {
+    const ContactResult before = this->result_;
+    this->result_ = this->tickTo(to_W).run(landing);
+    this->result_.passes += before.passes;
+    this->result_.sweeps += before.sweeps;
+    this->result_.nodes += before.nodes;
+  }
+
+  /// True if nothing is left to be judged, or no work to do it with.
+  [[nodiscard]] bool isOver() const noexcept
+  {
+    return this->state_.count == 0 || this->result_.capped || this->result_.overBudget || this->result_.infeasible;
+  }
+
+  /// It has left the surface, or stands beside what seems to hold it: nothing drags any more.
+  [[nodiscard]] ContactResult goFreely() noexcept
+  {
+    this->state_.count = 0;
+    this->go(this->p_W_, false);
+    return this->end(false);
+  }
+
+  [[nodiscard]] ContactResult stick(const FrictionVerdict& verdict) noexcept
+  {
+    Tick<SceneView> tick = this->tickTo(this->p_W_);
+    if (tick.wayIsOpen() || tick.wayIsFree())
     {
-      state.slips = false;
-      return landing;
+      return this->goFreely();
     }
-    verdict = judgeFriction(scene, plan, p_W, state);
-    state.slips = verdict.motion == FrictionMotion::Slips;
+    this->result_.proxy_W = this->state_.x_W;
+    this->result_.held = verdict.held;
+    this->result_.heldCount = this->result_.contacts = verdict.contacts;
+    this->result_.friction = FrictionMotion::Sticks;
+    return this->result_;
   }
-  if (verdict.motion == FrictionMotion::Sticks && standsBeside(scene, plan, p_W, state, sink))
+
+  [[nodiscard]] ContactResult end(bool slips) noexcept
   {
-    state.count = 0;
-    return Tick(scene, plan, p_W, state, sink).run();
+    this->state_.slips = slips;
+    this->result_.friction = slips ? FrictionMotion::Slips : FrictionMotion::None;
+    return this->result_;
   }
-  ContactResult result;
-  if (verdict.motion == FrictionMotion::Slips)
-  {
-    result = slideUnderFriction(scene, plan, p_W, verdict, state, sink);
-  }
-  else if (verdict.motion == FrictionMotion::None)
-  {
-    result = Tick(scene, plan, p_W, state, sink).run();
-  }
-  else
-  {
-    result.proxy_W = state.x_W;
-    result.held = verdict.held;
-    result.heldCount = result.contacts = verdict.contacts;
-    result.friction = FrictionMotion::Sticks;
-  }
-  addWork(result, landing);
-  return result;
-}
+
+  const SceneView& scene_;
+  const ContactPlan& plan_;
+  const Vec3 p_W_;
+  GodObjectState& state_;
+  PathSink* sink_;
+  ContactResult result_;
+};
 
 /// The tick without shading.
 template<class SceneView>
 ContactResult moveUnshaded(
   const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
 {
-  return frictionMatters(scene, plan) ? moveUnderFriction(scene, plan, p_W, state, sink)
+  return frictionMatters(scene, plan) ? FrictionMove(scene, plan, p_W, state, sink).run()
                                       : Tick(scene, plan, p_W, state, sink).run();
 }
 
