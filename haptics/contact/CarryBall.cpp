@@ -204,7 +204,7 @@ private:
     };
     // Boxes of moving surfaces hold all of their way.
     static_cast<void>(walkWithin(
-      this->now_.scene().surfaceTree().nodes, BoxTest(way), this->plan_.nodeBudget, this->result_.nodes, visit));
+      this->now_.scene().surfaceTree().nodes, BoxTest(way), this->plan_.workBudget, this->result_.work, visit));
     return met;
   }
 
@@ -235,8 +235,8 @@ private:
     }
     const PosedSurface now = surfaceOf(this->now_, surface);
     const SweepHit hit = askShape(
-      now, [&](const auto& shape) noexcept { return sweepSurface(shape, surface, query, this->plan_.nodeBudget); });
-    this->result_.nodes += hit.nodes;
+      now, [&](const auto& shape) noexcept { return sweepSurface(shape, surface, query, this->plan_.workBudget); });
+    this->result_.work += hit.work;
     return hit;
   }
 

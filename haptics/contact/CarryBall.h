@@ -13,7 +13,7 @@ struct CarryResult
 {
   bool carried = false; ///< it was moved along or pushed
   bool pinned = false;  ///< surfaces close on it: less room is left than the ball needs
-  std::uint32_t nodes = 0;
+  std::uint32_t work = 0;
 };
 
 /// Takes the ball along with the surfaces that moved between two moments, so that none passes it.

@@ -23,8 +23,9 @@ struct ContactPlan
   FrictionPlan friction;
   bool shading = false;       ///< smooth forces over facets (contact/Shading); its work over a closed way is not zero
   std::uint32_t passCap = 64; ///< passes of the god-object loop per tick
-  std::uint32_t nodeBudget =
-    60000; ///< tree nodes visited per tick; beyond it the ball moves only as far as is proven free
+  /// Work of a tick (contact/Work.h), in units of one visited tree node; beyond it the ball moves only as far as is
+  /// proven free.
+  std::uint32_t workBudget = 60000;
 };
 
 } // namespace palpate

@@ -23,7 +23,7 @@ SweepHit sweepStraight(
 {
   SweepQuery query = straightQuery(from_W, to_W, radius_u);
   query.resolution.include(Vec3::Constant(radius_u));
-  return sweepBall(scene, query, plan.nodeBudget);
+  return sweepBall(scene, query, plan.workBudget);
 }
 
 namespace
@@ -235,7 +235,7 @@ public:
   {
     const Vec3 xBefore = inFrame(this->before_, this->x_W_), xNow = inFrame(this->now_, this->x_W_);
     const std::optional<std::uint32_t> nearest = PassingTriangles(this->before_, this->now_, xBefore, xNow,
-      this->plan_.radius_u + 4 * this->resolution_.tol(), this->plan_.nodeBudget)
+      this->plan_.radius_u + 4 * this->resolution_.tol(), this->plan_.workBudget)
                                                    .nearest();
     if (!nearest || !this->look(*nearest))
     {
@@ -361,7 +361,7 @@ std::optional<Vec3> carryWithCurve(const SceneView& from, const SceneView& to, s
   resolution.include(x_W);
   const double reach = plan.radius_u + dataOf(is).coat_u + 4 * resolution.tol();
   const std::optional<std::uint32_t> nearest =
-    PassingTriangles(was, is, inFrame(was, x_W), inFrame(is, x_W), reach, plan.nodeBudget).nearest();
+    PassingTriangles(was, is, inFrame(was, x_W), inFrame(is, x_W), reach, plan.workBudget).nearest();
   if (!nearest)
   {
     return std::nullopt;

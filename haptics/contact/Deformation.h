@@ -48,7 +48,7 @@ template<class SceneView>
 /// ball turns with the normals around it. From just above the new triangle, on the side where the ball was, the way to
 /// that place is swept exactly: what came between stops it. A ball is moved out of what it overlaps there.
 /// Beside a curve it goes with the curve's nearest point and back to where it was, as far as the curve lets it.
-/// Bounded by plan.nodeBudget, allocation-free.
+/// Bounded by plan.workBudget, allocation-free.
 template<class SceneView>
 void carryWithVertices(
   const SceneView& from, const SceneView& to, const ContactPlan& plan, GodObjectState& state) noexcept;

@@ -58,7 +58,12 @@ std::uint32_t edgeUnder(const View& s, std::uint32_t v, const Vec3& x_W) noexcep
           continue;
         }
         const Vec3 e = s.vertex(corner) - s.vertex(v);
-        const double along = away.dot(e) / e.norm();
+        const double towards = away.dot(e);
+        if (!(towards > 0.0))
+        {
+          continue; // of a fan of thousands only the part that faces the ball is measured
+        }
+        const double along = towards / e.norm();
         if (along > furthest || (along == furthest && best != SurfaceData::none && corner < best))
         {
           furthest = along;

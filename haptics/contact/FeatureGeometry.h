@@ -45,6 +45,13 @@ template<class View>
 template<class View>
 [[nodiscard]] ActiveFeature normalised(const View& s, ActiveFeature f, const Vec3& x_W) noexcept;
 
+/// How many triangles are looked at to tell what feature f gives way to: those round it, if it is a vertex.
+template<class View>
+[[nodiscard]] std::uint32_t fanOf(const View& s, const ActiveFeature& f) noexcept
+{
+  return f.kind == FeatureKind::Vertex ? dataOf(s).valence(f.a) : 0;
+}
+
 /// Where a motion x -> x + y along a face leaves it.
 struct FaceExit
 {

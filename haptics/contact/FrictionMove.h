@@ -66,7 +66,7 @@ private:
     this->result_ = this->tickTo(to_W).run(landing);
     this->result_.passes += before.passes;
     this->result_.sweeps += before.sweeps;
-    this->result_.nodes += before.nodes;
+    this->result_.work += before.work;
   }
 
   /// True if nothing is left to be judged, or no work to do it with.

@@ -75,7 +75,7 @@ struct ContactResult
   int contacts = 0; ///< planes with l > 0 after merging coplanar ones
   int passes = 0;
   int sweeps = 0;
-  std::uint32_t nodes = 0; ///< tree nodes visited
+  std::uint32_t work = 0;  ///< done, in the unit of ContactPlan::workBudget
   bool capped = false;     ///< the pass cap ended the tick before a rest was proven
   bool overBudget = false; ///< the node budget was met: the ball moved only as far as proven free
   bool infeasible = false; ///< the projection found no feasible point: the ball stayed
@@ -96,10 +96,10 @@ public:
 /// Zilles & Salisbury 1995 for the idea, Ruspini, Kolarov & Khatib 1997 for the ball; one plane per
 /// touched feature, which constrains only while that feature supports the ball.
 /// At rest p - x lies in the normal cone of the touched features. Deterministic and independent of the order of
-/// triangles; allocates nothing, locks nothing, asks no clock. Bounded by plan.passCap passes and plan.nodeBudget nodes
-/// a run: one without friction and shading, which take a bounded number of runs each.
-/// Where there are curves a point is a ball too small to matter (PlanFor.h).
-/// The first call places the ball at p_W, moved out of a surface it overlaps to the side of its centre.
+/// triangles; allocates nothing, locks nothing, asks no clock. Bounded by plan.passCap passes and plan.workBudget units
+/// of work a run: one without friction and shading, which take a bounded number of runs each. Where there are curves a
+/// point is a ball too small to matter (PlanFor.h). The first call places the ball at p_W, moved out of a surface it
+/// overlaps to the side of its centre.
 [[nodiscard]] ContactResult moveGodObject(const Scene& scene, const ContactPlan& plan, const Vec3& p_W,
   GodObjectState& state, PathSink* sink = nullptr) noexcept;
 

@@ -38,6 +38,7 @@ void project(TickState<SceneView>& tick) noexcept
   while (again)
   {
     tick.solution = tick.contacts.solve(tick.p_W - tick.x(), tick.contacts.lift());
+    tick.result.work += static_cast<std::uint32_t>(tick.solution.sets) * work::planeSet;
     again = false;
     for (int i = 0; i < tick.left.count() && !again; ++i)
     {

@@ -51,7 +51,7 @@ struct Foot
 std::optional<Foot> footOn(
   const SurfaceData& surface, const Vec3& x_W, double reach_u, const ContactPlan& plan) noexcept
 {
-  const std::optional<std::uint32_t> nearest = nearestTriangle(surface, x_W, reach_u, plan.nodeBudget);
+  const std::optional<std::uint32_t> nearest = nearestTriangle(surface, x_W, reach_u, plan.workBudget);
   if (!nearest)
   {
     return std::nullopt;

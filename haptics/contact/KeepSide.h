@@ -19,7 +19,7 @@ namespace palpate
 /// where none of them leads out by a god-object that is drawn there; the one that is furthest from all of them is
 /// taken. A pocket that winds more than that, as of a line that turns back over several of its steps, is not left.
 /// `plan` is planFor()'s of the new scene. Bounded by a fixed number of sweeps, and of ticks of the god-object, for
-/// each of at most four surfaces that are exchanged near the ball, each by plan.nodeBudget; allocation-free. SceneView:
+/// each of at most four surfaces that are exchanged near the ball, each by plan.workBudget; allocation-free. SceneView:
 /// Scene or MovingScene.
 template<class SceneView>
 [[nodiscard]] std::optional<Vec3> keepSide(

@@ -45,10 +45,19 @@ public:
 
   [[nodiscard]] ProjectionResult solve() noexcept
   {
+    this->search();
+    this->best_.feasible = this->found_;
+    this->best_.sets = this->sets_;
+    return this->best_;
+  }
+
+private:
+  void search() noexcept
+  {
     this->accept({}, this->q_, 0);
     if (this->found_ && this->worst_ >= 0.0)
     {
-      return this->best_;
+      return;
     }
     // A set that leaves another row violated by mere rounding is only taken if no larger set does better: between
     // nearly parallel planes the larger one is the exact answer, and its error is bounded by depth times angle.
@@ -57,14 +66,11 @@ public:
       (this->*stage)();
       if (this->found_ && this->worst_ >= 0.0)
       {
-        return this->best_;
+        return;
       }
     }
-    this->best_.feasible = this->found_;
-    return this->best_;
   }
 
-private:
   [[nodiscard]] const PlaneRow& row(int i) const noexcept { return this->rows_[this->order_[i]]; }
 
   void trySingles() noexcept
@@ -107,6 +113,7 @@ private:
   /// Gram-Schmidt: from the plane of i straight along it to the plane of j; refined twice.
   void tryPair(int i, int j) noexcept
   {
+    ++this->sets_;
     const Vec3 &ni = this->row(i).n, &nj = this->row(j).n;
     Vec3 u = nj - ni.dot(nj) * ni;
     u -= ni.dot(u) * ni;
@@ -138,6 +145,7 @@ private:
   /// Cramer's rule for the corner and for the multipliers, each refined once.
   void tryTriple(int i, int j, int k) noexcept
   {
+    ++this->sets_;
     const std::array<int, 3> set = { i, j, k };
     const Vec3 &a = this->row(i).n, &b = this->row(j).n, &c = this->row(k).n;
     const Vec3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
@@ -205,6 +213,7 @@ private:
   int count_;
   std::array<int, maxRows> order_;
   ProjectionResult best_;
+  int sets_ = 0;
   bool found_ = false;
   double worst_ = 0.0;
 };

@@ -23,6 +23,7 @@ struct ProjectionResult
   int count = 0;                  ///< active rows, at most 3 (Caratheodory for the normal cone in 3-D)
   std::array<int, 3> active{};    ///< indices into the rows given
   std::array<double, 3> lambda{}; ///< multipliers, all >= 0: y - q = sum lambda_i n_i
+  int sets = 0;                   ///< pairs and triples of rows that were tried
   bool feasible = true;
 };
 

@@ -2,12 +2,15 @@
 #include "haptics/contact/RadiusLimit.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
+#include "haptics/contact/DiscFilter.h"
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/TreeWalk.h"
+#include "haptics/contact/Work.h"
 
 namespace palpate
 {
@@ -28,12 +31,21 @@ struct Place
   Vec3 p_W, normal_W;
 };
 
+/// How many faces of a leaf a sweep tests.
+std::uint32_t reachedIn(const SurfaceData& data, std::uint32_t index, const Motion& m)
+{
+  const Leaf& leaf = data.leaves[index];
+  const DiscFilter filter(m, leaf.origin_W, leaf.perUnit);
+  const int lanes = filter.touched(data.discs[2 * index]) | filter.touched(data.discs[2 * index + 1]) << 4;
+  return static_cast<std::uint32_t>(std::popcount(static_cast<unsigned>(lanes & ((1 << leaf.count) - 1))));
+}
+
 class Reachable
 {
 public:
   Reachable(const Scene& scene, std::uint32_t most) : scene_(scene, 1.0), most_(most) {}
 
-  /// True if a sweep of a ball of this radius that rests here visits more nodes than a sweep may.
+  /// True if a sweep of a ball of this radius that rests here takes more work than a sweep may.
   [[nodiscard]] bool tooMuch(const Place& place, double radius_u) const
   {
     const Scene& scene = this->scene_.scene();
@@ -42,18 +54,22 @@ public:
     query.radius_u = reach * radius_u;
     query.resolution.include(query.from_W);
     const Motion still = motionOf(query);
-    std::uint32_t nodes = 0;
+    std::uint32_t done = 0;
     const auto visit = [&](std::uint32_t s) noexcept
     {
       const auto surface = surfaceOf(this->scene_, s);
       return askTree(surface, still,
         [&](const Motion& inSurface) noexcept
         {
-          return walkWithin(
-            surface.data().nodes, BoxTest(inSurface), this->most_, nodes, [](std::uint32_t) noexcept { return true; });
+          const auto test = [&](std::uint32_t leaf) noexcept
+          {
+            done += work::ballTest * reachedIn(surface.data(), leaf, inSurface);
+            return true;
+          };
+          return walkWithin(surface.data().nodes, BoxTest(inSurface), this->most_, done, test);
         });
     };
-    return !walkWithin(scene.surfaceTree().nodes, BoxTest(still), this->most_, nodes, visit);
+    return !walkWithin(scene.surfaceTree().nodes, BoxTest(still), this->most_, done, visit);
   }
 
   /// The largest radius up to `limit_u` that is not too much here; 0 where even the least is.
@@ -105,7 +121,7 @@ RadiusLimit radiusLimit(const Scene& scene, const ContactPlan& plan)
   const double size_u = (bounds.high_W - bounds.low_W).norm();
   const std::uint64_t sweeps =
     static_cast<std::uint64_t>(RadiusLimit::sweepsPerPass) * std::max(plan.passCap, std::uint32_t{ 1 });
-  const Reachable reachable(scene, static_cast<std::uint32_t>(plan.nodeBudget / sweeps));
+  const Reachable reachable(scene, static_cast<std::uint32_t>(plan.workBudget / sweeps));
   const double most_u = flat * size_u, least_u = pointlike * size_u;
   double largest_u = most_u;
   for (std::uint32_t s = 0; s < scene.surfaces().size(); ++s)

@@ -92,6 +92,7 @@ template<class SceneView>
     {
       continue; // the last plan turned less than that already
     }
+    tick.countFans();
     const RollPlan plan =
       RollPlanner<SceneView>(tick.contacts, tick.x(), tick.p_W, tick.plan.radius_u, tick.solution, mostTurn).plan();
     if (!plan.worthwhile)

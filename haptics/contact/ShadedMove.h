@@ -31,7 +31,7 @@ ContactResult moveShaded(
   {
     more.passes += result.passes;
     more.sweeps += result.sweeps;
-    more.nodes += result.nodes;
+    more.work += result.work;
     result = more;
   };
   bool slipping = false, settled = false;

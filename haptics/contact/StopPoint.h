@@ -44,6 +44,7 @@ void stopPoint(TickState<SceneView>& tick, const SweepHit& hit, const Vec3& to_W
   {
     tick.contacts.add(next.feature);
     const ProjectionResult stop = tick.contacts.solve(wanted, tick.contacts.lift());
+    tick.result.work += static_cast<std::uint32_t>(stop.sets) * work::planeSet;
     if (!stop.feasible)
     {
       return;

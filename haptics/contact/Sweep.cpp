@@ -11,6 +11,7 @@
 #include "haptics/contact/Neighbourhood.h"
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/TreeWalk.h"
+#include "haptics/contact/Work.h"
 #include "haptics/geometry/ExactPredicates.h"
 #include "haptics/geometry/SegmentTriangle.h"
 #include "haptics/geometry/SurfaceData.h"
@@ -64,6 +65,7 @@ public:
 private:
   void testBall(std::uint32_t triangle) noexcept
   {
+    this->best_.work += work::ballTest;
     const FaceRecord& face = this->shape_.face(triangle);
     if (hasArea(this->shape_, face))
     {
@@ -176,12 +178,31 @@ private:
     const double length2 = e.squaredNorm();
     const Vec3 away = m.x_W - a;
     const double awayAlong = away.dot(e) / length2, dAlong = m.d.dot(e) / length2;
-    const double t = this->roundHit(away - awayAlong * e, m.d - dAlong * e);
+    const Vec3 w = away - awayAlong * e, d = m.d - dAlong * e;
+    double t = this->roundHit(w, d);
     const double along = awayAlong + t * dAlong;
-    if (along >= 0.0 && along <= 1.0)
+    if ((along >= 0.0 && along <= 1.0) || this->comesBeside(w, d, awayAlong, dAlong, t))
     {
       this->offer(t, { this->surface_, i, j, FeatureKind::Edge, 1, false });
     }
+  }
+
+  /// A ball that goes nearly along an edge may be at the distance of its line before it comes beside the edge, too
+  /// little nearer to meet the end, and get deeper than rounding later: then the moment it comes beside the edge is the
+  /// contact. w, d: as in roundHit(), across the edge; along it the way goes from `along` by `rate` edges. t: in, when
+  /// the line is reached, NaN if it is not; out, that moment.
+  [[nodiscard]] bool comesBeside(const Vec3& w, const Vec3& d, double along, double rate, double& t) const noexcept
+  {
+    const double enters = (rate > 0.0 ? -along : 1.0 - along) / rate,
+                 leaves = (rate > 0.0 ? 1.0 - along : -along) / rate;
+    if (!(enters > t && enters <= 1.0))
+    {
+      return false;
+    }
+    t = enters;
+    const double limit = this->m_.r - this->m_.tol, surelyMet = limit - this->m_.tol;
+    const double nearest = std::clamp(-w.dot(d) / d.squaredNorm(), enters, std::min(leaves, 1.0));
+    return (w + enters * d).squaredNorm() >= surelyMet * surelyMet && (w + nearest * d).squaredNorm() < limit * limit;
   }
 
   void testVertex(std::uint32_t v, const Vec3& corner_W) noexcept
@@ -246,6 +267,7 @@ private:
       return;
     }
     const int o0 = orientation(a, b, c, m.x_W), o1 = orientation(a, b, c, m.e_W);
+    this->best_.work += o0 != 0 && o1 != 0 ? work::pointTest : work::exactTest;
     if (o0 != 0 && o0 == o1)
     {
       return;
@@ -298,14 +320,20 @@ void sweepSurface(const Shape& shape, std::uint32_t surface, const SweepQuery& q
 
 /// The same over a list of faces that holds all that the way can touch.
 template<class SceneView>
-void sweepList(
-  const SceneView& scene, const Neighbourhood& near, const SweepQuery& query, const Motion& m, SweepHit& best) noexcept
+void sweepList(const SceneView& scene, const Neighbourhood& near, const SweepQuery& query, const Motion& m,
+  std::uint32_t budget, SweepHit& best) noexcept
 {
   Motion widest = m;
   widest.r += sceneOf(scene).mostCoat_u();
   const DiscFilter filter(widest, near.centre_W(), near.perUnit(), near.extent());
   for (int quad = 0; quad * 4 < near.count(); ++quad)
   {
+    if (best.work >= budget)
+    {
+      best.freeUntil = 0.0; // a list knows no near and far
+      return;
+    }
+    best.work += static_cast<std::uint32_t>(quad % 2); // eight discs are a leaf's
     int lanes = filter.touched(near.discs(quad)) & ((1 << std::min(4, near.count() - quad * 4)) - 1);
     for (; lanes != 0; lanes &= lanes - 1)
     {
@@ -319,6 +347,13 @@ void sweepList(
         });
     }
   }
+}
+
+/// What was hit beyond what is proven free may not be the first.
+SweepHit settled(SweepHit best) noexcept
+{
+  best.hit = best.hit && (best.freeUntil >= 1.0 || best.t <= best.freeUntil);
+  return best;
 }
 
 } // namespace
@@ -337,10 +372,10 @@ SweepHit sweepBall(const SceneView& scene, const SweepQuery& query, std::uint32_
 {
   SweepHit best;
   const Motion m = motionOf(query);
-  if (near != nullptr && (near->covers(m) || near->gather(scene, m, budget, best.nodes)))
+  if (near != nullptr && (near->covers(m) || near->gather(scene, m, budget, best.work)))
   {
-    sweepList(scene, *near, query, m, best);
-    return best;
+    sweepList(scene, *near, query, m, budget, best);
+    return settled(best);
   }
   const auto sweepOne = [&](std::uint32_t s) noexcept
   {
@@ -359,11 +394,7 @@ SweepHit sweepBall(const SceneView& scene, const SweepQuery& query, std::uint32_
   {
     walkNearFirst(whole.surfaceTree().nodes, whole.surfaceTree().bounds, m, budget, best, sweepOne);
   }
-  if (best.freeUntil < 1.0)
-  {
-    best.hit = best.hit && best.t <= best.freeUntil;
-  }
-  return best;
+  return settled(best);
 }
 
 template<class SceneView>

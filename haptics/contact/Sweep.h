@@ -40,8 +40,8 @@ struct SweepHit
   bool hit = false;
   double t = 1.0; ///< fraction of the way, in [0, 1]
   ActiveFeature feature;
-  double freeUntil = 1.0;  ///< below 1 only when the budget was met: proven free up to here
-  std::uint32_t nodes = 0; ///< tree nodes visited
+  double freeUntil = 1.0; ///< below 1 only when the budget was met: proven free up to here
+  std::uint32_t work = 0; ///< done, in the unit of ContactPlan::workBudget
 };
 
 /// First contact with one surface, whose own frame the query is given in. As sweepBall otherwise.

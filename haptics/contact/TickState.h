@@ -12,6 +12,7 @@
 #include "haptics/contact/Neighbourhood.h"
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Sweep.h"
+#include "haptics/contact/Work.h"
 
 namespace palpate
 {
@@ -67,6 +68,8 @@ struct TickState
   void moveTo(const Vec3& to_W) noexcept;
   /// A move over a corner: the way has two pieces, the bookkeeping is done once.
   void moveOver(const Vec3& corner_W, const Vec3& to_W) noexcept;
+  /// Counts a look round all vertices that are touched.
+  void countFans() noexcept;
   /// Drops what no longer holds, never `keep`.
   void settle(const ActiveFeature* keep = nullptr) noexcept;
   /// Adds what was hit, if anything, and drops what no longer holds.
@@ -140,12 +143,12 @@ SweepHit TickState<SceneView>::sweepPast(
   query.resolution = this->contacts.resolution();
   query.resolution.include(to_W);
   query.touched = touched;
-  const std::uint32_t left = this->plan.nodeBudget - std::min(this->plan.nodeBudget, this->result.nodes);
+  const std::uint32_t left = this->plan.workBudget - std::min(this->plan.workBudget, this->result.work);
   // Half of the ticks need one sweep only: gathering what is around pays from the second on.
   const bool gather = this->result.sweeps >= 1 && (to_W - from_W).norm() <= this->gatheredWay_u();
   const SweepHit hit = sweepBall(this->scene, query, left, gather ? &this->near : nullptr);
   ++this->result.sweeps;
-  this->result.nodes += hit.nodes;
+  this->result.work += hit.work;
   this->result.overBudget |= hit.freeUntil < 1.0;
   return hit;
 }
@@ -203,8 +206,18 @@ double TickState<SceneView>::blur_u() const noexcept
 }
 
 template<class SceneView>
+void TickState<SceneView>::countFans() noexcept
+{
+  for (const ActiveFeature& f : this->contacts.features())
+  {
+    this->result.work += fanOf(this->contacts.surface(f), f) / work::fanSteps;
+  }
+}
+
+template<class SceneView>
 void TickState<SceneView>::settle(const ActiveFeature* keep) noexcept
 {
+  this->countFans();
   this->contacts.relinearise(keep);
   for (int i = this->left.count() - 1; i >= 0; --i)
   {

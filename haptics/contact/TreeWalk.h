@@ -42,12 +42,12 @@ void walkNearFirst(const std::vector<TreeNode>& nodes, const Box& bounds, const 
     {
       continue;
     }
-    if (best.nodes >= budget)
+    if (best.work >= budget)
     {
       best.freeUntil = std::min(best.freeUntil, next.entry);
       continue;
     }
-    ++best.nodes;
+    ++best.work;
     if (next.child & TreeNode::leafBit)
     {
       const double before = best.t;

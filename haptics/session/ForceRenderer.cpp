@@ -200,7 +200,7 @@ private:
     state.contacts = result.contacts;
     state.passes = result.passes;
     state.sweeps = result.sweeps;
-    state.nodes = moved.carryNodes + result.nodes;
+    state.work = moved.carryWork + result.work;
     state.friction = result.friction;
     state.capped = result.capped;
     state.overBudget = result.overBudget;
@@ -393,7 +393,7 @@ private:
     const SafetyLimits& limits = this->p_.safety;
     const WallTick tick{ *this->in_.scene, this->plan_, this->s_.contact, this->p_.map, this->in_.sample.pose_D.p,
       state.stiffness_N_per_m, limits.maxRise_N_per_s, this->in_.dt_s, this->in_.scene->shareAt(this->s_.sceneAge_s) };
-    state.nodes += keepWalls(this->p_.walls, tick, this->s_.walls);
+    state.work += keepWalls(this->p_.walls, tick, this->s_.walls);
     const double share = smoothstep(this->s_.gain);
     const double stiffness_N_per_m = heldStiffness(share * state.stiffness_N_per_m, tick, this->s_.walls);
     command(this->s_.walls.walls, stiffness_N_per_m, this->out_.command, limits.maxForce_N);

@@ -43,9 +43,9 @@ bool usable(const FrictionPlan& friction)
 /// The tick must end.
 bool bounded(const ContactPlan& contact)
 {
-  constexpr std::uint32_t mostPasses = 1024, mostNodes = 10000000;
-  return contact.passCap >= 1 && contact.passCap <= mostPasses && contact.nodeBudget >= 1 &&
-         contact.nodeBudget <= mostNodes;
+  constexpr std::uint32_t mostPasses = 1024, mostWork = 10000000;
+  return contact.passCap >= 1 && contact.passCap <= mostPasses && contact.workBudget >= 1 &&
+         contact.workBudget <= mostWork;
 }
 
 bool usable(const HeldWallPlan& walls)
@@ -79,7 +79,7 @@ std::string HapticParameters::validate() const
     { usable(this->velocity), "velocity: resolution [m] and time constant [s] must not be negative, the window 1 to " +
                                 std::to_string(VelocityHistory::capacity - 1) + " ticks" },
     { nonNegative(this->contact.radius_u), "radius [scene units] must be a number that is not negative" },
-    { bounded(this->contact), "the work of a tick must be 1 to 1024 passes and 1 to 10000000 tree nodes" },
+    { bounded(this->contact), "the work of a tick must be 1 to 1024 passes and 1 to 10000000 units of work" },
     { usable(this->contact.friction),
       "friction: the kinetic coefficient must be a number from 0 to the static one, which is at most 10" },
     { nonNegative(this->map.scale_u_per_m) && this->map.scale_u_per_m > 0.0,

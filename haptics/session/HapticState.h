@@ -38,7 +38,7 @@ struct HapticState
   std::int32_t contacts = 0;
   std::int32_t passes = 0;
   std::int32_t sweeps = 0;
-  std::uint32_t nodes = 0;
+  std::uint32_t work = 0;
   FrictionMotion friction = FrictionMotion::None;
   std::uint64_t sceneRevision = 0;
   double sceneAge_s = 0.0;  ///< since the scene was taken

@@ -52,7 +52,7 @@ void comeAlong(
   }
   const CarryResult carry = carryBall(was, is, tick.plan, contact);
   moved.pinned = carry.pinned;
-  moved.carryNodes = carry.nodes;
+  moved.carryWork = carry.work;
 }
 
 } // namespace

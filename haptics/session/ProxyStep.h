@@ -23,7 +23,7 @@ struct SceneStep
 struct ProxyStep
 {
   ContactResult contact;
-  std::uint32_t carryNodes = 0;
+  std::uint32_t carryWork = 0;
   bool pinned = false;
 };
 

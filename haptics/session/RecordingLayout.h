@@ -116,7 +116,7 @@ void layParameters(const Io& io, T& p)
   io(p.contact.friction.kinetic);
   io(p.contact.shading);
   io(p.contact.passCap);
-  io(p.contact.nodeBudget);
+  io(p.contact.workBudget);
   io(p.walls.hold);
   io(p.walls.every_s);
   io(p.walls.step_m);

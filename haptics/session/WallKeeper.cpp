@@ -54,7 +54,7 @@ double freeAlong(const SceneView& scene, const WallTick& tick, int i, double rea
   query.resolution.include(query.to_W);
   query.touched = { tick.state.features.data(), static_cast<std::size_t>(tick.state.count) };
   const SweepHit hit = sweepBall(scene, query, mostNodes);
-  nodes += hit.nodes;
+  nodes += hit.work;
   if (!hit.hit)
   {
     return hit.freeUntil * reach_m; // what was not looked at for want of time may be a wall

@@ -161,8 +161,8 @@ ContactResult LongRun::tick(const Vec3& p_W)
   const ContactResult result = moveGodObject(*this->task_.scene, this->task_.plan, p_W, this->state_, this);
   this->figures_.touching += result.contacts > 0;
   this->figures_.infeasible += result.infeasible;
-  this->figures_.nodes += result.nodes;
-  this->figures_.mostNodes = std::max<std::uint64_t>(this->figures_.mostNodes, result.nodes);
+  this->figures_.nodes += result.work;
+  this->figures_.mostNodes = std::max<std::uint64_t>(this->figures_.mostNodes, result.work);
   if (moves)
   {
     this->judge_.judge(before_W, p_W, result, this->state_.x_W);

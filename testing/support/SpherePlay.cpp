@@ -27,7 +27,7 @@ SpherePlay playOn(const NoisySphere& sphere, const SphereGame& game)
     play.cost.time([&] { result = probe.to(p_W); });
     play.overBudget += result.overBudget ? 1 : 0;
     play.touching += result.contacts > 0 ? 1 : 0;
-    play.mostNodes = std::max(play.mostNodes, result.nodes);
+    play.mostNodes = std::max(play.mostNodes, result.work);
   }
   return play;
 }
@@ -37,13 +37,13 @@ ContactPlan fewPasses()
   constexpr std::uint32_t fewer = 16;
   ContactPlan plan;
   plan.passCap /= fewer;
-  plan.nodeBudget /= fewer;
+  plan.workBudget /= fewer;
   return plan;
 }
 
 double radiusOfOneSweep_u(const Scene& scene, ContactPlan plan)
 {
-  plan.nodeBudget *= RadiusLimit::sweepsPerPass * plan.passCap;
+  plan.workBudget *= RadiusLimit::sweepsPerPass * plan.passCap;
   return radiusLimit(scene, plan).largest_u;
 }
 

@@ -92,7 +92,7 @@ std::size_t BytesOf(const palpate::Scene& scene)
 std::string WorkOf(const palpate::Scene& scene)
 {
   return std::to_string((BytesOf(scene) + 1023) / 1024) + " KiB of boxes beside the mesh; a tick visits at most " +
-         std::to_string(palpate::ContactPlan().nodeBudget) + " of them";
+         std::to_string(palpate::ContactPlan().workBudget) + " of them";
 }
 
 /// A file says nothing of a device, so the surface is taken to lie in the hand with its longest side 100 mm long.

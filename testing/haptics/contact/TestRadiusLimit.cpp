@@ -99,9 +99,9 @@ TEST(RadiusLimit, GrowsWithTheBudgetAndFallsWithThePasses)
 {
   const auto scene = sceneOf(NoisySphere(20000, 1.0).mesh());
   ContactPlan more, longer, nothing, endless;
-  more.nodeBudget *= 2;
+  more.workBudget *= 2;
   longer.passCap *= 2;
-  nothing.nodeBudget = 1;
+  nothing.workBudget = 1;
   endless.passCap = 1U << 30; // times the sweeps of a pass it is more than 32 bits hold
   const double usual_u = largest_u(*scene);
   EXPECT_GT(radiusLimit(*scene, more).largest_u, usual_u);

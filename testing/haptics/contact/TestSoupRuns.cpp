@@ -121,7 +121,7 @@ TEST(SoupRuns, ABallThatMayNotLookFarIsSeenToBeStuck)
 {
   const JudgedMesh touched(cleanMesh(makeCellBox(6)).mesh);
   RunTask task = taskInBox(touched.mesh, touched);
-  task.plan.nodeBudget = 1;
+  task.plan.workBudget = 1;
   LongRun run(task);
   ASSERT_TRUE(run.placed());
   run.run(5000);

@@ -82,7 +82,7 @@ TEST(HapticParameters, RefuseEachValueThatCannotBeByName)
 // They come from recordings, too.
 TEST(HapticParameters, RefuseATickWithoutEndOrWithoutWork)
 {
-  for (std::uint32_t ContactPlan::*bound : { &ContactPlan::passCap, &ContactPlan::nodeBudget })
+  for (std::uint32_t ContactPlan::*bound : { &ContactPlan::passCap, &ContactPlan::workBudget })
   {
     for (const std::uint32_t bad : { 0U, 1U << 30, std::numeric_limits<std::uint32_t>::max() })
     {

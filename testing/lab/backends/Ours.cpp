@@ -33,7 +33,7 @@ public:
 private:
   [[nodiscard]] SweepHit sweep(const Vec3& from_W, const Vec3& to_W) const
   {
-    return sweepBall(*this->scene_, straightQuery(from_W, to_W), ContactPlan().nodeBudget);
+    return sweepBall(*this->scene_, straightQuery(from_W, to_W), ContactPlan().workBudget);
   }
 
   std::shared_ptr<const Scene> scene_;

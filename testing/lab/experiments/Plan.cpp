@@ -115,7 +115,7 @@ double firstTouch(const Leaves& leaves, const SweepQuery& query)
   double first = 1.0;
   for (const auto& leaf : leaves)
   {
-    first = std::min(first, sweepSurface(leaf->data(), 0, query, ContactPlan{}.nodeBudget).t);
+    first = std::min(first, sweepSurface(leaf->data(), 0, query, ContactPlan{}.workBudget).t);
   }
   return first;
 }
@@ -138,7 +138,7 @@ QueryCosts askBoth(
       [&]
       {
         std::transform(queries.begin(), queries.end(), ofTree.begin(),
-          [&](const SweepQuery& q) { return sweepSurface(data, 0, q, ContactPlan{}.nodeBudget).t; });
+          [&](const SweepQuery& q) { return sweepSurface(data, 0, q, ContactPlan{}.workBudget).t; });
       });
     list.time(
       [&]

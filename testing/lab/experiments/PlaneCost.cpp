@@ -115,7 +115,7 @@ void judgeStroke(const World& world, const std::vector<Vec3>& path_W, Table& tab
     ContactResult result;
     tree.time([&] { result = probe.to(p_W); });
     incomplete += result.overBudget || result.capped;
-    nodes = std::max(nodes, static_cast<double>(result.nodes));
+    nodes = std::max(nodes, static_cast<double>(result.work));
   }
   table.within({ name, ours, "ticks that ran out of work" }, incomplete, 0.0, 0.0).cost = Cost::of(tree);
   table.info({ name, ours, "nodes in a tick, most" }, nodes);
@@ -133,7 +133,7 @@ void judgeQuestion(const World& world, const std::vector<Vec3>& path_W, Table& t
     const Vec3 from_W = path_W[i - 1], to_W = from_W + 20.0 * (path_W[i] - from_W);
     double met = 1.0, swept = 1.0;
     list.time([&] { met = firstCrossing(world.curves, from_W.head<2>(), to_W.head<2>()); });
-    tree.time([&] { swept = sweepBall(*world.scene, straightQuery(from_W, to_W), ContactPlan().nodeBudget).t; });
+    tree.time([&] { swept = sweepBall(*world.scene, straightQuery(from_W, to_W), ContactPlan().workBudget).t; });
     hits += met < 1.0;
     differ += std::fabs(swept - met) > 1e-9;
   }

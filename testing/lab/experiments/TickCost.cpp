@@ -36,7 +36,7 @@ double quantile(std::vector<double> values, double fraction)
 
 void note(const ContactResult& result, Work& work)
 {
-  work.nodes.push_back(result.nodes);
+  work.nodes.push_back(result.work);
   work.sweeps.push_back(result.sweeps);
   work.passes.push_back(result.passes);
   work.bound += result.capped || result.overBudget;
@@ -112,7 +112,7 @@ void reportWork(const std::string& caseName, const Work& work, Table& table)
   // A slide over more facets than a tick has passes goes on in the next tick: rare, and later by a millisecond.
   const auto ticks = static_cast<double>(work.nodes.size());
   table.atMost({ caseName, ours, "ticks ended by a budget, share" }, work.bound / ticks, 1e-3);
-  table.atMost({ caseName, ours, "nodes in a tick, most" }, quantile(work.nodes, 1.0), plan.nodeBudget);
+  table.atMost({ caseName, ours, "nodes in a tick, most" }, quantile(work.nodes, 1.0), plan.workBudget);
   table.atMost({ caseName, ours, "passes in a tick, most" }, quantile(work.passes, 1.0),
     plan.passCap + 1.0); // the pass that finds the cap reached counts
   for (const auto& [share, fraction] : { std::pair("half", 0.5), std::pair("99 %", 0.99) })
