@@ -34,29 +34,24 @@ JudgedMesh::JudgedMesh(TriangleMesh clean) : mesh(std::move(clean)), nearest(thi
 
 bool RunFigures::clean() const noexcept
 {
-  return this->through + this->fallen + this->stuck + this->restless + this->notAtRest + this->notFinite == 0;
+  return TickFigures::clean() && this->fallen + this->stuck + this->restless + this->notAtRest == 0;
 }
 
 RunFigures& RunFigures::operator+=(const RunFigures& more)
 {
-  this->through += more.through;
+  TickFigures::operator+=(more);
   this->fallen += more.fallen;
   this->stuck += more.stuck;
   this->restless += more.restless;
   this->notAtRest += more.notAtRest;
-  this->notFinite += more.notFinite;
-  this->ticks += more.ticks;
   this->touching += more.touching;
   this->pulls += more.pulls;
   this->rests += more.rests;
-  this->capped += more.capped;
-  this->overBudget += more.overBudget;
   this->infeasible += more.infeasible;
   this->nodes += more.nodes;
   this->mostNodes = std::max(this->mostNodes, more.mostNodes);
   this->spent += more.spent;
   this->created += more.created;
-  this->first = this->first.empty() ? more.first : this->first;
   return *this;
 }
 
@@ -64,12 +59,10 @@ std::string RunFigures::text() const
 {
   std::ostringstream out;
   const double mean = this->ticks > 0 ? static_cast<double>(this->nodes) / static_cast<double>(this->ticks) : 0.0;
-  out << this->ticks << " ticks, " << this->touching << " touching; through " << this->through << ", fallen "
-      << this->fallen << ", stuck " << this->stuck << " of " << this->pulls << ", restless " << this->restless
-      << " and not at rest " << this->notAtRest << " of " << this->rests << ", not finite " << this->notFinite
-      << "; capped " << this->capped << ", over budget " << this->overBudget << ", infeasible " << this->infeasible
-      << "; nodes " << mean << " a tick, at most " << this->mostNodes << "; energy created " << this->created << " of "
-      << this->spent;
+  out << TickFigures::text() << "; " << this->touching << " touching, fallen " << this->fallen << ", stuck "
+      << this->stuck << " of " << this->pulls << ", restless " << this->restless << " and not at rest "
+      << this->notAtRest << " of " << this->rests << ", infeasible " << this->infeasible << "; nodes " << mean
+      << " a tick, at most " << this->mostNodes << "; energy created " << this->created << " of " << this->spent;
   return out.str();
 }
 
@@ -85,7 +78,7 @@ RunTask taskOn(const BadMesh& made, const JudgedMesh& touched, const JudgedMesh&
 }
 
 LongRun::LongRun(const RunTask& task)
-  : task_(task), checker_(task.touched->path, task.plan.radius_u, clearanceShare * task.size_u),
+  : task_(task), judge_(task.touched->path, task.plan, task.size_u),
     wayChecker_(task.touched->path, task.plan.radius_u, clearanceShare * task.size_u), random_(task.seed),
     depth_u_(std::max(0.03 * task.size_u, 1.5 * task.plan.radius_u)),
     hand_(task.shape != nullptr ? task.shape->mesh : task.touched->mesh, this->depth_u_, task.seed + 1)
@@ -123,7 +116,7 @@ bool LongRun::place()
 
 void LongRun::segment(const Vec3& from_W, const Vec3& to_W) noexcept
 {
-  this->checker_.segment(from_W, to_W);
+  this->judge_.segment(from_W, to_W);
   if (this->shapeChecker_)
   {
     this->shapeChecker_->segment(from_W, to_W);
@@ -135,16 +128,23 @@ void LongRun::note(std::uint64_t& count, const std::string& what)
   ++count;
   if (this->figures_.first.empty())
   {
-    this->figures_.first = "tick " + std::to_string(this->figures_.ticks) + ": " + what;
+    this->figures_.first = "tick " + std::to_string(this->judge_.figures().ticks) + ": " + what;
   }
+}
+
+RunFigures LongRun::figures() const
+{
+  RunFigures all = this->figures_;
+  static_cast<TickFigures&>(all) += this->judge_.figures();
+  return all;
 }
 
 void LongRun::run(std::uint64_t ticks)
 {
-  const std::uint64_t end = this->figures_.ticks + ticks;
-  while (this->figures_.ticks < end)
+  const std::uint64_t end = this->judge_.figures().ticks + ticks;
+  while (this->judge_.figures().ticks < end)
   {
-    for (std::uint64_t i = 0; i < ticksPerRound && this->figures_.ticks < end; ++i)
+    for (std::uint64_t i = 0; i < ticksPerRound && this->judge_.figures().ticks < end; ++i)
     {
       this->tick(this->hand_.next());
     }
@@ -159,21 +159,15 @@ ContactResult LongRun::tick(const Vec3& p_W)
   const Vec3 before_W = this->state_.x_W;
   const bool moves = this->state_.placed;
   const ContactResult result = moveGodObject(*this->task_.scene, this->task_.plan, p_W, this->state_, this);
-  ++this->figures_.ticks;
   this->figures_.touching += result.contacts > 0;
-  this->figures_.capped += result.capped;
-  this->figures_.overBudget += result.overBudget;
   this->figures_.infeasible += result.infeasible;
   this->figures_.nodes += result.nodes;
   this->figures_.mostNodes = std::max<std::uint64_t>(this->figures_.mostNodes, result.nodes);
-  if (!this->state_.x_W.allFinite() || !result.pull_W.allFinite())
-  {
-    this->note(this->figures_.notFinite, "the ball is nowhere");
-  }
   if (moves)
   {
+    this->judge_.judge(before_W, p_W, result, this->state_.x_W);
     this->judgeEnergy(before_W, p_W);
-    this->judgePath(before_W);
+    this->judgeShape(before_W);
   }
   this->p_W_ = p_W;
   return result;
@@ -188,18 +182,15 @@ void LongRun::judgeEnergy(const Vec3& before_W, const Vec3& p_W)
   this->figures_.created += 0.5 * unit * std::max(0.0, (this->state_.x_W - p_W).squaredNorm() - stretched);
 }
 
-void LongRun::judgePath(const Vec3& before_W)
+void LongRun::judgeShape(const Vec3& before_W)
 {
-  if (const std::string found = this->checker_.finding(before_W); !found.empty())
+  if (!this->shapeChecker_)
   {
-    this->note(this->figures_.through, found);
+    return;
   }
-  if (this->shapeChecker_)
+  if (const std::string found = this->shapeChecker_->finding(before_W); !found.empty())
   {
-    if (const std::string found = this->shapeChecker_->finding(before_W); !found.empty())
-    {
-      this->note(this->figures_.fallen, "clean shape: " + found);
-    }
+    this->note(this->figures_.fallen, "clean shape: " + found);
   }
 }
 

@@ -12,31 +12,26 @@
 #include "testing/support/PathChecker.h"
 #include "testing/support/RandomHand.h"
 #include "testing/support/SoupMaker.h"
+#include "testing/support/TickJudge.h"
 
 namespace palpate::test
 {
 
-/// What many ticks came to. The first six must be 0.
-struct RunFigures
+/// What many ticks under a random hand came to: what each tick by itself must not do, and four more that must be 0.
+struct RunFigures : TickFigures
 {
-  std::uint64_t through = 0;   ///< ticks whose way met a triangle or came nearer than the radius
   std::uint64_t fallen = 0;    ///< ticks whose way met the clean closed shape, or sank deeper than its gaps allow
-  std::uint64_t stuck = 0;     ///< the way to the hand was free and the ball did not come
+  std::uint64_t stuck = 0;     ///< the way to the hand was free and the ball did not come in many ticks
   std::uint64_t restless = 0;  ///< the hand kept still and the ball still moved
   std::uint64_t notAtRest = 0; ///< where the ball stood it could have gone on towards the hand
-  std::uint64_t notFinite = 0;
-  std::uint64_t ticks = 0;
   std::uint64_t touching = 0;
   std::uint64_t pulls = 0; ///< times the hand pulled away on a free way
   std::uint64_t rests = 0; ///< times it kept still with something touched
-  std::uint64_t capped = 0;
-  std::uint64_t overBudget = 0;
   std::uint64_t infeasible = 0;
   std::uint64_t nodes = 0;
   std::uint64_t mostNodes = 0; ///< of one tick
   double spent = 0.0;          ///< what the hand put into the spring, [depth^2], stiffness 1
   double created = 0.0;        ///< what the ball's own motion added to it: must be rounding
-  std::string first;           ///< the first of all findings in words
 
   [[nodiscard]] bool clean() const noexcept;
   RunFigures& operator+=(const RunFigures& more);
@@ -69,8 +64,8 @@ struct RunTask
 /// A bad mesh to be touched, judged against itself and its clean shape; the meshes must outlive the task.
 [[nodiscard]] RunTask taskOn(const BadMesh& made, const JudgedMesh& touched, const JudgedMesh& shape);
 
-/// A random hand leads a ball over a surface; every tick's path is judged in exact arithmetic, now and then the hand
-/// keeps still or pulls freely away and an oracle says where the ball had to be.
+/// A random hand leads a ball over a surface; every tick is judged by itself (TickJudge.h), now and then the hand keeps
+/// still or pulls freely away and an oracle says where the ball had to be.
 class LongRun final : private PathSink
 {
 public:
@@ -80,14 +75,14 @@ public:
   /// False where a ball of this radius has no room on that side: nothing can be run.
   [[nodiscard]] bool placed() const noexcept { return this->placed_; }
   void run(std::uint64_t ticks);
-  [[nodiscard]] const RunFigures& figures() const noexcept { return this->figures_; }
+  [[nodiscard]] RunFigures figures() const;
 
 private:
   void segment(const Vec3& from_W, const Vec3& to_W) noexcept override;
   [[nodiscard]] bool place();
   ContactResult tick(const Vec3& p_W);
   void judgeEnergy(const Vec3& before_W, const Vec3& p_W);
-  void judgePath(const Vec3& before_W);
+  void judgeShape(const Vec3& before_W);
   void keepStill();
   void pullAway();
   void judgeRest(const ContactResult& result);
@@ -97,7 +92,7 @@ private:
   void note(std::uint64_t& count, const std::string& what);
 
   RunTask task_;
-  PathChecker checker_;
+  TickJudge judge_;
   PathChecker wayChecker_; ///< for ways that are only asked for
   std::optional<PathChecker> shapeChecker_;
   Random random_;
@@ -106,7 +101,7 @@ private:
   GodObjectState state_;
   Vec3 p_W_ = Vec3::Zero();
   bool placed_ = false;
-  RunFigures figures_;
+  RunFigures figures_; ///< without those of judge_
 };
 
 } // namespace palpate::test

@@ -7,6 +7,7 @@
 
 #include "haptics/contact/GodObject.h"
 #include "haptics/geometry/TriangleMesh.h"
+#include "testing/support/TriangleGrid.h"
 
 namespace palpate::test
 {
@@ -20,7 +21,6 @@ public:
   PathChecker(const TriangleMesh& mesh, double radius_u, double clearanceTolerance_u = 0.0);
   /// The same for another ball over the same mesh, whose grid is shared.
   PathChecker(const PathChecker& sameMesh, double radius_u, double clearanceTolerance_u);
-  ~PathChecker() override;
 
   void segment(const Vec3& from_W, const Vec3& to_W) noexcept override;
 
@@ -29,18 +29,20 @@ public:
   /// `start_W` is where the centre was before.
   [[nodiscard]] std::string finding(const Vec3& start_W);
 
+  /// What it looks at the mesh with, to be shared.
+  [[nodiscard]] const std::shared_ptr<const TriangleGrid>& grid() const noexcept { return this->grid_; }
+
   /// Pieces judged so far.
   [[nodiscard]] std::size_t judged() const noexcept { return this->judged_; }
 
 private:
-  class Grid;
   struct Piece
   {
     Vec3 from_W, to_W;
   };
   [[nodiscard]] std::string findingFor(const Piece& piece) const;
 
-  std::shared_ptr<const Grid> grid_;
+  std::shared_ptr<const TriangleGrid> grid_;
   double leastDistance_u_;
   std::vector<Piece> pieces_;
   std::size_t judged_ = 0;

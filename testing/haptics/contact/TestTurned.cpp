@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a turn by a right angle or a mirror changes. Either is exact: coordinates change places and signs.
+//
+// Mirrors in y and z keep the order of the vertices, which is by x where no two are the same, and so every operand of
+// every operation but for its sign: whole runs stay the same to the bit. The others change which corner a triangle is
+// computed from and the order of sums: there what is asked in exact arithmetic stays the same, so a free tick ends at
+// the device to the bit, and what is computed stays the same to rounding.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "haptics/contact/GodObject.h"
+#include "testing/support/Anywhere.h"
+#include "testing/support/Families.h"
+#include "testing/support/FeatureHand.h"
+#include "testing/support/Meshes.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+/// A turn by right angles, a mirror, or both.
+struct Turn
+{
+  std::array<int, 3> from{ 0, 1, 2 }; ///< which coordinate each one is
+  std::array<double, 3> sign{ 1.0, 1.0, 1.0 };
+
+  [[nodiscard]] Vec3 operator()(const Vec3& v) const
+  {
+    return { this->sign[0] * v[this->from[0]], this->sign[1] * v[this->from[1]], this->sign[2] * v[this->from[2]] };
+  }
+  [[nodiscard]] TriangleMesh operator()(TriangleMesh mesh) const
+  {
+    for (Vec3& v : mesh.vertices_W)
+    {
+      v = (*this)(v);
+    }
+    return mesh;
+  }
+};
+
+std::vector<Turn> allTurns()
+{
+  std::vector<Turn> turns;
+  std::array<int, 3> from{ 0, 1, 2 };
+  do
+  {
+    for (int signs = 0; signs < 8; ++signs)
+    {
+      turns.push_back({ from, { signs & 1 ? -1.0 : 1.0, signs & 2 ? -1.0 : 1.0, signs & 4 ? -1.0 : 1.0 } });
+    }
+  } while (std::next_permutation(from.begin(), from.end()));
+  return turns;
+}
+
+ContactPlan planOf(std::uint64_t round, double triangle_u, Random& random)
+{
+  ContactPlan plan;
+  plan.radius_u = round % 2 == 0 ? 0.0 : random.uniform(0.01, 0.5) * triangle_u;
+  plan.friction = round % 4 < 2 ? FrictionPlan{} : FrictionPlan{ 0.6, 0.4 };
+  return plan;
+}
+
+/// So that no tie decides anything.
+TriangleMesh someMesh(std::uint64_t round, Random& random)
+{
+  return Anywhere(random, 1.0)(families()[round % (families().size() - 1)].make(random)); // all but Scales
+}
+
+TEST(Turned, MirrorsThatKeepTheOrderOfVerticesChangeNoBit)
+{
+  const std::uint64_t meshes = testMeshes(44);
+  for (std::uint64_t round = 0; round < meshes; ++round)
+  {
+    Random random(testSeed(2901) + 1000003 * round);
+    const TriangleMesh mesh = someMesh(round, random);
+    FeatureHand hand(mesh, random.next());
+    const ContactPlan plan = planOf(round, hand.triangle_u(), random);
+    const Turn mirror = { { 0, 1, 2 }, { 1.0, round % 3 == 0 ? 1.0 : -1.0, round % 3 == 1 ? 1.0 : -1.0 } };
+    const auto scene = sceneOf(mesh), mirroredScene = sceneOf(mirror(mesh));
+    GodObjectState state, mirrored;
+    Vec3 p_W = hand.outside_W();
+    for (std::uint64_t i = 0; i < testCount(22000) / meshes; ++i, p_W = hand.next())
+    {
+      const ContactResult felt = moveGodObject(*scene, plan, p_W, state);
+      const ContactResult other = moveGodObject(*mirroredScene, plan, mirror(p_W), mirrored);
+      ASSERT_EQ(mirrored.x_W, mirror(state.x_W)) << "surface " << round << ", tick " << i;
+      ASSERT_EQ(other.contacts, felt.contacts) << "surface " << round << ", tick " << i;
+    }
+  }
+}
+
+TEST(Turned, EveryTurnAndMirrorIsFeltTheSameToRoundingAndFreelyToTheBit)
+{
+  const std::vector<Turn> turns = allTurns();
+  const std::uint64_t meshes = testMeshes(44);
+  for (std::uint64_t round = 0; round < meshes; ++round)
+  {
+    Random random(testSeed(2902) + 1000003 * round);
+    const TriangleMesh mesh = someMesh(round, random);
+    FeatureHand hand(mesh, random.next());
+    const ContactPlan plan = planOf(round, hand.triangle_u(), random);
+    const Turn turn = turns[1 + random.below(47)];
+    const auto scene = sceneOf(mesh), turnedScene = sceneOf(turn(mesh));
+    for (std::uint64_t i = 0; i < testCount(22000) / meshes; ++i)
+    {
+      GodObjectState state, turned;
+      const Vec3 p_W = hand.next();
+      static_cast<void>(moveGodObject(*scene, plan, hand.outside_W(), state));
+      static_cast<void>(moveGodObject(*turnedScene, plan, turn(hand.outside_W()), turned));
+      const ContactResult felt = moveGodObject(*scene, plan, p_W, state);
+      static_cast<void>(moveGodObject(*turnedScene, plan, turn(p_W), turned));
+      if (felt.capped)
+      {
+        continue;
+      }
+      const double apart_u = (turned.x_W - turn(state.x_W)).norm();
+      ASSERT_LE(apart_u, state.x_W == p_W ? 0.0 : 1e-9 * hand.size_u()) << "surface " << round << ", tick " << i;
+    }
+  }
+}
+
+} // namespace
+} // namespace palpate::test
