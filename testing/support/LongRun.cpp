@@ -48,8 +48,8 @@ RunFigures& RunFigures::operator+=(const RunFigures& more)
   this->pulls += more.pulls;
   this->rests += more.rests;
   this->infeasible += more.infeasible;
-  this->nodes += more.nodes;
-  this->mostNodes = std::max(this->mostNodes, more.mostNodes);
+  this->work += more.work;
+  this->mostWork = std::max(this->mostWork, more.mostWork);
   this->spent += more.spent;
   this->created += more.created;
   return *this;
@@ -58,11 +58,11 @@ RunFigures& RunFigures::operator+=(const RunFigures& more)
 std::string RunFigures::text() const
 {
   std::ostringstream out;
-  const double mean = this->ticks > 0 ? static_cast<double>(this->nodes) / static_cast<double>(this->ticks) : 0.0;
+  const double mean = this->ticks > 0 ? static_cast<double>(this->work) / static_cast<double>(this->ticks) : 0.0;
   out << TickFigures::text() << "; " << this->touching << " touching, fallen " << this->fallen << ", stuck "
       << this->stuck << " of " << this->pulls << ", restless " << this->restless << " and not at rest "
-      << this->notAtRest << " of " << this->rests << ", infeasible " << this->infeasible << "; nodes " << mean
-      << " a tick, at most " << this->mostNodes << "; energy created " << this->created << " of " << this->spent;
+      << this->notAtRest << " of " << this->rests << ", infeasible " << this->infeasible << "; work " << mean
+      << " a tick, at most " << this->mostWork << "; energy created " << this->created << " of " << this->spent;
   return out.str();
 }
 
@@ -161,8 +161,8 @@ ContactResult LongRun::tick(const Vec3& p_W)
   const ContactResult result = moveGodObject(*this->task_.scene, this->task_.plan, p_W, this->state_, this);
   this->figures_.touching += result.contacts > 0;
   this->figures_.infeasible += result.infeasible;
-  this->figures_.nodes += result.work;
-  this->figures_.mostNodes = std::max<std::uint64_t>(this->figures_.mostNodes, result.work);
+  this->figures_.work += result.work;
+  this->figures_.mostWork = std::max<std::uint64_t>(this->figures_.mostWork, result.work);
   if (moves)
   {
     this->judge_.judge(before_W, p_W, result, this->state_.x_W);

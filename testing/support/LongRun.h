@@ -28,8 +28,8 @@ struct RunFigures : TickFigures
   std::uint64_t pulls = 0; ///< times the hand pulled away on a free way
   std::uint64_t rests = 0; ///< times it kept still with something touched
   std::uint64_t infeasible = 0;
-  std::uint64_t nodes = 0;
-  std::uint64_t mostNodes = 0; ///< of one tick
+  std::uint64_t work = 0;
+  std::uint64_t mostWork = 0; ///< of one tick
   double spent = 0.0;          ///< what the hand put into the spring, [depth^2], stiffness 1
   double created = 0.0;        ///< what the ball's own motion added to it: must be rounding
 

@@ -73,7 +73,8 @@ TriangleMesh someMesh(std::uint64_t round, Random& random)
 
 TEST(Turned, MirrorsThatKeepTheOrderOfVerticesChangeNoBit)
 {
-  for (std::uint64_t round = 0; round < testMeshes(44); ++round)
+  const std::uint64_t meshes = testMeshes(44);
+  for (std::uint64_t round = 0; round < meshes; ++round)
   {
     Random random(testSeed(2901) + 1000003 * round);
     const TriangleMesh mesh = someMesh(round, random);
@@ -83,7 +84,7 @@ TEST(Turned, MirrorsThatKeepTheOrderOfVerticesChangeNoBit)
     const auto scene = sceneOf(mesh), mirroredScene = sceneOf(mirror(mesh));
     GodObjectState state, mirrored;
     Vec3 p_W = hand.outside_W();
-    for (std::uint64_t i = 0; i < testCount(22000) / 44; ++i, p_W = hand.next())
+    for (std::uint64_t i = 0; i < testCount(22000) / meshes; ++i, p_W = hand.next())
     {
       const ContactResult felt = moveGodObject(*scene, plan, p_W, state);
       const ContactResult other = moveGodObject(*mirroredScene, plan, mirror(p_W), mirrored);
@@ -96,7 +97,8 @@ TEST(Turned, MirrorsThatKeepTheOrderOfVerticesChangeNoBit)
 TEST(Turned, EveryTurnAndMirrorIsFeltTheSameToRoundingAndFreelyToTheBit)
 {
   const std::vector<Turn> turns = allTurns();
-  for (std::uint64_t round = 0; round < testMeshes(44); ++round)
+  const std::uint64_t meshes = testMeshes(44);
+  for (std::uint64_t round = 0; round < meshes; ++round)
   {
     Random random(testSeed(2902) + 1000003 * round);
     const TriangleMesh mesh = someMesh(round, random);
@@ -104,7 +106,7 @@ TEST(Turned, EveryTurnAndMirrorIsFeltTheSameToRoundingAndFreelyToTheBit)
     const ContactPlan plan = planOf(round, hand.triangle_u(), random);
     const Turn turn = turns[1 + random.below(47)];
     const auto scene = sceneOf(mesh), turnedScene = sceneOf(turn(mesh));
-    for (std::uint64_t i = 0; i < testCount(22000) / 44; ++i)
+    for (std::uint64_t i = 0; i < testCount(22000) / meshes; ++i)
     {
       GodObjectState state, turned;
       const Vec3 p_W = hand.next();
