@@ -66,7 +66,7 @@ public:
   [[nodiscard]] double lift() const noexcept
   {
     // Where surfaces move, the way from their frame to W and back is rounded too.
-    constexpr double units = std::is_same_v<SceneView, MovingScene> ? 6.0 : 2.0;
+    constexpr double units = std::is_same_v<SceneView, MovingScene> ? 6.0 : 1.0;
     return this->radius_u_ > 0.0 ? 0.0 : this->raised_ * units * this->resolution_.del();
   }
   /// Keeps a point higher for the rest of the tick: the normal of a sliver is known so badly that its plane, where it

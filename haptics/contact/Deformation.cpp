@@ -135,7 +135,12 @@ private:
   {
     for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
     {
-      const auto &old = ownCorners(this->before_, t), &now = ownCorners(this->now_, t);
+      const auto& old = ownCorners(this->before_, t);
+      if (distance2To(around(old), this->x_) > this->best2_)
+      {
+        continue;
+      }
+      const auto& now = ownCorners(this->now_, t);
       const double distance2 = (this->x_ - nearestOnTriangle(this->x_, old[0], old[1], old[2])).squaredNorm();
       const bool nearer = distance2 < this->best2_ || (distance2 == this->best2_ && t < this->triangle_);
       if (nearer && this->mayPass(around(old), around(now)))

@@ -126,7 +126,7 @@ void reconsiderVertex(TickState<SceneView>& tick) noexcept
     }
     tick.reconsideredAt_W = tick.x();
     ++tick.reconsidered;
-    const std::optional<Descent> descent = descendFromVertex(s, f, v, tick.x(), tick.p_W - tick.x());
+    const std::optional<Descent> descent = descendFromVertex(s, tick.fanAt(f, v), v, tick.x(), tick.p_W - tick.x());
     if (descent && descent->gain > tick.tol())
     {
       tick.forgetContacts();

@@ -7,6 +7,7 @@
 #include "haptics/contact/DiscFilter.h"
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/TreeWalk.h"
+#include "haptics/geometry/SurfaceRecords.h"
 
 namespace palpate
 {
@@ -39,9 +40,23 @@ Placed place(const SurfaceData&, const SurfaceData& data, std::uint32_t leaf, st
     unit_u };
 }
 
+/// What is on its way is laid down where it is now: the tree's own disc holds all of the way.
+Placed placeBent(const BentSurface& shape, std::uint32_t triangle) noexcept
+{
+  const auto corners = shape.cornersOf(triangle);
+  const Disc disc = discOf(corners);
+  const Vec3 cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double area = cross.norm();
+  // A thin triangle's normal would have to be exact, and one that has no area now has none.
+  const bool flat = area > 1e-3 * disc.radius_u * disc.radius_u;
+  return { disc.centre_W, disc.centre_W, flat ? Vec3(cross / area) : Vec3(Vec3::Zero()), 1.000001 * disc.radius_u,
+    disc.radius_u };
+}
+
 Placed place(const PosedSurface& posed, const SurfaceData& data, std::uint32_t leaf, std::uint32_t lane) noexcept
 {
-  Placed placed = place(data, data, leaf, lane);
+  Placed placed =
+    posed.shape().bends() ? placeBent(posed.shape(), data.leaves[leaf].first + lane) : place(data, data, leaf, lane);
   placed.origin_W = posed.toWorld(placed.origin_W);
   placed.centre_W = posed.toWorld(placed.centre_W);
   placed.normal_W = posed.turned(placed.normal_W);

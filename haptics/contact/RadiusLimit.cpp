@@ -63,7 +63,7 @@ public:
         {
           const auto test = [&](std::uint32_t leaf) noexcept
           {
-            done += work::ballTest * reachedIn(surface.data(), leaf, inSurface);
+            done += work::faceTest * reachedIn(surface.data(), leaf, inSurface);
             return true;
           };
           return walkWithin(surface.data().nodes, BoxTest(inSurface), this->most_, done, test);

@@ -30,6 +30,34 @@ bool isTouched(const SweepQuery& query, const ActiveFeature& f) noexcept
     [&f](const ActiveFeature& a) { return a.surface == f.surface && a.kind == f.kind && a.a == f.a && a.b == f.b; });
 }
 
+/// True if the way surely keeps clear of a triangle where it is now. Its disc in the tree holds all of the triangle's
+/// own way, so most that are asked for are not near; and to make a whole face of each would be most of a tick.
+bool isClear(const BentSurface& shape, std::uint32_t triangle, const Motion& m) noexcept
+{
+  if (!shape.bends())
+  {
+    return false;
+  }
+  const auto [a, b, c] = shape.cornersOf(triangle);
+  const Vec3 reach = Vec3::Constant(m.r + m.tol);
+  const Vec3 low = m.x_W.cwiseMin(m.e_W) - reach, high = m.x_W.cwiseMax(m.e_W) + reach;
+  if ((a.cwiseMin(b).cwiseMin(c).array() > high.array()).any() ||
+      (a.cwiseMax(b).cwiseMax(c).array() < low.array()).any())
+  {
+    return true;
+  }
+  constexpr double thin = 1e-6, rounding = 1e-9; // the normal of any thicker triangle is told better than that
+  const Vec3 e = b - a, f = c - a, cross = e.cross(f);
+  const double area2 = cross.squaredNorm(), d0 = cross.dot(m.x_W - a), d1 = d0 + cross.dot(m.d);
+  const double least2 = (1.0 + rounding) * m.r * m.r * area2;
+  return m.r > 0.0 && area2 > thin * e.squaredNorm() * f.squaredNorm() && (d0 > 0.0) == (d1 > 0.0) &&
+         d0 * d0 > least2 && d1 * d1 > least2;
+}
+bool isClear(const SurfaceData&, std::uint32_t, const Motion&) noexcept
+{
+  return false;
+}
+
 /// The exact tests of one surface's faces, edges and vertices, and the best hit so far. All in the surface's own frame:
 /// a point is mapped there the same way each time, so that what is proven free stays free.
 template<class Shape>
@@ -59,13 +87,16 @@ public:
 
   void testTriangle(std::uint32_t triangle) noexcept
   {
-    this->m_.r > 0.0 ? this->testBall(triangle) : this->testPoint(triangle);
+    this->best_.work += work::faceTest;
+    if (!isClear(this->shape_, triangle, this->m_))
+    {
+      this->m_.r > 0.0 ? this->testBall(triangle) : this->testPoint(triangle);
+    }
   }
 
 private:
   void testBall(std::uint32_t triangle) noexcept
   {
-    this->best_.work += work::ballTest;
     const FaceRecord& face = this->shape_.face(triangle);
     if (hasArea(this->shape_, face))
     {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "haptics/contact/ContactSet.h"
@@ -12,6 +13,7 @@
 #include "haptics/contact/Neighbourhood.h"
 #include "haptics/contact/PosedSurface.h"
 #include "haptics/contact/Sweep.h"
+#include "haptics/contact/VertexFan.h"
 #include "haptics/contact/Work.h"
 
 namespace palpate
@@ -48,8 +50,14 @@ struct TickState
   /// angle tell where they meet so much worse than where they are. The last way was no longer than that either.
   [[nodiscard]] bool rests() const noexcept
   {
+    constexpr int patience = 12; // passes; between planes at small angles even rounding is felt far from the origin
+    const double way_u = this->solution.y.norm();
+    if (!this->round() && this->result.passes <= patience)
+    {
+      return way_u <= this->del();
+    }
     constexpr double most = 4096; // in tol: planes that are all but parallel tell nothing
-    const double way_u = this->solution.y.norm(), ways_u = std::max(way_u, this->lastWay_u);
+    const double ways_u = std::max(way_u, this->lastWay_u);
     return way_u <= this->tol() || (ways_u <= most * this->tol() && ways_u <= this->blur_u());
   }
   /// How far from where the planes meet that hold the ball rounding may see that place; 0 if there is a way on that
@@ -68,6 +76,8 @@ struct TickState
   void moveTo(const Vec3& to_W) noexcept;
   /// A move over a corner: the way has two pieces, the bookkeeping is done once.
   void moveOver(const Vec3& corner_W, const Vec3& to_W) noexcept;
+  /// The faces round vertex v as seen from face f, a face at v: asked for again and again while a point is near v.
+  [[nodiscard]] const VertexFan& fanAt(const ActiveFeature& f, std::uint32_t v) noexcept;
   /// Counts a look round all vertices that are touched.
   void countFans() noexcept;
   /// Drops what no longer holds, never `keep`.
@@ -89,6 +99,8 @@ struct TickState
   int reconsidered = 0;                ///< so often there
   double lastWay_u = 0.0;              ///< length of the last move
   Neighbourhood near;
+  std::optional<VertexFan> fan; ///< the last one that fanAt() was asked for; large, and most ticks ask for none
+  std::uint32_t fanVertex = SurfaceData::none, fanSurface = SurfaceData::none;
   ProjectionResult solution;
   ContactResult result;
   bool startedAnew = false;
@@ -203,6 +215,18 @@ double TickState<SceneView>::blur_u() const noexcept
   }
   const Vec3 c = normal(2), bc = b.cross(c), ca = c.cross(a);
   return this->del() * (ab.norm() + bc.norm() + ca.norm()) / std::fabs(a.dot(bc));
+}
+
+template<class SceneView>
+const VertexFan& TickState<SceneView>::fanAt(const ActiveFeature& f, std::uint32_t v) noexcept
+{
+  if (v != this->fanVertex || f.surface != this->fanSurface || !this->fan || !this->fan->has(f))
+  {
+    this->fan = fanAround(this->contacts.surface(f), f, v, FreeEdge::Ends);
+    this->fanVertex = v;
+    this->fanSurface = f.surface;
+  }
+  return *this->fan;
 }
 
 template<class SceneView>

@@ -84,9 +84,8 @@ Descent steepestIn(const View& s, const VertexFan& fan, std::uint32_t v, const V
 
 template<class View>
 std::optional<Descent> descendFromVertex(
-  const View& s, const ActiveFeature& f, std::uint32_t v, const Vec3& x_W, const Vec3& q) noexcept
+  const View& s, const VertexFan& fan, std::uint32_t v, const Vec3& x_W, const Vec3& q) noexcept
 {
-  const VertexFan fan = fanAround(s, f, v, FreeEdge::Ends);
   if (!fan.whole)
   {
     return std::nullopt;
@@ -98,7 +97,7 @@ std::optional<Descent> descendFromVertex(
   template std::uint32_t cornerAt(const View&, const ActiveFeature&, const Vec3&, double) noexcept;                    \
   template Descent steepestIn(const View&, const VertexFan&, std::uint32_t, const Vec3&, const Vec3*) noexcept;        \
   template std::optional<Descent> descendFromVertex(                                                                   \
-    const View&, const ActiveFeature&, std::uint32_t, const Vec3&, const Vec3&) noexcept;
+    const View&, const VertexFan&, std::uint32_t, const Vec3&, const Vec3&) noexcept;
 
 PALPATE_INSTANTIATE(SurfaceData)
 PALPATE_INSTANTIATE(PosedSurface)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -28,6 +29,12 @@ struct VertexFan
   bool whole = true;     ///< there was room for all of them
   bool branches = false; ///< three or more faces meet in an edge of it
 
+  /// True if it shows that side of face f.
+  [[nodiscard]] bool has(const ActiveFeature& f) const noexcept
+  {
+    return std::any_of(this->faces.begin(), this->faces.begin() + this->count,
+      [&f](const Face& g) { return g.face.a == f.a && g.face.side == f.side; });
+  }
   [[nodiscard]] const ActiveFeature& operator[](int i) const noexcept
   {
     return this->faces[static_cast<std::size_t>(i)].face;

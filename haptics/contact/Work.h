@@ -8,8 +8,8 @@
 namespace palpate::work
 {
 
-/// A ball against a face and the borders that the face answers for.
-inline constexpr std::uint32_t ballTest = 2;
+/// A face that may be near, with the borders that it answers for.
+inline constexpr std::uint32_t faceTest = 2;
 /// A point against a face whose plane it comes to: five orientations.
 inline constexpr std::uint32_t pointTest = 16;
 /// The same where one of them is 0: then several were not told by doubles and took expansions.

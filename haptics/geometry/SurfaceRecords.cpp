@@ -26,27 +26,10 @@ void writeDisc(DiscQuad& quad, int lane, const Vec3& local, const Vec3& normal, 
   quad.radius[lane] = std::nextafter(static_cast<float>(radius + roundOff), std::numeric_limits<float>::infinity());
 }
 
-/// A disc in the face's plane that holds its three corners: the circle over the longest edge, or round the centroid.
 void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Leaf& leaf)
 {
-  const auto& [a, b, c] = face.corner_W;
-  const auto reach2 = [&](const Vec3& from) {
-    return std::max({ (a - from).squaredNorm(), (b - from).squaredNorm(), (c - from).squaredNorm() });
-  };
-  Vec3 centre = (a + b + c) / 3.0;
-  double radius2 = reach2(centre);
-  for (int k = 0; k < 3; ++k)
-  {
-    const Vec3 middle = 0.5 * (face.corner_W[k] + face.corner_W[(k + 1) % 3]);
-    const double fromMiddle2 = reach2(middle);
-    if (fromMiddle2 < radius2)
-    {
-      radius2 = fromMiddle2;
-      centre = middle;
-    }
-  }
-  const double radius = std::sqrt(radius2);
-  writeDisc(quad, lane, leaf.perUnit * (centre - leaf.origin_W), face.normal_W, leaf.perUnit * radius);
+  const Disc disc = discOf(face.corner_W);
+  writeDisc(quad, lane, leaf.perUnit * (disc.centre_W - leaf.origin_W), face.normal_W, leaf.perUnit * disc.radius_u);
 }
 
 /// Of a sliver so thin that rounding of its sides makes of its normal what it likes.
@@ -63,6 +46,27 @@ void setNeedleNormal(FaceRecord& face) noexcept
 }
 
 } // namespace
+
+Disc discOf(const std::array<Vec3, 3>& corners_W) noexcept
+{
+  const auto& [a, b, c] = corners_W;
+  const auto reach2 = [&](const Vec3& from) {
+    return std::max({ (a - from).squaredNorm(), (b - from).squaredNorm(), (c - from).squaredNorm() });
+  };
+  Vec3 centre = (a + b + c) / 3.0;
+  double radius2 = reach2(centre);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vec3 middle = 0.5 * (corners_W[k] + corners_W[(k + 1) % 3]);
+    const double fromMiddle2 = reach2(middle);
+    if (fromMiddle2 < radius2)
+    {
+      radius2 = fromMiddle2;
+      centre = middle;
+    }
+  }
+  return { centre, std::sqrt(radius2) };
+}
 
 FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept
 {

@@ -20,6 +20,14 @@ inline constexpr float needleSliver = 1e8F;
 /// The same of corners that are elsewhere.
 [[nodiscard]] FaceRecord makeFace(const std::array<Vec3, 3>& corners_W, bool segment, std::uint32_t owned) noexcept;
 
+/// A disc in a triangle's plane that holds its three corners: the circle over the longest edge, or round the centroid.
+struct Disc
+{
+  Vec3 centre_W;
+  double radius_u;
+};
+[[nodiscard]] Disc discOf(const std::array<Vec3, 3>& corners_W) noexcept;
+
 /// The leaf that holds `count` triangles from `first` on, all of them in the box.
 [[nodiscard]] Leaf makeLeaf(const Box& box, std::uint32_t first, std::uint32_t count) noexcept;
 
