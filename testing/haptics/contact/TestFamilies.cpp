@@ -2,6 +2,7 @@
 // Surfaces of each kind on which contact is hard, under a hand that looks for trouble; every tick is judged by itself.
 // PALPATE_TEST_COUNT=1000000 PALPATE_TEST_MESHES=300 is the whole of it: so many ticks on so many surfaces of each
 // kind.
+#include <array>
 #include <cmath>
 #include <iostream>
 
@@ -17,12 +18,19 @@ namespace palpate::test
 namespace
 {
 
-/// Frictionless every other time, else up to 5; balls of 1e-6 to half a triangle.
-ContactPlan somePlan(bool ball, double triangle_u, Random& random)
+/// What touches.
+struct Tool
+{
+  const char* name;
+  bool ball, rough;
+};
+
+/// Friction up to 5, balls of 1e-6 to half a triangle.
+ContactPlan somePlan(const Tool& tool, double triangle_u, Random& random)
 {
   ContactPlan plan;
-  plan.radius_u = ball ? triangle_u * std::pow(10.0, random.uniform(-6, -0.3)) : 0.0;
-  if (random.below(2) == 0)
+  plan.radius_u = tool.ball ? triangle_u * std::pow(10.0, random.uniform(-6, -0.3)) : 0.0;
+  if (tool.rough)
   {
     plan.friction.statical = std::array{ 0.1, 0.4, 1.0, 5.0 }[random.below(4)];
     plan.friction.kinetic = random.uniform(0.5, 1.0) * plan.friction.statical;
@@ -30,12 +38,12 @@ ContactPlan somePlan(bool ball, double triangle_u, Random& random)
   return plan;
 }
 
-TickFigures runOn(const TriangleMesh& raw, bool ball, std::uint64_t ticks, Random& random)
+TickFigures runOn(const TriangleMesh& raw, const Tool& tool, std::uint64_t ticks, Random& random)
 {
   const TriangleMesh mesh = cleanMesh(raw).mesh;
   const auto scene = sceneOf(raw);
   FeatureHand hand(mesh, random.next());
-  const ContactPlan plan = somePlan(ball, hand.triangle_u(), random);
+  const ContactPlan plan = somePlan(tool, hand.triangle_u(), random);
   TickJudge judge(PathChecker(mesh, 0.0), plan, hand.size_u());
   GodObjectState state;
   TickFigures figures;
@@ -49,31 +57,34 @@ TickFigures runOn(const TriangleMesh& raw, bool ball, std::uint64_t ticks, Rando
   return figures += judge.figures();
 }
 
-class HardSurfaces : public ::testing::TestWithParam<std::tuple<Family, bool>>
+class HardSurfaces : public ::testing::TestWithParam<std::tuple<Family, Tool>>
 {
 };
 
 TEST_P(HardSurfaces, HoldNothingThatIsFreeAndLetNothingThrough)
 {
-  const auto& [family, ball] = GetParam();
-  const std::uint64_t seed = testSeed(2801), meshes = testMeshes(12), ticks = testCount(12000) / meshes;
+  const auto& [family, tool] = GetParam();
+  const std::uint64_t seed = testSeed(2801), meshes = testMeshes(40), ticks = testCount(40000) / meshes;
   TickFigures all;
   for (std::uint64_t i = 0; i < meshes; ++i)
   {
     Random random(seed + 1000003 * i);
-    const TickFigures figures = runOn(family.make(random), ball, ticks, random);
+    const TickFigures figures = runOn(family.make(random), tool, ticks, random);
     EXPECT_TRUE(figures.clean()) << "surface " << i << " of seed " << seed << ": " << figures.text() << "\n"
                                  << figures.first;
     all += figures;
   }
-  std::cout << family.name << ", " << (ball ? "balls: " : "points: ") << all.text() << std::endl;
+  std::cout << family.name << ", " << tool.name << ": " << all.text() << std::endl;
   EXPECT_GT(all.held, all.ticks / 20);
   EXPECT_LE(all.capped + all.overBudget, all.ticks / 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, HardSurfaces, ::testing::Combine(::testing::ValuesIn(families()), ::testing::Bool()),
-  [](const auto& info)
-  { return std::string(std::get<0>(info.param).name) + (std::get<1>(info.param) ? "Balls" : "Points"); });
+constexpr std::array tools = { Tool{ "Points", false, false }, Tool{ "Balls", true, false },
+  Tool{ "RoughPoints", false, true }, Tool{ "RoughBalls", true, true } };
+
+INSTANTIATE_TEST_SUITE_P(All, HardSurfaces,
+  ::testing::Combine(::testing::ValuesIn(families()), ::testing::ValuesIn(tools)),
+  [](const auto& info) { return std::string(std::get<0>(info.param).name) + std::get<1>(info.param).name; });
 
 } // namespace
 } // namespace palpate::test
