@@ -149,11 +149,12 @@ PolygonCut cutPolygon(const std::vector<Vec3>& vertices_W, std::span<const std::
     return {};
   }
   polygon.place = placesOf(polygon);
-  if (!fillPlanar(polygon, add))
+  const bool plain = fillPlanar(polygon, add);
+  if (!plain)
   {
     cutEars(polygon, add);
   }
-  return { 0, weldsNumbers(polygon.place, corners) };
+  return { 0, plain && !weldsNumbers(polygon.place, corners) };
 }
 
 } // namespace palpate

@@ -16,7 +16,7 @@ namespace palpate
 struct PolygonCut
 {
   std::size_t holeEdges = 0; ///< edges round what could not be filled: a corner is not finite; 0: it is filled
-  bool welded = false;       ///< corners with different numbers lie in one place, and the cut relies on that
+  bool lasts = true; ///< false: corners in one place may part and what crosses itself may open, so cut it anew then
 };
 
 /// "2 holes of 5 and 7 edges: ...", for a person; "" of none. `holeEdges`: as cutPolygon() gave them.

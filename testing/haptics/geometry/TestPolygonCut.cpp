@@ -285,7 +285,7 @@ TEST(PolygonCut, HolesByKeyholesStayHolesAndTheRestIsFilled)
     const Loop loop = makeKeyholes(1 + random.below(6), random);
     expectFilledOnce(loop);
     expectFilledOnce(slanted(loop));
-    EXPECT_TRUE(cut(loop).what.welded) << "a keyhole's two sides have numbers of their own here";
+    EXPECT_FALSE(cut(loop).what.lasts) << "a keyhole's two sides have numbers of their own here";
   }
 }
 
@@ -388,6 +388,19 @@ TEST(PolygonCut, TheShorterDiagonalOfAConvexQuadrilateral)
   const Triangles across = { { 0, 1, 2 }, { 0, 2, 3 } }, along = { { 1, 2, 3 }, { 1, 3, 0 } };
   EXPECT_EQ(cut({ { 0, 0, 0 }, { 4, 0, 0 }, { 5, 1, 0 }, { 1, 1, 0 } }).mesh.triangles, along);
   EXPECT_EQ(cut({ { 1, 0, 0 }, { 5, 0, 0 }, { 4, 1, 0 }, { 0, 1, 0 } }).mesh.triangles, across);
+}
+
+TEST(PolygonCut, ACutLastsWhereNoOtherCouldBeNeeded)
+{
+  const Loop square = { { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 } };
+  EXPECT_TRUE(cut(square).what.lasts);
+  EXPECT_FALSE(cut({ square[0], square[2], square[1], square[3] }).what.lasts) << "it crosses itself";
+  const Loop keyhole = { square[0], { 1, 1, 0 }, { 2, 1, 0 }, { 1, 2, 0 }, { 1, 1, 0 }, square[0], square[3], square[2],
+    square[1] };
+  EXPECT_FALSE(cut(keyhole).what.lasts) << "the sides of the way to the hole may part";
+  Triangles triangles;
+  EXPECT_TRUE(cutPolygon(keyhole, std::vector<std::uint32_t>{ 0, 1, 2, 3, 1, 0, 6, 7, 8 }, triangles).lasts)
+    << "they are one edge";
 }
 
 TEST(PolygonCut, ACornerThatIsNotFiniteLeavesAHoleOfAllEdges)
