@@ -38,7 +38,7 @@ std::string Describe(const palpate::SceneBuildResult& built, const std::vector<s
       continue;
     }
     const palpate::SurfaceTree& tree = *built.scene->surfaces()[next++].tree;
-    report += surface.name + ": " + surface.clean.summary() + "; every kept " +
+    report += surface.name + ": " + surface.summary() + "; every kept " +
               (surface.clean.segments ? DescribeTubes(tree, *built.scene) : "triangle is touched") +
               ", through a tree of " + std::to_string(tree.bytes() / kibibyte) + " KiB" +
               (surface.refitted ? ", refitted" : "") + (materials[i].empty() ? "" : "; material: " + materials[i]) +
@@ -249,6 +249,7 @@ std::string vtkHapticSceneWorker::AddPart(
   kept.Baked = vtkHapticPlacementOf(matrix);
   kept.Cuts = std::move(converted.Cuts);
   kept.PartPoints = std::move(converted.PartPoints);
+  kept.Input.holeEdges = std::move(converted.HoleEdges);
   this->KeepFrame(kept);
   this->Adding.push_back(std::move(kept));
   this->ReadMaterial(data, this->Adding.back());

@@ -10,6 +10,7 @@
 
 #include "haptics/core/WordHash.h"
 #include "haptics/geometry/PolyLines.h"
+#include "haptics/geometry/PolygonCut.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCompositeDataIterator.h"
@@ -21,7 +22,6 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace
@@ -60,17 +60,6 @@ vtkSmartPointer<vtkPolyData> CheckedSkin(vtkDataSet* data, std::string& problem)
   return problem.empty() ? surface : nullptr;
 }
 
-/// Triangles of a surface, whose points stay.
-vtkSmartPointer<vtkPolyData> Triangulated(vtkPolyData* surface)
-{
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(surface);
-  filter->PassLinesOff();
-  filter->PassVertsOff();
-  filter->Update();
-  return filter->GetOutput();
-}
-
 /// Calls visit(corners), a span of the ids of their points, for each cell.
 template<class Visit>
 void ForEachCell(vtkCellArray* cells, Visit visit)
@@ -85,14 +74,49 @@ void ForEachCell(vtkCellArray* cells, Visit visit)
   }
 }
 
-void AppendTriangles(vtkPolyData* surface, bool mirrored, std::uint32_t base, palpate::TriangleMesh& mesh)
+/// Appends the triangles of polygons and strips whose points stand in the mesh from some vertex on.
+class CellAppender
 {
-  ForEachCell(surface->GetPolys(),
-    [&](std::span<const vtkIdType> corners)
+public:
+  CellAppender(std::uint32_t base, palpate::TriangleMesh& mesh) : Base(base), Mesh(mesh) {}
+
+  void Polygon(std::span<const vtkIdType> corners)
+  {
+    this->Corners.clear();
+    std::transform(corners.begin(), corners.end(), std::back_inserter(this->Corners),
+      [this](vtkIdType id) { return this->Base + static_cast<std::uint32_t>(id); });
+    const palpate::PolygonCut cut = palpate::cutPolygon(this->Mesh.vertices_W, this->Corners, this->Mesh.triangles);
+    this->Lasts = this->Lasts && cut.lasts;
+    if (cut.holeEdges > 0)
     {
-      const auto at = [&](std::size_t i) { return base + static_cast<std::uint32_t>(corners[i]); };
-      mesh.triangles.push_back({ at(0), at(mirrored ? 2 : 1), at(mirrored ? 1 : 2) });
-    });
+      this->HoleEdges.push_back(cut.holeEdges);
+    }
+  }
+
+  void Strip(std::span<const vtkIdType> corners)
+  {
+    const auto at = [&](std::size_t i) { return this->Base + static_cast<std::uint32_t>(corners[i]); };
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i)
+    {
+      const std::size_t turned = i % 2;
+      this->Mesh.triangles.push_back({ at(i + turned), at(i + 1 - turned), at(i + 2) });
+    }
+  }
+
+  std::vector<std::size_t> HoleEdges;
+  bool Lasts = true; ///< the cuts are right wherever the points go
+
+private:
+  std::uint32_t Base;
+  palpate::TriangleMesh& Mesh;
+  std::vector<std::uint32_t> Corners;
+};
+
+/// Turns the triangles from `first` on around.
+void Mirror(palpate::TriangleMesh& mesh, std::size_t first)
+{
+  std::for_each(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first), mesh.triangles.end(),
+    [](std::array<std::uint32_t, 3>& t) { std::swap(t[1], t[2]); });
 }
 
 std::string AppendPoints(vtkPolyData* surface, const Placement& placement, palpate::TriangleMesh& mesh)
@@ -113,16 +137,9 @@ std::string AppendPoints(vtkPolyData* surface, const Placement& placement, palpa
   return {};
 }
 
-/// The polygons and strips of a surface by the ids of their corners, and how many triangles they are.
-struct Polygons
+/// Names the polygons and strips of a surface by the ids of their corners.
+std::uint64_t PolygonsOf(vtkPolyData* surface, bool mirrored)
 {
-  std::uint64_t Key = 0;
-  std::size_t Triangles = 0;
-};
-
-Polygons PolygonsOf(vtkPolyData* surface, bool mirrored)
-{
-  Polygons polygons;
   palpate::WordHash key;
   key.add(static_cast<std::uint64_t>(surface->GetNumberOfPoints()));
   key.add(std::uint64_t{ mirrored });
@@ -134,19 +151,21 @@ Polygons PolygonsOf(vtkPolyData* surface, bool mirrored)
         key.add(std::uint64_t{ corners.size() });
         std::for_each(
           corners.begin(), corners.end(), [&key](vtkIdType id) { key.add(static_cast<std::uint64_t>(id)); });
-        polygons.Triangles += std::max<std::size_t>(2, corners.size()) - 2;
       });
     key.add(std::uint64_t{ 0 });
   }
-  polygons.Key = key.value();
-  return polygons;
+  return key.value();
 }
 
 /// Appends surfaces, each cut as it was known before where it has the same polygons.
 class SurfaceAppender
 {
 public:
-  SurfaceAppender(const vtkHapticCuts* known, std::vector<vtkHapticCuts::Part>& parts) : Known(known), Parts(parts) {}
+  SurfaceAppender(
+    const vtkHapticCuts* known, std::vector<vtkHapticCuts::Part>& parts, std::vector<std::size_t>& holeEdges)
+    : Known(known), Parts(parts), HoleEdges(holeEdges)
+  {
+  }
 
   std::string operator()(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
   {
@@ -161,19 +180,23 @@ public:
       return problem;
     }
     const bool mirrored = placement.Map.linear().determinant() < 0.0;
-    const Polygons polygons = PolygonsOf(skin, mirrored);
-    if (known && known->Polygons == polygons.Key)
+    const std::uint64_t polygons = PolygonsOf(skin, mirrored);
+    problem = AppendPoints(skin, placement, mesh);
+    if (!problem.empty())
     {
-      problem = AppendPoints(skin, placement, mesh);
+      return problem;
+    }
+    if (known && known->Polygons == polygons)
+    {
       this->AppendKnown(*known, part, mesh);
+      part.Polygons = polygons;
     }
     else
     {
-      problem = AppendCut(Triangulated(skin), placement, mirrored, mesh);
+      part.Polygons = this->AppendCut(skin, part, mirrored, mesh) ? polygons : 0;
     }
     part.Triangles = mesh.triangles.size() - part.FirstTriangle;
-    part.Polygons = part.Triangles == polygons.Triangles ? polygons.Key : 0;
-    return problem;
+    return {};
   }
 
 private:
@@ -194,25 +217,25 @@ private:
       });
   }
 
-  static std::string AppendCut(
-    vtkPolyData* surface, const Placement& placement, bool mirrored, palpate::TriangleMesh& mesh)
+  /// False: the same polygons may have to be cut anew where their points are elsewhere.
+  bool AppendCut(vtkPolyData* surface, const vtkHapticCuts::Part& part, bool mirrored, palpate::TriangleMesh& mesh)
   {
-    if (surface->GetNumberOfPolys() == 0)
+    const vtkIdType cells = surface->GetNumberOfPolys() + surface->GetNumberOfStrips();
+    mesh.triangles.reserve(mesh.triangles.size() + static_cast<std::size_t>(cells));
+    CellAppender append(part.FirstVertex, mesh);
+    ForEachCell(surface->GetPolys(), [&append](std::span<const vtkIdType> corners) { append.Polygon(corners); });
+    ForEachCell(surface->GetStrips(), [&append](std::span<const vtkIdType> corners) { append.Strip(corners); });
+    if (mirrored)
     {
-      return {};
+      Mirror(mesh, part.FirstTriangle);
     }
-    const auto base = static_cast<std::uint32_t>(mesh.vertices_W.size());
-    std::string problem = AppendPoints(surface, placement, mesh);
-    if (problem.empty())
-    {
-      mesh.triangles.reserve(mesh.triangles.size() + static_cast<std::size_t>(surface->GetNumberOfPolys()));
-      AppendTriangles(surface, mirrored, base, mesh);
-    }
-    return problem;
+    this->HoleEdges.insert(this->HoleEdges.end(), append.HoleEdges.begin(), append.HoleEdges.end());
+    return append.Lasts;
   }
 
   const vtkHapticCuts* Known;
   std::vector<vtkHapticCuts::Part>& Parts;
+  std::vector<std::size_t>& HoleEdges;
 };
 
 std::string AppendLines(vtkDataSet* data, const Placement& placement, palpate::TriangleMesh& mesh)
@@ -359,10 +382,16 @@ vtkHapticConversionResult vtkHapticToMesh(vtkDataObject* data, vtkMatrix4x4* mat
 {
   const bool lines = vtkHapticCountLines(data) > 0;
   std::vector<vtkHapticCuts::Part> parts;
-  vtkHapticConversionResult result = Convert(data, matrix, SurfaceAppender(known, parts),
+  std::vector<std::size_t> holeEdges;
+  vtkHapticConversionResult result = Convert(data, matrix, SurfaceAppender(known, parts, holeEdges),
     lines ? "it has no polygons but lines; give a line radius above 0 to touch them as tubes"
           : "it has no polygons; only surfaces can be touched (apply Extract Surface or Contour)");
   result.Cuts = { result.Mesh, std::move(parts) };
+  if (!result.Mesh && !holeEdges.empty())
+  {
+    result.Problem = "none of its polygons can be filled: it has " + palpate::describeHoles(holeEdges);
+  }
+  result.HoleEdges = std::move(holeEdges);
   return result;
 }
 

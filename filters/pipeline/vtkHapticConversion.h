@@ -24,7 +24,7 @@ struct vtkHapticCuts
   struct Part
   {
     std::uint64_t Polygons =
-      0; ///< names them by the ids of their corners; 0: some were left out, the cuts are of no use
+      0; ///< names them by the ids of their corners; 0: elsewhere they may have to be cut in another way
     std::size_t FirstTriangle = 0;
     std::size_t Triangles = 0;
     std::uint32_t FirstVertex = 0;
@@ -40,14 +40,17 @@ struct vtkHapticConversionResult
   std::string Problem;                               ///< one line without a name in front; empty when Mesh is there
   vtkHapticCuts Cuts;                                ///< of polygons
   std::vector<std::size_t> PartPoints; ///< vertices from each data set in turn, 0 from one without what was asked for
+  std::vector<std::size_t> HoleEdges;  ///< edges round each polygon that could not be filled
 };
 
 /// All polygons and strips of a data object as triangles, placed by `matrix` (data frame to W; null: identity).
 ///
 /// Poly data as it is; any other data set through its outer faces; composite data block by block. Scale, shear and
 /// mirror are baked into the vertices, and a mirror turns the corners around, so that outside stays outside. Nothing
-/// is cleaned: NaN points and degenerate triangles are for cleaning to report. Polygons that VTK cannot triangulate
-/// (all corners on a line) are left out. The input is not changed and no array of it is kept.
+/// is cleaned: NaN points and degenerate triangles are for cleaning to report. Polygons of any shape are cut by
+/// palpate::cutPolygon(), so that no hole is in a surface that had none; those with a corner that is not finite stay
+/// holes (HoleEdges). VTK's own triangle filter is not used: it leaves out what it cannot cut. The input is not changed
+/// and no array of it is kept.
 /// `known`: cuts of an earlier time step. Where a diagonal runs depends on where the corners are; a part with the same
 /// polygons is cut as it was, so that a surface that only deforms keeps its triangles.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticConversionResult vtkHapticToMesh(

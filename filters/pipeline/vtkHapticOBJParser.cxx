@@ -53,9 +53,9 @@ void ReadFace(std::string_view line, vtkHapticFaceMesh& mesh)
     {
       throw std::runtime_error("a face names point " + std::to_string(index) + "; points are counted from 1");
     }
-    mesh.Connectivity.push_back(index > 0 ? index - 1 : mesh.NumberOfPoints() + index);
+    mesh.Faces.Connectivity.push_back(index > 0 ? index - 1 : mesh.NumberOfPoints() + index);
   }
-  mesh.CloseFace();
+  mesh.Faces.Close();
 }
 
 void ReadStatement(std::string_view line, vtkHapticFaceMesh& mesh)
@@ -89,8 +89,8 @@ vtkHapticFaceMesh vtkHapticParseOBJ(std::string_view text)
       ReadStatement(statement, mesh);
     }
     // a face may name a point that follows later, so this is known only at the end
-    const auto highest = std::max_element(mesh.Connectivity.begin(), mesh.Connectivity.end());
-    if (highest != mesh.Connectivity.end() && *highest >= mesh.NumberOfPoints())
+    const auto highest = std::max_element(mesh.Faces.Connectivity.begin(), mesh.Faces.Connectivity.end());
+    if (highest != mesh.Faces.Connectivity.end() && *highest >= mesh.NumberOfPoints())
     {
       throw std::runtime_error(
         "a face names point " + std::to_string(*highest + 1) + "; there are " + std::to_string(mesh.NumberOfPoints()));

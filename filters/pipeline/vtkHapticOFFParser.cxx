@@ -82,10 +82,10 @@ void ReadFace(std::string_view line, vtkHapticFaceMesh& mesh)
       throw std::runtime_error(
         "a face names point " + std::to_string(index) + " of " + std::to_string(mesh.NumberOfPoints()));
     }
-    mesh.Connectivity.push_back(index);
+    mesh.Faces.Connectivity.push_back(index);
   }
   SkipNumbers(line, "a face");
-  mesh.CloseFace();
+  mesh.Faces.Close();
 }
 
 /// One line, one record.

@@ -98,16 +98,13 @@ Property ParseProperty(std::string_view line)
   {
     property.LengthType = ParseType(TakeWord(line));
     type = TakeWord(line);
-    if (property.LengthType == Number::Float32 || property.LengthType == Number::Float64)
-    {
-      throw std::runtime_error("the length of a list is not a whole number");
-    }
   }
   property.Type = ParseType(type);
   property.Name = std::string(TakeWord(line));
   return property;
 }
 
+/// Lines that begin with another word are comments, with or without the word: other readers take them too.
 void ParseHeaderLine(std::string_view line, Header& header)
 {
   const std::string_view keyword = TakeWord(line);
@@ -121,13 +118,13 @@ void ParseHeaderLine(std::string_view line, Header& header)
     element.Name = std::string(TakeWord(line));
     element.Count = TakeNumber<std::int64_t>(line, "the header");
   }
-  else if (keyword == "property" && !header.Elements.empty())
+  else if (keyword == "property")
   {
+    if (header.Elements.empty())
+    {
+      throw std::runtime_error("a property in its header belongs to no element");
+    }
     header.Elements.back().Properties.push_back(ParseProperty(line));
-  }
-  else if (keyword != "comment" && keyword != "obj_info")
-  {
-    throw std::runtime_error(Quoted(keyword) + " does not belong into a PLY header here");
   }
 }
 
@@ -282,22 +279,62 @@ void ReadVertex(NumberSource& source, const Element& element, vtkHapticFaceMesh&
   mesh.Coordinates.insert(mesh.Coordinates.end(), point.begin(), point.end());
 }
 
-void ReadFace(NumberSource& source, const Element& element, vtkHapticFaceMesh& mesh)
+bool IsIndices(const Property& property)
 {
-  for (const Property& property : element.Properties)
+  return property.List && (property.Name == "vertex_indices" || property.Name == "vertex_index");
+}
+
+/// Hands the indices of points to `take` and reads over what stands beside them, a second list of indices too.
+template<class Take>
+void ReadIndices(NumberSource& source, const Element& element, Take take)
+{
+  const auto indices = std::find_if(element.Properties.begin(), element.Properties.end(), IsIndices);
+  for (auto property = element.Properties.begin(); property != element.Properties.end(); ++property)
   {
-    if (!property.List || (property.Name != "vertex_indices" && property.Name != "vertex_index"))
+    if (property != indices)
     {
-      Skip(source, property);
+      Skip(source, *property);
       continue;
     }
-    const std::int64_t corners = TakeLength(source, property);
-    for (std::int64_t corner = 0; corner < corners; ++corner)
+    for (std::int64_t left = TakeLength(source, *property); left > 0; --left)
     {
-      mesh.Connectivity.push_back(source.TakeWhole(property.Type));
+      take(source.TakeWhole(property->Type));
     }
   }
-  mesh.CloseFace();
+}
+
+void ReadFace(NumberSource& source, const Element& element, vtkHapticFaceMesh& mesh)
+{
+  ReadIndices(source, element, [&mesh](std::int64_t index) { mesh.Faces.Connectivity.push_back(index); });
+  mesh.Faces.Close();
+}
+
+/// One or two points in a row are no triangle and nothing is lost with them.
+void CloseStrip(vtkHapticFaceList& strips)
+{
+  if (strips.Open() >= 3)
+  {
+    strips.Close();
+  }
+  strips.Connectivity.resize(static_cast<std::size_t>(strips.Offsets.back()));
+}
+
+/// Strips one behind the other, -1 between them.
+void ReadStrips(NumberSource& source, const Element& element, vtkHapticFaceMesh& mesh)
+{
+  const auto take = [&mesh](std::int64_t index)
+  {
+    if (index == -1)
+    {
+      CloseStrip(mesh.Strips);
+    }
+    else
+    {
+      mesh.Strips.Connectivity.push_back(index);
+    }
+  };
+  ReadIndices(source, element, take);
+  CloseStrip(mesh.Strips);
 }
 
 void CheckRoom(const NumberSource& source, const Element& element)
@@ -328,44 +365,47 @@ void CheckVertexElement(const Element& element)
   }
 }
 
+using ReadRecord = void (*)(NumberSource&, const Element&, vtkHapticFaceMesh&);
+
+void ReadOver(NumberSource& source, const Element& element, vtkHapticFaceMesh& /*mesh*/)
+{
+  std::for_each(element.Properties.begin(), element.Properties.end(),
+    [&source](const Property& property) { Skip(source, property); });
+}
+
+ReadRecord RecordsOf(const Element& element)
+{
+  return element.Name == "vertex"      ? ReadVertex
+         : element.Name == "face"      ? ReadFace
+         : element.Name == "tristrips" ? ReadStrips
+                                       : ReadOver;
+}
+
 void ReadElement(NumberSource& source, const Element& element, vtkHapticFaceMesh& mesh)
 {
   CheckRoom(source, element);
-  if (element.Name == "tristrips")
-  {
-    throw std::runtime_error("its faces are triangle strips; save them as triangles");
-  }
-  const bool vertices = element.Name == "vertex";
-  if (vertices)
+  const ReadRecord read = RecordsOf(element);
+  if (read == ReadVertex)
   {
     CheckVertexElement(element);
   }
   for (std::int64_t i = 0; i < element.Count; ++i)
   {
-    if (vertices)
-    {
-      ReadVertex(source, element, mesh);
-    }
-    else if (element.Name == "face")
-    {
-      ReadFace(source, element, mesh);
-    }
-    else
-    {
-      std::for_each(element.Properties.begin(), element.Properties.end(),
-        [&source](const Property& property) { Skip(source, property); });
-    }
+    read(source, element, mesh);
   }
 }
 
 void CheckIndices(const vtkHapticFaceMesh& mesh)
 {
-  for (const std::int64_t index : mesh.Connectivity)
+  for (const vtkHapticFaceList* list : { &mesh.Faces, &mesh.Strips })
   {
-    if (index < 0 || index >= mesh.NumberOfPoints())
+    for (const std::int64_t index : list->Connectivity)
     {
-      throw std::runtime_error(
-        "a face names point " + std::to_string(index) + " of " + std::to_string(mesh.NumberOfPoints()));
+      if (index < 0 || index >= mesh.NumberOfPoints())
+      {
+        throw std::runtime_error(
+          "a face names point " + std::to_string(index) + " of " + std::to_string(mesh.NumberOfPoints()));
+      }
     }
   }
 }

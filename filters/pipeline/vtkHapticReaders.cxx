@@ -103,6 +103,19 @@ std::string ReadBytes(const std::string& path)
   return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
 }
 
+vtkSmartPointer<vtkCellArray> ToCells(const vtkHapticFaceList& list)
+{
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(list.Count() + 1);
+  std::copy(list.Offsets.begin(), list.Offsets.end(), offsets->GetPointer(0));
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(list.Offsets.back());
+  std::copy(list.Connectivity.begin(), list.Connectivity.end(), connectivity->GetPointer(0));
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, connectivity);
+  return cells;
+}
+
 SurfacePointer ToPolyData(const vtkHapticFaceMesh& mesh)
 {
   vtkNew<vtkPoints> points;
@@ -110,17 +123,13 @@ SurfacePointer ToPolyData(const vtkHapticFaceMesh& mesh)
   points->SetNumberOfPoints(mesh.NumberOfPoints());
   std::copy(
     mesh.Coordinates.begin(), mesh.Coordinates.end(), vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0));
-  vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(mesh.NumberOfFaces() + 1);
-  std::copy(mesh.Offsets.begin(), mesh.Offsets.end(), offsets->GetPointer(0));
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(mesh.Offsets.back());
-  std::copy(mesh.Connectivity.begin(), mesh.Connectivity.end(), connectivity->GetPointer(0));
-  vtkNew<vtkCellArray> faces;
-  faces->SetData(offsets, connectivity);
   auto surface = SurfacePointer::New();
   surface->SetPoints(points);
-  surface->SetPolys(faces);
+  surface->SetPolys(ToCells(mesh.Faces));
+  if (mesh.Strips.Count() > 0)
+  {
+    surface->SetStrips(ToCells(mesh.Strips));
+  }
   return surface;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "haptics/geometry/PolyLines.h"
+#include "haptics/geometry/PolygonCut.h"
 
 namespace palpate
 {
@@ -44,6 +45,11 @@ std::optional<VertexWay> wayFrom(const Scene& felt, const SurfaceInput& input, c
 }
 
 } // namespace
+
+std::string SurfaceReport::summary() const
+{
+  return this->clean.summary() + (this->holeEdges.empty() ? "" : "; " + describeHoles(this->holeEdges));
+}
 
 SceneBuilder::SceneBuilder(unsigned workers) : workers_(std::max(1u, workers)) {}
 
@@ -100,6 +106,7 @@ void SceneBuilder::bringUpToDate(const SurfaceInput& input, const Scene* felt, K
   {
     kept = buildAnew(input);
   }
+  kept.report.holeEdges = input.holeEdges;
   if (kept.tree)
   {
     fitMaterial(input, kept);

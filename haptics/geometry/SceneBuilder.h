@@ -29,6 +29,7 @@ struct SurfaceInput
   bool ordered = false; ///< the mesh is a tree's own: vertices and triangles keep their numbers, nothing is cleaned
   StandIn standsFor = {};
   std::uint64_t frame = 0; ///< names the frame S of the mesh: what bends in one bends under any pose of it
+  std::vector<std::size_t> holeEdges = {}; ///< edges round polygons that the mesh has no triangles of: reported
 };
 
 /// What became of one input.
@@ -39,6 +40,10 @@ struct SurfaceReport
   std::string refusal;              ///< empty when the surface is in the scene
   std::size_t materialReplaced = 0; ///< values of its arrays that could not be used: the surface's own took their place
   bool refitted = false;            ///< the vertices of a known mesh have moved: its tree was refitted, not built
+  std::vector<std::size_t> holeEdges = {}; ///< as the input had them
+
+  /// What was kept, dropped and left open, in one line for a person.
+  [[nodiscard]] std::string summary() const;
 };
 
 /// A new scene (null when nothing is touchable) and the reports, one per input, in the order of the inputs.

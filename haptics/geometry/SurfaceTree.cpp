@@ -73,15 +73,23 @@ Box emptyBox()
   return { Vec3::Constant(inf), Vec3::Constant(-inf) };
 }
 
+/// How many leaves so many triangles make.
+std::size_t leavesOf(std::size_t count)
+{
+  return count <= Leaf::capacity ? 1 : leavesOf(count / 2) + leavesOf(count - count / 2);
+}
+
 /// Writes CGAL's hierarchy down as flat arrays: CGAL keeps each subtree's primitives contiguous and gives the
-/// left child floor(n / 2) of them, so the shape follows from the counts alone.
+/// left child floor(n / 2) of them, so the shape follows from the counts alone. The faces are there, in its order.
 class Flattener
 {
 public:
-  Flattener(SurfaceData& data, const std::vector<std::uint32_t>& order) : data_(data), order_(order)
+  explicit Flattener(SurfaceData& data) : data_(data)
   {
-    data.mesh.triangles.swap(this->unordered_);
-    data.mesh.triangles.reserve(order.size());
+    const std::size_t leaves = leavesOf(data.faces.size());
+    data.leaves.reserve(leaves);
+    data.discs.reserve(2 * leaves);
+    data.nodes.reserve(leaves - 1);
   }
 
   /// Returns the child index of the subtree with these `count` primitives.
@@ -117,19 +125,19 @@ private:
   {
     for (std::size_t i = first; i < first + count; ++i)
     {
-      this->data_.mesh.triangles.push_back(this->unordered_[this->order_[i]]);
-      for (const std::uint32_t corner : this->data_.mesh.triangles.back())
+      for (const Vec3& corner_W : this->data_.faces[i].corner_W)
       {
-        box.include(this->data_.vertex(corner));
+        box.include(corner_W);
       }
     }
+    const std::size_t leaf = this->data_.leaves.size();
     this->data_.leaves.push_back(makeLeaf(box, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
-    return static_cast<std::uint32_t>(this->data_.leaves.size() - 1) | TreeNode::leafBit;
+    this->data_.discs.resize(2 * (leaf + 1));
+    layDiscs(this->data_, leaf);
+    return static_cast<std::uint32_t>(leaf) | TreeNode::leafBit;
   }
 
   SurfaceData& data_;
-  const std::vector<std::uint32_t>& order_;
-  std::vector<std::array<std::uint32_t, 3>> unordered_;
 };
 
 /// The order in which CGAL's tree stores its primitives: an in-order walk of its leaves.
@@ -173,12 +181,23 @@ std::vector<std::uint32_t> hierarchyOrder(const SurfaceData& data)
   return order;
 }
 
-void layHierarchy(SurfaceData& data, const std::vector<std::uint32_t>& order)
+void layHierarchy(SurfaceData& data)
 {
   Box box = emptyBox();
-  Flattener(data, order).flatten(0, order.size(), box);
+  Flattener(data).flatten(0, data.faces.size(), box);
   data.low_W = box.low_W;
   data.high_W = box.high_W;
+}
+
+void reorder(std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<std::uint32_t>& order)
+{
+  std::vector<std::array<std::uint32_t, 3>> ordered;
+  ordered.reserve(order.size());
+  for (const std::uint32_t t : order)
+  {
+    ordered.push_back(triangles[t]);
+  }
+  triangles.swap(ordered);
 }
 
 std::span<const std::uint32_t> cornersOnce(const std::array<std::uint32_t, 3>& corners)
@@ -186,7 +205,8 @@ std::span<const std::uint32_t> cornersOnce(const std::array<std::uint32_t, 3>& c
   return { corners.data(), isSegment(corners) ? 2U : 3U };
 }
 
-void buildFans(SurfaceData& data)
+/// Room in the fans: for each vertex as many places as triangles have it.
+void countFans(SurfaceData& data)
 {
   data.fanStart.assign(data.mesh.vertices_W.size() + 1, 0);
   for (const auto& t : data.mesh.triangles)
@@ -196,61 +216,62 @@ void buildFans(SurfaceData& data)
       ++data.fanStart[corner + 1];
     }
   }
-  for (std::size_t v = 1; v < data.fanStart.size(); ++v)
-  {
-    data.fanStart[v] += data.fanStart[v - 1];
-  }
+  std::partial_sum(data.fanStart.begin(), data.fanStart.end(), data.fanStart.begin());
   data.fan.resize(data.fanStart.back());
-  std::vector<std::uint32_t> next(data.fanStart.begin(), data.fanStart.end() - 1);
-  for (std::uint32_t t = 0; t < data.mesh.triangles.size(); ++t)
-  {
-    for (const std::uint32_t corner : cornersOnce(data.mesh.triangles[t]))
-    {
-      data.fan[next[corner]++] = t;
-    }
-  }
 }
 
-std::uint32_t ownedBits(const SurfaceData& data, std::uint32_t triangle)
+/// Faces and fans in one pass, in the order of the leaves, in which what is read lies close together. The first
+/// triangle to come to an edge or a vertex owns it; those before it are in the fans.
+class FaceMaker
 {
-  const auto& t = data.mesh.triangles[triangle];
-  std::uint32_t bits = 0;
-  const std::uint32_t vertices = isSegment(t) ? 2 : 3, edges = isSegment(t) ? 1 : 3;
-  for (std::uint32_t k = 0; k < vertices; ++k)
+public:
+  explicit FaceMaker(SurfaceData& data) : data_(data), next_(data.fanStart.begin(), data.fanStart.end() - 1)
   {
-    const std::uint32_t begin = data.fanStart[t[k]];
-    if (data.fan[begin] == triangle)
+    data.faces.reserve(data.mesh.triangles.size());
+  }
+
+  void add(std::uint32_t triangle)
+  {
+    this->data_.faces.push_back(makeFace(this->data_, triangle, this->ownedBits(triangle)));
+    for (const std::uint32_t corner : cornersOnce(this->data_.mesh.triangles[triangle]))
     {
-      bits |= ownsVertex0 << k;
-    }
-    if (k >= edges)
-    {
-      continue;
-    }
-    std::uint32_t i = begin; // fans ascend: the first one that holds the edge owns it
-    while (!data.hasCorner(data.fan[i], t[(k + 1) % 3]))
-    {
-      ++i;
-    }
-    if (data.fan[i] == triangle)
-    {
-      bits |= ownsEdge0 << k;
+      this->data_.fan[this->next_[corner]++] = triangle;
     }
   }
-  return bits;
-}
 
-void buildRecords(SurfaceData& data)
+private:
+  [[nodiscard]] std::span<const std::uint32_t> before(std::uint32_t v) const
+  {
+    const std::uint32_t* const fan = this->data_.fan.data();
+    return { fan + this->data_.fanStart[v], fan + this->next_[v] };
+  }
+
+  [[nodiscard]] std::uint32_t ownedBits(std::uint32_t triangle) const
+  {
+    const auto& t = this->data_.mesh.triangles[triangle];
+    const std::uint32_t vertices = isSegment(t) ? 2 : 3, edges = isSegment(t) ? 1 : 3;
+    std::uint32_t bits = 0;
+    for (std::uint32_t k = 0; k < vertices; ++k)
+    {
+      const std::span<const std::uint32_t> before = this->before(t[k]);
+      const auto holdsEdge = [&](std::uint32_t other) { return this->data_.hasCorner(other, t[(k + 1) % 3]); };
+      bits |= before.empty() ? ownsVertex0 << k : 0;
+      bits |= k < edges && std::none_of(before.begin(), before.end(), holdsEdge) ? ownsEdge0 << k : 0;
+    }
+    return bits;
+  }
+
+  SurfaceData& data_;
+  std::vector<std::uint32_t> next_; ///< for each vertex the first free place in its fan
+};
+
+void buildFaces(SurfaceData& data)
 {
-  data.faces.reserve(data.mesh.triangles.size());
+  countFans(data);
+  FaceMaker maker(data);
   for (std::uint32_t t = 0; t < data.mesh.triangles.size(); ++t)
   {
-    data.faces.push_back(makeFace(data, t, ownedBits(data, t)));
-  }
-  data.discs.assign(2 * data.leaves.size(), DiscQuad{});
-  for (std::size_t leaf = 0; leaf < data.leaves.size(); ++leaf)
-  {
-    layDiscs(data, leaf);
+    maker.add(t);
   }
 }
 
@@ -264,24 +285,12 @@ std::unique_ptr<SurfaceData> buildData(TriangleMesh clean, double coat_u, bool o
   auto data = std::make_unique<SurfaceData>();
   data->mesh = std::move(clean);
   data->coat_u = coat_u;
-  const std::size_t leavesAtMost = data->mesh.triangles.size() / (Leaf::capacity / 2) + 1;
-  data->leaves.reserve(leavesAtMost);
-  data->nodes.reserve(leavesAtMost);
-  std::vector<std::uint32_t> order;
-  if (ordered)
+  if (!ordered)
   {
-    order.resize(data->mesh.triangles.size());
-    std::iota(order.begin(), order.end(), 0u);
+    reorder(data->mesh.triangles, hierarchyOrder(*data));
   }
-  else
-  {
-    order = hierarchyOrder(*data);
-  }
-  layHierarchy(*data, order);
-  data->leaves.shrink_to_fit();
-  data->nodes.shrink_to_fit();
-  buildFans(*data);
-  buildRecords(*data);
+  buildFaces(*data);
+  layHierarchy(*data);
   data->topologyHash = hashTopology(data->mesh);
   data->contentHash = hashContent(*data);
   return data;

@@ -2,6 +2,7 @@
 """Bad input: exit code 2 and one line that names the file and the reason; what was there before is untouched."""
 
 import gzip
+import json
 import unittest
 
 from palpate_cli import (SQUARE_FACES, SQUARE_POINTS, CommandLineTest, nifti_bytes, obj_text, off_text, ply_text,
@@ -100,7 +101,16 @@ class MeshFiles(CommandLineTest):
         self.write_off("all.off", line, [(0, 1, 2, 3)])
         self.refused("check", "all.off", saying=["all.off", "without area"])
         self.write_off("one.off", line + SQUARE_POINTS, [(0, 1, 2, 3), (4, 5, 6, 7)])
-        self.assertIn("2 triangles of polygons without area", self.succeed("check", "one.off").stderr)
+        self.assertIn("2 dropped: no area", self.succeed("check", "one.off").stdout)
+
+    def test_a_polygon_with_a_nan_corner_is_said_as_a_hole_with_its_edges(self):
+        points = SQUARE_POINTS + [(0, 0, 5), (1, 0, 5), (2, 1, 5), (1, 2, 5), (0, float("nan"), 5)]
+        pentagon = (4, 5, 6, 7, 8)
+        self.write_off("one.off", points, [(0, 1, 2, 3), pentagon])
+        self.assertIn("1 hole of 5 edges", self.succeed("check", "one.off").stdout)
+        self.assertEqual(json.loads(self.succeed("check", "one.off", "--json").stdout)["hole_edges"], [5])
+        self.write_off("all.off", points, [pentagon])
+        self.refused("check", "all.off", saying=["all.off", "1 hole of 5 edges"])
 
     def test_points_without_triangles(self):
         for name, make in (("a.off", off_text), ("a.obj", obj_text), ("a.ply", ply_text), ("a.vtp", vtp_text),

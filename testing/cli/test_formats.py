@@ -89,10 +89,36 @@ class PLY(Spellings):
             self.write("a.ply", content[:length])
             self.refused("check", "a.ply", saying=["a.ply"])
 
-    def test_a_quadrilateral_and_triangle_strips(self):
+    def test_a_quadrilateral(self):
         self.square("a.ply", ply_text(SQUARE_POINTS, QUAD))
-        self.write("b.ply", ply_text(SQUARE_POINTS, SQUARE_FACES).replace("element face", "element tristrips"))
-        self.refused("check", "b.ply", saying=["b.ply", "strips"])
+
+    STRIPS = ("ply\nformat {format} 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+              "element tristrips 1\nproperty list int int vertex_indices\nend_header\n")
+
+    def test_triangle_strips(self):
+        text = self.STRIPS.format(format="ascii") + POINTS_TEXT
+        self.square("one.ply", text + "4 0 1 3 2\n")
+        self.square("two.ply", text + "8 0 1 2 -1 0 2 3 -1\n")
+        self.square("short.ply", text + "10 -1 0 1 -1 3 2 0 1 -1 2\n")  # one or two points are no triangle
+        points = b"".join(struct.pack("<3f", *point) for point in SQUARE_POINTS)
+        self.square("binary.ply", self.STRIPS.format(format="binary_little_endian").encode() + points +
+                    struct.pack("<5i", 4, 0, 1, 3, 2))
+
+    def test_a_strip_that_names_no_point_is_refused(self):
+        for indices in ("3 0 1 4", "3 0 1 -2", "4 0 1 3"):
+            self.write("a.ply", self.STRIPS.format(format="ascii") + POINTS_TEXT + indices + "\n")
+            self.refused("check", "a.ply", saying=["a.ply"])
+
+    def test_lists_beside_the_faces_and_header_lines_of_no_meaning(self):
+        text = ("ply\nformat ascii 1.0\nCreated by nobody\n\nelement vertex 4\nproperty float x\nproperty float y\n"
+                "property float z\nproperty list uchar int marks\nelement face 2\nproperty list float float texcoord\n"
+                "property list uchar int vertex_indices\nproperty list uchar int vertex_index\nend_header\n")
+        points = POINTS_TEXT.replace(" 0\n", " 0 2 7 7\n")
+        self.square("a.ply", text + points + "2 0.5 0.5 3 0 1 2 2 7 7\n0 3 0 2 3 0\n")
+        self.write("b.ply", text + points + "1.5 0.5 3 0 1 2 0\n0 3 0 2 3 0\n")
+        self.refused("check", "b.ply", saying=["b.ply", "not whole"])
+        self.write("c.ply", "ply\nformat ascii 1.0\nproperty float x\nend_header\n")
+        self.refused("check", "c.ply", saying=["c.ply", "belongs to no element"])
 
 
 class VTU(Spellings):

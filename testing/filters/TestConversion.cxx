@@ -262,17 +262,93 @@ TEST(Conversion, CutsOfBlocksAreTakenBlockByBlockAndOnlyForTheSamePolygons)
   EXPECT_EQ(vtkHapticToMesh(blocks(-0.4, 9)).Mesh->triangles.size(), other.Mesh->triangles.size());
 }
 
-TEST(Conversion, AMirrorOrAPolygonThatWasLeftOutIsCutAnew)
+TEST(Conversion, AMirrorOrAPolygonThatHadNoAreaIsCutAnew)
 {
   const auto first = vtkHapticToMesh(makePolygons(0.4));
   const auto mirror = matrixOf({ -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 });
   const auto mirrored = vtkHapticToMesh(makePolygons(0.4), mirror, &first.Cuts);
   EXPECT_EQ(mirrored.Mesh->triangles, vtkHapticToMesh(makePolygons(0.4), mirror).Mesh->triangles);
-  const auto flat = makePolygons(0.4); // every corner on one line: nothing to cut
+  const auto flat = makePolygons(0.4); // every corner on one line
   for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
   {
     flat->GetPoints()->SetPoint(i, static_cast<double>(i), 0.0, 0.0);
   }
-  const auto lost = vtkHapticToMesh(flat);
-  EXPECT_EQ(vtkHapticToMesh(makePolygons(0.4), nullptr, &lost.Cuts).Mesh->triangles, first.Mesh->triangles);
+  const auto none = vtkHapticToMesh(flat);
+  EXPECT_EQ(vtkHapticToMesh(makePolygons(0.4), nullptr, &none.Cuts).Mesh->triangles, first.Mesh->triangles);
+}
+
+namespace
+{
+/// One polygon with corners at these points.
+vtkSmartPointer<vtkPolyData> makePolygon(const std::vector<Vec3>& corners_W)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell(static_cast<int>(corners_W.size()));
+  for (const Vec3& p : corners_W)
+  {
+    polygons->InsertCellPoint(points->InsertNextPoint(p.data()));
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(polygons);
+  return surface;
+}
+
+/// A square with a square hole, reached from a corner and left the same way, in a plane that no axis is normal to.
+std::vector<Vec3> keyhole()
+{
+  std::vector<Vec3> corners;
+  for (const auto& [x, y] : std::vector<std::array<double, 2>>{
+         { 0, 0 }, { 1, 1 }, { 1, 2 }, { 2, 2 }, { 2, 1 }, { 1, 1 }, { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 } })
+  {
+    corners.emplace_back(x - y, x + y, 2 * x + y);
+  }
+  return corners;
+}
+} // namespace
+
+TEST(Conversion, AKeyholePolygonHasItsOwnBorderAndArea)
+{
+  const auto result = vtkHapticToMesh(makePolygon(keyhole()));
+  ASSERT_TRUE(result.Mesh) << result.Problem;
+  const CleanReport report = cleanMesh(*result.Mesh).report;
+  EXPECT_EQ(report.boundaryEdges, 4u + 4u) << "round the square and round its hole; the way to the hole is closed";
+  EXPECT_EQ(report.collinear, 0u);
+  const Vec3 normal = Vec3(1, 1, 2).cross(Vec3(-1, 1, 1)); // of one cell
+  Vec3 area = Vec3::Zero();
+  for (const auto& [a, b, c] : result.Mesh->triangles)
+  {
+    const std::vector<Vec3>& v = result.Mesh->vertices_W;
+    area += (v[b] - v[a]).cross(v[c] - v[a]) / 2.0;
+  }
+  EXPECT_EQ(area, (3.0 * 3.0 - 1.0) * normal);
+  EXPECT_TRUE(result.HoleEdges.empty());
+}
+
+TEST(Conversion, APolygonWithACornerThatIsNotFiniteIsAHoleWithItsEdges)
+{
+  const auto polygons = makePolygons(0.0);
+  polygons->GetPoints()->SetPoint(6, 1.0, std::nan(""), 0.0); // the tip of the pentagon's four corners
+  const auto result = vtkHapticToMesh(polygons);
+  ASSERT_TRUE(result.Mesh) << result.Problem;
+  EXPECT_EQ(result.Mesh->triangles.size(), 4u) << "two squares";
+  EXPECT_EQ(result.HoleEdges, std::vector<std::size_t>{ 4 });
+  std::vector<Vec3> corners = keyhole();
+  corners[3].z() = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(vtkHapticToMesh(makePolygon(corners)).Problem, HasSubstr("1 hole of 10 edges"));
+}
+
+TEST(Conversion, StripsAndPolygonsOfAMirroredActorStayTheRightWayOut)
+{
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputData(makeSphere(1.0, 16));
+  stripper->Update();
+  const double volume = enclosedVolume(*vtkHapticToMesh(stripper->GetOutput()).Mesh);
+  ASSERT_GT(volume, 0.0);
+  const auto mirror = matrixOf({ -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 });
+  const auto strips = vtkHapticToMesh(stripper->GetOutput(), mirror);
+  EXPECT_NEAR(enclosedVolume(*strips.Mesh), volume, roundingOf(volume, strips.Mesh->triangles.size()));
+  EXPECT_DOUBLE_EQ(enclosedVolume(*vtkHapticToMesh(makeHexahedron(), mirror).Mesh), 1.0);
 }

@@ -212,6 +212,7 @@ void AddReport(nlohmann::ordered_json& json, const palpate::SurfaceReport& repor
     { "duplicate", report.clean.duplicate } };
   json["boundary_edges"] = report.clean.boundaryEdges;
   json["non_manifold_edges"] = report.clean.nonManifoldEdges;
+  json["hole_edges"] = report.holeEdges;
 }
 
 /// Of the first surface; `lines` beside it have their own report.
@@ -289,7 +290,7 @@ void Print(const vtkHapticCliCheckOptions& options, const Input& input, const Su
   std::cout << options.File << ": it can be touched\n";
   for (const palpate::SurfaceReport& report : reports)
   {
-    PrintLine("repaired", report.clean.summary());
+    PrintLine("repaired", report.summary());
   }
   PrintLine("size", size.str());
   PrintLine("work", WorkOf(subject.Scene));

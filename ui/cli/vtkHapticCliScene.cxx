@@ -6,10 +6,8 @@
 #include <thread>
 
 #include "haptics/geometry/CurveSet.h"
-#include "vtkCellArray.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticConversion.h"
-#include "vtkHapticMessageCapture.h"
 #include "vtkHapticReaders.h"
 #include "vtkPolyData.h"
 
@@ -21,42 +19,6 @@ void Note(const std::string& file, const std::string& note)
   {
     std::cerr << "palpate: " << file << ": " << note << '\n';
   }
-}
-
-/// How many triangles the polygons and strips make when none is degenerate.
-std::size_t TrianglesOf(vtkPolyData* surface)
-{
-  vtkIdType triangles = 0;
-  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
-  {
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-    {
-      triangles += std::max<vtkIdType>(0, cells->GetCellSize(cell) - 2);
-    }
-  }
-  return static_cast<std::size_t>(triangles);
-}
-
-/// Triangles of a surface, and a note when polygons could not be cut into as many as they should be.
-vtkHapticConversionResult ToMesh(const std::string& file, vtkPolyData* surface)
-{
-  const vtkHapticMessageCapture messages; // VTK warns of each polygon without area
-  const vtkHapticConversionResult converted = vtkHapticToMesh(surface);
-  const std::size_t expected = TrianglesOf(surface);
-  const std::size_t found = converted.Mesh ? converted.Mesh->triangles.size() : 0;
-  if (found == 0 && expected > 0)
-  {
-    throw vtkHapticCliProblem(file + ": it cannot be touched: all its polygons are without area");
-  }
-  if (!converted.Mesh)
-  {
-    throw vtkHapticCliProblem(file + ": " + converted.Problem);
-  }
-  if (found < expected)
-  {
-    Note(file, std::to_string(expected - found) + " triangles of polygons without area were left out");
-  }
-  return converted;
 }
 
 std::shared_ptr<const palpate::MaterialFields> PerSceneUnit(
@@ -112,9 +74,9 @@ void CheckReports(const std::vector<palpate::SurfaceReport>& reports)
     {
       throw vtkHapticCliProblem(report.name + ": it cannot be touched: " + report.refusal);
     }
-    if (report.clean.trianglesOut < report.clean.trianglesIn)
+    if (report.clean.trianglesOut < report.clean.trianglesIn || !report.holeEdges.empty())
     {
-      Note(report.name, report.clean.summary());
+      Note(report.name, report.summary());
     }
   }
 }
@@ -141,9 +103,14 @@ vtkHapticCliSurface vtkHapticCliReadSurface(
     surface.Input.name = file;
     return surface;
   }
-  vtkHapticConversionResult converted = ToMesh(file, read.Surface);
+  vtkHapticConversionResult converted = vtkHapticToMesh(read.Surface);
+  if (!converted.Mesh)
+  {
+    throw vtkHapticCliProblem(file + ": " + converted.Problem);
+  }
   surface.Material = vtkHapticToMaterial(read.Surface, converted.PartPoints, materials);
   surface.Input = { file, std::move(converted.Mesh), palpate::Material(), surface.Material.Fields };
+  surface.Input.holeEdges = std::move(converted.HoleEdges);
   return surface;
 }
 
