@@ -88,7 +88,8 @@ struct ReportDescriptor
 /// stand in several places. Also found where a value is wrongly declared an array.
 [[nodiscard]] HidControl findControl(const HidReport& report, HidUsage usage, HidUsage parent = 0) noexcept;
 
-/// The field that selects one of several usages and lists this one: an array, or bits of their own.
+/// The field that selects one of several usages and lists this one: an array, or bits of their own. An array that begins
+/// with 0 means none by it, and the first usage by 1: so the kernel drives devices of this kind.
 struct HidSelector
 {
   HidControl control;

@@ -25,7 +25,7 @@ const char* missing(const DeviceAbilities& before, const DeviceAbilities& now) n
 } // namespace
 
 PidLink::PidLink(std::shared_ptr<HidBus> bus, HidEntry entry, const PidOutputOptions& options, const Clock& clock)
-  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock)
+  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock), trust_(options.trust)
 {
 }
 
@@ -258,7 +258,7 @@ bool PidLink::writePass()
     this->reattach(now_ns);
     return false;
   }
-  if (const char* const why = device->disturbance())
+  if (const char* const why = device->disturbance(now_ns))
   {
     this->loseAndStop(device, now_ns, why);
     return true;
@@ -268,7 +268,8 @@ bool PidLink::writePass()
   const DeviceCommand& newest = this->commands_.read();
   this->muted_ = this->muted_ && asksForForce(newest);
   const std::optional<Hand>& hand = this->handToWriter_.read();
-  const PidOutput::Wish wish{ this->muted_ || !hand ? DeviceCommand{} : newest, beat, hand.value_or(Hand{}).p_D };
+  const PidOutput::Wish wish{ this->muted_ || !hand ? DeviceCommand{} : newest, beat, hand.value_or(Hand{}).p_D,
+    this->trust_ };
   const std::uint64_t restarts = device->output->restarts();
   this->writingSince_ns_ = now_ns;
   const PidOutput::Step step = device->output->step(now_ns, wish);
@@ -294,17 +295,17 @@ void PidLink::loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t 
   }
 }
 
-/// Why its effects do not play any more; null: they do. The order to stop leaves its actuators on.
-const char* PidLink::Attached::disturbance() noexcept
+/// Why its effects do not play any more; null: they do. Whoever was told to stop past the writer may not say so. The
+/// order to stop switches the actuators of some off, too.
+const char* PidLink::Attached::disturbance(std::int64_t now_ns) noexcept
 {
-  constexpr const char* takenAway = "another program or a switch on it took its forces away";
-  const int stopped = this->stoppedBlock.exchange(0);
-  if (this->actuatorsOff.exchange(false))
+  if (this->stalled)
   {
-    return takenAway;
+    return "it did not take forces in time and was told to stop";
   }
-  const char* const why = this->stalled ? "it did not take forces in time and was told to stop" : takenAway;
-  return this->output->plays(stopped) ? why : nullptr;
+  const bool off = this->actuatorsOff.exchange(false) && this->output->shouldBeOn(now_ns);
+  const bool stopped = this->output->plays(this->stoppedBlock.exchange(0));
+  return off || stopped ? "another program or a switch on it took its forces away" : nullptr;
 }
 
 /// What is there is noted before anything is waited for: soon the lost device may be back in another place.

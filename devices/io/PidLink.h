@@ -61,7 +61,9 @@ public:
 
   /// Any thread but the servo's.
   [[nodiscard]] LinkReport report() const;
-  /// What the device can do; none before it was attached. Any thread but the servo's.
+  /// What it is believed from now on. Any thread.
+  void trust(HeldTrust trust) noexcept { this->trust_ = trust; }
+  /// What the device offers; none before it was attached. Any thread but the servo's.
   [[nodiscard]] std::optional<DeviceAbilities> abilities() const;
 
 private:
@@ -85,7 +87,7 @@ private:
     [[nodiscard]] std::string begin(HidBus& bus, const PidOutputOptions& options);
     void drain() const noexcept;
     void stopPastTheWriter() noexcept;
-    [[nodiscard]] const char* disturbance() noexcept;
+    [[nodiscard]] const char* disturbance(std::int64_t now_ns) noexcept;
   };
   [[nodiscard]] std::string prepare(FoundDevice found, const DeviceAbilities& least);
   [[nodiscard]] std::optional<Hand> firstHand(Attached& device);
@@ -114,6 +116,7 @@ private:
   alignas(64) Presence presence_;
   alignas(64) std::atomic<std::uint64_t> beat_ = 0; ///< servo's: commands so far
   alignas(64) ReportRate rate_;
+  std::atomic<HeldTrust> trust_;
   std::atomic<bool> handKnown_ = false;
   std::atomic<std::uint64_t> inputs_ = 0, strange_ = 0, outOfRange_ = 0; ///< reader's
   std::atomic<std::uint64_t> stalls_ = 0;                                ///< reader's

@@ -30,6 +30,8 @@ public:
   /// What the metric of a damper is, of the speed in half travels a second.
   static constexpr double damperMetric = 0.2;
   static constexpr double handleMass = 0.01, handleFriction = 0.6;
+  /// Force of the spring to the centre at a distance of 1.
+  static constexpr double centringGain = 0.5;
 
   explicit VirtualPidDevice(const PidLayout& layout);
 
@@ -39,6 +41,9 @@ public:
   [[nodiscard]] std::vector<std::uint8_t> nextInput() override;
   /// Firmware and handle.
   void advance(int duration_ms) override;
+
+  /// What the kernel's own driver does to it once a program uploads an effect: reset, enable, an effect of its own.
+  void uploadFromElsewhere();
 
   /// Shows the host an input report, whatever it says.
   void show(std::vector<std::uint8_t> report) { this->inputs_.push_back(std::move(report)); }
@@ -60,31 +65,40 @@ public:
   [[nodiscard]] int effectsUsed() const;
   [[nodiscard]] int effectsPlaying() const;
   [[nodiscard]] const PidLayout& layout() const noexcept { return this->layout_; }
-  /// Of the effect in a block, 1 and up, along an axis.
+  [[nodiscard]] bool centring() const noexcept { return this->centring_; }
+  /// Of the effect in a block, 1 and up, along an axis: what it was told last.
   [[nodiscard]] const Condition& condition(int block, int axis) const;
 
 private:
   struct Effect
   {
-    bool allocated = false, playing = false, directed = false;
+    bool allocated = false, playing = false, directed = false, set = false;
     std::uint8_t type = 0;
+    std::int64_t trigger = noTrigger;
     std::int64_t duration_ms = 0, age_ms = 0;
     double gain = 1.0, direction_deg = 0.0, constant = 0.0, magnitude = 0.0, period_ms = 1.0;
     std::array<bool, 2> axes{};
-    std::array<Condition, 2> conditions{};
+    std::array<Condition, 2> told{}, conditions{}; ///< the last ones, and those that it acts by
+    std::array<double, 2> signs{ 1.0, 1.0 };       ///< of the forces of its conditions
   };
+  static constexpr std::int64_t noTrigger = 255;
 
   [[nodiscard]] std::int64_t number(
     const HidReport& report, std::span<const std::uint8_t> bytes, HidUsage usage, HidUsage parent = 0) const;
   [[nodiscard]] std::uint8_t chosen(const std::vector<std::uint8_t>& order, std::int64_t number) const;
   void create(const HidReport& report, std::span<const std::uint8_t> bytes);
+  void create(std::uint8_t type);
   bool takeEffect(const HidReport& report, std::span<const std::uint8_t> bytes);
   void setEffect(Effect& effect, const HidReport& report, std::span<const std::uint8_t> bytes);
   bool setCondition(Effect& effect, const HidReport& report, std::span<const std::uint8_t> bytes);
   void operate(Effect& effect, const HidReport& report, std::span<const std::uint8_t> bytes);
   void control(const HidReport& report, std::span<const std::uint8_t> bytes);
   void control(std::uint8_t usage);
+  void settle(Effect& effect);
   void play(Effect& effect, bool playing);
+  void stopAll();
+  void reset();
+  void pullTrigger();
   void showState(int block, bool playing);
   void showInput();
   void step();
@@ -95,6 +109,8 @@ private:
   std::vector<Effect> effects_;
   std::deque<std::vector<std::uint8_t>> inputs_;
   int lastBlock_ = 0;
+  bool centring_ = false;
+  std::uint8_t buttonsBefore_ = 0;
   std::uint8_t lastStatus_ = 0;
 };
 
