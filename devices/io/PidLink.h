@@ -11,6 +11,7 @@
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/PidInput.h"
 #include "devices/hid/PidOutput.h"
+#include "devices/hid/PidWatch.h"
 #include "devices/io/FindAgain.h"
 #include "devices/io/HeldDevice.h"
 #include "devices/io/LinkedDevice.h"
@@ -77,6 +78,7 @@ private:
     std::optional<PidInput> input;
     std::optional<PidEngine> engine;
     std::optional<PidOutput> output;
+    std::optional<PidWatch> watch;
     std::mutex spareMutex;
     std::optional<Hand> last;                        ///< reader's
     bool gripped = false, switchSeen = false;        ///< reader's
@@ -96,6 +98,7 @@ private:
   void loseAndStop(const std::shared_ptr<Attached>& device);
   void loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why);
   void reattach(std::int64_t now_ns);
+  [[nodiscard]] bool writeTo(const std::shared_ptr<Attached>& device, std::int64_t now_ns);
   void takeState(Attached& device, const PidState& state, std::optional<Hand>& newest);
   void take(Attached& device, std::span<const std::uint8_t> report, std::optional<Hand>& newest);
   void watchWriter(Attached& device);

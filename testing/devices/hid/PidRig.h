@@ -31,6 +31,11 @@ struct PidRig
   {
   }
 
+  PidRig(const std::shared_ptr<FirmwareModel>& model, const std::vector<std::uint8_t>& descriptor)
+    : port(bus->plug(model, descriptor)), options(virtualOptions(*bus)), device("pid", bus, port.entry, options)
+  {
+  }
+
   VirtualPidDevice& stick() { return *this->port.device; }
   [[nodiscard]] const PidScale& scale() const { return this->options.output.scale; }
 

@@ -397,7 +397,7 @@ void VirtualPidDevice::advance(int duration_ms)
   for (int i = 0; i < duration_ms; ++i)
   {
     this->pullTrigger();
-    this->step();
+    this->advanceHandle([this] { return this->force(); });
     this->showInput();
     for (Effect& effect : this->effects_)
     {
@@ -405,27 +405,6 @@ void VirtualPidDevice::advance(int duration_ms)
       if (effect.playing && effect.age_ms > effect.duration_ms)
       {
         this->play(effect, false);
-      }
-    }
-  }
-}
-
-void VirtualPidDevice::step()
-{
-  constexpr int parts = 4;
-  constexpr double dt_s = 1e-3 / parts;
-  for (int part = 0; part < parts; ++part)
-  {
-    const Axes pulled = this->force();
-    for (const std::size_t axis : { 0U, 1U })
-    {
-      double& v = this->velocity[axis];
-      v += dt_s / handleMass * (pulled[axis] + this->push[axis] - handleFriction * v);
-      this->position[axis] += dt_s * v;
-      if (std::fabs(this->position[axis]) >= 1.0)
-      {
-        this->position[axis] = std::copysign(1.0, this->position[axis]);
-        v = 0.0;
       }
     }
   }

@@ -12,24 +12,23 @@
 #include "devices/Condition.h"
 #include "devices/hid/ReportDescriptor.h"
 #include "testing/devices/hid/PidLayout.h"
+#include "testing/devices/hid/VirtualHandle.h"
 #include "testing/devices/hid/VirtualHid.h"
 
 namespace palpate::test
 {
 
 /// A force-feedback joystick without any hardware: its firmware takes the reports of a layout, keeps a pool of effects,
-/// runs them at 1 kHz and lets them expire; its handle is a mass with friction between two stops. Positions are shares
-/// of half the travel and forces of the largest force, x to the right and y towards the person, as HID has them.
-class VirtualPidDevice final : public VirtualHid
+/// runs them at 1 kHz and lets them expire.
+class VirtualPidDevice final
+  : public VirtualHid
+  , public VirtualHandle
 {
 public:
-  using Axes = std::array<double, 2>;
-
   /// Force of a condition's coefficient of 1 at a distance of 1: full force at a tenth of half the travel.
   static constexpr double springGain = 10.0;
   /// What the metric of a damper is, of the speed in half travels a second.
   static constexpr double damperMetric = 0.2;
-  static constexpr double handleMass = 0.01, handleFriction = 0.6;
   /// Force of the spring to the centre at a distance of 1.
   static constexpr double centringGain = 0.5;
 
@@ -51,14 +50,11 @@ public:
   /// Of all effects now [shares].
   [[nodiscard]] Axes force() const;
 
-  Axes push{}; ///< of the hand
   std::uint8_t buttons = 0;
   bool silent = false;                                ///< it shows nothing of the handle
   int slowLoads = 0;                                  ///< so many block loads say nothing yet
   std::optional<std::vector<std::uint8_t>> wrongLoad; ///< what a block load answers instead
 
-  Axes position{};
-  Axes velocity{};
   int badReports = 0, outputs = 0, stopAlls = 0, resets = 0, constantForces = 0, conditions = 0;
   double gain = 1.0;
   bool actuators = false;
@@ -101,7 +97,6 @@ private:
   void pullTrigger();
   void showState(int block, bool playing);
   void showInput();
-  void step();
   [[nodiscard]] double effectForce(const Effect& effect, std::size_t axis) const;
 
   PidLayout layout_;
