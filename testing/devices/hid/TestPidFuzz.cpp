@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/hid/PidOutput.h"
+#include "testing/devices/hid/AskedForce.h"
 #include "testing/devices/hid/ModelCases.h"
 #include "testing/devices/hid/PidRig.h"
 #include "testing/devices/hid/RealDescriptors.h"
@@ -150,40 +151,11 @@ TEST(PidFuzz, RealDescriptorsWithBytesChangedAreRefusedInOneLineOrDrivenWithinTh
   EXPECT_GT(driven, cases / 4); // else the engine was not tried
 }
 
-/// Per axis, of everything that was asked for since effects that may still play were started.
-class Asked
-{
-public:
-  void note(const DeviceCommand& command, const PidOutputOptions& options, std::int64_t now_ms)
-  {
-    const double most = options.largestShare;
-    const double held = (command.wallCount > 0 ? 2.0 * most : 0.0) + (command.viscosity_Ns_per_m > 0.0 ? most : 0.0);
-    const double force = command.wrench_D.force.cwiseAbs().maxCoeff() / options.scale.maxForce_N;
-    constexpr double shake = 0.3;
-    this->now_ = held + force + (command.signal != Signal::None ? shake : 0.0);
-    this->all_.emplace_back(now_ms, this->now_);
-  }
-  /// What is felt may be late by the time in which an effect runs out.
-  [[nodiscard]] double most(std::int64_t now_ms, int late_ms) const
-  {
-    double most = this->now_;
-    for (const auto& [at_ms, share] : this->all_)
-    {
-      most = now_ms - at_ms <= late_ms ? std::max(most, share) : most;
-    }
-    return most;
-  }
-
-private:
-  double now_ = 0.0;
-  std::vector<std::pair<std::int64_t, double>> all_;
-};
-
 /// Commands of any kind at any times, then a servo that stops, then a program that dies.
 template<class Felt>
 void requireBounded(test::PidRig& rig, test::Random& random, const std::string& name, Felt felt)
 {
-  Asked asked;
+  test::AskedForce asked;
   const int late_ms = rig.options.output.duration_ms + 10;
   std::int64_t now_ms = 0;
   for (int turn = 0; turn < 12; ++turn)
@@ -213,6 +185,22 @@ void requireBounded(test::PidRig& rig, test::Random& random, const std::string& 
   }
 }
 
+/// What is held is limited by itself, however hard its walls were asked for.
+void requireLimited(test::PidRig& rig, const test::PidLayout& layout)
+{
+  const test::PidNumber* const saturation = layout.conditionNumber(0x63);
+  const double most = rig.options.output.largestShare + (saturation == nullptr ? 0.0 : 1.0 / static_cast<double>(saturation->max));
+  for (const int block : { 3, 4 }) // after the two forces, where there are such
+  {
+    for (const int axis : { 0, 1 })
+    {
+      const Condition& held = rig.stick().condition(block, axis);
+      ASSERT_TRUE(held.positiveCoefficient == 0.0 || held.positiveSaturation <= most) << layout.name;
+      ASSERT_TRUE(held.negativeCoefficient == 0.0 || held.negativeSaturation <= most) << layout.name;
+    }
+  }
+}
+
 TEST(PidFuzz, NothingIsEverStrongerThanAskedOrWithoutAnEndWhateverTheHabits)
 {
   test::Random random(test::testSeed(5402));
@@ -230,6 +218,7 @@ TEST(PidFuzz, NothingIsEverStrongerThanAskedOrWithoutAnEndWhateverTheHabits)
       return std::max(std::fabs(force[0]), std::fabs(force[1]));
     };
     requireBounded(rig, random, layout.name + ": " + layout.habits.text(), felt);
+    requireLimited(rig, layout);
     ASSERT_EQ(rig.stick().badReports, 0) << layout.name;
   }
 }
