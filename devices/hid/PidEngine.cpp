@@ -229,8 +229,11 @@ bool PidEngine::setEffect(int block, const EffectSettings& settings) noexcept
   }
   pid::putShare(report, draft.bytes, pid::effectGain, settings.gain);
   pid::putAllOnes(report, draft.bytes, pid::triggerButton);
-  const bool directed = static_cast<bool>(findControl(report, pid::directionEnable));
-  pid::put(report, draft.bytes, pid::directionEnable, 1);
+  const HidControl directed = findControl(report, pid::directionEnable);
+  if (directed)
+  {
+    writeRaw(directed, draft.bytes, 1); // a board of one axis has 0 left over as its largest number
+  }
   pid::put(report, draft.bytes, pid::axisX, directed ? 0 : 1, pid::axesEnable);
   pid::put(report, draft.bytes, pid::axisY, directed ? 0 : 1, pid::axesEnable);
   if (const HidControl angle = findControl(report, pid::firstOrdinal, pid::direction))

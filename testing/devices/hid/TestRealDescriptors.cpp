@@ -25,7 +25,8 @@ struct Known
   DeviceAbilities offered;
 };
 
-// Sizes are those that their owners give. One coefficient without saturation can hold nothing that is limited.
+// Sizes are those that their owners give. One coefficient without saturation can hold nothing that is limited. Nothing
+// in the wheel's descriptor tells it from a stick: that its y gives no force is found by pushing.
 TEST(RealDescriptors, ThoseOfForceFeedbackDevicesParseToTheRightKind)
 {
   const DeviceAbilities shakes{ 2, false, false, true }, holds{ 2, true, true, true };
@@ -33,7 +34,7 @@ TEST(RealDescriptors, ThoseOfForceFeedbackDevicesParseToTheRightKind)
     { Known{ "microsoft-sidewinder-ff2-045e-001b", 1343, DeviceClass::Joystick2D, 2, 2, shakes },
       Known{ "adapt-ffb-joy-0.3.0-stick", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
       Known{ "adapt-ffb-joy-0.5.0b1-stick", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
-      Known{ "adapt-ffb-joy-0.5.0b1-wheel", 1348, DeviceClass::Wheel1D, 1, 1, { 1, false, false, true } },
+      Known{ "adapt-ffb-joy-0.5.0b1-wheel", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
       Known{ "openffboard-1axis", 1196, DeviceClass::Wheel1D, 1, 1, { 1, true, true, true } },
       Known{ "openffboard-2axis", 1215, DeviceClass::Joystick2D, 2, 2, holds } })
   {
@@ -48,6 +49,31 @@ TEST(RealDescriptors, ThoseOfForceFeedbackDevicesParseToTheRightKind)
     EXPECT_EQ(kind.pushedAxes, known.pushed) << known.name;
     EXPECT_EQ(promised(kind), known.offered) << known.name;
   }
+}
+
+// Its largest numbers for the axis and for Direction Enable are left over from another item: 0. Without the bit its
+// firmware gives no force.
+TEST(RealDescriptors, ABoardOfOneAxisIsToldToUseTheDirection)
+{
+  struct LastReport final : HidConnection
+  {
+    int read(std::span<std::uint8_t>, int) noexcept override { return 0; }
+    bool write(std::span<const std::uint8_t> report) noexcept override
+    {
+      this->bytes.assign(report.begin(), report.end());
+      return true;
+    }
+    bool setFeature(std::span<const std::uint8_t>) noexcept override { return true; }
+    int getFeature(std::span<std::uint8_t>) noexcept override { return -1; }
+    std::string error() const override { return {}; }
+    void wait(int) noexcept override {}
+    std::vector<std::uint8_t> bytes;
+  } connection;
+  const ReportDescriptor parsed = parseReportDescriptor(test::realDescriptor("openffboard-1axis").bytes);
+  ASSERT_TRUE(PidEngine(connection, parsed).setEffect(1, {}));
+  constexpr std::size_t trigger = 12, axes = 13; // after two selectors, four times and the gain
+  EXPECT_EQ(connection.bytes.at(trigger), 0xFF);
+  EXPECT_EQ(connection.bytes.at(axes), 2); // x is bit 0
 }
 
 TEST(RealDescriptors, ThoseWithoutForceAreListedAsSuchOrAreCaps)
