@@ -250,6 +250,10 @@ PidOutput::Step PidOutput::restart(std::int64_t now_ns, HeldTrust trust) noexcep
   for (Effect* effect : this->effects())
   {
     const bool doubted = (effect == &this->spring_ && !trust.walls) || (effect == &this->damper_ && !trust.damper);
+    if (doubted && std::exchange(effect->started_ns, never) != never)
+    {
+      return sentOrFailed(this->engine_.stop(effect->block));
+    }
     const bool due =
       effect->started_ns == never || now_ns - effect->started_ns >= this->options_.restartEvery_ms * perMs_ns;
     if (effect->block > 0 && due && !doubted)

@@ -80,20 +80,5 @@ TEST(PidWatch, ADeviceThatStopsAnsweringOrAnswersOtherwiseEachTimeIsNotAskedOn)
   EXPECT_EQ(rig.lostTicks, 0);
 }
 
-TEST(PidWatch, TwoProgramsOnOneDeviceEndWithoutForceForTheOneThatWasThereFirst)
-{
-  Rig rig(silentLayout());
-  ASSERT_EQ(rig.device.open(), "");
-  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
-  rig.run(100);
-  PidDevice second("second", rig.bus, rig.port.entry, rig.options);
-  ASSERT_EQ(second.open(), "");
-  rig.port.openProblem = "busy";
-  rig.run(noticed_ms);
-  EXPECT_GT(rig.lostTicks, 0);
-  rig.run(100);
-  EXPECT_EQ(rig.stick().force()[0], 0.0);
-}
-
 } // namespace
 } // namespace palpate
