@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "devices/hid/PidFields.h"
 #include "devices/hid/PidKind.h"
 #include "devices/hid/PidNumbers.h"
 #include "devices/hid/ReportBits.h"
@@ -14,65 +15,6 @@ namespace
 
 constexpr int afterReset_ms = 20;
 constexpr int blockLoadTries = 60; // some firmwares take their time
-constexpr int noButton = 0;
-
-/// Writes where the report has the field; what it does not have it does not need.
-void put(const HidReport& report, std::vector<std::uint8_t>& bytes, HidUsage usage, std::int64_t value,
-  HidUsage parent = 0) noexcept
-{
-  if (const HidControl control = findControl(report, usage, parent))
-  {
-    writeControl(control, bytes, value);
-  }
-}
-
-template<class Convert>
-void putNumber(const HidReport& report, std::vector<std::uint8_t>& bytes, HidUsage usage, Convert convert) noexcept
-{
-  if (const HidControl control = findControl(report, usage))
-  {
-    writeControl(control, bytes, convert(*control.field));
-  }
-}
-
-void putShare(const HidReport& report, std::vector<std::uint8_t>& bytes, HidUsage usage, double share) noexcept
-{
-  putNumber(report, bytes, usage, [share](const HidField& field) { return shareToField(field, share); });
-}
-
-void putSignedShare(const HidReport& report, std::vector<std::uint8_t>& bytes, HidUsage usage, double share) noexcept
-{
-  putNumber(report, bytes, usage, [share](const HidField& field) { return signedShareToField(field, share); });
-}
-
-void putTime(const HidReport& report, std::vector<std::uint8_t>& bytes, HidUsage usage, double time_ms) noexcept
-{
-  putNumber(report, bytes, usage, [time_ms](const HidField& field) { return timeToField(field, time_ms); });
-}
-
-bool select(const HidReport& report, std::vector<std::uint8_t>& bytes, HidUsage usage) noexcept
-{
-  const HidSelector selector = findSelector(report, usage);
-  if (selector)
-  {
-    writeControl(selector.control, bytes, selector.value);
-  }
-  return static_cast<bool>(selector);
-}
-
-std::int64_t get(
-  const HidReport& report, std::span<const std::uint8_t> bytes, HidUsage usage, std::int64_t otherwise) noexcept
-{
-  const HidControl control = findControl(report, usage);
-  return control ? readControl(control, bytes) : otherwise;
-}
-
-/// What an array says, or a bit of its own.
-bool says(const HidReport& report, std::span<const std::uint8_t> bytes, HidUsage usage) noexcept
-{
-  const HidSelector selector = findSelector(report, usage);
-  return selector && readControl(selector.control, bytes) == selector.value;
-}
 
 } // namespace
 
@@ -113,7 +55,7 @@ std::string PidEngine::open()
   }
   const bool reset = this->control(pid::reset);
   this->connection_.wait(afterReset_ms);
-  if (!reset || !this->control(pid::enableActuators) || !this->setGain(1.0))
+  if (!reset || !this->control(pid::stopAll) || !this->control(pid::enableActuators) || !this->setGain(1.0))
   {
     return "it does not take commands: " + this->connection_.error();
   }
@@ -133,7 +75,7 @@ std::string PidEngine::askForPool()
   {
     return "it does not say what effects it can hold: " + problem;
   }
-  return get(*pool, bytes, pid::deviceManaged, 1) != 0
+  return pid::get(*pool, bytes, pid::deviceManaged, 1) != 0
            ? ""
            : "its effects live in a driver-managed pool, whose memory the host would have to hand out: not supported";
 }
@@ -146,6 +88,7 @@ void PidEngine::close() noexcept
     static_cast<void>(this->free(this->blocks_.back()));
   }
   static_cast<void>(this->control(pid::disableActuators));
+  static_cast<void>(this->control(pid::reset));
 }
 
 bool PidEngine::supports(HidUsage type) const noexcept
@@ -190,7 +133,7 @@ std::string PidEngine::request(HidUsage type)
   }
   std::vector<std::uint8_t> bytes(report->bytes());
   bytes[0] = report->id;
-  static_cast<void>(select(*report, bytes, type));
+  static_cast<void>(pid::select(*report, bytes, type));
   return this->connection_.setFeature(bytes) ? "" : "it does not take a new effect: " + this->connection_.error();
 }
 
@@ -204,22 +147,36 @@ PidEngine::Created PidEngine::awaitBlock()
     {
       return { 0, "it does not say where a new effect is: " + problem };
     }
-    if (says(*report, bytes, pid::full))
+    if (pid::says(*report, bytes, pid::full))
     {
       return { 0, "its memory for effects is full: close other programs that use it, or plug it in again" };
     }
-    if (says(*report, bytes, pid::loadError))
+    if (pid::says(*report, bytes, pid::loadError))
     {
       return { 0, "it refuses the effect" };
     }
-    const auto block = static_cast<int>(get(*report, bytes, pid::blockIndex, 0));
-    if (says(*report, bytes, pid::loaded) && block > 0)
+    const auto block = static_cast<int>(pid::get(*report, bytes, pid::blockIndex, 0));
+    if (pid::says(*report, bytes, pid::loaded) && block > 0)
     {
       return { block, {} };
     }
     this->connection_.wait(1);
   }
   return { 0, "it never says whether it made the effect" };
+}
+
+std::vector<std::uint8_t> PidEngine::lastLoad() noexcept
+{
+  const HidReport* report = this->descriptor_.report(HidReportKind::Feature, pid::blockLoad);
+  std::vector<std::uint8_t> bytes(report->bytes());
+  bytes[0] = report->id;
+  const int length = this->connection_.getFeature(bytes);
+  bytes.resize(static_cast<std::size_t>(std::clamp(length, 0, static_cast<int>(bytes.size()))));
+  if (!bytes.empty())
+  {
+    bytes.erase(bytes.begin());
+  }
+  return bytes;
 }
 
 std::string PidEngine::getFeature(const HidReport& report, std::vector<std::uint8_t>& bytes)
@@ -246,7 +203,7 @@ PidEngine::Draft PidEngine::draft(HidUsage collection, int block) const
   {
     draft.bytes.assign(draft.report->bytes(), 0);
     draft.bytes[0] = draft.report->id;
-    put(*draft.report, draft.bytes, pid::blockIndex, block);
+    pid::put(*draft.report, draft.bytes, pid::blockIndex, block);
   }
   return draft;
 }
@@ -264,23 +221,24 @@ bool PidEngine::setEffect(int block, const EffectSettings& settings) noexcept
     return false;
   }
   const HidReport& report = *draft.report;
-  static_cast<void>(select(report, draft.bytes, settings.type));
-  putTime(report, draft.bytes, pid::duration, settings.duration_ms);
+  static_cast<void>(pid::select(report, draft.bytes, settings.type));
+  pid::putTime(report, draft.bytes, pid::duration, settings.duration_ms);
   for (const HidUsage unused : { pid::repeatInterval, pid::samplePeriod, pid::startDelay })
   {
-    put(report, draft.bytes, unused, 0);
+    pid::put(report, draft.bytes, unused, 0);
   }
-  putShare(report, draft.bytes, pid::effectGain, settings.gain);
-  if (const HidControl trigger = findControl(report, pid::triggerButton))
+  pid::putShare(report, draft.bytes, pid::effectGain, settings.gain);
+  pid::putAllOnes(report, draft.bytes, pid::triggerButton);
+  const HidControl directed = findControl(report, pid::directionEnable);
+  if (directed)
   {
-    writeRaw(trigger, draft.bytes, noButton); // often below the smallest number allowed
+    writeRaw(directed, draft.bytes, 1); // a board of one axis has 0 left over as its largest number
   }
-  put(report, draft.bytes, pid::axisX, settings.alongX ? 1 : 0, pid::axesEnable);
-  put(report, draft.bytes, pid::axisY, settings.alongY ? 1 : 0, pid::axesEnable);
-  put(report, draft.bytes, pid::directionEnable, settings.direction_deg ? 1 : 0);
+  pid::put(report, draft.bytes, pid::axisX, directed ? 0 : 1, pid::axesEnable);
+  pid::put(report, draft.bytes, pid::axisY, directed ? 0 : 1, pid::axesEnable);
   if (const HidControl angle = findControl(report, pid::firstOrdinal, pid::direction))
   {
-    writeControl(angle, draft.bytes, angleToField(*angle.field, settings.direction_deg.value_or(0.0)));
+    writeControl(angle, draft.bytes, angleToField(*angle.field, settings.comesFrom_deg));
   }
   return this->send(draft);
 }
@@ -293,13 +251,13 @@ bool PidEngine::setCondition(int block, int axis, const Condition& condition) no
     return false;
   }
   const HidReport& report = *draft.report;
-  put(report, draft.bytes, pid::parameterOffset, axis);
-  putSignedShare(report, draft.bytes, pid::centreOffset, condition.centre);
-  putShare(report, draft.bytes, pid::positiveCoefficient, condition.positiveCoefficient);
-  putShare(report, draft.bytes, pid::negativeCoefficient, condition.negativeCoefficient);
-  putShare(report, draft.bytes, pid::positiveSaturation, condition.positiveSaturation);
-  putShare(report, draft.bytes, pid::negativeSaturation, condition.negativeSaturation);
-  putShare(report, draft.bytes, pid::deadBand, condition.deadBand);
+  pid::put(report, draft.bytes, pid::parameterOffset, axis);
+  pid::putSignedShare(report, draft.bytes, pid::centreOffset, condition.centre);
+  pid::putShare(report, draft.bytes, pid::positiveCoefficient, condition.positiveCoefficient);
+  pid::putShare(report, draft.bytes, pid::negativeCoefficient, condition.negativeCoefficient);
+  pid::putShare(report, draft.bytes, pid::positiveSaturation, condition.positiveSaturation);
+  pid::putShare(report, draft.bytes, pid::negativeSaturation, condition.negativeSaturation);
+  pid::putShare(report, draft.bytes, pid::deadBand, condition.deadBand);
   return this->send(draft);
 }
 
@@ -308,7 +266,7 @@ bool PidEngine::setConstantForce(int block, double share) noexcept
   Draft draft = this->draft(pid::setConstantForce, block);
   if (draft.report != nullptr)
   {
-    putSignedShare(*draft.report, draft.bytes, pid::magnitude, share);
+    pid::putSignedShare(*draft.report, draft.bytes, pid::magnitude, share);
   }
   return this->send(draft);
 }
@@ -318,10 +276,10 @@ bool PidEngine::setPeriodic(int block, double magnitude, double period_ms) noexc
   Draft draft = this->draft(pid::setPeriodic, block);
   if (draft.report != nullptr)
   {
-    putShare(*draft.report, draft.bytes, pid::magnitude, magnitude);
-    putSignedShare(*draft.report, draft.bytes, pid::offset, 0.0);
-    put(*draft.report, draft.bytes, pid::phase, 0);
-    putTime(*draft.report, draft.bytes, pid::period, period_ms);
+    pid::putShare(*draft.report, draft.bytes, pid::magnitude, magnitude);
+    pid::putSignedShare(*draft.report, draft.bytes, pid::offset, 0.0);
+    pid::put(*draft.report, draft.bytes, pid::phase, 0);
+    pid::putTime(*draft.report, draft.bytes, pid::period, period_ms);
   }
   return this->send(draft);
 }
@@ -329,11 +287,11 @@ bool PidEngine::setPeriodic(int block, double magnitude, double period_ms) noexc
 bool PidEngine::operate(int block, HidUsage what) noexcept
 {
   Draft draft = this->draft(pid::effectOperation, block);
-  if (draft.report == nullptr || !select(*draft.report, draft.bytes, what))
+  if (draft.report == nullptr || !pid::select(*draft.report, draft.bytes, what))
   {
     return false;
   }
-  put(*draft.report, draft.bytes, pid::loopCount, 1);
+  pid::put(*draft.report, draft.bytes, pid::loopCount, 1);
   return this->send(draft);
 }
 
@@ -350,7 +308,7 @@ bool PidEngine::control(HidUsage what) noexcept
   {
     draft = this->draft(pid::deviceControlReport, 0);
   }
-  return draft.report == nullptr || !select(*draft.report, draft.bytes, what) || this->send(draft);
+  return draft.report == nullptr || !pid::select(*draft.report, draft.bytes, what) || this->send(draft);
 }
 
 bool PidEngine::setGain(double share) noexcept
@@ -360,7 +318,7 @@ bool PidEngine::setGain(double share) noexcept
   {
     return true;
   }
-  putShare(*draft.report, draft.bytes, pid::deviceGain, share);
+  pid::putShare(*draft.report, draft.bytes, pid::deviceGain, share);
   return this->send(draft);
 }
 
@@ -372,13 +330,13 @@ std::optional<PidState> PidEngine::state(std::span<const std::uint8_t> report) c
     return std::nullopt;
   }
   PidState state;
-  state.actuatorsEnabled = get(*layout, report, pid::actuatorsEnabled, 1) != 0;
-  state.paused = get(*layout, report, pid::paused, 0) != 0;
-  state.power = get(*layout, report, pid::actuatorPower, 1) != 0;
-  state.safetyClosed = get(*layout, report, pid::safetySwitch, 0) != 0;
-  state.overrideOn = get(*layout, report, pid::overrideSwitch, 0) != 0;
-  state.playing = get(*layout, report, pid::effectPlaying, 0) != 0;
-  state.block = static_cast<int>(get(*layout, report, pid::blockIndex, 0));
+  state.actuatorsEnabled = pid::get(*layout, report, pid::actuatorsEnabled, 1) != 0;
+  state.paused = pid::get(*layout, report, pid::paused, 0) != 0;
+  state.power = pid::get(*layout, report, pid::actuatorPower, 1) != 0;
+  state.safetyClosed = pid::get(*layout, report, pid::safetySwitch, 0) != 0;
+  state.overrideOn = pid::get(*layout, report, pid::overrideSwitch, 0) != 0;
+  state.playing = pid::get(*layout, report, pid::effectPlaying, 0) != 0;
+  state.block = static_cast<int>(pid::get(*layout, report, pid::blockIndex, 0));
   return state;
 }
 

@@ -25,15 +25,16 @@ struct ConditionAbilities
 
 [[nodiscard]] ConditionAbilities conditionAbilities(const ReportDescriptor& descriptor) noexcept;
 
-/// How an effect is played. Written anew while it plays, it changes in place.
+/// How an effect is played. Written anew while it plays, it changes in place. The angle says where a force comes from,
+/// clockwise from north, which is away from the person: 270 pushes to +x, 90 to -x, 0 to +y of HID, towards the person.
+/// So do Windows, Linux and the firmwares whose sources are public. With conditions it is 90, what Windows sends: some
+/// firmwares take a sign for each axis from it.
 struct EffectSettings
 {
   HidUsage type = pid::constantForce;
-  int duration_ms = 200;               ///< it ends by itself unless it is started again
-  double gain = 1.0;                   ///< share of the largest, 0 .. 1
-  std::optional<double> direction_deg; ///< clockwise from -y: 90 is +x, 180 is +y; none: along the axes
-  bool alongX = true;
-  bool alongY = true;
+  int duration_ms = 200; ///< it ends by itself unless it is started again
+  double gain = 1.0;     ///< share of the largest, 0 .. 1
+  double comesFrom_deg = 90.0;
 };
 
 /// What a device says about itself while it runs.
@@ -61,9 +62,12 @@ public:
   /// Why this descriptor is not that of a force-feedback device we can drive, or empty. Asks the device nothing.
   [[nodiscard]] static std::string refusal(const ReportDescriptor& descriptor);
 
-  /// Asks for the pool, resets, enables the actuators, sets full gain. Empty, or why not.
+  /// Asks for the pool, which on some devices frees all effects; resets; stops everything, which switches off the
+  /// spring to the centre that some sticks have after a reset; enables the actuators; sets full gain. Empty, or why
+  /// not.
   [[nodiscard]] std::string open();
-  /// Stops everything, frees the effects it made and disables the actuators.
+  /// Stops everything, frees the effects it made, disables the actuators, and resets: a stick that has a spring to its
+  /// centre when it is plugged in has it again. PID cannot tell whether somebody had switched that off before.
   void close() noexcept;
 
   struct Created
@@ -74,8 +78,11 @@ public:
   [[nodiscard]] Created create(HidUsage type);
   [[nodiscard]] bool supports(HidUsage type) const noexcept;
 
+  /// With Direction Enable alone, the bits of the axes 0, and no trigger button: all ones. 0 would be a button to some
+  /// firmwares, which play the effect again whenever it is pressed.
   [[nodiscard]] bool setEffect(int block, const EffectSettings& settings) noexcept;
-  /// One axis, 0 or 1, of a spring or a damper; centre, dead band, coefficients and saturations as shares.
+  /// One axis, 0 or 1, of a spring or a damper; centre, dead band, coefficients and saturations as shares. Some
+  /// firmwares know it before the next setEffect() only, others forget what comes before the first one.
   [[nodiscard]] bool setCondition(int block, int axis, const Condition& condition) noexcept;
   [[nodiscard]] bool setConstantForce(int block, double share) noexcept;
   [[nodiscard]] bool setPeriodic(int block, double magnitude, double period_ms) noexcept;
@@ -94,6 +101,11 @@ public:
 
   /// What the system said about the last failure.
   [[nodiscard]] std::string error() const { return this->connection_.error(); }
+
+  /// What it says about the effect that was made last, whoever made it: which block, how much memory is left. Two
+  /// answers differ once somebody else has made or wiped effects. Without the ID, which some devices clear when they
+  /// have answered once; empty: it does not answer.
+  [[nodiscard]] std::vector<std::uint8_t> lastLoad() noexcept;
 
   /// The state, where `report`, as read, is one.
   [[nodiscard]] std::optional<PidState> state(std::span<const std::uint8_t> report) const noexcept;

@@ -2,6 +2,7 @@
 #include "devices/hid/PidOutput.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "haptics/safety/ForceLimits.h"
 
@@ -11,7 +12,7 @@ namespace
 {
 
 constexpr std::int64_t perMs_ns = 1000000;
-constexpr std::array<double, 2> axisDirection_deg{ alongX_deg, alongY_deg };
+constexpr std::int64_t answersWithin_ns = 50 * perMs_ns; // what a device says of its actuators
 
 bool same(const Condition& a, const Condition& b) noexcept
 {
@@ -100,11 +101,8 @@ std::string PidOutput::makeForces()
 {
   for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
   {
-    EffectSettings settings;
-    settings.direction_deg = axisDirection_deg[axis];
-    settings.alongX = axis == 0;
-    settings.alongY = axis == 1;
-    if (std::string problem = this->make(this->forces_[axis], settings); !problem.empty())
+    if (std::string problem = this->make(this->forces_[axis], pid::constantForce, pidAxes[axis].comesFrom_deg);
+        !problem.empty())
     {
       return problem;
     }
@@ -118,46 +116,46 @@ DeviceAbilities PidOutput::abilities() const noexcept
     this->shake_.exists() };
 }
 
-std::string PidOutput::make(Effect& effect, const EffectSettings& settings)
+std::string PidOutput::make(Effect& effect, HidUsage type, double comesFrom_deg)
 {
-  EffectSettings finite = settings;
-  finite.duration_ms = this->options_.duration_ms;
-  const PidEngine::Created made = this->engine_.create(settings.type);
+  const PidEngine::Created made = this->engine_.create(type);
   if (!made.problem.empty())
   {
     return made.problem;
   }
-  effect = { made.block, never };
-  return this->engine_.setEffect(made.block, finite) ? "" : "it does not take the settings of an effect";
+  effect = { { type, this->options_.duration_ms, 1.0, comesFrom_deg }, made.block };
+  return this->engine_.setEffect(made.block, effect.settings) ? "" : "it does not take the settings of an effect";
 }
 
 void PidOutput::makeConditions()
 {
   const DeviceAbilities wanted = promised(this->kind_);
-  EffectSettings settings;
-  settings.type = pid::spring;
   this->conditions_ = this->kind_.conditions;
-  if (!wanted.holdsWalls || !this->make(this->spring_, settings).empty() || !this->empty(this->spring_))
+  if (!wanted.holdsWalls || !this->makeCondition(this->spring_, pid::spring))
   {
     this->spring_.block = 0;
     this->conditions_ = {};
   }
-  settings.type = pid::damper;
-  if (!wanted.viscous || !this->make(this->damper_, settings).empty() || !this->empty(this->damper_))
+  if (!wanted.viscous || !this->makeCondition(this->damper_, pid::damper))
   {
     this->damper_.block = 0;
   }
 }
 
-/// Nobody promises that a new effect does nothing.
-bool PidOutput::empty(const Effect& effect) noexcept
+/// Empty, for nobody promises that a new effect does nothing.
+bool PidOutput::makeCondition(Effect& effect, HidUsage type)
 {
-  bool taken = true;
+  bool taken = this->make(effect, type, EffectSettings{}.comesFrom_deg).empty();
   for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
   {
     taken = taken && this->engine_.setCondition(effect.block, static_cast<int>(axis), {});
   }
-  return taken;
+  return taken && this->engine_.setEffect(effect.block, effect.settings);
+}
+
+std::array<PidOutput::Effect*, 4> PidOutput::effects() noexcept
+{
+  return { &this->forces_[0], &this->forces_[1], &this->spring_, &this->damper_ };
 }
 
 PidOutput::Step PidOutput::step(std::int64_t now_ns, const Wish& wish) noexcept
@@ -168,14 +166,18 @@ PidOutput::Step PidOutput::step(std::int64_t now_ns, const Wish& wish) noexcept
   }
   // While silent the effects are emptied: what starts again must not start with an old force.
   const Wish wanted = this->silent_ ? Wish{} : wish;
-  if (this->kind_.pushedAxes == 0)
+  Step step = this->silent_ ? this->endLingering() : this->enable(now_ns);
+  if (step == Step::Idle && this->kind_.pushedAxes == 0)
   {
     return this->shake_.vibrate(now_ns, this->rumble_.next(now_ns, wanted.command, wanted.p_D));
   }
-  Step step = this->silent_ ? Step::Idle : this->restart(now_ns);
+  if (step == Step::Idle && !this->silent_)
+  {
+    step = this->restart(now_ns, wanted.trust);
+  }
   if (step == Step::Idle)
   {
-    step = this->sendWalls(now_ns, wanted.command);
+    step = this->sendWalls(now_ns, wanted);
   }
   if (step == Step::Idle)
   {
@@ -199,21 +201,62 @@ bool PidOutput::fallsSilent(std::int64_t now_ns, std::uint64_t beat) noexcept
   }
   this->silent_ = true;
   this->askedSince_ns_ = never;
-  for (Effect* effect : { &this->forces_[0], &this->forces_[1], &this->spring_, &this->damper_ })
-  {
-    effect->started_ns = never;
-  }
-  this->shake_.forget();
+  this->allStopped();
   return true;
 }
 
-PidOutput::Step PidOutput::restart(std::int64_t now_ns) noexcept
+void PidOutput::allStopped() noexcept
 {
-  for (Effect* effect : { &this->forces_[0], &this->forces_[1], &this->spring_, &this->damper_ })
+  this->enabled_ = false;
+  for (Effect* effect : this->effects())
   {
+    effect->lingers = effect->lingers || effect->started_ns != never;
+    effect->started_ns = never;
+  }
+  this->shake_.forget();
+}
+
+/// To some devices a stop of all is a pause: their effects would go on with what they had once anything is set.
+PidOutput::Step PidOutput::endLingering() noexcept
+{
+  for (Effect* effect : this->effects())
+  {
+    if (std::exchange(effect->lingers, false))
+    {
+      return sentOrFailed(this->engine_.stop(effect->block));
+    }
+  }
+  return Step::Idle;
+}
+
+PidOutput::Step PidOutput::enable(std::int64_t now_ns) noexcept
+{
+  if (this->enabled_)
+  {
+    return Step::Idle;
+  }
+  this->enabled_ = true;
+  this->enabled_ns_ = now_ns;
+  return sentOrFailed(this->engine_.control(pid::enableActuators));
+}
+
+bool PidOutput::shouldBeOn(std::int64_t now_ns) const noexcept
+{
+  return this->enabled_ && (this->enabled_ns_ == never || now_ns - this->enabled_ns_ >= answersWithin_ns);
+}
+
+PidOutput::Step PidOutput::restart(std::int64_t now_ns, HeldTrust trust) noexcept
+{
+  for (Effect* effect : this->effects())
+  {
+    const bool doubted = (effect == &this->spring_ && !trust.walls) || (effect == &this->damper_ && !trust.damper);
+    if (doubted && std::exchange(effect->started_ns, never) != never)
+    {
+      return sentOrFailed(this->engine_.stop(effect->block));
+    }
     const bool due =
       effect->started_ns == never || now_ns - effect->started_ns >= this->options_.restartEvery_ms * perMs_ns;
-    if (effect->block > 0 && due)
+    if (effect->block > 0 && due && !doubted)
     {
       this->restarts_ += effect->started_ns != never ? 1 : 0;
       effect->started_ns = now_ns;
@@ -245,11 +288,12 @@ double PidOutput::rampedShare(std::int64_t now_ns, const DeviceCommand& command)
 }
 
 /// Walls that move wait for their time; what takes force away does not.
-PidOutput::Step PidOutput::sendWalls(std::int64_t now_ns, const DeviceCommand& command) noexcept
+PidOutput::Step PidOutput::sendWalls(std::int64_t now_ns, const Wish& wish) noexcept
 {
-  const double share = this->rampedShare(now_ns, command);
-  this->plan_ = planWalls(command, this->options_.scale, this->conditions_, share);
-  const Condition braking = planDamper(command, this->options_.scale, share);
+  const double share = this->rampedShare(now_ns, wish.command);
+  const ConditionAbilities holds = wish.trust.walls ? this->conditions_ : ConditionAbilities{};
+  this->plan_ = planWalls(wish.command, this->options_.scale, holds, share);
+  const Condition braking = wish.trust.damper ? planDamper(wish.command, this->options_.scale, share) : Condition{};
   const Conditions wanted{ this->plan_.springs[0], this->plan_.springs[1], braking, braking };
   const bool early =
     this->wallsSent_ns_ != never && now_ns - this->wallsSent_ns_ < this->options_.wallsEvery_ms * perMs_ns;
@@ -262,17 +306,29 @@ PidOutput::Step PidOutput::sendWalls(std::int64_t now_ns, const DeviceCommand& c
   return step;
 }
 
-/// One after the other, and after all of them a turn for what comes behind them, so that nothing starves.
+/// One after the other, and after all of them a turn for what comes behind them, so that nothing starves. After those
+/// of an effect its settings, again.
 PidOutput::Step PidOutput::sendCondition() noexcept
 {
-  for (; this->turn_ < this->wanted_.size(); ++this->turn_)
+  constexpr std::size_t perEffect = 3; // both axes, then the settings
+  for (; this->turn_ < 2 * perEffect; ++this->turn_)
   {
-    const std::size_t i = this->turn_, axis = i % 2;
-    const Effect& effect = i < 2 ? this->spring_ : this->damper_;
-    if (effect.block > 0 && axis < this->kind_.pushedAxes && !same(this->sent_[i], this->wanted_[i]))
+    const std::size_t which = this->turn_ / perEffect, axis = this->turn_ % perEffect, i = 2 * which + axis;
+    Effect& effect = which == 0 ? this->spring_ : this->damper_;
+    if (effect.block == 0)
+    {
+      continue;
+    }
+    if (axis == perEffect - 1 && std::exchange(effect.unsettled, false))
+    {
+      ++this->turn_;
+      return sentOrFailed(this->engine_.setEffect(effect.block, effect.settings));
+    }
+    if (axis < this->kind_.pushedAxes && !same(this->sent_[i], this->wanted_[i]))
     {
       ++this->turn_;
       this->sent_[i] = this->wanted_[i];
+      effect.unsettled = true;
       return sentOrFailed(this->engine_.setCondition(effect.block, static_cast<int>(axis), this->wanted_[i]));
     }
   }
@@ -291,7 +347,7 @@ PidOutput::Step PidOutput::sendForce(const Wish& wish) noexcept
   for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)
   {
     const int a = static_cast<int>(axis);
-    shares[axis] = PidScale::sign(a) * force_N[a] / largest_N;
+    shares[axis] = pidAxes[axis].sign * PidScale::sign(a) * force_N[a] / largest_N;
     changed[axis] = this->engine_.constantForceSteps(shares[axis]) != this->sentForce_[axis];
   }
   if (!changed[0] && !changed[1])

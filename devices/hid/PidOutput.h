@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "devices/HeldTrust.h"
 #include "devices/hid/PidEngine.h"
 #include "devices/hid/PidKind.h"
 #include "devices/hid/PidShake.h"
@@ -26,13 +27,15 @@ struct PidOutputOptions
   int wallsEvery_ms = 16; ///< at most that often
   int silence_ms = 20;    ///< without a new command everything stops
   int rampUp_ms = 1000;   ///< of what the device closes by itself, once it is first asked for force
+  HeldTrust trust;        ///< before anybody says otherwise
 };
 
 /// A device may have to push for it.
 [[nodiscard]] bool asksForForce(const DeviceCommand& command) noexcept;
 
 /// Decides what one report to send next so that a device does what the newest command says, at whatever rate its link
-/// takes reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis.
+/// takes reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis. Order
+/// is that of Windows: an effect's settings again after its conditions, actuators enabled again after a stop of all.
 /// Not real-time; one thread.
 class PidOutput
 {
@@ -43,21 +46,24 @@ public:
 
   /// Makes the effects. Empty, or why the device gives no force at all.
   [[nodiscard]] std::string begin();
-  /// What the device can do, now that its effects are made.
+  /// What the device offers, now that its effects are made.
   [[nodiscard]] DeviceAbilities abilities() const noexcept;
 
-  /// What is wanted now: the newest command, its number, where the handle is.
+  /// What is wanted now: the newest command, its number, where the handle is, what may be left to the device.
   struct Wish
   {
     DeviceCommand command;
     std::uint64_t beat = 0;
     Vec3 p_D = Vec3::Zero(); ///< [m]
+    HeldTrust trust;
   };
   using Step = PidStep;
   [[nodiscard]] Step step(std::int64_t now_ns, const Wish& wish) noexcept;
 
   /// Everything was stopped because no new command came.
   [[nodiscard]] bool silent() const noexcept { return this->silent_; }
+  /// The device has had time to say that its actuators are on, and should not say anything else.
+  [[nodiscard]] bool shouldBeOn(std::int64_t now_ns) const noexcept;
   /// An effect that should be playing.
   [[nodiscard]] bool plays(int block) const noexcept;
   /// Effects that were armed again before they ended.
@@ -66,19 +72,26 @@ public:
 private:
   struct Effect
   {
+    EffectSettings settings;
     int block = 0; ///< 0: the device has none
     std::int64_t started_ns = never;
+    bool lingers = false;   ///< stopped with all others, not yet by itself
+    bool unsettled = false; ///< its conditions changed after its settings were sent
   };
   static constexpr std::int64_t never = -1;
   using Conditions = std::array<Condition, 4>; ///< the springs of the x and the y axis, then their dampers
 
-  [[nodiscard]] std::string make(Effect& effect, const EffectSettings& settings);
+  [[nodiscard]] std::string make(Effect& effect, HidUsage type, double comesFrom_deg);
   [[nodiscard]] std::string makeForces();
   void makeConditions();
-  [[nodiscard]] bool empty(const Effect& effect) noexcept;
+  [[nodiscard]] bool makeCondition(Effect& effect, HidUsage type);
+  [[nodiscard]] std::array<Effect*, 4> effects() noexcept;
   [[nodiscard]] bool fallsSilent(std::int64_t now_ns, std::uint64_t beat) noexcept;
-  [[nodiscard]] Step restart(std::int64_t now_ns) noexcept;
-  [[nodiscard]] Step sendWalls(std::int64_t now_ns, const DeviceCommand& command) noexcept;
+  void allStopped() noexcept;
+  [[nodiscard]] Step endLingering() noexcept;
+  [[nodiscard]] Step enable(std::int64_t now_ns) noexcept;
+  [[nodiscard]] Step restart(std::int64_t now_ns, HeldTrust trust) noexcept;
+  [[nodiscard]] Step sendWalls(std::int64_t now_ns, const Wish& wish) noexcept;
   [[nodiscard]] Step sendCondition() noexcept;
   [[nodiscard]] Step sendForce(const Wish& wish) noexcept;
   [[nodiscard]] double rampedShare(std::int64_t now_ns, const DeviceCommand& command) noexcept;
@@ -88,7 +101,7 @@ private:
   PidKind kind_;
   ConditionAbilities conditions_; ///< none without the effect that has them
   std::array<Effect, 2> forces_{};
-  Effect spring_, damper_;
+  Effect spring_, damper_; ///< a condition for each axis
   PidShake shake_;
   Rumble rumble_;
   Conditions wanted_{}, sent_{};
@@ -102,6 +115,8 @@ private:
   std::uint64_t beat_ = 0;
   std::int64_t beat_ns_ = never;
   bool silent_ = false;
+  bool enabled_ = true; ///< its actuators; it was just opened
+  std::int64_t enabled_ns_ = never;
 };
 
 } // namespace palpate

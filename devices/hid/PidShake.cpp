@@ -21,7 +21,6 @@ EffectSettings PidShake::settings() const noexcept
   EffectSettings settings;
   settings.type = this->type_;
   settings.duration_ms = this->timing_.duration_ms;
-  settings.direction_deg = alongX_deg;
   return settings;
 }
 
@@ -44,7 +43,7 @@ std::string PidShake::begin(HidUsage type)
 void PidShake::forget() noexcept
 {
   this->started_ns_ = never;
-  this->sends_ = this->begun_ = false;
+  this->sends_ = false;
 }
 
 bool PidShake::setStrength(const Vibration& vibration) noexcept

@@ -35,7 +35,7 @@ public:
   [[nodiscard]] PidStep vibrate(std::int64_t now_ns, const Vibration& wanted) noexcept;
   /// Vibrations that were armed again before they ended.
   [[nodiscard]] std::uint64_t restarts() const noexcept { return this->restarts_; }
-  /// Everything was stopped.
+  /// Everything was stopped; a signal that was begun is stopped by itself once more, for some devices only pause.
   void forget() noexcept;
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace palpate
@@ -19,7 +20,13 @@ enum class PidStep : std::uint8_t
   return taken ? PidStep::Sent : PidStep::Failed;
 }
 
-/// The directions of an effect along +x and +y of HID, clockwise from -y.
-inline constexpr double alongX_deg = 90.0, alongY_deg = 180.0;
+/// How a force along an axis of HID is asked for: where it comes from, clockwise from -y, and the sign of its
+/// magnitude. Along x as Windows does with a wheel, so that a device of one motor may ignore the angle.
+struct PidAxis
+{
+  double comesFrom_deg;
+  double sign;
+};
+inline constexpr std::array<PidAxis, 2> pidAxes{ { { 90.0, -1.0 }, { 0.0, 1.0 } } };
 
 } // namespace palpate

@@ -66,7 +66,8 @@ HidSelector findSelector(const HidReport& report, HidUsage usage) noexcept
   }
   const auto& usages = control.field->usages;
   const std::int64_t index = std::find(usages.begin(), usages.end(), usage) - usages.begin();
-  return { { control.report, control.field, 0 }, control.field->logicalMin + index };
+  const std::int64_t first = control.field->logicalMin;
+  return { { control.report, control.field, 0 }, (first == 0 ? 1 : first) + index };
 }
 
 } // namespace palpate

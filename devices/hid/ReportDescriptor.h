@@ -80,15 +80,17 @@ struct ReportDescriptor
 };
 
 /// Reads the bytes of a report descriptor. Never fails half: a descriptor that is cut, contradicts itself or asks for
-/// more than any device has (64 bits a value, 4096 values a field, 16384 bits a report, 32 collections) is refused
-/// whole.
+/// more than any device has (256 bits an element, 4096 elements a field, 16384 bits a report, 32 collections) is
+/// refused whole. Like the kernel it passes over main items without a meaning, and takes the ends of a range of usages
+/// in either order. What is wider than 64 bits has its place and is no field.
 [[nodiscard]] ReportDescriptor parseReportDescriptor(std::span<const std::uint8_t> bytes);
 
 /// The element with that usage, where its innermost collection is `parent` if one is given: the axes of a joystick
 /// stand in several places. Also found where a value is wrongly declared an array.
 [[nodiscard]] HidControl findControl(const HidReport& report, HidUsage usage, HidUsage parent = 0) noexcept;
 
-/// The field that selects one of several usages and lists this one: an array, or bits of their own.
+/// The field that selects one of several usages and lists this one: an array, or bits of their own. An array that
+/// begins with 0 means none by it, and the first usage by 1: so the kernel drives devices of this kind.
 struct HidSelector
 {
   HidControl control;

@@ -27,14 +27,16 @@ std::string ReportItemState::take(const ReportItem& item)
 
 std::string ReportItemState::unfinished() const
 {
-  return this->rangeOpen_ ? "a range of usages has no end" : "";
+  return this->rangeStart_ ? "a range of usages has no end"
+         : this->rangeEnd_ ? "a range of usages has no beginning"
+                           : "";
 }
 
 void ReportItemState::forgetLocal() noexcept
 {
   this->usages_.clear();
-  this->rangeStart_ = 0;
-  this->rangeOpen_ = false;
+  this->rangeStart_.reset();
+  this->rangeEnd_.reset();
 }
 
 std::string ReportItemState::takeGlobal(int tag, const ItemValue& value)
@@ -132,23 +134,26 @@ std::string ReportItemState::takeLocal(int tag, const ItemValue& value)
       return this->addUsages(this->usageOf(value), this->usageOf(value));
     case 1:
       this->rangeStart_ = this->usageOf(value);
-      this->rangeOpen_ = true;
-      return {};
+      return this->closeRange();
     case 2:
-      return this->closeRange(this->usageOf(value));
+      this->rangeEnd_ = this->usageOf(value);
+      return this->closeRange();
     default:
       return {}; // designators, strings and delimiters say nothing about bits
   }
 }
 
-std::string ReportItemState::closeRange(HidUsage last)
+/// Once both ends are there, whichever came first.
+std::string ReportItemState::closeRange()
 {
-  if (!this->rangeOpen_ || last < this->rangeStart_)
+  if (!this->rangeStart_ || !this->rangeEnd_)
   {
-    return "a range of usages ends before it begins";
+    return {};
   }
-  this->rangeOpen_ = false;
-  return this->addUsages(this->rangeStart_, last);
+  const HidUsage first = *this->rangeStart_, last = *this->rangeEnd_;
+  this->rangeStart_.reset();
+  this->rangeEnd_.reset();
+  return last < first ? "a range of usages ends before it begins" : this->addUsages(first, last);
 }
 
 std::string ReportItemState::addUsages(HidUsage first, HidUsage last)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,15 +59,14 @@ private:
   [[nodiscard]] std::string setReport(const ItemValue& value);
   [[nodiscard]] std::string push();
   [[nodiscard]] std::string pop();
-  [[nodiscard]] std::string closeRange(HidUsage last);
+  [[nodiscard]] std::string closeRange();
   [[nodiscard]] std::string addUsages(HidUsage first, HidUsage last);
   [[nodiscard]] HidUsage usageOf(const ItemValue& value) const noexcept;
 
   Global global_;
   std::vector<Global> pushed_;
   std::vector<HidUsage> usages_;
-  HidUsage rangeStart_ = 0;
-  bool rangeOpen_ = false;
+  std::optional<HidUsage> rangeStart_, rangeEnd_; ///< of a range that has one of them so far
 };
 
 } // namespace palpate

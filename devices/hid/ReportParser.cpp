@@ -14,7 +14,7 @@ namespace
 
 constexpr std::size_t longestDescriptor = 16384;
 constexpr std::size_t deepestCollection = 32;
-constexpr std::uint32_t mostBitsAValue = 64;
+constexpr std::uint32_t mostBitsAValue = 64, mostBitsAnElement = 256; // the kernel's; what is wider than a value pads
 constexpr std::uint32_t largestCount = 4096;
 constexpr std::uint32_t mostBitsAReport = 16384;
 
@@ -86,7 +86,7 @@ private:
         this->closeCollection();
         break;
       default:
-        this->refuse("an item of unknown kind");
+        break; // no meaning was ever given to it; the Bluetooth stack ends descriptors with an item of zeros
     }
   }
 
@@ -117,7 +117,7 @@ private:
   void field(HidReportKind kind, std::uint32_t flags)
   {
     const ReportItemState::Global& state = this->state_.global();
-    if (state.bitCount > mostBitsAValue || state.count > largestCount)
+    if (state.bitCount > mostBitsAnElement || state.count > largestCount)
     {
       this->refuse("a field of " + std::to_string(state.count) + " times " + std::to_string(state.bitCount) + " bits");
       return;
@@ -130,7 +130,7 @@ private:
       return;
     }
     report.bits += state.bitCount * state.count;
-    const bool padding = (flags & 1U) != 0 && this->state_.usages().empty();
+    const bool padding = ((flags & 1U) != 0 && this->state_.usages().empty()) || state.bitCount > mostBitsAValue;
     if (!padding && state.bitCount * state.count > 0)
     {
       this->keep(report, first, flags);

@@ -44,6 +44,8 @@ PidDevice::PidDevice(
 {
   const ReportDescriptor descriptor = parseReportDescriptor(bus->descriptor(this->entry_).bytes);
   this->info_ = pidInfo(name, this->entry_, descriptor, options.output.scale);
+  this->promised_ = this->info_.abilities;
+  this->info_.abilities = this->abilitiesNow();
 }
 
 std::string PidDevice::open()
@@ -54,6 +56,7 @@ std::string PidDevice::open()
                                         [&link] { link.detach(); }, {} },
       { [&link] { return link.readPass(readTimeout_ms); }, noDevice_ms, 0, {}, {} } };
   };
+  this->link_->trust(this->options_.output.trust); // a link that hung was replaced
   std::string problem = this->options_.threads ? this->link_.open(work) : this->link_.open({});
   this->info_.abilities = this->abilitiesNow();
   return problem;
@@ -76,7 +79,19 @@ DeviceStatus PidDevice::read(double tickTime_s, DeviceSample& sample) noexcept
 
 DeviceAbilities PidDevice::abilitiesNow() const
 {
-  return this->link_->abilities().value_or(this->info_.abilities);
+  return believed(this->offered(), this->options_.output.trust);
+}
+
+void PidDevice::trust(HeldTrust trust) noexcept
+{
+  this->options_.output.trust = trust;
+  this->link_->trust(trust);
+  this->info_.abilities = this->abilitiesNow();
+}
+
+DeviceAbilities PidDevice::offered() const
+{
+  return this->link_->abilities().value_or(this->promised_);
 }
 
 } // namespace palpate

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "devices/HeldTrust.h"
 #include "devices/io/LinkedDevice.h"
 #include "devices/io/PidLink.h"
 #include "devices/io/ServedLink.h"
@@ -25,6 +26,7 @@ struct PidDeviceOptions
 class PidDevice final
   : public HapticDevice
   , public LinkedDevice
+  , public WallHolder
 {
 public:
   PidDevice(
@@ -39,12 +41,16 @@ public:
   [[nodiscard]] LinkReport linkReport() const override { return this->link_->report(); }
   [[nodiscard]] DeviceAbilities abilitiesNow() const override;
 
+  void trust(HeldTrust trust) noexcept override;
+  [[nodiscard]] DeviceAbilities offered() const override;
+
   [[nodiscard]] PidLink& link() noexcept { return *this->link_; }
 
 private:
   DeviceInfo info_;
   HidEntry entry_;
   PidDeviceOptions options_;
+  DeviceAbilities promised_; ///< by its descriptor
   ServedLink<PidLink> link_;
 };
 

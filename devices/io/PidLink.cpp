@@ -12,6 +12,9 @@ constexpr std::int64_t perMs_ns = 1000000;
 constexpr std::int64_t stuckAfter_ns = 50 * perMs_ns;
 constexpr int firstReads = 10, firstRead_ms = 10; ///< a device that has something to say says it in that time
 
+constexpr const char* effectsTaken =
+  "another program took its effects: close that program, or take the device's evdev node away (see plugin/README.md)";
+
 /// For walls that are left to the device, which it could hold before; empty: nothing.
 const char* missing(const DeviceAbilities& before, const DeviceAbilities& now) noexcept
 {
@@ -25,7 +28,7 @@ const char* missing(const DeviceAbilities& before, const DeviceAbilities& now) n
 } // namespace
 
 PidLink::PidLink(std::shared_ptr<HidBus> bus, HidEntry entry, const PidOutputOptions& options, const Clock& clock)
-  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock)
+  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock), trust_(options.trust)
 {
 }
 
@@ -115,7 +118,9 @@ std::string PidLink::Attached::begin(HidBus& bus, const PidOutputOptions& option
   this->engine.emplace(*this->connection, this->descriptor);
   this->output.emplace(*this->engine, options, kind);
   problem = this->engine->open();
-  return problem.empty() ? this->output->begin() : problem;
+  problem = problem.empty() ? this->output->begin() : problem;
+  this->watch.emplace(*this->engine).begin();
+  return problem;
 }
 
 void PidLink::Attached::drain() const noexcept
@@ -258,7 +263,15 @@ bool PidLink::writePass()
     this->reattach(now_ns);
     return false;
   }
-  if (const char* const why = device->disturbance())
+  this->writingSince_ns_ = now_ns;
+  const bool sent = this->writeTo(device, now_ns);
+  this->writingSince_ns_ = notWriting;
+  return sent;
+}
+
+bool PidLink::writeTo(const std::shared_ptr<Attached>& device, std::int64_t now_ns)
+{
+  if (const char* const why = device->disturbance(now_ns))
   {
     this->loseAndStop(device, now_ns, why);
     return true;
@@ -268,15 +281,14 @@ bool PidLink::writePass()
   const DeviceCommand& newest = this->commands_.read();
   this->muted_ = this->muted_ && asksForForce(newest);
   const std::optional<Hand>& hand = this->handToWriter_.read();
-  const PidOutput::Wish wish{ this->muted_ || !hand ? DeviceCommand{} : newest, beat, hand.value_or(Hand{}).p_D };
+  const PidOutput::Wish wish{ this->muted_ || !hand ? DeviceCommand{} : newest, beat, hand.value_or(Hand{}).p_D,
+    this->trust_ };
   const std::uint64_t restarts = device->output->restarts();
-  this->writingSince_ns_ = now_ns;
   const PidOutput::Step step = device->output->step(now_ns, wish);
   if (step == PidOutput::Step::Failed)
   {
     this->loseAndStop(device, now_ns, "it does not take forces: " + device->connection->error());
   }
-  this->writingSince_ns_ = notWriting;
   this->outputs_ += step == PidOutput::Step::Sent ? 1 : 0;
   this->restarts_ += device->output->restarts() - restarts;
   return step == PidOutput::Step::Sent;
@@ -294,17 +306,21 @@ void PidLink::loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t 
   }
 }
 
-/// Why its effects do not play any more; null: they do. The order to stop leaves its actuators on.
-const char* PidLink::Attached::disturbance() noexcept
+/// Why its effects do not play any more; null: they do. Whoever was told to stop past the writer may not say so. The
+/// order to stop switches the actuators of some off, too.
+const char* PidLink::Attached::disturbance(std::int64_t now_ns) noexcept
 {
-  constexpr const char* takenAway = "another program or a switch on it took its forces away";
-  const int stopped = this->stoppedBlock.exchange(0);
-  if (this->actuatorsOff.exchange(false))
+  if (this->stalled)
   {
-    return takenAway;
+    return "it did not take forces in time and was told to stop";
   }
-  const char* const why = this->stalled ? "it did not take forces in time and was told to stop" : takenAway;
-  return this->output->plays(stopped) ? why : nullptr;
+  const bool off = this->actuatorsOff.exchange(false) && this->output->shouldBeOn(now_ns);
+  const bool stopped = this->output->plays(this->stoppedBlock.exchange(0));
+  if (off || stopped)
+  {
+    return "another program or a switch on it took its forces away";
+  }
+  return this->watch->undisturbed(now_ns) ? nullptr : effectsTaken;
 }
 
 /// What is there is noted before anything is waited for: soon the lost device may be back in another place.

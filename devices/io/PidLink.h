@@ -11,6 +11,7 @@
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/PidInput.h"
 #include "devices/hid/PidOutput.h"
+#include "devices/hid/PidWatch.h"
 #include "devices/io/FindAgain.h"
 #include "devices/io/HeldDevice.h"
 #include "devices/io/LinkedDevice.h"
@@ -61,7 +62,9 @@ public:
 
   /// Any thread but the servo's.
   [[nodiscard]] LinkReport report() const;
-  /// What the device can do; none before it was attached. Any thread but the servo's.
+  /// What it is believed from now on. Any thread.
+  void trust(HeldTrust trust) noexcept { this->trust_ = trust; }
+  /// What the device offers; none before it was attached. Any thread but the servo's.
   [[nodiscard]] std::optional<DeviceAbilities> abilities() const;
 
 private:
@@ -75,6 +78,7 @@ private:
     std::optional<PidInput> input;
     std::optional<PidEngine> engine;
     std::optional<PidOutput> output;
+    std::optional<PidWatch> watch;
     std::mutex spareMutex;
     std::optional<Hand> last;                        ///< reader's
     bool gripped = false, switchSeen = false;        ///< reader's
@@ -85,7 +89,7 @@ private:
     [[nodiscard]] std::string begin(HidBus& bus, const PidOutputOptions& options);
     void drain() const noexcept;
     void stopPastTheWriter() noexcept;
-    [[nodiscard]] const char* disturbance() noexcept;
+    [[nodiscard]] const char* disturbance(std::int64_t now_ns) noexcept;
   };
   [[nodiscard]] std::string prepare(FoundDevice found, const DeviceAbilities& least);
   [[nodiscard]] std::optional<Hand> firstHand(Attached& device);
@@ -94,6 +98,7 @@ private:
   void loseAndStop(const std::shared_ptr<Attached>& device);
   void loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why);
   void reattach(std::int64_t now_ns);
+  [[nodiscard]] bool writeTo(const std::shared_ptr<Attached>& device, std::int64_t now_ns);
   void takeState(Attached& device, const PidState& state, std::optional<Hand>& newest);
   void take(Attached& device, std::span<const std::uint8_t> report, std::optional<Hand>& newest);
   void watchWriter(Attached& device);
@@ -114,6 +119,7 @@ private:
   alignas(64) Presence presence_;
   alignas(64) std::atomic<std::uint64_t> beat_ = 0; ///< servo's: commands so far
   alignas(64) ReportRate rate_;
+  std::atomic<HeldTrust> trust_;
   std::atomic<bool> handKnown_ = false;
   std::atomic<std::uint64_t> inputs_ = 0, strange_ = 0, outOfRange_ = 0; ///< reader's
   std::atomic<std::uint64_t> stalls_ = 0;                                ///< reader's

@@ -51,6 +51,7 @@ PidDeviceOptions Servo::firmwareOptions()
   PidScale& scale = options.output.scale;
   scale.springStiffness_N_per_m = VirtualPidDevice::springGain * scale.maxForce_N / scale.halfTravel_m;
   scale.damperViscosity_Ns_per_m = VirtualPidDevice::damperMetric * scale.springStiffness_N_per_m;
+  options.output.trust = { true, true };
   return options;
 }
 

@@ -86,9 +86,9 @@ TEST(Uhid, TheForceOfTheCommandReachesTheFirmwareOnEveryLayout)
 }
 
 // Stiffness K, push f: the hand rests f / K inside the wall.
-TEST(Uhid, TheHandRestsAgainstEachOfFourWallsThatTheDeviceHolds)
+void requireFourWalls(const test::PidLayout& layout)
 {
-  UhidDevice device(test::plainLayout(), "walls");
+  UhidDevice device(layout, "walls");
   device.plug();
   Servo servo(device.serial());
   ASSERT_EQ(servo.device.open(), "");
@@ -113,6 +113,31 @@ TEST(Uhid, TheHandRestsAgainstEachOfFourWallsThatTheDeviceHolds)
     { return std::fabs(stick.position[axis] - push.rest[axis]) < 0.01 && std::fabs(stick.velocity[axis]) < 0.01; };
     EXPECT_TRUE(servo.runUntil([&] { return device.alone(rests); })) << push.push[0] << " " << push.push[1];
   }
+  EXPECT_EQ(device.badReports(), 0);
+}
+
+TEST(Uhid, TheHandRestsAgainstEachOfFourWallsThatTheDeviceHolds)
+{
+  requireFourWalls(test::plainLayout());
+}
+
+// Its walls count from the settings that follow them, with a sign that those bring.
+TEST(Uhid, TheHandRestsAgainstEachOfFourWallsOnADeviceWithTheHabitsOfAnOpenBoard)
+{
+  requireFourWalls(test::openBoardLayout());
+}
+
+// A stop of all switches it off.
+TEST(Uhid, ForceIsBackAfterTheServoWasSilentOnADeviceWithTheHabitsOfAnOpenBoard)
+{
+  UhidDevice device(test::openBoardLayout(), "silence");
+  device.plug();
+  Servo servo(device.serial());
+  ASSERT_EQ(servo.device.open(), "");
+  servo.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  ASSERT_TRUE(servo.runUntil([&] { return device.forceX() > 0.3; }));
+  ASSERT_TRUE(waitUntil([&] { return device.forceX() == 0.0; }));
+  EXPECT_TRUE(servo.runUntil([&] { return device.forceX() > 0.3; }));
   EXPECT_EQ(device.badReports(), 0);
 }
 

@@ -187,6 +187,15 @@ FakePort& FakeHidBus::plug(const CapLayout& layout, const std::string& serial)
   return port;
 }
 
+FakePort& FakeHidBus::plug(std::shared_ptr<FirmwareModel> model, std::vector<std::uint8_t> descriptor)
+{
+  const std::lock_guard lock(this->mutex_);
+  FakePort& port = this->place({ "", 0x1209, 0xFFB0, "0001", "model" });
+  port.model = std::move(model);
+  port.descriptor = std::move(descriptor);
+  return port;
+}
+
 std::vector<HidEntry> FakeHidBus::devices()
 {
   const std::lock_guard lock(this->mutex_);

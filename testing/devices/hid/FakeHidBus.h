@@ -10,6 +10,7 @@
 
 #include "devices/hid/HidConnection.h"
 #include "haptics/core/Clock.h"
+#include "testing/devices/hid/FirmwareModel.h"
 #include "testing/devices/hid/VirtualPidDevice.h"
 #include "testing/devices/hid/VirtualSpaceMouse.h"
 
@@ -20,7 +21,8 @@ namespace palpate::test
 struct FakePort
 {
   HidEntry entry;
-  std::shared_ptr<VirtualPidDevice> device; ///< one of the two
+  std::shared_ptr<VirtualPidDevice> device; ///< one of the three
+  std::shared_ptr<FirmwareModel> model;
   std::shared_ptr<VirtualSpaceMouse> spaceMouse;
   std::vector<std::uint8_t> descriptor;
   bool present = true;
@@ -39,7 +41,9 @@ struct FakePort
 
   [[nodiscard]] VirtualHid& firmware()
   {
-    return this->device != nullptr ? static_cast<VirtualHid&>(*this->device) : *this->spaceMouse;
+    return this->device != nullptr  ? static_cast<VirtualHid&>(*this->device)
+           : this->model != nullptr ? static_cast<VirtualHid&>(*this->model)
+                                    : *this->spaceMouse;
   }
 };
 
@@ -64,6 +68,7 @@ public:
   /// Plugs a device in. References stay valid.
   FakePort& plug(const PidLayout& layout, const std::string& serial = "0001");
   FakePort& plug(const CapLayout& layout, const std::string& serial = "0001");
+  FakePort& plug(std::shared_ptr<FirmwareModel> model, std::vector<std::uint8_t> descriptor);
 
   [[nodiscard]] std::vector<HidEntry> devices() override;
   [[nodiscard]] Descriptor descriptor(const HidEntry& entry) override;

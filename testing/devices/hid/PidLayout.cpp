@@ -304,6 +304,7 @@ PidLayout adapterLayout()
   layout.magnitude = { 0x70, 16, -255, 255 };
   layout.sloppy = true;
   layout.slots = 16;
+  layout.habits.bindsTrigger = layout.habits.wakesCentred = layout.habits.wipesSilently = true;
   return layout;
 }
 
@@ -321,6 +322,7 @@ PidLayout hobbyLayout()
   layout.wholeTurn = 255;
   layout.sloppy = true;
   layout.slots = 14;
+  layout.habits.wipesSilently = true;
   return layout;
 }
 
@@ -379,6 +381,8 @@ PidLayout openBoardLayout()
   layout.condition = { { 0x60, 16, -32767, 32767 }, { 0x61, 16, -32767, 32767 }, { 0x62, 16, -32767, 32767 },
     { 0x63, 16, 0, 32767 }, { 0x64, 16, 0, 32767 }, { 0x65, 16, 0, 32767 } };
   layout.magnitude = { 0x70, 16, -32767, 32767 };
+  layout.habits.stopAllDisables = true;
+  layout.habits.conditions = ConditionOrder::OnlyWithSetEffect;
   return layout;
 }
 

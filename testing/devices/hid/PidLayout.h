@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "devices/hid/ReportDescriptor.h"
+#include "testing/devices/hid/PidHabits.h"
 
 namespace palpate::test
 {
@@ -43,6 +44,7 @@ struct PidLayout
   bool deviceManaged = true;
   bool sloppy = false; ///< a maximum of 255 in one byte, a value declared an array, constant pool fields, wide usages
   int slots = 40;
+  PidHabits habits;
 
   /// The number with that usage, or null.
   [[nodiscard]] const PidNumber* conditionNumber(std::uint8_t usage) const noexcept;

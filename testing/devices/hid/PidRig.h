@@ -10,7 +10,7 @@
 namespace palpate::test
 {
 
-/// Nothing runs by itself, and the scale is that of the virtual firmware.
+/// Nothing runs by itself, the scale is that of the virtual firmware, and what it holds is believed.
 inline PidDeviceOptions virtualOptions(const FakeHidBus& bus)
 {
   PidDeviceOptions options;
@@ -19,6 +19,7 @@ inline PidDeviceOptions virtualOptions(const FakeHidBus& bus)
   PidScale& scale = options.output.scale;
   scale.springStiffness_N_per_m = VirtualPidDevice::springGain * scale.maxForce_N / scale.halfTravel_m;
   scale.damperViscosity_Ns_per_m = VirtualPidDevice::damperMetric * scale.springStiffness_N_per_m;
+  options.output.trust = { true, true };
   return options;
 }
 
@@ -27,6 +28,11 @@ struct PidRig
 {
   explicit PidRig(const PidLayout& layout, const std::string& serial = "0001")
     : port(bus->plug(layout, serial)), options(virtualOptions(*bus)), device("pid", bus, port.entry, options)
+  {
+  }
+
+  PidRig(const std::shared_ptr<FirmwareModel>& model, const std::vector<std::uint8_t>& descriptor)
+    : port(bus->plug(model, descriptor)), options(virtualOptions(*bus)), device("pid", bus, port.entry, options)
   {
   }
 

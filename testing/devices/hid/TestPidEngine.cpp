@@ -29,13 +29,13 @@ struct Rig
   test::VirtualPidDevice& device() { return *this->port.device; }
 
   /// A constant force of that share in that direction, playing.
-  int play(double share, std::optional<double> direction_deg, int duration_ms)
+  int play(double share, double comesFrom_deg, int duration_ms)
   {
     const PidEngine::Created made = this->engine.create(pid::constantForce);
     EXPECT_EQ(made.problem, "");
     EffectSettings settings;
     settings.duration_ms = duration_ms;
-    settings.direction_deg = direction_deg;
+    settings.comesFrom_deg = comesFrom_deg;
     EXPECT_TRUE(this->engine.setEffect(made.block, settings));
     EXPECT_TRUE(this->engine.setConstantForce(made.block, share));
     EXPECT_TRUE(this->engine.start(made.block));
@@ -62,21 +62,22 @@ TEST(PidEngine, OpensEveryLayoutWithoutAReportTheDeviceDoesNotKnow)
   }
 }
 
-TEST(PidEngine, AConstantForcePullsAlongItsDirectionOnEveryLayoutToOneStep)
+TEST(PidEngine, AConstantForceComesFromItsDirectionOnEveryLayoutToOneStep)
 {
   for (const PidLayout& layout : test::allLayouts())
   {
-    for (const double direction_deg : { 0.0, 90.0, 180.0, 270.0 })
+    for (const double comesFrom_deg : { 0.0, 90.0, 180.0, 270.0 })
     {
       Rig rig(layout);
       ASSERT_EQ(rig.engine.open(), "");
-      static_cast<void>(rig.play(0.5, direction_deg, 1000));
-      // Clockwise from -y. Half a step of the angle turns the force by at most that; half a step of the force itself.
-      const double turn = direction_deg * M_PI / 180.0;
+      static_cast<void>(rig.play(0.5, comesFrom_deg, 1000));
+      // Where it comes from, clockwise from -y. Half a step of the angle turns the force by at most that; half a step
+      // of the force itself.
+      const double turn = comesFrom_deg * M_PI / 180.0;
       const double step =
         M_PI / static_cast<double>(layout.wholeTurn) + 0.5 / static_cast<double>(layout.magnitude.max);
-      EXPECT_NEAR(rig.device().force()[0], 0.5 * std::sin(turn), step) << layout.name;
-      EXPECT_NEAR(rig.device().force()[1], -0.5 * std::cos(turn), step) << layout.name;
+      EXPECT_NEAR(rig.device().force()[0], -0.5 * std::sin(turn), step) << layout.name;
+      EXPECT_NEAR(rig.device().force()[1], 0.5 * std::cos(turn), step) << layout.name;
       EXPECT_EQ(rig.device().badReports, 0) << layout.name;
     }
   }
@@ -88,7 +89,7 @@ TEST(PidEngine, ZeroForceIsExactlyZeroAndNotANumberIsZero)
   {
     Rig rig(layout);
     ASSERT_EQ(rig.engine.open(), "");
-    const int block = rig.play(0.0, 90.0, 1000);
+    const int block = rig.play(0.0, 270.0, 1000);
     EXPECT_EQ(rig.device().force()[0], 0.0) << layout.name;
     ASSERT_TRUE(rig.engine.setConstantForce(block, std::numeric_limits<double>::quiet_NaN()));
     EXPECT_EQ(rig.device().force()[0], 0.0) << layout.name;
@@ -110,10 +111,10 @@ TEST(PidEngine, ForcesOutsideTheirRangeAreCutToIt)
   {
     Rig rig(layout);
     ASSERT_EQ(rig.engine.open(), "");
-    const int block = rig.play(1e9, std::nullopt, 1000);
-    EXPECT_EQ(rig.device().force()[0], 1.0) << layout.name;
+    const int block = rig.play(1e9, 0.0, 1000);
+    EXPECT_EQ(rig.device().force()[1], 1.0) << layout.name;
     ASSERT_TRUE(rig.engine.setConstantForce(block, -1e9));
-    EXPECT_EQ(rig.device().force()[0], -1.0) << layout.name;
+    EXPECT_EQ(rig.device().force()[1], -1.0) << layout.name;
   }
 }
 
@@ -121,7 +122,7 @@ TEST(PidEngine, AForceIsChangedInPlaceWithoutAGap)
 {
   Rig rig(test::plainLayout());
   ASSERT_EQ(rig.engine.open(), "");
-  const int block = rig.play(0.2, 90.0, 1000);
+  const int block = rig.play(0.2, 270.0, 1000);
   const int before = rig.device().outputs;
   ASSERT_TRUE(rig.engine.setConstantForce(block, 0.4));
   EXPECT_EQ(rig.device().outputs, before + 1);
@@ -134,7 +135,7 @@ TEST(PidEngine, AnEffectEndsByItselfUnlessItIsStartedAgain)
   {
     Rig rig(layout);
     ASSERT_EQ(rig.engine.open(), "");
-    const int block = rig.play(0.5, 90.0, 200);
+    const int block = rig.play(0.5, 270.0, 200);
     for (int again = 0; again < 20; ++again)
     {
       rig.bus.advance(100);
@@ -163,7 +164,7 @@ TEST(PidEngine, SoloStopsTheOthersAndStopStopsOne)
 {
   Rig rig(test::officeLayout()); // whose operations stand in another order
   ASSERT_EQ(rig.engine.open(), "");
-  const int first = rig.play(0.1, 90.0, 1000), second = rig.play(0.2, 90.0, 1000);
+  const int first = rig.play(0.1, 270.0, 1000), second = rig.play(0.2, 270.0, 1000);
   EXPECT_EQ(rig.device().effectsPlaying(), 2);
   ASSERT_TRUE(rig.engine.startSolo(first));
   EXPECT_EQ(rig.device().effectsPlaying(), 1);
@@ -174,17 +175,18 @@ TEST(PidEngine, SoloStopsTheOthersAndStopStopsOne)
   EXPECT_EQ(rig.device().effectsUsed(), 1);
 }
 
-TEST(PidEngine, ClosingStopsFreesAndDisables)
+TEST(PidEngine, ClosingStopsFreesAndLeavesTheDeviceAsItWakes)
 {
   for (const PidLayout& layout : test::allLayouts())
   {
     Rig rig(layout);
     ASSERT_EQ(rig.engine.open(), "");
-    static_cast<void>(rig.play(0.5, 90.0, 1000));
+    static_cast<void>(rig.play(0.5, 270.0, 1000));
     rig.engine.close();
-    EXPECT_EQ(rig.device().stopAlls, 1) << layout.name;
+    EXPECT_EQ(rig.device().stopAlls, 1 + 1) << layout.name;
     EXPECT_EQ(rig.device().effectsUsed(), 0) << layout.name;
-    EXPECT_FALSE(rig.device().actuators) << layout.name;
+    EXPECT_EQ(rig.device().resets, 1 + 1) << layout.name;
+    EXPECT_EQ(rig.device().force()[0], 0.0) << layout.name;
     EXPECT_EQ(rig.device().badReports, 0) << layout.name;
   }
 }
@@ -197,7 +199,7 @@ TEST(PidEngine, ASineShakesWithItsPeriod)
   EffectSettings settings;
   settings.type = pid::sine;
   settings.duration_ms = 1000;
-  settings.direction_deg = 90.0;
+  settings.comesFrom_deg = 270.0;
   ASSERT_TRUE(rig.engine.setEffect(made.block, settings));
   ASSERT_TRUE(rig.engine.setPeriodic(made.block, 0.5, 40.0));
   ASSERT_TRUE(rig.engine.start(made.block));

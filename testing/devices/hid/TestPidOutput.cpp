@@ -130,7 +130,22 @@ TEST(PidOutput, AWallThatGoesIsTakenAwayAtOnceWhereBothSidesShareACoefficient)
   EXPECT_NEAR(x.centre + x.deadBand, 0.5, 1e-3);
 }
 
-// Each of the four reports comes at least every fifth millisecond, or ninth when all effects are armed again.
+// And its end is no sign of another program: the device says that its spring has stopped.
+TEST(PidOutput, WallsThatAreBelievedNoMoreEndAtOnceAndTheDeviceIsNotLost)
+{
+  Rig rig(test::plainLayout());
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command = corridors(rig.scale());
+  rig.run(ramped_ms);
+  rig.device.trust({});
+  rig.run(5);
+  EXPECT_EQ(rig.stick().effectsPlaying(), 2); // the forces
+  rig.run(500);
+  EXPECT_EQ(rig.lostTicks, 0);
+}
+
+// Each of the six reports, settings included, comes at least every seventh millisecond, or eleventh when all effects
+// are armed again.
 TEST(PidOutput, WhileStiffnessFallsEachAxisFollowsAndTheForceGetsItsTurn)
 {
   Rig rig(test::plainLayout());
@@ -138,7 +153,7 @@ TEST(PidOutput, WhileStiffnessFallsEachAxisFollowsAndTheForceGetsItsTurn)
   const DeviceCommand whole = corridors(rig.scale());
   rig.command = whole;
   rig.run(ramped_ms);
-  constexpr int fall_ms = 200, late_ms = 2 * (5 + 4);
+  constexpr int fall_ms = 200, late_ms = 2 * (7 + 4);
   const int forces = rig.stick().constantForces;
   for (int ms = 1; ms <= fall_ms; ++ms)
   {

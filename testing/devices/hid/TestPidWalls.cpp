@@ -79,6 +79,7 @@ struct Held
     EXPECT_TRUE(this->engine.setEffect(block, settings));
     EXPECT_TRUE(this->engine.setCondition(block, 0, conditions[0]));
     EXPECT_TRUE(this->engine.setCondition(block, 1, conditions[1]));
+    EXPECT_TRUE(this->engine.setEffect(block, settings));
     EXPECT_TRUE(this->engine.start(block));
     return block;
   }

@@ -197,6 +197,54 @@ TEST(ReportDescriptor, SelectorsAreNumbersOfAnArrayOrBitsOfTheirOwn)
   EXPECT_EQ(bit.control.element, 2u);
 }
 
+// As by the Bluetooth stack, which ends a descriptor with a zero.
+TEST(ReportDescriptor, MainItemsWithoutAMeaningAndZerosAtTheEndArePassedOver)
+{
+  DescriptorWriter writer = oneField([](DescriptorWriter& w) { w.item(0, 3, 5, 1).usage(0x30); });
+  std::vector<std::uint8_t> bytes = writer.bytes();
+  bytes.insert(bytes.end(), 3, 0x00);
+  const ReportDescriptor parsed = parseReportDescriptor(bytes);
+  EXPECT_EQ(parsed.problem, "");
+  EXPECT_TRUE(findControl(parsed.reports.at(0), 0x10030));
+}
+
+// vJoy's is 120 bits wide.
+TEST(ReportDescriptor, WhatIsWiderThanAValueHasItsPlaceAndIsNoField)
+{
+  for (const std::uint32_t wide : { 65U, 120U, 256U })
+  {
+    DescriptorWriter writer;
+    writer.page(1).usage(4).begin(1).logical(0, 1).size(wide).usage(0x31).main(Kind::Input, value);
+    writer.usage(0x30).size(8).main(Kind::Input, value).end();
+    const ReportDescriptor parsed = parseReportDescriptor(writer.bytes());
+    ASSERT_EQ(parsed.problem, "");
+    EXPECT_EQ(findControl(parsed.reports[0], 0x10030).field->bit, wide);
+    EXPECT_FALSE(findControl(parsed.reports[0], 0x10031));
+  }
+}
+
+TEST(ReportDescriptor, TheEndsOfARangeOfUsagesComeInEitherOrder)
+{
+  DescriptorWriter writer;
+  writer.page(9).item(2, 2, 3, 1).item(2, 1, 1, 1).item(2, 1, 7, 1).item(2, 2, 8, 1);
+  writer.logical(0, 1).size(1, 5).main(Kind::Input, value);
+  EXPECT_EQ(onlyField(writer).usages, (std::vector<HidUsage>{ 0x90001, 0x90002, 0x90003, 0x90007, 0x90008 }));
+}
+
+// The kernel's driver counts from 1 whatever the range begins with; 0 is none.
+TEST(ReportDescriptor, ASelectorWhoseRangeBeginsWithZeroIsCountedFromOne)
+{
+  for (const std::int64_t first : { 0, 1, 5 })
+  {
+    DescriptorWriter numbers;
+    numbers.page(0x0F).usage(0x96).begin(1).logical(first, first + 3).size(8).usages({ 0x97, 0x98, 0x99 });
+    numbers.main(Kind::Output, array).end();
+    const ReportDescriptor parsed = parseReportDescriptor(numbers.bytes());
+    EXPECT_EQ(findSelector(parsed.reports.at(0), 0x0F0097).value, std::max<std::int64_t>(first, 1));
+    EXPECT_EQ(findSelector(parsed.reports.at(0), 0x0F0099).value, std::max<std::int64_t>(first, 1) + 2);
+  }
+}
+
 TEST(ReportDescriptor, ADescriptorCutAnywhereIsRefusedWithThePlace)
 {
   const std::vector<std::uint8_t> whole = oneField([](DescriptorWriter&) {}).bytes();
@@ -212,14 +260,15 @@ TEST(ReportDescriptor, LyingDescriptorsAreRefusedWithTheReason)
 {
   const std::vector<std::pair<std::string, std::function<void(DescriptorWriter&)>>> lies = {
     { "from 5 down to 3", [](DescriptorWriter& w) { w.logical(5, 3); } },
-    { "times 65 bits", [](DescriptorWriter& w) { w.size(65); } },
+    { "times 257 bits", [](DescriptorWriter& w) { w.size(257); } },
     { "4097 times", [](DescriptorWriter& w) { w.size(1, 4097); } },
     { "longer than 16384", [](DescriptorWriter& w) { w.size(64, 257); } },
     { "report ID 0", [](DescriptorWriter& w) { w.reportId(0); } },
     { "report ID 256", [](DescriptorWriter& w) { w.item(1, 8, 256, 2); } },
     { "pop without", [](DescriptorWriter& w) { w.item(1, 11, 0, 0); } },
     { "ends before", [](DescriptorWriter& w) { w.usageRange(9, 8); } },
-    { "ends before", [](DescriptorWriter& w) { w.item(2, 2, 8, 1); } },
+    { "ends before", [](DescriptorWriter& w) { w.item(2, 2, 8, 1).item(2, 1, 9, 1); } },
+    { "has no beginning", [](DescriptorWriter& w) { w.item(2, 2, 8, 1); } },
     { "has no end", [](DescriptorWriter& w) { w.item(2, 1, 8, 1); } },
     { "4096 usages", [](DescriptorWriter& w) { w.usageRange(0, 4096); } },
     { "was not opened", [](DescriptorWriter& w) { w.end().end(); } },

@@ -17,6 +17,7 @@ namespace
 constexpr std::uint8_t constantType = 0x26, sineType = 0x31, springType = 0x40, damperType = 0x41;
 constexpr std::uint8_t success = 1, full = 2, error = 3;
 constexpr std::size_t longestQueue = 64;
+constexpr HidUsage ramPoolAvailable = pid::page | 0xAC;
 
 /// Of a number, its share of the largest.
 double share(const PidNumber* number, std::int64_t value, double otherwise)
@@ -28,7 +29,7 @@ double share(const PidNumber* number, std::int64_t value, double otherwise)
 
 VirtualPidDevice::VirtualPidDevice(const PidLayout& layout)
   : layout_(layout), descriptor_(parseReportDescriptor(descriptorOf(layout))),
-    effects_(static_cast<std::size_t>(layout.slots))
+    effects_(static_cast<std::size_t>(layout.slots)), centring_(layout.habits.wakesCentred)
 {
 }
 
@@ -77,7 +78,11 @@ bool VirtualPidDevice::take(HidReportKind kind, std::span<const std::uint8_t> by
 void VirtualPidDevice::create(const HidReport& report, std::span<const std::uint8_t> bytes)
 {
   const HidControl type = findControl(report, 0x0F0000U | this->layout_.effects.front());
-  const std::uint8_t wanted = this->chosen(this->layout_.effects, readControl({ &report, type.field, 0 }, bytes));
+  this->create(this->chosen(this->layout_.effects, readControl({ &report, type.field, 0 }, bytes)));
+}
+
+void VirtualPidDevice::create(std::uint8_t wanted)
+{
   const auto slot =
     std::find_if(this->effects_.begin(), this->effects_.end(), [](const Effect& effect) { return !effect.allocated; });
   this->lastBlock_ = 0;
@@ -139,6 +144,21 @@ void VirtualPidDevice::setEffect(Effect& effect, const HidReport& report, std::s
   effect.directed = this->number(report, bytes, pid::directionEnable) != 0;
   const std::int64_t turned = this->number(report, bytes, pid::firstOrdinal, pid::direction);
   effect.direction_deg = 360.0 * static_cast<double>(turned) / static_cast<double>(this->layout_.wholeTurn);
+  effect.trigger = this->number(report, bytes, pid::triggerButton);
+  effect.set = true;
+  this->settle(effect);
+}
+
+/// Of a firmware that counts conditions from here on, the factor of each axis is 1 at 90 degrees with the direction
+/// enabled, and -1 at 0 without.
+void VirtualPidDevice::settle(Effect& effect)
+{
+  effect.conditions = effect.told;
+  if (this->layout_.habits.conditions == ConditionOrder::OnlyWithSetEffect)
+  {
+    const bool right = effect.directed && std::fabs(effect.direction_deg - 90.0) < 2.0;
+    effect.signs.fill(right ? 1.0 : -1.0);
+  }
 }
 
 bool VirtualPidDevice::setCondition(Effect& effect, const HidReport& report, std::span<const std::uint8_t> bytes)
@@ -149,15 +169,24 @@ bool VirtualPidDevice::setCondition(Effect& effect, const HidReport& report, std
     return false;
   }
   ++this->conditions;
+  const ConditionOrder order = this->layout_.habits.conditions;
+  if (order == ConditionOrder::OnlyAfterSetEffect && !effect.set)
+  {
+    return true;
+  }
   const auto of = [&](std::uint8_t usage, double otherwise)
   { return share(this->layout_.conditionNumber(usage), this->number(report, bytes, 0x0F0000U | usage), otherwise); };
-  Condition& condition = effect.conditions[static_cast<std::size_t>(axis)];
+  Condition& condition = effect.told[static_cast<std::size_t>(axis)];
   condition.centre = of(0x60, 0.0);
   condition.positiveCoefficient = of(0x61, 0.0);
   condition.negativeCoefficient = of(0x62, condition.positiveCoefficient);
   condition.positiveSaturation = of(0x63, 1.0);
   condition.negativeSaturation = of(0x64, 1.0);
   condition.deadBand = of(0x65, 0.0);
+  if (order != ConditionOrder::OnlyWithSetEffect)
+  {
+    effect.conditions = effect.told;
+  }
   return true;
 }
 
@@ -212,20 +241,67 @@ void VirtualPidDevice::control(std::uint8_t usage)
       this->showState(0, false);
       break;
     case 0x99:
-      ++this->stopAlls;
-      for (Effect& effect : this->effects_)
-      {
-        this->play(effect, false);
-      }
+      this->stopAll();
       break;
     case 0x9A:
-      ++this->resets;
-      this->effects_.assign(this->effects_.size(), {});
-      this->actuators = true;
-      this->showState(0, false);
+      this->reset();
       break;
     default:
       break;
+  }
+}
+
+void VirtualPidDevice::stopAll()
+{
+  ++this->stopAlls;
+  this->centring_ = false;
+  if (this->layout_.habits.stopAllDisables)
+  {
+    this->actuators = false;
+    this->showState(0, false);
+    return;
+  }
+  for (Effect& effect : this->effects_)
+  {
+    this->play(effect, false);
+  }
+}
+
+void VirtualPidDevice::reset()
+{
+  ++this->resets;
+  this->centring_ = this->layout_.habits.wakesCentred;
+  if (!this->layout_.habits.wipesSilently)
+  {
+    for (Effect& effect : this->effects_)
+    {
+      this->play(effect, false);
+    }
+  }
+  this->effects_.assign(this->effects_.size(), {});
+  this->actuators = !this->layout_.habits.stopAllDisables;
+  this->showState(0, false);
+}
+
+void VirtualPidDevice::uploadFromElsewhere()
+{
+  this->reset();
+  this->actuators = true;
+  this->create(constantType);
+}
+
+/// A button that goes down plays the effects that are bound to it, whoever bound them and whenever.
+void VirtualPidDevice::pullTrigger()
+{
+  const unsigned pressed = this->buttons & ~unsigned{ this->buttonsBefore_ };
+  this->buttonsBefore_ = this->buttons;
+  for (Effect& effect : this->effects_)
+  {
+    const bool bound = this->layout_.habits.bindsTrigger && effect.set && effect.trigger < 8;
+    if (bound && (pressed >> effect.trigger & 1U) != 0)
+    {
+      this->play(effect, true);
+    }
   }
 }
 
@@ -256,6 +332,7 @@ std::vector<std::uint8_t> VirtualPidDevice::feature(std::uint8_t id)
       return bytes;
     }
     put(pid::blockIndex, this->lastBlock_);
+    put(ramPoolAvailable, this->layout_.slots - this->effectsUsed());
     writeControl({ report, findControl(*report, pid::loaded).field, 0 }, bytes, this->lastStatus_);
   }
   return bytes;
@@ -319,7 +396,8 @@ void VirtualPidDevice::advance(int duration_ms)
 {
   for (int i = 0; i < duration_ms; ++i)
   {
-    this->step();
+    this->pullTrigger();
+    this->advanceHandle([this] { return this->force(); });
     this->showInput();
     for (Effect& effect : this->effects_)
     {
@@ -327,27 +405,6 @@ void VirtualPidDevice::advance(int duration_ms)
       if (effect.playing && effect.age_ms > effect.duration_ms)
       {
         this->play(effect, false);
-      }
-    }
-  }
-}
-
-void VirtualPidDevice::step()
-{
-  constexpr int parts = 4;
-  constexpr double dt_s = 1e-3 / parts;
-  for (int part = 0; part < parts; ++part)
-  {
-    const Axes pulled = this->force();
-    for (const std::size_t axis : { 0U, 1U })
-    {
-      double& v = this->velocity[axis];
-      v += dt_s / handleMass * (pulled[axis] + this->push[axis] - handleFriction * v);
-      this->position[axis] += dt_s * v;
-      if (std::fabs(this->position[axis]) >= 1.0)
-      {
-        this->position[axis] = std::copysign(1.0, this->position[axis]);
-        v = 0.0;
       }
     }
   }
@@ -363,9 +420,12 @@ VirtualPidDevice::Axes VirtualPidDevice::force() const
       sum[axis] += this->effectForce(effect, axis);
     }
   }
-  for (double& axis : sum)
+  for (std::size_t axis = 0; axis < 2; ++axis)
   {
-    axis = this->actuators ? this->gain * std::clamp(axis, -1.0, 1.0) : 0.0;
+    const bool moved = axis == 0 || !this->layout_.habits.oneMotor;
+    const double centring = this->centring_ ? -centringGain * this->position[axis] : 0.0;
+    const double effects = this->actuators ? this->gain * std::clamp(sum[axis], -1.0, 1.0) : 0.0;
+    sum[axis] = moved ? effects + centring : 0.0;
   }
   return sum;
 }
@@ -375,15 +435,20 @@ double VirtualPidDevice::effectForce(const Effect& effect, std::size_t axis) con
   if (effect.type == springType || effect.type == damperType)
   {
     const double metric = effect.type == springType ? this->position[axis] : damperMetric * this->velocity[axis];
+    if (this->layout_.habits.deadConditions)
+    {
+      return 0.0;
+    }
     Condition scaled = effect.conditions[axis];
     scaled.positiveCoefficient *= springGain;
     scaled.negativeCoefficient *= springGain;
-    return effect.gain * conditionForce(scaled, metric);
+    return effect.gain * effect.signs[axis] * conditionForce(scaled, metric);
   }
   const double turn = effect.direction_deg * std::numbers::pi / 180.0;
-  const double along = !effect.directed ? (effect.axes[axis] ? 1.0 : 0.0)
-                       : axis == 0      ? std::sin(turn)
-                                        : -std::cos(turn);
+  const double from = !effect.directed ? (effect.axes[axis] ? -1.0 : 0.0)
+                      : axis == 0      ? std::sin(turn)
+                                       : -std::cos(turn);
+  const double along = this->layout_.habits.pointsTo ? from : -from;
   if (effect.type == constantType)
   {
     return effect.gain * effect.constant * along;
@@ -407,7 +472,7 @@ int VirtualPidDevice::effectsPlaying() const
 
 const Condition& VirtualPidDevice::condition(int block, int axis) const
 {
-  return this->effects_.at(static_cast<std::size_t>(block - 1)).conditions.at(static_cast<std::size_t>(axis));
+  return this->effects_.at(static_cast<std::size_t>(block - 1)).told.at(static_cast<std::size_t>(axis));
 }
 
 } // namespace palpate::test
