@@ -34,6 +34,30 @@ const char* missingDirections(DeviceClass deviceClass) noexcept
 
 } // namespace
 
+const char* whyNotHeld(HeldProof proof) noexcept
+{
+  switch (proof)
+  {
+    case HeldProof::Unfelt:
+      return "no check of the device has felt them yet";
+    case HeldProof::Felt:
+      return "";
+    case HeldProof::WrongWay:
+      return "its check felt one that pulls the hand through";
+    case HeldProof::NoForce:
+      return "its check felt one that does nothing";
+    case HeldProof::WrongSize:
+      return "its check felt one that is more than a quarter softer or stiffer than asked for";
+    case HeldProof::Drives:
+      return "its check felt its viscosity drive the hand on";
+    case HeldProof::NoBrake:
+      return "its check felt no viscosity";
+    case HeldProof::Unclear:
+      return "its check could not tell: the hand did not stay the same";
+  }
+  return "";
+}
+
 std::string shortcomings(const DeviceInfo& device)
 {
   std::string text;
@@ -51,10 +75,17 @@ std::string shortcomings(const DeviceInfo& device)
   add(text, abilities.sensedAxes == 2, "It moves along x and y only.");
   const bool real = device.rendersForce && !device.simulated;
   const bool pushes = device.deviceClass != DeviceClass::Vibration0D;
-  add(text, real && pushes && !abilities.holdsWalls, "It holds no walls by itself: the program closes them, softer.");
+  const bool doubted = device.offersWalls && !device.closesWalls();
+  add(text, real && pushes && !abilities.holdsWalls && !doubted,
+    "It holds no walls by itself: the program closes them, softer.");
   add(text, real && pushes && abilities.holdsWalls && !abilities.viscous,
     "It holds walls without viscosity, in which corridors shake: the program closes them, softer.");
-  add(text, real && pushes && !abilities.holdsWalls && !abilities.viscous, "It has no viscosity.");
+  add(text, real && pushes && !abilities.holdsWalls && !abilities.viscous && !doubted, "It has no viscosity.");
+  if (real && pushes && doubted)
+  {
+    text += (text.empty() ? "" : " ") + std::string("It offers to hold walls by itself, but ") +
+            whyNotHeld(device.heldProof) + ": the program closes them, softer.";
+  }
   add(text, real && pushes && !abilities.signals, "It cannot shake.");
   return text;
 }

@@ -10,9 +10,15 @@ namespace palpate
 namespace
 {
 
+/// Axes that nobody checked stay as they are; those of a wheel beside its one move and push nothing.
+Mat3 unchecked(const Calibration& calibration)
+{
+  return calibration.axisCount == 1 ? Mat3(Mat3::Zero()) : Mat3(Mat3::Identity());
+}
+
 Mat3 sensorsOf(const Calibration& calibration)
 {
-  Mat3 sensors = Mat3::Identity();
+  Mat3 sensors = unchecked(calibration);
   for (int i = 0; i < calibration.axisCount; ++i)
   {
     const AxisCalibration& axis = calibration.axes[static_cast<std::size_t>(i)];
@@ -24,7 +30,7 @@ Mat3 sensorsOf(const Calibration& calibration)
 
 Mat3 motorsOf(const Calibration& calibration)
 {
-  Mat3 motors = Mat3::Identity();
+  Mat3 motors = unchecked(calibration);
   for (int i = 0; i < calibration.axisCount; ++i)
   {
     const AxisCalibration& axis = calibration.axes[static_cast<std::size_t>(i)];
@@ -56,11 +62,20 @@ DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration)
     radius_m = std::min(radius_m, 0.5 * (axis.high_m - axis.low_m));
   }
   info.workspaceRadius_m = { radius_m, true };
+  if (!info.simulated)
+  {
+    info.heldProof = calibration.held;
+  }
+  if (calibration.axisCount == 1 && info.deviceClass == DeviceClass::Joystick2D)
+  {
+    info.deviceClass = DeviceClass::Wheel1D;
+    info.abilities.sensedAxes = 1;
+  }
   return info;
 }
 
 CalibratedDevice::CalibratedDevice(std::unique_ptr<HapticDevice> device, const Calibration& calibration)
-  : device_(std::move(device)), info_(calibratedInfo(this->device_->info(), calibration)),
+  : device_(std::move(device)), calibration_(calibration), info_(calibratedInfo(this->device_->info(), calibration)),
     sensors_(sensorsOf(calibration)), motors_(motorsOf(calibration)), middle_D_(middleOf(calibration))
 {
 }
@@ -68,9 +83,8 @@ CalibratedDevice::CalibratedDevice(std::unique_ptr<HapticDevice> device, const C
 std::string CalibratedDevice::open()
 {
   std::string problem = this->device_->open();
-  const DeviceQuantity radius_m = this->info_.workspaceRadius_m;
-  this->info_ = this->device_->info(); // some devices know what they can do only once they are open
-  this->info_.workspaceRadius_m = radius_m;
+  // Some devices know what they can do only once they are open.
+  this->info_ = calibratedInfo(this->device_->info(), this->calibration_);
   return problem;
 }
 
@@ -91,6 +105,7 @@ void CalibratedDevice::write(const DeviceCommand& command) noexcept
 {
   DeviceCommand raw = command;
   raw.wrench_D.force = this->motors_ * command.wrench_D.force;
+  raw.wallMotors = this->motors_ * command.wallMotors * this->sensors_;
   // The device measures its own walls along its own axes.
   for (std::size_t i = 0; i < std::min<std::size_t>(raw.wallCount, raw.walls.size()); ++i)
   {

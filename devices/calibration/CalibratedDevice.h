@@ -10,7 +10,8 @@
 namespace palpate
 {
 
-/// What a device says of itself once its ends are known: its workspace is the largest ball between them.
+/// What a device says of itself once it was checked: its workspace is the largest ball between its ends, walls are left
+/// to it if they were felt, and with one axis it is a wheel. A simulated device's walls need no proof.
 [[nodiscard]] DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration);
 
 /// A device seen through its calibration: x is to the right, y up or away, z towards the person, the middle of its
@@ -32,6 +33,7 @@ public:
 
 private:
   std::unique_ptr<HapticDevice> device_;
+  Calibration calibration_;
   DeviceInfo info_;
   Mat3 sensors_;  ///< from the driver's axes to D: a permutation with signs
   Mat3 motors_;   ///< from D to the driver's axes of force

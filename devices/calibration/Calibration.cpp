@@ -12,10 +12,12 @@ namespace
 {
 
 constexpr std::string_view firstLine = "palpate calibration ";
-constexpr std::string_view version = "1";
+constexpr std::string_view version = "2", formerVersion = "1";
 constexpr std::string_view axisNames = "xyz";
 constexpr std::size_t longestText = 4096;
 constexpr std::size_t longestName = 256;
+constexpr std::array<std::string_view, 8> heldWords{ "unfelt", "felt", "wrong-way", "no-force", "wrong-size", "drives",
+  "no-brake", "unclear" }; // in the order of HeldProof
 constexpr double farthest_m = 100.0;
 constexpr double strongest = 1000.0;
 
@@ -131,6 +133,15 @@ public:
     return minus ? -1 : 1;
   }
 
+  HeldProof held()
+  {
+    const std::string_view word = this->rest_.substr(0, this->rest_.find('\n'));
+    const auto found = std::find(heldWords.begin(), heldWords.end(), word);
+    this->require(found != heldWords.end());
+    this->skip(word.size());
+    return this->ok_ ? static_cast<HeldProof>(found - heldWords.begin()) : HeldProof::Unfelt;
+  }
+
   void require(bool holds) { this->ok_ = this->ok_ && holds; }
 
 private:
@@ -187,6 +198,9 @@ Calibration readAll(Reader& reader)
     calibration.axes[static_cast<std::size_t>(calibration.axisCount)] = readAxis(reader, calibration.axisCount);
     ++calibration.axisCount;
   }
+  reader.literal("held ");
+  calibration.held = reader.held();
+  reader.newLine();
   reader.literal("end");
   reader.newLine();
   reader.require(reader.atEnd());
@@ -209,11 +223,12 @@ std::string Calibration::refusal() const
   {
     return "it has no axis, or more than three";
   }
+  const int known = std::max(2, this->axisCount); // a wheel may call itself a stick
   int sensors = 0, motors = 0;
   for (int i = 0; i < this->axisCount; ++i)
   {
     const AxisCalibration& axis = this->axes[static_cast<std::size_t>(i)];
-    const std::string wrong = refusalOf(axis, this->axisCount);
+    const std::string wrong = refusalOf(axis, known);
     if (!wrong.empty())
     {
       return "axis " + std::string(1, axisNames[static_cast<std::size_t>(i)]) + ' ' + wrong;
@@ -222,7 +237,7 @@ std::string Calibration::refusal() const
     motors |= 1 << axis.motor;
   }
   const int each = (1 << this->axisCount) - 1;
-  return sensors == each && motors == each ? "" : "two axes share a sensor or a motor";
+  return this->axisCount == 1 || (sensors == each && motors == each) ? "" : "two axes share a sensor or a motor";
 }
 
 std::string writeCalibration(const Calibration& calibration)
@@ -237,7 +252,7 @@ std::string writeCalibration(const Calibration& calibration)
             " motor " + signedAxis(axis.motor, axis.motorSign) + " response " + number(axis.response_m_per_N) +
             " strength " + number(axis.strength) + '\n';
   }
-  return text + "end\n";
+  return text + "held " + std::string(heldWords[static_cast<std::size_t>(calibration.held)]) + "\nend\n";
 }
 
 ParsedCalibration parseCalibration(std::string_view text)
@@ -249,6 +264,10 @@ ParsedCalibration parseCalibration(std::string_view text)
   if (!text.starts_with(firstLine))
   {
     return { std::nullopt, "it is not a calibration" };
+  }
+  if (text.substr(firstLine.size()).starts_with(std::string(formerVersion) + '\n'))
+  {
+    return { std::nullopt, "it was made before forces came from where effects say: its directions mean something else" };
   }
   if (!text.substr(firstLine.size()).starts_with(std::string(version) + '\n'))
   {

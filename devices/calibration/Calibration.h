@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "haptics/core/DeviceInfo.h"
+
 namespace palpate
 {
 
@@ -33,8 +35,9 @@ struct Calibration
   std::string device; ///< the factory's name
   std::string serial; ///< empty where the device has none
   std::string date;   ///< YYYY-MM-DD
-  int axisCount = 0;  ///< the first ones of D have force and are valid: 1 .. 3
+  int axisCount = 0;  ///< the first ones of D have force and are valid: 1 .. 3; 1: it is a wheel, whatever it says
   std::array<AxisCalibration, mostAxes> axes{};
+  HeldProof held = HeldProof::Unfelt; ///< of the walls and the viscosity that it closes by itself
 
   /// Empty, or one phrase that names what cannot be: an axis twice, no range, a number that is not finite.
   [[nodiscard]] std::string refusal() const;
@@ -44,12 +47,15 @@ struct Calibration
 
 /// A calibration as text, a line a fact, numbers exact:
 ///
-///     palpate calibration 1
+///     palpate calibration 2
 ///     device NAME
 ///     serial TEXT
 ///     date YYYY-MM-DD
 ///     axis x sensor y- low -0.05 high 0.048 motor x+ response 0.002 strength 1
+///     held felt
 ///     end
+///
+/// Version 1 was written while effects pointed where their force came from: its signs mean something else.
 [[nodiscard]] std::string writeCalibration(const Calibration& calibration);
 
 /// The reverse, strict: everything is there, in this order, and nothing else.

@@ -17,24 +17,25 @@ namespace
 constexpr double still_s = 0.5;     // this long still counts as having stopped
 constexpr double settled_s = 0.25;  // and this long before a push
 constexpr double noise_s = 1.0;     // watched for noise
-constexpr double brace_s = 1.1;     // a device's spring comes within a second
+constexpr double brace_s = 0.5;     // by then a device's walls may push with a tenth of its force
 constexpr double patience_s = 30.0; // with a person who is to move it
 constexpr double restless_s = 8.0;  // with one who is to hold still
 constexpr double silent_s = 30.0;   // with a device that says where the hand is once it is moved
 constexpr double latest_s = 0.020;  // between two ticks under force
 constexpr double leaves = 0.1;      // radii: less is not going to an end
 constexpr double middleHalf = 0.6;  // of the way to an end
-constexpr int warmUps = 2;
+constexpr double shake_s = 0.3;
+constexpr double brakedFor_s = 0.05; // what viscosity makes a resting hand lag by
+constexpr int firstCompared = 4;     // rounds of a motor, after which it is known what it moves
 
-int roundsOf(const SelfTestPlan& plan)
+const PushRound& roundOf(const SelfTestState& state) noexcept
 {
-  return plan.holdsWalls ? 3 * 2 : 2 * 2;
+  return pushRounds[std::min(static_cast<std::size_t>(state.round), pushRounds.size() - 1)];
 }
 
-/// The first four rounds go against the device's own spring where it has one; there nothing can run away.
-bool isHeld(const SelfTestPlan& plan, const SelfTestState& state)
+bool isHeld(PushKind kind) noexcept
 {
-  return plan.holdsWalls && state.round < 2 * 2;
+  return kind == PushKind::Wall || kind == PushKind::Braked;
 }
 
 double stillWithin_m(const SelfTestPlan& plan)
@@ -83,6 +84,7 @@ void follow(const SelfTestPlan& plan, const Vec3& p_D, double dt_s, SelfTestStat
 void awaitHand(double dt_s, SelfTestState& state) noexcept
 {
   state.waiting_s += dt_s;
+  state.seen = false;
   if (state.waiting_s > silent_s)
   {
     end(state, SelfTestVerdict::Inconclusive, SelfTestReason::Silent);
@@ -91,7 +93,16 @@ void awaitHand(double dt_s, SelfTestState& state) noexcept
 
 bool givesForce(const SelfTestState& state)
 {
-  return state.stage == SelfTestStage::Brace || state.stage == SelfTestStage::Push;
+  return state.stage == SelfTestStage::Brace || state.stage == SelfTestStage::Push ||
+         state.stage == SelfTestStage::Shake;
+}
+
+/// No hand is carried further than the workspace between two ticks, nor many times past its end.
+bool isImpossible(const SelfTestPlan& plan, const Vec3& p_D, double dt_s, const SelfTestState& state) noexcept
+{
+  constexpr double farOutside = 10.0;
+  const bool leaps = state.seen && dt_s <= latest_s && (p_D - state.last_D).norm() > plan.radius_m;
+  return leaps || p_D.cwiseAbs().maxCoeff() > farOutside * plan.radius_m;
 }
 
 SelfTestReason danger(
@@ -144,17 +155,20 @@ bool sensorIsTaken(const SelfTestPlan& plan, const SelfTestState& state) noexcep
   return false;
 }
 
-void awaitEnd(const SelfTestPlan& plan, SelfTestState& state) noexcept
+/// Nobody moved it. A second axis of two may not be there: a wheel that calls itself a stick.
+void giveUpEnd(const SelfTestPlan& plan, SelfTestState& state) noexcept
 {
-  const bool moved = (state.last_D - state.from_D).cwiseAbs().maxCoeff() >= leaves * plan.radius_m;
-  if (!moved || state.still_s < still_s)
+  if (plan.axes != 2 || state.axis != 1)
   {
-    if (state.stage_s > patience_s)
-    {
-      end(state, SelfTestVerdict::Inconclusive, SelfTestReason::NotMoved);
-    }
+    end(state, SelfTestVerdict::Inconclusive, SelfTestReason::NotMoved);
     return;
   }
+  state.oneAxis = true;
+  enter(state, SelfTestStage::Middle);
+}
+
+void keepEnd(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
   const auto at = static_cast<std::size_t>(state.axis);
   (state.up ? state.high_D : state.low_D)[at] = state.last_D;
   if (!state.up)
@@ -170,12 +184,25 @@ void awaitEnd(const SelfTestPlan& plan, SelfTestState& state) noexcept
   }
   state.up = false;
   ++state.axis;
-  enter(state, state.axis < plan.axes ? SelfTestStage::End : SelfTestStage::Middle);
+  enter(state, state.axis < state.axes(plan) ? SelfTestStage::End : SelfTestStage::Middle);
+}
+
+void awaitEnd(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  const bool moved = (state.last_D - state.from_D).cwiseAbs().maxCoeff() >= leaves * plan.radius_m;
+  if (moved && state.still_s >= still_s)
+  {
+    keepEnd(plan, state);
+  }
+  else if (state.stage_s > patience_s)
+  {
+    giveUpEnd(plan, state);
+  }
 }
 
 bool inMiddle(const SelfTestPlan& plan, const SelfTestState& state) noexcept
 {
-  for (int axis = 0; axis < plan.axes; ++axis)
+  for (int axis = 0; axis < state.axes(plan); ++axis)
   {
     const AxisFinding found = findAxis(plan, state, axis);
     const double half_m = 0.5 * (found.high_m - found.low_m);
@@ -192,7 +219,6 @@ void awaitMiddle(const SelfTestPlan& plan, SelfTestState& state) noexcept
   if (state.still_s >= still_s && inMiddle(plan, state))
   {
     state.axis = state.round = 0;
-    state.up = true;
     enter(state, SelfTestStage::Settle);
   }
   else if (state.stage_s > patience_s)
@@ -207,11 +233,11 @@ void beginPush(SelfTestState& state) noexcept
   state.record.begin(state.last_D);
 }
 
-void awaitSettled(const SelfTestPlan& plan, SelfTestState& state) noexcept
+void awaitSettled(SelfTestState& state) noexcept
 {
   if (state.still_s >= settled_s)
   {
-    isHeld(plan, state) ? enter(state, SelfTestStage::Brace) : beginPush(state);
+    isHeld(roundOf(state).kind) ? enter(state, SelfTestStage::Brace) : beginPush(state);
   }
   else if (state.stage_s > restless_s)
   {
@@ -219,50 +245,98 @@ void awaitSettled(const SelfTestPlan& plan, SelfTestState& state) noexcept
   }
 }
 
-void judgeMotors(const SelfTestPlan& plan, SelfTestState& state) noexcept
+bool applies(const SelfTestPlan& plan, const SelfTestState& state) noexcept
 {
-  bool dead = false;
-  int moved = 0;
-  for (int motor = 0; motor < plan.axes; ++motor)
+  const PushKind kind = roundOf(state).kind;
+  if (kind == PushKind::WarmUp || kind == PushKind::Free)
   {
-    const MotorFinding found = findMotor(plan, state, motor);
-    const int bit = found.motion == MotorMotion::Clear ? 1 << found.sensor : 0;
-    if (found.motion == MotorMotion::Unclear || (moved & bit) != 0)
-    {
-      end(state, SelfTestVerdict::Inconclusive, SelfTestReason::PushUnclear);
-      return;
-    }
-    dead = dead || found.motion == MotorMotion::None;
-    moved |= bit;
+    return true;
   }
-  end(state, dead ? SelfTestVerdict::Faulty : SelfTestVerdict::Passed,
-    dead ? SelfTestReason::NoMotion : SelfTestReason::None);
+  if (kind == PushKind::Lapse)
+  {
+    return plan.effectsEndAfter_s > 0.0;
+  }
+  return plan.offersWalls && state.broke == HeldProof::Unfelt;
 }
 
-/// The first pushes of a motor only loosen it: friction keeps a hand where it last came from.
-void endPush(const SelfTestPlan& plan, SelfTestState& state) noexcept
+void finish(const SelfTestPlan& plan, SelfTestState& state) noexcept
 {
-  if (state.round >= warmUps)
+  const SelfTestReason reason = judgePushes(plan, state);
+  const bool unknown = reason == SelfTestReason::PushUnclear || reason == SelfTestReason::Fades ||
+                       reason == SelfTestReason::NotMoved;
+  end(state,
+    reason == SelfTestReason::None ? SelfTestVerdict::Passed
+    : unknown                      ? SelfTestVerdict::Inconclusive
+                                   : SelfTestVerdict::Faulty,
+    reason);
+}
+
+/// The next push that there is something to learn from. What does not answer as it should is pushed no more.
+void nextRound(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  constexpr auto all = static_cast<int>(pushRounds.size());
+  do
   {
-    MotorAnswers& answers = state.motors[static_cast<std::size_t>(state.axis)];
-    auto& kept = (isHeld(plan, state) ? answers.held : answers.free)[state.up ? 0 : 1];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      kept[static_cast<std::size_t>(axis)] = state.record.answer(axis, state.up ? plan.push_N : -plan.push_N);
-    }
+    ++state.round;
+  } while (state.round < all && !applies(plan, state));
+  if (state.round >= firstCompared && findMotor(plan, state, state.axis, 1).motion != MotorMotion::Clear)
+  {
+    state.round = all;
   }
-  state.up = !state.up;
-  if (++state.round == roundsOf(plan))
+  if (state.round >= all)
   {
     state.round = 0;
     ++state.axis;
   }
   if (state.axis < plan.axes)
   {
-    enter(state, SelfTestStage::Settle);
+    state.stage = SelfTestStage::Settle;
+    state.stage_s = 0.0; // it may have been still since before
     return;
   }
-  judgeMotors(plan, state);
+  state.axis = 0;
+  plan.shakes ? enter(state, SelfTestStage::Shake) : finish(plan, state);
+}
+
+std::array<PushAnswer, 3>* answersOf(SelfTestState& state) noexcept
+{
+  const PushRound& round = roundOf(state);
+  MotorAnswers& answers = state.motors[static_cast<std::size_t>(state.axis)];
+  const std::size_t direction = round.up ? 0 : 1;
+  switch (round.kind)
+  {
+    case PushKind::WarmUp:
+      return nullptr;
+    case PushKind::Free:
+      return &answers.free[round.repetition][direction];
+    case PushKind::Wall:
+      return &answers.walls[round.repetition][direction];
+    case PushKind::Braked:
+      return &answers.braked[round.repetition][direction];
+    case PushKind::Lapse:
+      return &answers.lapse;
+  }
+  return nullptr;
+}
+
+void endPush(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  if (std::array<PushAnswer, 3>* const kept = answersOf(state))
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      (*kept)[static_cast<std::size_t>(axis)] =
+        state.record.answer(axis, roundOf(state).up ? plan.push_N : -plan.push_N);
+    }
+  }
+  nextRound(plan, state);
+}
+
+void endShake(const SelfTestPlan& plan, SelfTestState& state) noexcept
+{
+  const double wandered_m = (state.most_D - state.least_D).maxCoeff();
+  state.shake = wandered_m > leastMotion_m(plan, state) ? ShakeFinding::Seen : ShakeFinding::Unseen;
+  finish(plan, state);
 }
 
 void advance(const SelfTestPlan& plan, SelfTestState& state) noexcept
@@ -276,46 +350,81 @@ void advance(const SelfTestPlan& plan, SelfTestState& state) noexcept
     case SelfTestStage::Middle:
       return awaitMiddle(plan, state);
     case SelfTestStage::Settle:
-      return awaitSettled(plan, state);
+      return awaitSettled(state);
     case SelfTestStage::Brace:
       return state.stage_s >= brace_s ? beginPush(state) : void();
     case SelfTestStage::Push:
       state.record.add(state.stage_s, state.last_D);
-      return state.stage_s >= push::all_s ? endPush(plan, state) : void();
+      return state.stage_s >= push::all_s ? enter(state, SelfTestStage::Rest) : void();
+    case SelfTestStage::Rest:
+      state.record.add(push::all_s + state.stage_s, state.last_D);
+      return state.stage_s >= push::rest_s ? endPush(plan, state) : void();
+    case SelfTestStage::Shake:
+      return state.stage_s >= shake_s ? endShake(plan, state) : void();
     case SelfTestStage::Done:
       return;
   }
 }
 
-/// Two opposite walls through the hand along each axis are a spring.
-void holdSpring(const SelfTestPlan& plan, const Vec3& at_D, DeviceCommand& command) noexcept
+/// Where the hand rests, against the way that the push goes; no harder than the push.
+void holdWall(const SelfTestPlan& plan, const SelfTestState& state, DeviceCommand& command) noexcept
 {
-  const int axes = std::min<int>(plan.axes, static_cast<int>(command.walls.size() / 2));
-  for (int axis = 0; axis < axes; ++axis)
-  {
-    const Vec3 along_D = Vec3::Unit(axis);
-    command.walls[command.wallCount++] = { along_D, at_D[axis], plan.spring_N_per_m };
-    command.walls[command.wallCount++] = { -along_D, -at_D[axis], plan.spring_N_per_m };
-  }
+  const MotorFinding motor = findMotor(plan, state, state.axis, 1);
+  const Vec3 against_D = (roundOf(state).up ? -motor.sign : motor.sign) * Vec3::Unit(motor.sensor);
+  command.walls[command.wallCount++] = { against_D, against_D.dot(state.from_D),
+    wallStiffness_N_per_m(plan, state, state.axis), plan.push_N };
+}
+
+void brake(const SelfTestPlan& plan, const SelfTestState& state, DeviceCommand& command) noexcept
+{
+  command.viscosity_Ns_per_m = brakedFor_s / findMotor(plan, state, state.axis, 1).response_m_per_N;
+  command.brakeLargest_N = plan.push_N;
 }
 
 DeviceCommand commandOf(const SelfTestPlan& plan, const SelfTestState& state) noexcept
 {
   DeviceCommand command;
+  const PushRound& round = roundOf(state);
+  command.lapses = round.kind == PushKind::Lapse &&
+                   ((state.stage == SelfTestStage::Push && state.stage_s >= push::lapse_s) ||
+                     state.stage == SelfTestStage::Rest);
   if (!givesForce(state))
   {
     return command;
   }
-  if (isHeld(plan, state))
+  if (state.stage == SelfTestStage::Shake)
   {
-    holdSpring(plan, state.from_D, command);
+    command.signal = Signal::Oscillation;
+    return command;
+  }
+  if (isHeld(round.kind))
+  {
+    round.kind == PushKind::Wall ? holdWall(plan, state, command) : brake(plan, state, command);
   }
   if (state.stage == SelfTestStage::Push)
   {
-    const double force_N = plan.push_N * push::share(state.stage_s);
-    command.wrench_D.force = (state.up ? force_N : -force_N) * Vec3::Unit(state.axis);
+    const bool lapse = round.kind == PushKind::Lapse;
+    const double force_N =
+      plan.push_N * (lapse ? push::lapsingShare(state.stage_s) : push::share(state.stage_s));
+    command.wrench_D.force = (round.up ? force_N : -force_N) * Vec3::Unit(state.axis);
   }
   return command;
+}
+
+/// What the device holds by itself may take the hand away: then it holds nothing any more, and the test goes on.
+void judgeDanger(const SelfTestPlan& plan, SelfTestReason danger, SelfTestState& state) noexcept
+{
+  const PushKind kind = roundOf(state).kind;
+  const bool ranAway = danger == SelfTestReason::TooFar || danger == SelfTestReason::TooFast;
+  if (state.stage == SelfTestStage::Shake || !isHeld(kind) || !ranAway)
+  {
+    end(state, SelfTestVerdict::Aborted, danger);
+    return;
+  }
+  state.broke = kind == PushKind::Wall ? HeldProof::WrongWay : HeldProof::Drives;
+  nextRound(plan, state);
+  state.still_s = 0.0;
+  state.least_D = state.most_D = state.last_D;
 }
 
 int axesOf(const DeviceInfo& device)
@@ -337,18 +446,20 @@ int axesOf(const DeviceInfo& device)
 
 } // namespace
 
-SelfTestPlan SelfTestPlan::forDevice(const DeviceInfo& device, const DeadMan& deadMan)
+SelfTestPlan SelfTestPlan::forDevice(const DeviceInfo& device, const DeadMan& deadMan, bool wheel)
 {
-  constexpr double assumedForce_N = 5.0, shareOfForce = 0.1, shareOfWay = 0.35, springGivesWay = 0.1;
+  constexpr double assumedForce_N = 5.0, shareOfForce = 0.1, shareOfWay = 0.35;
   SelfTestPlan plan;
   plan.axes = device.rendersForce && device.causality == Causality::Impedance ? axesOf(device) : 0;
-  plan.wheel = device.deviceClass == DeviceClass::Wheel1D;
-  plan.holdsWalls = device.abilities.holdsWalls && plan.axes <= 2;
+  plan.wheel = wheel || device.deviceClass == DeviceClass::Wheel1D;
+  plan.offersWalls = device.abilities.offersWalls() && plan.axes <= 2;
+  plan.shakes = device.abilities.signals;
+  plan.effectsEndAfter_s = device.effectsEndAfter_s;
   plan.simulated = device.simulated;
   plan.radius_m = device.workspaceRadius_m.value;
   plan.resolution_m = device.resolution_m.value;
   plan.push_N = shareOfForce * std::min(device.maxForce_N.value, assumedForce_N);
-  plan.spring_N_per_m = std::min(plan.push_N / (springGivesWay * plan.radius_m), device.maxStiffness_N_per_m.value);
+  plan.stiffest_N_per_m = device.heldStiffness_N_per_m.value;
   plan.farthest_m = shareOfWay * plan.radius_m;
   plan.fastest_m_per_s = handLimits(plan.radius_m, plan.push_N).speed_m_per_s;
   plan.deadMan = deadMan;
@@ -383,11 +494,16 @@ DeviceCommand stepSelfTest(
     return {};
   }
   state.waiting_s = 0.0;
+  if (isImpossible(plan, sample.pose_D.p, dt_s, state))
+  {
+    end(state, SelfTestVerdict::Aborted, SelfTestReason::Impossible);
+    return {};
+  }
   follow(plan, sample.pose_D.p, dt_s, state);
   const SelfTestReason unexpected = danger(plan, sample, dt_s, state);
   if (unexpected != SelfTestReason::None)
   {
-    end(state, SelfTestVerdict::Aborted, unexpected);
+    judgeDanger(plan, unexpected, state);
     return {};
   }
   advance(plan, state);
@@ -404,7 +520,8 @@ void stopSelfTest(SelfTestState& state) noexcept
 
 double selfTestProgress(const SelfTestPlan& plan, const SelfTestState& state) noexcept
 {
-  const int ends = 2 * plan.axes, pushes = plan.axes * roundsOf(plan), all = 1 + ends + 1 + pushes;
+  constexpr auto rounds = static_cast<int>(pushRounds.size());
+  const int ends = 2 * (plan.wheel ? 1 : plan.axes), all = 1 + ends + 1 + plan.axes * rounds + 1;
   int done = 0;
   switch (state.stage)
   {
@@ -419,7 +536,11 @@ double selfTestProgress(const SelfTestPlan& plan, const SelfTestState& state) no
     case SelfTestStage::Settle:
     case SelfTestStage::Brace:
     case SelfTestStage::Push:
-      done = 1 + ends + 1 + state.axis * roundsOf(plan) + state.round;
+    case SelfTestStage::Rest:
+      done = 1 + ends + 1 + state.axis * rounds + state.round;
+      break;
+    case SelfTestStage::Shake:
+      done = all - 1;
       break;
     case SelfTestStage::Done:
       done = all;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "devices/calibration/GentlePush.h"
+#include "devices/calibration/SelfTestRounds.h"
 #include "haptics/core/DeviceCommand.h"
 #include "haptics/core/DeviceInfo.h"
 #include "haptics/core/DeviceSample.h"
@@ -18,32 +19,38 @@ namespace palpate
 /// What a self-test may do with a device. Fixed while it runs.
 struct SelfTestPlan
 {
-  int axes = 0; ///< with force, 1 .. 3; 0: there is nothing to test
-  bool wheel = false;
-  bool holdsWalls = false; ///< the device can hold a spring by itself
-  bool simulated = false;  ///< ticks may come late
-  double radius_m = 0.0;   ///< of the workspace, as it is assumed so far
+  int axes = 0;             ///< with force, 1 .. 3; 0: there is nothing to test
+  bool wheel = false;       ///< it has one axis, however many it says it has
+  bool offersWalls = false; ///< with viscosity
+  bool shakes = false;
+  bool simulated = false;         ///< ticks may come late
+  double effectsEndAfter_s = 0.0; ///< unless they are renewed; 0: they do not end
+  double radius_m = 0.0;          ///< of the workspace, as it is assumed so far
   double resolution_m = 0.0;
   double push_N = 0.0;          ///< at most a tenth of the device's largest force
-  double spring_N_per_m = 0.0;  ///< that the device holds during half of the pushes
+  double stiffest_N_per_m = 0.0; ///< of the walls that the device holds
   double farthest_m = 0.0;      ///< a push that moves the hand further ends the test
   double fastest_m_per_s = 0.0; ///< and so does a faster hand under force
   DeadMan deadMan;
 
-  [[nodiscard]] static SelfTestPlan forDevice(const DeviceInfo& device, const DeadMan& deadMan = {});
+  /// `wheel`: the person says that it is one.
+  [[nodiscard]] static SelfTestPlan forDevice(
+    const DeviceInfo& device, const DeadMan& deadMan = {}, bool wheel = false);
   /// Empty, or one sentence why this device cannot be tested.
   [[nodiscard]] std::string refusal() const;
 };
 
-/// What the test waits for, in this order; Settle to Push again for each push of each motor.
+/// What the test waits for, in this order; Settle to Rest again for each push of each motor.
 enum class SelfTestStage : std::uint8_t
 {
   Still,  ///< the hand holds still
   End,    ///< the hand goes to one end of an axis
   Middle, ///< the hand lets it rest in the middle
   Settle, ///< the hand holds still before a push
-  Brace,  ///< the device holds its spring where the hand is, before a push against it
+  Brace,  ///< the device holds its wall where the hand is, or brakes, before a push against that
   Push,
+  Rest,  ///< without force; what the push still does is watched
+  Shake, ///< the device vibrates
   Done,
 };
 
@@ -51,7 +58,7 @@ enum class SelfTestVerdict : std::uint8_t
 {
   None, ///< it still runs
   Passed,
-  Faulty,       ///< a motor does not move its axis
+  Faulty,       ///< a motor does not move its axis, or not as a device should
   Inconclusive, ///< the hand did not do what was asked, so nothing is known
   Aborted,      ///< something unexpected: the force was taken away at once
 };
@@ -66,21 +73,40 @@ enum class SelfTestReason : std::uint8_t
   NotInMiddle,  ///< the hand did not bring it back
   PushUnclear,  ///< what it did was not what the pushes ask for: the hand moves by itself
   NoMotion,     ///< a motor moves nothing
+  BothAxes,     ///< one motor moves two axes
+  SharedAxis,   ///< two motors move one axis
+  AnswersLate,  ///< it is moved after the push is over
+  Sometimes,    ///< it is moved by some pushes only
+  Fades,        ///< the second time it was moved much less
+  NoExpiry,     ///< what is not renewed goes on
   TooFar,
   TooFast,
   NotFinite,
+  Impossible, ///< the hand is where or as fast as no hand can be
   Lost,
-  Late,
+  Late, ///< the computer
   LetGo,
   Stopped, ///< by the person
   Silent,  ///< the device never said where the hand is
 };
 
 /// Pushes of one motor along both directions: [0] up, [1] down, each with what all three axes did.
+using PushPair = std::array<std::array<PushAnswer, 3>, 2>;
+
+/// Twice, of each kind.
 struct MotorAnswers
 {
-  std::array<std::array<PushAnswer, 3>, 2> free{};
-  std::array<std::array<PushAnswer, 3>, 2> held{}; ///< against the device's own spring
+  std::array<PushPair, 2> free{};
+  std::array<PushPair, 2> walls{};
+  std::array<PushPair, 2> braked{};
+  std::array<PushAnswer, 3> lapse{};
+};
+
+enum class ShakeFinding : std::uint8_t
+{
+  NotTried,
+  Unseen, ///< the hand did not move with it
+  Seen,
 };
 
 /// All that a self-test remembers. Copyable.
@@ -90,14 +116,17 @@ struct SelfTestState
   SelfTestVerdict verdict = SelfTestVerdict::None;
   SelfTestReason reason = SelfTestReason::None;
   int axis = 0;    ///< End: of D. Settle, Push: the motor
-  bool up = false; ///< End: the upper one. Push: a positive command
-  int round = 0;   ///< of the pushes of one motor
+  bool up = false; ///< End: the upper one
+  int round = 0;   ///< of the pushes of one motor, in pushRounds
   double stage_s = 0.0;
   double waiting_s = 0.0; ///< for how long the device has not said where the hand is; 0: it says so
 
   double noise_m = 0.0;                  ///< how far the position wandered while the hand held still
   std::array<Vec3, 3> low_D{}, high_D{}; ///< where the hand was at the ends of each axis
+  bool oneAxis = false;                  ///< of two nobody moved the second one
   std::array<MotorAnswers, 3> motors{};
+  HeldProof broke = HeldProof::Unfelt; ///< what the device holds by itself took the hand away: it holds nothing any more
+  ShakeFinding shake = ShakeFinding::NotTried;
 
   double still_s = 0.0; ///< for how long the position has not left the box from least_D to most_D
   Vec3 least_D = Vec3::Zero(), most_D = Vec3::Zero();
@@ -106,6 +135,12 @@ struct SelfTestState
   Vec3 velocity_D = Vec3::Zero(); ///< smoothed [m/s]
   bool seen = false;              ///< last_D is of the tick before
   PushRecord record;
+
+  /// Of the device, as far as they are there.
+  [[nodiscard]] int axes(const SelfTestPlan& plan) const noexcept
+  {
+    return plan.wheel || this->oneAxis ? 1 : plan.axes;
+  }
 };
 
 /// One tick of a self-test: (sample, plan, state) -> (state, command). Pure: no clock, no allocation, no lock. Without

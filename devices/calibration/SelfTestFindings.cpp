@@ -3,30 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <limits>
 
 namespace palpate
 {
 namespace
 {
 
-constexpr double weakest = 1.0 / 3.0; // of the strongest motor's response
-constexpr double shortest = 0.5;      // of the range that was assumed
-constexpr const char* axisNames = "xyz";
-
-const PushAnswer& along(const std::array<std::array<PushAnswer, 3>, 2>& answers, int direction, int axis)
+const PushAnswer& along(const PushPair& answers, std::size_t direction, int axis)
 {
-  return answers[static_cast<std::size_t>(direction)][static_cast<std::size_t>(axis)];
+  return answers[direction][static_cast<std::size_t>(axis)];
 }
 
-int movedMost(const SelfTestPlan& plan, const MotorAnswers& answers)
+/// The driver's axis along which both directions are furthest apart.
+int movedMost(const SelfTestPlan& plan, const PushPair& answers)
 {
   int most = 0;
-  double most_m = -1.0;
+  double most_m = 0.0;
   for (int axis = 0; axis < plan.axes; ++axis)
   {
-    const double apart_m = std::fabs(along(answers.free, 0, axis).moved_m - along(answers.free, 1, axis).moved_m);
+    const double apart_m = std::fabs(along(answers, 0, axis).moved_m - along(answers, 1, axis).moved_m);
     if (apart_m > most_m)
     {
       most = axis;
@@ -36,150 +31,189 @@ int movedMost(const SelfTestPlan& plan, const MotorAnswers& answers)
   return most;
 }
 
-/// Both ways alike, not before the force, and nothing else with it.
-bool isClear(const SelfTestPlan& plan, const MotorAnswers& answers, int axis, double least_m)
+/// Both ways, and about as far.
+bool isAlike(double up_m, double down_m, double least_m)
 {
-  constexpr double alike = 4.0, aside = 0.5, before = 0.25;
-  const double up_m = along(answers.free, 0, axis).moved_m, down_m = along(answers.free, 1, axis).moved_m;
+  constexpr double alike = 4.0;
   const double smaller_m = std::min(std::fabs(up_m), std::fabs(down_m));
   const double larger_m = std::max(std::fabs(up_m), std::fabs(down_m));
-  if ((up_m > 0.0) == (down_m > 0.0) || smaller_m < least_m || larger_m > alike * smaller_m)
+  return (up_m > 0.0) != (down_m > 0.0) && smaller_m >= least_m && larger_m <= alike * smaller_m;
+}
+
+/// What one pair of pushes shows.
+MotorMotion motionOf(const SelfTestPlan& plan, const PushPair& answers, int axis, double least_m)
+{
+  constexpr double aside = 0.5, before = 0.25;
+  const double up_m = along(answers, 0, axis).moved_m, down_m = along(answers, 1, axis).moved_m;
+  if (!isAlike(up_m, down_m, least_m))
   {
-    return false;
+    return MotorMotion::Unclear;
   }
-  for (int direction = 0; direction < 2; ++direction)
+  for (const std::size_t direction : { 0U, 1U })
   {
-    const double way_m = std::fabs(along(answers.free, direction, axis).moved_m);
-    if (along(answers.free, direction, axis).early_m > std::max(least_m, before * way_m))
+    const PushAnswer& answer = along(answers, direction, axis);
+    if (answer.early_m > std::max(least_m, before * std::fabs(answer.moved_m)))
     {
-      return false;
+      return MotorMotion::Unclear;
     }
     for (int other = 0; other < plan.axes; ++other)
     {
-      if (other != axis && std::fabs(along(answers.free, direction, other).moved_m) > aside * way_m + least_m)
+      const double other_m = std::fabs(along(answers, direction, other).moved_m);
+      if (other != axis && other_m > aside * std::fabs(answer.moved_m) + least_m)
       {
-        return false;
+        const double there_m = along(answers, 0, other).moved_m, back_m = along(answers, 1, other).moved_m;
+        return isAlike(there_m, back_m, least_m) ? MotorMotion::Mixed : MotorMotion::Unclear;
       }
     }
   }
-  return true;
+  return MotorMotion::Clear;
 }
 
-double meanResponse(const std::array<std::array<PushAnswer, 3>, 2>& answers, int axis)
+double mostMoved(const SelfTestPlan& plan, const PushAnswer* answers)
 {
-  return 0.5 * std::fabs(along(answers, 0, axis).response_m_per_N + along(answers, 1, axis).response_m_per_N);
+  double most_m = 0.0;
+  for (int axis = 0; axis < plan.axes; ++axis)
+  {
+    most_m = std::max(most_m, std::fabs(answers[axis].most_m));
+  }
+  return most_m;
 }
 
-/// A resting hand of stiffness K gives way by s / K per N that is asked for, and by s / (K + k) with the device's
-/// spring k beside it: two equations for the strength s and for K.
-double strengthOf(const SelfTestPlan& plan, const MotorAnswers& answers, int axis)
+/// How many of the pushes moved anything worth speaking of beside the others, ever.
+int pushesThatMoved(const SelfTestPlan& plan, const MotorAnswers& answers, int repetitions, double least_m)
 {
-  constexpr double steps = 5.0, leastDifference = 0.1;
-  const double free = meanResponse(answers.free, axis), held = meanResponse(answers.held, axis);
-  const double way_m =
-    std::min(std::fabs(along(answers.held, 0, axis).moved_m), std::fabs(along(answers.held, 1, axis).moved_m));
-  if (!plan.holdsWalls || way_m < steps * plan.resolution_m || !(free - held > leastDifference * free) || !(held > 0.0))
+  constexpr double worthMentioning = 0.2;
+  std::array<double, 4> ways_m{};
+  for (int i = 0; i < 2 * repetitions; ++i)
   {
-    return 0.0;
+    const auto at = static_cast<std::size_t>(i);
+    ways_m[at] = mostMoved(plan, answers.free[at / 2][at % 2].data());
   }
-  return plan.spring_N_per_m * free * held / (free - held);
+  const double enough_m = std::max(least_m, worthMentioning * *std::max_element(ways_m.begin(), ways_m.end()));
+  return static_cast<int>(
+    std::count_if(ways_m.begin(), ways_m.end(), [enough_m](double way_m) { return way_m >= enough_m; }));
 }
 
-std::string text(const char* format, double value)
+/// The hand was hardly there yet when the force was gone again.
+bool isLate(const PushPair& answers, int axis, double least_m)
 {
-  std::array<char, 64> line{};
-  std::snprintf(line.data(), line.size(), format, value);
-  return line.data();
+  const auto late = [&](const PushAnswer& answer)
+  { return std::fabs(answer.most_m) >= least_m && answer.reached_s > push::all_s; };
+  return late(along(answers, 0, axis)) && late(along(answers, 1, axis)) &&
+         (along(answers, 0, axis).most_m > 0.0) != (along(answers, 1, axis).most_m > 0.0);
 }
 
-std::string endName(const SelfTestPlan& plan, const SelfTestState& state)
+/// The axis along which the late motion of a pair is largest.
+int lateAxis(const SelfTestPlan& plan, const PushPair& answers)
 {
-  if (state.axis == 0)
+  int most = 0;
+  for (int axis = 1; axis < plan.axes; ++axis)
   {
-    return state.up ? "to the right" : "to the left";
+    most = std::fabs(along(answers, 0, axis).most_m) > std::fabs(along(answers, 0, most).most_m) ? axis : most;
   }
-  if (state.axis == 1 && plan.axes == 2)
-  {
-    return state.up ? "away from you" : "towards you";
-  }
-  if (state.axis == 1)
-  {
-    return state.up ? "up" : "down";
-  }
-  return state.up ? "towards you" : "away from you";
+  return most;
 }
 
-const char* because(SelfTestReason reason)
+double waysOf(const PushPair& answers, int axis)
 {
-  switch (reason)
-  {
-    case SelfTestReason::None:
-      return "";
-    case SelfTestReason::NeverStill:
-      return "the hand moves by itself: let it rest on the device, and try again";
-    case SelfTestReason::NotMoved:
-      return "it was not moved to the end that was asked for, or that axis is not measured";
-    case SelfTestReason::NotAlongAxis:
-      return "two ends of one axis did not lie along one axis of the device: move it straight from end to end";
-    case SelfTestReason::NotInMiddle:
-      return "it was not brought back to the middle";
-    case SelfTestReason::PushUnclear:
-      return "the hand did something else than the pushes: let it rest, hold the device loosely, and try again";
-    case SelfTestReason::NoMotion:
-      return "a motor moves nothing";
-    case SelfTestReason::TooFar:
-      return "a gentle push moved it too far: rest a hand on it; if one did, the device may push the wrong way";
-    case SelfTestReason::TooFast:
-      return "it moved faster than a gentle push can: rest a hand on it";
-    case SelfTestReason::NotFinite:
-      return "the device gave a position that is no number";
-    case SelfTestReason::Lost:
-      return "the device does not answer any more: is it plugged in?";
-    case SelfTestReason::Late:
-      return "the computer was too busy to push gently: close other programs, and try again";
-    case SelfTestReason::LetGo:
-      return "what must be held was let go";
-    case SelfTestReason::Stopped:
-      return "it was stopped";
-    case SelfTestReason::Silent:
-      return "the device has not said where the hand is: move it until it does, and try again";
-  }
-  return "";
+  return std::fabs(along(answers, 0, axis).moved_m - along(answers, 1, axis).moved_m);
 }
 
-std::string axisLine(const SelfTestPlan& plan, const SelfTestState& state, int axis)
+/// Far less than the first time.
+bool fades(const MotorAnswers& answers, int axis)
 {
-  const AxisFinding found = findAxis(plan, state, axis);
-  const double range_m = found.high_m - found.low_m;
-  std::string line = std::string(1, axisNames[axis]) + ": " + text("%.3g mm", 1e3 * range_m);
-  if (plan.resolution_m > 0.0)
-  {
-    line += text(", %.0f steps", range_m / plan.resolution_m);
-  }
-  if (range_m < shortest * 2.0 * plan.radius_m)
-  {
-    line += text(", less than half of the %.3g mm it was said to have", 2e3 * plan.radius_m);
-  }
-  if (found.sensor != axis)
-  {
-    line += std::string(", measured by the driver's ") + axisNames[found.sensor];
-  }
-  return line + (found.sign < 0 ? ", counted the other way" : "");
+  constexpr double stays = 0.6;
+  return waysOf(answers.free[1], axis) < stays * waysOf(answers.free[0], axis);
 }
 
-std::string motorLine(const SelfTestPlan& plan, const SelfTestState& state, int motor, double strongest)
+double responseOf(const std::array<PushPair, 2>& answers, int axis, int repetitions)
 {
-  const MotorFinding found = findMotor(plan, state, motor);
-  std::string line = std::string("motor ") + axisNames[motor] + ": ";
-  if (found.motion != MotorMotion::Clear)
+  double sum = 0.0;
+  for (int r = 0; r < repetitions; ++r)
   {
-    return line + text("moves nothing when it is asked for %.2g N", plan.push_N);
+    const PushPair& pair = answers[static_cast<std::size_t>(r)];
+    sum += along(pair, 0, axis).response_m_per_N + along(pair, 1, axis).response_m_per_N;
   }
-  line += std::string("moves the driver's ") + axisNames[found.sensor] +
-          text(" by %.2g mm per N", 1e3 * found.response_m_per_N);
-  line += found.sign < 0 ? ", the other way" : "";
-  line += found.response_m_per_N < weakest * strongest ? ", weak beside the strongest" : "";
-  return line + (found.strength > 0.0 ? text(", %.2f of what its own spring gives", found.strength) : "");
+  return std::fabs(sum) / (2.0 * repetitions);
+}
+
+/// A hand of stiffness K gives way by 1 / K per N that is asked for, and by 1 / (K + k) into a wall k: the stiffness
+/// of the wall as a share of what was asked for. A way of a few steps of the encoder says how stiff it is at least.
+struct WallSize
+{
+  double share = 0.0;
+  bool atLeast = false;
+};
+WallSize wallSize(const SelfTestPlan& plan, double asked_N_per_m, const PushAnswer& free, const PushAnswer& held)
+{
+  constexpr double steps = 5.0;
+  const double readable_m_per_N = steps * plan.resolution_m / plan.push_N;
+  const double free_m_per_N = std::fabs(free.response_m_per_N);
+  const bool sameWay = held.response_m_per_N * free.response_m_per_N > 0.0;
+  const double held_m_per_N = sameWay ? std::fabs(held.response_m_per_N) : 0.0;
+  const bool readable = held_m_per_N > 0.0 && std::fabs(held.moved_m) >= steps * plan.resolution_m;
+  const double way_m_per_N = readable ? held_m_per_N : std::max(readable_m_per_N, held_m_per_N);
+  return { way_m_per_N > 0.0 && free_m_per_N > 0.0
+             ? (1.0 / way_m_per_N - 1.0 / free_m_per_N) / asked_N_per_m
+             : 0.0,
+    !readable };
+}
+
+constexpr double rightWithin = 0.25;
+
+/// One side of an axis, from both repetitions.
+HeldProof judgeWall(const WallSize& first, const WallSize& second, double mean)
+{
+  if (first.atLeast || second.atLeast)
+  {
+    return std::min(first.share, second.share) > 1.0 + rightWithin ? HeldProof::WrongSize : HeldProof::Unclear;
+  }
+  if (mean < -rightWithin)
+  {
+    return HeldProof::WrongWay;
+  }
+  if (mean < rightWithin)
+  {
+    return HeldProof::NoForce;
+  }
+  if (std::fabs(mean - 1.0) > rightWithin)
+  {
+    return HeldProof::WrongSize;
+  }
+  return std::fabs(first.share - second.share) > 2.0 * rightWithin ? HeldProof::Unclear : HeldProof::Felt;
+}
+
+HeldProof judgeBraking(double share)
+{
+  constexpr double brakes = 0.92, drives = 1.08; // a hand is never quite the same
+  return share < brakes ? HeldProof::Felt : share > drives ? HeldProof::Drives : HeldProof::NoBrake;
+}
+
+/// What endangers a hand comes before what is only missing.
+HeldProof worse(HeldProof a, HeldProof b)
+{
+  constexpr std::array<HeldProof, 8> order{ HeldProof::WrongWay, HeldProof::Drives, HeldProof::WrongSize,
+    HeldProof::NoForce, HeldProof::NoBrake, HeldProof::Unclear, HeldProof::Unfelt, HeldProof::Felt };
+  const auto rank = [&](HeldProof proof) { return std::find(order.begin(), order.end(), proof); };
+  return rank(a) < rank(b) ? a : b;
+}
+
+/// Pushes that only some of the commands made, or that came late.
+MotorMotion troubleOf(
+  const SelfTestPlan& plan, const MotorAnswers& answers, int repetitions, double least_m, MotorFinding& found)
+{
+  const int moved = pushesThatMoved(plan, answers, repetitions, least_m);
+  if (moved == 0)
+  {
+    return MotorMotion::None;
+  }
+  if (moved < 2 * repetitions)
+  {
+    return MotorMotion::Sometimes;
+  }
+  const int axis = lateAxis(plan, answers.free[0]);
+  found.sensor = axis;
+  return isLate(answers.free[0], axis, least_m) ? MotorMotion::Late : MotorMotion::Clear;
 }
 
 } // namespace
@@ -210,26 +244,202 @@ AxisFinding findAxis(const SelfTestPlan& plan, const SelfTestState& state, int a
   return found;
 }
 
-MotorFinding findMotor(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept
+MotorFinding findMotor(const SelfTestPlan& plan, const SelfTestState& state, int motor, int repetitions) noexcept
 {
+  if (repetitions > 1)
+  {
+    const MotorFinding first = findMotor(plan, state, motor, 1);
+    if (first.motion != MotorMotion::Clear)
+    {
+      return first; // it was pushed no more
+    }
+  }
   const MotorAnswers& answers = state.motors[static_cast<std::size_t>(motor)];
   const double least_m = leastMotion_m(plan, state);
   MotorFinding found;
-  found.sensor = movedMost(plan, answers);
-  const double up_m = along(answers.free, 0, found.sensor).moved_m;
-  if (std::max(std::fabs(up_m), std::fabs(along(answers.free, 1, found.sensor).moved_m)) < least_m)
+  found.motion = troubleOf(plan, answers, repetitions, least_m, found);
+  if (found.motion != MotorMotion::Clear)
   {
-    found.motion = MotorMotion::None;
     return found;
   }
-  if (isClear(plan, answers, found.sensor, least_m))
+  found.sensor = movedMost(plan, answers.free[0]);
+  for (int r = 0; r < repetitions && found.motion == MotorMotion::Clear; ++r)
   {
-    found.motion = MotorMotion::Clear;
-    found.sign = up_m < 0.0 ? -1 : 1;
-    found.response_m_per_N = meanResponse(answers.free, found.sensor);
-    found.strength = strengthOf(plan, answers, found.sensor);
+    found.motion = motionOf(plan, answers.free[static_cast<std::size_t>(r)], found.sensor, least_m);
   }
+  if (found.motion == MotorMotion::Clear && repetitions == 2 && fades(answers, found.sensor))
+  {
+    found.motion = MotorMotion::Fades;
+  }
+  found.sign = along(answers.free[0], 0, found.sensor).moved_m < 0.0 ? -1 : 1;
+  found.response_m_per_N = responseOf(answers.free, found.sensor, repetitions);
   return found;
+}
+
+double wallStiffness_N_per_m(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept
+{
+  return std::min(plan.stiffest_N_per_m, 1.0 / findMotor(plan, state, motor, 1).response_m_per_N);
+}
+
+double strengthOf(const HeldFinding& held) noexcept
+{
+  const double size = 0.5 * (held.walls[0] + held.walls[1]);
+  return held.proof != HeldProof::Unclear && size > rightWithin ? 1.0 / size : 0.0;
+}
+
+HeldFinding findHeld(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept
+{
+  HeldFinding held;
+  const MotorFinding found = findMotor(plan, state, motor);
+  if (!plan.offersWalls || state.broke != HeldProof::Unfelt || found.motion != MotorMotion::Clear)
+  {
+    held.proof = state.broke;
+    return held;
+  }
+  const MotorAnswers& answers = state.motors[static_cast<std::size_t>(motor)];
+  const double asked_N_per_m = wallStiffness_N_per_m(plan, state, motor);
+  held.proof = HeldProof::Felt;
+  for (const std::size_t direction : { 0U, 1U })
+  {
+    std::array<WallSize, 2> sizes;
+    double left = 0.0, way = 0.0;
+    for (const std::size_t r : { 0U, 1U })
+    {
+      const PushAnswer& free = along(answers.free[r], direction, found.sensor);
+      sizes[r] = wallSize(plan, asked_N_per_m, free, along(answers.walls[r], direction, found.sensor));
+      left += along(answers.braked[r], direction, found.sensor).mean_m;
+      way += free.mean_m;
+    }
+    held.walls[direction] = 0.5 * (sizes[0].share + sizes[1].share);
+    held.braking[direction] = way != 0.0 ? left / way : 1.0;
+    held.proof = worse(held.proof, judgeWall(sizes[0], sizes[1], held.walls[direction]));
+    held.proof = worse(held.proof, judgeBraking(held.braking[direction]));
+  }
+  return held;
+}
+
+HeldProof heldProofOf(const SelfTestPlan& plan, const SelfTestState& state) noexcept
+{
+  if (!plan.offersWalls || state.broke != HeldProof::Unfelt)
+  {
+    return state.broke;
+  }
+  HeldProof worst = HeldProof::Felt;
+  for (int axis = 0; axis < state.axes(plan); ++axis)
+  {
+    const int motor = motorOf(plan, state, findAxis(plan, state, axis).sensor);
+    worst = worse(worst, motor < 0 ? HeldProof::Unfelt : findHeld(plan, state, motor).proof);
+  }
+  return worst;
+}
+
+int motorOf(const SelfTestPlan& plan, const SelfTestState& state, int sensor) noexcept
+{
+  for (int motor = 0; motor < plan.axes; ++motor)
+  {
+    const MotorFinding found = findMotor(plan, state, motor);
+    if (found.motion == MotorMotion::Clear && found.sensor == sensor)
+    {
+      return motor;
+    }
+  }
+  return -1;
+}
+
+std::optional<bool> endedByItself(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept
+{
+  const MotorFinding found = findMotor(plan, state, motor);
+  if (!(plan.effectsEndAfter_s > 0.0) || found.motion != MotorMotion::Clear)
+  {
+    return std::nullopt;
+  }
+  const PushAnswer& lapse =
+    state.motors[static_cast<std::size_t>(motor)].lapse[static_cast<std::size_t>(found.sensor)];
+  // What friction holds comes back neither way.
+  const double before_m = std::fabs(lapse.most_m - lapse.last_m), after_m = std::fabs(lapse.last_m - lapse.rested_m);
+  if (std::max(before_m, after_m) < leastMotion_m(plan, state))
+  {
+    return std::nullopt;
+  }
+  return before_m > after_m;
+}
+
+namespace
+{
+
+SelfTestReason reasonOf(MotorMotion motion)
+{
+  switch (motion)
+  {
+    case MotorMotion::None:
+      return SelfTestReason::NoMotion;
+    case MotorMotion::Unclear:
+      return SelfTestReason::PushUnclear;
+    case MotorMotion::Mixed:
+      return SelfTestReason::BothAxes;
+    case MotorMotion::Late:
+      return SelfTestReason::AnswersLate;
+    case MotorMotion::Sometimes:
+      return SelfTestReason::Sometimes;
+    case MotorMotion::Fades:
+      return SelfTestReason::Fades;
+    case MotorMotion::Clear:
+      break;
+  }
+  return SelfTestReason::None;
+}
+
+/// What hides what comes after it in the list.
+SelfTestReason graver(SelfTestReason a, SelfTestReason b)
+{
+  constexpr std::array<SelfTestReason, 10> order{ SelfTestReason::PushUnclear, SelfTestReason::BothAxes,
+    SelfTestReason::AnswersLate, SelfTestReason::Sometimes, SelfTestReason::Fades, SelfTestReason::SharedAxis,
+    SelfTestReason::NoExpiry, SelfTestReason::NotMoved, SelfTestReason::NoMotion, SelfTestReason::None };
+  const auto rank = [&](SelfTestReason reason) { return std::find(order.begin(), order.end(), reason); };
+  return rank(a) < rank(b) ? a : b;
+}
+
+/// Of a wheel one motor must answer along its axis; another one may be behind the same axis, or not be there.
+SelfTestReason judgeOneAxis(const SelfTestPlan& plan, const SelfTestState& state)
+{
+  const int sensor = findAxis(plan, state, 0).sensor;
+  SelfTestReason worst = SelfTestReason::None;
+  for (int motor = 0; motor < plan.axes; ++motor)
+  {
+    const MotorFinding found = findMotor(plan, state, motor);
+    const bool elsewhere = found.motion == MotorMotion::Clear && found.sensor != sensor;
+    const SelfTestReason reason = found.motion == MotorMotion::None ? SelfTestReason::None : reasonOf(found.motion);
+    worst = graver(worst, elsewhere ? SelfTestReason::NotMoved : reason);
+  }
+  return motorOf(plan, state, sensor) < 0 ? graver(worst, SelfTestReason::NoMotion) : worst;
+}
+
+SelfTestReason judgeEachAxis(const SelfTestPlan& plan, const SelfTestState& state)
+{
+  SelfTestReason worst = SelfTestReason::None;
+  int moved = 0;
+  for (int motor = 0; motor < plan.axes; ++motor)
+  {
+    const MotorFinding found = findMotor(plan, state, motor);
+    const int bit = found.motion == MotorMotion::Clear ? 1 << found.sensor : 0;
+    worst = graver(worst, (moved & bit) != 0 ? SelfTestReason::SharedAxis : reasonOf(found.motion));
+    moved |= bit;
+  }
+  return worst;
+}
+
+} // namespace
+
+SelfTestReason judgePushes(const SelfTestPlan& plan, const SelfTestState& state) noexcept
+{
+  SelfTestReason worst =
+    state.axes(plan) == 1 ? judgeOneAxis(plan, state) : judgeEachAxis(plan, state);
+  for (int motor = 0; motor < plan.axes; ++motor)
+  {
+    worst = graver(worst, endedByItself(plan, state, motor).value_or(true) ? SelfTestReason::None
+                                                                           : SelfTestReason::NoExpiry);
+  }
+  return worst;
 }
 
 std::optional<Calibration> calibrationFrom(
@@ -239,80 +449,16 @@ std::optional<Calibration> calibrationFrom(
   {
     return std::nullopt;
   }
-  Calibration calibration{ device.name, device.serial, date, plan.axes, {} };
-  for (int i = 0; i < plan.axes; ++i)
+  Calibration calibration{ device.name, device.serial, date, state.axes(plan), {}, heldProofOf(plan, state) };
+  for (int i = 0; i < calibration.axisCount; ++i)
   {
     const AxisFinding axis = findAxis(plan, state, i);
-    AxisCalibration& kept = calibration.axes[static_cast<std::size_t>(i)];
-    kept = { axis.sensor, axis.sign, axis.low_m, axis.high_m, 0, 1, 0.0, 0.0 };
-    for (int motor = 0; motor < plan.axes; ++motor)
-    {
-      const MotorFinding found = findMotor(plan, state, motor);
-      if (found.sensor == axis.sensor)
-      {
-        kept.motor = motor;
-        kept.motorSign = found.sign * axis.sign;
-        kept.response_m_per_N = found.response_m_per_N;
-        kept.strength = found.strength;
-      }
-    }
+    const int motor = motorOf(plan, state, axis.sensor);
+    const MotorFinding found = findMotor(plan, state, motor);
+    calibration.axes[static_cast<std::size_t>(i)] = { axis.sensor, axis.sign, axis.low_m, axis.high_m, motor,
+      found.sign * axis.sign, found.response_m_per_N, strengthOf(findHeld(plan, state, motor)) };
   }
   return calibration;
-}
-
-std::string askOf(const SelfTestPlan& plan, const SelfTestState& state)
-{
-  if (state.waiting_s > 0.0 && state.stage != SelfTestStage::Done)
-  {
-    return "It has not said yet where the hand is: move it.";
-  }
-  switch (state.stage)
-  {
-    case SelfTestStage::Still:
-      return "Hold the handle still.";
-    case SelfTestStage::End:
-      return (plan.wheel ? "Turn it all the way " : "Move the handle all the way ") + endName(plan, state) +
-             " and hold it there.";
-    case SelfTestStage::Middle:
-      return "Bring it to the middle and rest a relaxed hand on it.";
-    case SelfTestStage::Settle:
-    case SelfTestStage::Brace:
-    case SelfTestStage::Push:
-      return "Let your hand rest on it, relaxed: it is pushed gently, to and fro.";
-    case SelfTestStage::Done:
-      break;
-  }
-  return {};
-}
-
-std::string resultOf(const SelfTestPlan& plan, const SelfTestState& state)
-{
-  switch (state.verdict)
-  {
-    case SelfTestVerdict::None:
-      return {};
-    case SelfTestVerdict::Inconclusive:
-      return std::string("Nothing was found out: ") + because(state.reason) + '.';
-    case SelfTestVerdict::Aborted:
-      return std::string("The check ended without force: ") + because(state.reason) + '.';
-    case SelfTestVerdict::Passed:
-    case SelfTestVerdict::Faulty:
-      break;
-  }
-  double strongest = 0.0;
-  for (int motor = 0; motor < plan.axes; ++motor)
-  {
-    strongest = std::max(strongest, findMotor(plan, state, motor).response_m_per_N);
-  }
-  std::string lines = state.verdict == SelfTestVerdict::Passed
-                        ? "The device works."
-                        : std::string("The device is faulty: ") + because(state.reason) + '.';
-  lines += text(" At rest its position wanders by %.3g mm.", 1e3 * state.noise_m);
-  for (int axis = 0; axis < plan.axes; ++axis)
-  {
-    lines += '\n' + axisLine(plan, state, axis) + "; " + motorLine(plan, state, axis, strongest);
-  }
-  return lines;
 }
 
 } // namespace palpate

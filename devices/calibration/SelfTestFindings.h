@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,8 +24,12 @@ struct AxisFinding
 
 enum class MotorMotion : std::uint8_t
 {
-  None,    ///< it moves nothing
-  Unclear, ///< the hand did something else
+  None,      ///< it moves nothing
+  Unclear,   ///< the hand did something else
+  Mixed,     ///< it moves two axes at once
+  Late,      ///< it moves once the push is over
+  Sometimes, ///< some pushes move nothing
+  Fades,     ///< the second time it moved much less
   Clear,
 };
 
@@ -35,22 +40,40 @@ struct MotorFinding
   int sensor = 0; ///< the driver's axis that it moves
   int sign = 1;   ///< -1: a positive command moves it down
   double response_m_per_N = 0.0;
-  double strength = 0.0; ///< N against the device's own spring per N asked for; 0: not measured
 };
 
-/// The least motion that is told from standing still [m]. This and the next two are real-time safe.
+/// What the device's own walls and viscosity did along one axis: [0] of a push up by its motor, [1] down.
+struct HeldFinding
+{
+  HeldProof proof = HeldProof::Unfelt;
+  std::array<double, 2> walls{};   ///< how stiff, as a share of what was asked for; < 0: it pulls through
+  std::array<double, 2> braking{}; ///< share of the way that was left while it braked; > 1: it drives
+};
+
+/// The least motion that is told from standing still [m]. All of these are real-time safe.
 [[nodiscard]] double leastMotion_m(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
 [[nodiscard]] AxisFinding findAxis(const SelfTestPlan& plan, const SelfTestState& state, int axis) noexcept;
-[[nodiscard]] MotorFinding findMotor(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept;
+/// After the pushes of the first `repetitions`, 1 or 2, that only a constant force made.
+[[nodiscard]] MotorFinding findMotor(
+  const SelfTestPlan& plan, const SelfTestState& state, int motor, int repetitions = 2) noexcept;
+[[nodiscard]] HeldFinding findHeld(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept;
+/// Of the walls that a motor, whose free pushes were clear, pushes the hand into: as stiff as the hand, where its stiffness
+/// shows best.
+[[nodiscard]] double wallStiffness_N_per_m(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept;
+/// N of the motor against the device's own walls per N asked for; 0: not measured.
+[[nodiscard]] double strengthOf(const HeldFinding& held) noexcept;
+/// The first motor that moves the driver's axis; -1: none.
+[[nodiscard]] int motorOf(const SelfTestPlan& plan, const SelfTestState& state, int sensor) noexcept;
+/// Of all axes: the worst.
+[[nodiscard]] HeldProof heldProofOf(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
+/// What a motor was told and nobody renewed has ended by itself; nothing: it was not tried, or nothing was seen.
+[[nodiscard]] std::optional<bool> endedByItself(
+  const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept;
+/// Why the pushes show that the device does not work, or that they show nothing; None: it works.
+[[nodiscard]] SelfTestReason judgePushes(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
 
 /// What a passed test says about the device, to be kept; none where it did not pass. `date`: YYYY-MM-DD.
 [[nodiscard]] std::optional<Calibration> calibrationFrom(
   const SelfTestPlan& plan, const SelfTestState& state, const DeviceInfo& device, const std::string& date);
-
-/// What the person is to do now, in one sentence; empty once there is a verdict.
-[[nodiscard]] std::string askOf(const SelfTestPlan& plan, const SelfTestState& state);
-
-/// What was found, in a few lines; empty before there is a verdict.
-[[nodiscard]] std::string resultOf(const SelfTestPlan& plan, const SelfTestState& state);
 
 } // namespace palpate

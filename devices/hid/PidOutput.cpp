@@ -173,7 +173,7 @@ PidOutput::Step PidOutput::step(std::int64_t now_ns, const Wish& wish) noexcept
   }
   if (step == Step::Idle && !this->silent_)
   {
-    step = this->restart(now_ns, wanted.trust);
+    step = this->restart(now_ns, wanted);
   }
   if (step == Step::Idle)
   {
@@ -245,18 +245,20 @@ bool PidOutput::shouldBeOn(std::int64_t now_ns) const noexcept
   return this->enabled_ && (this->enabled_ns_ == never || now_ns - this->enabled_ns_ >= answersWithin_ns);
 }
 
-PidOutput::Step PidOutput::restart(std::int64_t now_ns, HeldTrust trust) noexcept
+PidOutput::Step PidOutput::restart(std::int64_t now_ns, const Wish& wish) noexcept
 {
   for (Effect* effect : this->effects())
   {
-    const bool doubted = (effect == &this->spring_ && !trust.walls) || (effect == &this->damper_ && !trust.damper);
+    const bool doubted =
+      (effect == &this->spring_ && !wish.trust.walls) || (effect == &this->damper_ && !wish.trust.damper);
     if (doubted && std::exchange(effect->started_ns, never) != never)
     {
       return sentOrFailed(this->engine_.stop(effect->block));
     }
+    const bool lapses = wish.command.lapses && effect->started_ns != never;
     const bool due =
       effect->started_ns == never || now_ns - effect->started_ns >= this->options_.restartEvery_ms * perMs_ns;
-    if (effect->block > 0 && due && !doubted)
+    if (effect->block > 0 && due && !doubted && !lapses)
     {
       this->restarts_ += effect->started_ns != never ? 1 : 0;
       effect->started_ns = now_ns;
@@ -341,7 +343,7 @@ PidOutput::Step PidOutput::sendForce(const Wish& wish) noexcept
   const double largest_N = this->options_.scale.maxForce_N;
   const Vec3 walls_N =
     clampMagnitude(hostWallForce(wish.command, this->plan_, wish.p_D), this->options_.largestShare * largest_N);
-  const Vec3 force_N = wish.command.wrench_D.force + walls_N;
+  const Vec3 force_N = wish.command.wrench_D.force + wish.command.wallMotors * walls_N;
   std::array<double, 2> shares{};
   std::array<bool, 2> changed{};
   for (std::size_t axis = 0; axis < this->kind_.pushedAxes; ++axis)

@@ -90,7 +90,7 @@ private:
   void allStopped() noexcept;
   [[nodiscard]] Step endLingering() noexcept;
   [[nodiscard]] Step enable(std::int64_t now_ns) noexcept;
-  [[nodiscard]] Step restart(std::int64_t now_ns, HeldTrust trust) noexcept;
+  [[nodiscard]] Step restart(std::int64_t now_ns, const Wish& wish) noexcept;
   [[nodiscard]] Step sendWalls(std::int64_t now_ns, const Wish& wish) noexcept;
   [[nodiscard]] Step sendCondition() noexcept;
   [[nodiscard]] Step sendForce(const Wish& wish) noexcept;

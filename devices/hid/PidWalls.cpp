@@ -154,7 +154,8 @@ Condition planDamper(const DeviceCommand& command, const PidScale& scale, double
     return {};
   }
   Condition braking = damper(std::min(command.viscosity_Ns_per_m / scale.damperViscosity_Ns_per_m, 1.0));
-  braking.positiveSaturation = braking.negativeSaturation = largestShare;
+  braking.positiveSaturation = braking.negativeSaturation =
+    std::min(largestShare, std::max(0.0, command.brakeLargest_N) / scale.maxForce_N);
   return braking;
 }
 

@@ -44,7 +44,9 @@ PidDevice::PidDevice(
 {
   const ReportDescriptor descriptor = parseReportDescriptor(bus->descriptor(this->entry_).bytes);
   this->info_ = pidInfo(name, this->entry_, descriptor, options.output.scale);
+  this->info_.effectsEndAfter_s = 1e-3 * options.output.duration_ms;
   this->promised_ = this->info_.abilities;
+  this->info_.offersWalls = this->promised_.offersWalls();
   this->info_.abilities = this->abilitiesNow();
 }
 

@@ -18,7 +18,7 @@ constexpr const char* effectsTaken =
 /// For walls that are left to the device, which it could hold before; empty: nothing.
 const char* missing(const DeviceAbilities& before, const DeviceAbilities& now) noexcept
 {
-  if (!before.closesWalls() || now.closesWalls())
+  if (!before.offersWalls() || now.offersWalls())
   {
     return "";
   }

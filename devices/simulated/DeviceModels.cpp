@@ -49,6 +49,8 @@ DeviceInfo infoOf(const DeviceModel& model)
   info.deviceClass = model.planar ? DeviceClass::Joystick2D : DeviceClass::Point3D;
   info.abilities.sensedAxes = model.planar ? 2 : 3;
   info.abilities.holdsWalls = info.abilities.viscous = model.loop_s > 0.0;
+  info.offersWalls = info.abilities.offersWalls();
+  info.heldProof = HeldProof::Felt; // its walls are those of the formula
   const bool defined = model.provenance == Provenance::Definition, listed = model.provenance == Provenance::Listed;
   const auto limit = [=](double value) {
     return DeviceQuantity{ value, defined || (listed && value < DeviceModel::unlimited) };

@@ -155,7 +155,8 @@ Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
   }
   if (this->model_.loop_s > 0.0)
   {
-    const Condition braking = damper(command.viscosity_Ns_per_m);
+    Condition braking = damper(command.viscosity_Ns_per_m);
+    braking.positiveSaturation = braking.negativeSaturation = command.brakeLargest_N;
     const Vec3 speed_D = this->speed_D(); // the true one: firmware has a finer clock than its encoder has steps
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -7,6 +7,7 @@
 
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/calibration/SelfTestFindings.h"
+#include "devices/calibration/SelfTestText.h"
 #include "devices/io/DBusBroker.h"
 #include "vtkHapticSessionInternals.h"
 

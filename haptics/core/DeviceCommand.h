@@ -32,7 +32,12 @@ struct DeviceCommand
   Wrench wrench_D;                 ///< force on the hand [N], torque [N m]
   std::array<HeldWall, 4> walls{}; ///< the first wallCount are valid
   std::uint8_t wallCount = 0;
+  /// From the axes along which walls stand to those of the force, for walls that the host closes: they differ where a
+  /// calibration has turned a motor.
+  Mat3 wallMotors = Mat3::Identity();
   double viscosity_Ns_per_m = 0.0;
+  double brakeLargest_N = std::numeric_limits<double>::infinity(); ///< viscosity brakes no harder
+  bool lapses = false; ///< what the device was told is not renewed any more, so that it must end by itself
   Signal signal = Signal::None;
 };
 

@@ -47,9 +47,23 @@ struct DeviceAbilities
   bool viscous = false;        ///< brakes the hand by itself
   bool signals = false;        ///< a shake
 
-  /// Walls are left to a device that brakes the hand, too: without viscosity its corridors shake.
-  [[nodiscard]] bool closesWalls() const noexcept { return this->holdsWalls && this->viscous; }
+  /// Walls are for a device that brakes the hand, too: without viscosity its corridors shake.
+  [[nodiscard]] bool offersWalls() const noexcept { return this->holdsWalls && this->viscous; }
   friend bool operator==(const DeviceAbilities&, const DeviceAbilities&) = default;
+};
+
+/// What a check has felt of the walls and the viscosity that a device closes by itself. Nothing else tells whether a
+/// firmware does what its descriptor offers.
+enum class HeldProof : std::uint8_t
+{
+  Unfelt,    ///< it was not checked
+  Felt,      ///< each wall pushes back as hard as it should, and the hand is braked
+  WrongWay,  ///< a wall pulls the hand through
+  NoForce,   ///< a wall does nothing
+  WrongSize, ///< a wall is much softer or stiffer than it was asked to be
+  Drives,    ///< the damper pushes the hand on
+  NoBrake,   ///< the damper does nothing
+  Unclear,   ///< the hand did not stay the same from push to push
 };
 
 /// What a device can do. Filled once when it is opened.
@@ -63,6 +77,9 @@ struct DeviceInfo
   bool rendersForce = true; ///< false: forces go nowhere (poses fed by a program, a replay, a SpaceMouse)
   bool simulated = false;   ///< lateness is counted, never a fault
   DeviceAbilities abilities;
+  bool offersWalls = false; ///< so it says; with viscosity
+  HeldProof heldProof = HeldProof::Unfelt;
+  double effectsEndAfter_s = 0.0; ///< it stops pushing by itself when nobody renews what it was told; 0: it does not
   DeviceQuantity workspaceRadius_m{ 0.1, false };
   DeviceQuantity resolution_m{ 0.0, false };
   DeviceQuantity maxForce_N{ std::numeric_limits<double>::infinity(), false };
@@ -73,6 +90,12 @@ struct DeviceInfo
   DeviceQuantity mass_kg{ 0.0, false };
   DeviceQuantity damping_Ns_per_m{ 0.0, false };
   DeviceQuantity friction_N{ 0.0, false };
+
+  /// Walls may be left to it.
+  [[nodiscard]] bool closesWalls() const noexcept
+  {
+    return this->abilities.offersWalls() && this->heldProof == HeldProof::Felt;
+  }
 };
 
 } // namespace palpate

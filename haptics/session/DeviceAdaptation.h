@@ -29,7 +29,7 @@ namespace palpate
     parameters.velocity.resolution_m = device.resolution_m.value;
   }
   parameters.stiffnessLimit_N_per_m = parameters.limitStiffness ? limits.largest_N_per_m : StabilityLimits::unlimited;
-  parameters.walls.hold = parameters.walls.hold && device.abilities.closesWalls();
+  parameters.walls.hold = parameters.walls.hold && device.closesWalls();
   if (parameters.walls.hold)
   {
     parameters.stiffnessLimit_N_per_m = std::min(parameters.stiffnessLimit_N_per_m, device.heldStiffness_N_per_m.value);

@@ -47,7 +47,7 @@ struct HapticSession::Run
     const DeviceInfo& info = this->device->info();
     const double stiffness_N_per_m =
       std::min({ parameters.stiffness_N_per_m, this->limits.largest_N_per_m, info.heldStiffness_N_per_m.value });
-    if (parameters.walls.hold && info.abilities.closesWalls() && stiffness_N_per_m != this->viscousAt_N_per_m_)
+    if (parameters.walls.hold && info.closesWalls() && stiffness_N_per_m != this->viscousAt_N_per_m_)
     {
       this->viscousAt_N_per_m_ = stiffness_N_per_m;
       this->viscosity_Ns_per_m_ = corridorViscosity(info, stiffness_N_per_m);

@@ -5,6 +5,7 @@
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/calibration/SelfTestFindings.h"
 #include "devices/calibration/SelfTestRun.h"
+#include "devices/calibration/SelfTestText.h"
 #include "devices/io/DBusBroker.h"
 #include "vtkHapticCliProblem.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <limits>
 
 #include "devices/simulated/SimulatedDevice.h"
@@ -14,7 +15,12 @@ struct Wiring
 {
   Mat3 sensors = Mat3::Identity(); ///< what the driver measures of where the hand is
   Mat3 motors = Mat3::Identity();  ///< what the motors give of what the driver is asked for
-  double springs = 1.0;            ///< what the device's own springs give of what they are asked for
+  double springs = 1.0;            ///< how stiff the device's own walls are, of what they are asked to be
+  std::array<double, 4> sides{ 1.0, 1.0, 1.0, 1.0 }; ///< besides, each whose normal is x, y, -x, -y
+  double brake = 1.0;                                ///< what its viscosity gives of what it is asked for
+  std::size_t late_ticks = 0;                        ///< every command comes so much later
+  int failsEach = 0;                                 ///< each such push does nothing; 0: all are as they should be
+  double keeps = 1.0;                                ///< of the force from push to push
   Vec3 travel_m = Vec3::Constant(std::numeric_limits<double>::infinity()); ///< positions are stuck beyond +- this
   int lostAfter_ticks = -1;
 };
@@ -36,11 +42,15 @@ public:
   [[nodiscard]] const DeviceCommand& told() const noexcept { return this->told_; }
 
 private:
+  [[nodiscard]] double strengthNow(const DeviceCommand& command) noexcept;
+
   DeviceInfo info_;
   SimulatedDevice device_;
   Wiring wiring_;
   DeviceCommand told_;
-  int ticks_ = 0;
+  std::deque<DeviceCommand> onTheWay_;
+  int ticks_ = 0, pushes_ = 0;
+  bool pushing_ = false;
 };
 
 } // namespace palpate::test

@@ -26,6 +26,7 @@ Calibration example()
   Calibration c{ "pid-1209-ffb0-17", "17", "2026-01-31", 2, {} };
   c.axes[0] = { 1, -1, -0.06, 0.04, 0, -1, 0.002, 0.5 };
   c.axes[1] = { 0, 1, -0.03, 0.03, 1, 1, 1.0 / 3.0, 0.0 };
+  c.held = HeldProof::Felt;
   return c;
 }
 
@@ -74,7 +75,10 @@ TEST(Calibration, EachWayOfBeingWrongIsNamed)
   ASSERT_TRUE(parseCalibration(good).calibration);
   const std::vector<std::pair<std::string, std::string>> bad = {
     { "", "not a calibration" },
-    { replaced(good, "calibration 1", "calibration 2"), "version" },
+    { replaced(good, "calibration 2", "calibration 3"), "version" },
+    { replaced(good, "calibration 2", "calibration 1"), "its directions mean something else" },
+    { replaced(good, "held felt", "held hot"), "line 7" },
+    { replaced(good, "held felt\n", ""), "line 7" },
     { replaced(good, "low -0.06", "low nan"), "line 5" },
     { replaced(good, "low -0.06", "low -inf"), "line 5" },
     { replaced(good, "low -0.06", "low 1e999"), "line 5" },
@@ -89,7 +93,7 @@ TEST(Calibration, EachWayOfBeingWrongIsNamed)
     { replaced(good, "2026-01-31", "yesterday"), "date" },
     { replaced(good, "serial 17", "serial " + std::string(300, '1')), "line 3" },
     { replaced(good, "serial 17", "serial 1\a7"), "line 3" },
-    { good + "end\n", "line 8" },
+    { good + "end\n", "line 9" },
     { good + std::string(5000, ' '), "longer than any" },
   };
   for (const auto& [text, reason] : bad)
@@ -200,7 +204,7 @@ public:
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
   [[nodiscard]] std::string open() override
   {
-    this->info_.abilities.holdsWalls = true;
+    this->info_.abilities.holdsWalls = this->info_.abilities.viscous = true;
     return {};
   }
   void close() noexcept override {}
@@ -211,6 +215,8 @@ public:
     return this->status;
   }
   void write(const DeviceCommand& command) noexcept override { this->told = command; }
+
+  void describe(DeviceClass deviceClass) { this->info_.deviceClass = deviceClass; }
 
   DeviceStatus status = DeviceStatus::Ok;
   DeviceSample shown;
@@ -255,6 +261,56 @@ TEST(CalibratedDevice, ShowsRightAsXAndPushesWhereAForcePoints)
   command.wrench_D.force = Vec3(1.0, 2.0, 3.0);
   rig.device.write(command);
   EXPECT_EQ(rig.raw.told.wrench_D.force, Vec3(-1.0, 2.0, 3.0));
+}
+
+// Whoever closes a wall for the device does so along the driver's axes of measurement; what pushes are its motors.
+TEST(CalibratedDevice, AForceForAWallThatTheHostClosesPushesWhereTheWallDoes)
+{
+  CalibratedNotebook rig;
+  test::Random random(test::testSeed(513));
+  for (std::size_t run = 0; run < test::testCount(100); ++run)
+  {
+    DeviceCommand command;
+    const Vec3 push_D = random.direction();
+    command.wallCount = 1;
+    command.walls[0] = { push_D, 0.0, 100.0 };
+    command.wrench_D.force = push_D; // the same as a force of the tick, which is known to be right
+    rig.device.write(command);
+    EXPECT_LT((rig.raw.told.wallMotors * rig.raw.told.walls[0].normal_D - rig.raw.told.wrench_D.force).norm(), 1e-15);
+  }
+}
+
+TEST(CalibratedDevice, LeavesWallsToADeviceOnlyWhereTheyWereFelt)
+{
+  for (const HeldProof proof : { HeldProof::Unfelt, HeldProof::Felt, HeldProof::WrongWay })
+  {
+    Calibration c = example();
+    c.held = proof;
+    CalibratedDevice device(std::make_unique<Notebook>(), c);
+    EXPECT_FALSE(Notebook().info().closesWalls());
+    ASSERT_EQ(device.open(), "");
+    EXPECT_EQ(device.info().closesWalls(), proof == HeldProof::Felt);
+  }
+}
+
+TEST(CalibratedDevice, OneAxisMakesAWheelOfAStick)
+{
+  Calibration c{ "pid-1209-ffb0-17", "17", "2026-01-31", 1, {} };
+  c.axes[0] = { 0, 1, -0.05, 0.05, 1, -1, 0.002, 0.5 }; // its motor calls itself y
+  ASSERT_EQ(c.refusal(), "");
+  auto notebook = std::make_unique<Notebook>();
+  notebook->describe(DeviceClass::Joystick2D);
+  Notebook& raw = *notebook;
+  CalibratedDevice device(std::move(notebook), c);
+  EXPECT_EQ(device.info().deviceClass, DeviceClass::Wheel1D);
+  raw.shown.pose_D.p = Vec3(0.01, 0.02, 0.0);
+  DeviceSample sample;
+  ASSERT_EQ(device.read(0.0, sample), DeviceStatus::Ok);
+  EXPECT_EQ(sample.pose_D.p, Vec3(0.01, 0.0, 0.0));
+  DeviceCommand command;
+  command.wrench_D.force = Vec3(2.0, 3.0, 4.0);
+  device.write(command);
+  EXPECT_EQ(raw.told.wrench_D.force, Vec3(0.0, -2.0, 0.0));
 }
 
 TEST(CalibratedDevice, AHandStaysWhereItWasSeenLastWhileTheDeviceIsGone)

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "devices/calibration/SelfTestFindings.h"
+#include "devices/calibration/SelfTestText.h"
 #include "testing/devices/calibration/MiswiredDevice.h"
 
 namespace palpate
@@ -43,13 +45,22 @@ struct Outcome
   [[nodiscard]] std::string text() const { return resultOf(this->plan, this->state); }
 };
 
+/// What the device says of itself is changed by that before the test is planned.
+struct Says
+{
+  bool wheel = false;
+  double effectsEndAfter_s = 0.0;
+};
+
 Outcome run(const DeviceModel& model, const std::string& hand, const Wiring& wiring, const Person& person = obliging,
-  const std::function<void(int tick, DeviceSample& sample, SelfTestState& state)>& meddle = {})
+  const std::function<void(int tick, DeviceSample& sample, SelfTestState& state)>& meddle = {}, const Says& says = {})
 {
   constexpr double pace_m_per_s = 0.1;
   MiswiredDevice device(model, *handModel(hand), wiring);
   EXPECT_EQ(device.open(), "");
-  Outcome outcome{ SelfTestPlan::forDevice(device.info()), {}, device.info() };
+  DeviceInfo info = device.info();
+  info.effectsEndAfter_s = says.effectsEndAfter_s;
+  Outcome outcome{ SelfTestPlan::forDevice(info, {}, says.wheel), {}, info };
   Vec3 hand_D = Vec3::Zero();
   double push_s = 0.0;
   for (int tick = 1; tick < longest_ticks && outcome.state.verdict == SelfTestVerdict::None; ++tick)
@@ -77,7 +88,7 @@ Outcome run(const DeviceModel& model, const std::string& hand, const Wiring& wir
 /// How far, as a share, the slope of a push is off at most that is seen in steps. Least squares take the part of the
 /// way above its first quarter: a step's rounding takes step^3 / 12 from the way^3 / 12 of the sum of squares, the part
 /// of a step at either end step^2 way / 16. Friction shortens the way.
-double roundingError(const std::array<std::array<PushAnswer, 3>, 2>& pushes, std::size_t axis, double step_m)
+double roundingError(const PushPair& pushes, std::size_t axis, double step_m)
 {
   const double way_m = 0.75 * std::min(std::fabs(pushes[0][axis].moved_m), std::fabs(pushes[1][axis].moved_m));
   return 2.5 * (step_m / way_m) * (step_m / way_m);
@@ -89,8 +100,8 @@ double roundingError(const std::array<std::array<PushAnswer, 3>, 2>& pushes, std
 double strengthError(const Outcome& found, std::size_t axis, double step_m, double hand_N_per_m)
 {
   const MotorAnswers& seen = found.state.motors[axis];
-  const double ratio = hand_N_per_m / found.plan.spring_N_per_m;
-  return ratio * roundingError(seen.free, axis, step_m) + (1.0 + ratio) * roundingError(seen.held, axis, step_m);
+  const double ratio = hand_N_per_m / wallStiffness_N_per_m(found.plan, found.state, static_cast<int>(axis));
+  return ratio * roundingError(seen.free[0], axis, step_m) + (1.0 + ratio) * roundingError(seen.walls[0], axis, step_m);
 }
 
 const DeviceModel& joystick()
@@ -121,7 +132,7 @@ TEST(SelfTest, ADeviceAsItShouldBeIsFoundAsItIs)
     EXPECT_NEAR(axis.low_m, -joystick().travel_m, joystick().encoderStep_m); // which rounds down
     EXPECT_NEAR(axis.high_m, joystick().travel_m, joystick().encoderStep_m);
     const double step_m = joystick().encoderStep_m, hand_N_per_m = handModel("light")->stiffness_N_per_m;
-    EXPECT_NEAR(axis.response_m_per_N * hand_N_per_m, 1.0, roundingError(found.state.motors[at].free, at, step_m));
+    EXPECT_NEAR(axis.response_m_per_N * hand_N_per_m, 1.0, roundingError(found.state.motors[at].free[0], at, step_m));
     EXPECT_NEAR(axis.strength, 1.0, strengthError(found, at, step_m, hand_N_per_m));
   }
 }
@@ -243,6 +254,245 @@ TEST(SelfTest, ADeadMotorIsAFaultAndGivesNoCalibration)
   }
 }
 
+/// A joystick fine enough that what is found is what its walls are, not its steps or its friction.
+DeviceModel fineJoystick()
+{
+  DeviceModel fine = joystick();
+  fine.friction_N = 0.0;
+  fine.encoderStep_m = 1e-6;
+  return fine;
+}
+
+TEST(SelfTest, WallsAndViscosityThatAreRightAreFeltOnEachSideOfEachAxis)
+{
+  const Outcome found = run(fineJoystick(), "light", {});
+  ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  EXPECT_EQ(heldProofOf(found.plan, found.state), HeldProof::Felt) << found.text();
+  EXPECT_EQ(found.calibration().held, HeldProof::Felt);
+  for (int motor = 0; motor < 2; ++motor)
+  {
+    for (const double share : findHeld(found.plan, found.state, motor).walls)
+    {
+      EXPECT_NEAR(share, 1.0, 0.05); // the hand lags by a fortieth of the rise, each slope by less
+    }
+  }
+}
+
+TEST(SelfTest, OneWallThatIsWrongOnOneSideKeepsAllWallsWithTheProgram)
+{
+  const std::vector<std::pair<double, HeldProof>> kinds = { { -1.0, HeldProof::WrongWay }, { 0.0, HeldProof::NoForce },
+    { 0.6, HeldProof::WrongSize }, { 1.5, HeldProof::WrongSize }, { 10.0, HeldProof::WrongSize } };
+  for (const auto& [share, proof] : kinds)
+  {
+    for (std::size_t side = 0; side < 4; ++side)
+    {
+      Wiring wiring;
+      wiring.sides[side] = share;
+      DeviceModel model = fineJoystick();
+      model.maxStiffness_N_per_m = 1e4; // or the simulated device would not give the stiffest
+      const Outcome found = run(model, "light", wiring);
+      EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+      EXPECT_EQ(heldProofOf(found.plan, found.state), proof) << share << " on side " << side << ": " << found.text();
+      EXPECT_EQ(found.calibration().held, proof);
+      EXPECT_NE(found.text().find("The program closes its walls"), std::string::npos);
+      EXPECT_LE(found.largest_N, found.plan.push_N * (1.0 + 1e-12));
+    }
+  }
+}
+
+TEST(SelfTest, ADamperThatDrivesOrDoesNothingIsFelt)
+{
+  for (const auto& [brake, proof] : { std::pair(-0.5, HeldProof::Drives), std::pair(0.0, HeldProof::NoBrake) })
+  {
+    Wiring wiring;
+    wiring.brake = brake;
+    const Outcome found = run(fineJoystick(), "light", wiring);
+    EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+    EXPECT_EQ(heldProofOf(found.plan, found.state), proof) << found.text();
+  }
+}
+
+TEST(SelfTest, AWallThatTakesTheHandAwayIsLetGoInThatTickAndTheRestIsStillTested)
+{
+  bool taken = false;
+  const auto takesAway = [&taken](int, DeviceSample& sample, SelfTestState& state)
+  {
+    const bool pushedIntoWall =
+      state.stage == SelfTestStage::Push && pushRounds[static_cast<std::size_t>(state.round)].kind == PushKind::Wall;
+    if (pushedIntoWall && !taken && state.stage_s > 0.2)
+    {
+      sample.pose_D.p.x() += 0.02; // further than a third of the workspace
+      taken = true;
+    }
+  };
+  const Outcome found = run(fineJoystick(), "light", {}, obliging, takesAway);
+  EXPECT_TRUE(taken);
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  EXPECT_EQ(found.calibration().held, HeldProof::WrongWay);
+}
+
+TEST(SelfTest, AMotorThatPushesAlongBothAxesIsAFault)
+{
+  Wiring wiring;
+  wiring.motors(1, 0) = 0.8;
+  const Outcome found = run(fineJoystick(), "light", wiring);
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
+  EXPECT_EQ(found.state.reason, SelfTestReason::BothAxes);
+  EXPECT_NE(found.text().find("two axes at once"), std::string::npos) << found.text();
+}
+
+TEST(SelfTest, TwoMotorsBehindOneAxisOfAStickAreAFault)
+{
+  Wiring wiring;
+  wiring.motors << 1, 1, 0, 0, 0, 0, 0, 0, 1;
+  const Outcome found = run(fineJoystick(), "light", wiring);
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
+  EXPECT_EQ(found.state.reason, SelfTestReason::SharedAxis);
+}
+
+TEST(SelfTest, ADeviceThatAnswersOnceThePushIsOverIsAFault)
+{
+  Wiring wiring;
+  wiring.late_ticks = 200;
+  const Outcome found = run(fineJoystick(), "light", wiring);
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
+  EXPECT_EQ(found.state.reason, SelfTestReason::AnswersLate);
+  EXPECT_NE(found.text().find("only after a push is over"), std::string::npos) << found.text();
+}
+
+TEST(SelfTest, ADeviceThatAnswersOnlySomePushesIsAFault)
+{
+  for (const int failsEach : { 2, 3, 4 })
+  {
+    Wiring wiring;
+    wiring.failsEach = failsEach;
+    const Outcome found = run(fineJoystick(), "light", wiring);
+    EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
+    EXPECT_EQ(found.state.reason, SelfTestReason::Sometimes) << failsEach;
+  }
+}
+
+TEST(SelfTest, ADeviceWhoseForceFadesIsNotTakenAtItsWord)
+{
+  Wiring wiring;
+  wiring.keeps = 0.9; // six pushes lie between the two that are compared: 0.53 of the first
+  const Outcome found = run(fineJoystick(), "light", wiring);
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Inconclusive) << found.text();
+  EXPECT_EQ(found.state.reason, SelfTestReason::Fades);
+  EXPECT_NE(found.text().find("let its motors cool"), std::string::npos) << found.text();
+}
+
+TEST(SelfTest, ADeviceThatGoesOnPushingWhenNobodyRenewsItIsAFault)
+{
+  // A simulated device does what it was told last for ever.
+  const Outcome found = run(fineJoystick(), "light", {}, obliging, {}, { false, 0.2 });
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Faulty) << found.text();
+  EXPECT_EQ(found.state.reason, SelfTestReason::NoExpiry);
+  EXPECT_NE(found.text().find("does not end by itself"), std::string::npos) << found.text();
+}
+
+/// A wheel that calls itself a stick: nothing moves along y.
+Wiring wheelWiring(bool secondMotorToo)
+{
+  Wiring wiring;
+  wiring.sensors(1, 1) = 0.0;
+  wiring.motors(1, 1) = 0.0;
+  wiring.motors(0, 1) = secondMotorToo ? -1.0 : 0.0;
+  return wiring;
+}
+
+TEST(SelfTest, AWheelThatCallsItselfAStickIsFoundByPushing)
+{
+  for (const bool secondMotorToo : { false, true })
+  {
+    const Outcome found = run(fineJoystick(), "light", wheelWiring(secondMotorToo));
+    ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+    EXPECT_TRUE(found.state.oneAxis);
+    const Calibration c = found.calibration();
+    EXPECT_EQ(c.refusal(), "");
+    EXPECT_EQ(c.axisCount, 1);
+    EXPECT_EQ(std::pair(c.axes[0].motor, c.axes[0].motorSign), std::pair(0, 1));
+    EXPECT_NE(found.text().find("It is a wheel"), std::string::npos) << found.text();
+  }
+}
+
+TEST(SelfTest, AMotorThatNeverAnswersIsPushedNoMoreThanFourTimes)
+{
+  int pushes = 0;
+  bool pushed = false;
+  const auto count = [&](int, DeviceSample&, SelfTestState& state)
+  {
+    const bool now = state.stage == SelfTestStage::Push && state.axis == 1;
+    pushes += now && !pushed ? 1 : 0;
+    pushed = now;
+  };
+  static_cast<void>(run(fineJoystick(), "light", wheelWiring(false), obliging, count));
+  EXPECT_EQ(pushes, 4);
+}
+
+TEST(SelfTest, WhoSaysThatItIsAWheelIsAskedForOneAxisOnly)
+{
+  bool askedForMore = false;
+  const auto look = [&](int, DeviceSample&, SelfTestState& state)
+  { askedForMore = askedForMore || (state.stage == SelfTestStage::End && state.axis > 0); };
+  const Outcome found = run(fineJoystick(), "light", wheelWiring(false), obliging, look, { true, 0.0 });
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  EXPECT_FALSE(askedForMore);
+  EXPECT_EQ(found.calibration().axisCount, 1);
+}
+
+TEST(SelfTest, PositionsWhereNoHandCanBeEndIt)
+{
+  for (const double leap_m : { 0.2, 10.0 }) // four times, and two hundred times, the radius
+  {
+    const auto leaps = [leap_m](int tick, DeviceSample& sample, SelfTestState&)
+    { sample.pose_D.p.x() += tick == 700 ? leap_m : 0.0; };
+    const Outcome found = run(joystick(), "light", {}, obliging, leaps);
+    EXPECT_EQ(found.state.verdict, SelfTestVerdict::Aborted);
+    EXPECT_EQ(found.state.reason, SelfTestReason::Impossible);
+    EXPECT_NE(found.text().find("where no hand can be"), std::string::npos) << found.text();
+  }
+}
+
+TEST(SelfTest, UnpluggedAtAnyStepItEndsWithoutForce)
+{
+  for (const SelfTestStage stage : { SelfTestStage::Still, SelfTestStage::End, SelfTestStage::Middle,
+         SelfTestStage::Settle, SelfTestStage::Brace, SelfTestStage::Push, SelfTestStage::Rest })
+  {
+    MiswiredDevice device(fineJoystick(), *handModel("light"), {});
+    ASSERT_EQ(device.open(), "");
+    const SelfTestPlan plan = SelfTestPlan::forDevice(device.info());
+    SelfTestState state;
+    DeviceCommand last;
+    for (int tick = 1; tick < longest_ticks && state.verdict == SelfTestVerdict::None; ++tick)
+    {
+      device.lead(askedPlace_D(plan, state));
+      DeviceSample sample;
+      const DeviceStatus status = device.read(tick * period_s, sample);
+      last = stepSelfTest(plan, sample, state.stage == stage ? DeviceStatus::Lost : status, period_s, state);
+      device.write(last);
+    }
+    EXPECT_EQ(state.verdict, SelfTestVerdict::Aborted);
+    EXPECT_EQ(state.reason, SelfTestReason::Lost);
+    EXPECT_EQ(last.wrench_D.force, Vec3::Zero());
+    EXPECT_EQ(last.wallCount, 0);
+    EXPECT_EQ(last.viscosity_Ns_per_m, 0.0);
+  }
+}
+
+TEST(SelfTest, WhyALinkWasLostIsSaidInItsWords)
+{
+  LinkReport link;
+  link.lostFor = "another program has taken its effects away";
+  link.outOfRange = 3;
+  SelfTestState state;
+  state.verdict = SelfTestVerdict::Aborted;
+  state.reason = SelfTestReason::Lost;
+  const std::string said = resultOf({}, state, link);
+  EXPECT_NE(said.find(link.lostFor), std::string::npos) << said;
+  EXPECT_NE(said.find("3 of its positions were beyond"), std::string::npos) << said;
+}
+
 TEST(SelfTest, ALimitedRangeIsFoundAndSaid)
 {
   Wiring wiring;
@@ -258,7 +508,7 @@ TEST(SelfTest, ALimitedRangeIsFoundAndSaid)
 TEST(SelfTest, AnAxisThatIsNotMeasuredIsNotWaitedForForEver)
 {
   Wiring wiring;
-  wiring.sensors(1, 1) = 0.0;
+  wiring.sensors(0, 0) = 0.0;
   const Outcome found = run(joystick(), "light", wiring);
   EXPECT_EQ(found.state.verdict, SelfTestVerdict::Inconclusive);
   EXPECT_EQ(found.state.reason, SelfTestReason::NotMoved);

@@ -7,6 +7,7 @@
 #include "devices/FedDevice.h"
 #include "devices/calibration/SelfTestFindings.h"
 #include "devices/calibration/SelfTestRun.h"
+#include "devices/calibration/SelfTestText.h"
 
 namespace palpate
 {

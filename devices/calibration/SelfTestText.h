@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "devices/calibration/SelfTest.h"
+#include "devices/io/LinkedDevice.h"
+
+namespace palpate
+{
+
+/// What the person is to do now, in one sentence; empty once there is a verdict.
+[[nodiscard]] std::string askOf(const SelfTestPlan& plan, const SelfTestState& state);
+
+/// What was found, in lines; empty before there is a verdict. `link`: how the link to the device went meanwhile.
+[[nodiscard]] std::string resultOf(
+  const SelfTestPlan& plan, const SelfTestState& state, const LinkReport& link = {});
+
+} // namespace palpate
