@@ -99,28 +99,55 @@ std::vector<Kind> pluggedIn(const DeviceOptions& options)
 
 constexpr const char* toDo = "; remove the file, or check the device again";
 
-MadeDevice calibrated(MadeDevice made, const std::string& folder)
+/// What is kept of it, and what this session felt where no serial number says for which one that holds.
+KeptCalibration knownOf(
+  const DeviceInfo& info, const std::string& folder, const std::optional<Calibration>& felt)
+{
+  KeptCalibration kept = loadCalibration(folder, info.name, info.serial);
+  if (kept.calibration && felt && info.serial.empty() && felt->serial.empty() && felt->device == info.name)
+  {
+    kept.calibration->held = felt->held;
+  }
+  return kept;
+}
+
+MadeDevice wheelIfSaid(MadeDevice made, bool wheel)
+{
+  if (wheel && made.device->info().deviceClass == DeviceClass::Joystick2D)
+  {
+    const Calibration one = wheelCalibration(made.device->info(), today());
+    made.device = std::make_unique<CalibratedDevice>(std::move(made.device), one);
+  }
+  return made;
+}
+
+MadeDevice calibrated(MadeDevice made, const DeviceOptions& options)
 {
   if (!made.device || !made.device->info().rendersForce)
   {
     return made;
   }
   const DeviceInfo& info = made.device->info();
-  KeptCalibration kept = loadCalibration(folder, info.name, info.serial);
+  KeptCalibration kept = knownOf(info, options.calibrationFolder, options.felt);
   if (made.hasTwin && (kept.calibration || !kept.problem.empty()))
   {
     made.warning = twinNote;
-    return made;
+    return wheelIfSaid(std::move(made), options.wheel);
   }
   if (!kept.calibration && !kept.problem.empty())
   {
     return { nullptr, kept.problem + toDo };
   }
-  if (kept.calibration)
+  if (!kept.calibration)
   {
-    made.device = std::make_unique<CalibratedDevice>(std::move(made.device), *kept.calibration);
-    made.warning = std::move(kept.problem);
+    return wheelIfSaid(std::move(made), options.wheel);
   }
+  if (options.wheel && info.deviceClass == DeviceClass::Joystick2D)
+  {
+    kept.calibration->axisCount = 1;
+  }
+  made.device = std::make_unique<CalibratedDevice>(std::move(made.device), *kept.calibration);
+  made.warning = std::move(kept.problem);
   return made;
 }
 
@@ -139,12 +166,13 @@ std::vector<KnownDevice> knownDevices(const DeviceOptions& options)
   return known;
 }
 
-void applyCalibrations(std::vector<KnownDevice>& devices, const std::string& calibrationFolder)
+void applyCalibrations(
+  std::vector<KnownDevice>& devices, const std::string& calibrationFolder, const std::optional<Calibration>& felt)
 {
   for (KnownDevice& device : devices)
   {
     const KeptCalibration kept = device.info.rendersForce && !device.hasTwin
-                                   ? loadCalibration(calibrationFolder, device.info.name, device.info.serial)
+                                   ? knownOf(device.info, calibrationFolder, felt)
                                    : KeptCalibration{};
     if (kept.calibration)
     {
@@ -167,7 +195,7 @@ MadeDevice makeDevice(const std::string& name, const DeviceOptions& options)
     {
       if (name == kind.name)
       {
-        return calibrated(kind.make(options), options.calibrationFolder);
+        return calibrated(kind.make(options), options);
       }
       names += (names.empty() ? "" : ", ") + kind.name;
     }

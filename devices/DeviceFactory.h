@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "devices/calibration/Calibration.h"
 #include "devices/hid/HidConnection.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/core/HapticDevice.h"
@@ -21,7 +23,9 @@ struct DeviceOptions
   std::string recordingFile;   ///< replay
   double period_s = 1e-3;
   std::shared_ptr<HidBus> hid;   ///< where real devices are looked for; null: this computer
-  std::string calibrationFolder; ///< what was found out about devices is applied from here; empty: nothing is
+  std::optional<Calibration> felt; ///< what a check of this session felt of a device that no serial number tells apart
+  bool wheel = false;              ///< the person says that it is one, whatever it calls itself
+  std::string calibrationFolder;   ///< what was found out about devices is applied from here; empty: nothing is
 };
 
 /// One device this build knows.
@@ -47,7 +51,8 @@ inline constexpr const char* noGripNote =
 [[nodiscard]] std::vector<KnownDevice> knownDevices(const DeviceOptions& options = {});
 
 /// Puts what is known of each from a calibration into what it says of itself, or what is wrong with that file.
-void applyCalibrations(std::vector<KnownDevice>& devices, const std::string& calibrationFolder);
+void applyCalibrations(std::vector<KnownDevice>& devices, const std::string& calibrationFolder,
+  const std::optional<Calibration>& felt = {});
 
 /// A device by name, or null and a sentence that names the known ones. A device whose calibration cannot be read is not
 /// given: it may push the wrong way.

@@ -23,11 +23,11 @@ pqHapticCheckGroup::pqHapticCheckGroup(QWidget* parent)
   this->setObjectName("checkGroup");
   this->Verify->setObjectName("verify");
   this->Verify->setToolTip(
-    tr("Noise, ends and gentle pushes of the chosen device, a tenth of its force at most; you are told what to do"));
+    tr("Noise, ends, gentle pushes and the device's own walls, with a tenth of its force at most; you are told what to do"));
   this->Adjust->setObjectName("adjust");
   this->Adjust->setText(tr("Ad&just Device"));
   this->Adjust->setToolTip(
-    tr("Keeps the directions and ends that were found, and applies them from the next touch on"));
+    tr("Keeps directions, ends and what was felt of its own walls, and applies them from the next touch on"));
   this->Progress->setObjectName("progress");
   this->Progress->setRange(0, wholeProgress);
   this->Progress->setToolTip(tr("How much of the check is done [%]"));

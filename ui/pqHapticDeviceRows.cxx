@@ -6,6 +6,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -41,6 +42,10 @@ pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->par
   QWidget* parent = form->parentWidget();
   this->Notes = pqHapticLabel(parent, "deviceNotes", tr("What the device is, and what it cannot do"));
   form->addRow(this->Notes);
+  this->Wheel = new QCheckBox(tr("This is a &wheel"), parent);
+  this->Wheel->setObjectName("wheel");
+  this->Wheel->setToolTip(tr("Only its x is there, whatever the device calls itself; from the next touch or check on"));
+  form->addRow(this->Wheel);
   this->DeadMan = new QComboBox(parent);
   this->DeadMan->setObjectName("deadMan");
   this->DeadMan->setToolTip(tr(
@@ -56,6 +61,7 @@ pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->par
     tr("How the link to the device goes: reports with the hand, effects renewed before "
        "they end, writes that hung, losses, reports that are none"));
   form->addRow(this->Link);
+  QObject::connect(this->Wheel, &QCheckBox::toggled, this, &pqHapticDeviceRows::sayWheel);
   QObject::connect(
     this->DeadMan, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &pqHapticDeviceRows::choose);
 }
@@ -66,6 +72,15 @@ void pqHapticDeviceRows::choose(int row)
   {
     vtkSMPropertyHelper(this->Proxy, "DeadManButtons").Set(MaskOf(row));
     vtkSMPropertyHelper(this->Proxy, "DeadManGrip").Set(row == Grip ? 1 : 0);
+    this->Proxy->UpdateVTKObjects();
+  }
+}
+
+void pqHapticDeviceRows::sayWheel(bool on)
+{
+  if (this->Proxy)
+  {
+    vtkSMPropertyHelper(this->Proxy, "Wheel").Set(on ? 1 : 0);
     this->Proxy->UpdateVTKObjects();
   }
 }
@@ -81,11 +96,12 @@ void pqHapticDeviceRows::refresh(vtkHapticSession* session)
   }
   pqHapticSay(this->Notes, notes);
   pqHapticSay(this->Link, session ? text(session->GetLinkText()) : QString());
-  const QSignalBlocker blocker(this->DeadMan);
+  const QSignalBlocker blocker(this->DeadMan), wheelBlocker(this->Wheel);
+  this->Wheel->setChecked(session && session->GetWheel());
   this->DeadMan->setCurrentIndex(session ? RowOf(session->GetDeadManButtons(), session->GetDeadManGrip()) : 0);
 }
 
 QList<QWidget*> pqHapticDeviceRows::fields() const
 {
-  return { this->DeadMan };
+  return { this->Wheel, this->DeadMan };
 }

@@ -5,6 +5,7 @@
 #include <QList>
 #include <QObject>
 
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
@@ -12,8 +13,8 @@ class QWidget;
 class vtkHapticSession;
 class vtkSMProxy;
 
-/// Rows of the panel about the chosen device: what it is and cannot do, how its link goes, and what must be held for a
-/// force to be given.
+/// Rows of the panel about the chosen device: what it is and cannot do, whether it is a wheel, how its link goes, and
+/// what must be held for a force to be given.
 class pqHapticDeviceRows : public QObject
 {
   Q_OBJECT
@@ -30,9 +31,11 @@ public:
 
 private:
   void choose(int row);
+  void sayWheel(bool on);
 
   vtkSMProxy* Proxy = nullptr;
   QLabel* Notes;
+  QCheckBox* Wheel;
   QComboBox* DeadMan;
   QLabel* Link;
 };

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "devices/HeldTrust.h"
+
 namespace palpate
 {
 namespace
@@ -65,8 +67,14 @@ DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration)
   if (!info.simulated)
   {
     info.heldProof = calibration.held;
+    info.abilities.holdsWalls = info.abilities.viscous = info.offersWalls && calibration.held == HeldProof::Felt;
   }
-  if (calibration.axisCount == 1 && info.deviceClass == DeviceClass::Joystick2D)
+  return calibration.axisCount == 1 ? asWheel(info) : info;
+}
+
+DeviceInfo asWheel(DeviceInfo info)
+{
+  if (info.deviceClass == DeviceClass::Joystick2D)
   {
     info.deviceClass = DeviceClass::Wheel1D;
     info.abilities.sensedAxes = 1;
@@ -74,10 +82,23 @@ DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration)
   return info;
 }
 
+Calibration wheelCalibration(const DeviceInfo& info, const std::string& date)
+{
+  Calibration wheel{ info.name, info.serial, date, 1, {} };
+  const double radius_m = info.workspaceRadius_m.value;
+  wheel.axes[0] = { 0, 1, -radius_m, radius_m, 0, 1, 0.0, 0.0 };
+  return wheel;
+}
+
 CalibratedDevice::CalibratedDevice(std::unique_ptr<HapticDevice> device, const Calibration& calibration)
   : device_(std::move(device)), calibration_(calibration), info_(calibratedInfo(this->device_->info(), calibration)),
     sensors_(sensorsOf(calibration)), motors_(motorsOf(calibration)), middle_D_(middleOf(calibration))
 {
+  if (auto* const holder = dynamic_cast<WallHolder*>(this->device_.get()))
+  {
+    const bool felt = calibration.held == HeldProof::Felt;
+    holder->trust({ felt, felt });
+  }
 }
 
 std::string CalibratedDevice::open()

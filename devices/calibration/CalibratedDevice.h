@@ -14,6 +14,12 @@ namespace palpate
 /// to it if they were felt, and with one axis it is a wheel. A simulated device's walls need no proof.
 [[nodiscard]] DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration);
 
+/// A stick of which only x is there: some wheels call themselves sticks.
+[[nodiscard]] DeviceInfo asWheel(DeviceInfo info);
+
+/// Of such a device of which nobody knows more. `date`: YYYY-MM-DD.
+[[nodiscard]] Calibration wheelCalibration(const DeviceInfo& info, const std::string& date);
+
 /// A device seen through its calibration: x is to the right, y up or away, z towards the person, the middle of its
 /// range is the origin, and a force pushes where it points. Forces are never made larger. Orientations and torques are
 /// passed on as they are. Real-time safe where the device is.

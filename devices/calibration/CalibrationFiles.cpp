@@ -153,7 +153,9 @@ std::string saveCalibration(const std::string& folder, const Calibration& calibr
   {
     return folder + ": the folder cannot be made: " + error.message();
   }
-  std::string problem = writeFile(path + unfinished, writeCalibration(calibration));
+  Calibration kept = calibration;
+  kept.held = calibration.serial.empty() ? HeldProof::Unfelt : calibration.held;
+  std::string problem = writeFile(path + unfinished, writeCalibration(kept));
   if (!problem.empty())
   {
     return problem;

@@ -31,7 +31,8 @@ struct KeptCalibration
   const std::string& folder, const std::string& device, const std::string& serial);
 
 /// Keeps a calibration, and the one it replaces beside it. The file is whole at every moment; if it cannot be written
-/// the old one stays. Empty, or one sentence that names the file and why.
+/// the old one stays. What was felt of its walls is not kept without a serial number: the next device of that name may
+/// be another one. Empty, or one sentence that names the file and why.
 [[nodiscard]] std::string saveCalibration(const std::string& folder, const Calibration& calibration);
 
 } // namespace palpate

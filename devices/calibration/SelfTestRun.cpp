@@ -2,13 +2,11 @@
 #include "devices/calibration/SelfTestRun.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
-#include "devices/io/LinkedDevice.h"
+#include "devices/DeviceLoop.h"
+#include "devices/HeldTrust.h"
 #include "devices/simulated/SimulatedDevice.h"
-#include "haptics/realtime/PeriodicTimer.h"
-#include "haptics/realtime/TripleBuffer.h"
 
 namespace palpate
 {
@@ -39,58 +37,30 @@ private:
   Vec3 at_D_ = Vec3::Zero();
 };
 
-} // namespace
-
-/// Everything that lives from start() to stop(). The loop belongs to one thread: its own, or in virtual time the
-/// owner's.
-struct SelfTestRun::Run
+/// The tick of a self-test.
+struct SelfTestTick
 {
-  Run(std::unique_ptr<HapticDevice> tested, const SelfTestPlan& plan_, const SelfTestOptions& options)
-    : device(std::move(tested)), hand(*this->device), plan(plan_), period_s(options.period_s),
-      virtualTime(options.virtualTime)
-  {
-    const auto period_ns = static_cast<std::int64_t>(options.period_s * 1e9 + 0.5);
-    if (options.virtualTime)
-    {
-      this->timer = std::make_unique<VirtualTimer>(period_ns);
-    }
-    else
-    {
-      this->timer = std::make_unique<PeriodicTimer>(period_ns);
-    }
-  }
-
-  /// One period. False once there is a verdict.
-  bool tick() noexcept
-  {
-    const Wakeup wakeup = this->timer->wait();
-    this->period += 1 + wakeup.missed;
-    const double dt_s = static_cast<double>(1 + wakeup.missed) * this->period_s;
-    this->hand.follow(askedPlace_D(this->plan, this->current), dt_s);
-    DeviceSample sample;
-    const DeviceStatus status = this->device->read(static_cast<double>(this->period) * this->period_s, sample);
-    this->device->write(stepSelfTest(this->plan, sample, status, dt_s, this->current));
-    this->shown.write(this->current);
-    return this->current.verdict == SelfTestVerdict::None;
-  }
-
-  void finish() noexcept
-  {
-    stopSelfTest(this->current);
-    this->device->write(DeviceCommand{});
-    this->shown.write(this->current);
-  }
-
-  std::unique_ptr<HapticDevice> device;
   ObligingHand hand;
   SelfTestPlan plan;
-  double period_s;
-  bool virtualTime;
-  std::unique_ptr<TickTimer> timer;
-  std::uint64_t period = 0;
-  SelfTestState current;
-  TripleBuffer<SelfTestState> shown; ///< loop -> owner
-  RealtimeThread thread;
+
+  void before(double dt_s, const SelfTestState& state) noexcept
+  {
+    this->hand.follow(askedPlace_D(this->plan, state), dt_s);
+  }
+  DeviceCommand step(const DeviceSample& sample, DeviceStatus status, double dt_s, SelfTestState& state) const noexcept
+  {
+    return stepSelfTest(this->plan, sample, status, dt_s, state);
+  }
+  static bool goesOn(const SelfTestState& state) noexcept { return state.verdict == SelfTestVerdict::None; }
+  static void end(SelfTestState& state) noexcept { stopSelfTest(state); }
+};
+
+} // namespace
+
+/// Everything that lives from start() to stop().
+struct SelfTestRun::Run
+{
+  DeviceLoop<SelfTestState, SelfTestTick> loop;
 };
 
 SelfTestRun::SelfTestRun() = default;
@@ -104,6 +74,10 @@ std::string SelfTestRun::start(std::unique_ptr<HapticDevice> device, const SelfT
 {
   this->stop();
   std::string problem = SelfTestPlan::forDevice(device->info()).refusal();
+  if (auto* const holder = dynamic_cast<WallHolder*>(device.get()))
+  {
+    holder->trust({ true, true }); // to be felt
+  }
   if (problem.empty())
   {
     problem = device->open();
@@ -118,22 +92,12 @@ std::string SelfTestRun::start(std::unique_ptr<HapticDevice> device, const SelfT
   {
     this->device_.abilities = linked->abilitiesNow();
   }
-  this->plan_ = SelfTestPlan::forDevice(this->device_, options.deadMan);
+  this->plan_ = SelfTestPlan::forDevice(this->device_, options.deadMan, options.wheel);
   this->lastState_ = SelfTestState{};
-  this->run_ = std::make_unique<Run>(std::move(device), this->plan_, options);
-  if (!options.virtualTime)
-  {
-    Run& r = *this->run_;
-    r.thread = RealtimeThread([](const SchedulingReport&) {},
-      [&r](const std::stop_token& stop)
-      {
-        while (!stop.stop_requested() && r.tick())
-        {
-        }
-        r.finish();
-      },
-      options.brokers);
-  }
+  this->link_ = {};
+  const ObligingHand hand(*device);
+  this->run_.reset(new Run{ { std::move(device), SelfTestTick{ hand, this->plan_ },
+    { options.period_s, options.virtualTime, options.brokers } } });
   return {};
 }
 
@@ -143,23 +107,18 @@ void SelfTestRun::stop()
   {
     return;
   }
-  if (this->run_->virtualTime)
-  {
-    this->run_->finish();
-  }
-  else
-  {
-    this->run_->thread.join();
-  }
-  this->lastState_ = this->run_->shown.read();
-  this->run_->device->close();
+  this->run_->loop.stop();
+  this->lastState_ = this->run_->loop.state();
+  const auto* const linked = dynamic_cast<const LinkedDevice*>(&this->run_->loop.device());
+  this->link_ = linked != nullptr ? linked->linkReport() : LinkReport{};
   this->run_.reset();
 }
 
 void SelfTestRun::step(int ticks)
 {
-  for (int i = 0; i < ticks && this->run_ && this->run_->virtualTime && this->run_->tick(); ++i)
+  if (this->run_)
   {
+    this->run_->loop.step(ticks);
   }
 }
 
@@ -167,7 +126,7 @@ const SelfTestState& SelfTestRun::state()
 {
   if (this->run_)
   {
-    this->lastState_ = this->run_->shown.read();
+    this->lastState_ = this->run_->loop.state();
   }
   return this->lastState_;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "devices/calibration/SelfTest.h"
+#include "devices/io/LinkedDevice.h"
 #include "haptics/realtime/RealtimeThread.h"
 
 namespace palpate
@@ -16,6 +17,7 @@ struct SelfTestOptions
   double period_s = 1e-3;
   bool virtualTime = false; ///< nothing runs by itself: step() computes ticks in the caller's thread
   DeadMan deadMan;
+  bool wheel = false; ///< the person says that it is one
   RealtimeBrokers brokers; ///< who is asked for real-time priority where the user's limits do not allow it
 };
 
@@ -44,6 +46,8 @@ public:
   /// Of the device that was tested last.
   [[nodiscard]] const SelfTestPlan& plan() const noexcept { return this->plan_; }
   [[nodiscard]] const DeviceInfo& device() const noexcept { return this->device_; }
+  /// How the link to it went, once the run was stopped.
+  [[nodiscard]] const LinkReport& link() const noexcept { return this->link_; }
 
 private:
   struct Run;
@@ -51,6 +55,7 @@ private:
   SelfTestPlan plan_;
   DeviceInfo device_;
   SelfTestState lastState_;
+  LinkReport link_;
   std::unique_ptr<Run> run_;
 };
 

@@ -60,6 +60,7 @@ std::string PidDevice::open()
   };
   this->link_->trust(this->options_.output.trust); // a link that hung was replaced
   std::string problem = this->options_.threads ? this->link_.open(work) : this->link_.open({});
+  this->info_.offersWalls = this->offered().offersWalls();
   this->info_.abilities = this->abilitiesNow();
   return problem;
 }

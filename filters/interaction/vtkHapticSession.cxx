@@ -37,6 +37,8 @@ palpate::DeviceOptions vtkHapticSession::Internals::Options() const
   options.period_s = PeriodSeconds;
   options.hid = this->Bus;
   options.calibrationFolder = this->CalibrationFolder;
+  options.felt = this->Felt;
+  options.wheel = this->Wheel;
   options.hand = this->HeldBy;
   options.delay_ticks = static_cast<int>(this->Parameters.passivity.delay_ticks);
   options.stroke.speed_m_per_s = this->StrokeSpeed;

@@ -113,8 +113,19 @@ public:
 
   ///@{
   /**
+   * The chosen device is a wheel, whatever it calls itself: only its x is there. From the next touch or check on; off by
+   * default. A check finds it out by itself where nobody can move a second axis.
+   */
+  virtual void SetWheel(bool on);
+  virtual bool GetWheel() const;
+  vtkBooleanMacro(Wheel, bool);
+  ///@}
+
+  ///@{
+  /**
    * Checks the chosen device with a person who does what GetSelfTestAsk() says: noise, ends, then pushes of at most a
-   * tenth of its force and half a second each; anything unexpected ends them at once. Not while touching; a device
+   * tenth of its force and half a second each, by motors alone, into walls that the device holds, and against its
+   * viscosity; anything unexpected ends them at once. Not while touching; a device
    * without force is refused. Simulated hands do what is asked. Update() follows it; GetSelfTestResult() says what was
    * found, "" before the end; progress is 0 to 1.
    */
@@ -128,7 +139,8 @@ public:
 
   ///@{
   /**
-   * Folder with what is known of devices: directions, ends. It is applied to a device whenever it is opened; a device
+   * Folder with what is known of devices: directions, ends, and whether walls may be left to them; that holds for this
+   * session only where a device has no serial number. It is applied to a device whenever it is opened; a device
    * whose file is damaged is refused by name. "" (default): none is. KeepCalibration() adds what a passed check found;
    * false, with GetProblem(), if there is none or it cannot be written.
    */

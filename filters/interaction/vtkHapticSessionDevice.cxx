@@ -13,7 +13,7 @@
 void vtkHapticSession::Internals::LookForDevices()
 {
   this->Known = palpate::knownDevices(this->Options());
-  palpate::applyCalibrations(this->Known, this->CalibrationFolder);
+  palpate::applyCalibrations(this->Known, this->CalibrationFolder, this->Felt);
   this->LearnChosen();
 }
 
@@ -24,6 +24,7 @@ void vtkHapticSession::Internals::LearnChosen()
   if (found != this->Known.end())
   {
     this->Chosen = *found;
+    this->Chosen.info = this->Wheel ? palpate::asWheel(found->info) : found->info;
   }
   else
   {
@@ -97,6 +98,7 @@ void vtkHapticSession::SetDeviceName(const char* name)
   }
   palpate::DeviceOptions options;
   options.hid = this->Impl->Bus;
+  options.wheel = this->Impl->Wheel;
   const palpate::MadeDevice made = palpate::makeDevice(wanted, options);
   if (!made.device)
   {
@@ -117,6 +119,23 @@ void vtkHapticSession::SetDeviceName(const char* name)
 const char* vtkHapticSession::GetDeviceName() const
 {
   return this->Impl->Chosen.name.c_str();
+}
+
+void vtkHapticSession::SetWheel(bool on)
+{
+  if (on != this->Impl->Wheel)
+  {
+    this->Impl->Wheel = on;
+    this->Impl->LearnChosen();
+    this->Impl->JudgeStability();
+    this->Impl->FollowDevice();
+    this->Modified();
+  }
+}
+
+bool vtkHapticSession::GetWheel() const
+{
+  return this->Impl->Wheel;
 }
 
 void vtkHapticSession::LookForDevices()

@@ -56,6 +56,8 @@ public:
   std::string CheckAsk;
   std::string CheckResult;
   std::string CalibrationFolder;
+  std::optional<palpate::Calibration> Felt; ///< what was kept of a device without serial number, walls included
+  bool Wheel = false;
 
   std::string RecordFile;
   std::string ReplayFile;

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "devices/DeviceNotes.h"
 #include "vtkHapticSessionInternals.h"
 
 bool vtkHapticSession::Internals::RaisesLines() const
@@ -65,8 +66,8 @@ std::string vtkHapticSession::Internals::PlaneSentence() const
   std::ostringstream text;
   text.precision(3);
   text << ", in one plane: ";
-  const palpate::DeviceAbilities abilities = this->InfoNow().abilities;
-  const bool can = abilities.closesWalls();
+  const palpate::DeviceInfo& info = this->InfoNow();
+  const bool can = info.closesWalls();
   if (this->Parameters.walls.hold && can)
   {
     text << "at most four walls are held by the device itself, moved on at " << this->WallRate
@@ -75,10 +76,17 @@ std::string vtkHapticSession::Internals::PlaneSentence() const
   else
   {
     text << "walls are closed by the program";
-    text << (!abilities.holdsWalls ? ", for the device holds none"
-             : !can                ? ", for the device has no viscosity, without which corridors shake"
-             : !this->HoldWalls    ? ", as was asked for"
-                                   : ", for the plane does not lie across the device");
+    if (!can && info.offersWalls)
+    {
+      text << ", for the device offers to hold them, but " << palpate::whyNotHeld(info.heldProof);
+    }
+    else
+    {
+      text << (!info.abilities.holdsWalls ? ", for the device holds none"
+               : !can                     ? ", for the device has no viscosity, without which corridors shake"
+               : !this->HoldWalls         ? ", as was asked for"
+                                          : ", for the plane does not lie across the device");
+    }
   }
   text << (this->Parameters.guide.on && this->Parameters.guide.largest_N > 0.0 ? "; the hand is led to the plane" : "");
   return text.str();

@@ -22,7 +22,7 @@ void vtkHapticSession::Internals::FollowCheck()
     this->Check.stop();
   }
   this->CheckAsk = palpate::askOf(this->Check.plan(), this->Check.state());
-  this->CheckResult = palpate::resultOf(this->Check.plan(), this->Check.state());
+  this->CheckResult = palpate::resultOf(this->Check.plan(), this->Check.state(), this->Check.link());
 }
 
 void vtkHapticSession::StartSelfTest()
@@ -37,6 +37,7 @@ void vtkHapticSession::StartSelfTest()
   impl.Checked = false;
   palpate::DeviceOptions device = impl.Options();
   device.calibrationFolder.clear(); // what the driver says, not what was found before
+  device.wheel = false;
   device.hand = "light";
   device.stroke.points_D = { palpate::Vec3::Zero() };
   palpate::MadeDevice made = palpate::makeDevice(impl.Chosen.name, device);
@@ -48,6 +49,7 @@ void vtkHapticSession::StartSelfTest()
     options.period_s = Internals::PeriodSeconds;
     options.virtualTime = impl.VirtualTime;
     options.deadMan = impl.Parameters.safety.deadMan;
+    options.wheel = impl.Wheel;
     options.brokers = palpate::systemBrokers();
     problem = impl.Check.start(std::move(made.device), options);
   }
@@ -66,7 +68,7 @@ void vtkHapticSession::StopSelfTest()
   {
     this->Impl->Check.stop();
     this->Impl->CheckAsk.clear();
-    this->Impl->CheckResult = palpate::resultOf(this->Impl->Check.plan(), this->Impl->Check.state());
+    this->Impl->CheckResult = palpate::resultOf(this->Impl->Check.plan(), this->Impl->Check.state(), this->Impl->Check.link());
     this->Modified();
   }
 }
@@ -119,7 +121,7 @@ void vtkHapticSession::SetCalibrationFolder(const char* folder)
     }
     else
     {
-      palpate::applyCalibrations(this->Impl->Known, wanted);
+      palpate::applyCalibrations(this->Impl->Known, wanted, this->Impl->Felt);
       this->Impl->LearnChosen();
     }
     this->Impl->JudgeStability();
@@ -145,8 +147,8 @@ bool vtkHapticSession::KeepCalibration()
   this->Refuse(problem);
   if (problem.empty())
   {
-    palpate::applyCalibrations(impl.Known, impl.CalibrationFolder);
-    impl.LearnChosen();
+    impl.Felt = found->serial.empty() ? found : impl.Felt;
+    impl.LookForDevices(); // what was known of it before is gone
     impl.JudgeStability();
     this->Modified();
   }

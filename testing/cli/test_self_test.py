@@ -35,7 +35,7 @@ class SelfTest(CommandLineTest):
         self.assertTrue(file.startswith(str(self.folder / "palpate" / "calibration")), file)
         with open(file, encoding="ascii") as text:
             lines = text.read().splitlines()
-        self.assertEqual(lines[0], "palpate calibration 1")
+        self.assertEqual(lines[0], "palpate calibration 2")
         self.assertIn("device simulated-joystick", lines)
         self.assertEqual(lines[-1], "end")
         self.assertEqual(sum(line.startswith("axis ") for line in lines), 2)
@@ -57,6 +57,19 @@ class SelfTest(CommandLineTest):
         self.assertEqual(listed.returncode, 0, listed.stderr)
         self.assertIn(f"cannot be used: {folder}/simulated-joystick.calibration: it is not a calibration", listed.stdout)
 
+    def test_a_file_of_the_old_directions_is_refused_with_what_to_do(self):
+        folder = self.folder / "palpate" / "calibration"
+        folder.mkdir(parents=True)
+        (folder / "simulated-joystick.calibration").write_text("palpate calibration 1\ndevice simulated-joystick\n")
+        listed = self.devices()
+        self.assertIn("its directions mean something else; remove the file, or check the device again", listed.stdout)
+
+    def test_who_says_that_it_is_a_wheel_is_asked_for_one_axis(self):
+        run = self.check("simulated-joystick", "--wheel")
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIn("right", run.stdout)
+        self.assertNotIn("away from you", run.stdout)
+
     def test_the_same_check_finds_the_same_to_the_last_digit(self):
         self.assertEqual(self.check("simulated-premium").stdout, self.check("simulated-premium").stdout)
 
@@ -64,6 +77,7 @@ class SelfTest(CommandLineTest):
         self.refused("devices", "--self-test", "abacus", saying=["abacus", "simulated-joystick"])
         self.refused("devices", "--self-test", "fed", saying=["fed", "no force"])
         self.refused("devices", "--keep", saying=["--self-test"])
+        self.refused("devices", "--wheel", saying=["--self-test"])
 
 
 if __name__ == "__main__":

@@ -21,10 +21,12 @@ struct Arguments
   bool DevicesJson = false;
   std::string SelfTest;
   bool Keep = false;
+  bool Wheel = false;
   vtkHapticCliCheckOptions Check;
   vtkHapticCliTouchOptions Touch;
   vtkHapticCliReplayOptions Replay;
   vtkHapticCliLabyrinthOptions Labyrinth;
+  vtkHapticCliTurnOptions Turn;
 };
 
 void AddDevices(CLI::App& app, Arguments& arguments)
@@ -35,6 +37,7 @@ void AddDevices(CLI::App& app, Arguments& arguments)
     "ID: check that device with the person who holds it; a simulated hand does what is asked");
   test->excludes(json);
   command->add_flag("--keep", arguments.Keep, "what the check found, to be applied from now on")->needs(test);
+  command->add_flag("--wheel", arguments.Wheel, "the device is a wheel, whatever it calls itself")->needs(test);
 }
 
 void AddCheck(CLI::App& app, Arguments& arguments)
@@ -111,6 +114,23 @@ void AddLabyrinth(CLI::App& app, Arguments& arguments)
   command->add_option("--device", options.Device, "simulated device of the blind hand")->capture_default_str();
   command->add_option("--host", options.Host_Hz, "updates of the host [Hz]")->capture_default_str();
   command->add_flag("--device-walls", options.DeviceWalls, "the device holds the walls in its own loop");
+}
+
+void AddTurn(CLI::App& app, Arguments& arguments)
+{
+  vtkHapticCliTurnOptions& options = arguments.Turn;
+  CLI::App* command = app.add_subcommand("turn", "a value along a path, felt by turning a wheel");
+  command->add_option("WORLD", options.File, "WORLD.csv: s,value[,friction] [m of the hand, any, N], a place per row")
+    ->required();
+  command->add_option("--device", options.Device, "what is turned: its x")->capture_default_str();
+  command->add_option("--seconds", options.Seconds, "for how long")->capture_default_str();
+  command->add_option("--hardest", options.Hardest_N, "with what the steepest slope of the value draws [N]")
+    ->capture_default_str();
+  command->add_option("--detent-every", options.DetentEvery_m, "from one detent to the next [m]; 0: none");
+  command->add_option("--detent", options.Detent_N, "largest force of a detent [N]");
+  command->add_option("--stop", options.Stop_N_per_m, "stiffness of the stops at both ends [N/m]")
+    ->capture_default_str();
+  command->add_option("--csv", options.Output, "OUT.csv: t,s,force every 10 ms");
 }
 
 void CheckNumber(const char* option, double value, bool zeroAllowed, const char* unit)
@@ -193,12 +213,23 @@ int Labyrinth(const vtkHapticCliLabyrinthOptions& options)
   return vtkHapticCliLabyrinth(options);
 }
 
+int Turn(const vtkHapticCliTurnOptions& options)
+{
+  CheckNumber("--seconds", options.Seconds, false, "seconds");
+  CheckNumber("--hardest", options.Hardest_N, true, "newtons");
+  CheckNumber("--detent-every", options.DetentEvery_m, true, "metres");
+  CheckNumber("--detent", options.Detent_N, true, "newtons");
+  CheckNumber("--stop", options.Stop_N_per_m, false, "newtons per metre");
+  return vtkHapticCliTurn(options);
+}
+
 int Run(const CLI::App& app, const Arguments& arguments)
 {
   if (app.got_subcommand("devices"))
   {
     const bool test = app.get_subcommand("devices")->count("--self-test") > 0;
-    return test ? vtkHapticCliSelfTest(arguments.SelfTest, arguments.Keep) : vtkHapticCliDevices(arguments.DevicesJson);
+    return test ? vtkHapticCliSelfTest(arguments.SelfTest, arguments.Keep, arguments.Wheel)
+                : vtkHapticCliDevices(arguments.DevicesJson);
   }
   if (app.got_subcommand("check"))
   {
@@ -216,7 +247,11 @@ int Run(const CLI::App& app, const Arguments& arguments)
   {
     return vtkHapticCliReplay(arguments.Replay);
   }
-  throw vtkHapticCliProblem("say what to do: devices, check, touch, replay or labyrinth (palpate --help says more)");
+  if (app.got_subcommand("turn"))
+  {
+    return Turn(arguments.Turn);
+  }
+  throw vtkHapticCliProblem("say what to do: devices, check, touch, turn, replay or labyrinth (palpate --help says more)");
 }
 
 int Refuse(std::string reason)
@@ -239,6 +274,7 @@ int main(int argc, char** argv)
   AddTouch(app, arguments);
   AddReplay(app, arguments);
   AddLabyrinth(app, arguments);
+  AddTurn(app, arguments);
   try
   {
     app.parse(argc, argv);

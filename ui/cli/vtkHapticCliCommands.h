@@ -13,8 +13,24 @@
 /// What is attached, what each device can do, why one cannot be used.
 int vtkHapticCliDevices(bool json);
 
-/// Checks a device with whoever holds it, and keeps what was found if `keep`. 0: it passed, 1: it did not.
-int vtkHapticCliSelfTest(const std::string& device, bool keep);
+/// Checks a device with whoever holds it, who may say that it is a wheel, and keeps what was found if `keep`. 0: it
+/// passed, 1: it did not.
+int vtkHapticCliSelfTest(const std::string& device, bool keep, bool wheel);
+
+struct vtkHapticCliTurnOptions
+{
+  std::string File;
+  std::string Device = "simulated-joystick";
+  std::string Output; ///< empty: none
+  double Seconds = 10.0;
+  double Hardest_N = 0.3; ///< the steepest slope of the value draws with it
+  double DetentEvery_m = 0.0;
+  double Detent_N = 0.0;
+  double Stop_N_per_m = 100.0;
+};
+
+/// A value along a path, with detents, friction and stops, felt by turning a wheel. 0: it was felt as long as asked for.
+int vtkHapticCliTurn(const vtkHapticCliTurnOptions& options);
 
 struct vtkHapticCliCheckOptions
 {

@@ -69,6 +69,8 @@ nlohmann::ordered_json ToJson(const palpate::KnownDevice& device)
   json["cannot"] = palpate::shortcomings(device.info);
   json["sensed_axes"] = device.info.abilities.sensedAxes;
   json["holds_walls"] = device.info.abilities.holdsWalls;
+  json["offers_walls"] = device.info.offersWalls;
+  json["leaves_walls_to_it"] = device.info.closesWalls();
   json["viscous"] = device.info.abilities.viscous;
   json["signals"] = device.info.abilities.signals;
   json["causality"] = NameOf(device.info.causality);

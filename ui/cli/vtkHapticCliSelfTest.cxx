@@ -62,10 +62,14 @@ void Keep(const palpate::Calibration& calibration, const std::string& folder)
     throw vtkHapticCliProblem(problem);
   }
   std::cout << "kept in " << palpate::calibrationFile(folder, calibration.device, calibration.serial) << '\n';
+  if (calibration.serial.empty() && calibration.held == palpate::HeldProof::Felt)
+  {
+    std::cout << "not kept: what was felt of its walls, for no serial number says that it is this device\n";
+  }
 }
 } // namespace
 
-int vtkHapticCliSelfTest(const std::string& device, bool keep)
+int vtkHapticCliSelfTest(const std::string& device, bool keep, bool wheel)
 {
   const std::string folder = keep ? FolderToKeepIn() : "";
   palpate::DeviceOptions wanted;
@@ -82,6 +86,7 @@ int vtkHapticCliSelfTest(const std::string& device, bool keep)
   }
   palpate::SelfTestOptions options;
   options.virtualTime = made.device->info().simulated;
+  options.wheel = wheel;
   options.brokers = palpate::systemBrokers();
   palpate::SelfTestRun run;
   const std::string problem = run.start(std::move(made.device), options);
@@ -90,7 +95,7 @@ int vtkHapticCliSelfTest(const std::string& device, bool keep)
     throw vtkHapticCliProblem(device + ": " + problem);
   }
   Follow(run, options.virtualTime);
-  std::cout << palpate::resultOf(run.plan(), run.state()) << '\n';
+  std::cout << palpate::resultOf(run.plan(), run.state(), run.link()) << '\n';
   const std::optional<palpate::Calibration> found =
     palpate::calibrationFrom(run.plan(), run.state(), run.device(), palpate::today());
   if (found && keep)

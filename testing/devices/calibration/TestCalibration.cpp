@@ -204,7 +204,7 @@ public:
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
   [[nodiscard]] std::string open() override
   {
-    this->info_.abilities.holdsWalls = this->info_.abilities.viscous = true;
+    this->info_.offersWalls = this->info_.abilities.holdsWalls = this->info_.abilities.viscous = true;
     return {};
   }
   void close() noexcept override {}

@@ -25,7 +25,7 @@ std::unique_ptr<HapticDevice> simulated(const std::string& name)
 TEST(SelfTestRun, ASimulatedHandDoesWhatItIsAskedTo)
 {
   SelfTestRun run;
-  ASSERT_EQ(run.start(simulated("simulated-joystick"), { 1e-3, true, {}, {} }), "");
+  ASSERT_EQ(run.start(simulated("simulated-joystick"), { 1e-3, true, {}, false, {} }), "");
   constexpr int longest_ticks = 100'000;
   for (int tick = 0; tick < longest_ticks && run.state().verdict == SelfTestVerdict::None; ++tick)
   {
