@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -92,6 +93,12 @@ enum class SelfTestReason : std::uint8_t
 
 /// Pushes of one motor along both directions: [0] up, [1] down, each with what all three axes did.
 using PushPair = std::array<std::array<PushAnswer, 3>, 2>;
+
+/// What it did along one axis. Real-time safe.
+[[nodiscard]] inline const PushAnswer& along(const PushPair& answers, std::size_t direction, int axis) noexcept
+{
+  return answers[direction][static_cast<std::size_t>(axis)];
+}
 
 /// Twice, of each kind.
 struct MotorAnswers

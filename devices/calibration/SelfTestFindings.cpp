@@ -9,11 +9,6 @@ namespace palpate
 namespace
 {
 
-const PushAnswer& along(const PushPair& answers, std::size_t direction, int axis)
-{
-  return answers[direction][static_cast<std::size_t>(axis)];
-}
-
 /// The driver's axis along which both directions are furthest apart.
 int movedMost(const SelfTestPlan& plan, const PushPair& answers)
 {
@@ -137,67 +132,6 @@ double responseOf(const std::array<PushPair, 2>& answers, int axis, int repetiti
   return std::fabs(sum) / (2.0 * repetitions);
 }
 
-/// A hand of stiffness K gives way by 1 / K per N that is asked for, and by 1 / (K + k) into a wall k: the stiffness
-/// of the wall as a share of what was asked for. A way of a few steps of the encoder says how stiff it is at least.
-struct WallSize
-{
-  double share = 0.0;
-  bool atLeast = false;
-};
-WallSize wallSize(const SelfTestPlan& plan, double asked_N_per_m, const PushAnswer& free, const PushAnswer& held)
-{
-  constexpr double steps = 5.0;
-  const double readable_m_per_N = steps * plan.resolution_m / plan.push_N;
-  const double free_m_per_N = std::fabs(free.response_m_per_N);
-  const bool sameWay = held.response_m_per_N * free.response_m_per_N > 0.0;
-  const double held_m_per_N = sameWay ? std::fabs(held.response_m_per_N) : 0.0;
-  const bool readable = held_m_per_N > 0.0 && std::fabs(held.moved_m) >= steps * plan.resolution_m;
-  const double way_m_per_N = readable ? held_m_per_N : std::max(readable_m_per_N, held_m_per_N);
-  return { way_m_per_N > 0.0 && free_m_per_N > 0.0
-             ? (1.0 / way_m_per_N - 1.0 / free_m_per_N) / asked_N_per_m
-             : 0.0,
-    !readable };
-}
-
-constexpr double rightWithin = 0.25;
-
-/// One side of an axis, from both repetitions.
-HeldProof judgeWall(const WallSize& first, const WallSize& second, double mean)
-{
-  if (first.atLeast || second.atLeast)
-  {
-    return std::min(first.share, second.share) > 1.0 + rightWithin ? HeldProof::WrongSize : HeldProof::Unclear;
-  }
-  if (mean < -rightWithin)
-  {
-    return HeldProof::WrongWay;
-  }
-  if (mean < rightWithin)
-  {
-    return HeldProof::NoForce;
-  }
-  if (std::fabs(mean - 1.0) > rightWithin)
-  {
-    return HeldProof::WrongSize;
-  }
-  return std::fabs(first.share - second.share) > 2.0 * rightWithin ? HeldProof::Unclear : HeldProof::Felt;
-}
-
-HeldProof judgeBraking(double share)
-{
-  constexpr double brakes = 0.92, drives = 1.08; // a hand is never quite the same
-  return share < brakes ? HeldProof::Felt : share > drives ? HeldProof::Drives : HeldProof::NoBrake;
-}
-
-/// What endangers a hand comes before what is only missing.
-HeldProof worse(HeldProof a, HeldProof b)
-{
-  constexpr std::array<HeldProof, 8> order{ HeldProof::WrongWay, HeldProof::Drives, HeldProof::WrongSize,
-    HeldProof::NoForce, HeldProof::NoBrake, HeldProof::Unclear, HeldProof::Unfelt, HeldProof::Felt };
-  const auto rank = [&](HeldProof proof) { return std::find(order.begin(), order.end(), proof); };
-  return rank(a) < rank(b) ? a : b;
-}
-
 /// Pushes that only some of the commands made, or that came late.
 MotorMotion troubleOf(
   const SelfTestPlan& plan, const MotorAnswers& answers, int repetitions, double least_m, MotorFinding& found)
@@ -274,63 +208,6 @@ MotorFinding findMotor(const SelfTestPlan& plan, const SelfTestState& state, int
   found.sign = along(answers.free[0], 0, found.sensor).moved_m < 0.0 ? -1 : 1;
   found.response_m_per_N = responseOf(answers.free, found.sensor, repetitions);
   return found;
-}
-
-double wallStiffness_N_per_m(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept
-{
-  return std::min(plan.stiffest_N_per_m, 1.0 / findMotor(plan, state, motor, 1).response_m_per_N);
-}
-
-double strengthOf(const HeldFinding& held) noexcept
-{
-  const double size = 0.5 * (held.walls[0] + held.walls[1]);
-  return held.proof != HeldProof::Unclear && size > rightWithin ? 1.0 / size : 0.0;
-}
-
-HeldFinding findHeld(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept
-{
-  HeldFinding held;
-  const MotorFinding found = findMotor(plan, state, motor);
-  if (!plan.offersWalls || state.broke != HeldProof::Unfelt || found.motion != MotorMotion::Clear)
-  {
-    held.proof = state.broke;
-    return held;
-  }
-  const MotorAnswers& answers = state.motors[static_cast<std::size_t>(motor)];
-  const double asked_N_per_m = wallStiffness_N_per_m(plan, state, motor);
-  held.proof = HeldProof::Felt;
-  for (const std::size_t direction : { 0U, 1U })
-  {
-    std::array<WallSize, 2> sizes;
-    double left = 0.0, way = 0.0;
-    for (const std::size_t r : { 0U, 1U })
-    {
-      const PushAnswer& free = along(answers.free[r], direction, found.sensor);
-      sizes[r] = wallSize(plan, asked_N_per_m, free, along(answers.walls[r], direction, found.sensor));
-      left += along(answers.braked[r], direction, found.sensor).mean_m;
-      way += free.mean_m;
-    }
-    held.walls[direction] = 0.5 * (sizes[0].share + sizes[1].share);
-    held.braking[direction] = way != 0.0 ? left / way : 1.0;
-    held.proof = worse(held.proof, judgeWall(sizes[0], sizes[1], held.walls[direction]));
-    held.proof = worse(held.proof, judgeBraking(held.braking[direction]));
-  }
-  return held;
-}
-
-HeldProof heldProofOf(const SelfTestPlan& plan, const SelfTestState& state) noexcept
-{
-  if (!plan.offersWalls || state.broke != HeldProof::Unfelt)
-  {
-    return state.broke;
-  }
-  HeldProof worst = HeldProof::Felt;
-  for (int axis = 0; axis < state.axes(plan); ++axis)
-  {
-    const int motor = motorOf(plan, state, findAxis(plan, state, axis).sensor);
-    worst = worse(worst, motor < 0 ? HeldProof::Unfelt : findHeld(plan, state, motor).proof);
-  }
-  return worst;
 }
 
 int motorOf(const SelfTestPlan& plan, const SelfTestState& state, int sensor) noexcept
