@@ -28,13 +28,13 @@ struct Outcome
   [[nodiscard]] std::string text() const { return resultOf(this->plan, this->state); }
 };
 
-Outcome check(const PidLayout& layout, double handStiffness, double motorSign)
+Outcome check(const PidLayout& layout, double handStiffness, double motorSign, bool wheel = false)
 {
   constexpr int longest_ms = 100'000;
   PidRig rig(layout);
   EXPECT_EQ(rig.device.open(), "");
   rig.run(5);
-  Outcome outcome{ SelfTestPlan::forDevice(rig.device.info()), {}, rig.scale() };
+  Outcome outcome{ SelfTestPlan::forDevice(rig.device.info(), {}, wheel), {}, rig.scale() };
   Vec3 hand = Vec3::Zero();
   for (int ms = 0; ms < longest_ms && outcome.state.verdict == SelfTestVerdict::None; ++ms)
   {
@@ -96,6 +96,39 @@ TEST(PidSelfTest, FeelsTheWallsAndTheViscosityOfEveryLayoutThatOffersThem)
       << layout.name << ": " << found.text();
   }
   EXPECT_GT(offered, 0);
+}
+
+TEST(PidSelfTest, ConditionsThatAreTakenButNotFeltLeaveTheWallsToTheProgram)
+{
+  PidLayout layout = test::plainLayout();
+  layout.habits.deadConditions = true;
+  const Outcome found = check(layout, limpHand, 1.0);
+  ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  EXPECT_EQ(heldProofOf(found.plan, found.state), HeldProof::NoForce) << found.text();
+}
+
+TEST(PidSelfTest, AFirmwareThatPointsWhereForcesGoIsCorrected)
+{
+  PidLayout layout = test::plainLayout();
+  layout.habits.pointsTo = true;
+  const Outcome found = check(layout, limpHand, 1.0);
+  ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  for (int motor = 0; motor < 2; ++motor)
+  {
+    EXPECT_EQ(findMotor(found.plan, found.state, motor).sign, -1);
+  }
+  EXPECT_EQ(heldProofOf(found.plan, found.state), HeldProof::Felt) << found.text();
+}
+
+TEST(PidSelfTest, OneMotorBehindTwoAxesIsAWheelOnceSomebodySaysSo)
+{
+  PidLayout layout = test::plainLayout();
+  layout.habits.oneMotor = true;
+  const Outcome stick = check(layout, limpHand, 1.0);
+  EXPECT_NE(stick.state.verdict, SelfTestVerdict::None) << "it must not wait for ever";
+  EXPECT_NE(stick.state.verdict, SelfTestVerdict::Passed) << stick.text();
+  const Outcome wheel = check(layout, limpHand, 1.0, true);
+  EXPECT_EQ(wheel.state.verdict, SelfTestVerdict::Passed) << wheel.text();
 }
 
 TEST(PidSelfTest, SeesThatWhatIsNotRenewedEnds)
