@@ -276,10 +276,15 @@ SelfTestReason graver(SelfTestReason a, SelfTestReason b)
   return rank(a) < rank(b) ? a : b;
 }
 
-/// Of a wheel one motor must answer along its axis; another one may be behind the same axis, or not be there.
+/// Of a wheel one motor must answer along its axis; another one may be behind the same axis, or not be there. Who says
+/// that it is a wheel does not care what others do.
 SelfTestReason judgeOneAxis(const SelfTestPlan& plan, const SelfTestState& state)
 {
   const int sensor = findAxis(plan, state, 0).sensor;
+  if (plan.wheel && motorOf(plan, state, sensor) >= 0)
+  {
+    return SelfTestReason::None;
+  }
   SelfTestReason worst = SelfTestReason::None;
   for (int motor = 0; motor < plan.axes; ++motor)
   {

@@ -255,10 +255,10 @@ PidOutput::Step PidOutput::restart(std::int64_t now_ns, const Wish& wish) noexce
     {
       return sentOrFailed(this->engine_.stop(effect->block));
     }
-    const bool lapses = wish.command.lapses && effect->started_ns != never;
-    const bool due =
-      effect->started_ns == never || now_ns - effect->started_ns >= this->options_.restartEvery_ms * perMs_ns;
-    if (effect->block > 0 && due && !doubted && !lapses)
+    const bool playing = effect->started_ns != never;
+    const bool due = !playing || now_ns - effect->started_ns >= this->options_.restartEvery_ms * perMs_ns;
+    effect->lapses = wish.command.lapses && (effect->lapses || (playing && due));
+    if (effect->block > 0 && due && !doubted && !effect->lapses)
     {
       this->restarts_ += effect->started_ns != never ? 1 : 0;
       effect->started_ns = now_ns;
@@ -270,7 +270,7 @@ PidOutput::Step PidOutput::restart(std::int64_t now_ns, const Wish& wish) noexce
 
 bool PidOutput::plays(int block) const noexcept
 {
-  const auto playing = [block](const Effect& effect) { return effect.block == block && effect.started_ns != never; };
+  const auto playing = [block](const Effect& effect) { return effect.block == block && effect.started_ns != never && !effect.lapses; };
   return block > 0 &&
          (playing(this->forces_[0]) || playing(this->forces_[1]) || playing(this->spring_) || playing(this->damper_));
 }

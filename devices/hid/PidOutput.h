@@ -75,6 +75,7 @@ private:
     EffectSettings settings;
     int block = 0; ///< 0: the device has none
     std::int64_t started_ns = never;
+    bool lapses = false;    ///< nobody renews it, so it ends by itself
     bool lingers = false;   ///< stopped with all others, not yet by itself
     bool unsettled = false; ///< its conditions changed after its settings were sent
   };

@@ -131,6 +131,43 @@ TEST(PidSelfTest, OneMotorBehindTwoAxesIsAWheelOnceSomebodySaysSo)
   EXPECT_EQ(wheel.state.verdict, SelfTestVerdict::Passed) << wheel.text();
 }
 
+TEST(PidSelfTest, AnotherProgramThatTakesTheDeviceEndsItAndIsNamed)
+{
+  for (const bool wipesSilently : { false, true })
+  {
+    PidLayout layout = test::plainLayout();
+    layout.habits.wipesSilently = wipesSilently;
+    PidRig rig(layout);
+    ASSERT_EQ(rig.device.open(), "");
+    rig.run(5);
+    const SelfTestPlan plan = SelfTestPlan::forDevice(rig.device.info());
+    SelfTestState state;
+    state.stage = SelfTestStage::Settle; // nobody leads it to its ends
+    PidDevice other("other", rig.bus, rig.port.entry, rig.options);
+    bool taken = false;
+    int sinceTaken_ms = 0;
+    for (int ms = 0; ms < 20'000 && state.verdict == SelfTestVerdict::None; ++ms)
+    {
+      if (!taken && state.stage == SelfTestStage::Push && state.stage_s > 0.1)
+      {
+        ASSERT_EQ(other.open(), "");
+        taken = true;
+      }
+      sinceTaken_ms += taken ? 1 : 0;
+      const auto& at = rig.stick().position;
+      rig.stick().push = { -restingHand * at[0], -restingHand * at[1] };
+      rig.run(1);
+      rig.command = stepSelfTest(plan, rig.sample, rig.status, 1e-3, state);
+    }
+    EXPECT_TRUE(taken);
+    EXPECT_EQ(state.verdict, SelfTestVerdict::Aborted) << wipesSilently;
+    EXPECT_EQ(state.reason, SelfTestReason::Lost);
+    EXPECT_LE(sinceTaken_ms, 250);
+    const std::string said = resultOf(plan, state, rig.device.linkReport());
+    EXPECT_NE(said.find("another program"), std::string::npos) << said;
+  }
+}
+
 TEST(PidSelfTest, SeesThatWhatIsNotRenewedEnds)
 {
   const Outcome found = check(test::plainLayout(), limpHand, 1.0);

@@ -441,6 +441,13 @@ TEST(SelfTest, WhoSaysThatItIsAWheelIsAskedForOneAxisOnly)
   EXPECT_EQ(found.calibration().axisCount, 1);
 }
 
+TEST(SelfTest, OfAStickThatSomebodyCallsAWheelOnlyXIsKept)
+{
+  const Outcome found = run(fineJoystick(), "light", {}, obliging, {}, { true, 0.0 });
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  EXPECT_EQ(found.calibration().axisCount, 1);
+}
+
 TEST(SelfTest, PositionsWhereNoHandCanBeEndIt)
 {
   for (const double leap_m : { 0.2, 10.0 }) // four times, and two hundred times, the radius
