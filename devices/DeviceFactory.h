@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "devices/evdev/EvdevBus.h"
 #include "devices/hid/HidConnection.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/core/HapticDevice.h"
@@ -20,7 +21,9 @@ struct DeviceOptions
   int delay_ticks = 0;         ///< of a simulated link
   std::string recordingFile;   ///< replay
   double period_s = 1e-3;
-  std::shared_ptr<HidBus> hid;   ///< where real devices are looked for; null: this computer
+  std::shared_ptr<HidBus> hid; ///< where real devices are looked for; null: this computer
+  std::shared_ptr<EvdevBus>
+    evdev;                       ///< and those behind a driver of the kernel; null: this computer, unless `hid` is not
   std::string calibrationFolder; ///< what was found out about devices is applied from here; empty: nothing is
 };
 
