@@ -100,8 +100,8 @@ protected:
     fs::create_directory_symlink(input, this->event / "device");
   }
 
-  test::TemporaryFolder folder;
-  fs::path root = fs::canonical(folder.path());
+  test::TemporaryFolder temporary;
+  fs::path root = fs::canonical(temporary.path());
   fs::path hid, other, event;
 };
 

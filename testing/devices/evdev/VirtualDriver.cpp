@@ -60,9 +60,14 @@ int VirtualDriver::upload(ff_effect& effect)
   {
     return EINVAL;
   }
-  ++this->uploads;
-  this->slots_[static_cast<std::size_t>(effect.id)].effect = effect;
+  this->store(effect);
   return 0;
+}
+
+void VirtualDriver::store(const ff_effect& effect)
+{
+  ++this->uploads;
+  this->slots_.at(static_cast<std::size_t>(effect.id)).effect = effect;
 }
 
 int VirtualDriver::erase(int effect)

@@ -29,6 +29,8 @@ public:
 
   /// 0, or the error of errno.h. A new effect, -1, gets its number.
   int upload(ff_effect& effect);
+  /// What is left of that to a driver once the kernel has given the effect its number.
+  void store(const ff_effect& effect);
   int erase(int effect);
   /// A written EV_FF event.
   void told(std::uint16_t code, std::int32_t value);
