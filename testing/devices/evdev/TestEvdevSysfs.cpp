@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <bitset>
+#include <cstdio>
 #include <fstream>
 
 #include <gtest/gtest.h>
