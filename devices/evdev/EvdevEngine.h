@@ -16,7 +16,8 @@ namespace palpate
 ///
 /// A direction says, as with PID, where a force comes from, but 0 is called "down": 0x4000 pushes to the left and
 /// 0xC000 to the right (linux/input.h, ff_effect; drivers/input/ff-memless.c gives a driver sin and -cos of it as x and
-/// y, and drivers/hid/hid-lg4ff.c takes x > 0 as leftwards; drivers/hid/usbhid/hid-pidff.c hands it on as PID's angle).
+/// y, which drivers/hid/hid-lg4ff.c sends a wheel as 0x80 + x; drivers/hid/usbhid/hid-pidff.c hands it on as PID's
+/// angle).
 class EvdevEngine final : public EffectEngine
 {
 public:

@@ -30,9 +30,6 @@ using test::waitUntil;
 
 constexpr std::uint16_t logitech = 0x046D, g29 = 0xC24F;
 
-/// Two steps of a driver that counts force in 127: its rounding and the kernel's.
-constexpr double twoSteps = 2.0 / VirtualDriver::steps;
-
 TEST(Evdev, AStickThatAProgramMadeUpIsFoundWithAllThatItsDriverOffers)
 {
   UinputStick stick(0x0101);
@@ -64,7 +61,8 @@ TEST(Evdev, EachAxisIsPushedTheWayAndAsHardAsTheCommandSays)
     const auto reached = [&]
     {
       const VirtualDriver::Axes now = stick.force();
-      return std::fabs(now[0] - force.x() / most_N) <= twoSteps && std::fabs(now[1] + force.y() / most_N) <= twoSteps;
+      return std::fabs(now[0] - force.x() / most_N) <= VirtualDriver::rounding &&
+             std::fabs(now[1] + force.y() / most_N) <= VirtualDriver::rounding;
     };
     EXPECT_TRUE(servo.runUntil(reached)) << force.transpose();
   }
@@ -79,7 +77,7 @@ TEST(Evdev, AForceGoesOnWhileItIsGivenAndIsNothingAfterClosing)
   ASSERT_TRUE(servo.runUntil([&] { return stick.force()[0] > 0.3; }));
   const std::int64_t from_ms = stick.time_ms();
   EXPECT_TRUE(servo.runUntil([&] { return stick.time_ms() > from_ms + 1000; }));
-  EXPECT_NEAR(stick.force()[0], 0.4, twoSteps);
+  EXPECT_NEAR(stick.force()[0], 0.4, VirtualDriver::rounding);
   EXPECT_GT(servo.device.linkReport().restarts, 8u);
   servo.device.close();
   EXPECT_EQ(stick.force()[0], 0.0);
@@ -182,7 +180,8 @@ TEST(Evdev, AG29UnderTheKernelsOwnDriverIsPushedAsTheCommandSays)
   {
     servo.command.wrench_D.force = { force_N, 0.0, 0.0 };
     const double wanted = force_N / servo.options.output.scale.maxForce_N;
-    EXPECT_TRUE(servo.runUntil([&] { return std::fabs(wheel.forceX() - wanted) <= twoSteps; })) << force_N;
+    EXPECT_TRUE(servo.runUntil([&] { return std::fabs(wheel.forceX() - wanted) <= VirtualDriver::rounding; }))
+      << force_N;
   }
   wheel.alone(
     [](test::LogitechWheel& firmware)

@@ -65,7 +65,7 @@ TEST(EvdevEngine, AForceAlongAnAxisPushesTheWayTheAxisGrows)
     }
     for (const std::size_t axis : { 0U, 1U })
     {
-      EXPECT_NEAR(rig.driver().force()[axis], shares[axis], 1.01 / VirtualDriver::steps) << axis;
+      EXPECT_NEAR(rig.driver().force()[axis], shares[axis], VirtualDriver::rounding) << axis;
     }
   }
 }
@@ -151,7 +151,7 @@ TEST(EvdevEngine, WhatABusyDriverDidNotTakeIsGivenAgain)
   EXPECT_EQ(rig.driver().force()[0], 0.0);
   EXPECT_EQ(rig.engine.catchUp(), PidStep::Idle);
   EXPECT_EQ(rig.engine.catchUp(), PidStep::Sent);
-  EXPECT_NEAR(rig.driver().force()[0], 0.5, 1.0 / VirtualDriver::steps);
+  EXPECT_NEAR(rig.driver().force()[0], 0.5, VirtualDriver::rounding);
   EXPECT_EQ(rig.engine.catchUp(), PidStep::Idle);
   rig.port.busyFor = 1;
   EXPECT_TRUE(rig.engine.setConstantForce(block, 0.2));

@@ -22,8 +22,8 @@ public:
   static constexpr double springGain = 10.0, damperMetric = 0.2;
   static constexpr double handleMass = 0.01, handleFriction = 0.6;
   static constexpr std::size_t memory = 16;
-  /// ff-memless counts the force in so many steps from none to the largest.
-  static constexpr double steps = 127.0;
+  /// ff-memless counts the force in so many steps from none to the largest, and rounds down; of 128 parts it makes 127.
+  static constexpr double steps = 127.0, rounding = 2.0 / steps;
 
   explicit VirtualDriver(const EvdevTraits& traits) noexcept : traits_(traits) {}
 
