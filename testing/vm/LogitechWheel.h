@@ -41,8 +41,9 @@ private:
 [[nodiscard]] std::vector<std::uint8_t> wheelDescriptor();
 
 /// A base, so that it is there before the transport and after it.
-struct WheelFirmware
+class WheelFirmware
 {
+protected:
   LogitechWheel wheel_;
 };
 

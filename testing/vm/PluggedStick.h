@@ -20,9 +20,11 @@ namespace palpate::test
 }
 
 /// The firmware of a plugged stick. A base, so that it is there before the transport and after it.
-struct StickFirmware
+class StickFirmware
 {
+protected:
   explicit StickFirmware(const PidLayout& is) : layout_(is), stick_(is) {}
+
   PidLayout layout_;
   VirtualPidDevice stick_;
 };
