@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "devices/evdev/EvdevBus.h"
 #include "devices/hid/HidConnection.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/core/HapticDevice.h"
 
 namespace palpate
 {
+
+class EvdevBus; // its header has the kernel's macros
 
 /// What a device may need to be made; each kind takes its own part.
 struct DeviceOptions
@@ -21,10 +22,9 @@ struct DeviceOptions
   int delay_ticks = 0;         ///< of a simulated link
   std::string recordingFile;   ///< replay
   double period_s = 1e-3;
-  std::shared_ptr<HidBus> hid; ///< where real devices are looked for; null: this computer
-  std::shared_ptr<EvdevBus>
-    evdev;                       ///< and those behind a driver of the kernel; null: this computer, unless `hid` is not
-  std::string calibrationFolder; ///< what was found out about devices is applied from here; empty: nothing is
+  std::shared_ptr<HidBus> hid;     ///< where real devices are looked for; null: this computer
+  std::shared_ptr<EvdevBus> evdev; ///< the same, behind the kernel's drivers; null: this computer unless `hid` is given
+  std::string calibrationFolder;   ///< what was found out about devices is applied from here; empty: nothing is
 };
 
 /// One device this build knows.
