@@ -76,6 +76,22 @@ TEST(EvdevDevice, AForceThatHoldsGoesOnForSecondsAndEndsByItselfOnceNobodyGivesI
   EXPECT_EQ(rig.driver().force()[0], 0.0);
 }
 
+// ff-memless lets its timer run while the kernel stores what it was given.
+TEST(EvdevDevice, AForceThatADriverMissedIsFeltWhenItIsRenewed)
+{
+  EvdevRig rig(wheelTraits(), g29);
+  ASSERT_EQ(rig.device.open(), "");
+  rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
+  rig.run(50);
+  const double before = rig.driver().force()[0];
+  rig.driver().missesNext = true;
+  rig.command.wrench_D.force = { -1.0, 0.0, 0.0 };
+  rig.run(2);
+  ASSERT_EQ(rig.driver().force()[0], before);
+  rig.run(rig.options.output.restartEvery_ms);
+  EXPECT_NEAR(rig.driver().force()[0], -1.0 / rig.scale().maxForce_N, VirtualDriver::rounding);
+}
+
 TEST(EvdevDevice, WithoutANewCommandFor20MillisecondsNothingPushesAndThenTheForceComesBack)
 {
   EvdevRig rig(stickTraits());

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "devices/Condition.h"
 
@@ -66,8 +67,9 @@ int VirtualDriver::upload(ff_effect& effect)
 
 void VirtualDriver::store(const ff_effect& effect)
 {
-  ++this->uploads;
-  this->slots_.at(static_cast<std::size_t>(effect.id)).effect = effect;
+  Slot& slot = this->slots_.at(static_cast<std::size_t>(effect.id));
+  slot.effect = effect;
+  slot.played = std::exchange(this->missesNext, false) && slot.plays ? slot.played : effect;
 }
 
 int VirtualDriver::erase(int effect)
@@ -92,9 +94,10 @@ void VirtualDriver::told(std::uint16_t code, std::int32_t value)
   }
   else if (code < memory && this->slots_[code].effect)
   {
-    this->slots_[code].plays = value > 0;
-    this->slots_[code].age_ms = 0;
-    this->starts += value > 0 ? 1 : 0;
+    Slot& slot = this->slots_[code];
+    slot.played = slot.plays ? slot.played : *slot.effect;
+    slot.plays = value > 0;
+    slot.age_ms = 0;
   }
 }
 
@@ -111,7 +114,7 @@ void VirtualDriver::advance(int duration_ms)
     for (Slot& slot : this->slots_)
     {
       ++slot.age_ms;
-      slot.plays = slot.plays && (slot.effect->replay.length == 0 || slot.age_ms < slot.effect->replay.length);
+      slot.plays = slot.plays && (slot.played.replay.length == 0 || slot.age_ms < slot.played.replay.length);
     }
   }
 }
@@ -150,7 +153,7 @@ VirtualDriver::Axes VirtualDriver::force() const
 
 double VirtualDriver::forceOf(const Slot& slot, std::size_t axis) const
 {
-  const ff_effect& effect = *slot.effect;
+  const ff_effect& effect = slot.played;
   switch (effect.type)
   {
     case FF_CONSTANT:

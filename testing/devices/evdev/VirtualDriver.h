@@ -48,12 +48,14 @@ public:
   Axes push{}; ///< of the hand
   Axes position{}, velocity{};
   int gain = 0x1000, autocentre = 0x4000; ///< as the last program has left them
-  int uploads = 0, starts = 0;
+  /// Its timer fires once between taking an effect and storing it: what it plays stays as it was until the next change.
+  bool missesNext = false;
 
 private:
   struct Slot
   {
-    std::optional<ff_effect> effect;
+    std::optional<ff_effect> effect; ///< in its memory
+    ff_effect played{};              ///< the one that is felt
     bool plays = false;
     int age_ms = 0;
   };
