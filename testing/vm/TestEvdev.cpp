@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kernel's own force feedback: its evdev, its uinput and its driver of Logitech's wheels are the real ones. Runs in
 // a virtual machine of its own (README.md); times are those of the devices' clocks.
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -159,11 +160,27 @@ TEST(Evdev, AStickThatIsUnpluggedIsLostAndFoundAgainWithoutForce)
   EXPECT_EQ(stick->force()[0], 0.0);
 }
 
-// The kernel's hid-logitech gives the orders; what they mean stands at LogitechWheel.
-TEST(Evdev, AG29UnderTheKernelsOwnDriverIsPushedAsTheCommandSays)
+/// A G29, plugged in once the kernel has let go of the last one: nothing tells one from another.
+class EvdevWheel : public testing::Test
 {
+protected:
+  void SetUp() override
+  {
+    const auto isG29 = [](const HidEntry& entry) { return entry.vendor == logitech && entry.product == g29; };
+    const auto gone = [&]
+    {
+      const std::vector<HidEntry> all = systemEvdevBus()->devices();
+      return std::none_of(all.begin(), all.end(), isG29);
+    };
+    ASSERT_TRUE(waitUntil(gone));
+    this->wheel.plug();
+  }
   UsbWheel wheel;
-  wheel.plug();
+};
+
+// The kernel's hid-logitech gives the orders; what they mean stands at LogitechWheel.
+TEST_F(EvdevWheel, UnderTheKernelsOwnDriverIsPushedAsTheCommandSays)
+{
   EventServo servo(logitech, g29);
   const std::vector<FoundEvdev> found = findEvdevDevices(*servo.bus);
   ASSERT_EQ(found.size(), 1u);
@@ -192,10 +209,8 @@ TEST(Evdev, AG29UnderTheKernelsOwnDriverIsPushedAsTheCommandSays)
     });
 }
 
-TEST(Evdev, AG29IsLeftWithoutForceByClosingAndByTheDeathOfAProgram)
+TEST_F(EvdevWheel, IsLeftWithoutForceByClosingAndByTheDeathOfAProgram)
 {
-  UsbWheel wheel;
-  wheel.plug();
   wheel.alone([](test::LogitechWheel& firmware) { firmware.position = 0.25; });
   {
     EventServo servo(logitech, g29);
@@ -214,10 +229,8 @@ TEST(Evdev, AG29IsLeftWithoutForceByClosingAndByTheDeathOfAProgram)
   EXPECT_LE(wheel.time_ms() - killed_ms, test::expired_ms());
 }
 
-TEST(Evdev, AWheelThatAnotherProgramDrivesPastTheKernelsDriverIsNotOffered)
+TEST_F(EvdevWheel, ThatAnotherProgramDrivesPastTheKernelsDriverIsNotOffered)
 {
-  UsbWheel wheel;
-  wheel.plug();
   const std::shared_ptr<EvdevBus> bus = systemEvdevBus();
   const HidEntry entry = test::waitForEventDevice(*bus, logitech, g29);
   EXPECT_EQ(bus->open(entry).problem, "");

@@ -11,6 +11,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "testing/vm/Ticking.h"
+
 namespace palpate::test
 {
 namespace
@@ -72,11 +74,17 @@ void UsbTransport::attach()
   {
     throw std::system_error(errno, std::generic_category(), "socketpair");
   }
-  std::ofstream file(bus + "attach");
-  file << "0 " << ends[1] << " " << deviceNumber << " " << fullSpeed << std::flush;
+  // The port may still be that of a device that was just unplugged.
+  const bool taken = waitUntil(
+    [&]
+    {
+      std::ofstream file(bus + "attach");
+      file << "0 " << ends[1] << " " << deviceNumber << " " << fullSpeed << std::flush;
+      return file.good();
+    });
   ::close(ends[1]);
   this->socket_ = ends[0];
-  if (!file)
+  if (!taken)
   {
     ::close(this->socket_);
     throw std::system_error(EIO, std::generic_category(), bus + "attach");
