@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/DeviceFactory.h"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -8,9 +9,12 @@
 #include "devices/ReplayDevice.h"
 #include "devices/calibration/CalibratedDevice.h"
 #include "devices/calibration/CalibrationFiles.h"
+#include "devices/evdev/EvdevDiscovery.h"
 #include "devices/hid/HidDiscovery.h"
 #include "devices/hid/HidapiBus.h"
+#include "devices/hid/NamedDevices.h"
 #include "devices/hid/PidEngine.h"
+#include "devices/io/EvdevDevice.h"
 #include "devices/io/PidDevice.h"
 #include "devices/io/SpaceMouseDevice.h"
 
@@ -79,20 +83,51 @@ std::unique_ptr<HapticDevice> makePluggedIn(
   return std::make_unique<PidDevice>(name, bus, entry);
 }
 
+Kind kindOf(const FoundHid& found, const std::shared_ptr<HidBus>& bus)
+{
+  const auto make = [bus, found](const DeviceOptions&) {
+    return MadeDevice{ makePluggedIn(found.kind, found.name, bus, found.entry), "", "", found.hasTwin };
+  };
+  const std::string what = found.kind == FoundHid::Kind::ForceFeedback ? "force feedback through USB: "
+                           : found.kind == FoundHid::Kind::SpaceMouse  ? "six axes, no force: "
+                                                                       : "cannot be used: ";
+  return { found.name, what + found.entry.name, make, found.problem, found.hasTwin,
+    PidEngine::hasSafetySwitch(found.descriptor) };
+}
+
+Kind kindOf(const FoundEvdev& found, const std::shared_ptr<EvdevBus>& bus)
+{
+  const auto make = [bus, found](const DeviceOptions&) {
+    return MadeDevice{ std::make_unique<EvdevDevice>(found.name, bus, found.entry), "", "", found.hasTwin };
+  };
+  const bool pushes = found.kind.pushes.problem.empty();
+  const std::string what = pushes ? "force feedback through the kernel's driver: " : "cannot be used: ";
+  return { found.name, what + found.entry.name, make, found.problem, found.hasTwin };
+}
+
+std::shared_ptr<EvdevBus> eventDevices(const DeviceOptions& options)
+{
+  return options.hid != nullptr || options.evdev != nullptr ? options.evdev : systemEvdevBus();
+}
+
+/// One device is listed once: what HID cannot use may be what the kernel's driver pushes.
 std::vector<Kind> pluggedIn(const DeviceOptions& options)
 {
   const std::shared_ptr<HidBus> bus = options.hid != nullptr ? options.hid : systemHidBus();
+  const std::shared_ptr<EvdevBus> events = eventDevices(options);
+  const std::vector<FoundEvdev> driven = events != nullptr ? findEvdevDevices(*events) : std::vector<FoundEvdev>{};
   std::vector<Kind> all;
   for (const FoundHid& found : findHidDevices(*bus))
   {
-    const auto make = [bus, found](const DeviceOptions&) {
-      return MadeDevice{ makePluggedIn(found.kind, found.name, bus, found.entry), "", "", found.hasTwin };
-    };
-    const std::string what = found.kind == FoundHid::Kind::ForceFeedback ? "force feedback through USB: "
-                             : found.kind == FoundHid::Kind::SpaceMouse  ? "six axes, no force: "
-                                                                         : "cannot be used: ";
-    all.push_back({ found.name, what + found.entry.name, make, found.problem, found.hasTwin,
-      PidEngine::hasSafetySwitch(found.descriptor) });
+    const auto isIt = [&](const FoundEvdev& other) { return sameKind(found.entry, other.entry); };
+    if (found.kind != FoundHid::Kind::Unusable || std::none_of(driven.begin(), driven.end(), isIt))
+    {
+      all.push_back(kindOf(found, bus));
+    }
+  }
+  for (const FoundEvdev& found : driven)
+  {
+    all.push_back(kindOf(found, events));
   }
   return all;
 }

@@ -14,6 +14,8 @@
 namespace palpate
 {
 
+class EvdevBus; // its header has the kernel's macros
+
 /// What a device may need to be made; each kind takes its own part.
 struct DeviceOptions
 {
@@ -22,9 +24,10 @@ struct DeviceOptions
   int delay_ticks = 0;         ///< of a simulated link
   std::string recordingFile;   ///< replay
   double period_s = 1e-3;
-  std::shared_ptr<HidBus> hid;   ///< where real devices are looked for; null: this computer
+  std::shared_ptr<HidBus> hid;     ///< where real devices are looked for; null: this computer
   std::optional<Calibration> felt; ///< what a check of this session felt of a device that no serial number tells apart
   bool wheel = false;              ///< the person says that it is one, whatever it calls itself
+  std::shared_ptr<EvdevBus> evdev; ///< the same, behind the kernel's drivers; null: this computer unless `hid` is given
   std::string calibrationFolder;   ///< what was found out about devices is applied from here; empty: nothing is
 };
 
@@ -51,8 +54,8 @@ inline constexpr const char* noGripNote =
 [[nodiscard]] std::vector<KnownDevice> knownDevices(const DeviceOptions& options = {});
 
 /// Puts what is known of each from a calibration into what it says of itself, or what is wrong with that file.
-void applyCalibrations(std::vector<KnownDevice>& devices, const std::string& calibrationFolder,
-  const std::optional<Calibration>& felt = {});
+void applyCalibrations(
+  std::vector<KnownDevice>& devices, const std::string& calibrationFolder, const std::optional<Calibration>& felt = {});
 
 /// A device by name, or null and a sentence that names the known ones. A device whose calibration cannot be read is not
 /// given: it may push the wrong way.

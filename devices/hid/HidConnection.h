@@ -44,13 +44,13 @@ public:
   virtual void wait(int duration_ms) noexcept = 0;
 };
 
-/// Where HID devices come from: the system, or a test.
-class HidBus
+/// Which devices there are, and how one is told from another.
+class DeviceListing
 {
 public:
-  virtual ~HidBus() = default;
+  virtual ~DeviceListing() = default;
 
-  /// Every HID device that is there now, each once.
+  /// Every device that is there now, each once.
   [[nodiscard]] virtual std::vector<HidEntry> devices() = 0;
 
   struct Descriptor
@@ -60,7 +60,12 @@ public:
   };
   /// Needs no permission on Linux.
   [[nodiscard]] virtual Descriptor descriptor(const HidEntry& entry) = 0;
+};
 
+/// Where HID devices come from: the system, or a test.
+class HidBus : public DeviceListing
+{
+public:
   struct Opened
   {
     std::unique_ptr<HidConnection> connection;

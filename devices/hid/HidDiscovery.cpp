@@ -2,11 +2,10 @@
 #include "devices/hid/HidDiscovery.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
+#include "devices/hid/NamedDevices.h"
 #include "devices/hid/PidEngine.h"
 #include "devices/hid/SpaceMouseInput.h"
 
@@ -15,43 +14,20 @@ namespace palpate
 namespace
 {
 
-bool alike(const FoundHid& a, const FoundHid& b) noexcept
-{
-  return a.kind == b.kind && a.entry.vendor == b.entry.vendor && a.entry.product == b.entry.product &&
-         a.entry.serial == b.entry.serial;
-}
-
-std::string nameOf(const FoundHid& one)
-{
-  std::array<char, 16> ids{};
-  std::snprintf(ids.data(), ids.size(), "-%04x-%04x", one.entry.vendor, one.entry.product);
-  const std::string first = one.kind == FoundHid::Kind::SpaceMouse ? "spacemouse"
-                            : one.kind == FoundHid::Kind::Unusable ? "hid"
-                                                                   : "pid";
-  return first + ids.data() + (one.entry.serial.empty() ? "" : "-" + one.entry.serial);
-}
-
 /// Adds one, with a name of its own.
 void add(std::vector<FoundHid>& found, FoundHid one)
 {
-  one.name = nameOf(one);
-  int before = 0;
-  for (FoundHid& other : found)
-  {
-    if (alike(other, one))
-    {
-      other.hasTwin = one.hasTwin = true;
-      ++before;
-    }
-  }
-  one.name += before == 0 ? "" : "-" + std::to_string(before + 1);
-  found.push_back(std::move(one));
+  const std::string road = one.kind == FoundHid::Kind::SpaceMouse ? "spacemouse"
+                           : one.kind == FoundHid::Kind::Unusable ? "hid"
+                                                                  : "pid";
+  addNamed(found, road, std::move(one),
+    [](const FoundHid& a, const FoundHid& b) { return a.kind == b.kind && sameKind(a.entry, b.entry); });
 }
 
 /// What a descriptor promises, usable or not.
 std::optional<FoundHid::Kind> promisedBy(const ReportDescriptor& descriptor) noexcept
 {
-  if (descriptor.hasCollection(pid::setEffect) && descriptor.hasCollection(pid::effectOperation))
+  if (speaksPid(descriptor))
   {
     return FoundHid::Kind::ForceFeedback;
   }
@@ -81,6 +57,11 @@ std::string refusal(FoundHid::Kind kind, const ReportDescriptor& descriptor)
 }
 
 } // namespace
+
+bool speaksPid(const ReportDescriptor& descriptor) noexcept
+{
+  return descriptor.hasCollection(pid::setEffect) && descriptor.hasCollection(pid::effectOperation);
+}
 
 std::vector<FoundHid> findHidDevices(HidBus& bus)
 {

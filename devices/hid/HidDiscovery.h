@@ -28,6 +28,9 @@ struct FoundHid
   bool hasTwin = false; ///< another one is plugged in that neither kind nor serial number tells apart
 };
 
+/// It promises force feedback of the PID class, usable or not.
+[[nodiscard]] bool speaksPid(const ReportDescriptor& descriptor) noexcept;
+
 /// The force-feedback devices and SpaceMice on a bus, and what else is made for a hand to lead, such as a joystick
 /// without force; mice and keyboards are left out. What can be used is opened for a moment to see whether it may be.
 [[nodiscard]] std::vector<FoundHid> findHidDevices(HidBus& bus);

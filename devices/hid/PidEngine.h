@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "devices/Condition.h"
+#include "devices/hid/EffectEngine.h"
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/PidUsages.h"
 #include "devices/hid/ReportDescriptor.h"
@@ -53,7 +54,7 @@ struct PidState
 /// fields and the numbers of what is selected are found by usage in the device's own descriptor; a field that it does
 /// not have is not written. Forces and positions are shares of the device's largest, -1 .. 1. Blocking: one thread, not
 /// the servo's. Each bool says whether the device took the report.
-class PidEngine
+class PidEngine final : public EffectEngine
 {
 public:
   /// Both must outlive the engine and stay where they are.
@@ -70,37 +71,30 @@ public:
   /// centre when it is plugged in has it again. PID cannot tell whether somebody had switched that off before.
   void close() noexcept;
 
-  struct Created
-  {
-    int block = 0; ///< 1 .. , 0: not created
-    std::string problem;
-  };
-  [[nodiscard]] Created create(HidUsage type);
+  [[nodiscard]] Created create(HidUsage type) override;
   [[nodiscard]] bool supports(HidUsage type) const noexcept;
 
   /// With Direction Enable alone, the bits of the axes 0, and no trigger button: all ones. 0 would be a button to some
   /// firmwares, which play the effect again whenever it is pressed.
-  [[nodiscard]] bool setEffect(int block, const EffectSettings& settings) noexcept;
+  [[nodiscard]] bool setEffect(int block, const EffectSettings& settings) noexcept override;
   /// One axis, 0 or 1, of a spring or a damper; centre, dead band, coefficients and saturations as shares. Some
   /// firmwares know it before the next setEffect() only, others forget what comes before the first one.
-  [[nodiscard]] bool setCondition(int block, int axis, const Condition& condition) noexcept;
-  [[nodiscard]] bool setConstantForce(int block, double share) noexcept;
-  [[nodiscard]] bool setPeriodic(int block, double magnitude, double period_ms) noexcept;
+  [[nodiscard]] bool setCondition(int block, int axis, const Condition& condition) noexcept override;
+  [[nodiscard]] bool setConstantForce(int block, double share) noexcept override;
+  [[nodiscard]] bool setPeriodic(int block, double magnitude, double period_ms) noexcept override;
   /// Starting a playing effect restarts its clock; that this is not felt is assumed of every firmware and was not
   /// checked on a real one.
-  [[nodiscard]] bool start(int block) noexcept { return this->operate(block, pid::start); }
+  [[nodiscard]] bool start(int block) noexcept override { return this->operate(block, pid::start); }
   [[nodiscard]] bool startSolo(int block) noexcept { return this->operate(block, pid::startSolo); }
-  [[nodiscard]] bool stop(int block) noexcept { return this->operate(block, pid::stop); }
+  [[nodiscard]] bool stop(int block) noexcept override { return this->operate(block, pid::stop); }
   [[nodiscard]] bool free(int block) noexcept;
-  /// enableActuators, disableActuators, stopAll or reset; true too where the device has no such control.
-  [[nodiscard]] bool control(HidUsage what) noexcept;
+  [[nodiscard]] bool control(HidUsage what) noexcept override;
   [[nodiscard]] bool setGain(double share) noexcept;
 
   /// It can tell whether it is gripped.
   [[nodiscard]] static bool hasSafetySwitch(const ReportDescriptor& descriptor) noexcept;
 
-  /// What the system said about the last failure.
-  [[nodiscard]] std::string error() const { return this->connection_.error(); }
+  [[nodiscard]] std::string error() const override { return this->connection_.error(); }
 
   /// What it says about the effect that was made last, whoever made it: which block, how much memory is left. Two
   /// answers differ once somebody else has made or wiped effects. Without the ID, which some devices clear when they
@@ -110,8 +104,7 @@ public:
   /// The state, where `report`, as read, is one.
   [[nodiscard]] std::optional<PidState> state(std::span<const std::uint8_t> report) const noexcept;
 
-  /// What a constant force becomes in the device's own numbers: equal ones need not be sent twice.
-  [[nodiscard]] std::int64_t constantForceSteps(double share) const noexcept;
+  [[nodiscard]] std::int64_t constantForceSteps(double share) const noexcept override;
 
 private:
   /// An output report that is being filled.

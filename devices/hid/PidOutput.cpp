@@ -69,7 +69,7 @@ bool asksForForce(const DeviceCommand& command) noexcept
   return command.wallCount > 0 || command.viscosity_Ns_per_m > 0.0 || command.wrench_D.force != Vec3::Zero();
 }
 
-PidOutput::PidOutput(PidEngine& engine, const PidOutputOptions& options, const PidKind& kind) noexcept
+PidOutput::PidOutput(EffectEngine& engine, const PidOutputOptions& options, const PidKind& kind) noexcept
   : engine_(engine), options_(options), kind_(kind),
     shake_(engine, { options.duration_ms, options.restartEvery_ms, options.wallsEvery_ms }),
     rumble_({ options.scale.maxForce_N, options.largestShare })
@@ -118,7 +118,7 @@ DeviceAbilities PidOutput::abilities() const noexcept
 
 std::string PidOutput::make(Effect& effect, HidUsage type, double comesFrom_deg)
 {
-  const PidEngine::Created made = this->engine_.create(type);
+  const EffectEngine::Created made = this->engine_.create(type);
   if (!made.problem.empty())
   {
     return made.problem;

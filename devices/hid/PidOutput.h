@@ -42,7 +42,7 @@ class PidOutput
 public:
   /// With one axis, a wheel, nothing is ever sent for y: some firmwares would turn it into x. With none what would push
   /// is felt as vibration.
-  PidOutput(PidEngine& engine, const PidOutputOptions& options, const PidKind& kind) noexcept;
+  PidOutput(EffectEngine& engine, const PidOutputOptions& options, const PidKind& kind) noexcept;
 
   /// Makes the effects. Empty, or why the device gives no force at all.
   [[nodiscard]] std::string begin();
@@ -97,7 +97,7 @@ private:
   [[nodiscard]] Step sendForce(const Wish& wish) noexcept;
   [[nodiscard]] double rampedShare(std::int64_t now_ns, const DeviceCommand& command) noexcept;
 
-  PidEngine& engine_;
+  EffectEngine& engine_;
   PidOutputOptions options_;
   PidKind kind_;
   ConditionAbilities conditions_; ///< none without the effect that has them

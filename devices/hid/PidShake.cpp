@@ -27,7 +27,7 @@ EffectSettings PidShake::settings() const noexcept
 std::string PidShake::begin(HidUsage type)
 {
   this->type_ = type;
-  const PidEngine::Created made = this->engine_.create(type);
+  const EffectEngine::Created made = this->engine_.create(type);
   if (!made.problem.empty())
   {
     return made.problem;

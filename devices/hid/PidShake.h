@@ -23,7 +23,7 @@ public:
     int restartEvery_ms = 100;
     int changeEvery_ms = 16;
   };
-  PidShake(PidEngine& engine, const Timing& timing) noexcept : engine_(engine), timing_(timing) {}
+  PidShake(EffectEngine& engine, const Timing& timing) noexcept : engine_(engine), timing_(timing) {}
 
   /// Makes the effect, of a periodic kind or of constant force. Empty, or why there is none.
   [[nodiscard]] std::string begin(HidUsage type);
@@ -43,7 +43,7 @@ private:
   [[nodiscard]] EffectSettings settings() const noexcept;
   [[nodiscard]] bool setStrength(const Vibration& vibration) noexcept;
 
-  PidEngine& engine_;
+  EffectEngine& engine_;
   Timing timing_;
   HidUsage type_ = pid::sine;
   int block_ = 0;

@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "devices/hid/NamedDevices.h"
+
 namespace palpate
 {
 namespace
 {
-
-bool sameKind(const HidEntry& a, const HidEntry& b) noexcept
-{
-  return a.vendor == b.vendor && a.product == b.product && a.serial == b.serial;
-}
 
 std::optional<HidEntry> at(const std::string& path, const std::vector<HidEntry>& entries)
 {
@@ -23,7 +20,7 @@ std::optional<HidEntry> at(const std::string& path, const std::vector<HidEntry>&
 
 } // namespace
 
-FoundDevice DeviceSearch::first(HidBus& bus)
+FoundDevice DeviceSearch::first(DeviceListing& bus)
 {
   const std::vector<HidEntry> alike = this->alike(bus);
   const std::optional<HidEntry> inPlace = at(this->wanted_.path, alike);
@@ -32,7 +29,7 @@ FoundDevice DeviceSearch::first(HidBus& bus)
 
 /// A loose plug, or a system that wakes up, can have it back in another place before anybody looks. Its serial number
 /// says so where no other one ever had it; without one it is a stranger until it is plugged in anew.
-void DeviceSearch::lost(HidBus& bus)
+void DeviceSearch::lost(DeviceListing& bus)
 {
   if (std::exchange(this->looking_, true))
   {
@@ -54,7 +51,7 @@ void DeviceSearch::lost(HidBus& bus)
   }
 }
 
-FoundDevice DeviceSearch::again(HidBus& bus)
+FoundDevice DeviceSearch::again(DeviceListing& bus)
 {
   const std::vector<HidEntry> alike = this->alike(bus);
   if (this->mayBeOwn_)
@@ -64,7 +61,7 @@ FoundDevice DeviceSearch::again(HidBus& bus)
   return this->newcomer(alike);
 }
 
-void DeviceSearch::found(HidBus& bus, const HidEntry& entry)
+void DeviceSearch::found(DeviceListing& bus, const HidEntry& entry)
 {
   this->wanted_ = entry;
   this->descriptor_ = bus.descriptor(entry).bytes;
@@ -73,7 +70,7 @@ void DeviceSearch::found(HidBus& bus, const HidEntry& entry)
 }
 
 /// One plug may have several parts, each with a descriptor of its own.
-std::vector<HidEntry> DeviceSearch::alike(HidBus& bus) const
+std::vector<HidEntry> DeviceSearch::alike(DeviceListing& bus) const
 {
   std::vector<HidEntry> alike = bus.devices();
   std::erase_if(alike,

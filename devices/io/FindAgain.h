@@ -28,17 +28,17 @@ public:
   explicit DeviceSearch(HidEntry wanted) : wanted_(std::move(wanted)) {}
 
   /// When a person asks for it: the one in its place, else the only one that looks alike.
-  [[nodiscard]] FoundDevice first(HidBus& bus);
+  [[nodiscard]] FoundDevice first(DeviceListing& bus);
   /// At once after a loss, before anything that may hang: whatever is in other places then is not the one that was
   /// lost, unless its serial number says so. Again before it is found: nothing. Opens nothing.
-  void lost(HidBus& bus);
+  void lost(DeviceListing& bus);
   /// After lost(): what has come since, as long as the others stay where they are.
-  [[nodiscard]] FoundDevice again(HidBus& bus);
+  [[nodiscard]] FoundDevice again(DeviceListing& bus);
   /// That one is used from now on.
-  void found(HidBus& bus, const HidEntry& entry);
+  void found(DeviceListing& bus, const HidEntry& entry);
 
 private:
-  [[nodiscard]] std::vector<HidEntry> alike(HidBus& bus) const;
+  [[nodiscard]] std::vector<HidEntry> alike(DeviceListing& bus) const;
   [[nodiscard]] FoundDevice only(const std::vector<HidEntry>& alike) const;
   [[nodiscard]] FoundDevice newcomer(const std::vector<HidEntry>& alike) const;
   [[nodiscard]] std::string name() const;

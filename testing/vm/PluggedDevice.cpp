@@ -13,14 +13,14 @@ constexpr auto mostBehind = std::chrono::milliseconds(20);
 
 } // namespace
 
-PluggedDevice::PluggedDevice(const PidLayout& layout, std::string serial)
-  : layout_(layout), serial_(std::move(serial)), firmware_(layout)
+PluggedDevice::PluggedDevice(VirtualHid& firmware, PlugIdentity identity)
+  : firmware_(firmware), identity_(std::move(identity))
 {
 }
 
 void PluggedDevice::plug()
 {
-  this->alone([this](VirtualPidDevice& firmware) { firmware = VirtualPidDevice(this->layout_); });
+  this->still([this] { this->powerOn(); });
   this->stalls = false;
   this->attach();
   this->stop_ = false;

@@ -10,19 +10,29 @@
 #include <thread>
 #include <vector>
 
-#include "testing/devices/hid/VirtualPidDevice.h"
+#include "testing/devices/hid/VirtualHid.h"
 
 namespace palpate::test
 {
 
-/// A virtual joystick that the kernel takes for one that is plugged in: its firmware runs in real time in a thread of
-/// its own, a millisecond at a time, and talks to the kernel through the transport that a subclass is.
+/// What the kernel is told of a device before it asks for anything.
+struct PlugIdentity
+{
+  std::string name, serial;
+  std::uint16_t vendor = 0x1209, product = 0x0001, release = 0x0100; ///< the numbers that pid.codes keeps for tests
+  std::vector<std::uint8_t> descriptor;
+  std::vector<std::uint8_t> stopOrder = {}; ///< the report that ends all effects
+};
+
+/// A virtual device that the kernel takes for one that is plugged in: its firmware runs in real time in a thread of its
+/// own, a millisecond at a time, and talks to the kernel through the transport that a subclass is.
 class PluggedDevice
 {
 public:
   using Instant = std::chrono::steady_clock::time_point;
 
-  PluggedDevice(const PidLayout& layout, std::string serial);
+  /// The firmware must outlive it.
+  PluggedDevice(VirtualHid& firmware, PlugIdentity identity);
   virtual ~PluggedDevice() = default;
   PluggedDevice(const PluggedDevice&) = delete;
   PluggedDevice& operator=(const PluggedDevice&) = delete;
@@ -31,40 +41,24 @@ public:
   void plug();
   void unplug();
 
-  /// Reads or changes the firmware while it stands still.
-  template<class Body>
-  auto alone(Body body)
-  {
-    const std::lock_guard lock(this->mutex_);
-    return body(this->firmware_);
-  }
-  /// Of all effects now along x [share].
-  [[nodiscard]] double forceX()
-  {
-    return this->alone([](VirtualPidDevice& stick) { return stick.force()[0]; });
-  }
-  [[nodiscard]] int effectsPlaying()
-  {
-    return this->alone([](VirtualPidDevice& stick) { return stick.effectsPlaying(); });
-  }
-  [[nodiscard]] int badReports()
-  {
-    return this->alone([](VirtualPidDevice& stick) { return stick.badReports; });
-  }
-  /// Orders to stop all effects that it has taken.
-  [[nodiscard]] int stopAlls()
-  {
-    return this->alone([](VirtualPidDevice& stick) { return stick.stopAlls; });
-  }
   /// What the firmware's own clock shows since it was made.
   [[nodiscard]] std::int64_t time_ms() const noexcept { return this->time_ms_; }
-  [[nodiscard]] const PidLayout& layout() const noexcept { return this->layout_; }
-  [[nodiscard]] const std::string& serial() const noexcept { return this->serial_; }
+  [[nodiscard]] const PlugIdentity& identity() const noexcept { return this->identity_; }
+  [[nodiscard]] const std::string& serial() const noexcept { return this->identity_.serial; }
 
   /// It takes nothing from the host any more; its effects go on and its input reports too.
   std::atomic<bool> stalls = false;
 
 protected:
+  /// Does something while the firmware stands still.
+  template<class Body>
+  auto still(Body body)
+  {
+    const std::lock_guard lock(this->mutex_);
+    return body();
+  }
+  /// The firmware as it is before anybody has used it. It stands still.
+  virtual void powerOn() = 0;
   virtual void attach() = 0;
   virtual void detach() noexcept = 0;
   /// Answers the host until then, or less long.
@@ -80,10 +74,9 @@ private:
   void run();
   void passMillisecond();
 
-  PidLayout layout_;
-  std::string serial_;
+  VirtualHid& firmware_;
+  PlugIdentity identity_;
   std::mutex mutex_;
-  VirtualPidDevice firmware_;
   std::atomic<std::int64_t> time_ms_ = 0;
   std::atomic<bool> stop_ = false;
   std::thread thread_;

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "testing/vm/PluggedDevice.h"
+#include "testing/devices/hid/PidLayout.h"
 #include "testing/vm/Servo.h"
 
 namespace palpate::test

@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "testing/vm/Servo.h"
 
-#include <chrono>
+#include <algorithm>
 #include <stdexcept>
-#include <thread>
 
 #include "devices/hid/HidapiBus.h"
 #include "testing/devices/hid/VirtualPidDevice.h"
 
 namespace palpate::test
 {
-
-using std::chrono::milliseconds;
-using std::chrono::steady_clock;
-
-bool waitUntil(const std::function<bool()>& done, int patience_ms)
-{
-  const auto until = steady_clock::now() + milliseconds(patience_ms);
-  while (!done())
-  {
-    if (steady_clock::now() > until)
-    {
-      return false;
-    }
-    std::this_thread::sleep_for(milliseconds(1));
-  }
-  return true;
-}
 
 HidEntry waitForEntry(HidBus& bus, const std::string& serial)
 {
@@ -56,30 +38,9 @@ PidDeviceOptions Servo::firmwareOptions()
 }
 
 Servo::Servo(const std::string& serial, const PidDeviceOptions& options)
-  : options(options), bus(systemHidBus()), entry(waitForEntry(*bus, serial)), device("pid", bus, entry, options)
+  : Ticking(device), options(options), bus(systemHidBus()), entry(waitForEntry(*bus, serial)),
+    device("pid", bus, entry, options)
 {
-}
-
-void Servo::run(int duration_ms)
-{
-  static_cast<void>(this->runUntil([] { return false; }, duration_ms));
-}
-
-bool Servo::runUntil(const std::function<bool()>& done, int patience_ms)
-{
-  return waitUntil(
-    [&]
-    {
-      this->tick();
-      return done();
-    },
-    patience_ms);
-}
-
-void Servo::tick()
-{
-  this->status = this->device.read(0.0, this->sample);
-  this->device.write(this->command);
 }
 
 } // namespace palpate::test

@@ -17,8 +17,6 @@ namespace palpate::test
 namespace
 {
 
-constexpr std::uint16_t vendor = 0x1209, product = 0x0001; // kept for tests by pid.codes
-
 /// The kernel's structures are packed, so no reference binds to their members.
 void copyText(const std::string& text, __u8* to, std::size_t size)
 {
@@ -53,31 +51,31 @@ timespec until(PluggedDevice::Instant instant)
 
 } // namespace
 
-void UhidDevice::attach()
+void UhidTransport::attach()
 {
   this->file_ = ::open("/dev/uhid", O_RDWR | O_CLOEXEC);
   if (this->file_ < 0)
   {
     throw std::system_error(errno, std::generic_category(), "/dev/uhid");
   }
-  const std::vector<std::uint8_t> descriptor = descriptorOf(this->layout());
+  const PlugIdentity& is = this->identity();
   uhid_event event{};
   event.type = UHID_CREATE2;
-  copyText(this->layout().name, event.u.create2.name, sizeof event.u.create2.name);
-  copyText(this->serial(), event.u.create2.uniq, sizeof event.u.create2.uniq);
+  copyText(is.name, event.u.create2.name, sizeof event.u.create2.name);
+  copyText(is.serial, event.u.create2.uniq, sizeof event.u.create2.uniq);
   event.u.create2.bus = BUS_USB;
-  event.u.create2.vendor = vendor;
-  event.u.create2.product = product;
-  event.u.create2.version = 1;
-  event.u.create2.rd_size = static_cast<__u16>(descriptor.size());
-  std::copy(descriptor.begin(), descriptor.end(), event.u.create2.rd_data);
+  event.u.create2.vendor = is.vendor;
+  event.u.create2.product = is.product;
+  event.u.create2.version = is.release;
+  event.u.create2.rd_size = static_cast<__u16>(is.descriptor.size());
+  std::copy(is.descriptor.begin(), is.descriptor.end(), event.u.create2.rd_data);
   if (!tell(this->file_, event))
   {
-    throw std::system_error(errno, std::generic_category(), "the kernel does not take " + this->layout().name);
+    throw std::system_error(errno, std::generic_category(), "the kernel does not take " + is.name);
   }
 }
 
-void UhidDevice::detach() noexcept
+void UhidTransport::detach() noexcept
 {
   uhid_event event{};
   event.type = UHID_DESTROY;
@@ -87,7 +85,7 @@ void UhidDevice::detach() noexcept
   this->opened_ = false;
 }
 
-void UhidDevice::serve(Instant instant)
+void UhidTransport::serve(Instant instant)
 {
   pollfd waiting{ this->file_, POLLIN, 0 };
   const timespec left = until(instant);
@@ -97,7 +95,7 @@ void UhidDevice::serve(Instant instant)
   }
 }
 
-void UhidDevice::answer()
+void UhidTransport::answer()
 {
   uhid_event asked{};
   if (::read(this->file_, &asked, sizeof asked) <= 0)
@@ -139,7 +137,7 @@ void UhidDevice::answer()
   }
 }
 
-void UhidDevice::send(std::span<const std::uint8_t> input)
+void UhidTransport::send(std::span<const std::uint8_t> input)
 {
   if (!this->opened_)
   {

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "testing/vm/PluggedDevice.h"
+#include "testing/vm/PluggedStick.h"
 
 namespace palpate::test
 {
 
-/// A joystick behind /dev/uhid: the kernel's own HID layer without any bus. A write of the host is only put in a queue
+/// A device behind /dev/uhid: the kernel's own HID layer without any bus. A write of the host is only put in a queue
 /// there, so a device that stalls is not noticed by writing; a feature that is not answered costs the host 5 s.
-class UhidDevice final : public PluggedDevice
+class UhidTransport : public PluggedDevice
 {
 public:
   using PluggedDevice::PluggedDevice;
-  ~UhidDevice() override { this->unplug(); }
 
 private:
   void attach() override;
@@ -24,5 +23,7 @@ private:
   int file_ = -1;
   bool opened_ = false; ///< a program has it open: only then does the kernel take input
 };
+
+using UhidDevice = PluggedStick<UhidTransport>;
 
 } // namespace palpate::test

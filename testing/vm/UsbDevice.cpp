@@ -11,6 +11,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "testing/vm/Ticking.h"
+
 namespace palpate::test
 {
 namespace
@@ -45,13 +47,6 @@ Bytes text(const std::string& ascii)
   return bytes;
 }
 
-/// Of a layout whose controls are numbers.
-Bytes stopAll(const PidLayout& layout)
-{
-  const auto at = std::find(layout.controls.begin(), layout.controls.end(), 0x99);
-  return { layout.controlId, low(static_cast<std::size_t>(at - layout.controls.begin()) + 1) };
-}
-
 Bytes hidDescriptor(std::size_t reportSize)
 {
   return { 9, 0x21, 0x11, 0x01, 0, 1, 0x22, low(reportSize), high(reportSize) };
@@ -72,25 +67,31 @@ Bytes configuration(std::size_t reportSize)
 
 } // namespace
 
-void UsbDevice::attach()
+void UsbTransport::attach()
 {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
   {
     throw std::system_error(errno, std::generic_category(), "socketpair");
   }
-  std::ofstream file(bus + "attach");
-  file << "0 " << ends[1] << " " << deviceNumber << " " << fullSpeed << std::flush;
+  // The port may still be that of a device that was just unplugged.
+  const bool taken = waitUntil(
+    [&]
+    {
+      std::ofstream file(bus + "attach");
+      file << "0 " << ends[1] << " " << deviceNumber << " " << fullSpeed << std::flush;
+      return file.good();
+    });
   ::close(ends[1]);
   this->socket_ = ends[0];
-  if (!file)
+  if (!taken)
   {
     ::close(this->socket_);
     throw std::system_error(EIO, std::generic_category(), bus + "attach");
   }
 }
 
-void UsbDevice::detach() noexcept
+void UsbTransport::detach() noexcept
 {
   {
     std::ofstream file(bus + "detach");
@@ -103,12 +104,12 @@ void UsbDevice::detach() noexcept
   this->inputs_.clear();
 }
 
-bool UsbDevice::receive(void* to, std::size_t size) const
+bool UsbTransport::receive(void* to, std::size_t size) const
 {
   return size == 0 || ::recv(this->socket_, to, size, MSG_WAITALL) == static_cast<ssize_t>(size);
 }
 
-void UsbDevice::serve(Instant until)
+void UsbTransport::serve(Instant until)
 {
   const auto left = std::max(until - std::chrono::steady_clock::now(), std::chrono::steady_clock::duration::zero());
   const timespec wait{ 0, std::min<std::int64_t>(std::chrono::nanoseconds(left).count(), 999999999) };
@@ -131,7 +132,7 @@ void UsbDevice::serve(Instant until)
   }
 }
 
-void UsbDevice::submit(const Header& header, const Setup& setup)
+void UsbTransport::submit(const Header& header, const Setup& setup)
 {
   const bool in = header[3] == 1;
   Bytes data(in ? 0 : header[6]);
@@ -144,14 +145,14 @@ void UsbDevice::submit(const Header& header, const Setup& setup)
     this->control(header, setup, data);
     return;
   }
-  if (!in && this->stalls && data == stopAll(this->layout()))
+  if (!in && this->stalls && data == this->identity().stopOrder)
   {
     ++this->refusedStops;
   }
   (in ? this->ins_ : this->outs_).push_back({ header[1], std::move(data) });
 }
 
-void UsbDevice::unlink(const Header& header)
+void UsbTransport::unlink(const Header& header)
 {
   std::size_t dropped = 0;
   for (std::deque<Request>* queue : { &this->outs_, &this->ins_ })
@@ -161,7 +162,7 @@ void UsbDevice::unlink(const Header& header)
   this->reply(unlinked, header[1], dropped > 0 ? -ECONNRESET : 0, 0);
 }
 
-void UsbDevice::frame()
+void UsbTransport::frame()
 {
   if (!this->outs_.empty() && !this->stalls)
   {
@@ -178,7 +179,7 @@ void UsbDevice::frame()
   }
 }
 
-void UsbDevice::send(std::span<const std::uint8_t> input)
+void UsbTransport::send(std::span<const std::uint8_t> input)
 {
   this->inputs_.emplace_back(input.begin(), input.end());
   if (this->inputs_.size() > longestQueue)
@@ -187,7 +188,7 @@ void UsbDevice::send(std::span<const std::uint8_t> input)
   }
 }
 
-void UsbDevice::reply(std::uint32_t command, std::uint32_t sequence, int status, std::size_t length,
+void UsbTransport::reply(std::uint32_t command, std::uint32_t sequence, int status, std::size_t length,
   std::span<const std::uint8_t> data) const
 {
   std::array<std::uint32_t, 12> words{ command, sequence, 0, 0, 0, static_cast<std::uint32_t>(status),
@@ -199,7 +200,7 @@ void UsbDevice::reply(std::uint32_t command, std::uint32_t sequence, int status,
   static_cast<void>(::send(this->socket_, message.data(), message.size(), MSG_NOSIGNAL));
 }
 
-void UsbDevice::control(const Header& header, const Setup& setup, std::span<const std::uint8_t> data)
+void UsbTransport::control(const Header& header, const Setup& setup, std::span<const std::uint8_t> data)
 {
   const std::uint8_t requestType = setup[0], request = setup[1], valueLow = setup[2], valueHigh = setup[3];
   const bool standard = (requestType & 0x60) == 0, in = (requestType & 0x80) != 0;
@@ -222,24 +223,25 @@ void UsbDevice::control(const Header& header, const Setup& setup, std::span<cons
   this->reply(submitted, header[1], good ? 0 : -EPIPE, in ? answer.size() : data.size(), answer);
 }
 
-std::vector<std::uint8_t> UsbDevice::described(std::uint8_t type, std::uint8_t index) const
+std::vector<std::uint8_t> UsbTransport::described(std::uint8_t type, std::uint8_t index) const
 {
-  const Bytes report = descriptorOf(this->layout());
+  const PlugIdentity& is = this->identity();
   switch (type)
   {
     case 1:
-      return { 18, 1, 0x00, 0x02, 0, 0, 0, 64, 0x09, 0x12, 0x01, 0x00, 0x00, 0x01, 1, 2, 3, 1 };
+      return { 18, 1, 0x00, 0x02, 0, 0, 0, 64, low(is.vendor), high(is.vendor), low(is.product), high(is.product),
+        low(is.release), high(is.release), 1, 2, 3, 1 };
     case 2:
-      return configuration(report.size());
+      return configuration(is.descriptor.size());
     case 3:
       return index == 0   ? Bytes{ 4, 3, 0x09, 0x04 }
-             : index == 3 ? text(this->serial())
-             : index == 2 ? text(this->layout().name)
+             : index == 3 ? text(is.serial)
+             : index == 2 ? text(is.name)
                           : text("Palpate");
     case 0x21:
-      return hidDescriptor(report.size());
+      return hidDescriptor(is.descriptor.size());
     case 0x22:
-      return report;
+      return is.descriptor;
     default:
       return {};
   }

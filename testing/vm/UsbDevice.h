@@ -4,19 +4,18 @@
 #include <array>
 #include <deque>
 
-#include "testing/vm/PluggedDevice.h"
+#include "testing/vm/PluggedStick.h"
 
 namespace palpate::test
 {
 
-/// A joystick on a virtual full-speed USB bus: the kernel's usbcore and usbhid on one end of a socket, the usbip
+/// A device on a virtual full-speed USB bus: the kernel's usbcore and usbhid on one end of a socket, the usbip
 /// protocol on it, this device at the other. At most one report each way is done in a millisecond, as on a wire, and a
 /// device that stalls keeps the host's writes waiting until the kernel gives them up.
-class UsbDevice final : public PluggedDevice
+class UsbTransport : public PluggedDevice
 {
 public:
   using PluggedDevice::PluggedDevice;
-  ~UsbDevice() override { this->unplug(); }
 
   /// How often the host has tried to stop all effects while it stalled.
   std::atomic<int> refusedStops = 0;
@@ -48,5 +47,7 @@ private:
   std::deque<Request> outs_, ins_;
   std::deque<std::vector<std::uint8_t>> inputs_;
 };
+
+using UsbDevice = PluggedStick<UsbTransport>;
 
 } // namespace palpate::test

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tests; with --push SERIAL the program that one of them kills: it pushes until it dies.
+// The tests; with --push SERIAL, --push-evdev PRODUCT or --push-wheel the program that one of them kills: it pushes
+// until it dies.
 #include <iostream>
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "testing/vm/EventServo.h"
 #include "testing/vm/Servo.h"
+#include "testing/vm/UinputStick.h"
 
 namespace
 {
 
-int push(const std::string& serial)
+template<class Servo>
+int push(Servo&& servo)
 {
-  palpate::test::Servo servo(serial);
   if (const std::string problem = servo.device.open(); !problem.empty())
   {
     std::cerr << problem << "\n";
@@ -28,9 +31,19 @@ int push(const std::string& serial)
 
 int main(int argc, char** argv)
 {
-  if (argc == 3 && std::string(argv[1]) == "--push")
+  using namespace palpate::test;
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (argc == 3 && what == "--push")
   {
-    return push(argv[2]);
+    return push(Servo(argv[2]));
+  }
+  if (argc == 3 && what == "--push-evdev")
+  {
+    return push(EventServo(UinputStick::vendor, static_cast<std::uint16_t>(std::stoi(argv[2]))));
+  }
+  if (argc == 2 && what == "--push-wheel")
+  {
+    return push(EventServo(0x046D, 0xC24F));
   }
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "devices/evdev/EvdevBus.h"
+#include "devices/evdev/EvdevKind.h"
+
+namespace palpate
+{
+
+/// An event device for a hand, usable or not.
+struct FoundEvdev
+{
+  std::string name; ///< for the factory: the same as long as the same devices are plugged in
+  HidEntry entry;
+  EvdevKind kind;
+  std::string problem;  ///< empty, or why it cannot be used and what to do
+  bool hasTwin = false; ///< another one is plugged in that neither kind nor serial number tells apart
+};
+
+/// The devices that the kernel's own driver pushes, and joysticks without force that are not HID. What speaks PID is
+/// left out, with all that is behind its plug: it is driven past that driver, and two that drive one device undo each
+/// other. So are HID devices without force: whoever looks through HID says why they cannot be used. What can be used is
+/// opened for a moment to see whether it may be.
+[[nodiscard]] std::vector<FoundEvdev> findEvdevDevices(EvdevBus& bus);
+
+} // namespace palpate
