@@ -168,6 +168,9 @@ class PlayTest(CommandLineTest):
         for hold in ("0", "33", "-1", "2x", "trigger", "99999999999"):
             self.refused("labyrinth", "corridor", "--play", "--device", "simulated-joystick", "--hold", hold,
                          saying=("--hold", "number of a button, 1 to 32, or grip"))
+        for hold in (1, 2):
+            self.refused("labyrinth", "corridor", "--play", "--device", "simulated-joystick", "--hold", hold,
+                         saying=("--hold", "buttons 1 to 2 choose"))
 
     def test_the_same_hand_plays_the_same_game(self):
         self.assertEqual(self.play("spiral"), self.play("spiral"))

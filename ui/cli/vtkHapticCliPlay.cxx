@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labyrinths played from a device alone: no mouse, no display. What is printed is for whoever stands beside.
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <csignal>
@@ -73,6 +74,17 @@ palpate::DeadMan DeadManOf(const std::string& hold)
   return { 1u << (button - 1), false };
 }
 
+/// A button cannot both hold and choose.
+void CheckHold(const palpate::DeadMan& deadMan, std::size_t labyrinths)
+{
+  const int choose = static_cast<int>(labyrinths) + 1; // with the one that ends
+  if (deadMan.buttons != 0 && deadMan.buttons < (1u << std::min(choose, 31)))
+  {
+    throw vtkHapticCliProblem("--hold: buttons 1 to " + std::to_string(choose) +
+                              " choose; hold one above them, the grip, or leave it out and hold what chose");
+  }
+}
+
 /// A device that nobody could play with is refused before it is opened.
 void CheckDevice(const std::string& name, const palpate::DeadMan& deadMan, const palpate::DeviceOptions& wanted)
 {
@@ -85,6 +97,10 @@ void CheckDevice(const std::string& name, const palpate::DeadMan& deadMan, const
     if (known.problem.empty() && !known.info.rendersForce)
     {
       throw vtkHapticCliProblem(name + " gives no force, and without it no wall can be felt; choose another --device");
+    }
+    if (known.problem.empty() && known.info.abilities.sensedAxes < 2)
+    {
+      throw vtkHapticCliProblem(name + " moves along one line, and a labyrinth is a plane; choose another --device");
     }
     if (deadMan.grip && !known.hasGrip)
     {
@@ -224,7 +240,8 @@ int PlaySimulated(palpate::HapticSession& session, palpate::MazeHost& host, palp
 palpate::HapticParameters ParametersFor(const palpate::DeviceInfo& info)
 {
   palpate::HapticParameters parameters;
-  parameters.walls.hold = true; // where the device can
+  parameters.walls.hold = true;                        // where the device can
+  parameters.guide.on = info.abilities.sensedAxes > 2; // a hand in space is led to the plane
   parameters.passivity.enabled = true;
   parameters.safety = palpate::SafetyLimits::forDevice(info);
   return parameters;
@@ -234,6 +251,7 @@ palpate::HapticParameters ParametersFor(const palpate::DeviceInfo& info)
 int vtkHapticCliPlay(std::vector<palpate::Labyrinth> labyrinths, const vtkHapticCliLabyrinthOptions& options)
 {
   const palpate::DeadMan deadMan = DeadManOf(options.Hold);
+  CheckHold(deadMan, labyrinths.size());
   palpate::DeviceOptions wanted;
   wanted.hand = "firm";
   wanted.stroke.points_D = { palpate::Vec3::Zero() };
