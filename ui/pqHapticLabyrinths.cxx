@@ -351,13 +351,9 @@ void pqHapticLabyrinths::readOut()
 
 void pqHapticLabyrinths::grant(int wish)
 {
-  if (wish == vtkHapticSession::AgainWish)
+  if (wish > 0 && wish <= this->Worlds->count() && this->Source) // whoever touches something else keeps it
   {
-    this->again();
-  }
-  if (wish == vtkHapticSession::NextWish && this->Source) // whoever touches something else keeps it
-  {
-    this->Worlds->setCurrentRow((this->Worlds->currentRow() + 1) % this->Worlds->count());
+    this->Worlds->setCurrentRow(wish - 1);
     this->play();
   }
 }

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 
+#include "devices/simulated/SerialLink.h"
+
 namespace palpate
 {
 namespace
 {
 
 constexpr double none = DeviceModel::unlimited;
+constexpr double serial_B_per_s = 31250.0 / 10.0; // of 10 bits each, with start and stop
 
 template<class Model>
 const Model* byName(const std::vector<Model>& models, const std::string& name)
@@ -37,6 +40,8 @@ const std::vector<DeviceModel>& deviceModels()
       30.0, 0.08, none },
     { "D6", "simulated-joystick", "a force-feedback joystick: a plane of 100 mm in 1024 steps, 5 N", 0.05, 0.5, 0.3,
       0.1 / 1024, 5.0, 200.0, none, 0.05, 0.05, true, Provenance::Assumed, 1e-3 },
+    { "D8", "simulated-serial-joystick", "the same joystick with bare springs behind a serial link of 31,250 baud",
+      0.05, 0.5, 0.3, 0.1 / 1024, 5.0, 200.0, none, 0.05, 0.05, true, Provenance::Assumed, 1e-3, true, serial_B_per_s },
   };
   return models;
 }
@@ -66,6 +71,8 @@ DeviceInfo infoOf(const DeviceModel& model)
   info.maxDamping_Ns_per_m = limit(model.maxDamping_Ns_per_m);
   info.workspaceRadius_m = typical(model.workspaceRadius_m);
   info.resolution_m = typical(model.encoderStep_m);
+  info.forceUpdate_s = typical(SerialLink::force_B / model.link_B_per_s);
+  info.wallUpdate_s = typical(SerialLink::walls_B / model.link_B_per_s);
   info.mass_kg = typical(model.mass_kg);
   info.damping_Ns_per_m = typical(model.damping_Ns_per_m);
   info.friction_N = typical(model.friction_N);

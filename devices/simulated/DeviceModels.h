@@ -25,7 +25,7 @@ struct DeviceModel
 {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-  std::string id;   ///< D0 .. D6
+  std::string id;   ///< D0 .. D6, D8
   std::string name; ///< the name the factory knows
   std::string what; ///< one line for a person
   double mass_kg = 0.1;
@@ -40,11 +40,15 @@ struct DeviceModel
   bool planar = false;         ///< moves in x and y only
   Provenance provenance = Provenance::Listed;
   double loop_s = 0.0; ///< period of the device's own loop, in which it closes walls; 0: it has none
+  bool bareSprings =
+    false; ///< it closes walls with springs that pull as well as push, and have no limit (BareSprings.h)
+  double link_B_per_s = unlimited; ///< what its link carries (SerialLink.h)
 };
 
 /// D0 ideal, D1 generic, D2 touch, D3 premium, D4 falcon, D5 omega, D6 joystick. Largest force, stiffness and damping
 /// are what open toolkits list for such devices; masses, dampings, friction and steps are typical of the literature,
-/// those of the joystick assumed.
+/// those of the joystick assumed. D8 is the joystick as it was in the nineties: bare springs behind a serial link (D7
+/// is kept for a device that turns).
 [[nodiscard]] const std::vector<DeviceModel>& deviceModels();
 
 /// What the device says about itself. Limits count as known where they are listed; how the hardware moves, its encoder

@@ -41,7 +41,9 @@ HapticParameters parametersOf(const Labyrinth& labyrinth, const LabyrinthRun& ru
 /// Where a fresh place is reached, as a share of the disc's radius.
 constexpr double near = 0.75;
 
-BlindPlan planOf(const Labyrinth& labyrinth, const LabyrinthRun& run, const WorkspaceMap& map)
+} // namespace
+
+BlindPlan blindPlan(const Labyrinth& labyrinth, const LabyrinthRun& run, const WorkspaceMap& map)
 {
   constexpr double pressing_N = 2.0;
   BlindPlan plan;
@@ -56,6 +58,15 @@ BlindPlan planOf(const Labyrinth& labyrinth, const LabyrinthRun& run, const Work
   return plan;
 }
 
+Felt feltOf(const HapticState& state, const Vec3& handle_D, const WorkspaceMap& map)
+{
+  const Vec3 location_D = map.toDevice(state.proxy_W.p);
+  return { handle_D, location_D, state.stiffness_N_per_m * (location_D - handle_D) };
+}
+
+namespace
+{
+
 class Runner
 {
 public:
@@ -64,8 +75,8 @@ public:
       device_(run.device, run.hand, { { Vec3::Zero() } }, { .period_s = device_s }),
       scene_(SceneBuilder().build({ wallsOf(labyrinth) }).scene),
       parameters_(parametersOf(labyrinth, run, this->device_.info())),
-      hand_(
-        planOf(labyrinth, run, this->parameters_.map), this->parameters_.map.toDevice(this->parameters_.game.start_W))
+      hand_(blindPlan(labyrinth, run, this->parameters_.map),
+        this->parameters_.map.toDevice(this->parameters_.game.start_W))
   {
   }
 
@@ -125,8 +136,7 @@ private:
 
   void explore(const DeviceSample& sample, const HapticState& state)
   {
-    const Vec3 location_D = this->parameters_.map.toDevice(state.proxy_W.p);
-    const Felt felt{ sample.pose_D.p, location_D, state.stiffness_N_per_m * (location_D - sample.pose_D.p) };
+    const Felt felt = feltOf(state, sample.pose_D.p, this->parameters_.map);
     this->from_D_ = std::exchange(this->to_D_, this->hand_.look(felt, this->host_s()));
     this->note(state);
     if (this->hand_.exhausted() || this->hand_.lost())

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "devices/simulated/BlindHand.h"
 #include "devices/simulated/DeviceModels.h"
 #include "haptics/labyrinth/Labyrinth.h"
+#include "haptics/session/HapticState.h"
 
 namespace palpate
 {
@@ -21,6 +23,12 @@ struct LabyrinthRun
   double mostTime_s = 7200.0; ///< of the virtual clock
   bool trace = false;
 };
+
+/// How that hand explores this labyrinth on the device, at that scale.
+[[nodiscard]] BlindPlan blindPlan(const Labyrinth& labyrinth, const LabyrinthRun& run, const WorkspaceMap& map);
+
+/// What it feels after a tick, with the handle at that place [m].
+[[nodiscard]] Felt feltOf(const HapticState& state, const Vec3& handle_D, const WorkspaceMap& map);
 
 /// A moment of the way.
 struct LabyrinthMoment

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "devices/Condition.h"
+#include "devices/BareSprings.h"
 
 namespace palpate
 {
@@ -27,7 +27,8 @@ SimulatedDevice::SimulatedDevice(DeviceModel model, HandModel hand, HandPath pat
   : info_(infoOf(model)), model_(std::move(model)), hand_(std::move(hand)), path_(std::move(path)), options_(options),
     parts_(passesOf(model_, options)),
     plant_(model_.mass_kg + hand_.mass_kg, model_.damping_Ns_per_m + hand_.damping_Ns_per_m, hand_.stiffness_N_per_m,
-      model_.friction_N, options.period_s / parts_)
+      model_.friction_N, options.period_s / parts_),
+    link_(model_.link_B_per_s)
 {
 }
 
@@ -80,6 +81,7 @@ std::string SimulatedDevice::open()
     this->axes_[2] = {};
   }
   this->commands_.fill(DeviceCommand{});
+  this->link_ = SerialLink(this->model_.link_B_per_s);
   this->time_s_ = 0.0;
   return {};
 }
@@ -125,7 +127,12 @@ std::pair<Vec3, Vec3> SimulatedDevice::ledAlong() noexcept
 
 void SimulatedDevice::write(const DeviceCommand& command) noexcept
 {
-  this->commands_[static_cast<std::size_t>(this->newest_)] = command;
+  DeviceCommand& newest = this->commands_[static_cast<std::size_t>(this->newest_)];
+  newest = command;
+  if (this->model_.bareSprings)
+  {
+    switchSprings(this->shown_D(), newest);
+  }
 }
 
 DeviceCommand SimulatedDevice::due() noexcept
@@ -140,6 +147,18 @@ DeviceCommand SimulatedDevice::due() noexcept
   return due;
 }
 
+Condition SimulatedDevice::springOf(const HeldWall& wall) const noexcept
+{
+  const double stiffness_N_per_m = std::min(wall.stiffness_N_per_m, this->info_.heldStiffness_N_per_m.value);
+  if (this->model_.bareSprings)
+  {
+    return bareSpring(wall.offset_m, stiffness_N_per_m);
+  }
+  Condition spring = lowerWall(wall.offset_m, stiffness_N_per_m);
+  spring.negativeSaturation = wall.largest_N;
+  return spring;
+}
+
 Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
 {
   Vec3 force = command.wrench_D.force;
@@ -148,10 +167,7 @@ Vec3 SimulatedDevice::motorForce(const DeviceCommand& command) const noexcept
   for (std::size_t i = 0; i < walls; ++i)
   {
     const HeldWall& wall = command.walls[i];
-    Condition spring =
-      lowerWall(wall.offset_m, std::min(wall.stiffness_N_per_m, this->info_.heldStiffness_N_per_m.value));
-    spring.negativeSaturation = wall.largest_N;
-    force += conditionForce(spring, wall.normal_D.dot(this->shown_D())) * wall.normal_D;
+    force += conditionForce(this->springOf(wall), wall.normal_D.dot(this->shown_D())) * wall.normal_D;
   }
   if (this->model_.loop_s > 0.0)
   {
@@ -190,7 +206,7 @@ void SimulatedDevice::advance() noexcept
   const double T = this->options_.period_s;
   const auto [before, after] = this->ledAlong();
   const Vec3 led = this->hand_.stiffness_N_per_m * after + this->hand_.damping_Ns_per_m / T * (after - before);
-  const DeviceCommand command = this->due();
+  const DeviceCommand command = this->link_.carry(this->due(), this->time_s_);
   for (int pass = 0; pass < this->parts_; ++pass)
   {
     this->move(led + this->options_.push_D + this->motorForce(command));
@@ -227,6 +243,7 @@ DeviceStatus SimulatedDevice::read(double tickTime_s, DeviceSample& sample) noex
   sample.pose_D.p = this->shown_D();
   sample.velocity_D.linear = this->model_.encoderStep_m > 0.0 ? Vec3(Vec3::Zero()) : this->speed_D();
   sample.grip = true;
+  sample.buttons = this->buttons_;
   return DeviceStatus::Ok;
 }
 

@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "devices/Condition.h"
 #include "devices/simulated/DeviceModels.h"
 #include "devices/simulated/FrictionPlant.h"
+#include "devices/simulated/SerialLink.h"
 #include "haptics/core/HapticDevice.h"
 
 namespace palpate
@@ -34,7 +36,8 @@ struct SimulationOptions
 
 /// A device in the grip of a spring-damper hand that is led along a polyline, or in nobody's grip: deterministic, exact
 /// between ticks, with friction, encoder steps, delay, force limit and stops. A joystick closes the walls of a command
-/// and its viscosity in its own loop, however slow the host is. A device with an encoder shows
+/// and its viscosity in its own loop, however slow the host is; one with bare springs has them switched with each
+/// command, and a serial link carries what it can. A device with an encoder shows
 /// floor(x / D) D and no velocity: whoever wants one estimates it. One without encoder shows both exactly.
 class SimulatedDevice final : public HapticDevice
 {
@@ -55,6 +58,9 @@ public:
   /// From the next period on the hand is led here instead of along its path, for a program that decides as it goes [m].
   void lead(const Vec3& target_D) noexcept;
 
+  /// The buttons that the hand holds down from now on, bit i: button i + 1.
+  void press(std::uint32_t buttons) noexcept { this->buttons_ = buttons; }
+
   /// The true state, which an encoder does not show [m, m/s].
   [[nodiscard]] Vec3 position_D() const noexcept;
   [[nodiscard]] Vec3 speed_D() const noexcept;
@@ -64,8 +70,10 @@ private:
   void advance() noexcept;
   /// Where the hand is led in the coming period, and from where.
   [[nodiscard]] std::pair<Vec3, Vec3> ledAlong() noexcept;
-  /// The command that acts in the coming period.
+  /// The command that is due after the delay.
   [[nodiscard]] DeviceCommand due() noexcept;
+  /// The wall as the spring that the device closes.
+  [[nodiscard]] Condition springOf(const HeldWall& wall) const noexcept;
   /// What the motors give now: the command's force, the walls and the viscosity the device closes itself, cut to the
   /// largest force.
   [[nodiscard]] Vec3 motorForce(const DeviceCommand& command) const noexcept;
@@ -86,6 +94,8 @@ private:
   std::array<FrictionPlant::State, 3> axes_;
   std::array<DeviceCommand, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
   int newest_ = 0;
+  SerialLink link_;
+  std::uint32_t buttons_ = 0;
   double time_s_ = 0.0;
 };
 

@@ -337,16 +337,8 @@ public:
    */
   void GetLabyrinthTrace(vtkPolyData* trace) const;
 
-  /// Order of the wishes as TakeLabyrinthWish() gives them.
-  enum LabyrinthWishes
-  {
-    NoWish = 0,
-    NextWish = 1,
-    AgainWish = 2,
-  };
-
-  /// What the device's buttons asked for since the last call, while no game is played: button 1 the next labyrinth,
-  /// button 2 to start again; a button of the dead-man nothing.
+  /// Which labyrinth the device's buttons asked for since the last call, while no game is played: button n for number n,
+  /// a button of the dead-man for none; 0: none.
   int TakeLabyrinthWish();
 
   /// Order of the choices as SetSimplify() and SetLinesAsWalls() take them.

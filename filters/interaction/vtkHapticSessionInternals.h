@@ -71,7 +71,7 @@ public:
   palpate::WayTrace Trace;
   double TraceTime_s = 0.0;    ///< of its game
   std::uint32_t Buttons = ~0u; ///< at the last look; what is down at the first was not pressed
-  palpate::MazeWish Wish = palpate::MazeWish::None;
+  int Wish = 0; ///< the labyrinth that the buttons asked for, from 1 on
   std::optional<palpate::Vec3> Hand_W; ///< where a program holds it, once it said so
 
   palpate::HapticState State;

@@ -161,7 +161,7 @@ void vtkHapticSession::GetLabyrinthTrace(vtkPolyData* trace) const
 
 int vtkHapticSession::TakeLabyrinthWish()
 {
-  return static_cast<int>(std::exchange(this->Impl->Wish, palpate::MazeWish::None));
+  return std::exchange(this->Impl->Wish, 0);
 }
 
 void vtkHapticSession::Internals::FollowGame()
@@ -169,8 +169,7 @@ void vtkHapticSession::Internals::FollowGame()
   const palpate::HapticState& state = this->State;
   const std::uint32_t down = state.tick > 0 ? state.buttons : ~0u;
   const std::uint32_t wentDown = down & ~std::exchange(this->Buttons, down);
-  const palpate::MazeWish wish = palpate::wishOf(state.game, wentDown, this->Parameters.safety.deadMan.buttons);
-  this->Wish = wish != palpate::MazeWish::None ? wish : this->Wish;
+  this->Wish = palpate::mazeOf(state.game, wentDown, this->Parameters.safety.deadMan.buttons).value_or(this->Wish);
   const double before_s = std::exchange(this->TraceTime_s, state.gameTime_s);
   if (state.gameTime_s < before_s)
   {

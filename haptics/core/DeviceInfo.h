@@ -87,6 +87,8 @@ struct DeviceInfo
   DeviceQuantity maxDamping_Ns_per_m{ std::numeric_limits<double>::infinity(), false };
   DeviceQuantity heldStiffness_N_per_m{ std::numeric_limits<double>::infinity(), false }; ///< of walls it closes itself
   DeviceQuantity heldForce_N{ std::numeric_limits<double>::infinity(), false };           ///< that they push with
+  DeviceQuantity forceUpdate_s{ 0.0, false }; ///< that its link takes for one force
+  DeviceQuantity wallUpdate_s{ 0.0, false };  ///< and for the places of four walls
   DeviceQuantity mass_kg{ 0.0, false };
   DeviceQuantity damping_Ns_per_m{ 0.0, false };
   DeviceQuantity friction_N{ 0.0, false };

@@ -33,6 +33,18 @@ Lead leadOf(const PassivityPlan& plan)
   return { ahead, plan.enabled ? ahead + plan.repay : 0.0 };
 }
 
+/// A link that carries fewer forces than the loop makes is the loop: while one is held the next is under way.
+LoopSettings throughLink(const DeviceInfo& device, LoopSettings loop)
+{
+  const double share = loop.period_s / device.forceUpdate_s.value;
+  if (share < 1.0)
+  {
+    loop.passivity.delay_ticks = 1.0 + share * loop.passivity.delay_ticks;
+    loop.period_s = device.forceUpdate_s.value;
+  }
+  return loop;
+}
+
 SampledWall wallOf(const DeviceInfo& device, const LoopSettings& loop)
 {
   SampledWall wall;
@@ -51,12 +63,14 @@ SampledWall wallOf(const DeviceInfo& device, const LoopSettings& loop)
 }
 
 /// Too much damping shakes a sampled wall like too little: both ends of what the controller does must hold.
-double stableStiffness(SampledWall wall, const PassivityPlan& plan)
+/// The controller leads by periods of `tick_s`, however slow the link is.
+double stableStiffness(SampledWall wall, const PassivityPlan& plan, double tick_s)
 {
   const Lead lead = leadOf(plan);
-  wall.leadPeriods = lead.least;
+  const double share = tick_s / wall.period_s;
+  wall.leadPeriods = share * lead.least;
   const double least = criticalStiffness(wall);
-  wall.leadPeriods = lead.most;
+  wall.leadPeriods = share * lead.most;
   return std::min(least, criticalStiffness(wall));
 }
 
@@ -69,8 +83,9 @@ std::string format(const char* pattern, double value)
 
 } // namespace
 
-StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& loop)
+StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& asked)
 {
+  const LoopSettings loop = throughLink(device, asked);
   StabilityLimits limits;
   if (!device.rendersForce)
   {
@@ -81,7 +96,7 @@ StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& lo
   {
     const double lag_s = (0.5 + loop.passivity.delay_ticks) * loop.period_s;
     limits.passive_N_per_m = std::max(0.0, device.damping_Ns_per_m.value - loop.damping_Ns_per_m) / lag_s;
-    limits.stable_N_per_m = stableStiffness(wallOf(device, loop), loop.passivity);
+    limits.stable_N_per_m = stableStiffness(wallOf(device, loop), asked.passivity, asked.period_s);
   }
   if (device.resolution_m.value > 0.0)
   {
@@ -97,8 +112,9 @@ StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& lo
   return limits;
 }
 
-std::string describe(const StabilityLimits& limits, const DeviceInfo& device, const LoopSettings& loop)
+std::string describe(const StabilityLimits& limits, const DeviceInfo& device, const LoopSettings& asked)
 {
+  const LoopSettings loop = throughLink(device, asked);
   if (limits.decides == StiffnessLimit::None)
   {
     return device.rendersForce ? "any stiffness: nothing is known of this device's mass and damping"

@@ -2,27 +2,75 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "haptics/labyrinth/LabyrinthGame.h"
+#include "haptics/safety/DeadMan.h"
 
 namespace palpate
 {
 
-/// What a hand asks for with the buttons of its device.
-enum class MazeWish : std::uint8_t
+/// Whether a hand is on its way: from the lead on until the exit.
+[[nodiscard]] constexpr bool isPlayed(GamePhase phase) noexcept
 {
-  None,
-  Next,  ///< the next labyrinth: button 1
-  Again, ///< start again: button 2
+  return phase == GamePhase::Leads || phase == GamePhase::LetsGo || phase == GamePhase::Explores;
+}
+
+/// The labyrinth, from 1 on, that buttons which went down (bit i: button i + 1) ask for: button n for labyrinth n, the
+/// lowest of several. While one is played, nothing: no grip that slips ends a game. A button that holds the hand
+/// engaged
+/// (`deadMan`, same bits) chooses nothing.
+[[nodiscard]] constexpr std::optional<int> mazeOf(
+  GamePhase phase, std::uint32_t wentDown, std::uint32_t deadMan) noexcept
+{
+  const std::uint32_t free = isPlayed(phase) ? 0u : wentDown & ~deadMan;
+  for (int button = 1; button <= 32; ++button)
+  {
+    if ((free >> (button - 1) & 1u) != 0)
+    {
+      return button;
+    }
+  }
+  return std::nullopt;
+}
+
+/// What a person asks for who has nothing but the device.
+struct MazeCall
+{
+  enum class Kind : std::uint8_t
+  {
+    None,
+    Play,
+    GiveUp,
+    End,
+  };
+
+  Kind kind = Kind::None;
+  int maze = 0; ///< to play, from 1 on
 };
 
-/// What buttons that went down (bit i: button i + 1) ask for in a phase: nothing from the lead on until the exit, so no
-/// grip that slips ends a game. A button that holds the hand engaged (`deadMan`, same bits) chooses nothing.
-[[nodiscard]] constexpr MazeWish wishOf(GamePhase phase, std::uint32_t wentDown, std::uint32_t deadMan) noexcept
+/// Buttons 1 to `mazes` choose, the next one ends. What must be held is `deadMan`, or, where that asks for nothing, the
+/// button that chose. A game is given up by letting go of what chose it, or by holding any other button than the
+/// dead-man's for a second.
+class MazeMenu
 {
-  const bool plays = phase == GamePhase::Leads || phase == GamePhase::LetsGo || phase == GamePhase::Explores;
-  const std::uint32_t free = plays ? 0u : wentDown & ~deadMan;
-  return (free & 1u) != 0 ? MazeWish::Next : (free & 2u) != 0 ? MazeWish::Again : MazeWish::None;
-}
+public:
+  static constexpr double giveUp_s = 1.0;
+
+  MazeMenu(int mazes, const DeadMan& deadMan) noexcept : mazes_(mazes), deadMan_(deadMan) {}
+
+  /// To be called with the newest buttons, `dt_s` after the last time. What is down at first was not pressed.
+  [[nodiscard]] MazeCall look(GamePhase phase, std::uint32_t buttons, double dt_s) noexcept;
+
+  /// What has to be held while this labyrinth, from 1 on, is played.
+  [[nodiscard]] DeadMan heldFor(int maze) const noexcept;
+  [[nodiscard]] bool chooserHolds() const noexcept { return this->deadMan_ == DeadMan{}; }
+
+private:
+  int mazes_;
+  DeadMan deadMan_;
+  std::uint32_t down_ = ~0u;
+  double others_s_ = 0.0; ///< for which another button has been held in a game
+};
 
 } // namespace palpate

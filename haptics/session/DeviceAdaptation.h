@@ -18,8 +18,8 @@ namespace palpate
 
 /// What a person set, completed by what the device says about itself: the encoder step the velocity is estimated
 /// with, the largest stiffness, no passivity control where no force reaches a hand, and walls left to it only if it
-/// closes them: then no stiffer and no harder than it can, and what the host closes beside them neither.
-/// `viscosity_Ns_per_m`: what its corridors need (Viscosity.h).
+/// closes them: then no stiffer and no harder than it can, and what the host closes beside them neither, and no more
+/// often than its link carries them. `viscosity_Ns_per_m`: what its corridors need (Viscosity.h).
 [[nodiscard]] inline HapticParameters adaptToDevice(HapticParameters parameters, const DeviceInfo& device,
   const StabilityLimits& limits, double viscosity_Ns_per_m = 0.0) noexcept
 {
@@ -35,6 +35,7 @@ namespace palpate
     parameters.stiffnessLimit_N_per_m = std::min(parameters.stiffnessLimit_N_per_m, device.heldStiffness_N_per_m.value);
     parameters.safety.maxForce_N = std::min(parameters.safety.maxForce_N, device.heldForce_N.value);
   }
+  parameters.walls.every_s = std::max(parameters.walls.every_s, device.wallUpdate_s.value);
   if (parameters.walls.step_m == 0.0)
   {
     parameters.walls.step_m = device.resolution_m.value;

@@ -126,12 +126,73 @@ class Labyrinth(CommandLineTest):
         self.refused("labyrinth", "--solve", saying=("--solve", "a name of the gallery"))
         self.refused("labyrinth", "--corridor", 2, saying=("--corridor", "a name of the gallery"))
         self.refused(*path, "--device", "simulated-touch", saying=("--device", "--solve"))
+        self.refused("labyrinth", "corridor", "--hold", 2, saying=("--hold", "--play"))
+        self.refused("labyrinth", "corridor", "--play", "--host", 20, saying=("--host", "--solve"))
+        self.refused("labyrinth", "corridor", "--play", "--csv", "out.csv", saying=("--csv", "--solve or --path"))
         self.refused(*path, "--host", 20, saying=("--host", "--solve"))
         self.refused(*path, "--device-walls", saying=("--device-walls", "--solve"))
 
     def test_a_hand_out_of_the_plane_is_named(self):
         self.write_path([(0.0, 0.5, 0.5, 0.0), (1.0, 1.5, 0.5, 0.25)])
         self.refused("labyrinth", "corridor", "--path", "path.csv", saying=("row 2", "z = 0.25", "the plane z = 0"))
+
+
+class PlayTest(CommandLineTest):
+    """`labyrinth --play`: from the device alone; a simulated hand presses its buttons."""
+
+    def play(self, *arguments):
+        return self.succeed("labyrinth", *arguments, "--play", "--device", "simulated-joystick").stdout.splitlines()
+
+    def test_one_labyrinth_is_button_one_and_the_next_button_ends(self):
+        lines = self.play("corridor")
+        self.assertEqual(lines[0], "simulated-joystick: press 1 for corridor; 2 ends, Ctrl-C too.")
+        self.assertIn("who lets go gives up", lines[1])
+        self.assertEqual([line.partition(": ")[2].split(" after ")[0] for line in lines[2:-1]],
+                         ["hold button 1", "you are brought to the start", "find the exit by touch", "arrived"])
+        self.assertEqual(lines[-1], "1 arrival")
+
+    def test_every_maze_of_the_gallery_has_its_button_in_the_order_of_the_list(self):
+        listed = self.succeed("labyrinth").stdout.splitlines()
+        mazes = [line.split(":")[0] for line in listed if ": a maze of" in line]
+        lines = self.play()
+        offered = ", ".join(f"{n} for {maze}" for n, maze in enumerate(mazes, 1))
+        self.assertEqual(lines[0], f"simulated-joystick: press {offered}; {len(mazes) + 1} ends, Ctrl-C too.")
+        for n, maze in enumerate(mazes, 1):
+            self.assertIn(f"{maze}: hold button {n}", lines)
+            self.assertEqual(sum(line.startswith(f"{maze}: arrived after") for line in lines), 1, maze)
+        self.assertEqual(lines[-1], f"{len(mazes)} arrivals")
+
+    def test_what_must_be_held_can_be_another_button_or_the_grip(self):
+        self.assertIn("corridor: hold button 7", self.play("corridor", "--hold", 7))
+        self.assertIn("corridor: hold the grip", self.play("corridor", "--hold", "grip"))
+        for hold in ("0", "33", "-1", "2x", "trigger", "99999999999"):
+            self.refused("labyrinth", "corridor", "--play", "--device", "simulated-joystick", "--hold", hold,
+                         saying=("--hold", "number of a button, 1 to 32, or grip"))
+        for hold in (1, 2):
+            self.refused("labyrinth", "corridor", "--play", "--device", "simulated-joystick", "--hold", hold,
+                         saying=("--hold", "buttons 1 to 2 choose"))
+
+    def test_the_same_hand_plays_the_same_game(self):
+        self.assertEqual(self.play("spiral"), self.play("spiral"))
+
+    def test_who_cannot_arrive_ends_with_the_exit_code_of_that(self):
+        walled = [(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0), (0, 1, 0), (4, 1, 0)]  # a wall between start and exit
+        self.write("walled.vtp", world_text(walled, (0, 1, 2, 3, 0, 4, 5), Start=(0.5, 0.5, 0), Exit=(0.5, 1.5, 0)))
+        run = self.run_palpate("labyrinth", "walled.vtp", "--play", "--device", "simulated-joystick")
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.assertIn("walled.vtp: given up", run.stdout)
+        self.assertTrue(run.stdout.endswith("0 arrivals\n"))
+
+    def test_without_a_device_it_says_what_to_do(self):
+        self.refused("labyrinth", "--play", saying=("no device that gives force is plugged in", "--device"))
+        for device in ("fed", "mouse", "replay"):
+            self.refused("labyrinth", "--play", "--device", device, saying=(device, "gives no force", "another --device"))
+        self.refused("labyrinth", "--play", "--device", "abacus", saying=("abacus", "simulated-joystick"))
+
+    def test_what_is_no_maze_is_not_played(self):
+        self.refused("labyrinth", "wedge-field", "--play", "--device", "simulated-joystick",
+                     saying=("wedge-field", "no place to start"))
+        self.refused("labyrinth", "nowhere.vtp", "--play", "--device", "simulated-joystick", saying=("nowhere.vtp",))
 
 
 if __name__ == "__main__":

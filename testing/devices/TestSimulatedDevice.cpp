@@ -314,8 +314,9 @@ TEST(DeviceModels, SayWhichNumbersAreListedAndWhichAssumed)
     EXPECT_EQ(info.mass_kg.known, invented) << model.name;
     EXPECT_EQ(info.friction_N.known, invented) << model.name;
     EXPECT_EQ(info.resolution_m.known, invented) << model.name;
-    EXPECT_EQ(info.maxForce_N.known, model.id != "D6") << model.name;
-    EXPECT_EQ(info.maxStiffness_N_per_m.known, model.id != "D6") << model.name;
+    const bool joystick = model.id == "D6" || model.id == "D8";
+    EXPECT_EQ(info.maxForce_N.known, !joystick) << model.name;
+    EXPECT_EQ(info.maxStiffness_N_per_m.known, !joystick) << model.name;
     EXPECT_EQ(info.maxDamping_Ns_per_m.known, invented || std::isfinite(model.maxDamping_Ns_per_m)) << model.name;
   }
 }

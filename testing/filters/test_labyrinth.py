@@ -266,7 +266,7 @@ class Labyrinths(unittest.TestCase):
         session.SetTouching(True)
         session.Step(100)
         session.Update()
-        self.assertEqual(session.TakeLabyrinthWish(), vtkHapticSession.NoWish)
+        self.assertEqual(session.TakeLabyrinthWish(), 0)
 
     def test_structure_is_refused_before_the_hand_is_moved(self):
         session, played = self.session("wedge-field")

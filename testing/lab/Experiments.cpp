@@ -25,6 +25,12 @@ std::vector<Experiment> forceExperiments()
       { 7 }, runVelocityEstimators },
     { "transparency", "what each stabiliser costs a hand in drag and impedance, and the stiffness it brings", { 58 },
       runTransparency },
+    { "integral-wall",
+      "a wall that walks a pressing hand back to its surface: how fast it may, and what it gives a hand", { 89 },
+      runIntegralWall },
+    { "impact-walls",
+      "a pulse that brakes and a transient make an impact feel hard: how hard, and what a wrong mass or speed costs",
+      { 89 }, runImpactWalls },
   };
 }
 
@@ -85,8 +91,8 @@ std::vector<Experiment> planeExperiments()
 {
   return {
     { "plane-cost",
-      "a tick among up to a million lines by a tree and by asking every line, and what coarser lines save", { 44, 49, 54 },
-      runPlaneCost },
+      "a tick among up to a million lines by a tree and by asking every line, and what coarser lines save",
+      { 44, 49, 54 }, runPlaneCost },
     { "played-walls",
       "plane worlds played: walls held by a joystick behind a host at 20 to 1000 Hz, a hand led to a plane", { 46, 47 },
       runPlayedWalls },
@@ -98,6 +104,13 @@ std::vector<Experiment> planeExperiments()
     { "slanted-wall", "a slanted line held as two walls drags by what the host's rate says", { 46 }, runSlantedWall },
     { "corridor", "a handle between two held walls comes to rest with the least viscosity that is found for it", { 47 },
       runCorridor },
+    { "link-budget", "how many forces and walls a second a serial link of 31,250 baud carries to a joystick", { 90 },
+      runLinkBudget },
+    { "switched-springs",
+      "walls of springs that pull as well as push: switched by the host they give and take the same in the mean",
+      { 90 }, runSwitchedSprings },
+    { "soft-lines", "lines that push back as deep as a hand is in them let it through their corners", { 90 },
+      runSoftLines },
     { "smallest-feature", "the narrowest corridor a hand can tell apart, and the zoom that makes a scene feelable",
       { 59 }, runSmallestFeature },
     { "blind-solver", "a hand that knows no walls finds its way through every maze, by force and position alone", {},

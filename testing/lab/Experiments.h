@@ -48,5 +48,10 @@ void runCorridor(const Conditions& conditions, Table& table);
 void runPlan(const Conditions& conditions, Table& table);
 void runSmallestFeature(const Conditions& conditions, Table& table);
 void runBlindSolver(const Conditions& conditions, Table& table);
+void runIntegralWall(const Conditions& conditions, Table& table);
+void runImpactWalls(const Conditions& conditions, Table& table);
+void runLinkBudget(const Conditions& conditions, Table& table);
+void runSwitchedSprings(const Conditions& conditions, Table& table);
+void runSoftLines(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab

@@ -10,7 +10,7 @@ import argparse
 import pathlib
 import sys
 
-from charting import costs, plane_worlds, speed_accuracy, stability
+from charting import costs, old_joystick, plane_worlds, speed_accuracy, stability
 from charting.page import page
 from charting.style import pyplot
 from charting.tables import Problem, read_folder
@@ -59,6 +59,16 @@ CHARTS = [
      "A hand that knows no walls finds its way by force and position alone (Tremaux's rules): the virtual time from start to exit, for "
      "each simulated device in each hand with the host closing the force at 1 kHz, and with a joystick that holds four walls behind a host of 20 Hz.",
      ["blind-solver"], lambda t: plane_worlds.draw_blind_solver(t["blind-solver"])),
+    ("old-joystick", "The joystick of the nineties",
+     "Left: what its serial link carries; a force in each millisecond is four times too much, walls at 20 Hz are a sixth of it. Middle: its "
+     "springs pull as well as push, so the host switches them: what a hand is given on the way in is taken on the way out. Right: lines that "
+     "push back as deep as the handle is in them let it through an inside corner; the virtual location stays. Dashed on the left: formulas.",
+     ["link-budget", "switched-springs", "soft-lines"],
+     lambda t: old_joystick.draw_joystick(t["link-budget"], t["switched-springs"], t["soft-lines"])),
+    ("stiff-walls", "Walls that feel stiffer than the loop allows",
+     "An integral walks a pressing hand back to the surface: left, how fast it may (marks measured); middle, the damping a swinging hand has to "
+     "bring for it, the more the slower it is (dotted: simulated hands). Right: a braking pulse and a transient against the spring they are added to.",
+     ["integral-wall", "impact-walls"], lambda t: old_joystick.draw_stiff_walls(t["integral-wall"], t["impact-walls"])),
 ]
 
 

@@ -111,7 +111,13 @@ void AddLabyrinth(CLI::App& app, Arguments& arguments)
     ->excludes(solve);
   command->add_option("--csv", options.Output, "TRACE.csv of the way");
   command->add_option("--corridor", options.Corridor_u, "width of its corridors [scene units]");
-  command->add_option("--device", options.Device, "simulated device of the blind hand")->capture_default_str();
+  CLI::Option* play = command->add_flag("--play", options.Play,
+    "from the device alone: button n plays labyrinth n (FILE, or each of the gallery), the next one ends");
+  play->excludes(solve)->excludes("--path");
+  command->add_option("--hold", options.Hold,
+    "with --play, what must be held: the number of a button, or grip; without: the button that chose");
+  command->add_option("--device", options.Device,
+    "of the blind hand: simulated-joystick without; with --play: the one plugged in without");
   command->add_option("--host", options.Host_Hz, "updates of the host [Hz]")->capture_default_str();
   command->add_flag("--device-walls", options.DeviceWalls, "the device holds the walls in its own loop");
 }

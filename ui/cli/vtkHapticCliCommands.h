@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "haptics/labyrinth/Labyrinth.h"
+
 #include "vtkHapticMaterialArrays.h"
 
 /// The commands of the program `palpate`. Each returns the exit code and throws vtkHapticCliProblem for bad input.
@@ -84,11 +86,13 @@ int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options);
 
 struct vtkHapticCliLabyrinthOptions
 {
-  std::string File; ///< or the name of a world of the gallery; empty: list them
-  std::string Device = "simulated-joystick";
+  std::string File;   ///< or the name of a world of the gallery; empty: list them
+  std::string Device; ///< empty: simulated-joystick, or with Play the one that is plugged in
   double Host_Hz = 1000.0;
   bool DeviceWalls = false;
   bool Solve = false;
+  bool Play = false;
+  std::string Hold;                 ///< a button or "grip", to be held while a game goes on; empty: what chose it
   std::optional<double> Corridor_u; ///< else what the file says, or 1
   std::string Path;                 ///< of a hand, in place of a blind one
   std::string Output;               ///< trace; empty: none
@@ -97,5 +101,9 @@ struct vtkHapticCliLabyrinthOptions
 /// A plane world: what it is, or a hand's way through it, blind or along a path. 0: described or arrived; 1: not
 /// arrived.
 int vtkHapticCliLabyrinth(const vtkHapticCliLabyrinthOptions& options);
+
+/// These labyrinths, played from a device alone until its buttons or an interrupt end it. 0: somebody arrived; 1:
+/// nobody.
+int vtkHapticCliPlay(std::vector<palpate::Labyrinth> labyrinths, const vtkHapticCliLabyrinthOptions& options);
 
 #endif

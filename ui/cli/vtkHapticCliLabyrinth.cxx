@@ -47,14 +47,19 @@ void Describe(const palpate::Labyrinth& labyrinth)
   }
 }
 
-int List()
+std::vector<std::string> GalleryNames()
 {
   const std::vector<std::string> names = vtkHapticGallery::Names();
   if (names.empty())
   {
     throw vtkHapticCliProblem("there is no gallery beside this program (share/palpate/gallery); give a file");
   }
-  for (const std::string& name : names)
+  return names;
+}
+
+int List()
+{
+  for (const std::string& name : GalleryNames())
   {
     palpate::Labyrinth labyrinth = Read(name, std::nullopt);
     labyrinth.name = name;
@@ -102,14 +107,15 @@ private:
 
 palpate::LabyrinthRun RunOf(const vtkHapticCliLabyrinthOptions& options)
 {
-  const palpate::DeviceModel* const model = palpate::deviceModel(options.Device);
+  const std::string device = options.Device.empty() ? "simulated-joystick" : options.Device;
+  const palpate::DeviceModel* const model = palpate::deviceModel(device);
   if (!model)
   {
-    throw vtkHapticCliProblem("--device " + options.Device + ": no simulated device has that name (palpate devices)");
+    throw vtkHapticCliProblem("--device " + device + ": no simulated device has that name (palpate devices)");
   }
   if (options.DeviceWalls && model->loop_s == 0.0)
   {
-    throw vtkHapticCliProblem("--device-walls: " + options.Device + " has no loop of its own to hold walls in");
+    throw vtkHapticCliProblem("--device-walls: " + device + " has no loop of its own to hold walls in");
   }
   palpate::LabyrinthRun run;
   run.device = *model;
@@ -143,6 +149,32 @@ int Solve(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOption
   return outcome.problem.empty() ? 0 : NotArrived;
 }
 
+/// What can be played: of the gallery all that has a start and an exit, or the one that was given.
+std::vector<palpate::Labyrinth> ToPlay(const vtkHapticCliLabyrinthOptions& options)
+{
+  std::vector<palpate::Labyrinth> labyrinths;
+  if (!options.File.empty())
+  {
+    labyrinths.push_back(Read(options.File, options.Corridor_u));
+    if (const std::string problem = palpate::refuse(labyrinths.back()); !problem.empty())
+    {
+      throw vtkHapticCliProblem(problem);
+    }
+    labyrinths.back().name = options.File;
+    return labyrinths;
+  }
+  for (const std::string& name : GalleryNames())
+  {
+    palpate::Labyrinth labyrinth = Read(name, std::nullopt);
+    labyrinth.name = name;
+    if (palpate::refuse(labyrinth).empty())
+    {
+      labyrinths.push_back(std::move(labyrinth));
+    }
+  }
+  return labyrinths;
+}
+
 /// An option that changes nothing is a mistake somebody would like to hear of.
 void CheckOptions(const vtkHapticCliLabyrinthOptions& options)
 {
@@ -160,7 +192,9 @@ void CheckOptions(const vtkHapticCliLabyrinthOptions& options)
   needs(options.Corridor_u.has_value(), "--corridor", !options.File.empty(),
     "a labyrinth: a file, or a name of the gallery");
   needs(!options.Output.empty(), "--csv", moves, "a hand that moves: --solve or --path");
-  needs(options.Device != unasked.Device, "--device", options.Solve, "--solve: a path needs no device");
+  needs(
+    !options.Device.empty(), "--device", options.Solve || options.Play, "--solve or --play: a path needs no device");
+  needs(!options.Hold.empty(), "--hold", options.Play, "--play: nobody else lets go");
   needs(options.Host_Hz != unasked.Host_Hz, "--host", options.Solve, "--solve: a path needs no device");
   needs(options.DeviceWalls, "--device-walls", options.Solve, "--solve: a path needs no device");
 }
@@ -203,6 +237,10 @@ int Follow(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOptio
 int vtkHapticCliLabyrinth(const vtkHapticCliLabyrinthOptions& options)
 {
   CheckOptions(options);
+  if (options.Play)
+  {
+    return vtkHapticCliPlay(ToPlay(options), options);
+  }
   if (options.File.empty())
   {
     return List();

@@ -9,26 +9,21 @@ namespace palpate
 namespace
 {
 
-constexpr std::uint32_t first = 1u << 0, second = 1u << 1, third = 1u << 2;
+constexpr std::uint32_t first = 1u << 0, second = 1u << 1, third = 1u << 2, fourth = 1u << 3;
 constexpr GamePhase idleOrFinished[] = { GamePhase::Off, GamePhase::Waits, GamePhase::Arrived, GamePhase::Rests };
 constexpr GamePhase playing[] = { GamePhase::Leads, GamePhase::LetsGo, GamePhase::Explores };
+constexpr double tick_s = 0.01;
 
-TEST(MazeButtons, FirstAsksForTheNextAndSecondToStartAgainWhileNobodyPlays)
+TEST(MazeButtons, ButtonNAsksForLabyrinthNWhileNobodyPlays)
 {
   for (const GamePhase phase : idleOrFinished)
   {
-    EXPECT_EQ(wishOf(phase, first, 0), MazeWish::Next) << name(phase);
-    EXPECT_EQ(wishOf(phase, second, 0), MazeWish::Again) << name(phase);
-    EXPECT_EQ(wishOf(phase, first | second, 0), MazeWish::Next) << name(phase);
-  }
-}
-
-TEST(MazeButtons, NoOtherButtonAsksForAnything)
-{
-  for (const GamePhase phase : idleOrFinished)
-  {
-    EXPECT_EQ(wishOf(phase, 0, 0), MazeWish::None) << name(phase);
-    EXPECT_EQ(wishOf(phase, ~(first | second), 0), MazeWish::None) << name(phase);
+    for (int n = 1; n <= 32; ++n)
+    {
+      EXPECT_EQ(mazeOf(phase, 1u << (n - 1), 0), n) << name(phase);
+    }
+    EXPECT_EQ(mazeOf(phase, second | third, 0), 2) << name(phase);
+    EXPECT_EQ(mazeOf(phase, 0, 0), std::nullopt) << name(phase);
   }
 }
 
@@ -36,7 +31,7 @@ TEST(MazeButtons, NothingEndsAGameThatIsPlayed)
 {
   for (const GamePhase phase : playing)
   {
-    EXPECT_EQ(wishOf(phase, ~0u, 0), MazeWish::None) << name(phase);
+    EXPECT_EQ(mazeOf(phase, ~0u, 0), std::nullopt) << name(phase);
   }
 }
 
@@ -44,10 +39,10 @@ TEST(MazeButtons, ButtonOfTheDeadManChoosesNothingAndTheOtherStillDoes)
 {
   for (const GamePhase phase : idleOrFinished)
   {
-    EXPECT_EQ(wishOf(phase, first, first), MazeWish::None) << name(phase);
-    EXPECT_EQ(wishOf(phase, first | second, first), MazeWish::Again) << name(phase);
-    EXPECT_EQ(wishOf(phase, first | second, first | second), MazeWish::None) << name(phase);
-    EXPECT_EQ(wishOf(phase, first, third), MazeWish::Next) << name(phase);
+    EXPECT_EQ(mazeOf(phase, first, first), std::nullopt) << name(phase);
+    EXPECT_EQ(mazeOf(phase, first | second, first), 2) << name(phase);
+    EXPECT_EQ(mazeOf(phase, first | second, first | second), std::nullopt) << name(phase);
+    EXPECT_EQ(mazeOf(phase, first, third), 1) << name(phase);
   }
 }
 
@@ -58,6 +53,69 @@ TEST(MazeButtons, StateOfATickHasTheButtonsOfItsSample)
   const HapticParameters parameters;
   RendererState state;
   EXPECT_EQ(renderTick(input, parameters, state).state.buttons, first | third);
+}
+
+/// What a menu makes of buttons that are pressed from nothing.
+MazeCall pressed(MazeMenu menu, GamePhase phase, std::uint32_t buttons)
+{
+  static_cast<void>(menu.look(phase, 0, tick_s));
+  return menu.look(phase, buttons, tick_s);
+}
+
+TEST(MazeMenu, ChoosesByNumberEndsWithTheNextOneAndKnowsNoOther)
+{
+  const MazeMenu menu(2, {});
+  EXPECT_EQ(pressed(menu, GamePhase::Off, second).kind, MazeCall::Kind::Play);
+  EXPECT_EQ(pressed(menu, GamePhase::Off, second).maze, 2);
+  EXPECT_EQ(pressed(menu, GamePhase::Off, third).kind, MazeCall::Kind::End);
+  EXPECT_EQ(pressed(menu, GamePhase::Off, fourth).kind, MazeCall::Kind::None);
+}
+
+TEST(MazeMenu, AButtonThatWasDownFromTheStartAndOneThatIsKeptDownWerePressedByNobody)
+{
+  MazeMenu menu(2, {});
+  EXPECT_EQ(menu.look(GamePhase::Off, first, tick_s).kind, MazeCall::Kind::None);
+  EXPECT_EQ(menu.look(GamePhase::Off, first, tick_s).kind, MazeCall::Kind::None);
+  EXPECT_EQ(menu.look(GamePhase::Off, 0, tick_s).kind, MazeCall::Kind::None);
+  EXPECT_EQ(menu.look(GamePhase::Off, first, tick_s).kind, MazeCall::Kind::Play);
+  EXPECT_EQ(menu.look(GamePhase::Off, first, tick_s).kind, MazeCall::Kind::None);
+}
+
+TEST(MazeMenu, WhatChoseMustBeHeldUnlessSomethingElseIs)
+{
+  EXPECT_EQ(MazeMenu(4, {}).heldFor(3), (DeadMan{ third, false }));
+  EXPECT_EQ(MazeMenu(4, { second, false }).heldFor(3), (DeadMan{ second, false }));
+  EXPECT_EQ(MazeMenu(4, { 0, true }).heldFor(3), (DeadMan{ 0, true }));
+}
+
+TEST(MazeMenu, AnotherButtonGivesUpOnceItHasBeenHeldForASecondOnEnd)
+{
+  const DeadMan deadMan{ first, false };
+  for (const GamePhase phase : playing)
+  {
+    MazeMenu menu(4, deadMan);
+    const int ticks = static_cast<int>(MazeMenu::giveUp_s / tick_s);
+    for (int tick = 1; tick < ticks; ++tick)
+    {
+      ASSERT_EQ(menu.look(phase, first | second, tick_s).kind, MazeCall::Kind::None) << tick;
+    }
+    ASSERT_EQ(menu.look(phase, first, tick_s).kind, MazeCall::Kind::None); // slipped: it begins anew
+    int held = 1;
+    while (held < 2 * ticks && menu.look(phase, first | fourth, tick_s).kind != MazeCall::Kind::GiveUp)
+    {
+      ++held;
+    }
+    EXPECT_NEAR(held, ticks, 1) << name(phase); // to the rounding of a sum
+  }
+}
+
+TEST(MazeMenu, WhereWhatChoseIsHeldNoOtherButtonGivesUp)
+{
+  MazeMenu menu(4, {});
+  for (int tick = 0; tick < 1000; ++tick)
+  {
+    ASSERT_EQ(menu.look(GamePhase::Explores, first | second, tick_s).kind, MazeCall::Kind::None);
+  }
 }
 
 } // namespace

@@ -3,16 +3,14 @@
 // 1000 Hz, and a hand in space that is led to the plane.
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
-#include "devices/simulated/SimulatedDevice.h"
 #include "haptics/force/Guide.h"
-#include "haptics/geometry/CurveSet.h"
-#include "haptics/session/HapticSession.h"
+#include "haptics/session/ForceRenderer.h"
 #include "testing/lab/Experiments.h"
+#include "testing/lab/simulation/PlaneGame.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/PlainJoystick.h"
 
@@ -21,66 +19,11 @@ namespace palpate::lab
 namespace
 {
 
-/// Who closes the walls.
-enum class Closed
-{
-  ByDevice,
-  ByHost,
-};
-
-struct Game
-{
-  DeviceModel model;
-  CurveSet curves;
-  double stiffness_N_per_m = 200.0;
-  double rate_Hz = 1000.0;
-  Closed closed = Closed::ByDevice;
-  Vec3 push_D = Vec3::Zero();     ///< [N]
-  Vec3 velocity_D = Vec3::Zero(); ///< at the start [m/s]
-};
-
-class Play
-{
-public:
-  explicit Play(const Game& game)
-  {
-    HapticParameters parameters;
-    parameters.stiffness_N_per_m = game.stiffness_N_per_m;
-    parameters.limitStiffness = false;
-    parameters.safety = SafetyLimits::none();
-    parameters.walls.hold = game.closed == Closed::ByDevice;
-    SimulationOptions simulation;
-    simulation.period_s = 1.0 / game.rate_Hz;
-    simulation.push_D = game.push_D;
-    simulation.velocity_D = game.velocity_D;
-    HandPath path;
-    path.points_D = { Vec3::Zero() };
-    auto device = std::make_unique<SimulatedDevice>(game.model, *handModel("none"), path, simulation);
-    this->device_ = device.get();
-    SessionOptions options;
-    options.period_s = simulation.period_s;
-    options.virtualTime = true;
-    this->session_.setScene(test::sceneOf(raiseWalls(game.curves, 0.01)));
-    const std::string problem = this->session_.setParameters(parameters);
-    if (!problem.empty() || !this->session_.start(std::move(device), options).empty())
-    {
-      throw std::runtime_error("the simulated joystick cannot be played");
-    }
-  }
-
-  void step() { static_cast<void>(this->session_.step(1)); }
-  [[nodiscard]] const SimulatedDevice& device() const { return *this->device_; }
-
-private:
-  HapticSession session_;
-  SimulatedDevice* device_ = nullptr;
-};
-
 /// A handle pushed with f squarely against a line at 45 degrees rests f / K behind it. Heavy, so that it is still
 /// before the line when a slow host looks for the first time, and critically damped.
 void judgeRest(double rate_Hz, Table& table)
 {
-  Game game;
+  PlaneGameSetup game;
   constexpr double push_N = 0.5;
   const double half = std::sqrt(0.5);
   game.model = test::plainJoystick(2 * std::sqrt(game.stiffness_N_per_m));
@@ -88,7 +31,7 @@ void judgeRest(double rate_Hz, Table& table)
   game.curves = { { { -0.04, 0.038 }, { 0.04, -0.042 } }, { { 0, 1 } } }; // x + y = -2 mm
   game.rate_Hz = rate_Hz;
   game.push_D = -push_N * Vec3(half, half, 0);
-  Play play(game);
+  PlaneGame play(game);
   for (int i = 0; i < static_cast<int>(4 * rate_Hz); ++i)
   {
     play.step();
@@ -109,7 +52,7 @@ struct Ending
 
 Ending thrown(double speed_m_per_s, double rate_Hz, Closed closed)
 {
-  Game game;
+  PlaneGameSetup game;
   game.model = test::plainJoystick(0.05);
   const double w = halfWidth_m;
   game.curves = { { { -0.04, w }, { 0.04, w }, { -0.04, -w }, { 0.04, -w } }, { { 0, 1 }, { 2, 3 } } };
@@ -117,7 +60,7 @@ Ending thrown(double speed_m_per_s, double rate_Hz, Closed closed)
   game.rate_Hz = rate_Hz;
   game.closed = closed;
   game.velocity_D = Vec3(0, speed_m_per_s, 0);
-  Play play(game);
+  PlaneGame play(game);
   Ending ending;
   const int ticks = static_cast<int>(5 * rate_Hz);
   for (int i = 0; i < ticks; ++i)

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "haptics/geometry/Scene.h"
+#include "haptics/labyrinth/Labyrinth.h"
+#include "haptics/labyrinth/MazeButtons.h"
+#include "haptics/session/HapticSession.h"
+
+namespace palpate
+{
+
+/// A labyrinth that can be played, and its walls.
+struct MazeOnOffer
+{
+  Labyrinth labyrinth;
+  std::shared_ptr<const Scene> walls;
+};
+
+/// What has just happened, for the person who plays and cannot see it.
+enum class MazeNews : std::uint8_t
+{
+  None,
+  Chosen, ///< and what chose it, or the dead-man, must be held now
+  Leads,  ///< the hand is brought to the start
+  LetGo,  ///< it is on its own
+  Arrived,
+  GaveUp,
+  Fault, ///< no force until something is chosen again
+  End,
+};
+
+/// Labyrinths on a running session, played from the device alone: its buttons choose, what must be held starts, letting
+/// go or another button gives up. The next one begins once the hand has been let go of. No clock: time is the tick's.
+class MazeHost
+{
+public:
+  /// Both must outlive it; the session is one that nobody has engaged, and there is something to play.
+  MazeHost(HapticSession& session, const std::vector<MazeOnOffer>& mazes, const DeadMan& deadMan);
+
+  /// To be called often, at least once in 50 ms: the newest state of the session, and what happened since the last
+  /// call.
+  [[nodiscard]] MazeNews look();
+
+  /// Of the labyrinth chosen last; null before.
+  [[nodiscard]] const Labyrinth* chosen() const noexcept;
+  /// Of exploring it, until now or until the exit [s].
+  [[nodiscard]] double time_s() const noexcept { return this->gameTime_s_; }
+  /// What must be held for that one. Needs one.
+  [[nodiscard]] DeadMan held() const noexcept { return this->menu_.heldFor(this->chosen_); }
+
+private:
+  [[nodiscard]] MazeNews obey(const MazeCall& call, const HapticState& state);
+  [[nodiscard]] MazeNews follow(const HapticState& state);
+  void begin();
+  void end();
+
+  HapticSession& session_;
+  const std::vector<MazeOnOffer>& mazes_;
+  MazeMenu menu_;
+  int chosen_ = 0;       ///< from 1 on
+  bool waiting_ = false; ///< the one chosen begins when no force is left
+  bool on_ = false;
+  GamePhase phase_ = GamePhase::Off;
+  double seen_s_ = 0.0, gameTime_s_ = 0.0;
+};
+
+} // namespace palpate
