@@ -246,6 +246,18 @@ private:
     return { fan + this->data_.fanStart[v], fan + this->next_[v] };
   }
 
+  /// No triangle before has the edge. The end with fewer of them is asked: a spoke of a disc costs as little as any.
+  [[nodiscard]] bool isNewEdge(std::uint32_t v, std::uint32_t w) const
+  {
+    if (this->before(w).size() < this->before(v).size())
+    {
+      std::swap(v, w);
+    }
+    const std::span<const std::uint32_t> before = this->before(v);
+    return std::none_of(
+      before.begin(), before.end(), [&](std::uint32_t other) { return this->data_.hasCorner(other, w); });
+  }
+
   [[nodiscard]] std::uint32_t ownedBits(std::uint32_t triangle) const
   {
     const auto& t = this->data_.mesh.triangles[triangle];
@@ -253,10 +265,8 @@ private:
     std::uint32_t bits = 0;
     for (std::uint32_t k = 0; k < vertices; ++k)
     {
-      const std::span<const std::uint32_t> before = this->before(t[k]);
-      const auto holdsEdge = [&](std::uint32_t other) { return this->data_.hasCorner(other, t[(k + 1) % 3]); };
-      bits |= before.empty() ? ownsVertex0 << k : 0;
-      bits |= k < edges && std::none_of(before.begin(), before.end(), holdsEdge) ? ownsEdge0 << k : 0;
+      bits |= this->before(t[k]).empty() ? ownsVertex0 << k : 0;
+      bits |= k < edges && this->isNewEdge(t[k], t[(k + 1) % 3]) ? ownsEdge0 << k : 0;
     }
     return bits;
   }
