@@ -94,6 +94,12 @@ Side sideOf(const FaceRecord& face, int k) noexcept
   return { e.cross(face.normal_W), e.cwiseAbs().sum() };
 }
 
+Vec3 outwardNormal(const FaceRecord& face, int k) noexcept
+{
+  const Vec3 e = face.corner_W[(k + 1) % 3] - face.corner_W[k];
+  return e.cross(face.normal_W) / e.norm();
+}
+
 } // namespace
 
 template<class View>
@@ -112,15 +118,14 @@ EdgeLine edgeLine(const View& s, std::uint32_t i, std::uint32_t j) noexcept
 template<class View>
 Vec3 outwardNormal(const View& s, std::uint32_t triangle, int k) noexcept
 {
-  const FaceRecord& face = s.face(triangle);
-  const Vec3 e = face.corner_W[(k + 1) % 3] - face.corner_W[k];
-  return e.cross(face.normal_W) / e.norm();
+  return outwardNormal(s.face(triangle), k);
 }
 
 template<class View>
 double outsideOfEdge(const View& s, std::uint32_t triangle, int k, const Vec3& x_W) noexcept
 {
-  return outwardNormal(s, triangle, k).dot(x_W - s.face(triangle).corner_W[k]);
+  const FaceRecord& face = s.face(triangle);
+  return outwardNormal(face, k).dot(x_W - face.corner_W[k]);
 }
 
 template<class View>
@@ -212,25 +217,26 @@ ActiveFeature normalised(const View& s, ActiveFeature f, const Vec3& x_W) noexce
 template<class View>
 FaceExit walkFace(const View& s, std::uint32_t triangle, const Vec3& x_W, const Vec3& y, double del) noexcept
 {
-  const Vec3 n = s.face(triangle).normal_W;
-  const Vec3 anchor_W = s.face(triangle).corner_W[0];
+  const FaceRecord& first = s.face(triangle);
+  const Vec3 n = first.normal_W, anchor_W = first.corner_W[0];
   std::uint32_t enteredI = SurfaceData::none, enteredJ = SurfaceData::none;
   double reached = 0.0;
   for (int step = 0; step < walkLimit; ++step)
   {
     const auto& corners = s.corners(triangle);
+    const FaceRecord& face = s.face(triangle); // made anew each time it is asked for where surfaces move
     double t = 1.0;
     int leaving = -1;
     Vec3 out = Vec3::Zero();
     for (int k = 0; k < 3; ++k)
     {
-      const Side side = sideOf(s.face(triangle), k);
+      const Side side = sideOf(face, k);
       const double rate = side.outward.dot(y);
       if (rate <= 0.0 || cornersAre(corners, k, enteredI, enteredJ))
       {
         continue;
       }
-      const double inside = -side.outward.dot(x_W - s.face(triangle).corner_W[k]);
+      const double inside = -side.outward.dot(x_W - face.corner_W[k]);
       const double exit = (std::max(inside, 0.0) + 4 * del * side.length) / rate;
       if (exit < t)
       {
