@@ -2,6 +2,7 @@
 #include "haptics/geometry/ExactPredicates.h"
 
 #include <cmath>
+#include <limits>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
@@ -88,6 +89,25 @@ TEST(ExactPredicates, TheSideInThePlaneIsThatOfRationalArithmetic)
     const int truth =
       static_cast<int>(CGAL::orientation(Plane(a.x(), a.y()), Plane(b.x(), b.y()), Plane(c.x(), c.y())));
     ASSERT_EQ(orientation2(a.x(), a.y(), b.x(), b.y(), c.x(), c.y()), truth) << "case " << i;
+  }
+}
+
+TEST(ExactPredicates, TheNormalOfANeedleIsThatOfRationalArithmeticRoundedOnce)
+{
+  Random random(testSeed(25));
+  for (std::size_t i = 0; i < testCount(5000); ++i)
+  {
+    const double size = std::ldexp(1.0, static_cast<int>(random.below(80)) - 40);
+    const Vec3 a = random.inCube(size), b = a + random.inCube(size);
+    const Vec3 c = a + random.uniform() * (b - a) + std::pow(10.0, random.uniform(-20, 0)) * random.inCube(size);
+    const auto truth = CGAL::cross_product(exact(b) - exact(a), exact(c) - exact(a));
+    const Vec3 found = exactCross(a, b, c);
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto error = CGAL::abs(CGAL::Exact_rational(found[k]) - truth[k]);
+      const CGAL::Exact_rational allowed(2 * std::numeric_limits<double>::epsilon());
+      ASSERT_TRUE(error <= allowed * CGAL::abs(truth[k])) << "case " << i;
+    }
   }
 }
 
