@@ -29,11 +29,10 @@ std::uint16_t wholeMilliseconds(double time_ms) noexcept
   return static_cast<std::uint16_t>(std::lround(std::clamp(time_ms, 1.0, largestUnsigned)));
 }
 
-/// The kernel's angles are those of the PID class, 0x10000 to the turn. Conditions act along both axes; some firmwares
-/// take none whose direction is 0, and theirs is not.
+/// A whole turn is 0x10000, counted as PID counts it.
 std::uint16_t directionOf(const EffectSettings& settings) noexcept
 {
-  return static_cast<std::uint16_t>(std::lround(settings.comesFrom_deg / 360.0 * 0x10000) & everything);
+  return static_cast<std::uint16_t>(std::lround(settings.comesFrom_deg * 65536.0 / 360.0));
 }
 
 std::optional<std::uint16_t> typeOf(HidUsage type) noexcept

@@ -35,9 +35,12 @@ DeviceInfo infoOf(const std::string& name, const HidEntry& entry, const EvdevKin
 EvdevDevice::EvdevDevice(
   const std::string& name, const std::shared_ptr<EvdevBus>& bus, HidEntry entry, const PidDeviceOptions& options)
   : info_(infoOf(name, entry, evdevKind(bus->traits(entry), entry), options.output.scale)), options_(options),
-    link_(options.clock, [bus, entry, output = options.output](const Clock& clock)
-      { return std::make_shared<EvdevLink>(bus, entry, output, clock); })
+    promised_(info_.abilities), link_(options.clock, [bus, entry, output = options.output](const Clock& clock)
+                                  { return std::make_shared<EvdevLink>(bus, entry, output, clock); })
 {
+  this->info_.effectsEndAfter_s = 1e-3 * options.output.duration_ms;
+  this->info_.offersWalls = this->promised_.offersWalls();
+  this->info_.abilities = this->abilitiesNow();
 }
 
 std::string EvdevDevice::open()
@@ -48,10 +51,12 @@ std::string EvdevDevice::open()
                                           [&link] { link.detach(); }, {} },
       { [&link] { return link.readPass(readTimeout_ms); }, noDevice_ms, 0, {}, {} } };
   };
+  this->link_->trust(this->options_.output.trust); // a link that hung was replaced
   std::string problem = this->options_.threads ? this->link_.open(work) : this->link_.open({});
   if (const std::optional<EvdevLink::Found> found = this->link_->found())
   {
-    this->info_.abilities = found->abilities;
+    this->info_.offersWalls = this->offered().offersWalls();
+    this->info_.abilities = this->abilitiesNow();
     this->info_.resolution_m = { found->step * this->options_.output.scale.halfTravel_m, false };
   }
   return problem;
@@ -73,8 +78,20 @@ DeviceStatus EvdevDevice::read(double tickTime_s, DeviceSample& sample) noexcept
 
 DeviceAbilities EvdevDevice::abilitiesNow() const
 {
+  return believed(this->offered(), this->options_.output.trust);
+}
+
+void EvdevDevice::trust(HeldTrust trust) noexcept
+{
+  this->options_.output.trust = trust;
+  this->link_->trust(trust);
+  this->info_.abilities = this->abilitiesNow();
+}
+
+DeviceAbilities EvdevDevice::offered() const
+{
   const std::optional<EvdevLink::Found> found = this->link_->found();
-  return found ? found->abilities : this->info_.abilities;
+  return found ? found->abilities : this->promised_;
 }
 
 } // namespace palpate

@@ -60,10 +60,12 @@ public:
 
   /// Any thread but the servo's.
   [[nodiscard]] LinkReport report() const;
+  /// What it is believed from now on. Any thread.
+  void trust(HeldTrust trust) noexcept { this->trust_ = trust; }
   struct Found
   {
-    DeviceAbilities abilities;
-    double step = 0.0; ///< of an axis, as a share of half its travel
+    DeviceAbilities abilities; ///< that it offers
+    double step = 0.0;         ///< of an axis, as a share of half its travel
   };
   /// What showed when it was opened; none before. Any thread but the servo's.
   [[nodiscard]] std::optional<Found> found() const;
@@ -103,6 +105,7 @@ private:
   alignas(64) Presence presence_;
   alignas(64) std::atomic<std::uint64_t> beat_ = 0; ///< servo's: commands so far
   alignas(64) ReportRate rate_;
+  std::atomic<HeldTrust> trust_;
   std::atomic<bool> handKnown_ = false;
   std::atomic<std::uint64_t> inputs_ = 0, outOfRange_ = 0; ///< reader's
   std::atomic<std::uint64_t> stalls_ = 0;                  ///< reader's

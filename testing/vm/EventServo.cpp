@@ -14,6 +14,7 @@ namespace
 PidDeviceOptions driverOptions()
 {
   PidDeviceOptions options;
+  options.output.trust = { true, true };
   PidScale& scale = options.output.scale;
   scale.springStiffness_N_per_m = VirtualDriver::springGain * scale.maxForce_N / scale.halfTravel_m;
   scale.damperViscosity_Ns_per_m = VirtualDriver::damperMetric * scale.springStiffness_N_per_m;

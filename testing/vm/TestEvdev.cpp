@@ -42,7 +42,7 @@ TEST(Evdev, AStickThatAProgramMadeUpIsFoundWithAllThatItsDriverOffers)
   EXPECT_EQ(found[0].problem, "");
   EXPECT_EQ(found[0].entry.name, "Palpate test stick");
   EXPECT_EQ(found[0].kind.pushes.deviceClass, DeviceClass::Joystick2D);
-  EXPECT_TRUE(promised(found[0].kind.pushes).closesWalls());
+  EXPECT_TRUE(promised(found[0].kind.pushes).offersWalls());
   EXPECT_EQ(found[0].kind.buttons.size(), 3u);
 }
 
@@ -77,7 +77,7 @@ TEST(Evdev, AForceGoesOnWhileItIsGivenAndIsNothingAfterClosing)
   servo.command.wrench_D.force = { 2.0, 0.0, 0.0 };
   ASSERT_TRUE(servo.runUntil([&] { return stick.force()[0] > 0.3; }));
   const std::int64_t from_ms = stick.time_ms();
-  EXPECT_TRUE(servo.runUntil([&] { return stick.time_ms() > from_ms + 1000; }));
+  EXPECT_TRUE(servo.runUntil([&] { return stick.time_ms() > from_ms + 1000; }, 30000));
   EXPECT_NEAR(stick.force()[0], 0.4, VirtualDriver::rounding);
   EXPECT_GT(servo.device.linkReport().restarts, 8u);
   servo.device.close();
@@ -211,10 +211,11 @@ TEST_F(EvdevWheel, UnderTheKernelsOwnDriverIsPushedAsTheCommandSays)
 
 TEST_F(EvdevWheel, IsLeftWithoutForceByClosingAndByTheDeathOfAProgram)
 {
-  wheel.alone([](test::LogitechWheel& firmware) { firmware.position = 0.25; });
   {
     EventServo servo(logitech, g29);
     ASSERT_EQ(servo.device.open(), "");
+    // What it says in the first 50 ms the kernel throws away (usbhid_open), and without a move it says nothing more.
+    wheel.alone([](test::LogitechWheel& firmware) { firmware.position = 0.25; });
     servo.command.wrench_D.force = { 2.0, 0.0, 0.0 };
     ASSERT_TRUE(servo.runUntil([&] { return wheel.forceX() > 0.3; }));
     servo.device.close();

@@ -140,6 +140,29 @@ TEST(EvdevDevice, TheHandRestsAgainstWallsThatTheDriverHolds)
   EXPECT_NEAR(rig.driver().position[0], -0.3 - inside, 1e-3);
 }
 
+TEST(EvdevDevice, WallsAreLeftToTheDriverOnlyOnceItIsBelievedAndClosedByTheHostBefore)
+{
+  EvdevRig rig(stickTraits());
+  rig.device.trust({});
+  ASSERT_EQ(rig.device.open(), "");
+  EXPECT_FALSE(rig.device.info().abilities.offersWalls());
+  EXPECT_TRUE(rig.device.offered().offersWalls());
+  const double half_m = rig.scale().halfTravel_m, K = 0.1 * rig.scale().springStiffness_N_per_m;
+  rig.command.wallCount = 1;
+  rig.command.walls[0] = { Vec3::UnitX(), 0.1 * half_m, K };
+  rig.driver().position = { -0.1, 0.0 };
+  rig.driver().push = { -0.2, 0.0 }; // as much as the wall gives, so that it stays
+  rig.run(20);
+  const double expected = K * 0.2 * half_m / rig.scale().maxForce_N;
+  EXPECT_NEAR(rig.driver().force()[0], expected, VirtualDriver::rounding + 1e-3);
+  EXPECT_EQ(rig.driver().of(FF_SPRING)->u.condition[0].left_coeff, 0);
+  rig.device.trust({ true, true });
+  rig.run(rig.options.output.rampUp_ms);
+  EXPECT_TRUE(rig.device.info().abilities.offersWalls());
+  EXPECT_GT(rig.driver().of(FF_SPRING)->u.condition[0].left_coeff, 0);
+  EXPECT_EQ(rig.driver().of(FF_CONSTANT)->u.constant.level, 0);
+}
+
 // Pushed by f against the handle's own friction b and a damper of B the hand goes at f / (b + B).
 TEST(EvdevDevice, ViscosityBrakesTheHandInBothDirections)
 {

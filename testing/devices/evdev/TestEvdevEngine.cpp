@@ -22,13 +22,13 @@ struct Engine
   {
   }
   VirtualDriver& driver() { return this->port.driver; }
-  /// An effect of that type that plays along an axis, 0 or 1; conditions along both.
-  int playing(HidUsage type, int axis = -1)
+  /// An effect of that type that plays. From the left it pushes to the right.
+  int playing(HidUsage type, double comesFrom_deg = 270.0)
   {
     const int block = this->engine.create(type).block;
     EffectSettings settings;
     settings.type = type;
-    settings.comesFrom_deg = axis == 0 ? 270.0 : axis == 1 ? 0.0 : settings.comesFrom_deg;
+    settings.comesFrom_deg = comesFrom_deg;
     EXPECT_TRUE(this->engine.setEffect(block, settings));
     EXPECT_TRUE(this->engine.start(block));
     return block;
@@ -48,23 +48,20 @@ TEST(EvdevEngine, OpeningGivesFullGainAndEndsTheDevicesOwnSpring)
   EXPECT_EQ(rig.driver().autocentre, 0);
 }
 
-TEST(EvdevEngine, AForceAlongAnAxisPushesTheWayTheAxisGrows)
+// Clockwise from the far side; the axis y points towards the person.
+TEST(EvdevEngine, AForcePushesAwayFromWhereItComesFrom)
 {
   test::Random random(test::testSeed(5));
   for (std::size_t i = 0; i < test::testCount(200); ++i)
   {
     Engine rig;
     ASSERT_EQ(rig.engine.open(), "");
-    const std::array shares{ random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0) };
-    for (const int axis : { 0, 1 })
-    {
-      const int block = rig.playing(pid::constantForce, axis);
-      ASSERT_TRUE(rig.engine.setConstantForce(block, shares[static_cast<std::size_t>(axis)]));
-    }
-    for (const std::size_t axis : { 0U, 1U })
-    {
-      EXPECT_NEAR(rig.driver().force()[axis], shares[axis], VirtualDriver::rounding) << axis;
-    }
+    const double share = random.uniform(-1.0, 1.0),
+                 angle_deg = i < 4 ? 90.0 * static_cast<double>(i) : random.uniform(0.0, 360.0);
+    ASSERT_TRUE(rig.engine.setConstantForce(rig.playing(pid::constantForce, angle_deg), share));
+    const double angle = angle_deg * M_PI / 180.0;
+    EXPECT_NEAR(rig.driver().force()[0], -share * std::sin(angle), VirtualDriver::rounding) << angle_deg;
+    EXPECT_NEAR(rig.driver().force()[1], share * std::cos(angle), VirtualDriver::rounding) << angle_deg;
   }
 }
 
@@ -72,7 +69,7 @@ TEST(EvdevEngine, ALevelIsSaidAsExactlyAsTheKernelTakesItAndNeverStronger)
 {
   Engine rig;
   ASSERT_EQ(rig.engine.open(), "");
-  const int block = rig.playing(pid::constantForce, 0);
+  const int block = rig.playing(pid::constantForce);
   for (const double share : { 0.0, 1.0, -1.0, 0.3, -0.7, 1e-6, 2.0, -3.0 })
   {
     ASSERT_TRUE(rig.engine.setConstantForce(block, share));
@@ -112,7 +109,7 @@ TEST(EvdevEngine, ASineSwingsBetweenItsMagnitudesOverItsPeriod)
 {
   Engine rig;
   ASSERT_EQ(rig.engine.open(), "");
-  const int block = rig.playing(pid::sine, 0);
+  const int block = rig.playing(pid::sine);
   ASSERT_TRUE(rig.engine.setPeriodic(block, 0.3, 20.0));
   ASSERT_TRUE(rig.engine.start(block));
   for (int ms = 0; ms < 40; ++ms)
@@ -126,7 +123,7 @@ TEST(EvdevEngine, AnEffectEndsByItselfUnlessItIsStartedAgain)
 {
   Engine rig;
   ASSERT_EQ(rig.engine.open(), "");
-  const int block = rig.playing(pid::constantForce, 0);
+  const int block = rig.playing(pid::constantForce);
   ASSERT_TRUE(rig.engine.setConstantForce(block, 0.5));
   rig.driver().advance(EffectSettings{}.duration_ms - 1);
   EXPECT_GT(rig.driver().force()[0], 0.0);
@@ -142,7 +139,7 @@ TEST(EvdevEngine, WhatABusyDriverDidNotTakeIsGivenAgain)
 {
   Engine rig;
   ASSERT_EQ(rig.engine.open(), "");
-  const int block = rig.playing(pid::constantForce, 0);
+  const int block = rig.playing(pid::constantForce);
   EXPECT_EQ(rig.engine.catchUp(), PidStep::Idle);
   rig.port.busyFor = 2;
   EXPECT_TRUE(rig.engine.setConstantForce(block, 0.5));
@@ -176,7 +173,7 @@ TEST(EvdevEngine, ClosingLeavesNoEffectAndTheDevicesOwnSpringAsItsDriverSaidItWa
   rig.port.settings["autocenter"] = 0x1234;
   ASSERT_EQ(rig.engine.open(), "");
   EXPECT_EQ(rig.driver().autocentre, 0);
-  ASSERT_TRUE(rig.engine.setConstantForce(rig.playing(pid::constantForce, 0), 0.5));
+  ASSERT_TRUE(rig.engine.setConstantForce(rig.playing(pid::constantForce), 0.5));
   static_cast<void>(rig.playing(pid::spring));
   rig.engine.close();
   EXPECT_EQ(rig.driver().held(), 0);
