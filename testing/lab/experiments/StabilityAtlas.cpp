@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "devices/simulated/SerialLink.h"
 #include "haptics/force/SampledWall.h"
 #include "haptics/force/StabilityLimits.h"
 #include "testing/lab/Experiments.h"
@@ -125,11 +126,19 @@ double stiffestAtRest(const Chain& chain, const FreeDevice& device)
   return low;
 }
 
-/// With friction and encoder: passivity by min(2 b / T, 2 c / D) is enough, and the plain spring must show it.
+/// How late a force is in the mean: half a period; behind a link that is slower it waits for a tick, is under way, and
+/// is then held for as long.
+double lag_s(const DeviceModel& model)
+{
+  const double link_s = SerialLink::force_B / model.link_B_per_s;
+  return link_s > period_s ? period_s + 1.5 * link_s : 0.5 * period_s;
+}
+
+/// With friction and encoder: passivity by min(b / lag, 2 c / D) is enough, and the plain spring must show it.
 void judgeRest(const std::string& name, const Chain& chain, const FreeDevice& device, Table& table)
 {
   const double found = stiffestAtRest(chain, device);
-  const double byDamping = 2 * std::max(0.0, device.model.damping_Ns_per_m - chain.virtualDamping) / period_s;
+  const double byDamping = std::max(0.0, device.model.damping_Ns_per_m - chain.virtualDamping) / lag_s(device.model);
   const double passive = device.model.encoderStep_m > 0.0
                            ? std::min(byDamping, 2 * device.model.friction_N / device.model.encoderStep_m)
                            : byDamping;
