@@ -38,6 +38,8 @@ EvdevDevice::EvdevDevice(
     link_(options.clock, [bus, entry, output = options.output](const Clock& clock)
       { return std::make_shared<EvdevLink>(bus, entry, output, clock); })
 {
+  this->promised_ = this->info_.abilities;
+  this->believe();
 }
 
 std::string EvdevDevice::open()
@@ -48,12 +50,13 @@ std::string EvdevDevice::open()
                                           [&link] { link.detach(); }, {} },
       { [&link] { return link.readPass(readTimeout_ms); }, noDevice_ms, 0, {}, {} } };
   };
+  this->link_->trust(this->options_.output.trust); // a link that hung was replaced
   std::string problem = this->options_.threads ? this->link_.open(work) : this->link_.open({});
   if (const std::optional<EvdevLink::Found> found = this->link_->found())
   {
-    this->info_.abilities = found->abilities;
     this->info_.resolution_m = { found->step * this->options_.output.scale.halfTravel_m, false };
   }
+  this->believe();
   return problem;
 }
 
@@ -73,8 +76,26 @@ DeviceStatus EvdevDevice::read(double tickTime_s, DeviceSample& sample) noexcept
 
 DeviceAbilities EvdevDevice::abilitiesNow() const
 {
+  return believed(this->offered(), this->options_.output.trust);
+}
+
+DeviceAbilities EvdevDevice::offered() const
+{
   const std::optional<EvdevLink::Found> found = this->link_->found();
-  return found ? found->abilities : this->info_.abilities;
+  return found ? found->abilities : this->promised_;
+}
+
+void EvdevDevice::trust(HeldTrust trust) noexcept
+{
+  this->options_.output.trust = trust;
+  this->link_->trust(trust);
+  this->believe();
+}
+
+void EvdevDevice::believe()
+{
+  this->info_.offersWalls = this->offered().offersWalls();
+  this->info_.abilities = this->abilitiesNow();
 }
 
 } // namespace palpate

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "devices/HeldTrust.h"
 #include "devices/evdev/EvdevBus.h"
 #include "devices/io/EvdevLink.h"
 #include "devices/io/LinkedDevice.h"
@@ -20,6 +21,7 @@ namespace palpate
 class EvdevDevice final
   : public HapticDevice
   , public LinkedDevice
+  , public WallHolder
 {
 public:
   EvdevDevice(const std::string& name, const std::shared_ptr<EvdevBus>& bus, HidEntry entry,
@@ -34,11 +36,18 @@ public:
   [[nodiscard]] LinkReport linkReport() const override { return this->link_->report(); }
   [[nodiscard]] DeviceAbilities abilitiesNow() const override;
 
+  void trust(HeldTrust trust) noexcept override;
+  [[nodiscard]] DeviceAbilities offered() const override;
+
   [[nodiscard]] EvdevLink& link() noexcept { return *this->link_; }
 
 private:
+  /// Says of itself what it is believed.
+  void believe();
+
   DeviceInfo info_;
   PidDeviceOptions options_;
+  DeviceAbilities promised_; ///< by its driver
   ServedLink<EvdevLink> link_;
 };
 

@@ -35,7 +35,7 @@ bool takeEvents(EvdevConnection& connection, int timeout_ms, Take take)
 } // namespace
 
 EvdevLink::EvdevLink(std::shared_ptr<EvdevBus> bus, HidEntry entry, const PidOutputOptions& options, const Clock& clock)
-  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock)
+  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock), trust_(options.trust)
 {
 }
 
@@ -56,7 +56,7 @@ std::string EvdevLink::prepare(FoundDevice found, const DeviceAbilities& least)
   auto device = std::make_shared<Attached>();
   device->entry = std::move(*found.entry);
   std::string problem = device->begin(*this->bus_, this->options_);
-  if (problem.empty() && least.closesWalls() && !device->output->abilities().closesWalls())
+  if (problem.empty() && least.offersWalls() && !device->output->abilities().offersWalls())
   {
     device->engine->close();
     problem = "it came back without its walls: its memory for effects may be full";
@@ -212,7 +212,8 @@ PidStep EvdevLink::giveNext(Attached& device, std::int64_t now_ns)
   const DeviceCommand& newest = this->commands_.read();
   this->muted_ = this->muted_ && asksForForce(newest);
   const std::optional<Hand>& hand = this->handToWriter_.read();
-  const PidOutput::Wish wish{ this->muted_ || !hand ? DeviceCommand{} : newest, beat, hand.value_or(Hand{}).p_D };
+  const PidOutput::Wish wish{ this->muted_ || !hand ? DeviceCommand{} : newest, beat, hand.value_or(Hand{}).p_D,
+    this->trust_ };
   const PidStep caughtUp = device.engine->catchUp();
   return caughtUp == PidStep::Idle ? device.output->step(now_ns, wish) : caughtUp;
 }

@@ -57,6 +57,8 @@ public:
   [[nodiscard]] Heard heard() noexcept;
   /// Servo thread; wait-free.
   void command(const DeviceCommand& command) noexcept;
+  /// What it is believed from now on. Any thread.
+  void trust(HeldTrust trust) noexcept { this->trust_ = trust; }
 
   /// Any thread but the servo's.
   [[nodiscard]] LinkReport report() const;
@@ -103,6 +105,7 @@ private:
   alignas(64) Presence presence_;
   alignas(64) std::atomic<std::uint64_t> beat_ = 0; ///< servo's: commands so far
   alignas(64) ReportRate rate_;
+  std::atomic<HeldTrust> trust_;
   std::atomic<bool> handKnown_ = false;
   std::atomic<std::uint64_t> inputs_ = 0, outOfRange_ = 0; ///< reader's
   std::atomic<std::uint64_t> stalls_ = 0;                  ///< reader's

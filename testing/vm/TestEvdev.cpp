@@ -42,7 +42,7 @@ TEST(Evdev, AStickThatAProgramMadeUpIsFoundWithAllThatItsDriverOffers)
   EXPECT_EQ(found[0].problem, "");
   EXPECT_EQ(found[0].entry.name, "Palpate test stick");
   EXPECT_EQ(found[0].kind.pushes.deviceClass, DeviceClass::Joystick2D);
-  EXPECT_TRUE(promised(found[0].kind.pushes).closesWalls());
+  EXPECT_TRUE(promised(found[0].kind.pushes).offersWalls());
   EXPECT_EQ(found[0].kind.buttons.size(), 3u);
 }
 

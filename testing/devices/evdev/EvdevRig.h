@@ -15,6 +15,7 @@ inline PidDeviceOptions virtualOptions(const FakeEvdevBus& bus)
   PidDeviceOptions options;
   options.threads = false;
   options.clock = &bus.time;
+  options.output.trust = { true, true };
   PidScale& scale = options.output.scale;
   scale.springStiffness_N_per_m = VirtualDriver::springGain * scale.maxForce_N / scale.halfTravel_m;
   scale.damperViscosity_Ns_per_m = VirtualDriver::damperMetric * scale.springStiffness_N_per_m;

@@ -139,7 +139,7 @@ TEST(FirmwareModels, WallsThatAreNotBelievedAreClosedByTheHostOnEveryFirmware)
   {
     Rig rig(one);
     rig.device.trust({});
-    EXPECT_FALSE(rig.device.abilitiesNow().closesWalls()) << one.name;
+    EXPECT_FALSE(rig.device.abilitiesNow().offersWalls()) << one.name;
     rig.command = corridors(rig.scale(), 0.3);
     for (const Vec3& direction : directions)
     {
