@@ -135,8 +135,7 @@ std::vector<Kind> pluggedIn(const DeviceOptions& options)
 constexpr const char* toDo = "; remove the file, or check the device again";
 
 /// What is kept of it, and what this session felt where no serial number says for which one that holds.
-KeptCalibration knownOf(
-  const DeviceInfo& info, const std::string& folder, const std::optional<Calibration>& felt)
+KeptCalibration knownOf(const DeviceInfo& info, const std::string& folder, const std::optional<Calibration>& felt)
 {
   KeptCalibration kept = loadCalibration(folder, info.name, info.serial);
   if (kept.calibration && felt && info.serial.empty() && felt->serial.empty() && felt->device == info.name)
@@ -206,9 +205,8 @@ void applyCalibrations(
 {
   for (KnownDevice& device : devices)
   {
-    const KeptCalibration kept = device.info.rendersForce && !device.hasTwin
-                                   ? knownOf(device.info, calibrationFolder, felt)
-                                   : KeptCalibration{};
+    const KeptCalibration kept =
+      device.info.rendersForce && !device.hasTwin ? knownOf(device.info, calibrationFolder, felt) : KeptCalibration{};
     if (kept.calibration)
     {
       device.info = calibratedInfo(device.info, *kept.calibration);

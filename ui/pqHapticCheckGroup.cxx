@@ -22,8 +22,8 @@ pqHapticCheckGroup::pqHapticCheckGroup(QWidget* parent)
 {
   this->setObjectName("checkGroup");
   this->Verify->setObjectName("verify");
-  this->Verify->setToolTip(
-    tr("Noise, ends, gentle pushes and the device's own walls, with a tenth of its force at most; you are told what to do"));
+  this->Verify->setToolTip(tr("Noise, ends, gentle pushes and the device's own walls, with a tenth of its force at "
+                              "most; you are told what to do"));
   this->Adjust->setObjectName("adjust");
   this->Adjust->setText(tr("Ad&just Device"));
   this->Adjust->setToolTip(

@@ -267,7 +267,8 @@ ParsedCalibration parseCalibration(std::string_view text)
   }
   if (text.substr(firstLine.size()).starts_with(std::string(formerVersion) + '\n'))
   {
-    return { std::nullopt, "it was made before forces came from where effects say: its directions mean something else" };
+    return { std::nullopt,
+      "it was made before forces came from where effects say: its directions mean something else" };
   }
   if (!text.substr(firstLine.size()).starts_with(std::string(version) + '\n'))
   {

@@ -28,10 +28,10 @@ struct SelfTestPlan
   double effectsEndAfter_s = 0.0; ///< unless they are renewed; 0: they do not end
   double radius_m = 0.0;          ///< of the workspace, as it is assumed so far
   double resolution_m = 0.0;
-  double push_N = 0.0;          ///< at most a tenth of the device's largest force
+  double push_N = 0.0;           ///< at most a tenth of the device's largest force
   double stiffest_N_per_m = 0.0; ///< of the walls that the device holds
-  double farthest_m = 0.0;      ///< a push that moves the hand further ends the test
-  double fastest_m_per_s = 0.0; ///< and so does a faster hand under force
+  double farthest_m = 0.0;       ///< a push that moves the hand further ends the test
+  double fastest_m_per_s = 0.0;  ///< and so does a faster hand under force
   DeadMan deadMan;
 
   /// `wheel`: the person says that it is one.
@@ -132,7 +132,8 @@ struct SelfTestState
   std::array<Vec3, 3> low_D{}, high_D{}; ///< where the hand was at the ends of each axis
   bool oneAxis = false;                  ///< of two nobody moved the second one
   std::array<MotorAnswers, 3> motors{};
-  HeldProof broke = HeldProof::Unfelt; ///< what the device holds by itself took the hand away: it holds nothing any more
+  HeldProof broke =
+    HeldProof::Unfelt; ///< what the device holds by itself took the hand away: it holds nothing any more
   ShakeFinding shake = ShakeFinding::NotTried;
 
   double still_s = 0.0; ///< for how long the position has not left the box from least_D to most_D

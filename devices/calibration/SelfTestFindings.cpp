@@ -230,8 +230,7 @@ std::optional<bool> endedByItself(const SelfTestPlan& plan, const SelfTestState&
   {
     return std::nullopt;
   }
-  const PushAnswer& lapse =
-    state.motors[static_cast<std::size_t>(motor)].lapse[static_cast<std::size_t>(found.sensor)];
+  const PushAnswer& lapse = state.motors[static_cast<std::size_t>(motor)].lapse[static_cast<std::size_t>(found.sensor)];
   // What friction holds comes back neither way.
   const double before_m = std::fabs(lapse.most_m - lapse.last_m), after_m = std::fabs(lapse.last_m - lapse.rested_m);
   if (std::max(before_m, after_m) < leastMotion_m(plan, state))
@@ -314,12 +313,11 @@ SelfTestReason judgeEachAxis(const SelfTestPlan& plan, const SelfTestState& stat
 
 SelfTestReason judgePushes(const SelfTestPlan& plan, const SelfTestState& state) noexcept
 {
-  SelfTestReason worst =
-    state.axes(plan) == 1 ? judgeOneAxis(plan, state) : judgeEachAxis(plan, state);
+  SelfTestReason worst = state.axes(plan) == 1 ? judgeOneAxis(plan, state) : judgeEachAxis(plan, state);
   for (int motor = 0; motor < plan.axes; ++motor)
   {
-    worst = graver(worst, endedByItself(plan, state, motor).value_or(true) ? SelfTestReason::None
-                                                                           : SelfTestReason::NoExpiry);
+    worst =
+      graver(worst, endedByItself(plan, state, motor).value_or(true) ? SelfTestReason::None : SelfTestReason::NoExpiry);
   }
   return worst;
 }

@@ -57,8 +57,8 @@ struct HeldFinding
 [[nodiscard]] MotorFinding findMotor(
   const SelfTestPlan& plan, const SelfTestState& state, int motor, int repetitions = 2) noexcept;
 [[nodiscard]] HeldFinding findHeld(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept;
-/// Of the walls that a motor, whose free pushes were clear, pushes the hand into: as stiff as the hand, where its stiffness
-/// shows best.
+/// Of the walls that a motor, whose free pushes were clear, pushes the hand into: as stiff as the hand, where its
+/// stiffness shows best.
 [[nodiscard]] double wallStiffness_N_per_m(const SelfTestPlan& plan, const SelfTestState& state, int motor) noexcept;
 /// N of the motor against the device's own walls per N asked for; 0: not measured.
 [[nodiscard]] double strengthOf(const HeldFinding& held) noexcept;

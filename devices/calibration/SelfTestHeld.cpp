@@ -27,9 +27,7 @@ WallSize wallSize(const SelfTestPlan& plan, double asked_N_per_m, const PushAnsw
   const double held_m_per_N = sameWay ? std::fabs(held.response_m_per_N) : 0.0;
   const bool readable = held_m_per_N > 0.0 && std::fabs(held.moved_m) >= steps * plan.resolution_m;
   const double way_m_per_N = readable ? held_m_per_N : std::max(readable_m_per_N, held_m_per_N);
-  return { way_m_per_N > 0.0 && free_m_per_N > 0.0
-             ? (1.0 / way_m_per_N - 1.0 / free_m_per_N) / asked_N_per_m
-             : 0.0,
+  return { way_m_per_N > 0.0 && free_m_per_N > 0.0 ? (1.0 / way_m_per_N - 1.0 / free_m_per_N) / asked_N_per_m : 0.0,
     !readable };
 }
 

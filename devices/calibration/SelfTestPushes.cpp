@@ -63,8 +63,8 @@ bool applies(const SelfTestPlan& plan, const SelfTestState& state) noexcept
 void finish(const SelfTestPlan& plan, SelfTestState& state) noexcept
 {
   const SelfTestReason reason = judgePushes(plan, state);
-  const bool unknown = reason == SelfTestReason::PushUnclear || reason == SelfTestReason::Fades ||
-                       reason == SelfTestReason::NotMoved;
+  const bool unknown =
+    reason == SelfTestReason::PushUnclear || reason == SelfTestReason::Fades || reason == SelfTestReason::NotMoved;
   end(state,
     reason == SelfTestReason::None ? SelfTestVerdict::Passed
     : unknown                      ? SelfTestVerdict::Inconclusive
@@ -188,9 +188,9 @@ DeviceCommand pushCommand(const SelfTestPlan& plan, const SelfTestState& state) 
 {
   DeviceCommand command;
   const PushRound& round = roundOf(state);
-  command.lapses = round.kind == PushKind::Lapse &&
-                   ((state.stage == SelfTestStage::Push && state.stage_s >= push::lapse_s) ||
-                     state.stage == SelfTestStage::Rest);
+  command.lapses =
+    round.kind == PushKind::Lapse &&
+    ((state.stage == SelfTestStage::Push && state.stage_s >= push::lapse_s) || state.stage == SelfTestStage::Rest);
   if (!givesForce(state))
   {
     return command;
@@ -207,8 +207,7 @@ DeviceCommand pushCommand(const SelfTestPlan& plan, const SelfTestState& state) 
   if (state.stage == SelfTestStage::Push)
   {
     const bool lapse = round.kind == PushKind::Lapse;
-    const double force_N =
-      plan.push_N * (lapse ? push::lapsingShare(state.stage_s) : push::share(state.stage_s));
+    const double force_N = plan.push_N * (lapse ? push::lapsingShare(state.stage_s) : push::share(state.stage_s));
     command.wrench_D.force = (round.up ? force_N : -force_N) * Vec3::Unit(state.axis);
   }
   return command;

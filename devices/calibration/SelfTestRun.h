@@ -17,7 +17,7 @@ struct SelfTestOptions
   double period_s = 1e-3;
   bool virtualTime = false; ///< nothing runs by itself: step() computes ticks in the caller's thread
   DeadMan deadMan;
-  bool wheel = false; ///< the person says that it is one
+  bool wheel = false;      ///< the person says that it is one
   RealtimeBrokers brokers; ///< who is asked for real-time priority where the user's limits do not allow it
 };
 

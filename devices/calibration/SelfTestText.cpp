@@ -69,7 +69,8 @@ std::string because(SelfTestReason reason)
     case SelfTestReason::Sometimes:
       return "only some of the pushes move it: look at its cable, its power and its safety switch";
     case SelfTestReason::Fades:
-      return "the later pushes moved it far less than the first: let its motors cool, hold it as loosely all the time, and "
+      return "the later pushes moved it far less than the first: let its motors cool, hold it as loosely all the time, "
+             "and "
              "try again";
     case SelfTestReason::NoExpiry:
       return "what it is told does not end by itself: if this program dies its force goes on; switch it off by its "
@@ -124,7 +125,8 @@ std::string held(const SelfTestPlan& plan, const SelfTestState& state, int motor
     return {};
   }
   return text(", its own walls are %.2f", found.walls[0]) + text(" and %.2f of what they should be", found.walls[1]) +
-         text(", while it brakes %.0f %%", 1e2 * found.braking[0]) + text(" and %.0f %% of the way are left", 1e2 * found.braking[1]);
+         text(", while it brakes %.0f %%", 1e2 * found.braking[0]) +
+         text(" and %.0f %% of the way are left", 1e2 * found.braking[1]);
 }
 
 std::string motorLine(const SelfTestPlan& plan, const SelfTestState& state, int motor, double strongest)
@@ -153,9 +155,9 @@ std::string heldLine(const SelfTestPlan& plan, const SelfTestState& state)
     return {};
   }
   const HeldProof proof = heldProofOf(plan, state);
-  return proof == HeldProof::Felt
-           ? "\nIts own walls hold from both sides of each axis, and it brakes: once this is kept, walls are left to it."
-           : std::string("\nThe program closes its walls: ") + whyNotHeld(proof) + ".";
+  return proof == HeldProof::Felt ? "\nIts own walls hold from both sides of each axis, and it brakes: once this is "
+                                    "kept, walls are left to it."
+                                  : std::string("\nThe program closes its walls: ") + whyNotHeld(proof) + ".";
 }
 
 /// Of what ends by itself, and of what shakes.

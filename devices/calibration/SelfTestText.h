@@ -13,7 +13,6 @@ namespace palpate
 [[nodiscard]] std::string askOf(const SelfTestPlan& plan, const SelfTestState& state);
 
 /// What was found, in lines; empty before there is a verdict. `link`: how the link to the device went meanwhile.
-[[nodiscard]] std::string resultOf(
-  const SelfTestPlan& plan, const SelfTestState& state, const LinkReport& link = {});
+[[nodiscard]] std::string resultOf(const SelfTestPlan& plan, const SelfTestState& state, const LinkReport& link = {});
 
 } // namespace palpate

@@ -35,12 +35,12 @@ DeviceInfo infoOf(const std::string& name, const HidEntry& entry, const EvdevKin
 EvdevDevice::EvdevDevice(
   const std::string& name, const std::shared_ptr<EvdevBus>& bus, HidEntry entry, const PidDeviceOptions& options)
   : info_(infoOf(name, entry, evdevKind(bus->traits(entry), entry), options.output.scale)), options_(options),
-    promised_(info_.abilities), link_(options.clock, [bus, entry, output = options.output](const Clock& clock)
-                                  { return std::make_shared<EvdevLink>(bus, entry, output, clock); })
+    link_(options.clock, [bus, entry, output = options.output](const Clock& clock)
+      { return std::make_shared<EvdevLink>(bus, entry, output, clock); })
 {
   this->info_.effectsEndAfter_s = 1e-3 * options.output.duration_ms;
-  this->info_.offersWalls = this->promised_.offersWalls();
-  this->info_.abilities = this->abilitiesNow();
+  this->promised_ = this->info_.abilities;
+  this->believe();
 }
 
 std::string EvdevDevice::open()
@@ -55,10 +55,9 @@ std::string EvdevDevice::open()
   std::string problem = this->options_.threads ? this->link_.open(work) : this->link_.open({});
   if (const std::optional<EvdevLink::Found> found = this->link_->found())
   {
-    this->info_.offersWalls = this->offered().offersWalls();
-    this->info_.abilities = this->abilitiesNow();
     this->info_.resolution_m = { found->step * this->options_.output.scale.halfTravel_m, false };
   }
+  this->believe();
   return problem;
 }
 
@@ -81,17 +80,23 @@ DeviceAbilities EvdevDevice::abilitiesNow() const
   return believed(this->offered(), this->options_.output.trust);
 }
 
-void EvdevDevice::trust(HeldTrust trust) noexcept
-{
-  this->options_.output.trust = trust;
-  this->link_->trust(trust);
-  this->info_.abilities = this->abilitiesNow();
-}
-
 DeviceAbilities EvdevDevice::offered() const
 {
   const std::optional<EvdevLink::Found> found = this->link_->found();
   return found ? found->abilities : this->promised_;
+}
+
+void EvdevDevice::trust(HeldTrust trust) noexcept
+{
+  this->options_.output.trust = trust;
+  this->link_->trust(trust);
+  this->believe();
+}
+
+void EvdevDevice::believe()
+{
+  this->info_.offersWalls = this->offered().offersWalls();
+  this->info_.abilities = this->abilitiesNow();
 }
 
 } // namespace palpate

@@ -42,6 +42,9 @@ public:
   [[nodiscard]] EvdevLink& link() noexcept { return *this->link_; }
 
 private:
+  /// Says of itself what it is believed.
+  void believe();
+
   DeviceInfo info_;
   PidDeviceOptions options_;
   DeviceAbilities promised_; ///< by its driver

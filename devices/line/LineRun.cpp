@@ -54,7 +54,8 @@ std::string LineRun::start(
   plain.passivity.enabled = false; // nothing takes back what a held force gives too much
   const LoopSettings loop = loopSettings(plain, options.period_s);
   const double largest_N_per_m = pushes ? stabilityLimits(info, loop).largest_N_per_m : 0.0;
-  std::string problem = pushes ? world.refusal(largest_N_per_m) : "a line is felt by a device that pushes, and this one does not";
+  std::string problem =
+    pushes ? world.refusal(largest_N_per_m) : "a line is felt by a device that pushes, and this one does not";
   if (problem.empty())
   {
     problem = device->open();

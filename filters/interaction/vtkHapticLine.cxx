@@ -147,8 +147,8 @@ bool vtkHapticLine::Start()
     return this->Refuse(made.problem);
   }
   constexpr double period_s = 1e-3;
-  return this->Refuse(this->Impl->Run.start(std::move(made.device), this->Impl->World(*this), {},
-    { period_s, this->VirtualTime, palpate::systemBrokers() }));
+  return this->Refuse(this->Impl->Run.start(
+    std::move(made.device), this->Impl->World(*this), {}, { period_s, this->VirtualTime, palpate::systemBrokers() }));
 }
 
 void vtkHapticLine::Engage()

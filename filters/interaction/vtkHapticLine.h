@@ -79,7 +79,8 @@ public:
   double GetForceAt(double s);
 
   ///@{
-  /// False, with GetProblem(), if it cannot begin. Nothing pushes before Engage(), and after a fault not before the next.
+  /// False, with GetProblem(), if it cannot begin. Nothing pushes before Engage(), and after a fault not before the
+  /// next.
   bool Start();
   void Engage();
   void Step(int ticks);

@@ -113,8 +113,8 @@ public:
 
   ///@{
   /**
-   * The chosen device is a wheel, whatever it calls itself: only its x is there. From the next touch or check on; off by
-   * default. A check finds it out by itself where nobody can move a second axis.
+   * The chosen device is a wheel, whatever it calls itself: only its x is there. From the next touch or check on; off
+   * by default. A check finds it out by itself where nobody can move a second axis.
    */
   virtual void SetWheel(bool on);
   virtual bool GetWheel() const;

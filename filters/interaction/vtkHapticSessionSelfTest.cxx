@@ -68,7 +68,8 @@ void vtkHapticSession::StopSelfTest()
   {
     this->Impl->Check.stop();
     this->Impl->CheckAsk.clear();
-    this->Impl->CheckResult = palpate::resultOf(this->Impl->Check.plan(), this->Impl->Check.state(), this->Impl->Check.link());
+    this->Impl->CheckResult =
+      palpate::resultOf(this->Impl->Check.plan(), this->Impl->Check.state(), this->Impl->Check.link());
     this->Modified();
   }
 }

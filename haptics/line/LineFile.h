@@ -10,8 +10,8 @@
 namespace palpate
 {
 
-/// A value along a path as text: a header with s and value and, if wanted, friction, in any order; then a line of finite
-/// numbers per place, s [m of the hand] growing, friction in N:
+/// A value along a path as text: a header with s and value and, if wanted, friction, in any order; then a line of
+/// finite numbers per place, s [m of the hand] growing, friction in N:
 ///
 ///     s,value,friction
 ///     -0.04,12.5,0

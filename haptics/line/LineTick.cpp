@@ -44,9 +44,9 @@ void follow(double s_m, double dt_s, LineState& state) noexcept
 void updateGain(const SafetyLimits& limits, double dt_s, LineState& state) noexcept
 {
   const bool up = state.engage == EngageState::Engaged;
-  const double ramp_s = up                                       ? limits.engageRamp_s
+  const double ramp_s = up                                   ? limits.engageRamp_s
                         : state.engage == EngageState::Fault ? limits.faultRamp_s
-                                                                 : limits.releaseRamp_s;
+                                                             : limits.releaseRamp_s;
   const double step = ramp_s > 0.0 ? dt_s / ramp_s : 1.0;
   state.gain = std::clamp(state.gain + (up ? step : -step), 0.0, 1.0);
 }

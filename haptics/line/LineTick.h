@@ -17,8 +17,8 @@ struct LineState
 {
   EngageState engage = EngageState::Safe;
   Fault fault = Fault::None;
-  double gain = 0.0;     ///< share of the force that is let through, 0 .. 1
-  double s_m = 0.0;      ///< where the hand is along the line
+  double gain = 0.0; ///< share of the force that is let through, 0 .. 1
+  double s_m = 0.0;  ///< where the hand is along the line
   double speed_m_per_s = 0.0;
   double force_N = 0.0;  ///< that it got
   double anchor_m = 0.0; ///< of friction

@@ -20,8 +20,8 @@ bool isUsable(const LinePlace& place)
 /// The number of the place that ends the piece in which s lies, 1 and up.
 std::size_t pieceAt(const LineWorld& world, double s_m) noexcept
 {
-  const auto after = std::upper_bound(world.places.begin(), world.places.end(), s_m,
-    [](double s, const LinePlace& place) { return s < place.s_m; });
+  const auto after = std::upper_bound(
+    world.places.begin(), world.places.end(), s_m, [](double s, const LinePlace& place) { return s < place.s_m; });
   const auto at = static_cast<std::size_t>(after - world.places.begin());
   return std::clamp<std::size_t>(at, 1, world.places.size() - 1);
 }
@@ -61,7 +61,8 @@ std::string LineWorld::refusal(double largest_N_per_m) const
   {
     if (!isUsable(this->places[i]))
     {
-      return "place " + std::to_string(i + 1) + " has a number that cannot be: it must be finite, and friction not negative";
+      return "place " + std::to_string(i + 1) +
+             " has a number that cannot be: it must be finite, and friction not negative";
     }
     if (i > 0 && !(this->places[i].s_m > this->places[i - 1].s_m))
     {
@@ -94,9 +95,8 @@ double lineForce(const LineWorld& world, double s_m) noexcept
   const LinePlace &a = world.places[piece - 1], &b = world.places[piece];
   const double downhill_N = (a.potential_J - b.potential_J) / (b.s_m - a.s_m);
   const double detents_N_per_m = detentStiffness(world);
-  return detents_N_per_m > 0.0
-           ? downhill_N - detents_N_per_m * (s_m - nearestDetent(world.detentEvery_m, s_m))
-           : downhill_N;
+  return detents_N_per_m > 0.0 ? downhill_N - detents_N_per_m * (s_m - nearestDetent(world.detentEvery_m, s_m))
+                               : downhill_N;
 }
 
 double lineFriction(const LineWorld& world, double s_m, double& anchor_m) noexcept

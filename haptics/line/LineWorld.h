@@ -23,7 +23,7 @@ struct LineWorld
   std::vector<LinePlace> places; ///< ascending; between them potential and friction are interpolated
   double detentEvery_m = 0.0;    ///< one at each multiple of it; 0: none
   double detent_N = 0.0;         ///< largest force of a detent, half way to the next one
-  double stop_N_per_m = 200.0;   ///< of the springs beyond the first and the last place, and of friction before it slides
+  double stop_N_per_m = 200.0; ///< of the springs beyond the first and the last place, and of friction before it slides
 
   /// The stiffest spring in it [N/m].
   [[nodiscard]] double stiffest_N_per_m() const noexcept;

@@ -257,7 +257,8 @@ int Run(const CLI::App& app, const Arguments& arguments)
   {
     return Turn(arguments.Turn);
   }
-  throw vtkHapticCliProblem("say what to do: devices, check, touch, turn, replay or labyrinth (palpate --help says more)");
+  throw vtkHapticCliProblem(
+    "say what to do: devices, check, touch, turn, replay or labyrinth (palpate --help says more)");
 }
 
 int Refuse(std::string reason)

@@ -31,7 +31,8 @@ struct vtkHapticCliTurnOptions
   double Stop_N_per_m = 100.0;
 };
 
-/// A value along a path, with detents, friction and stops, felt by turning a wheel. 0: it was felt as long as asked for.
+/// A value along a path, with detents, friction and stops, felt by turning a wheel. 0: it was felt as long as asked
+/// for.
 int vtkHapticCliTurn(const vtkHapticCliTurnOptions& options);
 
 struct vtkHapticCliCheckOptions

@@ -106,7 +106,7 @@ TEST(EvdevFactory, ListsADeviceOnceAndMakesItByItsName)
   EXPECT_EQ(known.back().name, "evdev-046d-c24f");
   EXPECT_EQ(known.back().problem, "");
   EXPECT_EQ(known.back().info.deviceClass, DeviceClass::Wheel1D);
-  EXPECT_FALSE(known.back().info.abilities.offersWalls());
+  EXPECT_FALSE(known.back().info.offersWalls);
   const MadeDevice made = makeDevice("evdev-046d-c24f", options);
   ASSERT_NE(made.device, nullptr) << made.problem;
   EXPECT_EQ(made.device->open(), "");

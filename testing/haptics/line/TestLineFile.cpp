@@ -51,9 +51,9 @@ TEST(LineFile, TheSteepestSlopeDrawsWithTheForceThatWasAskedFor)
   LineWorld world;
   world.places = parseLine("s,value\n0,10\n0.01,11\n0.02,15\n0.05,14\n").places;
   scaleToHardest(world.places, 0.5);
-  EXPECT_NEAR(lineForce(world, 0.015), -0.5, 1e-12);       // 400 per m
-  EXPECT_NEAR(lineForce(world, 0.005), -0.125, 1e-12);     // 100
-  EXPECT_NEAR(lineForce(world, 0.03), 0.5 / 12.0, 1e-12);  // 33.3, downhill to the right
+  EXPECT_NEAR(lineForce(world, 0.015), -0.5, 1e-12);      // 400 per m
+  EXPECT_NEAR(lineForce(world, 0.005), -0.125, 1e-12);    // 100
+  EXPECT_NEAR(lineForce(world, 0.03), 0.5 / 12.0, 1e-12); // 33.3, downhill to the right
 }
 
 TEST(LineFile, ValuesThatAreAllTheSameStayFlat)
