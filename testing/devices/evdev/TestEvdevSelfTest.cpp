@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/calibration/SelfTestFindings.h"
+#include "devices/calibration/SelfTestText.h"
 #include "testing/devices/evdev/EvdevRig.h"
 
 namespace palpate
