@@ -275,6 +275,14 @@ Vec3 RollPlanner<SceneView>::pressed(const Vec3& y) const noexcept
 }
 
 template<class SceneView>
+ProjectionResult RollPlanner<SceneView>::nearest(std::span<const PlaneRow> rows, const Vec3& target) noexcept
+{
+  const ProjectionResult result = projectOntoPlanes(rows, target, this->slack_);
+  this->sets_ += result.sets;
+  return result;
+}
+
+template<class SceneView>
 RollPlan RollPlanner<SceneView>::plan() noexcept
 {
   RollPlan plan;
@@ -287,7 +295,7 @@ RollPlan RollPlanner<SceneView>::plan() noexcept
   }
   const auto count = static_cast<std::size_t>(this->contacts_.count());
   Vec3 target = crevice ? this->pressed(aim) : (this->solution_.count == 1 ? this->pressed(this->arcAim()) : this->q_);
-  ProjectionResult second = projectOntoPlanes({ this->rows_.data(), count }, target, this->slack_);
+  ProjectionResult second = this->nearest({ this->rows_.data(), count }, target);
   constexpr int corrections = 10;
   for (int k = 0; k < corrections && second.feasible; ++k)
   {
@@ -297,20 +305,20 @@ RollPlan RollPlanner<SceneView>::plan() noexcept
       break;
     }
     target = this->pressed(this->hasBorder_ ? aim : second.y);
-    second = projectOntoPlanes({ this->rows_.data(), count }, target, this->slack_);
+    second = this->nearest({ this->rows_.data(), count }, target);
   }
   for (int k = 0; k < this->pivotCount_; ++k)
   {
     this->both_[count + k] = this->rows_[this->pivots_[k].row];
     plan.turn = std::max(plan.turn, this->pivots_[k].turn);
   }
-  const ProjectionResult first =
-    projectOntoPlanes({ this->both_.data(), count + this->pivotCount_ }, target, this->slack_);
+  const ProjectionResult first = this->nearest({ this->both_.data(), count + this->pivotCount_ }, target);
   // Near the solution a Newton step gains less than a distance resolves.
   plan.tolerance_u2 = crevice ? 4 * this->slack_ * this->q_.norm() : 0.0;
   // At the end of an edge it cannot go on by rolling: a slide leaves the edge.
   plan.worthwhile = first.feasible && second.feasible && second.y.norm() > 4 * this->slack_ &&
                     (second.y - this->q_).squaredNorm() < this->q_.squaredNorm() + plan.tolerance_u2;
+  plan.sets = this->sets_;
   plan.first = first.y;
   plan.second = second.y;
   return plan;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "haptics/contact/ContactSet.h"
 
@@ -15,6 +16,7 @@ struct RollPlan
   Vec3 first = Vec3::Zero();  ///< displacement from x to the corner of old and new tangent planes
   Vec3 second = Vec3::Zero(); ///< displacement from x to the new place
   double turn = 0.0;          ///< tangent of the largest angle any normal was allowed to turn
+  int sets = 0;               ///< of planes that were tried on the way to it
   double tolerance_u2 = 0.0;  ///< by how much the squared distance to p may grow and still be progress
 };
 
@@ -59,6 +61,7 @@ private:
   [[nodiscard]] Vec3 axisOf(const ActiveFeature& f) const noexcept;
   void chooseTargets(Vec3& aim) noexcept;
   [[nodiscard]] bool correct(const Vec3& y) noexcept;
+  [[nodiscard]] ProjectionResult nearest(std::span<const PlaneRow> rows, const Vec3& target) noexcept;
 
   const ContactSet<SceneView>& contacts_;
   Vec3 x_W_;
@@ -73,6 +76,7 @@ private:
   int pivotCount_ = 0;
   RollBorder border_;
   bool hasBorder_ = false;
+  int sets_ = 0;
 };
 
 } // namespace palpate

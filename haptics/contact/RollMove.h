@@ -95,6 +95,7 @@ template<class SceneView>
     tick.countFans();
     const RollPlan plan =
       RollPlanner<SceneView>(tick.contacts, tick.x(), tick.p_W, tick.plan.radius_u, tick.solution, mostTurn).plan();
+    tick.result.work += static_cast<std::uint32_t>(plan.sets) * work::planeSet;
     if (!plan.worthwhile)
     {
       return false;

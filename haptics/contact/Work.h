@@ -9,7 +9,7 @@ namespace palpate::work
 {
 
 /// A face that may be near, with the borders that it answers for.
-inline constexpr std::uint32_t faceTest = 2;
+inline constexpr std::uint32_t faceTest = 3;
 /// A point against a face whose plane it comes to: five orientations.
 inline constexpr std::uint32_t pointTest = 16;
 /// The same where one of them is 0: then several were not told by doubles and took expansions.
