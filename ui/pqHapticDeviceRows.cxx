@@ -42,7 +42,7 @@ pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->par
   QWidget* parent = form->parentWidget();
   this->Notes = pqHapticLabel(parent, "deviceNotes", tr("What the device is, and what it cannot do"));
   form->addRow(this->Notes);
-  this->Wheel = new QCheckBox(tr("This is a wheel"), parent);
+  this->Wheel = new QCheckBox(tr("This is a wheel (&=)"), parent);
   this->Wheel->setObjectName("wheel");
   this->Wheel->setToolTip(tr("Only its x is there, whatever the device calls itself; from the next touch or check on"));
   form->addRow(this->Wheel);

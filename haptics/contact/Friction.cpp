@@ -39,16 +39,15 @@ FrictionVerdict judgeFriction(
   }
   const double behind = held.y.norm(); // |x0 - xf|
   const FrictionReach reach = reachOf(scene, plan, contacts, held);
-  state.slips = behind > (state.slips ? reach.kinetic : reach.statical);
+  constexpr double rounding = 1e-9; // of a slide: a hand that keeps still is not to slide for ever
+  state.slips = behind > (state.slips ? (1.0 + rounding) * reach.kinetic : reach.statical);
   if (!state.slips)
   {
     verdict.motion = FrictionMotion::Sticks;
     verdict.contacts = listHeld(contacts, held, verdict.held);
     return verdict;
   }
-  constexpr double rounding = 1e-9;
   verdict.motion = FrictionMotion::Slips;
-  verdict.trailsTooFar = behind > (1.0 + rounding) * reach.kinetic;
   verdict.pulled_W = p_W - (reach.kinetic / behind) * held.y;
   return verdict;
 }

@@ -44,7 +44,6 @@ int listHeld(ContactSet<SceneView>& contacts, const ProjectionResult& held, std:
 struct FrictionVerdict
 {
   FrictionMotion motion = FrictionMotion::None;
-  bool trailsTooFar = false; ///< it slips, and lies outside of the kinetic cone by more than rounding makes of a slide
   int contacts = 0;          ///< that hold it while it sticks
   std::array<HeldPlane, 3> held; ///< and which
   Vec3 pulled_W =

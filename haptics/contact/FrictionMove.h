@@ -37,7 +37,7 @@ public:
         return this->end(slides);
       }
       verdict = this->judged();
-      if (slides && verdict.motion != FrictionMotion::None && !verdict.trailsTooFar)
+      if (slides && verdict.motion == FrictionMotion::Sticks)
       {
         return this->end(true);
       }
@@ -47,7 +47,7 @@ public:
 
 private:
   /// Where it does not converge in so many the next tick goes on.
-  static constexpr int mostSteps = 8;
+  static constexpr int mostSteps = 16;
 
   [[nodiscard]] Tick<SceneView> tickTo(const Vec3& p_W) noexcept
   {

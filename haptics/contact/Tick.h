@@ -71,7 +71,7 @@ public:
   /// True if nothing at all lies between ball and device, touched or not: what seems to hold the ball does not.
   [[nodiscard]] bool wayIsOpen() noexcept
   {
-    if (this->tick_.x() == this->tick_.p_W || (!this->tick_.round() && this->oneIsInTheWay()))
+    if (this->tick_.x() == this->tick_.p_W || this->oneIsInTheWay())
     {
       return false;
     }
@@ -94,13 +94,28 @@ public:
   }
 
 private:
-  /// True if one of the faces that hold a point is in its way: mostly it is, and no sweep is needed to see that.
+  /// True if one of the features that hold the ball is in its way: mostly one is, and no sweep is needed to see that.
   [[nodiscard]] bool oneIsInTheWay() const noexcept
   {
     const SweepQuery query = straightQuery(this->tick_.x(), this->tick_.p_W);
     const auto held = this->tick_.contacts.features();
-    return std::any_of(
-      held.begin(), held.end(), [&](const ActiveFeature& f) { return meetsFace(this->tick_.scene, f, query); });
+    return std::any_of(held.begin(), held.end(),
+      [&](const ActiveFeature& f)
+      { return this->tick_.round() ? this->sinksInto(f) : meetsFace(this->tick_.scene, f, query); });
+  }
+
+  /// True if a ball on its straight way is surely deeper in face f than rounding while it is still over the face.
+  [[nodiscard]] bool sinksInto(const ActiveFeature& f) const noexcept
+  {
+    if (f.kind != FeatureKind::Face)
+    {
+      return false;
+    }
+    const FeaturePlane plane = this->tick_.contacts.plane(f);
+    const Vec3 way = this->tick_.p_W - this->tick_.x();
+    const double needs = plane.gap + 4 * this->tick_.tol(), sinks = -plane.n.dot(way);
+    return sinks > needs &&
+           projectsInside(this->tick_.contacts.surface(f), f.a, this->tick_.x() + needs / sinks * way, 0.0);
   }
 
   /// A face for its edge, the edge for its end; once at a place, where a ball that comes back has gone in a circle.

@@ -19,7 +19,7 @@ class Program(LabTest):
         self.assertEqual(len({experiment["name"] for experiment in listed}), len(listed))
         for experiment in listed:
             self.assertGreater(len(experiment["shows"].split()), 4, experiment)
-            self.assertTrue(all(1 <= row <= 59 for row in experiment["rows"]), experiment)
+            self.assertTrue(all(1 <= row <= 90 for row in experiment["rows"]), experiment)
         plain = self.lab("list").stdout.splitlines()
         self.assertEqual([line.split()[0] for line in plain], [experiment["name"] for experiment in listed])
 

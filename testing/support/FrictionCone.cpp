@@ -14,7 +14,8 @@ namespace
 
 /// Normals that differ by less are one.
 constexpr double sameShare = 1e-9;
-/// The tip of a cone of thousands of faces is asked about its faces one by one, and in pairs or threes no longer.
+/// The tip of a cone of thousands of faces is asked about its faces one by one and about the best choice of them, and
+/// in pairs or threes no longer.
 constexpr std::size_t mostInPairs = 300, mostInThrees = 24;
 
 Vec3 rounded(const Rational::Vector_3& v)
@@ -38,6 +39,35 @@ Vec3 nearestPoint(const TriangleMesh& mesh, std::uint32_t t, const Vec3& x_W)
   const auto nearest =
     Filtered().construct_projected_point_3_object()(triangleOf<Filtered>(mesh, t), pointOf<Filtered>(x_W));
   return { nearest.x(), nearest.y(), nearest.z() };
+}
+
+/// What least is left of the pull beside the cone of all normals, by active sets (Lawson & Hanson 1974): the tip of a
+/// cone of thousands of faces may be held by any three of them.
+Eigen::Matrix3Xd nearestChoice(std::span<const Vec3> normals, const Vec3& pull_W)
+{
+  constexpr int mostRounds = 100;
+  Eigen::Matrix3Xd chosen(3, 0);
+  Vec3 left = pull_W;
+  for (int round = 0; round < mostRounds && !normals.empty(); ++round)
+  {
+    const auto against = [&left](const Vec3& a, const Vec3& b) { return a.dot(left) < b.dot(left); };
+    const Vec3& next = *std::min_element(normals.begin(), normals.end(), against);
+    if (next.dot(left) >= -sameShare * pull_W.norm())
+    {
+      break;
+    }
+    chosen.conservativeResize(3, chosen.cols() + 1);
+    chosen.rightCols(1) = next;
+    Eigen::VectorXd depths = chosen.colPivHouseholderQr().solve(-pull_W);
+    for (Eigen::Index worst = 0; depths.size() > 1 && depths.minCoeff(&worst) < 0.0;)
+    {
+      chosen.col(worst) = chosen.rightCols(1).eval();
+      chosen.conservativeResize(3, chosen.cols() - 1);
+      depths = chosen.colPivHouseholderQr().solve(-pull_W);
+    }
+    left = pull_W + chosen * depths;
+  }
+  return chosen;
 }
 
 /// One choice of normals: what is left of the pull in their planes beyond their friction; infinite if one would pull.
@@ -81,6 +111,10 @@ double beyondFriction(std::span<const Vec3> normals, const Vec3& pull_W, double 
 {
   double least = std::numeric_limits<double>::infinity();
   const auto take = [&](const Eigen::Matrix3Xd& chosen) { least = std::min(least, beyond(chosen, pull_W, mu)); };
+  if (normals.size() > mostInThrees)
+  {
+    take(nearestChoice(normals, pull_W));
+  }
   for (std::size_t i = 0; i < normals.size() && least > 0.0; ++i)
   {
     take(normals[i]);

@@ -82,10 +82,12 @@ TEST(PidKind, WhatEachKindCannotDoIsSaid)
     test::PidRig rig(layout);
     return shortcomings(rig.device.info());
   };
+  const std::string unfelt = " It offers to hold walls by itself, but no check of the device has felt them yet: the "
+                             "program closes them, softer.";
   EXPECT_EQ(notes(test::plainLayout()),
-    "It pushes along x and y only: what pushes along z is not felt. It moves along x and y only.");
+    "It pushes along x and y only: what pushes along z is not felt. It moves along x and y only." + unfelt);
   EXPECT_EQ(notes(test::wheelLayout()),
-    "It pushes along x only: what pushes along y and z is not felt. It moves along x only.");
+    "It pushes along x only: what pushes along y and z is not felt. It moves along x only." + unfelt);
   EXPECT_EQ(notes(test::rumbleLayout()),
     "It pushes in no direction: contact and sliding are felt as vibration. It moves along x and y only.");
   EXPECT_NE(notes(test::adapterLayout()).find("holds no walls by itself"), std::string::npos);

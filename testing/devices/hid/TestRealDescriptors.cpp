@@ -25,13 +25,14 @@ struct Known
   DeviceAbilities offered;
 };
 
-// Sizes are those that their owners give. One coefficient without saturation can hold nothing that is limited. Nothing
+// Sizes are those that their owners give. The SideWinder and the boards have all usages of a condition, 0x60 to 0x65;
+// the adapters have one coefficient and no dead band, which can hold nothing that is limited on one side only. Nothing
 // in the wheel's descriptor tells it from a stick: that its y gives no force is found by pushing.
 TEST(RealDescriptors, ThoseOfForceFeedbackDevicesParseToTheRightKind)
 {
   const DeviceAbilities shakes{ 2, false, false, true }, holds{ 2, true, true, true };
   for (const Known& known :
-    { Known{ "microsoft-sidewinder-ff2-045e-001b", 1343, DeviceClass::Joystick2D, 2, 2, shakes },
+    { Known{ "microsoft-sidewinder-ff2-045e-001b", 1343, DeviceClass::Joystick2D, 2, 2, holds },
       Known{ "adapt-ffb-joy-0.3.0-stick", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
       Known{ "adapt-ffb-joy-0.5.0b1-stick", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
       Known{ "adapt-ffb-joy-0.5.0b1-wheel", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
