@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from fnmatch import fnmatchcase as fnmatch
 from pathlib import Path
 
 ROOT = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().parents[2])
@@ -59,9 +60,10 @@ class Bar(unittest.TestCase):
                 yield number and int(number[1]), line, re.findall(r"`([^`]+)`", line.split("|")[-2])
 
     def exists(self, name):
-        """A suite, a test of one, a script, a program test or a folder with tests; whatever else says no."""
-        if test := re.fullmatch(r"([A-Z]\w+)\.([A-Z]\w+|\*)", name):
-            return any(test[1] == suite and test[2] in ("*", case) for suite, case in self.defined)
+        """A suite, a test of one or those that begin alike, a script, a program test or a folder with tests; whatever
+        else says no."""
+        if test := re.fullmatch(r"([A-Z]\w+)\.([A-Z]\w+|(?:[A-Z]\w+)?\*)", name):
+            return any(test[1] == suite and fnmatch(case, test[2]) for suite, case in self.defined)
         if name.endswith(".py"):
             return any(self.TESTING.rglob(Path(name).name)) and ("/" not in name or (ROOT / name).is_file())
         if name.startswith("benchmark."):
