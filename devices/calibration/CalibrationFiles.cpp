@@ -134,7 +134,25 @@ KeptCalibration loadCalibration(const std::string& folder, const std::string& de
   {
     return newest;
   }
+  // What the damaged one said of walls may have been less.
+  older.calibration->held = HeldProof::Unfelt;
   return { std::move(older.calibration), newest.problem + "; the calibration before it is used" };
+}
+
+std::string takeBackTrust(
+  const std::string& folder, const std::string& device, const std::string& serial, HeldProof proof)
+{
+  if (proof == HeldProof::Felt || proof == HeldProof::Unfelt)
+  {
+    return {};
+  }
+  KeptCalibration kept = loadCalibration(folder, device, serial);
+  if (!kept.calibration || kept.calibration->held != HeldProof::Felt)
+  {
+    return {};
+  }
+  kept.calibration->held = proof;
+  return saveCalibration(folder, *kept.calibration);
 }
 
 std::string saveCalibration(const std::string& folder, const Calibration& calibration)

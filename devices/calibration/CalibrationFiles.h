@@ -26,7 +26,8 @@ struct KeptCalibration
   std::string problem; ///< one sentence that names a file that cannot be used and why; empty too where there is none
 };
 
-/// The calibration of a device. Where its file is damaged the one before it is taken, and `problem` says so.
+/// The calibration of a device. Where its file is damaged the one before it is taken but for what it says of walls that
+/// the device holds, and `problem` says so.
 [[nodiscard]] KeptCalibration loadCalibration(
   const std::string& folder, const std::string& device, const std::string& serial);
 
@@ -34,5 +35,10 @@ struct KeptCalibration
 /// the old one stays. What was felt of its walls is not kept without a serial number: the next device of that name may
 /// be another one. Empty, or one sentence that names the file and why.
 [[nodiscard]] std::string saveCalibration(const std::string& folder, const Calibration& calibration);
+
+/// What a check felt of walls and viscosity, where that is a fault, takes the place of what a kept calibration says:
+/// trust ends without being asked for. Empty, or one sentence that names the file and why it could not be written.
+[[nodiscard]] std::string takeBackTrust(
+  const std::string& folder, const std::string& device, const std::string& serial, HeldProof proof);
 
 } // namespace palpate

@@ -39,6 +39,10 @@ std::string PidEngine::refusal(const ReportDescriptor& descriptor)
   {
     return "its effects live in a driver-managed pool, whose memory the host would have to hand out: not supported";
   }
+  if (!findControl(*descriptor.report(HidReportKind::Output, pid::setEffect), pid::duration))
+  {
+    return "its effects have no duration: none would end by itself when a program dies";
+  }
   return pidKind(descriptor).problem;
 }
 

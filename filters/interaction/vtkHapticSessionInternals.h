@@ -118,6 +118,8 @@ public:
   void FollowDevice();
   /// What a check says now; ends it once there is a verdict.
   void FollowCheck();
+  /// A check that felt a fault in walls that the device holds ends the trust in them.
+  void TakeBackTrust();
   /// Tells a fed device where the program holds the hand, if it said so. `placed`: there without a way.
   void FeedTo(palpate::FedDevice& fed, bool placed) const;
   /// The same for the running device, if it is one.

@@ -20,9 +20,26 @@ void vtkHapticSession::Internals::FollowCheck()
   if (this->Check.state().verdict != palpate::SelfTestVerdict::None)
   {
     this->Check.stop();
+    this->TakeBackTrust();
   }
   this->CheckAsk = palpate::askOf(this->Check.plan(), this->Check.state());
   this->CheckResult = palpate::resultOf(this->Check.plan(), this->Check.state(), this->Check.link());
+}
+
+void vtkHapticSession::Internals::TakeBackTrust()
+{
+  const palpate::HeldProof proof = palpate::heldProofOf(this->Check.plan(), this->Check.state());
+  const palpate::DeviceInfo device = this->Check.device();
+  const std::string problem = palpate::takeBackTrust(this->CalibrationFolder, device.name, device.serial, proof);
+  if (proof != palpate::HeldProof::Felt && this->Felt && this->Felt->device == device.name)
+  {
+    this->Felt->held = proof;
+  }
+  if (!problem.empty())
+  {
+    this->Problem = problem;
+  }
+  this->LookForDevices();
 }
 
 void vtkHapticSession::StartSelfTest()

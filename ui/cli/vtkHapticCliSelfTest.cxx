@@ -54,6 +54,19 @@ std::string FolderToKeepIn()
   return folder;
 }
 
+/// A check that felt a fault in walls that the device holds ends the trust in them, kept or not.
+void TakeBackTrust(const palpate::SelfTestRun& run)
+{
+  const std::string folder = palpate::userCalibrationFolder(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
+  const palpate::DeviceInfo device = run.device();
+  const std::string problem =
+    palpate::takeBackTrust(folder, device.name, device.serial, palpate::heldProofOf(run.plan(), run.state()));
+  if (!problem.empty())
+  {
+    throw vtkHapticCliProblem(problem);
+  }
+}
+
 void Keep(const palpate::Calibration& calibration, const std::string& folder)
 {
   const std::string problem = palpate::saveCalibration(folder, calibration);
@@ -101,6 +114,10 @@ int vtkHapticCliSelfTest(const std::string& device, bool keep, bool wheel)
   if (found && keep)
   {
     Keep(*found, folder);
+  }
+  else
+  {
+    TakeBackTrust(run);
   }
   return found ? 0 : 1;
 }

@@ -146,12 +146,14 @@ TEST_F(CalibrationFiles, WhatWasKeptIsFoundAgainAndLeavesNothingElseBehind)
 TEST_F(CalibrationFiles, ADamagedFileGivesTheOneBeforeItAndSaysSo)
 {
   ASSERT_EQ(saveCalibration(this->folder(), example()), "");
-  Calibration second = example();
+  Calibration second = example(), unfelt = example();
+  ASSERT_EQ(unfelt.held, HeldProof::Felt);
+  unfelt.held = HeldProof::Unfelt; // what the damaged one said of walls may have been less
   second.date = "2026-02-01";
   ASSERT_EQ(saveCalibration(this->folder(), second), "");
   this->write("palpate calib");
   const KeptCalibration kept = this->load();
-  EXPECT_EQ(kept.calibration, example());
+  EXPECT_EQ(kept.calibration, unfelt);
   EXPECT_NE(kept.problem.find(this->file()), std::string::npos) << kept.problem;
   EXPECT_NE(kept.problem.find("before it is used"), std::string::npos) << kept.problem;
 
@@ -159,7 +161,22 @@ TEST_F(CalibrationFiles, ADamagedFileGivesTheOneBeforeItAndSaysSo)
   ASSERT_EQ(saveCalibration(this->folder(), second), "");
   EXPECT_EQ(this->load().calibration, second);
   this->write("");
+  EXPECT_EQ(this->load().calibration, unfelt);
+}
+
+TEST_F(CalibrationFiles, ACheckThatFeelsAFaultEndsTheTrustThatWasKept)
+{
+  ASSERT_EQ(saveCalibration(this->folder(), example()), "");
+  const auto takeBack = [&](HeldProof proof)
+  { return takeBackTrust(this->folder(), example().device, example().serial, proof); };
+  ASSERT_EQ(takeBack(HeldProof::Unfelt), ""); // it ended before it felt anything
   EXPECT_EQ(this->load().calibration, example());
+  ASSERT_EQ(takeBack(HeldProof::WrongWay), "");
+  Calibration doubted = example();
+  doubted.held = HeldProof::WrongWay;
+  EXPECT_EQ(this->load().calibration, doubted);
+  this->write("");
+  EXPECT_NE(this->load().calibration->held, HeldProof::Felt);
 }
 
 TEST_F(CalibrationFiles, WithoutAnOlderOneADamagedFileIsNamedWithItsReason)
