@@ -55,7 +55,7 @@ std::string FolderToKeepIn()
 }
 
 /// A check that felt a fault in walls that the device holds ends the trust in them, kept or not.
-void TakeBackTrust(const palpate::SelfTestRun& run)
+void TakeBackTrust(palpate::SelfTestRun& run)
 {
   const std::string folder = palpate::userCalibrationFolder(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
   const palpate::DeviceInfo device = run.device();
