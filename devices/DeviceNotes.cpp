@@ -54,6 +54,10 @@ const char* whyNotHeld(HeldProof proof) noexcept
       return "its check felt no viscosity";
     case HeldProof::Unclear:
       return "its check could not tell: the hand did not stay the same";
+    case HeldProof::Misplaced:
+      return "its check felt one that does not stand where it was asked to";
+    case HeldProof::NoLimit:
+      return "its check felt one that pushes harder than it may";
   }
   return "";
 }

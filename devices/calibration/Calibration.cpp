@@ -16,8 +16,8 @@ constexpr std::string_view version = "2", formerVersion = "1";
 constexpr std::string_view axisNames = "xyz";
 constexpr std::size_t longestText = 4096;
 constexpr std::size_t longestName = 256;
-constexpr std::array<std::string_view, 8> heldWords{ "unfelt", "felt", "wrong-way", "no-force", "wrong-size", "drives",
-  "no-brake", "unclear" }; // in the order of HeldProof
+constexpr std::array<std::string_view, 10> heldWords{ "unfelt", "felt", "wrong-way", "no-force", "wrong-size", "drives",
+  "no-brake", "unclear", "misplaced", "no-limit" }; // in the order of HeldProof
 constexpr double farthest_m = 100.0;
 constexpr double strongest = 1000.0;
 

@@ -100,12 +100,14 @@ using PushPair = std::array<std::array<PushAnswer, 3>, 2>;
   return answers[direction][static_cast<std::size_t>(axis)];
 }
 
-/// Twice, of each kind.
+/// Twice, of what must be the same again.
 struct MotorAnswers
 {
   std::array<PushPair, 2> free{};
   std::array<PushPair, 2> walls{};
   std::array<PushPair, 2> braked{};
+  PushPair corridor{}; ///< [0] into its wall, [1] away from it
+  PushPair limited{};
   std::array<PushAnswer, 3> lapse{};
 };
 

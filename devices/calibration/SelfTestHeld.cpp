@@ -61,11 +61,44 @@ HeldProof judgeBraking(double share)
   return share < brakes ? HeldProof::Felt : share > drives ? HeldProof::Drives : HeldProof::NoBrake;
 }
 
+/// Felt by a push into its wall and not by one into its room.
+HeldProof judgeCorridor(const SelfTestPlan& plan, const MotorAnswers& answers, double asked_N_per_m, int sensor)
+{
+  constexpr double half = 0.5;
+  std::array<double, 2> shares{};
+  for (const std::size_t direction : { 0U, 1U })
+  {
+    const PushAnswer& free = along(answers.free[1], direction, sensor);
+    shares[direction] = wallSize(plan, asked_N_per_m, free, along(answers.corridor, direction, sensor)).share;
+  }
+  return shares[0] > half && shares[1] < half ? HeldProof::Felt : HeldProof::Misplaced;
+}
+
+/// What a wall takes of a push makes the way shorter by as much, whatever friction takes: a limited wall takes a
+/// quarter of what another one would, more of what friction leaves for it, and all of it where it does not know its
+/// limit.
+HeldProof judgeLimits(const MotorAnswers& answers, int sensor)
+{
+  constexpr double most = 0.65;
+  for (const std::size_t direction : { 0U, 1U })
+  {
+    const double free_m = along(answers.free[1], direction, sensor).moved_m;
+    const double taken_m = free_m - along(answers.walls[1], direction, sensor).moved_m;
+    const double takenByLimited_m = free_m - along(answers.limited, direction, sensor).moved_m;
+    if (std::fabs(takenByLimited_m) > most * std::fabs(taken_m))
+    {
+      return HeldProof::NoLimit;
+    }
+  }
+  return HeldProof::Felt;
+}
+
 /// What endangers a hand comes before what is only missing.
 HeldProof worse(HeldProof a, HeldProof b)
 {
-  constexpr std::array<HeldProof, 8> order{ HeldProof::WrongWay, HeldProof::Drives, HeldProof::WrongSize,
-    HeldProof::NoForce, HeldProof::NoBrake, HeldProof::Unclear, HeldProof::Unfelt, HeldProof::Felt };
+  constexpr std::array<HeldProof, 10> order{ HeldProof::WrongWay, HeldProof::Drives, HeldProof::WrongSize,
+    HeldProof::NoForce, HeldProof::Misplaced, HeldProof::NoLimit, HeldProof::NoBrake, HeldProof::Unclear,
+    HeldProof::Unfelt, HeldProof::Felt };
   const auto rank = [&](HeldProof proof) { return std::find(order.begin(), order.end(), proof); };
   return rank(a) < rank(b) ? a : b;
 }
@@ -110,6 +143,10 @@ HeldFinding findHeld(const SelfTestPlan& plan, const SelfTestState& state, int m
     held.braking[direction] = way != 0.0 ? left / way : 1.0;
     held.proof = worse(held.proof, judgeWall(sizes[0], sizes[1], held.walls[direction]));
     held.proof = worse(held.proof, judgeBraking(held.braking[direction]));
+  }
+  if (held.proof == HeldProof::Felt)
+  {
+    held.proof = worse(judgeCorridor(plan, answers, asked_N_per_m, found.sensor), judgeLimits(answers, found.sensor));
   }
   return held;
 }

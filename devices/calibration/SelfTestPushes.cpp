@@ -25,7 +25,7 @@ const PushRound& roundOf(const SelfTestState& state) noexcept
 
 bool isHeld(PushKind kind) noexcept
 {
-  return kind == PushKind::Wall || kind == PushKind::Braked;
+  return kind == PushKind::Wall || kind == PushKind::Braked || kind == PushKind::Corridor || kind == PushKind::Limited;
 }
 
 void beginPush(SelfTestState& state) noexcept
@@ -114,6 +114,10 @@ std::array<PushAnswer, 3>* answersOf(SelfTestState& state) noexcept
       return &answers.walls[round.repetition][direction];
     case PushKind::Braked:
       return &answers.braked[round.repetition][direction];
+    case PushKind::Corridor:
+      return &answers.corridor[direction];
+    case PushKind::Limited:
+      return &answers.limited[direction];
     case PushKind::Lapse:
       return &answers.lapse;
   }
@@ -140,13 +144,29 @@ void endShake(const SelfTestPlan& plan, SelfTestState& state) noexcept
   finish(plan, state);
 }
 
-/// Where the hand rests, against the way that the push goes; no harder than the push.
-void holdWall(const SelfTestPlan& plan, const SelfTestState& state, DeviceCommand& command) noexcept
+/// No wall pushes harder than the push. A limited one does with a quarter of what it would take of the push.
+double largestOfWall_N(const SelfTestPlan& plan, const SelfTestState& state, double wall_N_per_m) noexcept
 {
+  constexpr double quarter = 0.25;
+  const double stiffness = wall_N_per_m * findMotor(plan, state, state.axis, 1).response_m_per_N; // of the hand's
+  return roundOf(state).kind == PushKind::Limited ? quarter * plan.push_N * stiffness / (1.0 + stiffness) : plan.push_N;
+}
+
+/// Where the hand rests, against the way that the push goes; of a corridor the upper one of two.
+void holdWalls(const SelfTestPlan& plan, const SelfTestState& state, DeviceCommand& command) noexcept
+{
+  constexpr double corridorWidth = 0.6; // radii
   const MotorFinding motor = findMotor(plan, state, state.axis, 1);
-  const Vec3 against_D = (roundOf(state).up ? -motor.sign : motor.sign) * Vec3::Unit(motor.sensor);
-  command.walls[command.wallCount++] = { against_D, against_D.dot(state.from_D),
-    wallStiffness_N_per_m(plan, state, state.axis), plan.push_N };
+  const bool corridor = roundOf(state).kind == PushKind::Corridor;
+  const Vec3 against_D = (roundOf(state).up || corridor ? -motor.sign : motor.sign) * Vec3::Unit(motor.sensor);
+  const double at_m = against_D.dot(state.from_D), wall_N_per_m = wallStiffness_N_per_m(plan, state, state.axis);
+  const double largest_N = largestOfWall_N(plan, state, wall_N_per_m);
+  command.walls[command.wallCount++] = { against_D, at_m, wall_N_per_m, largest_N };
+  if (corridor)
+  {
+    command.walls[command.wallCount++] = { -against_D, -at_m - corridorWidth * plan.radius_m, wall_N_per_m, largest_N };
+    command.wallMotors = motor.sign * Vec3::Unit(state.axis) * Vec3::Unit(motor.sensor).transpose();
+  }
 }
 
 void brake(const SelfTestPlan& plan, const SelfTestState& state, DeviceCommand& command) noexcept
@@ -202,7 +222,7 @@ DeviceCommand pushCommand(const SelfTestPlan& plan, const SelfTestState& state) 
   }
   if (isHeld(round.kind))
   {
-    round.kind == PushKind::Wall ? holdWall(plan, state, command) : brake(plan, state, command);
+    round.kind == PushKind::Braked ? brake(plan, state, command) : holdWalls(plan, state, command);
   }
   if (state.stage == SelfTestStage::Push)
   {
@@ -222,7 +242,9 @@ void judgeDanger(const SelfTestPlan& plan, SelfTestReason danger, SelfTestState&
     end(state, SelfTestVerdict::Aborted, danger);
     return;
   }
-  state.broke = kind == PushKind::Wall ? HeldProof::WrongWay : HeldProof::Drives;
+  state.broke = kind == PushKind::Braked     ? HeldProof::Drives
+                : kind == PushKind::Corridor ? HeldProof::Misplaced
+                                             : HeldProof::WrongWay;
   nextRound(plan, state);
   state.still_s = 0.0;
   state.least_D = state.most_D = state.last_D;

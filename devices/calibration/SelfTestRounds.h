@@ -14,7 +14,11 @@ enum class PushKind : std::uint8_t
   Free,   ///< by a constant force alone
   Wall,   ///< into a wall that the device holds where the hand rests
   Braked, ///< against the viscosity that the device gives
-  Lapse,  ///< by a constant force that nobody renews
+  /// Up into the upper wall of a corridor, where the hand rests, and down into its room. One wall has its centre where
+  /// the hand is, near the middle, and no dead band; a corridor has neither there.
+  Corridor,
+  Limited, ///< into such a wall that may push with less than the push
+  Lapse,   ///< by a constant force that nobody renews
 };
 
 /// One push of one motor. Repetition 0 and 1 are told apart: what differs between them is not the device's.
@@ -26,7 +30,7 @@ struct PushRound
 };
 
 /// All pushes of one motor, each with what it is compared with close by: a hand does not stay the same for long.
-inline constexpr std::array<PushRound, 15> pushRounds{ {
+inline constexpr std::array<PushRound, 19> pushRounds{ {
   { PushKind::WarmUp, true, 0 },
   { PushKind::WarmUp, false, 0 },
   { PushKind::Free, true, 0 },
@@ -41,6 +45,10 @@ inline constexpr std::array<PushRound, 15> pushRounds{ {
   { PushKind::Wall, false, 1 },
   { PushKind::Braked, true, 1 },
   { PushKind::Braked, false, 1 },
+  { PushKind::Corridor, true, 0 },
+  { PushKind::Corridor, false, 0 },
+  { PushKind::Limited, true, 0 },
+  { PushKind::Limited, false, 0 },
   { PushKind::Lapse, true, 0 },
 } };
 

@@ -64,6 +64,8 @@ enum class HeldProof : std::uint8_t
   Drives,    ///< the damper pushes the hand on
   NoBrake,   ///< the damper does nothing
   Unclear,   ///< the hand did not stay the same from push to push
+  Misplaced, ///< a corridor's walls do not stand where they were asked to
+  NoLimit,   ///< a wall pushes harder than it may
 };
 
 /// What a device can do. Filled once when it is opened.

@@ -69,6 +69,18 @@ TEST(Calibration, ComesBackFromItsTextToTheLastBit)
   }
 }
 
+TEST(Calibration, EveryProofIsKeptAndReadAgain)
+{
+  for (int proof = 0; proof <= static_cast<int>(HeldProof::NoLimit); ++proof)
+  {
+    Calibration c = example();
+    c.held = static_cast<HeldProof>(proof);
+    const ParsedCalibration parsed = parseCalibration(writeCalibration(c));
+    ASSERT_TRUE(parsed.calibration) << parsed.problem;
+    EXPECT_EQ(parsed.calibration->held, c.held);
+  }
+}
+
 TEST(Calibration, EachWayOfBeingWrongIsNamed)
 {
   const std::string good = writeCalibration(example());

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The self-test through the whole of a USB link: descriptors, reports, effects that the firmware runs.
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "devices/calibration/SelfTestFindings.h"
 #include "devices/calibration/SelfTestText.h"
+#include "testing/devices/hid/ModelCases.h"
 #include "testing/devices/hid/PidRig.h"
+#include "testing/devices/hid/SunFfbModel.h"
 
 namespace palpate
 {
@@ -28,26 +35,90 @@ struct Outcome
   [[nodiscard]] std::string text() const { return resultOf(this->plan, this->state); }
 };
 
-Outcome check(const PidLayout& layout, double handStiffness, double motorSign, bool wheel = false)
+/// Who holds the handle, and how it is wired.
+struct Holder
+{
+  double stiffness = limpHand, motorSign = 1.0;
+  bool wheel = false;
+  Vec3 rests = Vec3::Zero(); ///< what the middle is to this person [half travels, D]
+};
+
+Outcome check(PidRig& rig, test::VirtualHandle& handle, const Holder& holder)
 {
   constexpr int longest_ms = 100'000;
-  PidRig rig(layout);
+  handle.position = { holder.rests.x(), -holder.rests.y() };
   EXPECT_EQ(rig.device.open(), "");
   rig.run(5);
-  Outcome outcome{ SelfTestPlan::forDevice(rig.device.info(), {}, wheel), {}, rig.scale() };
-  Vec3 hand = Vec3::Zero();
+  Outcome outcome{ SelfTestPlan::forDevice(rig.device.info(), {}, holder.wheel), {}, rig.scale() };
+  Vec3 hand = holder.rests;
   for (int ms = 0; ms < longest_ms && outcome.state.verdict == SelfTestVerdict::None; ++ms)
   {
-    const Vec3 asked = askedPlace_D(outcome.plan, outcome.state) / outcome.scale.halfTravel_m;
+    const Vec3 led = askedPlace_D(outcome.plan, outcome.state) / outcome.scale.halfTravel_m;
+    const Vec3 asked = outcome.state.stage == SelfTestStage::End ? led : holder.rests;
     hand += (asked - hand).cwiseMax(-pace).cwiseMin(pace);
-    const auto& at = rig.stick().position;
-    rig.stick().push = { handStiffness * (hand.x() - at[0]), handStiffness * (-hand.y() - at[1]) };
+    const auto& at = handle.position;
+    handle.push = { holder.stiffness * (hand.x() - at[0]), holder.stiffness * (-hand.y() - at[1]) };
     rig.run(1);
     rig.command = stepSelfTest(outcome.plan, rig.sample, rig.status, 1e-3, outcome.state);
-    rig.command.wrench_D.force *= motorSign;
+    rig.command.wrench_D.force *= holder.motorSign;
   }
+  return outcome;
+}
+
+Outcome check(const PidLayout& layout, double handStiffness, double motorSign, bool wheel = false)
+{
+  PidRig rig(layout);
+  const Outcome outcome = check(rig, rig.stick(), { handStiffness, motorSign, wheel });
   EXPECT_EQ(rig.stick().badReports, 0) << layout.name;
   return outcome;
+}
+
+Outcome check(const test::ModelCase& one, const Vec3& rests)
+{
+  PidRig rig(one.model, one.descriptor);
+  Holder holder;
+  holder.rests = rests;
+  const Outcome outcome = check(rig, *one.model, holder);
+  EXPECT_EQ(one.model->badReports, 0) << one.name;
+  return outcome;
+}
+
+/// In the middle, and off it along both axes.
+const std::vector<Vec3> restingPlaces{ Vec3::Zero(), Vec3(0.4, -0.3, 0.0) };
+
+/// A firmware that is right but for what it makes of the numbers of a condition.
+class MishearingModel final : public test::SunFfbModel
+{
+public:
+  using Heard = std::function<void(Condition&)>;
+  MishearingModel(std::span<const std::uint8_t> descriptor, Heard heard)
+    : SunFfbModel(descriptor), heard_(std::move(heard))
+  {
+  }
+
+protected:
+  double forceOf(const Effect& effect, std::size_t axis) const override
+  {
+    Effect heard = effect;
+    for (Condition& condition : heard.conditions)
+    {
+      this->heard_(condition);
+    }
+    return SunFfbModel::forceOf(heard, axis);
+  }
+
+private:
+  Heard heard_;
+};
+
+HeldProof proofOfMishearing(const MishearingModel::Heard& heard)
+{
+  test::ModelCase one = test::modelCases()[1];
+  EXPECT_EQ(one.name, "SunFFB");
+  one.model = std::make_shared<MishearingModel>(one.descriptor, heard);
+  const Outcome found = check(one, Vec3::Zero());
+  EXPECT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+  return heldProofOf(found.plan, found.state);
 }
 
 TEST(PidSelfTest, FindsEveryLayoutAsItIs)
@@ -98,6 +169,45 @@ TEST(PidSelfTest, FeelsTheWallsAndTheViscosityOfEveryLayoutThatOffersThem)
   EXPECT_GT(offered, 0);
 }
 
+TEST(PidSelfTest, AFirmwareThatIgnoresOrMisScalesTheCentreOrTheDeadBandKeepsTheWallsWithTheProgram)
+{
+  for (const double way : { -1.0, 0.0, 0.5, 2.0 })
+  {
+    EXPECT_EQ(proofOfMishearing([way](Condition& told) { told.centre *= way; }), HeldProof::Misplaced) << way;
+  }
+  for (const double way : { 0.0, 0.5, 2.0 })
+  {
+    EXPECT_EQ(proofOfMishearing([way](Condition& told) { told.deadBand *= way; }), HeldProof::Misplaced) << way;
+  }
+}
+
+TEST(PidSelfTest, AFirmwareThatIgnoresTheSaturationKeepsTheWallsWithTheProgram)
+{
+  const auto ignores = [](Condition& told)
+  { told.positiveSaturation = told.negativeSaturation = Condition::unlimited; };
+  EXPECT_EQ(proofOfMishearing(ignores), HeldProof::NoLimit);
+}
+
+// SunFFB is among them, which the two tests above refuse once it hears something else.
+TEST(PidSelfTest, OfTheFirmwaresThatPeopleHaveOnlyThoseWhoseWallsHoldAreBelievedWhereverTheHandRests)
+{
+  for (const Vec3& rests : restingPlaces)
+  {
+    for (const test::ModelCase& one : test::modelCases())
+    {
+      const Outcome found = check(one, rests);
+      ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << one.name << rests.transpose() << found.text();
+      for (int motor = 0; motor < 2; ++motor)
+      {
+        EXPECT_EQ(findMotor(found.plan, found.state, motor).sign, 1) << one.name;
+      }
+      EXPECT_EQ(found.plan.offersWalls, one.name.find("adapt-ffb-joy") == std::string::npos) << one.name;
+      EXPECT_EQ(heldProofOf(found.plan, found.state) == HeldProof::Felt, one.holds)
+        << one.name << rests.transpose() << found.text();
+    }
+  }
+}
+
 TEST(PidSelfTest, ConditionsThatAreTakenButNotFeltLeaveTheWallsToTheProgram)
 {
   PidLayout layout = test::plainLayout();
@@ -107,17 +217,20 @@ TEST(PidSelfTest, ConditionsThatAreTakenButNotFeltLeaveTheWallsToTheProgram)
   EXPECT_EQ(heldProofOf(found.plan, found.state), HeldProof::NoForce) << found.text();
 }
 
+// Of a corridor the second device leaves one wall to the host, which closes it by a force.
 TEST(PidSelfTest, AFirmwareThatPointsWhereForcesGoIsCorrected)
 {
-  PidLayout layout = test::plainLayout();
-  layout.habits.pointsTo = true;
-  const Outcome found = check(layout, limpHand, 1.0);
-  ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
-  for (int motor = 0; motor < 2; ++motor)
+  for (PidLayout layout : { test::plainLayout(), test::oneSidedLayout() })
   {
-    EXPECT_EQ(findMotor(found.plan, found.state, motor).sign, -1);
+    layout.habits.pointsTo = true;
+    const Outcome found = check(layout, limpHand, 1.0);
+    ASSERT_EQ(found.state.verdict, SelfTestVerdict::Passed) << found.text();
+    for (int motor = 0; motor < 2; ++motor)
+    {
+      EXPECT_EQ(findMotor(found.plan, found.state, motor).sign, -1);
+    }
+    EXPECT_EQ(heldProofOf(found.plan, found.state), HeldProof::Felt) << layout.name << ": " << found.text();
   }
-  EXPECT_EQ(heldProofOf(found.plan, found.state), HeldProof::Felt) << found.text();
 }
 
 TEST(PidSelfTest, OneMotorBehindTwoAxesIsAWheelOnceSomebodySaysSo)

@@ -14,7 +14,7 @@ namespace palpate::test
 /// - conditions of both axes act each along its own once one beyond the first has come; a single one acts along the
 ///   angle;
 /// - reset enables; stop all only stops; blocks are handed out in turn.
-class SunFfbModel final : public FirmwareModel
+class SunFfbModel : public FirmwareModel
 {
 public:
   explicit SunFfbModel(std::span<const std::uint8_t> descriptor);
