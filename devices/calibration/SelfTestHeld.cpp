@@ -79,7 +79,7 @@ HeldProof judgeCorridor(const SelfTestPlan& plan, const MotorAnswers& answers, d
 /// limit.
 HeldProof judgeLimits(const MotorAnswers& answers, int sensor)
 {
-  constexpr double most = 0.65;
+  constexpr double most = 0.75;
   for (const std::size_t direction : { 0U, 1U })
   {
     const double free_m = along(answers.free[1], direction, sensor).moved_m;
