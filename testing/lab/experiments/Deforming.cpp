@@ -113,7 +113,7 @@ void compareCost(std::size_t triangles, int repetitions, Table& table)
   const auto judge = [&](const char* method, const Worker& worker)
   {
     const double share = worker.times().quantile_us(0.0) / build.times().quantile_us(0.0);
-    table.atLeast({ name, method, "refit costs at most a quarter of a build" }, share <= 0.25 ? 1.0 : 0.0, 1.0).cost =
+    table.atLeast({ name, method, "refit costs at most a third of a build" }, share <= 1.0 / 3.0 ? 1.0 : 0.0, 1.0).cost =
       Cost::of(worker.times());
   };
   judge("refit", move);
