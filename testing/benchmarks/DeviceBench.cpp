@@ -27,6 +27,8 @@ namespace
 constexpr std::int64_t period_ns = 200000;
 constexpr std::size_t triangles = 100000;
 constexpr std::uint64_t fewestReports = 100;
+constexpr double mostLost =
+  0.1; ///< of the reads: a machine that takes a processor away for 50 ms loses the link for a while
 constexpr double largestRatio = 0.25, largestRatioAtP99 = 1.0; // to a tick of 3.5 us it is to cost 1 us at most
 
 struct Cost
@@ -53,6 +55,7 @@ Cost pacedCost(std::size_t ticks, Call call)
 }
 
 /// A virtual stick that shows another place each millisecond and takes what is written, with the threads of its link.
+/// The link's clock goes by what the stick has lived through: a machine that stands still for a while has lost no time.
 class MovedStick
 {
 public:
@@ -70,6 +73,7 @@ public:
       [this](std::size_t i)
       {
         DeviceSample sample;
+        ++this->reads_;
         this->lost_ += this->device_.read(1e-3 * static_cast<double>(i), sample) != DeviceStatus::Ok;
         DeviceCommand command;
         command.wrench_D.force.x() = 1e-3 * static_cast<double>(i % 1000);
@@ -78,7 +82,11 @@ public:
   }
 
   [[nodiscard]] LinkReport report() const { return this->device_.linkReport(); }
-  [[nodiscard]] std::size_t lost() const noexcept { return this->lost_; }
+  /// The part of its reads that found no device.
+  [[nodiscard]] double lost() const noexcept
+  {
+    return static_cast<double>(this->lost_) / static_cast<double>(this->reads_);
+  }
 
 private:
   void move(const std::stop_token& stop)
@@ -93,8 +101,8 @@ private:
 
   std::shared_ptr<FakeHidBus> bus_ = std::make_shared<FakeHidBus>(false);
   FakePort& port_ = bus_->plug(plainLayout());
-  PidDevice device_{ "pid", bus_, port_.entry };
-  std::size_t lost_ = 0;
+  PidDevice device_{ "pid", bus_, port_.entry, { .output = {}, .threads = true, .clock = &bus_->time() } };
+  std::size_t reads_ = 0, lost_ = 0;
   std::jthread hand_{ [this](const std::stop_token& stop) { this->move(stop); } };
 };
 
@@ -152,9 +160,10 @@ bool benchmark(std::size_t ticks)
   std::printf("tick of contact                   p50 %6.3f us  p99 %6.3f us\n", tick.p50_us, tick.p99_us);
   std::printf("ratios p50 %.2f  p99 %.2f; the link took in %llu reports and gave out %llu meanwhile\n", ratio,
     ratioAtP99, static_cast<unsigned long long>(link.inputs), static_cast<unsigned long long>(link.outputs));
-  if (link.inputs < fewestReports || link.outputs < fewestReports || stick.lost() > 0)
+  if (link.inputs < fewestReports || link.outputs < fewestReports || stick.lost() > mostLost)
   {
-    std::printf("the link stood still: this is no measurement\n");
+    std::printf(
+      "the link stood still, %.0f %% of the reads found no device: this is no measurement\n", 100.0 * stick.lost());
     return false;
   }
   const bool within = ratio <= largestRatio && ratioAtP99 <= largestRatioAtP99;
