@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "haptics/session/Recording.h"
+#include "haptics/recording/Recording.h"
 
 namespace palpate
 {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "devices/HeldTrust.h"
+#include "devices/common/HeldTrust.h"
 
 namespace palpate
 {

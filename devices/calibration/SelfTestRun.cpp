@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "devices/DeviceLoop.h"
-#include "devices/HeldTrust.h"
+#include "devices/common/DeviceLoop.h"
+#include "devices/common/HeldTrust.h"
 #include "devices/simulated/SimulatedDevice.h"
 
 namespace palpate

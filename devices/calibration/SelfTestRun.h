@@ -5,7 +5,7 @@
 #include <string>
 
 #include "devices/calibration/SelfTest.h"
-#include "devices/io/LinkedDevice.h"
+#include "devices/common/LinkedDevice.h"
 #include "haptics/realtime/RealtimeThread.h"
 
 namespace palpate

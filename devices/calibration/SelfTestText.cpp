@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "devices/DeviceNotes.h"
 #include "devices/calibration/SelfTestFindings.h"
+#include "devices/common/DeviceNotes.h"
 
 namespace palpate
 {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "devices/calibration/SelfTest.h"
-#include "devices/io/LinkedDevice.h"
+#include "devices/common/LinkedDevice.h"
 
 namespace palpate
 {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "devices/hid/HidDiscovery.h"
 #include "devices/hid/NamedDevices.h"
+#include "devices/io/HidDiscovery.h"
 
 namespace palpate
 {

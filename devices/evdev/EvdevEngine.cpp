@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "devices/hid/PidEngine.h"
+#include "devices/hid/pid/PidEngine.h"
 
 namespace palpate
 {

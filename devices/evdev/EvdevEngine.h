@@ -6,7 +6,7 @@
 
 #include "devices/evdev/EvdevBus.h"
 #include "devices/hid/EffectEngine.h"
-#include "devices/hid/PidStep.h"
+#include "devices/hid/pid/PidStep.h"
 
 namespace palpate
 {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "devices/evdev/EvdevKind.h"
-#include "devices/hid/PidInput.h"
+#include "devices/hid/pid/PidInput.h"
 
 namespace palpate
 {

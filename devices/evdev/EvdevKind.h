@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "devices/evdev/EvdevBus.h"
-#include "devices/hid/PidKind.h"
+#include "devices/hid/pid/PidKind.h"
 
 namespace palpate
 {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "devices/Condition.h"
-#include "devices/hid/ReportDescriptor.h"
+#include "devices/common/Condition.h"
+#include "devices/hid/report/ReportDescriptor.h"
 
 namespace palpate
 {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/hid/ReportDescriptor.h"
+#include "devices/hid/report/ReportDescriptor.h"
 
 namespace palpate
 {

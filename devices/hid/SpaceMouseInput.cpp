@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "devices/hid/InputReport.h"
-#include "devices/hid/PidNumbers.h"
-#include "devices/hid/PidUsages.h"
-#include "devices/hid/ReportBits.h"
+#include "devices/hid/report/InputReport.h"
+#include "devices/hid/report/PidNumbers.h"
+#include "devices/hid/report/PidUsages.h"
+#include "devices/hid/report/ReportBits.h"
 
 namespace palpate
 {

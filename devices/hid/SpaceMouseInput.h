@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "devices/hid/HidButtons.h"
-#include "devices/hid/ReportDescriptor.h"
+#include "devices/hid/report/HidButtons.h"
+#include "devices/hid/report/ReportDescriptor.h"
 
 namespace palpate
 {

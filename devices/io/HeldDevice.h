@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "devices/common/LinkedDevice.h"
 #include "devices/hid/HidConnection.h"
-#include "devices/hid/InputReport.h"
-#include "devices/io/LinkedDevice.h"
+#include "devices/hid/report/InputReport.h"
 
 namespace palpate
 {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "devices/HeldTrust.h"
-#include "devices/io/LinkedDevice.h"
+#include "devices/common/HeldTrust.h"
+#include "devices/common/LinkedDevice.h"
 #include "devices/io/PidLink.h"
 #include "devices/io/ServedLink.h"
 #include "haptics/core/HapticDevice.h"

@@ -8,13 +8,13 @@
 #include <optional>
 #include <string>
 
+#include "devices/common/LinkedDevice.h"
 #include "devices/hid/HidConnection.h"
-#include "devices/hid/PidInput.h"
-#include "devices/hid/PidOutput.h"
-#include "devices/hid/PidWatch.h"
+#include "devices/hid/pid/PidInput.h"
+#include "devices/hid/pid/PidOutput.h"
+#include "devices/hid/pid/PidWatch.h"
 #include "devices/io/FindAgain.h"
 #include "devices/io/HeldDevice.h"
-#include "devices/io/LinkedDevice.h"
 #include "devices/io/Presence.h"
 #include "devices/io/ReportRate.h"
 #include "haptics/core/Clock.h"

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "devices/common/LinkedDevice.h"
 #include "devices/io/CapMotion.h"
-#include "devices/io/LinkedDevice.h"
 #include "devices/io/ServedLink.h"
 #include "devices/io/SpaceMouseLink.h"
 #include "haptics/core/HapticDevice.h"

@@ -7,11 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "devices/common/LinkedDevice.h"
 #include "devices/hid/HidConnection.h"
 #include "devices/hid/SpaceMouseInput.h"
 #include "devices/io/FindAgain.h"
 #include "devices/io/HeldDevice.h"
-#include "devices/io/LinkedDevice.h"
 #include "devices/io/Presence.h"
 #include "devices/io/ReportRate.h"
 #include "haptics/core/Clock.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "devices/DeviceLoop.h"
+#include "devices/common/DeviceLoop.h"
 #include "haptics/line/LineTick.h"
 
 namespace palpate

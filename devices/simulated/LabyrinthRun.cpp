@@ -11,7 +11,7 @@
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/force/Viscosity.h"
 #include "haptics/session/DeviceAdaptation.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/tick/ForceRenderer.h"
 
 namespace palpate
 {

@@ -7,7 +7,7 @@
 #include "devices/simulated/BlindHand.h"
 #include "devices/simulated/DeviceModels.h"
 #include "haptics/labyrinth/Labyrinth.h"
-#include "haptics/session/HapticState.h"
+#include "haptics/tick/HapticState.h"
 
 namespace palpate
 {

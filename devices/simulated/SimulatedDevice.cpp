@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "devices/BareSprings.h"
+#include "devices/common/BareSprings.h"
 
 namespace palpate
 {

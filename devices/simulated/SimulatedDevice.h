@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "devices/Condition.h"
+#include "devices/common/Condition.h"
 #include "devices/simulated/DeviceModels.h"
 #include "devices/simulated/FrictionPlant.h"
 #include "devices/simulated/SerialLink.h"

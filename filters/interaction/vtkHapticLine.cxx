@@ -2,7 +2,7 @@
 #include "vtkHapticLine.h"
 
 #include "devices/DeviceFactory.h"
-#include "devices/io/DBusBroker.h"
+#include "devices/io/broker/DBusBroker.h"
 #include "devices/line/LineRun.h"
 #include "haptics/line/LineFile.h"
 #include "vtkCellArray.h"

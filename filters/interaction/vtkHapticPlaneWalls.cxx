@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "vtkHapticConversion.h"
 
 vtkHapticPlaneWalls vtkHapticRaiseLines(vtkDataObject* data, vtkMatrix4x4* matrix, double radius_u)

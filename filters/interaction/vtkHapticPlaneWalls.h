@@ -7,7 +7,7 @@
 #include <string>
 
 #include "haptics/core/Types.h"
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 
 class vtkDataObject;
 class vtkMatrix4x4;

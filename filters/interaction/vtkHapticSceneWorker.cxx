@@ -6,10 +6,10 @@
 #include <sstream>
 #include <utility>
 
-#include "haptics/contact/PlanFor.h"
 #include "haptics/contact/RadiusLimit.h"
+#include "haptics/contact/view/PlanFor.h"
 #include "haptics/core/WordHash.h"
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticPlaneWalls.h"
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/SceneBuilder.h"
-#include "haptics/geometry/SceneSimplifier.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneSimplifier.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSurfacePlacement.h"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "devices/io/DBusBroker.h"
+#include "devices/io/broker/DBusBroker.h"
 #include "haptics/session/Warning.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"

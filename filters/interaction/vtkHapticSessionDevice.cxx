@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "devices/DeviceNotes.h"
 #include "devices/calibration/CalibratedDevice.h"
 #include "devices/calibration/CalibrationFiles.h"
-#include "devices/io/LinkedDevice.h"
+#include "devices/common/DeviceNotes.h"
+#include "devices/common/LinkedDevice.h"
 #include "vtkHapticSessionInternals.h"
 
 void vtkHapticSession::Internals::LookForDevices()

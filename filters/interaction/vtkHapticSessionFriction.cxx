@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/geometry/Material.h"
+#include "haptics/geometry/mesh/Material.h"
 #include "vtkHapticSessionInternals.h"
 
 namespace
@@ -60,9 +60,9 @@ const char* vtkHapticSession::GetFrictionText() const
 {
   switch (this->Impl->State.friction)
   {
-    case palpate::FrictionMotion::Sticks:
+    case palpate::FrictionState::Sticks:
       return "sticks";
-    case palpate::FrictionMotion::Slips:
+    case palpate::FrictionState::Slips:
       return "slips";
     default:
       return "";

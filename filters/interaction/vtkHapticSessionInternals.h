@@ -5,7 +5,7 @@
 #include "devices/DeviceFactory.h"
 #include "devices/FedDevice.h"
 #include "devices/calibration/SelfTestRun.h"
-#include "devices/io/LinkedDevice.h"
+#include "devices/common/LinkedDevice.h"
 #include "haptics/labyrinth/MazeButtons.h"
 #include "haptics/labyrinth/WayTrace.h"
 #include "haptics/session/HapticSession.h"
@@ -69,9 +69,9 @@ public:
   double Corridor_u = 0.0; ///< of the labyrinth that was played last
   double TraceApart_u = 1.0;
   palpate::WayTrace Trace;
-  double TraceTime_s = 0.0;    ///< of its game
-  std::uint32_t Buttons = ~0u; ///< at the last look; what is down at the first was not pressed
-  int Wish = 0; ///< the labyrinth that the buttons asked for, from 1 on
+  double TraceTime_s = 0.0;            ///< of its game
+  std::uint32_t Buttons = ~0u;         ///< at the last look; what is down at the first was not pressed
+  int Wish = 0;                        ///< the labyrinth that the buttons asked for, from 1 on
   std::optional<palpate::Vec3> Hand_W; ///< where a program holds it, once it said so
 
   palpate::HapticState State;

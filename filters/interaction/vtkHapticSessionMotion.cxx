@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "haptics/core/Clock.h"
-#include "haptics/geometry/SceneMotion.h"
+#include "haptics/geometry/scene/SceneMotion.h"
 #include "vtkHapticSessionInternals.h"
 
 namespace

@@ -2,8 +2,8 @@
 // What the mouse in a view asks of a session: where a way meets what is touched, and how deep it presses.
 #include <sstream>
 
-#include "haptics/contact/FeatureGeometry.h"
-#include "haptics/contact/Sweep.h"
+#include "haptics/contact/planes/FeatureGeometry.h"
+#include "haptics/contact/sweep/Sweep.h"
 #include "vtkHapticSessionInternals.h"
 
 namespace

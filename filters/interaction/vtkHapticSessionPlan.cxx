@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "haptics/contact/PlanFor.h"
+#include "haptics/contact/view/PlanFor.h"
 #include "haptics/session/PlanSentence.h"
 #include "vtkHapticSessionInternals.h"
 

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <utility>
 
-#include "devices/DeviceNotes.h"
+#include "devices/common/DeviceNotes.h"
 #include "vtkHapticSessionInternals.h"
 
 bool vtkHapticSession::Internals::RaisesLines() const

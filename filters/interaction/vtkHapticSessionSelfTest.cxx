@@ -8,7 +8,7 @@
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/calibration/SelfTestFindings.h"
 #include "devices/calibration/SelfTestText.h"
-#include "devices/io/DBusBroker.h"
+#include "devices/io/broker/DBusBroker.h"
 #include "vtkHapticSessionInternals.h"
 
 void vtkHapticSession::Internals::FollowCheck()

@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "haptics/geometry/SceneSimplifier.h"
+#include "haptics/geometry/scene/SceneSimplifier.h"
 
 /// What was found, and the largest ball whose work fits into a tick there [u].
 struct vtkHapticFoundScene : palpate::SimplerScene

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "haptics/core/WordHash.h"
-#include "haptics/geometry/PolyLines.h"
-#include "haptics/geometry/PolygonCut.h"
+#include "haptics/geometry/mesh/PolyLines.h"
+#include "haptics/geometry/mesh/PolygonCut.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCompositeDataIterator.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 

@@ -2,7 +2,7 @@
 #ifndef vtkHapticImageLines_h
 #define vtkHapticImageLines_h
 
-#include "haptics/geometry/InkLines.h"
+#include "haptics/geometry/ink/InkLines.h"
 
 class vtkHapticImagePlane;
 

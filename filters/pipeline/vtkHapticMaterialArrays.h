@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/Material.h"
+#include "haptics/geometry/mesh/Material.h"
 #include "vtkHapticPipelineModule.h" // for the export macro
 
 class vtkDataObject;
@@ -32,7 +32,7 @@ struct VTKHAPTICPIPELINE_EXPORT vtkHapticMaterialSettings
 {
   vtkHapticTransfer Stiffness{ {}, -1, { 0.0, 0.0 }, { 100.0, 1000.0 } }; ///< to [N/m]
   vtkHapticTransfer Friction{ {}, -1, { 0.0, 0.0 }, { 0.0, 1.0 } };       ///< to [1], at rest and sliding alike
-  vtkHapticTransfer Texture{ {}, -1, { 0.0, 0.0 }, { 0.0, 1.0 } };        ///< to a height [u], felt from the largest down
+  vtkHapticTransfer Texture{ {}, -1, { 0.0, 0.0 }, { 0.0, 1.0 } }; ///< to a height [u], felt from the largest down
 
   [[nodiscard]] bool Empty() const;
   /// Empty, or one sentence that names the range that cannot be used.

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "haptics/geometry/InkLines.h"
+#include "haptics/geometry/ink/InkLines.h"
 #include "vtkHapticImagePlane.h"
 
 /**

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 
 /// The frame of a cut: s runs along Along, h along Up, both unit and orthogonal.
 struct vtkHapticCutFrame

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "haptics/core/Types.h"
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "vtkHapticPipelineModule.h" // for the export macro
 
 class vtkMatrix4x4;

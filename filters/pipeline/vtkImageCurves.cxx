@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "haptics/geometry/CurveChains.h"
-#include "haptics/geometry/CurveSimplification.h"
+#include "haptics/geometry/curves/CurveChains.h"
+#include "haptics/geometry/curves/CurveSimplification.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "haptics/geometry/CurveSet.h"
-#include "haptics/geometry/SceneBuilder.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/geometry/curves/CurveSet.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticConversion.h"

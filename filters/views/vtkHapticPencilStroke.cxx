@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticPencilStroke.h"
 
-#include "haptics/geometry/CurveSimplification.h"
+#include "haptics/geometry/curves/CurveSimplification.h"
 
 #include "vtkCamera.h"
 #include "vtkRenderer.h"

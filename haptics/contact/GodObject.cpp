@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/contact/GodObject.h"
 
-#include "haptics/contact/FrictionMove.h"
-#include "haptics/contact/PlanFor.h"
-#include "haptics/contact/PosedSurface.h"
-#include "haptics/contact/Seat.h"
-#include "haptics/contact/ShadedMove.h"
-#include "haptics/contact/SurfaceResponse.h"
+#include "haptics/contact/feel/FrictionMove.h"
+#include "haptics/contact/feel/ShadedMove.h"
+#include "haptics/contact/feel/SurfaceResponse.h"
+#include "haptics/contact/moves/Seat.h"
+#include "haptics/contact/view/PlanFor.h"
+#include "haptics/contact/view/SceneView.h"
 
 namespace palpate
 {
 namespace
 {
 
-template<class SceneView>
+template<SceneView AnyScene>
 ContactResult move(
-  const SceneView& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
+  const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
 {
   if (!state.placed)
   {

@@ -7,10 +7,10 @@
 #include <limits>
 #include <sstream>
 
-#include "haptics/contact/DiscFilter.h"
-#include "haptics/contact/PosedSurface.h"
-#include "haptics/contact/TreeWalk.h"
-#include "haptics/contact/Work.h"
+#include "haptics/contact/sweep/DiscFilter.h"
+#include "haptics/contact/sweep/TreeWalk.h"
+#include "haptics/contact/sweep/Work.h"
+#include "haptics/contact/view/SceneView.h"
 
 namespace palpate
 {
@@ -32,7 +32,7 @@ struct Place
 };
 
 /// How many faces of a leaf a sweep tests.
-std::uint32_t reachedIn(const SurfaceData& data, std::uint32_t index, const Motion& m)
+std::uint32_t reachedIn(const SurfaceData& data, std::uint32_t index, const SweptBall& m)
 {
   const Leaf& leaf = data.leaves[index];
   const DiscFilter filter(m, leaf.origin_W, leaf.perUnit);
@@ -53,13 +53,13 @@ public:
     query.from_W = query.to_W = place.p_W + radius_u * place.normal_W;
     query.radius_u = reach * radius_u;
     query.resolution.include(query.from_W);
-    const Motion still = motionOf(query);
+    const SweptBall still = sweptBallOf(query);
     std::uint32_t done = 0;
     const auto visit = [&](std::uint32_t s) noexcept
     {
       const auto surface = surfaceOf(this->scene_, s);
       return askTree(surface, still,
-        [&](const Motion& inSurface) noexcept
+        [&](const SweptBall& inSurface) noexcept
         {
           const auto test = [&](std::uint32_t leaf) noexcept
           {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "haptics/contact/ContactPlan.h"
-#include "haptics/geometry/Scene.h"
+#include "haptics/contact/view/ContactPlan.h"
+#include "haptics/geometry/scene/Scene.h"
 
 namespace palpate
 {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "haptics/geometry/CurveSimplification.h"
+#include "haptics/geometry/curves/CurveSimplification.h"
 
 namespace palpate
 {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "haptics/force/WorkspaceMap.h"
-#include "haptics/geometry/CurveSet.h"
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/curves/CurveSet.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 
 namespace palpate
 {

@@ -7,7 +7,7 @@
 #include "haptics/core/HapticDevice.h"
 #include "haptics/line/LineWorld.h"
 #include "haptics/safety/SafetyLimits.h"
-#include "haptics/session/HapticState.h"
+#include "haptics/tick/HapticState.h"
 
 namespace palpate
 {

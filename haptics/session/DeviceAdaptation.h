@@ -5,7 +5,7 @@
 
 #include "haptics/core/DeviceInfo.h"
 #include "haptics/force/StabilityLimits.h"
-#include "haptics/session/HapticParameters.h"
+#include "haptics/tick/HapticParameters.h"
 
 namespace palpate
 {

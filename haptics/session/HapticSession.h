@@ -8,7 +8,7 @@
 #include "haptics/core/HapticDevice.h"
 #include "haptics/force/StabilityLimits.h"
 #include "haptics/realtime/RealtimeThread.h"
-#include "haptics/session/Recorder.h"
+#include "haptics/recording/Recorder.h"
 #include "haptics/session/ServoLoop.h"
 
 namespace palpate
@@ -37,8 +37,8 @@ public:
   /// Opens the device and starts the servo. Empty, or one sentence why not; then nothing runs.
   [[nodiscard]] std::string start(std::unique_ptr<HapticDevice> device, const SessionOptions& options = {});
   /// Zero force, servo joined, device closed, recording complete. Empty, or what went wrong with the recording. A
-  /// pushed hand is let go in the release ramp, which is waited for, but no longer than half a second: there a longer one
-  /// is cut. In virtual time, where nobody is pushed, at once.
+  /// pushed hand is let go in the release ramp, which is waited for, but no longer than half a second: there a longer
+  /// one is cut. In virtual time, where nobody is pushed, at once.
   std::string stop();
   [[nodiscard]] bool running() const noexcept;
   /// The running device, or null: to feed a FedDevice.

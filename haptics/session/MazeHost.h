@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "haptics/geometry/Scene.h"
+#include "haptics/geometry/scene/Scene.h"
 #include "haptics/labyrinth/Labyrinth.h"
 #include "haptics/labyrinth/MazeButtons.h"
 #include "haptics/session/HapticSession.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "haptics/geometry/SurfaceData.h"
+#include "haptics/geometry/tree/SurfaceData.h"
 
 namespace palpate
 {

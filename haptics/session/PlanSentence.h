@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "haptics/contact/ContactPlan.h"
-#include "haptics/geometry/Scene.h"
-#include "haptics/geometry/SceneSimplifier.h"
+#include "haptics/contact/view/ContactPlan.h"
+#include "haptics/geometry/scene/Scene.h"
+#include "haptics/geometry/scene/SceneSimplifier.h"
 
 namespace palpate
 {

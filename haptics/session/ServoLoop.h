@@ -12,8 +12,8 @@
 #include "haptics/realtime/SnapshotMailbox.h"
 #include "haptics/realtime/SpscRing.h"
 #include "haptics/realtime/TripleBuffer.h"
-#include "haptics/session/ForceRenderer.h"
-#include "haptics/session/Recorder.h"
+#include "haptics/recording/Recorder.h"
+#include "haptics/tick/ForceRenderer.h"
 
 namespace palpate
 {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "haptics/session/HapticState.h"
 #include "haptics/session/ServoLoop.h"
+#include "haptics/tick/HapticState.h"
 
 namespace palpate
 {

@@ -11,9 +11,9 @@
 #include <CLI/CLI.hpp>
 
 #include "devices/io/PidDevice.h"
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/realtime/PeriodicTimer.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/Eventually.h"

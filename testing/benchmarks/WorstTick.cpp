@@ -13,7 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "haptics/contact/GodObject.h"
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "testing/lab/backends/Backend.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/Meshes.h"

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "devices/simulated/SimulatedDevice.h"
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/session/HapticSession.h"
 
 using namespace palpate;

@@ -133,7 +133,7 @@ function (palpate_add_gui_test)
   _palpate_set_properties("pv.${arg_NAME}")
 endfunction ()
 
-# palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/TriangleMesh.cpp CORPUS folder
+# palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/mesh/TriangleMesh.cpp CORPUS folder
 #   [SECONDS 20] [OPTIONS flags...] [LIBRARIES flags...])
 # A libFuzzer program built by clang++ with its own instrumented copies of SOURCES (the rest of the build may be GCC),
 # and a ctest that runs it for SECONDS from the seeds in CORPUS, which it does not change. Label: fuzz.

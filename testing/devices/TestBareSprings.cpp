@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/BareSprings.h"
+#include "devices/common/BareSprings.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/force/HeldWalls.h"
 #include "testing/support/PlainJoystick.h"

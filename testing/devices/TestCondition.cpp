@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/Condition.h"
+#include "devices/common/Condition.h"
 #include "testing/support/Random.h"
 
 namespace palpate

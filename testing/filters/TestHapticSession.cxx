@@ -7,7 +7,7 @@
 
 #include "VirtualSession.h"
 #include "VtkScenes.h"
-#include "haptics/session/Recording.h"
+#include "haptics/recording/Recording.h"
 #include "testing/support/TemporaryFolder.h"
 #include "vtkCellArray.h"
 #include "vtkHapticSession.h"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "VtkScenes.h"
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "vtkCellArray.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticSession.h"

@@ -8,7 +8,7 @@
 #include "VtkScenes.h"
 #include "devices/simulated/DeviceModels.h"
 #include "haptics/force/StabilityLimits.h"
-#include "haptics/session/Recording.h"
+#include "haptics/recording/Recording.h"
 #include "testing/support/TemporaryFolder.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "haptics/core/Types.h"
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "vtkSmartPointer.h"
 
 class vtkAlgorithm;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "testing/fuzz/Require.h"
 
 namespace

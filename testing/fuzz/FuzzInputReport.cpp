@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "devices/hid/PidInput.h"
 #include "devices/hid/SpaceMouseInput.h"
+#include "devices/hid/pid/PidInput.h"
 #include "testing/fuzz/Require.h"
 
 namespace

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "devices/hid/PidOutput.h"
+#include "devices/hid/pid/PidOutput.h"
 #include "testing/devices/hid/AskedForce.h"
 #include "testing/devices/hid/VirtualPidDevice.h"
 #include "testing/fuzz/Require.h"

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "haptics/geometry/PolygonCut.h"
+#include "haptics/geometry/mesh/PolygonCut.h"
 #include "testing/fuzz/Require.h"
 
 namespace

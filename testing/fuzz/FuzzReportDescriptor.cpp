@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "devices/hid/ReportBits.h"
-#include "devices/hid/ReportDescriptor.h"
+#include "devices/hid/report/ReportBits.h"
+#include "devices/hid/report/ReportDescriptor.h"
 #include "testing/devices/hid/ReportWithId.h"
 #include "testing/fuzz/Require.h"
 

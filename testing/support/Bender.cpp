@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "haptics/geometry/SceneMotion.h"
+#include "haptics/geometry/scene/SceneMotion.h"
 
 namespace palpate::test
 {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "haptics/geometry/SceneBuilder.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
+#include "haptics/tick/ForceRenderer.h"
 
 namespace palpate::test
 {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 
 namespace palpate::test
 {

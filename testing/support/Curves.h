@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "haptics/contact/GodObject.h"
-#include "haptics/geometry/PolyLines.h"
-#include "haptics/geometry/Scene.h"
+#include "haptics/geometry/mesh/PolyLines.h"
+#include "haptics/geometry/scene/Scene.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test

@@ -10,7 +10,7 @@
 #include <CGAL/intersections.h>
 #include <CGAL/squared_distance_3.h>
 
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 
 namespace palpate::test
 {

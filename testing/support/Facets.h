@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 
 namespace palpate::test
 {

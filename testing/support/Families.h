@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test

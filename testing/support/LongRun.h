@@ -7,7 +7,7 @@
 #include <string>
 
 #include "haptics/contact/GodObject.h"
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "testing/support/NearestPoints.h"
 #include "testing/support/PathChecker.h"
 #include "testing/support/RandomHand.h"
@@ -30,8 +30,8 @@ struct RunFigures : TickFigures
   std::uint64_t infeasible = 0;
   std::uint64_t work = 0;
   std::uint64_t mostWork = 0; ///< of one tick
-  double spent = 0.0;          ///< what the hand put into the spring, [depth^2], stiffness 1
-  double created = 0.0;        ///< what the ball's own motion added to it: must be rounding
+  double spent = 0.0;         ///< what the hand put into the spring, [depth^2], stiffness 1
+  double created = 0.0;       ///< what the ball's own motion added to it: must be rounding
 
   [[nodiscard]] bool clean() const noexcept;
   RunFigures& operator+=(const RunFigures& more);

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "testing/support/Icosahedron.h"
 
 namespace palpate::test

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "haptics/geometry/Scene.h"
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
+#include "haptics/geometry/scene/Scene.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test

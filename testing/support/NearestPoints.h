@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 
 namespace palpate::test
 {

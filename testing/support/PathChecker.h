@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "haptics/contact/GodObject.h"
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "testing/support/TriangleGrid.h"
 
 namespace palpate::test

@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "haptics/contact/carry/HandOver.h"
+
 namespace palpate::test
 {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "haptics/geometry/ExactPredicates.h"
-#include "haptics/geometry/NearestOnTriangle.h"
+#include "haptics/geometry/mesh/ExactPredicates.h"
+#include "haptics/geometry/mesh/NearestOnTriangle.h"
 
 namespace palpate::test
 {

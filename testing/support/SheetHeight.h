@@ -2,7 +2,7 @@
 #pragma once
 
 #include "haptics/core/Types.h"
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 
 namespace palpate::test
 {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "haptics/contact/ContactPlan.h"
-#include "haptics/geometry/Scene.h"
+#include "haptics/contact/view/ContactPlan.h"
+#include "haptics/geometry/scene/Scene.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/NoisySphere.h"
 

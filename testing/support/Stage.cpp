@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "haptics/contact/PosedSurface.h"
+#include "haptics/contact/view/SceneView.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate::test

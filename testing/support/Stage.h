@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "haptics/contact/CarryBall.h"
 #include "haptics/contact/GodObject.h"
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/contact/carry/CarryBall.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 
 namespace palpate::test
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/geometry/SurfaceTree.h"
+#include "haptics/geometry/tree/SurfaceTree.h"
 
 namespace palpate::test
 {

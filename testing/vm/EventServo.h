@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "devices/io/EvdevDevice.h"
+#include "devices/evdev/EvdevDevice.h"
 #include "testing/vm/Ticking.h"
 
 namespace palpate::test

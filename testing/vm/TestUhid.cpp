@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/hid/HidDiscovery.h"
 #include "devices/hid/HidapiBus.h"
+#include "devices/io/HidDiscovery.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/vm/OtherProgram.h"
 #include "testing/vm/Pushing.h"

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "haptics/session/HapticParameters.h"
+#include "haptics/tick/HapticParameters.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliMaterials.h"
 #include "vtkHapticCliProblem.h"

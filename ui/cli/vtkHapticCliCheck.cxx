@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "haptics/contact/PlanFor.h"
 #include "haptics/contact/RadiusLimit.h"
-#include "haptics/geometry/ScenePlan.h"
-#include "haptics/geometry/SceneSimplifier.h"
+#include "haptics/contact/view/PlanFor.h"
+#include "haptics/geometry/scene/ScenePlan.h"
+#include "haptics/geometry/scene/SceneSimplifier.h"
 #include "haptics/session/PlanSentence.h"
 #include "vtkHapticCliPlane.h"
 #include "vtkHapticCliProblem.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "devices/DeviceFactory.h"
-#include "devices/DeviceNotes.h"
 #include "devices/calibration/CalibrationFiles.h"
+#include "devices/common/DeviceNotes.h"
 
 namespace
 {

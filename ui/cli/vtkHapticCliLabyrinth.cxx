@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "devices/simulated/LabyrinthRun.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"

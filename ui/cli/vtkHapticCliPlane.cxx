@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticReaders.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/Scene.h"
+#include "haptics/geometry/scene/Scene.h"
 #include "vtkHapticCliPath.h"
 #include "vtkHapticCliScene.h"
 

@@ -11,7 +11,7 @@
 
 #include "devices/DeviceFactory.h"
 #include "devices/calibration/CalibrationFiles.h"
-#include "devices/io/DBusBroker.h"
+#include "devices/io/broker/DBusBroker.h"
 #include "devices/simulated/MazePlayer.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliProblem.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <thread>
 
-#include "haptics/session/Recording.h"
+#include "haptics/recording/Recording.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"

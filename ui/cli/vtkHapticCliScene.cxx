@@ -5,7 +5,7 @@
 #include <iostream>
 #include <thread>
 
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticReaders.h"

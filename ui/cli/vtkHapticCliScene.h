@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/Scene.h"
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/Scene.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "vtkHapticMaterialArrays.h"
 
 /// What a file gives.

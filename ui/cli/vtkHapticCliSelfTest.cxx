@@ -6,7 +6,7 @@
 #include "devices/calibration/SelfTestFindings.h"
 #include "devices/calibration/SelfTestRun.h"
 #include "devices/calibration/SelfTestText.h"
-#include "devices/io/DBusBroker.h"
+#include "devices/io/broker/DBusBroker.h"
 #include "vtkHapticCliProblem.h"
 
 #include <chrono>

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "haptics/core/Clock.h"
-#include "haptics/session/HapticState.h"
+#include "haptics/tick/HapticState.h"
 #include "vtkHapticCliOutput.h"
 
 /// Time around a tick, less what asking the clock twice takes by itself (the median of many empty measurements).

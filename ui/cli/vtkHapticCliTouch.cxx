@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "haptics/contact/PlanFor.h"
 #include "haptics/contact/RadiusLimit.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/contact/view/PlanFor.h"
 #include "haptics/session/PlanSentence.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"
 #include "vtkHapticCliPlane.h"

@@ -12,7 +12,7 @@
 
 #include "devices/DeviceFactory.h"
 #include "devices/calibration/CalibrationFiles.h"
-#include "devices/io/DBusBroker.h"
+#include "devices/io/broker/DBusBroker.h"
 #include "devices/line/LineRun.h"
 #include "haptics/line/LineFile.h"
 #include "vtkHapticCliOutput.h"

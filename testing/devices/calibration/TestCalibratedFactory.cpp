@@ -4,8 +4,8 @@
 
 #include "devices/DeviceFactory.h"
 #include "devices/calibration/CalibrationFiles.h"
-#include "devices/hid/HidDiscovery.h"
-#include "devices/hid/PidWalls.h"
+#include "devices/hid/pid/PidWalls.h"
+#include "devices/io/HidDiscovery.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/TemporaryFolder.h"
 

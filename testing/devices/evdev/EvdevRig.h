@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "devices/io/EvdevDevice.h"
+#include "devices/evdev/EvdevDevice.h"
 #include "testing/devices/evdev/FakeEvdevBus.h"
 
 namespace palpate::test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/evdev/EvdevEngine.h"
-#include "devices/hid/PidEngine.h"
+#include "devices/hid/pid/PidEngine.h"
 #include "testing/devices/evdev/FakeEvdevBus.h"
 #include "testing/support/Random.h"
 

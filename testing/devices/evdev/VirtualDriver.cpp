@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "devices/Condition.h"
+#include "devices/common/Condition.h"
 
 namespace palpate::test
 {

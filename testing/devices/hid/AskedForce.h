@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "devices/hid/PidOutput.h"
+#include "devices/hid/pid/PidOutput.h"
 
 namespace palpate::test
 {

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "devices/hid/ReportDescriptor.h"
+#include "devices/hid/report/ReportDescriptor.h"
 
 namespace palpate::test
 {

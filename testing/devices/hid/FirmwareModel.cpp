@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "devices/hid/PidUsages.h"
-#include "devices/hid/ReportBits.h"
+#include "devices/hid/report/PidUsages.h"
+#include "devices/hid/report/ReportBits.h"
 #include "testing/devices/hid/VirtualPidDevice.h"
 
 namespace palpate::test

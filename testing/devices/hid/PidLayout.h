@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/hid/ReportDescriptor.h"
+#include "devices/hid/report/ReportDescriptor.h"
 #include "testing/devices/hid/PidHabits.h"
 
 namespace palpate::test

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "devices/hid/ReportDescriptor.h"
+#include "devices/hid/report/ReportDescriptor.h"
 
 namespace palpate::test
 {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "devices/DeviceFactory.h"
-#include "devices/hid/HidDiscovery.h"
 #include "devices/hid/HidapiBus.h"
+#include "devices/io/HidDiscovery.h"
 #include "testing/devices/hid/FakeHidBus.h"
 
 namespace palpate

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/hid/HidDiscovery.h"
 #include "devices/hid/HidapiBus.h"
+#include "devices/io/HidDiscovery.h"
 #include "devices/io/PidDevice.h"
 #include "testing/devices/hid/FakeHidapi.h"
 #include "testing/support/TemporaryFolder.h"

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/hid/PidEngine.h"
-#include "devices/hid/PidNumbers.h"
+#include "devices/hid/pid/PidEngine.h"
+#include "devices/hid/report/PidNumbers.h"
 #include "testing/devices/hid/FakeHidBus.h"
 
 namespace palpate

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/hid/PidOutput.h"
+#include "devices/hid/pid/PidOutput.h"
 #include "testing/devices/hid/AskedForce.h"
 #include "testing/devices/hid/ModelCases.h"
 #include "testing/devices/hid/PidRig.h"

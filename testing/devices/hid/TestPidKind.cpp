@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "devices/DeviceNotes.h"
-#include "devices/hid/PidKind.h"
+#include "devices/common/DeviceNotes.h"
+#include "devices/hid/pid/PidKind.h"
 #include "testing/devices/hid/PidRig.h"
 
 namespace palpate

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/io/PidDevice.h"
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/AllocationGuard.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/hid/PidWalls.h"
+#include "devices/hid/pid/PidWalls.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/Random.h"
 

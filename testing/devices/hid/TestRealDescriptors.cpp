@@ -2,9 +2,9 @@
 // What real devices say about their reports (descriptors/README.md).
 #include <gtest/gtest.h>
 
-#include "devices/hid/HidDiscovery.h"
-#include "devices/hid/PidKind.h"
 #include "devices/hid/SpaceMouseInput.h"
+#include "devices/hid/pid/PidKind.h"
+#include "devices/io/HidDiscovery.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/devices/hid/RealDescriptors.h"
 
@@ -31,13 +31,12 @@ struct Known
 TEST(RealDescriptors, ThoseOfForceFeedbackDevicesParseToTheRightKind)
 {
   const DeviceAbilities shakes{ 2, false, false, true }, holds{ 2, true, true, true };
-  for (const Known& known :
-    { Known{ "microsoft-sidewinder-ff2-045e-001b", 1343, DeviceClass::Joystick2D, 2, 2, holds },
-      Known{ "adapt-ffb-joy-0.3.0-stick", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
-      Known{ "adapt-ffb-joy-0.5.0b1-stick", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
-      Known{ "adapt-ffb-joy-0.5.0b1-wheel", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
-      Known{ "openffboard-1axis", 1196, DeviceClass::Wheel1D, 1, 1, { 1, true, true, true } },
-      Known{ "openffboard-2axis", 1215, DeviceClass::Joystick2D, 2, 2, holds } })
+  for (const Known& known : { Known{ "microsoft-sidewinder-ff2-045e-001b", 1343, DeviceClass::Joystick2D, 2, 2, holds },
+         Known{ "adapt-ffb-joy-0.3.0-stick", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
+         Known{ "adapt-ffb-joy-0.5.0b1-stick", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
+         Known{ "adapt-ffb-joy-0.5.0b1-wheel", 1348, DeviceClass::Joystick2D, 2, 2, shakes },
+         Known{ "openffboard-1axis", 1196, DeviceClass::Wheel1D, 1, 1, { 1, true, true, true } },
+         Known{ "openffboard-2axis", 1215, DeviceClass::Joystick2D, 2, 2, holds } })
   {
     const RealDescriptor real = test::realDescriptor(known.name);
     EXPECT_EQ(real.bytes.size(), known.bytes) << known.name;

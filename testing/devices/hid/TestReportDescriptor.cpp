@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/hid/ReportBits.h"
-#include "devices/hid/ReportDescriptor.h"
+#include "devices/hid/report/ReportBits.h"
+#include "devices/hid/report/ReportDescriptor.h"
 #include "testing/devices/hid/DescriptorWriter.h"
 #include "testing/devices/hid/ReportWithId.h"
 #include "testing/support/Random.h"

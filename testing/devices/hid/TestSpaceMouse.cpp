@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/DeviceFactory.h"
-#include "devices/DeviceNotes.h"
+#include "devices/common/DeviceNotes.h"
 #include "devices/io/SpaceMouseDevice.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/devices/hid/FakeHidBus.h"
@@ -51,7 +51,7 @@ struct Rig
   }
 
   /// Presses one axis as far as it goes and gives the motion of 100 ticks after the first report.
-  Pose motionOf(std::size_t axis, std::int64_t counts)
+  Pose sweptBallOf(std::size_t axis, std::int64_t counts)
   {
     this->cap().cap = {};
     this->cap().cap[axis] = counts;
@@ -80,10 +80,10 @@ TEST(SpaceMouse, EveryAxisOfEveryGenerationMovesTheHandTheWayTheCapIsPressed)
     {
       Rig rig(layout);
       ASSERT_EQ(rig.device->open(), "") << layout.name;
-      const Pose there = rig.motionOf(axis, layout.range);
+      const Pose there = rig.sweptBallOf(axis, layout.range);
       EXPECT_LE((there.p - 0.1 * speed_m_per_s * way_D[axis]).norm(), 1e-12) << layout.name << axis;
       EXPECT_EQ(there.q.vec().norm(), 0.0);
-      const Pose back = rig.motionOf(axis, -layout.range);
+      const Pose back = rig.sweptBallOf(axis, -layout.range);
       EXPECT_LE((back.p + there.p).norm(), 1e-12) << layout.name << axis;
     }
   }
@@ -99,7 +99,7 @@ TEST(SpaceMouse, EveryTurnOfEveryGenerationTurnsTheHandRightHandedAboutTheSameWa
     {
       Rig rig(layout);
       ASSERT_EQ(rig.device->open(), "") << layout.name;
-      const Pose there = rig.motionOf(3 + axis, layout.range);
+      const Pose there = rig.sweptBallOf(3 + axis, layout.range);
       const double half_rad = 100 * std::atan(0.5 * turn_rad_per_s * 1e-3);
       EXPECT_LE((there.q.vec() - std::sin(half_rad) * about_D[axis]).norm(), 1e-12) << layout.name << axis;
       EXPECT_EQ(there.p.norm(), 0.0);
@@ -112,8 +112,8 @@ TEST(SpaceMouse, ALighterPressIsSlowerAndNextToNoPressIsNone)
 {
   Rig rig(test::newerCap());
   ASSERT_EQ(rig.device->open(), "");
-  EXPECT_NEAR(rig.motionOf(0, 175).p.x(), 0.1 * speed_m_per_s * (0.5 - rest) / (1.0 - rest), 1e-12);
-  EXPECT_EQ(rig.motionOf(0, 7).p.norm(), 0.0); // 2 % of 350
+  EXPECT_NEAR(rig.sweptBallOf(0, 175).p.x(), 0.1 * speed_m_per_s * (0.5 - rest) / (1.0 - rest), 1e-12);
+  EXPECT_EQ(rig.sweptBallOf(0, 7).p.norm(), 0.0); // 2 % of 350
 }
 
 TEST(SpaceMouse, TwoReportsAreOnePressAndNeitherForgetsTheOther)
@@ -199,7 +199,7 @@ TEST(SpaceMouse, APressBeyondTheRangeIsCutToItAndCounted)
 {
   Rig rig(test::newerCap());
   ASSERT_EQ(rig.device->open(), "");
-  EXPECT_NEAR(rig.motionOf(0, 30000).p.x(), 0.1 * speed_m_per_s, 1e-12);
+  EXPECT_NEAR(rig.sweptBallOf(0, 30000).p.x(), 0.1 * speed_m_per_s, 1e-12);
   EXPECT_GE(rig.device->linkReport().outOfRange, 6U);
 }
 
@@ -221,7 +221,7 @@ TEST(SpaceMouse, UnpluggedItIsLostAndPluggedInAgainItGoesOnFromWhereItWas)
   rig.run(600);
   EXPECT_EQ(rig.status, DeviceStatus::Ok);
   EXPECT_EQ(rig.sample.pose_D.p, lostAt_D); // the press of before is forgotten
-  EXPECT_GT(rig.motionOf(1, -350).p.y(), 0.0);
+  EXPECT_GT(rig.sweptBallOf(1, -350).p.y(), 0.0);
 }
 
 TEST(SpaceMouse, ALoosePlugThatBouncesSoonAfterItWasFoundIsFoundInItsNewPlace)

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "devices/Condition.h"
-#include "devices/hid/ReportDescriptor.h"
+#include "devices/common/Condition.h"
+#include "devices/hid/report/ReportDescriptor.h"
 #include "testing/devices/hid/PidLayout.h"
 #include "testing/devices/hid/VirtualHandle.h"
 #include "testing/devices/hid/VirtualHid.h"

@@ -7,7 +7,7 @@
 
 #include <sys/types.h>
 
-#include "devices/io/DBusBroker.h"
+#include "devices/io/broker/DBusBroker.h"
 
 struct DBusMessage;
 struct DBusConnection;

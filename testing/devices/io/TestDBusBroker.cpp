@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/io/DBusBroker.h"
+#include "devices/io/broker/DBusBroker.h"
 #include "testing/devices/io/FakeRealtimeService.h"
 
 namespace palpate

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/contact/PosedSurface.h"
-#include "haptics/contact/Sweep.h"
+#include "haptics/contact/sweep/Sweep.h"
+#include "haptics/contact/view/SceneView.h"
 #include "testing/haptics/contact/BendingSheet.h"
 #include "testing/support/Bender.h"
 #include "testing/support/Meshes.h"
@@ -118,7 +118,7 @@ TEST_P(Bending, FrictionHoldsAHandAtTheSamePointOfItsTriangle)
   for (int i = 3; i <= 300; ++i)
   {
     const TickOutput out = sheet.tick(hand);
-    ASSERT_EQ(out.state.friction, FrictionMotion::Sticks) << "tick " << i;
+    ASSERT_EQ(out.state.friction, FrictionState::Sticks) << "tick " << i;
     const Vec3 held = pointAt(1e-3 * i, { inMesh.x(), inMesh.y(), 0 }) + radius * normalAt(1e-3 * i);
     ASSERT_LE((out.state.proxy_W.p - held).norm(), 1e-9) << "tick " << i;
   }

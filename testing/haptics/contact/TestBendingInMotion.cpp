@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/PolyLines.h"
+#include "haptics/geometry/mesh/PolyLines.h"
 #include "testing/haptics/contact/BendingSheet.h"
 #include "testing/support/Bender.h"
 #include "testing/support/Meshes.h"
@@ -148,7 +148,7 @@ TEST_P(BendingInMotion, FrictionHoldsAHandAtTheSamePointOfItsTriangle)
   for (int i = 3; i <= 300; ++i)
   {
     const TickOutput out = sheet.tick(hand);
-    ASSERT_EQ(out.state.friction, FrictionMotion::Sticks) << "tick " << i;
+    ASSERT_EQ(out.state.friction, FrictionState::Sticks) << "tick " << i;
     const Pose pose_WS = sheet.pose_WS();
     const Vec3 held_W = pose_WS.q * (stretch(inMesh, 1e-3 * i) + radius * Vec3::UnitZ()) + pose_WS.p;
     ASSERT_LE((out.state.proxy_W.p - held_W).norm(), 1e-9) << "tick " << i;

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "testing/support/Curves.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
@@ -332,7 +332,7 @@ TEST_P(Curves, FrictionAlongAFibreSticksAndSlipsByCoulomb)
     slips = slips || x > statical * depth;
     const double truth = slips ? x - kinetic * depth : 0.0; // breaks away, then trails by the cone's radius
     ASSERT_LE((probe.x_W() - Vec3(truth, 0, R)).norm(), 1e-12) << i;
-    ASSERT_EQ(result.friction, slips ? FrictionMotion::Slips : FrictionMotion::Sticks) << i;
+    ASSERT_EQ(result.friction, slips ? FrictionState::Slips : FrictionState::Sticks) << i;
   }
 }
 

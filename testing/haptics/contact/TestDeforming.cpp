@@ -8,8 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "haptics/contact/GodObject.h"
-#include "haptics/geometry/ExactPredicates.h"
-#include "haptics/geometry/SurfaceTree.h"
+#include "haptics/contact/carry/HandOver.h"
+#include "haptics/geometry/mesh/ExactPredicates.h"
+#include "haptics/geometry/tree/SurfaceTree.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate::test

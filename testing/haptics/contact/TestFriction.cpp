@@ -50,7 +50,7 @@ TEST_P(FrictionOnAPlane, BreaksAwayAtTheStaticConeAndTrailsByTheKineticOne)
     EXPECT_NEAR(force.z(), K * d, 1e-9);
     EXPECT_NEAR(force.y(), 0.0, 1e-9);
     slipped = slipped || way > mu_s * d + 1e-9;
-    EXPECT_EQ(result.friction, slipped ? FrictionMotion::Slips : FrictionMotion::Sticks) << way;
+    EXPECT_EQ(result.friction, slipped ? FrictionState::Slips : FrictionState::Sticks) << way;
     // Before: the spring to the place it sticks at, up to mu_s K d = 1 N. After: mu_k K d = 0.6 N.
     EXPECT_NEAR(force.x(), slipped ? -mu_k * K * d : -K * way, 1e-9) << way;
   }
@@ -89,7 +89,7 @@ TEST_P(FrictionOnAPlane, NeverGivesBackWhatItTookWhileItSlips)
     p = p.cwiseMax(-0.1).cwiseMin(0.1);
     p.z() = radius - d * random.uniform(0.5, 1.5);
     const ContactResult result = probe.to(p);
-    if (result.friction == FrictionMotion::Slips)
+    if (result.friction == FrictionState::Slips)
     {
       const Vec3 moved = probe.x_W() - x;
       // Force on the hand and way of the contact point over the surface: friction resists it.
@@ -119,7 +119,7 @@ TEST(Friction, AnInclineHoldsForAMinuteBelowItsAngleAndNeverAboveUnderEncoderNoi
     {
       // One count along the pull: the direction of the pull is what the cone is about.
       const double noise = random.uniform() < 0.5 ? 0.0 : count;
-      slips += probe.to({ 0, 0, -0.005 - noise }).friction == FrictionMotion::Slips;
+      slips += probe.to({ 0, 0, -0.005 - noise }).friction == FrictionState::Slips;
     }
     if (off < 0)
     {
@@ -142,10 +142,10 @@ TEST(Friction, InACornerItActsAlongTheLineWithTheSumOfBothReactions)
   test::Probe probe(test::sceneOf(mesh), 0.0, { 0.01, 0, 0.01 });
   probe.plan().friction = { mu_s, mu_k };
   probe.to({ -b, 0, -a });
-  EXPECT_EQ(probe.to({ -b, 0, -a }).friction, FrictionMotion::Sticks); // arrived, at rest
+  EXPECT_EQ(probe.to({ -b, 0, -a }).friction, FrictionState::Sticks); // arrived, at rest
   const double breakAway = mu_s * (a + b);
-  EXPECT_EQ(probe.to({ -b, breakAway - 1e-6, -a }).friction, FrictionMotion::Sticks);
-  EXPECT_EQ(probe.to({ -b, breakAway + 1e-6, -a }).friction, FrictionMotion::Slips);
+  EXPECT_EQ(probe.to({ -b, breakAway - 1e-6, -a }).friction, FrictionState::Sticks);
+  EXPECT_EQ(probe.to({ -b, breakAway + 1e-6, -a }).friction, FrictionState::Slips);
   probe.to({ -b, 0.05, -a });
   EXPECT_NEAR(probe.force(K).y(), -mu_k * K * (a + b), 1e-9);
   EXPECT_NEAR(probe.force(K).z(), K * a, 1e-9);

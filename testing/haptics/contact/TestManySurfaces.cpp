@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
 #include "testing/support/Random.h"

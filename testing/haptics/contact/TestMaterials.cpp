@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "haptics/contact/GodObject.h"
-#include "haptics/geometry/SceneBuilder.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
 
@@ -142,7 +142,7 @@ TEST(Materials, FrictionFromDataBreaksAwayAtTheConeOfThePlaceTouched)
       static_cast<void>(finger.to({ x, 0, -d }));
       const ContactResult result =
         finger.to({ x, mu({ x, 0, 0 }) * d + off, -d }); // along y the coefficient is constant
-      EXPECT_EQ(result.friction, off > 0 ? FrictionMotion::Slips : FrictionMotion::Sticks) << x;
+      EXPECT_EQ(result.friction, off > 0 ? FrictionState::Slips : FrictionState::Sticks) << x;
     }
   }
 }

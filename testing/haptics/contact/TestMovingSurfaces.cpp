@@ -182,7 +182,7 @@ TEST_P(MovingSurfaces, ATurntableDragsTheHandWithKineticFrictionAtAnySpeed)
       const Vec3 before = actor.state.x_W;
       const ContactResult result = actor.tick(p);
       const Vec3 force = K * (actor.state.x_W - p);
-      if (result.friction == FrictionMotion::Slips && slips)
+      if (result.friction == FrictionState::Slips && slips)
       {
         // Along the motion of the plate, mu_k F_n whatever its speed; the plate never gets work out of it.
         ASSERT_NEAR(force.x(), mu_k * K * d, 1e-6) << speed << ", tick " << i;
@@ -190,7 +190,7 @@ TEST_P(MovingSurfaces, ATurntableDragsTheHandWithKineticFrictionAtAnySpeed)
         const double slipOfPlate = speed * T - (actor.state.x_W - before).x();
         ASSERT_GE(force.x() * slipOfPlate, 0.0);
       }
-      slips = result.friction == FrictionMotion::Slips;
+      slips = result.friction == FrictionState::Slips;
     }
     EXPECT_EQ(slips, mu_k > 0.0) << speed;
     EXPECT_NEAR(K * actor.state.x_W.x(), mu_k * K * d, 1e-6) << speed;

@@ -3,7 +3,7 @@
 // PALPATE_TEST_TRIANGLES=4000000 PALPATE_TEST_COUNT=30000 is the whole of it: 30 s on every size.
 #include <gtest/gtest.h>
 
-#include "haptics/contact/Work.h"
+#include "haptics/contact/sweep/Work.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"

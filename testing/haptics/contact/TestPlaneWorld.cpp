@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rows 11, 12 and 13: the nearest point under planes, against exact rational arithmetic.
-#include "haptics/contact/Projection.h"
+#include "haptics/contact/planes/Projection.h"
 
 #include <cmath>
 #include <limits>

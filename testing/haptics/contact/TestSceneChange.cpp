@@ -74,7 +74,7 @@ TEST_P(SceneChange, UnderFrictionTheSameSurfaceAgainChangesNothing)
     const ContactResult expected = steady.to(slideOver(sphere, i).p_W), result = swapped.to(slideOver(sphere, i).p_W);
     ASSERT_LE((swapped.x_W() - steady.x_W()).norm(), 1e-9) << "tick " << i;
     ASSERT_EQ(result.friction, expected.friction) << "tick " << i;
-    slips += result.friction == FrictionMotion::Slips ? 1 : 0;
+    slips += result.friction == FrictionState::Slips ? 1 : 0;
   }
   EXPECT_GT(slips, 0);
 }
@@ -93,7 +93,7 @@ TEST_P(SceneChange, FrictionHoldsAndTrailsOnAFinerPlaneAsBefore)
     const double x = (i + 0.5) * step; // 0.25 lies between two of them: there it breaks away, once
     const bool sticks = x < mu.statical * depth;
     const ContactResult result = probe.to({ x, 0.2, r - depth });
-    EXPECT_EQ(result.friction, sticks ? FrictionMotion::Sticks : FrictionMotion::Slips) << x;
+    EXPECT_EQ(result.friction, sticks ? FrictionState::Sticks : FrictionState::Slips) << x;
     const Vec3 expected_W(sticks ? 0.0 : x - mu.kinetic * depth, 0.2, r);
     ASSERT_LE((probe.x_W() - expected_W).norm(), 1e-9) << x;
   }

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/contact/PosedSurface.h"
+#include "haptics/contact/view/SceneView.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
 #include "testing/support/Random.h"
@@ -171,7 +171,7 @@ TEST(Shading, LetsFrictionHoldTheHandWhereItIs)
   for (int i = 0; i < 1000; ++i)
   {
     const ContactResult result = probe.to((R - depth) * in + 0.3 * depth * std::sin(0.1 * i) * aside);
-    ASSERT_EQ(result.friction, FrictionMotion::Sticks);
+    ASSERT_EQ(result.friction, FrictionState::Sticks);
     ASSERT_EQ(probe.x_W(), x_W);
   }
 }

@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/CurveSet.h"
-#include "haptics/geometry/NearestOnTriangle.h"
-#include "haptics/geometry/SceneSimplifier.h"
+#include "haptics/geometry/curves/CurveSet.h"
+#include "haptics/geometry/mesh/NearestOnTriangle.h"
+#include "haptics/geometry/scene/SceneSimplifier.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"

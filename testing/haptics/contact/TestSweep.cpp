@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/contact/Sweep.h"
+#include "haptics/contact/sweep/Sweep.h"
 #include "testing/support/ExactTriangles.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"

@@ -6,7 +6,7 @@
 
 #include "haptics/force/VirtualCoupling.h"
 #include "haptics/force/WorkspaceMap.h"
-#include "haptics/session/HapticParameters.h"
+#include "haptics/tick/HapticParameters.h"
 #include "testing/support/Random.h"
 
 namespace palpate

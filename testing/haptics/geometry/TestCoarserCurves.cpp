@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/geometry/CoarserCurves.h"
+#include "haptics/geometry/curves/CoarserCurves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/ExactPredicates.h"
+#include "haptics/geometry/mesh/ExactPredicates.h"
 #include "testing/support/Polylines.h"
 #include "testing/support/Random.h"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/CurveChains.h"
+#include "haptics/geometry/curves/CurveChains.h"
 #include "testing/support/Random.h"
 
 namespace palpate

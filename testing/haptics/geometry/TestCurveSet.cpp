@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/CurveSet.h"
-#include "haptics/geometry/PolyLines.h"
+#include "haptics/geometry/curves/CurveSet.h"
+#include "haptics/geometry/mesh/PolyLines.h"
 #include "testing/support/Random.h"
 
 namespace palpate

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/CurveSimplification.h"
+#include "haptics/geometry/curves/CurveSimplification.h"
 #include "testing/support/Polylines.h"
 #include "testing/support/Random.h"
 

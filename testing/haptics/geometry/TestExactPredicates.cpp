@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/geometry/ExactPredicates.h"
+#include "haptics/geometry/mesh/ExactPredicates.h"
 
 #include <cmath>
 #include <limits>

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/CurveChains.h"
-#include "haptics/geometry/InkLines.h"
+#include "haptics/geometry/curves/CurveChains.h"
+#include "haptics/geometry/ink/InkLines.h"
 #include "testing/support/Random.h"
 
 namespace palpate

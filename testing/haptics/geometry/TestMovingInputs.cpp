@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/PolyLines.h"
-#include "haptics/geometry/SceneBuilder.h"
-#include "haptics/geometry/SceneMotion.h"
+#include "haptics/geometry/mesh/PolyLines.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneMotion.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate::test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/MultiresolutionCurve.h"
+#include "haptics/geometry/curves/MultiresolutionCurve.h"
 #include "testing/support/Polylines.h"
 #include "testing/support/Random.h"
 

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/PolygonCut.h"
+#include "haptics/geometry/mesh/PolygonCut.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"
 #include "testing/support/Random.h"

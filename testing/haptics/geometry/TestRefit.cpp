@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/contact/Sweep.h"
-#include "haptics/geometry/SurfaceData.h"
-#include "haptics/geometry/SurfaceTree.h"
+#include "haptics/contact/sweep/Sweep.h"
+#include "haptics/geometry/tree/SurfaceData.h"
+#include "haptics/geometry/tree/SurfaceTree.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/TreeOf.h"
 

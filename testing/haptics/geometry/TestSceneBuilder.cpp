@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 
 #include <limits>
 

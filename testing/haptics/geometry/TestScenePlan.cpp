@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/geometry/ScenePlan.h"
+#include "haptics/geometry/scene/ScenePlan.h"
 
 #include <cmath>
 #include <limits>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/geometry/SceneSimplifier.h"
+#include "haptics/geometry/scene/SceneSimplifier.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/CurveSet.h"
-#include "haptics/geometry/SurfaceDistance.h"
+#include "haptics/geometry/curves/CurveSet.h"
+#include "haptics/geometry/simplify/SurfaceDistance.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/geometry/Simplification.h"
+#include "haptics/geometry/simplify/Simplification.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/SheetClearance.h"
-#include "haptics/geometry/SurfaceDistance.h"
+#include "haptics/geometry/simplify/SheetClearance.h"
+#include "haptics/geometry/simplify/SurfaceDistance.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NearestPoints.h"
 #include "testing/support/NoisySphere.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/geometry/SurfaceDistance.h"
+#include "haptics/geometry/simplify/SurfaceDistance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/geometry/NearestOnTriangle.h"
+#include "haptics/geometry/mesh/NearestOnTriangle.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
 #include "testing/support/TreeOf.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/geometry/SurfaceTree.h"
+#include "haptics/geometry/tree/SurfaceTree.h"
 
 #include <stdexcept>
 

@@ -3,8 +3,8 @@
 
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/labyrinth/Labyrinth.h"
+#include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
-#include "haptics/session/Recording.h"
 #include "testing/support/TemporaryFolder.h"
 
 namespace palpate

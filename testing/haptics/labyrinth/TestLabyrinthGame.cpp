@@ -9,7 +9,7 @@
 #include "haptics/labyrinth/Labyrinth.h"
 #include "haptics/safety/ForceLimits.h"
 #include "haptics/session/DeviceAdaptation.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/tick/ForceRenderer.h"
 
 namespace palpate
 {

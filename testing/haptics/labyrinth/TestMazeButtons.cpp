@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/labyrinth/MazeButtons.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/tick/ForceRenderer.h"
 
 namespace palpate
 {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "haptics/geometry/CurveSet.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/geometry/curves/CurveSet.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate::test

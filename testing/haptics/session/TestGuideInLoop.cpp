@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "devices/simulated/SimulatedDevice.h"
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/DeviceAdaptation.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
 

@@ -11,10 +11,10 @@
 
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/force/Viscosity.h"
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
+#include "haptics/recording/Recording.h"
 #include "haptics/session/DeviceAdaptation.h"
 #include "haptics/session/HapticSession.h"
-#include "haptics/session/Recording.h"
 #include "testing/haptics/session/HoldingTick.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Meshes.h"

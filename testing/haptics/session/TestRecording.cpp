@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "devices/FedDevice.h"
-#include "haptics/geometry/PolyLines.h"
-#include "haptics/geometry/SceneMotion.h"
+#include "haptics/geometry/mesh/PolyLines.h"
+#include "haptics/geometry/scene/SceneMotion.h"
+#include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
-#include "haptics/session/Recording.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/TemporaryFolder.h"
 

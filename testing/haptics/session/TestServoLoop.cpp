@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/session/Recording.h"
+#include "haptics/recording/Recording.h"
 #include "haptics/session/ServoLoop.h"
 #include "haptics/session/Warning.h"
 #include "testing/haptics/session/HoldingTick.h"

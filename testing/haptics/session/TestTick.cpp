@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Meshes.h"
 

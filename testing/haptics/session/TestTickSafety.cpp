@@ -2,7 +2,7 @@
 // What ends the force in the tick: the dead-man, the speed cut, the energy latch; and what is only said.
 #include <gtest/gtest.h>
 
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate

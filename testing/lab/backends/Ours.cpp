@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <stdexcept>
 
-#include "haptics/contact/Sweep.h"
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/contact/sweep/Sweep.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "testing/lab/backends/Backend.h"
 
 namespace palpate::lab

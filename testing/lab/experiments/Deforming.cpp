@@ -9,10 +9,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "haptics/contact/Deformation.h"
 #include "haptics/contact/GodObject.h"
-#include "haptics/contact/PosedSurface.h"
-#include "haptics/geometry/SurfaceTree.h"
+#include "haptics/contact/carry/Deformation.h"
+#include "haptics/contact/carry/HandOver.h"
+#include "haptics/contact/view/SceneView.h"
+#include "haptics/geometry/tree/SurfaceTree.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/Bender.h"
 #include "testing/support/Meshes.h"

@@ -64,7 +64,7 @@ void breakAway(const std::shared_ptr<const Scene>& floor, const Ours& ours, Tabl
     [&](double tried_m)
     {
       test::Probe probe = pressed(floor, mu, ours.radius_m);
-      return probe.to({ tried_m, 0, ours.radius_m - depth_m }).friction == FrictionMotion::Sticks;
+      return probe.to({ tried_m, 0, ours.radius_m - depth_m }).friction == FrictionState::Sticks;
     });
   table.within({ name, ours.name, "force at break-away", "N" }, K * way_m, mu.statical * K * depth_m, 1e-9);
   test::Probe probe = pressed(floor, mu, ours.radius_m);
@@ -238,7 +238,7 @@ void corner(Table& table)
         probe.plan().friction = { mu, mu };
         probe.to(pressed_W);
         probe.to(pressed_W); // arrived, at rest
-        return probe.to(pressed_W + Vec3(0, way_m, 0)).friction == FrictionMotion::Sticks;
+        return probe.to(pressed_W + Vec3(0, way_m, 0)).friction == FrictionState::Sticks;
       });
     table.within({ name, ours.name, "threshold along the corner", "m" }, found_m, truth_m, 1e-6 * truth_m);
   }

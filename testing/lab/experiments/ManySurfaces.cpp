@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "testing/lab/Experiments.h"
 #include "testing/lab/methods/StaticFrameProxy.h"
 #include "testing/support/Meshes.h"

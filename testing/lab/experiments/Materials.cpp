@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Probe.h"

@@ -224,7 +224,7 @@ Rubbing rub(test::Actor& actor, const Vec3& hand_W, int ticks)
   for (int i = 0; i < ticks; ++i)
   {
     const Vec3 before_S = actor.inSurface(0);
-    const bool slips = actor.tick(hand_W).friction == FrictionMotion::Slips;
+    const bool slips = actor.tick(hand_W).friction == FrictionState::Slips;
     const Vec3 force_N = K * (actor.state.x_W - hand_W);
     // The contact's way over the plate, in W: friction on the hand is against it.
     const Vec3 way_W = actor.pose(0).q * (actor.inSurface(0) - before_S);

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "haptics/contact/RadiusLimit.h"
-#include "haptics/contact/Sweep.h"
-#include "haptics/geometry/ScenePlan.h"
-#include "haptics/geometry/Simplification.h"
-#include "haptics/geometry/SurfaceData.h"
+#include "haptics/contact/sweep/Sweep.h"
+#include "haptics/geometry/scene/ScenePlan.h"
+#include "haptics/geometry/simplify/Simplification.h"
+#include "haptics/geometry/tree/SurfaceData.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"

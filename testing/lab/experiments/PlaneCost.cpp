@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "haptics/contact/Sweep.h"
-#include "haptics/geometry/CurveSet.h"
-#include "haptics/geometry/MultiresolutionCurve.h"
+#include "haptics/contact/sweep/Sweep.h"
+#include "haptics/geometry/curves/CurveSet.h"
+#include "haptics/geometry/curves/MultiresolutionCurve.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Polylines.h"

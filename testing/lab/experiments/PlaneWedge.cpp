@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "testing/lab/Experiments.h"
 #include "testing/lab/backends/Backend.h"
 #include "testing/lab/methods/IterateUntilFixed.h"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "haptics/force/Guide.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "testing/lab/Experiments.h"
 #include "testing/lab/simulation/PlaneGame.h"
 #include "testing/support/Meshes.h"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "devices/FedDevice.h"
+#include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
-#include "haptics/session/Recording.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"

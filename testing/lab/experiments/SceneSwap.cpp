@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "devices/FedDevice.h"
-#include "haptics/geometry/SurfaceTree.h"
+#include "haptics/geometry/tree/SurfaceTree.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/AllocationGuard.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "devices/Condition.h"
+#include "devices/common/Condition.h"
 #include "haptics/force/HeldWalls.h"
 #include "testing/lab/Experiments.h"
 

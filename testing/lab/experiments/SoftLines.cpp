@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/CurveSet.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/geometry/curves/CurveSet.h"
+#include "haptics/tick/ForceRenderer.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/Meshes.h"
 

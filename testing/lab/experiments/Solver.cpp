@@ -8,7 +8,7 @@
 
 #include <Eigen/QR>
 
-#include "haptics/contact/Projection.h"
+#include "haptics/contact/planes/Projection.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/QpOracle.h"
 #include "testing/support/Random.h"

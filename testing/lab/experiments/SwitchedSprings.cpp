@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "devices/BareSprings.h"
+#include "devices/common/BareSprings.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "testing/lab/Experiments.h"
 #include "testing/lab/simulation/PlaneGame.h"

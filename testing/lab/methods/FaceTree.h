@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 
 namespace palpate::lab
 {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
 
 namespace palpate::lab
 {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "haptics/contact/Projection.h"
+#include "haptics/contact/planes/Projection.h"
 
 namespace palpate::lab
 {

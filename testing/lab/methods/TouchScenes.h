@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "testing/support/Random.h"
 
 namespace palpate::lab

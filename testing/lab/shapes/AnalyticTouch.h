@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/geometry/TriangleMesh.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
 #include "testing/lab/Table.h"
 #include "testing/lab/methods/ContactMethod.h"
 #include "testing/support/Random.h"
@@ -34,9 +34,10 @@ struct AnalyticTouch
 [[nodiscard]] AnalyticTouch touchPlane(test::Random& random);
 /// Radius 50 mm, 20 * 4^levels triangles.
 [[nodiscard]] AnalyticTouch touchSphere(int levels);
-/// The inside of a wedge of 60 degrees, over and over: along the crease with the force turning from wall to wall, a loop
-/// over that wall back to where the crease began, along it again with the force turning back, a loop over the first wall.
-/// The way has no corner and no reversal: there the friction of a spring needs a way of its own to turn round.
+/// The inside of a wedge of 60 degrees, over and over: along the crease with the force turning from wall to wall, a
+/// loop over that wall back to where the crease began, along it again with the force turning back, a loop over the
+/// first wall. The way has no corner and no reversal: there the friction of a spring needs a way of its own to turn
+/// round.
 [[nodiscard]] AnalyticTouch touchWedge();
 /// Radii 40 and 15 mm, `around` times `across` cells of two triangles.
 [[nodiscard]] AnalyticTouch touchTorus(std::uint32_t around, std::uint32_t across);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "devices/simulated/SimulatedDevice.h"
-#include "haptics/geometry/CurveSet.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/HapticSession.h"
 
 namespace palpate::lab

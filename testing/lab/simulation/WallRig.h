@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "haptics/core/HapticDevice.h"
-#include "haptics/geometry/Scene.h"
-#include "haptics/session/ForceRenderer.h"
+#include "haptics/geometry/scene/Scene.h"
+#include "haptics/tick/ForceRenderer.h"
 
 namespace palpate::lab
 {

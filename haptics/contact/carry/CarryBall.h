@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/contact/view/ContactPlan.h"
+#include "haptics/contact/view/GodObjectState.h"
+#include "haptics/contact/view/SceneView.h"
+
+namespace palpate
+{
+
+/// What moving surfaces did to the ball in a tick.
+struct CarryResult
+{
+  bool carried = false; ///< it was moved along or pushed
+  bool pinned = false;  ///< surfaces close on it: less room is left than the ball needs
+  std::uint32_t work = 0;
+};
+
+/// Takes the ball along with the surfaces that moved between two moments, so that none passes it.
+///
+/// A ball that is touched by a moving surface goes with it; one that a surface runs into is pushed before it. What
+/// counts is the way relative to each surface, straight in that surface's own frame from where the ball was to where it
+/// is: it must be free, exactly for a point. Surfaces that close like scissors push together: the least motion that
+/// keeps the ball in front of all of them. Where they leave no such place the ball shrinks to its centre, which stays
+/// between them, and `pinned` is set; a centre between two parallel plates that meet has no place either and stays
+/// with the plate it touched first.
+/// `now` may be of another scene than `before`; the features of `state` are of `now`'s. A surface of `now` that was not
+/// in `before` counts as not moving. Bounded, allocation-free.
+[[nodiscard]] CarryResult carryBall(
+  const MovingScene& before, const MovingScene& now, const ContactPlan& plan, GodObjectState& state) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/contact/carry/Deformation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "haptics/contact/moves/Seat.h"
+#include "haptics/contact/sweep/Sweep.h"
+#include "haptics/contact/sweep/TreeWalk.h"
+#include "haptics/contact/view/Resolution.h"
+#include "haptics/geometry/mesh/NearestOnTriangle.h"
+
+namespace palpate
+{
+
+template<SceneView AnyScene>
+SweepHit sweepStraight(
+  const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& from_W, const Vec3& to_W) noexcept
+{
+  SweepQuery query = straightQuery(from_W, to_W, radius_u);
+  query.resolution.include(Vec3::Constant(radius_u));
+  return sweepBall(scene, query, plan.workBudget);
+}
+
+namespace
+{
+
+const Vec3& inFrame(const SurfaceData&, const Vec3& x_W) noexcept
+{
+  return x_W;
+}
+
+Vec3 inFrame(const PosedSurface& s, const Vec3& x_W) noexcept
+{
+  return s.toSurface(x_W);
+}
+
+Box boxOf(const TreeNode& node, std::size_t k) noexcept
+{
+  return { Vec3(node.low_W[0][k], node.low_W[1][k], node.low_W[2][k]),
+    Vec3(node.high_W[0][k], node.high_W[1][k], node.high_W[2][k]) };
+}
+
+double distance2To(const Box& box, const Vec3& x) noexcept
+{
+  return (box.low_W - x).cwiseMax(x - box.high_W).cwiseMax(0.0).squaredNorm();
+}
+
+/// A point of a surface: a triangle and the weights of its corners.
+struct SurfacePoint
+{
+  std::uint32_t triangle = 0;
+  Vec3 weights = Vec3::Zero();
+};
+
+const std::array<Vec3, 3>& ownCorners(const SurfaceData& s, std::uint32_t triangle) noexcept
+{
+  return s.face(triangle).corner_W;
+}
+
+std::array<Vec3, 3> ownCorners(const PosedSurface& s, std::uint32_t triangle) noexcept
+{
+  return s.shape().cornersOf(triangle);
+}
+
+/// Walks the two trees of a surface, which are of one shape, for the triangle nearest to the ball among those that may
+/// have come over it: a vertex goes straight from old to new, so a triangle never leaves the hull of both its boxes.
+/// Of triangles as near as each other it is the first, whatever room the boxes have.
+template<class View>
+class PassingTriangles
+{
+public:
+  PassingTriangles(const View& before, const View& now, const Vec3& x_before, const Vec3& x_now, double reach,
+    std::uint32_t budget) noexcept
+    : before_(before), now_(now), x_(x_before), low_(x_before.cwiseMin(x_now).array() - reach),
+      high_(x_before.cwiseMax(x_now).array() + reach), budget_(budget)
+  {
+  }
+
+  [[nodiscard]] std::optional<std::uint32_t> nearest() noexcept
+  {
+    const SurfaceData& data = dataOf(this->before_);
+    this->stack_[this->top_++] = { data.nodes.empty() ? TreeNode::leafBit : 0u, 0.0 };
+    while (this->top_ > 0 && this->visited_++ < this->budget_)
+    {
+      const Pending next = this->stack_[--this->top_];
+      if (next.distance2 <= this->best2_)
+      {
+        (next.child & TreeNode::leafBit) != 0 ? this->visitLeaf(data.leaves[next.child & ~TreeNode::leafBit])
+                                              : this->visitNode(next.child);
+      }
+    }
+    return std::isfinite(this->best2_) ? std::optional(this->triangle_) : std::nullopt;
+  }
+
+private:
+  struct Pending
+  {
+    std::uint32_t child = 0;
+    double distance2 = 0.0;
+  };
+
+  [[nodiscard]] bool mayPass(const Box& before, const Box& now) const noexcept
+  {
+    const Vec3 low = before.low_W.cwiseMin(now.low_W), high = before.high_W.cwiseMax(now.high_W);
+    return (low.array() <= this->high_.array()).all() && (high.array() >= this->low_.array()).all();
+  }
+
+  void visitNode(std::uint32_t index) noexcept
+  {
+    const TreeNode &before = dataOf(this->before_).nodes[index], &now = dataOf(this->now_).nodes[index];
+    std::array<Pending, 2> children;
+    int count = 0;
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const Box old = boxOf(before, k);
+      if (this->mayPass(old, boxOf(now, k)))
+      {
+        children[static_cast<std::size_t>(count++)] = { before.child[k], distance2To(old, this->x_) };
+      }
+    }
+    if (count == 2 && children[0].distance2 < children[1].distance2)
+    {
+      std::swap(children[0], children[1]);
+    }
+    std::copy_n(children.begin(), count, this->stack_.begin() + this->top_);
+    this->top_ += count;
+  }
+
+  void visitLeaf(const Leaf& leaf) noexcept
+  {
+    for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
+    {
+      const auto& old = ownCorners(this->before_, t);
+      if (distance2To(around(old), this->x_) > this->best2_)
+      {
+        continue;
+      }
+      const auto& now = ownCorners(this->now_, t);
+      const double distance2 = (this->x_ - nearestOnTriangle(this->x_, old[0], old[1], old[2])).squaredNorm();
+      const bool nearer = distance2 < this->best2_ || (distance2 == this->best2_ && t < this->triangle_);
+      if (nearer && this->mayPass(around(old), around(now)))
+      {
+        this->best2_ = distance2;
+        this->triangle_ = t;
+      }
+    }
+  }
+
+  [[nodiscard]] static Box around(const std::array<Vec3, 3>& corners) noexcept
+  {
+    return { corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
+      corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) };
+  }
+
+  const View& before_;
+  const View& now_;
+  Vec3 x_, low_, high_;
+  std::uint32_t budget_;
+  std::uint32_t visited_ = 0;
+  std::array<Pending, mostPending> stack_;
+  int top_ = 0;
+  double best2_ = std::numeric_limits<double>::infinity();
+  std::uint32_t triangle_ = 0;
+};
+
+/// Weights of the nearest point of a triangle; a corner or an edge has exact zeros.
+Vec3 weightsAt(const FaceRecord& face, const Vec3& x_W) noexcept
+{
+  const auto& [a, b, c] = face.corner_W;
+  const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c), &n = face.normal_W;
+  Vec3 weights(n.dot((c - b).cross(foot_W - b)), n.dot((a - c).cross(foot_W - c)), n.dot((b - a).cross(foot_W - a)));
+  const double all = n.dot((b - a).cross(c - a));
+  constexpr double zero = 1e-12;
+  weights = weights.unaryExpr([all](double w) { return w > zero * all ? w : 0.0; });
+  return weights / weights.sum();
+}
+
+Vec3 pointOf(const FaceRecord& face, const Vec3& weights) noexcept
+{
+  return weights[0] * face.corner_W[0] + weights[1] * face.corner_W[1] + weights[2] * face.corner_W[2];
+}
+
+/// Calls visit(triangle) for each triangle that holds a point of one of them.
+template<class View, class Visit>
+void forEachHolding(const View& s, const SurfacePoint& point, Visit visit) noexcept
+{
+  const auto& corners = s.corners(point.triangle);
+  std::array<std::uint32_t, 3> on{};
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (point.weights[static_cast<Eigen::Index>(k)] > 0.0)
+    {
+      on[count++] = corners[k];
+    }
+  }
+  if (count == 3)
+  {
+    visit(point.triangle);
+  }
+  else if (count == 2)
+  {
+    s.forEachAtEdge(on[0], on[1], visit);
+  }
+  else
+  {
+    s.forEachAround(on[0], visit);
+  }
+}
+
+/// Takes a vector from a unit vector's frame to another's by the least turn.
+Vec3 turnedAlong(const Vec3& from, const Vec3& to, const Vec3& v) noexcept
+{
+  const Vec3 axis = from.cross(to);
+  const double cosine = from.dot(to);
+  constexpr double opposite = -0.999;
+  return cosine < opposite ? Vec3(v.norm() * to) : Vec3(v + axis.cross(v) + axis.cross(axis.cross(v)) / (1.0 + cosine));
+}
+
+/// A ball and one surface before and after its vertices moved.
+template<SceneView AnyScene>
+class Advection
+{
+public:
+  Advection(const AnyScene& from, const AnyScene& to, std::uint32_t before, std::uint32_t now, const ContactPlan& plan,
+    const Vec3& x_W) noexcept
+    : from_(from), to_(to), before_(surfaceOf(from, before)), now_(surfaceOf(to, now)), surface_(before), plan_(plan),
+      x_W_(x_W)
+  {
+    this->resolution_.include(x_W);
+  }
+
+  /// Where the ball is now, or nothing if no triangle can have come over it or another surface keeps them apart.
+  [[nodiscard]] std::optional<Vec3> run() noexcept
+  {
+    const Vec3 xBefore = inFrame(this->before_, this->x_W_), xNow = inFrame(this->now_, this->x_W_);
+    const std::optional<std::uint32_t> nearest = PassingTriangles(this->before_, this->now_, xBefore, xNow,
+      this->plan_.radius_u + 4 * this->resolution_.tol(), this->plan_.workBudget)
+                                                   .nearest();
+    if (!nearest || !this->look(*nearest))
+    {
+      return std::nullopt;
+    }
+    const FaceRecord face = this->now_.face(this->at_.triangle);
+    for (const Vec3& corner : face.corner_W)
+    {
+      this->resolution_.include(corner);
+    }
+    return stopBefore(
+      this->to_, this->plan_, 0.0, this->above(face), pointOf(face, this->at_.weights) + this->offset(face));
+  }
+
+private:
+  /// Finds the point of the old surface that the ball sees in the direction of that triangle, and on which side it is.
+  [[nodiscard]] bool look(std::uint32_t triangle) noexcept
+  {
+    const Vec3 foot_W = this->nearestOn(triangle);
+    constexpr double beyond = 1.0 + 1e-6;
+    const SweepHit seen =
+      sweepStraight(this->from_, this->plan_, 0.0, this->x_W_, this->x_W_ + beyond * (foot_W - this->x_W_));
+    if (seen.hit && seen.feature.surface != this->surface_)
+    {
+      return false;
+    }
+    this->at_.triangle = seen.hit ? seen.feature.a : triangle;
+    this->at_.weights = weightsAt(this->before_.face(this->at_.triangle), this->x_W_);
+    this->apart_W_ = this->x_W_ - this->nearestOn(this->at_.triangle);
+    this->touches_ = this->apart_W_.norm() <= 16 * this->resolution_.tol();
+    if (!this->touches_)
+    {
+      this->faceBall();
+    }
+    this->side_ = sideOf(this->before_, this->at_.triangle, this->x_W_);
+    return this->side_ != 0;
+  }
+
+  [[nodiscard]] Vec3 nearestOn(std::uint32_t triangle) const noexcept
+  {
+    const FaceRecord face = this->before_.face(triangle);
+    return nearestOnTriangle(this->x_W_, face.corner_W[0], face.corner_W[1], face.corner_W[2]);
+  }
+
+  /// Over an edge or a corner the triangle that faces the ball most has it on its free side; the others may not.
+  void faceBall() noexcept
+  {
+    double most = 0.0;
+    std::uint32_t facing = this->at_.triangle;
+    forEachHolding(this->before_, this->at_,
+      [&](std::uint32_t t)
+      {
+        const double along = std::abs(this->before_.face(t).normal_W.dot(this->apart_W_));
+        if (along > most)
+        {
+          most = along;
+          facing = t;
+        }
+      });
+    if (facing != this->at_.triangle)
+    {
+      this->at_ = { facing, weightsAt(this->before_.face(facing), this->x_W_) };
+    }
+  }
+
+  /// From the point of the new surface to the ball.
+  [[nodiscard]] Vec3 offset(const FaceRecord& face) const noexcept
+  {
+    const double distance = this->apart_W_.norm();
+    if (this->touches_)
+    {
+      return this->side_ * std::max(distance, this->resolution_.del()) * face.normal_W;
+    }
+    Vec3 old = Vec3::Zero(), fresh = Vec3::Zero();
+    forEachHolding(this->before_, this->at_,
+      [&](std::uint32_t t)
+      {
+        const Vec3 n = this->before_.face(t).normal_W;
+        old += n.dot(this->apart_W_) * n;
+        fresh += n.dot(this->apart_W_) * this->now_.face(t).normal_W;
+      });
+    const bool decided = old.norm() > 1e-6 * distance && fresh.norm() > 1e-6 * distance;
+    return decided ? turnedAlong(old.normalized(), fresh.normalized(), this->apart_W_)
+                   : Vec3(this->side_ * distance * face.normal_W);
+  }
+
+  /// Just above the inside of the new triangle, on the ball's side of it exactly.
+  [[nodiscard]] Vec3 above(const FaceRecord& face) const noexcept
+  {
+    constexpr double inward = 1e-4;
+    const Vec3 inside_W = pointOf(face, (1.0 - inward) * this->at_.weights + Vec3::Constant(inward / 3.0));
+    Vec3 above_W = inside_W;
+    constexpr int doublings = 20;
+    double lift = this->resolution_.del();
+    for (int i = 0; i < doublings && sideOf(this->now_, this->at_.triangle, above_W) != this->side_; ++i, lift *= 2)
+    {
+      above_W = inside_W + this->side_ * lift * face.normal_W;
+    }
+    return above_W;
+  }
+
+  const AnyScene& from_;
+  const AnyScene& to_;
+  decltype(surfaceOf(std::declval<const AnyScene&>(), 0u)) before_, now_;
+  std::uint32_t surface_;
+  const ContactPlan& plan_;
+  Vec3 x_W_;
+  Resolution resolution_;
+  SurfacePoint at_;
+  Vec3 apart_W_ = Vec3::Zero(); ///< from the nearest point of the old surface to the ball
+  bool touches_ = false;        ///< so close that rounding decides about the direction
+  int side_ = 0;
+};
+
+/// A ball beside a curve has no side of it: it goes with the nearest point of the curve, and from there back to where
+/// it was, swept, so that the curve pushes it along.
+template<SceneView AnyScene>
+std::optional<Vec3> carryWithCurve(const AnyScene& from, const AnyScene& to, std::uint32_t before, std::uint32_t now,
+  const ContactPlan& plan, const Vec3& x_W) noexcept
+{
+  const auto &was = surfaceOf(from, before), &is = surfaceOf(to, now);
+  Resolution resolution;
+  resolution.include(x_W);
+  const double reach = plan.radius_u + dataOf(is).coat_u + 4 * resolution.tol();
+  const std::optional<std::uint32_t> nearest =
+    PassingTriangles(was, is, inFrame(was, x_W), inFrame(is, x_W), reach, plan.workBudget).nearest();
+  if (!nearest)
+  {
+    return std::nullopt;
+  }
+  const FaceRecord old = was.face(*nearest), fresh = is.face(*nearest);
+  const Vec3 along = old.corner_W[1] - old.corner_W[0];
+  const double at = std::clamp((x_W - old.corner_W[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  const auto pointAt = [at](const FaceRecord& face)
+  { return Vec3((1.0 - at) * face.corner_W[0] + at * face.corner_W[1]); };
+  return stopBefore(to, plan, plan.radius_u, x_W + pointAt(fresh) - pointAt(old), x_W);
+}
+
+/// A face that has come to have the ball on its other side without passing it, beside the triangle, holds it no more.
+template<SceneView AnyScene>
+void dropTurnedFaces(const AnyScene& to, GodObjectState& state) noexcept
+{
+  const auto begin = state.features.begin();
+  const auto turned = [&](const ActiveFeature& f)
+  { return f.kind == FeatureKind::Face && sideOf(surfaceOf(to, f.surface), f.a, state.x_W) != f.side; };
+  state.count = static_cast<int>(std::remove_if(begin, begin + state.count, turned) - begin);
+}
+
+} // namespace
+
+bool verticesMoved(const Scene& from, std::uint32_t before, const Scene& to, std::uint32_t now) noexcept
+{
+  return from.surfaces()[before].tree->contentHash() != to.surfaces()[now].tree->contentHash();
+}
+
+bool verticesMoved(const MovingScene& from, std::uint32_t before, const MovingScene& to, std::uint32_t now) noexcept
+{
+  const Surface &was = from.scene().surfaces()[before], &is = to.scene().surfaces()[now];
+  const bool rested = !was.from || from.share() >= 1.0, rests = !is.from || to.share() >= 1.0;
+  const bool alike = rested && rests ? true : was.from == is.from && from.share() == to.share();
+  return !alike || verticesMoved(from.scene(), before, to.scene(), now);
+}
+
+std::uint32_t successorOf(
+  const std::vector<Surface>& before, std::uint32_t i, const std::vector<Surface>& after) noexcept
+{
+  const Surface& old = before[i];
+  const auto same = [&old](const Surface& s) { return s.tree->contentHash() == old.tree->contentHash(); };
+  const auto bent = [&old](const Surface& s)
+  { return s.tree->topologyHash() == old.tree->topologyHash() && s.name == old.name; };
+  if (i < after.size() && (same(after[i]) || bent(after[i])))
+  {
+    return i;
+  }
+  auto found = std::find_if(after.begin(), after.end(), same);
+  if (found == after.end())
+  {
+    found = std::find_if(after.begin(), after.end(), bent);
+  }
+  return static_cast<std::uint32_t>(found - after.begin());
+}
+
+std::optional<std::uint32_t> nearestTriangle(
+  const SurfaceData& surface, const Vec3& x_W, double reach_u, std::uint32_t budget) noexcept
+{
+  return PassingTriangles(surface, surface, x_W, x_W, reach_u, budget).nearest();
+}
+
+template<SceneView AnyScene>
+Vec3 stopBefore(
+  const AnyScene& scene, const ContactPlan& plan, double radius_u, const Vec3& free_W, const Vec3& to_W) noexcept
+{
+  const SweepHit hit = sweepStraight(scene, plan, radius_u, free_W, to_W);
+  if (!hit.hit)
+  {
+    return free_W + hit.freeUntil * (to_W - free_W);
+  }
+  // A point must stop short of what it hits, and the way to where it stops be free exactly.
+  for (double shortOf = 1e-9; shortOf < 1.0; shortOf *= 8)
+  {
+    const Vec3 stop_W = free_W + std::max(0.0, hit.t - shortOf) * (to_W - free_W);
+    if (!sweepStraight(scene, plan, radius_u, free_W, stop_W).hit)
+    {
+      return stop_W;
+    }
+  }
+  return free_W;
+}
+
+template<SceneView AnyScene>
+void carryWithVertices(
+  const AnyScene& from, const AnyScene& to, const ContactPlan& plan, GodObjectState& state) noexcept
+{
+  const std::vector<Surface>&before = sceneOf(from).surfaces(), &after = sceneOf(to).surfaces();
+  bool moved = false;
+  for (std::uint32_t i = 0; state.placed && i < before.size(); ++i)
+  {
+    const std::uint32_t now = successorOf(before, i, after);
+    if (now == after.size() || !verticesMoved(from, i, to, now))
+    {
+      continue;
+    }
+    const bool curves = after[now].tree->coat_u() > 0.0;
+    const std::optional<Vec3> carried_W =
+      curves ? carryWithCurve(from, to, i, now, plan, state.x_W) : Advection(from, to, i, now, plan, state.x_W).run();
+    if (carried_W)
+    {
+      state.x_W = *carried_W;
+      moved = true;
+    }
+  }
+  if (moved)
+  {
+    static_cast<void>(seatBall(to, plan.radius_u, Vec3(state.x_W), state.x_W));
+  }
+  dropTurnedFaces(to, state);
+}
+
+template SweepHit sweepStraight(const Scene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
+template SweepHit sweepStraight(const MovingScene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
+template Vec3 stopBefore(const Scene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
+template Vec3 stopBefore(const MovingScene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
+template void carryWithVertices(const Scene&, const Scene&, const ContactPlan&, GodObjectState&) noexcept;
+template void carryWithVertices(const MovingScene&, const MovingScene&, const ContactPlan&, GodObjectState&) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/contact/planes/FeatureGeometry.h"
+#include "haptics/contact/view/ContactPlan.h"
+#include "haptics/contact/view/SceneView.h"
+#include "haptics/geometry/mesh/Material.h"
+
+namespace palpate
+{
+
+/// What a surface is made of where it is touched.
+struct ContactMaterial
+{
+  double share = 1.0;               ///< felt stiffness over the coupling's, 0..1
+  Vec3 shareSlope_W = Vec3::Zero(); ///< its gradient along the surface [1/u]
+  FrictionPlan friction;
+  double height_u = 0.0;       ///< of its texture
+  Vec3 slope_W = Vec3::Zero(); ///< gradient of the height along the surface
+  TextureScale texture;        ///< no finer than two of the face's shortest sides
+};
+
+/// Material of feature f at the foot of the ball: fields are linear over a face and along an edge (there without a
+/// slope across it); where a surface has none, its own value, and where it has none of its own, the plan's.
+template<SceneView AnyScene>
+[[nodiscard]] ContactMaterial materialAt(
+  const AnyScene& scene, const ContactPlan& plan, const ActiveFeature& f, const Vec3& foot_W) noexcept;
+
+} // namespace palpate

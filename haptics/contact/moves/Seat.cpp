@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/contact/moves/Seat.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
+#include "haptics/contact/planes/Projection.h"
+#include "haptics/contact/sweep/Sweep.h"
+#include "haptics/contact/sweep/TreeWalk.h"
+#include "haptics/contact/view/SceneView.h"
+#include "haptics/geometry/mesh/NearestOnTriangle.h"
+#include "haptics/geometry/tree/SurfaceData.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr int rounds = 32;
+
+/// A ball of that radius that stays where it is.
+SweptBall stillBall(const Vec3& x_W, double reach) noexcept
+{
+  SweepQuery query;
+  query.from_W = query.to_W = x_W;
+  query.radius_u = reach;
+  query.resolution.include(x_W);
+  return sweptBallOf(query);
+}
+
+/// Calls visit(surface, its index, triangle) for each triangle of a leaf whose box comes within reach of x.
+template<SceneView AnyScene, class Visit>
+void forEachNear(const AnyScene& scene, const Vec3& x_W, double reach, Visit visit) noexcept
+{
+  constexpr std::uint32_t unbounded = std::numeric_limits<std::uint32_t>::max();
+  const SweptBall still = stillBall(x_W, reach);
+  const BoxTest test(still);
+  std::uint32_t nodes = 0;
+  const auto visitSurface = [&](std::uint32_t s) noexcept
+  {
+    const auto& surface = surfaceOf(scene, s);
+    const SurfaceData& data = dataOf(surface);
+    const auto visitLeaf = [&](std::uint32_t index) noexcept
+    {
+      const Leaf& leaf = data.leaves[index];
+      for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
+      {
+        visit(surface, s, t);
+      }
+      return true;
+    };
+    return askTree(surface, still,
+      [&](const SweptBall& inSurface) noexcept
+      { return walkWithin(data.nodes, BoxTest(inSurface), unbounded, nodes, visitLeaf); });
+  };
+  static_cast<void>(walkWithin(sceneOf(scene).surfaceTree().nodes, test, unbounded, nodes, visitSurface));
+}
+
+/// What the ball at x comes nearest to.
+struct Nearest
+{
+  double clearance = std::numeric_limits<double>::infinity(); ///< from the centre to the surface, or to its coat
+  double coat = 0.0;
+  Vec3 foot_W = Vec3::Zero();
+  Vec3 normal_W = Vec3::Zero(); ///< of the face or across the curve, for a centre that lies in it
+  std::uint32_t surface = 0;
+  std::uint32_t triangle = 0;
+};
+
+template<SceneView AnyScene>
+Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach) noexcept
+{
+  Nearest nearest;
+  forEachNear(scene, x_W, reach,
+    [&](const auto& surface, std::uint32_t s, std::uint32_t t)
+    {
+      const auto& [a, b, c] = cornersIn(surface, t);
+      const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c);
+      const double coat = dataOf(surface).coat_u;
+      const double clearance = (x_W - foot_W).norm() - coat;
+      if (clearance < nearest.clearance)
+      {
+        const Vec3 across = coat > 0.0 ? Vec3((b - a).unitOrthogonal()) : surface.face(t).normal_W;
+        nearest = { clearance, coat, foot_W, across, s, t };
+      }
+    });
+  return nearest;
+}
+
+/// One plane for each triangle that was nearest once, re-linearised when it is so again.
+class SeatPlanes
+{
+public:
+  void set(const Nearest& nearest, const PlaneRow& row) noexcept
+  {
+    int at = 0;
+    while (at < this->count_ && (this->triangles_[at] != nearest.triangle || this->surfaces_[at] != nearest.surface))
+    {
+      ++at;
+    }
+    if (at == rounds)
+    {
+      return;
+    }
+    this->rows_[at] = row;
+    this->triangles_[at] = nearest.triangle;
+    this->surfaces_[at] = nearest.surface;
+    this->count_ = std::max(this->count_, at + 1);
+  }
+  [[nodiscard]] std::span<const PlaneRow> rows() const noexcept
+  {
+    return { this->rows_.data(), static_cast<std::size_t>(this->count_) };
+  }
+
+private:
+  std::array<PlaneRow, rounds> rows_;
+  std::array<std::uint32_t, rounds> triangles_{};
+  std::array<std::uint32_t, rounds> surfaces_{};
+  int count_ = 0;
+};
+
+/// Only what is nearest pushes: a flat patch seen from close by pushes straight out, not sideways off each triangle.
+template<SceneView AnyScene>
+bool seatRound(const AnyScene& scene, double r, const Vec3& p_W, Vec3& x_W) noexcept
+{
+  Resolution resolution;
+  resolution.include(p_W);
+  resolution.include(Vec3::Constant(r + sceneOf(scene).mostCoat_u()));
+  double furthest = r; // how far the ball may be moved: out of what it lies in
+  const double tol = resolution.tol();
+  SeatPlanes planes;
+  Vec3 y = Vec3::Zero();
+  for (int round = 0; round < rounds; ++round)
+  {
+    const Vec3 x = p_W + y;
+    const Nearest nearest = nearestWithin(scene, x, r);
+    if (nearest.clearance >= r - tol)
+    {
+      x_W = x;
+      return true;
+    }
+    const double distance = nearest.clearance + nearest.coat;
+    const Vec3 n = distance > tol ? Vec3((x - nearest.foot_W).normalized()) : nearest.normal_W;
+    planes.set(nearest, { n, r + nearest.coat - n.dot(p_W - nearest.foot_W) });
+    furthest = std::max(furthest, r + nearest.coat);
+    const ProjectionResult out = projectOntoPlanes(planes.rows(), Vec3::Zero(), 0.25 * tol);
+    y = out.y;
+    if (!out.feasible || y.norm() > furthest + tol)
+    {
+      return false;
+    }
+  }
+  return false;
+}
+
+/// A step of zero length hits exactly the triangles that hold the point.
+template<SceneView AnyScene>
+bool offEveryTriangle(const AnyScene& scene, const Vec3& x_W, SweepHit& hit) noexcept
+{
+  SweepQuery query;
+  query.from_W = query.to_W = x_W;
+  query.resolution.include(x_W);
+  hit = sweepBall(scene, query, 1u << 20);
+  return !hit.hit && hit.freeUntil >= 1.0;
+}
+
+template<SceneView AnyScene>
+bool seatPoint(const AnyScene& scene, const Vec3& p_W, Vec3& x_W) noexcept
+{
+  SweepHit hit;
+  if (offEveryTriangle(scene, p_W, hit))
+  {
+    x_W = p_W;
+    return true;
+  }
+  Resolution resolution;
+  resolution.include(p_W);
+  const Vec3 n = surfaceOf(scene, hit.feature.surface).face(hit.feature.a).normal_W;
+  for (double lift = resolution.del(); lift < 1e6 * resolution.tol(); lift *= 2)
+  {
+    for (const double side : { 1.0, -1.0 })
+    {
+      const Vec3 x = p_W + side * lift * n;
+      SweepHit ignored;
+      if (offEveryTriangle(scene, x, ignored))
+      {
+        x_W = x;
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+template<SceneView AnyScene>
+bool seatBall(const AnyScene& scene, double radius_u, const Vec3& p_W, Vec3& x_W) noexcept
+{
+  return radius_u > 0.0 ? seatRound(scene, radius_u, p_W, x_W) : seatPoint(scene, p_W, x_W);
+}
+
+template bool seatBall(const Scene&, double, const Vec3&, Vec3&) noexcept;
+template bool seatBall(const MovingScene&, double, const Vec3&, Vec3&) noexcept;
+
+} // namespace palpate

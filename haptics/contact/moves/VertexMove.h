@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "haptics/contact/moves/TickState.h"
+#include "haptics/contact/moves/VertexBypass.h"
+
+namespace palpate
+{
+
+/// The vertex that all faces share that hold the point, the nearest where there are several, or SurfaceData::none.
+template<SceneView AnyScene>
+[[nodiscard]] std::uint32_t commonCorner(const TickState<AnyScene>& tick) noexcept
+{
+  const ProjectionResult& held = tick.solution;
+  const ActiveFeature& first = tick.contacts.features()[static_cast<std::size_t>(held.active[0])];
+  const auto& s = tick.contacts.surface(first);
+  std::uint32_t nearest = SurfaceData::none;
+  for (const std::uint32_t corner : s.corners(first.a))
+  {
+    bool shared = true;
+    for (int k = 1; k < held.count; ++k)
+    {
+      const ActiveFeature& f =
+        tick.contacts.features()[static_cast<std::size_t>(held.active[static_cast<std::size_t>(k)])];
+      shared = shared && f.surface == first.surface && s.hasCorner(f.a, corner);
+    }
+    const auto away = [&](std::uint32_t v) { return (tick.x() - s.vertex(v)).norm(); };
+    if (shared && (nearest == SurfaceData::none || away(corner) < away(nearest)))
+    {
+      nearest = corner;
+    }
+  }
+  return nearest;
+}
+
+/// True if the whole way is free, by exact sweeps, and leads nearer to the device.
+template<SceneView AnyScene>
+[[nodiscard]] bool isOpen(TickState<AnyScene>& tick, const VertexBypass& way) noexcept
+{
+  Vec3 from_W = tick.x();
+  for (int i = 0; i < way.count; ++i)
+  {
+    const Vec3& to_W = way.places_W[static_cast<std::size_t>(i)];
+    if (!to_W.allFinite())
+    {
+      return false; // vertices that move may meet for a moment
+    }
+    const SweepHit hit = tick.sweepOnce(from_W, to_W);
+    if (hit.hit || hit.freeUntil < 1.0)
+    {
+      return false;
+    }
+    from_W = to_W;
+  }
+  return (tick.p_W - from_W).norm() < (tick.p_W - tick.x()).norm();
+}
+
+/// Leads a point round vertex v, over the faces that are seen from side f.side of face f, to where they fall off most.
+template<SceneView AnyScene>
+[[nodiscard]] bool leadRound(
+  TickState<AnyScene>& tick, const ActiveFeature& f, std::uint32_t v, double reach_u) noexcept
+{
+  const auto& s = tick.contacts.surface(f);
+  const Vec3 q = tick.p_W - s.vertex(v);
+  const VertexFan fan = fanAround(s, f, v, FreeEdge::Turns);
+  if (!fan.whole)
+  {
+    return false;
+  }
+  const Descent descent = steepestIn(s, fan, v, q, nullptr);
+  if (descent.gain <= tick.tol())
+  {
+    return false;
+  }
+  const VertexBypass way = bypassVertex(s, fan, v, descent, q, { reach_u, 2 * tick.contacts.lift() });
+  if (!isOpen(tick, way))
+  {
+    return false;
+  }
+  tick.forgetContacts();
+  for (int i = 0; i < way.count; ++i)
+  {
+    tick.moveTo(way.places_W[static_cast<std::size_t>(i)]);
+  }
+  for (int i = 0; i < descent.count; ++i)
+  {
+    tick.contacts.add(descent.faces[static_cast<std::size_t>(i)]);
+  }
+  tick.settle();
+  return true;
+}
+
+/// A point that is kept off its faces by rounding cannot come to the vertex at which they meet, and rests in a pocket
+/// beside it where one that lies on them passes over the vertex and goes on. Once a tick it is led round: every piece
+/// of the way is one that the exact sweep found free, and the end is nearer to the device.
+template<SceneView AnyScene>
+[[nodiscard]] bool goRoundVertex(TickState<AnyScene>& tick) noexcept
+{
+  constexpr double reach = 4096; // in tol: wedges down to angles of 1e-4 rad are high enough there
+  if (tick.isBall() || tick.bypassed || tick.solution.count < 2)
+  {
+    return false;
+  }
+  const std::uint32_t v = commonCorner(tick);
+  const double reach_u = reach * tick.tol();
+  const auto& faces = tick.solution.active;
+  if (v == SurfaceData::none ||
+      (tick.contacts.surface(tick.contacts.feature(faces[0])).vertex(v) - tick.x()).norm() > 0.25 * reach_u)
+  {
+    return false;
+  }
+  for (int k = 0; k < tick.solution.count && !tick.bypassed; ++k)
+  {
+    const ActiveFeature f = tick.contacts.feature(faces[static_cast<std::size_t>(k)]);
+    tick.bypassed = leadRound(tick, f, v, reach_u);
+  }
+  return tick.bypassed;
+}
+
+} // namespace palpate

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace palpate
+{
+
+/// Coulomb friction between ball and surfaces; both 0: none, and no work for it.
+struct FrictionPlan
+{
+  double statical = 0.0; ///< mu_s >= mu_k
+  double kinetic = 0.0;  ///< mu_k >= 0
+
+  [[nodiscard]] bool none() const noexcept { return this->statical == 0.0 && this->kinetic == 0.0; }
+};
+
+/// What the contact of a tick models, and how much work it may do. Part of every recording.
+struct ContactPlan
+{
+  double radius_u = 0.0;            ///< ball radius [u], >= 0; 0 is a point
+  double coupling_N_per_m = 1000.0; ///< of this tick, which sets it: what soft walls are compared with
+  FrictionPlan friction;
+  bool shading = false; ///< smooth forces over facets (contact/feel/Shading); its work over a closed way is not zero
+  std::uint32_t passCap = 64; ///< passes of the god-object loop per tick
+  /// Work of a tick (contact/sweep/Work.h), in units of one visited tree node; beyond it the ball moves only as far as
+  /// is proven free.
+  std::uint32_t workBudget = 60000;
+};
+
+} // namespace palpate

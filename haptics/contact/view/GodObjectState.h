@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// Dimension of the feature the ball touches; the value orders ties in time.
+enum class FeatureKind : std::uint8_t
+{
+  Face = 0,
+  Edge = 1,
+  Vertex = 2,
+};
+
+/// One touched feature: which, on which side. Normal and gap are recomputed, never stored.
+struct ActiveFeature
+{
+  std::uint32_t surface = 0; ///< index into Scene::surfaces()
+  std::uint32_t a = 0;       ///< face: triangle; edge: lower vertex; vertex: vertex
+  std::uint32_t b = 0;       ///< edge: higher vertex; else 0
+  FeatureKind kind = FeatureKind::Face;
+  std::int8_t side = 1; ///< face: sign of the normal that points at the ball; else 1
+  bool stuck = false;   ///< face evicted and hit again without progress (r = 0)
+
+  friend bool operator==(const ActiveFeature&, const ActiveFeature&) = default;
+};
+
+/// What friction did in a tick.
+enum class FrictionState : std::uint8_t
+{
+  None,   ///< no contact, or no friction
+  Sticks, ///< the god-object stayed where it was
+  Slips,  ///< it trails the frictionless one
+};
+
+/// All that a god-object remembers between ticks.
+struct GodObjectState
+{
+  static constexpr int maxFeatures = 24;
+
+  Vec3 x_W = Vec3::Zero();
+  bool placed = false; ///< false until the first sample
+  bool slips = false;  ///< under friction: it moved along in the last tick
+  int count = 0;
+  std::array<ActiveFeature, maxFeatures> features{};
+  Vec3 device_W = Vec3::Zero(); ///< of the last tick
+  double texture = -1.0;        ///< share of it that is felt, see SurfaceResponse; below 0: nothing is held
+};
+
+/// A plane that holds the ball, and how deep the device is pressed along it.
+struct HeldPlane
+{
+  ActiveFeature feature;
+  double depth_u = 0.0; ///< multiplier of the projection
+};
+
+/// What one tick of contact did.
+struct ContactResult
+{
+  Vec3 proxy_W = Vec3::Zero();
+  Vec3 pull_W =
+    Vec3::Zero();       ///< what the coupling multiplies with its stiffness: proxy - device, or see SurfaceResponse
+  double held_u2 = 0.0; ///< twice the energy the coupling holds, over its stiffness: |pull|^2, or see SurfaceResponse
+  std::array<HeldPlane, 3> held{};
+  int heldCount = 0;
+  int contacts = 0; ///< planes with l > 0 after merging coplanar ones
+  int passes = 0;
+  int sweeps = 0;
+  std::uint32_t work = 0;  ///< done, in the unit of ContactPlan::workBudget
+  bool capped = false;     ///< the pass cap ended the tick before a rest was proven
+  bool overBudget = false; ///< the node budget was met: the ball moved only as far as proven free
+  bool infeasible = false; ///< the projection found no feasible point: the ball stayed
+  FrictionState friction = FrictionState::None;
+  bool seatFailed = false; ///< no free place within the radius at the start: Fault::Seated
+};
+
+/// Receives the tick's path, a polyline: tests check in exact arithmetic that it crosses nothing.
+class PathSink
+{
+public:
+  virtual ~PathSink() = default;
+  virtual void segment(const Vec3& from_W, const Vec3& to_W) noexcept = 0;
+};
+
+} // namespace palpate

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/geometry/mesh/CleanedVertices.h"
+#include "haptics/geometry/mesh/Material.h"
+#include "haptics/geometry/mesh/TriangleMesh.h"
+#include "haptics/geometry/scene/Scene.h"
+
+namespace palpate
+{
+
+/// One surface as a view or a file gives it: scale and shear baked into the vertices, which are in W but for `pose_WS`.
+struct SurfaceInput
+{
+  std::string name;
+  std::shared_ptr<const TriangleMesh> mesh;
+  Material material;
+  std::shared_ptr<const MaterialFields> fields = {}; ///< of the mesh's vertices, or null
+  Pose pose_WS = {};                                 ///< where the mesh stands in W [u]
+  std::optional<double>
+    lineRadius_u = {};  ///< given: the mesh holds curves (segmentsOf()) of this radius [u], felt without texture
+  bool ordered = false; ///< the mesh is a tree's own: vertices and triangles keep their numbers, nothing is cleaned
+  StandIn standsFor = {};
+  std::uint64_t frame = 0; ///< names the frame S of the mesh: what bends in one bends under any pose of it
+  std::vector<std::size_t> holeEdges = {}; ///< edges round polygons that the mesh has no triangles of: reported
+};
+
+/// What became of one input.
+struct SurfaceReport
+{
+  std::string name;
+  CleanReport clean;
+  std::string refusal;              ///< empty when the surface is in the scene
+  std::size_t materialReplaced = 0; ///< values of its arrays that could not be used: the surface's own took their place
+  bool refitted = false;            ///< the vertices of a known mesh have moved: its tree was refitted, not built
+  std::vector<std::size_t> holeEdges = {}; ///< as the input had them
+
+  /// What was kept, dropped and left open, in one line for a person.
+  [[nodiscard]] std::string summary() const;
+};
+
+/// A new scene (null when nothing is touchable) and the reports, one per input, in the order of the inputs.
+struct SceneBuildResult
+{
+  std::shared_ptr<const Scene> scene;
+  std::vector<SurfaceReport> reports;
+};
+
+/// Cleans, plans and builds all trees eagerly. Off the servo thread; call from one thread at a time.
+/// The scene is the same, bit for bit, for any number of workers. A surface whose mesh object was in the
+/// previous build is reused, not built again; one that has the triangles of the previous build's surface of its name
+/// with vertices elsewhere keeps that tree's shape and is refitted. A tree with room for a way loses it in the next
+/// build without `felt`.
+class SceneBuilder
+{
+public:
+  explicit SceneBuilder(unsigned workers = 1);
+  /// `felt`: what is felt now, if surfaces are to move from there (movingFrom): refitted trees have room for that way.
+  [[nodiscard]] SceneBuildResult build(const std::vector<SurfaceInput>& inputs, const Scene* felt = nullptr);
+  /// True if meshes and fields of all inputs were in the previous build: then build() takes no time worth a worker.
+  [[nodiscard]] bool knows(const std::vector<SurfaceInput>& inputs, const Scene* felt = nullptr) const;
+  /// For a scene that is made from one of the builder's: no other has it. Any thread, at any time.
+  [[nodiscard]] std::uint64_t takeRevision() { return ++this->revision_; }
+
+private:
+  struct Kept
+  {
+    std::shared_ptr<const TriangleMesh> mesh;
+    std::optional<double> lineRadius_u;
+    std::shared_ptr<const SurfaceTree> tree;
+    std::shared_ptr<const SurfaceTree> retired; ///< the tree before, for its memory
+    std::shared_ptr<const CleanedVertices> vertices;
+    std::vector<std::uint32_t> sourceVertex;
+    std::shared_ptr<const MaterialFields> rawFields; ///< what `fields` were fitted from
+    Material material;                               ///< and with
+    std::shared_ptr<const MaterialFields> fields;
+    SurfaceReport report;
+  };
+  [[nodiscard]] std::vector<Kept> takeKnown(const std::vector<SurfaceInput>& inputs);
+  static void bringUpToDate(const SurfaceInput& input, const Scene* felt, Kept& kept);
+  [[nodiscard]] static bool refit(const SurfaceInput& input, const Scene* felt, Kept& kept);
+  static void tighten(Kept& kept);
+  [[nodiscard]] static CleanResult cleanInput(const SurfaceInput& input);
+  [[nodiscard]] static Kept buildAnew(const SurfaceInput& input);
+  [[nodiscard]] static Kept buildInOrder(const SurfaceInput& input);
+  static void fitMaterial(const SurfaceInput& input, Kept& kept);
+
+  unsigned workers_;
+  std::atomic<std::uint64_t> revision_ = 0;
+  std::vector<Kept> kept_;
+};
+
+} // namespace palpate

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/geometry/tree/SurfaceRecords.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "haptics/core/WordHash.h"
+#include "haptics/geometry/mesh/ExactPredicates.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// `local`: its centre from the leaf's origin, in the leaf's unit, as is its radius.
+void writeDisc(DiscQuad& quad, int lane, const Vec3& local, const Vec3& normal, double radius)
+{
+  quad.cx[lane] = static_cast<float>(local.x());
+  quad.cy[lane] = static_cast<float>(local.y());
+  quad.cz[lane] = static_cast<float>(local.z());
+  quad.nx[lane] = static_cast<float>(normal.x());
+  quad.ny[lane] = static_cast<float>(normal.y());
+  quad.nz[lane] = static_cast<float>(normal.z());
+  const double roundOff = 4e-7 * (local.cwiseAbs().sum() + radius);
+  quad.radius[lane] = std::nextafter(static_cast<float>(radius + roundOff), std::numeric_limits<float>::infinity());
+}
+
+void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Leaf& leaf)
+{
+  const Disc disc = discOf(face.corner_W);
+  writeDisc(quad, lane, leaf.perUnit * (disc.centre_W - leaf.origin_W), face.normal_W, leaf.perUnit * disc.radius_u);
+}
+
+/// Of a sliver so thin that rounding of its sides makes of its normal what it likes.
+void setNeedleNormal(FaceRecord& face) noexcept
+{
+  const auto& [a, b, c] = face.corner_W;
+  const Vec3 cross = exactCross(a, b, c);
+  const double most = cross.cwiseAbs().maxCoeff();
+  if (most > 0.0)
+  {
+    face.normal_W = (cross / most).normalized();
+    face.sliver = 1.0F;
+  }
+}
+
+} // namespace
+
+Disc discOf(const std::array<Vec3, 3>& corners_W) noexcept
+{
+  const auto& [a, b, c] = corners_W;
+  const auto reach2 = [&](const Vec3& from) {
+    return std::max({ (a - from).squaredNorm(), (b - from).squaredNorm(), (c - from).squaredNorm() });
+  };
+  Vec3 centre = (a + b + c) / 3.0;
+  double radius2 = reach2(centre);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vec3 middle = 0.5 * (corners_W[k] + corners_W[(k + 1) % 3]);
+    const double fromMiddle2 = reach2(middle);
+    if (fromMiddle2 < radius2)
+    {
+      radius2 = fromMiddle2;
+      centre = middle;
+    }
+  }
+  return { centre, std::sqrt(radius2) };
+}
+
+FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept
+{
+  const auto& t = data.mesh.triangles[triangle];
+  return makeFace({ data.vertex(t[0]), data.vertex(t[1]), data.vertex(t[2]) }, isSegment(t), owned);
+}
+
+FaceRecord makeFace(const std::array<Vec3, 3>& corners_W, bool segment, std::uint32_t owned) noexcept
+{
+  FaceRecord face;
+  face.corner_W = corners_W;
+  face.owned = owned;
+  if (segment)
+  {
+    face.normal_W = Vec3::Zero();
+    face.sliver = 1.0F;
+    return face;
+  }
+  const Vec3 e = face.corner_W[1] - face.corner_W[0];
+  const Vec3 f = face.corner_W[2] - face.corner_W[0];
+  const double scaleE = e.cwiseAbs().maxCoeff(), scaleF = f.cwiseAbs().maxCoeff(); // no under- or overflow
+  const Vec3 eScaled = e / scaleE, fScaled = f / scaleF;
+  const Vec3 cross = eScaled.cross(fScaled);
+  const double area = cross.norm();
+  face.normal_W = cross * (1.0 / area);
+  const double sine = area / std::sqrt(eScaled.squaredNorm() * fScaled.squaredNorm());
+  face.sliver = static_cast<float>(1.0 / std::max(sine, 1e-30));
+  if (face.sliver > needleSliver)
+  {
+    setNeedleNormal(face);
+  }
+  return face;
+}
+
+Leaf makeLeaf(const Box& box, std::uint32_t first, std::uint32_t count) noexcept
+{
+  const Vec3 sides = box.high_W - box.low_W;
+  return { box.low_W + 0.5 * sides, 1.0 / sides.maxCoeff(), first, count };
+}
+
+void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept
+{
+  const Leaf& leaf = data.leaves[leafIndex];
+  for (std::uint32_t k = 0; k < leaf.count; ++k)
+  {
+    DiscQuad& quad = data.discs[2 * leafIndex + k / 4];
+    setDisc(quad, static_cast<int>(k % 4), data.faces[leaf.first + k], leaf);
+  }
+}
+
+void layBalls(SurfaceData& data, std::size_t leafIndex, const std::array<Box, Leaf::capacity>& faceBoxes) noexcept
+{
+  const Leaf& leaf = data.leaves[leafIndex];
+  for (std::uint32_t k = 0; k < leaf.count; ++k)
+  {
+    const Vec3 half = 0.5 * (faceBoxes[k].high_W - faceBoxes[k].low_W);
+    writeDisc(data.discs[2 * leafIndex + k / 4], static_cast<int>(k % 4),
+      leaf.perUnit * (faceBoxes[k].low_W + half - leaf.origin_W), Vec3::Zero(), leaf.perUnit * half.norm());
+  }
+}
+
+std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept
+{
+  WordHash hash;
+  for (const auto& t : mesh.triangles)
+  {
+    hash.add(std::uint64_t{ t[0] } << 32 | t[1]);
+    hash.add(std::uint64_t{ t[2] });
+  }
+  return hash.value();
+}
+
+std::uint64_t hashContent(const SurfaceData& data) noexcept
+{
+  WordHash hash;
+  hash.add(data.topologyHash);
+  if (data.coat_u > 0.0)
+  {
+    hash.add(data.coat_u);
+  }
+  for (const Vec3& v : data.mesh.vertices_W)
+  {
+    hash.add(v.x());
+    hash.add(v.y());
+    hash.add(v.z());
+  }
+  return hash.value();
+}
+
+} // namespace palpate

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/geometry/tree/SurfaceData.h"
+
+namespace palpate
+{
+
+/// What a surface keeps of its vertices where they are, beside the hierarchy: the part that building it and moving
+/// its vertices have in common. Internal to haptics/geometry.
+
+/// From this FaceRecord::sliver on a normal is computed exactly, for its rounding is 1e-8 and more.
+inline constexpr float needleSliver = 1e8F;
+
+/// Corners, normal (zero for a segment) and sliver of a triangle of data.mesh; `owned` is the caller's.
+[[nodiscard]] FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept;
+
+/// The same of corners that are elsewhere.
+[[nodiscard]] FaceRecord makeFace(const std::array<Vec3, 3>& corners_W, bool segment, std::uint32_t owned) noexcept;
+
+/// A disc in a triangle's plane that holds its three corners: the circle over the longest edge, or round the centroid.
+struct Disc
+{
+  Vec3 centre_W;
+  double radius_u;
+};
+[[nodiscard]] Disc discOf(const std::array<Vec3, 3>& corners_W) noexcept;
+
+/// The leaf that holds `count` triangles from `first` on, all of them in the box.
+[[nodiscard]] Leaf makeLeaf(const Box& box, std::uint32_t first, std::uint32_t count) noexcept;
+
+/// The discs of a leaf whose faces are there; data.discs has its room.
+void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept;
+
+/// The same for faces that come from elsewhere: a disc without a normal is a ball. `faceBoxes`: around all places of
+/// the corners of each face of the leaf, and so around the face on all of its way.
+void layBalls(SurfaceData& data, std::size_t leafIndex, const std::array<Box, Leaf::capacity>& faceBoxes) noexcept;
+
+/// Hash of the triangles in the order of the leaves: the same for two surfaces whose features have the same numbers.
+[[nodiscard]] std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept;
+
+/// Hash of vertices, triangles and coat, of which the topology has been hashed.
+[[nodiscard]] std::uint64_t hashContent(const SurfaceData& data) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/geometry/mesh/TriangleMesh.h"
+
+namespace palpate
+{
+
+struct SurfaceData;
+class SurfaceTree;
+
+/// A surface whose vertices moved, or one sentence why it has to be built anew.
+struct RefitResult
+{
+  std::shared_ptr<const SurfaceTree> tree; ///< null when refused
+  std::string refusal;
+};
+
+/// Where else the vertices of a surface may be: its boxes have room for the straight ways between all these places.
+struct VertexWay
+{
+  std::uint64_t name = 0;                     ///< not 0; the tree keeps it: who may come from there knows it by that
+  std::vector<const std::vector<Vec3>*> also; ///< each one for each vertex of the mesh, in its order [u]
+};
+
+/// A cleaned mesh with everything the tick needs beside it: tree, adjacency, normals. Immutable.
+/// Built eagerly on a worker; no query builds anything lazily.
+class SurfaceTree
+{
+public:
+  /// Takes the output of cleanMesh(), or of cleanSegments() with the radius of the curves as `coat_u` > 0; throws
+  /// std::invalid_argument for an empty mesh.
+  explicit SurfaceTree(TriangleMesh clean, double coat_u = 0.0);
+  /// The tree whose mesh() that is: triangles keep their order, and the shape of a tree follows from their number. The
+  /// mesh must be one that refuseUnclean() has nothing against.
+  [[nodiscard]] static std::shared_ptr<const SurfaceTree> inOrder(TriangleMesh ordered, double coat_u = 0.0);
+  ~SurfaceTree();
+  SurfaceTree(const SurfaceTree&) = delete;
+  SurfaceTree& operator=(const SurfaceTree&) = delete;
+
+  /// The same triangles with their vertices elsewhere: numbers of triangles, edges and vertices and the shape of the
+  /// tree stay, boxes and all that follows from positions are new. Much cheaper than building; a tree that has been
+  /// bent far out of its first shape asks for more visits a query, nothing else.
+  /// `vertices_W` [u]: one for each vertex of mesh(), in its order. Refuses another count, a vertex that is not
+  /// finite, a triangle that has become exactly collinear.
+  /// `retired`: a tree of the same triangles whose memory the new one takes if nobody else holds it. Two trees in turn,
+  /// one felt and one refitted, ask the system for no memory, which is half of the cost.
+  /// `way`: boxes that hold the vertices at other places too, for a surface that comes from there. They are looser, so
+  /// a query asks for more visits; nothing else differs, neither does the content.
+  [[nodiscard]] RefitResult refitted(std::vector<Vec3> vertices_W, std::shared_ptr<const SurfaceTree> retired = nullptr,
+    const VertexWay* way = nullptr) const;
+
+  [[nodiscard]] const TriangleMesh& mesh() const noexcept;
+  /// Bytes kept beside the mesh (tree, adjacency, normals).
+  [[nodiscard]] std::size_t bytes() const noexcept;
+  /// Radius of the curves [u], 0 for triangles.
+  [[nodiscard]] double coat_u() const noexcept;
+  /// Hash of vertices, triangles and coat.
+  [[nodiscard]] std::uint64_t contentHash() const noexcept;
+  /// Name of the way its boxes have room for; 0: they are tight.
+  [[nodiscard]] std::uint64_t wayName() const noexcept;
+  /// Hash of the triangles as the tree has ordered them: where it is the same, features have the same numbers.
+  [[nodiscard]] std::uint64_t topologyHash() const noexcept;
+  /// What contact computes from; internal to haptics/.
+  [[nodiscard]] const SurfaceData& data() const noexcept { return *this->data_; }
+
+private:
+  /// Everything but positions: of the retired tree if that can be had, else copied.
+  [[nodiscard]] std::unique_ptr<SurfaceData> roomForRefit(std::shared_ptr<const SurfaceTree> retired) const;
+  explicit SurfaceTree(std::unique_ptr<SurfaceData> data);
+
+  std::unique_ptr<SurfaceData> data_;
+};
+
+} // namespace palpate

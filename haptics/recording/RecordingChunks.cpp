@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/recording/RecordingChunks.h"
+
+#include <algorithm>
+
+#include "haptics/recording/RecordingLayout.h"
+
+namespace palpate
+{
+namespace
+{
+
+std::vector<char> chunk(ChunkType type, const ByteWriter& payload)
+{
+  ByteWriter whole;
+  whole.put(type);
+  whole.put(static_cast<std::uint64_t>(payload.bytes().size()));
+  std::vector<char> bytes = whole.bytes();
+  bytes.insert(bytes.end(), payload.bytes().begin(), payload.bytes().end());
+  return bytes;
+}
+
+void putFields(const MaterialFields* fields, ByteWriter& payload)
+{
+  const MaterialFields none;
+  const MaterialFields& f = fields != nullptr ? *fields : none;
+  for (const std::vector<double>* const field :
+    { &f.stiffness_N_per_m, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
+  {
+    payload.put(static_cast<std::uint64_t>(field->size()));
+    for (const double number : *field)
+    {
+      payload.put(number);
+    }
+  }
+}
+
+void putStart(const VertexStart* start, ByteWriter& payload)
+{
+  payload.put(start != nullptr ? start->continues : std::uint64_t{ 0 });
+  payload.put(static_cast<std::uint64_t>(start != nullptr ? start->vertices_W.size() : 0));
+  for (std::size_t i = 0; start != nullptr && i < start->vertices_W.size(); ++i)
+  {
+    payload.put(start->vertices_W[i]);
+  }
+}
+
+/// At the end, and only where there are any.
+void putStandIns(const std::vector<Surface>& surfaces, ByteWriter& payload)
+{
+  if (std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return s.standsFor.full != 0; }))
+  {
+    for (const Surface& surface : surfaces)
+    {
+      payload.put(surface.standsFor.full);
+      payload.put(surface.standsFor.bound_u);
+    }
+  }
+}
+
+} // namespace
+
+std::string recordingHeader(const std::string& device, const HapticParameters& parameters, const RendererState& state)
+{
+  ByteWriter binary;
+  layParameters(Put{ binary }, parameters);
+  layState(Put{ binary }, state);
+  std::string header =
+    std::string(recordingMagic) + std::to_string(Recording::formatVersion) +
+    "\nunits: seconds, metres and newtons in the device frame; scene units in the scene\ndevice: " + device +
+    "\nbinary: little-endian, initial parameters and state of " + std::to_string(binary.bytes().size()) +
+    " bytes, then chunks (type u32, size u64, payload)\nend\n";
+  header.append(binary.bytes().begin(), binary.bytes().end());
+  return header;
+}
+
+std::vector<char> tickChunk(const TickRecord& record)
+{
+  ByteWriter payload;
+  layTick(Put{ payload }, record);
+  return chunk(ChunkType::Tick, payload);
+}
+
+std::vector<char> changeChunk(const RecordedChange& change)
+{
+  ByteWriter payload;
+  layChange(Put{ payload }, change);
+  payload.put(change.parameters.has_value());
+  if (change.parameters)
+  {
+    layParameters(Put{ payload }, *change.parameters);
+  }
+  return chunk(ChunkType::Change, payload);
+}
+
+std::vector<char> sceneChunk(const Scene& scene)
+{
+  ByteWriter payload;
+  payload.put(scene.geometryHash());
+  payload.put(static_cast<std::uint64_t>(scene.surfaces().size()));
+  for (const Surface& surface : scene.surfaces())
+  {
+    const TriangleMesh& mesh = surface.tree->mesh();
+    payload.put(surface.name);
+    layMaterial(Put{ payload }, surface.material);
+    putFields(surface.fields.get(), payload);
+    payload.put(surface.tree->coat_u());
+    payload.put(static_cast<std::uint64_t>(mesh.vertices_W.size()));
+    for (const Vec3& v : mesh.vertices_W)
+    {
+      payload.put(v);
+    }
+    payload.put(static_cast<std::uint64_t>(mesh.triangles.size()));
+    for (const auto& t : mesh.triangles)
+    {
+      for (const std::uint32_t corner : t)
+      {
+        payload.put(corner);
+      }
+    }
+  }
+  putStandIns(scene.surfaces(), payload);
+  return chunk(ChunkType::Scene, payload);
+}
+
+std::vector<char> motionChunk(const Scene& scene)
+{
+  ByteWriter payload;
+  payload.put(scene.contentHash());
+  payload.put(scene.geometryHash());
+  payload.put(scene.motion_s());
+  payload.put(static_cast<std::uint64_t>(scene.surfaces().size()));
+  for (const Surface& surface : scene.surfaces())
+  {
+    payload.put(surface.motion.begin_WS);
+    payload.put(surface.motion.end_WS);
+    putStart(surface.from.get(), payload);
+  }
+  return chunk(ChunkType::Motion, payload);
+}
+
+std::vector<char> endChunk(std::uint64_t lost)
+{
+  ByteWriter payload;
+  payload.put(lost);
+  return chunk(ChunkType::End, payload);
+}
+
+} // namespace palpate

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "haptics/recording/Recording.h"
+
+namespace palpate
+{
+
+/// The parts of a recording as bytes: its header, then its chunks.
+[[nodiscard]] std::string recordingHeader(
+  const std::string& device, const HapticParameters& parameters, const RendererState& state);
+[[nodiscard]] std::vector<char> tickChunk(const TickRecord& record);
+[[nodiscard]] std::vector<char> changeChunk(const RecordedChange& change);
+/// The meshes and curves of a scene, wherever its surfaces are.
+[[nodiscard]] std::vector<char> sceneChunk(const Scene& scene);
+/// Where the surfaces of a scene that moves are and where their vertices come from, by the hash of its meshes.
+[[nodiscard]] std::vector<char> motionChunk(const Scene& scene);
+[[nodiscard]] std::vector<char> endChunk(std::uint64_t lost);
+
+} // namespace palpate

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "haptics/core/HapticDevice.h"
+#include "haptics/tick/ForceRenderer.h"
+
+namespace palpate
+{
+
+/// The walls of a command as a recording keeps them: of AxisWalls, 0 where there is none.
+struct DeviceWalls
+{
+  std::array<double, AxisWalls::count> offset_m{};
+  std::uint8_t mask = 0; ///< bit i: wall i is held
+  double stiffness_N_per_m = 0.0;
+  std::array<double, AxisWalls::count> largest_N{}; ///< each may push; infinite: as hard as its spring
+  double viscosity_Ns_per_m = 0.0;
+};
+
+/// One tick as it was: what went in, and what came out to compare with. One tool so far: tool 0.
+struct TickRecord
+{
+  std::uint64_t tick = 0;
+  double dt_s = 0.0;
+  DeviceSample sample;
+  DeviceStatus status = DeviceStatus::Ok;
+  LatenessVerdict lateness;
+  std::uint32_t tool = 0;
+  Wrench wrench_D;
+  Pose proxy_W;
+  std::int32_t contacts = 0;
+  std::uint64_t sceneRevision = 0;
+  double delivered_J = 0.0; ///< energy meter: net work on the hand
+  double excess_J = 0.0;    ///< and what the contact has given too much
+  std::uint32_t flags = 0;  ///< see recordFlags
+  DeviceWalls walls;
+  Signal signal = Signal::None;
+};
+
+/// The flags of a state as bits: clamped, riseLimited, capped, overBudget, infeasible, held, stiffnessLimited, from the
+/// lowest up.
+[[nodiscard]] std::uint32_t recordFlags(const HapticState& state) noexcept;
+[[nodiscard]] TickRecord makeRecord(const TickInput& input, const TickOutput& output) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/tick/HapticParameters.h"
+
+namespace palpate
+{
+
+/// Things that must not be lost between threads, nor missing from a recording.
+enum class EventKind : std::uint8_t
+{
+  Engage,     ///< the person asks for force
+  Release,    ///< the person lets go
+  Mark,       ///< a note in the recording
+  Scene,      ///< the tick took another scene (value: content hash)
+  Parameters, ///< the tick took other parameters
+  Fault,      ///< a fault was raised in the tick before it (value: Fault)
+  Play,       ///< another game in the labyrinth: the hand is brought to the start
+};
+
+struct HapticEvent
+{
+  std::uint64_t tick = 0; ///< the tick that took it
+  EventKind kind = EventKind::Mark;
+  std::uint64_t value = 0;
+};
+
+} // namespace palpate

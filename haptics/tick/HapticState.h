@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/contact/GodObject.h"
+#include "haptics/core/Fault.h"
+#include "haptics/core/Types.h"
+#include "haptics/force/PassivityController.h"
+#include "haptics/labyrinth/LabyrinthGame.h"
+
+namespace palpate
+{
+
+/// Whether the hand may be pushed.
+enum class EngageState : std::uint8_t
+{
+  Safe,    ///< no force
+  Armed,   ///< force was asked for; waits until it would start small
+  Engaged, ///< force is given
+  Fault,   ///< no force until the person engages again
+};
+
+[[nodiscard]] const char* name(EngageState state) noexcept;
+
+/// What the tick did, as the view, the panel and the recording see it.
+struct HapticState
+{
+  std::uint64_t tick = 0;
+  double time_s = 0.0;
+  Pose device_W;                    ///< hand in the scene [u]
+  Pose proxy_W;                     ///< god-object in the scene [u]
+  Vec3 velocity_D = Vec3::Zero();   ///< estimated from the positions [m/s]
+  Vec3 rendered_D = Vec3::Zero();   ///< force before safety [N]
+  Vec3 stabiliser_D = Vec3::Zero(); ///< the part of it that the passivity controller added [N]
+  Vec3 force_D = Vec3::Zero();      ///< force on the hand [N]
+  Vec3 force_W = Vec3::Zero();      ///< the same, as seen in the scene
+  std::int32_t contacts = 0;
+  std::int32_t passes = 0;
+  std::int32_t sweeps = 0;
+  std::uint32_t work = 0;
+  FrictionState friction = FrictionState::None;
+  std::uint64_t sceneRevision = 0;
+  double sceneAge_s = 0.0;  ///< since the scene was taken
+  double motionLag_s = 0.0; ///< how late moving surfaces are felt: the time from the snapshot before to this one
+  EngageState engage = EngageState::Safe;
+  Fault fault = Fault::None;
+  bool clamped = false; ///< the force was cut to the largest allowed
+  bool riseLimited = false;
+  bool capped = false; ///< see ContactResult
+  bool overBudget = false;
+  bool infeasible = false;
+  bool pinned = false;       ///< moving surfaces leave the ball less room than it needs
+  bool frozen = false;       ///< the position stays the same to the bit under force: does the device still measure?
+  bool letGo = false;        ///< what must be held is not
+  std::uint32_t buttons = 0; ///< that are down, as DeviceSample has them
+  bool deviceHolds = false;  ///< the device closes walls and viscosity itself; force_D is what they give
+  std::int32_t walls = 0;    ///< that it holds
+  double guideShare = 0.0;   ///< of the guide to a plane that acts, 0..1
+  GamePhase game = GamePhase::Off;
+  double gameTime_s = 0.0;        ///< of exploring the labyrinth, until now or until the exit
+  bool held = false;              ///< no force this tick: its sample was not finite
+  double gain = 0.0;              ///< engage ramp, 0..1
+  double stiffnessFactor = 1.0;   ///< below 1: cut because the loop runs late
+  double stiffness_N_per_m = 0.0; ///< of the coupling in this tick, after every limit
+  bool stiffnessLimited = false;  ///< to what the device and the rate can hold
+  EnergyMeter energy;
+};
+
+} // namespace palpate

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/tick/ForceRenderer.h"
+
+namespace palpate
+{
+
+/// What the scene of a tick is to the one before.
+struct SceneStep
+{
+  bool otherGeometry = false; ///< other surfaces than before, not only the same in other places
+  bool replaced = false;      ///< and they do not come from where those before are felt either
+  bool changed = false;       ///< another scene, if only of the same surfaces
+  double age_s = 0.0;         ///< of the scene, at the end of this tick
+};
+
+[[nodiscard]] SceneStep sceneStep(const TickInput& input, const RendererState& state) noexcept;
+
+/// Where the proxy came to, and what going along with the scene cost.
+struct ProxyStep
+{
+  ContactResult contact;
+  std::uint32_t carryWork = 0;
+  bool pinned = false;
+};
+
+/// What the proxy is moved with: the plan with this tick's stiffness, the map between hand and scene, whether anything
+/// is to be touched.
+struct ProxyTick
+{
+  const TickInput& input;
+  const SceneStep& step;
+  const ContactPlan& plan;
+  const WorkspaceMap& map;
+  bool touches = false;
+  PathSink* sink = nullptr;
+};
+
+/// Takes the proxy along with its scene from the last tick to this one, then towards the device at p_W. With another
+/// map it begins anew at the device; another ball is seated where the old one was, so a pressed one stays on its side.
+[[nodiscard]] ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state) noexcept;
+
+} // namespace palpate

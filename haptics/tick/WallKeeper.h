@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+#include "haptics/contact/GodObject.h"
+#include "haptics/force/HeldWalls.h"
+#include "haptics/force/WorkspaceMap.h"
+#include "haptics/geometry/scene/Scene.h"
+
+namespace palpate
+{
+
+/// The walls that a device holds, from tick to tick.
+struct HeldWallState
+{
+  AxisWalls walls;
+  double since_s = std::numeric_limits<double>::infinity(); ///< they were looked for; infinite: none are held
+  double stiffness_N_per_m = 0.0;                           ///< they were given last
+  double each_N = std::numeric_limits<double>::infinity();  ///< one of them could push last
+};
+
+/// What is known in a tick after contact.
+struct WallTick
+{
+  const Scene& scene;
+  const ContactPlan& contact;
+  const GodObjectState& state; ///< where the virtual location rests and what it touches
+  const WorkspaceMap& map;
+  Vec3 handle_D = Vec3::Zero();   ///< [m]
+  double stiffness_N_per_m = 0.0; ///< of the walls
+  double maxRise_N_per_s = std::numeric_limits<double>::infinity();
+  double dt_s = 1e-3;
+  double share = 1.0; ///< of the way between its snapshots, where the scene moves
+};
+
+/// The walls round the virtual location: those it touches, and along each of the device's four directions the first
+/// line that is met within `reach_m` of it. Real-time safe; four sweeps.
+[[nodiscard]] AxisWalls lookForWalls(const WallTick& tick, double reach_m, std::uint32_t& nodes) noexcept;
+
+/// Renews the walls once their time has come. One that enters the hand does so by no more than adds, at the stiffness,
+/// the force that may be added in that time; the first ones after none were held, in one tick. Returns the tree nodes
+/// visited.
+std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWallState& held) noexcept;
+
+/// How stiff these walls may be now, at most `wanted` [N/m]: where the handle is behind them already, stiffer than
+/// before by no more than adds the force that may be added in a tick.
+[[nodiscard]] double heldStiffness(double wanted_N_per_m, const WallTick& tick, HeldWallState& held) noexcept;
+
+/// How hard each wall of the command may push goes up no faster than a force may rise: where a wall across the other
+/// axis is gone, one that is pressed to its limit may push harder.
+void rampLimits(const WallTick& tick, HeldWallState& held, DeviceCommand& command) noexcept;
+
+} // namespace palpate
