@@ -57,9 +57,9 @@ struct SurfacePoint
   Vec3 weights = Vec3::Zero();
 };
 
-const std::array<Vec3, 3>& ownCorners(const SurfaceData& s, std::uint32_t triangle) noexcept
+std::array<Vec3, 3> ownCorners(const SurfaceData& s, std::uint32_t triangle) noexcept
 {
-  return s.face(triangle).corner_W;
+  return s.cornersOf(triangle);
 }
 
 std::array<Vec3, 3> ownCorners(const PosedSurface& s, std::uint32_t triangle) noexcept

@@ -20,11 +20,11 @@ constexpr double mostSliver = 1e30;
 
 FaceRecord BentSurface::face(std::uint32_t triangle) const noexcept
 {
-  const FaceRecord& end = this->data_.face(triangle);
   if (!this->bends())
   {
-    return end;
+    return this->data_.face(triangle);
   }
+  const FacePlane& end = this->data_.plane(triangle);
   FaceRecord face;
   face.corner_W = this->cornersOf(triangle);
   face.owned = end.owned;

@@ -82,9 +82,9 @@ concept SceneView = requires(const T& scene, std::uint32_t i)
   return s;
 }
 /// Corners in W: where vertices are on their way they cost less than a whole face.
-[[nodiscard]] inline const std::array<Vec3, 3>& cornersIn(const SurfaceData& s, std::uint32_t triangle) noexcept
+[[nodiscard]] inline std::array<Vec3, 3> cornersIn(const SurfaceData& s, std::uint32_t triangle) noexcept
 {
-  return s.face(triangle).corner_W;
+  return s.cornersOf(triangle);
 }
 [[nodiscard]] inline std::array<Vec3, 3> cornersIn(const PosedSurface& s, std::uint32_t triangle) noexcept
 {

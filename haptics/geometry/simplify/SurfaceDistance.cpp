@@ -144,7 +144,7 @@ public:
     this->proof_.verdict = DistanceProof::Verdict::Within;
     for (std::size_t t = 0; t < this->from_.faces.size() && this->stillWithin(); ++t)
     {
-      const auto& [a, b, c] = this->from_.faces[t].corner_W;
+      const auto& [a, b, c] = this->from_.cornersOf(static_cast<std::uint32_t>(t));
       this->pending_.push_back({ { a, b, c }, 3 });
       while (!this->pending_.empty() && this->stillWithin())
       {

@@ -18,13 +18,19 @@ namespace palpate
 inline constexpr std::uint32_t ownsEdge0 = 1u;
 inline constexpr std::uint32_t ownsVertex0 = 8u;
 
-/// A face as the sweep wants it: everything in one place, in the order of the leaves.
-struct FaceRecord
+/// What is kept of a face beside its corners, in the order of the leaves. The corners are the mesh's own: a second copy
+/// of them would be two thirds of what a face takes.
+struct FacePlane
 {
-  std::array<Vec3, 3> corner_W;
   Vec3 normal_W; ///< unit, right-handed for the stored corners
   float sliver;  ///< how much the normal's rounding is amplified: |e||f| / |e x f| of two edges, 1 where it is exact
   std::uint32_t owned;
+};
+
+/// A face as the sweep wants it: everything in one place.
+struct FaceRecord : FacePlane
+{
+  std::array<Vec3, 3> corner_W;
 };
 
 /// Four faces' bounding discs in single precision relative to Leaf::origin_W, in the leaf's own unit, rounded outward:
@@ -66,7 +72,7 @@ struct SurfaceData
 {
   TriangleMesh mesh;
   double coat_u = 0.0; ///< above 0 for curves, which are segments: what is felt begins so far from them
-  std::vector<FaceRecord> faces;
+  std::vector<FacePlane> faces;
   std::vector<DiscQuad> discs; ///< two a leaf
   std::vector<Leaf> leaves;
   std::vector<TreeNode> nodes; ///< empty when there is a single leaf
@@ -82,7 +88,16 @@ struct SurfaceData
 
   [[nodiscard]] const Vec3& vertex(std::uint32_t v) const noexcept { return this->mesh.vertices_W[v]; }
 
-  [[nodiscard]] const FaceRecord& face(std::uint32_t triangle) const noexcept { return this->faces[triangle]; }
+  [[nodiscard]] const FacePlane& plane(std::uint32_t triangle) const noexcept { return this->faces[triangle]; }
+  [[nodiscard]] std::array<Vec3, 3> cornersOf(std::uint32_t triangle) const noexcept
+  {
+    const auto& [a, b, c] = this->mesh.triangles[triangle];
+    return { this->vertex(a), this->vertex(b), this->vertex(c) };
+  }
+  [[nodiscard]] FaceRecord face(std::uint32_t triangle) const noexcept
+  {
+    return { this->faces[triangle], this->cornersOf(triangle) };
+  }
   [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t triangle) const noexcept
   {
     return this->mesh.triangles[triangle];

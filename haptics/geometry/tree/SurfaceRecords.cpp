@@ -71,7 +71,7 @@ Disc discOf(const std::array<Vec3, 3>& corners_W) noexcept
 FaceRecord makeFace(const SurfaceData& data, std::uint32_t triangle, std::uint32_t owned) noexcept
 {
   const auto& t = data.mesh.triangles[triangle];
-  return makeFace({ data.vertex(t[0]), data.vertex(t[1]), data.vertex(t[2]) }, isSegment(t), owned);
+  return makeFace(data.cornersOf(triangle), isSegment(t), owned);
 }
 
 FaceRecord makeFace(const std::array<Vec3, 3>& corners_W, bool segment, std::uint32_t owned) noexcept
@@ -113,7 +113,7 @@ void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept
   for (std::uint32_t k = 0; k < leaf.count; ++k)
   {
     DiscQuad& quad = data.discs[2 * leafIndex + k / 4];
-    setDisc(quad, static_cast<int>(k % 4), data.faces[leaf.first + k], leaf);
+    setDisc(quad, static_cast<int>(k % 4), data.face(leaf.first + k), leaf);
   }
 }
 

@@ -56,7 +56,7 @@ bool hasExtent(const FaceRecord& face)
 /// Around the corners of a face wherever they may be.
 Box boxOf(const SurfaceData& data, std::uint32_t triangle, const VertexWay* way)
 {
-  const auto& [a, b, c] = data.faces[triangle].corner_W;
+  const auto& [a, b, c] = data.cornersOf(triangle);
   Box box{ a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c) };
   for (std::size_t i = 0; way != nullptr && i < way->also.size(); ++i)
   {
@@ -84,7 +84,7 @@ Box boxOf(const TreeNode& node)
 /// Leaf by leaf, while its faces are at hand: memory is what this costs. Returns false where a triangle has no area, a
 /// segment no length.
 bool refitLeaves(
-  SurfaceData& data, const std::vector<FaceRecord>& old, const VertexWay* way, std::vector<Box>& leafBoxes)
+  SurfaceData& data, const std::vector<FacePlane>& old, const VertexWay* way, std::vector<Box>& leafBoxes)
 {
   data.faces.resize(old.size());
   data.discs.resize(2 * data.leaves.size());
@@ -96,8 +96,9 @@ bool refitLeaves(
     for (std::uint32_t k = 0; k < leaf.count; ++k)
     {
       const std::uint32_t t = leaf.first + k;
-      data.faces[t] = makeFace(data, t, old[t].owned);
-      if (!hasExtent(data.faces[t]))
+      const FaceRecord face = makeFace(data, t, old[t].owned);
+      data.faces[t] = face;
+      if (!hasExtent(face))
       {
         return false;
       }

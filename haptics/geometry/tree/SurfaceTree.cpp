@@ -125,7 +125,7 @@ private:
   {
     for (std::size_t i = first; i < first + count; ++i)
     {
-      for (const Vec3& corner_W : this->data_.faces[i].corner_W)
+      for (const Vec3& corner_W : this->data_.cornersOf(static_cast<std::uint32_t>(i)))
       {
         box.include(corner_W);
       }

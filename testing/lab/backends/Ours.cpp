@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "haptics/contact/sweep/Sweep.h"
+#include "haptics/contact/view/ContactPlan.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "testing/lab/backends/Backend.h"
 
