@@ -66,6 +66,7 @@ SceneStep sceneStep(const TickInput& input, const RendererState& state) noexcept
   step.otherGeometry = step.changed && (input.scene == nullptr || input.scene->geometryHash() != state.sceneGeometry);
   step.replaced =
     step.otherGeometry && (input.scene == nullptr || input.scene->continuesGeometry() != state.sceneGeometry);
+  step.first = state.sceneRevision == 0;
   step.age_s = (step.changed ? 0.0 : state.sceneAge_s) + input.dt_s;
   return step;
 }

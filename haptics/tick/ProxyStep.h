@@ -14,6 +14,7 @@ struct SceneStep
   bool otherGeometry = false; ///< other surfaces than before, not only the same in other places
   bool replaced = false;      ///< and they do not come from where those before are felt either
   bool changed = false;       ///< another scene, if only of the same surfaces
+  bool first = false;         ///< there was none before
   double age_s = 0.0;         ///< of the scene, at the end of this tick
 };
 

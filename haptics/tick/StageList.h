@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <type_traits>
+
+namespace palpate
+{
+
+struct TickContext;
+
+/// A stage of the tick is a struct of static members, in a file of its own in tick/stages/:
+///   name                    of its part of a recording
+///   step(TickContext&)      what it does in a tick; real-time safe
+/// and, where it has use for them,
+///   Plan                    what a person or program sets of it: its members become members of HapticParameters
+///   planFields(visit, p...) names each member of one plan, or of several at once, for writing, reading and comparing
+///   refuse(const Plan&)     empty, or one sentence that names the value that cannot be used
+///   State                   what it remembers from tick to tick: its members become members of RendererState
+///   stateFields(visit, s...) names each member that a recording begins with
+///   rest(TickContext&)      what it does instead in a tick that does not know where the hand is
+template<class S>
+concept HasPlan = requires
+{
+  typename S::Plan;
+};
+
+template<class S>
+concept HasState = requires
+{
+  typename S::State;
+};
+
+template<class S>
+concept Rests = requires(TickContext& tick)
+{
+  S::rest(tick);
+};
+
+template<class S>
+struct PlanOf
+{
+};
+template<HasPlan S>
+struct PlanOf<S> : S::Plan
+{
+};
+
+template<class S>
+struct StateOf
+{
+};
+template<HasState S>
+struct StateOf<S> : S::State
+{
+};
+
+/// Stages in the order in which a tick takes them.
+template<class... S>
+struct StageList
+{
+  struct Plans : PlanOf<S>...
+  {
+  };
+  struct States : StateOf<S>...
+  {
+  };
+
+  /// Calls a generic function with std::type_identity of each stage in turn.
+  template<class Function>
+  static constexpr void forEach(Function&& function)
+  {
+    (function(std::type_identity<S>{}), ...);
+  }
+};
+
+} // namespace palpate

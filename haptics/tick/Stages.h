@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/tick/StageList.h"
+#include "haptics/tick/stages/Blend.h"
+#include "haptics/tick/stages/Contact.h"
+#include "haptics/tick/stages/Coupling.h"
+#include "haptics/tick/stages/Engage.h"
+#include "haptics/tick/stages/Game.h"
+#include "haptics/tick/stages/Guide.h"
+#include "haptics/tick/stages/Hand.h"
+#include "haptics/tick/stages/HandGuard.h"
+#include "haptics/tick/stages/HeldWalls.h"
+#include "haptics/tick/stages/Protect.h"
+#include "haptics/tick/stages/Report.h"
+#include "haptics/tick/stages/Samples.h"
+#include "haptics/tick/stages/Stiffness.h"
+
+namespace palpate
+{
+
+/// The tick. A force of one's own goes between Coupling and Protect, which limits whatever has been rendered.
+using TickStages = StageList< //
+  stage::Requests,            // what the person asks for
+  stage::Samples,             // whether the hand is where the device says
+  stage::Stiffness,           // of the coupling in this tick
+  stage::Hand,                // where it is and how fast
+  stage::GameLead,            // of a labyrinth, before contact
+  stage::Contact,             // where the proxy rests
+  stage::Coupling,            // spring and damper between the two
+  stage::Guide,               // to a plane
+  stage::HandGuard,           // what no hand does ends the force
+  stage::Blend,               // a replaced scene never steps
+  stage::GameArrival,         // of a labyrinth, after contact
+  stage::Engage,              // how much of the force is let through
+  stage::HeldWalls,           // what a device closes itself
+  stage::Protect,             // limits
+  stage::Report>;             // what is told of the tick
+
+} // namespace palpate

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "haptics/contact/view/PlanFor.h"
+#include "haptics/tick/ForceRenderer.h"
+#include "haptics/tick/ProxyStep.h"
+
+namespace palpate
+{
+
+/// What the stages of one tick work on, and what one leaves to those after it. Lives for a tick, on the stack.
+struct TickContext
+{
+  const TickInput& input;
+  const HapticParameters& p;
+  RendererState& s;
+  PathSink* sink = nullptr;
+
+  SceneStep scene = sceneStep(input, s);
+  ContactPlan contact = input.scene != nullptr ? planFor(*input.scene, p.contact) : p.contact; ///< of this tick
+  std::optional<Vec3> way_D = {}; ///< of the hand since the tick before [m]; none: that did not know where it was
+  GameForce game = {};            ///< what a labyrinth asks of this tick
+  bool seatFailed = false;        ///< the ball found no place
+  Vec3 pull_D = Vec3::Zero();     ///< from the device to where contact draws it [m]
+  double stretch_m = 0.0;         ///< of a plain spring that holds as much energy as the contact
+  Vec3 coupled_D = Vec3::Zero();  ///< force of spring, damper and guide, before blend and limits [N]
+  TickOutput out = {};
+
+  [[nodiscard]] bool touchable() const noexcept { return this->input.scene != nullptr && !this->input.scene->empty(); }
+
+  /// Ends the force until the person engages again. The first fault is the one that is told.
+  void latch(Fault fault) noexcept
+  {
+    if (fault != Fault::None && this->s.engage != EngageState::Fault)
+    {
+      this->s.engage = EngageState::Fault;
+      this->s.fault = fault;
+    }
+  }
+};
+
+} // namespace palpate

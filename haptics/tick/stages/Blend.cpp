@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/tick/stages/Blend.h"
+
+#include "haptics/tick/TickContext.h"
+
+namespace palpate::stage
+{
+
+void Blend::step(TickContext& tick) noexcept
+{
+  RendererState& s = tick.s;
+  HapticState& state = tick.out.state;
+  const double blend_s = tick.p.sceneBlend_s;
+  if (tick.scene.replaced && !tick.scene.first && blend_s > 0.0)
+  {
+    s.blend_D += s.lastRendered_D - state.rendered_D;
+  }
+  else
+  {
+    s.blend_D *= blend_s > 0.0 ? blend_s / (blend_s + tick.input.dt_s) : 0.0;
+  }
+  s.lastRendered_D = state.rendered_D;
+  state.rendered_D += s.blend_D;
+}
+
+} // namespace palpate::stage

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "haptics/core/Types.h"
+#include "haptics/tick/StageList.h"
+#include "haptics/tick/stages/PlanRules.h"
+
+namespace palpate::stage
+{
+
+/// F = F_new + (F_old - F_new) decaying: a replaced scene never steps (Mark et al. 1996). Not for the first scene,
+/// not for surfaces that only move or bend, and not a safety limit.
+struct Blend
+{
+  static constexpr std::string_view name = "blend";
+
+  struct Plan
+  {
+    double sceneBlend_s = 0.03; ///< time constant in which a scene change reaches the hand
+  };
+  template<class Visit, class... P>
+  static void planFields(const Visit& visit, P&... p)
+  {
+    visit("sceneBlend_s", p.sceneBlend_s...);
+  }
+  [[nodiscard]] static std::string refuse(const Plan& p)
+  {
+    return nonNegative(p.sceneBlend_s) ? "" : "scene blend time [s] must be a number that is not negative";
+  }
+
+  struct State
+  {
+    Vec3 lastRendered_D = Vec3::Zero(); ///< what the scene asked for last tick [N]
+    Vec3 blend_D = Vec3::Zero();        ///< what is left of the force of the scene before [N]
+  };
+  template<class Visit, class... S>
+  static void stateFields(const Visit& visit, S&... s)
+  {
+    visit("lastRendered_D", s.lastRendered_D...);
+    visit("blend_D", s.blend_D...);
+  }
+
+  static void step(TickContext& tick) noexcept;
+};
+
+} // namespace palpate::stage

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/tick/stages/Contact.h"
+
+#include <cmath>
+
+#include "haptics/contact/view/Resolution.h"
+#include "haptics/tick/TickContext.h"
+
+namespace palpate::stage
+{
+namespace
+{
+
+Vec3 target_W(const TickContext& tick) noexcept
+{
+  const Vec3& p_W = tick.out.state.device_W.p;
+  return tick.p.guide.on ? tick.p.guide.foot_W(p_W) : p_W;
+}
+
+/// The foot of a hand that moves across the plane stays but for rounding, and that is not a spring to be damped.
+bool isRounding(const TickContext& tick, const ContactResult& result) noexcept
+{
+  Resolution resolution;
+  resolution.include(result.proxy_W);
+  resolution.include(tick.out.state.device_W.p);
+  return tick.p.guide.on && result.pull_W.norm() <= resolution.tol();
+}
+
+void tell(const ProxyStep& moved, HapticState& state) noexcept
+{
+  const ContactResult& result = moved.contact;
+  state.pinned = moved.pinned;
+  state.proxy_W = { result.proxy_W, state.device_W.q };
+  state.contacts = result.contacts;
+  state.passes = result.passes;
+  state.sweeps = result.sweeps;
+  state.work = moved.carryWork + result.work;
+  state.friction = result.friction;
+  state.capped = result.capped;
+  state.overBudget = result.overBudget;
+  state.infeasible = result.infeasible;
+}
+
+/// What the next tick compares its scene with.
+void remember(const TickContext& tick, Contact::State& state) noexcept
+{
+  state.sceneAge_s = tick.scene.age_s;
+  state.sceneRevision = tick.out.state.sceneRevision;
+  state.sceneGeometry = tick.input.scene != nullptr ? tick.input.scene->geometryHash() : 0;
+}
+
+} // namespace
+
+void Contact::step(TickContext& tick) noexcept
+{
+  const WorkspaceMap& map = tick.p.map;
+  const ProxyTick now{ tick.input, tick.scene, tick.contact, map, tick.touchable() && tick.game.contact, tick.sink };
+  const ProxyStep moved = moveProxy(now, target_W(tick), tick.s);
+  const ContactResult& result = moved.contact;
+  tell(moved, tick.out.state);
+  remember(tick, tick.s);
+  tick.seatFailed = result.seatFailed;
+  const double share = isRounding(tick, result) ? 0.0 : 1.0 / map.scale_u_per_m;
+  tick.pull_D = map.directionToDevice(share * result.pull_W);
+  tick.stretch_m = share * std::sqrt(result.held_u2);
+}
+
+void Contact::rest(TickContext& tick) noexcept
+{
+  tick.out.state.proxy_W.p = tick.s.contact.x_W;
+}
+
+} // namespace palpate::stage

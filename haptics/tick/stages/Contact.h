@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "haptics/contact/GodObject.h"
+#include "haptics/force/WorkspaceMap.h"
+#include "haptics/tick/StageList.h"
+#include "haptics/tick/stages/PlanRules.h"
+
+namespace palpate::stage
+{
+
+/// Takes the proxy along with its scene and towards the hand. A hand that is led to a plane touches what is below it
+/// there.
+struct Contact
+{
+  static constexpr std::string_view name = "contact";
+
+  struct Plan
+  {
+    ContactPlan contact;
+  };
+  template<class Visit, class... P>
+  static void planFields(const Visit& visit, P&... p)
+  {
+    visit("radius_u", p.contact.radius_u...);
+    visit("friction.statical", p.contact.friction.statical...);
+    visit("friction.kinetic", p.contact.friction.kinetic...);
+    visit("shading", p.contact.shading...);
+    visit("passCap", p.contact.passCap...);
+    visit("workBudget", p.contact.workBudget...);
+  }
+  /// The tick must end.
+  [[nodiscard]] static std::string refuse(const Plan& p)
+  {
+    constexpr std::uint32_t mostPasses = 1024, mostWork = 10000000;
+    constexpr double mostFriction = 10.0;
+    const ContactPlan& plan = p.contact;
+    if (!nonNegative(plan.radius_u))
+    {
+      return "radius [scene units] must be a number that is not negative";
+    }
+    if (plan.passCap < 1 || plan.passCap > mostPasses || plan.workBudget < 1 || plan.workBudget > mostWork)
+    {
+      return "the work of a tick must be 1 to 1024 passes and 1 to 10000000 units of work";
+    }
+    return nonNegative(plan.friction.kinetic) && plan.friction.kinetic <= plan.friction.statical &&
+               plan.friction.statical <= mostFriction
+             ? ""
+             : "friction: the kinetic coefficient must be a number from 0 to the static one, which is at most 10";
+  }
+
+  struct State
+  {
+    GodObjectState contact;
+    WorkspaceMap map;      ///< of the last tick: another map places the proxy anew
+    double radius_u = 0.0; ///< of the last tick: another ball is seated where the old one was
+    std::uint64_t sceneRevision = 0;
+    std::uint64_t sceneGeometry = 0; ///< what surfaces it had, wherever they were
+    double sceneAge_s = 0.0;         ///< since the scene was taken: how far its surfaces have moved
+  };
+  /// Touched features are no part of a recording: they are numbers of surfaces and triangles, and nobody knows yet of
+  /// which.
+  template<class Visit, class... S>
+  static void stateFields(const Visit& visit, S&... s)
+  {
+    visit("x_W", s.contact.x_W...);
+    visit("placed", s.contact.placed...);
+    visit("slips", s.contact.slips...);
+    visit("device_W", s.contact.device_W...);
+    visit("texture", s.contact.texture...);
+    visit("map.scale_u_per_m", s.map.scale_u_per_m...);
+    visit("map.q_WD", s.map.q_WD...);
+    visit("map.offset_W", s.map.offset_W...);
+    visit("radius_u", s.radius_u...);
+    visit("sceneRevision", s.sceneRevision...);
+    visit("sceneGeometry", s.sceneGeometry...);
+    visit("sceneAge_s", s.sceneAge_s...);
+  }
+
+  static void step(TickContext& tick) noexcept;
+  static void rest(TickContext& tick) noexcept;
+};
+
+} // namespace palpate::stage

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/tick/stages/Engage.h"
+
+#include <algorithm>
+
+#include "haptics/tick/TickContext.h"
+
+namespace palpate
+{
+
+const char* name(EngageState state) noexcept
+{
+  switch (state)
+  {
+    case EngageState::Safe:
+      return "safe";
+    case EngageState::Armed:
+      return "armed";
+    case EngageState::Engaged:
+      return "engaged";
+    case EngageState::Fault:
+      return "fault";
+  }
+  return "unknown";
+}
+
+namespace stage
+{
+
+void Requests::step(TickContext& tick) noexcept
+{
+  RendererState& s = tick.s;
+  if (!tick.p.safety.needsEngage && s.engage == EngageState::Safe)
+  {
+    s.engage = EngageState::Engaged;
+    s.gain = 1.0;
+  }
+  for (const HapticEvent& event : tick.input.events)
+  {
+    if (event.kind == EventKind::Engage && s.engage != EngageState::Engaged)
+    {
+      s.engage = EngageState::Armed;
+      s.fault = Fault::None;
+      s.gain = 0.0;
+      Samples::forget(s);
+    }
+    else if (event.kind == EventKind::Release)
+    {
+      s.engage = EngageState::Safe;
+      s.fault = Fault::None;
+    }
+  }
+}
+
+void Engage::step(TickContext& tick) noexcept
+{
+  RendererState& s = tick.s;
+  const SafetyLimits& limits = tick.p.safety;
+  if (s.engage == EngageState::Armed && !tick.out.state.letGo && !tick.seatFailed && tick.touchable() &&
+      tick.out.state.rendered_D.norm() <= limits.engageBelow_N)
+  {
+    s.engage = EngageState::Engaged;
+  }
+  const auto step = [&tick](double ramp_s) { return ramp_s > 0.0 ? tick.input.dt_s / ramp_s : 1.0; };
+  if (s.engage == EngageState::Engaged && (tick.touchable() || !limits.needsEngage))
+  {
+    s.gain = std::min(1.0, s.gain + step(limits.engageRamp_s));
+  }
+  else
+  {
+    const double ramp_s = s.engage == EngageState::Fault ? limits.faultRamp_s : limits.releaseRamp_s;
+    s.gain = std::max(0.0, s.gain - step(ramp_s));
+  }
+}
+
+} // namespace stage
+} // namespace palpate

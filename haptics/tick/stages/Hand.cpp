@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/tick/stages/Hand.h"
+
+#include "haptics/tick/TickContext.h"
+
+namespace palpate::stage
+{
+namespace
+{
+
+void tellButtons(TickContext& tick) noexcept
+{
+  const DeviceSample& sample = tick.input.sample;
+  tick.out.state.buttons = sample.buttons;
+  tick.out.state.letGo = !isHeld(tick.p.safety.deadMan, sample.buttons, sample.grip);
+}
+
+} // namespace
+
+void Hand::step(TickContext& tick) noexcept
+{
+  RendererState& s = tick.s;
+  HapticState& state = tick.out.state;
+  const Pose& pose_D = tick.input.sample.pose_D;
+  const double dt_s = tick.input.dt_s;
+  state.frozen =
+    s.tracked && s.watch.look(pose_D.p, s.lastP_D, s.lastForce_D.norm(), tick.p.safety.frozenAbove_N, dt_s);
+  tellButtons(tick);
+  if (state.letGo && s.engage == EngageState::Engaged)
+  {
+    s.engage = EngageState::Armed;
+  }
+  state.device_W = { tick.p.map.toScene(pose_D.p), tick.p.map.q_WD * pose_D.q };
+  state.velocity_D = estimateVelocity(tick.p.velocity, pose_D.p, dt_s, s.velocity);
+  if (s.tracked)
+  {
+    tick.way_D = pose_D.p - s.lastP_D;
+  }
+  s.lastP_D = pose_D.p;
+  s.tracked = true;
+}
+
+void Hand::rest(TickContext& tick) noexcept
+{
+  tellButtons(tick);
+  tick.s.velocity.count = 0;
+  tick.s.tracked = false;
+}
+
+} // namespace palpate::stage

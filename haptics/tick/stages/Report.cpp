@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/tick/stages/Report.h"
+
+#include "haptics/tick/TickContext.h"
+
+namespace palpate::stage
+{
+namespace
+{
+
+/// What keeps the force away: a latched fault, or what will pass by itself.
+Fault faultOf(const TickContext& tick) noexcept
+{
+  if (tick.s.fault != Fault::None)
+  {
+    return tick.s.fault;
+  }
+  if (tick.input.status == DeviceStatus::Waiting)
+  {
+    return Fault::NoHand;
+  }
+  if (tick.seatFailed)
+  {
+    return Fault::Seated;
+  }
+  return tick.touchable() ? Fault::None : Fault::SceneRefused;
+}
+
+} // namespace
+
+void Report::step(TickContext& tick) noexcept
+{
+  HapticState& state = tick.out.state;
+  state.sceneAge_s = tick.s.sceneAge_s;
+  const bool underWay = tick.touchable() && tick.input.scene->shareAt(state.sceneAge_s) < 1.0;
+  state.motionLag_s = underWay ? tick.input.scene->motion_s() : 0.0;
+  state.engage = tick.s.engage;
+  state.gain = tick.s.gain;
+  state.fault = faultOf(tick);
+}
+
+void Report::rest(TickContext& tick) noexcept
+{
+  step(tick);
+}
+
+} // namespace palpate::stage
