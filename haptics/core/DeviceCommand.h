@@ -29,6 +29,7 @@ enum class Signal : std::uint8_t
 /// What the servo asks of a device for one tick.
 struct DeviceCommand
 {
+  std::uint32_t hand = 0;          ///< whose it is, from 0
   Wrench wrench_D;                 ///< force on the hand [N], torque [N m]
   std::array<HeldWall, 4> walls{}; ///< the first wallCount are valid
   std::uint8_t wallCount = 0;

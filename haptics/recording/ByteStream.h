@@ -131,6 +131,7 @@ public:
     this->left_ -= size;
   }
   void fail() { this->ok_ = false; }
+  void failUnless(bool holds) { this->ok_ = this->ok_ && holds; }
   [[nodiscard]] bool ok() const { return this->ok_; }
   [[nodiscard]] std::size_t left() const { return this->left_; }
 

@@ -30,8 +30,9 @@ std::string Recorder::open(const std::string& path, const std::string& device, c
   {
     return path + " cannot be written: choose a folder that can";
   }
-  const std::string header = recordingHeader(device, parameters, state);
+  const std::string header = recordingHeader(device);
   this->file_.write(header.data(), static_cast<std::streamsize>(header.size()));
+  this->write(startChunk(parameters, state));
   if (background)
   {
     this->writer_ = std::jthread(

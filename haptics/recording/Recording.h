@@ -11,6 +11,7 @@
 
 #include "haptics/geometry/scene/Scene.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
+#include "haptics/recording/SkippedParts.h"
 #include "haptics/recording/TickRecord.h"
 #include "haptics/tick/ForceRenderer.h"
 #include "haptics/tick/HapticEvent.h"
@@ -47,10 +48,12 @@ struct RecordedScene
   std::vector<SurfaceInput> surfaces;
 };
 
-/// A whole recording: a text header, then little-endian chunks (type, size, payload), then a closing chunk.
+/// A whole recording: a text header, then little-endian chunks (name, version, size, payload), then a closing chunk.
+/// What a program does not know it skips and says; what a recording lacks keeps its default.
 struct Recording
 {
-  static constexpr int formatVersion = 5;
+  static constexpr int formatVersion = 6;       ///< that is written
+  static constexpr int oldestFormatVersion = 5; ///< that is still read
 
   std::string device;
   HapticParameters parameters;
@@ -58,6 +61,7 @@ struct Recording
   std::vector<RecordedScene> scenes; ///< each once; empty when they were left out
   std::vector<RecordedMotion> motions;
   std::vector<RecordedEntry> entries;
+  SkippedParts skipped;
   std::uint64_t lost = 0; ///< ticks the writer could not take: such a recording cannot be recomputed
 };
 

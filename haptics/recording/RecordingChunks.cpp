@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "haptics/recording/NamedParts.h"
+#include "haptics/recording/RecordedStages.h"
 #include "haptics/recording/RecordingLayout.h"
 
 namespace palpate
@@ -10,13 +12,24 @@ namespace palpate
 namespace
 {
 
-std::vector<char> chunk(ChunkType type, const ByteWriter& payload)
+std::vector<char> chunk(const ChunkKind& kind, const ByteWriter& payload)
 {
   ByteWriter whole;
-  whole.put(type);
+  for (std::size_t i = 0; i < ChunkKind::nameSize; ++i)
+  {
+    whole.put(i < kind.name.size() ? kind.name[i] : '\0');
+  }
+  whole.put(kind.version);
   whole.put(static_cast<std::uint64_t>(payload.bytes().size()));
   std::vector<char> bytes = whole.bytes();
   bytes.insert(bytes.end(), payload.bytes().begin(), payload.bytes().end());
+  return bytes;
+}
+
+ByteWriter bytesOf(const HapticParameters& parameters)
+{
+  ByteWriter bytes;
+  putParameters(bytes, parameters);
   return bytes;
 }
 
@@ -60,37 +73,41 @@ void putStandIns(const std::vector<Surface>& surfaces, ByteWriter& payload)
 
 } // namespace
 
-std::string recordingHeader(const std::string& device, const HapticParameters& parameters, const RendererState& state)
+std::string recordingHeader(const std::string& device)
 {
-  ByteWriter binary;
-  layParameters(Put{ binary }, parameters);
-  layState(Put{ binary }, state);
-  std::string header =
-    std::string(recordingMagic) + std::to_string(Recording::formatVersion) +
-    "\nunits: seconds, metres and newtons in the device frame; scene units in the scene\ndevice: " + device +
-    "\nbinary: little-endian, initial parameters and state of " + std::to_string(binary.bytes().size()) +
-    " bytes, then chunks (type u32, size u64, payload)\nend\n";
-  header.append(binary.bytes().begin(), binary.bytes().end());
-  return header;
+  return std::string(recordingMagic) + std::to_string(Recording::formatVersion) +
+         "\nunits: seconds, metres and newtons in the device frame; scene units in the scene\ndevice: " + device +
+         "\nbinary: little-endian chunks (name of " + std::to_string(ChunkKind::nameSize) +
+         " bytes, version u32, size u64, payload)\nend\n";
+}
+
+std::vector<char> startChunk(const HapticParameters& parameters, const RendererState& state)
+{
+  ByteWriter payload;
+  putPart(payload, parametersPart, bytesOf(parameters));
+  ByteWriter first;
+  putState(first, state);
+  putPart(payload, statePart, first);
+  return chunk(chunks::start, payload);
 }
 
 std::vector<char> tickChunk(const TickRecord& record)
 {
   ByteWriter payload;
-  layTick(Put{ payload }, record);
-  return chunk(ChunkType::Tick, payload);
+  inputFields(Put{ payload }, record);
+  outputFields(Put{ payload }, record);
+  return chunk(chunks::tick, payload);
 }
 
 std::vector<char> changeChunk(const RecordedChange& change)
 {
   ByteWriter payload;
   layChange(Put{ payload }, change);
-  payload.put(change.parameters.has_value());
   if (change.parameters)
   {
-    layParameters(Put{ payload }, *change.parameters);
+    putPart(payload, parametersPart, bytesOf(*change.parameters));
   }
-  return chunk(ChunkType::Change, payload);
+  return chunk(chunks::change, payload);
 }
 
 std::vector<char> sceneChunk(const Scene& scene)
@@ -120,7 +137,7 @@ std::vector<char> sceneChunk(const Scene& scene)
     }
   }
   putStandIns(scene.surfaces(), payload);
-  return chunk(ChunkType::Scene, payload);
+  return chunk(chunks::scene, payload);
 }
 
 std::vector<char> motionChunk(const Scene& scene)
@@ -136,14 +153,14 @@ std::vector<char> motionChunk(const Scene& scene)
     payload.put(surface.motion.end_WS);
     putStart(surface.from.get(), payload);
   }
-  return chunk(ChunkType::Motion, payload);
+  return chunk(chunks::motion, payload);
 }
 
 std::vector<char> endChunk(std::uint64_t lost)
 {
   ByteWriter payload;
   payload.put(lost);
-  return chunk(ChunkType::End, payload);
+  return chunk(chunks::end, payload);
 }
 
 } // namespace palpate

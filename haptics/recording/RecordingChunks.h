@@ -11,8 +11,8 @@ namespace palpate
 {
 
 /// The parts of a recording as bytes: its header, then its chunks.
-[[nodiscard]] std::string recordingHeader(
-  const std::string& device, const HapticParameters& parameters, const RendererState& state);
+[[nodiscard]] std::string recordingHeader(const std::string& device);
+[[nodiscard]] std::vector<char> startChunk(const HapticParameters& parameters, const RendererState& state);
 [[nodiscard]] std::vector<char> tickChunk(const TickRecord& record);
 [[nodiscard]] std::vector<char> changeChunk(const RecordedChange& change);
 /// The meshes and curves of a scene, wherever its surfaces are.

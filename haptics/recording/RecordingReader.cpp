@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <utility>
 
+#include "haptics/recording/Format5.h"
+#include "haptics/recording/NamedParts.h"
+#include "haptics/recording/RecordedScenes.h"
+#include "haptics/recording/RecordedStages.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/recording/RecordingLayout.h"
 
@@ -14,171 +17,242 @@ namespace palpate
 namespace
 {
 
-RecordedChange readChange(ByteReader& in)
+constexpr std::uint32_t versionInFormat5 = 0; // of every chunk
+
+const char* const cutShort = "is cut short: it ends without its closing mark";
+const char* const impossible = "is damaged: its initial state cannot be";
+
+struct Chunk
 {
-  RecordedChange change;
+  std::string name;
+  std::uint32_t version = 0;
+  ByteReader payload{ nullptr, 0 };
+};
+
+/// Features and history of an untrusted state must not be used as indices; a recording starts without them.
+bool isPossible(const Recording& recording)
+{
+  const RendererState& state = recording.initialState;
+  return state.contact.count == 0 && state.velocity.count == 0 && !state.tracked &&
+         state.engage <= EngageState::Fault && state.game.phase <= GamePhase::Rests &&
+         recording.parameters.validate().empty();
+}
+
+void readStart(Chunk& chunk, Recording& recording)
+{
+  while (chunk.payload.ok() && chunk.payload.left() > 0)
+  {
+    NamedPart part = nextPart(chunk.payload);
+    if (part.name == parametersPart)
+    {
+      getParameters(part.payload, recording.parameters, recording.skipped);
+    }
+    else if (part.name == statePart)
+    {
+      getState(part.payload, recording.initialState, recording.skipped);
+    }
+    else
+    {
+      recording.skipped.note(part.name);
+    }
+    chunk.payload.failUnless(part.payload.ok());
+  }
+}
+
+void readTick(Chunk& chunk, Recording& recording)
+{
+  TickRecord record;
+  inputFields(Get{ chunk.payload }, record);
+  outputFields(Get{ chunk.payload }, record);
+  recording.entries.emplace_back(record);
+}
+
+void readParameters5(ByteReader& in, RecordedChange& change)
+{
   bool hasParameters = false;
-  layChange(Get{ in }, change);
   in.get(hasParameters);
   if (hasParameters)
   {
-    change.parameters.emplace();
-    layParameters(Get{ in }, *change.parameters);
-    if (!change.parameters->validate().empty())
+    getParameters5(in, change.parameters.emplace());
+  }
+}
+
+void readParts(ByteReader& in, RecordedChange& change, SkippedParts& skipped)
+{
+  while (in.ok() && in.left() > 0)
+  {
+    NamedPart part = nextPart(in);
+    if (part.name == parametersPart)
     {
-      in.fail();
+      getParameters(part.payload, change.parameters.emplace(), skipped);
+      in.failUnless(part.payload.ok());
+    }
+    else
+    {
+      skipped.note(part.name);
     }
   }
-  return change;
 }
 
-std::vector<double> readNumbers(ByteReader& in)
+void readChange(Chunk& chunk, Recording& recording)
 {
-  std::vector<double> numbers(in.count(sizeof(double)));
-  for (double& number : numbers)
+  RecordedChange change;
+  ByteReader& in = chunk.payload;
+  layChange(Get{ in }, change);
+  if (chunk.version == versionInFormat5)
   {
-    in.get(number);
+    readParameters5(in, change);
   }
-  return numbers;
-}
-
-std::shared_ptr<const MaterialFields> readFields(ByteReader& in)
-{
-  auto fields = std::make_shared<MaterialFields>();
-  for (std::vector<double>* const field :
-    { &fields->stiffness_N_per_m, &fields->frictionStatic, &fields->frictionKinetic, &fields->height_u })
+  else
   {
-    *field = readNumbers(in);
+    readParts(in, change, recording.skipped);
   }
-  return fields->empty() ? nullptr : fields;
+  in.failUnless(!change.parameters || change.parameters->validate().empty());
+  recording.entries.emplace_back(std::move(change));
 }
 
-RecordedScene readScene(ByteReader& in)
+struct ChunkReader
 {
-  RecordedScene scene;
-  in.get(scene.geometryHash);
-  const std::uint64_t surfaces = in.count(1);
-  for (std::uint64_t s = 0; s < surfaces && in.ok(); ++s)
+  const ChunkKind& kind;
+  void (*read)(Chunk&, Recording&);
+};
+
+constexpr ChunkReader readers[] = {
+  { chunks::start, readStart },
+  { chunks::tick, readTick },
+  { chunks::change, readChange },
+  { chunks::scene, [](Chunk& c, Recording& recording) { recording.scenes.push_back(readScene(c.payload)); } },
+  { chunks::motion, [](Chunk& c, Recording& recording) { recording.motions.push_back(readMotion(c.payload)); } },
+  { chunks::end, [](Chunk& c, Recording& recording) { c.payload.get(recording.lost); } },
+};
+
+void readHead5(ByteReader& in, Chunk& chunk)
+{
+  std::uint32_t number = 0;
+  in.get(number);
+  chunk.name = chunkName5(number);
+  chunk.version = versionInFormat5;
+}
+
+void readHead(ByteReader& in, Chunk& chunk)
+{
+  for (std::size_t i = 0; i < ChunkKind::nameSize; ++i)
   {
-    SurfaceInput input;
-    auto mesh = std::make_shared<TriangleMesh>();
-    in.get(input.name);
-    layMaterial(Get{ in }, input.material);
-    input.fields = readFields(in);
-    double lineRadius_u = 0.0; // 0: triangles
-    in.get(lineRadius_u);
-    input.lineRadius_u = lineRadius_u != 0.0 ? std::optional(lineRadius_u) : std::nullopt;
-    mesh->vertices_W.resize(in.count(3 * sizeof(double)));
-    for (Vec3& v : mesh->vertices_W)
+    char letter = 0;
+    in.get(letter);
+    chunk.name += letter;
+  }
+  chunk.name.erase(std::min(chunk.name.find('\0'), chunk.name.size()));
+  in.get(chunk.version);
+}
+
+/// Reads chunks until the closing one.
+class ChunkParser
+{
+public:
+  ChunkParser(Recording& recording, bool isFormat5) : recording_(recording), isFormat5_(isFormat5) {}
+
+  /// Empty, or what is wrong.
+  std::string parse(ByteReader& in)
+  {
+    bool first = !this->isFormat5_;
+    while (in.ok())
     {
-      in.get(v);
-    }
-    mesh->triangles.resize(in.count(3 * sizeof(std::uint32_t)));
-    for (auto& t : mesh->triangles)
-    {
-      for (std::uint32_t& corner : t)
+      Chunk chunk = this->next(in);
+      if (!in.ok())
       {
-        in.get(corner);
+        return cutShort;
+      }
+      if (first && chunk.name != chunks::start.name)
+      {
+        return "is damaged: it does not begin with its first parameters";
+      }
+      first = false;
+      if (std::string problem = this->take(chunk); !problem.empty())
+      {
+        return problem;
+      }
+      if (chunk.name == chunks::end.name)
+      {
+        return in.left() == 0 ? "" : "is damaged: something follows its closing mark";
       }
     }
-    input.mesh = std::move(mesh);
-    input.ordered = true;
-    scene.surfaces.push_back(std::move(input));
+    return cutShort;
   }
-  const bool standIns = in.ok() && in.left() != 0;
-  for (std::size_t s = 0; standIns && s < scene.surfaces.size(); ++s)
-  {
-    StandIn& standsFor = scene.surfaces[s].standsFor;
-    in.get(standsFor.full);
-    in.get(standsFor.bound_u);
-    if (!std::isfinite(standsFor.bound_u) || standsFor.bound_u < 0.0)
-    {
-      in.fail();
-    }
-  }
-  return scene;
-}
 
-std::shared_ptr<const VertexStart> readStart(ByteReader& in)
-{
-  std::uint64_t continues = 0;
-  in.get(continues);
-  std::vector<Vec3> vertices_W(in.count(3 * sizeof(double)));
-  for (Vec3& v : vertices_W)
+private:
+  [[nodiscard]] Chunk next(ByteReader& in) const
   {
-    in.get(v);
-  }
-  return vertices_W.empty() ? nullptr : std::make_shared<const VertexStart>(std::move(vertices_W), continues);
-}
-
-RecordedMotion readMotion(ByteReader& in)
-{
-  RecordedMotion motion;
-  in.get(motion.contentHash);
-  in.get(motion.geometryHash);
-  in.get(motion.motion_s);
-  motion.motions.resize(in.count(2 * 7 * sizeof(double) + 2 * sizeof(std::uint64_t)));
-  for (RigidMotion& m : motion.motions)
-  {
-    in.get(m.begin_WS);
-    in.get(m.end_WS);
-    motion.starts.push_back(readStart(in));
-  }
-  return motion;
-}
-
-/// Features and history of an untrusted state must not be used as indices; a recording starts without them.
-bool plausible(const RendererState& state)
-{
-  return state.contact.count == 0 && state.velocity.count == 0 && !state.tracked;
-}
-
-/// Reads the chunks after the header; empty, or what is wrong.
-std::string readChunks(ByteReader& in, Recording& recording)
-{
-  while (in.ok())
-  {
-    ChunkType type{};
+    Chunk chunk;
     std::uint64_t size = 0;
-    in.get(type);
+    this->isFormat5_ ? readHead5(in, chunk) : readHead(in, chunk);
     in.get(size);
-    if (!in.has(size))
+    if (in.has(size))
     {
-      return "is cut short: it ends without its closing mark";
+      chunk.payload = ByteReader(in.at(), size);
+      in.skip(size);
     }
-    ByteReader payload(in.at(), size);
-    in.skip(size);
-    switch (type)
+    return chunk;
+  }
+
+  std::string take(Chunk& chunk)
+  {
+    if (!isPartName(chunk.name))
     {
-      case ChunkType::Tick:
-      {
-        TickRecord record;
-        layTick(Get{ payload }, record);
-        recording.entries.emplace_back(record);
-        break;
-      }
-      case ChunkType::Change:
-        recording.entries.emplace_back(readChange(payload));
-        break;
-      case ChunkType::Scene:
-        recording.scenes.push_back(readScene(payload));
-        break;
-      case ChunkType::Motion:
-        recording.motions.push_back(readMotion(payload));
-        break;
-      case ChunkType::End:
-        payload.get(recording.lost);
-        return payload.ok() && in.left() == 0 ? "" : "is damaged: something follows its closing mark";
-      default:
-        return "is damaged: it has a part of unknown kind " + std::to_string(static_cast<std::uint32_t>(type));
+      return "is damaged: it has a part of unknown kind";
     }
-    if (!payload.ok() || payload.left() != 0)
+    const auto* const reader = std::find_if(
+      std::begin(readers), std::end(readers), [&chunk](const ChunkReader& r) { return r.kind.name == chunk.name; });
+    if (reader == std::end(readers))
     {
-      return "is damaged: a part of kind " + std::to_string(static_cast<std::uint32_t>(type)) +
-             " is not what it should be";
+      this->recording_.skipped.note(chunk.name);
+      return {};
+    }
+    reader->read(chunk, this->recording_);
+    const bool newer = chunk.version > reader->kind.version;
+    if (!chunk.payload.ok() || (chunk.payload.left() != 0 && !newer))
+    {
+      return "is damaged: a part of kind " + chunk.name + " is not what it should be";
+    }
+    if (chunk.payload.left() != 0)
+    {
+      this->recording_.skipped.note("end of " + chunk.name);
+    }
+    return reader->kind.name == chunks::start.name && !isPossible(this->recording_) ? impossible : "";
+  }
+
+  Recording& recording_;
+  bool isFormat5_;
+};
+
+/// What stands before the chunks; empty, or what is wrong.
+std::string readStart5(ByteReader& in, Recording& recording)
+{
+  getParameters5(in, recording.parameters);
+  getState5(in, recording.initialState);
+  return !in.ok() ? "is cut short: its header does not end" : isPossible(recording) ? "" : impossible;
+}
+
+/// The number of a format that this program reads; none: another one.
+std::optional<int> formatOf(const std::string& version)
+{
+  for (int format = Recording::oldestFormatVersion; format <= Recording::formatVersion; ++format)
+  {
+    if (version == std::to_string(format))
+    {
+      return format;
     }
   }
-  return "is cut short: it ends without its closing mark";
+  return std::nullopt;
+}
+
+std::string deviceIn(const std::string& header)
+{
+  const std::string field = "\ndevice: ";
+  const std::size_t at = header.find(field);
+  return at == std::string::npos
+           ? ""
+           : header.substr(at + field.size(), header.find('\n', at + field.size()) - at - field.size());
 }
 
 } // namespace
@@ -192,34 +266,29 @@ std::variant<Recording, std::string> parseRecording(const std::vector<char>& byt
     return name + " is not a recording of Palpate";
   }
   const std::string version = text.substr(recordingMagic.size(), text.find('\n') - recordingMagic.size());
-  if (version != std::to_string(Recording::formatVersion))
+  const std::optional<int> format = formatOf(version);
+  if (!format)
   {
     return name + " is a recording of format " + version.substr(0, 16) + ", this program reads format " +
-           std::to_string(Recording::formatVersion) + ": record it again";
+           std::to_string(Recording::formatVersion) + " and back to " + std::to_string(Recording::oldestFormatVersion) +
+           ": record it again";
   }
-  const std::size_t end = text.find("\nend\n");
+  const std::string headerEnd = "\nend\n";
+  const std::size_t end = text.find(headerEnd);
   if (end == std::string::npos)
   {
     return name + " is cut short: its header does not end";
   }
   Recording recording;
-  const std::size_t device = text.find("\ndevice: ");
-  if (device != std::string::npos && device < end)
+  recording.device = deviceIn(text.substr(0, end + 1));
+  const std::size_t begin = end + headerEnd.size();
+  ByteReader in(bytes.data() + begin, bytes.size() - begin);
+  const bool isFormat5 = *format == 5;
+  std::string wrong = isFormat5 ? readStart5(in, recording) : "";
+  if (wrong.empty())
   {
-    recording.device = text.substr(device + 9, text.find('\n', device + 9) - device - 9);
+    wrong = ChunkParser(recording, isFormat5).parse(in);
   }
-  ByteReader in(bytes.data() + end + 5, bytes.size() - end - 5);
-  layParameters(Get{ in }, recording.parameters);
-  layState(Get{ in }, recording.initialState);
-  if (!in.ok())
-  {
-    return name + " is cut short: its header does not end";
-  }
-  if (!plausible(recording.initialState) || !recording.parameters.validate().empty())
-  {
-    return name + " is damaged: its initial state cannot be";
-  }
-  const std::string wrong = readChunks(in, recording);
   if (!wrong.empty())
   {
     return name + " " + wrong;

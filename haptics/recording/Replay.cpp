@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <map>
 
+#include "haptics/recording/ByteStream.h"
 #include "haptics/recording/Recording.h"
 
 namespace palpate
@@ -11,60 +10,30 @@ namespace palpate
 namespace
 {
 
-bool sameBits(double a, double b)
+/// Names the first field whose bits differ in two objects.
+struct FirstDifference
 {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
+  const char*& found;
 
-template<class Vector>
-bool sameBits(const Vector& a, const Vector& b)
-{
-  for (int k = 0; k < a.size(); ++k)
+  template<class T>
+  void operator()(const char* name, const T& a, const T& b) const
   {
-    if (!sameBits(a[k], b[k]))
+    ByteWriter first, second;
+    first.put(a);
+    second.put(b);
+    if (this->found == nullptr && first.bytes() != second.bytes())
     {
-      return false;
+      this->found = name;
     }
   }
-  return true;
-}
-
-bool sameWalls(const DeviceWalls& a, const DeviceWalls& b)
-{
-  const auto sameAll = [](const auto& x, const auto& y)
-  { return std::equal(x.begin(), x.end(), y.begin(), [](double u, double v) { return sameBits(u, v); }); };
-  return sameAll(a.offset_m, b.offset_m) && sameAll(a.largest_N, b.largest_N) && a.mask == b.mask &&
-         sameBits(a.stiffness_N_per_m, b.stiffness_N_per_m) && sameBits(a.viscosity_Ns_per_m, b.viscosity_Ns_per_m);
-}
+};
 
 /// The first quantity that is not as recorded, or null.
 const char* firstDifference(const TickRecord& a, const TickRecord& b)
 {
-  if (!sameBits(a.wrench_D.force, b.wrench_D.force) || !sameBits(a.wrench_D.torque, b.wrench_D.torque))
-  {
-    return "force";
-  }
-  if (!sameBits(a.proxy_W.p, b.proxy_W.p) || !sameBits(a.proxy_W.q.coeffs(), b.proxy_W.q.coeffs()))
-  {
-    return "proxy";
-  }
-  if (a.contacts != b.contacts)
-  {
-    return "contacts";
-  }
-  if (!sameBits(a.delivered_J, b.delivered_J) || !sameBits(a.excess_J, b.excess_J))
-  {
-    return "energy";
-  }
-  if (!sameWalls(a.walls, b.walls))
-  {
-    return "walls";
-  }
-  if (a.signal != b.signal)
-  {
-    return "signal";
-  }
-  return a.flags != b.flags ? "flags" : nullptr;
+  const char* found = nullptr;
+  outputFields(FirstDifference{ found }, a, b);
+  return found;
 }
 
 /// Gives the tree of a surface the room that coming from there takes. False if it cannot come from there.
@@ -190,6 +159,7 @@ private:
   {
     TickInput input;
     input.tick = record.tick;
+    input.hand = record.hand;
     input.dt_s = record.dt_s;
     input.sample = record.sample;
     input.status = record.status;

@@ -42,7 +42,7 @@ std::uint32_t recordFlags(const HapticState& s) noexcept
 
 TickRecord makeRecord(const TickInput& input, const TickOutput& output) noexcept
 {
-  return { input.tick, input.dt_s, input.sample, input.status, input.lateness, 0, output.command.wrench_D,
+  return { input.tick, input.dt_s, input.sample, input.status, input.lateness, input.hand, output.command.wrench_D,
     output.state.proxy_W, output.state.contacts, output.state.sceneRevision, output.state.energy.delivered_J,
     output.state.energy.excess_J, recordFlags(output.state), wallsOf(output.command), output.command.signal };
 }

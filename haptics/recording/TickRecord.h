@@ -20,7 +20,7 @@ struct DeviceWalls
   double viscosity_Ns_per_m = 0.0;
 };
 
-/// One tick as it was: what went in, and what came out to compare with. One tool so far: tool 0.
+/// One tick as it was: what went in, and what came out to compare with.
 struct TickRecord
 {
   std::uint64_t tick = 0;
@@ -28,7 +28,7 @@ struct TickRecord
   DeviceSample sample;
   DeviceStatus status = DeviceStatus::Ok;
   LatenessVerdict lateness;
-  std::uint32_t tool = 0;
+  std::uint32_t hand = 0;
   Wrench wrench_D;
   Pose proxy_W;
   std::int32_t contacts = 0;
@@ -39,6 +39,52 @@ struct TickRecord
   DeviceWalls walls;
   Signal signal = Signal::None;
 };
+
+/// Hands each member of what went into a tick to visit(name, member...); of several records, the same of each.
+template<class Visit, class... R>
+void inputFields(const Visit& visit, R&... r)
+{
+  visit("tick", r.tick...);
+  visit("period", r.dt_s...);
+  visit("sample", r.sample.time_s...);
+  visit("sample", r.sample.pose_D...);
+  visit("sample", r.sample.velocity_D.linear...);
+  visit("sample", r.sample.velocity_D.angular...);
+  visit("sample", r.sample.sensed_D.force...);
+  visit("sample", r.sample.sensed_D.torque...);
+  visit("buttons", r.sample.buttons...);
+  visit("grip", r.sample.grip...);
+  visit("status", r.status...);
+  visit("lateness", r.lateness.stiffnessFactor...);
+  visit("lateness", r.lateness.fault...);
+  visit("hand", r.hand...);
+}
+
+/// And of what came out.
+template<class Visit, class... R>
+void outputFields(const Visit& visit, R&... r)
+{
+  visit("force", r.wrench_D.force...);
+  visit("torque", r.wrench_D.torque...);
+  visit("proxy", r.proxy_W...);
+  visit("contacts", r.contacts...);
+  visit("scene", r.sceneRevision...);
+  visit("energy", r.delivered_J...);
+  visit("energy", r.excess_J...);
+  visit("flags", r.flags...);
+  for (std::size_t i = 0; i < AxisWalls::count; ++i)
+  {
+    visit("walls", r.walls.offset_m[i]...);
+  }
+  visit("walls", r.walls.mask...);
+  visit("walls", r.walls.stiffness_N_per_m...);
+  for (std::size_t i = 0; i < AxisWalls::count; ++i)
+  {
+    visit("walls", r.walls.largest_N[i]...);
+  }
+  visit("viscosity", r.walls.viscosity_Ns_per_m...);
+  visit("signal", r.signal...);
+}
 
 /// The flags of a state as bits: clamped, riseLimited, capped, overBudget, infeasible, held, stiffnessLimited, from the
 /// lowest up.

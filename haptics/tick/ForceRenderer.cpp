@@ -28,6 +28,7 @@ TickOutput renderTick(
 {
   TickContext tick{ input, parameters, state, sink };
   tick.out.state.tick = input.tick;
+  tick.out.state.hand = tick.out.command.hand = input.hand;
   tick.out.state.time_s = input.sample.time_s;
   tick.out.state.sceneRevision = input.scene != nullptr ? input.scene->revision() : 0;
   TickStages::forEach([&tick]<class S>(std::type_identity<S>) { take<S>(tick); });

@@ -27,6 +27,7 @@ struct RendererState : TickStages::States
 struct TickInput
 {
   std::uint64_t tick = 0;
+  std::uint32_t hand = 0; ///< whose tick this is: each hand has its state, all share the scene
   double dt_s = 1e-3;
   DeviceSample sample;
   DeviceStatus status = DeviceStatus::Ok;

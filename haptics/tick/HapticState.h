@@ -27,6 +27,7 @@ enum class EngageState : std::uint8_t
 struct HapticState
 {
   std::uint64_t tick = 0;
+  std::uint32_t hand = 0; ///< whose it is
   double time_s = 0.0;
   Pose device_W;                    ///< hand in the scene [u]
   Pose proxy_W;                     ///< god-object in the scene [u]

@@ -30,6 +30,21 @@ concept HasState = requires
   typename S::State;
 };
 
+/// Takes a field of any type and does nothing with it.
+struct IgnoredField
+{
+  template<class... T>
+  void operator()(const char* /*name*/, T&... /*members*/) const noexcept
+  {
+  }
+};
+
+template<class S>
+concept RecordsState = HasState<S> && requires(typename S::State& state)
+{
+  S::stateFields(IgnoredField{}, state);
+};
+
 template<class S>
 concept Rests = requires(TickContext& tick)
 {

@@ -11,18 +11,17 @@ from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest
 
 MAKE_RECORDING = os.environ["PALPATE_MAKE_RECORDING"]
 TICKS = 2000
-SCENE_CHUNK = 3  # of the format's chunk types
+CHUNK_HEAD = struct.Struct("<8sIQ")  # name filled up with zeros, version, size; then the payload
 
 
 def split_chunks(content):
-    """The bytes before the first chunk, and (type, all bytes) of each chunk: u32 type, u64 size, payload."""
-    start = content.index(b"\nend\n") + len(b"\nend\n")
-    size = int(content.split(b"parameters and state of ")[1].split(b" ")[0])
-    head, at, chunks = content[:start + size], start + size, []
+    """The bytes before the first chunk, and (name, all bytes) of each chunk."""
+    at = content.index(b"\nend\n") + len(b"\nend\n")
+    head, chunks = content[:at], []
     while at < len(content):
-        kind, length = struct.unpack_from("<IQ", content, at)
-        chunks.append((kind, content[at:at + 12 + length]))
-        at += 12 + length
+        name, _, length = CHUNK_HEAD.unpack_from(content, at)
+        chunks.append((name.rstrip(b"\0"), content[at:at + CHUNK_HEAD.size + length]))
+        at += CHUNK_HEAD.size + length
     return head, chunks
 
 
@@ -34,7 +33,7 @@ class Recorded(CommandLineTest):
 
     def without_scenes(self):
         head, chunks = split_chunks(self.content)
-        return head + b"".join(data for kind, data in chunks if kind != SCENE_CHUNK)
+        return head + b"".join(data for kind, data in chunks if kind != b"scene")
 
 
 class Replay(Recorded):
@@ -53,11 +52,11 @@ class Replay(Recorded):
 
     def test_one_changed_bit_is_the_first_difference_with_exit_code_1(self):
         head, chunks = split_chunks(self.content)
-        ticks = [n for n, (kind, _) in enumerate(chunks) if kind == 1]
+        ticks = [n for n, (kind, _) in enumerate(chunks) if kind == b"tick"]
         kind, data = chunks[ticks[700]]
         # the device's position starts after tick and dt; half of it is a hand elsewhere
         changed = bytearray(data)
-        changed[12 + 8 + 8 + 8 + 6] ^= 0x10
+        changed[CHUNK_HEAD.size + 8 + 8 + 8 + 6] ^= 0x10
         chunks[ticks[700]] = (kind, bytes(changed))
         self.write("b.palpate", head + b"".join(data for _, data in chunks))
         run = self.run_palpate("replay", "b.palpate")
@@ -76,6 +75,14 @@ class Replay(Recorded):
         version = int(header.removeprefix(b"PALPATE-RECORDING "))
         self.write("old.palpate", b"PALPATE-RECORDING 99\n" + rest)
         self.refused("replay", "old.palpate", saying=["old.palpate", "format 99", f"reads format {version}"])
+
+    def test_what_this_program_does_not_know_is_skipped_and_said(self):
+        head, chunks = split_chunks(self.content)
+        chunks.insert(2, (b"glove", CHUNK_HEAD.pack(b"glove", 1, 3) + b"any"))
+        self.write("newer.palpate", head + b"".join(data for _, data in chunks))
+        run = self.succeed("replay", "newer.palpate")
+        self.assertIn(f"{TICKS} ticks", run.stdout)
+        self.assertIn("newer.palpate: 1 part was skipped that this program does not know: glove (1)", run.stderr)
 
     def test_what_is_no_recording(self):
         self.write("no.palpate", "t,x,y,z\n")

@@ -82,6 +82,10 @@ private:
 int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options)
 {
   const palpate::Recording recording = Read(options.Recording);
+  if (const std::string skipped = recording.skipped.describe(); !skipped.empty())
+  {
+    std::cerr << options.Recording << ": " << skipped << '\n';
+  }
   const std::vector<std::shared_ptr<const palpate::Scene>> scenes = ScenesOf(options);
   std::optional<TickTable> table;
   std::function<void(const palpate::TickOutput&)> visit;

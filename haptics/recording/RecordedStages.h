@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/recording/ByteStream.h"
+#include "haptics/recording/SkippedParts.h"
+#include "haptics/tick/ForceRenderer.h"
+
+namespace palpate
+{
+
+/// Parameters and state as named parts, one a stage of the tick, of named fields. What is read keeps its value where
+/// the bytes lack a field, and skips and notes what no stage knows. All of `in` is read; damaged
+/// bytes make it fail.
+void putParameters(ByteWriter& out, const HapticParameters& parameters);
+void putState(ByteWriter& out, const RendererState& state);
+void getParameters(ByteReader& in, HapticParameters& parameters, SkippedParts& skipped);
+void getState(ByteReader& in, RendererState& state, SkippedParts& skipped);
+
+} // namespace palpate

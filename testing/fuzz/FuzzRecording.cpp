@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes as a recording: refused with one sentence that names the file, or a recording whose parameters may be used
+// and which begins without a history.
+#include <cstdint>
+#include <variant>
+
+#include "haptics/recording/Recording.h"
+#include "testing/fuzz/Require.h"
+
+// NOLINTNEXTLINE(readability-identifier-naming) the name that libFuzzer calls
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const char* const bytes = reinterpret_cast<const char*>(data);
+  const auto read = palpate::parseRecording({ bytes, bytes + size }, "the file");
+  if (const auto* const problem = std::get_if<std::string>(&read))
+  {
+    require(problem->starts_with("the file ") && problem->find('\n') == std::string::npos);
+    return 0;
+  }
+  const auto& recording = std::get<palpate::Recording>(read);
+  require(recording.parameters.validate().empty());
+  require(recording.initialState.contact.count == 0 && recording.initialState.velocity.count == 0);
+  require(recording.skipped.describe().find('\n') == std::string::npos);
+  for (const palpate::RecordedEntry& entry : recording.entries)
+  {
+    const auto* const change = std::get_if<palpate::RecordedChange>(&entry);
+    require(change == nullptr || !change->parameters || change->parameters->validate().empty());
+  }
+  return 0;
+}

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <type_traits>
+
+#include <gtest/gtest.h>
+
+#include "haptics/recording/RecordedStages.h"
+#include "haptics/recording/Recording.h"
+#include "haptics/tick/StageFields.h"
+#include "testing/haptics/recording/FixtureSessions.h"
+#include "testing/haptics/recording/RecordingBytes.h"
+#include "testing/support/TemporaryFolder.h"
+
+namespace palpate
+{
+namespace
+{
+
+using test::RawChunk;
+using test::RawRecording;
+
+/// A session in today's format, taken apart.
+RawRecording recorded()
+{
+  const test::TemporaryFolder folder;
+  const std::string file = folder.file("plane");
+  EXPECT_EQ(test::recordPlane(file), "");
+  return test::takeApart(file);
+}
+
+Recording readGood(const RawRecording& raw)
+{
+  auto read = parseRecording(test::putTogether(raw), "it");
+  EXPECT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+  return std::holds_alternative<Recording>(read) ? std::get<Recording>(std::move(read)) : Recording{};
+}
+
+std::string problemOf(const RawRecording& raw)
+{
+  const auto read = parseRecording(test::putTogether(raw), "it");
+  const auto* const problem = std::get_if<std::string>(&read);
+  return problem != nullptr ? *problem : "";
+}
+
+std::uint64_t countOf(const RawRecording& raw, const std::string& name)
+{
+  return static_cast<std::uint64_t>(
+    std::count_if(raw.chunks.begin(), raw.chunks.end(), [&name](const RawChunk& c) { return c.name == name; }));
+}
+
+void expectReplays(const Recording& recording, std::uint64_t ticks)
+{
+  const ReplayResult result = replay(recording);
+  EXPECT_EQ(result.problem + result.difference, "");
+  EXPECT_EQ(result.ticks, ticks);
+}
+
+TEST(NamedChunks, ThatAreUnknownAreSkippedAndCountedAndTheRestReplays)
+{
+  RawRecording raw = recorded();
+  raw.chunks.insert(raw.chunks.end() - 1, { "glove", 7, "any bytes" });
+  raw.chunks.insert(raw.chunks.begin() + 3, 2, { "glove", 1, "" });
+  const Recording recording = readGood(raw);
+  EXPECT_EQ(recording.skipped.describe(), "3 parts were skipped that this program does not know: glove (3)");
+  expectReplays(recording, countOf(raw, "tick"));
+}
+
+TEST(NamedChunks, OfANewerVersionAreReadAsFarAsTheyAreKnownAndTheirEndsAreSaid)
+{
+  RawRecording raw = recorded();
+  const std::uint64_t ticks = countOf(raw, "tick");
+  for (RawChunk& chunk : raw.chunks)
+  {
+    if (chunk.name == "tick")
+    {
+      chunk.version = 2;
+      chunk.payload += "more";
+    }
+  }
+  const Recording recording = readGood(raw);
+  EXPECT_EQ(recording.skipped.counts, (std::map<std::string, std::uint64_t>{ { "end of tick", ticks } }));
+  expectReplays(recording, ticks);
+}
+
+TEST(NamedChunks, OfTodaysVersionWithMoreThanTheyHoldAreDamaged)
+{
+  for (const std::size_t at : { std::size_t{ 2 }, std::size_t{ 10 } })
+  {
+    RawRecording raw = recorded();
+    raw.chunks[at].payload += "more";
+    EXPECT_NE(problemOf(raw).find("is damaged: a part of kind " + raw.chunks[at].name), std::string::npos) << at;
+  }
+}
+
+TEST(NamedChunks, BeginWithTheirFirstParameters)
+{
+  RawRecording raw = recorded();
+  raw.chunks.erase(raw.chunks.begin());
+  EXPECT_EQ(problemOf(raw), "it is damaged: it does not begin with its first parameters");
+}
+
+TEST(NamedChunks, WithANameThatCannotBeShownAreDamaged)
+{
+  RawRecording raw = recorded();
+  raw.chunks[4].name = "\x1b[2J";
+  EXPECT_EQ(problemOf(raw), "it is damaged: it has a part of unknown kind");
+}
+
+/// What a start holds of its parameters.
+std::string startWith(const std::string& parameters)
+{
+  return test::rawPart("parameters", parameters);
+}
+
+TEST(RecordedParameters, ThatALackingFieldAndALackingStageKeepTheirDefaults)
+{
+  const double stiffness_N_per_m = 123.0;
+  RawRecording raw = recorded();
+  raw.chunks.front().payload =
+    startWith(test::rawPart("guide", test::rawPart("stiffness_N_per_m", test::raw(stiffness_N_per_m))));
+  const Recording recording = readGood(raw);
+  EXPECT_EQ(recording.parameters.guide.stiffness_N_per_m, stiffness_N_per_m);
+  EXPECT_EQ(recording.parameters.guide.largest_N, GuidePlan{}.largest_N);
+  EXPECT_EQ(recording.parameters.safety.maxForce_N, SafetyLimits{}.maxForce_N);
+  EXPECT_EQ(recording.skipped.describe(), "");
+}
+
+TEST(RecordedParameters, OfAStageAndAFieldThatNobodyKnowsAreSaid)
+{
+  RawRecording raw = recorded();
+  raw.chunks.front().payload += test::rawPart("weather", "rain");
+  raw.chunks.front().payload += startWith(test::rawPart("magnet", test::rawPart("pull_N", test::raw(1.0))) +
+                                          test::rawPart("guide", test::rawPart("colour", test::raw(1.0))));
+  const Recording recording = readGood(raw);
+  EXPECT_EQ(recording.skipped.describe(),
+    "3 parts were skipped that this program does not know: guide.colour (1), magnet (1), weather (1)");
+  expectReplays(recording, countOf(raw, "tick"));
+}
+
+TEST(RecordedParameters, ThatCannotBeAreRefused)
+{
+  const std::string impossible[] = {
+    test::rawPart("guide", test::rawPart("stiffness_N_per_m", test::raw(-1.0))),
+    test::rawPart("guide", test::rawPart("stiffness_N_per_m", test::raw(1.0F))),
+    test::rawPart("guide", test::rawPart("on", test::raw(std::uint8_t{ 2 }))),
+    test::rawPart("guide", "cut"),
+    "cut",
+  };
+  for (const std::string& parameters : impossible)
+  {
+    RawRecording raw = recorded();
+    raw.chunks.front().payload = startWith(parameters);
+    EXPECT_EQ(problemOf(raw).rfind("it is damaged: ", 0), 0U) << parameters;
+  }
+}
+
+/// Gives each field it is shown another value than any before it had.
+struct Scramble
+{
+  int& next;
+
+  template<class T>
+  void operator()(const char* /*name*/, T& value) const
+  {
+    ++this->next;
+    if constexpr (std::is_same_v<T, bool>)
+    {
+      value = !value;
+    }
+    else if constexpr (std::is_same_v<T, Vec3>)
+    {
+      value = Vec3(this->next, this->next + 0.25, this->next + 0.5);
+    }
+    else if constexpr (std::is_same_v<T, Quat>)
+    {
+      value.coeffs() << this->next, this->next + 0.25, this->next + 0.5, this->next + 0.75;
+    }
+    else
+    {
+      value = static_cast<T>(this->next);
+    }
+  }
+};
+
+/// Counts the fields of two objects that are the same to the bit, and those that differ.
+struct Compare
+{
+  int& same;
+  int& different;
+
+  template<class T>
+  void operator()(const char* /*name*/, const T& a, const T& b) const
+  {
+    ByteWriter first, second;
+    first.put(a);
+    second.put(b);
+    ++(first.bytes() == second.bytes() ? this->same : this->different);
+  }
+};
+
+TEST(RecordedParameters, EveryFieldOfEveryPlanComesBackBitForBit)
+{
+  int fields = 0, same = 0, different = 0;
+  HapticParameters written, read;
+  forEachPlan([&](std::string_view, const auto& visit) { visit(Scramble{ fields }, written); });
+  forEachPlan([&](std::string_view, const auto& visit) { visit(Compare{ same, different }, written, read); });
+  EXPECT_EQ(different, fields) << "each has another value than its default";
+  ByteWriter bytes;
+  putParameters(bytes, written);
+  ByteReader in(bytes.bytes().data(), bytes.bytes().size());
+  SkippedParts skipped;
+  getParameters(in, read, skipped);
+  EXPECT_TRUE(in.ok());
+  EXPECT_EQ(skipped.describe(), "");
+  same = different = 0;
+  forEachPlan([&](std::string_view, const auto& visit) { visit(Compare{ same, different }, written, read); });
+  EXPECT_EQ(different, 0);
+  EXPECT_EQ(same, fields);
+}
+
+TEST(RecordedParameters, EveryRecordedFieldOfEveryStateComesBackBitForBit)
+{
+  int fields = 0, same = 0, different = 0;
+  RendererState written, read;
+  forEachState([&](std::string_view, const auto& visit) { visit(Scramble{ fields }, written); });
+  ByteWriter bytes;
+  putState(bytes, written);
+  ByteReader in(bytes.bytes().data(), bytes.bytes().size());
+  SkippedParts skipped;
+  getState(in, read, skipped);
+  EXPECT_TRUE(in.ok());
+  EXPECT_EQ(skipped.describe(), "");
+  forEachState([&](std::string_view, const auto& visit) { visit(Compare{ same, different }, written, read); });
+  EXPECT_EQ(different, 0);
+  EXPECT_EQ(same, fields);
+  EXPECT_GT(fields, 30);
+}
+
+TEST(RecordedParameters, NoTwoFieldsOfAStageAndNoTwoStagesHaveOneName)
+{
+  std::set<std::string> stages;
+  forEachPlan(
+    [&stages](std::string_view stage, const auto& visit)
+    {
+      EXPECT_TRUE(stages.insert(std::string(stage)).second) << stage;
+      std::set<std::string> names;
+      HapticParameters parameters;
+      visit([&names, stage](const char* name, const auto&) { EXPECT_TRUE(names.insert(name).second) << stage << name; },
+        parameters);
+    });
+}
+
+TEST(SkippedParts, OfManyKindsAreSaidByTheirNumberAndTheFirstFewNames)
+{
+  SkippedParts skipped;
+  for (const char* const name : { "e", "d", "c", "b", "a", "a" })
+  {
+    skipped.note(name);
+  }
+  EXPECT_EQ(
+    skipped.describe(), "6 parts were skipped that this program does not know: a (2), b (1), c (1), d (1) and others");
+}
+
+} // namespace
+} // namespace palpate
