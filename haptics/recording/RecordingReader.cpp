@@ -7,8 +7,7 @@
 
 #include "haptics/recording/Format5.h"
 #include "haptics/recording/NamedParts.h"
-#include "haptics/recording/RecordedScenes.h"
-#include "haptics/recording/RecordedStages.h"
+#include "haptics/recording/RecordedChunk.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/recording/RecordingLayout.h"
 
@@ -17,17 +16,8 @@ namespace palpate
 namespace
 {
 
-constexpr std::uint32_t versionInFormat5 = 0; // of every chunk
-
 const char* const cutShort = "is cut short: it ends without its closing mark";
 const char* const impossible = "is damaged: its initial state cannot be";
-
-struct Chunk
-{
-  std::string name;
-  std::uint32_t version = 0;
-  ByteReader payload{ nullptr, 0 };
-};
 
 /// Features and history of an untrusted state must not be used as indices; a recording starts without them.
 bool isPossible(const Recording& recording)
@@ -36,114 +26,6 @@ bool isPossible(const Recording& recording)
   return state.contact.count == 0 && state.velocity.count == 0 && !state.tracked &&
          state.engage <= EngageState::Fault && state.game.phase <= GamePhase::Rests &&
          recording.parameters.validate().empty();
-}
-
-void readStart(Chunk& chunk, Recording& recording)
-{
-  while (chunk.payload.ok() && chunk.payload.left() > 0)
-  {
-    NamedPart part = nextPart(chunk.payload);
-    if (part.name == parametersPart)
-    {
-      getParameters(part.payload, recording.parameters, recording.skipped);
-    }
-    else if (part.name == statePart)
-    {
-      getState(part.payload, recording.initialState, recording.skipped);
-    }
-    else
-    {
-      recording.skipped.note(part.name);
-    }
-    chunk.payload.failUnless(part.payload.ok());
-  }
-}
-
-void readTick(Chunk& chunk, Recording& recording)
-{
-  TickRecord record;
-  inputFields(Get{ chunk.payload }, record);
-  outputFields(Get{ chunk.payload }, record);
-  recording.entries.emplace_back(record);
-}
-
-void readParameters5(ByteReader& in, RecordedChange& change)
-{
-  bool hasParameters = false;
-  in.get(hasParameters);
-  if (hasParameters)
-  {
-    getParameters5(in, change.parameters.emplace());
-  }
-}
-
-void readParts(ByteReader& in, RecordedChange& change, SkippedParts& skipped)
-{
-  while (in.ok() && in.left() > 0)
-  {
-    NamedPart part = nextPart(in);
-    if (part.name == parametersPart)
-    {
-      getParameters(part.payload, change.parameters.emplace(), skipped);
-      in.failUnless(part.payload.ok());
-    }
-    else
-    {
-      skipped.note(part.name);
-    }
-  }
-}
-
-void readChange(Chunk& chunk, Recording& recording)
-{
-  RecordedChange change;
-  ByteReader& in = chunk.payload;
-  layChange(Get{ in }, change);
-  if (chunk.version == versionInFormat5)
-  {
-    readParameters5(in, change);
-  }
-  else
-  {
-    readParts(in, change, recording.skipped);
-  }
-  in.failUnless(!change.parameters || change.parameters->validate().empty());
-  recording.entries.emplace_back(std::move(change));
-}
-
-struct ChunkReader
-{
-  const ChunkKind& kind;
-  void (*read)(Chunk&, Recording&);
-};
-
-constexpr ChunkReader readers[] = {
-  { chunks::start, readStart },
-  { chunks::tick, readTick },
-  { chunks::change, readChange },
-  { chunks::scene, [](Chunk& c, Recording& recording) { recording.scenes.push_back(readScene(c.payload)); } },
-  { chunks::motion, [](Chunk& c, Recording& recording) { recording.motions.push_back(readMotion(c.payload)); } },
-  { chunks::end, [](Chunk& c, Recording& recording) { c.payload.get(recording.lost); } },
-};
-
-void readHead5(ByteReader& in, Chunk& chunk)
-{
-  std::uint32_t number = 0;
-  in.get(number);
-  chunk.name = chunkName5(number);
-  chunk.version = versionInFormat5;
-}
-
-void readHead(ByteReader& in, Chunk& chunk)
-{
-  for (std::size_t i = 0; i < ChunkKind::nameSize; ++i)
-  {
-    char letter = 0;
-    in.get(letter);
-    chunk.name += letter;
-  }
-  chunk.name.erase(std::min(chunk.name.find('\0'), chunk.name.size()));
-  in.get(chunk.version);
 }
 
 /// Reads chunks until the closing one.
@@ -158,7 +40,7 @@ public:
     bool first = !this->isFormat5_;
     while (in.ok())
     {
-      Chunk chunk = this->next(in);
+      RecordedChunk chunk = nextChunk(in, this->isFormat5_);
       if (!in.ok())
       {
         return cutShort;
@@ -181,29 +63,14 @@ public:
   }
 
 private:
-  [[nodiscard]] Chunk next(ByteReader& in) const
-  {
-    Chunk chunk;
-    std::uint64_t size = 0;
-    this->isFormat5_ ? readHead5(in, chunk) : readHead(in, chunk);
-    in.get(size);
-    if (in.has(size))
-    {
-      chunk.payload = ByteReader(in.at(), size);
-      in.skip(size);
-    }
-    return chunk;
-  }
-
-  std::string take(Chunk& chunk)
+  std::string take(RecordedChunk& chunk)
   {
     if (!isPartName(chunk.name))
     {
       return "is damaged: it has a part of unknown kind";
     }
-    const auto* const reader = std::find_if(
-      std::begin(readers), std::end(readers), [&chunk](const ChunkReader& r) { return r.kind.name == chunk.name; });
-    if (reader == std::end(readers))
+    const ChunkReader* const reader = readerOf(chunk.name);
+    if (reader == nullptr)
     {
       this->recording_.skipped.note(chunk.name);
       return {};
@@ -246,52 +113,70 @@ std::optional<int> formatOf(const std::string& version)
   return std::nullopt;
 }
 
-std::string deviceIn(const std::string& header)
+/// The text before the bytes.
+struct Header
+{
+  std::string problem; ///< empty, or why it cannot be read
+  int format = 0;
+  std::string device;
+  std::size_t size = 0;
+};
+
+std::string deviceIn(const std::string& text)
 {
   const std::string field = "\ndevice: ";
-  const std::size_t at = header.find(field);
-  return at == std::string::npos
-           ? ""
-           : header.substr(at + field.size(), header.find('\n', at + field.size()) - at - field.size());
+  const std::size_t at = text.find(field);
+  return at == std::string::npos ? "" : text.substr(at + field.size(), text.find('\n', at + 1) - at - field.size());
+}
+
+Header refused(std::string problem)
+{
+  return { std::move(problem), 0, "", 0 };
+}
+
+Header readHeader(const std::vector<char>& bytes)
+{
+  constexpr std::size_t longest = 4096;
+  const std::string text(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), longest)));
+  if (!text.starts_with(recordingMagic))
+  {
+    return refused("is not a recording of Palpate");
+  }
+  const std::string version = text.substr(recordingMagic.size(), text.find('\n') - recordingMagic.size());
+  const std::optional<int> format = formatOf(version);
+  if (!format)
+  {
+    return refused("is a recording of format " + version.substr(0, 16) + ", this program reads format " +
+                   std::to_string(Recording::formatVersion) + " and back to " +
+                   std::to_string(Recording::oldestFormatVersion) + ": record it again");
+  }
+  const std::string mark = "\nend\n";
+  const std::size_t end = text.find(mark);
+  if (end == std::string::npos)
+  {
+    return refused("is cut short: its header does not end");
+  }
+  return { "", *format, deviceIn(text.substr(0, end + 1)), end + mark.size() };
 }
 
 } // namespace
 
 std::variant<Recording, std::string> parseRecording(const std::vector<char>& bytes, const std::string& name)
 {
-  const std::string text(
-    bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(bytes.size(), 4096)));
-  if (!text.starts_with(recordingMagic))
-  {
-    return name + " is not a recording of Palpate";
-  }
-  const std::string version = text.substr(recordingMagic.size(), text.find('\n') - recordingMagic.size());
-  const std::optional<int> format = formatOf(version);
-  if (!format)
-  {
-    return name + " is a recording of format " + version.substr(0, 16) + ", this program reads format " +
-           std::to_string(Recording::formatVersion) + " and back to " + std::to_string(Recording::oldestFormatVersion) +
-           ": record it again";
-  }
-  const std::string headerEnd = "\nend\n";
-  const std::size_t end = text.find(headerEnd);
-  if (end == std::string::npos)
-  {
-    return name + " is cut short: its header does not end";
-  }
+  const Header header = readHeader(bytes);
+  std::string problem = header.problem;
   Recording recording;
-  recording.device = deviceIn(text.substr(0, end + 1));
-  const std::size_t begin = end + headerEnd.size();
-  ByteReader in(bytes.data() + begin, bytes.size() - begin);
-  const bool isFormat5 = *format == 5;
-  std::string wrong = isFormat5 ? readStart5(in, recording) : "";
-  if (wrong.empty())
+  if (problem.empty())
   {
-    wrong = ChunkParser(recording, isFormat5).parse(in);
+    const bool isFormat5 = header.format == 5;
+    ByteReader in(bytes.data() + header.size, bytes.size() - header.size);
+    recording.device = header.device;
+    problem = isFormat5 ? readStart5(in, recording) : "";
+    problem = problem.empty() ? ChunkParser(recording, isFormat5).parse(in) : problem;
   }
-  if (!wrong.empty())
+  if (!problem.empty())
   {
-    return name + " " + wrong;
+    return name + " " + problem;
   }
   return recording;
 }

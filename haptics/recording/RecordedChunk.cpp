@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/recording/RecordedChunk.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "haptics/recording/Format5.h"
+#include "haptics/recording/NamedParts.h"
+#include "haptics/recording/RecordedScenes.h"
+#include "haptics/recording/RecordedStages.h"
+
+namespace palpate
+{
+namespace
+{
+
+void readStart(RecordedChunk& chunk, Recording& recording)
+{
+  while (chunk.payload.ok() && chunk.payload.left() > 0)
+  {
+    NamedPart part = nextPart(chunk.payload);
+    if (part.name == parametersPart)
+    {
+      getParameters(part.payload, recording.parameters, recording.skipped);
+    }
+    else if (part.name == statePart)
+    {
+      getState(part.payload, recording.initialState, recording.skipped);
+    }
+    else
+    {
+      recording.skipped.note(part.name);
+    }
+    chunk.payload.failUnless(part.payload.ok());
+  }
+}
+
+void readTick(RecordedChunk& chunk, Recording& recording)
+{
+  TickRecord record;
+  inputFields(Get{ chunk.payload }, record);
+  outputFields(Get{ chunk.payload }, record);
+  recording.entries.emplace_back(record);
+}
+
+void readParameters5(ByteReader& in, RecordedChange& change)
+{
+  bool hasParameters = false;
+  in.get(hasParameters);
+  if (hasParameters)
+  {
+    getParameters5(in, change.parameters.emplace());
+  }
+}
+
+void readParts(ByteReader& in, RecordedChange& change, SkippedParts& skipped)
+{
+  while (in.ok() && in.left() > 0)
+  {
+    NamedPart part = nextPart(in);
+    if (part.name == parametersPart)
+    {
+      getParameters(part.payload, change.parameters.emplace(), skipped);
+      in.failUnless(part.payload.ok());
+    }
+    else
+    {
+      skipped.note(part.name);
+    }
+  }
+}
+
+void readChange(RecordedChunk& chunk, Recording& recording)
+{
+  RecordedChange change;
+  ByteReader& in = chunk.payload;
+  layChange(Get{ in }, change);
+  if (chunk.version == RecordedChunk::versionInFormat5)
+  {
+    readParameters5(in, change);
+  }
+  else
+  {
+    readParts(in, change, recording.skipped);
+  }
+  in.failUnless(!change.parameters || change.parameters->validate().empty());
+  recording.entries.emplace_back(std::move(change));
+}
+
+constexpr ChunkReader readers[] = {
+  { chunks::start, readStart },
+  { chunks::tick, readTick },
+  { chunks::change, readChange },
+  { chunks::scene, [](RecordedChunk& c, Recording& recording) { recording.scenes.push_back(readScene(c.payload)); } },
+  { chunks::motion,
+    [](RecordedChunk& c, Recording& recording) { recording.motions.push_back(readMotion(c.payload)); } },
+  { chunks::end, [](RecordedChunk& c, Recording& recording) { c.payload.get(recording.lost); } },
+};
+
+void readHead5(ByteReader& in, RecordedChunk& chunk)
+{
+  std::uint32_t number = 0;
+  in.get(number);
+  chunk.name = chunkName5(number);
+  chunk.version = RecordedChunk::versionInFormat5;
+}
+
+void readHead(ByteReader& in, RecordedChunk& chunk)
+{
+  for (std::size_t i = 0; i < ChunkKind::nameSize; ++i)
+  {
+    char letter = 0;
+    in.get(letter);
+    chunk.name += letter;
+  }
+  chunk.name.erase(std::min(chunk.name.find('\0'), chunk.name.size()));
+  in.get(chunk.version);
+}
+
+} // namespace
+
+RecordedChunk nextChunk(ByteReader& in, bool isFormat5)
+{
+  RecordedChunk chunk;
+  std::uint64_t size = 0;
+  isFormat5 ? readHead5(in, chunk) : readHead(in, chunk);
+  in.get(size);
+  if (in.has(size))
+  {
+    chunk.payload = ByteReader(in.at(), size);
+    in.skip(size);
+  }
+  return chunk;
+}
+
+const ChunkReader* readerOf(const std::string& name)
+{
+  const auto* const reader =
+    std::find_if(std::begin(readers), std::end(readers), [&name](const ChunkReader& r) { return r.kind.name == name; });
+  return reader == std::end(readers) ? nullptr : reader;
+}
+
+} // namespace palpate

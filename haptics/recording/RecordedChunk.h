@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "haptics/recording/ByteStream.h"
+#include "haptics/recording/Recording.h"
+#include "haptics/recording/RecordingLayout.h"
+
+namespace palpate
+{
+
+/// A chunk as it is read back.
+struct RecordedChunk
+{
+  static constexpr std::uint32_t versionInFormat5 = 0; ///< of all of them
+
+  std::string name; ///< empty for a number that format 5 did not know
+  std::uint32_t version = 0;
+  ByteReader payload{ nullptr, 0 };
+};
+
+/// The next chunk of bytes that are not trusted; what it says is true while in.ok().
+[[nodiscard]] RecordedChunk nextChunk(ByteReader& in, bool isFormat5);
+
+/// Enters what a chunk of one kind holds into a recording; the payload is ok() and at its end if it is what it should
+/// be.
+struct ChunkReader
+{
+  const ChunkKind& kind;
+  void (*read)(RecordedChunk&, Recording&);
+};
+
+/// Null for a kind that this program does not know.
+[[nodiscard]] const ChunkReader* readerOf(const std::string& name);
+
+} // namespace palpate
