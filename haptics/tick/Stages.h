@@ -19,7 +19,8 @@
 namespace palpate
 {
 
-/// The tick. A force of one's own goes between Coupling and Protect, which limits whatever has been rendered.
+/// The tick. A force of one's own is added to rendered_D between Coupling and Engage, which lets it start small; Protect
+/// limits whatever has been rendered.
 using TickStages = StageList< //
   stage::Requests,            // what the person asks for
   stage::Samples,             // whether the hand is where the device says

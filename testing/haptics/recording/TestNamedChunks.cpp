@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -250,6 +252,58 @@ TEST(RecordedParameters, NoTwoFieldsOfAStageAndNoTwoStagesHaveOneName)
       HapticParameters parameters;
       visit([&names, stage](const char* name, const auto&) { EXPECT_TRUE(names.insert(name).second) << stage << name; },
         parameters);
+    });
+}
+
+/// Where in memory a member lies.
+struct Extent
+{
+  std::uintptr_t begin = 0, end = 0;
+  std::size_t alignment = 1;
+};
+
+struct Locate
+{
+  std::vector<Extent>& extents;
+
+  template<class T>
+  void operator()(const char* /*name*/, const T& member) const
+  {
+    const auto begin = reinterpret_cast<std::uintptr_t>(&member);
+    this->extents.push_back({ begin, begin + sizeof(T), alignof(T) });
+  }
+};
+
+/// Between the members that are named there is never room for another one.
+template<class Plan>
+void expectNoHoles(std::vector<Extent> members, const Plan& plan, std::string_view stage)
+{
+  std::sort(members.begin(), members.end(), [](const Extent& a, const Extent& b) { return a.begin < b.begin; });
+  auto at = reinterpret_cast<std::uintptr_t>(&plan);
+  members.push_back({ at + sizeof(Plan), at + sizeof(Plan), alignof(Plan) });
+  for (const Extent& member : members)
+  {
+    EXPECT_LT(member.begin - at, member.alignment) << stage;
+    at = member.end;
+  }
+}
+
+TEST(RecordedParameters, LeaveNoMemberOfAPlanOutButTheCouplingThatEachTickSets)
+{
+  TickStages::forEach(
+    []<class S>(std::type_identity<S>)
+    {
+      if constexpr (HasPlan<S>)
+      {
+        const typename S::Plan plan{};
+        std::vector<Extent> members;
+        S::planFields(Locate{ members }, plan);
+        if constexpr (std::is_same_v<S, stage::Contact>)
+        {
+          Locate{ members }("coupling_N_per_m", plan.contact.coupling_N_per_m);
+        }
+        expectNoHoles(members, plan, S::name);
+      }
     });
 }
 
