@@ -17,7 +17,7 @@
 namespace palpate
 {
 
-/// How a joystick is driven. The times are those of the safety rules (ARCHITECTURE.md).
+/// How a joystick is driven. The times are those of the safety rules (docs/faults.md).
 struct PidOutputOptions
 {
   PidScale scale;
