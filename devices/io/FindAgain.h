@@ -22,7 +22,7 @@ struct FoundDevice
 /// Finds one device on a bus, and finds it again after it was lost. Devices of the same maker, product and serial
 /// number look alike, and another program may use one of them. A device that was there beside the wanted one is never
 /// taken for it. One that came later with the same serial number, and is there alone after the loss, cannot be told
-/// apart.
+/// from it and is taken.
 class DeviceSearch
 {
 public:
