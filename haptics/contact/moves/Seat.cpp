@@ -181,6 +181,7 @@ bool seatPoint(const AnyScene& scene, const Vec3& p_W, Vec3& x_W) noexcept
   Resolution resolution;
   resolution.include(p_W);
   const Vec3 n = surfaceOf(scene, hit.feature.surface).face(hit.feature.a).normal_W;
+  // Doubled from the least that can differ, so that the lift is at most twice what is needed; 24 doublings bound it.
   for (double lift = resolution.del(); lift < 1e6 * resolution.tol(); lift *= 2)
   {
     for (const double side : { 1.0, -1.0 })

@@ -75,6 +75,7 @@ template<SceneView AnyScene>
   {
     return false;
   }
+  // Twice as high as a point is kept above its faces: the way round must not touch them.
   const VertexBypass way = bypassVertex(s, fan, v, descent, q, { reach_u, 2 * tick.contacts.lift() });
   if (!isOpen(tick, way))
   {

@@ -78,6 +78,7 @@ double ContactSet<AnyScene>::holdsWithin(const ActiveFeature& f) const noexcept
   constexpr double most = 4096; // in tol, 6e-11 of a coordinate: a normal that is known even worse says nothing
   const double tol = this->resolution_.tol();
   const FaceRecord& face = this->surface(f).face(f.a);
+  // A rounding of the normal, made larger by how thin the face is, times the distance over which it acts.
   const double error =
     4 * std::numeric_limits<double>::epsilon() * face.sliver * (this->state_.x_W - face.corner_W[0]).norm();
   return std::max({ tol, 2 * this->lift(), std::min(error, most * tol) });

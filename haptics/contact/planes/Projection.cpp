@@ -184,6 +184,7 @@ private:
   /// Keeps the candidate if it violates no other row by more than rounding, and the best one so far by less.
   void accept(const std::array<int, 3>& set, const Vec3& y, int size, const std::array<double, 3>& l = {}) noexcept
   {
+    // A deep press is a long sum of multipliers, each rounded in its own size.
     const double allowed = this->slack_ + 8 * std::numeric_limits<double>::epsilon() * (l[0] + l[1] + l[2]);
     double worst = 0.0;
     for (int i = 0; i < this->count_; ++i)
