@@ -13,8 +13,8 @@ SCREEN_COLUMNS, THREE_SCREENS = 100, 130
 ONE_PAGE_WORDS = 1300
 FOLDERS = ("haptics", "devices", "filters", "ui", "plugin", "testing", "docs", "data")
 
-PAGES = sorted([ROOT / "ARCHITECTURE.md", ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "plugin/README.md",
-                *(ROOT / "docs").rglob("*.md")])
+PAGES = sorted([ROOT / "ARCHITECTURE.md", ROOT / "README.md", ROOT / "CONTRIBUTING.md",
+                *(page for folder in ("docs", "plugin", "testing", "data") for page in (ROOT / folder).rglob("*.md"))])
 
 
 def prose(page):
