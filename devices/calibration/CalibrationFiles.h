@@ -26,14 +26,14 @@ struct KeptCalibration
   std::string problem; ///< one sentence that names a file that cannot be used and why; empty too where there is none
 };
 
-/// The calibration of a device. Where its file is damaged the one before it is taken but for what it says of walls that
-/// the device holds, and `problem` says so.
+/// The calibration of a device. Where its file is damaged, the file from before is taken, but for what that file says
+/// of walls that the device holds; `problem` says so.
 [[nodiscard]] KeptCalibration loadCalibration(
   const std::string& folder, const std::string& device, const std::string& serial);
 
-/// Keeps a calibration, and the one it replaces beside it. The file is whole at every moment; if it cannot be written
-/// the old one stays. What was felt of its walls is not kept without a serial number: the next device of that name may
-/// be another one. Empty, or one sentence that names the file and why.
+/// Keeps a calibration, and beside it the calibration that it replaces. The file is whole at every moment; if it cannot
+/// be written, the old one stays. What was felt of a device's walls is not kept without a serial number: the next
+/// device of that name may be another one. Empty, or one sentence that names the file and why.
 [[nodiscard]] std::string saveCalibration(const std::string& folder, const Calibration& calibration);
 
 /// What a check felt of walls and viscosity, where that is a fault, takes the place of what a kept calibration says:

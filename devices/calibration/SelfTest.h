@@ -21,7 +21,7 @@ namespace palpate
 struct SelfTestPlan
 {
   int axes = 0;             ///< with force, 1 .. 3; 0: there is nothing to test
-  bool wheel = false;       ///< it has one axis, however many it says it has
+  bool wheel = false;       ///< the device has one axis, however many it says it has
   bool offersWalls = false; ///< with viscosity
   bool shakes = false;
   bool simulated = false;         ///< ticks may come late
@@ -46,7 +46,7 @@ enum class SelfTestStage : std::uint8_t
 {
   Still,  ///< the hand holds still
   End,    ///< the hand goes to one end of an axis
-  Middle, ///< the hand lets it rest in the middle
+  Middle, ///< the hand lets the device rest in the middle
   Settle, ///< the hand holds still before a push
   Brace,  ///< the device holds its wall where the hand is, or brakes, before a push against that
   Push,
@@ -57,7 +57,7 @@ enum class SelfTestStage : std::uint8_t
 
 enum class SelfTestVerdict : std::uint8_t
 {
-  None, ///< it still runs
+  None, ///< the test still runs
   Passed,
   Faulty,       ///< a motor does not move its axis, or not as a device should
   Inconclusive, ///< the hand did not do what was asked, so nothing is known
@@ -69,16 +69,16 @@ enum class SelfTestReason : std::uint8_t
 {
   None,
   NeverStill,   ///< the hand moves by itself
-  NotMoved,     ///< nobody moved it to the end that was asked for
+  NotMoved,     ///< nobody moved the device to the end that was asked for
   NotAlongAxis, ///< two ends of one axis do not lie along one axis of the device, or two axes share one
-  NotInMiddle,  ///< the hand did not bring it back
-  PushUnclear,  ///< what it did was not what the pushes ask for: the hand moves by itself
+  NotInMiddle,  ///< the hand did not bring the device back
+  PushUnclear,  ///< the motion was not what the pushes ask for: the hand moves by itself
   NoMotion,     ///< a motor moves nothing
   BothAxes,     ///< one motor moves two axes
   SharedAxis,   ///< two motors move one axis
-  AnswersLate,  ///< it is moved after the push is over
-  Sometimes,    ///< it is moved by some pushes only
-  Fades,        ///< the second time it was moved much less
+  AnswersLate,  ///< the axis moves after the push is over
+  Sometimes,    ///< some pushes only move the axis
+  Fades,        ///< the second push moved the axis much less
   NoExpiry,     ///< what is not renewed goes on
   TooFar,
   TooFast,
@@ -158,13 +158,13 @@ struct SelfTestState
 [[nodiscard]] DeviceCommand stepSelfTest(const SelfTestPlan& plan, const DeviceSample& sample, DeviceStatus status,
   double dt_s, SelfTestState& state) noexcept;
 
-/// Ends it without a result.
+/// Ends the test without a result.
 void stopSelfTest(SelfTestState& state) noexcept;
 
-/// How much of it is done, 0 .. 1.
+/// How much of the test is done, 0 .. 1.
 [[nodiscard]] double selfTestProgress(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
 
-/// Where a hand that does what it is asked goes now, in D [m]: simulated ones do.
+/// Where a hand that does what it is asked goes now, in D [m]: for simulated hands.
 [[nodiscard]] Vec3 askedPlace_D(const SelfTestPlan& plan, const SelfTestState& state) noexcept;
 
 } // namespace palpate

@@ -16,25 +16,25 @@
 namespace palpate
 {
 
-/// A device that comes and goes, held by the threads of its link, and what was said about it last. Any thread but the
+/// A device that comes and goes, held by the threads of its link, with the last message about it. Any thread but the
 /// servo's.
 template<class Attached>
 class HeldDevice
 {
 public:
-  /// Null: it is not there. Stays valid for who has it when it is let go.
+  /// Null: no device is there. A pointer stays valid for its holder when the device is let go.
   [[nodiscard]] std::shared_ptr<Attached> get() const
   {
     const std::lock_guard lock(this->mutex_);
     return this->device_;
   }
-  /// Says so by found(), before anybody else can have it.
+  /// Holds the device from now on, and calls found() before anybody else can have it.
   template<class Found>
   void hold(std::shared_ptr<Attached> device, Found found)
   {
     const std::lock_guard lock(this->mutex_);
     this->device_ = std::move(device);
-    this->message_ = this->lostFor_; // not what kept it away since
+    this->message_ = this->lostFor_; // why it went, not what kept it away since
     found();
   }
   /// Does something while nobody lets go of `device`; nothing if it has been let go of.
@@ -52,7 +52,7 @@ public:
     const std::lock_guard lock(this->mutex_);
     this->device_.reset();
   }
-  /// And says so by lost(). False: somebody else has let go of it already; another one that is held by now stays.
+  /// The same of `device`, and calls lost(). False: it was let go already; another device that is held by now stays.
   template<class Lost>
   bool letGo(const std::shared_ptr<Attached>& device, const std::string& why, Lost lost)
   {

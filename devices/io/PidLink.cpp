@@ -73,7 +73,7 @@ std::string PidLink::prepare(FoundDevice found, const DeviceAbilities& least)
   return {};
 }
 
-/// One that stands still may say nothing; where the hand was before says nothing either.
+/// A device that stands still may say nothing, and a place from before the loss says nothing about now.
 std::optional<PidLink::Hand> PidLink::firstHand(Attached& device)
 {
   std::optional<Hand> hand;
@@ -85,7 +85,7 @@ std::optional<PidLink::Hand> PidLink::firstHand(Attached& device)
   return hand;
 }
 
-/// One thread at a time: who holds the device.
+/// One thread at a time: the one that holds the device.
 void PidLink::tell(const std::optional<Hand>& hand) noexcept
 {
   this->handToServo_.write(hand);
@@ -139,13 +139,13 @@ void PidLink::detach() noexcept
   this->held_.letGo();
 }
 
-/// False: somebody else has lost it already.
+/// False: another thread has noticed the loss already.
 bool PidLink::lose(const std::shared_ptr<Attached>& device, const std::string& why)
 {
   return this->held_.letGo(device, why, [this] { this->presence_.lost(); });
 }
 
-/// Unless somebody does so already.
+/// Nothing where another thread is sending that order already.
 void PidLink::Attached::stopPastTheWriter() noexcept
 {
   const std::unique_lock alone(this->spareMutex, std::try_to_lock);
@@ -180,8 +180,8 @@ bool PidLink::readPass(int timeout_ms)
   return true;
 }
 
-/// The servo knows before the order to stop is sent: that may hang. It may still be there and push; one that the writer
-/// has lost has been told, and what is there now may be another one.
+/// The servo knows of the loss before the order to stop is sent, for sending may hang. The device may still be there
+/// and push. A device that the writer has lost has had its order, and what is there now may be another device.
 void PidLink::loseAndStop(const std::shared_ptr<Attached>& device)
 {
   this->stopping_ = true;
@@ -213,7 +213,7 @@ void PidLink::take(Attached& device, std::span<const std::uint8_t> report, std::
   this->takeState(device, *state, newest);
 }
 
-/// Some firmwares never say that their switch is on: only one that was has been switched off.
+/// Some firmwares never say that their switch is on: only a switch that was on can have been switched off.
 void PidLink::takeState(Attached& device, const PidState& state, std::optional<Hand>& newest)
 {
   if (!state.actuatorsEnabled)
@@ -237,9 +237,9 @@ void PidLink::takeState(Attached& device, const PidState& state, std::optional<H
   }
 }
 
-/// A write that hangs cannot be called back, and until it ends nobody can open the device; so the order to stop goes by
-/// a connection that was opened before. It lies behind the other in the system's queue, and comes first when the device
-/// takes anything again. That may hang as long: the reader has nothing else to do for a device that is lost.
+/// A write that hangs cannot be called back, and until the write ends nobody can open the device. So the order to stop
+/// goes by a connection that was opened before. The order lies behind the write in the system's queue, and comes first
+/// when the device takes anything again. Sending may hang as long: the reader has nothing else to do for a lost device.
 void PidLink::watchWriter(Attached& device)
 {
   const std::int64_t since_ns = this->writingSince_ns_;
@@ -248,7 +248,7 @@ void PidLink::watchWriter(Attached& device)
   {
     this->presence_.stalled();
     ++this->stalls_;
-    device.stalled = true; // before it can say that it has stopped
+    device.stalled = true; // before the device can say that it has stopped
     device.stopPastTheWriter();
   }
   this->writerStuck_ = stuck;
@@ -276,7 +276,7 @@ bool PidLink::writeTo(const std::shared_ptr<Attached>& device, std::int64_t now_
     this->loseAndStop(device, now_ns, why);
     return true;
   }
-  // First its number: a command that is newer than that is taken for one that is late, never the other way round.
+  // The number is read first: a command newer than its number is taken for a late one, never the other way round.
   const std::uint64_t beat = this->beat_.load(std::memory_order_acquire);
   const DeviceCommand& newest = this->commands_.read();
   this->muted_ = this->muted_ && asksForForce(newest);
@@ -294,8 +294,8 @@ bool PidLink::writeTo(const std::shared_ptr<Attached>& device, std::int64_t now_
   return step == PidOutput::Step::Sent;
 }
 
-/// What it was told last would go on until it ends by itself. Who took nothing for long would only hang again, and has
-/// been told past the writer. The servo knows before the order to stop is sent: that may hang.
+/// What the device was told last would go on until it ends by itself. A device that took nothing for long would only
+/// hang again, and has had its order past the writer. The servo knows before the order is sent, for sending may hang.
 void PidLink::loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why)
 {
   const bool answers = this->clock_.now_ns() - since_ns <= stuckAfter_ns;
@@ -306,8 +306,8 @@ void PidLink::loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t 
   }
 }
 
-/// Why its effects do not play any more; null: they do. Whoever was told to stop past the writer may not say so. The
-/// order to stop switches the actuators of some off, too.
+/// Why the device's effects do not play any more; null: they do. A device that was told to stop past the writer may not
+/// say so, and that order also switches the actuators of some devices off.
 const char* PidLink::Attached::disturbance(std::int64_t now_ns) noexcept
 {
   if (this->stalled)
@@ -323,7 +323,7 @@ const char* PidLink::Attached::disturbance(std::int64_t now_ns) noexcept
   return this->watch->undisturbed(now_ns) ? nullptr : effectsTaken;
 }
 
-/// What is there is noted before anything is waited for: soon the lost device may be back in another place.
+/// The devices that are there are noted before anything is waited for: the lost one may soon be back in another place.
 void PidLink::reattach(std::int64_t now_ns)
 {
   this->search_.lost(*this->bus_);

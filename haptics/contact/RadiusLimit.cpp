@@ -17,12 +17,15 @@ namespace palpate
 namespace
 {
 
-/// Of one surface, and of all: with hundreds of surfaces each is looked at in few places.
+/// Triangles on which a ball is laid, of one surface and of all. With hundreds of surfaces each is looked at in few
+/// places, so that the count takes no longer than for 64 of them.
 constexpr std::size_t placesPerSurface = 256, placesOfAll = 16384, leastPlaces = 8;
-/// Of the ball: the first part of a long way, looked at alone, goes so far beyond where it rests.
+/// In radii: the first part of a long way (TickState.h: firstPart) is looked at alone, and goes so far beyond a ball at
+/// rest.
 constexpr double reach = 1.02;
 /// Radii tried, in scene sizes: beyond the largest a ball is flat, below the smallest it is a point.
 constexpr double flat = 64.0, pointlike = 1e-9;
+/// Of ln(flat / pointlike), which is 25: they tell the radius to 2e-11 of itself.
 constexpr int halvings = 40;
 
 /// Where a ball rests on a surface.

@@ -9,7 +9,7 @@
 namespace palpate
 {
 
-/// The largest ball with which a tick finishes its work in the plan's node budget, and what an asked one means.
+/// The largest ball with which a tick finishes its work in the plan's budget, beside the ball that was asked for.
 ///
 /// A ball at rest on a sheet of triangles with edges h reaches into the boxes of a disc of area 2 pi r (0.02 r + h), so
 /// a sweep visits about c (r / h)^2 + c' r / h nodes, in a hollow that fits it all of c'' (r / h)^2. That is counted,
@@ -20,9 +20,9 @@ struct RadiusLimit
   double largest_u = 0.0; ///< [u]; infinity where no ball is too large, 0 where every one is
   double asked_u = 0.0;   ///< the plan's [u]
 
-  /// Sweeps of a pass, on average over a tick of as many passes as it may have: a slide looks at the first part of its
-  /// way and then at all of it, a roll at two ways, and few passes do both twice. It is measured, not proven: random
-  /// hands over rough spheres made up to 197 sweeps in 64 passes, three a pass; one more is slack.
+  /// Sweeps of a pass, on average over a tick with all the passes it may have. A slide looks at the first part of its
+  /// way and then at all of it, a roll at two ways, and few passes do both twice. The number is measured, not proven:
+  /// random hands over rough spheres made up to 197 sweeps in 64 passes, three a pass; one more is slack.
   static constexpr int sweepsPerPass = 4;
 
   [[nodiscard]] bool kept() const noexcept { return this->asked_u <= this->largest_u; }

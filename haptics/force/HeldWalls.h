@@ -32,14 +32,15 @@ struct AxisWalls
 };
 
 /// The walls that keep the handle from going where the virtual location x_D [m] cannot: one in each direction against
-/// which a near wall leans, at the first place where one of them is met along the axis. A slanted wall becomes two that
-/// meet at x_D; where it is touched, their springs give the handle the same force as a spring to x_D.
-/// What leans by no more than `leastLean`, the sine of its angle to the axis, does not count: a wall along an axis is
-/// one wall in spite of rounding, and the force lost is at most that share of the whole.
+/// which a near wall leans, at the first place where a near wall is met along the axis. A slanted wall becomes two that
+/// meet at x_D; where the slanted wall is touched, their springs give the handle the same force as a spring to x_D.
+/// A wall that leans by no more than `leastLean`, the sine of its angle to the axis, does not count in that direction:
+/// so a wall along an axis is one wall in spite of rounding, and the force lost is at most that share of the whole.
 [[nodiscard]] AxisWalls wallsAround(const Vec3& x_D, std::span<const NearWall> near, double leastLean = 0.02) noexcept;
 
-/// The walls to hold next. Moving one by d into a handle that is p behind it gives the hand K d (p + d / 2), so a wall
-/// enters the hand by at most `most_m` an update: a new one begins at the handle. Away from it each moves at once.
+/// The walls to hold next. A wall that moves by d into a handle p behind it gives the hand K d (p + d / 2). So a wall
+/// enters the hand by at most `most_m` an update, and a new wall begins at the handle. Away from the handle each wall
+/// moves at once.
 [[nodiscard]] AxisWalls ledTo(
   const AxisWalls& held, const AxisWalls& wanted, const Vec3& handle_D, double most_m) noexcept;
 
@@ -59,7 +60,7 @@ void command(const AxisWalls& walls, double stiffness_N_per_m, DeviceCommand& co
 /// What the walls of a command do to a handle at p_D [m] at rest [N].
 [[nodiscard]] Vec3 forceOfWalls(const DeviceCommand& command, const Vec3& p_D) noexcept;
 
-/// How a device that holds walls is used. Whether it does is a matter of the device and the world, so off.
+/// How a device that holds walls is used. Off by default: whether the device holds them depends on device and world.
 struct HeldWallPlan
 {
   bool hold = false;
@@ -88,11 +89,11 @@ struct Slide
   double lean = 0.0; ///< sine of the angle between the slanted wall and the held wall it slides into, in (0, 1)
 };
 
-/// The drag of such a slide. The corner of the two walls stays behind by s = speed * (time since the update) until it
-/// is moved on: while both walls press that pulls back with K s, whatever the angle, so a saw tooth with the peak
-/// K v (T_host - T_device) and the mean of half of it. From s = depth * lean / sqrt(1 - lean^2) on the handle is off
-/// one of them and drags against the other alone, with K lean (depth sqrt(1 - lean^2) + s lean). Both directions along
-/// a wall differ by their lean, unless it is at 45 degrees. Mean over the periods of the device.
+/// The drag of such a slide. The corner of the two walls stays behind by s = speed * (time since the update) until the
+/// host moves the corner on. While both walls press, the corner pulls back with K s, whatever the angle: a saw tooth
+/// with the peak K v (T_host - T_device) and half of that as its mean. From s = depth * lean / sqrt(1 - lean^2) on the
+/// handle is off one wall and drags against the other alone, with K lean (depth sqrt(1 - lean^2) + s lean). Both
+/// directions along a wall differ by their lean, unless the wall is at 45 degrees. Mean over the periods of the device.
 [[nodiscard]] Velvet velvet(const Slide& slide) noexcept;
 
 } // namespace palpate

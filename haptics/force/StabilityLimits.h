@@ -46,10 +46,10 @@ struct LoopSettings
   PassivityPlan passivity;
 };
 
-/// From what the device says about itself, at a period, with a damping and a passivity plan; where its link takes
-/// longer for a force than that period, at the link's own. Without the controller the loop is taken as held by a light
-/// hand (200 N/m, 2 N s/m, 20 g): many devices have so little damping of their own that nothing but the hand keeps a
-/// wall still. Not real-time safe.
+/// From what the device says about itself, at a period, with a damping and a passivity plan. Where the device's link
+/// takes longer for a force than that period, the period is the link's. Without the controller the loop is taken as
+/// held by a light hand (200 N/m, 2 N s/m, 20 g): many devices have so little damping of their own that nothing but the
+/// hand keeps a wall still. Not real-time safe.
 [[nodiscard]] StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& loop);
 
 /// One sentence: how stiff, and why.

@@ -8,10 +8,10 @@
 namespace palpate
 {
 
-/// How wide the corridors of a maze are that does not say so [u]: the narrowest place of the widest way from its start
-/// to its exit within the fence (bottleneck path, Pollack 1960), found on a grid of 512 steps along the longer side. It
-/// is at most three steps less than the true width, and at most one more. Nothing where there is no way wider than a
-/// step, and of what refuse() has something against.
+/// The width of the corridors of a maze that does not say its own [u]: the narrowest place of the widest way from start
+/// to exit within the fence (bottleneck path, Pollack 1960), found on a grid of 512 steps along the longer side. The
+/// result is at most three steps less than the true width, and at most one more. Nothing where there is no way wider
+/// than a step, nor for a labyrinth that refuse() refuses.
 [[nodiscard]] std::optional<double> corridorWidth(const Labyrinth& labyrinth);
 
 } // namespace palpate

@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// A plane world, and where it begins and ends if it is a maze. In scene units, z = 0.
+/// A plane world, with start and exit if it is a maze. In scene units, z = 0.
 struct Labyrinth
 {
   std::string name;
@@ -19,7 +19,7 @@ struct Labyrinth
   std::optional<Eigen::Vector2d> start_W, exit_W;
   double corridor_u = 1.0; ///< width of its corridors, > 0
 
-  /// Of the disc that is led through it: it fits with room to spare, and never leaves a corridor by rounding.
+  /// Radius of the disc that is led through: the disc fits with room to spare, and never leaves a corridor by rounding.
   [[nodiscard]] double radius_u() const noexcept { return 0.2 * this->corridor_u; }
   /// How near to the exit's middle the disc has arrived; less than half a corridor and a radius, so never through a
   /// wall.
@@ -40,7 +40,8 @@ struct PlaneBox
   Eigen::Vector2d low_W, high_W;
 };
 
-/// The box of the lines; where start or exit lie outside of it, as far beyond them as they are from it. Needs a line.
+/// The box of the lines. Where start or exit lie outside, the fence goes as far beyond them as they are from the box.
+/// Needs a line.
 [[nodiscard]] PlaneBox fence(const Labyrinth& labyrinth);
 
 /// Its lines and the fence round them, so that nobody goes round a maze.

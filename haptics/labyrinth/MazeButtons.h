@@ -17,9 +17,8 @@ namespace palpate
 }
 
 /// The labyrinth, from 1 on, that buttons which went down (bit i: button i + 1) ask for: button n for labyrinth n, the
-/// lowest of several. While one is played, nothing: no grip that slips ends a game. A button that holds the hand
-/// engaged
-/// (`deadMan`, same bits) chooses nothing.
+/// lowest of several. While a labyrinth is played, nothing: no grip that slips ends a game. A button that holds the
+/// hand engaged (`deadMan`, same bits) chooses nothing.
 [[nodiscard]] constexpr std::optional<int> mazeOf(
   GamePhase phase, std::uint32_t wentDown, std::uint32_t deadMan) noexcept
 {
@@ -50,7 +49,7 @@ struct MazeCall
 };
 
 /// Buttons 1 to `mazes` choose, the next one ends. What must be held is `deadMan`, or, where that asks for nothing, the
-/// button that chose. A game is given up by letting go of what chose it, or by holding any other button than the
+/// button that chose. Letting go of that button gives the game up, and so does holding any other button than the
 /// dead-man's for a second.
 class MazeMenu
 {

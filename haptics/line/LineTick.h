@@ -34,7 +34,7 @@ struct LineTickInput
   double dt_s = 1e-3;
 };
 
-/// The tick of a line: the limits, ramps and faults are those of every other tick (ARCHITECTURE.md). Nothing is pushed
+/// The tick of a line: the limits, ramps and faults are those of every other tick (docs/faults.md). Nothing is pushed
 /// before somebody engages, and then from a small force on. Pure; real-time safe.
 [[nodiscard]] DeviceCommand stepLine(
   const LineWorld& world, const SafetyLimits& limits, const LineTickInput& input, LineState& state) noexcept;

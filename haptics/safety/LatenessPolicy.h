@@ -13,7 +13,7 @@ struct LatenessVerdict
   Fault fault = Fault::None;
 };
 
-/// The lateness rows of the fault table (ARCHITECTURE.md): a tick gap above 20 ms or p99 lateness above 5 ms over
+/// The lateness rows of the fault table (docs/faults.md): a tick gap above 20 ms or p99 lateness above 5 ms over
 /// 5 s drops the force; p99 of 1-5 ms scales the stiffness to what that rate can hold, K ~ 1 / (T / 2 + lateness)
 /// (Gil et al. 2009). Simulated devices only count. Pure; real-time safe.
 [[nodiscard]] constexpr LatenessVerdict judgeLateness(

@@ -16,10 +16,13 @@ namespace palpate
   return { period_s, parameters.damping_Ns_per_m, parameters.passivity };
 }
 
-/// What a person set, completed by what the device says about itself: the encoder step the velocity is estimated
-/// with, the largest stiffness, no passivity control where no force reaches a hand, and walls left to it only if it
-/// closes them: then no stiffer and no harder than it can, and what the host closes beside them neither, and no more
-/// often than its link carries them. `viscosity_Ns_per_m`: what its corridors need (Viscosity.h).
+/// What a person set, completed by what the device says about itself.
+///
+/// The velocity is estimated with the device's encoder step, the stiffness is limited to what the loop can hold, and
+/// passivity control is off where no force reaches a hand. Walls are left to the device only if it closes them. Then
+/// nothing, held by the device or closed by the host, is stiffer or harder than the device can hold. Walls are moved no
+/// more often than the device's link carries them. `viscosity_Ns_per_m`: what the device's corridors need
+/// (Viscosity.h).
 [[nodiscard]] inline HapticParameters adaptToDevice(HapticParameters parameters, const DeviceInfo& device,
   const StabilityLimits& limits, double viscosity_Ns_per_m = 0.0) noexcept
 {

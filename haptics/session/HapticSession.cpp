@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 
-constexpr double shortestPeriod_s = 1e-4;
+constexpr double shortestPeriod_s = 1e-4; // ten times the usual rate
 
 } // namespace
 

@@ -25,7 +25,7 @@ struct SessionOptions
 };
 
 /// Owner of a device, a servo and what they share, for programs and the user interface. One thread, the owner's,
-/// calls every method; none waits for the servo except stop() and the destructor, which end it with zero force.
+/// calls every method. No method waits for the servo except stop() and the destructor, which end it with zero force.
 class HapticSession
 {
 public:
@@ -36,9 +36,9 @@ public:
 
   /// Opens the device and starts the servo. Empty, or one sentence why not; then nothing runs.
   [[nodiscard]] std::string start(std::unique_ptr<HapticDevice> device, const SessionOptions& options = {});
-  /// Zero force, servo joined, device closed, recording complete. Empty, or what went wrong with the recording. A
-  /// pushed hand is let go in the release ramp, which is waited for, but no longer than half a second: there a longer
-  /// one is cut. In virtual time, where nobody is pushed, at once.
+  /// Zero force, servo joined, device closed, recording complete. Returns empty, or what went wrong with the recording.
+  /// A pushed hand is let go in the release ramp, which is waited for; a ramp longer than half a second is cut there.
+  /// In virtual time nobody is pushed, and the session ends at once.
   std::string stop();
   [[nodiscard]] bool running() const noexcept;
   /// The running device, or null: to feed a FedDevice.

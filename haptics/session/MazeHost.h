@@ -19,7 +19,7 @@ struct MazeOnOffer
   std::shared_ptr<const Scene> walls;
 };
 
-/// What has just happened, for the person who plays and cannot see it.
+/// What has just happened, for a person who plays without a screen.
 enum class MazeNews : std::uint8_t
 {
   None,
@@ -32,12 +32,13 @@ enum class MazeNews : std::uint8_t
   End,
 };
 
-/// Labyrinths on a running session, played from the device alone: its buttons choose, what must be held starts, letting
-/// go or another button gives up. The next one begins once the hand has been let go of. No clock: time is the tick's.
+/// Labyrinths on a running session, played from the device alone. A button chooses, holding what must be held starts,
+/// letting go or another button gives up. The next labyrinth begins once no force is left on the hand. No clock: time
+/// is the tick's.
 class MazeHost
 {
 public:
-  /// Both must outlive it; the session is one that nobody has engaged, and there is something to play.
+  /// Session and labyrinths must outlive the host. Nobody has engaged the session yet, and there is something to play.
   MazeHost(HapticSession& session, const std::vector<MazeOnOffer>& mazes, const DeadMan& deadMan);
 
   /// To be called often, at least once in 50 ms: the newest state of the session, and what happened since the last

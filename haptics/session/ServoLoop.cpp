@@ -8,7 +8,8 @@ namespace palpate
 namespace
 {
 
-constexpr std::uint64_t ticksPerReport = 250;
+constexpr std::uint64_t ticksPerReport = 250; // four times a second at 1 kHz, for a person to read
+/// Room for the release to be taken and for a ramp that is no whole number of ticks; and how long a stop is waited for.
 constexpr double letGoSlack_s = 0.005, longestLetGo_s = 0.5;
 
 bool pushes(const DeviceCommand& command) noexcept
@@ -57,7 +58,8 @@ void ServoLoop::finish() noexcept
   this->publishReport();
 }
 
-/// Everything that happens before the tick goes into the recording before it, in the order the tick takes it.
+/// Everything that happens before a tick goes into the recording before the tick, in the order in which the tick takes
+/// it.
 void ServoLoop::takeChanges() noexcept
 {
   const ServoLinks::Versioned& latest = this->links_.parameters.read();

@@ -58,9 +58,9 @@ public:
   ServoLoop(HapticDevice& device, TickTimer& timer, ServoLinks& links, Recorder* recorder, const Clock& costClock,
     double period_s) noexcept;
 
-  /// Until a stop is asked for or the device ends; then the device gets a zero command. Whoever asks for it queues a
-  /// release first: a hand that is still pushed then is let go in the release ramp or the first half second
-  /// of it. Servo thread.
+  /// Runs until a stop is asked for or the device ends; then the device gets a zero command. Whoever asks for a stop
+  /// queues a release first: a hand that is still pushed then is let go in the release ramp, or in the first half
+  /// second of that ramp. Servo thread.
   void run(const std::stop_token& stop) noexcept;
   /// One period. False when the device has ended. Servo thread; real-time safe.
   bool tick() noexcept;

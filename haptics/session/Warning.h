@@ -9,8 +9,8 @@
 namespace palpate
 {
 
-/// What needs attention without being a fault, and what to do, for a person; empty if nothing. The lateness is the
-/// report's, the share of the stiffness the state's.
+/// What needs attention without being a fault, and what to do, for a person; empty if nothing does. The lateness is
+/// that of the report, the share of the stiffness that of the state.
 [[nodiscard]] std::string warning(const HapticState& state, const LoopReport& report);
 
 } // namespace palpate

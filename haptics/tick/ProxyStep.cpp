@@ -23,7 +23,7 @@ ContactResult moveIn(const ProxyTick& tick, const Vec3& p_W, GodObjectState& con
            : moveGodObject(scene, tick.plan, p_W, contact, tick.sink);
 }
 
-/// With another scene, or the way its surfaces made.
+/// Takes the ball along to another scene, or on the way that the surfaces of this one made.
 void comeAlong(
   const ProxyTick& tick, const Vec3& p_W, double ageBefore_s, GodObjectState& contact, ProxyStep& moved) noexcept
 {

@@ -38,17 +38,17 @@ struct WallTick
 /// line that is met within `reach_m` of it. Real-time safe; four sweeps.
 [[nodiscard]] AxisWalls lookForWalls(const WallTick& tick, double reach_m, std::uint32_t& nodes) noexcept;
 
-/// Renews the walls once their time has come. One that enters the hand does so by no more than adds, at the stiffness,
-/// the force that may be added in that time; the first ones after none were held, in one tick. Returns the tree nodes
-/// visited.
+/// Renews the walls once their time has come. A wall enters the hand no further than adds, at its stiffness, the force
+/// that may be added in the time since the last renewal; where none was held before, in one tick. Returns the tree
+/// nodes visited.
 std::uint32_t keepWalls(const HeldWallPlan& plan, const WallTick& tick, HeldWallState& held) noexcept;
 
-/// How stiff these walls may be now, at most `wanted` [N/m]: where the handle is behind them already, stiffer than
-/// before by no more than adds the force that may be added in a tick.
+/// How stiff these walls may be now, at most `wanted` [N/m]. Where the handle is behind them already, they grow stiffer
+/// by no more than adds the force that may be added in a tick.
 [[nodiscard]] double heldStiffness(double wanted_N_per_m, const WallTick& tick, HeldWallState& held) noexcept;
 
-/// How hard each wall of the command may push goes up no faster than a force may rise: where a wall across the other
-/// axis is gone, one that is pressed to its limit may push harder.
+/// Lets the largest force of each wall go up no faster than a force may rise: where a wall across the other axis is
+/// gone, a wall that is pressed to its limit may push harder.
 void rampLimits(const WallTick& tick, HeldWallState& held, DeviceCommand& command) noexcept;
 
 } // namespace palpate

@@ -17,7 +17,7 @@
 namespace palpate
 {
 
-/// How a joystick is driven. The times are those of the safety rules (ARCHITECTURE.md).
+/// How a joystick is driven. The times are those of the safety rules (docs/faults.md).
 struct PidOutputOptions
 {
   PidScale scale;
@@ -34,13 +34,13 @@ struct PidOutputOptions
 [[nodiscard]] bool asksForForce(const DeviceCommand& command) noexcept;
 
 /// Decides what one report to send next so that a device does what the newest command says, at whatever rate its link
-/// takes reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis. Order
-/// is that of Windows: an effect's settings again after its conditions, actuators enabled again after a stop of all.
-/// Not real-time; one thread.
+/// takes reports: a start that is due, then walls and viscosity where they changed, then the force axis by axis. The
+/// order is that of Windows: an effect's settings again after its conditions, actuators enabled again after a stop of
+/// all. Not real-time; one thread.
 class PidOutput
 {
 public:
-  /// With one axis, a wheel, nothing is ever sent for y: some firmwares would turn it into x. With none what would push
+  /// With one axis, a wheel, nothing is ever sent for y: some firmwares would turn a y into an x. With no axis a push
   /// is felt as vibration.
   PidOutput(EffectEngine& engine, const PidOutputOptions& options, const PidKind& kind) noexcept;
 

@@ -18,6 +18,8 @@ namespace palpate
 namespace
 {
 
+/// Each attempt adds the first surface that is met. Three planes hold a ball, so eight surfaces that come at a ball in
+/// one tick are more than it can give way to; after them the last resort decides.
 constexpr int attempts = 8;
 
 /// A feature that holds the ball while the surfaces move, and where the ball would be had it stayed with its surface.

@@ -18,12 +18,12 @@ struct CarryResult
 
 /// Takes the ball along with the surfaces that moved between two moments, so that none passes it.
 ///
-/// A ball that is touched by a moving surface goes with it; one that a surface runs into is pushed before it. What
-/// counts is the way relative to each surface, straight in that surface's own frame from where the ball was to where it
-/// is: it must be free, exactly for a point. Surfaces that close like scissors push together: the least motion that
-/// keeps the ball in front of all of them. Where they leave no such place the ball shrinks to its centre, which stays
-/// between them, and `pinned` is set; a centre between two parallel plates that meet has no place either and stays
-/// with the plate it touched first.
+/// A ball that a moving surface touches goes with that surface; a ball that a surface runs into is pushed before it.
+/// What counts is the ball's way relative to each surface, straight in that surface's own frame: this way must be free,
+/// for a point exactly. Surfaces that close like scissors push together: by the least motion that keeps the ball in
+/// front of all of them. Where the surfaces leave no such place, the ball shrinks to its centre, which stays between
+/// them, and `pinned` is set. A centre between two parallel plates that meet has no place either and stays with the
+/// plate that it touched first.
 /// `now` may be of another scene than `before`; the features of `state` are of `now`'s. A surface of `now` that was not
 /// in `before` counts as not moving. Bounded, allocation-free.
 [[nodiscard]] CarryResult carryBall(

@@ -23,7 +23,7 @@ std::uint64_t fullOf(const Surface& surface) noexcept
   return surface.standsFor.full != 0 ? surface.standsFor.full : surface.tree->contentHash();
 }
 
-/// The surface that has taken the place of one that is gone, as simpler or as full; null where none has.
+/// The surface, simpler or full, that has taken the place of one that is gone; null where none has.
 const Surface* exchangedFor(
   const std::vector<Surface>& before, std::uint32_t i, const std::vector<Surface>& after) noexcept
 {
@@ -34,7 +34,7 @@ const Surface* exchangedFor(
   return found != after.end() && successorOf(before, i, after) == after.size() ? &*found : nullptr;
 }
 
-/// Two surfaces of which one has taken the other's place, near the ball.
+/// Two surfaces near the ball: one has taken the other's place.
 struct Exchange
 {
   const SurfaceData* old = nullptr;
@@ -96,7 +96,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t mostNear = 4;
+  static constexpr std::size_t mostNear = 4; ///< surfaces that are exchanged near the ball: bounds the work of a swap
 
   [[nodiscard]] std::span<const Exchange> exchanges() const noexcept { return { this->near_.data(), this->count_ }; }
 
@@ -162,7 +162,7 @@ private:
   /// Out of a pocket, as a hand would be drawn out of it.
   [[nodiscard]] Vec3 slid(const Vec3& way_W) const noexcept
   {
-    constexpr int ticks = 4;
+    constexpr int ticks = 4; // each goes on where the last one met its pass cap; a pocket that takes more is not left
     ContactPlan smooth = this->plan_;
     smooth.friction = {};
     smooth.shading = false;
@@ -201,7 +201,7 @@ private:
   std::array<Exchange, mostNear> near_;
   std::size_t count_ = 0;
   double way_u_ = 0.0;
-  double enough_u_ = 0.0; ///< that clear of it a place is out of what is between two surfaces
+  double enough_u_ = 0.0; ///< so far from the coarser surface a place is out of what is between the two
   bool slides_ = false;   ///< round what is in the way
   double best_u_ = 0.0;   ///< how clear of them all the best place is
   Vec3 best_W_;

@@ -99,8 +99,8 @@ double shareOf(double stiffness_N_per_m, const ContactPlan& plan) noexcept
   return stiffness_N_per_m < plan.coupling_N_per_m ? stiffness_N_per_m / plan.coupling_N_per_m : 1.0;
 }
 
-/// What the data say between the vertices, and no more than the coupling's of that; a vertex that is rigid, for want of
-/// a number, has the coupling's.
+/// The stiffness that the data say between the vertices, but no more than the coupling's. A vertex that is rigid, for
+/// want of a number, has the coupling's.
 void addStiffness(
   const Blend& blend, const std::vector<double>& field, const ContactPlan& plan, ContactMaterial& at) noexcept
 {
@@ -110,7 +110,7 @@ void addStiffness(
   }
   const auto stiffness = [&field, &plan](std::uint32_t v)
   {
-    constexpr double stiffest_N_per_m = 1e100; // its slope is finite
+    constexpr double stiffest_N_per_m = 1e100; // larger ones would have a slope that is not finite
     return field[v] < Material::rigid_N_per_m ? std::min(field[v], stiffest_N_per_m) : plan.coupling_N_per_m;
   };
   const double there_N_per_m = blend.value(stiffness);

@@ -20,8 +20,9 @@ struct ContactMaterial
   TextureScale texture;        ///< no finer than two of the face's shortest sides
 };
 
-/// Material of feature f at the foot of the ball: fields are linear over a face and along an edge (there without a
-/// slope across it); where a surface has none, its own value, and where it has none of its own, the plan's.
+/// Material of feature f at the foot of the ball. Fields are linear over a face and along an edge, there without a
+/// slope across the edge. A surface without a field has its own value; a surface without a value of its own has the
+/// plan's.
 template<SceneView AnyScene>
 [[nodiscard]] ContactMaterial materialAt(
   const AnyScene& scene, const ContactPlan& plan, const ActiveFeature& f, const Vec3& foot_W) noexcept;

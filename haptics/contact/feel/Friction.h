@@ -52,9 +52,9 @@ struct FrictionVerdict
 
 /// The friction cone of the god-object (Harwin & Melder 2002), in the free directions of all touched planes.
 ///
-/// From where it is, x0, the frictionless god-object would go to xf under the touched planes, with multipliers l_i
-/// (depths [u] along the normals). Static friction keeps it at x0 as long as |x0 - xf| <= sum mu_s l_i; then it trails
-/// xf by sum mu_k l_i in the direction it came from, until the device no longer draws it on. It moves by being pulled
+/// From its place x0 the frictionless god-object would go to xf under the touched planes, with multipliers l_i
+/// (depths [u] along the normals). Static friction keeps the ball at x0 as long as |x0 - xf| <= sum mu_s l_i. Then the
+/// ball trails xf by sum mu_k l_i in the direction it came from, until the device no longer draws it on. It is pulled
 /// to p + (x - xf): this shift lies in the touched planes, so their depths stay, and every way is swept as without
 /// friction. Exact on faces and in corners; over round features exact in the limit of small ticks. Re-linearises the
 /// features of `state`; real-time safe.

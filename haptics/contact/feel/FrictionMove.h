@@ -7,8 +7,8 @@
 namespace palpate
 {
 
-/// One tick under friction. What friction lets the ball do is asked anew wherever it has come to: after a step over a
-/// bend other planes hold it than those that friction was judged by.
+/// One tick under friction. What friction lets the ball do is asked anew wherever a step ends: after a step over a bend
+/// the ball is held by other planes than those by which friction was judged.
 template<SceneView AnyScene>
 class FrictionMove
 {
@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  /// Where it does not converge in so many the next tick goes on.
+  /// Bounds the work: where friction does not converge in so many steps, the next tick goes on.
   static constexpr int mostSteps = 16;
 
   [[nodiscard]] FrictionlessMove<AnyScene> tickTo(const Vec3& p_W) noexcept
@@ -75,7 +75,7 @@ private:
     return this->state_.count == 0 || this->result_.capped || this->result_.overBudget || this->result_.infeasible;
   }
 
-  /// It has left the surface, or stands beside what seems to hold it: nothing drags any more.
+  /// For a ball that has left the surface, or stands beside what seems to hold it: nothing drags any more.
   [[nodiscard]] ContactResult goFreely() noexcept
   {
     this->state_.count = 0;

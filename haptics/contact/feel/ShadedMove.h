@@ -20,12 +20,12 @@ void holdShaded(const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W,
     listHeld(contacts, contacts.solve(p_W - state.x_W, contacts.lift()), result.held);
 }
 
-/// A few rounds bring the ball to where the shaded force is at rest.
+/// A few rounds bring the ball to where the shaded force is at rest; the next tick goes on from where they end.
 template<SceneView AnyScene>
 ContactResult moveShaded(
   const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state, PathSink* sink) noexcept
 {
-  constexpr int mostRounds = 4;
+  constexpr int mostRounds = 4; // each is a whole run of the contact move
   ContactResult result;
   const auto add = [&result](ContactResult more)
   {

@@ -14,8 +14,8 @@ namespace
 {
 
 constexpr double smoothCosine = 0.8660254037844386; // of 30 degrees: sharper edges are meant to be felt
-constexpr double trustCosine = 0.7071067811865476;  // of 45 degrees between the smooth and the true normal
-constexpr int mostFaces = 128;
+constexpr double trustCosine = 0.7071067811865476;  // of 45 degrees: further off the true normal no smooth one is used
+constexpr int mostFaces = 128;                      // bounds a walk round a vertex; one of more faces is not smooth
 
 /// A face on the way round a vertex, and by which side it continues the first one.
 struct Step

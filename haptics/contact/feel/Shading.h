@@ -9,12 +9,12 @@
 namespace palpate
 {
 
-/// The smooth normal where feature f is touched, on the side of `plane.n`, which is what comes back where nothing
-/// smooth is known: across edges sharper than 30 degrees, free edges, edges of more than two faces, vertices of more
-/// than 128 faces, and where the two differ by more than 45 degrees.
+/// The smooth normal where feature f is touched, on the side of `plane.n`. Where nothing smooth is known, `plane.n`
+/// itself comes back: across edges sharper than 30 degrees, free edges, edges of more than two faces, vertices of more
+/// than 128 faces, and where the two normals differ by more than 45 degrees.
 ///
 /// Linear over a face between the normals at its corners. A corner's normal is the sum over the faces that are reached
-/// from this one without crossing such an edge, with Max's weights (1999): they make it exact for corners on a sphere.
+/// from this one without crossing such an edge, with Max's weights (1999), which are exact for corners on a sphere.
 /// `plane`: of f, unit normal and foot [W]. Bounded; real-time safe.
 template<class View>
 [[nodiscard]] Vec3 smoothNormal(const View& s, const ActiveFeature& f, const FeaturePlane& plane) noexcept;
@@ -32,10 +32,10 @@ struct ShadedStep
 ///
 /// The device is projected onto the planes through the ball with the smooth normals, and from there onto the touched
 /// planes themselves: there the frictionless shaded god-object would go, and proxy - device would be a sum of smooth
-/// normals. Friction keeps or trails the ball from there as judgeFriction does. The target lies only half as deep as it
-/// is far: a ball that is drawn from deep below an edge between facets leaps over it, and would leap back.
+/// normals. Friction keeps or trails the ball from there as judgeFriction does. The target lies only half as deep as
+/// its distance: a ball that is drawn from deep below an edge between facets leaps over the edge, and would leap back.
 /// Repeated, on a sphere of radius R pressed by d, each round leaves about d / R of the way.
-/// `slipping`: in a later round of the same tick, where whether it slips has been decided.
+/// `slipping`: an earlier round of the same tick has decided that the ball slips.
 /// Re-linearises the features of `state`; real-time safe.
 template<SceneView AnyScene>
 [[nodiscard]] ShadedStep judgeShading(

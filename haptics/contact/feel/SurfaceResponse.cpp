@@ -11,7 +11,8 @@ namespace palpate
 namespace
 {
 
-/// All of a texture while a period takes ten ticks, none where it takes five.
+/// All of a texture while a period takes ten ticks, none where a period takes five: a texture that is sampled more
+/// coarsely only shakes.
 double shareOfTexture(const TextureScale& texture, const FeaturePlane& plane, const Vec3& step_W) noexcept
 {
   constexpr double fewestTicks = 5.0;

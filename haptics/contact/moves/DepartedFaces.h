@@ -10,8 +10,8 @@
 namespace palpate
 {
 
-/// Faces a point has left in this tick and still lies beside: they come back only when
-/// they obstruct, or when the point hits them again without having moved.
+/// Faces that a point has left in this tick and still lies beside. Such a face comes back only when it obstructs, or
+/// when the point hits the face again without having moved.
 class DepartedFaces
 {
 public:
@@ -38,7 +38,7 @@ public:
   [[nodiscard]] const Entry& operator[](int i) const noexcept { return this->entries_[i]; }
 
 private:
-  static constexpr int capacity = 16;
+  static constexpr int capacity = 16; ///< a face that finds no room is hit once more, like any other
   std::array<Entry, capacity> entries_;
   int count_ = 0;
 };

@@ -13,10 +13,11 @@
 namespace palpate
 {
 
-/// Passes beyond the cap, used only while the ball touches nothing: they bring it back to contact.
+/// Passes beyond the cap, used only while the ball touches nothing. A ball that the cap stops in mid-air would feel
+/// like lost contact; these passes bring the ball back to the surface.
 inline constexpr std::uint32_t settlingPasses = 2;
 
-/// The god-object without friction and shading: pass after pass it is projected, rolled or slid until it rests.
+/// The god-object without friction and shading: pass after pass the ball is projected, rolled or slid until it rests.
 template<SceneView AnyScene>
 class FrictionlessMove
 {
@@ -80,11 +81,12 @@ public:
     return !hit.hit && hit.freeUntil >= 1.0;
   }
 
-  /// True if a point may go straight towards the device for more than what rounding makes of a way into a plane,
-  /// whatever planes it carries with it.
+  /// True if a point may go straight towards the device, past every plane that it carries with it, for more than
+  /// rounding makes of a way into a plane.
   [[nodiscard]] bool wayIsFree() noexcept
   {
     const Vec3 y = this->tick_.p_W - this->tick_.x();
+    // A way that meets a plane at an angle a is tol deep after tol / sin a: at one degree after some 60 tol.
     const double much = 64 * this->tick_.tol(), way = y.norm();
     if (this->tick_.isBall() || way <= much)
     {
@@ -95,7 +97,7 @@ public:
   }
 
 private:
-  /// True if one of the features that hold the ball is in its way: mostly one is, and no sweep is needed to see that.
+  /// True if one of the features that hold the ball is in the ball's way. Mostly one is, and then no sweep is needed.
   [[nodiscard]] bool oneIsInTheWay() const noexcept
   {
     const SweepQuery query = straightQuery(this->tick_.x(), this->tick_.p_W);
@@ -105,7 +107,7 @@ private:
       { return this->tick_.isBall() ? this->sinksInto(f) : meetsFace(this->tick_.scene, f, query); });
   }
 
-  /// True if a ball on its straight way is surely deeper in face f than rounding while it is still over the face.
+  /// True if a ball on its straight way surely sinks deeper into face f than rounding, while still over the face.
   [[nodiscard]] bool sinksInto(const ActiveFeature& f) const noexcept
   {
     if (f.kind != FeatureKind::Face)
@@ -119,7 +121,8 @@ private:
            projectsInside(this->tick_.contacts.surface(f), f.a, this->tick_.x() + needs / sinks * way, 0.0);
   }
 
-  /// A face for its edge, the edge for its end; once at a place, where a ball that comes back has gone in a circle.
+  /// Leaves a face for its edge, and the edge for its end. Only once at a place: a ball that comes back there has gone
+  /// in a circle.
   void leaveBorders() noexcept
   {
     if ((this->tick_.x() - this->bordersLeftAt_W_).norm() <= 4 * this->tick_.tol())
@@ -133,14 +136,14 @@ private:
     }
   }
 
-  /// True if a point carries planes with it none of which is in its way.
+  /// True if a point carries planes, and none of them is in its way.
   [[nodiscard]] bool standsBeside() noexcept
   {
     return !this->tick_.isBall() && this->tick_.solution.count > 0 && mayPassBesideAll(this->tick_) &&
            this->wayIsFree();
   }
 
-  /// True if it turns out that what seems to be a rest is none. Planes that contradict each other are no place to be.
+  /// True if a seeming rest turns out to be none. Planes that contradict each other are no place to be.
   [[nodiscard]] bool goesOn() noexcept
   {
     if (this->tick_.result.infeasible ? startAnew(this->tick_) : lookAgain(this->tick_))
@@ -150,8 +153,8 @@ private:
     return this->tick_.startedAnew && goRoundVertex(this->tick_);
   }
 
-  /// Planes say where a point is held to within rounding, and between planes at a sharp angle, or at a vertex that was
-  /// met exactly, that is not enough. No tick leaves a point where exact arithmetic sees nothing in its way.
+  /// Planes say to within rounding where a point is held. Between planes at a sharp angle, or at a vertex that was met
+  /// exactly, rounding decides wrongly. So no tick leaves a point where exact arithmetic sees nothing in its way.
   void comeIfFree() noexcept
   {
     if (!this->tick_.isBall() && !this->tick_.result.overBudget && this->wayIsOpen())

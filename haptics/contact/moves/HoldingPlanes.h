@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// A left face obstructs if the way dips into its plane and leads back over it.
+/// A face that was left obstructs if the way dips into the face's plane and leads back over the face.
 template<SceneView AnyScene>
 [[nodiscard]] bool obstructs(const TickState<AnyScene>& tick, const ActiveFeature& f, const Vec3& y) noexcept
 {
@@ -22,6 +22,7 @@ template<SceneView AnyScene>
   }
   for (int k = 0; k < 3; ++k)
   {
+    // Within twice the 4 del by which a slide ends outside of a face (walkFace) the point may be on either side.
     if (outsideOfEdge(s, f.a, k, tick.x()) > -8 * tick.del() && outwardNormal(s, f.a, k).dot(y) > 0.0)
     {
       return false;
@@ -53,8 +54,8 @@ void project(TickState<AnyScene>& tick) noexcept
   tick.result.infeasible = !tick.solution.feasible;
 }
 
-/// True if a point may pass beside face f on its straight way along q: it comes to the plane of f beyond a side that no
-/// other face continues, or so near to one that rounding cannot tell.
+/// True if a point may pass beside face f on its straight way along q: the way meets the plane of f beyond a side that
+/// no other face continues, or so near to such a side that rounding cannot tell.
 template<SceneView AnyScene>
 [[nodiscard]] bool mayPassBeside(const TickState<AnyScene>& tick, const ActiveFeature& f, const Vec3& q) noexcept
 {
@@ -78,8 +79,8 @@ template<SceneView AnyScene>
   return false;
 }
 
-/// True if the faces that hold the point may all be beside its straight way to the device: only exact arithmetic can
-/// tell whether their planes hold it rightly.
+/// True if the faces that hold the point may all be beside its straight way to the device. Only exact arithmetic can
+/// tell then whether their planes hold the point rightly.
 template<SceneView AnyScene>
 [[nodiscard]] bool mayPassBesideAll(const TickState<AnyScene>& tick) noexcept
 {
@@ -95,19 +96,20 @@ template<SceneView AnyScene>
   return true;
 }
 
-/// True if it has been asked often enough what holds a point where it is: a stop before what is hit moves it by less
-/// than rounding, and from there the answer may be another one, but not for ever.
+/// True if the holders of a point have been looked for often enough at this place. A stop before an obstacle moves the
+/// point by less than rounding, and from there the answer may be another one. Asked without a limit, two answers could
+/// take turns for ever.
 template<SceneView AnyScene>
 [[nodiscard]] bool isReconsidered(TickState<AnyScene>& tick) noexcept
 {
-  constexpr int often = 4;
+  constexpr int often = 4; // by then two answers that take turns have each been given twice
   const double moved = (tick.x() - tick.reconsideredAt_W).norm();
   tick.reconsidered = moved <= 4 * tick.tol() ? tick.reconsidered : 0;
   return moved == 0.0 || tick.reconsidered >= often;
 }
 
-/// A point at a vertex is held by half-spaces, of which on a saddle not each is an obstacle, and which of them it
-/// brought along depends on its way there. What holds it is found anew from the surface itself.
+/// A point at a vertex is held by half-spaces. On a saddle not each of them is an obstacle, and which of them the point
+/// brought along depends on the way it came. So what holds the point is found anew from the surface itself.
 template<SceneView AnyScene>
 void reconsiderVertex(TickState<AnyScene>& tick) noexcept
 {
@@ -140,7 +142,7 @@ void reconsiderVertex(TickState<AnyScene>& tick) noexcept
   }
 }
 
-/// Forgets what holds the ball, so that sweeps find it anew, once a tick. False: that has been done.
+/// Forgets what holds the ball, once a tick, so that sweeps find its holders anew. False: that has been done already.
 template<SceneView AnyScene>
 [[nodiscard]] bool startAnew(TickState<AnyScene>& tick) noexcept
 {
@@ -156,9 +158,9 @@ template<SceneView AnyScene>
   return true;
 }
 
-/// A point that rests in a corner of planes may be held by one of a face that is not there: it stands beside the face
-/// by less than rounding. Where it has not moved in a tick the planes are found anew from the faces themselves, in
-/// exact arithmetic; in a tick that moves this would cost more than it could find.
+/// A point that rests in a corner of planes may be held by the plane of a face that is not there: the point stands
+/// beside the face by less than rounding. Where the point has not moved in a tick, the planes are found anew from the
+/// faces themselves, in exact arithmetic. In a tick that moves, the search would cost more than it could find.
 template<SceneView AnyScene>
 [[nodiscard]] bool lookAgain(TickState<AnyScene>& tick) noexcept
 {

@@ -24,7 +24,7 @@ template<SceneView AnyScene>
   return false;
 }
 
-/// Takes the way over the corner if it ends nearer to the device.
+/// Takes the way over the corner if that way ends nearer to the device.
 template<SceneView AnyScene>
 [[nodiscard]] bool commitRoll(
   TickState<AnyScene>& tick, const Vec3& corner_W, const Vec3& end_W, const SweepHit& hit, double tolerance_u2) noexcept
@@ -42,7 +42,7 @@ template<SceneView AnyScene>
   return true;
 }
 
-/// Goes the planned way as far as it is free. `freeShare`: how much of it is.
+/// Goes the planned way as far as the way is free. `freeShare`: the free share of the way.
 template<SceneView AnyScene>
 [[nodiscard]] bool tryRoll(TickState<AnyScene>& tick, const RollPlan& plan, double& freeShare) noexcept
 {
@@ -77,13 +77,16 @@ template<SceneView AnyScene>
   return commitRoll(tick, corner_W, end_W, second, plan.tolerance_u2);
 }
 
-/// Rolls the ball round an edge or a vertex if that brings it nearer to the device; false if a plain slide is due.
-/// Where even a small roll gains nothing smaller ones are tried, the first of which ends at what the last one met: for
-/// a device as deep as the radius a slide along the tangent leads away from the obstacle and back to where it began.
+/// Rolls the ball round an edge or a vertex if that brings the ball nearer to the device; false: a plain slide is due.
+/// Where a roll gains nothing, smaller ones are tried. The first of the smallest ends at the obstacle that the last
+/// roll met: for a device as deep as the radius, a slide along the tangent would lead away from that obstacle and back
+/// to where it began.
 template<SceneView AnyScene>
 [[nodiscard]] bool rollBall(TickState<AnyScene>& tick) noexcept
 {
-  constexpr std::array largest = { 1.0, 0.2, 0.04, 0.0, 0.0, 0.0 }; // 0: follows from the last one
+  // Tangents of the largest turn: half a right angle, so that a roll over a box's edge takes two, then a fifth of the
+  // last. 0: follows from where the last one ended. Six plans bound the work of a pass.
+  constexpr std::array largest = { 1.0, 0.2, 0.04, 0.0, 0.0, 0.0 };
   double turn = 2.0, freeShare = 1.0;
   for (const double most : largest)
   {

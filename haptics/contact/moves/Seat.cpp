@@ -18,9 +18,11 @@ namespace palpate
 namespace
 {
 
+/// A round moves the ball off the nearest triangle and adds at most one plane. Seating is bounded: a ball that still
+/// overlaps after so many rounds is said to have no place.
 constexpr int rounds = 32;
 
-/// A ball of that radius that stays where it is.
+/// A ball of that radius, standing still.
 SweptBall stillBall(const Vec3& x_W, double reach) noexcept
 {
   SweepQuery query;
@@ -34,6 +36,7 @@ SweptBall stillBall(const Vec3& x_W, double reach) noexcept
 template<SceneView AnyScene, class Visit>
 void forEachNear(const AnyScene& scene, const Vec3& x_W, double reach, Visit visit) noexcept
 {
+  // A ball is seated at the start and where ball or scene change, not in each tick: all triangles within reach count.
   constexpr std::uint32_t unbounded = std::numeric_limits<std::uint32_t>::max();
   const SweptBall still = stillBall(x_W, reach);
   const BoxTest test(still);
@@ -89,7 +92,7 @@ Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach) noex
   return nearest;
 }
 
-/// One plane for each triangle that was nearest once, re-linearised when it is so again.
+/// One plane for each triangle that was nearest once. A triangle that is nearest again gets its plane anew.
 class SeatPlanes
 {
 public:
@@ -178,6 +181,7 @@ bool seatPoint(const AnyScene& scene, const Vec3& p_W, Vec3& x_W) noexcept
   Resolution resolution;
   resolution.include(p_W);
   const Vec3 n = surfaceOf(scene, hit.feature.surface).face(hit.feature.a).normal_W;
+  // Doubled from the least that can differ, so that the lift is at most twice what is needed; 24 doublings bound it.
   for (double lift = resolution.del(); lift < 1e6 * resolution.tol(); lift *= 2)
   {
     for (const double side : { 1.0, -1.0 })

@@ -9,10 +9,9 @@
 namespace palpate
 {
 
-/// Finds a free place for a ball of radius r >= 0 whose centre is put at p_W: a point exactly
-/// on a triangle is lifted off it, a ball that overlaps is moved out to the side of its centre by repeated least
-/// displacement. Local, bounded, allocation-free. Returns false and leaves `x_W` alone if there is no free place
-/// within r.
+/// Finds a free place for a ball of radius r >= 0 whose centre is put at p_W. A point exactly on a triangle is lifted
+/// off the triangle; a ball that overlaps is moved out to the side of its centre by repeated least displacement. Local,
+/// bounded, allocation-free. Returns false and leaves `x_W` alone if there is no free place within r.
 template<SceneView AnyScene>
 [[nodiscard]] bool seatBall(const AnyScene& scene, double radius_u, const Vec3& p_W, Vec3& x_W) noexcept;
 

@@ -60,6 +60,8 @@ template<SceneView AnyScene>
     if (f.stuck && slide.t * y.norm() <= 4 * tick.tol())
     {
       const FaceRecord& face = tick.contacts.surface(f).face(f.a);
+      // A stuck face lets the point go on for a way that progress is measured by: far more than rounding, far less than
+      // the face.
       slide = { 1e-4 * (face.corner_W[1] - face.corner_W[0]).norm() / y.norm(), -1, f };
     }
     if (slide.t < least.t)
@@ -97,7 +99,7 @@ void leave(TickState<AnyScene>& tick, const SlideLimit& limit) noexcept
   }
 }
 
-/// True if a ball lies on a face, beside what else it may lie on.
+/// True if a face is among the features on which a ball lies.
 template<SceneView AnyScene>
 [[nodiscard]] bool liesOnFace(const TickState<AnyScene>& tick) noexcept
 {
@@ -106,8 +108,8 @@ template<SceneView AnyScene>
   return std::any_of(tick.solution.active.begin(), tick.solution.active.begin() + tick.solution.count, isFace);
 }
 
-/// A face on whose border a ball lies, and which it is about to leave, is left where it is: a slide over the last of it
-/// would be a whole pass for a way of nothing.
+/// A ball that lies on the border of a face and is about to leave the face leaves it at once: a slide over the rest of
+/// the face would be a whole pass for a way of nothing.
 template<SceneView AnyScene>
 [[nodiscard]] bool leaveBorder(TickState<AnyScene>& tick) noexcept
 {

@@ -6,14 +6,14 @@
 namespace palpate
 {
 
-/// A face left here and hit again without progress comes back, with all that were left after it.
+/// A face that was left here and is hit again without progress comes back, with all faces that were left after it.
 template<SceneView AnyScene>
 void returnStuck(TickState<AnyScene>& tick, const ActiveFeature& f, const Vec3& wanted) noexcept
 {
   for (int i = 0; i < tick.left.count(); ++i)
   {
     const DepartedFaces::Entry& entry = tick.left[i];
-    const double near = 4 * tick.tol();
+    const double near = 4 * tick.tol(); // no progress, as TickState::moveOver() has it
     if (entry.face.surface == f.surface && entry.face.a == f.a && (tick.x() - entry.leftAt_W).norm() <= near &&
         wanted.norm() <= near)
     {
@@ -37,7 +37,7 @@ void stopPoint(TickState<AnyScene>& tick, const SweepHit& hit, const Vec3& to_W)
   returnStuck(tick, hit.feature, wanted);
   if (wanted.norm() <= tick.tol() && tick.contacts.has(hit.feature))
   {
-    tick.contacts.raise(); // it stands on it already, but too low to go along it
+    tick.contacts.raise(); // the point stands on that face already, but too low to go along it
   }
   SweepHit next = hit;
   while (true)

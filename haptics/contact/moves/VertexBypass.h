@@ -11,7 +11,8 @@
 namespace palpate
 {
 
-/// How far from a vertex, and how high above its faces, a point is led round it [u]: so far that the height is nothing.
+/// How far from a vertex, and how high above the faces, a point is led round the vertex [u]. The height is nothing
+/// beside the distance.
 struct BypassScale
 {
   double reach_u = 0.0;

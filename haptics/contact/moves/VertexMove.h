@@ -10,7 +10,7 @@
 namespace palpate
 {
 
-/// The vertex that all faces share that hold the point, the nearest where there are several, or SurfaceData::none.
+/// The vertex that is shared by all faces that hold the point; of several the nearest; SurfaceData::none without one.
 template<SceneView AnyScene>
 [[nodiscard]] std::uint32_t commonCorner(const TickState<AnyScene>& tick) noexcept
 {
@@ -75,6 +75,7 @@ template<SceneView AnyScene>
   {
     return false;
   }
+  // Twice as high as a point is kept above its faces: the way round must not touch them.
   const VertexBypass way = bypassVertex(s, fan, v, descent, q, { reach_u, 2 * tick.contacts.lift() });
   if (!isOpen(tick, way))
   {
@@ -93,13 +94,15 @@ template<SceneView AnyScene>
   return true;
 }
 
-/// A point that is kept off its faces by rounding cannot come to the vertex at which they meet, and rests in a pocket
-/// beside it where one that lies on them passes over the vertex and goes on. Once a tick it is led round: every piece
-/// of the way is one that the exact sweep found free, and the end is nearer to the device.
+/// Rounding keeps a point off its faces, and so off the vertex at which the faces meet. Beside the vertex such a point
+/// may rest in a pocket, where a point that lay on the faces would pass over the vertex. Once a tick the point is led
+/// round the vertex: every piece of the way is one that the exact sweep found free, and the end of the way is nearer to
+/// the device.
 template<SceneView AnyScene>
 [[nodiscard]] bool goRoundVertex(TickState<AnyScene>& tick) noexcept
 {
-  constexpr double reach = 4096; // in tol: wedges down to angles of 1e-4 rad are high enough there
+  // In tol. A wedge of angle a is a * reach high there: from 1e-4 rad on higher than a point is led above its faces.
+  constexpr double reach = 4096;
   if (tick.isBall() || tick.bypassed || tick.solution.count < 2)
   {
     return false;
@@ -108,6 +111,7 @@ template<SceneView AnyScene>
   const double reach_u = reach * tick.tol();
   const auto& faces = tick.solution.active;
   if (v == SurfaceData::none ||
+      // Nearer by so much that the way out to the reach leads away from the vertex.
       (tick.contacts.surface(tick.contacts.feature(faces[0])).vertex(v) - tick.x()).norm() > 0.25 * reach_u)
   {
     return false;

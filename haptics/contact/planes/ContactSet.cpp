@@ -71,13 +71,14 @@ bool ContactSet<AnyScene>::supported(const ActiveFeature& f) const noexcept
   return this->plane(f).gap <= this->holdsWithin(f) && projectsInside(s, f.a, this->state_.x_W, tol);
 }
 
-/// Exact sweeps stop a point where a face is, and that is not where its plane is computed to be.
+/// Exact sweeps stop a point at the face itself, and the plane of the face is computed to be a little elsewhere.
 template<SceneView AnyScene>
 double ContactSet<AnyScene>::holdsWithin(const ActiveFeature& f) const noexcept
 {
-  constexpr double most = 4096; // in tol: where a normal is known even worse nothing can be said
+  constexpr double most = 4096; // in tol, 6e-11 of a coordinate: a normal that is known even worse says nothing
   const double tol = this->resolution_.tol();
   const FaceRecord& face = this->surface(f).face(f.a);
+  // A rounding of the normal, made larger by how thin the face is, times the distance over which it acts.
   const double error =
     4 * std::numeric_limits<double>::epsilon() * face.sliver * (this->state_.x_W - face.corner_W[0]).norm();
   return std::max({ tol, 2 * this->lift(), std::min(error, most * tol) });
@@ -122,7 +123,7 @@ void ContactSet<AnyScene>::remove(int i) noexcept
 template<SceneView AnyScene>
 bool ContactSet<AnyScene>::raise() noexcept
 {
-  constexpr double most = 32.0;
+  constexpr double most = 32.0; // five doublings, six tries in all: each try is a sweep
   const bool may = this->raised_ < most;
   this->raised_ *= may ? 2.0 : 1.0;
   return may;
@@ -139,7 +140,7 @@ void ContactSet<AnyScene>::relinearise(const ActiveFeature* keep) noexcept
     if (this->radius_u_ > 0.0 && f.kind != FeatureKind::Face)
     {
       const ActiveFeature holder = normalised(this->surface(f), f, this->state_.x_W);
-      // What was just hit although the face that holds it is touched already would only be hit again.
+      // A feature that was just hit although its face is touched already would only be hit again.
       f = isKeep && this->isAmong(holder, kept) ? f : holder;
       this->include(f);
     }

@@ -65,13 +65,14 @@ public:
   /// How far above a plane the ball is kept: a point must never lie on a triangle, a ball touches.
   [[nodiscard]] double lift() const noexcept
   {
-    // Where surfaces move, the way from their frame to W and back is rounded too.
+    // One del where surfaces stand. Where they move, the way from their frame to W and back is rounded too, product by
+    // product.
     constexpr double units = std::is_same_v<AnyScene, MovingScene> ? 6.0 : 1.0;
     return this->radius_u_ > 0.0 ? 0.0 : this->raised_ * units * this->resolution_.del();
   }
-  /// Keeps a point higher for the rest of the tick: the normal of a sliver is known so badly that its plane, where it
-  /// is computed to be, cuts through it. What holds the point at that height goes on holding it. False: it is as high
-  /// as may be.
+  /// Keeps a point higher for the rest of the tick. The normal of a sliver is known so badly that the computed plane of
+  /// the sliver cuts through the sliver itself. What holds the point at the new height goes on holding it. False: the
+  /// point is as high as it may be.
   bool raise() noexcept;
 
 private:
@@ -84,7 +85,7 @@ private:
   double radius_u_;
   GodObjectState& state_;
   Resolution resolution_;
-  double raised_ = 1.0; ///< times the least lift
+  double raised_ = 1.0; ///< times the least lift: what raise() has doubled so far
 };
 
 } // namespace palpate

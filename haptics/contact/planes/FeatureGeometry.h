@@ -37,7 +37,7 @@ template<class View>
 template<class View>
 [[nodiscard]] bool projectsInside(const View& s, std::uint32_t triangle, const Vec3& x_W, double margin) noexcept;
 
-/// False when f no longer touches or supports a ball of radius r at x: it is to be dropped.
+/// False when f no longer touches or supports a ball of radius r at x: the feature is to be dropped.
 template<class View>
 [[nodiscard]] bool supports(const View& s, const ActiveFeature& f, const Vec3& x_W, double r, double tol) noexcept;
 
@@ -45,7 +45,7 @@ template<class View>
 template<class View>
 [[nodiscard]] ActiveFeature normalised(const View& s, ActiveFeature f, const Vec3& x_W) noexcept;
 
-/// How many triangles are looked at to tell what feature f gives way to: those round it, if it is a vertex.
+/// How many triangles are looked at to tell what feature f gives way to: for a vertex those round it, else none.
 template<class View>
 [[nodiscard]] std::uint32_t fanOf(const View& s, const ActiveFeature& f) noexcept
 {
@@ -70,13 +70,13 @@ template<class View>
 [[nodiscard]] double exitRound(
   const View& s, const ActiveFeature& f, const Vec3& x_W, const Vec3& y, double r, double del) noexcept;
 
-/// Face `to` with the side of its plane that side from.side of face from.a is: the two lie in one plane, but the order
-/// of the stored corners differs from face to face.
+/// Face `to` with the side that is side from.side of face from.a. The two faces lie in one plane, but the order of the
+/// stored corners, which gives a side its sign, differs from face to face.
 template<class View>
 [[nodiscard]] ActiveFeature onSamePlane(const View& s, const ActiveFeature& from, std::uint32_t to) noexcept;
 
-/// Face `to` with the side that continues side from.side of face from.a over their common edge (i, j): it follows from
-/// how the two run along the edge, whatever their planes say.
+/// Face `to` with the side that continues side from.side of face from.a over their common edge (i, j). The side follows
+/// from how the two faces run along the edge, whatever their planes say.
 template<class View>
 [[nodiscard]] ActiveFeature continued(
   const View& s, const ActiveFeature& from, std::uint32_t to, std::uint32_t i, std::uint32_t j) noexcept;

@@ -9,9 +9,13 @@ namespace palpate
 namespace
 {
 
+/// A roll asks for at most 27 rows (what is touched, and three planes as they will be), seating for at most 32.
 constexpr int maxRows = 48;
-constexpr double parallelPair = 1e-26;    // |sin|^2 below which two planes act as one
-constexpr double dependentTriple = 1e-13; // |det| below which three planes have no common corner
+/// |sin|^2 below which two planes act as one. Unit normals are rounded by 1e-16, so a sine of 1e-13 is known to a
+/// thousandth; planes are to be told apart down to 1e-12 rad (row 12 of the bar).
+constexpr double parallelPair = 1e-26;
+/// |det| below which three planes have no common corner, by the same reasoning.
+constexpr double dependentTriple = 1e-13;
 
 bool before(const PlaneRow& a, const PlaneRow& b) noexcept
 {
@@ -110,7 +114,8 @@ private:
     }
   }
 
-  /// Gram-Schmidt: from the plane of i straight along it to the plane of j; refined twice.
+  /// Gram-Schmidt: to the plane of i, then straight along it to the plane of j. Refined twice, since in narrow wedges a
+  /// single step leaves errors that look like planes which contradict each other.
   void tryPair(int i, int j) noexcept
   {
     ++this->sets_;
@@ -179,6 +184,7 @@ private:
   /// Keeps the candidate if it violates no other row by more than rounding, and the best one so far by less.
   void accept(const std::array<int, 3>& set, const Vec3& y, int size, const std::array<double, 3>& l = {}) noexcept
   {
+    // A deep press is a long sum of multipliers, each rounded in its own size.
     const double allowed = this->slack_ + 8 * std::numeric_limits<double>::epsilon() * (l[0] + l[1] + l[2]);
     double worst = 0.0;
     for (int i = 0; i < this->count_; ++i)

@@ -30,7 +30,7 @@ struct ProjectionResult
 /// argmin |y - q|^2 subject to n_i . y >= bound_i: free point, then single planes, pairs, triples.
 /// Exact to rounding, also for duplicate, redundant and near-parallel planes; the result does not depend, bit for
 /// bit, on the order of the rows. `slack` >= 0 [u] is how far a row may be violated by rounding.
-/// Allocation-free, bounded: O(n^3) for n rows, n <= 24.
+/// Allocation-free, bounded: O(n^3) for n rows; of more than 48 the first 48 count.
 [[nodiscard]] ProjectionResult projectOntoPlanes(std::span<const PlaneRow> rows, const Vec3& q, double slack) noexcept;
 
 } // namespace palpate

@@ -84,7 +84,7 @@ template<SceneView AnyScene>
 RollPlanner<AnyScene>::RollPlanner(const ContactSet<AnyScene>& contacts, const Vec3& x_W, const Vec3& p_W,
   double radius_u, const ProjectionResult& solution, double mostTurn) noexcept
   : contacts_(contacts), x_W_(x_W), q_(p_W - x_W), radius_u_(radius_u), solution_(solution), mostTurn_(mostTurn),
-    slack_(0.25 * contacts.resolution().tol())
+    slack_(0.25 * contacts.resolution().tol()) // that of every projection; 4 of them are a way of tol, which is none
 {
   for (int i = 0; i < contacts.count(); ++i)
   {
@@ -127,13 +127,13 @@ void RollPlanner<AnyScene>::cutToFace(const ActiveFeature& f, Vec3& aim) noexcep
   }
 }
 
-/// The step along the crevice is straight, the way is not: shifts aim so that the ball lands just beyond the border
-/// it was cut to. True when y does so already.
+/// The step along the crevice is straight, the ball's way is not. Shifts the aim so that the ball lands just beyond the
+/// border to which the aim was cut. True when y lands there already.
 template<SceneView AnyScene>
 bool RollPlanner<AnyScene>::landOnBorder(const Vec3& y, Vec3& aim) const noexcept
 {
   const double del = this->contacts_.resolution().del();
-  const double wanted = 4 * del;
+  const double wanted = 4 * del; // as far outside as a slide ends, see walkFace()
   const double outside = this->border_.outward.dot(this->x_W_ + y - this->border_.point_W);
   const double rate = this->border_.outward.dot(aim);
   if (std::fabs(outside - wanted) <= 3 * del || std::fabs(outside - wanted) >= 0.5 * std::fabs(rate))
@@ -162,6 +162,8 @@ Vec3 RollPlanner<AnyScene>::creviceAim() noexcept
       hessian -= this->solution_.lambda[k] * (1.0 - along * along) / this->contacts_.radius(f);
     }
   }
+  // Below, a Newton step would be more than a hundred times the plain one, or lead back. There the aim is put ten
+  // radii away instead, and cut to where the contacts end.
   constexpr double flat = 0.01;
   const double pull = this->solution_.y.dot(t);
   const double step = hessian > flat ? pull / hessian : std::copysign(10 * roundest, pull);
@@ -296,7 +298,7 @@ RollPlan RollPlanner<AnyScene>::plan() noexcept
   const auto count = static_cast<std::size_t>(this->contacts_.count());
   Vec3 target = crevice ? this->pressed(aim) : (this->solution_.count == 1 ? this->pressed(this->arcAim()) : this->q_);
   ProjectionResult second = this->nearest({ this->rows_.data(), count }, target);
-  constexpr int corrections = 10;
+  constexpr int corrections = 10; // the steps converge quadratically, in 2 to 4; the rest bounds those that do not
   for (int k = 0; k < corrections && second.feasible; ++k)
   {
     const bool corrected = this->correct(second.y);
@@ -315,7 +317,7 @@ RollPlan RollPlanner<AnyScene>::plan() noexcept
   const ProjectionResult first = this->nearest({ this->both_.data(), count + this->pivotCount_ }, target);
   // Near the solution a Newton step gains less than a distance resolves.
   plan.tolerance_u2 = crevice ? 4 * this->slack_ * this->q_.norm() : 0.0;
-  // At the end of an edge it cannot go on by rolling: a slide leaves the edge.
+  // At the end of an edge a ball cannot go on by rolling: a slide leaves the edge.
   plan.worthwhile = first.feasible && second.feasible && second.y.norm() > 4 * this->slack_ &&
                     (second.y - this->q_).squaredNorm() < this->q_.squaredNorm() + plan.tolerance_u2;
   plan.sets = this->sets_;

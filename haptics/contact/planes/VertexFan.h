@@ -16,7 +16,7 @@ namespace palpate
 /// reached: each from one before it, over an edge that they share.
 struct VertexFan
 {
-  static constexpr int capacity = 64;
+  static constexpr int capacity = 64; ///< both sides of 32 faces; a larger fan is not whole, and is not asked
   struct Face
   {
     ActiveFeature face;

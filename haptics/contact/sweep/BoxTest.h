@@ -36,7 +36,7 @@ public:
   {
     for (int k = 0; k < 3; ++k)
     {
-      const bool moves = std::fabs(m.d[k]) > 1e-290;
+      const bool moves = std::fabs(m.d[k]) > 1e-290; // the inverse of less could be infinite
       this->x_[k] = _mm_set1_pd(m.x_W[k]);
       this->inverse_[k] = _mm_set1_pd(moves ? 1.0 / m.d[k] : 0.0);
       this->zeroBias_[k] = _mm_set1_pd(moves ? 0.0 : std::numeric_limits<double>::infinity());
@@ -54,7 +54,7 @@ public:
       this->centre_[k] = _mm_set1_pd(centre_W[k]);
     }
     const double reach = this->m_.r + 0.5 * t * this->m_.length + this->m_.tol;
-    this->reach2_ = _mm_set1_pd(reach * reach * (1.0 + 1e-14));
+    this->reach2_ = _mm_set1_pd(reach * reach * (1.0 + 1e-14)); // more than sum and square are rounded, some 1e-15
     this->last_ = _mm_set1_pd(t);
   }
 

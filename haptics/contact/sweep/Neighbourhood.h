@@ -14,7 +14,7 @@ namespace palpate
 {
 
 /// All faces within reach of a point, gathered once: the later sweeps of a tick look only at these.
-/// It never changes a result, only its cost. Servo thread; fixed memory, no allocation.
+/// A neighbourhood never changes a result, only the cost. Servo thread; fixed memory, no allocation.
 class Neighbourhood
 {
 public:
@@ -42,7 +42,7 @@ public:
   [[nodiscard]] double extent() const noexcept { return this->extent_; }
 
 private:
-  static constexpr int capacity = 512;
+  static constexpr int capacity = 512; ///< faces, 18 kB with their discs; a tick among more goes without a list
 
   template<class View>
   [[nodiscard]] bool gatherSurface(const View& view, std::uint32_t surface, const SweptBall& still,

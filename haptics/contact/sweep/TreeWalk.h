@@ -12,7 +12,8 @@
 namespace palpate
 {
 
-/// A halving tree over 2^32 leaves is 32 deep; a walk keeps at most one sibling a level.
+/// A halving tree over 2^32 leaves is 32 deep, and a walk keeps at most one sibling a level. Three times as much leaves
+/// room for trees that do not halve exactly.
 inline constexpr int mostPending = 96;
 
 /// Calls onLeaf(index) for the leaves that the way up to the best hit can touch, nearest first. Where the budget of

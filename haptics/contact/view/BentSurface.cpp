@@ -14,6 +14,7 @@ namespace
 
 /// Between these nothing under- or overflows: a tick computes the same face several times, and this is the quick way.
 constexpr double leastArea2 = 1e-250, mostArea2 = 1e250;
+/// A record holds it in single precision, which ends at 3e38.
 constexpr double mostSliver = 1e30;
 
 } // namespace

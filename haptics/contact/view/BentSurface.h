@@ -11,8 +11,8 @@
 namespace palpate
 {
 
-/// A surface in its own frame at one moment of the way its vertices make: the same questions as SurfaceData answers.
-/// Only the triangles that are asked for are computed; boxes and discs of the tree hold all of the way.
+/// A surface in its own frame at one moment of the way that its vertices make. Answers the same questions as
+/// SurfaceData. Only the triangles that are asked for are computed; boxes and discs of the tree hold all of the way.
 /// Every vertex is moved on its own, the same way each time: faces that share one go on sharing it, bit for bit.
 class BentSurface
 {
@@ -49,7 +49,7 @@ private:
   double share_;
 };
 
-/// False for a triangle that is none at this moment of its way: its sides are those of others.
+/// False for a triangle without area at this moment of its way: its sides are then those of other triangles.
 [[nodiscard]] bool hasArea(const BentSurface& s, const FaceRecord& face) noexcept;
 [[nodiscard]] inline bool hasArea(const SurfaceData&, const FaceRecord&) noexcept
 {

@@ -41,6 +41,8 @@ enum class FrictionState : std::uint8_t
 /// All that a god-object remembers between ticks.
 struct GodObjectState
 {
+  /// Three features hold a ball, the others are candidates. To try all sets of up to three of 20 planes takes 4 to
+  /// 8 us. Where more than these are touched, the one with the widest gap makes room.
   static constexpr int maxFeatures = 24;
 
   Vec3 x_W = Vec3::Zero();

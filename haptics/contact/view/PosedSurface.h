@@ -13,9 +13,9 @@
 namespace palpate
 {
 
-/// A surface where it is at one moment, moved as a whole and bent: the same questions as SurfaceData answers, with
-/// corners and normals in W. Every vertex is moved on its own, the same way each time: faces that share one go on
-/// sharing it, bit for bit.
+/// A surface at one moment, moved as a whole and bent. Answers the same questions as SurfaceData, with corners and
+/// normals in W. Every vertex is moved on its own, the same way each time, so faces that share a vertex go on sharing
+/// it, bit for bit.
 class PosedSurface
 {
 public:

@@ -17,9 +17,11 @@ struct Resolution
 
   void include(const Vec3& v) noexcept { this->magnitude = std::max(this->magnitude, v.cwiseAbs().maxCoeff()); }
 
-  /// Rounding of one computed coordinate [u].
+  /// Rounding of one computed coordinate [u]: a few operations at half an ulp each.
   [[nodiscard]] double del() const noexcept { return 4 * std::numeric_limits<double>::epsilon() * this->magnitude; }
-  /// Lengths below this count as zero [u].
+  /// Lengths below this count as zero [u]. Sixteen del: distances are sums of products of rounded coordinates, and what
+  /// counts as touching must be more than any of them is rounded. A projection may leave a plane violated by a quarter
+  /// of tol, so that what it rests on still touches. A move below 4 tol is no progress: each end is known to tol only.
   [[nodiscard]] double tol() const noexcept { return 64 * std::numeric_limits<double>::epsilon() * this->magnitude; }
 };
 

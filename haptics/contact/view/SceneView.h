@@ -47,8 +47,8 @@ private:
   return { surface.tree->data(), surface.motion.at(moving.share()), surface.from.get(), moving.share() };
 }
 
-/// How a tick looks at a scene: as it stands (Scene) or at a moment of its motion (MovingScene). Whoever is given one
-/// asks sceneOf for the whole and surfaceOf for one surface; the answers of a surface that stands cost nothing.
+/// How a tick looks at a scene: as the scene stands (Scene), or at a moment of its motion (MovingScene). Ask sceneOf()
+/// for the whole and surfaceOf() for one surface; the answers of a surface that stands cost nothing.
 template<class T>
 concept SceneView = requires(const T& scene, std::uint32_t i)
 {

@@ -21,17 +21,17 @@ struct CoarserCurves
 
 /// The coarsest choice of runs (MultiresolutionCurve) within limit_u >= 0 that changes nothing of how curves hang
 /// together. Segments are joined to chains from one end or junction to the next; chains keep their ends and rings at
-/// least four runs. A run stays within its bound of the segment that stands for it, so two of them can change which
-/// side of each other they are on only where they come nearer than the sum of their bounds; there both are halved until
-/// that is over, in the end down to the segments they were given as. So curves cross and touch where they did, in the
-/// same points, and nowhere else, and no gap opens, in the plane as in space.
+/// least four runs. A run stays within its bound of the segment that stands for it. So two runs can change sides
+/// only where they come nearer than the sum of their bounds. There both are halved until they do not, in the end down
+/// to the segments that were given. So curves cross and touch where they did, in the same points, and nowhere else, and
+/// no gap opens, in the plane as in space.
 ///
-/// Exempt is what makes no more than a pocket that nobody feels: runs of a chain that has not left the distance
-/// 2 limit_u between them, as noise does that is larger than its steps, need only not cross or touch by what stands for
-/// them. Runs that share an end are not compared: what stands for them is straight, so it meets there alone, or one
-/// lies on the other where they set out in exactly one direction.
+/// Exempt is what makes no more than a pocket that nobody feels. Between two runs of a chain the chain may stay within
+/// 2 limit_u, as noise larger than its steps does: of such runs only the segments that stand for them may not cross or
+/// touch. Runs that share an end are not compared: their segments are straight and meet there alone, or one segment
+/// lies on the other where both set out in exactly one direction.
 ///
-/// What bends by more than limit_u stays as it is; points on a straight way go, however far apart. Finite points,
+/// A run that bends by more than limit_u stays as it is; points on a straight way go, however far apart. Finite points,
 /// indices below their number; any thread; deterministic; O(n log n) where few runs come near each other.
 [[nodiscard]] CoarserCurves coarsestWithin(std::span<const Vec3> points_W,
   std::span<const std::array<std::uint32_t, 2>> segments, double limit_u, const std::stop_token& stop = {});

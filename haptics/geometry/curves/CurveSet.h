@@ -20,7 +20,7 @@ inline constexpr std::size_t mostSegments = 4'000'000;
 /// "its lines have 5000000 segments; at most ...": one line without a name in front. Empty where they are not too many.
 [[nodiscard]] std::string refuseSegments(std::size_t segments);
 
-/// Line segments in a plane, in scene units and the coordinates of that plane: a plane world.
+/// A plane world: line segments in a plane, in scene units and the coordinates of that plane.
 struct CurveSet
 {
   std::vector<Eigen::Vector2d> points_W;
@@ -34,9 +34,9 @@ struct PlaneCurves
   std::string refusal; ///< one line without a name in front; empty when there are curves
 };
 
-/// The plane that segments lie in, or nothing where they lie in none or all on one line that is slanted. Its z is the
-/// normal, its x points along y of W where it stands across x, else along x as far as it can; its origin is the point
-/// nearest to that of W. Curves at one height z, or one x or y, give that plane exactly.
+/// The plane that segments lie in; nothing where they lie in no plane, or all on one slanted line. The plane's z is its
+/// normal. The plane's x points along y of W where the plane stands across x, else along x as far as it can. The origin
+/// is the point nearest to the origin of W. Curves at one height z, or one x or y, give that plane exactly.
 [[nodiscard]] std::optional<Pose> planeOf(const TriangleMesh& segments);
 
 /// Segments as they come in, (a, b, b) as segmentsOf() makes them, as curves in the plane z = 0 of plane_WP. A point is
@@ -46,9 +46,9 @@ struct PlaneCurves
 [[nodiscard]] PlaneCurves curvesInPlane(const TriangleMesh& segments, const Pose& plane_WP = {});
 
 /// The plane world as walls: each segment becomes a rectangle from -halfHeight_u to +halfHeight_u about the plane. A
-/// ball that is led in the plane meets the walls as a disc meets the lines. In the plane z = 0 of W it never leaves it:
-/// the walls' normals and the feet of its contacts have no z, exactly. So one god-object serves two dimensions and
-/// three. halfHeight_u > 0 must exceed the ball's radius. Indices are checked by cleanMesh().
+/// ball that is led in the plane meets the walls as a disc meets the lines. In the plane z = 0 of W the ball never
+/// leaves the plane: the walls' normals and the feet of the contacts have no z, exactly. So one god-object serves two
+/// dimensions and three. halfHeight_u > 0 must exceed the ball's radius. Indices are checked by cleanMesh().
 [[nodiscard]] TriangleMesh raiseWalls(const CurveSet& curves, double halfHeight_u, const Pose& plane_WP = {});
 
 /// The lines that walls were raised from: each wall has one triangle with two corners below the plane, on the line. The

@@ -34,15 +34,15 @@ struct CurveRun
 };
 
 /// A polyline at many levels of detail, after Pai & Reissel 1997: each level halves the points of the one below, and
-/// what it leaves out bounds its error. The bound of a run is how far the farthest of its points is from the segment
-/// that stands for it. That is proven for all of both: the distance to a segment is convex, so what lies between two
-/// points is as near, and the nearest points run without a gap from one end of the segment to the other. Sums of the
-/// details left out level by level, which need not look at every point, would be larger: of noise as many times as it
-/// has levels.
+/// the points that are left out bound its error. The bound of a run is the distance of its farthest point from the
+/// segment that stands for the run. The bound is proven for run and segment alike: the distance to a segment is convex,
+/// so what lies between two points is as near, and the nearest points run without a gap from one end of the segment to
+/// the other. Sums of the details left out level by level, which need not look at every point, would be larger: for
+/// noise as many times as there are levels.
 ///
-/// Neighbouring runs share an end, so a choice of runs is one polyline without gaps; two choices are nested, so they
+/// Neighbouring runs share an end, so a choice of runs is one polyline without gaps. Two choices are nested, so they
 /// differ nowhere by more than the larger bound in use there. If all that can be touched is within limit_u, a change of
-/// level moves nothing by more than that.
+/// level moves nothing by more than limit_u.
 class MultiresolutionCurve
 {
 public:
@@ -65,8 +65,7 @@ public:
   }
 
   /// Points of the coarsest choice of runs that is nowhere farther from the curve than allowed there, ascending. The
-  /// distance of a run from the focus is that of its segment less its bound, so it is never taken for farther than it
-  /// is.
+  /// distance of a run from the focus is that of its segment less its bound, so no run is taken for farther than it is.
   [[nodiscard]] std::vector<std::uint32_t> choose(const CurveDetail& detail) const;
 
 private:

@@ -15,9 +15,9 @@ struct TriangleMesh;
 
 /// What a surface is made of. The defaults are a wall as stiff as the coupling, with the friction of the contact plan.
 ///
-/// The stiffness is the one that is felt. A spring of that stiffness behind the coupling's K would be felt as
-/// K k / (K + k); so the wall is as much stiffer as makes the two in series k, up to a rigid one, which is felt as K:
-/// the least of the two is felt.
+/// The stiffness k is the one that is felt. A spring k behind the coupling's K would be felt as K k / (K + k). So the
+/// wall is made so much stiffer that both in series are k, up to a rigid wall, which is felt as K: felt is the smaller
+/// of k and K.
 struct Material
 {
   static constexpr double asPlanned = -1.0;
@@ -37,7 +37,8 @@ struct Material
   friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// How a texture varies over its surface: what it is when it is too fine for a moving hand, and how fine it is.
+/// How a texture varies over its surface: its mean, which is felt where the texture is too fine for a moving hand, and
+/// how fine it is.
 struct TextureScale
 {
   double largest_u = 0.0; ///< height: there the surface is met

@@ -16,7 +16,7 @@
 namespace palpate
 {
 
-/// Content that a simpler surface is felt instead of, and how far it may be from it.
+/// The content that a simpler surface stands for, and how far the two may be from each other.
 struct StandIn
 {
   std::uint64_t full = 0; ///< hash of that content; 0: the surface stands for itself

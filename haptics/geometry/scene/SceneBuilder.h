@@ -55,9 +55,9 @@ struct SceneBuildResult
 
 /// Cleans, plans and builds all trees eagerly. Off the servo thread; call from one thread at a time.
 /// The scene is the same, bit for bit, for any number of workers. A surface whose mesh object was in the
-/// previous build is reused, not built again; one that has the triangles of the previous build's surface of its name
-/// with vertices elsewhere keeps that tree's shape and is refitted. A tree with room for a way loses it in the next
-/// build without `felt`.
+/// previous build is reused, not built again. A surface that has the triangles of the previous surface of its name,
+/// with vertices elsewhere, keeps the shape of that surface's tree and is refitted. A tree with room for a way loses
+/// that room in the next build without `felt`.
 class SceneBuilder
 {
 public:

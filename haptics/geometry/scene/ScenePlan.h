@@ -20,11 +20,11 @@ struct TouchConditions
 
 /// What a mesh's facets add to a smooth surface through its vertices, and whether a hand feels that.
 ///
-/// Each triangle's curvature comes from the dihedral angles at its edges: at an edge the normal has turned from that of
-/// one face towards that of the other, in proportion to how far each face reaches, and its change from edge to edge is
-/// the second fundamental form. A quadratic through the corners then stands furthest off the triangle by the sagitta.
-/// Edges sharper than 30 degrees are taken to be meant, and so are free edges and those of more than two triangles:
-/// nothing is known of a smooth surface across them.
+/// Each triangle's curvature comes from the dihedral angles at its edges. At an edge the normal has turned from that of
+/// one face towards that of the other, in proportion to how far each face reaches; the change of the normal from edge
+/// to edge is the second fundamental form. A quadratic through the corners then stands furthest off the triangle by the
+/// sagitta. Edges sharper than 30 degrees are taken to be meant, and so are free edges and those of more than two
+/// triangles: nothing is known of a smooth surface across them.
 struct ScenePlan
 {
   TouchConditions conditions;

@@ -62,10 +62,10 @@ struct SimplerScene
 
 /// The surfaces of a scene, with those replaced that pay: at rest, without material arrays, planned to need no more
 /// than half of their triangles (planTouch()), and with that proven (simplifyWithin()). Curves with fine segments are
-/// felt at one level of detail, the coarsest within what is not noticed (coarserSurface()). A level that is fine near
-/// the hand and coarser beyond brings nothing over that: of a line of 300,000 points up to 37 stay instead of 110, a
-/// tick costs the same 2.2 us, and it would have to follow the hand (lab: `plane-cost`). What it found for a surface
-/// is kept while the surface stays in the scenes. Any thread but the servo's, one at a time.
+/// felt at one level of detail, the coarsest that nobody notices (coarserSurface()). A level that is fine near the hand
+/// and coarser beyond brings nothing more: of a line of 300,000 points up to 37 stay instead of 110, a tick costs the
+/// same 2.2 us, and the level would have to follow the hand (lab: `plane-cost`). What was found for a surface is kept
+/// while the surface stays in the scenes. Any thread but the servo's, one at a time.
 class SceneSimplifier
 {
 public:

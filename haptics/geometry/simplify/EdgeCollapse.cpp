@@ -33,15 +33,15 @@ Vec3 toVec(const Point& p)
   return { p.x(), p.y(), p.z() };
 }
 
-/// The surface as CGAL's collapse wants it: oriented, two triangles an edge. Where it is not like that it is cut open
-/// along edges whose vertices may not go, so that the cuts close again when equal vertices are welded.
+/// The surface as CGAL's collapse wants surfaces: oriented, two triangles an edge. Where the surface is not like that,
+/// it is cut open along edges whose vertices may not go, so that the cuts close again when equal vertices are welded.
 struct Workpiece
 {
   Mesh mesh;
   Mesh::Property_map<Vertex, bool> fixed;
 };
 
-/// Null when CGAL cannot hold it.
+/// Null when CGAL cannot hold the surface.
 std::optional<Workpiece> makeWorkpiece(const TriangleMesh& surface, std::vector<bool> fixed)
 {
   std::vector<Point> points;
@@ -69,7 +69,7 @@ std::optional<Workpiece> makeWorkpiece(const TriangleMesh& surface, std::vector<
     {
       return std::nullopt;
     }
-    for (const std::size_t v : before[f]) // one that was doubled stays for all who had it
+    for (const std::size_t v : before[f]) // a vertex that was doubled stays for all faces that had it
     {
       fixed[v] = fixed[v] || std::find(faces[f].begin(), faces[f].end(), v) == faces[f].end();
     }

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What people read is short, and what it points at is there: pages, records of decisions, recipes."""
+
+import os
+import re
+import unittest
+from pathlib import Path
+
+import test_readme
+
+ROOT = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().parents[2])
+SCREEN_COLUMNS, THREE_SCREENS = 100, 130
+ONE_PAGE_WORDS = 1300
+FOLDERS = ("haptics", "devices", "filters", "ui", "plugin", "testing", "docs", "data")
+
+PAGES = sorted([ROOT / "ARCHITECTURE.md", ROOT / "README.md", ROOT / "CONTRIBUTING.md",
+                *(page for folder in ("docs", "plugin", "testing", "data") for page in (ROOT / folder).rglob("*.md"))])
+
+
+def prose(page):
+    """A page without its fenced blocks."""
+    return re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+
+
+def anchors(page):
+    """What a heading is called in a link, as the hosts of repositories name it."""
+    headings = re.findall(r"^#+ (.*)$", prose(page), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def named_paths(text):
+    """Files and folders of the tree that stand in backquotes; a name in brackets as well is one that does not exist yet."""
+    found = re.findall(r"(\[?)`((?:%s)/[\w./-]+)`" % "|".join(FOLDERS), text)
+    return [path for bracket, path in found if not bracket], [path for bracket, path in found if bracket]
+
+
+class Pages(unittest.TestCase):
+    """Every page."""
+
+    def test_the_first_page_fits_three_screens(self):
+        lines = (ROOT / "README.md").read_text(encoding="utf-8").splitlines()
+        shown = sum(max(1, -(-len(line) // SCREEN_COLUMNS)) for line in lines)
+        self.assertLessEqual(shown, THREE_SCREENS)
+
+    def test_the_architecture_fits_one_page(self):
+        self.assertLessEqual(len((ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8").split()), ONE_PAGE_WORDS)
+
+    def test_every_link_leads_to_a_page_and_a_heading_that_are_there(self):
+        for page in PAGES:
+            for target, anchor in re.findall(r"\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)", prose(page)):
+                with self.subTest(page=page.relative_to(ROOT), target=target, anchor=anchor):
+                    aim = (page.parent / target).resolve() if target else page
+                    self.assertTrue(aim.exists())
+                    if anchor:
+                        self.assertIn(anchor, anchors(aim))
+
+    def test_every_file_and_folder_they_name_is_there(self):
+        count = 0
+        for page in PAGES:
+            there, later = named_paths(prose(page))
+            count += len(there)
+            for path in there:
+                self.assertTrue((ROOT / path).exists(), f"{page.relative_to(ROOT)} names {path}")
+            for path in later:
+                self.assertFalse((ROOT / path).exists(), f"{page.relative_to(ROOT)} says that {path} does not exist yet")
+        self.assertGreater(count, 100)  # the walk sees names
+
+
+class Decisions(unittest.TestCase):
+    """docs/decisions: one idea a file."""
+
+    FOLDER = ROOT / "docs/decisions"
+    records = sorted(path for path in FOLDER.glob("*.md") if path.name != "README.md")
+
+    def test_the_index_names_each_record_once_by_its_title(self):
+        index = re.findall(r"^- \[(.*)\]\((.*)\)$", (self.FOLDER / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
+        titles = [(re.search(r"^# (.*)$", path.read_text(encoding="utf-8"), re.MULTILINE).group(1), path.name)
+                  for path in self.records]
+        self.assertGreater(len(titles), 40)
+        self.assertEqual(sorted(index), sorted(titles))
+
+    def test_each_says_what_why_how_well_at_what_cost_and_where(self):
+        for path in self.records:
+            labels = re.findall(r"^\*\*(\w+)\.\*\* \S", path.read_text(encoding="utf-8"), re.MULTILINE)
+            self.assertEqual(labels, ["Decided", "Why", "Measured", "Costs", "Where"], path.name)
+
+    def test_every_test_and_experiment_they_name_is_in_the_tree(self):
+        exists = test_readme.Bar().exists
+        for path in self.records:
+            text = path.read_text(encoding="utf-8")
+            for name in re.findall(r"`((?:[A-Z]\w+\.[\w*]+|benchmark\.\w+|lab: [a-z-]+))`", " ".join(text.split())):
+                if not name.endswith((".h", ".cpp", ".md", ".txt")):
+                    self.assertTrue(exists(name.removeprefix("lab: ")), f"{path.name} names {name}")
+
+
+class Recipes(unittest.TestCase):
+    """docs/recipes: the C++ is compiled by testing/recipes; the rest is held here."""
+
+    FOLDER = ROOT / "docs/recipes"
+
+    def test_every_block_of_cpp_is_a_file_that_is_compiled(self):
+        compiled = re.split(r"[\s()]+", (ROOT / "testing/recipes/CMakeLists.txt").read_text(encoding="utf-8"))
+        blocks = [block for page in sorted(self.FOLDER.glob("*.md"))
+                  for block in re.findall(r"^```cpp\n(.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)]
+        self.assertGreater(len(blocks), 8)
+        for first_line in blocks:
+            self.assertIn(first_line.removeprefix("// "), compiled)
+
+    def test_the_files_of_a_setting_are_all_that_name_it(self):
+        page = (self.FOLDER / "add-a-setting.md").read_text(encoding="utf-8")
+        listed = re.findall(r"^\| `([^`]+)` \|", page, re.MULTILINE)
+        setting = re.search(r"\(`(\w+)`\)", page).group(1)
+        naming = [str(path.relative_to(ROOT)) for folder in FOLDERS if folder != "docs" for path in (ROOT / folder).rglob("*")
+                  if path.suffix in (".h", ".cpp", ".cxx", ".xml", ".py", ".md") and setting in path.read_text(encoding="utf-8")]
+        self.assertEqual(sorted(listed), sorted(naming))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
