@@ -7,13 +7,19 @@ testing includes everything and nothing includes testing.
 
 import re
 import subprocess
+from collections import Counter, deque
 from pathlib import Path
 
 LAYERS = ["haptics", "devices", "filters", "ui", "plugin", "testing"]
+PRODUCT = LAYERS[:-1]
 # Within filters/ the same rule holds again.
 FILTER_MODULES = ["pipeline", "interaction", "views"]
 PLAIN_LAYERS = ("haptics", "devices")
 VTK_LAYERS = ("filters", "ui", "plugin")
+
+# What a reader takes in at once: sources standing directly in one folder (headers count), lines of one file.
+MOST_SOURCES = 25
+MOST_LINES = 450
 
 CODE_SUFFIXES = {".h", ".cpp", ".cxx", ".hpp", ".hxx", ".cc", ".c"}
 MARKUP_SUFFIXES = {".xml", ".qrc", ".ui"}
@@ -137,6 +143,77 @@ def map_rule(root):
     return found
 
 
+def product_files(root):
+    """(path, path relative to root) of every C++ file that is not a test."""
+    return [(path, relative) for path, relative, layer in code_files(root) if layer in PRODUCT]
+
+
+def full_rooms(root):
+    """Folders of the product with more sources directly in them than a reader takes in at once."""
+    counts = Counter(relative.parent for _, relative in product_files(root))
+    return [
+        f"{room}: {count} sources, at most {MOST_SOURCES}: divide it into rooms"
+        for room, count in sorted(counts.items())
+        if count > MOST_SOURCES
+    ]
+
+
+def long_files(root):
+    """Files of the product that hold more than one idea by their length alone."""
+    lengths = [(relative, len(path.read_text(encoding="utf-8").splitlines())) for path, relative in product_files(root)]
+    return [f"{relative}: {lines} lines, at most {MOST_LINES}" for relative, lines in lengths if lines > MOST_LINES]
+
+
+def include_arrows(root):
+    """For each file of the product the files of the product that it includes."""
+    by_name = headers_by_name(root)
+    known = {relative for _, relative in product_files(root)}
+    return {
+        relative: {resolve(relative, name, by_name) for _, name in includes_of(path)} & known
+        for path, relative in product_files(root)
+    }
+
+
+def room_arrows(arrows):
+    """The arrows between files as arrows between the folders they stand in."""
+    rooms = {}
+    for source, targets in arrows.items():
+        others = {target.parent for target in targets} - {source.parent}
+        rooms.setdefault(source.parent, set()).update(others)
+    return rooms
+
+
+def circle_through(start, arrows):
+    """The shortest way along the arrows from `start` back to it, both ends named, or None."""
+    came_from, ways = {}, deque([start])
+    while ways:
+        node = ways.popleft()
+        for target in sorted(arrows.get(node, ())):
+            if target == start:
+                way = [start, node]
+                while way[-1] != start:
+                    way.append(came_from[way[-1]])
+                return way[::-1]
+            if target not in came_from:
+                came_from[target] = node
+                ways.append(target)
+    return None
+
+
+def include_circles(root):
+    """Files that include one another in a circle, and folders that do."""
+    files = include_arrows(root)
+    found = []
+    for arrows in (files, room_arrows(files)):
+        told = set()
+        for node in sorted(arrows):
+            way = None if node in told else circle_through(node, arrows)
+            if way:
+                told.update(way)
+                found.append(f"{node}: includes go in a circle: {' -> '.join(map(str, way))}")
+    return found
+
+
 def forbidden_libraries(root):
     """Libraries in layers that must not know them, and CGAL in any header."""
     found = []
@@ -200,4 +277,4 @@ def text_of_the_project(root):
     return found
 
 
-ALL = [map_rule, forbidden_libraries, extensions, spdx_line, text_of_the_project]
+ALL = [map_rule, full_rooms, long_files, include_circles, forbidden_libraries, extensions, spdx_line, text_of_the_project]

@@ -87,6 +87,45 @@ class Rules(unittest.TestCase):
         self.write_including("ui/pqHapticPanel.cxx", '"Meshes.h"')
         self.assertEqual(self.found(rules.map_rule), ["plugin/Register.cxx", "ui/pqHapticPanel.cxx"])
 
+    def test_a_folder_is_full_with_one_source_more_than_the_limit(self):
+        for number in range(rules.MOST_SOURCES):
+            self.write(f"haptics/room/a{number}.{'h' if number % 2 else 'cpp'}", SPDX)
+            self.write(f"testing/room/a{number}.cpp", SPDX)
+        self.write("haptics/room/CMakeLists.txt", SPDX)
+        self.write("haptics/room/inner/b.cpp", SPDX)
+        self.write("testing/room/one-more.cpp", SPDX)
+        self.assertEqual(rules.full_rooms(self.root), [])
+        self.write("haptics/room/one-more.cpp", SPDX)
+        self.assertEqual(self.found(rules.full_rooms), ["haptics/room"])
+
+    def test_a_file_is_long_with_one_line_more_than_the_limit(self):
+        self.write("ui/pqHapticPanel.cxx", "\n" * rules.MOST_LINES)
+        self.write("testing/TestTypes.cpp", "\n" * (rules.MOST_LINES + 1))
+        self.assertEqual(rules.long_files(self.root), [])
+        self.write("ui/pqHapticPanel.cxx", "\n" * (rules.MOST_LINES + 1))
+        self.assertEqual(self.found(rules.long_files), ["ui/pqHapticPanel.cxx"])
+
+    def test_a_chain_of_includes_and_two_ways_to_one_header_are_no_circle(self):
+        self.write_including("haptics/core/Types.h")
+        self.write_including("haptics/force/Spring.h", '"haptics/core/Types.h"')
+        self.write_including("haptics/force/Spring.cpp", '"haptics/force/Spring.h"', '"haptics/core/Types.h"')
+        self.write_including("haptics/tick/Tick.h", '"haptics/force/Spring.h"', '"haptics/core/Types.h"')
+        self.assertEqual(rules.include_circles(self.root), [])
+
+    def test_files_that_include_one_another_are_found_once(self):
+        self.write_including("haptics/core/A.h", '"haptics/core/B.h"')
+        self.write_including("haptics/core/B.h", '"haptics/core/C.h"')
+        self.write_including("haptics/core/C.h", '"haptics/core/A.h"')
+        self.write_including("haptics/core/D.h", '"haptics/core/A.h"')
+        self.assertEqual(self.found(rules.include_circles), ["haptics/core/A.h"])
+
+    def test_folders_that_include_one_another_are_found_though_no_file_does(self):
+        self.write_including("filters/views/readers/vtkHapticGuard.h")
+        self.write_including("filters/views/readers/vtkHapticReader.cxx", '"vtkHapticDrawing.h"')
+        self.write_including("filters/views/drawings/vtkHapticDrawing.h")
+        self.write_including("filters/views/drawings/vtkHapticDrawing.cxx", '"vtkHapticGuard.h"')
+        self.assertEqual(self.found(rules.include_circles), ["filters/views/drawings"])
+
     def test_cgal_is_found_in_any_header_and_outside_haptics(self):
         self.write_including("haptics/geometry/Tree.cpp", "<CGAL/AABB_tree.h>")
         self.write_including("haptics/geometry/Tree.h", "<CGAL/AABB_tree.h>")

@@ -20,6 +20,7 @@ paraview_plugin_build(
   DISABLE_XML_DOCUMENTATION ON
   PLUGINS ${palpate_plugins})
 
+set(palpate_python_targets vtkHapticPipelinePython vtkHapticInteractionPython vtkHapticViewsPython)
 vtk_module_wrap_python(
   MODULES ${palpate_plugin_modules}
   TARGET PalpatePython

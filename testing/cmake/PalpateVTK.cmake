@@ -16,6 +16,7 @@ vtk_module_build(
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   INSTALL_HEADERS OFF)
 
+set(palpate_python_targets vtkHapticPipelinePython vtkHapticInteractionPython)
 vtk_module_wrap_python(
   MODULES ${palpate_modules}
   TARGET PalpatePython

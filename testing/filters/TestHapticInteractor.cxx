@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 using namespace palpate;
 using namespace palpate::testing;
@@ -59,7 +60,7 @@ protected:
   vtkSmartPointer<vtkPolyData> plane_ = makePlane(100.0);
   vtkNew<vtkActor> actor_;
   vtkNew<vtkRenderer> renderer_;
-  vtkNew<vtkHapticInteractor> touch_;
+  vtkSmartPointer<vtkHapticInteractor> touch_ = vtkSmartPointer<vtkHapticInteractor>::New();
   vtkHapticSession* session_ = this->touch_->GetSession();
 };
 } // namespace
@@ -132,8 +133,12 @@ TEST_F(HapticInteractor, StopLeavesNoForceAndHidesTheTool)
   EXPECT_FALSE(this->touch_->GetToolProps()->GetProxyActor()->GetVisibility());
 }
 
-TEST_F(HapticInteractor, MayEndWhileItTouches)
+TEST_F(HapticInteractor, EndsWithoutForceWhileItTouches)
 {
-  this->session_->SetHandPosition(0.0, 0.0, -1.0);
-  this->session_->Step(300);
+  this->restingHeight();
+  const vtkSmartPointer<vtkHapticSession> session = this->session_;
+  ASSERT_GT(session->GetForceMagnitude(), 0.0);
+  this->touch_ = nullptr;
+  EXPECT_FALSE(session->GetTouching());
+  EXPECT_EQ(session->GetForceMagnitude(), 0.0);
 }

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every experiment's verdicts pass and all charts come.
+
+At default sizes run all that are short and one half of the long ones. A commit's hash says which half: ten commits leave
+one out once in 500. The other half runs at its quick size. With PALPATE_TEST_FULL all run at default sizes.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import unittest
+
+from charting.tables import read_folder
+from charts import CHARTS
+from lab_runs import HERE, LabTest
+
+# More than 6 s each at default sizes; the halves take about as long as each other.
+LONG = (
+    {"tunnelling", "queries", "deforming", "image-curves"},
+    {"stability-atlas", "solver", "transparency", "speed-accuracy", "tick-cost", "recorded-touch"},
+)
+
+
+def half_of_this_commit():
+    """0 or 1 by the commit's hash; 0 in sources without a history."""
+    told = subprocess.run(["git", "rev-parse", "HEAD"], cwd=HERE, capture_output=True, text=True, check=False)
+    return int(told.stdout, 16) % 2 if told.returncode == 0 else 0
+
+
+class Everything(LabTest):
+    def names(self):
+        return {experiment["name"] for experiment in json.loads(self.lab("list", "--json").stdout)}
+
+    def assert_all_verdicts_pass(self, names, *size):
+        run = self.lab("run", *sorted(names), *size, "--out", self.folder)
+        self.assertEqual(run.returncode, 0, run.stdout)
+        self.assertIn("verdicts passed", run.stdout.splitlines()[-1])
+
+    def test_all_verdicts_pass_and_all_charts_are_drawn(self):
+        names = self.names()
+        self.assertLessEqual(LONG[0] | LONG[1], names, "a long experiment was renamed")
+        quick = set() if os.environ.get("PALPATE_TEST_FULL") else LONG[1 - half_of_this_commit()]
+        print("at quick sizes:", ", ".join(sorted(quick)) or "none", file=sys.stderr)
+        self.assert_all_verdicts_pass(names - quick)
+        if quick:
+            self.assert_all_verdicts_pass(quick, "--quick")
+        drawn = self.charts(self.folder)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        tables = read_folder(self.folder)
+        self.assertEqual(set(tables), names)
+        for name, _, _, needs, _ in CHARTS:
+            if any(all(row.value is None for row in tables[experiment]) for experiment in needs):
+                continue  # a build without VTK has no gallery of mazes
+            self.assertGreater((self.folder / f"{name}.png").stat().st_size, 10000, name)
+            self.assertNotIn("nan", (self.folder / f"{name}.svg").read_text(encoding="utf-8").lower(), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
