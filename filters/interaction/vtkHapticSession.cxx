@@ -5,6 +5,7 @@
 
 #include "devices/io/broker/DBusBroker.h"
 #include "haptics/session/Warning.h"
+#include "haptics/session/settings/SessionSettings.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkObjectFactory.h"
@@ -254,6 +255,30 @@ void vtkHapticSession::Update()
 
 // Parameters --------------------------------------------------------------------------------------------------------
 
+bool vtkHapticSession::Allows(const char* setting, std::initializer_list<double> values)
+{
+  const palpate::Setting& described = palpate::sessionSetting(setting);
+  const std::string problem = palpate::refuse(described, values, palpate::spoken(described));
+  this->Refuse(problem);
+  this->Impl->Follow(setting, problem);
+  return problem.empty();
+}
+
+void vtkHapticSession::Change(const char* setting, std::initializer_list<double> values,
+  const std::function<void(palpate::HapticParameters&)>& change)
+{
+  if (this->Allows(setting, values))
+  {
+    this->Change(change);
+  }
+}
+
+const char* vtkHapticSession::GetDescribed()
+{
+  static const std::string json = palpate::describedAsJson();
+  return json.c_str();
+}
+
 void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters&)>& change)
 {
   palpate::HapticParameters parameters = this->Impl->Parameters;
@@ -285,7 +310,8 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
 
 void vtkHapticSession::SetStiffness(double stiffness_N_per_m)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.stiffness_N_per_m = stiffness_N_per_m; });
+  this->Change(
+    "Stiffness", { stiffness_N_per_m }, [=](palpate::HapticParameters& p) { p.stiffness_N_per_m = stiffness_N_per_m; });
 }
 
 double vtkHapticSession::GetStiffness() const
@@ -295,7 +321,8 @@ double vtkHapticSession::GetStiffness() const
 
 void vtkHapticSession::SetDamping(double damping_Ns_per_m)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.damping_Ns_per_m = damping_Ns_per_m; });
+  this->Change(
+    "Damping", { damping_Ns_per_m }, [=](palpate::HapticParameters& p) { p.damping_Ns_per_m = damping_Ns_per_m; });
 }
 
 double vtkHapticSession::GetDamping() const
@@ -305,7 +332,7 @@ double vtkHapticSession::GetDamping() const
 
 void vtkHapticSession::SetRadius(double radius_u)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.contact.radius_u = radius_u; });
+  this->Change("Radius", { radius_u }, [=](palpate::HapticParameters& p) { p.contact.radius_u = radius_u; });
   this->Impl->FollowWalls();
 }
 

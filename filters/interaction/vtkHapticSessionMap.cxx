@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the workspace of the device lies in the scene.
 #include <algorithm>
-#include <cmath>
 
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 
-namespace
-{
 using palpate::Vec3;
-
-/// Rounding of a quaternion typed by a person or read from a text file.
-constexpr double unitTolerance = 1e-6;
-} // namespace
 
 void vtkHapticSession::SetScale(double scale_u_per_m)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.map.scale_u_per_m = scale_u_per_m; });
+  this->Change("Scale", { scale_u_per_m }, [=](palpate::HapticParameters& p) { p.map.scale_u_per_m = scale_u_per_m; });
 }
 
 double vtkHapticSession::GetScale() const
@@ -27,12 +20,7 @@ double vtkHapticSession::GetScale() const
 void vtkHapticSession::SetRotation(double w, double x, double y, double z)
 {
   const palpate::Quat q(w, x, y, z);
-  if (!(std::abs(q.norm() - 1.0) <= unitTolerance))
-  {
-    this->Refuse("the rotation must be a unit quaternion (w, x, y, z)");
-    return;
-  }
-  this->Change([&q](palpate::HapticParameters& p) { p.map.q_WD = q.normalized(); });
+  this->Change("Rotation", { w, x, y, z }, [&q](palpate::HapticParameters& p) { p.map.q_WD = q.normalized(); });
 }
 
 void vtkHapticSession::SetRotation(const double wxyz[4])
@@ -50,7 +38,7 @@ double* vtkHapticSession::GetRotation()
 
 void vtkHapticSession::SetOffset(double x, double y, double z)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.map.offset_W = Vec3(x, y, z); });
+  this->Change("Offset", { x, y, z }, [=](palpate::HapticParameters& p) { p.map.offset_W = Vec3(x, y, z); });
 }
 
 void vtkHapticSession::SetOffset(const double offset_W[3])

@@ -138,12 +138,7 @@ double vtkHapticSession::GetRadiusUsed() const
 
 void vtkHapticSession::SetSimplify(int choice)
 {
-  if (choice < Auto || choice > On)
-  {
-    this->Refuse("simpler surfaces must be 0 (auto), 1 (off) or 2 (on)");
-    return;
-  }
-  if (choice != this->Impl->Simplify)
+  if (this->Allows("Simplify", { static_cast<double>(choice) }) && choice != this->Impl->Simplify)
   {
     this->Impl->Simplify = choice;
     this->Impl->RestoreFull();

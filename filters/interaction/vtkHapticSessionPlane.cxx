@@ -94,12 +94,7 @@ std::string vtkHapticSession::Internals::PlaneSentence() const
 
 void vtkHapticSession::SetLinesAsWalls(int choice)
 {
-  if (choice < Auto || choice > On)
-  {
-    this->Refuse("lines as walls must be 0 (auto), 1 (off) or 2 (on)");
-    return;
-  }
-  if (choice != this->Impl->LinesAsWalls)
+  if (this->Allows("LinesAsWalls", { static_cast<double>(choice) }) && choice != this->Impl->LinesAsWalls)
   {
     this->Impl->LinesAsWalls = choice;
     this->Impl->FollowWalls();
@@ -135,14 +130,11 @@ bool vtkHapticSession::GetHoldWalls() const
 
 void vtkHapticSession::SetWallRate(double rate_Hz)
 {
-  constexpr double least_Hz = 20.0, most_Hz = 1000.0;
-  if (!(rate_Hz >= least_Hz && rate_Hz <= most_Hz))
+  if (this->Allows("WallRate", { rate_Hz }))
   {
-    this->Refuse("the rate of held walls must be 20 to 1000 Hz");
-    return;
+    this->Impl->WallRate = rate_Hz;
+    this->Change([=](palpate::HapticParameters& p) { p.walls.every_s = 1.0 / rate_Hz; });
   }
-  this->Impl->WallRate = rate_Hz;
-  this->Change([=](palpate::HapticParameters& p) { p.walls.every_s = 1.0 / rate_Hz; });
 }
 
 double vtkHapticSession::GetWallRate() const
