@@ -113,7 +113,7 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "State: " << this->GetStateText() << "\n";
   os << indent << "Problem: " << this->Impl->Problem << "\n";
   os << indent << "Ticks: " << this->GetTicks() << "\n";
-  os << indent << "Scene: " << this->Impl->Built.Report << "\n";
+  os << indent << "Scene: " << this->Impl->Scene.built().report << "\n";
 }
 
 void vtkHapticSession::Refuse(const std::string& problem)
@@ -244,12 +244,18 @@ void vtkHapticSession::Step(int ticks)
 
 void vtkHapticSession::Update()
 {
-  this->Impl->TakeScene(this->Impl->Worker.Poll());
-  this->Impl->FollowRules();
-  this->Impl->TakeSimpler(this->Impl->VirtualTimeNow() ? std::nullopt : this->Impl->Simpler.Poll());
+  this->Impl->TakeScene();
+  this->Impl->Scene.follow(this->Impl->PlanNow());
+  if (!this->Impl->VirtualTimeNow())
+  {
+    this->Impl->Scene.takeSimpler();
+  }
   this->Impl->ShowState();
   this->Impl->FollowRadius();
-  this->Impl->SettleScene();
+  if (this->Impl->Scene.rests())
+  {
+    this->Impl->Surfaces.Settle(this->Impl->Scene.worker());
+  }
   this->Impl->FollowCheck();
 }
 

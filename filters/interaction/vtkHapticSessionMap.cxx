@@ -69,9 +69,9 @@ void vtkHapticSession::FitWorkspace()
     {
       p.map.scale_u_per_m = half / radius_m;
       p.map.offset_W = 0.5 * (low_W + high_W);
-      if (this->Impl->Built.Plane_WP && this->Impl->InfoNow().abilities.sensedAxes == 2)
+      if (this->Impl->Scene.built().plane_WP && this->Impl->InfoNow().abilities.sensedAxes == 2)
       {
-        p.map.q_WD = this->Impl->Built.Plane_WP->q; // a device that moves in a plane moves in this one
+        p.map.q_WD = this->Impl->Scene.built().plane_WP->q; // a device that moves in a plane moves in this one
       }
     });
   this->InvokeEvent(vtkCommand::PropertyModifiedEvent);

@@ -18,7 +18,7 @@ void vtkHapticSession::ChangeMaterial(const char* setting, std::initializer_list
     return;
   }
   this->Impl->Materials = settings;
-  this->Impl->Worker.SetMaterials(settings);
+  this->Impl->Surfaces.SetMaterials(settings);
   this->Impl->MaterialTime.Modified();
   this->Modified();
 }
@@ -32,7 +32,7 @@ void vtkHapticSession::SetLineRadius(double radius_u)
   if (radius_u != this->Impl->LineRadius_u)
   {
     this->Impl->LineRadius_u = radius_u;
-    this->Impl->Worker.SetLineRadius(radius_u);
+    this->Impl->Surfaces.SetLineRadius(radius_u);
     this->Impl->MaterialTime.Modified();
     this->Modified();
   }

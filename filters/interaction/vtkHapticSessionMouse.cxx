@@ -40,11 +40,11 @@ bool vtkHapticSession::PickSurface(
   const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const
 {
   const Internals& impl = *this->Impl;
-  if (!impl.Built.Scene || impl.Built.Scene->empty())
+  if (!impl.Scene.built().scene || impl.Scene.built().scene->empty())
   {
     return false;
   }
-  const palpate::Scene& scene = *impl.Built.Scene;
+  const palpate::Scene& scene = *impl.Scene.built().scene;
   palpate::SweepQuery query;
   query.from_W = Vec3(from_W);
   query.to_W = Vec3(to_W);
