@@ -80,7 +80,7 @@ class Plan(CommandLineTest):
         self.write_off("a.off", SQUARE_POINTS, SQUARE_FACES)
         self.write_path([(0.0, 0.0, 0.0, 1.0)])
         more = ["--mu-static, --mu-kinetic", "static one, which is at most 10"]
-        for friction, saying in ((("--mu-static", 11), ["--mu-static: it must be 0 to 10, not 11"]),
+        for friction, saying in ((("--mu-static", 11), ["--mu-static: it must be a finite number, 0 to 10, not 11"]),
                                  (("--mu-kinetic", 0.5), more), (("--mu-static", 0.3, "--mu-kinetic", 0.5), more)):
             for command in (("check", "a.off"), ("touch", "a.off", "--path", "path.csv", "--csv", "out.csv")):
                 self.refused(*command, *friction, saying=saying)

@@ -55,7 +55,7 @@ TEST(HapticSessionMouse, ADepthIsWithinWhatTheMouseCanPressOrRefused)
   {
     EXPECT_THAT(errorsOf(session, [&] { session->SetPressDepth(depth_m); }), ::testing::SizeIs(1));
     EXPECT_EQ(session->GetPressDepth(), largest_m);
-    EXPECT_THAT(session->GetProblem(), ::testing::HasSubstr("5e-05 to 0.05 m, not"));
+    EXPECT_THAT(session->GetProblem(), ::testing::HasSubstr("of m, 5e-05 to 0.05, not"));
   }
 }
 

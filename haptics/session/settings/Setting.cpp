@@ -36,17 +36,25 @@ std::string choicesOf(const Setting& setting)
 
 std::string rangeOf(const Setting& setting)
 {
-  const bool least = std::isfinite(setting.low), most = std::isfinite(setting.high);
-  if (least && most)
+  const std::string low = quantity(setting.low, "");
+  if (std::isfinite(setting.low) && std::isfinite(setting.high))
   {
-    return quantity(setting.low, "") + " to " + quantity(setting.high, setting.unit);
+    return low + " to " + quantity(setting.high, "");
   }
-  if (least)
+  return !std::isfinite(setting.low) ? "" : setting.above ? "more than " + low : low + " or more";
+}
+
+/// "a finite number of N/m, 0 or more", where the range alone does not say that it is a number.
+std::string allowedWithKind(const Setting& setting)
+{
+  const std::string range = allowed(setting);
+  if (setting.kind != SettingKind::Number && setting.kind != SettingKind::Count)
   {
-    return setting.above ? "more than " + quantity(setting.low, setting.unit)
-                         : quantity(setting.low, setting.unit) + " or more";
+    return range;
   }
-  return "";
+  const bool counts = setting.unit.empty() || setting.unit == "1";
+  return std::string(setting.kind == SettingKind::Count ? "a whole number" : "a finite number") +
+         (counts ? "" : " of " + std::string(setting.unit)) + (range.empty() ? "" : ", ") + range;
 }
 
 bool isUnit(std::span<const double> values)
@@ -162,11 +170,9 @@ std::string refuse(const Setting& setting, std::span<const double> values, std::
   {
     return {};
   }
-  const std::string range = allowed(setting);
   std::string sentence(setting.sentence);
   sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
-  return std::string(said) + ": it must be " + (range.empty() ? "a finite number" : range) + ", not " + listed(values) +
-         "; " + sentence;
+  return std::string(said) + ": it must be " + allowedWithKind(setting) + ", not " + listed(values) + "; " + sentence;
 }
 
 } // namespace palpate

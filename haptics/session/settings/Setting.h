@@ -76,7 +76,7 @@ struct Readout
 /// A number with its unit, "500 N/m"; without one where that says nothing.
 [[nodiscard]] std::string quantity(double value, std::string_view unit);
 
-/// Which values a setting can have, in words with their unit: "0 N/m or more"; "" where any will do.
+/// Which values a setting can have, in words without their unit: "0 or more"; "" where any will do.
 [[nodiscard]] std::string allowed(const Setting& setting);
 
 /// The default in words with its unit.

@@ -77,7 +77,7 @@ TEST(Settings, TheEndsOfARangeAreAllowedAndWhatIsBeyondThemIsNot)
 TEST(Settings, WholeNumbersChoicesAndRotationsAreTakenAsWhatTheyAre)
 {
   EXPECT_THAT(said("Delay", { 16 }), IsEmpty());
-  EXPECT_THAT(said("Delay", { 17 }), Not(IsEmpty()));
+  EXPECT_THAT(said("Delay", { 17 }), HasSubstr("a whole number of ticks, 0 to 16, not 17"));
   EXPECT_THAT(said("Delay", { 0.5 }), Not(IsEmpty()));
   EXPECT_THAT(said("Simplify", { 2 }), IsEmpty());
   for (const double bad : { -1.0, 0.5, 3.0, std::nan("") })
@@ -91,13 +91,15 @@ TEST(Settings, WholeNumbersChoicesAndRotationsAreTakenAsWhatTheyAre)
 
 TEST(Settings, ARefusalNamesTheSettingItsRangeWithTheUnitAndWhatItIs)
 {
-  EXPECT_EQ(said("Stiffness", { -1 }), "stiffness: it must be 0 N/m or more, not -1; spring between hand and proxy");
-  EXPECT_THAT(said("Scale", { 0 }), HasSubstr("scale: it must be more than 0 u/m, not 0"));
-  EXPECT_THAT(said("WallRate", { 5 }), HasSubstr("WallRate: it must be 20 to 1000 Hz, not 5"));
-  EXPECT_THAT(said("FrictionStatic", { -0.5 }), HasSubstr("0 to 10, not -0.5"));
-  EXPECT_THAT(said("LineRadius", { std::nan("") }), HasSubstr("radius of lines: it must be 0 u or more, not nan"));
+  EXPECT_EQ(said("Stiffness", { -1 }),
+    "stiffness: it must be a finite number of N/m, 0 or more, not -1; spring between hand and proxy");
+  EXPECT_THAT(said("Scale", { 0 }), HasSubstr("scale: it must be a finite number of u/m, more than 0, not 0"));
+  EXPECT_THAT(said("WallRate", { 5 }), HasSubstr("WallRate: it must be a finite number of Hz, 20 to 1000, not 5"));
+  EXPECT_THAT(said("FrictionStatic", { -0.5 }), HasSubstr("a finite number, 0 to 10, not -0.5"));
+  EXPECT_THAT(said("LineRadius", { std::nan("") }),
+    HasSubstr("radius of lines: it must be a finite number of u, 0 or more, not nan"));
   EXPECT_THAT(said("LinesAsWalls", { 7 }), HasSubstr("lines as walls: "));
-  EXPECT_THAT(said("Offset", { 0, 0, std::nan("") }), HasSubstr("it must be a finite number, not 0, 0, nan"));
+  EXPECT_THAT(said("Offset", { 0, 0, std::nan("") }), HasSubstr("it must be a finite number of u, not 0, 0, nan"));
 }
 
 /// What the table allows the tick takes, and the other way round, where both say how large a number can be.
