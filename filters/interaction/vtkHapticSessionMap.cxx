@@ -2,6 +2,7 @@
 // How the workspace of the device lies in the scene.
 #include <algorithm>
 
+#include "haptics/session/plan/FittedMap.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 
@@ -54,25 +55,13 @@ double* vtkHapticSession::GetOffset()
 
 void vtkHapticSession::FitWorkspace()
 {
-  double bounds[6];
-  if (!this->GetSceneBounds(bounds))
+  const palpate::BuiltScene& scene = this->Impl->Scene.built();
+  if (!scene.scene)
   {
     this->Refuse("there is no scene to fit the workspace to; add a surface and commit it");
     return;
   }
-  const Vec3 low_W(bounds[0], bounds[2], bounds[4]);
-  const Vec3 high_W(bounds[1], bounds[3], bounds[5]);
-  const double radius_m = this->Impl->InfoNow().workspaceRadius_m.value;
-  const double half = 0.5 * (high_W - low_W).norm();
-  this->Change(
-    [&](palpate::HapticParameters& p)
-    {
-      p.map.scale_u_per_m = half / radius_m;
-      p.map.offset_W = 0.5 * (low_W + high_W);
-      if (this->Impl->Scene.built().plane_WP && this->Impl->InfoNow().abilities.sensedAxes == 2)
-      {
-        p.map.q_WD = this->Impl->Scene.built().plane_WP->q; // a device that moves in a plane moves in this one
-      }
-    });
+  const palpate::WorkspaceMap fitted = palpate::fittedMap(this->Impl->Parameters.map, scene, this->Impl->InfoNow());
+  this->Change([&](palpate::HapticParameters& p) { p.map = fitted; });
   this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
 }
