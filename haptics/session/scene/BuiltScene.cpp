@@ -38,14 +38,19 @@ std::optional<Pose> onePlane(const Pose& a_WP, const Pose& b_WP, double size_u)
 
 } // namespace
 
-BuiltScene buildScene(SceneBuilder& builder, const std::vector<SceneSurface>& surfaces, const Scene* felt)
+std::vector<SurfaceInput> inputsOf(const std::vector<SceneSurface>& surfaces)
 {
   std::vector<SurfaceInput> inputs;
   for (const SceneSurface& surface : surfaces)
   {
     inputs.push_back(surface.input);
   }
-  const SceneBuildResult built = builder.build(inputs, felt);
+  return inputs;
+}
+
+BuiltScene buildScene(SceneBuilder& builder, const std::vector<SceneSurface>& surfaces, const Scene* felt)
+{
+  const SceneBuildResult built = builder.build(inputsOf(surfaces), felt);
   BuiltScene result;
   result.scene = built.scene;
   for (std::size_t i = 0; i < built.reports.size(); ++i)

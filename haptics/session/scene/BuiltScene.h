@@ -34,6 +34,9 @@ struct BuiltScene
   double stamp_s = 0.0;         ///< of the commit
 };
 
+/// What the builder takes of them.
+[[nodiscard]] std::vector<SurfaceInput> inputsOf(const std::vector<SceneSurface>& surfaces);
+
 /// Cleans and builds: everything of a built scene but `largestRadius_u`, `plane_WP` and `stamp_s`.
 [[nodiscard]] BuiltScene buildScene(
   SceneBuilder& builder, const std::vector<SceneSurface>& surfaces, const Scene* felt);

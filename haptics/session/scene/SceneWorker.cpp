@@ -16,16 +16,6 @@ double largestRadius(const Scene* scene)
   return scene ? radiusLimit(*scene, {}).largest_u : std::numeric_limits<double>::infinity();
 }
 
-std::vector<SurfaceInput> inputsOf(const std::vector<SceneSurface>& surfaces)
-{
-  std::vector<SurfaceInput> inputs;
-  for (const SceneSurface& surface : surfaces)
-  {
-    inputs.push_back(surface.input);
-  }
-  return inputs;
-}
-
 } // namespace
 
 SceneWorker::~SceneWorker()
