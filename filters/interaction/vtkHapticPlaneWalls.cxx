@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticPlaneWalls.h"
 
-#include <cmath>
-
 #include "haptics/geometry/curves/CurveSet.h"
 #include "vtkHapticConversion.h"
 
@@ -30,12 +28,4 @@ vtkHapticPlaneWalls vtkHapticRaiseLines(vtkDataObject* data, vtkMatrix4x4* matri
       palpate::raiseWalls(plane.curves, palpate::wallHalfHeight(plane.curves, radius_u), *plane_WP));
   }
   return walls;
-}
-
-std::optional<palpate::Pose> vtkHapticOnePlane(const palpate::Pose& a_WP, const palpate::Pose& b_WP, double size_u)
-{
-  constexpr double rounding = 1e-6; // of data in single precision
-  const palpate::Vec3 a = a_WP.q * palpate::Vec3::UnitZ(), b = b_WP.q * palpate::Vec3::UnitZ();
-  const bool same = a.cross(b).norm() <= rounding && std::fabs(a.dot(b_WP.p - a_WP.p)) <= rounding * size_u;
-  return same ? std::optional(a_WP) : std::nullopt;
 }

@@ -3,7 +3,6 @@
 #define vtkHapticPlaneWalls_h
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "haptics/core/Types.h"
@@ -22,9 +21,5 @@ struct vtkHapticPlaneWalls
 
 /// `matrix` places the data in W (null: identity). Walls for balls up to that radius [u].
 vtkHapticPlaneWalls vtkHapticRaiseLines(vtkDataObject* data, vtkMatrix4x4* matrix, double radius_u);
-
-/// The one plane that all of these are, or nothing: the same to the direction of a normal and to what rounding moves
-/// it.
-std::optional<palpate::Pose> vtkHapticOnePlane(const palpate::Pose& a_WP, const palpate::Pose& b_WP, double size_u);
 
 #endif

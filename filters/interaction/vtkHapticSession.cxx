@@ -5,6 +5,7 @@
 
 #include "devices/io/broker/DBusBroker.h"
 #include "haptics/session/Warning.h"
+#include "haptics/session/settings/SessionSettings.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkObjectFactory.h"
@@ -112,7 +113,7 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "State: " << this->GetStateText() << "\n";
   os << indent << "Problem: " << this->Impl->Problem << "\n";
   os << indent << "Ticks: " << this->GetTicks() << "\n";
-  os << indent << "Scene: " << this->Impl->Built.Report << "\n";
+  os << indent << "Scene: " << this->Impl->Scene.built().report << "\n";
 }
 
 void vtkHapticSession::Refuse(const std::string& problem)
@@ -243,16 +244,46 @@ void vtkHapticSession::Step(int ticks)
 
 void vtkHapticSession::Update()
 {
-  this->Impl->TakeScene(this->Impl->Worker.Poll());
-  this->Impl->FollowRules();
-  this->Impl->TakeSimpler(this->Impl->VirtualTimeNow() ? std::nullopt : this->Impl->Simpler.Poll());
+  this->Impl->TakeScene();
+  this->Impl->Scene.follow(this->Impl->PlanNow());
+  if (!this->Impl->VirtualTimeNow())
+  {
+    this->Impl->Scene.takeSimpler();
+  }
   this->Impl->ShowState();
   this->Impl->FollowRadius();
-  this->Impl->SettleScene();
+  if (this->Impl->Scene.rests())
+  {
+    this->Impl->Surfaces.Settle(this->Impl->Scene.worker());
+  }
   this->Impl->FollowCheck();
 }
 
 // Parameters --------------------------------------------------------------------------------------------------------
+
+bool vtkHapticSession::Allows(const char* setting, std::initializer_list<double> values)
+{
+  const palpate::Setting& described = palpate::sessionSetting(setting);
+  const std::string problem = palpate::refuse(described, values, palpate::spoken(described));
+  this->Refuse(problem);
+  this->Impl->Follow(setting, problem);
+  return problem.empty();
+}
+
+void vtkHapticSession::Change(const char* setting, std::initializer_list<double> values,
+  const std::function<void(palpate::HapticParameters&)>& change)
+{
+  if (this->Allows(setting, values))
+  {
+    this->Change(change);
+  }
+}
+
+const char* vtkHapticSession::GetDescribed()
+{
+  static const std::string json = palpate::describedAsJson();
+  return json.c_str();
+}
 
 void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters&)>& change)
 {
@@ -285,7 +316,8 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
 
 void vtkHapticSession::SetStiffness(double stiffness_N_per_m)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.stiffness_N_per_m = stiffness_N_per_m; });
+  this->Change(
+    "Stiffness", { stiffness_N_per_m }, [=](palpate::HapticParameters& p) { p.stiffness_N_per_m = stiffness_N_per_m; });
 }
 
 double vtkHapticSession::GetStiffness() const
@@ -295,7 +327,8 @@ double vtkHapticSession::GetStiffness() const
 
 void vtkHapticSession::SetDamping(double damping_Ns_per_m)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.damping_Ns_per_m = damping_Ns_per_m; });
+  this->Change(
+    "Damping", { damping_Ns_per_m }, [=](palpate::HapticParameters& p) { p.damping_Ns_per_m = damping_Ns_per_m; });
 }
 
 double vtkHapticSession::GetDamping() const
@@ -305,7 +338,7 @@ double vtkHapticSession::GetDamping() const
 
 void vtkHapticSession::SetRadius(double radius_u)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.contact.radius_u = radius_u; });
+  this->Change("Radius", { radius_u }, [=](palpate::HapticParameters& p) { p.contact.radius_u = radius_u; });
   this->Impl->FollowWalls();
 }
 

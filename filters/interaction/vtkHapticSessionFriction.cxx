@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Friction: two coefficients that may come in either order, and what it does now; smooth forces over facets.
 #include <algorithm>
-#include <cmath>
 
-#include "haptics/geometry/mesh/Material.h"
 #include "vtkHapticSessionInternals.h"
-
-namespace
-{
-/// A number that cannot be is left as it is, for the parameters to refuse.
-double Used(double kinetic, double statical)
-{
-  return kinetic <= palpate::Material::largestFriction ? std::min(kinetic, statical) : kinetic;
-}
-} // namespace
 
 void vtkHapticSession::SetFrictionStatic(double coefficient)
 {
-  const double kinetic = Used(this->Impl->FrictionKinetic, coefficient);
-  this->Change([=](palpate::HapticParameters& p) { p.contact.friction = { coefficient, kinetic }; });
+  const double kinetic = std::min(this->Impl->FrictionKinetic, coefficient);
+  this->Change("FrictionStatic", { coefficient },
+    [=](palpate::HapticParameters& p) {
+      p.contact.friction = { coefficient, kinetic };
+    });
 }
 
 double vtkHapticSession::GetFrictionStatic() const
@@ -28,12 +20,13 @@ double vtkHapticSession::GetFrictionStatic() const
 
 void vtkHapticSession::SetFrictionKinetic(double coefficient)
 {
-  const double used = Used(coefficient, this->GetFrictionStatic());
-  this->Change([=](palpate::HapticParameters& p) { p.contact.friction.kinetic = used; });
-  if (this->GetFrictionKineticUsed() == used)
+  if (!this->Allows("FrictionKinetic", { coefficient }))
   {
-    this->Impl->FrictionKinetic = coefficient;
+    return;
   }
+  this->Impl->FrictionKinetic = coefficient;
+  const double used = std::min(coefficient, this->GetFrictionStatic());
+  this->Change([=](palpate::HapticParameters& p) { p.contact.friction.kinetic = used; });
 }
 
 double vtkHapticSession::GetFrictionKinetic() const

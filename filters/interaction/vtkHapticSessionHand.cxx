@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a program holds the hand, and the stroke that a simulated one makes.
-#include <cmath>
-
 #include "vtkCellArray.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkIdList.h"
@@ -72,13 +70,11 @@ int vtkHapticSession::GetNumberOfStrokePoints() const
 
 void vtkHapticSession::SetStrokeSpeed(double speed_m_per_s)
 {
-  if (!(speed_m_per_s > 0.0 && std::isfinite(speed_m_per_s)))
+  if (this->Allows("StrokeSpeed", { speed_m_per_s }))
   {
-    this->Refuse("the speed of the stroke must be more than 0 m/s");
-    return;
+    this->Impl->StrokeSpeed = speed_m_per_s;
+    this->Modified();
   }
-  this->Impl->StrokeSpeed = speed_m_per_s;
-  this->Modified();
 }
 
 double vtkHapticSession::GetStrokeSpeed() const

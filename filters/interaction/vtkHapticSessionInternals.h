@@ -10,9 +10,10 @@
 #include "haptics/labyrinth/WayTrace.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/PlanSentence.h"
-#include "vtkHapticSceneWorker.h"
+#include "haptics/session/plan/PlaneWorld.h"
+#include "haptics/session/scene/FeltScene.h"
+#include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSession.h"
-#include "vtkHapticSimplerScene.h"
 #include "vtkTimeStamp.h"
 
 #include <memory>
@@ -33,22 +34,16 @@ public:
   vtkHapticMaterialSettings Materials;
   double LineRadius_u = 0.0;
   vtkTimeStamp MaterialTime;
-  vtkHapticSceneWorker Worker;
-  vtkHapticBuiltScene Built; ///< its scene as the servo has it, with motions
-  vtkHapticBuiltScene Full;  ///< the same with all triangles of the data
-  vtkHapticSimplerScene Simpler;
+  vtkHapticSceneSurfaces Surfaces;
+  palpate::FeltScene Scene{ Core, PeriodSeconds };
   int Simplify = Auto;
   bool LimitRadius = true;
   int LinesAsWalls = Auto;
-  bool Raises = false; ///< lines, as the worker was told
-  bool HoldWalls = true;
+  bool Raises = false;     ///< lines, as the surfaces were told
   double WallRate = 125.0; ///< [Hz]
-  bool PlaneGuide = true;
-  palpate::SimplifyRules Rules; ///< that `Choices` were made by
-  std::vector<palpate::SurfaceChoice> Choices;
+  palpate::PlaneWishes Plane;
   double RadiusUsed_u = 0.0; ///< as the servo was told
   std::string PlanSentence;
-  double HandOver = 0.0; ///< from the commit of that scene until the servo could have it [s]
 
   palpate::SelfTestRun Check;
   bool Checked = false;     ///< a check was started
@@ -131,19 +126,10 @@ public:
   std::string DescribeLoss();
   /// Seconds of the session: ticks in virtual time.
   double Now();
-  /// Its surfaces come from where they are felt, as long as it took from the snapshot before to this one.
-  void TakeScene(std::optional<vtkHapticBuiltScene> built);
-  /// Once what moved has rested for a while its poses go into the vertices: then touching it costs no more than ever.
-  void SettleScene();
-  palpate::SimplifyRules RulesNow() const;
-  /// Says what of the full scene is felt, and looks for simpler surfaces of it.
-  void PlanScene();
-  /// Plans again if what the choice depends on has changed.
-  void FollowRules();
-  /// All triangles of the data again.
-  void RestoreFull();
-  /// Swaps them in.
-  void TakeSimpler(std::optional<vtkHapticFoundScene> found);
+  /// How simpler surfaces are looked for now.
+  palpate::SimplifyPlan PlanNow() const;
+  /// What the worker has built is felt, or with `wait` what was committed last.
+  void TakeScene(bool wait = false);
   /// By what the scene is touched.
   palpate::TouchChoice Touch() const;
   /// The parameters with a ball that is no larger than the scene allows, if that is wanted.
@@ -153,14 +139,12 @@ public:
   void FollowRadius();
   /// Whether lines are walls for the running device, else the chosen one.
   bool RaisesLines() const;
-  /// Tells the worker so.
+  /// Tells the surfaces so.
   void FollowWalls();
   /// Walls that the device may hold and the guide to their plane, as the scene that is felt allows.
   void FollowPlane();
   /// "; ..." about a plane world, or "".
   std::string PlaneSentence() const;
-  /// What held walls brake a slide of 0.1 m/s along a slanted line by, on average.
-  double SlantDrag_N() const;
   void ShowState();
   /// Its way goes on, or begins anew; buttons ask for another one.
   void FollowGame();

@@ -130,10 +130,7 @@ double vtkHapticSession::GetFeelableZoom() const
 
 double vtkHapticSession::Internals::FeltStiffness() const
 {
-  const palpate::DeviceInfo& info = this->InfoNow();
-  const bool held = this->Parameters.walls.hold && info.closesWalls();
-  const double limit_N_per_m = held ? info.heldStiffness_N_per_m.value : palpate::StabilityLimits::unlimited;
-  return std::min({ this->Parameters.stiffness_N_per_m, this->Limits.largest_N_per_m, limit_N_per_m });
+  return palpate::feltStiffness_N_per_m(this->Parameters, this->InfoNow(), this->Limits);
 }
 
 void vtkHapticSession::GetLabyrinthTrace(vtkPolyData* trace) const

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the workspace of the device lies in the scene.
 #include <algorithm>
-#include <cmath>
 
+#include "haptics/session/plan/FittedMap.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 
-namespace
-{
 using palpate::Vec3;
-
-/// Rounding of a quaternion typed by a person or read from a text file.
-constexpr double unitTolerance = 1e-6;
-} // namespace
 
 void vtkHapticSession::SetScale(double scale_u_per_m)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.map.scale_u_per_m = scale_u_per_m; });
+  this->Change("Scale", { scale_u_per_m }, [=](palpate::HapticParameters& p) { p.map.scale_u_per_m = scale_u_per_m; });
 }
 
 double vtkHapticSession::GetScale() const
@@ -27,12 +21,7 @@ double vtkHapticSession::GetScale() const
 void vtkHapticSession::SetRotation(double w, double x, double y, double z)
 {
   const palpate::Quat q(w, x, y, z);
-  if (!(std::abs(q.norm() - 1.0) <= unitTolerance))
-  {
-    this->Refuse("the rotation must be a unit quaternion (w, x, y, z)");
-    return;
-  }
-  this->Change([&q](palpate::HapticParameters& p) { p.map.q_WD = q.normalized(); });
+  this->Change("Rotation", { w, x, y, z }, [&q](palpate::HapticParameters& p) { p.map.q_WD = q.normalized(); });
 }
 
 void vtkHapticSession::SetRotation(const double wxyz[4])
@@ -50,7 +39,7 @@ double* vtkHapticSession::GetRotation()
 
 void vtkHapticSession::SetOffset(double x, double y, double z)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.map.offset_W = Vec3(x, y, z); });
+  this->Change("Offset", { x, y, z }, [=](palpate::HapticParameters& p) { p.map.offset_W = Vec3(x, y, z); });
 }
 
 void vtkHapticSession::SetOffset(const double offset_W[3])
@@ -66,25 +55,13 @@ double* vtkHapticSession::GetOffset()
 
 void vtkHapticSession::FitWorkspace()
 {
-  double bounds[6];
-  if (!this->GetSceneBounds(bounds))
+  const palpate::BuiltScene& scene = this->Impl->Scene.built();
+  if (!scene.scene)
   {
     this->Refuse("there is no scene to fit the workspace to; add a surface and commit it");
     return;
   }
-  const Vec3 low_W(bounds[0], bounds[2], bounds[4]);
-  const Vec3 high_W(bounds[1], bounds[3], bounds[5]);
-  const double radius_m = this->Impl->InfoNow().workspaceRadius_m.value;
-  const double half = 0.5 * (high_W - low_W).norm();
-  this->Change(
-    [&](palpate::HapticParameters& p)
-    {
-      p.map.scale_u_per_m = half / radius_m;
-      p.map.offset_W = 0.5 * (low_W + high_W);
-      if (this->Impl->Built.Plane_WP && this->Impl->InfoNow().abilities.sensedAxes == 2)
-      {
-        p.map.q_WD = this->Impl->Built.Plane_WP->q; // a device that moves in a plane moves in this one
-      }
-    });
+  const palpate::WorkspaceMap fitted = palpate::fittedMap(this->Impl->Parameters.map, scene, this->Impl->InfoNow());
+  this->Change([&](palpate::HapticParameters& p) { p.map = fitted; });
   this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
 }

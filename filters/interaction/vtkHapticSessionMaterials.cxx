@@ -1,43 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What surfaces are made of, from their arrays.
-#include <cmath>
-
 #include "vtkHapticSessionInternals.h"
 
-void vtkHapticSession::ChangeMaterial(const std::function<void(vtkHapticMaterialSettings&)>& change)
+void vtkHapticSession::ChangeMaterial(const char* setting, std::initializer_list<double> values,
+  const std::function<void(vtkHapticMaterialSettings&)>& change)
 {
   vtkHapticMaterialSettings settings = this->Impl->Materials;
   change(settings);
-  const std::string problem = settings.Check();
-  this->Refuse(problem);
-  this->Impl->Follow("materials", problem);
-  if (!problem.empty())
+  if (!this->Allows(setting, values) || settings == this->Impl->Materials)
   {
     return;
   }
-  if (settings != this->Impl->Materials)
+  if (const std::string problem = settings.Check(); !problem.empty())
   {
-    this->Impl->Materials = settings;
-    this->Impl->Worker.SetMaterials(settings);
-    this->Impl->MaterialTime.Modified();
-    this->Modified();
+    this->Refuse(problem);
+    this->Impl->Follow(setting, problem);
+    return;
   }
+  this->Impl->Materials = settings;
+  this->Impl->Surfaces.SetMaterials(settings);
+  this->Impl->MaterialTime.Modified();
+  this->Modified();
 }
 
 void vtkHapticSession::SetLineRadius(double radius_u)
 {
-  const bool usable = radius_u >= 0.0 && std::isfinite(radius_u);
-  const std::string problem = usable ? "" : "the radius of lines must be a finite number of scene units, 0 or above";
-  this->Refuse(problem);
-  this->Impl->Follow("line radius", problem);
-  if (!usable)
+  if (!this->Allows("LineRadius", { radius_u }))
   {
     return;
   }
   if (radius_u != this->Impl->LineRadius_u)
   {
     this->Impl->LineRadius_u = radius_u;
-    this->Impl->Worker.SetLineRadius(radius_u);
+    this->Impl->Surfaces.SetLineRadius(radius_u);
     this->Impl->MaterialTime.Modified();
     this->Modified();
   }
@@ -60,7 +55,8 @@ bool vtkHapticSession::GetUsesMaterialArrays() const
 
 void vtkHapticSession::SetStiffnessArray(const char* name)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Stiffness.Array = name ? name : ""; });
+  this->ChangeMaterial(
+    "StiffnessArray", {}, [=](vtkHapticMaterialSettings& m) { m.Stiffness.Array = name ? name : ""; });
 }
 
 const char* vtkHapticSession::GetStiffnessArray() const
@@ -70,7 +66,8 @@ const char* vtkHapticSession::GetStiffnessArray() const
 
 void vtkHapticSession::SetStiffnessComponent(int component)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Stiffness.Component = component; });
+  this->ChangeMaterial("StiffnessComponent", { static_cast<double>(component) },
+    [=](vtkHapticMaterialSettings& m) { m.Stiffness.Component = component; });
 }
 
 int vtkHapticSession::GetStiffnessComponent() const
@@ -80,7 +77,10 @@ int vtkHapticSession::GetStiffnessComponent() const
 
 void vtkHapticSession::SetStiffnessDataRange(double low, double high)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Stiffness.DataRange = { low, high }; });
+  this->ChangeMaterial("StiffnessDataRange", { low, high },
+    [=](vtkHapticMaterialSettings& m) {
+      m.Stiffness.DataRange = { low, high };
+    });
 }
 
 double* vtkHapticSession::GetStiffnessDataRange()
@@ -90,7 +90,10 @@ double* vtkHapticSession::GetStiffnessDataRange()
 
 void vtkHapticSession::SetStiffnessFeltRange(double atLow, double atHigh)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Stiffness.FeltRange = { atLow, atHigh }; });
+  this->ChangeMaterial("StiffnessFeltRange", { atLow, atHigh },
+    [=](vtkHapticMaterialSettings& m) {
+      m.Stiffness.FeltRange = { atLow, atHigh };
+    });
 }
 
 double* vtkHapticSession::GetStiffnessFeltRange()
@@ -100,7 +103,7 @@ double* vtkHapticSession::GetStiffnessFeltRange()
 
 void vtkHapticSession::SetFrictionArray(const char* name)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Friction.Array = name ? name : ""; });
+  this->ChangeMaterial("FrictionArray", {}, [=](vtkHapticMaterialSettings& m) { m.Friction.Array = name ? name : ""; });
 }
 
 const char* vtkHapticSession::GetFrictionArray() const
@@ -110,7 +113,8 @@ const char* vtkHapticSession::GetFrictionArray() const
 
 void vtkHapticSession::SetFrictionComponent(int component)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Friction.Component = component; });
+  this->ChangeMaterial("FrictionComponent", { static_cast<double>(component) },
+    [=](vtkHapticMaterialSettings& m) { m.Friction.Component = component; });
 }
 
 int vtkHapticSession::GetFrictionComponent() const
@@ -120,7 +124,10 @@ int vtkHapticSession::GetFrictionComponent() const
 
 void vtkHapticSession::SetFrictionDataRange(double low, double high)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Friction.DataRange = { low, high }; });
+  this->ChangeMaterial("FrictionDataRange", { low, high },
+    [=](vtkHapticMaterialSettings& m) {
+      m.Friction.DataRange = { low, high };
+    });
 }
 
 double* vtkHapticSession::GetFrictionDataRange()
@@ -130,7 +137,10 @@ double* vtkHapticSession::GetFrictionDataRange()
 
 void vtkHapticSession::SetFrictionFeltRange(double atLow, double atHigh)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Friction.FeltRange = { atLow, atHigh }; });
+  this->ChangeMaterial("FrictionFeltRange", { atLow, atHigh },
+    [=](vtkHapticMaterialSettings& m) {
+      m.Friction.FeltRange = { atLow, atHigh };
+    });
 }
 
 double* vtkHapticSession::GetFrictionFeltRange()
@@ -140,7 +150,7 @@ double* vtkHapticSession::GetFrictionFeltRange()
 
 void vtkHapticSession::SetTextureArray(const char* name)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Texture.Array = name ? name : ""; });
+  this->ChangeMaterial("TextureArray", {}, [=](vtkHapticMaterialSettings& m) { m.Texture.Array = name ? name : ""; });
 }
 
 const char* vtkHapticSession::GetTextureArray() const
@@ -150,7 +160,8 @@ const char* vtkHapticSession::GetTextureArray() const
 
 void vtkHapticSession::SetTextureComponent(int component)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Texture.Component = component; });
+  this->ChangeMaterial("TextureComponent", { static_cast<double>(component) },
+    [=](vtkHapticMaterialSettings& m) { m.Texture.Component = component; });
 }
 
 int vtkHapticSession::GetTextureComponent() const
@@ -160,7 +171,10 @@ int vtkHapticSession::GetTextureComponent() const
 
 void vtkHapticSession::SetTextureDataRange(double low, double high)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Texture.DataRange = { low, high }; });
+  this->ChangeMaterial("TextureDataRange", { low, high },
+    [=](vtkHapticMaterialSettings& m) {
+      m.Texture.DataRange = { low, high };
+    });
 }
 
 double* vtkHapticSession::GetTextureDataRange()
@@ -170,7 +184,10 @@ double* vtkHapticSession::GetTextureDataRange()
 
 void vtkHapticSession::SetTextureFeltRange(double atLow, double atHigh)
 {
-  this->ChangeMaterial([=](vtkHapticMaterialSettings& m) { m.Texture.FeltRange = { atLow, atHigh }; });
+  this->ChangeMaterial("TextureFeltRange", { atLow, atHigh },
+    [=](vtkHapticMaterialSettings& m) {
+      m.Texture.FeltRange = { atLow, atHigh };
+    });
 }
 
 double* vtkHapticSession::GetTextureFeltRange()

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the mouse in a view asks of a session: where a way meets what is touched, and how deep it presses.
-#include <sstream>
-
 #include "haptics/contact/planes/FeatureGeometry.h"
 #include "haptics/contact/sweep/Sweep.h"
 #include "vtkHapticSessionInternals.h"
@@ -42,11 +40,11 @@ bool vtkHapticSession::PickSurface(
   const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const
 {
   const Internals& impl = *this->Impl;
-  if (!impl.Built.Scene || impl.Built.Scene->empty())
+  if (!impl.Scene.built().scene || impl.Scene.built().scene->empty())
   {
     return false;
   }
-  const palpate::Scene& scene = *impl.Built.Scene;
+  const palpate::Scene& scene = *impl.Scene.built().scene;
   palpate::SweepQuery query;
   query.from_W = Vec3(from_W);
   query.to_W = Vec3(to_W);
@@ -68,16 +66,11 @@ bool vtkHapticSession::PickSurface(
 
 void vtkHapticSession::SetPressDepth(double depth_m)
 {
-  if (!(depth_m >= LeastPressDepth && depth_m <= LargestPressDepth))
+  if (this->Allows("PressDepth", { depth_m }))
   {
-    std::ostringstream problem;
-    problem << "the depth that the mouse presses must be " << LeastPressDepth << " to " << LargestPressDepth
-            << " m of the hand, not " << depth_m;
-    this->Refuse(problem.str());
-    return;
+    this->Impl->PressDepth_m = depth_m;
+    this->Modified();
   }
-  this->Impl->PressDepth_m = depth_m;
-  this->Modified();
 }
 
 double vtkHapticSession::GetPressDepth() const

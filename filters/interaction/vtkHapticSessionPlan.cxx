@@ -1,111 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is felt of a scene: all of its triangles and segments first, fewer of them where nobody can tell.
-#include <algorithm>
-#include <utility>
-
+// By what a scene is touched, and whether simpler surfaces of it are.
 #include "haptics/contact/view/PlanFor.h"
 #include "haptics/session/PlanSentence.h"
 #include "vtkHapticSessionInternals.h"
 
-namespace
+palpate::SimplifyPlan vtkHapticSession::Internals::PlanNow() const
 {
-bool Searched(const palpate::SurfaceChoice& choice)
-{
-  return choice.reason.empty();
-}
-} // namespace
-
-palpate::SimplifyRules vtkHapticSession::Internals::RulesNow() const
-{
-  palpate::SimplifyRules rules;
-  rules.touch.scale_u_per_m = this->Parameters.map.scale_u_per_m;
-  rules.touch.resolution_m = this->InfoNow().resolution_m.value;
-  if (this->Simplify == On)
-  {
-    rules.leastTriangles = rules.leastFine = 0;
-  }
-  return rules;
-}
-
-void vtkHapticSession::Internals::PlanScene()
-{
-  this->Simpler.Cancel();
-  this->Choices.clear();
-  this->Rules = this->RulesNow();
-  if (!this->Full.Scene)
-  {
-    return;
-  }
-  this->Choices = palpate::chooseAtFirst(*this->Full.Scene, this->Full.Traits, this->Rules);
-  if (this->Simplify == Off)
-  {
-    std::for_each(this->Choices.begin(), this->Choices.end(),
-      [](palpate::SurfaceChoice& choice) { choice.reason = "simpler surfaces are off"; });
-  }
-  if (std::any_of(this->Choices.begin(), this->Choices.end(), Searched) &&
-      this->Simpler.Follow(this->Full.Scene, this->Choices, this->Rules, this->Worker.TakeRevision()))
-  {
-    this->TakeSimpler(this->Simpler.Poll());
-  }
-}
-
-void vtkHapticSession::Internals::FollowRules()
-{
-  const palpate::SimplifyRules now = this->RulesNow();
-  const palpate::TouchConditions &then = this->Rules.touch, &touch = now.touch;
-  if (then.scale_u_per_m == touch.scale_u_per_m && then.resolution_m == touch.resolution_m)
-  {
-    return;
-  }
-  this->RestoreFull();
-  this->PlanScene();
-}
-
-void vtkHapticSession::Internals::RestoreFull()
-{
-  if (this->Built.Scene != this->Full.Scene)
-  {
-    this->Built = this->Full;
-    this->Core.setScene(this->Built.Scene);
-  }
-}
-
-void vtkHapticSession::Internals::TakeSimpler(std::optional<vtkHapticFoundScene> found)
-{
-  if (!found)
-  {
-    return;
-  }
-  this->Choices = std::move(found->choices);
-  if (!found->scene)
-  {
-    return;
-  }
-  for (const palpate::SurfaceChoice& choice : this->Choices)
-  {
-    if (choice.felt < choice.triangles)
-    {
-      this->Built.Report += choice.name + ": " + palpate::planSentence(choice) + "\n";
-    }
-  }
-  this->Built.Scene = std::move(found->scene);
-  this->Built.LargestRadius_u = found->LargestRadius_u;
-  this->Core.setScene(this->Built.Scene);
+  return palpate::simplifyPlan(
+    static_cast<palpate::AutoChoice>(this->Simplify), this->Parameters.map.scale_u_per_m, this->InfoNow());
 }
 
 palpate::HapticParameters vtkHapticSession::Internals::Allowed(palpate::HapticParameters asked) const
 {
   asked.contact.radius_u =
-    palpate::chosenRadius_u(asked.contact.radius_u, this->Built.LargestRadius_u, this->LimitRadius);
+    palpate::chosenRadius_u(asked.contact.radius_u, this->Scene.built().largestRadius_u, this->LimitRadius);
   return asked;
 }
 
 void vtkHapticSession::Internals::FollowRadius()
 {
   const palpate::HapticParameters allowed = this->Allowed(this->Parameters);
-  const palpate::Scene* const scene = this->Built.Scene.get();
-  const bool felt = !this->Core.running() || !scene || this->Core.state().sceneRevision == scene->revision();
-  if (felt && allowed.contact.radius_u != this->RadiusUsed_u && this->Core.setParameters(allowed).empty())
+  if (allowed.contact.radius_u != this->RadiusUsed_u && this->Scene.isTaken() &&
+      this->Core.setParameters(allowed).empty())
   {
     this->RadiusUsed_u = allowed.contact.radius_u;
   }
@@ -128,7 +44,7 @@ bool vtkHapticSession::GetLimitRadius() const
 
 double vtkHapticSession::GetRadiusLimit() const
 {
-  return this->Impl->Built.LargestRadius_u;
+  return this->Impl->Scene.built().largestRadius_u;
 }
 
 double vtkHapticSession::GetRadiusUsed() const
@@ -138,16 +54,10 @@ double vtkHapticSession::GetRadiusUsed() const
 
 void vtkHapticSession::SetSimplify(int choice)
 {
-  if (choice < Auto || choice > On)
-  {
-    this->Refuse("simpler surfaces must be 0 (auto), 1 (off) or 2 (on)");
-    return;
-  }
-  if (choice != this->Impl->Simplify)
+  if (this->Allows("Simplify", { static_cast<double>(choice) }) && choice != this->Impl->Simplify)
   {
     this->Impl->Simplify = choice;
-    this->Impl->RestoreFull();
-    this->Impl->PlanScene();
+    this->Impl->Scene.follow(this->Impl->PlanNow());
     this->Modified();
   }
 }
@@ -159,19 +69,19 @@ int vtkHapticSession::GetSimplify() const
 
 bool vtkHapticSession::FinishSimplification()
 {
-  this->Impl->FollowRules();
-  this->Impl->TakeSimpler(this->Impl->Simpler.Wait());
-  return this->Impl->Built.Scene != this->Impl->Full.Scene;
+  this->Impl->Scene.follow(this->Impl->PlanNow());
+  this->Impl->Scene.takeSimpler(true);
+  return this->Impl->Scene.isSimpler();
 }
 
 palpate::TouchChoice vtkHapticSession::Internals::Touch() const
 {
-  const palpate::Scene* const scene = this->Built.Scene.get();
+  const palpate::Scene* const scene = this->Scene.built().scene.get();
   palpate::TouchChoice touch;
   touch.plan = this->Parameters.contact;
   touch.plan.radius_u = this->RadiusUsed_u;
   touch.asked_u = this->Parameters.contact.radius_u;
-  touch.largest_u = this->Built.LargestRadius_u;
+  touch.largest_u = this->Scene.built().largestRadius_u;
   if (scene)
   {
     touch.plan = palpate::planFor(*scene, touch.plan);
@@ -183,6 +93,6 @@ palpate::TouchChoice vtkHapticSession::Internals::Touch() const
 const char* vtkHapticSession::GetPlanSentence() const
 {
   this->Impl->PlanSentence =
-    palpate::planSentence(this->Impl->Choices, this->Impl->Touch()) + this->Impl->PlaneSentence();
+    palpate::planSentence(this->Impl->Scene.choices(), this->Impl->Touch()) + this->Impl->PlaneSentence();
   return this->Impl->PlanSentence.c_str();
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plane worlds: lines as walls, walls that the device holds, and the guide that leads a hand to their plane.
-#include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "devices/common/DeviceNotes.h"
@@ -9,12 +7,12 @@
 
 bool vtkHapticSession::Internals::RaisesLines() const
 {
-  return this->LinesAsWalls == On || (this->LinesAsWalls == Auto && this->InfoNow().abilities.sensedAxes == 2);
+  return palpate::raisesLines(static_cast<palpate::AutoChoice>(this->LinesAsWalls), this->InfoNow());
 }
 
 void vtkHapticSession::Internals::FollowWalls()
 {
-  this->Worker.SetPlaneWorld(this->RaisesLines(), this->Parameters.contact.radius_u);
+  this->Surfaces.SetPlaneWorld(this->RaisesLines(), this->Parameters.contact.radius_u);
   const bool before = std::exchange(this->Raises, this->RaisesLines());
   if (before || this->Raises)
   {
@@ -24,19 +22,8 @@ void vtkHapticSession::Internals::FollowWalls()
 
 void vtkHapticSession::Internals::FollowPlane()
 {
-  const bool planar = this->InfoNow().abilities.sensedAxes == 2;
-  const std::optional<palpate::Pose>& plane_WP = this->Built.Plane_WP;
-  palpate::HapticParameters wanted = this->Parameters;
-  wanted.guide.on = plane_WP && this->PlaneGuide;
-  if (plane_WP)
-  {
-    wanted.guide.point_W = plane_WP->p;
-    wanted.guide.normal_W = (plane_WP->q * palpate::Vec3::UnitZ()).normalized();
-  }
-  wanted.guide.largest_N = planar ? 0.0 : palpate::GuidePlan().largest_N; // it has no motor that way
-  constexpr double rounding = 1e-6;
-  const palpate::Vec3 across_W = wanted.map.q_WD * palpate::Vec3::UnitZ();
-  wanted.walls.hold = plane_WP && planar && this->HoldWalls && across_W.cross(wanted.guide.normal_W).norm() <= rounding;
+  const palpate::HapticParameters wanted =
+    palpate::inPlane(this->Parameters, this->Scene.built().plane_WP, this->Plane, this->InfoNow());
   if (wanted.walls != this->Parameters.walls || wanted.guide != this->Parameters.guide)
   {
     palpate::HapticParameters sent = this->Parameters = wanted;
@@ -45,61 +32,18 @@ void vtkHapticSession::Internals::FollowPlane()
   }
 }
 
-double vtkHapticSession::Internals::SlantDrag_N() const
-{
-  palpate::Slide slide;
-  slide.stiffness_N_per_m = this->FeltStiffness();
-  slide.speed_m_per_s = 0.1;
-  slide.depth_m = 1.0; // both walls press
-  slide.host_s = this->Parameters.walls.every_s;
-  slide.device_s = PeriodSeconds;
-  slide.lean = std::sqrt(0.5);
-  return palpate::velvet(slide).mean_N;
-}
-
 std::string vtkHapticSession::Internals::PlaneSentence() const
 {
-  if (!this->Built.Plane_WP)
-  {
-    return "";
-  }
-  std::ostringstream text;
-  text.precision(3);
-  text << ", in one plane: ";
   const palpate::DeviceInfo& info = this->InfoNow();
-  const bool can = info.closesWalls();
-  if (this->Parameters.walls.hold && can)
-  {
-    text << "at most four walls are held by the device itself, moved on at " << this->WallRate
-         << " Hz: a slide of 0.1 m/s along a slant is braked by " << this->SlantDrag_N() << " N";
-  }
-  else
-  {
-    text << "walls are closed by the program";
-    if (!can && info.offersWalls)
-    {
-      text << ", for the device offers to hold them, but " << palpate::whyNotHeld(info.heldProof);
-    }
-    else
-    {
-      text << (!info.abilities.holdsWalls ? ", for the device holds none"
-               : !can                     ? ", for the device has no viscosity, without which corridors shake"
-               : !this->HoldWalls         ? ", as was asked for"
-                                          : ", for the plane does not lie across the device");
-    }
-  }
-  text << (this->Parameters.guide.on && this->Parameters.guide.largest_N > 0.0 ? "; the hand is led to the plane" : "");
-  return text.str();
+  const double drag_N = palpate::slantDrag_N(this->Parameters, this->FeltStiffness(), PeriodSeconds);
+  return this->Scene.built().plane_WP
+           ? palpate::planeSentence(this->Parameters, this->Plane, info, drag_N, palpate::whyNotHeld(info.heldProof))
+           : "";
 }
 
 void vtkHapticSession::SetLinesAsWalls(int choice)
 {
-  if (choice < Auto || choice > On)
-  {
-    this->Refuse("lines as walls must be 0 (auto), 1 (off) or 2 (on)");
-    return;
-  }
-  if (choice != this->Impl->LinesAsWalls)
+  if (this->Allows("LinesAsWalls", { static_cast<double>(choice) }) && choice != this->Impl->LinesAsWalls)
   {
     this->Impl->LinesAsWalls = choice;
     this->Impl->FollowWalls();
@@ -120,9 +64,9 @@ bool vtkHapticSession::GetRaisesLines() const
 
 void vtkHapticSession::SetHoldWalls(bool on)
 {
-  if (on != this->Impl->HoldWalls)
+  if (on != this->Impl->Plane.holdWalls)
   {
-    this->Impl->HoldWalls = on;
+    this->Impl->Plane.holdWalls = on;
     this->Impl->FollowPlane();
     this->Modified();
   }
@@ -130,19 +74,16 @@ void vtkHapticSession::SetHoldWalls(bool on)
 
 bool vtkHapticSession::GetHoldWalls() const
 {
-  return this->Impl->HoldWalls;
+  return this->Impl->Plane.holdWalls;
 }
 
 void vtkHapticSession::SetWallRate(double rate_Hz)
 {
-  constexpr double least_Hz = 20.0, most_Hz = 1000.0;
-  if (!(rate_Hz >= least_Hz && rate_Hz <= most_Hz))
+  if (this->Allows("WallRate", { rate_Hz }))
   {
-    this->Refuse("the rate of held walls must be 20 to 1000 Hz");
-    return;
+    this->Impl->WallRate = rate_Hz;
+    this->Change([=](palpate::HapticParameters& p) { p.walls.every_s = 1.0 / rate_Hz; });
   }
-  this->Impl->WallRate = rate_Hz;
-  this->Change([=](palpate::HapticParameters& p) { p.walls.every_s = 1.0 / rate_Hz; });
 }
 
 double vtkHapticSession::GetWallRate() const
@@ -152,9 +93,9 @@ double vtkHapticSession::GetWallRate() const
 
 void vtkHapticSession::SetPlaneGuide(bool on)
 {
-  if (on != this->Impl->PlaneGuide)
+  if (on != this->Impl->Plane.guide)
   {
-    this->Impl->PlaneGuide = on;
+    this->Impl->Plane.guide = on;
     this->Impl->FollowPlane();
     this->Modified();
   }
@@ -162,17 +103,17 @@ void vtkHapticSession::SetPlaneGuide(bool on)
 
 bool vtkHapticSession::GetPlaneGuide() const
 {
-  return this->Impl->PlaneGuide;
+  return this->Impl->Plane.guide;
 }
 
 bool vtkHapticSession::GetPlaneWorld() const
 {
-  return this->Impl->Built.Plane_WP.has_value();
+  return this->Impl->Scene.built().plane_WP.has_value();
 }
 
 bool vtkHapticSession::GetPlane(double point_W[3], double normal_W[3]) const
 {
-  const std::optional<palpate::Pose>& plane_WP = this->Impl->Built.Plane_WP;
+  const std::optional<palpate::Pose>& plane_WP = this->Impl->Scene.built().plane_WP;
   if (plane_WP)
   {
     Eigen::Map<palpate::Vec3>{ point_W } = plane_WP->p;

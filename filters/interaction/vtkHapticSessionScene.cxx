@@ -6,7 +6,7 @@
 
 void vtkHapticSession::ClearSurfaces()
 {
-  this->Impl->Worker.Clear();
+  this->Impl->Surfaces.Clear();
   if (this->Impl->ProblemOf.starts_with(Internals::OfSurface))
   {
     this->Impl->ProblemOf = Internals::OfFormerSurface;
@@ -16,7 +16,7 @@ void vtkHapticSession::ClearSurfaces()
 bool vtkHapticSession::AddSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   const std::string known = name ? name : "surface";
-  const std::string problem = this->Impl->Worker.Add(known, data, matrix);
+  const std::string problem = this->Impl->Surfaces.Add(known, data, matrix);
   this->Refuse(problem);
   this->Impl->Follow(Internals::OfSurface + known, problem);
   return problem.empty();
@@ -25,25 +25,24 @@ bool vtkHapticSession::AddSurface(const char* name, vtkDataObject* data, vtkMatr
 void vtkHapticSession::CommitScene()
 {
   this->Impl->Follow(Internals::OfFormerSurface, "");
-  this->Impl->Simpler.Cancel();
-  this->Impl->Worker.Follow(this->Impl->Core.running() ? this->Impl->Full.Scene : nullptr);
-  this->Impl->Worker.Commit(this->Impl->Now());
+  this->Impl->Scene.beforeCommit();
+  this->Impl->Surfaces.Commit(this->Impl->Scene.worker(), this->Impl->Now());
 }
 
 bool vtkHapticSession::FinishScene()
 {
-  this->Impl->TakeScene(this->Impl->Worker.Wait());
+  this->Impl->TakeScene(true);
   this->Impl->FollowRadius();
-  return this->Impl->Built.Scene != nullptr;
+  return this->Impl->Scene.built().scene != nullptr;
 }
 
 bool vtkHapticSession::GetSceneBounds(double bounds[6]) const
 {
-  std::copy(this->Impl->Built.Bounds.begin(), this->Impl->Built.Bounds.end(), bounds);
-  return this->Impl->Built.Scene != nullptr;
+  std::copy(this->Impl->Scene.built().bounds.begin(), this->Impl->Scene.built().bounds.end(), bounds);
+  return this->Impl->Scene.built().scene != nullptr;
 }
 
 const char* vtkHapticSession::GetSceneReport() const
 {
-  return this->Impl->Built.Report.c_str();
+  return this->Impl->Scene.built().report.c_str();
 }

@@ -30,7 +30,8 @@ bool vtkHapticSession::GetPassivity() const
 
 void vtkHapticSession::SetDelay(int ticks)
 {
-  this->Change([=](palpate::HapticParameters& p) { p.passivity.delay_ticks = ticks; });
+  this->Change(
+    "Delay", { static_cast<double>(ticks) }, [=](palpate::HapticParameters& p) { p.passivity.delay_ticks = ticks; });
 }
 
 int vtkHapticSession::GetDelay() const
@@ -50,12 +51,8 @@ bool vtkHapticSession::GetLimitStiffness() const
 
 void vtkHapticSession::SetVelocityMethod(int method)
 {
-  if (method < BackwardDifference || method > AdaptiveWindow)
-  {
-    this->Refuse("the velocity method must be 0 (backward difference), 1 (low pass) or 2 (adaptive window)");
-    return;
-  }
-  this->Change([=](palpate::HapticParameters& p) { p.velocity.method = static_cast<palpate::VelocityMethod>(method); });
+  this->Change("VelocityMethod", { static_cast<double>(method) },
+    [=](palpate::HapticParameters& p) { p.velocity.method = static_cast<palpate::VelocityMethod>(method); });
 }
 
 int vtkHapticSession::GetVelocityMethod() const

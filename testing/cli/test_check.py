@@ -79,9 +79,11 @@ class Plan(CommandLineTest):
     def test_friction_that_cannot_be_felt_is_refused_by_check_as_by_touch(self):
         self.write_off("a.off", SQUARE_POINTS, SQUARE_FACES)
         self.write_path([(0.0, 0.0, 0.0, 1.0)])
-        for friction in (("--mu-static", 11), ("--mu-kinetic", 0.5), ("--mu-static", 0.3, "--mu-kinetic", 0.5)):
+        more = ["--mu-static, --mu-kinetic", "static one, which is at most 10"]
+        for friction, saying in ((("--mu-static", 11), ["--mu-static: it must be a finite number, 0 to 10, not 11"]),
+                                 (("--mu-kinetic", 0.5), more), (("--mu-static", 0.3, "--mu-kinetic", 0.5), more)):
             for command in (("check", "a.off"), ("touch", "a.off", "--path", "path.csv", "--csv", "out.csv")):
-                self.refused(*command, *friction, saying=["--mu-static, --mu-kinetic", "static one, which is at most 10"])
+                self.refused(*command, *friction, saying=saying)
         self.assertIn("friction 0.3 at rest, 0.3 sliding", self.succeed("check", "a.off", "--mu-static", 0.3).stdout)
 
     def test_a_simpler_surface_that_is_asked_for_is_in_the_sentence(self):

@@ -254,7 +254,7 @@ TEST_F(HapticSession, NumbersThatCannotBeAreRefusedAndTheOldOnesStay)
     EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetStiffness(bad); }).at(0), HasSubstr("stiffness"));
     EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetRadius(bad); }).at(0), HasSubstr("radius"));
     EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetScale(bad); }).at(0), HasSubstr("scale"));
-    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetStrokeSpeed(bad); }).at(0), HasSubstr("speed"));
+    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetStrokeSpeed(bad); }).at(0), HasSubstr("Speed"));
   }
   EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetRotation(1.0, 1.0, 0.0, 0.0); }).at(0),
     HasSubstr("unit quaternion"));

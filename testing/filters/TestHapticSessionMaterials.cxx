@@ -6,10 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "haptics/session/scene/SceneWorker.h"
+
 #include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "vtkDoubleArray.h"
-#include "vtkHapticSceneWorker.h"
+#include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -146,18 +148,19 @@ TEST_F(HapticSessionMaterials, AnotherRangeOrOtherValuesAreFeltAtOnce)
 TEST(SceneWorkerMaterials, AnotherRangeOrOtherValuesBuildNoTree)
 {
   const auto plane = planeWithX();
-  vtkHapticSceneWorker worker;
+  vtkHapticSceneSurfaces surfaces;
+  palpate::SceneWorker worker;
   const auto built = [&]
   {
-    worker.Clear();
-    EXPECT_EQ(worker.Add("plane", plane, nullptr), "");
-    worker.Commit();
-    return worker.Wait()->Scene;
+    surfaces.Clear();
+    EXPECT_EQ(surfaces.Add("plane", plane, nullptr), "");
+    surfaces.Commit(worker);
+    return worker.wait()->scene;
   };
   const auto first = built();
   vtkHapticMaterialSettings settings;
   settings.Stiffness.Array = "x";
-  worker.SetMaterials(settings);
+  surfaces.SetMaterials(settings);
   const auto second = built();
   plane->GetPointData()->GetArray("x")->Fill(1.0);
   plane->GetPointData()->GetArray("x")->Modified();

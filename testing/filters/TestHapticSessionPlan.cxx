@@ -300,6 +300,6 @@ TEST_F(HapticSessionPlan, TheSentenceSaysWhatTouchesAndAChoiceThatIsNoneIsRefuse
                                           "tick) with friction 0.5 at rest, 0.25 sliding (asked for),"));
   const auto errors = errorsOf(this->session_, [this] { this->session_->SetSimplify(3); });
   ASSERT_EQ(errors.size(), 1u);
-  EXPECT_THAT(errors[0], HasSubstr("simpler surfaces must be 0 (auto), 1 (off) or 2 (on)"));
+  EXPECT_THAT(errors[0], HasSubstr("simpler surfaces: it must be 0 (auto), 1 (off) or 2 (on)"));
   EXPECT_EQ(this->session_->GetSimplify(), vtkHapticSession::Auto);
 }

@@ -2,14 +2,15 @@
 """Every setting of the session: saved, loaded, set in the object, and in the user guide. A process of its own, for
 loading a state replaces views."""
 
+import json
 import os
-import re
 import sys
 import tempfile
 import unittest
 
 from paraview import servermanager, simple
 
+import described
 from haptic_proxies import manager
 
 # Values that are not the default where a domain does not say what else is allowed.
@@ -102,18 +103,40 @@ class Properties(unittest.TestCase):
         self.assertFalse(loaded.GetClientSideObject().GetTouching())
         manager().UnRegisterProxy("haptics", "HapticSession", loaded)
 
-    def test_the_user_guide_names_every_setting_and_nothing_else(self):
-        with open(os.path.join(os.environ["PALPATE_SOURCE_DIR"], "plugin", "README.md"), encoding="utf-8") as file:
-            guide = file.read()
-        part = guide[guide.index("## What it sets"):guide.index("## What it shows")]
-        rows = [row.split("|")[2] for row in part.splitlines() if row.startswith("| ")]
-        prose = part[part.index("Without a place in the panel"):].split("\n\n")[0]
-        said = set(re.findall(r"`([A-Z][A-Za-z]+)`", " ".join(rows) + prose))
-        arrays = {stem + part for stem in ("Stiffness", "Friction", "Texture")
-                  for part in ("Array", "Component", "DataRange", "FeltRange")}
-        missing = [name for name in settings(self.proxy) if name not in said | arrays]
-        unknown = [name for name in said if self.proxy.GetProperty(name) is None]
-        self.assertEqual((missing, unknown), ([], []))
+    def test_properties_and_user_guide_say_what_the_tables_of_the_session_say(self):
+        tables = json.loads(self.proxy.GetClientSideObject().GetDescribed())
+        for file, begin, end, table, render in described.PLACES:
+            text = file.read_text(encoding="utf-8")
+            self.assertEqual((text.count(begin), text.count(end)), (1, 1), (file, begin, end))
+            self.assertEqual(described.between(text, begin, end), "".join(map(render, tables[table])), file)
+
+    def test_the_tables_of_the_session_name_what_is_there_and_what_it_is_by_default(self):
+        tables = json.loads(self.proxy.GetClientSideObject().GetDescribed())
+        saved = [setting for setting in tables["settings"] if setting["saved"]]
+        self.assertEqual({setting["name"] for setting in saved}, set(settings(self.proxy)))
+        for setting in saved:
+            default = [setting["default_text"]] if setting["kind"] == "text" else setting["defaults"]
+            if setting["name"] not in NO_GETTER:
+                self.assertEqual(from_object(self.proxy, setting["name"]), default, setting["name"])
+        for readout in tables["readouts"]:
+            self.assertEqual(len(from_object(self.proxy, readout["name"])), readout["elements"], readout["name"])
+            self.assertTrue(self.proxy.GetProperty(readout["name"]).GetInformationOnly(), readout["name"])
+
+    def test_a_number_beyond_the_range_of_the_table_is_refused_by_name_and_the_old_one_stays(self):
+        session = self.proxy.GetClientSideObject()
+        session.GlobalWarningDisplayOff()
+        for setting in json.loads(session.GetDescribed())["settings"]:
+            name, elements = setting["name"], len(setting["defaults"])
+            ends = [setting["low"] if setting["above"] else (setting["low"] or 0) - 1, (setting["high"] or 0) + 1]
+            beyond = [end for end, limit in zip(ends, (setting["low"], setting["high"])) if limit is not None]
+            for value in beyond + ([len(setting["choices"])] if setting["kind"] == "choice" else []):
+                before = from_object(self.proxy, name)
+                getattr(session, "Set" + name)(*[value] * elements)
+                self.assertEqual(from_object(self.proxy, name), before, name)
+                self.assertIn(setting["allowed"], session.GetProblem(), name)
+                getattr(session, "Set" + name)(*before)
+                self.assertEqual(session.GetProblem(), "", name)
+        session.GlobalWarningDisplayOn()
 
 
 if __name__ == "__main__":

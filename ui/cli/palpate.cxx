@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "haptics/session/settings/SessionSettings.h"
 #include "haptics/tick/HapticParameters.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliMaterials.h"
@@ -29,6 +30,15 @@ struct Arguments
   vtkHapticCliTurnOptions Turn;
 };
 
+/// What a setting of the session is, for the option that sets the same here.
+std::string Described(const char* setting)
+{
+  const palpate::Setting& described = palpate::sessionSetting(setting);
+  const std::string unit =
+    described.unit.empty() || described.unit == "1" ? "" : " [" + std::string(described.unit) + "]";
+  return std::string(described.sentence) + unit;
+}
+
 void AddDevices(CLI::App& app, Arguments& arguments)
 {
   CLI::App* command = app.add_subcommand("devices", "what is attached, what each can do, why one cannot be used");
@@ -37,7 +47,7 @@ void AddDevices(CLI::App& app, Arguments& arguments)
     "ID: check that device with the person who holds it; a simulated hand does what is asked");
   test->excludes(json);
   command->add_flag("--keep", arguments.Keep, "what the check found, to be applied from now on")->needs(test);
-  command->add_flag("--wheel", arguments.Wheel, "the device is a wheel, whatever it calls itself")->needs(test);
+  command->add_flag("--wheel", arguments.Wheel, Described("Wheel"))->needs(test);
 }
 
 void AddCheck(CLI::App& app, Arguments& arguments)
@@ -55,8 +65,8 @@ void AddCheck(CLI::App& app, Arguments& arguments)
     ->add_option("--line-radius", options.LineRadius_u,
       "lines are tubes of this radius [scene units]; 0: walls across the plane z = 0")
     ->capture_default_str();
-  command->add_option("--mu-static", options.MuStatic, "friction that holds at rest")->capture_default_str();
-  command->add_option("--mu-kinetic", options.MuKinetic, "friction while it slides; without it the static one");
+  command->add_option("--mu-static", options.MuStatic, Described("FrictionStatic"))->capture_default_str();
+  command->add_option("--mu-kinetic", options.MuKinetic, Described("FrictionKinetic") + "; without it the static one");
   vtkHapticCliAddMaterials(*command, options.Materials);
   command->add_flag("--simplify", options.Simplify, "with how few triangles it would feel the same, proven");
   command->add_flag("--json", options.Json, "for a program to read");
@@ -74,18 +84,14 @@ void AddTouch(CLI::App& app, Arguments& arguments)
     ->required();
   command->add_option("--csv", options.Output, "OUT.csv: a row per tick")->required();
   command->add_option("--iso", options.Iso, "value of the surface in an image");
-  command->add_option("--radius", options.Radius_u, "ball radius [scene units]")->capture_default_str();
-  command->add_flag(
-    "--limit-radius", options.LimitRadius, "no larger a ball than one that finishes its work in a tick");
-  command
-    ->add_option("--line-radius", options.LineRadius_u, "lines are tubes of this radius [scene units]; 0: not touched")
-    ->capture_default_str();
-  command->add_option("--stiffness", options.Stiffness_N_per_m, "coupling [N/m]")->capture_default_str();
-  command->add_option("--scale", options.Scale_u_per_m, "scene units per metre of the hand")->capture_default_str();
-  command->add_option("--mu-static", options.MuStatic, "friction that holds at rest")->capture_default_str();
-  command->add_option("--mu-kinetic", options.MuKinetic, "friction while it slides; without it the static one");
-  command->add_flag(
-    "--shading", options.Shading, "smooth forces over facets, not across edges sharper than 30 degrees");
+  command->add_option("--radius", options.Radius_u, Described("Radius"))->capture_default_str();
+  command->add_flag("--limit-radius", options.LimitRadius, Described("LimitRadius"));
+  command->add_option("--line-radius", options.LineRadius_u, Described("LineRadius"))->capture_default_str();
+  command->add_option("--stiffness", options.Stiffness_N_per_m, Described("Stiffness"))->capture_default_str();
+  command->add_option("--scale", options.Scale_u_per_m, Described("Scale"))->capture_default_str();
+  command->add_option("--mu-static", options.MuStatic, Described("FrictionStatic"))->capture_default_str();
+  command->add_option("--mu-kinetic", options.MuKinetic, Described("FrictionKinetic") + "; without it the static one");
+  command->add_flag("--shading", options.Shading, Described("ForceShading"));
   vtkHapticCliAddMaterials(*command, options.Materials);
   command->add_flag("--two-d", options.TwoD, "lines in the plane z = 0 are walls, felt in that plane");
 }
@@ -150,6 +156,16 @@ void CheckNumber(const char* option, double value, bool zeroAllowed, const char*
   }
 }
 
+/// The same number that the session's setting takes.
+void CheckSetting(const char* option, const char* setting, double value)
+{
+  const std::array<double, 1> values = { value };
+  if (const std::string problem = palpate::refuse(palpate::sessionSetting(setting), values, option); !problem.empty())
+  {
+    throw vtkHapticCliProblem(problem);
+  }
+}
+
 /// What has no meaning among lines without width is refused rather than ignored.
 void CheckTwoD(const vtkHapticCliTouchOptions& options)
 {
@@ -168,10 +184,10 @@ void CheckTwoD(const vtkHapticCliTouchOptions& options)
 
 void CheckFriction(double muStatic, const std::optional<double>& muKinetic)
 {
-  CheckNumber("--mu-static", muStatic, true, "friction");
+  CheckSetting("--mu-static", "FrictionStatic", muStatic);
   if (muKinetic)
   {
-    CheckNumber("--mu-kinetic", *muKinetic, true, "friction");
+    CheckSetting("--mu-kinetic", "FrictionKinetic", *muKinetic);
   }
   palpate::HapticParameters parameters;
   parameters.contact.friction = { muStatic, muKinetic.value_or(muStatic) };
@@ -187,10 +203,10 @@ int Touch(const vtkHapticCliTouchOptions& options)
   {
     CheckTwoD(options);
   }
-  CheckNumber("--radius", options.Radius_u, true, "scene units");
-  CheckNumber("--line-radius", options.LineRadius_u, true, "scene units");
-  CheckNumber("--stiffness", options.Stiffness_N_per_m, true, "newtons per metre");
-  CheckNumber("--scale", options.Scale_u_per_m, false, "scene units per metre");
+  CheckSetting("--radius", "Radius", options.Radius_u);
+  CheckSetting("--line-radius", "LineRadius", options.LineRadius_u);
+  CheckSetting("--stiffness", "Stiffness", options.Stiffness_N_per_m);
+  CheckSetting("--scale", "Scale", options.Scale_u_per_m);
   CheckFriction(options.MuStatic, options.MuKinetic);
   vtkHapticCliCheckMaterials(options.Materials);
   return vtkHapticCliTouch(options);
@@ -198,8 +214,8 @@ int Touch(const vtkHapticCliTouchOptions& options)
 
 int Check(const vtkHapticCliCheckOptions& options)
 {
-  CheckNumber("--radius", options.Radius_u, true, "scene units");
-  CheckNumber("--line-radius", options.LineRadius_u, true, "scene units");
+  CheckSetting("--radius", "Radius", options.Radius_u);
+  CheckSetting("--line-radius", "LineRadius", options.LineRadius_u);
   CheckFriction(options.MuStatic, options.MuKinetic);
   vtkHapticCliCheckMaterials(options.Materials);
   return vtkHapticCliCheck(options);

@@ -3,31 +3,34 @@
 
 #include <string>
 
+#include "haptics/session/settings/SessionSettings.h"
 #include "vtkHapticCliProblem.h"
 
 namespace
 {
-void AddTransfer(CLI::App& command, const std::string& name, vtkHapticTransfer& transfer, const std::string& felt)
+/// `property`: what the names of the session's settings begin with.
+void AddTransfer(CLI::App& command, const std::string& name, const std::string& property, vtkHapticTransfer& transfer)
 {
   const std::string option = "--" + name;
-  CLI::Option* array =
-    command.add_option(option + "-array", transfer.Array, "array of points or cells that gives the " + name);
-  command.add_option(option + "-component", transfer.Component, "of that array; -1: the length of a vector")
-    ->capture_default_str()
-    ->needs(array);
-  const auto addRange = [&](const std::string& of, std::array<double, 2>& range, const std::string& what)
-  { command.add_option(option + of, range, what)->delimiter(',')->type_name("LOW,HIGH")->needs(array); };
-  addRange("-range", transfer.DataRange, "its values between which the " + name + " changes; all");
-  addRange("-to", transfer.FeltRange, felt);
+  const auto said = [&](const char* part)
+  {
+    const palpate::Setting& setting = palpate::sessionSetting(property + part);
+    return std::string(setting.sentence) + "; " + palpate::defaultWords(setting);
+  };
+  CLI::Option* array = command.add_option(option + "-array", transfer.Array, said("Array"));
+  command.add_option(option + "-component", transfer.Component, said("Component"))->needs(array);
+  const auto addRange = [&](const char* of, std::array<double, 2>& range, const char* part)
+  { command.add_option(option + of, range, said(part))->delimiter(',')->type_name("LOW,HIGH")->needs(array); };
+  addRange("-range", transfer.DataRange, "DataRange");
+  addRange("-to", transfer.FeltRange, "FeltRange");
 }
 } // namespace
 
 void vtkHapticCliAddMaterials(CLI::App& command, vtkHapticMaterialSettings& settings)
 {
-  AddTransfer(command, "stiffness", settings.Stiffness, "what they feel like [N/m]; 100,1000");
-  AddTransfer(command, "friction", settings.Friction, "what they feel like, 0 to 10, at rest and sliding; 0,1");
-  AddTransfer(command, "texture", settings.Texture,
-    "how high they feel [scene units]: the highest is the surface itself, lower ones are hollows; 0,1");
+  AddTransfer(command, "stiffness", "Stiffness", settings.Stiffness);
+  AddTransfer(command, "friction", "Friction", settings.Friction);
+  AddTransfer(command, "texture", "Texture", settings.Texture);
 }
 
 void vtkHapticCliCheckMaterials(const vtkHapticMaterialSettings& settings)

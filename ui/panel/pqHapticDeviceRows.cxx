@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticDeviceRows.h"
 
+#include "pqHapticFields.h"
 #include "pqHapticLabel.h"
 #include "vtkHapticSession.h"
 #include "vtkSMPropertyHelper.h"
@@ -42,10 +43,7 @@ pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->par
   QWidget* parent = form->parentWidget();
   this->Notes = pqHapticLabel(parent, "deviceNotes", tr("What the device is, and what it cannot do"));
   form->addRow(this->Notes);
-  this->Wheel = new QCheckBox(tr("This is a wheel (&=)"), parent);
-  this->Wheel->setObjectName("wheel");
-  this->Wheel->setToolTip(tr("Only its x is there, whatever the device calls itself; from the next touch or check on"));
-  form->addRow(this->Wheel);
+  this->Wheel = pqHapticSwitchRow(form, "wheel", "Wheel");
   this->DeadMan = new QComboBox(parent);
   this->DeadMan->setObjectName("deadMan");
   this->DeadMan->setToolTip(tr(
@@ -56,7 +54,7 @@ pqHapticDeviceRows::pqHapticDeviceRows(QFormLayout* form) : Superclass(form->par
     this->DeadMan->addItem(tr("button %1").arg(button));
   }
   this->DeadMan->addItems({ tr("any button"), tr("the grip"), tr("as set by a script") });
-  form->addRow(tr("&Must be held"), this->DeadMan);
+  form->addRow(pqHapticTitle("DeadManButtons"), this->DeadMan);
   this->Link = pqHapticLabel(parent, "link",
     tr("How the link to the device goes: reports with the hand, effects renewed before "
        "they end, writes that hung, losses, reports that are none"));

@@ -2,7 +2,7 @@
 #include "pqHapticMaterialGroup.h"
 
 #include "pqHapticArrayChoice.h"
-#include "pqHapticNumber.h"
+#include "pqHapticFields.h"
 #include "vtkSMProxy.h"
 
 #include <QDoubleSpinBox>
@@ -14,14 +14,13 @@
 namespace
 {
 constexpr int largestComponent = 99;
-constexpr double anything = 1e100;
 constexpr int dataDecimals = 6;
 
 /// Two of them stand in a row.
-QDoubleSpinBox* Number(QWidget* parent, const QString& name, double low, double high, int decimals, const QString& tip)
+QDoubleSpinBox* Number(QWidget* parent, const QString& name, const QString& property, int decimals)
 {
   constexpr int leastWidth = 60; // [pixels]
-  QDoubleSpinBox* box = pqHapticNumber(parent, name, low, high, decimals, tip);
+  QDoubleSpinBox* box = pqHapticNumber(parent, name, property, decimals);
   box->setMinimumWidth(leastWidth);
   box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return box;
@@ -44,16 +43,9 @@ pqHapticMaterialGroup::pqHapticMaterialGroup(QWidget* parent) : Superclass(tr("M
   this->setObjectName("materialGroup");
   auto* form = new QFormLayout(this);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  this->add(
-    form, { "Stiffness", "stiffness", tr("Stiffn&ess from"),
-            tr("Stiffness that is felt at that value [N/m]; never more than the spring's"), tr("N/m"), 0.0, 1e6, 1 });
-  this->add(form, { "Friction", "friction", tr("Friction from (&-)"),
-                    tr("Friction that is felt at that value [1], at rest and sliding"), QStringLiteral("1"), 0.0,
-                    pqHapticLargestFriction, 3 });
-  this->add(form, { "Texture", "texture", tr("Te&xture from"),
-                    tr("Height felt at that value [scene units]: the highest place is the surface itself, lower ones "
-                       "are hollows in it; its mean when the hand is too fast for it"),
-                    tr("u"), -1e9, 1e9, 6 });
+  this->add(form, { "Stiffness", "stiffness", 1 });
+  this->add(form, { "Friction", "friction", 3 });
+  this->add(form, { "Texture", "texture", 6 });
 }
 
 void pqHapticMaterialGroup::add(QFormLayout* form, const Looks& looks)
@@ -63,13 +55,14 @@ void pqHapticMaterialGroup::add(QFormLayout* form, const Looks& looks)
   transfer.Property = looks.Property;
   transfer.Array = new pqHapticArrayChoice(this);
   transfer.Array->setObjectName(name + "Array");
-  transfer.Array->setToolTip(tr("Array of points or cells of what is shown; surfaces without it keep their own"));
-  form->addRow(looks.Title, transfer.Array);
+  const QString array = QString(looks.Property) + "Array";
+  transfer.Array->setToolTip(pqHapticTip(array));
+  form->addRow(pqHapticTitle(array), transfer.Array);
   auto* details = new QWidget(this); // only what is used takes room
   details->setObjectName(name + "Details");
   this->addDetails(details, looks, transfer);
   form->addRow(details);
-  const auto show = [details, array = transfer.Array] { details->setVisible(!array->array().isEmpty()); };
+  const auto show = [details, choice = transfer.Array] { details->setVisible(!choice->array().isEmpty()); };
   this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, show);
   show();
   this->Transfers.push_back(transfer);
@@ -77,28 +70,26 @@ void pqHapticMaterialGroup::add(QFormLayout* form, const Looks& looks)
 
 void pqHapticMaterialGroup::addDetails(QWidget* parent, const Looks& looks, Transfer& transfer)
 {
-  const QString name = looks.Name;
+  const QString name = looks.Name, component = QString(looks.Property) + "Component",
+                data = QString(looks.Property) + "DataRange", felt = QString(looks.Property) + "FeltRange";
   transfer.Component = new QSpinBox(parent);
   transfer.Component->setObjectName(name + "Component");
   transfer.Component->setRange(-1, largestComponent);
   transfer.Component->setSpecialValueText(tr("length"));
   transfer.Component->setKeyboardTracking(false);
-  transfer.Component->setToolTip(tr("Component of the array, from 0 on, or the length of a vector"));
-  const QString dataTip = tr("Value of the array at this end; both ends equal: the whole range of the array");
+  transfer.Component->setToolTip(pqHapticTip(component));
   const char* const ends[] = { "Low", "High" };
   for (int end = 0; end < 2; ++end)
   {
-    transfer.Data[end] = Number(parent, name + "Data" + ends[end], -anything, anything, dataDecimals, dataTip);
-    transfer.Felt[end] =
-      Number(parent, name + "Felt" + ends[end], looks.Least, looks.Most, looks.Decimals, looks.FeltTip);
+    transfer.Data[end] = Number(parent, name + "Data" + ends[end], data, dataDecimals);
+    transfer.Felt[end] = Number(parent, name + "Felt" + ends[end], felt, looks.Decimals);
   }
   auto* form = new QFormLayout(parent);
   form->setContentsMargins(0, 0, 0, 0);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  const int before = 3 * static_cast<int>(this->Transfers.size()); // digits: the panel has used up the letters
-  form->addRow(tr("Component (&%1)").arg(before + 1), transfer.Component);
-  AddPair(form, tr("Data range (&%1)").arg(before + 2), transfer.Data[0], transfer.Data[1]);
-  AddPair(form, tr("Feels like [%1] (&%2)").arg(looks.Unit).arg(before + 3), transfer.Felt[0], transfer.Felt[1]);
+  form->addRow(pqHapticTitle(component), transfer.Component);
+  AddPair(form, pqHapticTitle(data), transfer.Data[0], transfer.Data[1]);
+  AddPair(form, pqHapticTitle(felt), transfer.Felt[0], transfer.Felt[1]);
 }
 
 void pqHapticMaterialGroup::setProxy(vtkSMProxy* proxy)

@@ -45,12 +45,7 @@ private:
   {
     const char* Property; ///< "Stiffness"
     const char* Name;     ///< of the widgets: "stiffness"
-    QString Title;
-    QString FeltTip;
-    QString Unit;
-    double Least;
-    double Most;
-    int Decimals;
+    int Decimals;         ///< of what it feels like
   };
 
   void add(QFormLayout* form, const Looks& looks);

@@ -5,10 +5,10 @@
 #include "pqHapticController.h"
 #include "pqHapticDeviceChoice.h"
 #include "pqHapticDeviceRows.h"
+#include "pqHapticFields.h"
 #include "pqHapticLabel.h"
 #include "pqHapticMaterialGroup.h"
 #include "pqHapticMouse.h"
-#include "pqHapticNumber.h"
 #include "pqHapticReadout.h"
 #include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
@@ -34,16 +34,6 @@ namespace
 {
 /// Read-outs change ten times a second: faster cannot be read.
 constexpr int refreshPeriod_ms = 100;
-/// What the core accepts.
-constexpr int longestDelay_ticks = 16;
-
-QComboBox* Choice(QWidget* parent, const char* name, const QString& tip)
-{
-  auto* box = new QComboBox(parent);
-  box->setObjectName(name);
-  box->setToolTip(tip);
-  return box;
-}
 
 /// What the property can be, as its domain says it.
 void Fill(QComboBox* box, vtkSMProperty* property)
@@ -53,15 +43,6 @@ void Fill(QComboBox* box, vtkSMProperty* property)
   {
     box->addItem(entry.toString());
   }
-}
-
-QCheckBox* Switch(QFormLayout* form, const char* name, const QString& title, const QString& tip)
-{
-  auto* box = new QCheckBox(title, form->parentWidget());
-  box->setObjectName(name);
-  box->setToolTip(tip);
-  form->addRow(box);
-  return box;
 }
 
 QFormLayout* Group(QVBoxLayout* column, const char* name, const QString& title)
@@ -143,20 +124,16 @@ void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
   QWidget* parent = form->parentWidget();
   this->Device = new pqHapticDeviceChoice(parent);
   this->Device->setObjectName("device");
-  form->addRow(tr("&Device"), this->Device);
+  form->addRow(pqHapticTitle("DeviceName"), this->Device);
   this->DeviceRows = new pqHapticDeviceRows(form);
-  this->Hand = Choice(parent, "hand", tr("Who holds a simulated device"));
-  form->addRow(tr("Held &by"), this->Hand);
-  this->PressDepth = pqHapticNumber(parent, "pressDepth", vtkHapticSession::LeastPressDepth,
-    vtkHapticSession::LargestPressDepth, 5, tr("How deep the mouse in the view presses [m of the hand]"));
-  this->PressDepth->setSuffix(tr(" m"));
-  form->addRow(tr("Mouse &goes in by"), this->PressDepth);
+  this->Hand = pqHapticChoiceRow(form, "hand", "Hand");
+  this->PressDepth = pqHapticNumberRow(form, "pressDepth", "PressDepth", 5);
   this->MouseHelp =
     pqHapticLabel(parent, "mouseHelp", tr("What mouse and keyboard do in the view while they lead the hand"));
   form->addRow(this->MouseHelp);
 
   auto* buttons = new QHBoxLayout;
-  this->Touch = new QPushButton(tr("&Touch"), parent);
+  this->Touch = new QPushButton(pqHapticTitle("Touching"), parent);
   this->Touch->setObjectName("touch");
   this->Touch->setCheckable(true);
   this->Touch->setToolTip(tr("Touch every surface shown in the active view"));
@@ -172,23 +149,12 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "contactGroup", tr("Contact"));
   QWidget* parent = form->parentWidget();
-  this->Stiffness = pqHapticNumber(parent, "stiffness", 0.0, 100000.0, 1, tr("Spring between hand and proxy [N/m]"));
-  this->Radius = pqHapticNumber(parent, "radius", 0.0, 1e9, 6, tr("Ball that touches [scene units]; 0 is a point"));
-  this->Scale = pqHapticNumber(parent, "scale", 1e-9, 1e9, 6, tr("Scene units per metre of the hand's motion"));
-  this->Stiffness->setSuffix(tr(" N/m"));
-  this->LineRadius = pqHapticNumber(
-    parent, "lineRadius", 0.0, 1e9, 6, tr("Tubes as which lines are touched [scene units]; 0: they are not"));
-  this->Radius->setSuffix(tr(" u"));
-  this->LineRadius->setSuffix(tr(" u"));
-  this->Scale->setSuffix(tr(" u/m"));
-  form->addRow(tr("&Stiffness"), this->Stiffness);
-  form->addRow(tr("&Radius"), this->Radius);
-  this->LimitRadius = Switch(form, "limitRadius", tr("No larger than &work allows"),
-    tr("Above that a ball may run out of a tick's work and lag; the plan of the scene says how large it may be"));
-  form->addRow(tr("Radius of li&nes"), this->LineRadius);
-  form->addRow(tr("S&cale"), this->Scale);
-  this->Shading = Switch(form, "shading", tr("Smoot&h forces over facets"),
-    tr("As if the surface were round between its corners; edges sharper than 30 degrees stay as they are"));
+  this->Stiffness = pqHapticNumberRow(form, "stiffness", "Stiffness", 1);
+  this->Radius = pqHapticNumberRow(form, "radius", "Radius", 6);
+  this->LimitRadius = pqHapticSwitchRow(form, "limitRadius", "LimitRadius");
+  this->LineRadius = pqHapticNumberRow(form, "lineRadius", "LineRadius", 6);
+  this->Scale = pqHapticNumberRow(form, "scale", "Scale", 6);
+  this->Shading = pqHapticSwitchRow(form, "shading", "ForceShading");
   this->Fit = new QPushButton(tr("&Fit Hand to Scene"), parent);
   this->Fit->setObjectName("fit");
   this->Fit->setToolTip(tr("Scale and offset such that the device's workspace holds everything that is touched"));
@@ -198,33 +164,18 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
 void pqHapticPanel::Internals::addFriction(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "frictionGroup", tr("Friction"));
-  QWidget* parent = form->parentWidget();
-  this->FrictionStatic = pqHapticNumber(parent, "frictionStatic", 0.0, pqHapticLargestFriction, 3,
-    tr("What holds the proxy at rest: force along the surface over force into it; 0 is none"));
-  this->FrictionKinetic = pqHapticNumber(parent, "frictionKinetic", 0.0, pqHapticLargestFriction, 3,
-    tr("What brakes the proxy while it slides; no more than the static one is used"));
-  form->addRow(tr("St&atic [1]"), this->FrictionStatic);
-  form->addRow(tr("&Kinetic [1]"), this->FrictionKinetic);
+  this->FrictionStatic = pqHapticNumberRow(form, "frictionStatic", "FrictionStatic", 3);
+  this->FrictionKinetic = pqHapticNumberRow(form, "frictionKinetic", "FrictionKinetic", 3);
 }
 
 void pqHapticPanel::Internals::addStability(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "stabilityGroup", tr("Stability"));
-  QWidget* parent = form->parentWidget();
-  this->Limit = Switch(form, "limit", tr("L&imit stiffness to what the device can hold"),
-    tr("Else a wall may shake: the limit comes from the device's mass, damping and rate"));
-  this->Passivity = Switch(form, "passivity", tr("&Passivity control"),
-    tr("Damps the spring as much as a held force would otherwise give back more than it took"));
-  this->Delay = new QSpinBox(parent);
-  this->Delay->setObjectName("delay");
-  this->Delay->setRange(0, longestDelay_ticks);
-  this->Delay->setSuffix(tr(" ticks"));
-  this->Delay->setKeyboardTracking(false);
-  this->Delay->setToolTip(tr("Known delay of the device's link, in ticks of 1 ms"));
-  form->addRow(tr("Dela&y"), this->Delay);
-  this->Velocity = Choice(parent, "velocity", tr("How the hand's velocity is made from its positions"));
-  form->addRow(tr("Vel&ocity"), this->Velocity);
-  this->Stability = pqHapticLabel(parent, "stability", tr("How stiff this device can be, and why"));
+  this->Limit = pqHapticSwitchRow(form, "limit", "LimitStiffness");
+  this->Passivity = pqHapticSwitchRow(form, "passivity", "Passivity");
+  this->Delay = pqHapticCountRow(form, "delay", "Delay");
+  this->Velocity = pqHapticChoiceRow(form, "velocity", "VelocityMethod");
+  this->Stability = pqHapticLabel(form->parentWidget(), "stability", tr("How stiff this device can be, and why"));
   form->addRow(this->Stability);
 }
 
@@ -276,17 +227,10 @@ void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
 void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "sceneGroup", tr("Scene"));
-  this->Simplify = Choice(form->parentWidget(), "simplify",
-    tr("Surfaces and lines finer than a hand feels are replaced by simpler ones, proven to feel the same; auto: from "
-       "50,000 triangles, or 64 segments shorter than 1/32 mm in the hand, on"));
-  form->addRow(tr("Simpler s&urfaces"), this->Simplify);
-  this->LinesAsWalls = Choice(form->parentWidget(), "linesAsWalls",
-    tr("Lines that lie in a plane are walls across it, felt in that plane; auto: on devices that move in a plane"));
-  form->addRow(tr("Lines as walls (&Q)"), this->LinesAsWalls);
-  this->HoldWalls = Switch(form, "holdWalls", tr("Walls held by the device (&Z)"),
-    tr("A device that can holds the walls of a plane world by itself, in its own loop"));
-  this->PlaneGuide =
-    Switch(form, "planeGuide", tr("Led to the plane (&0)"), tr("The hand is led to the plane of a plane world"));
+  this->Simplify = pqHapticChoiceRow(form, "simplify", "Simplify");
+  this->LinesAsWalls = pqHapticChoiceRow(form, "linesAsWalls", "LinesAsWalls");
+  this->HoldWalls = pqHapticSwitchRow(form, "holdWalls", "HoldWalls");
+  this->PlaneGuide = pqHapticSwitchRow(form, "planeGuide", "PlaneGuide");
   this->Plan = pqHapticLabel(form->parentWidget(), "plan", tr("What is felt of the scene, by what, and why"));
   form->addRow(this->Plan);
   this->Scene = new QPlainTextEdit(form->parentWidget());

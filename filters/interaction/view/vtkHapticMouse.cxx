@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "haptics/core/Types.h"
+#include "haptics/session/settings/SessionSettings.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -342,8 +343,8 @@ void vtkHapticMouse::Deepen(double factor)
   vtkHapticSession* session = this->Impl->Session;
   if (session && factor > 0.0)
   {
-    session->SetPressDepth(std::clamp(
-      session->GetPressDepth() * factor, vtkHapticSession::LeastPressDepth, vtkHapticSession::LargestPressDepth));
+    const palpate::Setting& depth = palpate::sessionSetting("PressDepth");
+    session->SetPressDepth(std::clamp(session->GetPressDepth() * factor, depth.low, depth.high));
     this->InvokeEvent(vtkCommand::InteractionEvent);
   }
 }

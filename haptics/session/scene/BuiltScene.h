@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/geometry/scene/SceneBuilder.h"
+#include "haptics/geometry/scene/SceneSimplifier.h"
+
+namespace palpate
+{
+
+/// A surface that is to be built.
+struct SceneSurface
+{
+  SurfaceInput input;
+  std::string materialNote;     ///< what its arrays give, for the report; "" where it has none
+  std::optional<Pose> plane_WP; ///< given: it is walls across that plane, as its mesh stands without `input.pose_WS`
+};
+
+/// A scene as the worker built it.
+struct BuiltScene
+{
+  std::shared_ptr<const Scene> scene; ///< null when nothing is touchable
+  std::string report;                 ///< a line a surface: what was repaired, refused and planned
+  std::array<double, 6> bounds{};     ///< of what is touchable: low and high x, y, z [u]
+  double largestRadius_u = std::numeric_limits<double>::infinity(); ///< whose work fits into a tick
+  std::optional<Pose> plane_WP; ///< of the walls, where all that is touchable stands across one plane
+  SurfaceTraits traits;         ///< of the surfaces of the scene
+  double stamp_s = 0.0;         ///< of the commit
+};
+
+/// What the builder takes of them.
+[[nodiscard]] std::vector<SurfaceInput> inputsOf(const std::vector<SceneSurface>& surfaces);
+
+/// Cleans and builds: everything of a built scene but `largestRadius_u`, `plane_WP` and `stamp_s`.
+[[nodiscard]] BuiltScene buildScene(
+  SceneBuilder& builder, const std::vector<SceneSurface>& surfaces, const Scene* felt);
+
+/// The plane that all of these are walls across, where they stand now: the same to the direction of a normal and to
+/// what rounding moves it. Nothing if one is no wall, or stands across another plane.
+[[nodiscard]] std::optional<Pose> commonPlane(const std::vector<SceneSurface>& surfaces);
+
+} // namespace palpate

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/scene/FeltScene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "haptics/geometry/scene/SceneMotion.h"
+#include "haptics/session/PlanSentence.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// A longer time between two snapshots was a rest, not a motion.
+constexpr double longestMotion_s = 0.2;
+
+/// A surface that moves again within that time was not at rest.
+constexpr double rest_s = 1.0;
+
+bool searched(const SurfaceChoice& choice)
+{
+  return choice.reason.empty();
+}
+
+} // namespace
+
+void FeltScene::beforeCommit()
+{
+  this->search_.cancel();
+  this->worker_.follow(this->session_.running() ? this->full_.scene : nullptr);
+}
+
+bool FeltScene::takeBuilt(const SimplifyPlan& plan, double now_s, bool wait)
+{
+  std::optional<BuiltScene> built = wait ? this->worker_.wait() : this->worker_.poll();
+  if (!built)
+  {
+    return false;
+  }
+  if (this->session_.running() && this->built_.scene)
+  {
+    const HapticState& felt = this->session_.state();
+    const Scene& now = *this->full_.scene; // what moves is felt with all its triangles
+    const double share = felt.sceneRevision == now.revision() ? now.shareAt(felt.sceneAge_s) : 0.0;
+    const double motion_s = std::clamp(built->stamp_s - this->built_.stamp_s, this->period_s_, longestMotion_s);
+    built->scene = movingFrom(now, share, built->scene, motion_s);
+  }
+  this->built_ = std::move(*built);
+  this->handOver_s_ = std::max(0.0, now_s - this->built_.stamp_s);
+  this->session_.setScene(this->built_.scene);
+  this->full_ = this->built_;
+  this->worker_.follow(this->session_.running() ? this->full_.scene : nullptr);
+  this->plan(plan);
+  return true;
+}
+
+void FeltScene::plan(const SimplifyPlan& plan)
+{
+  this->search_.cancel();
+  this->choices_.clear();
+  this->plan_ = plan;
+  if (!this->full_.scene)
+  {
+    return;
+  }
+  this->choices_ = chooseAtFirst(*this->full_.scene, this->full_.traits, plan.rules);
+  if (plan.off)
+  {
+    std::for_each(this->choices_.begin(), this->choices_.end(),
+      [](SurfaceChoice& choice) { choice.reason = "simpler surfaces are off"; });
+  }
+  if (std::any_of(this->choices_.begin(), this->choices_.end(), searched) &&
+      this->search_.follow(this->full_.scene, this->choices_, plan.rules, this->worker_.takeRevision()))
+  {
+    this->swapIn(this->search_.poll());
+  }
+}
+
+void FeltScene::follow(const SimplifyPlan& plan)
+{
+  if (plan == this->plan_)
+  {
+    return;
+  }
+  if (this->isSimpler())
+  {
+    this->built_ = this->full_;
+    this->session_.setScene(this->built_.scene);
+  }
+  this->plan(plan);
+}
+
+void FeltScene::takeSimpler(bool wait)
+{
+  this->swapIn(wait ? this->search_.wait() : this->search_.poll());
+}
+
+void FeltScene::swapIn(std::optional<FoundScene> found)
+{
+  if (!found)
+  {
+    return;
+  }
+  this->choices_ = std::move(found->choices);
+  if (!found->scene)
+  {
+    return;
+  }
+  for (const SurfaceChoice& choice : this->choices_)
+  {
+    if (choice.felt < choice.triangles)
+    {
+      this->built_.report += choice.name + ": " + planSentence(choice) + "\n";
+    }
+  }
+  this->built_.scene = std::move(found->scene);
+  this->built_.largestRadius_u = found->largestRadius_u;
+  this->session_.setScene(this->built_.scene);
+}
+
+bool FeltScene::isTaken()
+{
+  return !this->session_.running() || !this->built_.scene ||
+         this->session_.state().sceneRevision == this->built_.scene->revision();
+}
+
+bool FeltScene::rests()
+{
+  const Scene* const scene = this->built_.scene.get();
+  return this->session_.running() && scene && scene->moves() && this->isTaken() &&
+         this->session_.state().sceneAge_s > scene->motion_s() + rest_s;
+}
+
+} // namespace palpate

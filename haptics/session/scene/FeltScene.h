@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/session/HapticSession.h"
+#include "haptics/session/plan/SimplifyPlan.h"
+#include "haptics/session/scene/BuiltScene.h"
+#include "haptics/session/scene/SceneWorker.h"
+#include "haptics/session/scene/SimplerSearch.h"
+
+namespace palpate
+{
+
+/// Decides what of the scenes that a worker builds a session feels: all of it at first, simpler surfaces once they are
+/// proven to feel the same, and from where to where what moves goes. One thread, the session's owner, calls every
+/// method.
+class FeltScene
+{
+public:
+  /// `session` outlives it. `period_s`: of its ticks.
+  FeltScene(HapticSession& session, double period_s) : session_(session), period_s_(period_s) {}
+
+  /// Hands over a scene that is to be built.
+  [[nodiscard]] SceneWorker& worker() noexcept { return this->worker_; }
+  /// To be called before a commit: what it changes comes from what is felt now.
+  void beforeCommit();
+
+  /// Has the session feel a scene that the worker has finished, or with `wait` the newest that was committed. True if
+  /// there was one. `now_s`: on the clock of the commits.
+  bool takeBuilt(const SimplifyPlan& plan, double now_s, bool wait = false);
+  /// Has it feel the simpler surfaces that were found since, or with `wait` those that are looked for.
+  void takeSimpler(bool wait = false);
+  /// Plans again, from all triangles on, if what the choice depends on has changed.
+  void follow(const SimplifyPlan& plan);
+
+  /// As the session has it.
+  [[nodiscard]] const BuiltScene& built() const noexcept { return this->built_; }
+  [[nodiscard]] bool isSimpler() const noexcept { return this->built_.scene != this->full_.scene; }
+  /// What is felt of each surface, and why.
+  [[nodiscard]] const std::vector<SurfaceChoice>& choices() const noexcept { return this->choices_; }
+  /// From the commit of that scene until the servo could have it [s].
+  [[nodiscard]] double handOver_s() const noexcept { return this->handOver_s_; }
+  /// Whether the session's last tick felt this scene, or nothing is felt: then the ball may change. In the tick of a
+  /// swap a pressed hand changes over.
+  [[nodiscard]] bool isTaken();
+  /// Whether what moved has rested for a while: its poses may go into the vertices, which costs less to touch.
+  [[nodiscard]] bool rests();
+
+private:
+  void plan(const SimplifyPlan& plan);
+  void swapIn(std::optional<FoundScene> found);
+
+  HapticSession& session_;
+  double period_s_;
+  SceneWorker worker_;
+  SimplerSearch search_;
+  BuiltScene built_;  ///< its scene as the session has it, with motions
+  BuiltScene full_;   ///< the same with all triangles of the data
+  SimplifyPlan plan_; ///< that `choices_` were made by
+  std::vector<SurfaceChoice> choices_;
+  double handOver_s_ = 0.0;
+};
+
+} // namespace palpate

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <future>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/session/scene/BuiltScene.h"
+
+namespace palpate
+{
+
+/// Builds scenes off the caller's thread, one at a time, the newest that was committed next. One thread calls every
+/// method.
+class SceneWorker
+{
+public:
+  SceneWorker() = default;
+  /// Waits for the thread.
+  ~SceneWorker();
+  SceneWorker(const SceneWorker&) = delete;
+  SceneWorker& operator=(const SceneWorker&) = delete;
+
+  /// `refusals`: lines of what is not among the surfaces, at the head of the report. While a build is running the
+  /// newest commit waits for it; one that only moves surfaces is done at once. `stamp_s`: when it was so, on the
+  /// caller's clock.
+  void commit(std::vector<SceneSurface> surfaces, std::string refusals, double stamp_s);
+  /// What is felt now, from where vertices of the next builds come; null: from nowhere. The commit that waits begins:
+  /// commits may come faster than builds for as long as they like, and each build is felt and followed by the next.
+  void follow(std::shared_ptr<const Scene> felt);
+  /// Nothing comes from elsewhere any more: the next trees have no room for ways.
+  void forget() { this->felt_.reset(); }
+  [[nodiscard]] bool building() const { return this->running_.valid(); }
+
+  /// The newest scene that is done, once. A commit that waits begins with follow().
+  std::optional<BuiltScene> poll();
+  /// The scene of the newest commit, waiting for it. Nothing if no commit is open.
+  std::optional<BuiltScene> wait();
+  /// For a scene that is made from one of the worker's.
+  std::uint64_t takeRevision() { return this->builder_.takeRevision(); }
+
+private:
+  struct Commit
+  {
+    std::vector<SceneSurface> surfaces;
+    std::string refusals;
+    double stamp_s = 0.0;
+  };
+
+  void launch(Commit commit);
+  void resume();
+
+  SceneBuilder builder_{ 2 }; ///< the running build's while there is one
+  std::shared_ptr<const Scene> felt_;
+  std::future<BuiltScene> running_;
+  std::optional<Commit> next_;                                       ///< waits for the running build
+  double largestRadius_u_ = std::numeric_limits<double>::infinity(); ///< of the last scene that was not only moved
+};
+
+} // namespace palpate

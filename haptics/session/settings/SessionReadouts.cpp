@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/settings/SessionSettings.h"
+
+namespace palpate
+{
+namespace
+{
+
+using enum Readout::Kind;
+
+const Readout readouts[] = {
+  { "DeviceKind", Text, "", "", "What the chosen device is" },
+  { "DeviceNotes", Text, "", "", "Why it cannot be used, and what it cannot do" },
+  { "LinkText", Text, "", "",
+    "The link to a USB device: reports a second, effects renewed before they end, writes that hung, losses, reports "
+    "that are none" },
+  { "LargestStiffness", Number, "N/m", "",
+    "How stiff a wall the chosen device can hold; known before it is touched; infinite where nothing is known to limit "
+    "it" },
+  { "StabilitySentence", Text, "", "", "The same, and why" },
+  { "StateText", Text, "", "State",
+    "safe: no force; armed: waits for a free start; engaged: force flows; fault: no force" },
+  { "FaultText", Text, "", "", "Why there is no force, and what to do" },
+  { "Warning", Text, "", "", "What needs attention without being a fault, and what to do" },
+  { "Problem", Text, "", "", "The last thing that was refused, and why" },
+  { "ProxyPosition", Number, "u", "", "Where the proxy is, in W", 3 },
+  { "Force", Number, "N", "", "Force on the hand, in W", 3 },
+  { "ForceMagnitude", Number, "N", "Force", "Size of the force on the hand now" },
+  { "PeakForce", Number, "N", "Force", "The largest so far" },
+  { "Depth", Number, "u", "", "How deep the hand is behind the proxy" },
+  { "StiffnessUsed", Number, "N/m", "Stiffness", "Stiffness of the spring now, after every limit" },
+  { "StiffnessLimited", Flag, "", "Stiffness",
+    "Whether that is less than was set because the device or the rate cannot hold it" },
+  { "RadiusLimit", Number, "u", "",
+    "The largest ball whose work fits into a tick, counted with each new scene; infinite where any does" },
+  { "RadiusUsed", Number, "u", "", "The ball that touches" },
+  { "DeliveredEnergy", Number, "J", "Energy", "Net work on the hand, negative when taken from it" },
+  { "ExcessEnergy", Number, "J", "Energy", "What this contact has given more than its spring holds, now" },
+  { "PeakExcessEnergy", Number, "J", "Energy", "The most of that so far" },
+  { "StabiliserForce", Number, "N", "Stabiliser",
+    "The part of the force that passivity control added, now; none in free air" },
+  { "PeakStabiliserForce", Number, "N", "Stabiliser", "The largest of that so far" },
+  { "ForceResidual", Number, "N", "",
+    "The largest difference between the force and that of spring and stabiliser, of ticks whose force nothing "
+    "limited" },
+  { "FrictionText", Text, "", "Friction", "sticks or slips; none without contact or friction" },
+  { "FrictionKineticUsed", Number, "1", "Friction", "Kinetic friction, no more than the static one" },
+  { "Contacts", Count, "", "Contact", "Planes that push now" },
+  { "ContactSeconds", Number, "s", "Contact", "Time in contact" },
+  { "MotionLag", Number, "s", "Motion lag",
+    "How late moving surfaces are felt: the time between the last two pictures of them; 0 at rest" },
+  { "Rate", Number, "Hz", "Rate", "Ticks per second" },
+  { "LatenessP50", Number, "us", "Late p50/p99", "How late ticks start, median" },
+  { "LatenessP99", Number, "us", "Late p50/p99", "How late ticks start, 99th percentile" },
+  { "CostP50", Number, "us", "Cost p50/p99", "How long a tick takes, median" },
+  { "CostP99", Number, "us", "Cost p50/p99", "How long a tick takes, 99th percentile" },
+  { "Ticks", LongCount, "", "Ticks", "Ticks computed" },
+  { "Missed", LongCount, "", "Ticks", "Periods that passed without a tick; they are never caught up" },
+  { "Periods", LongCount, "", "", "Both together" },
+  { "CappedTicks", LongCount, "", "", "Ticks that met a limit of their work" },
+  { "SchedulingReport", Text, "", "", "What the operating system granted the servo, and why" },
+  { "PlanSentence", Text, "", "",
+    "What is felt of the scene and why: how many triangles or segments, by a point or a ball, with what friction, "
+    "through a tree or a list" },
+  { "SceneReport", Text, "", "", "What is touched, what was repaired, what is refused and why, a line a surface" },
+};
+
+} // namespace
+
+std::span<const Readout> sessionReadouts()
+{
+  return readouts;
+}
+
+} // namespace palpate

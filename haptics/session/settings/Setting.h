@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate
+{
+
+/// What the values of a setting are.
+enum class SettingKind
+{
+  Flag,     ///< 0 or 1
+  Count,    ///< a whole number
+  Choice,   ///< one of the choices, by its place from 0 on
+  Number,   ///< one or more numbers, each within the range
+  Rotation, ///< a unit quaternion (w, x, y, z)
+  Points,   ///< any number of points
+  Text      ///< one of the choices where there are any, else any text
+};
+
+enum class TakesEffect
+{
+  AtOnce,
+  NextTick,
+  NextFrame,
+  NextScene,
+  NextTouch
+};
+
+/// What a person or a program can set of a session, described for all who offer it.
+struct Setting
+{
+  std::string_view name; ///< of its property
+  SettingKind kind = SettingKind::Number;
+  std::string_view unit;     ///< "" for what has none; u is a scene unit
+  std::string_view title;    ///< of its row in the panel, & before its letter; "": it has none
+  std::string_view sentence; ///< what it is
+  TakesEffect effect = TakesEffect::NextTick;
+  std::vector<double> defaults{}; ///< one a number
+  std::string_view defaultText{}; ///< of a text
+  double low = -infinity;         ///< least value
+  double high = infinity;         ///< largest value
+  bool above = false;             ///< more than the least value
+  std::vector<std::string_view> choices{};
+  bool saved = true; ///< in a state file
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+};
+
+/// What a session says of itself.
+struct Readout
+{
+  enum class Kind
+  {
+    Text,
+    Flag,
+    Count,
+    LongCount,
+    Number
+  };
+  std::string_view name; ///< of its property
+  Kind kind = Kind::Number;
+  std::string_view unit;     ///< "" for what has none
+  std::string_view title;    ///< of its row in the panel; "": it has none of its own
+  std::string_view sentence; ///< what it is
+  int elements = 1;
+};
+
+/// When it takes effect, in words.
+[[nodiscard]] std::string_view words(TakesEffect effect) noexcept;
+
+/// A number with its unit, "500 N/m"; without one where that says nothing.
+[[nodiscard]] std::string quantity(double value, std::string_view unit);
+
+/// Which values a setting can have, in words without their unit: "0 or more"; "" where any will do.
+[[nodiscard]] std::string allowed(const Setting& setting);
+
+/// The default in words with its unit.
+[[nodiscard]] std::string defaultWords(const Setting& setting);
+
+/// Its title as a sentence has it: in small letters, without the mark of a letter; its name where it has no title.
+[[nodiscard]] std::string spoken(const Setting& setting);
+
+/// Empty, or one line that says why `values` cannot be and what can. `said`: what the person calls the setting.
+[[nodiscard]] std::string refuse(const Setting& setting, std::span<const double> values, std::string_view said);
+
+} // namespace palpate

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What haptics/session/settings/ describes, as the proxy's properties and the user guide's tables write it.
+
+Run by hand with the JSON of vtkHapticSession.GetDescribed() on its standard input it writes both files anew.
+"""
+
+import json
+import re
+import sys
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+ROOT = Path(__file__).resolve().parents[2]
+XML = ROOT / "filters" / "interaction" / "HapticInteraction.xml"
+GUIDE = ROOT / "plugin" / "README.md"
+
+SETTING_KIND = {"flag": "Int", "count": "Int", "choice": "Int", "number": "Double", "rotation": "Double",
+                "points": "Double", "text": "String"}
+READOUT_KIND = {"flag": "Int", "count": "Int", "long count": "IdType", "number": "Double", "text": "String"}
+REPEATED = ' command="AddStrokePoint" clean_command="ClearStrokePoints"\n' + 28 * " " + \
+           'repeat_command="1" number_of_elements_per_command="3" number_of_elements="0"'
+
+
+def documentation(described):
+    unit = f" [{described['unit']}]" if described["unit"] else ""
+    return f"        <Documentation>{escape(described['sentence'])}{unit}.</Documentation>"
+
+
+def number(value):
+    return f"{value:.15g}"
+
+
+def domain(setting):
+    """Lines that say what the property can be."""
+    ends = "".join(f' {end}="{number(setting[key])}"' for end, key in (("min", "low"), ("max", "high"))
+                   if setting[key] is not None and not setting["above"])
+    if setting["kind"] == "flag":
+        return ['        <BooleanDomain name="bool"/>']
+    if setting["kind"] == "choice":
+        entries = [f'          <Entry value="{i}" text="{text}"/>' for i, text in enumerate(setting["choices"])]
+        return ['        <EnumerationDomain name="enum">', *entries, "        </EnumerationDomain>"]
+    if setting["kind"] == "text" and setting["choices"]:
+        entries = [f'          <String value="{text}"/>' for text in setting["choices"]]
+        return ['        <StringListDomain name="list">', *entries, "        </StringListDomain>"]
+    kind = {"count": "Int", "number": "Double"}.get(setting["kind"])
+    return [f'        <{kind}RangeDomain name="range"{ends}/>'] if kind and ends else []
+
+
+def setting_xml(setting):
+    name = setting["name"]
+    element = SETTING_KIND[setting["kind"]] + "VectorProperty"
+    default = setting["default_text"] if setting["kind"] == "text" else " ".join(map(number, setting["defaults"]))
+    attributes = f' command="Set{name}" number_of_elements="{max(1, len(setting["defaults"]))}" default_values="{default}"'
+    attributes = REPEATED if setting["kind"] == "points" else attributes
+    attributes += "" if setting["saved"] else ' is_internal="1"'
+    lines = [f'      <{element} name="{name}"{attributes}>', *domain(setting), documentation(setting), f"      </{element}>"]
+    return "\n".join(lines) + "\n"
+
+
+def readout_xml(readout):
+    kind = READOUT_KIND[readout["kind"]]
+    default = "" if kind == "String" else ' default_values="' + " ".join(["0"] * readout["elements"]) + '"'
+    return (f'      <{kind}VectorProperty name="{readout["name"]}" command="Get{readout["name"]}" information_only="1" '
+            f'number_of_elements="{readout["elements"]}"{default}>\n'
+            f"        <Simple{kind}InformationHelper/>\n{documentation(readout)}\n      </{kind}VectorProperty>\n")
+
+
+def spoken(title):
+    """A title of the panel without the mark of its letter."""
+    return re.sub(r" \(&.\)$", "", title).replace("&", "")
+
+
+def setting_row(setting):
+    said = [setting["sentence"], setting["allowed"], setting["default_words"]]
+    return (f"| {spoken(setting['title'])} | `{setting['name']}` | {'; '.join(part for part in said if part)} "
+            f"| {setting['effect']} |\n")
+
+
+def readout_row(readout):
+    unit = f" [{readout['unit']}]" if readout["unit"] else ""
+    return f"| {readout['title']} | `{readout['name']}`{unit} | {readout['sentence']} |\n"
+
+
+def between(text, begin, end):
+    """What stands between the two marks, which stand once."""
+    return text[text.index(begin) + len(begin):text.index(end)]
+
+
+# What a file holds between two of its lines, and what the tables make of it.
+PLACES = (
+    (XML, "      <!-- Settings -->\n", "      <!-- Commands -->\n", "settings", setting_xml),
+    (XML, "      <!-- Read-outs -->\n", "    </HapticSessionProxy>\n", "readouts", readout_xml),
+    (GUIDE, "| takes effect |\n|---|---|---|---|\n", "\nWithout a title", "settings", setting_row),
+    (GUIDE, "| meaning |\n|---|---|---|\n", "\n## With the mouse", "readouts", readout_row),
+)
+
+
+def write(described):
+    for file, begin, end, table, render in PLACES:
+        text = file.read_text(encoding="utf-8")
+        made = "".join(map(render, described[table]))
+        file.write_text(text.replace(begin + between(text, begin, end), begin + made), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    write(json.load(sys.stdin))

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticFields.h"
+
+#include "haptics/session/settings/SessionSettings.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QSpinBox>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// Nobody types more of a quantity; values of arrays have no unit, and can be anything.
+constexpr double largestQuantity = 1e9, largestValue = 1e100;
+
+const palpate::Setting& Described(const QString& property)
+{
+  return palpate::sessionSetting(property.toStdString());
+}
+
+QString Text(std::string_view utf8)
+{
+  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
+}
+
+/// The friction of 1 has none.
+QString SuffixOf(const palpate::Setting& setting)
+{
+  return setting.unit.empty() || setting.unit == "1" ? QString() : " " + Text(setting.unit);
+}
+
+template<typename Field>
+Field* Named(Field* field, const char* name, const char* property)
+{
+  field->setObjectName(name);
+  field->setToolTip(pqHapticTip(property));
+  return field;
+}
+} // namespace
+
+QString pqHapticTitle(const QString& property)
+{
+  return Text(Described(property).title);
+}
+
+QString pqHapticTip(const QString& property)
+{
+  return Text(Described(property).sentence);
+}
+
+QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals)
+{
+  constexpr int leastWidth = 90; // else the widest number a field could hold makes the whole panel wide [pixels]
+  const palpate::Setting& setting = Described(property);
+  auto* box = new QDoubleSpinBox(parent);
+  box->setObjectName(name);
+  box->setToolTip(pqHapticTip(property));
+  box->setDecimals(decimals);
+  const double widest = setting.unit.empty() ? largestValue : largestQuantity;
+  const double least = setting.low + (setting.above ? std::pow(10.0, -decimals) : 0.0);
+  box->setRange(std::max(least, -widest), std::min(setting.high, widest));
+  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  box->setKeyboardTracking(false);
+  box->setMinimumWidth(leastWidth);
+  return box;
+}
+
+QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const char* property, int decimals)
+{
+  QDoubleSpinBox* box = pqHapticNumber(form->parentWidget(), name, property, decimals);
+  box->setSuffix(SuffixOf(Described(property)));
+  form->addRow(pqHapticTitle(property), box);
+  return box;
+}
+
+QSpinBox* pqHapticCountRow(QFormLayout* form, const char* name, const char* property)
+{
+  const palpate::Setting& setting = Described(property);
+  auto* box = Named(new QSpinBox(form->parentWidget()), name, property);
+  box->setRange(static_cast<int>(setting.low), static_cast<int>(std::min(setting.high, largestQuantity)));
+  box->setSuffix(SuffixOf(setting));
+  box->setKeyboardTracking(false);
+  form->addRow(pqHapticTitle(property), box);
+  return box;
+}
+
+QCheckBox* pqHapticSwitchRow(QFormLayout* form, const char* name, const char* property)
+{
+  auto* box = Named(new QCheckBox(pqHapticTitle(property), form->parentWidget()), name, property);
+  form->addRow(box);
+  return box;
+}
+
+QComboBox* pqHapticChoiceRow(QFormLayout* form, const char* name, const char* property)
+{
+  auto* box = Named(new QComboBox(form->parentWidget()), name, property);
+  form->addRow(pqHapticTitle(property), box);
+  return box;
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticFields_h
+#define pqHapticFields_h
+
+#include <QString>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QSpinBox;
+class QWidget;
+
+/// Fields of the panel for settings as haptics/session/settings/ describes them: range, unit beside the number, and a
+/// tip that says what it is. `name` is the field's own, `property` the setting's. Numbers take effect once they are
+/// typed.
+
+/// A number without a unit and a row of its own.
+QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals);
+
+/// A row with a number and its unit.
+QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const char* property, int decimals);
+QSpinBox* pqHapticCountRow(QFormLayout* form, const char* name, const char* property);
+QCheckBox* pqHapticSwitchRow(QFormLayout* form, const char* name, const char* property);
+/// What it can be the proxy's domain says.
+QComboBox* pqHapticChoiceRow(QFormLayout* form, const char* name, const char* property);
+
+/// The title of a setting's row, with the mark of its letter, and what the setting is.
+QString pqHapticTitle(const QString& property);
+QString pqHapticTip(const QString& property);
+
+#endif
