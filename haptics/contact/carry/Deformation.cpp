@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "haptics/contact/carry/PassingTriangles.h"
 #include "haptics/contact/moves/Seat.h"
 #include "haptics/contact/sweep/Sweep.h"
 #include "haptics/contact/sweep/TreeWalk.h"
@@ -39,133 +40,11 @@ Vec3 inFrame(const PosedSurface& s, const Vec3& x_W) noexcept
   return s.toSurface(x_W);
 }
 
-Box boxOf(const TreeNode& node, std::size_t k) noexcept
-{
-  return { Vec3(node.low_W[0][k], node.low_W[1][k], node.low_W[2][k]),
-    Vec3(node.high_W[0][k], node.high_W[1][k], node.high_W[2][k]) };
-}
-
-double distance2To(const Box& box, const Vec3& x) noexcept
-{
-  return (box.low_W - x).cwiseMax(x - box.high_W).cwiseMax(0.0).squaredNorm();
-}
-
 /// A point of a surface: a triangle and the weights of its corners.
 struct SurfacePoint
 {
   std::uint32_t triangle = 0;
   Vec3 weights = Vec3::Zero();
-};
-
-std::array<Vec3, 3> ownCorners(const SurfaceData& s, std::uint32_t triangle) noexcept
-{
-  return s.cornersOf(triangle);
-}
-
-std::array<Vec3, 3> ownCorners(const PosedSurface& s, std::uint32_t triangle) noexcept
-{
-  return s.shape().cornersOf(triangle);
-}
-
-/// Walks the two trees of a surface, which are of one shape, for the triangle nearest to the ball among those that may
-/// have come over it: a vertex goes straight from old to new, so a triangle never leaves the hull of both its boxes.
-/// Of triangles as near as each other it is the first, whatever room the boxes have.
-template<class View>
-class PassingTriangles
-{
-public:
-  PassingTriangles(const View& before, const View& now, const Vec3& x_before, const Vec3& x_now, double reach,
-    std::uint32_t budget) noexcept
-    : before_(before), now_(now), x_(x_before), low_(x_before.cwiseMin(x_now).array() - reach),
-      high_(x_before.cwiseMax(x_now).array() + reach), budget_(budget)
-  {
-  }
-
-  [[nodiscard]] std::optional<std::uint32_t> nearest() noexcept
-  {
-    const SurfaceData& data = dataOf(this->before_);
-    this->stack_[this->top_++] = { data.nodes.empty() ? TreeNode::leafBit : 0u, 0.0 };
-    while (this->top_ > 0 && this->visited_++ < this->budget_)
-    {
-      const Pending next = this->stack_[--this->top_];
-      if (next.distance2 <= this->best2_)
-      {
-        (next.child & TreeNode::leafBit) != 0 ? this->visitLeaf(data.leaves[next.child & ~TreeNode::leafBit])
-                                              : this->visitNode(next.child);
-      }
-    }
-    return std::isfinite(this->best2_) ? std::optional(this->triangle_) : std::nullopt;
-  }
-
-private:
-  struct Pending
-  {
-    std::uint32_t child = 0;
-    double distance2 = 0.0;
-  };
-
-  [[nodiscard]] bool mayPass(const Box& before, const Box& now) const noexcept
-  {
-    const Vec3 low = before.low_W.cwiseMin(now.low_W), high = before.high_W.cwiseMax(now.high_W);
-    return (low.array() <= this->high_.array()).all() && (high.array() >= this->low_.array()).all();
-  }
-
-  void visitNode(std::uint32_t index) noexcept
-  {
-    const TreeNode &before = dataOf(this->before_).nodes[index], &now = dataOf(this->now_).nodes[index];
-    std::array<Pending, 2> children;
-    int count = 0;
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      const Box old = boxOf(before, k);
-      if (this->mayPass(old, boxOf(now, k)))
-      {
-        children[static_cast<std::size_t>(count++)] = { before.child[k], distance2To(old, this->x_) };
-      }
-    }
-    if (count == 2 && children[0].distance2 < children[1].distance2)
-    {
-      std::swap(children[0], children[1]);
-    }
-    std::copy_n(children.begin(), count, this->stack_.begin() + this->top_);
-    this->top_ += count;
-  }
-
-  void visitLeaf(const Leaf& leaf) noexcept
-  {
-    for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
-    {
-      const auto& old = ownCorners(this->before_, t);
-      if (distance2To(around(old), this->x_) > this->best2_)
-      {
-        continue;
-      }
-      const auto& now = ownCorners(this->now_, t);
-      const double distance2 = (this->x_ - nearestOnTriangle(this->x_, old[0], old[1], old[2])).squaredNorm();
-      const bool nearer = distance2 < this->best2_ || (distance2 == this->best2_ && t < this->triangle_);
-      if (nearer && this->mayPass(around(old), around(now)))
-      {
-        this->best2_ = distance2;
-        this->triangle_ = t;
-      }
-    }
-  }
-
-  [[nodiscard]] static Box around(const std::array<Vec3, 3>& corners) noexcept
-  {
-    return { corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
-      corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) };
-  }
-
-  const View& before_;
-  const View& now_;
-  Vec3 x_, low_, high_;
-  std::uint32_t budget_;
-  std::uint32_t visited_ = 0;
-  std::array<Pending, mostPending> stack_;
-  int top_ = 0;
-  double best2_ = std::numeric_limits<double>::infinity();
-  std::uint32_t triangle_ = 0;
 };
 
 /// Weights of the nearest point of a triangle; a corner or an edge has exact zeros.
