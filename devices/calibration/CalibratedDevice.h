@@ -32,6 +32,7 @@ public:
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
   [[nodiscard]] std::string open() override;
   void close() noexcept override { this->device_->close(); }
+  void await() noexcept override { this->device_->await(); }
   [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
   void write(const DeviceCommand& command) noexcept override;
   /// The device itself.

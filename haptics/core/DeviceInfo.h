@@ -28,8 +28,8 @@ enum class Causality : std::uint8_t
 enum class Pacing : std::uint8_t
 {
   Timer,    ///< the servo's own absolute timer
-  Device,   ///< a blocking read paces the loop
-  Callback, ///< the vendor's thread calls the tick
+  Device,   ///< the device: a wait for its next sample paces the loop
+  Callback, ///< the vendor's thread: its call ends that wait
 };
 
 /// A number with its provenance: the panel says which limits are only assumed.

@@ -37,6 +37,10 @@ public:
   /// Leaves the device without force. Not real-time safe.
   virtual void close() noexcept = 0;
 
+  /// Waits until the device has measured the hand anew, but never for more than a few periods: a device that hangs is
+  /// told by read(). Called once before each read() of a device whose pacing is not Pacing::Timer, and of no other.
+  virtual void await() noexcept {}
+
   /// The hand at tick time `tickTime_s` [s]. Real-time safe.
   [[nodiscard]] virtual DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept = 0;
 

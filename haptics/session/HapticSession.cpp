@@ -8,6 +8,7 @@
 
 #include "haptics/force/Viscosity.h"
 #include "haptics/session/DeviceAdaptation.h"
+#include "haptics/session/DeviceTimer.h"
 
 namespace palpate
 {
@@ -34,6 +35,23 @@ struct HapticSession::Run
   double period_s = 1e-3;
   HapticParameters adapted; ///< what the servo runs with
   StabilityLimits limits;
+
+  /// A virtual time goes by itself, whatever the device would pace.
+  void pace(std::int64_t period_ns)
+  {
+    if (this->virtualTime)
+    {
+      this->timer = std::make_unique<VirtualTimer>(period_ns);
+    }
+    else if (this->device->info().pacing == Pacing::Timer)
+    {
+      this->timer = std::make_unique<PeriodicTimer>(period_ns);
+    }
+    else
+    {
+      this->timer = std::make_unique<DeviceTimer>(*this->device, this->clock, period_ns);
+    }
+  }
 
   /// Limits come from eigenvalues: computed again only when something they depend on has changed.
   void adapt(const HapticParameters& parameters, bool first)
@@ -96,14 +114,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->period_s = options.period_s;
   run->adapt(this->parameters_, true);
   const auto period_ns = static_cast<std::int64_t>(options.period_s * 1e9 + 0.5);
-  if (options.virtualTime)
-  {
-    run->timer = std::make_unique<VirtualTimer>(period_ns);
-  }
-  else
-  {
-    run->timer = std::make_unique<PeriodicTimer>(period_ns);
-  }
+  run->pace(period_ns);
   if (!options.recordFile.empty())
   {
     const std::string refused = run->recorder.open(

@@ -26,13 +26,14 @@ void take(TickContext& tick) noexcept
 TickOutput renderTick(
   const TickInput& input, const HapticParameters& parameters, RendererState& state, PathSink* sink) noexcept
 {
-  TickContext tick{ input, parameters, state, sink };
-  tick.out.state.tick = input.tick;
-  tick.out.state.hand = tick.out.command.hand = input.hand;
-  tick.out.state.time_s = input.sample.time_s;
-  tick.out.state.sceneRevision = input.scene != nullptr ? input.scene->revision() : 0;
+  TickOutput out;
+  out.state.tick = input.tick;
+  out.state.hand = out.command.hand = input.hand;
+  out.state.time_s = input.sample.time_s;
+  out.state.sceneRevision = input.scene != nullptr ? input.scene->revision() : 0;
+  TickContext tick{ input, parameters, state, out, sink };
   TickStages::forEach([&tick]<class S>(std::type_identity<S>) { take<S>(tick); });
-  return tick.out;
+  return out;
 }
 
 } // namespace palpate

@@ -16,6 +16,7 @@ struct TickContext
   const TickInput& input;
   const HapticParameters& p;
   RendererState& s;
+  TickOutput& out; ///< written where the caller has it: it is too large to be copied for nothing
   PathSink* sink = nullptr;
 
   SceneStep scene = sceneStep(input, s);
@@ -26,7 +27,6 @@ struct TickContext
   Vec3 pull_D = Vec3::Zero();     ///< from the device to where contact draws it [m]
   double stretch_m = 0.0;         ///< of a plain spring that holds as much energy as the contact
   Vec3 coupled_D = Vec3::Zero();  ///< force of spring, damper and guide, before blend and limits [N]
-  TickOutput out = {};
 
   [[nodiscard]] bool touchable() const noexcept { return this->input.scene != nullptr && !this->input.scene->empty(); }
 
