@@ -269,7 +269,7 @@ class Options(CommandLineTest):
         self.refused(*self.touch, "--scale", "0", saying=["--scale", "more than 0"])
 
     def test_friction_that_makes_no_sense(self):
-        self.refused(*self.touch, "--mu-static", "-0.5", saying=["--mu-static", "0 or more"])
+        self.refused(*self.touch, "--mu-static", "-0.5", saying=["--mu-static", "a finite number, 0 to 10"])
         self.refused(*self.touch, "--mu-static", "nan", saying=["--mu-static"])
         self.refused(*self.touch, "--mu-static", "0.2", "--mu-kinetic", "0.5", saying=["kinetic", "static"])
 

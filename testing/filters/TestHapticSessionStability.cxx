@@ -268,7 +268,7 @@ TEST_F(HapticSessionStability, SettingsThatCannotBeAreRefusedAndTheOldOnesStay)
   for (const int method : { -1, 3 })
   {
     EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetVelocityMethod(method); }),
-      ElementsAre(HasSubstr("velocity method")));
+      ElementsAre(HasSubstr("velocity: it must be 0 (backward difference), 1 (low pass) or 2 (adaptive window)")));
   }
   EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetHand("third"); }),
     ElementsAre(AllOf(HasSubstr("third"), HasSubstr("none, light, stylus, firm"))));
