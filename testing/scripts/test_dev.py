@@ -2,12 +2,14 @@
 """./dev with stand-ins for dpkg-query and apt-get: what it installs, what it refuses, what it answers."""
 
 import os
+import re
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().parents[2])
+BUILD = Path(os.environ.get("PALPATE_BUILD_DIR") or ROOT / "build")
 DPKG_QUERY = """#!/bin/sh
 # Stand-in: everything is installed but ninja-build.
 for last; do :; done
@@ -89,6 +91,15 @@ class Dev(unittest.TestCase):
                 result = self.dev(*arguments)
                 self.assertEqual(result.returncode, 2)
                 self.assertIn(reason, result.stderr)
+
+    def test_what_run_builds_is_a_target_without_tests(self):
+        text = (ROOT / "dev").read_text(encoding="utf-8")
+        run = text[text.index("command_run()") :].split("\n}")[0]
+        target = re.search(r"^  build (\w+)", run, re.MULTILINE).group(1)
+        told = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", target], capture_output=True, text=True, check=True)
+        compiled = re.findall(r" -c (\S+)$", told.stdout, re.MULTILINE)
+        self.assertIn(str(ROOT / "haptics/tick/ForceRenderer.cpp"), compiled)
+        self.assertEqual([source for source in compiled if source.startswith(str(ROOT / "testing"))], [])
 
     def test_help_names_every_command(self):
         result = self.dev("--help")

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/DeviceFactory.h"
 #include "devices/FedDevice.h"
+#include "devices/simulated/SimulatedDevice.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/support/BareDevice.h"
 #include "testing/support/Eventually.h"
@@ -170,10 +170,8 @@ TEST(HapticSession, ADeviceThatCannotOpenKeepsItFromStartingAndSaysWhy)
 {
   HapticSession session;
   session.setScene(test::sceneOf(test::makeIcosphere(1, 0.05)));
-  DeviceOptions options;
-  options.stroke.points_D = {};
-  MadeDevice made = makeDevice("simulated-ideal", options);
-  EXPECT_NE(session.start(std::move(made.device)).find("stroke"), std::string::npos);
+  auto withoutStroke = std::make_unique<SimulatedDevice>(DeviceModel{}, HandModel{}, HandPath{});
+  EXPECT_NE(session.start(std::move(withoutStroke)).find("stroke"), std::string::npos);
   EXPECT_FALSE(session.running());
 }
 
