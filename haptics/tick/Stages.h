@@ -9,7 +9,6 @@
 #include "haptics/tick/stages/Game.h"
 #include "haptics/tick/stages/Guide.h"
 #include "haptics/tick/stages/Hand.h"
-#include "haptics/tick/stages/HandGuard.h"
 #include "haptics/tick/stages/HeldWalls.h"
 #include "haptics/tick/stages/Protect.h"
 #include "haptics/tick/stages/Report.h"

@@ -175,12 +175,17 @@ def include_arrows(root):
 
 
 def room_arrows(arrows):
-    """The arrows between files as arrows between the folders they stand in."""
+    """The arrows between files as arrows between the folders they stand in. A folder and the room within it are one: what
+    stands in a list knows the list's terms, and the list names what stands in it."""
     rooms = {}
     for source, targets in arrows.items():
-        others = {target.parent for target in targets} - {source.parent}
+        others = {target.parent for target in targets if not _one_within_the_other(source.parent, target.parent)}
         rooms.setdefault(source.parent, set()).update(others)
     return rooms
+
+
+def _one_within_the_other(folder, other):
+    return folder == other or folder in other.parents or other in folder.parents
 
 
 def circle_through(start, arrows):

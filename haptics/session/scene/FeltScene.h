@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "haptics/session/HapticSession.h"
-#include "haptics/session/plan/SimplifyPlan.h"
 #include "haptics/session/scene/BuiltScene.h"
 #include "haptics/session/scene/SceneWorker.h"
 #include "haptics/session/scene/SimplerSearch.h"
+#include "haptics/session/scene/SimplifyPlan.h"
 
 namespace palpate
 {

@@ -7,8 +7,8 @@
 
 #include "haptics/contact/GodObject.h"
 #include "haptics/force/WorkspaceMap.h"
+#include "haptics/tick/PlanRules.h"
 #include "haptics/tick/StageList.h"
-#include "haptics/tick/stages/PlanRules.h"
 
 namespace palpate::stage
 {

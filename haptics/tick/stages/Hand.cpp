@@ -47,4 +47,10 @@ void Hand::rest(TickContext& tick) noexcept
   tick.s.tracked = false;
 }
 
+void HandGuard::step(TickContext& tick) noexcept
+{
+  const HapticState& state = tick.out.state;
+  tick.latch(judgeHand(tick.p.safety.hand, state.velocity_D.norm(), tick.s.lastForce_D.norm(), state.energy.excess_J));
+}
+
 } // namespace palpate::stage

@@ -8,8 +8,8 @@
 #include "haptics/force/VelocityEstimator.h"
 #include "haptics/force/WorkspaceMap.h"
 #include "haptics/safety/PositionWatch.h"
+#include "haptics/tick/PlanRules.h"
 #include "haptics/tick/StageList.h"
-#include "haptics/tick/stages/PlanRules.h"
 
 namespace palpate::stage
 {
@@ -70,6 +70,14 @@ struct Hand
 
   static void step(TickContext& tick) noexcept;
   static void rest(TickContext& tick) noexcept;
+};
+
+/// Ends the force where the hand does what no hand does, or a contact gives what no wall gives.
+struct HandGuard
+{
+  static constexpr std::string_view name = "hand guard";
+
+  static void step(TickContext& tick) noexcept;
 };
 
 } // namespace palpate::stage

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "haptics/force/HeldWalls.h"
+#include "haptics/tick/PlanRules.h"
 #include "haptics/tick/StageList.h"
 #include "haptics/tick/WallKeeper.h"
-#include "haptics/tick/stages/PlanRules.h"
 
 namespace palpate::stage
 {

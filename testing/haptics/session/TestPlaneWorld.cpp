@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/session/plan/PlaneWorld.h"
-#include "haptics/session/plan/SimplifyPlan.h"
+#include "haptics/session/scene/SimplifyPlan.h"
 
 namespace palpate
 {

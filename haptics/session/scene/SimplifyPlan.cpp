@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/session/plan/SimplifyPlan.h"
+#include "haptics/session/scene/SimplifyPlan.h"
 
 namespace palpate
 {
