@@ -15,7 +15,7 @@ from charting.tables import read_folder
 from charts import CHARTS
 from lab_runs import HERE, LabTest
 
-# More than 6 s each at default sizes; each third takes about 105 s.
+# 10 s or more each at default sizes; each third takes about 105 s.
 LONG = (
     {"tunnelling", "queries", "deforming", "image-curves"},
     {"stability-atlas", "solver", "transparency", "speed-accuracy", "tick-cost", "recorded-touch"},

@@ -59,7 +59,10 @@ TEST(FiniteGuard, SeesABadNumberInEveryField)
       s = {};
       s.velocity_D.angular[k] = value;
       EXPECT_FALSE(isFinite(s));
-      s = {};
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      DeviceSample s;
       s.pose_D.q.coeffs()[k] = value;
       EXPECT_FALSE(isFinite(s));
     }
@@ -82,6 +85,19 @@ TEST(LatenessPolicy, FollowsTheFaultTable)
   EXPECT_EQ(judgeLateness(1.0, 1.0, period, true).fault, Fault::None) << "simulated devices only count";
 }
 
+TEST(LatenessPolicy, ActsAboveEachLimitAndNotAtIt)
+{
+  constexpr double period = 1e-3, above = 1.0 + 1e-9;
+  EXPECT_EQ(judgeLateness(0.020, 0.0, period, false).fault, Fault::None);
+  EXPECT_EQ(judgeLateness(0.020 * above, 0.0, period, false).fault, Fault::LateServo);
+  EXPECT_EQ(judgeLateness(0.0, 0.005, period, false).fault, Fault::None);
+  EXPECT_EQ(judgeLateness(0.0, 0.005 * above, period, false).fault, Fault::LateServo);
+  EXPECT_EQ(judgeLateness(0.0, 0.005 * above, period, false).stiffnessFactor, 0.0);
+  EXPECT_EQ(judgeLateness(0.0, 0.001, period, false).stiffnessFactor, 1.0);
+  // T/2 of a period of 1 ms over T/2 and the lateness: 0.5 / (0.5 + 1).
+  EXPECT_NEAR(judgeLateness(0.0, 0.001 * above, period, false).stiffnessFactor, 1.0 / 3.0, 1e-9);
+}
+
 TEST(SafetyLimits, OfADeviceAreSharesOfItsLargestForce)
 {
   DeviceInfo device;
@@ -93,6 +109,25 @@ TEST(SafetyLimits, OfADeviceAreSharesOfItsLargestForce)
   EXPECT_EQ(limits.engageBelow_N, 1.0);
   EXPECT_EQ(limits.frozenAbove_N, 2.0);
   EXPECT_EQ(limits.hand.speed_m_per_s, 2.0);
+}
+
+TEST(SafetyLimits, LetASimulatedDeviceStandStillToTheBit)
+{
+  DeviceInfo device;
+  device.maxForce_N = { 10.0, true };
+  device.simulated = true;
+  EXPECT_EQ(SafetyLimits::forDevice(device).frozenAbove_N, PositionWatch::never);
+}
+
+TEST(SafetyLimits, OfAHeadlessTickLetEveryForceThroughFromTheFirstTick)
+{
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  const SafetyLimits limits = SafetyLimits::none();
+  EXPECT_EQ(limits.maxForce_N, unlimited);
+  EXPECT_EQ(limits.maxRise_N_per_s, unlimited);
+  EXPECT_EQ(limits.engageBelow_N, unlimited);
+  EXPECT_EQ(limits.engageRamp_s + limits.releaseRamp_s + limits.faultRamp_s, 0.0);
+  EXPECT_FALSE(limits.needsEngage);
 }
 
 TEST(SafetyLimits, LeaveADeviceThatPushesNobodyAsFastAsItIsLed)
