@@ -121,7 +121,7 @@ TEST(Refit, InTheMemoryOfARetiredTreeIsTheSameAndNeverTakesOneThatIsHeld)
   EXPECT_EQ(held->mesh().vertices_W, one);
 
   auto alone = tree.refitted(one).tree;
-  const FaceRecord* const memory = alone->data().faces.data();
+  const FacePlane* const memory = alone->data().faces.data();
   const auto reused = tree.refitted(two, std::move(alone)).tree;
   EXPECT_EQ(reused->data().faces.data(), memory);
   EXPECT_EQ(reused->contentHash(), expected->contentHash());

@@ -92,8 +92,9 @@ TEST(SurfaceDistance, ACoarserSphereIsAsFarAsItsSagittaSays)
   // the finer mesh is one of them or one beyond the middle of a face, R - distance of the lowest face.
   const SurfaceTree coarse = treeOf(makeIcosphere(3, 50.0)), fine = treeOf(makeIcosphere(4, 50.0));
   double lowest = 50.0;
-  for (const FaceRecord& face : coarse.data().faces)
+  for (std::uint32_t t = 0; t < coarse.data().faces.size(); ++t)
   {
+    const FaceRecord face = coarse.data().face(t);
     lowest = std::min(lowest, std::abs(face.normal_W.dot(face.corner_W[0])));
   }
   const double sagitta = 50.0 - lowest;
