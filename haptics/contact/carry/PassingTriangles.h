@@ -37,10 +37,10 @@ template<class View>
 class PassingTriangles
 {
 public:
-  PassingTriangles(const View& before, const View& now, const Vec3& x_before, const Vec3& x_now, double reach,
+  PassingTriangles(const View& before, const View& now, const Vec3& xBefore, const Vec3& xNow, double reach,
     std::uint32_t budget) noexcept
-    : before_(before), now_(now), x_(x_before), low_(x_before.cwiseMin(x_now).array() - reach),
-      high_(x_before.cwiseMax(x_now).array() + reach), budget_(budget)
+    : before_(before), now_(now), x_(xBefore), low_(xBefore.cwiseMin(xNow).array() - reach),
+      high_(xBefore.cwiseMax(xNow).array() + reach), budget_(budget)
   {
   }
 
