@@ -27,8 +27,8 @@ namespace
 constexpr std::int64_t period_ns = 200000;
 constexpr std::size_t triangles = 100000;
 constexpr std::uint64_t fewestReports = 100;
-constexpr double mostLost =
-  0.1; ///< of the reads: a machine that takes a processor away for 50 ms loses the link for a while
+/// Of the reads: a machine that takes a processor away for 50 ms loses the link for a while.
+constexpr double mostLost = 0.1;
 constexpr double largestRatio = 0.25, largestRatioAtP99 = 1.0; // to a tick of 3.5 us it is to cost 1 us at most
 
 struct Cost
