@@ -36,7 +36,7 @@ const char* firstDifference(const TickRecord& a, const TickRecord& b)
   return found;
 }
 
-/// Gives the tree of a surface the room that coming from there takes. False if it cannot come from there.
+/// Gives the tree of a surface the bounds of where its vertices come from. False if it cannot come from there.
 bool letCome(Surface& surface, const std::shared_ptr<const VertexStart>& from)
 {
   const VertexWay way{ from->hash, { &from->vertices_W } };

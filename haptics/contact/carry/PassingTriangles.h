@@ -30,6 +30,16 @@ namespace palpate
   return s.shape().cornersOf(triangle);
 }
 
+/// The tree of a surface at the moment of the view.
+[[nodiscard]] inline const std::vector<TreeNode>& nodesIn(const SurfaceData& s) noexcept
+{
+  return s.nodes;
+}
+[[nodiscard]] inline BentNodes nodesIn(const PosedSurface& s) noexcept
+{
+  return BentNodes(s.shape());
+}
+
 /// Walks the two trees of a surface, which are of one shape, for the triangle nearest to the ball among those that may
 /// have come over it: a vertex goes straight from old to new, so a triangle never leaves the hull of both its boxes.
 /// Of triangles as near as each other it is the first, whatever room the boxes have.
@@ -39,8 +49,8 @@ class PassingTriangles
 public:
   PassingTriangles(const View& before, const View& now, const Vec3& xBefore, const Vec3& xNow, double reach,
     std::uint32_t budget) noexcept
-    : before_(before), now_(now), x_(xBefore), low_(xBefore.cwiseMin(xNow).array() - reach),
-      high_(xBefore.cwiseMax(xNow).array() + reach), budget_(budget)
+    : before_(before), now_(now), nodesBefore_(nodesIn(before)), nodesNow_(nodesIn(now)), x_(xBefore),
+      low_(xBefore.cwiseMin(xNow).array() - reach), high_(xBefore.cwiseMax(xNow).array() + reach), budget_(budget)
   {
   }
 
@@ -86,7 +96,7 @@ private:
 
   void visitNode(std::uint32_t index) noexcept
   {
-    const TreeNode &before = dataOf(this->before_).nodes[index], &now = dataOf(this->now_).nodes[index];
+    const TreeNode &before = this->nodesBefore_[index], &now = this->nodesNow_[index];
     std::array<Pending, 2> children;
     int count = 0;
     for (std::size_t k = 0; k < 2; ++k)
@@ -133,6 +143,7 @@ private:
 
   const View& before_;
   const View& now_;
+  decltype(nodesIn(std::declval<const View&>())) nodesBefore_, nodesNow_;
   Vec3 x_, low_, high_;
   std::uint32_t budget_;
   std::uint32_t visited_ = 0;

@@ -56,7 +56,10 @@ void forEachNear(const AnyScene& scene, const Vec3& x_W, double reach, Visit vis
     };
     return askTree(surface, still,
       [&](const SweptBall& inSurface) noexcept
-      { return walkWithin(data.nodes, BoxTest(inSurface), unbounded, nodes, visitLeaf); });
+      {
+        return askShape(surface, [&](const auto& shape) noexcept
+          { return walkWithin(nodesOf(shape), BoxTest(inSurface), unbounded, nodes, visitLeaf); });
+      });
   };
   static_cast<void>(walkWithin(sceneOf(scene).surfaceTree().nodes, test, unbounded, nodes, visitSurface));
 }

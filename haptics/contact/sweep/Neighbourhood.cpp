@@ -40,7 +40,7 @@ Placed place(const SurfaceData&, const SurfaceData& data, std::uint32_t leaf, st
     unit_u };
 }
 
-/// The disc of a face that is on its way, where the face is now: the tree's own disc holds all of the way.
+/// The disc of a face that is on its way, where the face is now: the tree has only a ball there.
 Placed placeBent(const BentSurface& shape, std::uint32_t triangle) noexcept
 {
   const auto corners = shape.cornersOf(triangle);
@@ -110,21 +110,25 @@ bool Neighbourhood::gatherSurface(
   const View& view, std::uint32_t surface, const SweptBall& still, std::uint32_t budget, std::uint32_t& nodes) noexcept
 {
   return askTree(view, still,
-    [&](const SweptBall& inSurface) noexcept { return this->gatherLeaves(view, surface, inSurface, budget, nodes); });
+    [&](const SweptBall& inSurface) noexcept
+    {
+      return askShape(view,
+        [&](const auto& shape) noexcept { return this->gatherLeaves(view, shape, surface, inSurface, budget, nodes); });
+    });
 }
 
-template<class View>
-bool Neighbourhood::gatherLeaves(const View& view, std::uint32_t surface, const SweptBall& inSurface,
-  std::uint32_t budget, std::uint32_t& nodes) noexcept
+template<class View, class Shape>
+bool Neighbourhood::gatherLeaves(const View& view, const Shape& shape, std::uint32_t surface,
+  const SweptBall& inSurface, std::uint32_t budget, std::uint32_t& nodes) noexcept
 {
   const SurfaceData& data = dataOf(view);
   const BoxTest test(inSurface);
-  return walkWithin(data.nodes, test, budget, nodes,
+  return walkWithin(nodesOf(shape), test, budget, nodes,
     [&](std::uint32_t index) noexcept
     {
       const Leaf& leaf = data.leaves[index];
       const DiscFilter filter(inSurface, leaf.origin_W, leaf.perUnit);
-      const int lanes = filter.touched(data.discs[2 * index]) | filter.touched(data.discs[2 * index + 1]) << 4;
+      const int lanes = filter.touched(discsOf(shape, 2 * index)) | filter.touched(discsOf(shape, 2 * index + 1)) << 4;
       for (std::uint32_t lane = 0; lane < leaf.count; ++lane)
       {
         if ((lanes >> lane) & 1)

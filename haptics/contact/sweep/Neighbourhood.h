@@ -47,9 +47,9 @@ private:
   template<class View>
   [[nodiscard]] bool gatherSurface(const View& view, std::uint32_t surface, const SweptBall& still,
     std::uint32_t budget, std::uint32_t& nodes) noexcept;
-  template<class View>
-  [[nodiscard]] bool gatherLeaves(const View& view, std::uint32_t surface, const SweptBall& inSurface,
-    std::uint32_t budget, std::uint32_t& nodes) noexcept;
+  template<class View, class Shape>
+  [[nodiscard]] bool gatherLeaves(const View& view, const Shape& shape, std::uint32_t surface,
+    const SweptBall& inSurface, std::uint32_t budget, std::uint32_t& nodes) noexcept;
   template<class View>
   void add(const View& view, std::uint32_t surface, std::uint32_t leaf, std::uint32_t lane) noexcept;
 

@@ -28,8 +28,8 @@ inline constexpr double longWay2 = 1e4;
     [&f](const ActiveFeature& a) { return a.surface == f.surface && a.kind == f.kind && a.a == f.a && a.b == f.b; });
 }
 
-/// True if the way surely keeps clear of a triangle where it is now. Its disc in the tree holds all of the triangle's
-/// own way, so most that are asked for are not near; and to make a whole face of each would be most of a tick.
+/// True if the way surely keeps clear of a triangle where it is now. A triangle on its way has a ball where others have
+/// a disc, so many that are asked for are not near; and to make a whole face of each would be most of a tick.
 [[nodiscard]] inline bool isClear(const BentSurface& shape, std::uint32_t triangle, const SweptBall& m) noexcept
 {
   if (!shape.bends())
@@ -71,10 +71,10 @@ public:
   {
     const Leaf& leaf = this->data_.leaves[index];
     const DiscFilter filter(this->m_, leaf.origin_W, leaf.perUnit);
-    int lanes = filter.touched(this->data_.discs[2 * index]);
+    int lanes = filter.touched(discsOf(this->shape_, 2 * index));
     if (leaf.count > 4)
     {
-      lanes |= filter.touched(this->data_.discs[2 * index + 1]) << 4;
+      lanes |= filter.touched(discsOf(this->shape_, 2 * index + 1)) << 4;
     }
     lanes &= (1 << leaf.count) - 1;
     for (; lanes != 0; lanes &= lanes - 1)

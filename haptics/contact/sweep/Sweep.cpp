@@ -21,10 +21,9 @@ template<class Shape>
 void sweepSurface(const Shape& shape, std::uint32_t surface, const SweepQuery& query, const SweptBall& m,
   std::uint32_t budget, SweepHit& best) noexcept
 {
-  const SurfaceData& data = dataOf(shape);
   SurfaceSweep sweep(shape, surface, query, m, best);
-  walkNearFirst(data.nodes, { data.low_W, data.high_W }, m, budget, best,
-    [&sweep](std::uint32_t leaf) noexcept { sweep.testLeaf(leaf); });
+  walkNearFirst(
+    nodesOf(shape), boundsOf(shape), m, budget, best, [&sweep](std::uint32_t leaf) noexcept { sweep.testLeaf(leaf); });
 }
 
 /// The same over a list of faces that holds all that the way can touch.

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "haptics/contact/sweep/BoxTest.h"
 #include "haptics/contact/view/SweepQuery.h"
@@ -18,9 +17,10 @@ inline constexpr int mostPending = 96;
 
 /// Calls onLeaf(index) for the leaves that the way up to the best hit can touch, nearest first. Where the budget of
 /// visited nodes is met, best.freeUntil says up to where the way is proven free.
-template<class OnLeaf>
-void walkNearFirst(const std::vector<TreeNode>& nodes, const Box& bounds, const SweptBall& m, std::uint32_t budget,
-  SweepHit& best, OnLeaf onLeaf) noexcept
+/// Nodes: std::vector<TreeNode>, or BentNodes.
+template<class Nodes, class OnLeaf>
+void walkNearFirst(const Nodes& nodes, const Box& bounds, const SweptBall& m, std::uint32_t budget, SweepHit& best,
+  OnLeaf onLeaf) noexcept
 {
   struct Pending
   {
@@ -74,9 +74,9 @@ void walkNearFirst(const std::vector<TreeNode>& nodes, const Box& bounds, const 
 
 /// Calls onLeaf(index) for every leaf whose box the motion can touch, in no particular order, until it returns false.
 /// `nodes` counts what was visited; at the budget, or where onLeaf says so, the walk ends and the result is false.
-template<class OnLeaf>
-[[nodiscard]] bool walkWithin(const std::vector<TreeNode>& tree, const BoxTest& test, std::uint32_t budget,
-  std::uint32_t& nodes, OnLeaf onLeaf) noexcept
+template<class Nodes, class OnLeaf>
+[[nodiscard]] bool walkWithin(
+  const Nodes& tree, const BoxTest& test, std::uint32_t budget, std::uint32_t& nodes, OnLeaf onLeaf) noexcept
 {
   std::array<std::uint32_t, mostPending> stack;
   int top = 0;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "haptics/core/Types.h"
 #include "haptics/geometry/tree/SurfaceData.h"
@@ -12,7 +14,7 @@ namespace palpate
 {
 
 /// A surface in its own frame at one moment of the way that its vertices make. Answers the same questions as
-/// SurfaceData. Only the triangles that are asked for are computed; boxes and discs of the tree hold all of the way.
+/// SurfaceData. Only what is asked for is computed, triangles and boxes of the tree alike.
 /// Every vertex is moved on its own, the same way each time: faces that share one go on sharing it, bit for bit.
 class BentSurface
 {
@@ -42,12 +44,54 @@ public:
   {
     return this->data_.corners(t);
   }
+  /// How much of the tree's own vertices, and of each of its other places, is in where the vertices are now.
+  [[nodiscard]] std::array<double, 3> shares() const noexcept;
 
 private:
   const SurfaceData& data_;
   const VertexStart* from_;
   double share_;
 };
+
+/// The tree of a surface at that moment: a vertex is a mean of its places, so it is within the same mean of boxes that
+/// hold it there.
+class BentNodes
+{
+public:
+  explicit BentNodes(const BentSurface& shape) noexcept;
+  [[nodiscard]] bool empty() const noexcept { return this->data_.nodes.empty(); }
+  [[nodiscard]] TreeNode operator[](std::uint32_t index) const noexcept;
+  /// Around all of the surface.
+  [[nodiscard]] Box bounds() const noexcept;
+
+private:
+  const SurfaceData& data_;
+  std::array<double, 3> shares_;
+  double rounding_u_; ///< of a vertex on its way and of a mean of boxes, together
+};
+
+[[nodiscard]] inline const std::vector<TreeNode>& nodesOf(const SurfaceData& s) noexcept
+{
+  return s.nodes;
+}
+[[nodiscard]] inline Box boundsOf(const SurfaceData& s) noexcept
+{
+  return { s.low_W, s.high_W };
+}
+[[nodiscard]] inline const DiscQuad& discsOf(const SurfaceData& s, std::size_t quad) noexcept
+{
+  return s.discs[quad];
+}
+[[nodiscard]] inline BentNodes nodesOf(const BentSurface& s) noexcept
+{
+  return BentNodes(s);
+}
+[[nodiscard]] inline Box boundsOf(const BentSurface& s) noexcept
+{
+  return BentNodes(s).bounds();
+}
+/// Balls around four faces at that moment: discs without a normal.
+[[nodiscard]] DiscQuad discsOf(const BentSurface& s, std::size_t quad) noexcept;
 
 /// False for a triangle without area at this moment of its way: its sides are then those of other triangles.
 [[nodiscard]] bool hasArea(const BentSurface& s, const FaceRecord& face) noexcept;

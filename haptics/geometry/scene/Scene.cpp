@@ -66,12 +66,28 @@ bool anyPosed(const std::vector<Surface>& surfaces)
   return std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return !s.motion.isStill(); });
 }
 
-void include(Box& box, const Pose& pose, const SurfaceData& data)
+/// Around all places of the vertices, in the surface's own frame.
+Box boxAroundShape(const Surface& surface)
+{
+  const SurfaceData& data = surface.tree->data();
+  Box box{ data.low_W, data.high_W };
+  for (const PlaceBounds& place : data.places)
+  {
+    if (surface.from)
+    {
+      box.include(place.all.low_W);
+      box.include(place.all.high_W);
+    }
+  }
+  return box;
+}
+
+void include(Box& box, const Pose& pose, const Box& shape)
 {
   for (int corner = 0; corner < 8; ++corner)
   {
-    const Vec3 at_S((corner & 1) != 0 ? data.high_W.x() : data.low_W.x(),
-      (corner & 2) != 0 ? data.high_W.y() : data.low_W.y(), (corner & 4) != 0 ? data.high_W.z() : data.low_W.z());
+    const Vec3 at_S((corner & 1) != 0 ? shape.high_W.x() : shape.low_W.x(),
+      (corner & 2) != 0 ? shape.high_W.y() : shape.low_W.y(), (corner & 4) != 0 ? shape.high_W.z() : shape.low_W.z());
     box.include(pose.q * at_S + pose.p);
   }
 }
@@ -80,17 +96,17 @@ void include(Box& box, const Pose& pose, const SurfaceData& data)
 /// R (1 - cos(angle / 2)), which is R |q1 - q0|^2 / 2.
 Box boxAroundSkeleton(const Surface& surface)
 {
-  const SurfaceData& data = surface.tree->data();
+  const Box shape = boxAroundShape(surface);
   if (surface.motion.isStill())
   {
-    return { data.low_W, data.high_W };
+    return shape;
   }
   constexpr double most = std::numeric_limits<double>::max();
   Box box{ Vec3::Constant(most), Vec3::Constant(-most) };
   const RigidMotion& motion = surface.motion;
-  include(box, motion.begin_WS, data);
-  include(box, motion.end_WS, data);
-  const double radius = data.low_W.cwiseAbs().cwiseMax(data.high_W.cwiseAbs()).norm();
+  include(box, motion.begin_WS, shape);
+  include(box, motion.end_WS, shape);
+  const double radius = shape.low_W.cwiseAbs().cwiseMax(shape.high_W.cwiseAbs()).norm();
   const double sign = motion.begin_WS.q.dot(motion.end_WS.q) < 0.0 ? -1.0 : 1.0;
   const double turn2 = (motion.end_WS.q.coeffs() - sign * motion.begin_WS.q.coeffs()).squaredNorm();
   constexpr double rounding = 1e-12;

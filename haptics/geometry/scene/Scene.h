@@ -31,7 +31,7 @@ struct Surface
   Material material;
   RigidMotion motion = {};
   std::shared_ptr<const MaterialFields> fields = {}; ///< of the tree's vertices, or null
-  std::shared_ptr<const VertexStart> from = {};      ///< given: its vertices come from there; the tree has room for it
+  std::shared_ptr<const VertexStart> from = {};      ///< given: its vertices come from there; the tree has its bounds
   StandIn standsFor = {};
   std::uint64_t frame = 0; ///< names what the vertices are given in, whatever the pose
 };

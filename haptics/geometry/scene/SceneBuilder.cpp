@@ -53,15 +53,15 @@ std::string SurfaceReport::summary() const
 
 SceneBuilder::SceneBuilder(unsigned workers) : workers_(std::max(1u, workers)) {}
 
-bool SceneBuilder::knows(const std::vector<SurfaceInput>& inputs, const Scene* felt) const
+bool SceneBuilder::knows(const std::vector<SurfaceInput>& inputs) const
 {
-  const auto known = [this, felt](const SurfaceInput& input)
+  const auto known = [this](const SurfaceInput& input)
   {
     return std::any_of(this->kept_.begin(), this->kept_.end(),
       [&](const Kept& kept)
       {
         return kept.mesh == input.mesh && kept.lineRadius_u == input.lineRadius_u && kept.rawFields == input.fields &&
-               kept.material == input.material && (felt != nullptr || !kept.tree || kept.tree->wayName() == 0);
+               kept.material == input.material;
       });
   };
   return std::all_of(inputs.begin(), inputs.end(), known);
@@ -97,10 +97,6 @@ void SceneBuilder::bringUpToDate(const SurfaceInput& input, const Scene* felt, K
   {
     kept.report.name = input.name;
     kept.report.refitted = false;
-    if (felt == nullptr)
-    {
-      tighten(kept);
-    }
   }
   else if (!refit(input, felt, kept))
   {
@@ -144,16 +140,6 @@ void SceneBuilder::fitMaterial(const SurfaceInput& input, Kept& kept)
   if (!fit.fields.empty())
   {
     kept.fields = std::make_shared<const MaterialFields>(std::move(fit.fields));
-  }
-}
-
-/// Nothing comes from elsewhere any more: room for it would cost visits for nothing.
-void SceneBuilder::tighten(Kept& kept)
-{
-  if (kept.tree && kept.tree->wayName() != 0)
-  {
-    RefitResult fitted = kept.tree->refitted(kept.tree->mesh().vertices_W, std::move(kept.retired));
-    kept.retired = std::exchange(kept.tree, std::move(fitted.tree));
   }
 }
 

@@ -56,16 +56,15 @@ struct SceneBuildResult
 /// Cleans, plans and builds all trees eagerly. Off the servo thread; call from one thread at a time.
 /// The scene is the same, bit for bit, for any number of workers. A surface whose mesh object was in the
 /// previous build is reused, not built again. A surface that has the triangles of the previous surface of its name,
-/// with vertices elsewhere, keeps the shape of that surface's tree and is refitted. A tree with room for a way loses
-/// that room in the next build without `felt`.
+/// with vertices elsewhere, keeps the shape of that surface's tree and is refitted.
 class SceneBuilder
 {
 public:
   explicit SceneBuilder(unsigned workers = 1);
-  /// `felt`: what is felt now, if surfaces are to move from there (movingFrom): refitted trees have room for that way.
+  /// `felt`: what is felt now, if surfaces are to move from there (movingFrom): refitted trees have bounds of that way.
   [[nodiscard]] SceneBuildResult build(const std::vector<SurfaceInput>& inputs, const Scene* felt = nullptr);
   /// True if meshes and fields of all inputs were in the previous build: then build() takes no time worth a worker.
-  [[nodiscard]] bool knows(const std::vector<SurfaceInput>& inputs, const Scene* felt = nullptr) const;
+  [[nodiscard]] bool knows(const std::vector<SurfaceInput>& inputs) const;
   /// For a scene that is made from one of the builder's: no other has it. Any thread, at any time.
   [[nodiscard]] std::uint64_t takeRevision() { return ++this->revision_; }
 
@@ -86,7 +85,6 @@ private:
   [[nodiscard]] std::vector<Kept> takeKnown(const std::vector<SurfaceInput>& inputs);
   static void bringUpToDate(const SurfaceInput& input, const Scene* felt, Kept& kept);
   [[nodiscard]] static bool refit(const SurfaceInput& input, const Scene* felt, Kept& kept);
-  static void tighten(Kept& kept);
   [[nodiscard]] static CleanResult cleanInput(const SurfaceInput& input);
   [[nodiscard]] static Kept buildAnew(const SurfaceInput& input);
   [[nodiscard]] static Kept buildInOrder(const SurfaceInput& input);

@@ -2,6 +2,7 @@
 #include "haptics/geometry/scene/SceneMotion.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -15,13 +16,13 @@ bool sameSurface(const Surface& a, const Surface& b)
   return a.name == b.name && a.tree->contentHash() == b.tree->contentHash();
 }
 
-/// True if the tree of `next` has room for a way from anywhere that `was` is on its own, in the frame of both.
+/// True if the tree of `next` has bounds of a way from anywhere that `was` is on its own, in the frame of both.
 bool comesFrom(const Surface& was, const Surface& next)
 {
   return was.name == next.name && next.tree->wayName() == wayNameOf(was) && inOneFrame(was, next.frame, next.motion);
 }
 
-/// Still on a way whose room the same tree has.
+/// Still on a way whose bounds the same tree has.
 bool goesOn(const Surface& was, const Surface& next, double share)
 {
   return was.name == next.name && was.tree == next.tree && was.from && share < 1.0;
@@ -50,15 +51,28 @@ const Surface* findBent(const std::vector<Surface>& now, double share, const Sur
   return found != now.end() ? &*found : nullptr;
 }
 
-std::shared_ptr<const VertexStart> startAt(const Surface& was, double share)
+/// How much of each place of the way of `next` is where `was` is now: of a tree that is on its way already what is left
+/// of its start, else the vertices of `was` and those that it comes from (wayFrom in SceneBuilder.cpp has that order).
+std::array<double, 2> ofPlaces(const Surface& was, double share, const Surface& next)
+{
+  if (was.tree == next.tree)
+  {
+    return { (1.0 - share) * was.from->ofPlaces[0], (1.0 - share) * was.from->ofPlaces[1] };
+  }
+  return { share, 1.0 - share };
+}
+
+std::shared_ptr<const VertexStart> startAt(const Surface& was, double share, const Surface& next)
 {
   std::vector<Vec3> places_W = was.tree->mesh().vertices_W;
-  if (was.from && share < 1.0)
+  const bool onWay = was.from && share < 1.0;
+  if (onWay)
   {
     std::transform(was.from->vertices_W.begin(), was.from->vertices_W.end(), places_W.begin(), places_W.begin(),
       [share](const Vec3& begin, const Vec3& end) { return alongWay(begin, end, share); });
   }
-  return std::make_shared<const VertexStart>(std::move(places_W), was.tree->contentHash());
+  return std::make_shared<const VertexStart>(
+    std::move(places_W), was.tree->contentHash(), ofPlaces(was, onWay ? share : 1.0, next));
 }
 
 } // namespace
@@ -82,7 +96,7 @@ std::shared_ptr<const Scene> movingFrom(
     if (const Surface* const was = findBent(now.surfaces(), share, surfaces[i]))
     {
       surfaces[i].motion.begin_WS = was->motion.at(share);
-      surfaces[i].from = startAt(*was, share);
+      surfaces[i].from = startAt(*was, share, surfaces[i]);
       moves = true;
     }
   }

@@ -10,13 +10,17 @@
 namespace palpate
 {
 
-/// Both children of an inner node, coordinate by coordinate so that both boxes are tested at once.
-/// A child index with leafBit set names a leaf.
-struct alignas(16) TreeNode
+/// The boxes of both children of an inner node, coordinate by coordinate so that both are tested at once.
+struct alignas(16) NodeBoxes
 {
-  static constexpr std::uint32_t leafBit = 0x80000000u;
   std::array<std::array<double, 2>, 3> low_W; ///< [axis][child]
   std::array<std::array<double, 2>, 3> high_W;
+};
+
+/// An inner node. A child index with leafBit set names a leaf.
+struct TreeNode : NodeBoxes
+{
+  static constexpr std::uint32_t leafBit = 0x80000000u;
   std::array<std::uint32_t, 2> child;
 };
 

@@ -41,6 +41,21 @@ struct alignas(16) DiscQuad
   std::array<float, 4> radius;
 };
 
+/// Balls around four faces at another place of their way, in the unit of their leaf.
+struct alignas(16) BallQuad
+{
+  std::array<float, 4> cx, cy, cz;
+  std::array<float, 4> radius;
+};
+
+/// What bounds a surface at another place of its way: boxes for each node of the tree, balls for each quad of discs.
+struct PlaceBounds
+{
+  std::vector<NodeBoxes> nodes;
+  std::vector<BallQuad> balls;
+  Box all;
+};
+
 /// At most eight faces in a row, and where their discs are measured from.
 struct Leaf
 {
@@ -75,14 +90,15 @@ struct SurfaceData
   std::vector<FacePlane> faces;
   std::vector<DiscQuad> discs; ///< two a leaf
   std::vector<Leaf> leaves;
-  std::vector<TreeNode> nodes; ///< empty when there is a single leaf
+  std::vector<TreeNode> nodes;     ///< empty when there is a single leaf
+  std::vector<PlaceBounds> places; ///< where else the vertices may be; nodes and discs are of where they are
   Vec3 low_W = Vec3::Zero();
   Vec3 high_W = Vec3::Zero();
   std::vector<std::uint32_t> fanStart; ///< triangles around vertex v: fan[fanStart[v] .. fanStart[v + 1])
   std::vector<std::uint32_t> fan;
   std::uint64_t contentHash = 0;
   std::uint64_t topologyHash = 0;
-  std::uint64_t wayName = 0; ///< of the places beside the vertices' own that boxes and discs hold; 0: none
+  std::uint64_t wayName = 0; ///< of `places`; 0: there are none
 
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 

@@ -13,15 +13,14 @@ namespace palpate
 namespace
 {
 
-/// `local`: its centre from the leaf's origin, in the leaf's unit, as is its radius.
-void writeDisc(DiscQuad& quad, int lane, const Vec3& local, const Vec3& normal, double radius)
+/// Centre and radius of a disc or a ball. `local`: its centre from the leaf's origin, in the leaf's unit, as is its
+/// radius.
+template<class Quad>
+void writeBall(Quad& quad, int lane, const Vec3& local, double radius)
 {
   quad.cx[lane] = static_cast<float>(local.x());
   quad.cy[lane] = static_cast<float>(local.y());
   quad.cz[lane] = static_cast<float>(local.z());
-  quad.nx[lane] = static_cast<float>(normal.x());
-  quad.ny[lane] = static_cast<float>(normal.y());
-  quad.nz[lane] = static_cast<float>(normal.z());
   const double roundOff = 4e-7 * (local.cwiseAbs().sum() + radius);
   quad.radius[lane] = std::nextafter(static_cast<float>(radius + roundOff), std::numeric_limits<float>::infinity());
 }
@@ -29,7 +28,10 @@ void writeDisc(DiscQuad& quad, int lane, const Vec3& local, const Vec3& normal, 
 void setDisc(DiscQuad& quad, int lane, const FaceRecord& face, const Leaf& leaf)
 {
   const Disc disc = discOf(face.corner_W);
-  writeDisc(quad, lane, leaf.perUnit * (disc.centre_W - leaf.origin_W), face.normal_W, leaf.perUnit * disc.radius_u);
+  writeBall(quad, lane, leaf.perUnit * (disc.centre_W - leaf.origin_W), leaf.perUnit * disc.radius_u);
+  quad.nx[lane] = static_cast<float>(face.normal_W.x());
+  quad.ny[lane] = static_cast<float>(face.normal_W.y());
+  quad.nz[lane] = static_cast<float>(face.normal_W.z());
 }
 
 /// Of a sliver so thin that rounding of its sides makes of its normal what it likes.
@@ -117,15 +119,13 @@ void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept
   }
 }
 
-void layBalls(SurfaceData& data, std::size_t leafIndex, const std::array<Box, Leaf::capacity>& faceBoxes) noexcept
+void layBall(BallQuad& quad, int lane, const Leaf& leaf, const std::array<Vec3, 3>& corners_W) noexcept
 {
-  const Leaf& leaf = data.leaves[leafIndex];
-  for (std::uint32_t k = 0; k < leaf.count; ++k)
-  {
-    const Vec3 half = 0.5 * (faceBoxes[k].high_W - faceBoxes[k].low_W);
-    writeDisc(data.discs[2 * leafIndex + k / 4], static_cast<int>(k % 4),
-      leaf.perUnit * (faceBoxes[k].low_W + half - leaf.origin_W), Vec3::Zero(), leaf.perUnit * half.norm());
-  }
+  const auto& [a, b, c] = corners_W;
+  const Vec3 centre_W = (a + b + c) / 3.0;
+  const double radius2 =
+    std::max({ (a - centre_W).squaredNorm(), (b - centre_W).squaredNorm(), (c - centre_W).squaredNorm() });
+  writeBall(quad, lane, leaf.perUnit * (centre_W - leaf.origin_W), leaf.perUnit * std::sqrt(radius2));
 }
 
 std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept

@@ -34,9 +34,8 @@ struct Disc
 /// The discs of a leaf whose faces are there; data.discs has its room.
 void layDiscs(SurfaceData& data, std::size_t leafIndex) noexcept;
 
-/// The same for faces that come from elsewhere: a disc without a normal is a ball. `faceBoxes`: around all places of
-/// the corners of each face of the leaf, and so around the face on all of its way.
-void layBalls(SurfaceData& data, std::size_t leafIndex, const std::array<Box, Leaf::capacity>& faceBoxes) noexcept;
+/// The ball around a face that is elsewhere, its corners given.
+void layBall(BallQuad& quad, int lane, const Leaf& leaf, const std::array<Vec3, 3>& corners_W) noexcept;
 
 /// Hash of the triangles in the order of the leaves: the same for two surfaces whose features have the same numbers.
 [[nodiscard]] std::uint64_t hashTopology(const TriangleMesh& mesh) noexcept;

@@ -53,23 +53,20 @@ bool hasExtent(const FaceRecord& face)
   return face.normal_W.allFinite() && (face.sliver < certainlyFlat || !exactlyCollinear(a, b, c));
 }
 
-/// Around the corners of a face wherever they may be.
-Box boxOf(const SurfaceData& data, std::uint32_t triangle, const VertexWay* way)
+Box around(const std::array<Vec3, 3>& corners_W)
 {
-  const auto& [a, b, c] = data.cornersOf(triangle);
-  Box box{ a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c) };
-  for (std::size_t i = 0; way != nullptr && i < way->also.size(); ++i)
-  {
-    for (const std::uint32_t corner : data.corners(triangle))
-    {
-      box.include((*way->also[i])[corner]);
-    }
-  }
-  return box;
+  const auto& [a, b, c] = corners_W;
+  return { a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c) };
+}
+
+void include(Box& box, const Box& other)
+{
+  box.include(other.low_W);
+  box.include(other.high_W);
 }
 
 /// Around both children of a node.
-Box boxOf(const TreeNode& node)
+Box around(const NodeBoxes& node)
 {
   Box box;
   for (int axis = 0; axis < 3; ++axis)
@@ -81,63 +78,108 @@ Box boxOf(const TreeNode& node)
   return box;
 }
 
+/// Around each leaf where the vertices are, and at each of their other places.
+using LeafBoxes = std::vector<std::vector<Box>>;
+
+/// The faces of a leaf where they are now. Returns false where a triangle has no area, a segment no length.
+bool refitFaces(SurfaceData& data, const Leaf& leaf, const std::vector<FacePlane>& old, Box& box)
+{
+  for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
+  {
+    const FaceRecord face = makeFace(data, t, old[t].owned);
+    data.faces[t] = face;
+    if (!hasExtent(face))
+    {
+      return false;
+    }
+    t == leaf.first ? void(box = around(face.corner_W)) : include(box, around(face.corner_W));
+  }
+  return true;
+}
+
+/// The corners of a leaf's faces at another place.
+using LeafCorners = std::array<std::array<Vec3, 3>, Leaf::capacity>;
+
+Box cornersAt(const SurfaceData& data, const Leaf& leaf, const std::vector<Vec3>& places_W, LeafCorners& corners_W)
+{
+  Box box;
+  for (std::uint32_t k = 0; k < leaf.count; ++k)
+  {
+    const auto& [a, b, c] = data.corners(leaf.first + k);
+    corners_W[k] = { places_W[a], places_W[b], places_W[c] };
+    k == 0 ? void(box = around(corners_W[k])) : include(box, around(corners_W[k]));
+  }
+  return box;
+}
+
 /// Leaf by leaf, while its faces are at hand: memory is what this costs. Returns false where a triangle has no area, a
 /// segment no length.
-bool refitLeaves(
-  SurfaceData& data, const std::vector<FacePlane>& old, const VertexWay* way, std::vector<Box>& leafBoxes)
+bool refitLeaves(SurfaceData& data, const std::vector<FacePlane>& old,
+  const std::vector<const std::vector<Vec3>*>& also, LeafBoxes& boxes)
 {
   data.faces.resize(old.size());
   data.discs.resize(2 * data.leaves.size());
-  leafBoxes.reserve(data.leaves.size());
-  std::array<Box, Leaf::capacity> faceBoxes;
+  std::vector<LeafCorners> elsewhere_W(also.size());
   for (std::size_t index = 0; index < data.leaves.size(); ++index)
   {
     Leaf& leaf = data.leaves[index];
-    for (std::uint32_t k = 0; k < leaf.count; ++k)
+    if (!refitFaces(data, leaf, old, boxes[0][index]))
     {
-      const std::uint32_t t = leaf.first + k;
-      const FaceRecord face = makeFace(data, t, old[t].owned);
-      data.faces[t] = face;
-      if (!hasExtent(face))
+      return false;
+    }
+    Box hull = boxes[0][index];
+    for (std::size_t place = 0; place < also.size(); ++place)
+    {
+      boxes[place + 1][index] = cornersAt(data, leaf, *also[place], elsewhere_W[place]);
+      include(hull, boxes[place + 1][index]);
+    }
+    leaf = makeLeaf(hull, leaf.first, leaf.count);
+    layDiscs(data, index);
+    for (std::size_t place = 0; place < also.size(); ++place)
+    {
+      for (std::uint32_t k = 0; k < leaf.count; ++k)
       {
-        return false;
+        layBall(data.places[place].balls[2 * index + k / 4], static_cast<int>(k % 4), leaf, elsewhere_W[place][k]);
       }
-      faceBoxes[k] = boxOf(data, t, way);
     }
-    Box box = faceBoxes[0];
-    for (std::uint32_t k = 1; k < leaf.count; ++k)
-    {
-      box.include(faceBoxes[k].low_W);
-      box.include(faceBoxes[k].high_W);
-    }
-    leafBoxes.push_back(box);
-    leaf = makeLeaf(box, leaf.first, leaf.count);
-    way != nullptr ? layBalls(data, index, faceBoxes) : layDiscs(data, index);
   }
   return true;
 }
 
 /// A parent stands before its children: from the last node to the first, every child is done before it is asked for.
-void refitNodes(SurfaceData& data, const std::vector<Box>& leafBoxes)
+/// Returns what is around all of them. `to`: one for each node of the tree, or the nodes themselves.
+template<class Boxes>
+Box refitNodes(const std::vector<TreeNode>& nodes, const std::vector<Box>& leafBoxes, std::vector<Boxes>& to)
 {
-  for (auto node = data.nodes.rbegin(); node != data.nodes.rend(); ++node)
+  for (std::size_t i = nodes.size(); i-- > 0;)
   {
     for (std::size_t k = 0; k < 2; ++k)
     {
-      const std::uint32_t child = node->child[k];
+      const std::uint32_t child = nodes[i].child[k];
       const bool leaf = (child & TreeNode::leafBit) != 0;
-      const Box box = leaf ? leafBoxes[child & ~TreeNode::leafBit] : boxOf(data.nodes[child]);
+      const Box box = leaf ? leafBoxes[child & ~TreeNode::leafBit] : around(to[child]);
       for (int axis = 0; axis < 3; ++axis)
       {
         const auto along = static_cast<std::size_t>(axis);
-        node->low_W[along][k] = box.low_W[axis];
-        node->high_W[along][k] = box.high_W[axis];
+        to[i].low_W[along][k] = box.low_W[axis];
+        to[i].high_W[along][k] = box.high_W[axis];
       }
     }
   }
-  const Box all = data.nodes.empty() ? leafBoxes[0] : boxOf(data.nodes[0]);
+  return nodes.empty() ? leafBoxes[0] : around(to[0]);
+}
+
+void refitNodes(SurfaceData& data, const LeafBoxes& boxes)
+{
+  const Box all = refitNodes(data.nodes, boxes[0], data.nodes);
   data.low_W = all.low_W;
   data.high_W = all.high_W;
+  for (std::size_t place = 0; place < data.places.size(); ++place)
+  {
+    PlaceBounds& bounds = data.places[place];
+    bounds.nodes.resize(data.nodes.size());
+    bounds.all = refitNodes(data.nodes, boxes[place + 1], bounds.nodes);
+  }
 }
 
 } // namespace
@@ -170,12 +212,19 @@ RefitResult SurfaceTree::refitted(
   }
   std::unique_ptr<SurfaceData> data = this->roomForRefit(std::move(retired));
   data->mesh.vertices_W = std::move(vertices_W);
-  std::vector<Box> leafBoxes;
-  if (!refitLeaves(*data, old.faces, way, leafBoxes))
+  const std::vector<const std::vector<Vec3>*> also =
+    way != nullptr ? way->also : std::vector<const std::vector<Vec3>*>{};
+  data->places.resize(also.size());
+  for (PlaceBounds& place : data->places)
+  {
+    place.balls.resize(2 * data->leaves.size());
+  }
+  LeafBoxes boxes(1 + also.size(), std::vector<Box>(data->leaves.size()));
+  if (!refitLeaves(*data, old.faces, also, boxes))
   {
     return { nullptr, old.coat_u > 0.0 ? "a segment has no length any more" : "a triangle has become collinear" };
   }
-  refitNodes(*data, leafBoxes);
+  refitNodes(*data, boxes);
   data->coat_u = old.coat_u;
   data->wayName = way != nullptr ? way->name : 0;
   data->contentHash = hashContent(*data);

@@ -353,7 +353,12 @@ std::uint64_t SurfaceTree::wayName() const noexcept
 std::size_t SurfaceTree::bytes() const noexcept
 {
   const SurfaceData& d = *this->data_;
-  return sizeof(SurfaceData) + bytesOf(d.faces) + bytesOf(d.discs) + bytesOf(d.leaves) + bytesOf(d.nodes) +
+  std::size_t places = 0;
+  for (const PlaceBounds& place : d.places)
+  {
+    places += sizeof(place) + bytesOf(place.nodes) + bytesOf(place.balls);
+  }
+  return sizeof(SurfaceData) + places + bytesOf(d.faces) + bytesOf(d.discs) + bytesOf(d.leaves) + bytesOf(d.nodes) +
          bytesOf(d.fanStart) + bytesOf(d.fan);
 }
 

@@ -21,11 +21,14 @@ struct RefitResult
   std::string refusal;
 };
 
-/// Where else the vertices of a surface may be: its boxes have room for the straight ways between all these places.
+/// Where else the vertices of a surface may be, for one that comes from there: the tree keeps boxes of all these
+/// places, and those of any moment of a straight way between them are made of these (Gruenschloss et al. 2011 do so for
+/// motion blur).
 struct VertexWay
 {
-  std::uint64_t name = 0;                     ///< not 0; the tree keeps it: who may come from there knows it by that
-  std::vector<const std::vector<Vec3>*> also; ///< each one for each vertex of the mesh, in its order [u]
+  std::uint64_t name = 0; ///< not 0; the tree keeps it: who may come from there knows it by that
+  std::vector<const std::vector<Vec3>*>
+    also; ///< at most two; each has one for each vertex of the mesh, in its order [u]
 };
 
 /// A cleaned mesh with everything the tick needs beside it: tree, adjacency, normals. Immutable.
@@ -50,8 +53,7 @@ public:
   /// finite, a triangle that has become exactly collinear.
   /// `retired`: a tree of the same triangles whose memory the new one takes if nobody else holds it. Two trees in turn,
   /// one felt and one refitted, ask the system for no memory, which is half of the cost.
-  /// `way`: boxes that hold the vertices at other places too, for a surface that comes from there. They are looser, so
-  /// a query asks for more visits; nothing else differs, neither does the content.
+  /// `way`: other places whose bounds are kept too, for a surface that comes from there. The content does not differ.
   [[nodiscard]] RefitResult refitted(std::vector<Vec3> vertices_W, std::shared_ptr<const SurfaceTree> retired = nullptr,
     const VertexWay* way = nullptr) const;
 
@@ -62,7 +64,7 @@ public:
   [[nodiscard]] double coat_u() const noexcept;
   /// Hash of vertices, triangles and coat.
   [[nodiscard]] std::uint64_t contentHash() const noexcept;
-  /// Name of the way its boxes have room for; 0: they are tight.
+  /// Name of the way whose places it has bounds of; 0: none.
   [[nodiscard]] std::uint64_t wayName() const noexcept;
   /// Hash of the triangles as the tree has ordered them: where it is the same, features have the same numbers.
   [[nodiscard]] std::uint64_t topologyHash() const noexcept;

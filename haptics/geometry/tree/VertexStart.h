@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -16,10 +17,13 @@ struct VertexStart
 {
   std::vector<Vec3> vertices_W; ///< one for each vertex of the tree's mesh, in its order [u]
   std::uint64_t continues = 0;  ///< content of the surface that was felt there; 0: of none
-  std::uint64_t hash = 0;       ///< of these numbers
+  /// How the start is made of the places of the tree's VertexWay; what is left to 1 is the share of the tree's own
+  /// vertices.
+  std::array<double, 2> ofPlaces;
+  std::uint64_t hash = 0; ///< of vertices and content
 
-  VertexStart(std::vector<Vec3> start_W, std::uint64_t felt)
-    : vertices_W(std::move(start_W)), continues(felt), hash(hashOf(vertices_W, felt))
+  VertexStart(std::vector<Vec3> start_W, std::uint64_t felt, const std::array<double, 2>& ofPlaces_ = { 1.0, 0.0 })
+    : vertices_W(std::move(start_W)), continues(felt), ofPlaces(ofPlaces_), hash(hashOf(vertices_W, felt))
   {
   }
 

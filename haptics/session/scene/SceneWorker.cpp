@@ -52,7 +52,7 @@ void SceneWorker::launch(Commit commit)
 {
   this->next_.reset();
   // What only moves waits for nobody: a pose is felt with the next snapshot, and balls stay as large as they may be.
-  const bool known = this->builder_.knows(inputsOf(commit.surfaces), this->felt_.get());
+  const bool known = this->builder_.knows(inputsOf(commit.surfaces));
   auto build = [this, known, commit = std::move(commit), felt = this->felt_, largest_u = this->largestRadius_u_]
   {
     BuiltScene built = buildScene(this->builder_, commit.surfaces, felt.get());
