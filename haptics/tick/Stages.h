@@ -3,18 +3,18 @@
 
 #include "haptics/tick/StageList.h"
 #include "haptics/tick/stages/Blend.h"
-#include "haptics/tick/stages/ConstantForce.h"
 #include "haptics/tick/stages/Contact.h"
-#include "haptics/tick/stages/Coupling.h"
 #include "haptics/tick/stages/Engage.h"
-#include "haptics/tick/stages/Game.h"
-#include "haptics/tick/stages/Guide.h"
 #include "haptics/tick/stages/Hand.h"
 #include "haptics/tick/stages/HeldWalls.h"
 #include "haptics/tick/stages/Protect.h"
 #include "haptics/tick/stages/Report.h"
 #include "haptics/tick/stages/Samples.h"
 #include "haptics/tick/stages/Stiffness.h"
+#include "haptics/tick/stages/forces/ConstantForce.h"
+#include "haptics/tick/stages/forces/Coupling.h"
+#include "haptics/tick/stages/forces/Game.h"
+#include "haptics/tick/stages/forces/Guide.h"
 
 namespace palpate
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticCliSettings.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <stdexcept>
 

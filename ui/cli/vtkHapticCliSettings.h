@@ -2,6 +2,7 @@
 #ifndef vtkHapticCliSettings_h
 #define vtkHapticCliSettings_h
 
+#include <CLI/CLI.hpp>
 #include <deque>
 #include <string>
 #include <string_view>
