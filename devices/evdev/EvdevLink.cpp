@@ -11,8 +11,6 @@ namespace palpate
 namespace
 {
 
-constexpr std::int64_t stuckAfter_ns = 50000000;
-
 /// Hands each event that waits to take(event); for the first one it waits up to `timeout_ms`. False: the device is
 /// gone.
 template<class Take>
@@ -35,7 +33,7 @@ bool takeEvents(EvdevConnection& connection, int timeout_ms, Take take)
 } // namespace
 
 EvdevLink::EvdevLink(std::shared_ptr<EvdevBus> bus, HidEntry entry, const PidOutputOptions& options, const Clock& clock)
-  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock), trust_(options.trust)
+  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock), exchange_(options.trust)
 {
 }
 
@@ -73,8 +71,8 @@ std::string EvdevLink::prepare(FoundDevice found, const DeviceAbilities& least)
   const std::optional<Hand> hand = this->handOf(*device->input);
   const auto sayFound = [this, &hand]
   {
-    this->tell(hand);
-    this->presence_.found();
+    this->exchange_.tell(hand);
+    this->exchange_.presence.found();
   };
   this->held_.hold(std::move(device), sayFound);
   return {};
@@ -109,17 +107,9 @@ std::optional<EvdevLink::Hand> EvdevLink::handOf(const EvdevInput& input) noexce
   {
     return std::nullopt;
   }
-  this->outOfRange_ += hand->outOfRange ? 1 : 0;
+  this->counts_.outOfRange += hand->outOfRange ? 1 : 0;
   const PidScale& scale = this->options_.scale;
   return Hand{ { scale.toMetres(0, hand->at[0]), scale.toMetres(1, hand->at[1]), 0.0 }, hand->buttons };
-}
-
-/// One thread at a time: who holds the device.
-void EvdevLink::tell(const std::optional<Hand>& hand) noexcept
-{
-  this->handToServo_.write(hand);
-  this->handToWriter_.write(hand);
-  this->handKnown_ = hand.has_value();
 }
 
 void EvdevLink::detach() noexcept
@@ -129,13 +119,13 @@ void EvdevLink::detach() noexcept
   {
     device->engine->close();
   }
-  this->presence_.left();
+  this->exchange_.presence.left();
   this->held_.letGo();
 }
 
 void EvdevLink::lose(const std::shared_ptr<Attached>& device, const std::string& why)
 {
-  static_cast<void>(this->held_.letGo(device, why, [this] { this->presence_.lost(); }));
+  static_cast<void>(this->held_.letGo(device, why, [this] { this->exchange_.presence.lost(); }));
 }
 
 bool EvdevLink::readPass(int timeout_ms)
@@ -146,20 +136,20 @@ bool EvdevLink::readPass(int timeout_ms)
     return false;
   }
   std::optional<Hand> newest;
-  const std::uint64_t before = this->inputs_;
+  const std::uint64_t before = this->counts_.inputs;
   const bool there = takeEvents(*device->connection, timeout_ms,
     [&](const input_event& event)
     {
       if (device->input->take(event))
       {
         newest = this->handOf(*device->input);
-        ++this->inputs_;
+        ++this->counts_.inputs;
       }
     });
-  this->rate_.count(this->inputs_ - before, this->clock_.now_ns());
+  this->counts_.rate.count(this->counts_.inputs - before, this->clock_.now_ns());
   if (newest)
   {
-    this->held_.with(device, [&] { this->tell(newest); });
+    this->held_.with(device, [&] { this->exchange_.tell(newest); });
   }
   this->watchWriter();
   if (!there)
@@ -171,14 +161,10 @@ bool EvdevLink::readPass(int timeout_ms)
 
 void EvdevLink::watchWriter()
 {
-  const std::int64_t since_ns = this->writingSince_ns_;
-  const bool stuck = since_ns != notWriting && this->clock_.now_ns() - since_ns > stuckAfter_ns;
-  if (stuck && !this->writerStuck_)
+  if (this->writer_.hasStalled(this->clock_.now_ns()))
   {
-    this->presence_.stalled();
-    ++this->stalls_;
+    this->exchange_.presence.stalled();
   }
-  this->writerStuck_ = stuck;
 }
 
 bool EvdevLink::writePass()
@@ -191,29 +177,23 @@ bool EvdevLink::writePass()
     return false;
   }
   const std::uint64_t restarts = device->output->restarts();
-  this->writingSince_ns_ = now_ns;
+  this->writer_.begins(now_ns);
   const PidStep step = this->giveNext(*device, now_ns);
-  this->writingSince_ns_ = notWriting;
+  this->writer_.ends();
   if (step == PidStep::Failed)
   {
     const std::string why = "it does not take forces: " + device->connection->error();
     this->lose(device, why);
     device->engine->close();
   }
-  this->outputs_ += step == PidStep::Sent ? 1 : 0;
-  this->restarts_ += device->output->restarts() - restarts;
+  this->counts_.outputs += step == PidStep::Sent ? 1 : 0;
+  this->counts_.restarts += device->output->restarts() - restarts;
   return step == PidStep::Sent;
 }
 
 PidStep EvdevLink::giveNext(Attached& device, std::int64_t now_ns)
 {
-  // First its number: a command that is newer than that is taken for one that is late, never the other way round.
-  const std::uint64_t beat = this->beat_.load(std::memory_order_acquire);
-  const DeviceCommand& newest = this->commands_.read();
-  this->muted_ = this->muted_ && asksForForce(newest);
-  const std::optional<Hand>& hand = this->handToWriter_.read();
-  const PidOutput::Wish wish{ this->muted_ || !hand ? DeviceCommand{} : newest, beat, hand.value_or(Hand{}).p_D,
-    this->trust_ };
+  const PidOutput::Wish wish = this->exchange_.wish();
   const PidStep caughtUp = device.engine->catchUp();
   return caughtUp == PidStep::Idle ? device.output->step(now_ns, wish) : caughtUp;
 }
@@ -226,38 +206,21 @@ void EvdevLink::reattach(std::int64_t now_ns)
   {
     return;
   }
-  this->muted_ = true;
+  this->exchange_.mute();
   if (std::string problem = this->prepare(this->search_.again(*this->bus_), this->opened_); !problem.empty())
   {
     this->held_.say(std::move(problem));
   }
 }
 
-EvdevLink::Heard EvdevLink::heard() noexcept
-{
-  const bool steady = this->presence_.steady(); // first: the hand of a device that is found is there before
-  const std::optional<Hand>& newest = this->handToServo_.read();
-  return steady ? Heard{ true, newest } : Heard{};
-}
-
-void EvdevLink::command(const DeviceCommand& command) noexcept
-{
-  this->commands_.write(command);
-  this->beat_.store(this->beat_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
-}
-
 LinkReport EvdevLink::report() const
 {
   LinkReport report;
-  report.inputs = this->inputs_;
-  report.outOfRange = this->outOfRange_;
-  report.outputs = this->outputs_;
-  report.restarts = this->restarts_;
-  report.stalls = this->stalls_;
-  report.losses = this->presence_.losses();
-  report.inputRate_Hz = this->rate_.rate_Hz();
+  this->counts_.reportTo(report);
+  report.stalls = this->writer_.stalls();
+  report.losses = this->exchange_.presence.losses();
   this->held_.reportTo(report);
-  if (report.attached && !this->handKnown_)
+  if (report.attached && !this->exchange_.handKnown())
   {
     report.message = "it has not said yet where the hand is: move it";
   }
@@ -268,6 +231,12 @@ std::optional<EvdevLink::Found> EvdevLink::found() const
 {
   const std::lock_guard lock(this->foundMutex_);
   return this->found_;
+}
+
+std::optional<DeviceAbilities> EvdevLink::abilities() const
+{
+  const std::optional<Found> found = this->found();
+  return found ? std::optional(found->abilities) : std::nullopt;
 }
 
 } // namespace palpate

@@ -14,11 +14,11 @@
 #include "devices/evdev/EvdevInput.h"
 #include "devices/hid/pid/PidOutput.h"
 #include "devices/io/FindAgain.h"
+#include "devices/io/HandExchange.h"
 #include "devices/io/HeldDevice.h"
-#include "devices/io/Presence.h"
-#include "devices/io/ReportRate.h"
+#include "devices/io/LinkCounts.h"
+#include "devices/io/WriterWatch.h"
 #include "haptics/core/Clock.h"
-#include "haptics/realtime/TripleBuffer.h"
 
 namespace palpate
 {
@@ -43,25 +43,17 @@ public:
   /// Gives the driver what is most urgent. False: nothing to do now. Writer thread.
   bool writePass();
 
-  struct Hand
-  {
-    Vec3 p_D = Vec3::Zero(); ///< [m]
-    std::uint32_t buttons = 0;
-  };
-  struct Heard
-  {
-    bool there = false;       ///< now, and all the time since the last call
-    std::optional<Hand> hand; ///< none: it has not said yet where the hand is
-  };
+  using Hand = HandExchange::Hand;
+  using Heard = HandExchange::Heard;
   /// The newest. Servo thread; wait-free.
-  [[nodiscard]] Heard heard() noexcept;
+  [[nodiscard]] Heard heard() noexcept { return this->exchange_.heard(); }
   /// Servo thread; wait-free.
-  void command(const DeviceCommand& command) noexcept;
+  void command(const DeviceCommand& command) noexcept { this->exchange_.command(command); }
 
   /// Any thread but the servo's.
   [[nodiscard]] LinkReport report() const;
   /// What it is believed from now on. Any thread.
-  void trust(HeldTrust trust) noexcept { this->trust_ = trust; }
+  void trust(HeldTrust trust) noexcept { this->exchange_.trust(trust); }
   struct Found
   {
     DeviceAbilities abilities; ///< that it offers
@@ -69,6 +61,7 @@ public:
   };
   /// What showed when it was opened; none before. Any thread but the servo's.
   [[nodiscard]] std::optional<Found> found() const;
+  [[nodiscard]] std::optional<DeviceAbilities> abilities() const;
 
 private:
   /// All that lives as long as a device stays plugged in.
@@ -83,7 +76,6 @@ private:
   };
   [[nodiscard]] std::string prepare(FoundDevice found, const DeviceAbilities& least);
   [[nodiscard]] std::optional<Hand> handOf(const EvdevInput& input) noexcept;
-  void tell(const std::optional<Hand>& hand) noexcept;
   void lose(const std::shared_ptr<Attached>& device, const std::string& why);
   void reattach(std::int64_t now_ns);
   void watchWriter();
@@ -98,25 +90,12 @@ private:
   mutable std::mutex foundMutex_; ///< writer and owner only
   std::optional<Found> found_;
 
-  TripleBuffer<std::optional<Hand>> handToServo_;  ///< reader -> servo; none: not known yet
-  TripleBuffer<std::optional<Hand>> handToWriter_; ///< reader -> writer
-  TripleBuffer<DeviceCommand> commands_;           ///< servo -> writer
-  // Lines of their own: the servo reads and writes these every tick, and the reader counts every report.
-  alignas(64) Presence presence_;
-  alignas(64) std::atomic<std::uint64_t> beat_ = 0; ///< servo's: commands so far
-  alignas(64) ReportRate rate_;
-  std::atomic<HeldTrust> trust_;
-  std::atomic<bool> handKnown_ = false;
-  std::atomic<std::uint64_t> inputs_ = 0, outOfRange_ = 0; ///< reader's
-  std::atomic<std::uint64_t> stalls_ = 0;                  ///< reader's
-  std::atomic<std::uint64_t> outputs_ = 0, restarts_ = 0;  ///< writer's
-  std::atomic<std::int64_t> writingSince_ns_ = notWriting;
-  static constexpr std::int64_t notWriting = -1;
+  HandExchange exchange_;
+  LinkCounts counts_;
+  WriterWatch writer_;
 
-  DeviceAbilities opened_;   ///< writer's, and the owner's before: what it could do when it was opened
-  bool muted_ = false;       ///< writer's: until no force is asked for
-  SearchPause pause_;        ///< writer's
-  bool writerStuck_ = false; ///< reader's
+  DeviceAbilities opened_; ///< writer's, and the owner's before: what it could do when it was opened
+  SearchPause pause_;      ///< writer's
 };
 
 } // namespace palpate

@@ -8,8 +8,6 @@ namespace palpate
 namespace
 {
 
-constexpr std::int64_t perMs_ns = 1000000;
-constexpr std::int64_t stuckAfter_ns = 50 * perMs_ns;
 constexpr int firstReads = 10, firstRead_ms = 10; ///< a device that has something to say says it in that time
 
 constexpr const char* effectsTaken =
@@ -28,7 +26,7 @@ const char* missing(const DeviceAbilities& before, const DeviceAbilities& now) n
 } // namespace
 
 PidLink::PidLink(std::shared_ptr<HidBus> bus, HidEntry entry, const PidOutputOptions& options, const Clock& clock)
-  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock), trust_(options.trust)
+  : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock), exchange_(options.trust)
 {
 }
 
@@ -66,8 +64,8 @@ std::string PidLink::prepare(FoundDevice found, const DeviceAbilities& least)
   }
   const auto sayFound = [this, &hand]
   {
-    this->tell(hand);
-    this->presence_.found();
+    this->exchange_.tell(hand);
+    this->exchange_.presence.found();
   };
   this->held_.hold(std::move(device), sayFound);
   return {};
@@ -83,14 +81,6 @@ std::optional<PidLink::Hand> PidLink::firstHand(Attached& device)
       [&](std::span<const std::uint8_t> report) { this->take(device, report, hand); }));
   }
   return hand;
-}
-
-/// One thread at a time: the one that holds the device.
-void PidLink::tell(const std::optional<Hand>& hand) noexcept
-{
-  this->handToServo_.write(hand);
-  this->handToWriter_.write(hand);
-  this->handKnown_ = hand.has_value();
 }
 
 std::string PidLink::Attached::begin(HidBus& bus, const PidOutputOptions& options)
@@ -135,14 +125,14 @@ void PidLink::detach() noexcept
   {
     device->engine->close();
   }
-  this->presence_.left();
+  this->exchange_.presence.left();
   this->held_.letGo();
 }
 
 /// False: another thread has noticed the loss already.
 bool PidLink::lose(const std::shared_ptr<Attached>& device, const std::string& why)
 {
-  return this->held_.letGo(device, why, [this] { this->presence_.lost(); });
+  return this->held_.letGo(device, why, [this] { this->exchange_.presence.lost(); });
 }
 
 /// Nothing where another thread is sending that order already.
@@ -163,13 +153,13 @@ bool PidLink::readPass(int timeout_ms)
     return false;
   }
   std::optional<Hand> newest;
-  const std::uint64_t before = this->inputs_;
+  const std::uint64_t before = this->counts_.inputs;
   const int length = takeReports(*device->connection, timeout_ms,
     [&](std::span<const std::uint8_t> report) { this->take(*device, report, newest); });
-  this->rate_.count(this->inputs_ - before, this->clock_.now_ns());
+  this->counts_.rate.count(this->counts_.inputs - before, this->clock_.now_ns());
   if (newest)
   {
-    this->held_.with(device, [&] { this->tell(newest); });
+    this->held_.with(device, [&] { this->exchange_.tell(newest); });
   }
   if (length < 0)
   {
@@ -200,14 +190,14 @@ void PidLink::take(Attached& device, std::span<const std::uint8_t> report, std::
     newest =
       Hand{ { scale.toMetres(0, hand->at[0]), scale.toMetres(1, hand->at[1]), 0.0 }, hand->buttons, device.gripped };
     device.last = newest;
-    ++this->inputs_;
-    this->outOfRange_ += hand->outOfRange ? 1 : 0;
+    ++this->counts_.inputs;
+    this->counts_.outOfRange += hand->outOfRange ? 1 : 0;
     return;
   }
   const std::optional<PidState> state = device.engine->state(report);
   if (!state)
   {
-    ++this->strange_;
+    ++this->counts_.strange;
     return;
   }
   this->takeState(device, *state, newest);
@@ -242,16 +232,12 @@ void PidLink::takeState(Attached& device, const PidState& state, std::optional<H
 /// when the device takes anything again. Sending may hang as long: the reader has nothing else to do for a lost device.
 void PidLink::watchWriter(Attached& device)
 {
-  const std::int64_t since_ns = this->writingSince_ns_;
-  const bool stuck = since_ns != notWriting && this->clock_.now_ns() - since_ns > stuckAfter_ns;
-  if (stuck && !this->writerStuck_)
+  if (this->writer_.hasStalled(this->clock_.now_ns()))
   {
-    this->presence_.stalled();
-    ++this->stalls_;
+    this->exchange_.presence.stalled();
     device.stalled = true; // before the device can say that it has stopped
     device.stopPastTheWriter();
   }
-  this->writerStuck_ = stuck;
 }
 
 bool PidLink::writePass()
@@ -263,9 +249,9 @@ bool PidLink::writePass()
     this->reattach(now_ns);
     return false;
   }
-  this->writingSince_ns_ = now_ns;
+  this->writer_.begins(now_ns);
   const bool sent = this->writeTo(device, now_ns);
-  this->writingSince_ns_ = notWriting;
+  this->writer_.ends();
   return sent;
 }
 
@@ -276,21 +262,14 @@ bool PidLink::writeTo(const std::shared_ptr<Attached>& device, std::int64_t now_
     this->loseAndStop(device, now_ns, why);
     return true;
   }
-  // The number is read first: a command newer than its number is taken for a late one, never the other way round.
-  const std::uint64_t beat = this->beat_.load(std::memory_order_acquire);
-  const DeviceCommand& newest = this->commands_.read();
-  this->muted_ = this->muted_ && asksForForce(newest);
-  const std::optional<Hand>& hand = this->handToWriter_.read();
-  const PidOutput::Wish wish{ this->muted_ || !hand ? DeviceCommand{} : newest, beat, hand.value_or(Hand{}).p_D,
-    this->trust_ };
   const std::uint64_t restarts = device->output->restarts();
-  const PidOutput::Step step = device->output->step(now_ns, wish);
+  const PidOutput::Step step = device->output->step(now_ns, this->exchange_.wish());
   if (step == PidOutput::Step::Failed)
   {
     this->loseAndStop(device, now_ns, "it does not take forces: " + device->connection->error());
   }
-  this->outputs_ += step == PidOutput::Step::Sent ? 1 : 0;
-  this->restarts_ += device->output->restarts() - restarts;
+  this->counts_.outputs += step == PidOutput::Step::Sent ? 1 : 0;
+  this->counts_.restarts += device->output->restarts() - restarts;
   return step == PidOutput::Step::Sent;
 }
 
@@ -298,7 +277,7 @@ bool PidLink::writeTo(const std::shared_ptr<Attached>& device, std::int64_t now_
 /// hang again, and has had its order past the writer. The servo knows before the order is sent, for sending may hang.
 void PidLink::loseAndStop(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why)
 {
-  const bool answers = this->clock_.now_ns() - since_ns <= stuckAfter_ns;
+  const bool answers = this->clock_.now_ns() - since_ns <= WriterWatch::stuckAfter_ns;
   static_cast<void>(this->lose(device, why));
   if (answers && !device->engine->control(pid::stopAll))
   {
@@ -331,44 +310,26 @@ void PidLink::reattach(std::int64_t now_ns)
   {
     return;
   }
-  this->muted_ = true;
+  this->exchange_.mute();
   if (std::string problem = this->prepare(this->search_.again(*this->bus_), this->opened_); !problem.empty())
   {
     this->held_.say(std::move(problem));
   }
 }
 
-PidLink::Heard PidLink::heard() noexcept
-{
-  const bool steady = this->presence_.steady(); // first: the hand of a device that is found is there before
-  const std::optional<Hand>& newest = this->handToServo_.read();
-  return steady ? Heard{ true, newest } : Heard{};
-}
-
-void PidLink::command(const DeviceCommand& command) noexcept
-{
-  this->commands_.write(command);
-  this->beat_.store(this->beat_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
-}
-
 LinkReport PidLink::report() const
 {
   LinkReport report;
-  report.inputs = this->inputs_;
-  report.strange = this->strange_;
-  report.outOfRange = this->outOfRange_;
-  report.outputs = this->outputs_;
-  report.restarts = this->restarts_;
-  report.stalls = this->stalls_;
-  report.losses = this->presence_.losses();
-  report.inputRate_Hz = this->rate_.rate_Hz();
+  this->counts_.reportTo(report);
+  report.stalls = this->writer_.stalls();
+  report.losses = this->exchange_.presence.losses();
   this->held_.reportTo(report);
   const std::shared_ptr<Attached> device = this->held_.get();
   if (const char* const why = device != nullptr ? device->withoutForce.load() : nullptr)
   {
     report.message = why;
   }
-  if (report.attached && !this->handKnown_)
+  if (report.attached && !this->exchange_.handKnown())
   {
     report.message = "it has not said yet where the hand is: move it";
   }

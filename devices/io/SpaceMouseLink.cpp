@@ -70,11 +70,11 @@ bool SpaceMouseLink::readPass(int timeout_ms)
     this->reattach(this->clock_.now_ns());
     return false;
   }
-  const std::uint64_t before = this->inputs_;
+  const std::uint64_t before = this->counts_.inputs;
   const int length = takeReports(
     *device->connection, timeout_ms, [&](std::span<const std::uint8_t> report) { this->take(*device, report); });
-  this->rate_.count(this->inputs_ - before, this->clock_.now_ns());
-  if (this->inputs_ != before)
+  this->counts_.rate.count(this->counts_.inputs - before, this->clock_.now_ns());
+  if (this->counts_.inputs != before)
   {
     this->newsToServo_.write(this->news_);
   }
@@ -91,12 +91,12 @@ void SpaceMouseLink::take(const Attached& device, std::span<const std::uint8_t> 
   const SpaceMouseInput::Said said = device.input->take(report, this->news_.cap);
   if (said == SpaceMouseInput::Said::Nothing)
   {
-    ++this->strange_;
+    ++this->counts_.strange;
     return;
   }
-  ++this->inputs_;
+  ++this->counts_.inputs;
   ++this->news_.reports;
-  this->outOfRange_ += said == SpaceMouseInput::Said::OutOfRange ? 1 : 0;
+  this->counts_.outOfRange += said == SpaceMouseInput::Said::OutOfRange ? 1 : 0;
 }
 
 void SpaceMouseLink::reattach(std::int64_t now_ns)
@@ -121,11 +121,8 @@ std::optional<SpaceMouseLink::News> SpaceMouseLink::news() noexcept
 LinkReport SpaceMouseLink::report() const
 {
   LinkReport report;
-  report.inputs = this->inputs_;
-  report.strange = this->strange_;
-  report.outOfRange = this->outOfRange_;
+  this->counts_.reportTo(report);
   report.losses = this->presence_.losses();
-  report.inputRate_Hz = this->rate_.rate_Hz();
   this->held_.reportTo(report);
   return report;
 }

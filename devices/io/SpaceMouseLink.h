@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,8 +11,8 @@
 #include "devices/hid/SpaceMouseInput.h"
 #include "devices/io/FindAgain.h"
 #include "devices/io/HeldDevice.h"
+#include "devices/io/LinkCounts.h"
 #include "devices/io/Presence.h"
-#include "devices/io/ReportRate.h"
 #include "haptics/core/Clock.h"
 #include "haptics/realtime/TripleBuffer.h"
 
@@ -68,8 +67,7 @@ private:
 
   TripleBuffer<News> newsToServo_; ///< reader -> servo
   alignas(64) Presence presence_;  ///< a line of its own: the servo reads it every tick
-  alignas(64) ReportRate rate_;
-  std::atomic<std::uint64_t> inputs_ = 0, strange_ = 0, outOfRange_ = 0;
+  LinkCounts counts_;
   News news_;         ///< reader's
   SearchPause pause_; ///< reader's
 };

@@ -6,6 +6,7 @@
 #include "devices/io/broker/DBusBroker.h"
 #include "haptics/session/Warning.h"
 #include "haptics/session/settings/SessionSettings.h"
+#include "haptics/session/settings/TickFields.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkObjectFactory.h"
@@ -15,15 +16,6 @@ vtkStandardNewMacro(vtkHapticSession);
 namespace
 {
 using palpate::Vec3;
-
-palpate::HapticParameters Defaults()
-{
-  palpate::HapticParameters parameters;
-  parameters.stiffness_N_per_m = 500.0;
-  parameters.passivity.enabled = true;
-  parameters.map.scale_u_per_m = 1000.0;
-  return parameters;
-}
 
 bool SameMap(const palpate::WorkspaceMap& a, const palpate::WorkspaceMap& b)
 {
@@ -67,7 +59,7 @@ void vtkHapticSession::Internals::ShowState()
 
 vtkHapticSession::vtkHapticSession() : Impl(std::make_unique<Internals>())
 {
-  this->Impl->Parameters = Defaults();
+  this->Impl->Parameters = palpate::sessionDefaults();
   this->Refuse(this->Impl->Core.setParameters(this->Impl->Parameters));
   this->Impl->Chosen.name = "fed";
   this->Impl->LookForDevices();
@@ -279,6 +271,20 @@ void vtkHapticSession::Change(const char* setting, std::initializer_list<double>
   }
 }
 
+void vtkHapticSession::SetField(const char* setting, std::initializer_list<double> values)
+{
+  const std::vector<double> numbers(values);
+  this->Change(setting, values,
+    [&](palpate::HapticParameters& p) { palpate::setField(p, palpate::sessionSetting(setting), numbers); });
+}
+
+double* vtkHapticSession::GetField(const char* setting) const
+{
+  std::vector<double>& numbers = this->Impl->Fields[setting];
+  numbers = palpate::fieldOf(this->Impl->Parameters, palpate::sessionSetting(setting));
+  return numbers.data();
+}
+
 const char* vtkHapticSession::GetDescribed()
 {
   static const std::string json = palpate::describedAsJson();
@@ -309,42 +315,13 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
   {
     this->Impl->JudgeStability();
   }
+  if (before.contact.radius_u != parameters.contact.radius_u)
+  {
+    this->Impl->FollowWalls();
+  }
   this->Impl->FollowPlane();
   this->Impl->Feed(); // the hand stays where it is in the scene when the map changes
   this->Modified();
-}
-
-void vtkHapticSession::SetStiffness(double stiffness_N_per_m)
-{
-  this->Change(
-    "Stiffness", { stiffness_N_per_m }, [=](palpate::HapticParameters& p) { p.stiffness_N_per_m = stiffness_N_per_m; });
-}
-
-double vtkHapticSession::GetStiffness() const
-{
-  return this->Impl->Parameters.stiffness_N_per_m;
-}
-
-void vtkHapticSession::SetDamping(double damping_Ns_per_m)
-{
-  this->Change(
-    "Damping", { damping_Ns_per_m }, [=](palpate::HapticParameters& p) { p.damping_Ns_per_m = damping_Ns_per_m; });
-}
-
-double vtkHapticSession::GetDamping() const
-{
-  return this->Impl->Parameters.damping_Ns_per_m;
-}
-
-void vtkHapticSession::SetRadius(double radius_u)
-{
-  this->Change("Radius", { radius_u }, [=](palpate::HapticParameters& p) { p.contact.radius_u = radius_u; });
-  this->Impl->FollowWalls();
-}
-
-double vtkHapticSession::GetRadius() const
-{
-  return this->Impl->Parameters.contact.radius_u;
 }
 
 // Files -------------------------------------------------------------------------------------------------------------

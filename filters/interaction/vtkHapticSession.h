@@ -19,7 +19,8 @@
 #define vtkHapticSession_h
 
 #include "vtkHapticInteractionModule.h" // for the export macro
-#include "vtkHapticSessionMacros.h"     // for settings and read-outs
+#include "vtkHapticSessionFields.h"     // for settings that are fields of the tick
+#include "vtkHapticSessionMacros.h"     // for other settings and read-outs
 #include "vtkObject.h"
 
 #include <functional>       // for an argument
@@ -72,22 +73,13 @@ public:
    * start it stays off; StartEvent is the last moment to say where a program's hand begins, and comes again when scale,
    * rotation or offset change meanwhile. */
   ///@{
+  vtkHapticFieldsMacro();
   vtkHapticSettingMacro(DeviceName, const char*);
   vtkHapticSettingMacro(Hand, const char*);
   vtkHapticSwitchMacro(Wheel);
-  vtkHapticSettingMacro(DeadManButtons, int);
-  vtkHapticSwitchMacro(DeadManGrip);
   vtkHapticSettingMacro(PressDepth, double);
-  vtkHapticSettingMacro(Stiffness, double);
-  vtkHapticSettingMacro(Damping, double);
-  vtkHapticSwitchMacro(LimitStiffness);
-  vtkHapticSwitchMacro(Passivity);
-  vtkHapticSettingMacro(Delay, int);
-  vtkHapticSettingMacro(VelocityMethod, int);
-  vtkHapticSettingMacro(Radius, double);
   vtkHapticSwitchMacro(LimitRadius);
   vtkHapticSettingMacro(LineRadius, double);
-  vtkHapticSwitchMacro(ForceShading);
   vtkHapticSettingMacro(FrictionStatic, double);
   vtkHapticSettingMacro(FrictionKinetic, double);
   vtkHapticTransferMacro(Stiffness);
@@ -98,13 +90,6 @@ public:
   vtkHapticSwitchMacro(HoldWalls);
   vtkHapticSettingMacro(WallRate, double);
   vtkHapticSwitchMacro(PlaneGuide);
-  vtkHapticSettingMacro(Scale, double);
-  void SetRotation(double w, double x, double y, double z);
-  void SetRotation(const double wxyz[4]);
-  double* GetRotation() VTK_SIZEHINT(4);
-  void SetOffset(double x, double y, double z);
-  void SetOffset(const double offset_W[3]);
-  double* GetOffset() VTK_SIZEHINT(3);
   vtkHapticSettingMacro(StrokeSpeed, double);
   vtkHapticSettingMacro(ReplayFile, const char*);
   vtkHapticSettingMacro(RecordFile, const char*);
@@ -334,6 +319,9 @@ private:
   void Stop();
   /// Whether a described setting may have these values; else that is refused and said.
   bool Allows(const char* setting, std::initializer_list<double> values);
+  /// Setting and getting what is a field of the tick's parameters; the numbers stay until the same is asked for again.
+  void SetField(const char* setting, std::initializer_list<double> values);
+  double* GetField(const char* setting) const;
   /// Sets parameters changed by `change`, or keeps the old ones if they are refused or the setting allows no such
   /// values.
   void Change(const std::function<void(palpate::HapticParameters&)>& change);

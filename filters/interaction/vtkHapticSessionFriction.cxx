@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Friction: two coefficients that may come in either order, and what it does now; smooth forces over facets.
+// Friction: two coefficients that may come in either order, and what it does now.
 #include <algorithm>
 
 #include "vtkHapticSessionInternals.h"
@@ -37,16 +37,6 @@ double vtkHapticSession::GetFrictionKinetic() const
 double vtkHapticSession::GetFrictionKineticUsed() const
 {
   return this->Impl->Parameters.contact.friction.kinetic;
-}
-
-void vtkHapticSession::SetForceShading(bool on)
-{
-  this->Change([=](palpate::HapticParameters& p) { p.contact.shading = on; });
-}
-
-bool vtkHapticSession::GetForceShading() const
-{
-  return this->Impl->Parameters.contact.shading;
 }
 
 const char* vtkHapticSession::GetFrictionText() const

@@ -16,6 +16,7 @@
 #include "vtkHapticSession.h"
 #include "vtkTimeStamp.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,7 +30,8 @@ public:
 
   palpate::HapticSession Core;
   palpate::HapticParameters Parameters;
-  double FrictionKinetic = 0.0; ///< as set; the parameters have no more than the static one
+  std::map<std::string, std::vector<double>> Fields; ///< as they were asked for last
+  double FrictionKinetic = 0.0;                      ///< as set; the parameters have no more than the static one
   std::vector<palpate::KnownDevice> Known;
   vtkHapticMaterialSettings Materials;
   double LineRadius_u = 0.0;
@@ -81,8 +83,6 @@ public:
   static constexpr const char* OfSurface = "surface ";
   static constexpr const char* OfFormerSurface =
     "former surface"; ///< cleared; the next scene has it refused again, or not
-  double Rotation[4] = { 1.0, 0.0, 0.0, 0.0 };
-  double Offset[3] = { 0.0, 0.0, 0.0 };
   double Proxy[3] = { 0.0, 0.0, 0.0 };
   double Hand[3] = { 0.0, 0.0, 0.0 };
   double Force[3] = { 0.0, 0.0, 0.0 };

@@ -16,6 +16,44 @@
 #define vtkHapticRangeMacro(name)                                                                                      \
   void Set##name(double low, double high);                                                                             \
   double* Get##name() VTK_SIZEHINT(2)
+/// A setting that is a field of the tick's parameters: of one value, of on and off, of three numbers, of a quaternion
+/// (w, x, y, z).
+#define vtkHapticFieldMacro(name, type)                                                                                \
+  void Set##name(type value)                                                                                           \
+  {                                                                                                                    \
+    this->SetField(#name, { static_cast<double>(value) });                                                             \
+  }                                                                                                                    \
+  type Get##name() const                                                                                               \
+  {                                                                                                                    \
+    return static_cast<type>(*this->GetField(#name));                                                                  \
+  }
+#define vtkHapticFieldSwitchMacro(name) vtkHapticFieldMacro(name, bool) vtkBooleanMacro(name, bool)
+#define vtkHapticFieldVectorMacro(name)                                                                                \
+  void Set##name(double x, double y, double z)                                                                         \
+  {                                                                                                                    \
+    this->SetField(#name, { x, y, z });                                                                                \
+  }                                                                                                                    \
+  void Set##name(const double xyz[3])                                                                                  \
+  {                                                                                                                    \
+    this->SetField(#name, { xyz[0], xyz[1], xyz[2] });                                                                 \
+  }                                                                                                                    \
+  double* Get##name() VTK_SIZEHINT(3)                                                                                  \
+  {                                                                                                                    \
+    return this->GetField(#name);                                                                                      \
+  }
+#define vtkHapticFieldRotationMacro(name)                                                                              \
+  void Set##name(double w, double x, double y, double z)                                                               \
+  {                                                                                                                    \
+    this->SetField(#name, { w, x, y, z });                                                                             \
+  }                                                                                                                    \
+  void Set##name(const double wxyz[4])                                                                                 \
+  {                                                                                                                    \
+    this->SetField(#name, { wxyz[0], wxyz[1], wxyz[2], wxyz[3] });                                                     \
+  }                                                                                                                    \
+  double* Get##name() VTK_SIZEHINT(4)                                                                                  \
+  {                                                                                                                    \
+    return this->GetField(#name);                                                                                      \
+  }
 /// Three read-outs of a type.
 #define vtkHapticReadoutsMacro(type, first, second, third)                                                             \
   type Get##first() const;                                                                                             \

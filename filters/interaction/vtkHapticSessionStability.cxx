@@ -18,48 +18,6 @@ void vtkHapticSession::Internals::JudgeStability()
 
 // Settings ----------------------------------------------------------------------------------------------------------
 
-void vtkHapticSession::SetPassivity(bool on)
-{
-  this->Change([=](palpate::HapticParameters& p) { p.passivity.enabled = on; });
-}
-
-bool vtkHapticSession::GetPassivity() const
-{
-  return this->Impl->Parameters.passivity.enabled;
-}
-
-void vtkHapticSession::SetDelay(int ticks)
-{
-  this->Change(
-    "Delay", { static_cast<double>(ticks) }, [=](palpate::HapticParameters& p) { p.passivity.delay_ticks = ticks; });
-}
-
-int vtkHapticSession::GetDelay() const
-{
-  return static_cast<int>(this->Impl->Parameters.passivity.delay_ticks);
-}
-
-void vtkHapticSession::SetLimitStiffness(bool on)
-{
-  this->Change([=](palpate::HapticParameters& p) { p.limitStiffness = on; });
-}
-
-bool vtkHapticSession::GetLimitStiffness() const
-{
-  return this->Impl->Parameters.limitStiffness;
-}
-
-void vtkHapticSession::SetVelocityMethod(int method)
-{
-  this->Change("VelocityMethod", { static_cast<double>(method) },
-    [=](palpate::HapticParameters& p) { p.velocity.method = static_cast<palpate::VelocityMethod>(method); });
-}
-
-int vtkHapticSession::GetVelocityMethod() const
-{
-  return static_cast<int>(this->Impl->Parameters.velocity.method);
-}
-
 void vtkHapticSession::SetHand(const char* name)
 {
   const std::string wanted = name ? name : "";

@@ -32,6 +32,11 @@ const char* vtkHapticSession::GetProblem() const
   return this->Impl->Problem.c_str();
 }
 
+const char* vtkHapticSession::GetWarning() const
+{
+  return this->Impl->Warning.c_str();
+}
+
 double* vtkHapticSession::GetProxyPosition()
 {
   return this->Impl->Proxy;

@@ -144,11 +144,11 @@ void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double c
   r.peakForce_N = std::max(r.peakForce_N, s.force_D.norm());
   r.peakStabiliser_N = std::max(r.peakStabiliser_N, s.stabiliser_D.norm());
   if (s.gain == 1.0 && s.stiffnessFactor == 1.0 && !s.clamped && !s.riseLimited && !s.held && !s.deviceHolds &&
-      s.guideShare == 0.0 && this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
+      this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
   {
     const WorkspaceMap& map = this->parameters_.map;
     const Vec3 spring_D = map.directionToDevice(s.stiffness_N_per_m / map.scale_u_per_m * (s.proxy_W.p - s.device_W.p));
-    r.forceResidual_N = std::max(r.forceResidual_N, (s.force_D - s.stabiliser_D - spring_D).norm());
+    r.forceResidual_N = std::max(r.forceResidual_N, (s.force_D - s.besideContact_D - s.stabiliser_D - spring_D).norm());
   }
   this->cost_.add(cost_us);
   this->lateness_.add(r.elapsed_s, 1e6 * this->behind_s(wakeup));

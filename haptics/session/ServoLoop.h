@@ -29,7 +29,7 @@ struct LoopReport
   double elapsed_s = 0.0;         ///< from the first period to the last
   double peakForce_N = 0.0;
   double peakStabiliser_N = 0.0; ///< largest part of a force that passivity control added
-  double forceResidual_N = 0.0;  ///< largest |F - stabiliser - K (proxy - device)| while fully engaged and unlimited
+  double forceResidual_N = 0.0;  ///< largest |F - beside - stabiliser - K (proxy - device)| while engaged and unlimited
   Quantiles lateness;            ///< of the last 5 s [us]
   Quantiles cost;                ///< of all ticks [us]
   bool ended = false;            ///< the device has no more samples

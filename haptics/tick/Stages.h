@@ -4,22 +4,23 @@
 #include "haptics/tick/StageList.h"
 #include "haptics/tick/stages/Blend.h"
 #include "haptics/tick/stages/Contact.h"
-#include "haptics/tick/stages/Coupling.h"
 #include "haptics/tick/stages/Engage.h"
-#include "haptics/tick/stages/Game.h"
-#include "haptics/tick/stages/Guide.h"
 #include "haptics/tick/stages/Hand.h"
 #include "haptics/tick/stages/HeldWalls.h"
 #include "haptics/tick/stages/Protect.h"
 #include "haptics/tick/stages/Report.h"
 #include "haptics/tick/stages/Samples.h"
 #include "haptics/tick/stages/Stiffness.h"
+#include "haptics/tick/stages/forces/ConstantForce.h"
+#include "haptics/tick/stages/forces/Coupling.h"
+#include "haptics/tick/stages/forces/Game.h"
+#include "haptics/tick/stages/forces/Guide.h"
 
 namespace palpate
 {
 
-/// The tick. A force of one's own is added to rendered_D between Coupling and Engage, which lets it start small; Protect
-/// limits whatever has been rendered.
+/// The tick. A force of one's own is added to rendered_D between Coupling and Engage, which lets it start small;
+/// Protect limits whatever has been rendered.
 using TickStages = StageList< //
   stage::Requests,            // what the person asks for
   stage::Samples,             // whether the hand is where the device says
@@ -29,6 +30,7 @@ using TickStages = StageList< //
   stage::Contact,             // where the proxy rests
   stage::Coupling,            // spring and damper between the two
   stage::Guide,               // to a plane
+  stage::ConstantForce,       // the same wherever the hand is
   stage::HandGuard,           // what no hand does ends the force
   stage::Blend,               // a replaced scene never steps
   stage::GameArrival,         // of a labyrinth, after contact

@@ -26,9 +26,18 @@ struct TickContext
   bool seatFailed = false;        ///< the ball found no place
   Vec3 pull_D = Vec3::Zero();     ///< from the device to where contact draws it [m]
   double stretch_m = 0.0;         ///< of a plain spring that holds as much energy as the contact
-  Vec3 coupled_D = Vec3::Zero();  ///< force of spring, damper and guide, before blend and limits [N]
+  Vec3 coupled_D = Vec3::Zero();  ///< force of contact and what stands beside it, before blend and limits [N]
 
   [[nodiscard]] bool touchable() const noexcept { return this->input.scene != nullptr && !this->input.scene->empty(); }
+
+  /// A force that does not come from contact, whose work is no work of the contact.
+  void addBesideContact(const Vec3& force_D) noexcept
+  {
+    this->s.besideContact_D += force_D;
+    this->out.state.besideContact_D = this->s.besideContact_D;
+    this->out.state.rendered_D += force_D;
+    this->coupled_D = this->out.state.rendered_D;
+  }
 
   /// Ends the force until the person engages again. The first fault is the one that is told.
   void latch(Fault fault) noexcept

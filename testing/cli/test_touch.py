@@ -4,7 +4,10 @@
 import gzip
 import json
 import math
+import os
+import re
 import unittest
+from pathlib import Path
 
 from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, nifti_bytes, obj_text, vti_text, vtp_text
 
@@ -125,6 +128,32 @@ class OnAPlane(CommandLineTest):
         out = self.touch(rows, "--scale", 1000)
         self.assertEqual([(row["device_x"], row["device_y"], row["device_z"]) for row in out], [row[1:] for row in rows])
         self.assertAlmostEqual(out[1]["force_z"], 1000 * 0.3 / 1000, delta=PLACE)
+
+    def test_every_setting_of_the_page_is_an_option_with_that_default_and_is_felt(self):
+        # The page is written from the table of settings, and held to the table by plugin.properties.
+        page = (Path(os.environ["PALPATE_SOURCE_DIR"]) / "docs/program.md").read_text(encoding="utf-8")
+        options = re.findall(r"^\| `(--[\w-]+)(| V| X,Y,Z)` \| (.*); (.*) \|$", page, re.MULTILINE)
+        self.assertGreater(len(options), 8)
+        help_text = " ".join(self.succeed("touch", "--help").stdout.split())
+        rows = [(0.0, 0.0, 0.25, 0.5)] + [(n / 1024, n / 64, 0.25, -0.5) for n in range(1, 9)]
+        plain = self.touch(rows)
+        felt = [{key: value for key, value in row.items() if key != "cost_us"} for row in plain]
+        for option, value, sentence, default in options:
+            with self.subTest(option=option):
+                self.assertIn(sentence.split(";")[0], help_text)
+                if not value:
+                    self.touch(rows, option)
+                    continue
+                numbers = [] if default == "none" else [float(n) for n in re.findall(r"-?[\d.]+(?=[ ,]|$)", default)]
+                self.touch(rows, option, ",".join(map(repr, numbers)))
+                self.assertEqual(felt, [{key: row[key] for key in felt[0]} for row in self.read_rows()])
+                self.write_path(rows)
+                given = ",".join(repr(number + 0.125) for number in numbers)
+                run = self.run_palpate("touch", "plane.off", "--path", "path.csv", "--csv", "out.csv", option, given)
+                if run.returncode != 0:
+                    self.assertTrue(option in run.stderr, run.stderr)  # needs what this scene or path has not
+                else:
+                    self.assertNotEqual(felt, [{key: row[key] for key in felt[0]} for row in self.read_rows()])
 
     def test_two_files_make_one_scene(self):
         self.write_off("wall.off", WALL_POINTS, SQUARE_FACES)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What haptics/session/settings/ describes, as the proxy's properties and the user guide's tables write it.
+"""What haptics/session/settings/ describes, as properties, setters, the user guide's tables and the program's write it.
 
-Run by hand with the JSON of vtkHapticSession.GetDescribed() on its standard input it writes both files anew.
+`ninja -C build tables` runs it with the program that prints the tables as JSON: it writes what PLACES names anew.
 """
 
 import json
 import re
+import subprocess
 import sys
 from pathlib import Path
 from xml.sax.saxutils import escape
@@ -13,6 +14,8 @@ from xml.sax.saxutils import escape
 ROOT = Path(__file__).resolve().parents[2]
 XML = ROOT / "filters" / "interaction" / "HapticInteraction.xml"
 GUIDE = ROOT / "plugin" / "README.md"
+SETTERS = ROOT / "filters" / "interaction" / "vtkHapticSessionFields.h"
+PROGRAM = ROOT / "docs" / "program.md"
 
 SETTING_KIND = {"flag": "Int", "count": "Int", "choice": "Int", "number": "Double", "rotation": "Double",
                 "points": "Double", "text": "String"}
@@ -81,6 +84,22 @@ def readout_row(readout):
     return f"| {readout['title']} | `{readout['name']}`{unit} | {readout['sentence']} |\n"
 
 
+def setter(setting):
+    """One line of a macro that is a list of macros, where the setting is a field of the tick's parameters."""
+    kinds = {"flag": "SwitchMacro({})", "rotation": "RotationMacro({})"}
+    kind = kinds.get(setting["kind"], "Macro({}, int)" if setting["kind"] in ("count", "choice") else "Macro({}, double)")
+    kind = "VectorMacro({})" if len(setting["defaults"]) == 3 else kind
+    line = f"  vtkHapticField{kind.format(setting['name'])};" + " \\\n"
+    return line if setting["field"] else ""
+
+
+def option_row(setting):
+    value = "" if setting["kind"] == "flag" else " X,Y,Z" if len(setting["defaults"]) == 3 else " V"
+    said = [setting["sentence"], setting["allowed"], setting["path_default_words"]]
+    row = f"| `--{setting['option']}{value}` | {'; '.join(part for part in said if part)} |\n"
+    return row if setting["option"] else ""
+
+
 def between(text, begin, end):
     """What stands between the two marks, which stand once."""
     return text[text.index(begin) + len(begin):text.index(end)]
@@ -92,6 +111,8 @@ PLACES = (
     (XML, "      <!-- Read-outs -->\n", "    </HapticSessionProxy>\n", "readouts", readout_xml),
     (GUIDE, "| takes effect |\n|---|---|---|---|\n", "\nWithout a title", "settings", setting_row),
     (GUIDE, "| meaning |\n|---|---|---|\n", "\n## With the mouse", "readouts", readout_row),
+    (SETTERS, "#define vtkHapticFieldsMacro() \\\n", "  /* the end", "settings", setter),
+    (PROGRAM, "| option of `touch` | what it sets |\n|---|---|\n", "\nThe program reads", "settings", option_row),
 )
 
 
@@ -103,4 +124,4 @@ def write(described):
 
 
 if __name__ == "__main__":
-    write(json.load(sys.stdin))
+    write(json.loads(subprocess.run(sys.argv[1:], check=True, capture_output=True, text=True).stdout))

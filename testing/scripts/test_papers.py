@@ -3,10 +3,14 @@
 
 import os
 import re
+import sys
 import unittest
 from pathlib import Path
 
 import test_readme
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "plugin"))
+import described  # noqa: E402
 
 ROOT = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().parents[2])
 SCREEN_COLUMNS, THREE_SCREENS = 100, 130
@@ -106,13 +110,40 @@ class Recipes(unittest.TestCase):
         for first_line in blocks:
             self.assertIn(first_line.removeprefix("// "), compiled)
 
-    def test_the_files_of_a_setting_are_all_that_name_it(self):
-        page = (self.FOLDER / "add-a-setting.md").read_text(encoding="utf-8")
-        listed = re.findall(r"^\| `([^`]+)` \|", page, re.MULTILINE)
+    def read(self, name):
+        return (self.FOLDER / name).read_text(encoding="utf-8")
+
+    def listed_and_naming(self, page, *besides):
+        """Files of the page's first table, and all that name its setting besides those. No device knows of settings: a
+        constant force is a word of USB too."""
         setting = re.search(r"\(`(\w+)`\)", page).group(1)
-        naming = [str(path.relative_to(ROOT)) for folder in FOLDERS if folder != "docs" for path in (ROOT / folder).rglob("*")
-                  if path.suffix in (".h", ".cpp", ".cxx", ".xml", ".py", ".md") and setting in path.read_text(encoding="utf-8")]
-        self.assertEqual(sorted(listed), sorted(naming))
+        option = re.sub("(?<!^)([A-Z])", r"-\1", setting).lower()
+        name = re.compile(rf"(?<!set){setting}|--{option}")
+        places = [ROOT / "CHANGELOG.md", *(path for folder in FOLDERS for path in (ROOT / folder).rglob("*"))]
+        naming = {str(path.relative_to(ROOT)) for path in places
+                  if path.suffix in (".h", ".cpp", ".cxx", ".xml", ".py", ".md") and self.FOLDER not in path.parents and "devices" not in path.parts
+                  and name.search(path.read_text(encoding="utf-8"))}
+        return sorted(re.findall(r"^\| `([^`]+)` \|", page, re.MULTILINE)), sorted(naming - set(besides))
+
+    def test_the_files_of_a_setting_are_all_that_name_it(self):
+        listed, naming = self.listed_and_naming(self.read("add-a-setting.md"), "CHANGELOG.md")
+        self.assertEqual(listed, naming)
+
+    def test_a_force_with_a_setting_takes_six_files_besides_those_that_are_written_from_the_table(self):
+        written = {str(place[0].relative_to(ROOT)) for place in described.PLACES}
+        listed, naming = self.listed_and_naming(self.read("add-a-force.md"), *written)
+        self.assertEqual(listed, naming)
+        self.assertLessEqual(len(listed), 6)
+
+    def test_a_force_stands_in_the_tree_as_the_page_shows_it(self):
+        page = self.read("add-a-force.md")
+        for name, text in re.findall(r"^```cpp\n// (\S+)\n(.*?)^```$", page, re.DOTALL | re.MULTILINE):
+            self.assertEqual((ROOT / name).read_text(encoding="utf-8"), text)
+        pieces = re.findall(r"^```diff\n\+{3} (\S+)\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+        self.assertEqual(len(pieces), 2)
+        for name, lines in pieces:
+            for line in lines.splitlines():
+                self.assertIn(line.removeprefix("+") + "\n", (ROOT / name).read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

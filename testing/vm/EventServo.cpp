@@ -11,9 +11,9 @@ namespace palpate::test
 namespace
 {
 
-PidDeviceOptions driverOptions()
+PushedDeviceOptions driverOptions()
 {
-  PidDeviceOptions options;
+  PushedDeviceOptions options;
   options.output.trust = { true, true };
   PidScale& scale = options.output.scale;
   scale.springStiffness_N_per_m = VirtualDriver::springGain * scale.maxForce_N / scale.halfTravel_m;

@@ -17,7 +17,7 @@ struct EventServo : Ticking
   EventServo(std::uint16_t vendor, std::uint16_t product);
 
   /// The scale of the virtual driver.
-  PidDeviceOptions options;
+  PushedDeviceOptions options;
   std::shared_ptr<EvdevBus> bus = systemEvdevBus();
   HidEntry entry;
   EvdevDevice device;

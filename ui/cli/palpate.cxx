@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "haptics/session/settings/SessionSettings.h"
-#include "haptics/tick/HapticParameters.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliMaterials.h"
 #include "vtkHapticCliProblem.h"
@@ -30,15 +29,6 @@ struct Arguments
   vtkHapticCliTurnOptions Turn;
 };
 
-/// What a setting of the session is, for the option that sets the same here.
-std::string Described(const char* setting)
-{
-  const palpate::Setting& described = palpate::sessionSetting(setting);
-  const std::string unit =
-    described.unit.empty() || described.unit == "1" ? "" : " [" + std::string(described.unit) + "]";
-  return std::string(described.sentence) + unit;
-}
-
 void AddDevices(CLI::App& app, Arguments& arguments)
 {
   CLI::App* command = app.add_subcommand("devices", "what is attached, what each can do, why one cannot be used");
@@ -47,7 +37,7 @@ void AddDevices(CLI::App& app, Arguments& arguments)
     "ID: check that device with the person who holds it; a simulated hand does what is asked");
   test->excludes(json);
   command->add_flag("--keep", arguments.Keep, "what the check found, to be applied from now on")->needs(test);
-  command->add_flag("--wheel", arguments.Wheel, Described("Wheel"))->needs(test);
+  command->add_flag("--wheel", arguments.Wheel, std::string(palpate::sessionSetting("Wheel").sentence))->needs(test);
 }
 
 void AddCheck(CLI::App& app, Arguments& arguments)
@@ -59,14 +49,11 @@ void AddCheck(CLI::App& app, Arguments& arguments)
       "FILE", options.File, "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso; lines: vtp, svg, png")
     ->required();
   command->add_option("--iso", options.Iso, "value of the surface in an image");
-  command->add_option("--radius", options.Radius_u, "does a ball of this radius fit? [scene units]");
+  options.Settings.Add(*command, "Radius", "does it fit?");
   command->add_flag("--force-radius", options.ForceRadius, "that ball, although a tick may run out of its work");
-  command
-    ->add_option("--line-radius", options.LineRadius_u,
-      "lines are tubes of this radius [scene units]; 0: walls across the plane z = 0")
-    ->capture_default_str();
-  command->add_option("--mu-static", options.MuStatic, Described("FrictionStatic"))->capture_default_str();
-  command->add_option("--mu-kinetic", options.MuKinetic, Described("FrictionKinetic") + "; without it the static one");
+  options.Settings.Add(*command, "LineRadius", "at 0 walls across the plane z = 0");
+  options.Settings.Add(*command, "FrictionStatic");
+  options.Settings.Add(*command, "FrictionKinetic", "without it the static one");
   vtkHapticCliAddMaterials(*command, options.Materials);
   command->add_flag("--simplify", options.Simplify, "with how few triangles it would feel the same, proven");
   command->add_flag("--json", options.Json, "for a program to read");
@@ -84,14 +71,7 @@ void AddTouch(CLI::App& app, Arguments& arguments)
     ->required();
   command->add_option("--csv", options.Output, "OUT.csv: a row per tick")->required();
   command->add_option("--iso", options.Iso, "value of the surface in an image");
-  command->add_option("--radius", options.Radius_u, Described("Radius"))->capture_default_str();
-  command->add_flag("--limit-radius", options.LimitRadius, Described("LimitRadius"));
-  command->add_option("--line-radius", options.LineRadius_u, Described("LineRadius"))->capture_default_str();
-  command->add_option("--stiffness", options.Stiffness_N_per_m, Described("Stiffness"))->capture_default_str();
-  command->add_option("--scale", options.Scale_u_per_m, Described("Scale"))->capture_default_str();
-  command->add_option("--mu-static", options.MuStatic, Described("FrictionStatic"))->capture_default_str();
-  command->add_option("--mu-kinetic", options.MuKinetic, Described("FrictionKinetic") + "; without it the static one");
-  command->add_flag("--shading", options.Shading, Described("ForceShading"));
+  options.Settings.AddAll(*command);
   vtkHapticCliAddMaterials(*command, options.Materials);
   command->add_flag("--two-d", options.TwoD, "lines in the plane z = 0 are walls, felt in that plane");
 }
@@ -156,21 +136,12 @@ void CheckNumber(const char* option, double value, bool zeroAllowed, const char*
   }
 }
 
-/// The same number that the session's setting takes.
-void CheckSetting(const char* option, const char* setting, double value)
-{
-  const std::array<double, 1> values = { value };
-  if (const std::string problem = palpate::refuse(palpate::sessionSetting(setting), values, option); !problem.empty())
-  {
-    throw vtkHapticCliProblem(problem);
-  }
-}
-
 /// What has no meaning among lines without width is refused rather than ignored.
 void CheckTwoD(const vtkHapticCliTouchOptions& options)
 {
   const std::array<std::pair<const char*, bool>, 4> others = { { { "--iso", options.Iso.has_value() },
-    { "--line-radius", options.LineRadius_u != 0.0 }, { "--shading", options.Shading },
+    { "--line-radius", options.Settings.Number("LineRadius") != 0.0 },
+    { "--shading", options.Settings.Number("ForceShading") != 0.0 },
     { "arrays of materials", !options.Materials.Empty() } } };
   for (const auto& [name, given] : others)
   {
@@ -182,41 +153,20 @@ void CheckTwoD(const vtkHapticCliTouchOptions& options)
   }
 }
 
-void CheckFriction(double muStatic, const std::optional<double>& muKinetic)
-{
-  CheckSetting("--mu-static", "FrictionStatic", muStatic);
-  if (muKinetic)
-  {
-    CheckSetting("--mu-kinetic", "FrictionKinetic", *muKinetic);
-  }
-  palpate::HapticParameters parameters;
-  parameters.contact.friction = { muStatic, muKinetic.value_or(muStatic) };
-  if (const std::string problem = parameters.validate(); !problem.empty())
-  {
-    throw vtkHapticCliProblem("--mu-static, --mu-kinetic: " + problem);
-  }
-}
-
 int Touch(const vtkHapticCliTouchOptions& options)
 {
   if (options.TwoD)
   {
     CheckTwoD(options);
   }
-  CheckSetting("--radius", "Radius", options.Radius_u);
-  CheckSetting("--line-radius", "LineRadius", options.LineRadius_u);
-  CheckSetting("--stiffness", "Stiffness", options.Stiffness_N_per_m);
-  CheckSetting("--scale", "Scale", options.Scale_u_per_m);
-  CheckFriction(options.MuStatic, options.MuKinetic);
+  options.Settings.Check();
   vtkHapticCliCheckMaterials(options.Materials);
   return vtkHapticCliTouch(options);
 }
 
 int Check(const vtkHapticCliCheckOptions& options)
 {
-  CheckSetting("--radius", "Radius", options.Radius_u);
-  CheckSetting("--line-radius", "LineRadius", options.LineRadius_u);
-  CheckFriction(options.MuStatic, options.MuKinetic);
+  options.Settings.Check();
   vtkHapticCliCheckMaterials(options.Materials);
   return vtkHapticCliCheck(options);
 }

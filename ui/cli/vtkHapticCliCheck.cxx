@@ -138,13 +138,13 @@ Choice ChoiceOf(const Subject& subject, const vtkHapticCliCheckOptions& options)
   const palpate::Scene& scene = subject.Scene;
   Choice choice;
   palpate::TouchChoice touch;
-  touch.plan.radius_u = options.Radius_u;
+  touch.plan.radius_u = options.Settings.Number("Radius");
   choice.Surfaces = SurfaceChoicesOf(subject, options.Simplify);
   choice.Radius = palpate::radiusLimit(scene, palpate::planFor(scene, touch.plan));
-  touch.asked_u = options.Radius_u;
+  touch.asked_u = options.Settings.Number("Radius");
   touch.largest_u = choice.Radius.largest_u;
   touch.plan.radius_u = palpate::chosenRadius_u(touch.asked_u, touch.largest_u, !options.ForceRadius);
-  touch.plan.friction = { options.MuStatic, options.MuKinetic.value_or(options.MuStatic) };
+  touch.plan.friction = options.Settings.Friction();
   touch.plan = palpate::planFor(scene, touch.plan);
   touch.frictionFromData = palpate::hasOwnFriction(scene);
   choice.Sentence = palpate::planSentence(choice.Surfaces, touch);
@@ -309,7 +309,7 @@ Input Read(const vtkHapticCliCheckOptions& options)
 {
   const std::string& file = options.File;
   const vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, options.Iso, options.Materials, true);
-  if (options.LineRadius_u > 0.0 && !surface.Lines)
+  if (options.Settings.Number("LineRadius") > 0.0 && !surface.Lines)
   {
     throw vtkHapticCliProblem(file + ": it has no lines; leave out --line-radius");
   }
@@ -318,9 +318,9 @@ Input Read(const vtkHapticCliCheckOptions& options)
   {
     input.Add(surface.Input, surface.Material);
   }
-  if (options.LineRadius_u > 0.0)
+  if (options.Settings.Number("LineRadius") > 0.0)
   {
-    input.Add(vtkHapticCliTubesOf(file, surface, options.LineRadius_u), surface.LineMaterial);
+    input.Add(vtkHapticCliTubesOf(file, surface, options.Settings.Number("LineRadius")), surface.LineMaterial);
   }
   if (!input.Surfaces.empty())
   {
@@ -331,7 +331,7 @@ Input Read(const vtkHapticCliCheckOptions& options)
     throw vtkHapticCliProblem(file + ": lines as walls are felt without arrays of materials; leave those out, or " +
                               "make tubes of the lines (--line-radius)");
   }
-  input.Surfaces = { vtkHapticCliWallsOf(file, surface, options.Radius_u) };
+  input.Surfaces = { vtkHapticCliWallsOf(file, surface, options.Settings.Number("Radius")) };
   input.Lines = surface.Lines;
   return input;
 }

@@ -8,6 +8,7 @@
 
 #include "haptics/labyrinth/Labyrinth.h"
 
+#include "vtkHapticCliSettings.h"
 #include "vtkHapticMaterialArrays.h"
 
 /// The commands of the program `palpate`. Each returns the exit code and throws vtkHapticCliProblem for bad input.
@@ -40,12 +41,9 @@ struct vtkHapticCliCheckOptions
   std::string File;
   std::optional<double> Iso;
   vtkHapticMaterialSettings Materials;
-  bool Simplify = false; ///< also with how few triangles it would feel the same, which takes a while
-  double Radius_u = 0.0;
-  bool ForceRadius = false;  ///< although a tick may run out of its work
-  double LineRadius_u = 0.0; ///< of the tubes as which lines are touched; 0: lines are walls
-  double MuStatic = 0.0;
-  std::optional<double> MuKinetic;
+  bool Simplify = false;         ///< also with how few triangles it would feel the same, which takes a while
+  bool ForceRadius = false;      ///< a ball as large as asked for, although a tick may run out of its work
+  vtkHapticCliSettings Settings; ///< with a LineRadius of 0 lines are walls
   bool Json = false;
 };
 
@@ -59,16 +57,9 @@ struct vtkHapticCliTouchOptions
   std::string Path;
   std::string Output;
   std::optional<double> Iso;
-  double Radius_u = 0.0;
-  bool LimitRadius = false;
-  double LineRadius_u = 0.0;
-  double MuStatic = 0.0;
-  std::optional<double> MuKinetic;
-  bool Shading = false;
   bool TwoD = false; ///< lines in the plane z = 0, felt by a disc
   vtkHapticMaterialSettings Materials;
-  double Stiffness_N_per_m = 1000.0;
-  double Scale_u_per_m = 1.0;
+  vtkHapticCliSettings Settings;
 };
 
 /// The tick along a given device path: one row of Path, one tick, one row of Output.

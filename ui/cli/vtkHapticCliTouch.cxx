@@ -24,10 +24,10 @@ constexpr double OnlyTickSeconds = 1e-3; // of a path of one row, which has no d
 palpate::HapticParameters ParametersOf(const vtkHapticCliTouchOptions& options)
 {
   palpate::HapticParameters parameters;
-  parameters.stiffness_N_per_m = options.Stiffness_N_per_m / options.Scale_u_per_m;
-  parameters.contact.radius_u = options.Radius_u;
-  parameters.contact.friction = { options.MuStatic, options.MuKinetic.value_or(options.MuStatic) };
-  parameters.contact.shading = options.Shading;
+  options.Settings.SetFields(parameters);
+  parameters.stiffness_N_per_m /= parameters.map.scale_u_per_m;
+  parameters.map = {};
+  parameters.contact.friction = options.Settings.Friction();
   parameters.safety = palpate::SafetyLimits::none();
   if (const std::string problem = parameters.validate(); !problem.empty())
   {
@@ -79,9 +79,10 @@ double ChooseRadius_u(const palpate::Scene& scene, const palpate::ContactPlan& p
 void TellOfCoupling(const vtkHapticCliTouchOptions& options)
 {
   const vtkHapticTransfer& data = options.Materials.Stiffness;
-  if (!data.Array.empty() && std::max(data.FeltRange[0], data.FeltRange[1]) > options.Stiffness_N_per_m)
+  const double coupling_N_per_m = options.Settings.Number("Stiffness");
+  if (!data.Array.empty() && std::max(data.FeltRange[0], data.FeltRange[1]) > coupling_N_per_m)
   {
-    std::cerr << "palpate: --stiffness-to: at most " << options.Stiffness_N_per_m
+    std::cerr << "palpate: --stiffness-to: at most " << coupling_N_per_m
               << " N/m is felt, the coupling's own (--stiffness)\n";
   }
 }
@@ -120,11 +121,12 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
     vtkHapticCliCheckPlanePath(options.Path, path);
   }
   const std::shared_ptr<const palpate::Scene> scene =
-    options.TwoD ? vtkHapticCliBuildPlane(options.Files, options.Radius_u)
-                 : vtkHapticCliBuildScene(
-                     options.Files, options.Iso, options.Materials, options.Scale_u_per_m, options.LineRadius_u);
+    options.TwoD ? vtkHapticCliBuildPlane(options.Files, parameters.contact.radius_u)
+                 : vtkHapticCliBuildScene(options.Files, options.Iso, options.Materials,
+                     options.Settings.Number("Scale"), options.Settings.Number("LineRadius"));
   TellOfCoupling(options);
-  parameters.contact.radius_u = ChooseRadius_u(*scene, parameters.contact, options.LimitRadius);
+  parameters.contact.radius_u =
+    ChooseRadius_u(*scene, parameters.contact, options.Settings.Number("LimitRadius") != 0.0);
   std::vector<std::string> inputs = options.Files;
   inputs.push_back(options.Path);
   vtkHapticCliOutput output(options.Output, inputs);

@@ -2,11 +2,14 @@
 #include "pqHapticFields.h"
 
 #include "haptics/session/settings/SessionSettings.h"
+#include "pqSMAdaptor.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -16,6 +19,9 @@ namespace
 {
 /// Nobody types more of a quantity; values of arrays have no unit, and can be anything.
 constexpr double largestQuantity = 1e9, largestValue = 1e100;
+
+/// Three numbers are no wider than one [pixels].
+constexpr int leastShare = 30;
 
 const palpate::Setting& Described(const QString& property)
 {
@@ -77,6 +83,23 @@ QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const cha
   return box;
 }
 
+QList<QDoubleSpinBox*> pqHapticVectorRow(QFormLayout* form, const char* name, const char* property, int decimals)
+{
+  auto* row = new QHBoxLayout;
+  QList<QDoubleSpinBox*> boxes;
+  for (const char* const axis : { "_x", "_y", "_z" })
+  {
+    boxes << pqHapticNumber(form->parentWidget(), QString(name) + axis, property, decimals);
+    boxes.back()->setMinimumWidth(leastShare);
+    boxes.back()->setSuffix(SuffixOf(Described(property)));
+    row->addWidget(boxes.back());
+  }
+  auto* title = new QLabel(pqHapticTitle(property), form->parentWidget());
+  title->setBuddy(boxes.front());
+  form->addRow(title, row);
+  return boxes;
+}
+
 QSpinBox* pqHapticCountRow(QFormLayout* form, const char* name, const char* property)
 {
   const palpate::Setting& setting = Described(property);
@@ -100,4 +123,13 @@ QComboBox* pqHapticChoiceRow(QFormLayout* form, const char* name, const char* pr
   auto* box = Named(new QComboBox(form->parentWidget()), name, property);
   form->addRow(pqHapticTitle(property), box);
   return box;
+}
+
+void pqHapticFill(QComboBox* box, vtkSMProperty* property)
+{
+  box->clear();
+  for (const QVariant& entry : pqSMAdaptor::getEnumerationPropertyDomain(property))
+  {
+    box->addItem(entry.toString());
+  }
 }

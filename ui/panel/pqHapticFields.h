@@ -2,6 +2,7 @@
 #ifndef pqHapticFields_h
 #define pqHapticFields_h
 
+#include <QList>
 #include <QString>
 
 class QCheckBox;
@@ -10,6 +11,7 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QSpinBox;
 class QWidget;
+class vtkSMProperty;
 
 /// Fields of the panel for settings as haptics/session/settings/ describes them: range, unit beside the number, and a
 /// tip that says what it is. `name` is the field's own, `property` the setting's. Numbers take effect once they are
@@ -20,10 +22,13 @@ QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QStri
 
 /// A row with a number and its unit.
 QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const char* property, int decimals);
+/// A row with the three numbers of a vector, named name_x, name_y and name_z, and their unit.
+QList<QDoubleSpinBox*> pqHapticVectorRow(QFormLayout* form, const char* name, const char* property, int decimals);
 QSpinBox* pqHapticCountRow(QFormLayout* form, const char* name, const char* property);
 QCheckBox* pqHapticSwitchRow(QFormLayout* form, const char* name, const char* property);
-/// What it can be the proxy's domain says.
+/// What it can be the proxy's domain says: pqHapticFill().
 QComboBox* pqHapticChoiceRow(QFormLayout* form, const char* name, const char* property);
+void pqHapticFill(QComboBox* box, vtkSMProperty* property);
 
 /// The title of a setting's row, with the mark of its letter, and what the setting is.
 QString pqHapticTitle(const QString& property);

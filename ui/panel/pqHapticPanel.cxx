@@ -10,13 +10,12 @@
 #include "pqHapticMaterialGroup.h"
 #include "pqHapticMouse.h"
 #include "pqHapticReadout.h"
+#include "pqHapticSettingRows.h"
 #include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
-#include "pqSMAdaptor.h"
 #include "vtkHapticSession.h"
 #include "vtkSMProxy.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -26,7 +25,6 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSpinBox>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -34,16 +32,6 @@ namespace
 {
 /// Read-outs change ten times a second: faster cannot be read.
 constexpr int refreshPeriod_ms = 100;
-
-/// What the property can be, as its domain says it.
-void Fill(QComboBox* box, vtkSMProperty* property)
-{
-  box->clear();
-  for (const QVariant& entry : pqSMAdaptor::getEnumerationPropertyDomain(property))
-  {
-    box->addItem(entry.toString());
-  }
-}
 
 QFormLayout* Group(QVBoxLayout* column, const char* name, const QString& title)
 {
@@ -66,21 +54,10 @@ public:
   QLabel* MouseHelp;
   QPushButton* Touch;
   QPushButton* Release;
-  QDoubleSpinBox* Stiffness;
-  QDoubleSpinBox* Radius;
-  QCheckBox* LimitRadius;
-  QDoubleSpinBox* LineRadius;
-  QDoubleSpinBox* Scale;
+  pqHapticSettingRows Rows;
   QPushButton* Fit;
-  QDoubleSpinBox* FrictionStatic;
-  QDoubleSpinBox* FrictionKinetic;
   pqHapticMaterialGroup* Material;
   pqHapticCheckGroup* Check;
-  QCheckBox* Passivity;
-  QCheckBox* Shading;
-  QCheckBox* Limit;
-  QSpinBox* Delay;
-  QComboBox* Velocity;
   QLabel* Stability;
   QLabel* State;
   QLabel* Reason;
@@ -96,10 +73,6 @@ public:
   QLabel* Cost;
   QLabel* Ticks;
   QLabel* Scheduling;
-  QComboBox* Simplify;
-  QComboBox* LinesAsWalls;
-  QCheckBox* HoldWalls;
-  QCheckBox* PlaneGuide;
   QLabel* Plan;
   QPlainTextEdit* Scene;
   QTimer Refresh;
@@ -107,7 +80,6 @@ public:
 
   void addHand(QVBoxLayout* column);
   void addContact(QVBoxLayout* column);
-  void addFriction(QVBoxLayout* column);
   void addStability(QVBoxLayout* column);
   void addState(QVBoxLayout* column);
   void addServo(QVBoxLayout* column);
@@ -149,32 +121,17 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "contactGroup", tr("Contact"));
   QWidget* parent = form->parentWidget();
-  this->Stiffness = pqHapticNumberRow(form, "stiffness", "Stiffness", 1);
-  this->Radius = pqHapticNumberRow(form, "radius", "Radius", 6);
-  this->LimitRadius = pqHapticSwitchRow(form, "limitRadius", "LimitRadius");
-  this->LineRadius = pqHapticNumberRow(form, "lineRadius", "LineRadius", 6);
-  this->Scale = pqHapticNumberRow(form, "scale", "Scale", 6);
-  this->Shading = pqHapticSwitchRow(form, "shading", "ForceShading");
+  this->Rows.add(form, "contact");
   this->Fit = new QPushButton(tr("&Fit Hand to Scene"), parent);
   this->Fit->setObjectName("fit");
   this->Fit->setToolTip(tr("Scale and offset such that the device's workspace holds everything that is touched"));
   form->addRow(this->Fit);
 }
 
-void pqHapticPanel::Internals::addFriction(QVBoxLayout* column)
-{
-  QFormLayout* form = Group(column, "frictionGroup", tr("Friction"));
-  this->FrictionStatic = pqHapticNumberRow(form, "frictionStatic", "FrictionStatic", 3);
-  this->FrictionKinetic = pqHapticNumberRow(form, "frictionKinetic", "FrictionKinetic", 3);
-}
-
 void pqHapticPanel::Internals::addStability(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "stabilityGroup", tr("Stability"));
-  this->Limit = pqHapticSwitchRow(form, "limit", "LimitStiffness");
-  this->Passivity = pqHapticSwitchRow(form, "passivity", "Passivity");
-  this->Delay = pqHapticCountRow(form, "delay", "Delay");
-  this->Velocity = pqHapticChoiceRow(form, "velocity", "VelocityMethod");
+  this->Rows.add(form, "stability");
   this->Stability = pqHapticLabel(form->parentWidget(), "stability", tr("How stiff this device can be, and why"));
   form->addRow(this->Stability);
 }
@@ -227,10 +184,7 @@ void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
 void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "sceneGroup", tr("Scene"));
-  this->Simplify = pqHapticChoiceRow(form, "simplify", "Simplify");
-  this->LinesAsWalls = pqHapticChoiceRow(form, "linesAsWalls", "LinesAsWalls");
-  this->HoldWalls = pqHapticSwitchRow(form, "holdWalls", "HoldWalls");
-  this->PlaneGuide = pqHapticSwitchRow(form, "planeGuide", "PlaneGuide");
+  this->Rows.add(form, "scene");
   this->Plan = pqHapticLabel(form->parentWidget(), "plan", tr("What is felt of the scene, by what, and why"));
   form->addRow(this->Plan);
   this->Scene = new QPlainTextEdit(form->parentWidget());
@@ -244,25 +198,16 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  QWidget* order[] = { this->Device, this->Hand, this->PressDepth, this->Touch, this->Release, this->Stiffness,
-    this->Radius, this->LimitRadius, this->LineRadius, this->Scale, this->Shading, this->Fit, this->FrictionStatic,
-    this->FrictionKinetic, this->Limit, this->Passivity, this->Delay, this->Velocity, this->Simplify,
-    this->LinesAsWalls, this->HoldWalls, this->PlaneGuide, this->Scene };
-  for (std::size_t i = 1; i < std::size(order); ++i)
+  const QList<QWidget*> order = QList<QWidget*>{ this->Device } + this->DeviceRows->fields() +
+                                QList<QWidget*>{ this->Hand, this->PressDepth, this->Touch, this->Release } +
+                                this->Rows.fields("contact") + QList<QWidget*>{ this->Fit } +
+                                this->Rows.fields("friction") + this->Material->fields() +
+                                this->Rows.fields("stability") + this->Check->fields() + this->Rows.fields("scene") +
+                                QList<QWidget*>{ this->Scene };
+  for (int i = 1; i < order.size(); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
   }
-  const auto follow = [](QWidget* before, const QList<QWidget*>& fields)
-  {
-    for (QWidget* field : fields)
-    {
-      QWidget::setTabOrder(before, field);
-      before = field;
-    }
-  };
-  follow(this->FrictionKinetic, this->Material->fields());
-  follow(this->Velocity, this->Check->fields());
-  follow(this->Device, this->DeviceRows->fields());
 }
 
 /// Settings can change without a frame being drawn, from a script for one.
@@ -303,7 +248,7 @@ void pqHapticPanel::build()
   auto* column = new QVBoxLayout(body);
   this->Widgets->addHand(column);
   this->Widgets->addContact(column);
-  this->Widgets->addFriction(column);
+  this->Widgets->Rows.add(Group(column, "frictionGroup", tr("Friction")), "friction");
   this->Widgets->Material = new pqHapticMaterialGroup;
   column->addWidget(this->Widgets->Material);
   this->Widgets->addStability(column);
@@ -339,32 +284,14 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
     this->refresh();
     return;
   }
-  Fill(w.Hand, proxy->GetProperty("Hand"));
-  Fill(w.Velocity, proxy->GetProperty("VelocityMethod"));
-  Fill(w.Simplify, proxy->GetProperty("Simplify"));
-  Fill(w.LinesAsWalls, proxy->GetProperty("LinesAsWalls"));
+  pqHapticFill(w.Hand, proxy->GetProperty("Hand"));
   const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
   { w.Links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
   link(w.Device, "currentText", SIGNAL(currentTextChanged(const QString&)), "DeviceName");
   link(w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), "Hand");
   link(w.PressDepth, "value", SIGNAL(valueChanged(double)), "PressDepth");
   link(w.Touch, "checked", SIGNAL(toggled(bool)), "Touching");
-  link(w.Stiffness, "value", SIGNAL(valueChanged(double)), "Stiffness");
-  link(w.Radius, "value", SIGNAL(valueChanged(double)), "Radius");
-  link(w.LimitRadius, "checked", SIGNAL(toggled(bool)), "LimitRadius");
-  link(w.LineRadius, "value", SIGNAL(valueChanged(double)), "LineRadius");
-  link(w.Scale, "value", SIGNAL(valueChanged(double)), "Scale");
-  link(w.Shading, "checked", SIGNAL(toggled(bool)), "ForceShading");
-  link(w.FrictionStatic, "value", SIGNAL(valueChanged(double)), "FrictionStatic");
-  link(w.FrictionKinetic, "value", SIGNAL(valueChanged(double)), "FrictionKinetic");
-  link(w.Limit, "checked", SIGNAL(toggled(bool)), "LimitStiffness");
-  link(w.Passivity, "checked", SIGNAL(toggled(bool)), "Passivity");
-  link(w.Delay, "value", SIGNAL(valueChanged(int)), "Delay");
-  link(w.Velocity, "currentText", SIGNAL(currentTextChanged(const QString&)), "VelocityMethod");
-  link(w.Simplify, "currentText", SIGNAL(currentTextChanged(const QString&)), "Simplify");
-  link(w.LinesAsWalls, "currentText", SIGNAL(currentTextChanged(const QString&)), "LinesAsWalls");
-  link(w.HoldWalls, "checked", SIGNAL(toggled(bool)), "HoldWalls");
-  link(w.PlaneGuide, "checked", SIGNAL(toggled(bool)), "PlaneGuide");
+  w.Rows.link(w.Links, proxy);
   this->refresh();
 }
 

@@ -56,6 +56,20 @@ Setting pair(std::string_view name, std::string_view unit, std::string_view titl
   return { name, Number, unit, title, sentence, NextScene, std::move(byDefault), {}, low, high };
 }
 
+/// A setting with the other places in which it stands.
+Setting at(SettingPlaces places, Setting setting)
+{
+  setting.at = places;
+  return setting;
+}
+
+/// Whoever feels along a path in the scene begins with another value than a session.
+Setting along(double path, Setting setting)
+{
+  setting.alongPath = path;
+  return setting;
+}
+
 constexpr std::string_view ofComponent =
   "Component of the array; -1 is the length of a vector and the value of a scalar";
 
@@ -69,30 +83,49 @@ const Setting settings[] = {
     "The device is one motor that turns, whatever it calls itself: only its x is there, from the next touch or check "
     "on",
     false, NextTouch),
-  count("DeadManButtons", "", "&Must be held",
-    "Buttons of which one must be held to be pushed: bit i stands for button i + 1; 0 is none", 0, 0),
-  flag("DeadManGrip", "&Must be held",
-    "The grip, or the safety switch of a joystick that reports one, must be held for the hand to be pushed", false),
+  at({ .field = "safety.deadMan.buttons" },
+    count("DeadManButtons", "", "&Must be held",
+      "Buttons of which one must be held to be pushed: bit i stands for button i + 1; 0 is none", 0, 0)),
+  at({ .field = "safety.deadMan.grip" },
+    flag("DeadManGrip", "&Must be held",
+      "The grip, or the safety switch of a joystick that reports one, must be held for the hand to be pushed", false)),
   { "PressDepth", Number, "m", "Mouse &goes in by", "How deep the mouse in the view presses, as a way of the hand",
     NextFrame, { 0.002 }, {}, 5e-5, 0.05 },
-  amount("Stiffness", "N/m", "&Stiffness", "Spring between hand and proxy", 500.0),
-  amount("Damping", "N s/m", "", "One-sided damping: it brakes a hand that goes in, never one that leaves", 0.0),
-  amount("Radius", "u", "&Radius", "Ball that touches; 0 is a point", 0.0),
-  flag("LimitRadius", "No larger than &work allows",
-    "The ball is at most as large as finishes its work in a tick (RadiusLimit); off: as asked for, and it may lag",
-    true),
-  amount("LineRadius", "u", "Radius of li&nes",
-    "Tubes as which lines (streamlines, centre lines, fibres) are touched; 0: they are not", 0.0, none, NextScene),
-  { "Scale", Number, "u/m", "S&cale", "Scene units per metre of the hand's motion", NextTick, { 1000.0 }, {}, 0.0, none,
-    true },
-  { "Rotation", Rotation, "", "", "From device to scene frame", NextTick, { 1.0, 0.0, 0.0, 0.0 } },
-  { "Offset", Number, "u", "", "Where the device's origin is in the scene", NextTick, { 0.0, 0.0, 0.0 } },
-  flag("ForceShading", "Smoot&h forces over facets",
-    "Forces as if the surface were round between its corners; edges sharper than 30 degrees stay", false),
-  amount("FrictionStatic", "1", "St&atic [1]",
-    "Friction that holds at rest: force along the surface over force into it; 0 is none", 0.0, largestFriction),
-  amount("FrictionKinetic", "1", "&Kinetic [1]", "Friction while it slides; no more than the static one is used", 0.0,
-    largestFriction),
+  along(1000.0, at({ .field = "stiffness.stiffness_N_per_m", .group = "contact", .option = "stiffness" },
+                  amount("Stiffness", "N/m", "&Stiffness", "Spring between hand and proxy", 500.0))),
+  at({ .field = "coupling.damping_Ns_per_m" },
+    amount("Damping", "N s/m", "", "One-sided damping: it brakes a hand that goes in, never one that leaves", 0.0)),
+  at({ .field = "contact.radius_u", .group = "contact", .option = "radius" },
+    amount("Radius", "u", "&Radius", "Ball that touches; 0 is a point", 0.0)),
+  along(0.0,
+    at({ .group = "contact", .option = "limit-radius" },
+      flag("LimitRadius", "No larger than &work allows",
+        "The ball is at most as large as finishes its work in a tick (RadiusLimit); off: as asked for, and it may lag",
+        true))),
+  at({ .group = "contact", .option = "line-radius" },
+    amount("LineRadius", "u", "Radius of li&nes",
+      "Tubes as which lines (streamlines, centre lines, fibres) are touched; 0: they are not", 0.0, none, NextScene)),
+  along(1.0, at({ .field = "hand.map.scale_u_per_m", .group = "contact", .option = "scale" },
+               { "Scale", Number, "u/m", "S&cale", "Scene units per metre of the hand's motion", NextTick, { 1000.0 },
+                 {}, 0.0, none, true })),
+  at({ .field = "hand.map.q_WD" },
+    { "Rotation", Rotation, "", "", "From device to scene frame", NextTick, { 1.0, 0.0, 0.0, 0.0 } }),
+  at({ .field = "hand.map.offset_W" },
+    { "Offset", Number, "u", "", "Where the device's origin is in the scene", NextTick, { 0.0, 0.0, 0.0 } }),
+  at({ .field = "contact.shading", .group = "contact", .option = "shading" },
+    flag("ForceShading", "Smoot&h forces over facets",
+      "Forces as if the surface were round between its corners; edges sharper than 30 degrees stay", false)),
+  at({ .field = "constant force.force_W", .group = "contact", .option = "constant-force" },
+    { "ConstantForce", Number, "N", "Constant force (&+)",
+      "The same force on the hand everywhere, in W, shortened to the largest force; none before force is engaged, and "
+      "none while the device holds walls",
+      NextTick, { 0.0, 0.0, 0.0 } }),
+  at({ .group = "friction", .option = "mu-static" },
+    amount("FrictionStatic", "1", "St&atic [1]",
+      "Friction that holds at rest: force along the surface over force into it; 0 is none", 0.0, largestFriction)),
+  at({ .group = "friction", .option = "mu-kinetic" },
+    amount("FrictionKinetic", "1", "&Kinetic [1]", "Friction while it slides; no more than the static one is used", 0.0,
+      largestFriction)),
   text("StiffnessArray", "Stiffn&ess from",
     "Array of points or cells that gives the stiffness; surfaces without it keep their own", NextScene),
   count("StiffnessComponent", "", "Component (&1)", ofComponent, -1, -1, none, NextScene),
@@ -117,32 +150,40 @@ const Setting settings[] = {
     "Heights at the ends of the data range: the highest place is the surface itself, lower ones are hollows; their "
     "mean under a hand too fast for them",
     { 0.0, 1.0 }),
-  flag("LimitStiffness", "L&imit stiffness to what the device can hold",
-    "No stiffer than the device and the rate can hold (LargestStiffness); off: a wall may shake", true),
-  flag("Passivity", "&Passivity control",
-    "Damps the spring as much as a held force would otherwise give back more than it took", true),
-  count("Delay", "ticks", "Dela&y",
-    "Ticks of 1 ms between a force and its effect beyond the hold itself: what is known of the device's link; a "
-    "simulated link has that delay from the next touch on",
-    0, 0, 16),
-  choice("VelocityMethod", "Vel&ocity", "How the hand's velocity is made from its positions", 2,
-    { "Backward difference", "Low pass", "Adaptive window" }),
-  choice("Simplify", "Simpler s&urfaces",
-    "Surfaces and lines finer than a hand feels are replaced by simpler ones once those are proven to feel the same; "
-    "auto: from 50,000 triangles, or 64 segments shorter than 1/32 mm in the hand, on",
-    0, { "Auto", "Off", "On" }, AtOnce),
-  choice("LinesAsWalls", "Lines as walls (&Q)",
-    "Lines that lie in a plane are walls across it, felt in that plane by a disc; auto: on devices that move in a "
-    "plane",
-    0, { "Auto", "Off", "On" }, NextScene),
-  flag("HoldWalls", "Walls held by the device (&Z)",
-    "A device that can holds at most four walls of a plane world itself, with the viscosity that keeps corridors "
-    "still",
-    true),
+  at({ .field = "stiffness.limitStiffness", .group = "stability" },
+    flag("LimitStiffness", "L&imit stiffness to what the device can hold",
+      "No stiffer than the device and the rate can hold (LargestStiffness); off: a wall may shake", true)),
+  at({ .field = "coupling.passivity.enabled", .group = "stability" },
+    flag("Passivity", "&Passivity control",
+      "Damps the spring as much as a held force would otherwise give back more than it took", true)),
+  at({ .field = "coupling.passivity.delay_ticks", .group = "stability" },
+    count("Delay", "ticks", "Dela&y",
+      "Ticks of 1 ms between a force and its effect beyond the hold itself: what is known of the device's link; a "
+      "simulated link has that delay from the next touch on",
+      0, 0, 16)),
+  at({ .field = "hand.velocity.method", .group = "stability" },
+    choice("VelocityMethod", "Vel&ocity", "How the hand's velocity is made from its positions", 2,
+      { "Backward difference", "Low pass", "Adaptive window" })),
+  at({ .group = "scene" },
+    choice("Simplify", "Simpler s&urfaces",
+      "Surfaces and lines finer than a hand feels are replaced by simpler ones once those are proven to feel the same; "
+      "auto: from 50,000 triangles, or 64 segments shorter than 1/32 mm in the hand, on",
+      0, { "Auto", "Off", "On" }, AtOnce)),
+  at({ .group = "scene" },
+    choice("LinesAsWalls", "Lines as walls (&Q)",
+      "Lines that lie in a plane are walls across it, felt in that plane by a disc; auto: on devices that move in a "
+      "plane",
+      0, { "Auto", "Off", "On" }, NextScene)),
+  at({ .group = "scene" },
+    flag("HoldWalls", "Walls held by the device (&Z)",
+      "A device that can holds at most four walls of a plane world itself, with the viscosity that keeps corridors "
+      "still",
+      true)),
   { "WallRate", Number, "Hz", "", "How often held walls are moved on at most", NextTick, { 125.0 }, {}, 20.0, 1000.0 },
-  flag("PlaneGuide", "Led to the plane (&0)",
-    "The hand is led to the plane of a plane world by 200 N/m and at most 2 N, from nothing within half a second",
-    true),
+  at({ .group = "scene" },
+    flag("PlaneGuide", "Led to the plane (&0)",
+      "The hand is led to the plane of a plane world by 200 N/m and at most 2 N, from nothing within half a second",
+      true)),
   { "StrokePoints", Points, "u", "", "Where a simulated hand is led: a polyline", NextTouch },
   { "StrokeSpeed", Number, "m/s", "", "Speed of the stroke of a simulated hand", NextTouch, { 0.05 }, {}, 0.0, none,
     true },

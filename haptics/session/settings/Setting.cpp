@@ -152,6 +152,15 @@ std::string defaultWords(const Setting& setting)
                       (setting.unit == "1" ? "" : std::string(setting.unit));
 }
 
+Setting ofPath(Setting setting)
+{
+  if (setting.alongPath)
+  {
+    setting.defaults = { *setting.alongPath };
+  }
+  return setting;
+}
+
 std::string spoken(const Setting& setting)
 {
   std::string title(setting.title);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,14 @@ enum class TakesEffect
   NextTouch
 };
 
+/// Where a setting stands besides the property that every one is.
+struct SettingPlaces
+{
+  std::string_view field{};  ///< "stage.field" of the tick's parameters that it is; "": something follows from it
+  std::string_view group{};  ///< of the panel, in which it has a row by its kind; "": none, or one of its own
+  std::string_view option{}; ///< of `palpate touch`, without dashes; "": none
+};
+
 /// What a person or a program can set of a session, described for all who offer it.
 struct Setting
 {
@@ -47,6 +56,8 @@ struct Setting
   bool above = false;             ///< more than the least value
   std::vector<std::string_view> choices{};
   bool saved = true; ///< in a state file
+  SettingPlaces at{};
+  std::optional<double> alongPath{}; ///< default of one who feels along a path in the scene, where it is another
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 };
@@ -81,6 +92,9 @@ struct Readout
 
 /// The default in words with its unit.
 [[nodiscard]] std::string defaultWords(const Setting& setting);
+
+/// The setting as one who feels along a path in the scene has it: with that default.
+[[nodiscard]] Setting ofPath(Setting setting);
 
 /// Its title as a sentence has it: in small letters, without the mark of a letter; its name where it has no title.
 [[nodiscard]] std::string spoken(const Setting& setting);

@@ -67,7 +67,9 @@ std::string object(const Setting& setting)
          field("default_words", quoted(defaultWords(setting))) + field("low", number(setting.low)) +
          field("high", number(setting.high)) + field("above", setting.above ? "true" : "false") +
          field("allowed", quoted(allowed(setting))) + field("choices", array(setting.choices, quoted)) +
-         field("saved", setting.saved ? "true" : "false") + "}";
+         field("saved", setting.saved ? "true" : "false") + field("field", quoted(setting.at.field)) +
+         field("option", quoted(setting.at.option)) +
+         field("path_default_words", quoted(defaultWords(ofPath(setting)))) + "}";
 }
 
 std::string object(const Readout& readout)

@@ -10,9 +10,9 @@ namespace palpate::test
 {
 
 /// Nothing runs by itself, and the scale is that of the virtual driver.
-inline PidDeviceOptions virtualOptions(const FakeEvdevBus& bus)
+inline PushedDeviceOptions virtualOptions(const FakeEvdevBus& bus)
 {
-  PidDeviceOptions options;
+  PushedDeviceOptions options;
   options.threads = false;
   options.clock = &bus.time;
   options.output.trust = { true, true };
@@ -60,7 +60,7 @@ struct EvdevRig
 
   std::shared_ptr<FakeEvdevBus> bus = std::make_shared<FakeEvdevBus>();
   FakeEvdevPort& port;
-  PidDeviceOptions options;
+  PushedDeviceOptions options;
   EvdevDevice device;
   DeviceCommand command;
   DeviceSample sample;

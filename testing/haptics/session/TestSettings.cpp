@@ -6,6 +6,7 @@
 #include <set>
 
 #include "haptics/session/settings/SessionSettings.h"
+#include "haptics/session/settings/TickFields.h"
 #include "haptics/tick/HapticParameters.h"
 
 namespace palpate
@@ -122,6 +123,73 @@ TEST(Settings, TheTickTakesWhatTheTableAllows)
     EXPECT_EQ(taken([=](auto& p) { p.passivity.delay_ticks = value; }), allows("Delay")) << value;
     EXPECT_EQ(taken([=](auto& p) { p.contact.friction = { value, value }; }), allows("FrictionStatic")) << value;
     EXPECT_EQ(allows("FrictionKinetic"), allows("FrictionStatic")) << value;
+  }
+}
+
+/// Another value than the default that the setting allows.
+std::vector<double> other(const Setting& setting)
+{
+  switch (setting.kind)
+  {
+    case SettingKind::Rotation:
+      return { 0.5, 0.5, -0.5, 0.5 };
+    case SettingKind::Flag:
+    case SettingKind::Choice:
+      return { setting.defaults.front() == 0.0 ? 1.0 : 0.0 };
+    default:
+      break;
+  }
+  std::vector<double> values = setting.defaults;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] += 1.0 + static_cast<double>(i);
+  }
+  return values;
+}
+
+TEST(Settings, ThatIsAFieldOfTheTickIsThatFieldAndNoOther)
+{
+  int fields = 0;
+  const HapticParameters before = sessionDefaults();
+  for (const Setting& setting : sessionSettings())
+  {
+    if (setting.at.field.empty())
+    {
+      continue;
+    }
+    ++fields;
+    EXPECT_EQ(fieldOf(before, setting), setting.defaults) << setting.name;
+    const std::vector<double> values = other(setting);
+    ASSERT_THAT(refuse(setting, values, setting.name), IsEmpty());
+    HapticParameters changed = before;
+    setField(changed, setting, values);
+    EXPECT_THAT(changed.validate(), IsEmpty()) << setting.name;
+    for (const Setting& one : sessionSettings())
+    {
+      if (!one.at.field.empty())
+      {
+        EXPECT_EQ(fieldOf(changed, one), one.name == setting.name ? values : one.defaults) << one.name;
+      }
+    }
+  }
+  EXPECT_GE(fields, 14);
+}
+
+TEST(Settings, AFieldThatNoStageHasIsSaidByName)
+{
+  Setting setting = sessionSetting("Stiffness");
+  setting.at.field = "stiffness.stifness_N_per_m";
+  EXPECT_THROW(static_cast<void>(fieldOf({}, setting)), std::logic_error);
+}
+
+TEST(Settings, WhoFeelsAlongAPathBeginsWithTheTicksOwnParameters)
+{
+  for (const Setting& setting : sessionSettings())
+  {
+    if (!setting.at.field.empty() && !setting.at.option.empty())
+    {
+      EXPECT_EQ(fieldOf(HapticParameters(), setting), ofPath(setting).defaults) << setting.name;
+    }
   }
 }
 

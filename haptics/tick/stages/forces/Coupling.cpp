@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/tick/stages/Coupling.h"
+#include "haptics/tick/stages/forces/Coupling.h"
 
 #include "haptics/force/VirtualCoupling.h"
 #include "haptics/tick/TickContext.h"
@@ -19,7 +19,7 @@ SpringTick springTick(const TickContext& tick) noexcept
   spring.stretch_m = tick.stretch_m;
   spring.inward_m_per_s = pull_m > 0.0 ? -tick.pull_D.dot(state.velocity_D) / pull_m : 0.0;
   spring.stiffness_N_per_m = state.stiffness_N_per_m;
-  const Vec3 contact_D = s.ownForce ? Vec3(s.lastForce_D - s.lastGuide_D) : s.lastForce_D;
+  const Vec3 contact_D = s.ownForce ? Vec3(s.lastForce_D - s.besideContact_D) : s.lastForce_D;
   spring.work_J = tick.way_D ? contact_D.dot(*tick.way_D) : 0.0;
   spring.dt_s = tick.input.dt_s;
   spring.restart = !s.ownForce || tick.scene.replaced;
@@ -42,6 +42,12 @@ void Coupling::step(TickContext& tick) noexcept
   state.rendered_D = more_Ns_per_m == 0.0 ? plain_D : coupled_D(damping_Ns_per_m + more_Ns_per_m);
   state.stabiliser_D = state.rendered_D - plain_D;
   tick.coupled_D = state.rendered_D;
+  tick.s.besideContact_D = Vec3::Zero(); // the stages that follow add theirs
+}
+
+void Coupling::rest(TickContext& tick) noexcept
+{
+  tick.s.besideContact_D = Vec3::Zero();
 }
 
 } // namespace palpate::stage

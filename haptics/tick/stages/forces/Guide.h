@@ -43,18 +43,17 @@ struct Guide
 
   struct State
   {
-    double guideShare = 0.0;         ///< of the guide that acts, 0..1
-    Vec3 lastGuide_D = Vec3::Zero(); ///< its part of the last tick's force [N]
+    double guideShare = 0.0; ///< of the guide that acts, 0..1
   };
+  /// The guide was the first force beside contact: recordings know the sum of all such forces by its name.
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)
   {
     visit("guideShare", s.guideShare...);
-    visit("lastGuide_D", s.lastGuide_D...);
+    visit("lastGuide_D", s.besideContact_D...);
   }
 
   static void step(TickContext& tick) noexcept;
-  static void rest(TickContext& tick) noexcept;
 };
 
 } // namespace palpate::stage

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/tick/stages/Guide.h"
+#include "haptics/tick/stages/forces/Guide.h"
 
 #include <algorithm>
 
@@ -16,22 +16,14 @@ void Guide::step(TickContext& tick) noexcept
   const bool on = plan.on && s.engage == EngageState::Engaged;
   s.guideShare = rampedShare(s.guideShare, on, plan.ramp_s, tick.input.dt_s);
   state.guideShare = s.guideShare;
-  s.lastGuide_D = Vec3::Zero();
   if (state.guideShare > 0.0)
   {
     plan.stiffness_N_per_m = std::min(plan.stiffness_N_per_m, tick.p.stiffnessLimit_N_per_m) * state.stiffnessFactor;
     const double height_m = plan.normal_W.dot(state.device_W.p - plan.point_W) / tick.p.map.scale_u_per_m;
     const Vec3 normal_D = tick.p.map.directionToDevice(plan.normal_W);
-    s.lastGuide_D =
-      guideForce(plan, state.guideShare, height_m, normal_D.dot(state.velocity_D), tick.input.dt_s) * normal_D;
-    state.rendered_D += s.lastGuide_D;
-    tick.coupled_D = state.rendered_D;
+    tick.addBesideContact(
+      guideForce(plan, state.guideShare, height_m, normal_D.dot(state.velocity_D), tick.input.dt_s) * normal_D);
   }
-}
-
-void Guide::rest(TickContext& tick) noexcept
-{
-  tick.s.lastGuide_D = Vec3::Zero();
 }
 
 } // namespace palpate::stage

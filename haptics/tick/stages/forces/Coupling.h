@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "haptics/core/Types.h"
 #include "haptics/force/PassivityController.h"
 #include "haptics/tick/PlanRules.h"
 #include "haptics/tick/StageList.h"
@@ -46,6 +47,7 @@ struct Coupling
   struct State
   {
     EnergyMeter energy;
+    Vec3 besideContact_D = Vec3::Zero(); ///< the part of the last tick's force that did not come from contact [N]
   };
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)
@@ -59,6 +61,7 @@ struct Coupling
   }
 
   static void step(TickContext& tick) noexcept;
+  static void rest(TickContext& tick) noexcept;
 };
 
 } // namespace palpate::stage

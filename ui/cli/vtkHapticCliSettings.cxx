@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticCliSettings.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "haptics/session/settings/SessionSettings.h"
+#include "haptics/session/settings/TickFields.h"
+#include "vtkHapticCliProblem.h"
+
+namespace
+{
+std::string SentenceOf(const palpate::Setting& setting, const std::string& also)
+{
+  const std::string unit = setting.unit.empty() || setting.unit == "1" ? "" : " [" + std::string(setting.unit) + "]";
+  return std::string(setting.sentence) + (also.empty() ? "" : "; " + also) + unit;
+}
+} // namespace
+
+void vtkHapticCliSettings::AddAll(CLI::App& command)
+{
+  for (const palpate::Setting& setting : palpate::sessionSettings())
+  {
+    if (!setting.at.option.empty())
+    {
+      this->Add(command, std::string(setting.name).c_str());
+    }
+  }
+}
+
+void vtkHapticCliSettings::Add(CLI::App& command, const char* setting, const char* also)
+{
+  Entry& entry = this->Entries.emplace_back();
+  entry.Described = palpate::ofPath(palpate::sessionSetting(setting));
+  entry.Values = entry.Described.defaults;
+  const std::string name = "--" + std::string(entry.Described.at.option);
+  const std::string sentence = SentenceOf(entry.Described, also);
+  if (entry.Described.kind == palpate::SettingKind::Flag)
+  {
+    entry.Option = command.add_flag(name, entry.On, sentence);
+    return;
+  }
+  const int count = static_cast<int>(entry.Values.size());
+  entry.Option = command.add_option(name, entry.Values, sentence)->capture_default_str();
+  count > 1 ? entry.Option->delimiter(',')->expected(count)->type_name("X,Y,Z") : entry.Option->expected(1);
+}
+
+const vtkHapticCliSettings::Entry& vtkHapticCliSettings::Find(std::string_view setting) const
+{
+  const auto named = [setting](const Entry& entry) { return entry.Described.name == setting; };
+  const auto found = std::find_if(this->Entries.begin(), this->Entries.end(), named);
+  if (found == this->Entries.end())
+  {
+    throw std::logic_error("no option was added for the setting " + std::string(setting));
+  }
+  return *found;
+}
+
+double vtkHapticCliSettings::Number(std::string_view setting) const
+{
+  const Entry& entry = this->Find(setting);
+  return entry.On ? 1.0 : entry.Values.front();
+}
+
+bool vtkHapticCliSettings::IsGiven(std::string_view setting) const
+{
+  return this->Find(setting).Option->count() > 0;
+}
+
+palpate::FrictionPlan vtkHapticCliSettings::Friction() const
+{
+  const double statical = this->Number("FrictionStatic");
+  return { statical, this->IsGiven("FrictionKinetic") ? this->Number("FrictionKinetic") : statical };
+}
+
+void vtkHapticCliSettings::Check() const
+{
+  for (const Entry& entry : this->Entries)
+  {
+    const std::string option = "--" + std::string(entry.Described.at.option);
+    if (const std::string problem = palpate::refuse(entry.Described, entry.Values, option); !problem.empty())
+    {
+      throw vtkHapticCliProblem(problem);
+    }
+  }
+  palpate::HapticParameters parameters;
+  parameters.contact.friction = this->Friction();
+  if (const std::string problem = parameters.validate(); !problem.empty())
+  {
+    throw vtkHapticCliProblem("--mu-static, --mu-kinetic: " + problem);
+  }
+}
+
+void vtkHapticCliSettings::SetFields(palpate::HapticParameters& parameters) const
+{
+  for (const Entry& entry : this->Entries)
+  {
+    if (!entry.Described.at.field.empty())
+    {
+      const std::vector<double> on = { 1.0 };
+      palpate::setField(parameters, entry.Described, entry.On ? on : entry.Values);
+    }
+  }
+}

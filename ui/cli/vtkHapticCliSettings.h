@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticCliSettings_h
+#define vtkHapticCliSettings_h
+
+#include <CLI/CLI.hpp>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "haptics/contact/view/ContactPlan.h"
+#include "haptics/session/settings/Setting.h"
+#include "haptics/tick/HapticParameters.h"
+
+namespace CLI
+{
+class App;
+class Option;
+} // namespace CLI
+
+/// Settings of a session as options of a command: option, sentence, unit, range and default are those of the table
+/// (haptics/session/settings/), with the default of one who feels along a path.
+class vtkHapticCliSettings
+{
+public:
+  /// Every setting that has an option.
+  void AddAll(CLI::App& command);
+  /// One of them by its name; `also` is what else it means to this command.
+  void Add(CLI::App& command, const char* setting, const char* also = "");
+
+  /// What a setting that was added is, by its name: as given, else the default.
+  double Number(std::string_view setting) const;
+  bool IsGiven(std::string_view setting) const;
+  /// The kinetic one that was not given is the static one.
+  palpate::FrictionPlan Friction() const;
+
+  /// Throws vtkHapticCliProblem that names the option with a value that the setting does not allow.
+  void Check() const;
+  /// Those that are fields of the tick's parameters.
+  void SetFields(palpate::HapticParameters& parameters) const;
+
+private:
+  struct Entry
+  {
+    palpate::Setting Described;
+    std::vector<double> Values;
+    bool On = false; ///< of a switch
+    CLI::Option* Option = nullptr;
+  };
+  const Entry& Find(std::string_view setting) const;
+
+  std::deque<Entry> Entries; ///< options point at their values
+};
+
+#endif
