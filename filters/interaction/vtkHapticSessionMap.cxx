@@ -10,6 +10,7 @@ using palpate::Vec3;
 
 void vtkHapticSession::SetScale(double scale_u_per_m)
 {
+  this->Impl->MapByHand = this->Impl->MapByHand || scale_u_per_m != this->GetScale();
   this->Change("Scale", { scale_u_per_m }, [=](palpate::HapticParameters& p) { p.map.scale_u_per_m = scale_u_per_m; });
 }
 
@@ -21,6 +22,8 @@ double vtkHapticSession::GetScale() const
 void vtkHapticSession::SetRotation(double w, double x, double y, double z)
 {
   const palpate::Quat q(w, x, y, z);
+  const bool other = !this->Impl->Parameters.map.q_WD.coeffs().isApprox(q.normalized().coeffs());
+  this->Impl->MapByHand = this->Impl->MapByHand || other;
   this->Change("Rotation", { w, x, y, z }, [&q](palpate::HapticParameters& p) { p.map.q_WD = q.normalized(); });
 }
 
@@ -39,6 +42,7 @@ double* vtkHapticSession::GetRotation()
 
 void vtkHapticSession::SetOffset(double x, double y, double z)
 {
+  this->Impl->MapByHand = this->Impl->MapByHand || this->Impl->Parameters.map.offset_W != Vec3(x, y, z);
   this->Change("Offset", { x, y, z }, [=](palpate::HapticParameters& p) { p.map.offset_W = Vec3(x, y, z); });
 }
 
@@ -55,13 +59,37 @@ double* vtkHapticSession::GetOffset()
 
 void vtkHapticSession::FitWorkspace()
 {
-  const palpate::BuiltScene& scene = this->Impl->Scene.built();
-  if (!scene.scene)
+  Internals& impl = *this->Impl;
+  impl.FitAsked = impl.Scene.worker().building();
+  const bool nothing = !impl.FitAsked && !impl.Scene.built().scene;
+  const std::string problem = nothing ? "there is nothing to fit the hand to: show a surface that can be touched" : "";
+  this->Refuse(problem);
+  impl.Follow("FitWorkspace", problem);
+  if (!nothing && !impl.FitAsked)
   {
-    this->Refuse("there is no scene to fit the workspace to; add a surface and commit it");
-    return;
+    this->Fit();
   }
-  const palpate::WorkspaceMap fitted = palpate::fittedMap(this->Impl->Parameters.map, scene, this->Impl->InfoNow());
+}
+
+void vtkHapticSession::Fit()
+{
+  Internals& impl = *this->Impl;
+  impl.FitAsked = false;
+  const palpate::WorkspaceMap fitted = palpate::fittedMap(impl.Parameters.map, impl.Scene.built(), impl.InfoNow());
   this->Change([&](palpate::HapticParameters& p) { p.map = fitted; });
   this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
+}
+
+void vtkHapticSession::SetFitOnTouch(bool on)
+{
+  if (on != this->Impl->FitOnTouch)
+  {
+    this->Impl->FitOnTouch = on;
+    this->Modified();
+  }
+}
+
+bool vtkHapticSession::GetFitOnTouch() const
+{
+  return this->Impl->FitOnTouch;
 }
