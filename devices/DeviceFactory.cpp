@@ -29,7 +29,7 @@ struct Kind
   std::string what;
   std::function<MadeDevice(const DeviceOptions&)> make;
   std::string problem = {}; ///< why it cannot be used now
-  bool hasTwin = false, hasGrip = false;
+  bool hasTwin = false, hasGrip = false, forPrograms = false;
 };
 
 MadeDevice makeSimulated(const DeviceModel& model, const DeviceOptions& options)
@@ -56,7 +56,8 @@ std::vector<Kind> builtIn()
     { "fed", "poses fed by a program",
       [](const DeviceOptions&) {
         return MadeDevice{ std::make_unique<FedDevice>(), "" };
-      } },
+      },
+      "", false, false, true },
     { "mouse", "the mouse in the view",
       [](const DeviceOptions&) {
         return MadeDevice{ FedDevice::mouse(), "" };
@@ -65,7 +66,7 @@ std::vector<Kind> builtIn()
   for (const DeviceModel& model : deviceModels())
   {
     all.push_back({ model.name, "a simulated hand on " + model.what,
-      [&model](const DeviceOptions& options) { return makeSimulated(model, options); }, "", false, true });
+      [&model](const DeviceOptions& options) { return makeSimulated(model, options); }, "", false, true, true });
   }
   all.push_back({ "replay", "the hand of a recording", [](const DeviceOptions& o) {
                    return MadeDevice{ std::make_unique<ReplayDevice>(o.recordingFile), "" };
@@ -194,10 +195,20 @@ std::vector<KnownDevice> knownDevices(const DeviceOptions& options)
   {
     for (const Kind& kind : kinds)
     {
-      known.push_back({ kind.name, kind.what, kind.make({}).device->info(), kind.problem, kind.hasTwin, kind.hasGrip });
+      known.push_back({ kind.name, kind.what, kind.make({}).device->info(), kind.problem, kind.hasTwin, kind.hasGrip,
+        kind.forPrograms });
     }
   }
   return known;
+}
+
+std::string preferredDevice(const std::vector<KnownDevice>& devices)
+{
+  const auto isThere = [](const KnownDevice& d) { return d.problem.empty() && !d.info.simulated && !d.forPrograms; };
+  const auto pushes = [&](const KnownDevice& d) { return isThere(d) && d.info.rendersForce; };
+  auto best = std::find_if(devices.begin(), devices.end(), pushes);
+  best = best == devices.end() ? std::find_if(devices.begin(), devices.end(), isThere) : best;
+  return best == devices.end() ? "mouse" : best->name;
 }
 
 void applyCalibrations(

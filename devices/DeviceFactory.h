@@ -37,9 +37,10 @@ struct KnownDevice
   std::string name;
   std::string what; ///< one line for a person
   DeviceInfo info;
-  std::string problem;  ///< empty, or why it cannot be used now and what to do
-  bool hasTwin = false; ///< another one is plugged in that nothing tells apart: see twinNote
-  bool hasGrip = false; ///< it can tell whether it is gripped
+  std::string problem;      ///< empty, or why it cannot be used now and what to do
+  bool hasTwin = false;     ///< another one is plugged in that nothing tells apart: see twinNote
+  bool hasGrip = false;     ///< it can tell whether it is gripped
+  bool forPrograms = false; ///< its hand is led by a program: a person alone cannot use it
 };
 
 /// Of a device with a twin, for a person. What a check found out about one of the two may be wrong for the other.
@@ -52,6 +53,10 @@ inline constexpr const char* noGripNote =
 
 /// All devices this build knows and all that are plugged in, usable or not.
 [[nodiscard]] std::vector<KnownDevice> knownDevices(const DeviceOptions& options = {});
+
+/// What a person most likely means: the first that is plugged in, can be used and pushes, else the first that is
+/// plugged in and can be used, else the mouse.
+[[nodiscard]] std::string preferredDevice(const std::vector<KnownDevice>& devices);
 
 /// Puts what is known of each from a calibration into what it says of itself, or what is wrong with that file.
 void applyCalibrations(

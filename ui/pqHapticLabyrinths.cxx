@@ -33,6 +33,8 @@
 namespace
 {
 constexpr int readOutEvery_ms = 100;
+/// Less than the smallest step of a colour on a screen.
+constexpr double unseenOpacity = 1e-3;
 
 /// What a game sets.
 constexpr const char* settings[] = { "LinesAsWalls", "Radius", "Scale", "Offset", "Rotation" };
@@ -183,6 +185,7 @@ void pqHapticLabyrinths::open(const QString& world)
   this->Shown =
     this->Shown ? this->Shown.data() : builder->createDataRepresentation(this->Source->getOutputPort(0), view);
   this->Shown->setVisible(true);
+  view->forceRender(); // until it is drawn the view has the bounds of the one before
   view->resetDisplay();
 }
 
@@ -277,7 +280,7 @@ void pqHapticLabyrinths::end()
   this->Message->setText(tr("The game is over: ball, scale and place are as before."));
 }
 
-/// Transparent, not invisible: what is not visible is not felt.
+/// So transparent that nobody sees it, yet not wholly: what is not shown at all is not felt.
 void pqHapticLabyrinths::hideWalls(bool hidden)
 {
   pqHapticController::instance()->showPlaces(!hidden);
@@ -288,7 +291,7 @@ void pqHapticLabyrinths::hideWalls(bool hidden)
   else if (hidden != this->Opacity.has_value())
   {
     vtkSMPropertyHelper opacity(this->Shown->getProxy(), "Opacity");
-    const double before = std::exchange(this->Opacity, std::nullopt).value_or(0.0);
+    const double before = std::exchange(this->Opacity, std::nullopt).value_or(unseenOpacity);
     if (hidden)
     {
       this->Opacity = opacity.GetAsDouble();

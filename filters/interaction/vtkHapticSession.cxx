@@ -47,6 +47,11 @@ void vtkHapticSession::Internals::ShowState()
   this->State = this->Core.state();
   this->Report = this->Core.report();
   this->Warning = this->Core.running() ? palpate::warning(this->State, this->Report) : std::string();
+  if (this->Core.running() && this->Warning.empty())
+  {
+    this->Warning = palpate::otherDeviceSentence(this->DeviceNameNow(), this->Chosen.name);
+    this->Warning = this->Warning.empty() ? this->Around : this->Warning;
+  }
   if (this->Core.running())
   {
     this->Scheduling = this->Core.scheduling().message;
@@ -152,8 +157,12 @@ bool vtkHapticSession::GetTouching() const
 
 void vtkHapticSession::Start()
 {
-  this->InvokeEvent(vtkCommand::StartEvent);
   Internals& impl = *this->Impl;
+  if (impl.FitsNow() && impl.Scene.built().scene)
+  {
+    this->Fit();
+  }
+  this->InvokeEvent(vtkCommand::StartEvent);
   if (impl.Check.running())
   {
     this->Refuse("the device is being checked; stop that first");
@@ -183,6 +192,8 @@ void vtkHapticSession::Start()
   options.recordFile = impl.RecordFile;
   options.brokers = palpate::systemBrokers();
   this->Refuse(impl.Core.start(std::move(made.device), options));
+  impl.Around.clear();
+  impl.Begun_s = impl.Now();
   if (!impl.Core.running())
   {
     impl.Running.reset();
@@ -236,7 +247,7 @@ void vtkHapticSession::Step(int ticks)
 
 void vtkHapticSession::Update()
 {
-  this->Impl->TakeScene();
+  this->TakeScene();
   this->Impl->Scene.follow(this->Impl->PlanNow());
   if (!this->Impl->VirtualTimeNow())
   {

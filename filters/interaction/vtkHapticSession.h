@@ -90,6 +90,17 @@ public:
   vtkHapticSwitchMacro(HoldWalls);
   vtkHapticSettingMacro(WallRate, double);
   vtkHapticSwitchMacro(PlaneGuide);
+<<<<<<< HEAD
+=======
+  vtkHapticSettingMacro(Scale, double);
+  vtkHapticSwitchMacro(FitOnTouch);
+  void SetRotation(double w, double x, double y, double z);
+  void SetRotation(const double wxyz[4]);
+  double* GetRotation() VTK_SIZEHINT(4);
+  void SetOffset(double x, double y, double z);
+  void SetOffset(const double offset_W[3]);
+  double* GetOffset() VTK_SIZEHINT(3);
+>>>>>>> home
   vtkHapticSettingMacro(StrokeSpeed, double);
   vtkHapticSettingMacro(ReplayFile, const char*);
   vtkHapticSettingMacro(RecordFile, const char*);
@@ -104,6 +115,10 @@ public:
   int GetNumberOfKnownDevices() const;
   const char* GetKnownDeviceName(int index) const;
   const char* GetKnownDeviceProblem(int index) const;
+  /// Whether a program must lead its hand.
+  bool GetKnownDeviceForPrograms(int index) const;
+  /// What a person most likely means: what is plugged in and pushes, else what is plugged in, else the mouse.
+  const char* GetPreferredDevice() const;
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -201,7 +216,8 @@ public:
   ///@}
 
   /// Scale and offset such that the device's workspace holds the whole committed scene, life size no longer, and the
-  /// rotation of a plane world for a device that moves in a plane. PropertyModifiedEvent says that they have changed.
+  /// rotation of a plane world for a device that moves in a plane. PropertyModifiedEvent says that they have changed. A
+  /// scene that is still being built is waited for without waiting: Update() fits once it is there.
   void FitWorkspace();
   /// Whether lines that are walls across one plane are all that is touched; a point of that plane and its unit normal,
   /// in W [u]; how many walls the device holds now; how much of the guide to the plane acts, 0 to 1.
@@ -227,6 +243,10 @@ public:
    * the unit normal of what stops it, to its side. False, and both unchanged, where nothing does.
    */
   bool PickSurface(const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const;
+
+  /// From where the hand of the device "mouse" is seen, in W [u]: a surface that comes between stays behind the hand,
+  /// which begins anew in front of it (StartEvent). Whoever follows a camera says it before each Update().
+  void SetEye(const double p_W[3]);
 
   /**
    * The game of finding the way through lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball,
@@ -317,6 +337,10 @@ private:
   void Refuse(const std::string& problem);
   void Start();
   void Stop();
+  /// Takes what the worker has built, or with `wait` what was committed last. A hand that something has come around
+  /// stays outside of it.
+  void TakeScene(bool wait = false);
+  void Fit();
   /// Whether a described setting may have these values; else that is refused and said.
   bool Allows(const char* setting, std::initializer_list<double> values);
   /// Setting and getting what is a field of the tick's parameters; the numbers stay until the same is asked for again.

@@ -166,6 +166,17 @@ const char* vtkHapticSession::GetKnownDeviceProblem(int index) const
   return index >= 0 && index < this->GetNumberOfKnownDevices() ? this->Impl->Known[index].problem.c_str() : nullptr;
 }
 
+bool vtkHapticSession::GetKnownDeviceForPrograms(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfKnownDevices() && this->Impl->Known[index].forPrograms;
+}
+
+const char* vtkHapticSession::GetPreferredDevice() const
+{
+  this->Impl->Preferred = palpate::preferredDevice(this->Impl->Known);
+  return this->Impl->Preferred.c_str();
+}
+
 const char* vtkHapticSession::GetDeviceKind() const
 {
   this->Impl->DeviceKind = palpate::kindOf(this->Impl->Chosen.info);

@@ -63,6 +63,11 @@ public:
   double PressDepth_m = 0.002;
   std::string HeldBy = palpate::DeviceOptions().hand;
   bool VirtualTime = false;
+  bool FitOnTouch = false;
+  bool MapByHand = false; ///< somebody set scale, rotation or offset
+  bool FitAsked = false;  ///< while the scene was being built
+  double Begun_s = 0.0;   ///< when touching began, as Now() has it
+  std::string Preferred;
   double Corridor_u = 0.0; ///< of the labyrinth that was played last
   double TraceApart_u = 1.0;
   palpate::WayTrace Trace;
@@ -78,6 +83,8 @@ public:
   std::string DeviceKind, DeviceNotes, LinkText, LossText;
   std::string Scheduling;
   std::string Warning;
+  std::string Around; ///< what has come around the hand, and what was done; "" once another scene is felt
+  std::optional<palpate::Vec3> Eye_W; ///< of the view that the mouse is in
   std::string Problem;
   std::string ProblemOf; ///< what that is about, if it is known when the same succeeds
   static constexpr const char* OfSurface = "surface ";
@@ -128,8 +135,10 @@ public:
   double Now();
   /// How simpler surfaces are looked for now.
   palpate::SimplifyPlan PlanNow() const;
-  /// What the worker has built is felt, or with `wait` what was committed last.
-  void TakeScene(bool wait = false);
+  /// Whether something has come around the hand, what is done, and what the person is told of it.
+  void StayOutside();
+  /// Whether touching that begins now, or began with this scene, fits the hand.
+  bool FitsNow() const { return this->FitOnTouch && !this->MapByHand; }
   /// By what the scene is touched.
   palpate::TouchChoice Touch() const;
   /// The parameters with a ball that is no larger than the scene allows, if that is wanted.

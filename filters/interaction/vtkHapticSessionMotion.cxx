@@ -9,14 +9,6 @@ double vtkHapticSession::Internals::Now()
                                 : 1e-9 * static_cast<double>(palpate::MonotonicClock().now_ns());
 }
 
-void vtkHapticSession::Internals::TakeScene(bool wait)
-{
-  if (this->Scene.takeBuilt(this->PlanNow(), this->Now(), wait))
-  {
-    this->FollowPlane();
-  }
-}
-
 bool vtkHapticSession::SetSurfacePose(const char* name, vtkMatrix4x4* matrix)
 {
   const std::string known = name ? name : "surface";

@@ -64,6 +64,11 @@ bool vtkHapticSession::PickSurface(
   return true;
 }
 
+void vtkHapticSession::SetEye(const double p_W[3])
+{
+  this->Impl->Eye_W = Vec3(p_W);
+}
+
 void vtkHapticSession::SetPressDepth(double depth_m)
 {
   if (this->Allows("PressDepth", { depth_m }))

@@ -2,6 +2,8 @@
 // The surfaces of the scene: put together, committed, and what came of them.
 #include <algorithm>
 
+#include "haptics/session/plan/FittedMap.h"
+#include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 
 void vtkHapticSession::ClearSurfaces()
@@ -29,9 +31,53 @@ void vtkHapticSession::CommitScene()
   this->Impl->Surfaces.Commit(this->Impl->Scene.worker(), this->Impl->Now());
 }
 
+void vtkHapticSession::TakeScene(bool wait)
+{
+  Internals& impl = *this->Impl;
+  impl.Scene.seeFrom(this->GetFollowsMouse() ? impl.Eye_W : std::nullopt);
+  if (!impl.Scene.takeBuilt(impl.PlanNow(), impl.Now(), wait))
+  {
+    return;
+  }
+  impl.FollowPlane();
+  impl.StayOutside();
+  const bool ofTouch = this->GetTouching() && palpate::isOfTouch(impl.Scene.built().stamp_s, impl.Begun_s);
+  if (impl.Scene.built().scene && (impl.FitAsked || (ofTouch && impl.FitsNow())))
+  {
+    this->Fit();
+    return;
+  }
+  if (impl.Scene.cameAround() && this->GetFollowsMouse())
+  {
+    this->InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
+    impl.Feed(true);
+  }
+}
+
+void vtkHapticSession::Internals::StayOutside()
+{
+  this->Around.clear();
+  const std::optional<palpate::CameAround>& around = this->Scene.cameAround();
+  if (!around)
+  {
+    return;
+  }
+  const palpate::HandHolder holder = this->DeviceNameNow() == "mouse" ? palpate::HandHolder::Mouse
+                                     : this->InfoNow().rendersForce   ? palpate::HandHolder::Device
+                                                                      : palpate::HandHolder::Program;
+  const palpate::StayOutside verdict =
+    palpate::stayOutside(*around, holder, this->Core.state().device_W.p, this->Core.parameters());
+  if (verdict.letGo)
+  {
+    this->Core.release();
+    this->Core.engage(); // waits until the force would start small
+  }
+  this->Around = verdict.sentence;
+}
+
 bool vtkHapticSession::FinishScene()
 {
-  this->Impl->TakeScene(true);
+  this->TakeScene(true);
   this->Impl->FollowRadius();
   return this->Impl->Scene.built().scene != nullptr;
 }

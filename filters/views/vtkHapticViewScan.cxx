@@ -83,6 +83,59 @@ vtkObject* ActiveRepresentation(vtkSMProxy* proxy)
   return composite ? composite->GetActiveRepresentation() : object;
 }
 
+constexpr const char* LinesNeedRadius =
+  "it is drawn as lines; give lines a radius in the panel (Advanced, Radius of lines) to feel them as tubes";
+
+/// What is drawn of it instead of polygons.
+struct Drawn
+{
+  vtkIdType Lines = 0;
+  vtkIdType Points = 0;
+};
+
+void CountPiece(Drawn& drawn, vtkPolyData* data)
+{
+  drawn.Lines += data ? data->GetNumberOfLines() : 0;
+  drawn.Points += data ? data->GetNumberOfVerts() : 0;
+}
+
+Drawn CountDrawn(vtkDataObject* shown)
+{
+  Drawn drawn;
+  auto* composite = vtkCompositeDataSet::SafeDownCast(shown);
+  if (!composite)
+  {
+    CountPiece(drawn, vtkPolyData::SafeDownCast(shown));
+    return drawn;
+  }
+  auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+  {
+    CountPiece(drawn, vtkPolyData::SafeDownCast(each->GetCurrentDataObject()));
+  }
+  return drawn;
+}
+
+/// What helps depends on what is drawn: lines can be felt as they are, points become a surface by a filter.
+std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
+{
+  const Drawn drawn = CountDrawn(shown);
+  const bool asItIs = active->IsA("vtkOutlineRepresentation") || active->IsA("vtkFeatureEdgesRepresentation");
+  if (asItIs)
+  {
+    return "only its outline or edges are drawn; choose the representation Surface";
+  }
+  if (drawn.Lines > 0)
+  {
+    return LinesNeedRadius;
+  }
+  if (drawn.Points > 0)
+  {
+    return "it is drawn as points; apply the filter Glyph with the type Sphere and show its result";
+  }
+  return "no polygons are shown; choose the representation Surface, or apply Extract Surface";
+}
+
 std::string WhyNoSurface(vtkObject* active)
 {
   if (active && active->IsA("vtkGlyph3DRepresentation"))
@@ -171,7 +224,8 @@ std::string NameOf(vtkSMProxy* input)
   return name ? name : "";
 }
 
-void AddSurface(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, bool lines, vtkHapticViewScan& scan)
+/// False if it shows nothing that can be touched.
+bool AddSurface(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, bool lines, vtkHapticViewScan& scan)
 {
   Surface surface;
   surface.Name = name;
@@ -179,14 +233,20 @@ void AddSurface(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matr
   surface.GeometryKey = GeometryKey(data, lines);
   if (surface.GeometryKey == 0)
   {
-    scan.Refusals.push_back(
-      name + ": no polygons are shown; choose the representation Surface, or apply Extract Surface.");
-    return;
+    return false;
   }
   surface.ArraysKey = vtkHapticArraysKey(data);
   surface.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
   surface.Matrix->DeepCopy(matrix);
   scan.Surfaces.push_back(std::move(surface));
+  return true;
+}
+
+/// What is not seen is not felt.
+bool IsTransparent(vtkSMProxy* representation)
+{
+  vtkSMProperty* const opacity = representation->GetProperty("Opacity");
+  return opacity && vtkSMPropertyHelper(opacity).GetAsDouble() <= 0.0;
 }
 
 void ScanRepresentation(
@@ -197,6 +257,11 @@ void ScanRepresentation(
   if (!actor)
   {
     scan.Refusals.push_back(name + ": " + WhyNoSurface(active) + ".");
+    return;
+  }
+  if (IsTransparent(proxy))
+  {
+    scan.Refusals.push_back(name + ": it is fully transparent; raise its opacity to feel it.");
     return;
   }
   vtkDataObject* shown = actor->GetMapper() ? actor->GetMapper()->GetInputDataObject(0, 0) : nullptr;
@@ -210,7 +275,10 @@ void ScanRepresentation(
     scan.Pending = true;
     return;
   }
-  AddSurface(name, shown, actor->GetMatrix(), lines, scan);
+  if (!AddSurface(name, shown, actor->GetMatrix(), lines, scan))
+  {
+    scan.Refusals.push_back(name + ": " + WhyNoPolygons(active, shown) + ".");
+  }
 }
 
 /// A curve that was not applied yet is where its widget is, in no actor.
@@ -219,9 +287,9 @@ void ScanDrawing(vtkSMProxy* drawing, bool lines, vtkHapticDrafts& drafts, vtkHa
   drafts.ForgetDeleted();
   const std::string name = NameOf(drawing);
   vtkDataObject* const drawn = name.empty() ? nullptr : drafts.Drawn(drawing);
-  if (drawn)
+  if (drawn && !AddSurface(name, drawn, vtkNew<vtkMatrix4x4>(), lines, scan))
   {
-    AddSurface(name, drawn, vtkNew<vtkMatrix4x4>(), lines, scan);
+    scan.Refusals.push_back(name + ": " + LinesNeedRadius + ".");
   }
 }
 

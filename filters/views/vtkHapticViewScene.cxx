@@ -15,6 +15,11 @@
 
 vtkStandardNewMacro(vtkHapticViewScene);
 
+namespace
+{
+constexpr const char* NothingShown = "Nothing is shown: open a file and press Apply.";
+} // namespace
+
 class vtkHapticViewScene::Internals
 {
 public:
@@ -124,6 +129,16 @@ std::string vtkHapticViewScene::GetArrayNames() const
   return lines;
 }
 
+std::string vtkHapticViewScene::GetRefusal() const
+{
+  const vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->TouchesLines());
+  if (!now.Surfaces.empty() || now.Pending)
+  {
+    return {};
+  }
+  return now.Refusals.empty() ? NothingShown : now.Refusals.front();
+}
+
 const char* vtkHapticViewScene::GetReport() const
 {
   return this->Impl->Report.c_str();
@@ -176,8 +191,7 @@ void vtkHapticViewScene::WriteReport()
   }
   if (report.empty())
   {
-    report = this->Impl->Scan.Pending ? "Waiting for the first picture.\n"
-                                      : "Nothing is shown: open a file and press Apply.\n";
+    report = this->Impl->Scan.Pending ? "Waiting for the first picture.\n" : std::string(NothingShown) + "\n";
   }
   this->Impl->Report = std::move(report);
 }

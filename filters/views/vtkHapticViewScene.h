@@ -67,6 +67,10 @@ public:
   /// Names of the touched surfaces, then one line for each thing that is not touched: why, and what to do.
   const char* GetReport() const;
 
+  /// Why nothing of what the view shows now can be touched, and what to do; "" where something can. Looks at the view,
+  /// hands nothing over.
+  std::string GetRefusal() const;
+
   int GetNumberOfSurfaces() const;
 
   /// Names of all arrays of points and cells with numbers that the view shows now, a line each, sorted.

@@ -34,6 +34,7 @@ struct HapticSession::Run
   bool virtualTime = false;
   double period_s = 1e-3;
   HapticParameters adapted; ///< what the servo runs with
+  BallLead lead;            ///< the last one
   StabilityLimits limits;
 
   /// A virtual time goes by itself, whatever the device would pace.
@@ -71,6 +72,7 @@ struct HapticSession::Run
       this->viscosity_Ns_per_m_ = corridorViscosity(info, stiffness_N_per_m);
     }
     this->adapted = adaptToDevice(parameters, info, this->limits, this->viscosity_Ns_per_m_);
+    this->adapted.ballLead = this->lead;
   }
 
 private:
@@ -204,11 +206,17 @@ std::string HapticSession::limitsSentence() const
                     : std::string();
 }
 
-void HapticSession::setScene(std::shared_ptr<const Scene> scene)
+void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W)
 {
   this->scene_ = std::move(scene);
   if (this->run_)
   {
+    if (this->scene_ && comesFrom_W) // said before the scene is there
+    {
+      Run& r = *this->run_;
+      r.adapted.ballLead = r.lead = { r.lead.number + 1, this->scene_->geometryHash(), *comesFrom_W };
+      r.links.parameters.write({ ++this->version_, r.adapted });
+    }
     this->run_->recorder.storeScene(this->scene_);
     this->run_->links.scenes.publish(this->scene_);
   }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "haptics/core/HapticDevice.h"
@@ -51,8 +52,9 @@ public:
   /// nothing runs.
   [[nodiscard]] StabilityLimits limits() const;
   [[nodiscard]] std::string limitsSentence() const;
-  /// Null: nothing to touch. Kept over stop() and start().
-  void setScene(std::shared_ptr<const Scene> scene);
+  /// Null: nothing to touch. Kept over stop() and start(). `comesFrom_W`: where the ball comes from when the servo
+  /// takes the scene, so that a surface that has come around it stays on its other side.
+  void setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W = {});
   [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept { return this->scene_; }
 
   void engage();

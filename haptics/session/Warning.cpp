@@ -32,4 +32,9 @@ std::string warning(const HapticState& state, const LoopReport& report)
   return state.stiffnessFactor < 1.0 ? lateSentence(report.lateness.p99_us, state.stiffnessFactor) : std::string();
 }
 
+std::string otherDeviceSentence(const std::string& running, const std::string& chosen)
+{
+  return running == chosen ? std::string() : running + " still leads the hand: let go and touch again to use " + chosen;
+}
+
 } // namespace palpate

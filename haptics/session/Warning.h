@@ -13,4 +13,7 @@ namespace palpate
 /// that of the report, the share of the stiffness that of the state.
 [[nodiscard]] std::string warning(const HapticState& state, const LoopReport& report);
 
+/// What a person is told who chose another device than the one that runs; empty if it is the same.
+[[nodiscard]] std::string otherDeviceSentence(const std::string& running, const std::string& chosen);
+
 } // namespace palpate

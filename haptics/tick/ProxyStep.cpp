@@ -15,18 +15,19 @@ bool sameMap(const WorkspaceMap& a, const WorkspaceMap& b) noexcept
   return a.scale_u_per_m == b.scale_u_per_m && a.q_WD.coeffs() == b.q_WD.coeffs() && a.offset_W == b.offset_W;
 }
 
-ContactResult moveIn(const ProxyTick& tick, const Vec3& p_W, GodObjectState& contact) noexcept
+ContactResult moveIn(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, GodObjectState& contact) noexcept
 {
   const Scene& scene = *tick.input.scene;
   return scene.moves()
-           ? moveGodObject(MovingScene(scene, scene.shareAt(tick.step.age_s)), tick.plan, p_W, contact, tick.sink)
-           : moveGodObject(scene, tick.plan, p_W, contact, tick.sink);
+           ? moveGodObject(MovingScene(scene, scene.shareAt(tick.step.age_s)), plan, p_W, contact, tick.sink)
+           : moveGodObject(scene, plan, p_W, contact, tick.sink);
 }
 
 /// Takes the ball along to another scene, or on the way that the surfaces of this one made.
 void comeAlong(
-  const ProxyTick& tick, const Vec3& p_W, double ageBefore_s, GodObjectState& contact, ProxyStep& moved) noexcept
+  const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, RendererState& state, ProxyStep& moved) noexcept
 {
+  GodObjectState& contact = state.contact;
   const Scene& scene = *tick.input.scene;
   const Scene* const before = tick.input.previousScene != nullptr ? tick.input.previousScene : &scene;
   if (tick.input.previousScene == nullptr && tick.step.changed)
@@ -38,22 +39,53 @@ void comeAlong(
   {
     if (tick.step.otherGeometry)
     {
-      handOver(*before, scene, tick.plan, p_W, contact);
+      handOver(*before, scene, plan, p_W, contact);
     }
     return;
   }
-  const MovingScene was(*before, before->shareAt(ageBefore_s)), is(scene, scene.shareAt(tick.step.age_s));
+  const MovingScene was(*before, before->shareAt(state.sceneAge_s)), is(scene, scene.shareAt(tick.step.age_s));
   if (tick.step.otherGeometry)
   {
-    handOver(was, is, tick.plan, p_W, contact);
+    handOver(was, is, plan, p_W, contact);
   }
   else if (before->bends() || scene.bends())
   {
-    carryWithVertices(was, is, tick.plan, contact);
+    carryWithVertices(was, is, plan, contact);
   }
-  const CarryResult carry = carryBall(was, is, tick.plan, contact);
+  const CarryResult carry = carryBall(was, is, plan, contact);
   moved.pinned = carry.pinned;
   moved.carryWork = carry.work;
+}
+
+/// The ball of this tick where the old one was, not at the device: a pressed one stays on its side. Nothing changes
+/// where it has no room.
+void resize(const ProxyTick& tick, RendererState& state) noexcept
+{
+  GodObjectState resized = state.contact;
+  resized.placed = false;
+  if (!moveIn(tick, tick.plan, state.contact.x_W, resized).seatFailed)
+  {
+    state.contact = resized;
+    state.radius_u = tick.plan.radius_u;
+  }
+}
+
+/// What has come between a place that is outside and the ball stops it there. Where nothing was felt before the ball is
+/// where the hand is.
+void comeFrom(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, GodObjectState& contact) noexcept
+{
+  if (!contact.placed)
+  {
+    contact = GodObjectState{};
+    contact.x_W = contact.device_W = p_W;
+    contact.placed = true;
+  }
+  const Scene& scene = *tick.input.scene;
+  const Vec3 &from_W = tick.lead.from_W, to_W = contact.x_W;
+  const MovingScene now(scene, scene.shareAt(tick.step.age_s));
+  contact.x_W = scene.moves() ? stopBefore(now, plan, plan.radius_u, from_W, to_W)
+                              : stopBefore(scene, plan, plan.radius_u, from_W, to_W);
+  contact.count = 0; // what held it there is behind what stops it
 }
 
 } // namespace
@@ -75,9 +107,7 @@ ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state
 {
   GodObjectState& contact = state.contact;
   const bool otherMap = !sameMap(state.map, tick.map);
-  const bool otherBall = state.radius_u != tick.plan.radius_u;
   state.map = tick.map;
-  state.radius_u = tick.plan.radius_u;
   ProxyStep moved;
   if (!tick.touches)
   {
@@ -85,20 +115,26 @@ ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state
     moved.contact.proxy_W = p_W;
     return moved;
   }
-  if (otherMap)
+  contact.placed = contact.placed && !otherMap; // the hand is elsewhere: what lies between was not passed
+  state.radius_u = contact.placed ? state.radius_u : tick.plan.radius_u;
+  ContactPlan plan = tick.plan;
+  plan.radius_u = state.radius_u;
+  if (!otherMap)
   {
-    contact.placed = false; // the hand is elsewhere: what lies between was not passed
+    comeAlong(tick, plan, p_W, state, moved);
   }
-  else if (otherBall && contact.placed)
+  const bool toldToCome = tick.lead.number != state.ballLed && tick.lead.geometry == tick.input.scene->geometryHash();
+  if (toldToCome && !otherMap)
   {
-    contact.placed = false; // where the old ball was, not at the device: a pressed one stays on its side
-    static_cast<void>(moveIn(tick, Vec3(contact.x_W), contact));
+    comeFrom(tick, plan, p_W, contact);
   }
-  else
+  state.ballLed = toldToCome ? tick.lead.number : state.ballLed;
+  if (contact.placed && state.radius_u != tick.plan.radius_u)
   {
-    comeAlong(tick, p_W, state.sceneAge_s, contact, moved);
+    resize(tick, state);
   }
-  moved.contact = moveIn(tick, p_W, contact);
+  plan.radius_u = state.radius_u;
+  moved.contact = moveIn(tick, plan, p_W, contact);
   return moved;
 }
 

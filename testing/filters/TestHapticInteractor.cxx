@@ -11,6 +11,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
@@ -116,6 +117,22 @@ TEST_F(HapticInteractor, AHiddenActorIsNotTouched)
 {
   this->actor_->VisibilityOff();
   EXPECT_EQ(this->restingHeight(), -1.0);
+}
+
+TEST_F(HapticInteractor, AFullyTransparentActorIsNotTouched)
+{
+  this->actor_->GetProperty()->SetOpacity(0.0);
+  EXPECT_EQ(this->restingHeight(), -1.0);
+}
+
+// Nothing says how large a hand is where nothing is: it could fill the view.
+TEST_F(HapticInteractor, InAnEmptySceneNoToolIsDrawn)
+{
+  this->actor_->VisibilityOff();
+  this->restingHeight();
+  ASSERT_TRUE(this->session_->GetTouching());
+  EXPECT_FALSE(this->touch_->GetToolProps()->GetProxyActor()->GetVisibility());
+  EXPECT_FALSE(this->touch_->GetToolProps()->GetHandActor()->GetVisibility());
 }
 
 TEST_F(HapticInteractor, AnActorThatIsTakenAwayIsNotTouched)

@@ -253,6 +253,33 @@ TEST_F(HapticMouse, FittedWhileItPressesItBeginsAnewOutside)
   EXPECT_GT(this->force().norm(), 0.5 * force_N);
 }
 
+// A closed surface that appears around the hand is felt from outside, where the camera sees the hand.
+TEST_P(HapticMouseInBothViews, WhatAppearsAroundThePressingHandIsPressedFromOutside)
+{
+  constexpr double small = 45.0, large = 60.0;
+  this->show(makeSphere(small, 40));
+  this->lookDown();
+  this->engage();
+  this->press(203.0, 152.0);
+  ASSERT_NEAR(this->proxy().norm(), small, 0.01 * small);
+  this->show(makeSphere(large, 40));
+  this->touch_->Update();
+  ASSERT_TRUE(this->session_->FinishScene());
+  this->rest(1);
+  EXPECT_NE(std::string(this->session_->GetWarning()).find(" has come around the hand"), std::string::npos)
+    << this->session_->GetWarning();
+  for (int i = 0; i < 3 * framesToArrive; ++i)
+  {
+    this->rest(1);
+    ASSERT_GT(this->proxy().norm(), 0.99 * large) << i;
+  }
+  EXPECT_NEAR(this->force().norm(), force_N, 0.05 * force_N);
+  EXPECT_GT(this->force().dot(this->proxy()), 0.0);
+  this->mouse_->SetPressing(false);
+  this->rest(framesToArrive);
+  EXPECT_LT(this->force().norm(), 1e-6); // free air is free
+}
+
 TEST_F(HapticMouse, AnotherDeviceIsNotLed)
 {
   this->show(makePlane(100.0));

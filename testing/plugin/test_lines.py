@@ -18,7 +18,7 @@ class LinesInAView(ViewTest):
         self.show(simple.Line(Point1=[0.0, -1.0, 0.0], Point2=[0.0, 1.0, 0.0]))
         self.follow()
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
-        self.assertIn("no polygons are shown", self.scene.GetReport())
+        self.assertIn("Radius of lines", self.scene.GetReport())
         put(self.proxy, "LineRadius", RADIUS)
         self.assertTrue(self.follow())
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 1)

@@ -118,7 +118,40 @@ class TouchInAView(ViewTest):
         self.assertIn("an image slice has no surface; apply the Slice filter", self.refusal("Slice"))
 
     def test_an_outline_is_refused_with_what_to_do(self):
-        self.assertIn("no polygons are shown", self.refusal("Outline"))
+        self.assertIn("only its outline or edges are drawn; choose the representation Surface", self.refusal("Outline"))
+
+    def test_what_is_drawn_as_lines_is_refused_with_what_helps(self):
+        self.show(simple.Line())
+        self.follow()
+        self.assertIn("it is drawn as lines; give lines a radius", self.scene.GetReport())
+        self.assertEqual(self.scene.GetRefusal(), self.scene.GetReport().strip().removeprefix("Not touched: "))
+        put(self.proxy, "LineRadius", 0.1)  # what it says helps
+        self.assertTrue(self.follow())
+        self.assertEqual((self.scene.GetNumberOfSurfaces(), self.scene.GetRefusal()), (1, ""))
+
+    def test_points_are_refused_with_the_filter_that_makes_balls_of_them(self):
+        points = simple.PointSource(NumberOfPoints=5, Radius=1.0)
+        self.show(points)
+        self.follow()
+        self.assertIn("it is drawn as points; apply the filter Glyph with the type Sphere", self.scene.GetReport())
+        simple.Hide(points, self.view)
+        self.show(simple.Glyph(Input=points, GlyphType="Sphere", GlyphMode="All Points"))  # what it says helps
+        self.follow()
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 1)
+
+    def test_what_is_fully_transparent_is_not_felt(self):
+        display = self.show(simple.Box())
+        self.assertTrue(self.follow())
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 1)
+        display.Opacity = 0.0
+        simple.Render(self.view)
+        self.assertTrue(self.follow())
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
+        self.assertIn("it is fully transparent; raise its opacity to feel it", self.scene.GetReport())
+        display.Opacity = 0.01
+        simple.Render(self.view)
+        self.follow()
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 1)
 
     def test_a_view_that_is_no_render_view_is_refused(self):
         chart = simple.CreateView("XYChartView")

@@ -20,6 +20,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
@@ -30,7 +31,8 @@ namespace
 /// What an actor shows now, its pipeline brought up to date; null if nothing.
 vtkDataObject* ShownBy(vtkActor* actor)
 {
-  vtkMapper* mapper = actor->GetVisibility() ? actor->GetMapper() : nullptr;
+  const bool seen = actor->GetVisibility() && actor->GetProperty()->GetOpacity() > 0.0;
+  vtkMapper* mapper = seen ? actor->GetMapper() : nullptr;
   if (!mapper || mapper->GetNumberOfInputConnections(0) == 0)
   {
     return nullptr;

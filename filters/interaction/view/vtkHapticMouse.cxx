@@ -69,6 +69,7 @@ public:
   Ray RayAt(double x, double y) const;
   Ray RayOfPointer() const;
   Ray RayThrough(const Vec3& p_W) const;
+  Vec3 EyeOn(const Vec3& p_W) const;
   double DepthOf(const Vec3& p_W) const;
   Vec3 AtDepth(const Ray& ray, double depth) const;
   double Reach(double length_m) const;
@@ -111,6 +112,17 @@ Ray vtkHapticMouse::Internals::RayThrough(const Vec3& p_W) const
   this->Renderer->WorldToDisplay();
   this->Renderer->GetDisplayPoint(display);
   return this->RayAt(display[0], display[1]);
+}
+
+/// From where a point is seen. Without perspective that is infinitely far away: so far that little comes behind it.
+Vec3 vtkHapticMouse::Internals::EyeOn(const Vec3& p_W) const
+{
+  constexpr double farAway = 10.0;
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const Vec3 eye_W(camera->GetPosition());
+  const double distance = (p_W - eye_W).norm() + 2.0 * camera->GetParallelScale();
+  return camera->GetParallelProjection() ? Vec3(p_W - farAway * distance * Vec3(camera->GetDirectionOfProjection()))
+                                         : eye_W;
 }
 
 /// Along the direction of projection, from the eye [u].
@@ -370,6 +382,7 @@ void vtkHapticMouse::Update()
 {
   if (this->GetLeads())
   {
+    this->Impl->Session->SetEye(this->Impl->EyeOn(Vec3(this->Impl->Session->GetProxyPosition())).data());
     const Vec3 hand_W = this->Impl->Next(this->Impl->RayOfPointer());
     this->Impl->Session->SetHandPosition(hand_W.data());
   }

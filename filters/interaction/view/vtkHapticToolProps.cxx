@@ -27,18 +27,14 @@ constexpr int ballResolution = 32;
 constexpr int arrowResolution = 24;
 /// The hand is drawn smaller than the proxy, so that both are seen when they are at one place.
 constexpr double handShare = 0.75;
-constexpr float traceWidth = 3.0f; // pixels
+constexpr float traceWidth = 3.0f;  // pixels
 constexpr double markOpacity = 0.4; // what is at start and exit shows through
 
-/// What is drawn without a scene is as large as if the hand's workspace of 0.2 m were the scene.
+/// 0 without a scene.
 double DiagonalOf(vtkHapticSession* session)
 {
   double b[6];
-  if (!session->GetSceneBounds(b))
-  {
-    return 0.2 * session->GetScale();
-  }
-  return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+  return session->GetSceneBounds(b) ? std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]) : 0.0;
 }
 
 /// Columns: an orthogonal frame whose first axis is `along`, all of `length`; then the place.
@@ -187,7 +183,9 @@ void vtkHapticToolProps::RemoveFromRenderer()
 void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
 {
   Internals& impl = *this->Impl;
-  const bool shown = session && session->GetTouching();
+  // Without a scene nothing says how large a hand is, and one of a wrong size could fill the view.
+  const double diagonal = session ? DiagonalOf(session) : 0.0;
+  const bool shown = session && session->GetTouching() && diagonal > 0.0;
   for (vtkActor* actor : impl)
   {
     actor->SetVisibility(shown);
@@ -202,7 +200,6 @@ void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
     return;
   }
   impl.PlaceMarks(session, this->ShowPlaces);
-  const double diagonal = DiagonalOf(session);
   const double radius = std::max(session->GetRadiusUsed(), this->RelativeSize * diagonal);
   impl.Place(impl.Proxy, session->GetProxyPosition(), radius);
   impl.Place(impl.Hand, session->GetHandPosition(), handShare * radius);

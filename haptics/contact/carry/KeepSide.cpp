@@ -18,18 +18,13 @@ namespace palpate
 namespace
 {
 
-std::uint64_t fullOf(const Surface& surface) noexcept
-{
-  return surface.standsFor.full != 0 ? surface.standsFor.full : surface.tree->contentHash();
-}
-
 /// The surface, simpler or full, that has taken the place of one that is gone; null where none has.
 const Surface* exchangedFor(
   const std::vector<Surface>& before, std::uint32_t i, const std::vector<Surface>& after) noexcept
 {
   const Surface& old = before[i];
   const auto stands = [&old](const Surface& s)
-  { return (old.standsFor.full != 0 || s.standsFor.full != 0) && fullOf(s) == fullOf(old); };
+  { return (old.standsFor.full != 0 || s.standsFor.full != 0) && fullContentOf(s) == fullContentOf(old); };
   const auto found = std::find_if(after.begin(), after.end(), stands);
   return found != after.end() && successorOf(before, i, after) == after.size() ? &*found : nullptr;
 }

@@ -36,6 +36,12 @@ struct Surface
   std::uint64_t frame = 0; ///< names what the vertices are given in, whatever the pose
 };
 
+/// Names what a surface stands for, which is itself where it stands for no other.
+[[nodiscard]] inline std::uint64_t fullContentOf(const Surface& surface) noexcept
+{
+  return surface.standsFor.full != 0 ? surface.standsFor.full : surface.tree->contentHash();
+}
+
 /// True if the vertices of `was` and of a surface in that frame, with that motion, can be compared: they are given in
 /// one frame, or both lie in W as they are.
 [[nodiscard]] bool inOneFrame(const Surface& was, std::uint64_t frame, const RigidMotion& motion) noexcept;

@@ -18,4 +18,10 @@ WorkspaceMap fittedMap(WorkspaceMap map, const BuiltScene& scene, const DeviceIn
   return map;
 }
 
+bool isOfTouch(double committed_s, double begun_s)
+{
+  constexpr double moment_s = 1.0;
+  return committed_s >= begun_s && committed_s - begun_s < moment_s;
+}
+
 } // namespace palpate

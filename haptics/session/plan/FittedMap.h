@@ -13,4 +13,8 @@ namespace palpate
 /// stays. The scene must not be empty.
 [[nodiscard]] WorkspaceMap fittedMap(WorkspaceMap map, const BuiltScene& scene, const DeviceInfo& device);
 
+/// Whether a scene that was committed then is the one that touching began with: what is shown is handed over a moment
+/// after a touch, what is shown later does not move the hand [s].
+[[nodiscard]] bool isOfTouch(double committed_s, double begun_s);
+
 } // namespace palpate

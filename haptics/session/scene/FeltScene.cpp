@@ -46,13 +46,36 @@ bool FeltScene::takeBuilt(const SimplifyPlan& plan, double now_s, bool wait)
     const double motion_s = std::clamp(built->stamp_s - this->built_.stamp_s, this->period_s_, longestMotion_s);
     built->scene = movingFrom(now, share, built->scene, motion_s);
   }
+  this->lookAround(built->scene.get());
   this->built_ = std::move(*built);
   this->handOver_s_ = std::max(0.0, now_s - this->built_.stamp_s);
-  this->session_.setScene(this->built_.scene);
+  this->session_.setScene(this->built_.scene, this->around_ ? std::optional(this->around_->from_W) : std::nullopt);
   this->full_ = this->built_;
   this->worker_.follow(this->session_.running() ? this->full_.scene : nullptr);
   this->plan(plan);
   return true;
+}
+
+/// A scene that the servo has not taken yet has changed nothing: what counts is the one that the hand is in.
+void FeltScene::lookAround(const Scene* next)
+{
+  this->around_.reset();
+  if (!this->session_.running())
+  {
+    this->lastFelt_.reset();
+    return;
+  }
+  const HapticState& felt = this->session_.state();
+  if (this->session_.scene() && felt.sceneRevision == this->session_.scene()->revision())
+  {
+    this->lastFelt_ = this->session_.scene();
+  }
+  const bool hasHand = felt.tick > 0 && !felt.held && felt.proxy_W.p.allFinite();
+  if (next != nullptr && hasHand)
+  {
+    this->around_ = palpate::cameAround(
+      this->lastFelt_.get(), *next, this->session_.parameters().contact, felt.proxy_W.p, this->eye_W_);
+  }
 }
 
 void FeltScene::plan(const SimplifyPlan& plan)

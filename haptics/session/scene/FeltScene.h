@@ -7,6 +7,7 @@
 
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/scene/BuiltScene.h"
+#include "haptics/session/scene/CameAround.h"
 #include "haptics/session/scene/SceneWorker.h"
 #include "haptics/session/scene/SimplerSearch.h"
 #include "haptics/session/scene/SimplifyPlan.h"
@@ -27,6 +28,8 @@ public:
   [[nodiscard]] SceneWorker& worker() noexcept { return this->worker_; }
   /// To be called before a commit: what it changes comes from what is felt now.
   void beforeCommit();
+  /// From where the hand is seen in a view [u]; nothing: it is where it is felt.
+  void seeFrom(const std::optional<Vec3>& eye_W) { this->eye_W_ = eye_W; }
 
   /// Has the session feel a scene that the worker has finished, or with `wait` the newest that was committed. True if
   /// there was one. `now_s`: on the clock of the commits.
@@ -35,6 +38,9 @@ public:
   void takeSimpler(bool wait = false);
   /// Plans again, from all triangles on, if what the choice depends on has changed.
   void follow(const SimplifyPlan& plan);
+
+  /// What the scene taken last has brought around the hand; the hand stays outside of it.
+  [[nodiscard]] const std::optional<CameAround>& cameAround() const noexcept { return this->around_; }
 
   /// As the session has it.
   [[nodiscard]] const BuiltScene& built() const noexcept { return this->built_; }
@@ -51,6 +57,7 @@ public:
 
 private:
   void plan(const SimplifyPlan& plan);
+  void lookAround(const Scene* next);
   void swapIn(std::optional<FoundScene> found);
 
   HapticSession& session_;
@@ -62,6 +69,9 @@ private:
   SimplifyPlan plan_; ///< that `choices_` were made by
   std::vector<SurfaceChoice> choices_;
   double handOver_s_ = 0.0;
+  std::shared_ptr<const Scene> lastFelt_; ///< the newest that the servo is known to have taken
+  std::optional<Vec3> eye_W_;
+  std::optional<CameAround> around_;
 };
 
 } // namespace palpate

@@ -54,7 +54,8 @@ void remember(const TickContext& tick, Contact::State& state) noexcept
 void Contact::step(TickContext& tick) noexcept
 {
   const WorkspaceMap& map = tick.p.map;
-  const ProxyTick now{ tick.input, tick.scene, tick.contact, map, tick.touchable() && tick.game.contact, tick.sink };
+  const bool touches = tick.touchable() && tick.game.contact;
+  const ProxyTick now{ tick.input, tick.scene, tick.contact, tick.p.ballLead, map, touches, tick.sink };
   const ProxyStep moved = moveProxy(now, target_W(tick), tick.s);
   const ContactResult& result = moved.contact;
   tell(moved, tick.out.state);

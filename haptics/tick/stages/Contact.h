@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "haptics/contact/GodObject.h"
+#include "haptics/contact/view/BallLead.h"
 #include "haptics/force/WorkspaceMap.h"
 #include "haptics/tick/PlanRules.h"
 #include "haptics/tick/StageList.h"
@@ -22,6 +23,7 @@ struct Contact
   struct Plan
   {
     ContactPlan contact;
+    BallLead ballLead;
   };
   template<class Visit, class... P>
   static void planFields(const Visit& visit, P&... p)
@@ -32,6 +34,9 @@ struct Contact
     visit("shading", p.contact.shading...);
     visit("passCap", p.contact.passCap...);
     visit("workBudget", p.contact.workBudget...);
+    visit("ballLead.number", p.ballLead.number...);
+    visit("ballLead.geometry", p.ballLead.geometry...);
+    visit("ballLead.from_W", p.ballLead.from_W...);
   }
   /// The tick must end.
   [[nodiscard]] static std::string refuse(const Plan& p)
@@ -47,6 +52,10 @@ struct Contact
     {
       return "the work of a tick must be 1 to 1024 passes and 1 to 10000000 units of work";
     }
+    if (!p.ballLead.from_W.allFinite())
+    {
+      return "the place that the ball comes from [scene units] must be finite";
+    }
     return nonNegative(plan.friction.kinetic) && plan.friction.kinetic <= plan.friction.statical &&
                plan.friction.statical <= mostFriction
              ? ""
@@ -56,8 +65,9 @@ struct Contact
   struct State
   {
     GodObjectState contact;
-    WorkspaceMap map;      ///< of the last tick: another map places the proxy anew
-    double radius_u = 0.0; ///< of the last tick: another ball is seated where the old one was
+    WorkspaceMap map;          ///< of the last tick: another map places the proxy anew
+    double radius_u = 0.0;     ///< of the last tick: another ball is seated where the old one was, once there is room
+    std::uint64_t ballLed = 0; ///< number of the lead that was followed last
     std::uint64_t sceneRevision = 0;
     std::uint64_t sceneGeometry = 0; ///< what surfaces it had, wherever they were
     double sceneAge_s = 0.0;         ///< since the scene was taken: how far its surfaces have moved
@@ -76,6 +86,7 @@ struct Contact
     visit("map.q_WD", s.map.q_WD...);
     visit("map.offset_W", s.map.offset_W...);
     visit("radius_u", s.radius_u...);
+    visit("ballLed", s.ballLed...);
     visit("sceneRevision", s.sceneRevision...);
     visit("sceneGeometry", s.sceneGeometry...);
     visit("sceneAge_s", s.sceneAge_s...);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/StateSentence.h"
+
+#include <cctype>
+
+namespace palpate
+{
+namespace
+{
+
+std::string asSentence(std::string text)
+{
+  const bool ended = text.empty() || text.back() == '.' || text.back() == '!';
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return ended ? text : text + ".";
+}
+
+const std::string& first(const std::string& one, const std::string& other)
+{
+  return one.empty() ? other : one;
+}
+
+} // namespace
+
+std::string stateSentence(const SessionGlance& glance)
+{
+  const std::string& stops = first(glance.refusal, glance.fault);
+  if (!stops.empty())
+  {
+    return "No force: " + asSentence(stops);
+  }
+  if (!glance.touching)
+  {
+    return glance.problem.empty() ? "Press Touch to feel what is shown." : asSentence(glance.problem);
+  }
+  const std::string& note = first(glance.warning, glance.problem);
+  if (glance.engage == EngageState::Engaged)
+  {
+    return note.empty() ? "Touching." : "Touching. " + asSentence(note);
+  }
+  return note.empty() ? "Waiting: move the hand out of what it is in, then the force comes."
+                      : "No force: " + asSentence(note);
+}
+
+} // namespace palpate

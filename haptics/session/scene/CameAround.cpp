@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/scene/CameAround.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "haptics/contact/carry/Deformation.h"
+#include "haptics/contact/sweep/Sweep.h"
+#include "haptics/contact/view/PlanFor.h"
+#include "haptics/contact/view/SceneView.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// A way that was free is left a little before it ends at a surface: what touches is not outside of it.
+constexpr double shortOfEnd = 0.999;
+
+/// A surface of a scene where it stands in the end.
+struct Standing
+{
+  MovingScene scene;
+  std::uint32_t index = 0;
+
+  [[nodiscard]] const Surface& surface() const { return this->scene.scene().surfaces()[this->index]; }
+  [[nodiscard]] PosedSurface posed() const { return surfaceOf(this->scene, this->index); }
+};
+
+bool bars(const Standing& s, const ContactPlan& plan, double radius_u, const Vec3& from_W, const Vec3& to_W)
+{
+  const PosedSurface posed = s.posed();
+  SweepQuery query = straightQuery(posed.toSurface(from_W), posed.toSurface(to_W), radius_u);
+  query.resolution.include(Vec3::Constant(radius_u + posed.data().coat_u));
+  return askShape(
+    posed, [&](const auto& shape) noexcept { return sweepSurface(shape, s.index, query, plan.workBudget).hit; });
+}
+
+bool isInBox(const Standing& s, double radius_u, const Vec3& p_W)
+{
+  const PosedSurface posed = s.posed();
+  const Vec3 p_S = posed.toSurface(p_W);
+  const double reach_u = radius_u + posed.data().coat_u;
+  return (p_S.array() >= posed.data().low_W.array() - reach_u).all() &&
+         (p_S.array() <= posed.data().high_W.array() + reach_u).all();
+}
+
+/// Along the axes and between them.
+std::vector<Vec3> directions()
+{
+  std::vector<Vec3> all;
+  for (int i = 0; i < 27; ++i)
+  {
+    const Vec3 d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (d != Vec3::Zero())
+    {
+      all.push_back(d.normalized());
+    }
+  }
+  return all;
+}
+
+/// So far from x_W that it is outside of the surface's box in every direction.
+double beyond_u(const Standing& s, double radius_u, const Vec3& x_W)
+{
+  const PosedSurface posed = s.posed();
+  const Vec3 x_S = posed.toSurface(x_W);
+  const Vec3 furthest = (posed.data().low_W - x_S).cwiseAbs().cwiseMax((posed.data().high_W - x_S).cwiseAbs());
+  return 2.0 * (furthest.norm() + radius_u + posed.data().coat_u);
+}
+
+/// How far a ball got that way in what was felt.
+Vec3 freeEnd(const Scene* before, const ContactPlan& plan, const Vec3& x_W, const Vec3& way_W)
+{
+  if (before == nullptr || before->empty())
+  {
+    return x_W + way_W;
+  }
+  const SweepHit hit = sweepStraight(MovingScene(*before, 1.0), plan, plan.radius_u, x_W, x_W + way_W);
+  return x_W + (hit.hit ? shortOfEnd * hit.t : hit.freeUntil) * way_W;
+}
+
+/// Where the way to x_W comes from that ends nearest to it, if the surface is around x_W as seen from what was felt.
+std::optional<Vec3> wayOut(const Scene* before, const Standing& s, const ContactPlan& plan, const Vec3& x_W)
+{
+  std::optional<Vec3> out_W;
+  double nearest_u = std::numeric_limits<double>::infinity();
+  for (const Vec3& d : directions())
+  {
+    const Vec3 from_W = freeEnd(before, plan, x_W, beyond_u(s, plan.radius_u, x_W) * d);
+    if (isInBox(s, plan.radius_u, from_W))
+    {
+      continue;
+    }
+    if (!bars(s, plan, plan.radius_u, from_W, x_W))
+    {
+      return std::nullopt;
+    }
+    const double left_u = (stopBefore(s.scene, plan, plan.radius_u, from_W, x_W) - x_W).norm();
+    if (left_u < nearest_u)
+    {
+      nearest_u = left_u;
+      out_W = from_W;
+    }
+  }
+  return out_W;
+}
+
+/// The tick takes the ball along with such a surface.
+bool comesFromFelt(const Scene& before, const Scene& after, std::uint32_t index)
+{
+  const Surface& now = after.surfaces()[index];
+  for (std::uint32_t i = 0; i < before.surfaces().size(); ++i)
+  {
+    if (successorOf(before.surfaces(), i, after.surfaces()) == index ||
+        fullContentOf(before.surfaces()[i]) == fullContentOf(now))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A hand that was put into a surface on purpose stays there when that one is made anew.
+bool wasWithin(const Scene& before, const std::string& name, const ContactPlan& plan, const Vec3& x_W)
+{
+  for (std::uint32_t i = 0; i < before.surfaces().size(); ++i)
+  {
+    if (before.surfaces()[i].name == name)
+    {
+      ContactPlan point = plan;
+      point.radius_u = 0.0;
+      return wayOut(nullptr, { MovingScene(before, 1.0), i }, point, x_W).has_value();
+    }
+  }
+  return false;
+}
+
+bool isSeen(const Scene* scene, const ContactPlan& plan, const Vec3& eye_W, const Vec3& x_W)
+{
+  return scene == nullptr || scene->empty() || !sweepStraight(MovingScene(*scene, 1.0), plan, 0.0, eye_W, x_W).hit;
+}
+
+} // namespace
+
+std::optional<CameAround> cameAround(
+  const Scene* before, const Scene& after, const ContactPlan& asked, const Vec3& x_W, const std::optional<Vec3>& eye_W)
+{
+  const ContactPlan plan = planFor(after, asked);
+  const auto found = [&](const std::string& surface, const Vec3& from_W) {
+    return CameAround{ surface, from_W, stopBefore(MovingScene(after, 1.0), plan, plan.radius_u, from_W, x_W) };
+  };
+  const bool seen = eye_W && isSeen(before, plan, *eye_W, x_W);
+  for (std::uint32_t i = 0; i < after.surfaces().size(); ++i)
+  {
+    const Standing s{ MovingScene(after, 1.0), i };
+    if (before != nullptr && comesFromFelt(*before, after, i))
+    {
+      continue;
+    }
+    if (seen)
+    {
+      if (bars(s, plan, plan.radius_u, *eye_W, x_W))
+      {
+        return found(s.surface().name, *eye_W);
+      }
+      continue;
+    }
+    const std::optional<Vec3> from_W = wayOut(before, s, plan, x_W);
+    if (from_W && !(before != nullptr && wasWithin(*before, s.surface().name, plan, x_W)))
+    {
+      return found(s.surface().name, *from_W);
+    }
+  }
+  return std::nullopt;
+}
+
+StayOutside stayOutside(
+  const CameAround& around, HandHolder holder, const Vec3& device_W, const HapticParameters& parameters)
+{
+  const double depth_m = (around.ball_W - device_W).norm() / parameters.map.scale_u_per_m;
+  const bool tooHard = parameters.stiffness_N_per_m * depth_m > parameters.safety.maxForce_N;
+  StayOutside verdict;
+  verdict.letGo = holder == HandHolder::Device && tooHard;
+  verdict.sentence = around.surface + " has come around the hand, which stays outside: " +
+                     (holder == HandHolder::Mouse ? "it begins anew in front of it"
+                       : verdict.letGo            ? "move out of it, then the force comes back"
+                                                  : "it presses on it from there");
+  return verdict;
+}
+
+} // namespace palpate

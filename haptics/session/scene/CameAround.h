@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "haptics/contact/view/ContactPlan.h"
+#include "haptics/core/Types.h"
+#include "haptics/geometry/scene/Scene.h"
+#include "haptics/tick/HapticParameters.h"
+
+namespace palpate
+{
+
+/// A surface that has come around a hand, or between a hand and the eye that saw it.
+struct CameAround
+{
+  std::string surface;
+  Vec3 from_W = Vec3::Zero(); ///< outside of it: from there the way to the hand ends at it [u]
+  Vec3 ball_W = Vec3::Zero(); ///< where it ends
+};
+
+/// Whether a surface of `after` has swallowed the ball at x_W, which was outside of what was felt `before` (null:
+/// nothing).
+///
+/// Only surfaces that come from nothing felt are asked: those that move, bend or give way to simpler ones take the ball
+/// along in the tick. With an eye (of the view, eye_W) that saw the ball, a surface that now hides it has. Otherwise
+/// the ball was where it was felt: it went straight, in any of 26 directions, as far as what was felt let it. A surface
+/// that bars the way back from all those ends that are outside of its box is around the ball, unless one of its name
+/// was before; the nearest way out is taken. Milliseconds at most; not for the tick.
+[[nodiscard]] std::optional<CameAround> cameAround(
+  const Scene* before, const Scene& after, const ContactPlan& plan, const Vec3& x_W, const std::optional<Vec3>& eye_W);
+
+/// Who holds the hand that something has come around.
+enum class HandHolder
+{
+  Mouse,   ///< of a view, which puts the hand elsewhere
+  Program, ///< or a device without force
+  Device,  ///< one that pushes a person
+};
+
+/// What is done with that hand.
+struct StayOutside
+{
+  bool letGo = false;   ///< the force ends until the hand has moved out: it would be larger than the largest allowed
+  std::string sentence; ///< for the person
+};
+
+/// `device_W`: where the hand is [u].
+[[nodiscard]] StayOutside stayOutside(
+  const CameAround& around, HandHolder holder, const Vec3& device_W, const HapticParameters& parameters);
+
+} // namespace palpate

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One line says how it is, why, and what to do.
+#include <gtest/gtest.h>
+
+#include "haptics/session/StateSentence.h"
+#include "haptics/session/Warning.h"
+
+namespace palpate
+{
+namespace
+{
+
+TEST(StateSentence, WhatNothingCanBeFeltWithoutComesFirst)
+{
+  SessionGlance glance;
+  EXPECT_EQ(stateSentence(glance), "Press Touch to feel what is shown.");
+  glance.problem = "the file is gone: choose another";
+  EXPECT_EQ(stateSentence(glance), "The file is gone: choose another.");
+  glance.touching = true;
+  glance.engage = EngageState::Armed;
+  glance.warning = "the dead-man is not held: hold its button";
+  EXPECT_EQ(stateSentence(glance), "No force: The dead-man is not held: hold its button.");
+  glance.engage = EngageState::Engaged;
+  EXPECT_EQ(stateSentence(glance), "Touching. The dead-man is not held: hold its button.");
+  glance.fault = "the device is lost";
+  EXPECT_EQ(stateSentence(glance), "No force: The device is lost.");
+  glance.refusal = "Nothing is shown: open a file.";
+  EXPECT_EQ(stateSentence(glance), "No force: Nothing is shown: open a file.");
+}
+
+TEST(StateSentence, WithoutATroubleItSaysWhatToDoNext)
+{
+  SessionGlance glance;
+  glance.touching = true;
+  glance.engage = EngageState::Armed;
+  EXPECT_EQ(stateSentence(glance), "Waiting: move the hand out of what it is in, then the force comes.");
+  glance.engage = EngageState::Engaged;
+  EXPECT_EQ(stateSentence(glance), "Touching.");
+}
+
+TEST(StateSentence, AnotherDeviceThanTheOneThatRunsIsSaid)
+{
+  EXPECT_EQ(otherDeviceSentence("mouse", "mouse"), "");
+  EXPECT_EQ(otherDeviceSentence("mouse", "replay"), "mouse still leads the hand: let go and touch again to use replay");
+}
+
+} // namespace
+} // namespace palpate
