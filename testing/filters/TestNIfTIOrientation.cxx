@@ -1,127 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
-#include <cstring>
-#include <fstream>
 
 #include <gtest/gtest.h>
 
+#include "NIfTIBytes.h"
+#include "VtkScenes.h"
 #include "haptics/core/Types.h"
 #include "testing/support/TemporaryFolder.h"
+#include "vtkHapticConversion.h"
 #include "vtkHapticReaders.h"
 #include "vtkPolyData.h"
 
 using palpate::Mat3;
 using palpate::Quat;
 using palpate::Vec3;
+using palpate::testing::NIfTIBytes;
 
 namespace
 {
-/// Where NIfTI-1 (Cox et al., nifti1.h) puts what is needed here, in bytes from the start of the header.
-enum Offset : std::size_t
-{
-  SizeOfHeader = 0,
-  Dim = 40,
-  DataType = 70,
-  BitPix = 72,
-  PixDim = 76,
-  VoxOffset = 108,
-  SclSlope = 112,
-  QFormCode = 252,
-  SFormCode = 254,
-  Quatern = 256,
-  QOffset = 268,
-  SRows = 280,
-  Magic = 344,
-  EndOfHeader = 352,
-};
-
 constexpr std::array<int, 3> size = { 12, 10, 8 };
 /// The only bright part: a box of voxels well off the middle along every axis, so that no mirror maps it to itself.
 constexpr std::array<int, 3> low = { 2, 1, 4 };
 constexpr std::array<int, 3> high = { 4, 5, 5 };
 
-struct Header
+NIfTIBytes headerOf(const Vec3& spacing_mm)
 {
-  std::array<char, EndOfHeader> bytes{};
-
-  template<class Value>
-  void put(std::size_t at, Value value)
-  {
-    std::memcpy(this->bytes.data() + at, &value, sizeof(value));
-  }
-
-  explicit Header(const Vec3& spacing_mm)
-  {
-    this->put(SizeOfHeader, std::int32_t{ 348 });
-    this->put(Dim, std::int16_t{ 3 });
-    this->put(DataType, std::int16_t{ 2 }); // unsigned char
-    this->put(BitPix, std::int16_t{ 8 });
-    this->put(VoxOffset, 352.0f);
-    this->put(SclSlope, 1.0f);
-    std::memcpy(this->bytes.data() + Magic, "n+1", 4);
-    this->put(PixDim, 1.0f);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      this->put(Dim + 2 * (axis + 1), static_cast<std::int16_t>(size[axis]));
-      this->put(PixDim + 4 * (axis + 1), static_cast<float>(spacing_mm[static_cast<int>(axis)]));
-    }
-    for (std::size_t more = 4; more < 8; ++more)
-    {
-      this->put(Dim + 2 * more, std::int16_t{ 1 });
-    }
-  }
-
-  void setSForm(const Mat3& linear, const Vec3& shift)
-  {
-    this->put(SFormCode, std::int16_t{ 1 });
-    for (int row = 0; row < 3; ++row)
-    {
-      for (int column = 0; column < 4; ++column)
-      {
-        const double value = column < 3 ? linear(row, column) : shift[row];
-        this->put(
-          SRows + 16 * static_cast<std::size_t>(row) + 4 * static_cast<std::size_t>(column), static_cast<float>(value));
-      }
-    }
-  }
-
-  void setQForm(const Quat& q, const Vec3& shift, float qfac)
-  {
-    this->put(QFormCode, std::int16_t{ 1 });
-    this->put(PixDim, qfac);
-    const std::array<double, 3> imaginary = { q.x(), q.y(), q.z() };
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      this->put(Quatern + 4 * k, static_cast<float>(imaginary[k]));
-      this->put(QOffset + 4 * k, static_cast<float>(shift[static_cast<int>(k)]));
-    }
-  }
-};
+  NIfTIBytes header;
+  header.setDim({ size[0], size[1], size[2] });
+  header.setType(2); // unsigned char
+  header.setSpacing(spacing_mm);
+  return header;
+}
 
 bool inside(int i, int j, int k)
 {
   return i >= low[0] && i <= high[0] && j >= low[1] && j <= high[1] && k >= low[2] && k <= high[2];
 }
 
-void write(const Header& header, const std::string& path)
+void write(NIfTIBytes file, const std::string& path)
 {
-  std::ofstream file(path, std::ios::binary);
-  file.write(header.bytes.data(), header.bytes.size());
   for (int k = 0; k < size[2]; ++k)
   {
     for (int j = 0; j < size[1]; ++j)
     {
       for (int i = 0; i < size[0]; ++i)
       {
-        file.put(inside(i, j, k) ? static_cast<char>(200) : char{ 0 });
+        file.add(inside(i, j, k) ? std::uint8_t{ 200 } : std::uint8_t{ 0 });
       }
     }
   }
+  file.write(path);
 }
 
 /// The iso surface of half the brightness lies half a voxel outside the box on all sides, so its bounds have the
 /// middle of the box as their centre wherever `linear`, a signed permutation times spacing, puts them.
-void expectAt(const Header& header, const Mat3& linear, const Vec3& shift)
+void expectAt(const NIfTIBytes& header, const Mat3& linear, const Vec3& shift)
 {
   const palpate::test::TemporaryFolder folder;
   write(header, folder.file("box.nii"));
@@ -139,6 +72,7 @@ void expectAt(const Header& header, const Mat3& linear, const Vec3& shift)
     EXPECT_NEAR(0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]), centre[axis], singlePrecision) << "axis " << axis;
     EXPECT_NEAR(bounds[2 * axis + 1] - bounds[2 * axis], length[axis], singlePrecision) << "axis " << axis;
   }
+  EXPECT_GT(palpate::testing::enclosedVolume(*vtkHapticToMesh(result.Surface).Mesh), 0.0) << "it is inside out";
 }
 
 const Vec3 spacing(1.5, 2.0, 2.5);
@@ -147,7 +81,7 @@ const Vec3 shift(-90.0, -126.0, 72.0);
 
 TEST(NIfTIOrientation, AnSFormPutsVoxelsWhereItsRowsSay)
 {
-  Header header(spacing);
+  NIfTIBytes header = headerOf(spacing);
   const Mat3 linear = spacing.asDiagonal();
   header.setSForm(linear, shift);
   expectAt(header, linear, shift);
@@ -155,7 +89,7 @@ TEST(NIfTIOrientation, AnSFormPutsVoxelsWhereItsRowsSay)
 
 TEST(NIfTIOrientation, LeftStaysLeftWhenVoxelsAreStoredFromRightToLeft)
 {
-  Header header(spacing);
+  NIfTIBytes header = headerOf(spacing);
   const Mat3 linear = Vec3(-spacing.x(), spacing.y(), spacing.z()).asDiagonal();
   header.setSForm(linear, Vec3(90.0, -126.0, -72.0));
   expectAt(header, linear, Vec3(90.0, -126.0, -72.0));
@@ -163,7 +97,7 @@ TEST(NIfTIOrientation, LeftStaysLeftWhenVoxelsAreStoredFromRightToLeft)
 
 TEST(NIfTIOrientation, ATurnedSFormSwapsTheAxes)
 {
-  Header header(spacing);
+  NIfTIBytes header = headerOf(spacing);
   Mat3 linear = Mat3::Zero(); // voxel i runs along z, j along -x, k along y
   linear(2, 0) = spacing.x();
   linear(0, 1) = -spacing.y();
@@ -174,24 +108,24 @@ TEST(NIfTIOrientation, ATurnedSFormSwapsTheAxes)
 
 TEST(NIfTIOrientation, AQFormPutsVoxelsWhereItsQuaternionSays)
 {
-  Header header(spacing);
-  header.setQForm(Quat(1.0, 0.0, 0.0, 0.0), shift, 1.0f);
+  NIfTIBytes header = headerOf(spacing);
+  header.setQForm(Quat(1.0, 0.0, 0.0, 0.0), shift, 1.0);
   expectAt(header, spacing.asDiagonal(), shift);
 }
 
 TEST(NIfTIOrientation, LeftStaysLeftForAQFormWithANegativeQFac)
 {
-  Header header(spacing);
+  NIfTIBytes header = headerOf(spacing);
   // half a turn around y maps (x, y, z) to (-x, y, -z); qfac -1 turns the third axis back: only x is mirrored
-  header.setQForm(Quat(0.0, 0.0, 1.0, 0.0), shift, -1.0f);
+  header.setQForm(Quat(0.0, 0.0, 1.0, 0.0), shift, -1.0);
   expectAt(header, Vec3(-spacing.x(), spacing.y(), spacing.z()).asDiagonal(), shift);
 }
 
 TEST(NIfTIOrientation, TheSFormIsTakenWhenThereAreBoth)
 {
-  Header header(spacing);
+  NIfTIBytes header = headerOf(spacing);
   const Mat3 linear = Vec3(-spacing.x(), spacing.y(), spacing.z()).asDiagonal();
-  header.setQForm(Quat(1.0, 0.0, 0.0, 0.0), Vec3::Zero(), 1.0f);
+  header.setQForm(Quat(1.0, 0.0, 0.0, 0.0), Vec3::Zero(), 1.0);
   header.setSForm(linear, shift);
   expectAt(header, linear, shift);
 }

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The filters and the session as ParaView proxies: pipeline, properties, read-outs, state files."""
 
+import gzip
 import math
 import os
+import struct
 import sys
 import tempfile
 import unittest
@@ -33,6 +35,37 @@ def write(proxy, name, *values):
     for index, value in enumerate(values):
         helper.Set(index, value)
     proxy.UpdateVTKObjects()
+
+
+def nifti_bytes():
+    """NIfTI-1 by its public description: 3 x 2 x 2 voxels of 16 bits, x mirrored, each value 10 more than its number."""
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<4h", header, 40, 3, 3, 2, 2)
+    struct.pack_into("<2h", header, 70, 4, 16)
+    struct.pack_into("<3f", header, 108, 352, 1, 10)
+    struct.pack_into("<h", header, 254, 1)
+    struct.pack_into("<12f", header, 280, -2, 0, 0, 90, 0, 2, 0, -126, 0, 0, 2, -72)
+    header[344:348] = b"n+1\0"
+    return bytes(header) + struct.pack("<12h", *range(12))
+
+
+class Readers(unittest.TestCase):
+    def test_paraview_opens_a_packed_nifti_image_by_its_name_and_puts_it_in_its_place(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "sub-01.T1w.nii.gz")
+            with gzip.open(path, "wb") as file:
+                file.write(nifti_bytes())
+            image = pv.OpenDataFile(path)
+            self.assertEqual(image.GetXMLName(), "HapticNIfTIReader")
+            output = servermanager.Fetch(image)
+        self.assertEqual(output.GetDimensions(), (3, 2, 2))
+        values = output.GetPointData().GetArray("NIFTI")
+        self.assertEqual([values.GetTuple1(i) for i in range(12)], [10.0 + i for i in range(12)])
+        place = [0.0, 0.0, 0.0]
+        output.TransformIndexToPhysicalPoint([2, 1, 1], place)
+        self.assertEqual(place, [86.0, -124.0, -70.0])
+        pv.Delete(image)
 
 
 class Filters(unittest.TestCase):

@@ -13,8 +13,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "vtk_zlib.h"
-
 namespace
 {
 constexpr double DeflateRatio = 1032.0; // the most that zlib and gzip can do; LZ4 does less
@@ -192,31 +190,6 @@ std::string vtkHapticFileGuards::CheckImageBytes(
     message << "its header promises an image of " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
             << " values, but the file is too short to hold it";
     return message.str();
-  }
-  return "";
-}
-
-std::string vtkHapticFileGuards::CheckNIfTIType(const std::string& path)
-{
-  constexpr std::array<int, 10> realNumbers = { 2, 4, 8, 16, 64, 256, 512, 768, 1024, 1280 };
-  constexpr int nifti2HeaderSize = 540;
-  std::array<unsigned char, 72> head{};
-  gzFile file = gzopen(path.c_str(), "rb"); // reads a file that is not compressed as it is
-  const int read = file ? gzread(file, head.data(), head.size()) : -1;
-  if (file)
-  {
-    gzclose(file);
-  }
-  if (read != static_cast<int>(head.size()))
-  {
-    return "its header is cut short or not compressed as its name says";
-  }
-  const bool bigEndian = head[0] == 0; // the header starts with its own size, 348 or 540, in 32 bits
-  const auto word = [&head, bigEndian](std::size_t at) { return head[at + !bigEndian] << 8 | head[at + bigEndian]; };
-  const int type = word(word(bigEndian ? 2 : 0) == nifti2HeaderSize ? 12 : 70);
-  if (std::find(realNumbers.begin(), realNumbers.end(), type) == realNumbers.end())
-  {
-    return "its voxels are of NIfTI type " + std::to_string(type) + "; an iso surface needs one real number per voxel";
   }
   return "";
 }

@@ -19,10 +19,6 @@ namespace vtkHapticFileGuards
 /// STL: a binary file is as long as its count says; a text ends with `endsolid`.
 [[nodiscard]] std::string CheckSTL(const std::string& path);
 
-/// NIfTI, plain or gzipped: the header says a type of voxel that is one real number. VTK's reader reads outside of its
-/// tables when it does not know the type.
-[[nodiscard]] std::string CheckNIfTIType(const std::string& path);
-
 /// An image of that many bytes could be stored in that file; gzip packs at most 1032 to 1.
 [[nodiscard]] std::string CheckImageBytes(
   const std::string& path, const int dimensions[3], double bytesPerVoxel, bool compressed);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticImageSurface.h"
 
-#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -9,16 +8,13 @@
 #include "vtkDataArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkHapticFileGuards.h"
+#include "vtkHapticNIfTIImage.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNIFTIImageReader.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
+#include "vtkReverseSense.h"
 #include "vtkXMLImageDataReader.h"
 
 namespace
@@ -48,25 +44,15 @@ vtkDataArray* ScalarsOf(vtkImageData* image)
   return scalars;
 }
 
-/// The header's line from stored to real values.
-struct Rescale
-{
-  double Slope = 1.0;
-  double Intercept = 0.0;
-};
-
-void CheckIso(vtkDataArray* scalars, double storedIso, const Rescale& rescale)
+void CheckIso(vtkDataArray* scalars, double iso)
 {
   double range[2] = { 0.0, 0.0 };
   scalars->GetFiniteRange(range, 0);
-  if (!(storedIso > range[0] && storedIso <= range[1]))
+  if (!(iso > range[0] && iso <= range[1]))
   {
-    const double ends[2] = { rescale.Slope * range[0] + rescale.Intercept,
-      rescale.Slope * range[1] + rescale.Intercept };
     std::ostringstream message;
-    message << "the iso value " << rescale.Slope * storedIso + rescale.Intercept
-            << " meets no surface; the image holds values from " << std::min(ends[0], ends[1]) << " to "
-            << std::max(ends[0], ends[1]) << ", choose --iso between them";
+    message << "the iso value " << iso << " meets no surface; the image holds values from " << range[0] << " to "
+            << range[1] << ", choose --iso between them";
     throw std::runtime_error(message.str());
   }
 }
@@ -86,24 +72,17 @@ vtkSmartPointer<vtkPolyData> Contour(vtkImageData* image, double iso)
   return contour->GetOutput();
 }
 
-void CheckRoom(vtkAlgorithm* reader, const std::string& path, double bytesPerVoxel, bool compressed)
+/// A mirrored image would turn its surface inside out.
+vtkSmartPointer<vtkPolyData> OutsideOut(vtkPolyData* surface, vtkImageData* image)
 {
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  const int dimensions[3] = { extent[1] - extent[0] + 1, extent[3] - extent[2] + 1, extent[5] - extent[4] + 1 };
-  ThrowIf(vtkHapticFileGuards::CheckImageBytes(path, dimensions, bytesPerVoxel, compressed));
-}
-
-/// Where the header says the image is: voxel coordinates of the reader to the space of the scanner or atlas.
-vtkSmartPointer<vtkPolyData> Place(vtkPolyData* surface, vtkMatrix4x4* matrix)
-{
-  vtkNew<vtkTransform> transform;
-  transform->SetMatrix(matrix);
-  vtkNew<vtkTransformPolyDataFilter> filter;
-  filter->SetTransform(transform);
-  filter->SetInputData(surface);
-  filter->Update();
-  return filter->GetOutput();
+  if (image->GetDirectionMatrix()->Determinant() > 0.0)
+  {
+    return surface;
+  }
+  vtkNew<vtkReverseSense> turn;
+  turn->SetInputData(surface);
+  turn->Update();
+  return turn->GetOutput();
 }
 } // namespace
 
@@ -116,34 +95,23 @@ vtkSmartPointer<vtkPolyData> vtkHapticImageSurface::ReadVTI(const std::string& p
   vtkImageData* image = reader->GetOutput();
   vtkDataArray* scalars = ScalarsOf(image);
   image->GetPointData()->SetScalars(scalars);
-  CheckIso(scalars, iso, Rescale());
-  return Contour(image, iso);
+  CheckIso(scalars, iso);
+  return OutsideOut(Contour(image, iso), image);
 }
 
 vtkSmartPointer<vtkPolyData> vtkHapticImageSurface::ReadNIfTI(const std::string& path, double iso, std::string& note)
 {
-  ThrowIf(vtkHapticFileGuards::CheckNIfTIType(path));
-  vtkNew<vtkNIFTIImageReader> reader;
-  if (!reader->CanReadFile(path.c_str()))
+  const vtkHapticNIfTIHeader header = vtkHapticNIfTIImage::ReadHeader(path);
+  if (header.Type.PerVoxel > 1)
   {
-    throw std::runtime_error("it is not a NIfTI image, or its header is cut short");
+    throw std::runtime_error("its voxels are of NIfTI type " + std::to_string(header.Type.Code) +
+                             "; an iso surface needs one real number per voxel");
   }
-  reader->SetFileName(path.c_str());
-  reader->UpdateInformation();
-  const double voxelBytes = vtkDataArray::GetDataTypeSize(reader->GetDataScalarType()) *
-                            static_cast<double>(reader->GetNumberOfScalarComponents());
-  CheckRoom(reader, path, voxelBytes, path.ends_with(".gz") || path.ends_with(".GZ"));
-  reader->Update();
-  vtkDataArray* scalars = ScalarsOf(reader->GetOutput());
-  const double slope = reader->GetRescaleSlope();
-  const Rescale rescale{ slope != 0.0 ? slope : 1.0, slope != 0.0 ? reader->GetRescaleIntercept() : 0.0 };
-  const double storedIso = (iso - rescale.Intercept) / rescale.Slope;
-  CheckIso(scalars, storedIso, rescale);
-  if (reader->GetTimeDimension() > 1)
+  const vtkSmartPointer<vtkImageData> image = vtkHapticNIfTIImage::Read(path, header, 0);
+  CheckIso(ScalarsOf(image), iso);
+  if (header.TimeSteps > 1)
   {
-    note = "it holds " + std::to_string(reader->GetTimeDimension()) + " images; the first is touched";
+    note = "it holds " + std::to_string(header.TimeSteps) + " images; the first is touched";
   }
-  vtkSmartPointer<vtkPolyData> surface = Contour(reader->GetOutput(), storedIso);
-  vtkMatrix4x4* matrix = reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
-  return matrix ? Place(surface, matrix) : surface;
+  return OutsideOut(Contour(image, iso), image);
 }
