@@ -3,12 +3,13 @@
 
 #include <algorithm>
 
+#include "haptics/core/Clock.h"
+
 namespace palpate
 {
 namespace
 {
 
-constexpr std::int64_t perMs_ns = 1000000;
 constexpr std::int64_t pulse_ns = 40 * perMs_ns, shake_ns = 200 * perMs_ns;
 constexpr double pulsePeriod_ms = 40.0, shakePeriod_ms = 20.0, slidingPeriod_ms = 10.0;
 // Two levels, so that a force at the limit does not pulse again and again.

@@ -6,6 +6,8 @@
 namespace palpate
 {
 
+inline constexpr std::int64_t perMs_ns = 1000000;
+
 /// Source of time for everything around the tick; the tick itself never asks a clock.
 class Clock
 {

@@ -70,6 +70,7 @@ endfunction ()
 function (palpate_add_unit_test)
   _palpate_parse(unit "" "SOURCES;LIBRARIES;VTK_MODULES")
   add_executable("${arg_NAME}" ${arg_SOURCES})
+  palpate_compile_together("${arg_NAME}")
   target_link_libraries("${arg_NAME}" PRIVATE Palpate::core palpate_testing ${arg_LIBRARIES} ${arg_VTK_MODULES}
     GTest::gmock GTest::gtest_main)
   if (arg_CGAL)

@@ -22,6 +22,12 @@ if (PALPATE_SANITIZE)
   add_link_options(-fsanitize=${PALPATE_SANITIZE})
 endif ()
 
+# Most of the compile time goes into headers that all sources of a target include.
+option(PALPATE_TOGETHER "Compile sources of a target eight at once: half the time from scratch, longer after a change" ON)
+function (palpate_compile_together target)
+  set_target_properties("${target}" PROPERTIES UNITY_BUILD "${PALPATE_TOGETHER}" UNITY_BUILD_BATCH_SIZE 8)
+endfunction ()
+
 set(CMAKE_INSTALL_LIBDIR lib CACHE STRING "Library folder, the same in the build tree on every machine")
 include(GNUInstallDirs)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")

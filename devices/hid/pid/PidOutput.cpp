@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptics/core/Clock.h"
 #include "haptics/safety/ForceLimits.h"
 
 namespace palpate
@@ -11,7 +12,6 @@ namespace palpate
 namespace
 {
 
-constexpr std::int64_t perMs_ns = 1000000;
 constexpr std::int64_t answersWithin_ns = 50 * perMs_ns; // what a device says of its actuators
 
 bool same(const Condition& a, const Condition& b) noexcept

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/core/Clock.h"
+
 namespace palpate
 {
 namespace
 {
 
-constexpr std::int64_t perMs_ns = 1000000;
 constexpr double shake_ms = 20.0;
 constexpr double signalShare = 0.3;
 constexpr double felt = 0.01; ///< a smaller change of strength is not sent

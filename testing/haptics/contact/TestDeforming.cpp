@@ -23,12 +23,12 @@ constexpr int ticksPerMesh = 16;
 constexpr double T = 1e-3;
 
 /// A surface whose vertices are a function of where they began and of time; every mesh is refitted from the last.
-class Bending
+class RefittedSurface
 {
 public:
   using Path = std::function<Vec3(const Vec3& start_W, double time_s)>;
 
-  Bending(const TriangleMesh& mesh, Path path, double radius, const Vec3& start_W)
+  RefittedSurface(const TriangleMesh& mesh, Path path, double radius, const Vec3& start_W)
     : path_(std::move(path)), start_(std::make_shared<const SurfaceTree>(cleanMesh(mesh).mesh)), tree_(start_)
   {
     this->plan_.radius_u = radius;
@@ -114,7 +114,7 @@ TEST_P(Deforming, ASphereThatBreathesUnderAHandKeepsItOutAndGivesItsDepth)
       const Vec3 &a = unit.vertices_W[t[0]], &b = unit.vertices_W[t[1]], &c = unit.vertices_W[t[2]];
       inner = std::min(inner, std::abs((b - a).cross(c - a).normalized().dot(a)));
     }
-    Bending sphere(unit, breathe, radius, Vec3(0, 0, 0.1));
+    RefittedSurface sphere(unit, breathe, radius, Vec3(0, 0, 0.1));
     for (int i = 0; i < static_cast<int>(2.0 / rate_Hz / T); ++i)
     {
       const double turn = twoPi * sphere.time_s() / 2;
@@ -136,7 +136,7 @@ TEST_P(Deforming, AHandInsideABreathingSphereStaysInside)
 {
   const double radius = GetParam();
   const auto breathe = [](const Vec3& v, double t) { return Vec3((0.05 + 0.005 * std::cos(twoPi * t)) * v); };
-  Bending sphere(makeIcosphere(4, 1.0), breathe, radius, Vec3(0, 0, 0));
+  RefittedSurface sphere(makeIcosphere(4, 1.0), breathe, radius, Vec3(0, 0, 0));
   for (int i = 0; i < 1000; ++i)
   {
     const double turn = twoPi * sphere.time_s();
@@ -155,7 +155,7 @@ TEST_P(Deforming, AWaveRunningOverAPlaneLiftsAPressedHandAndIsNeverPassed)
   Random random(testSeed(411));
   for (const double side : { 1.0, -1.0 })
   {
-    Bending plane(makeSheet({ 0.2, 0.2, 80, 80, 0.2 }, random), wave, radius, { 0.003, 0.002, 0.05 * side });
+    RefittedSurface plane(makeSheet({ 0.2, 0.2, 80, 80, 0.2 }, random), wave, radius, { 0.003, 0.002, 0.05 * side });
     for (int i = 0; i < 1000; ++i)
     {
       const double along = 0.03 * std::sin(twoPi * plane.time_s());
@@ -191,7 +191,7 @@ TEST_P(Deforming, VerticesThatJumpAtRandomByAThirdOfAnEdgeNeverPassTheHand)
     const auto shake = [&](const Vec3& v, double)
     { return Vec3(v + 0.3 * edge * random.uniform() * random.direction()); };
     const Vec3 start = inside ? Vec3::Zero() : Vec3(0, 0, 0.1);
-    Bending rough(sphere, shake, radius, start);
+    RefittedSurface rough(sphere, shake, radius, start);
     Vec3 p = start;
     for (std::size_t i = 0; i < testCount(4000); ++i)
     {
@@ -209,8 +209,8 @@ TEST_P(Deforming, VerticesThatDoNotMoveChangeNothing)
   // The far half bends, the near one is what is touched.
   const auto bend = [](const Vec3& v, double t) { return v.z() < -0.01 ? Vec3(v * (1 + 0.1 * t)) : v; };
   const TriangleMesh mesh = makeIcosphere(3, 0.05);
-  Bending bending(mesh, bend, radius, Vec3(0, 0, 0.1));
-  Bending still(
+  RefittedSurface bending(mesh, bend, radius, Vec3(0, 0, 0.1));
+  RefittedSurface still(
     mesh, [](const Vec3& v, double) { return v; }, radius, Vec3(0, 0, 0.1));
   for (int i = 0; i < 500; ++i)
   {

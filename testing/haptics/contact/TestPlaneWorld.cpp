@@ -14,7 +14,7 @@ namespace palpate::test
 namespace
 {
 
-std::shared_ptr<const Scene> sceneOf(const CurveSet& curves)
+std::shared_ptr<const Scene> wallsOf(const CurveSet& curves)
 {
   return test::sceneOf(raiseWalls(curves, 1.0));
 }
@@ -33,7 +33,7 @@ TEST(PlaneWorld, ADiscPushedIntoAWedgeRestsAtRadiusOverSineOfHalfTheAngleInOneTi
   for (const double degrees : { 90.0, 60.0, 30.0, 10.0 })
   {
     const double half = degrees / 2 * std::numbers::pi / 180, r = 0.1;
-    Probe probe(sceneOf(wedge(2 * half)), r, { 5, 0, 0 });
+    Probe probe(wallsOf(wedge(2 * half)), r, { 5, 0, 0 });
     probe.to({ -1, 0, 0 });
     EXPECT_NEAR(probe.x_W().x(), r / std::sin(half), 1e-12) << degrees;
     EXPECT_NEAR(probe.x_W().y(), 0.0, 1e-12) << degrees;
@@ -46,7 +46,7 @@ TEST(PlaneWorld, ADiscPushedIntoAWedgeRestsAtRadiusOverSineOfHalfTheAngleInOneTi
 TEST(PlaneWorld, ADiscLedRoundTheEndOfALineRollsOnACircleOfItsRadius)
 {
   const double r = 0.2;
-  Probe probe(sceneOf(CurveSet{ { { -5, 0 }, { 0, 0 } }, { { 0, 1 } } }), r, { -0.3, 0.5, 0 });
+  Probe probe(wallsOf(CurveSet{ { { -5, 0 }, { 0, 0 } }, { { 0, 1 } } }), r, { -0.3, 0.5, 0 });
   for (int i = 0; i <= 400; ++i)
   {
     const double angle = std::numbers::pi * (0.75 - 1.5 * i / 400.0); // from above the line round its end to below
@@ -67,7 +67,7 @@ TEST(PlaneWorld, APointNeverCrossesALineFromEitherSideAndItsForceIsStiffnessTime
 {
   for (const double side : { 1.0, -1.0 })
   {
-    Probe probe(sceneOf(CurveSet{ { { -5, 0 }, { 0, 0 }, { 5, 0 } }, { { 0, 1 }, { 1, 2 } } }), 0.0, { -2, side, 0 });
+    Probe probe(wallsOf(CurveSet{ { { -5, 0 }, { 0, 0 }, { 5, 0 } }, { { 0, 1 }, { 1, 2 } } }), 0.0, { -2, side, 0 });
     for (int i = 0; i <= 100; ++i)
     {
       probe.to({ -2 + 0.04 * i, -0.5 * side, 0 });

@@ -10,7 +10,7 @@ namespace palpate::test
 namespace
 {
 
-constexpr double stiffness_N_per_m = 1000.0;
+constexpr double planeSpring_N_per_m = 1000.0;
 constexpr double depth_m = 2e-3;
 
 struct Case
@@ -37,9 +37,9 @@ TEST_P(TessellatedPlane, ASlideOfOneMetreHasNoLateralForceAndNoRipple)
   {
     const double s = static_cast<double>(i) / static_cast<double>(ticks);
     const ContactResult result = probe.to(q * Vec3(-0.5 + s, -0.05 + 0.1 * s, r - depth_m));
-    const Vec3 force = q.conjugate() * probe.force(stiffness_N_per_m);
+    const Vec3 force = q.conjugate() * probe.force(planeSpring_N_per_m);
     lateral_N = std::max(lateral_N, force.head<2>().norm());
-    ripple_N = std::max(ripple_N, std::fabs(force.z() - stiffness_N_per_m * depth_m)); // F_n = K p = 2 N
+    ripple_N = std::max(ripple_N, std::fabs(force.z() - planeSpring_N_per_m * depth_m)); // F_n = K p = 2 N
     ASSERT_EQ(result.contacts, 1) << "tick " << i;
   }
   EXPECT_LE(lateral_N, 1e-9);

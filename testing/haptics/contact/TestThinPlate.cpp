@@ -10,7 +10,7 @@ namespace palpate::test
 namespace
 {
 
-constexpr double stiffness_N_per_m = 1000.0;
+constexpr double plateSpring_N_per_m = 1000.0;
 constexpr double thickness_m = 0.5e-3;
 
 TriangleMesh plate()
@@ -31,8 +31,8 @@ TEST_P(ThinPlate, TheForceGrowsAlongTheEntryNormalFarBeyondTheThickness)
   {
     const double depth_m = 1e-5 * step;
     probe.to({ 0.003, 0.004, r - depth_m });
-    const Vec3 force = probe.force(stiffness_N_per_m);
-    ASSERT_NEAR(force.z(), stiffness_N_per_m * depth_m, 1e-9) << "depth " << depth_m << " m"; // so 0.01 N a step
+    const Vec3 force = probe.force(plateSpring_N_per_m);
+    ASSERT_NEAR(force.z(), plateSpring_N_per_m * depth_m, 1e-9) << "depth " << depth_m << " m"; // so 0.01 N a step
     ASSERT_LE(force.head<2>().norm(), 1e-9) << "depth " << depth_m << " m";
   }
   EXPECT_EQ(probe.finding(), "");
