@@ -90,17 +90,7 @@ public:
   vtkHapticSwitchMacro(HoldWalls);
   vtkHapticSettingMacro(WallRate, double);
   vtkHapticSwitchMacro(PlaneGuide);
-<<<<<<< HEAD
-=======
-  vtkHapticSettingMacro(Scale, double);
   vtkHapticSwitchMacro(FitOnTouch);
-  void SetRotation(double w, double x, double y, double z);
-  void SetRotation(const double wxyz[4]);
-  double* GetRotation() VTK_SIZEHINT(4);
-  void SetOffset(double x, double y, double z);
-  void SetOffset(const double offset_W[3]);
-  double* GetOffset() VTK_SIZEHINT(3);
->>>>>>> home
   vtkHapticSettingMacro(StrokeSpeed, double);
   vtkHapticSettingMacro(ReplayFile, const char*);
   vtkHapticSettingMacro(RecordFile, const char*);

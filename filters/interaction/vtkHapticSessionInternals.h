@@ -64,9 +64,9 @@ public:
   std::string HeldBy = palpate::DeviceOptions().hand;
   bool VirtualTime = false;
   bool FitOnTouch = false;
-  bool MapByHand = false; ///< somebody set scale, rotation or offset
-  bool FitAsked = false;  ///< while the scene was being built
-  double Begun_s = 0.0;   ///< when touching began, as Now() has it
+  palpate::WorkspaceMap LastFitted = palpate::sessionDefaults().map;
+  bool FitAsked = false; ///< while the scene was being built
+  double Begun_s = 0.0;  ///< when touching began, as Now() has it
   std::string Preferred;
   double Corridor_u = 0.0; ///< of the labyrinth that was played last
   double TraceApart_u = 1.0;
@@ -138,7 +138,7 @@ public:
   /// Whether something has come around the hand, what is done, and what the person is told of it.
   void StayOutside();
   /// Whether touching that begins now, or began with this scene, fits the hand.
-  bool FitsNow() const { return this->FitOnTouch && !this->MapByHand; }
+  bool FitsNow() const { return this->FitOnTouch && palpate::isSame(this->Parameters.map, this->LastFitted); }
   /// By what the scene is touched.
   palpate::TouchChoice Touch() const;
   /// The parameters with a ball that is no larger than the scene allows, if that is wanted.

@@ -43,7 +43,6 @@ bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
   this->Impl->ProblemOf.clear();
   const bool played = this->Impl->Problem.empty();
   this->SetLinesAsWalls(On);
-  this->Impl->MapByHand = true; // the labyrinth has its own
   const double workspace_m = this->Impl->InfoNow().workspaceRadius_m.value;
   this->Change(
     [&](palpate::HapticParameters& p)
