@@ -99,13 +99,12 @@ public:
   ///@}
 
   ///@{
-  /// Devices this build knows and those that were plugged in when they were last looked for, and why one cannot be used
-  /// ("" when it can). Looking takes milliseconds.
+  /// Devices this build knows and those that were plugged in when they were last looked for, why one cannot be used (""
+  /// when it can), and whether a program must lead its hand. Looking takes milliseconds.
   void LookForDevices();
   int GetNumberOfKnownDevices() const;
   const char* GetKnownDeviceName(int index) const;
   const char* GetKnownDeviceProblem(int index) const;
-  /// Whether a program must lead its hand.
   bool GetKnownDeviceForPrograms(int index) const;
   /// What a person most likely means: what is plugged in and pushes, else what is plugged in, else the mouse.
   const char* GetPreferredDevice() const;
@@ -205,9 +204,8 @@ public:
   bool GetSceneMoves() const;
   ///@}
 
-  /// Scale and offset such that the device's workspace holds the whole committed scene, life size no longer, and the
-  /// rotation of a plane world for a device that moves in a plane. PropertyModifiedEvent says that they have changed. A
-  /// scene that is still being built is waited for without waiting: Update() fits once it is there.
+  /// Scale and offset such that the device's workspace holds the whole committed scene, once it is built, life size no
+  /// longer, and the rotation of a plane world for a device that moves in a plane (PropertyModifiedEvent).
   void FitWorkspace();
   /// Whether lines that are walls across one plane are all that is touched; a point of that plane and its unit normal,
   /// in W [u]; how many walls the device holds now; how much of the guide to the plane acts, 0 to 1.

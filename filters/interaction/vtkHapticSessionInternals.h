@@ -12,6 +12,7 @@
 #include "haptics/session/PlanSentence.h"
 #include "haptics/session/plan/PlaneWorld.h"
 #include "haptics/session/scene/FeltScene.h"
+#include "haptics/session/settings/TickFields.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSession.h"
 #include "vtkTimeStamp.h"
