@@ -153,7 +153,6 @@ const Setting settings[] = {
     "Heights at the ends of the data range: the highest place is the surface itself, lower ones are hollows; their "
     "mean under a hand too fast for them",
     { 0.0, 1.0 }),
-<<<<<<< HEAD
   at({ .field = "stiffness.limitStiffness", .group = "stability" },
     flag("LimitStiffness", "L&imit stiffness to what the device can hold",
       "No stiffer than the device and the rate can hold (LargestStiffness); off: a wall may shake", true)),
@@ -161,12 +160,12 @@ const Setting settings[] = {
     flag("Passivity", "&Passivity control",
       "Damps the spring as much as a held force would otherwise give back more than it took", true)),
   at({ .field = "coupling.passivity.delay_ticks", .group = "stability" },
-    count("Delay", "ticks", "Dela&y",
+    count("Delay", "ticks", "Delay",
       "Ticks of 1 ms between a force and its effect beyond the hold itself: what is known of the device's link; a "
       "simulated link has that delay from the next touch on",
       0, 0, 16)),
   at({ .field = "hand.velocity.method", .group = "stability" },
-    choice("VelocityMethod", "Vel&ocity", "How the hand's velocity is made from its positions", 2,
+    choice("VelocityMethod", "Velocity", "How the hand's velocity is made from its positions", 2,
       { "Backward difference", "Low pass", "Adaptive window" })),
   at({ .group = "scene" },
     choice("Simplify", "Simpler s&urfaces",
@@ -188,34 +187,6 @@ const Setting settings[] = {
     flag("PlaneGuide", "Led to the plane",
       "The hand is led to the plane of a plane world by 200 N/m and at most 2 N, from nothing within half a second",
       true)),
-=======
-  flag("LimitStiffness", "L&imit stiffness to what the device can hold",
-    "No stiffer than the device and the rate can hold (LargestStiffness); off: a wall may shake", true),
-  flag("Passivity", "&Passivity control",
-    "Damps the spring as much as a held force would otherwise give back more than it took", true),
-  count("Delay", "ticks", "Delay",
-    "Ticks of 1 ms between a force and its effect beyond the hold itself: what is known of the device's link; a "
-    "simulated link has that delay from the next touch on",
-    0, 0, 16),
-  choice("VelocityMethod", "Velocity", "How the hand's velocity is made from its positions", 2,
-    { "Backward difference", "Low pass", "Adaptive window" }),
-  choice("Simplify", "Simpler s&urfaces",
-    "Surfaces and lines finer than a hand feels are replaced by simpler ones once those are proven to feel the same; "
-    "auto: from 50,000 triangles, or 64 segments shorter than 1/32 mm in the hand, on",
-    0, { "Auto", "Off", "On" }, AtOnce),
-  choice("LinesAsWalls", "Lines as walls",
-    "Lines that lie in a plane are walls across it, felt in that plane by a disc; auto: on devices that move in a "
-    "plane",
-    0, { "Auto", "Off", "On" }, NextScene),
-  flag("HoldWalls", "Walls held by the device",
-    "A device that can holds at most four walls of a plane world itself, with the viscosity that keeps corridors "
-    "still",
-    true),
-  { "WallRate", Number, "Hz", "", "How often held walls are moved on at most", NextTick, { 125.0 }, {}, 20.0, 1000.0 },
-  flag("PlaneGuide", "Led to the plane",
-    "The hand is led to the plane of a plane world by 200 N/m and at most 2 N, from nothing within half a second",
-    true),
->>>>>>> home
   { "StrokePoints", Points, "u", "", "Where a simulated hand is led: a polyline", NextTouch },
   { "StrokeSpeed", Number, "m/s", "", "Speed of the stroke of a simulated hand", NextTouch, { 0.05 }, {}, 0.0, none,
     true },
