@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticEventPlayer.h"
 
+#include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
+#include "pqDataRepresentation.h"
 #include "pqEventDispatcher.h"
 #include "pqHapticController.h"
 #include "pqHapticViewFollower.h"
+#include "pqPipelineSource.h"
+#include "pqRenderView.h"
+#include "pqServerManagerModel.h"
+#include "vtkCamera.h"
 #include "vtkHapticSession.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSmartPointer.h"
 
@@ -16,12 +25,12 @@
 #include <QKeySequence>
 #include <QLabel>
 #include <QMouseEvent>
-#include <QRegularExpression>
 #include <QStringList>
 #include <QWidget>
 #include <QtDebug>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <string_view>
@@ -38,15 +47,30 @@ bool PhaseIs(const vtkHapticSession& session, std::string_view phase)
   return session.GetLabyrinthPhase() == phase;
 }
 
-/// What hapticCheck and hapticWaitFor can ask for; null: no such name.
-std::function<double(const vtkHapticSession&)> QuantityOf(const QString& name)
+/// Of the proxy from the origin [u].
+double DistanceOfProxy(vtkHapticSession& session)
 {
-  using S = const vtkHapticSession&;
+  const double* const p = session.GetProxyPosition();
+  return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+}
+
+pqPipelineSource* SourceOf(const QString& name)
+{
+  return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(name);
+}
+
+/// What hapticCheck and hapticWaitFor can ask for; null: no such name.
+std::function<double(vtkHapticSession&)> QuantityOf(const QString& name)
+{
+  using S = vtkHapticSession&;
   static const std::map<QString, std::function<double(S)>> quantities = {
     { "force", [](S s) { return s.GetForceMagnitude(); } },
     { "arrived", [](S s) { return PhaseIs(s, "arrived") || PhaseIs(s, "rests") ? 1.0 : 0.0; } },
     { "depth", [](S s) { return s.GetDepth(); } },
     { "contacts", [](S s) { return static_cast<double>(s.GetContacts()); } },
+    { "distance", [](S s) { return DistanceOfProxy(s); } },
+    { "scale", [](S s) { return s.GetScale(); } },
+    { "radius", [](S s) { return s.GetRadius(); } },
     { "ticks", [](S s) { return static_cast<double>(s.GetTicks()); } },
     { "missed", [](S s) { return static_cast<double>(s.GetMissed()); } },
     { "largestStiffness", [](S s) { return s.GetLargestStiffness(); } },
@@ -69,6 +93,11 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
 {
   const QStringList list = arguments.split(',');
   const std::map<QString, std::function<bool()>> commands = {
+    { "hapticProperty", [&] { return this->setProperty(list); } },
+    { "hapticShow", [&] { return this->show(list); } },
+    { "hapticCamera", [&] { return this->checkCamera(list); } },
+    { "hapticHas", [&] { return this->checkText(object, arguments); } },
+    { "hapticDevice", [&] { return this->chooseDevice(arguments); } },
     { "hapticPose", [&] { return this->pose(list); } },
     { "hapticStroke", [&] { return this->addStrokePoint(list); } },
     { "hapticVirtualTime", [&] { return this->setVirtualTime(arguments.toInt() != 0); } },
@@ -108,6 +137,75 @@ bool pqHapticEventPlayer::resizeWindow(const QStringList& size)
   }
   window->setGeometry(0, 0, size[0].toInt(), size[1].toInt());
   return true;
+}
+
+/// Source, property, number; then applied, and all of it in view.
+bool pqHapticEventPlayer::setProperty(const QStringList& arguments)
+{
+  pqPipelineSource* source = SourceOf(arguments.value(0));
+  if (!source || !source->getProxy()->GetProperty(arguments.value(1).toUtf8().constData()))
+  {
+    return false;
+  }
+  vtkSMPropertyHelper(source->getProxy(), arguments.value(1).toUtf8().constData()).Set(arguments.value(2).toDouble());
+  source->getProxy()->UpdateVTKObjects();
+  source->updatePipeline();
+  pqView* view = pqActiveObjects::instance().activeView();
+  view->forceRender();
+  view->resetDisplay();
+  return true;
+}
+
+/// Source, 0 or 1: as its eye in the pipeline browser does.
+bool pqHapticEventPlayer::show(const QStringList& arguments)
+{
+  pqPipelineSource* source = SourceOf(arguments.value(0));
+  pqDataRepresentation* shown =
+    source ? source->getRepresentation(0, pqActiveObjects::instance().activeView()) : nullptr;
+  if (!shown)
+  {
+    return false;
+  }
+  shown->setVisible(arguments.value(1).toInt() != 0);
+  shown->renderViewEventually();
+  return true;
+}
+
+/// Least and largest distance of the camera from what it looks at [u].
+bool pqHapticEventPlayer::checkCamera(const QStringList& range) const
+{
+  pqRenderView* view = this->Controller->follower()->view();
+  const double distance = view ? view->getRenderViewProxy()->GetActiveCamera()->GetDistance() : 0.0;
+  const bool inside = view && distance >= range.value(0).toDouble() && distance <= range.value(1).toDouble();
+  if (!inside)
+  {
+    qCritical() << "hapticCamera" << range << ": it is" << distance << "away";
+  }
+  return inside;
+}
+
+/// Whether a label says something, among other things.
+bool pqHapticEventPlayer::checkText(QObject* object, const QString& part) const
+{
+  const auto* label = qobject_cast<const QLabel*>(object);
+  const bool has = label && label->text().contains(part) && label->isEnabled();
+  if (!has)
+  {
+    qCritical() << "hapticHas" << part << ": it says" << (label ? label->text() : QString("nothing"));
+  }
+  return has;
+}
+
+/// As a script does it: no person can choose what only a program can lead.
+bool pqHapticEventPlayer::chooseDevice(const QString& name)
+{
+  vtkSMProxy* proxy = this->Controller->sessionProxy();
+  if (proxy)
+  {
+    vtkSMPropertyHelper(proxy, "DeviceName").Set(name.toUtf8().constData());
+    proxy->UpdateVTKObjects();
+  }
+  return proxy != nullptr;
 }
 
 bool pqHapticEventPlayer::setVirtualTime(bool on)
@@ -247,26 +345,24 @@ bool pqHapticEventPlayer::checkTabOrder(QObject* object, const QStringList& name
   return reached == names;
 }
 
+/// A letter stands in a word and for one thing; a title without one is reached by Tab.
 bool pqHapticEventPlayer::checkMnemonics(QObject* object) const
 {
-  QStringList keys;
+  QStringList keys, footnotes;
   for (const QWidget* widget : object->findChildren<QWidget*>())
   {
     const auto* label = qobject_cast<const QLabel*>(widget);
     const auto* button = qobject_cast<const QAbstractButton*>(widget);
     const bool leads = label && label->buddy() && (label->buddy()->focusPolicy() & Qt::TabFocus);
-    if (leads || button)
-    {
-      const QString title = leads ? label->text() : button->text();
-      const QString key = QKeySequence::mnemonic(title).toString();
-      keys << (key.isEmpty() ? title : key);
-    }
+    const QString title = leads ? label->text() : button ? button->text() : QString();
+    const QString key = QKeySequence::mnemonic(title).toString();
+    keys << (key.isEmpty() ? QStringList() : QStringList(key));
+    footnotes << (title.contains("(&") ? QStringList(title) : QStringList());
   }
-  const QStringList without = keys.filter(QRegularExpression("^(?!Alt\\+.$)"));
   const int twice = keys.removeDuplicates();
-  if (twice > 0 || !without.isEmpty() || keys.isEmpty())
+  if (twice > 0 || !footnotes.isEmpty() || keys.isEmpty())
   {
-    qCritical() << "hapticMnemonics:" << twice << "stand twice, and these have none:" << without;
+    qCritical() << "hapticMnemonics:" << twice << "stand twice, and these read as footnotes:" << footnotes;
     return false;
   }
   return true;

@@ -14,6 +14,10 @@ class pqHapticController;
  *   hapticMove "x,y,z,n"             n ticks of virtual time in which the hand goes evenly to a point [u]
  *   hapticGlide "x,y,x,y,n"          the pointer goes over a widget in n moves; shares of its width and height
  *   hapticStep "n"                   n ticks of virtual time, then time for the panel to show them
+ *   hapticDevice "name"              chosen as a script does it
+ *   hapticProperty "source,name,number"  set and applied; hapticShow "source,0|1": its eye
+ *   hapticCamera "least,largest"     distance of the camera from what it looks at [u]
+ *   hapticHas "words"                in the text of a label that is enabled
  *   hapticWindow "width,height"      size of the main window [pixels]: there is no window manager
  *   hapticWait "ms"                  processes events for that long
  *   hapticWaitUntilReleased "ms"     processes events until nothing is touched any more, at most that long
@@ -47,6 +51,11 @@ private:
   bool glide(QWidget* widget, const QStringList& arguments);
   bool step(int ticks);
   bool resizeWindow(const QStringList& size);
+  bool chooseDevice(const QString& name);
+  bool setProperty(const QStringList& arguments);
+  bool show(const QStringList& arguments);
+  bool checkCamera(const QStringList& range) const;
+  bool checkText(QObject* object, const QString& part) const;
   bool setVirtualTime(bool on);
   bool wait(int time_ms);
   bool waitUntilReleased(int limit_ms);

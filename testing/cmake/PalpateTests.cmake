@@ -25,6 +25,10 @@ set(PALPATE_TEST_ENVIRONMENT
   "PV_PLUGIN_PATH=${PALPATE_PLUGIN_PATH}"
   "XDG_CONFIG_HOME=${PALPATE_TEST_OUTPUT}/settings") # never the person's own: what a test keeps stays in the build
 
+# Of two ranks on any machine, in a container too, where the tests run as root.
+set(PALPATE_MPI_ENVIRONMENT
+  "OMPI_ALLOW_RUN_AS_ROOT=1" "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1" "OMPI_MCA_rmaps_base_oversubscribe=1")
+
 # Parses ARGN into arg_*; keeps the defaults in one place.
 macro (_palpate_parse default_label one_value multi_value)
   cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL" "NAME;LABEL;TIMEOUT;${one_value}" "ENVIRONMENT;${multi_value}")
@@ -132,6 +136,19 @@ function (palpate_add_gui_test)
     TEST_SCRIPTS "${arg_SCRIPT}")
   list(APPEND arg_ENVIRONMENT "PARAVIEW_DATA_ROOT=${arg_DATA}")
   _palpate_set_properties("pv.${arg_NAME}")
+endfunction ()
+
+# palpate_add_server_gui_test(NAME HapticServer SCRIPT HapticServer.xml): the same with the data on a server of this computer, which
+# has the plugin too and runs on two ranks; becomes the ctest "pvcs.HapticServer".
+function (palpate_add_server_gui_test)
+  _palpate_parse(gui "SCRIPT" "")
+  set("${arg_NAME}_USES_DIRECT_DATA" ON)
+  paraview_add_client_server_tests(
+    LOAD_PLUGIN Palpate
+    PLUGIN_PATH "$<TARGET_FILE_DIR:Palpate>"
+    TEST_SCRIPTS "${arg_SCRIPT}")
+  list(APPEND arg_ENVIRONMENT "PARAVIEW_DATA_ROOT=${CMAKE_CURRENT_SOURCE_DIR}" ${PALPATE_MPI_ENVIRONMENT})
+  _palpate_set_properties("pvcs.${arg_NAME}")
 endfunction ()
 
 # palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/mesh/TriangleMesh.cpp CORPUS folder

@@ -52,7 +52,7 @@ protected:
 
 TEST_F(HapticDeviceChoice, ADeviceThatIsPluggedInLaterIsThereWhenTheListIsOpenedAndItsTipSaysWhatIsWrong)
 {
-  EXPECT_GE(this->choice_->findText("simulated-joystick"), 0);
+  EXPECT_GE(this->choice_->findText("mouse"), 0);
   test::FakePort& port = this->bus_->plug(test::plainLayout(), "7");
   port.openProblem = "no permission";
   EXPECT_EQ(this->choice_->findText(pluggedName), -1);
@@ -62,6 +62,34 @@ TEST_F(HapticDeviceChoice, ADeviceThatIsPluggedInLaterIsThereWhenTheListIsOpened
   port.openProblem.clear();
   this->open();
   EXPECT_EQ(this->tip(pluggedName), "");
+}
+
+// A person alone can lead neither; a program that chose one sees it.
+TEST_F(HapticDeviceChoice, WhatOnlyAProgramCanLeadIsListedOnceAProgramHasChosenIt)
+{
+  for (const char* name : { "fed", "simulated-touch", "simulated-joystick" })
+  {
+    this->session_->SetDeviceName("mouse");
+    this->open();
+    EXPECT_EQ(this->choice_->findText(name), -1) << name;
+    this->session_->SetDeviceName(name);
+    this->open();
+    EXPECT_EQ(this->choice_->currentText(), name);
+  }
+  this->session_->SetDeviceName("mouse");
+  this->open();
+  EXPECT_GE(this->choice_->findText("replay"), 0);
+}
+
+TEST_F(HapticDeviceChoice, WhatIsPluggedInAndPushesIsMeantElseTheMouse)
+{
+  EXPECT_STREQ(this->session_->GetPreferredDevice(), "mouse");
+  test::FakePort& port = this->bus_->plug(test::plainLayout(), "7");
+  this->open();
+  EXPECT_STREQ(this->session_->GetPreferredDevice(), pluggedName);
+  port.openProblem = "no permission";
+  this->open();
+  EXPECT_STREQ(this->session_->GetPreferredDevice(), "mouse");
 }
 
 TEST_F(HapticDeviceChoice, AChosenDeviceStaysChosenWhenItIsUnpluggedAndNobodyHearsOfTheList)

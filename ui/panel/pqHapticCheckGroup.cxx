@@ -51,7 +51,7 @@ void pqHapticCheckGroup::refresh(vtkHapticSession* session)
   const int state = session ? session->GetSelfTestState() : vtkHapticSession::CheckNone;
   const bool runs = state == vtkHapticSession::CheckRuns;
   this->Verify->setEnabled(session && !session->GetTouching());
-  this->Verify->setText(runs ? tr("Stop Check (&V)") : tr("&Verify Device"));
+  this->Verify->setText(runs ? tr("Stop Chec&k") : tr("Verif&y Device"));
   this->Adjust->setEnabled(state == vtkHapticSession::CheckPassed && *session->GetCalibrationFolder() != '\0');
   this->Progress->setVisible(runs);
   this->Progress->setValue(session ? static_cast<int>(wholeProgress * session->GetSelfTestProgress()) : 0);

@@ -7,7 +7,7 @@
 
 pqHapticDeviceChoice::pqHapticDeviceChoice(QWidget* parent) : Superclass(parent)
 {
-  this->setToolTip(tr("Who moves the hand: a device, a simulated hand or a program"));
+  this->setToolTip(tr("Who moves the hand: the mouse in the view, a recording, or a device that is plugged in"));
 }
 
 pqHapticDeviceChoice::~pqHapticDeviceChoice() = default;
@@ -37,12 +37,16 @@ void pqHapticDeviceChoice::list()
   {
     return;
   }
+  const QString chosen = QString::fromUtf8(this->Session->GetDeviceName());
   for (int i = 0; i < this->Session->GetNumberOfKnownDevices(); ++i)
   {
-    this->addItem(QString::fromUtf8(this->Session->GetKnownDeviceName(i)));
-    this->setItemData(i, QString::fromUtf8(this->Session->GetKnownDeviceProblem(i)), Qt::ToolTipRole);
+    const QString name = QString::fromUtf8(this->Session->GetKnownDeviceName(i));
+    if (name == chosen || !this->Session->GetKnownDeviceForPrograms(i))
+    {
+      this->addItem(name);
+      this->setItemData(this->count() - 1, QString::fromUtf8(this->Session->GetKnownDeviceProblem(i)), Qt::ToolTipRole);
+    }
   }
-  const QString chosen = QString::fromUtf8(this->Session->GetDeviceName());
   if (this->findText(chosen) < 0)
   {
     this->addItem(chosen);

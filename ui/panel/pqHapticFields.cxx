@@ -2,6 +2,7 @@
 #include "pqHapticFields.h"
 
 #include "haptics/session/settings/SessionSettings.h"
+#include "pqHapticQuantityBox.h"
 #include "pqSMAdaptor.h"
 
 #include <QCheckBox>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -58,16 +60,31 @@ QString pqHapticTip(const QString& property)
   return Text(Described(property).sentence);
 }
 
+QString pqHapticReadoutTip(const QString& property)
+{
+  const std::string name = property.toStdString();
+  const auto all = palpate::sessionReadouts();
+  const auto named = [&name](const palpate::Readout& readout) { return readout.name == name; };
+  const auto found = std::find_if(all.begin(), all.end(), named);
+  return found == all.end() ? QString() : Text(found->sentence);
+}
+
 QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals)
 {
   constexpr int leastWidth = 90; // else the widest number a field could hold makes the whole panel wide [pixels]
   const palpate::Setting& setting = Described(property);
-  auto* box = new QDoubleSpinBox(parent);
+  const bool ofScene = setting.unit == "u" || setting.unit == "u/m" || setting.unit.empty();
+  QDoubleSpinBox* const box = ofScene ? new pqHapticQuantityBox(parent) : new QDoubleSpinBox(parent);
   box->setObjectName(name);
   box->setToolTip(pqHapticTip(property));
-  box->setDecimals(decimals);
+  box->setSuffix(SuffixOf(setting));
+  if (!ofScene)
+  {
+    box->setDecimals(decimals);
+  }
   const double widest = setting.unit.empty() ? largestValue : largestQuantity;
-  const double least = setting.low + (setting.above ? std::pow(10.0, -decimals) : 0.0);
+  const double smallest = ofScene ? std::numeric_limits<double>::min() : std::pow(10.0, -decimals);
+  const double least = setting.low + (setting.above ? smallest : 0.0);
   box->setRange(std::max(least, -widest), std::min(setting.high, widest));
   box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   box->setKeyboardTracking(false);
@@ -78,7 +95,6 @@ QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QStri
 QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const char* property, int decimals)
 {
   QDoubleSpinBox* box = pqHapticNumber(form->parentWidget(), name, property, decimals);
-  box->setSuffix(SuffixOf(Described(property)));
   form->addRow(pqHapticTitle(property), box);
   return box;
 }
@@ -91,7 +107,6 @@ QList<QDoubleSpinBox*> pqHapticVectorRow(QFormLayout* form, const char* name, co
   {
     boxes << pqHapticNumber(form->parentWidget(), QString(name) + axis, property, decimals);
     boxes.back()->setMinimumWidth(leastShare);
-    boxes.back()->setSuffix(SuffixOf(Described(property)));
     row->addWidget(boxes.back());
   }
   auto* title = new QLabel(pqHapticTitle(property), form->parentWidget());

@@ -17,7 +17,7 @@ class vtkSMProperty;
 /// tip that says what it is. `name` is the field's own, `property` the setting's. Numbers take effect once they are
 /// typed.
 
-/// A number without a unit and a row of its own.
+/// A number without a row of its own. Lengths of the scene and values of data can be of any size.
 QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QString& property, int decimals);
 
 /// A row with a number and its unit.
@@ -33,5 +33,7 @@ void pqHapticFill(QComboBox* box, vtkSMProperty* property);
 /// The title of a setting's row, with the mark of its letter, and what the setting is.
 QString pqHapticTitle(const QString& property);
 QString pqHapticTip(const QString& property);
+/// What a read-out says.
+QString pqHapticReadoutTip(const QString& property);
 
 #endif

@@ -3,12 +3,11 @@
 
 #include "pqHapticCheckGroup.h"
 #include "pqHapticController.h"
-#include "pqHapticDeviceChoice.h"
 #include "pqHapticDeviceRows.h"
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
+#include "pqHapticMainGroup.h"
 #include "pqHapticMaterialGroup.h"
-#include "pqHapticMouse.h"
 #include "pqHapticReadout.h"
 #include "pqHapticSettingRows.h"
 #include "pqHapticViewFollower.h"
@@ -20,12 +19,11 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGroupBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace
@@ -47,15 +45,13 @@ QFormLayout* Group(QVBoxLayout* column, const char* name, const QString& title)
 class pqHapticPanel::Internals
 {
 public:
-  pqHapticDeviceChoice* Device;
+  pqHapticMainGroup* Main;
+  QToolButton* Advanced;
+  QWidget* Rest;
   pqHapticDeviceRows* DeviceRows;
   QComboBox* Hand;
   QDoubleSpinBox* PressDepth;
-  QLabel* MouseHelp;
-  QPushButton* Touch;
-  QPushButton* Release;
   pqHapticSettingRows Rows;
-  QPushButton* Fit;
   pqHapticMaterialGroup* Material;
   pqHapticCheckGroup* Check;
   QLabel* Stability;
@@ -78,8 +74,9 @@ public:
   QTimer Refresh;
   pqPropertyLinks Links;
 
+  void addRest(QVBoxLayout* column);
+  void fillRest(QVBoxLayout* rest);
   void addHand(QVBoxLayout* column);
-  void addContact(QVBoxLayout* column);
   void addStability(QVBoxLayout* column);
   void addState(QVBoxLayout* column);
   void addServo(QVBoxLayout* column);
@@ -93,39 +90,9 @@ public:
 void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "handGroup", tr("Hand"));
-  QWidget* parent = form->parentWidget();
-  this->Device = new pqHapticDeviceChoice(parent);
-  this->Device->setObjectName("device");
-  form->addRow(pqHapticTitle("DeviceName"), this->Device);
   this->DeviceRows = new pqHapticDeviceRows(form);
   this->Hand = pqHapticChoiceRow(form, "hand", "Hand");
   this->PressDepth = pqHapticNumberRow(form, "pressDepth", "PressDepth", 5);
-  this->MouseHelp =
-    pqHapticLabel(parent, "mouseHelp", tr("What mouse and keyboard do in the view while they lead the hand"));
-  form->addRow(this->MouseHelp);
-
-  auto* buttons = new QHBoxLayout;
-  this->Touch = new QPushButton(pqHapticTitle("Touching"), parent);
-  this->Touch->setObjectName("touch");
-  this->Touch->setCheckable(true);
-  this->Touch->setToolTip(tr("Touch every surface shown in the active view"));
-  this->Release = new QPushButton(tr("&Let Go"), parent);
-  this->Release->setObjectName("release");
-  this->Release->setToolTip(tr("Force to zero within 50 ms, and stop touching"));
-  buttons->addWidget(this->Touch);
-  buttons->addWidget(this->Release);
-  form->addRow(buttons);
-}
-
-void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
-{
-  QFormLayout* form = Group(column, "contactGroup", tr("Contact"));
-  QWidget* parent = form->parentWidget();
-  this->Rows.add(form, "contact");
-  this->Fit = new QPushButton(tr("&Fit Hand to Scene"), parent);
-  this->Fit->setObjectName("fit");
-  this->Fit->setToolTip(tr("Scale and offset such that the device's workspace holds everything that is touched"));
-  form->addRow(this->Fit);
 }
 
 void pqHapticPanel::Internals::addStability(QVBoxLayout* column)
@@ -198,9 +165,8 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  const QList<QWidget*> order = QList<QWidget*>{ this->Device } + this->DeviceRows->fields() +
-                                QList<QWidget*>{ this->Hand, this->PressDepth, this->Touch, this->Release } +
-                                this->Rows.fields("contact") + QList<QWidget*>{ this->Fit } +
+  const QList<QWidget*> order = this->Main->fields() + QList<QWidget*>{ this->Advanced } + this->DeviceRows->fields() +
+                                QList<QWidget*>{ this->Hand, this->PressDepth } + this->Rows.fields("contact") +
                                 this->Rows.fields("friction") + this->Material->fields() +
                                 this->Rows.fields("stability") + this->Check->fields() + this->Rows.fields("scene") +
                                 QList<QWidget*>{ this->Scene };
@@ -208,6 +174,47 @@ void pqHapticPanel::Internals::setTabOrder()
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
   }
+}
+
+/// Folded at first: what is set once, or never.
+void pqHapticPanel::Internals::addRest(QVBoxLayout* column)
+{
+  this->Advanced = new QToolButton(column->parentWidget());
+  this->Advanced->setObjectName("advancedButton");
+  this->Advanced->setText(tr("Ad&vanced"));
+  this->Advanced->setToolTip(tr("Everything else that can be set, and all that is measured"));
+  this->Advanced->setCheckable(true);
+  this->Advanced->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  this->Advanced->setArrowType(Qt::RightArrow);
+  this->Advanced->setFocusPolicy(Qt::StrongFocus);
+  column->addWidget(this->Advanced);
+  this->Rest = new QWidget(column->parentWidget());
+  this->Rest->setObjectName("advanced");
+  this->Rest->setVisible(false);
+  column->addWidget(this->Rest);
+  QObject::connect(this->Advanced, &QToolButton::toggled, this->Rest,
+    [this](bool on)
+    {
+      this->Rest->setVisible(on);
+      this->Advanced->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
+    });
+  this->fillRest(new QVBoxLayout(this->Rest));
+}
+
+void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
+{
+  rest->setContentsMargins(0, 0, 0, 0);
+  this->addHand(rest);
+  this->Rows.add(Group(rest, "contactGroup", tr("Contact")), "contact");
+  this->Rows.add(Group(rest, "frictionGroup", tr("Friction")), "friction");
+  this->Material = new pqHapticMaterialGroup;
+  rest->addWidget(this->Material);
+  this->addStability(rest);
+  this->Check = new pqHapticCheckGroup;
+  rest->addWidget(this->Check);
+  this->addState(rest);
+  this->addServo(rest);
+  this->addScene(rest);
 }
 
 /// Settings can change without a frame being drawn, from a script for one.
@@ -246,17 +253,9 @@ void pqHapticPanel::build()
   auto* body = new QWidget(scroll);
   body->setObjectName("body");
   auto* column = new QVBoxLayout(body);
-  this->Widgets->addHand(column);
-  this->Widgets->addContact(column);
-  this->Widgets->Rows.add(Group(column, "frictionGroup", tr("Friction")), "friction");
-  this->Widgets->Material = new pqHapticMaterialGroup;
-  column->addWidget(this->Widgets->Material);
-  this->Widgets->addStability(column);
-  this->Widgets->Check = new pqHapticCheckGroup;
-  column->addWidget(this->Widgets->Check);
-  this->Widgets->addState(column);
-  this->Widgets->addServo(column);
-  this->Widgets->addScene(column);
+  this->Widgets->Main = new pqHapticMainGroup(body);
+  column->addWidget(this->Widgets->Main);
+  this->Widgets->addRest(column);
   column->addStretch(1);
   this->Widgets->setTabOrder();
   scroll->setWidget(body);
@@ -264,8 +263,6 @@ void pqHapticPanel::build()
 
   auto* controller = pqHapticController::instance();
   this->connect(controller, &pqHapticController::sessionChanged, this, &pqHapticPanel::setProxy);
-  this->connect(this->Widgets->Release, &QPushButton::clicked, controller, &pqHapticController::release);
-  this->connect(this->Widgets->Fit, &QPushButton::clicked, controller, &pqHapticController::fitWorkspace);
   this->connect(&this->Widgets->Refresh, &QTimer::timeout, this, &pqHapticPanel::refresh);
   this->setProxy(controller->sessionProxy());
   this->Widgets->Refresh.start(refreshPeriod_ms);
@@ -277,8 +274,8 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   w.Links.clear();
   w.Material->setProxy(proxy);
   w.DeviceRows->setProxy(proxy);
-  w.Device->setSession(proxy ? vtkHapticSession::SafeDownCast(proxy->GetClientSideObject()) : nullptr);
-  this->widget()->setEnabled(proxy != nullptr);
+  w.Main->setProxy(proxy, w.Links);
+  w.Rest->setEnabled(proxy != nullptr);
   if (!proxy)
   {
     this->refresh();
@@ -287,10 +284,8 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   pqHapticFill(w.Hand, proxy->GetProperty("Hand"));
   const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
   { w.Links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
-  link(w.Device, "currentText", SIGNAL(currentTextChanged(const QString&)), "DeviceName");
   link(w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), "Hand");
   link(w.PressDepth, "value", SIGNAL(valueChanged(double)), "PressDepth");
-  link(w.Touch, "checked", SIGNAL(toggled(bool)), "Touching");
   w.Rows.link(w.Links, proxy);
   this->refresh();
 }
@@ -306,13 +301,12 @@ void pqHapticPanel::refresh()
   }
   const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   Internals& w = *this->Widgets;
-  w.Release->setEnabled(controller->touching());
+  w.Main->refresh(session);
   w.State->setText(now.State);
   pqHapticSay(w.Reason, now.Reason);
   w.Force->setText(now.Force);
   w.Hand->setEnabled(session && session->GetDeviceTakesHand());
   w.PressDepth->setEnabled(session && session->GetFollowsMouse());
-  pqHapticSay(w.MouseHelp, controller->mouse()->help());
   w.Stability->setText(now.Stability);
   w.Used->setText(now.Stiffness);
   w.Energy->setText(now.Energy);

@@ -13,6 +13,7 @@
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
 #include "pqServerManagerObserver.h"
+#include "pqUndoStack.h"
 #include "vtkCommand.h"
 #include "vtkHapticSession.h"
 #include "vtkSMPropertyHelper.h"
@@ -33,9 +34,15 @@ constexpr const char* managerName = "PALPATE_HAPTIC_CONTROLLER";
 constexpr const char* proxyGroup = "haptics";
 constexpr const char* proxyName = "HapticSession";
 
-/// A new session starts with what Edit / Settings / Haptics says.
+/// A new session starts with what Edit / Settings / Haptics says, with the device that is most likely meant, and fits
+/// the hand to what is shown unless a scale is set there.
 void ApplySettings(vtkSMSessionProxyManager* manager, vtkSMProxy* session)
 {
+  if (auto* object = vtkHapticSession::SafeDownCast(session->GetClientSideObject()))
+  {
+    vtkSMPropertyHelper(session, "DeviceName").Set(object->GetPreferredDevice());
+    vtkSMPropertyHelper(session, "FitOnTouch").Set(1);
+  }
   vtkSMProxy* settings = manager->GetProxy("settings", "HapticSettings");
   for (const char* name : { "Stiffness", "Radius", "Scale" })
   {
@@ -137,6 +144,17 @@ bool pqHapticController::touching() const
   return this->Proxy && vtkSMPropertyHelper(this->Proxy, "Touching").GetAsInt() != 0;
 }
 
+QString pqHapticController::refusal() const
+{
+  const pqServer* server = pqActiveObjects::instance().activeServer();
+  if (server && server->isRemote())
+  {
+    return tr("The data is on a server, and only the built-in server can be touched: File > Disconnect, then open the "
+              "file here.");
+  }
+  return this->Proxy ? this->Follower->refusal() : tr("There is no server: File > Connect to the built-in one.");
+}
+
 void pqHapticController::setTouching(bool on)
 {
   if (this->Proxy && on != this->touching())
@@ -165,6 +183,7 @@ void pqHapticController::fitWorkspace()
 {
   if (this->Proxy)
   {
+    this->Follower->handOver();
     this->Proxy->InvokeCommand("FitWorkspace");
   }
 }
@@ -193,7 +212,9 @@ void pqHapticController::serverAdded(pqServer* server)
     this->adopt(present);
     return;
   }
+  SCOPED_UNDO_EXCLUDE(); // nobody made it, so nobody can undo that
   auto proxy = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy(proxyGroup, proxyName));
+  proxy->UpdateVTKObjects(); // its object says which devices there are
   ApplySettings(manager, proxy);
   proxy->UpdateVTKObjects();
   manager->RegisterProxy(proxyGroup, proxyName, proxy); // proxyRegistered() adopts it

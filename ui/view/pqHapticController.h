@@ -46,6 +46,8 @@ public:
   QAction* drawAction() const { return this->DrawAction; }
 
   bool touching() const;
+  /// Why nothing can be touched here, and what to do; "" where something can.
+  QString refusal() const;
 
 public Q_SLOTS:
   /// Through the proxy, so that Python traces and state files see it.

@@ -61,6 +61,11 @@ QString pqHapticViewFollower::report() const
   return QString::fromUtf8(this->Scene->GetReport());
 }
 
+QString pqHapticViewFollower::refusal() const
+{
+  return QString::fromStdString(this->Scene->GetRefusal());
+}
+
 QStringList pqHapticViewFollower::arrayNames() const
 {
   return QString::fromStdString(this->Scene->GetArrayNames()).split('\n', Qt::SkipEmptyParts);
@@ -111,10 +116,14 @@ void pqHapticViewFollower::viewRemoved(pqView* view)
 
 void pqHapticViewFollower::refresh()
 {
-  if (!this->Active)
+  if (this->Active)
   {
-    return;
+    this->handOver();
   }
+}
+
+void pqHapticViewFollower::handOver()
+{
   this->Scene->SetDrawing(this->newDrawing());
   this->Scene->Update();
 }

@@ -41,12 +41,16 @@ public:
   pqRenderView* view() const { return this->View; }
   /// What is touched, and what is not and why.
   QString report() const;
+  /// Why nothing of what the view shows can be touched, whether it is followed or not; "" where something can.
+  QString refusal() const;
   /// Of the points and cells of what the view shows, whether it is touched or not.
   QStringList arrayNames() const;
 
 public Q_SLOTS:
   void setView(pqView* view);
   void refresh();
+  /// What is shown, to the session, active or not.
+  void handOver();
 
 Q_SIGNALS:
   void viewChanged(pqRenderView* view);

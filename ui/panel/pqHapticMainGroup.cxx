@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticMainGroup.h"
+
+#include "haptics/session/StateSentence.h"
+#include "pqHapticController.h"
+#include "pqHapticDeviceChoice.h"
+#include "pqHapticFields.h"
+#include "pqHapticLabel.h"
+#include "pqHapticMouse.h"
+#include "pqHapticStrip.h"
+#include "pqHapticViewFollower.h"
+#include "pqPropertyLinks.h"
+#include "vtkHapticSession.h"
+#include "vtkSMProxy.h"
+
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace
+{
+QPushButton* Button(QWidget* parent, const char* name, const QString& text, const QString& tip)
+{
+  auto* button = new QPushButton(text, parent);
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  return button;
+}
+} // namespace
+
+pqHapticMainGroup::pqHapticMainGroup(QWidget* parent) : Superclass(parent)
+{
+  this->setObjectName("mainGroup");
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  this->addDevice(form);
+  this->addButtons(form);
+  this->Rows.add(form, "main");
+  this->addStrips(form);
+  auto* warning = pqHapticLabel(this, "notClinical", tr("No part of it has been validated for any medical purpose"));
+  warning->setText(tr("Not for clinical use."));
+  form->addRow(warning);
+}
+
+pqHapticMainGroup::~pqHapticMainGroup() = default;
+
+void pqHapticMainGroup::addDevice(QFormLayout* form)
+{
+  this->Device = new pqHapticDeviceChoice(this);
+  this->Device->setObjectName("device");
+  form->addRow(pqHapticTitle("DeviceName"), this->Device);
+  this->Recording = new QWidget(this); // of the device that plays one
+  this->Recording->setObjectName("recording");
+  this->ReplayFile = new QLineEdit(this->Recording);
+  this->ReplayFile->setObjectName("replayFile");
+  this->ReplayFile->setPlaceholderText(tr("Recording to play"));
+  this->ReplayFile->setToolTip(pqHapticTip("ReplayFile"));
+  this->Browse = Button(this->Recording, "browse", tr("&Open..."), tr("Choose the recording that is played"));
+  auto* row = new QHBoxLayout(this->Recording);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(this->ReplayFile, 1);
+  row->addWidget(this->Browse);
+  form->addRow(this->Recording);
+  this->connect(this->Browse, &QPushButton::clicked, this, &pqHapticMainGroup::chooseRecording);
+}
+
+void pqHapticMainGroup::addButtons(QFormLayout* form)
+{
+  this->Touch = Button(this, "touch", pqHapticTitle("Touching"), tr("Touch every surface shown in the active view"));
+  this->Touch->setCheckable(true);
+  this->Release = Button(this, "release", tr("&Let Go"), tr("Force to zero within 50 ms, and stop touching"));
+  this->Fit = Button(
+    this, "fit", tr("&Fit"), tr("Scale and place such that the device's workspace holds everything that is shown"));
+  auto* buttons = new QHBoxLayout;
+  for (QPushButton* button : { this->Touch, this->Release, this->Fit })
+  {
+    buttons->addWidget(button, 1);
+  }
+  form->addRow(buttons);
+  this->Status = pqHapticLabel(this, "status", tr("How it is, why, and what to do"));
+  QFont bold = this->Status->font();
+  bold.setBold(true);
+  this->Status->setFont(bold);
+  form->addRow(this->Status);
+  this->MouseHelp =
+    pqHapticLabel(this, "mouseHelp", tr("What mouse and keyboard do in the view while they lead the hand"));
+  form->addRow(this->MouseHelp);
+  auto* controller = pqHapticController::instance();
+  this->connect(this->Release, &QPushButton::clicked, controller, &pqHapticController::release);
+  this->connect(this->Fit, &QPushButton::clicked, controller, &pqHapticController::fitWorkspace);
+}
+
+void pqHapticMainGroup::addStrips(QFormLayout* form)
+{
+  this->Force = new pqHapticStrip(this, "forceStrip", tr("Force"), "N", 1.0);
+  this->Depth = new pqHapticStrip(this, "depthStrip", tr("Depth"), "mm", 1.0);
+  this->Lateness = new pqHapticStrip(this, "latenessStrip", tr("Lateness"), "ms", 1.0);
+  this->Energy = new pqHapticStrip(this, "energyStrip", tr("Excess energy"), "mJ", 1.0);
+  this->Force->setToolTip(pqHapticReadoutTip("ForceMagnitude"));
+  this->Depth->setToolTip(tr("How deep the hand is behind the proxy, as a way of the hand"));
+  this->Lateness->setToolTip(pqHapticReadoutTip("LatenessP99"));
+  this->Energy->setToolTip(pqHapticReadoutTip("ExcessEnergy"));
+  for (pqHapticStrip* strip : { this->Force, this->Depth, this->Lateness, this->Energy })
+  {
+    form->addRow(strip);
+  }
+}
+
+void pqHapticMainGroup::setProxy(vtkSMProxy* proxy, pqPropertyLinks& links)
+{
+  this->Device->setSession(proxy ? vtkHapticSession::SafeDownCast(proxy->GetClientSideObject()) : nullptr);
+  for (QWidget* field : this->fields())
+  {
+    field->setEnabled(proxy != nullptr); // never the texts: they say why
+  }
+  if (!proxy)
+  {
+    return;
+  }
+  const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
+  { links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
+  link(this->Device, "currentText", SIGNAL(currentTextChanged(const QString&)), "DeviceName");
+  link(this->ReplayFile, "text", SIGNAL(editingFinished()), "ReplayFile");
+  link(this->Touch, "checked", SIGNAL(toggled(bool)), "Touching");
+  this->Rows.link(links, proxy);
+}
+
+void pqHapticMainGroup::chooseRecording()
+{
+  const QString file = QFileDialog::getOpenFileName(this, tr("Recording to play"));
+  if (!file.isEmpty())
+  {
+    this->ReplayFile->setText(file);
+    Q_EMIT this->ReplayFile->editingFinished();
+  }
+}
+
+QString pqHapticMainGroup::statusOf(vtkHapticSession* session) const
+{
+  const pqHapticController* controller = pqHapticController::instance();
+  palpate::SessionGlance glance;
+  glance.refusal = controller->refusal().toStdString();
+  if (session)
+  {
+    glance.touching = session->GetTouching();
+    glance.engage = static_cast<palpate::EngageState>(session->GetEngageState());
+    glance.fault = session->GetFaultText();
+    glance.warning = session->GetWarning();
+    glance.problem = session->GetProblem();
+  }
+  return QString::fromStdString(palpate::stateSentence(glance));
+}
+
+void pqHapticMainGroup::followStrips(vtkHapticSession* session)
+{
+  if (!session || !session->GetTouching())
+  {
+    return; // what was measured last stays to be read
+  }
+  constexpr double milli = 1e3;
+  this->Force->add(session->GetForceMagnitude());
+  this->Depth->add(session->GetContacts() > 0 ? milli * session->GetDepth() / session->GetScale() : 0.0);
+  this->Lateness->add(session->GetLatenessP99() / milli);
+  this->Energy->add(milli * session->GetExcessEnergy());
+}
+
+void pqHapticMainGroup::refresh(vtkHapticSession* session)
+{
+  auto* controller = pqHapticController::instance();
+  this->Status->setText(this->statusOf(session));
+  this->Release->setEnabled(controller->touching());
+  this->Recording->setVisible(this->Device->currentText() == "replay");
+  pqHapticSay(this->MouseHelp, controller->mouse()->help());
+  this->followStrips(session);
+}
+
+QList<QWidget*> pqHapticMainGroup::fields() const
+{
+  return QList<QWidget*>{ this->Device, this->ReplayFile, this->Browse, this->Touch, this->Release, this->Fit } +
+         this->Rows.fields("main");
+}

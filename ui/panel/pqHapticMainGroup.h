@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticMainGroup_h
+#define pqHapticMainGroup_h
+
+#include "pqHapticSettingRows.h"
+
+#include <QList>
+#include <QWidget>
+
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class pqHapticDeviceChoice;
+class pqHapticStrip;
+class pqPropertyLinks;
+class vtkHapticSession;
+class vtkSMProxy;
+
+/**
+ * What a person needs all day, on one screen: device, Touch, one line that says how it is and what to do, Fit, radius,
+ * stiffness, and strip charts of the last ten seconds.
+ */
+class pqHapticMainGroup : public QWidget
+{
+  Q_OBJECT
+  typedef QWidget Superclass;
+
+public:
+  explicit pqHapticMainGroup(QWidget* parent = nullptr);
+  ~pqHapticMainGroup() override;
+
+  /// Null: nothing can be set, and `refresh` says why.
+  void setProxy(vtkSMProxy* proxy, pqPropertyLinks& links);
+  /// Null where there is no session. Ten times a second.
+  void refresh(vtkHapticSession* session);
+  /// In the order of the Tab key.
+  QList<QWidget*> fields() const;
+
+private:
+  void addDevice(QFormLayout* form);
+  void addButtons(QFormLayout* form);
+  void addStrips(QFormLayout* form);
+  void chooseRecording();
+  QString statusOf(vtkHapticSession* session) const;
+  void followStrips(vtkHapticSession* session);
+
+  pqHapticDeviceChoice* Device;
+  QWidget* Recording;
+  QLineEdit* ReplayFile;
+  QPushButton* Browse;
+  QPushButton* Touch;
+  QPushButton* Release;
+  QPushButton* Fit;
+  QLabel* Status;
+  QLabel* MouseHelp;
+  pqHapticSettingRows Rows; ///< stiffness and radius
+  pqHapticStrip* Force;
+  pqHapticStrip* Depth;
+  pqHapticStrip* Lateness;
+  pqHapticStrip* Energy;
+};
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticQuantityBox.h"
+
+#include <QRegularExpression>
+
+#include <cmath>
+
+namespace
+{
+constexpr int significant = 9;
+/// A spin box rounds its value to so many decimals: all that a number can have.
+constexpr int allDecimals = 323;
+} // namespace
+
+pqHapticQuantityBox::pqHapticQuantityBox(QWidget* parent) : Superclass(parent)
+{
+  this->setDecimals(allDecimals);
+}
+
+pqHapticQuantityBox::~pqHapticQuantityBox() = default;
+
+QString pqHapticQuantityBox::numberIn(const QString& text) const
+{
+  QString number = text.trimmed();
+  if (number.endsWith(this->suffix().trimmed()))
+  {
+    number.chop(this->suffix().trimmed().size());
+  }
+  return number.trimmed();
+}
+
+QString pqHapticQuantityBox::textFromValue(double value) const
+{
+  return QString::number(value, 'g', significant);
+}
+
+double pqHapticQuantityBox::valueFromText(const QString& text) const
+{
+  return this->numberIn(text).toDouble();
+}
+
+QValidator::State pqHapticQuantityBox::validate(QString& text, int&) const
+{
+  const QString number = this->numberIn(text);
+  bool isNumber = false;
+  const double value = number.toDouble(&isNumber);
+  if (isNumber && std::isfinite(value))
+  {
+    return value >= this->minimum() && value <= this->maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+  }
+  static const QRegularExpression begun(R"(^[-+]?[0-9]*\.?[0-9]*([eE][-+]?[0-9]*)?$)");
+  return begun.match(number).hasMatch() ? QValidator::Intermediate : QValidator::Invalid;
+}
+
+void pqHapticQuantityBox::stepBy(int steps)
+{
+  const double now = std::abs(this->value());
+  const double step = now > 0.0 ? std::pow(10.0, std::floor(std::log10(now)) - 1.0) : 1.0;
+  this->setValue(this->value() + steps * step);
+}
