@@ -126,6 +126,9 @@ void CalibratedDevice::write(const DeviceCommand& command) noexcept
 {
   DeviceCommand raw = command;
   raw.wrench_D.force = this->motors_ * command.wrench_D.force;
+  // A torque turns the other way where an axis is turned round.
+  raw.wrench_D.torque = this->motors_.determinant() * this->motors_ * command.wrench_D.torque;
+  raw.target.pose_D.p = this->sensors_.transpose() * (command.target.pose_D.p + this->middle_D_);
   raw.wallMotors = this->motors_ * command.wallMotors * this->sensors_;
   // The device measures its own walls along its own axes.
   for (std::size_t i = 0; i < std::min<std::size_t>(raw.wallCount, raw.walls.size()); ++i)

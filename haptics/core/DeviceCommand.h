@@ -26,11 +26,20 @@ enum class Signal : std::uint8_t
   Oscillation,
 };
 
+/// Where a device that closes the spring of contact itself draws the hand to. From where the hand is, it then gives the
+/// command's force, with all limits in it. How the hand is turned stays as it is: there is no spring that turns yet.
+struct PoseTarget
+{
+  Pose pose_D;                    ///< [m]
+  double stiffness_N_per_m = 0.0; ///< of that spring; 0: there is none, and the pose is where the hand is
+};
+
 /// What the servo asks of a device for one tick.
 struct DeviceCommand
 {
-  std::uint32_t hand = 0;          ///< whose it is, from 0
-  Wrench wrench_D;                 ///< force on the hand [N], torque [N m]
+  std::uint32_t hand = 0; ///< whose it is, from 0
+  Wrench wrench_D;        ///< force on the hand [N], torque [N m]
+  PoseTarget target;
   std::array<HeldWall, 4> walls{}; ///< the first wallCount are valid
   std::uint8_t wallCount = 0;
   /// From the axes along which walls stand to those of the force, for walls that the host closes: they differ where a

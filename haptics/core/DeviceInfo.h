@@ -76,14 +76,17 @@ struct DeviceInfo
   DeviceClass deviceClass = DeviceClass::Point3D;
   Causality causality = Causality::Impedance;
   Pacing pacing = Pacing::Timer;
-  bool rendersForce = true; ///< false: forces go nowhere (poses fed by a program, a replay, a SpaceMouse)
-  bool simulated = false;   ///< lateness is counted, never a fault
+  bool rendersForce = true;   ///< false: forces go nowhere (poses fed by a program, a replay, a SpaceMouse)
+  bool rendersTorque = false; ///< it turns the hand; else what a command says of torque is not for it
+  bool simulated = false;     ///< lateness is counted, never a fault
   DeviceAbilities abilities;
   bool offersWalls = false; ///< so it says; with viscosity
   HeldProof heldProof = HeldProof::Unfelt;
   double effectsEndAfter_s = 0.0; ///< it stops pushing by itself when nobody renews what it was told; 0: it does not
   DeviceQuantity workspaceRadius_m{ 0.1, false };
   DeviceQuantity resolution_m{ 0.0, false };
+  DeviceQuantity turnResolution_rad{ 0.0, false }; ///< of how the hand is turned
+  DeviceQuantity maxTorque_Nm{ std::numeric_limits<double>::infinity(), false };
   DeviceQuantity maxForce_N{ std::numeric_limits<double>::infinity(), false };
   DeviceQuantity maxStiffness_N_per_m{ std::numeric_limits<double>::infinity(), false };
   DeviceQuantity maxDamping_Ns_per_m{ std::numeric_limits<double>::infinity(), false };

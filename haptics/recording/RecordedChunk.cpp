@@ -15,6 +15,8 @@ namespace palpate
 namespace
 {
 
+constexpr std::uint32_t versionWithPose = 2; ///< of a tick
+
 void readStart(RecordedChunk& chunk, Recording& recording)
 {
   while (chunk.payload.ok() && chunk.payload.left() > 0)
@@ -41,6 +43,10 @@ void readTick(RecordedChunk& chunk, Recording& recording)
   TickRecord record;
   inputFields(Get{ chunk.payload }, record);
   outputFields(Get{ chunk.payload }, record);
+  if (chunk.version >= versionWithPose)
+  {
+    poseFields(Get{ chunk.payload }, record.pose.emplace());
+  }
   recording.entries.emplace_back(record);
 }
 

@@ -96,6 +96,8 @@ std::vector<char> tickChunk(const TickRecord& record)
   ByteWriter payload;
   inputFields(Put{ payload }, record);
   outputFields(Put{ payload }, record);
+  const PoseRecord pose = record.pose.value_or(PoseRecord{});
+  poseFields(Put{ payload }, pose);
   return chunk(chunks::tick, payload);
 }
 

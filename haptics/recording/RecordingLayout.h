@@ -26,7 +26,7 @@ struct ChunkKind
 namespace chunks
 {
 inline constexpr ChunkKind start{ "start" };   ///< first parameters and state; before all that follow
-inline constexpr ChunkKind tick{ "tick" };     ///< TickRecord
+inline constexpr ChunkKind tick{ "tick", 2 };  ///< TickRecord; from version 2 on with its PoseRecord
 inline constexpr ChunkKind change{ "change" }; ///< RecordedChange
 inline constexpr ChunkKind scene{ "scene" };   ///< RecordedScene
 inline constexpr ChunkKind motion{ "motion" }; ///< RecordedMotion

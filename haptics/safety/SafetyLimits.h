@@ -11,12 +11,14 @@
 namespace palpate
 {
 
-/// What the hand is protected by. The defaults are for a device whose largest force nobody knows: 3 N, reached in 20 ms
-/// or more, and a ramp of 1 s from a small force.
+/// What the hand is protected by. The defaults are for a device whose largest force nobody knows, and that turns
+/// nobody: 3 N, reached in 20 ms or more, and a ramp of 1 s from a small force.
 struct SafetyLimits
 {
   double maxForce_N = 3.0;
-  double maxRise_N_per_s = 150.0; ///< growth only: release is always free
+  double maxRise_N_per_s = 150.0;      ///< growth only: release is always free
+  double maxTorque_Nm = 0.0;           ///< likewise
+  double maxTorqueRise_Nm_per_s = 0.0; ///< likewise
   double engageRamp_s = 1.0;
   double engageBelow_N = 0.3; ///< engages only from a force this small
   double releaseRamp_s = 0.05;
@@ -32,6 +34,7 @@ struct SafetyLimits
     constexpr double unlimited = std::numeric_limits<double>::infinity();
     SafetyLimits limits;
     limits.maxForce_N = limits.maxRise_N_per_s = limits.engageBelow_N = unlimited;
+    limits.maxTorque_Nm = limits.maxTorqueRise_Nm_per_s = unlimited;
     limits.engageRamp_s = limits.releaseRamp_s = limits.faultRamp_s = 0.0;
     limits.needsEngage = false;
     return limits;
@@ -48,6 +51,16 @@ struct SafetyLimits
       limits.maxForce_N = 0.6 * most_N;
       limits.maxRise_N_per_s = 50.0 * most_N;
       limits.engageBelow_N = 0.1 * most_N;
+    }
+    if (device.rendersTorque)
+    {
+      // Of one whose largest torque nobody knows: the largest force on an arm of 30 mm, from the fingers to the middle
+      // of a handle.
+      constexpr double unknownArm_m = 0.03;
+      const double known_Nm = device.maxTorque_Nm.value;
+      const double largest_Nm = known_Nm < std::numeric_limits<double>::infinity() ? known_Nm : 5.0 * unknownArm_m;
+      limits.maxTorque_Nm = 0.6 * largest_Nm;
+      limits.maxTorqueRise_Nm_per_s = 50.0 * largest_Nm;
     }
     if (device.rendersForce)
     {

@@ -14,7 +14,8 @@ constexpr double letGoSlack_s = 0.005, longestLetGo_s = 0.5;
 
 bool pushes(const DeviceCommand& command) noexcept
 {
-  return command.wrench_D.force != Vec3::Zero() || command.wallCount > 0 || command.viscosity_Ns_per_m > 0.0;
+  return command.wrench_D.force != Vec3::Zero() || command.wrench_D.torque != Vec3::Zero() || command.wallCount > 0 ||
+         command.viscosity_Ns_per_m > 0.0;
 }
 
 } // namespace

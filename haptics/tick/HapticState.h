@@ -29,14 +29,17 @@ struct HapticState
   std::uint64_t tick = 0;
   std::uint32_t hand = 0; ///< whose it is
   double time_s = 0.0;
-  Pose device_W;                       ///< hand in the scene [u]
-  Pose proxy_W;                        ///< god-object in the scene [u]
-  Vec3 velocity_D = Vec3::Zero();      ///< estimated from the positions [m/s]
-  Vec3 rendered_D = Vec3::Zero();      ///< force before safety [N]
-  Vec3 besideContact_D = Vec3::Zero(); ///< the part of it that does not come from contact, of a guide say [N]
-  Vec3 stabiliser_D = Vec3::Zero();    ///< the part of it that the passivity controller added [N]
-  Vec3 force_D = Vec3::Zero();         ///< force on the hand [N]
-  Vec3 force_W = Vec3::Zero();         ///< the same, as seen in the scene
+  Pose device_W;                        ///< hand in the scene [u]
+  Pose proxy_W;                         ///< god-object in the scene [u]
+  Vec3 velocity_D = Vec3::Zero();       ///< estimated from the positions [m/s]
+  Vec3 rendered_D = Vec3::Zero();       ///< force before safety [N]
+  Vec3 besideContact_D = Vec3::Zero();  ///< the part of it that does not come from contact, of a guide say [N]
+  Vec3 stabiliser_D = Vec3::Zero();     ///< the part of it that the passivity controller added [N]
+  Vec3 force_D = Vec3::Zero();          ///< force on the hand [N]
+  Vec3 force_W = Vec3::Zero();          ///< the same, as seen in the scene
+  Vec3 renderedTorque_D = Vec3::Zero(); ///< torque before safety [N m]
+  Vec3 torque_D = Vec3::Zero();         ///< torque on the hand [N m]
+  double turned_J = 0.0;                ///< net work of the torque on the hand, negative when taken from it
   std::int32_t contacts = 0;
   std::int32_t passes = 0;
   std::int32_t sweeps = 0;
@@ -47,7 +50,7 @@ struct HapticState
   double motionLag_s = 0.0; ///< how late moving surfaces are felt: the time from the snapshot before to this one
   EngageState engage = EngageState::Safe;
   Fault fault = Fault::None;
-  bool clamped = false; ///< the force was cut to the largest allowed
+  bool clamped = false; ///< the force, or the torque, was cut to the largest allowed
   bool riseLimited = false;
   bool capped = false; ///< see ContactResult
   bool overBudget = false;

@@ -239,6 +239,30 @@ TEST(SimulatedDevice, ShowsWholeEncoderStepsBelowWhereItIs)
   }
 }
 
+TEST(SimulatedDevice, WithoutTorqueIgnoresATorqueAndAPoseTarget)
+{
+  for (const DeviceModel& model : deviceModels())
+  {
+    SimulatedDevice plain = freeDevice(model, {}), told = freeDevice(model, {});
+    ASSERT_EQ(plain.open() + told.open(), "");
+    EXPECT_FALSE(plain.info().rendersTorque) << model.name;
+    DeviceCommand command;
+    command.wrench_D.force = { 0.1, 0, 0 };
+    DeviceCommand more = command;
+    more.wrench_D.torque = { 0, 0, 1.0 };
+    more.target = { { Vec3(1, 1, 1), Quat(0, 1, 0, 0) }, 1000.0 };
+    DeviceSample sample, other;
+    for (int n = 0; n <= 40; ++n)
+    {
+      ASSERT_EQ(plain.read(n * period_s, sample), told.read(n * period_s, other));
+      EXPECT_EQ(sample.pose_D.p, other.pose_D.p) << model.name;
+      EXPECT_EQ(sample.pose_D.q.coeffs(), other.pose_D.q.coeffs()) << model.name;
+      plain.write(command);
+      told.write(more);
+    }
+  }
+}
+
 TEST(SimulatedDevice, ACommandTakesEffectItsDelayLate)
 {
   for (const int delay : { 0, 1, 3, 16 })

@@ -23,10 +23,12 @@ struct Quantity
   const char* Unit;
 };
 
-constexpr std::array<Quantity, 10> Quantities = { {
+constexpr std::array<Quantity, 12> Quantities = { {
   { &palpate::DeviceInfo::workspaceRadius_m, "workspace_radius_m", "workspace radius", "m" },
   { &palpate::DeviceInfo::resolution_m, "resolution_m", "resolution", "m" },
   { &palpate::DeviceInfo::maxForce_N, "max_force_N", "largest force", "N" },
+  { &palpate::DeviceInfo::turnResolution_rad, "turn_resolution_rad", "resolution of turning", "rad" },
+  { &palpate::DeviceInfo::maxTorque_Nm, "max_torque_Nm", "largest torque", "N m" },
   { &palpate::DeviceInfo::maxStiffness_N_per_m, "max_stiffness_N_per_m", "largest stiffness", "N/m" },
   { &palpate::DeviceInfo::heldStiffness_N_per_m, "held_stiffness_N_per_m", "stiffness of walls it holds", "N/m" },
   { &palpate::DeviceInfo::heldForce_N, "held_force_N", "largest force of these walls", "N" },
@@ -64,6 +66,7 @@ nlohmann::ordered_json ToJson(const palpate::KnownDevice& device)
   json["problem"] = device.problem;
   json["serial"] = device.info.serial;
   json["simulated"] = device.info.simulated;
+  json["renders_torque"] = device.info.rendersTorque;
   json["class"] = palpate::kindOf(device.info);
   json["has_twin"] = device.hasTwin;
   json["cannot"] = palpate::shortcomings(device.info);

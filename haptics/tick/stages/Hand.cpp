@@ -15,6 +15,13 @@ void tellButtons(TickContext& tick) noexcept
   tick.out.state.letGo = !isHeld(tick.p.safety.deadMan, sample.buttons, sample.grip);
 }
 
+/// A hand turns by far less than a radian in a tick, so twice the sine of half its angle is the angle.
+Vec3 turnBetween(const Quat& before, const Quat& now) noexcept
+{
+  const Quat turn = now * before.conjugate();
+  return turn.w() < 0.0 ? Vec3(-2.0 * turn.vec()) : Vec3(2.0 * turn.vec());
+}
+
 } // namespace
 
 void Hand::step(TickContext& tick) noexcept
@@ -35,8 +42,10 @@ void Hand::step(TickContext& tick) noexcept
   if (s.tracked)
   {
     tick.way_D = pose_D.p - s.lastP_D;
+    tick.turn_D = turnBetween(s.lastQ_D, pose_D.q);
   }
   s.lastP_D = pose_D.p;
+  s.lastQ_D = pose_D.q;
   s.tracked = true;
 }
 

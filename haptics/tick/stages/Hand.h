@@ -58,8 +58,9 @@ struct Hand
   {
     PositionWatch watch;
     VelocityHistory velocity;
-    Vec3 lastP_D = Vec3::Zero(); ///< where the hand was last tick [m]
-    bool tracked = false;        ///< lastP_D is of the tick before
+    Vec3 lastP_D = Vec3::Zero();     ///< where the hand was last tick [m]
+    Quat lastQ_D = Quat::Identity(); ///< and how it was turned
+    bool tracked = false;            ///< both are of the tick before
   };
   /// Positions of before are no part of a recording: it begins with a hand that comes from nowhere.
   template<class Visit, class... S>

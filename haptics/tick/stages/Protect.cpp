@@ -9,24 +9,54 @@ namespace palpate::stage
 namespace
 {
 
+/// A rendered force or torque as far as it is let through: no larger than `largest`, growing no faster than `rise` a
+/// second, a number.
+Vec3 limited(TickContext& tick, const Vec3& rendered, const Vec3& last, double largest, double rise) noexcept
+{
+  HapticState& state = tick.out.state;
+  const Vec3 through = smoothstep(tick.s.gain) * (tick.seatFailed ? Vec3(Vec3::Zero()) : rendered);
+  const Vec3 clamped = clampMagnitude(through, largest);
+  const Vec3 given = limitRise(clamped, last, rise, tick.input.dt_s);
+  state.clamped = state.clamped || clamped != through;
+  state.riseLimited = state.riseLimited || given != clamped;
+  if (!given.allFinite())
+  {
+    tick.latch(Fault::NonFiniteSample);
+    return Vec3::Zero();
+  }
+  return given;
+}
+
 void limitForce(TickContext& tick) noexcept
 {
   RendererState& s = tick.s;
   HapticState& state = tick.out.state;
   const SafetyLimits& limits = tick.p.safety;
-  Vec3 force = smoothstep(s.gain) * (tick.seatFailed ? Vec3(Vec3::Zero()) : state.rendered_D);
-  const Vec3 clamped = clampMagnitude(force, limits.maxForce_N);
-  state.clamped = clamped != force;
-  force = limitRise(clamped, s.lastForce_D, limits.maxRise_N_per_s, tick.input.dt_s);
-  state.riseLimited = force != clamped;
-  if (!force.allFinite())
+  state.force_D = limited(tick, state.rendered_D, s.lastForce_D, limits.maxForce_N, limits.maxRise_N_per_s);
+  s.ownForce = state.force_D == tick.coupled_D;
+  state.torque_D =
+    limited(tick, state.renderedTorque_D, s.lastTorque_D, limits.maxTorque_Nm, limits.maxTorqueRise_Nm_per_s);
+  tick.out.command.wrench_D = { state.force_D, state.torque_D };
+}
+
+/// Where a spring of this tick's stiffness gives just this force from.
+void aim(TickContext& tick) noexcept
+{
+  const HapticState& state = tick.out.state;
+  PoseTarget& target = tick.out.command.target;
+  target.pose_D = tick.input.sample.pose_D;
+  if (!state.deviceHolds && state.stiffness_N_per_m > 0.0)
   {
-    force = Vec3::Zero();
-    tick.latch(Fault::NonFiniteSample);
+    target.stiffness_N_per_m = state.stiffness_N_per_m;
+    target.pose_D.p += state.force_D / state.stiffness_N_per_m;
   }
-  s.ownForce = force == tick.coupled_D;
-  state.force_D = force;
-  tick.out.command.wrench_D.force = force;
+}
+
+/// The torque of the tick before acted while the hand turned to where it is now.
+void meterTurning(TickContext& tick) noexcept
+{
+  tick.s.turned_J += tick.turn_D ? tick.s.lastTorque_D.dot(*tick.turn_D) : 0.0;
+  tick.out.state.turned_J = tick.s.turned_J;
 }
 
 /// What walls and viscosity of the command give a hand where it is [N].
@@ -63,14 +93,18 @@ void tellHeld(TickContext& tick) noexcept
 void Protect::step(TickContext& tick) noexcept
 {
   HapticState& state = tick.out.state;
+  meterTurning(tick);
   state.deviceHolds ? tellHeld(tick) : limitForce(tick);
+  aim(tick);
   state.force_W = tick.p.map.directionToScene(state.force_D);
   tick.s.lastForce_D = state.force_D;
+  tick.s.lastTorque_D = state.torque_D;
 }
 
 void Protect::rest(TickContext& tick) noexcept
 {
-  tick.s.lastForce_D = Vec3::Zero();
+  tick.s.lastForce_D = tick.s.lastTorque_D = Vec3::Zero();
+  tick.out.state.turned_J = tick.s.turned_J;
   tick.s.ownForce = false;
 }
 

@@ -11,6 +11,7 @@
 
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/recording/RecordingLayout.h"
 #include "haptics/tick/StageFields.h"
 #include "testing/haptics/recording/FixtureSessions.h"
 #include "testing/haptics/recording/RecordingBytes.h"
@@ -78,13 +79,40 @@ TEST(NamedChunks, OfANewerVersionAreReadAsFarAsTheyAreKnownAndTheirEndsAreSaid)
   {
     if (chunk.name == "tick")
     {
-      chunk.version = 2;
+      chunk.version = chunks::tick.version + 1;
       chunk.payload += "more";
     }
   }
   const Recording recording = readGood(raw);
   EXPECT_EQ(recording.skipped.counts, (std::map<std::string, std::uint64_t>{ { "end of tick", ticks } }));
   expectReplays(recording, ticks);
+}
+
+TEST(NamedChunks, TicksFromBeforeThereWasAPoseTargetReplayAndTodaysAreHeldToTheirs)
+{
+  constexpr std::size_t poseBytes = (1 + 7 + 1) * sizeof(double); // energy of turning, pose, stiffness
+  RawRecording raw = recorded();
+  const std::uint64_t ticks = countOf(raw, "tick");
+  RawRecording before = raw, other = raw;
+  for (RawChunk& chunk : before.chunks)
+  {
+    if (chunk.name == "tick")
+    {
+      chunk.version = 1;
+      chunk.payload.resize(chunk.payload.size() - poseBytes);
+    }
+  }
+  expectReplays(readGood(raw), ticks);
+  expectReplays(readGood(before), ticks);
+  for (RawChunk& chunk : other.chunks)
+  {
+    if (chunk.name == "tick")
+    {
+      chunk.payload[chunk.payload.size() - poseBytes + 8] ^= 1; // the last bit of where the target is
+      break;
+    }
+  }
+  EXPECT_NE(replay(readGood(other)).difference.find("target differs"), std::string::npos);
 }
 
 TEST(NamedChunks, OfTodaysVersionWithMoreThanTheyHoldAreDamaged)

@@ -31,6 +31,17 @@ TEST(LimitRise, LetsForceGrowByRateTimesTimeAndFallFreely)
   EXPECT_EQ(limitRise(Vec3(0, 5, 0), Vec3(0, 0, 5), 100.0, 0.01), Vec3(0, 5, 0)) << "turning is not growing";
 }
 
+TEST(SafetyLimits, OfATorqueAreThoseOfADeviceThatTurnsTheHandAndNoneOfAnother)
+{
+  DeviceInfo info;
+  info.maxTorque_Nm = { 0.5, true };
+  EXPECT_EQ(SafetyLimits::forDevice(info).maxTorque_Nm, 0.0);
+  info.rendersTorque = true;
+  EXPECT_NEAR(SafetyLimits::forDevice(info).maxTorque_Nm, 0.6 * 0.5, 1e-15);
+  EXPECT_NEAR(SafetyLimits::forDevice(info).maxTorqueRise_Nm_per_s, 0.5 / 0.02, 1e-12) << "all of it in 20 ms";
+  EXPECT_EQ(SafetyLimits::none().maxTorque_Nm, std::numeric_limits<double>::infinity());
+}
+
 TEST(Smoothstep, StartsAndEndsFlatAndStaysWithinItsBounds)
 {
   EXPECT_EQ(smoothstep(-1.0), 0.0);
