@@ -16,7 +16,7 @@ void vtkHapticSession::FitWorkspace()
     this->Refuse("there is no scene to fit the workspace to; add a surface and commit it");
     return;
   }
-  const palpate::WorkspaceMap fitted = palpate::fittedMap(this->Impl->Parameters.map, scene, this->Impl->InfoNow());
+  const palpate::WorkspaceMap fitted = palpate::fittedMap(this->Impl->Asked.asked().map, scene, this->Impl->InfoNow());
   this->Change([&](palpate::HapticParameters& p) { p.map = fitted; });
   this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
 }
