@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "haptics/core/WordHash.h"
-#include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/scene/SceneWorker.h"
+#include "haptics/session/scene/TouchedData.h"
 #include "vtkHapticConversion.h"
-#include "vtkHapticPlaneWalls.h"
 
 namespace
 {
@@ -72,18 +71,19 @@ std::string vtkHapticSceneSurfaces::AddWalls(const std::string& name, vtkDataObj
     this->NoteWithoutArrays(this->Adding.back());
     return {};
   }
-  vtkHapticPlaneWalls walls = vtkHapticRaiseLines(data, matrix, this->WallRadius_u);
-  if (!walls.Mesh)
+  const vtkHapticConversionResult lines = vtkHapticToLines(data, matrix);
+  const palpate::LineSurface walls =
+    lines.Mesh ? palpate::wallsAcross({ name, lines.Mesh }, this->WallRadius_u) : palpate::LineSurface{};
+  if (!walls.input)
   {
-    return walls.Problem;
+    return lines.Mesh ? walls.problem : lines.Problem;
   }
   Kept kept;
   kept.Key = key;
   kept.Name = name;
-  kept.Surface.input.name = name + " (walls)";
-  kept.Surface.input.mesh = std::move(walls.Mesh);
+  kept.Surface.input = *walls.input;
   kept.Baked = vtkHapticPlacementOf(matrix);
-  kept.Surface.plane_WP = walls.Plane_WP;
+  kept.Surface.plane_WP = walls.plane_WP;
   kept.WallRadius_u = this->WallRadius_u;
   this->NoteWithoutArrays(kept);
   this->Adding.push_back(std::move(kept));
@@ -143,17 +143,20 @@ std::string vtkHapticSceneSurfaces::AddPart(
   {
     return converted.Problem;
   }
-  if (const std::string many = lineRadius_u ? palpate::refuseSegments(converted.Mesh->triangles.size()) : "";
-      !many.empty())
-  {
-    return many;
-  }
   Kept kept;
   kept.Key = key;
   kept.Name = name;
-  kept.Surface.input.name = lineRadius_u ? name + " (lines)" : name;
-  kept.Surface.input.mesh = std::move(converted.Mesh);
-  kept.Surface.input.lineRadius_u = lineRadius_u;
+  kept.Surface.input.name = name;
+  kept.Surface.input.mesh = converted.Mesh;
+  if (lineRadius_u)
+  {
+    const palpate::LineSurface tubes = palpate::tubesOf({ name, converted.Mesh }, *lineRadius_u);
+    if (!tubes.input)
+    {
+      return tubes.problem;
+    }
+    kept.Surface.input = *tubes.input;
+  }
   kept.Baked = vtkHapticPlacementOf(matrix);
   kept.Cuts = std::move(converted.Cuts);
   kept.PartPoints = std::move(converted.PartPoints);

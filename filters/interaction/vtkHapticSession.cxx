@@ -33,11 +33,11 @@ palpate::DeviceOptions vtkHapticSession::Internals::Options() const
   options.felt = this->Felt;
   options.wheel = this->Wheel;
   options.hand = this->HeldBy;
-  options.delay_ticks = static_cast<int>(this->Parameters.passivity.delay_ticks);
+  options.delay_ticks = static_cast<int>(this->Asked.asked().passivity.delay_ticks);
   options.stroke.speed_m_per_s = this->StrokeSpeed;
   for (const Vec3& p_W : this->Stroke_W)
   {
-    options.stroke.points_D.push_back(this->Parameters.map.toDevice(p_W));
+    options.stroke.points_D.push_back(this->Asked.asked().map.toDevice(p_W));
   }
   return options;
 }
@@ -64,8 +64,7 @@ void vtkHapticSession::Internals::ShowState()
 
 vtkHapticSession::vtkHapticSession() : Impl(std::make_unique<Internals>())
 {
-  this->Impl->Parameters = palpate::sessionDefaults();
-  this->Refuse(this->Impl->Core.setParameters(this->Impl->Parameters));
+  this->Refuse(this->Impl->Core.setParameters(this->Impl->Asked.asked()));
   this->Impl->Chosen.name = "fed";
   this->Impl->LookForDevices();
   this->Impl->JudgeStability();
@@ -178,14 +177,14 @@ void vtkHapticSession::Start()
   {
     impl.FeedTo(*fed, false); // before the first tick reads it
   }
-  const palpate::DeadMan deadMan = impl.Parameters.safety.deadMan;
-  impl.Parameters.safety = palpate::SafetyLimits::forDevice(made.device->info());
-  impl.Parameters.safety.deadMan = deadMan;
+  palpate::SafetyLimits safety = palpate::SafetyLimits::forDevice(made.device->info());
+  safety.deadMan = impl.Asked.asked().safety.deadMan;
+  impl.Asked.protect(safety);
   impl.Running = Internals::RunningChoice{ impl.Chosen.name, made.device->info(), impl.VirtualTime };
   impl.FollowDevice();
   impl.Problem.clear();
   this->Refuse(made.warning);
-  this->Refuse(impl.Core.setParameters(impl.Allowed(impl.Parameters)));
+  this->Refuse(impl.Core.setParameters(impl.Asked.told(impl.Asked.asked(), impl.Scene.built())));
   palpate::SessionOptions options;
   options.period_s = Internals::PeriodSeconds;
   options.virtualTime = impl.VirtualTime;
@@ -291,8 +290,9 @@ void vtkHapticSession::SetField(const char* setting, std::initializer_list<doubl
 
 double* vtkHapticSession::GetField(const char* setting) const
 {
+  const std::vector<double> now = palpate::fieldOf(this->Impl->Asked.asked(), palpate::sessionSetting(setting));
   std::vector<double>& numbers = this->Impl->Fields[setting];
-  numbers = palpate::fieldOf(this->Impl->Parameters, palpate::sessionSetting(setting));
+  numbers.assign(now.begin(), now.end()); // in place: the caller may still have the address of before
   return numbers.data();
 }
 
@@ -304,24 +304,24 @@ const char* vtkHapticSession::GetDescribed()
 
 void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters&)>& change)
 {
-  palpate::HapticParameters parameters = this->Impl->Parameters;
+  const palpate::HapticParameters before = this->Impl->Asked.asked();
+  palpate::HapticParameters parameters = before;
   change(parameters);
-  const palpate::HapticParameters allowed = this->Impl->Allowed(parameters);
-  const std::string problem = this->Impl->Core.setParameters(allowed);
+  const palpate::HapticParameters told = this->Impl->Asked.told(parameters, this->Impl->Scene.built());
+  const std::string problem = this->Impl->Core.setParameters(told);
   this->Refuse(problem);
   this->Impl->Follow("parameters", problem);
   if (!problem.empty())
   {
     return;
   }
-  const palpate::HapticParameters before = std::exchange(this->Impl->Parameters, parameters);
+  this->Impl->Asked.taken(parameters, told);
   const bool otherMap = !SameMap(before.map, parameters.map);
   if (otherMap && this->GetTouching())
   {
     this->InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
     this->Impl->Feed(true);
   }
-  this->Impl->RadiusUsed_u = allowed.contact.radius_u;
   if (before.passivity != parameters.passivity || before.damping_Ns_per_m != parameters.damping_Ns_per_m)
   {
     this->Impl->JudgeStability();

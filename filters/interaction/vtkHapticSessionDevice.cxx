@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which device is chosen, what it is, what it cannot do, and how the link to it goes.
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "devices/calibration/CalibratedDevice.h"
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/common/DeviceNotes.h"
+#include "devices/common/LinkNotes.h"
 #include "devices/common/LinkedDevice.h"
 #include "vtkHapticSessionInternals.h"
 
@@ -70,23 +70,6 @@ palpate::LinkReport vtkHapticSession::Internals::Link()
 {
   const palpate::LinkedDevice* const linked = this->Linked();
   return linked ? linked->linkReport() : palpate::LinkReport();
-}
-
-std::string vtkHapticSession::Internals::DescribeLoss()
-{
-  const palpate::LinkReport link = this->Link();
-  const std::string& why = link.attached ? link.lostFor : link.message;
-  if (why.empty())
-  {
-    return palpate::describe(palpate::Fault::DeviceLost);
-  }
-  if (!link.attached)
-  {
-    return "the device is lost: " + why + "; then engage again";
-  }
-  const bool saysMore = !link.message.empty() && link.message != why;
-  return "the device was lost: " + why + "; it is there again" +
-         (saysMore ? ", but " + link.message + ", then engage again" : ": engage again");
 }
 
 void vtkHapticSession::SetDeviceName(const char* name)
@@ -195,7 +178,7 @@ const char* vtkHapticSession::GetDeviceNotes() const
   const std::string problem = runs || impl.Chosen.problem.empty() ? "" : "Cannot be used now: " + impl.Chosen.problem;
   std::string notes = palpate::shortcomings(info);
   notes += impl.Chosen.hasTwin ? (notes.empty() ? "" : " ") + std::string(palpate::twinNote) : "";
-  const bool neverHeld = impl.Parameters.safety.deadMan.grip && !impl.Chosen.hasGrip && info.rendersForce;
+  const bool neverHeld = impl.Asked.asked().safety.deadMan.grip && !impl.Chosen.hasGrip && info.rendersForce;
   notes += neverHeld ? (notes.empty() ? "" : " ") + std::string(palpate::noGripNote) : "";
   this->Impl->DeviceNotes = problem + (problem.empty() || notes.empty() ? "" : ". ") + notes;
   return this->Impl->DeviceNotes.c_str();
@@ -207,11 +190,7 @@ const char* vtkHapticSession::GetLinkText() const
   text.clear();
   if (this->Impl->Linked())
   {
-    const palpate::LinkReport link = this->Impl->Link();
-    text = std::to_string(std::lround(link.inputRate_Hz)) + " reports a second, " + std::to_string(link.restarts) +
-           " effects renewed, " + std::to_string(link.stalls) + " stalls, " + std::to_string(link.losses) +
-           " losses, " + std::to_string(link.strange) + " strange, " + std::to_string(link.outOfRange) +
-           " out of range" + (link.attached ? "" : "; not there") + (link.message.empty() ? "" : ": " + link.message);
+    text = palpate::describeLink(this->Impl->Link());
   }
   return text.c_str();
 }

@@ -15,7 +15,7 @@ void vtkHapticSession::SetFrictionStatic(double coefficient)
 
 double vtkHapticSession::GetFrictionStatic() const
 {
-  return this->Impl->Parameters.contact.friction.statical;
+  return this->Impl->Asked.asked().contact.friction.statical;
 }
 
 void vtkHapticSession::SetFrictionKinetic(double coefficient)
@@ -36,7 +36,7 @@ double vtkHapticSession::GetFrictionKinetic() const
 
 double vtkHapticSession::GetFrictionKineticUsed() const
 {
-  return this->Impl->Parameters.contact.friction.kinetic;
+  return this->Impl->Asked.asked().contact.friction.kinetic;
 }
 
 const char* vtkHapticSession::GetFrictionText() const

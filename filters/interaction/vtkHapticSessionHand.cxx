@@ -11,7 +11,7 @@ void vtkHapticSession::Internals::FeedTo(palpate::FedDevice& fed, bool placed) c
   if (this->Hand_W)
   {
     palpate::DeviceSample sample;
-    sample.pose_D.p = this->Parameters.map.toDevice(*this->Hand_W);
+    sample.pose_D.p = this->Asked.asked().map.toDevice(*this->Hand_W);
     placed ? fed.place(sample) : fed.feed(sample);
   }
 }

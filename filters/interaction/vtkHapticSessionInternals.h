@@ -6,11 +6,9 @@
 #include "devices/FedDevice.h"
 #include "devices/calibration/SelfTestRun.h"
 #include "devices/common/LinkedDevice.h"
-#include "haptics/labyrinth/MazeButtons.h"
-#include "haptics/labyrinth/WayTrace.h"
+#include "haptics/labyrinth/GameLog.h"
 #include "haptics/session/HapticSession.h"
-#include "haptics/session/PlanSentence.h"
-#include "haptics/session/plan/PlaneWorld.h"
+#include "haptics/session/plan/AskedParameters.h"
 #include "haptics/session/scene/FeltScene.h"
 #include "haptics/session/settings/TickFields.h"
 #include "vtkHapticSceneSurfaces.h"
@@ -30,7 +28,7 @@ public:
   static constexpr double PeriodSeconds = 1e-3;
 
   palpate::HapticSession Core;
-  palpate::HapticParameters Parameters;
+  palpate::AskedParameters Asked{ palpate::sessionDefaults() };
   std::map<std::string, std::vector<double>> Fields; ///< as they were asked for last
   double FrictionKinetic = 0.0;                      ///< as set; the parameters have no more than the static one
   std::vector<palpate::KnownDevice> Known;
@@ -40,12 +38,9 @@ public:
   vtkHapticSceneSurfaces Surfaces;
   palpate::FeltScene Scene{ Core, PeriodSeconds };
   int Simplify = Auto;
-  bool LimitRadius = true;
   int LinesAsWalls = Auto;
   bool Raises = false;     ///< lines, as the surfaces were told
   double WallRate = 125.0; ///< [Hz]
-  palpate::PlaneWishes Plane;
-  double RadiusUsed_u = 0.0; ///< as the servo was told
   std::string PlanSentence;
 
   palpate::SelfTestRun Check;
@@ -70,11 +65,7 @@ public:
   double Begun_s = 0.0;  ///< when touching began, as Now() has it
   std::string Preferred;
   double Corridor_u = 0.0; ///< of the labyrinth that was played last
-  double TraceApart_u = 1.0;
-  palpate::WayTrace Trace;
-  double TraceTime_s = 0.0;            ///< of its game
-  std::uint32_t Buttons = ~0u;         ///< at the last look; what is down at the first was not pressed
-  int Wish = 0;                        ///< the labyrinth that the buttons asked for, from 1 on
+  palpate::GameLog Game;
   std::optional<palpate::Vec3> Hand_W; ///< where a program holds it, once it said so
 
   palpate::HapticState State;
@@ -130,8 +121,6 @@ public:
   /// The running device where it is behind a link, else null; how the link goes.
   const palpate::LinkedDevice* Linked();
   palpate::LinkReport Link();
-  /// Why the device was lost, in the words of its link, and what to do.
-  std::string DescribeLoss();
   /// Seconds of the session: ticks in virtual time.
   double Now();
   /// How simpler surfaces are looked for now.
@@ -139,11 +128,7 @@ public:
   /// Whether something has come around the hand, what is done, and what the person is told of it.
   void StayOutside();
   /// Whether touching that begins now, or began with this scene, fits the hand.
-  bool FitsNow() const { return this->FitOnTouch && palpate::isSame(this->Parameters.map, this->LastFitted); }
-  /// By what the scene is touched.
-  palpate::TouchChoice Touch() const;
-  /// The parameters with a ball that is no larger than the scene allows, if that is wanted.
-  palpate::HapticParameters Allowed(palpate::HapticParameters asked) const;
+  bool FitsNow() const { return this->FitOnTouch && palpate::isSame(this->Asked.asked().map, this->LastFitted); }
   /// The servo gets the ball of the scene that is felt; never in the tick of a swap, in which a pressed hand changes
   /// over.
   void FollowRadius();

@@ -37,8 +37,7 @@ bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
   }
   const palpate::Labyrinth& labyrinth = read.Labyrinth;
   this->Impl->Corridor_u = labyrinth.corridor_u;
-  this->Impl->TraceApart_u = traceApart * labyrinth.corridor_u;
-  this->Impl->Trace = palpate::WayTrace(this->Impl->TraceApart_u);
+  this->Impl->Game.begin(traceApart * labyrinth.corridor_u);
   this->Impl->Problem = palpate::refuse(labyrinth); // that a structure is none is no fault: it is explored
   this->Impl->ProblemOf.clear();
   const bool played = this->Impl->Problem.empty();
@@ -56,7 +55,7 @@ bool vtkHapticSession::PlayLabyrinth(vtkDataObject* maze, const char* name)
   this->Impl->Core.play();          // a game that went on begins again: the plan alone does not say that it is another
   if (this->Impl->Stroke_W.empty()) // where a simulated hand begins that nobody told
   {
-    this->Impl->Stroke_W.push_back(this->Impl->Parameters.map.offset_W);
+    this->Impl->Stroke_W.push_back(this->Impl->Asked.asked().map.offset_W);
   }
   this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
   return this->GetLabyrinthPlayed();
@@ -74,19 +73,19 @@ void vtkHapticSession::EndLabyrinth()
 
 bool vtkHapticSession::GetLabyrinthPlayed() const
 {
-  return this->Impl->Parameters.game.on;
+  return this->Impl->Asked.asked().game.on;
 }
 
 void vtkHapticSession::GetLabyrinthPlaces(double start_W[3], double exit_W[3]) const
 {
-  const palpate::GamePlan& game = this->Impl->Parameters.game;
+  const palpate::GamePlan& game = this->Impl->Asked.asked().game;
   Eigen::Map<palpate::Vec3>{ start_W } = game.start_W;
   Eigen::Map<palpate::Vec3>{ exit_W } = game.exit_W;
 }
 
 double vtkHapticSession::GetLabyrinthReach() const
 {
-  return this->Impl->Parameters.game.exitReach_u;
+  return this->Impl->Asked.asked().game.exitReach_u;
 }
 
 const char* vtkHapticSession::GetLabyrinthPhase() const
@@ -130,7 +129,7 @@ double vtkHapticSession::GetFeelableZoom() const
 
 double vtkHapticSession::Internals::FeltStiffness() const
 {
-  return palpate::feltStiffness_N_per_m(this->Parameters, this->InfoNow(), this->Limits);
+  return palpate::feltStiffness_N_per_m(this->Asked.asked(), this->InfoNow(), this->Limits);
 }
 
 void vtkHapticSession::GetLabyrinthTrace(vtkPolyData* trace) const
@@ -139,7 +138,7 @@ void vtkHapticSession::GetLabyrinthTrace(vtkPolyData* trace) const
   {
     return;
   }
-  const std::vector<palpate::Vec3>& way_W = this->Impl->Trace.points_W();
+  const std::vector<palpate::Vec3>& way_W = this->Impl->Game.trace().points_W();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
@@ -158,22 +157,12 @@ void vtkHapticSession::GetLabyrinthTrace(vtkPolyData* trace) const
 
 int vtkHapticSession::TakeLabyrinthWish()
 {
-  return std::exchange(this->Impl->Wish, 0);
+  return this->Impl->Game.takeWish();
 }
 
 void vtkHapticSession::Internals::FollowGame()
 {
   const palpate::HapticState& state = this->State;
-  const std::uint32_t down = state.tick > 0 ? state.buttons : ~0u;
-  const std::uint32_t wentDown = down & ~std::exchange(this->Buttons, down);
-  this->Wish = palpate::mazeOf(state.game, wentDown, this->Parameters.safety.deadMan.buttons).value_or(this->Wish);
-  const double before_s = std::exchange(this->TraceTime_s, state.gameTime_s);
-  if (state.gameTime_s < before_s)
-  {
-    this->Trace = palpate::WayTrace(this->TraceApart_u);
-  }
-  if (state.gameTime_s > before_s)
-  {
-    this->Trace.add(state.proxy_W.p);
-  }
+  this->Game.look({ state.tick, state.game, state.gameTime_s, state.buttons, state.proxy_W.p },
+    this->Asked.asked().safety.deadMan.buttons);
 }

@@ -26,7 +26,7 @@ void vtkHapticSession::Fit()
 {
   Internals& impl = *this->Impl;
   impl.FitAsked = false;
-  const palpate::WorkspaceMap fitted = palpate::fittedMap(impl.Parameters.map, impl.Scene.built(), impl.InfoNow());
+  const palpate::WorkspaceMap fitted = palpate::fittedMap(impl.Asked.asked().map, impl.Scene.built(), impl.InfoNow());
   impl.LastFitted = fitted;
   this->Change([&](palpate::HapticParameters& p) { p.map = fitted; });
   this->InvokeEvent(vtkCommand::PropertyModifiedEvent);

@@ -48,7 +48,7 @@ bool vtkHapticSession::PickSurface(
   palpate::SweepQuery query;
   query.from_W = Vec3(from_W);
   query.to_W = Vec3(to_W);
-  query.radius_u = impl.Touch().plan.radius_u;
+  query.radius_u = impl.Asked.touch(impl.Scene.built()).plan.radius_u;
   query.resolution.include(query.from_W);
   query.resolution.include(query.to_W);
   query.resolution.include(Vec3::Constant(query.radius_u + scene.mostCoat_u()));

@@ -1,37 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // By what a scene is touched, and whether simpler surfaces of it are.
-#include "haptics/contact/view/PlanFor.h"
 #include "haptics/session/PlanSentence.h"
 #include "vtkHapticSessionInternals.h"
 
 palpate::SimplifyPlan vtkHapticSession::Internals::PlanNow() const
 {
   return palpate::simplifyPlan(
-    static_cast<palpate::AutoChoice>(this->Simplify), this->Parameters.map.scale_u_per_m, this->InfoNow());
-}
-
-palpate::HapticParameters vtkHapticSession::Internals::Allowed(palpate::HapticParameters asked) const
-{
-  asked.contact.radius_u =
-    palpate::chosenRadius_u(asked.contact.radius_u, this->Scene.built().largestRadius_u, this->LimitRadius);
-  return asked;
+    static_cast<palpate::AutoChoice>(this->Simplify), this->Asked.asked().map.scale_u_per_m, this->InfoNow());
 }
 
 void vtkHapticSession::Internals::FollowRadius()
 {
-  const palpate::HapticParameters allowed = this->Allowed(this->Parameters);
-  if (allowed.contact.radius_u != this->RadiusUsed_u && this->Scene.isTaken() &&
-      this->Core.setParameters(allowed).empty())
+  const std::optional<palpate::HapticParameters> told = this->Asked.otherBall(this->Scene.built());
+  if (told && this->Scene.isTaken() && this->Core.setParameters(*told).empty())
   {
-    this->RadiusUsed_u = allowed.contact.radius_u;
+    this->Asked.ballTaken(*told);
   }
 }
 
 void vtkHapticSession::SetLimitRadius(bool on)
 {
-  if (on != this->Impl->LimitRadius)
+  if (on != this->Impl->Asked.limitRadius)
   {
-    this->Impl->LimitRadius = on;
+    this->Impl->Asked.limitRadius = on;
     this->Impl->FollowRadius();
     this->Modified();
   }
@@ -39,7 +30,7 @@ void vtkHapticSession::SetLimitRadius(bool on)
 
 bool vtkHapticSession::GetLimitRadius() const
 {
-  return this->Impl->LimitRadius;
+  return this->Impl->Asked.limitRadius;
 }
 
 double vtkHapticSession::GetRadiusLimit() const
@@ -49,7 +40,7 @@ double vtkHapticSession::GetRadiusLimit() const
 
 double vtkHapticSession::GetRadiusUsed() const
 {
-  return this->Impl->Touch().plan.radius_u;
+  return this->Impl->Asked.touch(this->Impl->Scene.built()).plan.radius_u;
 }
 
 void vtkHapticSession::SetSimplify(int choice)
@@ -74,25 +65,10 @@ bool vtkHapticSession::FinishSimplification()
   return this->Impl->Scene.isSimpler();
 }
 
-palpate::TouchChoice vtkHapticSession::Internals::Touch() const
-{
-  const palpate::Scene* const scene = this->Scene.built().scene.get();
-  palpate::TouchChoice touch;
-  touch.plan = this->Parameters.contact;
-  touch.plan.radius_u = this->RadiusUsed_u;
-  touch.asked_u = this->Parameters.contact.radius_u;
-  touch.largest_u = this->Scene.built().largestRadius_u;
-  if (scene)
-  {
-    touch.plan = palpate::planFor(*scene, touch.plan);
-    touch.frictionFromData = palpate::hasOwnFriction(*scene);
-  }
-  return touch;
-}
-
 const char* vtkHapticSession::GetPlanSentence() const
 {
   this->Impl->PlanSentence =
-    palpate::planSentence(this->Impl->Scene.choices(), this->Impl->Touch()) + this->Impl->PlaneSentence();
+    palpate::planSentence(this->Impl->Scene.choices(), this->Impl->Asked.touch(this->Impl->Scene.built())) +
+    this->Impl->PlaneSentence();
   return this->Impl->PlanSentence.c_str();
 }

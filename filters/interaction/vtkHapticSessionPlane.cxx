@@ -12,7 +12,7 @@ bool vtkHapticSession::Internals::RaisesLines() const
 
 void vtkHapticSession::Internals::FollowWalls()
 {
-  this->Surfaces.SetPlaneWorld(this->RaisesLines(), this->Parameters.contact.radius_u);
+  this->Surfaces.SetPlaneWorld(this->RaisesLines(), this->Asked.asked().contact.radius_u);
   const bool before = std::exchange(this->Raises, this->RaisesLines());
   if (before || this->Raises)
   {
@@ -22,23 +22,19 @@ void vtkHapticSession::Internals::FollowWalls()
 
 void vtkHapticSession::Internals::FollowPlane()
 {
-  const palpate::HapticParameters wanted =
-    palpate::inPlane(this->Parameters, this->Scene.built().plane_WP, this->Plane, this->InfoNow());
-  if (wanted.walls != this->Parameters.walls || wanted.guide != this->Parameters.guide)
+  if (const auto told = this->Asked.otherPlane(this->Scene.built(), this->InfoNow()))
   {
-    palpate::HapticParameters sent = this->Parameters = wanted;
-    sent.contact.radius_u = this->RadiusUsed_u;        // that follows the scene by itself
-    static_cast<void>(this->Core.setParameters(sent)); // usable, for they come from a plane and the defaults
+    static_cast<void>(this->Core.setParameters(*told));
   }
 }
 
 std::string vtkHapticSession::Internals::PlaneSentence() const
 {
   const palpate::DeviceInfo& info = this->InfoNow();
-  const double drag_N = palpate::slantDrag_N(this->Parameters, this->FeltStiffness(), PeriodSeconds);
-  return this->Scene.built().plane_WP
-           ? palpate::planeSentence(this->Parameters, this->Plane, info, drag_N, palpate::whyNotHeld(info.heldProof))
-           : "";
+  const double drag_N = palpate::slantDrag_N(this->Asked.asked(), this->FeltStiffness(), PeriodSeconds);
+  return this->Scene.built().plane_WP ? palpate::planeSentence(this->Asked.asked(), this->Asked.plane, info, drag_N,
+                                          palpate::whyNotHeld(info.heldProof))
+                                      : "";
 }
 
 void vtkHapticSession::SetLinesAsWalls(int choice)
@@ -64,9 +60,9 @@ bool vtkHapticSession::GetRaisesLines() const
 
 void vtkHapticSession::SetHoldWalls(bool on)
 {
-  if (on != this->Impl->Plane.holdWalls)
+  if (on != this->Impl->Asked.plane.holdWalls)
   {
-    this->Impl->Plane.holdWalls = on;
+    this->Impl->Asked.plane.holdWalls = on;
     this->Impl->FollowPlane();
     this->Modified();
   }
@@ -74,7 +70,7 @@ void vtkHapticSession::SetHoldWalls(bool on)
 
 bool vtkHapticSession::GetHoldWalls() const
 {
-  return this->Impl->Plane.holdWalls;
+  return this->Impl->Asked.plane.holdWalls;
 }
 
 void vtkHapticSession::SetWallRate(double rate_Hz)
@@ -93,9 +89,9 @@ double vtkHapticSession::GetWallRate() const
 
 void vtkHapticSession::SetPlaneGuide(bool on)
 {
-  if (on != this->Impl->Plane.guide)
+  if (on != this->Impl->Asked.plane.guide)
   {
-    this->Impl->Plane.guide = on;
+    this->Impl->Asked.plane.guide = on;
     this->Impl->FollowPlane();
     this->Modified();
   }
@@ -103,7 +99,7 @@ void vtkHapticSession::SetPlaneGuide(bool on)
 
 bool vtkHapticSession::GetPlaneGuide() const
 {
-  return this->Impl->Plane.guide;
+  return this->Impl->Asked.plane.guide;
 }
 
 bool vtkHapticSession::GetPlaneWorld() const

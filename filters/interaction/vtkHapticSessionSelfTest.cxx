@@ -65,7 +65,7 @@ void vtkHapticSession::StartSelfTest()
     palpate::SelfTestOptions options;
     options.period_s = Internals::PeriodSeconds;
     options.virtualTime = impl.VirtualTime;
-    options.deadMan = impl.Parameters.safety.deadMan;
+    options.deadMan = impl.Asked.asked().safety.deadMan;
     options.wheel = impl.Wheel;
     options.brokers = palpate::systemBrokers();
     problem = impl.Check.start(std::move(made.device), options);

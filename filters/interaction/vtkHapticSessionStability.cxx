@@ -11,9 +11,9 @@ void vtkHapticSession::Internals::JudgeStability()
     this->StabilitySentence = this->Core.limitsSentence();
     return;
   }
-  const palpate::LoopSettings loop = palpate::loopSettings(this->Parameters, PeriodSeconds);
-  this->Limits = palpate::stabilityLimits(this->Chosen.info, loop);
-  this->StabilitySentence = palpate::describe(this->Limits, this->Chosen.info, loop);
+  const palpate::JudgedLoop judged = palpate::judgeLoop(this->Asked.asked(), this->Chosen.info, PeriodSeconds);
+  this->Limits = judged.limits;
+  this->StabilitySentence = judged.sentence;
 }
 
 // Settings ----------------------------------------------------------------------------------------------------------

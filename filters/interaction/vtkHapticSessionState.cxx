@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a session says about itself.
+#include "devices/common/LinkNotes.h"
 #include "vtkHapticSessionInternals.h"
 
 int vtkHapticSession::GetEngageState() const
@@ -21,7 +22,7 @@ const char* vtkHapticSession::GetFaultText() const
   const palpate::Fault fault = this->GetTouching() ? this->Impl->State.fault : palpate::Fault::None;
   if (fault == palpate::Fault::DeviceLost)
   {
-    this->Impl->LossText = this->Impl->DescribeLoss();
+    this->Impl->LossText = palpate::describeLoss(this->Impl->Link());
     return this->Impl->LossText.c_str();
   }
   return fault == palpate::Fault::None ? "" : palpate::describe(fault);

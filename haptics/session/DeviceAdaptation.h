@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 
 #include "haptics/core/DeviceInfo.h"
 #include "haptics/force/StabilityLimits.h"
@@ -14,6 +15,21 @@ namespace palpate
 [[nodiscard]] inline LoopSettings loopSettings(const HapticParameters& parameters, double period_s) noexcept
 {
   return { period_s, parameters.damping_Ns_per_m, parameters.passivity };
+}
+
+/// How stiff a device can be, and why.
+struct JudgedLoop
+{
+  StabilityLimits limits;
+  std::string sentence;
+};
+
+/// Milliseconds: for changes of what it depends on only.
+[[nodiscard]] inline JudgedLoop judgeLoop(const HapticParameters& parameters, const DeviceInfo& device, double period_s)
+{
+  const LoopSettings loop = loopSettings(parameters, period_s);
+  const StabilityLimits limits = stabilityLimits(device, loop);
+  return { limits, describe(limits, device, loop) };
 }
 
 /// What a person set, completed by what the device says about itself.

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "haptics/contact/RadiusLimit.h"
 #include "haptics/contact/view/PlanFor.h"
 #include "haptics/geometry/scene/ScenePlan.h"
 #include "haptics/geometry/scene/SceneSimplifier.h"
@@ -138,12 +137,12 @@ Choice ChoiceOf(const Subject& subject, const vtkHapticCliCheckOptions& options)
   const palpate::Scene& scene = subject.Scene;
   Choice choice;
   palpate::TouchChoice touch;
-  touch.plan.radius_u = options.Settings.Number("Radius");
+  touch.plan.radius_u = touch.asked_u = options.Settings.Number("Radius");
   choice.Surfaces = SurfaceChoicesOf(subject, options.Simplify);
-  choice.Radius = palpate::radiusLimit(scene, palpate::planFor(scene, touch.plan));
-  touch.asked_u = options.Settings.Number("Radius");
-  touch.largest_u = choice.Radius.largest_u;
-  touch.plan.radius_u = palpate::chosenRadius_u(touch.asked_u, touch.largest_u, !options.ForceRadius);
+  const palpate::ChosenBall ball = palpate::chooseBall(scene, touch.plan, !options.ForceRadius);
+  choice.Radius = ball.limit;
+  touch.largest_u = ball.limit.largest_u;
+  touch.plan = ball.plan;
   touch.plan.friction = options.Settings.Friction();
   touch.plan = palpate::planFor(scene, touch.plan);
   touch.frictionFromData = palpate::hasOwnFriction(scene);
@@ -357,24 +356,17 @@ Input ReadOrRefuse(const vtkHapticCliCheckOptions& options)
 int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options)
 {
   const Input input = ReadOrRefuse(options);
-  const palpate::SceneBuildResult built = palpate::SceneBuilder().build(input.Surfaces);
-  const bool whole = built.scene && built.scene->surfaces().size() == input.Surfaces.size();
+  const palpate::WholeScene built = palpate::wholeScene(input.Surfaces);
   if (options.Json)
   {
     nlohmann::ordered_json described = ToJson(options, input, built.reports);
-    if (whole)
+    if (built.scene)
     {
       AddScene(described, { *built.scene, input.Lines.get() }, options);
     }
     Print(described);
   }
-  for (const palpate::SurfaceReport& report : built.reports)
-  {
-    if (!report.refusal.empty())
-    {
-      throw vtkHapticCliProblem(report.name + ": it cannot be touched: " + report.refusal);
-    }
-  }
+  vtkHapticCliCheckWhole(built);
   if (!options.Json)
   {
     Print(options, input, { *built.scene, input.Lines.get() }, built.reports);

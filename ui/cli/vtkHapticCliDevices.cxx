@@ -104,7 +104,7 @@ void Print(const palpate::KnownDevice& device)
   for (const Quantity& quantity : Quantities)
   {
     const palpate::DeviceQuantity& value = device.info.*quantity.Member;
-    if (std::isfinite(value.value))
+    if (std::isfinite(value.value) && (value.known || value.value != 0.0))
     {
       std::cout << "  " << quantity.Label << ' ' << value.value << ' ' << quantity.Unit
                 << (value.known ? "" : " (assumed)") << '\n';

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "devices/simulated/LabyrinthRun.h"
-#include "haptics/tick/ForceRenderer.h"
+#include "haptics/session/PathTouch.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"
@@ -208,18 +208,12 @@ int Follow(const palpate::Labyrinth& labyrinth, const vtkHapticCliLabyrinthOptio
   Trace trace(options.Output, { labyrinth.name, options.Path });
   palpate::HapticParameters parameters;
   parameters.contact.radius_u = labyrinth.radius_u();
-  parameters.safety = palpate::SafetyLimits::none();
-  palpate::RendererState state;
-  palpate::TickInput input;
-  input.scene = scene.get();
+  constexpr double firstTick_s = 1e-3;
+  palpate::PathTouch touch(scene, parameters, firstTick_s);
   std::optional<double> arrived_s;
   for (const vtkHapticCliPathRow& row : path)
   {
-    ++input.tick;
-    input.dt_s = input.tick > 1 ? row.Time_s - input.sample.time_s : input.dt_s;
-    input.sample.time_s = row.Time_s;
-    input.sample.pose_D = row.Pose_W;
-    const palpate::HapticState now = palpate::renderTick(input, parameters, state).state;
+    const palpate::HapticState now = touch.next(row.Time_s, row.Pose_W);
     trace.Row({ row.Time_s, row.Pose_W.p, now.proxy_W.p, now.force_D.norm() });
     if (!arrived_s && (now.proxy_W.p.head<2>() - *labyrinth.exit_W).norm() <= labyrinth.exitReach_u())
     {

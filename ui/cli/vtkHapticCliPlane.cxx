@@ -3,7 +3,6 @@
 
 #include <sstream>
 
-#include "haptics/geometry/curves/CurveSet.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticReaders.h"
 
@@ -15,21 +14,14 @@ palpate::SurfaceInput vtkHapticCliWallsOf(const std::string& file, const vtkHapt
                               ": a plane world is made of lines and this file has polygons; take their edges or a " +
                               "slice of them (Feature Edges, Slice), or leave out --two-d");
   }
-  if (const std::string many = palpate::refuseSegments(surface.Lines->triangles.size()); !many.empty())
+  palpate::LineSurface walls = palpate::wallsAcross({ file, surface.Lines }, radius_u, palpate::Pose());
+  if (!walls.input)
   {
-    throw vtkHapticCliProblem(file + ": " + many);
-  }
-  const palpate::PlaneCurves plane = palpate::curvesInPlane(*surface.Lines);
-  if (!plane.refusal.empty())
-  {
-    throw vtkHapticCliProblem(file + ": a plane world lies in the plane z = 0: " + plane.refusal +
+    throw vtkHapticCliProblem(file + ": a plane world lies in the plane z = 0: " + walls.problem +
                               "; curves in space are touched as tubes (--line-radius, without --two-d)");
   }
-  palpate::SurfaceInput walls;
-  walls.name = file;
-  walls.mesh = std::make_shared<palpate::TriangleMesh>(
-    palpate::raiseWalls(plane.curves, palpate::wallHalfHeight(plane.curves, radius_u)));
-  return walls;
+  walls.input->name = file; // all that is touched of it
+  return *walls.input;
 }
 
 std::shared_ptr<const palpate::Scene> vtkHapticCliBuildPlane(const std::vector<std::string>& files, double radius_u)

@@ -5,7 +5,6 @@
 #include <iostream>
 #include <thread>
 
-#include "haptics/geometry/curves/CurveSet.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticReaders.h"
@@ -65,15 +64,11 @@ void CheckIsoIsUsed(const std::vector<std::string>& files, std::optional<double>
   }
 }
 
-/// Names every surface that cannot be touched, and says what cleaning took from the others.
-void CheckReports(const std::vector<palpate::SurfaceReport>& reports)
+/// Says what cleaning took from surfaces.
+void NoteCleaning(const std::vector<palpate::SurfaceReport>& reports)
 {
   for (const palpate::SurfaceReport& report : reports)
   {
-    if (!report.refusal.empty())
-    {
-      throw vtkHapticCliProblem(report.name + ": it cannot be touched: " + report.refusal);
-    }
     if (report.clean.trianglesOut < report.clean.trianglesIn || !report.holeEdges.empty())
     {
       Note(report.name, report.summary());
@@ -151,16 +146,27 @@ std::shared_ptr<const palpate::Scene> vtkHapticCliBuildScene(const std::vector<s
 palpate::SurfaceInput vtkHapticCliTubesOf(
   const std::string& file, const vtkHapticCliSurface& surface, double lineRadius_u)
 {
-  if (const std::string many = palpate::refuseSegments(surface.Lines->triangles.size()); !many.empty())
+  const palpate::LineSurface tubes =
+    palpate::tubesOf({ file, surface.Lines, surface.LineMaterial.Fields }, lineRadius_u);
+  if (!tubes.input)
   {
-    throw vtkHapticCliProblem(file + ": " + many);
+    throw vtkHapticCliProblem(file + ": " + tubes.problem);
   }
-  return { file + " (lines)", surface.Lines, palpate::Material(), surface.LineMaterial.Fields, {}, lineRadius_u };
+  return *tubes.input;
+}
+
+void vtkHapticCliCheckWhole(const palpate::WholeScene& whole)
+{
+  if (!whole.refusal.empty())
+  {
+    throw vtkHapticCliProblem(whole.refused + ": it cannot be touched: " + whole.refusal);
+  }
 }
 
 std::shared_ptr<const palpate::Scene> vtkHapticCliBuild(const std::vector<palpate::SurfaceInput>& inputs)
 {
-  const palpate::SceneBuildResult built = palpate::SceneBuilder(std::thread::hardware_concurrency()).build(inputs);
-  CheckReports(built.reports);
-  return built.scene;
+  const palpate::WholeScene whole = palpate::wholeScene(inputs, std::thread::hardware_concurrency());
+  vtkHapticCliCheckWhole(whole);
+  NoteCleaning(whole.reports);
+  return whole.scene;
 }

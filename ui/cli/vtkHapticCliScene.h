@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "haptics/geometry/scene/Scene.h"
-#include "haptics/geometry/scene/SceneBuilder.h"
+#include "haptics/session/scene/TouchedData.h"
 #include "vtkHapticMaterialArrays.h"
 
 /// What a file gives.
@@ -37,6 +37,9 @@ struct vtkHapticCliSurface
 /// Curves as tubes of that radius [scene units], named after their file, with their material.
 [[nodiscard]] palpate::SurfaceInput vtkHapticCliTubesOf(
   const std::string& file, const vtkHapticCliSurface& surface, double lineRadius_u);
+
+/// Throws vtkHapticCliProblem that names what cannot be touched.
+void vtkHapticCliCheckWhole(const palpate::WholeScene& whole);
 
 /// The scene of surfaces as they were read. Throws vtkHapticCliProblem that names what cannot be touched; what cleaning
 /// dropped goes to stderr.

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <iostream>
 
-#include "haptics/contact/RadiusLimit.h"
-#include "haptics/contact/view/PlanFor.h"
-#include "haptics/session/PlanSentence.h"
-#include "haptics/tick/ForceRenderer.h"
+#include "haptics/session/PathTouch.h"
+#include "haptics/session/scene/TouchedData.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"
 #include "vtkHapticCliPlane.h"
@@ -28,7 +26,6 @@ palpate::HapticParameters ParametersOf(const vtkHapticCliTouchOptions& options)
   parameters.stiffness_N_per_m /= parameters.map.scale_u_per_m;
   parameters.map = {};
   parameters.contact.friction = options.Settings.Friction();
-  parameters.safety = palpate::SafetyLimits::none();
   if (const std::string problem = parameters.validate(); !problem.empty())
   {
     throw vtkHapticCliProblem("--stiffness, --scale: " + problem);
@@ -65,15 +62,14 @@ struct Shortfalls
 /// A ball that is too large is safe and may lag: that is the person's choice.
 double ChooseRadius_u(const palpate::Scene& scene, const palpate::ContactPlan& plan, bool keepLimit)
 {
-  const palpate::RadiusLimit limit = palpate::radiusLimit(scene, palpate::planFor(scene, plan));
-  const double chosen_u = palpate::chosenRadius_u(plan.radius_u, limit.largest_u, keepLimit);
-  if (!limit.kept())
+  const palpate::ChosenBall ball = palpate::chooseBall(scene, plan, keepLimit);
+  if (!ball.limit.kept())
   {
-    std::cerr << "palpate: --radius: " << limit.sentence() << "; "
+    std::cerr << "palpate: --radius: " << ball.limit.sentence() << "; "
               << (keepLimit ? "the ball is so large instead" : "--limit-radius makes the ball so large instead")
               << '\n';
   }
-  return chosen_u;
+  return ball.plan.radius_u;
 }
 
 void TellOfCoupling(const vtkHapticCliTouchOptions& options)
@@ -87,26 +83,19 @@ void TellOfCoupling(const vtkHapticCliTouchOptions& options)
   }
 }
 
-void Render(const std::vector<vtkHapticCliPathRow>& path, const palpate::Scene& scene,
+void Render(const std::vector<vtkHapticCliPathRow>& path, const std::shared_ptr<const palpate::Scene>& scene,
   const palpate::HapticParameters& parameters, vtkHapticCliOutput& output)
 {
-  palpate::RendererState state;
-  palpate::TickInput input;
-  input.scene = &scene;
-  input.dt_s = path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTickSeconds;
+  palpate::PathTouch touch(scene, parameters, path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTickSeconds);
   vtkHapticCliStopwatch stopwatch;
   Shortfalls shortfalls;
-  for (std::size_t i = 0; i < path.size(); ++i)
+  for (const vtkHapticCliPathRow& row : path)
   {
-    input.tick = i;
-    input.dt_s = i > 0 ? path[i].Time_s - path[i - 1].Time_s : input.dt_s;
-    input.sample.time_s = path[i].Time_s;
-    input.sample.pose_D = path[i].Pose_W;
     stopwatch.Start();
-    const palpate::TickOutput result = palpate::renderTick(input, parameters, state);
+    const palpate::HapticState state = touch.next(row.Time_s, row.Pose_W);
     const double cost_us = stopwatch.Cost_us();
-    shortfalls.Count(result.state);
-    vtkHapticCliWriteTick(output, path[i].Time_s, result.state, cost_us);
+    shortfalls.Count(state);
+    vtkHapticCliWriteTick(output, row.Time_s, state, cost_us);
   }
   shortfalls.Tell();
 }
@@ -131,7 +120,7 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   inputs.push_back(options.Path);
   vtkHapticCliOutput output(options.Output, inputs);
   vtkHapticCliWriteHeader(output);
-  Render(path, *scene, parameters, output);
+  Render(path, scene, parameters, output);
   output.Commit();
   return 0;
 }

@@ -16,12 +16,8 @@ struct vtkHapticHandPath
   std::vector<double> Times;           ///< increasing [s]
   std::string Problem;                 ///< one line; empty when the path can be used
 
-  /// Length of tick i [s]: the time since the tick before; the first is as long as the second.
-  [[nodiscard]] double Duration(std::size_t i) const
-  {
-    const std::size_t after = i > 0 ? i : 1;
-    return this->Times.size() > 1 ? this->Times[after] - this->Times[after - 1] : 1e-3;
-  }
+  /// Length of the first tick [s]: that of the second.
+  [[nodiscard]] double FirstDuration() const { return this->Times.size() > 1 ? this->Times[1] - this->Times[0] : 1e-3; }
 };
 
 /// Points in the order of the only polyline, or all points in their order when there are no lines. Times from the point

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
-#include "haptics/geometry/curves/CurveSet.h"
-#include "haptics/geometry/scene/SceneBuilder.h"
-#include "haptics/tick/ForceRenderer.h"
+#include "haptics/session/PathTouch.h"
+#include "haptics/session/scene/TouchedData.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticConversion.h"
@@ -92,28 +91,32 @@ std::vector<palpate::SurfaceInput> ReadInputs(
 {
   std::vector<palpate::SurfaceInput> inputs;
   std::vector<std::string> ofArrays;
-  const auto add = [&](const char* name, vtkHapticConversionResult read, std::optional<double> radius_u)
+  const auto fieldsOf = [&](const vtkHapticConversionResult& read)
   {
-    if (!read.Mesh)
-    {
-      problem = read.Problem;
-      return;
-    }
     vtkHapticMaterialResult material = vtkHapticToMaterial(surface, read.PartPoints, settings);
     ofArrays.push_back(material.Problem);
-    inputs.push_back({ name, std::move(read.Mesh), palpate::Material(), std::move(material.Fields), {}, radius_u });
+    return material.Fields;
   };
   if (lineRadius_u > 0.0)
   {
-    vtkHapticConversionResult lines = vtkHapticToLines(surface);
-    problem = lines.Mesh ? palpate::refuseSegments(lines.Mesh->triangles.size()) : "";
-    if (!problem.empty())
+    const vtkHapticConversionResult lines = vtkHapticToLines(surface);
+    if (lines.Mesh)
     {
-      return {};
+      const palpate::LineSurface tubes = palpate::tubesOf({ "surface", lines.Mesh, fieldsOf(lines) }, lineRadius_u);
+      if (!tubes.input)
+      {
+        problem = tubes.problem;
+        return {};
+      }
+      inputs.push_back(*tubes.input);
     }
-    add("lines", std::move(lines), lineRadius_u);
   }
-  add("surface", vtkHapticToMesh(surface), std::nullopt);
+  const vtkHapticConversionResult faces = vtkHapticToMesh(surface);
+  problem = faces.Problem;
+  if (faces.Mesh)
+  {
+    inputs.push_back({ "surface", faces.Mesh, palpate::Material(), fieldsOf(faces) });
+  }
   if (!inputs.empty()) // one of both may be without an array, as a block of composite data may
   {
     const bool any = std::any_of(ofArrays.begin(), ofArrays.end(), [](const auto& text) { return text.empty(); });
@@ -131,40 +134,26 @@ std::shared_ptr<const palpate::Scene> BuildScene(
   {
     return nullptr;
   }
-  const palpate::SceneBuildResult built = palpate::SceneBuilder().build(inputs);
-  for (const palpate::SurfaceReport& report : built.reports)
-  {
-    problem = problem.empty() ? report.refusal : problem;
-  }
-  return problem.empty() ? built.scene : nullptr;
+  const palpate::WholeScene whole = palpate::wholeScene(inputs);
+  problem = whole.refusal;
+  return whole.scene;
 }
 
-/// What each tick works on. The orientation of the hand plays no part for a ball.
-palpate::TickInput TickOf(const vtkHapticHandPath& path, std::size_t i, const palpate::HapticParameters& parameters)
-{
-  palpate::TickInput input;
-  input.tick = i;
-  input.dt_s = path.Duration(i);
-  input.sample.time_s = path.Times[i];
-  input.sample.pose_D.p = parameters.map.toDevice(path.Points_W[i]);
-  return input;
-}
-
-/// One tick a point; false if `goes` asked to stop. `fault` receives the first one.
+/// One tick a point; false if `goes` asked to stop. `fault` receives the first one. The orientation of the hand plays
+/// no part for a ball.
 template<class Goes>
-bool Touch(const vtkHapticHandPath& path, const palpate::Scene& scene, const palpate::HapticParameters& parameters,
-  Rows& rows, palpate::Fault& fault, Goes goes)
+bool Touch(const vtkHapticHandPath& path, std::shared_ptr<const palpate::Scene> scene,
+  const palpate::HapticParameters& parameters, Rows& rows, palpate::Fault& fault, Goes goes)
 {
-  palpate::RendererState renderer;
+  palpate::PathTouch touch(std::move(scene), parameters, path.FirstDuration());
   for (std::size_t i = 0; i < path.Points_W.size(); ++i)
   {
     if (i % ReportEvery == 0 && !goes(static_cast<double>(i) / static_cast<double>(path.Points_W.size())))
     {
       return false;
     }
-    palpate::TickInput tick = TickOf(path, i, parameters);
-    tick.scene = &scene;
-    const palpate::HapticState state = palpate::renderTick(tick, parameters, renderer).state;
+    const palpate::HapticState state =
+      touch.next(path.Times[i], { parameters.map.toDevice(path.Points_W[i]), palpate::Quat::Identity() });
     fault = fault == palpate::Fault::None ? state.fault : fault;
     rows.Set(i, state, path.Points_W[i], path.Times[i]);
   }
@@ -227,7 +216,6 @@ palpate::HapticParameters vtkTouchAlongPath::Parameters() const
   parameters.contact.friction = { this->FrictionStatic, this->FrictionKinetic };
   parameters.contact.shading = this->ForceShading;
   parameters.map.scale_u_per_m = this->Scale;
-  parameters.safety = palpate::SafetyLimits::none();
   return parameters;
 }
 
@@ -269,7 +257,7 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
   }
   Rows rows(path.Points_W.size());
   palpate::Fault fault = palpate::Fault::None;
-  if (Touch(path, *scene, this->Parameters(), rows, fault, [this](double progress) { return this->Goes(progress); }))
+  if (Touch(path, scene, this->Parameters(), rows, fault, [this](double progress) { return this->Goes(progress); }))
   {
     rows.MoveTo(vtkPolyData::GetData(output));
   }

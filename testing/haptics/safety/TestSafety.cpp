@@ -31,6 +31,37 @@ TEST(LimitRise, LetsForceGrowByRateTimesTimeAndFallFreely)
   EXPECT_EQ(limitRise(Vec3(0, 5, 0), Vec3(0, 0, 5), 100.0, 0.01), Vec3(0, 5, 0)) << "turning is not growing";
 }
 
+/// 3 N in no less than 20 ms, from a tenth of that over a second; let go in 50 ms, after a fault in 10.
+TEST(SafetyLimits, OfADeviceWhoseForceNobodyKnowsAreThoseOfThreeNewtons)
+{
+  constexpr double largest_N = 3.0;
+  for (const SafetyLimits& limits : { SafetyLimits(), SafetyLimits::forDevice(DeviceInfo()) })
+  {
+    EXPECT_EQ(limits.maxForce_N, largest_N);
+    EXPECT_NEAR(limits.maxRise_N_per_s, largest_N / 0.02, 1e-12);
+    EXPECT_NEAR(limits.engageBelow_N, largest_N / 10.0, 1e-15);
+    EXPECT_EQ(limits.engageRamp_s, 1.0);
+    EXPECT_EQ(limits.releaseRamp_s, 0.05);
+    EXPECT_EQ(limits.faultRamp_s, 0.01);
+    EXPECT_TRUE(limits.needsEngage);
+  }
+}
+
+TEST(SafetyLimits, OfAKnownForceAreSharesOfIt)
+{
+  DeviceInfo info;
+  info.maxForce_N = { 10.0, true };
+  const SafetyLimits limits = SafetyLimits::forDevice(info);
+  EXPECT_NEAR(limits.maxForce_N, 6.0, 1e-12);
+  EXPECT_NEAR(limits.maxRise_N_per_s, 10.0 / 0.02, 1e-9) << "all of it in 20 ms";
+  EXPECT_NEAR(limits.engageBelow_N, 1.0, 1e-12);
+  EXPECT_NEAR(limits.frozenAbove_N, 2.0, 1e-12);
+  info.simulated = true;
+  EXPECT_EQ(SafetyLimits::forDevice(info).frozenAbove_N, PositionWatch::never) << "it may stand still to the bit";
+  info.rendersForce = false;
+  EXPECT_EQ(SafetyLimits::forDevice(info).hand.speed_m_per_s, HandLimits::unlimited);
+}
+
 TEST(SafetyLimits, OfATorqueAreThoseOfADeviceThatTurnsTheHandAndNoneOfAnother)
 {
   DeviceInfo info;

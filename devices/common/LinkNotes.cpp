@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/common/LinkNotes.h"
+
+#include <cmath>
+
+#include "haptics/core/Fault.h"
+
+namespace palpate
+{
+
+std::string describeLink(const LinkReport& link)
+{
+  return std::to_string(std::lround(link.inputRate_Hz)) + " reports a second, " + std::to_string(link.restarts) +
+         " effects renewed, " + std::to_string(link.stalls) + " stalls, " + std::to_string(link.losses) + " losses, " +
+         std::to_string(link.strange) + " strange, " + std::to_string(link.outOfRange) + " out of range" +
+         (link.attached ? "" : "; not there") + (link.message.empty() ? "" : ": " + link.message);
+}
+
+std::string describeLoss(const LinkReport& link)
+{
+  const std::string& why = link.attached ? link.lostFor : link.message;
+  if (why.empty())
+  {
+    return describe(Fault::DeviceLost);
+  }
+  if (!link.attached)
+  {
+    return "the device is lost: " + why + "; then engage again";
+  }
+  const bool saysMore = !link.message.empty() && link.message != why;
+  return "the device was lost: " + why + "; it is there again" +
+         (saysMore ? ", but " + link.message + ", then engage again" : ": engage again");
+}
+
+} // namespace palpate

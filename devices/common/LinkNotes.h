@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "devices/common/LinkedDevice.h"
+
+namespace palpate
+{
+
+/// How a link goes, in one line for a person. Pure.
+[[nodiscard]] std::string describeLink(const LinkReport& link);
+
+/// Why there is no force after a device was lost, whether it is back, and what to do. Pure.
+[[nodiscard]] std::string describeLoss(const LinkReport& link);
+
+} // namespace palpate
