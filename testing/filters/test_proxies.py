@@ -68,6 +68,29 @@ class Readers(unittest.TestCase):
         pv.Delete(image)
 
 
+    def test_paraview_opens_a_recording_as_a_way_in_its_time(self):
+        recordings = os.path.join(os.environ["PALPATE_SOURCE_DIR"], "testing", "haptics", "recording", "fixtures")
+        for name in ("format-5-solid.palpate", "format-6-plane.palpate"):
+            recording = pv.OpenDataFile(os.path.join(recordings, name))
+            self.assertEqual(recording.GetXMLName(), "HapticRecordingReader")
+            pv.UpdatePipeline(proxy=recording)
+            times = list(recording.TimestepValues)
+            self.assertTrue(all(b - a >= 1 / 60 - 0.002 - 1e-9 for a, b in zip(times, times[1:])), times)  # periods of 2 ms
+            path = servermanager.Fetch(pv.OutputPort(recording, 1))
+            count = path.GetNumberOfPoints() // 2
+            pv.UpdatePipeline(times[3], recording)
+            moment = servermanager.Fetch(pv.OutputPort(recording, 0))
+            time = path.GetPointData().GetArray("Time")
+            now = max(i for i in range(count) if time.GetValue(i) <= times[3])
+            self.assertEqual(moment.GetPoint(0), path.GetPoint(now))
+            self.assertEqual(moment.GetPoint(1), path.GetPoint(count + now))
+            way = math.dist(moment.GetPoint(0), moment.GetPoint(1))
+            self.assertAlmostEqual(moment.GetPointData().GetArray("Depth").GetValue(0), way)
+            for array in ("Force", "Lateness", "Contacts"):
+                self.assertEqual(moment.GetPointData().GetArray(array).GetTuple(1), path.GetPointData().GetArray(array).GetTuple(now))
+            pv.Delete(recording)
+
+
 class Filters(unittest.TestCase):
     def test_force_along_a_line_into_a_plane(self):
         plane = pv.Plane(Origin=[-5, -5, 0], Point1=[5, -5, 0], Point2=[-5, 5, 0])
