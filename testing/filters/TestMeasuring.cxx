@@ -118,6 +118,26 @@ TEST(SurfaceDistance, FromAnOpenSurfaceHasNoSign)
   }
 }
 
+TEST(Measuring, OfAPartOfTheDataIsRefusedInWords)
+{
+  const auto surface = cube(1.0);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(surface);
+  vtkNew<vtkHapticSurfaceDistance> distance;
+  distance->SetInputData(surface);
+  distance->SetReferenceConnection(producer->GetOutputPort());
+  vtkNew<vtkHapticSurfacePath> path;
+  path->SetInputData(surface);
+  path->SetMarksConnection(producer->GetOutputPort());
+  for (vtkPolyDataAlgorithm* filter : std::initializer_list<vtkPolyDataAlgorithm*>{ distance, path })
+  {
+    const auto errors = errorsOf(static_cast<vtkObject*>(filter), [&] { filter->UpdatePiece(1, 2, 0); });
+    ASSERT_FALSE(errors.empty());
+    EXPECT_NE(errors.front().find("spread over 2 processes"), std::string::npos) << errors.front();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
 vtkSmartPointer<vtkTable> marksAt(const std::vector<Vec3>& places)
 {
   vtkHapticMarkRecords marks;

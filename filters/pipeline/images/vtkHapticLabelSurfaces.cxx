@@ -12,6 +12,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFlyingEdges3D.h"
+#include "vtkHapticPieces.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -191,6 +192,11 @@ int vtkHapticLabelSurfaces::FillInputPortInformation(int, vtkInformation* info)
 
 int vtkHapticLabelSurfaces::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
+  if (const std::string refusal = vtkHapticRefusePieces(output); !refusal.empty())
+  {
+    vtkErrorMacro("Nothing is measured: " << refusal);
+    return 0;
+  }
   vtkImageData* const image = vtkImageData::GetData(input[0]);
   vtkMultiBlockDataSet* const blocks = vtkMultiBlockDataSet::GetData(output);
   try

@@ -7,6 +7,7 @@
 #include "haptics/geometry/simplify/SurfaceDistance.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticMeasuredSurface.h"
+#include "vtkHapticPieces.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -95,6 +96,11 @@ int vtkHapticSurfaceDistance::FillInputPortInformation(int port, vtkInformation*
 
 int vtkHapticSurfaceDistance::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
+  if (const std::string refusal = vtkHapticRefusePieces(output); !refusal.empty())
+  {
+    vtkErrorMacro("Nothing is measured: " << refusal);
+    return 0;
+  }
   std::string problem;
   const auto reference = vtkHapticMeasuredSurface(vtkDataObject::GetData(input[1]), problem);
   if (!reference)

@@ -11,6 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticMeasuredSurface.h"
+#include "vtkHapticPieces.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -128,6 +129,11 @@ int vtkHapticSurfacePath::FillInputPortInformation(int port, vtkInformation* inf
 
 int vtkHapticSurfacePath::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
+  if (const std::string refusal = vtkHapticRefusePieces(output); !refusal.empty())
+  {
+    vtkErrorMacro("Nothing is measured: " << refusal);
+    return 0;
+  }
   const std::optional<std::vector<Vec3>> marks = MarksOf(vtkDataObject::GetData(input[1]));
   if (!marks || marks->size() < 2)
   {
