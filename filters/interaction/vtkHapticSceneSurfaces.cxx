@@ -8,6 +8,7 @@
 #include "haptics/session/scene/SceneWorker.h"
 #include "haptics/session/scene/TouchedData.h"
 #include "vtkHapticConversion.h"
+#include "vtkHapticPointBalls.h"
 
 namespace
 {
@@ -48,9 +49,57 @@ void vtkHapticSceneSurfaces::ReadMaterial(vtkDataObject* data, Kept& kept) const
   kept.ArraysKey = key;
 }
 
+void vtkHapticSceneSurfaces::SetStyle(const std::string& name, const Style& style)
+{
+  this->Styles[name] = style;
+  std::erase_if(this->Styles, [](const auto& each) { return each.second == Style(); });
+}
+
+vtkHapticSceneSurfaces::Style vtkHapticSceneSurfaces::StyleOf(const std::string& name) const
+{
+  const auto found = this->Styles.find(name);
+  return found != this->Styles.end() ? found->second : Style();
+}
+
 void vtkHapticSceneSurfaces::SetLineRadius(double radius_u)
 {
   this->LineRadius_u = radius_u;
+}
+
+void vtkHapticSceneSurfaces::SetPointRadius(double radius_u)
+{
+  this->PointRadius_u = radius_u;
+}
+
+std::string vtkHapticSceneSurfaces::AddBalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  const std::uint64_t key = ~vtkHapticContentKey(data, matrix); // not that of its lines
+  const std::string ofBalls = name + " (points)";
+  const auto same = [&](const Kept& kept)
+  {
+    return kept.Key == key && kept.Surface.input.name == ofBalls &&
+           kept.Surface.input.lineRadius_u == this->PointRadius_u;
+  };
+  if (const auto known = std::find_if(this->Committed.begin(), this->Committed.end(), same);
+      known != this->Committed.end())
+  {
+    this->Adding.push_back(*known);
+    return {};
+  }
+  vtkHapticConversionResult balls = vtkHapticToBalls(data, matrix, this->PointRadius_u);
+  std::string problem = balls.Mesh ? palpate::refuseSegments(balls.Mesh->triangles.size()) : balls.Problem;
+  if (problem.empty())
+  {
+    Kept kept;
+    kept.Key = key;
+    kept.Name = name;
+    kept.Surface.input.name = ofBalls;
+    kept.Surface.input.mesh = std::move(balls.Mesh);
+    kept.Surface.input.lineRadius_u = this->PointRadius_u;
+    kept.Baked = vtkHapticPlacementOf(matrix);
+    this->Adding.push_back(std::move(kept));
+  }
+  return problem;
 }
 
 void vtkHapticSceneSurfaces::SetPlaneWorld(bool on, double radius_u)
@@ -97,6 +146,30 @@ void vtkHapticSceneSurfaces::NoteWithoutArrays(Kept& walls) const
 
 std::string vtkHapticSceneSurfaces::Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
+  const Style style = this->StyleOf(name);
+  if (!style.Touched)
+  {
+    this->Editing = true;
+    this->Refusals += "not touched: " + name + ": it is switched off\n";
+    return {};
+  }
+  const std::size_t before = this->Adding.size();
+  std::string problem = this->AddParts(name, data, matrix);
+  if (before < this->Adding.size())
+  {
+    auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+    copy->ShallowCopy(data);
+    for (std::size_t i = before; i < this->Adding.size(); ++i)
+    {
+      this->Adding[i].Data = copy;
+      this->Adding[i].Surface.input.material = style.Material;
+    }
+  }
+  return problem;
+}
+
+std::string vtkHapticSceneSurfaces::AddParts(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
+{
   this->Editing = true;
   const std::size_t lines = vtkHapticCountLines(data);
   const bool raised = lines > 0 && this->PlaneWorld && vtkHapticCheckPlacement(matrix).empty();
@@ -119,6 +192,11 @@ std::string vtkHapticSceneSurfaces::Add(const std::string& name, vtkDataObject* 
   else if (lines > 0 && problem.empty())
   {
     this->Refusals += "not touched: " + name + ": " + std::to_string(lines) + " lines; their radius is 0\n";
+  }
+  if (this->PointRadius_u > 0.0 && vtkHapticCountPoints(data) > 0)
+  {
+    const std::string ofBalls = this->AddBalls(name, data, matrix);
+    problem = problem.empty() ? problem : ofBalls; // a cloud has no polygons
   }
   if (!problem.empty())
   {
@@ -273,6 +351,18 @@ void vtkHapticSceneSurfaces::Commit(palpate::SceneWorker& worker, double stamp_s
     surfaces.back().input.frame = FrameOf(kept.Baked);
   }
   worker.commit(std::move(surfaces), this->Refusals, stamp_s);
+}
+
+std::optional<vtkHapticSceneSurfaces::Origin> vtkHapticSceneSurfaces::OriginOf(const std::string& surface) const
+{
+  const auto found = std::find_if(this->Committed.begin(), this->Committed.end(),
+    [&surface](const Kept& kept) { return kept.Surface.input.name == surface; });
+  if (found == this->Committed.end() || !found->Data)
+  {
+    return std::nullopt;
+  }
+  const palpate::Pose& pose_WS = found->Surface.input.pose_WS;
+  return Origin{ found->Name, found->Data, Eigen::Translation3d(pose_WS.p) * pose_WS.q * found->Baked };
 }
 
 void vtkHapticSceneSurfaces::Settle(palpate::SceneWorker& worker)

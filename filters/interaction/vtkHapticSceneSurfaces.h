@@ -3,21 +3,23 @@
 #define vtkHapticSceneSurfaces_h
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "haptics/session/scene/BuiltScene.h"
+#include "vtkDataObject.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSurfacePlacement.h"
+#include "vtkSmartPointer.h"
 
 namespace palpate
 {
 class SceneWorker;
 }
 
-class vtkDataObject;
 class vtkMatrix4x4;
 
 /// The surfaces of a scene, from VTK data: put together, placed, and handed to the worker that builds the scene.
@@ -29,8 +31,20 @@ public:
   void SetMaterials(const vtkHapticMaterialSettings& settings);
   /// Radius of the tubes as which lines that are added from now on are touched [u]; 0: they are not.
   void SetLineRadius(double radius_u);
+  /// Radius of the balls as which points that are added from now on are touched [u]; 0: they are not.
+  void SetPointRadius(double radius_u);
   /// Whether lines that are added from now on and lie in a plane are walls across it, for balls up to that radius [u].
   void SetPlaneWorld(bool on, double radius_u);
+  /// How a source that is added under `name` from now on is touched, beside its arrays; it is as long as it is not said
+  /// otherwise.
+  struct Style
+  {
+    bool Touched = true;
+    palpate::Material Material; ///< where no array says otherwise
+    friend bool operator==(const Style&, const Style&) = default;
+  };
+  void SetStyle(const std::string& name, const Style& style);
+  [[nodiscard]] Style StyleOf(const std::string& name) const;
   /// Converts at once (the pipeline may change its data later). Empty, or why there is nothing to touch. The first
   /// matrix is baked into the vertices; while later ones differ from it by a rigid motion, that is the surface's pose.
   std::string Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
@@ -42,11 +56,22 @@ public:
   /// it costs less to touch. Not while something is being put together or built.
   void Settle(palpate::SceneWorker& worker);
 
+  /// Where a surface of the scene that was committed comes from.
+  struct Origin
+  {
+    std::string Name;            ///< it was added by
+    vtkDataObject* Data;         ///< as it was added
+    vtkHapticPlacement W_from_D; ///< from the frame of the data to where the surface is, or goes
+  };
+  /// By the surface's own name, which for lines and walls says so; nothing if there is none of that name.
+  [[nodiscard]] std::optional<Origin> OriginOf(const std::string& surface) const;
+
 private:
   struct Kept
   {
     std::uint64_t Key = 0;
-    std::string Name; ///< it was added by: its triangles and its lines are two surfaces
+    std::string Name;                    ///< it was added by: its triangles and its lines are two surfaces
+    vtkSmartPointer<vtkDataObject> Data; ///< a copy that shares the arrays
     palpate::SceneSurface Surface;
     double WallRadius_u = 0.0;                                 ///< for balls up to this radius
     vtkHapticPlacement Baked = vtkHapticPlacement::Identity(); ///< what the vertices were placed by
@@ -58,9 +83,13 @@ private:
 
   /// How the polygons of what was committed under that name were cut; null: there is no such surface.
   [[nodiscard]] const vtkHapticCuts* CutsOf(const std::string& name) const;
+  /// All that can be touched of a data object. Empty, or why there is nothing.
+  std::string AddParts(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   /// Triangles, or with a radius lines. Empty, or why there are none.
   std::string AddPart(
     const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, std::optional<double> lineRadius_u);
+  /// Points as balls. Empty, or why there are none.
+  std::string AddBalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   /// Lines as walls. Empty, or why they are none.
   std::string AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   void NoteWithoutArrays(Kept& walls) const;
@@ -75,8 +104,10 @@ private:
 
   void ReadMaterial(vtkDataObject* data, Kept& kept) const;
 
+  std::map<std::string, Style> Styles; ///< those that are not the usual one
   vtkHapticMaterialSettings Materials;
   double LineRadius_u = 0.0;
+  double PointRadius_u = 0.0;
   bool PlaneWorld = false;
   double WallRadius_u = 0.0;
   std::vector<Kept> Adding;

@@ -259,6 +259,7 @@ void vtkHapticSession::Update()
     this->Impl->Surfaces.Settle(this->Impl->Scene.worker());
   }
   this->Impl->FollowCheck();
+  this->FollowContact();
 }
 
 // Parameters --------------------------------------------------------------------------------------------------------

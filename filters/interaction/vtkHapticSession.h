@@ -38,6 +38,7 @@ struct vtkHapticMaterialSettings;
 class vtkDataObject;
 class vtkMatrix4x4;
 class vtkPolyData;
+class vtkTable;
 
 class VTKHAPTICINTERACTION_EXPORT vtkHapticSession : public vtkObject
 {
@@ -80,6 +81,7 @@ public:
   vtkHapticSettingMacro(PressDepth, double);
   vtkHapticSwitchMacro(LimitRadius);
   vtkHapticSettingMacro(LineRadius, double);
+  vtkHapticSettingMacro(PointRadius, double);
   vtkHapticSettingMacro(FrictionStatic, double);
   vtkHapticSettingMacro(FrictionKinetic, double);
   vtkHapticTransferMacro(Stiffness);
@@ -94,6 +96,8 @@ public:
   vtkHapticSettingMacro(StrokeSpeed, double);
   vtkHapticSettingMacro(ReplayFile, const char*);
   vtkHapticSettingMacro(RecordFile, const char*);
+  vtkHapticSwitchMacro(Inspect);
+  vtkHapticSettingMacro(MarkButton, int);
   vtkHapticSwitchMacro(VirtualTime);
   vtkHapticSwitchMacro(Touching);
   ///@}
@@ -194,6 +198,18 @@ public:
   /// are no further from the others than a hand notices (7 % of a depth of 1 mm, or what the device resolves).
   bool FinishSimplification();
 
+  ///@{
+  /**
+   * How one source is touched, by the name it is added under, from the next time it is added on: not at all, or with a
+   * stiffness [N/m], as felt and no more than that of the session, and frictions [1] of its own; infinite, and below 0,
+   * as the session has them. An array still says more. False, with GetProblem(), for what cannot be.
+   */
+  void SetSourceTouched(const char* name, bool touched);
+  bool GetSourceTouched(const char* name) const;
+  bool SetSourceMaterial(const char* name, double stiffness, double frictionStatic, double frictionKinetic);
+  void GetSourceMaterial(const char* name, double material[3]) const;
+  ///@}
+
   vtkMTimeType GetMaterialTime() const; ///< changes whenever a setting of surfaces does
   bool GetUsesMaterialArrays() const;   ///< whether any is named
 
@@ -235,6 +251,31 @@ public:
   /// From where the hand of the device "mouse" is seen, in W [u]: a surface that comes between stays behind the hand,
   /// which begins anew in front of it (StartEvent). Whoever follows a camera says it before each Update().
   void SetEye(const double p_W[3]);
+
+  ///@{
+  /**
+   * What is at the contact: its source, cell, point and arrays as it was added, the place and normal in W, curvature
+   * and the wall behind it. InspectContact() looks it up as of the last Update(), which does so by itself with Inspect;
+   * false without a contact. AddMark() does the same, keeps what it found and marks the recording. GetMarks() gives
+   * points, GetMarksTable() a table, GetMarksText() what HapticMarks takes; WriteMarks() writes csv or vtp by the
+   * suffix; false with GetProblem(). The first place on a source takes longer: a second for a million cells.
+   */
+  bool InspectContact();
+  bool AddMark();
+  void ClearMarks();
+  int GetNumberOfMarks() const;
+  bool WriteMarks(const char* file);
+  void GetMarks(vtkPolyData* points) const;
+  void GetMarksTable(vtkTable* table) const;
+  vtkHapticReadoutsMacro(const char*, ContactText, ContactSource, MarksText);
+  vtkIdType GetContactCell() const;
+  vtkIdType GetContactPoint() const;
+  double GetContactThickness() const;
+  double GetContactValue(const char* name) const; ///< of an array there, name_k of a vector; NaN where there is none
+  double* GetContactPosition() VTK_SIZEHINT(3);
+  double* GetContactNormal() VTK_SIZEHINT(3);
+  double* GetContactCurvature() VTK_SIZEHINT(2);
+  ///@}
 
   /**
    * The game of finding the way through lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball,
@@ -323,6 +364,8 @@ private:
   void operator=(const vtkHapticSession&) = delete;
 
   void Refuse(const std::string& problem);
+  /// Looks at it if that is wanted, and sets a mark if its button was pressed.
+  void FollowContact();
   void Start();
   void Stop();
   /// Takes what the worker has built, or with `wait` what was committed last. A hand that something has come around

@@ -11,8 +11,10 @@
 #include "haptics/session/plan/AskedParameters.h"
 #include "haptics/session/scene/FeltScene.h"
 #include "haptics/session/settings/TickFields.h"
+#include "vtkHapticMarkRecords.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSourceProbe.h"
 #include "vtkTimeStamp.h"
 
 #include <map>
@@ -34,6 +36,7 @@ public:
   std::vector<palpate::KnownDevice> Known;
   vtkHapticMaterialSettings Materials;
   double LineRadius_u = 0.0;
+  double PointRadius_u = 0.0;
   vtkTimeStamp MaterialTime;
   vtkHapticSceneSurfaces Surfaces;
   palpate::FeltScene Scene{ Core, PeriodSeconds };
@@ -67,6 +70,18 @@ public:
   double Corridor_u = 0.0; ///< of the labyrinth that was played last
   palpate::GameLog Game;
   std::optional<palpate::Vec3> Hand_W; ///< where a program holds it, once it said so
+
+  std::optional<vtkHapticMarkRecord> Contact; ///< what was found at it when it was looked up last
+  vtkHapticMarkRecords Marks;
+  vtkHapticSourceProbe Probe;
+  bool Inspect = false;
+  int MarkButton = 0;
+  std::uint32_t MarkButtons = ~0u; ///< that were down at the last look; what is down at the first was not pressed
+  std::string ContactText;
+  std::string MarksText;
+  double ContactPosition[3] = { 0.0, 0.0, 0.0 };
+  double ContactNormal[3] = { 0.0, 0.0, 0.0 };
+  double ContactCurvature[2] = { 0.0, 0.0 };
 
   palpate::HapticState State;
   palpate::LoopReport Report;
@@ -141,6 +156,9 @@ public:
   /// "; ..." about a plane world, or "".
   std::string PlaneSentence() const;
   void ShowState();
+  /// What is at the contact now; nothing without one.
+  std::optional<vtkHapticMarkRecord> LookAtContact();
+  void ShowContact(std::optional<vtkHapticMarkRecord> contact);
   /// Its way goes on, or begins anew; buttons ask for another one.
   void FollowGame();
   /// What is set, but no more than the device can hold [N/m].

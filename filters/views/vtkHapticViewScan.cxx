@@ -41,37 +41,47 @@ bool SameMatrix(vtkMatrix4x4* a, vtkMatrix4x4* b)
   return std::equal(a->GetData(), a->GetData() + 16, b->GetData());
 }
 
-bool IsTouchable(vtkPolyData* data, bool lines)
+/// What counts beside polygons.
+struct Also
+{
+  bool Lines;
+  bool Points;
+};
+
+bool IsTouchable(vtkPolyData* data, const Also& also)
 {
   return data && data->GetNumberOfPoints() > 0 &&
-         data->GetNumberOfPolys() + data->GetNumberOfStrips() + (lines ? data->GetNumberOfLines() : 0) > 0;
+         data->GetNumberOfPolys() + data->GetNumberOfStrips() + (also.Lines ? data->GetNumberOfLines() : 0) +
+             (also.Points ? data->GetNumberOfVerts() : 0) >
+           0;
 }
 
-void MixPiece(std::uint64_t& key, vtkPolyData* data, bool lines)
+void MixPiece(std::uint64_t& key, vtkPolyData* data, const Also& also)
 {
-  if (IsTouchable(data, lines))
+  if (IsTouchable(data, also))
   {
     MixObject(key, data->GetPoints());
     MixObject(key, data->GetPolys());
     MixObject(key, data->GetStrips());
     MixObject(key, data->GetLines());
+    MixObject(key, data->GetVerts());
   }
 }
 
-/// 0 if there is no polygon and, if they count, no line.
-std::uint64_t GeometryKey(vtkDataObject* shown, bool lines)
+/// 0 if there is no polygon and, if they count, no line and no point.
+std::uint64_t GeometryKey(vtkDataObject* shown, const Also& also)
 {
   std::uint64_t key = 0;
   auto* composite = vtkCompositeDataSet::SafeDownCast(shown);
   if (!composite)
   {
-    MixPiece(key, vtkPolyData::SafeDownCast(shown), lines);
+    MixPiece(key, vtkPolyData::SafeDownCast(shown), also);
     return key;
   }
   auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
   {
-    MixPiece(key, vtkPolyData::SafeDownCast(each->GetCurrentDataObject()), lines);
+    MixPiece(key, vtkPolyData::SafeDownCast(each->GetCurrentDataObject()), also);
   }
   return key;
 }
@@ -131,7 +141,9 @@ std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
   }
   if (drawn.Points > 0)
   {
-    return "it is drawn as points; apply the filter Glyph with the type Sphere and show its result";
+    return "it is drawn as points; set the session's PointRadius to feel them as balls, or apply the filter Glyph with "
+           "the type "
+           "PointRadius to feel them as balls";
   }
   return "no polygons are shown; choose the representation Surface, or apply Extract Surface";
 }
@@ -225,12 +237,13 @@ std::string NameOf(vtkSMProxy* input)
 }
 
 /// False if it shows nothing that can be touched.
-bool AddSurface(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, bool lines, vtkHapticViewScan& scan)
+bool AddSurface(
+  const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, const Also& also, vtkHapticViewScan& scan)
 {
   Surface surface;
   surface.Name = name;
   surface.Data = data;
-  surface.GeometryKey = GeometryKey(data, lines);
+  surface.GeometryKey = GeometryKey(data, also);
   if (surface.GeometryKey == 0)
   {
     return false;
@@ -250,7 +263,7 @@ bool IsTransparent(vtkSMProxy* representation)
 }
 
 void ScanRepresentation(
-  vtkSMProxy* proxy, const std::string& name, bool lines, vtkHapticDrafts* drafts, vtkHapticViewScan& scan)
+  vtkSMProxy* proxy, const std::string& name, const Also& also, vtkHapticDrafts* drafts, vtkHapticViewScan& scan)
 {
   vtkObject* active = ActiveRepresentation(proxy);
   vtkPVLODActor* actor = SurfaceActor(active);
@@ -275,19 +288,19 @@ void ScanRepresentation(
     scan.Pending = true;
     return;
   }
-  if (!AddSurface(name, shown, actor->GetMatrix(), lines, scan))
+  if (!AddSurface(name, shown, actor->GetMatrix(), also, scan))
   {
     scan.Refusals.push_back(name + ": " + WhyNoPolygons(active, shown) + ".");
   }
 }
 
 /// A curve that was not applied yet is where its widget is, in no actor.
-void ScanDrawing(vtkSMProxy* drawing, bool lines, vtkHapticDrafts& drafts, vtkHapticViewScan& scan)
+void ScanDrawing(vtkSMProxy* drawing, const Also& also, vtkHapticDrafts& drafts, vtkHapticViewScan& scan)
 {
   drafts.ForgetDeleted();
   const std::string name = NameOf(drawing);
   vtkDataObject* const drawn = name.empty() ? nullptr : drafts.Drawn(drawing);
-  if (drawn && !AddSurface(name, drawn, vtkNew<vtkMatrix4x4>(), lines, scan))
+  if (drawn && !AddSurface(name, drawn, vtkNew<vtkMatrix4x4>(), also, scan))
   {
     scan.Refusals.push_back(name + ": " + LinesNeedRadius + ".");
   }
@@ -335,8 +348,10 @@ bool vtkHapticViewScan::SameArraysAs(const vtkHapticViewScan& other) const
     [](const Surface& a, const Surface& b) { return a.ArraysKey == b.ArraysKey; });
 }
 
-vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, bool lines, vtkHapticDrafts* drafts, vtkSMProxy* drawing)
+vtkHapticViewScan vtkHapticScanView(
+  vtkSMProxy* view, bool lines, vtkHapticDrafts* drafts, vtkSMProxy* drawing, bool points)
 {
+  const Also also{ lines, points };
   vtkHapticViewScan scan;
   if (std::string refusal = RefusalOf(view); !refusal.empty())
   {
@@ -352,12 +367,12 @@ vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, bool lines, vtkHapticDraft
     drawing = input == drawing ? nullptr : drawing;
     if (!name.empty() && Visible(representation))
     {
-      ScanRepresentation(representation, name, lines, drafts, scan);
+      ScanRepresentation(representation, name, also, drafts, scan);
     }
   }
   if (drafts)
   {
-    ScanDrawing(drawing, lines, *drafts, scan);
+    ScanDrawing(drawing, also, *drafts, scan);
   }
   return scan;
 }

@@ -45,8 +45,8 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
 
 /// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence. `lines`:
 /// what is drawn as lines alone is followed too. With `drafts` a shown curve is where its widget draws it, and so is
-/// `drawing` (null: none), a source that is not shown yet.
-VTKHAPTICVIEWS_EXPORT vtkHapticViewScan vtkHapticScanView(
-  vtkSMProxy* view, bool lines = false, vtkHapticDrafts* drafts = nullptr, vtkSMProxy* drawing = nullptr);
+/// `drawing` (null: none), a source that is not shown yet. `points`: what is drawn as points alone is followed too.
+VTKHAPTICVIEWS_EXPORT vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, bool lines = false,
+  vtkHapticDrafts* drafts = nullptr, vtkSMProxy* drawing = nullptr, bool points = false);
 
 #endif

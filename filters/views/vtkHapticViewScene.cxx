@@ -38,6 +38,8 @@ public:
     return this->Session && (this->Session->GetLineRadius() > 0.0 || this->Session->GetRaisesLines());
   }
 
+  bool TouchesPoints() const { return this->Session && this->Session->GetPointRadius() > 0.0; }
+
   /// What the session makes of the surfaces' arrays is what it made of those of Scan.
   bool SameMaterials(const vtkHapticViewScan& now) const
   {
@@ -146,8 +148,8 @@ const char* vtkHapticViewScene::GetReport() const
 
 bool vtkHapticViewScene::Update()
 {
-  vtkHapticViewScan now =
-    vtkHapticScanView(this->Impl->View, this->Impl->TouchesLines(), &this->Impl->Drafts, this->Impl->Drawing);
+  vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->TouchesLines(), &this->Impl->Drafts,
+    this->Impl->Drawing, this->Impl->TouchesPoints());
   const bool same = this->Impl->HandedOver && now.SameAs(this->Impl->Scan) && this->Impl->SameMaterials(now);
   this->Impl->Scan = std::move(now);
   const bool handOver = !same && this->Impl->Session;

@@ -19,6 +19,41 @@ def tube(radius, length, around):
     return points, faces
 
 
+# A box of 4 x 4 x 1, two triangles a side, turned outwards.
+BOX_POINTS = [(x, y, z) for z in (0, 1) for y in (0, 4) for x in (0, 4)]
+BOX_FACES = [(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4),
+             (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)]
+
+
+class Faults(CommandLineTest):
+    def faults_of(self, faces, *options):
+        self.write_off("a.off", BOX_POINTS, faces)
+        return json.loads(self.succeed("check", "a.off", "--json", *options).stdout)["faults"]
+
+    def test_a_good_box_has_none(self):
+        self.assertEqual(self.faults_of(BOX_FACES, "--thin", 0.9), {"holes": [], "flipped": [], "thin": []})
+        said = self.succeed("check", "a.off").stdout
+        for word in ("holes", "flipped", "thin"):
+            self.assertNotIn(word, said)
+
+    def test_the_rim_of_a_missing_triangle_has_its_points(self):
+        holes = self.faults_of(BOX_FACES[1:])["holes"]
+        self.assertEqual([hole["points"] for hole in holes], [[0, 1, 2]])
+        self.assertAlmostEqual(holes[0]["length_u"], 8 + math.sqrt(32))
+        self.assertIn("points 0 1 2", self.succeed("check", "a.off").stdout)
+
+    def test_a_turned_triangle_and_a_box_inside_out_are_named(self):
+        turned = [*BOX_FACES[:3], BOX_FACES[3][::-1], *BOX_FACES[4:]]
+        self.assertEqual([part["triangles"] for part in self.faults_of(turned)["flipped"]], [[3]])
+        inside_out = self.faults_of([face[::-1] for face in BOX_FACES])["flipped"]
+        self.assertEqual([part["triangles"] for part in inside_out], [list(range(12))])
+
+    def test_thin_walls_are_those_below_the_length_asked_for(self):
+        thin = self.faults_of(BOX_FACES, "--thin", 1.5)["thin"]
+        self.assertEqual(sorted(place["triangle"] for place in thin), [0, 1, 2, 3])
+        self.assertTrue(all(place["thickness_u"] == 1.0 for place in thin))
+
+
 class Help(CommandLineTest):
     def test_every_kind_of_file_that_can_be_read_is_named(self):
         self.write("a.xyz", "nonsense")

@@ -170,3 +170,38 @@ TEST(SceneWorkerMaterials, AnotherRangeOrOtherValuesBuildNoTree)
   EXPECT_EQ(first->surfaces()[0].fields, nullptr);
   EXPECT_NE(second->geometryHash(), third->geometryHash());
 }
+
+TEST_F(HapticSessionMaterials, OneSourceIsSofterThanTheOthersOrNotTouchedAtAll)
+{
+  const auto plane = makePlane(half);
+  const auto felt = [&]
+  {
+    this->show(plane);
+    return this->pressedAt(10.0).z();
+  };
+  EXPECT_NEAR(felt(), stiffness * depth / scale, 1e-9);
+  this->session_->TouchingOff();
+  ASSERT_TRUE(this->session_->SetSourceMaterial("surface", 200.0, -1.0, -1.0));
+  EXPECT_NEAR(felt(), 200.0 * depth / scale, 1e-9);
+  this->session_->TouchingOff();
+  ASSERT_TRUE(this->session_->SetSourceMaterial("another", 50.0, -1.0, -1.0));
+  EXPECT_NEAR(felt(), 200.0 * depth / scale, 1e-9);
+
+  const auto before = this->session_->GetMaterialTime();
+  this->session_->SetSourceTouched("surface", false);
+  EXPECT_GT(this->session_->GetMaterialTime(), before) << "who follows a view adds it again";
+  this->session_->ClearSurfaces();
+  EXPECT_TRUE(this->session_->AddSurface("surface", plane, nullptr)) << "that is no problem";
+  this->session_->CommitScene();
+  EXPECT_FALSE(this->session_->FinishScene());
+  EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("surface: it is switched off"));
+  this->session_->SetSourceTouched("surface", true);
+  this->show(plane);
+
+  const auto errors = errorsOf(static_cast<vtkObject*>(this->session_),
+    [&] { EXPECT_FALSE(this->session_->SetSourceMaterial("surface", -3.0, -1.0, -1.0)); });
+  EXPECT_EQ(errors.size(), 1u);
+  double material[3];
+  this->session_->GetSourceMaterial("surface", material);
+  EXPECT_EQ(material[0], 200.0);
+}

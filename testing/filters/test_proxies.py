@@ -68,6 +68,29 @@ class Readers(unittest.TestCase):
         pv.Delete(image)
 
 
+    def test_paraview_opens_a_recording_as_a_way_in_its_time(self):
+        recordings = os.path.join(os.environ["PALPATE_SOURCE_DIR"], "testing", "haptics", "recording", "fixtures")
+        for name in ("format-5-solid.palpate", "format-6-plane.palpate"):
+            recording = pv.OpenDataFile(os.path.join(recordings, name))
+            self.assertEqual(recording.GetXMLName(), "HapticRecordingReader")
+            pv.UpdatePipeline(proxy=recording)
+            times = list(recording.TimestepValues)
+            self.assertTrue(all(b - a >= 1 / 60 - 0.002 - 1e-9 for a, b in zip(times, times[1:])), times)  # periods of 2 ms
+            path = servermanager.Fetch(pv.OutputPort(recording, 1))
+            count = path.GetNumberOfPoints() // 2
+            pv.UpdatePipeline(times[3], recording)
+            moment = servermanager.Fetch(pv.OutputPort(recording, 0))
+            time = path.GetPointData().GetArray("Time")
+            now = max(i for i in range(count) if time.GetValue(i) <= times[3])
+            self.assertEqual(moment.GetPoint(0), path.GetPoint(now))
+            self.assertEqual(moment.GetPoint(1), path.GetPoint(count + now))
+            way = math.dist(moment.GetPoint(0), moment.GetPoint(1))
+            self.assertAlmostEqual(moment.GetPointData().GetArray("Depth").GetValue(0), way)
+            for array in ("Force", "Lateness", "Contacts"):
+                self.assertEqual(moment.GetPointData().GetArray(array).GetTuple(1), path.GetPointData().GetArray(array).GetTuple(now))
+            pv.Delete(recording)
+
+
 class Filters(unittest.TestCase):
     def test_force_along_a_line_into_a_plane(self):
         plane = pv.Plane(Origin=[-5, -5, 0], Point1=[5, -5, 0], Point2=[-5, 5, 0])
@@ -122,6 +145,45 @@ class Filters(unittest.TestCase):
             pv.Delete(proxy)
 
 
+class Measuring(unittest.TestCase):
+    def test_a_surface_is_compared_with_a_closed_one(self):
+        box = pv.Box(XLength=2.0, YLength=2.0, ZLength=2.0)
+        plane = pv.Plane(Origin=[-3, -3, 0.25], Point1=[3, -3, 0.25], Point2=[-3, 3, 0.25], XResolution=12, YResolution=12)
+        output = servermanager.Fetch(pv.HapticSurfaceDistance(Input=plane, Reference=box))
+        distance = output.GetPointData().GetArray("SignedDistance")
+        for i in range(output.GetNumberOfPoints()):
+            outside = [max(0.0, abs(c) - 1.0) for c in output.GetPoint(i)]
+            inside = max(abs(c) - 1.0 for c in output.GetPoint(i))
+            self.assertAlmostEqual(distance.GetValue(i), math.hypot(*outside) if inside > 0 else inside, delta=1e-6)
+
+    def test_the_way_between_marks_of_a_table_goes_over_the_surface(self):
+        box = pv.Box(XLength=2.0, YLength=2.0, ZLength=2.0)
+        marks = pv.HapticMarks(Text="Source,X,Y,Z,depth\nbox,-1,-1,-1,0.5\nbox,1,1,1,nan\n")
+        for port in (0, 1):
+            way = pv.HapticSurfacePath(Input=box, Marks=pv.OutputPort(marks, port))
+            length = servermanager.Fetch(way).GetCellData().GetArray("Length").GetValue(0)
+            self.assertAlmostEqual(length, 2.0 * math.sqrt(5.0), delta=1e-6)
+        self.assertEqual(servermanager.Fetch(pv.OutputPort(marks, 0)).GetPointData().GetArray("depth").GetValue(0), 0.5)
+
+    def test_a_label_map_becomes_a_block_a_label(self):
+        cells = pv.ProgrammableSource(OutputDataSetType="vtkImageData", ScriptRequestInformation="""
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+self.GetExecutive().GetOutputInformation(0).Set(Pipeline.WHOLE_EXTENT(), 0, 9, 0, 9, 0, 9)""", Script="""
+from vtkmodules.vtkCommonCore import vtkShortArray
+image = self.GetOutput()
+image.SetDimensions(10, 10, 10)
+labels = vtkShortArray()
+labels.SetName("labels")
+for i in range(1000):
+    x, y, z = i % 10, i // 10 % 10, i // 100
+    labels.InsertNextValue(0 if not (2 <= y <= 6 and 2 <= z <= 6) else 3 if 1 <= x <= 4 else 8 if 5 <= x <= 7 else 0)
+image.GetPointData().SetScalars(labels)""")
+        output = servermanager.Fetch(pv.HapticLabelSurfaces(Input=cells, Smoothing=0))
+        self.assertEqual(output.GetNumberOfBlocks(), 2)
+        self.assertEqual(output.GetBlock(0).GetBounds(), (0.5, 4.5, 1.5, 6.5, 1.5, 6.5))
+        self.assertEqual(output.GetBlock(1).GetBounds(), (4.5, 7.5, 1.5, 6.5, 1.5, 6.5))
+
+
 class Session(unittest.TestCase):
     def setUp(self):
         self.proxy = proxy_manager().NewProxy("haptics", "HapticSession")
@@ -168,6 +230,34 @@ class Session(unittest.TestCase):
         self.assertEqual(read(self.proxy, "Ticks"), TICKS_TO_ENGAGE + 200)
         self.assertEqual(read(self.proxy, "Missed"), 0)
         self.assertIn("plane: ", read(self.proxy, "SceneReport"))
+
+    def test_says_what_is_at_the_contact_and_keeps_it_as_a_mark_that_becomes_a_source(self):
+        sphere = pv.Sphere(Radius=50.0, ThetaResolution=90, PhiResolution=90)
+        height = pv.Elevation(Input=sphere, LowPoint=[0, 0, -50], HighPoint=[0, 0, 50], ScalarRange=[-50, 50])
+        session = self.proxy.GetClientSideObject()
+        self.assertTrue(session.AddSurface("ball", servermanager.Fetch(height), None))
+        session.CommitScene()
+        self.assertTrue(session.FinishScene())
+        write(self.proxy, "VirtualTime", 1)
+        write(self.proxy, "HandPosition", 3.0, 4.0, 55.0)
+        write(self.proxy, "Touching", 1)
+        session.Step(TICKS_TO_ENGAGE)
+        write(self.proxy, "HandPosition", 3.0, 4.0, 48.0)
+        session.Step(200)
+        self.proxy.InvokeCommand("InspectContact")
+        self.assertEqual(read(self.proxy, "ContactSource"), "ball")
+        self.assertGreaterEqual(read(self.proxy, "ContactCell"), 0)
+        place = [read(self.proxy, "ContactPosition", i) for i in range(3)]
+        self.assertAlmostEqual(math.hypot(*place), 50.0, delta=0.05)  # facets of 4 degrees
+        self.assertAlmostEqual(read(self.proxy, "ContactCurvature"), 1 / 50.0, delta=0.05 / 50.0)
+        self.assertAlmostEqual(read(self.proxy, "ContactThickness"), 100.0, delta=1.0)
+        self.assertAlmostEqual(session.GetContactValue("Elevation"), place[2], delta=1e-3)
+        self.proxy.InvokeCommand("AddMark")
+        self.assertEqual(read(self.proxy, "NumberOfMarks"), 1)
+        marks = pv.HapticMarks(Text=read(self.proxy, "MarksText"))
+        points = servermanager.Fetch(pv.OutputPort(marks, 0))
+        self.assertEqual(list(points.GetPoint(0)), place)
+        self.assertEqual(points.GetPointData().GetAbstractArray("Source").GetValue(0), "ball")
 
     def test_says_how_stiff_the_chosen_device_can_be_before_it_is_touched(self):
         self.assertEqual(read(self.proxy, "LargestStiffness"), math.inf)  # "fed" pushes nobody

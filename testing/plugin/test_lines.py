@@ -37,6 +37,33 @@ class LinesInAView(ViewTest):
         self.press(2 * RADIUS - DEPTH, 0.1, 0.0)
         self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * (DEPTH + 2 * POINT) / SCALE, delta=1e-9)
 
+    def test_points_are_balls_once_they_have_a_radius(self):
+        self.show(simple.PointSource(Center=[0.0, 0.1, 0.0], Radius=0.0, NumberOfPoints=1))
+        self.follow()
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
+        put(self.proxy, "PointRadius", RADIUS)
+        self.assertTrue(self.follow())
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 1)
+        self.assertIn("(points): kept", self.session.GetSceneReport())
+        self.press(RADIUS - DEPTH, 0.1, 0.0)
+        self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * (DEPTH + POINT) / SCALE, delta=1e-5)
+        put(self.proxy, "PointRadius", 0.0)
+        self.assertTrue(self.follow())
+        self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)
+
+    def test_a_source_that_is_switched_off_is_not_touched_until_it_is_on_again(self):
+        self.show(simple.Plane(Origin=[0, -1, -1], Point1=[0, 1, -1], Point2=[0, -1, 1]))
+        name = next(iter(simple.GetSources()))[0]
+        self.follow()
+        self.assertIn(name + ": kept", self.session.GetSceneReport())
+        self.session.SetSourceTouched(name, False)
+        self.assertTrue(self.follow())
+        self.assertIn(name + ": it is switched off", self.session.GetSceneReport())
+        self.session.SetSourceTouched(name, True)
+        self.assertTrue(self.follow())
+        self.press(-DEPTH, 0.1, 0.0)
+        self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * DEPTH / SCALE, delta=1e-9)
+
     def test_lines_in_a_plane_are_walls_where_that_is_asked_for(self):
         self.show(simple.Line(Point1=[0.0, -1.0, 0.0], Point2=[0.0, 1.0, 0.0]))
         self.follow()

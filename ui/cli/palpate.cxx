@@ -55,6 +55,8 @@ void AddCheck(CLI::App& app, Arguments& arguments)
   options.Settings.Add(*command, "FrictionStatic");
   options.Settings.Add(*command, "FrictionKinetic", "without it the static one");
   vtkHapticCliAddMaterials(*command, options.Materials);
+  command->add_option("--thin", options.Thin_u, "name walls of a closed surface that are thinner [scene units]")
+    ->check(CLI::NonNegativeNumber);
   command->add_flag("--simplify", options.Simplify, "with how few triangles it would feel the same, proven");
   command->add_flag("--json", options.Json, "for a program to read");
 }

@@ -11,6 +11,7 @@
 #include "haptics/geometry/scene/ScenePlan.h"
 #include "haptics/geometry/scene/SceneSimplifier.h"
 #include "haptics/session/PlanSentence.h"
+#include "vtkHapticCliFaults.h"
 #include "vtkHapticCliPlane.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
@@ -278,6 +279,14 @@ void PrintLine(const char* title, const std::string& text)
   }
 }
 
+/// Of the polygons of a file; none of lines.
+palpate::SurfaceFaults FaultsOf(const Input& input, const vtkHapticCliCheckOptions& options)
+{
+  const palpate::SurfaceInput& surface = input.Surfaces.front();
+  return input.Lines || surface.lineRadius_u ? palpate::SurfaceFaults()
+                                             : palpate::findFaults(*surface.mesh, options.Thin_u);
+}
+
 void Print(const vtkHapticCliCheckOptions& options, const Input& input, const Subject& subject,
   const std::vector<palpate::SurfaceReport>& reports)
 {
@@ -291,6 +300,10 @@ void Print(const vtkHapticCliCheckOptions& options, const Input& input, const Su
   {
     PrintLine("repaired", report.summary());
   }
+  const palpate::SurfaceFaults faults = FaultsOf(input, options);
+  PrintLine("holes", vtkHapticCliHoles(faults));
+  PrintLine("flipped", vtkHapticCliFlipped(faults));
+  PrintLine("thin", vtkHapticCliThin(faults));
   PrintLine("size", size.str());
   PrintLine("work", WorkOf(subject.Scene));
   PrintLine("felt", choice.Sentence);
@@ -363,6 +376,7 @@ int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options)
     if (built.scene)
     {
       AddScene(described, { *built.scene, input.Lines.get() }, options);
+      described["faults"] = vtkHapticCliToJson(FaultsOf(input, options), *input.Surfaces.front().mesh);
     }
     Print(described);
   }

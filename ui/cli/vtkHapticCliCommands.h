@@ -43,6 +43,7 @@ struct vtkHapticCliCheckOptions
   vtkHapticMaterialSettings Materials;
   bool Simplify = false;         ///< also with how few triangles it would feel the same, which takes a while
   bool ForceRadius = false;      ///< a ball as large as asked for, although a tick may run out of its work
+  double Thin_u = 0.0;           ///< walls below that are named; 0: none is looked for
   vtkHapticCliSettings Settings; ///< with a LineRadius of 0 lines are walls
   bool Json = false;
 };

@@ -105,6 +105,8 @@ const Setting settings[] = {
   at({ .group = "contact", .option = "line-radius" },
     amount("LineRadius", "u", "Radius of li&nes",
       "Tubes as which lines (streamlines, centre lines, fibres) are touched; 0: they are not", 0.0, none, NextScene)),
+  amount(
+    "PointRadius", "u", "", "Balls as which the points of a cloud are touched; 0: they are not", 0.0, none, NextScene),
   along(1.0, at({ .field = "hand.map.scale_u_per_m", .group = "contact", .option = "scale" },
                { "Scale", Number, "u/m", "S&cale", "Scene units per metre of the hand's motion", NextTick, { 1000.0 },
                  {}, 0.0, none, true })),
@@ -190,6 +192,9 @@ const Setting settings[] = {
   { "StrokePoints", Points, "u", "", "Where a simulated hand is led: a polyline", NextTouch },
   { "StrokeSpeed", Number, "m/s", "", "Speed of the stroke of a simulated hand", NextTouch, { 0.05 }, {}, 0.0, none,
     true },
+  flag("Inspect", "", "What is at the contact is looked up with every picture", false, NextFrame),
+  count("MarkButton", "", "", "Button of the device that sets a mark at the contact, from 1 on; 0 is none", 0, 0, 32,
+    NextFrame),
   text("RecordFile", "", "File that receives the recording while touching", NextTouch),
   text("ReplayFile", "", "Recording that the device replay plays", NextTouch),
   flag("VirtualTime", "", "Nothing runs by itself: Step computes ticks, in the thread that calls it", false, NextTouch),

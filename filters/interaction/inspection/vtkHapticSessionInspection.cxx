@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is at the contact, and the marks that are set there.
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "haptics/geometry/measure/ContactPlace.h"
+#include "vtkHapticSessionInternals.h"
+
+namespace
+{
+using palpate::Vec3;
+
+constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
+
+void AddVector(vtkHapticMarkRecord& record, const std::string& name, const Vec3& v)
+{
+  const char* const axes[] = { "X", "Y", "Z" };
+  for (int k = 0; k < 3; ++k)
+  {
+    record.Numbers.emplace_back(name + axes[k], v[k]);
+  }
+}
+
+void AddPlace(vtkHapticMarkRecord& record, const palpate::ContactPlace& place)
+{
+  AddVector(record, "", place.p_W);
+  AddVector(record, "Normal", place.normal_W);
+  record.Numbers.emplace_back("CurvatureLargest", place.curvature ? place.curvature->largest_per_u : NotKnown);
+  record.Numbers.emplace_back("CurvatureLeast", place.curvature ? place.curvature->least_per_u : NotKnown);
+  record.Numbers.emplace_back("Thickness", place.thickness_u.value_or(NotKnown));
+}
+
+void AddProbed(vtkHapticMarkRecord& record, const vtkHapticProbed& probed)
+{
+  record.Numbers.emplace_back("Cell", static_cast<double>(probed.Cell));
+  record.Numbers.emplace_back("Point", static_cast<double>(probed.Point));
+  for (const auto& [name, value] : probed.Values)
+  {
+    const bool taken = !std::isnan(record.Number(name)); // an array may have a name of ours
+    record.Numbers.emplace_back(taken ? name + " (array)" : name, value);
+  }
+}
+
+std::string Described(const vtkHapticMarkRecord& contact)
+{
+  std::ostringstream text;
+  text << contact.Source << ": cell " << contact.Number("Cell") << ", point " << contact.Number("Point") << " at ("
+       << contact.Number("X") << ", " << contact.Number("Y") << ", " << contact.Number("Z") << ")";
+  if (!std::isnan(contact.Number("CurvatureLargest")))
+  {
+    text << "; curvature " << contact.Number("CurvatureLargest") << " and " << contact.Number("CurvatureLeast")
+         << " a unit";
+  }
+  if (!std::isnan(contact.Number("Thickness")))
+  {
+    text << "; wall of " << contact.Number("Thickness") << " units";
+  }
+  return text.str();
+}
+
+vtkIdType IdOf(const std::optional<vtkHapticMarkRecord>& contact, const char* name)
+{
+  const double id = contact ? contact->Number(name) : NotKnown;
+  return std::isnan(id) ? -1 : static_cast<vtkIdType>(id);
+}
+} // namespace
+
+std::optional<vtkHapticMarkRecord> vtkHapticSession::Internals::LookAtContact()
+{
+  const auto& scene = this->Scene.built().scene;
+  if (this->State.contacts == 0 || !scene)
+  {
+    return std::nullopt;
+  }
+  const auto place = palpate::placeOf(*scene, this->State.proxy_W.p, this->State.device_W.p);
+  if (!place)
+  {
+    return std::nullopt;
+  }
+  const auto origin = this->Surfaces.OriginOf(place->surface);
+  vtkHapticMarkRecord record{ origin ? origin->Name : place->surface, {} };
+  AddPlace(record, *place);
+  record.Numbers.emplace_back("Depth", (this->State.proxy_W.p - this->State.device_W.p).norm());
+  record.Numbers.emplace_back("Force", this->State.force_W.norm());
+  if (origin)
+  {
+    AddProbed(record, this->Probe.Look(origin->Data, origin->W_from_D.inverse() * place->p_W));
+  }
+  return record;
+}
+
+void vtkHapticSession::Internals::ShowContact(std::optional<vtkHapticMarkRecord> contact)
+{
+  this->Contact = std::move(contact);
+  this->ContactText = this->Contact ? Described(*this->Contact) : "";
+  const auto show = [this](const std::string& name) { return this->Contact ? this->Contact->Number(name) : 0.0; };
+  const char* const axes[] = { "X", "Y", "Z" };
+  for (int k = 0; k < 3; ++k)
+  {
+    this->ContactPosition[k] = show(axes[k]);
+    this->ContactNormal[k] = show(std::string("Normal") + axes[k]);
+  }
+  this->ContactCurvature[0] = show("CurvatureLargest");
+  this->ContactCurvature[1] = show("CurvatureLeast");
+}
+
+bool vtkHapticSession::InspectContact()
+{
+  this->Impl->ShowContact(this->Impl->LookAtContact());
+  return this->Impl->Contact.has_value();
+}
+
+void vtkHapticSession::FollowContact()
+{
+  const std::uint32_t down = this->Impl->State.buttons;
+  const std::uint32_t wentDown = down & ~std::exchange(this->Impl->MarkButtons, down);
+  const int button = this->Impl->MarkButton;
+  if (button > 0 && (wentDown >> (button - 1) & 1u) != 0)
+  {
+    this->AddMark();
+  }
+  else if (this->Impl->Inspect || this->Impl->State.contacts == 0)
+  {
+    this->InspectContact();
+  }
+}
+
+bool vtkHapticSession::AddMark()
+{
+  if (!this->InspectContact())
+  {
+    this->Refuse("a mark is set at a contact, and nothing is touched; touch a surface first");
+    this->Impl->ProblemOf = "mark";
+    return false;
+  }
+  this->Impl->Follow("mark", "");
+  this->Impl->Marks.Records.push_back(*this->Impl->Contact);
+  this->Impl->MarksText = this->Impl->Marks.ToText();
+  this->Mark();
+  this->Modified();
+  return true;
+}
+
+void vtkHapticSession::ClearMarks()
+{
+  this->Impl->Marks.Records.clear();
+  this->Impl->MarksText.clear();
+  this->Modified();
+}
+
+int vtkHapticSession::GetNumberOfMarks() const
+{
+  return static_cast<int>(this->Impl->Marks.Records.size());
+}
+
+bool vtkHapticSession::WriteMarks(const char* file)
+{
+  const std::string problem = file ? this->Impl->Marks.Write(file) : "a file is needed to write marks into";
+  this->Refuse(problem);
+  this->Impl->Follow("marks' file", problem);
+  return problem.empty();
+}
+
+void vtkHapticSession::GetMarks(vtkPolyData* points) const
+{
+  this->Impl->Marks.FillPoints(points);
+}
+
+void vtkHapticSession::GetMarksTable(vtkTable* table) const
+{
+  this->Impl->Marks.FillTable(table);
+}
+
+void vtkHapticSession::SetInspect(bool on)
+{
+  if (on != this->Impl->Inspect)
+  {
+    this->Impl->Inspect = on;
+    this->Modified();
+  }
+}
+
+bool vtkHapticSession::GetInspect() const
+{
+  return this->Impl->Inspect;
+}
+
+void vtkHapticSession::SetMarkButton(int button)
+{
+  if (this->Allows("MarkButton", { static_cast<double>(button) }) && button != this->Impl->MarkButton)
+  {
+    this->Impl->MarkButton = button;
+    this->Modified();
+  }
+}
+
+int vtkHapticSession::GetMarkButton() const
+{
+  return this->Impl->MarkButton;
+}
+
+// Read-outs ---------------------------------------------------------------------------------------------------------
+
+const char* vtkHapticSession::GetContactText() const
+{
+  return this->Impl->ContactText.c_str();
+}
+
+const char* vtkHapticSession::GetContactSource() const
+{
+  return this->Impl->Contact ? this->Impl->Contact->Source.c_str() : "";
+}
+
+const char* vtkHapticSession::GetMarksText() const
+{
+  return this->Impl->MarksText.c_str();
+}
+
+vtkIdType vtkHapticSession::GetContactCell() const
+{
+  return IdOf(this->Impl->Contact, "Cell");
+}
+
+vtkIdType vtkHapticSession::GetContactPoint() const
+{
+  return IdOf(this->Impl->Contact, "Point");
+}
+
+double vtkHapticSession::GetContactThickness() const
+{
+  return this->GetContactValue("Thickness");
+}
+
+double vtkHapticSession::GetContactValue(const char* name) const
+{
+  return this->Impl->Contact && name ? this->Impl->Contact->Number(name) : NotKnown;
+}
+
+double* vtkHapticSession::GetContactPosition()
+{
+  return this->Impl->ContactPosition;
+}
+
+double* vtkHapticSession::GetContactNormal()
+{
+  return this->Impl->ContactNormal;
+}
+
+double* vtkHapticSession::GetContactCurvature()
+{
+  return this->Impl->ContactCurvature;
+}

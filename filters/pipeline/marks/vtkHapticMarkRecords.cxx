@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticMarkRecords.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkXMLPolyDataWriter.h"
+
+namespace
+{
+constexpr const char* SourceColumn = "Source";
+constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
+
+std::string Quoted(const std::string& field)
+{
+  if (field.find_first_of(",\"\r\n") == std::string::npos)
+  {
+    return field;
+  }
+  std::string quoted = "\"";
+  for (const char c : field)
+  {
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
+/// The shortest digits that give the same number back.
+std::string Digits(double value)
+{
+  char text[64];
+  const auto end = std::to_chars(std::begin(text), std::end(text), value).ptr;
+  return { text, end };
+}
+
+/// One field after another of a text whose quoted fields may hold commas and lines.
+class FieldReader
+{
+public:
+  explicit FieldReader(std::string_view text) : Rest(text) {}
+
+  [[nodiscard]] bool AtEnd() const { return this->Rest.empty(); }
+  [[nodiscard]] std::vector<std::string> NextRow()
+  {
+    std::vector<std::string> row;
+    bool more = true;
+    while (more)
+    {
+      row.push_back(this->NextField());
+      more = !this->Rest.empty() && this->Rest.front() == ',';
+      this->Rest.remove_prefix(this->Rest.starts_with("\r\n") ? 2 : this->Rest.empty() ? 0 : 1);
+    }
+    return row;
+  }
+
+private:
+  std::string NextField()
+  {
+    if (!this->Rest.starts_with('"'))
+    {
+      const std::size_t length = std::min(this->Rest.find_first_of(",\r\n"), this->Rest.size());
+      std::string field(this->Rest.substr(0, length));
+      this->Rest.remove_prefix(length);
+      return field;
+    }
+    std::string field;
+    std::size_t at = 1;
+    while (at < this->Rest.size() && (this->Rest[at] != '"' || this->Rest.substr(at).starts_with("\"\"")))
+    {
+      field += this->Rest[at];
+      at += this->Rest[at] == '"' ? 2 : 1;
+    }
+    this->Rest.remove_prefix(std::min(at + 1, this->Rest.size()));
+    return field;
+  }
+
+  std::string_view Rest;
+};
+
+double NumberOf(const std::string& field)
+{
+  double value = NotKnown;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size())
+  {
+    throw std::runtime_error("'" + field.substr(0, 24) + "' is not a number");
+  }
+  return value;
+}
+
+std::vector<std::string> ReadHeader(FieldReader& fields)
+{
+  std::vector<std::string> names = fields.NextRow();
+  const std::vector<std::string> first = { SourceColumn, "X", "Y", "Z" };
+  if (names.size() < first.size() || !std::equal(first.begin(), first.end(), names.begin()))
+  {
+    throw std::runtime_error("its columns do not begin with Source, X, Y and Z");
+  }
+  return names;
+}
+
+vtkHapticMarkRecord ReadRecord(const std::vector<std::string>& names, const std::vector<std::string>& row)
+{
+  if (row.size() != names.size())
+  {
+    throw std::runtime_error(
+      "it has " + std::to_string(row.size()) + " fields for " + std::to_string(names.size()) + " columns");
+  }
+  vtkHapticMarkRecord record{ row.front(), {} };
+  for (std::size_t i = 1; i < row.size(); ++i)
+  {
+    record.Numbers.emplace_back(names[i], NumberOf(row[i]));
+  }
+  return record;
+}
+
+std::string WritePoints(const vtkHapticMarkRecords& marks, const std::string& path)
+{
+  vtkNew<vtkPolyData> points;
+  marks.FillPoints(points);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(points);
+  return writer->Write() == 1 ? "" : "it could not be written; is the disk full or the folder not yours?";
+}
+
+std::string WriteText(const vtkHapticMarkRecords& marks, const std::string& path)
+{
+  std::ofstream file(path, std::ios::binary);
+  file << marks.ToText();
+  file.close();
+  return file ? "" : "it could not be written; is the disk full or the folder not yours?";
+}
+} // namespace
+
+double vtkHapticMarkRecord::Number(std::string_view name) const
+{
+  const auto found =
+    std::find_if(this->Numbers.begin(), this->Numbers.end(), [name](const auto& each) { return each.first == name; });
+  return found != this->Numbers.end() ? found->second : NotKnown;
+}
+
+std::vector<std::string> vtkHapticMarkRecords::Columns() const
+{
+  std::vector<std::string> columns;
+  for (const vtkHapticMarkRecord& record : this->Records)
+  {
+    for (const auto& [name, value] : record.Numbers)
+    {
+      if (std::find(columns.begin(), columns.end(), name) == columns.end())
+      {
+        columns.push_back(name);
+      }
+    }
+  }
+  return columns;
+}
+
+void vtkHapticMarkRecords::FillTable(vtkTable* table) const
+{
+  table->Initialize();
+  vtkNew<vtkStringArray> sources;
+  sources->SetName(SourceColumn);
+  for (const vtkHapticMarkRecord& record : this->Records)
+  {
+    sources->InsertNextValue(record.Source);
+  }
+  table->AddColumn(sources);
+  for (const std::string& name : this->Columns())
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name.c_str());
+    for (const vtkHapticMarkRecord& record : this->Records)
+    {
+      column->InsertNextValue(record.Number(name));
+    }
+    table->AddColumn(column);
+  }
+}
+
+void vtkHapticMarkRecords::FillPoints(vtkPolyData* points) const
+{
+  points->Initialize();
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  for (const vtkHapticMarkRecord& record : this->Records)
+  {
+    const vtkIdType id = places->InsertNextPoint(record.Number("X"), record.Number("Y"), record.Number("Z"));
+    vertices->InsertNextCell(1, &id);
+  }
+  points->SetPoints(places);
+  points->SetVerts(vertices);
+  vtkNew<vtkTable> table;
+  this->FillTable(table);
+  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+  {
+    points->GetPointData()->AddArray(table->GetColumn(column));
+  }
+}
+
+std::string vtkHapticMarkRecords::ToText() const
+{
+  if (this->Records.empty())
+  {
+    return {};
+  }
+  const std::vector<std::string> columns = this->Columns();
+  std::string text = SourceColumn;
+  for (const std::string& name : columns)
+  {
+    text += ',' + Quoted(name);
+  }
+  text += '\n';
+  for (const vtkHapticMarkRecord& record : this->Records)
+  {
+    text += Quoted(record.Source);
+    for (const std::string& name : columns)
+    {
+      text += ',' + Digits(record.Number(name));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string vtkHapticMarkRecords::FromText(std::string_view text)
+{
+  this->Records.clear();
+  if (text.empty())
+  {
+    return {};
+  }
+  std::vector<vtkHapticMarkRecord> records;
+  try
+  {
+    FieldReader fields(text);
+    const std::vector<std::string> names = ReadHeader(fields);
+    while (!fields.AtEnd())
+    {
+      records.push_back(ReadRecord(names, fields.NextRow()));
+    }
+  }
+  catch (const std::runtime_error& error)
+  {
+    return "mark " + std::to_string(records.size() + 1) + " of the list cannot be read: " + error.what();
+  }
+  this->Records = std::move(records);
+  return {};
+}
+
+std::string vtkHapticMarkRecords::Write(const std::string& path) const
+{
+  const bool points = path.ends_with(".vtp");
+  if (this->Records.empty() || (!points && !path.ends_with(".csv")))
+  {
+    return path + (this->Records.empty() ? ": there are no marks to write; set one first"
+                                         : ": marks are written as csv or vtp; give the file one of these suffixes");
+  }
+  const std::string whole = path + ".part";
+  std::string problem = points ? WritePoints(*this, whole) : WriteText(*this, whole);
+  if (problem.empty())
+  {
+    std::error_code error;
+    std::filesystem::rename(whole, path, error);
+    problem = error ? "it could not be written: " + error.message() : "";
+  }
+  if (!problem.empty())
+  {
+    std::error_code ignored;
+    std::filesystem::remove(whole, ignored);
+  }
+  return problem.empty() ? "" : path + ": " + problem;
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticPieces_h
+#define vtkHapticPieces_h
+
+#include <string>
+
+class vtkInformationVector;
+
+/// Empty, or why a filter that needs all of its data does nothing: several processes have a part each, and what is
+/// measured on a part is wrong without a sign of it. `output`: of the request for data.
+[[nodiscard]] std::string vtkHapticRefusePieces(vtkInformationVector* output);
+
+#endif

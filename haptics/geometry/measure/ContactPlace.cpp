@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/geometry/measure/ContactPlace.h"
+
+#include <limits>
+
+#include "haptics/geometry/measure/WallThickness.h"
+#include "haptics/geometry/simplify/SurfaceDistance.h"
+#include "haptics/geometry/tree/SurfaceData.h"
+
+namespace palpate
+{
+namespace
+{
+
+Vec3 intoFrame(const Pose& pose_WS, const Vec3& p_W)
+{
+  return pose_WS.q.conjugate() * (p_W - pose_WS.p);
+}
+
+/// Across the triangle, or from the line, to the side of the proxy: the way from the device where that rests on it.
+Vec3 normalOf(const SurfaceData& data, const NearestPoint& at, const Vec3& proxy_S, const Vec3& device_S)
+{
+  const Vec3 away_S = proxy_S - at.p_W;
+  const double rounding_u = 1e-12 * (at.p_W.cwiseAbs().maxCoeff() + (proxy_S - device_S).norm());
+  const Vec3 outward_S = away_S.norm() > rounding_u ? away_S : Vec3(proxy_S - device_S);
+  if (isSegment(data.corners(at.triangle)))
+  {
+    return outward_S.normalized();
+  }
+  const Vec3& normal_S = data.plane(at.triangle).normal_W;
+  return normal_S.dot(outward_S) < 0.0 ? Vec3(-normal_S) : normal_S;
+}
+
+} // namespace
+
+std::optional<ContactPlace> placeOf(const Scene& scene, const Vec3& proxy_W, const Vec3& device_W)
+{
+  NearestPoint best;
+  double least_u = std::numeric_limits<double>::infinity();
+  const Surface* nearest = nullptr;
+  for (const Surface& surface : scene.surfaces())
+  {
+    const NearestPoint at = nearestOn(surface.tree->data(), intoFrame(surface.motion.end_WS, proxy_W));
+    if (const double gap_u = at.distance_u - surface.tree->coat_u(); gap_u < least_u)
+    {
+      least_u = gap_u;
+      best = at;
+      nearest = &surface;
+    }
+  }
+  if (nearest == nullptr)
+  {
+    return std::nullopt;
+  }
+  const Pose& pose_WS = nearest->motion.end_WS;
+  const SurfaceTree& tree = *nearest->tree;
+  const Vec3 normal_S = normalOf(tree.data(), best, intoFrame(pose_WS, proxy_W), intoFrame(pose_WS, device_W));
+  ContactPlace place{ nearest->name, best.triangle, pose_WS.p + pose_WS.q * best.p_W, pose_WS.q * normal_S,
+    curvatureAt(tree, best.triangle, best.p_W, normal_S), std::nullopt };
+  if (tree.coat_u() == 0.0)
+  {
+    place.thickness_u = wallThickness_u(tree, best.p_W, -normal_S);
+  }
+  return place;
+}
+
+} // namespace palpate

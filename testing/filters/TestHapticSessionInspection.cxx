@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a session says of the place that is touched, and the marks that are set there.
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VirtualSession.h"
+#include "VtkScenes.h"
+#include "testing/devices/hid/FakeHidBus.h"
+#include "testing/support/Eventually.h"
+#include "testing/support/TemporaryFolder.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+
+namespace
+{
+constexpr double half = 100.0;  // u
+constexpr double depth = 2.0;   // u
+constexpr double radius = 50.0; // u
+
+void addArray(vtkDataSetAttributes* arrays, const char* name, int components, std::vector<double> values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  arrays->AddArray(array);
+}
+
+/// A plane z = 0 of two triangles with an array linear in x, a vector that is everywhere the same and a number a cell.
+vtkSmartPointer<vtkPolyData> planeWithArrays()
+{
+  auto plane = makePlane(half);
+  std::vector<double> linear, vector;
+  for (vtkIdType i = 0; i < plane->GetNumberOfPoints(); ++i)
+  {
+    linear.push_back(3.0 * plane->GetPoint(i)[0] + 7.0);
+    vector.insert(vector.end(), { 1.0, 2.0, 3.0 });
+  }
+  addArray(plane->GetPointData(), "linear", 1, linear);
+  addArray(plane->GetPointData(), "vector", 3, vector);
+  addArray(plane->GetCellData(), "number", 1, { 100.0, 101.0 });
+  return plane;
+}
+
+/// A fed hand in virtual time.
+class HapticSessionInspection : public VirtualSession
+{
+protected:
+  void press(const Vec3& from_W, const Vec3& to_W)
+  {
+    this->session_->SetHandPosition(from_W.data());
+    this->startTouching();
+    this->session_->Step(ticksToEngage);
+    this->session_->SetHandPosition(to_W.data());
+    this->session_->Step(100);
+    ASSERT_GT(this->session_->GetContacts(), 0);
+  }
+  void pressPlane(double x, double y) { this->press(Vec3(x, y, 1.0), Vec3(x, y, -depth)); }
+};
+} // namespace
+
+TEST_F(HapticSessionInspection, SaysPlaceNormalCellAndEveryArrayAtTheContact)
+{
+  const auto plane = planeWithArrays();
+  this->show(plane);
+  this->pressPlane(20.0, -30.0);
+  ASSERT_TRUE(this->session_->InspectContact());
+  EXPECT_STREQ(this->session_->GetContactSource(), "surface");
+  EXPECT_NEAR((Vec3(this->session_->GetContactPosition()) - Vec3(20, -30, 0)).norm(), 0.0, 1e-6);
+  EXPECT_NEAR((Vec3(this->session_->GetContactNormal()) - Vec3(0, 0, 1)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(this->session_->GetContactCurvature()[0], 0.0);
+  EXPECT_TRUE(std::isnan(this->session_->GetContactThickness())) << "a plane has no wall behind it";
+  EXPECT_NEAR(this->session_->GetContactValue("linear"), 3.0 * 20.0 + 7.0, 1e-5);
+  EXPECT_NEAR(this->session_->GetContactValue("vector_1"), 2.0, 1e-12);
+  EXPECT_NEAR(this->session_->GetContactValue("Depth"), depth, 1e-6);
+  EXPECT_NEAR(this->session_->GetContactValue("Force"), stiffness * depth / scale, 1e-6);
+  const vtkIdType cell = this->session_->GetContactCell();
+  ASSERT_GE(cell, 0);
+  EXPECT_EQ(this->session_->GetContactValue("number"), 100.0 + static_cast<double>(cell));
+  double inside[3], local[3], weights[3], distance2 = 0.0;
+  const double at[3] = { 20, -30, 0 };
+  int part = 0;
+  EXPECT_EQ(plane->GetCell(cell)->EvaluatePosition(at, inside, part, local, distance2, weights), 1);
+  EXPECT_THAT(this->session_->GetContactText(), HasSubstr("surface: cell " + std::to_string(cell)));
+}
+
+TEST_F(HapticSessionInspection, OfABallHasItsCurvatureAndItsDiameterAsTheWall)
+{
+  this->show(makeSphere(radius, 100));
+  this->press(Vec3(1.0, 2.0, radius + 1.0), Vec3(1.0, 2.0, radius - depth));
+  ASSERT_TRUE(this->session_->InspectContact());
+  EXPECT_NEAR(this->session_->GetContactCurvature()[0], 1.0 / radius, 0.02 / radius);
+  EXPECT_NEAR(this->session_->GetContactCurvature()[1], 1.0 / radius, 0.02 / radius);
+  EXPECT_NEAR(this->session_->GetContactThickness(), 2.0 * radius, 0.01 * radius); // facets of 3.6 degrees
+}
+
+TEST_F(HapticSessionInspection, FindsTheCellsOfAPlacedBlockByTheIdsItCameFrom)
+{
+  const auto plane = planeWithArrays();
+  vtkNew<vtkIdTypeArray> originals;
+  originals->SetName("vtkOriginalCellIds");
+  originals->InsertNextValue(555);
+  originals->InsertNextValue(777);
+  plane->GetCellData()->AddArray(originals);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(2, plane);
+  vtkNew<vtkMatrix4x4> up;
+  up->SetElement(2, 3, 10.0);
+  this->session_->ClearSurfaces();
+  ASSERT_TRUE(this->session_->AddSurface("blocks", blocks, up));
+  this->session_->CommitScene();
+  ASSERT_TRUE(this->session_->FinishScene());
+  this->press(Vec3(20, -30, 11), Vec3(20, -30, 8));
+  ASSERT_TRUE(this->session_->InspectContact());
+  EXPECT_STREQ(this->session_->GetContactSource(), "blocks");
+  EXPECT_NEAR(this->session_->GetContactPosition()[2], 10.0, 1e-6);
+  EXPECT_NEAR(this->session_->GetContactValue("linear"), 67.0, 1e-5);
+  EXPECT_TRUE(this->session_->GetContactCell() == 555 || this->session_->GetContactCell() == 777);
+}
+
+TEST_F(HapticSessionInspection, SaysNothingWithoutAContact)
+{
+  this->show(planeWithArrays());
+  this->session_->InspectOn();
+  this->pressPlane(1.0, 2.0);
+  EXPECT_STREQ(this->session_->GetContactSource(), "surface") << "with Inspect every Update() looks";
+  this->session_->SetHandPosition(1.0, 2.0, 5.0);
+  this->session_->Step(100);
+  EXPECT_FALSE(this->session_->InspectContact());
+  EXPECT_STREQ(this->session_->GetContactText(), "");
+  EXPECT_EQ(this->session_->GetContactCell(), -1);
+}
+
+TEST_F(HapticSessionInspection, AMarkIsKeptAsPointTableTextAndFile)
+{
+  const auto errors = errorsOf(static_cast<vtkObject*>(this->session_), [this] { this->session_->AddMark(); });
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("nothing is touched"));
+  this->show(planeWithArrays());
+  this->pressPlane(20.0, -30.0);
+  ASSERT_TRUE(this->session_->AddMark());
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+  this->session_->SetHandPosition(40.0, 10.0, -depth);
+  this->session_->Step(300);
+  ASSERT_TRUE(this->session_->AddMark());
+  EXPECT_EQ(this->session_->GetNumberOfMarks(), 2);
+  vtkNew<vtkPolyData> points;
+  this->session_->GetMarks(points);
+  ASSERT_EQ(points->GetNumberOfPoints(), 2);
+  EXPECT_NEAR((Vec3(points->GetPoint(0)) - Vec3(20, -30, 0)).norm(), 0.0, 1e-6);
+  EXPECT_NEAR((Vec3(points->GetPoint(1)) - Vec3(40, 10, 0)).norm(), 0.0, 1e-6);
+  EXPECT_NEAR(points->GetPointData()->GetArray("linear")->GetComponent(1, 0), 127.0, 1e-5);
+  vtkNew<vtkTable> table;
+  this->session_->GetMarksTable(table);
+  EXPECT_EQ(table->GetNumberOfRows(), 2);
+  const palpate::test::TemporaryFolder folder;
+  EXPECT_TRUE(this->session_->WriteMarks(folder.file("marks.csv").c_str()));
+  EXPECT_THAT(this->session_->GetMarksText(), HasSubstr("Source,X,Y,Z,"));
+  this->session_->ClearMarks();
+  EXPECT_EQ(this->session_->GetNumberOfMarks(), 0);
+}
+
+TEST(HapticSessionMarkButton, AsksForAMarkOnceEachTimeItIsPressed)
+{
+  const auto bus = std::make_shared<test::FakeHidBus>();
+  test::FakePort& port = bus->plug(test::plainLayout(), "7");
+  vtkNew<vtkHapticSession> session;
+  session->SetHidBus(bus);
+  session->VirtualTimeOn();
+  session->SetDeviceName("pid-1209-ffb0-7");
+  session->SetMarkButton(2);
+  session->TouchingOn();
+  ASSERT_TRUE(session->GetTouching()) << session->GetProblem();
+  session->Step(10);
+  std::vector<std::string> errors; // nothing is touched, so every wish for a mark is refused
+  const auto press = [&](std::uint32_t buttons)
+  {
+    bus->alone([&] { port.device->buttons = buttons; });
+    errors = errorsOf(static_cast<vtkObject*>(session),
+      [&]
+      {
+        static_cast<void>(test::eventually(
+          [&]
+          {
+            session->Step(1);
+            return std::string(session->GetProblem()).find("a mark") != std::string::npos;
+          }));
+        session->Step(10);
+      });
+  };
+  press(2);
+  ASSERT_EQ(errors.size(), 1u) << "held down, it asks once";
+  EXPECT_THAT(errors.front(), HasSubstr("a mark is set at a contact"));
+}
