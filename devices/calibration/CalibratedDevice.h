@@ -10,8 +10,8 @@
 namespace palpate
 {
 
-/// What a device says of itself once it was checked: its workspace is the largest ball between its ends, walls are left
-/// to it if they were felt, and with one axis it is a wheel. A simulated device's walls need no proof.
+/// What a checked device says of itself. The device's workspace is the largest ball between its ends. Walls that were
+/// felt are left to the device; those of a simulated one need no proof. A device with one axis is a wheel.
 [[nodiscard]] DeviceInfo calibratedInfo(DeviceInfo info, const Calibration& calibration);
 
 /// A stick of which only x is there: some wheels call themselves sticks.

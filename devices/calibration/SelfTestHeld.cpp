@@ -74,9 +74,8 @@ HeldProof judgeCorridor(const SelfTestPlan& plan, const MotorAnswers& answers, d
   return shares[0] > half && shares[1] < half ? HeldProof::Felt : HeldProof::Misplaced;
 }
 
-/// What a wall takes of a push makes the way shorter by as much, whatever friction takes: a limited wall takes a
-/// quarter of what another one would, more of what friction leaves for it, and all of it where it does not know its
-/// limit.
+/// What a wall takes of a push makes the way shorter by as much, whatever friction takes. A limited wall takes a
+/// quarter of what an unlimited one takes, more of what friction leaves. A firmware that ignores the limit takes all.
 HeldProof judgeLimits(const MotorAnswers& answers, int sensor)
 {
   constexpr double most = 0.75;

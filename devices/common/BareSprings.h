@@ -12,10 +12,10 @@ namespace palpate
 [[nodiscard]] Condition bareSpring(double centre, double coefficient) noexcept;
 
 /// Makes a command one for a device that holds its walls with bare springs: a wall that the handle at p_D [m] is not
-/// behind is left out, and one that stays is no stiffer than pushes with its `largest_N` there, for nothing else limits
-/// it. To be called with each update of the host, T apart, about a handle at speed v. On the way in the force begins
-/// with a step of K v T at most, which spares the hand that much work; on the way out the spring pulls back for as
-/// long, which takes it again: K (v T)^2 / 6 either way in the mean, K (v T)^2 / 2 at most. Real-time safe.
+/// behind is left out. A wall that stays pushes with its `largest_N` there at most, for nothing else limits that wall.
+/// To be called with each update of the host, T apart, about a handle at speed v. On the way in the force begins with a
+/// step of K v T at most, which spares the hand that much work; on the way out the spring pulls back for as long, which
+/// takes it again: K (v T)^2 / 6 either way in the mean, K (v T)^2 / 2 at most. Real-time safe.
 void switchSprings(const Vec3& p_D, DeviceCommand& command) noexcept;
 
 } // namespace palpate

@@ -26,8 +26,8 @@ public:
 
   /// Full gain, and the device's own spring to its middle off. Empty, or why not.
   [[nodiscard]] std::string open();
-  /// Stops and takes away all effects. Its own spring is again what its driver said before; most drivers do not say,
-  /// and then it stays off, as they leave it when the device is plugged in.
+  /// Stops and takes away all effects. The device's own spring is again what the driver said before. Most drivers say
+  /// nothing: the spring then stays off, as those drivers leave a device that is plugged in.
   void close() noexcept;
 
   [[nodiscard]] Created create(HidUsage type) override;

@@ -29,7 +29,7 @@ public:
   /// The descriptor must outlive it and stay where it is.
   explicit SpaceMouseInput(const ReportDescriptor& descriptor) noexcept;
 
-  /// It is one, usable or not.
+  /// Whether this is a SpaceMouse, usable or not.
   [[nodiscard]] static bool describes(const ReportDescriptor& descriptor) noexcept;
   /// Why it cannot be used, or empty.
   [[nodiscard]] std::string refusal() const;

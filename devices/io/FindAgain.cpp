@@ -27,8 +27,8 @@ FoundDevice DeviceSearch::first(DeviceListing& bus)
   return inPlace ? FoundDevice{ inPlace, {} } : this->only(alike);
 }
 
-/// A loose plug, or a system that wakes up, can have it back in another place before anybody looks. Its serial number
-/// says so where no other one ever had it; without one it is a stranger until it is plugged in anew.
+/// A loose plug, or a system that wakes up, can have the device back in another place before anybody looks. A serial
+/// number that no other device ever had says so. A device without one is a stranger until the plug is pulled again.
 void DeviceSearch::lost(DeviceListing& bus)
 {
   if (std::exchange(this->looking_, true))

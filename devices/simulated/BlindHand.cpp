@@ -128,8 +128,8 @@ void BlindHand::feelAbout(const Felt& felt)
   this->aside_D_ = side * share * this->plan_.step_m * left;
 }
 
-/// It comes no nearer, and is pushed back or the handle is where it should be; or it comes no nearer for so long that
-/// the arm could have pushed as hard as it may.
+/// The handle comes no nearer, and the hand is pushed back or has arrived; or the handle comes no nearer for so long
+/// that the arm could have pushed as hard as an arm may.
 bool BlindHand::stopped(const Felt& felt, double dt_s)
 {
   const Vec3 ahead = this->goal_D() - felt.location_D;

@@ -31,9 +31,9 @@ struct Felt
   Vec3 force_D = Vec3::Zero();    ///< on the hand [N]
 };
 
-/// A hand that finds its way by force and position alone: it knows neither walls nor exit. It pushes the handle
-/// to the place beside the one it is at; where it does not come through it goes back, along the thread of where it has
-/// been if something is in between, and tries another way (PlaceMemory). Deterministic.
+/// A hand that finds its way by force and position alone. The hand knows neither walls nor exit. The hand pushes the
+/// handle to the next place; where the handle is stopped, the hand goes back, along its thread where something is in
+/// between, and tries another way (PlaceMemory). Deterministic.
 class BlindHand
 {
 public:

@@ -59,7 +59,7 @@ public:
   /// Where a surface of the scene that was committed comes from.
   struct Origin
   {
-    std::string Name;            ///< it was added by
+    std::string Name;            ///< by which the data was added
     vtkDataObject* Data;         ///< as it was added
     vtkHapticPlacement W_from_D; ///< from the frame of the data to where the surface is, or goes
   };
@@ -95,8 +95,8 @@ private:
   void NoteWithoutArrays(Kept& walls) const;
   bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,
     std::optional<double> lineRadius_u);
-  /// Gives a surface whose points are new the frame that it was in when it was committed, if its triangles are the same
-  /// and a rigid motion leads from there to where it is: then it goes on bending in that frame while that moves.
+  /// A surface with new points keeps the frame that it was committed in if its triangles are the same and the way from
+  /// there is rigid. The surface then bends in that frame while the frame moves.
   void KeepFrame(Kept& kept) const;
   static void MoveTo(Kept& kept, const vtkHapticPlacement& placement);
   /// Moves the vertices to where `placement` has them.

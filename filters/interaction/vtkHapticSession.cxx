@@ -16,11 +16,6 @@ vtkStandardNewMacro(vtkHapticSession);
 namespace
 {
 using palpate::Vec3;
-
-bool SameMap(const palpate::WorkspaceMap& a, const palpate::WorkspaceMap& b)
-{
-  return a.scale_u_per_m == b.scale_u_per_m && a.offset_W == b.offset_W && a.q_WD.coeffs() == b.q_WD.coeffs();
-}
 } // namespace
 
 palpate::DeviceOptions vtkHapticSession::Internals::Options() const
@@ -317,7 +312,7 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
     return;
   }
   this->Impl->Asked.taken(parameters, told);
-  const bool otherMap = !SameMap(before.map, parameters.map);
+  const bool otherMap = !palpate::isSame(before.map, parameters.map);
   if (otherMap && this->GetTouching())
   {
     this->InvokeEvent(vtkCommand::StartEvent); // the hand begins anew

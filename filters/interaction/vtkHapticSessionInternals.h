@@ -93,7 +93,7 @@ public:
   std::string Around; ///< what has come around the hand, and what was done; "" once another scene is felt
   std::optional<palpate::Vec3> Eye_W; ///< of the view that the mouse is in
   std::string Problem;
-  std::string ProblemOf; ///< what that is about, if it is known when the same succeeds
+  std::string ProblemOf; ///< subject of the problem, which is taken back when the subject succeeds
   static constexpr const char* OfSurface = "surface ";
   static constexpr const char* OfFormerSurface =
     "former surface"; ///< cleared; the next scene has it refused again, or not

@@ -82,7 +82,7 @@ struct DeviceInfo
   DeviceAbilities abilities;
   bool offersWalls = false; ///< so it says; with viscosity
   HeldProof heldProof = HeldProof::Unfelt;
-  double effectsEndAfter_s = 0.0; ///< it stops pushing by itself when nobody renews what it was told; 0: it does not
+  double effectsEndAfter_s = 0.0; ///< the device stops pushing by itself when nobody renews its effects; 0: never
   DeviceQuantity workspaceRadius_m{ 0.1, false };
   DeviceQuantity resolution_m{ 0.0, false };
   DeviceQuantity turnResolution_rad{ 0.0, false }; ///< of how the hand is turned

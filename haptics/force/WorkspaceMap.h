@@ -27,10 +27,10 @@ struct WorkspaceMap
   [[nodiscard]] Vec3 directionToDevice(const Vec3& v_W) const noexcept { return this->q_WD.conjugate() * v_W; }
 };
 
-/// The same to rounding of the rotation.
+/// The same, bit for bit.
 [[nodiscard]] inline bool isSame(const WorkspaceMap& a, const WorkspaceMap& b) noexcept
 {
-  return a.scale_u_per_m == b.scale_u_per_m && a.offset_W == b.offset_W && a.q_WD.coeffs().isApprox(b.q_WD.coeffs());
+  return a.scale_u_per_m == b.scale_u_per_m && a.q_WD.coeffs() == b.q_WD.coeffs() && a.offset_W == b.offset_W;
 }
 
 } // namespace palpate

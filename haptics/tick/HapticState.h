@@ -27,7 +27,7 @@ enum class EngageState : std::uint8_t
 struct HapticState
 {
   std::uint64_t tick = 0;
-  std::uint32_t hand = 0; ///< whose it is
+  std::uint32_t hand = 0; ///< index of the hand
   double time_s = 0.0;
   Pose device_W;                        ///< hand in the scene [u]
   Pose proxy_W;                         ///< god-object in the scene [u]
@@ -60,7 +60,7 @@ struct HapticState
   bool letGo = false;        ///< what must be held is not
   std::uint32_t buttons = 0; ///< that are down, as DeviceSample has them
   bool deviceHolds = false;  ///< the device closes walls and viscosity itself; force_D is what they give
-  std::int32_t walls = 0;    ///< that it holds
+  std::int32_t walls = 0;    ///< that the device holds
   double guideShare = 0.0;   ///< of the guide to a plane that acts, 0..1
   GamePhase game = GamePhase::Off;
   double gameTime_s = 0.0;        ///< of exploring the labyrinth, until now or until the exit

@@ -10,11 +10,6 @@ namespace palpate
 namespace
 {
 
-bool sameMap(const WorkspaceMap& a, const WorkspaceMap& b) noexcept
-{
-  return a.scale_u_per_m == b.scale_u_per_m && a.q_WD.coeffs() == b.q_WD.coeffs() && a.offset_W == b.offset_W;
-}
-
 ContactResult moveIn(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, GodObjectState& contact) noexcept
 {
   const Scene& scene = *tick.input.scene;
@@ -106,7 +101,7 @@ SceneStep sceneStep(const TickInput& input, const RendererState& state) noexcept
 ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state) noexcept
 {
   GodObjectState& contact = state.contact;
-  const bool otherMap = !sameMap(state.map, tick.map);
+  const bool otherMap = !isSame(state.map, tick.map);
   state.map = tick.map;
   ProxyStep moved;
   if (!tick.touches)

@@ -12,7 +12,7 @@ namespace palpate
 struct SceneStep
 {
   bool otherGeometry = false; ///< other surfaces than before, not only the same in other places
-  bool replaced = false;      ///< and they do not come from where those before are felt either
+  bool replaced = false;      ///< and they do not go on from where those before were felt
   bool changed = false;       ///< another scene, if only of the same surfaces
   bool first = false;         ///< there was none before
   double age_s = 0.0;         ///< of the scene, at the end of this tick

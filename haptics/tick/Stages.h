@@ -19,7 +19,7 @@
 namespace palpate
 {
 
-/// The tick. A force of one's own is added to rendered_D between Coupling and Engage, which lets it start small;
+/// The tick. A force of one's own is added to rendered_D between Coupling and Blend. Engage lets it start small;
 /// Protect limits whatever has been rendered.
 using TickStages = StageList< //
   stage::Requests,            // what the person asks for

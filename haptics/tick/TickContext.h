@@ -21,7 +21,8 @@ struct TickContext
 
   SceneStep scene = sceneStep(input, s);
   ContactPlan contact = input.scene != nullptr ? planFor(*input.scene, p.contact) : p.contact; ///< of this tick
-  std::optional<Vec3> way_D = {};  ///< of the hand since the tick before [m]; none: that did not know where it was
+  std::optional<Vec3>
+    way_D = {}; ///< of the hand since the tick before [m]; none: that tick did not know the place of the hand
   std::optional<Vec3> turn_D = {}; ///< likewise how it has turned: a small rotation vector [rad]
   GameForce game = {};             ///< what a labyrinth asks of this tick
   bool seatFailed = false;         ///< the ball found no place

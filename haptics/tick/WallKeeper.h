@@ -15,9 +15,9 @@ namespace palpate
 struct HeldWallState
 {
   AxisWalls walls;
-  double since_s = std::numeric_limits<double>::infinity(); ///< they were looked for; infinite: none are held
-  double stiffness_N_per_m = 0.0;                           ///< they were given last
-  double each_N = std::numeric_limits<double>::infinity();  ///< one of them could push last
+  double since_s = std::numeric_limits<double>::infinity(); ///< since walls were looked for; infinite: none are held
+  double stiffness_N_per_m = 0.0;                           ///< that the walls were given last
+  double each_N = std::numeric_limits<double>::infinity();  ///< largest force of one wall then
 };
 
 /// What is known in a tick after contact.

@@ -67,7 +67,7 @@ public:
   /// spring to the centre that some sticks have after a reset; enables the actuators; sets full gain. Empty, or why
   /// not.
   [[nodiscard]] std::string open();
-  /// Stops everything, frees the effects it made, disables the actuators, and resets: a stick that has a spring to its
+  /// Stops everything, frees the engine's effects, disables the actuators, and resets: a stick that has a spring to its
   /// centre when it is plugged in has it again. PID cannot tell whether somebody had switched that off before.
   void close() noexcept;
 
@@ -96,7 +96,7 @@ public:
 
   [[nodiscard]] std::string error() const override { return this->connection_.error(); }
 
-  /// What it says about the effect that was made last, whoever made it: which block, how much memory is left. Two
+  /// What the device says of the effect that was made last, whoever made it: which block, how much memory is left. Two
   /// answers differ once somebody else has made or wiped effects. Without the ID, which some devices clear when they
   /// have answered once; empty: it does not answer.
   [[nodiscard]] std::vector<std::uint8_t> lastLoad() noexcept;

@@ -30,7 +30,7 @@ public:
   InputReport& operator=(const InputReport&) = delete;
 
   [[nodiscard]] std::span<const std::uint8_t> bytes() const noexcept { return this->bytes_; }
-  /// It is this one, whole.
+  /// Whether this is that report, whole.
   [[nodiscard]] bool is(std::uint8_t id, std::size_t length) const noexcept
   {
     return !this->bytes_.empty() && this->bytes_[0] == id && this->bytes_.size() >= length;

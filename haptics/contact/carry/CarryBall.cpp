@@ -161,6 +161,8 @@ private:
       contacts.include(this->holders_[static_cast<std::size_t>(i)].feature);
     }
     const double tol = contacts.resolution().tol();
+    // What holds the ball from all sides may have come nearer than its size: the ball is pinned with what is left of
+    // it.
     for (const double share : { 1.0, 0.5, 0.25, 0.0 })
     {
       std::array<PlaneRow, GodObjectState::maxFeatures> rows;

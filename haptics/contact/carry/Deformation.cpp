@@ -54,7 +54,7 @@ Vec3 weightsAt(const FaceRecord& face, const Vec3& x_W) noexcept
   const Vec3 foot_W = nearestOnTriangle(x_W, a, b, c), &n = face.normal_W;
   Vec3 weights(n.dot((c - b).cross(foot_W - b)), n.dot((a - c).cross(foot_W - c)), n.dot((b - a).cross(foot_W - a)));
   const double all = n.dot((b - a).cross(c - a));
-  constexpr double zero = 1e-12;
+  constexpr double zero = 1e-12; // far above what a product of lengths is rounded by, far below any share that moves
   weights = weights.unaryExpr([all](double w) { return w > zero * all ? w : 0.0; });
   return weights / weights.sum();
 }
@@ -97,7 +97,7 @@ Vec3 turnedAlong(const Vec3& from, const Vec3& to, const Vec3& v) noexcept
 {
   const Vec3 axis = from.cross(to);
   const double cosine = from.dot(to);
-  constexpr double opposite = -0.999;
+  constexpr double opposite = -0.999; // within 3 degrees of a half turn its axis is lost
   return cosine < opposite ? Vec3(v.norm() * to) : Vec3(v + axis.cross(v) + axis.cross(axis.cross(v)) / (1.0 + cosine));
 }
 
@@ -139,7 +139,7 @@ private:
   [[nodiscard]] bool look(std::uint32_t triangle) noexcept
   {
     const Vec3 foot_W = this->nearestOn(triangle);
-    constexpr double beyond = 1.0 + 1e-6;
+    constexpr double beyond = 1.0 + 1e-6; // the foot itself is met, whatever rounding does to it
     const SweepHit seen =
       sweepStraight(this->from_, this->plan_, 0.0, this->x_W_, this->x_W_ + beyond * (foot_W - this->x_W_));
     if (seen.hit && seen.feature.surface != this->surface_)
@@ -201,7 +201,8 @@ private:
         old += n.dot(this->apart_W_) * n;
         fresh += n.dot(this->apart_W_) * this->now_.face(t).normal_W;
       });
-    const bool decided = old.norm() > 1e-6 * distance && fresh.norm() > 1e-6 * distance;
+    constexpr double told = 1e-6; // a shorter sum of normals is what rounding has left of opposite ones
+    const bool decided = old.norm() > told * distance && fresh.norm() > told * distance;
     return decided ? turnedAlong(old.normalized(), fresh.normalized(), this->apart_W_)
                    : Vec3(this->side_ * distance * face.normal_W);
   }
@@ -209,10 +210,10 @@ private:
   /// Just above the inside of the new triangle, on the ball's side of it exactly.
   [[nodiscard]] Vec3 above(const FaceRecord& face) const noexcept
   {
-    constexpr double inward = 1e-4;
+    constexpr double inward = 1e-4; // of the triangle: off its border, and no way to speak of
     const Vec3 inside_W = pointOf(face, (1.0 - inward) * this->at_.weights + Vec3::Constant(inward / 3.0));
     Vec3 above_W = inside_W;
-    constexpr int doublings = 20;
+    constexpr int doublings = 20; // a million times what coordinates are rounded by
     double lift = this->resolution_.del();
     for (int i = 0; i < doublings && sideOf(this->now_, this->at_.triangle, above_W) != this->side_; ++i, lift *= 2)
     {
@@ -234,8 +235,8 @@ private:
   int side_ = 0;
 };
 
-/// A ball beside a curve has no side of it: it goes with the nearest point of the curve, and from there back to where
-/// it was, swept, so that the curve pushes it along.
+/// A curve has no sides. The ball goes with the nearest point of the curve and is swept from there back to its old
+/// place, so that the curve pushes the ball along.
 template<SceneView AnyScene>
 std::optional<Vec3> carryWithCurve(const AnyScene& from, const AnyScene& to, std::uint32_t before, std::uint32_t now,
   const ContactPlan& plan, const Vec3& x_W) noexcept
@@ -258,7 +259,7 @@ std::optional<Vec3> carryWithCurve(const AnyScene& from, const AnyScene& to, std
   return stopBefore(to, plan, plan.radius_u, x_W + pointAt(fresh) - pointAt(old), x_W);
 }
 
-/// A face that has come to have the ball on its other side without passing it, beside the triangle, holds it no more.
+/// A face whose plane passed the ball beside the triangle no longer holds the ball.
 template<SceneView AnyScene>
 void dropTurnedFaces(const AnyScene& to, GodObjectState& state) noexcept
 {
@@ -318,6 +319,7 @@ Vec3 stopBefore(
     return free_W + hit.freeUntil * (to_W - free_W);
   }
   // A point must stop short of what it hits, and the way to where it stops be free exactly.
+  // Of the way: from what rounding of a way may need, in few steps, to none of it.
   for (double shortOf = 1e-9; shortOf < 1.0; shortOf *= 8)
   {
     const Vec3 stop_W = free_W + std::max(0.0, hit.t - shortOf) * (to_W - free_W);

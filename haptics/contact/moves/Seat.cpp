@@ -168,7 +168,8 @@ bool offEveryTriangle(const AnyScene& scene, const Vec3& x_W, SweepHit& hit) noe
   SweepQuery query;
   query.from_W = query.to_W = x_W;
   query.resolution.include(x_W);
-  hit = sweepBall(scene, query, 1u << 20);
+  constexpr std::uint32_t unbounded = 1u << 20; // a point is in few boxes; what stacks more has no free place either
+  hit = sweepBall(scene, query, unbounded);
   return !hit.hit && hit.freeUntil >= 1.0;
 }
 

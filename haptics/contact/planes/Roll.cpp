@@ -75,7 +75,8 @@ Vec3 freeDirection(const Vec3& n1, const Vec3& n2) noexcept
 {
   const Vec3 t = n1.cross(n2);
   const double sine = t.norm();
-  return sine > 1e-6 ? Vec3(t / sine) : Vec3(Vec3::Zero());
+  constexpr double parallel = 1e-6; // below, the direction is known to less than a ten-thousandth of a degree
+  return sine > parallel ? Vec3(t / sine) : Vec3(Vec3::Zero());
 }
 
 } // namespace

@@ -81,7 +81,7 @@ public:
         entry = _mm_max_pd(entry, _mm_sub_pd(_mm_min_pd(t0, t1), this->zeroBias_[k]));
         exit = _mm_min_pd(exit, _mm_add_pd(_mm_max_pd(t0, t1), this->zeroBias_[k]));
       }
-      const __m128d roundOff = _mm_set1_pd(1e-12);
+      const __m128d roundOff = _mm_set1_pd(1e-12); // of the way; times are quotients, rounded by 1e-15
       missed = _mm_or_pd(missed, _mm_cmpgt_pd(entry, _mm_add_pd(exit, roundOff)));
       entry = _mm_max_pd(zero, _mm_sub_pd(entry, roundOff));
     }

@@ -47,8 +47,8 @@ Placed placeBent(const BentSurface& shape, std::uint32_t triangle) noexcept
   const Disc disc = discOf(corners);
   const Vec3 cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double area = cross.norm();
-  // A thin triangle's normal would have to be exact, and one that has no area now has none. The radius is laid down in
-  // single precision, which loses 1e-7 of it: a millionth more holds the triangle all the same.
+  // A triangle a thousand times as long as it is high would need an exact normal, and one without area has none. The
+  // radius is laid down in single precision, which loses 1e-7 of it: a millionth more holds the triangle all the same.
   const bool flat = area > 1e-3 * disc.radius_u * disc.radius_u;
   return { disc.centre_W, disc.centre_W, flat ? Vec3(cross / area) : Vec3(Vec3::Zero()), 1.000001 * disc.radius_u,
     disc.radius_u };

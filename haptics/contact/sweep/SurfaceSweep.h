@@ -170,9 +170,9 @@ private:
     return true;
   }
 
-  /// A ball that hardly sinks may be at the plane of a face before it comes over the face, too little below it to meet
-  /// the border, and get deeper than rounding later: then the moment it comes over it is the contact. t: in, when the
-  /// plane is reached; out, that moment.
+  /// A ball that hardly sinks may reach the plane of a face before it is over the face, too little below the plane to
+  /// meet the border, and get deeper than rounding later. Contact is then the moment when the ball comes over the face.
+  /// t: in, when the plane is reached; out, that moment.
   [[nodiscard]] bool comesOver(const FaceRecord& face, double distance, double rate, double& t) const noexcept
   {
     const SweptBall& m = this->m_;
@@ -216,10 +216,10 @@ private:
     }
   }
 
-  /// A ball that goes nearly along an edge may be at the distance of its line before it comes beside the edge, too
-  /// little nearer to meet the end, and get deeper than rounding later: then the moment it comes beside the edge is the
-  /// contact. w, d: as in roundHit(), across the edge; along it the way goes from `along` by `rate` edges. t: in, when
-  /// the line is reached, NaN if it is not; out, that moment.
+  /// A ball that goes nearly along an edge may be at the distance of its line before the ball is beside the edge, too
+  /// little nearer to meet the end, and get deeper than rounding later. Contact is then the moment when the ball comes
+  /// beside the edge. w, d: as in roundHit(), across the edge; along it the way goes from `along` by `rate` edges. t:
+  /// in, when the line is reached, NaN if it is not; out, that moment.
   [[nodiscard]] bool comesBeside(const Vec3& w, const Vec3& d, double along, double rate, double& t) const noexcept
   {
     const double enters = (rate > 0.0 ? -along : 1.0 - along) / rate,

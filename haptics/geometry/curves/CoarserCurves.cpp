@@ -122,7 +122,7 @@ public:
 private:
   [[nodiscard]] std::size_t countOf(std::uint32_t chain) const { return this->first_[chain + 1] - this->first_[chain]; }
 
-  /// How many steps along its chain piece j is behind piece i; none: it is before it, or of another chain.
+  /// How many steps along its chain piece j is behind piece i; none: j is before i, or on another chain.
   [[nodiscard]] std::size_t stepsTo(std::uint32_t i, std::uint32_t j) const
   {
     constexpr std::size_t never = std::numeric_limits<std::size_t>::max();

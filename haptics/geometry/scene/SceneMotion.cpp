@@ -51,8 +51,8 @@ const Surface* findBent(const std::vector<Surface>& now, double share, const Sur
   return found != now.end() ? &*found : nullptr;
 }
 
-/// How much of each place of the way of `next` is where `was` is now: of a tree that is on its way already what is left
-/// of its start, else the vertices of `was` and those that it comes from (wayFrom in SceneBuilder.cpp has that order).
+/// Weights of the places of `next` that give where `was` is now. On the same way these are what is left of its start;
+/// otherwise the places are the vertices of `was`, then those that `was` comes from (wayFrom in SceneBuilder.cpp).
 std::array<double, 2> ofPlaces(const Surface& was, double share, const Surface& next)
 {
   if (was.tree == next.tree)

@@ -21,12 +21,12 @@ struct RefitResult
   std::string refusal;
 };
 
-/// Where else the vertices of a surface may be, for one that comes from there: the tree keeps boxes of all these
-/// places, and those of any moment of a straight way between them are made of these (Gruenschloss et al. 2011 do so for
-/// motion blur).
+/// Where else the vertices of a surface may be, for one that comes from there. The tree keeps boxes of all these
+/// places; the boxes of a moment of the straight way between two places are means of theirs (so do Gruenschloss et al.
+/// 2011 for motion blur).
 struct VertexWay
 {
-  std::uint64_t name = 0; ///< not 0; the tree keeps it: who may come from there knows it by that
+  std::uint64_t name = 0; ///< never 0; a later build knows by this name where the tree can come from
   std::vector<const std::vector<Vec3>*>
     also; ///< at most two; each has one for each vertex of the mesh, in its order [u]
 };

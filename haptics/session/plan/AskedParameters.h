@@ -13,8 +13,8 @@ namespace palpate
 {
 
 /// What a person asked for, and what the servo is told of it: a ball no larger than the scene allows, and in a plane
-/// world the walls and the guide that the device allows. Each function that gives parameters says what the servo is to
-/// be told now; the one that follows it says that the servo has taken them.
+/// world the walls and the guide that the device allows. told(), otherBall() and otherPlane() say what to tell the
+/// servo now; taken() and ballTaken() say that the servo has it.
 class AskedParameters
 {
 public:

@@ -36,7 +36,7 @@ enum class TakesEffect
 struct SettingPlaces
 {
   std::string_view field{};  ///< "stage.field" of the tick's parameters that it is; "": something follows from it
-  std::string_view group{};  ///< of the panel, in which it has a row by its kind; "": none, or one of its own
+  std::string_view group{};  ///< group of the panel with a row for the setting; "": no row, or a control of its own
   std::string_view option{}; ///< of `palpate touch`, without dashes; "": none
 };
 
