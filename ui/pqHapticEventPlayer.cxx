@@ -17,6 +17,7 @@
 #include "vtkSMProxy.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMTrace.h"
 #include "vtkSmartPointer.h"
 
 #include <QAbstractButton>
@@ -97,6 +98,9 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticShow", [&] { return this->show(list); } },
     { "hapticCamera", [&] { return this->checkCamera(list); } },
     { "hapticHas", [&] { return this->checkText(object, arguments); } },
+    { "hapticTrace", [&] { return vtkSMTrace::StartTrace() != nullptr; } },
+    { "hapticTraced", [&] { return this->checkScript(vtkSMTrace::StopTrace(), arguments); } },
+    { "hapticPythonState", [&] { return this->checkScript(vtkSMTrace::GetState(nullptr), arguments); } },
     { "hapticDevice", [&] { return this->chooseDevice(arguments); } },
     { "hapticPose", [&] { return this->pose(list); } },
     { "hapticStroke", [&] { return this->addStrokePoint(list); } },
@@ -192,6 +196,16 @@ bool pqHapticEventPlayer::checkText(QObject* object, const QString& part) const
   if (!has)
   {
     qCritical() << "hapticHas" << part << ": it says" << (label ? label->text() : QString("nothing"));
+  }
+  return has;
+}
+
+bool pqHapticEventPlayer::checkScript(const std::string& script, const QString& part) const
+{
+  const bool has = QString::fromStdString(script).contains(part);
+  if (!has)
+  {
+    qCritical() << "no line of this script has" << part << ":" << QString::fromStdString(script);
   }
   return has;
 }

@@ -14,6 +14,8 @@ class pqHapticController;
  *   hapticMove "x,y,z,n"             n ticks of virtual time in which the hand goes evenly to a point [u]
  *   hapticGlide "x,y,x,y,n"          the pointer goes over a widget in n moves; shares of its width and height
  *   hapticStep "n"                   n ticks of virtual time, then time for the panel to show them
+ *   hapticTrace ""                   begins a Python trace; hapticTraced "words": ends it, and it has these
+ *   hapticPythonState "words"        the Python state has these
  *   hapticDevice "name"              chosen as a script does it
  *   hapticProperty "source,name,number"  set and applied; hapticShow "source,0|1": its eye
  *   hapticCamera "least,largest"     distance of the camera from what it looks at [u]
@@ -52,6 +54,7 @@ private:
   bool step(int ticks);
   bool resizeWindow(const QStringList& size);
   bool chooseDevice(const QString& name);
+  bool checkScript(const std::string& script, const QString& part) const;
   bool setProperty(const QStringList& arguments);
   bool show(const QStringList& arguments);
   bool checkCamera(const QStringList& range) const;

@@ -121,6 +121,16 @@ function (palpate_add_pvpython_test)
   _palpate_set_properties("${arg_NAME}")
 endfunction ()
 
+# palpate_add_ranks_test(NAME x SCRIPT x.py): the same under pvbatch on two MPI ranks. Label: plugin.
+function (palpate_add_ranks_test)
+  _palpate_parse(plugin "SCRIPT" "")
+  find_package(MPI REQUIRED COMPONENTS C)
+  list(APPEND arg_ENVIRONMENT ${PALPATE_MPI_ENVIRONMENT})
+  add_test(NAME "${arg_NAME}" COMMAND "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} 2
+    "$<TARGET_FILE:ParaView::pvbatch>" --dr "${CMAKE_CURRENT_SOURCE_DIR}/${arg_SCRIPT}")
+  _palpate_set_properties("${arg_NAME}")
+endfunction ()
+
 # palpate_add_gui_test(NAME HapticDock SCRIPT HapticDock.xml [DATA folder])
 # Plays a ParaView event script with the plugin loaded; becomes the ctest "pv.HapticDock". Label: gui. Needs a display.
 # NAME must be the script's name without .xml. DATA: where $PARAVIEW_TEST_ROOT/$PARAVIEW_DATA_ROOT point.

@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::size_t mostValues = 100; // ten seconds at ten a second
 constexpr int margin = 3;               // [pixels]
-constexpr int linesHigh = 2;            // of text
+constexpr double linesHigh = 2.5;       // of text: one to read, the rest for the curve below it
 constexpr int significant = 3;
 
 QString Number(double value)
@@ -50,7 +50,7 @@ void pqHapticStrip::clear()
 
 QSize pqHapticStrip::sizeHint() const
 {
-  return { 0, linesHigh * this->fontMetrics().height() + 2 * margin };
+  return { 0, static_cast<int>(linesHigh * this->fontMetrics().height()) + 2 * margin };
 }
 
 QSize pqHapticStrip::minimumSizeHint() const
@@ -63,7 +63,8 @@ void pqHapticStrip::paintEvent(QPaintEvent*)
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(this->rect(), this->palette().color(QPalette::Base));
-  const QRectF area = QRectF(this->rect()).adjusted(margin, margin, -margin, -margin);
+  const QRectF words = QRectF(this->rect()).adjusted(margin, margin, -margin, -margin);
+  const QRectF area = words.adjusted(0, this->fontMetrics().height(), 0, 0);
   const auto range = std::minmax_element(this->Values.begin(), this->Values.end());
   const double low = this->Values.empty() ? 0.0 : std::min(0.0, *range.first);
   const double high = std::max(low + this->Least, this->Values.empty() ? 0.0 : *range.second);
@@ -79,6 +80,6 @@ void pqHapticStrip::paintEvent(QPaintEvent*)
   painter.drawPath(line);
   painter.setPen(this->palette().color(QPalette::Text));
   const QString now = this->Values.empty() ? tr("none") : Number(this->Values.back()) + " " + this->Unit;
-  painter.drawText(area, Qt::AlignLeft | Qt::AlignTop, this->Title + ": " + now);
-  painter.drawText(area, Qt::AlignRight | Qt::AlignTop, tr("to %1 %2").arg(Number(high), this->Unit));
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, this->Title + ": " + now);
+  painter.drawText(words, Qt::AlignRight | Qt::AlignTop, tr("to %1 %2").arg(Number(high), this->Unit));
 }

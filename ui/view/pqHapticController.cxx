@@ -8,6 +8,7 @@
 #include "pqHapticFrames.h"
 #include "pqHapticMouse.h"
 #include "pqHapticPencil.h"
+#include "pqHapticScript.h"
 #include "pqHapticViewFollower.h"
 #include "pqRenderView.h"
 #include "pqServer.h"
@@ -68,7 +69,7 @@ pqHapticController* pqHapticController::instance()
 
 pqHapticController::pqHapticController(QObject* parent)
   : Superclass(parent), Follower(new pqHapticViewFollower(this)), Frames(new pqHapticFrames(this)),
-    Mouse(new pqHapticMouse(this)), Pencil(new pqHapticPencil(this))
+    Mouse(new pqHapticMouse(this)), Pencil(new pqHapticPencil(this)), Script(new pqHapticScript(this))
 {
   this->makeActions();
   this->connectApplication();
@@ -279,6 +280,7 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
   this->Frames->setSession(this->session());
   this->Mouse->setSession(this->session());
   this->Pencil->setSession(this->session());
+  this->Script->setProxy(proxy);
   if (proxy)
   {
     this->ProxyObserver = proxy->AddObserver(vtkCommand::UpdateEvent, this, &pqHapticController::proxyChanged);

@@ -13,6 +13,7 @@ class QAction;
 class pqHapticFrames;
 class pqHapticMouse;
 class pqHapticPencil;
+class pqHapticScript;
 class pqHapticViewFollower;
 class pqServer;
 class vtkHapticSession;
@@ -86,6 +87,7 @@ private:
   pqHapticFrames* Frames;
   pqHapticMouse* Mouse;
   pqHapticPencil* Pencil;
+  pqHapticScript* Script;
   QAction* TouchAction;
   QAction* ReleaseAction;
   QAction* DrawAction;

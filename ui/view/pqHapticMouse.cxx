@@ -118,7 +118,7 @@ QString pqHapticMouse::help() const
   const double used = this->Mouse->GetUsedDepth();
   if (used < sameDepth * session->GetPressDepth() * session->GetScale())
   {
-    text += tr(" Presses %1 u only, a twentieth of the scene: Fit Hand to Scene to feel more.").arg(used, 0, 'g', 3);
+    text += tr(" Presses %1 u only, a twentieth of the scene: Fit to feel more.").arg(used, 0, 'g', 3);
   }
   return text;
 }

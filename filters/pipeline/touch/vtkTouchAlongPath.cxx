@@ -12,6 +12,7 @@
 #include "vtkHapticConversion.h"
 #include "vtkHapticHandPath.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticWholeInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -242,14 +243,25 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
     vtkErrorMacro("Nothing was touched: " << problem);
     return 0;
   }
-  const vtkHapticHandPath path = vtkHapticReadHandPath(vtkPolyData::GetData(input[1]), this->TimeArray, this->Rate);
+  const vtkSmartPointer<vtkDataObject> surface = vtkHapticWholeSurface(vtkDataObject::GetData(input[0]));
+  const vtkSmartPointer<vtkPolyData> whole = vtkHapticWholePath(vtkPolyData::GetData(input[1]));
+  if (vtkHapticRank() > 0)
+  {
+    return 1; // one hand: the first rank has what it feels
+  }
+  if (!whole)
+  {
+    vtkErrorMacro("The path cannot be followed: it lies in pieces on several ranks; give it whole on one of them.");
+    return 0;
+  }
+  const vtkHapticHandPath path = vtkHapticReadHandPath(whole, this->TimeArray, this->Rate);
   if (!path.Problem.empty())
   {
     vtkErrorMacro("The path cannot be followed: " << path.Problem);
     return 0;
   }
   std::string problem;
-  const auto scene = BuildScene(vtkDataObject::GetData(input[0]), *this->Materials, this->LineRadius, problem);
+  const auto scene = BuildScene(surface, *this->Materials, this->LineRadius, problem);
   if (!scene)
   {
     vtkErrorMacro("The surface cannot be touched: " << problem);

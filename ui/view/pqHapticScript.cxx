@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticScript.h"
+
+#include "vtkCommand.h"
+#include "vtkPythonInterpreter.h"
+#include "vtkSMDoubleVectorProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMStringVectorProperty.h"
+#include "vtkSMTrace.h"
+#include "vtkSMVectorProperty.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace
+{
+/// A program's way to move the hand, not a setting.
+bool IsCommand(const QString& property)
+{
+  return property == "HandPosition" || property == "Step";
+}
+
+QString InPython(vtkSMProperty* property, unsigned int element)
+{
+  const vtkSMPropertyHelper value(property);
+  if (vtkSMStringVectorProperty::SafeDownCast(property))
+  {
+    QString text = QString::fromUtf8(value.GetAsString(element));
+    return "'" + text.replace("\\", "\\\\").replace("'", "\\'") + "'";
+  }
+  return vtkSMDoubleVectorProperty::SafeDownCast(property) ? QString::number(value.GetAsDouble(element), 'g', 17)
+                                                           : QString::number(value.GetAsInt(element));
+}
+
+/// Empty for what has no value.
+QString ValueOf(vtkSMProperty* property)
+{
+  auto* vector = vtkSMVectorProperty::SafeDownCast(property);
+  const unsigned int count = vector ? vector->GetNumberOfElements() : 0;
+  QStringList values;
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    values << InPython(property, i);
+  }
+  return count > 1 ? "[" + values.join(", ") + "]" : values.join("");
+}
+
+/// Runs in ParaView's interpreter. There is no other place where a plugin could add to a state.
+constexpr const char* ExtendStates = R"python(
+def _palpate_extend_states():
+    from paraview import servermanager, smstate
+
+    def plain(value):
+        return value if isinstance(value, (int, float, str)) else [x for x in value]
+
+    def lines():
+        session = servermanager.ProxyManager().GetProxy('haptics', 'HapticSession')
+        changed = []
+        for name in session.ListProperties() if session else []:
+            value = session.SMProxy.GetProperty(name)
+            if value.GetInformationOnly() or value.GetIsInternal() or not value.IsA('vtkSMVectorProperty'):
+                continue
+            if value.GetNumberOfElements() and not value.IsValueDefault():
+                changed.append('    haptics.SetPropertyWithName(%r, %r)' % (name, plain(session.GetPropertyValue(name))))
+        return ['', '# what is touched, by what, and what it feels like',
+                'haptics = servermanager.ProxyManager().GetProxy(%r, %r)' % ('haptics', 'HapticSession'),
+                'if haptics:', *changed] if changed else []
+
+    own = smstate.get_state
+
+    def get_state(*arguments, **options):
+        state = own(*arguments, **options)
+        return state + lines() if isinstance(state, list) else state + '\n'.join(lines()) + '\n'
+
+    smstate.get_state = get_state
+
+
+_palpate_extend_states()
+del _palpate_extend_states
+)python";
+} // namespace
+
+pqHapticScript::pqHapticScript(QObject* parent) : Superclass(parent)
+{
+  this->Python->AddObserver(vtkCommand::EnterEvent, this, &pqHapticScript::extendStates);
+  if (vtkPythonInterpreter::IsInitialized())
+  {
+    this->extendStates();
+  }
+}
+
+pqHapticScript::~pqHapticScript()
+{
+  this->setProxy(nullptr);
+}
+
+void pqHapticScript::extendStates()
+{
+  vtkPythonInterpreter::RunSimpleString(ExtendStates);
+}
+
+void pqHapticScript::setProxy(vtkSMProxy* proxy)
+{
+  if (this->Proxy)
+  {
+    this->Proxy->RemoveObserver(this->Observer);
+  }
+  this->Proxy = proxy;
+  if (proxy)
+  {
+    this->Observer = proxy->AddObserver(vtkCommand::UpdatePropertyEvent, this, &pqHapticScript::trace);
+  }
+}
+
+void pqHapticScript::trace(vtkObject*, unsigned long, void* property)
+{
+  const QString name = QString::fromUtf8(static_cast<const char*>(property));
+  const QString value = vtkSMTrace::GetActiveTracer() && property && !IsCommand(name)
+                          ? ValueOf(this->Proxy->GetProperty(name.toUtf8().constData()))
+                          : QString();
+  if (!value.isEmpty())
+  {
+    const QString line =
+      QString("servermanager.ProxyManager().GetProxy('haptics', 'HapticSession').SetPropertyWithName('%1', %2)")
+        .arg(name, value);
+    SM_SCOPED_TRACE(TraceText).arg(line.toUtf8().constData()).arg("comment", "what is touched, by what");
+  }
+}
