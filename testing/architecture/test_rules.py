@@ -143,6 +143,7 @@ class Rules(unittest.TestCase):
     def test_qt_is_found_in_filters_and_paraview_in_what_works_without_it(self):
         self.write_including("filters/views/vtkHapticScan.cxx", "<QTimer>", '"vtkSMProxy.h"')
         self.write_including("filters/pipeline/vtkHapticThing.cxx", '"vtkSMProxy.h"')
+        self.write_including("filters/pipeline/vtkHapticThreads.cxx", '"vtkSMPTools.h"')  # VTK's threads
         self.assertEqual(
             self.found(rules.forbidden_libraries), ["filters/pipeline/vtkHapticThing.cxx", "filters/views/vtkHapticScan.cxx"]
         )

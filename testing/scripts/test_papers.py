@@ -143,7 +143,7 @@ class Recipes(unittest.TestCase):
         self.assertEqual(len(pieces), 2)
         for name, lines in pieces:
             for line in lines.splitlines():
-                self.assertIn(line.removeprefix("+") + "\n", (ROOT / name).read_text(encoding="utf-8"))
+                self.assertTrue(line.removeprefix("+") + "\n" in (ROOT / name).read_text(encoding="utf-8"), (name, line))
 
 
 if __name__ == "__main__":

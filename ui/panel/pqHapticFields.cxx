@@ -107,6 +107,7 @@ QList<QDoubleSpinBox*> pqHapticVectorRow(QFormLayout* form, const char* name, co
   {
     boxes << pqHapticNumber(form->parentWidget(), QString(name) + axis, property, decimals);
     boxes.back()->setMinimumWidth(leastShare);
+    boxes.back()->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the row is no wider than the others
     row->addWidget(boxes.back());
   }
   auto* title = new QLabel(pqHapticTitle(property), form->parentWidget());
