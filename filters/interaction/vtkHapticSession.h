@@ -19,8 +19,8 @@
 #define vtkHapticSession_h
 
 #include "vtkHapticInteractionModule.h" // for the export macro
-#include "vtkHapticSessionFields.h"     // for settings that are fields of the tick
-#include "vtkHapticSessionMacros.h"     // for other settings and read-outs
+#include "vtkHapticSessionDescribed.h"  // for settings and read-outs
+#include "vtkHapticSessionMacros.h"     // for what no table describes
 #include "vtkObject.h"
 
 #include <functional>       // for an argument
@@ -74,32 +74,7 @@ public:
    * start it stays off; StartEvent is the last moment to say where a program's hand begins, and comes again when scale,
    * rotation or offset change meanwhile. */
   ///@{
-  vtkHapticFieldsMacro();
-  vtkHapticSettingMacro(DeviceName, const char*);
-  vtkHapticSettingMacro(Hand, const char*);
-  vtkHapticSwitchMacro(Wheel);
-  vtkHapticSettingMacro(PressDepth, double);
-  vtkHapticSwitchMacro(LimitRadius);
-  vtkHapticSettingMacro(LineRadius, double);
-  vtkHapticSettingMacro(PointRadius, double);
-  vtkHapticSettingMacro(FrictionStatic, double);
-  vtkHapticSettingMacro(FrictionKinetic, double);
-  vtkHapticTransferMacro(Stiffness);
-  vtkHapticTransferMacro(Friction);
-  vtkHapticTransferMacro(Texture);
-  vtkHapticSettingMacro(Simplify, int);
-  vtkHapticSettingMacro(LinesAsWalls, int);
-  vtkHapticSwitchMacro(HoldWalls);
-  vtkHapticSettingMacro(WallRate, double);
-  vtkHapticSwitchMacro(PlaneGuide);
-  vtkHapticSwitchMacro(FitOnTouch);
-  vtkHapticSettingMacro(StrokeSpeed, double);
-  vtkHapticSettingMacro(ReplayFile, const char*);
-  vtkHapticSettingMacro(RecordFile, const char*);
-  vtkHapticSwitchMacro(Inspect);
-  vtkHapticSettingMacro(MarkButton, int);
-  vtkHapticSwitchMacro(VirtualTime);
-  vtkHapticSwitchMacro(Touching);
+  vtkHapticSettingsMacro();
   ///@}
 
   ///@{
@@ -263,18 +238,10 @@ public:
   bool InspectContact();
   bool AddMark();
   void ClearMarks();
-  int GetNumberOfMarks() const;
   bool WriteMarks(const char* file);
   void GetMarks(vtkPolyData* points) const;
   void GetMarksTable(vtkTable* table) const;
-  vtkHapticReadoutsMacro(const char*, ContactText, ContactSource, MarksText);
-  vtkIdType GetContactCell() const;
-  vtkIdType GetContactPoint() const;
-  double GetContactThickness() const;
   double GetContactValue(const char* name) const; ///< of an array there, name_k of a vector; NaN where there is none
-  double* GetContactPosition() VTK_SIZEHINT(3);
-  double* GetContactNormal() VTK_SIZEHINT(3);
-  double* GetContactCurvature() VTK_SIZEHINT(2);
   ///@}
 
   /**
@@ -336,23 +303,7 @@ public:
   /// As of the last Update().
   int GetEngageState() const;
   double* GetHandPosition() VTK_SIZEHINT(3);
-  double* GetProxyPosition() VTK_SIZEHINT(3);
-  double* GetForce() VTK_SIZEHINT(3);
-  int GetContacts() const;
-  bool GetStiffnessLimited() const;
-  vtkHapticReadoutsMacro(const char*, DeviceKind, DeviceNotes, LinkText);
-  vtkHapticReadoutsMacro(const char*, StateText, FaultText, Warning);
-  vtkHapticReadoutsMacro(const char*, Problem, FrictionText, StabilitySentence);
-  vtkHapticReadoutsMacro(const char*, SchedulingReport, PlanSentence, SceneReport);
-  vtkHapticReadoutsMacro(double, ForceMagnitude, PeakForce, ForceResidual);
-  vtkHapticReadoutsMacro(double, LargestStiffness, StiffnessUsed, Depth);
-  vtkHapticReadoutsMacro(double, RadiusLimit, RadiusUsed, FrictionKineticUsed);
-  vtkHapticReadoutsMacro(double, StabiliserForce, PeakStabiliserForce, MotionLag);
-  vtkHapticReadoutsMacro(double, DeliveredEnergy, ExcessEnergy, PeakExcessEnergy);
-  vtkHapticReadoutsMacro(double, ContactSeconds, LatenessP50, LatenessP99);
-  vtkHapticReadoutsMacro(double, Rate, CostP50, CostP99);
-  vtkHapticReadoutsMacro(vtkIdType, Ticks, Missed, Periods);
-  vtkIdType GetCappedTicks() const;
+  vtkHapticTableReadoutsMacro();
   ///@}
 
 protected:

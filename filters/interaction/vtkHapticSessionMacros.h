@@ -54,16 +54,12 @@
   {                                                                                                                    \
     return this->GetField(#name);                                                                                      \
   }
-/// Three read-outs of a type.
+/// A read-out of one value, of several numbers; three of a type.
+#define vtkHapticReadoutMacro(name, type) type Get##name() const
+#define vtkHapticNumbersMacro(name, count) double* Get##name() VTK_SIZEHINT(count)
 #define vtkHapticReadoutsMacro(type, first, second, third)                                                             \
   type Get##first() const;                                                                                             \
   type Get##second() const;                                                                                            \
   type Get##third() const
-/// How an array of a surface is felt.
-#define vtkHapticTransferMacro(name)                                                                                   \
-  vtkHapticSettingMacro(name##Array, const char*);                                                                     \
-  vtkHapticSettingMacro(name##Component, int);                                                                         \
-  vtkHapticRangeMacro(name##DataRange);                                                                                \
-  vtkHapticRangeMacro(name##FeltRange)
 
 #endif

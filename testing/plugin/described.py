@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape
 ROOT = Path(__file__).resolve().parents[2]
 XML = ROOT / "filters" / "interaction" / "HapticInteraction.xml"
 GUIDE = ROOT / "plugin" / "README.md"
-SETTERS = ROOT / "filters" / "interaction" / "vtkHapticSessionFields.h"
+DECLARATIONS = ROOT / "filters" / "interaction" / "vtkHapticSessionDescribed.h"
 PROGRAM = ROOT / "docs" / "program.md"
 
 SETTING_KIND = {"flag": "Int", "count": "Int", "choice": "Int", "number": "Double", "rotation": "Double",
@@ -84,13 +84,30 @@ def readout_row(readout):
     return f"| {readout['title']} | `{readout['name']}`{unit} | {readout['sentence']} |\n"
 
 
+def declared(macro, *arguments):
+    """One line of a macro that is a list of macros."""
+    return f"  vtkHaptic{macro}Macro({', '.join(arguments)});" + " \\\n"
+
+
 def setter(setting):
-    """One line of a macro that is a list of macros, where the setting is a field of the tick's parameters."""
-    kinds = {"flag": "SwitchMacro({})", "rotation": "RotationMacro({})"}
-    kind = kinds.get(setting["kind"], "Macro({}, int)" if setting["kind"] in ("count", "choice") else "Macro({}, double)")
-    kind = "VectorMacro({})" if len(setting["defaults"]) == 3 else kind
-    line = f"  vtkHapticField{kind.format(setting['name'])};" + " \\\n"
-    return line if setting["field"] else ""
+    name, kind, numbers = setting["name"], setting["kind"], len(setting["defaults"])
+    owner = "Field" if setting["field"] else ""
+    if kind == "points":
+        return ""  # they are added one by one
+    if kind == "flag":
+        return declared(owner + "Switch", name)
+    if kind == "rotation" or numbers > 1:
+        return declared(owner + {4: "Rotation", 3: "Vector", 2: "Range"}[numbers], name)
+    value = {"text": "const char*", "count": "int", "choice": "int"}.get(kind, "double")
+    return declared(owner or "Setting", name, value)
+
+
+def getter(readout):
+    name, kind = readout["name"], readout["kind"]
+    if readout["elements"] > 1:
+        return declared("Numbers", name, str(readout["elements"]))
+    value = {"flag": "bool", "count": "int", "long count": "vtkIdType", "text": "const char*"}.get(kind, "double")
+    return declared("Readout", name, value)
 
 
 def option_row(setting):
@@ -111,7 +128,8 @@ PLACES = (
     (XML, "      <!-- Read-outs -->\n", "    </HapticSessionProxy>\n", "readouts", readout_xml),
     (GUIDE, "| takes effect |\n|---|---|---|---|\n", "\nWithout a title", "settings", setting_row),
     (GUIDE, "| meaning |\n|---|---|---|\n", "\n## With the mouse", "readouts", readout_row),
-    (SETTERS, "#define vtkHapticFieldsMacro() \\\n", "  /* the end", "settings", setter),
+    (DECLARATIONS, "#define vtkHapticSettingsMacro() \\\n", "  /* the end of the settings", "settings", setter),
+    (DECLARATIONS, "#define vtkHapticTableReadoutsMacro() \\\n", "  /* the end of the read-outs", "readouts", getter),
     (PROGRAM, "| option of `touch` | what it sets |\n|---|---|\n", "\nThe program reads", "settings", option_row),
 )
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Written by `ninja -C build tables` from haptics/session/settings/: what a session is set to, and what is read of it.
+#ifndef vtkHapticSessionDescribed_h
+#define vtkHapticSessionDescribed_h
+
+#include "vtkHapticSessionMacros.h"
+
+// clang-format off
+#define vtkHapticSettingsMacro() \
+  vtkHapticSettingMacro(DeviceName, const char*); \
+  vtkHapticSettingMacro(Hand, const char*); \
+  vtkHapticSwitchMacro(Wheel); \
+  vtkHapticFieldMacro(DeadManButtons, int); \
+  vtkHapticFieldSwitchMacro(DeadManGrip); \
+  vtkHapticSettingMacro(PressDepth, double); \
+  vtkHapticFieldMacro(Stiffness, double); \
+  vtkHapticFieldMacro(Damping, double); \
+  vtkHapticFieldMacro(Radius, double); \
+  vtkHapticSwitchMacro(LimitRadius); \
+  vtkHapticSettingMacro(LineRadius, double); \
+  vtkHapticSettingMacro(PointRadius, double); \
+  vtkHapticFieldMacro(Scale, double); \
+  vtkHapticFieldRotationMacro(Rotation); \
+  vtkHapticFieldVectorMacro(Offset); \
+  vtkHapticSwitchMacro(FitOnTouch); \
+  vtkHapticFieldSwitchMacro(ForceShading); \
+  vtkHapticFieldVectorMacro(ConstantForce); \
+  vtkHapticSettingMacro(FrictionStatic, double); \
+  vtkHapticSettingMacro(FrictionKinetic, double); \
+  vtkHapticSettingMacro(StiffnessArray, const char*); \
+  vtkHapticSettingMacro(StiffnessComponent, int); \
+  vtkHapticRangeMacro(StiffnessDataRange); \
+  vtkHapticRangeMacro(StiffnessFeltRange); \
+  vtkHapticSettingMacro(FrictionArray, const char*); \
+  vtkHapticSettingMacro(FrictionComponent, int); \
+  vtkHapticRangeMacro(FrictionDataRange); \
+  vtkHapticRangeMacro(FrictionFeltRange); \
+  vtkHapticSettingMacro(TextureArray, const char*); \
+  vtkHapticSettingMacro(TextureComponent, int); \
+  vtkHapticRangeMacro(TextureDataRange); \
+  vtkHapticRangeMacro(TextureFeltRange); \
+  vtkHapticFieldSwitchMacro(LimitStiffness); \
+  vtkHapticFieldSwitchMacro(Passivity); \
+  vtkHapticFieldMacro(Delay, int); \
+  vtkHapticFieldMacro(VelocityMethod, int); \
+  vtkHapticSettingMacro(Simplify, int); \
+  vtkHapticSettingMacro(LinesAsWalls, int); \
+  vtkHapticSwitchMacro(HoldWalls); \
+  vtkHapticSettingMacro(WallRate, double); \
+  vtkHapticSwitchMacro(PlaneGuide); \
+  vtkHapticSettingMacro(StrokeSpeed, double); \
+  vtkHapticSwitchMacro(Inspect); \
+  vtkHapticSettingMacro(MarkButton, int); \
+  vtkHapticSettingMacro(RecordFile, const char*); \
+  vtkHapticSettingMacro(ReplayFile, const char*); \
+  vtkHapticSwitchMacro(VirtualTime); \
+  vtkHapticSwitchMacro(Touching); \
+  /* the end of the settings */
+#define vtkHapticTableReadoutsMacro() \
+  vtkHapticReadoutMacro(DeviceKind, const char*); \
+  vtkHapticReadoutMacro(DeviceNotes, const char*); \
+  vtkHapticReadoutMacro(LinkText, const char*); \
+  vtkHapticReadoutMacro(LargestStiffness, double); \
+  vtkHapticReadoutMacro(StabilitySentence, const char*); \
+  vtkHapticReadoutMacro(StateText, const char*); \
+  vtkHapticReadoutMacro(FaultText, const char*); \
+  vtkHapticReadoutMacro(Warning, const char*); \
+  vtkHapticReadoutMacro(Problem, const char*); \
+  vtkHapticNumbersMacro(ProxyPosition, 3); \
+  vtkHapticNumbersMacro(Force, 3); \
+  vtkHapticReadoutMacro(ForceMagnitude, double); \
+  vtkHapticReadoutMacro(PeakForce, double); \
+  vtkHapticReadoutMacro(Depth, double); \
+  vtkHapticReadoutMacro(StiffnessUsed, double); \
+  vtkHapticReadoutMacro(StiffnessLimited, bool); \
+  vtkHapticReadoutMacro(RadiusLimit, double); \
+  vtkHapticReadoutMacro(RadiusUsed, double); \
+  vtkHapticReadoutMacro(DeliveredEnergy, double); \
+  vtkHapticReadoutMacro(ExcessEnergy, double); \
+  vtkHapticReadoutMacro(PeakExcessEnergy, double); \
+  vtkHapticReadoutMacro(StabiliserForce, double); \
+  vtkHapticReadoutMacro(PeakStabiliserForce, double); \
+  vtkHapticReadoutMacro(ForceResidual, double); \
+  vtkHapticReadoutMacro(FrictionText, const char*); \
+  vtkHapticReadoutMacro(FrictionKineticUsed, double); \
+  vtkHapticReadoutMacro(Contacts, int); \
+  vtkHapticReadoutMacro(ContactText, const char*); \
+  vtkHapticReadoutMacro(ContactSource, const char*); \
+  vtkHapticReadoutMacro(ContactCell, vtkIdType); \
+  vtkHapticReadoutMacro(ContactPoint, vtkIdType); \
+  vtkHapticNumbersMacro(ContactPosition, 3); \
+  vtkHapticNumbersMacro(ContactNormal, 3); \
+  vtkHapticNumbersMacro(ContactCurvature, 2); \
+  vtkHapticReadoutMacro(ContactThickness, double); \
+  vtkHapticReadoutMacro(NumberOfMarks, int); \
+  vtkHapticReadoutMacro(MarksText, const char*); \
+  vtkHapticReadoutMacro(ContactSeconds, double); \
+  vtkHapticReadoutMacro(MotionLag, double); \
+  vtkHapticReadoutMacro(Rate, double); \
+  vtkHapticReadoutMacro(LatenessP50, double); \
+  vtkHapticReadoutMacro(LatenessP99, double); \
+  vtkHapticReadoutMacro(CostP50, double); \
+  vtkHapticReadoutMacro(CostP99, double); \
+  vtkHapticReadoutMacro(Ticks, vtkIdType); \
+  vtkHapticReadoutMacro(Missed, vtkIdType); \
+  vtkHapticReadoutMacro(Periods, vtkIdType); \
+  vtkHapticReadoutMacro(CappedTicks, vtkIdType); \
+  vtkHapticReadoutMacro(SchedulingReport, const char*); \
+  vtkHapticReadoutMacro(PlanSentence, const char*); \
+  vtkHapticReadoutMacro(SceneReport, const char*); \
+  /* the end of the read-outs */
+// clang-format on
+
+#endif
