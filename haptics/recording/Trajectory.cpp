@@ -11,7 +11,7 @@ namespace
 {
 
 /// The servo's own: all other periods are whole numbers of it.
-double shortestPeriod_s(const Recording& recording)
+double ownPeriod_s(const Recording& recording)
 {
   double shortest_s = std::numeric_limits<double>::infinity();
   for (const RecordedEntry& entry : recording.entries)
@@ -48,7 +48,7 @@ TrajectoryPoint pointOf(const TickRecord& tick, const WorkspaceMap& map)
 
 std::vector<TrajectoryPoint> trajectoryOf(const Recording& recording)
 {
-  const double period_s = shortestPeriod_s(recording);
+  const double period_s = ownPeriod_s(recording);
   WorkspaceMap map = recording.parameters.map;
   std::vector<TrajectoryPoint> points;
   double time_s = 0.0;

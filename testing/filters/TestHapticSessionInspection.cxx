@@ -19,12 +19,13 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-using namespace palpate;
-using namespace palpate::testing;
-using ::testing::HasSubstr;
-
+namespace palpate::testing::inspected
+{
 namespace
 {
+
+using ::testing::HasSubstr;
+
 constexpr double half = 100.0;  // u
 constexpr double depth = 2.0;   // u
 constexpr double radius = 50.0; // u
@@ -205,3 +206,5 @@ TEST(HapticSessionMarkButton, AsksForAMarkOnceEachTimeItIsPressed)
   ASSERT_EQ(errors.size(), 1u) << "held down, it asks once";
   EXPECT_THAT(errors.front(), HasSubstr("a mark is set at a contact"));
 }
+
+} // namespace palpate::testing::inspected

@@ -13,12 +13,13 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-using namespace palpate;
-using namespace palpate::testing;
-using ::testing::HasSubstr;
-
+namespace palpate::testing::clouds
+{
 namespace
 {
+
+using ::testing::HasSubstr;
+
 constexpr double radius = 10.0; // u
 constexpr double depth = 2.0;   // u
 /// Where there are balls a point that touches is one too, of a thousandth of the thinnest.
@@ -104,3 +105,5 @@ TEST_F(HapticSessionPoints, BesidePolygonsBothAreTouched)
   this->session_->Step(100);
   EXPECT_NEAR(this->session_->GetForce()[2], felt_N, 1e-5 * felt_N);
 }
+
+} // namespace palpate::testing::clouds

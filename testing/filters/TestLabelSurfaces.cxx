@@ -17,7 +17,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
-namespace palpate::testing
+namespace palpate::testing::labels
 {
 namespace
 {
@@ -160,4 +160,4 @@ TEST(LabelSurfaces, AnImageThatIsNoLabelMapIsRefused)
 }
 
 } // namespace
-} // namespace palpate::testing
+} // namespace palpate::testing::labels

@@ -23,7 +23,7 @@
 #include "vtkTrivialProducer.h"
 #include "vtkXMLPolyDataReader.h"
 
-namespace palpate::testing
+namespace palpate::testing::measured
 {
 namespace
 {
@@ -269,4 +269,4 @@ TEST(Marks, AreWrittenAsCsvAndVtpOrNotAtAll)
 }
 
 } // namespace
-} // namespace palpate::testing
+} // namespace palpate::testing::measured

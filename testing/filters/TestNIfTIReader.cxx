@@ -21,7 +21,7 @@
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-namespace palpate::testing
+namespace palpate::testing::nifti
 {
 namespace
 {
@@ -372,4 +372,4 @@ TEST(NIfTIReader, AFileCutShortAnywhereIsRefusedInOneLine)
 }
 
 } // namespace
-} // namespace palpate::testing
+} // namespace palpate::testing::nifti

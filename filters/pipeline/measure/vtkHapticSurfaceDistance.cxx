@@ -13,7 +13,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 vtkStandardNewMacro(vtkHapticSurfaceDistance);
@@ -50,20 +49,16 @@ void Measure(vtkPolyData* data, const palpate::SurfaceTree& reference)
   const bool closed = palpate::isClosed(reference);
   const vtkSmartPointer<vtkDoubleArray> distance = AddArray(data, "Distance");
   const vtkSmartPointer<vtkDoubleArray> signedDistance = closed ? AddArray(data, "SignedDistance") : nullptr;
-  vtkSMPTools::For(0, data->GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    Vec3 x_W;
+    data->GetPoint(i, x_W.data());
+    distance->SetValue(i, DistanceTo(reference, x_W));
+    if (signedDistance)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        Vec3 x_W;
-        data->GetPoints()->GetPoint(i, x_W.data());
-        distance->SetValue(i, DistanceTo(reference, x_W));
-        if (signedDistance)
-        {
-          signedDistance->SetValue(i, SignOf(reference, x_W) * distance->GetValue(i));
-        }
-      }
-    });
+      signedDistance->SetValue(i, SignOf(reference, x_W) * distance->GetValue(i));
+    }
+  }
 }
 } // namespace
 

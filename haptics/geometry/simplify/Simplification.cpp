@@ -18,7 +18,7 @@ namespace palpate
 namespace
 {
 
-Simplification refuse(std::string reason)
+Simplification refusedBecause(std::string reason)
 {
   return { nullptr, 0.0, std::move(reason) };
 }
@@ -62,12 +62,12 @@ Simplification prove(const SurfaceTree& surface, std::shared_ptr<const SurfaceTr
                                : DistanceProof{};
   if (back.verdict != DistanceProof::Verdict::Within)
   {
-    return refuse("it could not be proven that the simplified surface stays near enough");
+    return refusedBecause("it could not be proven that the simplified surface stays near enough");
   }
   if (crossingTriangles(*fewer, limits.stop) &&
       crossingTriangles(*fewer, unchangedTriangles(surface, *fewer), limits.stop))
   {
-    return refuse("the simplified surface would cross itself");
+    return refusedBecause("the simplified surface would cross itself");
   }
   return { std::move(fewer), std::max(there.bound_u, back.bound_u), {} };
 }
@@ -93,16 +93,16 @@ Attempt attempt(const SurfaceTree& surface, const std::vector<bool>& fixed, doub
   const std::optional<CollapsedMesh> fewer = collapseEdges(surface.mesh(), fixed, shareOf(limits, share));
   if (!fewer)
   {
-    return { refuse("its triangles do not make a surface that edges can be collapsed on") };
+    return { refusedBecause("its triangles do not make a surface that edges can be collapsed on") };
   }
   CleanResult clean = cleanMesh(fewer->mesh);
   if (!clean.ok() || clean.report.collinear > 0)
   {
-    return { refuse("nothing would be left of it"), true };
+    return { refusedBecause("nothing would be left of it"), true };
   }
   if (2 * clean.mesh.triangles.size() > surface.mesh().triangles.size())
   {
-    return { refuse("fewer than half of its triangles could go without being missed") };
+    return { refusedBecause("fewer than half of its triangles could go without being missed") };
   }
   return { prove(surface, std::make_shared<const SurfaceTree>(std::move(clean.mesh)), limits), true };
 }
@@ -227,13 +227,13 @@ Simplification search(const SurfaceTree& surface, const SimplifyLimits& limits)
   const std::size_t mostAttempts = sample ? 1 : shares.size();
   std::vector<bool> fixed;
   std::size_t attempts = 0;
-  Simplification last = refuse("in a sample of it no simpler surface could be proven to stay near enough");
+  Simplification last = refusedBecause("in a sample of it no simpler surface could be proven to stay near enough");
   for (const double share : shares)
   {
     const Sample::Verdict verdict = sample ? sample->judge(share) : Sample::Verdict::Promising;
     if (verdict == Sample::Verdict::KeepsTooMuch)
     {
-      return refuse("in a sample of it fewer than half of the triangles could go without being missed");
+      return refusedBecause("in a sample of it fewer than half of the triangles could go without being missed");
     }
     if (verdict == Sample::Verdict::Unproven)
     {
@@ -256,16 +256,16 @@ Simplification simplifyWithin(const SurfaceTree& surface, const SimplifyLimits& 
 {
   if (!(limits.limit_u > 0.0) || !std::isfinite(limits.limit_u))
   {
-    return refuse("a surface is simplified within a distance above zero");
+    return refusedBecause("a surface is simplified within a distance above zero");
   }
   if (surface.coat_u() > 0.0)
   {
-    return refuse("curves are touched as they are");
+    return refusedBecause("curves are touched as they are");
   }
   SimplifyLimits afforded = limits;
   afforded.limit_u = affordable_u(surface, limits.limit_u);
   const Simplification result = search(surface, afforded);
-  return limits.stop.stop_requested() ? refuse("it was stopped") : result;
+  return limits.stop.stop_requested() ? refusedBecause("it was stopped") : result;
 }
 
 } // namespace palpate

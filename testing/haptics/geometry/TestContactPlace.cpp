@@ -5,7 +5,7 @@
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "testing/support/Meshes.h"
 
-namespace palpate::test
+namespace palpate::test::places
 {
 namespace
 {
@@ -77,4 +77,4 @@ TEST(ContactPlace, IsNoneInAnEmptyScene)
 }
 
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::places

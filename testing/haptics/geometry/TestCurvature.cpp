@@ -9,7 +9,7 @@
 #include "testing/support/Random.h"
 #include "testing/support/TreeOf.h"
 
-namespace palpate::test
+namespace palpate::test::curvature
 {
 namespace
 {
@@ -131,4 +131,4 @@ TEST(Curvature, OfTooFewVerticesIsNotKnown)
 }
 
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::curvature

@@ -15,7 +15,7 @@
 #include "testing/support/Random.h"
 #include "testing/support/TreeOf.h"
 
-namespace palpate::test
+namespace palpate::test::rays
 {
 namespace
 {
@@ -168,4 +168,4 @@ TEST(PointSide, OnlyWhatHasNoHoleIsClosed)
 }
 
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::rays

@@ -8,7 +8,7 @@
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
 
-namespace palpate::test
+namespace palpate::test::faults
 {
 namespace
 {
@@ -133,4 +133,4 @@ TEST(SurfaceFaults, OfABrokenMeshAreThoseOfWhatCanBeUsed)
 }
 
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::faults

@@ -10,7 +10,7 @@
 #include "testing/support/Random.h"
 #include "testing/support/TreeOf.h"
 
-namespace palpate::test
+namespace palpate::test::ways
 {
 namespace
 {
@@ -126,4 +126,4 @@ TEST(SurfacePath, WithinATriangleIsTheStraightLineBetweenTheNearestPoints)
 }
 
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::ways

@@ -8,7 +8,7 @@
 
 #include "haptics/recording/Trajectory.h"
 
-namespace palpate
+namespace palpate::trajectories
 {
 namespace
 {
@@ -99,4 +99,4 @@ TEST(Trajectory, FollowsTheMapAndCountsMissedPeriodsAndTicksWithoutASample)
 }
 
 } // namespace
-} // namespace palpate
+} // namespace palpate::trajectories
