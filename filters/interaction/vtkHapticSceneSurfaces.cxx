@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "haptics/core/WordHash.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/scene/SceneWorker.h"
 #include "haptics/session/scene/TouchedData.h"
 #include "vtkHapticConversion.h"
@@ -168,9 +169,8 @@ std::string vtkHapticSceneSurfaces::Add(const std::string& name, vtkDataObject* 
   return problem;
 }
 
-std::string vtkHapticSceneSurfaces::AddParts(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
+std::string vtkHapticSceneSurfaces::AddLinesAndFaces(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
-  this->Editing = true;
   const std::size_t lines = vtkHapticCountLines(data);
   const bool raised = lines > 0 && this->PlaneWorld && vtkHapticCheckPlacement(matrix).empty();
   const std::string ofWalls = raised ? this->AddWalls(name, data, matrix) : "";
@@ -193,17 +193,20 @@ std::string vtkHapticSceneSurfaces::AddParts(const std::string& name, vtkDataObj
   {
     this->Refusals += "not touched: " + name + ": " + std::to_string(lines) + " lines; their radius is 0\n";
   }
-  if (this->PointRadius_u > 0.0 && vtkHapticCountPoints(data) > 0)
-  {
-    const std::string ofBalls = this->AddBalls(name, data, matrix);
-    problem = problem.empty() ? problem : ofBalls; // a cloud has no polygons
-  }
-  if (!problem.empty())
-  {
-    problem = name + ": " + problem;
-    this->Refusals += "not touched: " + problem + "\n";
-  }
   return problem;
+}
+
+std::string vtkHapticSceneSurfaces::AddParts(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  this->Editing = true;
+  const std::string problem = this->AddLinesAndFaces(name, data, matrix);
+  if (!(this->PointRadius_u > 0.0) || vtkHapticCountPoints(data) == 0)
+  {
+    return problem;
+  }
+  const std::string ofBalls = this->AddBalls(name, data, matrix);
+  this->Refusals += problem.empty() && !ofBalls.empty() ? "not touched: " + name + ": " + ofBalls + "\n" : "";
+  return problem.empty() ? problem : ofBalls; // a cloud has no polygons
 }
 
 std::string vtkHapticSceneSurfaces::AddPart(

@@ -91,6 +91,7 @@ private:
   /// Points as balls. Empty, or why there are none.
   std::string AddBalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   /// Lines as walls. Empty, or why they are none.
+  std::string AddLinesAndFaces(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   std::string AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   void NoteWithoutArrays(Kept& walls) const;
   bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,
