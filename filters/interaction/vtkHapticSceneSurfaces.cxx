@@ -199,14 +199,19 @@ std::string vtkHapticSceneSurfaces::AddLinesAndFaces(const std::string& name, vt
 std::string vtkHapticSceneSurfaces::AddParts(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   this->Editing = true;
-  const std::string problem = this->AddLinesAndFaces(name, data, matrix);
-  if (!(this->PointRadius_u > 0.0) || vtkHapticCountPoints(data) == 0)
+  std::string problem = this->AddLinesAndFaces(name, data, matrix);
+  if (this->PointRadius_u > 0.0 && vtkHapticCountPoints(data) > 0)
   {
-    return problem;
+    const std::string ofBalls = this->AddBalls(name, data, matrix);
+    this->Refusals += problem.empty() && !ofBalls.empty() ? "not touched: " + name + ": " + ofBalls + "\n" : "";
+    problem = problem.empty() ? problem : ofBalls; // a cloud has no polygons
   }
-  const std::string ofBalls = this->AddBalls(name, data, matrix);
-  this->Refusals += problem.empty() && !ofBalls.empty() ? "not touched: " + name + ": " + ofBalls + "\n" : "";
-  return problem.empty() ? problem : ofBalls; // a cloud has no polygons
+  if (!problem.empty())
+  {
+    problem = name + ": " + problem;
+    this->Refusals += "not touched: " + problem + "\n";
+  }
+  return problem;
 }
 
 std::string vtkHapticSceneSurfaces::AddPart(

@@ -60,7 +60,7 @@ TEST_F(HapticSessionFit, OnTouchItFitsToWhatIsShownBeforeOrAMomentLater)
 {
   this->session_->FitOnTouchOn();
   this->show(makePlane(small));
-  EXPECT_EQ(this->session_->GetScale(), felt_u_per_m); // only when touching begins
+  EXPECT_EQ(this->session_->GetScale(), scale); // only when touching begins
   this->startTouching();
   EXPECT_EQ(this->session_->GetScale(), fittedScale(small));
   this->session_->TouchingOff();

@@ -23,9 +23,9 @@ using ::testing::HasSubstr;
 
 namespace
 {
-constexpr int ticksToEngage = 1100; // arming, the ramp of 1 s, and some to spare
-constexpr int ticksToBlend = 1500;  // e^-50 of what a new scene changed is left
-constexpr double scale = 1000.0;    // u/m: a unit is a millimetre
+constexpr int ticksToEngage = 1100;     // arming, the ramp of 1 s, and some to spare
+constexpr int ticksToBlend = 1500;      // e^-50 of what a new scene changed is left
+constexpr double zoom_u_per_m = 1000.0; // u/m: a unit is a millimetre
 constexpr double period_s = 1e-3;
 constexpr double size = 100.0;
 
@@ -75,7 +75,7 @@ protected:
   {
     this->session_->VirtualTimeOn();
     this->session_->SetStiffness(stiffness_N_per_m);
-    this->session_->SetScale(scale);
+    this->session_->SetScale(zoom_u_per_m);
     this->show(surface, matrix);
     ASSERT_TRUE(this->session_->FinishScene());
     this->session_->SetHandPosition(0.0, 0.0, hand_z);
@@ -116,7 +116,7 @@ TEST_P(Platform, ThatComesAtARestingHandPushesByItsDepthAndIsNeverPassed)
 {
   constexpr double stiffness = 20.0; // the force of the fastest platform rises slower than the rise limit
   constexpr int ticks = 16;          // between snapshots
-  const double speed_u_per_s = GetParam() * scale, side = std::copysign(1.0, speed_u_per_s);
+  const double speed_u_per_s = GetParam() * zoom_u_per_m, side = std::copysign(1.0, speed_u_per_s);
   const double start_z = -side * 20.0;
   this->start(stiffness, makePlane(size), shiftTo(start_z), 0.0);
   this->place(shiftTo(start_z)); // the last snapshot at rest: how long the first motion takes
@@ -131,7 +131,7 @@ TEST_P(Platform, ThatComesAtARestingHandPushesByItsDepthAndIsNeverPassed)
     {
       this->session_->Step(1);
       const double plate_z = before_z + (now_z - before_z) * tick / ticks; // one snapshot late, never ahead
-      const double depth_m = std::max(0.0, side * plate_z) / scale;
+      const double depth_m = std::max(0.0, side * plate_z) / zoom_u_per_m;
       ASSERT_NEAR(side * this->force().z(), stiffness * depth_m, 1e-9) << "snapshot " << n << ", tick " << tick;
       ASSERT_LE(side * plate_z, side * this->proxy_W().z() + 1e-9);
       if (tick < ticks)
@@ -157,17 +157,17 @@ TEST_F(HapticSessionMotion, ASnapshotThatComesEarlyGoesOnFromWhereThePlateIsFelt
   for (int i = 0; i < 50; ++i)
   {
     this->session_->Step(1);
-    EXPECT_NEAR(this->force().z() - last_N, stiffness * 4.0 / scale / 200, 1e-9);
+    EXPECT_NEAR(this->force().z() - last_N, stiffness * 4.0 / zoom_u_per_m / 200, 1e-9);
     last_N = this->force().z();
   }
   this->place(shiftTo(5.0)); // 50 ms later, 1 u up: on to there in 50 ms
   for (int i = 0; i < 50; ++i)
   {
     this->session_->Step(1);
-    EXPECT_NEAR(this->force().z() - last_N, stiffness * (5.0 - 1.0) / scale / 50, 1e-9);
+    EXPECT_NEAR(this->force().z() - last_N, stiffness * (5.0 - 1.0) / zoom_u_per_m / 50, 1e-9);
     last_N = this->force().z();
   }
-  EXPECT_NEAR(last_N, stiffness * 6.0 / scale, 1e-9);
+  EXPECT_NEAR(last_N, stiffness * 6.0 / zoom_u_per_m, 1e-9);
 }
 
 TEST_F(HapticSessionMotion, AMovedSurfaceAtRestCostsNoMoreThanOneThatNeverMoved)
@@ -186,7 +186,7 @@ TEST_F(HapticSessionMotion, AMovedSurfaceAtRestCostsNoMoreThanOneThatNeverMoved)
   pose->SetElement(2, 3, 3.0);
   this->place(pose);
   EXPECT_TRUE(this->session_->GetSceneMoves());
-  const double force_N = stiffness * (3.0 - 2.0) / scale;
+  const double force_N = stiffness * (3.0 - 2.0) / zoom_u_per_m;
   for (int i = 0; i < 1400; ++i)
   {
     this->session_->Step(1);
@@ -203,7 +203,7 @@ TEST_F(HapticSessionMotion, AMovedSurfaceAtRestCostsNoMoreThanOneThatNeverMoved)
   this->place(shiftTo(4.0)); // and it can move again
   EXPECT_TRUE(this->session_->GetSceneMoves());
   this->session_->Step(250);
-  EXPECT_NEAR(this->force().z(), stiffness * (4.0 - 2.0) / scale, 1e-9);
+  EXPECT_NEAR(this->force().z(), stiffness * (4.0 - 2.0) / zoom_u_per_m, 1e-9);
 }
 
 TEST_F(HapticSessionMotion, AChangeThatIsNotRigidIsBakedAndTheHandStaysOnItsSide)
@@ -221,7 +221,7 @@ TEST_F(HapticSessionMotion, AChangeThatIsNotRigidIsBakedAndTheHandStaysOnItsSide
   ASSERT_TRUE(this->session_->GetSceneBounds(bounds));
   EXPECT_THAT(bounds, ::testing::ElementsAre(-2 * size, 2 * size, -size / 2, size / 2, 3.0, 3.0));
   this->session_->Step(ticksToBlend);
-  EXPECT_NEAR(this->force().z(), stiffness * 4.0 / scale, 1e-9);
+  EXPECT_NEAR(this->force().z(), stiffness * 4.0 / zoom_u_per_m, 1e-9);
 }
 
 TEST_F(HapticSessionMotion, TheHandGoesWithATimeSeriesOfTheSameTriangles)
@@ -240,7 +240,7 @@ TEST_F(HapticSessionMotion, TheHandGoesWithATimeSeriesOfTheSameTriangles)
     EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("refitted"));
     this->session_->Step(ticksToBlend);
     const Vec3 normal = Vec3(0.0, -tilt, 1.0).normalized();
-    const double depth_m = -normal.dot(hand_W) / scale;
+    const double depth_m = -normal.dot(hand_W) / zoom_u_per_m;
     ASSERT_GT(depth_m, 0.0);
     EXPECT_LT((this->force() - stiffness * depth_m * normal).norm(), 1e-9) << "tilt " << tilt;
   }
@@ -269,7 +269,7 @@ TEST_F(HapticSessionMotion, BetweenTwoTimeStepsTheSurfaceIsFeltOnItsStraightWayI
       this->session_->Step(1);
       const double tilt = begin + (end - begin) * i / ticks;
       const Vec3 normal = Vec3(0.0, -tilt, 1.0).normalized();
-      const double depth_m = -normal.dot(hand_W) / scale;
+      const double depth_m = -normal.dot(hand_W) / zoom_u_per_m;
       ASSERT_LT((this->force() - stiffness * depth_m * normal).norm(), 1e-9) << "to tilt " << end << ", tick " << i;
     }
     begin = end;
@@ -279,7 +279,7 @@ TEST_F(HapticSessionMotion, BetweenTwoTimeStepsTheSurfaceIsFeltOnItsStraightWayI
   this->session_->Step(10);
   EXPECT_FALSE(this->session_->GetSceneMoves());
   const Vec3 normal = Vec3(0.0, -begin, 1.0).normalized();
-  EXPECT_LT((this->force() - stiffness * (-normal.dot(hand_W) / scale) * normal).norm(), 1e-9);
+  EXPECT_LT((this->force() - stiffness * (-normal.dot(hand_W) / zoom_u_per_m) * normal).norm(), 1e-9);
 }
 
 namespace
@@ -323,7 +323,7 @@ Vec3 forceOf(const Frame& frame, double stiffness_N_per_m, const Vec3& hand_W)
   const Vec3 n = Vec3(0.0, -frame.tilt, 1.0).normalized();
   const double c = std::cos(frame.angle_rad), s = std::sin(frame.angle_rad);
   const Vec3 normal_W(c * n.x() - s * n.y(), s * n.x() + c * n.y(), n.z());
-  return stiffness_N_per_m * normal_W.dot(frame.shift_W - hand_W) / scale * normal_W;
+  return stiffness_N_per_m * normal_W.dot(frame.shift_W - hand_W) / zoom_u_per_m * normal_W;
 }
 } // namespace
 
@@ -425,7 +425,7 @@ TEST_F(HapticSessionMotion, AnEmptyTimeStepLetsGoWithASentenceAndTheSurfaceComes
   EXPECT_STREQ(this->session_->GetFaultText(), "");
   this->session_->SetHandPosition(0.0, 0.0, -2.0);
   this->session_->Step(100);
-  EXPECT_NEAR(this->force().z(), stiffness * 2.0 / scale, 1e-9);
+  EXPECT_NEAR(this->force().z(), stiffness * 2.0 / zoom_u_per_m, 1e-9);
 }
 
 TEST_F(HapticSessionMotion, AMatrixThatPutsASurfaceNowhereIsRefusedByNameAndItStays)
@@ -494,7 +494,8 @@ TEST_P(SwapWhilePressed, AtTenHertzForAMinuteTheForceStepsByATenthOfANewtonAtMos
   }
   EXPECT_EQ(through, 0);
   EXPECT_LE(largestStep_N, 0.1);
-  EXPECT_GE(largestStep_N, stiffness * 1.0 / scale * period_s / (0.03 + period_s) * 0.5); // 1 mm was felt, blended
+  EXPECT_GE(
+    largestStep_N, stiffness * 1.0 / zoom_u_per_m * period_s / (0.03 + period_s) * 0.5); // 1 mm was felt, blended
   EXPECT_EQ(this->session_->GetCappedTicks(), 0);
   EXPECT_STREQ(this->session_->GetFaultText(), "");
 }
