@@ -11,6 +11,7 @@
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/force/Viscosity.h"
 #include "haptics/session/DeviceAdaptation.h"
+#include "haptics/session/scene/TouchedData.h"
 #include "haptics/tick/ForceRenderer.h"
 
 namespace palpate
@@ -73,7 +74,7 @@ public:
   Runner(const Labyrinth& labyrinth, const LabyrinthRun& run)
     : run_(run), every_(std::max(1, static_cast<int>(std::lround(1.0 / (run.host_Hz * device_s))))),
       device_(run.device, run.hand, { { Vec3::Zero() } }, { .period_s = device_s }),
-      scene_(SceneBuilder().build({ wallsOf(labyrinth) }).scene),
+      scene_(wholeScene({ wallsOf(labyrinth) }).scene),
       parameters_(parametersOf(labyrinth, run, this->device_.info())),
       hand_(blindPlan(labyrinth, run, this->parameters_.map),
         this->parameters_.map.toDevice(this->parameters_.game.start_W))

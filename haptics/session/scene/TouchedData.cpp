@@ -54,7 +54,9 @@ LineSurface wallsAcross(const TouchedLines& lines, double ballRadius_u, const st
 WholeScene wholeScene(const std::vector<SurfaceInput>& inputs, unsigned workers)
 {
   SceneBuildResult built = SceneBuilder(workers).build(inputs);
-  WholeScene whole{ std::move(built.scene), std::move(built.reports) };
+  WholeScene whole;
+  whole.scene = std::move(built.scene);
+  whole.reports = std::move(built.reports);
   for (const SurfaceReport& report : whole.reports)
   {
     if (!report.refusal.empty())
