@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "haptics/core/WordHash.h"
+#include "haptics/geometry/curves/CurveSet.h"
 #include "haptics/session/scene/SceneWorker.h"
 #include "haptics/session/scene/TouchedData.h"
 #include "vtkHapticConversion.h"
