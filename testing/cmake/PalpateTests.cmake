@@ -31,7 +31,7 @@ set(PALPATE_MPI_ENVIRONMENT
 
 # Parses ARGN into arg_*; keeps the defaults in one place.
 macro (_palpate_parse default_label one_value multi_value)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL;APART" "NAME;LABEL;TIMEOUT;${one_value}" "ENVIRONMENT;${multi_value}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL;TOGETHER" "NAME;LABEL;TIMEOUT;${one_value}" "ENVIRONMENT;${multi_value}")
   if (arg_UNPARSED_ARGUMENTS OR NOT arg_NAME)
     message(FATAL_ERROR "Test '${arg_NAME}': NAME is missing, or these arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif ()
@@ -70,12 +70,13 @@ endfunction ()
 
 # palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [VTK_MODULES VTK::IOXML ...])
 # A GoogleTest program linked to the core and testing/support; each TEST becomes a ctest "name.Suite.Test".
-# Label: unit. CGAL: the sources use CGAL (oracles). APART: the sources use the same names, so they are compiled one by one.
+# Label: unit. CGAL: the sources use CGAL (oracles). TOGETHER: no two sources use
+# a name for different things, so they are compiled at once.
 # VTK_MODULES: linked and auto-initialised.
 function (palpate_add_unit_test)
   _palpate_parse(unit "" "SOURCES;LIBRARIES;VTK_MODULES")
   add_executable("${arg_NAME}" ${arg_SOURCES})
-  if (NOT arg_APART)
+  if (arg_TOGETHER)
     palpate_compile_together("${arg_NAME}")
   endif ()
   target_link_libraries("${arg_NAME}" PRIVATE Palpate::core palpate_testing ${arg_LIBRARIES} ${arg_VTK_MODULES}
