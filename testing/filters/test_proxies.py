@@ -75,7 +75,8 @@ class Readers(unittest.TestCase):
             self.assertEqual(recording.GetXMLName(), "HapticRecordingReader")
             pv.UpdatePipeline(proxy=recording)
             times = list(recording.TimestepValues)
-            self.assertTrue(all(b - a >= 1 / 60 - 0.002 - 1e-9 for a, b in zip(times, times[1:])), times)  # periods of 2 ms
+            steps = sorted(b - a for a, b in zip(times, times[1:]))
+            self.assertGreaterEqual(steps[0], 1 / 60 - 0.002 - 1e-9)  # periods of 2 ms
             path = servermanager.Fetch(pv.OutputPort(recording, 1))
             count = path.GetNumberOfPoints() // 2
             pv.UpdatePipeline(times[3], recording)
@@ -149,7 +150,7 @@ class Measuring(unittest.TestCase):
     def test_a_surface_is_compared_with_a_closed_one(self):
         box = pv.Box(XLength=2.0, YLength=2.0, ZLength=2.0)
         plane = pv.Plane(Origin=[-3, -3, 0.25], Point1=[3, -3, 0.25], Point2=[-3, 3, 0.25], XResolution=12, YResolution=12)
-        output = servermanager.Fetch(pv.HapticSurfaceDistance(Input=plane, Reference=box))
+        output = servermanager.Fetch(pv.CompareSurfaces(Input=plane, Reference=box))
         distance = output.GetPointData().GetArray("SignedDistance")
         for i in range(output.GetNumberOfPoints()):
             outside = [max(0.0, abs(c) - 1.0) for c in output.GetPoint(i)]
@@ -158,9 +159,9 @@ class Measuring(unittest.TestCase):
 
     def test_the_way_between_marks_of_a_table_goes_over_the_surface(self):
         box = pv.Box(XLength=2.0, YLength=2.0, ZLength=2.0)
-        marks = pv.HapticMarks(Text="Source,X,Y,Z,depth\nbox,-1,-1,-1,0.5\nbox,1,1,1,nan\n")
+        marks = pv.TouchMarks(Text="Source,X,Y,Z,depth\nbox,-1,-1,-1,0.5\nbox,1,1,1,nan\n")
         for port in (0, 1):
-            way = pv.HapticSurfacePath(Input=box, Marks=pv.OutputPort(marks, port))
+            way = pv.WayoverSurface(Input=box, Marks=pv.OutputPort(marks, port))
             length = servermanager.Fetch(way).GetCellData().GetArray("Length").GetValue(0)
             self.assertAlmostEqual(length, 2.0 * math.sqrt(5.0), delta=1e-6)
         self.assertEqual(servermanager.Fetch(pv.OutputPort(marks, 0)).GetPointData().GetArray("depth").GetValue(0), 0.5)
@@ -178,7 +179,7 @@ for i in range(1000):
     x, y, z = i % 10, i // 10 % 10, i // 100
     labels.InsertNextValue(0 if not (2 <= y <= 6 and 2 <= z <= 6) else 3 if 1 <= x <= 4 else 8 if 5 <= x <= 7 else 0)
 image.GetPointData().SetScalars(labels)""")
-        output = servermanager.Fetch(pv.HapticLabelSurfaces(Input=cells, Smoothing=0))
+        output = servermanager.Fetch(pv.SurfacesofLabels(Input=cells, Smoothing=0))
         self.assertEqual(output.GetNumberOfBlocks(), 2)
         self.assertEqual(output.GetBlock(0).GetBounds(), (0.5, 4.5, 1.5, 6.5, 1.5, 6.5))
         self.assertEqual(output.GetBlock(1).GetBounds(), (4.5, 7.5, 1.5, 6.5, 1.5, 6.5))
@@ -254,7 +255,7 @@ class Session(unittest.TestCase):
         self.assertAlmostEqual(session.GetContactValue("Elevation"), place[2], delta=1e-3)
         self.proxy.InvokeCommand("AddMark")
         self.assertEqual(read(self.proxy, "NumberOfMarks"), 1)
-        marks = pv.HapticMarks(Text=read(self.proxy, "MarksText"))
+        marks = pv.TouchMarks(Text=read(self.proxy, "MarksText"))
         points = servermanager.Fetch(pv.OutputPort(marks, 0))
         self.assertEqual(list(points.GetPoint(0)), place)
         self.assertEqual(points.GetPointData().GetAbstractArray("Source").GetValue(0), "ball")

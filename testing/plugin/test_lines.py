@@ -46,7 +46,8 @@ class LinesInAView(ViewTest):
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 1)
         self.assertIn("(points): kept", self.session.GetSceneReport())
         self.press(RADIUS - DEPTH, 0.1, 0.0)
-        self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * (DEPTH + POINT) / SCALE, delta=1e-5)
+        half = 0.5e-6 * RADIUS  # a ball is a tube along x that is a millionth of its radius long
+        self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * (DEPTH + POINT + half) / SCALE, delta=1e-9)
         put(self.proxy, "PointRadius", 0.0)
         self.assertTrue(self.follow())
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 0)

@@ -22,8 +22,8 @@ struct VertexStart
   std::array<double, 2> ofPlaces;
   std::uint64_t hash = 0; ///< of vertices and content
 
-  VertexStart(std::vector<Vec3> start_W, std::uint64_t felt, const std::array<double, 2>& ofPlaces_ = { 1.0, 0.0 })
-    : vertices_W(std::move(start_W)), continues(felt), ofPlaces(ofPlaces_), hash(hashOf(vertices_W, felt))
+  VertexStart(std::vector<Vec3> start_W, std::uint64_t felt, const std::array<double, 2>& ofWay = { 1.0, 0.0 })
+    : vertices_W(std::move(start_W)), continues(felt), ofPlaces(ofWay), hash(hashOf(vertices_W, felt))
   {
   }
 
