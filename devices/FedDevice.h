@@ -38,6 +38,12 @@ public:
   void feed(const DeviceSample& sample) noexcept { this->feed(sample, this->places_); }
   /// The same, and the hand is there at the next tick: where the old place means nothing any more.
   void place(const DeviceSample& sample) noexcept { this->feed(sample, ++this->places_); }
+  /// There is no hand until it is fed again, and then it is there at once: while what a pose means changes.
+  void withdraw() noexcept
+  {
+    ++this->places_;
+    this->fed_.write({});
+  }
   /// The newest command. Feeding thread only; wait-free.
   [[nodiscard]] const DeviceCommand& command() noexcept { return this->command_.read(); }
 

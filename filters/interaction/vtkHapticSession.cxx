@@ -304,16 +304,21 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
   palpate::HapticParameters parameters = before;
   change(parameters);
   const palpate::HapticParameters told = this->Impl->Asked.told(parameters, this->Impl->Scene.built());
+  const bool otherMap = this->GetTouching() && !palpate::isSame(before.map, parameters.map);
+  if (otherMap)
+  {
+    this->Impl->Withdraw(); // the old pose would be somewhere else in the new map, maybe inside a surface
+  }
   const std::string problem = this->Impl->Core.setParameters(told);
   this->Refuse(problem);
   this->Impl->Follow("parameters", problem);
   if (!problem.empty())
   {
+    this->Impl->Feed();
     return;
   }
   this->Impl->Asked.taken(parameters, told);
-  const bool otherMap = !palpate::isSame(before.map, parameters.map);
-  if (otherMap && this->GetTouching())
+  if (otherMap)
   {
     this->InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
     this->Impl->Feed(true);

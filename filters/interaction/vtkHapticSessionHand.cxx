@@ -24,6 +24,14 @@ void vtkHapticSession::Internals::Feed(bool placed)
   }
 }
 
+void vtkHapticSession::Internals::Withdraw()
+{
+  if (auto* fed = dynamic_cast<palpate::FedDevice*>(this->Core.device()))
+  {
+    fed->withdraw();
+  }
+}
+
 void vtkHapticSession::SetHandPosition(double x, double y, double z)
 {
   this->Impl->Hand_W = palpate::Vec3(x, y, z);

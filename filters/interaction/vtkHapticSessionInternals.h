@@ -133,6 +133,8 @@ public:
   void FeedTo(palpate::FedDevice& fed, bool placed) const;
   /// The same for the running device, if it is one.
   void Feed(bool placed = false);
+  /// No program holds the hand until it is fed again.
+  void Withdraw();
   /// The running device where it is behind a link, else null; how the link goes.
   const palpate::LinkedDevice* Linked();
   palpate::LinkReport Link();

@@ -101,6 +101,8 @@ bool ServoLoop::tick() noexcept
   this->period_ += 1 + wakeup.missed;
   this->input_.tick = this->period_;
   this->input_.dt_s = static_cast<double>(1 + wakeup.missed) * this->period_s_;
+  // Before the hand is asked for: whoever changes what a pose means withdraws the hand first, and feeds it afterwards.
+  this->takeChanges();
   this->input_.status = this->device_.read(static_cast<double>(this->period_) * this->period_s_, this->input_.sample);
   if (this->input_.status == DeviceStatus::Ended)
   {
@@ -109,7 +111,6 @@ bool ServoLoop::tick() noexcept
   }
   this->input_.lateness =
     judgeLateness(this->behind_s(wakeup), this->latenessP99_s_, this->period_s_, this->device_.info().simulated);
-  this->takeChanges();
   const TickOutput output = renderTick(this->input_, this->parameters_, this->renderer_);
   this->device_.write(output.command);
   this->pushes_ = pushes(output.command);

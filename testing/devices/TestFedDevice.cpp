@@ -70,6 +70,19 @@ TEST(FedDevice, WaitsUntilItIsFed)
   EXPECT_EQ(device.read(0.6, read), DeviceStatus::Ok);
 }
 
+TEST(FedDevice, IsNowhereWhileItIsWithdrawnAndThenThereAtOnce)
+{
+  const std::unique_ptr<FedDevice> mouse = FedDevice::mouse();
+  DeviceSample read;
+  mouse->feed(at(0.0));
+  EXPECT_EQ(mouse->read(0.001, read), DeviceStatus::Ok);
+  mouse->withdraw();
+  EXPECT_EQ(mouse->read(0.002, read), DeviceStatus::Waiting);
+  mouse->feed(at(5.0));
+  EXPECT_EQ(mouse->read(0.003, read), DeviceStatus::Ok);
+  EXPECT_EQ(read.pose_D.p.x(), 5.0);
+}
+
 TEST_F(MouseHand, IsAtItsFirstPoseAtOnce)
 {
   EXPECT_EQ(this->glide(7.0, 1).back(), 7.0);

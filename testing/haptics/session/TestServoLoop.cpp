@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The servo loop in virtual time: lateness, faults, and what it must not do.
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -32,6 +33,10 @@ public:
     sample = DeviceSample{};
     sample.time_s = time_s;
     sample.pose_D.p = this->p_D;
+    if (this->whileAsked)
+    {
+      this->whileAsked();
+    }
     return this->status;
   }
   void write(const DeviceCommand& command) noexcept override
@@ -47,6 +52,7 @@ public:
   double fall_N = 0.0;         ///< most from one tick to the next
   int wallCount = 0;
   DeviceStatus status = DeviceStatus::Ok;
+  std::function<void()> whileAsked; ///< done by another thread, as it were
 };
 
 /// A sphere of radius 50 mm, a device, and the loop between them.
@@ -180,6 +186,20 @@ TEST(ServoLoop, SteadyLatenessAboveFiveMillisecondsDropsTheForce)
   rig.run(1000, 6 * period_ns);
   EXPECT_EQ(rig.links.state.read().fault, Fault::LateServo);
   EXPECT_EQ(rig.device.force_D.norm(), 0.0);
+}
+
+TEST(ServoLoop, APoseIsNeverPutThroughAMapThatIsNewerThanThePose)
+{
+  Rig rig(true);
+  rig.run(1);
+  HapticParameters moved;
+  moved.map.offset_W = Vec3(1, 0, 0);
+  rig.device.whileAsked = [&] { rig.links.parameters.write({ 2, moved }); };
+  rig.run(1);
+  EXPECT_EQ(rig.links.state.read().device_W.p, rig.device.p_D);
+  rig.device.whileAsked = {};
+  rig.run(1);
+  EXPECT_EQ(rig.links.state.read().device_W.p, rig.device.p_D + Vec3(1, 0, 0));
 }
 
 TEST(ServoLoop, ALostDeviceGetsNoForceInTheVeryTickAndTheFaultIsShown)
