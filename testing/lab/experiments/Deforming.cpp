@@ -118,7 +118,7 @@ void compareCost(std::size_t triangles, int repetitions, Table& table)
   };
   // A sixth alone; beside other work, which lengthens what waits for memory most, up to 0.28 was seen.
   judge("refit", "refit costs at most a third of a build", move, 1.0 / 3.0);
-  // Boxes and balls of three places, each read through the triangles: a third alone, up to a half beside other work.
+  // Boxes and balls of three places, each read through the triangles: 0.46 alone, a half beside other work.
   judge("refit for a way", "refit costs at most 0.6 of a build", come, 0.6);
 }
 
