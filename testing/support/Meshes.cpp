@@ -173,6 +173,21 @@ TriangleMesh scaled(const TriangleMesh& mesh, double factor)
   return result;
 }
 
+TriangleMesh unwelded(const TriangleMesh& mesh)
+{
+  TriangleMesh soup;
+  for (const auto& triangle : mesh.triangles)
+  {
+    const auto first = static_cast<std::uint32_t>(soup.vertices_W.size());
+    for (const std::uint32_t corner : triangle)
+    {
+      soup.vertices_W.push_back(mesh.vertices_W[corner]);
+    }
+    soup.triangles.push_back({ first, first + 1, first + 2 });
+  }
+  return soup;
+}
+
 TriangleMesh shifted(const TriangleMesh& mesh, const Vec3& by_W)
 {
   TriangleMesh result = mesh;

@@ -48,6 +48,8 @@ struct Tessellation
 
 void append(TriangleMesh& mesh, const TriangleMesh& more);
 [[nodiscard]] TriangleMesh scaled(const TriangleMesh& mesh, double factor);
+/// Each triangle has vertices of its own, as in an STL file or as views give it.
+[[nodiscard]] TriangleMesh unwelded(const TriangleMesh& mesh);
 [[nodiscard]] TriangleMesh shifted(const TriangleMesh& mesh, const Vec3& by_W);
 [[nodiscard]] TriangleMesh rotated(const TriangleMesh& mesh, const Quat& q);
 

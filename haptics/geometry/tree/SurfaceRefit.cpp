@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstddef>
+#include <tuple>
 #include <utility>
 
 #include "haptics/geometry/mesh/ExactPredicates.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 #include "haptics/geometry/tree/SurfaceRecords.h"
 #include "haptics/geometry/tree/SurfaceTree.h"
+#include "haptics/geometry/tree/VertexStart.h"
 
 namespace palpate
 {
@@ -16,6 +19,8 @@ namespace
 
 /// A normal in double precision leaves no doubt below this amplification of its rounding.
 constexpr float certainlyFlat = 1e9F;
+/// Of a way, beside the vertices' own: a start says its share of each.
+constexpr std::size_t mostPlaces = std::tuple_size_v<decltype(VertexStart::ofPlaces)>;
 
 std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_W)
 {
@@ -35,6 +40,11 @@ std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_
 std::string refusalOf(const SurfaceData& old, const std::vector<Vec3>& vertices_W, const VertexWay* way)
 {
   std::string refusal = refusalOf(old, vertices_W);
+  if (way != nullptr && way->also.size() > mostPlaces)
+  {
+    return "a surface comes from at most " + std::to_string(mostPlaces) + " places, not " +
+           std::to_string(way->also.size());
+  }
   for (std::size_t i = 0; way != nullptr && refusal.empty() && i < way->also.size(); ++i)
   {
     refusal = refusalOf(old, *way->also[i]);

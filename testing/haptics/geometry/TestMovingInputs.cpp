@@ -25,18 +25,7 @@ SurfaceInput input(const TriangleMesh& mesh)
 TriangleMesh unweldedSheet()
 {
   Random random(testSeed(801));
-  const TriangleMesh sheet = makeSheet({ 1.0, 1.0, 8, 8, 0.3 }, random);
-  TriangleMesh apart;
-  for (const auto& triangle : sheet.triangles)
-  {
-    const auto first = static_cast<std::uint32_t>(apart.vertices_W.size());
-    for (const std::uint32_t corner : triangle)
-    {
-      apart.vertices_W.push_back(sheet.vertices_W[corner]);
-    }
-    apart.triangles.push_back({ first, first + 1, first + 2 });
-  }
-  return apart;
+  return unwelded(makeSheet({ 1.0, 1.0, 8, 8, 0.3 }, random));
 }
 
 TriangleMesh warped(TriangleMesh mesh)
@@ -268,9 +257,7 @@ TEST(MovingInputs, OnlyASurfaceOnItsWayTakesTheRoomOfItAndTheContentIsTheSame)
 {
   Series series;
   static_cast<void>(series.next(unweldedSheet(), 1.0));
-  TriangleMesh lifted = warped(unweldedSheet());
-  std::for_each(lifted.vertices_W.begin(), lifted.vertices_W.end(), [](Vec3& v) { v.z() += 1.0; });
-  const SurfaceInput same = input(lifted);
+  const SurfaceInput same = input(shifted(warped(unweldedSheet()), Vec3(0, 0, 1)));
   const auto height = [](const Scene& scene)
   { return scene.surfaceTree().bounds.high_W.z() - scene.surfaceTree().bounds.low_W.z(); };
   const auto next = series.builder.build({ same }, series.felt.get()).scene;

@@ -155,6 +155,9 @@ TEST(Refit, RefusesWhatCannotBeTouchedInOneSentence)
   broken[7].y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(tree.refitted(broken).refusal, "vertex 7 has moved to a place that is not finite");
 
+  const VertexWay three{ 1, { &good, &good, &good } };
+  EXPECT_EQ(tree.refitted(good, nullptr, &three).refusal, "a surface comes from at most 2 places, not 3");
+
   const auto& t = tree.mesh().triangles[5];
   std::vector<Vec3> flat = good;
   flat[t[2]] = flat[t[0]];

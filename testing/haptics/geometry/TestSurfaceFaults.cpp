@@ -18,25 +18,9 @@ void flip(TriangleMesh& mesh, std::uint32_t triangle)
   std::swap(mesh.triangles[triangle][1], mesh.triangles[triangle][2]);
 }
 
-/// Each triangle has vertices of its own, as in an STL file.
-TriangleMesh apart(const TriangleMesh& mesh)
-{
-  TriangleMesh soup;
-  for (const auto& t : mesh.triangles)
-  {
-    const auto first = static_cast<std::uint32_t>(soup.vertices_W.size());
-    for (const std::uint32_t v : t)
-    {
-      soup.vertices_W.push_back(mesh.vertices_W[v]);
-    }
-    soup.triangles.push_back({ first, first + 1, first + 2 });
-  }
-  return soup;
-}
-
 TEST(SurfaceFaults, AGoodSurfaceHasNone)
 {
-  for (const TriangleMesh& mesh : { makeIcosphere(3, 1.0), apart(makeIcosphere(3, 1.0)) })
+  for (const TriangleMesh& mesh : { makeIcosphere(3, 1.0), unwelded(makeIcosphere(3, 1.0)) })
   {
     const SurfaceFaults faults = findFaults(mesh, 0.1);
     EXPECT_TRUE(faults.holes.empty() && faults.flipped.empty() && faults.thin.empty());
@@ -66,7 +50,7 @@ TEST(SurfaceFaults, FlippedTrianglesAreFoundByTheirNumbersWhateverTheOrder)
   Random random(testSeed(71));
   for (std::size_t round = 0; round < testCount(20); ++round)
   {
-    TriangleMesh mesh = apart(makeIcosphere(2, 1.0));
+    TriangleMesh mesh = unwelded(makeIcosphere(2, 1.0));
     random.shuffle(mesh.triangles);
     std::vector<std::uint32_t> chosen;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
