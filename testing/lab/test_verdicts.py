@@ -1,19 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every experiment's verdicts pass and all charts come.
 
-At default sizes run all that are short and one third of the long ones. The commit says which third, so that three commits
-in a row cover all; the others run at their quick size. With PALPATE_TEST_FULL all run at default sizes.
+At default sizes run all that are short and one third of the long ones. Which third is the
+commit's turn; the others run at their quick size. With PALPATE_TEST_FULL all run at default sizes.
 """
 
 import json
-import os
-import subprocess
 import sys
 import unittest
 
 from charting.tables import read_folder
 from charts import CHARTS
-from lab_runs import HERE, LabTest
+from lab_runs import LabTest
+from turns import shares_of_this_run
 
 # 10 s or more each at default sizes; each third takes about 105 s.
 LONG = (
@@ -21,18 +20,6 @@ LONG = (
     {"stability-atlas", "solver", "transparency", "speed-accuracy", "tick-cost", "recorded-touch"},
     {"blind-solver"},
 )
-
-
-def git(*words):
-    """What git says, or 0 in sources without a history."""
-    told = subprocess.run(["git", *words], cwd=HERE, capture_output=True, text=True, check=False)
-    return told.stdout.strip() if told.returncode == 0 else "0"
-
-
-def third_of_this_commit():
-    """By the commit's number; where the history is cut off, by its hash."""
-    whole = git("rev-parse", "--is-shallow-repository") == "false"
-    return (int(git("rev-list", "--count", "HEAD")) if whole else int(git("rev-parse", "HEAD"), 16)) % len(LONG)
 
 
 class Everything(LabTest):
@@ -47,7 +34,7 @@ class Everything(LabTest):
     def test_all_verdicts_pass_and_all_charts_are_drawn(self):
         names = self.names()
         self.assertLessEqual(set().union(*LONG), names, "a long experiment was renamed")
-        quick = set() if os.environ.get("PALPATE_TEST_FULL") else set().union(*LONG) - LONG[third_of_this_commit()]
+        quick = set().union(*LONG) - set().union(*shares_of_this_run(LONG))
         print("at quick sizes:", ", ".join(sorted(quick)) or "none", file=sys.stderr)
         self.assert_all_verdicts_pass(names - quick)
         if quick:
