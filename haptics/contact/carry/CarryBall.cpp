@@ -160,7 +160,6 @@ private:
     {
       contacts.include(this->holders_[static_cast<std::size_t>(i)].feature);
     }
-    const double tol = contacts.resolution().tol();
     // What holds the ball from all sides may have come nearer than its size: the ball is pinned with what is left of
     // it.
     for (const double share : { 1.0, 0.5, 0.25, 0.0 })
@@ -174,8 +173,8 @@ private:
         const double distance = share * contacts.radius(holder.feature) + contacts.lift();
         rows[static_cast<std::size_t>(i)] = { plane.n, distance - plane.n.dot(wanted_W - plane.foot_W) };
       }
-      const ProjectionResult free =
-        projectOntoPlanes({ rows.data(), static_cast<std::size_t>(this->count_) }, Vec3::Zero(), 0.25 * tol);
+      const ProjectionResult free = projectOntoPlanes(
+        { rows.data(), static_cast<std::size_t>(this->count_) }, Vec3::Zero(), contacts.resolution().slack());
       if (free.feasible)
       {
         this->result_.pinned = share < 1.0;

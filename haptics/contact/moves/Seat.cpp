@@ -151,7 +151,7 @@ bool seatRound(const AnyScene& scene, double r, const Vec3& p_W, Vec3& x_W) noex
     const Vec3 n = distance > tol ? Vec3((x - nearest.foot_W).normalized()) : nearest.normal_W;
     planes.set(nearest, { n, r + nearest.coat - n.dot(p_W - nearest.foot_W) });
     furthest = std::max(furthest, r + nearest.coat);
-    const ProjectionResult out = projectOntoPlanes(planes.rows(), Vec3::Zero(), 0.25 * tol);
+    const ProjectionResult out = projectOntoPlanes(planes.rows(), Vec3::Zero(), resolution.slack());
     y = out.y;
     if (!out.feasible || y.norm() > furthest + tol)
     {

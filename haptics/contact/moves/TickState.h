@@ -61,9 +61,8 @@ struct TickState
     {
       return way_u <= this->del();
     }
-    constexpr double most = 4096; // in tol, 6e-11 of a coordinate: planes that are all but parallel tell nothing
     const double ways_u = std::max(way_u, this->lastWay_u);
-    return way_u <= this->tol() || (ways_u <= most * this->tol() && ways_u <= this->blur_u());
+    return way_u <= this->tol() || (ways_u <= this->contacts.resolution().mostError() && ways_u <= this->blur_u());
   }
   /// Error that rounding makes of the place where the planes meet that hold the ball [u]. It is 0 while the ball still
   /// has a way along the line in which two planes meet: that way is not an error of theirs.

@@ -75,13 +75,11 @@ bool ContactSet<AnyScene>::supported(const ActiveFeature& f) const noexcept
 template<SceneView AnyScene>
 double ContactSet<AnyScene>::holdsWithin(const ActiveFeature& f) const noexcept
 {
-  constexpr double most = 4096; // in tol, 6e-11 of a coordinate: a normal that is known even worse says nothing
-  const double tol = this->resolution_.tol();
   const FaceRecord& face = this->surface(f).face(f.a);
   // A rounding of the normal, made larger by how thin the face is, times the distance over which it acts.
   const double error =
     4 * std::numeric_limits<double>::epsilon() * face.sliver * (this->state_.x_W - face.corner_W[0]).norm();
-  return std::max({ tol, 2 * this->lift(), std::min(error, most * tol) });
+  return std::max({ this->resolution_.tol(), 2 * this->lift(), std::min(error, this->resolution_.mostError()) });
 }
 
 template<SceneView AnyScene>
@@ -194,7 +192,7 @@ ProjectionResult ContactSet<AnyScene>::solve(const Vec3& q, double lift) const n
   {
     rows[i] = this->row(i, lift);
   }
-  return projectOntoPlanes({ rows.data(), static_cast<std::size_t>(this->count()) }, q, 0.25 * this->resolution_.tol());
+  return projectOntoPlanes({ rows.data(), static_cast<std::size_t>(this->count()) }, q, this->resolution_.slack());
 }
 
 template class ContactSet<Scene>;

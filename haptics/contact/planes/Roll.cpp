@@ -85,7 +85,7 @@ template<SceneView AnyScene>
 RollPlanner<AnyScene>::RollPlanner(const ContactSet<AnyScene>& contacts, const Vec3& x_W, const Vec3& p_W,
   double radius_u, const ProjectionResult& solution, double mostTurn) noexcept
   : contacts_(contacts), x_W_(x_W), q_(p_W - x_W), radius_u_(radius_u), solution_(solution), mostTurn_(mostTurn),
-    slack_(0.25 * contacts.resolution().tol()) // that of every projection; 4 of them are a way of tol, which is none
+    slack_(contacts.resolution().slack()) // 4 of them are a way of tol, which is none
 {
   for (int i = 0; i < contacts.count(); ++i)
   {

@@ -20,9 +20,15 @@ struct Resolution
   /// Rounding of one computed coordinate [u]: a few operations at half an ulp each.
   [[nodiscard]] double del() const noexcept { return 4 * std::numeric_limits<double>::epsilon() * this->magnitude; }
   /// Lengths below this count as zero [u]. Sixteen del: distances are sums of products of rounded coordinates, and what
-  /// counts as touching must be more than any of them is rounded. A projection may leave a plane violated by a quarter
-  /// of tol, so that what it rests on still touches. A move below 4 tol is no progress: each end is known to tol only.
+  /// counts as touching must be more than any of them is rounded. A projection leaves a plane violated by a quarter of
+  /// tol at most, so that what it rests on still touches. A move below 4 tol is no progress: each end is known to tol
+  /// only.
   [[nodiscard]] double tol() const noexcept { return 64 * std::numeric_limits<double>::epsilon() * this->magnitude; }
+  /// What a projection may leave of a plane unsatisfied [u].
+  [[nodiscard]] double slack() const noexcept { return 0.25 * this->tol(); }
+  /// The largest error of a plane or of a corner that is believed [u], 6e-11 of a coordinate: what is known even worse,
+  /// as the normal of a sliver or the line of two planes that are all but parallel, tells nothing.
+  [[nodiscard]] double mostError() const noexcept { return 4096 * this->tol(); }
 };
 
 } // namespace palpate
