@@ -11,8 +11,10 @@
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
 #include "vtkCamera.h"
 #include "vtkHapticSession.h"
+#include "vtkPythonInterpreter.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMRenderViewProxy.h"
@@ -101,6 +103,8 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticTrace", [&] { return vtkSMTrace::StartTrace() != nullptr; } },
     { "hapticTraced", [&] { return this->checkScript(vtkSMTrace::StopTrace(), arguments); } },
     { "hapticPythonState", [&] { return this->checkScript(vtkSMTrace::GetState(nullptr), arguments); } },
+    { "hapticPython", [&] { return this->runPython(arguments); } },
+    { "hapticUndo", [&] { return this->undo(arguments.toInt()); } },
     { "hapticDevice", [&] { return this->chooseDevice(arguments); } },
     { "hapticPose", [&] { return this->pose(list); } },
     { "hapticStroke", [&] { return this->addStrokePoint(list); } },
@@ -208,6 +212,25 @@ bool pqHapticEventPlayer::checkScript(const std::string& script, const QString& 
     qCritical() << "no line of this script has" << part << ":" << QString::fromStdString(script);
   }
   return has;
+}
+
+bool pqHapticEventPlayer::runPython(const QString& statement) const
+{
+  return vtkPythonInterpreter::RunSimpleString(statement.toUtf8().constData()) == 0;
+}
+
+bool pqHapticEventPlayer::undo(int steps) const
+{
+  pqUndoStack* stack = pqApplicationCore::instance()->getUndoStack();
+  for (; stack && steps > 0 && stack->canUndo(); --steps)
+  {
+    stack->undo();
+  }
+  for (; stack && steps < 0 && stack->canRedo(); ++steps)
+  {
+    stack->redo();
+  }
+  return stack != nullptr;
 }
 
 /// As a script does it: no person can choose what only a program can lead.

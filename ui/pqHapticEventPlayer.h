@@ -16,6 +16,8 @@ class pqHapticController;
  *   hapticStep "n"                   n ticks of virtual time, then time for the panel to show them
  *   hapticTrace ""                   begins a Python trace; hapticTraced "words": ends it, and it has these
  *   hapticPythonState "words"        the Python state has these
+ *   hapticPython "statement"         run by the client's own interpreter; fails if the statement raises
+ *   hapticUndo "n"                   n steps back, or forward for n < 0, as far as there are any
  *   hapticDevice "name"              chosen as a script does it
  *   hapticProperty "source,name,number"  set and applied; hapticShow "source,0|1": its eye
  *   hapticCamera "least,largest"     distance of the camera from what it looks at [u]
@@ -55,6 +57,8 @@ private:
   bool resizeWindow(const QStringList& size);
   bool chooseDevice(const QString& name);
   bool checkScript(const std::string& script, const QString& part) const;
+  bool runPython(const QString& statement) const;
+  bool undo(int steps) const;
   bool setProperty(const QStringList& arguments);
   bool show(const QStringList& arguments);
   bool checkCamera(const QStringList& range) const;

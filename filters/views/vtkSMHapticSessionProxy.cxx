@@ -24,6 +24,18 @@ void vtkSMHapticSessionProxy::CreateVTKObjects()
   }
 }
 
+void vtkSMHapticSessionProxy::UpdateVTKObjects()
+{
+  if (this->Telling)
+  {
+    return;
+  }
+  this->Telling = true;
+  this->Superclass::UpdateVTKObjects();
+  this->Superclass::UpdateVTKObjects(); // what was read back meanwhile
+  this->Telling = false;
+}
+
 void vtkSMHapticSessionProxy::ReadBack()
 {
   auto* session = vtkHapticSession::SafeDownCast(this->GetClientSideObject());

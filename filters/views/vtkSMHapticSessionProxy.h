@@ -20,6 +20,10 @@ public:
   vtkTypeMacro(vtkSMHapticSessionProxy, vtkSMProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// What the session sets by itself while it is told something is told after that: nobody hears of an update whose
+  /// values have not all arrived.
+  void UpdateVTKObjects() override;
+
 protected:
   vtkSMHapticSessionProxy() = default;
   ~vtkSMHapticSessionProxy() override = default;
@@ -31,6 +35,8 @@ private:
   void operator=(const vtkSMHapticSessionProxy&) = delete;
 
   void ReadBack();
+
+  bool Telling = false;
 };
 
 #endif

@@ -9,6 +9,8 @@ from paraview import simple
 from haptic_proxies import put
 from view_fixture import DEPTH, FORCE, ViewTest
 
+DEFAULT_SCALE = 1000.0  # u/m
+
 
 class TouchInAView(ViewTest):
     def test_a_face_pushes_with_stiffness_times_depth(self):
@@ -152,6 +154,21 @@ class TouchInAView(ViewTest):
         simple.Render(self.view)
         self.follow()
         self.assertEqual(self.scene.GetNumberOfSurfaces(), 1)
+
+    def test_whoever_hears_that_touch_was_asked_for_finds_the_session_touching(self):
+        """Also where the hand is fitted first, which sets properties of its own while others are on their way."""
+        self.show(simple.Sphere(Radius=3.0))
+        self.follow()
+        put(self.proxy, "FitOnTouch", 1)
+        put(self.proxy, "Scale", DEFAULT_SCALE)  # what a person chose otherwise stays
+        heard = []
+        tag = self.proxy.AddObserver("UpdateEvent", lambda proxy, _: heard.append(
+            (proxy.GetProperty("Touching").GetElement(0) == 1, self.session.GetTouching())))
+        put(self.proxy, "Touching", 1)
+        self.assertNotEqual(self.session.GetScale(), DEFAULT_SCALE, "it was not fitted")
+        put(self.proxy, "Touching", 0)
+        self.proxy.RemoveObserver(tag)
+        self.assertEqual(set(heard), {(True, True), (False, False)})
 
     def test_a_view_that_is_no_render_view_is_refused(self):
         chart = simple.CreateView("XYChartView")
