@@ -56,19 +56,38 @@ std::optional<double> crossing(const TrilinearCell& cell, const Vec3& from, cons
   return root || !endsTooNear ? root : 1.0;
 }
 
-/// Back from a root until rounding cannot deny that the place is free. The beginning of the way is.
-Vec3 land(const TrilinearCell& cell, const Vec3& from, const Vec3& to, double root) noexcept
+/// A part of a way in one cell.
+struct Piece
 {
-  const double margin = landingMargin(cell);
+  TrilinearCell cell;
+  GridIndex index{};
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+};
+
+/// Back from a root until rounding cannot deny that the place is free. None: that is nowhere in this piece.
+std::optional<GridPlace> landed(const Piece& piece, double root) noexcept
+{
+  const double margin = landingMargin(piece.cell);
   for (double back = std::numeric_limits<double>::epsilon(), u = root; u > 0.0; u -= back, back *= 2.0)
   {
-    const Vec3 t = (from + u * (to - from)).cwiseMax(0.0).cwiseMin(1.0);
-    if (cell.value(t) >= margin)
+    const Vec3 t = (piece.from + u * (piece.to - piece.from)).cwiseMax(0.0).cwiseMin(1.0);
+    if (piece.cell.value(t) >= margin)
     {
-      return t;
+      return GridPlace{ piece.index, t };
     }
   }
-  return from;
+  return {};
+}
+
+/// Before a root that is just behind a face, the piece before may have the landing. Else the way has not begun.
+GridPlace land(const GridPlace& begin, const Piece& before, const Piece& piece, double root) noexcept
+{
+  std::optional<GridPlace> place = landed(piece, root);
+  if (!place && before.from != before.to)
+  {
+    place = landed(before, 1.0);
+  }
+  return place.value_or(begin);
 }
 
 } // namespace
@@ -78,25 +97,24 @@ FieldSweepResult sweepField(const LevelSet& set, const GridPlace& from, const Ve
   FieldSweepResult result{ from };
   GridPlace& at = result.place;
   Vec3 left = way;
+  Piece piece, before;
   for (;; ++result.cells)
   {
     const CellExit exit = exitOf(at.t, left);
-    if (!set.field.holds(at.cell))
+    const bool held = set.field.holds(at.cell);
+    piece = held ? Piece{ set.cell(at.cell), at.cell, at.t, exit.t } : Piece{};
+    if (!held || !notNegative(piece.cell))
     {
-      result.end = SweepEnd::Left;
-      return result;
-    }
-    const TrilinearCell cell = set.cell(at.cell);
-    if (!notNegative(cell))
-    {
-      if (!cell.valid())
+      if (!held || !piece.cell.valid())
       {
+        at = result.cells > 0 ? GridPlace{ before.index, before.to } : from;
         result.end = SweepEnd::Left;
         return result;
       }
-      if (const std::optional<double> root = crossing(cell, at.t, exit))
+      if (const std::optional<double> root = crossing(piece.cell, at.t, exit))
       {
-        at.t = land(cell, at.t, exit.t, *root);
+        result.met = at.cell;
+        at = land(from, before, piece, *root);
         result.end = SweepEnd::Hit;
         return result;
       }
@@ -106,6 +124,7 @@ FieldSweepResult sweepField(const LevelSet& set, const GridPlace& from, const Ve
     {
       return result;
     }
+    before = piece;
     const bool up = left[exit.axis] > 0.0;
     at.cell[exit.axis] += up ? 1 : -1;
     at.t[exit.axis] = up ? 0.0 : 1.0;

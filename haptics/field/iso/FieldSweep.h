@@ -19,6 +19,7 @@ struct FieldSweepResult
 {
   GridPlace place; ///< where the way ended, on the same side as it began
   SweepEnd end = SweepEnd::Reached;
+  GridIndex met{};         ///< the cell in which the surface is, if it is in the way
   std::uint32_t cells = 0; ///< that were looked into
 };
 

@@ -17,7 +17,7 @@ namespace
 constexpr double firstTrust = 2.0, lessTrust = 0.3, moreTrust = 2.0; ///< [spacings of the grid], factors
 constexpr int mostFailures = 12, plainAfter = 2;
 constexpr double rim = 0.5;          ///< [spacings]: a step that leaves the field by more is tried shorter
-constexpr double noProgress = 1e-15; ///< of the square of the distance: less is not seen in it
+constexpr double noProgress = 1e-15; ///< of the square of the distance, which a step changes by its own square
 constexpr double liftedMore = 1.3;   ///< than a patch rises over a step: its third derivatives are not looked at
 constexpr double leastLift = 2e-14;  ///< [spacings]: a few roundings of a place
 
@@ -71,7 +71,7 @@ private:
     {
       step_u = y_u.y;
     }
-    if (!(view.q_u.dot(step_u) > noProgress * view.q_u.squaredNorm()))
+    if (!(step_u.squaredNorm() > noProgress * view.q_u.squaredNorm()))
     {
       return this->forgetFarCells(rows, y_u);
     }
@@ -107,7 +107,7 @@ private:
       this->cut_ = !whole;
       return false;
     }
-    this->add(swept.place.cell);
+    this->add(swept.met);
     return this->arcLeft();
   }
 
@@ -174,7 +174,7 @@ private:
     this->newestHit_ = false;
     if (second.end == SweepEnd::Hit)
     {
-      this->add(second.place.cell);
+      this->add(second.met);
     }
     this->trust_u_ *= moreTrust;
     this->failures_ = 0;
@@ -191,10 +191,10 @@ private:
   bool stopAtHit(const GridPlace& from, const FieldSweepResult& first, const IsoRows& rows, const ProjectionResult& y_u,
     double before_u2) noexcept
   {
-    const bool known = std::ranges::any_of(rows.all(), [&](const IsoRow& row) { return row.cell == first.place.cell; });
+    const bool known = std::ranges::any_of(rows.all(), [&](const IsoRow& row) { return row.cell == first.met; });
     const bool nearer = this->distance2(first.place) < before_u2;
     this->keep(rows, y_u);
-    this->add(first.place.cell);
+    this->add(first.met);
     this->newestHit_ = nearer;
     if (nearer)
     {

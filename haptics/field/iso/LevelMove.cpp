@@ -16,6 +16,18 @@ constexpr int mostHalvings = 12, mostClimbs = 3;
 constexpr double leastShare = 1e-3; ///< of what is left: where the gradient is small the level moves all the same
 constexpr double steeper = 1.1;     ///< a surface may come that much faster than its slope says, and by rounding
 
+/// True if rounding cannot deny that a place is on its side.
+bool isFree(const LevelSet& set, const GridPlace& at) noexcept
+{
+  const std::optional<GridPlace> place = set.field.within(at);
+  if (!place)
+  {
+    return false;
+  }
+  const TrilinearCell cell = set.cell(place->cell);
+  return cell.value(place->t) >= landingMargin(cell);
+}
+
 /// Climbs the field from a place that is free at the old level until it is free at the new one, no further than
 /// `most_u`. The ways are free at the old level, so the old surface is not passed.
 bool climb(const LevelSet& before, const LevelSet& now, const Vec3& spacing_u, double most_u, GridPlace& x,
@@ -83,7 +95,7 @@ bool moveLevel(const BrickComponent& field, const Vec3& spacing_u, const IsoPlan
   const LevelSet before{ field, state.level, state.side };
   LevelSet now{ field, plan.level, state.side };
   const bool touches = state.count > 0;
-  if (!touches && now.value(state.x) > 0.0)
+  if (!touches && isFree(now, state.x))
   {
     state.level = plan.level; // nothing is held, and the new surface does not reach the hand
     return true;

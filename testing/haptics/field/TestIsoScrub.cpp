@@ -19,7 +19,7 @@ constexpr double scrub_u = 0.045; ///< 0.045 N a tick at 1 N a spacing
 struct Scrubbed
 {
   std::uint64_t wrong = 0, touching = 0, released = 0;
-  double mostChange_u = 0.0; ///< of the pull, beyond what the hand moved, where nothing let go
+  double mostChange_u = 0.0; ///< of the pull, beyond what the hand moved, while the surface moves
 };
 
 /// The level is drawn anew two hundred times a second while a hand presses.
@@ -40,12 +40,12 @@ Scrubbed scrub(const Function& function, double low, double high, double hand_u,
   {
     plan.level = i % 5 == 0 ? random.uniform(low, high) : plan.level;
     const Vec3 next = (p + random.inCube(hand_u)).cwiseMax(4).cwiseMin(27);
-    const bool placed = state.placed;
+    const bool moving = state.placed && (state.level != plan.level || state.catchingUp);
     const IsoResult result = moveIsoProxy(field, Vec3::Ones(), plan, next, state);
     seen.released += result.released;
     seen.touching += result.contacts > 0;
     seen.wrong += state.placed && oracle.value(state.x, state.level, state.side) < 0.0;
-    if (placed && !result.released)
+    if (moving && !result.released)
     {
       seen.mostChange_u = std::max(seen.mostChange_u, (result.pull_u - pull).norm() - 2.0 * (next - p).norm());
     }
