@@ -14,7 +14,8 @@ namespace palpate
 namespace
 {
 
-std::uint64_t hashOf(const BrickGrid& grid, const std::vector<BrickArray>& arrays) noexcept
+std::uint64_t hashOf(
+  const BrickGrid& grid, const std::vector<BrickArray>& arrays, const std::vector<Vec3>& places_W) noexcept
 {
   WordHash hash;
   for (int k = 0; k < 3; ++k)
@@ -33,6 +34,13 @@ std::uint64_t hashOf(const BrickGrid& grid, const std::vector<BrickArray>& array
     for (const float value : array.values)
     {
       hash.add(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(value)));
+    }
+  }
+  for (const Vec3& place_W : places_W)
+  {
+    for (const double number : place_W)
+    {
+      hash.add(number);
     }
   }
   return hash.value();
@@ -100,9 +108,10 @@ std::string Brick::refuse(const BrickGrid& grid, const std::vector<BrickArray>& 
   return {};
 }
 
-Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays)
-  : revision_(revision), grid_(grid), arrays_(std::move(arrays))
+Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W)
+  : revision_(revision), grid_(grid), arrays_(std::move(arrays)), places_W_(std::move(places_W))
 {
+  this->places_W_.resize(std::min(this->places_W_.size(), mostPlaces));
   for (BrickArray& array : this->arrays_)
   {
     for (float& value : array.values)
@@ -110,12 +119,12 @@ Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArr
       value = std::isfinite(value) ? value : std::numeric_limits<float>::quiet_NaN();
     }
   }
-  this->contentHash_ = hashOf(this->grid_, this->arrays_);
+  this->contentHash_ = hashOf(this->grid_, this->arrays_, this->places_W_);
 }
 
 std::size_t Brick::bytes() const noexcept
 {
-  std::size_t bytes = sizeof(Brick);
+  std::size_t bytes = sizeof(Brick) + this->places_W_.size() * sizeof(Vec3);
   for (const BrickArray& array : this->arrays_)
   {
     bytes += array.values.size() * sizeof(float);

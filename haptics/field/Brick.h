@@ -82,6 +82,10 @@ public:
     const auto in = [](int at, int points) { return static_cast<unsigned>(at) < static_cast<unsigned>(points - 1); };
     return in(cell[0], this->size_[0]) && in(cell[1], this->size_[1]) && in(cell[2], this->size_[2]);
   }
+  [[nodiscard]] double at(const GridIndex& point) const noexcept
+  {
+    return this->values_[point[2] * this->layer_ + point[1] * this->row_ + point[0] * this->stride_];
+  }
   /// The corners of a cell that the grid holds, less `level`, times `sign`.
   [[nodiscard]] TrilinearCell cell(const GridIndex& at, double level = 0.0, double sign = 1.0) const noexcept
   {
@@ -119,13 +123,16 @@ public:
   /// Empty, or one sentence why these are no brick.
   [[nodiscard]] static std::string refuse(
     const BrickGrid& grid, const std::vector<BrickArray>& arrays, std::size_t mostBytes = Brick::mostBytes);
-  /// What refuse() is silent about. Infinities become NaN: there is no value.
-  Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays);
+  static constexpr std::size_t mostPlaces = 256; ///< that a hand snaps to: a tick looks at all of them
+  /// What refuse() is silent about. Infinities become NaN: there is no value. `places_W`: what the hand snaps to, the
+  /// first mostPlaces of them.
+  Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {});
 
   [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
   [[nodiscard]] const BrickGrid& grid() const noexcept { return this->grid_; }
   [[nodiscard]] const std::vector<BrickArray>& arrays() const noexcept { return this->arrays_; }
-  /// Hash of grid, roles and values: names a brick in a recording.
+  [[nodiscard]] const std::vector<Vec3>& places_W() const noexcept { return this->places_W_; }
+  /// Hash of grid, roles, values and places: names a brick in a recording.
   [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
   [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -141,6 +148,7 @@ private:
   std::uint64_t contentHash_ = 0;
   BrickGrid grid_;
   std::vector<BrickArray> arrays_;
+  std::vector<Vec3> places_W_;
 };
 
 } // namespace palpate
