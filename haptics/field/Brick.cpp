@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/field/Brick.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "haptics/core/WordHash.h"
+
+namespace palpate
+{
+namespace
+{
+
+std::uint64_t hashOf(
+  const BrickGrid& grid, const std::vector<BrickArray>& arrays, const std::vector<Vec3>& places_W) noexcept
+{
+  WordHash hash;
+  for (int k = 0; k < 3; ++k)
+  {
+    hash.add(static_cast<std::uint64_t>(grid.size[k]));
+    hash.add(grid.spacing_u[k]);
+    hash.add(grid.pose_W.p[k]);
+  }
+  for (const double number : grid.pose_W.q.coeffs())
+  {
+    hash.add(number);
+  }
+  for (const BrickArray& array : arrays)
+  {
+    hash.add(static_cast<std::uint64_t>(array.role));
+    for (const float value : array.values)
+    {
+      hash.add(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(value)));
+    }
+  }
+  for (const Vec3& place_W : places_W)
+  {
+    for (const double number : place_W)
+    {
+      hash.add(number);
+    }
+  }
+  return hash.value();
+}
+
+std::string refuseGrid(const BrickGrid& grid)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    if (grid.size[k] < 2)
+    {
+      return "a field needs at least two points along each axis: data of one cell or of a plane have none";
+    }
+    if (!std::isfinite(grid.spacing_u[k]) || !(grid.spacing_u[k] > 0.0))
+    {
+      return "the distance between points of a field [scene units] must be larger than 0";
+    }
+  }
+  constexpr double unitRounding = 1e-6;
+  return grid.pose_W.p.allFinite() && std::fabs(grid.pose_W.q.norm() - 1.0) < unitRounding
+           ? ""
+           : "the place of a field [scene units] must be finite and its orientation a rotation";
+}
+
+} // namespace
+
+std::optional<GridPlace> BrickComponent::within(GridPlace place) const noexcept
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    if (place.cell[k] == this->size_[k] - 1 && place.t[k] == 0.0)
+    {
+      --place.cell[k];
+      place.t[k] = 1.0;
+    }
+  }
+  return this->holds(place.cell) ? std::optional(place) : std::nullopt;
+}
+
+std::string Brick::refuse(const BrickGrid& grid, const std::vector<BrickArray>& arrays, std::size_t mostBytes)
+{
+  if (std::string problem = refuseGrid(grid); !problem.empty())
+  {
+    return problem;
+  }
+  std::size_t components = 0;
+  for (const BrickArray& array : arrays)
+  {
+    const auto wanted = static_cast<std::size_t>(componentsOf(array.role));
+    components += wanted;
+    if (array.values.size() / wanted != grid.points() || array.values.size() % wanted != 0)
+    {
+      return "array '" + array.name + "' has not one value for each point of the field";
+    }
+    if (std::ranges::count(arrays, array.role, &BrickArray::role) > 1)
+    {
+      return "array '" + array.name + "' would be felt as another array is already";
+    }
+  }
+  if (grid.points() > mostBytes / sizeof(float) / std::max<std::size_t>(components, 1))
+  {
+    return "the field around the hand would take more than " + std::to_string(mostBytes >> 20) +
+           " MB: take fewer points or fewer arrays";
+  }
+  return {};
+}
+
+Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W)
+  : revision_(revision), grid_(grid), arrays_(std::move(arrays)), places_W_(std::move(places_W))
+{
+  this->places_W_.resize(std::min(this->places_W_.size(), mostPlaces));
+  for (BrickArray& array : this->arrays_)
+  {
+    for (float& value : array.values)
+    {
+      value = std::isfinite(value) ? value : std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  this->contentHash_ = hashOf(this->grid_, this->arrays_, this->places_W_);
+}
+
+std::size_t Brick::bytes() const noexcept
+{
+  std::size_t bytes = sizeof(Brick) + this->places_W_.size() * sizeof(Vec3);
+  for (const BrickArray& array : this->arrays_)
+  {
+    bytes += array.values.size() * sizeof(float);
+  }
+  return bytes;
+}
+
+BrickComponent Brick::component(BrickRole role, int component) const noexcept
+{
+  for (const BrickArray& array : this->arrays_)
+  {
+    if (array.role == role)
+    {
+      return { this->grid_.size, array.values.data() + component, componentsOf(role) };
+    }
+  }
+  return {};
+}
+
+std::optional<FieldSample> Brick::sample(BrickRole role, const Vec3& p_W) const noexcept
+{
+  const BrickComponent scalar = this->component(role);
+  const std::optional<GridPlace> place = scalar.within(GridPlace::at(this->grid_.toIndex(p_W)));
+  if (!scalar.exists() || !place)
+  {
+    return {};
+  }
+  const TrilinearCell cell = scalar.cell(place->cell);
+  return cell.valid()
+           ? std::optional<FieldSample>({ cell.value(place->t), this->grid_.gradientToWorld(cell.gradient(place->t)) })
+           : std::nullopt;
+}
+
+std::optional<Vec3> Brick::vector(const Vec3& p_W) const noexcept
+{
+  const GridPlace at = GridPlace::at(this->grid_.toIndex(p_W));
+  Vec3 v_W;
+  for (int k = 0; k < 3; ++k)
+  {
+    const BrickComponent along = this->component(BrickRole::Vector, k);
+    const std::optional<GridPlace> place = along.within(at);
+    const TrilinearCell cell = along.exists() && place ? along.cell(place->cell) : TrilinearCell{ { NAN } };
+    if (!cell.valid())
+    {
+      return {};
+    }
+    v_W[k] = cell.value(place->t);
+  }
+  return v_W;
+}
+
+} // namespace palpate

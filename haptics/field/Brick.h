@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/field/GridPlace.h"
+#include "haptics/field/TrilinearCell.h"
+
+namespace palpate
+{
+
+/// Where the points of a uniform grid are.
+struct BrickGrid
+{
+  GridIndex size{};              ///< points along each axis, at least 2
+  Vec3 spacing_u = Vec3::Ones(); ///< between neighbours [u], larger than 0
+  Pose pose_W = {};              ///< of the first point; its axes are those of the grid
+
+  [[nodiscard]] std::size_t points() const noexcept
+  {
+    return static_cast<std::size_t>(this->size[0]) * static_cast<std::size_t>(this->size[1]) *
+           static_cast<std::size_t>(this->size[2]);
+  }
+  [[nodiscard]] Vec3 toIndex(const Vec3& p_W) const noexcept
+  {
+    return (this->pose_W.q.conjugate() * (p_W - this->pose_W.p)).cwiseQuotient(this->spacing_u);
+  }
+  [[nodiscard]] Vec3 toWorld(const Vec3& index) const noexcept
+  {
+    return this->pose_W.p + this->pose_W.q * index.cwiseProduct(this->spacing_u);
+  }
+  /// A covector of index coordinates, such as a gradient, in W [1/u].
+  [[nodiscard]] Vec3 gradientToWorld(const Vec3& gradient) const noexcept
+  {
+    return this->pose_W.q * gradient.cwiseQuotient(this->spacing_u);
+  }
+};
+
+/// What an array of a brick is felt as.
+enum class BrickRole : std::uint8_t
+{
+  Scalar,     ///< isosurface, detent, extrema
+  Vector,     ///< followed, pushed by; three components in the axes of W
+  Resistance, ///< how strongly the hand is dragged; not negative
+  Other,      ///< what the scalar is compared with
+};
+
+/// Values at the points of a grid, x fastest, components together. NaN: there is no value.
+struct BrickArray
+{
+  BrickRole role = BrickRole::Scalar;
+  std::string name; ///< for people
+  std::vector<float> values;
+};
+
+[[nodiscard]] constexpr int componentsOf(BrickRole role) noexcept
+{
+  return role == BrickRole::Vector ? 3 : 1;
+}
+
+/// One component of an array on the grid of its brick, which must outlive it.
+class BrickComponent
+{
+public:
+  BrickComponent() = default;
+  BrickComponent(const GridIndex& size, const float* values, int stride) noexcept
+    : size_(size), values_(values), stride_(stride), row_(stride * static_cast<std::ptrdiff_t>(size[0])),
+      layer_(row_ * size[1])
+  {
+  }
+
+  [[nodiscard]] bool exists() const noexcept { return this->values_ != nullptr; }
+  [[nodiscard]] const GridIndex& size() const noexcept { return this->size_; }
+  [[nodiscard]] bool holds(const GridIndex& cell) const noexcept
+  {
+    const auto in = [](int at, int points) { return static_cast<unsigned>(at) < static_cast<unsigned>(points - 1); };
+    return in(cell[0], this->size_[0]) && in(cell[1], this->size_[1]) && in(cell[2], this->size_[2]);
+  }
+  [[nodiscard]] double at(const GridIndex& point) const noexcept
+  {
+    return this->values_[point[2] * this->layer_ + point[1] * this->row_ + point[0] * this->stride_];
+  }
+  /// The corners of a cell that the grid holds, less `level`, times `sign`.
+  [[nodiscard]] TrilinearCell cell(const GridIndex& at, double level = 0.0, double sign = 1.0) const noexcept
+  {
+    const float* const v = this->values_ + at[2] * this->layer_ + at[1] * this->row_ + at[0] * this->stride_;
+    const float *const y = v + this->row_, *const z = v + this->layer_, *const yz = z + this->row_;
+    const auto s = this->stride_;
+    return { { sign * (v[0] - level), sign * (v[s] - level), sign * (y[0] - level), sign * (y[s] - level),
+      sign * (z[0] - level), sign * (z[s] - level), sign * (yz[0] - level), sign * (yz[s] - level) } };
+  }
+  /// Where the cell of a place is, moved into the grid from its far faces; none outside.
+  [[nodiscard]] std::optional<GridPlace> within(GridPlace place) const noexcept;
+
+private:
+  GridIndex size_{};
+  const float* values_ = nullptr;
+  std::ptrdiff_t stride_ = 1, row_ = 0, layer_ = 0;
+};
+
+/// A value, and how it changes, in W [1/u].
+struct FieldSample
+{
+  double value = 0.0;
+  Vec3 gradient_W = Vec3::Zero();
+};
+
+/// Numbers in space around a hand: arrays on one uniform grid. Immutable once made: the servo reads it, a worker frees
+/// it. Between points values are trilinear. A cell with a corner that has no value has none.
+class Brick
+{
+public:
+  /// All bricks together are to stay below 32 MB; an owner may hold the one felt, the one before and the one being
+  /// made.
+  static constexpr std::size_t mostBytes = std::size_t{ 10 } << 20;
+
+  /// Empty, or one sentence why these are no brick.
+  [[nodiscard]] static std::string refuse(
+    const BrickGrid& grid, const std::vector<BrickArray>& arrays, std::size_t mostBytes = Brick::mostBytes);
+  static constexpr std::size_t mostPlaces = 256; ///< that a hand snaps to: a tick looks at all of them
+  /// What refuse() is silent about. Infinities become NaN: there is no value. `places_W`: what the hand snaps to, the
+  /// first mostPlaces of them.
+  Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {});
+
+  [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
+  [[nodiscard]] const BrickGrid& grid() const noexcept { return this->grid_; }
+  [[nodiscard]] const std::vector<BrickArray>& arrays() const noexcept { return this->arrays_; }
+  [[nodiscard]] const std::vector<Vec3>& places_W() const noexcept { return this->places_W_; }
+  /// Hash of grid, roles, values and places: names a brick in a recording.
+  [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
+  [[nodiscard]] std::size_t bytes() const noexcept;
+
+  /// One component of what has that role; exists() is false where there is none.
+  [[nodiscard]] BrickComponent component(BrickRole role, int component = 0) const noexcept;
+  /// The trilinear value at a place in W; none outside and where a corner has none.
+  [[nodiscard]] std::optional<FieldSample> sample(BrickRole role, const Vec3& p_W) const noexcept;
+  /// The trilinear vector at a place in W, in W.
+  [[nodiscard]] std::optional<Vec3> vector(const Vec3& p_W) const noexcept;
+
+private:
+  std::uint64_t revision_ = 0;
+  std::uint64_t contentHash_ = 0;
+  BrickGrid grid_;
+  std::vector<BrickArray> arrays_;
+  std::vector<Vec3> places_W_;
+};
+
+} // namespace palpate

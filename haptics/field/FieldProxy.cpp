@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/field/FieldProxy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/field/laws/Follow.h"
+#include "haptics/field/laws/Primitives.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// How far an isosurface may move under the hand in a tick, times the stiffness: no step of a tenth of a newton.
+constexpr double scrub_N = 0.045;
+
+bool usesSoft(const Brick& brick, const FieldPlan& plan) noexcept
+{
+  return plan.drag_N > 0.0 || (plan.follow_N > 0.0 && brick.component(BrickRole::Vector).exists()) ||
+         (plan.snap_N > 0.0 && !brick.places_W().empty()) ||
+         (plan.compare_N > 0.0 && brick.component(BrickRole::Other).exists());
+}
+
+bool usesScalar(const Brick& brick, bool on) noexcept
+{
+  return on && brick.component(BrickRole::Scalar).exists();
+}
+
+double share(double value, double full) noexcept
+{
+  return full > 0.0 ? std::min(1.0, value / full) : 1.0;
+}
+
+/// One tick of a hand in a field.
+class FieldTick
+{
+public:
+  FieldTick(const Brick& brick, const FieldPlan& plan, double stiffness, const Vec3& p_W, FieldState& state) noexcept
+    : brick_(brick), plan_(plan), k_(stiffness), p_W_(p_W), state_(state)
+  {
+  }
+
+  FieldResult run() noexcept
+  {
+    const bool covered = this->hasValue();
+    const bool surface = covered && usesScalar(this->brick_, this->plan_.isosurface);
+    const bool detent = covered && usesScalar(this->brick_, this->plan_.detent.strength_N > 0.0);
+    const bool click = detent && this->plan_.detent.click, smooth = detent && !click;
+    const bool soft = covered && usesSoft(this->brick_, this->plan_);
+    this->result_.outside = !covered;
+    this->forgetUnless(surface, this->state_.surface);
+    this->forgetUnless(click, this->state_.click);
+    if (surface)
+    {
+      this->surface();
+    }
+    if (click)
+    {
+      this->click();
+    }
+    this->state_.detent_W = smooth && this->state_.placed ? this->state_.detent_W : this->p_W_;
+    if (smooth)
+    {
+      this->smooth();
+    }
+    this->state_.soft_W = soft && this->state_.placed ? this->state_.soft_W : this->p_W_;
+    if (soft)
+    {
+      this->soft();
+    }
+    this->push();
+    this->result_.letGo = this->result_.letGo || (this->state_.placed && !covered);
+    this->state_.placed = covered;
+    return this->result_;
+  }
+
+private:
+  /// Where the first array has none the hand is outside of the field.
+  [[nodiscard]] bool hasValue() const noexcept
+  {
+    const bool any = !this->brick_.arrays().empty();
+    return any && this->brick_.sample(this->brick_.arrays().front().role, this->p_W_).has_value();
+  }
+
+  static void forgetUnless(bool used, IsoState& state) noexcept
+  {
+    if (!used)
+    {
+      state = IsoState{};
+    }
+  }
+
+  void add(const Vec3& pull_W) noexcept
+  {
+    this->result_.pull_W += pull_W;
+    this->result_.stretch2_u2 += pull_W.squaredNorm();
+  }
+
+  void addIso(const IsoPlan& plan, IsoState& state) noexcept
+  {
+    const BrickGrid& grid = this->brick_.grid();
+    const IsoResult iso =
+      moveIsoProxy(this->brick_.component(BrickRole::Scalar), grid.spacing_u, plan, grid.toIndex(this->p_W_), state);
+    this->add(grid.pose_W.q * iso.pull_u);
+    this->result_.contacts += iso.contacts;
+    this->result_.passes += iso.passes;
+    this->result_.letGo = this->result_.letGo || iso.released || iso.yielded;
+    this->result_.capped = this->result_.capped || iso.capped;
+  }
+
+  void surface() noexcept
+  {
+    IsoPlan plan;
+    plan.level = this->plan_.isovalue;
+    plan.scrub_u = scrub_N / this->k_;
+    plan.yield_u = this->plan_.yield_N > 0.0 ? this->plan_.yield_N / this->k_ : plan.yield_u;
+    this->addIso(plan, this->state_.surface);
+    this->result_.surface_W = this->brick_.grid().toWorld(this->state_.surface.x.index());
+  }
+
+  /// The level before the hand is a membrane; the proxy stands between two of them.
+  void click() noexcept
+  {
+    IsoState& state = this->state_.click;
+    IsoPlan plan;
+    plan.yield_u = this->plan_.detent.strength_N / this->k_;
+    const std::optional<FieldSample> hand = this->brick_.sample(BrickRole::Scalar, this->p_W_);
+    const Vec3 x_W = state.placed ? this->brick_.grid().toWorld(state.x.index()) : this->p_W_;
+    const std::optional<FieldSample> proxy = this->brick_.sample(BrickRole::Scalar, x_W);
+    plan.level = state.level;
+    const bool pressed = hand && state.count > 0 && state.side * (hand->value - state.level) < 0.0;
+    if (hand && proxy && !pressed)
+    {
+      const bool above = hand->value > proxy->value;
+      plan.level = state.level = nextLevel(this->plan_.detent, proxy->value, above);
+      state.side = above ? -1.0 : 1.0;
+      state.count = 0;
+    }
+    this->addIso(plan, state);
+  }
+
+  void smooth() noexcept
+  {
+    this->state_.detent_W = smoothDetent(this->brick_, this->plan_.detent, this->k_, this->p_W_, this->state_.detent_W);
+    this->add(this->state_.detent_W - this->p_W_);
+  }
+
+  /// All pulls of limited strength are one problem with one answer.
+  void soft() noexcept
+  {
+    std::array<Primitive, 4> primitives;
+    std::size_t count = 0;
+    const auto give = [&](const Primitive& primitive)
+    {
+      if (primitive.strength_N > 0.0)
+      {
+        primitives[count++] = primitive;
+      }
+    };
+    give({ PrimitiveKind::Point, this->drag_N(), this->state_.soft_W });
+    give({ PrimitiveKind::Point, this->compare_N(), this->state_.soft_W });
+    if (const std::optional<Followed> line = this->followed())
+    {
+      const double strength_N = this->plan_.follow_N * share(line->speed, this->plan_.fullSpeed);
+      give({ PrimitiveKind::Line, strength_N, line->y_W, line->along_W });
+    }
+    give(this->snap());
+    const PrimitiveSolution solution = solvePrimitives({ primitives.data(), count }, this->p_W_, this->k_);
+    this->state_.soft_W = solution.x;
+    this->result_.error_u = solution.error_u;
+    this->add(solution.x - this->p_W_);
+  }
+
+  [[nodiscard]] double drag_N() const noexcept
+  {
+    if (!this->brick_.component(BrickRole::Resistance).exists())
+    {
+      return this->plan_.drag_N;
+    }
+    const std::optional<FieldSample> resistance = this->brick_.sample(BrickRole::Resistance, this->p_W_);
+    return resistance ? this->plan_.drag_N * std::clamp(resistance->value, 0.0, 1.0) : 0.0;
+  }
+
+  [[nodiscard]] double compare_N() const noexcept
+  {
+    const std::optional<FieldSample> one = this->brick_.sample(BrickRole::Scalar, this->p_W_);
+    const std::optional<FieldSample> other = this->brick_.sample(BrickRole::Other, this->p_W_);
+    return one && other ? this->plan_.compare_N * share(std::fabs(one->value - other->value), this->plan_.compareFull)
+                        : 0.0;
+  }
+
+  [[nodiscard]] std::optional<Followed> followed() const noexcept
+  {
+    return this->plan_.follow_N > 0.0 ? followStreamline(this->brick_, this->state_.soft_W, this->p_W_) : std::nullopt;
+  }
+
+  /// The strength depends on the hand's distance alone, so it has a potential.
+  [[nodiscard]] Primitive snap() const noexcept
+  {
+    Primitive snap;
+    double nearest_u2 = this->plan_.snapReach_u * this->plan_.snapReach_u;
+    for (const Vec3& place_W : this->brick_.places_W())
+    {
+      const double far_u2 = (place_W - this->p_W_).squaredNorm();
+      if (far_u2 < nearest_u2)
+      {
+        nearest_u2 = far_u2;
+        snap.anchor = place_W;
+        snap.strength_N = this->plan_.snap_N * (1.0 - std::sqrt(far_u2) / this->plan_.snapReach_u);
+      }
+    }
+    return snap;
+  }
+
+  void push() noexcept
+  {
+    const std::optional<Vec3> v_W = this->plan_.push_N > 0.0 ? this->brick_.vector(this->p_W_) : std::nullopt;
+    const double speed = v_W ? v_W->norm() : 0.0;
+    if (speed > 0.0)
+    {
+      this->result_.push_N_W = this->plan_.push_N * share(speed, this->plan_.fullSpeed) / speed * *v_W;
+    }
+  }
+
+  const Brick& brick_;
+  const FieldPlan& plan_;
+  double k_;
+  const Vec3& p_W_;
+  FieldState& state_;
+  FieldResult result_;
+};
+
+/// The same place in another grid. Grids whose points fall together keep every bit of it.
+GridPlace placeIn(const BrickGrid& now, const BrickGrid& was, const GridPlace& x) noexcept
+{
+  const Vec3 shift = now.toIndex(was.pose_W.p);
+  GridPlace place = x;
+  bool aligned = now.spacing_u == was.spacing_u && now.pose_W.q.coeffs() == was.pose_W.q.coeffs();
+  for (int k = 0; k < 3; ++k)
+  {
+    const double whole = std::floor(shift[k] + 0.5);
+    constexpr double rounding = 1e-9; // of a spacing
+    aligned = aligned && std::fabs(shift[k] - whole) < rounding && std::fabs(whole) < 1e9;
+    place.cell[k] += aligned ? static_cast<int>(whole) : 0;
+  }
+  return aligned ? place : GridPlace::at(now.toIndex(was.toWorld(x.index())));
+}
+
+/// A proxy in another brick stays where it is. Where the surface there is not where it was, it goes from the proxy to
+/// its own place as if its value were changed: on the same side, and no faster.
+void carryIso(const Brick& brick, const BrickGrid& was, IsoState& state) noexcept
+{
+  const BrickComponent field = brick.component(BrickRole::Scalar);
+  if (!state.placed || !field.exists())
+  {
+    state = IsoState{};
+    return;
+  }
+  state.x = placeIn(brick.grid(), was, state.x);
+  state.device = placeIn(brick.grid(), was, state.device);
+  state.catchingUp = state.count > 0;
+  state.count = 0;
+  const std::optional<GridPlace> place = field.within(state.x);
+  const TrilinearCell cell = place ? field.cell(place->cell, state.level, state.side) : TrilinearCell{ { NAN } };
+  if (!cell.valid())
+  {
+    state = IsoState{};
+    return;
+  }
+  constexpr double above = 1e-13; // of the largest corner: more than a landing keeps
+  const double value = cell.value(place->t), least = above * cell.largestMagnitude();
+  state.level += value < least ? state.side * (value - least) : 0.0;
+}
+
+} // namespace
+
+int springsOf(const Brick& brick, const FieldPlan& plan) noexcept
+{
+  return static_cast<int>(usesScalar(brick, plan.isosurface)) +
+         static_cast<int>(usesScalar(brick, plan.detent.strength_N > 0.0)) + static_cast<int>(usesSoft(brick, plan));
+}
+
+FieldResult moveFieldProxy(
+  const Brick& brick, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept
+{
+  if (state.brick != brick.contentHash())
+  {
+    if (state.brick != 0)
+    {
+      carryIso(brick, state.grid, state.surface);
+      carryIso(brick, state.grid, state.click);
+    }
+    state.brick = brick.contentHash();
+    state.grid = brick.grid();
+  }
+  return FieldTick(brick, plan, stiffness_N_per_u, p_W, state).run();
+}
+
+} // namespace palpate

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/field/Brick.h"
+#include "haptics/field/FieldPlan.h"
+#include "haptics/field/iso/IsoProxy.h"
+
+namespace palpate
+{
+
+/// What a field remembers from tick to tick.
+struct FieldState
+{
+  bool placed = false;
+  Vec3 soft_W = Vec3::Zero();   ///< proxy of the pulls of limited strength
+  Vec3 detent_W = Vec3::Zero(); ///< proxy of the smooth detent
+  IsoState surface, click;
+  std::uint64_t brick = 0; ///< content of the brick that the cells are of
+  BrickGrid grid;
+};
+
+struct FieldResult
+{
+  Vec3 pull_W = Vec3::Zero(); ///< sum of the ways from the hand to each proxy [u]
+  double stretch2_u2 = 0.0;   ///< sum of their squares
+  Vec3 push_N_W = Vec3::Zero();
+  Vec3 surface_W = Vec3::Zero(); ///< proxy of the isosurface, where there is one
+  double error_u = 0.0;          ///< the pulls of limited strength are certainly balanced to this
+  int contacts = 0;
+  std::uint32_t passes = 0;
+  bool outside = false; ///< the hand is where the field has no value
+  bool letGo = false;   ///< a spring gave way or lost its surface in this tick
+  bool capped = false;
+};
+
+/// How many springs a plan uses on a brick: they share the stiffness of the hand's coupling. Each has a proxy of its
+/// own, so that each by itself takes no less than it gives: one proxy that respects them one after the other would have
+/// a force with curl.
+[[nodiscard]] int springsOf(const Brick& brick, const FieldPlan& plan) noexcept;
+
+/// One tick of a hand at p_W in a field. `stiffness_N_per_u`: of each spring. Real-time safe.
+[[nodiscard]] FieldResult moveFieldProxy(
+  const Brick& brick, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept;
+
+} // namespace palpate

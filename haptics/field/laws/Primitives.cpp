@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/field/laws/Primitives.h"
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "haptics/field/laws/PrimitiveSets.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr int firstRounds = 3, moreRounds = 6, mostTries = 5, mostNewton = 12;
+constexpr double stillRounds_N = 1e-13; ///< rounds that change no pull by more have ended
+constexpr double dependent = 1e-6;      ///< sine below which what two hold is one
+constexpr double solved_N = 1e-11;      ///< of the pulls: far below what any hand feels, far above rounding
+
+enum class Holding : std::uint8_t
+{
+  Slack,
+  Slides,
+  Holds
+};
+
+/// Of points, lines and planes.
+class PrimitiveSolver
+{
+public:
+  PrimitiveSolver(std::span<const Primitive> primitives, const Vec3& device, double stiffness) noexcept
+    : primitives_(primitives), device_(device), k_(stiffness)
+  {
+  }
+
+  PrimitiveSolution solve() noexcept
+  {
+    this->best_.pull_N.fill(Vec3::Zero());
+    this->best_.x = this->device_;
+    bool done = this->takeRounds(firstRounds);
+    for (int i = 0; i < mostTries && !done; ++i)
+    {
+      done = this->finishByNewton() || this->takeRounds(moreRounds << i);
+    }
+    this->best_.error_u = done ? 0.0 : this->certificate();
+    return this->best_;
+  }
+
+private:
+  [[nodiscard]] std::size_t count() const noexcept { return this->primitives_.size(); }
+
+  /// Each pull in turn becomes what it must be beside the others. True once none changes any more.
+  bool takeRounds(int rounds) noexcept
+  {
+    for (int round = 0; round < rounds; ++round)
+    {
+      ++this->best_.rounds;
+      double change_N = 0.0;
+      for (std::size_t i = 0; i < this->count(); ++i)
+      {
+        Vec3& pull_N = this->best_.pull_N[i];
+        const Vec3 without = this->best_.x - pull_N / this->k_;
+        const Vec3 now_N = allowedPull(this->primitives_[i], -this->k_ * (without - this->primitives_[i].anchor));
+        change_N = std::max(change_N, (now_N - pull_N).norm());
+        this->best_.x = without + now_N / this->k_;
+        pull_N = now_N;
+      }
+      if (change_N <= stillRounds_N)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] Holding stateOf(std::size_t i) const noexcept
+  {
+    const Primitive& p = this->primitives_[i];
+    const double pull_N = this->best_.pull_N[i].norm(), nearly = 1.0 - 1e-9;
+    if (p.kind == PrimitiveKind::Plane && pull_N == 0.0)
+    {
+      return Holding::Slack;
+    }
+    return pull_N < nearly * p.strength_N ? Holding::Holds : Holding::Slides;
+  }
+
+  /// Directions in which what holds leaves no freedom; what others hold already is left out.
+  void addRows(const Primitive& p) noexcept
+  {
+    const Vec3 across =
+      (std::fabs(p.axis.x()) < 0.6 ? p.axis.cross(Vec3::UnitX()) : p.axis.cross(Vec3::UnitY())).normalized();
+    const std::array<Vec3, 3> directions{ p.axis, across, p.axis.cross(across) };
+    const int first = p.kind == PrimitiveKind::Line ? 1 : 0, last = p.kind == PrimitiveKind::Plane ? 1 : 3;
+    for (int d = first; d < last && this->rows_ < 3; ++d)
+    {
+      Vec3 left = directions[d];
+      double target = left.dot(p.anchor);
+      for (int r = 0; r < this->rows_; ++r)
+      {
+        const double part = this->row_[r].dot(left);
+        left -= part * this->row_[r];
+        target -= part * this->target_[r];
+      }
+      if (left.norm() > dependent)
+      {
+        this->row_[this->rows_] = left.normalized();
+        this->target_[this->rows_++] = target / left.norm();
+      }
+    }
+  }
+
+  /// The equations of the guess: balance of the forces, and what holds does not move.
+  bool finishByNewton() noexcept
+  {
+    this->rows_ = 0;
+    for (std::size_t i = 0; i < this->count(); ++i)
+    {
+      this->holding_[i] = this->stateOf(i);
+      if (this->holding_[i] == Holding::Holds)
+      {
+        this->addRows(this->primitives_[i]);
+      }
+    }
+    Vec3 x = this->best_.x;
+    for (int step = 0; step < mostNewton; ++step)
+    {
+      const Vec3 change = this->newtonStep(x);
+      x += change;
+      if (!(change.norm() <= 1e6 * (1.0 + x.norm())))
+      {
+        return false;
+      }
+      if (change.norm() <= 1e-15 * (this->device_ - x).norm())
+      {
+        break;
+      }
+    }
+    return this->accept(x);
+  }
+
+  [[nodiscard]] Vec3 newtonStep(const Vec3& x) const noexcept
+  {
+    using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+    using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
+    const int n = 3 + this->rows_;
+    Square matrix = Square::Zero(n, n);
+    Column right = Column::Zero(n);
+    matrix.topLeftCorner<3, 3>() = this->k_ * Mat3::Identity();
+    right.head<3>() = this->k_ * (this->device_ - x);
+    for (std::size_t i = 0; i < this->count(); ++i)
+    {
+      if (this->holding_[i] == Holding::Slides)
+      {
+        this->addSliding(this->primitives_[i], x, matrix, right);
+      }
+    }
+    for (int r = 0; r < this->rows_; ++r)
+    {
+      matrix.block<3, 1>(0, 3 + r) = -this->row_[r];
+      matrix.block<1, 3>(3 + r, 0) = this->row_[r].transpose();
+      right[3 + r] = this->target_[r] - this->row_[r].dot(x);
+    }
+    const Column solution = matrix.partialPivLu().solve(right);
+    return solution.head<3>();
+  }
+
+  template<class Square, class Column>
+  void addSliding(const Primitive& p, const Vec3& x, Square& matrix, Column& right) const noexcept
+  {
+    if (p.kind == PrimitiveKind::Plane)
+    {
+      right.template head<3>() += p.strength_N * p.axis;
+      return;
+    }
+    const Vec3 way = resisted(p, x - p.anchor);
+    const double far = way.norm();
+    const Vec3 u = far > 0.0 ? Vec3(way / far) : Vec3(Vec3::Zero());
+    Mat3 across = Mat3::Identity() - u * u.transpose();
+    if (p.kind == PrimitiveKind::Line)
+    {
+      across -= p.axis * p.axis.transpose();
+    }
+    matrix.template topLeftCorner<3, 3>() += far > 0.0 ? Mat3(p.strength_N / far * across) : Mat3(Mat3::Zero());
+    right.template head<3>() -= p.strength_N * u;
+  }
+
+  /// What slides pulls with all of its strength; what holds shares what is missing, changed as little as can be.
+  [[nodiscard]] std::array<Vec3, PrimitiveSolution::mostPrimitives> pullsAt(const Vec3& x) const noexcept
+  {
+    std::array<Vec3, PrimitiveSolution::mostPrimitives> pull_N = this->best_.pull_N;
+    Vec3 missing_N = this->k_ * (x - this->device_);
+    Mat3 shares = Mat3::Zero();
+    for (std::size_t i = 0; i < this->count(); ++i)
+    {
+      const Primitive& p = this->primitives_[i];
+      if (this->holding_[i] == Holding::Slides)
+      {
+        const Vec3 away = resisted(p, x - p.anchor);
+        pull_N[i] = p.strength_N * (p.kind == PrimitiveKind::Plane ? p.axis : Vec3(-away.stableNormalized()));
+      }
+      for (int k = 0; k < 3 && this->holding_[i] == Holding::Holds; ++k)
+      {
+        shares.col(k) += resisted(p, Vec3::Unit(k));
+      }
+      missing_N -= pull_N[i];
+    }
+    Eigen::FullPivLU<Mat3> division(shares);
+    const Vec3 share_N = division.setThreshold(dependent).solve(missing_N);
+    for (std::size_t i = 0; i < this->count(); ++i)
+    {
+      if (this->holding_[i] == Holding::Holds)
+      {
+        pull_N[i] += resisted(this->primitives_[i], share_N);
+      }
+    }
+    return pull_N;
+  }
+
+  /// The guess counts if every pull is the allowed one nearest to what it would be without its limit.
+  bool accept(const Vec3& x) noexcept
+  {
+    const std::array<Vec3, PrimitiveSolution::mostPrimitives> pull_N = this->pullsAt(x);
+    Vec3 sum_N = this->k_ * (this->device_ - x);
+    for (std::size_t i = 0; i < this->count(); ++i)
+    {
+      const Primitive& p = this->primitives_[i];
+      const Vec3 wanted_N = allowedPull(p, pull_N[i] - this->k_ * (x - p.anchor));
+      if (!((wanted_N - pull_N[i]).norm() <= solved_N))
+      {
+        return false;
+      }
+      sum_N += pull_N[i];
+    }
+    if (!(sum_N.norm() <= solved_N))
+    {
+      return false;
+    }
+    this->best_.x = x;
+    this->best_.pull_N = pull_N;
+    return true;
+  }
+
+  /// Each term is what a pull lacks of its best, so none is negative and nothing cancels.
+  [[nodiscard]] double certificate() const noexcept
+  {
+    double gap = 0.0;
+    for (std::size_t i = 0; i < this->count(); ++i)
+    {
+      const Primitive& p = this->primitives_[i];
+      gap += p.strength_N * missed(p, this->best_.x) + this->best_.pull_N[i].dot(this->best_.x - p.anchor);
+    }
+    return std::sqrt(2.0 * std::max(gap, 0.0) / this->k_);
+  }
+
+  std::span<const Primitive> primitives_;
+  Vec3 device_;
+  double k_;
+  PrimitiveSolution best_;
+  std::array<Holding, PrimitiveSolution::mostPrimitives> holding_{};
+  std::array<Vec3, 3> row_;
+  std::array<double, 3> target_{}; ///< of the place along each row
+  int rows_ = 0;
+};
+
+/// What is left of a problem once the pulls that need no search are taken out.
+struct Reduced
+{
+  std::array<Primitive, PrimitiveSolution::mostPrimitives> primitive;
+  std::array<std::size_t, PrimitiveSolution::mostPrimitives> origin{}; ///< of each that is left
+  std::size_t count = 0;
+  Vec3 device;         ///< shifted by the forces that are the same everywhere
+  double points_N = 0; ///< strength of all points together, where they were taken out
+  Vec3 anchor = Vec3::Zero();
+};
+
+bool haveCommonAnchor(std::span<const Primitive> primitives) noexcept
+{
+  const Primitive* first = nullptr;
+  for (const Primitive& p : primitives)
+  {
+    if (p.kind != PrimitiveKind::Directed)
+    {
+      first = first == nullptr ? &p : first;
+      if (p.anchor != first->anchor)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// With one anchor the proxy is what the sum of all allowed pulls leaves of the hand's way from it (Moreau): the ball
+/// of the points may be taken off last, since what is left after the rest has the direction of the whole.
+Reduced reduce(std::span<const Primitive> primitives, const Vec3& device, double k) noexcept
+{
+  Reduced reduced;
+  reduced.device = device;
+  const bool common = haveCommonAnchor(primitives);
+  for (std::size_t i = 0; i < primitives.size(); ++i)
+  {
+    const Primitive& p = primitives[i];
+    if (p.kind == PrimitiveKind::Directed)
+    {
+      reduced.device += p.strength_N / k * p.axis;
+    }
+    else if (p.kind == PrimitiveKind::Point && common)
+    {
+      reduced.points_N += p.strength_N;
+      reduced.anchor = p.anchor;
+    }
+    else
+    {
+      reduced.origin[reduced.count] = i;
+      reduced.primitive[reduced.count++] = p;
+    }
+  }
+  return reduced;
+}
+
+} // namespace
+
+PrimitiveSolution solvePrimitives(
+  std::span<const Primitive> primitives, const Vec3& device, double stiffness_N_per_u) noexcept
+{
+  primitives = primitives.first(std::min<std::size_t>(primitives.size(), PrimitiveSolution::mostPrimitives));
+  const Reduced reduced = reduce(primitives, device, stiffness_N_per_u);
+  const PrimitiveSolution rest =
+    PrimitiveSolver({ reduced.primitive.data(), reduced.count }, reduced.device, stiffness_N_per_u).solve();
+  PrimitiveSolution all = rest;
+  all.pull_N.fill(Vec3::Zero());
+  for (std::size_t i = 0; i < reduced.count; ++i)
+  {
+    all.pull_N[reduced.origin[i]] = rest.pull_N[i];
+  }
+  const Vec3 way = rest.x - reduced.anchor;
+  const double far_N = stiffness_N_per_u * way.norm();
+  if (reduced.points_N > 0.0)
+  {
+    all.x = far_N > reduced.points_N ? Vec3(rest.x - (reduced.points_N / far_N) * way) : reduced.anchor;
+  }
+  for (std::size_t i = 0; i < primitives.size(); ++i)
+  {
+    const Primitive& p = primitives[i];
+    if (p.kind == PrimitiveKind::Directed)
+    {
+      all.pull_N[i] = p.strength_N * p.axis;
+    }
+    else if (p.kind == PrimitiveKind::Point && reduced.points_N > 0.0)
+    {
+      all.pull_N[i] = p.strength_N / reduced.points_N * stiffness_N_per_u * (all.x - rest.x);
+    }
+  }
+  return all;
+}
+
+} // namespace palpate

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// palpate-field-bench: what one tick on an isosurface costs in sliding contact, beside a plain trilinear probe of the
+// same run.
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "haptics/field/Smoothing.h"
+#include "haptics/field/iso/IsoProxy.h"
+#include "testing/support/CostSample.h"
+#include "testing/support/Fields.h"
+#include "testing/support/Random.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+struct Options
+{
+  int points = 256;
+  std::size_t ticks = 30000;
+  std::uint32_t passCap = 10;
+  bool withAssertions = false;
+};
+
+constexpr double box_mm = 128.0, radius_mm = 40.0, depth_mm = 1.5, step_mm = 0.1;
+
+double normal(Random& random)
+{
+  return std::sqrt(-2.0 * std::log(1.0 - random.uniform())) * std::cos(2.0 * std::numbers::pi * random.uniform());
+}
+
+struct Field
+{
+  std::string name;
+  std::function<double(double r_mm, double h_mm)> function;
+  double level = 0.0;
+  int passes = 0;          ///< of smoothing
+  double mostProbes = 0.0; ///< that a tick may cost (p50)
+};
+
+/// The hand winds around the ball, 0.1 mm a tick.
+Vec3 handAt_mm(std::size_t tick)
+{
+  const double turn = step_mm * static_cast<double>(tick) / radius_mm;
+  const double tilt = 0.5 * std::sin(0.11 * turn);
+  const Vec3 direction(std::cos(turn) * std::cos(tilt), std::sin(turn) * std::cos(tilt), std::sin(tilt));
+  return Vec3::Constant(0.5 * box_mm + 0.123) + (radius_mm - depth_mm) * direction;
+}
+
+struct Cost
+{
+  double p50_us, p99_us;
+};
+
+Cost probes(const Brick& brick, std::size_t ticks, double h_mm)
+{
+  CostSample sample(ticks);
+  double sum = 0.0;
+  constexpr int each = 16; // reading the clock costs as much as a probe
+  sample.timeWarm(
+    [&](auto call)
+    {
+      for (std::size_t i = 0; i < ticks; ++i)
+      {
+        const Vec3 p = handAt_mm(i);
+        call(
+          [&]
+          {
+            for (int k = 0; k < each; ++k)
+            {
+              sum += brick.sample(BrickRole::Scalar, p / h_mm + Vec3::Constant(0.01 * k))->value;
+            }
+          });
+      }
+    });
+  if (!std::isfinite(sum))
+  {
+    std::printf("  a probe found no value: this is no comparison\n");
+  }
+  return { sample.quantile_us(0.5) / each, sample.quantile_us(0.99) / each };
+}
+
+bool benchmark(const Field& field, const Options& options)
+{
+  const double h_mm = box_mm / (options.points - 1);
+  const Vec3 centre = Vec3::Constant(0.5 * box_mm + 0.123) / h_mm;
+  const GridIndex size{ options.points, options.points, options.points };
+  const Brick brick(1, BrickGrid{ size },
+    { { BrickRole::Scalar, "f",
+      smoothed(sampledValues(size, [&](const Vec3& i) { return field.function(h_mm * (i - centre).norm(), h_mm); }),
+        size, field.passes) } });
+  const BrickComponent scalar = brick.component(BrickRole::Scalar);
+  IsoPlan plan;
+  plan.level = field.level;
+  plan.passCap = options.passCap;
+  std::size_t capped = 0, touching = 0;
+  double deepest_mm = 0.0;
+  CostSample sample(options.ticks);
+  sample.timeWarm(
+    [&](auto call)
+    {
+      IsoState state;
+      capped = touching = 0;
+      (void)moveIsoProxy(
+        scalar, Vec3::Constant(h_mm), plan, (handAt_mm(0) - 0.5 * Vec3::Constant(box_mm)) / h_mm * 1.2 + centre, state);
+      for (std::size_t i = 0; i < options.ticks; ++i)
+      {
+        IsoResult result;
+        const Vec3 p = handAt_mm(i) / h_mm;
+        call([&] { result = moveIsoProxy(scalar, Vec3::Constant(h_mm), plan, p, state); });
+        capped += result.capped;
+        touching += result.contacts > 0;
+        deepest_mm = std::max(deepest_mm, result.pull_u.norm());
+      }
+    });
+  const Cost tick{ sample.quantile_us(0.5), sample.quantile_us(0.99) }, probe = probes(brick, options.ticks, h_mm);
+  std::printf("%-28s p50 %6.2f us p99 %6.2f us; a probe %5.3f us; ratio p50 %5.1f p99 %6.1f; of %zu ticks %zu touch, "
+              "%zu capped; |x - p| at most %.2f mm\n",
+    field.name.c_str(), tick.p50_us, tick.p99_us, probe.p50_us, tick.p50_us / probe.p50_us, tick.p99_us / probe.p50_us,
+    options.ticks, touching, capped, deepest_mm);
+  return tick.p50_us <= field.mostProbes * probe.p50_us;
+}
+
+std::vector<Field> fields(Random& random)
+{
+  const auto distance = [](double r, double) { return r; };
+  const auto square = [](double r, double) { return r * r; };
+  const auto noisy = [&random](double sigma)
+  { return [&random, sigma](double r, double h) { return r + sigma * h * normal(random); }; };
+  // Tissue of 1000 with bone of 2000 inside, edges blurred over 1 mm, 25 units of noise; the surface of the tissue.
+  const auto scan = [&random](double r, double)
+  {
+    const auto edge = [r](double at_mm) { return 0.5 * std::erfc(r - at_mm); };
+    return 1000.0 * edge(radius_mm) + 1000.0 * edge(25.0) + 25.0 * normal(random);
+  };
+  return { { "distance", distance, radius_mm, 0, 40.0 }, { "its square", square, radius_mm * radius_mm, 0, 40.0 },
+    { "noise of 0.1 h", noisy(0.1), radius_mm, 0, 80.0 },
+    { "noise of 0.5 h, one pass", noisy(0.5), radius_mm, 1, 80.0 }, { "like a scan", scan, 500.0, 0, 80.0 } };
+}
+
+} // namespace
+} // namespace palpate::test
+
+int main(int argc, char** argv)
+{
+  using namespace palpate::test;
+  Options options;
+  CLI::App app("what a tick on an isosurface costs");
+  app.add_option("--points", options.points, "of the grid along each axis");
+  app.add_option("--ticks", options.ticks, "1 ms each");
+  app.add_option("--passes", options.passCap, "most of a tick");
+  app.add_flag("--assert", options.withAssertions, "fail if a tick costs more probes than it may");
+  CLI11_PARSE(app, argc, argv);
+  Random random(testSeed(1690));
+  bool within = true;
+  for (const Field& field : fields(random))
+  {
+    within = benchmark(field, options) && within;
+  }
+  return within || !options.withAssertions ? 0 : 1;
+}
