@@ -27,7 +27,7 @@ QString InPython(vtkSMProperty* property, unsigned int element)
   if (vtkSMStringVectorProperty::SafeDownCast(property))
   {
     QString text = QString::fromUtf8(value.GetAsString(element));
-    return "'" + text.replace("\\", "\\\\").replace("'", "\\'") + "'";
+    return "'" + text.replace("\\", "\\\\").replace("'", "\\'").replace("\n", "\\n") + "'";
   }
   return vtkSMDoubleVectorProperty::SafeDownCast(property) ? QString::number(value.GetAsDouble(element), 'g', 17)
                                                            : QString::number(value.GetAsInt(element));
