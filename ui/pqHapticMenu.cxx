@@ -36,6 +36,7 @@ pqHapticMenu::pqHapticMenu(QObject* parent) : Superclass(parent)
   this->setExclusive(false);
   this->addAction(controller->touchAction());
   this->addAction(controller->releaseAction());
+  this->addAction(controller->markAction());
   this->addAction(controller->drawAction());
 
   QAction* panel = this->addAction(tr("Show &Panel"));

@@ -50,18 +50,6 @@ void vtkHapticSceneSurfaces::ReadMaterial(vtkDataObject* data, Kept& kept) const
   kept.ArraysKey = key;
 }
 
-void vtkHapticSceneSurfaces::SetStyle(const std::string& name, const Style& style)
-{
-  this->Styles[name] = style;
-  std::erase_if(this->Styles, [](const auto& each) { return each.second == Style(); });
-}
-
-vtkHapticSceneSurfaces::Style vtkHapticSceneSurfaces::StyleOf(const std::string& name) const
-{
-  const auto found = this->Styles.find(name);
-  return found != this->Styles.end() ? found->second : Style();
-}
-
 void vtkHapticSceneSurfaces::SetLineRadius(double radius_u)
 {
   this->LineRadius_u = radius_u;
@@ -147,7 +135,7 @@ void vtkHapticSceneSurfaces::NoteWithoutArrays(Kept& walls) const
 
 std::string vtkHapticSceneSurfaces::Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
-  const Style style = this->StyleOf(name);
+  const vtkHapticSourceStyle style = this->OfSources.Of(name);
   if (!style.Touched)
   {
     this->Editing = true;
@@ -352,6 +340,7 @@ void vtkHapticSceneSurfaces::Commit(palpate::SceneWorker& worker, double stamp_s
   this->Editing = false;
   this->Stamp = stamp_s;
   this->Committed = this->Adding;
+  ++this->CommitCount;
   std::vector<palpate::SceneSurface> surfaces;
   for (const Kept& kept : this->Committed)
   {
@@ -361,16 +350,26 @@ void vtkHapticSceneSurfaces::Commit(palpate::SceneWorker& worker, double stamp_s
   worker.commit(std::move(surfaces), this->Refusals, stamp_s);
 }
 
-std::optional<vtkHapticSceneSurfaces::Origin> vtkHapticSceneSurfaces::OriginOf(const std::string& surface) const
+std::optional<vtkHapticSceneSurfaces::Origin> vtkHapticSceneSurfaces::OriginWhere(
+  const std::function<bool(const Kept&)>& sought) const
 {
-  const auto found = std::find_if(this->Committed.begin(), this->Committed.end(),
-    [&surface](const Kept& kept) { return kept.Surface.input.name == surface; });
+  const auto found = std::find_if(this->Committed.begin(), this->Committed.end(), sought);
   if (found == this->Committed.end() || !found->Data)
   {
     return std::nullopt;
   }
   const palpate::Pose& pose_WS = found->Surface.input.pose_WS;
   return Origin{ found->Name, found->Data, Eigen::Translation3d(pose_WS.p) * pose_WS.q * found->Baked };
+}
+
+std::optional<vtkHapticSceneSurfaces::Origin> vtkHapticSceneSurfaces::OriginOf(const std::string& surface) const
+{
+  return this->OriginWhere([&surface](const Kept& kept) { return kept.Surface.input.name == surface; });
+}
+
+std::optional<vtkHapticSceneSurfaces::Origin> vtkHapticSceneSurfaces::SourceNamed(const std::string& name) const
+{
+  return this->OriginWhere([&name](const Kept& kept) { return kept.Name == name; });
 }
 
 void vtkHapticSceneSurfaces::Settle(palpate::SceneWorker& worker)

@@ -3,7 +3,7 @@
 #define vtkHapticSceneSurfaces_h
 
 #include <cstdint>
-#include <map>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +12,7 @@
 #include "vtkDataObject.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticSourceStyles.h"
 #include "vtkHapticSurfacePlacement.h"
 #include "vtkSmartPointer.h"
 
@@ -35,16 +36,9 @@ public:
   void SetPointRadius(double radius_u);
   /// Whether lines that are added from now on and lie in a plane are walls across it, for balls up to that radius [u].
   void SetPlaneWorld(bool on, double radius_u);
-  /// How a source that is added under `name` from now on is touched, beside its arrays; it is as long as it is not said
-  /// otherwise.
-  struct Style
-  {
-    bool Touched = true;
-    palpate::Material Material; ///< where no array says otherwise
-    friend bool operator==(const Style&, const Style&) = default;
-  };
-  void SetStyle(const std::string& name, const Style& style);
-  [[nodiscard]] Style StyleOf(const std::string& name) const;
+  /// How a source that is added under `name` from now on is touched; it is as long as it is not said otherwise.
+  [[nodiscard]] vtkHapticSourceStyles& Styles() { return this->OfSources; }
+  [[nodiscard]] const vtkHapticSourceStyles& Styles() const { return this->OfSources; }
   /// Converts at once (the pipeline may change its data later). Empty, or why there is nothing to touch. The first
   /// matrix is baked into the vertices; while later ones differ from it by a rigid motion, that is the surface's pose.
   std::string Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
@@ -65,6 +59,10 @@ public:
   };
   /// By the surface's own name, which for lines and walls says so; nothing if there is none of that name.
   [[nodiscard]] std::optional<Origin> OriginOf(const std::string& surface) const;
+  /// By the name it was added by.
+  [[nodiscard]] std::optional<Origin> SourceNamed(const std::string& name) const;
+  /// How many scenes were committed so far.
+  [[nodiscard]] std::uint64_t Commits() const { return this->CommitCount; }
 
 private:
   struct Kept
@@ -81,6 +79,7 @@ private:
     vtkHapticMaterialSettings Settings;
   };
 
+  [[nodiscard]] std::optional<Origin> OriginWhere(const std::function<bool(const Kept&)>& sought) const;
   /// How the polygons of what was committed under that name were cut; null: there is no such surface.
   [[nodiscard]] const vtkHapticCuts* CutsOf(const std::string& name) const;
   /// All that can be touched of a data object. Empty, or why there is nothing.
@@ -105,7 +104,7 @@ private:
 
   void ReadMaterial(vtkDataObject* data, Kept& kept) const;
 
-  std::map<std::string, Style> Styles; ///< those that are not the usual one
+  vtkHapticSourceStyles OfSources;
   vtkHapticMaterialSettings Materials;
   double LineRadius_u = 0.0;
   double PointRadius_u = 0.0;
@@ -116,6 +115,7 @@ private:
   bool Editing = false; ///< something was added or moved since Commit()
   std::vector<Kept> Committed;
   double Stamp = 0.0; ///< of the commit [s]
+  std::uint64_t CommitCount = 0;
 };
 
 #endif

@@ -35,6 +35,7 @@ struct HapticParameters;
 } // namespace palpate
 
 struct vtkHapticMaterialSettings;
+class vtkHapticMarkRecords;
 class vtkDataObject;
 class vtkMatrix4x4;
 class vtkPolyData;
@@ -233,11 +234,20 @@ public:
    * and the wall behind it. InspectContact() looks it up as of the last Update(), which does so by itself with Inspect;
    * false without a contact. AddMark() does the same, keeps what it found and marks the recording. GetMarks() gives
    * points, GetMarksTable() a table, GetMarksText() what HapticMarks takes; WriteMarks() writes csv or vtp by the
-   * suffix; false with GetProblem(). The first place on a source takes longer: a second for a million cells.
+   * suffix; false with GetProblem(). The first place on a source takes longer: a second for a million cells. A mark
+   * holds while the cell that it was set on is where the mark is; else its source has changed or moved, and it is
+   * stale. One whose source is not in the scene is unseen.
    */
+  enum MarkStates
+  {
+    MarkUnseen,
+    MarkHolds,
+    MarkStale
+  };
   bool InspectContact();
   bool AddMark();
   void ClearMarks();
+  int GetMarkState(int mark) const;
   bool WriteMarks(const char* file);
   void GetMarks(vtkPolyData* points) const;
   void GetMarksTable(vtkTable* table) const;
@@ -315,6 +325,9 @@ private:
   void operator=(const vtkHapticSession&) = delete;
 
   void Refuse(const std::string& problem);
+  void KeepMarks(vtkHapticMarkRecords marks);
+  /// The styles of sources have changed.
+  void FollowSources();
   /// Looks at it if that is wanted, and sets a mark if its button was pressed.
   void FollowContact();
   void Start();

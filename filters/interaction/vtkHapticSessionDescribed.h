@@ -51,6 +51,8 @@
   vtkHapticSettingMacro(StrokeSpeed, double); \
   vtkHapticSwitchMacro(Inspect); \
   vtkHapticSettingMacro(MarkButton, int); \
+  vtkHapticSettingMacro(MarksText, const char*); \
+  vtkHapticSettingMacro(SourcesText, const char*); \
   vtkHapticSettingMacro(RecordFile, const char*); \
   vtkHapticSettingMacro(ReplayFile, const char*); \
   vtkHapticSwitchMacro(VirtualTime); \
@@ -92,8 +94,9 @@
   vtkHapticNumbersMacro(ContactNormal, 3); \
   vtkHapticNumbersMacro(ContactCurvature, 2); \
   vtkHapticReadoutMacro(ContactThickness, double); \
+  vtkHapticReadoutMacro(ContactArrays, const char*); \
   vtkHapticReadoutMacro(NumberOfMarks, int); \
-  vtkHapticReadoutMacro(MarksText, const char*); \
+  vtkHapticReadoutMacro(MarksNote, const char*); \
   vtkHapticReadoutMacro(ContactSeconds, double); \
   vtkHapticReadoutMacro(MotionLag, double); \
   vtkHapticReadoutMacro(Rate, double); \

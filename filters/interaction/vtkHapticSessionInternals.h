@@ -78,7 +78,12 @@ public:
   int MarkButton = 0;
   std::uint32_t MarkButtons = ~0u; ///< that were down at the last look; what is down at the first was not pressed
   std::string ContactText;
+  std::string ContactArrays;
   std::string MarksText;
+  std::vector<int> MarkStates;   ///< one a mark
+  std::string MarksNote;         ///< of those that are stale
+  std::uint64_t MarksJudged = 0; ///< with the scene of that commit
+  std::string SourcesText;
   double ContactPosition[3] = { 0.0, 0.0, 0.0 };
   double ContactNormal[3] = { 0.0, 0.0, 0.0 };
   double ContactCurvature[2] = { 0.0, 0.0 };
@@ -161,6 +166,9 @@ public:
   /// What is at the contact now; nothing without one.
   std::optional<vtkHapticMarkRecord> LookAtContact();
   void ShowContact(std::optional<vtkHapticMarkRecord> contact);
+  /// Whether a mark lies on its source as that was committed last.
+  int StateOf(const vtkHapticMarkRecord& mark) const;
+  void JudgeMarks();
   /// Its way goes on, or begins anew; buttons ask for another one.
   void FollowGame();
   /// What is set, but no more than the device can hold [N/m].

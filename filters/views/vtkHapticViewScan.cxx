@@ -6,10 +6,15 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArrayRange.h"
 #include "vtkGeometryRepresentation.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkGlyph3DRepresentation.h"
 #include "vtkHapticDrafts.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticShapes.h"
+#include "vtkImageSliceRepresentation.h"
 #include "vtkMapper.h"
 #include "vtkPVCompositeRepresentation.h"
+#include "vtkPVImageSliceMapper.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPoints.h"
@@ -41,12 +46,7 @@ bool SameMatrix(vtkMatrix4x4* a, vtkMatrix4x4* b)
   return std::equal(a->GetData(), a->GetData() + 16, b->GetData());
 }
 
-/// What counts beside polygons.
-struct Also
-{
-  bool Lines;
-  bool Points;
-};
+using Also = vtkHapticScanOptions;
 
 bool IsTouchable(vtkPolyData* data, const Also& also)
 {
@@ -149,27 +149,58 @@ std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
 
 std::string WhyNoSurface(vtkObject* active)
 {
-  if (active && active->IsA("vtkGlyph3DRepresentation"))
-  {
-    return "3D glyphs are drawn from one copy and have no surface of their own; apply the Glyph filter";
-  }
   if (active && (active->IsA("vtkVolumeRepresentation") || active->IsA("vtkImageVolumeRepresentation") ||
                   active->IsA("vtkUnstructuredGridVolumeRepresentation")))
   {
     return "a volume has no surface; apply the Contour filter and show its result";
   }
-  if (active && active->IsA("vtkImageSliceRepresentation"))
-  {
-    return "an image slice has no surface; apply the Slice filter and show its result";
-  }
   return "it is not drawn as a surface; choose the representation Surface";
 }
 
-/// The actor of a representation that draws its own polygons, else null.
-vtkPVLODActor* SurfaceActor(vtkObject* active)
+/// What a representation draws: where it is, and what is to be felt of it.
+struct Seen
 {
+  vtkPVLODActor* Actor = nullptr; ///< null: no surface
+  vtkHapticShape Shape;           ///< without data and problem: there was no picture yet
+};
+
+/// ParaView offers no way to the mapper of the glyphs.
+struct GlyphAccess : public vtkGlyph3DRepresentation
+{
+  static vtkGlyph3DMapper* MapperOf(vtkGlyph3DRepresentation& of) { return of.*(&GlyphAccess::GlyphMapper); }
+  static vtkPVLODActor* ActorOf(vtkGlyph3DRepresentation& of) { return of.*(&GlyphAccess::GlyphActor); }
+};
+
+vtkDataObject* InputOf(vtkMapper* mapper)
+{
+  return mapper ? mapper->GetInputDataObject(0, 0) : nullptr;
+}
+
+Seen SeenGlyphs(vtkGlyph3DRepresentation& glyphs, vtkHapticShapes& shapes)
+{
+  vtkGlyph3DMapper* const mapper = GlyphAccess::MapperOf(glyphs);
+  return { GlyphAccess::ActorOf(glyphs), InputOf(mapper) ? shapes.GlyphsOf(mapper) : vtkHapticShape() };
+}
+
+Seen SeenSlice(vtkImageSliceRepresentation& slice, vtkHapticShapes& shapes)
+{
+  auto* const mapper = vtkPVImageSliceMapper::SafeDownCast(slice.GetActor()->GetMapper());
+  return { slice.GetActor(), InputOf(mapper) ? shapes.SliceOf(mapper) : vtkHapticShape() };
+}
+
+Seen SeenOf(vtkObject* active, vtkHapticShapes& shapes)
+{
+  if (auto* glyphs = vtkGlyph3DRepresentation::SafeDownCast(active))
+  {
+    return SeenGlyphs(*glyphs, shapes);
+  }
+  if (auto* slice = vtkImageSliceRepresentation::SafeDownCast(active))
+  {
+    return SeenSlice(*slice, shapes);
+  }
   auto* geometry = vtkGeometryRepresentation::SafeDownCast(active);
-  return geometry && !geometry->IsA("vtkGlyph3DRepresentation") ? geometry->GetActor() : nullptr;
+  vtkPVLODActor* const actor = geometry ? geometry->GetActor() : nullptr;
+  return { actor, { actor ? InputOf(actor->GetMapper()) : nullptr, {} } };
 }
 
 /// Others show what they make of a curve, and nothing of it while it is drawn.
@@ -262,13 +293,13 @@ bool IsTransparent(vtkSMProxy* representation)
 }
 
 void ScanRepresentation(
-  vtkSMProxy* proxy, const std::string& name, const Also& also, vtkHapticDrafts* drafts, vtkHapticViewScan& scan)
+  vtkSMProxy* proxy, const std::string& name, const Also& also, vtkHapticShapes& shapes, vtkHapticViewScan& scan)
 {
   vtkObject* active = ActiveRepresentation(proxy);
-  vtkPVLODActor* actor = SurfaceActor(active);
-  if (!actor)
+  const Seen seen = SeenOf(active, shapes);
+  if (!seen.Actor || !seen.Shape.Problem.empty())
   {
-    scan.Refusals.push_back(name + ": " + WhyNoSurface(active) + ".");
+    scan.Refusals.push_back(name + ": " + (seen.Actor ? seen.Shape.Problem : WhyNoSurface(active)) + ".");
     return;
   }
   if (IsTransparent(proxy))
@@ -276,10 +307,10 @@ void ScanRepresentation(
     scan.Refusals.push_back(name + ": it is fully transparent; raise its opacity to feel it.");
     return;
   }
-  vtkDataObject* shown = actor->GetMapper() ? actor->GetMapper()->GetInputDataObject(0, 0) : nullptr;
-  if (drafts && DrawsCurves(active))
+  vtkDataObject* shown = seen.Shape.Data;
+  if (also.Drafts && DrawsCurves(active))
   {
-    vtkDataObject* const draft = DraftOf(InputOf(proxy), shown, *drafts);
+    vtkDataObject* const draft = DraftOf(InputOf(proxy), shown, *also.Drafts);
     shown = draft ? draft : shown;
   }
   if (!shown)
@@ -287,7 +318,7 @@ void ScanRepresentation(
     scan.Pending = true;
     return;
   }
-  if (!AddSurface(name, shown, actor->GetMatrix(), also, scan))
+  if (!AddSurface(name, shown, seen.Actor->GetMatrix(), also, scan))
   {
     scan.Refusals.push_back(name + ": " + WhyNoPolygons(active, shown) + ".");
   }
@@ -347,31 +378,30 @@ bool vtkHapticViewScan::SameArraysAs(const vtkHapticViewScan& other) const
     [](const Surface& a, const Surface& b) { return a.ArraysKey == b.ArraysKey; });
 }
 
-vtkHapticViewScan vtkHapticScanView(
-  vtkSMProxy* view, bool lines, vtkHapticDrafts* drafts, vtkSMProxy* drawing, bool points)
+vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, vtkHapticShapes& shapes, const vtkHapticScanOptions& options)
 {
-  const Also also{ lines, points };
   vtkHapticViewScan scan;
   if (std::string refusal = RefusalOf(view); !refusal.empty())
   {
     scan.Refusals.push_back(std::move(refusal));
     return scan;
   }
+  vtkSMProxy* drawing = options.Drawing;
   vtkSMPropertyHelper representations(view, "Representations");
   for (unsigned int i = 0; i < representations.GetNumberOfElements(); ++i)
   {
     vtkSMProxy* representation = representations.GetAsProxy(i);
     vtkSMProxy* const input = representation ? InputOf(representation) : nullptr;
     const std::string name = NameOf(input);
-    drawing = input == drawing ? nullptr : drawing;
+    drawing = input == drawing ? nullptr : drawing; // it is shown
     if (!name.empty() && Visible(representation))
     {
-      ScanRepresentation(representation, name, also, drafts, scan);
+      ScanRepresentation(representation, name, options, shapes, scan);
     }
   }
-  if (drafts)
+  if (options.Drafts)
   {
-    ScanDrawing(drawing, also, *drafts, scan);
+    ScanDrawing(drawing, options, *options.Drafts, scan);
   }
   return scan;
 }

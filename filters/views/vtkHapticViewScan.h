@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkHapticDrafts;
+class vtkHapticShapes;
 class vtkSMProxy;
 
 /**
@@ -43,10 +44,18 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
   bool SameArraysAs(const vtkHapticViewScan& other) const;
 };
 
-/// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence. `lines`:
-/// what is drawn as lines alone is followed too. With `drafts` a shown curve is where its widget draws it, and so is
-/// `drawing` (null: none), a source that is not shown yet. `points`: what is drawn as points alone is followed too.
-VTKHAPTICVIEWS_EXPORT vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, bool lines = false,
-  vtkHapticDrafts* drafts = nullptr, vtkSMProxy* drawing = nullptr, bool points = false);
+/// What is followed beside polygons.
+struct vtkHapticScanOptions
+{
+  bool Lines = false;                ///< what is drawn as lines alone
+  bool Points = false;               ///< what is drawn as points alone
+  vtkHapticDrafts* Drafts = nullptr; ///< with them a shown curve is where its widget draws it
+  vtkSMProxy* Drawing = nullptr;     ///< a source that is not shown yet, where its widget draws it
+};
+
+/// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence. `shapes`
+/// keeps what was made of glyphs and slices from one look to the next.
+VTKHAPTICVIEWS_EXPORT vtkHapticViewScan vtkHapticScanView(
+  vtkSMProxy* view, vtkHapticShapes& shapes, const vtkHapticScanOptions& options = {});
 
 #endif

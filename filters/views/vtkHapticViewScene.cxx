@@ -4,6 +4,7 @@
 #include "vtkHapticDrafts.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticShapes.h"
 #include "vtkHapticViewScan.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMProxy.h"
@@ -26,6 +27,7 @@ public:
   vtkWeakPointer<vtkSMProxy> View;
   vtkWeakPointer<vtkSMProxy> Drawing;
   vtkHapticDrafts Drafts;
+  vtkHapticShapes Shapes;
   vtkSmartPointer<vtkHapticSession> Session;
   vtkHapticViewScan Scan;
   std::string Report;
@@ -39,6 +41,12 @@ public:
   }
 
   bool TouchesPoints() const { return this->Session && this->Session->GetPointRadius() > 0.0; }
+
+  /// At what is shown, curves as they were applied.
+  vtkHapticViewScan Look()
+  {
+    return vtkHapticScanView(this->View, this->Shapes, { this->TouchesLines(), this->TouchesPoints() });
+  }
 
   /// What the session makes of the surfaces' arrays is what it made of those of Scan.
   bool SameMaterials(const vtkHapticViewScan& now) const
@@ -115,7 +123,7 @@ int vtkHapticViewScene::GetNumberOfSurfaces() const
 std::string vtkHapticViewScene::GetArrayNames() const
 {
   std::set<std::string> names;
-  const vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->TouchesLines());
+  const vtkHapticViewScan now = this->Impl->Look();
   for (const vtkHapticViewScan::Surface& surface : now.Surfaces)
   {
     for (const std::string& name : vtkHapticArrayNames(surface.Data))
@@ -133,7 +141,7 @@ std::string vtkHapticViewScene::GetArrayNames() const
 
 std::string vtkHapticViewScene::GetRefusal() const
 {
-  const vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->TouchesLines());
+  const vtkHapticViewScan now = this->Impl->Look();
   if (!now.Surfaces.empty() || now.Pending)
   {
     return {};
@@ -148,8 +156,9 @@ const char* vtkHapticViewScene::GetReport() const
 
 bool vtkHapticViewScene::Update()
 {
-  vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->TouchesLines(), &this->Impl->Drafts,
-    this->Impl->Drawing, this->Impl->TouchesPoints());
+  vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->Shapes,
+    { this->Impl->TouchesLines(), this->Impl->TouchesPoints(), &this->Impl->Drafts, this->Impl->Drawing });
+  this->Impl->Shapes.Forget();
   const bool same = this->Impl->HandedOver && now.SameAs(this->Impl->Scan) && this->Impl->SameMaterials(now);
   this->Impl->Scan = std::move(now);
   const bool handOver = !same && this->Impl->Session;

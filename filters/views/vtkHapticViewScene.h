@@ -4,8 +4,9 @@
  * @brief   keeps the scene of a haptic session the same as what a render view shows
  *
  * Every visible surface of the view is touched, under the name it has in the pipeline browser and with the
- * transform of its representation. Volumes, image slices, glyphs, views of a remote server and views that are no
- * render views are refused with a sentence. Nothing here needs Qt: the panel and Python use the same class.
+ * transform of its representation; 3-D glyphs as many surfaces, an image slice as curves. Volumes, views of a remote
+ * server and views that are no render views are refused with a sentence. Nothing here needs Qt: the panel and Python
+ * use the same class.
  *
  *     scene = servermanager.ProxyManager().NewProxy("haptics", "HapticViewScene")
  *     scene.GetProperty("View").SetProxy(0, view.SMProxy); scene.GetProperty("Session").SetProxy(0, session)

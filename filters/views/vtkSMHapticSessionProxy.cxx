@@ -43,6 +43,8 @@ void vtkSMHapticSessionProxy::ReadBack()
   vtkSMPropertyHelper(this, "Radius").Set(session->GetRadius());
   vtkSMPropertyHelper(this, "Scale").Set(session->GetScale());
   vtkSMPropertyHelper(this, "Rotation").Set(session->GetRotation(), 4);
+  vtkSMPropertyHelper(this, "MarksText").Set(session->GetMarksText());
+  vtkSMPropertyHelper(this, "SourcesText").Set(session->GetSourcesText());
   vtkSMPropertyHelper(this, "Offset").Set(session->GetOffset(), 3);
   this->UpdateVTKObjects();
 }

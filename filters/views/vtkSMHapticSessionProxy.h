@@ -3,9 +3,9 @@
  * @class   vtkSMHapticSessionProxy
  * @brief   proxy of a session that has what the session sets by itself
  *
- * FitWorkspace sets scale, rotation and offset, a labyrinth ball and walls too. Here they are read back into the
- * properties, whoever asked for it, so that the panel shows them, a state file keeps them and the next change of
- * another property does not undo them.
+ * FitWorkspace sets scale, rotation and offset, a labyrinth ball and walls too; marks are set at contacts, sources
+ * switched off by name. Here they are read back into the properties, whoever asked for it, so that the panel shows
+ * them, a state file keeps them and the next change of another property does not undo them.
  */
 #ifndef vtkSMHapticSessionProxy_h
 #define vtkSMHapticSessionProxy_h

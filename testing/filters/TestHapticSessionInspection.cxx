@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a session says of the place that is touched, and the marks that are set there.
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -12,12 +13,14 @@
 #include "testing/support/TemporaryFolder.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+#include "vtkVariant.h"
 
 namespace palpate::testing::inspected
 {
@@ -54,6 +57,23 @@ vtkSmartPointer<vtkPolyData> planeWithArrays()
   addArray(plane->GetPointData(), "vector", 3, vector);
   addArray(plane->GetCellData(), "number", 1, { 100.0, 101.0 });
   return plane;
+}
+
+double markValue(const vtkHapticSession& session, vtkIdType mark, const char* column)
+{
+  vtkNew<vtkTable> table;
+  session.GetMarksTable(table);
+  return table->GetValueByName(mark, column).ToDouble();
+}
+
+/// The corner of a triangle that the other one of two lacks.
+vtkIdType cornerOfOne(vtkPolyData& two, vtkIdType triangle)
+{
+  vtkNew<vtkIdList> its, others;
+  two.GetCellPoints(triangle, its);
+  two.GetCellPoints(1 - triangle, others);
+  const auto alone = [&](vtkIdType id) { return others->IsId(id) < 0; };
+  return *std::find_if(its->begin(), its->end(), alone);
 }
 
 /// A fed hand in virtual time.
@@ -172,6 +192,91 @@ TEST_F(HapticSessionInspection, AMarkIsKeptAsPointTableTextAndFile)
   EXPECT_THAT(this->session_->GetMarksText(), HasSubstr("Source,X,Y,Z,"));
   this->session_->ClearMarks();
   EXPECT_EQ(this->session_->GetNumberOfMarks(), 0);
+}
+
+TEST_F(HapticSessionInspection, AMarkIsStaleOnceTheCellItWasSetOnIsElsewhereAndHoldsAgainWhereItCameBack)
+{
+  const auto plane = planeWithArrays();
+  this->show(plane);
+  this->pressPlane(20.0, -30.0); // below the diagonal from (-half, -half) to (half, half)
+  ASSERT_TRUE(this->session_->AddMark());
+  this->session_->SetHandPosition(-40.0, 10.0, -depth);
+  this->session_->Step(300);
+  ASSERT_TRUE(this->session_->AddMark());
+  const auto states = [this]
+  {
+    this->session_->Step(1);
+    return std::vector<int>{ this->session_->GetMarkState(0), this->session_->GetMarkState(1) };
+  };
+  const std::vector<int> both{ vtkHapticSession::MarkHolds, vtkHapticSession::MarkHolds };
+  EXPECT_EQ(states(), both);
+  EXPECT_STREQ(this->session_->GetMarksNote(), "");
+  const auto changed = planeWithArrays(); // the corner that only one of the triangles has
+  const vtkIdType cell = static_cast<vtkIdType>(markValue(*this->session_, 0, "Cell"));
+  changed->GetPoints()->SetPoint(cornerOfOne(*changed, cell), 2.0 * half, -half, 30.0);
+  this->show(changed);
+  EXPECT_EQ(states(), (std::vector<int>{ vtkHapticSession::MarkStale, vtkHapticSession::MarkHolds }));
+  EXPECT_THAT(this->session_->GetMarksNote(), HasSubstr("mark 1 is stale: surface has changed or moved since"));
+  this->show(plane);
+  EXPECT_EQ(states(), both);
+  vtkNew<vtkMatrix4x4> up;
+  up->SetElement(2, 3, 1.0);
+  ASSERT_TRUE(this->session_->SetSurfacePose("surface", up));
+  this->session_->CommitScene();
+  EXPECT_EQ(states(), (std::vector<int>{ vtkHapticSession::MarkStale, vtkHapticSession::MarkStale }));
+  this->session_->ClearSurfaces();
+  this->session_->CommitScene();
+  EXPECT_EQ(states(), (std::vector<int>{ vtkHapticSession::MarkUnseen, vtkHapticSession::MarkUnseen }));
+}
+
+TEST_F(HapticSessionInspection, MarksComeBackFromTheirTextToTheBitAndATextThatIsNoneLeavesThem)
+{
+  this->show(planeWithArrays());
+  this->pressPlane(20.0, -30.0);
+  ASSERT_TRUE(this->session_->AddMark());
+  const std::string text = this->session_->GetMarksText();
+  vtkNew<vtkHapticSession> other;
+  other->SetMarksText(text.c_str());
+  EXPECT_EQ(other->GetMarksText(), text);
+  EXPECT_EQ(other->GetNumberOfMarks(), 1);
+  EXPECT_EQ(other->GetMarkState(0), vtkHapticSession::MarkUnseen);
+  const auto errors =
+    errorsOf(static_cast<vtkObject*>(other), [&] { other->SetMarksText("Source,X,Y,Z\nball,1,2,three\n"); });
+  EXPECT_EQ(errors.size(), 1u);
+  EXPECT_THAT(other->GetProblem(), HasSubstr("mark 1 of the list cannot be read: 'three' is not a number"));
+  EXPECT_EQ(other->GetMarksText(), text);
+  other->SetMarksText("");
+  EXPECT_EQ(other->GetNumberOfMarks(), 0);
+}
+
+TEST_F(HapticSessionInspection, SourcesOfTheirOwnKeepTheirTextAndWhatCannotBeLeavesThemAsTheyAre)
+{
+  this->session_->SetSourceTouched("a, \"b\"", false);
+  ASSERT_TRUE(this->session_->SetSourceMaterial("ball", 250.0, 0.5, 0.25));
+  const std::string text = this->session_->GetSourcesText();
+  EXPECT_EQ(text, "Source,Touched,Stiffness,FrictionStatic,FrictionKinetic\n\"a, \"\"b\"\"\",0,inf,-1,-1\n"
+                  "ball,1,250,0.5,0.25\n");
+  vtkNew<vtkHapticSession> other;
+  other->SetSourcesText(text.c_str());
+  EXPECT_FALSE(other->GetSourceTouched("a, \"b\""));
+  EXPECT_TRUE(other->GetSourceTouched("ball"));
+  double material[3];
+  other->GetSourceMaterial("ball", material);
+  EXPECT_THAT(material, ::testing::ElementsAre(250.0, 0.5, 0.25));
+  const char* const header = "Source,Touched,Stiffness,FrictionStatic,FrictionKinetic\n";
+  for (const auto& [bad, why] : { std::pair{ "ball,2,inf,-1,-1\n", "ball: Touched is 0 or 1, not '2'" },
+         std::pair{ "ball,1,-5,-1,-1\n", "ball: " }, std::pair{ "ball,1,inf,-1\n", "ball: it has 4 fields" } })
+  {
+    const auto errors =
+      errorsOf(static_cast<vtkObject*>(other), [&] { other->SetSourcesText((std::string(header) + bad).c_str()); });
+    EXPECT_EQ(errors.size(), 1u);
+    EXPECT_THAT(other->GetProblem(), HasSubstr(why));
+    EXPECT_EQ(other->GetSourcesText(), text);
+  }
+  EXPECT_EQ(errorsOf(static_cast<vtkObject*>(other), [&] { other->SetSourcesText("Name,Felt\nball,1\n"); }).size(), 1u);
+  EXPECT_THAT(other->GetProblem(), HasSubstr("the list of sources: its columns are not"));
+  other->SetSourcesText("");
+  EXPECT_TRUE(other->GetSourceTouched("a, \"b\""));
 }
 
 TEST(HapticSessionMarkButton, AsksForAMarkOnceEachTimeItIsPressed)

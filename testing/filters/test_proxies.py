@@ -94,6 +94,23 @@ class Readers(unittest.TestCase):
 
 
 class Filters(unittest.TestCase):
+    def test_touch_along_path_offers_the_arrays_of_its_inputs_and_chooses_none_by_itself(self):
+        height = pv.Elevation(Input=pv.Plane())
+        cells = pv.PointDatatoCellData(Input=height)
+        line = pv.Line(Point1=[0.1, 0.1, 0.5], Point2=[0.1, 0.1, -0.1])
+        when = pv.Calculator(Input=line, ResultArrayName="t", Function="coordsZ")
+        cells.UpdatePipeline()
+        when.UpdatePipeline()
+        touch = pv.TouchAlongPath(Input=cells, Path=when)
+        for name in ("StiffnessArray", "FrictionArray", "TextureArray"):
+            self.assertEqual(touch.GetPropertyValue(name), "")
+            self.assertLessEqual({"", "Elevation"}, set(touch.GetProperty(name).Available))
+            self.assertNotIn("t", touch.GetProperty(name).Available)
+        self.assertEqual((touch.TimeArray, list(touch.GetProperty("TimeArray").Available)), ("", ["", "t"]))
+        bare = pv.Triangulate(Input=pv.CleantoGrid(Input=pv.PassArrays(Input=line)))
+        bare.UpdatePipeline()
+        self.assertIsNotNone(pv.TouchAlongPath(Input=bare, Path=bare))
+
     def test_force_along_a_line_into_a_plane(self):
         plane = pv.Plane(Origin=[-5, -5, 0], Point1=[5, -5, 0], Point2=[-5, 5, 0])
         line = pv.Line(Point1=[1, 2, 1], Point2=[1, 2, -1], Resolution=40)

@@ -18,6 +18,8 @@ VALUES = {
     "DeviceName": ["mouse"],
     "Hand": ["light"],
     "PressDepth": [0.0035],
+    "MarksText": ["Source,X,Y,Z,Cell\nBall,1,2.5,-3,7\n"],
+    "SourcesText": ["Source,Touched,Stiffness,FrictionStatic,FrictionKinetic\nBall,0,inf,0.5,0.25\n"],
     "Rotation": [0.5, 0.5, -0.5, 0.5],
     "StrokePoints": [1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
 }

@@ -56,6 +56,34 @@ class StateFile(unittest.TestCase):
         self.assertEqual(loaded.GetWallRate(), 50.0)
         self.assertFalse(loaded.GetTouching())
 
+    def test_marks_and_what_was_said_of_single_sources_come_back_though_nobody_set_a_property(self):
+        proxy = manager().NewProxy("haptics", "HapticSession")
+        session = proxy.GetClientSideObject()
+        ball = simple.Sphere(Radius=50.0, ThetaResolution=60, PhiResolution=60)
+        session.SetVirtualTime(True)
+        self.assertTrue(session.AddSurface("Ball", servermanager.Fetch(ball), None))
+        session.CommitScene()
+        self.assertTrue(session.FinishScene())
+        session.SetHandPosition(0, 0, 55)
+        put(proxy, "Touching", 1)
+        session.Step(1100)
+        session.SetHandPosition(0, 0, 48)
+        session.Step(200)
+        proxy.InvokeCommand("AddMark")
+        session.SetSourceTouched("Ball", False)
+        self.assertTrue(session.SetSourceMaterial("Bone", 300.0, 0.5, 0.25))
+        put(proxy, "Touching", 0)
+        put(proxy, "Stiffness", 150.0)  # another change does not undo it
+        text = session.GetMarksText()
+        self.assertIn("Ball,", text)
+        loaded = self.saved_and_loaded(proxy)
+        self.assertEqual(loaded.GetMarksText(), text)
+        self.assertEqual(loaded.GetNumberOfMarks(), 1)
+        self.assertFalse(loaded.GetSourceTouched("Ball"))
+        material = [0.0, 0.0, 0.0]
+        loaded.GetSourceMaterial("Bone", material)
+        self.assertEqual(material, [300.0, 0.5, 0.25])
+
     def test_a_workspace_that_was_fitted_comes_back_as_it_was(self):
         proxy = manager().NewProxy("haptics", "HapticSession")
         put(proxy, "DeviceName", "simulated-joystick")

@@ -116,9 +116,6 @@ class TouchInAView(ViewTest):
     def test_a_volume_is_refused_with_what_to_do(self):
         self.assertIn("a volume has no surface; apply the Contour filter", self.refusal("Volume"))
 
-    def test_an_image_slice_is_refused_with_what_to_do(self):
-        self.assertIn("an image slice has no surface; apply the Slice filter", self.refusal("Slice"))
-
     def test_an_outline_is_refused_with_what_to_do(self):
         self.assertIn("only its outline or edges are drawn; choose the representation Surface", self.refusal("Outline"))
 

@@ -2,14 +2,18 @@
 #include "pqHapticPanel.h"
 
 #include "pqHapticCheckGroup.h"
+#include "pqHapticContactGroup.h"
 #include "pqHapticController.h"
 #include "pqHapticDeviceRows.h"
 #include "pqHapticFields.h"
+#include "pqHapticFold.h"
 #include "pqHapticLabel.h"
 #include "pqHapticMainGroup.h"
+#include "pqHapticMarksGroup.h"
 #include "pqHapticMaterialGroup.h"
 #include "pqHapticReadout.h"
 #include "pqHapticSettingRows.h"
+#include "pqHapticSourceGroup.h"
 #include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
@@ -23,7 +27,6 @@
 #include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QTimer>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace
@@ -46,8 +49,11 @@ class pqHapticPanel::Internals
 {
 public:
   pqHapticMainGroup* Main;
-  QToolButton* Advanced;
-  QWidget* Rest;
+  pqHapticFold* AtContact;
+  pqHapticContactGroup* Place;
+  pqHapticMarksGroup* Marks;
+  pqHapticFold* Advanced;
+  pqHapticSourceGroup* Source;
   pqHapticDeviceRows* DeviceRows;
   QComboBox* Hand;
   QDoubleSpinBox* PressDepth;
@@ -74,7 +80,7 @@ public:
   QTimer Refresh;
   pqPropertyLinks Links;
 
-  void addRest(QVBoxLayout* column);
+  void addContact(QVBoxLayout* column);
   void fillRest(QVBoxLayout* rest);
   void addHand(QVBoxLayout* column);
   void addStability(QVBoxLayout* column);
@@ -165,9 +171,10 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  const QList<QWidget*> order = this->Main->fields() + QList<QWidget*>{ this->Advanced } + this->DeviceRows->fields() +
+  const QList<QWidget*> order = this->Main->fields() + QList<QWidget*>{ this->AtContact } + this->Marks->fields() +
+                                QList<QWidget*>{ this->Advanced } + this->DeviceRows->fields() +
                                 QList<QWidget*>{ this->Hand, this->PressDepth } + this->Rows.fields("contact") +
-                                this->Rows.fields("friction") + this->Material->fields() +
+                                this->Rows.fields("friction") + this->Source->fields() + this->Material->fields() +
                                 this->Rows.fields("stability") + this->Check->fields() + this->Rows.fields("scene") +
                                 QList<QWidget*>{ this->Scene };
   for (int i = 1; i < order.size(); ++i)
@@ -176,37 +183,24 @@ void pqHapticPanel::Internals::setTabOrder()
   }
 }
 
-/// Folded at first: what is set once, or never.
-void pqHapticPanel::Internals::addRest(QVBoxLayout* column)
+/// Folded at first, and not looked up until it is seen.
+void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
 {
-  this->Advanced = new QToolButton(column->parentWidget());
-  this->Advanced->setObjectName("advancedButton");
-  this->Advanced->setText(tr("Ad&vanced"));
-  this->Advanced->setToolTip(tr("Everything else that can be set, and all that is measured"));
-  this->Advanced->setCheckable(true);
-  this->Advanced->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  this->Advanced->setArrowType(Qt::RightArrow);
-  this->Advanced->setFocusPolicy(Qt::StrongFocus);
-  column->addWidget(this->Advanced);
-  this->Rest = new QWidget(column->parentWidget());
-  this->Rest->setObjectName("advanced");
-  this->Rest->setVisible(false);
-  column->addWidget(this->Rest);
-  QObject::connect(this->Advanced, &QToolButton::toggled, this->Rest,
-    [this](bool on)
-    {
-      this->Rest->setVisible(on);
-      this->Advanced->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
-    });
-  this->fillRest(new QVBoxLayout(this->Rest));
+  this->AtContact =
+    new pqHapticFold(column, "inspection", tr("Contact"), tr("What is at the contact, and marks that are set there"));
+  this->Place = new pqHapticContactGroup;
+  this->Marks = new pqHapticMarksGroup;
+  this->AtContact->rows()->addWidget(this->Place);
+  this->AtContact->rows()->addWidget(this->Marks);
 }
 
 void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
 {
-  rest->setContentsMargins(0, 0, 0, 0);
   this->addHand(rest);
-  this->Rows.add(Group(rest, "contactGroup", tr("Contact")), "contact");
+  this->Rows.add(Group(rest, "contactGroup", tr("Contact model")), "contact");
   this->Rows.add(Group(rest, "frictionGroup", tr("Friction")), "friction");
+  this->Source = new pqHapticSourceGroup;
+  rest->addWidget(this->Source);
   this->Material = new pqHapticMaterialGroup;
   rest->addWidget(this->Material);
   this->addStability(rest);
@@ -255,7 +249,11 @@ void pqHapticPanel::build()
   auto* column = new QVBoxLayout(body);
   this->Widgets->Main = new pqHapticMainGroup(body);
   column->addWidget(this->Widgets->Main);
-  this->Widgets->addRest(column);
+  this->Widgets->addContact(column);
+  // What is set once, or never.
+  this->Widgets->Advanced = new pqHapticFold(
+    column, "advanced", tr("Ad&vanced"), tr("Everything else that can be set, and all that is measured"));
+  this->Widgets->fillRest(this->Widgets->Advanced->rows());
   column->addStretch(1);
   this->Widgets->setTabOrder();
   scroll->setWidget(body);
@@ -275,7 +273,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   w.Material->setProxy(proxy);
   w.DeviceRows->setProxy(proxy);
   w.Main->setProxy(proxy, w.Links);
-  w.Rest->setEnabled(proxy != nullptr);
+  w.Advanced->body()->setEnabled(proxy != nullptr);
   if (!proxy)
   {
     this->refresh();
@@ -302,6 +300,9 @@ void pqHapticPanel::refresh()
   const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   Internals& w = *this->Widgets;
   w.Main->refresh(session);
+  w.Place->refresh(session);
+  w.Marks->refresh(session);
+  w.Source->refresh(session);
   w.State->setText(now.State);
   pqHapticSay(w.Reason, now.Reason);
   w.Force->setText(now.Force);

@@ -123,6 +123,12 @@ void pqHapticController::makeActions()
   this->ReleaseAction->setToolTip(tr("Force to zero within 50 ms, and stop touching"));
   this->connect(this->ReleaseAction, &QAction::triggered, this, &pqHapticController::release);
 
+  this->MarkAction = new QAction(tr("&Mark"), this);
+  this->MarkAction->setObjectName("hapticMarkAction");
+  this->MarkAction->setShortcut(Qt::CTRL + Qt::SHIFT + Qt::Key_M); // Shift is down while the mouse presses
+  this->MarkAction->setToolTip(tr("Set a mark at the contact"));
+  this->connect(this->MarkAction, &QAction::triggered, this, &pqHapticController::mark);
+
   this->DrawAction = new QAction(QIcon(":/palpate/icons/draw.svg"), tr("&Draw"), this);
   this->DrawAction->setObjectName("hapticDrawAction");
   this->DrawAction->setCheckable(true);
@@ -168,6 +174,14 @@ void pqHapticController::setTouching(bool on)
 void pqHapticController::release()
 {
   this->setTouching(false);
+}
+
+void pqHapticController::mark()
+{
+  if (this->Proxy)
+  {
+    this->Proxy->InvokeCommand("AddMark");
+  }
 }
 
 void pqHapticController::showTrace(bool shown)

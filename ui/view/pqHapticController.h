@@ -44,6 +44,7 @@ public:
 
   QAction* touchAction() const { return this->TouchAction; }
   QAction* releaseAction() const { return this->ReleaseAction; }
+  QAction* markAction() const { return this->MarkAction; }
   QAction* drawAction() const { return this->DrawAction; }
 
   bool touching() const;
@@ -57,6 +58,8 @@ public Q_SLOTS:
   void release();
   /// Such a map that the device's workspace holds the whole scene.
   void fitWorkspace();
+  /// Sets a mark at the contact; without one the session says why not.
+  void mark();
   /// Whether the way through a labyrinth is drawn.
   void showTrace(bool shown);
   /// Whether start and exit of a labyrinth are drawn while touching.
@@ -90,6 +93,7 @@ private:
   pqHapticScript* Script;
   QAction* TouchAction;
   QAction* ReleaseAction;
+  QAction* MarkAction;
   QAction* DrawAction;
 };
 

@@ -2,6 +2,7 @@
 #include "pqHapticScript.h"
 
 #include "vtkCommand.h"
+#include "vtkPVPluginTracker.h"
 #include "vtkPythonInterpreter.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -10,6 +11,8 @@
 #include "vtkSMTrace.h"
 #include "vtkSMVectorProperty.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QString>
 #include <QStringList>
 
@@ -27,7 +30,7 @@ QString InPython(vtkSMProperty* property, unsigned int element)
   if (vtkSMStringVectorProperty::SafeDownCast(property))
   {
     QString text = QString::fromUtf8(value.GetAsString(element));
-    return "'" + text.replace("\\", "\\\\").replace("'", "\\'") + "'";
+    return "'" + text.replace("\\", "\\\\").replace("'", "\\'").replace("\n", "\\n") + "'";
   }
   return vtkSMDoubleVectorProperty::SafeDownCast(property) ? QString::number(value.GetAsDouble(element), 'g', 17)
                                                            : QString::number(value.GetAsInt(element));
@@ -45,6 +48,27 @@ QString ValueOf(vtkSMProperty* property)
   }
   return count > 1 ? "[" + values.join(", ") + "]" : values.join("");
 }
+
+/// The Python package lies beside the folder of ParaView's plugins, where it is built and where it is installed.
+std::string PythonFolder()
+{
+  vtkPVPluginTracker* const plugins = vtkPVPluginTracker::GetInstance();
+  for (unsigned int i = 0; i < plugins->GetNumberOfPlugins(); ++i)
+  {
+    if (const char* file = plugins->GetPluginFileName(i); file && QFileInfo(file).baseName() == "Palpate")
+    {
+      return QDir::cleanPath(QFileInfo(file).absolutePath() + "/../../../python").toStdString();
+    }
+  }
+  return {};
+}
+
+/// Runs in ParaView's interpreter, with the folder of the package.
+constexpr const char* OfferPackage = R"python(
+import sys, paraview
+sys.path.append(%1)
+paraview.palpate_panel = True  # it follows the views
+)python";
 
 /// Runs in ParaView's interpreter. There is no other place where a plugin could add to a state.
 constexpr const char* ExtendStates = R"python(
@@ -97,6 +121,8 @@ pqHapticScript::~pqHapticScript()
 
 void pqHapticScript::extendStates()
 {
+  const QString folder = "'" + QString::fromStdString(PythonFolder()).replace("'", "\\'") + "'";
+  vtkPythonInterpreter::RunSimpleString(QString(OfferPackage).arg(folder).toUtf8().constData());
   vtkPythonInterpreter::RunSimpleString(ExtendStates);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is at the contact, and the marks that are set there.
+// What is at the contact.
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -20,6 +20,15 @@ void AddVector(vtkHapticMarkRecord& record, const std::string& name, const Vec3&
   for (int k = 0; k < 3; ++k)
   {
     record.Numbers.emplace_back(name + axes[k], v[k]);
+  }
+}
+
+/// What is felt may be a simpler surface: the place is that on the data themselves.
+void Replace(vtkHapticMarkRecord& record, const Vec3& p_W)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    record.Numbers[k].second = p_W[k]; // X, Y and Z come first
   }
 }
 
@@ -60,6 +69,22 @@ std::string Described(const vtkHapticMarkRecord& contact)
   return text.str();
 }
 
+/// What was found of arrays comes last.
+std::string ArraysOf(const vtkHapticMarkRecord& contact)
+{
+  std::ostringstream text;
+  bool ofArray = false;
+  for (const auto& [name, value] : contact.Numbers)
+  {
+    if (ofArray)
+    {
+      text << name << " = " << value << "\n";
+    }
+    ofArray = ofArray || name == "Point";
+  }
+  return text.str();
+}
+
 vtkIdType IdOf(const std::optional<vtkHapticMarkRecord>& contact, const char* name)
 {
   const double id = contact ? contact->Number(name) : NotKnown;
@@ -86,7 +111,9 @@ std::optional<vtkHapticMarkRecord> vtkHapticSession::Internals::LookAtContact()
   record.Numbers.emplace_back("Force", this->State.force_W.norm());
   if (origin)
   {
-    AddProbed(record, this->Probe.Look(origin->Data, origin->W_from_D.inverse() * place->p_W));
+    const vtkHapticProbed probed = this->Probe.Look(origin->Data, origin->W_from_D.inverse() * place->p_W);
+    AddProbed(record, probed);
+    Replace(record, probed.Cell < 0 ? place->p_W : Vec3(origin->W_from_D * probed.Nearest));
   }
   return record;
 }
@@ -95,6 +122,7 @@ void vtkHapticSession::Internals::ShowContact(std::optional<vtkHapticMarkRecord>
 {
   this->Contact = std::move(contact);
   this->ContactText = this->Contact ? Described(*this->Contact) : "";
+  this->ContactArrays = this->Contact ? ArraysOf(*this->Contact) : "";
   const auto show = [this](const std::string& name) { return this->Contact ? this->Contact->Number(name) : 0.0; };
   const char* const axes[] = { "X", "Y", "Z" };
   for (int k = 0; k < 3; ++k)
@@ -114,6 +142,10 @@ bool vtkHapticSession::InspectContact()
 
 void vtkHapticSession::FollowContact()
 {
+  if (this->Impl->MarksJudged != this->Impl->Surfaces.Commits())
+  {
+    this->Impl->JudgeMarks();
+  }
   const std::uint32_t down = this->Impl->State.buttons;
   const std::uint32_t wentDown = down & ~std::exchange(this->Impl->MarkButtons, down);
   const int button = this->Impl->MarkButton;
@@ -125,52 +157,6 @@ void vtkHapticSession::FollowContact()
   {
     this->InspectContact();
   }
-}
-
-bool vtkHapticSession::AddMark()
-{
-  if (!this->InspectContact())
-  {
-    this->Refuse("a mark is set at a contact, and nothing is touched; touch a surface first");
-    this->Impl->ProblemOf = "mark";
-    return false;
-  }
-  this->Impl->Follow("mark", "");
-  this->Impl->Marks.Records.push_back(*this->Impl->Contact);
-  this->Impl->MarksText = this->Impl->Marks.ToText();
-  this->Mark();
-  this->Modified();
-  return true;
-}
-
-void vtkHapticSession::ClearMarks()
-{
-  this->Impl->Marks.Records.clear();
-  this->Impl->MarksText.clear();
-  this->Modified();
-}
-
-int vtkHapticSession::GetNumberOfMarks() const
-{
-  return static_cast<int>(this->Impl->Marks.Records.size());
-}
-
-bool vtkHapticSession::WriteMarks(const char* file)
-{
-  const std::string problem = file ? this->Impl->Marks.Write(file) : "a file is needed to write marks into";
-  this->Refuse(problem);
-  this->Impl->Follow("marks' file", problem);
-  return problem.empty();
-}
-
-void vtkHapticSession::GetMarks(vtkPolyData* points) const
-{
-  this->Impl->Marks.FillPoints(points);
-}
-
-void vtkHapticSession::GetMarksTable(vtkTable* table) const
-{
-  this->Impl->Marks.FillTable(table);
 }
 
 void vtkHapticSession::SetInspect(bool on)
@@ -213,9 +199,9 @@ const char* vtkHapticSession::GetContactSource() const
   return this->Impl->Contact ? this->Impl->Contact->Source.c_str() : "";
 }
 
-const char* vtkHapticSession::GetMarksText() const
+const char* vtkHapticSession::GetContactArrays() const
 {
-  return this->Impl->MarksText.c_str();
+  return this->Impl->ContactArrays.c_str();
 }
 
 vtkIdType vtkHapticSession::GetContactCell() const

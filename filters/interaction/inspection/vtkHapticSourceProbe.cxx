@@ -2,6 +2,7 @@
 #include "vtkHapticSourceProbe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -17,6 +18,8 @@
 
 namespace
 {
+constexpr const char* OriginalCells = "vtkOriginalCellIds";
+
 /// A cell of a data set, and how much each of its points counts at a place.
 struct Found
 {
@@ -24,18 +27,21 @@ struct Found
   vtkIdType Cell = -1;
   vtkSmartPointer<vtkIdList> Points;
   std::vector<double> Weights;
+  palpate::Vec3 Nearest = palpate::Vec3::Zero();
+  double Distance = 0.0;
 };
 
 Found FoundAt(vtkDataSet* data, vtkIdType id, const palpate::Vec3& at)
 {
   vtkNew<vtkGenericCell> cell;
   data->GetCell(id, cell);
-  Found found{ data, id, cell->GetPointIds(),
-    std::vector<double>(static_cast<std::size_t>(cell->GetNumberOfPoints())) };
-  palpate::Vec3 nearest;
+  Found found{ data, id, cell->GetPointIds(), std::vector<double>(static_cast<std::size_t>(cell->GetNumberOfPoints())),
+    at };
   double local[3] = { 0.0, 0.0, 0.0 }, distance2 = 0.0;
   int part = 0;
-  cell->EvaluatePosition(at.data(), nearest.data(), part, local, distance2, found.Weights.data());
+  const int side =
+    cell->EvaluatePosition(at.data(), found.Nearest.data(), part, local, distance2, found.Weights.data());
+  found.Distance = side < 0 ? std::numeric_limits<double>::infinity() : std::sqrt(distance2);
   return found;
 }
 
@@ -69,13 +75,34 @@ vtkIdType Original(vtkFieldData* arrays, const char* name, vtkIdType id)
   return originals ? static_cast<vtkIdType>(originals->GetComponent(id, 0)) : id;
 }
 
+/// The cells of a data set that have that id where they come from.
+std::vector<vtkIdType> CellsOf(vtkDataSet& set, vtkIdType original)
+{
+  vtkDataArray* const originals = set.GetCellData()->GetArray(OriginalCells);
+  if (!originals)
+  {
+    return original >= 0 && original < set.GetNumberOfCells() ? std::vector<vtkIdType>{ original }
+                                                              : std::vector<vtkIdType>();
+  }
+  std::vector<vtkIdType> cells;
+  for (vtkIdType cell = 0; cell < set.GetNumberOfCells(); ++cell)
+  {
+    if (static_cast<vtkIdType>(originals->GetComponent(cell, 0)) == original)
+    {
+      cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
 vtkHapticProbed Read(const Found& found)
 {
   vtkHapticProbed probed;
+  probed.Nearest = found.Nearest;
   vtkPointData* const points = found.Data->GetPointData();
   vtkCellData* const cells = found.Data->GetCellData();
   const auto most = std::max_element(found.Weights.begin(), found.Weights.end()) - found.Weights.begin();
-  probed.Cell = Original(cells, "vtkOriginalCellIds", found.Cell);
+  probed.Cell = Original(cells, OriginalCells, found.Cell);
   probed.Point = Original(points, "vtkOriginalPointIds", found.Points->GetId(most));
   const auto interpolated = [&found](vtkDataArray* array, int component)
   {
@@ -144,4 +171,20 @@ vtkHapticProbed vtkHapticSourceProbe::Look(vtkDataObject* data, const palpate::V
       }
     });
   return found.Data ? Read(found) : vtkHapticProbed();
+}
+
+bool vtkHapticSourceProbe::Holds(vtkDataObject* data, vtkIdType cell, const palpate::Vec3& at)
+{
+  constexpr double rounding = 1e-6; // of numbers in single precision and what is computed of them, as a share
+  bool holds = false;
+  vtkHapticForEachDataSet(data,
+    [&](vtkDataSet& set)
+    {
+      const double within = rounding * (set.GetLength() + at.norm());
+      for (const vtkIdType each : CellsOf(set, cell))
+      {
+        holds = holds || FoundAt(&set, each, at).Distance <= within;
+      }
+    });
+  return holds;
 }

@@ -21,7 +21,8 @@ struct vtkHapticProbed
 {
   vtkIdType Cell =
     -1; ///< nearest to the place; of the source itself where the data say what that was, else of the data
-  vtkIdType Point = -1; ///< of that cell, the one that counts most there
+  vtkIdType Point = -1;                          ///< of that cell, the one that counts most there
+  palpate::Vec3 Nearest = palpate::Vec3::Zero(); ///< to the place, of that cell
   /// Arrays of points, interpolated, and of cells; of more components each as name_0, name_1 and so on.
   std::vector<std::pair<std::string, double>> Values;
 };
@@ -36,6 +37,8 @@ public:
 
   /// `data`: a data set, or a composite of them. `at`: in its own frame.
   vtkHapticProbed Look(vtkDataObject* data, const palpate::Vec3& at);
+  /// Whether a cell of that id, as Look() gives it, has the place, but for what rounding to single precision moves it.
+  static bool Holds(vtkDataObject* data, vtkIdType cell, const palpate::Vec3& at);
   /// Forgets all but the data sets that were asked for since the last call.
   void Forget();
 

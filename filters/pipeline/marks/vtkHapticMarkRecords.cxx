@@ -2,17 +2,14 @@
 #include "vtkHapticMarkRecords.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkHapticTextRows.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -26,86 +23,9 @@ namespace
 constexpr const char* SourceColumn = "Source";
 constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
 
-std::string Quoted(const std::string& field)
+std::vector<std::string> ReadHeader(vtkHapticTextRows& rows)
 {
-  if (field.find_first_of(",\"\r\n") == std::string::npos)
-  {
-    return field;
-  }
-  std::string quoted = "\"";
-  for (const char c : field)
-  {
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return quoted + '"';
-}
-
-/// The shortest digits that give the same number back.
-std::string Digits(double value)
-{
-  char text[64];
-  const auto end = std::to_chars(std::begin(text), std::end(text), value).ptr;
-  return { text, end };
-}
-
-/// One field after another of a text whose quoted fields may hold commas and lines.
-class FieldReader
-{
-public:
-  explicit FieldReader(std::string_view text) : Rest(text) {}
-
-  [[nodiscard]] bool AtEnd() const { return this->Rest.empty(); }
-  [[nodiscard]] std::vector<std::string> NextRow()
-  {
-    std::vector<std::string> row;
-    bool more = true;
-    while (more)
-    {
-      row.push_back(this->NextField());
-      more = !this->Rest.empty() && this->Rest.front() == ',';
-      this->Rest.remove_prefix(this->Rest.starts_with("\r\n") ? 2 : this->Rest.empty() ? 0 : 1);
-    }
-    return row;
-  }
-
-private:
-  std::string NextField()
-  {
-    if (!this->Rest.starts_with('"'))
-    {
-      const std::size_t length = std::min(this->Rest.find_first_of(",\r\n"), this->Rest.size());
-      std::string field(this->Rest.substr(0, length));
-      this->Rest.remove_prefix(length);
-      return field;
-    }
-    std::string field;
-    std::size_t at = 1;
-    while (at < this->Rest.size() && (this->Rest[at] != '"' || this->Rest.substr(at).starts_with("\"\"")))
-    {
-      field += this->Rest[at];
-      at += this->Rest[at] == '"' ? 2 : 1;
-    }
-    this->Rest.remove_prefix(std::min(at + 1, this->Rest.size()));
-    return field;
-  }
-
-  std::string_view Rest;
-};
-
-double NumberOf(const std::string& field)
-{
-  double value = NotKnown;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size())
-  {
-    throw std::runtime_error("'" + field.substr(0, 24) + "' is not a number");
-  }
-  return value;
-}
-
-std::vector<std::string> ReadHeader(FieldReader& fields)
-{
-  std::vector<std::string> names = fields.NextRow();
+  std::vector<std::string> names = rows.Next();
   const std::vector<std::string> first = { SourceColumn, "X", "Y", "Z" };
   if (names.size() < first.size() || !std::equal(first.begin(), first.end(), names.begin()))
   {
@@ -124,7 +44,7 @@ vtkHapticMarkRecord ReadRecord(const std::vector<std::string>& names, const std:
   vtkHapticMarkRecord record{ row.front(), {} };
   for (std::size_t i = 1; i < row.size(); ++i)
   {
-    record.Numbers.emplace_back(names[i], NumberOf(row[i]));
+    record.Numbers.emplace_back(names[i], vtkHapticTextRows::Number(row[i]));
   }
   return record;
 }
@@ -224,15 +144,15 @@ std::string vtkHapticMarkRecords::ToText() const
   std::string text = SourceColumn;
   for (const std::string& name : columns)
   {
-    text += ',' + Quoted(name);
+    text += ',' + vtkHapticTextRows::Quoted(name);
   }
   text += '\n';
   for (const vtkHapticMarkRecord& record : this->Records)
   {
-    text += Quoted(record.Source);
+    text += vtkHapticTextRows::Quoted(record.Source);
     for (const std::string& name : columns)
     {
-      text += ',' + Digits(record.Number(name));
+      text += ',' + vtkHapticTextRows::Digits(record.Number(name));
     }
     text += '\n';
   }
@@ -249,11 +169,11 @@ std::string vtkHapticMarkRecords::FromText(std::string_view text)
   std::vector<vtkHapticMarkRecord> records;
   try
   {
-    FieldReader fields(text);
-    const std::vector<std::string> names = ReadHeader(fields);
-    while (!fields.AtEnd())
+    vtkHapticTextRows rows(text);
+    const std::vector<std::string> names = ReadHeader(rows);
+    while (!rows.AtEnd())
     {
-      records.push_back(ReadRecord(names, fields.NextRow()));
+      records.push_back(ReadRecord(names, rows.Next()));
     }
   }
   catch (const std::runtime_error& error)

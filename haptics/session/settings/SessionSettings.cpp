@@ -195,6 +195,14 @@ const Setting settings[] = {
   flag("Inspect", "", "What is at the contact is looked up with every picture", false, NextFrame),
   count("MarkButton", "", "", "Button of the device that sets a mark at the contact, from 1 on; 0 is none", 0, 0, 32,
     NextFrame),
+  text("MarksText", "",
+    "The marks that were set at contacts, as comma-separated text with a header line, as the source Touch Marks takes "
+    "it",
+    AtOnce),
+  text("SourcesText", "",
+    "Sources that are not touched, or in a way of their own, as comma-separated text: Source, Touched (0 or 1), "
+    "Stiffness (inf: the session's), FrictionStatic and FrictionKinetic (-1: the session's)",
+    NextScene),
   text("RecordFile", "", "File that receives the recording while touching", NextTouch),
   text("ReplayFile", "", "Recording that the device replay plays", NextTouch),
   flag("VirtualTime", "", "Nothing runs by itself: Step computes ticks, in the thread that calls it", false, NextTouch),

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticSourceStyles_h
+#define vtkHapticSourceStyles_h
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "haptics/geometry/mesh/Material.h"
+
+/// How a source is touched by itself, beside its arrays.
+struct vtkHapticSourceStyle
+{
+  bool Touched = true;
+  palpate::Material Material; ///< where no array says otherwise
+  friend bool operator==(const vtkHapticSourceStyle&, const vtkHapticSourceStyle&) = default;
+};
+
+/// The sources that are touched in another way than a session's, by name, and as a text that state files and scripts
+/// hold.
+class vtkHapticSourceStyles
+{
+public:
+  /// The usual one for a name that nothing was said of.
+  [[nodiscard]] vtkHapticSourceStyle Of(const std::string& name) const;
+  void Set(const std::string& name, const vtkHapticSourceStyle& style);
+  /// Comma-separated with a header line: Source, Touched (0 or 1), Stiffness [N/m], FrictionStatic, FrictionKinetic.
+  /// Sorted by name; "" if all are usual.
+  [[nodiscard]] std::string ToText() const;
+  /// Empty, or one line that says what cannot be; then nothing has changed.
+  [[nodiscard]] std::string FromText(std::string_view text);
+
+private:
+  std::map<std::string, vtkHapticSourceStyle> Styles; ///< those that are not the usual one
+};
+
+#endif

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Touching from Python as paraview.simple does the rest, in ParaView's shell and in pvpython alike.
+
+    from paraview.simple import *
+    from palpate.simple import *
+
+    Show(Sphere(Radius=50))
+    SetHaptics(DeviceName="fed", Stiffness=500)
+    Touch()
+    print(HapticState()["StateText"])
+    LetGo()
+
+In ParaView these are the panel's session and the active view; in pvpython a session is made and registered with the
+first call, and HapticUpdate() follows the view. What is refused is raised as HapticRefusal, in the words of the panel.
+"""
+
+import json
+
+import paraview
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonDataModel import vtkTable
+
+from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  the proxy's object becomes scriptable
+from palpate.vtkHapticViews import vtkHapticViewScene
+
+__all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "LetGo", "FitHand", "HapticUpdate", "HapticState",
+           "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource"]
+
+
+class HapticRefusal(RuntimeError):
+    """What was refused, why, and what to do."""
+
+
+_scenes = {}  # of sessions that no panel looks after, by global id
+
+
+def _manager():
+    return servermanager.ActiveConnection.Session.GetSessionProxyManager()
+
+
+def _proxy():
+    manager = _manager()
+    present = manager.GetProxy("haptics", "HapticSession")
+    if present:
+        return present
+    if not manager.GetProxyDefinitionManager().HasDefinition("haptics", "HapticSession"):
+        raise HapticRefusal("Palpate is not loaded: call LoadPlugin('.../Palpate.so') first.")
+    made = manager.NewProxy("haptics", "HapticSession")
+    servermanager.vtkSMPropertyHelper(made, "FitOnTouch").Set(1)
+    made.UpdateVTKObjects()
+    manager.RegisterProxy("haptics", "HapticSession", made)
+    return made
+
+
+class _Refusals:
+    """Raises what the session refuses within, instead of printing it."""
+
+    def __enter__(self):
+        self.session = GetHapticSession()
+        self.refused = False
+        self.observer = self.session.AddObserver("ErrorEvent", self._note)
+        return self.session
+
+    def _note(self, *_):
+        self.refused = True
+
+    def __exit__(self, kind, *_):
+        self.session.RemoveObserver(self.observer)
+        if self.refused and kind is None:
+            raise HapticRefusal(self.session.GetProblem())
+
+
+def _put(name, value):
+    servermanager.ProxyManager().GetProxy("haptics", "HapticSession").SetPropertyWithName(name, value)
+
+
+def _value(name):
+    value = servermanager.ProxyManager().GetProxy("haptics", "HapticSession").GetPropertyValue(name)
+    return value if isinstance(value, (int, float, str)) else list(value)
+
+
+def _follow(view):
+    """Has the session feel what the view shows; the panel does that by itself, for the active view."""
+    if getattr(paraview, "palpate_panel", False):
+        simple.SetActiveView(view)
+        return
+    simple.Render(view)
+    proxy = _proxy()
+    scene = _scenes.setdefault(proxy.GetGlobalIDAsString(), vtkHapticViewScene())
+    scene.SetSession(proxy.GetClientSideObject())
+    scene.SetView(view.SMProxy)
+    scene.Update()
+
+
+def GetHapticSession():
+    """The session's object, with all that a proxy does not offer: Step(n), SetHandPosition(x, y, z) ..."""
+    return _proxy().GetClientSideObject()
+
+
+def SetHaptics(**settings):
+    """Sets properties of the session by name: SetHaptics(Stiffness=300, Radius=0.5)."""
+    for name, value in settings.items():
+        if not _proxy().GetProperty(name):
+            raise HapticRefusal(f"{name} is no setting of the session; plugin/README.md lists them.")
+        before = _value(name)
+        try:
+            with _Refusals():
+                _put(name, value)
+        except HapticRefusal:
+            _put(name, before)  # the property says what the session has
+            raise
+
+
+def Touch(view=None):
+    """Touches what a view shows, the active one if none is named. Returns once the scene is built."""
+    view = view or simple.GetActiveView()
+    looked_at = vtkHapticViewScene()
+    if view:
+        simple.Render(view)
+        looked_at.SetView(view.SMProxy)
+    if looked_at.GetRefusal():
+        raise HapticRefusal(looked_at.GetRefusal())
+    with _Refusals() as session:
+        _follow(view)
+        _put("Touching", 1)
+        session.FinishScene()
+        session.Update()
+
+
+def LetGo():
+    """Force to zero within 50 ms, and no touching any more."""
+    _proxy()
+    _put("Touching", 0)
+
+
+def FitHand():
+    """Scale and place such that the device's workspace holds everything that is shown."""
+    with _Refusals():
+        _proxy().InvokeCommand("FitWorkspace")
+
+
+def HapticUpdate():
+    """Takes the session's latest state and, where no panel does it, what the view shows now."""
+    scene = _scenes.get(_proxy().GetGlobalIDAsString())
+    if scene:
+        scene.Update()
+    GetHapticSession().Update()
+
+
+def HapticState():
+    """All that the session says of itself now, by name: force, contact, state in words ..."""
+    HapticUpdate()
+    session = GetHapticSession()
+    readouts = json.loads(session.GetDescribed())["readouts"]
+    return {readout["name"]: getattr(session, "Get" + readout["name"])() for readout in readouts}
+
+
+def Mark():
+    """Sets a mark at the contact. Returns it as GetMarks() does."""
+    with _Refusals():
+        HapticUpdate()
+        _proxy().InvokeCommand("AddMark")
+    return GetMarks()[-1]
+
+
+def GetMarks():
+    """The marks in their order, each a dictionary: Source, X, Y, Z and all that was found there."""
+    table = vtkTable()
+    GetHapticSession().GetMarksTable(table)
+    columns = [table.GetColumn(column) for column in range(table.GetNumberOfColumns())]
+    return [{column.GetName(): column.GetValue(row) for column in columns} for row in range(table.GetNumberOfRows())]
+
+
+def ClearMarks():
+    """Removes all marks."""
+    _proxy().InvokeCommand("ClearMarks")
+
+
+def SaveMarks(file):
+    """Writes the marks as csv or vtp, by the suffix."""
+    with _Refusals() as session:
+        session.WriteMarks(file)
+
+
+def SetSource(source, touched=None, stiffness=None, friction=None):
+    """Touches one source in a way of its own: a proxy, or its name in the pipeline browser. `stiffness` [N/m] as felt,
+    `friction` at rest and sliding. What is not named stays as it is."""
+    name = source if isinstance(source, str) else _manager().GetProxyName("sources", source.SMProxy)
+    with _Refusals() as session:
+        if touched is not None:
+            session.SetSourceTouched(name, touched)
+        material = [0.0, 0.0, 0.0]
+        session.GetSourceMaterial(name, material)
+        own_stiffness = material[0] if stiffness is None else stiffness
+        session.SetSourceMaterial(name, own_stiffness, *(material[1:] if friction is None else friction))

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Touching with functions as paraview.simple has them. A process of its own: the session is registered."""
+
+import math
+import os
+import sys
+import tempfile
+import unittest
+
+from paraview import simple
+
+simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
+from palpate.simple import (ClearMarks, FitHand, GetHapticSession, GetMarks, HapticRefusal, HapticState, LetGo, Mark,  # noqa: E402
+                            SaveMarks, SetHaptics, SetSource, Touch)
+
+TICKS_TO_ENGAGE = 1100  # arming, the ramp of 1 s, and some to spare
+STIFFNESS = 400.0  # N/m
+SCALE = 1000.0  # u/m
+DEPTH = 2.0  # u
+FORCE = STIFFNESS * DEPTH / SCALE  # N
+
+
+class Functions(unittest.TestCase):
+    def setUp(self):
+        self.view = simple.CreateView("RenderView")
+        self.view.ViewSize = [120, 100]
+        simple.SetActiveView(self.view)
+        SetHaptics(DeviceName="fed", VirtualTime=1, Stiffness=STIFFNESS, FitOnTouch=0, Scale=SCALE, Offset=[0, 0, 0])
+
+    def tearDown(self):
+        LetGo()
+        ClearMarks()
+        SetHaptics(SourcesText="")
+        for source in list(simple.GetSources().values()):
+            simple.Delete(source)
+        simple.Delete(self.view)
+
+    def press_box(self):
+        """2 u into the face x = 50 of a box."""
+        box = simple.Box(XLength=100, YLength=100, ZLength=100)
+        simple.Show(box, self.view)
+        session = GetHapticSession()
+        session.SetHandPosition(60, 10, 20)
+        Touch()
+        session.Step(TICKS_TO_ENGAGE)
+        session.SetHandPosition(50 - DEPTH, 10, 20)
+        session.Step(300)
+        return box
+
+    def test_touch_feels_what_the_view_shows_and_let_go_ends_it(self):
+        self.press_box()
+        state = HapticState()
+        self.assertEqual(state["StateText"], "engaged")
+        self.assertAlmostEqual(state["Force"][0], FORCE, delta=1e-9)
+        self.assertAlmostEqual(state["Depth"], DEPTH, delta=1e-9)
+        LetGo()
+        self.assertFalse(GetHapticSession().GetTouching())
+
+    def test_a_mark_says_where_it_is_and_is_saved(self):
+        self.press_box()
+        mark = Mark()
+        self.assertIn("Box", mark["Source"])
+        for axis, place in zip("XYZ", (50.0, 10.0, 20.0)):
+            self.assertAlmostEqual(mark[axis], place, delta=1e-5)
+        self.assertAlmostEqual(mark["Thickness"], 100.0, delta=1e-4)
+        self.assertEqual(GetMarks(), [mark])
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "marks.csv")
+            SaveMarks(file)
+            with open(file, encoding="utf-8") as text:
+                self.assertTrue(text.readline().startswith("Source,X,Y,Z,"))
+            with self.assertRaisesRegex(HapticRefusal, "csv or vtp"):
+                SaveMarks(os.path.join(folder, "marks.doc"))
+        ClearMarks()
+        self.assertEqual(GetMarks(), [])
+
+    def test_refusals_are_raised_in_words_each_time(self):
+        for _ in range(2):
+            with self.assertRaisesRegex(HapticRefusal, "Nothing is shown"):
+                Touch()
+            with self.assertRaisesRegex(HapticRefusal, "stiffness"):
+                SetHaptics(Stiffness=-1.0)
+            with self.assertRaisesRegex(HapticRefusal, "touch a surface first"):
+                Mark()
+            with self.assertRaisesRegex(HapticRefusal, "Stiffnes is no setting"):
+                SetHaptics(Stiffnes=1.0)
+        self.assertEqual(GetHapticSession().GetStiffness(), STIFFNESS)
+
+    def test_a_source_is_softer_than_the_others_or_not_touched(self):
+        box = self.press_box()
+        SetSource(box, stiffness=50.0)
+        HapticState()
+        GetHapticSession().FinishScene()
+        GetHapticSession().Step(2000)
+        self.assertAlmostEqual(HapticState()["Force"][0], 50.0 * DEPTH / SCALE, delta=1e-9)
+        SetSource(box, touched=False)
+        HapticState()
+        GetHapticSession().FinishScene()
+        GetHapticSession().Step(2000)
+        self.assertEqual(HapticState()["ForceMagnitude"], 0.0)
+        with self.assertRaisesRegex(HapticRefusal, "friction"):
+            SetSource(box, friction=(0.25, 0.5))
+
+    def test_the_hand_is_fitted_to_what_is_shown(self):
+        self.press_box()
+        SetHaptics(DeviceName="mouse")
+        FitHand()
+        scale = GetHapticSession().GetScale()
+        self.assertTrue(math.isfinite(scale) and scale != SCALE)
+
+
+if __name__ == "__main__":
+    # A SystemExit would skip pvpython's own ending, which closes views before the display.
+    if not unittest.main(exit=False).result.wasSuccessful():
+        sys.exit(1)

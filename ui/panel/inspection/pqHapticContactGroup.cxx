@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticContactGroup.h"
+
+#include "pqHapticFields.h"
+#include "pqHapticLabel.h"
+#include "vtkHapticSession.h"
+
+#include <QFormLayout>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace
+{
+QString Number(double value)
+{
+  return QString::number(value, 'g', 6);
+}
+
+QString Vector(const double v[3])
+{
+  return QString("(%1, %2, %3)").arg(Number(v[0]), Number(v[1]), Number(v[2]));
+}
+
+/// `unknown`: what is said instead of no number.
+QString Quantity(double value, const char* unit, const QString& unknown)
+{
+  return std::isnan(value) ? unknown : Number(value) + " " + unit;
+}
+
+/// "3 and 2 1/u": the unit once.
+QString CurvatureOf(vtkHapticSession& session)
+{
+  const double* const curvature_per_u = session.GetContactCurvature();
+  const QString least = Quantity(curvature_per_u[1], "1/u", "not known");
+  return std::isnan(curvature_per_u[0]) ? least : Number(curvature_per_u[0]) + " and " + least;
+}
+} // namespace
+
+pqHapticContactGroup::pqHapticContactGroup(QWidget* parent) : Superclass(parent)
+{
+  this->setObjectName("contactPlace");
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  this->None = pqHapticLabel(this, "contactNone", tr("What is at the contact is shown while a surface is touched"));
+  this->None->setText(tr("Nothing is touched now."));
+  this->Found = new QWidget(this);
+  this->Found->setObjectName("contactFound");
+  column->addWidget(this->None);
+  column->addWidget(this->Found);
+  auto* form = new QFormLayout(this->Found);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  this->Source = this->add(form, "contactSource", tr("Source"), pqHapticReadoutTip("ContactSource"));
+  this->Ids = this->add(form, "contactIds", tr("Cell, point"),
+    tr("Ids of the cell at the contact, and of its point that counts most there"));
+  this->Position = this->add(form, "contactPosition", tr("Position"), pqHapticReadoutTip("ContactPosition"));
+  this->Normal = this->add(form, "contactNormal", tr("Normal"), pqHapticReadoutTip("ContactNormal"));
+  this->Depth = this->add(form, "contactDepth", tr("Depth"), pqHapticReadoutTip("Depth"));
+  this->Curvature = this->add(form, "contactCurvature", tr("Curvature"), pqHapticReadoutTip("ContactCurvature"));
+  this->Thickness = this->add(form, "contactThickness", tr("Wall"), pqHapticReadoutTip("ContactThickness"));
+  this->Arrays = this->add(form, "contactArrays", tr("Arrays"), pqHapticReadoutTip("ContactArrays"));
+  this->refresh(nullptr);
+}
+
+QLabel* pqHapticContactGroup::add(QFormLayout* form, const char* name, const QString& title, const QString& tip)
+{
+  QLabel* const label = pqHapticLabel(this->Found, name, tip);
+  form->addRow(title, label);
+  return label;
+}
+
+void pqHapticContactGroup::refresh(vtkHapticSession* session)
+{
+  const bool found = session && this->isVisible() && session->InspectContact();
+  this->None->setVisible(!found);
+  this->Found->setVisible(found);
+  if (found)
+  {
+    this->showContact(*session);
+  }
+}
+
+void pqHapticContactGroup::showContact(vtkHapticSession& session)
+{
+  this->Source->setText(QString::fromUtf8(session.GetContactSource()));
+  this->Ids->setText(QString("%1, %2").arg(session.GetContactCell()).arg(session.GetContactPoint()));
+  this->Position->setText(Vector(session.GetContactPosition()) + " u");
+  this->Normal->setText(Vector(session.GetContactNormal()));
+  this->Depth->setText(Quantity(session.GetDepth(), "u", QString()));
+  this->Curvature->setText(CurvatureOf(session));
+  this->Thickness->setText(Quantity(session.GetContactThickness(), "u", tr("none is met")));
+  const QString arrays = QString::fromUtf8(session.GetContactArrays()).trimmed();
+  this->Arrays->setText(arrays.isEmpty() ? tr("none") : arrays);
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticContactGroup_h
+#define pqHapticContactGroup_h
+
+#include <QWidget>
+
+class QFormLayout;
+class QLabel;
+class vtkHapticSession;
+
+/// What is at the contact, each number with its unit. It is looked up only while these rows are seen.
+class pqHapticContactGroup : public QWidget
+{
+  Q_OBJECT
+  typedef QWidget Superclass;
+
+public:
+  explicit pqHapticContactGroup(QWidget* parent = nullptr);
+
+  /// Null where there is no session. Ten times a second.
+  void refresh(vtkHapticSession* session);
+
+private:
+  void showContact(vtkHapticSession& session);
+
+  QLabel* add(QFormLayout* form, const char* name, const QString& title, const QString& tip);
+
+  QLabel* None;
+  QWidget* Found; ///< the rows, while there is a contact
+  QLabel* Source;
+  QLabel* Ids;
+  QLabel* Position;
+  QLabel* Normal;
+  QLabel* Depth;
+  QLabel* Curvature;
+  QLabel* Thickness;
+  QLabel* Arrays;
+};
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticSourceGroup.h"
+
+#include "haptics/geometry/mesh/Material.h"
+#include "pqActiveObjects.h"
+#include "pqHapticController.h"
+#include "pqHapticLabel.h"
+#include "pqPipelineSource.h"
+#include "vtkHapticSession.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace
+{
+/// What a box has where the session's own is meant.
+constexpr double asSession = -1.0;
+constexpr int decimals = 3;
+constexpr double largestStiffness_N_per_m = 1e6;
+
+/// Empty: none is active.
+QByteArray ActiveName()
+{
+  pqPipelineSource* const source = pqActiveObjects::instance().activeSource();
+  return source ? source->getSMName().toUtf8() : QByteArray();
+}
+
+/// What is being typed stays while the value is the same.
+void Show(QDoubleSpinBox* box, double value)
+{
+  const QSignalBlocker nothingWasTyped(box);
+  if (box->value() != value)
+  {
+    box->setValue(value);
+  }
+}
+} // namespace
+
+pqHapticSourceGroup::pqHapticSourceGroup(QWidget* parent) : Superclass(tr("Active source"), parent)
+{
+  this->setObjectName("sourceGroup");
+  auto* form = new QFormLayout(this);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  this->Name = pqHapticLabel(this, "sourceName", tr("The source that is active in the pipeline browser"));
+  form->addRow(this->Name);
+  this->Touched = new QCheckBox(tr("Touch this source"), this);
+  this->Touched->setObjectName("sourceTouched");
+  this->Touched->setToolTip(tr("Off: it is seen and not felt"));
+  form->addRow(this->Touched);
+  this->Stiffness = this->addNumber(
+    form, "sourceStiffness", tr("Its stiffness"), tr("As felt, and no more than the session's; an array says more"));
+  this->Stiffness->setSuffix(" N/m");
+  this->Stiffness->setMaximum(largestStiffness_N_per_m);
+  this->FrictionStatic = this->addNumber(form, "sourceFrictionStatic", tr("Its static friction"), tr("At rest"));
+  this->FrictionKinetic =
+    this->addNumber(form, "sourceFrictionKinetic", tr("Its kinetic friction"), tr("While it slides"));
+  this->connect(this->Touched, &QCheckBox::toggled, this, &pqHapticSourceGroup::setTouched);
+  const auto changed = QOverload<double>::of(&QDoubleSpinBox::valueChanged);
+  this->connect(this->Stiffness, changed, this, &pqHapticSourceGroup::setMaterial);
+  this->connect(this->FrictionStatic, changed, this, &pqHapticSourceGroup::setStatic);
+  this->connect(this->FrictionKinetic, changed, this, &pqHapticSourceGroup::setKinetic);
+  this->refresh(nullptr);
+}
+
+QDoubleSpinBox* pqHapticSourceGroup::addNumber(
+  QFormLayout* form, const char* name, const QString& title, const QString& tip)
+{
+  auto* box = new QDoubleSpinBox(this);
+  box->setObjectName(name);
+  box->setToolTip(tip);
+  box->setDecimals(decimals);
+  box->setRange(asSession, palpate::Material::largestFriction);
+  box->setSpecialValueText(tr("the session's"));
+  box->setKeyboardTracking(false);
+  form->addRow(title, box);
+  return box;
+}
+
+void pqHapticSourceGroup::refresh(vtkHapticSession* session)
+{
+  const QByteArray name = ActiveName();
+  for (QWidget* field : this->fields())
+  {
+    field->setEnabled(session && !name.isEmpty());
+  }
+  this->Name->setText(name.isEmpty() ? tr("None: click one in the pipeline browser.") : QString::fromUtf8(name));
+  if (!session || name.isEmpty())
+  {
+    return;
+  }
+  const QSignalBlocker nothingWasClicked(this->Touched);
+  this->Touched->setChecked(session->GetSourceTouched(name.constData()));
+  double material[3];
+  session->GetSourceMaterial(name.constData(), material);
+  Show(this->Stiffness, material[0] == palpate::Material::rigid_N_per_m ? asSession : material[0]);
+  Show(this->FrictionStatic, material[1]);
+  Show(this->FrictionKinetic, material[2]);
+}
+
+QList<QWidget*> pqHapticSourceGroup::fields() const
+{
+  return { this->Touched, this->Stiffness, this->FrictionStatic, this->FrictionKinetic };
+}
+
+void pqHapticSourceGroup::setTouched(bool on)
+{
+  if (vtkHapticSession* session = pqHapticController::instance()->session())
+  {
+    session->SetSourceTouched(ActiveName().constData(), on);
+  }
+}
+
+/// Both are of its own or neither, and the kinetic one is no more than the static one: the other one follows.
+void pqHapticSourceGroup::setStatic(double friction)
+{
+  const double kinetic = this->FrictionKinetic->value();
+  Show(this->FrictionKinetic, kinetic < 0.0 ? friction : std::min(kinetic, friction));
+  this->setMaterial();
+}
+
+void pqHapticSourceGroup::setKinetic(double friction)
+{
+  Show(this->FrictionStatic, friction < 0.0 ? friction : std::max(this->FrictionStatic->value(), friction));
+  this->setMaterial();
+}
+
+void pqHapticSourceGroup::setMaterial()
+{
+  if (vtkHapticSession* session = pqHapticController::instance()->session())
+  {
+    const double stiffness = this->Stiffness->value();
+    session->SetSourceMaterial(ActiveName().constData(), stiffness < 0.0 ? palpate::Material::rigid_N_per_m : stiffness,
+      this->FrictionStatic->value(), this->FrictionKinetic->value());
+  }
+}
