@@ -231,7 +231,7 @@ class Edits:
             if deep > 1e-6 * size:
                 raise AssertionError(
                     f"after {self.done[-8:]}: the proxy at {proxy} is {deep} u inside of {name}; hand {tuple(session.GetHandPosition())}; "
-                    f"{session.GetSceneReport()}")
+                    f"radius {session.GetRadiusUsed()} u; {session.GetStateText()}; {session.GetFaultText()}; {session.GetSceneReport()}")
 
     def check_force(self, session):
         force = session.GetForceMagnitude()

@@ -75,6 +75,20 @@ struct Nearest
   std::uint32_t triangle = 0;
 };
 
+/// A way off a triangle, or a curve, for a centre that rounding cannot tell from it: to the side that the centre is on
+/// exactly. A point that rests on a face is as near as that, and a face may be turned either way.
+template<class AnySurface>
+Vec3 acrossAt(const AnySurface& surface, std::uint32_t triangle, const Vec3& x_W) noexcept
+{
+  if (dataOf(surface).coat_u > 0.0)
+  {
+    const auto& [a, b, c] = cornersIn(surface, triangle);
+    return (b - a).unitOrthogonal();
+  }
+  const Vec3 normal_W = surface.face(triangle).normal_W;
+  return sideOf(surface, triangle, x_W) < 0 ? Vec3(-normal_W) : normal_W;
+}
+
 template<SceneView AnyScene>
 Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach) noexcept
 {
@@ -88,8 +102,7 @@ Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach) noex
       const double clearance = (x_W - foot_W).norm() - coat;
       if (clearance < nearest.clearance)
       {
-        const Vec3 across = coat > 0.0 ? Vec3((b - a).unitOrthogonal()) : surface.face(t).normal_W;
-        nearest = { clearance, coat, foot_W, across, s, t };
+        nearest = { clearance, coat, foot_W, acrossAt(surface, t, x_W), s, t };
       }
     });
   return nearest;

@@ -77,6 +77,34 @@ TEST(Seat, APointExactlyOnATriangleIsLiftedOffItAndStaysOnThatSide)
   }
 }
 
+// The point rests nearer to its faces than rounding tells: their sides do, whichever way the triangles are turned.
+TEST(Seat, ABallThatIsPutWhereAPressedPointRestsIsOnTheSideOfThePoint)
+{
+  Random random(testSeed(123));
+  for (std::size_t i = 0; i < testCount(500); ++i)
+  {
+    const Vec3 half(random.uniform(2, 40), random.uniform(2, 40), random.uniform(2, 40));
+    TriangleMesh box = makeBox(-half, half);
+    for (auto& triangle : box.triangles)
+    {
+      if (random.below(2) == 0)
+      {
+        std::swap(triangle[0], triangle[1]);
+      }
+    }
+    const auto scene = sceneOf(box);
+    Probe point(scene, 0.0, Vec3(400, random.uniform(-50, 50), random.uniform(-50, 50)));
+    const Vec3 deep(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    point.along(deep, 20);
+    GodObjectState state;
+    ContactPlan plan;
+    plan.radius_u = 0.5;
+    ASSERT_FALSE(moveGodObject(*scene, plan, point.x_W(), state).seatFailed) << "case " << i;
+    const double outside = (state.x_W.cwiseAbs() - half).cwiseMax(0.0).norm();
+    ASSERT_NEAR(outside, plan.radius_u, 1e-9) << "case " << i << ": " << state.x_W.transpose();
+  }
+}
+
 TEST(Seat, ACentreInsideAClosedSurfaceTouchesItFromInside)
 {
   const NoisySphere sphere(5000, 1.0);
