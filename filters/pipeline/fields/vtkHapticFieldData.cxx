@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticFieldData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkHapticImageField.h"
+#include "vtkHapticResampledField.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+
+namespace
+{
+/// The data sets in a data object.
+std::vector<vtkDataSet*> PartsOf(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> parts;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      if (auto* part = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+      {
+        parts.push_back(part);
+      }
+    }
+  }
+  else if (auto* one = vtkDataSet::SafeDownCast(data))
+  {
+    parts.push_back(one);
+  }
+  return parts;
+}
+
+vtkDataArray* FindArray(vtkDataSet* part, const std::string& name)
+{
+  vtkDataArray* const atPoints = part->GetPointData()->GetArray(name.c_str());
+  return atPoints ? atPoints : part->GetCellData()->GetArray(name.c_str());
+}
+
+bool HasAbstractArray(vtkDataSet* part, const std::string& name)
+{
+  return part->GetPointData()->HasArray(name.c_str()) || part->GetCellData()->HasArray(name.c_str());
+}
+
+/// "" where every array that is asked for is one of numbers and has the components that its role needs.
+std::string RefuseArray(const std::vector<vtkDataSet*>& parts, const std::string& name, int components)
+{
+  if (name.empty())
+  {
+    return "";
+  }
+  const auto with = std::find_if(parts.begin(), parts.end(), [&](vtkDataSet* part) { return FindArray(part, name); });
+  if (with == parts.end())
+  {
+    const bool isText =
+      std::any_of(parts.begin(), parts.end(), [&](vtkDataSet* part) { return HasAbstractArray(part, name); });
+    return "its array \"" + name + (isText ? "\" is not one of numbers" : "\" is not there; choose another one");
+  }
+  const int has = FindArray(*with, name)->GetNumberOfComponents();
+  return components == 3 && has != 3
+           ? "its array \"" + name + "\" has " + std::to_string(has) + " components, and directions need 3"
+           : "";
+}
+
+std::string RefuseArrays(const std::vector<vtkDataSet*>& parts, const vtkHapticFieldArrays& arrays)
+{
+  if (arrays.Scalar.empty() && arrays.Vector.empty() && arrays.Resistance.empty())
+  {
+    return "no array of it is chosen; choose one to feel";
+  }
+  for (const auto& [name, components] : { std::pair(arrays.Scalar, 1), std::pair(arrays.Vector, 3),
+         std::pair(arrays.Resistance, 1), std::pair(arrays.Other, 1) })
+  {
+    if (const std::string problem = RefuseArray(parts, name, components); !problem.empty())
+    {
+      return problem;
+    }
+  }
+  return "";
+}
+
+bool IsThick(vtkImageData& image)
+{
+  const int* const size = image.GetDimensions();
+  return size[0] > 1 && size[1] > 1 && size[2] > 1;
+}
+
+/// Values of cells at points, where an array that is asked for is at cells alone.
+vtkSmartPointer<vtkImageData> WithPointData(vtkImageData& image)
+{
+  vtkNew<vtkCellDataToPointData> toPoints;
+  toPoints->SetInputData(&image);
+  toPoints->PassCellDataOn();
+  toPoints->Update();
+  return vtkImageData::SafeDownCast(toPoints->GetOutput());
+}
+
+bool AllAtPoints(vtkDataSet& data, const vtkHapticFieldArrays& arrays)
+{
+  const auto atPoints = [&data](const std::string& name)
+  { return name.empty() || data.GetPointData()->GetArray(name.c_str()); };
+  return atPoints(arrays.Scalar) && atPoints(arrays.Vector) && atPoints(arrays.Resistance) && atPoints(arrays.Other);
+}
+} // namespace
+
+vtkHapticFieldResult vtkHapticToField(vtkDataObject* data, const vtkHapticFieldArrays& arrays)
+{
+  const std::vector<vtkDataSet*> parts = PartsOf(data);
+  const auto filled = [](vtkDataSet* part) { return part->GetNumberOfPoints() > 0; };
+  if (std::none_of(parts.begin(), parts.end(), filled))
+  {
+    return { nullptr, "it has no points" };
+  }
+  if (std::string problem = RefuseArrays(parts, arrays); !problem.empty())
+  {
+    return { nullptr, std::move(problem) };
+  }
+  auto* const image = vtkImageData::SafeDownCast(data);
+  if (image && !IsThick(*image))
+  {
+    return { nullptr, "it is flat, and a field fills space: feel its curves by Image Curves" };
+  }
+  if (image)
+  {
+    auto kept = vtkSmartPointer<vtkImageData>::Take(image->NewInstance());
+    kept->ShallowCopy(image);
+    return { std::make_shared<vtkHapticImageField>(AllAtPoints(*kept, arrays) ? kept : WithPointData(*kept), arrays),
+      "" };
+  }
+  return vtkHapticResampled(data, arrays);
+}
+
+std::vector<std::string> vtkHapticFieldArrayNames(vtkDataObject* data, int components)
+{
+  std::set<std::string> names;
+  for (vtkDataSet* part : PartsOf(data))
+  {
+    for (vtkDataSetAttributes* attributes : { static_cast<vtkDataSetAttributes*>(part->GetPointData()),
+           static_cast<vtkDataSetAttributes*>(part->GetCellData()) })
+    {
+      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+      {
+        vtkDataArray* const array = attributes->GetArray(i);
+        const bool named =
+          array && array->GetName() && std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName();
+        if (named && (components == 0 || array->GetNumberOfComponents() == components))
+        {
+          names.insert(array->GetName());
+        }
+      }
+    }
+  }
+  return { names.begin(), names.end() };
+}

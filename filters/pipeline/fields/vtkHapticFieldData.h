@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticFieldData_h
+#define vtkHapticFieldData_h
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/session/scene/FieldSource.h"
+#include "vtkHapticPipelineModule.h" // for the export macro
+
+class vtkDataObject;
+
+/// Which arrays of a data set are felt, by name; "": none.
+struct vtkHapticFieldArrays
+{
+  std::string Scalar;
+  std::string Vector;
+  std::string Resistance;
+  std::string Other;  ///< what the scalar is compared with
+  int Component = -1; ///< of the scalar, where it has several; -1: their length
+  int Smoothing =
+    0; ///< passes over the scalar; each averages a point with its neighbours, half and half along each axis
+
+  friend bool operator==(const vtkHapticFieldArrays&, const vtkHapticFieldArrays&) = default;
+};
+
+struct vtkHapticFieldResult
+{
+  std::shared_ptr<const palpate::FieldSource> Source; ///< null: it cannot be felt as a field
+  std::string Problem;                                ///< why
+};
+
+/// A data set as a field: the voxels of an image as they are, also turned, mirrored and of uneven spacing; every other
+/// data set, composite ones and clouds of points too, by VTK's own probes on a lattice of half the length of its cells.
+/// Values of cells go to points first. Blanked, ghost and empty places have no value. `data` is copied shallowly and
+/// then read by the worker thread.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticFieldResult vtkHapticToField(
+  vtkDataObject* data, const vtkHapticFieldArrays& arrays);
+
+/// Names of the arrays of numbers that a data set has at points or cells, those of `components` alone; 0: all.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<std::string> vtkHapticFieldArrayNames(
+  vtkDataObject* data, int components = 0);
+
+#endif

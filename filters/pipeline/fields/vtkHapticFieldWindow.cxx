@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticFieldWindow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "haptics/field/Smoothing.h"
+
+using palpate::BrickGrid;
+using palpate::BrickRole;
+using palpate::GridIndex;
+using palpate::Vec3;
+
+namespace
+{
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+std::size_t FloatsPerPoint(const std::vector<vtkHapticFieldPart>& parts)
+{
+  std::size_t floats = 0;
+  for (const vtkHapticFieldPart& part : parts)
+  {
+    floats += static_cast<std::size_t>(palpate::componentsOf(part.Role));
+  }
+  return floats;
+}
+
+/// Points of the lattice within a box around a place; none where the place is too far outside.
+std::optional<vtkHapticFieldWindow> Around(const BrickGrid& lattice, const Vec3& centre, const Vec3& reach)
+{
+  vtkHapticFieldWindow window;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double last = lattice.size[k] - 1;
+    const double from = std::clamp(std::floor(centre[k] - reach[k]), 0.0, last);
+    const double to = std::clamp(std::ceil(centre[k] + reach[k]), 0.0, last);
+    if (!(to > from))
+    {
+      return std::nullopt;
+    }
+    window.First[k] = static_cast<int>(from);
+    window.Size[k] = static_cast<int>(to - from) + 1;
+  }
+  return window;
+}
+
+std::size_t PointsOf(const vtkHapticFieldWindow& window)
+{
+  return static_cast<std::size_t>(window.Size[0]) * window.Size[1] * window.Size[2];
+}
+
+/// As far as asked, or as the memory of a brick allows; all of it where that fits.
+std::optional<vtkHapticFieldWindow> WindowAround(
+  const BrickGrid& lattice, const Vec3& centre_W, double reach_u, std::size_t mostPoints)
+{
+  if (lattice.points() <= mostPoints)
+  {
+    return vtkHapticFieldWindow{ {}, lattice.size };
+  }
+  const Vec3 centre = lattice.toIndex(centre_W);
+  std::optional<vtkHapticFieldWindow> window;
+  constexpr double smaller = 0.9;
+  for (double reach = reach_u; reach > lattice.spacing_u.minCoeff(); reach *= smaller)
+  {
+    window = Around(lattice, centre, reach * lattice.spacing_u.cwiseInverse());
+    if (!window || PointsOf(*window) <= mostPoints)
+    {
+      break;
+    }
+  }
+  return window && PointsOf(*window) <= mostPoints ? window : std::nullopt;
+}
+
+/// How far one may go from a place before a window ends that is not the end of the lattice [u].
+double RoomIn(const vtkHapticFieldWindow& window, const BrickGrid& lattice, const Vec3& centre_W)
+{
+  const Vec3 centre = lattice.toIndex(centre_W);
+  double room = endless;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int last = window.First[k] + window.Size[k] - 1;
+    const double below = window.First[k] > 0 ? centre[k] - window.First[k] : endless;
+    const double above = last < lattice.size[k] - 1 ? last - centre[k] : endless;
+    room = std::min(room, lattice.spacing_u[k] * std::min(below, above));
+  }
+  return std::max(0.0, room);
+}
+
+/// With `more` points all around, as far as there are any.
+vtkHapticFieldWindow Grown(const vtkHapticFieldWindow& window, const BrickGrid& lattice, int more)
+{
+  vtkHapticFieldWindow grown;
+  for (int k = 0; k < 3; ++k)
+  {
+    grown.First[k] = std::max(0, window.First[k] - more);
+    grown.Size[k] = std::min(lattice.size[k], window.First[k] + window.Size[k] + more) - grown.First[k];
+  }
+  return grown;
+}
+
+std::vector<float> Cropped(
+  const std::vector<float>& values, const vtkHapticFieldWindow& grown, const vtkHapticFieldWindow& window)
+{
+  std::vector<float> cropped(PointsOf(window));
+  for (int k = 0; k < window.Size[2]; ++k)
+  {
+    for (int j = 0; j < window.Size[1]; ++j)
+    {
+      const auto row = values.begin() + static_cast<std::ptrdiff_t>(grown.Index(window.First[0] - grown.First[0],
+                                          j + window.First[1] - grown.First[1], k + window.First[2] - grown.First[2]));
+      std::copy_n(row, window.Size[0], cropped.begin() + static_cast<std::ptrdiff_t>(window.Index(0, j, k)));
+    }
+  }
+  return cropped;
+}
+
+std::vector<float> Values(const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window, const BrickGrid& lattice,
+  int smoothing, const vtkHapticFieldReading& read)
+{
+  if (part.Role != BrickRole::Scalar || smoothing == 0)
+  {
+    return read(part, window);
+  }
+  const vtkHapticFieldWindow grown = Grown(window, lattice, smoothing);
+  return Cropped(palpate::smoothed(read(part, grown), grown.Size, smoothing), grown, window);
+}
+} // namespace
+
+std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& arrays)
+{
+  std::vector<vtkHapticFieldPart> parts;
+  for (const auto& [role, name] :
+    { std::pair(BrickRole::Scalar, arrays.Scalar), std::pair(BrickRole::Vector, arrays.Vector),
+      std::pair(BrickRole::Resistance, arrays.Resistance), std::pair(BrickRole::Other, arrays.Other) })
+  {
+    if (!name.empty())
+    {
+      parts.push_back({ role, name });
+    }
+  }
+  return parts;
+}
+
+palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
+  const vtkHapticFieldReading& read, const Vec3& centre_W, double reach_u, std::uint64_t revision)
+{
+  const std::vector<vtkHapticFieldPart> parts = vtkHapticFieldParts(arrays);
+  const std::size_t mostPoints = palpate::Brick::mostBytes / (sizeof(float) * FloatsPerPoint(parts));
+  const auto window = WindowAround(lattice, centre_W, reach_u, mostPoints);
+  if (!window)
+  {
+    return { nullptr, centre_W, reach_u, "" }; // the hand is outside of the data
+  }
+  BrickGrid grid = lattice;
+  grid.size = window->Size;
+  grid.pose_W.p = lattice.toWorld(Vec3(window->First[0], window->First[1], window->First[2]));
+  std::vector<palpate::BrickArray> values;
+  for (const vtkHapticFieldPart& part : parts)
+  {
+    values.push_back({ part.Role, part.Name, Values(part, *window, lattice, arrays.Smoothing, read) });
+  }
+  if (std::string problem = palpate::Brick::refuse(grid, values); !problem.empty())
+  {
+    return { nullptr, centre_W, reach_u, std::move(problem) };
+  }
+  return { std::make_shared<const palpate::Brick>(revision, grid, std::move(values)), centre_W,
+    RoomIn(*window, lattice, centre_W), "" };
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticFieldWindow_h
+#define vtkHapticFieldWindow_h
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "haptics/field/Brick.h"
+#include "haptics/session/scene/FieldSource.h"
+#include "vtkHapticFieldData.h"
+
+/// A box of points of a lattice.
+struct vtkHapticFieldWindow
+{
+  palpate::GridIndex First{};
+  palpate::GridIndex Size{};
+
+  /// Of a point that it holds, x fastest.
+  std::size_t Index(int i, int j, int k) const
+  {
+    return static_cast<std::size_t>(i) + static_cast<std::size_t>(this->Size[0]) *
+                                           (static_cast<std::size_t>(j) + static_cast<std::size_t>(this->Size[1]) * k);
+  }
+};
+
+/// An array that a brick is to have, and the part of it that a window holds: components together, NaN where there is no
+/// value.
+struct vtkHapticFieldPart
+{
+  palpate::BrickRole Role;
+  std::string Name;
+};
+using vtkHapticFieldReading = std::function<std::vector<float>(const vtkHapticFieldPart&, const vtkHapticFieldWindow&)>;
+
+/// The arrays that are asked for.
+std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& arrays);
+
+/// The brick of a lattice around a place. Bricks of one lattice have the same values at the same places, whichever
+/// window they were made of: the scalar is smoothed with as much around it as smoothing needs.
+palpate::MadeBrick vtkHapticBrickAround(const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
+  const vtkHapticFieldReading& read, const palpate::Vec3& centre_W, double reach_u, std::uint64_t revision);
+
+#endif

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticImageField.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+using palpate::Vec3;
+
+namespace
+{
+/// The frame of an image's points; true where its first axis had to be turned round to make it right-handed.
+std::pair<palpate::BrickGrid, bool> LatticeOf(vtkImageData& image)
+{
+  palpate::BrickGrid lattice;
+  Eigen::Matrix3d axes_W;
+  for (int k = 0; k < 3; ++k)
+  {
+    lattice.size[k] = image.GetDimensions()[k];
+    lattice.spacing_u[k] = image.GetSpacing()[k];
+    for (int row = 0; row < 3; ++row)
+    {
+      axes_W(row, k) = image.GetDirectionMatrix()->GetElement(row, k);
+    }
+  }
+  const bool mirrored = axes_W.determinant() < 0.0;
+  const int* const extent = image.GetExtent();
+  const int first[3] = { mirrored ? extent[1] : extent[0], extent[2], extent[4] };
+  image.TransformIndexToPhysicalPoint(first, lattice.pose_W.p.data());
+  if (mirrored)
+  {
+    axes_W.col(0) = -axes_W.col(0);
+  }
+  lattice.pose_W.q = palpate::Quat(axes_W).normalized();
+  return { lattice, mirrored };
+}
+
+/// Points that are blanked, or corners of cells that are.
+std::vector<bool> HiddenPoints(vtkImageData& image)
+{
+  std::vector<bool> hidden;
+  vtkUnsignedCharArray* const points = image.GetPointGhostArray();
+  vtkUnsignedCharArray* const cells = image.GetCellGhostArray();
+  if (points || cells)
+  {
+    hidden.assign(static_cast<std::size_t>(image.GetNumberOfPoints()), false);
+  }
+  for (vtkIdType i = 0; points && i < image.GetNumberOfPoints(); ++i)
+  {
+    hidden[static_cast<std::size_t>(i)] = (points->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; cells && i < image.GetNumberOfCells(); ++i)
+  {
+    if (cells->GetValue(i) & (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL))
+    {
+      image.GetCellPoints(i, corners);
+      for (const vtkIdType corner : *corners)
+      {
+        hidden[static_cast<std::size_t>(corner)] = true;
+      }
+    }
+  }
+  return hidden;
+}
+
+/// Copies tuples of one array, of any type that VTK knows, into floats.
+struct CopyValues
+{
+  template<class Array, class Points>
+  void operator()(Array* array, int kept, int component, const Points& points, std::vector<float>& values) const
+  {
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    const int components = array->GetNumberOfComponents();
+    std::vector<double> tuple(static_cast<std::size_t>(components));
+    points(
+      [&](vtkIdType point, std::size_t at)
+      {
+        const auto from = tuples[point];
+        if (kept == 1 && components == 1)
+        {
+          values[at] = static_cast<float>(from[0]);
+          return;
+        }
+        std::copy(from.begin(), from.end(), tuple.begin());
+        if (kept == 1)
+        {
+          values[at] = vtkHapticFieldScalar(tuple.data(), components, component);
+          return;
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          values[3 * at + k] = static_cast<float>(tuple[k]);
+        }
+      });
+  }
+};
+} // namespace
+
+float vtkHapticFieldScalar(const double* tuple, int components, int component)
+{
+  if (component >= 0 && component < components)
+  {
+    return static_cast<float>(tuple[component]);
+  }
+  if (components == 1)
+  {
+    return static_cast<float>(tuple[0]);
+  }
+  return static_cast<float>(Eigen::Map<const Eigen::VectorXd>(tuple, components).norm());
+}
+
+vtkHapticImageField::vtkHapticImageField(vtkSmartPointer<vtkImageData> image, vtkHapticFieldArrays arrays)
+  : Image(std::move(image)), Arrays(std::move(arrays)), Hidden(HiddenPoints(*this->Image))
+{
+  std::tie(this->Lattice, this->Mirrored) = LatticeOf(*this->Image);
+}
+
+palpate::MadeBrick vtkHapticImageField::brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const
+{
+  return vtkHapticBrickAround(
+    this->Lattice, this->Arrays, [this](const auto& part, const auto& window) { return this->Read(part, window); },
+    centre_W, reach_u, revision);
+}
+
+vtkIdType vtkHapticImageField::PointId(int i, int j, int k) const
+{
+  const palpate::GridIndex& size = this->Lattice.size;
+  return (this->Mirrored ? size[0] - 1 - i : i) +
+         static_cast<vtkIdType>(size[0]) * (j + static_cast<vtkIdType>(size[1]) * k);
+}
+
+bool vtkHapticImageField::IsHidden(vtkIdType point) const
+{
+  return !this->Hidden.empty() && this->Hidden[static_cast<std::size_t>(point)];
+}
+
+std::vector<float> vtkHapticImageField::Read(const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window) const
+{
+  const int kept = palpate::componentsOf(part.Role);
+  std::vector<float> values(window.Index(0, 0, window.Size[2]) * static_cast<std::size_t>(kept));
+  const auto forEachPoint = [&](const auto& visit)
+  {
+    for (int k = 0; k < window.Size[2]; ++k)
+    {
+      for (int j = 0; j < window.Size[1]; ++j)
+      {
+        for (int i = 0; i < window.Size[0]; ++i)
+        {
+          visit(this->PointId(window.First[0] + i, window.First[1] + j, window.First[2] + k), window.Index(i, j, k));
+        }
+      }
+    }
+  };
+  vtkDataArray* const array = this->Image->GetPointData()->GetArray(part.Name.c_str());
+  if (!vtkArrayDispatch::Dispatch::Execute(array, CopyValues(), kept, this->Arrays.Component, forEachPoint, values))
+  {
+    CopyValues()(array, kept, this->Arrays.Component, forEachPoint, values);
+  }
+  forEachPoint(
+    [&](vtkIdType point, std::size_t at)
+    {
+      if (this->IsHidden(point))
+      {
+        std::fill_n(
+          values.begin() + static_cast<std::ptrdiff_t>(at) * kept, kept, std::numeric_limits<float>::quiet_NaN());
+      }
+    });
+  return values;
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticImageField_h
+#define vtkHapticImageField_h
+
+#include "vtkHapticFieldWindow.h"
+#include "vtkSmartPointer.h"
+
+class vtkImageData;
+
+/// The voxels of an image, copied as they are: no value between points is made up.
+class vtkHapticImageField : public palpate::FieldSource
+{
+public:
+  /// An image of at least two points along each axis, whose arrays are at its points.
+  vtkHapticImageField(vtkSmartPointer<vtkImageData> image, vtkHapticFieldArrays arrays);
+
+  palpate::MadeBrick brickAround(const palpate::Vec3& centre_W, double reach_u, std::uint64_t revision) const override;
+
+private:
+  std::vector<float> Read(const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window) const;
+  vtkIdType PointId(int i, int j, int k) const;
+  bool IsHidden(vtkIdType point) const;
+
+  vtkSmartPointer<vtkImageData> Image;
+  vtkHapticFieldArrays Arrays;
+  palpate::BrickGrid Lattice;
+  bool Mirrored = false;    ///< the lattice counts the first axis backwards: its axes are right-handed
+  std::vector<bool> Hidden; ///< points without a value; empty: none is
+};
+
+/// The components of an array at a point as a role feels them: a scalar is one of them, or their length.
+float vtkHapticFieldScalar(const double* tuple, int components, int component);
+
+#endif

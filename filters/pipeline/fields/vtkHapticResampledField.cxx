@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticResampledField.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "vtkBoundingBox.h"
+#include "vtkCellDataToPointData.h"
+#include "vtkCellTypes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkHapticFieldWindow.h"
+#include "vtkHapticImageField.h"
+#include "vtkImageData.h"
+#include "vtkLinearKernel.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointInterpolator.h"
+#include "vtkResampleToImage.h"
+#include "vtkSmartPointer.h"
+
+using palpate::Vec3;
+
+namespace
+{
+/// What a lattice is laid out by.
+struct Extent
+{
+  vtkBoundingBox Bounds;
+  vtkIdType Solid = 0; ///< cells that fill space
+  vtkIdType Flat = 0;  ///< faces and lines
+  vtkIdType Points = 0;
+
+  void Add(vtkDataSet& part)
+  {
+    std::array<double, 6> bounds{};
+    part.GetBounds(bounds.data());
+    this->Bounds.AddBounds(bounds.data());
+    this->Points += part.GetNumberOfPoints();
+    for (vtkIdType i = 0; i < part.GetNumberOfCells(); ++i)
+    {
+      const int dimension = vtkCellTypes::GetDimension(static_cast<unsigned char>(part.GetCellType(i)));
+      this->Solid += dimension == 3;
+      this->Flat += dimension == 1 || dimension == 2;
+    }
+  }
+};
+
+Extent ExtentOf(vtkDataObject* data)
+{
+  Extent extent;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      if (auto* part = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+      {
+        extent.Add(*part);
+      }
+    }
+  }
+  else if (auto* one = vtkDataSet::SafeDownCast(data))
+  {
+    extent.Add(*one);
+  }
+  return extent;
+}
+
+/// Half of the mean length of what fills the bounds: then the lattice's own error is half of the data's.
+palpate::BrickGrid LatticeOver(const vtkBoundingBox& bounds, vtkIdType count)
+{
+  std::array<double, 3> lengths{};
+  bounds.GetLengths(lengths.data());
+  const double edge_u = std::cbrt(lengths[0] * lengths[1] * lengths[2] / static_cast<double>(count));
+  palpate::BrickGrid lattice;
+  bounds.GetMinPoint(lattice.pose_W.p.data());
+  constexpr double mostPoints = 1e6; // along an axis: a sliver of a data set
+  for (int k = 0; k < 3; ++k)
+  {
+    const double cells = std::clamp(std::ceil(2.0 * lengths[k] / edge_u), 1.0, mostPoints);
+    lattice.size[k] = static_cast<int>(cells) + 1;
+    lattice.spacing_u[k] = lengths[k] / cells;
+  }
+  return lattice;
+}
+
+class ResampledField : public palpate::FieldSource
+{
+public:
+  ResampledField(
+    vtkSmartPointer<vtkDataObject> data, vtkHapticFieldArrays arrays, palpate::BrickGrid lattice, bool cloud)
+    : Data(std::move(data)), Arrays(std::move(arrays)), Lattice(std::move(lattice)), Cloud(cloud)
+  {
+  }
+
+  palpate::MadeBrick brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const override
+  {
+    std::optional<vtkHapticFieldWindow> probed;
+    vtkSmartPointer<vtkImageData> image;
+    const auto read = [&](const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window)
+    {
+      if (!probed || probed->First != window.First || probed->Size != window.Size)
+      {
+        image = this->Probe(window);
+        probed = window;
+      }
+      return this->Values(*image, part);
+    };
+    return vtkHapticBrickAround(this->Lattice, this->Arrays, read, centre_W, reach_u, revision);
+  }
+
+private:
+  vtkSmartPointer<vtkImageData> Probe(const vtkHapticFieldWindow& window) const
+  {
+    const Vec3 first = this->Lattice.toWorld({ 1.0 * window.First[0], 1.0 * window.First[1], 1.0 * window.First[2] });
+    Vec3 last = first;
+    for (int k = 0; k < 3; ++k)
+    {
+      last[k] += (window.Size[k] - 1) * this->Lattice.spacing_u[k];
+    }
+    return this->Cloud ? this->Interpolate(window, first) : this->Resample(window, first, last);
+  }
+
+  vtkSmartPointer<vtkImageData> Resample(const vtkHapticFieldWindow& window, const Vec3& first, const Vec3& last) const
+  {
+    vtkNew<vtkCellDataToPointData> toPoints;
+    toPoints->SetInputDataObject(this->Data);
+    vtkNew<vtkResampleToImage> resample;
+    resample->SetInputConnection(toPoints->GetOutputPort());
+    resample->UseInputBoundsOff();
+    double bounds[6] = { first.x(), last.x(), first.y(), last.y(), first.z(), last.z() };
+    resample->SetSamplingBounds(bounds);
+    resample->SetSamplingDimensions(window.Size[0], window.Size[1], window.Size[2]);
+    resample->Update();
+    return resample->GetOutput();
+  }
+
+  vtkSmartPointer<vtkImageData> Interpolate(const vtkHapticFieldWindow& window, const Vec3& first) const
+  {
+    vtkNew<vtkImageData> places;
+    places->SetDimensions(window.Size.data());
+    places->SetOrigin(first.data());
+    places->SetSpacing(this->Lattice.spacing_u.data());
+    vtkNew<vtkLinearKernel> kernel;
+    kernel->SetRadius(4.0 * this->Lattice.spacing_u.maxCoeff()); // twice the distance of the points
+    vtkNew<vtkPointInterpolator> interpolate;
+    interpolate->SetInputData(places);
+    interpolate->SetSourceData(vtkDataSet::SafeDownCast(this->Data));
+    interpolate->SetKernel(kernel);
+    interpolate->SetNullPointsStrategyToMaskPoints();
+    interpolate->SetValidPointsMaskArrayName(Mask);
+    interpolate->Update();
+    return vtkImageData::SafeDownCast(interpolate->GetOutput());
+  }
+
+  std::vector<float> Values(vtkImageData& image, const vtkHapticFieldPart& part) const
+  {
+    const int kept = palpate::componentsOf(part.Role);
+    const auto points = static_cast<std::size_t>(image.GetNumberOfPoints());
+    std::vector<float> values(points * static_cast<std::size_t>(kept), std::numeric_limits<float>::quiet_NaN());
+    vtkDataArray* const array = image.GetPointData()->GetArray(part.Name.c_str());
+    vtkDataArray* const mask = image.GetPointData()->GetArray(Mask);
+    std::vector<double> tuple(array ? static_cast<std::size_t>(array->GetNumberOfComponents()) : 0);
+    for (std::size_t i = 0; array && i < points; ++i)
+    {
+      if (mask && mask->GetComponent(static_cast<vtkIdType>(i), 0) == 0.0)
+      {
+        continue;
+      }
+      array->GetTuple(static_cast<vtkIdType>(i), tuple.data());
+      if (kept == 1)
+      {
+        values[i] = vtkHapticFieldScalar(tuple.data(), array->GetNumberOfComponents(), this->Arrays.Component);
+        continue;
+      }
+      std::copy_n(tuple.begin(), kept, values.begin() + static_cast<std::ptrdiff_t>(i) * kept);
+    }
+    return values;
+  }
+
+  static constexpr const char* Mask = "vtkValidPointMask"; ///< as vtkProbeFilter calls it
+
+  vtkSmartPointer<vtkDataObject> Data;
+  vtkHapticFieldArrays Arrays;
+  palpate::BrickGrid Lattice;
+  bool Cloud;
+};
+} // namespace
+
+vtkHapticFieldResult vtkHapticResampled(vtkDataObject* data, const vtkHapticFieldArrays& arrays)
+{
+  const Extent extent = ExtentOf(data);
+  const bool cloud = extent.Solid == 0 && extent.Flat == 0;
+  if (extent.Solid == 0 && !cloud)
+  {
+    return { nullptr, "it is made of faces or lines, and a field fills space: choose the volume that it was cut from" };
+  }
+  if (cloud && !vtkDataSet::SafeDownCast(data))
+  {
+    return { nullptr, "its points are in several blocks: apply Merge Blocks first" };
+  }
+  std::array<double, 3> lengths{};
+  extent.Bounds.GetLengths(lengths.data());
+  if (!(lengths[0] > 0.0 && lengths[1] > 0.0 && lengths[2] > 0.0))
+  {
+    return { nullptr, "it is flat, and a field fills space" };
+  }
+  const auto kept = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  kept->ShallowCopy(data);
+  const palpate::BrickGrid lattice = LatticeOver(extent.Bounds, cloud ? extent.Points : extent.Solid);
+  return { std::make_shared<ResampledField>(kept, arrays, lattice, cloud), "" };
+}

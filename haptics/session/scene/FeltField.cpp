@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/scene/FeltField.h"
+
+#include <chrono>
+#include <utility>
+
+namespace palpate
+{
+
+FeltField::~FeltField()
+{
+  if (this->running_.valid())
+  {
+    this->running_.wait();
+  }
+}
+
+void FeltField::setSource(std::shared_ptr<const FieldSource> source)
+{
+  if (source != this->source_)
+  {
+    this->source_ = std::move(source);
+    this->changed_ = true;
+    this->asksForOld_ = this->running_.valid();
+  }
+}
+
+/// Half of the room: the other half is for what the hand does until the next brick is there.
+bool FeltField::needsAnother(const Vec3& hand_W) const noexcept
+{
+  return this->changed_ || !((hand_W - this->made_.centre_W).cwiseAbs().maxCoeff() <= 0.5 * this->made_.reach_u);
+}
+
+void FeltField::ask(const Vec3& hand_W, double reach_u)
+{
+  this->changed_ = false;
+  const std::uint64_t revision = ++this->revision_;
+  this->running_ = std::async(std::launch::async,
+    [source = this->source_, hand_W, reach_u, revision] { return source->brickAround(hand_W, reach_u, revision); });
+}
+
+std::optional<std::shared_ptr<const Brick>> FeltField::take()
+{
+  MadeBrick made = this->running_.get();
+  if (std::exchange(this->asksForOld_, false))
+  {
+    return std::nullopt;
+  }
+  this->made_ = std::move(made);
+  return this->made_.brick;
+}
+
+std::optional<std::shared_ptr<const Brick>> FeltField::follow(const Vec3& hand_W, double reach_u, bool wait)
+{
+  using namespace std::chrono_literals;
+  std::optional<std::shared_ptr<const Brick>> next;
+  if (this->running_.valid() && (wait || this->running_.wait_for(0s) == std::future_status::ready))
+  {
+    next = this->take();
+  }
+  if (!this->source_)
+  {
+    if (std::exchange(this->changed_, false))
+    {
+      this->made_ = {};
+      next = std::shared_ptr<const Brick>();
+    }
+    return next;
+  }
+  if (!this->running_.valid() && hand_W.allFinite() && this->needsAnother(hand_W))
+  {
+    this->ask(hand_W, reach_u);
+    if (wait)
+    {
+      next = this->take();
+    }
+  }
+  return next;
+}
+
+} // namespace palpate

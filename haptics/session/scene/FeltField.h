@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "haptics/session/scene/FieldSource.h"
+
+namespace palpate
+{
+
+/// Keeps a brick of a field around the hand: a worker makes the next one once the hand has used up half of the room
+/// that it had. By distance, never by a clock: a hand at rest costs nothing. One thread, the session's owner, calls
+/// every method.
+class FeltField
+{
+public:
+  ~FeltField();
+
+  /// From now on this is felt; null: nothing. A brick that is being made of another source is thrown away.
+  void setSource(std::shared_ptr<const FieldSource> source);
+  [[nodiscard]] bool hasSource() const noexcept { return this->source_ != nullptr; }
+
+  /// What the session is to feel from now on, if that changed. `hand_W`: where the hand is. `reach_u`: how far it may
+  /// get before it is asked again, and a worker has answered. With `wait` the brick of here and now.
+  [[nodiscard]] std::optional<std::shared_ptr<const Brick>> follow(
+    const Vec3& hand_W, double reach_u, bool wait = false);
+
+  /// The newest that was made, felt or refused.
+  [[nodiscard]] const MadeBrick& made() const noexcept { return this->made_; }
+  /// Bricks made until now.
+  [[nodiscard]] std::uint64_t count() const noexcept { return this->revision_; }
+
+private:
+  [[nodiscard]] bool needsAnother(const Vec3& hand_W) const noexcept;
+  void ask(const Vec3& hand_W, double reach_u);
+  std::optional<std::shared_ptr<const Brick>> take();
+
+  std::shared_ptr<const FieldSource> source_;
+  MadeBrick made_;
+  std::uint64_t revision_ = 0;
+  bool changed_ = false;    ///< another source: what was made is of the one before
+  bool asksForOld_ = false; ///< what is being made is of a source that was left
+  std::future<MadeBrick> running_;
+};
+
+} // namespace palpate
