@@ -46,6 +46,9 @@ std::uint64_t hashOf(
   return hash.value();
 }
 
+/// So that the number of all points can be counted.
+constexpr int mostAlongAxis = 65536;
+
 std::string refuseGrid(const BrickGrid& grid)
 {
   for (int k = 0; k < 3; ++k)
@@ -53,6 +56,10 @@ std::string refuseGrid(const BrickGrid& grid)
     if (grid.size[k] < 2)
     {
       return "a field needs at least two points along each axis: data of one cell or of a plane have none";
+    }
+    if (grid.size[k] > mostAlongAxis)
+    {
+      return "a field may have 65536 points along an axis";
     }
     if (!std::isfinite(grid.spacing_u[k]) || !(grid.spacing_u[k] > 0.0))
     {

@@ -105,7 +105,7 @@ private:
     this->add(grid.pose_W.q * iso.pull_u);
     this->result_.contacts += iso.contacts;
     this->result_.passes += iso.passes;
-    this->result_.letGo = this->result_.letGo || iso.released || iso.yielded;
+    this->result_.letGo = this->result_.letGo || iso.released;
     this->result_.capped = this->result_.capped || iso.capped;
   }
 
@@ -219,7 +219,7 @@ private:
     const double speed = v_W ? v_W->norm() : 0.0;
     if (speed > 0.0)
     {
-      this->result_.push_N_W = this->plan_.push_N * share(speed, this->plan_.fullSpeed) / speed * *v_W;
+      this->result_.push_W = this->plan_.push_N * share(speed, this->plan_.fullSpeed) / speed * *v_W;
     }
   }
 

@@ -23,15 +23,15 @@ struct FieldState
 
 struct FieldResult
 {
-  Vec3 pull_W = Vec3::Zero(); ///< sum of the ways from the hand to each proxy [u]
-  double stretch2_u2 = 0.0;   ///< sum of their squares
-  Vec3 push_N_W = Vec3::Zero();
+  Vec3 pull_W = Vec3::Zero();    ///< sum of the ways from the hand to each proxy [u]
+  double stretch2_u2 = 0.0;      ///< sum of their squares
+  Vec3 push_W = Vec3::Zero();    ///< force of the vectors, in the axes of W [N]
   Vec3 surface_W = Vec3::Zero(); ///< proxy of the isosurface, where there is one
   double error_u = 0.0;          ///< the pulls of limited strength are certainly balanced to this
   int contacts = 0;
   std::uint32_t passes = 0;
   bool outside = false; ///< the hand is where the field has no value
-  bool letGo = false;   ///< a spring gave way or lost its surface in this tick
+  bool letGo = false;   ///< a surface ended or vanished, or the field did, in this tick
   bool capped = false;
 };
 

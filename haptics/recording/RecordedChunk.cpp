@@ -7,6 +7,7 @@
 
 #include "haptics/recording/Format5.h"
 #include "haptics/recording/NamedParts.h"
+#include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/RecordedScenes.h"
 #include "haptics/recording/RecordedStages.h"
 
@@ -101,6 +102,7 @@ constexpr ChunkReader readers[] = {
   { chunks::scene, [](RecordedChunk& c, Recording& recording) { recording.scenes.push_back(readScene(c.payload)); } },
   { chunks::motion,
     [](RecordedChunk& c, Recording& recording) { recording.motions.push_back(readMotion(c.payload)); } },
+  { chunks::brick, [](RecordedChunk& c, Recording& recording) { recording.bricks.push_back(readBrick(c.payload)); } },
   { chunks::end, [](RecordedChunk& c, Recording& recording) { c.payload.get(recording.lost); } },
 };
 

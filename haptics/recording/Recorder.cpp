@@ -104,6 +104,19 @@ void Recorder::pushScene(std::uint64_t tick, const Scene* scene) noexcept
   this->ring_->tryPush(entry);
 }
 
+void Recorder::pushBrick(std::uint64_t tick, const Brick* brick) noexcept
+{
+  this->pushEvent({ tick, EventKind::Brick, brick != nullptr ? brick->contentHash() : 0 });
+}
+
+void Recorder::storeBrick(const std::shared_ptr<const Brick>& brick)
+{
+  if (this->isOpen() && brick && this->stored_.insert(brick->contentHash()).second)
+  {
+    this->write(brickChunk(*brick));
+  }
+}
+
 void Recorder::storeScene(const std::shared_ptr<const Scene>& scene)
 {
   if (!this->isOpen() || !scene)

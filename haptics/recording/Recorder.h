@@ -36,9 +36,12 @@ public:
   void pushEvent(const HapticEvent& event) noexcept;
   void pushParameters(std::uint64_t tick, const HapticParameters& parameters) noexcept;
   void pushScene(std::uint64_t tick, const Scene* scene) noexcept;
+  void pushBrick(std::uint64_t tick, const Brick* brick) noexcept;
 
   /// Any other thread: stores a scene that the servo may take, once for each content.
   void storeScene(const std::shared_ptr<const Scene>& scene);
+  /// Likewise a field.
+  void storeBrick(const std::shared_ptr<const Brick>& brick);
   /// Writes what has come in. The thread that calls close().
   void pump();
 

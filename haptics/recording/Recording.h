@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "haptics/field/Brick.h"
 #include "haptics/geometry/scene/Scene.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/recording/SkippedParts.h"
@@ -20,7 +21,8 @@
 namespace palpate
 {
 
-/// What happened before a tick was computed: an event, new parameters, another scene (by content hash, 0: none).
+/// What happened before a tick was computed: an event, new parameters, another scene (by content hash, 0: none),
+/// another field (by the event's value, likewise).
 struct RecordedChange
 {
   HapticEvent event;
@@ -60,6 +62,7 @@ struct Recording
   RendererState initialState;
   std::vector<RecordedScene> scenes; ///< each once; empty when they were left out
   std::vector<RecordedMotion> motions;
+  std::vector<std::shared_ptr<const Brick>> bricks; ///< each once
   std::vector<RecordedEntry> entries;
   SkippedParts skipped;
   std::uint64_t lost = 0; ///< ticks the writer could not take: such a recording cannot be recomputed

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "haptics/recording/NamedParts.h"
+#include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/recording/RecordingLayout.h"
 
@@ -156,6 +157,13 @@ std::vector<char> motionChunk(const Scene& scene)
     putStart(surface.from.get(), payload);
   }
   return chunk(chunks::motion, payload);
+}
+
+std::vector<char> brickChunk(const Brick& brick)
+{
+  ByteWriter payload;
+  putBrick(payload, brick);
+  return chunk(chunks::brick, payload);
 }
 
 std::vector<char> endChunk(std::uint64_t lost)

@@ -19,6 +19,8 @@ namespace palpate
 [[nodiscard]] std::vector<char> sceneChunk(const Scene& scene);
 /// Where the surfaces of a scene that moves are and where their vertices come from, by the hash of its meshes.
 [[nodiscard]] std::vector<char> motionChunk(const Scene& scene);
+/// A field with its values.
+[[nodiscard]] std::vector<char> brickChunk(const Brick& brick);
 [[nodiscard]] std::vector<char> endChunk(std::uint64_t lost);
 
 } // namespace palpate

@@ -30,6 +30,7 @@ inline constexpr ChunkKind tick{ "tick", 2 };  ///< TickRecord; from version 2 o
 inline constexpr ChunkKind change{ "change" }; ///< RecordedChange
 inline constexpr ChunkKind scene{ "scene" };   ///< RecordedScene
 inline constexpr ChunkKind motion{ "motion" }; ///< RecordedMotion
+inline constexpr ChunkKind brick{ "brick" };   ///< putBrick()
 inline constexpr ChunkKind end{ "end" };       ///< ticks that were lost; nothing follows
 } // namespace chunks
 

@@ -110,6 +110,9 @@ private:
       case EventKind::Scene:
         this->takeScene(change);
         break;
+      case EventKind::Brick:
+        this->takeBrick(change.event.value);
+        break;
       default:
         this->events_.push_back(change.event);
     }
@@ -159,6 +162,18 @@ private:
       std::make_shared<const Scene>(change.sceneRevision, found->second->surfaces(), found->second->motion_s());
   }
 
+  void takeBrick(std::uint64_t contentHash)
+  {
+    const auto isIt = [contentHash](const auto& brick) { return brick->contentHash() == contentHash; };
+    const auto& bricks = this->recording_.bricks;
+    const auto found = std::find_if(bricks.begin(), bricks.end(), isIt);
+    this->brick_ = found != bricks.end() ? found->get() : nullptr;
+    if (contentHash != 0 && this->brick_ == nullptr)
+    {
+      this->result_.problem = "a field that was felt is not in it: it cannot be recomputed";
+    }
+  }
+
   void compute(const TickRecord& record, const std::function<void(const TickOutput&)>& visit)
   {
     TickInput input;
@@ -169,6 +184,7 @@ private:
     input.status = record.status;
     input.scene = this->scene_.get();
     input.previousScene = this->previous_.get();
+    input.brick = this->brick_;
     input.lateness = record.lateness;
     input.events = this->events_;
     const TickOutput output = renderTick(input, this->parameters_, this->state_);
@@ -190,6 +206,7 @@ private:
   HapticParameters parameters_;
   std::map<std::uint64_t, std::shared_ptr<const Scene>> scenes_;
   std::shared_ptr<const Scene> scene_, previous_;
+  const Brick* brick_ = nullptr;
   std::vector<HapticEvent> events_;
   ReplayResult result_;
 };

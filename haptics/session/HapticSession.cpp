@@ -127,9 +127,11 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
       return refused;
     }
     run->recorder.storeScene(this->scene_);
+    run->recorder.storeBrick(this->brick_);
   }
   run->links.parameters.write({ this->version_, run->adapted });
   run->links.scenes.publish(this->scene_);
+  run->links.bricks.publish(this->brick_);
   run->loop.emplace(*run->device, *run->timer, run->links, run->recorder.isOpen() ? &run->recorder : nullptr,
     run->clock, options.period_s);
   this->run_ = std::move(run);
@@ -222,6 +224,16 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
   }
 }
 
+void HapticSession::setBrick(std::shared_ptr<const Brick> brick)
+{
+  this->brick_ = std::move(brick);
+  if (this->run_)
+  {
+    this->run_->recorder.storeBrick(this->brick_);
+    this->run_->links.bricks.publish(this->brick_);
+  }
+}
+
 void HapticSession::push(EventKind kind)
 {
   if (this->run_)
@@ -273,6 +285,7 @@ const HapticState& HapticSession::state()
   if (this->run_)
   {
     this->run_->links.scenes.collect();
+    this->run_->links.bricks.collect();
     this->lastState_ = this->run_->links.state.read();
   }
   return this->lastState_;

@@ -57,6 +57,10 @@ public:
   void setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W = {});
   [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept { return this->scene_; }
 
+  /// The field around the hand, taken at the next tick; null: none. Kept over stop() and start().
+  void setBrick(std::shared_ptr<const Brick> brick);
+  [[nodiscard]] const std::shared_ptr<const Brick>& brick() const noexcept { return this->brick_; }
+
   void engage();
   void release();
   void mark();
@@ -78,6 +82,7 @@ private:
   HapticParameters parameters_;
   std::uint64_t version_ = 0;
   std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Brick> brick_;
   HapticState lastState_;
   LoopReport lastReport_;
   std::unique_ptr<Run> run_;

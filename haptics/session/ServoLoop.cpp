@@ -81,6 +81,7 @@ void ServoLoop::takeChanges() noexcept
   {
     this->recorder_->pushScene(this->input_.tick, this->input_.scene);
   }
+  this->takeBrick();
   std::size_t count = 0;
   while (count < this->events_.size() && this->links_.events.tryPop(this->events_[count]))
   {
@@ -92,6 +93,17 @@ void ServoLoop::takeChanges() noexcept
     ++count;
   }
   this->input_.events = { this->events_.data(), count };
+}
+
+void ServoLoop::takeBrick() noexcept
+{
+  const Brick* const before = this->input_.brick;
+  this->input_.brick = this->links_.bricks.acquire();
+  const bool taken = this->input_.brick != before || this->links_.bricks.replaced() != nullptr;
+  if (taken && this->recorder_ != nullptr)
+  {
+    this->recorder_->pushBrick(this->input_.tick, this->input_.brick);
+  }
 }
 
 bool ServoLoop::tick() noexcept

@@ -44,6 +44,7 @@ struct ServoLinks
     HapticParameters parameters;
   };
   SnapshotMailbox<Scene> scenes;      ///< owner -> servo
+  SnapshotMailbox<Brick> bricks;      ///< owner -> servo
   TripleBuffer<Versioned> parameters; ///< owner -> servo
   SpscRing<HapticEvent, 64> events;   ///< owner -> servo
   TripleBuffer<HapticState> state;    ///< servo -> owner
@@ -72,6 +73,7 @@ public:
 private:
   void letGo() noexcept;
   void takeChanges() noexcept;
+  void takeBrick() noexcept;
   /// How much later the thread ran than its next period began, missed periods included [s].
   [[nodiscard]] double behind_s(const Wakeup& wakeup) const noexcept;
   void account(const Wakeup& wakeup, const TickOutput& output, double cost_us) noexcept;

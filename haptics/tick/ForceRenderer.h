@@ -8,6 +8,7 @@
 #include "haptics/core/DeviceCommand.h"
 #include "haptics/core/DeviceSample.h"
 #include "haptics/core/HapticDevice.h"
+#include "haptics/field/Brick.h"
 #include "haptics/geometry/scene/Scene.h"
 #include "haptics/safety/LatenessPolicy.h"
 #include "haptics/tick/HapticEvent.h"
@@ -33,6 +34,7 @@ struct TickInput
   DeviceStatus status = DeviceStatus::Ok;
   const Scene* scene = nullptr;
   const Scene* previousScene = nullptr; ///< in the tick that takes a new scene: the one before, still alive
+  const Brick* brick = nullptr; ///< the field around the hand; may be null
   LatenessVerdict lateness;
   std::span<const HapticEvent> events;
 };

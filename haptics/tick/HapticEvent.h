@@ -18,6 +18,7 @@ enum class EventKind : std::uint8_t
   Parameters, ///< the tick took other parameters
   Fault,      ///< a fault was raised in the tick before it (value: Fault)
   Play,       ///< another game in the labyrinth: the hand is brought to the start
+  Brick,      ///< the tick took another field (value: content hash)
 };
 
 struct HapticEvent

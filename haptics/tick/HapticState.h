@@ -23,6 +23,19 @@ enum class EngageState : std::uint8_t
 
 [[nodiscard]] const char* name(EngageState state) noexcept;
 
+/// What a field did in a tick.
+struct FieldReport
+{
+  Vec3 force_D = Vec3::Zero(); ///< the part of the force that is the field's [N]
+  Vec3 proxy_W = Vec3::Zero(); ///< where its surface, or all of its springs together, draw the hand [u]
+  double pushPower_W = 0.0;    ///< that the vectors give the hand as a force [W]
+  double error_u = 0.0;        ///< the pulls of limited strength are certainly balanced to this [u]
+  std::int32_t contacts = 0;   ///< patches of its surface that hold
+  bool outside = false;        ///< the hand is where the field has no value
+  bool capped = false;         ///< the proxy goes on in the next tick
+  EnergyMeter energy;          ///< of its springs
+};
+
 /// What the tick did, as the view, the panel and the recording see it.
 struct HapticState
 {
@@ -70,6 +83,7 @@ struct HapticState
   double stiffness_N_per_m = 0.0; ///< of the coupling in this tick, after every limit
   bool stiffnessLimited = false;  ///< to what the device and the rate can hold
   EnergyMeter energy;
+  FieldReport field;
 };
 
 } // namespace palpate

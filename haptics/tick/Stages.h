@@ -13,6 +13,7 @@
 #include "haptics/tick/stages/Stiffness.h"
 #include "haptics/tick/stages/forces/ConstantForce.h"
 #include "haptics/tick/stages/forces/Coupling.h"
+#include "haptics/tick/stages/forces/Field.h"
 #include "haptics/tick/stages/forces/Game.h"
 #include "haptics/tick/stages/forces/Guide.h"
 
@@ -29,6 +30,7 @@ using TickStages = StageList< //
   stage::GameLead,            // of a labyrinth, before contact
   stage::Contact,             // where the proxy rests
   stage::Coupling,            // spring and damper between the two
+  stage::Field,               // what the numbers around the hand do
   stage::Guide,               // to a plane
   stage::ConstantForce,       // the same wherever the hand is
   stage::HandGuard,           // what no hand does ends the force

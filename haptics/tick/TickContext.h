@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "haptics/contact/view/PlanFor.h"
@@ -31,6 +32,13 @@ struct TickContext
   Vec3 coupled_D = Vec3::Zero();   ///< force of contact and what stands beside it, before blend and limits [N]
 
   [[nodiscard]] bool touchable() const noexcept { return this->input.scene != nullptr && !this->input.scene->empty(); }
+
+  /// That the hand is coupled by: what the device and the rate can hold is shared between them.
+  [[nodiscard]] int springs() const noexcept
+  {
+    const int field = this->input.brick != nullptr ? springsOf(*this->input.brick, this->p.field) : 0;
+    return std::max(1, field + (this->touchable() ? 1 : 0));
+  }
 
   /// A force that does not come from contact, whose work is no work of the contact.
   void addBesideContact(const Vec3& force_D) noexcept

@@ -17,6 +17,7 @@ namespace
 constexpr double firstTrust = 2.0, lessTrust = 0.3, moreTrust = 2.0; ///< [spacings of the grid], factors
 constexpr int mostFailures = 12, plainAfter = 2;
 constexpr double rim = 0.5;          ///< [spacings]: a step that leaves the field by more is tried shorter
+constexpr double beside = 1e-9;      ///< [spacings]: a place that is so near to a cell is in it but for its landing
 constexpr double noProgress = 1e-15; ///< of the square of the distance, which a step changes by its own square
 constexpr double liftedMore = 1.3;   ///< than a patch rises over a step: its third derivatives are not looked at
 constexpr double leastLift = 2e-14;  ///< [spacings]: a few roundings of a place
@@ -119,7 +120,7 @@ private:
     {
       const Vec3 t = this->state_.x.in(rows.row[y_u.active[i]].cell);
       const double out = std::max((-t).maxCoeff(), (t - Vec3::Ones()).maxCoeff());
-      if (out > 0.0 && y_u.lambda[i] > 0.0)
+      if (out > beside && y_u.lambda[i] > 0.0)
       {
         this->drop(rows.row[y_u.active[i]].cell);
         return true;

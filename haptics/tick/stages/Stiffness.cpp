@@ -14,7 +14,8 @@ void Stiffness::step(TickContext& tick) noexcept
   HapticState& state = tick.out.state;
   state.stiffnessFactor = tick.input.lateness.stiffnessFactor;
   state.stiffnessLimited = p.stiffness_N_per_m > p.stiffnessLimit_N_per_m;
-  state.stiffness_N_per_m = std::min(p.stiffness_N_per_m, p.stiffnessLimit_N_per_m) * state.stiffnessFactor;
+  state.stiffness_N_per_m =
+    std::min(p.stiffness_N_per_m, p.stiffnessLimit_N_per_m) * state.stiffnessFactor / tick.springs();
   tick.contact.coupling_N_per_m = state.stiffness_N_per_m;
 }
 

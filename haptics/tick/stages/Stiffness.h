@@ -12,7 +12,7 @@ namespace palpate::stage
 {
 
 /// How stiff the coupling is in this tick: what was asked for, no more than the device and the rate can hold, less
-/// where the loop runs late.
+/// where the loop runs late, shared where a field holds the hand too.
 struct Stiffness
 {
   static constexpr std::string_view name = "stiffness";

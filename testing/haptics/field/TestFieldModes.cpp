@@ -45,7 +45,7 @@ struct Hand
   void to(const Vec3& next)
   {
     this->last = moveFieldProxy(this->brick, this->plan, k, next, this->state);
-    const Vec3 now = k * this->last.pull_W + this->last.push_N_W;
+    const Vec3 now = k * this->last.pull_W + this->last.push_W;
     this->work += 0.5 * (this->force + now).dot(next - this->p);
     this->force = now;
     this->p = next;

@@ -227,6 +227,16 @@ TEST(IsoProxy, RestsWhereNoLegalPlaceNearbyIsNearerToTheHand)
   EXPECT_LE(nearer, 1 + contacts / 200);
 }
 
+TEST(IsoProxy, RestsOnASurfaceThatLiesInTheFacesOfCells)
+{
+  IsoHand hand(test::scalarBrick(16, [](const Vec3& i) { return i.z(); }), at(8.0));
+  hand.to({ 7.5, 7.5, 9.0 });
+  const IsoResult result = hand.to({ 7.5, 7.25, 7.0 });
+  EXPECT_FALSE(result.capped);
+  EXPECT_EQ(result.contacts, 1);
+  EXPECT_LT((hand.x() - Vec3(7.5, 7.25, 8.0)).norm(), 1e-12);
+}
+
 TEST(IsoProxy, GivesNoForceOutsideAndWithoutValuesAndFindsItsSideAgain)
 {
   const auto ball = [](const Vec3& i) { return i.x() > 20 ? std::nan("") : (i - Vec3(10, 10, 10)).norm(); };

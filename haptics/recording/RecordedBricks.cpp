@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/recording/RecordedBricks.h"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+
+BrickArray readArray(ByteReader& in)
+{
+  BrickArray array;
+  in.get(array.role);
+  in.get(array.name);
+  array.values.resize(in.count(sizeof(float)));
+  for (float& value : array.values)
+  {
+    in.get(value);
+  }
+  in.failUnless(array.role <= BrickRole::Other);
+  return array;
+}
+
+} // namespace
+
+void putBrick(ByteWriter& payload, const Brick& brick)
+{
+  payload.put(brick.contentHash());
+  for (const int points : brick.grid().size)
+  {
+    payload.put(points);
+  }
+  payload.put(brick.grid().spacing_u);
+  payload.put(brick.grid().pose_W);
+  payload.put(static_cast<std::uint64_t>(brick.arrays().size()));
+  for (const BrickArray& array : brick.arrays())
+  {
+    payload.put(array.role);
+    payload.put(array.name);
+    payload.put(static_cast<std::uint64_t>(array.values.size()));
+    for (const float value : array.values)
+    {
+      payload.put(value);
+    }
+  }
+  payload.put(static_cast<std::uint64_t>(brick.places_W().size()));
+  for (const Vec3& place_W : brick.places_W())
+  {
+    payload.put(place_W);
+  }
+}
+
+std::shared_ptr<const Brick> readBrick(ByteReader& in)
+{
+  std::uint64_t contentHash = 0;
+  in.get(contentHash);
+  BrickGrid grid;
+  for (int& points : grid.size)
+  {
+    in.get(points);
+  }
+  in.get(grid.spacing_u);
+  in.get(grid.pose_W);
+  std::vector<BrickArray> arrays;
+  const std::uint64_t count = in.count(1);
+  for (std::uint64_t i = 0; i < count && in.ok(); ++i)
+  {
+    arrays.push_back(readArray(in));
+  }
+  std::vector<Vec3> places_W(in.count(3 * sizeof(double)));
+  for (Vec3& place_W : places_W)
+  {
+    in.get(place_W);
+  }
+  in.failUnless(in.ok() && Brick::refuse(grid, arrays, std::numeric_limits<std::size_t>::max()).empty());
+  if (!in.ok())
+  {
+    return nullptr;
+  }
+  auto brick = std::make_shared<const Brick>(0, grid, std::move(arrays), std::move(places_W));
+  in.failUnless(brick->contentHash() == contentHash);
+  return brick;
+}
+
+} // namespace palpate
