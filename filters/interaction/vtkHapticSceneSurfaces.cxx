@@ -43,7 +43,8 @@ void vtkHapticSceneSurfaces::ReadMaterial(vtkDataObject* data, Kept& kept) const
   {
     return;
   }
-  vtkHapticMaterialResult material = vtkHapticToMaterial(data, kept.PartPoints, this->Materials);
+  const vtkSmartPointer<vtkDataObject> arrays = kept.Balls ? vtkHapticBallArrays(data).Get() : data;
+  vtkHapticMaterialResult material = vtkHapticToMaterial(arrays, kept.PartPoints, this->Materials);
   kept.Surface.input.fields = std::move(material.Fields);
   kept.Surface.materialNote = std::move(material.Note);
   kept.Settings = this->Materials;
@@ -73,6 +74,7 @@ std::string vtkHapticSceneSurfaces::AddBalls(const std::string& name, vtkDataObj
       known != this->Committed.end())
   {
     this->Adding.push_back(*known);
+    this->ReadMaterial(data, this->Adding.back());
     return {};
   }
   vtkHapticConversionResult balls = vtkHapticToBalls(data, matrix, this->PointRadius_u);
@@ -86,7 +88,10 @@ std::string vtkHapticSceneSurfaces::AddBalls(const std::string& name, vtkDataObj
     kept.Surface.input.mesh = std::move(balls.Mesh);
     kept.Surface.input.lineRadius_u = this->PointRadius_u;
     kept.Baked = vtkHapticPlacementOf(matrix);
+    kept.PartPoints = std::move(balls.PartPoints);
+    kept.Balls = true;
     this->Adding.push_back(std::move(kept));
+    this->ReadMaterial(data, this->Adding.back());
   }
   return problem;
 }

@@ -75,6 +75,7 @@ private:
     vtkHapticPlacement Baked = vtkHapticPlacement::Identity(); ///< what the vertices were placed by
     vtkHapticCuts Cuts;                                        ///< of the polygons it came from
     std::vector<std::size_t> PartPoints;
+    bool Balls = false;          ///< points of the data, not polygons or lines
     std::uint64_t ArraysKey = 0; ///< of the arrays that the fields came from
     vtkHapticMaterialSettings Settings;
   };
