@@ -2,6 +2,7 @@
 #include "vtkHapticSceneSurfaces.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "haptics/core/WordHash.h"
@@ -375,6 +376,28 @@ std::optional<vtkHapticSceneSurfaces::Origin> vtkHapticSceneSurfaces::OriginOf(c
 std::optional<vtkHapticSceneSurfaces::Origin> vtkHapticSceneSurfaces::SourceNamed(const std::string& name) const
 {
   return this->OriginWhere([&name](const Kept& kept) { return kept.Name == name; });
+}
+
+std::string vtkHapticSceneSurfaces::MissingArrays() const
+{
+  std::set<std::string> there;
+  for (const Kept& kept : this->Committed)
+  {
+    const std::vector<std::string> names = vtkHapticArrayNames(kept.Data);
+    there.insert(names.begin(), names.end());
+  }
+  std::string missing;
+  for (const auto& [what, array] :
+    { std::pair{ "Stiffness", this->Materials.Stiffness.Array },
+      std::pair{ "Friction", this->Materials.Friction.Array }, std::pair{ "Texture", this->Materials.Texture.Array } })
+  {
+    if (!array.empty() && !this->Committed.empty() && there.count(array) == 0)
+    {
+      missing += std::string(what) + " is to come from the array '" + array +
+                 "', and nothing that is touched has it: choose another one (Advanced, Material from data)\n";
+    }
+  }
+  return missing;
 }
 
 void vtkHapticSceneSurfaces::Settle(palpate::SceneWorker& worker)
