@@ -2,6 +2,7 @@
 #include "vtkHapticSceneSurfaces.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "haptics/core/WordHash.h"
@@ -43,7 +44,8 @@ void vtkHapticSceneSurfaces::ReadMaterial(vtkDataObject* data, Kept& kept) const
   {
     return;
   }
-  vtkHapticMaterialResult material = vtkHapticToMaterial(data, kept.PartPoints, this->Materials);
+  const vtkSmartPointer<vtkDataObject> arrays = kept.Balls ? vtkHapticBallArrays(data).Get() : data;
+  vtkHapticMaterialResult material = vtkHapticToMaterial(arrays, kept.PartPoints, this->Materials);
   kept.Surface.input.fields = std::move(material.Fields);
   kept.Surface.materialNote = std::move(material.Note);
   kept.Settings = this->Materials;
@@ -73,6 +75,7 @@ std::string vtkHapticSceneSurfaces::AddBalls(const std::string& name, vtkDataObj
       known != this->Committed.end())
   {
     this->Adding.push_back(*known);
+    this->ReadMaterial(data, this->Adding.back());
     return {};
   }
   vtkHapticConversionResult balls = vtkHapticToBalls(data, matrix, this->PointRadius_u);
@@ -86,7 +89,10 @@ std::string vtkHapticSceneSurfaces::AddBalls(const std::string& name, vtkDataObj
     kept.Surface.input.mesh = std::move(balls.Mesh);
     kept.Surface.input.lineRadius_u = this->PointRadius_u;
     kept.Baked = vtkHapticPlacementOf(matrix);
+    kept.PartPoints = std::move(balls.PartPoints);
+    kept.Balls = true;
     this->Adding.push_back(std::move(kept));
+    this->ReadMaterial(data, this->Adding.back());
   }
   return problem;
 }
@@ -370,6 +376,28 @@ std::optional<vtkHapticSceneSurfaces::Origin> vtkHapticSceneSurfaces::OriginOf(c
 std::optional<vtkHapticSceneSurfaces::Origin> vtkHapticSceneSurfaces::SourceNamed(const std::string& name) const
 {
   return this->OriginWhere([&name](const Kept& kept) { return kept.Name == name; });
+}
+
+std::string vtkHapticSceneSurfaces::MissingArrays() const
+{
+  std::set<std::string> there;
+  for (const Kept& kept : this->Committed)
+  {
+    const std::vector<std::string> names = vtkHapticArrayNames(kept.Data);
+    there.insert(names.begin(), names.end());
+  }
+  std::string missing;
+  for (const auto& [what, array] :
+    { std::pair{ "Stiffness", this->Materials.Stiffness.Array },
+      std::pair{ "Friction", this->Materials.Friction.Array }, std::pair{ "Texture", this->Materials.Texture.Array } })
+  {
+    if (!array.empty() && !this->Committed.empty() && there.count(array) == 0)
+    {
+      missing += std::string(what) + " is to come from the array '" + array +
+                 "', and nothing that is touched has it: choose another one (Advanced, Material from data)\n";
+    }
+  }
+  return missing;
 }
 
 void vtkHapticSceneSurfaces::Settle(palpate::SceneWorker& worker)

@@ -61,6 +61,8 @@ public:
   [[nodiscard]] std::optional<Origin> OriginOf(const std::string& surface) const;
   /// By the name it was added by.
   [[nodiscard]] std::optional<Origin> SourceNamed(const std::string& name) const;
+  /// A line for each array that a material is to come from and that nothing in the committed scene has.
+  [[nodiscard]] std::string MissingArrays() const;
   /// How many scenes were committed so far.
   [[nodiscard]] std::uint64_t Commits() const { return this->CommitCount; }
 
@@ -75,6 +77,7 @@ private:
     vtkHapticPlacement Baked = vtkHapticPlacement::Identity(); ///< what the vertices were placed by
     vtkHapticCuts Cuts;                                        ///< of the polygons it came from
     std::vector<std::size_t> PartPoints;
+    bool Balls = false;          ///< points of the data, not polygons or lines
     std::uint64_t ArraysKey = 0; ///< of the arrays that the fields came from
     vtkHapticMaterialSettings Settings;
   };

@@ -46,6 +46,8 @@ void vtkHapticSession::Internals::ShowState()
   {
     this->Warning = palpate::otherDeviceSentence(this->DeviceNameNow(), this->Chosen.name);
     this->Warning = this->Warning.empty() ? this->Around : this->Warning;
+    this->Warning =
+      this->Warning.empty() ? this->MissingArrays.substr(0, this->MissingArrays.find('\n')) : this->Warning;
   }
   if (this->Core.running())
   {
@@ -242,6 +244,7 @@ void vtkHapticSession::Step(int ticks)
 void vtkHapticSession::Update()
 {
   this->TakeScene();
+  this->Impl->FollowCommit();
   this->Impl->Scene.follow(this->Impl->PlanNow());
   if (!this->Impl->VirtualTimeNow())
   {

@@ -80,9 +80,10 @@ public:
   std::string ContactText;
   std::string ContactArrays;
   std::string MarksText;
-  std::vector<int> MarkStates;   ///< one a mark
-  std::string MarksNote;         ///< of those that are stale
-  std::uint64_t MarksJudged = 0; ///< with the scene of that commit
+  std::vector<int> MarkStates;  ///< one a mark
+  std::string MarksNote;        ///< of those that are stale
+  std::uint64_t CommitSeen = 0; ///< of the scene that marks and arrays were last compared with
+  std::string MissingArrays;    ///< of that scene, a line each
   std::string SourcesText;
   double ContactPosition[3] = { 0.0, 0.0, 0.0 };
   double ContactNormal[3] = { 0.0, 0.0, 0.0 };
@@ -169,6 +170,8 @@ public:
   /// Whether a mark lies on its source as that was committed last.
   int StateOf(const vtkHapticMarkRecord& mark) const;
   void JudgeMarks();
+  /// Another scene was committed: marks may be stale, arrays gone.
+  void FollowCommit();
   /// Its way goes on, or begins anew; buttons ask for another one.
   void FollowGame();
   /// What is set, but no more than the device can hold [N/m].

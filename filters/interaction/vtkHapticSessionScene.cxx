@@ -31,6 +31,16 @@ void vtkHapticSession::CommitScene()
   this->Impl->Surfaces.Commit(this->Impl->Scene.worker(), this->Impl->Now());
 }
 
+void vtkHapticSession::Internals::FollowCommit()
+{
+  if (this->CommitSeen != this->Surfaces.Commits())
+  {
+    this->CommitSeen = this->Surfaces.Commits();
+    this->JudgeMarks();
+    this->MissingArrays = this->Surfaces.MissingArrays();
+  }
+}
+
 void vtkHapticSession::TakeScene(bool wait)
 {
   Internals& impl = *this->Impl;

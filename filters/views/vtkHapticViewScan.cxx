@@ -141,8 +141,8 @@ std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
   }
   if (drawn.Points > 0)
   {
-    return "it is drawn as points; apply the filter Glyph with the type Sphere and show its result, or set the "
-           "session's PointRadius to feel them as balls";
+    return "it is drawn as points; apply the filter Glyph with the type Sphere and show its result, or give points a "
+           "radius in the panel (Advanced, Radius of points)";
   }
   return "no polygons are shown; choose the representation Surface, or apply Extract Surface";
 }

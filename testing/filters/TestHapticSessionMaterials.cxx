@@ -205,3 +205,28 @@ TEST_F(HapticSessionMaterials, OneSourceIsSofterThanTheOthersOrNotTouchedAtAll)
   this->session_->GetSourceMaterial("surface", material);
   EXPECT_EQ(material[0], 200.0);
 }
+
+TEST_F(HapticSessionMaterials, AnArrayThatIsDeletedOrRenamedWhileItIsFeltIsWarnedOfUntilAnotherIsChosen)
+{
+  const auto plane = planeWithX();
+  this->session_->SetStiffnessArray("x");
+  this->session_->SetStiffnessFeltRange(100.0, 400.0);
+  this->show(plane);
+  EXPECT_NEAR(this->pressedAt(0.0).z(), 250.0 * depth / scale, 1e-9);
+  EXPECT_STREQ(this->session_->GetWarning(), "");
+  plane->GetPointData()->GetArray("x")->SetName("y");
+  plane->GetPointData()->Modified();
+  this->show(plane);
+  this->session_->Step(1000);
+  EXPECT_NEAR(this->session_->GetForce()[2], stiffness * depth / scale, 1e-9) << "the surface has its own again";
+  EXPECT_THAT(this->session_->GetWarning(), HasSubstr("Stiffness is to come from the array 'x', and nothing"));
+  this->session_->SetStiffnessArray("y");
+  this->show(plane);
+  this->session_->Step(1000);
+  EXPECT_STREQ(this->session_->GetWarning(), "");
+  EXPECT_NEAR(this->session_->GetForce()[2], 250.0 * depth / scale, 1e-9);
+  plane->GetPointData()->RemoveArray("y");
+  this->show(plane);
+  this->session_->Step(10);
+  EXPECT_THAT(this->session_->GetWarning(), HasSubstr("array 'y'"));
+}

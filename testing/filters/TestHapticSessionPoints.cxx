@@ -9,7 +9,10 @@
 #include "VtkScenes.h"
 #include "testing/support/Random.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -39,6 +42,17 @@ vtkSmartPointer<vtkPolyData> cloud(const std::vector<Vec3>& places)
   data->SetPoints(points);
   data->SetVerts(vertices);
   return data;
+}
+
+void addArray(vtkDataSetAttributes* arrays, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  arrays->AddArray(array);
 }
 
 /// A fed hand in virtual time.
@@ -104,6 +118,44 @@ TEST_F(HapticSessionPoints, BesidePolygonsBothAreTouched)
   this->session_->SetHandPosition(0.0, 0.0, 30.0 + radius - depth);
   this->session_->Step(100);
   EXPECT_NEAR(this->session_->GetForce()[2], felt_N, 1e-5 * felt_N);
+}
+
+TEST_F(HapticSessionPoints, EachIsAsStiffAsItsPointOrItsCellSaysAndAChangedArrayIsFelt)
+{
+  const auto points = cloud({ Vec3(0, 0, 0), Vec3(50, 0, 0), Vec3(100, 0, 0) });
+  addArray(points->GetPointData(), "ofPoints", { 1.0, 2.0, 3.0 });
+  addArray(points->GetCellData(), "ofCells", { 3.0, 1.0, 2.0 });
+  this->session_->SetPointRadius(radius);
+  this->session_->SetStiffnessDataRange(1.0, 3.0);
+  this->session_->SetStiffnessFeltRange(100.0, 300.0); // N/m, so a value of 1 is 100 N/m
+  const auto pressed = [&](double x)
+  {
+    this->session_->SetHandPosition(x, 0.0, radius + 1.0);
+    this->startTouching();
+    this->session_->Step(ticksToEngage);
+    this->session_->SetHandPosition(x, 0.0, radius - depth);
+    this->session_->Step(100);
+    const double force_N = this->session_->GetForce()[2];
+    this->session_->TouchingOff();
+    return force_N;
+  };
+  const double softest_N = 100.0 / stiffness * felt_N;
+  this->session_->SetStiffnessArray("ofPoints");
+  this->show(points);
+  for (const double value : { 1.0, 2.0, 3.0 })
+  {
+    EXPECT_NEAR(pressed(50.0 * (value - 1.0)), value * softest_N, 1e-4 * softest_N) << value;
+  }
+  this->session_->SetStiffnessArray("ofCells");
+  this->show(points);
+  for (const auto& [x, value] : { std::pair{ 0.0, 3.0 }, std::pair{ 50.0, 1.0 }, std::pair{ 100.0, 2.0 } })
+  {
+    EXPECT_NEAR(pressed(x), value * softest_N, 1e-4 * softest_N) << x;
+  }
+  points->GetCellData()->GetArray("ofCells")->SetComponent(0, 0, 2.0);
+  points->GetCellData()->Modified();
+  this->show(points);
+  EXPECT_NEAR(pressed(0.0), 2.0 * softest_N, 1e-4 * softest_N);
 }
 
 } // namespace palpate::testing::clouds

@@ -165,6 +165,14 @@ class Filters(unittest.TestCase):
 
 
 class Measuring(unittest.TestCase):
+    def test_a_surface_is_checked_and_what_is_wrong_are_blocks_by_name(self):
+        checked = pv.CheckSurface(Input=pv.Plane(XResolution=1, YResolution=1))
+        blocks = servermanager.Fetch(checked)
+        names = [blocks.GetMetaData(i).Get(blocks.NAME()) for i in range(blocks.GetNumberOfBlocks())]
+        self.assertEqual(names, ["Surface", "Holes", "Flipped", "Thin"])
+        self.assertEqual(blocks.GetBlock(1).GetNumberOfLines(), 4)
+        self.assertAlmostEqual(blocks.GetBlock(1).GetCellData().GetArray("Length").GetValue(0), 4.0)
+
     def test_a_surface_is_compared_with_a_closed_one(self):
         box = pv.Box(XLength=2.0, YLength=2.0, ZLength=2.0)
         plane = pv.Plane(Origin=[-3, -3, 0.25], Point1=[3, -3, 0.25], Point2=[-3, 3, 0.25], XResolution=12, YResolution=12)

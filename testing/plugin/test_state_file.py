@@ -14,11 +14,15 @@ from haptic_proxies import manager, put
 
 
 class StateFile(unittest.TestCase):
-    def saved_and_loaded(self, proxy):
+    def saved_and_loaded(self, proxy, change=lambda text: text):
         manager().RegisterProxy("haptics", "HapticSession", proxy)
         with tempfile.TemporaryDirectory() as folder:
             state = os.path.join(folder, "state.pvsm")
             simple.SaveState(state)
+            with open(state, encoding="utf-8") as file:
+                text = change(file.read())
+            with open(state, "w", encoding="utf-8") as file:
+                file.write(text)
             manager().UnRegisterProxy("haptics", "HapticSession", proxy)
             simple.LoadState(state)
         loaded = manager().GetProxy("haptics", "HapticSession")
@@ -83,6 +87,27 @@ class StateFile(unittest.TestCase):
         material = [0.0, 0.0, 0.0]
         loaded.GetSourceMaterial("Bone", material)
         self.assertEqual(material, [300.0, 0.5, 0.25])
+
+    def test_a_state_of_another_version_gives_what_is_known_and_says_what_cannot_be(self):
+        proxy = manager().NewProxy("haptics", "HapticSession")
+        put(proxy, "Stiffness", 345.0)
+        put(proxy, "Radius", 1.25)
+        put(proxy, "Hand", "light")
+        put(proxy, "MarksText", "Source,X,Y,Z\nBall,1,2,3\n")
+
+        def change(text):
+            """As a later version could write it: a setting has another name, one is new, the list of marks has another
+            form, a text is none of those known."""
+            text = text.replace('name="Radius"', 'name="BallSize"')
+            text = text.replace('<Property name="Stiffness"', '<Property name="Warmth" id="1.Warmth" number_of_elements="1">'
+                                '<Element index="0" value="37"/></Property><Property name="Stiffness"')
+            self.assertIn("Source,X,Y,Z", text)
+            return text.replace("Source,X,Y,Z", "Id,Source,X").replace('value="light"', 'value="iron"')
+
+        loaded = self.saved_and_loaded(proxy, change)
+        self.assertEqual((loaded.GetStiffness(), loaded.GetRadius()), (345.0, 0.0))
+        self.assertEqual((loaded.GetMarksText(), loaded.GetHand()), ("", "stylus"))
+        self.assertIn("cannot be read: its columns do not begin with Source, X, Y and Z", loaded.GetProblem())
 
     def test_a_workspace_that_was_fitted_comes_back_as_it_was(self):
         proxy = manager().NewProxy("haptics", "HapticSession")

@@ -26,6 +26,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -48,6 +49,7 @@ QFormLayout* Group(QVBoxLayout* column, const char* name, const QString& title)
 class pqHapticPanel::Internals
 {
 public:
+  QScrollArea* Scroll;
   pqHapticMainGroup* Main;
   pqHapticFold* AtContact;
   pqHapticContactGroup* Place;
@@ -88,6 +90,7 @@ public:
   void addServo(QVBoxLayout* column);
   void addScene(QVBoxLayout* column);
   void setTabOrder();
+  void fitWidth();
   void followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower);
 
   vtkMTimeType MaterialTime = 0; ///< of the settings the view's scene was made with
@@ -192,6 +195,8 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
   this->Marks = new pqHapticMarksGroup;
   this->AtContact->rows()->addWidget(this->Place);
   this->AtContact->rows()->addWidget(this->Marks);
+  const auto show = [this] { this->Scroll->ensureWidgetVisible(this->Marks); };
+  QObject::connect(this->AtContact, &QToolButton::toggled, this->Marks, [show] { QTimer::singleShot(0, show); });
 }
 
 void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
@@ -209,6 +214,17 @@ void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
   this->addState(rest);
   this->addServo(rest);
   this->addScene(rest);
+}
+
+/// What is unfolded may be wider, and a scroll bar takes from it: nothing is cut off at the side.
+void pqHapticPanel::Internals::fitWidth()
+{
+  const int bar = this->Scroll->verticalScrollBar()->sizeHint().width();
+  const int width = this->Scroll->widget()->minimumSizeHint().width() + bar + 2 * this->Scroll->frameWidth();
+  if (width != this->Scroll->minimumWidth())
+  {
+    this->Scroll->setMinimumWidth(width);
+  }
 }
 
 /// Settings can change without a frame being drawn, from a script for one.
@@ -240,7 +256,7 @@ void pqHapticPanel::build()
   this->Widgets = std::make_unique<Internals>();
   this->setObjectName("pqHapticPanel");
   this->setWindowTitle(tr("Haptics"));
-  auto* scroll = new QScrollArea(this);
+  auto* scroll = this->Widgets->Scroll = new QScrollArea(this);
   scroll->setObjectName("scroll");
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -299,6 +315,7 @@ void pqHapticPanel::refresh()
   }
   const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   Internals& w = *this->Widgets;
+  w.fitWidth();
   w.Main->refresh(session);
   w.Place->refresh(session);
   w.Marks->refresh(session);

@@ -16,6 +16,7 @@
 #include "pqServerManagerObserver.h"
 #include "pqUndoStack.h"
 #include "vtkCommand.h"
+#include "vtkHapticMessageCapture.h"
 #include "vtkHapticSession.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -180,6 +181,7 @@ void pqHapticController::mark()
 {
   if (this->Proxy)
   {
+    const vtkHapticMessageCapture saidByThePanel; // else ParaView's messages open over it
     this->Proxy->InvokeCommand("AddMark");
   }
 }

@@ -142,10 +142,6 @@ bool vtkHapticSession::InspectContact()
 
 void vtkHapticSession::FollowContact()
 {
-  if (this->Impl->MarksJudged != this->Impl->Surfaces.Commits())
-  {
-    this->Impl->JudgeMarks();
-  }
   const std::uint32_t down = this->Impl->State.buttons;
   const std::uint32_t wentDown = down & ~std::exchange(this->Impl->MarkButtons, down);
   const int button = this->Impl->MarkButton;

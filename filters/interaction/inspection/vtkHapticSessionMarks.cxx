@@ -21,7 +21,6 @@ int vtkHapticSession::Internals::StateOf(const vtkHapticMarkRecord& mark) const
 
 void vtkHapticSession::Internals::JudgeMarks()
 {
-  this->MarksJudged = this->Surfaces.Commits();
   this->MarkStates.clear();
   this->MarksNote.clear();
   for (const vtkHapticMarkRecord& mark : this->Marks.Records)

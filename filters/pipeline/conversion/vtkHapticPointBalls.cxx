@@ -4,11 +4,15 @@
 #include <limits>
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkHapticCellChecks.h"
 #include "vtkHapticSurfacePlacement.h"
 #include "vtkIdList.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 namespace
@@ -26,7 +30,9 @@ void AddBall(const Vec3& p_W, double radius_u, palpate::TriangleMesh& mesh)
   mesh.triangles.push_back({ first, first + 1, first + 1 });
 }
 
-void AddBalls(vtkPolyData& cloud, const vtkHapticPlacement& placement, double radius_u, palpate::TriangleMesh& mesh)
+/// Calls `visit` with each vertex cell, which poly data has before all others, and each of its points.
+template<typename Visit>
+void ForEachPoint(vtkPolyData& cloud, Visit visit)
 {
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < cloud.GetVerts()->GetNumberOfCells(); ++cell)
@@ -34,9 +40,37 @@ void AddBalls(vtkPolyData& cloud, const vtkHapticPlacement& placement, double ra
     cloud.GetVerts()->GetCellAtId(cell, ids);
     for (const vtkIdType id : *ids)
     {
-      AddBall(placement * Vec3(cloud.GetPoint(id)), radius_u, mesh);
+      visit(cell, id);
     }
   }
+}
+
+void AddBalls(vtkPolyData& cloud, const vtkHapticPlacement& placement, double radius_u, palpate::TriangleMesh& mesh)
+{
+  ForEachPoint(cloud, [&](vtkIdType, vtkIdType id) { AddBall(placement * Vec3(cloud.GetPoint(id)), radius_u, mesh); });
+}
+
+vtkSmartPointer<vtkPolyData> ArraysOf(vtkPolyData& cloud)
+{
+  auto balls = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  vtkPointData* const ofPoints = balls->GetPointData();
+  vtkCellData* const ofCells = balls->GetCellData();
+  ofPoints->CopyAllocate(cloud.GetPointData());
+  ofCells->CopyAllocate(cloud.GetCellData());
+  ForEachPoint(cloud,
+    [&](vtkIdType cell, vtkIdType id)
+    {
+      const vtkIdType first = points->InsertNextPoint(cloud.GetPoint(id));
+      const vtkIdType both[] = { first, points->InsertNextPoint(cloud.GetPoint(id)) };
+      ofPoints->CopyData(cloud.GetPointData(), id, both[0]);
+      ofPoints->CopyData(cloud.GetPointData(), id, both[1]);
+      ofCells->CopyData(cloud.GetCellData(), cell, vertices->InsertNextCell(2, both));
+    });
+  balls->SetPoints(points);
+  balls->SetVerts(vertices);
+  return balls;
 }
 } // namespace
 
@@ -64,7 +98,9 @@ vtkHapticConversionResult vtkHapticToBalls(vtkDataObject* data, vtkMatrix4x4* ma
         result.Problem = vtkHapticCellChecks::CheckPolyData(cloud);
         if (result.Problem.empty())
         {
+          const std::size_t before = mesh.vertices_W.size();
           AddBalls(*cloud, placement, radius_u, mesh);
+          result.PartPoints.push_back(mesh.vertices_W.size() - before);
         }
       }
     });
@@ -75,6 +111,20 @@ vtkHapticConversionResult vtkHapticToBalls(vtkDataObject* data, vtkMatrix4x4* ma
     result.Mesh = std::make_shared<const palpate::TriangleMesh>(std::move(mesh));
   }
   return result;
+}
+
+vtkSmartPointer<vtkMultiBlockDataSet> vtkHapticBallArrays(vtkDataObject* data)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New(); // they may have other arrays
+  vtkHapticForEachDataSet(data,
+    [&](vtkDataSet& set)
+    {
+      if (auto* const cloud = vtkPolyData::SafeDownCast(&set))
+      {
+        blocks->SetBlock(blocks->GetNumberOfBlocks(), ArraysOf(*cloud));
+      }
+    });
+  return blocks;
 }
 
 std::size_t vtkHapticCountPoints(vtkDataObject* data)

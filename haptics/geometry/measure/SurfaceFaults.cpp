@@ -134,6 +134,7 @@ std::vector<SurfaceHole> holesOf(const TriangleMesh& mesh, const std::vector<Sid
     hole.centre_W += 0.5 * length_u * (mesh.vertices_W[side.low] + mesh.vertices_W[side.high]);
     hole.length_u += length_u;
     hole.vertices.insert(hole.vertices.end(), { side.low, side.high });
+    hole.edges.push_back({ side.low, side.high });
   }
   std::vector<SurfaceHole> holes;
   for (auto& [group, hole] : byGroup)

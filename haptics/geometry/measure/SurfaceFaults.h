@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace palpate
 struct SurfaceHole
 {
   std::vector<std::uint32_t> vertices; ///< along it, numbered as in the mesh
+  std::vector<std::array<std::uint32_t, 2>> edges;
   double length_u = 0.0;
   Vec3 centre_W = Vec3::Zero();
 };

@@ -105,8 +105,9 @@ const Setting settings[] = {
   at({ .group = "contact", .option = "line-radius" },
     amount("LineRadius", "u", "Radius of li&nes",
       "Tubes as which lines (streamlines, centre lines, fibres) are touched; 0: they are not", 0.0, none, NextScene)),
-  amount(
-    "PointRadius", "u", "", "Balls as which the points of a cloud are touched; 0: they are not", 0.0, none, NextScene),
+  at({ .group = "contact" },
+    amount("PointRadius", "u", "Radius of points", "Balls as which the points of a cloud are touched; 0: they are not",
+      0.0, none, NextScene)),
   along(1.0, at({ .field = "hand.map.scale_u_per_m", .group = "contact", .option = "scale" },
                { "Scale", Number, "u/m", "S&cale", "Scene units per metre of the hand's motion", NextTick, { 1000.0 },
                  {}, 0.0, none, true })),

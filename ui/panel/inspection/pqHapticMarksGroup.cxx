@@ -4,6 +4,7 @@
 #include "pqFileDialog.h"
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
+#include "vtkHapticMessageCapture.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
 #include "vtkSMProxy.h"
@@ -116,6 +117,7 @@ void pqHapticMarksGroup::save()
   vtkHapticSession* session = pqHapticController::instance()->session();
   if (session && dialog.exec() == QDialog::Accepted && !dialog.getSelectedFiles().empty())
   {
+    const vtkHapticMessageCapture saidByThePanel; // else ParaView's messages open over it
     session->WriteMarks(dialog.getSelectedFiles().first().toUtf8().constData());
   }
 }
