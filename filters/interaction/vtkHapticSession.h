@@ -34,6 +34,7 @@ class HidBus;
 struct HapticParameters;
 } // namespace palpate
 
+struct vtkHapticFieldArrays;
 struct vtkHapticMaterialSettings;
 class vtkHapticMarkRecords;
 class vtkDataObject;
@@ -184,6 +185,18 @@ public:
   bool GetSourceTouched(const char* name) const;
   bool SetSourceMaterial(const char* name, double stiffness, double frictionStatic, double frictionKinetic);
   void GetSourceMaterial(const char* name, double material[3]) const;
+  ///@}
+
+  ///@{
+  /**
+   * Numbers in space that are felt around the hand, beside whatever surfaces are: FieldArray and its fellows name arrays
+   * of `data`, the other settings of a field how they are felt. Kept by reference; added again after a change. A worker
+   * brings what is around the hand, FinishField() waits for that; true if there is something. False, with GetProblem(),
+   * for what cannot be felt so; null data: no field.
+   */
+  bool AddField(const char* name, vtkDataObject* data);
+  bool FinishField();
+  const char* GetFieldName() const;
   ///@}
 
   vtkMTimeType GetMaterialTime() const; ///< changes whenever a setting of surfaces does
@@ -347,6 +360,8 @@ private:
   void Change(const char* setting, std::initializer_list<double> values,
     const std::function<void(palpate::HapticParameters&)>& change);
   /// The same for arrays and ranges.
+  void ChangeField(const char* setting, std::initializer_list<double> values,
+    const std::function<void(vtkHapticFieldArrays&)>& change);
   void ChangeMaterial(const char* setting, std::initializer_list<double> values,
     const std::function<void(vtkHapticMaterialSettings&)>& change);
 

@@ -39,6 +39,27 @@
   vtkHapticSettingMacro(TextureComponent, int); \
   vtkHapticRangeMacro(TextureDataRange); \
   vtkHapticRangeMacro(TextureFeltRange); \
+  vtkHapticSettingMacro(FieldArray, const char*); \
+  vtkHapticSettingMacro(FieldComponent, int); \
+  vtkHapticSettingMacro(FieldVectors, const char*); \
+  vtkHapticSettingMacro(FieldResistance, const char*); \
+  vtkHapticSettingMacro(FieldOther, const char*); \
+  vtkHapticSettingMacro(FieldSmoothing, int); \
+  vtkHapticFieldSwitchMacro(FieldIsosurface); \
+  vtkHapticFieldMacro(FieldIsovalue, double); \
+  vtkHapticFieldMacro(FieldYield, double); \
+  vtkHapticFieldMacro(FieldFollow, double); \
+  vtkHapticFieldMacro(FieldDrag, double); \
+  vtkHapticFieldMacro(FieldDetent, double); \
+  vtkHapticFieldMacro(FieldDetentOrigin, double); \
+  vtkHapticFieldMacro(FieldDetentSpacing, double); \
+  vtkHapticFieldSwitchMacro(FieldDetentClick); \
+  vtkHapticFieldMacro(FieldSnap, double); \
+  vtkHapticFieldMacro(FieldSnapReach, double); \
+  vtkHapticFieldMacro(FieldCompare, double); \
+  vtkHapticFieldMacro(FieldCompareFull, double); \
+  vtkHapticFieldMacro(FieldPush, double); \
+  vtkHapticFieldMacro(FieldFullSpeed, double); \
   vtkHapticFieldSwitchMacro(LimitStiffness); \
   vtkHapticFieldSwitchMacro(Passivity); \
   vtkHapticFieldMacro(Delay, int); \
@@ -108,6 +129,9 @@
   vtkHapticReadoutMacro(Missed, vtkIdType); \
   vtkHapticReadoutMacro(Periods, vtkIdType); \
   vtkHapticReadoutMacro(CappedTicks, vtkIdType); \
+  vtkHapticReadoutMacro(FieldValue, double); \
+  vtkHapticNumbersMacro(FieldGradient, 3); \
+  vtkHapticReadoutMacro(FieldSentence, const char*); \
   vtkHapticReadoutMacro(SchedulingReport, const char*); \
   vtkHapticReadoutMacro(PlanSentence, const char*); \
   vtkHapticReadoutMacro(SceneReport, const char*); \

@@ -9,8 +9,10 @@
 #include "haptics/labyrinth/GameLog.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/plan/AskedParameters.h"
+#include "haptics/session/scene/FeltField.h"
 #include "haptics/session/scene/FeltScene.h"
 #include "haptics/session/settings/TickFields.h"
+#include "vtkHapticFieldData.h"
 #include "vtkHapticMarkRecords.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSession.h"
@@ -40,6 +42,13 @@ public:
   vtkTimeStamp MaterialTime;
   vtkHapticSceneSurfaces Surfaces;
   palpate::FeltScene Scene{ Core, PeriodSeconds };
+  vtkHapticFieldArrays FieldArrays;
+  std::string FieldName;
+  vtkSmartPointer<vtkDataObject> FieldData;
+  palpate::FeltField FeltField;
+  std::string FieldProblem; ///< why the data that was added is not felt
+  std::string FieldSentence;
+  double FieldGradient[3] = { 0.0, 0.0, 0.0 };
   int Simplify = Auto;
   int LinesAsWalls = Auto;
   bool Raises = false;     ///< lines, as the surfaces were told
@@ -163,6 +172,10 @@ public:
   void FollowPlane();
   /// "; ..." about a plane world, or "".
   std::string PlaneSentence() const;
+  /// The servo gets what is around the hand, once a worker has it.
+  void FollowField(bool wait);
+  /// What the hand is in; nothing outside.
+  std::optional<palpate::FieldSample> FieldAtHand() const;
   void ShowState();
   /// What is at the contact now; nothing without one.
   std::optional<vtkHapticMarkRecord> LookAtContact();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticViewScan.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -152,7 +153,9 @@ std::string WhyNoSurface(vtkObject* active)
   if (active && (active->IsA("vtkVolumeRepresentation") || active->IsA("vtkImageVolumeRepresentation") ||
                   active->IsA("vtkUnstructuredGridVolumeRepresentation")))
   {
-    return "a volume has no surface; apply the Contour filter and show its result";
+    return "a volume has no surface; choose its values in the panel (Advanced, Field) to feel it as a field, or apply "
+           "the "
+           "Contour filter and show its result";
   }
   return "it is not drawn as a surface; choose the representation Surface";
 }
@@ -257,6 +260,15 @@ vtkSMProxy* InputOf(vtkSMProxy* representation)
 {
   return representation->GetProperty("Input") ? vtkSMPropertyHelper(representation, "Input", true).GetAsProxy()
                                               : nullptr;
+}
+
+/// What the input of a representation made; null where that is not here.
+vtkDataObject* DataOf(vtkSMProxy* representation)
+{
+  vtkSMPropertyHelper input(representation, "Input", true);
+  auto* const source =
+    input.GetAsProxy() ? vtkAlgorithm::SafeDownCast(input.GetAsProxy()->GetClientSideObject()) : nullptr;
+  return source ? source->GetOutputDataObject(static_cast<int>(input.GetOutputPort())) : nullptr;
 }
 
 /// The name in the pipeline browser; empty for annotations, which have no input.
@@ -396,6 +408,10 @@ vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, vtkHapticShapes& shapes, c
     drawing = input == drawing ? nullptr : drawing; // it is shown
     if (!name.empty() && Visible(representation))
     {
+      if (vtkDataObject* const data = DataOf(representation); data && !IsTransparent(representation))
+      {
+        scan.Sources.push_back({ name, data });
+      }
       ScanRepresentation(representation, name, options, shapes, scan);
     }
   }

@@ -34,7 +34,15 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
     std::uint64_t ArraysKey = 0;          ///< equal while its arrays are the same, unmodified
   };
 
+  /// What a source that is shown has made, whatever of it is drawn: a volume has no surface, and may be felt as a field.
+  struct Source
+  {
+    std::string Name;
+    vtkSmartPointer<vtkDataObject> Data;
+  };
+
   std::vector<Surface> Surfaces;
+  std::vector<Source> Sources;
   std::vector<std::string> Refusals; ///< one sentence each: what is not touched, why, and what to do
   bool Pending = false;              ///< something was not rendered yet: look again after the next frame
 

@@ -2,6 +2,7 @@
 #include "vtkHapticViewScene.h"
 
 #include "vtkHapticDrafts.h"
+#include "vtkHapticFieldData.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticShapes.h"
@@ -10,6 +11,7 @@
 #include "vtkSMProxy.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -19,6 +21,16 @@ vtkStandardNewMacro(vtkHapticViewScene);
 namespace
 {
 constexpr const char* NothingShown = "Nothing is shown: open a file and press Apply.";
+
+std::string Lines(const std::set<std::string>& names)
+{
+  std::string lines;
+  for (const std::string& name : names)
+  {
+    lines += name + "\n";
+  }
+  return lines;
+}
 } // namespace
 
 class vtkHapticViewScene::Internals
@@ -32,8 +44,12 @@ public:
   vtkHapticViewScan Scan;
   std::string Report;
   std::map<std::string, std::string> Rejected; ///< surfaces the session would not take, and why
-  bool HandedOver = false;                     ///< the session has Scan
-  vtkMTimeType MaterialTime = 0;               ///< of the session's settings when it got Scan
+  std::string FieldName;                       ///< of the source that is felt as a field; "": none
+  vtkSmartPointer<vtkDataObject> FieldData;    ///< what it made then
+  vtkMTimeType FieldTime = 0, FieldSettings = 0;
+  std::string FieldRefusal;      ///< why none of those that have the arrays is
+  bool HandedOver = false;       ///< the session has Scan
+  vtkMTimeType MaterialTime = 0; ///< of the session's settings when it got Scan
 
   bool TouchesLines() const
   {
@@ -48,6 +64,18 @@ public:
     return vtkHapticScanView(this->View, this->Shapes, { this->TouchesLines(), this->TouchesPoints() });
   }
 
+  /// Gives the session the first source that has the arrays which are felt and fills space.
+  void HandOverField(const std::vector<vtkHapticViewScan::Source>& sources);
+  bool SameField(const vtkHapticViewScan::Source* next) const
+  {
+    return this->FieldSettings == this->Session->GetMaterialTime() &&
+           this->FieldData == (next ? next->Data : nullptr) && (!next || next->Data->GetMTime() == this->FieldTime);
+  }
+  /// Whether a source has the arrays that are to be felt.
+  bool CouldFeelField(const vtkHapticViewScan& scan) const;
+  /// The refusals that stand: what is felt as a field needs no surface.
+  std::vector<std::string> RefusalsOf(const vtkHapticViewScan& scan) const;
+
   /// What the session makes of the surfaces' arrays is what it made of those of Scan.
   bool SameMaterials(const vtkHapticViewScan& now) const
   {
@@ -55,6 +83,84 @@ public:
                                (!this->Session->GetUsesMaterialArrays() || now.SameArraysAs(this->Scan)));
   }
 };
+
+namespace
+{
+/// Whether data has what is asked to be felt.
+bool HasFieldArrays(vtkDataObject* data, const vtkHapticSession& session)
+{
+  const std::vector<std::string> names = vtkHapticFieldArrayNames(data);
+  const auto has = [&names](const char* name)
+  { return *name == '\0' || std::find(names.begin(), names.end(), name) != names.end(); };
+  return has(session.GetFieldArray()) && has(session.GetFieldVectors()) && has(session.GetFieldResistance()) &&
+         has(session.GetFieldOther());
+}
+
+bool AsksForField(const vtkHapticSession& session)
+{
+  return *session.GetFieldArray() != '\0' || *session.GetFieldVectors() != '\0' ||
+         *session.GetFieldResistance() != '\0';
+}
+} // namespace
+
+bool vtkHapticViewScene::Internals::CouldFeelField(const vtkHapticViewScan& scan) const
+{
+  return this->Session && AsksForField(*this->Session) &&
+         std::any_of(scan.Sources.begin(), scan.Sources.end(),
+           [this](const auto& source) { return HasFieldArrays(source.Data, *this->Session); });
+}
+
+void vtkHapticViewScene::Internals::HandOverField(const std::vector<vtkHapticViewScan::Source>& sources)
+{
+  std::vector<const vtkHapticViewScan::Source*> candidates;
+  for (const vtkHapticViewScan::Source& source : sources)
+  {
+    if (AsksForField(*this->Session) && HasFieldArrays(source.Data, *this->Session))
+    {
+      candidates.push_back(&source);
+    }
+  }
+  const vtkHapticViewScan::Source* const first = candidates.empty() ? nullptr : candidates.front();
+  if (this->SameField(first))
+  {
+    return;
+  }
+  this->FieldData = first ? first->Data : nullptr;
+  this->FieldTime = first ? first->Data->GetMTime() : 0;
+  this->FieldSettings = this->Session->GetMaterialTime();
+  this->FieldName.clear();
+  this->FieldRefusal.clear();
+  for (const vtkHapticViewScan::Source* source : candidates)
+  {
+    if (this->Session->AddField(source->Name.c_str(), source->Data))
+    {
+      this->FieldName = source->Name;
+      return;
+    }
+    this->FieldRefusal = this->Session->GetProblem();
+  }
+  if (candidates.empty())
+  {
+    this->Session->AddField(nullptr, nullptr);
+  }
+}
+
+std::vector<std::string> vtkHapticViewScene::Internals::RefusalsOf(const vtkHapticViewScan& scan) const
+{
+  std::vector<std::string> refusals;
+  for (const std::string& refusal : scan.Refusals)
+  {
+    if (this->FieldName.empty() || !refusal.starts_with(this->FieldName + ": "))
+    {
+      refusals.push_back(refusal);
+    }
+  }
+  if (!this->FieldRefusal.empty())
+  {
+    refusals.push_back(this->FieldRefusal + ".");
+  }
+  return refusals;
+}
 
 vtkHapticViewScene::vtkHapticViewScene() : Impl(std::make_unique<Internals>()) {}
 
@@ -131,22 +237,30 @@ std::string vtkHapticViewScene::GetArrayNames() const
       names.insert(name);
     }
   }
-  std::string lines;
-  for (const std::string& name : names)
-  {
-    lines += name + "\n";
-  }
-  return lines;
+  return Lines(names);
 }
 
 std::string vtkHapticViewScene::GetRefusal() const
 {
   const vtkHapticViewScan now = this->Impl->Look();
-  if (!now.Surfaces.empty() || now.Pending)
+  if (!now.Surfaces.empty() || now.Pending || this->Impl->CouldFeelField(now))
   {
     return {};
   }
   return now.Refusals.empty() ? NothingShown : now.Refusals.front();
+}
+
+std::string vtkHapticViewScene::GetFieldNames(int components) const
+{
+  std::set<std::string> names;
+  for (const vtkHapticViewScan::Source& source : this->Impl->Look().Sources)
+  {
+    for (const std::string& name : vtkHapticFieldArrayNames(source.Data, components))
+    {
+      names.insert(name);
+    }
+  }
+  return Lines(names);
 }
 
 const char* vtkHapticViewScene::GetReport() const
@@ -167,6 +281,10 @@ bool vtkHapticViewScene::Update()
     this->HandOver();
     this->Impl->HandedOver = true;
     this->Impl->MaterialTime = this->Impl->Session->GetMaterialTime();
+  }
+  if (this->Impl->Session)
+  {
+    this->Impl->HandOverField(this->Impl->Scan.Sources);
   }
   this->WriteReport();
   return handOver;
@@ -196,7 +314,11 @@ void vtkHapticViewScene::WriteReport()
     report += rejected == this->Impl->Rejected.end() ? "Touching " + surface.Name + ".\n"
                                                      : "Not touched: " + rejected->second + "\n";
   }
-  for (const std::string& refusal : this->Impl->Scan.Refusals)
+  if (!this->Impl->FieldName.empty())
+  {
+    report += "Feeling " + std::string(this->Impl->Session->GetFieldSentence()) + ".\n";
+  }
+  for (const std::string& refusal : this->Impl->RefusalsOf(this->Impl->Scan))
   {
     report += "Not touched: " + refusal + "\n";
   }

@@ -77,6 +77,10 @@ public:
   /// Names of all arrays of points and cells with numbers that the view shows now, a line each, sorted.
   std::string GetArrayNames() const;
 
+  /// Names of the arrays of the sources that are shown, however they are drawn, that may be felt as a field; of so many
+  /// components, 0: of any.
+  std::string GetFieldNames(int components) const;
+
 protected:
   vtkHapticViewScene();
   ~vtkHapticViewScene() override;

@@ -33,6 +33,12 @@ struct TickContext
 
   [[nodiscard]] bool touchable() const noexcept { return this->input.scene != nullptr && !this->input.scene->empty(); }
 
+  /// Whether there is anything that could push the hand: a surface, or a field with a mode that is on.
+  [[nodiscard]] bool feelable() const noexcept
+  {
+    return this->touchable() || (this->input.brick != nullptr && isOn(this->p.field));
+  }
+
   /// That the hand is coupled by: what the device and the rate can hold is shared between them.
   [[nodiscard]] int springs() const noexcept
   {

@@ -5,6 +5,7 @@
 #include "pqHapticContactGroup.h"
 #include "pqHapticController.h"
 #include "pqHapticDeviceRows.h"
+#include "pqHapticFieldGroup.h"
 #include "pqHapticFields.h"
 #include "pqHapticFold.h"
 #include "pqHapticLabel.h"
@@ -61,6 +62,7 @@ public:
   QDoubleSpinBox* PressDepth;
   pqHapticSettingRows Rows;
   pqHapticMaterialGroup* Material;
+  pqHapticFieldGroup* Field;
   pqHapticCheckGroup* Check;
   QLabel* Stability;
   QLabel* State;
@@ -178,8 +180,8 @@ void pqHapticPanel::Internals::setTabOrder()
                                 QList<QWidget*>{ this->Advanced } + this->DeviceRows->fields() +
                                 QList<QWidget*>{ this->Hand, this->PressDepth } + this->Rows.fields("contact") +
                                 this->Rows.fields("friction") + this->Source->fields() + this->Material->fields() +
-                                this->Rows.fields("stability") + this->Check->fields() + this->Rows.fields("scene") +
-                                QList<QWidget*>{ this->Scene };
+                                this->Field->fields() + this->Rows.fields("field") + this->Rows.fields("stability") +
+                                this->Check->fields() + this->Rows.fields("scene") + QList<QWidget*>{ this->Scene };
   for (int i = 1; i < order.size(); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
@@ -208,6 +210,8 @@ void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
   rest->addWidget(this->Source);
   this->Material = new pqHapticMaterialGroup;
   rest->addWidget(this->Material);
+  this->Field = new pqHapticFieldGroup(this->Rows);
+  rest->addWidget(this->Field);
   this->addStability(rest);
   this->Check = new pqHapticCheckGroup;
   rest->addWidget(this->Check);
@@ -287,6 +291,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   Internals& w = *this->Widgets;
   w.Links.clear();
   w.Material->setProxy(proxy);
+  w.Field->setProxy(proxy);
   w.DeviceRows->setProxy(proxy);
   w.Main->setProxy(proxy, w.Links);
   w.Advanced->body()->setEnabled(proxy != nullptr);
@@ -320,6 +325,7 @@ void pqHapticPanel::refresh()
   w.Place->refresh(session);
   w.Marks->refresh(session);
   w.Source->refresh(session);
+  w.Field->refresh(session, *controller->follower());
   w.State->setText(now.State);
   pqHapticSay(w.Reason, now.Reason);
   w.Force->setText(now.Force);

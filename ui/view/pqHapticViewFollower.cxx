@@ -71,6 +71,11 @@ QStringList pqHapticViewFollower::arrayNames() const
   return QString::fromStdString(this->Scene->GetArrayNames()).split('\n', Qt::SkipEmptyParts);
 }
 
+QStringList pqHapticViewFollower::fieldNames(int components) const
+{
+  return QString::fromStdString(this->Scene->GetFieldNames(components)).split('\n', Qt::SkipEmptyParts);
+}
+
 void pqHapticViewFollower::setView(pqView* view)
 {
   auto* next = qobject_cast<pqRenderView*>(view);

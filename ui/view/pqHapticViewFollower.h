@@ -45,6 +45,8 @@ public:
   QString refusal() const;
   /// Of the points and cells of what the view shows, whether it is touched or not.
   QStringList arrayNames() const;
+  /// Of all sources that are shown, however they are drawn, with so many components; 0: any.
+  QStringList fieldNames(int components) const;
 
 public Q_SLOTS:
   void setView(pqView* view);

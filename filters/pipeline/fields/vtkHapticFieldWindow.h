@@ -2,6 +2,7 @@
 #ifndef vtkHapticFieldWindow_h
 #define vtkHapticFieldWindow_h
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -33,6 +34,9 @@ struct vtkHapticFieldPart
   std::string Name;
 };
 using vtkHapticFieldReading = std::function<std::vector<float>(const vtkHapticFieldPart&, const vtkHapticFieldWindow&)>;
+
+/// The box around a lattice.
+std::array<double, 6> vtkHapticBoundsOf(const palpate::BrickGrid& lattice);
 
 /// The arrays that are asked for.
 std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& arrays);

@@ -100,6 +100,8 @@ public:
   {
   }
 
+  std::array<double, 6> bounds() const override { return vtkHapticBoundsOf(this->Lattice); }
+
   palpate::MadeBrick brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const override
   {
     std::optional<vtkHapticFieldWindow> probed;

@@ -2,6 +2,8 @@
 #include "haptics/session/scene/FeltField.h"
 
 #include <chrono>
+#include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace palpate
@@ -76,6 +78,29 @@ std::optional<std::shared_ptr<const Brick>> FeltField::follow(const Vec3& hand_W
     }
   }
   return next;
+}
+
+std::string fieldSentence(const std::string& name, const MadeBrick& made, double scale_u_per_m, double ahead_s)
+{
+  if (!made.brick)
+  {
+    return name + ": " + (made.problem.empty() ? "the hand is outside of its values" : made.problem);
+  }
+  const BrickGrid& grid = made.brick->grid();
+  std::string felt;
+  for (const BrickArray& array : made.brick->arrays())
+  {
+    felt += (felt.empty() ? "" : ", ") + array.name;
+  }
+  std::ostringstream text;
+  text << name << ": " << felt << " on " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2]
+       << " points, " << grid.spacing_u.maxCoeff() << " u apart";
+  if (std::isfinite(made.reach_u))
+  {
+    text << ", " << made.reach_u << " u around the hand: in time for up to " << made.reach_u / scale_u_per_m / ahead_s
+         << " m/s";
+  }
+  return text.str();
 }
 
 } // namespace palpate

@@ -5,6 +5,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "haptics/session/scene/FieldSource.h"
 
@@ -45,5 +46,10 @@ private:
   bool asksForOld_ = false; ///< what is being made is of a source that was left
   std::future<MadeBrick> running_;
 };
+
+/// What is felt of data of that name: how finely and how far around the hand, and how fast the hand may go so that a
+/// brick is there in time; or why nothing is.
+[[nodiscard]] std::string fieldSentence(
+  const std::string& name, const MadeBrick& made, double scale_u_per_m, double ahead_s);
 
 } // namespace palpate

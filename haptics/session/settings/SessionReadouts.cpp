@@ -72,6 +72,10 @@ const Readout readouts[] = {
   { "Missed", LongCount, "", "Ticks", "Periods that passed without a tick; they are never caught up" },
   { "Periods", LongCount, "", "", "Both together" },
   { "CappedTicks", LongCount, "", "", "Ticks that met a limit of their work" },
+  { "FieldValue", Number, "", "", "Of the field's values at the hand; not a number where there is none" },
+  { "FieldGradient", Number, "1/u", "", "How those change there, in W", 3 },
+  { "FieldSentence", Text, "", "",
+    "Which numbers are felt as a field, how finely and how far around the hand, or why none are" },
   { "SchedulingReport", Text, "", "", "What the operating system granted the servo, and why" },
   { "PlanSentence", Text, "", "",
     "What is felt of the scene and why: how many triangles or segments, by a point or a ball, with what friction, "

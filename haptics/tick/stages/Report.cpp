@@ -23,7 +23,7 @@ Fault faultOf(const TickContext& tick) noexcept
   {
     return Fault::Seated;
   }
-  return tick.touchable() ? Fault::None : Fault::SceneRefused;
+  return tick.feelable() ? Fault::None : Fault::SceneRefused;
 }
 
 } // namespace

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers in space around the hand: which, and what is there.
+#include <cmath>
+#include <limits>
+
+#include "vtkHapticSessionInternals.h"
+
+namespace
+{
+constexpr double fastest_m_per_s = 0.3; ///< of a hand that feels its way
+/// Until the next look and until a worker has answered, twice: half of the room is used up before another brick is
+/// asked for.
+constexpr double ahead_s = 0.2;
+} // namespace
+
+bool vtkHapticSession::AddField(const char* name, vtkDataObject* data)
+{
+  Internals& impl = *this->Impl;
+  impl.FieldName = data && name ? name : "";
+  impl.FieldData = data;
+  const vtkHapticFieldResult made = data ? vtkHapticToField(data, impl.FieldArrays) : vtkHapticFieldResult();
+  impl.FieldProblem = made.Problem.empty() ? "" : impl.FieldName + ": " + made.Problem;
+  impl.FeltField.setSource(made.Source);
+  this->Refuse(impl.FieldProblem);
+  impl.Follow("field", impl.FieldProblem);
+  return impl.FieldProblem.empty();
+}
+
+bool vtkHapticSession::FinishField()
+{
+  this->Impl->FollowField(true);
+  return this->Impl->Core.brick() != nullptr;
+}
+
+const char* vtkHapticSession::GetFieldName() const
+{
+  return this->Impl->FieldName.c_str();
+}
+
+void vtkHapticSession::Internals::FollowField(bool wait)
+{
+  const palpate::Vec3 hand_W =
+    this->Core.running() ? this->Core.state().device_W.p : this->Hand_W.value_or(palpate::Vec3::Zero());
+  const double reach_u = fastest_m_per_s * ahead_s * this->Asked.asked().map.scale_u_per_m;
+  if (const auto brick = this->FeltField.follow(hand_W, reach_u, wait))
+  {
+    this->Core.setBrick(*brick);
+  }
+}
+
+/// What the arrays are that are felt changed: what was added is felt so.
+void vtkHapticSession::ChangeField(
+  const char* setting, std::initializer_list<double> values, const std::function<void(vtkHapticFieldArrays&)>& change)
+{
+  vtkHapticFieldArrays arrays = this->Impl->FieldArrays;
+  change(arrays);
+  if (!this->Allows(setting, values) || arrays == this->Impl->FieldArrays)
+  {
+    return;
+  }
+  this->Impl->FieldArrays = arrays;
+  if (this->Impl->FieldData)
+  {
+    const std::string name = this->Impl->FieldName;
+    static_cast<void>(this->AddField(name.c_str(), vtkSmartPointer<vtkDataObject>(this->Impl->FieldData)));
+  }
+  this->Impl->MaterialTime.Modified(); // who follows a view looks again for data that has these arrays
+  this->Modified();
+}
+
+void vtkHapticSession::SetFieldArray(const char* name)
+{
+  this->ChangeField("FieldArray", {}, [=](vtkHapticFieldArrays& a) { a.Scalar = name ? name : ""; });
+}
+
+const char* vtkHapticSession::GetFieldArray() const
+{
+  return this->Impl->FieldArrays.Scalar.c_str();
+}
+
+void vtkHapticSession::SetFieldComponent(int component)
+{
+  this->ChangeField(
+    "FieldComponent", { static_cast<double>(component) }, [=](vtkHapticFieldArrays& a) { a.Component = component; });
+}
+
+int vtkHapticSession::GetFieldComponent() const
+{
+  return this->Impl->FieldArrays.Component;
+}
+
+void vtkHapticSession::SetFieldVectors(const char* name)
+{
+  this->ChangeField("FieldVectors", {}, [=](vtkHapticFieldArrays& a) { a.Vector = name ? name : ""; });
+}
+
+const char* vtkHapticSession::GetFieldVectors() const
+{
+  return this->Impl->FieldArrays.Vector.c_str();
+}
+
+void vtkHapticSession::SetFieldResistance(const char* name)
+{
+  this->ChangeField("FieldResistance", {}, [=](vtkHapticFieldArrays& a) { a.Resistance = name ? name : ""; });
+}
+
+const char* vtkHapticSession::GetFieldResistance() const
+{
+  return this->Impl->FieldArrays.Resistance.c_str();
+}
+
+void vtkHapticSession::SetFieldOther(const char* name)
+{
+  this->ChangeField("FieldOther", {}, [=](vtkHapticFieldArrays& a) { a.Other = name ? name : ""; });
+}
+
+const char* vtkHapticSession::GetFieldOther() const
+{
+  return this->Impl->FieldArrays.Other.c_str();
+}
+
+void vtkHapticSession::SetFieldSmoothing(int times)
+{
+  this->ChangeField(
+    "FieldSmoothing", { static_cast<double>(times) }, [=](vtkHapticFieldArrays& a) { a.Smoothing = times; });
+}
+
+int vtkHapticSession::GetFieldSmoothing() const
+{
+  return this->Impl->FieldArrays.Smoothing;
+}
+
+std::optional<palpate::FieldSample> vtkHapticSession::Internals::FieldAtHand() const
+{
+  const std::shared_ptr<const palpate::Brick>& brick = this->Core.brick();
+  return brick ? brick->sample(palpate::BrickRole::Scalar, palpate::Vec3(this->Hand)) : std::nullopt;
+}
+
+double vtkHapticSession::GetFieldValue() const
+{
+  const auto sample = this->Impl->FieldAtHand();
+  return sample ? sample->value : std::numeric_limits<double>::quiet_NaN();
+}
+
+double* vtkHapticSession::GetFieldGradient()
+{
+  const auto sample = this->Impl->FieldAtHand();
+  Eigen::Map<palpate::Vec3>{ this->Impl->FieldGradient } =
+    sample ? sample->gradient_W : palpate::Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  return this->Impl->FieldGradient;
+}
+
+const char* vtkHapticSession::GetFieldSentence() const
+{
+  Internals& impl = *this->Impl;
+  impl.FieldSentence = impl.FieldProblem;
+  const palpate::MadeBrick& made = impl.FeltField.made();
+  if (impl.FieldProblem.empty() && impl.FieldData)
+  {
+    impl.FieldSentence = palpate::fieldSentence(impl.FieldName, made, impl.Asked.asked().map.scale_u_per_m, ahead_s);
+  }
+  return impl.FieldSentence.c_str();
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers in space under a hand, in virtual time. The truth is a distance: the values are those of f = |p|.
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "vtkDataSetTriangleFilter.h"
+#include "vtkFloatArray.h"
+#include "vtkHapticSession.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+
+namespace
+{
+constexpr int ticksToEngage = 1100;
+constexpr double stiffness_N_per_m = 500.0;
+constexpr double zoom_u_per_m = 1000.0; // a unit is a millimetre
+
+/// |p| on n^3 points h apart around the origin.
+vtkSmartPointer<vtkImageData> distances(int n, double h)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(n, n, n);
+  image->SetSpacing(h, h, h);
+  image->SetOrigin(-0.5 * h * (n - 1), -0.5 * h * (n - 1), -0.5 * h * (n - 1));
+  vtkNew<vtkFloatArray> values;
+  values->SetName("distance");
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    values->SetValue(i, static_cast<float>(Vec3(image->GetPoint(i)).norm()));
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+class HapticSessionField : public ::testing::Test
+{
+protected:
+  void start(const Vec3& hand)
+  {
+    this->session_->VirtualTimeOn();
+    this->session_->SetStiffness(stiffness_N_per_m);
+    this->session_->SetScale(zoom_u_per_m);
+    this->at(hand);
+    this->session_->TouchingOn();
+    ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
+    this->session_->Step(ticksToEngage);
+  }
+  void at(const Vec3& hand) { this->session_->SetHandPosition(hand.x(), hand.y(), hand.z()); }
+  /// 1 mm a tick.
+  void go(const Vec3& from, const Vec3& to)
+  {
+    const int ticks = static_cast<int>((to - from).norm());
+    for (int i = 1; i <= ticks; ++i)
+    {
+      this->at(from + i * (to - from) / ticks);
+      this->session_->Step(1);
+      this->session_->FinishField();
+    }
+    this->session_->Step(200);
+  }
+  [[nodiscard]] Vec3 force() const { return Vec3(this->session_->GetForce()); }
+
+  vtkNew<vtkHapticSession> session_;
+};
+
+TEST_F(HapticSessionField, AloneIsFeltAsTheSurfaceOfItsIsovalueFromBothSides)
+{
+  constexpr double h = 1.0, R = 20.0;
+  this->session_->SetFieldArray("distance");
+  this->session_->SetFieldIsosurface(true);
+  this->session_->SetFieldIsovalue(R);
+  ASSERT_TRUE(this->session_->AddField("ball", distances(60, h))) << this->session_->GetProblem();
+  ASSERT_TRUE(this->session_->FinishField());
+  const Vec3 n = Vec3(1.0, 2.0, -0.5).normalized();
+  this->start(28.0 * n);
+  EXPECT_STREQ(this->session_->GetFaultText(), "");
+  EXPECT_EQ(this->force().norm(), 0.0);
+  this->go(28.0 * n, 17.0 * n);
+  // The surface of sampled distances lies up to h^2 / 4 R inside of the ball.
+  const double error_N = stiffness_N_per_m * h * h / (4.0 * R) / zoom_u_per_m;
+  const double spring_N = stiffness_N_per_m * 3.0 / zoom_u_per_m;
+  EXPECT_NEAR(this->force().dot(n), spring_N, 1.1 * error_N);
+  EXPECT_NEAR(this->session_->GetFieldValue(), 17.0, h * h / (4.0 * 17.0) * 1.1);
+  EXPECT_LT((Vec3(this->session_->GetFieldGradient()) - n).norm(), 0.1);
+}
+
+TEST_F(HapticSessionField, OfTetrahedraIsFeltAsOnTheImageThatTheyWereCutFrom)
+{
+  constexpr double h = 2.0, R = 14.0;
+  vtkNew<vtkDataSetTriangleFilter> cut;
+  cut->SetInputData(distances(22, h));
+  cut->Update();
+  this->session_->SetFieldArray("distance");
+  this->session_->SetFieldIsosurface(true);
+  this->session_->SetFieldIsovalue(R);
+  ASSERT_TRUE(this->session_->AddField("tetrahedra", cut->GetOutput())) << this->session_->GetProblem();
+  ASSERT_TRUE(this->session_->FinishField());
+  const Vec3 n = Vec3(1.0, 1.0, 0.3).normalized();
+  this->start(18.0 * n);
+  this->go(18.0 * n, 11.0 * n);
+  // A chord of a tetrahedron's longest edge, sqrt(3) h, is (sqrt(3) h)^2 / 8 R inside of the ball.
+  const double error_N = stiffness_N_per_m * 3.0 * h * h / (8.0 * R) / zoom_u_per_m;
+  EXPECT_NEAR(this->force().norm(), stiffness_N_per_m * 3.0 / zoom_u_per_m, error_N);
+}
+
+TEST_F(HapticSessionField, LargerThanABrickComesAlongWithTheHand)
+{
+  // 200^3 floats are 32 MB, three times what a brick may hold; the wall is a plane far from where the hand begins.
+  const auto image = distances(200, 1.0);
+  auto* const values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    values->SetValue(i, static_cast<float>(image->GetPoint(i)[0]));
+  }
+  this->session_->SetFieldArray("distance");
+  this->session_->SetFieldIsosurface(true);
+  this->session_->SetFieldIsovalue(90.25);
+  ASSERT_TRUE(this->session_->AddField("slope", image));
+  const Vec3 from(-90.0, 3.0, 5.0), to(92.25, 3.0, 5.0);
+  this->at(from);
+  ASSERT_TRUE(this->session_->FinishField());
+  this->start(from);
+  this->go(from, to);
+  EXPECT_NEAR(this->force().x(), -stiffness_N_per_m * 2.0 / zoom_u_per_m, 1e-6);
+  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("u around the hand"));
+}
+
+TEST_F(HapticSessionField, WithoutAModeThatIsOnNothingIsFeltAndThePersonIsTold)
+{
+  this->session_->SetFieldArray("distance");
+  ASSERT_TRUE(this->session_->AddField("ball", distances(20, 1.0)));
+  ASSERT_TRUE(this->session_->FinishField());
+  this->start(Vec3(5.0, 0.0, 0.0));
+  EXPECT_STRNE(this->session_->GetFaultText(), "");
+  EXPECT_EQ(this->session_->GetForceMagnitude(), 0.0);
+}
+
+TEST_F(HapticSessionField, ThatCannotBeFeltIsRefusedByNameAndARightArrayTakesTheRefusalBack)
+{
+  this->session_->SetFieldArray("gone");
+  const auto errors =
+    errorsOf(this->session_, [&] { EXPECT_FALSE(this->session_->AddField("ball", distances(20, 1.0))); });
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr("ball: its array \"gone\" is not there"));
+  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("\"gone\" is not there"));
+  EXPECT_FALSE(this->session_->FinishField());
+  this->session_->SetFieldArray("distance");
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+  EXPECT_TRUE(this->session_->FinishField());
+}
+
+TEST_F(HapticSessionField, ThatIsTakenAwayWhileItPressesFadesWithin30Milliseconds)
+{
+  this->session_->SetFieldArray("distance");
+  this->session_->SetFieldIsosurface(true);
+  this->session_->SetFieldIsovalue(20.0);
+  ASSERT_TRUE(this->session_->AddField("ball", distances(60, 1.0)));
+  ASSERT_TRUE(this->session_->FinishField());
+  this->start(Vec3(28.0, 0.0, 0.0));
+  this->go(Vec3(28.0, 0.0, 0.0), Vec3(17.0, 0.0, 0.0));
+  const double before_N = this->force().norm();
+  ASSERT_GT(before_N, 1.0);
+  this->session_->AddField(nullptr, nullptr);
+  this->session_->FinishField();
+  double largestStep_N = 0.0, last_N = before_N;
+  for (int tick = 0; tick < 31; ++tick)
+  {
+    this->session_->Step(1);
+    largestStep_N = std::max(largestStep_N, std::abs(this->force().norm() - last_N));
+    last_N = this->force().norm();
+  }
+  EXPECT_LT(last_N, 1e-9);
+  EXPECT_LE(largestStep_N, 2.0 * before_N / 30.0);
+}
+} // namespace
