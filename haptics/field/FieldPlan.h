@@ -17,7 +17,7 @@ struct FieldPlan
   double drag_N = 0.0;      ///< resists every motion, times the resistance at the hand
   DetentPlan detent;        ///< levels of the scalar hold the hand
   double snap_N = 0.0;      ///< pulls to the nearest of the brick's places
-  double snapReach_u = 1.0; ///< from there on, less with the distance
+  double snapReach_u = 5.0; ///< from there on, less with the distance
   double compare_N = 0.0;   ///< resists every motion where scalar and other differ
   double compareFull = 1.0; ///< difference from which it does with all of its strength
   double push_N = 0.0;      ///< the vectors are a force: a source of energy

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "haptics/field/FieldPlan.h"
 #include "haptics/geometry/mesh/Material.h"
 
 namespace palpate
@@ -125,6 +126,41 @@ const Setting settings[] = {
       "The same force on the hand everywhere, in W, shortened to the largest force; none before force is engaged, and "
       "none while the device holds walls",
       NextTick, { 0.0, 0.0, 0.0 } }),
+  at({ .field = "field.isosurface" },
+    flag("FieldIsosurface", "", "The surface where the field's scalar has FieldIsovalue is a wall from both sides",
+      false)),
+  at({ .field = "field.isovalue" },
+    { "FieldIsovalue", Number, "", "",
+      "Value of the scalar on that surface; while it changes the surface moves under the hand without a step", NextTick,
+      { 0.0 } }),
+  at({ .field = "field.yield_N" },
+    amount("FieldYield", "N", "", "Force at which that surface gives way, as a membrane; 0: a wall", 0.0)),
+  at({ .field = "field.follow_N" },
+    amount("FieldFollow", "N", "", "Holds the hand on the line of the field's vectors that it is on; 0: off", 0.0)),
+  at({ .field = "field.drag_N" },
+    amount("FieldDrag", "N", "", "Resists every motion, times the field's resistance where it has one; 0: off", 0.0)),
+  at({ .field = "field.detent_N" },
+    amount("FieldDetent", "N", "", "Levels of the scalar at equal distances hold the hand; 0: off", 0.0)),
+  at({ .field = "field.detent.spacing" },
+    { "FieldDetentSpacing", Number, "", "", "From level to level, in values of the scalar", NextTick, { 1.0 }, {}, 0.0,
+      none, true }),
+  at({ .field = "field.detent.origin" },
+    { "FieldDetentOrigin", Number, "", "", "Value of one of these levels", NextTick, { 0.0 } }),
+  at({ .field = "field.detent.click" },
+    flag("FieldDetentClick", "", "A level holds until its strength and then lets go; off: levels are smooth hollows",
+      false)),
+  at({ .field = "field.snap_N" },
+    amount("FieldSnap", "N", "", "Pulls to the nearest of the field's places, extrema say; 0: off", 0.0)),
+  at({ .field = "field.snapReach_u" },
+    { "FieldSnapReach", Number, "u", "", "How far such a place reaches", NextTick, { 5.0 }, {}, 0.0, none, true }),
+  at({ .field = "field.compare_N" },
+    amount("FieldCompare", "N", "", "Resists every motion where the field's two scalars differ; 0: off", 0.0)),
+  at({ .field = "field.compareFull" },
+    amount("FieldCompareFull", "", "", "Difference at which it does with all of its strength", 1.0)),
+  at({ .field = "field.push_N" }, amount("FieldPush", "N", "",
+                                    "The field's vectors push the hand: a source of energy, whose power is told; none "
+                                    "before force is engaged; 0: off",
+                                    0.0, FieldPlan::mostPush_N)),
   at({ .group = "friction", .option = "mu-static" },
     amount("FrictionStatic", "1", "Static",
       "Friction that holds at rest: force along the surface over force into it; 0 is none", 0.0, largestFriction)),
