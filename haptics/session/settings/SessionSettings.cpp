@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "haptics/field/FieldPlan.h"
 #include "haptics/geometry/mesh/Material.h"
 
 namespace palpate
@@ -206,7 +207,7 @@ const Setting settings[] = {
     amount("FieldCompareFull", "", "Full at", "Difference from which on it resists with all of that force", 1.0)),
   at({ .field = "field.push_N", .group = "field" },
     amount(
-      "FieldPush", "N", "Push", "The directions are a force: a source of energy, 0.5 N at most; 0: none", 0.0, 0.5)),
+      "FieldPush", "N", "Push", "The directions are a force: a source of energy, 0.5 N at most; 0: none", 0.0, FieldPlan::mostPush_N)),
   at({ .field = "field.fullSpeed", .group = "field" },
     amount("FieldFullSpeed", "", "Full at length",
       "Length of the directions from which on they are followed and push with all strength; 0: any", 0.0)),

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -142,7 +143,7 @@ std::vector<double> other(const Setting& setting)
   std::vector<double> values = setting.defaults;
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    values[i] += 1.0 + static_cast<double>(i);
+    values[i] += std::min(1.0 + static_cast<double>(i), 0.5 * (setting.high - values[i]));
   }
   return values;
 }
