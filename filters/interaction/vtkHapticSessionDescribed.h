@@ -25,20 +25,6 @@
   vtkHapticSwitchMacro(FitOnTouch); \
   vtkHapticFieldSwitchMacro(ForceShading); \
   vtkHapticFieldVectorMacro(ConstantForce); \
-  vtkHapticFieldSwitchMacro(FieldIsosurface); \
-  vtkHapticFieldMacro(FieldIsovalue, double); \
-  vtkHapticFieldMacro(FieldYield, double); \
-  vtkHapticFieldMacro(FieldFollow, double); \
-  vtkHapticFieldMacro(FieldDrag, double); \
-  vtkHapticFieldMacro(FieldDetent, double); \
-  vtkHapticFieldMacro(FieldDetentSpacing, double); \
-  vtkHapticFieldMacro(FieldDetentOrigin, double); \
-  vtkHapticFieldSwitchMacro(FieldDetentClick); \
-  vtkHapticFieldMacro(FieldSnap, double); \
-  vtkHapticFieldMacro(FieldSnapReach, double); \
-  vtkHapticFieldMacro(FieldCompare, double); \
-  vtkHapticFieldMacro(FieldCompareFull, double); \
-  vtkHapticFieldMacro(FieldPush, double); \
   vtkHapticSettingMacro(FrictionStatic, double); \
   vtkHapticSettingMacro(FrictionKinetic, double); \
   vtkHapticSettingMacro(StiffnessArray, const char*); \

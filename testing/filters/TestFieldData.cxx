@@ -140,6 +140,10 @@ TEST(FieldData, TwoWindowsOfOneImageHaveTheSameBitsWhereTheyOverlapSmoothedOrNot
     const vtkHapticFieldResult field = vtkHapticToField(image, arrays);
     ASSERT_TRUE(field.Source);
     const double* const centre = image->GetCenter();
+    const MadeBrick largest = field.Source->brickAround(Vec3(centre), endless, 3);
+    ASSERT_TRUE(largest.brick);
+    EXPECT_LE(largest.brick->bytes(), Brick::mostBytes);
+    EXPECT_GT(largest.brick->bytes(), Brick::mostBytes / 2);
     const MadeBrick one = field.Source->brickAround(Vec3(centre), 9.0, 1);
     const MadeBrick two = field.Source->brickAround(Vec3(centre) + Vec3(4.0, -3.0, 5.0), 9.0, 2);
     ASSERT_TRUE(one.brick && two.brick);
@@ -214,6 +218,33 @@ TEST(FieldData, ALinearFunctionOnTetrahedraIsFeltAsItIsAloneAndInBlocks)
       EXPECT_NEAR(sample->value, p_W.x() - 2 * p_W.y() + 3 * p_W.z(), 1e-4);
     }
     EXPECT_TRUE(made.brick->sample(BrickRole::Scalar, Vec3(tetrahedra->GetCenter())));
+  }
+}
+
+TEST(FieldData, TetrahedraHaveTheValuesOfVtksProbeAtEachPointOfTheLattice)
+{
+  test::Random random(test::testSeed(1707));
+  const auto image = makeImage(5, 5, 5);
+  const auto tetrahedra = makeTetrahedra(*image);
+  auto* const values = vtkDoubleArray::SafeDownCast(tetrahedra->GetPointData()->GetArray("f"));
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetValue(i, random.uniform(-1.0, 1.0));
+  }
+  const MadeBrick made = brickOf(tetrahedra, scalar("f"));
+  ASSERT_TRUE(made.brick);
+  const BrickGrid& grid = made.brick->grid();
+  const BrickComponent f = made.brick->component(BrickRole::Scalar);
+  for (std::size_t n = 0; n < test::testCount(200); ++n)
+  {
+    GridIndex at;
+    for (int k = 0; k < 3; ++k)
+    {
+      at[k] = 1 + static_cast<int>(random.below(static_cast<std::uint32_t>(grid.size[k] - 2))); // VTK may miss the rim
+    }
+    const auto known = probed(tetrahedra, "f", grid.toWorld({ 1.0 * at[0], 1.0 * at[1], 1.0 * at[2] }));
+    ASSERT_TRUE(known);
+    EXPECT_NEAR(f.at(at), known->at(0), 1e-5);
   }
 }
 

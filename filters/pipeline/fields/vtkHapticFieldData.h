@@ -33,9 +33,9 @@ struct vtkHapticFieldResult
 };
 
 /// A data set as a field: the voxels of an image as they are, also turned, mirrored and of uneven spacing; every other
-/// data set, composite ones and clouds of points too, by VTK's own probes on a lattice of half the length of its cells.
-/// Values of cells go to points first. Blanked, ghost and empty places have no value. `data` is copied shallowly and
-/// then read by the worker thread.
+/// data set, composite ones and clouds of points too, on a lattice of half the length of its cells: tetrahedra
+/// scan-converted, others by VTK's own probes. Values of cells go to points first. Blanked, ghost and empty places have
+/// no value. `data` is copied shallowly and then read by the worker thread.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticFieldResult vtkHapticToField(
   vtkDataObject* data, const vtkHapticFieldArrays& arrays);
 

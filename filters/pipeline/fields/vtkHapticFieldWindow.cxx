@@ -61,7 +61,8 @@ std::optional<vtkHapticFieldWindow> WindowAround(
   const Vec3 centre = lattice.toIndex(centre_W);
   std::optional<vtkHapticFieldWindow> window;
   constexpr double smaller = 0.9;
-  for (double reach = reach_u; reach > lattice.spacing_u.minCoeff(); reach *= smaller)
+  const double all_u = lattice.spacing_u.cwiseProduct(Vec3(lattice.size[0], lattice.size[1], lattice.size[2])).norm();
+  for (double reach = std::min(reach_u, all_u); reach > lattice.spacing_u.minCoeff(); reach *= smaller)
   {
     window = Around(lattice, centre, reach * lattice.spacing_u.cwiseInverse());
     if (!window || PointsOf(*window) <= mostPoints)
@@ -127,6 +128,14 @@ std::vector<float> Values(const vtkHapticFieldPart& part, const vtkHapticFieldWi
 }
 } // namespace
 
+BrickGrid vtkHapticGridOf(const BrickGrid& lattice, const vtkHapticFieldWindow& window)
+{
+  BrickGrid grid = lattice;
+  grid.size = window.Size;
+  grid.pose_W.p = lattice.toWorld({ 1.0 * window.First[0], 1.0 * window.First[1], 1.0 * window.First[2] });
+  return grid;
+}
+
 std::array<double, 6> vtkHapticBoundsOf(const BrickGrid& lattice)
 {
   Eigen::AlignedBox3d box;
@@ -163,9 +172,7 @@ palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapti
   {
     return { nullptr, centre_W, reach_u, "" }; // the hand is outside of the data
   }
-  BrickGrid grid = lattice;
-  grid.size = window->Size;
-  grid.pose_W.p = lattice.toWorld(Vec3(window->First[0], window->First[1], window->First[2]));
+  const BrickGrid grid = vtkHapticGridOf(lattice, *window);
   std::vector<palpate::BrickArray> values;
   for (const vtkHapticFieldPart& part : parts)
   {

@@ -35,6 +35,9 @@ struct vtkHapticFieldPart
 };
 using vtkHapticFieldReading = std::function<std::vector<float>(const vtkHapticFieldPart&, const vtkHapticFieldWindow&)>;
 
+/// The points of a window by themselves.
+palpate::BrickGrid vtkHapticGridOf(const palpate::BrickGrid& lattice, const vtkHapticFieldWindow& window);
+
 /// The box around a lattice.
 std::array<double, 6> vtkHapticBoundsOf(const palpate::BrickGrid& lattice);
 

@@ -17,6 +17,7 @@
 #include "vtkDataSet.h"
 #include "vtkHapticFieldWindow.h"
 #include "vtkHapticImageField.h"
+#include "vtkHapticTetraField.h"
 #include "vtkImageData.h"
 #include "vtkLinearKernel.h"
 #include "vtkNew.h"
@@ -217,5 +218,9 @@ vtkHapticFieldResult vtkHapticResampled(vtkDataObject* data, const vtkHapticFiel
   const auto kept = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
   kept->ShallowCopy(data);
   const palpate::BrickGrid lattice = LatticeOver(extent.Bounds, cloud ? extent.Points : extent.Solid);
+  if (vtkHapticIsTetraField(kept, arrays) && !cloud)
+  {
+    return { std::make_shared<vtkHapticTetraField>(vtkUnstructuredGrid::SafeDownCast(kept), arrays, lattice), "" };
+  }
   return { std::make_shared<ResampledField>(kept, arrays, lattice, cloud), "" };
 }

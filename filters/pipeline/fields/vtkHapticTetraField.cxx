@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticTetraField.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "vtkCellArray.h"
+#include "vtkCellTypes.h"
+#include "vtkDataArray.h"
+#include "vtkHapticImageField.h"
+#include "vtkPointData.h"
+
+using palpate::Vec3;
+
+namespace
+{
+bool FillsSpace(unsigned char type)
+{
+  return vtkCellTypes::GetDimension(type) == 3;
+}
+} // namespace
+
+bool vtkHapticIsTetraField(vtkDataObject* data, const vtkHapticFieldArrays& arrays)
+{
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (!grid || grid->GetCellGhostArray())
+  {
+    return false;
+  }
+  for (const vtkHapticFieldPart& part : vtkHapticFieldParts(arrays))
+  {
+    if (!grid->GetPointData()->GetArray(part.Name.c_str()))
+    {
+      return false;
+    }
+  }
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    const auto type = static_cast<unsigned char>(grid->GetCellType(i));
+    if (FillsSpace(type) && type != VTK_TETRA)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+vtkHapticTetraField::vtkHapticTetraField(
+  vtkSmartPointer<vtkUnstructuredGrid> data, vtkHapticFieldArrays arrays, const palpate::BrickGrid& lattice)
+  : Data(std::move(data)), Arrays(std::move(arrays)), Lattice(lattice)
+{
+}
+
+vtkHapticTetraField::Mesh vtkHapticTetraField::MakeMesh() const
+{
+  Mesh mesh;
+  mesh.Points_W.resize(static_cast<std::size_t>(this->Data->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < mesh.Points_W.size(); ++i)
+  {
+    this->Data->GetPoint(static_cast<vtkIdType>(i), mesh.Points_W[i].data());
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < this->Data->GetNumberOfCells(); ++i)
+  {
+    if (this->Data->GetCellType(i) == VTK_TETRA)
+    {
+      this->Data->GetCellPoints(i, corners);
+      palpate::Tetrahedron tetrahedron;
+      std::transform(corners->begin(), corners->end(), tetrahedron.begin(),
+        [](vtkIdType id) { return static_cast<std::uint32_t>(id); });
+      mesh.Tetrahedra.push_back(tetrahedron);
+    }
+  }
+  mesh.Bins = std::make_unique<palpate::TetraBins>(mesh.Points_W, mesh.Tetrahedra);
+  for (const vtkHapticFieldPart& part : vtkHapticFieldParts(this->Arrays))
+  {
+    mesh.Values[part.Role] = this->ValuesOf(part);
+  }
+  return mesh;
+}
+
+std::vector<float> vtkHapticTetraField::ValuesOf(const vtkHapticFieldPart& part) const
+{
+  const int kept = palpate::componentsOf(part.Role);
+  vtkDataArray* const array = this->Data->GetPointData()->GetArray(part.Name.c_str());
+  const auto points = static_cast<std::size_t>(this->Data->GetNumberOfPoints());
+  std::vector<float> values(points * static_cast<std::size_t>(kept));
+  std::vector<double> tuple(static_cast<std::size_t>(array->GetNumberOfComponents()));
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    array->GetTuple(static_cast<vtkIdType>(i), tuple.data());
+    if (kept == 1)
+    {
+      values[i] = vtkHapticFieldScalar(tuple.data(), array->GetNumberOfComponents(), this->Arrays.Component);
+      continue;
+    }
+    std::copy_n(tuple.begin(), kept, values.begin() + static_cast<std::ptrdiff_t>(i) * kept);
+  }
+  return values;
+}
+
+palpate::MadeBrick vtkHapticTetraField::brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const
+{
+  if (!this->Made)
+  {
+    this->Made = std::make_unique<const Mesh>(this->MakeMesh());
+  }
+  const Mesh& mesh = *this->Made;
+  const auto read = [&](const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window)
+  {
+    const palpate::TetraField field{ mesh.Points_W, mesh.Tetrahedra, mesh.Values.at(part.Role),
+      palpate::componentsOf(part.Role) };
+    return palpate::rasterise(field, *mesh.Bins, vtkHapticGridOf(this->Lattice, window));
+  };
+  return vtkHapticBrickAround(this->Lattice, this->Arrays, read, centre_W, reach_u, revision);
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticTetraField_h
+#define vtkHapticTetraField_h
+
+#include <map>
+
+#include "haptics/field/build/Rasteriser.h"
+#include "vtkHapticFieldWindow.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+/// Whether all cells that fill space are tetrahedra of four points, and all arrays that are asked for are at points:
+/// then no probe is needed, which is hundreds of times slower.
+bool vtkHapticIsTetraField(vtkDataObject* data, const vtkHapticFieldArrays& arrays);
+
+/// A mesh of tetrahedra, scan-converted near the hand.
+class vtkHapticTetraField : public palpate::FieldSource
+{
+public:
+  vtkHapticTetraField(
+    vtkSmartPointer<vtkUnstructuredGrid> data, vtkHapticFieldArrays arrays, const palpate::BrickGrid& lattice);
+
+  std::array<double, 6> bounds() const override { return vtkHapticBoundsOf(this->Lattice); }
+  palpate::MadeBrick brickAround(const palpate::Vec3& centre_W, double reach_u, std::uint64_t revision) const override;
+
+private:
+  /// The mesh as the core takes it; made by the worker, with the first brick.
+  struct Mesh
+  {
+    std::vector<palpate::Vec3> Points_W;
+    std::vector<palpate::Tetrahedron> Tetrahedra;
+    std::unique_ptr<palpate::TetraBins> Bins;
+    std::map<palpate::BrickRole, std::vector<float>> Values;
+  };
+  Mesh MakeMesh() const;
+  std::vector<float> ValuesOf(const vtkHapticFieldPart& part) const;
+
+  vtkSmartPointer<vtkUnstructuredGrid> Data;
+  vtkHapticFieldArrays Arrays;
+  palpate::BrickGrid Lattice;
+  mutable std::unique_ptr<const Mesh> Made; ///< asked for by one thread at a time
+};
+
+#endif
