@@ -18,7 +18,8 @@ bool vtkHapticSession::AddField(const char* name, vtkDataObject* data)
   Internals& impl = *this->Impl;
   impl.FieldName = data && name ? name : "";
   impl.FieldData = data;
-  const vtkHapticFieldResult made = data ? vtkHapticToField(data, impl.FieldArrays) : vtkHapticFieldResult();
+  const vtkHapticFieldResult made =
+    data && impl.FieldArrays.Any() ? vtkHapticToField(data, impl.FieldArrays) : vtkHapticFieldResult();
   impl.FieldProblem = made.Problem.empty() ? "" : impl.FieldName + ": " + made.Problem;
   impl.FeltField.setSource(made.Source);
   this->Refuse(impl.FieldProblem);
@@ -155,7 +156,7 @@ const char* vtkHapticSession::GetFieldSentence() const
   Internals& impl = *this->Impl;
   impl.FieldSentence = impl.FieldProblem;
   const palpate::MadeBrick& made = impl.FeltField.made();
-  if (impl.FieldProblem.empty() && impl.FieldData)
+  if (impl.FeltField.hasSource())
   {
     impl.FieldSentence = palpate::fieldSentence(impl.FieldName, made, impl.Asked.asked().map.scale_u_per_m, ahead_s);
   }

@@ -75,7 +75,7 @@ std::string RefuseArray(const std::vector<vtkDataSet*>& parts, const std::string
 
 std::string RefuseArrays(const std::vector<vtkDataSet*>& parts, const vtkHapticFieldArrays& arrays)
 {
-  if (arrays.Scalar.empty() && arrays.Vector.empty() && arrays.Resistance.empty())
+  if (!arrays.Any())
   {
     return "no array of it is chosen; choose one to feel";
   }

@@ -23,6 +23,8 @@ struct vtkHapticFieldArrays
   int Smoothing =
     0; ///< passes over the scalar; each averages a point with its neighbours, half and half along each axis
 
+  /// Whether there is anything to feel.
+  bool Any() const { return !this->Scalar.empty() || !this->Vector.empty() || !this->Resistance.empty(); }
   friend bool operator==(const vtkHapticFieldArrays&, const vtkHapticFieldArrays&) = default;
 };
 

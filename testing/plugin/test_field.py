@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sources that a view shows, felt as fields whatever of them is drawn. The truth is ParaView's own probe."""
+
+import sys
+import unittest
+
+from paraview import servermanager, simple
+
+from haptic_proxies import put
+from view_fixture import ViewTest
+
+
+class FieldInAView(ViewTest):
+    def show_wavelet(self, representation):
+        wavelet = simple.Wavelet()
+        display = self.show(wavelet)
+        simple.ColorBy(display, ("POINTS", "RTData"))
+        display.SetRepresentationType(representation)
+        simple.Render(self.view)
+        return wavelet
+
+    def feel(self, **settings):
+        for name, value in settings.items():
+            put(self.proxy, name, value)
+        self.follow()
+        return self.session.FinishField()
+
+    def probe(self, source, point):
+        located = simple.ProbeLocation(Input=source, ProbeType="Fixed Radius Point Source")
+        located.ProbeType.Center = point
+        return servermanager.Fetch(located).GetPointData().GetArray("RTData").GetValue(0)
+
+    def test_a_volume_says_that_it_can_be_felt_as_a_field_and_then_is(self):
+        self.show_wavelet("Volume")
+        self.follow()
+        self.assertIn("to feel it as a field", self.scene.GetReport())
+        self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1, FieldIsovalue=150.0))
+        self.assertIn("Feeling Wavelet1: RTData on 21 x 21 x 21 points, 1 u apart", self.scene.GetReport())
+        self.assertNotIn("no surface", self.scene.GetReport())
+
+    def test_the_value_at_the_hand_is_what_paraview_probes_there(self):
+        wavelet = self.show_wavelet("Outline")
+        self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1, FieldIsovalue=1e6))
+        for point in ((0.25, 3.5, -6.125), (-9.5, 9.75, 0.0)):
+            self.session.SetHandPosition(*point)
+            put(self.proxy, "Touching", 1)
+            self.session.Step(10)
+            self.assertAlmostEqual(self.session.GetFieldValue(), self.probe(wavelet, point), delta=1e-3)
+            put(self.proxy, "Touching", 0)
+
+    def test_another_array_and_a_changed_source_are_noticed(self):
+        wavelet = self.show_wavelet("Outline")
+        self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1))
+        self.assertFalse(self.scene.Update(), "nothing of a surface changed")
+        wavelet.WholeExtent = [-5, 5, -5, 5, -5, 5]
+        simple.Render(self.view)
+        self.follow()
+        self.session.FinishField()
+        self.assertIn("11 x 11 x 11", self.session.GetFieldSentence())
+        put(self.proxy, "FieldArray", "")
+        self.follow()
+        self.assertFalse(self.session.FinishField())
+
+    def test_a_hidden_source_is_not_felt(self):
+        wavelet = self.show_wavelet("Outline")
+        self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1))
+        simple.Hide(wavelet, self.view)
+        simple.Render(self.view)
+        self.follow()
+        self.assertFalse(self.session.FinishField())
+
+
+if __name__ == "__main__":
+    # A SystemExit would skip pvpython's own ending, which closes views before the display.
+    if not unittest.main(exit=False).result.wasSuccessful():
+        sys.exit(1)
