@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "haptics/contact/view/ContactPlan.h"
 #include "haptics/field/laws/Detent.h"
 
 namespace palpate
@@ -11,7 +12,8 @@ struct FieldPlan
 {
   bool isosurface = false; ///< the surface scalar = isovalue is a wall from both sides
   double isovalue = 0.0;
-  double yield_N = 0.0; ///< above 0: the surface is a membrane that gives way at this force
+  FrictionPlan friction; ///< of that surface: the tick's own, that of all contact
+  double yield_N = 0.0;  ///< above 0: the surface is a membrane that gives way at this force
 
   double follow_N = 0.0;    ///< holds the hand on the streamline that it is on
   double drag_N = 0.0;      ///< resists every motion, times the resistance at the hand

@@ -113,6 +113,7 @@ private:
   {
     IsoPlan plan;
     plan.level = this->plan_.isovalue;
+    plan.friction = this->plan_.friction;
     plan.scrub_u = scrub_N / this->k_;
     plan.yield_u = this->plan_.yield_N > 0.0 ? this->plan_.yield_N / this->k_ : plan.yield_u;
     this->addIso(plan, this->state_.surface);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "haptics/field/iso/FieldSweep.h"
+#include "haptics/field/iso/IsoFriction.h"
 #include "haptics/field/iso/IsoRows.h"
 #include "haptics/field/iso/LevelMove.h"
 #include "haptics/field/iso/TangentStep.h"
@@ -44,8 +45,6 @@ public:
       more = this->pass();
     }
     this->result_.capped = more && !this->result_.released;
-    this->result_.pull_u = this->toUnits(this->state_.x.from(this->device_));
-    this->result_.contacts = this->state_.count;
     return this->result_;
   }
   /// True if the way was cut before the proxy was where it belongs.
@@ -60,7 +59,7 @@ private:
     const IsoView view{ this->set_, this->h_u_, this->state_.x, this->toUnits(this->device_.from(this->state_.x)),
       this->newestHit_ };
     IsoRows rows = rowsAt(view, { this->state_.cells.data(), static_cast<std::size_t>(this->state_.count) });
-    const double slack_u = 1e-15 * (view.q_u.norm() + this->least_u_);
+    const double slack_u = slackOf(view);
     const ProjectionResult y_u = projectOntoRows(rows, view.q_u, {}, slack_u);
     if (y_u.count == 0)
     {
@@ -347,10 +346,19 @@ IsoResult moveIsoProxy(const BrickComponent& field, const Vec3& spacing_u, const
     state = IsoState{};
     return result;
   }
+  const Vec3 q_u = hand.from(state.x).cwiseProduct(spacing_u);
+  const LevelSet set{ field, state.level, state.side };
+  const IsoFriction friction = judgeIsoFriction(set, spacing_u, plan.friction, q_u, state);
   const bool limited = state.catchingUp && plan.scrub_u > 0.0;
-  IsoMove move(field, spacing_u, plan, hand, state, sink);
-  result = move.run(limited ? way_u + plan.scrub_u : std::numeric_limits<double>::infinity());
-  state.catchingUp = limited && (move.cut() || state.level != plan.level);
+  if (!friction.sticks)
+  {
+    const GridPlace drawn = state.slips ? GridPlace::at(device + friction.shift_u.cwiseQuotient(spacing_u)) : hand;
+    IsoMove move(field, spacing_u, plan, drawn, state, sink);
+    result = move.run(limited ? way_u + plan.scrub_u : std::numeric_limits<double>::infinity());
+    state.catchingUp = limited && (move.cut() || state.level != plan.level);
+  }
+  result.pull_u = state.x.from(hand).cwiseProduct(spacing_u);
+  result.contacts = state.count;
   if (result.released)
   {
     result.pull_u = Vec3::Zero();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "haptics/contact/view/ContactPlan.h"
 #include "haptics/field/Brick.h"
 
 namespace palpate
@@ -15,7 +16,8 @@ struct IsoPlan
 {
   double level = 0.0;
   double yield_u = std::numeric_limits<double>::infinity(); ///< further than this the surface does not hold the hand
-  double scrub_u = 0.0;       ///< how far the felt surface may move in a tick while `level` changes; 0: at once
+  double scrub_u = 0.0; ///< how far the felt surface may move in a tick while `level` changes; 0: at once
+  FrictionPlan friction;
   std::uint32_t passCap = 10; ///< what is left is done in the next tick: a capped proxy stands on its own side
 };
 
@@ -29,6 +31,7 @@ struct IsoState
   GridPlace device;                         ///< the hand of the last tick
   double side = 1.0;                        ///< of f - level on which the hand is
   double level = 0.0;                       ///< that is felt; it follows the plan's
+  bool slips = false;                       ///< it slid in the last tick: friction is the kinetic one
   bool catchingUp = false;                  ///< the proxy is not back at the surface after the level moved
   std::uint32_t stuck = 0;                  ///< ticks in which the level could not move
   std::array<GridIndex, mostCells> cells{}; ///< whose polynomials hold the proxy, the newest last

@@ -50,6 +50,12 @@ struct IsoView
   bool newestHit = false; ///< the newest cell was met just now: it is kept whatever its polynomial says
 };
 
+/// How far a plane may be violated by rounding [u].
+[[nodiscard]] inline double slackOf(const IsoView& view) noexcept
+{
+  return 1e-15 * (view.q_u.norm() + view.spacing_u.minCoeff());
+}
+
 /// The planes of the cells at x. One is dropped where x is legal and the extended polynomial denies it, which is a
 /// ridge, where its patch is half a cell away, or its cell is.
 [[nodiscard]] IsoRows rowsAt(const IsoView& view, std::span<const GridIndex> cells) noexcept;

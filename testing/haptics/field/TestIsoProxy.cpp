@@ -273,6 +273,50 @@ TEST(IsoProxy, OfAMembraneHoldsItsLimitToRoundingAndThenLetsTheHandThrough)
   EXPECT_NEAR(hand.to({ 15, 15, 16.0 }).pull_u.z(), -0.5, 1e-12) << "and it is on the other side";
 }
 
+TEST(IsoProxy, UnderFrictionHoldsByTheStaticConeAndTrailsByTheKineticOne)
+{
+  IsoPlan plan = at(15.25);
+  plan.friction = { 0.5, 0.3 };
+  IsoHand hand(test::scalarBrick(32, [](const Vec3& i) { return i.z(); }), plan);
+  hand.to({ 8, 15, 16.0 });
+  const double depth = 2.0;
+  hand.to({ 8, 15, 15.25 - depth });
+  double before = 0.0;
+  for (double away = 0.01; away < 10.0; away += 0.013)
+  {
+    const IsoResult result = hand.to({ 8 + away, 15, 15.25 - depth });
+    EXPECT_NEAR(result.pull_u.z(), depth, 1e-9);
+    EXPECT_NEAR(-result.pull_u.x(), away <= 0.5 * depth ? away : 0.3 * depth, 1e-9) << away;
+    EXPECT_GE(hand.x().x(), before - 1e-12);
+    before = hand.x().x();
+  }
+  EXPECT_EQ(hand.oracle.crossed + hand.oracle.wrongEnds, 0U);
+}
+
+TEST(IsoProxy, UnderFrictionOnlyTakesEnergyOverClosedWays)
+{
+  IsoPlan plan = at(10.0);
+  plan.friction = { 0.4, 0.2 };
+  const Vec3 centre(15.3, 15.1, 15.8);
+  IsoHand hand(test::scalarBrick(32, [&](const Vec3& i) { return (i - centre).norm(); }), plan);
+  Vec3 p = centre + Vec3(11, 0, 0), pull = Vec3::Zero();
+  hand.unwatched(p);
+  double gain = 0.0;
+  for (int i = 0; i <= 4000; ++i)
+  {
+    const double turn = 2.0 * std::numbers::pi * i / 4000,
+                 depth = std::min({ i / 200.0, (4000 - i) / 200.0, 2.0 }) - 1.0;
+    const Vec3 next = centre + (10.0 - depth) * Vec3(std::cos(turn), std::sin(turn), 0);
+    const Vec3 now = hand.unwatched(next).pull_u;
+    gain += 0.5 * (pull + now).dot(next - p);
+    pull = now;
+    p = next;
+  }
+  // The kinetic force, 0.2 of a millimetre, along most of the way that the hand makes a millimetre deep.
+  EXPECT_LT(gain, -0.8 * 0.2 * 2.0 * std::numbers::pi * 9.0);
+  EXPECT_GT(gain, -1.2 * 0.2 * 2.0 * std::numbers::pi * 9.0);
+}
+
 TEST(IsoProxy, GivesNoEnergyOverClosedWays)
 {
   // A circle under the surface of a ball, entered and left outside: the hand's work under the held force of each tick,

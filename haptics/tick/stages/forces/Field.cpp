@@ -35,7 +35,9 @@ FieldResult move(const TickContext& tick) noexcept
   {
     const double stiffness_N_per_u = tick.out.state.stiffness_N_per_m / map.scale_u_per_m;
     const bool letGo = felt.letGo;
-    felt = moveFieldProxy(*tick.input.brick, tick.p.field, stiffness_N_per_u, tick.out.state.device_W.p, s.field);
+    FieldPlan plan = tick.p.field;
+    plan.friction = tick.p.contact.friction;
+    felt = moveFieldProxy(*tick.input.brick, plan, stiffness_N_per_u, tick.out.state.device_W.p, s.field);
     felt.letGo = felt.letGo || letGo;
   }
   return felt;
