@@ -251,7 +251,7 @@ void vtkHapticSession::Update()
     this->Impl->Scene.takeSimpler();
   }
   this->Impl->ShowState();
-  this->Impl->FollowField(false);
+  this->TakeField(false);
   this->Impl->FollowRadius();
   if (this->Impl->Scene.rests())
   {

@@ -360,6 +360,7 @@ private:
   void Change(const char* setting, std::initializer_list<double> values,
     const std::function<void(palpate::HapticParameters&)>& change);
   /// The same for arrays and ranges.
+  void TakeField(bool wait);
   void ChangeField(const char* setting, std::initializer_list<double> values,
     const std::function<void(vtkHapticFieldArrays&)>& change);
   void ChangeMaterial(const char* setting, std::initializer_list<double> values,

@@ -46,6 +46,7 @@ public:
   std::string FieldName;
   vtkSmartPointer<vtkDataObject> FieldData;
   palpate::FeltField FeltField;
+  bool FieldIsNew = false;  ///< no brick has come of it yet
   std::string FieldProblem; ///< why the data that was added is not felt
   std::string FieldSentence;
   double FieldGradient[3] = { 0.0, 0.0, 0.0 };
@@ -172,8 +173,8 @@ public:
   void FollowPlane();
   /// "; ..." about a plane world, or "".
   std::string PlaneSentence() const;
-  /// The servo gets what is around the hand, once a worker has it.
-  void FollowField(bool wait);
+  /// The servo gets what is around the hand, once a worker has it. True with the first brick of other data.
+  bool FollowField(bool wait);
   /// What the hand is in; nothing outside.
   std::optional<palpate::FieldSample> FieldAtHand() const;
   void ShowState();

@@ -182,4 +182,52 @@ TEST_F(HapticSessionField, ThatIsTakenAwayWhileItPressesFadesWithin30Millisecond
   EXPECT_LT(last_N, 1e-9);
   EXPECT_LE(largestStep_N, 2.0 * before_N / 30.0);
 }
+
+TEST_F(HapticSessionField, AnExtremumPullsTheHandWithTheStrengthOfItsSnap)
+{
+  // The distance is least at the origin, which is a point of the grid.
+  constexpr double strength_N = 0.3;
+  this->session_->SetFieldArray("distance");
+  this->session_->SetFieldSnap(strength_N);
+  this->session_->SetFieldSnapReach(8.0);
+  ASSERT_TRUE(this->session_->AddField("ball", distances(41, 1.0)));
+  ASSERT_TRUE(this->session_->FinishField());
+  this->start(Vec3(12.0, 0.0, 0.0));
+  EXPECT_EQ(this->force().norm(), 0.0);
+  this->go(Vec3(12.0, 0.0, 0.0), Vec3(5.0, 0.0, 0.0));
+  EXPECT_LT(this->force().x(), 0.0);
+  EXPECT_LE(this->force().norm(), strength_N * (1.0 + 1e-9));
+}
+
+TEST_F(HapticSessionField, ADetentIsAsStrongAsItSaysWhereValuesChangeAsTheyUsuallyDo)
+{
+  // The same levels in other units: values a hundred times as large, levels a hundred times as far apart.
+  std::array<double, 2> peak_N{};
+  for (int unit = 0; unit < 2; ++unit)
+  {
+    const double factor = unit == 0 ? 1.0 : 100.0;
+    const auto image = distances(41, 1.0);
+    auto* const values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      values->SetValue(i, static_cast<float>(factor * image->GetPoint(i)[0]));
+    }
+    this->session_->SetFieldArray("distance");
+    this->session_->SetFieldDetent(0.2);
+    this->session_->SetFieldDetentSpacing(5.0 * factor);
+    ASSERT_TRUE(this->session_->AddField("slope", image));
+    ASSERT_TRUE(this->session_->FinishField());
+    this->start(Vec3(0.0, 0.0, 0.0));
+    for (int i = 0; i <= 500; ++i)
+    {
+      this->at(Vec3(0.01 * i, 0.0, 0.0));
+      this->session_->Step(1);
+      peak_N[unit] = std::max(peak_N[unit], this->force().norm());
+    }
+    this->session_->TouchingOff();
+  }
+  EXPECT_GT(peak_N[0], 0.1);
+  EXPECT_LE(peak_N[0], 0.2 * (1.0 + 1e-6));
+  EXPECT_NEAR(peak_N[0], peak_N[1], 1e-3 * peak_N[0]);
+}
 } // namespace

@@ -89,7 +89,7 @@ class Edits:
         self.proxy().UpdateVTKObjects()
 
     def engage(self):
-        """Touches from a free place, so that the hand is outside of everything from the start."""
+        """Touches, anew where it did, from a free place, so that the hand is outside of everything from the start."""
         if not self.touching:
             return
         if self.session().GetTouching():
@@ -239,8 +239,8 @@ class Edits:
             raise AssertionError(f"after {self.done[-8:]}: {force} N")
 
     def free(self):
-        if self.touching:
-            self.session().SetHandPosition(*FREE)
+        """Lets go and begins anew far out: a hand that goes there through a body stays held by it, as it should."""
+        self.engage()
 
     def check_free(self):
         if self.touching:

@@ -2,7 +2,9 @@
 // Numbers in space around the hand: which, and what is there.
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "haptics/field/UsualGradient.h"
 #include "vtkHapticSessionInternals.h"
 
 namespace
@@ -22,14 +24,27 @@ bool vtkHapticSession::AddField(const char* name, vtkDataObject* data)
     data && impl.FieldArrays.Any() ? vtkHapticToField(data, impl.FieldArrays) : vtkHapticFieldResult();
   impl.FieldProblem = made.Problem.empty() ? "" : impl.FieldName + ": " + made.Problem;
   impl.FeltField.setSource(made.Source);
+  impl.FieldIsNew = made.Source != nullptr;
   this->Refuse(impl.FieldProblem);
   impl.Follow("field", impl.FieldProblem);
   return impl.FieldProblem.empty();
 }
 
+/// What a detent's strength is said for is a matter of the data: it is looked up once, so that no brick changes the
+/// feel.
+void vtkHapticSession::TakeField(bool wait)
+{
+  if (this->Impl->FollowField(wait))
+  {
+    const double slope_per_u = palpate::usualGradient(*this->Impl->Core.brick());
+    this->Change([=](palpate::HapticParameters& p)
+      { p.field.detent.slope_per_u = slope_per_u > 0.0 ? slope_per_u : p.field.detent.slope_per_u; });
+  }
+}
+
 bool vtkHapticSession::FinishField()
 {
-  this->Impl->FollowField(true);
+  this->TakeField(true);
   return this->Impl->Core.brick() != nullptr;
 }
 
@@ -38,15 +53,17 @@ const char* vtkHapticSession::GetFieldName() const
   return this->Impl->FieldName.c_str();
 }
 
-void vtkHapticSession::Internals::FollowField(bool wait)
+bool vtkHapticSession::Internals::FollowField(bool wait)
 {
   const palpate::Vec3 hand_W =
     this->Core.running() ? this->Core.state().device_W.p : this->Hand_W.value_or(palpate::Vec3::Zero());
   const double reach_u = fastest_m_per_s * ahead_s * this->Asked.asked().map.scale_u_per_m;
-  if (const auto brick = this->FeltField.follow(hand_W, reach_u, wait))
+  const auto brick = this->FeltField.follow(hand_W, reach_u, wait);
+  if (brick)
   {
     this->Core.setBrick(*brick);
   }
+  return brick && *brick && std::exchange(this->FieldIsNew, false);
 }
 
 /// What the arrays are that are felt changed: what was added is felt so.

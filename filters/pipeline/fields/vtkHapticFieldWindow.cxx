@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/field/Extrema.h"
 #include "haptics/field/Smoothing.h"
 
 using palpate::BrickGrid;
@@ -182,6 +183,15 @@ palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapti
   {
     return { nullptr, centre_W, reach_u, std::move(problem) };
   }
-  return { std::make_shared<const palpate::Brick>(revision, grid, std::move(values)), centre_W,
-    RoomIn(*window, lattice, centre_W), "" };
+  auto brick = std::make_shared<const palpate::Brick>(revision, grid, std::move(values));
+  std::vector<Vec3> extrema_W;
+  for (const palpate::Extremum& extremum : palpate::findExtrema(*brick, palpate::Brick::mostPlaces))
+  {
+    extrema_W.push_back(extremum.p_W);
+  }
+  if (!extrema_W.empty())
+  {
+    brick = std::make_shared<const palpate::Brick>(revision, grid, brick->arrays(), std::move(extrema_W));
+  }
+  return { std::move(brick), centre_W, RoomIn(*window, lattice, centre_W), "" };
 }

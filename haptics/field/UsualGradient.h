@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/field/Brick.h"
+
+namespace palpate
+{
+
+/// The root of the mean square of the scalar's gradient over the cells of a brick that have one [1/u], looked at in the
+/// middle of some thousand of them; 0 where none has. What a detent's strength is said for.
+[[nodiscard]] double usualGradient(const Brick& brick);
+
+} // namespace palpate
