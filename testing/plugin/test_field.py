@@ -35,6 +35,7 @@ class FieldInAView(ViewTest):
         self.follow()
         self.assertIn("to feel it as a field", self.scene.GetReport())
         self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1, FieldIsovalue=150.0))
+        self.scene.Update()
         self.assertIn("Feeling Wavelet1: RTData on 21 x 21 x 21 points, 1 u apart", self.scene.GetReport())
         self.assertNotIn("no surface", self.scene.GetReport())
 

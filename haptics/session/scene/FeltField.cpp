@@ -82,6 +82,10 @@ std::optional<std::shared_ptr<const Brick>> FeltField::follow(const Vec3& hand_W
 
 std::string fieldSentence(const std::string& name, const MadeBrick& made, double scale_u_per_m, double ahead_s)
 {
+  if (!made.brick && made.reach_u == 0.0)
+  {
+    return name + ": its values around the hand are on their way";
+  }
   if (!made.brick)
   {
     return name + ": " + (made.problem.empty() ? "the hand is outside of its values" : made.problem);
