@@ -154,8 +154,7 @@ std::string WhyNoSurface(vtkObject* active)
                   active->IsA("vtkUnstructuredGridVolumeRepresentation")))
   {
     return "a volume has no surface; choose its values in the panel (Advanced, Field) to feel it as a field, or apply "
-           "the "
-           "Contour filter and show its result";
+           "the Contour filter and show its result";
   }
   return "it is not drawn as a surface; choose the representation Surface";
 }

@@ -114,7 +114,9 @@ class TouchInAView(ViewTest):
         return self.scene.GetReport()
 
     def test_a_volume_is_refused_with_what_to_do(self):
-        self.assertIn("a volume has no surface; apply the Contour filter", self.refusal("Volume"))
+        said = self.refusal("Volume")
+        self.assertIn("a volume has no surface; choose its values in the panel (Advanced, Field)", said)
+        self.assertIn("or apply the Contour filter", said)
 
     def test_an_outline_is_refused_with_what_to_do(self):
         self.assertIn("only its outline or edges are drawn; choose the representation Surface", self.refusal("Outline"))

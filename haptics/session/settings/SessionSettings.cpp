@@ -157,7 +157,7 @@ const Setting settings[] = {
     "Heights at the ends of the data range: the highest place is the surface itself, lower ones are hollows; their "
     "mean under a hand too fast for them",
     { 0.0, 1.0 }),
-  text("FieldArray", "&Values",
+  text("FieldArray", "V&alues",
     "Array of numbers in space, of what is shown, that is felt: isosurface, detents; empty: none", NextScene),
   count("FieldComponent", "", "Component", ofComponent, -1, -1, none, NextScene),
   text("FieldVectors", "Directions", "Array of directions in space: follow, push; empty: none", NextScene),
