@@ -81,6 +81,19 @@ TEST_F(HapticDeviceChoice, WhatOnlyAProgramCanLeadIsListedOnceAProgramHasChosenI
   EXPECT_GE(this->choice_->findText("replay"), 0);
 }
 
+TEST_F(HapticDeviceChoice, WhatAProgramChoosesIsShownWithoutTheListBeingOpened)
+{
+  int heard = 0;
+  QObject::connect(this->choice_.get(), &QComboBox::currentTextChanged, [&] { ++heard; });
+  for (const char* name : { "fed", "simulated-generic", "mouse" })
+  {
+    this->session_->SetDeviceName(name);
+    this->choice_->follow();
+    EXPECT_EQ(this->choice_->currentText(), name);
+  }
+  EXPECT_EQ(heard, 0);
+}
+
 TEST_F(HapticDeviceChoice, WhatIsPluggedInAndPushesIsMeantElseTheMouse)
 {
   EXPECT_STREQ(this->session_->GetPreferredDevice(), "mouse");

@@ -171,6 +171,7 @@ void pqHapticMainGroup::followStrips(vtkHapticSession* session)
 void pqHapticMainGroup::refresh(vtkHapticSession* session)
 {
   auto* controller = pqHapticController::instance();
+  this->Device->follow();
   this->Status->setText(this->statusOf(session));
   this->Release->setEnabled(controller->touching());
   this->Recording->setVisible(this->Device->currentText() == "replay");

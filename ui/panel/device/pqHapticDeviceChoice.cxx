@@ -28,6 +28,14 @@ void pqHapticDeviceChoice::showPopup()
   this->Superclass::showPopup();
 }
 
+void pqHapticDeviceChoice::follow()
+{
+  if (this->Session && this->currentText() != QString::fromUtf8(this->Session->GetDeviceName()))
+  {
+    this->list();
+  }
+}
+
 /// Nobody hears of it: what is chosen stays chosen, there or not.
 void pqHapticDeviceChoice::list()
 {

@@ -21,6 +21,8 @@ public:
   /// Whose devices these are; null: none.
   void setSession(vtkHapticSession* session);
   void showPopup() override;
+  /// Shows what the session has chosen, also where that is nothing a person could choose.
+  void follow();
 
 private:
   void list();
