@@ -23,22 +23,13 @@
   vtkHapticFieldRotationMacro(Rotation); \
   vtkHapticFieldVectorMacro(Offset); \
   vtkHapticSwitchMacro(FitOnTouch); \
+  vtkHapticSettingMacro(ViewAlignment, int); \
+  vtkHapticSettingMacro(PrecisionFactor, double); \
+  vtkHapticSettingMacro(PrecisionButton, int); \
+  vtkHapticSettingMacro(ClutchButton, int); \
+  vtkHapticSwitchMacro(ShowWorkspace); \
   vtkHapticFieldSwitchMacro(ForceShading); \
   vtkHapticFieldVectorMacro(ConstantForce); \
-  vtkHapticFieldSwitchMacro(FieldIsosurface); \
-  vtkHapticFieldMacro(FieldIsovalue, double); \
-  vtkHapticFieldMacro(FieldYield, double); \
-  vtkHapticFieldMacro(FieldFollow, double); \
-  vtkHapticFieldMacro(FieldDrag, double); \
-  vtkHapticFieldMacro(FieldDetent, double); \
-  vtkHapticFieldMacro(FieldDetentSpacing, double); \
-  vtkHapticFieldMacro(FieldDetentOrigin, double); \
-  vtkHapticFieldSwitchMacro(FieldDetentClick); \
-  vtkHapticFieldMacro(FieldSnap, double); \
-  vtkHapticFieldMacro(FieldSnapReach, double); \
-  vtkHapticFieldMacro(FieldCompare, double); \
-  vtkHapticFieldMacro(FieldCompareFull, double); \
-  vtkHapticFieldMacro(FieldPush, double); \
   vtkHapticSettingMacro(FrictionStatic, double); \
   vtkHapticSettingMacro(FrictionKinetic, double); \
   vtkHapticSettingMacro(StiffnessArray, const char*); \
@@ -91,6 +82,9 @@
   vtkHapticSettingMacro(RecordFile, const char*); \
   vtkHapticSettingMacro(ReplayFile, const char*); \
   vtkHapticSwitchMacro(VirtualTime); \
+  vtkHapticSwitchMacro(Recording); \
+  vtkHapticSwitchMacro(Precision); \
+  vtkHapticSwitchMacro(Clutch); \
   vtkHapticSwitchMacro(Touching); \
   /* the end of the settings */
 #define vtkHapticTableReadoutsMacro() \
@@ -102,6 +96,8 @@
   vtkHapticReadoutMacro(StateText, const char*); \
   vtkHapticReadoutMacro(FaultText, const char*); \
   vtkHapticReadoutMacro(Warning, const char*); \
+  vtkHapticReadoutMacro(RecordingText, const char*); \
+  vtkHapticReadoutMacro(RecordedFile, const char*); \
   vtkHapticReadoutMacro(Problem, const char*); \
   vtkHapticNumbersMacro(ProxyPosition, 3); \
   vtkHapticNumbersMacro(Force, 3); \
