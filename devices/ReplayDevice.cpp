@@ -4,13 +4,12 @@
 #include <utility>
 #include <variant>
 
-#include "haptics/recording/Recording.h"
-
 namespace palpate
 {
 
-ReplayDevice::ReplayDevice(std::vector<DeviceSample> samples) : samples_(std::move(samples))
+ReplayDevice::ReplayDevice(std::vector<DeviceSample> samples)
 {
+  this->hand_.samples = std::move(samples);
   this->info_.name = "replay";
   this->info_.simulated = true;
   this->info_.rendersForce = false;
@@ -24,32 +23,25 @@ ReplayDevice::ReplayDevice(std::string recordingFile) : ReplayDevice(std::vector
 std::string ReplayDevice::open()
 {
   this->next_ = 0;
-  if (!this->file_.empty())
+  if (!this->file_.empty() && this->hand_.samples.empty())
   {
     const auto read = readRecording(this->file_);
     if (const auto* problem = std::get_if<std::string>(&read))
     {
       return *problem;
     }
-    this->samples_.clear();
-    for (const RecordedEntry& entry : std::get<Recording>(read).entries)
-    {
-      if (const auto* tick = std::get_if<TickRecord>(&entry); tick != nullptr && tick->status != DeviceStatus::Waiting)
-      {
-        this->samples_.push_back(tick->sample);
-      }
-    }
+    this->hand_ = recordedHand(std::get<Recording>(read));
   }
-  return this->samples_.empty() ? "the recording to replay has no samples: give one that has" : "";
+  return this->hand_.samples.empty() ? "the recording to replay has no samples: give one that has" : "";
 }
 
 DeviceStatus ReplayDevice::read(double tickTime_s, DeviceSample& sample) noexcept
 {
-  if (this->next_ == this->samples_.size())
+  if (this->next_ == this->hand_.samples.size())
   {
     return DeviceStatus::Ended;
   }
-  sample = this->samples_[this->next_++];
+  sample = this->hand_.samples[this->next_++];
   sample.time_s = tickTime_s;
   return DeviceStatus::Ok;
 }

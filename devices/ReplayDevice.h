@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "devices/RecordedHand.h"
 #include "haptics/core/HapticDevice.h"
 
 namespace palpate
@@ -14,19 +15,23 @@ class ReplayDevice final : public HapticDevice
 {
 public:
   explicit ReplayDevice(std::vector<DeviceSample> samples);
-  /// Reads the samples of a recording when it is opened.
+  /// Reads the recording when it is opened first.
   explicit ReplayDevice(std::string recordingFile);
 
   [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
+  /// Begins anew.
   [[nodiscard]] std::string open() override;
   void close() noexcept override {}
   [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override;
   void write(const DeviceCommand&) noexcept override {}
 
+  /// What is played, once it is open.
+  [[nodiscard]] const RecordedHand& hand() const noexcept { return this->hand_; }
+
 private:
   DeviceInfo info_;
   std::string file_;
-  std::vector<DeviceSample> samples_;
+  RecordedHand hand_;
   std::size_t next_ = 0;
 };
 

@@ -57,6 +57,13 @@ double DistanceOfProxy(vtkHapticSession& session)
   return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
 }
 
+/// Sine of half the angle by which the workspace is turned.
+double TurnOf(vtkHapticSession& session)
+{
+  const double* const q = session.GetRotation();
+  return std::sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+}
+
 pqPipelineSource* SourceOf(const QString& name)
 {
   return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(name);
@@ -68,6 +75,9 @@ std::function<double(vtkHapticSession&)> QuantityOf(const QString& name)
   using S = vtkHapticSession&;
   static const std::map<QString, std::function<double(S)>> quantities = {
     { "force", [](S s) { return s.GetForceMagnitude(); } },
+    { "recorded", [](S s) { return *s.GetRecordedFile() != '\0' ? 1.0 : 0.0; } },
+    { "turned", [](S s) { return TurnOf(s); } },
+    { "clutch", [](S s) { return s.GetClutch() ? 1.0 : 0.0; } },
     { "arrived", [](S s) { return PhaseIs(s, "arrived") || PhaseIs(s, "rests") ? 1.0 : 0.0; } },
     { "depth", [](S s) { return s.GetDepth(); } },
     { "contacts", [](S s) { return static_cast<double>(s.GetContacts()); } },

@@ -5,6 +5,7 @@
 #include "pqHapticController.h"
 #include "pqHapticLabyrinths.h"
 #include "pqHapticPanel.h"
+#include "pqHapticRecordings.h"
 
 #include <QAction>
 
@@ -38,6 +39,7 @@ pqHapticMenu::pqHapticMenu(QObject* parent) : Superclass(parent)
   this->addAction(controller->releaseAction());
   this->addAction(controller->markAction());
   this->addAction(controller->drawAction());
+  this->addAction(controller->recordings()->recordAction());
 
   QAction* panel = this->addAction(tr("Show &Panel"));
   panel->setObjectName("hapticPanelAction");

@@ -48,6 +48,7 @@ void vtkHapticSession::Internals::ShowState()
     this->Warning = this->Warning.empty() ? this->Around : this->Warning;
     this->Warning =
       this->Warning.empty() ? this->MissingArrays.substr(0, this->MissingArrays.find('\n')) : this->Warning;
+    this->Warning = this->Warning.empty() && this->Played ? this->PlayedSentence : this->Warning;
   }
   if (this->Core.running())
   {
@@ -174,6 +175,8 @@ void vtkHapticSession::Start()
   {
     impl.FeedTo(*fed, false); // before the first tick reads it
   }
+  this->AlignOnTouch(*made.device);
+  this->Play(*made.device);
   palpate::SafetyLimits safety = palpate::SafetyLimits::forDevice(made.device->info());
   safety.deadMan = impl.Asked.asked().safety.deadMan;
   impl.Asked.protect(safety);
@@ -185,13 +188,24 @@ void vtkHapticSession::Start()
   palpate::SessionOptions options;
   options.period_s = Internals::PeriodSeconds;
   options.virtualTime = impl.VirtualTime;
-  options.recordFile = impl.RecordFile;
+  options.recordFile = impl.Recording || !impl.RecordFile.empty() ? impl.NextRecording() : "";
   options.brokers = palpate::systemBrokers();
   this->Refuse(impl.Core.start(std::move(made.device), options));
+  if (impl.Played && impl.Played->ball_W) // a recording may begin in the middle of a press
+  {
+    this->Refuse(impl.Core.setParameters(impl.Core.parameters(), impl.Played->ball_W));
+  }
   impl.Around.clear();
   impl.Begun_s = impl.Now();
+  impl.RecordingBegun_s = impl.RecordedSeconds = 0.0;
+  if (impl.Recording != impl.Core.recording())
+  {
+    impl.Recording = impl.Core.recording();
+    this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
+  }
   if (!impl.Core.running())
   {
+    impl.Played.reset();
     impl.Running.reset();
     impl.FollowDevice();
   }
@@ -200,7 +214,10 @@ void vtkHapticSession::Start()
 void vtkHapticSession::Stop()
 {
   this->Impl->ShowState(); // the scheduling report ends with the servo
-  this->Refuse(this->Impl->Core.stop());
+  this->Impl->Core.stop();
+  this->FollowRecording();
+  this->Impl->Played.reset();
+  this->LetHandGo();
   this->Impl->Running.reset();
   this->Impl->FollowDevice();
 }
@@ -250,8 +267,10 @@ void vtkHapticSession::Update()
   {
     this->Impl->Scene.takeSimpler();
   }
+  this->Impl->FollowReplay();
   this->Impl->ShowState();
   this->TakeField(false);
+  this->FollowRecording();
   this->Impl->FollowRadius();
   if (this->Impl->Scene.rests())
   {
@@ -259,6 +278,7 @@ void vtkHapticSession::Update()
   }
   this->Impl->FollowCheck();
   this->FollowContact();
+  this->FollowHand();
 }
 
 // Parameters --------------------------------------------------------------------------------------------------------
@@ -313,7 +333,8 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
   {
     this->Impl->Withdraw(); // the old pose would be somewhere else in the new map, maybe inside a surface
   }
-  const std::string problem = this->Impl->Core.setParameters(told);
+  const std::optional<palpate::CameAround> into = otherMap ? this->Impl->PutInto(parameters.map) : std::nullopt;
+  const std::string problem = this->Impl->Core.setParameters(told, into ? std::optional(into->from_W) : std::nullopt);
   this->Refuse(problem);
   this->Impl->Follow("parameters", problem);
   if (!problem.empty())
@@ -324,6 +345,7 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
   this->Impl->Asked.taken(parameters, told);
   if (otherMap)
   {
+    this->Impl->StayOutside(into);
     this->InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
     this->Impl->Feed(true);
   }
@@ -338,28 +360,4 @@ void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters
   this->Impl->FollowPlane();
   this->Impl->Feed(); // the hand stays where it is in the scene when the map changes
   this->Modified();
-}
-
-// Files -------------------------------------------------------------------------------------------------------------
-
-void vtkHapticSession::SetRecordFile(const char* file)
-{
-  this->Impl->RecordFile = file ? file : "";
-  this->Modified();
-}
-
-const char* vtkHapticSession::GetRecordFile() const
-{
-  return this->Impl->RecordFile.c_str();
-}
-
-void vtkHapticSession::SetReplayFile(const char* file)
-{
-  this->Impl->ReplayFile = file ? file : "";
-  this->Modified();
-}
-
-const char* vtkHapticSession::GetReplayFile() const
-{
-  return this->Impl->ReplayFile.c_str();
 }

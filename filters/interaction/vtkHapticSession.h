@@ -30,12 +30,16 @@
 
 namespace palpate
 {
+struct BuiltScene;
+class HapticDevice;
 class HidBus;
+struct HandMapChange;
 struct HapticParameters;
 } // namespace palpate
 
 struct vtkHapticFieldArrays;
 struct vtkHapticMaterialSettings;
+class vtkCamera;
 class vtkHapticMarkRecords;
 class vtkDataObject;
 class vtkMatrix4x4;
@@ -66,6 +70,14 @@ public:
     BackwardDifference,
     LowPass,
     AdaptiveWindow
+  };
+
+  /// Order of the choices as SetViewAlignment() takes them.
+  enum ViewAlignments
+  {
+    AlignNever,
+    AlignWhenTouched,
+    AlignAlways
   };
 
   /** @name Settings
@@ -220,6 +232,22 @@ public:
   double GetGuideShare() const;
   ///@}
 
+  /// The same for the surfaces of some sources, by the names they were added under, a line each; an error names one
+  /// that is not touched.
+  void FitToSources(const char* names);
+
+  ///@{
+  /**
+   * The camera of the view that is looked at: whoever follows one says it before each Update(). AlignWithView() turns
+   * the workspace about the hand, such that right, up and towards of the device are those of the view; not for a hand
+   * that is said in the scene (devices "fed" and "mouse"), nor for a device that moves in a plane world.
+   */
+  void FollowCamera(vtkCamera* camera);
+  void AlignWithView();
+  ///@}
+  /// Corners of the box around the ball that the device reaches, of bits x, y, z, [u].
+  void GetWorkspaceCorners(double corners_W[24]) const;
+
   ///@{
   /// Where a program holds the hand (devices "fed" and "mouse"): a point in W [u]. Before the first there is no hand.
   void SetHandPosition(double x, double y, double z);
@@ -301,6 +329,10 @@ public:
   int TakeLabyrinthWish();
   ///@}
 
+  /// Gives the last recording (RecordedFile) that name, after Recording has gone off. What is recorded goes to
+  /// RecordFile, or without one to a temporary file until it is saved; an error leaves it there.
+  void SaveRecording(const char* file);
+
   ///@{
   /// Engage again after a fault; let go at once; a mark in the recording; n ticks of 1 ms of virtual time, in the
   /// calling thread, deterministic to the last bit.
@@ -345,10 +377,22 @@ private:
   void FollowContact();
   void Start();
   void Stop();
+  /// Takes over what has ended, and says what went wrong with it.
+  void FollowRecording();
+  /// A device that plays a recording moves the hand where it moved: the map of the recording.
+  void Play(palpate::HapticDevice& device);
+  /// The map does what clutch, precision and view ask for.
+  void FollowHand();
+  void AlignOnTouch(palpate::HapticDevice& device);
+  /// Touching has ended: nothing is held any more.
+  void LetHandGo();
+  /// The map that the session makes by itself.
+  void TakeMap(const palpate::HandMapChange& change);
   /// Takes what the worker has built, or with `wait` what was committed last. A hand that something has come around
   /// stays outside of it.
   void TakeScene(bool wait = false);
   void Fit();
+  void FitTo(const palpate::BuiltScene& scene);
   /// Whether a described setting may have these values; else that is refused and said.
   bool Allows(const char* setting, std::initializer_list<double> values);
   /// Setting and getting what is a field of the tick's parameters; the numbers stay until the same is asked for again.

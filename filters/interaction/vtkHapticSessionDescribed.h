@@ -23,6 +23,11 @@
   vtkHapticFieldRotationMacro(Rotation); \
   vtkHapticFieldVectorMacro(Offset); \
   vtkHapticSwitchMacro(FitOnTouch); \
+  vtkHapticSettingMacro(ViewAlignment, int); \
+  vtkHapticSettingMacro(PrecisionFactor, double); \
+  vtkHapticSettingMacro(PrecisionButton, int); \
+  vtkHapticSettingMacro(ClutchButton, int); \
+  vtkHapticSwitchMacro(ShowWorkspace); \
   vtkHapticFieldSwitchMacro(ForceShading); \
   vtkHapticFieldVectorMacro(ConstantForce); \
   vtkHapticSettingMacro(FrictionStatic, double); \
@@ -77,6 +82,9 @@
   vtkHapticSettingMacro(RecordFile, const char*); \
   vtkHapticSettingMacro(ReplayFile, const char*); \
   vtkHapticSwitchMacro(VirtualTime); \
+  vtkHapticSwitchMacro(Recording); \
+  vtkHapticSwitchMacro(Precision); \
+  vtkHapticSwitchMacro(Clutch); \
   vtkHapticSwitchMacro(Touching); \
   /* the end of the settings */
 #define vtkHapticTableReadoutsMacro() \
@@ -88,6 +96,8 @@
   vtkHapticReadoutMacro(StateText, const char*); \
   vtkHapticReadoutMacro(FaultText, const char*); \
   vtkHapticReadoutMacro(Warning, const char*); \
+  vtkHapticReadoutMacro(RecordingText, const char*); \
+  vtkHapticReadoutMacro(RecordedFile, const char*); \
   vtkHapticReadoutMacro(Problem, const char*); \
   vtkHapticNumbersMacro(ProxyPosition, 3); \
   vtkHapticNumbersMacro(Force, 3); \

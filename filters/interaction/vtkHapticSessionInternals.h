@@ -4,11 +4,13 @@
 
 #include "devices/DeviceFactory.h"
 #include "devices/FedDevice.h"
+#include "devices/RecordedHand.h"
 #include "devices/calibration/SelfTestRun.h"
 #include "devices/common/LinkedDevice.h"
 #include "haptics/labyrinth/GameLog.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/plan/AskedParameters.h"
+#include "haptics/session/plan/HandMap.h"
 #include "haptics/session/scene/FeltField.h"
 #include "haptics/session/scene/FeltScene.h"
 #include "haptics/session/settings/TickFields.h"
@@ -66,7 +68,16 @@ public:
   bool Wheel = false;
 
   std::string RecordFile;
+  bool Recording = false; ///< wanted
+  std::string Recorded;   ///< the last that is whole
+  bool Saved = false;     ///< under a name that the person gave
+  double RecordingBegun_s = 0.0;
+  double RecordedSeconds = 0.0;
+  std::string RecordingText;
   std::string ReplayFile;
+  std::optional<palpate::RecordedHand> Played; ///< by the running device
+  bool SceneKnown = false;                     ///< it touched what was shown since it is played
+  std::string PlayedSentence;
   std::vector<palpate::Vec3> Stroke_W;
   double StrokeSpeed = 0.05;
   double PressDepth_m = 0.002;
@@ -74,6 +85,15 @@ public:
   bool VirtualTime = false;
   bool FitOnTouch = false;
   palpate::WorkspaceMap LastFitted = palpate::sessionDefaults().map;
+  palpate::HandMap HandMap;
+  int ViewAlignment = AlignNever;
+  std::optional<palpate::Quat> View_WD; ///< right, up and towards of the camera
+  bool Clutch = false;
+  int ClutchButton = 0;
+  bool Precision = false;
+  double PrecisionFactor = 5.0;
+  int PrecisionButton = 0;
+  bool ShowWorkspace = false;
   bool FitAsked = false; ///< while the scene was being built
   double Begun_s = 0.0;  ///< when touching began, as Now() has it
   std::string Preferred;
@@ -154,14 +174,27 @@ public:
   /// The running device where it is behind a link, else null; how the link goes.
   const palpate::LinkedDevice* Linked();
   palpate::LinkReport Link();
+  /// Where a recording that begins now goes.
+  std::string NextRecording() const;
+  /// Whether what is played was recorded on what is shown.
+  void FollowReplay();
   /// Seconds of the session: ticks in virtual time.
   double Now();
   /// How simpler surfaces are looked for now.
   palpate::SimplifyPlan PlanNow() const;
-  /// Whether something has come around the hand, what is done, and what the person is told of it.
-  void StayOutside();
+  /// What has come around the hand, what is done, and what the person is told of it.
+  void StayOutside(const std::optional<palpate::CameAround>& around);
+  /// What a device's hand that this map puts elsewhere would be in.
+  std::optional<palpate::CameAround> PutInto(const palpate::WorkspaceMap& map);
+  /// Whether the hand is said in the scene, not in the workspace of a device.
+  bool LedInScene();
+  /// The rotation that is wanted while the view is followed.
+  std::optional<palpate::Quat> ViewRotation(const palpate::DeviceInfo& device) const;
   /// Whether touching that begins now, or began with this scene, fits the hand.
-  bool FitsNow() const { return this->FitOnTouch && palpate::isSame(this->Asked.asked().map, this->LastFitted); }
+  bool FitsNow() const
+  {
+    return this->FitOnTouch && !this->Played && palpate::isSame(this->Asked.asked().map, this->LastFitted);
+  }
   /// The servo gets the ball of the scene that is felt; never in the tick of a swap, in which a pressed hand changes
   /// over.
   void FollowRadius();

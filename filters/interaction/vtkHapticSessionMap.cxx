@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the workspace of the device lies in the scene.
-#include <algorithm>
+#include <sstream>
 
 #include "haptics/session/plan/FittedMap.h"
 #include "vtkCommand.h"
 #include "vtkHapticSessionInternals.h"
 
-using palpate::Vec3;
+namespace
+{
+std::vector<std::string> LinesOf(const char* text)
+{
+  std::istringstream in(text ? text : "");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);)
+  {
+    lines.push_back(line);
+  }
+  return lines;
+}
+} // namespace
 
 void vtkHapticSession::FitWorkspace()
 {
@@ -26,10 +38,43 @@ void vtkHapticSession::Fit()
 {
   Internals& impl = *this->Impl;
   impl.FitAsked = false;
-  const palpate::WorkspaceMap fitted = palpate::fittedMap(impl.Asked.asked().map, impl.Scene.built(), impl.InfoNow());
+  this->FitTo(impl.Scene.built());
+}
+
+void vtkHapticSession::FitTo(const palpate::BuiltScene& scene)
+{
+  Internals& impl = *this->Impl;
+  const palpate::WorkspaceMap fitted = palpate::fittedMap(impl.Asked.asked().map, scene, impl.InfoNow());
   impl.LastFitted = fitted;
-  this->Change([&](palpate::HapticParameters& p) { p.map = fitted; });
+  impl.HandMap.reset();
+  impl.Precision = impl.Clutch = false;
+  this->Change(
+    [&](palpate::HapticParameters& p)
+    {
+      p.map = fitted;
+      p.clutch = false;
+    });
   this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
+}
+
+void vtkHapticSession::FitToSources(const char* names)
+{
+  Internals& impl = *this->Impl;
+  const std::vector<std::string> wanted = LinesOf(names);
+  if (wanted.empty())
+  {
+    return;
+  }
+  palpate::BuiltScene chosen = impl.Scene.built();
+  const std::string missing = palpate::boundsOf(chosen.scene.get(), wanted, chosen.bounds);
+  const std::string problem =
+    missing.empty() ? "" : missing + " is not touched: show it, or choose another source to fit the hand to";
+  this->Refuse(problem);
+  impl.Follow("FitWorkspace", problem);
+  if (problem.empty())
+  {
+    this->FitTo(chosen);
+  }
 }
 
 void vtkHapticSession::SetFitOnTouch(bool on)

@@ -50,7 +50,7 @@ void vtkHapticSession::TakeScene(bool wait)
     return;
   }
   impl.FollowPlane();
-  impl.StayOutside();
+  impl.StayOutside(impl.Scene.cameAround());
   const bool ofTouch = this->GetTouching() && palpate::isOfTouch(impl.Scene.built().stamp_s, impl.Begun_s);
   if (impl.Scene.built().scene && (impl.FitAsked || (ofTouch && impl.FitsNow())))
   {
@@ -64,10 +64,9 @@ void vtkHapticSession::TakeScene(bool wait)
   }
 }
 
-void vtkHapticSession::Internals::StayOutside()
+void vtkHapticSession::Internals::StayOutside(const std::optional<palpate::CameAround>& around)
 {
   this->Around.clear();
-  const std::optional<palpate::CameAround>& around = this->Scene.cameAround();
   if (!around)
   {
     return;

@@ -46,5 +46,9 @@ void vtkSMHapticSessionProxy::ReadBack()
   vtkSMPropertyHelper(this, "MarksText").Set(session->GetMarksText());
   vtkSMPropertyHelper(this, "SourcesText").Set(session->GetSourcesText());
   vtkSMPropertyHelper(this, "Offset").Set(session->GetOffset(), 3);
+  vtkSMPropertyHelper(this, "ReplayFile").Set(session->GetReplayFile());
+  vtkSMPropertyHelper(this, "Precision").Set(session->GetPrecision() ? 1 : 0);
+  vtkSMPropertyHelper(this, "Clutch").Set(session->GetClutch() ? 1 : 0);
+  vtkSMPropertyHelper(this, "Recording").Set(session->GetRecording() ? 1 : 0);
   this->UpdateVTKObjects();
 }

@@ -27,6 +27,15 @@ struct WorkspaceMap
   [[nodiscard]] Vec3 directionToDevice(const Vec3& v_W) const noexcept { return this->q_WD.conjugate() * v_W; }
 };
 
+/// Whether a hand that another map has put from one place to the other went no further than a brisk hand does in ten
+/// ticks: then surfaces hold it back as on any other way. Further away it is elsewhere: what lies between was not
+/// passed.
+[[nodiscard]] inline bool isNearby(const WorkspaceMap& map, const Vec3& before_W, const Vec3& now_W) noexcept
+{
+  constexpr double nearby_m = 0.005;
+  return (now_W - before_W).norm() <= nearby_m * map.scale_u_per_m;
+}
+
 /// The same, bit for bit.
 [[nodiscard]] inline bool isSame(const WorkspaceMap& a, const WorkspaceMap& b) noexcept
 {

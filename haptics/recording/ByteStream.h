@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -45,6 +46,11 @@ public:
   {
     this->put(pose.p);
     this->put(pose.q);
+  }
+  void put(const std::optional<double>& number)
+  {
+    this->put(number.has_value());
+    this->put(number.value_or(0.0));
   }
   void put(const std::string& text)
   {
@@ -99,6 +105,13 @@ public:
   {
     this->get(pose.p);
     this->get(pose.q);
+  }
+  void get(std::optional<double>& number)
+  {
+    bool there = false;
+    this->get(there);
+    this->get(number.emplace());
+    number = there ? number : std::nullopt;
   }
   void get(std::string& text)
   {

@@ -9,6 +9,15 @@ namespace palpate
 namespace
 {
 
+struct CopyField
+{
+  template<class T>
+  void operator()(const char* /*name*/, T& to, const T& from) const noexcept
+  {
+    to = from;
+  }
+};
+
 struct PutField
 {
   ByteWriter& out;
@@ -128,6 +137,13 @@ void putParameters(ByteWriter& out, const HapticParameters& parameters)
 void putState(ByteWriter& out, const RendererState& state)
 {
   forEachState(putStage(out, state));
+}
+
+RendererState recordedPart(const RendererState& state) noexcept
+{
+  RendererState part;
+  forEachState([&part, &state](std::string_view /*name*/, const auto& fields) { fields(CopyField{}, part, state); });
+  return part;
 }
 
 void getParameters(ByteReader& in, HapticParameters& parameters, SkippedParts& skipped)

@@ -42,6 +42,7 @@ struct JudgedLoop
 [[nodiscard]] inline HapticParameters adaptToDevice(HapticParameters parameters, const DeviceInfo& device,
   const StabilityLimits& limits, double viscosity_Ns_per_m = 0.0) noexcept
 {
+  parameters.keepsHand = true;
   parameters.passivity.enabled = parameters.passivity.enabled && device.rendersForce;
   if (parameters.velocity.resolution_m == 0.0)
   {

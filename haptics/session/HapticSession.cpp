@@ -26,7 +26,7 @@ struct HapticSession::Run
   std::unique_ptr<TickTimer> timer;
   MonotonicClock clock;
   ServoLinks links;
-  Recorder recorder;
+  std::optional<Recordings> recordings;
   std::optional<ServoLoop> loop;
   std::mutex schedulingMutex; ///< taken once by the servo thread, before its first tick
   SchedulingReport scheduling;
@@ -52,6 +52,13 @@ struct HapticSession::Run
     {
       this->timer = std::make_unique<DeviceTimer>(*this->device, this->clock, period_ns);
     }
+  }
+
+  /// From where the ball comes in this scene; nothing: from where it is.
+  void leadFrom(const Scene* scene, const std::optional<Vec3>& from_W)
+  {
+    const bool leads = scene != nullptr && from_W;
+    this->lead = { this->lead.number + 1, leads ? scene->geometryHash() : 0, from_W.value_or(Vec3::Zero()) };
   }
 
   /// Limits come from eigenvalues: computed again only when something they depend on has changed.
@@ -117,23 +124,21 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->adapt(this->parameters_, true);
   const auto period_ns = static_cast<std::int64_t>(options.period_s * 1e9 + 0.5);
   run->pace(period_ns);
+  run->recordings.emplace(run->links.recorder, options.virtualTime);
   if (!options.recordFile.empty())
   {
-    const std::string refused = run->recorder.open(
-      options.recordFile, run->device->info().name, run->adapted, RendererState{}, !options.virtualTime);
+    const std::string refused = run->recordings->begin(options.recordFile, run->device->info().name, this->scene_);
     if (!refused.empty())
     {
       run->device->close();
       return refused;
     }
-    run->recorder.storeScene(this->scene_);
-    run->recorder.storeBrick(this->brick_);
+    run->recordings->storeBrick(this->brick_);
   }
   run->links.parameters.write({ this->version_, run->adapted });
   run->links.scenes.publish(this->scene_);
   run->links.bricks.publish(this->brick_);
-  run->loop.emplace(*run->device, *run->timer, run->links, run->recorder.isOpen() ? &run->recorder : nullptr,
-    run->clock, options.period_s);
+  run->loop.emplace(*run->device, *run->timer, run->links, run->clock, options.period_s);
   this->run_ = std::move(run);
   this->lastState_ = HapticState{};
   this->lastReport_ = LoopReport{};
@@ -175,20 +180,26 @@ std::string HapticSession::stop()
   this->lastState_.engage = EngageState::Safe;
   this->lastState_.force_D = this->lastState_.force_W = Vec3::Zero();
   this->run_->device->close();
-  const std::string problem = this->run_->recorder.close();
+  this->lastRecorded_ = this->run_->recordings->finish();
+  std::string problem = this->lastRecorded_ ? this->lastRecorded_->problem : std::string();
   this->run_.reset();
   return problem;
 }
 
-std::string HapticSession::setParameters(const HapticParameters& parameters)
+std::string HapticSession::setParameters(const HapticParameters& parameters, const std::optional<Vec3>& comesFrom_W)
 {
   std::string problem = parameters.validate();
   if (problem.empty())
   {
+    const bool otherMap = !isSame(parameters.map, this->parameters_.map);
     this->parameters_ = parameters;
     ++this->version_;
     if (this->run_)
     {
+      if (otherMap || comesFrom_W) // where it came from before was a place for the hand of before
+      {
+        this->run_->leadFrom(this->scene_.get(), comesFrom_W);
+      }
       this->run_->adapt(parameters, false);
       this->run_->links.parameters.write({ this->version_, this->run_->adapted });
     }
@@ -216,10 +227,11 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
     if (this->scene_ && comesFrom_W) // said before the scene is there
     {
       Run& r = *this->run_;
-      r.adapted.ballLead = r.lead = { r.lead.number + 1, this->scene_->geometryHash(), *comesFrom_W };
+      r.leadFrom(this->scene_.get(), comesFrom_W);
+      r.adapted.ballLead = r.lead;
       r.links.parameters.write({ ++this->version_, r.adapted });
     }
-    this->run_->recorder.storeScene(this->scene_);
+    this->run_->recordings->storeScene(this->scene_);
     this->run_->links.scenes.publish(this->scene_);
   }
 }
@@ -229,7 +241,7 @@ void HapticSession::setBrick(std::shared_ptr<const Brick> brick)
   this->brick_ = std::move(brick);
   if (this->run_)
   {
-    this->run_->recorder.storeBrick(this->brick_);
+    this->run_->recordings->storeBrick(this->brick_);
     this->run_->links.bricks.publish(this->brick_);
   }
 }
@@ -268,16 +280,46 @@ int HapticSession::step(int ticks)
   while (this->run_ && this->run_->virtualTime && done < ticks && this->run_->loop->tick())
   {
     ++done;
-    if (this->run_->recorder.isOpen())
-    {
-      this->run_->recorder.pump();
-    }
+    this->run_->recordings->pump();
   }
   if (done > 0)
   {
     this->run_->loop->publishReport();
   }
   return done;
+}
+
+std::string HapticSession::record(const std::string& file)
+{
+  if (!this->run_)
+  {
+    return "nothing is touched that could be recorded";
+  }
+  return this->brick_ ? "a field is felt, and a recording has no place in it to begin with: let go, then touch again"
+                      : this->run_->recordings->begin(file, this->run_->device->info().name, this->scene_);
+}
+
+void HapticSession::endRecording()
+{
+  if (this->run_)
+  {
+    this->run_->recordings->end();
+    if (this->run_->virtualTime)
+    {
+      this->run_->loop->followRecorder();
+      this->run_->recordings->pump();
+    }
+  }
+}
+
+bool HapticSession::recording() const noexcept
+{
+  return this->run_ && this->run_->recordings->running();
+}
+
+std::optional<EndedRecording> HapticSession::takeRecorded()
+{
+  return this->run_ ? this->run_->recordings->takeEnded() : std::exchange(this->lastRecorded_, std::nullopt);
 }
 
 const HapticState& HapticSession::state()

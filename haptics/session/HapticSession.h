@@ -9,7 +9,7 @@
 #include "haptics/core/HapticDevice.h"
 #include "haptics/force/StabilityLimits.h"
 #include "haptics/realtime/RealtimeThread.h"
-#include "haptics/recording/Recorder.h"
+#include "haptics/session/Recordings.h"
 #include "haptics/session/ServoLoop.h"
 
 namespace palpate
@@ -45,8 +45,10 @@ public:
   /// The running device, or null: to feed a FedDevice.
   [[nodiscard]] HapticDevice* device() noexcept;
 
-  /// Takes effect at the next tick. Empty, or one sentence; then nothing changes.
-  [[nodiscard]] std::string setParameters(const HapticParameters& parameters);
+  /// Takes effect at the next tick. Empty, or one sentence; then nothing changes. `comesFrom_W`: where the ball comes
+  /// from then, so that a hand which these parameters put into a surface stays on its other side.
+  [[nodiscard]] std::string setParameters(
+    const HapticParameters& parameters, const std::optional<Vec3>& comesFrom_W = {});
   [[nodiscard]] const HapticParameters& parameters() const noexcept { return this->parameters_; }
   /// How stiff the running device can be with these parameters, and why in one sentence; unlimited and empty while
   /// nothing runs.
@@ -60,6 +62,15 @@ public:
   /// The field around the hand, taken at the next tick; null: none. Kept over stop() and start().
   void setBrick(std::shared_ptr<const Brick> brick);
   [[nodiscard]] const std::shared_ptr<const Brick>& brick() const noexcept { return this->brick_; }
+
+  /// Records from the next tick on into that file, and no more into the one before: empty, or one sentence; then
+  /// nothing changes. While a field is felt none begins. A recording ends with endRecording() or the session, or when
+  /// its disk is full.
+  [[nodiscard]] std::string record(const std::string& file);
+  void endRecording();
+  [[nodiscard]] bool recording() const noexcept;
+  /// A recording that has ended, told once; stop() ends the last one.
+  [[nodiscard]] std::optional<EndedRecording> takeRecorded();
 
   void engage();
   void release();
@@ -85,6 +96,7 @@ private:
   std::shared_ptr<const Brick> brick_;
   HapticState lastState_;
   LoopReport lastReport_;
+  std::optional<EndedRecording> lastRecorded_; ///< with the last run
   std::unique_ptr<Run> run_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "haptics/recording/RecordedStages.h"
+
 namespace palpate
 {
 namespace
@@ -20,9 +22,9 @@ bool pushes(const DeviceCommand& command) noexcept
 
 } // namespace
 
-ServoLoop::ServoLoop(HapticDevice& device, TickTimer& timer, ServoLinks& links, Recorder* recorder,
-  const Clock& costClock, double period_s) noexcept
-  : device_(device), timer_(timer), links_(links), recorder_(recorder), clock_(costClock), period_s_(period_s)
+ServoLoop::ServoLoop(
+  HapticDevice& device, TickTimer& timer, ServoLinks& links, const Clock& costClock, double period_s) noexcept
+  : device_(device), timer_(timer), links_(links), clock_(costClock), period_s_(period_s)
 {
   const ServoLinks::Versioned& first = links.parameters.read();
   this->version_ = first.version;
@@ -82,6 +84,7 @@ void ServoLoop::takeChanges() noexcept
     this->recorder_->pushScene(this->input_.tick, this->input_.scene);
   }
   this->takeBrick();
+  this->followRecorder();
   std::size_t count = 0;
   while (count < this->events_.size() && this->links_.events.tryPop(this->events_[count]))
   {
@@ -101,6 +104,41 @@ void ServoLoop::takeBrick() noexcept
   this->input_.brick = this->links_.bricks.acquire();
   const bool taken = this->input_.brick != before || this->links_.bricks.replaced() != nullptr;
   if (taken && this->recorder_ != nullptr)
+  {
+    this->recorder_->pushBrick(this->input_.tick, this->input_.brick);
+  }
+}
+
+/// Not in a tick that replaces a scene: what was touched before is no part of a recording that begins there.
+void ServoLoop::followRecorder() noexcept
+{
+  Recorder* const wanted = this->links_.recorder.load(std::memory_order_acquire);
+  if (wanted == this->recorder_ || this->input_.previousScene != nullptr)
+  {
+    return;
+  }
+  if (this->recorder_ != nullptr && !this->recorder_->pushEnd())
+  {
+    return;
+  }
+  this->recorder_ = nullptr;
+  const RendererState first = recordedPart(this->renderer_);
+  if (wanted != nullptr && wanted->pushStart(this->parameters_, first))
+  {
+    this->recorder_ = wanted;
+    this->renderer_ = first;
+    this->pushTouched();
+  }
+}
+
+/// What a recording begins with.
+void ServoLoop::pushTouched() noexcept
+{
+  if (this->input_.scene != nullptr)
+  {
+    this->recorder_->pushScene(this->input_.tick, this->input_.scene);
+  }
+  if (this->input_.brick != nullptr)
   {
     this->recorder_->pushBrick(this->input_.tick, this->input_.brick);
   }

@@ -12,7 +12,7 @@
 #include "haptics/realtime/SnapshotMailbox.h"
 #include "haptics/realtime/SpscRing.h"
 #include "haptics/realtime/TripleBuffer.h"
-#include "haptics/recording/Recorder.h"
+#include "haptics/recording/writing/Recorder.h"
 #include "haptics/tick/ForceRenderer.h"
 
 namespace palpate
@@ -49,6 +49,8 @@ struct ServoLinks
   SpscRing<HapticEvent, 64> events;   ///< owner -> servo
   TripleBuffer<HapticState> state;    ///< servo -> owner
   TripleBuffer<LoopReport> report;    ///< servo -> owner, four times a second
+  /// owner -> servo: who records; null: nobody. The servo's last push into one says that it has let go of it.
+  std::atomic<Recorder*> recorder = nullptr;
 };
 
 /// Drives the tick: timer, device, scene, parameters, events in; command, state, statistics, recording out.
@@ -56,8 +58,8 @@ struct ServoLinks
 class ServoLoop
 {
 public:
-  ServoLoop(HapticDevice& device, TickTimer& timer, ServoLinks& links, Recorder* recorder, const Clock& costClock,
-    double period_s) noexcept;
+  ServoLoop(
+    HapticDevice& device, TickTimer& timer, ServoLinks& links, const Clock& costClock, double period_s) noexcept;
 
   /// Runs until a stop is asked for or the device ends; then the device gets a zero command. Whoever asks for a stop
   /// queues a release first: a hand that is still pushed then is let go in the release ramp, or in the first half
@@ -65,6 +67,9 @@ public:
   void run(const std::stop_token& stop) noexcept;
   /// One period. False when the device has ended. Servo thread; real-time safe.
   bool tick() noexcept;
+  /// Between two ticks a recording ends, and another one begins with what a recording can know of the last tick, from
+  /// which the next one goes on. Servo thread; every tick does it.
+  void followRecorder() noexcept;
   /// Zero force, last report.
   void finish() noexcept;
   /// Makes the report of the ticks so far visible. Servo thread; run() does it four times a second.
@@ -74,6 +79,7 @@ private:
   void letGo() noexcept;
   void takeChanges() noexcept;
   void takeBrick() noexcept;
+  void pushTouched() noexcept;
   /// How much later the thread ran than its next period began, missed periods included [s].
   [[nodiscard]] double behind_s(const Wakeup& wakeup) const noexcept;
   void account(const Wakeup& wakeup, const TickOutput& output, double cost_us) noexcept;
@@ -81,7 +87,6 @@ private:
   HapticDevice& device_;
   TickTimer& timer_;
   ServoLinks& links_;
-  Recorder* recorder_;
   const Clock& clock_;
   double period_s_;
   std::uint64_t period_ = 0; ///< number of the current period, from 1
@@ -89,6 +94,7 @@ private:
   HapticParameters parameters_;
   RendererState renderer_;
   TickInput input_;
+  Recorder* recorder_ = nullptr; ///< has its start, and not its end
   std::array<HapticEvent, 16> events_;
   Fault fault_ = Fault::None; ///< of the last tick
   bool pushes_ = false;       ///< the device was told to push, or to hold something, in the last tick

@@ -42,6 +42,7 @@ struct HapticState
   std::uint64_t tick = 0;
   std::uint32_t hand = 0; ///< index of the hand
   double time_s = 0.0;
+  Vec3 handle_D = Vec3::Zero();         ///< where the device is [m]
   Pose device_W;                        ///< hand in the scene [u]
   Pose proxy_W;                         ///< god-object in the scene [u]
   Vec3 velocity_D = Vec3::Zero();       ///< estimated from the positions [m/s]

@@ -101,8 +101,6 @@ SceneStep sceneStep(const TickInput& input, const RendererState& state) noexcept
 ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state) noexcept
 {
   GodObjectState& contact = state.contact;
-  const bool otherMap = !isSame(state.map, tick.map);
-  state.map = tick.map;
   ProxyStep moved;
   if (!tick.touches)
   {
@@ -110,16 +108,16 @@ ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state
     moved.contact.proxy_W = p_W;
     return moved;
   }
-  contact.placed = contact.placed && !otherMap; // the hand is elsewhere: what lies between was not passed
+  contact.placed = contact.placed && !tick.elsewhere;
   state.radius_u = contact.placed ? state.radius_u : tick.plan.radius_u;
   ContactPlan plan = tick.plan;
   plan.radius_u = state.radius_u;
-  if (!otherMap)
+  if (!tick.elsewhere)
   {
     comeAlong(tick, plan, p_W, state, moved);
   }
   const bool toldToCome = tick.lead.number != state.ballLed && tick.lead.geometry == tick.input.scene->geometryHash();
-  if (toldToCome && !otherMap)
+  if (toldToCome)
   {
     comeFrom(tick, plan, p_W, contact);
   }

@@ -28,21 +28,21 @@ struct ProxyStep
   bool pinned = false;
 };
 
-/// What the proxy is moved with: the plan with this tick's stiffness, from where the ball comes in a new scene, the map
-/// between hand and scene, whether anything is to be touched.
+/// What the proxy is moved with: the plan with this tick's stiffness, from where the ball comes in a new scene or map,
+/// whether the map has put the hand elsewhere, whether anything is to be touched.
 struct ProxyTick
 {
   const TickInput& input;
   const SceneStep& step;
   const ContactPlan& plan;
   const BallLead& lead;
-  const WorkspaceMap& map;
+  bool elsewhere = false;
   bool touches = false;
   PathSink* sink = nullptr;
 };
 
-/// Takes the proxy along with its scene from the last tick to this one, then towards the device at p_W. With another
-/// map it begins anew at the device. Another ball is seated where the old one was, so a pressed one stays on its side;
+/// Takes the proxy along with its scene from the last tick to this one, then towards the device at p_W. Elsewhere it
+/// begins anew at the device. Another ball is seated where the old one was, so a pressed one stays on its side;
 /// where it has no room there the old one goes on until it has.
 [[nodiscard]] ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state) noexcept;
 

@@ -3,6 +3,7 @@
 
 #include "haptics/tick/StageList.h"
 #include "haptics/tick/stages/Blend.h"
+#include "haptics/tick/stages/Clutch.h"
 #include "haptics/tick/stages/Contact.h"
 #include "haptics/tick/stages/Engage.h"
 #include "haptics/tick/stages/Hand.h"
@@ -27,6 +28,7 @@ using TickStages = StageList< //
   stage::Samples,             // whether the hand is where the device says
   stage::Stiffness,           // of the coupling in this tick
   stage::Hand,                // where it is and how fast
+  stage::Clutch,              // or where it stays
   stage::GameLead,            // of a labyrinth, before contact
   stage::Contact,             // where the proxy rests
   stage::Coupling,            // spring and damper between the two

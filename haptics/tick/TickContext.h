@@ -24,12 +24,14 @@ struct TickContext
   ContactPlan contact = input.scene != nullptr ? planFor(*input.scene, p.contact) : p.contact; ///< of this tick
   std::optional<Vec3>
     way_D = {}; ///< of the hand since the tick before [m]; none: that tick did not know the place of the hand
-  std::optional<Vec3> turn_D = {}; ///< likewise how it has turned: a small rotation vector [rad]
-  GameForce game = {};             ///< what a labyrinth asks of this tick
-  bool seatFailed = false;         ///< the ball found no place
-  Vec3 pull_D = Vec3::Zero();      ///< from the device to where contact draws it [m]
-  double stretch_m = 0.0;          ///< of a plain spring that holds as much energy as the contact
-  Vec3 coupled_D = Vec3::Zero();   ///< force of contact and what stands beside it, before blend and limits [N]
+  std::optional<Vec3> turn_D = {};  ///< likewise how it has turned: a small rotation vector [rad]
+  Vec3 handBefore_W = Vec3::Zero(); ///< where the hand was in the scene when it was known last [u]
+  bool otherMap = false;            ///< than in the tick before
+  GameForce game = {};              ///< what a labyrinth asks of this tick
+  bool seatFailed = false;          ///< the ball found no place
+  Vec3 pull_D = Vec3::Zero();       ///< from the device to where contact draws it [m]
+  double stretch_m = 0.0;           ///< of a plain spring that holds as much energy as the contact
+  Vec3 coupled_D = Vec3::Zero();    ///< force of contact and what stands beside it, before blend and limits [N]
 
   [[nodiscard]] bool touchable() const noexcept { return this->input.scene != nullptr && !this->input.scene->empty(); }
 

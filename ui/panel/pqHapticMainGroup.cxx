@@ -7,17 +7,16 @@
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
 #include "pqHapticMouse.h"
+#include "pqHapticRecordingRows.h"
 #include "pqHapticStrip.h"
 #include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
 #include "vtkSMProxy.h"
 
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 
 namespace
@@ -40,6 +39,8 @@ pqHapticMainGroup::pqHapticMainGroup(QWidget* parent) : Superclass(parent)
   this->addDevice(form);
   this->addButtons(form);
   this->Rows.add(form, "main");
+  this->Recording = new pqHapticRecordingRows(this);
+  form->addRow(this->Recording);
   this->addStrips(form);
   auto* warning = pqHapticLabel(this, "notClinical", tr("No part of it has been validated for any medical purpose"));
   warning->setText(tr("Not for clinical use."));
@@ -53,19 +54,6 @@ void pqHapticMainGroup::addDevice(QFormLayout* form)
   this->Device = new pqHapticDeviceChoice(this);
   this->Device->setObjectName("device");
   form->addRow(pqHapticTitle("DeviceName"), this->Device);
-  this->Recording = new QWidget(this); // of the device that plays one
-  this->Recording->setObjectName("recording");
-  this->ReplayFile = new QLineEdit(this->Recording);
-  this->ReplayFile->setObjectName("replayFile");
-  this->ReplayFile->setPlaceholderText(tr("Recording to play"));
-  this->ReplayFile->setToolTip(pqHapticTip("ReplayFile"));
-  this->Browse = Button(this->Recording, "browse", tr("&Open..."), tr("Choose the recording that is played"));
-  auto* row = new QHBoxLayout(this->Recording);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(this->ReplayFile, 1);
-  row->addWidget(this->Browse);
-  form->addRow(this->Recording);
-  this->connect(this->Browse, &QPushButton::clicked, this, &pqHapticMainGroup::chooseRecording);
 }
 
 void pqHapticMainGroup::addButtons(QFormLayout* form)
@@ -124,19 +112,9 @@ void pqHapticMainGroup::setProxy(vtkSMProxy* proxy, pqPropertyLinks& links)
   const auto link = [&](QObject* widget, const char* property, const char* signal, const char* name)
   { links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
   link(this->Device, "currentText", SIGNAL(currentTextChanged(const QString&)), "DeviceName");
-  link(this->ReplayFile, "text", SIGNAL(editingFinished()), "ReplayFile");
   link(this->Touch, "checked", SIGNAL(toggled(bool)), "Touching");
+  this->Recording->link(proxy, links);
   this->Rows.link(links, proxy);
-}
-
-void pqHapticMainGroup::chooseRecording()
-{
-  const QString file = QFileDialog::getOpenFileName(this, tr("Recording to play"));
-  if (!file.isEmpty())
-  {
-    this->ReplayFile->setText(file);
-    Q_EMIT this->ReplayFile->editingFinished();
-  }
 }
 
 QString pqHapticMainGroup::statusOf(vtkHapticSession* session) const
@@ -174,13 +152,13 @@ void pqHapticMainGroup::refresh(vtkHapticSession* session)
   this->Device->follow();
   this->Status->setText(this->statusOf(session));
   this->Release->setEnabled(controller->touching());
-  this->Recording->setVisible(this->Device->currentText() == "replay");
+  this->Recording->refresh(session);
   pqHapticSay(this->MouseHelp, controller->mouse()->help());
   this->followStrips(session);
 }
 
 QList<QWidget*> pqHapticMainGroup::fields() const
 {
-  return QList<QWidget*>{ this->Device, this->ReplayFile, this->Browse, this->Touch, this->Release, this->Fit } +
-         this->Rows.fields("main");
+  return QList<QWidget*>{ this->Device, this->Touch, this->Release, this->Fit } + this->Rows.fields("main") +
+         this->Recording->fields();
 }

@@ -9,9 +9,9 @@
 
 class QFormLayout;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 class pqHapticDeviceChoice;
+class pqHapticRecordingRows;
 class pqHapticStrip;
 class pqPropertyLinks;
 class vtkHapticSession;
@@ -19,7 +19,7 @@ class vtkSMProxy;
 
 /**
  * What a person needs all day, on one screen: device, Touch, one line that says how it is and what to do, Fit, radius,
- * stiffness, and strip charts of the last ten seconds.
+ * stiffness, recordings, and strip charts of the last ten seconds.
  */
 class pqHapticMainGroup : public QWidget
 {
@@ -41,20 +41,17 @@ private:
   void addDevice(QFormLayout* form);
   void addButtons(QFormLayout* form);
   void addStrips(QFormLayout* form);
-  void chooseRecording();
   QString statusOf(vtkHapticSession* session) const;
   void followStrips(vtkHapticSession* session);
 
   pqHapticDeviceChoice* Device;
-  QWidget* Recording;
-  QLineEdit* ReplayFile;
-  QPushButton* Browse;
   QPushButton* Touch;
   QPushButton* Release;
   QPushButton* Fit;
   QLabel* Status;
   QLabel* MouseHelp;
   pqHapticSettingRows Rows; ///< stiffness and radius
+  pqHapticRecordingRows* Recording;
   pqHapticStrip* Force;
   pqHapticStrip* Depth;
   pqHapticStrip* Lateness;

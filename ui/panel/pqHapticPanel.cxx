@@ -16,6 +16,7 @@
 #include "pqHapticSettingRows.h"
 #include "pqHapticSourceGroup.h"
 #include "pqHapticViewFollower.h"
+#include "pqHapticViewGroup.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
 #include "vtkSMProxy.h"
@@ -60,6 +61,7 @@ public:
   pqHapticDeviceRows* DeviceRows;
   QComboBox* Hand;
   QDoubleSpinBox* PressDepth;
+  pqHapticViewGroup* HandAndView;
   pqHapticSettingRows Rows;
   pqHapticMaterialGroup* Material;
   pqHapticFieldGroup* Field;
@@ -178,10 +180,11 @@ void pqHapticPanel::Internals::setTabOrder()
 {
   const QList<QWidget*> order = this->Main->fields() + QList<QWidget*>{ this->AtContact } + this->Marks->fields() +
                                 QList<QWidget*>{ this->Advanced } + this->DeviceRows->fields() +
-                                QList<QWidget*>{ this->Hand, this->PressDepth } + this->Rows.fields("contact") +
-                                this->Rows.fields("friction") + this->Source->fields() + this->Material->fields() +
-                                this->Field->fields() + this->Rows.fields("field") + this->Rows.fields("stability") +
-                                this->Check->fields() + this->Rows.fields("scene") + QList<QWidget*>{ this->Scene };
+                                QList<QWidget*>{ this->Hand, this->PressDepth } + this->HandAndView->fields() +
+                                this->Rows.fields("contact") + this->Rows.fields("friction") + this->Source->fields() +
+                                this->Material->fields() + this->Field->fields() + this->Rows.fields("field") +
+                                this->Rows.fields("stability") + this->Check->fields() + this->Rows.fields("scene") +
+                                QList<QWidget*>{ this->Scene };
   for (int i = 1; i < order.size(); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
@@ -204,6 +207,8 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
 void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
 {
   this->addHand(rest);
+  this->HandAndView = new pqHapticViewGroup;
+  rest->addWidget(this->HandAndView);
   this->Rows.add(Group(rest, "contactGroup", tr("Contact model")), "contact");
   this->Rows.add(Group(rest, "frictionGroup", tr("Friction")), "friction");
   this->Source = new pqHapticSourceGroup;
@@ -305,6 +310,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   { w.Links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
   link(w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), "Hand");
   link(w.PressDepth, "value", SIGNAL(valueChanged(double)), "PressDepth");
+  w.HandAndView->link(w.Links, proxy);
   w.Rows.link(w.Links, proxy);
   this->refresh();
 }

@@ -5,11 +5,16 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
+#include "pqHapticCommand.h"
 #include "pqHapticFrames.h"
+#include "pqHapticHandKeys.h"
 #include "pqHapticMouse.h"
 #include "pqHapticPencil.h"
+#include "pqHapticRecordings.h"
 #include "pqHapticScript.h"
 #include "pqHapticViewFollower.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
@@ -21,10 +26,12 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyDefinitionManager.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 
 #include <QAction>
 #include <QIcon>
+#include <QStringList>
 #include <QTimer>
 
 #include <cstdlib>
@@ -70,7 +77,8 @@ pqHapticController* pqHapticController::instance()
 
 pqHapticController::pqHapticController(QObject* parent)
   : Superclass(parent), Follower(new pqHapticViewFollower(this)), Frames(new pqHapticFrames(this)),
-    Mouse(new pqHapticMouse(this)), Pencil(new pqHapticPencil(this)), Script(new pqHapticScript(this))
+    Mouse(new pqHapticMouse(this)), Pencil(new pqHapticPencil(this)), Recordings(new pqHapticRecordings(this)),
+    Keys(new pqHapticHandKeys(this)), Script(new pqHapticScript(this))
 {
   this->makeActions();
   this->connectApplication();
@@ -205,6 +213,32 @@ void pqHapticController::fitWorkspace()
   }
 }
 
+void pqHapticController::fitSelection()
+{
+  QStringList names;
+  for (pqServerManagerModelItem* item : pqActiveObjects::instance().selection())
+  {
+    auto* port = qobject_cast<pqOutputPort*>(item);
+    auto* source = port ? port->getSource() : qobject_cast<pqPipelineSource*>(item);
+    names << (source ? QStringList(source->getSMName()) : QStringList());
+  }
+  if (this->session() && !names.isEmpty())
+  {
+    this->Follower->handOver();
+    this->session()->FinishScene();
+    pqHapticCommand(this->Proxy, "FitToSources", names.join("\n"));
+  }
+}
+
+void pqHapticController::alignWithView()
+{
+  if (this->session() && this->Follower->view())
+  {
+    this->session()->FollowCamera(this->Follower->view()->getRenderViewProxy()->GetActiveCamera());
+    this->Proxy->InvokeCommand("AlignWithView");
+  }
+}
+
 void pqHapticController::setPressDepth(double depth_m)
 {
   vtkSMPropertyHelper(this->Proxy, "PressDepth").Set(depth_m);
@@ -296,6 +330,8 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
   this->Frames->setSession(this->session());
   this->Mouse->setSession(this->session());
   this->Pencil->setSession(this->session());
+  this->Recordings->setProxy(proxy);
+  this->Keys->setProxy(proxy);
   this->Script->setProxy(proxy);
   if (proxy)
   {
@@ -316,6 +352,7 @@ void pqHapticController::proxyChanged()
   this->TouchAction->setEnabled(this->Proxy != nullptr);
   this->TouchAction->setChecked(on);
   this->ReleaseAction->setEnabled(on);
+  this->Recordings->follow();
   this->Follower->setActive(on);
   this->Frames->setActive(on);
   this->Mouse->setActive(on);

@@ -11,8 +11,10 @@
 
 class QAction;
 class pqHapticFrames;
+class pqHapticHandKeys;
 class pqHapticMouse;
 class pqHapticPencil;
+class pqHapticRecordings;
 class pqHapticScript;
 class pqHapticViewFollower;
 class pqServer;
@@ -41,6 +43,7 @@ public:
   vtkHapticSession* session() const;
   pqHapticViewFollower* follower() const { return this->Follower; }
   pqHapticMouse* mouse() const { return this->Mouse; }
+  pqHapticRecordings* recordings() const { return this->Recordings; }
 
   QAction* touchAction() const { return this->TouchAction; }
   QAction* releaseAction() const { return this->ReleaseAction; }
@@ -60,6 +63,10 @@ public Q_SLOTS:
   void fitWorkspace();
   /// Sets a mark at the contact; without one the session says why not.
   void mark();
+  /// The same for the sources that are selected in the pipeline browser.
+  void fitSelection();
+  /// Right, up and towards of the device are those of the view, now.
+  void alignWithView();
   /// Whether the way through a labyrinth is drawn.
   void showTrace(bool shown);
   /// Whether start and exit of a labyrinth are drawn while touching.
@@ -90,6 +97,8 @@ private:
   pqHapticFrames* Frames;
   pqHapticMouse* Mouse;
   pqHapticPencil* Pencil;
+  pqHapticRecordings* Recordings;
+  pqHapticHandKeys* Keys;
   pqHapticScript* Script;
   QAction* TouchAction;
   QAction* ReleaseAction;

@@ -144,6 +144,7 @@ void pqHapticFrames::nextFrame()
   {
     return;
   }
+  this->Session->FollowCamera(this->View->getRenderViewProxy()->GetActiveCamera());
   this->Session->Update();
   Q_EMIT this->updated();
   this->Props->UpdateFrom(this->Session);

@@ -19,10 +19,11 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkRenderWindowInteractor.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 vtkStandardNewMacro(vtkHapticInteractor);
 
@@ -49,6 +50,7 @@ public:
   vtkNew<vtkHapticToolProps> Props;
   vtkNew<vtkHapticMouse> Mouse;
   vtkNew<vtkHapticMouseInput> Input;
+  vtkWeakPointer<vtkRenderer> Renderer;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   std::uint64_t Key = 0; ///< of what the session was given
   bool Given = false;
@@ -75,6 +77,7 @@ void vtkHapticInteractor::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkHapticInteractor::SetRenderer(vtkRenderer* renderer)
 {
+  this->Impl->Renderer = renderer;
   this->Impl->Props->AddToRenderer(renderer);
   this->Impl->Mouse->SetRenderer(renderer);
 }
@@ -156,10 +159,17 @@ bool vtkHapticInteractor::HandOver()
   return true;
 }
 
+void vtkHapticInteractor::FollowCamera()
+{
+  vtkRenderer* const renderer = this->Impl->Renderer;
+  this->Impl->Session->FollowCamera(renderer ? renderer->GetActiveCamera() : nullptr);
+}
+
 bool vtkHapticInteractor::Start()
 {
   this->HandOver();
   this->Impl->Session->FinishScene();
+  this->FollowCamera();
   this->Impl->Session->TouchingOn();
   this->Update();
   return this->Impl->Session->GetTouching();
@@ -174,6 +184,7 @@ void vtkHapticInteractor::Stop()
 void vtkHapticInteractor::Update()
 {
   this->HandOver();
+  this->FollowCamera();
   this->Impl->Session->Update();
   this->Impl->Mouse->Update();
   this->Impl->Props->UpdateFrom(this->Impl->Session);

@@ -79,6 +79,7 @@ private:
 
   /// True if the actors show something else than at the last call; then it is on its way to the session.
   bool HandOver();
+  void FollowCamera();
 
   class Internals;
   std::unique_ptr<Internals> Impl;

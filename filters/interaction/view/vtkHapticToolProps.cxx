@@ -7,11 +7,13 @@
 
 #include "vtkActor.h"
 #include "vtkArrowSource.h"
+#include "vtkCellArray.h"
 #include "vtkHapticSession.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -64,18 +66,23 @@ public:
   vtkNew<vtkActor> Trace;
   vtkNew<vtkActor> Start;
   vtkNew<vtkActor> Exit;
+  vtkNew<vtkActor> Workspace;
+  vtkNew<vtkPolyData> Box;
   vtkNew<vtkPolyData> Way;
   vtkNew<vtkMatrix4x4> ArrowFrame;
   vtkWeakPointer<vtkRenderer> Renderer;
 
   Internals();
   vtkActor* const* begin() const { return this->All; }
-  vtkActor* const* end() const { return this->All + 6; }
+  vtkActor* const* end() const { return this->All + 7; }
   void Place(vtkActor* actor, const double p_W[3], double radius) const;
   void PlaceMarks(vtkHapticSession* session, bool shown) const;
+  void PlaceWorkspace(vtkHapticSession* session) const;
 
 private:
-  vtkActor* All[6] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit };
+  void MakeBox() const;
+
+  vtkActor* All[7] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit, this->Workspace };
 };
 
 vtkHapticToolProps::Internals::Internals()
@@ -111,12 +118,50 @@ vtkHapticToolProps::Internals::Internals()
   this->Proxy->GetProperty()->SetColor(1.0, 0.75, 0.1);
   this->Hand->GetProperty()->SetColor(0.15, 0.45, 1.0);
   this->Arrow->GetProperty()->SetColor(0.9, 0.1, 0.1);
+  this->MakeBox();
   for (vtkActor* actor : *this)
   {
     actor->PickableOff();
     actor->UseBoundsOff(); // else resetting the camera would fit the tool
     actor->VisibilityOff();
   }
+}
+
+/// Two corners that differ in one bit are an edge.
+void vtkHapticToolProps::Internals::MakeBox() const
+{
+  constexpr vtkIdType corners = 8;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(corners);
+  vtkNew<vtkCellArray> edges;
+  for (vtkIdType corner = 0; corner < corners; ++corner)
+  {
+    points->SetPoint(corner, 0.0, 0.0, 0.0);
+    for (vtkIdType bit = 1; bit < corners; bit *= 2)
+    {
+      const vtkIdType edge[2] = { corner, corner | bit };
+      (corner & bit) == 0 ? edges->InsertNextCell(2, edge) : 0;
+    }
+  }
+  this->Box->SetPoints(points);
+  this->Box->SetLines(edges);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(this->Box);
+  this->Workspace->SetMapper(mapper);
+  this->Workspace->GetProperty()->LightingOff();
+  this->Workspace->GetProperty()->SetColor(0.15, 0.45, 1.0);
+}
+
+void vtkHapticToolProps::Internals::PlaceWorkspace(vtkHapticSession* session) const
+{
+  double corners_W[24];
+  session->GetWorkspaceCorners(corners_W);
+  for (vtkIdType corner = 0; corner < this->Box->GetNumberOfPoints(); ++corner)
+  {
+    this->Box->GetPoints()->SetPoint(corner, corners_W + 3 * corner);
+  }
+  this->Box->GetPoints()->Modified();
 }
 
 void vtkHapticToolProps::Internals::Place(vtkActor* actor, const double p_W[3], double radius) const
@@ -200,6 +245,8 @@ void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
     return;
   }
   impl.PlaceMarks(session, this->ShowPlaces);
+  impl.PlaceWorkspace(session);
+  impl.Workspace->SetVisibility(session->GetShowWorkspace());
   const double radius = std::max(session->GetRadiusUsed(), this->RelativeSize * diagonal);
   impl.Place(impl.Proxy, session->GetProxyPosition(), radius);
   impl.Place(impl.Hand, session->GetHandPosition(), handShare * radius);
@@ -239,4 +286,9 @@ vtkActor* vtkHapticToolProps::GetStartActor() const
 vtkActor* vtkHapticToolProps::GetExitActor() const
 {
   return this->Impl->Exit;
+}
+
+vtkActor* vtkHapticToolProps::GetWorkspaceActor() const
+{
+  return this->Impl->Workspace;
 }

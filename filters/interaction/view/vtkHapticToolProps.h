@@ -3,9 +3,10 @@
  * @class   vtkHapticToolProps
  * @brief   what a person sees of a haptic session: proxy, hand and force
  *
- * Two balls, an arrow, start (green) and exit (red) of a labyrinth and the way through it. The proxy's ball has the
- * session's radius where that can be seen; the arrow starts at the proxy and points along the force on the hand. None
- * is picked or counted in the bounds of a scene.
+ * Two balls, an arrow, start (green) and exit (red) of a labyrinth and the way through it, and the box of what the
+ * device reaches where the session has ShowWorkspace. The proxy's ball has the session's radius where that can be seen;
+ * the arrow starts at the proxy and points along the force on the hand. None is picked or counted in the bounds of a
+ * scene.
  */
 #ifndef vtkHapticToolProps_h
 #define vtkHapticToolProps_h
@@ -69,6 +70,7 @@ public:
   vtkActor* GetTraceActor() const;
   vtkActor* GetStartActor() const;
   vtkActor* GetExitActor() const;
+  vtkActor* GetWorkspaceActor() const;
   ///@}
 
 protected:

@@ -3,6 +3,26 @@
 
 namespace palpate
 {
+namespace
+{
+
+/// Empty where no surface has the name.
+Eigen::AlignedBox3d boxOf(const Scene* scene, const std::string& name)
+{
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; scene != nullptr && i < scene->surfaces().size(); ++i)
+  {
+    const Surface& surface = scene->surfaces()[i];
+    for (std::size_t v = 0; surface.name == name && v < surface.tree->mesh().vertices_W.size(); ++v)
+    {
+      const Pose& pose_WS = surface.motion.end_WS;
+      box.extend(pose_WS.q * surface.tree->mesh().vertices_W[v] + pose_WS.p);
+    }
+  }
+  return box;
+}
+
+} // namespace
 
 WorkspaceMap fittedMap(WorkspaceMap map, const BuiltScene& scene, const DeviceInfo& device)
 {
@@ -16,6 +36,23 @@ WorkspaceMap fittedMap(WorkspaceMap map, const BuiltScene& scene, const DeviceIn
     map.q_WD = scene.plane_WP->q;
   }
   return map;
+}
+
+std::string boundsOf(const Scene* scene, const std::vector<std::string>& names, std::array<double, 6>& bounds)
+{
+  Eigen::AlignedBox3d box;
+  for (const std::string& name : names)
+  {
+    const Eigen::AlignedBox3d of = boxOf(scene, name);
+    if (of.isEmpty())
+    {
+      return name;
+    }
+    box.extend(of);
+  }
+  const Vec3 &low_W = box.min(), &high_W = box.max();
+  bounds = { low_W.x(), high_W.x(), low_W.y(), high_W.y(), low_W.z(), high_W.z() };
+  return {};
 }
 
 bool isOfTouch(double committed_s, double begun_s)

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "haptics/core/DeviceInfo.h"
 #include "haptics/force/WorkspaceMap.h"
 #include "haptics/session/scene/BuiltScene.h"
@@ -12,6 +16,11 @@ namespace palpate
 /// middle the device's origin. A device that moves in a plane moves in that of a plane world, otherwise the rotation
 /// stays. The scene must not be empty.
 [[nodiscard]] WorkspaceMap fittedMap(WorkspaceMap map, const BuiltScene& scene, const DeviceInfo& device);
+
+/// The box of all surfaces of these names, where they stand in the end: low and high x, y, z [u]. Empty, or the first
+/// name that no surface has; then `bounds` is as before.
+[[nodiscard]] std::string boundsOf(
+  const Scene* scene, const std::vector<std::string>& names, std::array<double, 6>& bounds);
 
 /// Whether a scene that was committed then is the one that touching began with: what is shown is handed over a moment
 /// after a touch, what is shown later does not move the hand [s].

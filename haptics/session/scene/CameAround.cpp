@@ -176,6 +176,23 @@ std::optional<CameAround> cameAround(
   return std::nullopt;
 }
 
+std::optional<CameAround> movedInto(const Scene& scene, const ContactPlan& asked, const Vec3& felt_W, const Vec3& x_W)
+{
+  const ContactPlan plan = planFor(scene, asked);
+  ContactPlan point = plan;
+  point.radius_u = 0.0;
+  for (std::uint32_t i = 0; i < scene.surfaces().size(); ++i)
+  {
+    const Standing s{ MovingScene(scene, 1.0), i };
+    const std::optional<Vec3> from_W = wayOut(nullptr, s, plan, x_W);
+    if (from_W && !wayOut(nullptr, s, point, felt_W))
+    {
+      return CameAround{ s.surface().name, *from_W, stopBefore(s.scene, plan, plan.radius_u, *from_W, x_W) };
+    }
+  }
+  return std::nullopt;
+}
+
 StayOutside stayOutside(
   const CameAround& around, HandHolder holder, const Vec3& device_W, const HapticParameters& parameters)
 {

@@ -31,6 +31,11 @@ struct CameAround
 [[nodiscard]] std::optional<CameAround> cameAround(
   const Scene* before, const Scene& after, const ContactPlan& plan, const Vec3& x_W, const std::optional<Vec3>& eye_W);
 
+/// Whether a surface is around the place x_W where a hand is put, and was not around the ball where it was felt. The
+/// nearest way out is taken, as cameAround() does. Milliseconds at most; not for the tick.
+[[nodiscard]] std::optional<CameAround> movedInto(
+  const Scene& scene, const ContactPlan& plan, const Vec3& felt_W, const Vec3& x_W);
+
 /// Who holds the hand that something has come around.
 enum class HandHolder
 {

@@ -22,6 +22,8 @@ const Readout readouts[] = {
     "safe: no force; armed: waits for a free start; engaged: force flows; fault: no force" },
   { "FaultText", Text, "", "", "Why there is no force, and what to do" },
   { "Warning", Text, "", "", "What needs attention without being a fault, and what to do" },
+  { "RecordingText", Text, "", "", "What is recorded, or was, where it is, and what can be done with it" },
+  { "RecordedFile", Text, "", "", "The last recording that is whole" },
   { "Problem", Text, "", "", "The last thing that was refused, and why" },
   { "ProxyPosition", Number, "u", "", "Where the proxy is, in W", 3 },
   { "Force", Number, "N", "", "Force on the hand, in W", 3 },

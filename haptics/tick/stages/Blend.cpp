@@ -11,7 +11,8 @@ void Blend::step(TickContext& tick) noexcept
   RendererState& s = tick.s;
   HapticState& state = tick.out.state;
   const double blend_s = tick.p.sceneBlend_s;
-  if (tick.scene.replaced && !tick.scene.first && blend_s > 0.0)
+  const bool blends = tick.scene.replaced || (tick.otherMap && tick.p.keepsHand);
+  if (blends && !tick.scene.first && blend_s > 0.0)
   {
     s.blend_D += s.lastRendered_D - state.rendered_D;
   }

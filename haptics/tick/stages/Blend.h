@@ -11,15 +11,15 @@
 namespace palpate::stage
 {
 
-/// F = F_new + (F_old - F_new) decaying: a replaced scene never steps (Mark et al. 1996). Not for the first scene,
-/// not for surfaces that only move or bend, and not a safety limit.
+/// F = F_new + (F_old - F_new) decaying: a replaced scene or another map never steps (Mark et al. 1996). Not for the
+/// first scene, not for surfaces that only move or bend, and not a safety limit.
 struct Blend
 {
   static constexpr std::string_view name = "blend";
 
   struct Plan
   {
-    double sceneBlend_s = 0.03; ///< time constant in which a scene change reaches the hand
+    double sceneBlend_s = 0.03; ///< time constant in which a change of scene or map reaches the hand
   };
   template<class Visit, class... P>
   static void planFields(const Visit& visit, P&... p)

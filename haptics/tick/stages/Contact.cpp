@@ -55,7 +55,11 @@ void Contact::step(TickContext& tick) noexcept
 {
   const WorkspaceMap& map = tick.p.map;
   const bool touches = tick.touchable() && tick.game.contact;
-  const ProxyTick now{ tick.input, tick.scene, tick.contact, tick.p.ballLead, map, touches, tick.sink };
+  tick.otherMap = !isSame(tick.s.map, map);
+  const bool nearby = tick.p.keepsHand && isNearby(map, tick.handBefore_W, tick.out.state.device_W.p);
+  const bool elsewhere = tick.otherMap && !nearby;
+  tick.s.map = map;
+  const ProxyTick now{ tick.input, tick.scene, tick.contact, tick.p.ballLead, elsewhere, touches, tick.sink };
   const ProxyStep moved = moveProxy(now, target_W(tick), tick.s);
   const ContactResult& result = moved.contact;
   tell(moved, tick.out.state);

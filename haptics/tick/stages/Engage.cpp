@@ -56,13 +56,15 @@ void Engage::step(TickContext& tick) noexcept
 {
   RendererState& s = tick.s;
   const SafetyLimits& limits = tick.p.safety;
+  // What a blend hides for a moment is asked for when it has ended.
+  const double asked_N = std::max(tick.out.state.rendered_D.norm(), tick.p.keepsHand ? s.lastRendered_D.norm() : 0.0);
   if (s.engage == EngageState::Armed && !tick.out.state.letGo && !tick.seatFailed && tick.feelable() &&
-      tick.out.state.rendered_D.norm() <= limits.engageBelow_N)
+      asked_N <= limits.engageBelow_N)
   {
     s.engage = EngageState::Engaged;
   }
   const auto step = [&tick](double ramp_s) { return ramp_s > 0.0 ? tick.input.dt_s / ramp_s : 1.0; };
-  if (s.engage == EngageState::Engaged && (tick.feelable() || !limits.needsEngage))
+  if (s.engage == EngageState::Engaged && !tick.p.clutch && (tick.feelable() || !limits.needsEngage))
   {
     s.gain = std::min(1.0, s.gain + step(limits.engageRamp_s));
   }

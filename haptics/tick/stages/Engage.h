@@ -32,7 +32,7 @@ struct Requests
 };
 
 /// Lets force through once it would start small: up over the engage ramp; down over the release ramp, or the shorter
-/// one of a fault.
+/// one of a fault, and while the clutch is held.
 struct Engage
 {
   static constexpr std::string_view name = "engage";

@@ -37,6 +37,7 @@ void Hand::step(TickContext& tick) noexcept
   {
     s.engage = EngageState::Armed;
   }
+  state.handle_D = pose_D.p;
   state.device_W = { tick.p.map.toScene(pose_D.p), tick.p.map.q_WD * pose_D.q };
   state.velocity_D = estimateVelocity(tick.p.velocity, pose_D.p, dt_s, s.velocity);
   if (s.tracked)

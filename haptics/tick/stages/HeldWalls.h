@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -37,11 +38,23 @@ struct HeldWalls
              : "held walls: period [s], step [m] and viscosity [N s/m] must be numbers that are not negative";
   }
 
-  /// No part of a recording, which begins where nothing is held.
   struct State
   {
     HeldWallState walls;
   };
+  template<class Visit, class... S>
+  static void stateFields(const Visit& visit, S&... s)
+  {
+    constexpr std::array<const char*, AxisWalls::count> offsets{ "offset_m 0", "offset_m 1", "offset_m 2",
+      "offset_m 3" };
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+    {
+      visit(offsets[i], s.walls.walls.offset_m[i]...);
+    }
+    visit("since_s", s.walls.since_s...);
+    visit("stiffness_N_per_m", s.walls.stiffness_N_per_m...);
+    visit("each_N", s.walls.each_N...);
+  }
 
   static void step(TickContext& tick) noexcept;
   static void rest(TickContext& tick) noexcept;

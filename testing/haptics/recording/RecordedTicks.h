@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/recording/Recorder.h"
+#include "haptics/recording/writing/Recorder.h"
 #include "haptics/tick/ForceRenderer.h"
 
 namespace palpate::test
@@ -23,8 +23,8 @@ public:
 
   RecordedTicks(const std::string& path, const HapticParameters& first) : parameters_(first)
   {
-    const std::string problem = this->recorder_.open(path, "scripted", first, this->state_, false);
-    if (!problem.empty())
+    const std::string problem = this->recorder_.open(path, "scripted", false);
+    if (!problem.empty() || !this->recorder_.pushStart(first, this->state_))
     {
       throw std::runtime_error(problem);
     }

@@ -204,6 +204,10 @@ struct Scramble
     {
       value = Vec3(this->next, this->next + 0.25, this->next + 0.5);
     }
+    else if constexpr (std::is_same_v<T, Pose>)
+    {
+      value.p = Vec3(this->next, this->next + 0.25, this->next + 0.5);
+    }
     else if constexpr (std::is_same_v<T, Quat>)
     {
       value.coeffs() << this->next, this->next + 0.25, this->next + 0.5, this->next + 0.75;

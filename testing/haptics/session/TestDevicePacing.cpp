@@ -82,7 +82,7 @@ TEST(DevicePacing, ATickIsComputedForEachSampleOverTheTimeSinceTheOneBefore)
   DeviceTimer timer(device, clock, period_ns);
   ServoLinks links;
   links.parameters.write({ 1, {} });
-  ServoLoop loop(device, timer, links, nullptr, clock, 1e-9 * static_cast<double>(period_ns));
+  ServoLoop loop(device, timer, links, clock, 1e-9 * static_cast<double>(period_ns));
   std::vector<std::uint64_t> periods;
   while (loop.tick())
   {

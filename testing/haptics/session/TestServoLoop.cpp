@@ -58,14 +58,14 @@ public:
 /// A sphere of radius 50 mm, a device, and the loop between them.
 struct Rig
 {
-  explicit Rig(bool simulated, Recorder* recorder = nullptr) : device(simulated)
+  explicit Rig(bool simulated) : device(simulated)
   {
     HapticParameters parameters;
     parameters.safety.engageRamp_s = 0.01;
     this->links.parameters.write({ 1, parameters });
     this->links.scenes.publish(this->scene);
     this->links.events.tryPush({ 0, EventKind::Engage, 0 });
-    this->loop.emplace(this->device, this->timer, this->links, recorder, this->clock, period_s);
+    this->loop.emplace(this->device, this->timer, this->links, this->clock, period_s);
   }
 
   void run(int ticks, std::int64_t lateness_ns = 0)
@@ -91,7 +91,8 @@ struct Rig
     parameters.safety = SafetyLimits{};
     parameters.safety.engageRamp_s = 0.01;
     this->links.parameters.write({ 2, parameters });
-    this->links.scenes.publish(test::sceneOf(CurveSet{ { { -0.04, 0.05 }, { 0.04, 0.05 } }, { { 0, 1 } } }));
+    this->scene = test::sceneOf(CurveSet{ { { -0.04, 0.05 }, { 0.04, 0.05 } }, { { 0, 1 } } });
+    this->links.scenes.publish(this->scene);
     this->device.p_D = { 0, 0.06, 0 };
     this->pressed_D = { 0, 0.045, 0 };
   }
@@ -249,6 +250,28 @@ TEST(ServoLoop, WallsThatADeviceHoldsAreTakenFromTheHandAsSlowlyWhenItIsToStop)
   EXPECT_EQ(rig.device.wallCount, 0);
 }
 
+TEST(ServoLoop, WallsThatADeviceHoldsStayWhenARecordingBegins)
+{
+  const test::TemporaryFolder folder;
+  Recorder recorder;
+  ASSERT_EQ(recorder.open(folder.file("walls"), "moved", false), "");
+  Rig rig(false);
+  rig.hold();
+  rig.press();
+  ASSERT_EQ(rig.device.wallCount, 1);
+  rig.device.fall_N = 0.0;
+  recorder.storeScene(rig.scene);
+  rig.links.recorder = &recorder;
+  rig.run(50);
+  EXPECT_LT(rig.device.fall_N, 1e-12);
+  ASSERT_EQ(recorder.close(), "");
+  const auto read = readRecording(folder.file("walls"));
+  ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+  const ReplayResult result = replay(std::get<Recording>(read));
+  EXPECT_EQ(result.problem + result.difference, "");
+  EXPECT_EQ(result.ticks, 50U);
+}
+
 TEST(ServoLoop, WhoIsNotPushedWhenItIsToStopIsNotWaitedFor)
 {
   Rig rig(false);
@@ -273,11 +296,10 @@ TEST(ServoLoop, AScenePublishedTwiceAndAFaultAreInTheRecordingAndItReplays)
   const test::TemporaryFolder folder;
   const std::string path = folder.file("loop");
   Recorder recorder;
-  HapticParameters first;
-  first.safety.engageRamp_s = 0.01;
-  ASSERT_EQ(recorder.open(path, "moved", first, RendererState{}, false), "");
+  ASSERT_EQ(recorder.open(path, "moved", false), "");
   {
-    Rig rig(false, &recorder);
+    Rig rig(false);
+    rig.links.recorder = &recorder;
     recorder.storeScene(rig.scene);
     rig.press();
     rig.links.scenes.publish(rig.scene);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/recording/writing/Recorder.h"
+
+namespace palpate
+{
+
+/// A recording that goes on no more.
+struct EndedRecording
+{
+  std::string file;    ///< "": nothing of it is left
+  std::string problem; ///< "": it is whole
+};
+
+/// The recordings of a run as its owner sees them: the one that goes on, and those of which the servo has still to say
+/// that they are whole. Nothing here waits for the servo.
+class Recordings
+{
+public:
+  /// `link`: where the servo finds who records, null for nobody. In virtual time nobody else writes: see pump().
+  Recordings(std::atomic<Recorder*>& link, bool virtualTime) : link_(link), virtualTime_(virtualTime) {}
+
+  /// From the next tick on; the one before ends there. Empty, or one sentence; then the one before goes on.
+  [[nodiscard]] std::string begin(
+    const std::string& file, const std::string& device, const std::shared_ptr<const Scene>& scene);
+  /// The servo lets go of it before its next tick.
+  void end();
+  [[nodiscard]] bool running() const noexcept { return this->current_.has_value(); }
+  void storeScene(const std::shared_ptr<const Scene>& scene);
+  void storeBrick(const std::shared_ptr<const Brick>& brick);
+  /// Writes what has come in, in virtual time.
+  void pump();
+  /// Ends what has no room on its disk, and closes what has ended: each is told once.
+  [[nodiscard]] std::optional<EndedRecording> takeEnded();
+  /// The servo is gone: everything is closed. The last one, if there was any, with what went wrong with any.
+  [[nodiscard]] std::optional<EndedRecording> finish();
+
+private:
+  std::atomic<Recorder*>& link_;
+  bool virtualTime_;
+  struct Going
+  {
+    std::string file;
+    std::unique_ptr<Recorder> recorder;
+  };
+  [[nodiscard]] static EndedRecording close(const Going& going);
+
+  std::optional<Going> current_;
+  std::vector<Going> ending_;
+};
+
+} // namespace palpate

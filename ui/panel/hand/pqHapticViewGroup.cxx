@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticViewGroup.h"
+
+#include "pqHapticController.h"
+#include "pqHapticFields.h"
+#include "pqPropertyLinks.h"
+#include "vtkSMProxy.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace
+{
+QPushButton* Button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip)
+{
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  row->addWidget(button, 1);
+  return button;
+}
+
+QCheckBox* Switch(QHBoxLayout* row, const char* name, const char* property, const QString& key)
+{
+  auto* box = new QCheckBox(pqHapticTitle(property));
+  box->setObjectName(name);
+  box->setToolTip(pqHapticTip(property) + " (" + key + ")");
+  row->addWidget(box, 1);
+  return box;
+}
+} // namespace
+
+pqHapticViewGroup::pqHapticViewGroup(QWidget* parent) : Superclass(tr("Hand and view"), parent)
+{
+  this->setObjectName("viewGroup");
+  auto* form = new QFormLayout(this);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  auto* buttons = new QHBoxLayout;
+  form->addRow(buttons);
+  this->Fit = Button(buttons, "fitSelection", tr("Fit Selection"),
+    tr("Scale and place such that the device's workspace holds the sources that are selected"));
+  this->Align = Button(buttons, "align", tr("Align Now"),
+    tr("Turn the workspace about the hand: right, up and towards of the device are those of the view"));
+  auto* switches = new QHBoxLayout;
+  form->addRow(switches);
+  this->Precise = Switch(switches, "precision", "Precision", tr("while Ctrl+Shift+P is held"));
+  this->Clutch = Switch(switches, "clutch", "Clutch", tr("while Ctrl+Shift+C is held"));
+  this->Rows.add(form, "view");
+  auto* controller = pqHapticController::instance();
+  this->connect(this->Fit, &QPushButton::clicked, controller, &pqHapticController::fitSelection);
+  this->connect(this->Align, &QPushButton::clicked, controller, &pqHapticController::alignWithView);
+}
+
+pqHapticViewGroup::~pqHapticViewGroup() = default;
+
+void pqHapticViewGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
+{
+  const auto link = [&](QCheckBox* box, const char* name)
+  { links.addTraceablePropertyLink(box, "checked", SIGNAL(toggled(bool)), proxy, proxy->GetProperty(name)); };
+  link(this->Precise, "Precision");
+  link(this->Clutch, "Clutch");
+  this->Rows.link(links, proxy);
+}
+
+QList<QWidget*> pqHapticViewGroup::fields() const
+{
+  return QList<QWidget*>{ this->Fit, this->Align, this->Precise, this->Clutch } + this->Rows.fields("view");
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticRecordingRows.h"
+
+#include "pqHapticController.h"
+#include "pqHapticFields.h"
+#include "pqHapticLabel.h"
+#include "pqHapticRecordings.h"
+#include "pqPropertyLinks.h"
+#include "vtkHapticSession.h"
+#include "vtkSMProxy.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <cstring>
+
+namespace
+{
+QPushButton* Button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip)
+{
+  constexpr int leastWidth = 30; // four of them are no wider than the other rows [pixels]
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  button->setMinimumWidth(leastWidth);
+  row->addWidget(button, 1);
+  return button;
+}
+} // namespace
+
+pqHapticRecordingRows::pqHapticRecordingRows(QWidget* parent) : Superclass(parent)
+{
+  this->setObjectName("recording");
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  auto* buttons = new QHBoxLayout;
+  rows->addLayout(buttons);
+  this->Record = Button(buttons, "record", pqHapticTitle("Recording"), pqHapticTip("Recording") + " (Ctrl+Shift+R)");
+  this->Record->setCheckable(true);
+  this->Save = Button(buttons, "saveRecording", tr("Save..."), tr("Keep the last recording under a name"));
+  this->Replay = Button(buttons, "replay", tr("Replay"), tr("Let the recording move the hand again"));
+  this->Way = Button(buttons, "showWay", tr("Way"), tr("Open the way of the hand in the pipeline, with its forces"));
+  this->Text = pqHapticLabel(this, "recordingText", pqHapticReadoutTip("RecordingText"));
+  rows->addWidget(this->Text);
+  this->Played = new QWidget(this);
+  rows->addWidget(this->Played);
+  auto* played = new QHBoxLayout(this->Played);
+  played->setContentsMargins(0, 0, 0, 0);
+  this->Played->setObjectName("played");
+  this->ReplayFile = new QLineEdit(this->Played);
+  this->ReplayFile->setObjectName("replayFile");
+  this->ReplayFile->setPlaceholderText(tr("Recording to play"));
+  this->ReplayFile->setToolTip(pqHapticTip("ReplayFile"));
+  played->addWidget(this->ReplayFile, 1);
+  this->Browse = Button(played, "browse", tr("Open..."), tr("Choose the recording that is played"));
+  auto* recordings = pqHapticController::instance()->recordings();
+  this->connect(this->Save, &QPushButton::clicked, recordings, &pqHapticRecordings::save);
+  this->connect(this->Replay, &QPushButton::clicked, recordings, &pqHapticRecordings::replay);
+  this->connect(this->Way, &QPushButton::clicked, recordings, &pqHapticRecordings::showWay);
+  this->connect(this->Browse, &QPushButton::clicked, recordings, &pqHapticRecordings::open);
+}
+
+pqHapticRecordingRows::~pqHapticRecordingRows() = default;
+
+void pqHapticRecordingRows::link(vtkSMProxy* proxy, pqPropertyLinks& links)
+{
+  links.addTraceablePropertyLink(
+    this->Record, "checked", SIGNAL(toggled(bool)), proxy, proxy->GetProperty("Recording"));
+  links.addTraceablePropertyLink(
+    this->ReplayFile, "text", SIGNAL(editingFinished()), proxy, proxy->GetProperty("ReplayFile"));
+}
+
+void pqHapticRecordingRows::refresh(vtkHapticSession* session)
+{
+  const bool plays = session && std::strcmp(session->GetDeviceName(), "replay") == 0;
+  const bool hasFile = session && *session->GetReplayFile() != '\0';
+  this->Save->setEnabled(session && !session->GetRecording() && *session->GetRecordedFile() != '\0');
+  this->Replay->setEnabled(hasFile);
+  this->Way->setEnabled(hasFile);
+  this->Played->setVisible(plays);
+  pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetRecordingText()) : QString());
+}
+
+QList<QWidget*> pqHapticRecordingRows::fields() const
+{
+  return { this->Record, this->Save, this->Replay, this->Way, this->ReplayFile, this->Browse };
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticRecordings.h"
+
+#include "pqCoreUtilities.h"
+#include "pqFileDialog.h"
+#include "pqHapticCommand.h"
+#include "pqLoadDataReaction.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+
+#include <QAction>
+#include <QStringList>
+
+namespace
+{
+/// "" when the person thinks better of it.
+QString AskForFile(const char* name, const QString& title, pqFileDialog::FileMode mode)
+{
+  pqFileDialog dialog(nullptr, pqCoreUtilities::mainWidget(), title, QString(),
+    pqHapticRecordings::tr("Recordings of touching (*.palpate)"), false);
+  dialog.setObjectName(name);
+  dialog.setFileMode(mode);
+  return dialog.exec() == QDialog::Accepted ? dialog.getSelectedFiles().value(0) : QString();
+}
+} // namespace
+
+pqHapticRecordings::pqHapticRecordings(QObject* parent) : Superclass(parent), RecordAction(new QAction(this))
+{
+  this->RecordAction->setText(tr("&Record"));
+  this->RecordAction->setObjectName("hapticRecordAction");
+  this->RecordAction->setCheckable(true);
+  this->RecordAction->setEnabled(false);
+  this->RecordAction->setShortcut(Qt::CTRL + Qt::SHIFT + Qt::Key_R);
+  this->RecordAction->setToolTip(tr("Record what is touched, from now on or with the next touch"));
+  this->connect(this->RecordAction, &QAction::toggled, this, &pqHapticRecordings::record);
+}
+
+pqHapticRecordings::~pqHapticRecordings() = default;
+
+void pqHapticRecordings::setProxy(vtkSMProxy* proxy)
+{
+  this->Proxy = proxy;
+  this->follow();
+}
+
+void pqHapticRecordings::follow()
+{
+  this->RecordAction->setEnabled(this->Proxy != nullptr);
+  this->RecordAction->setChecked(this->Proxy && vtkSMPropertyHelper(this->Proxy, "Recording").GetAsInt() != 0);
+}
+
+void pqHapticRecordings::record(bool on)
+{
+  if (this->Proxy && on != (vtkSMPropertyHelper(this->Proxy, "Recording").GetAsInt() != 0))
+  {
+    vtkSMPropertyHelper(this->Proxy, "Recording").Set(on ? 1 : 0);
+    this->Proxy->UpdateVTKObjects();
+  }
+}
+
+void pqHapticRecordings::save()
+{
+  const QString file = AskForFile("hapticSaveRecording", tr("Save Recording"), pqFileDialog::AnyFile);
+  if (this->Proxy && !file.isEmpty())
+  {
+    pqHapticCommand(this->Proxy, "SaveRecording", file);
+  }
+}
+
+void pqHapticRecordings::open()
+{
+  const QString file = AskForFile("hapticOpenRecording", tr("Recording to Play"), pqFileDialog::ExistingFile);
+  if (this->Proxy && !file.isEmpty())
+  {
+    pqHapticCommand(this->Proxy, "ReplayFile", file);
+  }
+}
+
+void pqHapticRecordings::replay()
+{
+  if (this->Proxy)
+  {
+    vtkSMPropertyHelper(this->Proxy, "Touching").Set(0);
+    this->Proxy->UpdateVTKObjects();
+    pqHapticCommand(this->Proxy, "DeviceName", "replay");
+    vtkSMPropertyHelper(this->Proxy, "Touching").Set(1);
+    this->Proxy->UpdateVTKObjects();
+  }
+}
+
+void pqHapticRecordings::showWay()
+{
+  const QString file = this->Proxy ? vtkSMPropertyHelper(this->Proxy, "ReplayFile").GetAsString() : "";
+  if (!file.isEmpty())
+  {
+    pqLoadDataReaction::loadData(QStringList(file));
+  }
+}
