@@ -22,7 +22,7 @@ ContactResult move(
     state.count = 0;
     state.slips = false;
     state.texture = -1.0;
-    if (!seatBall(scene, plan.radius_u, p_W, state.x_W))
+    if (!seatBall(scene, plan, p_W, state.x_W))
     {
       ContactResult refused;
       refused.proxy_W = p_W;

@@ -43,6 +43,7 @@ struct JudgedLoop
   const StabilityLimits& limits, double viscosity_Ns_per_m = 0.0) noexcept
 {
   parameters.keepsHand = true;
+  parameters.contact.seatsBySide = true;
   parameters.passivity.enabled = parameters.passivity.enabled && device.rendersForce;
   if (parameters.velocity.resolution_m == 0.0)
   {

@@ -17,6 +17,7 @@ public:
     : scene_(std::move(scene)), parameters_(parameters)
   {
     this->parameters_.safety = SafetyLimits::none();
+    this->parameters_.contact.seatsBySide = true;
     this->input_.scene = this->scene_.get();
     this->input_.dt_s = first_s;
   }

@@ -355,7 +355,7 @@ void carryWithVertices(
   }
   if (moved)
   {
-    static_cast<void>(seatBall(to, plan.radius_u, Vec3(state.x_W), state.x_W));
+    static_cast<void>(seatBall(to, plan, Vec3(state.x_W), state.x_W));
   }
   dropTurnedFaces(to, state);
 }

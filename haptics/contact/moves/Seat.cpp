@@ -78,7 +78,7 @@ struct Nearest
 /// A way off a triangle, or a curve, for a centre that rounding cannot tell from it: to the side that the centre is on
 /// exactly. A point that rests on a face is as near as that, and a face may be turned either way.
 template<class AnySurface>
-Vec3 acrossAt(const AnySurface& surface, std::uint32_t triangle, const Vec3& x_W) noexcept
+Vec3 acrossAt(const AnySurface& surface, std::uint32_t triangle, const Vec3& x_W, bool bySide) noexcept
 {
   if (dataOf(surface).coat_u > 0.0)
   {
@@ -86,11 +86,11 @@ Vec3 acrossAt(const AnySurface& surface, std::uint32_t triangle, const Vec3& x_W
     return (b - a).unitOrthogonal();
   }
   const Vec3 normal_W = surface.face(triangle).normal_W;
-  return sideOf(surface, triangle, x_W) < 0 ? Vec3(-normal_W) : normal_W;
+  return bySide && sideOf(surface, triangle, x_W) < 0 ? Vec3(-normal_W) : normal_W;
 }
 
 template<SceneView AnyScene>
-Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach) noexcept
+Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach, bool bySide) noexcept
 {
   Nearest nearest;
   forEachNear(scene, x_W, reach,
@@ -102,7 +102,7 @@ Nearest nearestWithin(const AnyScene& scene, const Vec3& x_W, double reach) noex
       const double clearance = (x_W - foot_W).norm() - coat;
       if (clearance < nearest.clearance)
       {
-        nearest = { clearance, coat, foot_W, acrossAt(surface, t, x_W), s, t };
+        nearest = { clearance, coat, foot_W, acrossAt(surface, t, x_W, bySide), s, t };
       }
     });
   return nearest;
@@ -142,8 +142,9 @@ private:
 
 /// Only what is nearest pushes: a flat patch seen from close by pushes straight out, not sideways off each triangle.
 template<SceneView AnyScene>
-bool seatRound(const AnyScene& scene, double r, const Vec3& p_W, Vec3& x_W) noexcept
+bool seatRound(const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, Vec3& x_W) noexcept
 {
+  const double r = plan.radius_u;
   Resolution resolution;
   resolution.include(p_W);
   resolution.include(Vec3::Constant(r + sceneOf(scene).mostCoat_u()));
@@ -154,7 +155,7 @@ bool seatRound(const AnyScene& scene, double r, const Vec3& p_W, Vec3& x_W) noex
   for (int round = 0; round < rounds; ++round)
   {
     const Vec3 x = p_W + y;
-    const Nearest nearest = nearestWithin(scene, x, r);
+    const Nearest nearest = nearestWithin(scene, x, r, plan.seatsBySide);
     if (nearest.clearance >= r - tol)
     {
       x_W = x;
@@ -218,12 +219,12 @@ bool seatPoint(const AnyScene& scene, const Vec3& p_W, Vec3& x_W) noexcept
 } // namespace
 
 template<SceneView AnyScene>
-bool seatBall(const AnyScene& scene, double radius_u, const Vec3& p_W, Vec3& x_W) noexcept
+bool seatBall(const AnyScene& scene, const ContactPlan& plan, const Vec3& p_W, Vec3& x_W) noexcept
 {
-  return radius_u > 0.0 ? seatRound(scene, radius_u, p_W, x_W) : seatPoint(scene, p_W, x_W);
+  return plan.radius_u > 0.0 ? seatRound(scene, plan, p_W, x_W) : seatPoint(scene, p_W, x_W);
 }
 
-template bool seatBall(const Scene&, double, const Vec3&, Vec3&) noexcept;
-template bool seatBall(const MovingScene&, double, const Vec3&, Vec3&) noexcept;
+template bool seatBall(const Scene&, const ContactPlan&, const Vec3&, Vec3&) noexcept;
+template bool seatBall(const MovingScene&, const ContactPlan&, const Vec3&, Vec3&) noexcept;
 
 } // namespace palpate

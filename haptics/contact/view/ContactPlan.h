@@ -21,6 +21,9 @@ struct ContactPlan
   double radius_u = 0.0;            ///< ball radius [u], >= 0; 0 is a point
   double coupling_N_per_m = 1000.0; ///< of this tick, which sets it: what soft walls are compared with
   FrictionPlan friction;
+  /// A ball that is put where a point rests is moved off the face to the exact side of the point; else to the side that
+  /// the face is turned to, as in recordings of before.
+  bool seatsBySide = false;
   bool shading = false; ///< smooth forces over facets (contact/feel/Shading); its work over a closed way is not zero
   /// Passes of the god-object loop per tick. Settled contact takes 2 or 3. Of 30,000 ticks over a noisy sphere up to 32
   /// met a cap of 32; twice that is allowed.

@@ -32,6 +32,7 @@ struct Contact
     visit("friction.statical", p.contact.friction.statical...);
     visit("friction.kinetic", p.contact.friction.kinetic...);
     visit("shading", p.contact.shading...);
+    visit("seatsBySide", p.contact.seatsBySide...);
     visit("passCap", p.contact.passCap...);
     visit("workBudget", p.contact.workBudget...);
     visit("ballLead.number", p.ballLead.number...);

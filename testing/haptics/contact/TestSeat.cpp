@@ -99,6 +99,7 @@ TEST(Seat, ABallThatIsPutWhereAPressedPointRestsIsOnTheSideOfThePoint)
     GodObjectState state;
     ContactPlan plan;
     plan.radius_u = 0.5;
+    plan.seatsBySide = true;
     ASSERT_FALSE(moveGodObject(*scene, plan, point.x_W(), state).seatFailed) << "case " << i;
     const double outside = (state.x_W.cwiseAbs() - half).cwiseMax(0.0).norm();
     ASSERT_NEAR(outside, plan.radius_u, 1e-9) << "case " << i << ": " << state.x_W.transpose();

@@ -320,7 +320,7 @@ void expectNoHoles(std::vector<Extent> members, const Plan& plan, std::string_vi
   }
 }
 
-TEST(RecordedParameters, LeaveNoMemberOfAPlanOutButTheCouplingThatEachTickSets)
+TEST(RecordedParameters, LeaveNoMemberOfAPlanOutButWhatEachTickSets)
 {
   TickStages::forEach(
     []<class S>(std::type_identity<S>)
@@ -333,6 +333,10 @@ TEST(RecordedParameters, LeaveNoMemberOfAPlanOutButTheCouplingThatEachTickSets)
         if constexpr (std::is_same_v<S, stage::Contact>)
         {
           Locate{ members }("coupling_N_per_m", plan.contact.coupling_N_per_m);
+        }
+        if constexpr (std::is_same_v<S, stage::Field>)
+        {
+          Locate{ members }("friction", plan.field.friction); // the contact's
         }
         expectNoHoles(members, plan, S::name);
       }
