@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/common/LinkNotes.h"
 
+#include <system_error>
+
 #include <cmath>
 
 #include "haptics/core/Fault.h"
@@ -14,6 +16,12 @@ std::string describeLink(const LinkReport& link)
          " effects renewed, " + std::to_string(link.stalls) + " stalls, " + std::to_string(link.losses) + " losses, " +
          std::to_string(link.strange) + " strange, " + std::to_string(link.outOfRange) + " out of range" +
          (link.attached ? "" : "; not there") + (link.message.empty() ? "" : ": " + link.message);
+}
+
+std::string describeFailedWrite(const std::string& error)
+{
+  const std::string gone = std::make_error_code(std::errc::no_such_device).message();
+  return error.find(gone) != std::string::npos ? "it was unplugged" : "it does not take forces: " + error;
 }
 
 std::string describeLoss(const LinkReport& link)

@@ -11,6 +11,10 @@ namespace palpate
 /// How a link goes, in one line for a person. Pure.
 [[nodiscard]] std::string describeLink(const LinkReport& link);
 
+/// Why a device was lost whose write failed with that error: one that was unplugged may be missed by the writer before
+/// the reader misses it. Pure.
+[[nodiscard]] std::string describeFailedWrite(const std::string& error);
+
 /// Why there is no force after a device was lost, whether it is back, and what to do. Pure.
 [[nodiscard]] std::string describeLoss(const LinkReport& link);
 

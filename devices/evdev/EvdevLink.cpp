@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/evdev/EvdevLink.h"
+#include "devices/common/LinkNotes.h"
 
 #include <array>
 #include <utility>
@@ -182,7 +183,7 @@ bool EvdevLink::writePass()
   this->writer_.ends();
   if (step == PidStep::Failed)
   {
-    const std::string why = "it does not take forces: " + device->connection->error();
+    const std::string why = describeFailedWrite(device->connection->error());
     this->lose(device, why);
     device->engine->close();
   }

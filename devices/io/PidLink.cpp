@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/io/PidLink.h"
+#include "devices/common/LinkNotes.h"
 
 #include <utility>
 
@@ -266,7 +267,7 @@ bool PidLink::writeTo(const std::shared_ptr<Attached>& device, std::int64_t now_
   const PidOutput::Step step = device->output->step(now_ns, this->exchange_.wish());
   if (step == PidOutput::Step::Failed)
   {
-    this->loseAndStop(device, now_ns, "it does not take forces: " + device->connection->error());
+    this->loseAndStop(device, now_ns, describeFailedWrite(device->connection->error()));
   }
   this->counts_.outputs += step == PidOutput::Step::Sent ? 1 : 0;
   this->counts_.restarts += device->output->restarts() - restarts;

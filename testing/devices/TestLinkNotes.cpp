@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cerrno>
+#include <cstring>
+
 #include <gtest/gtest.h>
 
 #include "devices/common/LinkNotes.h"
@@ -38,6 +41,12 @@ TEST(LinkNotes, OfALinkCountWhatWentWrong)
   link.attached = false;
   link.message = "it was unplugged";
   EXPECT_EQ(describeLink(link), counts + "; not there: it was unplugged");
+}
+
+TEST(LinkNotes, AWriteThatFailsBecauseTheDeviceIsGoneIsSaidAsBeingUnplugged)
+{
+  EXPECT_EQ(describeFailedWrite(std::strerror(ENODEV)), "it was unplugged"); // as the kernel's driver and hidapi say it
+  EXPECT_EQ(describeFailedWrite(std::strerror(EPIPE)), std::string("it does not take forces: ") + std::strerror(EPIPE));
 }
 
 } // namespace

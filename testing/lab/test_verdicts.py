@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every experiment's verdicts pass and all charts come.
 
-At default sizes run all that are short and one third of the long ones. Which third is the
-commit's turn; the others run at their quick size. With PALPATE_TEST_FULL all run at default sizes.
+At default sizes run all that are short and those of the long ones whose turn it is; the others run at their quick size. With PALPATE_TEST_FULL all run at default sizes.
 """
 
 import json
@@ -12,7 +11,7 @@ import unittest
 from charting.tables import read_folder
 from charts import CHARTS
 from lab_runs import LabTest
-from turns import shares_of_this_run
+from turns import in_turn
 
 # 10 s or more each at default sizes; each third takes about 105 s.
 LONG = (
@@ -34,7 +33,7 @@ class Everything(LabTest):
     def test_all_verdicts_pass_and_all_charts_are_drawn(self):
         names = self.names()
         self.assertLessEqual(set().union(*LONG), names, "a long experiment was renamed")
-        quick = set().union(*LONG) - set().union(*shares_of_this_run(LONG))
+        quick = set().union(*LONG) - set().union(*in_turn(LONG, first=0))
         print("at quick sizes:", ", ".join(sorted(quick)) or "none", file=sys.stderr)
         self.assert_all_verdicts_pass(names - quick)
         if quick:

@@ -66,9 +66,15 @@ class Bar(unittest.TestCase):
             return any(test[1] == suite and fnmatch(case, test[2]) for suite, case in self.defined)
         if name.endswith(".py"):
             return any(self.TESTING.rglob(Path(name).name)) and ("/" not in name or (ROOT / name).is_file())
-        if name.startswith("benchmark."):
-            return any(f"NAME {name} " in path.read_text(encoding="utf-8") for path in self.TESTING.rglob("CMakeLists.txt"))
+        if test := re.fullmatch(r"pv\.(\w+)", name):
+            return (self.TESTING / "ui" / f"{test[1]}.xml").is_file() or self.is_named(name)
+        if re.match(r"(benchmark|plugin|filters|install|sanitizers)\.", name):
+            return self.is_named(name)
         return name in self.experiments or (name.endswith("/") and (ROOT / name).is_dir())
+
+    def is_named(self, name):
+        """A test that is a program of its own."""
+        return any(f"NAME {name} " in path.read_text(encoding="utf-8") for path in self.TESTING.rglob("CMakeLists.txt"))
 
     def test_every_row_without_later_names_what_exists(self):
         rows = list(self.rows())
@@ -79,7 +85,7 @@ class Bar(unittest.TestCase):
 
     def test_every_test_script_and_experiment_it_names_is_in_the_tree(self):
         self.assertGreater(len(self.experiments), 40)
-        beside = {"palpate-tick-bench", "palpate-device-bench", "data/get"}  # programs and a command, not tests
+        beside = {"palpate-tick-bench", "palpate-device-bench", "palpate-field-bench", "data/get"}  # programs and a command, not tests
         for _, line, names in self.rows():
             for name in names:
                 self.assertTrue(name in beside or self.exists(name), (name, line))

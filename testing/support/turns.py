@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests that take minutes are done in turn: each commit does one share, so that as many commits in a row as there are shares
-do all of them. With PALPATE_TEST_FULL a run does every share."""
+"""Tests that take minutes are done in turn: each commit does one of them, so that as many commits in a row as there are do all.
+With PALPATE_TEST_FULL a run does every one."""
 
 import os
 import pathlib
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
+TURNS = 5  # three thirds of the long experiments, then each sanitizer: a commit has time for one
 
 
 def git(*words):
@@ -21,8 +22,9 @@ def commit_number():
     return int(git("rev-list", "--count", "HEAD")) if whole else int(git("rev-parse", "HEAD"), 16)
 
 
-def shares_of_this_run(shares):
-    """Those of the shares that this run does: a list of one, or of all of them."""
+def in_turn(shares, first):
+    """Those of the shares that this run does: all, or the one whose turn it is, the turns of these beginning at `first`."""
     if os.environ.get("PALPATE_TEST_FULL"):
         return list(shares)
-    return [shares[commit_number() % len(shares)]]
+    turn = commit_number() % TURNS - first
+    return [shares[turn]] if 0 <= turn < len(shares) else []

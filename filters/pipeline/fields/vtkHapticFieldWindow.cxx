@@ -118,7 +118,7 @@ std::vector<float> Cropped(
 }
 
 std::vector<float> Values(const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window, const BrickGrid& lattice,
-  int smoothing, const vtkHapticFieldReading& read)
+  int smoothing, const HapticFieldReading& read)
 {
   if (part.Role != BrickRole::Scalar || smoothing == 0)
   {
@@ -164,7 +164,7 @@ std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& 
 }
 
 palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
-  const vtkHapticFieldReading& read, const Vec3& centre_W, double reach_u, std::uint64_t revision)
+  const HapticFieldReading& read, const Vec3& centre_W, double reach_u, std::uint64_t revision)
 {
   const std::vector<vtkHapticFieldPart> parts = vtkHapticFieldParts(arrays);
   const std::size_t mostPoints = palpate::Brick::mostBytes / (sizeof(float) * FloatsPerPoint(parts));
