@@ -57,6 +57,10 @@ void pqHapticFieldGroup::setProxy(vtkSMProxy* proxy)
 
 void pqHapticFieldGroup::refresh(vtkHapticSession* session, const pqHapticViewFollower& follower)
 {
+  if (!this->isVisible())
+  {
+    return; // looking at all sources costs too much for what nobody sees
+  }
   for (const Choice& choice : this->Choices)
   {
     choice.List->setNames(follower.fieldNames(choice.Components));
