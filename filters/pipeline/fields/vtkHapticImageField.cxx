@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticImageField.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -117,6 +118,21 @@ float vtkHapticFieldScalar(const double* tuple, int components, int component)
     return static_cast<float>(tuple[0]);
   }
   return static_cast<float>(Eigen::Map<const Eigen::VectorXd>(tuple, components).norm());
+}
+
+void vtkHapticKeepTuple(
+  vtkDataArray* array, vtkIdType point, palpate::BrickRole role, int component, std::vector<float>& values)
+{
+  const int kept = palpate::componentsOf(role), components = array->GetNumberOfComponents();
+  std::vector<double> tuple(static_cast<std::size_t>(components));
+  array->GetTuple(point, tuple.data());
+  float* const to = values.data() + kept * point;
+  if (kept == 1)
+  {
+    *to = vtkHapticFieldScalar(tuple.data(), components, component);
+    return;
+  }
+  std::transform(tuple.begin(), tuple.begin() + kept, to, [](double number) { return static_cast<float>(number); });
 }
 
 vtkHapticImageField::vtkHapticImageField(vtkSmartPointer<vtkImageData> image, vtkHapticFieldArrays arrays)

@@ -5,6 +5,7 @@
 #include "vtkHapticFieldWindow.h"
 #include "vtkSmartPointer.h"
 
+class vtkDataArray;
 class vtkImageData;
 
 /// The voxels of an image, copied as they are: no value between points is made up.
@@ -31,5 +32,10 @@ private:
 
 /// The components of an array at a point as a role feels them: a scalar is one of them, or their length.
 float vtkHapticFieldScalar(const double* tuple, int components, int component);
+
+/// Writes what a role keeps of the tuple of a point, with the chosen component of a scalar, to the same point of
+/// `values`.
+void vtkHapticKeepTuple(
+  vtkDataArray* array, vtkIdType point, palpate::BrickRole role, int component, std::vector<float>& values);
 
 #endif

@@ -170,20 +170,12 @@ private:
     std::vector<float> values(points * static_cast<std::size_t>(kept), std::numeric_limits<float>::quiet_NaN());
     vtkDataArray* const array = image.GetPointData()->GetArray(part.Name.c_str());
     vtkDataArray* const mask = image.GetPointData()->GetArray(Mask);
-    std::vector<double> tuple(array ? static_cast<std::size_t>(array->GetNumberOfComponents()) : 0);
-    for (std::size_t i = 0; array && i < points; ++i)
+    for (vtkIdType i = 0; array && i < image.GetNumberOfPoints(); ++i)
     {
-      if (mask && mask->GetComponent(static_cast<vtkIdType>(i), 0) == 0.0)
+      if (!mask || mask->GetComponent(i, 0) != 0.0)
       {
-        continue;
+        vtkHapticKeepTuple(array, i, part.Role, this->Arrays.Component, values);
       }
-      array->GetTuple(static_cast<vtkIdType>(i), tuple.data());
-      if (kept == 1)
-      {
-        values[i] = vtkHapticFieldScalar(tuple.data(), array->GetNumberOfComponents(), this->Arrays.Component);
-        continue;
-      }
-      std::copy_n(tuple.begin(), kept, values.begin() + static_cast<std::ptrdiff_t>(i) * kept);
     }
     return values;
   }

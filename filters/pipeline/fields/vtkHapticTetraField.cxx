@@ -81,20 +81,12 @@ vtkHapticTetraField::Mesh vtkHapticTetraField::MakeMesh() const
 
 std::vector<float> vtkHapticTetraField::ValuesOf(const vtkHapticFieldPart& part) const
 {
-  const int kept = palpate::componentsOf(part.Role);
+  const vtkIdType points = this->Data->GetNumberOfPoints();
+  std::vector<float> values(static_cast<std::size_t>(points * palpate::componentsOf(part.Role)));
   vtkDataArray* const array = this->Data->GetPointData()->GetArray(part.Name.c_str());
-  const auto points = static_cast<std::size_t>(this->Data->GetNumberOfPoints());
-  std::vector<float> values(points * static_cast<std::size_t>(kept));
-  std::vector<double> tuple(static_cast<std::size_t>(array->GetNumberOfComponents()));
-  for (std::size_t i = 0; i < points; ++i)
+  for (vtkIdType i = 0; i < points; ++i)
   {
-    array->GetTuple(static_cast<vtkIdType>(i), tuple.data());
-    if (kept == 1)
-    {
-      values[i] = vtkHapticFieldScalar(tuple.data(), array->GetNumberOfComponents(), this->Arrays.Component);
-      continue;
-    }
-    std::copy_n(tuple.begin(), kept, values.begin() + static_cast<std::ptrdiff_t>(i) * kept);
+    vtkHapticKeepTuple(array, i, part.Role, this->Arrays.Component, values);
   }
   return values;
 }
