@@ -20,28 +20,6 @@
 
 namespace
 {
-/// The data sets in a data object.
-std::vector<vtkDataSet*> PartsOf(vtkDataObject* data)
-{
-  std::vector<vtkDataSet*> parts;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      if (auto* part = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
-      {
-        parts.push_back(part);
-      }
-    }
-  }
-  else if (auto* one = vtkDataSet::SafeDownCast(data))
-  {
-    parts.push_back(one);
-  }
-  return parts;
-}
-
 vtkDataArray* FindArray(vtkDataSet* part, const std::string& name)
 {
   vtkDataArray* const atPoints = part->GetPointData()->GetArray(name.c_str());
@@ -105,18 +83,39 @@ vtkSmartPointer<vtkImageData> WithPointData(vtkImageData& image)
   toPoints->Update();
   return vtkImageData::SafeDownCast(toPoints->GetOutput());
 }
-
-bool AllAtPoints(vtkDataSet& data, const vtkHapticFieldArrays& arrays)
-{
-  const auto atPoints = [&data](const std::string& name)
-  { return name.empty() || data.GetPointData()->GetArray(name.c_str()); };
-  return atPoints(arrays.Scalar) && atPoints(arrays.Vector) && atPoints(arrays.Resistance) && atPoints(arrays.Other);
-}
 } // namespace
+
+std::vector<vtkDataSet*> vtkHapticFieldSets(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> parts;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      if (auto* part = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+      {
+        parts.push_back(part);
+      }
+    }
+  }
+  else if (auto* one = vtkDataSet::SafeDownCast(data))
+  {
+    parts.push_back(one);
+  }
+  return parts;
+}
+
+bool vtkHapticAllAtPoints(vtkDataSet& data, const vtkHapticFieldArrays& arrays)
+{
+  const std::vector<vtkHapticFieldPart> parts = vtkHapticFieldParts(arrays);
+  return std::all_of(parts.begin(), parts.end(),
+    [&data](const vtkHapticFieldPart& part) { return data.GetPointData()->GetArray(part.Name.c_str()); });
+}
 
 vtkHapticFieldResult vtkHapticToField(vtkDataObject* data, const vtkHapticFieldArrays& arrays)
 {
-  const std::vector<vtkDataSet*> parts = PartsOf(data);
+  const std::vector<vtkDataSet*> parts = vtkHapticFieldSets(data);
   const auto filled = [](vtkDataSet* part) { return part->GetNumberOfPoints() > 0; };
   if (std::none_of(parts.begin(), parts.end(), filled))
   {
@@ -135,16 +134,17 @@ vtkHapticFieldResult vtkHapticToField(vtkDataObject* data, const vtkHapticFieldA
   {
     auto kept = vtkSmartPointer<vtkImageData>::Take(image->NewInstance());
     kept->ShallowCopy(image);
-    return { std::make_shared<vtkHapticImageField>(AllAtPoints(*kept, arrays) ? kept : WithPointData(*kept), arrays),
-      "" };
+    return {
+      std::make_shared<vtkHapticImageField>(vtkHapticAllAtPoints(*kept, arrays) ? kept : WithPointData(*kept), arrays), ""
+    };
   }
-  return vtkHapticResampled(data, arrays);
+  return vtkHapticResampled(data, parts, arrays);
 }
 
 std::vector<std::string> vtkHapticFieldArrayNames(vtkDataObject* data, int components)
 {
   std::set<std::string> names;
-  for (vtkDataSet* part : PartsOf(data))
+  for (vtkDataSet* part : vtkHapticFieldSets(data))
   {
     for (vtkDataSetAttributes* attributes : { static_cast<vtkDataSetAttributes*>(part->GetPointData()),
            static_cast<vtkDataSetAttributes*>(part->GetCellData()) })

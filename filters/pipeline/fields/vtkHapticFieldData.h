@@ -20,8 +20,7 @@ struct vtkHapticFieldArrays
   std::string Resistance;
   std::string Other;  ///< what the scalar is compared with
   int Component = -1; ///< of the scalar, where it has several; -1: their length
-  int Smoothing =
-    0; ///< passes over the scalar; each averages a point with its neighbours, half and half along each axis
+  int Smoothing = 0;  ///< passes over the scalar (haptics/field/Smoothing.h)
 
   /// Whether there is anything to feel.
   bool Any() const { return !this->Scalar.empty() || !this->Vector.empty() || !this->Resistance.empty(); }

@@ -137,17 +137,6 @@ BrickGrid vtkHapticGridOf(const BrickGrid& lattice, const vtkHapticFieldWindow& 
   return grid;
 }
 
-std::array<double, 6> vtkHapticBoundsOf(const BrickGrid& lattice)
-{
-  Eigen::AlignedBox3d box;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const auto end = [&](int axis) { return (corner >> axis & 1) * (lattice.size[axis] - 1.0); };
-    box.extend(lattice.toWorld({ end(0), end(1), end(2) }));
-  }
-  return { box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(), box.max().z() };
-}
-
 std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& arrays)
 {
   std::vector<vtkHapticFieldPart> parts;

@@ -2,7 +2,6 @@
 #ifndef vtkHapticFieldWindow_h
 #define vtkHapticFieldWindow_h
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -11,6 +10,8 @@
 #include "haptics/field/Brick.h"
 #include "haptics/session/scene/FieldSource.h"
 #include "vtkHapticFieldData.h"
+
+class vtkDataSet;
 
 /// A box of points of a lattice.
 struct vtkHapticFieldWindow
@@ -38,8 +39,11 @@ using HapticFieldReading = std::function<std::vector<float>(const vtkHapticField
 /// The points of a window by themselves.
 palpate::BrickGrid vtkHapticGridOf(const palpate::BrickGrid& lattice, const vtkHapticFieldWindow& window);
 
-/// The box around a lattice.
-std::array<double, 6> vtkHapticBoundsOf(const palpate::BrickGrid& lattice);
+/// The data sets in a data object.
+std::vector<vtkDataSet*> vtkHapticFieldSets(vtkDataObject* data);
+
+/// Whether all arrays that are asked for are at points.
+bool vtkHapticAllAtPoints(vtkDataSet& data, const vtkHapticFieldArrays& arrays);
 
 /// The arrays that are asked for.
 std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& arrays);

@@ -15,7 +15,6 @@ public:
   /// An image of at least two points along each axis, whose arrays are at its points.
   vtkHapticImageField(vtkSmartPointer<vtkImageData> image, vtkHapticFieldArrays arrays);
 
-  std::array<double, 6> bounds() const override { return vtkHapticBoundsOf(this->Lattice); }
   palpate::MadeBrick brickAround(const palpate::Vec3& centre_W, double reach_u, std::uint64_t revision) const override;
 
 private:

@@ -11,8 +11,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkCellTypes.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHapticFieldWindow.h"
@@ -53,23 +51,12 @@ struct Extent
   }
 };
 
-Extent ExtentOf(vtkDataObject* data)
+Extent ExtentOf(const std::vector<vtkDataSet*>& parts)
 {
   Extent extent;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  for (vtkDataSet* part : parts)
   {
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      if (auto* part = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
-      {
-        extent.Add(*part);
-      }
-    }
-  }
-  else if (auto* one = vtkDataSet::SafeDownCast(data))
-  {
-    extent.Add(*one);
+    extent.Add(*part);
   }
   return extent;
 }
@@ -100,8 +87,6 @@ public:
     : Data(std::move(data)), Arrays(std::move(arrays)), Lattice(std::move(lattice)), Cloud(cloud)
   {
   }
-
-  std::array<double, 6> bounds() const override { return vtkHapticBoundsOf(this->Lattice); }
 
   palpate::MadeBrick brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const override
   {
@@ -189,9 +174,10 @@ private:
 };
 } // namespace
 
-vtkHapticFieldResult vtkHapticResampled(vtkDataObject* data, const vtkHapticFieldArrays& arrays)
+vtkHapticFieldResult vtkHapticResampled(
+  vtkDataObject* data, const std::vector<vtkDataSet*>& parts, const vtkHapticFieldArrays& arrays)
 {
-  const Extent extent = ExtentOf(data);
+  const Extent extent = ExtentOf(parts);
   const bool cloud = extent.Solid == 0 && extent.Flat == 0;
   if (extent.Solid == 0 && !cloud)
   {

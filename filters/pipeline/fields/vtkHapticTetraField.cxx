@@ -23,16 +23,9 @@ bool FillsSpace(unsigned char type)
 bool vtkHapticIsTetraField(vtkDataObject* data, const vtkHapticFieldArrays& arrays)
 {
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(data);
-  if (!grid || grid->GetCellGhostArray())
+  if (!grid || grid->GetCellGhostArray() || !vtkHapticAllAtPoints(*grid, arrays))
   {
     return false;
-  }
-  for (const vtkHapticFieldPart& part : vtkHapticFieldParts(arrays))
-  {
-    if (!grid->GetPointData()->GetArray(part.Name.c_str()))
-    {
-      return false;
-    }
   }
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {

@@ -20,7 +20,6 @@ public:
   vtkHapticTetraField(
     vtkSmartPointer<vtkUnstructuredGrid> data, vtkHapticFieldArrays arrays, const palpate::BrickGrid& lattice);
 
-  std::array<double, 6> bounds() const override { return vtkHapticBoundsOf(this->Lattice); }
   palpate::MadeBrick brickAround(const palpate::Vec3& centre_W, double reach_u, std::uint64_t revision) const override;
 
 private:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -30,8 +29,6 @@ public:
   FieldSource& operator=(const FieldSource&) = delete;
   virtual ~FieldSource() = default;
 
-  /// The box that all of its values lie in: least and largest x, y, z [u].
-  [[nodiscard]] virtual std::array<double, 6> bounds() const = 0;
   /// The brick around a place that reaches as far as asked [u], or as far as the memory of a brick allows.
   [[nodiscard]] virtual MadeBrick brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const = 0;
 };

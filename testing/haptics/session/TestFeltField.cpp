@@ -16,7 +16,6 @@ namespace
 class FakeSource : public FieldSource
 {
 public:
-  [[nodiscard]] std::array<double, 6> bounds() const override { return { 0.0, 100.0, 0.0, 100.0, 0.0, 100.0 }; }
   [[nodiscard]] MadeBrick brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const override
   {
     std::unique_lock lock(this->mutex_);
