@@ -12,7 +12,7 @@ namespace
 /// Largest slope of 1 - (1 - 4 s^2)^2, which is 16 s (1 - 4 s^2), at s = 1 / sqrt(12): 32 / (3 sqrt(12)).
 constexpr double steepest = 3.0792014356780046;
 constexpr int mostSteps = 40;
-constexpr double still = 1e-14;     ///< [spacings of the grid]
+constexpr double leastStep = 1e-14; ///< [spacings of the grid]
 constexpr double leastStiff = 0.05; ///< of the spring: on a top of the potential steps are not to be too long
 
 } // namespace
@@ -50,7 +50,7 @@ Vec3 smoothDetent(
     const double length_u = change_W.norm();
     change_W *= length_u > h_u ? h_u / length_u : 1.0;
     x_W += change_W;
-    if (length_u <= still * h_u)
+    if (length_u <= leastStep * h_u)
     {
       break;
     }
