@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 
-constexpr const char* axisNames = "xyz";
+constexpr const char* axisLetters = "xyz";
 constexpr double weakest = 1.0 / 3.0; // of the strongest motor's response
 constexpr double shortest = 0.5;      // of the range that was assumed
 
@@ -101,7 +101,7 @@ std::string axisLine(const SelfTestPlan& plan, const SelfTestState& state, int a
 {
   const AxisFinding found = findAxis(plan, state, axis);
   const double range_m = found.high_m - found.low_m;
-  std::string line = std::string(1, axisNames[axis]) + ": " + text("%.3g mm", 1e3 * range_m);
+  std::string line = std::string(1, axisLetters[axis]) + ": " + text("%.3g mm", 1e3 * range_m);
   if (plan.resolution_m > 0.0)
   {
     line += text(", %.0f steps", range_m / plan.resolution_m);
@@ -112,7 +112,7 @@ std::string axisLine(const SelfTestPlan& plan, const SelfTestState& state, int a
   }
   if (found.sensor != axis)
   {
-    line += std::string(", measured by the driver's ") + axisNames[found.sensor];
+    line += std::string(", measured by the driver's ") + axisLetters[found.sensor];
   }
   return line + (found.sign < 0 ? ", counted the other way" : "");
 }
@@ -132,7 +132,7 @@ std::string held(const SelfTestPlan& plan, const SelfTestState& state, int motor
 std::string motorLine(const SelfTestPlan& plan, const SelfTestState& state, int motor, double strongest)
 {
   const MotorFinding found = findMotor(plan, state, motor);
-  std::string line = std::string("motor ") + axisNames[motor] + ": ";
+  std::string line = std::string("motor ") + axisLetters[motor] + ": ";
   if (found.motion == MotorMotion::None)
   {
     return line + text("moves nothing when it is asked for %.2g N", plan.push_N);
@@ -141,7 +141,7 @@ std::string motorLine(const SelfTestPlan& plan, const SelfTestState& state, int 
   {
     return line + "does not do what it is asked for";
   }
-  line += std::string("moves the driver's ") + axisNames[found.sensor] +
+  line += std::string("moves the driver's ") + axisLetters[found.sensor] +
           text(" by %.2g mm per N", 1e3 * found.response_m_per_N);
   line += found.sign < 0 ? ", the other way" : "";
   line += found.response_m_per_N < weakest * strongest ? ", weak beside the strongest" : "";

@@ -31,7 +31,7 @@ set(PALPATE_MPI_ENVIRONMENT
 
 # Parses ARGN into arg_*; keeps the defaults in one place.
 macro (_palpate_parse default_label one_value multi_value)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL;TOGETHER" "NAME;LABEL;TIMEOUT;${one_value}" "ENVIRONMENT;${multi_value}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL;APART" "NAME;LABEL;TIMEOUT;${one_value}" "ENVIRONMENT;${multi_value}")
   if (arg_UNPARSED_ARGUMENTS OR NOT arg_NAME)
     message(FATAL_ERROR "Test '${arg_NAME}': NAME is missing, or these arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif ()
@@ -57,26 +57,26 @@ endfunction ()
 
 # Parsing the headers that every test includes is most of its compile time: one test compiles them, those with the same flags
 # take them over.
+set(palpate_test_headers <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry> <algorithm> <memory> <string> <vector>)
 function (_palpate_share_headers target)
   get_property(owner GLOBAL PROPERTY PALPATE_TEST_HEADERS_OWNER)
   if (owner)
     target_precompile_headers("${target}" REUSE_FROM "${owner}")
     return ()
   endif ()
-  target_precompile_headers("${target}" PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry>
-    <algorithm> <memory> <string> <vector>)
+  target_precompile_headers("${target}" PRIVATE ${palpate_test_headers})
   set_property(GLOBAL PROPERTY PALPATE_TEST_HEADERS_OWNER "${target}")
 endfunction ()
 
-# palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [VTK_MODULES VTK::IOXML ...])
+# palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [APART] [VTK_MODULES VTK::IOXML ...])
 # A GoogleTest program linked to the core and testing/support; each TEST becomes a ctest "name.Suite.Test".
-# Label: unit. CGAL: the sources use CGAL (oracles). TOGETHER: no two sources use
-# a name for different things, so they are compiled at once.
+# Label: unit. CGAL: the sources use CGAL (oracles). Eight sources are compiled at once, unless APART: two of them use a
+# name for different things.
 # VTK_MODULES: linked and auto-initialised.
 function (palpate_add_unit_test)
   _palpate_parse(unit "" "SOURCES;LIBRARIES;VTK_MODULES")
   add_executable("${arg_NAME}" ${arg_SOURCES})
-  if (arg_TOGETHER)
+  if (NOT arg_APART)
     palpate_compile_together("${arg_NAME}")
   endif ()
   target_link_libraries("${arg_NAME}" PRIVATE Palpate::core palpate_testing ${arg_LIBRARIES} ${arg_VTK_MODULES}
@@ -86,6 +86,8 @@ function (palpate_add_unit_test)
   endif ()
   if (NOT arg_CGAL AND NOT arg_LIBRARIES AND NOT arg_VTK_MODULES)
     _palpate_share_headers("${arg_NAME}")
+  elseif (arg_APART)
+    target_precompile_headers("${arg_NAME}" PRIVATE ${palpate_test_headers})
   endif ()
   if (arg_VTK_MODULES)
     vtk_module_autoinit(TARGETS "${arg_NAME}" MODULES ${arg_VTK_MODULES})

@@ -27,6 +27,16 @@ option(PALPATE_TOGETHER "Compile sources of a target eight at once: half the tim
 function (palpate_compile_together target)
   set_target_properties("${target}" PROPERTIES UNITY_BUILD "${PALPATE_TOGETHER}" UNITY_BUILD_BATCH_SIZE 8)
 endfunction ()
+# A room of the core at once: the sources of a folder. Their names for things of their own differ.
+function (palpate_compile_rooms_together target)
+  get_target_property(sources "${target}" SOURCES)
+  foreach (source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH room)
+    string(MAKE_C_IDENTIFIER "${room}" room)
+    set_source_files_properties("${source}" TARGET_DIRECTORY "${target}" PROPERTIES UNITY_GROUP "${room}")
+  endforeach ()
+  set_target_properties("${target}" PROPERTIES UNITY_BUILD "${PALPATE_TOGETHER}" UNITY_BUILD_MODE GROUP)
+endfunction ()
 
 set(CMAKE_INSTALL_LIBDIR lib CACHE STRING "Library folder, the same in the build tree on every machine")
 include(GNUInstallDirs)

@@ -16,18 +16,18 @@ namespace
 {
 
 constexpr double k = 1.0; ///< [N/u]; with a spacing of a millimetre work is in mJ
-const GridIndex size{ 32, 32, 32 };
+const GridIndex cube_n{ 32, 32, 32 };
 const Vec3 middle(15.5, 15.5, 15.5);
 
 Brick brickOf(std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {})
 {
-  return Brick(1, BrickGrid{ size }, std::move(arrays), std::move(places_W));
+  return Brick(1, BrickGrid{ cube_n }, std::move(arrays), std::move(places_W));
 }
 
 template<class Function>
 BrickArray scalar(const Function& function, BrickRole role = BrickRole::Scalar)
 {
-  return { role, "f", test::sampledValues(size, function) };
+  return { role, "f", test::sampledValues(cube_n, function) };
 }
 
 const auto height = [](const Vec3& i) { return i.z(); };
@@ -214,7 +214,7 @@ TEST(FieldModes, SnapPullsToTheNearestPlaceByAForceWithAPotential)
 TEST(FieldModes, PushDoesTwoPiTimesRadiusTimesStrengthATurnAndStopsOutside)
 {
   const auto vortex = [](const Vec3& i) { return Vec3(15.5 - i.y(), i.x() - 15.5, 0.0); };
-  const Brick brick = brickOf({ { BrickRole::Vector, "v", test::sampledVectors(size, vortex) } });
+  const Brick brick = brickOf({ { BrickRole::Vector, "v", test::sampledVectors(cube_n, vortex) } });
   FieldPlan plan;
   plan.push_N = 0.25;
   Hand hand{ brick, plan };
@@ -235,7 +235,7 @@ TEST(FieldModes, SeveralAtOnceGiveNoEnergyOverClosedWays)
   test::Random random(test::testSeed(1651));
   const auto swirl = [](const Vec3& i) { return Vec3(15.5 - i.y(), i.x() - 15.5, 3.0); };
   const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }),
-    { BrickRole::Vector, "v", test::sampledVectors(size, swirl) },
+    { BrickRole::Vector, "v", test::sampledVectors(cube_n, swirl) },
     scalar([](const Vec3& i) { return i.z(); }, BrickRole::Other) });
   for (std::size_t way = 0; way < test::testCount(12); ++way)
   {
@@ -275,9 +275,9 @@ TEST(FieldModes, AnotherBrickOfTheSamePointsIsNoStepAndOneWhoseSurfaceIsElsewher
   const auto make = [](const GridIndex& begin, double shift)
   {
     const Vec3 corner(begin[0], begin[1], begin[2]);
-    return Brick(1, { size, Vec3::Ones(), { corner } },
+    return Brick(1, { cube_n, Vec3::Ones(), { corner } },
       { { BrickRole::Scalar, "f",
-        test::sampledValues(size,
+        test::sampledValues(cube_n,
           [&](const Vec3& i) { return std::hypot(i.z() + corner.z(), 0.25 * (i.x() + corner.x())) + shift; }) } });
   };
   FieldPlan plan;
@@ -325,7 +325,7 @@ TEST(FieldModes, AllocateNothing)
 {
   test::Random random(test::testSeed(1652));
   const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }),
-    { BrickRole::Vector, "v", test::sampledVectors(size, [](const Vec3& i) { return i; }) } });
+    { BrickRole::Vector, "v", test::sampledVectors(cube_n, [](const Vec3& i) { return i; }) } });
   FieldPlan plan;
   plan.isosurface = true;
   plan.isovalue = 8.0;

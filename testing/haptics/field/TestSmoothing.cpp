@@ -13,7 +13,7 @@ namespace palpate
 namespace
 {
 
-const GridIndex size{ 24, 20, 22 };
+const GridIndex block_n{ 24, 20, 22 };
 
 /// A standard normal number (Box and Muller).
 double normal(test::Random& random)
@@ -24,9 +24,9 @@ double normal(test::Random& random)
 TEST(Smoothing, LeavesALinearFieldAsItIsAtTheRimAndBesideWhatIsMissing)
 {
   const auto linear = [](const Vec3& i) { return 3 * i.x() - 2 * i.y() + i.z(); }; // whole numbers: exact in floats
-  std::vector<float> values = test::sampledValues(size, linear);
+  std::vector<float> values = test::sampledValues(block_n, linear);
   values[12 + 24 * (10 + 20 * 11)] = NAN;
-  const std::vector<float> after = smoothed(values, size, 3);
+  const std::vector<float> after = smoothed(values, block_n, 3);
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     EXPECT_TRUE(values[i] == after[i] || (std::isnan(values[i]) && std::isnan(after[i]))) << i;
@@ -38,9 +38,9 @@ TEST(Smoothing, MultipliesAWaveByTheSquareOfTheCosineOfHalfItsAngleAnAxis)
   // (1, 2, 1) / 4 on cos(k i): (1 + cos k) / 2.
   const double k = 0.9;
   const auto wave = [&](const Vec3& i) { return std::cos(k * i.x()) * std::cos(k * i.z()); };
-  const std::vector<float> after = smoothed(test::sampledValues(size, wave), size, 2);
+  const std::vector<float> after = smoothed(test::sampledValues(block_n, wave), block_n, 2);
   const double factor = std::pow((1.0 + std::cos(k)) / 2.0, 4.0); // two axes, two passes
-  for (int x = 2; x < size[0] - 2; ++x)
+  for (int x = 2; x < block_n[0] - 2; ++x)
   {
     EXPECT_NEAR(after[x + 24 * (10 + 20 * 11)], factor * wave(Vec3(x, 10, 11)), 1e-6);
   }
@@ -64,10 +64,10 @@ TEST(Smoothing, MeasuresWhiteNoiseBySixTenthsOfItsDeviation)
 
 TEST(Smoothing, MeasuresNoNoiseInALinearFieldAndNoneWhereThereIsNoSurface)
 {
-  const std::vector<float> values = test::sampledValues(size, [](const Vec3& i) { return i.z(); });
-  EXPECT_EQ(measuredNoise(values, size, 7.5), 0.0);
-  EXPECT_EQ(measuredNoise(values, size, 1000.0), 0.0);
-  EXPECT_EQ(measuredNoise(std::vector<float>(values.size(), 2.0F), size, 2.0), 0.0);
+  const std::vector<float> values = test::sampledValues(block_n, [](const Vec3& i) { return i.z(); });
+  EXPECT_EQ(measuredNoise(values, block_n, 7.5), 0.0);
+  EXPECT_EQ(measuredNoise(values, block_n, 1000.0), 0.0);
+  EXPECT_EQ(measuredNoise(std::vector<float>(values.size(), 2.0F), block_n, 2.0), 0.0);
 }
 
 } // namespace

@@ -12,15 +12,14 @@ namespace palpate
 namespace
 {
 
-const GridIndex size{ 9, 20, 33 };
-const BrickGrid grid{ size, { 0.5, 2.0, 1.25 }, {} };
+const GridIndex slab_n{ 9, 20, 33 };
+const BrickGrid grid{ slab_n, { 0.5, 2.0, 1.25 }, {} };
 
 Brick brickOf(const std::function<double(const Vec3&)>& f)
 {
-  return {
-    1, grid,
-    { { BrickRole::Scalar, "f", test::sampledValues(size, [&](const Vec3& index) { return f(grid.toWorld(index)); }) } }
-  };
+  return { 1, grid,
+    { { BrickRole::Scalar, "f",
+      test::sampledValues(slab_n, [&](const Vec3& index) { return f(grid.toWorld(index)); }) } } };
 }
 
 TEST(UsualGradient, OfALinearFunctionIsItsSlope)

@@ -7,6 +7,7 @@
 
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/force/Guide.h"
+#include "testing/haptics/force/SamplingPeriod.h"
 #include "testing/support/Random.h"
 
 namespace palpate
@@ -14,7 +15,7 @@ namespace palpate
 namespace
 {
 
-constexpr double T = 1e-3;
+using test::T;
 
 TEST(Guide, IsASpringToThePlaneUpToItsLimitFromBothSides)
 {

@@ -8,13 +8,14 @@
 #include "haptics/force/LinearPlant.h"
 #include "haptics/force/PassivityController.h"
 #include "haptics/force/VirtualCoupling.h"
+#include "testing/haptics/force/SamplingPeriod.h"
 
 namespace palpate
 {
 namespace
 {
 
-constexpr double T = 1e-3;
+using test::T;
 
 /// A spring wall below z = 0 whose force is held over each period, with the energy meter and the controller.
 class HeldWall

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/force/VelocityEstimator.h"
+#include "testing/haptics/force/SamplingPeriod.h"
 #include "testing/support/Random.h"
 
 namespace palpate
@@ -12,7 +13,7 @@ namespace palpate
 namespace
 {
 
-constexpr double T = 1e-3;
+using test::T;
 
 Vec3 quantised(const Vec3& p, double step)
 {

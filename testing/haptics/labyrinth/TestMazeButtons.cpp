@@ -12,7 +12,7 @@ namespace
 constexpr std::uint32_t first = 1u << 0, second = 1u << 1, third = 1u << 2, fourth = 1u << 3;
 constexpr GamePhase idleOrFinished[] = { GamePhase::Off, GamePhase::Waits, GamePhase::Arrived, GamePhase::Rests };
 constexpr GamePhase playing[] = { GamePhase::Leads, GamePhase::LetsGo, GamePhase::Explores };
-constexpr double tick_s = 0.01;
+constexpr double look_s = 0.01;
 
 TEST(MazeButtons, ButtonNAsksForLabyrinthNWhileNobodyPlays)
 {
@@ -58,8 +58,8 @@ TEST(MazeButtons, StateOfATickHasTheButtonsOfItsSample)
 /// What a menu makes of buttons that are pressed from nothing.
 MazeCall pressed(MazeMenu menu, GamePhase phase, std::uint32_t buttons)
 {
-  static_cast<void>(menu.look(phase, 0, tick_s));
-  return menu.look(phase, buttons, tick_s);
+  static_cast<void>(menu.look(phase, 0, look_s));
+  return menu.look(phase, buttons, look_s);
 }
 
 TEST(MazeMenu, ChoosesByNumberEndsWithTheNextOneAndKnowsNoOther)
@@ -74,11 +74,11 @@ TEST(MazeMenu, ChoosesByNumberEndsWithTheNextOneAndKnowsNoOther)
 TEST(MazeMenu, AButtonThatWasDownFromTheStartAndOneThatIsKeptDownWerePressedByNobody)
 {
   MazeMenu menu(2, {});
-  EXPECT_EQ(menu.look(GamePhase::Off, first, tick_s).kind, MazeCall::Kind::None);
-  EXPECT_EQ(menu.look(GamePhase::Off, first, tick_s).kind, MazeCall::Kind::None);
-  EXPECT_EQ(menu.look(GamePhase::Off, 0, tick_s).kind, MazeCall::Kind::None);
-  EXPECT_EQ(menu.look(GamePhase::Off, first, tick_s).kind, MazeCall::Kind::Play);
-  EXPECT_EQ(menu.look(GamePhase::Off, first, tick_s).kind, MazeCall::Kind::None);
+  EXPECT_EQ(menu.look(GamePhase::Off, first, look_s).kind, MazeCall::Kind::None);
+  EXPECT_EQ(menu.look(GamePhase::Off, first, look_s).kind, MazeCall::Kind::None);
+  EXPECT_EQ(menu.look(GamePhase::Off, 0, look_s).kind, MazeCall::Kind::None);
+  EXPECT_EQ(menu.look(GamePhase::Off, first, look_s).kind, MazeCall::Kind::Play);
+  EXPECT_EQ(menu.look(GamePhase::Off, first, look_s).kind, MazeCall::Kind::None);
 }
 
 TEST(MazeMenu, WhatChoseMustBeHeldUnlessSomethingElseIs)
@@ -94,14 +94,14 @@ TEST(MazeMenu, AnotherButtonGivesUpOnceItHasBeenHeldForASecondOnEnd)
   for (const GamePhase phase : playing)
   {
     MazeMenu menu(4, deadMan);
-    const int ticks = static_cast<int>(MazeMenu::giveUp_s / tick_s);
+    const int ticks = static_cast<int>(MazeMenu::giveUp_s / look_s);
     for (int tick = 1; tick < ticks; ++tick)
     {
-      ASSERT_EQ(menu.look(phase, first | second, tick_s).kind, MazeCall::Kind::None) << tick;
+      ASSERT_EQ(menu.look(phase, first | second, look_s).kind, MazeCall::Kind::None) << tick;
     }
-    ASSERT_EQ(menu.look(phase, first, tick_s).kind, MazeCall::Kind::None); // slipped: it begins anew
+    ASSERT_EQ(menu.look(phase, first, look_s).kind, MazeCall::Kind::None); // slipped: it begins anew
     int held = 1;
-    while (held < 2 * ticks && menu.look(phase, first | fourth, tick_s).kind != MazeCall::Kind::GiveUp)
+    while (held < 2 * ticks && menu.look(phase, first | fourth, look_s).kind != MazeCall::Kind::GiveUp)
     {
       ++held;
     }
@@ -114,7 +114,7 @@ TEST(MazeMenu, WhereWhatChoseIsHeldNoOtherButtonGivesUp)
   MazeMenu menu(4, {});
   for (int tick = 0; tick < 1000; ++tick)
   {
-    ASSERT_EQ(menu.look(GamePhase::Explores, first | second, tick_s).kind, MazeCall::Kind::None);
+    ASSERT_EQ(menu.look(GamePhase::Explores, first | second, look_s).kind, MazeCall::Kind::None);
   }
 }
 
