@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "haptics/session/scene/FeltField.h"
 #include "haptics/tick/ForceRenderer.h"
 
 namespace palpate
@@ -12,33 +13,32 @@ namespace palpate
 class PathTouch
 {
 public:
-  /// `first_s`: how long the first tick is, of which nobody knows when the one before was.
-  PathTouch(std::shared_ptr<const Scene> scene, const HapticParameters& parameters, double first_s)
-    : scene_(std::move(scene)), parameters_(parameters)
-  {
-    this->parameters_.safety = SafetyLimits::none();
-    this->parameters_.contact.seatsBySide = true;
-    this->input_.scene = this->scene_.get();
-    this->input_.dt_s = first_s;
-  }
+  /// `scene`: null where there is a field alone. `first_s`: how long the first tick is, of which nobody knows when the
+  /// one before was.
+  PathTouch(std::shared_ptr<const Scene> scene, const HapticParameters& parameters, double first_s);
 
-  /// The hand is there at that time, which is later than the time before.
-  [[nodiscard]] HapticState next(double time_s, const Pose& hand_D) noexcept
-  {
-    this->input_.dt_s = this->begun_ ? time_s - this->input_.sample.time_s : this->input_.dt_s;
-    this->input_.tick += this->begun_ ? 1 : 0;
-    this->begun_ = true;
-    this->input_.sample.time_s = time_s;
-    this->input_.sample.pose_D = hand_D;
-    return renderTick(this->input_, this->parameters_, this->state_).state;
-  }
+  /// Numbers in space are felt as well, from the next tick on. Their bricks are as large as the memory of one allows,
+  /// and are waited for: the same path gives the same forces on any machine.
+  void feel(std::shared_ptr<const FieldSource> field);
+
+  /// The hand is there at that time, which is later than the time before. Where a field alone is touched the proxy and
+  /// its contacts are those of the field.
+  [[nodiscard]] HapticState next(double time_s, const Pose& hand_D);
+
+  /// Why no number of the field was felt until now; "": some were, or there is no field.
+  [[nodiscard]] const std::string& fieldProblem() const noexcept { return this->field_.made().problem; }
 
 private:
+  void followField(const Pose& hand_D);
+
   std::shared_ptr<const Scene> scene_;
+  FeltField field_;
+  std::shared_ptr<const Brick> brick_;
   HapticParameters parameters_;
   RendererState state_;
   TickInput input_;
   bool begun_ = false;
+  bool knowsSlope_ = false;
 };
 
 } // namespace palpate

@@ -17,6 +17,9 @@ STIFFNESS = 512.0
 # A point rests a few units in the last place off a plane; THE BAR (row 11) allows 1e-12 scene units.
 PLACE = 1e-12
 FORCE = STIFFNESS * PLACE
+# Settings that say how numbers in space are felt.
+OF_A_FIELD = ("--component", "--smoothing", "--first-level", "--between-levels", "--levels-click", "--snap-reach",
+              "--compare-full", "--full-length")
 WALL_POINTS = [(0, -8, -8), (0, 8, -8), (0, 8, 8), (0, -8, 8)]
 
 
@@ -141,6 +144,11 @@ class OnAPlane(CommandLineTest):
         for option, value, sentence, default in options:
             with self.subTest(option=option):
                 self.assertIn(sentence.split(";")[0], help_text)
+                if option in OF_A_FIELD:  # test_field.py feels them
+                    self.write_path(rows)
+                    self.refused("touch", "plane.off", "--path", "path.csv", "--csv", "out.csv", option,
+                                 *(["1"] if value else []), saying=[option, "--field"])
+                    continue
                 if not value:
                     self.touch(rows, option)
                     continue

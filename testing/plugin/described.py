@@ -15,6 +15,8 @@ ROOT = Path(__file__).resolve().parents[2]
 XML = ROOT / "filters" / "interaction" / "HapticInteraction.xml"
 GUIDE = ROOT / "plugin" / "README.md"
 DECLARATIONS = ROOT / "filters" / "interaction" / "vtkHapticSessionDescribed.h"
+TOUCH_XML = ROOT / "filters" / "pipeline" / "HapticPipeline.xml"
+TOUCH_DECLARATIONS = ROOT / "filters" / "pipeline" / "touch" / "vtkTouchAlongPathDescribed.h"
 PROGRAM = ROOT / "docs" / "program.md"
 
 SETTING_KIND = {"flag": "Int", "count": "Int", "choice": "Int", "number": "Double", "rotation": "Double",
@@ -102,6 +104,27 @@ def setter(setting):
     return declared(owner or "Setting", name, value)
 
 
+ARRAY_LIST = """        <ArrayListDomain name="array_list" none_string="" input_domain_name="field_arrays">
+          <RequiredProperties><Property name="Field" function="Input"/></RequiredProperties>
+        </ArrayListDomain>
+"""
+
+
+def of_field(render):
+    """What *Touch Along Path* has of the settings: how numbers in space are felt."""
+    return lambda setting: render(setting) if setting["name"].startswith("Field") else ""
+
+
+def touch_xml(setting):
+    head, newline, rest = setting_xml(setting).partition("\n")
+    arrays = ARRAY_LIST if setting["kind"] == "text" else ""
+    return head[:-1] + '\n                         panel_visibility="advanced">' + newline + arrays + rest
+
+
+def touch_setter(setting):
+    return setter(setting).replace("vtkHapticField", "vtkHapticTouchField").replace("vtkHapticSetting", "vtkHapticTouchSetting")
+
+
 def getter(readout):
     name, kind = readout["name"], readout["kind"]
     if readout["elements"] > 1:
@@ -130,6 +153,9 @@ PLACES = (
     (GUIDE, "| meaning |\n|---|---|---|\n", "\n## With the mouse", "readouts", readout_row),
     (DECLARATIONS, "#define vtkHapticSettingsMacro() \\\n", "  /* the end of the settings", "settings", setter),
     (DECLARATIONS, "#define vtkHapticTableReadoutsMacro() \\\n", "  /* the end of the read-outs", "readouts", getter),
+    (TOUCH_XML, "      <!-- Settings of a field -->\n", "      <!-- Of the path -->\n", "settings", of_field(touch_xml)),
+    (TOUCH_DECLARATIONS, "#define vtkHapticTouchFieldSettingsMacro() \\\n", "  /* the end of the settings", "settings",
+     of_field(touch_setter)),
     (PROGRAM, "| option of `touch` | what it sets |\n|---|---|\n", "\nThe program reads", "settings", option_row),
 )
 

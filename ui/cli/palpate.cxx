@@ -72,9 +72,10 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   command->add_option("--path", options.Path, "PATH.csv: t,x,y,z[,qw,qx,qy,qz] [s, scene units], a tick per row")
     ->required();
   command->add_option("--csv", options.Output, "OUT.csv: a row per tick")->required();
-  command->add_option("--iso", options.Iso, "value of the surface in an image");
+  command->add_option("--iso", options.Iso, "value of the surface in an image, or of --mode isosurface");
   options.Settings.AddAll(*command);
   vtkHapticCliAddMaterials(*command, options.Materials);
+  vtkHapticCliAddField(*command, options.Field);
   command->add_flag("--two-d", options.TwoD, "lines in the plane z = 0 are walls, felt in that plane");
 }
 
@@ -141,8 +142,8 @@ void CheckNumber(const char* option, double value, bool zeroAllowed, const char*
 /// What has no meaning among lines without width is refused rather than ignored.
 void CheckTwoD(const vtkHapticCliTouchOptions& options)
 {
-  const std::array<std::pair<const char*, bool>, 4> others = { { { "--iso", options.Iso.has_value() },
-    { "--line-radius", options.Settings.Number("LineRadius") != 0.0 },
+  const std::array<std::pair<const char*, bool>, 5> others = { { { "--iso", options.Iso.has_value() },
+    { "--line-radius", options.Settings.Number("LineRadius") != 0.0 }, { "--field", options.Field.Any() },
     { "--shading", options.Settings.Number("ForceShading") != 0.0 },
     { "arrays of materials", !options.Materials.Empty() } } };
   for (const auto& [name, given] : others)

@@ -8,6 +8,7 @@
 
 #include "haptics/labyrinth/Labyrinth.h"
 
+#include "vtkHapticCliField.h"
 #include "vtkHapticCliSettings.h"
 #include "vtkHapticMaterialArrays.h"
 
@@ -60,6 +61,7 @@ struct vtkHapticCliTouchOptions
   std::optional<double> Iso;
   bool TwoD = false; ///< lines in the plane z = 0, felt by a disc
   vtkHapticMaterialSettings Materials;
+  vtkHapticCliFieldOptions Field;
   vtkHapticCliSettings Settings;
 };
 

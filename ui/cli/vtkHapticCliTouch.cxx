@@ -12,6 +12,7 @@
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
 #include "vtkHapticCliTicks.h"
+#include "vtkHapticReaders.h"
 
 namespace
 {
@@ -26,6 +27,7 @@ palpate::HapticParameters ParametersOf(const vtkHapticCliTouchOptions& options)
   parameters.stiffness_N_per_m /= parameters.map.scale_u_per_m;
   parameters.map = {};
   parameters.contact.friction = options.Settings.Friction();
+  vtkHapticCliSetField(options.Field, options.Settings, options.Iso, parameters.field);
   if (const std::string problem = parameters.validate(); !problem.empty())
   {
     throw vtkHapticCliProblem("--stiffness, --scale: " + problem);
@@ -83,10 +85,8 @@ void TellOfCoupling(const vtkHapticCliTouchOptions& options)
   }
 }
 
-void Render(const std::vector<vtkHapticCliPathRow>& path, const std::shared_ptr<const palpate::Scene>& scene,
-  const palpate::HapticParameters& parameters, vtkHapticCliOutput& output)
+void Render(const std::vector<vtkHapticCliPathRow>& path, palpate::PathTouch& touch, vtkHapticCliOutput& output)
 {
-  palpate::PathTouch touch(scene, parameters, path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTickSeconds);
   vtkHapticCliStopwatch stopwatch;
   Shortfalls shortfalls;
   for (const vtkHapticCliPathRow& row : path)
@@ -99,6 +99,26 @@ void Render(const std::vector<vtkHapticCliPathRow>& path, const std::shared_ptr<
   }
   shortfalls.Tell();
 }
+
+/// The surfaces among the files; null where there is a field alone.
+std::shared_ptr<const palpate::Scene> SceneOf(const vtkHapticCliTouchOptions& options,
+  const std::vector<std::string>& surfaces, palpate::HapticParameters& parameters)
+{
+  if (surfaces.empty())
+  {
+    return nullptr;
+  }
+  const bool image = std::ranges::any_of(surfaces, vtkHapticIsImageFile);
+  const std::optional<double> iso = options.Field.Any() && !image ? std::nullopt : options.Iso;
+  std::shared_ptr<const palpate::Scene> scene =
+    options.TwoD ? vtkHapticCliBuildPlane(surfaces, parameters.contact.radius_u)
+                 : vtkHapticCliBuildScene(surfaces, iso, options.Materials, options.Settings.Number("Scale"),
+                     options.Settings.Number("LineRadius"));
+  TellOfCoupling(options);
+  parameters.contact.radius_u =
+    ChooseRadius_u(*scene, parameters.contact, options.Settings.Number("LimitRadius") != 0.0);
+  return scene;
+}
 } // namespace
 
 int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
@@ -109,18 +129,20 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   {
     vtkHapticCliCheckPlanePath(options.Path, path);
   }
-  const std::shared_ptr<const palpate::Scene> scene =
-    options.TwoD ? vtkHapticCliBuildPlane(options.Files, parameters.contact.radius_u)
-                 : vtkHapticCliBuildScene(options.Files, options.Iso, options.Materials,
-                     options.Settings.Number("Scale"), options.Settings.Number("LineRadius"));
-  TellOfCoupling(options);
-  parameters.contact.radius_u =
-    ChooseRadius_u(*scene, parameters.contact, options.Settings.Number("LimitRadius") != 0.0);
+  std::vector<std::string> surfaces = options.Files;
+  const auto field = vtkHapticCliTakeField(options.Field, options.Settings, surfaces);
+  const auto scene = SceneOf(options, surfaces, parameters);
+  palpate::PathTouch touch(scene, parameters, path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTickSeconds);
+  touch.feel(field);
   std::vector<std::string> inputs = options.Files;
   inputs.push_back(options.Path);
   vtkHapticCliOutput output(options.Output, inputs);
   vtkHapticCliWriteHeader(output);
-  Render(path, scene, parameters, output);
+  Render(path, touch, output);
+  if (!touch.fieldProblem().empty())
+  {
+    std::cerr << "palpate: nothing was felt of the field: " << touch.fieldProblem() << '\n';
+  }
   output.Commit();
   return 0;
 }

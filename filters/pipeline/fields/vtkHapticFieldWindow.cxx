@@ -89,6 +89,18 @@ double RoomIn(const vtkHapticFieldWindow& window, const BrickGrid& lattice, cons
   return std::max(0.0, room);
 }
 
+/// How far a place may go before it can be in the lattice [u]: what it is outside by along the axis of most.
+double WayInto(const BrickGrid& lattice, const Vec3& centre_W)
+{
+  const Vec3 centre = lattice.toIndex(centre_W);
+  double way = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    way = std::max(way, lattice.spacing_u[k] * std::max(-centre[k], centre[k] - (lattice.size[k] - 1)));
+  }
+  return way;
+}
+
 /// With `more` points all around, as far as there are any.
 vtkHapticFieldWindow Grown(const vtkHapticFieldWindow& window, const BrickGrid& lattice, int more)
 {
@@ -160,7 +172,7 @@ palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapti
   const auto window = WindowAround(lattice, centre_W, reach_u, mostPoints);
   if (!window)
   {
-    return { nullptr, centre_W, reach_u, "" }; // the hand is outside of the data
+    return { nullptr, centre_W, WayInto(lattice, centre_W), "" }; // the hand is outside of the data
   }
   const BrickGrid grid = vtkHapticGridOf(lattice, *window);
   std::vector<palpate::BrickArray> values;

@@ -8,6 +8,7 @@
 #include <new>
 #include <stdexcept>
 #include <string_view>
+#include <type_traits>
 
 #include "vtkCellArray.h"
 #include "vtkDataSetSurfaceFilter.h"
@@ -18,16 +19,23 @@
 #include "vtkHapticFileGuards.h"
 #include "vtkHapticImageSurface.h"
 #include "vtkHapticMessageCapture.h"
+#include "vtkHapticNIfTIImage.h"
 #include "vtkHapticOBJParser.h"
 #include "vtkHapticOFFParser.h"
 #include "vtkHapticPLYParser.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkSTLReader.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkXMLImageDataReader.h"
 #include "vtkXMLPolyDataReader.h"
+#include "vtkXMLRectilinearGridReader.h"
+#include "vtkXMLStructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
 namespace
@@ -155,27 +163,32 @@ void CheckHasTriangles(vtkPolyData* surface, vtkIdType pointsOfFile)
     "it holds " + std::to_string(pointsOfFile) + " points but no triangles; only surfaces can be touched");
 }
 
-SurfacePointer ReadVTP(const std::string& path)
+/// One of VTK's own formats.
+template<class Reader>
+auto ReadXML(const std::string& path)
 {
   ThrowIf(vtkHapticFileGuards::CheckXMLCounts(path));
-  vtkNew<vtkXMLPolyDataReader> reader;
+  vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
-  return reader->GetOutput();
+  return vtkSmartPointer<std::remove_pointer_t<decltype(reader->GetOutput())>>(reader->GetOutput());
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> ReadGrid(const std::string& path, const vtkHapticMessageCapture& messages)
+{
+  const auto grid = ReadXML<vtkXMLUnstructuredGridReader>(path);
+  ThrowIfBroken(messages);
+  ThrowIf(vtkHapticCellChecks::CheckGrid(grid));
+  return grid;
 }
 
 SurfacePointer ReadVTU(const std::string& path, const vtkHapticMessageCapture& messages)
 {
-  ThrowIf(vtkHapticFileGuards::CheckXMLCounts(path));
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  ThrowIfBroken(messages);
-  ThrowIf(vtkHapticCellChecks::CheckGrid(reader->GetOutput()));
+  const auto grid = ReadGrid(path, messages);
   vtkNew<vtkDataSetSurfaceFilter> skin;
-  skin->SetInputData(reader->GetOutput());
+  skin->SetInputData(grid);
   skin->Update();
-  CheckHasTriangles(skin->GetOutput(), reader->GetOutput()->GetNumberOfPoints());
+  CheckHasTriangles(skin->GetOutput(), grid->GetNumberOfPoints());
   return skin->GetOutput();
 }
 
@@ -198,7 +211,7 @@ SurfacePointer Read(const std::string& path, const std::string& extension, std::
   }
   if (extension == "vtp")
   {
-    return ReadVTP(path);
+    return ReadXML<vtkXMLPolyDataReader>(path);
   }
   if (extension == "vtu")
   {
@@ -233,17 +246,15 @@ void CheckSurface(vtkPolyData* surface)
   CheckHasTriangles(surface, surface->GetNumberOfPoints());
 }
 
-SurfacePointer ReadChecked(const std::string& path, std::optional<double> iso, std::string& note)
+/// What `read` makes of a file, with what VTK says meanwhile.
+template<class Function>
+auto Captured(std::string& note, const Function& read)
 {
-  ThrowIf(vtkHapticFileGuards::CheckFile(path));
-  const std::string extension = ExtensionOf(path);
-  CheckExtension(extension);
-  CheckIsoFits(IsImage(extension), iso);
   const vtkHapticMessageCapture messages;
-  SurfacePointer surface;
+  decltype(read(messages)) made;
   try
   {
-    surface = Read(path, extension, iso, messages, note);
+    made = read(messages);
   }
   catch (const std::runtime_error&)
   {
@@ -252,17 +263,51 @@ SurfacePointer ReadChecked(const std::string& path, std::optional<double> iso, s
   }
   ThrowIfBroken(messages);
   note = note.empty() ? messages.FirstWarning() : note;
+  return made;
+}
+
+SurfacePointer ReadChecked(const std::string& path, std::optional<double> iso, std::string& note)
+{
+  ThrowIf(vtkHapticFileGuards::CheckFile(path));
+  const std::string extension = ExtensionOf(path);
+  CheckExtension(extension);
+  CheckIsoFits(IsImage(extension), iso);
+  const SurfacePointer surface =
+    Captured(note, [&](const auto& messages) { return Read(path, extension, iso, messages, note); });
   CheckSurface(surface);
   return surface;
 }
-} // namespace
 
-vtkHapticReadResult vtkHapticReadSurface(const std::string& path, std::optional<double> iso)
+vtkSmartPointer<vtkDataSet> ReadNIfTI(const std::string& path, std::string& note)
 {
-  vtkHapticReadResult result;
+  const vtkHapticNIfTIHeader header = vtkHapticNIfTIImage::ReadHeader(path);
+  note = header.TimeSteps > 1 ? "it holds " + std::to_string(header.TimeSteps) + " images; the first is touched" : note;
+  return vtkHapticNIfTIImage::Read(path, header, 0).Get();
+}
+
+vtkSmartPointer<vtkDataSet> ReadVolume(const std::string& path, std::string& note)
+{
+  ThrowIf(vtkHapticFileGuards::CheckFile(path));
+  const std::string extension = ExtensionOf(path);
+  return Captured(note,
+    [&](const auto& messages) -> vtkSmartPointer<vtkDataSet>
+    {
+      return extension == "vtu"   ? vtkSmartPointer<vtkDataSet>(ReadGrid(path, messages))
+             : extension == "vti" ? vtkSmartPointer<vtkDataSet>(ReadXML<vtkXMLImageDataReader>(path))
+             : extension == "vtr" ? vtkSmartPointer<vtkDataSet>(ReadXML<vtkXMLRectilinearGridReader>(path))
+             : extension == "vts" ? vtkSmartPointer<vtkDataSet>(ReadXML<vtkXMLStructuredGridReader>(path))
+                                  : ReadNIfTI(path, note);
+    });
+}
+
+/// Fills a result by `read`; what it throws is the problem.
+template<class Result, class Function>
+Result Guarded(const std::string& path, const Function& read)
+{
+  Result result;
   try
   {
-    result.Surface = ReadChecked(path, iso, result.Note);
+    read(result);
   }
   catch (const std::bad_alloc&)
   {
@@ -273,6 +318,24 @@ vtkHapticReadResult vtkHapticReadSurface(const std::string& path, std::optional<
     result.Problem = path + ": " + error.what();
   }
   return result;
+}
+} // namespace
+
+vtkHapticReadResult vtkHapticReadSurface(const std::string& path, std::optional<double> iso)
+{
+  return Guarded<vtkHapticReadResult>(
+    path, [&](auto& result) { result.Surface = ReadChecked(path, iso, result.Note); });
+}
+
+vtkHapticReadVolumeResult vtkHapticReadVolume(const std::string& path)
+{
+  return Guarded<vtkHapticReadVolumeResult>(path, [&](auto& result) { result.Volume = ReadVolume(path, result.Note); });
+}
+
+bool vtkHapticIsVolumeFile(const std::string& path)
+{
+  const std::string extension = ExtensionOf(path);
+  return IsImage(extension) || extension == "vtu" || extension == "vtr" || extension == "vts";
 }
 
 bool vtkHapticIsImageFile(const std::string& path)

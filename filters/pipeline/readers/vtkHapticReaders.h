@@ -8,6 +8,7 @@
 #include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
+class vtkDataSet;
 class vtkPolyData;
 
 /// A surface read from a file, or why there is none.
@@ -28,6 +29,21 @@ struct vtkHapticReadResult
 /// VTK's output window is replaced while reading: call from one thread at a time.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticReadResult vtkHapticReadSurface(
   const std::string& path, std::optional<double> iso);
+
+/// Numbers in space read from a file, or why there are none.
+struct vtkHapticReadVolumeResult
+{
+  vtkSmartPointer<vtkDataSet> Volume; ///< with all its arrays, in the file's own coordinates; null on a problem
+  std::string Problem;                ///< one line: file, what is wrong, what to do; empty when Volume can be used
+  std::string Note;                   ///< what a reader warned of or left out, one line; mostly empty
+};
+
+/// Reads vti, vtr, vts, vtu, nii and nii.gz whole, to be felt as a field, as careful as vtkHapticReadSurface() is. The
+/// values of a NIfTI image are its array "NIFTI".
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticReadVolumeResult vtkHapticReadVolume(const std::string& path);
+
+/// True for the formats that vtkHapticReadVolume() reads, by the extension alone.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsVolumeFile(const std::string& path);
 
 /// True for the formats of which an iso surface is made, by the extension alone.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsImageFile(const std::string& path);

@@ -12,6 +12,7 @@
 #include "vtkHapticConversion.h"
 #include "vtkHapticHandPath.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticTouchedField.h"
 #include "vtkHapticWholeInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -143,10 +144,9 @@ std::shared_ptr<const palpate::Scene> BuildScene(
 /// One tick a point; false if `goes` asked to stop. `fault` receives the first one. The orientation of the hand plays
 /// no part for a ball.
 template<class Goes>
-bool Touch(const vtkHapticHandPath& path, std::shared_ptr<const palpate::Scene> scene,
-  const palpate::HapticParameters& parameters, Rows& rows, palpate::Fault& fault, Goes goes)
+bool Touch(const vtkHapticHandPath& path, const palpate::WorkspaceMap& map, palpate::PathTouch& touch, Rows& rows,
+  palpate::Fault& fault, Goes goes)
 {
-  palpate::PathTouch touch(std::move(scene), parameters, path.FirstDuration());
   for (std::size_t i = 0; i < path.Points_W.size(); ++i)
   {
     if (i % ReportEvery == 0 && !goes(static_cast<double>(i) / static_cast<double>(path.Points_W.size())))
@@ -154,7 +154,7 @@ bool Touch(const vtkHapticHandPath& path, std::shared_ptr<const palpate::Scene> 
       return false;
     }
     const palpate::HapticState state =
-      touch.next(path.Times[i], { parameters.map.toDevice(path.Points_W[i]), palpate::Quat::Identity() });
+      touch.next(path.Times[i], { map.toDevice(path.Points_W[i]), palpate::Quat::Identity() });
     fault = fault == palpate::Fault::None ? state.fault : fault;
     rows.Set(i, state, path.Points_W[i], path.Times[i]);
   }
@@ -162,9 +162,10 @@ bool Touch(const vtkHapticHandPath& path, std::shared_ptr<const palpate::Scene> 
 }
 } // namespace
 
-vtkTouchAlongPath::vtkTouchAlongPath() : Materials(std::make_unique<vtkHapticMaterialSettings>())
+vtkTouchAlongPath::vtkTouchAlongPath()
+  : Materials(std::make_unique<vtkHapticMaterialSettings>()), Field(std::make_unique<vtkHapticTouchedField>())
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 vtkTouchAlongPath::~vtkTouchAlongPath()
@@ -184,6 +185,8 @@ void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StiffnessArray: " << this->GetStiffnessArray() << "\n";
   os << indent << "FrictionArray: " << this->GetFrictionArray() << "\n";
   os << indent << "TextureArray: " << this->GetTextureArray() << "\n";
+  os << indent << "FieldArray: " << this->GetFieldArray() << "\n";
+  os << indent << "FieldVectors: " << this->GetFieldVectors() << "\n";
   os << indent << "Scale: " << this->Scale << " u/m\n";
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "TimeArray: " << (this->TimeArray ? this->TimeArray : "(none)") << "\n";
@@ -201,10 +204,14 @@ void vtkTouchAlongPath::SetPathData(vtkDataObject* path)
 
 int vtkTouchAlongPath::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPolyData");
-  if (port == 0)
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkPolyData" : "vtkDataSet");
+  if (port != 1)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
+  if (port == 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   return 1;
 }
@@ -217,6 +224,7 @@ palpate::HapticParameters vtkTouchAlongPath::Parameters() const
   parameters.contact.friction = { this->FrictionStatic, this->FrictionKinetic };
   parameters.contact.shading = this->ForceShading;
   parameters.map.scale_u_per_m = this->Scale;
+  parameters.field = this->Field->Parameters.field;
   return parameters;
 }
 
@@ -224,6 +232,7 @@ std::string vtkTouchAlongPath::CheckParameters() const
 {
   std::string problem = this->Parameters().validate();
   problem = problem.empty() ? this->Materials->Check() : problem;
+  problem = problem.empty() ? this->Field->Check() : problem;
   const bool rate = this->Rate > 0.0 && std::isfinite(this->Rate);
   const bool lines = this->LineRadius >= 0.0 && std::isfinite(this->LineRadius);
   problem = problem.empty() && !lines ? "the radius of lines must be a finite number, 0 or above" : problem;
@@ -236,6 +245,30 @@ bool vtkTouchAlongPath::Goes(double progress)
   return !this->CheckAbort();
 }
 
+std::unique_ptr<palpate::PathTouch> vtkTouchAlongPath::Prepare(
+  vtkDataObject* input, vtkDataObject* field, const vtkHapticHandPath& path, std::string& problem) const
+{
+  std::shared_ptr<const palpate::Scene> scene;
+  if (input != field)
+  {
+    scene = BuildScene(input, *this->Materials, this->LineRadius, problem);
+    problem = scene ? "" : "The surface cannot be touched: " + problem;
+  }
+  vtkHapticFieldResult felt;
+  if (field && problem.empty())
+  {
+    felt = vtkHapticToField(field, this->Field->Arrays);
+    problem = felt.Source ? "" : "The field cannot be felt: " + felt.Problem;
+  }
+  if (!problem.empty())
+  {
+    return nullptr;
+  }
+  auto touch = std::make_unique<palpate::PathTouch>(scene, this->Parameters(), path.FirstDuration());
+  touch->feel(felt.Source);
+  return touch;
+}
+
 int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   if (const std::string problem = this->CheckParameters(); !problem.empty())
@@ -243,7 +276,12 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
     vtkErrorMacro("Nothing was touched: " << problem);
     return 0;
   }
-  const vtkSmartPointer<vtkDataObject> surface = vtkHapticWholeSurface(vtkDataObject::GetData(input[0]));
+  vtkDataObject* const given = vtkDataObject::GetData(input[0]);
+  vtkDataObject* const beside = vtkDataObject::GetData(input[2]);
+  const vtkSmartPointer<vtkDataObject> surface = vtkHapticWholeSurface(given);
+  const vtkSmartPointer<vtkDataObject> field = beside && beside != given             ? vtkHapticWholeSurface(beside)
+                                               : beside || this->Field->IsAskedFor() ? surface
+                                                                                     : nullptr;
   const vtkSmartPointer<vtkPolyData> whole = vtkHapticWholePath(vtkPolyData::GetData(input[1]));
   if (vtkHapticRank() > 0)
   {
@@ -261,17 +299,22 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
     return 0;
   }
   std::string problem;
-  const auto scene = BuildScene(surface, *this->Materials, this->LineRadius, problem);
-  if (!scene)
+  const auto touch = this->Prepare(surface, field, path, problem);
+  if (!touch)
   {
-    vtkErrorMacro("The surface cannot be touched: " << problem);
+    vtkErrorMacro(<< problem);
     return 0;
   }
   Rows rows(path.Points_W.size());
   palpate::Fault fault = palpate::Fault::None;
-  if (Touch(path, scene, this->Parameters(), rows, fault, [this](double progress) { return this->Goes(progress); }))
+  const auto goes = [this](double progress) { return this->Goes(progress); };
+  if (Touch(path, this->Parameters().map, *touch, rows, fault, goes))
   {
     rows.MoveTo(vtkPolyData::GetData(output));
+  }
+  if (!touch->fieldProblem().empty())
+  {
+    vtkWarningMacro("Nothing was felt of the field: " << touch->fieldProblem());
   }
   if (fault != palpate::Fault::None)
   {

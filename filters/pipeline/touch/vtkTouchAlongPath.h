@@ -4,9 +4,11 @@
  * @brief   the force along a given path of the hand over a surface, without a device
  *
  * Port 0: the surface (any data set or composite; W [u]). Port 1: the path of the hand, poly data with one polyline, or
- * points without lines that are taken in their order. Each point is one tick of the same function that drives a device,
- * without a device's limits: F = Stiffness (proxy - hand) / Scale. Output: the path of the proxy as a polyline with the
- * point arrays
+ * points without lines that are taken in their order. Port 2, optional: numbers in space (any data set or composite)
+ * that are felt as a field as well; where an array of a field is chosen and port 2 has no data of its own, port 0 is
+ * felt as a field alone, whose proxy and contacts are those of the output. Each point of the path is one tick of the
+ * same function that drives a device, without a device's limits: F = Stiffness (proxy - hand) / Scale. Output: the path
+ * of the proxy as a polyline with the point arrays
  *
  *     Force     (n, 3) double  on the hand, in W [N]
  *     Depth     (n)    double  distance of hand and proxy [u]
@@ -21,6 +23,7 @@
 
 #include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkTouchAlongPathDescribed.h" // for the settings of a field
 
 #include <functional> // for an argument
 #include <memory>     // for a member
@@ -28,10 +31,14 @@
 
 namespace palpate
 {
+class PathTouch;
 struct HapticParameters;
-}
+} // namespace palpate
 
+struct vtkHapticFieldArrays;
+struct vtkHapticHandPath;
 struct vtkHapticMaterialSettings;
+struct vtkHapticTouchedField;
 
 class VTKHAPTICPIPELINE_EXPORT vtkTouchAlongPath : public vtkPolyDataAlgorithm
 {
@@ -111,8 +118,8 @@ public:
   ///@}
 
   ///@{
-  /// [u], default 0 to 1: heights, of which the highest is the surface and lower ones are hollows; their mean for a hand
-  /// too fast for them.
+  /// [u], default 0 to 1: heights, of which the highest is the surface and lower ones are hollows; their mean for a
+  /// hand too fast for them.
   void SetTextureArray(const char* name);
   const char* GetTextureArray() const;
   void SetTextureComponent(int component);
@@ -121,6 +128,19 @@ public:
   double* GetTextureDataRange() VTK_SIZEHINT(2);
   void SetTextureFeltRange(double atLow, double atHigh);
   double* GetTextureFeltRange() VTK_SIZEHINT(2);
+  ///@}
+
+  ///@{
+  /// The field: the same as SetInputConnection(2, port).
+  void SetFieldConnection(vtkAlgorithmOutput* field);
+  void SetFieldData(vtkDataObject* field);
+  ///@}
+
+  /** @name Numbers in space
+   * Which arrays of the field are felt, and how: the settings of a session with these names, with their units, ranges
+   * and defaults (plugin/README.md). What is on and cannot be felt is an error. */
+  ///@{
+  vtkHapticTouchFieldSettingsMacro();
   ///@}
 
   ///@{
@@ -156,6 +176,13 @@ private:
   /// Empty, or what cannot be used.
   std::string CheckParameters() const;
   void ChangeMaterial(const std::function<void(vtkHapticMaterialSettings&)>& change);
+  void ChangeField(const std::function<void(vtkHapticFieldArrays&)>& change);
+  /// A setting of the field's plan, by its name.
+  void SetField(const char* name, double value);
+  double GetField(const char* name) const;
+  /// What the hand feels; null with a problem. `field`: null where no numbers are felt.
+  std::unique_ptr<palpate::PathTouch> Prepare(
+    vtkDataObject* input, vtkDataObject* field, const vtkHapticHandPath& path, std::string& problem) const;
   /// Reports progress; false when someone asked to stop.
   bool Goes(double progress);
 
@@ -169,6 +196,7 @@ private:
   double Rate = 1000.0;
   char* TimeArray = nullptr;
   std::unique_ptr<vtkHapticMaterialSettings> Materials;
+  std::unique_ptr<vtkHapticTouchedField> Field;
 };
 
 #endif

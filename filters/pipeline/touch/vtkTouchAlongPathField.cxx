@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which numbers in space are felt, and how.
+#include "haptics/session/settings/SessionSettings.h"
+#include "haptics/session/settings/TickFields.h"
+#include "vtkHapticTouchedField.h"
+#include "vtkTouchAlongPath.h"
+
+/// What cannot be used is an error when the filter runs.
+void vtkTouchAlongPath::ChangeField(const std::function<void(vtkHapticFieldArrays&)>& change)
+{
+  const vtkHapticFieldArrays before = this->Field->Arrays;
+  change(this->Field->Arrays);
+  if (before != this->Field->Arrays)
+  {
+    this->Modified();
+  }
+}
+
+void vtkTouchAlongPath::SetField(const char* name, double value)
+{
+  if (this->GetField(name) != value)
+  {
+    palpate::setField(this->Field->Parameters, palpate::sessionSetting(name), { &value, 1 });
+    this->Modified();
+  }
+}
+
+double vtkTouchAlongPath::GetField(const char* name) const
+{
+  return palpate::fieldOf(this->Field->Parameters, palpate::sessionSetting(name)).front();
+}
+
+void vtkTouchAlongPath::SetFieldConnection(vtkAlgorithmOutput* field)
+{
+  this->SetInputConnection(2, field);
+}
+
+void vtkTouchAlongPath::SetFieldData(vtkDataObject* field)
+{
+  this->SetInputDataObject(2, field);
+}
+
+void vtkTouchAlongPath::SetFieldArray(const char* name)
+{
+  this->ChangeField([=](vtkHapticFieldArrays& a) { a.Scalar = name ? name : ""; });
+}
+
+const char* vtkTouchAlongPath::GetFieldArray() const
+{
+  return this->Field->Arrays.Scalar.c_str();
+}
+
+void vtkTouchAlongPath::SetFieldComponent(int component)
+{
+  this->ChangeField([=](vtkHapticFieldArrays& a) { a.Component = component; });
+}
+
+int vtkTouchAlongPath::GetFieldComponent() const
+{
+  return this->Field->Arrays.Component;
+}
+
+void vtkTouchAlongPath::SetFieldVectors(const char* name)
+{
+  this->ChangeField([=](vtkHapticFieldArrays& a) { a.Vector = name ? name : ""; });
+}
+
+const char* vtkTouchAlongPath::GetFieldVectors() const
+{
+  return this->Field->Arrays.Vector.c_str();
+}
+
+void vtkTouchAlongPath::SetFieldResistance(const char* name)
+{
+  this->ChangeField([=](vtkHapticFieldArrays& a) { a.Resistance = name ? name : ""; });
+}
+
+const char* vtkTouchAlongPath::GetFieldResistance() const
+{
+  return this->Field->Arrays.Resistance.c_str();
+}
+
+void vtkTouchAlongPath::SetFieldOther(const char* name)
+{
+  this->ChangeField([=](vtkHapticFieldArrays& a) { a.Other = name ? name : ""; });
+}
+
+const char* vtkTouchAlongPath::GetFieldOther() const
+{
+  return this->Field->Arrays.Other.c_str();
+}
+
+void vtkTouchAlongPath::SetFieldSmoothing(int times)
+{
+  this->ChangeField([=](vtkHapticFieldArrays& a) { a.Smoothing = times; });
+}
+
+int vtkTouchAlongPath::GetFieldSmoothing() const
+{
+  return this->Field->Arrays.Smoothing;
+}

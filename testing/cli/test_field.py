@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`palpate touch --field`: forces of numbers in space along a path, each expected value derived from a formula. The files
+are written by hand here, so no reader or writer of VTK's is judge of itself."""
+
+import itertools
+import math
+import unittest
+
+from palpate_cli import CommandLineTest, SQUARE_FACES, SQUARE_POINTS, nifti_bytes, vtu_text
+
+STIFFNESS = 512.0
+SIZE = 17
+
+
+def image_text(size, arrays, spacing=1.0, origin=(0.0, 0.0, 0.0)):
+    """A vti of size^3 points; `arrays`: name, components and value(x, y, z) of each."""
+    places = [[o + spacing * i for o, i in zip(origin, (i, j, k))]
+              for k in range(size) for j in range(size) for i in range(size)]
+    data = ""
+    for name, components, value in arrays:
+        numbers = " ".join(repr(v) for p in places for v in (value(*p) if components > 1 else [value(*p)]))
+        data += (f'<DataArray type="Float32" Name="{name}" NumberOfComponents="{components}" format="ascii">'
+                 f"{numbers}</DataArray>")
+    whole = f"0 {size - 1} " * 3
+    return f"""<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
+<ImageData WholeExtent="{whole}" Origin="{origin[0]} {origin[1]} {origin[2]}" Spacing="{spacing} {spacing} {spacing}">
+<Piece Extent="{whole}"><PointData>{data}</PointData></Piece></ImageData></VTKFile>
+"""
+
+
+def tetrahedra(size):
+    """Cubes of size^3 whole points, each cut into six tetrahedra round its diagonal."""
+    points = [(i, j, k) for k in range(size) for j in range(size) for i in range(size)]
+    cells = []
+    for low in (p for p in points if max(p) < size - 1):
+        for order in itertools.permutations(range(3)):
+            corner, cell = list(low), [low]
+            for axis in order:
+                corner[axis] += 1
+                cell.append(tuple(corner))
+            cells.append([points.index(p) for p in cell])
+    return points, cells
+
+
+class InAField(CommandLineTest):
+    def touch(self, rows, *options, files=("f.vti",)):
+        self.write_path(rows)
+        self.succeed("touch", *files, "--path", "path.csv", "--csv", "out.csv", "--stiffness", STIFFNESS, *options)
+        return self.read_rows()
+
+    def write_image(self, *arrays, **place):
+        self.write("f.vti", image_text(SIZE, arrays, **place))
+
+    def force(self, row):
+        return [row[f"force_{axis}"] for axis in "xyz"]
+
+    def assert_near(self, found, expected, delta):
+        for one, other in zip(found, expected):
+            self.assertAlmostEqual(one, other, delta=delta)
+
+    def test_the_isosurface_of_a_linear_field_is_a_plane_and_pushes_along_its_normal(self):
+        # floats hold f = 0.5 x + 0.25 y + z exactly on whole numbers, and trilinear values of it are itself
+        normal = [c / math.sqrt(0.25 + 0.0625 + 1.0) for c in (0.5, 0.25, 1.0)]
+        self.write_image(("f", 1, lambda x, y, z: 0.5 * x + 0.25 * y + z))
+        start = (6.25, 7.5, 5.0)  # f = 10
+        depths = [n / 64 for n in range(-32, 97)]
+        rows = [(n / 1024, *(s - d * c for s, c in zip(start, normal))) for n, d in enumerate(depths)]
+        out = self.touch(rows, "--field", "f", "--mode", "isosurface", "--iso", 10)
+        for depth, row in zip(depths, out):
+            self.assert_near(self.force(row), [STIFFNESS * max(0.0, depth) * c for c in normal], 1e-9)
+            if depth > 1e-9:
+                self.assert_near([row[f"proxy_{axis}"] for axis in "xyz"], start, 1e-11)
+                self.assertEqual(row["contacts"], 1)
+
+    def test_a_ball_of_sampled_distances_is_felt_inside_of_it_by_at_most_a_quarter_of_the_square_of_the_spacing(self):
+        # r is convex, so trilinear values of it are not below it, and above by at most h^2 / 8 times its Laplacian 2 / r.
+        radius, spacing, depth = 3.2, 0.5, 0.3
+        most = spacing**2 / (4 * radius)
+        self.write_image(("r", 1, lambda x, y, z: math.sqrt(x * x + y * y + z * z)), spacing=spacing, origin=(-4.1, -4, -3.9))
+        rows = [(0.0, 0.8 * (radius + 0.5), 0.0, 0.6 * (radius + 0.5))]
+        for n in range(1, 400):
+            turn = 0.015 * n
+            way = (0.8 * math.cos(turn), 0.8 * math.sin(turn), 0.6)
+            rows.append((n / 1024, *((radius - depth) * c for c in way)))
+        inside = []
+        for row in self.touch(rows, "--field", "r", "--mode", "isosurface", "--iso", radius)[1:]:
+            inside.append(radius - math.hypot(*(row[f"proxy_{axis}"] for axis in "xyz")))
+            self.assertAlmostEqual(math.hypot(*self.force(row)), STIFFNESS * (depth - inside[-1]), delta=1e-2 * STIFFNESS * depth)
+        self.assertGreaterEqual(min(inside), -1e-6)
+        self.assertLessEqual(max(inside), 1.05 * most)
+        self.assertGreaterEqual(max(inside), 0.7 * most)
+
+    def test_a_membrane_gives_way_at_its_strength(self):
+        self.write_image(("f", 1, lambda x, y, z: z))
+        rows = [(n / 1024, 8.25, 8.5, 9.0 - n / 256) for n in range(512)]
+        out = self.touch(rows, "--field", "f", "--mode", "isosurface", "--iso", 8, "--strength", 100)
+        pushed = [row["force_z"] for row in out]
+        self.assertLessEqual(max(pushed), 100 + 1e-9)
+        self.assertGreater(max(pushed), 100 - STIFFNESS / 256)
+        self.assertEqual(pushed[-1], 0.0)
+
+    def test_a_vortex_leads_the_hand_round_on_its_circle(self):
+        # v = (-y, x, 0) is linear, so a streamline is a circle to rounding; the hand is drawn outward by up to a fifth
+        self.write_image(("v", 3, lambda x, y, z: (-y, x, 0.0)), origin=(-8.0, -8.0, -8.0))
+        rows = [(0.0, 4.0, 0.0, 0.5)]
+        for n in range(1, 2049):
+            turn = 2 * math.pi * n / 1024
+            rows.append((n / 1024, 4.2 * math.cos(turn), 4.2 * math.sin(turn), 0.5))
+        out = self.touch(rows, "--field", "v", "--mode", "follow", "--strength", 1000)
+        for row in out:
+            self.assertAlmostEqual(math.hypot(row["proxy_x"], row["proxy_y"]), 4.0, delta=1e-6)
+            self.assertAlmostEqual(row["proxy_z"], 0.5, delta=1e-9)
+
+    def test_drag_is_its_strength_times_the_resistance_against_the_motion(self):
+        self.write_image(("d", 1, lambda x, y, z: z / 16.0))
+        rows = [(n / 1024, 2.0 + n / 128, 8.0, 4.0) for n in range(1024)]
+        out = self.touch(rows, "--field", "d", "--mode", "drag", "--strength", 2)
+        self.assert_near(self.force(out[-1]), (-2 * 4 / 16, 0, 0), 1e-9)
+
+    def test_a_push_has_its_strength_along_the_directions(self):
+        self.write_image(("v", 3, lambda x, y, z: (0.0, 3.0, 4.0)))
+        rows = [(n / 1024, 8.0, 8.0, 8.0) for n in range(4)]
+        out = self.touch(rows, "--field", "v", "--mode", "push", "--strength", 0.5)
+        self.assert_near(self.force(out[-1]), (0.0, 0.3, 0.4), 1e-9)
+
+    def test_two_arrays_are_compared(self):
+        self.write_image(("a", 1, lambda x, y, z: z), ("b", 1, lambda x, y, z: z + 0.5))
+        rows = [(n / 1024, 2.0 + n / 128, 8.0, 8.0) for n in range(1024)]
+        out = self.touch(rows, "--field", "a", "--mode", "compare", "--compare-with", "b", "--strength", 4)
+        self.assert_near(self.force(out[-1]), (-2.0, 0, 0), 1e-9)  # half of the difference of 1 that has all of it
+
+    def test_a_clicking_level_holds_up_to_its_strength(self):
+        self.write_image(("f", 1, lambda x, y, z: z))
+        rows = [(n / 1024, 8.0, 8.0, 7.2 + n / 512) for n in range(1024)]
+        out = self.touch(rows, "--field", "f", "--mode", "detent", "--strength", 60, "--levels-click", "--between-levels", 1.5,
+                         "--first-level", 0)
+        pulled = [row["force_z"] for row in out]  # levels at 7.5 and 9
+        self.assertGreaterEqual(min(pulled), -60 - 1e-9)
+        self.assertLess(min(pulled), -60 + STIFFNESS / 512)
+        self.assertEqual(sum(1 for now, after in zip(pulled, pulled[1:]) if now < -50 and after > -10), 2)
+
+    def test_a_surface_in_a_field_is_felt_as_both_and_each_has_half_of_the_stiffness(self):
+        self.write_image(("f", 1, lambda x, y, z: z), origin=(-8.0, -8.0, -8.0))
+        self.write_off("plane.off", [(x, 0, y) for x, y, _ in SQUARE_POINTS], SQUARE_FACES)
+        rows = [(0.0, 0.5, 1.0, 1.0), (1 / 1024, 0.5, -0.25, -0.5)]
+        out = self.touch(rows, "--field", "f", "--mode", "isosurface", "--iso", 0, files=("plane.off", "f.vti"))
+        self.assert_near(self.force(out[1]), (0.0, STIFFNESS / 2 * 0.25, STIFFNESS / 2 * 0.5), 1e-9)
+
+    def test_voxels_of_nifti_and_tetrahedra_are_felt_at_their_places(self):
+        self.write("f.nii", nifti_bytes(9, lambda i, j, k: 1.0 * i, affine=[(-1, 0, 0, 20), (0, 1, 0, 0), (0, 0, 1, 0)]))
+        out = self.touch([(0.0, 14.0, 4.0, 4.0), (0.001, 16.0, 4.0, 4.0)], "--field", "NIFTI", "--mode", "isosurface",
+                         "--iso", 4.5, files=("f.nii",))  # at x = 15.5; the hand comes from x below
+        self.assertAlmostEqual(out[1]["force_x"], -STIFFNESS * 0.5, delta=1e-6)
+        points, cells = tetrahedra(5)
+        numbers = " ".join(str(p[0]) for p in points)
+        values = f'<PointData><DataArray type="Float64" Name="f" format="ascii">{numbers}</DataArray></PointData>'
+        self.write("f.vtu", vtu_text(points, cells, cell_type=10).replace("<Points>", values + "<Points>"))
+        out = self.touch([(0.0, 1.0, 2.0, 2.0), (0.001, 2.5, 2.0, 2.0)], "--field", "f", "--mode", "isosurface", "--iso", 2,
+                         files=("f.vtu",))
+        self.assertAlmostEqual(out[1]["force_x"], -STIFFNESS * 0.5, delta=1e-3)
+
+    def test_outside_of_the_values_there_is_no_force_and_inside_there_is(self):
+        self.write_image(("f", 1, lambda x, y, z: z))
+        rows = [(n / 1024, 8.0, 8.0, 40.0 - n / 16) for n in range(530)]
+        out = self.touch(rows, "--field", "f", "--mode", "isosurface", "--iso", 8)
+        for row in out:
+            expected = STIFFNESS * (8 - row["device_z"]) if row["device_z"] < 8 else 0.0
+            self.assertAlmostEqual(row["force_z"], expected, delta=1e-9)
+
+    def test_bad_input_is_refused_in_one_line(self):
+        self.write_image(("f", 1, lambda x, y, z: z), ("v", 3, lambda x, y, z: (x, y, z)))
+        self.write_path([(0.0, 1.0, 1.0, 1.0)])
+        command = ("touch", "f.vti", "--path", "path.csv", "--csv", "out.csv")
+        for options, words in (
+            (("--field", "f"), ["--mode"]),
+            (("--mode", "drag", "--strength", 1), ["--field"]),
+            (("--field", "f", "--mode", "isosurface"), ["--iso"]),
+            (("--field", "f", "--mode", "isosurface", "--iso", "nan"), ["--iso"]),
+            (("--field", "f", "--mode", "detent"), ["--strength"]),
+            (("--field", "f", "--mode", "hum", "--strength", 1), ["hum", "isosurface"]),
+            (("--field", "v", "--mode", "push", "--strength", 5), ["--strength", "0.5"]),
+            (("--field", "gone", "--mode", "drag", "--strength", 1), ["f.vti", "gone"]),
+            (("--field", "f", "--mode", "follow", "--strength", 1), ["directions"]),
+            (("--field", "f", "--mode", "compare", "--strength", 1), ["--compare-with"]),
+            (("--field", "f", "--field", "v", "--mode", "snap", "--strength", 1), ["--field"]),
+            (("--field", "f", "--field", "v", "--mode", "snap", "--strength", 1, "--mode", "detent", "--strength", 1),
+             ["same numbers"]),
+            (("--iso", 3, "--snap-reach", 2), ["--snap-reach", "--field"]),
+        ):
+            with self.subTest(options=options):
+                self.refused(*command, *options, saying=words)
+                self.assertFalse((self.folder / "out.csv").exists())
+        self.write_off("plane.off", SQUARE_POINTS, SQUARE_FACES)
+        self.refused("touch", "plane.off", "--path", "path.csv", "--csv", "out.csv", "--field", "f", "--mode", "drag",
+                     "--strength", 1, saying=["plane.off", "volume"])
+
+
+if __name__ == "__main__":
+    unittest.main()

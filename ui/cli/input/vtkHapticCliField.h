@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticCliField_h
+#define vtkHapticCliField_h
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/field/FieldPlan.h"
+#include "haptics/session/scene/FieldSource.h"
+#include "vtkHapticCliSettings.h"
+#include "vtkHapticFieldData.h"
+
+/// Numbers in space as a command line has them: a mode, its array and its strength in the same place of each list.
+struct vtkHapticCliFieldOptions
+{
+  std::vector<std::string> Arrays; ///< one a mode, or one for all
+  std::vector<std::string> Modes;
+  std::vector<double> Strengths_N; ///< one a mode; an isosurface alone needs none: then it is a wall
+  std::string Other;               ///< what the scalar is compared with
+
+  bool Any() const { return !this->Arrays.empty() || !this->Modes.empty(); }
+};
+
+/// --field, --mode, --strength and --compare-with of a command.
+void vtkHapticCliAddField(CLI::App& command, vtkHapticCliFieldOptions& options);
+
+/// Takes the file that is felt as a field, the first volume among them, out of `files`. Null where no field is asked
+/// for. Throws vtkHapticCliProblem.
+[[nodiscard]] std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(
+  const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings, std::vector<std::string>& files);
+
+/// What the modes are to the tick. `iso`: the value of an isosurface. Throws vtkHapticCliProblem, also for settings of
+/// a field where none is asked for.
+void vtkHapticCliSetField(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings,
+  std::optional<double> iso, palpate::FieldPlan& plan);
+
+#endif
