@@ -14,9 +14,12 @@
 #include "vtkHapticImageField.h"
 #include "vtkHapticResampledField.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUniformGrid.h"
+#include "vtkUniformGridAMR.h"
 
 namespace
 {
@@ -72,6 +75,23 @@ bool IsThick(vtkImageData& image)
 {
   const int* const size = image.GetDimensions();
   return size[0] > 1 && size[1] > 1 && size[2] > 1;
+}
+
+/// The grids of all levels, the finest last: resampling writes over what it found in grids before.
+vtkSmartPointer<vtkMultiBlockDataSet> FinestLast(vtkUniformGridAMR& levels)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (unsigned level = 0; level < levels.GetNumberOfLevels(); ++level)
+  {
+    for (unsigned i = 0; i < levels.GetNumberOfDataSets(level); ++i)
+    {
+      if (vtkUniformGrid* const grid = levels.GetDataSet(level, i))
+      {
+        blocks->SetBlock(blocks->GetNumberOfBlocks(), grid);
+      }
+    }
+  }
+  return blocks;
 }
 
 /// Values of cells at points, where an array that is asked for is at cells alone.
@@ -138,7 +158,8 @@ vtkHapticFieldResult vtkHapticToField(vtkDataObject* data, const vtkHapticFieldA
       std::make_shared<vtkHapticImageField>(vtkHapticAllAtPoints(*kept, arrays) ? kept : WithPointData(*kept), arrays), ""
     };
   }
-  return vtkHapticResampled(data, parts, arrays);
+  auto* const levels = vtkUniformGridAMR::SafeDownCast(data);
+  return vtkHapticResampled(levels ? FinestLast(*levels).Get() : data, parts, arrays);
 }
 
 std::vector<std::string> vtkHapticFieldArrayNames(vtkDataObject* data, int components)

@@ -44,8 +44,9 @@ struct Extent
     this->Points += part.GetNumberOfPoints();
     for (vtkIdType i = 0; i < part.GetNumberOfCells(); ++i)
     {
-      const int dimension = vtkCellTypes::GetDimension(static_cast<unsigned char>(part.GetCellType(i)));
-      this->Solid += dimension == 3;
+      const int type = part.GetCellType(i);
+      const int dimension = vtkCellTypes::GetDimension(static_cast<unsigned char>(type));
+      this->Solid += dimension == 3 || type == VTK_EMPTY_CELL; // as a blanked one of a curvilinear grid says it is
       this->Flat += dimension == 1 || dimension == 2;
     }
   }
@@ -120,6 +121,7 @@ private:
   {
     vtkNew<vtkCellDataToPointData> toPoints;
     toPoints->SetInputDataObject(this->Data);
+    toPoints->PassCellDataOn(); // what hides a cell is one of its values
     vtkNew<vtkResampleToImage> resample;
     resample->SetInputConnection(toPoints->GetOutputPort());
     resample->UseInputBoundsOff();

@@ -230,9 +230,9 @@ palpate::HapticParameters vtkTouchAlongPath::Parameters() const
 
 std::string vtkTouchAlongPath::CheckParameters() const
 {
-  std::string problem = this->Parameters().validate();
+  std::string problem = this->Field->Check();
+  problem = problem.empty() ? this->Parameters().validate() : problem;
   problem = problem.empty() ? this->Materials->Check() : problem;
-  problem = problem.empty() ? this->Field->Check() : problem;
   const bool rate = this->Rate > 0.0 && std::isfinite(this->Rate);
   const bool lines = this->LineRadius >= 0.0 && std::isfinite(this->LineRadius);
   problem = problem.empty() && !lines ? "the radius of lines must be a finite number, 0 or above" : problem;

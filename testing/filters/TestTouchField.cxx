@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers in space felt along a path. Judges: formulas, and VTK's probe of the values where the proxy is.
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "vtkDataSetTriangleFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkHapticFlowSource.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProbeFilter.h"
+#include "vtkTouchAlongPath.h"
+#include "vtkUnstructuredGrid.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+namespace
+{
+constexpr double stiffness = 400.0;
+
+vtkSmartPointer<vtkImageData> image(double (*function)(const Vec3&))
+{
+  auto data = vtkSmartPointer<vtkImageData>::New();
+  data->SetDimensions(21, 21, 21);
+  data->SetOrigin(-5.0, -5.0, -5.0);
+  data->SetSpacing(0.5, 0.5, 0.5);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("f");
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(function(Vec3(data->GetPoint(i))));
+  }
+  data->GetPointData()->AddArray(values);
+  return data;
+}
+
+vtkSmartPointer<vtkTouchAlongPath> touchField(vtkDataObject* input, const std::vector<Vec3>& points_W)
+{
+  auto touch = vtkSmartPointer<vtkTouchAlongPath>::New();
+  touch->SetInputDataObject(0, input);
+  touch->SetPathData(makePath(points_W));
+  touch->SetStiffness(stiffness);
+  return touch;
+}
+
+Vec3 tuple(vtkPolyData& output, const char* array, vtkIdType row)
+{
+  Vec3 value;
+  output.GetPointData()->GetArray(array)->GetTuple(row, value.data());
+  return value;
+}
+
+double height(const Vec3& p)
+{
+  return p.z();
+}
+
+/// Bent, and with both signs of curvature.
+double waves(const Vec3& p)
+{
+  return p.z() + 0.5 * std::sin(p.x()) * std::cos(0.8 * p.y());
+}
+
+/// In from above and then on a wide turn below the surface.
+std::vector<Vec3> slide(double depth)
+{
+  std::vector<Vec3> points_W{ Vec3(3, 0, 3) };
+  for (int i = 0; i <= 1500; ++i)
+  {
+    const double turn = 0.004 * i;
+    const Vec3 p(3 * std::cos(turn), 3 * std::sin(turn), 0.0);
+    points_W.emplace_back(p.x(), p.y(), p.z() - waves(p) - depth);
+  }
+  return points_W;
+}
+
+TEST(TouchField, AnIsosurfaceIsWhereVtksProbeFindsItsValueAndPushesOut)
+{
+  const auto data = image(waves);
+  const auto touch = touchField(data, slide(0.2));
+  touch->SetFieldArray("f");
+  touch->FieldIsosurfaceOn();
+  touch->SetFieldIsovalue(0.125);
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  vtkPolyData* const output = touch->GetOutput();
+  vtkNew<vtkProbeFilter> probe;
+  probe->SetInputData(output);
+  probe->SetSourceData(data);
+  probe->Update();
+  vtkDataArray* const found = probe->GetOutput()->GetPointData()->GetArray("f");
+  for (vtkIdType i = 1; i < output->GetNumberOfPoints(); ++i)
+  {
+    ASSERT_NEAR(found->GetTuple1(i), 0.125, 1e-6) << i; // values of a brick are floats
+    EXPECT_GT(tuple(*output, "Force", i).z(), 0.0);
+    EXPECT_LT(
+      (tuple(*output, "Force", i) - stiffness * (Vec3(output->GetPoint(i)) - tuple(*output, "Device", i))).norm(),
+      1e-9 * stiffness);
+    EXPECT_GE(output->GetPointData()->GetArray("Contacts")->GetTuple1(i), 1.0);
+  }
+}
+
+TEST(TouchField, OnTetrahedraTheSurfaceOfALinearFieldIsThatOfTheImage)
+{
+  vtkNew<vtkDataSetTriangleFilter> cut;
+  cut->SetInputData(image(height));
+  cut->Update();
+  const auto touch = touchField(cut->GetOutput(), { Vec3(0.3, 0.2, 1.0), Vec3(0.3, 0.2, 0.0), Vec3(0.4, 0.1, -0.5) });
+  touch->SetFieldArray("f");
+  touch->FieldIsosurfaceOn();
+  touch->SetFieldIsovalue(0.3);
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0, 0, 0.3 * stiffness)).norm(), 1e-4 * stiffness);
+  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 2) - Vec3(0, 0, 0.8 * stiffness)).norm(), 1e-4 * stiffness);
+}
+
+TEST(TouchField, AFieldBesideASurfaceIsFeltWithIt)
+{
+  const auto touch = touchField(makePlane(10.0), { Vec3(0.3, 0.2, 1.0), Vec3(0.3, 0.2, -0.25) });
+  touch->SetFieldData(image([](const Vec3& p) { return p.x(); }));
+  touch->SetFieldArray("f");
+  touch->FieldIsosurfaceOn();
+  touch->SetFieldIsovalue(0.0);
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0, 0, 0.25 * stiffness / 2)).norm(), 1e-9);
+  touch->SetPathData(makePath({ Vec3(0.3, 0.2, 1.0), Vec3(-0.5, 0.2, -0.25) }));
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0.5, 0, 0.25) * stiffness / 2).norm(), 1e-9);
+}
+
+/// Ten turns of a hand beside the circle at `radius` round the z axis: how far the proxy drifts from it at most,
+/// relative.
+double drift(vtkHapticFlowSource* flow, double radius, double beside)
+{
+  constexpr int turns = 10, ticksATurn = 600;
+  std::vector<Vec3> points_W{ Vec3(radius, 0, 0.1) };
+  for (int i = 0; i <= turns * ticksATurn; ++i)
+  {
+    const double turn = 2.0 * std::numbers::pi * i / ticksATurn;
+    points_W.emplace_back((radius + beside) * std::cos(turn), (radius + beside) * std::sin(turn), 0.1);
+  }
+  flow->Update();
+  const auto touch = touchField(flow->GetOutputDataObject(0), points_W);
+  touch->SetFieldVectors("Velocity");
+  touch->SetFieldFollow(1000.0);
+  EXPECT_THAT(errorsOf(touch), IsEmpty());
+  double most = 0.0;
+  for (vtkIdType i = 0; i < touch->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    const Vec3 p(touch->GetOutput()->GetPoint(i));
+    most = std::max(most, std::fabs(std::hypot(p.x(), p.y()) / radius - 1.0));
+  }
+  return most;
+}
+
+TEST(TouchField, TenTurnsRoundAVortexStayOnItsStreamlineAndFinerCellsHoldItBetter)
+{
+  vtkNew<vtkHapticFlowSource> flow;
+  flow->SetFlow(vtkHapticFlowSource::LambOseen);
+  for (const int cells : { vtkHapticFlowSource::Image, vtkHapticFlowSource::Tetrahedra })
+  {
+    flow->SetCells(cells);
+    flow->SetResolution(25);
+    const double coarse = drift(flow, 2.0, 0.1);
+    flow->SetResolution(49);
+    const double fine = drift(flow, 2.0, 0.1);
+    // A streamline of linear interpolation leaves the true one by its error, of second order.
+    EXPECT_LT(fine, 0.5 * coarse) << cells;
+    EXPECT_LT(fine, 5e-3) << cells;
+  }
+}
+
+TEST(TouchField, WhatCannotBeFeltIsSaidInOneLineAndTheOutputIsEmpty)
+{
+  const auto touch = touchField(image(height), { Vec3(0, 0, 1), Vec3(0, 0, -1) });
+  const auto expect = [&](const char* words)
+  {
+    const auto errors = errorsOf(touch);
+    ASSERT_FALSE(errors.empty()) << words;
+    EXPECT_THAT(errors.front(), HasSubstr(words));
+    EXPECT_EQ(touch->GetOutput()->GetNumberOfPoints(), 0);
+  };
+  touch->FieldIsosurfaceOn();
+  expect("no array of it: give FieldArray");
+  touch->SetFieldArray("gone");
+  expect("its array \"gone\" is not there");
+  touch->SetFieldArray("f");
+  touch->FieldIsosurfaceOff();
+  expect("in no way: give FieldIsosurface");
+  touch->SetFieldPush(3.0);
+  expect("FieldPush: ");
+  touch->SetFieldPush(0.0);
+  touch->SetFieldSmoothing(9);
+  expect("FieldSmoothing: ");
+  touch->SetFieldSmoothing(0);
+  touch->SetFieldVectors("f");
+  touch->SetFieldFollow(1.0);
+  expect("directions need 3");
+}
+} // namespace
