@@ -60,7 +60,9 @@ void Hand::rest(TickContext& tick) noexcept
 void HandGuard::step(TickContext& tick) noexcept
 {
   const HapticState& state = tick.out.state;
-  tick.latch(judgeHand(tick.p.safety.hand, state.velocity_D.norm(), tick.s.lastForce_D.norm(), state.energy.excess_J));
+  // A push is a source that the person asked for: it is in neither meter.
+  const double excess_J = state.energy.excess_J + state.field.energy.excess_J;
+  tick.latch(judgeHand(tick.p.safety.hand, state.velocity_D.norm(), tick.s.lastForce_D.norm(), excess_J));
 }
 
 } // namespace palpate::stage

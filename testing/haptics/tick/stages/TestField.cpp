@@ -164,6 +164,57 @@ TEST_F(Field, PushesOnlyWhoIsEngagedAndTellsItsPower)
   EXPECT_NEAR(power_W, 0.4 * 0.1, 1e-3) << "force times speed";
 }
 
+TEST_F(Field, BooksWhatANewBrickGivesTheHandAndIsEndedBeyondTheLimitOfTheLatch)
+{
+  const Brick low = scalarIn([](const Vec3& p) { return p.z(); });
+  const Brick high =
+    scalarIn([](const Vec3& p) { return p.z() - 0.0078125; }); // the surface is an eighth of a cell higher
+  const double depth_m = 0.02, raised_m = depth_m + 0.0078125;
+  const double given_J = 0.5 * stiffness_N_per_m * (raised_m * raised_m - depth_m * depth_m);
+  for (const double limit_J : { 2.0 * given_J, 0.5 * given_J })
+  {
+    this->state_ = {};
+    this->tick_ = 0;
+    this->parameters_.safety.hand.excess_J = limit_J;
+    for (int i = 0; i <= 4000; ++i) // slowly: the work of a held force is behind its spring by a step
+    {
+      ASSERT_EQ(this->tick({ 0, 0, 0.001 - (depth_m + 0.001) * i / 4000 }, &low).fault, Fault::None);
+    }
+    HapticState state = this->tick({ 0, 0, -depth_m }, &low);
+    EXPECT_NEAR(state.field.energy.excess_J, 0.0, 1e-3 * given_J);
+    Fault fault = Fault::None;
+    for (int i = 0; i < 400 && fault == Fault::None; ++i)
+    {
+      state = this->tick({ 0, 0, -depth_m }, &high);
+      fault = state.fault;
+    }
+    EXPECT_EQ(fault, limit_J < given_J ? Fault::EnergyLatch : Fault::None);
+    if (fault == Fault::None)
+    {
+      EXPECT_NEAR(state.field.proxy_W.z(), 0.0078125, 1e-9);
+      EXPECT_NEAR(state.field.energy.excess_J, given_J, 1e-3 * given_J);
+    }
+  }
+}
+
+TEST_F(Field, PushesAsADeclaredSourceThatTheLatchDoesNotTakeForAFault)
+{
+  const Brick brick(
+    1, grid(), { { BrickRole::Vector, "v", test::sampledVectors(size, [](const Vec3&) { return Vec3(1, 0, 0); }) } });
+  this->parameters_.field.isosurface = false;
+  this->parameters_.field.push_N = 0.5;
+  this->parameters_.safety.hand.excess_J = 1e-3;
+  double given_J = 0.0;
+  for (int i = 0; i < 1500; ++i)
+  {
+    const HapticState state = this->tick({ -0.75 + 1e-3 * i, 0, 0 }, &brick);
+    ASSERT_EQ(state.fault, Fault::None);
+    EXPECT_EQ(state.field.energy.excess_J, 0.0);
+    given_J += state.field.pushPower_W * dt_s;
+  }
+  EXPECT_GT(given_J, 0.5);
+}
+
 TEST_F(Field, IsRecordedAndWhatCannotBeIsRefused)
 {
   this->parameters_.field.isovalue = 7.5;
