@@ -2,6 +2,7 @@
 #include "haptics/session/PathTouch.h"
 
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "haptics/field/UsualGradient.h"
@@ -29,7 +30,9 @@ void PathTouch::feel(std::shared_ptr<const FieldSource> field)
 void PathTouch::followField(const Pose& hand_D)
 {
   const Vec3 hand_W = this->parameters_.map.toScene(hand_D.p);
-  const auto next = this->field_.follow(hand_W, std::numeric_limits<double>::infinity(), true);
+  const FieldPlan& plan = this->parameters_.field;
+  const std::optional<double> level = plan.isosurface ? std::optional(plan.isovalue) : std::nullopt;
+  const auto next = this->field_.follow(hand_W, std::numeric_limits<double>::infinity(), level, true);
   if (!next)
   {
     return;

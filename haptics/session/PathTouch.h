@@ -25,8 +25,8 @@ public:
   /// its contacts are those of the field.
   [[nodiscard]] HapticState next(double time_s, const Pose& hand_D);
 
-  /// Why no number of the field was felt until now; "": some were, or there is no field.
-  [[nodiscard]] const std::string& fieldProblem() const noexcept { return this->field_.made().problem; }
+  /// The newest brick of the field, or why there is none.
+  [[nodiscard]] const MadeBrick& madeBrick() const noexcept { return this->field_.made(); }
 
 private:
   void followField(const Pose& hand_D);

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "haptics/session/scene/FeltField.h"
 #include "testing/support/Random.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
@@ -88,7 +89,7 @@ MadeBrick brickOf(vtkDataObject* data, const vtkHapticFieldArrays& arrays, const
 {
   const vtkHapticFieldResult field = vtkHapticToField(data, arrays);
   EXPECT_EQ(field.Problem, "");
-  return field.Source ? field.Source->brickAround(centre_W, reach_u, 1) : MadeBrick{};
+  return field.Source ? field.Source->brickAround({ centre_W, reach_u, 1 }) : MadeBrick{};
 }
 
 vtkHapticFieldArrays scalar(const char* name)
@@ -140,12 +141,12 @@ TEST(FieldData, TwoWindowsOfOneImageHaveTheSameBitsWhereTheyOverlapSmoothedOrNot
     const vtkHapticFieldResult field = vtkHapticToField(image, arrays);
     ASSERT_TRUE(field.Source);
     const double* const centre = image->GetCenter();
-    const MadeBrick largest = field.Source->brickAround(Vec3(centre), endless, 3);
+    const MadeBrick largest = field.Source->brickAround({ Vec3(centre), endless, 3 });
     ASSERT_TRUE(largest.brick);
     EXPECT_LE(largest.brick->bytes(), Brick::mostBytes);
     EXPECT_GT(largest.brick->bytes(), Brick::mostBytes / 2);
-    const MadeBrick one = field.Source->brickAround(Vec3(centre), 9.0, 1);
-    const MadeBrick two = field.Source->brickAround(Vec3(centre) + Vec3(4.0, -3.0, 5.0), 9.0, 2);
+    const MadeBrick one = field.Source->brickAround({ Vec3(centre), 9.0, 1 });
+    const MadeBrick two = field.Source->brickAround({ Vec3(centre) + Vec3(4.0, -3.0, 5.0), 9.0, 2 });
     ASSERT_TRUE(one.brick && two.brick);
     EXPECT_GE(one.reach_u, 9.0);
     for (std::size_t n = 0; n < test::testCount(200); ++n)
@@ -156,6 +157,52 @@ TEST(FieldData, TwoWindowsOfOneImageHaveTheSameBitsWhereTheyOverlapSmoothedOrNot
       // The corners are the same bits; the place in the cell is computed from another first point.
       EXPECT_NEAR(a->value, b->value, 1e-12);
     }
+  }
+}
+
+/// Near enough to normally distributed: twelve numbers of variance 1/12.
+double normal(test::Random& random)
+{
+  double sum = -6.0;
+  for (int i = 0; i < 12; ++i)
+  {
+    sum += random.uniform();
+  }
+  return sum;
+}
+
+/// Heights with noise of so many spacings.
+vtkSmartPointer<vtkImageData> noisyHeights(double sigma)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(24, 24, 24);
+  test::Random random(test::testSeed(1707));
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("f");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(image->GetPoint(i)[2] + sigma * normal(random));
+  }
+  image->GetPointData()->AddArray(values);
+  return image;
+}
+
+TEST(FieldData, NoiseThatTrapsAHandIsSmoothedOnceByItselfBesideTheLevelThatIsFeltAndSaid)
+{
+  // White noise of sigma spacings is measured as 0.6 sigma, and a fifth of a spacing traps: 0.5 does, 0.2 does not.
+  for (const double sigma : { 0.0, 0.2, 0.5 })
+  {
+    const auto image = noisyHeights(sigma);
+    const vtkHapticFieldResult field = vtkHapticToField(image, scalar("f"));
+    const MadeBrick made = field.Source->brickAround({ Vec3::Zero(), endless, 1, 12.25 });
+    EXPECT_NEAR(made.smoothness.noise, 0.6 * sigma, 0.15 * sigma + 1e-6);
+    EXPECT_EQ(made.smoothness.passes, sigma > 0.4 ? 1 : 0);
+    EXPECT_EQ(field.Source->brickAround({ Vec3::Zero(), endless, 2 }).smoothness.passes, 0) << "no surface is felt";
+    vtkHapticFieldArrays asked = scalar("f");
+    asked.Smoothing = sigma > 0.4 ? 1 : 0;
+    EXPECT_EQ(made.brick->contentHash(), brickOf(image, asked).brick->contentHash());
+    const std::string said = fieldSentence("head", made, 1.0, 1.0);
+    EXPECT_EQ(said.find("smoothed once: its noise of 0.") != std::string::npos, sigma > 0.4) << said;
   }
 }
 

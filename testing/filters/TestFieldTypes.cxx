@@ -76,7 +76,7 @@ MadeBrick fieldOf(vtkDataObject* data, const char* array = "f")
   arrays.Scalar = array;
   const vtkHapticFieldResult field = vtkHapticToField(data, arrays);
   EXPECT_EQ(field.Problem, "");
-  return field.Source ? field.Source->brickAround(Vec3::Zero(), endless, 1) : MadeBrick{};
+  return field.Source ? field.Source->brickAround({ Vec3::Zero(), endless, 1 }) : MadeBrick{};
 }
 
 /// Calls visit(p_W, value) for every point of the brick; NaN where it has no value.
@@ -316,7 +316,7 @@ TEST(FieldTypes, ATimeSeriesHasTheValuesOfItsTime)
       arrays.Vector = "Velocity";
       const vtkHapticFieldResult field = vtkHapticToField(source->GetOutputDataObject(0), arrays);
       ASSERT_TRUE(field.Source) << field.Problem;
-      const MadeBrick made = field.Source->brickAround(Vec3::Zero(), endless, 1);
+      const MadeBrick made = field.Source->brickAround({ Vec3::Zero(), endless, 1 });
       const Vec3 p_W(0.8, 0.35, 0.25); // a point of the image and of the mesh
       // Tetrahedra are seen on a lattice between their points: h^2 / 8 times second derivatives of at most 0.1 pi^3
       // each.

@@ -124,12 +124,24 @@ std::vector<Experiment> planeExperiments()
   };
 }
 
+/// Numbers in space.
+std::vector<Experiment> fieldExperiments()
+{
+  return {
+    { "fields", "numbers in space by a proxy, by maps of force, by followers and as a mesh; where sampled maps shake",
+      { 82, 83, 84 }, runFields },
+    { "brick", "how true the numbers around a hand are, what they cost, and how fast a hand may go before they end", {},
+      runBricks },
+  };
+}
+
 } // namespace
 
 std::vector<Experiment> experiments()
 {
   std::vector<Experiment> all;
-  for (const auto& group : { forceExperiments(), contactExperiments(), sceneExperiments(), planeExperiments() })
+  for (const auto& group : { forceExperiments(), contactExperiments(), sceneExperiments(), planeExperiments(),
+         fieldExperiments() })
   {
     all.insert(all.end(), group.begin(), group.end());
   }

@@ -52,6 +52,8 @@ void runIntegralWall(const Conditions& conditions, Table& table);
 void runImpactWalls(const Conditions& conditions, Table& table);
 void runLinkBudget(const Conditions& conditions, Table& table);
 void runSwitchedSprings(const Conditions& conditions, Table& table);
+void runFields(const Conditions& conditions, Table& table);
+void runBricks(const Conditions& conditions, Table& table);
 void runSoftLines(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab

@@ -69,6 +69,14 @@ CHARTS = [
      "An integral walks a pressing hand back to the surface: left, how fast it may (marks measured); middle, the damping a swinging hand has to "
      "bring for it, the more the slower it is (dotted: simulated hands). Right: a braking pulse and a transient against the spring they are added to.",
      ["integral-wall", "impact-walls"], lambda t: old_joystick.draw_stiff_walls(t["integral-wall"], t["impact-walls"])),
+    ("fields", "Numbers in space: speed against accuracy",
+     "As above, for a ball and a thin sheet in voxels and for ten turns round a vortex: a proxy on the isosurface and an implicit "
+     "follower, beside forces mapped from the value where the hand is, explicit followers, and a mesh of triangles of the same voxels.",
+     ["fields"], lambda t: speed_accuracy.draw(t["fields"])),
+    ("brick", "How true and how dear the numbers around a hand are",
+     "A brick of 48 x 48 x 48 points around a hand in tetrahedra, its points a quarter, half or all of their edge apart: the largest "
+     "error of a smooth function falls with the cells, and a brick costs little more in many cells than in few.",
+     ["brick"], lambda t: costs.draw_bricks(t["brick"])),
 ]
 
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "haptics/field/Smoothing.h"
 #include "haptics/session/PathTouch.h"
 #include "haptics/session/scene/TouchedData.h"
 #include "vtkHapticCliOutput.h"
@@ -100,6 +101,19 @@ void Render(const std::vector<vtkHapticCliPathRow>& path, palpate::PathTouch& to
   shortfalls.Tell();
 }
 
+void TellOfField(const palpate::MadeBrick& made)
+{
+  if (!made.problem.empty())
+  {
+    std::cerr << "palpate: nothing was felt of the field: " << made.problem << '\n';
+  }
+  if (made.smoothness.noise > palpate::trappingNoise)
+  {
+    std::cerr << "palpate: --smoothing: the field's noise of " << made.smoothness.noise
+              << " of a spacing traps a hand; it was smoothed once, --smoothing 0 leaves it as it is\n";
+  }
+}
+
 /// The surfaces among the files; null where there is a field alone.
 std::shared_ptr<const palpate::Scene> SceneOf(const vtkHapticCliTouchOptions& options,
   const std::vector<std::string>& surfaces, palpate::HapticParameters& parameters)
@@ -139,10 +153,7 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   vtkHapticCliOutput output(options.Output, inputs);
   vtkHapticCliWriteHeader(output);
   Render(path, touch, output);
-  if (!touch.fieldProblem().empty())
-  {
-    std::cerr << "palpate: nothing was felt of the field: " << touch.fieldProblem() << '\n';
-  }
+  TellOfField(touch.madeBrick());
   output.Commit();
   return 0;
 }

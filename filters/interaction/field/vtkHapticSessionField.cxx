@@ -58,7 +58,9 @@ bool vtkHapticSession::Internals::FollowField(bool wait)
   const palpate::Vec3 hand_W =
     this->Core.running() ? this->Core.state().device_W.p : this->Hand_W.value_or(palpate::Vec3::Zero());
   const double reach_u = fastest_m_per_s * ahead_s * this->Asked.asked().map.scale_u_per_m;
-  const auto brick = this->FeltField.follow(hand_W, reach_u, wait);
+  const palpate::FieldPlan& plan = this->Asked.asked().field;
+  const std::optional<double> level = plan.isosurface ? std::optional(plan.isovalue) : std::nullopt;
+  const auto brick = this->FeltField.follow(hand_W, reach_u, level, wait);
   if (brick)
   {
     this->Core.setBrick(*brick);

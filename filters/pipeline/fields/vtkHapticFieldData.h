@@ -20,7 +20,7 @@ struct vtkHapticFieldArrays
   std::string Resistance;
   std::string Other;  ///< what the scalar is compared with
   int Component = -1; ///< of the scalar, where it has several; -1: their length
-  int Smoothing = 0;  ///< passes over the scalar (haptics/field/Smoothing.h)
+  int Smoothing = -1; ///< passes over the scalar (haptics/field/Smoothing.h); -1: one where its noise traps a hand
 
   /// Whether there is anything to feel.
   bool Any() const { return !this->Scalar.empty() || !this->Vector.empty() || !this->Resistance.empty(); }

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "haptics/field/Extrema.h"
 #include "haptics/field/Smoothing.h"
@@ -129,15 +131,39 @@ std::vector<float> Cropped(
   return cropped;
 }
 
-std::vector<float> Values(const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window, const BrickGrid& lattice,
-  int smoothing, const HapticFieldReading& read)
+/// What the scalar needs so that a hand is not trapped beside the level whose surface is felt, measured on values that
+/// were read as they are.
+palpate::FieldSmoothness Needed(
+  const std::vector<float>& values, const GridIndex& size, const palpate::BrickWish& wish, int asked)
 {
-  if (part.Role != BrickRole::Scalar || smoothing == 0)
+  palpate::FieldSmoothness smooth;
+  smooth.passes = std::max(0, asked);
+  if (asked >= 0)
   {
-    return read(part, window);
+    return smooth;
   }
-  const vtkHapticFieldWindow grown = Grown(window, lattice, smoothing);
-  return Cropped(palpate::smoothed(read(part, grown), grown.Size, smoothing), grown, window);
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+  for (const float value : values)
+  {
+    low = value < low ? value : low;
+    high = value > high ? value : high;
+  }
+  constexpr double ofRange = 1.0 / 64; // noise beside two levels so near to each other is alike
+  smooth.until = high > low ? ofRange * (static_cast<double>(high) - low) : smooth.until;
+  smooth.level = wish.level;
+  smooth.noise = wish.level ? palpate::measuredNoise(values, size, *wish.level) : 0.0;
+  smooth.passes = smooth.noise > palpate::trappingNoise ? 1 : 0;
+  return smooth;
+}
+
+/// The scalar in a window, smoothed as asked or as needed, which is told.
+std::vector<float> Scalar(const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window, const BrickGrid& lattice,
+  int asked, const HapticFieldReading& read, const palpate::BrickWish& wish, palpate::FieldSmoothness& told)
+{
+  const vtkHapticFieldWindow grown = Grown(window, lattice, std::abs(asked));
+  std::vector<float> values = read(part, grown);
+  told = Needed(values, grown.Size, wish, asked);
+  return Cropped(palpate::smoothed(std::move(values), grown.Size, told.passes), grown, window);
 }
 } // namespace
 
@@ -165,26 +191,30 @@ std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& 
 }
 
 palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
-  const HapticFieldReading& read, const Vec3& centre_W, double reach_u, std::uint64_t revision)
+  const HapticFieldReading& read, const palpate::BrickWish& wish)
 {
+  const Vec3& centre_W = wish.centre_W;
   const std::vector<vtkHapticFieldPart> parts = vtkHapticFieldParts(arrays);
   const std::size_t mostPoints = palpate::Brick::mostBytes / (sizeof(float) * FloatsPerPoint(parts));
-  const auto window = WindowAround(lattice, centre_W, reach_u, mostPoints);
+  const auto window = WindowAround(lattice, centre_W, wish.reach_u, mostPoints);
   if (!window)
   {
     return { nullptr, centre_W, WayInto(lattice, centre_W), "" }; // the hand is outside of the data
   }
   const BrickGrid grid = vtkHapticGridOf(lattice, *window);
   std::vector<palpate::BrickArray> values;
+  palpate::FieldSmoothness smoothness;
   for (const vtkHapticFieldPart& part : parts)
   {
-    values.push_back({ part.Role, part.Name, Values(part, *window, lattice, arrays.Smoothing, read) });
+    const bool scalar = part.Role == BrickRole::Scalar;
+    values.push_back({ part.Role, part.Name,
+      scalar ? Scalar(part, *window, lattice, arrays.Smoothing, read, wish, smoothness) : read(part, *window) });
   }
   if (std::string problem = palpate::Brick::refuse(grid, values); !problem.empty())
   {
-    return { nullptr, centre_W, reach_u, std::move(problem) };
+    return { nullptr, centre_W, wish.reach_u, std::move(problem) };
   }
-  auto brick = std::make_shared<const palpate::Brick>(revision, grid, std::move(values));
+  auto brick = std::make_shared<const palpate::Brick>(wish.revision, grid, std::move(values));
   std::vector<Vec3> extrema_W;
   for (const palpate::Extremum& extremum : palpate::findExtrema(*brick, palpate::Brick::mostPlaces))
   {
@@ -192,7 +222,7 @@ palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapti
   }
   if (!extrema_W.empty())
   {
-    brick = std::make_shared<const palpate::Brick>(revision, grid, brick->arrays(), std::move(extrema_W));
+    brick = std::make_shared<const palpate::Brick>(wish.revision, grid, brick->arrays(), std::move(extrema_W));
   }
-  return { std::move(brick), centre_W, RoomIn(*window, lattice, centre_W), "" };
+  return { std::move(brick), centre_W, RoomIn(*window, lattice, centre_W), "", smoothness };
 }

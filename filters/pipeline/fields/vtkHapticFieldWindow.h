@@ -51,6 +51,6 @@ std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& 
 /// The brick of a lattice around a place. Bricks of one lattice have the same values at the same places, whichever
 /// window they were made of: the scalar is smoothed with as much around it as smoothing needs.
 palpate::MadeBrick vtkHapticBrickAround(const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
-  const HapticFieldReading& read, const palpate::Vec3& centre_W, double reach_u, std::uint64_t revision);
+  const HapticFieldReading& read, const palpate::BrickWish& wish);
 
 #endif

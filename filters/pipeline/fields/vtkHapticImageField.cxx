@@ -141,11 +141,11 @@ vtkHapticImageField::vtkHapticImageField(vtkSmartPointer<vtkImageData> image, vt
   std::tie(this->Lattice, this->Mirrored) = LatticeOf(*this->Image);
 }
 
-palpate::MadeBrick vtkHapticImageField::brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const
+palpate::MadeBrick vtkHapticImageField::brickAround(const palpate::BrickWish& wish) const
 {
   return vtkHapticBrickAround(
     this->Lattice, this->Arrays, [this](const auto& part, const auto& window) { return this->Read(part, window); },
-    centre_W, reach_u, revision);
+    wish);
 }
 
 vtkIdType vtkHapticImageField::PointId(int i, int j, int k) const

@@ -15,7 +15,7 @@ public:
   /// An image of at least two points along each axis, whose arrays are at its points.
   vtkHapticImageField(vtkSmartPointer<vtkImageData> image, vtkHapticFieldArrays arrays);
 
-  palpate::MadeBrick brickAround(const palpate::Vec3& centre_W, double reach_u, std::uint64_t revision) const override;
+  palpate::MadeBrick brickAround(const palpate::BrickWish& wish) const override;
 
 private:
   std::vector<float> Read(const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window) const;

@@ -89,7 +89,7 @@ public:
   {
   }
 
-  palpate::MadeBrick brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const override
+  palpate::MadeBrick brickAround(const palpate::BrickWish& wish) const override
   {
     std::optional<vtkHapticFieldWindow> probed;
     vtkSmartPointer<vtkImageData> image;
@@ -102,7 +102,7 @@ public:
       }
       return this->Values(*image, part);
     };
-    return vtkHapticBrickAround(this->Lattice, this->Arrays, read, centre_W, reach_u, revision);
+    return vtkHapticBrickAround(this->Lattice, this->Arrays, read, wish);
   }
 
 private:

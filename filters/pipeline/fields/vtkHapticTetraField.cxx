@@ -84,7 +84,7 @@ std::vector<float> vtkHapticTetraField::ValuesOf(const vtkHapticFieldPart& part)
   return values;
 }
 
-palpate::MadeBrick vtkHapticTetraField::brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const
+palpate::MadeBrick vtkHapticTetraField::brickAround(const palpate::BrickWish& wish) const
 {
   if (!this->Made)
   {
@@ -97,5 +97,5 @@ palpate::MadeBrick vtkHapticTetraField::brickAround(const Vec3& centre_W, double
       palpate::componentsOf(part.Role) };
     return palpate::rasterise(field, *mesh.Bins, vtkHapticGridOf(this->Lattice, window));
   };
-  return vtkHapticBrickAround(this->Lattice, this->Arrays, read, centre_W, reach_u, revision);
+  return vtkHapticBrickAround(this->Lattice, this->Arrays, read, wish);
 }

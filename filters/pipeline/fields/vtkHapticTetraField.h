@@ -20,7 +20,7 @@ public:
   vtkHapticTetraField(
     vtkSmartPointer<vtkUnstructuredGrid> data, vtkHapticFieldArrays arrays, const palpate::BrickGrid& lattice);
 
-  palpate::MadeBrick brickAround(const palpate::Vec3& centre_W, double reach_u, std::uint64_t revision) const override;
+  palpate::MadeBrick brickAround(const palpate::BrickWish& wish) const override;
 
 private:
   /// The mesh as the core takes it; made by the worker, with the first brick.

@@ -312,9 +312,9 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
   {
     rows.MoveTo(vtkPolyData::GetData(output));
   }
-  if (!touch->fieldProblem().empty())
+  if (const std::string& felt = touch->madeBrick().problem; !felt.empty())
   {
-    vtkWarningMacro("Nothing was felt of the field: " << touch->fieldProblem());
+    vtkWarningMacro("Nothing was felt of the field: " << felt);
   }
   if (fault != palpate::Fault::None)
   {

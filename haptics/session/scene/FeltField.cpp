@@ -6,6 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include "haptics/field/Smoothing.h"
+
 namespace palpate
 {
 
@@ -28,17 +30,20 @@ void FeltField::setSource(std::shared_ptr<const FieldSource> source)
 }
 
 /// Half of the room: the other half is for what the hand does until the next brick is there.
-bool FeltField::needsAnother(const Vec3& hand_W) const noexcept
+bool FeltField::needsAnother(const Vec3& hand_W, std::optional<double> level) const noexcept
 {
-  return this->changed_ || !((hand_W - this->made_.centre_W).cwiseAbs().maxCoeff() <= 0.5 * this->made_.reach_u);
+  const FieldSmoothness& smooth = this->made_.smoothness;
+  const bool otherLevel =
+    level && std::isfinite(smooth.until) && !(smooth.level && std::fabs(*level - *smooth.level) <= smooth.until);
+  return this->changed_ || otherLevel ||
+         !((hand_W - this->made_.centre_W).cwiseAbs().maxCoeff() <= 0.5 * this->made_.reach_u);
 }
 
-void FeltField::ask(const Vec3& hand_W, double reach_u)
+void FeltField::ask(const Vec3& hand_W, double reach_u, std::optional<double> level)
 {
   this->changed_ = false;
-  const std::uint64_t revision = ++this->revision_;
-  this->running_ = std::async(std::launch::async,
-    [source = this->source_, hand_W, reach_u, revision] { return source->brickAround(hand_W, reach_u, revision); });
+  const BrickWish wish{ hand_W, reach_u, ++this->revision_, level };
+  this->running_ = std::async(std::launch::async, [source = this->source_, wish] { return source->brickAround(wish); });
 }
 
 std::optional<std::shared_ptr<const Brick>> FeltField::take()
@@ -52,7 +57,8 @@ std::optional<std::shared_ptr<const Brick>> FeltField::take()
   return this->made_.brick;
 }
 
-std::optional<std::shared_ptr<const Brick>> FeltField::follow(const Vec3& hand_W, double reach_u, bool wait)
+std::optional<std::shared_ptr<const Brick>> FeltField::follow(
+  const Vec3& hand_W, double reach_u, std::optional<double> level, bool wait)
 {
   using namespace std::chrono_literals;
   std::optional<std::shared_ptr<const Brick>> next;
@@ -69,9 +75,9 @@ std::optional<std::shared_ptr<const Brick>> FeltField::follow(const Vec3& hand_W
     }
     return next;
   }
-  if (!this->running_.valid() && hand_W.allFinite() && this->needsAnother(hand_W))
+  if (!this->running_.valid() && hand_W.allFinite() && this->needsAnother(hand_W, level))
   {
-    this->ask(hand_W, reach_u);
+    this->ask(hand_W, reach_u, level);
     if (wait)
     {
       next = this->take();
@@ -103,6 +109,16 @@ std::string fieldSentence(const std::string& name, const MadeBrick& made, double
   {
     text << ", " << made.reach_u << " u around the hand: in time for up to " << made.reach_u / scale_u_per_m / ahead_s
          << " m/s";
+  }
+  if (made.smoothness.passes > 0)
+  {
+    text << ", smoothed " << (made.smoothness.passes == 1 ? "once" : std::to_string(made.smoothness.passes) + " times");
+  }
+  if (made.smoothness.noise > trappingNoise)
+  {
+    text << ": its noise of " << made.smoothness.noise
+         << " of a spacing traps a hand otherwise, and what is felt is the "
+         << "smoothed surface";
   }
   return text.str();
 }

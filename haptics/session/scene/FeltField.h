@@ -25,9 +25,10 @@ public:
   [[nodiscard]] bool hasSource() const noexcept { return this->source_ != nullptr; }
 
   /// What the session is to feel from now on, if that changed. `hand_W`: where the hand is. `reach_u`: how far it may
-  /// get before it is asked again, and a worker has answered. With `wait` the brick of here and now.
+  /// get before it is asked again, and a worker has answered. `level`: of the surface that is felt, if one is: where
+  /// its value goes far, noise is measured beside it anew. With `wait` the brick of here and now.
   [[nodiscard]] std::optional<std::shared_ptr<const Brick>> follow(
-    const Vec3& hand_W, double reach_u, bool wait = false);
+    const Vec3& hand_W, double reach_u, std::optional<double> level, bool wait = false);
 
   /// The newest that was made, felt or refused.
   [[nodiscard]] const MadeBrick& made() const noexcept { return this->made_; }
@@ -35,8 +36,8 @@ public:
   [[nodiscard]] std::uint64_t count() const noexcept { return this->revision_; }
 
 private:
-  [[nodiscard]] bool needsAnother(const Vec3& hand_W) const noexcept;
-  void ask(const Vec3& hand_W, double reach_u);
+  [[nodiscard]] bool needsAnother(const Vec3& hand_W, std::optional<double> level) const noexcept;
+  void ask(const Vec3& hand_W, double reach_u, std::optional<double> level);
   std::optional<std::shared_ptr<const Brick>> take();
 
   std::shared_ptr<const FieldSource> source_;

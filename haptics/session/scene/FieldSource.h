@@ -2,13 +2,33 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "haptics/field/Brick.h"
 
 namespace palpate
 {
+
+/// Which brick is asked for.
+struct BrickWish
+{
+  Vec3 centre_W = Vec3::Zero();  ///< around this place [u]
+  double reach_u = 0.0;          ///< as far as that, or as far as the memory of a brick allows
+  std::uint64_t revision = 0;    ///< its number
+  std::optional<double> level{}; ///< value of the scalar whose surface is felt: what its noise is measured beside
+};
+
+/// What the noise of a scalar made of it.
+struct FieldSmoothness
+{
+  int passes = 0;                ///< of smoothing that it had
+  double noise = 0.0;            ///< that it would have without, as far as it was measured [spacings of the grid]
+  std::optional<double> level{}; ///< that it was measured beside; none: nobody asked
+  double until = std::numeric_limits<double>::infinity(); ///< from there on it is to be measured anew [values]
+};
 
 /// A brick as a source made it.
 struct MadeBrick
@@ -18,6 +38,7 @@ struct MadeBrick
   double reach_u =
     0.0; ///< how far the hand may go from there along each axis before the brick ends; infinite: it holds all
   std::string problem; ///< why there is none
+  FieldSmoothness smoothness{};
 };
 
 /// Data that is felt as a field, wherever the hand goes. Asked by a worker thread, by one at a time.
@@ -29,8 +50,7 @@ public:
   FieldSource& operator=(const FieldSource&) = delete;
   virtual ~FieldSource() = default;
 
-  /// The brick around a place that reaches as far as asked [u], or as far as the memory of a brick allows.
-  [[nodiscard]] virtual MadeBrick brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const = 0;
+  [[nodiscard]] virtual MadeBrick brickAround(const BrickWish& wish) const = 0;
 };
 
 } // namespace palpate

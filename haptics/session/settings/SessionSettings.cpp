@@ -183,10 +183,9 @@ const Setting settings[] = {
     NextScene),
   text("FieldOther", "Compared with", "Array that the values are compared with; empty: none", NextScene),
   at({ .group = "field", .option = "smoothing" }, count("FieldSmoothing", "", "Smoothing",
-                             "Times that each value is averaged with its neighbours before it is felt: noise of half a "
-                             "voxel traps a hand, and "
-                             "one time frees it",
-                             0, 0, 8, NextScene)),
+                             "Times that each value is averaged with its neighbours before it is felt; -1: once where noise "
+                             "of more than a fifth of a voxel beside the isosurface would trap a hand, which is said",
+                             -1, -1, 8, NextScene)),
   at({ .field = "field.isosurface", .group = "field" },
     flag("FieldIsosurface", "Isosurface", "The surface where the values are the isovalue is a wall from both sides",
       false)),

@@ -16,8 +16,10 @@ namespace
 class FakeSource : public FieldSource
 {
 public:
-  [[nodiscard]] MadeBrick brickAround(const Vec3& centre_W, double reach_u, std::uint64_t revision) const override
+  [[nodiscard]] MadeBrick brickAround(const BrickWish& wish) const override
   {
+    const Vec3& centre_W = wish.centre_W;
+    const double reach_u = wish.reach_u;
     std::unique_lock lock(this->mutex_);
     this->free_.wait(lock, [this] { return !this->held_; });
     ++this->asked;
@@ -28,7 +30,7 @@ public:
     const BrickGrid grid{ { 2, 2, 2 }, Vec3::Constant(2 * reach_u),
       { centre_W - Vec3::Constant(reach_u), Quat::Identity() } };
     return { std::make_shared<const Brick>(
-               revision, grid, std::vector<BrickArray>{ { BrickRole::Scalar, "f", std::vector<float>(8, 1.0F) } }),
+               wish.revision, grid, std::vector<BrickArray>{ { BrickRole::Scalar, "f", std::vector<float>(8, 1.0F) } }),
       centre_W, reach_u, "" };
   }
   void hold(bool on)
@@ -53,11 +55,11 @@ TEST(FeltField, MakesAnotherBrickOnceTheHandHasUsedHalfOfItsRoomAndNotBefore)
   const auto source = std::make_shared<FakeSource>();
   FeltField field;
   field.setSource(source);
-  const auto first = field.follow(Vec3(100, 0, 0), reach_u, true);
+  const auto first = field.follow(Vec3(100, 0, 0), reach_u, std::nullopt, true);
   ASSERT_TRUE(first && *first);
-  EXPECT_FALSE(field.follow(Vec3(104.9, 4.9, -4.9), reach_u, true));
+  EXPECT_FALSE(field.follow(Vec3(104.9, 4.9, -4.9), reach_u, std::nullopt, true));
   EXPECT_EQ(source->asked, 1);
-  const auto second = field.follow(Vec3(100, 5.1, 0), reach_u, true);
+  const auto second = field.follow(Vec3(100, 5.1, 0), reach_u, std::nullopt, true);
   ASSERT_TRUE(second && *second);
   EXPECT_EQ((*second)->grid().toWorld(Vec3::Constant(0.5)), Vec3(100, 5.1, 0));
 }
@@ -67,12 +69,12 @@ TEST(FeltField, KeepsTheOldBrickWhileTheNextIsMade)
   const auto source = std::make_shared<FakeSource>();
   FeltField field;
   field.setSource(source);
-  ASSERT_TRUE(field.follow(Vec3(0, 0, 0), reach_u, true));
+  ASSERT_TRUE(field.follow(Vec3(0, 0, 0), reach_u, std::nullopt, true));
   source->hold(true);
-  EXPECT_FALSE(field.follow(Vec3(6, 0, 0), reach_u));  // asks
-  EXPECT_FALSE(field.follow(Vec3(60, 0, 0), reach_u)); // one at a time
+  EXPECT_FALSE(field.follow(Vec3(6, 0, 0), reach_u, std::nullopt));  // asks
+  EXPECT_FALSE(field.follow(Vec3(60, 0, 0), reach_u, std::nullopt)); // one at a time
   source->hold(false);
-  const auto next = field.follow(Vec3(60, 0, 0), reach_u, true);
+  const auto next = field.follow(Vec3(60, 0, 0), reach_u, std::nullopt, true);
   ASSERT_TRUE(next && *next);
   EXPECT_EQ(source->asked, 3); // that of 6, which came too late, and that of 60
   EXPECT_EQ(field.made().centre_W, Vec3(60, 0, 0));
@@ -83,12 +85,12 @@ TEST(FeltField, WhereNothingIsToBeFeltThereIsNoBrickAndNoneIsAskedForAgainAndAga
   const auto source = std::make_shared<FakeSource>();
   FeltField field;
   field.setSource(source);
-  const auto none = field.follow(Vec3(-50, 0, 0), reach_u, true);
+  const auto none = field.follow(Vec3(-50, 0, 0), reach_u, std::nullopt, true);
   ASSERT_TRUE(none);
   EXPECT_EQ(*none, nullptr);
-  EXPECT_FALSE(field.follow(Vec3(-51, 0, 0), reach_u, true));
+  EXPECT_FALSE(field.follow(Vec3(-51, 0, 0), reach_u, std::nullopt, true));
   EXPECT_EQ(source->asked, 1);
-  EXPECT_TRUE(field.follow(Vec3(1, 0, 0), reach_u, true).value());
+  EXPECT_TRUE(field.follow(Vec3(1, 0, 0), reach_u, std::nullopt, true).value());
 }
 
 TEST(FeltField, ABrickOfASourceThatWasLeftIsThrownAway)
@@ -97,18 +99,43 @@ TEST(FeltField, ABrickOfASourceThatWasLeftIsThrownAway)
   FeltField field;
   field.setSource(old);
   old->hold(true);
-  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u));
+  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, std::nullopt));
   field.setSource(next);
   old->hold(false);
-  const auto brick = field.follow(Vec3(1, 2, 3), reach_u, true);
+  const auto brick = field.follow(Vec3(1, 2, 3), reach_u, std::nullopt, true);
   ASSERT_TRUE(brick && *brick);
   EXPECT_EQ(next->asked, 1);
   EXPECT_EQ(field.made().centre_W, Vec3(1, 2, 3));
   field.setSource(nullptr);
-  const auto none = field.follow(Vec3::Zero(), reach_u);
+  const auto none = field.follow(Vec3::Zero(), reach_u, std::nullopt);
   ASSERT_TRUE(none);
   EXPECT_EQ(*none, nullptr);
-  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u));
+  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, std::nullopt));
+}
+
+/// Measures noise beside the level that it is asked for, and says that it holds for one on.
+class NoisySource : public FakeSource
+{
+public:
+  [[nodiscard]] MadeBrick brickAround(const BrickWish& wish) const override
+  {
+    MadeBrick made = this->FakeSource::brickAround(wish);
+    made.smoothness = { 0, 0.0, wish.level, 1.0 };
+    return made;
+  }
+};
+
+TEST(FeltField, LooksAtTheNoiseAgainOnceTheValueOfTheSurfaceHasGoneFar)
+{
+  const auto source = std::make_shared<NoisySource>();
+  FeltField field;
+  field.setSource(source);
+  ASSERT_TRUE(field.follow(Vec3::Zero(), reach_u, std::nullopt, true));
+  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, std::nullopt, true)) << "no surface is felt";
+  EXPECT_TRUE(field.follow(Vec3::Zero(), reach_u, 5.0, true)) << "one is felt now";
+  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, 5.9, true));
+  EXPECT_TRUE(field.follow(Vec3::Zero(), reach_u, 6.1, true));
+  EXPECT_EQ(source->asked, 3);
 }
 
 TEST(FeltField, AHandThatIsNowhereAsksForNothing)
@@ -116,7 +143,7 @@ TEST(FeltField, AHandThatIsNowhereAsksForNothing)
   const auto source = std::make_shared<FakeSource>();
   FeltField field;
   field.setSource(source);
-  EXPECT_FALSE(field.follow(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), reach_u, true));
+  EXPECT_FALSE(field.follow(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), reach_u, std::nullopt, true));
   EXPECT_EQ(source->asked, 0);
 }
 

@@ -92,3 +92,20 @@ def draw_lines(rows):
     axes.set(xscale="log", yscale="log", xlabel="lines", ylabel="cost, p50 to p99 [µs]")
     axes.legend()
     return figure
+
+
+def draw_bricks(rows):
+    """Tetrahedra against the error of a brick and its cost, for three distances of its points."""
+    errors = [row for row in rows if row.quantity == "error" and "tetrahedra" in row.pairs]
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4))
+    shares = sorted({row.pairs["share"] for row in errors})
+    style = looks(f"points {share:g} edges apart" for share in shares)
+    for share, (name, look) in zip(shares, sorted(style.items())):
+        here = [row for row in errors if row.pairs["share"] == share]
+        line(left, [(row.pairs["tetrahedra"], row.value) for row in here], name, look)
+        line(right, [(row.pairs["tetrahedra"], 1e-3 * row.cost_us_p50) for row in here], name, look)
+    left.set(xscale="log", yscale="log", xlabel="tetrahedra", ylabel="largest error of a function of size 1")
+    right.set(xscale="log", yscale="log", xlabel="tetrahedra", ylabel="cost of a brick, p50 [ms]")
+    limit(right, 40.0, "40 ms")
+    left.legend()
+    return figure
