@@ -54,6 +54,7 @@ void vtkHapticSession::Internals::ShowState()
   {
     this->Scheduling = this->Core.scheduling().message;
   }
+  this->State = !this->Scene.built().scene && this->Core.brick() ? palpate::ofFieldAlone(this->State) : this->State;
   Eigen::Map<Vec3>(this->Proxy) = this->State.proxy_W.p;
   Eigen::Map<Vec3>(this->Hand) = this->State.device_W.p;
   Eigen::Map<Vec3>(this->Force) = this->State.force_W;
@@ -155,7 +156,7 @@ bool vtkHapticSession::GetTouching() const
 void vtkHapticSession::Start()
 {
   Internals& impl = *this->Impl;
-  if (impl.FitsNow() && impl.Scene.built().scene)
+  if (impl.FitsNow() && impl.IsFittable())
   {
     this->Fit();
   }

@@ -51,6 +51,7 @@ public:
   bool FieldIsNew = false;  ///< no brick has come of it yet
   std::string FieldProblem; ///< why the data that was added is not felt
   std::string FieldSentence;
+  std::array<double, 6> FieldBounds{}; ///< of the data that was added [u]
   double FieldGradient[3] = { 0.0, 0.0, 0.0 };
   int Simplify = Auto;
   int LinesAsWalls = Auto;
@@ -190,6 +191,9 @@ public:
   bool LedInScene();
   /// The rotation that is wanted while the view is followed.
   std::optional<palpate::Quat> ViewRotation(const palpate::DeviceInfo& device) const;
+  /// What there is to fit a hand to, and whether there is anything.
+  palpate::BuiltScene Fittable() const;
+  bool IsFittable() const;
   /// Whether touching that begins now, or began with this scene, fits the hand.
   bool FitsNow() const
   {

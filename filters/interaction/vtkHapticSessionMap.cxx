@@ -24,7 +24,7 @@ void vtkHapticSession::FitWorkspace()
 {
   Internals& impl = *this->Impl;
   impl.FitAsked = impl.Scene.worker().building();
-  const bool nothing = !impl.FitAsked && !impl.Scene.built().scene;
+  const bool nothing = !impl.FitAsked && !impl.IsFittable();
   const std::string problem = nothing ? "there is nothing to fit the hand to: show a surface that can be touched" : "";
   this->Refuse(problem);
   impl.Follow("FitWorkspace", problem);
@@ -38,7 +38,7 @@ void vtkHapticSession::Fit()
 {
   Internals& impl = *this->Impl;
   impl.FitAsked = false;
-  this->FitTo(impl.Scene.built());
+  this->FitTo(impl.Fittable());
 }
 
 void vtkHapticSession::FitTo(const palpate::BuiltScene& scene)

@@ -93,8 +93,9 @@ bool vtkHapticSession::FinishScene()
 
 bool vtkHapticSession::GetSceneBounds(double bounds[6]) const
 {
-  std::copy(this->Impl->Scene.built().bounds.begin(), this->Impl->Scene.built().bounds.end(), bounds);
-  return this->Impl->Scene.built().scene != nullptr;
+  const palpate::BuiltScene shown = this->Impl->Fittable();
+  std::copy(shown.bounds.begin(), shown.bounds.end(), bounds);
+  return this->Impl->IsFittable();
 }
 
 const char* vtkHapticSession::GetSceneReport() const

@@ -78,7 +78,7 @@ bool besideLevel(
   for (int axis = 0; axis < 3; ++axis)
   {
     const Lines lines = linesAlong(size, axis);
-    if (index[axis] + 1 < lines.points && (values[at] - level) * (values[at + lines.stride] - level) < 0.0)
+    if (index[axis] + 1 < lines.points && (values[at] < level) != (values[at + lines.stride] < level))
     {
       return true;
     }

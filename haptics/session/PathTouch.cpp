@@ -55,13 +55,8 @@ HapticState PathTouch::next(double time_s, const Pose& hand_D)
   this->begun_ = true;
   this->input_.sample.time_s = time_s;
   this->input_.sample.pose_D = hand_D;
-  HapticState state = renderTick(this->input_, this->parameters_, this->state_).state;
-  if (!this->scene_ && this->brick_)
-  {
-    state.proxy_W.p = state.field.proxy_W;
-    state.contacts = state.field.contacts;
-  }
-  return state;
+  const HapticState state = renderTick(this->input_, this->parameters_, this->state_).state;
+  return !this->scene_ && this->brick_ ? ofFieldAlone(state) : state;
 }
 
 } // namespace palpate

@@ -159,6 +159,17 @@ class InAField(CommandLineTest):
                          files=("f.vtu",))
         self.assertAlmostEqual(out[1]["force_x"], -STIFFNESS * 0.5, delta=1e-3)
 
+    def test_what_a_ball_is_to_an_isosurface_and_what_noise_did_is_said(self):
+        self.write_image(("f", 1, lambda x, y, z: z))
+        self.write_path([(0.0, 8.0, 8.0, 9.0)])
+        command = ("touch", "f.vti", "--path", "path.csv", "--csv", "out.csv", "--field", "f", "--mode", "isosurface", "--iso", 8)
+        self.assertEqual(self.succeed(*command).stderr, "")
+        self.assertIn("felt by a point", self.succeed(*command, "--radius", 1).stderr)
+        # Half a spacing up and down in turn along x: smoothed by (1, 2, 1) / 4 nothing of it is left, so it is noise of half
+        self.write_image(("f", 1, lambda x, y, z: z + 0.5 * (-1) ** round(x)))
+        self.assertIn("noise of 0.5 of a spacing", self.succeed(*command).stderr)
+        self.assertEqual(self.succeed(*command, "--smoothing", 0).stderr, "")
+
     def test_outside_of_the_values_there_is_no_force_and_inside_there_is(self):
         self.write_image(("f", 1, lambda x, y, z: z))
         rows = [(n / 1024, 8.0, 8.0, 40.0 - n / 16) for n in range(530)]

@@ -9,9 +9,11 @@
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkFloatArray.h"
 #include "vtkHapticSession.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 using namespace palpate;
@@ -92,6 +94,76 @@ TEST_F(HapticSessionField, AloneIsFeltAsTheSurfaceOfItsIsovalueFromBothSides)
   EXPECT_NEAR(this->force().dot(n), spring_N, 1.1 * error_N);
   EXPECT_NEAR(this->session_->GetFieldValue(), 17.0, h * h / (4.0 * 17.0) * 1.1);
   EXPECT_LT((Vec3(this->session_->GetFieldGradient()) - n).norm(), 0.1);
+  EXPECT_NEAR(Vec3(this->session_->GetProxyPosition()).norm(), R, 1.1 * h * h / (4.0 * R)) << "the tool is drawn there";
+  EXPECT_EQ(this->session_->GetContacts(), 1);
+}
+
+TEST_F(HapticSessionField, AloneIsWhatTheHandIsFittedTo)
+{
+  this->session_->SetFieldArray("distance");
+  this->session_->FitOnTouchOn();
+  ASSERT_TRUE(this->session_->AddField("ball", distances(41, 1.0))); // 40 u a side
+  ASSERT_TRUE(this->session_->FinishField());
+  double b[6];
+  ASSERT_TRUE(this->session_->GetSceneBounds(b));
+  EXPECT_EQ(std::vector<double>(b, b + 6), (std::vector<double>{ -20, 20, -20, 20, -20, 20 }));
+  this->session_->FitWorkspace();
+  EXPECT_STREQ(this->session_->GetProblem(), "");
+  const double fitted = this->session_->GetScale();
+  // Half of the diagonal is the workspace's radius: a box of twice the size has twice the scale.
+  ASSERT_TRUE(this->session_->AddField("larger", distances(41, 2.0)));
+  this->session_->VirtualTimeOn();
+  this->session_->TouchingOn();
+  EXPECT_NEAR(this->session_->GetScale(), 2.0 * fitted, 1e-9 * fitted);
+}
+
+/// (-y, x, 0) on the points of an image.
+void addVortex(vtkImageData& image)
+{
+  vtkNew<vtkFloatArray> values;
+  values->SetName("velocity");
+  values->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < image.GetNumberOfPoints(); ++i)
+  {
+    const Vec3 p(image.GetPoint(i));
+    values->InsertNextTuple3(-p.y(), p.x(), 0.0);
+  }
+  image.GetPointData()->AddArray(values);
+}
+
+TEST_F(HapticSessionField, IsDrawnWhereTheProxyIsAsAPatchOfItsSurfaceAndAsItsStreamline)
+{
+  const auto image = distances(60, 1.0);
+  addVortex(*image);
+  this->session_->SetFieldArray("distance");
+  this->session_->SetFieldVectors("velocity");
+  this->session_->SetFieldFollow(1.0);
+  this->session_->SetFieldIsosurface(true);
+  this->session_->SetFieldIsovalue(20.0);
+  ASSERT_TRUE(this->session_->AddField("ball", image));
+  ASSERT_TRUE(this->session_->FinishField());
+  this->start({ 21.0, 0.0, 3.0 });
+  vtkNew<vtkPolyData> shape;
+  this->session_->GetFieldShape(shape);
+  ASSERT_GT(shape->GetNumberOfPolys(), 50);
+  ASSERT_EQ(shape->GetNumberOfLines(), 1);
+  vtkNew<vtkIdList> line;
+  shape->GetCellPoints(0, line); // lines come before polygons
+  ASSERT_GT(line->GetNumberOfIds(), 20);
+  for (vtkIdType i = 0; i < shape->GetNumberOfPoints(); ++i)
+  {
+    const Vec3 p(shape->GetPoint(i));
+    if (line->IsId(i) >= 0)
+    {
+      EXPECT_NEAR(std::hypot(p.x(), p.y()), 21.0, 1e-5); // a circle of a linear field; its numbers are floats
+      EXPECT_NEAR(p.z(), 3.0, 1e-9);
+    }
+    else
+    {
+      EXPECT_NEAR(p.norm(), 20.0, 0.02); // h^2 / 4 R
+      EXPECT_LT((p - Vec3(21.0, 0.0, 3.0)).cwiseAbs().maxCoeff(), 9.0) << "beside the hand alone";
+    }
+  }
 }
 
 TEST_F(HapticSessionField, OfTetrahedraIsFeltAsOnTheImageThatTheyWereCutFrom)

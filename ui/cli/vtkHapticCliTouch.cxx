@@ -101,8 +101,12 @@ void Render(const std::vector<vtkHapticCliPathRow>& path, palpate::PathTouch& to
   shortfalls.Tell();
 }
 
-void TellOfField(const palpate::MadeBrick& made)
+void TellOfField(const palpate::MadeBrick& made, const palpate::HapticParameters& parameters)
 {
+  if (const std::string point = palpate::pointSentence(parameters.field, parameters.contact.radius_u); !point.empty())
+  {
+    std::cerr << "palpate: --radius: " << point << '\n';
+  }
   if (!made.problem.empty())
   {
     std::cerr << "palpate: nothing was felt of the field: " << made.problem << '\n';
@@ -153,7 +157,7 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   vtkHapticCliOutput output(options.Output, inputs);
   vtkHapticCliWriteHeader(output);
   Render(path, touch, output);
-  TellOfField(touch.madeBrick());
+  TellOfField(touch.madeBrick(), parameters);
   output.Commit();
   return 0;
 }

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "haptics/field/UsualGradient.h"
+#include "vtkHapticFieldShape.h"
 #include "vtkHapticSessionInternals.h"
+#include "vtkPolyData.h"
 
 namespace
 {
@@ -25,6 +27,7 @@ bool vtkHapticSession::AddField(const char* name, vtkDataObject* data)
   impl.FieldProblem = made.Problem.empty() ? "" : impl.FieldName + ": " + made.Problem;
   impl.FeltField.setSource(made.Source);
   impl.FieldIsNew = made.Source != nullptr;
+  impl.FieldBounds = data ? vtkHapticFieldBounds(data) : std::array<double, 6>();
   this->Refuse(impl.FieldProblem);
   impl.Follow("field", impl.FieldProblem);
   return impl.FieldProblem.empty();
@@ -46,6 +49,19 @@ bool vtkHapticSession::FinishField()
 {
   this->TakeField(true);
   return this->Impl->Core.brick() != nullptr;
+}
+
+/// Surfaces, or where there are none the field: what a hand is fitted to.
+palpate::BuiltScene vtkHapticSession::Internals::Fittable() const
+{
+  palpate::BuiltScene fittable = this->Scene.built();
+  fittable.bounds = fittable.scene ? fittable.bounds : this->FieldBounds;
+  return fittable;
+}
+
+bool vtkHapticSession::Internals::IsFittable() const
+{
+  return this->Scene.built().scene || this->FeltField.hasSource();
 }
 
 const char* vtkHapticSession::GetFieldName() const
@@ -150,6 +166,16 @@ int vtkHapticSession::GetFieldSmoothing() const
   return this->Impl->FieldArrays.Smoothing;
 }
 
+void vtkHapticSession::GetFieldShape(vtkPolyData* shape) const
+{
+  const std::shared_ptr<const palpate::Brick>& brick = this->Impl->Core.brick();
+  shape->Initialize();
+  if (brick && this->Impl->State.field.proxy_W.allFinite())
+  {
+    vtkHapticFieldShape(*brick, this->Impl->Asked.asked().field, this->Impl->State.field.proxy_W, shape);
+  }
+}
+
 std::optional<palpate::FieldSample> vtkHapticSession::Internals::FieldAtHand() const
 {
   const std::shared_ptr<const palpate::Brick>& brick = this->Core.brick();
@@ -177,7 +203,10 @@ const char* vtkHapticSession::GetFieldSentence() const
   const palpate::MadeBrick& made = impl.FeltField.made();
   if (impl.FeltField.hasSource())
   {
-    impl.FieldSentence = palpate::fieldSentence(impl.FieldName, made, impl.Asked.asked().map.scale_u_per_m, ahead_s);
+    const palpate::HapticParameters& asked = impl.Asked.asked();
+    impl.FieldSentence = palpate::fieldSentence(impl.FieldName, made, asked.map.scale_u_per_m, ahead_s);
+    const std::string point = palpate::pointSentence(asked.field, asked.contact.radius_u);
+    impl.FieldSentence += point.empty() ? "" : "; " + point;
   }
   return impl.FieldSentence.c_str();
 }

@@ -67,14 +67,16 @@ public:
   vtkNew<vtkActor> Start;
   vtkNew<vtkActor> Exit;
   vtkNew<vtkActor> Workspace;
+  vtkNew<vtkActor> Field;
   vtkNew<vtkPolyData> Box;
   vtkNew<vtkPolyData> Way;
+  vtkNew<vtkPolyData> Shape; ///< of the field
   vtkNew<vtkMatrix4x4> ArrowFrame;
   vtkWeakPointer<vtkRenderer> Renderer;
 
   Internals();
   vtkActor* const* begin() const { return this->All; }
-  vtkActor* const* end() const { return this->All + 7; }
+  vtkActor* const* end() const { return this->All + 8; }
   void Place(vtkActor* actor, const double p_W[3], double radius) const;
   void PlaceMarks(vtkHapticSession* session, bool shown) const;
   void PlaceWorkspace(vtkHapticSession* session) const;
@@ -82,7 +84,8 @@ public:
 private:
   void MakeBox() const;
 
-  vtkActor* All[7] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit, this->Workspace };
+  vtkActor* All[8] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit, this->Workspace,
+    this->Field };
 };
 
 vtkHapticToolProps::Internals::Internals()
@@ -108,6 +111,11 @@ vtkHapticToolProps::Internals::Internals()
   this->Trace->GetProperty()->SetLineWidth(traceWidth);
   this->Trace->GetProperty()->LightingOff();
   this->Trace->GetProperty()->SetColor(0.1, 0.65, 0.3);
+  vtkNew<vtkPolyDataMapper> shapeMapper;
+  shapeMapper->SetInputData(this->Shape);
+  this->Field->SetMapper(shapeMapper);
+  this->Field->GetProperty()->SetColor(0.95, 0.95, 0.85);
+  this->Field->GetProperty()->SetLineWidth(traceWidth);
   for (vtkActor* mark : { this->Start.Get(), this->Exit.Get() })
   {
     mark->SetMapper(ballMapper);
@@ -247,6 +255,7 @@ void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
   impl.PlaceMarks(session, this->ShowPlaces);
   impl.PlaceWorkspace(session);
   impl.Workspace->SetVisibility(session->GetShowWorkspace());
+  session->GetFieldShape(impl.Shape);
   const double radius = std::max(session->GetRadiusUsed(), this->RelativeSize * diagonal);
   impl.Place(impl.Proxy, session->GetProxyPosition(), radius);
   impl.Place(impl.Hand, session->GetHandPosition(), handShare * radius);
@@ -286,6 +295,11 @@ vtkActor* vtkHapticToolProps::GetStartActor() const
 vtkActor* vtkHapticToolProps::GetExitActor() const
 {
   return this->Impl->Exit;
+}
+
+vtkActor* vtkHapticToolProps::GetFieldActor() const
+{
+  return this->Impl->Field;
 }
 
 vtkActor* vtkHapticToolProps::GetWorkspaceActor() const

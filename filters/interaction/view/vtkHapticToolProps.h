@@ -71,6 +71,7 @@ public:
   vtkActor* GetStartActor() const;
   vtkActor* GetExitActor() const;
   vtkActor* GetWorkspaceActor() const;
+  vtkActor* GetFieldActor() const; ///< patch of an isosurface and streamline where the proxy is
   ///@}
 
 protected:

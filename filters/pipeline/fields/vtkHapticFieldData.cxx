@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkCompositeDataIterator.h"
@@ -160,6 +161,20 @@ vtkHapticFieldResult vtkHapticToField(vtkDataObject* data, const vtkHapticFieldA
   }
   auto* const levels = vtkUniformGridAMR::SafeDownCast(data);
   return vtkHapticResampled(levels ? FinestLast(*levels).Get() : data, parts, arrays);
+}
+
+std::array<double, 6> vtkHapticFieldBounds(vtkDataObject* data)
+{
+  vtkBoundingBox box;
+  for (vtkDataSet* part : vtkHapticFieldSets(data))
+  {
+    std::array<double, 6> bounds{};
+    part->GetBounds(bounds.data());
+    box.AddBounds(bounds.data());
+  }
+  std::array<double, 6> bounds{};
+  box.GetBounds(bounds.data());
+  return bounds;
 }
 
 std::vector<std::string> vtkHapticFieldArrayNames(vtkDataObject* data, int components)

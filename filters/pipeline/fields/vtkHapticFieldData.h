@@ -2,6 +2,7 @@
 #ifndef vtkHapticFieldData_h
 #define vtkHapticFieldData_h
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -39,6 +40,9 @@ struct vtkHapticFieldResult
 /// no value. `data` is copied shallowly and then read by the worker thread.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticFieldResult vtkHapticToField(
   vtkDataObject* data, const vtkHapticFieldArrays& arrays);
+
+/// The box of all data sets in it, low and high x, y, z [u]; low above high where there are no points.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::array<double, 6> vtkHapticFieldBounds(vtkDataObject* data);
 
 /// Names of the arrays of numbers that a data set has at points or cells, those of `components` alone; 0: all.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<std::string> vtkHapticFieldArrayNames(

@@ -86,6 +86,18 @@ std::optional<std::shared_ptr<const Brick>> FeltField::follow(
   return next;
 }
 
+HapticState ofFieldAlone(HapticState state) noexcept
+{
+  state.proxy_W.p = state.field.proxy_W;
+  state.contacts = state.field.contacts;
+  return state;
+}
+
+std::string pointSentence(const FieldPlan& plan, double radius_u)
+{
+  return plan.isosurface && radius_u > 0.0 ? "an isosurface is felt by a point in the middle of the ball" : "";
+}
+
 std::string fieldSentence(const std::string& name, const MadeBrick& made, double scale_u_per_m, double ahead_s)
 {
   if (!made.brick && made.reach_u == 0.0)

@@ -7,7 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "haptics/field/FieldPlan.h"
 #include "haptics/session/scene/FieldSource.h"
+#include "haptics/tick/HapticState.h"
 
 namespace palpate
 {
@@ -47,6 +49,13 @@ private:
   bool asksForOld_ = false; ///< what is being made is of a source that was left
   std::future<MadeBrick> running_;
 };
+
+/// A state as one sees it who feels a field alone: proxy and contacts are those of the field.
+[[nodiscard]] HapticState ofFieldAlone(HapticState state) noexcept;
+
+/// "", or that the ball which touches surfaces is a point to an isosurface: one that is offset by its radius would need
+/// the distance to the surface, which the values are not.
+[[nodiscard]] std::string pointSentence(const FieldPlan& plan, double radius_u);
 
 /// What is felt of data of that name: how finely and how far around the hand, and how fast the hand may go so that a
 /// brick is there in time; or why nothing is.

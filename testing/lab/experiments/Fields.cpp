@@ -206,6 +206,7 @@ template<class Force>
 bool grows(double damping, const Force& force_N, int ticks)
 {
   constexpr int looked = 100;
+  constexpr double far_m = 1e-4; // a hundred times the motion that it begins with
   const ExactStep step = ExactStep::of(mass_kg, damping, period_s);
   Eigen::Vector2d state(1e-6, 0.0);
   double last_m = 0.0, first_m = 0.0, end_m = 0.0;
@@ -215,6 +216,10 @@ bool grows(double damping, const Force& force_N, int ticks)
     last_m = state.x();
     state = step.free * state + force * step.held;
     const double step_m = std::fabs(state.x() - last_m);
+    if (!(step_m < far_m))
+    {
+      return true;
+    }
     first_m = i < looked ? std::max(first_m, step_m) : first_m;
     end_m = i >= ticks - looked ? std::max(end_m, step_m) : end_m;
   }

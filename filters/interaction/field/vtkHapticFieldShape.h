@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticFieldShape_h
+#define vtkHapticFieldShape_h
+
+#include "haptics/field/Brick.h"
+#include "haptics/field/FieldPlan.h"
+
+class vtkPolyData;
+
+/// What is felt of a field, some cells around where the proxy is, to be drawn: the patch of the isosurface as
+/// triangles, the streamline that is followed as a line [u].
+void vtkHapticFieldShape(
+  const palpate::Brick& brick, const palpate::FieldPlan& plan, const palpate::Vec3& proxy_W, vtkPolyData* shape);
+
+#endif
