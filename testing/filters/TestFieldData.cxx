@@ -342,6 +342,24 @@ TEST(FieldData, AScalarOfSeveralComponentsIsTheirLengthOrTheOneThatIsChosen)
   EXPECT_NEAR(brickOf(image, arrays).brick->sample(BrickRole::Scalar, p_W)->value, expected.z(), 1e-6);
 }
 
+TEST(FieldData, OfDataLargerThanABrickThereAreSomeCellsAroundAHandThatReachesLessFarThanOne)
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(150, 150, 150); // 13.5 MB of floats, and a brick holds 10
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("f");
+  heights->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    heights->SetValue(i, static_cast<float>(i / 22500));
+  }
+  image->GetPointData()->AddArray(heights);
+  const MadeBrick made = brickOf(image, scalar("f"), Vec3(70.2, 70.3, 70.4), 0.01);
+  ASSERT_TRUE(made.brick);
+  EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, Vec3(70.2, 70.3, 70.4))->value, 70.4, 1e-4);
+  EXPECT_GT(made.reach_u, 1.0);
+}
+
 TEST(FieldData, ACloudOfPointsIsInterpolatedBetweenThemAndEndsBesideThem)
 {
   vtkNew<vtkPoints> points;

@@ -33,16 +33,16 @@ using namespace palpate;
 
 namespace
 {
-using Function = std::function<double(const Vec3&)>;
-constexpr double endless = std::numeric_limits<double>::infinity();
+using FieldFunction = std::function<double(const Vec3&)>;
+constexpr double everywhere = std::numeric_limits<double>::infinity();
 constexpr double asFloats = 3e-6; ///< numbers of a brick are floats, and functions here are below 20
 
-double plane(const Vec3& p)
+double tilted(const Vec3& p)
 {
   return 1.0 + 0.5 * p.x() - 0.75 * p.y() + 0.25 * p.z();
 }
 
-void addArray(vtkDataSet& data, const Function& function)
+void addArray(vtkDataSet& data, const FieldFunction& function)
 {
   vtkNew<vtkDoubleArray> values;
   values->SetName("f");
@@ -53,7 +53,7 @@ void addArray(vtkDataSet& data, const Function& function)
   data.GetPointData()->AddArray(values);
 }
 
-vtkSmartPointer<vtkImageData> box(int points, const Vec3& origin = Vec3::Zero(), double spacing = 1.0)
+vtkSmartPointer<vtkImageData> cubeOfPoints(int points, const Vec3& origin = Vec3::Zero(), double spacing = 1.0)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(points, points, points);
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkImageData> box(int points, const Vec3& origin = Vec3::Zero(),
 vtkSmartPointer<vtkUnstructuredGrid> voxels(int points)
 {
   vtkNew<vtkAppendFilter> append;
-  append->AddInputData(box(points));
+  append->AddInputData(cubeOfPoints(points));
   append->Update();
   return append->GetOutput();
 }
@@ -76,7 +76,7 @@ MadeBrick fieldOf(vtkDataObject* data, const char* array = "f")
   arrays.Scalar = array;
   const vtkHapticFieldResult field = vtkHapticToField(data, arrays);
   EXPECT_EQ(field.Problem, "");
-  return field.Source ? field.Source->brickAround({ Vec3::Zero(), endless, 1 }) : MadeBrick{};
+  return field.Source ? field.Source->brickAround({ Vec3::Zero(), everywhere, 1 }) : MadeBrick{};
 }
 
 /// Calls visit(p_W, value) for every point of the brick; NaN where it has no value.
@@ -98,7 +98,7 @@ void forEachPoint(const Brick& brick, const Visit& visit)
 }
 
 /// Every value of the brick is the function's, and those without one are no more than a share of its points.
-void expectValues(const MadeBrick& made, const Function& function, double withoutAtMost, double within = asFloats)
+void expectValues(const MadeBrick& made, const FieldFunction& function, double withoutAtMost, double within = asFloats)
 {
   ASSERT_TRUE(made.brick) << made.problem;
   std::size_t without = 0;
@@ -160,8 +160,8 @@ TEST(FieldTypes, ARectilinearGridWithUnevenCellsHasItsValuesEverywhere)
   grid->SetXCoordinates(x);
   grid->SetYCoordinates(x);
   grid->SetZCoordinates(x);
-  addArray(*grid, plane);
-  expectValues(fieldOf(grid), plane, 0.0);
+  addArray(*grid, tilted);
+  expectValues(fieldOf(grid), tilted, 0.0);
   addArray(*grid, [](const Vec3& p) { return std::sin(2.0 * p.x()) * p.y() + p.z(); });
   expectAsProbed(fieldOf(grid), grid);
 }
@@ -185,9 +185,9 @@ vtkSmartPointer<vtkStructuredGrid> bentGrid()
 TEST(FieldTypes, ACurvilinearGridHasItsValuesAndNoneWhereItIsNot)
 {
   const auto grid = bentGrid();
-  addArray(*grid, plane);
+  addArray(*grid, tilted);
   const MadeBrick made = fieldOf(grid);
-  expectValues(made, plane, 0.6); // a bent grid fills half of its box
+  expectValues(made, tilted, 0.6); // a bent grid fills half of its box
   expectAsProbed(made, grid);
   EXPECT_FALSE(made.brick->sample(BrickRole::Scalar, Vec3(1.5, 1.5, 2.0))); // inside of the bend
 }
@@ -195,7 +195,7 @@ TEST(FieldTypes, ACurvilinearGridHasItsValuesAndNoneWhereItIsNot)
 TEST(FieldTypes, BlankedCellsOfACurvilinearGridHaveNoValue)
 {
   const auto grid = bentGrid();
-  addArray(*grid, plane);
+  addArray(*grid, tilted);
   const Vec3 inside = 4.0 * Vec3(std::cos(0.6), std::sin(0.6), 0.0) + Vec3(0, 0, 2.1);
   ASSERT_TRUE(fieldOf(grid).brick->sample(BrickRole::Scalar, inside));
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
@@ -219,22 +219,22 @@ TEST(FieldTypes, BlankedCellsOfACurvilinearGridHaveNoValue)
 TEST(FieldTypes, VoxelsAndHexahedraOfAnUnstructuredGridHaveTheirValues)
 {
   const auto grid = voxels(6);
-  addArray(*grid, plane);
+  addArray(*grid, tilted);
   ASSERT_EQ(grid->GetCellType(0), VTK_VOXEL);
-  expectValues(fieldOf(grid), plane, 0.0);
+  expectValues(fieldOf(grid), tilted, 0.0);
 }
 
 TEST(FieldTypes, QuadraticCellsAreQuadraticBetweenTheirPoints)
 {
   vtkNew<vtkDataSetTriangleFilter> cut;
-  cut->SetInputData(box(4));
+  cut->SetInputData(cubeOfPoints(4));
   vtkNew<vtkLinearToQuadraticCellsFilter> raise;
   raise->SetInputConnection(cut->GetOutputPort());
   raise->Update();
   vtkUnstructuredGrid* const grid = raise->GetOutput();
   ASSERT_EQ(grid->GetCellType(0), VTK_QUADRATIC_TETRA);
   // A tetrahedron of ten points holds every function of second degree; one of four is off by up to an eighth here.
-  const Function square = [](const Vec3& p) { return p.x() * p.x() + p.y() * p.z(); };
+  const FieldFunction square = [](const Vec3& p) { return p.x() * p.x() + p.y() * p.z(); };
   addArray(*grid, square);
   constexpr double inverted = 2e-4; // VTK seeks the place in a quadratic cell to 1e-5 of it, and the slope is up to 8
   expectValues(fieldOf(grid), square, 0.0, inverted);
@@ -258,7 +258,7 @@ TEST(FieldTypes, WhatIsRefinedOfAnAmrHasTheValuesOfItsFinestLevel)
     grid->SetDimensions(9, 9, 9);
     grid->SetOrigin(level == 0 ? origin : low.data());
     grid->SetSpacing(spacing);
-    addArray(*grid, [level](const Vec3& p) { return plane(p) + 8.0 * level; });
+    addArray(*grid, [level](const Vec3& p) { return tilted(p) + 8.0 * level; });
     int dimensions[3] = { 9, 9, 9 };
     amr->SetAMRBox(level, 0, vtkAMRBox(grid->GetOrigin(), dimensions, spacing, origin, VTK_XYZ_GRID));
     amr->SetDataSet(level, 0, grid);
@@ -268,11 +268,11 @@ TEST(FieldTypes, WhatIsRefinedOfAnAmrHasTheValuesOfItsFinestLevel)
   ASSERT_TRUE(made.brick);
   for (const Vec3& p_W : { Vec3(1.0, 1.25, 1.5), Vec3(7.0, 7.5, 6.5), Vec3(1.0, 4.0, 4.0) })
   {
-    EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, p_W)->value, plane(p_W), asFloats);
+    EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, p_W)->value, tilted(p_W), asFloats);
   }
   for (const Vec3& p_W : { Vec3(4.0, 4.25, 4.5), Vec3(3.0, 3.5, 5.0) })
   {
-    EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, p_W)->value, plane(p_W) + 8.0, asFloats);
+    EXPECT_NEAR(made.brick->sample(BrickRole::Scalar, p_W)->value, tilted(p_W) + 8.0, asFloats);
   }
 }
 
@@ -280,10 +280,10 @@ TEST(FieldTypes, WhatIsRefinedOfAnAmrHasTheValuesOfItsFinestLevel)
 vtkSmartPointer<vtkUnstructuredGrid> markedTetrahedra(unsigned char mark)
 {
   vtkNew<vtkDataSetTriangleFilter> cut;
-  cut->SetInputData(box(7));
+  cut->SetInputData(cubeOfPoints(7));
   cut->Update();
   vtkSmartPointer<vtkUnstructuredGrid> grid = cut->GetOutput();
-  addArray(*grid, plane);
+  addArray(*grid, tilted);
   grid->AllocateCellGhostArray();
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
@@ -295,7 +295,7 @@ vtkSmartPointer<vtkUnstructuredGrid> markedTetrahedra(unsigned char mark)
 TEST(FieldTypes, HiddenCellsOfTetrahedraHaveNoValueAndTheOthersHaveTheirs)
 {
   const MadeBrick made = fieldOf(markedTetrahedra(vtkDataSetAttributes::HIDDENCELL));
-  expectValues(made, plane, 0.6);
+  expectValues(made, tilted, 0.6);
   EXPECT_TRUE(made.brick->sample(BrickRole::Scalar, Vec3(1.5, 3.1, 3.2)));
   EXPECT_FALSE(made.brick->sample(BrickRole::Scalar, Vec3(4.5, 3.1, 3.2)));
 }
@@ -316,7 +316,7 @@ TEST(FieldTypes, ATimeSeriesHasTheValuesOfItsTime)
       arrays.Vector = "Velocity";
       const vtkHapticFieldResult field = vtkHapticToField(source->GetOutputDataObject(0), arrays);
       ASSERT_TRUE(field.Source) << field.Problem;
-      const MadeBrick made = field.Source->brickAround({ Vec3::Zero(), endless, 1 });
+      const MadeBrick made = field.Source->brickAround({ Vec3::Zero(), everywhere, 1 });
       const Vec3 p_W(0.8, 0.35, 0.25); // a point of the image and of the mesh
       // Tetrahedra are seen on a lattice between their points: h^2 / 8 times second derivatives of at most 0.1 pi^3
       // each.

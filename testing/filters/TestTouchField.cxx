@@ -25,9 +25,9 @@ using ::testing::IsEmpty;
 
 namespace
 {
-constexpr double stiffness = 400.0;
+constexpr double touchStiffness = 400.0;
 
-vtkSmartPointer<vtkImageData> image(double (*function)(const Vec3&))
+vtkSmartPointer<vtkImageData> sampledImage(double (*function)(const Vec3&))
 {
   auto data = vtkSmartPointer<vtkImageData>::New();
   data->SetDimensions(21, 21, 21);
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkTouchAlongPath> touchField(vtkDataObject* input, const std::v
   auto touch = vtkSmartPointer<vtkTouchAlongPath>::New();
   touch->SetInputDataObject(0, input);
   touch->SetPathData(makePath(points_W));
-  touch->SetStiffness(stiffness);
+  touch->SetStiffness(touchStiffness);
   return touch;
 }
 
@@ -59,7 +59,7 @@ Vec3 tuple(vtkPolyData& output, const char* array, vtkIdType row)
   return value;
 }
 
-double height(const Vec3& p)
+double heightOf(const Vec3& p)
 {
   return p.z();
 }
@@ -85,7 +85,7 @@ std::vector<Vec3> slide(double depth)
 
 TEST(TouchField, AnIsosurfaceIsWhereVtksProbeFindsItsValueAndPushesOut)
 {
-  const auto data = image(waves);
+  const auto data = sampledImage(waves);
   const auto touch = touchField(data, slide(0.2));
   touch->SetFieldArray("f");
   touch->FieldIsosurfaceOn();
@@ -102,8 +102,8 @@ TEST(TouchField, AnIsosurfaceIsWhereVtksProbeFindsItsValueAndPushesOut)
     ASSERT_NEAR(found->GetTuple1(i), 0.125, 1e-6) << i; // values of a brick are floats
     EXPECT_GT(tuple(*output, "Force", i).z(), 0.0);
     EXPECT_LT(
-      (tuple(*output, "Force", i) - stiffness * (Vec3(output->GetPoint(i)) - tuple(*output, "Device", i))).norm(),
-      1e-9 * stiffness);
+      (tuple(*output, "Force", i) - touchStiffness * (Vec3(output->GetPoint(i)) - tuple(*output, "Device", i))).norm(),
+      1e-9 * touchStiffness);
     EXPECT_GE(output->GetPointData()->GetArray("Contacts")->GetTuple1(i), 1.0);
   }
 }
@@ -111,29 +111,29 @@ TEST(TouchField, AnIsosurfaceIsWhereVtksProbeFindsItsValueAndPushesOut)
 TEST(TouchField, OnTetrahedraTheSurfaceOfALinearFieldIsThatOfTheImage)
 {
   vtkNew<vtkDataSetTriangleFilter> cut;
-  cut->SetInputData(image(height));
+  cut->SetInputData(sampledImage(heightOf));
   cut->Update();
   const auto touch = touchField(cut->GetOutput(), { Vec3(0.3, 0.2, 1.0), Vec3(0.3, 0.2, 0.0), Vec3(0.4, 0.1, -0.5) });
   touch->SetFieldArray("f");
   touch->FieldIsosurfaceOn();
   touch->SetFieldIsovalue(0.3);
   ASSERT_THAT(errorsOf(touch), IsEmpty());
-  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0, 0, 0.3 * stiffness)).norm(), 1e-4 * stiffness);
-  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 2) - Vec3(0, 0, 0.8 * stiffness)).norm(), 1e-4 * stiffness);
+  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0, 0, 0.3 * touchStiffness)).norm(), 1e-4 * touchStiffness);
+  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 2) - Vec3(0, 0, 0.8 * touchStiffness)).norm(), 1e-4 * touchStiffness);
 }
 
 TEST(TouchField, AFieldBesideASurfaceIsFeltWithIt)
 {
   const auto touch = touchField(makePlane(10.0), { Vec3(0.3, 0.2, 1.0), Vec3(0.3, 0.2, -0.25) });
-  touch->SetFieldData(image([](const Vec3& p) { return p.x(); }));
+  touch->SetFieldData(sampledImage([](const Vec3& p) { return p.x(); }));
   touch->SetFieldArray("f");
   touch->FieldIsosurfaceOn();
   touch->SetFieldIsovalue(0.0);
   ASSERT_THAT(errorsOf(touch), IsEmpty());
-  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0, 0, 0.25 * stiffness / 2)).norm(), 1e-9);
+  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0, 0, 0.25 * touchStiffness / 2)).norm(), 1e-9);
   touch->SetPathData(makePath({ Vec3(0.3, 0.2, 1.0), Vec3(-0.5, 0.2, -0.25) }));
   ASSERT_THAT(errorsOf(touch), IsEmpty());
-  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0.5, 0, 0.25) * stiffness / 2).norm(), 1e-9);
+  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 1) - Vec3(0.5, 0, 0.25) * touchStiffness / 2).norm(), 1e-9);
 }
 
 /// Ten turns of a hand beside the circle at `radius` round the z axis: how far the proxy drifts from it at most,
@@ -180,7 +180,7 @@ TEST(TouchField, TenTurnsRoundAVortexStayOnItsStreamlineAndFinerCellsHoldItBette
 
 TEST(TouchField, WhatCannotBeFeltIsSaidInOneLineAndTheOutputIsEmpty)
 {
-  const auto touch = touchField(image(height), { Vec3(0, 0, 1), Vec3(0, 0, -1) });
+  const auto touch = touchField(sampledImage(heightOf), { Vec3(0, 0, 1), Vec3(0, 0, -1) });
   const auto expect = [&](const char* words)
   {
     const auto errors = errorsOf(touch);

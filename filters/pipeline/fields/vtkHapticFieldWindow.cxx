@@ -65,7 +65,9 @@ std::optional<vtkHapticFieldWindow> WindowAround(
   std::optional<vtkHapticFieldWindow> window;
   constexpr double smaller = 0.9;
   const double all_u = lattice.spacing_u.cwiseProduct(Vec3(lattice.size[0], lattice.size[1], lattice.size[2])).norm();
-  for (double reach = std::min(reach_u, all_u); reach > lattice.spacing_u.minCoeff(); reach *= smaller)
+  const double fewCells_u = 4.0 * lattice.spacing_u.maxCoeff(); // of a hand that is small beside the cells
+  for (double reach = std::min(std::max(reach_u, fewCells_u), all_u); reach > lattice.spacing_u.minCoeff();
+       reach *= smaller)
   {
     window = Around(lattice, centre, reach * lattice.spacing_u.cwiseInverse());
     if (!window || PointsOf(*window) <= mostPoints)

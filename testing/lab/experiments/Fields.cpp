@@ -81,37 +81,50 @@ struct Play
   std::function<Vec3(const Vec3& p)> truth;
 };
 
+/// What the error of a method may be at most, and of a textbook method must be at least; neither: it is told.
+struct Limits
+{
+  std::optional<double> most = {}, least = {};
+};
+constexpr double felt = 1.0; ///< JND
+
 /// The largest error in units of what a hand can feel, and what a tick costs; a force that is gone went through.
-void judge(const Play& play, const char* name, Method method, std::optional<double> limit, Table& table)
+void judge(const Play& play, const char* name, Method method, const Limits& limits, Table& table)
 {
   test::CostSample cost(play.way.size());
   double error = 0.0;
-  Vec3 felt = Vec3::Zero();
+  Vec3 force = Vec3::Zero();
   for (const Vec3& p : play.way)
   {
-    cost.time([&] { felt = method(p); });
+    cost.time([&] { force = method(p); });
     const Vec3 truth = play.truth(p);
-    error = truth.norm() > 0.0 ? std::max(error, (felt - truth).norm() / (noticed * truth.norm())) : error;
+    error = truth.norm() > 0.0 ? std::max(error, (force - truth).norm() / (noticed * truth.norm())) : error;
   }
-  const bool gone = felt.dot(play.truth(play.way.back())) <= 0.0;
+  const bool gone = force.dot(play.truth(play.way.back())) <= 0.0;
   const Subject subject{ play.name, name, "error", "JND" };
-  (limit ? table.atMost(subject, error, *limit) : table.info(subject, error)).cost = Cost::of(cost);
+  Row& row = limits.most ? table.atMost(subject, error, *limits.most) : table.info(subject, error);
+  row.cost = Cost::of(cost);
+  if (limits.least)
+  {
+    table.atLeast(subject, error, *limits.least);
+  }
   const Subject outcome{ play.name, name, "outcome", outcomeUnit };
   const auto value = static_cast<double>(gone ? Outcome::Through : Outcome::Held);
-  limit ? table.within(outcome, value, 0.0, 0.0) : table.info(outcome, value);
+  limits.most ? table.within(outcome, value, 0.0, 0.0) : table.info(outcome, value);
 }
 
-void judgeSurface(const Play& play, const Scalar& function, double level, double limit, Table& table)
+void judgeSurface(
+  const Play& play, const Scalar& function, double level, double limit, const Limits& mapping, Table& table)
 {
   const Brick brick = scalars(function);
-  judge(play, "ours: isosurface", isosurface(brick, level), limit, table);
-  judge(play, "force mapping", mapped(brick, level), std::nullopt, table);
+  judge(play, "ours: isosurface", isosurface(brick, level), { limit }, table);
+  judge(play, "force mapping", mapped(brick, level), mapping, table);
   if (meshContour() == nullptr)
   {
     table.absent({ play.name, "mesh of marching cubes", "error" });
     return;
   }
-  judge(play, "mesh of marching cubes", triangles(function, level), std::nullopt, table);
+  judge(play, "mesh of marching cubes", triangles(function, level), {}, table);
 }
 
 /// The hand goes in and winds around the ball, 0.1 mm a tick.
@@ -192,10 +205,10 @@ void judgeVortex(int ticksATurn, Table& table)
     play, "ours: implicit midpoint",
     [&brick, plan, state = FieldState()](const Vec3& p) mutable
     { return moveFieldProxy(brick, plan, 1.0, p, state).pull_W; },
-    1e-6, table);
-  judge(play, "Euler", follower([](const Vec3& x, double) { return along(x); }), std::nullopt, table);
-  judge(play, "midpoint", follower([](const Vec3& x, double ahead) { return along(x + 0.5 * ahead * along(x)); }),
-    std::nullopt, table);
+    { 1e-6 }, table);
+  judge(play, "Euler", follower([](const Vec3& x, double) { return along(x); }), { {}, felt }, table);
+  judge(play, "midpoint", follower([](const Vec3& x, double ahead) { return along(x + 0.5 * ahead * along(x)); }), {},
+    table);
 }
 
 constexpr double mass_kg = 0.1, damping_Ns_per_m = 1.0, period_s = 1e-3;
@@ -292,9 +305,9 @@ void runFields(const Conditions& conditions, Table& table)
   // its creases, of h / R, let the proxy slip by as much of the depth.
   judgeSurface(
     ballPlay(ticks), [](const Vec3& i) { return (i - middle).norm(); }, radius,
-    (1.0 / (4.0 * radius * 1.5) + 1.0 / radius) / noticed, table);
+    (1.0 / (4.0 * radius * 1.5) + 1.0 / radius) / noticed, {}, table);
   judgeSurface(
-    sheetPlay(ticks), [](const Vec3& i) { return i.z() == 24.0 ? -1.0 : 0.0; }, -0.5, 1e-6, table);
+    sheetPlay(ticks), [](const Vec3& i) { return i.z() == 24.0 ? -1.0 : 0.0; }, -0.5, 1e-6, { {}, felt }, table);
   judgeVortex(conditions.pick(400, 1250, 1250), table);
   judgeForceMap(conditions.pick(4000, 20000, 20000), table);
   judgeViscosity(conditions.pick(4000, 20000, 20000), table);
