@@ -135,6 +135,7 @@
   vtkHapticReadoutMacro(LatenessP99, double); \
   vtkHapticReadoutMacro(CostP50, double); \
   vtkHapticReadoutMacro(CostP99, double); \
+  vtkHapticReadoutMacro(CostP999, double); \
   vtkHapticReadoutMacro(Ticks, vtkIdType); \
   vtkHapticReadoutMacro(Missed, vtkIdType); \
   vtkHapticReadoutMacro(Periods, vtkIdType); \

@@ -150,13 +150,13 @@ void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
   QWidget* parent = form->parentWidget();
   this->Rate = pqHapticLabel(parent, "rate", tr("Ticks per second [Hz]"));
   this->Lateness = pqHapticLabel(parent, "lateness", tr("How late ticks start: median and 99th percentile [us]"));
-  this->Cost = pqHapticLabel(parent, "cost", tr("How long a tick takes: median and 99th percentile [us]"));
+  this->Cost = pqHapticLabel(parent, "cost", tr("How long a tick takes: median, and what one in 100 and one in 1000 take at least [us]"));
   this->Ticks =
     pqHapticLabel(parent, "ticks", tr("Ticks computed and periods missed; missed periods are never caught up"));
   this->Scheduling = pqHapticLabel(parent, "scheduling", tr("What the operating system granted the servo thread"));
   form->addRow(tr("Rate"), this->Rate);
   form->addRow(tr("Late p50/p99"), this->Lateness);
-  form->addRow(tr("Cost p50/p99"), this->Cost);
+  form->addRow(tr("Cost p50/p99/p99.9"), this->Cost);
   form->addRow(tr("Ticks"), this->Ticks);
   form->addRow(this->Scheduling);
 }
@@ -239,7 +239,10 @@ void pqHapticPanel::Internals::fitWidth()
 /// Settings can change without a frame being drawn, from a script for one.
 void pqHapticPanel::Internals::followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower)
 {
-  this->Material->setArrayNames(follower.arrayNames());
+  if (this->Material->isVisible()) // looking at all sources costs too much for what nobody sees
+  {
+    this->Material->setArrayNames(follower.arrayNames());
+  }
   if (session.GetMaterialTime() != this->MaterialTime)
   {
     this->MaterialTime = session.GetMaterialTime();
