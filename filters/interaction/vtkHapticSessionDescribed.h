@@ -145,6 +145,7 @@
   vtkHapticReadoutMacro(FieldSentence, const char*); \
   vtkHapticReadoutMacro(SchedulingReport, const char*); \
   vtkHapticReadoutMacro(PlanSentence, const char*); \
+  vtkHapticReadoutMacro(SceneProgress, double); \
   vtkHapticReadoutMacro(SceneReport, const char*); \
   /* the end of the read-outs */
 // clang-format on

@@ -65,6 +65,9 @@ public:
    */
   bool Update();
 
+  /// What was cancelled is wanted again: the next Update() hands it over.
+  void TakeAgain();
+
   /// Names of the touched surfaces, then one line for each thing that is not touched: why, and what to do.
   const char* GetReport() const;
 

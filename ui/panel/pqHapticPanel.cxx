@@ -95,6 +95,8 @@ public:
   void addScene(QVBoxLayout* column);
   void setTabOrder();
   void fitWidth();
+  /// What stands in the rows that are folded at first.
+  void showMeasured(vtkHapticSession* session, const pqHapticViewFollower& follower);
   void followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower);
 
   vtkMTimeType MaterialTime = 0; ///< of the settings the view's scene was made with
@@ -243,7 +245,8 @@ void pqHapticPanel::Internals::followMaterials(vtkHapticSession& session, pqHapt
   {
     this->Material->setArrayNames(follower.arrayNames());
   }
-  if (session.GetMaterialTime() != this->MaterialTime)
+  const bool read = session.GetSceneProgress() < 1.0; // in the background: a hidden view asks for no frame
+  if (session.GetMaterialTime() != this->MaterialTime || read)
   {
     this->MaterialTime = session.GetMaterialTime();
     follower.refresh();
@@ -282,6 +285,7 @@ void pqHapticPanel::build()
   this->Widgets->Advanced = new pqHapticFold(
     column, "advanced", tr("Ad&vanced"), tr("Everything else that can be set, and all that is measured"));
   this->Widgets->fillRest(this->Widgets->Advanced->rows());
+  this->connect(this->Widgets->Advanced, &QToolButton::toggled, this, &pqHapticPanel::refresh);
   column->addStretch(1);
   this->Widgets->setTabOrder();
   scroll->setWidget(body);
@@ -327,37 +331,45 @@ void pqHapticPanel::refresh()
     session->Update();
     this->Widgets->followMaterials(*session, *controller->follower());
   }
-  const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   Internals& w = *this->Widgets;
   w.fitWidth();
   w.Main->refresh(session);
   w.Place->refresh(session);
   w.Marks->refresh(session);
-  w.Source->refresh(session);
-  w.Field->refresh(session, *controller->follower());
-  w.State->setText(now.State);
-  pqHapticSay(w.Reason, now.Reason);
-  w.Force->setText(now.Force);
-  w.Hand->setEnabled(session && session->GetDeviceTakesHand());
-  w.PressDepth->setEnabled(session && session->GetFollowsMouse());
-  w.Stability->setText(now.Stability);
-  w.Used->setText(now.Stiffness);
-  w.Energy->setText(now.Energy);
-  w.Stabiliser->setText(now.Stabiliser);
-  w.Friction->setText(now.Friction);
-  w.Contact->setText(now.Contact);
-  w.MotionLag->setText(now.MotionLag);
-  w.Rate->setText(now.Rate);
-  w.Lateness->setText(now.Lateness);
-  w.Cost->setText(now.Cost);
-  w.Ticks->setText(now.Ticks);
-  w.Scheduling->setText(now.Scheduling);
-  w.Plan->setText(now.Plan);
-  w.Check->refresh(session);
-  w.DeviceRows->refresh(session);
-  const QString scene = controller->follower()->report() + now.Scene;
-  if (scene != w.Scene->toPlainText())
+  if (w.Advanced->isChecked()) // a text that changes has the whole panel laid out again, seen or not
   {
-    w.Scene->setPlainText(scene);
+    w.showMeasured(session, *controller->follower());
+  }
+}
+
+void pqHapticPanel::Internals::showMeasured(vtkHapticSession* session, const pqHapticViewFollower& follower)
+{
+  const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
+  this->Source->refresh(session);
+  this->Field->refresh(session, follower);
+  this->Check->refresh(session);
+  this->DeviceRows->refresh(session);
+  this->Hand->setEnabled(session && session->GetDeviceTakesHand());
+  this->PressDepth->setEnabled(session && session->GetFollowsMouse());
+  this->Stability->setText(now.Stability);
+  this->State->setText(now.State);
+  pqHapticSay(this->Reason, now.Reason);
+  this->Force->setText(now.Force);
+  this->Used->setText(now.Stiffness);
+  this->Energy->setText(now.Energy);
+  this->Stabiliser->setText(now.Stabiliser);
+  this->Friction->setText(now.Friction);
+  this->Contact->setText(now.Contact);
+  this->MotionLag->setText(now.MotionLag);
+  this->Rate->setText(now.Rate);
+  this->Lateness->setText(now.Lateness);
+  this->Cost->setText(now.Cost);
+  this->Ticks->setText(now.Ticks);
+  this->Scheduling->setText(now.Scheduling);
+  this->Plan->setText(now.Plan);
+  const QString scene = follower.report() + now.Scene;
+  if (scene != this->Scene->toPlainText())
+  {
+    this->Scene->setPlainText(scene);
   }
 }

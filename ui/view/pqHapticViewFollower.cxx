@@ -52,6 +52,10 @@ void pqHapticViewFollower::setSession(vtkHapticSession* session)
 
 void pqHapticViewFollower::setActive(bool active)
 {
+  if (active && !this->Active)
+  {
+    this->Scene->TakeAgain();
+  }
   this->Active = active;
   this->refresh();
 }

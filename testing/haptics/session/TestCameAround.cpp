@@ -123,6 +123,21 @@ TEST_F(CameAroundTest, AHandInFreeAirIsOutsideOfWhatAppearsAroundIt)
   EXPECT_GT(this->proxy().norm(), 60.0 - sagitta(60.0));
 }
 
+// With nothing shown the hand is free to be where the surface was; what appears again finds it there.
+TEST_F(CameAroundTest, ASurfaceThatWasGoneAndComesBackHasTheHandOutside)
+{
+  const double radius_u = 60.0;
+  const auto surface = ball(radius_u);
+  this->show({ { "box", surface } });
+  this->goTo(Vec3(0.0, 0.0, radius_u - 3.0));
+  this->show({});
+  this->session_.step(100);
+  ASSERT_NEAR(this->proxy().norm(), radius_u - 3.0, 1e-9);
+  this->show({ { "box", surface } });
+  this->session_.step(100);
+  EXPECT_NEAR(this->proxy().norm(), radius_u, sagitta(radius_u));
+}
+
 // Its faces are others than before, so that nothing says where the old ones went.
 TEST_F(CameAroundTest, ASurfaceThatGrowsFurtherThanTheHandIsDeepKeepsTheContact)
 {
