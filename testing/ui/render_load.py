@@ -27,7 +27,7 @@ class RenderLoad:
         self.proxy = manager.GetProxy("haptics", "HapticSession")
         self.parts = {"free": [], "touched": []}  # of each part [ms a picture]: drawing it, all else that the thread did
         self.costs = {}
-        self.ready = {"shares": [], "slices": []}  # progress, and what the thread did between two looks at it [ms]
+        self.ready = {"shares": [], "slices": []}  # progress, and what the thread did between two looks beside drawing [ms]
         self.turning = False
         self.drawing = self.begun = self.looked = 0.0
         self.drawn = 0
@@ -63,28 +63,29 @@ class RenderLoad:
     def prepare(self):
         """A simulated hand that strokes a great circle, 2 mm under the surface."""
         self.put("DeviceName", "simulated-generic")
-        self.put("FitOnTouch", 0)
         self.put("Scale", 1000.0)
         self.put("StrokeSpeed", 0.05)
         around = [(1.3, 0.0)] + [(0.96, 0.1 * i) for i in range(200)]
         self.put("StrokePoints", *(c for r, a in around for c in (r * RADIUS * math.cos(a), r * RADIUS * math.sin(a), 3.0)))
 
     def show_another(self):
-        """Of as many triangles, none of which is known."""
-        self.ball.StartTheta = 0.001
+        """Of about as many triangles, none of which is known."""
+        self.ball.PhiResolution += 2
         simple.Render(self.view)
 
     def first_touch(self):
         begun = time.thread_time()
         self.put("Touching", 1)
-        self.looked = time.thread_time()
-        self.ready["touch"] = 1e3 * (self.looked - begun)
+        self.ready["touch"] = 1e3 * (time.thread_time() - begun)
+        self.begin_slice()
+
+    def begin_slice(self):
+        self.looked, self.drawing = time.thread_time(), 0.0
 
     def look(self):
-        now = time.thread_time()
-        self.ready["slices"].append(1e3 * (now - self.looked))
+        self.ready["slices"].append(1e3 * (time.thread_time() - self.looked - self.drawing))
         self.ready["shares"].append(self.session().GetSceneProgress())
-        self.looked = time.thread_time()
+        self.begin_slice()
 
     def cancel(self):
         self.proxy.InvokeCommand("CancelScene")

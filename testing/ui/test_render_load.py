@@ -12,7 +12,7 @@ from xml.sax.saxutils import quoteattr
 
 HERE = pathlib.Path(__file__).resolve().parent
 FULL = bool(os.environ.get("PALPATE_TEST_FULL"))
-PAIRS = 8 if FULL else 2
+PAIRS = 8 if FULL else 1
 PART_MS = 4000 if FULL else 800
 SETTLE_MS = 800  # a hand comes down on the ball
 MOST_TICK_RATIO = 3.0
@@ -35,7 +35,7 @@ def making_ready():
     """Touched, given up while it is turned into a scene, touched again and looked at until it is there."""
     lines = python("load.prepare()", "load.touch()") + wait(100) + python("load.cancel()") + wait(500)
     lines += python("load.note_cancelled()", "load.let_go()", "load.show_another()", "load.first_touch()")
-    return lines + (wait(20) + python("load.look()")) * 30
+    return lines + (wait(20) + python("load.look()")) * 12
 
 
 def touching():
@@ -65,7 +65,7 @@ class RenderLoad(unittest.TestCase):
             assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-4000:]
             cls.found = json.loads(report.read_text(encoding="utf-8"))
         print(json.dumps({name: cls.found[name] for name in ("middle", "costs")}))
-        print({name: max(value) if name == "slices" else value for name, value in cls.found["ready"].items()})
+        print(cls.found["ready"])
 
     def picture_ms(self):
         """What one costs the GUI's thread that nobody touches."""
@@ -73,7 +73,7 @@ class RenderLoad(unittest.TestCase):
 
     def test_a_million_triangles_become_touchable_without_holding_the_thread_for_as_long_as_a_picture(self):
         self.assertLess(self.found["ready"]["touch"], 0.5 * self.picture_ms())
-        self.assertLess(max(self.found["ready"]["slices"]), 2.5 * self.picture_ms(), "with what was drawn in between")
+        self.assertLess(max(self.found["ready"]["slices"]), self.picture_ms())
 
     def test_it_says_how_far_it_is_and_can_be_given_up(self):
         shares = self.found["ready"]["shares"]
