@@ -208,10 +208,10 @@ public:
 
   ///@{
   /**
-   * Numbers in space that are felt around the hand, beside whatever surfaces are: FieldArray and its fellows name arrays
-   * of `data`, the other settings of a field how they are felt. Kept by reference; added again after a change. A worker
-   * brings what is around the hand, FinishField() waits for that; true if there is something. False, with GetProblem(),
-   * for what cannot be felt so; null data: no field.
+   * Numbers in space that are felt around the hand, beside whatever surfaces are: FieldArray and its fellows name
+   * arrays of `data`, the other settings of a field how they are felt. Kept by reference; added again after a change. A
+   * worker brings what is around the hand, FinishField() waits for that; true if there is something. False, with
+   * GetProblem(), for what cannot be felt so; null data: no field.
    */
   bool AddField(const char* name, vtkDataObject* data);
   bool FinishField();

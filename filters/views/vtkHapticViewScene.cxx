@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticViewScene.h"
 
-#include "vtkHapticDrafts.h"
 #include "vtkHapticConversionAhead.h"
+#include "vtkHapticDrafts.h"
 #include "vtkHapticFieldData.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSession.h"
@@ -49,12 +49,12 @@ public:
   std::string FieldName;                       ///< of the source that is felt as a field; "": none
   vtkSmartPointer<vtkDataObject> FieldData;    ///< what it made then
   vtkMTimeType FieldTime = 0, FieldSettings = 0;
-  std::string FieldRefusal;      ///< why none of those that have the arrays is
-  bool HandedOver = false;       ///< the session has Scan
+  std::string FieldRefusal;                   ///< why none of those that have the arrays is
+  bool HandedOver = false;                    ///< the session has Scan
   std::optional<vtkHapticViewScan> Preparing; ///< a scan that is read by threads
   std::optional<vtkHapticViewScan> Left;      ///< what was shown when it was cancelled
   int Cancelled = 0;                          ///< how often the session had been told so then
-  vtkMTimeType MaterialTime = 0; ///< of the session's settings when it got Scan
+  vtkMTimeType MaterialTime = 0;              ///< of the session's settings when it got Scan
 
   bool TouchesLines() const
   {
@@ -224,6 +224,7 @@ void vtkHapticViewScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "View: " << this->GetView() << "\n";
   os << indent << "Drawing: " << this->GetDrawing() << "\n";
   os << indent << "Session: " << this->GetSession() << "\n";
+  os << indent << "ReadsAhead: " << this->ReadsAhead << "\n";
   os << indent << "NumberOfSurfaces: " << this->GetNumberOfSurfaces() << "\n";
   os << indent << "Report: " << this->Impl->Report << "\n";
 }
@@ -341,7 +342,7 @@ bool vtkHapticViewScene::Update()
   }
   const bool left = this->Impl->Left && now.SameAs(*this->Impl->Left);
   const bool differs = !same && this->Impl->Session && !left;
-  const bool handOver = differs && this->Impl->IsPrepared(now);
+  const bool handOver = differs && (!this->ReadsAhead || this->Impl->IsPrepared(now));
   if (handOver || !differs)
   {
     this->Impl->Scan = std::move(now);

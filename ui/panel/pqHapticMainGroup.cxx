@@ -153,7 +153,7 @@ void pqHapticMainGroup::refresh(vtkHapticSession* session)
 {
   auto* controller = pqHapticController::instance();
   this->Device->follow();
-  this->Status->setText(this->statusOf(session));
+  pqHapticSay(this->Status, this->statusOf(session));
   this->Progress->refresh(session);
   this->Release->setEnabled(controller->touching());
   this->Recording->refresh(session);
@@ -163,6 +163,6 @@ void pqHapticMainGroup::refresh(vtkHapticSession* session)
 
 QList<QWidget*> pqHapticMainGroup::fields() const
 {
-  return QList<QWidget*>{ this->Device, this->Touch, this->Release, this->Fit, this->Progress->field() } + this->Rows.fields("main") +
-         this->Recording->fields();
+  return QList<QWidget*>{ this->Device, this->Touch, this->Release, this->Fit, this->Progress->field() } +
+         this->Rows.fields("main") + this->Recording->fields();
 }

@@ -152,7 +152,8 @@ void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
   QWidget* parent = form->parentWidget();
   this->Rate = pqHapticLabel(parent, "rate", tr("Ticks per second [Hz]"));
   this->Lateness = pqHapticLabel(parent, "lateness", tr("How late ticks start: median and 99th percentile [us]"));
-  this->Cost = pqHapticLabel(parent, "cost", tr("How long a tick takes: median, and what one in 100 and one in 1000 take at least [us]"));
+  this->Cost = pqHapticLabel(
+    parent, "cost", tr("How long a tick takes: median, and what one in 100 and one in 1000 take at least [us]"));
   this->Ticks =
     pqHapticLabel(parent, "ticks", tr("Ticks computed and periods missed; missed periods are never caught up"));
   this->Scheduling = pqHapticLabel(parent, "scheduling", tr("What the operating system granted the servo thread"));

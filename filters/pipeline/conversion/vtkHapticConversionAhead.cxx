@@ -43,9 +43,9 @@ bool vtkHapticConversionAhead::Ready(vtkDataObject* data, vtkMatrix4x4* matrix, 
   }
   auto place = vtkSmartPointer<vtkMatrix4x4>::New();
   matrix ? place->DeepCopy(matrix) : place->Identity();
-  this->Made[key] = std::async(std::launch::async,
-    [copy = vtkHapticSharedCopy(data), place, cuts = known ? *known : vtkHapticCuts()]
-    { return vtkHapticToMesh(copy, place, cuts.Mesh ? &cuts : nullptr); });
+  this->Made[key] =
+    std::async(std::launch::async, [copy = vtkHapticSharedCopy(data), place, cuts = known ? *known : vtkHapticCuts()]
+      { return vtkHapticToMesh(copy, place, cuts.Mesh ? &cuts : nullptr); });
   return false;
 }
 

@@ -240,8 +240,7 @@ SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input, BuildWatch
   return built;
 }
 
-SceneBuildResult SceneBuilder::build(
-  const std::vector<SurfaceInput>& inputs, const Scene* felt, BuildWatch* watch)
+SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, const Scene* felt, BuildWatch* watch)
 {
   BuildWatch nobody;
   BuildWatch& told = watch != nullptr ? *watch : nobody;

@@ -62,7 +62,7 @@ private:
   SceneBuilder builder_{ 2 }; ///< the running build's while there is one
   std::shared_ptr<const Scene> felt_;
   std::future<BuiltScene> running_;
-  std::shared_ptr<BuildWatch> watch_; ///< over it
+  std::shared_ptr<BuildWatch> watch_;                                ///< over it
   std::optional<Commit> next_;                                       ///< waits for the running build
   double largestRadius_u_ = std::numeric_limits<double>::infinity(); ///< of the last scene that was not only moved
 };

@@ -105,7 +105,7 @@ TEST_F(CameAroundTest, AClosedSurfaceThatAppearsAroundAPressingHandHasItOutside)
   this->session_.step(100);
   EXPECT_NEAR(this->proxy().norm(), large_u, sagitta(large_u));
   this->goTo(Vec3(0.0, 0.0, large_u + 5.0)); // free air is free
-  this->session_.step(500); // what was blended has faded
+  this->session_.step(500);                  // what was blended has faded
   EXPECT_EQ(this->session_.state().contacts, 0);
   EXPECT_LT(this->session_.state().force_W.norm(), 1e-9);
   this->goTo(Vec3(0.0, 0.0, large_u - 2.0)); // and it is felt from outside: K d

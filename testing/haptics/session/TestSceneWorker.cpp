@@ -98,7 +98,7 @@ TEST(SceneWorker, WhatIsCancelledGivesNothingAndTheNextCommitIsBuilt)
   ASSERT_TRUE(built && built->scene);
   EXPECT_EQ(built->stamp_s, 3.0);
   EXPECT_LE(built->scene->revision(), 2u); // at most the first was done by then; never what waited
-  worker.cancel(); // nothing is being built: nothing happens
+  worker.cancel();                         // nothing is being built: nothing happens
   EXPECT_FALSE(worker.building());
   worker.commit({ surfaceOf(makeIcosphere(fine, 3.0), "again") }, "", 4.0);
   EXPECT_TRUE(worker.wait());
