@@ -84,7 +84,7 @@ std::span<const Readout> sessionReadouts()
       "What is felt of the scene and why: how many triangles or segments, by a point or a ball, with what friction, "
       "through a tree or a list" },
     { "SceneProgress", Number, "1", "",
-    "How much of what is shown is ready to be touched: 0 while it is read, 1 once nothing is left to do" },
+      "How much of what is shown is ready to be touched: 0 while it is read, 1 once nothing is left to do" },
     { "SceneReport", Text, "", "", "What is touched, what was repaired, what is refused and why, a line a surface" },
   };
   return readouts;
