@@ -217,8 +217,10 @@ std::string vtkHapticSceneSurfaces::AddPart(
     this->ReadMaterial(data, this->Adding.back());
     return {};
   }
-  vtkHapticConversionResult converted =
-    lineRadius_u ? vtkHapticToLines(data, matrix) : vtkHapticToMesh(data, matrix, this->CutsOf(name));
+  std::optional<vtkHapticConversionResult> ahead = lineRadius_u ? std::nullopt : this->Ahead.Take(data, matrix);
+  vtkHapticConversionResult converted = ahead          ? std::move(*ahead)
+                                        : lineRadius_u ? vtkHapticToLines(data, matrix)
+                                                       : vtkHapticToMesh(data, matrix, this->CutsOf(name));
   if (!converted.Mesh)
   {
     return converted.Problem;
@@ -279,9 +281,8 @@ const vtkHapticCuts* vtkHapticSceneSurfaces::CutsOf(const std::string& name) con
   return known != this->Committed.end() ? &known->Cuts : nullptr;
 }
 
-/// The same mesh object, so that the builder keeps its tree, if all that changed is its pose.
-bool vtkHapticSceneSurfaces::AddKnown(
-  const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement, std::optional<double> lineRadius_u)
+std::pair<const vtkHapticSceneSurfaces::Kept*, palpate::Pose> vtkHapticSceneSurfaces::FindKnown(const std::string& name,
+  std::uint64_t key, const vtkHapticPlacement& placement, std::optional<double> lineRadius_u) const
 {
   const auto same = [&](const Kept& kept)
   {
@@ -290,12 +291,31 @@ bool vtkHapticSceneSurfaces::AddKnown(
   };
   const auto known = std::find_if(this->Committed.begin(), this->Committed.end(), same);
   const auto pose = known != this->Committed.end() ? vtkHapticMotionBetween(known->Baked, placement) : std::nullopt;
-  if (pose)
+  return { pose ? &*known : nullptr, pose.value_or(palpate::Pose()) };
+}
+
+/// The same mesh object, so that the builder keeps its tree, if all that changed is its pose.
+bool vtkHapticSceneSurfaces::AddKnown(
+  const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement, std::optional<double> lineRadius_u)
+{
+  const auto [known, pose] = this->FindKnown(name, key, placement, lineRadius_u);
+  if (known)
   {
     this->Adding.push_back(*known);
-    this->Adding.back().Surface.input.pose_WS = *pose;
+    this->Adding.back().Surface.input.pose_WS = pose;
   }
-  return pose.has_value();
+  return known != nullptr;
+}
+
+bool vtkHapticSceneSurfaces::Prepare(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  if (!this->OfSources.Of(name).Touched || !vtkHapticCheckPlacement(matrix).empty())
+  {
+    return true;
+  }
+  const std::uint64_t key = vtkHapticContentKey(data, nullptr);
+  return this->FindKnown(name, key, vtkHapticPlacementOf(matrix), std::nullopt).first ||
+         this->Ahead.Ready(data, matrix, this->CutsOf(name));
 }
 
 std::string vtkHapticSceneSurfaces::Place(const std::string& name, vtkMatrix4x4* matrix)
@@ -346,6 +366,7 @@ void vtkHapticSceneSurfaces::Commit(palpate::SceneWorker& worker, double stamp_s
   this->Editing = false;
   this->Stamp = stamp_s;
   this->Committed = this->Adding;
+  this->Ahead.Forget();
   ++this->CommitCount;
   std::vector<palpate::SceneSurface> surfaces;
   for (const Kept& kept : this->Committed)

@@ -6,11 +6,13 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "haptics/session/scene/BuiltScene.h"
 #include "vtkDataObject.h"
 #include "vtkHapticConversion.h"
+#include "vtkHapticConversionAhead.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSourceStyles.h"
 #include "vtkHapticSurfacePlacement.h"
@@ -42,6 +44,12 @@ public:
   /// Converts at once (the pipeline may change its data later). Empty, or why there is nothing to touch. The first
   /// matrix is baked into the vertices; while later ones differ from it by a rigid motion, that is the surface's pose.
   std::string Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  /// Whether Add() has nothing to convert that would hold the caller's thread for longer than a picture takes; else a
+  /// thread begins with it.
+  bool Prepare(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  /// Whether it began so, and Add() was not called since; and that it will not be.
+  [[nodiscard]] bool Preparing() const { return this->Ahead.Busy(); }
+  void ForgetPrepared() { this->Ahead.Forget(); }
   /// Another matrix for a surface that was added since Clear(). Empty, or why it stays where it is.
   std::string Place(const std::string& name, vtkMatrix4x4* matrix);
   /// Has the worker build what was added since Clear(). `stamp_s`: when it was so, on the caller's clock.
@@ -96,6 +104,9 @@ private:
   std::string AddLinesAndFaces(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   std::string AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   void NoteWithoutArrays(Kept& walls) const;
+  /// A committed surface of that content, and by what pose it stands there; null if there is none.
+  std::pair<const Kept*, palpate::Pose> FindKnown(const std::string& name, std::uint64_t key,
+    const vtkHapticPlacement& placement, std::optional<double> lineRadius_u) const;
   bool AddKnown(const std::string& name, std::uint64_t key, const vtkHapticPlacement& placement,
     std::optional<double> lineRadius_u);
   /// A surface with new points keeps the frame that it was committed in if its triangles are the same and the way from
@@ -113,6 +124,7 @@ private:
   double PointRadius_u = 0.0;
   bool PlaneWorld = false;
   double WallRadius_u = 0.0;
+  vtkHapticConversionAhead Ahead;
   std::vector<Kept> Adding;
   std::string Refusals; ///< since Clear(), a line each
   bool Editing = false; ///< something was added or moved since Commit()

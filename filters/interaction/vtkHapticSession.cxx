@@ -45,6 +45,7 @@ void vtkHapticSession::Internals::ShowState()
   if (this->Core.running() && this->Warning.empty())
   {
     this->Warning = palpate::otherDeviceSentence(this->DeviceNameNow(), this->Chosen.name);
+    this->Warning = this->Warning.empty() ? this->Cancelled : this->Warning;
     this->Warning = this->Warning.empty() ? this->Around : this->Warning;
     this->Warning =
       this->Warning.empty() ? this->MissingArrays.substr(0, this->MissingArrays.find('\n')) : this->Warning;
@@ -197,6 +198,7 @@ void vtkHapticSession::Start()
     this->Refuse(impl.Core.setParameters(impl.Core.parameters(), impl.Played->ball_W));
   }
   impl.Around.clear();
+  impl.Cancelled.clear();
   impl.Begun_s = impl.Now();
   impl.RecordingBegun_s = impl.RecordedSeconds = 0.0;
   if (impl.Recording != impl.Core.recording())

@@ -173,6 +173,13 @@ public:
   bool AddSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix);
   void CommitScene();
   bool FinishScene();
+  /// Whether AddSurface() would not hold its caller for longer than a picture takes; else a thread begins to read these
+  /// data, and the answer is true once it is done.
+  bool PrepareSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  /// What is being made of the newest data is not wanted: what was touched before stays, and the warning says so until
+  /// there is another scene or touching begins. How often that was done.
+  void CancelScene();
+  int GetScenesCancelled() const;
   ///@}
 
   /**

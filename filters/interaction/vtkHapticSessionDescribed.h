@@ -135,6 +135,7 @@
   vtkHapticReadoutMacro(LatenessP99, double); \
   vtkHapticReadoutMacro(CostP50, double); \
   vtkHapticReadoutMacro(CostP99, double); \
+  vtkHapticReadoutMacro(CostP999, double); \
   vtkHapticReadoutMacro(Ticks, vtkIdType); \
   vtkHapticReadoutMacro(Missed, vtkIdType); \
   vtkHapticReadoutMacro(Periods, vtkIdType); \
@@ -144,6 +145,7 @@
   vtkHapticReadoutMacro(FieldSentence, const char*); \
   vtkHapticReadoutMacro(SchedulingReport, const char*); \
   vtkHapticReadoutMacro(PlanSentence, const char*); \
+  vtkHapticReadoutMacro(SceneProgress, double); \
   vtkHapticReadoutMacro(SceneReport, const char*); \
   /* the end of the read-outs */
 // clang-format on

@@ -127,6 +127,8 @@ public:
   std::string DeviceKind, DeviceNotes, LinkText, LossText;
   std::string Scheduling;
   std::string Warning;
+  std::string Cancelled; ///< that the newest data are not touched; "" once there are others
+  int ScenesCancelled = 0;
   std::string Around; ///< what has come around the hand, and what was done; "" once another scene is felt
   std::optional<palpate::Vec3> Eye_W; ///< of the view that the mouse is in
   std::string Problem;

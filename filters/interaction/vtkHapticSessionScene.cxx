@@ -27,6 +27,7 @@ bool vtkHapticSession::AddSurface(const char* name, vtkDataObject* data, vtkMatr
 void vtkHapticSession::CommitScene()
 {
   this->Impl->Follow(Internals::OfFormerSurface, "");
+  this->Impl->Cancelled.clear();
   this->Impl->Scene.beforeCommit();
   this->Impl->Surfaces.Commit(this->Impl->Scene.worker(), this->Impl->Now());
 }
@@ -82,6 +83,33 @@ void vtkHapticSession::Internals::StayOutside(const std::optional<palpate::CameA
     this->Core.engage(); // waits until the force would start small
   }
   this->Around = verdict.sentence;
+}
+
+bool vtkHapticSession::PrepareSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  return this->Impl->Surfaces.Prepare(name ? name : "surface", data, matrix);
+}
+
+void vtkHapticSession::CancelScene()
+{
+  Internals& impl = *this->Impl;
+  if (this->GetSceneProgress() < 1.0)
+  {
+    impl.Surfaces.ForgetPrepared();
+    impl.Scene.worker().cancel();
+    ++impl.ScenesCancelled;
+    impl.Cancelled = "what is shown was not made ready to be touched, for that was cancelled: press Touch to try again";
+  }
+}
+
+int vtkHapticSession::GetScenesCancelled() const
+{
+  return this->Impl->ScenesCancelled;
+}
+
+double vtkHapticSession::GetSceneProgress() const
+{
+  return this->Impl->Surfaces.Preparing() ? 0.0 : this->Impl->Scene.worker().share();
 }
 
 bool vtkHapticSession::FinishScene()

@@ -129,6 +129,11 @@ double vtkHapticSession::GetCostP99() const
   return this->Impl->Report.cost.p99_us;
 }
 
+double vtkHapticSession::GetCostP999() const
+{
+  return this->Impl->Report.cost.p999_us;
+}
+
 const char* vtkHapticSession::GetSchedulingReport() const
 {
   return this->Impl->Scheduling.c_str();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticViewScene.h"
 
+#include "vtkHapticConversionAhead.h"
 #include "vtkHapticDrafts.h"
 #include "vtkHapticFieldData.h"
 #include "vtkHapticMaterialArrays.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -47,9 +49,12 @@ public:
   std::string FieldName;                       ///< of the source that is felt as a field; "": none
   vtkSmartPointer<vtkDataObject> FieldData;    ///< what it made then
   vtkMTimeType FieldTime = 0, FieldSettings = 0;
-  std::string FieldRefusal;      ///< why none of those that have the arrays is
-  bool HandedOver = false;       ///< the session has Scan
-  vtkMTimeType MaterialTime = 0; ///< of the session's settings when it got Scan
+  std::string FieldRefusal;                   ///< why none of those that have the arrays is
+  bool HandedOver = false;                    ///< the session has Scan
+  std::optional<vtkHapticViewScan> Preparing; ///< a scan that is read by threads
+  std::optional<vtkHapticViewScan> Left;      ///< what was shown when it was cancelled
+  int Cancelled = 0;                          ///< how often the session had been told so then
+  vtkMTimeType MaterialTime = 0;              ///< of the session's settings when it got Scan
 
   bool TouchesLines() const
   {
@@ -63,6 +68,12 @@ public:
   {
     return vtkHapticScanView(this->View, this->Shapes, { this->TouchesLines(), this->TouchesPoints() });
   }
+
+  /// Whether the session can take a scan without holding the thread. If one of the same sources is being read it takes
+  /// the place of this one: a series of pictures may come faster than they are read.
+  bool IsPrepared(vtkHapticViewScan& scan);
+  /// What is shown while the person cancels is not wanted.
+  void FollowCancel(const vtkHapticViewScan& now);
 
   /// Gives the session the first source that has the arrays which are felt and fills space.
   void HandOverField(const std::vector<vtkHapticViewScan::Source>& sources);
@@ -94,6 +105,22 @@ bool HasFieldArrays(vtkDataObject* data, const vtkHapticSession& session)
   { return *name == '\0' || std::find(names.begin(), names.end(), name) != names.end(); };
   return has(session.GetFieldArray()) && has(session.GetFieldVectors()) && has(session.GetFieldResistance()) &&
          has(session.GetFieldOther());
+}
+
+bool SameNames(const vtkHapticViewScan& a, const vtkHapticViewScan& b)
+{
+  return std::equal(a.Surfaces.begin(), a.Surfaces.end(), b.Surfaces.begin(), b.Surfaces.end(),
+    [](const auto& one, const auto& other) { return one.Name == other.Name; });
+}
+
+/// That stays as it is when the pipeline goes on.
+vtkHapticViewScan SharedCopy(vtkHapticViewScan scan)
+{
+  for (vtkHapticViewScan::Surface& surface : scan.Surfaces)
+  {
+    surface.Data = vtkHapticSharedCopy(surface.Data);
+  }
+  return scan;
 }
 
 bool AsksForField(const vtkHapticSession& session)
@@ -145,6 +172,31 @@ void vtkHapticViewScene::Internals::HandOverField(const std::vector<vtkHapticVie
   }
 }
 
+bool vtkHapticViewScene::Internals::IsPrepared(vtkHapticViewScan& scan)
+{
+  if (this->Preparing && SameNames(*this->Preparing, scan))
+  {
+    scan = *this->Preparing;
+  }
+  bool ready = true;
+  for (const vtkHapticViewScan::Surface& surface : scan.Surfaces)
+  {
+    ready = this->Session->PrepareSurface(surface.Name.c_str(), surface.Data, surface.Matrix) && ready;
+  }
+  this->Preparing = ready ? std::nullopt : std::optional(SharedCopy(scan));
+  return ready;
+}
+
+void vtkHapticViewScene::Internals::FollowCancel(const vtkHapticViewScan& now)
+{
+  if (this->Cancelled != this->Session->GetScenesCancelled())
+  {
+    this->Cancelled = this->Session->GetScenesCancelled();
+    this->Preparing.reset();
+    this->Left = now;
+  }
+}
+
 std::vector<std::string> vtkHapticViewScene::Internals::RefusalsOf(const vtkHapticViewScan& scan) const
 {
   std::vector<std::string> refusals;
@@ -172,6 +224,7 @@ void vtkHapticViewScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "View: " << this->GetView() << "\n";
   os << indent << "Drawing: " << this->GetDrawing() << "\n";
   os << indent << "Session: " << this->GetSession() << "\n";
+  os << indent << "ReadsAhead: " << this->ReadsAhead << "\n";
   os << indent << "NumberOfSurfaces: " << this->GetNumberOfSurfaces() << "\n";
   os << indent << "Report: " << this->Impl->Report << "\n";
 }
@@ -210,6 +263,7 @@ void vtkHapticViewScene::SetSession(vtkHapticSession* session)
   if (session != this->Impl->Session)
   {
     this->Impl->Session = session;
+    this->Impl->Cancelled = session ? session->GetScenesCancelled() : 0;
     this->Impl->Drafts.ForgetAll();
     this->Impl->HandedOver = false;
     this->Modified();
@@ -268,16 +322,34 @@ const char* vtkHapticViewScene::GetReport() const
   return this->Impl->Report.c_str();
 }
 
+void vtkHapticViewScene::TakeAgain()
+{
+  const int cancelled = this->Impl->Session ? this->Impl->Session->GetScenesCancelled() : 0;
+  this->Impl->HandedOver = this->Impl->HandedOver && !this->Impl->Left && this->Impl->Cancelled == cancelled;
+  this->Impl->Cancelled = cancelled;
+  this->Impl->Left.reset();
+}
+
 bool vtkHapticViewScene::Update()
 {
   vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->Shapes,
     { this->Impl->TouchesLines(), this->Impl->TouchesPoints(), &this->Impl->Drafts, this->Impl->Drawing });
   this->Impl->Shapes.Forget();
   const bool same = this->Impl->HandedOver && now.SameAs(this->Impl->Scan) && this->Impl->SameMaterials(now);
-  this->Impl->Scan = std::move(now);
-  const bool handOver = !same && this->Impl->Session;
+  if (this->Impl->Session)
+  {
+    this->Impl->FollowCancel(now);
+  }
+  const bool left = this->Impl->Left && now.SameAs(*this->Impl->Left);
+  const bool differs = !same && this->Impl->Session && !left;
+  const bool handOver = differs && (!this->ReadsAhead || this->Impl->IsPrepared(now));
+  if (handOver || !differs)
+  {
+    this->Impl->Scan = std::move(now);
+  }
   if (handOver)
   {
+    this->Impl->Left.reset();
     this->HandOver();
     this->Impl->HandedOver = true;
     this->Impl->MaterialTime = this->Impl->Session->GetMaterialTime();
@@ -313,6 +385,10 @@ void vtkHapticViewScene::WriteReport()
     const auto rejected = this->Impl->Rejected.find(surface.Name);
     report += rejected == this->Impl->Rejected.end() ? "Touching " + surface.Name + ".\n"
                                                      : "Not touched: " + rejected->second + "\n";
+  }
+  for (const vtkHapticViewScan::Surface& surface : this->Impl->Preparing.value_or(vtkHapticViewScan()).Surfaces)
+  {
+    report += "Reading " + surface.Name + ".\n";
   }
   if (!this->Impl->FieldName.empty())
   {

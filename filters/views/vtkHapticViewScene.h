@@ -65,6 +65,16 @@ public:
    */
   bool Update();
 
+  ///@{
+  /// Whether large data are read by threads before the session gets them, so that Update() never holds its caller for
+  /// longer than a picture takes and is to be called until they are; off (default): at once.
+  vtkSetMacro(ReadsAhead, bool);
+  vtkGetMacro(ReadsAhead, bool);
+  ///@}
+
+  /// What was cancelled is wanted again: the next Update() hands it over.
+  void TakeAgain();
+
   /// Names of the touched surfaces, then one line for each thing that is not touched: why, and what to do.
   const char* GetReport() const;
 
@@ -91,6 +101,8 @@ private:
 
   void HandOver();
   void WriteReport();
+
+  bool ReadsAhead = false;
 
   class Internals;
   std::unique_ptr<Internals> Impl;

@@ -38,8 +38,8 @@ Quantiles DurationHistogram::quantilesWith(const DurationHistogram& other) const
 {
   const std::uint64_t count = this->count_ + other.count_;
   const double max_us = std::max(this->max_us_, other.max_us_);
-  constexpr std::array fractions = { 0.5, 0.99 };
-  std::array<double, fractions.size()> found = { max_us, max_us };
+  constexpr std::array fractions = { 0.5, 0.99, 0.999 };
+  std::array<double, fractions.size()> found = { max_us, max_us, max_us };
   std::size_t next = 0;
   std::uint64_t seen = 0;
   for (int bin = 0; bin < fineBins + coarseBins && next < fractions.size(); ++bin)
@@ -51,7 +51,7 @@ Quantiles DurationHistogram::quantilesWith(const DurationHistogram& other) const
       found[next++] = std::min(upperEnd_us(bin), max_us);
     }
   }
-  return { count, found[0], found[1], max_us };
+  return { count, found[0], found[1], found[2], max_us };
 }
 
 void SlidingHistogram::add(double time_s, double duration_us) noexcept

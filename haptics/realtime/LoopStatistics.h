@@ -13,6 +13,7 @@ struct Quantiles
   std::uint64_t count = 0;
   double p50_us = 0.0;
   double p99_us = 0.0;
+  double p999_us = 0.0;
   double max_us = 0.0; ///< exact
 };
 

@@ -14,6 +14,7 @@ from xml.sax.saxutils import escape
 ROOT = Path(__file__).resolve().parents[2]
 XML = ROOT / "filters" / "interaction" / "HapticInteraction.xml"
 GUIDE = ROOT / "plugin" / "README.md"
+WRAPPED = ROOT / "filters" / "interaction" / "vtkHapticSession.h"  # includes the declarations; what wraps it looks at its own time
 DECLARATIONS = ROOT / "filters" / "interaction" / "vtkHapticSessionDescribed.h"
 TOUCH_XML = ROOT / "filters" / "pipeline" / "HapticPipeline.xml"
 TOUCH_DECLARATIONS = ROOT / "filters" / "pipeline" / "touch" / "vtkTouchAlongPathDescribed.h"
@@ -165,6 +166,7 @@ def write(described):
         text = file.read_text(encoding="utf-8")
         made = "".join(map(render, described[table]))
         file.write_text(text.replace(begin + between(text, begin, end), begin + made), encoding="utf-8")
+    WRAPPED.touch()
 
 
 if __name__ == "__main__":

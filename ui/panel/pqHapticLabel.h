@@ -16,10 +16,13 @@ inline QLabel* pqHapticLabel(QWidget* parent, const char* name, const QString& t
   return label;
 }
 
-/// A label with nothing to say takes no room.
+/// A label with nothing to say takes no room, and all lines of what it says are seen: a form gives it as many as its
+/// words would need in a wider one.
 inline void pqHapticSay(QLabel* label, const QString& text)
 {
+  const QRect room(0, 0, label->width(), QWIDGETSIZE_MAX);
   label->setText(text);
+  label->setMinimumHeight(label->fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height());
   label->setVisible(!text.isEmpty());
 }
 

@@ -7,6 +7,7 @@
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
 #include "pqHapticMouse.h"
+#include "pqHapticProgress.h"
 #include "pqHapticRecordingRows.h"
 #include "pqHapticStrip.h"
 #include "pqHapticViewFollower.h"
@@ -74,6 +75,8 @@ void pqHapticMainGroup::addButtons(QFormLayout* form)
   bold.setBold(true);
   this->Status->setFont(bold);
   form->addRow(this->Status);
+  this->Progress = new pqHapticProgress(this);
+  form->addRow(this->Progress);
   this->MouseHelp =
     pqHapticLabel(this, "mouseHelp", tr("What mouse and keyboard do in the view while they lead the hand"));
   form->addRow(this->MouseHelp);
@@ -150,7 +153,8 @@ void pqHapticMainGroup::refresh(vtkHapticSession* session)
 {
   auto* controller = pqHapticController::instance();
   this->Device->follow();
-  this->Status->setText(this->statusOf(session));
+  pqHapticSay(this->Status, this->statusOf(session));
+  this->Progress->refresh(session);
   this->Release->setEnabled(controller->touching());
   this->Recording->refresh(session);
   pqHapticSay(this->MouseHelp, controller->mouse()->help());
@@ -159,6 +163,6 @@ void pqHapticMainGroup::refresh(vtkHapticSession* session)
 
 QList<QWidget*> pqHapticMainGroup::fields() const
 {
-  return QList<QWidget*>{ this->Device, this->Touch, this->Release, this->Fit } + this->Rows.fields("main") +
-         this->Recording->fields();
+  return QList<QWidget*>{ this->Device, this->Touch, this->Release, this->Fit, this->Progress->field() } +
+         this->Rows.fields("main") + this->Recording->fields();
 }

@@ -11,6 +11,7 @@ class QFormLayout;
 class QLabel;
 class QPushButton;
 class pqHapticDeviceChoice;
+class pqHapticProgress;
 class pqHapticRecordingRows;
 class pqHapticStrip;
 class pqPropertyLinks;
@@ -49,6 +50,7 @@ private:
   QPushButton* Release;
   QPushButton* Fit;
   QLabel* Status;
+  pqHapticProgress* Progress;
   QLabel* MouseHelp;
   pqHapticSettingRows Rows; ///< stiffness and radius
   pqHapticRecordingRows* Recording;

@@ -95,6 +95,8 @@ public:
   void addScene(QVBoxLayout* column);
   void setTabOrder();
   void fitWidth();
+  /// What stands in the rows that are folded at first.
+  void showMeasured(vtkHapticSession* session, const pqHapticViewFollower& follower);
   void followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower);
 
   vtkMTimeType MaterialTime = 0; ///< of the settings the view's scene was made with
@@ -150,13 +152,14 @@ void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
   QWidget* parent = form->parentWidget();
   this->Rate = pqHapticLabel(parent, "rate", tr("Ticks per second [Hz]"));
   this->Lateness = pqHapticLabel(parent, "lateness", tr("How late ticks start: median and 99th percentile [us]"));
-  this->Cost = pqHapticLabel(parent, "cost", tr("How long a tick takes: median and 99th percentile [us]"));
+  this->Cost = pqHapticLabel(
+    parent, "cost", tr("How long a tick takes: median, and what one in 100 and one in 1000 take at least [us]"));
   this->Ticks =
     pqHapticLabel(parent, "ticks", tr("Ticks computed and periods missed; missed periods are never caught up"));
   this->Scheduling = pqHapticLabel(parent, "scheduling", tr("What the operating system granted the servo thread"));
   form->addRow(tr("Rate"), this->Rate);
   form->addRow(tr("Late p50/p99"), this->Lateness);
-  form->addRow(tr("Cost p50/p99"), this->Cost);
+  form->addRow(tr("Cost p50/p99/p99.9"), this->Cost);
   form->addRow(tr("Ticks"), this->Ticks);
   form->addRow(this->Scheduling);
 }
@@ -239,8 +242,12 @@ void pqHapticPanel::Internals::fitWidth()
 /// Settings can change without a frame being drawn, from a script for one.
 void pqHapticPanel::Internals::followMaterials(vtkHapticSession& session, pqHapticViewFollower& follower)
 {
-  this->Material->setArrayNames(follower.arrayNames());
-  if (session.GetMaterialTime() != this->MaterialTime)
+  if (this->Material->isVisible()) // looking at all sources costs too much for what nobody sees
+  {
+    this->Material->setArrayNames(follower.arrayNames());
+  }
+  const bool read = session.GetSceneProgress() < 1.0; // in the background: a hidden view asks for no frame
+  if (session.GetMaterialTime() != this->MaterialTime || read)
   {
     this->MaterialTime = session.GetMaterialTime();
     follower.refresh();
@@ -279,6 +286,7 @@ void pqHapticPanel::build()
   this->Widgets->Advanced = new pqHapticFold(
     column, "advanced", tr("Ad&vanced"), tr("Everything else that can be set, and all that is measured"));
   this->Widgets->fillRest(this->Widgets->Advanced->rows());
+  this->connect(this->Widgets->Advanced, &QToolButton::toggled, this, &pqHapticPanel::refresh);
   column->addStretch(1);
   this->Widgets->setTabOrder();
   scroll->setWidget(body);
@@ -324,37 +332,45 @@ void pqHapticPanel::refresh()
     session->Update();
     this->Widgets->followMaterials(*session, *controller->follower());
   }
-  const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   Internals& w = *this->Widgets;
   w.fitWidth();
   w.Main->refresh(session);
   w.Place->refresh(session);
   w.Marks->refresh(session);
-  w.Source->refresh(session);
-  w.Field->refresh(session, *controller->follower());
-  w.State->setText(now.State);
-  pqHapticSay(w.Reason, now.Reason);
-  w.Force->setText(now.Force);
-  w.Hand->setEnabled(session && session->GetDeviceTakesHand());
-  w.PressDepth->setEnabled(session && session->GetFollowsMouse());
-  w.Stability->setText(now.Stability);
-  w.Used->setText(now.Stiffness);
-  w.Energy->setText(now.Energy);
-  w.Stabiliser->setText(now.Stabiliser);
-  w.Friction->setText(now.Friction);
-  w.Contact->setText(now.Contact);
-  w.MotionLag->setText(now.MotionLag);
-  w.Rate->setText(now.Rate);
-  w.Lateness->setText(now.Lateness);
-  w.Cost->setText(now.Cost);
-  w.Ticks->setText(now.Ticks);
-  w.Scheduling->setText(now.Scheduling);
-  w.Plan->setText(now.Plan);
-  w.Check->refresh(session);
-  w.DeviceRows->refresh(session);
-  const QString scene = controller->follower()->report() + now.Scene;
-  if (scene != w.Scene->toPlainText())
+  if (w.Advanced->isChecked()) // a text that changes has the whole panel laid out again, seen or not
   {
-    w.Scene->setPlainText(scene);
+    w.showMeasured(session, *controller->follower());
+  }
+}
+
+void pqHapticPanel::Internals::showMeasured(vtkHapticSession* session, const pqHapticViewFollower& follower)
+{
+  const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
+  this->Source->refresh(session);
+  this->Field->refresh(session, follower);
+  this->Check->refresh(session);
+  this->DeviceRows->refresh(session);
+  this->Hand->setEnabled(session && session->GetDeviceTakesHand());
+  this->PressDepth->setEnabled(session && session->GetFollowsMouse());
+  this->Stability->setText(now.Stability);
+  this->State->setText(now.State);
+  pqHapticSay(this->Reason, now.Reason);
+  this->Force->setText(now.Force);
+  this->Used->setText(now.Stiffness);
+  this->Energy->setText(now.Energy);
+  this->Stabiliser->setText(now.Stabiliser);
+  this->Friction->setText(now.Friction);
+  this->Contact->setText(now.Contact);
+  this->MotionLag->setText(now.MotionLag);
+  this->Rate->setText(now.Rate);
+  this->Lateness->setText(now.Lateness);
+  this->Cost->setText(now.Cost);
+  this->Ticks->setText(now.Ticks);
+  this->Scheduling->setText(now.Scheduling);
+  this->Plan->setText(now.Plan);
+  const QString scene = follower.report() + now.Scene;
+  if (scene != this->Scene->toPlainText())
+  {
+    this->Scene->setPlainText(scene);
   }
 }

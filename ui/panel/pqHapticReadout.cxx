@@ -67,7 +67,10 @@ pqHapticReadout pqHapticReadout::of(vtkHapticSession& session)
   now.MotionLag = Quantity(1e3 * session.GetMotionLag(), 0, "ms");
   now.Rate = Quantity(session.GetRate(), 0, "Hz");
   now.Lateness = Percentiles(session.GetLatenessP50(), session.GetLatenessP99());
-  now.Cost = Percentiles(session.GetCostP50(), session.GetCostP99());
+  now.Cost = QString("%1 / %2 / %3 us")
+               .arg(session.GetCostP50(), 0, 'f', 1)
+               .arg(session.GetCostP99(), 0, 'f', 1)
+               .arg(session.GetCostP999(), 0, 'f', 1);
   now.Ticks = QString("%1, missed %2").arg(session.GetTicks()).arg(session.GetMissed());
   now.Stability = QString("This device can hold %1.").arg(QString::fromUtf8(session.GetStabilitySentence()));
   now.Scheduling = QString::fromUtf8(session.GetSchedulingReport());

@@ -36,7 +36,11 @@ void pqHapticStrip::add(double value)
   {
     this->Values.pop_front();
   }
-  this->update();
+  this->Painted = !this->Painted; // five pictures a second are seen to move, and painting is most of what a strip costs
+  if (this->Painted)
+  {
+    this->update();
+  }
 }
 
 void pqHapticStrip::clear()

@@ -39,6 +39,7 @@ private:
   QString Unit;
   double Least;
   std::deque<double> Values;
+  bool Painted = false; ///< the last value
 };
 
 #endif

@@ -119,6 +119,7 @@ void pqHapticFrames::attach()
   if (renderer && !this->Attached)
   {
     this->Props->AddToRenderer(renderer);
+    this->FrameBegins = this->connect(this->View.data(), &pqView::beginRender, this, &pqHapticFrames::takeState);
     this->FrameEnded = this->connect(this->View.data(), &pqView::endRender, this, &pqHapticFrames::frameEnded);
     this->Attached = true;
   }
@@ -126,6 +127,7 @@ void pqHapticFrames::attach()
 
 void pqHapticFrames::detach()
 {
+  this->disconnect(this->FrameBegins);
   this->disconnect(this->FrameEnded);
   if (this->Attached)
   {
@@ -138,9 +140,10 @@ void pqHapticFrames::detach()
   }
 }
 
-void pqHapticFrames::nextFrame()
+/// Whoever draws: while a camera turns, one frame follows the other and none of them was asked for here.
+void pqHapticFrames::takeState()
 {
-  if (!this->Attached || !this->Session)
+  if (!this->Active || !this->Session)
   {
     return;
   }
@@ -148,8 +151,16 @@ void pqHapticFrames::nextFrame()
   this->Session->Update();
   Q_EMIT this->updated();
   this->Props->UpdateFrom(this->Session);
-  this->Pause.start(pauseWhenHidden);
-  this->View->render();
+}
+
+void pqHapticFrames::nextFrame()
+{
+  if (this->Attached)
+  {
+    this->takeState(); // a hidden view draws nothing, and what it touches goes on
+    this->Pause.start(pauseWhenHidden);
+    this->View->render();
+  }
 }
 
 void pqHapticFrames::frameEnded()

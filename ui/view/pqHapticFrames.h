@@ -44,6 +44,8 @@ Q_SIGNALS:
 
 private:
   void nextFrame();
+  /// Takes the newest state into the picture.
+  void takeState();
   void frameEnded();
   void attach();
   void detach();
@@ -53,7 +55,7 @@ private:
   vtkNew<vtkHapticToolProps> Props;
   vtkSmartPointer<vtkHapticSession> Session;
   QPointer<pqRenderView> View;
-  QMetaObject::Connection FrameEnded;
+  QMetaObject::Connection FrameBegins, FrameEnded;
   QTimer Pause; ///< between the end of a frame and the request for the next
   bool Active = false;
   bool Attached = false;

@@ -35,6 +35,7 @@ bool ShowsWidget(const pqProxyWidget& panel)
 
 pqHapticViewFollower::pqHapticViewFollower(QObject* parent) : Superclass(parent)
 {
+  this->Scene->SetReadsAhead(true);
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   this->connect(model, &pqServerManagerModel::preViewRemoved, this, &pqHapticViewFollower::viewRemoved);
   this->connect(&pqActiveObjects::instance(), &pqActiveObjects::viewChanged, this, &pqHapticViewFollower::setView);
@@ -52,6 +53,10 @@ void pqHapticViewFollower::setSession(vtkHapticSession* session)
 
 void pqHapticViewFollower::setActive(bool active)
 {
+  if (active && !this->Active)
+  {
+    this->Scene->TakeAgain();
+  }
   this->Active = active;
   this->refresh();
 }

@@ -44,6 +44,11 @@ std::optional<VertexWay> wayFrom(const Scene& felt, const SurfaceInput& input, c
   return way;
 }
 
+std::size_t trianglesOf(const SurfaceInput& input)
+{
+  return input.mesh ? input.mesh->triangles.size() : 0;
+}
+
 } // namespace
 
 std::string SurfaceReport::summary() const
@@ -91,8 +96,12 @@ std::vector<SceneBuilder::Kept> SceneBuilder::takeKnown(const std::vector<Surfac
   return known;
 }
 
-void SceneBuilder::bringUpToDate(const SurfaceInput& input, const Scene* felt, Kept& kept)
+void SceneBuilder::bringUpToDate(const SurfaceInput& input, const Scene* felt, Kept& kept, BuildWatch& watch)
 {
+  if (watch.cancelled())
+  {
+    return;
+  }
   if (kept.mesh && kept.mesh == input.mesh && kept.lineRadius_u == input.lineRadius_u)
   {
     kept.report.name = input.name;
@@ -100,7 +109,7 @@ void SceneBuilder::bringUpToDate(const SurfaceInput& input, const Scene* felt, K
   }
   else if (!refit(input, felt, kept))
   {
-    kept = buildAnew(input);
+    kept = buildAnew(input, watch);
   }
   kept.report.holeEdges = input.holeEdges;
   if (kept.tree)
@@ -206,7 +215,7 @@ SceneBuilder::Kept SceneBuilder::buildInOrder(const SurfaceInput& input)
   return built;
 }
 
-SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input)
+SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input, BuildWatch& watch)
 {
   if (input.ordered && input.mesh)
   {
@@ -215,7 +224,13 @@ SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input)
   Kept built;
   built.mesh = input.mesh;
   built.lineRadius_u = input.lineRadius_u;
+  watch.expect(trianglesOf(input));
   CleanResult clean = cleanInput(input);
+  watch.advance(trianglesOf(input));
+  if (watch.cancelled())
+  {
+    return {};
+  }
   built.report = { input.name, clean.report, clean.refusal };
   built.sourceVertex = std::move(clean.sourceVertex);
   if (clean.ok())
@@ -225,15 +240,22 @@ SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input)
   return built;
 }
 
-SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, const Scene* felt)
+SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, const Scene* felt, BuildWatch* watch)
 {
+  BuildWatch nobody;
+  BuildWatch& told = watch != nullptr ? *watch : nobody;
+  for (const SurfaceInput& input : inputs)
+  {
+    told.expect(trianglesOf(input));
+  }
   std::vector<Kept> built = this->takeKnown(inputs);
   std::atomic<std::size_t> next = 0;
-  const auto work = [&inputs, felt, &built, &next]
+  const auto work = [&inputs, felt, &built, &next, &told]
   {
     for (std::size_t i = next.fetch_add(1); i < inputs.size(); i = next.fetch_add(1))
     {
-      bringUpToDate(inputs[i], felt, built[i]);
+      bringUpToDate(inputs[i], felt, built[i], told);
+      told.advance(trianglesOf(inputs[i]));
     }
   };
   {
@@ -245,6 +267,11 @@ SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, co
     work();
   }
   this->kept_ = std::move(built);
+  return told.cancelled() ? SceneBuildResult{} : this->assemble(inputs);
+}
+
+SceneBuildResult SceneBuilder::assemble(const std::vector<SurfaceInput>& inputs)
+{
   SceneBuildResult result;
   std::vector<Surface> surfaces;
   for (std::size_t i = 0; i < inputs.size(); ++i)

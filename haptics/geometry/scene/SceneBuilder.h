@@ -11,6 +11,7 @@
 #include "haptics/geometry/mesh/CleanedVertices.h"
 #include "haptics/geometry/mesh/Material.h"
 #include "haptics/geometry/mesh/TriangleMesh.h"
+#include "haptics/geometry/scene/BuildWatch.h"
 #include "haptics/geometry/scene/Scene.h"
 
 namespace palpate
@@ -62,7 +63,9 @@ class SceneBuilder
 public:
   explicit SceneBuilder(unsigned workers = 1);
   /// `felt`: what is felt now, if surfaces are to move from there (movingFrom): refitted trees have bounds of that way.
-  [[nodiscard]] SceneBuildResult build(const std::vector<SurfaceInput>& inputs, const Scene* felt = nullptr);
+  /// `watch`: is told how far it is. Cancelled, there is no scene, and the next build finds what was finished.
+  [[nodiscard]] SceneBuildResult build(
+    const std::vector<SurfaceInput>& inputs, const Scene* felt = nullptr, BuildWatch* watch = nullptr);
   /// True if meshes and fields of all inputs were in the previous build: then build() takes no time worth a worker.
   [[nodiscard]] bool knows(const std::vector<SurfaceInput>& inputs) const;
   /// For a scene that is made from one of the builder's: no other has it. Any thread, at any time.
@@ -83,10 +86,11 @@ private:
     SurfaceReport report;
   };
   [[nodiscard]] std::vector<Kept> takeKnown(const std::vector<SurfaceInput>& inputs);
-  static void bringUpToDate(const SurfaceInput& input, const Scene* felt, Kept& kept);
+  static void bringUpToDate(const SurfaceInput& input, const Scene* felt, Kept& kept, BuildWatch& watch);
+  [[nodiscard]] SceneBuildResult assemble(const std::vector<SurfaceInput>& inputs);
   [[nodiscard]] static bool refit(const SurfaceInput& input, const Scene* felt, Kept& kept);
   [[nodiscard]] static CleanResult cleanInput(const SurfaceInput& input);
-  [[nodiscard]] static Kept buildAnew(const SurfaceInput& input);
+  [[nodiscard]] static Kept buildAnew(const SurfaceInput& input, BuildWatch& watch);
   [[nodiscard]] static Kept buildInOrder(const SurfaceInput& input);
   static void fitMaterial(const SurfaceInput& input, Kept& kept);
 

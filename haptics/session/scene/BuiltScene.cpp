@@ -48,9 +48,10 @@ std::vector<SurfaceInput> inputsOf(const std::vector<SceneSurface>& surfaces)
   return inputs;
 }
 
-BuiltScene buildScene(SceneBuilder& builder, const std::vector<SceneSurface>& surfaces, const Scene* felt)
+BuiltScene buildScene(
+  SceneBuilder& builder, const std::vector<SceneSurface>& surfaces, const Scene* felt, BuildWatch* watch)
 {
-  const SceneBuildResult built = builder.build(inputsOf(surfaces), felt);
+  const SceneBuildResult built = builder.build(inputsOf(surfaces), felt, watch);
   BuiltScene result;
   result.scene = built.scene;
   for (std::size_t i = 0; i < built.reports.size(); ++i)

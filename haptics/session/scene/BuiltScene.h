@@ -32,6 +32,7 @@ struct BuiltScene
   std::optional<Pose> plane_WP; ///< of the walls, where all that is touchable stands across one plane
   SurfaceTraits traits;         ///< of the surfaces of the scene
   double stamp_s = 0.0;         ///< of the commit
+  bool cancelled = false;       ///< nobody wants it any more: it is nothing
 };
 
 /// What the builder takes of them.
@@ -39,7 +40,7 @@ struct BuiltScene
 
 /// Cleans and builds: everything of a built scene but `largestRadius_u`, `plane_WP` and `stamp_s`.
 [[nodiscard]] BuiltScene buildScene(
-  SceneBuilder& builder, const std::vector<SceneSurface>& surfaces, const Scene* felt);
+  SceneBuilder& builder, const std::vector<SceneSurface>& surfaces, const Scene* felt, BuildWatch* watch = nullptr);
 
 /// The plane that all of these are walls across, where they stand now: the same to the direction of a normal and to
 /// what rounding moves it. Nothing if one is no wall, or stands across another plane.

@@ -66,7 +66,8 @@ void FeltScene::lookAround(const Scene* next)
     return;
   }
   const HapticState& felt = this->session_.state();
-  if (this->session_.scene() && felt.sceneRevision == this->session_.scene()->revision())
+  const std::uint64_t newest = this->session_.scene() ? this->session_.scene()->revision() : 0; // of nothing: 0
+  if (felt.sceneRevision == newest)
   {
     this->lastFelt_ = this->session_.scene();
   }

@@ -53,9 +53,17 @@ void SceneWorker::launch(Commit commit)
   this->next_.reset();
   // What only moves waits for nobody: a pose is felt with the next snapshot, and balls stay as large as they may be.
   const bool known = this->builder_.knows(inputsOf(commit.surfaces));
-  auto build = [this, known, commit = std::move(commit), felt = this->felt_, largest_u = this->largestRadius_u_]
+  this->watch_ = std::make_shared<BuildWatch>();
+  this->watch_->expect(1); // the largest ball, found once all is built: until then something is left to do
+  auto build = [this, known, commit = std::move(commit), felt = this->felt_, largest_u = this->largestRadius_u_,
+                 watch = this->watch_]
   {
-    BuiltScene built = buildScene(this->builder_, commit.surfaces, felt.get());
+    BuiltScene built = buildScene(this->builder_, commit.surfaces, felt.get(), watch.get());
+    if (watch->cancelled())
+    {
+      built.cancelled = true;
+      return built;
+    }
     built.report = commit.refusals + built.report;
     built.stamp_s = commit.stamp_s;
     built.plane_WP = commonPlane(commit.surfaces);
@@ -69,6 +77,15 @@ void SceneWorker::launch(Commit commit)
   }
 }
 
+void SceneWorker::cancel()
+{
+  this->next_.reset();
+  if (this->running_.valid())
+  {
+    this->watch_->cancel();
+  }
+}
+
 std::optional<BuiltScene> SceneWorker::poll()
 {
   if (!this->running_.valid() || this->running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
@@ -76,6 +93,11 @@ std::optional<BuiltScene> SceneWorker::poll()
     return std::nullopt;
   }
   BuiltScene built = this->running_.get();
+  if (built.cancelled)
+  {
+    this->resume();
+    return std::nullopt;
+  }
   this->largestRadius_u_ = built.largestRadius_u;
   return built;
 }

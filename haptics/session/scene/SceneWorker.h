@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/geometry/scene/BuildWatch.h"
 #include "haptics/session/scene/BuiltScene.h"
 
 namespace palpate
@@ -35,6 +36,10 @@ public:
   /// Nothing comes from elsewhere any more: the next trees have no room for ways.
   void forget() { this->felt_.reset(); }
   [[nodiscard]] bool building() const { return this->running_.valid(); }
+  /// How much of what was committed is built, 0 to 1; 1 where nothing is to be built.
+  [[nodiscard]] double share() const { return this->running_.valid() ? this->watch_->share() : 1.0; }
+  /// What was committed is not wanted: the build ends before its next step, and gives nothing.
+  void cancel();
 
   /// The newest scene that is done, once. A commit that waits begins with follow().
   std::optional<BuiltScene> poll();
@@ -57,6 +62,7 @@ private:
   SceneBuilder builder_{ 2 }; ///< the running build's while there is one
   std::shared_ptr<const Scene> felt_;
   std::future<BuiltScene> running_;
+  std::shared_ptr<BuildWatch> watch_;                                ///< over it
   std::optional<Commit> next_;                                       ///< waits for the running build
   double largestRadius_u_ = std::numeric_limits<double>::infinity(); ///< of the last scene that was not only moved
 };

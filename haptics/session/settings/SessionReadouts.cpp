@@ -68,8 +68,9 @@ std::span<const Readout> sessionReadouts()
     { "Rate", Number, "Hz", "Rate", "Ticks per second" },
     { "LatenessP50", Number, "us", "Late p50/p99", "How late ticks start, median" },
     { "LatenessP99", Number, "us", "Late p50/p99", "How late ticks start, 99th percentile" },
-    { "CostP50", Number, "us", "Cost p50/p99", "How long a tick takes, median" },
-    { "CostP99", Number, "us", "Cost p50/p99", "How long a tick takes, 99th percentile" },
+    { "CostP50", Number, "us", "Cost p50/p99/p99.9", "How long a tick takes, median" },
+    { "CostP99", Number, "us", "Cost p50/p99/p99.9", "How long a tick takes, 99th percentile" },
+    { "CostP999", Number, "us", "Cost p50/p99/p99.9", "How long one tick in a thousand takes at least" },
     { "Ticks", LongCount, "", "Ticks", "Ticks computed" },
     { "Missed", LongCount, "", "Ticks", "Periods that passed without a tick; they are never caught up" },
     { "Periods", LongCount, "", "", "Both together" },
@@ -82,6 +83,8 @@ std::span<const Readout> sessionReadouts()
     { "PlanSentence", Text, "", "",
       "What is felt of the scene and why: how many triangles or segments, by a point or a ball, with what friction, "
       "through a tree or a list" },
+    { "SceneProgress", Number, "1", "",
+      "How much of what is shown is ready to be touched: 0 while it is read, 1 once nothing is left to do" },
     { "SceneReport", Text, "", "", "What is touched, what was repaired, what is refused and why, a line a surface" },
   };
   return readouts;

@@ -178,6 +178,18 @@ TEST(DurationHistogram, QuantilesAreTheUpperEndsOfTheirBins)
   EXPECT_EQ(q.max_us, 250.5);
 }
 
+// Two in a thousand take 700 us: one in a thousand takes at least that, one in a hundred does not.
+TEST(DurationHistogram, OneInAThousandIsSeenBesideOneInAHundred)
+{
+  DurationHistogram histogram;
+  for (int i = 0; i < 10'000; ++i)
+  {
+    histogram.add(i % 500 == 0 ? 700.5 : 3.5);
+  }
+  EXPECT_EQ(histogram.quantiles().p99_us, 4.0);
+  EXPECT_EQ(histogram.quantiles().p999_us, 700.5);
+}
+
 TEST(DurationHistogram, TakesValuesOfAnySizeWithoutLosingTheLargest)
 {
   DurationHistogram histogram;

@@ -105,7 +105,7 @@ TEST_F(CameAroundTest, AClosedSurfaceThatAppearsAroundAPressingHandHasItOutside)
   this->session_.step(100);
   EXPECT_NEAR(this->proxy().norm(), large_u, sagitta(large_u));
   this->goTo(Vec3(0.0, 0.0, large_u + 5.0)); // free air is free
-  this->session_.step(500); // what was blended has faded
+  this->session_.step(500);                  // what was blended has faded
   EXPECT_EQ(this->session_.state().contacts, 0);
   EXPECT_LT(this->session_.state().force_W.norm(), 1e-9);
   this->goTo(Vec3(0.0, 0.0, large_u - 2.0)); // and it is felt from outside: K d
@@ -121,6 +121,21 @@ TEST_F(CameAroundTest, AHandInFreeAirIsOutsideOfWhatAppearsAroundIt)
   ASSERT_TRUE(this->felt_.cameAround());
   this->session_.step(1);
   EXPECT_GT(this->proxy().norm(), 60.0 - sagitta(60.0));
+}
+
+// With nothing shown the hand is free to be where the surface was; what appears again finds it there.
+TEST_F(CameAroundTest, ASurfaceThatWasGoneAndComesBackHasTheHandOutside)
+{
+  const double radius_u = 60.0;
+  const auto surface = ball(radius_u);
+  this->show({ { "box", surface } });
+  this->goTo(Vec3(0.0, 0.0, radius_u - 3.0));
+  this->show({});
+  this->session_.step(100);
+  ASSERT_NEAR(this->proxy().norm(), radius_u - 3.0, 1e-9);
+  this->show({ { "box", surface } });
+  this->session_.step(100);
+  EXPECT_NEAR(this->proxy().norm(), radius_u, sagitta(radius_u));
 }
 
 // Its faces are others than before, so that nothing says where the old ones went.

@@ -87,6 +87,41 @@ TEST(SceneWorker, WhatWaitsBeginsWhenWhatIsDoneIsFollowed)
   EXPECT_EQ(worker.wait()->stamp_s, 2.0);
 }
 
+TEST(SceneWorker, WhatIsCancelledGivesNothingAndTheNextCommitIsBuilt)
+{
+  SceneWorker worker;
+  worker.commit({ surfaceOf(makeIcosphere(fine, 1.0), "unwanted") }, "", 1.0);
+  worker.commit({ surfaceOf(makeIcosphere(fine, 2.0), "waits") }, "", 2.0);
+  worker.cancel();
+  worker.commit({ surfaceOf(makeIcosphere(fine, 3.0), "wanted") }, "", 3.0);
+  const auto built = worker.wait();
+  ASSERT_TRUE(built && built->scene);
+  EXPECT_EQ(built->stamp_s, 3.0);
+  EXPECT_LE(built->scene->revision(), 2u); // at most the first was done by then; never what waited
+  worker.cancel();                         // nothing is being built: nothing happens
+  EXPECT_FALSE(worker.building());
+  worker.commit({ surfaceOf(makeIcosphere(fine, 3.0), "again") }, "", 4.0);
+  EXPECT_TRUE(worker.wait());
+}
+
+TEST(SceneWorker, ItSaysHowMuchOfACommitIsBuiltAndThatNeverLess)
+{
+  SceneWorker worker;
+  EXPECT_EQ(worker.share(), 1.0); // nothing is to be done
+  worker.commit({ surfaceOf(makeIcosphere(fine, 1.0), "ball") }, "", 1.0);
+  double most = 0.0;
+  std::optional<BuiltScene> built;
+  while (!built)
+  {
+    const double share = worker.share();
+    EXPECT_GE(share, most);
+    EXPECT_LT(share, 1.0); // until it is there
+    most = share;
+    built = worker.poll();
+  }
+  EXPECT_EQ(worker.share(), 1.0);
+}
+
 TEST(SceneWorker, WhatOnlyMovesIsDoneAtOnceAndItsBallStaysAsLarge)
 {
   SceneWorker worker;

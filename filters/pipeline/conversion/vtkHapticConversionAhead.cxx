@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticConversionAhead.h"
+
+#include <chrono>
+#include <utility>
+
+#include "vtkDataSet.h"
+#include "vtkMatrix4x4.h"
+
+namespace
+{
+vtkIdType CountCells(vtkDataObject* data)
+{
+  vtkIdType cells = 0;
+  vtkHapticForEachDataSet(data, [&cells](vtkDataSet& set) { cells += set.GetNumberOfCells(); });
+  return cells;
+}
+
+bool IsDone(const std::future<vtkHapticConversionResult>& made)
+{
+  return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+} // namespace
+
+vtkSmartPointer<vtkDataObject> vtkHapticSharedCopy(vtkDataObject* data)
+{
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  copy->ShallowCopy(data);
+  return copy;
+}
+
+bool vtkHapticConversionAhead::Ready(vtkDataObject* data, vtkMatrix4x4* matrix, const vtkHapticCuts* known)
+{
+  if (CountCells(data) < LeastCells)
+  {
+    return true;
+  }
+  const std::uint64_t key = vtkHapticContentKey(data, matrix);
+  const auto found = this->Made.find(key);
+  if (found != this->Made.end())
+  {
+    return IsDone(found->second);
+  }
+  auto place = vtkSmartPointer<vtkMatrix4x4>::New();
+  matrix ? place->DeepCopy(matrix) : place->Identity();
+  this->Made[key] =
+    std::async(std::launch::async, [copy = vtkHapticSharedCopy(data), place, cuts = known ? *known : vtkHapticCuts()]
+      { return vtkHapticToMesh(copy, place, cuts.Mesh ? &cuts : nullptr); });
+  return false;
+}
+
+std::optional<vtkHapticConversionResult> vtkHapticConversionAhead::Take(vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  const auto found = this->Made.find(vtkHapticContentKey(data, matrix));
+  if (found == this->Made.end() || !IsDone(found->second))
+  {
+    return std::nullopt;
+  }
+  vtkHapticConversionResult result = found->second.get();
+  this->Made.erase(found);
+  return result;
+}
+
+bool vtkHapticConversionAhead::Busy() const
+{
+  return !this->Made.empty();
+}
+
+void vtkHapticConversionAhead::Forget()
+{
+  for (auto& [key, made] : this->Made)
+  {
+    this->Left.push_back(std::move(made));
+  }
+  this->Made.clear();
+  std::erase_if(this->Left, IsDone);
+}

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drawing a million triangles beside the servo: what they cost the GUI's thread to become touchable, what touching costs it a picture,
+what a tick costs beside drawing. Side by side in one run, as ratios; with PALPATE_TEST_FULL a minute of them."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+from xml.sax.saxutils import quoteattr
+
+HERE = pathlib.Path(__file__).resolve().parent
+FULL = bool(os.environ.get("PALPATE_TEST_FULL"))
+PAIRS = 8 if FULL else 1
+PART_MS = 4000 if FULL else 800
+SETTLE_MS = 800  # a hand comes down on the ball
+MOST_TICK_RATIO = 3.0
+MOST_SHARE = 0.05  # of a picture of so many triangles
+
+
+def event(command, arguments):
+    return f'  <pqevent object="pqClientMainWindow" command="{command}" arguments={quoteattr(str(arguments))}/>\n'
+
+
+def python(*statements):
+    return "".join(event("hapticPython", statement) for statement in statements)
+
+
+def wait(time_ms):
+    return event("hapticWait", time_ms)
+
+
+def making_ready():
+    """Touched, given up while it is turned into a scene, touched again and looked at until it is there."""
+    lines = python("load.prepare()", "load.touch()") + wait(100) + python("load.cancel()") + wait(500)
+    lines += python("load.note_cancelled()", "load.let_go()", "load.show_another()", "load.first_touch()")
+    return lines + (wait(20) + python("load.look()")) * 12
+
+
+def touching():
+    """Free, touched and not drawn, touched and drawn, in turn."""
+    lines = ""
+    for _ in range(PAIRS):
+        lines += python("load.begin()") + wait(PART_MS) + python("load.end('free')", "load.draw(False)", "load.touch()") + wait(SETTLE_MS)
+        lines += wait(PART_MS) + python("load.note_cost('still')", "load.let_go()", "load.draw(True)", "load.touch()") + wait(SETTLE_MS)
+        lines += python("load.begin()") + wait(PART_MS) + python("load.end('touched')", "load.note_cost('drawn')", "load.let_go()")
+    return lines
+
+
+def events(report):
+    lines = python("import render_load; load = render_load.RenderLoad()") + wait(500) + making_ready() + python("load.let_go()")
+    return "<pqevents>\n" + lines + touching() + python(f"load.report({str(report)!r})") + "</pqevents>\n"
+
+
+class RenderLoad(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as folder:
+            script, report = pathlib.Path(folder, "load.xml"), pathlib.Path(folder, "report.json")
+            script.write_text(events(report), encoding="utf-8")
+            environment = os.environ | {"PYTHONPATH": f"{HERE}:{os.environ['PYTHONPATH']}", "HOME": folder, "XDG_CONFIG_HOME": folder}
+            run = subprocess.run(["paraview", "--dr", "--plugin-search-paths=" + os.environ["PV_PLUGIN_PATH"], "--plugins=Palpate",
+                f"--test-script={script}", "--exit"], env=environment, capture_output=True, text=True, check=False)
+            assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-4000:]
+            cls.found = json.loads(report.read_text(encoding="utf-8"))
+        print(json.dumps({name: cls.found[name] for name in ("middle", "costs")}))
+        print(cls.found["ready"])
+
+    def picture_ms(self):
+        """What one costs the GUI's thread that nobody touches."""
+        return sum(self.found["middle"]["free"][:2])
+
+    def test_a_million_triangles_become_touchable_without_holding_the_thread_for_as_long_as_a_picture(self):
+        self.assertLess(self.found["ready"]["touch"], 0.5 * self.picture_ms())
+        self.assertLess(max(self.found["ready"]["slices"]), self.picture_ms())
+
+    def test_it_says_how_far_it_is_and_can_be_given_up(self):
+        shares = self.found["ready"]["shares"]
+        self.assertLess(shares[0], 1.0)
+        self.assertEqual(shares, sorted(shares))
+        self.assertEqual(shares[-1], 1.0)
+        self.assertGreater(len([share for share in shares if 0.0 < share < 1.0]), 0)
+        warning, report = self.found["ready"]["cancelled"]
+        self.assertIn("cancelled", warning)
+        self.assertEqual(report, "")  # nothing came of it
+
+    def test_what_touching_does_beside_drawing_is_a_twentieth_of_a_picture_at_most(self):
+        free, touched = (self.found["middle"][name] for name in ("free", "touched"))
+        self.assertLessEqual(touched[1] - free[1], MOST_SHARE * self.picture_ms())
+        if FULL:
+            self.assertLessEqual(sum(touched[:2]), (1.0 + MOST_SHARE) * self.picture_ms())
+
+    def test_a_tick_beside_drawing_costs_no_more_than_three_times_as_much_and_no_period_is_lost(self):
+        rank = "p99.9" if FULL else "p99"
+        still, drawn = (min(cost[rank] for cost in self.found["costs"][name]) for name in ("still", "drawn"))
+        self.assertLessEqual(drawn, MOST_TICK_RATIO * still)
+        for cost in self.found["costs"]["still"] + self.found["costs"]["drawn"]:
+            self.assertEqual(cost["ticks"] + cost["missed"], cost["periods"])
+            self.assertGreater(cost["contact_s"], 0.5)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticProgress.h"
+
+#include "pqHapticController.h"
+#include "vtkHapticSession.h"
+#include "vtkSMProxy.h"
+
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace
+{
+/// Looks at the session: what is ready sooner would only flicker.
+constexpr int patience = 3;
+constexpr double percent = 100.0;
+} // namespace
+
+pqHapticProgress::pqHapticProgress(QWidget* parent)
+  : Superclass(parent), Bar(new QProgressBar(this)), Cancel(new QPushButton(tr("Cancel"), this))
+{
+  this->setObjectName("progress");
+  this->Bar->setObjectName("bar");
+  this->Bar->setRange(0, static_cast<int>(percent));
+  this->Bar->setFormat(tr("Preparing %p %"));
+  this->Bar->setToolTip(tr("How much of what is shown is ready to be touched"));
+  this->Cancel->setObjectName("cancel");
+  this->Cancel->setToolTip(tr("Do not wait for what is shown now: what was touched before is touched on"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(this->Bar, 1);
+  row->addWidget(this->Cancel);
+  this->setVisible(false);
+  this->connect(this->Cancel, &QPushButton::clicked, this,
+    []
+    {
+      if (vtkSMProxy* const proxy = pqHapticController::instance()->sessionProxy())
+      {
+        proxy->InvokeCommand("CancelScene");
+      }
+    });
+}
+
+pqHapticProgress::~pqHapticProgress() = default;
+
+void pqHapticProgress::refresh(vtkHapticSession* session)
+{
+  const double share = session ? session->GetSceneProgress() : 1.0;
+  this->Waited = share < 1.0 ? this->Waited + 1 : 0;
+  this->setVisible(this->Waited >= patience);
+  this->Bar->setValue(static_cast<int>(percent * share));
+}
+
+QWidget* pqHapticProgress::field() const
+{
+  return this->Cancel;
+}
