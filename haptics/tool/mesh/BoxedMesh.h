@@ -43,6 +43,7 @@ struct FlatFlags
 
   [[nodiscard]] bool edge(int k) const noexcept { return (this->bits >> k & 1) != 0; }         ///< from corner k on
   [[nodiscard]] bool corner(int k) const noexcept { return (this->bits >> (3 + k) & 1) != 0; } ///< corner k
+  [[nodiscard]] bool all() const noexcept { return this->bits == 63; }
 };
 
 /// Triangles in the order of a tree of oriented boxes: the rigid shape of a tool, in its body frame B, or of what it

@@ -9,28 +9,12 @@ namespace palpate
 namespace
 {
 
-constexpr double longestLead_rad = 1.5; // the logarithm changes its sign at half a turn
 constexpr double longestTurn_rad = 0.2; // of a step
 constexpr double largestDip = 0.3;      // of the rest gap: half of it is spare
 constexpr double dipOfBend = 0.25;      // f'' / 8 in the middle of a step that ends f'' / 2 off its line
 constexpr int corrections = 2;
 
 } // namespace
-
-Vec6 whitened(const Vec3& v, const Vec3& w, double lever_u) noexcept
-{
-  Vec6 y;
-  y << v, lever_u * w;
-  return y;
-}
-
-Vec6 wishedMotion(const Pose& from_W, const Pose& to_W, double lever_u, bool& cut) noexcept
-{
-  const Vec3 turn_rad = turnFromTo(from_W.q, to_W.q);
-  const Vec3 led_rad = shortened(turn_rad, longestLead_rad);
-  cut = led_rad != turn_rad;
-  return whitened(to_W.p - from_W.p, led_rad, lever_u);
-}
 
 ScrewStep StepPlan::stepOf(const Vec6& y) const
 {
@@ -43,10 +27,8 @@ NearestMotion StepPlan::solve(const Vec6& wish, const std::vector<double>& bends
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     const TouchRow& row = this->rows_[i];
-    const Vec6 j = whitened(row.plane.n_W,
-      row.plane.arm_W.cross(row.plane.n_W) / (this->limits_.lever_u * this->limits_.lever_u), this->limits_.lever_u);
-    const double norm = j.norm();
-    rows[i] = { j / norm, (this->limits_.restGap_u - row.offset_u - bends_u[i]) / norm };
+    const double least_u = this->limits_.restGap_u - row.offset_u - bends_u[i];
+    rows[i] = motionRow(row.plane.n_W, row.plane.arm_W, least_u, this->limits_.lever_u);
   }
   NearestMotion found = nearestMotion(rows, wish);
   if (!found.feasible)

@@ -8,13 +8,6 @@
 namespace palpate
 {
 
-/// The whitened motion (displacement, turn times lever), and back.
-[[nodiscard]] Vec6 whitened(const Vec3& v, const Vec3& w, double lever_u) noexcept;
-
-/// The motion that would bring the tool from one pose to another. The turn is cut to a lead beyond which its direction
-/// means little; `cut` says whether it was.
-[[nodiscard]] Vec6 wishedMotion(const Pose& from_W, const Pose& to_W, double lever_u, bool& cut) noexcept;
-
 /// How far a step may go.
 struct StepLimits
 {

@@ -16,10 +16,11 @@ constexpr std::uint64_t looksPerUnit = 4; // looks at a plane that cost what the
 class StepProof
 {
 public:
-  StepProof(NearPairs& near, const ScrewStep& step, const Clearance& clearance, WorkBudget& budget)
-    : near_(near), step_(step), clearance_(clearance), budget_(budget)
+  StepProof(NearPairs& near, const StepTask& task, WorkBudget& budget)
+    : near_(near), task_(task), step_(task.step), clearance_(task.clearance), budget_(budget)
   {
-    this->whole_.turnTo = step.turn(1.0);
+    this->whole_.turnTo = this->step_.turn(1.0);
+    this->start_ = this->step_.from_W.q.toRotationMatrix();
   }
 
   StepVerdict judge()
@@ -30,7 +31,7 @@ public:
       this->verdict_.share = 0.0;
       return std::move(this->verdict_);
     }
-    this->near_.setStep(this->step_);
+    this->near_.setStep(this->step_, this->task_.way_u);
     this->collect();
     for (const DoubtfulPair& doubt : this->verdict_.doubtful)
     {
@@ -50,22 +51,35 @@ private:
     for (std::uint32_t i = 0; i < this->near_.leaves().size(); ++i)
     {
       LeafPair& pair = this->near_.leaves()[i];
-      if (!pair.split)
+      if (!pair.split && !this->farEnough(pair))
       {
-        this->note(this->near_.gapOf(pair), true, i);
+        this->note(pair, this->near_.gapOf(pair), true, i);
       }
     }
     for (std::uint32_t i = 0; i < this->near_.triangles().size(); ++i)
     {
-      this->note(this->gapOf(i), false, i);
+      NearTriangles& pair = this->near_.triangles()[i];
+      if (!this->farEnough(pair))
+      {
+        this->note(pair, this->gapOf(i), false, i);
+      }
     }
     std::sort(doubtful.begin(), doubtful.end(),
       [](const DoubtfulPair& a, const DoubtfulPair& b)
       { return std::tie(a.crossing, a.leaf, a.index) < std::tie(b.crossing, b.leaf, b.index); });
   }
 
-  void note(const SpanGap& gap, bool leaf, std::uint32_t index)
+  /// Known to be so far away that no step of this length brings it near.
+  template<class AnyPair>
+  [[nodiscard]] bool farEnough(const AnyPair& pair) const
   {
+    return this->near_.knownGap_u(pair) - this->task_.displacement_u > this->clearance_.gap_u;
+  }
+
+  template<class AnyPair>
+  void note(AnyPair& pair, const SpanGap& gap, bool leaf, std::uint32_t index)
+  {
+    this->near_.learn(pair, gap.from);
     if (!(gap.least() >= this->clearance_.gap_u))
     {
       this->verdict_.doubtful.push_back({ gap.crossing(this->clearance_.gap_u), gap.to, leaf, index });
@@ -83,7 +97,7 @@ private:
       case PlaneKind::InScene:
         return proof.inScene(pair.plane.n);
       case PlaneKind::InTool:
-        return proof.inTool(this->step_.from_W.q.toRotationMatrix() * pair.plane.n);
+        return proof.inTool(this->start_ * pair.plane.n);
       case PlaneKind::None:
         break;
     }
@@ -136,25 +150,27 @@ private:
   }
 
   NearPairs& near_;
+  const StepTask& task_;
   const ScrewStep& step_;
   Clearance clearance_;
   WorkBudget& budget_;
   Span whole_;
+  Mat3 start_; ///< how the tool is turned where the step begins
   StepVerdict verdict_;
 };
 
 } // namespace
 
-StepVerdict proveStep(NearPairs& near, const ScrewStep& step, const Clearance& clearance, WorkBudget& budget)
+StepVerdict proveStep(NearPairs& near, const StepTask& task, WorkBudget& budget)
 {
-  return StepProof(near, step, clearance, budget).judge();
+  return StepProof(near, task, budget).judge();
 }
 
-bool standsFree(NearPairs& near, const Pose& pose_W, double gap_u)
+bool standsFree(NearPairs& near, const Pose& pose_W, double way_u, double gap_u)
 {
   ScrewStep still;
   still.from_W = pose_W;
-  near.setStep(still);
+  near.setStep(still, way_u);
   for (LeafPair& pair : near.leaves())
   {
     if (!near.findPlane(pair, 0.0, gap_u))

@@ -25,14 +25,22 @@ struct StepVerdict
   std::vector<DoubtfulPair> doubtful; ///< in the order in which they come too near
 };
 
+/// A step that is to be proven.
+struct StepTask
+{
+  ScrewStep step;
+  double displacement_u = 0.0; ///< no point of the tool goes further
+  double way_u = 0.0;          ///< of the tool before it
+  Clearance clearance;
+};
+
 /// Proves for each near pair that nothing comes nearer than a gap, anywhere on the step: the largest share from its
 /// start for which that is proven. What comes too near first is looked at first, so that most pairs need no more than a
 /// look at their plane. Leaf pairs whose plane fails are split for good. A pair that is nearer than the gap already may
 /// lose a fifth of what it has. Out of budget: what was not looked at counts as blocked at once.
-[[nodiscard]] StepVerdict proveStep(
-  NearPairs& near, const ScrewStep& step, const Clearance& clearance, WorkBudget& budget);
+[[nodiscard]] StepVerdict proveStep(NearPairs& near, const StepTask& task, WorkBudget& budget);
 
 /// True if each near pair is apart by a gap where the tool stands.
-[[nodiscard]] bool standsFree(NearPairs& near, const Pose& pose_W, double gap_u);
+[[nodiscard]] bool standsFree(NearPairs& near, const Pose& pose_W, double way_u, double gap_u);
 
 } // namespace palpate

@@ -40,8 +40,8 @@ std::string ToolMove::place(const Pose& pose_W)
   PairFront front(*this->tool_.shape_B, *this->scene_W_, this->restGap_u_);
   WorkBudget unlimited(std::numeric_limits<std::uint64_t>::max());
   static_cast<void>(front.gather(unit_W, leastMargin * this->restGap_u_, unlimited)); // it cannot run out
-  this->near_.rebuild(front.near());
-  if (!standsFree(this->near_, unit_W, provenGap * this->restGap_u_))
+  this->near_.rebuild(front.near(), front.way_u());
+  if (!standsFree(this->near_, unit_W, front.way_u(), provenGap * this->restGap_u_))
   {
     this->gathering_ = true; // the list is made anew for where the tool stands
     return "the tool meets the scene where it is to begin: begin where it is free";
@@ -62,7 +62,7 @@ bool ToolMove::makeRoom(WorkBudget& budget)
   this->gathering_ = !this->front_->gather(this->pose_W_, this->margin_u_, budget);
   if (!this->gathering_)
   {
-    this->near_.rebuild(this->front_->near());
+    this->near_.rebuild(this->front_->near(), this->front_->way_u());
     this->margin_u_ = (this->front_->near().empty() ? 2.0 : marginGrowth) * this->front_->margin_u();
   }
   return !this->gathering_;
@@ -97,7 +97,7 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
   {
     return Advance::Spent;
   }
-  this->rows_.findTouching(this->near_, this->pose_W_);
+  this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
   const StepLimits limits{ this->lever_u_, this->tool_.reach_u, this->restGap_u_, this->front_->room_u() };
   const Vec6 wish = wishedMotion(this->pose_W_, device_W, this->lever_u_, this->leadCut_);
   PlannedStep planned;
@@ -111,7 +111,7 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
       return Advance::Rests;
     }
     const Clearance clearance{ provenGap * this->restGap_u_, endOfMotion * this->restGap_u_ / way_u };
-    verdict = proveStep(this->near_, planned.step, clearance, budget);
+    verdict = proveStep(this->near_, { planned.step, way_u, this->front_->way_u(), clearance }, budget);
     if (verdict.share > worthMoving || !this->rows_.addBlocking(this->near_, planned.step, verdict))
     {
       break;
@@ -154,6 +154,29 @@ double ToolMove::usefulShare(const PlannedStep& planned, const ScrewStep& step, 
   this->idle_ = change > -rounding * before ? this->idle_ + 1 : 0;
   const double best = change + slope > 0.0 ? slope / (2.0 * (change + slope)) : 1.0;
   return best > 0.0 && best < nearlyAll ? best : 1.0;
+}
+
+ToolContacts ToolMove::contacts() const
+{
+  ToolContacts set;
+  set.pose_W = this->pose_W_;
+  set.lever_u = this->lever_u_;
+  set.restGap_u = this->restGap_u_;
+  set.placed = this->front_.has_value();
+  std::vector<TouchPlane> planes;
+  for (const TouchRow& row : this->rows())
+  {
+    planes.push_back(planeAt(row.feature, this->pose_W_.q.toRotationMatrix(), this->pose_W_.p));
+  }
+  std::stable_sort(
+    planes.begin(), planes.end(), [](const TouchPlane& a, const TouchPlane& b) { return a.gap_u < b.gap_u; });
+  set.count = static_cast<std::uint32_t>(std::min(planes.size(), ToolContacts::capacity));
+  set.left = static_cast<std::uint32_t>(planes.size()) - set.count;
+  for (std::uint32_t i = 0; i < set.count; ++i)
+  {
+    set.contacts[i] = { planes[i].n_W, planes[i].arm_W, planes[i].gap_u };
+  }
+  return set;
 }
 
 void ToolMove::commit(const ScrewStep& step, double share)

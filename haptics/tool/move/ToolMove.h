@@ -7,6 +7,7 @@
 
 #include "haptics/tool/mesh/ToolMesh.h"
 #include "haptics/tool/move/StepPlan.h"
+#include "haptics/tool/servo/ToolContacts.h"
 
 namespace palpate
 {
@@ -52,6 +53,8 @@ public:
   [[nodiscard]] const std::vector<TouchRow>& rows() const noexcept { return this->rows_.rows(); }
   [[nodiscard]] const ToolMesh& tool() const noexcept { return this->tool_; }
   [[nodiscard]] double lever_u() const noexcept { return this->lever_u_; }
+  /// For the servo: the newest pose and what touches there.
+  [[nodiscard]] ToolContacts contacts() const;
   /// Null: nobody.
   void watch(StepSink* sink) noexcept { this->sink_ = sink; }
 

@@ -21,19 +21,37 @@ bool projectsInside(const Vec3& p, const Corners& t, const Vec3& n)
   return true;
 }
 
+/// True if the triangles' upright boxes are further apart.
+bool boxesApart(const Corners& a, const Corners& b, double within_u)
+{
+  const Vec3 lowA = a[0].cwiseMin(a[1]).cwiseMin(a[2]), highA = a[0].cwiseMax(a[1]).cwiseMax(a[2]);
+  const Vec3 lowB = b[0].cwiseMin(b[1]).cwiseMin(b[2]), highB = b[0].cwiseMax(b[1]).cwiseMax(b[2]);
+  return ((lowA - highB).cwiseMax(lowB - highA).array() > within_u).any();
+}
+
 class FeatureSearch
 {
 public:
   FeatureSearch(
     const PosedPair& pair, const Mat3& turn, const Vec3& centre_W, double within_u, std::vector<TouchFeature>& features)
-    : pair_(pair), turn_(turn), centre_W_(centre_W), within_u_(within_u), features_(features)
+    : pair_(pair), turn_(turn), centre_W_(centre_W), within_u_(within_u), features_(features),
+      ofScene_(unitNormal(pair.scene_W)), ofTool_(unitNormal(pair.tool_W))
   {
+  }
+
+  /// True if a plane of one of the two shows that they are further apart.
+  [[nodiscard]] bool facesApart() const
+  {
+    const Corners &tool = this->pair_.tool_W, &scene = this->pair_.scene_W;
+    const auto apart = [&](const Vec3& n)
+    { return gapAlong(n, tool, scene) > this->within_u_ || gapAlong(-n, tool, scene) > this->within_u_; };
+    return apart(this->ofScene_) || apart(this->ofTool_);
   }
 
   void corners()
   {
     const Corners &tool = this->pair_.tool_W, &scene = this->pair_.scene_W;
-    const Vec3 ofScene = unitNormal(scene), ofTool = unitNormal(tool);
+    const Vec3 &ofScene = this->ofScene_, &ofTool = this->ofTool_;
     for (int k = 0; k < 3; ++k)
     {
       const double above = ofScene.dot(tool[k] - scene[0]);
@@ -109,6 +127,7 @@ private:
   const Vec3& centre_W_;
   double within_u_;
   std::vector<TouchFeature>& features_;
+  Vec3 ofScene_, ofTool_;
 };
 
 } // namespace
@@ -146,9 +165,16 @@ TouchPlane planeAt(const TouchFeature& feature, const Mat3& turn, const Vec3& ce
 void appendFeatures(
   const PosedPair& pair, const Mat3& turn, const Vec3& centre_W, double within_u, std::vector<TouchFeature>& features)
 {
+  if (boxesApart(pair.tool_W, pair.scene_W, within_u))
+  {
+    return;
+  }
   FeatureSearch search(pair, turn, centre_W, within_u, features);
-  search.corners();
-  search.edges();
+  if (!search.facesApart())
+  {
+    search.corners();
+    search.edges();
+  }
 }
 
 TouchFeature nearestFeature(const Corners& tool_W, const Corners& scene_W, const Mat3& turn, const Vec3& centre_W)

@@ -12,6 +12,18 @@ constexpr double touchingWithin = 4.0; // rest gaps
 constexpr double blockingWithin = 2.0;
 constexpr std::size_t mostDeep = 8; // pairs beside the one that blocks
 
+/// True if the plane of two leaves says that they are further apart.
+bool showsMore(NearPairs& near, LeafPair& pair, double gap_u)
+{
+  if (pair.n_W.isZero())
+  {
+    near.findPlane(pair, 0.0, gap_u);
+  }
+  const double gap = near.gapOf(pair).from;
+  near.learn(pair, gap);
+  return gap > gap_u;
+}
+
 } // namespace
 
 TouchRows::TouchRows(const BoxedMesh& tool_B, const BoxedMesh& scene_W, double restGap_u)
@@ -19,32 +31,27 @@ TouchRows::TouchRows(const BoxedMesh& tool_B, const BoxedMesh& scene_W, double r
 {
 }
 
-void TouchRows::findTouching(NearPairs& near, const Pose& pose_W)
+void TouchRows::findTouching(NearPairs& near, const Pose& pose_W, double way_u)
 {
   this->rows_.clear();
   ScrewStep still;
   still.from_W = pose_W;
-  near.setStep(still);
+  near.setStep(still, way_u);
   const Place place{ pose_W.q.toRotationMatrix(), pose_W.p, still };
   const double within_u = touchingWithin * this->restGap_u_;
   for (LeafPair& pair : near.leaves())
   {
-    if (pair.split || near.gapOf(pair).from > within_u || (pair.n_W.isZero() && near.findPlane(pair, 0.0, within_u)))
+    if (!pair.split && !pair.featureless && near.knownGap_u(pair) <= within_u && !showsMore(near, pair, within_u))
     {
-      continue;
-    }
-    const BoxedMesh::Node &a = this->tool_B_.nodes()[pair.toolNode], &b = this->scene_W_.nodes()[pair.sceneNode];
-    for (std::uint32_t i = a.second; i < a.second + a.count; ++i)
-    {
-      for (std::uint32_t j = b.second; j < b.second + b.count; ++j)
-      {
-        this->addPair(near, place, i, j, within_u);
-      }
+      this->addLeaves(near, place, pair, within_u);
     }
   }
   for (const NearTriangles& pair : near.triangles())
   {
-    this->addPair(near, place, pair.toolTriangle, pair.sceneTriangle, within_u);
+    if (near.knownGap_u(pair) <= within_u)
+    {
+      this->addPair(near, place, pair.toolTriangle, pair.sceneTriangle, within_u);
+    }
   }
 }
 
@@ -89,7 +96,11 @@ std::size_t TouchRows::addDoubtful(const NearPairs& near, const Place& place, co
     const NearTriangles& pair = near.triangles()[doubt.index];
     return this->addPair(near, place, pair.toolTriangle, pair.sceneTriangle, within_u);
   }
-  const LeafPair& pair = near.leaves()[doubt.index];
+  return this->addLeaves(near, place, near.leaves()[doubt.index], within_u);
+}
+
+std::size_t TouchRows::addLeaves(const NearPairs& near, const Place& place, const LeafPair& pair, double within_u)
+{
   const BoxedMesh::Node &a = this->tool_B_.nodes()[pair.toolNode], &b = this->scene_W_.nodes()[pair.sceneNode];
   std::size_t added = 0;
   for (std::uint32_t i = a.second; i < a.second + a.count; ++i)
@@ -105,11 +116,10 @@ std::size_t TouchRows::addDoubtful(const NearPairs& near, const Place& place, co
 std::size_t TouchRows::addPair(
   const NearPairs& near, const Place& place, std::uint32_t tool, std::uint32_t scene, double within_u)
 {
-  constexpr std::uint8_t nothingIsFelt = 63;
   PosedPair pair;
   pair.toolFlat = this->tool_B_.flat(tool);
   pair.sceneFlat = this->scene_W_.flat(scene);
-  if (pair.toolFlat.bits == nothingIsFelt && pair.sceneFlat.bits == nothingIsFelt)
+  if (pair.toolFlat.all() && pair.sceneFlat.all())
   {
     return 0;
   }

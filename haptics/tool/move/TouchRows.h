@@ -30,7 +30,7 @@ public:
   TouchRows(const BoxedMesh& tool_B, const BoxedMesh& scene_W, double restGap_u);
 
   /// All that touches where the tool stands.
-  void findTouching(NearPairs& near, const Pose& pose_W);
+  void findTouching(NearPairs& near, const Pose& pose_W, double way_u);
   /// What is in the way of a step after the share that was proven. False if nothing new is.
   bool addBlocking(const NearPairs& near, const ScrewStep& step, const StepVerdict& verdict);
   [[nodiscard]] const std::vector<TouchRow>& rows() const noexcept { return this->rows_; }
@@ -45,6 +45,7 @@ private:
   };
   std::size_t addPair(
     const NearPairs& near, const Place& place, std::uint32_t tool, std::uint32_t scene, double within_u);
+  std::size_t addLeaves(const NearPairs& near, const Place& place, const LeafPair& pair, double within_u);
   std::size_t addDoubtful(const NearPairs& near, const Place& place, const DoubtfulPair& doubt);
   bool add(const TouchFeature& feature, const Place& place);
 

@@ -7,16 +7,28 @@
 
 namespace palpate
 {
+namespace
+{
+
+constexpr std::size_t knownPlanes = 1u << 14;    // four times the leaves that a list usually has
+constexpr std::uint32_t spreading = 2654435761u; // multiplicative hashing (Knuth 1973)
+
+} // namespace
 
 NearPairs::NearPairs(const BoxedMesh& tool_B, const BoxedMesh& scene_W)
   : tool_B_(tool_B), scene_W_(scene_W), leafRange_(tool_B.nodes().size()), local_(tool_B.mesh().vertices_W.size()),
-    localStamp_(tool_B.mesh().vertices_W.size())
+    localStamp_(tool_B.mesh().vertices_W.size()), known_(knownPlanes)
 {
 }
 
-void NearPairs::rebuild(const std::vector<BoxPair>& near)
+void NearPairs::rebuild(const std::vector<BoxPair>& near, double way_u)
 {
   ++this->stamp_;
+  this->way_u_ = way_u;
+  for (const LeafPair& pair : this->leaves_)
+  {
+    this->knownPlane(pair) = { pair.toolNode, pair.sceneNode, pair.n_W, pair.below_u };
+  }
   this->leaves_.clear();
   this->triangles_.clear();
   this->leafVertices_.clear();
@@ -24,8 +36,47 @@ void NearPairs::rebuild(const std::vector<BoxPair>& near)
   for (const BoxPair& pair : near)
   {
     const LeafRange range = this->verticesOf(pair.tool);
-    this->leaves_.push_back({ pair.tool, pair.scene, range.first, range.count });
+    LeafPair leaf;
+    leaf.toolNode = pair.tool;
+    leaf.sceneNode = pair.scene;
+    leaf.firstVertex = range.first;
+    leaf.vertexCount = range.count;
+    leaf.key_u = pair.key_u;
+    leaf.featureless = this->isFeatureless(leaf);
+    this->recall(leaf);
+    this->leaves_.push_back(leaf);
   }
+}
+
+NearPairs::KnownPlane& NearPairs::knownPlane(const LeafPair& pair) noexcept
+{
+  const std::uint32_t hash = (pair.toolNode * spreading ^ pair.sceneNode) * spreading;
+  return this->known_[(hash >> 16) % knownPlanes];
+}
+
+void NearPairs::recall(LeafPair& pair) noexcept
+{
+  const KnownPlane& known = this->knownPlane(pair);
+  if (known.toolNode == pair.toolNode && known.sceneNode == pair.sceneNode)
+  {
+    pair.n_W = known.n_W;
+    pair.below_u = known.below_u;
+  }
+}
+
+bool NearPairs::isFeatureless(const LeafPair& pair) const noexcept
+{
+  const auto flat = [](const BoxedMesh& mesh, std::uint32_t node)
+  {
+    const std::uint32_t first = mesh.nodes()[node].second, last = first + mesh.nodes()[node].count;
+    bool all = true;
+    for (std::uint32_t t = first; t < last; ++t)
+    {
+      all = all && mesh.flat(t).all();
+    }
+    return all;
+  };
+  return flat(this->tool_B_, pair.toolNode) && flat(this->scene_W_, pair.sceneNode);
 }
 
 NearPairs::LeafRange NearPairs::verticesOf(std::uint32_t toolNode)
@@ -58,9 +109,10 @@ NearPairs::LeafRange NearPairs::verticesOf(std::uint32_t toolNode)
   return range;
 }
 
-void NearPairs::setStep(const ScrewStep& step)
+void NearPairs::setStep(const ScrewStep& step, double way_u)
 {
   this->step_ = step;
+  this->way_u_ = way_u;
   this->start_ = step.from_W.q.toRotationMatrix();
   const Mat3 end = step.turn(1.0);
   const std::size_t count = this->body_B_.size();

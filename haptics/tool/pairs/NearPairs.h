@@ -16,7 +16,9 @@ struct LeafPair
   std::uint32_t firstVertex = 0, vertexCount = 0; ///< of NearPairs::leafVertices
   Vec3 n_W = Vec3::Zero();                        ///< zero: no plane is known
   double below_u = 0.0;                           ///< no corner of the scene's leaf lies further along n
+  double key_u = 0.0;                             ///< gap that is known, plus the way of the tool when it was
   bool split = false;                             ///< its triangles are looked at one by one
+  bool featureless = false;                       ///< all flat, on both sides: nothing of it can be what touches
 };
 
 /// Two triangles of a leaf pair that no plane separates as a whole.
@@ -24,6 +26,7 @@ struct NearTriangles
 {
   std::uint32_t toolTriangle = 0, sceneTriangle = 0;
   CachedPlane plane;
+  double key_u = 0.0; ///< likewise
 };
 
 /// What is near, as a step is proven against it. The tool's corners are turned and moved once a step, for all.
@@ -32,14 +35,27 @@ class NearPairs
 public:
   NearPairs(const BoxedMesh& tool_B, const BoxedMesh& scene_W);
 
-  void rebuild(const std::vector<BoxPair>& near);
+  /// `way_u`: of the tool until now, by which the keys are counted.
+  void rebuild(const std::vector<BoxPair>& near, double way_u);
   [[nodiscard]] std::vector<LeafPair>& leaves() noexcept { return this->leaves_; }
   [[nodiscard]] const std::vector<LeafPair>& leaves() const noexcept { return this->leaves_; }
   [[nodiscard]] std::vector<NearTriangles>& triangles() noexcept { return this->triangles_; }
   [[nodiscard]] const std::vector<NearTriangles>& triangles() const noexcept { return this->triangles_; }
 
-  /// From here on all corners are told for this step.
-  void setStep(const ScrewStep& step);
+  /// From here on all corners are told for this step, that the tool makes after `way_u`.
+  void setStep(const ScrewStep& step, double way_u);
+  /// A lower bound of a gap where the tool stands, from what was known of it before.
+  template<class AnyPair>
+  [[nodiscard]] double knownGap_u(const AnyPair& pair) const noexcept
+  {
+    return pair.key_u - this->way_u_;
+  }
+  /// A gap where the tool stands that a plane has shown.
+  template<class AnyPair>
+  void learn(AnyPair& pair, double gap_u) const noexcept
+  {
+    pair.key_u = std::max(pair.key_u, this->way_u_ + gap_u);
+  }
   /// How a plane keeps two leaves apart over the whole step.
   [[nodiscard]] SpanGap gapOf(const LeafPair& pair, const Vec3& n_W, double below_u) const noexcept;
   [[nodiscard]] SpanGap gapOf(const LeafPair& pair) const noexcept { return this->gapOf(pair, pair.n_W, pair.below_u); }
@@ -53,11 +69,21 @@ public:
   [[nodiscard]] Corners toolAt_W(std::uint32_t triangle, const Mat3& turn, const Vec3& centre_W) const noexcept;
 
 private:
+  /// The plane of a leaf pair that was near before: most of them are near again.
+  struct KnownPlane
+  {
+    std::uint32_t toolNode = 0, sceneNode = 0;
+    Vec3 n_W = Vec3::Zero();
+    double below_u = 0.0;
+  };
   struct LeafRange
   {
     std::uint32_t stamp = 0, first = 0, count = 0;
   };
   [[nodiscard]] LeafRange verticesOf(std::uint32_t toolNode);
+  [[nodiscard]] KnownPlane& knownPlane(const LeafPair& pair) noexcept;
+  void recall(LeafPair& pair) noexcept;
+  [[nodiscard]] bool isFeatureless(const LeafPair& pair) const noexcept;
   [[nodiscard]] double belowOf(const LeafPair& pair, const Vec3& n_W) const noexcept;
   [[nodiscard]] std::array<Vec3, 3> candidates(const LeafPair& pair) const noexcept;
 
@@ -71,7 +97,9 @@ private:
   std::uint32_t stamp_ = 0;
   std::vector<Vec3> body_B_, arms_W_, ends_W_; ///< of the corners in use; ends: arms after the step
   std::vector<double> along_;                  ///< w . arm
+  std::vector<KnownPlane> known_;              ///< by a hash of both nodes
   ScrewStep step_;
+  double way_u_ = 0.0;
   Mat3 start_ = Mat3::Identity();
 };
 

@@ -29,6 +29,8 @@ public:
   bool gather(const Pose& pose_W, double margin_u, WorkBudget& budget);
   /// How far the tool may move before it gathers again [u].
   [[nodiscard]] double room_u() const noexcept;
+  /// Sum of all motion.
+  [[nodiscard]] double way_u() const noexcept { return this->way_u_; }
   [[nodiscard]] double margin_u() const noexcept { return this->margin_u_; }
   /// The tool moved, no point of it by more.
   void moved(double way_u) noexcept { this->way_u_ += way_u; }
@@ -43,7 +45,7 @@ private:
   const BoxedMesh& tool_B_;
   const BoxedMesh& scene_W_;
   double restGap_u_;
-  double way_u_ = 0.0;      ///< sum of all motion
+  double way_u_ = 0.0;      ///< of all motion
   double gathered_u_ = 0.0; ///< that sum when the list was made
   double margin_u_ = 0.0;
   std::vector<BoxPair> front_, near_, pending_;

@@ -202,6 +202,14 @@ bool enforce(ActiveRows& active, std::span<const MotionRow> rows, Violation brok
 
 } // namespace
 
+MotionRow motionRow(const Vec3& n, const Vec3& arm, double least, double lever_u) noexcept
+{
+  Vec6 j;
+  j << n, arm.cross(n) / lever_u;
+  const double norm = j.norm();
+  return { j / norm, least / norm };
+}
+
 NearestMotion nearestMotion(std::span<const MotionRow> rows, const Vec6& wish) noexcept
 {
   NearestMotion result;

@@ -4,12 +4,10 @@
 #include <array>
 #include <span>
 
-#include "haptics/core/Types.h"
+#include "haptics/tool/motion/WishedMotion.h"
 
 namespace palpate
 {
-
-using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 /// j . y >= bound: what a touched feature leaves of a small motion. The motion is whitened, so that the metric is the
 /// identity: (displacement, turn times lever), both in scene units. j is a unit vector.
@@ -18,6 +16,9 @@ struct MotionRow
   Vec6 j = Vec6::Zero();
   double bound = 0.0;
 };
+
+/// Of n . (v + w x arm) >= least, n a unit vector and `arm` from the tool's centre.
+[[nodiscard]] MotionRow motionRow(const Vec3& n, const Vec3& arm, double least, double lever_u) noexcept;
 
 /// The motion nearest to the one that was wished for, and what pushes it there.
 struct NearestMotion
