@@ -49,10 +49,4 @@ Quat turnBy(const Vec3& turn_rad) noexcept
   return q;
 }
 
-Vec3 shortened(const Vec3& v, double longest) noexcept
-{
-  const double length = v.norm();
-  return length > longest ? Vec3(longest / length * v) : v;
-}
-
 } // namespace palpate

@@ -19,7 +19,4 @@ namespace palpate
   return rotationVector(to * from.conjugate());
 }
 
-/// A vector no longer than `longest`, its direction kept.
-[[nodiscard]] Vec3 shortened(const Vec3& v, double longest) noexcept;
-
 } // namespace palpate

@@ -10,8 +10,8 @@ namespace palpate
 namespace
 {
 
-constexpr double mayBeLost = 0.2;         // of a gap that is too small already
-constexpr std::uint64_t looksPerUnit = 4; // looks at a plane that cost what the visit of a box costs
+constexpr double mayBeLost = 0.2;          // of a gap that is too small already
+constexpr std::uint64_t looksPerUnit = 16; // looks, most of them at a key, that cost what the visit of a box costs
 
 class StepProof
 {

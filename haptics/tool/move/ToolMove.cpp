@@ -70,8 +70,13 @@ bool ToolMove::makeRoom(WorkBudget& budget)
 
 ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
 {
-  WorkBudget budget(work);
   ToolUpdate done;
+  done.refused = !refusePose(this->tool_, device_W).empty();
+  if (done.refused)
+  {
+    return done;
+  }
+  WorkBudget budget(work);
   const Pose before_W = this->pose_W_;
   this->margin_u_ = std::max(marginOfWay * this->usualWay_u_, leastMargin * this->restGap_u_);
   this->idle_ = 0;

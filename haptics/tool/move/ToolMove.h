@@ -17,6 +17,7 @@ struct ToolUpdate
 {
   bool converged = false; ///< the pose is the nearest one to the device's that can be reached
   bool spent = false;     ///< it ended because the work was used up; the next update goes on
+  bool refused = false;   ///< the device's pose is none: nothing was done
   bool leadCut = false;   ///< the device is turned further ahead than the tool is led
   int steps = 0;
   std::uint64_t work = 0;

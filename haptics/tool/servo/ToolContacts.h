@@ -25,8 +25,9 @@ struct ToolContacts
   static constexpr std::size_t capacity = 64;
 
   Pose pose_W;
-  double lever_u = 1.0;   ///< of the metric
-  double restGap_u = 0.0; ///< the servo keeps this gap
+  double lever_u = 1.0;       ///< of the metric
+  double restGap_u = 0.0;     ///< the servo keeps this gap
+  std::uint64_t revision = 0; ///< another for each set that is handed on
   std::uint32_t count = 0;
   std::uint32_t left = 0; ///< contacts that had no room: those with the largest gaps
   bool placed = false;    ///< false: there is no tool, and no force

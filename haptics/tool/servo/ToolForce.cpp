@@ -31,7 +31,8 @@ ToolPush toolPush(
   const ToolContacts& contacts, const Pose& device_W, double stiffness_N_per_u, ToolCoupling coupling) noexcept
 {
   ToolPush push;
-  if (!contacts.placed)
+  const double length2 = device_W.q.squaredNorm();
+  if (!contacts.placed || !device_W.p.allFinite() || !(std::abs(length2 - 1.0) < 1e-6))
   {
     return push;
   }

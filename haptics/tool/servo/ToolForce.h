@@ -23,7 +23,8 @@ struct ToolPush
 
 /// Force and torque in every tick, from the newest contacts: F = M (a_c - a_u), a_u the motion to the device and a_c
 /// the nearest one that the contacts allow (Ortega, Redon & Coquillart 2007). Within one set it is the gradient of 1/2
-/// dist^2, so its stiffness is never above the given one. At a pose that the contacts allow: exactly zero. Real-time
+/// dist^2, so its stiffness is never above the given one. At a pose that the contacts allow, and
+/// for a device pose that is none: exactly zero. Real-time
 /// safe: no allocation, at most some hundred projections.
 [[nodiscard]] ToolPush toolPush(
   const ToolContacts& contacts, const Pose& device_W, double stiffness_N_per_u, ToolCoupling coupling) noexcept;
