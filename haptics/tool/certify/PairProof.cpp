@@ -8,7 +8,7 @@ namespace palpate
 namespace
 {
 
-constexpr int deepest = 14;            // halvings
+constexpr int deepest = 30;            // halvings: a guard, Clearance::finest ends them before
 constexpr std::uint64_t spanCosts = 4; // visits of a box: as long takes a test of one part of a step
 
 /// A face's normal on the side where the tool's corners are.

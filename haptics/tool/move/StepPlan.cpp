@@ -64,17 +64,21 @@ std::vector<double> StepPlan::bendsOf(const ScrewStep& step) const
 /// How much of a step its lengths and the bends of its rows allow.
 double StepPlan::shareAllowed(const ScrewStep& step) const
 {
-  constexpr double nearWithin = 3.0; // rest gaps: what is further away has room for its dip
   const double turn_rad = step.w_W.norm(), way_u = step.displacement_u(this->limits_.reach_u);
   double share = 1.0;
   share = turn_rad > longestTurn_rad ? std::min(share, longestTurn_rad / turn_rad) : share;
   share = way_u > this->limits_.room_u ? std::min(share, this->limits_.room_u / way_u) : share;
   const std::vector<double> bends_u = this->bendsOf({ step.from_W, share * step.v_W, share * step.w_W });
+  const Mat3 turn = this->from_W_.q.toRotationMatrix();
   double dips = 1.0;
   for (std::size_t i = 0; i < bends_u.size(); ++i)
   {
-    const double dip = dipOfBend * bends_u[i], most = largestDip * this->limits_.restGap_u;
-    if (this->rows_[i].plane.gap_u < nearWithin * this->limits_.restGap_u && dip > most)
+    const double dip = dipOfBend * bends_u[i];
+    // What does not touch yet comes down by its gap on the way, which leaves room for a dip before its end.
+    const double spare =
+      dipOfBend * (planeAt(this->rows_[i].feature, turn, this->from_W_.p).gap_u - this->limits_.restGap_u);
+    const double most = std::max(largestDip * this->limits_.restGap_u, spare);
+    if (dip > most)
     {
       dips = std::min(dips, std::sqrt(most / dip));
     }

@@ -49,6 +49,8 @@ std::string ToolMove::place(const Pose& pose_W)
   this->front_.emplace(std::move(front));
   this->pose_W_ = unit_W;
   this->gathering_ = false;
+  this->behind_ = false;
+  this->device_W_ = unit_W;
   this->usualWay_u_ = 0.0;
   return {};
 }
@@ -77,8 +79,7 @@ ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
     return done;
   }
   WorkBudget budget(work);
-  const Pose before_W = this->pose_W_;
-  this->margin_u_ = std::max(marginOfWay * this->usualWay_u_, leastMargin * this->restGap_u_);
+  this->expect(device_W);
   this->idle_ = 0;
   Advance last = Advance::Moved;
   while (last == Advance::Moved && done.steps < mostSteps)
@@ -87,13 +88,25 @@ ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
     ++done.steps;
   }
   done.converged = last == Advance::Rests;
-  done.spent = last != Advance::Rests;
+  done.blocked = last == Advance::Blocked;
+  done.spent = last == Advance::Moved || last == Advance::Spent;
   done.leadCut = this->leadCut_;
   done.work = work - budget.left();
-  const double way_u =
-    (this->pose_W_.p - before_W.p).norm() + turnFromTo(before_W.q, this->pose_W_.q).norm() * this->tool_.reach_u;
-  this->usualWay_u_ = std::max(way_u, 0.8 * this->usualWay_u_);
+  this->behind_ = done.spent;
   return done;
+}
+
+/// How far the next list of near pairs will have to reach: as far as the hand usually goes in an update. A tool that is
+/// behind goes on with the margin that it has come to, for it has further to go than the hand.
+void ToolMove::expect(const Pose& device_W)
+{
+  constexpr double forgets = 0.8; // in an update
+  const double turned_u = turnFromTo(this->device_W_.q, device_W.q).norm() * this->tool_.reach_u;
+  const double way_u = (device_W.p - this->device_W_.p).norm() + turned_u;
+  this->usualWay_u_ = std::max(way_u, forgets * this->usualWay_u_);
+  this->device_W_ = device_W;
+  const double usual_u = std::max(marginOfWay * this->usualWay_u_, leastMargin * this->restGap_u_);
+  this->margin_u_ = this->behind_ ? std::max(usual_u, this->margin_u_) : usual_u;
 }
 
 ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
@@ -122,9 +135,9 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
       break;
     }
   }
-  if (budget.left() == 0 && verdict.share <= 0.0)
+  if (verdict.share <= 0.0)
   {
-    return Advance::Spent;
+    return budget.left() == 0 ? Advance::Spent : Advance::Blocked;
   }
   const ScrewStep taken{ this->pose_W_, verdict.share * planned.step.v_W, verdict.share * planned.step.w_W };
   this->commit(taken, this->usefulShare(planned, taken, device_W));

@@ -17,6 +17,7 @@ struct ToolUpdate
 {
   bool converged = false; ///< the pose is the nearest one to the device's that can be reached
   bool spent = false;     ///< it ended because the work was used up; the next update goes on
+  bool blocked = false;   ///< no step could be proven, although the nearest pose may be elsewhere
   bool refused = false;   ///< the device's pose is none: nothing was done
   bool leadCut = false;   ///< the device is turned further ahead than the tool is led
   int steps = 0;
@@ -64,8 +65,10 @@ private:
   {
     Moved,
     Rests,
+    Blocked,
     Spent,
   };
+  void expect(const Pose& device_W);
   [[nodiscard]] bool makeRoom(WorkBudget& budget);
   [[nodiscard]] Advance advance(const Pose& device_W, WorkBudget& budget);
   [[nodiscard]] double usefulShare(const PlannedStep& planned, const ScrewStep& step, const Pose& device_W);
@@ -79,10 +82,12 @@ private:
   std::optional<PairFront> front_;
   NearPairs near_;
   TouchRows rows_;
-  double usualWay_u_ = 0.0; ///< of recent updates
+  Pose device_W_;           ///< of the last update
+  double usualWay_u_ = 0.0; ///< of the hand in an update
   double margin_u_ = 0.0;   ///< for the next gathering
   int idle_ = 0;            ///< steps on end that brought nothing
   bool gathering_ = false;
+  bool behind_ = false; ///< the last update did not come to rest
   bool leadCut_ = false;
   StepSink* sink_ = nullptr;
 };
