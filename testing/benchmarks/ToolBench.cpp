@@ -84,7 +84,8 @@ void print(const char* what, const Figures& f)
 void solveCosts(std::size_t count, std::size_t rounds)
 {
   Random random(testSeed(2003));
-  CostSample sample(rounds);
+  const ProcessorClock clock;
+  CostSample sample(rounds, clock);
   double sum = 0.0;
   for (std::size_t i = 0; i < rounds; ++i)
   {
@@ -105,15 +106,15 @@ void solveCosts(std::size_t count, std::size_t rounds)
 /// Returns p50 of an update in queries.
 double benchmark(const Case& c, const Options& options)
 {
-  const MonotonicClock clock;
   const ToolMesh tool = makeTool(c.tool).tool;
   TriangleMesh clean = cleanMesh(c.scene).mesh;
+  const ProcessorClock clock;
   const std::int64_t begin_ns = clock.now_ns();
   const auto scene_W = makeToolScene(std::move(clean), tool);
   const double build_s = 1e-9 * static_cast<double>(clock.now_ns() - begin_ns);
   ToolMove move(tool, scene_W, tool.gyration_u);
   const std::string refusal = move.place(c.start_W);
-  CostSample updates(options.updates), queries(options.updates);
+  CostSample updates(options.updates, clock), queries(options.updates, clock);
   std::size_t spent = 0, touching = 0, rows = 0, steps = 0;
   for (std::size_t i = 0; i < options.updates; ++i)
   {
