@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/tool/certify/PairProof.h"
 
+#include <utility>
+
 #include "haptics/tool/mesh/BoxedMesh.h"
 
 namespace palpate
@@ -26,6 +28,7 @@ PairProof::PairProof(const ScrewStep& step, const Clearance& clearance, WorkBudg
 
 double PairProof::provenUntil(const MovingPair& pair, double until, CachedPlane& cached) noexcept
 {
+  this->asked_ = {};
   Span span;
   span.to = until;
   span.turnTo = this->step_.turn(until);
@@ -65,18 +68,32 @@ bool PairProof::offer(const SpanProof& proof, const Vec3& n_W, CachedPlane* cach
   return inScene || inTool;
 }
 
-bool PairProof::holds(const MovingPair& pair, const Span& span, CachedPlane* cached) const noexcept
+bool PairProof::holds(const MovingPair& pair, const Span& span, CachedPlane* cached) noexcept
 {
   const SpanProof proof(this->step_, span, pair);
   const Vec3 ofScene = towardsTool(unitNormal(pair.scene_W), proof.toolFrom_W(), pair.scene_W);
   const Vec3 ofTool = towardsTool(unitNormal(proof.toolFrom_W()), proof.toolFrom_W(), pair.scene_W);
   return this->offer(proof, ofScene, cached) || this->offer(proof, ofTool, cached) ||
-         this->nearestHolds(proof, pair, cached);
+         this->nearestHolds(proof, span, pair, cached);
 }
 
-bool PairProof::nearestHolds(const SpanProof& proof, const MovingPair& pair, CachedPlane* cached) const noexcept
+NearestPair PairProof::nearestAt(double share, const Corners& tool_W, const Corners& scene_W) noexcept
 {
-  const NearestPair first = nearestPair(proof.toolFrom_W(), pair.scene_W);
+  if (this->asked_[0].share != share)
+  {
+    std::swap(this->asked_[0], this->asked_[1]); // the first is the one that was asked for last
+  }
+  if (this->asked_[0].share != share)
+  {
+    this->asked_[0] = { share, nearestPair(tool_W, scene_W) };
+  }
+  return this->asked_[0].nearest;
+}
+
+bool PairProof::nearestHolds(
+  const SpanProof& proof, const Span& span, const MovingPair& pair, CachedPlane* cached) noexcept
+{
+  const NearestPair first = this->nearestAt(span.from, proof.toolFrom_W(), pair.scene_W);
   if (first.distance_u < this->clearance_.gap_u)
   {
     return false;
@@ -85,7 +102,7 @@ bool PairProof::nearestHolds(const SpanProof& proof, const MovingPair& pair, Cac
   {
     return true;
   }
-  const NearestPair last = nearestPair(proof.toolTo_W(), pair.scene_W);
+  const NearestPair last = this->nearestAt(span.to, proof.toolTo_W(), pair.scene_W);
   return last.distance_u >= this->clearance_.gap_u &&
          (this->separates(proof.inScene(last.n)) || this->separates(proof.between(first.n, last.n)));
 }

@@ -43,8 +43,10 @@ public:
 
 private:
   [[nodiscard]] double proven(const MovingPair& pair, const Span& span, int depth, CachedPlane* cached) noexcept;
-  [[nodiscard]] bool holds(const MovingPair& pair, const Span& span, CachedPlane* cached) const noexcept;
-  [[nodiscard]] bool nearestHolds(const SpanProof& proof, const MovingPair& pair, CachedPlane* cached) const noexcept;
+  [[nodiscard]] bool holds(const MovingPair& pair, const Span& span, CachedPlane* cached) noexcept;
+  [[nodiscard]] bool nearestHolds(
+    const SpanProof& proof, const Span& span, const MovingPair& pair, CachedPlane* cached) noexcept;
+  [[nodiscard]] NearestPair nearestAt(double share, const Corners& tool_W, const Corners& scene_W) noexcept;
   [[nodiscard]] bool separates(const SpanGap& gap) const noexcept { return gap.least() >= this->clearance_.gap_u; }
   [[nodiscard]] bool offer(const SpanProof& proof, const Vec3& n_W, CachedPlane* cached) const noexcept;
 
@@ -52,6 +54,13 @@ private:
   Clearance clearance_;
   WorkBudget& budget_;
   Mat3 start_; ///< how the tool is turned where the step begins
+  /// The two shares that were asked for last: halves of a span begin or end where it did.
+  struct Asked
+  {
+    double share = -1.0;
+    NearestPair nearest;
+  };
+  std::array<Asked, 2> asked_{};
 };
 
 } // namespace palpate

@@ -2,6 +2,8 @@
 #include "haptics/tool/certify/TrianglePair.h"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "haptics/geometry/mesh/NearestOnTriangle.h"
 #include "haptics/tool/mesh/BoxedMesh.h"
@@ -11,14 +13,23 @@ namespace palpate
 namespace
 {
 
-/// The nearest points so far, and a normal of whatever holds them.
+/// What holds the nearest points: where it is a face or two edges, their normal says more than the points' difference.
+enum class Holder : std::uint8_t
+{
+  SceneFace,
+  ToolFace,
+  Edges,
+};
+
+/// The nearest points so far.
 struct Search
 {
   NearestPair best;
   double least2 = std::numeric_limits<double>::infinity();
-  Vec3 holds = Vec3::Zero(); ///< a face's normal or that of two edges; zero: none
+  Holder holder = Holder::SceneFace;
+  Vec3 acrossEdges = Vec3::Zero();
 
-  void offer(const Vec3& onTool, const Vec3& onScene, const Vec3& normal)
+  void offer(const Vec3& onTool, const Vec3& onScene, Holder by)
   {
     const double d2 = (onTool - onScene).squaredNorm();
     if (d2 < this->least2)
@@ -26,7 +37,7 @@ struct Search
       this->least2 = d2;
       this->best.onTool_W = onTool;
       this->best.onScene_W = onScene;
-      this->holds = normal;
+      this->holder = by;
     }
   }
 };
@@ -48,13 +59,11 @@ void offerCorners(Search& search, const Corners& tool, const Corners& scene)
 {
   for (const Vec3& p : tool)
   {
-    const Vec3 foot = nearestOnTriangle(p, scene[0], scene[1], scene[2]);
-    search.offer(p, foot, onBorder(foot, scene) ? Vec3(Vec3::Zero()) : unitNormal(scene));
+    search.offer(p, nearestOnTriangle(p, scene[0], scene[1], scene[2]), Holder::SceneFace);
   }
   for (const Vec3& p : scene)
   {
-    const Vec3 foot = nearestOnTriangle(p, tool[0], tool[1], tool[2]);
-    search.offer(foot, p, onBorder(foot, tool) ? Vec3(Vec3::Zero()) : unitNormal(tool));
+    search.offer(nearestOnTriangle(p, tool[0], tool[1], tool[2]), p, Holder::ToolFace);
   }
 }
 
@@ -65,15 +74,35 @@ void offerEdges(Search& search, const Corners& tool, const Corners& scene)
     const Vec3 u = tool[(i + 1) % 3] - tool[i];
     for (int j = 0; j < 3; ++j)
     {
-      const Vec3 v = scene[(j + 1) % 3] - scene[j];
+      const Vec3 v = scene[(j + 1) % 3] - scene[j], n = u.cross(v);
+      const double height = n.dot(tool[i] - scene[j]);
       double s = 0.0, t = 0.0;
-      // With an end nearest, corner against triangle has found it.
-      if (nearestOnLines(tool[i], u, scene[j], v, s, t) && s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)
+      // Lines that are further apart than what is known hold nothing. With an end nearest, corner against triangle has
+      // found it.
+      if (height * height < search.least2 * n.squaredNorm() && nearestOnLines(tool[i], u, scene[j], v, s, t) &&
+          s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0)
       {
-        search.offer(tool[i] + s * u, scene[j] + t * v, u.cross(v).normalized());
+        const double before = search.least2;
+        search.offer(tool[i] + s * u, scene[j] + t * v, Holder::Edges);
+        search.acrossEdges = search.least2 < before ? n : search.acrossEdges;
       }
     }
   }
+}
+
+/// Unit; zero where a corner or an edge's inside holds the points alone.
+Vec3 normalOf(const Search& search, const Corners& tool, const Corners& scene)
+{
+  switch (search.holder)
+  {
+    case Holder::SceneFace:
+      return onBorder(search.best.onScene_W, scene) ? Vec3(Vec3::Zero()) : unitNormal(scene);
+    case Holder::ToolFace:
+      return onBorder(search.best.onTool_W, tool) ? Vec3(Vec3::Zero()) : unitNormal(tool);
+    case Holder::Edges:
+      break;
+  }
+  return search.acrossEdges.normalized();
 }
 
 } // namespace
@@ -105,10 +134,11 @@ NearestPair nearestPair(const Corners& tool_W, const Corners& scene_W) noexcept
   {
     best.n = between / best.distance_u;
   }
-  const double side = search.holds.dot(between);
+  const Vec3 holds = normalOf(search, tool_W, scene_W);
+  const double side = holds.dot(between);
   if (side != 0.0)
   {
-    const Vec3 n = side < 0.0 ? Vec3(-search.holds) : search.holds;
+    const Vec3 n = side < 0.0 ? Vec3(-holds) : holds;
     best.n = gapAlong(n, tool_W, scene_W) >= gapAlong(best.n, tool_W, scene_W) ? n : best.n;
   }
   return best;

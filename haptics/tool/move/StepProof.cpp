@@ -90,18 +90,22 @@ private:
   [[nodiscard]] SpanGap gapOf(std::uint32_t index) const
   {
     const NearTriangles& pair = this->near_.triangles()[index];
-    const MovingPair moving = this->near_.moving(pair.toolTriangle, pair.sceneTriangle);
-    const SpanProof proof(this->step_, this->whole_, moving);
     switch (pair.plane.kind)
     {
       case PlaneKind::InScene:
-        return proof.inScene(pair.plane.n);
+        return this->near_.gapOf(pair, pair.plane.n);
       case PlaneKind::InTool:
-        return proof.inTool(this->start_ * pair.plane.n);
+        return this->inTool(pair);
       case PlaneKind::None:
         break;
     }
     return {};
+  }
+
+  [[nodiscard]] SpanGap inTool(const NearTriangles& pair) const
+  {
+    const MovingPair moving = this->near_.moving(pair);
+    return SpanProof(this->step_, this->whole_, moving).inTool(this->start_ * pair.plane.n);
   }
 
   [[nodiscard]] bool holds(const SpanGap& gap) const
@@ -133,7 +137,7 @@ private:
       return;
     }
     NearTriangles& pair = this->near_.triangles()[index];
-    const MovingPair moving = this->near_.moving(pair.toolTriangle, pair.sceneTriangle);
+    const MovingPair moving = this->near_.moving(pair);
     PairProof proof(this->step_, this->clearanceFor(moving, known.from), this->budget_);
     const double proven = proof.provenUntil(moving, this->verdict_.share, pair.plane);
     if (proven < this->verdict_.share)
@@ -188,7 +192,7 @@ bool standsFree(NearPairs& near, const Pose& pose_W, double way_u, double gap_u)
   return std::all_of(near.triangles().begin(), near.triangles().end(),
     [&](const NearTriangles& pair)
     {
-      const MovingPair moving = near.moving(pair.toolTriangle, pair.sceneTriangle);
+      const MovingPair moving = near.moving(pair);
       const Corners tool_W = near.toolAt_W(pair.toolTriangle, turn, pose_W.p);
       return gapAlong(nearestPair(tool_W, moving.scene_W).n, tool_W, moving.scene_W) >= gap_u;
     });

@@ -94,13 +94,16 @@ private:
 
   void edgeOnEdge(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v)
   {
+    const Vec3 across = u.cross(v);
+    const double height = across.dot(a - b);
     double s = 0.0, t = 0.0;
-    if (!nearestOnLines(a, u, b, v, s, t) || s < 0.0 || s > 1.0 || t < 0.0 || t > 1.0)
+    if (height * height > this->within_u_ * this->within_u_ * across.squaredNorm() ||
+        !nearestOnLines(a, u, b, v, s, t) || s < 0.0 || s > 1.0 || t < 0.0 || t > 1.0)
     {
       return;
     }
     const Vec3 onTool = a + s * u, onScene = b + t * v;
-    Vec3 n = u.cross(v).normalized();
+    Vec3 n = across.normalized();
     const double gap = n.dot(onTool - onScene);
     if (!this->near(gap))
     {

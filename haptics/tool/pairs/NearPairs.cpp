@@ -127,14 +127,13 @@ void NearPairs::setStep(const ScrewStep& step, double way_u)
   }
 }
 
-SpanGap NearPairs::gapOf(const LeafPair& pair, const Vec3& n_W, double below_u) const noexcept
+SpanGap NearPairs::gapOver(std::span<const std::uint32_t> vertices, const Vec3& n_W, double below_u) const noexcept
 {
   const Vec3& w = this->step_.w_W;
   const double nw = n_W.dot(w), w2 = w.squaredNorm();
   double from = std::numeric_limits<double>::infinity(), to = from, bend = 0.0, reach2 = 0.0;
-  for (std::uint32_t i = pair.firstVertex; i < pair.firstVertex + pair.vertexCount; ++i)
+  for (const std::uint32_t v : vertices)
   {
-    const std::uint32_t v = this->leafVertices_[i];
     const double height = n_W.dot(this->arms_W_[v]);
     from = std::min(from, height);
     to = std::min(to, n_W.dot(this->ends_W_[v]));
@@ -144,6 +143,13 @@ SpanGap NearPairs::gapOf(const LeafPair& pair, const Vec3& n_W, double below_u) 
   bend += w2 * std::sqrt(w2 * reach2);
   const double centre = n_W.dot(this->step_.from_W.p) - below_u;
   return { from + centre, to + centre + n_W.dot(this->step_.v_W), 0.125 * bend };
+}
+
+SpanGap NearPairs::gapOf(const NearTriangles& pair, const Vec3& n_W) const noexcept
+{
+  const Corners scene_W = this->scene_W_.corners(pair.sceneTriangle);
+  const double below_u = std::max({ n_W.dot(scene_W[0]), n_W.dot(scene_W[1]), n_W.dot(scene_W[2]) });
+  return this->gapOver(pair.vertices, n_W, below_u);
 }
 
 double NearPairs::belowOf(const LeafPair& pair, const Vec3& n_W) const noexcept
@@ -178,7 +184,7 @@ bool NearPairs::findPlane(LeafPair& pair, double share, double gap_u) const noex
     {
       const Vec3 n = sign * axis;
       const double below = this->belowOf(pair, n);
-      const double least = this->gapOf(pair, n, below).leastUntil(share);
+      const double least = this->gapOver(this->verticesOf(pair), n, below).leastUntil(share);
       if (least > best)
       {
         best = least;
@@ -196,22 +202,29 @@ void NearPairs::split(LeafPair& pair)
   const BoxedMesh::Node &a = this->tool_B_.nodes()[pair.toolNode], &b = this->scene_W_.nodes()[pair.sceneNode];
   for (std::uint32_t i = a.second; i < a.second + a.count; ++i)
   {
+    NearTriangles triangles;
+    triangles.toolTriangle = i;
+    for (int k = 0; k < 3; ++k)
+    {
+      triangles.vertices[k] = this->local_[this->tool_B_.mesh().triangles[i][k]];
+    }
     for (std::uint32_t j = b.second; j < b.second + b.count; ++j)
     {
-      this->triangles_.push_back({ i, j, {} });
+      triangles.sceneTriangle = j;
+      this->triangles_.push_back(triangles);
     }
   }
 }
 
-MovingPair NearPairs::moving(std::uint32_t toolTriangle, std::uint32_t sceneTriangle) const noexcept
+MovingPair NearPairs::moving(const NearTriangles& pair) const noexcept
 {
-  MovingPair pair;
+  MovingPair moving;
   for (int k = 0; k < 3; ++k)
   {
-    pair.arms_W[k] = this->arms_W_[this->local_[this->tool_B_.mesh().triangles[toolTriangle][k]]];
+    moving.arms_W[k] = this->arms_W_[pair.vertices[k]];
   }
-  pair.scene_W = this->scene_W_.corners(sceneTriangle);
-  return pair;
+  moving.scene_W = this->scene_W_.corners(pair.sceneTriangle);
+  return moving;
 }
 
 Corners NearPairs::toolAt_W(std::uint32_t triangle, const Mat3& turn, const Vec3& centre_W) const noexcept

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "haptics/tool/certify/PairProof.h"
@@ -25,6 +26,7 @@ struct LeafPair
 struct NearTriangles
 {
   std::uint32_t toolTriangle = 0, sceneTriangle = 0;
+  std::array<std::uint32_t, 3> vertices{}; ///< the tool's, as numbers of the corners in use
   CachedPlane plane;
   double key_u = 0.0; ///< likewise
 };
@@ -57,14 +59,18 @@ public:
     pair.key_u = std::max(pair.key_u, this->way_u_ + gap_u);
   }
   /// How a plane keeps two leaves apart over the whole step.
-  [[nodiscard]] SpanGap gapOf(const LeafPair& pair, const Vec3& n_W, double below_u) const noexcept;
-  [[nodiscard]] SpanGap gapOf(const LeafPair& pair) const noexcept { return this->gapOf(pair, pair.n_W, pair.below_u); }
+  [[nodiscard]] SpanGap gapOf(const LeafPair& pair) const noexcept
+  {
+    return this->gapOver(this->verticesOf(pair), pair.n_W, pair.below_u);
+  }
+  /// Likewise two triangles, by a plane of the scene.
+  [[nodiscard]] SpanGap gapOf(const NearTriangles& pair, const Vec3& n_W) const noexcept;
   /// Takes the best plane there is for the first share of the step. True if it leaves the gap free.
   bool findPlane(LeafPair& pair, double share, double gap_u) const noexcept;
   /// From now on the triangles of the pair are looked at one by one. They are appended to triangles().
   void split(LeafPair& pair);
 
-  [[nodiscard]] MovingPair moving(std::uint32_t toolTriangle, std::uint32_t sceneTriangle) const noexcept;
+  [[nodiscard]] MovingPair moving(const NearTriangles& pair) const noexcept;
   /// The tool's triangle after a share of the step.
   [[nodiscard]] Corners toolAt_W(std::uint32_t triangle, const Mat3& turn, const Vec3& centre_W) const noexcept;
 
@@ -81,6 +87,13 @@ private:
     std::uint32_t stamp = 0, first = 0, count = 0;
   };
   [[nodiscard]] LeafRange verticesOf(std::uint32_t toolNode);
+  [[nodiscard]] std::span<const std::uint32_t> verticesOf(const LeafPair& pair) const noexcept
+  {
+    return { this->leafVertices_.data() + pair.firstVertex, pair.vertexCount };
+  }
+  /// Of these corners of the tool above a plane.
+  [[nodiscard]] SpanGap gapOver(
+    std::span<const std::uint32_t> vertices, const Vec3& n_W, double below_u) const noexcept;
   [[nodiscard]] KnownPlane& knownPlane(const LeafPair& pair) noexcept;
   void recall(LeafPair& pair) noexcept;
   [[nodiscard]] bool isFeatureless(const LeafPair& pair) const noexcept;
