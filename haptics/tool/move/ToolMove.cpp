@@ -180,7 +180,7 @@ ToolContacts ToolMove::contacts() const
   set.pose_W = this->pose_W_;
   set.lever_u = this->lever_u_;
   set.restGap_u = this->restGap_u_;
-  set.placed = this->front_.has_value();
+  set.placed = this->placed();
   std::vector<TouchPlane> planes;
   for (const TouchRow& row : this->rows())
   {

@@ -47,6 +47,7 @@ public:
 
   /// Puts the tool at a pose. Refused in words where it would touch or meet the scene there; then nothing has changed.
   [[nodiscard]] std::string place(const Pose& pose_W);
+  [[nodiscard]] bool placed() const noexcept { return this->front_.has_value(); }
   /// Moves towards the device with at most so much work (WorkBudget). Only after place().
   ToolUpdate update(const Pose& device_W, std::uint64_t work);
 

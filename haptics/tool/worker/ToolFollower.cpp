@@ -15,7 +15,7 @@ ToolFollower::ToolFollower(ToolMove move, ToolLinks& links, std::uint64_t work)
 void ToolFollower::step()
 {
   const ToolHand hand = this->links_.hand.read();
-  if (!hand.tracked)
+  if (!hand.tracked || !this->isPlaced(hand.pose_W))
   {
     return;
   }
@@ -28,6 +28,15 @@ void ToolFollower::step()
     this->publish();
   }
   this->links_.report.write(this->report_);
+}
+
+/// True if the tool stands somewhere, at the latest now: a hand comes from outside, where it was free.
+bool ToolFollower::isPlaced(const Pose& hand_W)
+{
+  const bool placed = this->move_.placed() || this->move_.place(hand_W).empty();
+  this->report_.placed = placed;
+  this->links_.report.write(this->report_);
+  return placed;
 }
 
 void ToolFollower::publish()

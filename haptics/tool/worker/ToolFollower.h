@@ -18,6 +18,7 @@ struct ToolHand
 struct ToolReport
 {
   ToolUpdate last;
+  bool placed = false; ///< false: wherever the hand was, the tool met the scene
   std::uint64_t updates = 0;
   std::uint64_t spent = 0; ///< updates that were out of work
 };
@@ -30,7 +31,8 @@ struct ToolLinks
   TripleBuffer<ToolReport> report;     ///< follower -> owner
 };
 
-/// Follows the newest hand with the tool, an update a step, and hands on what it touches. A set that was found out of
+/// Follows the newest hand with the tool, an update a step, and hands on what it touches. A tool that stands nowhere
+/// yet is put where the hand is as soon as it is free there; until then there is no force. A set that was found out of
 /// work, in mid-way, would let the force drop for a tick: the last one of a tool at rest is kept instead, for so many
 /// updates.
 class ToolFollower
@@ -39,7 +41,7 @@ public:
   static constexpr std::uint64_t usualWork = 10000; ///< of an update: about 2 ms on a core of 2020
   static constexpr int longestHeld = 20;            ///< updates
 
-  /// The tool must have been placed. The links must outlive it.
+  /// The links must outlive it.
   ToolFollower(ToolMove move, ToolLinks& links, std::uint64_t work = usualWork);
 
   /// One update. One thread.
@@ -47,6 +49,7 @@ public:
   [[nodiscard]] const ToolMove& move() const noexcept { return this->move_; }
 
 private:
+  [[nodiscard]] bool isPlaced(const Pose& hand_W);
   void publish();
 
   ToolMove move_;

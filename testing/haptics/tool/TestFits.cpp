@@ -100,6 +100,33 @@ TEST(Fits, APegGoesIntoASlotThatIsWiderBy50MicrometresRow31)
   }
 }
 
+TEST(Fits, APegOf60MillimetresTurnedAboutItsMiddleGoesInAtTheTiltThatTheMouthAllowsAndWedgesBeyondRow61)
+{
+  constexpr double clearance_mm = 0.05, half_mm = 30.0, down_mm = 20.0;
+  const double allowed = std::atan(0.5 * clearance_mm / half_mm); // 0.04775 degrees
+  for (const double tilt : { 0.0470 * degree, 0.0485 * degree })
+  {
+    JudgedTool judged(peg(), slot(clearance_mm), 8);
+    ASSERT_EQ(judged.move.place({ Vec3(0, 0, 31), turnBy(Vec3(0, tilt, 0)) }), "");
+    for (int i = 0; i <= 40; ++i)
+    {
+      judged.move.update({ Vec3(0, 0, 31 - 0.525 * i), turnBy(Vec3(0, tilt, 0)) }, plenty);
+    }
+    const Pose hand_W{ Vec3(0, 0, half_mm - down_mm), turnBy(Vec3(0, tilt, 0)) };
+    EXPECT_TRUE(settle(judged.move, hand_W));
+    const double deep_mm = half_mm - judged.move.pose_W().p.z();
+    if (tilt < allowed)
+    {
+      EXPECT_NEAR(deep_mm, down_mm, 1e-4);
+    }
+    else
+    {
+      EXPECT_LT(deep_mm, 0.5 * down_mm);
+    }
+    EXPECT_EQ(judged.judge.found(), 0u);
+  }
+}
+
 TEST(Fits, APegInASlotTurnsUntilItsCornersJamRow31)
 {
   int jammed = 0;

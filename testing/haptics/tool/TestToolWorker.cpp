@@ -58,6 +58,26 @@ TEST(ToolFollower, PublishesNothingNewUntilAHandIsThereAndThenWhatItTouches)
   EXPECT_GT(links.contacts.read().revision, 1u);
 }
 
+TEST(ToolFollower, WaitsWithoutAForceUntilTheHandIsWhereTheToolIsFree)
+{
+  const ToolMesh tool = makeTool(makeBox(Vec3::Constant(-cubeHalf), Vec3::Constant(cubeHalf))).tool;
+  const auto wall = makeToolScene(cleanMesh(makeBox(Vec3(-1, -1, -1), Vec3(1, 1, 0))).mesh, tool);
+  ToolLinks links;
+  ToolFollower follower(ToolMove(tool, wall, tool.gyration_u), links);
+  bool cameFree = false;
+  for (const double z : { 0.0, 0.01, 0.019, 0.03, 0.01 })
+  {
+    const Pose hand_W{ Vec3(0, 0, z), Quat::Identity() };
+    links.hand.write({ hand_W, true });
+    follower.step();
+    cameFree = cameFree || z > cubeHalf;
+    const bool pressed = cameFree && z < cubeHalf;
+    EXPECT_EQ(links.report.read().placed, cameFree);
+    EXPECT_EQ(toolPush(links.contacts.read(), hand_W, 1000.0, ToolCoupling::Constraints).active > 0, pressed);
+  }
+  EXPECT_NEAR(follower.move().pose_W().p.z(), cubeHalf, 1e-6); // held outside
+}
+
 TEST(ToolFollower, KeepsTheLastContactsOfAToolAtRestWhileUpdatesAreOutOfWorkButNotForEver)
 {
   ToolLinks links;
