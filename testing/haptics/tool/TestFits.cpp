@@ -13,7 +13,6 @@ namespace palpate::test
 namespace
 {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double width_mm = 20.0;
 
 /// Two blocks with a slot of 20 mm and the clearance between them, open at z = 0, along y.
@@ -104,7 +103,7 @@ TEST(Fits, APegOf60MillimetresTurnedAboutItsMiddleGoesInAtTheTiltThatTheMouthAll
 {
   constexpr double clearance_mm = 0.05, half_mm = 30.0, down_mm = 20.0;
   const double allowed = std::atan(0.5 * clearance_mm / half_mm); // 0.04775 degrees
-  for (const double tilt : { 0.0470 * degree, 0.0485 * degree })
+  for (const double tilt : { 0.0470 * degree_rad, 0.0485 * degree_rad })
   {
     JudgedTool judged(peg(), slot(clearance_mm), 8);
     ASSERT_EQ(judged.move.place({ Vec3(0, 0, 31), turnBy(Vec3(0, tilt, 0)) }), "");
@@ -136,7 +135,7 @@ TEST(Fits, APegInASlotTurnsUntilItsCornersJamRow31)
     {
       JudgedTool judged(peg(), slot(clearance_mm), 0);
       ASSERT_EQ(judged.move.place({ Vec3(0, 0, 30 - depth_mm), Quat::Identity() }), "");
-      const Pose hand_W{ Vec3(0, 0, 30 - depth_mm), turnBy(Vec3(0, 10 * degree, 0)) };
+      const Pose hand_W{ Vec3(0, 0, 30 - depth_mm), turnBy(Vec3(0, 10 * degree_rad, 0)) };
       ASSERT_TRUE(settle(judged.move, hand_W)) << clearance_mm << " " << depth_mm;
       const Pose& at_W = judged.move.pose_W();
       const double tilt = rotationVector(at_W.q).y();

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "CrossingJudge.h"
-#include "testing/support/Meshes.h"
+#include "Tools.h"
 
 namespace palpate::test
 {
@@ -14,7 +13,6 @@ namespace
 {
 
 constexpr double half_mm = 20.0;
-constexpr double degree = std::numbers::pi / 180.0;
 
 struct Rest
 {
@@ -43,12 +41,12 @@ Rest nearestRest(double depth_mm, double tilt_rad, double lever_mm)
   return { tilt, std::max(height(tilt), device_mm) };
 }
 
-struct Scene
+struct TippedCube
 {
   ToolMesh tool = makeTool(makeBox(Vec3::Constant(-half_mm), Vec3::Constant(half_mm))).tool;
   std::shared_ptr<const BoxedMesh> plane;
 
-  explicit Scene(int cells)
+  explicit TippedCube(int cells)
   {
     Random random(testSeed(2901));
     this->plane = makeToolScene(
@@ -62,7 +60,7 @@ double tiltOf(const Pose& pose)
   return rotationVector(pose.q).y();
 }
 
-void expectTable(const Scene& scene, double lever_mm)
+void expectTable(const TippedCube& scene, double lever_mm)
 {
   for (const double depth_mm : { 1.0, 2.0, 5.0 })
   {
@@ -70,15 +68,16 @@ void expectTable(const Scene& scene, double lever_mm)
     {
       ToolMove move(scene.tool, scene.plane, lever_mm);
       ASSERT_EQ(move.place({ Vec3(0.3, 0.2, half_mm + 1.0), Quat::Identity() }), "");
-      const Pose device_W{ Vec3(0.3, 0.2, half_mm - depth_mm), turnBy(Vec3(0.0, tilt_deg * degree, 0.0)) };
+      const Pose device_W{ Vec3(0.3, 0.2, half_mm - depth_mm), turnBy(Vec3(0.0, tilt_deg * degree_rad, 0.0)) };
       ToolUpdate last;
       for (int i = 0; i < 20 && !last.converged; ++i)
       {
         last = move.update(device_W, 1u << 20);
       }
-      const Rest expected = nearestRest(depth_mm, tilt_deg * degree, lever_mm);
+      const Rest expected = nearestRest(depth_mm, tilt_deg * degree_rad, lever_mm);
       EXPECT_TRUE(last.converged);
-      EXPECT_NEAR(tiltOf(move.pose_W()) / degree, expected.tilt_rad / degree, 1e-4) << depth_mm << " " << tilt_deg;
+      EXPECT_NEAR(tiltOf(move.pose_W()) / degree_rad, expected.tilt_rad / degree_rad, 1e-4)
+        << depth_mm << " " << tilt_deg;
       EXPECT_NEAR(move.pose_W().p.z() - scene.tool.restGap_u(), expected.height_mm, 1e-4)
         << depth_mm << " " << tilt_deg;
     }
@@ -89,23 +88,23 @@ void expectTable(const Scene& scene, double lever_mm)
 
 TEST(Tipping, OfACubePressedOnAPlaneOfTwoTrianglesIsThatOfTheNearestPoseInTheMassMetricRow29)
 {
-  const Scene scene(1);
+  const TippedCube scene(1);
   // The table's own rows: what the search of this test finds for them.
-  EXPECT_NEAR(nearestRest(1.0, 5.0 * degree, scene.tool.gyration_u).tilt_rad / degree, 0.29122, 1e-5);
-  EXPECT_NEAR(nearestRest(5.0, 40.0 * degree, scene.tool.gyration_u).height_mm, 23.51577, 1e-5);
+  EXPECT_NEAR(nearestRest(1.0, 5.0 * degree_rad, scene.tool.gyration_u).tilt_rad / degree_rad, 0.29122, 1e-5);
+  EXPECT_NEAR(nearestRest(5.0, 40.0 * degree_rad, scene.tool.gyration_u).height_mm, 23.51577, 1e-5);
   expectTable(scene, scene.tool.gyration_u);
 }
 
 TEST(Tipping, IsThatOfTheNearestPoseInTheMetricOfASpringRow29)
 {
   const double lever_mm = 1e3 * std::sqrt(2.0 / 1000.0); // 2 N m/rad over 1000 N/m
-  EXPECT_NEAR(nearestRest(5.0, 40.0 * degree, lever_mm).tilt_rad / degree, 38.86336, 1e-5);
-  expectTable(Scene(1), lever_mm);
+  EXPECT_NEAR(nearestRest(5.0, 40.0 * degree_rad, lever_mm).tilt_rad / degree_rad, 38.86336, 1e-5);
+  expectTable(TippedCube(1), lever_mm);
 }
 
 TEST(Tipping, IsTheSameOnAPlaneOfManyTrianglesRow29)
 {
-  const Scene scene(70);
+  const TippedCube scene(70);
   expectTable(scene, scene.tool.gyration_u);
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numbers>
+
 #include "CrossingJudge.h"
 #include "testing/support/Meshes.h"
 
 namespace palpate::test
 {
+
+constexpr double degree_rad = std::numbers::pi / 180.0;
 
 /// Work that no update of these tests uses up.
 constexpr std::uint64_t plenty = 1u << 24;
