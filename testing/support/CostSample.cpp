@@ -1,18 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "testing/support/CostSample.h"
 
+#include <ctime>
 #include <limits>
 
 namespace palpate::test
 {
+namespace
+{
 
-CostSample::CostSample(std::size_t capacity) : overhead_ns_(std::numeric_limits<std::int64_t>::max())
+const MonotonicClock wall;
+
+} // namespace
+
+std::int64_t ProcessorClock::now_ns() const noexcept
+{
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<std::int64_t>(now.tv_sec) * 1000000000 + now.tv_nsec;
+}
+
+CostSample::CostSample(std::size_t capacity) : CostSample(capacity, wall) {}
+
+CostSample::CostSample(std::size_t capacity, const Clock& clock)
+  : clock_(&clock), overhead_ns_(std::numeric_limits<std::int64_t>::max())
 {
   this->times_ns_.reserve(capacity);
   for (int i = 0; i < 10000; ++i)
   {
-    const std::int64_t begin_ns = this->clock_.now_ns();
-    this->overhead_ns_ = std::min(this->overhead_ns_, this->clock_.now_ns() - begin_ns);
+    const std::int64_t begin_ns = this->clock_->now_ns();
+    this->overhead_ns_ = std::min(this->overhead_ns_, this->clock_->now_ns() - begin_ns);
   }
 }
 

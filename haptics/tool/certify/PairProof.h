@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "haptics/tool/certify/SpanProof.h"
+#include "haptics/tool/motion/WorkBudget.h"
+
+namespace palpate
+{
+
+/// How long a plane that once separated two triangles goes on doing so.
+enum class PlaneKind : std::uint8_t
+{
+  None,
+  InScene, ///< normal in W
+  InTool,  ///< normal in the tool's body frame B
+};
+
+/// A direction that separated a pair the last time, to be tried first.
+struct CachedPlane
+{
+  PlaneKind kind = PlaneKind::None;
+  Vec3 n = Vec3::Zero();
+};
+
+/// What a step has to keep free between a pair.
+struct Clearance
+{
+  double gap_u = 0.0;  ///< to be proven everywhere
+  double finest = 0.0; ///< a part of the step no longer than this share of it is not divided
+};
+
+/// How much of a step from its start is proven to keep a pair apart. A part of the step that is not proven as a whole
+/// is halved, the first half first. Without budget the rest counts as unproven.
+class PairProof
+{
+public:
+  PairProof(const ScrewStep& step, const Clearance& clearance, WorkBudget& budget) noexcept;
+
+  /// The proven share, at most `until`. Where one plane did for all of it, it is kept in `cached`.
+  [[nodiscard]] double provenUntil(const MovingPair& pair, double until, CachedPlane& cached) noexcept;
+
+private:
+  [[nodiscard]] double proven(const MovingPair& pair, const Span& span, int depth, CachedPlane* cached) noexcept;
+  [[nodiscard]] bool holds(const MovingPair& pair, const Span& span, CachedPlane* cached) noexcept;
+  [[nodiscard]] bool nearestHolds(
+    const SpanProof& proof, const Span& span, const MovingPair& pair, CachedPlane* cached) noexcept;
+  [[nodiscard]] NearestPair nearestAt(double share, const Corners& tool_W, const Corners& scene_W) noexcept;
+  [[nodiscard]] bool separates(const SpanGap& gap) const noexcept { return gap.least() >= this->clearance_.gap_u; }
+  [[nodiscard]] bool offer(const SpanProof& proof, const Vec3& n_W, CachedPlane* cached) const noexcept;
+
+  const ScrewStep& step_;
+  Clearance clearance_;
+  WorkBudget& budget_;
+  Mat3 start_; ///< how the tool is turned where the step begins
+  /// The two shares that were asked for last: halves of a span begin or end where it did.
+  struct Asked
+  {
+    double share = -1.0;
+    NearestPair nearest;
+  };
+  std::array<Asked, 2> asked_{};
+};
+
+} // namespace palpate

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/tool/certify/TrianglePair.h"
+#include "haptics/tool/motion/ScrewStep.h"
+
+namespace palpate
+{
+
+/// A part of a step, from one share to another, with the tool's turns at both: what a proof is asked for.
+struct Span
+{
+  double from = 0.0, to = 1.0;
+  Mat3 turnFrom = Mat3::Identity(), turnTo = Mat3::Identity();
+};
+
+/// Two triangles during a step. Arms are the tool's corners from its centre, turned as at the step's start.
+struct MovingPair
+{
+  Corners arms_W;
+  Corners scene_W;
+};
+
+/// How far a plane separates two triangles during a span [u]: at least what a straight line between the gaps at its
+/// ends says, less the dip D^2 / 8 max f'', the error of linear interpolation.
+struct SpanGap
+{
+  double from = 0.0, to = 0.0, dip = 0.0;
+
+  /// Everywhere in the span the two are at least this far apart.
+  [[nodiscard]] double least() const noexcept { return std::min(this->from, this->to) - this->dip; }
+  /// The same in the first share of it.
+  [[nodiscard]] double leastUntil(double share) const noexcept
+  {
+    const double there = this->from + share * (this->to - this->from) - 4.0 * share * (1.0 - share) * this->dip;
+    return std::min(this->from, there) - share * share * this->dip;
+  }
+  /// Where the line falls below a gap: the order in which pairs are looked at, no more.
+  [[nodiscard]] double crossing(double gap_u) const noexcept
+  {
+    if (this->from < gap_u)
+    {
+      return 0.0;
+    }
+    return this->to < gap_u ? (this->from - gap_u) / (this->from - this->to) : 1.0;
+  }
+};
+
+/// Gaps that are proven for all of a span and not only for its ends, each a lower bound of the distance of two
+/// triangles.
+class SpanProof
+{
+public:
+  SpanProof(const ScrewStep& step, const Span& span, const MovingPair& pair) noexcept;
+
+  [[nodiscard]] const Corners& toolFrom_W() const noexcept { return this->from_; }
+  [[nodiscard]] const Corners& toolTo_W() const noexcept { return this->to_; }
+  /// The plane stays in the scene. Turning about n costs nothing.
+  [[nodiscard]] SpanGap inScene(const Vec3& n_W) const noexcept;
+  /// The plane goes and turns with the tool; n as it stands at the start of the span.
+  [[nodiscard]] SpanGap inTool(const Vec3& n_W) const noexcept;
+  /// The normal goes straight from one to the other: it gets shorter on its way, which is to the safe side.
+  [[nodiscard]] SpanGap between(const Vec3& nFrom_W, const Vec3& nTo_W) const noexcept;
+
+private:
+  [[nodiscard]] SpanGap withDip(double gapFrom, double gapTo, double bend) const noexcept;
+
+  const ScrewStep& step_;
+  const Span& span_;
+  const MovingPair& pair_;
+  double length_;
+  double speed_rad_; ///< |w|, a whole step
+  Corners from_, to_;
+  Corners inward_;              ///< second derivative of each corner at the start of the span
+  std::array<double, 3> reach_; ///< of each corner from the centre
+};
+
+} // namespace palpate

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+using Corners = std::array<Vec3, 3>;
+
+/// By how much a direction n separates: positive if all of `above` lies further along n than all of `below`. Two
+/// triangles that touch have no such direction, and it does not matter how the direction was found.
+[[nodiscard]] inline double gapAlong(const Vec3& n, const Corners& above, const Corners& below) noexcept
+{
+  const double low = std::min({ n.dot(above[0]), n.dot(above[1]), n.dot(above[2]) });
+  return low - std::max({ n.dot(below[0]), n.dot(below[1]), n.dot(below[2]) });
+}
+
+/// The nearest points of two triangles.
+struct NearestPair
+{
+  Vec3 n = Vec3::UnitZ();  ///< unit, from the scene to the tool
+  double distance_u = 0.0; ///< 0: they meet, and n is of no use
+  Vec3 onTool_W = Vec3::Zero();
+  Vec3 onScene_W = Vec3::Zero();
+};
+
+/// By corners against triangles and edges against edges. Where a face or two edges hold the nearest points, n is
+/// theirs: the difference of points that are very near has few digits. Triangles that pass through one another may get
+/// any n.
+[[nodiscard]] NearestPair nearestPair(const Corners& tool_W, const Corners& scene_W) noexcept;
+
+/// The nearest points of two lines through a and b along u and v, as multiples of u and v; false where they are
+/// parallel.
+[[nodiscard]] bool nearestOnLines(
+  const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v, double& onA, double& onB) noexcept;
+
+} // namespace palpate

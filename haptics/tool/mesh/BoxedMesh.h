@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "haptics/geometry/mesh/TriangleMesh.h"
+
+namespace palpate
+{
+
+/// A box that lies along what it holds, as it is walked: all points centre + axes * h with |h_i| <= half_i. The axes
+/// are unit and square to one another to a float's rounding only; the half sides make up for it.
+struct OrientedBox
+{
+  Vec3 centre = Vec3::Zero();
+  Mat3 axes = Mat3::Identity();
+  Vec3 half = Vec3::Zero();
+};
+
+/// Rounded outward to floats: 40 bytes.
+class StoredBox
+{
+public:
+  StoredBox() = default;
+  /// Axes as columns, a rotation. `points` are the corners of what it holds.
+  StoredBox(const Mat3& axes, const std::vector<Vec3>& points);
+
+  [[nodiscard]] OrientedBox box() const noexcept;
+
+private:
+  std::array<float, 3> centre_{};
+  std::array<float, 4> turn_{ 0.0f, 0.0f, 0.0f, 1.0f };
+  std::array<float, 3> half_{};
+};
+
+/// A triangle's edges and corners that can never be what touches first: an edge between faces of one plane, a vertex
+/// inside of such faces or along a straight edge. They only save work.
+struct FlatFlags
+{
+  std::uint8_t bits = 0;
+
+  [[nodiscard]] bool edge(int k) const noexcept { return (this->bits >> k & 1) != 0; }         ///< from corner k on
+  [[nodiscard]] bool corner(int k) const noexcept { return (this->bits >> (3 + k) & 1) != 0; } ///< corner k
+  [[nodiscard]] bool all() const noexcept { return this->bits == 63; }
+};
+
+/// Triangles in the order of a tree of oriented boxes: the rigid shape of a tool, in its body frame B, or of what it
+/// touches, in W. Immutable.
+class BoxedMesh
+{
+public:
+  struct Node
+  {
+    StoredBox box;
+    std::uint32_t second = 0; ///< inner: index of the second child, the first comes next. Leaf: its first triangle
+    std::uint32_t count = 0;  ///< triangles of a leaf; 0: inner
+
+    [[nodiscard]] bool leaf() const noexcept { return this->count > 0; }
+  };
+
+  /// `clean` as cleanMesh makes it. What bends by less than `flat_u` counts as flat.
+  BoxedMesh(TriangleMesh clean, double flat_u);
+
+  [[nodiscard]] const TriangleMesh& mesh() const noexcept { return this->mesh_; }
+  [[nodiscard]] const std::vector<Node>& nodes() const noexcept { return this->nodes_; }
+  [[nodiscard]] FlatFlags flat(std::uint32_t triangle) const noexcept { return this->flat_[triangle]; }
+  [[nodiscard]] const Vec3& corner(std::uint32_t triangle, int k) const noexcept
+  {
+    return this->mesh_.vertices_W[this->mesh_.triangles[triangle][k]];
+  }
+  [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t triangle) const noexcept
+  {
+    return { this->corner(triangle, 0), this->corner(triangle, 1), this->corner(triangle, 2) };
+  }
+
+private:
+  TriangleMesh mesh_;
+  std::vector<Node> nodes_;
+  std::vector<FlatFlags> flat_;
+};
+
+/// The unit normal of three corners, its side given by their order; also of slivers, whose edges are scaled first.
+[[nodiscard]] Vec3 unitNormal(const std::array<Vec3, 3>& corners) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/geometry/mesh/TriangleMesh.h"
+
+namespace palpate
+{
+
+/// What a mesh weighs in the distance between two poses, for a mass of one.
+struct MassMetric
+{
+  Vec3 centre_W = Vec3::Zero();
+  double gyration_u =
+    0.0;              ///< radius of gyration, the mean of the three axes: a turn by w costs as much as a way of w L
+  bool solid = false; ///< by its volume; else by its area
+};
+
+/// A closed mesh whose triangles are all turned the same way counts as a solid of even density, anything else as a
+/// sheet of even thickness: open and flat meshes have no volume to weigh. `raw` as it came, since its corners' order is
+/// lost by cleaning; `clean` is what cleanMesh made of it and has area.
+[[nodiscard]] MassMetric massMetric(const TriangleMesh& raw, const CleanResult& clean);
+
+} // namespace palpate

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/tool/mesh/ToolMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "haptics/tool/mesh/MassMetric.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr std::size_t mostTriangles = 250000;
+constexpr double furthestParts = 10.0;    // times what the parts measure together
+constexpr double furthestDiagonals = 1e6; // 64 roundings of such a coordinate are an eighth of the rest gap
+constexpr double flatShare = 0.1;         // of the rest gap: what bends less is no feature that is felt
+
+bool allFinite(const TriangleMesh& mesh)
+{
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
+    [&](const auto& t)
+    {
+      return std::all_of(t.begin(), t.end(),
+        [&](std::uint32_t v) { return v >= mesh.vertices_W.size() || mesh.vertices_W[v].allFinite(); });
+    });
+}
+
+Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh)
+{
+  Eigen::AlignedBox3d bounds;
+  for (const Vec3& v : mesh.vertices_W)
+  {
+    bounds.extend(v);
+  }
+  return bounds;
+}
+
+/// For each vertex the first one of its part.
+std::vector<std::uint32_t> partsOf(const TriangleMesh& mesh)
+{
+  std::vector<std::uint32_t> part(mesh.vertices_W.size());
+  std::iota(part.begin(), part.end(), 0u);
+  const auto root = [&](std::uint32_t v)
+  {
+    while (part[v] != v)
+    {
+      v = part[v] = part[part[v]];
+    }
+    return v;
+  };
+  for (const auto& t : mesh.triangles)
+  {
+    for (int k = 1; k < 3; ++k)
+    {
+      const std::uint32_t a = root(t[0]), b = root(t[k]);
+      part[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (std::uint32_t v = 0; v < part.size(); ++v)
+  {
+    part[v] = root(v);
+  }
+  return part;
+}
+
+/// The diagonals of all parts together.
+double partsMeasure_u(const TriangleMesh& mesh)
+{
+  const std::vector<std::uint32_t> part = partsOf(mesh);
+  std::vector<Eigen::AlignedBox3d> bounds(mesh.vertices_W.size());
+  for (std::uint32_t v = 0; v < part.size(); ++v)
+  {
+    bounds[part[v]].extend(mesh.vertices_W[v]);
+  }
+  return std::accumulate(bounds.begin(), bounds.end(), 0.0,
+    [](double sum, const Eigen::AlignedBox3d& box) { return sum + (box.isEmpty() ? 0.0 : box.diagonal().norm()); });
+}
+
+std::string refusalOf(const TriangleMesh& raw, const CleanResult& clean)
+{
+  if (!allFinite(raw))
+  {
+    return "the tool has vertices that are not finite numbers: remove them, or clean the mesh";
+  }
+  if (!clean.ok())
+  {
+    return "the tool cannot be touched with: " + clean.refusal;
+  }
+  if (clean.mesh.triangles.size() == 1)
+  {
+    return "the tool is one triangle: take a mesh with two triangles or more";
+  }
+  if (clean.mesh.triangles.size() > mostTriangles)
+  {
+    return "the tool has " + std::to_string(clean.mesh.triangles.size()) + " triangles: simplify it to " +
+           std::to_string(mostTriangles) + " or fewer";
+  }
+  if (boundsOf(clean.mesh).diagonal().norm() > furthestParts * partsMeasure_u(clean.mesh))
+  {
+    return "the parts of the tool lie far apart: take the one that the hand is to hold";
+  }
+  return {};
+}
+
+} // namespace
+
+ToolResult makeTool(const TriangleMesh& raw)
+{
+  ToolResult result;
+  const CleanResult given = cleanMesh(raw);
+  result.refusal = refusalOf(raw, given);
+  if (!result.ok())
+  {
+    return result;
+  }
+  const MassMetric metric = massMetric(raw, given);
+  TriangleMesh moved = given.mesh;
+  for (Vec3& v : moved.vertices_W)
+  {
+    v -= metric.centre_W;
+  }
+  CleanResult body = cleanMesh(moved); // far from the origin the shift rounds, and what is left of slivers must be seen
+  if (!body.ok())
+  {
+    result.refusal = "the tool lies so far from the origin that its triangles are lost in rounding: move it there";
+    return result;
+  }
+  ToolMesh& tool = result.tool;
+  tool.centre_W = metric.centre_W;
+  tool.solid = metric.solid;
+  tool.diagonal_u = boundsOf(body.mesh).diagonal().norm();
+  tool.gyration_u = std::max(metric.gyration_u, 1e-3 * tool.diagonal_u);
+  for (const Vec3& v : body.mesh.vertices_W)
+  {
+    tool.reach_u = std::max(tool.reach_u, v.norm());
+  }
+  tool.shape_B = std::make_shared<const BoxedMesh>(std::move(body.mesh), flatShare * tool.restGap_u());
+  return result;
+}
+
+std::shared_ptr<const BoxedMesh> makeToolScene(TriangleMesh clean, const ToolMesh& tool)
+{
+  return std::make_shared<const BoxedMesh>(std::move(clean), flatShare * tool.restGap_u());
+}
+
+std::string refusePose(const ToolMesh& tool, const Pose& pose_W)
+{
+  if (!pose_W.p.allFinite() || !pose_W.q.coeffs().allFinite())
+  {
+    return "the pose of the tool is not made of finite numbers";
+  }
+  if (std::abs(pose_W.q.squaredNorm() - 1.0) > 1e-6)
+  {
+    return "the quaternion of the tool's pose is not of length one: normalise it";
+  }
+  if (pose_W.p.cwiseAbs().maxCoeff() > furthestDiagonals * tool.diagonal_u)
+  {
+    return "the tool is a million times its size away from the origin: move tool and scene there";
+  }
+  return {};
+}
+
+std::string refuseScene(const ToolMesh& tool, const BoxedMesh& scene)
+{
+  const auto& vertices = scene.mesh().vertices_W;
+  const bool far = std::any_of(vertices.begin(), vertices.end(),
+    [&](const Vec3& v) { return v.cwiseAbs().maxCoeff() > furthestDiagonals * tool.diagonal_u; });
+  return far ? "the scene reaches a million times the size of the tool: scale the tool, or cut the scene" : "";
+}
+
+} // namespace palpate

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "haptics/tool/mesh/BoxedMesh.h"
+
+namespace palpate
+{
+
+/// A rigid tool. Its body frame B lies in the centre of mass and is turned as the mesh was given.
+struct ToolMesh
+{
+  std::shared_ptr<const BoxedMesh> shape_B;
+  Vec3 centre_W = Vec3::Zero(); ///< the centre of mass in the frame in which the mesh was given [u]
+  double reach_u = 0.0;         ///< rho: no point of it is further from the centre
+  double diagonal_u = 0.0;      ///< of its bounds
+  double gyration_u = 0.0;      ///< radius of gyration: the usual lever between turns and ways
+  bool solid = false;           ///< its mass is that of a solid, else that of a sheet
+
+  /// The gap at which it rests: so small that a tilted tool rests where it should to 1e-4 degrees.
+  [[nodiscard]] double restGap_u() const noexcept { return 2e-7 * this->diagonal_u; }
+};
+
+/// A tool, or the reason in words why the mesh cannot be one.
+struct ToolResult
+{
+  ToolMesh tool;
+  std::string refusal;
+
+  [[nodiscard]] bool ok() const noexcept { return this->refusal.empty(); }
+};
+
+/// Refuses what is no finite mesh with area, has one triangle alone, more than 250,000, or parts that lie so far apart
+/// that they are no one's hand tool.
+[[nodiscard]] ToolResult makeTool(const TriangleMesh& raw);
+
+/// What a tool of this size can touch: built for its rest gap. A scene that is clean, in W.
+[[nodiscard]] std::shared_ptr<const BoxedMesh> makeToolScene(TriangleMesh clean, const ToolMesh& tool);
+
+/// Why a tool cannot stand at a pose in a scene, empty when it can: numbers that are not finite, a quaternion that is
+/// not of length one, coordinates so large beside the tool that its rest gap is lost in rounding.
+[[nodiscard]] std::string refusePose(const ToolMesh& tool, const Pose& pose_W);
+[[nodiscard]] std::string refuseScene(const ToolMesh& tool, const BoxedMesh& scene);
+
+} // namespace palpate

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+
+/// The whitened motion: displacement, and turn times lever, both in scene units, so that the metric is the identity.
+[[nodiscard]] inline Vec6 whitened(const Vec3& v, const Vec3& w, double lever_u) noexcept
+{
+  Vec6 y;
+  y << v, lever_u * w;
+  return y;
+}
+
+/// The whitened motion that would bring the tool from one pose to another. The turn is cut to a lead beyond which its
+/// direction means little; `cut` says whether it was. Real-time safe.
+[[nodiscard]] Vec6 wishedMotion(const Pose& from_W, const Pose& to_W, double lever_u, bool& cut) noexcept;
+
+} // namespace palpate

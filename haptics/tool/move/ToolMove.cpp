@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/tool/move/ToolMove.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+
+constexpr double provenGap = 0.5;    // of the rest gap; the other half pays for dips
+constexpr double endOfMotion = 0.05; // of the rest gap
+constexpr double leastMargin = 16.0; // rest gaps
+constexpr double marginOfWay = 1.5;  // times what an update usually moves
+constexpr double marginGrowth = 1.4; // for each gathering within an update; twice overshoots as badly as once
+constexpr double roomLeft = 0.4;     // of the margin: with less it gathers
+constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2;
+constexpr double worthMoving = 0.25; // of a step: with less the rows in the way are added first
+
+} // namespace
+
+ToolMove::ToolMove(const ToolMesh& tool, std::shared_ptr<const BoxedMesh> scene_W, double lever_u)
+  : tool_(tool), scene_W_(std::move(scene_W)), lever_u_(lever_u), restGap_u_(tool.restGap_u()),
+    near_(*tool.shape_B, *this->scene_W_), rows_(*tool.shape_B, *this->scene_W_, tool.restGap_u())
+{
+}
+
+std::string ToolMove::place(const Pose& pose_W)
+{
+  const std::string refusal = refusePose(this->tool_, pose_W);
+  if (!refusal.empty())
+  {
+    return refusal;
+  }
+  Pose unit_W = pose_W;
+  unit_W.q.normalize();
+  PairFront front(*this->tool_.shape_B, *this->scene_W_, this->restGap_u_);
+  WorkBudget unlimited(std::numeric_limits<std::uint64_t>::max());
+  static_cast<void>(front.gather(unit_W, leastMargin * this->restGap_u_, unlimited)); // it cannot run out
+  this->near_.rebuild(front.near(), front.way_u());
+  if (!standsFree(this->near_, unit_W, front.way_u(), provenGap * this->restGap_u_))
+  {
+    this->gathering_ = true; // the list is made anew for where the tool stands
+    return "the tool meets the scene where it is to begin: begin where it is free";
+  }
+  this->front_.emplace(std::move(front));
+  this->pose_W_ = unit_W;
+  this->gathering_ = false;
+  this->behind_ = false;
+  this->device_W_ = unit_W;
+  this->usualWay_u_ = 0.0;
+  return {};
+}
+
+bool ToolMove::makeRoom(WorkBudget& budget)
+{
+  if (!this->gathering_ && this->front_->room_u() > roomLeft * this->front_->margin_u())
+  {
+    return true;
+  }
+  this->gathering_ = !this->front_->gather(this->pose_W_, this->margin_u_, budget);
+  if (!this->gathering_)
+  {
+    this->near_.rebuild(this->front_->near(), this->front_->way_u());
+    this->margin_u_ = (this->front_->near().empty() ? 2.0 : marginGrowth) * this->front_->margin_u();
+  }
+  return !this->gathering_;
+}
+
+ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
+{
+  ToolUpdate done;
+  done.refused = !refusePose(this->tool_, device_W).empty();
+  if (done.refused)
+  {
+    return done;
+  }
+  WorkBudget budget(work);
+  this->expect(device_W);
+  this->idle_ = 0;
+  Advance last = Advance::Moved;
+  while (last == Advance::Moved && done.steps < mostSteps)
+  {
+    last = this->advance(device_W, budget);
+    ++done.steps;
+  }
+  done.converged = last == Advance::Rests;
+  done.blocked = last == Advance::Blocked;
+  done.spent = last == Advance::Moved || last == Advance::Spent;
+  done.leadCut = this->leadCut_;
+  done.work = work - budget.left();
+  this->behind_ = done.spent;
+  return done;
+}
+
+/// How far the next list of near pairs will have to reach: as far as the hand usually goes in an update. A tool that is
+/// behind goes on with the margin that it has come to, for it has further to go than the hand.
+void ToolMove::expect(const Pose& device_W)
+{
+  constexpr double forgets = 0.8; // in an update
+  const double turned_u = turnFromTo(this->device_W_.q, device_W.q).norm() * this->tool_.reach_u;
+  const double way_u = (device_W.p - this->device_W_.p).norm() + turned_u;
+  this->usualWay_u_ = std::max(way_u, forgets * this->usualWay_u_);
+  this->device_W_ = device_W;
+  const double usual_u = std::max(marginOfWay * this->usualWay_u_, leastMargin * this->restGap_u_);
+  this->margin_u_ = this->behind_ ? std::max(usual_u, this->margin_u_) : usual_u;
+}
+
+ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
+{
+  if (!this->makeRoom(budget))
+  {
+    return Advance::Spent;
+  }
+  this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
+  const StepLimits limits{ this->lever_u_, this->tool_.reach_u, this->restGap_u_, this->front_->room_u() };
+  const Vec6 wish = wishedMotion(this->pose_W_, device_W, this->lever_u_, this->leadCut_);
+  PlannedStep planned;
+  StepVerdict verdict;
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    planned = StepPlan(this->rows_.rows(), this->pose_W_, limits).plan(wish);
+    const double way_u = planned.step.displacement_u(this->tool_.reach_u);
+    if (way_u < endOfMotion * this->restGap_u_)
+    {
+      return Advance::Rests;
+    }
+    const Clearance clearance{ provenGap * this->restGap_u_, endOfMotion * this->restGap_u_ / way_u };
+    verdict = proveStep(this->near_, { planned.step, way_u, this->front_->way_u(), clearance }, budget);
+    if (verdict.share > worthMoving || !this->rows_.addBlocking(this->near_, planned.step, verdict))
+    {
+      break;
+    }
+  }
+  if (verdict.share <= 0.0)
+  {
+    return budget.left() == 0 ? Advance::Spent : Advance::Blocked;
+  }
+  const ScrewStep taken{ this->pose_W_, verdict.share * planned.step.v_W, verdict.share * planned.step.w_W };
+  this->commit(taken, this->usefulShare(planned, taken, device_W));
+  if (this->idle_ >= idleSteps)
+  {
+    return Advance::Rests;
+  }
+  return budget.left() > 0 ? Advance::Moved : Advance::Spent;
+}
+
+/// How much of a proven step to take: where the sum of distance and pressed gaps is least on it, by the parabola
+/// through its slope at the start and its value at the end. The whole step may overshoot where contacts curve.
+double ToolMove::usefulShare(const PlannedStep& planned, const ScrewStep& step, const Pose& device_W)
+{
+  constexpr double nearlyAll = 0.75;
+  bool cut = false;
+  const Pose end_W = step.end_W(1.0);
+  const Mat3 turn = this->pose_W_.q.toRotationMatrix(), endTurn = end_W.q.toRotationMatrix();
+  const double before = wishedMotion(this->pose_W_, device_W, this->lever_u_, cut).squaredNorm();
+  double change = wishedMotion(end_W, device_W, this->lever_u_, cut).squaredNorm() - before;
+  for (std::size_t i = 0; i < planned.pressures.size(); ++i)
+  {
+    if (planned.pressures[i] > 0.0)
+    {
+      const TouchFeature& feature = this->rows_.rows()[i].feature;
+      change -= 2.0 * planned.pressures[i] *
+                (planeAt(feature, endTurn, end_W.p).gap_u - planeAt(feature, turn, this->pose_W_.p).gap_u);
+    }
+  }
+  const double slope = 2.0 * whitened(step.v_W, step.w_W, this->lever_u_).dot(planned.full);
+  constexpr double rounding = 1e-14;
+  this->idle_ = change > -rounding * before ? this->idle_ + 1 : 0;
+  const double best = change + slope > 0.0 ? slope / (2.0 * (change + slope)) : 1.0;
+  return best > 0.0 && best < nearlyAll ? best : 1.0;
+}
+
+ToolContacts ToolMove::contacts() const
+{
+  ToolContacts set;
+  set.pose_W = this->pose_W_;
+  set.lever_u = this->lever_u_;
+  set.restGap_u = this->restGap_u_;
+  set.placed = this->placed();
+  std::vector<TouchPlane> planes;
+  for (const TouchRow& row : this->rows())
+  {
+    planes.push_back(planeAt(row.feature, this->pose_W_.q.toRotationMatrix(), this->pose_W_.p));
+  }
+  std::stable_sort(
+    planes.begin(), planes.end(), [](const TouchPlane& a, const TouchPlane& b) { return a.gap_u < b.gap_u; });
+  set.count = static_cast<std::uint32_t>(std::min(planes.size(), ToolContacts::capacity));
+  set.left = static_cast<std::uint32_t>(planes.size()) - set.count;
+  for (std::uint32_t i = 0; i < set.count; ++i)
+  {
+    set.contacts[i] = { planes[i].n_W, planes[i].arm_W, planes[i].gap_u };
+  }
+  return set;
+}
+
+void ToolMove::commit(const ScrewStep& step, double share)
+{
+  if (this->sink_ != nullptr)
+  {
+    this->sink_->step(step, share);
+  }
+  this->front_->moved(share * step.displacement_u(this->tool_.reach_u));
+  this->pose_W_ = step.end_W(share);
+}
+
+} // namespace palpate

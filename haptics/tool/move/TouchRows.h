@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "haptics/tool/move/StepProof.h"
+#include "haptics/tool/move/TouchFeature.h"
+#include "haptics/tool/solve/NearestMotion.h"
+
+namespace palpate
+{
+
+/// A touched feature, linear in the step that is to be made: its gap is offset_u + n . (v + w x arm).
+struct TouchRow
+{
+  TouchFeature feature;
+  TouchPlane plane;      ///< where the feature was found; its gap is the one there
+  double offset_u = 0.0; ///< gap for a step of zero, where the feature was found: the gap that the tool has
+
+  [[nodiscard]] double linear_u(const ScrewStep& step) const noexcept
+  {
+    return this->offset_u + this->plane.n_W.dot(step.v_W + step.w_W.cross(this->plane.arm_W));
+  }
+};
+
+/// Finds rows. Rows of one plane and one point are taken once.
+class TouchRows
+{
+public:
+  TouchRows(const BoxedMesh& tool_B, const BoxedMesh& scene_W, double restGap_u);
+
+  /// All that touches where the tool stands.
+  void findTouching(NearPairs& near, const Pose& pose_W, double way_u);
+  /// What is in the way of a step after the share that was proven. False if nothing new is.
+  bool addBlocking(const NearPairs& near, const ScrewStep& step, const StepVerdict& verdict);
+  [[nodiscard]] const std::vector<TouchRow>& rows() const noexcept { return this->rows_; }
+
+private:
+  /// Where features are looked for, and what a row takes off for a step that is not made yet.
+  struct Place
+  {
+    Mat3 turn;
+    Vec3 centre_W;
+    ScrewStep made; ///< the part of the step that leads there
+  };
+  std::size_t addPair(
+    const NearPairs& near, const Place& place, std::uint32_t tool, std::uint32_t scene, double within_u);
+  std::size_t addLeaves(const NearPairs& near, const Place& place, const LeafPair& pair, double within_u);
+  std::size_t addDoubtful(const NearPairs& near, const Place& place, const DoubtfulPair& doubt);
+  bool add(const TouchFeature& feature, const Place& place);
+
+  const BoxedMesh& tool_B_;
+  const BoxedMesh& scene_W_;
+  double restGap_u_;
+  std::vector<TouchRow> rows_;
+  std::vector<TouchFeature> found_; ///< kept for its room
+};
+
+} // namespace palpate

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// One touched feature where the tool stands.
+struct ToolContact
+{
+  Vec3 n_W = Vec3::UnitZ();  ///< unit, from the scene to the tool
+  Vec3 arm_W = Vec3::Zero(); ///< from the tool's centre to the point that touches [u]
+  double gap_u = 0.0;
+};
+
+/// What an update hands to the servo: where the tool is and what holds it there. Of fixed size, so that a triple buffer
+/// carries it without waiting.
+struct ToolContacts
+{
+  static constexpr std::size_t capacity = 64;
+
+  Pose pose_W;
+  double lever_u = 1.0;       ///< of the metric
+  double restGap_u = 0.0;     ///< the servo keeps this gap
+  std::uint64_t revision = 0; ///< another for each set that is handed on
+  std::uint32_t count = 0;
+  std::uint32_t left = 0; ///< contacts that had no room: those with the largest gaps
+  bool placed = false;    ///< false: there is no tool, and no force
+  std::array<ToolContact, capacity> contacts{};
+};
+
+static_assert(std::is_trivially_destructible_v<ToolContacts>);
+
+} // namespace palpate

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/tool/servo/ToolContacts.h"
+
+namespace palpate
+{
+
+/// How the hand feels the tool.
+enum class ToolCoupling : std::uint8_t
+{
+  Constraints, ///< what the contacts push with: no drag while the update lags behind a slide
+  Virtual,     ///< a spring from the tool to the hand: a drag of k v T while it lags
+};
+
+/// What the tool gives the hand.
+struct ToolPush
+{
+  Wrench wrench_W;     ///< on the hand, about the tool's centre where it is led: N, and N u per the stiffness' unit
+  int active = 0;      ///< contacts that push
+  double stored = 0.0; ///< half the stiffness times the squared distance to what the contacts allow: V of the set
+};
+
+/// Force and torque in every tick, from the newest contacts: F = M (a_c - a_u), a_u the motion to the device and a_c
+/// the nearest one that the contacts allow (Ortega, Redon & Coquillart 2007). Within one set it is the gradient of 1/2
+/// dist^2, so its stiffness is never above the given one. At a pose that the contacts allow, and
+/// for a device pose that is none: exactly zero. Real-time
+/// safe: no allocation, at most some hundred projections.
+[[nodiscard]] ToolPush toolPush(
+  const ToolContacts& contacts, const Pose& device_W, double stiffness_N_per_u, ToolCoupling coupling) noexcept;
+
+} // namespace palpate

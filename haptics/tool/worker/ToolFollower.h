@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/realtime/TripleBuffer.h"
+#include "haptics/tool/move/ToolMove.h"
+
+namespace palpate
+{
+
+/// Where the hand is, for the thread that moves the tool.
+struct ToolHand
+{
+  Pose pose_W;
+  bool tracked = false; ///< false: nobody has moved it yet
+};
+
+/// What an owner may read of the thread that moves the tool.
+struct ToolReport
+{
+  ToolUpdate last;
+  bool placed = false; ///< false: wherever the hand was, the tool met the scene
+  std::uint64_t updates = 0;
+  std::uint64_t spent = 0; ///< updates that were out of work
+};
+
+/// What the servo, the thread that moves the tool and the owner share. Each buffer has one writer and one reader.
+struct ToolLinks
+{
+  TripleBuffer<ToolHand> hand;         ///< servo -> follower
+  TripleBuffer<ToolContacts> contacts; ///< follower -> servo
+  TripleBuffer<ToolReport> report;     ///< follower -> owner
+};
+
+/// Follows the newest hand with the tool, an update a step, and hands on what it touches. A tool that stands nowhere
+/// yet is put where the hand is as soon as it is free there; until then there is no force. A set that was found out of
+/// work, in mid-way, would let the force drop for a tick: the last one of a tool at rest is kept instead, for so many
+/// updates.
+class ToolFollower
+{
+public:
+  static constexpr std::uint64_t usualWork = 10000; ///< of an update: about 2 ms on a core of 2020
+  static constexpr int longestHeld = 20;            ///< updates
+
+  /// The links must outlive it.
+  ToolFollower(ToolMove move, ToolLinks& links, std::uint64_t work = usualWork);
+
+  /// One update. One thread.
+  void step();
+  [[nodiscard]] const ToolMove& move() const noexcept { return this->move_; }
+
+private:
+  [[nodiscard]] bool isPlaced(const Pose& hand_W);
+  void publish();
+
+  ToolMove move_;
+  ToolLinks& links_;
+  std::uint64_t work_;
+  int held_ = 0;
+  ToolReport report_;
+  std::uint64_t revision_ = 0;
+};
+
+} // namespace palpate
