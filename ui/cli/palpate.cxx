@@ -76,6 +76,19 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   options.Settings.AddAll(*command);
   vtkHapticCliAddMaterials(*command, options.Materials);
   vtkHapticCliAddField(*command, options.Field);
+  CLI::Option* tool =
+    command->add_option("--tool", options.Tool.File, "mesh in the hand that turns; its origin is held");
+  CLI::Option* lever = command->add_option(
+    "--lever", options.Tool.Lever_u, "of --tool: what a turn by 1 rad weighs as a way [u]; else that of the mesh");
+  command
+    ->add_option("--torque-stiffness", options.Tool.Turning_N_m_per_rad, "of --tool, in place of --lever [N m/rad]")
+    ->needs(tool)
+    ->excludes(lever);
+  lever->needs(tool);
+  command
+    ->add_flag(
+      "--virtual-coupling", options.Tool.VirtualCoupling, "of --tool: a spring to the hand, not what contacts push")
+    ->needs(tool);
   command->add_flag("--two-d", options.TwoD, "lines in the plane z = 0 are walls, felt in that plane");
 }
 

@@ -53,6 +53,15 @@ struct vtkHapticCliCheckOptions
 /// touchable; a refusal throws.
 int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options);
 
+/// A mesh in the hand, whose frame's origin is held.
+struct vtkHapticCliToolOptions
+{
+  std::string File;                          ///< empty: a ball touches
+  std::optional<double> Lever_u;             ///< what a turn by 1 rad weighs as a way; none: that of the mesh
+  std::optional<double> Turning_N_m_per_rad; ///< in place of it the stiffness of turning
+  bool VirtualCoupling = false;              ///< a spring to the hand, in place of what the contacts push with
+};
+
 struct vtkHapticCliTouchOptions
 {
   std::vector<std::string> Files;
@@ -62,11 +71,14 @@ struct vtkHapticCliTouchOptions
   bool TwoD = false; ///< lines in the plane z = 0, felt by a disc
   vtkHapticMaterialSettings Materials;
   vtkHapticCliFieldOptions Field;
+  vtkHapticCliToolOptions Tool;
   vtkHapticCliSettings Settings;
 };
 
 /// The tick along a given device path: one row of Path, one tick, one row of Output.
 int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options);
+/// The same by a rigid tool that turns: each row is as far as it comes in unlimited time.
+int vtkHapticCliTouchWithTool(const vtkHapticCliTouchOptions& options);
 
 struct vtkHapticCliReplayOptions
 {

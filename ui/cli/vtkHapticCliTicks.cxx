@@ -24,12 +24,13 @@ double vtkHapticCliStopwatch::Cost_us() const
   return std::max(0.0, elapsed_us - this->Overhead_us);
 }
 
-void vtkHapticCliWriteHeader(vtkHapticCliOutput& output)
+void vtkHapticCliWriteHeader(vtkHapticCliOutput& output, const std::string& more)
 {
-  output.Header("t,device_x,device_y,device_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contacts,cost_us");
+  output.Header("t,device_x,device_y,device_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contacts,cost_us" + more);
 }
 
-void vtkHapticCliWriteTick(vtkHapticCliOutput& output, double time_s, const palpate::HapticState& state, double cost_us)
+void vtkHapticCliWriteTick(vtkHapticCliOutput& output, double time_s, const palpate::HapticState& state, double cost_us,
+  const std::vector<double>& more)
 {
   output.Value(time_s);
   for (const palpate::Vec3& triple : { state.device_W.p, state.proxy_W.p, state.force_W })
@@ -40,5 +41,9 @@ void vtkHapticCliWriteTick(vtkHapticCliOutput& output, double time_s, const palp
   }
   output.Value(state.contacts);
   output.Value(cost_us);
+  for (const double value : more)
+  {
+    output.Value(value);
+  }
   output.EndRow();
 }

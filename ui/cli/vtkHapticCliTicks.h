@@ -3,6 +3,8 @@
 #define vtkHapticCliTicks_h
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "haptics/core/Clock.h"
 #include "haptics/tick/HapticState.h"
@@ -23,11 +25,12 @@ private:
   double Overhead_us = 0.0;
 };
 
-/// The header of a CSV of ticks.
-void vtkHapticCliWriteHeader(vtkHapticCliOutput& output);
+/// The header of a CSV of ticks; `more`: columns after those of every tick.
+void vtkHapticCliWriteHeader(vtkHapticCliOutput& output, const std::string& more = "");
 
-/// One row: time [s], device, proxy [scene units], force on the hand as seen in the scene [N], contacts, cost [us].
-void vtkHapticCliWriteTick(
-  vtkHapticCliOutput& output, double time_s, const palpate::HapticState& state, double cost_us);
+/// One row: time [s], device, proxy [scene units], force on the hand as seen in the scene [N], contacts, cost [us] and
+/// the values of the columns after those.
+void vtkHapticCliWriteTick(vtkHapticCliOutput& output, double time_s, const palpate::HapticState& state, double cost_us,
+  const std::vector<double>& more = {});
 
 #endif

@@ -141,6 +141,10 @@ std::shared_ptr<const palpate::Scene> SceneOf(const vtkHapticCliTouchOptions& op
 
 int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
 {
+  if (!options.Tool.File.empty())
+  {
+    return vtkHapticCliTouchWithTool(options);
+  }
   palpate::HapticParameters parameters = ParametersOf(options);
   const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path);
   if (options.TwoD)

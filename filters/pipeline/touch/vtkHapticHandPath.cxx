@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticHandPath.h"
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -74,10 +75,33 @@ std::string ReadTimes(
   }
   return {};
 }
+std::string ReadTurns(
+  vtkPolyData* path, const std::string& name, const std::vector<vtkIdType>& order, std::vector<palpate::Quat>& turns)
+{
+  vtkDataArray* array = path->GetPointData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != 4)
+  {
+    return "it has no point array '" + name + "' of four numbers a point; name the one that holds quaternions w x y z";
+  }
+  constexpr double tolerance = 1e-3; // what a file with few digits loses
+  for (const vtkIdType id : order)
+  {
+    std::array<double, 4> q{};
+    array->GetTuple(id, q.data());
+    turns.emplace_back(q[0], q[1], q[2], q[3]);
+    if (!(std::abs(turns.back().norm() - 1.0) <= tolerance))
+    {
+      return "its turn '" + name + "' is no unit quaternion at point " + std::to_string(turns.size() - 1);
+    }
+    turns.back().normalize();
+  }
+  return {};
+}
 } // namespace
 
-vtkHapticHandPath vtkHapticReadHandPath(vtkPolyData* path, const char* timeArray, double rate)
+vtkHapticHandPath vtkHapticReadHandPath(vtkPolyData* path, const vtkHapticPathArrays& arrays)
 {
+  const auto named = [](const char* array) { return array && *array; };
   vtkHapticHandPath result;
   std::vector<vtkIdType> order;
   result.Problem = OrderOf(path, order);
@@ -85,18 +109,17 @@ vtkHapticHandPath vtkHapticReadHandPath(vtkPolyData* path, const char* timeArray
   {
     result.Problem = ReadPoints(path, order, result.Points_W);
   }
-  if (!result.Problem.empty())
+  if (result.Problem.empty() && named(arrays.Turns))
   {
-    return result;
+    result.Problem = ReadTurns(path, arrays.Turns, order, result.Turns);
   }
-  if (timeArray && *timeArray)
+  if (result.Problem.empty() && named(arrays.Times))
   {
-    result.Problem = ReadTimes(path, timeArray, order, result.Times);
-    return result;
+    result.Problem = ReadTimes(path, arrays.Times, order, result.Times);
   }
-  for (std::size_t i = 0; i < order.size(); ++i)
+  for (std::size_t i = 0; i < order.size() && result.Problem.empty() && !named(arrays.Times); ++i)
   {
-    result.Times.push_back(static_cast<double>(i) / rate);
+    result.Times.push_back(static_cast<double>(i) / arrays.Rate);
   }
   return result;
 }

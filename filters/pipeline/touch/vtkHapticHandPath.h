@@ -13,6 +13,7 @@ class vtkPolyData;
 struct vtkHapticHandPath
 {
   std::vector<palpate::Vec3> Points_W; ///< [u]
+  std::vector<palpate::Quat> Turns;    ///< empty where the path names none
   std::vector<double> Times;           ///< increasing [s]
   std::string Problem;                 ///< one line; empty when the path can be used
 
@@ -20,8 +21,15 @@ struct vtkHapticHandPath
   [[nodiscard]] double FirstDuration() const { return this->Times.size() > 1 ? this->Times[1] - this->Times[0] : 1e-3; }
 };
 
-/// Points in the order of the only polyline, or all points in their order when there are no lines. Times from the point
-/// array `timeArray` (null or "": i / rate).
-[[nodiscard]] vtkHapticHandPath vtkHapticReadHandPath(vtkPolyData* path, const char* timeArray, double rate);
+/// Which arrays of the path's points say what; null or "": none.
+struct vtkHapticPathArrays
+{
+  const char* Times = nullptr; ///< [s]; none: i / Rate
+  const char* Turns = nullptr; ///< unit quaternions w x y z
+  double Rate = 1000.0;        ///< [Hz]
+};
+
+/// Points in the order of the only polyline, or all points in their order when there are no lines.
+[[nodiscard]] vtkHapticHandPath vtkHapticReadHandPath(vtkPolyData* path, const vtkHapticPathArrays& arrays);
 
 #endif

@@ -7,18 +7,15 @@
 
 #include "haptics/session/PathTouch.h"
 #include "haptics/session/scene/TouchedData.h"
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticHandPath.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticTickRows.h"
 #include "vtkHapticTouchedField.h"
 #include "vtkHapticWholeInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkTouchAlongPath);
@@ -27,65 +24,6 @@ namespace
 {
 /// Ticks between two looks at progress and abort.
 constexpr std::size_t ReportEvery = 1000;
-
-/// The output while it grows: one row a tick.
-class Rows
-{
-public:
-  explicit Rows(std::size_t count)
-  {
-    const auto make = [count](vtkDataArray* array, const char* name, int components)
-    {
-      array->SetName(name);
-      array->SetNumberOfComponents(components);
-      array->SetNumberOfTuples(static_cast<vtkIdType>(count));
-    };
-    this->Points->SetDataTypeToDouble();
-    this->Points->SetNumberOfPoints(static_cast<vtkIdType>(count));
-    make(this->Force, "Force", 3);
-    make(this->Depth, "Depth", 1);
-    make(this->Contacts, "Contacts", 1);
-    make(this->Device, "Device", 3);
-    make(this->Time, "Time", 1);
-  }
-
-  void Set(std::size_t row, const palpate::HapticState& state, const palpate::Vec3& device_W, double time)
-  {
-    const auto i = static_cast<vtkIdType>(row);
-    this->Points->SetPoint(i, state.proxy_W.p.data());
-    this->Force->SetTuple(i, state.force_W.data());
-    this->Depth->SetValue(i, (state.proxy_W.p - state.device_W.p).norm());
-    this->Contacts->SetValue(i, state.contacts);
-    this->Device->SetTuple(i, device_W.data());
-    this->Time->SetValue(i, time);
-  }
-
-  void MoveTo(vtkPolyData* output)
-  {
-    const vtkIdType count = this->Points->GetNumberOfPoints();
-    vtkNew<vtkCellArray> lines;
-    lines->InsertNextCell(static_cast<int>(count));
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      lines->InsertCellPoint(i);
-    }
-    output->SetPoints(this->Points);
-    output->SetLines(lines);
-    for (vtkDataArray* array :
-      std::initializer_list<vtkDataArray*>{ this->Force, this->Depth, this->Contacts, this->Device, this->Time })
-    {
-      output->GetPointData()->AddArray(array);
-    }
-  }
-
-private:
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkDoubleArray> Force;
-  vtkNew<vtkDoubleArray> Depth;
-  vtkNew<vtkIntArray> Contacts;
-  vtkNew<vtkDoubleArray> Device;
-  vtkNew<vtkDoubleArray> Time;
-};
 
 /// Triangles, and lines if they have a radius, with their material; none with a problem.
 std::vector<palpate::SurfaceInput> ReadInputs(
@@ -144,8 +82,8 @@ std::shared_ptr<const palpate::Scene> BuildScene(
 /// One tick a point; false if `goes` asked to stop. `fault` receives the first one. The orientation of the hand plays
 /// no part for a ball.
 template<class Goes>
-bool Touch(const vtkHapticHandPath& path, const palpate::WorkspaceMap& map, palpate::PathTouch& touch, Rows& rows,
-  palpate::Fault& fault, Goes goes)
+bool Touch(const vtkHapticHandPath& path, const palpate::WorkspaceMap& map, palpate::PathTouch& touch,
+  vtkHapticTickRows& rows, palpate::Fault& fault, Goes goes)
 {
   for (std::size_t i = 0; i < path.Points_W.size(); ++i)
   {
@@ -156,7 +94,7 @@ bool Touch(const vtkHapticHandPath& path, const palpate::WorkspaceMap& map, palp
     const palpate::HapticState state =
       touch.next(path.Times[i], { map.toDevice(path.Points_W[i]), palpate::Quat::Identity() });
     fault = fault == palpate::Fault::None ? state.fault : fault;
-    rows.Set(i, state, path.Points_W[i], path.Times[i]);
+    rows.Set(i, { state.proxy_W.p, path.Points_W[i], state.force_W, state.contacts, path.Times[i] });
   }
   return true;
 }
@@ -165,12 +103,13 @@ bool Touch(const vtkHapticHandPath& path, const palpate::WorkspaceMap& map, palp
 vtkTouchAlongPath::vtkTouchAlongPath()
   : Materials(std::make_unique<vtkHapticMaterialSettings>()), Field(std::make_unique<vtkHapticTouchedField>())
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(4);
 }
 
 vtkTouchAlongPath::~vtkTouchAlongPath()
 {
   this->SetTimeArray(nullptr);
+  this->SetTurnArray(nullptr);
 }
 
 void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
@@ -190,6 +129,9 @@ void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Scale: " << this->Scale << " u/m\n";
   os << indent << "Rate: " << this->Rate << " Hz\n";
   os << indent << "TimeArray: " << (this->TimeArray ? this->TimeArray : "(none)") << "\n";
+  os << indent << "TurnArray: " << (this->TurnArray ? this->TurnArray : "(none)") << "\n";
+  os << indent << "Lever: " << this->Lever << " u\n";
+  os << indent << "VirtualCoupling: " << this->VirtualCoupling << "\n";
 }
 
 void vtkTouchAlongPath::SetPathConnection(vtkAlgorithmOutput* path)
@@ -209,7 +151,7 @@ int vtkTouchAlongPath::FillInputPortInformation(int port, vtkInformation* info)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   }
-  if (port == 2)
+  if (port > 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -282,6 +224,8 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
   const vtkSmartPointer<vtkDataObject> field = beside && beside != given             ? vtkHapticWholeSurface(beside)
                                                : beside || this->Field->IsAskedFor() ? surface
                                                                                      : nullptr;
+  vtkDataObject* const held = vtkDataObject::GetData(input[3]);
+  const vtkSmartPointer<vtkDataObject> tool = held ? vtkHapticWholeSurface(held) : nullptr;
   const vtkSmartPointer<vtkPolyData> whole = vtkHapticWholePath(vtkPolyData::GetData(input[1]));
   if (vtkHapticRank() > 0)
   {
@@ -292,11 +236,15 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
     vtkErrorMacro("The path cannot be followed: it lies in pieces on several ranks; give it whole on one of them.");
     return 0;
   }
-  const vtkHapticHandPath path = vtkHapticReadHandPath(whole, this->TimeArray, this->Rate);
+  const vtkHapticHandPath path = vtkHapticReadHandPath(whole, { this->TimeArray, this->TurnArray, this->Rate });
   if (!path.Problem.empty())
   {
     vtkErrorMacro("The path cannot be followed: " << path.Problem);
     return 0;
+  }
+  if (tool)
+  {
+    return this->TouchWithTool(*surface, *tool, path, *vtkPolyData::GetData(output)) ? 1 : 0;
   }
   std::string problem;
   const auto touch = this->Prepare(surface, field, path, problem);
@@ -305,7 +253,7 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
     vtkErrorMacro(<< problem);
     return 0;
   }
-  Rows rows(path.Points_W.size());
+  vtkHapticTickRows rows(path.Points_W.size());
   palpate::Fault fault = palpate::Fault::None;
   const auto goes = [this](double progress) { return this->Goes(progress); };
   if (Touch(path, this->Parameters().map, *touch, rows, fault, goes))

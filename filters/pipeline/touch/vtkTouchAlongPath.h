@@ -16,6 +16,15 @@
  *     Device    (n, 3) double  the hand, i.e. the input path [u]
  *     Time      (n)    double  of the tick [s]
  *
+ * Port 3, optional: a mesh that the hand holds at the origin of its frame, in place of a ball, and that turns as the
+ * TurnArray of the path says. Each row is as far as the tool comes without meeting anything, in unlimited time, from
+ * the row before; the points of the output are where its origin is. It feels surfaces as they are: no field, no
+ * material, no friction. Besides there are
+ *
+ *     Torque    (n, 3) double  on the hand, about the handle, in W [N m]
+ *     Turn      (n, 4) double  of the tool, a unit quaternion w x y z
+ *     Angle     (n)    double  between the turns of hand and tool [degrees]
+ *
  * Point i of the output belongs to point i of the path. Bad input is an error of one line and leaves the output empty.
  */
 #ifndef vtkTouchAlongPath_h
@@ -161,6 +170,32 @@ public:
   vtkGetStringMacro(TimeArray);
   ///@}
 
+  ///@{
+  /// The tool: the same as SetInputConnection(3, port).
+  void SetToolConnection(vtkAlgorithmOutput* tool);
+  void SetToolData(vtkDataObject* tool);
+  ///@}
+
+  ///@{
+  /// Point array of the path with the turn of the hand, a unit quaternion w x y z. Default none: it does not turn.
+  vtkSetStringMacro(TurnArray);
+  vtkGetStringMacro(TurnArray);
+  ///@}
+
+  ///@{
+  /// What a turn of the tool by 1 rad weighs as a way [u], >= 0: the stiffness of turning is Stiffness (Lever /
+  /// Scale)^2. Default 0: that of its mesh about the handle, sqrt(2/3 mean |p|^2).
+  vtkSetMacro(Lever, double);
+  vtkGetMacro(Lever, double);
+  ///@}
+
+  ///@{
+  /// Whether a spring leads from the hand to the tool, in place of what its contacts push with. Default off.
+  vtkSetMacro(VirtualCoupling, bool);
+  vtkGetMacro(VirtualCoupling, bool);
+  vtkBooleanMacro(VirtualCoupling, bool);
+  ///@}
+
 protected:
   vtkTouchAlongPath();
   ~vtkTouchAlongPath() override;
@@ -183,6 +218,10 @@ private:
   /// What the hand feels; null with a problem. `field`: null where no numbers are felt.
   std::unique_ptr<palpate::PathTouch> Prepare(
     vtkDataObject* input, vtkDataObject* field, const vtkHapticHandPath& path, std::string& problem) const;
+  /// With a tool in place of a ball; false with an error.
+  bool TouchWithTool(vtkDataObject& surface, vtkDataObject& tool, const vtkHapticHandPath& path, vtkPolyData& output);
+  /// Why a tool does not feel what else is set; empty: nothing else is.
+  std::string BesideTool() const;
   /// Reports progress; false when someone asked to stop.
   bool Goes(double progress);
 
@@ -195,6 +234,9 @@ private:
   double Scale = 1.0;
   double Rate = 1000.0;
   char* TimeArray = nullptr;
+  char* TurnArray = nullptr;
+  double Lever = 0.0;
+  bool VirtualCoupling = false;
   std::unique_ptr<vtkHapticMaterialSettings> Materials;
   std::unique_ptr<vtkHapticTouchedField> Field;
 };

@@ -69,6 +69,12 @@ void addSheet(Moments& m, const Vec3& a, const Vec3& b, const Vec3& c)
   m.second += area / 12.0 * (sum.squaredNorm() + a.squaredNorm() + b.squaredNorm() + c.squaredNorm());
 }
 
+/// Inertia about the axes is the trace less each second moment: their mean is two thirds of the trace.
+double gyrationOf(double meanSquare)
+{
+  return std::sqrt(std::max(0.0, 2.0 / 3.0 * meanSquare));
+}
+
 template<class Add>
 Moments momentsOf(const TriangleMesh& mesh, const Vec3& about_W, Add add)
 {
@@ -100,9 +106,14 @@ MassMetric massMetric(const TriangleMesh& raw, const CleanResult& clean)
   }
   const Vec3 centre = moments.first / moments.weight;
   metric.centre_W = about_W + centre;
-  // Inertia about the axes is the trace less each second moment: their mean is two thirds of the trace.
-  metric.gyration_u = std::sqrt(std::max(0.0, 2.0 / 3.0 * (moments.second / moments.weight - centre.squaredNorm())));
+  metric.gyration_u = gyrationOf(moments.second / moments.weight - centre.squaredNorm());
   return metric;
+}
+
+MassMetric metricAbout(const TriangleMesh& clean, const Vec3& handle_W)
+{
+  const Moments moments = momentsOf(clean, handle_W, addSheet);
+  return { handle_W, gyrationOf(moments.second / moments.weight), false };
 }
 
 } // namespace palpate

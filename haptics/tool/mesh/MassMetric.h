@@ -20,4 +20,8 @@ struct MassMetric
 /// lost by cleaning; `clean` is what cleanMesh made of it and has area.
 [[nodiscard]] MassMetric massMetric(const TriangleMesh& raw, const CleanResult& clean);
 
+/// The same about a point where a hand holds it, as a sheet: turns are about that point, and the lever is
+/// sqrt(2/3 mean |p|^2) of all points of its triangles.
+[[nodiscard]] MassMetric metricAbout(const TriangleMesh& clean, const Vec3& handle_W);
+
 } // namespace palpate

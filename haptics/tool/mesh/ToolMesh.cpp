@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr std::size_t mostTriangles = 250000;
+constexpr double furthestHandle = 10.0;   // diagonals of the tool: a turn by a degree moves it by a sixth of its size
 constexpr double furthestParts = 10.0;    // times what the parts measure together
 constexpr double furthestDiagonals = 1e6; // 64 roundings of such a coordinate are an eighth of the rest gap
 constexpr double flatShare = 0.1;         // of the rest gap: what bends less is no feature that is felt
@@ -105,18 +106,31 @@ std::string refusalOf(const TriangleMesh& raw, const CleanResult& clean)
   return {};
 }
 
+std::string refuseHandle(const TriangleMesh& mesh, const Vec3& handle_W)
+{
+  const Eigen::AlignedBox3d bounds = boundsOf(mesh);
+  const bool near =
+    handle_W.allFinite() && bounds.exteriorDistance(handle_W) <= furthestHandle * bounds.diagonal().norm();
+  return near ? ""
+              : "the handle lies far outside of the tool: move the tool's mesh, whose origin is held, nearer to it";
+}
+
 } // namespace
 
-ToolResult makeTool(const TriangleMesh& raw)
+ToolResult makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W)
 {
   ToolResult result;
   const CleanResult given = cleanMesh(raw);
   result.refusal = refusalOf(raw, given);
+  if (result.ok() && handle_W)
+  {
+    result.refusal = refuseHandle(given.mesh, *handle_W);
+  }
   if (!result.ok())
   {
     return result;
   }
-  const MassMetric metric = massMetric(raw, given);
+  const MassMetric metric = handle_W ? metricAbout(given.mesh, *handle_W) : massMetric(raw, given);
   TriangleMesh moved = given.mesh;
   for (Vec3& v : moved.vertices_W)
   {

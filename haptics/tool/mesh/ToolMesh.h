@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "haptics/tool/mesh/BoxedMesh.h"
@@ -33,8 +34,9 @@ struct ToolResult
 };
 
 /// Refuses what is no finite mesh with area, has one triangle alone, more than 250,000, or parts that lie so far apart
-/// that they are no one's hand tool.
-[[nodiscard]] ToolResult makeTool(const TriangleMesh& raw);
+/// that they are no one's hand tool. `handle_W`: the centre is where a hand holds it, in place of that of its mass;
+/// refused far outside of the tool.
+[[nodiscard]] ToolResult makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W = std::nullopt);
 
 /// What a tool of this size can touch: built for its rest gap. A scene that is clean, in W.
 [[nodiscard]] std::shared_ptr<const BoxedMesh> makeToolScene(TriangleMesh clean, const ToolMesh& tool);

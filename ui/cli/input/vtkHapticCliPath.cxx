@@ -178,7 +178,7 @@ std::vector<vtkHapticCliPathRow> ReadRows(std::ifstream& file, const std::vector
 }
 } // namespace
 
-std::vector<vtkHapticCliPathRow> vtkHapticCliReadPath(const std::string& name)
+std::vector<vtkHapticCliPathRow> vtkHapticCliReadPath(const std::string& name, bool turned)
 {
   if (const std::string problem = vtkHapticFileGuards::CheckFile(name); !problem.empty())
   {
@@ -189,6 +189,10 @@ std::vector<vtkHapticCliPathRow> vtkHapticCliReadPath(const std::string& name)
   std::string line;
   std::getline(file, line);
   const std::vector<Column> columns = ParseHeader(line, place);
+  if (turned && std::find(columns.begin(), columns.end(), QW) == columns.end())
+  {
+    throw place.Problem("a tool turns: give the columns qw,qx,qy,qz too, as a unit quaternion");
+  }
   std::vector<vtkHapticCliPathRow> rows = ReadRows(file, columns, place);
   if (rows.empty())
   {

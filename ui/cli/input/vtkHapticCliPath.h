@@ -16,7 +16,8 @@ struct vtkHapticCliPathRow
 
 /// Reads PATH.csv: a header with t, x, y, z [s, scene units] and, all or none of them, qw, qx, qy, qz, in any order;
 /// then one line of finite numbers per tick, t growing from line to line.
-/// Throws vtkHapticCliProblem naming file, line and reason; never skips a line or a column.
-[[nodiscard]] std::vector<vtkHapticCliPathRow> vtkHapticCliReadPath(const std::string& file);
+/// Throws vtkHapticCliProblem naming file, line and reason; never skips a line or a column. `turned`: it must give
+/// orientations.
+[[nodiscard]] std::vector<vtkHapticCliPathRow> vtkHapticCliReadPath(const std::string& file, bool turned = false);
 
 #endif

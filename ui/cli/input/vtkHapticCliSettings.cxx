@@ -67,6 +67,17 @@ bool vtkHapticCliSettings::IsGiven(std::string_view setting) const
   return this->Find(setting).Option->count() > 0;
 }
 
+std::string vtkHapticCliSettings::GivenBeside(std::initializer_list<std::string_view> settings) const
+{
+  const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [&](const Entry& entry)
+    {
+      const bool among = std::find(settings.begin(), settings.end(), entry.Described.at.name) != settings.end();
+      return !among && entry.Option->count() > 0;
+    });
+  return found == this->Entries.end() ? "" : "--" + std::string(found->Described.at.option);
+}
+
 palpate::FrictionPlan vtkHapticCliSettings::Friction() const
 {
   const double statical = this->Number("FrictionStatic");

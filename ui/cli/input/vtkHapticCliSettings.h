@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <deque>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,8 @@ public:
   /// What a setting that was added is, by its name: as given, else the default.
   double Number(std::string_view setting) const;
   bool IsGiven(std::string_view setting) const;
+  /// The option of one that was given and is none of these settings; empty: there is none.
+  std::string GivenBeside(std::initializer_list<std::string_view> settings) const;
   /// The kinetic one that was not given is the static one.
   palpate::FrictionPlan Friction() const;
 

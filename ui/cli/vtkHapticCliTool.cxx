@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticCliCommands.h"
+
+#include <cmath>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/session/ToolTouch.h"
+#include "vtkHapticCliOutput.h"
+#include "vtkHapticCliPath.h"
+#include "vtkHapticCliProblem.h"
+#include "vtkHapticCliScene.h"
+#include "vtkHapticCliTicks.h"
+
+namespace
+{
+palpate::ToolHold HoldOf(const vtkHapticCliTouchOptions& options)
+{
+  palpate::ToolHold hold;
+  hold.stiffness_N_per_m = options.Settings.Number("Stiffness");
+  hold.scale_u_per_m = options.Settings.Number("Scale");
+  hold.lever_u = options.Tool.Lever_u;
+  if (options.Tool.Turning_N_m_per_rad)
+  {
+    // K_r = K_t (L / scale)^2.
+    hold.lever_u = hold.scale_u_per_m * std::sqrt(*options.Tool.Turning_N_m_per_rad / hold.stiffness_N_per_m);
+  }
+  hold.coupling = options.Tool.VirtualCoupling ? palpate::ToolCoupling::Virtual : palpate::ToolCoupling::Constraints;
+  return hold;
+}
+
+/// A tool feels surfaces as they are: what else was asked for would be lost.
+void CheckNothingElse(const vtkHapticCliTouchOptions& options)
+{
+  const std::string setting = options.Settings.GivenBeside({ "Stiffness", "Scale" });
+  const std::string asked = !setting.empty()             ? setting
+                            : options.Field.Any()        ? "--field"
+                            : options.TwoD               ? "--two-d"
+                            : !options.Materials.Empty() ? "an array of the material"
+                                                         : "";
+  if (!asked.empty())
+  {
+    throw vtkHapticCliProblem(asked + ": a tool does not feel it; leave out this or --tool");
+  }
+}
+
+/// The triangles of all files in one.
+palpate::TriangleMesh ReadTogether(const std::vector<std::string>& files, std::optional<double> iso)
+{
+  palpate::TriangleMesh together;
+  for (const std::string& file : files)
+  {
+    const vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, iso);
+    const auto first = static_cast<std::uint32_t>(together.vertices_W.size());
+    const palpate::TriangleMesh& mesh = *surface.Input.mesh;
+    together.vertices_W.insert(together.vertices_W.end(), mesh.vertices_W.begin(), mesh.vertices_W.end());
+    for (const auto& t : mesh.triangles)
+    {
+      together.triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+    }
+  }
+  return together;
+}
+/// One row of what it did.
+void Write(
+  vtkHapticCliOutput& output, const vtkHapticCliPathRow& row, const palpate::ToolTouched& touched, double cost_us)
+{
+  palpate::HapticState state;
+  state.device_W = row.Pose_W;
+  state.proxy_W = touched.pose_W;
+  state.force_W = touched.wrench_W.force;
+  state.contacts = touched.contacts;
+  const palpate::Quat& q = touched.pose_W.q;
+  const palpate::Vec3& torque = touched.wrench_W.torque;
+  vtkHapticCliWriteTick(
+    output, row.Time_s, state, cost_us, { q.w(), q.x(), q.y(), q.z(), torque.x(), torque.y(), torque.z() });
+}
+
+/// What a person is to know who reads the rows.
+struct Shortfalls
+{
+  int Unsettled = 0;
+  int LeadCut = 0;
+
+  void Count(const palpate::ToolTouched& touched)
+  {
+    this->Unsettled += touched.settled ? 0 : 1;
+    this->LeadCut += touched.leadCut ? 1 : 0;
+  }
+
+  void Tell() const
+  {
+    if (this->Unsettled > 0)
+    {
+      std::cerr << "palpate: in " << this->Unsettled << " rows the tool had not come to rest\n";
+    }
+    if (this->LeadCut > 0)
+    {
+      std::cerr << "palpate: in " << this->LeadCut << " rows the hand was turned so far ahead of the tool that it was "
+                << "led by a part of that only\n";
+    }
+  }
+};
+} // namespace
+
+int vtkHapticCliTouchWithTool(const vtkHapticCliTouchOptions& options)
+{
+  CheckNothingElse(options);
+  const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path, true);
+  const palpate::TriangleMesh mesh = ReadTogether({ options.Tool.File }, {});
+  const palpate::TriangleMesh scene = ReadTogether(options.Files, options.Iso);
+  std::string refusal;
+  const auto touch = palpate::ToolTouch::make(mesh, scene, HoldOf(options), path.front().Pose_W, refusal);
+  if (!touch)
+  {
+    throw vtkHapticCliProblem("--tool: " + options.Tool.File + ": " + refusal);
+  }
+  std::vector<std::string> inputs = options.Files;
+  inputs.insert(inputs.end(), { options.Path, options.Tool.File });
+  vtkHapticCliOutput output(options.Output, inputs);
+  vtkHapticCliWriteHeader(output, ",proxy_qw,proxy_qx,proxy_qy,proxy_qz,torque_x,torque_y,torque_z");
+  vtkHapticCliStopwatch stopwatch;
+  Shortfalls shortfalls;
+  for (const vtkHapticCliPathRow& row : path)
+  {
+    stopwatch.Start();
+    const palpate::ToolTouched touched = touch->next(row.Pose_W);
+    Write(output, row, touched, stopwatch.Cost_us());
+    shortfalls.Count(touched);
+  }
+  shortfalls.Tell();
+  output.Commit();
+  return 0;
+}
