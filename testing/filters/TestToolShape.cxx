@@ -55,7 +55,8 @@ double frustum(double bottom, double top, double height)
   return height / 3.0 * (bottom + top + std::sqrt(bottom * top));
 }
 
-vtkSmartPointer<vtkTouchAlongPath> lead(int tool, int into, const std::vector<Pose>& hand)
+vtkSmartPointer<vtkTouchAlongPath> lead(
+  vtkHapticToolShape& tool, vtkHapticToolShape& into, const std::vector<Pose>& hand)
 {
   std::vector<Vec3> points_W;
   vtkNew<vtkDoubleArray> turns;
@@ -69,8 +70,8 @@ vtkSmartPointer<vtkTouchAlongPath> lead(int tool, int into, const std::vector<Po
   const auto path = makePath(points_W);
   path->GetPointData()->AddArray(turns);
   auto touch = vtkSmartPointer<vtkTouchAlongPath>::New();
-  touch->SetInputData(shapeOf(into)->GetOutput());
-  touch->SetToolData(shapeOf(tool)->GetOutput());
+  touch->SetInputData(into.GetOutput());
+  touch->SetToolData(tool.GetOutput());
   touch->SetPathData(path);
   touch->SetTurnArray("turn");
   touch->SetLever(lever);
@@ -125,40 +126,50 @@ TEST(ToolShape, APegThatIsLedBesideItsHoleGoesDownInItAsFarAsItIsLedAndLeansOnIt
     hand.push_back(turned(0.0, depth + 1.0 - 0.5 * i));
   }
   hand.push_back(turned(0.0, 1.0, 0.5)); // aside, by more than there is room
-  const auto touch = lead(vtkHapticToolShape::Peg, vtkHapticToolShape::Hole, hand);
+  const auto touch = lead(*shapeOf(vtkHapticToolShape::Peg), *shapeOf(vtkHapticToolShape::Hole), hand);
   vtkDataArray* const force = touch->GetOutput()->GetPointData()->GetArray("Force");
   for (vtkIdType i = 0; i < 41; ++i)
   {
     EXPECT_EQ(force->GetComponent(i, 2), 0.0) << i; // there is room all the way
   }
   const Vec3 last(touch->GetOutput()->GetPoint(41));
-  EXPECT_NEAR(last.x(), clearance, 0.15 * clearance) << "aside as far as there is room, and a little by leaning";
+  // It leans until it touches the mouth, 2 below the hand where the chamfer ends, and the other wall where its own
+  // begins, 19 below: x - 2 t = c and x - 19 t = -c.
+  const double lean = 2.0 * clearance / 17.0;
+  EXPECT_NEAR(last.x(), clearance + 2.0 * lean, 0.01 * clearance) << "but for the corners of its polygon";
+  EXPECT_NEAR(
+    touch->GetOutput()->GetPointData()->GetArray("Angle")->GetComponent(41, 0) * pi / 180.0, lean, 0.02 * lean);
   EXPECT_LT(force->GetComponent(41, 0), 0.0);
 }
 
-TEST(ToolShape, AScrewThatIsPulledOutOfItsNutTurnsByTheFormula)
+TEST(ToolShape, AScrewIsFreeInItsNutAlongItsPitchAndPulledStraightTurnsAndRisesByPlayAndPitch)
 {
-  // Turned with its pitch it is free. Pulled by h without a turn it turns by t and rises by z = play + p t / 2 pi, such
-  // that (h - z)^2 + L^2 t^2 is least: t = k (h - play) / (L^2 + k^2) with k = p / 2 pi.
-  std::vector<Pose> hand;
-  const double k = pitch / (2.0 * pi);
-  for (int i = 0; i <= 20; ++i)
+  const auto screw = shapeOf(vtkHapticToolShape::Screw, 3), nut = shapeOf(vtkHapticToolShape::Nut, 3);
+  for (const auto& shape : { screw, nut })
   {
-    hand.push_back(turned(0.1 * i, 0.1 * i * k));
+    shape->SetLength(8.0);
+    shape->Update();
   }
-  const double h = 3.0;
-  hand.push_back(turned(2.0, 2.0 * k + h));
-  const auto touch = lead(vtkHapticToolShape::Screw, vtkHapticToolShape::Nut, hand);
+  const double perTurn = pitch / (2.0 * pi), pulled = 1.0, last = 0.6;
+  const auto touch = lead(*screw, *nut,
+    { turned(0.0, 0.0), turned(0.3, 0.3 * perTurn), turned(last, last * perTurn),
+      turned(last, last * perTurn + pulled) });
   vtkPointData* const data = touch->GetOutput()->GetPointData();
-  ASSERT_EQ(touch->GetOutput()->GetNumberOfPoints(), 22);
-  for (vtkIdType i = 0; i < 21; ++i)
+  ASSERT_EQ(touch->GetOutput()->GetNumberOfPoints(), 4);
+  for (vtkIdType i = 0; i < 3; ++i)
   {
     EXPECT_EQ(data->GetArray("Force")->GetComponent(i, 2), 0.0) << i;
   }
-  const double play = clearance * (pitch / 2.0) / (pitch / 2.0); // radial room over the slope of the flank
-  const double turn = k * (h - play) / (lever * lever + k * k);
-  EXPECT_NEAR(data->GetArray("Angle")->GetComponent(21, 0) * pi / 180.0, turn, 0.05 * turn);
-  EXPECT_NEAR(touch->GetOutput()->GetPoint(21)[2], 2.0 * k + play + k * turn, 0.05 * h);
+  double q[4];
+  data->GetArray("Turn")->GetTuple(3, q);
+  const double turn = 2.0 * std::atan2(q[3], q[0]) - last;
+  EXPECT_GT(turn, 0.01) << "out of the nut";
+  // The flank rises by one half of the pitch over the other half: the radial room is as much room along the axis. The
+  // corners of both meet where they face each other; between, there is less room by what a chord is flatter.
+  const double flatter = (radius + 0.5 * pitch + clearance) * (1.0 - std::cos(pi / 24.0));
+  const double rise = touch->GetOutput()->GetPoint(3)[2] - last * perTurn - perTurn * turn;
+  EXPECT_LE(rise, clearance * 1.001);
+  EXPECT_GE(rise, clearance - flatter);
 }
 
 TEST(ToolShape, SizesThatMakeNoShapeAreRefusedInWords)

@@ -64,7 +64,7 @@ palpate::TriangleMesh ReadTogether(const std::vector<std::string>& files, std::o
   return together;
 }
 /// One row of what it did.
-void Write(
+void WriteTool(
   vtkHapticCliOutput& output, const vtkHapticCliPathRow& row, const palpate::ToolTouched& touched, double cost_us)
 {
   palpate::HapticState state;
@@ -79,7 +79,7 @@ void Write(
 }
 
 /// What a person is to know who reads the rows.
-struct Shortfalls
+struct ToolShortfalls
 {
   int Unsettled = 0;
   int LeadCut = 0;
@@ -122,12 +122,12 @@ int vtkHapticCliTouchWithTool(const vtkHapticCliTouchOptions& options)
   vtkHapticCliOutput output(options.Output, inputs);
   vtkHapticCliWriteHeader(output, ",proxy_qw,proxy_qx,proxy_qy,proxy_qz,torque_x,torque_y,torque_z");
   vtkHapticCliStopwatch stopwatch;
-  Shortfalls shortfalls;
+  ToolShortfalls shortfalls;
   for (const vtkHapticCliPathRow& row : path)
   {
     stopwatch.Start();
     const palpate::ToolTouched touched = touch->next(row.Pose_W);
-    Write(output, row, touched, stopwatch.Cost_us());
+    WriteTool(output, row, touched, stopwatch.Cost_us());
     shortfalls.Count(touched);
   }
   shortfalls.Tell();

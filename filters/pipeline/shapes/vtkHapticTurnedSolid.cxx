@@ -27,15 +27,35 @@ void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c, vtkCellArray* triangles)
   triangles->InsertNextCell(3, corners);
 }
 
-/// The band from one ring to the next.
-void AddBand(int ring, int next, int around, vtkCellArray* triangles)
+double FromAxis(vtkPoints* points, vtkIdType id)
 {
+  const double* const p = points->GetPoint(id);
+  return std::hypot(p[0], p[1]);
+}
+
+/// How unlike the ends of a band's diagonals are in their distance from the axis, all together: from each corner of one
+/// ring to the one of the other that is so many corners further on.
+double Unlike(vtkIdType from, vtkIdType to, int further, int around, vtkPoints* points)
+{
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < around; ++i)
+  {
+    sum += std::abs(FromAxis(points, from + i) - FromAxis(points, to + (i + further + around) % around));
+  }
+  return sum;
+}
+
+/// The band from one ring to the next. The diagonals lie the way in which their ends are more alike: on a thread along
+/// its crest, where the others would cut it.
+void AddBand(int ring, int next, int around, vtkPoints* points, vtkCellArray* triangles)
+{
+  const vtkIdType from = static_cast<vtkIdType>(ring) * around, to = static_cast<vtkIdType>(next) * around;
+  const bool back = Unlike(from, to, -1, around, points) < Unlike(from, to, 1, around, points);
   for (vtkIdType i = 0; i < around; ++i)
   {
     const vtkIdType j = (i + 1) % around;
-    const vtkIdType from = static_cast<vtkIdType>(ring) * around, to = static_cast<vtkIdType>(next) * around;
-    AddTriangle(from + i, from + j, to + j, triangles);
-    AddTriangle(from + i, to + j, to + i, triangles);
+    AddTriangle(from + i, from + j, back ? to + i : to + j, triangles);
+    AddTriangle(back ? from + j : from + i, to + j, to + i, triangles);
   }
 }
 
@@ -64,7 +84,7 @@ void vtkHapticTurnSolid(const std::vector<vtkHapticRing>& rings, int around, boo
   }
   for (int i = 0; i < (bore ? count : count - 1); ++i)
   {
-    AddBand(i, (i + 1) % count, around, triangles);
+    AddBand(i, (i + 1) % count, around, points, triangles);
   }
   if (!bore)
   {

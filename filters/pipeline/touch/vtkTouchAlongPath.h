@@ -221,7 +221,7 @@ private:
   /// With a tool in place of a ball; false with an error.
   bool TouchWithTool(vtkDataObject& surface, vtkDataObject& tool, const vtkHapticHandPath& path, vtkPolyData& output);
   /// Why a tool does not feel what else is set; empty: nothing else is.
-  std::string BesideTool() const;
+  std::string BesideTool();
   /// Reports progress; false when someone asked to stop.
   bool Goes(double progress);
 

@@ -62,7 +62,7 @@ void vtkTouchAlongPath::SetToolData(vtkDataObject* tool)
   this->SetInputDataObject(3, tool);
 }
 
-std::string vtkTouchAlongPath::BesideTool() const
+std::string vtkTouchAlongPath::BesideTool()
 {
   const char* const set = this->Field->IsAskedFor() || this->GetNumberOfInputConnections(2) > 0 ? "a field"
                           : this->Radius > 0.0                                                  ? "a ball's radius"

@@ -72,7 +72,7 @@ std::string vtkHapticCliSettings::GivenBeside(std::initializer_list<std::string_
   const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
     [&](const Entry& entry)
     {
-      const bool among = std::find(settings.begin(), settings.end(), entry.Described.at.name) != settings.end();
+      const bool among = std::find(settings.begin(), settings.end(), entry.Described.name) != settings.end();
       return !among && entry.Option->count() > 0;
     });
   return found == this->Entries.end() ? "" : "--" + std::string(found->Described.at.option);
