@@ -7,6 +7,7 @@ import os
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 from paraview import servermanager, simple
 
@@ -25,6 +26,15 @@ VALUES = {
 }
 # Added point by point: the object says how many there are.
 NO_GETTER = ("StrokePoints",)
+# Proxies that have settings of the session too, and what the tables call their defaults.
+OTHER_PROXIES = (("plugin/HapticSettings.xml", "HapticSettings", "default_words"),
+                 ("filters/pipeline/HapticPipeline.xml", "TouchAlongPath", "path_default_words"))
+
+
+def said_of(element):
+    """How many numbers a property has, between which ends, and its sentence."""
+    ends = [(domain.get("min"), domain.get("max")) for domain in element if domain.tag.endswith("RangeDomain")]
+    return element.get("number_of_elements"), ends, " ".join(element.findtext("Documentation").split())
 
 
 def settings(proxy):
@@ -123,6 +133,22 @@ class Properties(unittest.TestCase):
         for readout in tables["readouts"]:
             self.assertEqual(len(from_object(self.proxy, readout["name"])), readout["elements"], readout["name"])
             self.assertTrue(self.proxy.GetProperty(readout["name"]).GetInformationOnly(), readout["name"])
+
+    def test_the_same_setting_of_another_proxy_is_as_the_tables_say(self):
+        tables = json.loads(self.proxy.GetClientSideObject().GetDescribed())
+        settings_of = {setting["name"]: setting for setting in tables["settings"]}
+        for file, proxy, words in OTHER_PROXIES:
+            found = ElementTree.parse(described.ROOT / file).find(f".//*[@name='{proxy}']")
+            shared = [element for element in found if element.get("name") in settings_of]
+            self.assertGreater(len(shared), 2, proxy)
+            for element in shared:
+                setting = settings_of[element.get("name")]
+                wanted = ElementTree.fromstring(described.setting_xml(setting))
+                self.assertEqual(element.tag, wanted.tag, setting["name"])
+                self.assertEqual(said_of(element), said_of(wanted), (proxy, setting["name"]))
+                default = ", ".join(element.get("default_values").split()) or "none"
+                default = {"0": "off", "1": "on"}[default] if setting["kind"] == "flag" else default
+                self.assertEqual(default, setting[words].removesuffix(" " + setting["unit"]), (proxy, setting["name"]))
 
     def test_a_number_beyond_the_range_of_the_table_is_refused_by_name_and_the_old_one_stays(self):
         session = self.proxy.GetClientSideObject()
