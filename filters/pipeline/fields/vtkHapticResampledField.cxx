@@ -11,6 +11,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkCellTypes.h"
+#include "vtkCompositeDataProbeFilter.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHapticFieldWindow.h"
@@ -21,7 +22,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointInterpolator.h"
-#include "vtkResampleToImage.h"
 #include "vtkSmartPointer.h"
 
 using palpate::Vec3;
@@ -109,35 +109,29 @@ private:
   vtkSmartPointer<vtkImageData> Probe(const vtkHapticFieldWindow& window) const
   {
     const Vec3 first = this->Lattice.toWorld({ 1.0 * window.First[0], 1.0 * window.First[1], 1.0 * window.First[2] });
-    Vec3 last = first;
-    for (int k = 0; k < 3; ++k)
-    {
-      last[k] += (window.Size[k] - 1) * this->Lattice.spacing_u[k];
-    }
-    return this->Cloud ? this->Interpolate(window, first) : this->Resample(window, first, last);
-  }
-
-  vtkSmartPointer<vtkImageData> Resample(const vtkHapticFieldWindow& window, const Vec3& first, const Vec3& last) const
-  {
-    vtkNew<vtkCellDataToPointData> toPoints;
-    toPoints->SetInputDataObject(this->Data);
-    toPoints->PassCellDataOn(); // what hides a cell is one of its values
-    vtkNew<vtkResampleToImage> resample;
-    resample->SetInputConnection(toPoints->GetOutputPort());
-    resample->UseInputBoundsOff();
-    double bounds[6] = { first.x(), last.x(), first.y(), last.y(), first.z(), last.z() };
-    resample->SetSamplingBounds(bounds);
-    resample->SetSamplingDimensions(window.Size[0], window.Size[1], window.Size[2]);
-    resample->Update();
-    return resample->GetOutput();
-  }
-
-  vtkSmartPointer<vtkImageData> Interpolate(const vtkHapticFieldWindow& window, const Vec3& first) const
-  {
     vtkNew<vtkImageData> places;
     places->SetDimensions(window.Size.data());
     places->SetOrigin(first.data());
     places->SetSpacing(this->Lattice.spacing_u.data());
+    return this->Cloud ? this->Interpolate(places) : this->Resample(places);
+  }
+
+  /// Without vtkResampleToImage, in whose place a factory of ParaView's puts one that waits for other ranks.
+  vtkSmartPointer<vtkImageData> Resample(vtkImageData* places) const
+  {
+    vtkNew<vtkCellDataToPointData> toPoints;
+    toPoints->SetInputDataObject(this->Data);
+    toPoints->PassCellDataOn(); // what hides a cell is one of its values
+    vtkNew<vtkCompositeDataProbeFilter> probe;
+    probe->SetInputData(places);
+    probe->SetSourceConnection(toPoints->GetOutputPort());
+    probe->PassPartialArraysOn();
+    probe->Update();
+    return vtkImageData::SafeDownCast(probe->GetOutput());
+  }
+
+  vtkSmartPointer<vtkImageData> Interpolate(vtkImageData* places) const
+  {
     vtkNew<vtkLinearKernel> kernel;
     kernel->SetRadius(4.0 * this->Lattice.spacing_u.maxCoeff()); // twice the distance of the points
     vtkNew<vtkPointInterpolator> interpolate;
