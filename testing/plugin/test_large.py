@@ -78,4 +78,6 @@ class LargeData(ViewTest):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    # A SystemExit would skip pvpython's own ending, which closes views before the display.
+    if not unittest.main(exit=False).result.wasSuccessful():
+        sys.exit(1)

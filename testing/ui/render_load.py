@@ -27,7 +27,7 @@ class RenderLoad:
         self.proxy = manager.GetProxy("haptics", "HapticSession")
         self.parts = {"free": [], "touched": []}  # of each part [ms a picture]: drawing it, all else that the thread did
         self.costs = {}
-        self.ready = {"shares": [], "slices": []}  # progress, and what the thread did between two looks beside drawing [ms]
+        self.ready = {"shares": [], "slices": []}  # progress, and what the thread did between two looks beside drawing [ms], pictures
         self.turning = False
         self.drawing = self.begun = self.looked = 0.0
         self.drawn = 0
@@ -80,10 +80,10 @@ class RenderLoad:
         self.begin_slice()
 
     def begin_slice(self):
-        self.looked, self.drawing = time.thread_time(), 0.0
+        self.looked, self.drawing, self.drawn = time.thread_time(), 0.0, 0
 
     def look(self):
-        self.ready["slices"].append(1e3 * (time.thread_time() - self.looked - self.drawing))
+        self.ready["slices"].append((1e3 * (time.thread_time() - self.looked - self.drawing), self.drawn))
         self.ready["shares"].append(self.session().GetSceneProgress())
         self.begin_slice()
 

@@ -73,7 +73,9 @@ class RenderLoad(unittest.TestCase):
 
     def test_a_million_triangles_become_touchable_without_holding_the_thread_for_as_long_as_a_picture(self):
         self.assertLess(self.found["ready"]["touch"], 0.5 * self.picture_ms())
-        self.assertLess(max(self.found["ready"]["slices"]), self.picture_ms())
+        beside = self.found["middle"]["touched"][1]  # of a picture, with nothing to be made ready
+        for took_ms, drawn in self.found["ready"]["slices"]:
+            self.assertLess(took_ms - drawn * beside, self.picture_ms())
 
     def test_it_says_how_far_it_is_and_can_be_given_up(self):
         shares = self.found["ready"]["shares"]
