@@ -109,6 +109,32 @@ void ToolMove::expect(const Pose& device_W)
   this->margin_u_ = this->behind_ ? std::max(usual_u, this->margin_u_) : usual_u;
 }
 
+/// Plans a step and proves it; what blocks it early becomes a row, and it is planned again.
+ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
+{
+  const StepLimits limits{ this->lever_u_, this->tool_.reach_u, this->restGap_u_, this->front_->room_u() };
+  const double least_u = endOfMotion * this->restGap_u_;
+  ProvenStep found;
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    found.planned = StepPlan(this->rows_.rows(), this->pose_W_, limits).plan(wish);
+    const ScrewStep& step = found.planned.step;
+    const double way_u = step.displacement_u(this->tool_.reach_u);
+    found.rests = way_u < least_u;
+    if (found.rests)
+    {
+      break;
+    }
+    const Clearance clearance{ provenGap * this->restGap_u_, least_u / way_u };
+    found.verdict = proveStep(this->near_, { step, way_u, this->front_->way_u(), clearance }, budget);
+    if (found.verdict.share > worthMoving || !this->rows_.addBlocking(this->near_, step, found.verdict))
+    {
+      break;
+    }
+  }
+  return found;
+}
+
 ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
 {
   if (!this->makeRoom(budget))
@@ -116,31 +142,19 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
     return Advance::Spent;
   }
   this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
-  const StepLimits limits{ this->lever_u_, this->tool_.reach_u, this->restGap_u_, this->front_->room_u() };
-  const Vec6 wish = wishedMotion(this->pose_W_, device_W, this->lever_u_, this->leadCut_);
-  PlannedStep planned;
-  StepVerdict verdict;
-  for (int round = 0; round < mostRounds; ++round)
+  const ProvenStep found =
+    this->planProven(wishedMotion(this->pose_W_, device_W, this->lever_u_, this->leadCut_), budget);
+  if (found.rests)
   {
-    planned = StepPlan(this->rows_.rows(), this->pose_W_, limits).plan(wish);
-    const double way_u = planned.step.displacement_u(this->tool_.reach_u);
-    if (way_u < endOfMotion * this->restGap_u_)
-    {
-      return Advance::Rests;
-    }
-    const Clearance clearance{ provenGap * this->restGap_u_, endOfMotion * this->restGap_u_ / way_u };
-    verdict = proveStep(this->near_, { planned.step, way_u, this->front_->way_u(), clearance }, budget);
-    if (verdict.share > worthMoving || !this->rows_.addBlocking(this->near_, planned.step, verdict))
-    {
-      break;
-    }
+    return Advance::Rests;
   }
-  if (verdict.share <= 0.0)
+  const double share = found.verdict.share;
+  if (share <= 0.0)
   {
     return budget.left() == 0 ? Advance::Spent : Advance::Blocked;
   }
-  const ScrewStep taken{ this->pose_W_, verdict.share * planned.step.v_W, verdict.share * planned.step.w_W };
-  this->commit(taken, this->usefulShare(planned, taken, device_W));
+  const ScrewStep taken{ this->pose_W_, share * found.planned.step.v_W, share * found.planned.step.w_W };
+  this->commit(taken, this->usefulShare(found.planned, taken, device_W));
   if (this->idle_ >= idleSteps)
   {
     return Advance::Rests;

@@ -37,12 +37,12 @@ public:
 /// between two is proven, by planes, to be free; what is not proven is not done. So nothing is ever passed, from no
 /// side of sheets and soups either, and an update may end anywhere.
 ///
-/// Not real-time safe: an update belongs on a thread of its own. After the redesign in three lines of Ortega, Redon &
-/// Coquillart (2007): constraint-based motion; the proofs are interpolation bounds, not roots of polynomials.
+/// Constraint-based motion as Ortega, Redon & Coquillart (2007) have it; the proofs are bounds of interpolation instead
+/// of roots of polynomials. Not real-time safe: an update belongs on a thread of its own.
 class ToolMove
 {
 public:
-  /// Both must outlive nothing: they are shared. `lever_u`: what a turn of 1 rad weighs as a way.
+  /// `scene_W` as makeToolScene has it for this tool. `lever_u`: what a turn of 1 rad weighs as a way.
   ToolMove(const ToolMesh& tool, std::shared_ptr<const BoxedMesh> scene_W, double lever_u);
 
   /// Puts the tool at a pose. Refused in words where it would touch or meet the scene there; then nothing has changed.
@@ -71,6 +71,13 @@ private:
   };
   void expect(const Pose& device_W);
   [[nodiscard]] bool makeRoom(WorkBudget& budget);
+  struct ProvenStep
+  {
+    PlannedStep planned;
+    StepVerdict verdict;
+    bool rests = false; ///< the rows leave nothing of the wish
+  };
+  [[nodiscard]] ProvenStep planProven(const Vec6& wish, WorkBudget& budget);
   [[nodiscard]] Advance advance(const Pose& device_W, WorkBudget& budget);
   [[nodiscard]] double usefulShare(const PlannedStep& planned, const ScrewStep& step, const Pose& device_W);
   void commit(const ScrewStep& step, double share);

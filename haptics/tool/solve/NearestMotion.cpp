@@ -155,11 +155,31 @@ double roundingOf(std::span<const MotionRow> rows, const Vec6& wish) noexcept
   return 16.0 * epsilon * largest;
 }
 
+/// How far the pressure of a broken row can grow, and the active row that lets go then.
+struct PressureStep
+{
+  double length = 0.0;
+  int leaves = -1; ///< none: the broken row holds after it
+};
+
+/// At most `length`: until a pressure that falls on the way is gone.
+PressureStep pressureStep(const NearestMotion& r, const std::array<double, 6>& falls, double length) noexcept
+{
+  PressureStep step{ length };
+  for (int i = 0; i < r.count; ++i)
+  {
+    if (falls[i] > epsilon && r.pressure[i] < step.length * falls[i])
+    {
+      step = { r.pressure[i] / falls[i], i };
+    }
+  }
+  return step;
+}
+
 /// Makes the broken row hold: rows that would pull let go on the way. False: it contradicts the active ones.
-bool enforce(ActiveRows& active, std::span<const MotionRow> rows, Violation broken, NearestMotion& r) noexcept
+bool enforce(ActiveRows& active, const MotionRow& row, int broken, NearestMotion& r) noexcept
 {
   constexpr double dependentBelow = 1e-11; // of a unit row: less is what orthogonalising twice leaves of one
-  const MotionRow& row = rows[broken.row];
   double gained = 0.0;
   while (true)
   {
@@ -167,36 +187,25 @@ bool enforce(ActiveRows& active, std::span<const MotionRow> rows, Violation brok
     const double free2 = free.squaredNorm();
     const bool moves = r.count < 6 && free2 > dependentBelow * dependentBelow;
     const std::array<double, 6> falls = active.falls(row.j);
-    double step = moves ? (row.bound - row.j.dot(r.y)) / free2 : std::numeric_limits<double>::infinity();
-    int leaves = -1;
-    for (int i = 0; i < r.count; ++i)
-    {
-      if (falls[i] > epsilon && r.pressure[i] < step * falls[i])
-      {
-        step = r.pressure[i] / falls[i];
-        leaves = i;
-      }
-    }
-    if (leaves < 0 && !moves)
+    const double needed = (row.bound - row.j.dot(r.y)) / free2;
+    const PressureStep step = pressureStep(r, falls, moves ? needed : std::numeric_limits<double>::infinity());
+    if (step.leaves < 0 && !moves)
     {
       return false;
     }
     for (int i = 0; i < r.count; ++i)
     {
-      r.pressure[i] -= step * falls[i];
+      r.pressure[i] -= step.length * falls[i];
     }
-    gained += step;
-    if (moves)
-    {
-      r.y += step * free;
-    }
-    if (leaves < 0)
+    gained += step.length;
+    r.y += moves ? Vec6(step.length * free) : Vec6(Vec6::Zero());
+    if (step.leaves < 0)
     {
       r.pressure[r.count] = gained;
-      active.add(broken.row);
+      active.add(broken);
       return true;
     }
-    active.remove(leaves);
+    active.remove(step.leaves);
   }
 }
 
@@ -225,7 +234,7 @@ NearestMotion nearestMotion(std::span<const MotionRow> rows, const Vec6& wish) n
     {
       return result;
     }
-    if (!enforce(active, rows, broken, result))
+    if (!enforce(active, rows[broken.row], broken.row, result))
     {
       break;
     }
