@@ -50,6 +50,15 @@ public:
   /// Whether it began so, and Add() was not called since; and that it will not be.
   [[nodiscard]] bool Preparing() const { return this->Ahead.Busy(); }
   void ForgetPrepared() { this->Ahead.Forget(); }
+  /// What was committed and is not built, or only begun, is not wanted: what was taken last counts as committed again.
+  void Cancel(palpate::SceneWorker& worker)
+  {
+    this->Ahead.Forget();
+    worker.cancel();
+    this->Committed = this->Taken;
+  }
+  /// The scene that the worker has given is what was committed, if nothing came after that.
+  void Took(const palpate::SceneWorker& worker) { this->Taken = worker.building() ? this->Taken : this->Committed; }
   /// Another matrix for a surface that was added since Clear(). Empty, or why it stays where it is.
   std::string Place(const std::string& name, vtkMatrix4x4* matrix);
   /// Has the worker build what was added since Clear(). `stamp_s`: when it was so, on the caller's clock.
@@ -129,7 +138,8 @@ private:
   std::string Refusals; ///< since Clear(), a line each
   bool Editing = false; ///< something was added or moved since Commit()
   std::vector<Kept> Committed;
-  double Stamp = 0.0; ///< of the commit [s]
+  std::vector<Kept> Taken; ///< as committed when the worker had built it
+  double Stamp = 0.0;      ///< of the commit [s]
   std::uint64_t CommitCount = 0;
 };
 

@@ -179,6 +179,8 @@ public:
   /// What is being made of the newest data is not wanted: what was touched before stays, and the warning says so until
   /// there is another scene or touching begins. How often that was done.
   void CancelScene();
+  /// What PrepareSurface() began is not wanted any more, for something else is shown.
+  void ForgetPrepared();
   int GetScenesCancelled() const;
   ///@}
 

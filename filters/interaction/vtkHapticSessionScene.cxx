@@ -50,6 +50,7 @@ void vtkHapticSession::TakeScene(bool wait)
   {
     return;
   }
+  impl.Surfaces.Took(impl.Scene.worker());
   impl.FollowPlane();
   impl.StayOutside(impl.Scene.cameAround());
   const bool ofTouch = this->GetTouching() && palpate::isOfTouch(impl.Scene.built().stamp_s, impl.Begun_s);
@@ -90,13 +91,18 @@ bool vtkHapticSession::PrepareSurface(const char* name, vtkDataObject* data, vtk
   return this->Impl->Surfaces.Prepare(name ? name : "surface", data, matrix);
 }
 
+void vtkHapticSession::ForgetPrepared()
+{
+  this->Impl->Surfaces.ForgetPrepared();
+}
+
 void vtkHapticSession::CancelScene()
 {
   Internals& impl = *this->Impl;
   if (this->GetSceneProgress() < 1.0)
   {
-    impl.Surfaces.ForgetPrepared();
-    impl.Scene.worker().cancel();
+    impl.Surfaces.Cancel(impl.Scene.worker());
+    impl.FitAsked = false;
     ++impl.ScenesCancelled;
     impl.Cancelled = "what is shown was not made ready to be touched, for that was cancelled: press Touch to try again";
   }

@@ -343,6 +343,11 @@ bool vtkHapticViewScene::Update()
   const bool left = this->Impl->Left && now.SameAs(*this->Impl->Left);
   const bool differs = !same && this->Impl->Session && !left;
   const bool handOver = differs && (!this->ReadsAhead || this->Impl->IsPrepared(now));
+  if (!differs && this->Impl->Preparing) // what was being read is hidden again
+  {
+    this->Impl->Preparing.reset();
+    this->Impl->Session->ForgetPrepared();
+  }
   if (handOver || !differs)
   {
     this->Impl->Scan = std::move(now);

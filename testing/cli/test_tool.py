@@ -51,7 +51,8 @@ class Tool(CommandLineTest):
     def test_what_a_tool_does_not_feel_is_refused_by_name(self):
         self.write_path([(0, 0, 0, 3, *UPRIGHT)], header=POSES)
         base = ("touch", "plane.off", "--tool", "cube.off", "--path", "path.csv", "--csv", "out.csv")
-        for option in (("--radius", 1), ("--mu-static", 0.5), ("--two-d",), ("--stiffness-array", "E"), ("--shading",)):
+        for option in (("--radius", 1), ("--mu-static", 0.5), ("--two-d",), ("--stiffness-array", "E"), ("--shading",),
+                       ("--strength", 1), ("--compare-with", "g")):
             self.refused(*base, *option, saying=("a tool does not feel it",))
         self.refused(*base, "--lever", 0, saying=("lever",))
         self.refused(*base, "--lever", 1, "--torque-stiffness", 1, saying=("--lever",))

@@ -60,6 +60,27 @@ class LargeData(ViewTest):
         self.assertEqual(self.session.GetSceneReport().count("\n"), 1)
         self.assertIn("Box1", self.session.GetSceneReport())
 
+    def test_what_is_hidden_again_while_it_is_read_leaves_all_as_it_was(self):
+        self.scene.SetReadsAhead(True)
+        self.show(simple.Box())
+        self.assertTrue(self.follow())
+        ball = self.ball()
+        self.show(ball)
+        self.assertFalse(self.follow())
+        self.assertIn("Reading Sphere1.", self.scene.GetReport())
+        simple.Hide(ball, self.view)
+        self.assertFalse(self.follow())
+        self.assertNotIn("Reading", self.scene.GetReport())
+        self.assertEqual(self.session.GetSceneProgress(), 1.0)
+
+    def test_two_sources_of_the_same_points_and_cells_are_both_read_ahead(self):
+        self.scene.SetReadsAhead(True)
+        ball = self.ball()
+        self.show(ball)
+        self.show(simple.Elevation(Input=ball))
+        self.assertTrue(self.wait())
+        self.assertEqual(self.session.GetSceneReport().count("\n"), 2)
+
     def test_what_was_given_up_stays_away_until_it_is_asked_for_again(self):
         self.scene.SetReadsAhead(True)
         self.show(simple.Box())

@@ -153,16 +153,6 @@ TriangleMesh makeSoup(std::size_t count, double half_u, Random& random)
   return soup;
 }
 
-void append(TriangleMesh& mesh, const TriangleMesh& more)
-{
-  const auto offset = static_cast<std::uint32_t>(mesh.vertices_W.size());
-  mesh.vertices_W.insert(mesh.vertices_W.end(), more.vertices_W.begin(), more.vertices_W.end());
-  for (const auto& [a, b, c] : more.triangles)
-  {
-    mesh.triangles.push_back({ a + offset, b + offset, c + offset });
-  }
-}
-
 TriangleMesh scaled(const TriangleMesh& mesh, double factor)
 {
   TriangleMesh result = mesh;

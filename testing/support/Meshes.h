@@ -46,7 +46,6 @@ struct Tessellation
 /// Random triangles in the cube [-half, half]^3; every third is a sliver.
 [[nodiscard]] TriangleMesh makeSoup(std::size_t count, double half_u, Random& random);
 
-void append(TriangleMesh& mesh, const TriangleMesh& more);
 [[nodiscard]] TriangleMesh scaled(const TriangleMesh& mesh, double factor);
 /// Each triangle has vertices of its own, as in an STL file or as views give it.
 [[nodiscard]] TriangleMesh unwelded(const TriangleMesh& mesh);

@@ -35,8 +35,11 @@ palpate::ToolHold HoldOf(const vtkHapticCliTouchOptions& options)
 void CheckNothingElse(const vtkHapticCliTouchOptions& options)
 {
   const std::string setting = options.Settings.GivenBeside({ "Stiffness", "Scale" });
+  const vtkHapticCliFieldOptions& field = options.Field;
   const std::string asked = !setting.empty()             ? setting
-                            : options.Field.Any()        ? "--field"
+                            : !field.Strengths_N.empty() ? "--strength"
+                            : !field.Other.empty()       ? "--compare-with"
+                            : field.Any()                ? "--field"
                             : options.TwoD               ? "--two-d"
                             : !options.Materials.Empty() ? "an array of the material"
                                                          : "";
@@ -52,17 +55,11 @@ palpate::TriangleMesh ReadTogether(const std::vector<std::string>& files, std::o
   palpate::TriangleMesh together;
   for (const std::string& file : files)
   {
-    const vtkHapticCliSurface surface = vtkHapticCliReadSurface(file, iso);
-    const auto first = static_cast<std::uint32_t>(together.vertices_W.size());
-    const palpate::TriangleMesh& mesh = *surface.Input.mesh;
-    together.vertices_W.insert(together.vertices_W.end(), mesh.vertices_W.begin(), mesh.vertices_W.end());
-    for (const auto& t : mesh.triangles)
-    {
-      together.triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
-    }
+    palpate::append(together, *vtkHapticCliReadSurface(file, iso).Input.mesh);
   }
   return together;
 }
+
 /// One row of what it did.
 void WriteTool(
   vtkHapticCliOutput& output, const vtkHapticCliPathRow& row, const palpate::ToolTouched& touched, double cost_us)

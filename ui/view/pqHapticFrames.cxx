@@ -157,7 +157,10 @@ void pqHapticFrames::nextFrame()
 {
   if (this->Attached)
   {
-    this->takeState(); // a hidden view draws nothing, and what it touches goes on
+    if (!this->View->widget()->isVisible())
+    {
+      this->takeState(); // it draws nothing, and what it touches goes on
+    }
     this->Pause.start(pauseWhenHidden);
     this->View->render();
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticCellChecks.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "vtkCell.h"
 #include "vtkCellArray.h"
@@ -16,6 +18,20 @@
 
 namespace
 {
+/// The least and the largest number, 0 and -1 of none. VTK's own GetRange() keeps what it found with the array, which
+/// is not for two threads.
+template<class Array>
+std::pair<long long, long long> EndsOf(Array* numbers)
+{
+  if (numbers->GetNumberOfValues() == 0)
+  {
+    return { 0, -1 };
+  }
+  const auto* const first = numbers->GetPointer(0);
+  const auto [least, most] = std::minmax_element(first, first + numbers->GetNumberOfValues());
+  return { *least, *most };
+}
+
 std::string CheckCellArray(vtkCellArray* cells, vtkIdType points)
 {
   if (!cells || cells->GetNumberOfCells() == 0)
@@ -26,16 +42,12 @@ std::string CheckCellArray(vtkCellArray* cells, vtkIdType points)
   {
     return "its list of cells contradicts itself";
   }
-  vtkDataArray* indices = cells->GetConnectivityArray();
-  double range[2] = { 0.0, 0.0 };
-  if (indices->GetNumberOfTuples() > 0)
+  const auto [least, most] =
+    cells->IsStorage64Bit() ? EndsOf(cells->GetConnectivityArray64()) : EndsOf(cells->GetConnectivityArray32());
+  if (least < 0 || most >= points)
   {
-    indices->GetRange(range, 0);
-  }
-  if (range[0] < 0.0 || (indices->GetNumberOfTuples() > 0 && range[1] >= static_cast<double>(points)))
-  {
-    return "a cell names point " + std::to_string(static_cast<long long>(range[0] < 0.0 ? range[0] : range[1])) +
-           "; there are " + std::to_string(points) + " points, counted from 0";
+    return "a cell names point " + std::to_string(least < 0 ? least : most) + "; there are " + std::to_string(points) +
+           " points, counted from 0";
   }
   return "";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticConversionAhead.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -16,7 +17,7 @@ vtkIdType CountCells(vtkDataObject* data)
   return cells;
 }
 
-bool IsDone(const std::future<vtkHapticConversionResult>& made)
+bool IsDone(const std::shared_future<vtkHapticConversionResult>& made)
 {
   return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
@@ -41,24 +42,26 @@ bool vtkHapticConversionAhead::Ready(vtkDataObject* data, vtkMatrix4x4* matrix, 
   {
     return IsDone(found->second);
   }
+  std::erase_if(this->Left, IsDone);
+  const auto working =
+    std::count_if(this->Made.begin(), this->Made.end(), [](const auto& made) { return !IsDone(made.second); });
+  if (working + static_cast<std::ptrdiff_t>(this->Left.size()) >= Threads)
+  {
+    return false;
+  }
   auto place = vtkSmartPointer<vtkMatrix4x4>::New();
   matrix ? place->DeepCopy(matrix) : place->Identity();
-  this->Made[key] =
-    std::async(std::launch::async, [copy = vtkHapticSharedCopy(data), place, cuts = known ? *known : vtkHapticCuts()]
-      { return vtkHapticToMesh(copy, place, cuts.Mesh ? &cuts : nullptr); });
+  this->Made[key] = std::async(std::launch::async,
+    [copy = vtkHapticSharedCopy(data), place, cuts = known ? *known : vtkHapticCuts()] {
+      return vtkHapticToMesh(copy, place, cuts.Mesh ? &cuts : nullptr);
+    }).share();
   return false;
 }
 
 std::optional<vtkHapticConversionResult> vtkHapticConversionAhead::Take(vtkDataObject* data, vtkMatrix4x4* matrix)
 {
   const auto found = this->Made.find(vtkHapticContentKey(data, matrix));
-  if (found == this->Made.end() || !IsDone(found->second))
-  {
-    return std::nullopt;
-  }
-  vtkHapticConversionResult result = found->second.get();
-  this->Made.erase(found);
-  return result;
+  return found == this->Made.end() || !IsDone(found->second) ? std::nullopt : std::optional(found->second.get());
 }
 
 bool vtkHapticConversionAhead::Busy() const

@@ -2,6 +2,7 @@
 #ifndef vtkHapticConversionAhead_h
 #define vtkHapticConversionAhead_h
 
+#include <cstddef>
 #include <cstdint>
 #include <future>
 #include <map>
@@ -26,19 +27,21 @@ class VTKHAPTICPIPELINE_EXPORT vtkHapticConversionAhead
 public:
   /// With fewer cells the caller's thread is not held for longer than a picture takes.
   static constexpr vtkIdType LeastCells = 100000;
+  /// That read at once.
+  static constexpr std::ptrdiff_t Threads = 2;
 
   /// Whether there is nothing to wait for: the data are small, or were turned into triangles. Else a thread begins with
-  /// it, once. `known` as in vtkHapticToMesh().
+  /// it, once, as soon as fewer than Threads are at work. `known` as in vtkHapticToMesh().
   bool Ready(vtkDataObject* data, vtkMatrix4x4* matrix, const vtkHapticCuts* known);
-  /// What was made of these data at that place, and done; nothing if it was not.
+  /// What was made of these data at that place, and done; nothing if it was not. Several sources may have the same.
   std::optional<vtkHapticConversionResult> Take(vtkDataObject* data, vtkMatrix4x4* matrix);
-  /// Whether something that was begun was not taken yet.
+  /// Whether something was begun since Forget().
   bool Busy() const;
-  /// What was made and not taken is not wanted any more.
+  /// What was made is not wanted any more.
   void Forget();
 
 private:
-  using Future = std::future<vtkHapticConversionResult>;
+  using Future = std::shared_future<vtkHapticConversionResult>;
   std::map<std::uint64_t, Future> Made; ///< by content and place
   std::vector<Future> Left;             ///< of threads that are at what is not wanted any more
 };

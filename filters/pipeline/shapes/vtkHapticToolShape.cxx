@@ -20,7 +20,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double wall = 1.0;           // of the nut and of the block round a hole, in radii of the bore
 constexpr double neck = 0.35;          // of a burr's shaft, in radii of its ball
 constexpr double heightOfThread = 0.5; // in pitches
-constexpr double ringsOfLargestScrew = 1e5;
+constexpr double mostCorners = 2e6;    // of a thread: some 4 million triangles
 
 struct Sizes
 {
@@ -132,8 +132,8 @@ std::string Refuse(const Sizes& s, int shape, int around)
     return "a burr must be longer than its ball: take a length of more than twice the radius";
   }
   const bool threaded = shape == vtkHapticToolShape::Screw || shape == vtkHapticToolShape::Nut;
-  return threaded && s.Length / s.Pitch * around > ringsOfLargestScrew
-           ? "the thread has too many turns: take a larger pitch or a smaller length"
+  return threaded && s.Length / s.Pitch * around * around > mostCorners
+           ? "the thread has too many turns: take a larger pitch, a smaller length or a lower resolution"
            : "";
 }
 } // namespace

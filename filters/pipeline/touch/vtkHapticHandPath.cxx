@@ -75,6 +75,7 @@ std::string ReadTimes(
   }
   return {};
 }
+
 std::string ReadTurns(
   vtkPolyData* path, const std::string& name, const std::vector<vtkIdType>& order, std::vector<palpate::Quat>& turns)
 {

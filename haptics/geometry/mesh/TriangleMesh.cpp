@@ -281,6 +281,16 @@ bool isClean(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t, bo
 
 } // namespace
 
+void append(TriangleMesh& mesh, const TriangleMesh& more)
+{
+  const auto offset = static_cast<std::uint32_t>(mesh.vertices_W.size());
+  mesh.vertices_W.insert(mesh.vertices_W.end(), more.vertices_W.begin(), more.vertices_W.end());
+  for (const auto& [a, b, c] : more.triangles)
+  {
+    mesh.triangles.push_back({ a + offset, b + offset, c + offset });
+  }
+}
+
 std::string refuseUnclean(const TriangleMesh& mesh, bool segments)
 {
   if (mesh.triangles.empty())

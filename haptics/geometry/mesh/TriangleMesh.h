@@ -46,6 +46,9 @@ struct CleanResult
   [[nodiscard]] bool ok() const noexcept { return refusal.empty(); }
 };
 
+/// Adds vertices and triangles of another mesh, welding nothing.
+void append(TriangleMesh& mesh, const TriangleMesh& more);
+
 /// Brings a mesh into the one form all contact is computed from: exactly equal vertices are
 /// welded, vertices ordered by (x, y, z), corners ordered within each triangle, triangles ordered and unique,
 /// exactly collinear ones dropped. The result does not depend on the order of the input.

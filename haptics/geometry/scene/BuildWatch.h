@@ -19,8 +19,9 @@ public:
   /// Of what is expected, 0 to 1; 1 where nothing is.
   [[nodiscard]] double share() const noexcept
   {
+    const std::size_t done = this->done_; // first: what is done was expected before
     const std::size_t expected = this->expected_;
-    return expected == 0 ? 1.0 : static_cast<double>(this->done_) / static_cast<double>(expected);
+    return expected == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(expected);
   }
 
   /// Ends the work before its next step; what it gives then is nothing.

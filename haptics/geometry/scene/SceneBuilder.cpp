@@ -102,12 +102,17 @@ void SceneBuilder::bringUpToDate(const SurfaceInput& input, const Scene* felt, K
   {
     return;
   }
-  if (kept.mesh && kept.mesh == input.mesh && kept.lineRadius_u == input.lineRadius_u)
+  const bool known = kept.mesh && kept.mesh == input.mesh && kept.lineRadius_u == input.lineRadius_u;
+  if (known)
   {
     kept.report.name = input.name;
     kept.report.refitted = false;
   }
-  else if (!refit(input, felt, kept))
+  if (known || refit(input, felt, kept))
+  {
+    watch.advance(trianglesOf(input)); // it is clean
+  }
+  else
   {
     kept = buildAnew(input, watch);
   }
@@ -219,12 +224,12 @@ SceneBuilder::Kept SceneBuilder::buildAnew(const SurfaceInput& input, BuildWatch
 {
   if (input.ordered && input.mesh)
   {
+    watch.advance(trianglesOf(input)); // it is clean
     return buildInOrder(input);
   }
   Kept built;
   built.mesh = input.mesh;
   built.lineRadius_u = input.lineRadius_u;
-  watch.expect(trianglesOf(input));
   CleanResult clean = cleanInput(input);
   watch.advance(trianglesOf(input));
   if (watch.cancelled())
@@ -246,7 +251,7 @@ SceneBuildResult SceneBuilder::build(const std::vector<SurfaceInput>& inputs, co
   BuildWatch& told = watch != nullptr ? *watch : nobody;
   for (const SurfaceInput& input : inputs)
   {
-    told.expect(trianglesOf(input));
+    told.expect(2 * trianglesOf(input)); // cleaned, then made a tree
   }
   std::vector<Kept> built = this->takeKnown(inputs);
   std::atomic<std::size_t> next = 0;

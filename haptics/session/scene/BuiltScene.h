@@ -32,7 +32,6 @@ struct BuiltScene
   std::optional<Pose> plane_WP; ///< of the walls, where all that is touchable stands across one plane
   SurfaceTraits traits;         ///< of the surfaces of the scene
   double stamp_s = 0.0;         ///< of the commit
-  bool cancelled = false;       ///< nobody wants it any more: it is nothing
 };
 
 /// What the builder takes of them.

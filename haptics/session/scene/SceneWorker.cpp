@@ -20,6 +20,7 @@ double largestRadius(const Scene* scene)
 
 SceneWorker::~SceneWorker()
 {
+  this->cancel();
   this->wait();
 }
 
@@ -61,7 +62,6 @@ void SceneWorker::launch(Commit commit)
     BuiltScene built = buildScene(this->builder_, commit.surfaces, felt.get(), watch.get());
     if (watch->cancelled())
     {
-      built.cancelled = true;
       return built;
     }
     built.report = commit.refusals + built.report;
@@ -93,7 +93,7 @@ std::optional<BuiltScene> SceneWorker::poll()
     return std::nullopt;
   }
   BuiltScene built = this->running_.get();
-  if (built.cancelled)
+  if (this->watch_->cancelled()) // also where that came too late to end the build
   {
     this->resume();
     return std::nullopt;

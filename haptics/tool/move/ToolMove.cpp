@@ -52,6 +52,7 @@ std::string ToolMove::place(const Pose& pose_W)
   this->behind_ = false;
   this->device_W_ = unit_W;
   this->usualWay_u_ = 0.0;
+  this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
   return {};
 }
 

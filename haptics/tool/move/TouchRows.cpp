@@ -2,6 +2,7 @@
 #include "haptics/tool/move/TouchRows.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace palpate
 {

@@ -12,7 +12,8 @@ namespace palpate
 namespace
 {
 
-/// The motion nearest to the wished one that the contacts allow. To stay where the tool is, is always allowed.
+/// The motion nearest to the wished one that the contacts allow. To stay where the tool is, is always allowed, also
+/// where rounding leaves the solver without an answer.
 NearestMotion allowed(const ToolContacts& set, const Vec6& wish) noexcept
 {
   std::array<MotionRow, ToolContacts::capacity> rows;
@@ -22,7 +23,8 @@ NearestMotion allowed(const ToolContacts& set, const Vec6& wish) noexcept
     const ToolContact& contact = set.contacts[i];
     rows[i] = motionRow(contact.n_W, contact.arm_W, std::min(0.0, set.restGap_u - contact.gap_u), set.lever_u);
   }
-  return nearestMotion(std::span(rows.data(), count), wish);
+  const NearestMotion nearest = nearestMotion(std::span(rows.data(), count), wish);
+  return nearest.feasible ? nearest : NearestMotion{};
 }
 
 } // namespace
@@ -41,7 +43,7 @@ ToolPush toolPush(
   const NearestMotion nearest = allowed(contacts, wish);
   const Vec6 pull = coupling == ToolCoupling::Constraints ? Vec6(nearest.y - wish) : Vec6(-wish);
   push.active = nearest.count;
-  push.stored = 0.5 * stiffness_N_per_u * (nearest.y - wish).squaredNorm();
+  push.stored = 0.5 * stiffness_N_per_u * pull.squaredNorm();
   push.wrench_W.force = stiffness_N_per_u * pull.head<3>();
   push.wrench_W.torque = stiffness_N_per_u * contacts.lever_u * pull.tail<3>();
   return push;

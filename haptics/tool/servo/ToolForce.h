@@ -18,14 +18,14 @@ struct ToolPush
 {
   Wrench wrench_W;     ///< on the hand, about the tool's centre where it is led: N, and N u per the stiffness' unit
   int active = 0;      ///< contacts that push
-  double stored = 0.0; ///< half the stiffness times the squared distance to what the contacts allow: V of the set
+  double stored = 0.0; ///< half the stiffness times the squared length of the spring that pulls
 };
 
 /// Force and torque in every tick, from the newest contacts: F = M (a_c - a_u), a_u the motion to the device and a_c
 /// the nearest one that the contacts allow (Ortega, Redon & Coquillart 2007). Within one set it is the gradient of 1/2
-/// dist^2, so its stiffness is never above the given one. At a pose that the contacts allow, and
-/// for a device pose that is none: exactly zero. Real-time
-/// safe: no allocation, at most some hundred projections.
+/// dist^2, so its stiffness is never above the given one, and exactly zero at a pose that the contacts allow. With the
+/// virtual coupling F = -M a_u. Zero for a device pose that is none. Real-time safe: no allocation, at most some
+/// hundred projections.
 [[nodiscard]] ToolPush toolPush(
   const ToolContacts& contacts, const Pose& device_W, double stiffness_N_per_u, ToolCoupling coupling) noexcept;
 

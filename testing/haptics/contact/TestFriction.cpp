@@ -137,7 +137,7 @@ TEST(Friction, InACornerItActsAlongTheLineWithTheSumOfBothReactions)
 {
   // Floor z >= 0 and wall x >= 0: pressed into both by a and b the reactions are a and b; free along y.
   TriangleMesh mesh = test::makeBox({ 0, -0.5, -0.1 }, { 0.5, 0.5, 0.0 });
-  test::append(mesh, test::makeBox({ -0.1, -0.5, -0.1 }, { 0.0, 0.5, 0.5 }));
+  append(mesh, test::makeBox({ -0.1, -0.5, -0.1 }, { 0.0, 0.5, 0.5 }));
   const double a = 3e-3, b = 2e-3, mu_s = 0.4, mu_k = 0.25;
   test::Probe probe(test::sceneOf(mesh), 0.0, { 0.01, 0, 0.01 });
   probe.plan().friction = { mu_s, mu_k };

@@ -43,7 +43,7 @@ TEST(ManySurfaces, AreFeltLikeOneMeshOfTheSameTriangles)
   TriangleMesh whole;
   for (const TriangleMesh& mesh : meshes)
   {
-    test::append(whole, mesh);
+    append(whole, mesh);
   }
   const auto many = SceneBuilder().build(inputsOf(meshes)).scene;
   ASSERT_EQ(many->surfaces().size(), 100u);

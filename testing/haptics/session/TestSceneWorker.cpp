@@ -108,7 +108,9 @@ TEST(SceneWorker, ItSaysHowMuchOfACommitIsBuiltAndThatNeverLess)
 {
   SceneWorker worker;
   EXPECT_EQ(worker.share(), 1.0); // nothing is to be done
-  worker.commit({ surfaceOf(makeIcosphere(fine, 1.0), "ball") }, "", 1.0);
+  worker.commit({ surfaceOf(makeIcosphere(fine, 1.0), "one"), surfaceOf(makeIcosphere(fine, 2.0), "another"),
+                  surfaceOf(makeIcosphere(fine, 3.0), "a third") },
+    "", 1.0);
   double most = 0.0;
   std::optional<BuiltScene> built;
   while (!built)

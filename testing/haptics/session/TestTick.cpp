@@ -217,7 +217,7 @@ TEST(Tick, AReplacedSceneNeverStepsTheForce)
 TEST(Tick, ABallThatDoesNotFitGivesNoForceAndSaysSo)
 {
   TriangleMesh slot = test::makeBox({ -1, -1, -1.01 }, { 1, 1, -0.01 });
-  test::append(slot, test::makeBox({ -1, -1, 0.01 }, { 1, 1, 1.01 }));
+  append(slot, test::makeBox({ -1, -1, 0.01 }, { 1, 1, 1.01 }));
   const auto scene = test::sceneOf(slot);
   HapticParameters parameters = headless();
   parameters.contact.radius_u = 0.1;

@@ -224,7 +224,7 @@ void corner(Table& table)
 {
   // Floor z >= 0 and wall x >= 0: pressed into both by a and b the reactions are a and b; free along y.
   TriangleMesh mesh = test::makeBox({ 0, -0.5, -0.1 }, { 0.5, 0.5, 0.0 });
-  test::append(mesh, test::makeBox({ -0.1, -0.5, -0.1 }, { 0.0, 0.5, 0.5 }));
+  append(mesh, test::makeBox({ -0.1, -0.5, -0.1 }, { 0.0, 0.5, 0.5 }));
   const auto scene = test::sceneOf(mesh);
   const double mu = 0.4, a_m = 3e-3, b_m = 2e-3, truth_m = mu * (a_m + b_m);
   const std::string name = "corner=90deg mu=0.4";

@@ -58,7 +58,7 @@ TriangleMesh merged(const std::vector<TriangleMesh>& meshes)
   TriangleMesh whole;
   for (const TriangleMesh& mesh : meshes)
   {
-    test::append(whole, mesh);
+    append(whole, mesh);
   }
   return whole;
 }
