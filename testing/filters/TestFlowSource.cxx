@@ -3,8 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VtkScenes.h"
 #include "haptics/core/Types.h"
 #include "testing/support/Random.h"
 #include "vtkCell.h"
@@ -141,3 +143,13 @@ TEST(FlowSource, ChangesFromImageToTetrahedraAndBack)
   }
 }
 } // namespace
+
+TEST(FlowSource, MoreTetrahedraThanAComputerHoldsAreRefusedInWords)
+{
+  vtkNew<vtkHapticFlowSource> source;
+  source->SetCells(vtkHapticFlowSource::Tetrahedra);
+  source->SetResolution(1024);
+  const auto errors = palpate::testing::errorsOf(source);
+  ASSERT_FALSE(errors.empty());
+  EXPECT_THAT(errors.front(), ::testing::HasSubstr("take a lower resolution"));
+}

@@ -23,7 +23,7 @@ namespace
 {
 constexpr int CellsAround = 6; ///< of the proxy: a patch as large as a hand looks at, made anew for each picture
 
-/// The values around a place, in index coordinates; none where they end within a cell of it.
+/// The values around a place, in index coordinates, as far as there are any.
 vtkSmartPointer<vtkImageData> ValuesAround(const Brick& brick, const Vec3& index)
 {
   int extent[6];

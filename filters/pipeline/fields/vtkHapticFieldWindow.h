@@ -48,8 +48,8 @@ bool vtkHapticAllAtPoints(vtkDataSet& data, const vtkHapticFieldArrays& arrays);
 /// The arrays that are asked for.
 std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& arrays);
 
-/// The brick of a lattice around a place. Bricks of one lattice have the same values at the same places, whichever
-/// window they were made of: the scalar is smoothed with as much around it as smoothing needs.
+/// The brick of a lattice around a place. Bricks of one lattice that are smoothed as often have the same values at the
+/// same places, whichever window they were made of: the scalar is smoothed with as much around it as smoothing needs.
 palpate::MadeBrick vtkHapticBrickAround(const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
   const HapticFieldReading& read, const palpate::BrickWish& wish);
 

@@ -28,6 +28,7 @@ using palpate::Vec3;
 namespace
 {
 constexpr double secondsPerStep = 0.05;
+constexpr double mostVoxels = 1e7; // that are cut into tetrahedra: some 2.5 GB
 
 /// The six tetrahedra round the diagonal of a voxel: each goes along the axes in another order, so that neighbours
 /// share whole faces.
@@ -196,6 +197,12 @@ int vtkHapticFlowSource::RequestData(vtkInformation*, vtkInformationVector**, vt
   }
   int whole[6];
   this->WholeExtent(whole);
+  const double voxels = static_cast<double>(whole[1]) * whole[3] * whole[5];
+  if (voxels > mostVoxels)
+  {
+    vtkErrorMacro("There is no flow: " << 6.0 * voxels << " tetrahedra are too many; take a lower resolution.");
+    return 0;
+  }
   vtkNew<vtkImageData> image;
   this->FillImage(whole, time, image);
   this->FillTetrahedra(image, vtkUnstructuredGrid::SafeDownCast(data));

@@ -50,7 +50,8 @@ public:
   ///@}
 
   ///@{
-  /// Points along its longest edge, 2 to 1024; the others have as many as make voxels cubes. Default 33.
+  /// Points along its longest edge, 2 to 1024; the others have as many as make voxels cubes. More than ten
+  /// million voxels are not cut into tetrahedra. Default 33.
   vtkSetClampMacro(Resolution, int, 2, 1024);
   vtkGetMacro(Resolution, int);
   ///@}

@@ -204,7 +204,6 @@ ToolContacts ToolMove::contacts() const
   std::stable_sort(
     planes.begin(), planes.end(), [](const TouchPlane& a, const TouchPlane& b) { return a.gap_u < b.gap_u; });
   set.count = static_cast<std::uint32_t>(std::min(planes.size(), ToolContacts::capacity));
-  set.left = static_cast<std::uint32_t>(planes.size()) - set.count;
   for (std::uint32_t i = 0; i < set.count; ++i)
   {
     set.contacts[i] = { planes[i].n_W, planes[i].arm_W, planes[i].gap_u };

@@ -55,7 +55,6 @@ public:
   /// What touches at the pose, found by the last update that was not out of work.
   [[nodiscard]] const std::vector<TouchRow>& rows() const noexcept { return this->rows_.rows(); }
   [[nodiscard]] const ToolMesh& tool() const noexcept { return this->tool_; }
-  [[nodiscard]] double lever_u() const noexcept { return this->lever_u_; }
   /// For the servo: the newest pose and what touches there.
   [[nodiscard]] ToolContacts contacts() const;
   /// Null: nobody.

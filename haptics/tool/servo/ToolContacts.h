@@ -29,9 +29,8 @@ struct ToolContacts
   double restGap_u = 0.0;     ///< the servo keeps this gap
   std::uint64_t revision = 0; ///< another for each set that is handed on
   std::uint32_t count = 0;
-  std::uint32_t left = 0; ///< contacts that had no room: those with the largest gaps
-  bool placed = false;    ///< false: there is no tool, and no force
-  std::array<ToolContact, capacity> contacts{};
+  bool placed = false;                          ///< false: there is no tool, and no force
+  std::array<ToolContact, capacity> contacts{}; ///< where there is no room for all, those with the smallest gaps
 };
 
 static_assert(std::is_trivially_destructible_v<ToolContacts>);
