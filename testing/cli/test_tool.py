@@ -48,6 +48,10 @@ class Tool(CommandLineTest):
             self.assertLess(left, angle / 2)
             self.assertAlmostEqual(rows[1]["torque_y"], -stiffness * (angle - left), delta=1e-6 * stiffness * angle)
 
+    def test_turns_of_few_digits_are_turns_all_the_same(self):
+        rows = self.touch([(0, 0, 3, *UPRIGHT), (0, 0, 0.75, 0.99985, 0.0, 0.01745, 0.0)], "--stiffness", 300)
+        self.assertGreater(rows[1]["force_z"], 300 * 0.25)
+
     def test_what_a_tool_does_not_feel_is_refused_by_name(self):
         self.write_path([(0, 0, 0, 3, *UPRIGHT)], header=POSES)
         base = ("touch", "plane.off", "--tool", "cube.off", "--path", "path.csv", "--csv", "out.csv")

@@ -379,6 +379,35 @@ TEST(FieldData, ACloudOfPointsIsInterpolatedBetweenThemAndEndsBesideThem)
   EXPECT_FALSE(made.brick->sample(BrickRole::Scalar, Vec3(9, 2, 2)));
 }
 
+TEST(FieldData, ValuesInWhichThereIsNothingToFeelAreRefusedInWords)
+{
+  const auto problem = [](double at, double step, int component = -1, const char* other = "")
+  {
+    const auto image = makeImage(5, 6, 7);
+    for (const auto& [name, first, more] : { std::tuple("f", at, step), std::tuple("g", 0.0, 1.0) })
+    {
+      vtkNew<vtkDoubleArray> values;
+      values->SetName(name);
+      for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+      {
+        values->InsertNextValue(first + more * image->GetPoint(i)[2]);
+      }
+      image->GetPointData()->AddArray(values);
+    }
+    vtkHapticFieldArrays arrays = scalar("f");
+    arrays.Component = component;
+    arrays.Other = other;
+    return vtkHapticToField(image, arrays).Problem;
+  };
+  EXPECT_EQ(problem(0.0, 1.0), "");
+  EXPECT_THAT(problem(3.0, 0.0), HasSubstr("the same value everywhere"));
+  EXPECT_EQ(problem(3.0, 0.0, -1, "g"), ""); // it differs from another one
+  EXPECT_THAT(problem(101325.0, 1e-4), HasSubstr("take its mean away"));
+  EXPECT_THAT(problem(0.0, 1e300), HasSubstr("beyond single precision"));
+  EXPECT_THAT(problem(std::nan(""), 1.0), HasSubstr("no finite values"));
+  EXPECT_THAT(problem(0.0, 1.0, 1), HasSubstr("has 1 components, counted from 0"));
+}
+
 TEST(FieldData, WhatCannotBeFeltIsRefusedInWords)
 {
   test::Random random(test::testSeed(1706));

@@ -7,7 +7,7 @@ import sys
 import tempfile
 import unittest
 
-from paraview import simple
+from paraview import servermanager, simple
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
 from palpate.simple import (ClearMarks, FitHand, GetHapticSession, GetMarks, HapticRefusal, HapticState, LetGo, Mark,  # noqa: E402
@@ -55,6 +55,22 @@ class Functions(unittest.TestCase):
         self.assertAlmostEqual(state["Depth"], DEPTH, delta=1e-9)
         LetGo()
         self.assertFalse(GetHapticSession().GetTouching())
+
+    def test_a_volume_that_is_drawn_is_felt_as_a_field_once_its_array_is_named(self):
+        wavelet = simple.Wavelet()
+        simple.Show(wavelet, self.view).SetRepresentationType("Outline")
+        SetHaptics(FieldArray="RTData", FieldIsosurface=1, FieldIsovalue=200.0, FieldSmoothing=0, Scale=100.0)
+        self.addCleanup(SetHaptics, FieldArray="", FieldIsosurface=0, FieldSmoothing=-1)
+        GetHapticSession().SetHandPosition(1.0, 2.0, 3.0)
+        Touch()
+        session = GetHapticSession()
+        self.assertEqual(session.GetFieldName(), "Wavelet1")
+        session.Step(TICKS_TO_ENGAGE)
+        session.Update()
+        probe = simple.ProbeLocation(Input=wavelet, ProbeType="Fixed Radius Point Source")
+        probe.ProbeType.Center = [1.0, 2.0, 3.0]
+        probed = servermanager.Fetch(probe).GetPointData().GetArray("RTData").GetTuple1(0)
+        self.assertAlmostEqual(session.GetFieldValue(), probed, delta=1e-4 * probed)  # both of single precision
 
     def test_a_mark_says_where_it_is_and_is_saved(self):
         self.press_box()

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "vtkBoundingBox.h"
@@ -70,6 +71,59 @@ std::string RefuseArrays(const std::vector<vtkDataSet*>& parts, const vtkHapticF
     }
   }
   return "";
+}
+
+/// The least and the largest finite value of a component, or of the length; turned round where there is none.
+std::array<double, 2> EndsOf(const std::vector<vtkDataSet*>& parts, const std::string& name, int component)
+{
+  std::array<double, 2> ends{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+  for (vtkDataSet* part : parts)
+  {
+    vtkDataArray* const array = FindArray(part, name);
+    std::array<double, 2> range{};
+    if (array && array->GetNumberOfTuples() > 0)
+    {
+      array->GetFiniteRange(range.data(), component);
+      ends = { std::min(ends[0], range[0]), std::max(ends[1], range[1]) };
+    }
+  }
+  return ends;
+}
+
+/// "" where the scalar has values that differ, as far as a brick's single precision tells them apart.
+std::string RefuseValues(const std::vector<vtkDataSet*>& parts, const vtkHapticFieldArrays& arrays)
+{
+  if (arrays.Scalar.empty())
+  {
+    return "";
+  }
+  const std::string array = "its array \"" + arrays.Scalar + "\"";
+  const auto with =
+    std::find_if(parts.begin(), parts.end(), [&](vtkDataSet* part) { return FindArray(part, arrays.Scalar); });
+  if (const int has = FindArray(*with, arrays.Scalar)->GetNumberOfComponents(); arrays.Component >= has)
+  {
+    return array + " has " + std::to_string(has) +
+           " components, counted from 0; choose one of them, or -1 for their length";
+  }
+  const auto [low, high] = EndsOf(parts, arrays.Scalar, arrays.Component);
+  if (!(low <= high))
+  {
+    return array + " has no finite values";
+  }
+  const double largest = std::max(std::abs(low), std::abs(high));
+  if (largest > std::numeric_limits<float>::max())
+  {
+    return array + " has values beyond single precision; scale them, by Calculator";
+  }
+  const bool alone = arrays.Vector.empty() && arrays.Resistance.empty() && arrays.Other.empty();
+  if (alone && low == high)
+  {
+    return array + " has the same value everywhere: there is nothing to feel";
+  }
+  constexpr double leastShare = 1e-5; // of the values: some hundred steps of single precision
+  return alone && high - low < leastShare * largest
+           ? array + " differs by less than single precision tells; take its mean away, by Calculator"
+           : "";
 }
 
 bool IsThick(vtkImageData& image)
@@ -142,7 +196,9 @@ vtkHapticFieldResult vtkHapticToField(vtkDataObject* data, const vtkHapticFieldA
   {
     return { nullptr, "it has no points" };
   }
-  if (std::string problem = RefuseArrays(parts, arrays); !problem.empty())
+  std::string problem = RefuseArrays(parts, arrays);
+  problem = problem.empty() ? RefuseValues(parts, arrays) : problem;
+  if (!problem.empty())
   {
     return { nullptr, std::move(problem) };
   }

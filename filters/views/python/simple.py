@@ -112,9 +112,10 @@ def SetHaptics(**settings):
 
 
 def Touch(view=None):
-    """Touches what a view shows, the active one if none is named. Returns once the scene is built."""
+    """Touches what a view shows, the active one if none is named. Returns once the scene is built, and a field's brick."""
     view = view or simple.GetActiveView()
     looked_at = vtkHapticViewScene()
+    looked_at.SetSession(_proxy().GetClientSideObject())  # which says whether numbers in space are felt
     if view:
         simple.Render(view)
         looked_at.SetView(view.SMProxy)
@@ -124,6 +125,8 @@ def Touch(view=None):
         _follow(view)
         _put("Touching", 1)
         session.FinishScene()
+        if session.GetFieldName():
+            session.FinishField()
         session.Update()
 
 

@@ -139,7 +139,7 @@ vtkHapticCliPathRow ToPathRow(const Row& row, const Place& place)
   vtkHapticCliPathRow result;
   result.Time_s = row[T];
   result.Pose_W.p = palpate::Vec3(row[X], row[Y], row[Z]);
-  result.Pose_W.q = q;
+  result.Pose_W.q = q.normalized();
   return result;
 }
 
