@@ -2,6 +2,7 @@
 // Data sets as bricks. The judge is VTK's own probe.
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
