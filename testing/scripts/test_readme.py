@@ -66,7 +66,7 @@ class Bar(unittest.TestCase):
             return any(test[1] == suite and fnmatch(case, test[2]) for suite, case in self.defined)
         if name.endswith(".py"):
             return any(self.TESTING.rglob(Path(name).name)) and ("/" not in name or (ROOT / name).is_file())
-        if test := re.fullmatch(r"pv\.(\w+)", name):
+        if test := re.fullmatch(r"pv(?:cs)?\.(\w+)", name):
             return (self.TESTING / "ui" / f"{test[1]}.xml").is_file() or self.is_named(name)
         if re.match(r"(benchmark|plugin|filters|install|sanitizers)\.", name):
             return self.is_named(name)

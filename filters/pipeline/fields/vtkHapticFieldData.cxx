@@ -116,13 +116,15 @@ std::string RefuseValues(const std::vector<vtkDataSet*>& parts, const vtkHapticF
     return array + " has values beyond single precision; scale them, by Calculator";
   }
   const bool alone = arrays.Vector.empty() && arrays.Resistance.empty() && arrays.Other.empty();
-  if (alone && low == high)
+  if (alone && static_cast<float>(low) == static_cast<float>(high))
   {
-    return array + " has the same value everywhere: there is nothing to feel";
+    return array +
+           " has the same value everywhere, as far as single precision tells: there is nothing to feel; where its "
+           "values do differ, take their mean away, by Calculator";
   }
   constexpr double leastShare = 1e-5; // of the values: some hundred steps of single precision
   return alone && high - low < leastShare * largest
-           ? array + " differs by less than single precision tells; take its mean away, by Calculator"
+           ? array + " differs by hardly more than single precision tells; take its mean away, by Calculator"
            : "";
 }
 
@@ -157,6 +159,25 @@ vtkSmartPointer<vtkImageData> WithPointData(vtkImageData& image)
   toPoints->PassCellDataOn();
   toPoints->Update();
   return vtkImageData::SafeDownCast(toPoints->GetOutput());
+}
+vtkHapticFieldResult Convert(
+  vtkDataObject* data, const std::vector<vtkDataSet*>& parts, const vtkHapticFieldArrays& arrays)
+{
+  auto* const image = vtkImageData::SafeDownCast(data);
+  if (image && !IsThick(*image))
+  {
+    return { nullptr, "it is flat, and a field fills space: feel its curves by Image Curves" };
+  }
+  if (image)
+  {
+    auto kept = vtkSmartPointer<vtkImageData>::Take(image->NewInstance());
+    kept->ShallowCopy(image);
+    return {
+      std::make_shared<vtkHapticImageField>(vtkHapticAllAtPoints(*kept, arrays) ? kept : WithPointData(*kept), arrays), ""
+    };
+  }
+  auto* const levels = vtkUniformGridAMR::SafeDownCast(data);
+  return vtkHapticResampled(levels ? FinestLast(*levels).Get() : data, parts, arrays);
 }
 } // namespace
 
@@ -196,27 +217,16 @@ vtkHapticFieldResult vtkHapticToField(vtkDataObject* data, const vtkHapticFieldA
   {
     return { nullptr, "it has no points" };
   }
-  std::string problem = RefuseArrays(parts, arrays);
-  problem = problem.empty() ? RefuseValues(parts, arrays) : problem;
-  if (!problem.empty())
+  if (std::string problem = RefuseArrays(parts, arrays); !problem.empty())
   {
     return { nullptr, std::move(problem) };
   }
-  auto* const image = vtkImageData::SafeDownCast(data);
-  if (image && !IsThick(*image))
+  vtkHapticFieldResult result = Convert(data, parts, arrays);
+  if (std::string problem = result.Source ? RefuseValues(parts, arrays) : ""; !problem.empty())
   {
-    return { nullptr, "it is flat, and a field fills space: feel its curves by Image Curves" };
+    return { nullptr, std::move(problem) };
   }
-  if (image)
-  {
-    auto kept = vtkSmartPointer<vtkImageData>::Take(image->NewInstance());
-    kept->ShallowCopy(image);
-    return {
-      std::make_shared<vtkHapticImageField>(vtkHapticAllAtPoints(*kept, arrays) ? kept : WithPointData(*kept), arrays), ""
-    };
-  }
-  auto* const levels = vtkUniformGridAMR::SafeDownCast(data);
-  return vtkHapticResampled(levels ? FinestLast(*levels).Get() : data, parts, arrays);
+  return result;
 }
 
 std::array<double, 6> vtkHapticFieldBounds(vtkDataObject* data)
