@@ -157,10 +157,7 @@ void pqHapticFrames::nextFrame()
 {
   if (this->Attached)
   {
-    if (!this->View->widget()->isVisible())
-    {
-      this->takeState(); // it draws nothing, and what it touches goes on
-    }
+    this->takeState(); // a hidden view draws nothing, and what it touches goes on
     this->Pause.start(pauseWhenHidden);
     this->View->render();
   }
