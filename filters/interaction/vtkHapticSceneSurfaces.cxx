@@ -152,8 +152,7 @@ std::string vtkHapticSceneSurfaces::Add(const std::string& name, vtkDataObject* 
   std::string problem = this->AddParts(name, data, matrix);
   if (before < this->Adding.size())
   {
-    auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-    copy->ShallowCopy(data);
+    const vtkSmartPointer<vtkDataObject> copy = vtkHapticSharedCopy(data);
     for (std::size_t i = before; i < this->Adding.size(); ++i)
     {
       this->Adding[i].Data = copy;

@@ -266,6 +266,7 @@ void vtkHapticViewScene::SetSession(vtkHapticSession* session)
     this->Impl->Cancelled = session ? session->GetScenesCancelled() : 0;
     this->Impl->Drafts.ForgetAll();
     this->Impl->HandedOver = false;
+    this->Impl->Preparing.reset(); // the session before began with it
     this->Modified();
   }
 }

@@ -14,6 +14,7 @@
 #include "vtkCompositeDataProbeFilter.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkHapticConversionAhead.h"
 #include "vtkHapticFieldWindow.h"
 #include "vtkHapticImageField.h"
 #include "vtkHapticTetraField.h"
@@ -189,8 +190,7 @@ vtkHapticFieldResult vtkHapticResampled(
   {
     return { nullptr, "it is flat, and a field fills space" };
   }
-  const auto kept = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-  kept->ShallowCopy(data);
+  const vtkSmartPointer<vtkDataObject> kept = vtkHapticSharedCopy(data);
   const palpate::BrickGrid lattice = LatticeOver(extent.Bounds, cloud ? extent.Points : extent.Solid);
   if (vtkHapticIsTetraField(kept, arrays) && !cloud)
   {

@@ -17,9 +17,9 @@ namespace
 using ::testing::HasSubstr;
 
 constexpr double period_s = 1e-3;
-constexpr double scale_u_per_m = 1000.0;
+constexpr double felt_u_per_m = 1000.0;
 
-SimplifyPlan planOf(AutoChoice choice, double scale = scale_u_per_m)
+SimplifyPlan planOf(AutoChoice choice, double scale = felt_u_per_m)
 {
   return simplifyPlan(choice, scale, DeviceInfo());
 }
@@ -30,7 +30,7 @@ protected:
   void start()
   {
     HapticParameters parameters;
-    parameters.map.scale_u_per_m = scale_u_per_m;
+    parameters.map.scale_u_per_m = felt_u_per_m;
     ASSERT_EQ(this->session_.setParameters(parameters), "");
     auto device = std::make_unique<FedDevice>();
     device->feed({});
@@ -86,7 +86,7 @@ TEST_F(FeltSceneTest, AnotherScaleOfTheHandBringsAllTrianglesBackUntilItIsProven
   const auto full = this->session_.scene();
   this->felt_.takeSimpler(true);
   EXPECT_NE(this->session_.scene(), full);
-  this->felt_.follow(planOf(AutoChoice::On, 0.5 * scale_u_per_m));
+  this->felt_.follow(planOf(AutoChoice::On, 0.5 * felt_u_per_m));
   EXPECT_EQ(this->session_.scene(), full);
 }
 

@@ -62,7 +62,7 @@ public:
   int tick = 0;
 };
 
-Recording readGood(const std::string& path)
+Recording readWhole(const std::string& path)
 {
   auto read = readRecording(path);
   EXPECT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
@@ -116,7 +116,7 @@ TEST(RecordingMidway, BegunWhileAHandPressesReplaysBitForBitAndHoldsWhatWasTouch
   EXPECT_EQ(ended->problem, "");
   EXPECT_FALSE(stroke.session.takeRecorded()) << "only once";
   stroke.run(100);
-  const Recording recording = readGood(folder.file("a"));
+  const Recording recording = readWhole(folder.file("a"));
   EXPECT_EQ(recording.scenes.size(), 2U);
   EXPECT_EQ(recording.initialState.engage, EngageState::Engaged);
   expectBitForBit(recording, 700);
@@ -132,8 +132,8 @@ TEST(RecordingMidway, OneAfterTheOtherAreTwoWholeRecordings)
   ASSERT_EQ(stroke.session.record(folder.file("b")), "");
   stroke.run(70);
   EXPECT_EQ(stroke.session.stop(), "");
-  expectBitForBit(readGood(folder.file("a")), 50);
-  expectBitForBit(readGood(folder.file("b")), 70);
+  expectBitForBit(readWhole(folder.file("a")), 50);
+  expectBitForBit(readWhole(folder.file("b")), 70);
 }
 
 TEST(RecordingMidway, AFileThatCannotBeWrittenLeavesTheOneBeforeGoingOn)
@@ -146,7 +146,7 @@ TEST(RecordingMidway, AFileThatCannotBeWrittenLeavesTheOneBeforeGoingOn)
   EXPECT_TRUE(stroke.session.recording());
   stroke.run(50);
   EXPECT_EQ(stroke.session.stop(), "");
-  expectBitForBit(readGood(folder.file("a")), 100);
+  expectBitForBit(readWhole(folder.file("a")), 100);
 }
 
 TEST(RecordingMidway, TheHandFeelsNothingOfABeginningOrAnEnd)
@@ -183,7 +183,7 @@ TEST(RecordingMidway, OfAServoThreadIsWholeOnceItsLastTickIsWritten)
   std::optional<EndedRecording> ended;
   ASSERT_TRUE(test::eventually([&] { return (ended = stroke.session.takeRecorded()).has_value(); }));
   EXPECT_EQ(ended->problem, "");
-  const Recording recording = readGood(folder.file("a"));
+  const Recording recording = readWhole(folder.file("a"));
   const ReplayResult result = replay(recording);
   EXPECT_EQ(result.problem + result.difference, "");
   EXPECT_GE(result.ticks, 40U);
@@ -215,7 +215,7 @@ TEST(RecordingMidway, ADiskThatIsFullEndsItAndEveryTickThatFitsIsKept)
   {
     EXPECT_NE(ended->problem.find(part), std::string::npos) << ended->problem;
   }
-  const Recording recording = readGood(folder.file("a"));
+  const Recording recording = readWhole(folder.file("a"));
   const ReplayResult result = replay(recording);
   EXPECT_EQ(result.problem + result.difference, "");
   const std::uintmax_t size = std::filesystem::file_size(folder.file("a"));
