@@ -168,18 +168,20 @@ function (palpate_add_server_gui_test)
 endfunction ()
 
 # palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/mesh/TriangleMesh.cpp CORPUS folder
-#   [SECONDS 20] [OPTIONS flags...] [LIBRARIES flags...])
+#   [OPTIONS flags...] [LIBRARIES flags...])
 # A libFuzzer program built by clang++ with its own instrumented copies of SOURCES (the rest of the build may be GCC),
-# and a ctest that runs it for SECONDS from the seeds in CORPUS, which it does not change. Label: fuzz.
+# and a ctest that runs it for 8 s, in ./dev test --full for 120 s, from the seeds in CORPUS, which it does not change.
+# Label: fuzz.
 function (palpate_add_fuzz_target)
-  _palpate_parse(fuzz "CORPUS;SECONDS" "SOURCES;OPTIONS;LIBRARIES")
+  _palpate_parse(fuzz "CORPUS" "SOURCES;OPTIONS;LIBRARIES")
   find_program(PALPATE_CLANG clang++)
   if (NOT PALPATE_CLANG)
     message(STATUS "Fuzz target ${arg_NAME}: left out, clang++ is not installed")
     return ()
   endif ()
-  if (NOT arg_SECONDS)
-    set(arg_SECONDS 20)
+  set(seconds 8)
+  if (PALPATE_TIMEOUT_FACTOR)
+    set(seconds 120)
   endif ()
   list(TRANSFORM arg_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
   set(program "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${arg_NAME}")
@@ -194,7 +196,7 @@ function (palpate_add_fuzz_target)
   set(found "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-found")
   file(MAKE_DIRECTORY "${found}")
   add_test(NAME "fuzz.${arg_NAME}"
-    COMMAND "${program}" -max_total_time=${arg_SECONDS} -rss_limit_mb=2048 -timeout=20 -print_final_stats=1
+    COMMAND "${program}" -max_total_time=${seconds} -rss_limit_mb=2048 -timeout=20 -print_final_stats=1
       "-artifact_prefix=${found}/" "${found}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_CORPUS}")
   _palpate_set_properties("fuzz.${arg_NAME}")
 endfunction ()
