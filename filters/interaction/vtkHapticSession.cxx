@@ -264,6 +264,7 @@ void vtkHapticSession::Step(int ticks)
 void vtkHapticSession::Update()
 {
   this->TakeScene();
+  this->TakeOutSqueezed();
   this->Impl->FollowCommit();
   this->Impl->Scene.follow(this->Impl->PlanNow());
   if (!this->Impl->VirtualTimeNow())

@@ -403,6 +403,8 @@ private:
   /// Takes what the worker has built, or with `wait` what was committed last. A hand that something has come around
   /// stays outside of it.
   void TakeScene(bool wait = false);
+  void TakeOutSqueezed();
+  void FollowCameAround();
   void Fit();
   void FitTo(const palpate::BuiltScene& scene);
   /// Whether a described setting may have these values; else that is refused and said.

@@ -59,10 +59,24 @@ void vtkHapticSession::TakeScene(bool wait)
     this->Fit();
     return;
   }
-  if (impl.Scene.cameAround() && this->GetFollowsMouse())
+  this->FollowCameAround();
+}
+
+void vtkHapticSession::TakeOutSqueezed()
+{
+  if (this->Impl->Scene.takeOutSqueezed())
+  {
+    this->Impl->StayOutside(this->Impl->Scene.cameAround());
+    this->FollowCameAround();
+  }
+}
+
+void vtkHapticSession::FollowCameAround()
+{
+  if (this->Impl->Scene.cameAround() && this->GetFollowsMouse())
   {
     this->InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
-    impl.Feed(true);
+    this->Impl->Feed(true);
   }
 }
 

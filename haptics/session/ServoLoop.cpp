@@ -193,6 +193,7 @@ void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double c
   r.elapsed_s = static_cast<double>(this->period_) * this->period_s_;
   r.contactTicks += s.contacts > 0;
   r.cappedTicks += s.capped || s.overBudget;
+  r.pinnedTicks += s.pinned;
   r.peakForce_N = std::max(r.peakForce_N, s.force_D.norm());
   r.peakStabiliser_N = std::max(r.peakStabiliser_N, s.stabiliser_D.norm());
   if (s.gain == 1.0 && s.stiffnessFactor == 1.0 && !s.clamped && !s.riseLimited && !s.held && !s.deviceHolds &&

@@ -34,21 +34,21 @@ void comeAlong(
   {
     if (tick.step.otherGeometry)
     {
-      handOver(*before, scene, plan, p_W, contact);
+      moved.pinned = handOver(*before, scene, plan, p_W, contact);
     }
     return;
   }
   const MovingScene was(*before, before->shareAt(state.sceneAge_s)), is(scene, scene.shareAt(tick.step.age_s));
   if (tick.step.otherGeometry)
   {
-    handOver(was, is, plan, p_W, contact);
+    moved.pinned = handOver(was, is, plan, p_W, contact);
   }
   else if (before->bends() || scene.bends())
   {
-    carryWithVertices(was, is, plan, contact);
+    moved.pinned = carryWithVertices(was, is, plan, contact);
   }
   const CarryResult carry = carryBall(was, is, plan, contact);
-  moved.pinned = carry.pinned;
+  moved.pinned = moved.pinned || carry.pinned;
   moved.carryWork = carry.work;
 }
 

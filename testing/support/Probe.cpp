@@ -47,7 +47,7 @@ ContactResult Probe::along(const Vec3& p_W, int steps)
 
 void Probe::changeScene(std::shared_ptr<const Scene> scene)
 {
-  handOver(*this->scene_, *scene, this->plan_, this->p_W_, this->state_);
+  static_cast<void>(handOver(*this->scene_, *scene, this->plan_, this->p_W_, this->state_));
   this->scene_ = std::move(scene);
 }
 

@@ -48,6 +48,14 @@ def shown_bodies(view):
             yield name, source, display
 
 
+def comes_near(source, display, radius, p, q):
+    """Whether what a source shows, in any style, comes within a ball's radius of the way from p to q, or a little further."""
+    reach = radius + 2.0 * SAG * 60.0 + 1.0  # u; the largest ball has a radius of 60
+    steps = max(2, math.ceil(math.dist(p, q)))
+    ways = ([a + (b - a) * i / steps for a, b in zip(p, q)] for i in range(steps + 1))
+    return any(depth_in(source, display, x) > -reach for x in ways)
+
+
 def resident_memory():
     """MB of this process in memory."""
     pages = int(pathlib.Path("/proc/self/statm").read_text(encoding="utf-8").split()[1])
@@ -222,6 +230,7 @@ class Edits:
         self.check_force(session)
         self.pressed += session.GetForceMagnitude() > 0.0
         proxy = tuple(session.GetProxyPosition())
+        self.check_hold(session, proxy)
         for name, source, display in shown_bodies(self.view()):
             if f"{name}: " not in session.GetSceneReport():
                 continue  # not there yet, on a busy computer; check_free() waits for it
@@ -232,6 +241,18 @@ class Edits:
                 raise AssertionError(
                     f"after {self.done[-8:]}: the proxy at {proxy} is {deep} u inside of {name}; hand {tuple(session.GetHandPosition())}; "
                     f"radius {session.GetRadiusUsed()} u; {session.GetStateText()}; {session.GetFaultText()}; {session.GetSceneReport()}")
+
+    def check_hold(self, session, proxy):
+        """Between a proxy and its hand is what holds it."""
+        hand = tuple(session.GetHandPosition())
+        apart = math.dist(proxy, hand)
+        shown = [(source, servermanager.GetRepresentation(source, self.view())) for source in simple.GetSources().values()]
+        near = [source for source, display in shown
+                if display and display.Visibility and comes_near(source, display, session.GetRadiusUsed(), proxy, hand)]
+        if apart > 1e-6 * max(1.0, math.dist(proxy, (0.0, 0.0, 0.0))) and not near:
+            raise AssertionError(
+                f"after {self.done[-8:]}: nothing holds the proxy at {proxy} away from the hand at {hand}; "
+                f"{session.GetForceMagnitude()} N; {session.GetStateText()}; {session.GetSceneReport()}")
 
     def check_force(self, session):
         force = session.GetForceMagnitude()

@@ -10,6 +10,7 @@
 
 #include "haptics/contact/carry/PassingTriangles.h"
 #include "haptics/contact/moves/Seat.h"
+#include "haptics/contact/sweep/BoxTest.h"
 #include "haptics/contact/sweep/Sweep.h"
 #include "haptics/contact/sweep/TreeWalk.h"
 #include "haptics/contact/view/Resolution.h"
@@ -259,6 +260,26 @@ std::optional<Vec3> carryWithCurve(const AnyScene& from, const AnyScene& to, std
   return stopBefore(to, plan, plan.radius_u, x_W + pointAt(fresh) - pointAt(old), x_W);
 }
 
+/// Whether a straight way goes through a surface, as it was, other than the one that made the ball go it.
+template<SceneView AnyScene>
+bool passesAnother(
+  const AnyScene& from, const ContactPlan& plan, std::uint32_t carrier, const Vec3& from_W, const Vec3& to_W) noexcept
+{
+  bool passes = false;
+  const auto visit = [&](std::uint32_t i) noexcept
+  {
+    const auto& surface = surfaceOf(from, i);
+    const SweepQuery query = straightQuery(inFrame(surface, from_W), inFrame(surface, to_W), 0.0);
+    const auto isMet = [&](const auto& shape) noexcept { return sweepSurface(shape, i, query, plan.workBudget).hit; };
+    passes = i != carrier && askShape(surface, isMet);
+    return !passes;
+  };
+  std::uint32_t work = 0;
+  const SweptBall way = sweptBallOf(straightQuery(from_W, to_W, 0.0));
+  static_cast<void>(walkWithin(sceneOf(from).surfaceTree().nodes, BoxTest(way), plan.workBudget, work, visit));
+  return passes;
+}
+
 /// A face whose plane passed the ball beside the triangle no longer holds the ball.
 template<SceneView AnyScene>
 void dropTurnedFaces(const AnyScene& to, GodObjectState& state) noexcept
@@ -332,11 +353,12 @@ Vec3 stopBefore(
 }
 
 template<SceneView AnyScene>
-void carryWithVertices(
+bool carryWithVertices(
   const AnyScene& from, const AnyScene& to, const ContactPlan& plan, GodObjectState& state) noexcept
 {
+  const Vec3 start_W = state.x_W;
   const std::vector<Surface>&before = sceneOf(from).surfaces(), &after = sceneOf(to).surfaces();
-  bool moved = false;
+  std::optional<std::uint32_t> carrier;
   for (std::uint32_t i = 0; state.placed && i < before.size(); ++i)
   {
     const std::uint32_t now = successorOf(before, i, after);
@@ -350,21 +372,22 @@ void carryWithVertices(
     if (carried_W)
     {
       state.x_W = *carried_W;
-      moved = true;
+      carrier = i;
     }
   }
-  if (moved)
+  if (carrier)
   {
     static_cast<void>(seatBall(to, plan, Vec3(state.x_W), state.x_W));
   }
   dropTurnedFaces(to, state);
+  return carrier && passesAnother(from, plan, *carrier, start_W, state.x_W);
 }
 
 template SweepHit sweepStraight(const Scene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
 template SweepHit sweepStraight(const MovingScene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
 template Vec3 stopBefore(const Scene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
 template Vec3 stopBefore(const MovingScene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;
-template void carryWithVertices(const Scene&, const Scene&, const ContactPlan&, GodObjectState&) noexcept;
-template void carryWithVertices(const MovingScene&, const MovingScene&, const ContactPlan&, GodObjectState&) noexcept;
+template bool carryWithVertices(const Scene&, const Scene&, const ContactPlan&, GodObjectState&) noexcept;
+template bool carryWithVertices(const MovingScene&, const MovingScene&, const ContactPlan&, GodObjectState&) noexcept;
 
 } // namespace palpate

@@ -48,9 +48,10 @@ template<SceneView AnyScene>
 /// ball turns with the normals around it. From just above the new triangle, on the side where the ball was, the way to
 /// that place is swept exactly: what came between stops it. A ball is moved out of what it overlaps there.
 /// Beside a curve it goes with the curve's nearest point and back to where it was, as far as the curve lets it.
+/// True if that took the ball through another surface: between the two there was no room for it.
 /// Bounded by plan.workBudget, allocation-free.
 template<SceneView AnyScene>
-void carryWithVertices(
+[[nodiscard]] bool carryWithVertices(
   const AnyScene& from, const AnyScene& to, const ContactPlan& plan, GodObjectState& state) noexcept;
 
 } // namespace palpate

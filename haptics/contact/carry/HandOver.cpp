@@ -26,7 +26,7 @@ void stayOutside(
 }
 
 template<SceneView AnyScene>
-void takeOver(
+bool takeOver(
   const AnyScene& from, const AnyScene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
 {
   const std::vector<Surface>&before = sceneOf(from).surfaces(), &after = sceneOf(to).surfaces();
@@ -50,21 +50,21 @@ void takeOver(
   {
     stayOutside(from, to, plan, p_W, state);
   }
-  carryWithVertices(from, to, plan, state);
+  return carryWithVertices(from, to, plan, state);
 }
 
 } // namespace
 
-void handOver(
+bool handOver(
   const Scene& from, const Scene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept
 {
-  takeOver(from, to, planFor(sceneOf(to), plan), p_W, state);
+  return takeOver(from, to, planFor(sceneOf(to), plan), p_W, state);
 }
 
-void handOver(const MovingScene& from, const MovingScene& to, const ContactPlan& plan, const Vec3& p_W,
+bool handOver(const MovingScene& from, const MovingScene& to, const ContactPlan& plan, const Vec3& p_W,
   GodObjectState& state) noexcept
 {
-  takeOver(from, to, planFor(sceneOf(to), plan), p_W, state);
+  return takeOver(from, to, planFor(sceneOf(to), plan), p_W, state);
 }
 
 } // namespace palpate

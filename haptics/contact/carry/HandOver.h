@@ -12,12 +12,13 @@ namespace palpate
 /// After the scene changed: features of surfaces that are still there, by content, are kept. Near a surface that has
 /// given way to a simpler one, or to the one that it stood for, the ball stays on its side (keepSide()). If a touched
 /// surface is gone otherwise, its successor is looked for from outside, along the force and no further than twice the
-/// penetration, so that a pressed ball stays on its side. Bounded and allocation-free; both scenes must be alive.
-void handOver(
+/// penetration, so that a pressed ball stays on its side. True if that left no room for the ball (carryWithVertices()).
+/// Bounded and allocation-free; both scenes must be alive.
+[[nodiscard]] bool handOver(
   const Scene& from, const Scene& to, const ContactPlan& plan, const Vec3& p_W, GodObjectState& state) noexcept;
 
 /// The same between two moments of scenes that move.
-void handOver(const MovingScene& from, const MovingScene& to, const ContactPlan& plan, const Vec3& p_W,
+[[nodiscard]] bool handOver(const MovingScene& from, const MovingScene& to, const ContactPlan& plan, const Vec3& p_W,
   GodObjectState& state) noexcept;
 
 } // namespace palpate

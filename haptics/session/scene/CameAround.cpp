@@ -137,6 +137,25 @@ bool wasWithin(const Scene& before, const std::string& name, const ContactPlan& 
   return false;
 }
 
+bool isOneOf(const std::string& name, const std::vector<std::string>& names)
+{
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// Of the surface of that name, which is there.
+std::uint32_t numberOf(const Scene& scene, const std::string& name)
+{
+  const auto found = std::ranges::find_if(scene.surfaces(), [&](const Surface& s) { return s.name == name; });
+  return static_cast<std::uint32_t>(found - scene.surfaces().begin());
+}
+
+/// A place is in all surfaces of before that are still there, and in no others.
+bool isWhereItWas(const Scene& scene, const std::vector<std::string>& around, const std::vector<std::string>& before)
+{
+  return std::ranges::all_of(
+    scene.surfaces(), [&](const Surface& s) { return isOneOf(s.name, around) == isOneOf(s.name, before); });
+}
+
 bool isSeen(const Scene* scene, const ContactPlan& plan, const Vec3& eye_W, const Vec3& x_W)
 {
   return scene == nullptr || scene->empty() || !sweepStraight(MovingScene(*scene, 1.0), plan, 0.0, eye_W, x_W).hit;
@@ -191,6 +210,51 @@ std::optional<CameAround> movedInto(const Scene& scene, const ContactPlan& asked
     }
   }
   return std::nullopt;
+}
+
+std::vector<std::string> surfacesAround(const Scene& scene, const ContactPlan& asked, const Vec3& x_W)
+{
+  ContactPlan point = planFor(scene, asked);
+  point.radius_u = 0.0;
+  std::vector<std::string> around;
+  for (std::uint32_t i = 0; i < scene.surfaces().size(); ++i)
+  {
+    const Standing s{ MovingScene(scene, 1.0), i };
+    if (isInBox(s, 0.0, x_W) && wayOut(nullptr, s, point, x_W))
+    {
+      around.push_back(s.surface().name);
+    }
+  }
+  return around;
+}
+
+std::optional<CameAround> squeezedInto(
+  const Scene& scene, const ContactPlan& asked, const std::vector<std::string>& before, const Vec3& x_W)
+{
+  const std::vector<std::string> now = surfacesAround(scene, asked, x_W);
+  const auto into = std::ranges::find_if(now, [&](const std::string& name) { return !isOneOf(name, before); });
+  if (into == now.end())
+  {
+    return std::nullopt;
+  }
+  const ContactPlan plan = planFor(scene, asked);
+  const MovingScene rests(scene, 1.0);
+  const double way_u = beyond_u({ rests, numberOf(scene, *into) }, plan.radius_u, x_W);
+  std::optional<CameAround> nearest;
+  for (const Vec3& d : directions())
+  {
+    for (const double share : { 0.25, 0.5, 1.0 }) // in a room the furthest place may be outside of the room
+    {
+      const Vec3 from_W = x_W + share * way_u * d;
+      const Vec3 ball_W = stopBefore(rests, plan, plan.radius_u, from_W, x_W);
+      if (isWhereItWas(scene, surfacesAround(scene, asked, from_W), before) &&
+          (!nearest || (ball_W - x_W).norm() < (nearest->ball_W - x_W).norm()))
+      {
+        nearest = CameAround{ *into, from_W, ball_W };
+      }
+    }
+  }
+  return nearest;
 }
 
 StayOutside stayOutside(

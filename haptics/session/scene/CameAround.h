@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "haptics/contact/view/ContactPlan.h"
 #include "haptics/core/Types.h"
@@ -35,6 +36,15 @@ struct CameAround
 /// nearest way out is taken, as cameAround() does. Milliseconds at most; not for the tick.
 [[nodiscard]] std::optional<CameAround> movedInto(
   const Scene& scene, const ContactPlan& plan, const Vec3& felt_W, const Vec3& x_W);
+
+/// Names of the closed surfaces of a scene at rest that the place x_W is in. Milliseconds at most; not for the tick.
+[[nodiscard]] std::vector<std::string> surfacesAround(const Scene& scene, const ContactPlan& plan, const Vec3& x_W);
+
+/// Whether a surface of a scene at rest is around the ball at x_W that was not, by name, before surfaces moved and left
+/// the ball no room. The nearest way out leads to a place that is in those of `before` and in no others. Milliseconds
+/// at most; not for the tick.
+[[nodiscard]] std::optional<CameAround> squeezedInto(
+  const Scene& scene, const ContactPlan& plan, const std::vector<std::string>& before, const Vec3& x_W);
 
 /// Who holds the hand that something has come around.
 enum class HandHolder

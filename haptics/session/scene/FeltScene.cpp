@@ -63,6 +63,7 @@ void FeltScene::lookAround(const Scene* next)
   if (!this->session_.running())
   {
     this->lastFelt_.reset();
+    this->within_.clear();
     return;
   }
   const HapticState& felt = this->session_.state();
@@ -71,12 +72,43 @@ void FeltScene::lookAround(const Scene* next)
   {
     this->lastFelt_ = this->session_.scene();
   }
+  if (this->hasMoved())
+  {
+    this->pinned_ = this->session_.report().pinnedTicks;
+    this->within_ = surfacesAround(*this->session_.scene(), this->session_.parameters().contact, felt.proxy_W.p);
+  }
   const bool hasHand = felt.tick > 0 && !felt.held && felt.proxy_W.p.allFinite();
   if (next != nullptr && hasHand)
   {
     this->around_ = palpate::cameAround(
       this->lastFelt_.get(), *next, this->session_.parameters().contact, felt.proxy_W.p, this->eye_W_);
   }
+}
+
+/// The servo has the newest scene, and what moves in it has arrived.
+bool FeltScene::hasMoved() const
+{
+  const Scene* const scene = this->session_.scene().get();
+  const HapticState& felt = this->session_.state();
+  return scene != nullptr && felt.sceneRevision == scene->revision() && felt.sceneAge_s >= scene->motion_s();
+}
+
+bool FeltScene::takeOutSqueezed()
+{
+  if (!this->session_.running() || this->session_.report().pinnedTicks == this->pinned_ || !this->hasMoved())
+  {
+    return false;
+  }
+  this->pinned_ = this->session_.report().pinnedTicks;
+  const HapticParameters& parameters = this->session_.parameters();
+  const std::optional<CameAround> into =
+    squeezedInto(*this->session_.scene(), parameters.contact, this->within_, this->session_.state().proxy_W.p);
+  if (!into || !this->session_.setParameters(parameters, into->from_W).empty())
+  {
+    return false;
+  }
+  this->around_ = into;
+  return true;
 }
 
 void FeltScene::plan(const SimplifyPlan& plan)

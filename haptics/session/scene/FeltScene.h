@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,10 +37,13 @@ public:
   bool takeBuilt(const SimplifyPlan& plan, double now_s, bool wait = false);
   /// Has it feel the simpler surfaces that were found since, or with `wait` those that are looked for.
   void takeSimpler(bool wait = false);
+  /// Once surfaces that moved rest: whether they had left the ball no room and it is now in one that it was outside of.
+  /// Then the ball comes from outside again, and cameAround() says so.
+  bool takeOutSqueezed();
   /// Plans again, from all triangles on, if what the choice depends on has changed.
   void follow(const SimplifyPlan& plan);
 
-  /// What the scene taken last has brought around the hand; the hand stays outside of it.
+  /// What the scene taken last, or its motion, has brought around the hand; the hand stays outside of it.
   [[nodiscard]] const std::optional<CameAround>& cameAround() const noexcept { return this->around_; }
 
   /// As the session has it.
@@ -58,6 +62,7 @@ public:
 private:
   void plan(const SimplifyPlan& plan);
   void lookAround(const Scene* next);
+  [[nodiscard]] bool hasMoved() const;
   void swapIn(std::optional<FoundScene> found);
 
   HapticSession& session_;
@@ -72,6 +77,8 @@ private:
   std::shared_ptr<const Scene> lastFelt_; ///< the newest that the servo is known to have taken
   std::optional<Vec3> eye_W_;
   std::optional<CameAround> around_;
+  std::vector<std::string> within_; ///< closed surfaces that the ball was in when surfaces rested last
+  std::uint64_t pinned_ = 0;        ///< ticks without room for the ball until then
 };
 
 } // namespace palpate

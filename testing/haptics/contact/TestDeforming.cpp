@@ -42,7 +42,7 @@ public:
     {
       const std::shared_ptr<const Scene> old = this->scene_;
       this->scene_ = this->next(this->time_s());
-      handOver(*old, *this->scene_, this->plan_, p_W, this->state);
+      static_cast<void>(handOver(*old, *this->scene_, this->plan_, p_W, this->state));
     }
     return moveGodObject(*this->scene_, this->plan_, p_W, this->state);
   }

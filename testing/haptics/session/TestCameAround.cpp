@@ -193,6 +193,66 @@ TEST_F(CameAroundTest, InARoomTheHandStaysInTheRoom)
   EXPECT_LT(this->proxy().norm(), 61.0);
 }
 
+using Box = std::pair<Vec3, Vec3>;
+
+std::shared_ptr<const TriangleMesh> mesh(const Box& box)
+{
+  return std::make_shared<const TriangleMesh>(makeBox(box.first, box.second));
+}
+
+/// u; negative outside.
+double depthIn(const Box& box, const Vec3& p_W)
+{
+  return std::min((p_W - box.first).minCoeff(), (box.second - p_W).minCoeff());
+}
+
+// Two faces that close on a ball leave no place for it between them: in the end it is outside of both, as it was
+// before.
+TEST_F(CameAroundTest, ABallBetweenTwoBoxesThatMeetComesOutOfBoth)
+{
+  const Box floor(Vec3(-50, -50, -60), Vec3(50, 50, 0)), above(Vec3(-40, -40, 20), Vec3(40, 40, 60));
+  const Vec3 down(0.0, 0.0, -45.0);
+  const Box within(above.first + down, above.second + down);
+  this->show({ { "floor", mesh(floor) } });
+  this->goTo(Vec3(3.0, 5.0, -4.0));
+  this->show({ { "floor", mesh(floor) }, { "lid", mesh(above) } });
+  this->session_.step(200);
+  ASSERT_NEAR(this->proxy().z(), 0.0, 1e-6);
+  EXPECT_FALSE(this->felt_.takeOutSqueezed());
+  this->show({ { "floor", mesh(floor) }, { "lid", mesh(within) } });
+  this->session_.step(500);
+  ASSERT_TRUE(this->felt_.takeOutSqueezed());
+  this->session_.step(500);
+  EXPECT_LT(depthIn(floor, this->proxy()), 1e-6);
+  EXPECT_LT(depthIn(within, this->proxy()), 1e-6);
+  EXPECT_FALSE(this->felt_.takeOutSqueezed());
+}
+
+TEST_F(CameAroundTest, ABallThatIsSqueezedInARoomComesOutIntoTheRoom)
+{
+  const Box room(Vec3::Constant(-100), Vec3::Constant(100));
+  const Box floor(Vec3(-50, -50, -60), Vec3(50, 50, 0)), above(Vec3(-40, -40, 20), Vec3(40, 40, 60));
+  const Vec3 down(0.0, 0.0, -45.0);
+  const Box within(above.first + down, above.second + down);
+  this->session_.stop();
+  this->show({ { "room", mesh(room) }, { "floor", mesh(floor) }, { "lid", mesh(above) } });
+  auto device = std::make_unique<FedDevice>();
+  this->device_ = device.get();
+  this->hold(Vec3(3.0, 5.0, 1.0));
+  SessionOptions options;
+  options.virtualTime = true;
+  ASSERT_EQ(this->session_.start(std::move(device), options), "");
+  this->session_.step(2000);
+  this->goTo(Vec3(3.0, 5.0, -4.0));
+  this->show({ { "room", mesh(room) }, { "floor", mesh(floor) }, { "lid", mesh(within) } });
+  this->session_.step(500);
+  ASSERT_TRUE(this->felt_.takeOutSqueezed());
+  this->session_.step(500);
+  EXPECT_LT(depthIn(floor, this->proxy()), 1e-6);
+  EXPECT_LT(depthIn(within, this->proxy()), 1e-6);
+  EXPECT_GT(depthIn(room, this->proxy()), -1e-6);
+}
+
 // A wall is around nothing; it hides what an eye saw.
 TEST_F(CameAroundTest, WhatComesBetweenTheEyeAndTheHandThatItSawStaysBehindTheHand)
 {

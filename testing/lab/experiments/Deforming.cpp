@@ -229,7 +229,7 @@ void compareTicks(std::size_t triangles, int ticks, Table& table)
       {
         const double share = static_cast<double>(i) / ticks, before = static_cast<double>(i - 1) / ticks;
         const MovingScene was(moving, before), is(moving, share);
-        carryWithVertices(was, is, plan, b);
+        static_cast<void>(carryWithVertices(was, is, plan, b));
         static_cast<void>(moveGodObject(is, plan, handAt(i), b));
       });
   }
@@ -275,7 +275,7 @@ int falls(const SurfaceTree& first, double ball_m, int ticks, bool keep)
         std::make_shared<const Scene>(scene->revision() + 1, std::vector<Surface>{ { "sphere", tree, {} } });
       if (keep)
       {
-        handOver(*scene, *next, plan, p, state);
+        static_cast<void>(handOver(*scene, *next, plan, p, state));
       }
       else
       {
