@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes an implant for the frontal defect of the skull: what the other side of the head has and this one lacks.
 
-    pvpython data/implant.py SKULL OUTPUT [PLAY]
+    pvpython data/implant.py SKULL OUTPUT [PLAY [SPACING]]
 
 SKULL is the file that `data/get skull` prints; OUTPUT a .vtp. PLAY, 0.5 by default, is how far the implant stays from the
-bone [mm]. The skull is mirrored and laid on itself (Besl and McKay 1992), both are sampled as signed distances around the
+bone; SPACING, 1 by default, how far apart the distances are that its shape is made of [mm]. The skull is mirrored and laid on itself (Besl and McKay 1992), both are sampled as signed distances around the
 defect, and the implant is the largest piece that is inside of the mirrored bone and further than PLAY from the real one.
 """
 
@@ -28,7 +28,6 @@ from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 DEFECT = (80.0, 108.0, -200.0, -163.0, 76.0, 132.0)  # mm; a box around the hole in the forehead, above the eye
-SPACING = 1.0  # mm; bone is some four of these thick
 LANDMARKS = 600
 
 
@@ -74,12 +73,12 @@ def other_side(bone):
     return moved(reverse.GetOutput(), fit)
 
 
-def sampled(function):
+def sampled(function, spacing):
     """Values of an implicit function on a grid that holds the box of the defect."""
     sample = vtkSampleFunction()
     sample.SetImplicitFunction(function)
-    sample.SetModelBounds(*(side + SPACING * (1 if i % 2 else -1) for i, side in enumerate(DEFECT)))
-    sample.SetSampleDimensions(*(round((DEFECT[2 * i + 1] - DEFECT[2 * i]) / SPACING) + 3 for i in range(3)))
+    sample.SetModelBounds(*(side + spacing * (1 if i % 2 else -1) for i, side in enumerate(DEFECT)))
+    sample.SetSampleDimensions(*(round((DEFECT[2 * i + 1] - DEFECT[2 * i]) / spacing) + 3 for i in range(3)))
     sample.ComputeNormalsOff()
     sample.SetOutputScalarTypeToDouble()
     sample.Update()
@@ -99,13 +98,13 @@ def box():
     return function
 
 
-def implant(bone, play):
+def implant(bone, play, spacing):
     """The closed surface of what the mirrored bone has and the bone has not."""
     solid, border = vtkArrayCalculator(), vtkContourFilter()
-    grid = sampled(distance(other_side(bone)))
+    grid = sampled(distance(other_side(bone)), spacing)
     grid.GetPointData().GetScalars().SetName("mirrored")
     for name, function in (("bone", distance(bone)), ("box", box())):
-        values = sampled(function).GetPointData().GetScalars()
+        values = sampled(function, spacing).GetPointData().GetScalars()
         values.SetName(name)
         grid.GetPointData().AddArray(values)
     for name in ("mirrored", "bone", "box"):
@@ -120,17 +119,19 @@ def implant(bone, play):
 
 
 def main(arguments):
-    if len(arguments) not in (2, 3):
-        fail("needs SKULL and OUTPUT, and PLAY in mm if another than 0.5: pvpython data/implant.py skull.vtp implant.vtp")
+    if not 2 <= len(arguments) <= 4:
+        fail("needs SKULL and OUTPUT, and PLAY and SPACING in mm if others than 0.5 and 1: data/implant.py skull.vtp implant.vtp")
     try:
-        play = float(arguments[2]) if len(arguments) == 3 else 0.5
+        play, spacing = (float(text) for text in (arguments[2:] + ["0.5", "1.0"][len(arguments) - 2:]))
     except ValueError:
-        fail(f"PLAY is a number of mm, not {arguments[2]!r}")
+        fail(f"PLAY and SPACING are numbers of mm, not {' '.join(arguments[2:])!r}")
+    if not (play >= 0.0 and spacing > 0.0):
+        fail("PLAY is at least 0 and SPACING more")
     reader = vtkXMLPolyDataReader()
     if not reader.CanReadFile(arguments[0]):
         fail(f"{arguments[0]} is no .vtp file: run data/get skull, which prints where the skull is")
     reader.SetFileName(arguments[0])
-    made = implant(largest_part(reader), play)
+    made = implant(largest_part(reader), play, spacing)
     if made.GetNumberOfCells() == 0:
         fail(f"nothing is left with {play} mm of play")
     writer = vtkXMLPolyDataWriter()
