@@ -5,8 +5,9 @@
     pvpython data/implant.py SKULL OUTPUT [PLAY [SPACING]]
 
 SKULL is the file that `data/get skull` prints; OUTPUT a .vtp. PLAY, 0.5 by default, is how far the implant stays from the
-bone; SPACING, 1 by default, how far apart the distances are that its shape is made of [mm]. The skull is mirrored and laid on itself (Besl and McKay 1992), both are sampled as signed distances around the
-defect, and the implant is the largest piece that is inside of the mirrored bone and further than PLAY from the real one.
+bone; SPACING, 1 by default, how far apart the distances are that its shape is made of [mm]. The skull is mirrored and laid
+on itself (Besl and McKay 1992), and both are sampled as signed distances around the defect. The implant is the largest
+piece that is inside of the mirrored bone, further than PLAY from the real one, and can be put in straight from the front.
 """
 
 import sys
@@ -27,7 +28,7 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-DEFECT = (80.0, 108.0, -200.0, -163.0, 76.0, 132.0)  # mm; a box around the hole in the forehead, above the eye
+DEFECT = (80.0, 108.0, -200.0, -163.0, 88.0, 132.0)  # mm; a box around the hole in the forehead, above the eye
 LANDMARKS = 600
 
 
@@ -92,6 +93,18 @@ def distance(surface):
     return function
 
 
+def on_the_way_in(grid, name):
+    """In place of each value of an array the smallest on the way to it from the front: what is wider inside cannot be put in."""
+    width, depth, height = grid.GetDimensions()
+    values = grid.GetPointData().GetArray(name)
+    for column in range(width * height):
+        first = column // width * width * depth + column % width
+        least = values.GetValue(first)
+        for i in range(first, first + width * depth, width):
+            least = min(least, values.GetValue(i))
+            values.SetValue(i, least)
+
+
 def box():
     function = vtkBox()
     function.SetBounds(DEFECT)
@@ -107,6 +120,7 @@ def implant(bone, play, spacing):
         values = sampled(function, spacing).GetPointData().GetScalars()
         values.SetName(name)
         grid.GetPointData().AddArray(values)
+    on_the_way_in(grid, "bone")
     for name in ("mirrored", "bone", "box"):
         solid.AddScalarArrayName(name)
     solid.SetInputData(grid)
