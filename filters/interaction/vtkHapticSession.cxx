@@ -49,6 +49,7 @@ void vtkHapticSession::Internals::ShowState()
     this->Warning = this->Warning.empty() ? this->Around : this->Warning;
     this->Warning =
       this->Warning.empty() ? this->MissingArrays.substr(0, this->MissingArrays.find('\n')) : this->Warning;
+    this->Warning = this->Warning.empty() ? this->FieldGone : this->Warning;
     this->Warning = this->Warning.empty() && this->Played ? this->PlayedSentence : this->Warning;
   }
   if (this->Core.running())

@@ -218,6 +218,9 @@ public:
   bool AddField(const char* name, vtkDataObject* data);
   bool FinishField();
   const char* GetFieldName() const;
+  /// Other data that the field is compared with, and whose points and lines the hand snaps to; null: none. Kept by
+  /// reference. CompareSource and SnapSource name them for whoever follows a view.
+  void SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap);
   /// What is felt of it where the proxy is, to be drawn: a patch of the isosurface, the streamline that is followed
   /// [u].
   void GetFieldShape(vtkPolyData* shape) const;
@@ -419,6 +422,8 @@ private:
     const std::function<void(palpate::HapticParameters&)>& change);
   /// The same for arrays and ranges.
   void TakeField(bool wait);
+  void FeelFieldAnew();
+  void NameBeside(std::string& kept, const char* name);
   void ChangeField(const char* setting, std::initializer_list<double> values,
     const std::function<void(vtkHapticFieldArrays&)>& change);
   void ChangeMaterial(const char* setting, std::initializer_list<double> values,

@@ -47,8 +47,10 @@
   vtkHapticSettingMacro(FieldArray, const char*); \
   vtkHapticSettingMacro(FieldComponent, int); \
   vtkHapticSettingMacro(FieldVectors, const char*); \
+  vtkHapticSettingMacro(FieldEigenvector, int); \
   vtkHapticSettingMacro(FieldResistance, const char*); \
   vtkHapticSettingMacro(FieldOther, const char*); \
+  vtkHapticSettingMacro(CompareSource, const char*); \
   vtkHapticSettingMacro(FieldSmoothing, int); \
   vtkHapticFieldSwitchMacro(FieldIsosurface); \
   vtkHapticFieldMacro(FieldIsovalue, double); \
@@ -58,9 +60,11 @@
   vtkHapticFieldMacro(FieldDetent, double); \
   vtkHapticFieldMacro(FieldDetentOrigin, double); \
   vtkHapticFieldMacro(FieldDetentSpacing, double); \
+  vtkHapticSettingMacro(FieldDetentLevels, const char*); \
   vtkHapticFieldSwitchMacro(FieldDetentClick); \
   vtkHapticFieldMacro(FieldSnap, double); \
   vtkHapticFieldMacro(FieldSnapReach, double); \
+  vtkHapticSettingMacro(SnapSource, const char*); \
   vtkHapticFieldMacro(FieldCompare, double); \
   vtkHapticFieldMacro(FieldCompareFull, double); \
   vtkHapticFieldMacro(FieldPush, double); \
@@ -142,6 +146,10 @@
   vtkHapticReadoutMacro(CappedTicks, vtkIdType); \
   vtkHapticReadoutMacro(FieldValue, double); \
   vtkHapticNumbersMacro(FieldGradient, 3); \
+  vtkHapticReadoutMacro(FieldPushPower, double); \
+  vtkHapticReadoutMacro(FieldTicksBeyond, vtkIdType); \
+  vtkHapticReadoutMacro(FieldError, double); \
+  vtkHapticReadoutMacro(FieldAge, double); \
   vtkHapticReadoutMacro(FieldSentence, const char*); \
   vtkHapticReadoutMacro(SchedulingReport, const char*); \
   vtkHapticReadoutMacro(PlanSentence, const char*); \

@@ -46,11 +46,16 @@ public:
   palpate::FeltScene Scene{ Core, PeriodSeconds };
   vtkHapticFieldArrays FieldArrays;
   std::string FieldName;
-  vtkSmartPointer<vtkDataObject> FieldData;
+  vtkSmartPointer<vtkDataObject> FieldData, CompareData, SnapData;
+  std::string CompareSource, SnapSource; ///< names of the data beside the field, for who follows a view
+  std::string DetentLevels;              ///< as they were asked for
+  vtkMTimeType BesideTime = 0;           ///< of both when they were taken
+  palpate::FieldEnds FieldEnds{ 1.0, 0.0 };
   palpate::FeltField FeltField;
   bool FieldIsNew = false;  ///< no brick has come of it yet
   std::string FieldProblem; ///< why the data that was added is not felt
   std::string FieldSentence;
+  std::string FieldGone;               ///< that what was felt is not there any more
   std::array<double, 6> FieldBounds{}; ///< of the data that was added [u]
   double FieldGradient[3] = { 0.0, 0.0, 0.0 };
   int Simplify = Auto;

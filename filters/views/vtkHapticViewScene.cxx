@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticViewScene.h"
 
+#include "vtkHapticAskedField.h"
+#include "vtkHapticColourRange.h"
 #include "vtkHapticConversionAhead.h"
 #include "vtkHapticDrafts.h"
 #include "vtkHapticFieldData.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticNamedData.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticShapes.h"
 #include "vtkHapticViewScan.h"
@@ -50,6 +53,7 @@ public:
   vtkSmartPointer<vtkDataObject> FieldData;    ///< what it made then
   vtkMTimeType FieldTime = 0, FieldSettings = 0;
   std::string FieldRefusal;                   ///< why none of those that have the arrays is
+  std::string BesideRefusal;                  ///< which data beside the field are not there
   bool HandedOver = false;                    ///< the session has Scan
   std::optional<vtkHapticViewScan> Preparing; ///< a scan that is read by threads
   std::optional<vtkHapticViewScan> Left;      ///< what was shown when it was cancelled
@@ -75,6 +79,8 @@ public:
   /// What is shown while the person cancels is not wanted.
   void FollowCancel(const vtkHapticViewScan& now);
 
+  /// Gives the session the data that it names beside the field; "", or which of them is not there.
+  std::string HandOverBeside();
   /// Gives the session the first source that has the arrays which are felt and fills space.
   void HandOverField(const std::vector<vtkHapticViewScan::Source>& sources);
   bool SameField(const vtkHapticViewScan::Source* next) const
@@ -97,16 +103,6 @@ public:
 
 namespace
 {
-/// Whether data has what is asked to be felt.
-bool HasFieldArrays(vtkDataObject* data, const vtkHapticSession& session)
-{
-  const std::vector<std::string> names = vtkHapticFieldArrayNames(data);
-  const auto has = [&names](const char* name)
-  { return *name == '\0' || std::find(names.begin(), names.end(), name) != names.end(); };
-  return has(session.GetFieldArray()) && has(session.GetFieldVectors()) && has(session.GetFieldResistance()) &&
-         has(session.GetFieldOther());
-}
-
 bool SameNames(const vtkHapticViewScan& a, const vtkHapticViewScan& b)
 {
   return std::equal(a.Surfaces.begin(), a.Surfaces.end(), b.Surfaces.begin(), b.Surfaces.end(),
@@ -123,26 +119,36 @@ vtkHapticViewScan SharedCopy(vtkHapticViewScan scan)
   return scan;
 }
 
-bool AsksForField(const vtkHapticSession& session)
-{
-  return *session.GetFieldArray() != '\0' || *session.GetFieldVectors() != '\0' ||
-         *session.GetFieldResistance() != '\0';
-}
 } // namespace
 
 bool vtkHapticViewScene::Internals::CouldFeelField(const vtkHapticViewScan& scan) const
 {
-  return this->Session && AsksForField(*this->Session) &&
+  return this->Session && vtkHapticAsksForField(*this->Session) &&
          std::any_of(scan.Sources.begin(), scan.Sources.end(),
-           [this](const auto& source) { return HasFieldArrays(source.Data, *this->Session); });
+           [this](const auto& source) { return vtkHapticHasFieldArrays(source.Data, *this->Session); });
+}
+
+std::string vtkHapticViewScene::Internals::HandOverBeside()
+{
+  std::string missing;
+  const auto named = [&](const std::string& name)
+  {
+    vtkDataObject* const data = name.empty() ? nullptr : vtkHapticNamedData(this->View, name);
+    missing = data || name.empty() ? missing : name + ": no source with data is called so";
+    return data;
+  };
+  vtkDataObject* const compared = named(this->Session->GetCompareSource());
+  this->Session->SetFieldBeside(compared, named(this->Session->GetSnapSource()));
+  return missing;
 }
 
 void vtkHapticViewScene::Internals::HandOverField(const std::vector<vtkHapticViewScan::Source>& sources)
 {
+  this->BesideRefusal = vtkHapticAsksForField(*this->Session) ? this->HandOverBeside() : "";
   std::vector<const vtkHapticViewScan::Source*> candidates;
   for (const vtkHapticViewScan::Source& source : sources)
   {
-    if (AsksForField(*this->Session) && HasFieldArrays(source.Data, *this->Session))
+    if (vtkHapticAsksForField(*this->Session) && vtkHapticHasFieldArrays(source.Data, *this->Session))
     {
       candidates.push_back(&source);
     }
@@ -169,6 +175,8 @@ void vtkHapticViewScene::Internals::HandOverField(const std::vector<vtkHapticVie
   if (candidates.empty())
   {
     this->Session->AddField(nullptr, nullptr);
+    const bool lacks = vtkHapticAsksForField(*this->Session) && !sources.empty();
+    this->FieldRefusal = lacks ? vtkHapticLackOfField(*this->Session) : "";
   }
 }
 
@@ -207,11 +215,19 @@ std::vector<std::string> vtkHapticViewScene::Internals::RefusalsOf(const vtkHapt
       refusals.push_back(refusal);
     }
   }
-  if (!this->FieldRefusal.empty())
+  for (const std::string& refusal : { this->FieldRefusal, this->BesideRefusal })
   {
-    refusals.push_back(this->FieldRefusal + ".");
+    if (!refusal.empty())
+    {
+      refusals.push_back(refusal + ".");
+    }
   }
   return refusals;
+}
+
+std::string vtkHapticViewScene::TakeColorRange(vtkSMProxy* session)
+{
+  return vtkHapticTakeColourRange(this->Impl->View, session);
 }
 
 vtkHapticViewScene::vtkHapticViewScene() : Impl(std::make_unique<Internals>()) {}

@@ -14,8 +14,8 @@ namespace palpate
 namespace
 {
 
-std::uint64_t hashOf(
-  const BrickGrid& grid, const std::vector<BrickArray>& arrays, const std::vector<Vec3>& places_W) noexcept
+std::uint64_t hashOf(const BrickGrid& grid, const std::vector<BrickArray>& arrays, const std::vector<Vec3>& places_W,
+  const std::vector<BrickLine>& lines_W) noexcept
 {
   WordHash hash;
   for (int k = 0; k < 3; ++k)
@@ -36,12 +36,16 @@ std::uint64_t hashOf(
       hash.add(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(value)));
     }
   }
-  for (const Vec3& place_W : places_W)
+  const auto addPlace = [&hash](const Vec3& place_W)
+  { std::ranges::for_each(place_W, [&](double v) { hash.add(v); }); };
+  std::ranges::for_each(places_W, addPlace);
+  if (!lines_W.empty())
   {
-    for (const double number : place_W)
-    {
-      hash.add(number);
-    }
+    hash.add(static_cast<std::uint64_t>(lines_W.size()));
+  }
+  for (const BrickLine& line_W : lines_W)
+  {
+    std::ranges::for_each(line_W, addPlace);
   }
   return hash.value();
 }
@@ -87,6 +91,14 @@ std::optional<GridPlace> BrickComponent::within(GridPlace place) const noexcept
   return this->holds(place.cell) ? std::optional(place) : std::nullopt;
 }
 
+Vec3 nearestOn(const BrickLine& line_W, const Vec3& p_W) noexcept
+{
+  const Vec3 way = line_W[1] - line_W[0];
+  const double square = way.squaredNorm();
+  const double t = square > 0.0 ? std::clamp((p_W - line_W[0]).dot(way) / square, 0.0, 1.0) : 0.0;
+  return line_W[0] + t * way;
+}
+
 std::string Brick::refuse(const BrickGrid& grid, const std::vector<BrickArray>& arrays, std::size_t mostBytes)
 {
   if (std::string problem = refuseGrid(grid); !problem.empty())
@@ -115,10 +127,13 @@ std::string Brick::refuse(const BrickGrid& grid, const std::vector<BrickArray>& 
   return {};
 }
 
-Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W)
-  : revision_(revision), grid_(grid), arrays_(std::move(arrays)), places_W_(std::move(places_W))
+Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W,
+  std::vector<BrickLine> lines_W)
+  : revision_(revision), grid_(grid), arrays_(std::move(arrays)), places_W_(std::move(places_W)),
+    lines_W_(std::move(lines_W))
 {
   this->places_W_.resize(std::min(this->places_W_.size(), mostPlaces));
+  this->lines_W_.resize(std::min(this->lines_W_.size(), mostPlaces));
   for (BrickArray& array : this->arrays_)
   {
     for (float& value : array.values)
@@ -126,12 +141,12 @@ Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArr
       value = std::isfinite(value) ? value : std::numeric_limits<float>::quiet_NaN();
     }
   }
-  this->contentHash_ = hashOf(this->grid_, this->arrays_, this->places_W_);
+  this->contentHash_ = hashOf(this->grid_, this->arrays_, this->places_W_, this->lines_W_);
 }
 
 std::size_t Brick::bytes() const noexcept
 {
-  std::size_t bytes = sizeof(Brick) + this->places_W_.size() * sizeof(Vec3);
+  std::size_t bytes = sizeof(Brick) + this->places_W_.size() * sizeof(Vec3) + this->lines_W_.size() * sizeof(BrickLine);
   for (const BrickArray& array : this->arrays_)
   {
     bytes += array.values.size() * sizeof(float);
@@ -181,6 +196,33 @@ std::optional<Vec3> Brick::vector(const Vec3& p_W) const noexcept
     v_W[k] = cell.value(place->t);
   }
   return v_W;
+}
+
+std::optional<Vec3> Brick::axis(const Vec3& p_W, const Vec3& like) const noexcept
+{
+  std::array<TrilinearCell, 3> cells;
+  std::optional<GridPlace> place;
+  for (int k = 0; k < 3; ++k)
+  {
+    const BrickComponent along = this->component(BrickRole::Axis, k);
+    place = along.within(GridPlace::at(this->grid_.toIndex(p_W)));
+    cells[k] = along.exists() && place ? along.cell(place->cell) : TrilinearCell{ { NAN } };
+    if (!cells[k].valid())
+    {
+      return {};
+    }
+  }
+  const auto corner = [&cells](std::size_t i)
+  { return Vec3(cells[0].corner[i], cells[1].corner[i], cells[2].corner[i]); };
+  const Vec3 side = like.isZero(0.0) ? corner(0) : like;
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    if (corner(i).dot(side) < 0.0)
+    {
+      std::ranges::for_each(cells, [i](TrilinearCell& cell) { cell.corner[i] = -cell.corner[i]; });
+    }
+  }
+  return Vec3(cells[0].value(place->t), cells[1].value(place->t), cells[2].value(place->t));
 }
 
 } // namespace palpate

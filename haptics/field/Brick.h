@@ -49,7 +49,12 @@ enum class BrickRole : std::uint8_t
   Vector,     ///< followed, pushed by; three components in the axes of W
   Resistance, ///< how strongly the hand is dragged; not negative
   Other,      ///< what the scalar is compared with
+  Axis,       ///< followed where there is no vector: three components in the axes of W, whose sign means nothing
 };
+
+/// A straight piece of a line, from end to end, in W.
+using BrickLine = std::array<Vec3, 2>;
+[[nodiscard]] Vec3 nearestOn(const BrickLine& line_W, const Vec3& p_W) noexcept;
 
 /// Values at the points of a grid, x fastest, components together. NaN: there is no value.
 struct BrickArray
@@ -61,7 +66,7 @@ struct BrickArray
 
 [[nodiscard]] constexpr int componentsOf(BrickRole role) noexcept
 {
-  return role == BrickRole::Vector ? 3 : 1;
+  return role == BrickRole::Vector || role == BrickRole::Axis ? 3 : 1;
 }
 
 /// One component of an array on the grid of its brick, which must outlive it.
@@ -124,15 +129,17 @@ public:
   [[nodiscard]] static std::string refuse(
     const BrickGrid& grid, const std::vector<BrickArray>& arrays, std::size_t mostBytes = Brick::mostBytes);
   static constexpr std::size_t mostPlaces = 256; ///< that a hand snaps to: a tick looks at all of them
-  /// What refuse() is silent about. Infinities become NaN: there is no value. `places_W`: what the hand snaps to, the
-  /// first mostPlaces of them.
-  Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {});
+  /// What refuse() is silent about. Infinities become NaN: there is no value. `places_W`, `lines_W`: what the hand
+  /// snaps to, the first mostPlaces of each.
+  Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {},
+    std::vector<BrickLine> lines_W = {});
 
   [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
   [[nodiscard]] const BrickGrid& grid() const noexcept { return this->grid_; }
   [[nodiscard]] const std::vector<BrickArray>& arrays() const noexcept { return this->arrays_; }
   [[nodiscard]] const std::vector<Vec3>& places_W() const noexcept { return this->places_W_; }
-  /// Hash of grid, roles, values and places: names a brick in a recording.
+  [[nodiscard]] const std::vector<BrickLine>& lines_W() const noexcept { return this->lines_W_; }
+  /// Hash of grid, roles, values, places and lines: names a brick in a recording.
   [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
   [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -142,6 +149,8 @@ public:
   [[nodiscard]] std::optional<FieldSample> sample(BrickRole role, const Vec3& p_W) const noexcept;
   /// The trilinear vector at a place in W, in W.
   [[nodiscard]] std::optional<Vec3> vector(const Vec3& p_W) const noexcept;
+  /// The trilinear axis there, those of the corners turned to the side of `like`; by the first of them where that is 0.
+  [[nodiscard]] std::optional<Vec3> axis(const Vec3& p_W, const Vec3& like) const noexcept;
 
 private:
   std::uint64_t revision_ = 0;
@@ -149,6 +158,7 @@ private:
   BrickGrid grid_;
   std::vector<BrickArray> arrays_;
   std::vector<Vec3> places_W_;
+  std::vector<BrickLine> lines_W_;
 };
 
 } // namespace palpate

@@ -15,10 +15,10 @@ struct FieldPlan
   FrictionPlan friction; ///< of that surface: the tick's own, that of all contact
   double yield_N = 0.0;  ///< above 0: the surface is a membrane that gives way at this force
 
-  double follow_N = 0.0;    ///< holds the hand on the streamline that it is on
+  double follow_N = 0.0;    ///< holds the hand on the streamline that it is on, of vectors or axes
   double drag_N = 0.0;      ///< resists every motion, times the resistance at the hand
   DetentPlan detent;        ///< levels of the scalar hold the hand
-  double snap_N = 0.0;      ///< pulls to the nearest of the brick's places
+  double snap_N = 0.0;      ///< pulls to the nearest of the brick's places and lines
   double snapReach_u = 5.0; ///< from there on, less with the distance
   double compare_N = 0.0;   ///< resists every motion where scalar and other differ
   double compareFull = 1.0; ///< difference from which it does with all of its strength

@@ -17,8 +17,9 @@ constexpr double scrub_N = 0.045;
 
 bool usesSoft(const Brick& brick, const FieldPlan& plan) noexcept
 {
-  return plan.drag_N > 0.0 || (plan.follow_N > 0.0 && brick.component(BrickRole::Vector).exists()) ||
-         (plan.snap_N > 0.0 && !brick.places_W().empty()) ||
+  const bool directions = brick.component(BrickRole::Vector).exists() || brick.component(BrickRole::Axis).exists();
+  return plan.drag_N > 0.0 || (plan.follow_N > 0.0 && directions) ||
+         (plan.snap_N > 0.0 && !(brick.places_W().empty() && brick.lines_W().empty())) ||
          (plan.compare_N > 0.0 && brick.component(BrickRole::Other).exists());
 }
 
@@ -30,6 +31,14 @@ bool usesScalar(const Brick& brick, bool on) noexcept
 double share(double value, double full) noexcept
 {
   return full > 0.0 ? std::min(1.0, value / full) : 1.0;
+}
+
+/// Whether a place lies between the first and the last points of a grid.
+bool isWithin(const BrickGrid& grid, const Vec3& p_W) noexcept
+{
+  const Vec3 index = grid.toIndex(p_W);
+  const Vec3 last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
+  return (index.array() >= 0.0).all() && (index.array() <= last.array()).all();
 }
 
 /// One tick of a hand in a field.
@@ -49,6 +58,7 @@ public:
     const bool click = detent && this->plan_.detent.click, smooth = detent && !click;
     const bool soft = covered && usesSoft(this->brick_, this->plan_);
     this->result_.outside = !covered;
+    this->result_.beyond = !isWithin(this->brick_.grid(), this->p_W_);
     this->forgetUnless(surface, this->state_.surface);
     this->forgetUnless(click, this->state_.click);
     if (surface)
@@ -201,7 +211,7 @@ private:
   {
     Primitive snap;
     double nearest_u2 = this->plan_.snapReach_u * this->plan_.snapReach_u;
-    for (const Vec3& place_W : this->brick_.places_W())
+    const auto offer = [&](const Vec3& place_W)
     {
       const double far_u2 = (place_W - this->p_W_).squaredNorm();
       if (far_u2 < nearest_u2)
@@ -210,6 +220,14 @@ private:
         snap.anchor = place_W;
         snap.strength_N = this->plan_.snap_N * (1.0 - std::sqrt(far_u2) / this->plan_.snapReach_u);
       }
+    };
+    for (const Vec3& place_W : this->brick_.places_W())
+    {
+      offer(place_W);
+    }
+    for (const BrickLine& line_W : this->brick_.lines_W())
+    {
+      offer(nearestOn(line_W, this->p_W_));
     }
     return snap;
   }

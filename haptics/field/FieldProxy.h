@@ -31,6 +31,7 @@ struct FieldResult
   int contacts = 0;
   std::uint32_t passes = 0;
   bool outside = false; ///< the hand is where the field has no value
+  bool beyond = false;  ///< it is beyond the brick
   bool letGo = false;   ///< a surface ended or vanished, or the field did, in this tick
   bool capped = false;
 };

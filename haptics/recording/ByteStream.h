@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -47,6 +48,14 @@ public:
     this->put(pose.p);
     this->put(pose.q);
   }
+  template<std::size_t n>
+  void put(const std::array<double, n>& numbers)
+  {
+    for (const double number : numbers)
+    {
+      this->put(number);
+    }
+  }
   void put(const std::optional<double>& number)
   {
     this->put(number.has_value());
@@ -86,6 +95,14 @@ public:
     this->get(byte);
     this->ok_ = this->ok_ && byte <= 1;
     value = byte == 1;
+  }
+  template<std::size_t n>
+  void get(std::array<double, n>& numbers)
+  {
+    for (double& number : numbers)
+    {
+      this->get(number);
+    }
   }
   void get(Vec3& v)
   {

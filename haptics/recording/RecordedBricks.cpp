@@ -20,8 +20,20 @@ BrickArray readArray(ByteReader& in)
   {
     in.get(value);
   }
-  in.failUnless(array.role <= BrickRole::Other);
+  in.failUnless(array.role <= BrickRole::Axis);
   return array;
+}
+
+/// Pieces of lines that the hand snaps to; what was recorded before they were known ends before them.
+std::vector<BrickLine> readLines(ByteReader& in)
+{
+  std::vector<BrickLine> lines_W(in.left() > 0 ? in.count(6 * sizeof(double)) : 0);
+  for (BrickLine& line_W : lines_W)
+  {
+    in.get(line_W[0]);
+    in.get(line_W[1]);
+  }
+  return lines_W;
 }
 
 } // namespace
@@ -51,6 +63,12 @@ void putBrick(ByteWriter& payload, const Brick& brick)
   {
     payload.put(place_W);
   }
+  payload.put(static_cast<std::uint64_t>(brick.lines_W().size()));
+  for (const BrickLine& line_W : brick.lines_W())
+  {
+    payload.put(line_W[0]);
+    payload.put(line_W[1]);
+  }
 }
 
 std::shared_ptr<const Brick> readBrick(ByteReader& in)
@@ -75,12 +93,13 @@ std::shared_ptr<const Brick> readBrick(ByteReader& in)
   {
     in.get(place_W);
   }
+  std::vector<BrickLine> lines_W = readLines(in);
   in.failUnless(in.ok() && Brick::refuse(grid, arrays, std::numeric_limits<std::size_t>::max()).empty());
   if (!in.ok())
   {
     return nullptr;
   }
-  auto brick = std::make_shared<const Brick>(0, grid, std::move(arrays), std::move(places_W));
+  auto brick = std::make_shared<const Brick>(0, grid, std::move(arrays), std::move(places_W), std::move(lines_W));
   in.failUnless(brick->contentHash() == contentHash);
   return brick;
 }

@@ -47,6 +47,16 @@ void PathTouch::followField(const Pose& hand_D)
   }
 }
 
+std::string PathTouch::whyNothingOfField() const
+{
+  if (!this->field_.hasSource() || this->metField_)
+  {
+    return "";
+  }
+  const std::string& problem = this->field_.made().problem;
+  return problem.empty() ? "the path is nowhere among its values" : problem;
+}
+
 HapticState PathTouch::next(double time_s, const Pose& hand_D)
 {
   this->followField(hand_D);
@@ -56,6 +66,7 @@ HapticState PathTouch::next(double time_s, const Pose& hand_D)
   this->input_.sample.time_s = time_s;
   this->input_.sample.pose_D = hand_D;
   const HapticState state = renderTick(this->input_, this->parameters_, this->state_).state;
+  this->metField_ = this->metField_ || (this->brick_ && !state.field.outside);
   return !this->scene_ && this->brick_ ? ofFieldAlone(state) : state;
 }
 

@@ -27,6 +27,8 @@ public:
 
   /// The newest brick of the field, or why there is none.
   [[nodiscard]] const MadeBrick& madeBrick() const noexcept { return this->field_.made(); }
+  /// "", or why no tick until now was among the values of the field.
+  [[nodiscard]] std::string whyNothingOfField() const;
 
 private:
   void followField(const Pose& hand_D);
@@ -39,6 +41,7 @@ private:
   TickInput input_;
   bool begun_ = false;
   bool knowsSlope_ = false;
+  bool metField_ = false; ///< some tick was among its values
 };
 
 } // namespace palpate

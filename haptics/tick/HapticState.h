@@ -26,14 +26,15 @@ enum class EngageState : std::uint8_t
 /// What a field did in a tick.
 struct FieldReport
 {
-  Vec3 force_D = Vec3::Zero(); ///< the part of the force that is the field's [N]
-  Vec3 proxy_W = Vec3::Zero(); ///< where its surface, or all of its springs together, draw the hand [u]
-  double pushPower_W = 0.0;    ///< that the vectors give the hand as a force [W]
-  double error_u = 0.0;        ///< the pulls of limited strength are certainly balanced to this [u]
-  std::int32_t contacts = 0;   ///< patches of its surface that hold
-  bool outside = false;        ///< the hand is where the field has no value
-  bool capped = false;         ///< the proxy goes on in the next tick
-  EnergyMeter energy;          ///< of its springs
+  Vec3 force_D = Vec3::Zero();   ///< the part of the force that is the field's [N]
+  Vec3 proxy_W = Vec3::Zero();   ///< where its surface, or all of its springs together, draw the hand [u]
+  double pushPower_W = 0.0;      ///< that the vectors give the hand as a force [W]
+  double error_u = 0.0;          ///< the pulls of limited strength are certainly balanced to this [u]
+  std::int32_t contacts = 0;     ///< patches of its surface that hold
+  bool outside = false;          ///< the hand is where the field has no value
+  std::uint64_t beyondTicks = 0; ///< in which the hand was beyond the brick that was there, until now
+  bool capped = false;           ///< the proxy goes on in the next tick
+  EnergyMeter energy;            ///< of its springs
 };
 
 /// What the tick did, as the view, the panel and the recording see it.

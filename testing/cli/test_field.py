@@ -139,6 +139,32 @@ class InAField(CommandLineTest):
         self.assertLess(min(pulled), -60 + STIFFNESS / 512)
         self.assertEqual(sum(1 for now, after in zip(pulled, pulled[1:]) if now < -50 and after > -10), 2)
 
+    def test_chosen_levels_hold_and_what_is_between_them_does_not(self):
+        self.write_image(("f", 1, lambda x, y, z: z))
+        rows = [(n / 1024, 8.0, 8.0, 5.1 + n / 256) for n in range(1280)]
+        out = self.touch(rows, "--field", "f", "--mode", "detent", "--strength", 60, "--levels-click", "--levels", "9,6")
+        for row in out:
+            beyond = min((row["device_z"] - level for level in (6, 9) if row["device_z"] > level), default=0.0)
+            held = STIFFNESS * beyond
+            if held < 60 - STIFFNESS / 128:  # up to its strength the level holds; a tick later it has let go
+                self.assertAlmostEqual(row["force_z"], -held, delta=1e-9)
+            elif held > 60 + STIFFNESS / 64:
+                self.assertAlmostEqual(row["force_z"], 0.0, delta=1e-9)
+
+    def test_a_tensor_leads_the_hand_along_its_largest_eigenvector(self):
+        # 2 t t' + z z' with t round the axis: as the vortex does, whatever sign the eigenvectors come with
+        def tensor(x, y, z):
+            length = math.hypot(x, y) or 1.0
+            t = (-y / length, x / length)
+            return (2 * t[0] * t[0], 2 * t[1] * t[1], 1.0, 2 * t[0] * t[1], 0.0, 0.0)
+        self.write_image(("t", 6, tensor), origin=(-8.0, -8.0, -8.0))
+        rows = [(0.0, 5.0, 0.0, 0.5)]
+        for n in range(1, 1025):
+            turn = 2 * math.pi * n / 1024
+            rows.append((n / 1024, 5.2 * math.cos(turn), 5.2 * math.sin(turn), 0.5))
+        for row in self.touch(rows, "--field", "t", "--mode", "follow", "--strength", 1000):
+            self.assertAlmostEqual(math.hypot(row["proxy_x"], row["proxy_y"]), 5.0, delta=0.02)
+
     def test_a_surface_in_a_field_is_felt_as_both_and_each_has_half_of_the_stiffness(self):
         self.write_image(("f", 1, lambda x, y, z: z), origin=(-8.0, -8.0, -8.0))
         self.write_off("plane.off", [(x, 0, y) for x, y, _ in SQUARE_POINTS], SQUARE_FACES)
@@ -165,8 +191,11 @@ class InAField(CommandLineTest):
         command = ("touch", "f.vti", "--path", "path.csv", "--csv", "out.csv", "--field", "f", "--mode", "isosurface", "--iso", 8)
         self.assertEqual(self.succeed(*command).stderr, "")
         self.assertIn("felt by a point", self.succeed(*command, "--radius", 1).stderr)
-        # Half a spacing up and down in turn along x: smoothed by (1, 2, 1) / 4 nothing of it is left, so it is noise of half
+        # Half a spacing up and down in turn along x alone is a wave, and the data
         self.write_image(("f", 1, lambda x, y, z: z + 0.5 * (-1) ** round(x)))
+        self.assertEqual(self.succeed(*command).stderr, "")
+        # In turn along every axis: smoothed by (1, 2, 1) / 4 nothing of it is left, so it is noise of half a spacing
+        self.write_image(("f", 1, lambda x, y, z: z + 0.5 * (-1) ** round(x + y + z)))
         self.assertIn("noise of 0.5 of a spacing", self.succeed(*command).stderr)
         self.assertEqual(self.succeed(*command, "--smoothing", 0).stderr, "")
 
@@ -197,11 +226,23 @@ class InAField(CommandLineTest):
             (("--field", "f", "--field", "v", "--mode", "snap", "--strength", 1, "--mode", "detent", "--strength", 1),
              ["same numbers"]),
             (("--iso", 3, "--snap-reach", 2), ["--snap-reach", "--field"]),
+            (("--field", "f", "--mode", "isosurface", "--iso", 99), ["f.vti", "0 to 16", "isovalue 99"]),
+            (("--field", "f", "--mode", "detent", "--strength", 1, "--levels", "20,30"), ["0 to 16", "no level"]),
+            (("--field", "f", "--mode", "detent", "--strength", 1, "--levels", "2,two"), ["--levels", "two"]),
+            (("--field", "f", "--mode", "drag", "--strength", 1, "--levels", "2"), ["--levels", "detent"]),
+            (("--field", "f", "--mode", "detent", "--strength", 1, "--iso", 3), ["--iso", "isosurface"]),
+            (("--field", "f", "--mode", "drag", "--strength", 1, "--mode", "drag", "--strength", 2), ["drag", "more than once"]),
+            (("--field", "f", "--mode", "drag", "--strength", 1, "--shading"), ["--shading", "surfaces"]),
+            (("--field", "f", "--mode", "drag", "--strength", 1, "--line-radius", 1), ["--line-radius", "surfaces"]),
+            (("--field", "f", "--mode", "drag", "--strength", 1, "--stiffness-array", "f"), ["stiffness", "surfaces"]),
         ):
             with self.subTest(options=options):
                 self.refused(*command, *options, saying=words)
                 self.assertFalse((self.folder / "out.csv").exists())
+        self.write_path([(0.0, 50.0, 1.0, 1.0), (0.001, 51.0, 1.0, 1.0)])
+        self.refused(*command, "--field", "f", "--mode", "drag", "--strength", 1, saying=["nowhere among its values"])
         self.write_off("plane.off", SQUARE_POINTS, SQUARE_FACES)
+        self.refused("check", "plane.off", "--thin", "nan", saying=["--thin", "finite"])
         self.refused("touch", "plane.off", "--path", "path.csv", "--csv", "out.csv", "--field", "f", "--mode", "drag",
                      "--strength", 1, saying=["plane.off", "volume"])
 

@@ -18,7 +18,7 @@ STIFFNESS = 512.0
 PLACE = 1e-12
 FORCE = STIFFNESS * PLACE
 # Settings that say how numbers in space are felt.
-OF_A_FIELD = ("--component", "--smoothing", "--first-level", "--between-levels", "--levels-click", "--snap-reach",
+OF_A_FIELD = ("--eigenvector", "--component", "--smoothing", "--first-level", "--between-levels", "--levels-click", "--snap-reach",
               "--compare-full", "--full-length")
 WALL_POINTS = [(0, -8, -8), (0, 8, -8), (0, 8, 8), (0, -8, 8)]
 

@@ -321,12 +321,22 @@ TEST(FieldData, ValuesOfCellsAreTakenToThePointsAsVtkTakesThem)
 TEST(FieldData, BlankedCellsHaveNoValue)
 {
   test::Random random(test::testSeed(1704));
-  const auto image = makeImage(4, 4, 4);
-  addRandom(*image, "f", 1, random);
-  image->AllocateCellGhostArray();
-  image->GetCellGhostArray()->SetValue(13, vtkDataSetAttributes::HIDDENCELL); // the one in the middle of 27
+  const auto withoutMiddle = [&](int cells)
+  {
+    const auto image = makeImage(cells + 1, cells + 1, cells + 1);
+    addRandom(*image, "f", 1, random);
+    image->AllocateCellGhostArray();
+    image->GetCellGhostArray()->SetValue(cells * cells * cells / 2, vtkDataSetAttributes::HIDDENCELL);
+    return image;
+  };
+  const auto image = withoutMiddle(5);
   const MadeBrick made = brickOf(image, scalar("f"));
+  ASSERT_TRUE(made.brick);
   EXPECT_FALSE(made.brick->sample(BrickRole::Scalar, Vec3(image->GetCenter())));
+  EXPECT_TRUE(made.brick->sample(BrickRole::Scalar, Vec3(image->GetPoint(0))));
+  const MadeBrick none = brickOf(withoutMiddle(3), scalar("f")); // each of 27 cells has a corner of the middle one
+  EXPECT_FALSE(none.brick);
+  EXPECT_THAT(none.problem, HasSubstr("too few, or hidden"));
 }
 
 TEST(FieldData, AScalarOfSeveralComponentsIsTheirLengthOrTheOneThatIsChosen)

@@ -302,4 +302,116 @@ TEST_F(HapticSessionField, ADetentIsAsStrongAsItSaysWhereValuesChangeAsTheyUsual
   EXPECT_LE(peak_N[0], 0.2 * (1.0 + 1e-6));
   EXPECT_NEAR(peak_N[0], peak_N[1], 1e-3 * peak_N[0]);
 }
+
+TEST_F(HapticSessionField, SaysWhatThePushGivesAndCountsTheTicksBeyondTheNumbers)
+{
+  const auto image = distances(41, 1.0);
+  addVortex(*image);
+  this->session_->SetFieldVectors("velocity");
+  this->session_->SetFieldPush(0.25);
+  ASSERT_TRUE(this->session_->AddField("vortex", image));
+  ASSERT_TRUE(this->session_->FinishField());
+  EXPECT_EQ(this->session_->GetFieldError(), 0.0) << "the voxels themselves";
+  EXPECT_GE(this->session_->GetFieldAge(), 0.0);
+  this->start(Vec3(10.0, 0.0, 0.0));
+  for (int i = 1; i <= 100; ++i) // along the stream, 100 mm/s
+  {
+    this->at(Vec3(10.0, 0.1 * i - 5.0, 0.0));
+    this->session_->Step(1);
+  }
+  // The force is 0.25 N along (-5, 10) / |(-5, 10)| at the end, the velocity 0.1 m/s along y: 25 mW times 10 / 11.18.
+  EXPECT_NEAR(this->session_->GetFieldPushPower(), 25.0 * 10.0 / std::hypot(5.0, 10.0), 0.5);
+  EXPECT_EQ(this->session_->GetFieldTicksBeyond(), 0);
+  this->at(Vec3(21.0, 0.0, 0.0)); // the image ends at 20
+  this->session_->Step(37);
+  EXPECT_EQ(this->session_->GetFieldTicksBeyond(), 37);
+  EXPECT_EQ(this->session_->GetFieldPushPower(), 0.0);
+}
+
+TEST_F(HapticSessionField, HoldsTheHandAtChosenLevelsAndRefusesWhatAreNone)
+{
+  this->session_->SetFieldArray("distance");
+  this->session_->SetFieldDetent(0.2);
+  this->session_->SetFieldDetentSpacing(2.0);
+  this->session_->SetFieldDetentLevels("8, 14");
+  EXPECT_STREQ(this->session_->GetFieldDetentLevels(), "8, 14");
+  ASSERT_TRUE(this->session_->AddField("ball", distances(41, 1.0)));
+  ASSERT_TRUE(this->session_->FinishField());
+  this->start(Vec3(7.7, 0.0, 0.0));
+  EXPECT_GT(this->force().x(), 0.01) << "drawn to 8";
+  this->at(Vec3(10.0, 0.0, 0.0));
+  this->session_->Step(10);
+  EXPECT_EQ(this->force().norm(), 0.0) << "10 and 12 would be levels 2 apart";
+  this->at(Vec3(14.3, 0.0, 0.0));
+  this->session_->Step(10);
+  EXPECT_LT(this->force().x(), -0.01);
+  const auto errors = errorsOf(this->session_, [&] { this->session_->SetFieldDetentLevels("8, high"); });
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr("'high' is no number"));
+  EXPECT_STREQ(this->session_->GetFieldDetentLevels(), "8, 14");
+}
+
+TEST_F(HapticSessionField, SaysThatTheDataDoNotHaveTheIsovalueAndThatWhatWasFeltIsGone)
+{
+  this->session_->SetFieldArray("distance");
+  this->session_->SetFieldIsosurface(true);
+  this->session_->SetFieldIsovalue(500.0);
+  ASSERT_TRUE(this->session_->AddField("ball", distances(41, 1.0)));
+  ASSERT_TRUE(this->session_->FinishField());
+  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("none of them is the isovalue 500"));
+  this->session_->SetFieldIsovalue(10.0);
+  EXPECT_THAT(this->session_->GetFieldSentence(), ::testing::Not(HasSubstr("isovalue")));
+  this->start(Vec3(12.0, 0.0, 0.0));
+  EXPECT_STREQ(this->session_->GetWarning(), "");
+  this->session_->AddField(nullptr, nullptr); // as who follows a view does when no source has the array any more
+  this->session_->Step(1);
+  this->session_->Update();
+  EXPECT_THAT(this->session_->GetWarning(), HasSubstr("ball: it is not shown any more, or an array"));
+  this->session_->AddField("ball", distances(41, 1.0));
+  this->session_->Update();
+  EXPECT_STREQ(this->session_->GetWarning(), "");
+}
+
+TEST_F(HapticSessionField, IsComparedWithOtherDataAndSnapsToTheirPoints)
+{
+  const auto image = distances(41, 1.0), other = distances(21, 2.0);
+  auto* const values = vtkFloatArray::SafeDownCast(other->GetPointData()->GetScalars());
+  for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
+  {
+    values->SetValue(i, values->GetValue(i) + (other->GetPoint(i)[0] > 1.0 ? 10.0F : 0.0F));
+  }
+  this->session_->SetFieldArray("distance");
+  this->session_->SetFieldCompare(0.4);
+  this->session_->SetFieldCompareFull(5.0);
+  this->session_->SetFieldBeside(other, nullptr);
+  ASSERT_TRUE(this->session_->AddField("ball", image));
+  ASSERT_TRUE(this->session_->FinishField()) << this->session_->GetProblem();
+  const auto drag = [this](double x)
+  {
+    this->at(Vec3(x, 9.0, 2.0));
+    this->session_->Step(1);
+    for (int i = 1; i <= 60; ++i)
+    {
+      this->at(Vec3(x, 9.0 + 0.05 * i, 2.0));
+      this->session_->Step(1);
+    }
+    return this->force().norm();
+  };
+  this->start(Vec3(-9.0, 9.0, 2.0));
+  // Chords of 2 u on distances of 10 u and more differ by h^2 / 4 R, 0.1 of the 5 that have all of it.
+  EXPECT_LT(drag(-9.0), 0.4 * 0.1 / 5.0 * 1.5);
+  EXPECT_NEAR(drag(9.0), 0.4, 1e-3);
+  this->session_->SetFieldCompare(0.0);
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(-10.0, 3.0, 0.0);
+  vtkNew<vtkPolyData> cores;
+  cores->SetPoints(points);
+  this->session_->SetFieldSnap(0.3);
+  this->session_->SetFieldSnapReach(4.0);
+  this->session_->SetFieldBeside(nullptr, cores);
+  ASSERT_TRUE(this->session_->FinishField());
+  this->at(Vec3(-8.0, 3.0, 0.0));
+  this->session_->Step(100);
+  EXPECT_NEAR(this->force().x(), -0.3 * (1.0 - 2.0 / 4.0), 1e-6);
+}
 } // namespace

@@ -118,7 +118,7 @@ def of_field(render):
 
 def touch_xml(setting):
     head, newline, rest = setting_xml(setting).partition("\n")
-    arrays = ARRAY_LIST if setting["kind"] == "text" else ""
+    arrays = ARRAY_LIST if setting["kind"] == "text" and setting["name"] != "FieldDetentLevels" else ""
     return head[:-1] + '\n                         panel_visibility="advanced">' + newline + arrays + rest
 
 

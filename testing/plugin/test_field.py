@@ -62,6 +62,45 @@ class FieldInAView(ViewTest):
         self.follow()
         self.assertFalse(self.session.FinishField())
 
+    def test_a_source_that_is_not_shown_is_compared_with_and_snapped_to_by_its_name(self):
+        self.show_wavelet("Outline")
+        simple.Wavelet(registrationName="Finer", XFreq=30)
+        simple.Line(registrationName="Core", Point1=[-5, 0, 0], Point2=[5, 0, 0])
+        self.assertTrue(self.feel(FieldArray="RTData", FieldCompare=0.5, CompareSource="Finer", FieldSnap=0.5,
+                                  FieldSnapReach=4.0, SnapSource="Core"))
+        self.assertNotIn("Not touched", self.scene.GetReport())
+        self.session.SetHandPosition(3.0, 2.0, 0.0)
+        put(self.proxy, "Scale", 1000.0)
+        put(self.proxy, "Touching", 1)
+        self.session.Step(1200)
+        # Of a pull of 0.5 N half is left 2 u from the line; at rest nothing but that is felt
+        force = self.session.GetForce()
+        self.assertAlmostEqual(force[1], -0.25, delta=1e-6)
+        self.assertAlmostEqual(force[0], 0.0, delta=1e-9)
+        put(self.proxy, "Touching", 0)
+        self.feel(SnapSource="Nobody")
+        self.scene.Update()
+        self.assertIn("Nobody: no source with data is called so", self.scene.GetReport())
+        self.feel(SnapSource="")
+
+    def test_an_array_that_goes_while_it_is_felt_is_said(self):
+        wavelet = self.show_wavelet("Outline")
+        self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1, FieldIsovalue=150.0))
+        put(self.proxy, "Touching", 1)
+        self.session.Step(10)
+        simple.Hide(wavelet, self.view)
+        renamed = simple.PassArrays(Input=wavelet)
+        renamed.PointDataArrays = []
+        self.show(renamed)
+        simple.Render(self.view)
+        self.follow()
+        self.session.Step(1)
+        self.session.Update()
+        self.assertIn("is gone", self.session.GetWarning())
+        self.scene.Update()
+        self.assertIn('has "RTData"', self.scene.GetReport())
+        put(self.proxy, "Touching", 0)
+
     def test_a_hidden_source_is_not_felt(self):
         wavelet = self.show_wavelet("Outline")
         self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1))

@@ -11,7 +11,7 @@ from paraview import servermanager, simple
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
 from palpate.simple import (ClearMarks, FitHand, GetHapticSession, GetMarks, HapticRefusal, HapticState, LetGo, Mark,  # noqa: E402
-                            SaveMarks, SetHaptics, SetSource, Touch)
+                            SaveMarks, SetHaptics, SetSource, TakeColorRange, Touch)
 
 TICKS_TO_ENGAGE = 1100  # arming, the ramp of 1 s, and some to spare
 STIFFNESS = 400.0  # N/m
@@ -71,6 +71,23 @@ class Functions(unittest.TestCase):
         probe.ProbeType.Center = [1.0, 2.0, 3.0]
         probed = servermanager.Fetch(probe).GetPointData().GetArray("RTData").GetTuple1(0)
         self.assertAlmostEqual(session.GetFieldValue(), probed, delta=1e-4 * probed)  # both of single precision
+
+    def test_what_a_colour_map_shows_low_and_high_feels_low_and_high(self):
+        display = simple.Show(simple.Wavelet(), self.view)
+        display.SetRepresentationType("Volume")
+        simple.ColorBy(display, ("POINTS", "RTData"))
+        simple.GetColorTransferFunction("RTData").RescaleTransferFunction(50.0, 250.0)
+        simple.GetOpacityTransferFunction("RTData").Points = [50.0, 0.0, 0.5, 0.0, 100.0, 0.0, 0.5, 0.0, 250.0, 0.6, 0.5, 0.0]
+        with self.assertRaisesRegex(HapticRefusal, "coloured by"):
+            TakeColorRange(self.view)
+        SetHaptics(FieldArray="RTData", StiffnessArray="RTData")
+        self.assertIn("RTData", TakeColorRange(self.view))
+        session = GetHapticSession()
+        self.assertAlmostEqual(session.GetFieldIsovalue(), 175.0)  # half of 0.6, half way from 100 to 250
+        self.assertAlmostEqual(session.GetFieldDetentOrigin(), 50.0)
+        self.assertAlmostEqual(session.GetFieldDetentSpacing(), 25.0)  # an eighth of 200
+        self.assertEqual(tuple(session.GetStiffnessDataRange()), (50.0, 250.0))
+        SetHaptics(FieldArray="", StiffnessArray="")
 
     def test_a_mark_says_where_it_is_and_is_saved(self):
         self.press_box()

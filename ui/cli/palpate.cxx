@@ -182,6 +182,7 @@ int Touch(const vtkHapticCliTouchOptions& options)
 
 int Check(const vtkHapticCliCheckOptions& options)
 {
+  CheckNumber("--thin", options.Thin_u, true, "scene units");
   options.Settings.Check();
   vtkHapticCliCheckMaterials(options.Materials);
   return vtkHapticCliCheck(options);

@@ -7,6 +7,7 @@
 #include "haptics/field/Smoothing.h"
 #include "haptics/session/PathTouch.h"
 #include "haptics/session/scene/TouchedData.h"
+#include "haptics/session/settings/SessionSettings.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"
 #include "vtkHapticCliPlane.h"
@@ -107,14 +108,33 @@ void TellOfField(const palpate::MadeBrick& made, const palpate::HapticParameters
   {
     std::cerr << "palpate: --radius: " << point << '\n';
   }
-  if (!made.problem.empty())
-  {
-    std::cerr << "palpate: nothing was felt of the field: " << made.problem << '\n';
-  }
   if (made.smoothness.noise > palpate::trappingNoise)
   {
     std::cerr << "palpate: --smoothing: the field's noise of " << made.smoothness.noise
               << " of a spacing traps a hand; it was smoothed once, --smoothing 0 leaves it as it is\n";
+  }
+}
+
+/// Options of surfaces that nothing comes of are refused rather than ignored.
+void CheckSurfaceOptions(const vtkHapticCliTouchOptions& options, const std::vector<std::string>& surfaces, bool wall)
+{
+  const bool image = std::ranges::any_of(surfaces, vtkHapticIsImageFile);
+  if (options.Iso && options.Field.Any() && !wall && !image)
+  {
+    throw vtkHapticCliProblem("--iso: no --mode is isosurface, and no other image is touched; leave it out");
+  }
+  for (const char* setting : { "ForceShading", "LineRadius", "LimitRadius" })
+  {
+    if (surfaces.empty() && options.Settings.IsGiven(setting))
+    {
+      throw vtkHapticCliProblem("--" + std::string(palpate::sessionSetting(setting).at.option) +
+                                ": it says how surfaces are touched, and a field alone is; leave it out");
+    }
+  }
+  if (surfaces.empty() && !options.Materials.Empty())
+  {
+    throw vtkHapticCliProblem("arrays of stiffness, friction and texture are those of surfaces, and a field alone is "
+                              "touched; leave them out");
   }
 }
 
@@ -152,7 +172,8 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
     vtkHapticCliCheckPlanePath(options.Path, path);
   }
   std::vector<std::string> surfaces = options.Files;
-  const auto field = vtkHapticCliTakeField(options.Field, options.Settings, surfaces);
+  const auto field = vtkHapticCliTakeField(options.Field, options.Settings, parameters.field, surfaces);
+  CheckSurfaceOptions(options, surfaces, parameters.field.isosurface);
   const auto scene = SceneOf(options, surfaces, parameters);
   palpate::PathTouch touch(scene, parameters, path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTickSeconds);
   touch.feel(field);
@@ -161,6 +182,10 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   vtkHapticCliOutput output(options.Output, inputs);
   vtkHapticCliWriteHeader(output);
   Render(path, touch, output);
+  if (const std::string nothing = touch.whyNothingOfField(); !nothing.empty())
+  {
+    throw vtkHapticCliProblem("nothing was felt of the field: " + nothing);
+  }
   TellOfField(touch.madeBrick(), parameters);
   output.Commit();
   return 0;

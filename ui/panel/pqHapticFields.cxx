@@ -11,6 +11,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -132,6 +133,13 @@ QCheckBox* pqHapticSwitchRow(QFormLayout* form, const char* name, const char* pr
   auto* box = Named(new QCheckBox(pqHapticTitle(property), form->parentWidget()), name, property);
   form->addRow(box);
   return box;
+}
+
+QLineEdit* pqHapticTextRow(QFormLayout* form, const char* name, const char* property)
+{
+  auto* line = Named(new QLineEdit(form->parentWidget()), name, property);
+  form->addRow(pqHapticTitle(property), line);
+  return line;
 }
 
 QComboBox* pqHapticChoiceRow(QFormLayout* form, const char* name, const char* property)

@@ -9,6 +9,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
+class QLineEdit;
 class QSpinBox;
 class QWidget;
 class vtkSMProperty;
@@ -24,6 +25,8 @@ QDoubleSpinBox* pqHapticNumber(QWidget* parent, const QString& name, const QStri
 QDoubleSpinBox* pqHapticNumberRow(QFormLayout* form, const char* name, const char* property, int decimals);
 /// A row with the three numbers of a vector, named name_x, name_y and name_z, and their unit.
 QList<QDoubleSpinBox*> pqHapticVectorRow(QFormLayout* form, const char* name, const char* property, int decimals);
+/// A text, which takes effect once it is typed.
+QLineEdit* pqHapticTextRow(QFormLayout* form, const char* name, const char* property);
 QSpinBox* pqHapticCountRow(QFormLayout* form, const char* name, const char* property);
 QCheckBox* pqHapticSwitchRow(QFormLayout* form, const char* name, const char* property);
 /// What it can be the proxy's domain says: pqHapticFill().

@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QSpinBox>
 
 namespace
@@ -51,6 +52,8 @@ Editor EditorOf(QFormLayout* form, const char* name, const char* property, const
       return { "value", SIGNAL(valueChanged(int)), { pqHapticCountRow(form, name, property) } };
     case palpate::SettingKind::Choice:
       return { "currentText", SIGNAL(currentTextChanged(const QString&)), { pqHapticChoiceRow(form, name, property) } };
+    case palpate::SettingKind::Text:
+      return { "text", SIGNAL(editingFinished()), { pqHapticTextRow(form, name, property) } };
     default:
       return NumberEditor(form, name, property, setting);
   }

@@ -71,6 +71,11 @@ QString pqHapticViewFollower::refusal() const
   return QString::fromStdString(this->Scene->GetRefusal());
 }
 
+QString pqHapticViewFollower::takeColorRange(vtkSMProxy* session) const
+{
+  return QString::fromStdString(this->Scene->TakeColorRange(session));
+}
+
 QStringList pqHapticViewFollower::arrayNames() const
 {
   return QString::fromStdString(this->Scene->GetArrayNames()).split('\n', Qt::SkipEmptyParts);

@@ -43,6 +43,8 @@ public:
   QString report() const;
   /// Why nothing of what the view shows can be touched, whether it is followed or not; "" where something can.
   QString refusal() const;
+  /// See vtkHapticViewScene::TakeColorRange().
+  QString takeColorRange(vtkSMProxy* session) const;
   /// Of the points and cells of what the view shows, whether it is touched or not.
   QStringList arrayNames() const;
   /// Of all sources that are shown, however they are drawn, with so many components; 0: any.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers in space around the hand: which, and what is there.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -20,12 +21,20 @@ constexpr double ahead_s = 0.2;
 bool vtkHapticSession::AddField(const char* name, vtkDataObject* data)
 {
   Internals& impl = *this->Impl;
+  const bool gone = !data && impl.FieldArrays.Any();
+  impl.FieldGone = !gone ? ""
+                   : impl.FieldData
+                     ? impl.FieldName + ": it is not shown any more, or an array that was felt of it as a "
+                                        "field is gone; choose another one"
+                     : impl.FieldGone;
   impl.FieldName = data && name ? name : "";
   impl.FieldData = data;
-  const vtkHapticFieldResult made =
-    data && impl.FieldArrays.Any() ? vtkHapticToField(data, impl.FieldArrays) : vtkHapticFieldResult();
+  const vtkHapticFieldResult made = data && impl.FieldArrays.Any() ? vtkHapticToField(data, impl.FieldArrays,
+                                                                       { impl.CompareData.Get(), impl.SnapData.Get() })
+                                                                   : vtkHapticFieldResult();
   impl.FieldProblem = made.Problem.empty() ? "" : impl.FieldName + ": " + made.Problem;
   impl.FeltField.setSource(made.Source);
+  impl.FieldEnds = made.Ends;
   impl.FieldIsNew = made.Source != nullptr;
   impl.FieldBounds = data ? vtkHapticFieldBounds(data) : std::array<double, 6>();
   this->Refuse(impl.FieldProblem);
@@ -95,6 +104,12 @@ void vtkHapticSession::ChangeField(
     return;
   }
   this->Impl->FieldArrays = arrays;
+  this->FeelFieldAnew();
+}
+
+/// What was added is felt as it is to be felt now.
+void vtkHapticSession::FeelFieldAnew()
+{
   if (this->Impl->FieldData)
   {
     const std::string name = this->Impl->FieldName;
@@ -102,6 +117,80 @@ void vtkHapticSession::ChangeField(
   }
   this->Impl->MaterialTime.Modified(); // who follows a view looks again for data that has these arrays
   this->Modified();
+}
+
+void vtkHapticSession::SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap)
+{
+  Internals& impl = *this->Impl;
+  const vtkMTimeType time = std::max(compared ? compared->GetMTime() : 0, snap ? snap->GetMTime() : 0);
+  if (impl.CompareData != compared || impl.SnapData != snap || impl.BesideTime != time)
+  {
+    impl.BesideTime = time;
+    impl.CompareData = compared;
+    impl.SnapData = snap;
+    this->FeelFieldAnew();
+  }
+}
+
+void vtkHapticSession::NameBeside(std::string& kept, const char* name)
+{
+  const std::string asked = name ? name : "";
+  if (kept != asked)
+  {
+    kept = asked;
+    this->FeelFieldAnew();
+  }
+}
+
+void vtkHapticSession::SetCompareSource(const char* name)
+{
+  this->NameBeside(this->Impl->CompareSource, name);
+}
+
+const char* vtkHapticSession::GetCompareSource() const
+{
+  return this->Impl->CompareSource.c_str();
+}
+
+void vtkHapticSession::SetSnapSource(const char* name)
+{
+  this->NameBeside(this->Impl->SnapSource, name);
+}
+
+const char* vtkHapticSession::GetSnapSource() const
+{
+  return this->Impl->SnapSource.c_str();
+}
+
+void vtkHapticSession::SetFieldEigenvector(int which)
+{
+  this->ChangeField(
+    "FieldEigenvector", { static_cast<double>(which) }, [=](vtkHapticFieldArrays& a) { a.Eigenvector = which; });
+}
+
+int vtkHapticSession::GetFieldEigenvector() const
+{
+  return this->Impl->FieldArrays.Eigenvector;
+}
+
+void vtkHapticSession::SetFieldDetentLevels(const char* levels)
+{
+  const std::string asked = levels ? levels : "";
+  palpate::DetentPlan detent = this->Impl->Asked.asked().field.detent;
+  const std::string problem = palpate::setLevels(detent, asked);
+  this->Refuse(problem);
+  this->Impl->Follow("FieldDetentLevels", problem);
+  if (problem.empty() && asked != this->Impl->DetentLevels)
+  {
+    this->Impl->DetentLevels = asked;
+    this->Change([&](palpate::HapticParameters& p) { static_cast<void>(palpate::setLevels(p.field.detent, asked)); });
+    this->Modified();
+  }
+}
+
+const char* vtkHapticSession::GetFieldDetentLevels() const
+{
+  return this->Impl->DetentLevels.c_str();
 }
 
 void vtkHapticSession::SetFieldArray(const char* name)
@@ -196,10 +285,31 @@ double* vtkHapticSession::GetFieldGradient()
   return this->Impl->FieldGradient;
 }
 
+double vtkHapticSession::GetFieldPushPower() const
+{
+  constexpr double milli = 1e3;
+  return milli * this->Impl->State.field.pushPower_W;
+}
+
+vtkIdType vtkHapticSession::GetFieldTicksBeyond() const
+{
+  return static_cast<vtkIdType>(this->Impl->State.field.beyondTicks);
+}
+
+double vtkHapticSession::GetFieldError() const
+{
+  return this->Impl->FeltField.made().error;
+}
+
+double vtkHapticSession::GetFieldAge() const
+{
+  return this->Impl->FeltField.age_s();
+}
+
 const char* vtkHapticSession::GetFieldSentence() const
 {
   Internals& impl = *this->Impl;
-  impl.FieldSentence = impl.FieldProblem;
+  impl.FieldSentence = impl.FieldProblem.empty() ? impl.FieldGone : impl.FieldProblem;
   const palpate::MadeBrick& made = impl.FeltField.made();
   if (impl.FeltField.hasSource())
   {
@@ -207,6 +317,8 @@ const char* vtkHapticSession::GetFieldSentence() const
     impl.FieldSentence = palpate::fieldSentence(impl.FieldName, made, asked.map.scale_u_per_m, ahead_s);
     const std::string point = palpate::pointSentence(asked.field, asked.contact.radius_u);
     impl.FieldSentence += point.empty() ? "" : "; " + point;
+    const std::string level = palpate::levelSentence(asked.field, impl.FieldEnds);
+    impl.FieldSentence += level.empty() ? "" : "; " + level;
   }
   return impl.FieldSentence.c_str();
 }

@@ -15,6 +15,7 @@
 #include "vtkDataSet.h"
 #include "vtkHapticImageField.h"
 #include "vtkHapticResampledField.h"
+#include "vtkHapticSnapPlaces.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -36,6 +37,11 @@ bool HasAbstractArray(vtkDataSet* part, const std::string& name)
   return part->GetPointData()->HasArray(name.c_str()) || part->GetCellData()->HasArray(name.c_str());
 }
 
+bool IsTensor(int components)
+{
+  return components == 6 || components == 9;
+}
+
 /// "" where every array that is asked for is one of numbers and has the components that its role needs.
 std::string RefuseArray(const std::vector<vtkDataSet*>& parts, const std::string& name, int components)
 {
@@ -51,8 +57,9 @@ std::string RefuseArray(const std::vector<vtkDataSet*>& parts, const std::string
     return "its array \"" + name + (isText ? "\" is not one of numbers" : "\" is not there; choose another one");
   }
   const int has = FindArray(*with, name)->GetNumberOfComponents();
-  return components == 3 && has != 3
-           ? "its array \"" + name + "\" has " + std::to_string(has) + " components, and directions need 3"
+  return components == 3 && has != 3 && !IsTensor(has)
+           ? "its array \"" + name + "\" has " + std::to_string(has) +
+               " components, and directions need 3, or the 6 or 9 of a symmetric tensor"
            : "";
 }
 
@@ -63,7 +70,7 @@ std::string RefuseArrays(const std::vector<vtkDataSet*>& parts, const vtkHapticF
     return "no array of it is chosen; choose one to feel";
   }
   for (const auto& [name, components] : { std::pair(arrays.Scalar, 1), std::pair(arrays.Vector, 3),
-         std::pair(arrays.Resistance, 1), std::pair(arrays.Other, 1) })
+         std::pair(arrays.Resistance, 1), std::pair(arrays.Beside ? std::string() : arrays.Other, 1) })
   {
     if (const std::string problem = RefuseArray(parts, name, components); !problem.empty())
     {
@@ -91,7 +98,8 @@ std::array<double, 2> EndsOf(const std::vector<vtkDataSet*>& parts, const std::s
 }
 
 /// "" where the scalar has values that differ, as far as a brick's single precision tells them apart.
-std::string RefuseValues(const std::vector<vtkDataSet*>& parts, const vtkHapticFieldArrays& arrays)
+std::string RefuseValues(
+  const std::vector<vtkDataSet*>& parts, const vtkHapticFieldArrays& arrays, const palpate::FieldEnds& ends)
 {
   if (arrays.Scalar.empty())
   {
@@ -105,7 +113,7 @@ std::string RefuseValues(const std::vector<vtkDataSet*>& parts, const vtkHapticF
     return array + " has " + std::to_string(has) +
            " components, counted from 0; choose one of them, or -1 for their length";
   }
-  const auto [low, high] = EndsOf(parts, arrays.Scalar, arrays.Component);
+  const auto [low, high] = ends;
   if (!(low <= high))
   {
     return array + " has no finite values";
@@ -115,7 +123,7 @@ std::string RefuseValues(const std::vector<vtkDataSet*>& parts, const vtkHapticF
   {
     return array + " has values beyond single precision; scale them, by Calculator";
   }
-  const bool alone = arrays.Vector.empty() && arrays.Resistance.empty() && arrays.Other.empty();
+  const bool alone = arrays.Vector.empty() && arrays.Resistance.empty() && arrays.Other.empty() && !arrays.Beside;
   if (alone && static_cast<float>(low) == static_cast<float>(high))
   {
     return array +
@@ -126,6 +134,12 @@ std::string RefuseValues(const std::vector<vtkDataSet*>& parts, const vtkHapticF
   return alone && high - low < leastShare * largest
            ? array + " differs by hardly more than single precision tells; take its mean away, by Calculator"
            : "";
+}
+
+bool HasTensor(const std::vector<vtkDataSet*>& parts, const std::string& name)
+{
+  const auto with = std::find_if(parts.begin(), parts.end(), [&](vtkDataSet* part) { return FindArray(part, name); });
+  return with != parts.end() && IsTensor(FindArray(*with, name)->GetNumberOfComponents());
 }
 
 bool IsThick(vtkImageData& image)
@@ -166,7 +180,10 @@ vtkHapticFieldResult Convert(
   auto* const image = vtkImageData::SafeDownCast(data);
   if (image && !IsThick(*image))
   {
-    return { nullptr, "it is flat, and a field fills space: feel its curves by Image Curves" };
+    const int* const size = image->GetDimensions();
+    const bool plane = std::count(size, size + 3, 1) == 1;
+    return { nullptr, plane ? "it is flat, and a field fills space: feel its curves by Image Curves"
+                            : "it is a row of values or a single one, and a field fills space" };
   }
   if (image)
   {
@@ -178,6 +195,41 @@ vtkHapticFieldResult Convert(
   }
   auto* const levels = vtkUniformGridAMR::SafeDownCast(data);
   return vtkHapticResampled(levels ? FinestLast(*levels).Get() : data, parts, arrays);
+}
+vtkHapticFieldResult ToField(vtkDataObject* data, const vtkHapticFieldArrays& asked)
+{
+  const std::vector<vtkDataSet*> parts = vtkHapticFieldSets(data);
+  const auto filled = [](vtkDataSet* part) { return part->GetNumberOfPoints() > 0; };
+  if (std::none_of(parts.begin(), parts.end(), filled))
+  {
+    return { nullptr, "it has no points" };
+  }
+  if (std::string problem = RefuseArrays(parts, asked); !problem.empty())
+  {
+    return { nullptr, std::move(problem) };
+  }
+  vtkHapticFieldArrays arrays = asked;
+  arrays.Tensor = HasTensor(parts, asked.Vector);
+  vtkHapticFieldResult result = Convert(data, parts, arrays);
+  result.Ends = arrays.Scalar.empty() ? result.Ends : EndsOf(parts, arrays.Scalar, arrays.Component);
+  if (std::string problem = result.Source ? RefuseValues(parts, arrays, result.Ends) : ""; !problem.empty())
+  {
+    return { nullptr, std::move(problem) };
+  }
+  return result;
+}
+
+/// Compares the scalar with an array of other data; false, with a problem, where that cannot be.
+bool Compare(vtkDataObject& with, const vtkHapticFieldArrays& arrays, vtkHapticFieldResult& result)
+{
+  vtkHapticFieldArrays other;
+  other.Scalar = arrays.Other.empty() ? arrays.Scalar : arrays.Other;
+  other.Component = arrays.Component;
+  other.Smoothing = arrays.Smoothing;
+  vtkHapticFieldResult beside = ToField(&with, other);
+  result.Problem = beside.Source ? "" : "what it is compared with: " + beside.Problem;
+  result.Source = beside.Source ? palpate::comparedWith(std::move(result.Source), std::move(beside.Source)) : nullptr;
+  return result.Source != nullptr;
 }
 } // namespace
 
@@ -209,26 +261,27 @@ bool vtkHapticAllAtPoints(vtkDataSet& data, const vtkHapticFieldArrays& arrays)
     [&data](const vtkHapticFieldPart& part) { return data.GetPointData()->GetArray(part.Name.c_str()); });
 }
 
-vtkHapticFieldResult vtkHapticToField(vtkDataObject* data, const vtkHapticFieldArrays& arrays)
+vtkHapticFieldResult vtkHapticToField(
+  vtkDataObject* data, const vtkHapticFieldArrays& arrays, const vtkHapticFieldBeside& beside)
 {
-  const std::vector<vtkDataSet*> parts = vtkHapticFieldSets(data);
-  const auto filled = [](vtkDataSet* part) { return part->GetNumberOfPoints() > 0; };
-  if (std::none_of(parts.begin(), parts.end(), filled))
+  vtkHapticFieldArrays own = arrays;
+  own.Beside = beside.Compared != nullptr;
+  vtkHapticFieldResult result = ToField(data, own);
+  if (result.Source && beside.Compared && !Compare(*beside.Compared, arrays, result))
   {
-    return { nullptr, "it has no points" };
+    return { nullptr, std::move(result.Problem) };
   }
-  if (std::string problem = RefuseArrays(parts, arrays); !problem.empty())
+  if (result.Source && beside.Snap)
   {
-    return { nullptr, std::move(problem) };
-  }
-  vtkHapticFieldResult result = Convert(data, parts, arrays);
-  if (std::string problem = result.Source ? RefuseValues(parts, arrays) : ""; !problem.empty())
-  {
-    return { nullptr, std::move(problem) };
+    vtkHapticSnapPlacesResult snap = vtkHapticToSnapPlaces(beside.Snap);
+    if (!snap.Problem.empty())
+    {
+      return { nullptr, std::move(snap.Problem) };
+    }
+    result.Source = palpate::snappingTo(std::move(result.Source), std::move(snap.Places));
   }
   return result;
 }
-
 std::array<double, 6> vtkHapticFieldBounds(vtkDataObject* data)
 {
   vtkBoundingBox box;
@@ -256,7 +309,8 @@ std::vector<std::string> vtkHapticFieldArrayNames(vtkDataObject* data, int compo
         vtkDataArray* const array = attributes->GetArray(i);
         const bool named =
           array && array->GetName() && std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName();
-        if (named && (components == 0 || array->GetNumberOfComponents() == components))
+        const int has = named ? array->GetNumberOfComponents() : 0;
+        if (named && (components == 0 || has == components || (components == 3 && IsTensor(has))))
         {
           names.insert(array->GetName());
         }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/session/scene/FieldSource.h"
+#include "haptics/session/scene/FeltField.h"
 #include "vtkHapticPipelineModule.h" // for the export macro
 
 class vtkDataObject;
@@ -17,21 +17,32 @@ class vtkDataObject;
 struct vtkHapticFieldArrays
 {
   std::string Scalar;
-  std::string Vector;
+  std::string Vector; ///< three components, or the 6 or 9 of a symmetric tensor
   std::string Resistance;
-  std::string Other;  ///< what the scalar is compared with
-  int Component = -1; ///< of the scalar, where it has several; -1: their length
-  int Smoothing = -1; ///< passes over the scalar (haptics/field/Smoothing.h); -1: one where its noise traps a hand
+  std::string Other;   ///< what the scalar is compared with
+  int Component = -1;  ///< of the scalar, where it has several; -1: their length
+  int Eigenvector = 0; ///< of a tensor: of its largest, middle or least eigenvalue
+  bool Tensor = false; ///< Vector is one: vtkHapticToField() sees to it
+  bool Beside = false; ///< Other is an array of other data: it does too
+  int Smoothing = -1;  ///< passes over the scalar (haptics/field/Smoothing.h); -1: one where its noise traps a hand
 
   /// Whether there is anything to feel.
   bool Any() const { return !this->Scalar.empty() || !this->Vector.empty() || !this->Resistance.empty(); }
   friend bool operator==(const vtkHapticFieldArrays&, const vtkHapticFieldArrays&) = default;
 };
 
+/// Other data that have to do with a field; null: there are none.
+struct vtkHapticFieldBeside
+{
+  vtkDataObject* Compared = nullptr; ///< whose array Other is; without a name the one that is called as the scalar
+  vtkDataObject* Snap = nullptr;     ///< whose points and lines the hand snaps to
+};
+
 struct vtkHapticFieldResult
 {
   std::shared_ptr<const palpate::FieldSource> Source; ///< null: it cannot be felt as a field
   std::string Problem;                                ///< why
+  palpate::FieldEnds Ends{ 1.0, 0.0 };                ///< of the scalar
 };
 
 /// A data set as a field: the voxels of an image as they are, also turned, mirrored and of uneven spacing; every other
@@ -39,12 +50,13 @@ struct vtkHapticFieldResult
 /// scan-converted, others by VTK's own probes. Values of cells go to points first. Blanked, ghost and empty places have
 /// no value. `data` is copied shallowly and then read by the worker thread.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticFieldResult vtkHapticToField(
-  vtkDataObject* data, const vtkHapticFieldArrays& arrays);
+  vtkDataObject* data, const vtkHapticFieldArrays& arrays, const vtkHapticFieldBeside& beside = {});
 
 /// The box of all data sets in it, low and high x, y, z [u]; low above high where there are no points.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::array<double, 6> vtkHapticFieldBounds(vtkDataObject* data);
 
-/// Names of the arrays of numbers that a data set has at points or cells, those of `components` alone; 0: all.
+/// Names of the arrays of numbers that a data set has at points or cells, those of `components` alone; 0: all. With 3,
+/// what is followed, symmetric tensors of 6 and 9 as well.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<std::string> vtkHapticFieldArrayNames(
   vtkDataObject* data, int components = 0);
 

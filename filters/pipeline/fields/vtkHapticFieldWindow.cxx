@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "haptics/field/CriticalPoints.h"
 #include "haptics/field/Extrema.h"
 #include "haptics/field/Smoothing.h"
 
@@ -167,6 +168,33 @@ std::vector<float> Scalar(const vtkHapticFieldPart& part, const vtkHapticFieldWi
   told = Needed(values, grown.Size, wish, asked);
   return Cropped(palpate::smoothed(std::move(values), grown.Size, told.passes), grown, window);
 }
+/// Whether there is a value anywhere.
+bool HasCell(const palpate::Brick& brick, BrickRole role)
+{
+  const palpate::BrickComponent values = brick.component(role);
+  const GridIndex& size = values.size();
+  const int cells = (size[0] - 1) * (size[1] - 1) * (size[2] - 1);
+  for (int i = 0; i < cells; ++i)
+  {
+    const int row = size[0] - 1, layer = row * (size[1] - 1);
+    if (values.cell({ i % row, i % layer / row, i / layer }).valid())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Critical points of the vectors, and extrema of the scalar in the room that these leave.
+std::vector<Vec3> SnapPlacesIn(const palpate::Brick& brick)
+{
+  std::vector<Vec3> places_W = palpate::findCriticalPoints(brick, palpate::Brick::mostPlaces / 2);
+  for (const palpate::Extremum& extremum : palpate::findExtrema(brick, palpate::Brick::mostPlaces - places_W.size()))
+  {
+    places_W.push_back(extremum.p_W);
+  }
+  return places_W;
+}
 } // namespace
 
 BrickGrid vtkHapticGridOf(const BrickGrid& lattice, const vtkHapticFieldWindow& window)
@@ -180,13 +208,16 @@ BrickGrid vtkHapticGridOf(const BrickGrid& lattice, const vtkHapticFieldWindow& 
 std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& arrays)
 {
   std::vector<vtkHapticFieldPart> parts;
-  for (const auto& [role, name] :
-    { std::pair(BrickRole::Scalar, arrays.Scalar), std::pair(BrickRole::Vector, arrays.Vector),
-      std::pair(BrickRole::Resistance, arrays.Resistance), std::pair(BrickRole::Other, arrays.Other) })
+  const vtkHapticFieldPart directions = arrays.Tensor
+                                          ? vtkHapticFieldPart{ BrickRole::Axis, arrays.Vector, arrays.Eigenvector }
+                                          : vtkHapticFieldPart{ BrickRole::Vector, arrays.Vector };
+  for (const vtkHapticFieldPart& part : { vtkHapticFieldPart{ BrickRole::Scalar, arrays.Scalar, arrays.Component },
+         directions, vtkHapticFieldPart{ BrickRole::Resistance, arrays.Resistance, arrays.Component },
+         vtkHapticFieldPart{ BrickRole::Other, arrays.Beside ? "" : arrays.Other, arrays.Component } })
   {
-    if (!name.empty())
+    if (!part.Name.empty())
     {
-      parts.push_back({ role, name });
+      parts.push_back(part);
     }
   }
   return parts;
@@ -197,7 +228,8 @@ palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapti
 {
   const Vec3& centre_W = wish.centre_W;
   const std::vector<vtkHapticFieldPart> parts = vtkHapticFieldParts(arrays);
-  const std::size_t mostPoints = palpate::Brick::mostBytes / (sizeof(float) * FloatsPerPoint(parts));
+  const std::size_t floats = FloatsPerPoint(parts) + (arrays.Beside ? 1 : 0);
+  const std::size_t mostPoints = palpate::Brick::mostBytes / (sizeof(float) * floats);
   const auto window = WindowAround(lattice, centre_W, wish.reach_u, mostPoints);
   if (!window)
   {
@@ -217,14 +249,14 @@ palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapti
     return { nullptr, centre_W, wish.reach_u, std::move(problem) };
   }
   auto brick = std::make_shared<const palpate::Brick>(wish.revision, grid, std::move(values));
-  std::vector<Vec3> extrema_W;
-  for (const palpate::Extremum& extremum : palpate::findExtrema(*brick, palpate::Brick::mostPlaces))
+  if (std::vector<Vec3> places_W = SnapPlacesIn(*brick); !places_W.empty())
   {
-    extrema_W.push_back(extremum.p_W);
+    brick = std::make_shared<const palpate::Brick>(wish.revision, grid, brick->arrays(), std::move(places_W));
   }
-  if (!extrema_W.empty())
+  const double room_u = RoomIn(*window, lattice, centre_W);
+  if (std::isinf(room_u) && !HasCell(*brick, parts.front().Role))
   {
-    brick = std::make_shared<const palpate::Brick>(wish.revision, grid, brick->arrays(), std::move(extrema_W));
+    return { nullptr, centre_W, room_u, "none of its places has values all around: its cells are too few, or hidden" };
   }
-  return { std::move(brick), centre_W, RoomIn(*window, lattice, centre_W), "", smoothness };
+  return { std::move(brick), centre_W, room_u, "", smoothness };
 }

@@ -33,6 +33,7 @@ struct vtkHapticFieldPart
 {
   palpate::BrickRole Role;
   std::string Name;
+  int Component = -1; ///< of a scalar; -1: the length. Of an axis: which eigenvector
 };
 using HapticFieldReading = std::function<std::vector<float>(const vtkHapticFieldPart&, const vtkHapticFieldWindow&)>;
 

@@ -15,6 +15,8 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <Eigen/Eigenvalues>
+
 using palpate::Vec3;
 
 namespace
@@ -74,40 +76,7 @@ std::vector<bool> HiddenPoints(vtkImageData& image)
   return hidden;
 }
 
-/// Copies tuples of one array, of any type that VTK knows, into floats.
-struct CopyValues
-{
-  template<class Array, class Points>
-  void operator()(Array* array, int kept, int component, const Points& points, std::vector<float>& values) const
-  {
-    const auto tuples = vtk::DataArrayTupleRange(array);
-    const int components = array->GetNumberOfComponents();
-    std::vector<double> tuple(static_cast<std::size_t>(components));
-    points(
-      [&](vtkIdType point, std::size_t at)
-      {
-        const auto from = tuples[point];
-        if (kept == 1 && components == 1)
-        {
-          values[at] = static_cast<float>(from[0]);
-          return;
-        }
-        std::copy(from.begin(), from.end(), tuple.begin());
-        if (kept == 1)
-        {
-          values[at] = vtkHapticFieldScalar(tuple.data(), components, component);
-          return;
-        }
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          values[3 * at + k] = static_cast<float>(tuple[k]);
-        }
-      });
-  }
-};
-} // namespace
-
-float vtkHapticFieldScalar(const double* tuple, int components, int component)
+float ScalarOf(const double* tuple, int components, int component)
 {
   if (component >= 0 && component < components)
   {
@@ -120,19 +89,76 @@ float vtkHapticFieldScalar(const double* tuple, int components, int component)
   return static_cast<float>(Eigen::Map<const Eigen::VectorXd>(tuple, components).norm());
 }
 
-void vtkHapticKeepTuple(
-  vtkDataArray* array, vtkIdType point, palpate::BrickRole role, int component, std::vector<float>& values)
+/// VTK's order of six: xx, yy, zz, xy, yz, xz. Of nine the symmetric part.
+Eigen::Matrix3d TensorOf(const double* tuple, int components)
 {
-  const int kept = palpate::componentsOf(role), components = array->GetNumberOfComponents();
-  std::vector<double> tuple(static_cast<std::size_t>(components));
-  array->GetTuple(point, tuple.data());
-  float* const to = values.data() + kept * point;
-  if (kept == 1)
+  Eigen::Matrix3d tensor;
+  if (components == 6)
   {
-    *to = vtkHapticFieldScalar(tuple.data(), components, component);
+    tensor << tuple[0], tuple[3], tuple[5], tuple[3], tuple[1], tuple[4], tuple[5], tuple[4], tuple[2];
+    return tensor;
+  }
+  const Eigen::Map<const Eigen::Matrix3d> all(tuple);
+  return 0.5 * (all + all.transpose());
+}
+
+/// As long as its eigenvalue is large; NaN where the tensor is not finite.
+Vec3 EigenvectorOf(const Eigen::Matrix3d& tensor, int which)
+{
+  if (!tensor.allFinite())
+  {
+    return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(tensor); // eigenvalues rise
+  const int column = 2 - std::clamp(which, 0, 2);
+  return std::abs(solved.eigenvalues()[column]) * solved.eigenvectors().col(column);
+}
+
+void Keep(const double* tuple, int components, const vtkHapticFieldPart& part, float* to)
+{
+  if (palpate::componentsOf(part.Role) == 1)
+  {
+    *to = ScalarOf(tuple, components, part.Component);
     return;
   }
-  std::transform(tuple.begin(), tuple.begin() + kept, to, [](double number) { return static_cast<float>(number); });
+  const Vec3 kept =
+    part.Role == palpate::BrickRole::Axis ? EigenvectorOf(TensorOf(tuple, components), part.Component) : Vec3(tuple);
+  std::transform(kept.begin(), kept.end(), to, [](double number) { return static_cast<float>(number); });
+}
+
+/// Copies tuples of one array, of any type that VTK knows, into floats.
+struct CopyValues
+{
+  template<class Array, class Points>
+  void operator()(Array* array, const vtkHapticFieldPart& part, const Points& points, std::vector<float>& values) const
+  {
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    const int components = array->GetNumberOfComponents();
+    const auto kept = static_cast<std::size_t>(palpate::componentsOf(part.Role));
+    std::vector<double> tuple(static_cast<std::size_t>(components));
+    points(
+      [&](vtkIdType point, std::size_t at)
+      {
+        const auto from = tuples[point];
+        if (kept == 1 && components == 1)
+        {
+          values[at] = static_cast<float>(from[0]);
+          return;
+        }
+        std::copy(from.begin(), from.end(), tuple.begin());
+        Keep(tuple.data(), components, part, values.data() + kept * at);
+      });
+  }
+};
+} // namespace
+
+void vtkHapticKeepTuple(
+  vtkDataArray* array, vtkIdType point, const vtkHapticFieldPart& part, std::vector<float>& values)
+{
+  const int components = array->GetNumberOfComponents();
+  std::vector<double> tuple(static_cast<std::size_t>(components));
+  array->GetTuple(point, tuple.data());
+  Keep(tuple.data(), components, part, values.data() + palpate::componentsOf(part.Role) * point);
 }
 
 vtkHapticImageField::vtkHapticImageField(vtkSmartPointer<vtkImageData> image, vtkHapticFieldArrays arrays)
@@ -178,9 +204,9 @@ std::vector<float> vtkHapticImageField::Read(const vtkHapticFieldPart& part, con
     }
   };
   vtkDataArray* const array = this->Image->GetPointData()->GetArray(part.Name.c_str());
-  if (!vtkArrayDispatch::Dispatch::Execute(array, CopyValues(), kept, this->Arrays.Component, forEachPoint, values))
+  if (!vtkArrayDispatch::Dispatch::Execute(array, CopyValues(), part, forEachPoint, values))
   {
-    CopyValues()(array, kept, this->Arrays.Component, forEachPoint, values);
+    CopyValues()(array, part, forEachPoint, values);
   }
   forEachPoint(
     [&](vtkIdType point, std::size_t at)

@@ -29,12 +29,9 @@ private:
   std::vector<bool> Hidden; ///< points without a value; empty: none is
 };
 
-/// The components of an array at a point as a role feels them: a scalar is one of them, or their length.
-float vtkHapticFieldScalar(const double* tuple, int components, int component);
-
-/// Writes what a role keeps of the tuple of a point, with the chosen component of a scalar, to the same point of
-/// `values`.
+/// Writes what a role keeps of the tuple of a point to the same point of `values`: of a scalar one component or their
+/// length, of an axis the eigenvector of a symmetric tensor, as long as its eigenvalue is large.
 void vtkHapticKeepTuple(
-  vtkDataArray* array, vtkIdType point, palpate::BrickRole role, int component, std::vector<float>& values);
+  vtkDataArray* array, vtkIdType point, const vtkHapticFieldPart& part, std::vector<float>& values);
 
 #endif

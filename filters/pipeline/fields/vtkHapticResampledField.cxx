@@ -15,6 +15,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHapticConversionAhead.h"
+#include "vtkHapticFieldError.h"
 #include "vtkHapticFieldWindow.h"
 #include "vtkHapticImageField.h"
 #include "vtkHapticTetraField.h"
@@ -98,22 +99,35 @@ public:
     {
       if (!probed || probed->First != window.First || probed->Size != window.Size)
       {
-        image = this->Probe(window);
+        image = this->Probe(vtkHapticGridOf(this->Lattice, window));
         probed = window;
       }
       return this->Values(*image, part);
     };
-    return vtkHapticBrickAround(this->Lattice, this->Arrays, read, wish);
+    palpate::MadeBrick made = vtkHapticBrickAround(this->Lattice, this->Arrays, read, wish);
+    made.error = made.brick ? this->ErrorOf(*made.brick) : 0.0;
+    return made;
   }
 
 private:
-  vtkSmartPointer<vtkImageData> Probe(const vtkHapticFieldWindow& window) const
+  /// Of the first brick: to probe once more takes nearly as long as to probe a brick.
+  double ErrorOf(const palpate::Brick& brick) const
   {
-    const Vec3 first = this->Lattice.toWorld({ 1.0 * window.First[0], 1.0 * window.First[1], 1.0 * window.First[2] });
+    if (!this->Error)
+    {
+      const auto cells = [this](const vtkHapticFieldPart& part, const palpate::BrickGrid& grid)
+      { return this->Values(*this->Probe(grid), part); };
+      this->Error = vtkHapticFieldError(brick, vtkHapticFieldParts(this->Arrays).front(), cells);
+    }
+    return *this->Error;
+  }
+
+  vtkSmartPointer<vtkImageData> Probe(const palpate::BrickGrid& grid) const
+  {
     vtkNew<vtkImageData> places;
-    places->SetDimensions(window.Size.data());
-    places->SetOrigin(first.data());
-    places->SetSpacing(this->Lattice.spacing_u.data());
+    places->SetDimensions(grid.size.data());
+    places->SetOrigin(grid.pose_W.p.data());
+    places->SetSpacing(grid.spacing_u.data());
     return this->Cloud ? this->Interpolate(places) : this->Resample(places);
   }
 
@@ -156,7 +170,7 @@ private:
     {
       if (!mask || mask->GetComponent(i, 0) != 0.0)
       {
-        vtkHapticKeepTuple(array, i, part.Role, this->Arrays.Component, values);
+        vtkHapticKeepTuple(array, i, part, values);
       }
     }
     return values;
@@ -168,6 +182,7 @@ private:
   vtkHapticFieldArrays Arrays;
   palpate::BrickGrid Lattice;
   bool Cloud;
+  mutable std::optional<double> Error; ///< asked for by one thread at a time
 };
 } // namespace
 

@@ -7,6 +7,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellTypes.h"
 #include "vtkDataArray.h"
+#include "vtkHapticFieldError.h"
 #include "vtkHapticImageField.h"
 #include "vtkPointData.h"
 
@@ -23,7 +24,7 @@ bool FillsSpace(unsigned char type)
 bool vtkHapticIsTetraField(vtkDataObject* data, const vtkHapticFieldArrays& arrays)
 {
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(data);
-  if (!grid || grid->GetCellGhostArray() || !vtkHapticAllAtPoints(*grid, arrays))
+  if (!grid || arrays.Tensor || grid->GetCellGhostArray() || !vtkHapticAllAtPoints(*grid, arrays))
   {
     return false;
   }
@@ -79,7 +80,7 @@ std::vector<float> vtkHapticTetraField::ValuesOf(const vtkHapticFieldPart& part)
   vtkDataArray* const array = this->Data->GetPointData()->GetArray(part.Name.c_str());
   for (vtkIdType i = 0; i < points; ++i)
   {
-    vtkHapticKeepTuple(array, i, part.Role, this->Arrays.Component, values);
+    vtkHapticKeepTuple(array, i, part, values);
   }
   return values;
 }
@@ -91,11 +92,15 @@ palpate::MadeBrick vtkHapticTetraField::brickAround(const palpate::BrickWish& wi
     this->Made = std::make_unique<const Mesh>(this->MakeMesh());
   }
   const Mesh& mesh = *this->Made;
-  const auto read = [&](const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window)
+  const auto cells = [&mesh](const vtkHapticFieldPart& part, const palpate::BrickGrid& grid)
   {
     const palpate::TetraField field{ mesh.Points_W, mesh.Tetrahedra, mesh.Values.at(part.Role),
       palpate::componentsOf(part.Role) };
-    return palpate::rasterise(field, *mesh.Bins, vtkHapticGridOf(this->Lattice, window));
+    return palpate::rasterise(field, *mesh.Bins, grid);
   };
-  return vtkHapticBrickAround(this->Lattice, this->Arrays, read, wish);
+  const auto read = [&](const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window)
+  { return cells(part, vtkHapticGridOf(this->Lattice, window)); };
+  palpate::MadeBrick made = vtkHapticBrickAround(this->Lattice, this->Arrays, read, wish);
+  made.error = made.brick ? vtkHapticFieldError(*made.brick, vtkHapticFieldParts(this->Arrays).front(), cells) : 0.0;
+  return made;
 }

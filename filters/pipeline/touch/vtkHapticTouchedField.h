@@ -17,6 +17,10 @@ struct vtkHapticTouchedField
 
   vtkHapticFieldArrays Arrays;
   palpate::HapticParameters Parameters; ///< of which the field's plan alone is used
+  std::string Levels;                   ///< that are chosen, as text
+
+  /// With those levels, as far as Check() has nothing against them.
+  palpate::FieldPlan Plan() const;
 
   /// Whether somebody wants to feel a field at all.
   bool IsAskedFor() const;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "haptics/field/Smoothing.h"
 #include "haptics/session/PathTouch.h"
 #include "haptics/session/scene/TouchedData.h"
 #include "vtkHapticConversion.h"
@@ -166,7 +167,7 @@ palpate::HapticParameters vtkTouchAlongPath::Parameters() const
   parameters.contact.friction = { this->FrictionStatic, this->FrictionKinetic };
   parameters.contact.shading = this->ForceShading;
   parameters.map.scale_u_per_m = this->Scale;
-  parameters.field = this->Field->Parameters.field;
+  parameters.field = this->Field->Plan();
   return parameters;
 }
 
@@ -200,7 +201,8 @@ std::unique_ptr<palpate::PathTouch> vtkTouchAlongPath::Prepare(
   if (field && problem.empty())
   {
     felt = vtkHapticToField(field, this->Field->Arrays);
-    problem = felt.Source ? "" : "The field cannot be felt: " + felt.Problem;
+    problem = felt.Source ? palpate::levelProblem(this->Field->Plan(), felt.Ends) : felt.Problem;
+    problem = problem.empty() ? "" : "The field cannot be felt: " + problem;
   }
   if (!problem.empty())
   {
@@ -260,9 +262,14 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
   {
     rows.MoveTo(vtkPolyData::GetData(output));
   }
-  if (const std::string& felt = touch->madeBrick().problem; !felt.empty())
+  if (const std::string nothing = touch->whyNothingOfField(); !nothing.empty())
   {
-    vtkWarningMacro("Nothing was felt of the field: " << felt);
+    vtkWarningMacro("Nothing was felt of the field: " << nothing);
+  }
+  if (const palpate::FieldSmoothness& smooth = touch->madeBrick().smoothness; smooth.noise > palpate::trappingNoise)
+  {
+    vtkWarningMacro("The field's noise of " << smooth.noise << " of a spacing traps a hand: it was smoothed once, and "
+                                            << "FieldSmoothing 0 leaves it as it is");
   }
   if (fault != palpate::Fault::None)
   {

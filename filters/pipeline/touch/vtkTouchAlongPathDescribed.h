@@ -25,6 +25,7 @@
   vtkHapticTouchSettingMacro(FieldArray, const char*); \
   vtkHapticTouchSettingMacro(FieldComponent, int); \
   vtkHapticTouchSettingMacro(FieldVectors, const char*); \
+  vtkHapticTouchSettingMacro(FieldEigenvector, int); \
   vtkHapticTouchSettingMacro(FieldResistance, const char*); \
   vtkHapticTouchSettingMacro(FieldOther, const char*); \
   vtkHapticTouchSettingMacro(FieldSmoothing, int); \
@@ -36,6 +37,7 @@
   vtkHapticTouchFieldMacro(FieldDetent, double); \
   vtkHapticTouchFieldMacro(FieldDetentOrigin, double); \
   vtkHapticTouchFieldMacro(FieldDetentSpacing, double); \
+  vtkHapticTouchSettingMacro(FieldDetentLevels, const char*); \
   vtkHapticTouchFieldSwitchMacro(FieldDetentClick); \
   vtkHapticTouchFieldMacro(FieldSnap, double); \
   vtkHapticTouchFieldMacro(FieldSnapReach, double); \

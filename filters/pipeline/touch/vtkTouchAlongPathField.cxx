@@ -70,6 +70,31 @@ const char* vtkTouchAlongPath::GetFieldVectors() const
   return this->Field->Arrays.Vector.c_str();
 }
 
+void vtkTouchAlongPath::SetFieldEigenvector(int which)
+{
+  this->ChangeField([=](vtkHapticFieldArrays& a) { a.Eigenvector = which; });
+}
+
+int vtkTouchAlongPath::GetFieldEigenvector() const
+{
+  return this->Field->Arrays.Eigenvector;
+}
+
+void vtkTouchAlongPath::SetFieldDetentLevels(const char* levels)
+{
+  const std::string asked = levels ? levels : "";
+  if (asked != this->Field->Levels)
+  {
+    this->Field->Levels = asked;
+    this->Modified();
+  }
+}
+
+const char* vtkTouchAlongPath::GetFieldDetentLevels() const
+{
+  return this->Field->Levels.c_str();
+}
+
 void vtkTouchAlongPath::SetFieldResistance(const char* name)
 {
   this->ChangeField([=](vtkHapticFieldArrays& a) { a.Resistance = name ? name : ""; });

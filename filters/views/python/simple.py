@@ -23,8 +23,8 @@ from vtkmodules.vtkCommonDataModel import vtkTable
 from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  the proxy's object becomes scriptable
 from palpate.vtkHapticViews import vtkHapticViewScene
 
-__all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "LetGo", "FitHand", "HapticUpdate", "HapticState",
-           "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource"]
+__all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
+           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource"]
 
 
 class HapticRefusal(RuntimeError):
@@ -128,6 +128,18 @@ def Touch(view=None):
         if session.GetFieldName():
             session.FinishField()
         session.Update()
+
+
+def TakeColorRange(view=None):
+    """What low and high feel like is what a view's colour maps show low and high: data ranges of the arrays of stiffness,
+    friction and texture, isovalue (half as opaque as any) and levels of the field's. A line for each that was set."""
+    view = view or simple.GetActiveView()
+    looked_at = vtkHapticViewScene()
+    looked_at.SetView(view.SMProxy if view else None)
+    said = looked_at.TakeColorRange(_proxy())
+    if not said:
+        raise HapticRefusal("Nothing that is felt is coloured by; colour by an array that is felt.")
+    return said
 
 
 def LetGo():

@@ -357,7 +357,8 @@ IsoResult moveIsoProxy(const BrickComponent& field, const Vec3& spacing_u, const
     result = move.run(limited ? way_u + plan.scrub_u : std::numeric_limits<double>::infinity());
     state.catchingUp = limited && (move.cut() || state.level != plan.level);
   }
-  result.pull_u = state.x.from(hand).cwiseProduct(spacing_u);
+  const double left = 1.0 - static_cast<double>(state.stuck) / IsoState::mostStuck;
+  result.pull_u = left * state.x.from(hand).cwiseProduct(spacing_u);
   result.contacts = state.count;
   if (result.released)
   {

@@ -25,15 +25,16 @@ struct IsoPlan
 struct IsoState
 {
   static constexpr int mostCells = 5;
+  static constexpr std::uint32_t mostStuck = 30; ///< ticks in which a surface that can go no further fades: it vanishes
 
   bool placed = false;
-  GridPlace x;                              ///< the proxy, never on the other side
-  GridPlace device;                         ///< the hand of the last tick
-  double side = 1.0;                        ///< of f - level on which the hand is
-  double level = 0.0;                       ///< that is felt; it follows the plan's
-  bool slips = false;                       ///< it slid in the last tick: friction is the kinetic one
-  bool catchingUp = false;                  ///< the proxy is not back at the surface after the level moved
-  std::uint32_t stuck = 0;                  ///< ticks in which the level could not move
+  GridPlace x;             ///< the proxy, never on the other side
+  GridPlace device;        ///< the hand of the last tick
+  double side = 1.0;       ///< of f - level on which the hand is
+  double level = 0.0;      ///< that is felt; it follows the plan's
+  bool slips = false;      ///< it slid in the last tick: friction is the kinetic one
+  bool catchingUp = false; ///< the proxy is not back at the surface after the level moved
+  std::uint32_t stuck = 0; ///< ticks in which the level could not move, less those in which it did: how far it faded
   std::array<GridIndex, mostCells> cells{}; ///< whose polynomials hold the proxy, the newest last
   int count = 0;
 };

@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 
-constexpr std::uint32_t mostStuck = 100; ///< ticks
+constexpr double fairShare = 0.125; ///< of what a level wanted to go: with less it is on its way to a halt
 constexpr int mostHalvings = 12, mostClimbs = 3;
 constexpr double leastShare = 1e-3; ///< of what is left: where the gradient is small the level moves all the same
 constexpr double steeper = 1.1;     ///< a surface may come that much faster than its slope says, and by rounding
@@ -26,6 +26,18 @@ bool isFree(const LevelSet& set, const GridPlace& at) noexcept
   }
   const TrilinearCell cell = set.cell(place->cell);
   return cell.value(place->t) >= landingMargin(cell);
+}
+
+/// As far as the surface may come without meeting a proxy that nothing holds: that moves nothing that is felt.
+double levelBefore(const LevelSet& set, const GridPlace& x) noexcept
+{
+  const std::optional<GridPlace> place = set.field.within(x);
+  if (!place)
+  {
+    return set.level;
+  }
+  const TrilinearCell cell = set.cell(place->cell);
+  return set.level + set.side * std::max(0.0, cell.value(place->t) - 2.0 * landingMargin(cell));
 }
 
 /// Climbs the field from a place that is free at the old level until it is free at the new one, no further than
@@ -83,6 +95,20 @@ double mostChange(const LevelSet& set, const Vec3& spacing_u, const IsoPlan& pla
   return std::max(slope * plan.scrub_u, leastShare * std::fabs(plan.level - set.level));
 }
 
+/// Counts the ticks in which the level could not go as it wanted; false once the surface has vanished.
+bool outlasts(IsoState& state, bool moved) noexcept
+{
+  if (!moved)
+  {
+    ++state.stuck;
+  }
+  else if (state.stuck > 0)
+  {
+    --state.stuck;
+  }
+  return state.stuck < IsoState::mostStuck;
+}
+
 } // namespace
 
 bool moveLevel(const BrickComponent& field, const Vec3& spacing_u, const IsoPlan& plan, IsoState& state,
@@ -90,9 +116,9 @@ bool moveLevel(const BrickComponent& field, const Vec3& spacing_u, const IsoPlan
 {
   if (state.level == plan.level)
   {
-    return true;
+    return outlasts(state, true);
   }
-  const LevelSet before{ field, state.level, state.side };
+  LevelSet before{ field, state.level, state.side };
   LevelSet now{ field, plan.level, state.side };
   const bool touches = state.count > 0;
   if (!touches && isFree(now, state.x))
@@ -100,8 +126,10 @@ bool moveLevel(const BrickComponent& field, const Vec3& spacing_u, const IsoPlan
     state.level = plan.level; // nothing is held, and the new surface does not reach the hand
     return true;
   }
+  before.level = state.level = touches ? state.level : levelBefore(before, state.x);
   const double most = mostChange(before, spacing_u, plan, state.x);
-  double change = std::clamp(plan.level - state.level, -most, most);
+  const double wanted = std::clamp(plan.level - state.level, -most, most);
+  double change = wanted;
   const double most_u = steeper * (plan.scrub_u > 0.0 ? plan.scrub_u : spacing_u.minCoeff());
   for (int i = 0; i <= mostHalvings; ++i, change *= 0.5)
   {
@@ -110,11 +138,10 @@ bool moveLevel(const BrickComponent& field, const Vec3& spacing_u, const IsoPlan
     {
       state.level = now.level;
       state.catchingUp = true;
-      state.stuck = 0;
-      return true;
+      return outlasts(state, std::fabs(change) >= fairShare * std::fabs(wanted));
     }
   }
-  return ++state.stuck < mostStuck;
+  return outlasts(state, false);
 }
 
 } // namespace palpate

@@ -2,7 +2,10 @@
 #include "haptics/field/laws/Detent.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace palpate
 {
@@ -14,17 +17,102 @@ constexpr double steepest = 3.0792014356780046;
 constexpr int mostSteps = 40;
 constexpr double leastStep = 1e-14; ///< [spacings of the grid]
 constexpr double leastStiff = 0.05; ///< of the spring: on a top of the potential steps are not to be too long
+constexpr double beyondAll = 1e300; ///< larger than any single-precision value, and finite
+
+/// Where a value is in the hollow of its nearest level.
+struct InHollow
+{
+  double s = 0.0; ///< from the level, in widths; from -0.5 to 0.5 inside
+  double width = 1.0;
+};
+
+InHollow hollowAt(const DetentPlan& plan, double value) noexcept
+{
+  if (plan.levelCount == 0)
+  {
+    const double turns = (value - plan.origin) / plan.spacing;
+    return { turns - std::floor(turns + 0.5), plan.spacing };
+  }
+  double nearest = plan.levels[0] - value, width = plan.spacing;
+  for (std::int32_t i = 1; i < plan.levelCount; ++i)
+  {
+    const double away = plan.levels[i] - value;
+    nearest = std::fabs(away) < std::fabs(nearest) ? away : nearest;
+    width = std::min(width, plan.levels[i] - plan.levels[i - 1]);
+  }
+  return { -nearest / width, width };
+}
+
+/// Empty, or the first thing in a list of numbers that is none.
+std::string readNumbers(std::string_view text, std::vector<double>& numbers)
+{
+  constexpr std::string_view between = ", ;\t\n";
+  for (std::size_t at = text.find_first_not_of(between); at != std::string_view::npos;
+       at = text.find_first_not_of(between, at))
+  {
+    const std::string_view word = text.substr(at, text.find_first_of(between, at) - at);
+    double number = 0.0;
+    const auto read = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (read.ec != std::errc() || read.ptr != word.data() + word.size() || !std::isfinite(number))
+    {
+      return std::string(word);
+    }
+    numbers.push_back(number);
+    at += word.size();
+  }
+  return "";
+}
 
 } // namespace
 
+std::string setLevels(DetentPlan& plan, std::string_view text)
+{
+  std::vector<double> numbers;
+  if (const std::string word = readNumbers(text, numbers); !word.empty())
+  {
+    return "levels: '" + word + "' is no number; give numbers with commas between them";
+  }
+  if (numbers.size() > DetentPlan::mostLevels)
+  {
+    return "levels: at most " + std::to_string(DetentPlan::mostLevels) +
+           " can be chosen; take equal distances for more";
+  }
+  std::ranges::sort(numbers);
+  DetentPlan changed = plan;
+  changed.levels = {};
+  std::ranges::copy(numbers, changed.levels.begin());
+  changed.levelCount = static_cast<std::int32_t>(numbers.size());
+  std::string problem = refuseLevels(changed);
+  plan = problem.empty() ? changed : plan;
+  return problem;
+}
+
+std::string refuseLevels(const DetentPlan& plan)
+{
+  if (plan.levelCount < 0 || static_cast<std::size_t>(plan.levelCount) > DetentPlan::mostLevels)
+  {
+    return "levels: at most " + std::to_string(DetentPlan::mostLevels) + " can be chosen";
+  }
+  const std::span<const double> levels(plan.levels.data(), static_cast<std::size_t>(plan.levelCount));
+  if (!std::ranges::all_of(levels, [](double level) { return std::isfinite(level); }))
+  {
+    return "levels: they must be finite numbers";
+  }
+  const bool rise = std::ranges::adjacent_find(levels, std::ranges::greater_equal{}) == levels.end();
+  return rise ? "" : "levels: two of them are the same";
+}
+
 DetentEnergy detentEnergy(const DetentPlan& plan, double value) noexcept
 {
-  const double turns = (value - plan.origin) / plan.spacing;
-  const double s = turns - std::floor(turns + 0.5); // -0.5 to 0.5 from the nearest level
-  const double w = 1.0 - 4.0 * s * s;
-  const double height = plan.strength_N * plan.spacing / (steepest * plan.slope_per_u);
-  return { height * (1.0 - w * w), height * 16.0 * s * w / plan.spacing,
-    height * (16.0 * w - 128.0 * s * s) / (plan.spacing * plan.spacing) };
+  const InHollow at = hollowAt(plan, value);
+  const double height = plan.strength_N * at.width / (steepest * plan.slope_per_u);
+  if (std::fabs(at.s) >= 0.5)
+  {
+    return { height, 0.0, 0.0 };
+  }
+  const double w = 1.0 - 4.0 * at.s * at.s;
+  return { height * (1.0 - w * w), height * 16.0 * at.s * w / at.width,
+    height * (16.0 * w - 128.0 * at.s * at.s) / (at.width * at.width) };
 }
 
 Vec3 smoothDetent(
@@ -60,6 +148,14 @@ Vec3 smoothDetent(
 
 double nextLevel(const DetentPlan& plan, double proxyValue, bool above) noexcept
 {
+  if (plan.levelCount > 0)
+  {
+    const auto* const begin = plan.levels.data();
+    const auto* const end = begin + plan.levelCount;
+    const auto* const next = std::upper_bound(begin, end, proxyValue);
+    const auto* const least = std::lower_bound(begin, end, proxyValue);
+    return above ? (next == end ? beyondAll : *next) : (least == begin ? -beyondAll : *(least - 1));
+  }
   const double turns = (proxyValue - plan.origin) / plan.spacing;
   return plan.origin + plan.spacing * (above ? std::floor(turns) + 1.0 : std::ceil(turns) - 1.0);
 }

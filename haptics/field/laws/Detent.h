@@ -1,24 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
 #include "haptics/field/Brick.h"
 
 namespace palpate
 {
 
-/// Levels of a scalar at equal distances that hold the hand.
+/// Levels of a scalar that hold the hand: at equal distances, or at chosen values.
 struct DetentPlan
 {
+  static constexpr std::size_t mostLevels = 16;
+
   double strength_N = 0.0;  ///< largest force of a smooth detent where the slope is `slope_per_u`; that a click holds
   double origin = 0.0;      ///< a level
   double spacing = 1.0;     ///< from level to level, in values
   double slope_per_u = 1.0; ///< usual gradient of the scalar
   bool click = false;       ///< levels hold until their strength and then let go; else they are hollows of a potential
+  std::int32_t levelCount = 0;                ///< of chosen levels; 0: they are at equal distances
+  std::array<double, mostLevels> levels = {}; ///< that are chosen, rising; a hollow is as wide as `spacing`, at most as
+                                              ///< two levels are apart
 };
 
-/// A periodic potential of the scalar whose hollows are the levels, with its derivatives by the scalar. A polynomial of
-/// the fourth degree between two tops, with continuous second derivatives: nothing of the mathematical library, so the
-/// same bits everywhere.
+/// Sets the chosen levels from numbers between commas or blanks, in any order; none: equal distances. Empty, or one
+/// sentence why they cannot be, and nothing is changed.
+[[nodiscard]] std::string setLevels(DetentPlan& plan, std::string_view text);
+/// Empty, or one sentence why these levels cannot be.
+[[nodiscard]] std::string refuseLevels(const DetentPlan& plan);
+
+/// A potential of the scalar whose hollows are the levels, even beyond those that are chosen, with its derivatives by
+/// the scalar. A polynomial of the fourth degree across a hollow, with continuous slope, and at equal distances with
+/// continuous second derivatives: nothing of the mathematical library, so the same bits everywhere.
 struct DetentEnergy
 {
   double energy = 0.0; ///< [N u]
@@ -34,7 +50,7 @@ struct DetentEnergy
   const Brick& brick, const DetentPlan& plan, double stiffness_N_per_u, const Vec3& p_W, const Vec3& from_W) noexcept;
 
 /// The level between a proxy and its hand: the next one above or below the proxy's value, `above` if the hand is at
-/// more.
+/// more. Beyond the last of chosen levels a value that no data have.
 [[nodiscard]] double nextLevel(const DetentPlan& plan, double proxyValue, bool above) noexcept;
 
 } // namespace palpate

@@ -11,10 +11,16 @@ namespace
 constexpr int mostRounds = 30;
 constexpr double still = 1e-15, abreast = 1e-13; ///< [spacings of the grid]
 
+/// The vector at a place, or the axis on the side of `like`.
+std::optional<Vec3> vectorAt(const Brick& brick, const Vec3& at_W, const Vec3& like) noexcept
+{
+  return brick.component(BrickRole::Vector).exists() ? brick.vector(at_W) : brick.axis(at_W, like);
+}
+
 /// The direction of the vectors at a place, on the side of `like`; none where they have none.
 std::optional<Vec3> directionAt(const Brick& brick, const Vec3& at_W, const Vec3& like) noexcept
 {
-  const std::optional<Vec3> v_W = brick.vector(at_W);
+  const std::optional<Vec3> v_W = vectorAt(brick, at_W, like);
   const double length = v_W ? v_W->norm() : 0.0;
   if (!(length > 0.0))
   {
@@ -51,7 +57,7 @@ std::optional<Vec3> midpointStep(
 std::optional<Followed> followStreamline(const Brick& brick, const Vec3& x_W, const Vec3& p_W, int mostSteps) noexcept
 {
   const double h_u = brick.grid().spacing_u.minCoeff();
-  const std::optional<Vec3> first = brick.vector(x_W);
+  const std::optional<Vec3> first = vectorAt(brick, x_W, Vec3::Zero());
   if (!first || !(first->norm() > 0.0))
   {
     return {};
@@ -66,7 +72,7 @@ std::optional<Followed> followStreamline(const Brick& brick, const Vec3& x_W, co
     {
       break; // the vectors end: no further
     }
-    at = { *y_W, *along_W, brick.vector(*y_W)->norm() };
+    at = { *y_W, *along_W, vectorAt(brick, *y_W, *along_W)->norm() };
     if (ahead_u < abreast * h_u && ahead_u > -abreast * h_u)
     {
       break;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/scene/FeltField.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <utility>
 
@@ -54,6 +56,7 @@ std::optional<std::shared_ptr<const Brick>> FeltField::take()
     return std::nullopt;
   }
   this->made_ = std::move(made);
+  this->taken_ = std::chrono::steady_clock::now();
   return this->made_.brick;
 }
 
@@ -86,6 +89,12 @@ std::optional<std::shared_ptr<const Brick>> FeltField::follow(
   return next;
 }
 
+double FeltField::age_s() const noexcept
+{
+  return this->made_.brick ? std::chrono::duration<double>(std::chrono::steady_clock::now() - this->taken_).count()
+                           : 0.0;
+}
+
 HapticState ofFieldAlone(HapticState state) noexcept
 {
   state.proxy_W.p = state.field.proxy_W;
@@ -96,6 +105,47 @@ HapticState ofFieldAlone(HapticState state) noexcept
 std::string pointSentence(const FieldPlan& plan, double radius_u)
 {
   return plan.isosurface && radius_u > 0.0 ? "an isosurface is felt by a point in the middle of the ball" : "";
+}
+
+FieldPlan withinEnds(FieldPlan plan, const FieldEnds& ends) noexcept
+{
+  const auto isThere = [&ends](double value) { return value >= ends[0] && value <= ends[1]; };
+  if (!(ends[0] <= ends[1]))
+  {
+    return plan;
+  }
+  const DetentPlan& detent = plan.detent;
+  const double first = detent.origin + detent.spacing * std::ceil((ends[0] - detent.origin) / detent.spacing);
+  const bool level = detent.levelCount > 0
+                       ? std::any_of(detent.levels.begin(), detent.levels.begin() + detent.levelCount, isThere)
+                       : isThere(first);
+  plan.detent.strength_N = level ? detent.strength_N : 0.0;
+  plan.isosurface = plan.isosurface && isThere(plan.isovalue);
+  return plan;
+}
+
+std::string levelSentence(const FieldPlan& plan, const FieldEnds& ends)
+{
+  const FieldPlan within = withinEnds(plan, ends);
+  const bool surface = plan.isosurface && !within.isosurface;
+  const bool levels = plan.detent.strength_N > 0.0 && !(within.detent.strength_N > 0.0);
+  if (!surface && !levels)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "its values go from " << ends[0] << " to " << ends[1] << ": ";
+  if (surface)
+  {
+    text << "none of them is the isovalue " << plan.isovalue;
+  }
+  text << (surface && levels ? ", and " : "") << (levels ? "no level is among them" : "");
+  return text.str();
+}
+
+std::string levelProblem(const FieldPlan& plan, const FieldEnds& ends)
+{
+  return isOn(withinEnds(plan, ends)) ? "" : levelSentence(plan, ends);
 }
 
 std::string fieldSentence(const std::string& name, const MadeBrick& made, double scale_u_per_m, double ahead_s)
@@ -121,6 +171,11 @@ std::string fieldSentence(const std::string& name, const MadeBrick& made, double
   {
     text << ", " << made.reach_u << " u around the hand: in time for up to " << made.reach_u / scale_u_per_m / ahead_s
          << " m/s";
+  }
+  if (made.error > 0.0)
+  {
+    text << ", within " << std::setprecision(2) << 100.0 * made.error << " % of their range of what the cells have"
+         << std::setprecision(6);
   }
   if (made.smoothness.passes > 0)
   {

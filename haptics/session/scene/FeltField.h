@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <chrono>
 #include <cstdint>
 #include <future>
 #include <memory>
@@ -34,6 +36,8 @@ public:
 
   /// The newest that was made, felt or refused.
   [[nodiscard]] const MadeBrick& made() const noexcept { return this->made_; }
+  /// Since when that is felt [s]; 0 where nothing is.
+  [[nodiscard]] double age_s() const noexcept;
   /// Bricks made until now.
   [[nodiscard]] std::uint64_t count() const noexcept { return this->revision_; }
 
@@ -44,6 +48,7 @@ private:
 
   std::shared_ptr<const FieldSource> source_;
   MadeBrick made_;
+  std::chrono::steady_clock::time_point taken_{};
   std::uint64_t revision_ = 0;
   bool changed_ = false;    ///< another source: what was made is of the one before
   bool asksForOld_ = false; ///< what is being made is of a source that was left
@@ -56,6 +61,16 @@ private:
 /// "", or that the ball which touches surfaces is a point to an isosurface: one that is offset by its radius would need
 /// the distance to the surface, which the values are not.
 [[nodiscard]] std::string pointSentence(const FieldPlan& plan, double radius_u);
+
+/// Least and largest value of all of the data; turned round where there are none.
+using FieldEnds = std::array<double, 2>;
+
+/// The modes of a plan that can be felt of data between these values.
+[[nodiscard]] FieldPlan withinEnds(FieldPlan plan, const FieldEnds& ends) noexcept;
+/// "", or which value that is to be felt the data do not have, so that no surface or level of it is anywhere.
+[[nodiscard]] std::string levelSentence(const FieldPlan& plan, const FieldEnds& ends);
+/// The same where nothing else is to be felt.
+[[nodiscard]] std::string levelProblem(const FieldPlan& plan, const FieldEnds& ends);
 
 /// What is felt of data of that name: how finely and how far around the hand, and how fast the hand may go so that a
 /// brick is there in time; or why nothing is.

@@ -39,6 +39,8 @@ struct MadeBrick
     0.0; ///< how far the hand may go from there along each axis before the brick ends; infinite: it holds all
   std::string problem; ///< why there is none
   FieldSmoothness smoothness{};
+  double error = 0.0; ///< largest difference to the data's own cells that was found, of the range of the values; 0: the
+                      ///< points are the data's
 };
 
 /// Data that is felt as a field, wherever the hand goes. Asked by a worker thread, by one at a time.

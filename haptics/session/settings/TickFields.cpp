@@ -2,6 +2,7 @@
 #include "haptics/session/settings/TickFields.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <type_traits>
 
@@ -32,6 +33,18 @@ void put(std::span<const double> values, Vec3& member)
 void put(std::span<const double> values, Quat& member)
 {
   member = Quat(values[0], values[1], values[2], values[3]).normalized();
+}
+
+template<std::size_t n>
+void put(std::span<const double> values, std::array<double, n>& member)
+{
+  std::ranges::copy(values.first(std::min(n, values.size())), member.begin());
+}
+
+template<std::size_t n>
+std::vector<double> numbersOf(const std::array<double, n>& member)
+{
+  return { member.begin(), member.end() };
 }
 
 template<class T>

@@ -19,9 +19,9 @@ constexpr double k = 1.0; ///< [N/u]; with a spacing of a millimetre work is in 
 const GridIndex cube_n{ 32, 32, 32 };
 const Vec3 middle(15.5, 15.5, 15.5);
 
-Brick brickOf(std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {})
+Brick brickOf(std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {}, std::vector<BrickLine> lines_W = {})
 {
-  return Brick(1, BrickGrid{ cube_n }, std::move(arrays), std::move(places_W));
+  return Brick(1, BrickGrid{ cube_n }, std::move(arrays), std::move(places_W), std::move(lines_W));
 }
 
 template<class Function>
@@ -132,6 +132,71 @@ TEST(FieldModes, AClickLosesTheSquareOfItsStrengthOverTwiceTheStiffnessACrossing
   }
 }
 
+/// Levels at 12, 15 and 20; hollows 2 wide.
+DetentPlan chosenLevels(double strength_N, bool click)
+{
+  DetentPlan plan{ strength_N, 0.0, 2.0, 1.0, click };
+  EXPECT_EQ(setLevels(plan, "15, 20;12"), "");
+  return plan;
+}
+
+TEST(FieldModes, ChosenLevelsAreHollowsAndBetweenThemIsNoForce)
+{
+  const DetentPlan plan = chosenLevels(0.15, false), equal{ 0.15, 12.0, 2.0, 1.0, false };
+  for (double f = 9.0; f < 23.0; f += 0.0137)
+  {
+    const double away = std::min({ std::fabs(f - 12.0), std::fabs(f - 15.0), std::fabs(f - 20.0) });
+    const DetentEnergy at = detentEnergy(plan, f), truth = detentEnergy(equal, 12.0 + away);
+    EXPECT_NEAR(std::fabs(at.slope), away < 1.0 ? std::fabs(truth.slope) : 0.0, 1e-12) << f;
+    EXPECT_NEAR(at.energy, away < 1.0 ? truth.energy : detentEnergy(equal, 13.0).energy, 1e-12) << f;
+  }
+  const Brick brick = brickOf({ scalar(height) });
+  FieldPlan felt;
+  felt.detent = plan;
+  Hand hand{ brick, felt };
+  hand.start({ 15, 15, 10.0 });
+  double strongest = 0.0;
+  for (int i = 1; i <= 4000; ++i)
+  {
+    hand.to({ 15, 15, 10.0 + 12.0 * i / 4000 });
+    strongest = std::max(strongest, hand.force.norm());
+  }
+  // The trapezoid is wrong by h^2 / 12 of each jump of the force's slope: at the edge of a hollow of bend e it jumps by
+  // k e / (k + e), twice a hollow.
+  const double bend = detentEnergy(plan, 13.0 - 1e-9).bend, h = 12.0 / 4000;
+  EXPECT_NEAR(hand.work, 0.0, 6.0 * h * h / 12.0 * -k * bend / (k + bend)) << "from a top between hollows to another";
+  EXPECT_NEAR(strongest, 0.15, 1e-5);
+}
+
+TEST(FieldModes, AClickAtChosenLevelsHoldsAtEachAndNowhereElse)
+{
+  const Brick brick = brickOf({ scalar(height) });
+  for (const double direction : { 1.0, -1.0 })
+  {
+    FieldPlan plan;
+    plan.detent = chosenLevels(0.5, true);
+    Hand hand{ brick, plan };
+    const double from = direction > 0.0 ? 9.10005 : 24.90005; // never on a level
+    hand.start({ 15, 15, from });
+    for (int i = 1; i <= 158000; ++i)
+    {
+      const double z = from + direction * 1e-4 * i;
+      hand.to({ 15, 15, z });
+      double held = 0.0; // by the level that the hand is beyond, up to its strength
+      for (const double level : { 12.0, 15.0, 20.0 })
+      {
+        const double beyond = direction * (z - level);
+        held = beyond > 0.0 && beyond < 0.5 - 1e-3 ? k * beyond : held;
+      }
+      if (held > 0.0)
+      {
+        ASSERT_NEAR(hand.force.z(), -direction * held, 1e-9) << z;
+      }
+    }
+    EXPECT_NEAR(hand.work, -3.0 * 0.5 * 0.5 / (2.0 * k), 1e-3) << "three crossings";
+  }
+}
+
 TEST(FieldModes, DragIsAForceOfItsStrengthAgainstTheMotionWhateverItsSpeed)
 {
   const Brick brick = brickOf({ scalar(height) });
@@ -209,6 +274,24 @@ TEST(FieldModes, SnapPullsToTheNearestPlaceByAForceWithAPotential)
   }
   // A way of another shape between the same places takes as much work: the potential is the same at both.
   EXPECT_NEAR(hand.work, 0.0, 1e-6);
+}
+
+TEST(FieldModes, SnapPullsAcrossALineAndLetsTheHandSlideAlongIt)
+{
+  const Brick brick = brickOf({ scalar(height) }, {}, { { Vec3(5, 10, 10), Vec3(25, 10, 10) } });
+  FieldPlan plan;
+  plan.snap_N = 0.5;
+  plan.snapReach_u = 4.0;
+  Hand hand{ brick, plan };
+  hand.start({ 6, 11, 10 });
+  const double held = std::min(k * 1.0, 0.5 * (1.0 - 1.0 / 4.0));
+  for (int i = 1; i <= 1000; ++i)
+  {
+    hand.to({ 6 + 18.0 * i / 1000, 11, 10 });
+    EXPECT_LT((hand.force - Vec3(0, -held, 0)).norm(), 1e-9);
+  }
+  hand.to({ 28, 10, 10 });
+  EXPECT_LT((hand.force - Vec3(-0.5 * (1.0 - 3.0 / 4.0), 0, 0)).norm(), 1e-9) << "beyond its end it is a point";
 }
 
 TEST(FieldModes, PushDoesTwoPiTimesRadiusTimesStrengthATurnAndStopsOutside)

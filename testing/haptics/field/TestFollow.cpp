@@ -7,6 +7,7 @@
 
 #include "haptics/field/FieldProxy.h"
 #include "testing/support/Fields.h"
+#include "testing/support/Random.h"
 
 namespace palpate
 {
@@ -135,6 +136,30 @@ TEST(Follow, LetsGoWhereThereAreNoVectors)
   const FieldResult outside = moveFieldProxy(brick, follow(1.0), k_N_per_u, { 25, 10.5, 1 }, state);
   EXPECT_TRUE(outside.outside && outside.letGo);
   EXPECT_TRUE(outside.pull_W.isZero());
+}
+
+TEST(Follow, LeadsAlongAxesWhoseSignsMeanNothingAsAlongTheirVectors)
+{
+  // Three spacings from the middle of the vortex and further the vectors at the corners of a cell are less than a right
+  // angle apart, so every sign is known from the way that one goes.
+  const GridIndex size{ 48, 48, 4 };
+  test::Random random(test::testSeed(1642));
+  const auto turned = [&](const Vec3& i) { return Vec3((random.uniform() < 0.5 ? -1.0 : 1.0) * lambOseen(i)); };
+  const Brick axes(1, BrickGrid{ size }, { { BrickRole::Axis, "v", test::sampledVectors(size, turned) } });
+  const Brick vectors = vectorBrick(lambOseen);
+  FieldState alongAxes, alongVectors;
+  for (double turn = 0.0; turn < 2.0 * std::numbers::pi; turn += 0.01)
+  {
+    const Vec3 p = onCircle(8.0 + std::sin(3.0 * turn), turn);
+    const Vec3 one = moveFieldProxy(axes, follow(5.0), k_N_per_u, p, alongAxes).pull_W;
+    const Vec3 other = moveFieldProxy(vectors, follow(5.0), k_N_per_u, p, alongVectors).pull_W;
+    ASSERT_LT((one - other).norm(), 1e-9) << turn;
+  }
+  EXPECT_FALSE(axes.axis({ -1, 0, 0 }, Vec3::UnitX()));
+  FieldPlan push;
+  push.push_N = 0.5;
+  FieldState state;
+  EXPECT_TRUE(moveFieldProxy(axes, push, k_N_per_u, onCircle(8.0, 0.0), state).push_W.isZero()) << "no direction";
 }
 
 } // namespace

@@ -19,7 +19,7 @@ constexpr double scrub_u = 0.045; ///< 0.045 N a tick at 1 N a spacing
 struct Scrubbed
 {
   std::uint64_t wrong = 0, touching = 0, released = 0;
-  double mostChange_u = 0.0; ///< of the pull, beyond what the hand moved, while the surface moves
+  double mostChange_u = 0.0; ///< of the pull, beyond what the hand moved and fading took, while the surface moves
 };
 
 /// The level is drawn anew two hundred times a second while a hand presses.
@@ -41,13 +41,17 @@ Scrubbed scrub(const Function& function, double low, double high, double hand_u,
     plan.level = i % 5 == 0 ? random.uniform(low, high) : plan.level;
     const Vec3 next = (p + random.inCube(hand_u)).cwiseMax(4).cwiseMin(27);
     const bool moving = state.placed && (state.level != plan.level || state.catchingUp);
+    const std::uint32_t stuck = state.stuck;
     const IsoResult result = moveIsoProxy(field, Vec3::Ones(), plan, next, state);
     seen.released += result.released;
     seen.touching += result.contacts > 0;
     seen.wrong += state.placed && oracle.value(state.x, state.level, state.side) < 0.0;
     if (moving && !result.released)
     {
-      seen.mostChange_u = std::max(seen.mostChange_u, (result.pull_u - pull).norm() - 2.0 * (next - p).norm());
+      const double faded_u =
+        state.stuck != stuck ? state.x.from(GridPlace::at(next)).norm() / IsoState::mostStuck : 0.0;
+      const double change_u = (result.pull_u - pull).norm() - 2.0 * (next - p).norm() - faded_u;
+      seen.mostChange_u = std::max(seen.mostChange_u, change_u);
     }
     pull = result.pull_u;
     p = next;
@@ -122,14 +126,47 @@ TEST(IsoScrub, LetsGoOfAHandWhoseSurfaceVanishes)
   tick();
   EXPECT_EQ(state.side, 1.0);
   plan.level = -2.0; // above every value near the hand: its side is nowhere
-  int ticks = 0;
+  int ticks = 1;
   while (!tick().released)
   {
-    ASSERT_LT(++ticks, 1000);
+    ASSERT_LE(++ticks, 30 + 1);
   }
   tick();
   EXPECT_EQ(state.side, -1.0) << "it is on the side where it is";
   EXPECT_TRUE(tick().pull_u.isZero());
+}
+
+TEST(IsoScrub, FadesWithinThirtyMillisecondsOfWhereTheLastOfASurfaceIsGone)
+{
+  // A hill of the value -|i - top|, whose corner nearest to the hand is (16, 16, 16) wherever the top is in that cell:
+  // there the level can go to -|top - corner| and no further. A hand that is outside pulls at what is left.
+  test::Random random(test::testSeed(1632));
+  for (std::size_t i = 0; i < test::testCount(40); ++i)
+  {
+    const Vec3 top = Vec3(15.75, 15.75, 15.75) + random.inCube(0.2);
+    const auto brick = test::scalarBrick(32, [&](const Vec3& at) { return -(at - top).norm(); });
+    const auto tick = [&](const IsoPlan& plan, const Vec3& p, IsoState& state)
+    { return moveIsoProxy(brick->component(BrickRole::Scalar), Vec3::Ones(), plan, p, state); };
+    IsoPlan plan;
+    plan.level = -4.0;
+    plan.scrub_u = scrub_u;
+    IsoState state;
+    tick(plan, top, state);
+    const Vec3 hand(22, 22, 22);
+    Vec3 pull = tick(plan, hand, state).pull_u;
+    plan.level = 1.0;
+    int left = 0;
+    IsoResult result;
+    while (!(result = tick(plan, hand, state)).released)
+    {
+      const double far_u = state.x.from(GridPlace::at(hand)).norm();
+      EXPECT_LE((result.pull_u - pull).norm(), 2.1 * scrub_u + far_u / 30.0 + 1e-9);
+      pull = result.pull_u;
+      left += (state.x.index() - Vec3(16, 16, 16)).norm() < 1e-3;
+      ASSERT_LE(left, 30 + 1);
+    }
+    EXPECT_LE(pull.norm(), 10.5 / 30.0 + 2.1 * scrub_u) << "nearly nothing is left to let go of";
+  }
 }
 
 } // namespace

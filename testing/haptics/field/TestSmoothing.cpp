@@ -70,5 +70,44 @@ TEST(Smoothing, MeasuresNoNoiseInALinearFieldAndNoneWhereThereIsNoSurface)
   EXPECT_EQ(measuredNoise(std::vector<float>(values.size(), 2.0F), block_n, 2.0), 0.0);
 }
 
+TEST(Smoothing, TakesWavesAndBendsForDataHoweverFineTheyAre)
+{
+  // Waves along one axis of 3 radians a point, as VTK's Wavelet has them, move the surface by more than noise may.
+  const GridIndex large{ 40, 40, 40 };
+  const Vec3 middle(19.3, 19.1, 19.7);
+  for (const double angle : { 0.9, 2.0, 3.0 })
+  {
+    const auto waves = [&](const Vec3& i) { return i.z() + 1.5 * std::sin(angle * i.x()); };
+    EXPECT_EQ(measuredNoise(test::sampledValues(large, waves), large, 19.5), 0.0) << angle;
+  }
+  for (const double radius : { 1.5, 3.0, 15.0 })
+  {
+    const auto distance = [&](const Vec3& i) { return (i - middle).norm(); };
+    const auto square = [&](const Vec3& i) { return (i - middle).squaredNorm(); };
+    const auto box = [&](const Vec3& i) { return (i - middle).cwiseAbs().maxCoeff(); };
+    EXPECT_EQ(measuredNoise(test::sampledValues(large, distance), large, radius), 0.0) << radius;
+    EXPECT_EQ(measuredNoise(test::sampledValues(large, square), large, radius * radius), 0.0) << radius;
+    EXPECT_EQ(measuredNoise(test::sampledValues(large, box), large, radius), 0.0) << radius;
+  }
+}
+
+TEST(Smoothing, FindsNoiseOverABentSurfaceOnceItIsMostOfWhatSmoothingTakesAway)
+{
+  // r^2 / (2 R) bends by 1 / R along each axis: smoothing adds (1/4) of that an axis, 0.75 / R in all, alike
+  // everywhere. Noise of deviation s leaves 0.896 s. Its share n of the squares makes the likeness 1 - 1.112 n: below
+  // 1/3 for n > 0.6, which is s > 1.025 / R.
+  test::Random random(test::testSeed(1604));
+  const GridIndex large{ 48, 48, 48 };
+  const double radius = 10.0, limit = 0.75 / radius / 0.896 * std::sqrt(0.6 / 0.4);
+  const auto measured = [&](double sigma)
+  {
+    const auto ball = [&](const Vec3& i)
+    { return (i - Vec3(23.5, 23.5, 23.5)).squaredNorm() / (2.0 * radius) + sigma * normal(random); };
+    return measuredNoise(test::sampledValues(large, ball), large, 0.5 * radius);
+  };
+  EXPECT_EQ(measured(0.7 * limit), 0.0);
+  EXPECT_GT(measured(1.4 * limit), 0.0);
+}
+
 } // namespace
 } // namespace palpate

@@ -33,7 +33,7 @@ constexpr std::array<Mode, 7> Modes = { {
   { "push", &vtkHapticFieldArrays::Vector, "FieldPush", [](auto& p) -> double& { return p.push_N; } },
   { "drag", &vtkHapticFieldArrays::Resistance, "FieldDrag", [](auto& p) -> double& { return p.drag_N; } },
 } };
-constexpr std::string_view Isosurface = "isosurface", Compare = "compare";
+constexpr std::string_view Isosurface = "isosurface", Compare = "compare", Detent = "detent";
 
 const Mode& ModeOf(const std::string& name)
 {
@@ -60,6 +60,17 @@ void CheckCounts(const vtkHapticCliFieldOptions& options)
   {
     throw vtkHapticCliProblem(
       "--strength: give one [N] for each --mode, in their order (an isosurface of 0 is a wall)");
+  }
+  for (const std::string& mode : options.Modes)
+  {
+    if (std::ranges::count(options.Modes, mode) > 1)
+    {
+      throw vtkHapticCliProblem("--mode " + mode + ": it is given more than once; a mode has one strength");
+    }
+  }
+  if (std::ranges::count(options.Modes, Detent) == 0 && !options.Levels.empty())
+  {
+    throw vtkHapticCliProblem("--levels and --mode detent go together: values, and that they hold the hand");
   }
   if (options.Other.empty() == (std::ranges::count(options.Modes, Compare) > 0))
   {
@@ -95,13 +106,17 @@ vtkHapticFieldArrays ArraysOf(const vtkHapticCliFieldOptions& options, const vtk
   arrays.Other = options.Other;
   arrays.Component = static_cast<int>(settings.Number("FieldComponent"));
   arrays.Smoothing = static_cast<int>(settings.Number("FieldSmoothing"));
+  arrays.Eigenvector = static_cast<int>(settings.Number("FieldEigenvector"));
   return arrays;
 }
 
 /// What says how a field is felt is refused rather than ignored where none is.
 void CheckNoneIsGiven(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings)
 {
-  std::string given = !options.Strengths_N.empty() ? "strength" : !options.Other.empty() ? "compare-with" : "";
+  std::string given = !options.Strengths_N.empty() ? "strength"
+                      : !options.Other.empty()     ? "compare-with"
+                      : !options.Levels.empty()    ? "levels"
+                                                   : "";
   for (const palpate::Setting& setting : palpate::sessionSettings())
   {
     const bool field = setting.name.starts_with("Field") && !setting.at.option.empty();
@@ -132,10 +147,12 @@ void vtkHapticCliAddField(CLI::App& command, vtkHapticCliFieldOptions& options)
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--compare-with", options.Other, "array that --mode compare compares with");
+  command.add_option(
+    "--levels", options.Levels, "values V,V,... at which --mode detent holds, instead of levels at equal distances");
 }
 
-std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(
-  const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings, std::vector<std::string>& files)
+std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapticCliFieldOptions& options,
+  const vtkHapticCliSettings& settings, const palpate::FieldPlan& plan, std::vector<std::string>& files)
 {
   if (!options.Any())
   {
@@ -158,9 +175,14 @@ std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(
     std::cerr << "palpate: " << name << ": " << read.Note << '\n';
   }
   const vtkHapticFieldResult field = vtkHapticToField(read.Volume, ArraysOf(options, settings));
-  if (!field.Source)
+  const std::string problem = field.Source ? palpate::levelProblem(plan, field.Ends) : field.Problem;
+  if (!problem.empty())
   {
-    throw vtkHapticCliProblem(name + ": " + field.Problem);
+    throw vtkHapticCliProblem(name + ": " + problem);
+  }
+  if (const std::string missing = palpate::levelSentence(plan, field.Ends); !missing.empty())
+  {
+    std::cerr << "palpate: " << name << ": " << missing << '\n';
   }
   files.erase(file);
   return field.Source;
@@ -185,4 +207,8 @@ void vtkHapticCliSetField(const vtkHapticCliFieldOptions& options, const vtkHapt
     throw vtkHapticCliProblem("--mode isosurface: give the value of the surface with --iso");
   }
   plan.isovalue = iso.value_or(0.0);
+  if (const std::string problem = palpate::setLevels(plan.detent, options.Levels); !problem.empty())
+  {
+    throw vtkHapticCliProblem("--" + problem);
+  }
 }

@@ -19,6 +19,7 @@ struct vtkHapticCliFieldOptions
   std::vector<std::string> Modes;
   std::vector<double> Strengths_N; ///< one a mode; an isosurface alone needs none: then it is a wall
   std::string Other;               ///< what the scalar is compared with
+  std::string Levels;              ///< chosen ones of a detent
 
   bool Any() const { return !this->Arrays.empty() || !this->Modes.empty(); }
 };
@@ -27,9 +28,9 @@ struct vtkHapticCliFieldOptions
 void vtkHapticCliAddField(CLI::App& command, vtkHapticCliFieldOptions& options);
 
 /// Takes the file that is felt as a field, the first volume among them, out of `files`. Null where no field is asked
-/// for. Throws vtkHapticCliProblem.
-[[nodiscard]] std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(
-  const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings, std::vector<std::string>& files);
+/// for. Throws vtkHapticCliProblem, also where nothing of the plan can be felt of its values; says what else cannot.
+[[nodiscard]] std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapticCliFieldOptions& options,
+  const vtkHapticCliSettings& settings, const palpate::FieldPlan& plan, std::vector<std::string>& files);
 
 /// What the modes are to the tick. `iso`: the value of an isosurface. Throws vtkHapticCliProblem, also for settings of
 /// a field where none is asked for.

@@ -8,11 +8,24 @@
 #include "pqHapticViewFollower.h"
 #include "vtkHapticSession.h"
 #include "vtkSMProxy.h"
+#include "vtkSMTrace.h"
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
 
 #include <cmath>
+
+namespace
+{
+QString AroundHand(vtkHapticSession& session)
+{
+  return pqHapticFieldGroup::tr("push %1 mW, %2 s old, %3 ticks beyond")
+    .arg(session.GetFieldPushPower(), 0, 'f', 2)
+    .arg(session.GetFieldAge(), 0, 'f', 1)
+    .arg(session.GetFieldTicksBeyond());
+}
+} // namespace
 
 pqHapticFieldGroup::pqHapticFieldGroup(pqHapticSettingRows& rows, QWidget* parent) : Superclass(tr("Field"), parent)
 {
@@ -28,8 +41,21 @@ pqHapticFieldGroup::pqHapticFieldGroup(pqHapticSettingRows& rows, QWidget* paren
     pqHapticLabel(this, "fieldValue", tr("The value at the hand, and how much it changes there a unit [1/u]"));
   this->Sentence =
     pqHapticLabel(this, "fieldSentence", tr("What is felt as a field, how finely and how far around the hand"));
+  this->Around = pqHapticLabel(this, "fieldAround",
+    tr("Power of the push [mW]; how old the numbers around the hand are [s]; ticks in which the hand was beyond them"));
   form->addRow(tr("At the hand"), this->Value);
+  form->addRow(tr("Around it"), this->Around);
   form->addRow(this->Sentence);
+  auto* take = new QPushButton(tr("Take Range of Colour Map"), this);
+  take->setObjectName("fieldTakeColours");
+  take->setToolTip(
+    tr("What the colour maps show low and high feels low and high: isovalue, where half as opaque as any, "
+       "and levels of the values, data ranges of stiffness, friction and texture"));
+  this->connect(take, &QPushButton::clicked, this, &pqHapticFieldGroup::takeColours);
+  form->addRow(take);
+  this->Taken = pqHapticLabel(this, "fieldTaken", take->toolTip());
+  form->addRow(this->Taken);
+  pqHapticSay(this->Taken, QString());
 }
 
 void pqHapticFieldGroup::add(QFormLayout* form, const char* property, int components)
@@ -42,8 +68,19 @@ void pqHapticFieldGroup::add(QFormLayout* form, const char* property, int compon
   this->Choices.push_back({ property, components, list });
 }
 
+void pqHapticFieldGroup::takeColours()
+{
+  if (this->Follower && this->Proxy)
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Proxy.Get());
+    const QString said = this->Follower->takeColorRange(this->Proxy);
+    pqHapticSay(this->Taken, said.isEmpty() ? tr("Nothing that is felt is coloured by") : said.trimmed());
+  }
+}
+
 void pqHapticFieldGroup::setProxy(vtkSMProxy* proxy)
 {
+  this->Proxy = proxy;
   this->Links.clear();
   for (const Choice& choice : this->Choices)
   {
@@ -57,6 +94,7 @@ void pqHapticFieldGroup::setProxy(vtkSMProxy* proxy)
 
 void pqHapticFieldGroup::refresh(vtkHapticSession* session, const pqHapticViewFollower& follower)
 {
+  this->Follower = &follower;
   if (!this->isVisible())
   {
     return; // looking at all sources costs too much for what nobody sees
@@ -71,6 +109,7 @@ void pqHapticFieldGroup::refresh(vtkHapticSession* session, const pqHapticViewFo
                                                 .arg(value, 0, 'g', 5)
                                                 .arg(std::hypot(gradient[0], gradient[1], gradient[2]), 0, 'g', 3)
                                             : tr("-"));
+  this->Around->setText(session && session->GetFieldAge() > 0.0 ? AroundHand(*session) : tr("-"));
   pqHapticSay(this->Sentence, session ? QString::fromUtf8(session->GetFieldSentence()) : QString());
 }
 

@@ -2,18 +2,20 @@
 #ifndef pqHapticFieldGroup_h
 #define pqHapticFieldGroup_h
 
+#include "pqHapticViewFollower.h"
 #include "pqPropertyLinks.h"
+#include "vtkSMProxy.h"
+#include "vtkWeakPointer.h"
 
 #include <QGroupBox>
 #include <QList>
+#include <QPointer>
 
 class QFormLayout;
 class QLabel;
 class pqHapticArrayChoice;
 class pqHapticSettingRows;
-class pqHapticViewFollower;
 class vtkHapticSession;
-class vtkSMProxy;
 
 /**
  * Which arrays of what is shown are felt as a field, how, and what is felt at the hand.
@@ -41,11 +43,17 @@ private:
     pqHapticArrayChoice* List;
   };
   void add(QFormLayout* form, const char* property, int components);
+  /// What the colour maps of the view say of what is felt, to the settings.
+  void takeColours();
 
   QList<Choice> Choices;
   QLabel* Sentence;
   QLabel* Value;
+  QLabel* Around;
+  QLabel* Taken;
   pqPropertyLinks Links;
+  vtkWeakPointer<vtkSMProxy> Proxy;
+  QPointer<const pqHapticViewFollower> Follower; ///< of the view that is looked at
 };
 
 #endif

@@ -92,6 +92,7 @@ void tell(const FieldResult& felt, TickContext& tick) noexcept
   report.error_u = felt.error_u;
   report.contacts = felt.contacts;
   report.outside = felt.outside;
+  report.beyondTicks = tick.s.fieldBeyond;
   report.capped = felt.capped;
 }
 
@@ -101,6 +102,7 @@ void Field::step(TickContext& tick) noexcept
 {
   RendererState& s = tick.s;
   const FieldResult felt = move(tick);
+  s.fieldBeyond += felt.beyond ? 1 : 0;
   s.fieldSpring_D = springForce_D(tick, felt);
   // A source begins once force is engaged, and never among those who ask for it.
   const Vec3 push_D = s.gain > 0.0 ? tick.p.map.directionToDevice(felt.push_W) : Vec3(Vec3::Zero());

@@ -38,6 +38,8 @@ struct Field
     visit("detent.spacing", p.field.detent.spacing...);
     visit("detent.slope_per_u", p.field.detent.slope_per_u...);
     visit("detent.click", p.field.detent.click...);
+    visit("detent.levelCount", p.field.detent.levelCount...);
+    visit("detent.levels", p.field.detent.levels...);
     visit("snap_N", p.field.snap_N...);
     visit("snapReach_u", p.field.snapReach_u...);
     visit("compare_N", p.field.compare_N...);
@@ -58,6 +60,10 @@ struct Field
     {
       return "field: distance of levels, usual gradient and reach of a snap must be larger than 0";
     }
+    if (std::string problem = refuseLevels(f.detent); !problem.empty())
+    {
+      return "field: " + problem;
+    }
     return nonNegative(f.yield_N) && nonNegative(f.follow_N) && nonNegative(f.drag_N) &&
                nonNegative(f.detent.strength_N) && nonNegative(f.snap_N) && nonNegative(f.compare_N) &&
                nonNegative(f.compareFull) && nonNegative(f.push_N) && f.push_N <= FieldPlan::mostPush_N &&
@@ -75,6 +81,7 @@ struct Field
     Vec3 fieldForce_D = Vec3::Zero();  ///< and of all of the field
     Vec3 fieldFade_D = Vec3::Zero();   ///< of the force that ended when the field did
     double fieldFade_s = 0.0;          ///< left until it is gone
+    std::uint64_t fieldBeyond = 0;     ///< ticks in which the hand was beyond the brick
   };
 
   static void step(TickContext& tick) noexcept;

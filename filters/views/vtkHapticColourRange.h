@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticColourRange_h
+#define vtkHapticColourRange_h
+
+#include <string>
+
+class vtkSMProxy;
+
+/// Gives a session's settings what the colour maps of a view say of the arrays that are felt and seen: to an array of
+/// stiffness, friction or texture the ends of its map as data range; to the values of a field the lowest value that the
+/// map shows half as opaque as any as isovalue (the middle where all are alike), its low end as first level and an
+/// eighth of it from level to level. A line for each that was given, "" where nothing that is felt is coloured by.
+std::string vtkHapticTakeColourRange(vtkSMProxy* view, vtkSMProxy* session);
+
+#endif

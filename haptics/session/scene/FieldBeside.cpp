@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/scene/FieldBeside.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+
+/// The values of a brick's scalar at the points of another grid; NaN where it has none.
+std::vector<float> sampledAt(const BrickGrid& grid, const Brick* values)
+{
+  std::vector<float> sampled(grid.points(), std::numeric_limits<float>::quiet_NaN());
+  std::size_t at = 0;
+  for (int z = 0; z < grid.size[2]; ++z)
+  {
+    for (int y = 0; y < grid.size[1]; ++y)
+    {
+      for (int x = 0; x < grid.size[0]; ++x, ++at)
+      {
+        const auto sample =
+          values ? values->sample(BrickRole::Scalar, grid.toWorld({ 1.0 * x, 1.0 * y, 1.0 * z })) : std::nullopt;
+        sampled[at] = sample ? static_cast<float>(sample->value) : sampled[at];
+      }
+    }
+  }
+  return sampled;
+}
+
+class ComparedField : public FieldSource
+{
+public:
+  ComparedField(std::shared_ptr<const FieldSource> field, std::shared_ptr<const FieldSource> other)
+    : field_(std::move(field)), other_(std::move(other))
+  {
+  }
+
+  [[nodiscard]] MadeBrick brickAround(const BrickWish& wish) const override
+  {
+    MadeBrick made = this->field_->brickAround(wish);
+    if (!made.brick)
+    {
+      return made;
+    }
+    const BrickGrid& grid = made.brick->grid();
+    const Vec3 last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
+    BrickWish beside{ grid.toWorld(0.5 * last), 0.5 * last.cwiseProduct(grid.spacing_u).norm(), wish.revision, {} };
+    const MadeBrick other = this->other_->brickAround(beside);
+    std::vector<BrickArray> arrays = made.brick->arrays();
+    arrays.push_back({ BrickRole::Other, "that of the other", sampledAt(grid, other.brick.get()) });
+    made.brick = std::make_shared<const Brick>(
+      wish.revision, grid, std::move(arrays), made.brick->places_W(), made.brick->lines_W());
+    made.error = std::max(made.error, other.error);
+    return made;
+  }
+
+private:
+  std::shared_ptr<const FieldSource> field_, other_;
+};
+
+double squareTo(const Vec3& point_W, const Vec3& from_W) noexcept
+{
+  return (point_W - from_W).squaredNorm();
+}
+
+double squareTo(const BrickLine& line_W, const Vec3& from_W) noexcept
+{
+  return squareTo(nearestOn(line_W, from_W), from_W);
+}
+
+/// The nearest of them that a brick can hold.
+template<class Place>
+std::vector<Place> nearestOf(std::vector<Place> places, const Vec3& from_W)
+{
+  const auto most = static_cast<std::ptrdiff_t>(std::min(places.size(), Brick::mostPlaces));
+  std::ranges::partial_sort(places, places.begin() + most, {}, [&](const Place& p) { return squareTo(p, from_W); });
+  places.resize(static_cast<std::size_t>(most));
+  return places;
+}
+
+class SnappingField : public FieldSource
+{
+public:
+  SnappingField(std::shared_ptr<const FieldSource> field, SnapPlaces places)
+    : field_(std::move(field)), places_(std::move(places))
+  {
+  }
+
+  [[nodiscard]] MadeBrick brickAround(const BrickWish& wish) const override
+  {
+    MadeBrick made = this->field_->brickAround(wish);
+    if (made.brick)
+    {
+      made.brick = std::make_shared<const Brick>(wish.revision, made.brick->grid(), made.brick->arrays(),
+        nearestOf(this->places_.points_W, wish.centre_W), nearestOf(this->places_.lines_W, wish.centre_W));
+    }
+    return made;
+  }
+
+private:
+  std::shared_ptr<const FieldSource> field_;
+  SnapPlaces places_;
+};
+
+} // namespace
+
+std::shared_ptr<const FieldSource> comparedWith(
+  std::shared_ptr<const FieldSource> field, std::shared_ptr<const FieldSource> other)
+{
+  return std::make_shared<ComparedField>(std::move(field), std::move(other));
+}
+
+std::shared_ptr<const FieldSource> snappingTo(std::shared_ptr<const FieldSource> field, SnapPlaces places)
+{
+  return std::make_shared<SnappingField>(std::move(field), std::move(places));
+}
+
+} // namespace palpate

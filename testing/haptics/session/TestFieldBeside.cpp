@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "haptics/recording/RecordedBricks.h"
+#include "haptics/session/scene/FeltField.h"
+#include "haptics/session/scene/FieldBeside.h"
+#include "testing/support/Fields.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// A grid of its own with a function of W, which is there wherever it is asked for.
+class GridSource : public FieldSource
+{
+public:
+  GridSource(BrickGrid grid, std::function<double(const Vec3&)> function)
+    : grid_(std::move(grid)), function_(std::move(function))
+  {
+  }
+  [[nodiscard]] MadeBrick brickAround(const BrickWish& wish) const override
+  {
+    const auto value = [this](const Vec3& index) { return this->function_(this->grid_.toWorld(index)); };
+    return { std::make_shared<const Brick>(wish.revision, this->grid_,
+               std::vector<BrickArray>{ { BrickRole::Scalar, "f", test::sampledValues(this->grid_.size, value) } }),
+      wish.centre_W, std::numeric_limits<double>::infinity(), "" };
+  }
+
+private:
+  BrickGrid grid_;
+  std::function<double(const Vec3&)> function_;
+};
+
+const BrickGrid coarseGrid{ { 9, 9, 9 }, Vec3::Ones() };
+const BrickGrid finerGrid{ { 12, 17, 17 }, Vec3::Constant(0.5), { Vec3(0.25, 0.0, 0.0) } };
+
+TEST(FieldBeside, IsComparedAtThePointsOfTheFieldAndOnlyWhereBothAre)
+{
+  const auto one = std::make_shared<GridSource>(coarseGrid, [](const Vec3& p) { return p.z(); });
+  const auto other = std::make_shared<GridSource>(finerGrid, [](const Vec3& p) { return p.z() + 0.25 * p.x(); });
+  const MadeBrick made = comparedWith(one, other)->brickAround({ Vec3(4, 4, 4), 4.0, 7 });
+  ASSERT_TRUE(made.brick);
+  EXPECT_EQ(made.brick->revision(), 7U);
+  for (double x = 1.0; x < 5.0; x += 0.5) // of what is linear, trilinear values are itself
+  {
+    const auto sample = made.brick->sample(BrickRole::Other, { x, 2.5, 3.25 });
+    ASSERT_TRUE(sample) << x;
+    EXPECT_NEAR(sample->value, 3.25 + 0.25 * x, 1e-5);
+  }
+  EXPECT_TRUE(made.brick->sample(BrickRole::Scalar, { 7.0, 4, 4 }));
+  EXPECT_FALSE(made.brick->sample(BrickRole::Other, { 7.0, 4, 4 })) << "the other ends at 5.75, in the cell from 5 to 6";
+  EXPECT_FALSE(made.brick->sample(BrickRole::Other, { 0.1, 4, 4 })) << "and begins at 0.25";
+}
+
+TEST(FieldBeside, IsSnappedToAtTheGivenPlacesNearestToTheHandAndARecordingKeepsThem)
+{
+  SnapPlaces places;
+  for (int i = 0; i < 1000; ++i)
+  {
+    places.points_W.emplace_back(i, 0, 0);
+    places.lines_W.push_back({ Vec3(0, i, -50), Vec3(0, i, 50) });
+  }
+  const auto field = std::make_shared<GridSource>(coarseGrid, [](const Vec3& p) { return p.z(); });
+  const MadeBrick made = snappingTo(field, places)->brickAround({ Vec3(500, 300, 3), 4.0, 7 });
+  ASSERT_TRUE(made.brick);
+  ASSERT_EQ(made.brick->places_W().size(), Brick::mostPlaces);
+  ASSERT_EQ(made.brick->lines_W().size(), Brick::mostPlaces);
+  for (std::size_t i = 0; i < Brick::mostPlaces; ++i)
+  {
+    EXPECT_LE(std::fabs(made.brick->places_W()[i].x() - 500.0), 128.0);
+    EXPECT_LE(std::fabs(made.brick->lines_W()[i][0].y() - 300.0), 128.0);
+  }
+  ByteWriter out;
+  putBrick(out, *made.brick);
+  ByteReader in(out.bytes().data(), out.bytes().size());
+  const auto read = readBrick(in);
+  ASSERT_TRUE(read && in.ok());
+  EXPECT_EQ(read->contentHash(), made.brick->contentHash());
+  EXPECT_EQ(read->lines_W(), made.brick->lines_W());
+  const std::size_t withoutLines = out.bytes().size() - sizeof(std::uint64_t) - 6 * sizeof(double) * Brick::mostPlaces;
+  ByteReader older(out.bytes().data(), withoutLines);
+  static_cast<void>(readBrick(older));
+  EXPECT_FALSE(older.ok()) << "lines are part of what it is";
+  const Brick plain(1, coarseGrid, made.brick->arrays());
+  ByteWriter before;
+  putBrick(before, plain);
+  ByteReader cut(before.bytes().data(), before.bytes().size() - sizeof(std::uint64_t));
+  EXPECT_TRUE(readBrick(cut) && cut.ok()) << "as recordings were before there were lines";
+}
+
+TEST(FieldLevels, ThatTheDataDoNotHaveAreSaidAndAreAProblemWhereNothingElseIsFelt)
+{
+  const FieldEnds ends{ 10.0, 20.0 };
+  FieldPlan plan;
+  plan.isosurface = true;
+  plan.isovalue = 20.0;
+  EXPECT_EQ(levelSentence(plan, ends), "");
+  plan.isovalue = 25.0;
+  EXPECT_NE(levelProblem(plan, ends).find("from 10 to 20: none of them is the isovalue 25"), std::string::npos);
+  plan.detent.strength_N = 0.5;
+  plan.detent.origin = 3.0;
+  plan.detent.spacing = 4.0; // 11, 15, 19
+  EXPECT_NE(levelSentence(plan, ends), "");
+  EXPECT_EQ(levelProblem(plan, ends), "") << "the levels are felt";
+  plan.detent.spacing = 30.0; // 3, 33
+  EXPECT_NE(levelProblem(plan, ends).find("and no level is among them"), std::string::npos);
+  ASSERT_EQ(setLevels(plan.detent, "1, 12"), "");
+  EXPECT_EQ(levelProblem(plan, ends), "");
+  ASSERT_EQ(setLevels(plan.detent, "1, 32"), "");
+  EXPECT_NE(levelProblem(plan, ends), "");
+  plan.drag_N = 0.1;
+  EXPECT_EQ(levelProblem(plan, ends), "");
+  EXPECT_NE(levelSentence(plan, ends), "") << "said all the same";
+  EXPECT_EQ(levelSentence(plan, { 1.0, 0.0 }), "") << "directions alone have no values";
+}
+
+} // namespace
+} // namespace palpate
