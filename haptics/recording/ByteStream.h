@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -46,6 +47,14 @@ public:
   {
     this->put(pose.p);
     this->put(pose.q);
+  }
+  template<class T, std::size_t N>
+  void put(const std::array<T, N>& values)
+  {
+    for (const T& value : values)
+    {
+      this->put(value);
+    }
   }
   void put(const std::optional<double>& number)
   {
@@ -105,6 +114,14 @@ public:
   {
     this->get(pose.p);
     this->get(pose.q);
+  }
+  template<class T, std::size_t N>
+  void get(std::array<T, N>& values)
+  {
+    for (T& value : values)
+    {
+      this->get(value);
+    }
   }
   void get(std::optional<double>& number)
   {
