@@ -52,13 +52,6 @@ std::optional<Vec3> OnPlane(vtkRenderer* renderer, double x, double y, const Vec
   return p_W;
 }
 
-/// Polygons in a search tree, in the frame of their actor.
-struct Piece
-{
-  vtkSmartPointer<vtkStaticCellLocator> Tree;
-  vtkSmartPointer<vtkMatrix4x4> FromWorld;
-};
-
 vtkSmartPointer<vtkStaticCellLocator> TreeOf(vtkPolyData& shown)
 {
   vtkNew<vtkPolyData> polygons;
@@ -71,52 +64,11 @@ vtkSmartPointer<vtkStaticCellLocator> TreeOf(vtkPolyData& shown)
   return tree;
 }
 
-std::vector<Piece> PiecesOf(vtkSMRenderViewProxy* view)
-{
-  std::vector<Piece> pieces;
-  vtkHapticShapes shapes;
-  for (const vtkHapticViewScan::Surface& surface : vtkHapticScanView(view, shapes).Surfaces)
-  {
-    auto fromWorld = vtkSmartPointer<vtkMatrix4x4>::New();
-    vtkMatrix4x4::Invert(surface.Matrix, fromWorld);
-    vtkHapticForEachDataSet(surface.Data,
-      [&](vtkDataSet& set)
-      {
-        auto* const shown = vtkPolyData::SafeDownCast(&set);
-        if (shown && shown->GetNumberOfPolys() + shown->GetNumberOfStrips() > 0)
-        {
-          pieces.push_back({ TreeOf(*shown), fromWorld });
-        }
-      });
-  }
-  return pieces;
-}
-
 Vec3 In(vtkMatrix4x4* frame, const Vec3& p_W)
 {
   double p[4] = { p_W.x(), p_W.y(), p_W.z(), 1.0 };
   frame->MultiplyPoint(p, p);
   return Vec3(p) / p[3];
-}
-
-/// The first point of the way between two that is in a polygon.
-std::optional<Vec3> FirstOn(const std::vector<Piece>& pieces, const Vec3& near_W, const Vec3& far_W)
-{
-  double first = 2.0; // more than all of the way
-  for (const Piece& piece : pieces)
-  {
-    const Vec3 from = In(piece.FromWorld, near_W), to = In(piece.FromWorld, far_W);
-    constexpr double rounding = 1e-9; // of the size: no ray slips through between two polygons
-    const double tolerance = rounding * piece.Tree->GetDataSet()->GetLength();
-    double share = 0.0, at[3], inCell[3];
-    int part = 0;
-    vtkIdType cell = -1;
-    if (piece.Tree->IntersectWithLine(from.data(), to.data(), tolerance, share, at, inCell, part, cell))
-    {
-      first = std::min(first, share);
-    }
-  }
-  return first <= 1.0 ? std::optional(Vec3(near_W + first * (far_W - near_W))) : std::nullopt;
 }
 } // namespace
 
@@ -131,10 +83,67 @@ vtkHapticPencilGround vtkHapticScreenGround(vtkRenderer* renderer)
   return vtkHapticPlaneGround(renderer, Vec3(camera->GetFocalPoint()), Vec3(camera->GetDirectionOfProjection()));
 }
 
-vtkHapticPencilGround vtkHapticSurfaceGround(vtkSMRenderViewProxy* view, double x, double y)
+/// Polygons of one actor, in its frame.
+struct vtkHapticSurfaceGround::Piece
 {
-  const auto pieces = std::make_shared<const std::vector<Piece>>(PiecesOf(view));
-  const vtkHapticPencilGround ground = [pieces, renderer = view->GetRenderer()](double atX, double atY)
-  { return FirstOn(*pieces, Unprojected(renderer, atX, atY, 0.0), Unprojected(renderer, atX, atY, 1.0)); };
+  vtkSmartPointer<vtkStaticCellLocator> Tree;
+  vtkSmartPointer<vtkMatrix4x4> FromWorld;
+
+  /// As a share of the way from one point to another, where that first meets a polygon; none where it does not.
+  [[nodiscard]] std::optional<double> FirstOn(const Vec3& from_W, const Vec3& to_W) const
+  {
+    const Vec3 from = In(this->FromWorld, from_W), to = In(this->FromWorld, to_W);
+    constexpr double rounding = 1e-9; // of the size: no ray slips through between two polygons
+    const double tolerance = rounding * this->Tree->GetDataSet()->GetLength();
+    double share = 0.0, at[3], inCell[3];
+    int part = 0;
+    vtkIdType cell = -1;
+    const bool met =
+      this->Tree->IntersectWithLine(from.data(), to.data(), tolerance, share, at, inCell, part, cell) != 0;
+    return met ? std::optional(share) : std::nullopt;
+  }
+
+  static std::vector<Piece> Of(const vtkHapticViewScan& scan)
+  {
+    std::vector<Piece> pieces;
+    for (const vtkHapticViewScan::Surface& surface : scan.Surfaces)
+    {
+      auto fromWorld = vtkSmartPointer<vtkMatrix4x4>::New();
+      vtkMatrix4x4::Invert(surface.Matrix, fromWorld);
+      vtkHapticForEachDataSet(surface.Data,
+        [&](vtkDataSet& set)
+        {
+          auto* const shown = vtkPolyData::SafeDownCast(&set);
+          if (shown && shown->GetNumberOfPolys() + shown->GetNumberOfStrips() > 0)
+          {
+            pieces.push_back({ TreeOf(*shown), fromWorld });
+          }
+        });
+    }
+    return pieces;
+  }
+};
+
+vtkHapticPencilGround vtkHapticSurfaceGround::At(vtkSMRenderViewProxy* view, double x, double y)
+{
+  vtkHapticShapes shapes;
+  vtkHapticViewScan now = vtkHapticScanView(view, shapes);
+  if (!this->Pieces || !now.SameAs(this->Scan))
+  {
+    this->Pieces = std::make_shared<const std::vector<Piece>>(Piece::Of(now));
+    this->Scan = std::move(now);
+  }
+  const vtkHapticPencilGround ground = [pieces = this->Pieces, renderer = view->GetRenderer()](
+                                         double atX, double atY) -> std::optional<Vec3>
+  {
+    const Vec3 near_W = Unprojected(renderer, atX, atY, 0.0), far_W = Unprojected(renderer, atX, atY, 1.0);
+    std::optional<double> first;
+    for (const Piece& piece : *pieces)
+    {
+      const std::optional<double> share = piece.FirstOn(near_W, far_W);
+      first = share ? std::min(*share, first.value_or(*share)) : first;
+    }
+    return first ? std::optional(Vec3(near_W + *first * (far_W - near_W))) : std::nullopt;
+  };
   return ground(x, y) ? ground : nullptr;
 }

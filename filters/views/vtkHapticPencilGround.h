@@ -3,9 +3,12 @@
 #define vtkHapticPencilGround_h
 
 #include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "haptics/core/Types.h"
+#include "vtkHapticViewScan.h"
 
 class vtkRenderer;
 class vtkSMRenderViewProxy;
@@ -18,8 +21,20 @@ using vtkHapticPencilGround = std::function<std::optional<palpate::Vec3>(double 
   vtkRenderer* renderer, const palpate::Vec3& point_W, const palpate::Vec3& normal_W);
 /// The plane through the camera's focal point, parallel to the screen.
 [[nodiscard]] vtkHapticPencilGround vtkHapticScreenGround(vtkRenderer* renderer);
-/// The polygons that the view shows now, as vtkHapticScanView() finds them, on the side that is seen; null where none
-/// is under that place. Takes as long as a search tree of them.
-[[nodiscard]] vtkHapticPencilGround vtkHapticSurfaceGround(vtkSMRenderViewProxy* view, double x, double y);
+
+/// The polygons that a view shows, as vtkHapticScanView() finds them. Search trees of those that stay as they are serve
+/// one line after the other: a million triangles take half a second.
+class vtkHapticSurfaceGround
+{
+public:
+  /// What is nearest to the eye of the polygons that are shown now; null where none is under that place.
+  [[nodiscard]] vtkHapticPencilGround At(vtkSMRenderViewProxy* view, double x, double y);
+
+private:
+  struct Piece;
+
+  vtkHapticViewScan Scan;
+  std::shared_ptr<const std::vector<Piece>> Pieces; ///< of Scan
+};
 
 #endif
