@@ -7,6 +7,7 @@
 #include "pqDataRepresentation.h"
 #include "pqEventDispatcher.h"
 #include "pqHapticController.h"
+#include "pqHapticPanelChecks.h"
 #include "pqHapticViewFollower.h"
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
@@ -22,10 +23,8 @@
 #include "vtkSMTrace.h"
 #include "vtkSmartPointer.h"
 
-#include <QAbstractButton>
 #include <QCoreApplication>
 #include <QElapsedTimer>
-#include <QKeySequence>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QStringList>
@@ -78,6 +77,8 @@ std::function<double(vtkHapticSession&)> QuantityOf(const QString& name)
     { "recorded", [](S s) { return *s.GetRecordedFile() != '\0' ? 1.0 : 0.0; } },
     { "turned", [](S s) { return TurnOf(s); } },
     { "clutch", [](S s) { return s.GetClutch() ? 1.0 : 0.0; } },
+    { "precision", [](S s) { return s.GetPrecision() ? 1.0 : 0.0; } },
+    { "cancelled", [](S s) { return static_cast<double>(s.GetScenesCancelled()); } },
     { "arrived", [](S s) { return PhaseIs(s, "arrived") || PhaseIs(s, "rests") ? 1.0 : 0.0; } },
     { "depth", [](S s) { return s.GetDepth(); } },
     { "contacts", [](S s) { return static_cast<double>(s.GetContacts()); } },
@@ -127,9 +128,12 @@ bool pqHapticEventPlayer::playEvent(QObject* object, const QString& command, con
     { "hapticWaitUntilReleased", [&] { return this->waitUntilReleased(arguments.toInt()); } },
     { "hapticWaitFor", [&] { return this->waitFor(list); } },
     { "hapticCheck", [&] { return this->check(list); } },
-    { "hapticMnemonics", [&] { return this->checkMnemonics(object); } },
+    { "hapticMnemonics", [&] { return pqHapticHasMnemonics(object); } },
+    { "hapticText",
+      [&] { return pqHapticHasReadableText(object, list.value(0).toDouble(), list.value(1).toDouble()); } },
+    { "hapticDark", [&] { return pqHapticGoDark(); } },
     { "hapticAnotherSession", [&] { return this->replaceSession(); } },
-    { "hapticTabOrder", [&] { return this->checkTabOrder(object, list); } },
+    { "hapticTabOrder", [&] { return pqHapticHasTabOrder(object, list); } },
   };
   const auto found = commands.find(command);
   if (found == commands.end())
@@ -372,47 +376,6 @@ bool pqHapticEventPlayer::holds(const QStringList& range) const
   session->Update();
   const auto quantity = QuantityOf(range[0]);
   return quantity && quantity(*session) >= range[1].toDouble() && quantity(*session) <= range[2].toDouble();
-}
-
-bool pqHapticEventPlayer::checkTabOrder(QObject* object, const QStringList& names) const
-{
-  const auto* first = object->findChild<QWidget*>(names.value(0));
-  QStringList reached;
-  for (const QWidget* at = first; at && (reached.isEmpty() || at != first); at = at->nextInFocusChain())
-  {
-    if (names.contains(at->objectName()) && (at->focusPolicy() & Qt::TabFocus))
-    {
-      reached << at->objectName();
-    }
-  }
-  if (reached != names)
-  {
-    qCritical() << "hapticTabOrder" << names << ": Tab goes to" << reached;
-  }
-  return reached == names;
-}
-
-/// A letter stands in a word and for one thing; a title without one is reached by Tab.
-bool pqHapticEventPlayer::checkMnemonics(QObject* object) const
-{
-  QStringList keys, footnotes;
-  for (const QWidget* widget : object->findChildren<QWidget*>())
-  {
-    const auto* label = qobject_cast<const QLabel*>(widget);
-    const auto* button = qobject_cast<const QAbstractButton*>(widget);
-    const bool leads = label && label->buddy() && (label->buddy()->focusPolicy() & Qt::TabFocus);
-    const QString title = leads ? label->text() : button ? button->text() : QString();
-    const QString key = QKeySequence::mnemonic(title).toString();
-    keys << (key.isEmpty() ? QStringList() : QStringList(key));
-    footnotes << (title.contains("(&") ? QStringList(title) : QStringList());
-  }
-  const int twice = keys.removeDuplicates();
-  if (twice > 0 || !footnotes.isEmpty() || keys.isEmpty())
-  {
-    qCritical() << "hapticMnemonics:" << twice << "stand twice, and these read as footnotes:" << footnotes;
-    return false;
-  }
-  return true;
 }
 
 /// As a script does it. The one before must be left in peace.

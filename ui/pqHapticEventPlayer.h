@@ -30,10 +30,11 @@ class pqHapticController;
  *   hapticWaitFor "name,low,high,ms" processes events until hapticCheck would pass, at most that long
  *   hapticTabOrder "name,name,..."   fails unless Tab goes through these fields of the object in this order
  *   hapticMnemonics ""               fails unless all that can be edited in the object has a mnemonic of its own
- *   hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
+ *   hapticText "contrast,ratio"      pqHapticHasReadableText(); hapticDark "": all windows are light on dark from now
+ * on hapticAnotherSession ""          registers one as a script does; fails if the one before still touches or checks
  *
  * Names: force [N], depth [u], contacts, ticks, missed, largestStiffness [N/m], delay [ticks], velocityMethod; 0 or 1:
- * limitStiffness, passivity and arrived (at the exit of a labyrinth).
+ * limitStiffness, passivity, clutch, precision and arrived (at the exit of a labyrinth).
  *
  * Q_OBJECT is required: ParaView keys players by class name.
  */
@@ -69,9 +70,7 @@ private:
   bool waitFor(const QStringList& arguments);
   bool holds(const QStringList& range) const;
   bool check(const QStringList& range);
-  bool checkMnemonics(QObject* object) const;
   bool replaceSession();
-  bool checkTabOrder(QObject* object, const QStringList& names) const;
 
   pqHapticController* Controller;
   double Hand_W[3] = { 0.0, 0.0, 0.0 }; ///< where the script put it last [u]

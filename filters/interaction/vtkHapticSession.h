@@ -238,6 +238,7 @@ public:
 
   /// Scale and offset such that the device's workspace holds the whole committed scene, once it is built, life size no
   /// longer, and the rotation of a plane world for a device that moves in a plane (PropertyModifiedEvent).
+  /// UpdateDataEvent comes before: whoever follows a view hands over what it shows now.
   void FitWorkspace();
   /// Whether lines that are walls across one plane are all that is touched; a point of that plane and its unit normal,
   /// in W [u]; how many walls the device holds now; how much of the guide to the plane acts, 0 to 1.
@@ -398,6 +399,7 @@ private:
   void Play(palpate::HapticDevice& device);
   /// The map does what clutch, precision and view ask for.
   void FollowHand();
+  void FollowMouseClutch();
   void AlignOnTouch(palpate::HapticDevice& device);
   /// Touching has ended: nothing is held any more.
   void LetHandGo();

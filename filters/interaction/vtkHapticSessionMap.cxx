@@ -23,6 +23,7 @@ std::vector<std::string> LinesOf(const char* text)
 void vtkHapticSession::FitWorkspace()
 {
   Internals& impl = *this->Impl;
+  this->InvokeEvent(vtkCommand::UpdateDataEvent);
   impl.FitAsked = impl.Scene.worker().building();
   const bool nothing = !impl.FitAsked && !impl.IsFittable();
   const std::string problem = nothing ? "there is nothing to fit the hand to: show a surface that can be touched" : "";

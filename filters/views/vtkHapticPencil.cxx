@@ -74,13 +74,14 @@ public:
   bool Active = false;
   bool Drawing = false; ///< the button is held
   vtkHapticPencilStroke Stroke;
+  vtkHapticSurfaceGround Surfaces;       ///< that are drawn on
   vtkWeakPointer<vtkSMSourceProxy> Line; ///< the pipeline keeps it
 
   /// True: nobody else is to hear of it.
   bool Heard(vtkObject*, unsigned long event, void*);
   void Watch(vtkSMRenderViewProxy* view);
   void ViewDeleted();
-  vtkHapticPencilStroke NewStroke() const;
+  vtkHapticPencilStroke NewStroke();
   void Draw();
   void ShowStroke();
   void End();
@@ -114,12 +115,16 @@ bool vtkHapticPencil::Internals::Heard(vtkObject*, unsigned long event, void*)
   return taken;
 }
 
-vtkHapticPencilStroke vtkHapticPencil::Internals::NewStroke() const
+vtkHapticPencilStroke vtkHapticPencil::Internals::NewStroke()
 {
   palpate::Vec3 point_W, normal_W;
-  return this->Session && this->Session->GetPlane(point_W.data(), normal_W.data())
-           ? vtkHapticPencilStroke(point_W, normal_W)
-           : vtkHapticPencilStroke::OnScreen(this->View->GetRenderer());
+  if (this->Session && this->Session->GetPlane(point_W.data(), normal_W.data()))
+  {
+    return vtkHapticPencilStroke(vtkHapticPlaneGround(this->View->GetRenderer(), point_W, normal_W));
+  }
+  const int* at = this->Interactor->GetEventPosition();
+  const vtkHapticPencilGround surface = this->Surfaces.At(this->View, at[0], at[1]);
+  return vtkHapticPencilStroke(surface ? surface : vtkHapticScreenGround(this->View->GetRenderer()));
 }
 
 void vtkHapticPencil::Internals::Draw()
@@ -240,6 +245,7 @@ void vtkHapticPencil::SetView(vtkSMProxy* view)
   {
     this->Impl->End();
     this->Impl->Forget();
+    this->Impl->Surfaces = {};
     this->Impl->Watch(next);
     this->Impl->Listen();
     this->Modified();
@@ -262,6 +268,7 @@ void vtkHapticPencil::SetActive(bool active)
   {
     this->Impl->End();
     this->Impl->Forget();
+    this->Impl->Surfaces = {};
     this->Impl->Active = active;
     this->Impl->Listen();
     this->Modified();

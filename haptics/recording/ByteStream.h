@@ -48,12 +48,12 @@ public:
     this->put(pose.p);
     this->put(pose.q);
   }
-  template<std::size_t n>
-  void put(const std::array<double, n>& numbers)
+  template<class T, std::size_t N>
+  void put(const std::array<T, N>& values)
   {
-    for (const double number : numbers)
+    for (const T& value : values)
     {
-      this->put(number);
+      this->put(value);
     }
   }
   void put(const std::optional<double>& number)
@@ -96,14 +96,6 @@ public:
     this->ok_ = this->ok_ && byte <= 1;
     value = byte == 1;
   }
-  template<std::size_t n>
-  void get(std::array<double, n>& numbers)
-  {
-    for (double& number : numbers)
-    {
-      this->get(number);
-    }
-  }
   void get(Vec3& v)
   {
     for (int k = 0; k < 3; ++k)
@@ -122,6 +114,14 @@ public:
   {
     this->get(pose.p);
     this->get(pose.q);
+  }
+  template<class T, std::size_t N>
+  void get(std::array<T, N>& values)
+  {
+    for (T& value : values)
+    {
+      this->get(value);
+    }
   }
   void get(std::optional<double>& number)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/recording/RecordedBricks.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -34,6 +35,22 @@ std::vector<BrickLine> readLines(ByteReader& in)
     in.get(line_W[1]);
   }
   return lines_W;
+}
+
+bool isPossible(const GridPlace& place)
+{
+  constexpr int furthest = 1000000000; // GridPlace::at() has none further out
+  return std::all_of(place.cell.begin(), place.cell.end(), [](int at) { return -furthest <= at && at <= furthest; }) &&
+         (place.t.array() >= 0.0).all() && (place.t.array() <= 1.0).all();
+}
+
+bool isPossible(const Brick& brick, const IsoState& state)
+{
+  const BrickComponent field = brick.component(BrickRole::Scalar);
+  return isPossible(state.x) && isPossible(state.device) && state.count >= 0 && state.count <= IsoState::mostCells &&
+         (state.count == 0 || field.exists()) &&
+         std::all_of(state.cells.begin(), state.cells.begin() + state.count,
+           [&field](const GridIndex& cell) { return field.holds(cell); });
 }
 
 } // namespace
@@ -102,6 +119,15 @@ std::shared_ptr<const Brick> readBrick(ByteReader& in)
   auto brick = std::make_shared<const Brick>(0, grid, std::move(arrays), std::move(places_W), std::move(lines_W));
   in.failUnless(brick->contentHash() == contentHash);
   return brick;
+}
+
+void keepCellsWithin(const std::vector<std::shared_ptr<const Brick>>& bricks, FieldState& state)
+{
+  const auto isIt = [&state](const auto& brick) { return brick->contentHash() == state.brick; };
+  const auto found = std::find_if(bricks.begin(), bricks.end(), isIt);
+  const bool kept = found != bricks.end() && isPossible(**found, state.surface) && isPossible(**found, state.click);
+  state = kept ? state : FieldState{};
+  state.grid = kept ? (*found)->grid() : BrickGrid{};
 }
 
 } // namespace palpate

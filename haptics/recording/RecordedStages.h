@@ -14,7 +14,7 @@ namespace palpate
 void putParameters(ByteWriter& out, const HapticParameters& parameters);
 void putState(ByteWriter& out, const RendererState& state);
 /// What a recording that begins with this state knows of it: all but the features that are touched, which are numbers
-/// of surfaces and triangles, and the positions of before. Real-time safe.
+/// of surfaces and triangles, and the positions of before. Of a field that is felt it knows the cells. Real-time safe.
 [[nodiscard]] RendererState recordedPart(const RendererState& state) noexcept;
 void getParameters(ByteReader& in, HapticParameters& parameters, SkippedParts& skipped);
 void getState(ByteReader& in, RendererState& state, SkippedParts& skipped);

@@ -7,6 +7,7 @@
 
 #include "haptics/recording/Format5.h"
 #include "haptics/recording/NamedParts.h"
+#include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/RecordedChunk.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/recording/RecordingLayout.h"
@@ -173,6 +174,7 @@ std::variant<Recording, std::string> parseRecording(const std::vector<char>& byt
     recording.device = header.device;
     problem = isFormat5 ? readStart5(in, recording) : "";
     problem = problem.empty() ? ChunkParser(recording, isFormat5).parse(in) : problem;
+    keepCellsWithin(recording.bricks, recording.initialState.field);
   }
   if (!problem.empty())
   {

@@ -127,13 +127,13 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->recordings.emplace(run->links.recorder, options.virtualTime);
   if (!options.recordFile.empty())
   {
-    const std::string refused = run->recordings->begin(options.recordFile, run->device->info().name, this->scene_);
+    const std::string refused =
+      run->recordings->begin(options.recordFile, run->device->info().name, this->scene_, this->brick_);
     if (!refused.empty())
     {
       run->device->close();
       return refused;
     }
-    run->recordings->storeBrick(this->brick_);
   }
   run->links.parameters.write({ this->version_, run->adapted });
   run->links.scenes.publish(this->scene_);
@@ -291,12 +291,8 @@ int HapticSession::step(int ticks)
 
 std::string HapticSession::record(const std::string& file)
 {
-  if (!this->run_)
-  {
-    return "nothing is touched that could be recorded";
-  }
-  return this->brick_ ? "a field is felt, and a recording has no place in it to begin with: let go, then touch again"
-                      : this->run_->recordings->begin(file, this->run_->device->info().name, this->scene_);
+  return this->run_ ? this->run_->recordings->begin(file, this->run_->device->info().name, this->scene_, this->brick_)
+                    : "nothing is touched that could be recorded";
 }
 
 void HapticSession::endRecording()

@@ -6,8 +6,8 @@
 namespace palpate
 {
 
-std::string Recordings::begin(
-  const std::string& file, const std::string& device, const std::shared_ptr<const Scene>& scene)
+std::string Recordings::begin(const std::string& file, const std::string& device,
+  const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Brick>& brick)
 {
   auto next = std::make_unique<Recorder>();
   std::string problem = next->open(file, device, !this->virtualTime_);
@@ -16,6 +16,7 @@ std::string Recordings::begin(
     this->end();
     this->current_ = Going{ file, std::move(next) };
     this->storeScene(scene);
+    this->storeBrick(brick);
     this->link_.store(this->current_->recorder.get(), std::memory_order_release);
   }
   return problem;

@@ -28,8 +28,8 @@ public:
   Recordings(std::atomic<Recorder*>& link, bool virtualTime) : link_(link), virtualTime_(virtualTime) {}
 
   /// From the next tick on; the one before ends there. Empty, or one sentence; then the one before goes on.
-  [[nodiscard]] std::string begin(
-    const std::string& file, const std::string& device, const std::shared_ptr<const Scene>& scene);
+  [[nodiscard]] std::string begin(const std::string& file, const std::string& device,
+    const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Brick>& brick);
   /// The servo lets go of it before its next tick.
   void end();
   [[nodiscard]] bool running() const noexcept { return this->current_.has_value(); }

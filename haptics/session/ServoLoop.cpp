@@ -109,11 +109,18 @@ void ServoLoop::takeBrick() noexcept
   }
 }
 
-/// Not in a tick that replaces a scene: what was touched before is no part of a recording that begins there.
+bool ServoLoop::replacesTouched() const noexcept
+{
+  const std::uint64_t before = this->renderer_.field.brick;
+  const std::uint64_t now = this->input_.brick != nullptr ? this->input_.brick->contentHash() : 0;
+  return this->input_.previousScene != nullptr || (before != 0 && before != now);
+}
+
+/// Not in a tick that replaces a scene or a field: what was touched before is no part of a recording that begins there.
 void ServoLoop::followRecorder() noexcept
 {
   Recorder* const wanted = this->links_.recorder.load(std::memory_order_acquire);
-  if (wanted == this->recorder_ || this->input_.previousScene != nullptr)
+  if (wanted == this->recorder_ || this->replacesTouched())
   {
     return;
   }

@@ -80,6 +80,8 @@ private:
   void letGo() noexcept;
   void takeChanges() noexcept;
   void takeBrick() noexcept;
+  /// Whether another scene, or another field, than in the tick before is touched in this one.
+  [[nodiscard]] bool replacesTouched() const noexcept;
   void pushTouched() noexcept;
   /// How much later the thread ran than its next period began, missed periods included [s].
   [[nodiscard]] double behind_s(const Wakeup& wakeup) const noexcept;

@@ -81,8 +81,25 @@ bool flip(test::Random& random)
   return random.uniform(0.0, 1.0) < 0.5;
 }
 
-/// A cone and a box that no turn takes into themselves, in any way the mapper can draw them.
-vtkSmartPointer<vtkGlyph3DMapper> someMapper(test::Random& random)
+/// A cone, and a box with a smaller one above it.
+vtkSmartPointer<vtkMultiBlockDataSet> table(vtkPolyData* cone, vtkPolyData* box)
+{
+  vtkNew<vtkCubeSource> small;
+  small->SetCenter(0.3, 0.0, 1.8);
+  small->SetXLength(0.5);
+  small->Update();
+  vtkNew<vtkMultiBlockDataSet> two;
+  two->SetBlock(0, box);
+  two->SetBlock(1, small->GetOutput());
+  auto all = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  all->SetBlock(0, cone);
+  all->SetBlock(1, two);
+  return all;
+}
+
+/// A cone and a box that no turn takes into themselves, in any way the mapper can draw them; as a table of composite
+/// glyphs if `asTable`.
+vtkSmartPointer<vtkGlyph3DMapper> someMapper(test::Random& random, bool asTable = false)
 {
   vtkNew<vtkConeSource> cone;
   cone->SetResolution(5);
@@ -94,8 +111,18 @@ vtkSmartPointer<vtkGlyph3DMapper> someMapper(test::Random& random)
   box->SetCenter(0.3, 0.0, 0.6);
   auto mapper = vtkSmartPointer<vtkGlyph3DMapper>::New();
   mapper->SetInputData(someCloud(random));
-  mapper->SetSourceConnection(0, cone->GetOutputPort());
-  mapper->SetSourceConnection(1, box->GetOutputPort());
+  if (asTable)
+  {
+    cone->Update();
+    box->Update();
+    mapper->SetSourceTableTree(table(cone->GetOutput(), box->GetOutput()));
+    mapper->UseSourceTableTreeOn();
+  }
+  else
+  {
+    mapper->SetSourceConnection(0, cone->GetOutputPort());
+    mapper->SetSourceConnection(1, box->GetOutputPort());
+  }
   mapper->SetRange(0.25, 1.25);
   mapper->SetScaling(flip(random));
   mapper->SetScaleFactor(random.uniform(0.5, 2.0));
@@ -156,7 +183,7 @@ TEST(HapticGlyphs, LieWhereVTKDrawsThemWhateverTheMapperIsToldToDo)
   std::size_t all = 0;
   for (std::size_t i = 0; i < test::testCount(30); ++i)
   {
-    const auto mapper = someMapper(random);
+    const auto mapper = someMapper(random, i % 3 == 2);
     const vtkHapticShape shape = vtkHapticGlyphsOf(mapper);
     ASSERT_EQ(shape.Problem, "") << i;
     vtkNew<vtkCompositePolyDataMapper2> copies;

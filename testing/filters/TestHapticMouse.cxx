@@ -280,6 +280,58 @@ TEST_P(HapticMouseInBothViews, WhatAppearsAroundThePressingHandIsPressedFromOuts
   EXPECT_LT(this->force().norm(), 1e-6); // free air is free
 }
 
+// A fifth of the pointer's way is the hand's, from where it became precise; then all of it again.
+TEST_P(HapticMouseInBothViews, PreciseAWayOfThePointerIsThatMuchShorterUntilTheHandIsLifted)
+{
+  this->show(makePlane(100.0));
+  this->lookDown();
+  this->engage();
+  this->press(200.0, 150.0);
+  this->session_->SetPrecisionFactor(5.0);
+  this->session_->PrecisionOn();
+  this->press(230.0, 165.0);
+  EXPECT_LT((this->proxy() - this->ray(206.0, 153.0).atHeight(0.0)).norm(), 1e-9);
+  EXPECT_LT((this->force() - force_N * Vec3::UnitZ()).norm(), 1e-9);
+  this->session_->PrecisionOff();
+  this->press(240.0, 165.0);
+  EXPECT_LT((this->proxy() - this->ray(216.0, 153.0).atHeight(0.0)).norm(), 1e-9);
+  this->mouse_->SetPressing(false);
+  this->rest(framesToArrive);
+  EXPECT_LT(this->ray(240.0, 165.0).distanceTo(this->hand()), 1e-9);
+  this->session_->PrecisionOn();
+  this->mouse_->SetPointer(180.0, 140.0);
+  this->rest(framesToArrive);
+  EXPECT_LT(this->ray(180.0, 140.0).distanceTo(this->hand()), 1e-9) << "it hovers";
+}
+
+TEST_P(HapticMouseInBothViews, WhileTheClutchIsHeldThePointerMovesAndTheHandDoesNotAndGoesOnFromThere)
+{
+  this->show(makePlane(100.0));
+  this->lookDown();
+  this->engage();
+  this->press(200.0, 150.0);
+  const Vec3 held_W = this->hand();
+  this->session_->ClutchOn();
+  for (int i = 1; i <= 30; ++i)
+  {
+    this->mouse_->SetPointer(200.0 + 2 * i, 150.0);
+    this->rest(1);
+    ASSERT_EQ(this->hand(), held_W);
+  }
+  EXPECT_EQ(this->force().norm(), 0.0);
+  this->session_->ClutchOff();
+  this->rest(framesToEngage);
+  EXPECT_LT((this->proxy() - this->ray(200.0, 150.0).atHeight(0.0)).norm(), 1e-9);
+  EXPECT_LT((this->force() - force_N * Vec3::UnitZ()).norm(), 1e-9);
+  this->press(270.0, 150.0);
+  EXPECT_LT((this->proxy() - this->ray(210.0, 150.0).atHeight(0.0)).norm(), 1e-9);
+  const Vec3 offset_W(this->session_->GetOffset());
+  this->session_->ClutchOn();
+  this->rest(1);
+  this->session_->TouchingOff();
+  EXPECT_EQ(Vec3(this->session_->GetOffset()), offset_W) << "of what a pointer did the map knows nothing";
+}
+
 TEST_F(HapticMouse, AnotherDeviceIsNotLed)
 {
   this->show(makePlane(100.0));

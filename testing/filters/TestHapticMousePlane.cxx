@@ -69,6 +69,16 @@ TEST_F(HapticMousePlane, APointerThatLeavesTheViewLetsTheHandRestAtTheProxy)
   EXPECT_LE(this->force().norm(), 1e-9);
 }
 
+TEST_F(HapticMousePlane, PreciseTheHandGoesAFourthOfTheWayInThePlane)
+{
+  this->begin(above_W, true); // without perspective equal ways on the screen are equal ways in the plane
+  this->pointAt({ 5, 3, 0 });
+  this->session_->SetPrecisionFactor(4.0);
+  this->session_->PrecisionOn();
+  this->pointAt({ 9, 7, 0 });
+  EXPECT_LE((this->hand() - Vec3(6, 4, 0)).norm(), 1e-9);
+}
+
 TEST_F(HapticMousePlane, APlaneThatIsSeenAsALineMovesNoHand)
 {
   this->begin(above_W, false);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lines that are drawn freehand in a view, as events of its interactor, in ParaView, in virtual time."""
 
+import math
 import sys
 import unittest
 
@@ -137,6 +138,31 @@ class Pencil(ViewTest):
         self.release(90, 60)
         for point in self.points():
             self.assertAlmostEqual(point[0], 0.0, delta=1e-9)
+
+    def test_a_line_that_begins_on_a_surface_lies_on_it_and_is_felt_there(self):
+        """On a ball and on one that its representation has put elsewhere: seen without perspective x and y are those of the pixel."""
+        radius, shift = 1.0, 0.25
+        ball = simple.Sphere(Radius=radius, ThetaResolution=128, PhiResolution=128)
+        flat = 1.0 - math.cos(math.pi / 127)  # of the radius: how far facets are inside of the ball
+        display = self.show(ball)
+        for across in (0.0, shift):
+            display.Position = [across, 0.0, 0.0]
+            self.view.CameraParallelScale = HEIGHT / 2 * PIXEL  # what is shown first is brought into view
+            self.look_from([0, 0, 10])
+            path = [(50 + 2 * i, 40 + i) for i in range(10)]
+            self.draw(*path)
+            self.release(*path[-1])
+            line = simple.GetActiveSource()
+            drawn = [line.Points[i : i + 3] for i in range(0, len(line.Points), 3)]
+            self.assertGreater(len(drawn), 2)  # it is bent
+            for x, y, z in drawn:
+                away = math.hypot(x - across, y, z)
+                self.assertLess(away, radius + 1e-6)
+                self.assertGreater(away, radius * (1 - 2 * flat) - 1e-6)
+                self.assertGreater(z, 0.0)  # on the side that is seen
+            for end, pixel in ((drawn[0], path[0]), (drawn[-1], path[-1])):
+                self.assert_near(end[:2], place(*pixel), PIXEL)
+            simple.Delete(line)
 
     def test_in_a_plane_world_the_line_lies_in_its_plane_however_it_is_looked_at(self):
         put(self.proxy, "DeviceName", "simulated-joystick")

@@ -5,6 +5,8 @@ import sys
 import unittest
 
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkFloatArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from haptic_proxies import put
 from view_fixture import DEPTH, FORCE, STIFFNESS, ViewTest
@@ -84,6 +86,61 @@ class Shown(ViewTest):
         self.assertTrue(self.follow())
         self.press(radius - DEPTH, 0.3, 2.0)
         self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * (DEPTH + 1e-3 * radius), delta=1e-6)
+
+    def image(self):
+        """Of three arrays, i, j and k, each the index along one axis: from -1 to 3, -2 to 6, -3 to 2."""
+        image = vtkImageData()
+        image.SetExtent(-1, 3, -2, 6, -3, 2)
+        image.SetSpacing(0.5, 1.0, 2.0)
+        image.SetOrigin(0.1, 0.2, 0.3)
+        e = image.GetExtent()
+        indices = [(i, j, k) for k in range(e[4], e[5] + 1) for j in range(e[2], e[3] + 1) for i in range(e[0], e[1] + 1)]
+        for axis, name in enumerate("ijk"):
+            array = vtkFloatArray()
+            array.SetName(name)
+            for index in indices:
+                array.InsertNextValue(index[axis])
+            image.GetPointData().AddArray(array)
+        producer = simple.TrivialProducer()
+        producer.GetClientSideObject().SetOutput(image)
+        return producer
+
+    def leftmost_white(self, y):
+        """x of the first white pixel at a height, seen along -z [u], and how wide a pixel is."""
+        simple.ResetCamera(self.view)
+        self.view.CameraParallelProjection = 1
+        self.view.CameraPosition, self.view.CameraFocalPoint, self.view.CameraViewUp = [1, y, 50], [1, y, 0], [0, 1, 0]
+        self.view.CameraParallelScale = 3.0
+        simple.Render(self.view)
+        picture = self.view.SMProxy.CaptureWindow(1)
+        width, height, _ = picture.GetDimensions()
+        bright = [x for x in range(width) if picture.GetScalarComponentAsDouble(x, height // 2, 0, 2) > 200]
+        return 1 + (bright[0] - width / 2) * 2 * 3.0 / height, 2 * 3.0 / height
+
+    def test_a_slice_that_is_drawn_in_the_plane_of_x_and_y_is_felt_where_it_is_drawn(self):
+        radius, y = 0.05, 0.7
+        put(self.proxy, "LineRadius", radius)
+        self.view.UseColorPaletteForBackground, self.view.Background = 0, [1, 0, 0]
+        self.view.OrientationAxesVisibility = 0
+        display = self.show(self.image())
+        display.SetRepresentationType("Slice")
+        display.GetClientSideObject().GetActiveRepresentation().SetUseXYPlane(1)  # which no panel of ParaView shows
+        # ParaView lays the first axis of the slice along x, that of y and z along x too, with the spacing of x: index
+        # (lowest + highest) / 2 is at 0.1 + 0.5 x that.
+        for mode, array, lowest, highest in (("XY Plane", "i", -1, 3), ("YZ Plane", "j", -2, 6), ("XZ Plane", "k", -3, 2)):
+            middle = 0.5 * (lowest + highest)
+            display.SliceMode = mode
+            simple.ColorBy(display, ("POINTS", array))
+            colours = simple.GetColorTransferFunction(array)
+            colours.RGBPoints = [lowest, 0, 0, 0, middle, 0, 0, 0, middle + 1e-3, 1, 1, 1, highest, 1, 1, 1]
+            display.SetScalarBarVisibility(self.view, False)
+            line = 0.1 + 0.5 * middle
+            drawn, pixel = self.leftmost_white(y)
+            self.assertAlmostEqual(drawn, line, delta=0.5 + pixel, msg=mode)  # of a picture with a colour a point: a texel
+            self.follow()
+            self.press(line + radius - DEPTH, y, 0.0)
+            self.assertAlmostEqual(self.session.GetForce()[0], STIFFNESS * (DEPTH + 1e-3 * radius), delta=1e-6, msg=mode)
+            put(self.proxy, "Touching", 0)
 
     def test_an_image_slice_without_lines_that_count_or_without_a_colour_says_what_to_do(self):
         display = self.slice_of_x()

@@ -134,6 +134,51 @@ class Functions(unittest.TestCase):
         with self.assertRaisesRegex(HapticRefusal, "friction"):
             SetSource(box, friction=(0.25, 0.5))
 
+    def test_what_is_of_another_kind_is_refused_in_a_sentence_and_changes_nothing(self):
+        box = simple.Box()
+        for said, call in (
+            ("no source 'Nope'; name one of these: Box1", lambda: SetSource("Nope", touched=False)),
+            ("no source 5", lambda: SetSource(5, touched=False)),
+            ("touched is True or False, not 'no'", lambda: SetSource(box, touched="no")),
+            ("stiffness is a number .N/m., not 'soft'", lambda: SetSource(box, stiffness="soft")),
+            ("friction is two numbers", lambda: SetSource(box, friction=0.5)),
+            ("friction is two numbers", lambda: SetSource(box, friction=(0.5, 0.4, 0.3))),
+            ("Stiffness takes a number .*, not 'soft'", lambda: SetHaptics(Stiffness="soft")),
+            ("Stiffness takes a number .*, not None", lambda: SetHaptics(Stiffness=None)),
+            ("Offset takes 3 numbers, not .1, 2.", lambda: SetHaptics(Offset=[1, 2])),
+            ("Offset takes 3 numbers, not .1, 'b', 'c'.", lambda: SetHaptics(Offset=[1, "b", "c"])),
+            ("DeviceName takes a text, not 5", lambda: SetHaptics(DeviceName=5)),
+            ("Passivity takes 1 or 0 .on or off., not 'off'", lambda: SetHaptics(Passivity="off")),
+            ("Delay takes a whole number .0 to 16., not 1.5", lambda: SetHaptics(Delay=1.5)),
+            ("Force is no setting", lambda: SetHaptics(Force=[0, 0, 1])),
+            ("'x' is no view; give what CreateView", lambda: Touch("x")),
+            ("is no view", lambda: FitHand(box)),
+            ("5 is no file's name; give one that ends in .csv", lambda: SaveMarks(5)),
+        ):
+            with self.assertRaisesRegex(HapticRefusal, said):
+                call()
+        session = GetHapticSession()
+        self.assertEqual(session.GetSourcesText(), "")
+        self.assertEqual((session.GetStiffness(), session.GetDelay(), session.GetDeviceName()), (STIFFNESS, 0, "fed"))
+        self.assertEqual(tuple(session.GetOffset()), (0.0, 0.0, 0.0))
+
+    def test_what_is_shown_is_fitted_to_before_it_is_touched_and_nothing_is_refused(self):
+        with self.assertRaisesRegex(HapticRefusal, "Nothing is shown: open a file"):
+            FitHand()
+        box = simple.Box(XLength=100, YLength=100, ZLength=100)
+        simple.Show(box, self.view)
+        SetHaptics(DeviceName="mouse")
+        scales = []
+        for length in (100, 200):
+            box.XLength = box.YLength = box.ZLength = length
+            FitHand()
+            scales.append(GetHapticSession().GetScale())
+        self.assertAlmostEqual(scales[1], 2.0 * scales[0], delta=1e-9 * scales[1])
+        simple.Hide(box, self.view)
+        with self.assertRaisesRegex(HapticRefusal, "Nothing is shown"):
+            FitHand()
+        self.assertEqual(GetHapticSession().GetScale(), scales[1])
+
     def test_the_hand_is_fitted_to_what_is_shown(self):
         self.press_box()
         SetHaptics(DeviceName="mouse")

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside ParaView: a hand presses on data of the built-in server while another server is connected, and left
-again. test_server_comes.py writes the events that call this."""
+again or killed. test_server_comes.py writes the events that call this."""
+
+import os
+import signal
 
 from paraview import servermanager, simple
 from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  makes the proxy's object scriptable
@@ -43,6 +46,10 @@ class ServerComes:
 
     def connect(self, port):
         simple.Connect("localhost", port)
+
+    def die(self, server):
+        """The process of that number."""
+        os.kill(server, signal.SIGKILL)
 
     def leave(self):
         simple.Disconnect()

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A server is connected while a hand presses, and left again: no force stays, the panel says why there is none, and the next touch of the
-built-in server presses as before. (Of a server that dies ParaView asks the person in a dialog of its own; nothing touches by then.)"""
+built-in server presses as before. So it is where the server is killed, once ParaView's dialog says that it is gone; the person may end
+ParaView there."""
 
+import contextlib
 import os
 import pathlib
 import shutil
@@ -12,6 +14,7 @@ import unittest
 from xml.sax.saxutils import quoteattr
 
 HERE = pathlib.Path(__file__).resolve().parent
+EXIT = "pqClientMainWindow/1QMessageBox0/qt_msgbox_buttonbox/1QPushButton1"
 STATUS = "pqClientMainWindow/pqHapticPanel/scroll/qt_scrollarea_viewport/body/mainGroup/status"
 
 
@@ -27,12 +30,28 @@ def pressing():
     return python("trial.press()", 1500) + python("trial.go_in()", 800) + python("trial.check_pressing()")
 
 
-def events(port):
+def connected(port):
+    return (python(f"trial.connect({port})", 1500) + python("trial.check_free()")
+            + event("hapticHas", "only the built-in server can be touched", STATUS))
+
+
+def left():
+    return python("trial.leave()", 1500) + python("trial.check_free()") + pressing()
+
+
+def killed(server):
+    """ParaView finds out with the next thing that is asked for."""
+    lines = python(f"trial.die({server})") + event("activate", "menuSources", "pqClientMainWindow/menubar")
+    lines += event("activate", "SphereSource", "pqClientMainWindow/menubar/menuSources/Alphabetical")
+    return lines + event("hapticWait", 1500) + python("trial.check_free()")
+
+
+def events(servers, done):
+    (port, _), (port_of_killed, server) = servers
     lines = python("import server_comes; trial = server_comes.ServerComes()") + pressing()
-    lines += python(f"trial.connect({port})", 1500) + python("trial.check_free()")
-    lines += event("hapticHas", "only the built-in server can be touched", STATUS)
-    lines += python("trial.leave()", 1500) + python("trial.check_free()")
-    return "<pqevents>\n" + lines + pressing() + "</pqevents>\n"
+    lines += connected(port) + left() + connected(port_of_killed) + killed(server) + left()
+    lines += python(f"open({str(done)!r}, 'w').close()")
+    return "<pqevents>\n" + lines + event("activate", "", EXIT) + "</pqevents>\n"
 
 
 def free_port():
@@ -41,24 +60,33 @@ def free_port():
         return probe.getsockname()[1]
 
 
+@contextlib.contextmanager
+def server(environment, plugin):
+    """Its port and the number of its process."""
+    port = free_port()
+    with subprocess.Popen([shutil.which("pvserver"), f"--server-port={port}", *plugin], env=environment, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, text=True) as process:
+        try:
+            while "Accepting" not in (line := process.stdout.readline()):
+                assert line, "the server did not start"
+            yield port, process.pid
+        finally:
+            process.kill()
+
+
 class ServerComes(unittest.TestCase):
-    def test_a_server_that_comes_and_goes_while_a_hand_presses_leaves_no_force_and_says_so(self):
+    def test_a_server_that_comes_and_goes_or_dies_while_a_hand_presses_leaves_no_force_and_says_so(self):
         with tempfile.TemporaryDirectory() as name:
-            folder, port = pathlib.Path(name), free_port()
-            script = folder / "comes.xml"
-            script.write_text(events(port), encoding="utf-8")
+            script, done = pathlib.Path(name) / "comes.xml", pathlib.Path(name) / "done"
             environment = os.environ | {"PYTHONPATH": f"{HERE}:{os.environ['PYTHONPATH']}", "HOME": name, "XDG_CONFIG_HOME": name}
             plugin = ["--plugin-search-paths=" + os.environ["PV_PLUGIN_PATH"], "--plugins=Palpate"]
-            with subprocess.Popen([shutil.which("pvserver"), f"--server-port={port}", *plugin], env=environment,
-                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as server:
-                while "Accepting" not in (line := server.stdout.readline()):
-                    self.assertTrue(line, "the server did not start")
-                try:
-                    run = subprocess.run(["paraview", "--dr", *plugin, f"--test-script={script}", "--exit"], env=environment,
-                        capture_output=True, text=True, check=False)
-                finally:
-                    server.kill()
-            self.assertEqual(run.returncode, 0, run.stdout[-3000:] + run.stderr[-6000:])
+            with server(environment, plugin) as one, server(environment, plugin) as other:
+                script.write_text(events((one, other), done), encoding="utf-8")
+                run = subprocess.run(["paraview", "--dr", *plugin, f"--test-script={script}", "--exit"], env=environment,
+                    capture_output=True, text=True, check=False)
+            said = run.stdout[-3000:] + run.stderr[-6000:]
+            self.assertTrue(done.exists(), said)  # a check that fails ends the events
+            self.assertEqual(run.returncode, 255, said)  # so ParaView ends from its dialog
 
 
 if __name__ == "__main__":

@@ -35,6 +35,9 @@ protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
+  /// Title and value now, for the eye and for a reader of screens.
+  QString Words() const;
+
   QString Title;
   QString Unit;
   double Least;

@@ -208,7 +208,6 @@ void pqHapticController::fitWorkspace()
 {
   if (this->Proxy)
   {
-    this->Follower->handOver();
     this->Proxy->InvokeCommand("FitWorkspace");
   }
 }

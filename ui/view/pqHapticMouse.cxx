@@ -110,11 +110,13 @@ QString pqHapticMouse::help() const
   {
     return tr(
       "Move the pointer over the view: the hand is under it, in the plane of the lines, and walls hold it back. "
-      "Arrow keys move it too. All else moves the camera as ever.");
+      "Arrow keys move it too, Ctrl+Shift+P makes it slower, Ctrl+Shift+C holds it. All else moves the camera as "
+      "ever.");
   }
   QString text =
     tr("Move the pointer over the view. Shift + left button presses, wheel: deeper. Keys: arrows move, Page "
-       "Down presses and goes deeper, Page Up less deep, Home lifts. All else moves the camera as ever.");
+       "Down presses and goes deeper, Page Up less deep, Home lifts; held, Ctrl+Shift+P makes the hand slower and "
+       "Ctrl+Shift+C keeps it where it is. All else moves the camera as ever.");
   const double used = this->Mouse->GetUsedDepth();
   if (used < sameDepth * session->GetPressDepth() * session->GetScale())
   {

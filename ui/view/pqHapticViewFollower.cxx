@@ -8,6 +8,7 @@
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "pqServerManagerModel.h"
+#include "vtkCommand.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticViewScene.h"
 #include "vtkSMRenderViewProxy.h"
@@ -43,11 +44,20 @@ pqHapticViewFollower::pqHapticViewFollower(QObject* parent) : Superclass(parent)
   this->setView(pqActiveObjects::instance().activeView());
 }
 
-pqHapticViewFollower::~pqHapticViewFollower() = default;
+pqHapticViewFollower::~pqHapticViewFollower()
+{
+  this->setSession(nullptr);
+}
 
 void pqHapticViewFollower::setSession(vtkHapticSession* session)
 {
+  if (vtkHapticSession* const before = this->Scene->GetSession())
+  {
+    before->RemoveObserver(this->Observer);
+  }
   this->Scene->SetSession(session);
+  this->Observer =
+    session ? session->AddObserver(vtkCommand::UpdateDataEvent, this, &pqHapticViewFollower::handOver) : 0;
   this->refresh();
 }
 

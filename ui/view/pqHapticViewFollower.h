@@ -53,7 +53,7 @@ public:
 public Q_SLOTS:
   void setView(pqView* view);
   void refresh();
-  /// What is shown, to the session, active or not.
+  /// What is shown, to the session, active or not; also when the session asks for it.
   void handOver();
 
 Q_SIGNALS:
@@ -72,6 +72,7 @@ private:
   QPointer<pqProxyWidget> Panel;   ///< of the last new source: the window is not searched for it every frame
   const pqView* Touched = nullptr; ///< the last render view; compared only: no view is active while one closes
   std::vector<QMetaObject::Connection> Connections;
+  unsigned long Observer = 0; ///< of the session
   bool Active = false;
 };
 

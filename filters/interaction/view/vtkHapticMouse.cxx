@@ -44,6 +44,9 @@ struct Aim
   Vec3 Press;
 };
 
+/// On the screen, from the lower left corner of the window.
+using Pixels = Eigen::Vector2d;
+
 /// The hand strokes, or on its way to where it cannot go straight it rises and goes across in front of everything.
 enum class Travel
 {
@@ -59,7 +62,8 @@ public:
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkHapticSession> Session;
   unsigned long StartObserver = 0;
-  double Pointer[2] = { 0.0, 0.0 };
+  Pixels Pointer = Pixels::Zero();
+  Pixels Led = Pixels::Zero(); ///< the hand is under it: the pointer, but for what clutch and precision held back
   bool Inside = false;
   bool Pressing = false;
   Travel Way = Travel::Rises;
@@ -73,6 +77,8 @@ public:
   double DepthOf(const Vec3& p_W) const;
   Vec3 AtDepth(const Ray& ray, double depth) const;
   double Reach(double length_m) const;
+  double ShareOfWay() const;
+  void PointAt(const Pixels& pointer);
   bool MeetsPlane(const Ray& ray, Vec3& hand_W) const;
   Vec3 Lifted(const Ray& ray) const;
   Aim AimAt(const Ray& ray) const;
@@ -102,7 +108,7 @@ Ray vtkHapticMouse::Internals::RayAt(double x, double y) const
 Ray vtkHapticMouse::Internals::RayOfPointer() const
 {
   const double* middle = this->Renderer->GetCenter();
-  return this->Inside ? this->RayAt(this->Pointer[0], this->Pointer[1]) : this->RayAt(middle[0], middle[1]);
+  return this->Inside ? this->RayAt(this->Led.x(), this->Led.y()) : this->RayAt(middle[0], middle[1]);
 }
 
 Ray vtkHapticMouse::Internals::RayThrough(const Vec3& p_W) const
@@ -186,6 +192,26 @@ Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
     depth = std::min(depth, this->DepthOf(p_W));
   }
   return this->AtDepth(ray, std::max(depth - this->Reach(hover_m), this->DepthOf(ray.Near)));
+}
+
+// The pointer
+// -------------------------------------------------------------------------------------------------------------
+
+/// Of a pointer's way, how much the hand goes. A hand that hovers is where one points, precise or not: it came from
+/// another widget, and would never get far from the edge of the view.
+double vtkHapticMouse::Internals::ShareOfWay() const
+{
+  const bool feels = this->Pressing || this->Session->GetPlaneWorld();
+  const double precise = this->Session->GetPrecision() && feels ? 1.0 / this->Session->GetPrecisionFactor() : 1.0;
+  return this->Session->GetClutch() ? 0.0 : precise;
+}
+
+void vtkHapticMouse::Internals::PointAt(const Pixels& pointer)
+{
+  const bool goesOn = this->Inside && this->Session;
+  this->Led = goesOn ? Pixels(this->Led + this->ShareOfWay() * (pointer - this->Pointer)) : pointer;
+  this->Pointer = pointer;
+  this->Inside = true;
 }
 
 // The hand
@@ -274,7 +300,7 @@ void vtkHapticMouse::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Leads: " << this->GetLeads() << "\n";
-  os << indent << "Pointer: " << this->Impl->Pointer[0] << " " << this->Impl->Pointer[1]
+  os << indent << "Pointer: " << this->Impl->Pointer.x() << " " << this->Impl->Pointer.y()
      << (this->Impl->Inside ? "" : ", gone") << "\n";
   os << indent << "Pressing: " << this->Impl->Pressing << "\n";
 }
@@ -318,9 +344,7 @@ void vtkHapticMouse::SetPointer(double x, double y)
     this->Leave();
     return;
   }
-  impl.Pointer[0] = x;
-  impl.Pointer[1] = y;
-  impl.Inside = true;
+  impl.PointAt({ x, y });
 }
 
 void vtkHapticMouse::MovePointer(double dx, double dy)
@@ -330,7 +354,7 @@ void vtkHapticMouse::MovePointer(double dx, double dy)
   {
     const double* middle = impl.Renderer->GetCenter();
     this->SetPointer(
-      (impl.Inside ? impl.Pointer[0] : middle[0]) + dx, (impl.Inside ? impl.Pointer[1] : middle[1]) + dy);
+      (impl.Inside ? impl.Pointer.x() : middle[0]) + dx, (impl.Inside ? impl.Pointer.y() : middle[1]) + dy);
   }
 }
 
@@ -342,6 +366,7 @@ void vtkHapticMouse::Leave()
 
 void vtkHapticMouse::SetPressing(bool on)
 {
+  this->Impl->Led = this->Impl->Pressing && !on ? this->Impl->Pointer : this->Impl->Led;
   this->Impl->Pressing = on;
 }
 
@@ -380,7 +405,7 @@ bool vtkHapticMouse::GetRay(double near_W[3], double far_W[3]) const
 
 void vtkHapticMouse::Update()
 {
-  if (this->GetLeads())
+  if (this->GetLeads() && !this->Impl->Session->GetClutch())
   {
     this->Impl->Session->SetEye(this->Impl->EyeOn(Vec3(this->Impl->Session->GetProxyPosition())).data());
     const Vec3 hand_W = this->Impl->Next(this->Impl->RayOfPointer());

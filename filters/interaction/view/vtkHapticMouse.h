@@ -11,6 +11,10 @@
  * where the ray meets the plane, and walls push by how far they keep the proxy from there; when the pointer leaves it
  * rests at the proxy.
  *
+ * While the session is precise, and the hand presses or is in a plane world, a way of the pointer is PrecisionFactor
+ * times less of the hand; while its clutch is held the hand stays. Both go on from there: the hand is under the pointer
+ * again once it was lifted, or the pointer has left.
+ *
  *     mouse.SetRenderer(renderer)
  *     mouse.SetSession(session)
  *     mouse.SetPointer(120, 80)
@@ -67,7 +71,8 @@ public:
   /// How deep it presses now [u]: PressDepth, no more than a twentieth of the scene's diagonal.
   double GetUsedDepth() const;
 
-  /// The pointer's ray, from the near to the far plane of the camera [u]; false without a renderer in a window.
+  /// The ray through where the hand is led to on the screen, from the near to the far plane of the camera [u]; false
+  /// without a renderer in a window.
   bool GetRay(double near_W[3], double far_W[3]) const;
 
   /// Leads the hand to where it is to be now.

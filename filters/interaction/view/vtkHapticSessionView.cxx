@@ -97,8 +97,13 @@ void vtkHapticSession::FollowHand()
 {
   Internals& impl = *this->Impl;
   const palpate::HapticState& state = impl.Core.state(); // the newest: a hand goes on moving
-  if (!this->GetTouching() || impl.LedInScene() || impl.Played || state.tick == 0 || state.held)
+  if (!this->GetTouching() || impl.Played || state.tick == 0 || state.held)
   {
+    return;
+  }
+  if (impl.LedInScene())
+  {
+    this->FollowMouseClutch();
     return;
   }
   palpate::HandWishes wishes;
@@ -119,6 +124,16 @@ void vtkHapticSession::FollowHand()
   }
 }
 
+/// A pointer is led in the scene, so no map holds what it was moved by: vtkHapticMouse does, precision too.
+void vtkHapticSession::FollowMouseClutch()
+{
+  const Internals& impl = *this->Impl;
+  if (this->GetFollowsMouse() && impl.Clutch != impl.Asked.asked().clutch)
+  {
+    this->TakeMap({ impl.Asked.asked().map, impl.Clutch });
+  }
+}
+
 void vtkHapticSession::LetHandGo()
 {
   Internals& impl = *this->Impl;
@@ -127,7 +142,8 @@ void vtkHapticSession::LetHandGo()
   {
     palpate::WorkspaceMap map = impl.Asked.asked().map;
     map.scale_u_per_m *= impl.HandMap.factor();
-    this->TakeMap({ keepingHand(map, { impl.State.handle_D, impl.State.device_W.p }), false });
+    const palpate::HandPlace hand{ impl.State.handle_D, impl.State.device_W.p };
+    this->TakeMap({ impl.LedInScene() ? map : keepingHand(map, hand), false });
   }
   impl.HandMap.reset();
   if (held || impl.Precision || impl.Clutch || impl.ViewAlignment == AlignAlways)

@@ -15,6 +15,7 @@ first call, and HapticUpdate() follows the view. What is refused is raised as Ha
 """
 
 import json
+import os
 
 import paraview
 from paraview import servermanager, simple
@@ -79,6 +80,53 @@ def _value(name):
     return value if isinstance(value, (int, float, str)) else list(value)
 
 
+def _described(name):
+    """What the table of settings says of one; None of what is none."""
+    settings = json.loads(GetHapticSession().GetDescribed())["settings"]
+    return next((setting for setting in settings if setting["name"] == name), None)
+
+
+def _taken(setting):
+    """Such values as a setting takes, in words."""
+    count = max(len(setting["defaults"]), 1)
+    number = "a number" if count == 1 else f"{count} numbers"
+    kinds = {"text": "a text", "flag": "1 or 0", "count": "a whole number", "choice": "a whole number", "points": "numbers, three a point"}
+    allowed = setting["allowed"] if setting["kind"] != "text" else ""
+    return kinds.get(setting["kind"], number) + (f" ({allowed})" if allowed else "")
+
+
+def _is_number(value):
+    return isinstance(value, (int, float))
+
+
+def _source_name(source):
+    """In the pipeline browser, of a proxy or a name."""
+    if isinstance(source, str):
+        name = source if _manager().GetProxy("sources", source) else None
+    else:
+        name = _manager().GetProxyName("sources", source.SMProxy) if hasattr(source, "SMProxy") else None
+    if not name:
+        there = ", ".join(name for name, _ in simple.GetSources())
+        advice = f"name one of these: {there}." if there else "there is none yet, open a file."
+        raise HapticRefusal(f"The pipeline has no source {source!r}; {advice}")
+    return name
+
+
+def _touchable_view(view):
+    """That view, or the active one. Refused is a view in which nothing can be touched."""
+    if not hasattr(view, "MakeRenderWindowInteractor") and view is not None:
+        raise HapticRefusal(f"{view!r} is no view; give what CreateView or GetActiveView returns, or nothing for the active one.")
+    view = view or simple.GetActiveView()
+    looked_at = vtkHapticViewScene()
+    looked_at.SetSession(_proxy().GetClientSideObject())  # which says whether numbers in space are felt
+    if view:
+        simple.Render(view)
+        looked_at.SetView(view.SMProxy)
+    if looked_at.GetRefusal():
+        raise HapticRefusal(looked_at.GetRefusal())
+    return view
+
+
 def _follow(view):
     """Has the session feel what the view shows; the panel does that by itself, for the active view."""
     if getattr(paraview, "palpate_panel", False):
@@ -100,7 +148,8 @@ def GetHapticSession():
 def SetHaptics(**settings):
     """Sets properties of the session by name: SetHaptics(Stiffness=300, Radius=0.5)."""
     for name, value in settings.items():
-        if not _proxy().GetProperty(name):
+        setting = _described(name)
+        if not setting:
             raise HapticRefusal(f"{name} is no setting of the session; plugin/README.md lists them.")
         before = _value(name)
         try:
@@ -109,18 +158,14 @@ def SetHaptics(**settings):
         except HapticRefusal:
             _put(name, before)  # the property says what the session has
             raise
+        except (TypeError, RuntimeError):  # so ParaView says that it is of another kind
+            _put(name, before)
+            raise HapticRefusal(f"{name} takes {_taken(setting)}, not {value!r}.") from None
 
 
 def Touch(view=None):
     """Touches what a view shows, the active one if none is named. Returns once the scene is built, and a field's brick."""
-    view = view or simple.GetActiveView()
-    looked_at = vtkHapticViewScene()
-    looked_at.SetSession(_proxy().GetClientSideObject())  # which says whether numbers in space are felt
-    if view:
-        simple.Render(view)
-        looked_at.SetView(view.SMProxy)
-    if looked_at.GetRefusal():
-        raise HapticRefusal(looked_at.GetRefusal())
+    view = _touchable_view(view)
     with _Refusals() as session:
         _follow(view)
         _put("Touching", 1)
@@ -148,10 +193,14 @@ def LetGo():
     _put("Touching", 0)
 
 
-def FitHand():
-    """Scale and place such that the device's workspace holds everything that is shown."""
-    with _Refusals():
+def FitHand(view=None):
+    """Scale and place such that the device's workspace holds everything that a view shows, the active one if none is
+    named, touched already or not."""
+    view = _touchable_view(view)
+    with _Refusals() as session:
+        _follow(view)
         _proxy().InvokeCommand("FitWorkspace")
+        session.FinishScene()
 
 
 def HapticUpdate():
@@ -193,18 +242,26 @@ def ClearMarks():
 
 def SaveMarks(file):
     """Writes the marks as csv or vtp, by the suffix."""
+    if not isinstance(file, (str, os.PathLike)):
+        raise HapticRefusal(f"{file!r} is no file's name; give one that ends in .csv or .vtp.")
     with _Refusals() as session:
-        session.WriteMarks(file)
+        session.WriteMarks(os.fspath(file))
 
 
 def SetSource(source, touched=None, stiffness=None, friction=None):
     """Touches one source in a way of its own: a proxy, or its name in the pipeline browser. `stiffness` [N/m] as felt,
     `friction` at rest and sliding. What is not named stays as it is."""
-    name = source if isinstance(source, str) else _manager().GetProxyName("sources", source.SMProxy)
+    name = _source_name(source)
+    if touched not in (None, True, False):
+        raise HapticRefusal(f"{name}: touched is True or False, not {touched!r}.")
+    if stiffness is not None and not _is_number(stiffness):
+        raise HapticRefusal(f"{name}: stiffness is a number [N/m], not {stiffness!r}.")
+    if friction is not None and not (isinstance(friction, (tuple, list)) and len(friction) == 2 and all(map(_is_number, friction))):
+        raise HapticRefusal(f"{name}: friction is two numbers, at rest and sliding, as (0.5, 0.3), not {friction!r}.")
     with _Refusals() as session:
-        if touched is not None:
-            session.SetSourceTouched(name, touched)
         material = [0.0, 0.0, 0.0]
         session.GetSourceMaterial(name, material)
         own_stiffness = material[0] if stiffness is None else stiffness
-        session.SetSourceMaterial(name, own_stiffness, *(material[1:] if friction is None else friction))
+        taken = session.SetSourceMaterial(name, own_stiffness, *(material[1:] if friction is None else friction))
+        if taken and touched is not None:
+            session.SetSourceTouched(name, touched)

@@ -10,9 +10,12 @@
 
 #include "haptics/core/Types.h"
 #include "haptics/core/WordHash.h"
+#include "vtkAppendPolyData.h"
 #include "vtkBitArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkHapticConversion.h"
@@ -206,9 +209,44 @@ struct Glyph
 
 using Glyphs = std::vector<std::unique_ptr<Glyph>>;
 
+/// All polygons and lines of a node of a table: poly data, or a composite of it that is drawn as one glyph.
+vtkSmartPointer<vtkPolyData> WholeOf(vtkDataObject* node)
+{
+  vtkNew<vtkAppendPolyData> whole;
+  vtkHapticForEachDataSet(node,
+    [&](vtkDataSet& data)
+    {
+      if (auto* const piece = vtkPolyData::SafeDownCast(&data))
+      {
+        whole->AddInputData(piece);
+      }
+    });
+  whole->Update();
+  return whole->GetOutput();
+}
+
+/// A node of the tree below its root is a glyph.
+Glyphs GlyphsOf(vtkDataObjectTree& table)
+{
+  const auto node = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(table.NewTreeIterator());
+  node->TraverseSubTreeOff();
+  node->VisitOnlyLeavesOff();
+  Glyphs glyphs;
+  for (node->InitTraversal(); !node->IsDoneWithTraversal(); node->GoToNextItem())
+  {
+    glyphs.push_back(std::make_unique<Glyph>(WholeOf(node->GetCurrentDataObject())));
+  }
+  return glyphs;
+}
+
 Glyphs GlyphsOf(vtkGlyph3DMapper& mapper)
 {
   constexpr int sourcePort = 1;
+  if (mapper.GetUseSourceTableTree())
+  {
+    vtkDataObjectTree* const table = mapper.GetSourceTableTree();
+    return table ? GlyphsOf(*table) : Glyphs();
+  }
   Glyphs glyphs;
   for (int i = 0; i < mapper.GetNumberOfInputConnections(sourcePort); ++i)
   {
@@ -290,10 +328,9 @@ void ForEachDrawn(const Rule& rule, vtkDataSet& data, const Glyphs& glyphs, Visi
 
 std::string Refusal(vtkGlyph3DMapper& mapper, const Glyphs& glyphs, std::int64_t mostPolygons)
 {
-  if (glyphs.empty() || mapper.GetUseSourceTableTree())
+  if (glyphs.empty())
   {
-    return glyphs.empty() ? "it has no glyph to draw; choose a Glyph Type"
-                          : "its glyphs come from a tree of sources; choose one Glyph Type";
+    return "it has no glyph to draw; choose a Glyph Type";
   }
   std::string problem;
   std::int64_t count = 0, polygons = 0;
@@ -327,6 +364,12 @@ void AddObject(palpate::WordHash& hash, vtkObject* object)
 {
   hash.add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(object)));
   hash.add(static_cast<std::uint64_t>(object ? object->GetMTime() : 0));
+}
+
+void AddWithPieces(palpate::WordHash& hash, vtkDataObject* data)
+{
+  AddObject(hash, data);
+  vtkHapticForEachDataSet(data, [&](vtkDataSet& set) { AddObject(hash, &set); });
 }
 } // namespace
 
@@ -373,7 +416,7 @@ std::uint64_t vtkHapticGlyphsKey(vtkGlyph3DMapper* mapper)
   }
   for (int i = 0; i < mapper->GetNumberOfInputConnections(1); ++i)
   {
-    AddObject(hash, mapper->GetSource(i));
+    AddWithPieces(hash, mapper->GetInputDataObject(1, i));
   }
   vtkHapticForEachDataSet(mapper->GetInputDataObject(0, 0), [&](vtkDataSet& data) { AddObject(hash, &data); });
   return hash.value();

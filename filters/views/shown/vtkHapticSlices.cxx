@@ -10,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkPVImageSliceMapper.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 namespace
@@ -24,6 +25,28 @@ vtkImageData* ImageOf(vtkPVImageSliceMapper& mapper)
 {
   return vtkImageData::SafeDownCast(mapper.GetInputDataObject(0, 0));
 }
+/// Which index of the image the mapper takes for x, for y and for z where it draws in the plane of x and y: those of
+/// spacing, origin and direction stay, so that it may be drawn longer than it is.
+const int* TakenFor(vtkImageData& image)
+{
+  static constexpr int acrossZ[] = { 0, 1, 2 }, acrossX[] = { 1, 2, 0 }, acrossY[] = { 2, 0, 1 };
+  const int* const e = image.GetExtent();
+  return e[4] == e[5] ? acrossZ : e[0] == e[1] ? acrossX : acrossY;
+}
+
+/// From their place to where the mapper draws them with Use XY Plane.
+void PutFlat(vtkPoints& points, vtkImageData& image)
+{
+  const int* const taken = TakenFor(image);
+  for (vtkIdType point = 0; point < points.GetNumberOfPoints(); ++point)
+  {
+    double p[3], index[3];
+    image.TransformPhysicalPointToContinuousIndex(points.GetPoint(point), index);
+    const double flat[3] = { index[taken[0]], index[taken[1]], index[taken[2]] };
+    image.TransformContinuousIndexToPhysicalPoint(flat, p);
+    points.SetPoint(point, p[0], p[1], 0.0);
+  }
+}
 } // namespace
 
 vtkHapticShape vtkHapticSliceOf(vtkPVImageSliceMapper* mapper)
@@ -36,11 +59,6 @@ vtkHapticShape vtkHapticSliceOf(vtkPVImageSliceMapper* mapper)
     result.Problem = "a slice is felt by the contour of the array that colours it; colour it by an array of points";
     return result;
   }
-  if (mapper->GetUseXYPlane())
-  {
-    result.Problem = "the slice is drawn in the plane of x and y, not in its place; switch Use XY Plane off";
-    return result;
-  }
   vtkNew<vtkImageCurves> curves;
   curves->SetInputData(image);
   curves->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array);
@@ -50,6 +68,10 @@ vtkHapticShape vtkHapticSliceOf(vtkPVImageSliceMapper* mapper)
   {
     result.Problem = messages.FirstError();
     return result;
+  }
+  if (mapper->GetUseXYPlane())
+  {
+    PutFlat(*curves->GetOutput()->GetPoints(), *image);
   }
   result.Data = curves->GetOutput();
   return result;

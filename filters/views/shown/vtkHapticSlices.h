@@ -9,8 +9,8 @@
 
 class vtkPVImageSliceMapper;
 
-/// The image slice that a mapper draws, as lines: the contour half way between the least and the largest value of the
-/// array that colours it (vtkImageCurves).
+/// The image slice that a mapper draws, where it draws it, as lines: the contour half way between the least and the
+/// largest value of the array that colours it (vtkImageCurves).
 [[nodiscard]] VTKHAPTICVIEWS_EXPORT vtkHapticShape vtkHapticSliceOf(vtkPVImageSliceMapper* mapper);
 
 /// Names all that these curves depend on: equal keys mean equal curves.

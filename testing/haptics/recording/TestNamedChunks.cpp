@@ -212,6 +212,11 @@ struct Scramble
     {
       value.coeffs() << this->next, this->next + 0.25, this->next + 0.5, this->next + 0.75;
     }
+    else if constexpr (requires { value.begin(); })
+    {
+      int each = this->next; // a field, however many numbers it has
+      std::for_each(value.begin(), value.end(), [&each](auto& one) { Scramble{ each }("", one); });
+    }
     else
     {
       value = static_cast<T>(this->next);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "devices/FedDevice.h"
+#include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/support/Fields.h"
@@ -28,10 +31,10 @@ std::shared_ptr<const Brick> brickAround(const Vec3& hand_W, std::uint64_t revis
       test::sampledValues(size, [&](const Vec3& i) { return grid.toWorld(i).norm(); }) } });
 }
 
-/// A hand that strokes the field and a surface in it, with a new brick every 40 ticks.
-void stroke(HapticSession& session, int ticks)
+/// A hand that strokes the field and a surface in it from a tick to another, with a new brick every 40 ticks.
+void stroke(HapticSession& session, int ticks, int from = 0)
 {
-  for (int tick = 0; tick < ticks; ++tick)
+  for (int tick = from; tick < ticks; ++tick)
   {
     const double s = 1e-3 * tick;
     const Vec3 p(0.046 * std::cos(s), 0.046 * std::sin(s), tick == 0 ? 0.03 : 0.005);
@@ -75,6 +78,85 @@ TEST(FieldInLoop, WithASurfaceAndNewBricksUnderTheHandReplaysBitForBit)
   EXPECT_EQ(result.problem + result.difference, "");
   EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(ticks));
   EXPECT_GT(held, result.ticks / 4) << "what is not felt shows nothing";
+}
+
+/// A session whose hand strokes a field with all springs there are, with friction at the surface.
+void startOnField(HapticSession& session)
+{
+  HapticParameters parameters;
+  parameters.field.isosurface = true;
+  parameters.field.isovalue = 0.05;
+  parameters.field.drag_N = 0.1;
+  parameters.field.detent.strength_N = 0.2;
+  parameters.field.detent.spacing = 0.002;
+  parameters.field.detent.click = true;
+  parameters.contact.friction = { 0.5, 0.3 };
+  parameters.safety.engageRamp_s = 0.05;
+  ASSERT_EQ(session.setParameters(parameters), "");
+  SessionOptions options;
+  options.virtualTime = true;
+  ASSERT_EQ(session.start(std::make_unique<FedDevice>(), options), "");
+}
+
+// Whenever it begins: between two bricks, and in the tick that takes one (every third) or none any more.
+TEST(FieldInLoop, ARecordingBegunWhileAFieldIsFeltReplaysBitForBitAndIsNotFelt)
+{
+  const test::TemporaryFolder folder;
+  HapticSession recorded, other;
+  startOnField(recorded);
+  startOnField(other);
+  int felt = 0;
+  for (int begin = 320; begin < 1400; begin += 110)
+  {
+    const std::string path = folder.file(std::to_string(begin));
+    stroke(recorded, begin, begin == 320 ? 0 : begin - 10);
+    stroke(other, begin, begin == 320 ? 0 : begin - 10);
+    felt += recorded.state().field.force_D.norm() > 0.1;
+    for (HapticSession* session : { &recorded, &other })
+    {
+      if (begin % 3 != 0)
+      {
+        session->setBrick(begin % 3 == 1 ? nullptr : brickAround({ 0.04, 0.01, 0 }, static_cast<std::uint64_t>(begin)));
+      }
+    }
+    ASSERT_EQ(recorded.record(path), "");
+    stroke(recorded, begin + 100, begin);
+    stroke(other, begin + 100, begin);
+    EXPECT_EQ(recorded.state().force_D, other.state().force_D) << begin;
+    recorded.endRecording();
+    EXPECT_TRUE(recorded.takeRecorded()) << begin;
+    const auto read = readRecording(path);
+    ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+    const ReplayResult result = replay(std::get<Recording>(read));
+    EXPECT_EQ(result.problem + result.difference, "") << begin;
+    EXPECT_GE(result.ticks, 99U) << "one later where the field is replaced";
+  }
+  EXPECT_GT(felt, 5) << "what is not felt shows nothing";
+}
+
+TEST(FieldInLoop, CellsThatNoBrickOfARecordingHasAreForgotten)
+{
+  const std::shared_ptr<const Brick> brick = brickAround({ 0.05, 0, 0 }, 1);
+  FieldState whole;
+  whole.brick = brick->contentHash();
+  whole.surface.placed = true;
+  whole.surface.count = 1;
+  whole.surface.cells[0] = { 22, 0, 0 }; // the last cell of 24 points
+  const auto keeps = [&](const std::function<void(FieldState&)>& damage)
+  {
+    FieldState state = whole;
+    damage(state);
+    keepCellsWithin({ brick }, state);
+    return state.surface.placed;
+  };
+  EXPECT_TRUE(keeps([](FieldState&) {}));
+  EXPECT_FALSE(keeps([](FieldState& s) { s.brick += 1; }));
+  EXPECT_FALSE(keeps([](FieldState& s) { s.surface.cells[0][0] = 23; }));
+  EXPECT_FALSE(keeps([](FieldState& s) { s.surface.cells[0][2] = -1; }));
+  EXPECT_FALSE(keeps([](FieldState& s) { s.surface.count = IsoState::mostCells + 1; }));
+  EXPECT_FALSE(keeps([](FieldState& s) { s.surface.count = -1; }));
+  EXPECT_FALSE(keeps([](FieldState& s) { s.click.x.t.y() = NAN; }));
+  EXPECT_FALSE(keeps([](FieldState& s) { s.click.device.cell[1] = std::numeric_limits<int>::min(); }));
 }
 
 TEST(FieldInLoop, WithoutItsBrickARecordingSaysThatItCannotBeRecomputed)

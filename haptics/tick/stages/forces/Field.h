@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -84,8 +85,62 @@ struct Field
     std::uint64_t fieldBeyond = 0;     ///< ticks in which the hand was beyond the brick
   };
 
+  template<class Visit, class... S>
+  static void stateFields(const Visit& visit, S&... s)
+  {
+    visit("placed", s.field.placed...);
+    visit("soft_W", s.field.soft_W...);
+    visit("detent_W", s.field.detent_W...);
+    visit("brick", s.field.brick...);
+    visit("grid.size", s.field.grid.size...);
+    visit("grid.spacing_u", s.field.grid.spacing_u...);
+    visit("grid.pose_W", s.field.grid.pose_W...);
+    isoFields(surfaceNames, visit, s.field.surface...);
+    isoFields(clickNames, visit, s.field.click...);
+    visit("map.scale_u_per_m", s.fieldMap.scale_u_per_m...);
+    visit("map.q_WD", s.fieldMap.q_WD...);
+    visit("map.offset_W", s.fieldMap.offset_W...);
+    visit("delivered_J", s.fieldEnergy.delivered_J...);
+    visit("absorbed_J", s.fieldEnergy.absorbed_J...);
+    visit("excess_J", s.fieldEnergy.excess_J...);
+    visit("peakExcess_J", s.fieldEnergy.peakExcess_J...);
+    visit("stiffness_N_per_m", s.fieldEnergy.stiffness_N_per_m...);
+    visit("touching", s.fieldEnergy.touching...);
+    visit("spring_D", s.fieldSpring_D...);
+    visit("force_D", s.fieldForce_D...);
+    visit("fade_D", s.fieldFade_D...);
+    visit("fade_s", s.fieldFade_s...);
+  }
+
   static void step(TickContext& tick) noexcept;
   static void rest(TickContext& tick) noexcept;
+
+private:
+  using IsoNames = std::array<const char*, 12>;
+  static constexpr IsoNames surfaceNames{ "surface.placed", "surface.x.cell", "surface.x.t", "surface.device.cell",
+    "surface.device.t", "surface.side", "surface.level", "surface.slips", "surface.catchingUp", "surface.stuck",
+    "surface.cells", "surface.count" };
+  static constexpr IsoNames clickNames{ "click.placed", "click.x.cell", "click.x.t", "click.device.cell",
+    "click.device.t", "click.side", "click.level", "click.slips", "click.catchingUp", "click.stuck", "click.cells",
+    "click.count" };
+
+  template<class Visit, class... I>
+  static void isoFields(const IsoNames& names, const Visit& visit, I&... iso)
+  {
+    const char* const* name = names.data();
+    visit(*name++, iso.placed...);
+    visit(*name++, iso.x.cell...);
+    visit(*name++, iso.x.t...);
+    visit(*name++, iso.device.cell...);
+    visit(*name++, iso.device.t...);
+    visit(*name++, iso.side...);
+    visit(*name++, iso.level...);
+    visit(*name++, iso.slips...);
+    visit(*name++, iso.catchingUp...);
+    visit(*name++, iso.stuck...);
+    visit(*name++, iso.cells...);
+    visit(*name++, iso.count...);
+  }
 };
 
 } // namespace palpate::stage

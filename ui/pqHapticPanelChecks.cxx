@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticPanelChecks.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QImage>
+#include <QKeySequence>
+#include <QLabel>
+#include <QPalette>
+#include <QPixmap>
+#include <QStringList>
+#include <QWidget>
+#include <QtDebug>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// WCAG 2: of a channel of sRGB, 0 to 1.
+double Linear(double channel)
+{
+  return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double Luminance(QRgb pixel)
+{
+  return 0.2126 * Linear(qRed(pixel) / 255.0) + 0.7152 * Linear(qGreen(pixel) / 255.0) +
+         0.0722 * Linear(qBlue(pixel) / 255.0);
+}
+
+double ContrastIn(const QImage& picture)
+{
+  double least = 1.0, most = 0.0;
+  for (int y = 0; y < picture.height(); ++y)
+  {
+    for (int x = 0; x < picture.width(); ++x)
+    {
+      const double luminance = Luminance(picture.pixel(x, y));
+      least = std::min(least, luminance);
+      most = std::max(most, luminance);
+    }
+  }
+  return (most + 0.05) / (least + 0.05);
+}
+
+/// Of a widget that has no other; "" where it wraps or shows none.
+QString PlainText(const QWidget& widget)
+{
+  const auto* label = qobject_cast<const QLabel*>(&widget);
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  return label && !label->wordWrap() ? label->text() : button ? button->text() : QString();
+}
+
+bool Shows(const QWidget& widget)
+{
+  const auto* label = qobject_cast<const QLabel*>(&widget);
+  return !PlainText(widget).isEmpty() || (label && !label->text().isEmpty()) || widget.inherits("pqHapticStrip");
+}
+
+bool Fits(const QWidget& widget)
+{
+  QString text = PlainText(widget);
+  return widget.fontMetrics().horizontalAdvance(text.remove('&')) <= widget.width() &&
+         widget.fontMetrics().height() <= widget.height();
+}
+} // namespace
+
+bool pqHapticHasTabOrder(QObject* object, const QStringList& names)
+{
+  const auto* first = object->findChild<QWidget*>(names.value(0));
+  QStringList reached;
+  for (const QWidget* at = first; at && (reached.isEmpty() || at != first); at = at->nextInFocusChain())
+  {
+    if (names.contains(at->objectName()) && (at->focusPolicy() & Qt::TabFocus))
+    {
+      reached << at->objectName();
+    }
+  }
+  if (reached != names)
+  {
+    qCritical() << "hapticTabOrder" << names << ": Tab goes to" << reached;
+  }
+  return reached == names;
+}
+
+bool pqHapticHasMnemonics(QObject* object)
+{
+  QStringList keys, footnotes;
+  for (const QWidget* widget : object->findChildren<QWidget*>())
+  {
+    const auto* label = qobject_cast<const QLabel*>(widget);
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    const bool leads = label && label->buddy() && (label->buddy()->focusPolicy() & Qt::TabFocus);
+    const QString title = leads ? label->text() : button ? button->text() : QString();
+    const QString key = QKeySequence::mnemonic(title).toString();
+    keys << (key.isEmpty() ? QStringList() : QStringList(key));
+    footnotes << (title.contains("(&") ? QStringList(title) : QStringList());
+  }
+  const int twice = keys.removeDuplicates();
+  if (twice > 0 || !footnotes.isEmpty() || keys.isEmpty())
+  {
+    qCritical() << "hapticMnemonics:" << twice << "stand twice, and these read as footnotes:" << footnotes;
+    return false;
+  }
+  return true;
+}
+
+bool pqHapticHasReadableText(QObject* object, double contrast, double ratio)
+{
+  QStringList wrong;
+  int seen = 0;
+  for (QWidget* widget : object->findChildren<QWidget*>())
+  {
+    if (!widget->isVisible() || !widget->isEnabled() || !Shows(*widget))
+    {
+      continue;
+    }
+    const QImage picture = widget->grab().toImage();
+    const double has = ContrastIn(picture);
+    ++seen;
+    if (!Fits(*widget) || has < contrast || picture.devicePixelRatioF() != ratio)
+    {
+      wrong << QString("%1 \"%2\": contrast %3, %4 pixels a point, %5 x %6%7")
+                 .arg(widget->objectName(), PlainText(*widget))
+                 .arg(has)
+                 .arg(picture.devicePixelRatioF())
+                 .arg(widget->width())
+                 .arg(widget->height())
+                 .arg(Fits(*widget) ? "" : ", too small");
+    }
+  }
+  if (!wrong.isEmpty() || seen == 0)
+  {
+    qCritical() << "hapticText: of" << seen << "these cannot be read:" << wrong;
+  }
+  return wrong.isEmpty() && seen > 0;
+}
+
+bool pqHapticGoDark()
+{
+  const QColor ground(45, 45, 45), deeper(30, 30, 30), text(230, 230, 230);
+  QPalette dark(text, ground, ground.lighter(), deeper, ground, text, text, deeper, ground);
+  dark.setColor(QPalette::Highlight, QColor(60, 120, 200));
+  dark.setColor(QPalette::HighlightedText, text);
+  QApplication::setPalette(dark);
+  return true;
+}

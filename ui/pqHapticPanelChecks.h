@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticPanelChecks_h
+#define pqHapticPanelChecks_h
+
+class QObject;
+class QStringList;
+
+// What an event script may ask of the widgets in an object. Each says with qCritical() what is not so.
+
+/// Tab goes through these fields in this order.
+bool pqHapticHasTabOrder(QObject* object, const QStringList& names);
+
+/// A letter stands in a word and for one thing; a title without one is reached by Tab.
+bool pqHapticHasMnemonics(QObject* object);
+
+/// The text of every label, button and strip that is seen fits into it, has at least that contrast in a picture of it,
+/// 1 to 21 as WCAG 2 defines it for the lightest and the darkest pixel, and the picture so many pixels a point.
+bool pqHapticHasReadableText(QObject* object, double contrast, double ratio);
+
+/// Light text on dark ground in all windows from now on.
+bool pqHapticGoDark();
+
+#endif
