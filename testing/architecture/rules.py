@@ -29,6 +29,7 @@ SKIPPED_FOLDERS = {".git", "cache", "out", "__pycache__"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 CGAL = re.compile(r"^CGAL/")
+CHOLMOD = re.compile(r"^(suitesparse/)?cholmod\w*\.h$")
 VTK = re.compile(r"^vtk(?!Haptic|Touch|ImageCurves)\w*\.h(xx)?$")
 PARAVIEW = re.compile(r"^(vtkPV|vtkSM(?!PTools)|vtkSI|vtkPVRender|pq)\w*\.h$")
 QT = re.compile(r"^(Q[A-Z]\w*(/\w+)?|Qt\w*/\w+|q[a-z]\w*\.h|pq(?!Haptic)\w+\.h)$")
@@ -38,13 +39,13 @@ DBUS = re.compile(r"^dbus/")
 # What each place must not include: pattern, in words, and why.
 FORBIDDEN = {
     "haptics": [(VTK, "VTK"), (QT, "Qt"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
-    "devices": [(VTK, "VTK"), (QT, "Qt"), (CGAL, "CGAL")],
-    "filters": [(QT, "Qt"), (CGAL, "CGAL"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
+    "devices": [(VTK, "VTK"), (QT, "Qt"), (CGAL, "CGAL"), (CHOLMOD, "CHOLMOD")],
+    "filters": [(QT, "Qt"), (CGAL, "CGAL"), (CHOLMOD, "CHOLMOD"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
     "filters/pipeline": [(PARAVIEW, "ParaView")],
     "filters/interaction": [(PARAVIEW, "ParaView")],
-    "ui": [(CGAL, "CGAL"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
+    "ui": [(CGAL, "CGAL"), (CHOLMOD, "CHOLMOD"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
     "ui/cli": [(QT, "Qt"), (PARAVIEW, "ParaView")],
-    "plugin": [(CGAL, "CGAL"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
+    "plugin": [(CGAL, "CGAL"), (CHOLMOD, "CHOLMOD"), (HIDAPI, "hidapi"), (DBUS, "D-Bus")],
 }
 
 # Written in pieces, so that this file keeps its own rule.
@@ -220,7 +221,7 @@ def include_circles(root):
 
 
 def forbidden_libraries(root):
-    """Libraries in layers that must not know them, and CGAL in any header."""
+    """Libraries in layers that must not know them, and CGAL and CHOLMOD in any header."""
     found = []
     for path, relative, layer in code_files(root):
         if layer == "testing":
@@ -228,7 +229,7 @@ def forbidden_libraries(root):
         places = [layer, "/".join(relative.parts[:2])]
         rules = [rule for place in places for rule in FORBIDDEN.get(place, [])]
         if relative.suffix == ".h":
-            rules = rules + [(CGAL, "CGAL (never in a header)")]
+            rules = rules + [(CGAL, "CGAL (never in a header)"), (CHOLMOD, "CHOLMOD (never in a header)")]
         for number, name in includes_of(path):
             found += [f"{relative}:{number}: {name}: no {words} here" for pattern, words in rules if pattern.match(name)]
     return found

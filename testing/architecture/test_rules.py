@@ -134,6 +134,12 @@ class Rules(unittest.TestCase):
             self.found(rules.forbidden_libraries), ["filters/pipeline/vtkHapticThing.cxx", "haptics/geometry/Tree.h"]
         )
 
+    def test_cholmod_is_found_in_any_header_and_outside_haptics(self):
+        self.write_including("haptics/compliance/Factor.cpp", "<cholmod.h>")
+        self.write_including("haptics/compliance/Factor.h", "<cholmod.h>")
+        self.write_including("devices/Hand.cpp", "<suitesparse/cholmod.h>")
+        self.assertEqual(self.found(rules.forbidden_libraries), ["devices/Hand.cpp", "haptics/compliance/Factor.h"])
+
     def test_vtk_qt_and_hidapi_are_found_in_haptics(self):
         for include in ('"vtkPolyData.h"', "<QWidget>", "<QtCore/QObject>", '"pqView.h"', "<hidapi/hidapi.h>"):
             with self.subTest(include=include):
