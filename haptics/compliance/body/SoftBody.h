@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "haptics/compliance/element/StrainPoints.h"
+#include "haptics/compliance/solve/SparseFactor.h"
+
+namespace palpate
+{
+
+/// What a soft body is made of.
+struct SoftBodyInput
+{
+  TetraMesh mesh;
+  std::vector<bool> fixed;      ///< of each vertex
+  std::vector<double> young_Pa; ///< of each tetrahedron, or one for all
+  double poisson = 0.4;
+  double unit_m = 1.0; ///< metres a unit of the scene
+  ElementKind element = ElementKind::EdgeSmoothed;
+  ElasticModel model = ElasticModel::NeoHookean;
+  std::size_t mostBytes = std::size_t{ 2 } << 30; ///< of the factor; asked before it is computed
+};
+
+/// How far a state is from rest, and how far its strain goes.
+struct SoftBodyState
+{
+  double residual_N = 0.0;   ///< largest force on a free node that is not balanced
+  double energy_Nu = 0.0;    ///< elastic, 0 at rest
+  double mostGradient = 0.0; ///< largest |F - 1|: up to .1 small strain holds within 1 %, from .5 on it is qualitative
+};
+
+/// A body of tetrahedra at the rest that loads on its nodes leave it: quasi-static. Deterministic; not for the servo.
+class SoftBody
+{
+public:
+  /// From checked tetrahedra and moduli of each; null with a reason where the factor at rest cannot be had.
+  SoftBody(StrainPoints points, ElasticModel model, const std::vector<bool>& fixed);
+
+  [[nodiscard]] const StrainPoints& points() const { return this->points_; }
+  /// Three numbers a node [u]; 0 at what is fixed.
+  [[nodiscard]] const Eigen::VectorXd& displacement() const { return this->displacement_; }
+  [[nodiscard]] std::size_t factorBytes() const { return this->factor_.bytes(); }
+
+  /// Factors the stiffness of the present state. False if it is not positive definite.
+  [[nodiscard]] bool refactor();
+  /// Newton steps towards the rest under `load_N` (three numbers a node), each as long as it lowers the energy: up to
+  /// `steps`, or until nothing is left unbalanced but rounding. False if a factor failed: the state stays as it was.
+  [[nodiscard]] bool settle(const Eigen::VectorXd& load_N, int steps);
+  /// Forces that the body's strain puts on its nodes, three numbers a node [N].
+  [[nodiscard]] Eigen::VectorXd innerForces() const { return this->forcesAt(this->displacement_); }
+  [[nodiscard]] SoftBodyState stateUnder(const Eigen::VectorXd& load_N) const;
+  void place(const Eigen::VectorXd& displacement) { this->displacement_ = displacement; }
+
+  /// H K^-1 H^T [u/N] of the last factor; `h`: its rows, on the numbers 3 node + axis.
+  [[nodiscard]] Eigen::MatrixXd compliance(const SparseColumns& h) const;
+  /// Displacement by the last factor: K^-1 load, three numbers a node [u].
+  [[nodiscard]] Eigen::VectorXd linearAnswer(const Eigen::VectorXd& load_N) const;
+
+private:
+  [[nodiscard]] Eigen::VectorXd forcesAt(const Eigen::VectorXd& displacement) const;
+  [[nodiscard]] double energyAt(const Eigen::VectorXd& displacement) const;
+  [[nodiscard]] Eigen::VectorXd gather(const Eigen::VectorXd& ofNodes) const;
+  [[nodiscard]] Eigen::VectorXd scatter(const Eigen::VectorXd& ofFree) const;
+  void stepDown(const Eigen::VectorXd& load_N, const Eigen::VectorXd& step, double slope);
+
+  StrainPoints points_;
+  ElasticModel model_;
+  StiffnessPattern pattern_;
+  SparseLower stiffness_;
+  SparseFactor factor_;
+  Eigen::VectorXd displacement_;
+};
+
+/// A body, or why there is none.
+struct SoftBodyResult
+{
+  std::unique_ptr<SoftBody> body;
+  CheckedTetras checked;
+  std::string refusal;
+};
+
+/// Checks all of the input, and factors once. Refuses in words what cannot be a body.
+[[nodiscard]] SoftBodyResult makeSoftBody(const SoftBodyInput& input);
+
+} // namespace palpate

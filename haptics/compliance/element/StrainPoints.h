@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "haptics/compliance/material/ElasticLaw.h"
+#include "haptics/compliance/mesh/TetraMesh.h"
+
+namespace palpate
+{
+
+/// How strain is made of displacements. Kinds differ in nothing but their list of points.
+enum class ElementKind : std::uint8_t
+{
+  Linear,       ///< one point a tetrahedron; far too stiff where it bends
+  EdgeSmoothed, ///< one point an edge, of the tetrahedra around it: no new nodes, true to 2 % with four across a bar
+  Quadratic,    ///< ten nodes and four points a tetrahedron: also for what nearly keeps its volume
+};
+
+/// A place where strain is: F = sum over its nodes of x_a g_a^T, and it stands for a volume.
+struct StrainPoint
+{
+  std::size_t first = 0; ///< of its nodes and gradients
+  std::size_t count = 0;
+  double volume_u3 = 0.0;
+  ElasticModuli moduli;
+};
+
+/// Nodes at rest and all points of a body.
+struct StrainPoints
+{
+  std::vector<Vec3> rest_W; ///< [u]; the mesh's vertices come first
+  std::vector<StrainPoint> points;
+  std::vector<std::uint32_t> nodes;
+  std::vector<Vec3> gradients; ///< [1/u]
+  /// Of each further node, the ends of the edge that it halves.
+  std::vector<std::array<std::uint32_t, 2>> halves;
+
+  [[nodiscard]] std::span<const std::uint32_t> nodesOf(const StrainPoint& p) const
+  {
+    return { this->nodes.data() + p.first, p.count };
+  }
+  [[nodiscard]] std::span<const Vec3> gradientsOf(const StrainPoint& p) const
+  {
+    return { this->gradients.data() + p.first, p.count };
+  }
+  /// `displacement`: three numbers a node [u].
+  [[nodiscard]] Mat3 deformationAt(const StrainPoint& p, std::span<const double> displacement) const;
+};
+
+/// Of a checked mesh; `moduli`: of each tetrahedron. Edge-smoothed strain: Liu & Nguyen-Thoi 2010.
+[[nodiscard]] StrainPoints makeStrainPoints(
+  const TetraMesh& mesh, ElementKind kind, const std::vector<ElasticModuli>& moduli);
+
+} // namespace palpate

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/compliance/material/ElasticLaw.h"
+
+#include <cmath>
+#include <sstream>
+
+#include <Eigen/Eigenvalues>
+
+#include "haptics/compliance/material/PrincipalStretches.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// What a law is in principal stretches: for each pair (i, j), k the third, the stiffness against sheared (flip) and
+/// against turned (twist) stretches; and the Hessian of the energy in the stretches themselves.
+struct PrincipalHessian
+{
+  Mat3 scaling;
+  Vec3 flip;  ///< of the pair without k
+  Vec3 twist; ///< of the pair without k
+};
+
+/// Moduli with which the stable neo-Hookean law has Hooke's stiffness at rest.
+struct NeoHookeanModuli
+{
+  explicit NeoHookeanModuli(const ElasticModuli& m)
+    : mu(4.0 / 3.0 * m.mu), lambda(m.lambda + 5.0 / 6.0 * m.mu), restVolume(1.0 + 0.75 * mu / lambda)
+  {
+  }
+  double mu;
+  double lambda;
+  double restVolume; ///< where the volume term alone would rest, so that all together rest at F = 1
+};
+
+Mat3 cofactor(const Mat3& f)
+{
+  Mat3 c;
+  c.col(0) = f.col(1).cross(f.col(2));
+  c.col(1) = f.col(2).cross(f.col(0));
+  c.col(2) = f.col(0).cross(f.col(1));
+  return c;
+}
+
+Mat3 rotationOf(const Mat3& f)
+{
+  const PrincipalStretches p = principalStretches(f);
+  return p.u * p.v.transpose();
+}
+
+Mat3 hookeStress(const ElasticModuli& m, const Mat3& strain)
+{
+  return 2.0 * m.mu * strain + m.lambda * strain.trace() * Mat3::Identity();
+}
+
+Mat3 smallStrain(const Mat3& f)
+{
+  return 0.5 * (f + f.transpose()) - Mat3::Identity();
+}
+
+double hookeEnergy(const ElasticModuli& m, const Mat3& strain)
+{
+  const double trace = strain.trace();
+  return m.mu * strain.squaredNorm() + 0.5 * m.lambda * trace * trace;
+}
+
+double neoHookeanEnergy(const ElasticModuli& moduli, const Mat3& f)
+{
+  const NeoHookeanModuli m(moduli);
+  const double stretch = f.squaredNorm();
+  const double volume = f.determinant() - m.restVolume;
+  const double rest = 1.0 - m.restVolume;
+  return 0.5 * m.mu * (stretch - 3.0 - std::log((stretch + 1.0) / 4.0)) +
+         0.5 * m.lambda * (volume * volume - rest * rest);
+}
+
+Mat3 neoHookeanStress(const ElasticModuli& moduli, const Mat3& f)
+{
+  const NeoHookeanModuli m(moduli);
+  const double stretch = f.squaredNorm();
+  return m.mu * (1.0 - 1.0 / (stretch + 1.0)) * f + m.lambda * (f.determinant() - m.restVolume) * cofactor(f);
+}
+
+PrincipalHessian neoHookeanHessian(const ElasticModuli& moduli, const Vec3& s)
+{
+  const NeoHookeanModuli m(moduli);
+  const double stretch = s.squaredNorm() + 1.0;
+  const double shear = m.mu * (1.0 - 1.0 / stretch);
+  const double pressure = m.lambda * (s.prod() - m.restVolume);
+  const Vec3 area(s[1] * s[2], s[2] * s[0], s[0] * s[1]);
+  PrincipalHessian h;
+  h.scaling = m.lambda * area * area.transpose() + 2.0 * m.mu / (stretch * stretch) * s * s.transpose();
+  for (int k = 0; k < 3; ++k)
+  {
+    const int i = (k + 1) % 3;
+    const int j = (k + 2) % 3;
+    h.scaling(k, k) += shear;
+    h.scaling(i, j) += pressure * s[k];
+    h.scaling(j, i) += pressure * s[k];
+    h.flip[k] = shear - pressure * s[k];
+    h.twist[k] = shear + pressure * s[k];
+  }
+  return h;
+}
+
+PrincipalHessian coRotationalHessian(const ElasticModuli& m, const Vec3& s)
+{
+  PrincipalHessian h;
+  h.scaling = Mat3::Constant(m.lambda) + 2.0 * m.mu * Mat3::Identity();
+  h.flip = Vec3::Constant(2.0 * m.mu);
+  const double pressure = 2.0 * m.lambda * (s.sum() - 3.0) - 4.0 * m.mu;
+  for (int k = 0; k < 3; ++k)
+  {
+    // Two stretches that cancel have no turn of their own: the law's stiffness is then infinite or is cut to 0.
+    const double both = std::max(s[(k + 1) % 3] + s[(k + 2) % 3], 1e-9);
+    h.twist[k] = 2.0 * m.mu + pressure / both;
+  }
+  return h;
+}
+
+Mat3 withoutNegative(const Mat3& symmetric)
+{
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(symmetric);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * solver.eigenvectors().transpose();
+}
+
+Mat9 inStretches(const PrincipalHessian& h)
+{
+  Mat9 d = Mat9::Zero();
+  const Mat3 scaling = withoutNegative(h.scaling);
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int l = 0; l < 3; ++l)
+    {
+      d(4 * k, 4 * l) = scaling(k, l);
+    }
+    const int ij = 3 * ((k + 2) % 3) + (k + 1) % 3;
+    const int ji = 3 * ((k + 1) % 3) + (k + 2) % 3;
+    const double flip = std::max(h.flip[k], 0.0);
+    const double twist = std::max(h.twist[k], 0.0);
+    d(ij, ij) = d(ji, ji) = 0.5 * (flip + twist);
+    d(ij, ji) = d(ji, ij) = 0.5 * (flip - twist);
+  }
+  return d;
+}
+
+Mat9 turned(const PrincipalStretches& p, const Mat9& d)
+{
+  Mat9 turn;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      turn.block<3, 3>(3 * i, 3 * j) = p.v(i, j) * p.u;
+    }
+  }
+  return turn * d * turn.transpose();
+}
+
+Mat9 hookeDerivative(const ElasticModuli& m)
+{
+  const PrincipalHessian h{ Mat3::Constant(m.lambda) + 2.0 * m.mu * Mat3::Identity(), Vec3::Constant(2.0 * m.mu),
+    Vec3::Zero() };
+  return inStretches(h);
+}
+
+std::string saying(const char* before, double value, const char* after)
+{
+  std::ostringstream words;
+  words << before << value << after;
+  return words.str();
+}
+
+} // namespace
+
+ModuliResult moduliOf(double young_Pa, double poisson, double unit_m)
+{
+  if (!(young_Pa > 0.0) || !(young_Pa < 1e12))
+  {
+    return { {}, saying("Young's modulus is ", young_Pa, " Pa: give one above 0 and below 1e12 Pa") };
+  }
+  if (!(poisson >= 0.0) || !(poisson < 0.5))
+  {
+    return { {},
+      saying("Poisson's ratio is ", poisson, ": give one from 0 to below 0.5, 0.49 for what keeps its volume") };
+  }
+  const double young = young_Pa * unit_m * unit_m;
+  return { { young / (2.0 * (1.0 + poisson)), young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)) }, {} };
+}
+
+double energyDensity(ElasticModel model, const ElasticModuli& moduli, const Mat3& f)
+{
+  switch (model)
+  {
+    case ElasticModel::NeoHookean:
+      return neoHookeanEnergy(moduli, f);
+    case ElasticModel::CoRotational:
+      return hookeEnergy(moduli, (principalStretches(f).s - Vec3::Ones()).asDiagonal());
+    default:
+      return hookeEnergy(moduli, smallStrain(f));
+  }
+}
+
+Mat3 stressOf(ElasticModel model, const ElasticModuli& moduli, const Mat3& f)
+{
+  switch (model)
+  {
+    case ElasticModel::NeoHookean:
+      return neoHookeanStress(moduli, f);
+    case ElasticModel::CoRotational:
+    {
+      const Mat3 r = rotationOf(f);
+      return r * hookeStress(moduli, r.transpose() * f - Mat3::Identity());
+    }
+    default:
+      return hookeStress(moduli, smallStrain(f));
+  }
+}
+
+Mat9 stressDerivative(ElasticModel model, const ElasticModuli& moduli, const Mat3& f)
+{
+  if (model == ElasticModel::Linear)
+  {
+    return hookeDerivative(moduli);
+  }
+  const PrincipalStretches p = principalStretches(f);
+  const PrincipalHessian h =
+    model == ElasticModel::NeoHookean ? neoHookeanHessian(moduli, p.s) : coRotationalHessian(moduli, p.s);
+  return turned(p, inStretches(h));
+}
+
+} // namespace palpate

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+using Mat9 = Eigen::Matrix<double, 9, 9>;
+
+/// How stress follows from deformation. F is the deformation gradient, 1 at rest.
+enum class ElasticModel : std::uint8_t
+{
+  Linear,       ///< Hooke's law of small strains; a turn strains it
+  CoRotational, ///< Hooke's law in the turned frame; softens where it is squeezed
+  NeoHookean,   ///< stable neo-Hookean (Smith, de Goes & Kim 2018): finite for every F, its Hessian at rest is Hooke's
+};
+
+/// Lame's moduli [N/u^2]: pascal where a unit of the scene is a metre.
+struct ElasticModuli
+{
+  double mu = 0.0;
+  double lambda = 0.0;
+};
+
+/// Moduli, or why there are none.
+struct ModuliResult
+{
+  ElasticModuli moduli;
+  std::string refusal;
+};
+
+/// Of Young's modulus [Pa] and Poisson's ratio, `unit_m` metres a unit of the scene. Refuses what is no solid: a
+/// modulus that is not above 0 or from 1e12 Pa on (diamond), a ratio below 0 or from .5 on.
+[[nodiscard]] ModuliResult moduliOf(double young_Pa, double poisson, double unit_m);
+
+/// Energy a volume [N/u^2], 0 at rest.
+[[nodiscard]] double energyDensity(ElasticModel model, const ElasticModuli& moduli, const Mat3& f);
+
+/// First Piola-Kirchhoff stress P = d energy / dF [N/u^2].
+[[nodiscard]] Mat3 stressOf(ElasticModel model, const ElasticModuli& moduli, const Mat3& f);
+
+/// dP/dF [N/u^2] on the columns of F one below the other. Eigenvalues below 0 are set to 0, so that a Newton step goes
+/// down: by the signed singular values (Smith, de Goes & Kim 2019, "Analytic eigensystems").
+[[nodiscard]] Mat9 stressDerivative(ElasticModel model, const ElasticModuli& moduli, const Mat3& f);
+
+} // namespace palpate

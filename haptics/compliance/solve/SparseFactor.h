@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "haptics/compliance/solve/SparseColumns.h"
+#include "haptics/compliance/solve/StiffnessPattern.h"
+
+namespace palpate
+{
+
+/// L L^T of a symmetric positive definite matrix by supernodes (CHOLMOD), in METIS' order of elimination, which is
+/// found once for a pattern. Not for the servo thread.
+class SparseFactor
+{
+public:
+  explicit SparseFactor(const SparseLower& pattern);
+  ~SparseFactor();
+  SparseFactor(SparseFactor&&) noexcept;
+  SparseFactor& operator=(SparseFactor&&) noexcept;
+
+  /// Of the factor [B]: known before it is computed.
+  [[nodiscard]] std::size_t bytes() const;
+  /// False if the matrix is not positive definite, or memory is short: there is no factor then.
+  [[nodiscard]] bool factor(const SparseLower& matrix);
+  [[nodiscard]] bool ready() const;
+  /// K x = b.
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+
+  /// E^T K^-1 E, symmetric and positive semidefinite by construction: Y^T Y with Y = L^-1 E, computed only on the
+  /// supernodes from the rows of E to the root of the elimination tree. No solve backwards.
+  [[nodiscard]] Eigen::MatrixXd sharedCompliance(const SparseColumns& e) const;
+
+private:
+  struct Hidden;
+  std::unique_ptr<Hidden> hidden_;
+};
+
+} // namespace palpate

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "haptics/compliance/material/ElasticLaw.h"
+#include "testing/support/Random.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr std::array laws{ ElasticModel::Linear, ElasticModel::CoRotational, ElasticModel::NeoHookean };
+
+Mat3 randomMatrix(Random& random, double size)
+{
+  Mat3 m;
+  m << random.direction(), random.direction(), random.direction();
+  return size * m;
+}
+
+TEST(ElasticLaw, StressIsTheSlopeOfEnergyAndItsDerivativeTheSlopeOfStress)
+{
+  Random random(testSeed(182));
+  const ElasticModuli moduli = moduliOf(1.0, 0.4, 1.0).moduli;
+  constexpr double h = 1e-5;
+  for (int trial = 0; trial < static_cast<int>(testCount(30)); ++trial)
+  {
+    const Mat3 f = 1.05 * Mat3::Identity() + randomMatrix(random, 0.02); // drawn out a little: nothing is cut off
+    for (const ElasticModel law : laws)
+    {
+      const Mat3 stress = stressOf(law, moduli, f);
+      const Mat9 derivative = stressDerivative(law, moduli, f);
+      for (int i = 0; i < 9; ++i)
+      {
+        Mat3 step = Mat3::Zero();
+        step.reshaped()[i] = h;
+        const double slope = (energyDensity(law, moduli, f + step) - energyDensity(law, moduli, f - step)) / (2 * h);
+        EXPECT_NEAR(stress.reshaped()[i], slope, 1e-8);
+        const Mat3 change = (stressOf(law, moduli, f + step) - stressOf(law, moduli, f - step)) / (2 * h);
+        EXPECT_LE((derivative.col(i) - change.reshaped()).norm(), 1e-8);
+      }
+    }
+  }
+}
+
+TEST(ElasticLaw, NoDirectionIsSoftEnoughToGoUp)
+{
+  Random random(testSeed(183));
+  const ElasticModuli moduli = moduliOf(1.0, 0.45, 1.0).moduli;
+  for (int trial = 0; trial < static_cast<int>(testCount(100)); ++trial)
+  {
+    const Mat3 f = randomMatrix(random, 1.0); // squeezed, mirrored, anything
+    for (const ElasticModel law : laws)
+    {
+      const Eigen::SelfAdjointEigenSolver<Mat9> solver(stressDerivative(law, moduli, f));
+      EXPECT_GE(solver.eigenvalues()[0], -1e-12 * solver.eigenvalues()[8]);
+    }
+  }
+}
+
+TEST(ElasticLaw, AtRestAllLawsAreHookes)
+{
+  const ElasticModuli moduli = moduliOf(1.0, 0.4, 1.0).moduli;
+  const Mat9 hooke = stressDerivative(ElasticModel::Linear, moduli, Mat3::Identity());
+  for (const ElasticModel law : laws)
+  {
+    EXPECT_LE(stressOf(law, moduli, Mat3::Identity()).norm(), 1e-15);
+    EXPECT_NEAR(energyDensity(law, moduli, Mat3::Identity()), 0.0, 1e-15);
+    EXPECT_LE((stressDerivative(law, moduli, Mat3::Identity()) - hooke).norm(), 1e-14);
+  }
+}
+
+/// Stress along x of a bar that is `length` times as long, with free sides, by bisection for their stretch.
+double pulled(ElasticModel law, const ElasticModuli& moduli, double length, double& side)
+{
+  double low = 0.2;
+  double high = 3.0;
+  Mat3 stress;
+  for (int i = 0; i < 200; ++i)
+  {
+    side = 0.5 * (low + high);
+    stress = stressOf(law, moduli, Vec3(length, side, side).asDiagonal());
+    (stress(1, 1) > 0.0 ? high : low) = side;
+  }
+  return stress(0, 0);
+}
+
+TEST(ElasticLaw, ABarWithFreeSidesFollowsItsClosedForm)
+{
+  const double nu = 0.4;
+  const ElasticModuli moduli = moduliOf(1.0, nu, 1.0).moduli;
+  for (const double length : { 0.6, 0.9, 1.1, 1.5 })
+  {
+    double side = 0.0;
+    for (const ElasticModel law : { ElasticModel::Linear, ElasticModel::CoRotational })
+    {
+      EXPECT_NEAR(pulled(law, moduli, length, side), length - 1.0, 1e-12);
+      EXPECT_NEAR(side, 1.0 - nu * (length - 1.0), 1e-12);
+    }
+    // Of psi = mu/2 (I - 3) + la/2 (J - al)^2 - mu/2 ln(I + 1): sides without stress give J - al in terms of s, and
+    // that put into the stress along x leaves mu (1 - 1/(I + 1)) (l - s^2/l).
+    const double along = pulled(ElasticModel::NeoHookean, moduli, length, side);
+    const double mu = 4.0 / 3.0 * moduli.mu;
+    const double lambda = moduli.lambda + 5.0 / 6.0 * moduli.mu;
+    const double shear = mu * (1.0 - 1.0 / (length * length + 2.0 * side * side + 1.0));
+    EXPECT_NEAR(along, shear * (length - side * side / length), 1e-12);
+    EXPECT_NEAR(lambda * (length * side * side - 1.0 - 0.75 * mu / lambda) * length, -shear, 1e-12);
+  }
+}
+
+TEST(ElasticLaw, WhatIsNoSolidIsRefusedInWords)
+{
+  for (const double young : { 0.0, -1.0, std::nan(""), 1e12, HUGE_VAL })
+  {
+    EXPECT_NE(moduliOf(young, 0.3, 1.0).refusal.find("above 0 and below 1e12 Pa"), std::string::npos) << young;
+  }
+  for (const double nu : { 0.5, 0.7, -0.1, std::nan("") })
+  {
+    EXPECT_NE(moduliOf(1e4, nu, 1.0).refusal.find("from 0 to below 0.5"), std::string::npos) << nu;
+  }
+  EXPECT_EQ(moduliOf(1e4, 0.49, 1e-3).refusal, "");
+  EXPECT_NEAR(moduliOf(1e6, 0.0, 1e-3).moduli.mu, 0.5, 1e-15); // a newton on a square millimetre is 1e6 Pa
+}
+
+} // namespace
+} // namespace palpate::test

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "Blocks.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+using testing::HasSubstr;
+
+CheckedTetras checkOnFloor(const TetraMesh& mesh)
+{
+  return checkTetras(mesh, fixedWhere(mesh, [](const Vec3& p) { return p.z() == 0.0; }));
+}
+
+TEST(TetraMesh, AGoodBlockStaysAsItIs)
+{
+  const TetraMesh mesh = blockOf({ 2, 2, 2 }, { 1, 1, 1 });
+  const CheckedTetras checked = checkOnFloor(mesh);
+  EXPECT_EQ(checked.refusal, "");
+  EXPECT_EQ(checked.report.summary(), "");
+  EXPECT_EQ(checked.mesh.tetras, mesh.tetras);
+  EXPECT_EQ(borderOf(checked.mesh).size(), 6u * 4u * 2u);
+}
+
+TEST(TetraMesh, FlatDoubledAndLooseOnesAreLeftOutAndTheOtherOrderIsTurnedRound)
+{
+  TetraMesh mesh = blockOf({ 2, 2, 2 }, { 1, 1, 1 });
+  const std::size_t good = mesh.tetras.size();
+  std::swap(mesh.tetras[3][0], mesh.tetras[3][1]);
+  mesh.tetras.push_back(mesh.tetras[5]);
+  mesh.tetras.push_back({ 0, 1, 2, 3 }); // of one plane
+  const auto next = static_cast<std::uint32_t>(mesh.vertices_W.size());
+  for (const Vec3& p : { Vec3(5, 5, 5), Vec3(6, 5, 5), Vec3(5, 6, 5), Vec3(5, 5, 6), Vec3(9, 9, 9) })
+  {
+    mesh.vertices_W.push_back(p);
+  }
+  mesh.tetras.push_back({ next, next + 1, next + 2, next + 3 });
+  const CheckedTetras checked = checkOnFloor(mesh);
+  EXPECT_EQ(checked.refusal, "");
+  EXPECT_EQ(checked.report.turned, 1u);
+  EXPECT_EQ(checked.report.flat, 1u);
+  EXPECT_EQ(checked.report.doubled, 1u);
+  EXPECT_EQ(checked.report.loose, 1u);
+  EXPECT_EQ(checked.mesh.tetras.size(), good);
+  EXPECT_EQ(checked.mesh.vertices_W.size(), next);
+  EXPECT_THAT(checked.report.summary(), HasSubstr("1 that hang on nothing fixed left out"));
+}
+
+TEST(TetraMesh, WhatCannotBeABodyIsRefusedInWords)
+{
+  const TetraMesh mesh = blockOf({ 2, 2, 2 }, { 1, 1, 1 });
+  EXPECT_THAT(checkTetras({}, {}).refusal, HasSubstr("no tetrahedra"));
+  EXPECT_THAT(checkTetras(mesh, std::vector<bool>(27, false)).refusal, HasSubstr("nothing of the body is fixed"));
+  EXPECT_THAT(checkTetras(mesh, fixedWhere(mesh, [](const Vec3& p) { return p.z() == 0.0 && p.y() == 0.0; })).refusal,
+    HasSubstr("three vertices of it that are not in line"));
+  TetraMesh inverted = mesh;
+  inverted.vertices_W[13] = Vec3(0.5, 0.5, 1.7); // the middle one, out through the lid
+  EXPECT_THAT(checkOnFloor(inverted).refusal, HasSubstr("inverted"));
+  TetraMesh noPoint = mesh;
+  noPoint.vertices_W[4].x() = std::nan("");
+  EXPECT_THAT(checkOnFloor(noPoint).refusal, HasSubstr("no finite point"));
+  noPoint.tetras[0][2] = 99;
+  EXPECT_THAT(checkOnFloor(noPoint).refusal, HasSubstr("no finite point"));
+  SoftBodyInput tooLarge = pad(8);
+  tooLarge.mostBytes = 1 << 20;
+  EXPECT_THAT(makeSoftBody(tooLarge).refusal, HasSubstr("mesh it coarser"));
+  SoftBodyInput held = pad(2);
+  held.fixed.assign(held.fixed.size(), true);
+  EXPECT_THAT(makeSoftBody(held).refusal, HasSubstr("all of the body is fixed"));
+  SoftBodyInput rigid = pad(2);
+  rigid.young_Pa = { std::nan("") };
+  EXPECT_THAT(makeSoftBody(rigid).refusal, HasSubstr("Young's modulus"));
+}
+
+} // namespace
+} // namespace palpate::test
