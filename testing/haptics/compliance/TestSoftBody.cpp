@@ -58,7 +58,7 @@ TEST(SoftBody, TheSharedComplianceIsThatOfColumnsSolvedOneByOne)
 {
   for (const ElementKind element : { ElementKind::Linear, ElementKind::EdgeSmoothed })
   {
-    SoftBodyInput input = pad(12);
+    SoftBodyInput input = pad(10);
     input.element = element;
     const SoftBodyResult made = makeSoftBody(input);
     ASSERT_TRUE(made.body) << made.refusal;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "haptics/compliance/element/StrainPoints.h"
+#include "haptics/compliance/map/SurfaceMap.h"
+
+namespace palpate
+{
+
+/// The border of a body as triangles between nodes, and which of them meet at a node.
+class BorderFaces
+{
+public:
+  using Face = std::array<std::uint32_t, 3>;
+
+  /// `border`: of the mesh. With nodes halfway each of its triangles becomes four.
+  BorderFaces(const StrainPoints& body, const std::vector<Face>& border);
+
+  [[nodiscard]] const std::vector<Face>& faces() const { return this->faces_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& facesAt(std::uint32_t node) const { return this->facesAt_[node]; }
+  [[nodiscard]] std::array<Vec3, 3> cornersOf(std::uint32_t face) const;
+  [[nodiscard]] const Vec3& place(std::uint32_t node) const { return this->rest_W_[node]; }
+  /// Mean length of the edges that end at a node of the border [u].
+  [[nodiscard]] double edgeLengthAt(std::uint32_t node) const;
+
+private:
+  std::vector<Vec3> rest_W_;
+  std::vector<Face> faces_;
+  std::vector<std::vector<std::uint32_t>> facesAt_;
+};
+
+/// A patch's radius in lengths of edges: from 2 on force ripples by less than .5 % over a mesh, and at 2.5 contact of
+/// balls is as far from Hertz as the mesh lets it be.
+inline constexpr double patchEdges = 2.5;
+
+/// How a patch of radius `radius_u` around a place on a face follows the nodes: weights 1 - (d/a)^2 integrated over the
+/// faces that hang together around it, put on the nodes as a distributing coupling (the mean motion and the mean turn
+/// of the weighted nodes carry the place). Force and moment are kept to rounding.
+[[nodiscard]] NodeBlocks patchAt(const BorderFaces& border, const Vec3& center_W, std::uint32_t face, double radius_u);
+
+} // namespace palpate

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "haptics/compliance/mesh/TetraMesh.h"
+
+namespace palpate
+{
+
+/// A tetrahedron and barycentric coordinates in it, which add up to 1.
+struct TetraPlace
+{
+  std::uint32_t tetra = 0;
+  std::array<double, 4> weights{};
+  bool inside = false;
+};
+
+/// Finds the tetrahedron that a point is in, or the nearest one. Keeps a reference to the mesh.
+class TetraSearch
+{
+public:
+  explicit TetraSearch(const TetraMesh& mesh);
+  [[nodiscard]] TetraPlace find(const Vec3& p_W) const;
+
+private:
+  using Cell = std::array<int, 3>;
+  [[nodiscard]] Cell cellOf(const Vec3& p_W) const;
+  [[nodiscard]] std::size_t indexOf(const Cell& cell) const;
+  void lookAt(const std::vector<std::uint32_t>& tetras, const Vec3& p_W, TetraPlace& best, double& distance) const;
+
+  const TetraMesh& mesh_;
+  Vec3 low_W_ = Vec3::Zero();
+  Vec3 cell_u_ = Vec3::Ones();
+  Cell counts_{};
+  std::vector<std::vector<std::uint32_t>> cells_; ///< tetrahedra whose box meets the cell
+};
+
+} // namespace palpate

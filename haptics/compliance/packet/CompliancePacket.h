@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// What a contact point needs of the surface that it is on: barycentric coordinates between three vertices.
+struct SurfacePoint
+{
+  std::array<std::uint32_t, 3> vertices{};
+  Vec3 weights = Vec3::Zero(); ///< >= 0, add up to 1
+  Vec3 x_W = Vec3::Zero();     ///< in the packet's free surface
+};
+
+/// How much deeper a ball goes into a surface than the patch says, in series with it: Hertz's law less the compliance
+/// of the patch on a half space. With t^3 the normal force, it is hertz t^2 - patch t^3 while that rises.
+struct SubgridSpring
+{
+  double hertz = 0.0; ///< (9 / (16 E*^2 r))^(1/3) [u N^(-2/3)]; 0: no ball, no spring
+  double patch = 0.0; ///< .6587 / (E* a) [u/N]
+};
+
+/// What the servo gets of a body that gives way: where its surface would be without the tool, and how the vertices near
+/// the tool answer to forces on one another. Immutable; made by a worker (PacketMaker), read by the servo.
+struct CompliancePacket
+{
+  static constexpr std::size_t mostVertices = 192; ///< 2.7 MB of compliance
+  static constexpr std::size_t mostForces = 24;
+
+  std::uint32_t version = 0;
+  std::uint64_t builtFromTick = 0;    ///< of the hand and the forces that it was linearised at
+  std::vector<Vec3> free_W;           ///< every vertex of the surface, the tool's force taken off [u]
+  std::vector<std::uint32_t> near;    ///< vertices with compliance, nearest first
+  std::vector<std::uint32_t> placeOf; ///< of every vertex: its place in `near`, or that of the nearest one
+  Eigen::MatrixXd compliance;         ///< three rows a place [u/N]: symmetric, positive semidefinite
+  std::vector<SubgridSpring> springs; ///< of each place
+  std::vector<double> patchRadius_u;  ///< of each place
+  std::vector<SurfacePoint> forceAt;  ///< where the tool pressed in the state that it was linearised at
+  std::vector<Vec3> force_N;          ///< and how
+  double energy_Nu = 0.0;             ///< elastic energy of that state
+  double residual_N = 0.0;            ///< that its Newton steps left
+  double mostGradient = 0.0;          ///< largest |F - 1|: from .1 small strain is a few per cent off, from .5 far off
+
+  [[nodiscard]] Mat3 between(std::uint32_t a, std::uint32_t b) const noexcept
+  {
+    return this->compliance.block<3, 3>(3 * this->placeOf[a], 3 * this->placeOf[b]);
+  }
+};
+
+} // namespace palpate

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/compliance/packet/PacketMaker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace palpate
+{
+namespace
+{
+
+/// Of 1 / (E* a): compliance of a half space under the patch's paraboloid of force, in the patch's own mean.
+constexpr double halfSpaceOfPatch = 0.6587;
+
+/// Dijkstra's distances along edges from some vertices; `from` says which of them is nearest.
+struct EdgeDistances
+{
+  std::vector<double> distance_u;
+  std::vector<std::uint32_t> from;
+};
+
+EdgeDistances distancesFrom(
+  const SoftSurface& surface, const std::vector<Vec3>& places_W, const std::vector<std::uint32_t>& starts)
+{
+  EdgeDistances found{ std::vector<double>(places_W.size(), std::numeric_limits<double>::infinity()),
+    std::vector<std::uint32_t>(places_W.size(), 0) };
+  using Open = std::pair<double, std::uint32_t>;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  for (std::uint32_t i = 0; i < starts.size(); ++i)
+  {
+    found.distance_u[starts[i]] = 0.0;
+    found.from[starts[i]] = i;
+    open.emplace(0.0, starts[i]);
+  }
+  while (!open.empty())
+  {
+    const auto [distance, v] = open.top();
+    open.pop();
+    if (distance > found.distance_u[v])
+    {
+      continue;
+    }
+    for (const std::uint32_t next : surface.neighbours[v])
+    {
+      const double way = distance + (places_W[next] - places_W[v]).norm();
+      if (way < found.distance_u[next])
+      {
+        found.distance_u[next] = way;
+        found.from[next] = found.from[v];
+        open.emplace(way, next);
+      }
+    }
+  }
+  return found;
+}
+
+std::uint32_t nearestVertex(const std::vector<Vec3>& places_W, const Vec3& p_W)
+{
+  const auto nearer = [&p_W](const Vec3& a, const Vec3& b)
+  { return (a - p_W).squaredNorm() < (b - p_W).squaredNorm(); };
+  return static_cast<std::uint32_t>(std::min_element(places_W.begin(), places_W.end(), nearer) - places_W.begin());
+}
+
+} // namespace
+
+Neighbourhood neighbourhoodOf(
+  const SoftSurface& surface, const std::vector<Vec3>& places_W, const Vec3& center_W, double reach_u, std::size_t most)
+{
+  Neighbourhood found;
+  const EdgeDistances ways = distancesFrom(surface, places_W, { nearestVertex(places_W, center_W) });
+  for (std::uint32_t v = 0; v < places_W.size(); ++v)
+  {
+    if (ways.distance_u[v] <= reach_u)
+    {
+      found.near.push_back(v);
+    }
+  }
+  std::sort(found.near.begin(), found.near.end(),
+    [&ways](std::uint32_t a, std::uint32_t b)
+    { return std::pair(ways.distance_u[a], a) < std::pair(ways.distance_u[b], b); });
+  found.near.resize(std::min(found.near.size(), most));
+  found.placeOf = distancesFrom(surface, places_W, found.near).from;
+  return found;
+}
+
+Eigen::VectorXd PacketMaker::loadOf(const PacketRequest& request) const
+{
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(this->body_.displacement().size());
+  for (std::size_t i = 0; i < request.forceAt.size(); ++i)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      this->surface_.map.addForce(
+        request.forceAt[i].vertices[corner], request.forceAt[i].weights[corner] * request.force_N[i], load);
+    }
+  }
+  return load;
+}
+
+void PacketMaker::choose(const PacketRequest& request, CompliancePacket& packet) const
+{
+  const std::uint32_t at = nearestVertex(packet.free_W, request.ball_W);
+  const double speed = request.velocity_u_per_s.norm();
+  const double reach =
+    this->surface_.patch_u[at] + request.radius_u + 2.0 * speed * request.period_s + this->surface_.edge_u[at];
+  // Ahead by what it will be old when it is half used; further than half the reach the hand itself would be left out.
+  const double ahead = std::min(1.5 * speed * request.period_s, 0.5 * reach);
+  const Vec3 center = speed > 0.0 ? Vec3(request.ball_W + ahead / speed * request.velocity_u_per_s) : request.ball_W;
+  Neighbourhood chosen = neighbourhoodOf(this->surface_, packet.free_W, center, reach);
+  packet.near = std::move(chosen.near);
+  packet.placeOf = std::move(chosen.placeOf);
+}
+
+void PacketMaker::addSprings(double radius_u, CompliancePacket& packet) const
+{
+  for (const std::uint32_t v : packet.near)
+  {
+    const double e = this->surface_.stiffness[v];
+    const double a = this->surface_.patch_u[v];
+    packet.patchRadius_u.push_back(a);
+    packet.springs.push_back(radius_u > 0.0
+                               ? SubgridSpring{ std::cbrt(9.0 / (16.0 * e * e * radius_u)), halfSpaceOfPatch / (e * a) }
+                               : SubgridSpring{});
+  }
+}
+
+std::shared_ptr<const CompliancePacket> PacketMaker::make(const PacketRequest& request, int newtonSteps)
+{
+  const Eigen::VectorXd load = this->loadOf(request);
+  if (!this->body_.settle(load, newtonSteps))
+  {
+    return nullptr;
+  }
+  auto packet = std::make_shared<CompliancePacket>();
+  packet->version = ++this->version_;
+  packet->builtFromTick = request.tick;
+  packet->free_W =
+    this->surface_.placesOf(Eigen::VectorXd(this->body_.displacement() - this->body_.linearAnswer(load)));
+  this->choose(request, *packet);
+  this->addSprings(request.radius_u, *packet);
+  packet->compliance = this->body_.compliance(this->surface_.map.columnsOf(packet->near));
+  packet->forceAt = request.forceAt;
+  packet->force_N = request.force_N;
+  const SoftBodyState state = this->body_.stateUnder(load);
+  packet->energy_Nu = state.energy_Nu;
+  packet->residual_N = state.residual_N;
+  packet->mostGradient = state.mostGradient;
+  return packet;
+}
+
+} // namespace palpate

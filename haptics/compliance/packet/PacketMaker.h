@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/compliance/packet/CompliancePacket.h"
+#include "haptics/compliance/packet/SoftSurface.h"
+
+namespace palpate
+{
+
+/// What the servo was doing at the tick that a packet is made from.
+struct PacketRequest
+{
+  std::uint64_t tick = 0;
+  Vec3 ball_W = Vec3::Zero(); ///< in the free surface of the packet before [u]
+  Vec3 velocity_u_per_s = Vec3::Zero();
+  double radius_u = 0.0;             ///< of the ball; 0: a point, without the spring below the patch
+  double period_s = 0.04;            ///< from packet to packet
+  std::vector<SurfacePoint> forceAt; ///< where the tool presses
+  std::vector<Vec3> force_N;         ///< and how, on the body
+};
+
+/// Vertices within reach of a place over the surface, nearest first.
+struct Neighbourhood
+{
+  std::vector<std::uint32_t> near;
+  std::vector<std::uint32_t> placeOf; ///< of every vertex: its place in `near`, or that of the nearest one
+};
+
+/// Along the edges of the surface, at most so many vertices.
+[[nodiscard]] Neighbourhood neighbourhoodOf(const SoftSurface& surface, const std::vector<Vec3>& places_W,
+  const Vec3& center_W, double reach_u, std::size_t most = CompliancePacket::mostVertices);
+
+/// Makes packets of one body, one after the other. A worker's.
+class PacketMaker
+{
+public:
+  /// References are kept.
+  PacketMaker(SoftBody& body, const SoftSurface& surface) : body_(body), surface_(surface) {}
+
+  /// Brings the body to its rest under the tool's force by so many Newton steps, and reads off what the servo needs.
+  /// Null if a factor failed.
+  [[nodiscard]] std::shared_ptr<const CompliancePacket> make(const PacketRequest& request, int newtonSteps = 3);
+
+private:
+  [[nodiscard]] Eigen::VectorXd loadOf(const PacketRequest& request) const;
+  void choose(const PacketRequest& request, CompliancePacket& packet) const;
+  void addSprings(double radius_u, CompliancePacket& packet) const;
+
+  SoftBody& body_;
+  const SoftSurface& surface_;
+  std::uint32_t version_ = 0;
+};
+
+} // namespace palpate

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/compliance/packet/CompliancePacket.h"
+
+namespace palpate
+{
+
+/// A contact point and what its compliance is beyond that of the triangle's corners taken together.
+///
+/// Between vertices the bilinear form of their compliance is up to 13 % too stiff (a patch of two edges), which is felt
+/// as facets. The mean of the corners' own compliance is that of a patch around the point within .5 %: `own` makes up
+/// the difference, M = own own^T.
+struct CompliantPoint
+{
+  SurfacePoint at;
+  Mat3 own = Mat3::Zero();
+  double patch_u = 1.0; ///< radius of the patch here
+};
+
+[[nodiscard]] CompliantPoint compliantPoint(const CompliancePacket& packet, const SurfacePoint& at) noexcept;
+
+/// How `a` answers to a force on `b` [u/N]. Of any set of points this is a positive semidefinite matrix, and points
+/// that coincide share one compliance: what is beyond the bilinear form goes with distance by a kernel that is positive
+/// definite in space and a polynomial (Wendland 1995).
+[[nodiscard]] Mat3 complianceBetween(
+  const CompliancePacket& packet, const CompliantPoint& a, const CompliantPoint& b) noexcept;
+
+/// The spring in series at a point, between the vertices'.
+[[nodiscard]] SubgridSpring springAt(const CompliancePacket& packet, const SurfacePoint& at) noexcept;
+
+} // namespace palpate

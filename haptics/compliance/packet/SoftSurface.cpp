@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/compliance/packet/SoftSurface.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace palpate
+{
+namespace
+{
+
+/// E / (1 - nu^2) of the stiffest point at each node: of points around one node they hardly differ.
+std::vector<double> planeModulusOfNodes(const StrainPoints& points)
+{
+  std::vector<double> modulus(points.rest_W.size(), 0.0);
+  for (const StrainPoint& p : points.points)
+  {
+    const auto& [mu, lambda] = p.moduli;
+    for (const std::uint32_t node : points.nodesOf(p))
+    {
+      modulus[node] = std::max(modulus[node], 4.0 * mu * (lambda + mu) / (lambda + 2.0 * mu));
+    }
+  }
+  return modulus;
+}
+
+void numberBorder(SoftSurface& surface, const SoftBody& body, const TetraMesh& mesh)
+{
+  std::map<std::uint32_t, std::uint32_t> numbers;
+  for (const auto& t : borderOf(mesh))
+  {
+    std::array<std::uint32_t, 3> own{};
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto next = static_cast<std::uint32_t>(surface.vertices.size());
+      const auto [known, fresh] = numbers.try_emplace(t[i], next);
+      own[i] = known->second;
+      if (fresh)
+      {
+        surface.vertices.push_back(t[i]);
+        surface.rest_W.push_back(body.points().rest_W[t[i]]);
+      }
+    }
+    surface.triangles.push_back(own);
+  }
+}
+
+void findNeighbours(SoftSurface& surface)
+{
+  std::vector<std::set<std::uint32_t>> sets(surface.vertices.size());
+  for (const auto& t : surface.triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      sets[t[i]].insert({ t[(i + 1) % 3], t[(i + 2) % 3] });
+    }
+  }
+  for (const auto& set : sets)
+  {
+    surface.neighbours.emplace_back(set.begin(), set.end());
+  }
+}
+
+} // namespace
+
+std::vector<Vec3> SoftSurface::placesOf(const Eigen::VectorXd& ofNodes) const
+{
+  std::vector<Vec3> places = this->rest_W;
+  for (std::size_t v = 0; v < places.size(); ++v)
+  {
+    places[v] += this->map.displacementOf(v, ofNodes);
+  }
+  return places;
+}
+
+SoftSurface makeSoftSurface(const SoftBody& body, const TetraMesh& mesh, double edges)
+{
+  SoftSurface surface;
+  numberBorder(surface, body, mesh);
+  findNeighbours(surface);
+  const std::vector<double> modulus = planeModulusOfNodes(body.points());
+  const BorderFaces corners({ mesh.vertices_W, {}, {}, {}, {} }, borderOf(mesh));
+  const BorderFaces border(body.points(), borderOf(mesh));
+  for (const std::uint32_t node : surface.vertices)
+  {
+    surface.edge_u.push_back(corners.edgeLengthAt(node));
+    surface.patch_u.push_back(edges * surface.edge_u.back());
+    surface.stiffness.push_back(modulus[node]);
+    surface.map.add(patchAt(border, body.points().rest_W[node], border.facesAt(node).front(), surface.patch_u.back()));
+  }
+  return surface;
+}
+
+} // namespace palpate

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "haptics/compliance/body/SoftBody.h"
+#include "haptics/compliance/map/Patches.h"
+
+namespace palpate
+{
+
+/// The border of a soft body as it is touched: each vertex follows a patch of nodes.
+struct SoftSurface
+{
+  std::vector<std::uint32_t> vertices;                 ///< nodes of the body that the border's corners are
+  std::vector<Vec3> rest_W;                            ///< of each [u]
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< of its own vertices, seen from outside
+  std::vector<std::vector<std::uint32_t>> neighbours;  ///< along edges
+  std::vector<double> edge_u;                          ///< mean length of the edges at each vertex
+  std::vector<double> patch_u;                         ///< radius of its patch
+  std::vector<double> stiffness;                       ///< E* = E / (1 - nu^2) of what is below it [N/u^2]
+  SurfaceMap map;
+
+  /// Where the vertices are by the body's displacement, patches deciding.
+  [[nodiscard]] std::vector<Vec3> placesOf(const SoftBody& body) const { return this->placesOf(body.displacement()); }
+  [[nodiscard]] std::vector<Vec3> placesOf(const Eigen::VectorXd& ofNodes) const;
+};
+
+/// `mesh`: the checked tetrahedra of the body; `edges`: the patches' radius in lengths of edges.
+[[nodiscard]] SoftSurface makeSoftSurface(const SoftBody& body, const TetraMesh& mesh, double edges = patchEdges);
+
+} // namespace palpate

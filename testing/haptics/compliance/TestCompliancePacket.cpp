@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "SoftPads.h"
+#include "haptics/compliance/packet/PointCompliance.h"
+#include "testing/support/Random.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+/// A random point of the pad's top within `half` of its middle.
+SurfacePoint onTop(const SoftPad& soft, Random& random, double half)
+{
+  for (;;)
+  {
+    const std::uint32_t t = random.below(static_cast<std::uint32_t>(soft.surface.triangles.size()));
+    const double a = random.uniform();
+    const double b = random.uniform() * (1.0 - a);
+    const SurfacePoint p = soft.pointOn(t, Vec3(1.0 - a - b, a, b));
+    if (p.x_W.z() > 0.0499 && (p.x_W - soft.middle()).norm() < half)
+    {
+      return p;
+    }
+  }
+}
+
+TEST(CompliancePacket, BetweenVerticesComplianceIsThatOfAPatchAroundThePoint)
+{
+  Random random(testSeed(186));
+  SoftPad soft(16, 2.0, ElementKind::Linear); // patches of two edges: the least that is allowed
+  const auto packet = soft.packet(0.0, 0.08);
+  const BorderFaces border(soft.body->points(), borderOf(soft.mesh));
+  for (std::size_t i = 0; i < testCount(12); ++i)
+  {
+    const SurfacePoint q = onTop(soft, random, 0.012);
+    double patch_u = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      patch_u += q.weights[c] * soft.surface.patch_u[q.vertices[c]];
+    }
+    SurfaceMap map;
+    map.add(patchAt(border, q.x_W, soft.faceUnder(border, q), patch_u));
+    const std::vector<std::uint32_t> first{ 0 };
+    const double truth = soft.body->compliance(map.columnsOf(first))(2, 2);
+    const CompliantPoint point = compliantPoint(*packet, q);
+    EXPECT_NEAR(complianceBetween(*packet, point, point)(2, 2) / truth, 1.0, 0.005);
+  }
+}
+
+TEST(CompliancePacket, OfAnyPointsComplianceIsSymmetricAndNeverNegative)
+{
+  Random random(testSeed(187));
+  SoftPad soft(8);
+  const auto packet = soft.packet(0.0, 0.06);
+  for (std::size_t trial = 0; trial < testCount(10); ++trial)
+  {
+    std::vector<CompliantPoint> points;
+    for (int i = 0; i < 10; ++i)
+    {
+      points.push_back(compliantPoint(*packet, onTop(soft, random, 0.03)));
+    }
+    points.push_back(points.front()); // twice the same
+    Eigen::MatrixXd w(33, 33);
+    for (int i = 0; i < 11; ++i)
+    {
+      for (int j = 0; j < 11; ++j)
+      {
+        w.block<3, 3>(3 * i, 3 * j) = complianceBetween(*packet, points[i], points[j]);
+      }
+    }
+    EXPECT_LE((w - w.transpose()).lpNorm<Eigen::Infinity>(), 1e-15 * w.lpNorm<Eigen::Infinity>());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(w);
+    EXPECT_GE(solver.eigenvalues()[0], -1e-14 * solver.eigenvalues()[32]);
+    const Mat3 twice = w.topLeftCorner<3, 3>() - w.topRightCorner<3, 3>();
+    EXPECT_LE(twice.norm(), 1e-14 * w.norm());
+  }
+}
+
+/// Depth of a ball of r = 10 mm under a force on a half space of 20 kPa, nu .4, as Hertz has it.
+double hertzForce(double depth)
+{
+  return 4.0 / 3.0 * 20e3 / (1.0 - 0.16) * std::sqrt(0.01) * std::pow(depth, 1.5);
+}
+
+/// Solves compliance F + s(F) = depth by bisection.
+double forceAt(double depth, double compliance, const SubgridSpring& spring)
+{
+  double low = 0.0;
+  double high = 10.0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const double f = 0.5 * (low + high);
+    const double t = std::cbrt(f);
+    (compliance * f + spring.hertz * t * t - spring.patch * f > depth ? high : low) = f;
+  }
+  return low;
+}
+
+TEST(CompliancePacket, ABallIsAsFarFromHertzOnACoarseMeshAsOnAFineOne)
+{
+  // On 50 mm of rigid floor Hertz's force is to be multiplied by the layer's factor (Dimitriadis 2002, nu = .4).
+  const std::array<std::array<double, 2>, 2> depthAndLayer{ { { 0.25e-3, 1.0317 }, { 1e-3, 1.0653 } } };
+  for (const int n : { 8, 12 }) // edges of 12.5 and 8.3 mm: up to 11 times the radius of the contact
+  {
+    for (const double edges : { 2.0, 3.0 })
+    {
+      if (n == 8 && edges == 3.0)
+      {
+        continue; // the patch would end at the sides of the pad
+      }
+      SoftPad soft(n, edges, ElementKind::EdgeSmoothed);
+      const auto packet = soft.packet(0.01, 0.001);
+      const SurfacePoint top = soft.top();
+      const CompliantPoint point = compliantPoint(*packet, top);
+      const double normal = complianceBetween(*packet, point, point)(2, 2);
+      for (const auto& [depth, layer] : depthAndLayer)
+      {
+        const double ratio = forceAt(depth, normal, springAt(*packet, top)) / (layer * hertzForce(depth));
+        EXPECT_NEAR(ratio, 1.0, 0.05) << n << " cells, patch of " << edges << " edges, depth " << depth;
+      }
+    }
+  }
+}
+
+TEST(CompliancePacket, WithTheForceOfItsStateTheSurfaceIsThatOfItsState)
+{
+  SoftPad soft(8);
+  PacketRequest request = soft.request(0.005);
+  request.forceAt = { soft.top() };
+  request.force_N = { Vec3(0.05, 0.02, -0.3) };
+  PacketMaker maker(*soft.body, soft.surface);
+  const auto packet = maker.make(request, 20);
+  ASSERT_TRUE(packet);
+  EXPECT_LE(packet->residual_N, 1e-10);
+  const std::vector<Vec3> state = soft.surface.placesOf(*soft.body);
+  for (std::size_t i = 0; i < packet->near.size(); ++i)
+  {
+    Vec3 place = packet->free_W[packet->near[i]];
+    for (int c = 0; c < 3; ++c)
+    {
+      place += request.forceAt[0].weights[c] * packet->between(packet->near[i], request.forceAt[0].vertices[c]) *
+               request.force_N[0];
+    }
+    EXPECT_LE((place - state[packet->near[i]]).norm(), 1e-14);
+  }
+}
+
+TEST(CompliancePacket, ItsNeighbourhoodLiesAheadAndWhatIsOutsideAnswersAsTheNearestVertex)
+{
+  SoftPad soft(16, 2.0, ElementKind::Linear);
+  PacketRequest request = soft.request(0.005);
+  PacketMaker maker(*soft.body, soft.surface);
+  const auto resting = maker.make(request);
+  request.velocity_u_per_s = Vec3(0.2, 0.0, 0.0);
+  const auto moving = maker.make(request);
+  ASSERT_TRUE(resting && moving);
+  const auto middleOf = [&soft](const CompliancePacket& packet)
+  {
+    Vec3 sum = Vec3::Zero();
+    for (const std::uint32_t v : packet.near)
+    {
+      sum += soft.surface.rest_W[v] / static_cast<double>(packet.near.size());
+    }
+    return sum;
+  };
+  EXPECT_NEAR(middleOf(*resting).x(), 0.05, 0.002);
+  EXPECT_NEAR(middleOf(*moving).x(), 0.05 + 1.5 * 0.04 * 0.2, 0.005);
+  EXPECT_GT(moving->near.size(), resting->near.size());
+  EXPECT_LE(moving->near.size(), CompliancePacket::mostVertices);
+  for (std::uint32_t v = 0; v < soft.surface.rest_W.size(); ++v)
+  {
+    const std::uint32_t nearest = resting->near[resting->placeOf[v]];
+    EXPECT_EQ(resting->between(v, v), resting->between(nearest, nearest));
+    const bool within = std::find(resting->near.begin(), resting->near.end(), v) != resting->near.end();
+    EXPECT_EQ(within, nearest == v);
+  }
+  const Neighbourhood few =
+    neighbourhoodOf(soft.surface, soft.surface.rest_W, soft.middle(), 1.0, CompliancePacket::mostVertices);
+  EXPECT_EQ(few.near.size(), CompliancePacket::mostVertices);
+}
+
+} // namespace
+} // namespace palpate::test

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "Blocks.h"
+#include "haptics/compliance/map/Patches.h"
+#include "haptics/compliance/packet/SoftSurface.h"
+#include "testing/support/Random.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+/// A pad whose top is a hill: no patch lies in a plane.
+SoftBodyInput hill(ElementKind element)
+{
+  SoftBodyInput input = pad(6);
+  for (Vec3& p : input.mesh.vertices_W)
+  {
+    p.z() *= 1.0 + 20.0 * (p.x() * (0.1 - p.x()) + p.y() * (0.1 - p.y()));
+    p.x() += 0.2 * p.z();
+  }
+  input.element = element;
+  return input;
+}
+
+Vec3 turnAndShift(const Vec3& p)
+{
+  return Vec3(0.3, -0.2, 0.1) + Vec3(0.5, 1.0, -0.7).cross(p);
+}
+
+/// Forces on mapped points and on nodes have one sum, one moment and one power; motions of a rigid body go through.
+void expectEqualWrenches(const SurfaceMap& map, const std::vector<Vec3>& points_W, const std::vector<Vec3>& nodes_W)
+{
+  Random random(testSeed(184));
+  Eigen::VectorXd onNodes = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(nodes_W.size()));
+  Eigen::VectorXd moved = onNodes;
+  Eigen::VectorXd rigid = onNodes;
+  for (std::size_t n = 0; n < nodes_W.size(); ++n)
+  {
+    moved.segment<3>(3 * static_cast<Eigen::Index>(n)) = random.inCube(1e-2);
+    rigid.segment<3>(3 * static_cast<Eigen::Index>(n)) = turnAndShift(nodes_W[n]);
+  }
+  Vec3 force = Vec3::Zero();
+  Vec3 moment = Vec3::Zero();
+  double power = 0.0;
+  for (std::size_t v = 0; v < points_W.size(); ++v)
+  {
+    const Vec3 f = random.direction();
+    map.addForce(v, f, onNodes);
+    force += f;
+    moment += points_W[v].cross(f);
+    power += f.dot(map.displacementOf(v, moved));
+    EXPECT_LE((map.displacementOf(v, rigid) - turnAndShift(points_W[v])).norm(), 1e-12);
+  }
+  power -= onNodes.dot(moved);
+  for (std::size_t n = 0; n < nodes_W.size(); ++n)
+  {
+    force -= onNodes.segment<3>(3 * static_cast<Eigen::Index>(n));
+    moment -= nodes_W[n].cross(onNodes.segment<3>(3 * static_cast<Eigen::Index>(n)));
+  }
+  // Of some hundred forces of 1 N.
+  EXPECT_LE(force.norm(), 1e-12);
+  EXPECT_LE(moment.norm(), 1e-12);
+  EXPECT_LE(std::abs(power), 1e-12);
+}
+
+TEST(SurfaceMap, PatchesCarryForceMomentAndPowerToTheNodes)
+{
+  for (const ElementKind element : { ElementKind::EdgeSmoothed, ElementKind::Quadratic })
+  {
+    const SoftBodyResult made = makeSoftBody(hill(element));
+    ASSERT_TRUE(made.body) << made.refusal;
+    const SoftSurface surface = makeSoftSurface(*made.body, made.checked.mesh);
+    expectEqualWrenches(surface.map, surface.rest_W, made.body->points().rest_W);
+  }
+}
+
+TEST(SurfaceMap, PointsInTetrahedraCarryThemToo)
+{
+  Random random(testSeed(185));
+  const TetraMesh mesh = hill(ElementKind::Linear).mesh;
+  std::vector<Vec3> points_W;
+  for (std::size_t i = 0; i < testCount(200); ++i)
+  {
+    points_W.emplace_back(Vec3(0.05, 0.05, 0.03) + random.inCube(0.05)); // some are outside
+  }
+  const Embedding embedding = embed(mesh, points_W);
+  EXPECT_GT(embedding.outside, points_W.size() / 20);
+  EXPECT_LT(embedding.outside, points_W.size() * 3 / 4);
+  expectEqualWrenches(embedding.map, points_W, mesh.vertices_W);
+}
+
+TEST(SurfaceMap, APatchEndsWhereTheSurfaceDoesThoughAnotherSheetIsNear)
+{
+  // Two plates .2 apart, which hang together at one end that is further away than a patch reaches.
+  SoftBodyInput input;
+  input.mesh = blockOf({ 20, 6, 1 }, { 20, 6, 1 });
+  for (Vec3& p : input.mesh.vertices_W)
+  {
+    const double x = p.x();
+    p = x <= 10.0 ? Vec3(x, p.y(), p.z()) : Vec3(20.0 - x, p.y(), 2.2 - p.z());
+    p.x() -= x == 10.0 ? 0.0 : 1e-9;
+  }
+  input.fixed = fixedWhere(input.mesh, [](const Vec3& p) { return p.x() < 0.5 && p.z() < 1.05; });
+  input.young_Pa = { 1.0 };
+  const StrainPoints points = makeStrainPoints(
+    input.mesh, ElementKind::Linear, std::vector<ElasticModuli>(input.mesh.tetras.size(), ElasticModuli{ 1.0, 1.0 }));
+  const BorderFaces border(points, borderOf(input.mesh));
+  for (std::uint32_t node = 0; node < points.rest_W.size(); ++node)
+  {
+    const Vec3& p = points.rest_W[node];
+    if (std::abs(p.x() - 5.0) < 0.1 && std::abs(p.y() - 3.0) < 0.1 && p.z() > 0.9 && p.z() < 1.1)
+    {
+      for (const std::uint32_t reached : patchAt(border, p, border.facesAt(node).front(), 2.5).nodes)
+      {
+        EXPECT_LE(points.rest_W[reached].z(), 1.1);
+      }
+      return;
+    }
+  }
+  FAIL() << "no node there";
+}
+
+} // namespace
+} // namespace palpate::test
