@@ -2,8 +2,9 @@
 #include "haptics/compliance/packet/SoftSurface.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
+
+#include "haptics/geometry/mesh/TriangleMesh.h"
 
 namespace palpate
 {
@@ -27,23 +28,10 @@ std::vector<double> planeModulusOfNodes(const StrainPoints& points)
 
 void numberBorder(SoftSurface& surface, const SoftBody& body, const TetraMesh& mesh)
 {
-  std::map<std::uint32_t, std::uint32_t> numbers;
-  for (const auto& t : borderOf(mesh))
-  {
-    std::array<std::uint32_t, 3> own{};
-    for (int i = 0; i < 3; ++i)
-    {
-      const auto next = static_cast<std::uint32_t>(surface.vertices.size());
-      const auto [known, fresh] = numbers.try_emplace(t[i], next);
-      own[i] = known->second;
-      if (fresh)
-      {
-        surface.vertices.push_back(t[i]);
-        surface.rest_W.push_back(body.points().rest_W[t[i]]);
-      }
-    }
-    surface.triangles.push_back(own);
-  }
+  CleanResult clean = cleanMesh({ body.points().rest_W, borderOf(mesh) });
+  surface.vertices = std::move(clean.sourceVertex);
+  surface.rest_W = std::move(clean.mesh.vertices_W);
+  surface.triangles = std::move(clean.mesh.triangles);
 }
 
 void findNeighbours(SoftSurface& surface)

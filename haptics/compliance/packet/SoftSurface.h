@@ -9,12 +9,13 @@
 namespace palpate
 {
 
-/// The border of a soft body as it is touched: each vertex follows a patch of nodes.
+/// The border of a soft body as it is touched: each vertex follows a patch of nodes. In the one order of cleanMesh(),
+/// so that a tree of it numbers its vertices alike.
 struct SoftSurface
 {
   std::vector<std::uint32_t> vertices;                 ///< nodes of the body that the border's corners are
   std::vector<Vec3> rest_W;                            ///< of each [u]
-  std::vector<std::array<std::uint32_t, 3>> triangles; ///< of its own vertices, seen from outside
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< of its own vertices
   std::vector<std::vector<std::uint32_t>> neighbours;  ///< along edges
   std::vector<double> edge_u;                          ///< mean length of the edges at each vertex
   std::vector<double> patch_u;                         ///< radius of its patch

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// Contacts that share compliance: displacement = free + compliance force, three rows a contact, along its normal and
+/// two directions across. Of fixed capacity: nothing is allocated. Some 120 kB: not for the stack.
+struct ContactProblem
+{
+  static constexpr int most = 40;
+  using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3 * most, 1>;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * most, 3 * most>;
+
+  int count = 0;
+  double friction = 0.0; ///< mu >= 0
+  Square compliance;     ///< [u/N], symmetric, positive semidefinite
+  Numbers free;          ///< gap and slip without forces [u]
+
+  /// For so many contacts; numbers are not set.
+  void resize(int contacts) noexcept;
+};
+
+/// Forces of all contacts, three numbers each [N], and by how much the laws are not met [u].
+struct ContactForces
+{
+  ContactProblem::Numbers force_N;
+  double residual_u = 0.0;
+  int steps = 0;
+};
+
+/// Signorini without friction: gap >= 0, force >= 0, one of them 0. By an active set (Lawson & Hanson 1974), exact but
+/// for rounding; of normals that are not independent one carries the force. Forces across are 0. Real-time safe.
+void solveGaps(const ContactProblem& problem, ContactForces& forces) noexcept;
+
+/// What the friction solver needs to work in: kept by who calls it.
+struct FrictionRoom
+{
+  ContactProblem::Square jacobian;
+  ContactProblem::Numbers residual;
+  ContactProblem::Numbers step;
+  ContactProblem::Numbers trial;
+  ContactProblem::Numbers best;
+};
+
+/// Signorini and Coulomb: in contact either no slip within the cone, or slip against the force on the cone. Begins with
+/// forces.force_N, which must have the problem's size. A few sweeps of projected Gauss-Seidel, then semismooth Newton
+/// steps on Alart & Curnier's (1991) function with a line search; more sweeps where a step does not help. Beyond 20
+/// contacts sweeps alone, which are then cheaper. The best forces are kept and lie in their cones. Real-time safe.
+void solveFriction(const ContactProblem& problem, FrictionRoom& room, ContactForces& forces) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/compliance/servo/SoftContacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/contact/planes/FeatureGeometry.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// A plane that the ball rests on is this near, in patch radii: far more than rounding, far less than can be felt.
+constexpr double restsWithin = 1e-5;
+/// One that carried force counts on as far as this.
+constexpr double rememberedWithin = 0.02;
+/// Cosine of what two planes of one body must differ by, to be two: planes of one flat face do not share a load.
+constexpr double samePlane = 1.0 - 1e-12;
+/// Of ten degrees: nearer ones a remembered contact would only double.
+constexpr double nearlySame = 0.984807753012208;
+
+Vec3 weightsOn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p_W) noexcept
+{
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const Vec3 normal = u.cross(v);
+  const double area2 = normal.squaredNorm();
+  const double wb = (p_W - a).cross(v).dot(normal) / area2;
+  const double wc = u.cross(p_W - a).dot(normal) / area2;
+  const Vec3 w = Vec3(1.0 - wb - wc, wb, wc).cwiseMax(0.0);
+  return w / w.sum();
+}
+
+/// The touched point in the surface's own vertices.
+template<class View>
+SurfacePoint pointOf(const View& s, const ActiveFeature& f, const Vec3& foot_W) noexcept
+{
+  SurfacePoint p;
+  p.x_W = foot_W;
+  if (f.kind == FeatureKind::Face)
+  {
+    p.vertices = s.corners(f.a);
+    const auto& [a, b, c] = s.cornersOf(f.a);
+    p.weights = weightsOn(a, b, c, foot_W);
+    return p;
+  }
+  p.vertices = { f.a, f.a, f.a };
+  p.weights = Vec3::UnitX();
+  if (f.kind == FeatureKind::Edge)
+  {
+    const Vec3 along = s.vertex(f.b) - s.vertex(f.a);
+    const double share = std::clamp((foot_W - s.vertex(f.a)).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    p.vertices[1] = f.b;
+    p.weights = Vec3(1.0 - share, share, 0.0);
+  }
+  return p;
+}
+
+const SoftTouch* softOf(std::span<const SoftTouch> soft, std::uint32_t surface) noexcept
+{
+  const auto found =
+    std::find_if(soft.begin(), soft.end(), [surface](const SoftTouch& s) { return s.surface == surface; });
+  return found != soft.end() ? &*found : nullptr;
+}
+
+bool differs(std::span<const SoftContact> contacts, const SoftContact& other, double cosine) noexcept
+{
+  return std::none_of(contacts.begin(), contacts.end(),
+    [&other, cosine](const SoftContact& c)
+    { return c.feature.surface == other.feature.surface && c.n.dot(other.n) > cosine; });
+}
+
+template<SceneView AnyScene>
+SoftContact contactAt(const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, const ActiveFeature& f,
+  const Vec3& x_W) noexcept
+{
+  decltype(auto) surface = surfaceOf(scene, f.surface);
+  const FeaturePlane plane = planeOf(surface, f, x_W, radius_u);
+  SoftContact contact;
+  contact.feature = f;
+  contact.n = plane.n;
+  contact.foot_W = plane.foot_W;
+  contact.overlap_u = radius_u - plane.n.dot(x_W - plane.foot_W);
+  contact.soft = softOf(soft, f.surface);
+  if (contact.soft)
+  {
+    const SurfacePoint at = pointOf(surface, f, plane.foot_W);
+    contact.point = compliantPoint(*contact.soft->packet, at);
+    contact.spring = springAt(*contact.soft->packet, at);
+    contact.gives = contact.spring.hertz > 0.0 ||
+                    complianceBetween(*contact.soft->packet, contact.point, contact.point).trace() > 0.0;
+  }
+  return contact;
+}
+
+/// The largest patch among what is soft, the measure of what is near.
+double patchOf(std::span<const SoftTouch> soft) noexcept
+{
+  double patch_u = 0.0;
+  for (const SoftTouch& s : soft)
+  {
+    patch_u = std::max(patch_u, s.packet->patchRadius_u.front());
+  }
+  return patch_u;
+}
+
+} // namespace
+
+template<SceneView AnyScene>
+void gatherContacts(const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, SoftState& state) noexcept
+{
+  const double patch_u = patchOf(soft);
+  const std::array<SoftContact, GodObjectState::maxFeatures> before = state.contacts;
+  const std::span<const SoftContact> kept(before.data(), static_cast<std::size_t>(state.count));
+  state.count = 0;
+  const auto found = [&state]
+  { return std::span<const SoftContact>(state.contacts.data(), static_cast<std::size_t>(state.count)); };
+  for (int i = 0; i < state.core.count; ++i)
+  {
+    SoftContact contact = contactAt(scene, soft, radius_u, state.core.features[i], state.core.x_W);
+    if (contact.overlap_u > -restsWithin * patch_u && differs(found(), contact, samePlane))
+    {
+      state.contacts[state.count++] = contact;
+    }
+  }
+  for (const SoftContact& old : kept)
+  {
+    const SoftContact now = contactAt(scene, soft, radius_u, old.feature, state.core.x_W);
+    const bool near = now.overlap_u > -rememberedWithin * patch_u && old.force_N.squaredNorm() > 0.0;
+    if (near && state.count < GodObjectState::maxFeatures && differs(found(), now, nearlySame))
+    {
+      state.contacts[state.count++] = now;
+    }
+  }
+  for (int i = 0; i < state.count; ++i)
+  {
+    SoftContact& now = state.contacts[i];
+    for (const SoftContact& old : kept)
+    {
+      if (old.feature.surface == now.feature.surface && old.n.dot(now.n) > nearlySame)
+      {
+        now.force_N = old.force_N;
+      }
+    }
+  }
+}
+
+template void gatherContacts(const Scene&, std::span<const SoftTouch>, double, SoftState&) noexcept;
+template void gatherContacts(const MovingScene&, std::span<const SoftTouch>, double, SoftState&) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/compliance/servo/SoftTick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "haptics/compliance/servo/SoftContacts.h"
+#include "haptics/compliance/servo/SubgridForce.h"
+#include "haptics/contact/GodObject.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr int mostLoops = 16;
+/// From this turn on the ball goes half of the way: two walls that hand it to each other come to rest.
+constexpr int dampedFrom = 5;
+/// Two turns that differ by less than this share of a patch agree: 1e-10 m of 25 mm.
+constexpr double agreeWithin = 4e-9;
+/// Newton's steps on the springs below the patches, for all contacts at once; five are usual.
+constexpr int mostSprings = 30;
+/// Of which so many are secants: from a force ten times too large they lead within a tenth.
+constexpr int secants = 3;
+
+Mat3 basisOf(const Vec3& n) noexcept
+{
+  const Vec3 axis = std::abs(n.x()) < 0.6 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
+  Mat3 basis;
+  basis.col(0) = n;
+  basis.col(1) = n.cross(axis).normalized();
+  basis.col(2) = n.cross(basis.col(1));
+  return basis;
+}
+
+/// The contacts of one turn as a problem in their own directions.
+class TurnProblem
+{
+public:
+  TurnProblem(double coupling_N_per_u, double radius_u, double friction, SoftState& state, SoftRoom& room) noexcept
+    : coupling_(coupling_N_per_u), radius_u_(radius_u), state_(state), room_(room)
+  {
+    room.problem.resize(state.count);
+    room.problem.friction = friction;
+    for (int c = 0; c < state.count; ++c)
+    {
+      this->basis_[c] = basisOf(state.contacts[c].n);
+    }
+    const Mat3 device = Mat3::Identity() / coupling_N_per_u;
+    for (int c = 0; c < state.count; ++c)
+    {
+      for (int d = 0; d <= c; ++d)
+      {
+        const Mat3 w = this->basis_[c].transpose() * (this->compliance(c, d) + device) * this->basis_[d];
+        room.problem.compliance.block<3, 3>(3 * c, 3 * d) = w;
+        room.problem.compliance.block<3, 3>(3 * d, 3 * c) = w.transpose();
+      }
+      this->bare_[c] = room.problem.compliance(3 * c, 3 * c);
+    }
+  }
+
+  /// Forces of all contacts for a device at p, slip counted from where the ball was in the material.
+  void solve(const Vec3& p_W, const Vec3& slipFrom_W) noexcept
+  {
+    bool agreed = false;
+    for (int i = 0; i < mostSprings && !agreed; ++i)
+    {
+      this->linearise(p_W, slipFrom_W, i >= secants);
+      this->solveOnce();
+      agreed = this->takeForces();
+    }
+  }
+
+  /// How far the surface under a contact has gone.
+  [[nodiscard]] Vec3 yieldOf(int c) const noexcept
+  {
+    const SoftContact& contact = this->state_.contacts[c];
+    Vec3 u = -subgridDepth(contact.spring, contact.n.dot(contact.force_N)).depth_u * contact.n;
+    for (int d = 0; d < this->state_.count; ++d)
+    {
+      u -= this->compliance(c, d) * this->state_.contacts[d].force_N;
+    }
+    return u;
+  }
+
+private:
+  [[nodiscard]] Mat3 compliance(int c, int d) const noexcept
+  {
+    const SoftContact& a = this->state_.contacts[c];
+    const SoftContact& b = this->state_.contacts[d];
+    return a.soft && a.soft == b.soft ? complianceBetween(*a.soft->packet, a.point, b.point) : Mat3(Mat3::Zero());
+  }
+
+  /// The springs below the patches as straight lines: first through nothing and the last force, which always leads
+  /// nearer, then along the spring there, which ends it in a few steps.
+  void linearise(const Vec3& p_W, const Vec3& slipFrom_W, bool along) noexcept
+  {
+    ContactProblem& problem = this->room_.problem;
+    for (int c = 0; c < this->state_.count; ++c)
+    {
+      const SoftContact& contact = this->state_.contacts[c];
+      const double gap = contact.n.dot(p_W - contact.foot_W) - this->radius_u_;
+      const double least = 1e-6 * this->coupling_ * std::max(std::abs(gap), contact.point.patch_u);
+      const double force = std::max(contact.n.dot(contact.force_N), least);
+      const SubgridDepth spring = subgridDepth(contact.spring, force);
+      const double slope = along ? spring.slope : spring.depth_u / force;
+      problem.compliance(3 * c, 3 * c) = this->bare_[c] + slope;
+      problem.free[3 * c] = gap + spring.depth_u - slope * force;
+      problem.free.segment<2>(3 * c + 1) = this->basis_[c].rightCols<2>().transpose() * (p_W - slipFrom_W);
+    }
+  }
+
+  void solveOnce() noexcept
+  {
+    ContactForces& forces = this->room_.forces;
+    if (this->room_.problem.friction == 0.0)
+    {
+      solveGaps(this->room_.problem, forces);
+      return;
+    }
+    forces.force_N.resize(3 * this->state_.count);
+    for (int c = 0; c < this->state_.count; ++c)
+    {
+      forces.force_N.segment<3>(3 * c) = this->basis_[c].transpose() * this->state_.contacts[c].force_N;
+    }
+    solveFriction(this->room_.problem, this->room_.friction, forces);
+  }
+
+  /// True if they are the forces that the straight lines were taken at.
+  [[nodiscard]] bool takeForces() noexcept
+  {
+    bool agreed = true;
+    for (int c = 0; c < this->state_.count; ++c)
+    {
+      SoftContact& contact = this->state_.contacts[c];
+      const double before = contact.n.dot(contact.force_N);
+      const Vec3 local = this->room_.forces.force_N.segment<3>(3 * c);
+      contact.force_N = this->basis_[c] * local;
+      agreed = agreed && (contact.spring.hertz <= 0.0 || std::abs(local[0] - before) <= 1e-14 * local[0]);
+    }
+    return agreed;
+  }
+
+  double coupling_;
+  double radius_u_;
+  SoftState& state_;
+  SoftRoom& room_;
+  std::array<Mat3, GodObjectState::maxFeatures> basis_;
+  std::array<double, GodObjectState::maxFeatures> bare_{}; ///< normal compliance without the spring
+};
+
+bool givesWay(const SoftState& state) noexcept
+{
+  return std::any_of(
+    state.contacts.begin(), state.contacts.begin() + state.count, [](const SoftContact& c) { return c.gives; });
+}
+
+/// What the contacts' forces come to.
+struct Yield
+{
+  Vec3 force_N = Vec3::Zero();
+  Vec3 across_N = Vec3::Zero();  ///< the part that is friction
+  Vec3 yielded_W = Vec3::Zero(); ///< of the surfaces under the ball, the more the harder they are pressed
+};
+
+Yield yieldUnder(const SoftState& state, const TurnProblem& problem) noexcept
+{
+  Yield sum;
+  double all_N = 0.0;
+  for (int c = 0; c < state.count; ++c)
+  {
+    const SoftContact& contact = state.contacts[c];
+    const double size_N = contact.force_N.norm();
+    sum.force_N += contact.force_N;
+    sum.across_N += contact.force_N - contact.n.dot(contact.force_N) * contact.n;
+    sum.yielded_W += size_N * problem.yieldOf(c);
+    all_N += size_N;
+  }
+  sum.yielded_W = all_N > 0.0 ? Vec3(sum.yielded_W / all_N) : Vec3(Vec3::Zero());
+  return sum;
+}
+
+double patchUnder(const SoftState& state) noexcept
+{
+  double patch_u = std::numeric_limits<double>::infinity();
+  for (int c = 0; c < state.count; ++c)
+  {
+    patch_u = state.contacts[c].gives ? std::min(patch_u, state.contacts[c].point.patch_u) : patch_u;
+  }
+  return patch_u;
+}
+
+/// The rigid core alone: of a ball that touches nothing soft, and that nothing it touched has carried away.
+void finishRigid(const ContactPlan& plan, const SoftState& state, SoftResult& result) noexcept
+{
+  result.proxy_W = state.core.x_W;
+  result.force_N = plan.coupling_N_per_m * result.core.pull_W;
+}
+
+} // namespace
+
+template<SceneView AnyScene>
+SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftTouch> soft, const Vec3& p_W,
+  SoftState& state, SoftRoom& room) noexcept
+{
+  SoftResult result;
+  const GodObjectState start = state.core;
+  ContactPlan frictionless = plan;
+  frictionless.friction = {};
+  Vec3 force_N = Vec3::Zero();
+  bool soften = givesWay(state);
+  for (result.loops = 1; result.loops <= mostLoops; ++result.loops)
+  {
+    state.core = start;
+    result.core = moveGodObject(scene, soften ? frictionless : plan, p_W - state.yielded_W + state.lead_W, state.core);
+    gatherContacts(scene, soft, plan.radius_u, state);
+    if (!givesWay(state))
+    {
+      if (!soften)
+      {
+        finishRigid(plan, state, result);
+        return result;
+      }
+      soften = false;
+      state.yielded_W = state.lead_W = Vec3::Zero();
+      continue;
+    }
+    TurnProblem problem(plan.coupling_N_per_m, plan.radius_u, plan.friction.kinetic, state, room);
+    problem.solve(p_W, start.placed ? start.x_W : state.core.x_W);
+    const Yield now = yieldUnder(state, problem);
+    const Vec3 lead_W = now.across_N / plan.coupling_N_per_m;
+    const Vec3 change = now.yielded_W - lead_W - state.yielded_W + state.lead_W;
+    const double off_u = change.norm() + (now.force_N - force_N).norm() / plan.coupling_N_per_m;
+    force_N = now.force_N;
+    const double share = soften && result.loops > dampedFrom ? 0.5 : 1.0;
+    state.yielded_W += share * (now.yielded_W - state.yielded_W);
+    state.lead_W += share * (lead_W - state.lead_W);
+    soften = true;
+    result.residual_u = room.forces.residual_u;
+    if (off_u <= agreeWithin * patchUnder(state))
+    {
+      break;
+    }
+  }
+  result.capped = result.loops > mostLoops;
+  result.loops = std::min(result.loops, mostLoops);
+  result.proxy_W = state.core.x_W + state.yielded_W;
+  result.force_N = force_N;
+  return result;
+}
+
+template SoftResult moveOnSoft(
+  const Scene&, const ContactPlan&, std::span<const SoftTouch>, const Vec3&, SoftState&, SoftRoom&) noexcept;
+template SoftResult moveOnSoft(
+  const MovingScene&, const ContactPlan&, std::span<const SoftTouch>, const Vec3&, SoftState&, SoftRoom&) noexcept;
+
+} // namespace palpate

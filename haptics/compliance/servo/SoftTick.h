@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/compliance/servo/SoftTouch.h"
+#include "haptics/contact/view/SceneView.h"
+
+namespace palpate
+{
+
+/// A god-object in material space: moves the ball towards the device point p_W [u] in a scene some surfaces of which
+/// give way.
+///
+/// Where surfaces yield by u under the force f = K (y - p), f is that of a ball y - u among surfaces that do not yield,
+/// drawn to p - u. So the rigid core moves among the surfaces as they are without the tool (their packets' free_W), and
+/// stops at what it meets there; the contacts it rests on are solved exactly with the compliance that they share,
+/// coupling and friction included; and both take turns until they agree. It cannot pass through, as the core cannot.
+/// Where nothing soft is touched and nothing has yielded, the answer is the rigid core's, bit for bit.
+/// plan.coupling_N_per_m is here K [N/u]. Friction of soft contacts is kinetic. Deterministic, bounded, allocates
+/// nothing.
+template<SceneView AnyScene>
+[[nodiscard]] SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftTouch> soft,
+  const Vec3& p_W, SoftState& state, SoftRoom& room) noexcept;
+
+} // namespace palpate

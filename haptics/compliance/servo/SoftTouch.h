@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "haptics/compliance/packet/PointCompliance.h"
+#include "haptics/compliance/servo/ContactProblem.h"
+#include "haptics/contact/view/ContactPlan.h"
+#include "haptics/contact/view/GodObjectState.h"
+
+namespace palpate
+{
+
+/// A surface of a scene that gives way.
+struct SoftTouch
+{
+  std::uint32_t surface = 0;                ///< in Scene::surfaces()
+  const CompliancePacket* packet = nullptr; ///< its vertices are those of the scene's surface, at free_W
+};
+
+/// A contact that carries or carried force.
+struct SoftContact
+{
+  ActiveFeature feature;
+  Vec3 n = Vec3::Zero();           ///< unit, towards the ball
+  Vec3 foot_W = Vec3::Zero();      ///< in the free surface
+  double overlap_u = 0.0;          ///< of the ball with its plane, where the ball is
+  const SoftTouch* soft = nullptr; ///< null: a wall; valid in the tick that found it
+  bool gives = false;              ///< it is soft, and its compliance is not 0
+  CompliantPoint point;            ///< of a soft one
+  SubgridSpring spring;
+  Vec3 force_N = Vec3::Zero(); ///< on the ball
+};
+
+/// What the servo keeps of a ball among things that give way.
+struct SoftState
+{
+  GodObjectState core;           ///< the ball among the free surfaces: in material space
+  Vec3 yielded_W = Vec3::Zero(); ///< how far the surfaces under it have gone: the ball in W is there plus this
+  Vec3 lead_W = Vec3::Zero();    ///< by which friction holds the ball before the device, as the core is told [u]
+  std::array<SoftContact, GodObjectState::maxFeatures> contacts{};
+  int count = 0;
+};
+
+/// What a tick of contact is computed in: kept by its owner, so that nothing is allocated.
+struct SoftRoom
+{
+  ContactProblem problem;
+  ContactForces forces;
+  FrictionRoom friction;
+};
+
+/// What one tick did.
+struct SoftResult
+{
+  Vec3 proxy_W = Vec3::Zero(); ///< the ball, where the surfaces have yielded to
+  Vec3 force_N = Vec3::Zero(); ///< on the hand
+  ContactResult core;          ///< of the last move among the free surfaces
+  int loops = 0;
+  bool capped = false;     ///< the loop's cap ended it: forces and gaps agree for the planes of its last turn
+  double residual_u = 0.0; ///< by how much the laws of contact are not met
+};
+
+} // namespace palpate

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "haptics/compliance/servo/ContactProblem.h"
+#include "haptics/compliance/servo/SubgridForce.h"
+#include "testing/support/AllocationGuard.h"
+#include "testing/support/Random.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+/// Contacts with normal compliance `w` [mm/N] alone, pressed in by `depth` [mm].
+ContactForces gapsOf(const Eigen::MatrixXd& w, const Eigen::VectorXd& depth)
+{
+  const auto problem = std::make_unique<ContactProblem>();
+  problem->resize(static_cast<int>(depth.size()));
+  problem->compliance.setZero();
+  problem->free.setZero();
+  for (int i = 0; i < problem->count; ++i)
+  {
+    problem->free[3 * i] = -depth[i];
+    for (int j = 0; j < problem->count; ++j)
+    {
+      problem->compliance(3 * i, 3 * j) = w(i, j);
+    }
+  }
+  ContactForces forces;
+  solveGaps(*problem, forces);
+  return forces;
+}
+
+TEST(ContactProblem, TwoContactsThatShareComplianceGetLessThanEachAlone)
+{
+  const Eigen::MatrixXd w = (Eigen::MatrixXd(2, 2) << 1.0, 0.6, 0.6, 1.0).finished();
+  const ContactForces forces = gapsOf(w, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_NEAR(forces.force_N[0], 1.0 / 1.6, 1e-15);
+  EXPECT_NEAR(forces.force_N[3], 1.0 / 1.6, 1e-15);
+}
+
+TEST(ContactProblem, OfThreeInARowTheMiddleOneOpens)
+{
+  const Eigen::MatrixXd w = (Eigen::MatrixXd(3, 3) << 1.0, 0.9, 0.8, 0.9, 1.0, 0.9, 0.8, 0.9, 1.0).finished();
+  const ContactForces forces = gapsOf(w, Vec3(1.0, 0.5, 1.0));
+  EXPECT_NEAR(forces.force_N[0], 5.0 / 9.0, 1e-15);
+  EXPECT_EQ(forces.force_N[3], 0.0);
+  EXPECT_NEAR(forces.force_N[6], 5.0 / 9.0, 1e-15);
+}
+
+TEST(ContactProblem, ContactsThatAreNotIndependentAreHeldAllTheSame)
+{
+  const ContactForces forces = gapsOf(Eigen::MatrixXd::Ones(4, 4), Eigen::Vector4d(1.0, 1.0, 0.5, 1.0));
+  EXPECT_NEAR(forces.force_N[0] + forces.force_N[3] + forces.force_N[6] + forces.force_N[9], 1.0, 1e-15);
+  EXPECT_LE(forces.residual_u, 1e-15);
+}
+
+/// n contacts of random places, normals and depths on a body of random compliance that the device's is added to [u/N].
+void makeRandom(Random& random, int n, ContactProblem& problem)
+{
+  Eigen::MatrixXd spread(3 * n, 6 * n);
+  Eigen::MatrixXd turns(3 * n, 3);
+  for (int c = 0; c < n; ++c)
+  {
+    for (int k = 0; k < 6 * n; ++k)
+    {
+      spread.block<3, 1>(3 * c, k) = random.inCube(1.0);
+    }
+    const Quat q = Quat::FromTwoVectors(Vec3(Vec3::UnitX()), (Vec3::UnitZ() + random.direction() * 0.8).normalized());
+    turns.block<3, 3>(3 * c, 0) = q.toRotationMatrix().transpose();
+  }
+  problem.resize(n);
+  problem.friction = 0.5;
+  problem.compliance = spread * spread.transpose() / (6.0 * n) + turns * turns.transpose();
+  problem.compliance = (0.5 * (problem.compliance + problem.compliance.transpose())).eval();
+  for (int c = 0; c < n; ++c)
+  {
+    problem.free.segment<3>(3 * c) = Vec3(random.uniform(-1.0, 0.4), random.uniform(-1, 1), random.uniform(-1, 1));
+  }
+}
+
+/// By how much forces miss the laws of Signorini and Coulomb: judged from the laws alone [u].
+double missed(const ContactProblem& p, const ContactProblem::Numbers& f)
+{
+  double most = 0.0;
+  const Eigen::VectorXd d = Eigen::VectorXd(p.free) + Eigen::MatrixXd(p.compliance) * Eigen::VectorXd(f);
+  for (int c = 0; c < p.count; ++c)
+  {
+    const Vec3 force = f.segment<3>(3 * c);
+    const Vec3 moved = d.segment<3>(3 * c);
+    const double across = force.tail<2>().norm();
+    const double slip = moved.tail<2>().norm();
+    most = std::max({ most, -moved[0], -force[0], across - p.friction * force[0], std::abs(force[0] * moved[0]) });
+    if (across < p.friction * force[0] * (1.0 - 1e-9))
+    {
+      most = std::max(most, slip); // it sticks
+    }
+    else if (force[0] > 0.0)
+    {
+      // It slips against its force.
+      most = std::max(most, (force.tail<2>() * slip + moved.tail<2>() * across).norm() / across);
+    }
+  }
+  return most;
+}
+
+TEST(ContactProblem, UpToTenContactsWithFrictionAreSolvedToRounding)
+{
+  Random random(testSeed(188));
+  const auto problem = std::make_unique<ContactProblem>();
+  const auto room = std::make_unique<FrictionRoom>();
+  int sticking = 0;
+  int slipping = 0;
+  for (std::size_t trial = 0; trial < testCount(120); ++trial)
+  {
+    for (const int n : { 1, 2, 3, 5, 10 })
+    {
+      makeRandom(random, n, *problem);
+      ContactForces forces;
+      forces.force_N.setZero(3 * n);
+      const AllocationGuard guard;
+      solveFriction(*problem, *room, forces);
+      EXPECT_EQ(guard.allocations(), 0u);
+      EXPECT_LE(missed(*problem, forces.force_N), 1e-12) << n << " contacts";
+      for (int c = 0; c < n; ++c)
+      {
+        const double normal = forces.force_N[3 * c];
+        const bool inside = forces.force_N.segment<2>(3 * c + 1).norm() < 0.4999 * normal;
+        sticking += normal > 0.0 && inside;
+        slipping += normal > 0.0 && !inside;
+      }
+    }
+  }
+  EXPECT_GT(sticking, 0);
+  EXPECT_GT(slipping, 0);
+}
+
+TEST(ContactProblem, FortyContactsAreSweptCloseToTheirLaws)
+{
+  Random random(testSeed(189));
+  const auto problem = std::make_unique<ContactProblem>();
+  const auto room = std::make_unique<FrictionRoom>();
+  for (int trial = 0; trial < 5; ++trial)
+  {
+    makeRandom(random, ContactProblem::most, *problem);
+    ContactForces forces;
+    forces.force_N.setZero(3 * ContactProblem::most);
+    solveFriction(*problem, *room, forces);
+    EXPECT_LE(missed(*problem, forces.force_N), 1e-5);
+  }
+}
+
+TEST(SubgridForce, ItsCubeRootIsThatOfTheLibrary)
+{
+  for (double x = 1e-12; x < 1e6; x *= 1.37)
+  {
+    EXPECT_NEAR(cubeRoot(x) / std::cbrt(x), 1.0, 1e-15);
+  }
+  EXPECT_EQ(cubeRoot(0.0), 0.0);
+}
+
+TEST(SubgridForce, ItsSlopeIsThatOfItsDepthAndIsNeverNegative)
+{
+  const SubgridSpring spring{ 2e-3, 1e-3 };
+  for (double force = 1e-4; force < 20.0; force *= 1.5)
+  {
+    const double h = 1e-6 * force;
+    const double slope = (subgridDepth(spring, force + h).depth_u - subgridDepth(spring, force - h).depth_u) / (2 * h);
+    EXPECT_NEAR(subgridDepth(spring, force).slope, slope, 1e-7 * (1.0 + slope));
+    EXPECT_GE(subgridDepth(spring, force).slope, 0.0);
+  }
+}
+
+} // namespace
+} // namespace palpate::test

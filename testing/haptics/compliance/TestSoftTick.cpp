@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "SoftScenes.h"
+#include "haptics/contact/GodObject.h"
+#include "testing/support/AllocationGuard.h"
+#include "testing/support/Random.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+/// Presses into the middle and slides along, 1 kHz: .1 m/s.
+Vec3 wayOver(int tick)
+{
+  const double s = 1e-4 * tick;
+  return Vec3(0.03 + std::min(s, 0.03), 0.045 + 0.2 * std::min(s, 0.03), 0.056 - std::min(0.4 * s, 0.009));
+}
+
+/// Height of bumps of 4 mm, up to 31 degrees steep.
+double bumpAt(const Vec3& p)
+{
+  return 0.05 + 0.004 * std::sin(150.0 * p.x()) * std::sin(150.0 * p.y());
+}
+
+SoftPad bumpyPad()
+{
+  return SoftPad(10, 2.0, ElementKind::Linear,
+    [](SoftBodyInput& input)
+    {
+      for (Vec3& p : input.mesh.vertices_W)
+      {
+        p.z() *= bumpAt(p) / 0.05;
+      }
+    });
+}
+
+/// What the forces of a tick leave open when they are put on the body's whole stiffness.
+struct Certificate
+{
+  double gap_u = 0.0;     ///< largest of a contact that carries force, and largest overlap
+  double balance_N = 0.0; ///< of the coupling
+  double cone_N = 0.0;    ///< outside of it
+};
+
+Certificate certify(const SoftScene& s, const SoftResult& tick, const Vec3& p_W)
+{
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(s.pad.body->displacement().size());
+  Vec3 sum = Vec3::Zero();
+  for (int c = 0; c < s.state.count; ++c)
+  {
+    const SoftContact& contact = s.state.contacts[c];
+    sum += contact.force_N;
+    for (int i = 0; i < 3; ++i)
+    {
+      s.pad.surface.map.addForce(contact.point.at.vertices[i], -contact.point.at.weights[i] * contact.force_N, load);
+    }
+  }
+  const Eigen::VectorXd moved = s.pad.body->linearAnswer(load);
+  const Vec3 ball_W = p_W + sum / s.plan.coupling_N_per_m;
+  Certificate found;
+  found.balance_N = (sum - tick.force_N).norm();
+  for (int c = 0; c < s.state.count; ++c)
+  {
+    const SoftContact& contact = s.state.contacts[c];
+    Vec3 place = contact.foot_W;
+    Vec3 own = Vec3::Zero();
+    for (int i = 0; i < 3; ++i)
+    {
+      place += contact.point.at.weights[i] * s.pad.surface.map.displacementOf(contact.point.at.vertices[i], moved);
+    }
+    // Beyond the mesh's own bilinear form the point yields by what compliantPoint() adds.
+    for (int d = 0; d < s.state.count; ++d)
+    {
+      const SoftContact& other = s.state.contacts[d];
+      Mat3 bilinear = Mat3::Zero();
+      for (int i = 0; i < 9; ++i)
+      {
+        bilinear += contact.point.at.weights[i / 3] * other.point.at.weights[i % 3] *
+                    s.packet->between(contact.point.at.vertices[i / 3], other.point.at.vertices[i % 3]);
+      }
+      own += (complianceBetween(*s.packet, contact.point, other.point) - bilinear) * other.force_N;
+    }
+    const double normal = contact.n.dot(contact.force_N);
+    const double gap = contact.n.dot(ball_W - place + own) - s.plan.radius_u;
+    found.gap_u = std::max(found.gap_u, normal > 0.0 ? std::abs(gap) : -gap);
+    const Vec3 across = contact.force_N - normal * contact.n;
+    found.cone_N = std::max({ found.cone_N, -normal, across.norm() - s.plan.friction.kinetic * normal });
+  }
+  return found;
+}
+
+TEST(SoftTick, WithoutComplianceItIsTheRigidTickBitForBit)
+{
+  for (const double friction : { 0.0, 0.3 })
+  {
+    SoftScene s(bumpyPad());
+    s.scaleCompliance(0.0);
+    s.plan.friction = { friction, friction };
+    GodObjectState rigid;
+    for (int tick = 0; tick < 250; ++tick)
+    {
+      const ContactResult expected = moveGodObject(s.scene, s.plan, wayOver(tick), rigid);
+      const SoftResult found = s.move(wayOver(tick));
+      ASSERT_EQ(found.proxy_W, expected.proxy_W);
+      ASSERT_EQ(found.force_N, Vec3(s.plan.coupling_N_per_m * expected.pull_W));
+    }
+  }
+}
+
+TEST(SoftTick, AsComplianceGoesToNothingSoDoesTheDifferenceToTheRigidTick)
+{
+  for (const double factor : { 1e-12, 1e-9, 1e-6 })
+  {
+    SoftScene s(SoftPad(8, 2.0, ElementKind::Linear));
+    s.scaleCompliance(factor);
+    GodObjectState rigid;
+    double off = 0.0;
+    for (int tick = 0; tick < 300; ++tick)
+    {
+      const ContactResult expected = moveGodObject(s.scene, s.plan, wayOver(tick), rigid);
+      off = std::max(off, (s.move(wayOver(tick)).proxy_W - expected.proxy_W).norm());
+    }
+    // 5 N on some 2 mm/N, and rounding.
+    EXPECT_LE(off, 0.02 * factor + 1e-15);
+  }
+}
+
+TEST(SoftTick, OnAFlatPadForcesAreStraightAndMeetTheLawsOnTheWholeBody)
+{
+  for (const double friction : { 0.0, 0.3 })
+  {
+    SoftScene s(SoftPad(8, 2.0, ElementKind::Linear));
+    s.packet->springs.assign(s.packet->springs.size(), SubgridSpring{});
+    s.plan.friction = { friction, friction };
+    int touched = 0;
+    int capped = 0;
+    for (int tick = 0; tick < 500; ++tick)
+    {
+      const SoftResult found = s.move(wayOver(tick));
+      touched += s.state.count > 0;
+      capped += found.capped;
+      if (friction == 0.0)
+      {
+        ASSERT_EQ(found.force_N.head<2>(), Eigen::Vector2d::Zero());
+      }
+      if (tick % 25 == 0)
+      {
+        const Certificate open = certify(s, found, wayOver(tick));
+        EXPECT_LE(open.gap_u, 1e-12);
+        EXPECT_LE(open.balance_N, 1e-12);
+        EXPECT_LE(open.cone_N, 1e-12);
+      }
+    }
+    EXPECT_GT(touched, 300);
+    EXPECT_EQ(capped, 0);
+  }
+}
+
+TEST(SoftTick, OnBumpsForcesMeetTheLawsOnTheWholeBody)
+{
+  for (const double friction : { 0.0, 0.3 })
+  {
+    SoftScene s(bumpyPad());
+    s.packet->springs.assign(s.packet->springs.size(), SubgridSpring{});
+    s.plan.friction = { friction, friction };
+    int capped = 0;
+    int several = 0;
+    std::vector<int> loops;
+    for (int tick = 0; tick < 600; ++tick)
+    {
+      const SoftResult found = s.move(wayOver(tick));
+      capped += found.capped;
+      several += s.state.count > 1;
+      loops.push_back(found.loops);
+      if (tick % 10 == 0)
+      {
+        const Certificate open = certify(s, found, wayOver(tick));
+        EXPECT_LE(open.gap_u, 1e-12) << tick;
+        EXPECT_LE(open.balance_N, 1e-12);
+        EXPECT_LE(open.cone_N, 1e-12);
+      }
+    }
+    std::sort(loops.begin(), loops.end());
+    std::cout << "friction " << friction << ": capped " << capped << " of 600, several contacts " << several
+              << ", loops " << loops[300] << " / " << loops[594] << "\n";
+    EXPECT_LE(capped, 60);
+  }
+}
+
+TEST(SoftTick, ASmallBallIsAsDeepAsHertzInsideTheLoopAndWithFriction)
+{
+  SoftScene s(SoftPad(10, 2.0, ElementKind::EdgeSmoothed), 0.01, 0.05);
+  for (const double friction : { 0.0, 0.5 })
+  {
+    s.plan.friction = { friction, friction };
+    for (const double depth : { 1e-5, 1e-4, 5e-3 })
+    {
+      s.state = {};
+      (void)s.move(SoftPad::middle() + Vec3(0, 0, 0.02));
+      const SoftResult found = s.move(SoftPad::middle() + Vec3(0, 0, 0.01 - depth));
+      ASSERT_EQ(s.state.count, 1);
+      EXPECT_FALSE(found.capped);
+      // All that gives way along the normal is as deep as the device: body, spring below the patch, coupling.
+      const CompliantPoint& point = s.state.contacts[0].point;
+      const SubgridSpring& spring = s.state.contacts[0].spring;
+      const Vec3 f = found.force_N;
+      const Vec3 given = complianceBetween(*s.packet, point, point) * f + f / s.plan.coupling_N_per_m;
+      const double t = std::cbrt(f.z());
+      EXPECT_NEAR(given.z() + spring.hertz * t * t - spring.patch * t * t * t, depth, 1e-9 * depth);
+      // And the ball is shown where the coupling alone holds it off the device.
+      EXPECT_NEAR(found.proxy_W.z(), 0.06 - depth + f.z() / s.plan.coupling_N_per_m, 1e-9);
+    }
+    // 1 mm deep: Hertz times the layer's factor (CompliancePacket).
+    const double truth_N = 1.0653 * 4.0 / 3.0 * 20e3 / 0.84 * 0.1 * std::pow(1e-3, 1.5);
+    s.state = {};
+    (void)s.move(SoftPad::middle() + Vec3(0, 0, 0.02));
+    const SoftResult found = s.move(SoftPad::middle() + Vec3(0, 0, 0.01 - 1e-3 - truth_N / s.plan.coupling_N_per_m));
+    EXPECT_NEAR(found.force_N.z() / truth_N, 1.0, 0.05);
+  }
+}
+
+TEST(SoftTick, RandomShotsCrossNoTriangle)
+{
+  Random random(testSeed(190));
+  SoftScene s(bumpyPad());
+  s.plan.friction = { 0.2, 0.2 };
+  const TriangleMesh mesh{ s.pad.surface.rest_W, s.pad.surface.triangles };
+  Vec3 p(0.05, 0.05, 0.07);
+  (void)s.move(p);
+  int pressed = 0;
+  for (std::size_t shot = 0; shot < testCount(1000); ++shot)
+  {
+    p += random.inCube(0.01);
+    p = p.cwiseMax(Vec3(0.01, 0.01, 0.03)).cwiseMin(Vec3(0.09, 0.09, 0.065));
+    (void)s.move(p);
+    pressed += s.state.count > 0;
+    // The ball in the material is outside: no nearer to any triangle than its radius, on the outer side of the top.
+    double nearest = 1.0;
+    for (const auto& t : mesh.triangles)
+    {
+      const Vec3& a = mesh.vertices_W[t[0]];
+      const Vec3& b = mesh.vertices_W[t[1]];
+      const Vec3& c = mesh.vertices_W[t[2]];
+      const Vec3 n = (b - a).cross(c - a).normalized();
+      const double h = std::abs(n.dot(s.state.core.x_W - a));
+      const Vec3 foot = s.state.core.x_W - n.dot(s.state.core.x_W - a) * n;
+      const bool inside = (b - a).cross(foot - a).dot(n) >= 0.0 && (c - b).cross(foot - b).dot(n) >= 0.0 &&
+                          (a - c).cross(foot - c).dot(n) >= 0.0;
+      nearest = inside ? std::min(nearest, h) : nearest;
+    }
+    ASSERT_GE(nearest, s.plan.radius_u - 1e-12);
+    ASSERT_GT(s.state.core.x_W.z(), bumpAt(s.state.core.x_W) - 1e-3); // facets lie that near to the waves
+  }
+  EXPECT_GT(pressed, 100);
+}
+
+TEST(SoftTick, ItAllocatesNothing)
+{
+  SoftScene s(bumpyPad());
+  s.plan.friction = { 0.3, 0.3 };
+  (void)s.move(wayOver(0));
+  const AllocationGuard guard;
+  for (int tick = 1; tick < 300; ++tick)
+  {
+    (void)s.move(wayOver(tick));
+  }
+  EXPECT_EQ(guard.allocations(), 0u);
+  EXPECT_EQ(guard.locks(), 0u);
+}
+
+} // namespace
+} // namespace palpate::test
