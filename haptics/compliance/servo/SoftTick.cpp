@@ -34,6 +34,23 @@ Mat3 basisOf(const Vec3& n) noexcept
   return basis;
 }
 
+Mat3 complianceOf(const SoftContact& a, const SoftContact& b) noexcept
+{
+  return a.soft && a.soft == b.soft ? complianceBetween(*a.soft->packet, a.point, b.point) : Mat3(Mat3::Zero());
+}
+
+/// How far the surface under a contact has gone.
+Vec3 yieldOf(const SoftState& state, int c) noexcept
+{
+  const SoftContact& contact = state.contacts[c];
+  Vec3 u = -subgridDepth(contact.spring, contact.n.dot(contact.force_N)).depth_u * contact.n;
+  for (int d = 0; d < state.count; ++d)
+  {
+    u -= complianceOf(contact, state.contacts[d]) * state.contacts[d].force_N;
+  }
+  return u;
+}
+
 /// The contacts of one turn as a problem in their own directions.
 class TurnProblem
 {
@@ -52,7 +69,8 @@ public:
     {
       for (int d = 0; d <= c; ++d)
       {
-        const Mat3 w = this->basis_[c].transpose() * (this->compliance(c, d) + device) * this->basis_[d];
+        const Mat3 w =
+          this->basis_[c].transpose() * (complianceOf(state.contacts[c], state.contacts[d]) + device) * this->basis_[d];
         room.problem.compliance.block<3, 3>(3 * c, 3 * d) = w;
         room.problem.compliance.block<3, 3>(3 * d, 3 * c) = w.transpose();
       }
@@ -72,26 +90,7 @@ public:
     }
   }
 
-  /// How far the surface under a contact has gone.
-  [[nodiscard]] Vec3 yieldOf(int c) const noexcept
-  {
-    const SoftContact& contact = this->state_.contacts[c];
-    Vec3 u = -subgridDepth(contact.spring, contact.n.dot(contact.force_N)).depth_u * contact.n;
-    for (int d = 0; d < this->state_.count; ++d)
-    {
-      u -= this->compliance(c, d) * this->state_.contacts[d].force_N;
-    }
-    return u;
-  }
-
 private:
-  [[nodiscard]] Mat3 compliance(int c, int d) const noexcept
-  {
-    const SoftContact& a = this->state_.contacts[c];
-    const SoftContact& b = this->state_.contacts[d];
-    return a.soft && a.soft == b.soft ? complianceBetween(*a.soft->packet, a.point, b.point) : Mat3(Mat3::Zero());
-  }
-
   /// The springs below the patches as straight lines: first through nothing and the last force, which always leads
   /// nearer, then along the spring there, which ends it in a few steps.
   void linearise(const Vec3& p_W, const Vec3& slipFrom_W, bool along) noexcept
@@ -164,7 +163,7 @@ struct Yield
   Vec3 yielded_W = Vec3::Zero(); ///< of the surfaces under the ball, the more the harder they are pressed
 };
 
-Yield yieldUnder(const SoftState& state, const TurnProblem& problem) noexcept
+Yield yieldUnder(const SoftState& state) noexcept
 {
   Yield sum;
   double all_N = 0.0;
@@ -174,7 +173,7 @@ Yield yieldUnder(const SoftState& state, const TurnProblem& problem) noexcept
     const double size_N = contact.force_N.norm();
     sum.force_N += contact.force_N;
     sum.across_N += contact.force_N - contact.n.dot(contact.force_N) * contact.n;
-    sum.yielded_W += size_N * problem.yieldOf(c);
+    sum.yielded_W += size_N * yieldOf(state, c);
     all_N += size_N;
   }
   sum.yielded_W = all_N > 0.0 ? Vec3(sum.yielded_W / all_N) : Vec3(Vec3::Zero());
@@ -194,7 +193,7 @@ double patchUnder(const SoftState& state) noexcept
 /// The rigid core alone: of a ball that touches nothing soft, and that nothing it touched has carried away.
 void finishRigid(const ContactPlan& plan, const SoftState& state, SoftResult& result) noexcept
 {
-  result.proxy_W = state.core.x_W;
+  result.proxy_W = state.core.x_W + state.offset_W;
   result.force_N = plan.coupling_N_per_m * result.core.pull_W;
 }
 
@@ -206,6 +205,7 @@ SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<
 {
   SoftResult result;
   const GodObjectState start = state.core;
+  const Vec3 drawn_W = p_W - state.offset_W;
   ContactPlan frictionless = plan;
   frictionless.friction = {};
   Vec3 force_N = Vec3::Zero();
@@ -213,7 +213,8 @@ SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<
   for (result.loops = 1; result.loops <= mostLoops; ++result.loops)
   {
     state.core = start;
-    result.core = moveGodObject(scene, soften ? frictionless : plan, p_W - state.yielded_W + state.lead_W, state.core);
+    result.core =
+      moveGodObject(scene, soften ? frictionless : plan, drawn_W - state.yielded_W + state.lead_W, state.core);
     gatherContacts(scene, soft, plan.radius_u, state);
     if (!givesWay(state))
     {
@@ -227,8 +228,8 @@ SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<
       continue;
     }
     TurnProblem problem(plan.coupling_N_per_m, plan.radius_u, plan.friction.kinetic, state, room);
-    problem.solve(p_W, start.placed ? start.x_W : state.core.x_W);
-    const Yield now = yieldUnder(state, problem);
+    problem.solve(drawn_W, start.placed ? start.x_W : state.core.x_W);
+    const Yield now = yieldUnder(state);
     const Vec3 lead_W = now.across_N / plan.coupling_N_per_m;
     const Vec3 change = now.yielded_W - lead_W - state.yielded_W + state.lead_W;
     const double off_u = change.norm() + (now.force_N - force_N).norm() / plan.coupling_N_per_m;
@@ -245,9 +246,35 @@ SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<
   }
   result.capped = result.loops > mostLoops;
   result.loops = std::min(result.loops, mostLoops);
-  result.proxy_W = state.core.x_W + state.yielded_W;
+  result.proxy_W = state.core.x_W + state.yielded_W + state.offset_W;
   result.force_N = force_N;
   return result;
+}
+
+void changePackets(std::span<const SoftTouch> now, SoftState& state) noexcept
+{
+  for (int c = 0; c < state.count; ++c)
+  {
+    SoftContact& contact = state.contacts[c];
+    for (const SoftTouch& touch : now)
+    {
+      if (contact.soft && touch.surface == contact.feature.surface)
+      {
+        contact.soft = &touch;
+        contact.point = compliantPoint(*touch.packet, contact.point.at);
+        contact.spring = springAt(*touch.packet, contact.point.at);
+      }
+    }
+  }
+  const Vec3 before_W = state.yielded_W;
+  state.yielded_W = yieldUnder(state).yielded_W;
+  state.offset_W += before_W - state.yielded_W;
+}
+
+void fadeChange(double dt_s, SoftState& state) noexcept
+{
+  constexpr double fade_s = 0.02; // A step of force is then at most a tenth of a newton a tick at .2 m/s.
+  state.offset_W *= std::max(1.0 - dt_s / fade_s, 0.0);
 }
 
 template SoftResult moveOnSoft(

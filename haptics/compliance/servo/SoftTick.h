@@ -21,4 +21,12 @@ template<SceneView AnyScene>
 [[nodiscard]] SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftTouch> soft,
   const Vec3& p_W, SoftState& state, SoftRoom& room) noexcept;
 
+/// Packets have been replaced by later ones of the same surfaces, whose vertices are still where they were felt. Under
+/// the same forces the surfaces would be elsewhere by the new compliance: that much offset keeps ball and force where
+/// they are. `now` must outlive the next tick.
+void changePackets(std::span<const SoftTouch> now, SoftState& state) noexcept;
+
+/// Lets what changePackets() added fade: once a tick, before the ball moves.
+void fadeChange(double dt_s, SoftState& state) noexcept;
+
 } // namespace palpate

@@ -39,6 +39,7 @@ struct SoftState
 {
   GodObjectState core;           ///< the ball among the free surfaces: in material space
   Vec3 yielded_W = Vec3::Zero(); ///< how far the surfaces under it have gone: the ball in W is there plus this
+  Vec3 offset_W = Vec3::Zero();  ///< of the surfaces: what the last change of packets would have moved them by, fading
   Vec3 lead_W = Vec3::Zero();    ///< by which friction holds the ball before the device, as the core is told [u]
   std::array<SoftContact, GodObjectState::maxFeatures> contacts{};
   int count = 0;

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/compliance/servo/SoftEnergy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/compliance/servo/SubgridForce.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// Integral of the spring's depth from 0 to a force; beyond its last depth that depth stays.
+double springEnergy(const SubgridSpring& spring, double force_N) noexcept
+{
+  if (spring.hertz <= 0.0 || force_N <= 0.0)
+  {
+    return 0.0;
+  }
+  const double last = 2.0 * spring.hertz / (3.0 * spring.patch);
+  const double t = std::min(cubeRoot(force_N), last);
+  const double rising = t * t * t * t * t * (0.6 * spring.hertz - 0.5 * spring.patch * t);
+  // dE = s dF = (h t^2 - p t^3) 3 t^2 dt
+  return rising + std::max(force_N - t * t * t, 0.0) * t * t * (spring.hertz - spring.patch * t);
+}
+
+/// Work of forces on a body, step by step of what they are beyond those of its packet.
+class PacketEnergy
+{
+public:
+  PacketEnergy(const SoftTouch& touch, const SoftState& state) noexcept : packet_(*touch.packet), state_(state)
+  {
+    for (int c = 0; c < state.count; ++c)
+    {
+      this->own_[c] = state.contacts[c].feature.surface == touch.surface;
+    }
+  }
+
+  [[nodiscard]] double value() const noexcept
+  {
+    // f_S C (f - f_S) + (f - f_S) C (f - f_S) / 2 = (f C f - f_S C f_S) / 2
+    return this->packet_.energy_Nu + 0.5 * (this->ofContacts() - this->ofPacket());
+  }
+
+private:
+  [[nodiscard]] double ofContacts() const noexcept
+  {
+    double sum = 0.0;
+    for (int c = 0; c < this->state_.count; ++c)
+    {
+      for (int d = 0; this->own_[c] && d < this->state_.count; ++d)
+      {
+        const SoftContact& a = this->state_.contacts[c];
+        const SoftContact& b = this->state_.contacts[d];
+        sum += this->own_[d] ? a.force_N.dot(complianceBetween(this->packet_, a.point, b.point) * b.force_N) : 0.0;
+      }
+    }
+    return sum;
+  }
+  [[nodiscard]] double ofPacket() const noexcept
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < this->packet_.forceAt.size(); ++i)
+    {
+      const CompliantPoint a = compliantPoint(this->packet_, this->packet_.forceAt[i]);
+      for (std::size_t j = 0; j < this->packet_.forceAt.size(); ++j)
+      {
+        const CompliantPoint b = compliantPoint(this->packet_, this->packet_.forceAt[j]);
+        sum += this->packet_.force_N[i].dot(complianceBetween(this->packet_, a, b) * this->packet_.force_N[j]);
+      }
+    }
+    return sum;
+  }
+
+  const CompliancePacket& packet_;
+  const SoftState& state_;
+  std::array<bool, GodObjectState::maxFeatures> own_{};
+};
+
+} // namespace
+
+double storedEnergy(std::span<const SoftTouch> soft, const SoftState& state, double coupling_N_per_u) noexcept
+{
+  double stored = 0.0;
+  for (const SoftTouch& touch : soft)
+  {
+    stored += PacketEnergy(touch, state).value();
+  }
+  Vec3 force_N = Vec3::Zero();
+  for (int c = 0; c < state.count; ++c)
+  {
+    const SoftContact& contact = state.contacts[c];
+    stored += springEnergy(contact.spring, contact.n.dot(contact.force_N));
+    force_N += contact.force_N;
+  }
+  return stored + 0.5 * force_N.squaredNorm() / coupling_N_per_u;
+}
+
+double balanceEnergy(const EnergyBalancePlan& plan, double stored_Nu, double step_u, double felt_N, double force_N,
+  EnergyBalance& balance) noexcept
+{
+  balance.taken_Nu += felt_N * step_u;
+  if (force_N <= 0.0)
+  {
+    balance = {};
+    return 0.0;
+  }
+  const double owed = std::max(stored_Nu - balance.taken_Nu, 0.0);
+  const double most = std::min(owed / std::max(std::abs(step_u), plan.leastStep_u), plan.share * force_N);
+  const double wanted = step_u >= 0.0 ? most : -most;
+  balance.added_N += std::clamp(wanted - balance.added_N, -plan.slew_N, plan.slew_N);
+  return balance.added_N;
+}
+
+} // namespace palpate
