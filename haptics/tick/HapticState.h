@@ -37,6 +37,18 @@ struct FieldReport
   EnergyMeter energy;            ///< of its springs
 };
 
+/// What a tool did in a tick.
+struct ToolState
+{
+  bool held = false;         ///< one is in the hand
+  bool placed = false;       ///< and stands somewhere
+  Pose hand_W;               ///< where the hand would have it; proxy_W is where it is [u]
+  std::int32_t active = 0;   ///< contacts that push
+  std::int32_t touching = 0; ///< and all that there are
+  double lever_m = 0.0;      ///< in the hand: the stiffness of turning is the stiffness times its square
+  double injected_J = 0.0;   ///< by contacts that were replaced in this tick: energy of the new ones less the old ones'
+};
+
 /// What the tick did, as the view, the panel and the recording see it.
 struct HapticState
 {
@@ -86,6 +98,7 @@ struct HapticState
   bool stiffnessLimited = false;  ///< to what the device and the rate can hold
   EnergyMeter energy;
   FieldReport field;
+  ToolState tool;
 };
 
 } // namespace palpate

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/tool/motion/WishedMotion.h"
 #include "haptics/tool/solve/NearestMotion.h"
 
 namespace palpate
@@ -29,23 +28,30 @@ NearestMotion allowed(const ToolContacts& set, const Vec6& wish) noexcept
 
 } // namespace
 
+ToolPull toolPull(const ToolContacts& contacts, const Pose& device_W, ToolCoupling coupling) noexcept
+{
+  ToolPull pull;
+  const double length2 = device_W.q.squaredNorm();
+  if (contacts.placed && device_W.p.allFinite() && std::abs(length2 - 1.0) < 1e-6)
+  {
+    bool cut = false;
+    const Vec6 wish = wishedMotion(contacts.pose_W, device_W, contacts.lever_u, cut);
+    const NearestMotion nearest = allowed(contacts, wish);
+    pull.active = nearest.count;
+    pull.pull_u = coupling == ToolCoupling::Constraints ? Vec6(nearest.y - wish) : Vec6(-wish);
+  }
+  return pull;
+}
+
 ToolPush toolPush(
   const ToolContacts& contacts, const Pose& device_W, double stiffness_N_per_u, ToolCoupling coupling) noexcept
 {
+  const ToolPull pull = toolPull(contacts, device_W, coupling);
   ToolPush push;
-  const double length2 = device_W.q.squaredNorm();
-  if (!contacts.placed || !device_W.p.allFinite() || !(std::abs(length2 - 1.0) < 1e-6))
-  {
-    return push;
-  }
-  bool cut = false;
-  const Vec6 wish = wishedMotion(contacts.pose_W, device_W, contacts.lever_u, cut);
-  const NearestMotion nearest = allowed(contacts, wish);
-  const Vec6 pull = coupling == ToolCoupling::Constraints ? Vec6(nearest.y - wish) : Vec6(-wish);
-  push.active = nearest.count;
-  push.stored = 0.5 * stiffness_N_per_u * pull.squaredNorm();
-  push.wrench_W.force = stiffness_N_per_u * pull.head<3>();
-  push.wrench_W.torque = stiffness_N_per_u * contacts.lever_u * pull.tail<3>();
+  push.active = pull.active;
+  push.stored = 0.5 * stiffness_N_per_u * pull.pull_u.squaredNorm();
+  push.wrench_W.force = stiffness_N_per_u * pull.pull_u.head<3>();
+  push.wrench_W.torque = stiffness_N_per_u * contacts.lever_u * pull.pull_u.tail<3>();
   return push;
 }
 

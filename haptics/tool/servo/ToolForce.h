@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "haptics/tool/motion/WishedMotion.h"
 #include "haptics/tool/servo/ToolContacts.h"
 
 namespace palpate
@@ -12,6 +13,16 @@ enum class ToolCoupling : std::uint8_t
   Constraints, ///< what the contacts push with: no drag while the update lags behind a slide
   Virtual,     ///< a spring from the tool to the hand: a drag of k v T while it lags
 };
+
+/// What draws the hand, as a whitened motion.
+struct ToolPull
+{
+  Vec6 pull_u = Vec6::Zero();
+  int active = 0; ///< contacts that push
+};
+
+/// The pull of which toolPush() makes a force. Zero for a device pose that is none. Real-time safe.
+[[nodiscard]] ToolPull toolPull(const ToolContacts& contacts, const Pose& device_W, ToolCoupling coupling) noexcept;
 
 /// What the tool gives the hand.
 struct ToolPush
