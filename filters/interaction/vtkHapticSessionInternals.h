@@ -15,6 +15,7 @@
 #include "haptics/session/scene/FeltScene.h"
 #include "haptics/session/settings/TickFields.h"
 #include "vtkHapticFieldData.h"
+#include "vtkHapticHeldTool.h"
 #include "vtkHapticMarkRecords.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSession.h"
@@ -58,6 +59,8 @@ public:
   std::string FieldGone;               ///< that what was felt is not there any more
   std::array<double, 6> FieldBounds{}; ///< of the data that was added [u]
   double FieldGradient[3] = { 0.0, 0.0, 0.0 };
+  vtkHapticHeldTool Tool;
+  palpate::Quat HandTurn_W = palpate::Quat::Identity(); ///< where a program holds it
   int Simplify = Auto;
   int LinesAsWalls = Auto;
   bool Raises = false;     ///< lines, as the surfaces were told

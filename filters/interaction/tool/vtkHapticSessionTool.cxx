@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mesh in the hand in place of the ball.
+#include "vtkHapticSessionInternals.h"
+
+bool vtkHapticSession::AddTool(const char* name, vtkDataObject* data)
+{
+  this->HoldTool(this->Impl->Tool.Take(name ? name : "", data));
+  return this->Impl->Tool.Choice().tool || !data;
+}
+
+void vtkHapticSession::HoldTool(const std::string& problem)
+{
+  this->Refuse(problem);
+  this->Impl->Follow("tool", problem);
+  this->Impl->Core.setTool(this->Impl->Tool.Choice());
+  this->Impl->Tool.Follow(this->Impl->Core, this->Impl->State);
+  this->Impl->Scene.follow(this->Impl->PlanNow());
+}
+
+void vtkHapticSession::GetToolShape(vtkPolyData* shape) const
+{
+  this->Impl->Tool.GetShape(shape);
+}
+
+void vtkHapticSession::SetToolSource(const char* name)
+{
+  const std::string source = name ? name : "";
+  if (source != this->Impl->Tool.Source)
+  {
+    this->Impl->Tool.Source = source;
+    this->AddTool(nullptr, nullptr);
+    this->Impl->MaterialTime.Modified(); // who follows a view adds its surfaces again, all but this one
+    this->Modified();
+  }
+}
+
+const char* vtkHapticSession::GetToolSource() const
+{
+  return this->Impl->Tool.Source.c_str();
+}
+
+void vtkHapticSession::SetToolHandle(int choice)
+{
+  if (this->Allows("ToolHandle", { static_cast<double>(choice) }) && (choice != 0) != this->Impl->Tool.AtOrigin)
+  {
+    this->Impl->Tool.AtOrigin = choice != 0;
+    this->HoldTool(this->Impl->Tool.TakeAgain());
+    this->Modified();
+  }
+}
+
+int vtkHapticSession::GetToolHandle() const
+{
+  return this->Impl->Tool.AtOrigin ? 1 : 0;
+}
+
+void vtkHapticSession::SetToolLever(double lever_u)
+{
+  if (this->Allows("ToolLever", { lever_u }) && lever_u != this->Impl->Tool.Lever_u)
+  {
+    this->Impl->Tool.Lever_u = lever_u;
+    this->HoldTool(this->Impl->Tool.TakeAgain());
+    this->Modified();
+  }
+}
+
+double vtkHapticSession::GetToolLever() const
+{
+  return this->Impl->Tool.Lever_u;
+}
+
+void vtkHapticSession::SetHandTurn(double w, double x, double y, double z)
+{
+  const palpate::Quat turn(w, x, y, z);
+  const double length = turn.norm();
+  const bool usable = length > 0.0 && turn.coeffs().allFinite();
+  const std::string problem =
+    usable ? "" : "the turn of the hand must be a quaternion (w, x, y, z) that is not of length 0";
+  this->Refuse(problem);
+  this->Impl->Follow("hand's turn", problem);
+  this->Impl->HandTurn_W = usable ? turn.normalized() : this->Impl->HandTurn_W;
+  this->Impl->Feed();
+}
+
+const char* vtkHapticSession::GetToolText() const
+{
+  return this->Impl->Tool.Text.c_str();
+}
+
+double* vtkHapticSession::GetToolPose()
+{
+  return this->Impl->Tool.Pose;
+}
+
+double* vtkHapticSession::GetToolHandPose()
+{
+  return this->Impl->Tool.HandPose;
+}
+
+double* vtkHapticSession::GetToolTorque()
+{
+  return this->Impl->Tool.Asked;
+}
+
+double* vtkHapticSession::GetTorque()
+{
+  return this->Impl->Tool.Given;
+}
