@@ -231,6 +231,8 @@ public:
   /// there. Added again after a change. False, with GetProblem(), for what cannot be held. Its triangles are drawn.
   bool AddTool(const char* name, vtkDataObject* data);
   void GetToolShape(vtkPolyData* shape) const;
+  /// How far it reaches from the hand against a direction, turned as it is [u]; 0: none is held.
+  double GetToolReach(const double direction_W[3]) const;
   ///@}
 
   vtkMTimeType GetMaterialTime() const; ///< changes whenever a setting of surfaces does

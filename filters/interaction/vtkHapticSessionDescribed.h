@@ -126,6 +126,7 @@
   vtkHapticReadoutMacro(FrictionKineticUsed, double); \
   vtkHapticReadoutMacro(Contacts, int); \
   vtkHapticReadoutMacro(ToolText, const char*); \
+  vtkHapticReadoutMacro(ToolContacts, const char*); \
   vtkHapticNumbersMacro(ToolPose, 7); \
   vtkHapticNumbersMacro(ToolHandPose, 7); \
   vtkHapticNumbersMacro(ToolTorque, 3); \

@@ -7,6 +7,7 @@
 #include "devices/RecordedHand.h"
 #include "devices/calibration/SelfTestRun.h"
 #include "devices/common/LinkedDevice.h"
+#include "haptics/geometry/measure/ContactPlace.h"
 #include "haptics/labyrinth/GameLog.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/plan/AskedParameters.h"
@@ -225,6 +226,8 @@ public:
   /// What the hand is in; nothing outside.
   std::optional<palpate::FieldSample> FieldAtHand() const;
   void ShowState();
+  /// Where the ball touches, or the tool most; nothing where neither does.
+  std::optional<palpate::ContactPlace> PlaceOfContact() const;
   /// What is at the contact now; nothing without one.
   std::optional<vtkHapticMarkRecord> LookAtContact();
   void ShowContact(std::optional<vtkHapticMarkRecord> contact);

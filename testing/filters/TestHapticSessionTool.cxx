@@ -80,6 +80,12 @@ TEST_F(HapticSessionTool, LiesOnASurfaceAndPushesTheHandThatHoldsItsCentre)
   EXPECT_NEAR(this->session_->GetToolHandPose()[2], halfSide - 2.0, 1e-12);
   EXPECT_GT(this->session_->GetContacts(), 0);
   EXPECT_THAT(this->session_->GetToolText(), HasSubstr("contacts push"));
+  EXPECT_THAT(this->session_->GetToolContacts(), HasSubstr("surface at ("));
+  EXPECT_THAT(this->session_->GetToolContacts(), HasSubstr(" %"));
+  ASSERT_TRUE(this->session_->InspectContact());
+  EXPECT_NEAR(this->session_->GetContactPosition()[2], 0.0, 1e-9) << "on the plane, not at the hand";
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  EXPECT_NEAR(this->session_->GetToolReach(up), halfSide, 1e-9);
 }
 
 TEST_F(HapticSessionTool, TurnsWithTheHandAndSaysTheTorqueThatADeviceWithoutOneCannotGive)

@@ -28,6 +28,7 @@ public:
   void Follow(palpate::HapticSession& core, const palpate::HapticState& state);
 
   std::string Text;
+  std::string Contacts;
   double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
   double HandPose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
   double Asked[3] = { 0.0, 0.0, 0.0 };

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh in the hand in place of the ball.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "haptics/geometry/measure/ContactPlace.h"
 #include "vtkHapticSessionInternals.h"
 
 bool vtkHapticSession::AddTool(const char* name, vtkDataObject* data)
@@ -20,6 +25,19 @@ void vtkHapticSession::HoldTool(const std::string& problem)
 void vtkHapticSession::GetToolShape(vtkPolyData* shape) const
 {
   this->Impl->Tool.GetShape(shape);
+}
+
+double vtkHapticSession::GetToolReach(const double direction_W[3]) const
+{
+  const auto& tool = this->Impl->Tool.Choice().tool;
+  const palpate::Quat turn_W = this->Impl->State.tool.hand_W.q;
+  const palpate::Vec3 direction = turn_W.conjugate() * palpate::Vec3(direction_W);
+  double reach_u = 0.0;
+  for (const palpate::Vec3& v : tool ? tool->shape_B->mesh().vertices_W : std::vector<palpate::Vec3>())
+  {
+    reach_u = std::max(reach_u, -direction.dot(v));
+  }
+  return reach_u;
 }
 
 void vtkHapticSession::SetToolSource(const char* name)
@@ -85,6 +103,42 @@ void vtkHapticSession::SetHandTurn(double w, double x, double y, double z)
 const char* vtkHapticSession::GetToolText() const
 {
   return this->Impl->Tool.Text.c_str();
+}
+
+std::optional<palpate::ContactPlace> vtkHapticSession::Internals::PlaceOfContact() const
+{
+  const palpate::ToolState& tool = this->State.tool;
+  const palpate::Scene& scene = *this->Scene.built().scene;
+  if (!tool.held)
+  {
+    return palpate::placeOf(scene, this->State.proxy_W.p, this->State.device_W.p);
+  }
+  const auto* const end = tool.presses.begin() + tool.active;
+  const auto* const most = std::max_element(
+    tool.presses.begin(), end, [](const auto& one, const auto& other) { return one.push_u < other.push_u; });
+  return most == end ? std::nullopt : palpate::placeOf(scene, most->p_W, most->p_W - most->n_W);
+}
+
+const char* vtkHapticSession::GetToolContacts() const
+{
+  Internals& impl = *this->Impl;
+  const palpate::ToolState& tool = impl.State.tool;
+  double all_u = 0.0;
+  for (int i = 0; i < tool.active; ++i)
+  {
+    all_u += tool.presses[i].push_u;
+  }
+  std::ostringstream lines;
+  lines.precision(4);
+  for (int i = 0; i < tool.active && all_u > 0.0 && impl.Scene.built().scene; ++i)
+  {
+    const palpate::ToolPress& press = tool.presses[i];
+    const auto place = palpate::placeOf(*impl.Scene.built().scene, press.p_W, press.p_W - press.n_W);
+    lines << (place ? place->surface : "?") << " at (" << press.p_W.x() << ", " << press.p_W.y() << ", "
+          << press.p_W.z() << ") u, " << std::lround(100.0 * press.push_u / all_u) << " %\n";
+  }
+  impl.Tool.Contacts = lines.str();
+  return impl.Tool.Contacts.c_str();
 }
 
 double* vtkHapticSession::GetToolPose()

@@ -51,6 +51,7 @@ const Readout readouts[] = {
   { "FrictionKineticUsed", Number, "1", "Friction", "Kinetic friction, no more than the static one" },
   { "Contacts", Count, "", "Contact", "Planes that push now" },
   { "ToolText", Text, "", "", "Which tool is held and how it is, or why none is; empty: none is asked for" },
+  { "ToolContacts", Text, "", "", "What pushes the tool, a line each: source, place in W, share of all pushes" },
   { "ToolPose", Number, "", "", "Where the tool is: the origin of its data in W [u], and its turn (w, x, y, z)", 7 },
   { "ToolHandPose", Number, "", "", "Where the hand would have it, likewise", 7 },
   { "ToolTorque", Number, "N m", "", "Torque that the tool asks for at the hand, in W; a device may give less", 3 },

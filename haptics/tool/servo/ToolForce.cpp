@@ -11,9 +11,9 @@ namespace palpate
 namespace
 {
 
-/// The motion nearest to the wished one that the contacts allow. To stay where the tool is, is always allowed, also
-/// where rounding leaves the solver without an answer.
-NearestMotion allowed(const ToolContacts& set, const Vec6& wish) noexcept
+/// The motion nearest to the wished one that the contacts allow, and which push. To stay where the tool is, is always
+/// allowed, also where rounding leaves the solver without an answer.
+Vec6 allowed(const ToolContacts& set, const Vec6& wish, ToolPull& pull) noexcept
 {
   std::array<MotionRow, ToolContacts::capacity> rows;
   const std::size_t count = std::min<std::size_t>(set.count, rows.size());
@@ -23,7 +23,18 @@ NearestMotion allowed(const ToolContacts& set, const Vec6& wish) noexcept
     rows[i] = motionRow(contact.n_W, contact.arm_W, std::min(0.0, set.restGap_u - contact.gap_u), set.lever_u);
   }
   const NearestMotion nearest = nearestMotion(std::span(rows.data(), count), wish);
-  return nearest.feasible ? nearest : NearestMotion{};
+  if (!nearest.feasible)
+  {
+    return Vec6::Zero();
+  }
+  pull.active = nearest.count;
+  for (int i = 0; i < nearest.count; ++i)
+  {
+    const auto row = static_cast<std::size_t>(nearest.row[i]);
+    const ToolContact& contact = set.contacts[row];
+    pull.presses[i] = { set.pose_W.p + contact.arm_W, contact.n_W, nearest.pressure[i] * rows[row].j.head<3>().norm() };
+  }
+  return nearest.y;
 }
 
 } // namespace
@@ -36,9 +47,8 @@ ToolPull toolPull(const ToolContacts& contacts, const Pose& device_W, ToolCoupli
   {
     bool cut = false;
     const Vec6 wish = wishedMotion(contacts.pose_W, device_W, contacts.lever_u, cut);
-    const NearestMotion nearest = allowed(contacts, wish);
-    pull.active = nearest.count;
-    pull.pull_u = coupling == ToolCoupling::Constraints ? Vec6(nearest.y - wish) : Vec6(-wish);
+    const Vec6 y = allowed(contacts, wish, pull);
+    pull.pull_u = coupling == ToolCoupling::Constraints ? Vec6(y - wish) : Vec6(-wish);
   }
   return pull;
 }

@@ -14,11 +14,22 @@ enum class ToolCoupling : std::uint8_t
   Virtual,     ///< a spring from the tool to the hand: a drag of k v T while it lags
 };
 
+/// A contact that pushes the tool.
+struct ToolPress
+{
+  static constexpr int most = 6; ///< at a time: as many as there are directions
+
+  Vec3 p_W = Vec3::Zero();  ///< where [u]
+  Vec3 n_W = Vec3::UnitZ(); ///< unit, from the scene to the tool
+  double push_u = 0.0;      ///< its force over the stiffness
+};
+
 /// What draws the hand, as a whitened motion.
 struct ToolPull
 {
   Vec6 pull_u = Vec6::Zero();
-  int active = 0; ///< contacts that push
+  int active = 0;                                   ///< contacts that push
+  std::array<ToolPress, ToolPress::most> presses{}; ///< those; of more that would do the sum is the same
 };
 
 /// The pull of which toolPush() makes a force. Zero for a device pose that is none. Real-time safe.

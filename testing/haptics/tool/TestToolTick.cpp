@@ -87,7 +87,14 @@ TEST_F(ToolTick, PushesTheHandByTheStiffnessTimesTheWayAndTheLeversSquareTimesTh
   EXPECT_LE((state.torque_D - stiffness * lever * lever * back).norm(), 1e-4 * stiffness * lever * lever * back.norm());
   EXPECT_EQ(state.proxy_W.p, set.pose_W.p);
   EXPECT_TRUE(state.tool.held && state.tool.placed);
-  EXPECT_GT(state.contacts, 0);
+  ASSERT_GT(state.contacts, 0);
+  Vec3 pushed = Vec3::Zero(); // each contact pushes along its normal; together they are the force
+  for (int i = 0; i < state.contacts; ++i)
+  {
+    pushed += stiffness * state.tool.presses[i].push_u * state.tool.presses[i].n_W;
+    EXPECT_NEAR(state.tool.presses[i].p_W.z(), 0.0, 1e-6) << "on the plane";
+  }
+  EXPECT_LE((pushed - state.force_D).norm(), 1e-9 * pushed.norm());
 }
 
 TEST_F(ToolTick, LimitsForceAndTorqueAndTheirRise)

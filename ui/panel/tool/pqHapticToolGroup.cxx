@@ -54,6 +54,8 @@ pqHapticToolGroup::pqHapticToolGroup(QWidget* parent) : Superclass(tr("Tool"), p
   this->Ball = Button(buttons, "toolBall", tr("Take the Ball"), tr("The hand touches with its ball again"));
   this->Text = pqHapticLabel(this, "toolText", tr("Which tool is held and how it is, or why none is"));
   form->addRow(this->Text);
+  this->Contacts = pqHapticLabel(this, "toolContacts", tr("What pushes the tool: source, place, share of all pushes"));
+  form->addRow(this->Contacts);
   this->Rows.add(form, "tool");
   this->connect(this->Use, &QPushButton::clicked, this, &pqHapticToolGroup::useSelected);
   this->connect(this->Ball, &QPushButton::clicked, this, &pqHapticToolGroup::takeBall);
@@ -71,6 +73,7 @@ void pqHapticToolGroup::refresh(vtkHapticSession* session)
   this->Use->setEnabled(session && pqActiveObjects::instance().activePort());
   this->Ball->setEnabled(session && *session->GetToolSource() != '\0');
   pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetToolText()) : QString());
+  pqHapticSay(this->Contacts, session ? QString::fromUtf8(session->GetToolContacts()).trimmed() : QString());
 }
 
 QList<QWidget*> pqHapticToolGroup::fields() const

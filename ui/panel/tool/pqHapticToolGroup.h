@@ -36,6 +36,7 @@ private:
   QPushButton* Use;
   QPushButton* Ball;
   QLabel* Text;
+  QLabel* Contacts;
   pqHapticSettingRows Rows;
 };
 

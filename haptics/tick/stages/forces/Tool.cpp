@@ -40,6 +40,7 @@ Vec6 pull_u(TickContext& tick, ToolState& tool) noexcept
   const double stiffness_N_per_u = tick.out.state.stiffness_N_per_m / tick.p.map.scale_u_per_m;
   const ToolPull now = toolPull(*tick.input.tool, tool.hand_W, tick.p.toolCoupling);
   tool.active = now.active;
+  tool.presses = now.presses;
   return tick.s.toolBlend.blended(now.pull_u, step_u(tick, now, tool), stiffness_N_per_u, tick.input.dt_s);
 }
 
