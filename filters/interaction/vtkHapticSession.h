@@ -226,6 +226,15 @@ public:
   void GetFieldShape(vtkPolyData* shape) const;
   ///@}
 
+  ///@{
+  /// What the source that ToolSource names has, polygons as they are: held in place of the ball from then on, null: not
+  /// there. Added again after a change. False, with GetProblem(), for what cannot be held. Its triangles are drawn.
+  bool AddTool(const char* name, vtkDataObject* data);
+  void GetToolShape(vtkPolyData* shape) const;
+  /// How far it reaches from the hand against a direction, turned as it is [u]; 0: none is held.
+  double GetToolReach(const double direction_W[3]) const;
+  ///@}
+
   vtkMTimeType GetMaterialTime() const; ///< changes whenever a setting of surfaces does
   bool GetUsesMaterialArrays() const;   ///< whether any is named
 
@@ -268,6 +277,8 @@ public:
   /// Where a program holds the hand (devices "fed" and "mouse"): a point in W [u]. Before the first there is no hand.
   void SetHandPosition(double x, double y, double z);
   void SetHandPosition(const double p_W[3]);
+  /// How it is turned, a quaternion in W.
+  void SetHandTurn(double w, double x, double y, double z);
   /// Where a simulated hand is led. A path longer than one point replaces the one before.
   void SetStrokePath(vtkPolyData* path);
   void ClearStrokePoints();
@@ -387,6 +398,7 @@ private:
 
   void Refuse(const std::string& problem);
   void KeepMarks(vtkHapticMarkRecords marks);
+  void HoldTool(const std::string& problem);
   /// The styles of sources have changed.
   void FollowSources();
   /// Looks at it if that is wanted, and sets a mark if its button was pressed.

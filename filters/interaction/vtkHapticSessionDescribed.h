@@ -32,6 +32,10 @@
   vtkHapticFieldVectorMacro(ConstantForce); \
   vtkHapticSettingMacro(FrictionStatic, double); \
   vtkHapticSettingMacro(FrictionKinetic, double); \
+  vtkHapticSettingMacro(ToolSource, const char*); \
+  vtkHapticSettingMacro(ToolHandle, int); \
+  vtkHapticSettingMacro(ToolLever, double); \
+  vtkHapticFieldMacro(ToolCoupling, int); \
   vtkHapticSettingMacro(StiffnessArray, const char*); \
   vtkHapticSettingMacro(StiffnessComponent, int); \
   vtkHapticRangeMacro(StiffnessDataRange); \
@@ -121,6 +125,12 @@
   vtkHapticReadoutMacro(FrictionText, const char*); \
   vtkHapticReadoutMacro(FrictionKineticUsed, double); \
   vtkHapticReadoutMacro(Contacts, int); \
+  vtkHapticReadoutMacro(ToolText, const char*); \
+  vtkHapticReadoutMacro(ToolContacts, const char*); \
+  vtkHapticNumbersMacro(ToolPose, 7); \
+  vtkHapticNumbersMacro(ToolHandPose, 7); \
+  vtkHapticNumbersMacro(ToolTorque, 3); \
+  vtkHapticNumbersMacro(Torque, 3); \
   vtkHapticReadoutMacro(ContactText, const char*); \
   vtkHapticReadoutMacro(ContactSource, const char*); \
   vtkHapticReadoutMacro(ContactCell, vtkIdType); \

@@ -11,7 +11,8 @@ void vtkHapticSession::Internals::FeedTo(palpate::FedDevice& fed, bool placed) c
   if (this->Hand_W)
   {
     palpate::DeviceSample sample;
-    sample.pose_D.p = this->Asked.asked().map.toDevice(*this->Hand_W);
+    const palpate::WorkspaceMap& map = this->Asked.asked().map;
+    sample.pose_D = { map.toDevice(*this->Hand_W), map.q_WD.conjugate() * this->HandTurn_W };
     placed ? fed.place(sample) : fed.feed(sample);
   }
 }

@@ -7,6 +7,7 @@
 #include "devices/RecordedHand.h"
 #include "devices/calibration/SelfTestRun.h"
 #include "devices/common/LinkedDevice.h"
+#include "haptics/geometry/measure/ContactPlace.h"
 #include "haptics/labyrinth/GameLog.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/plan/AskedParameters.h"
@@ -15,6 +16,7 @@
 #include "haptics/session/scene/FeltScene.h"
 #include "haptics/session/settings/TickFields.h"
 #include "vtkHapticFieldData.h"
+#include "vtkHapticHeldTool.h"
 #include "vtkHapticMarkRecords.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSession.h"
@@ -58,6 +60,8 @@ public:
   std::string FieldGone;               ///< that what was felt is not there any more
   std::array<double, 6> FieldBounds{}; ///< of the data that was added [u]
   double FieldGradient[3] = { 0.0, 0.0, 0.0 };
+  vtkHapticHeldTool Tool;
+  palpate::Quat HandTurn_W = palpate::Quat::Identity(); ///< where a program holds it
   int Simplify = Auto;
   int LinesAsWalls = Auto;
   bool Raises = false;     ///< lines, as the surfaces were told
@@ -222,6 +226,8 @@ public:
   /// What the hand is in; nothing outside.
   std::optional<palpate::FieldSample> FieldAtHand() const;
   void ShowState();
+  /// Where the ball touches, or the tool most; nothing where neither does.
+  std::optional<palpate::ContactPlace> PlaceOfContact() const;
   /// What is at the contact now; nothing without one.
   std::optional<vtkHapticMarkRecord> LookAtContact();
   void ShowContact(std::optional<vtkHapticMarkRecord> contact);

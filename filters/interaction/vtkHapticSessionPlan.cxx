@@ -5,8 +5,10 @@
 
 palpate::SimplifyPlan vtkHapticSession::Internals::PlanNow() const
 {
-  return palpate::simplifyPlan(
-    static_cast<palpate::AutoChoice>(this->Simplify), this->Asked.asked().map.scale_u_per_m, this->InfoNow());
+  // A tool that lies on triangles may meet those that replace them.
+  const auto choice =
+    this->Tool.Choice().tool ? palpate::AutoChoice::Off : static_cast<palpate::AutoChoice>(this->Simplify);
+  return palpate::simplifyPlan(choice, this->Asked.asked().map.scale_u_per_m, this->InfoNow());
 }
 
 void vtkHapticSession::Internals::FollowRadius()

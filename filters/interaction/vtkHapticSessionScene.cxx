@@ -83,7 +83,7 @@ void vtkHapticSession::FollowCameAround()
 void vtkHapticSession::Internals::StayOutside(const std::optional<palpate::CameAround>& around)
 {
   this->Around.clear();
-  if (!around)
+  if (!around || this->Tool.Choice().tool) // a tool stays on its side by itself
   {
     return;
   }

@@ -10,6 +10,7 @@
 #include "vtkHapticNamedData.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticShapes.h"
+#include "vtkHapticToolSource.h"
 #include "vtkHapticViewScan.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMProxy.h"
@@ -47,6 +48,7 @@ public:
   vtkHapticShapes Shapes;
   vtkSmartPointer<vtkHapticSession> Session;
   vtkHapticViewScan Scan;
+  vtkHapticToolSource Tool;
   std::string Report;
   std::map<std::string, std::string> Rejected; ///< surfaces the session would not take, and why
   std::string FieldName;                       ///< of the source that is felt as a field; "": none
@@ -68,9 +70,14 @@ public:
   bool TouchesPoints() const { return this->Session && this->Session->GetPointRadius() > 0.0; }
 
   /// At what is shown, curves as they were applied.
-  vtkHapticViewScan Look()
+  vtkHapticViewScan Look() { return this->Look({ this->TouchesLines(), this->TouchesPoints() }); }
+
+  /// But for what is in the hand.
+  vtkHapticViewScan Look(const vtkHapticScanOptions& options)
   {
-    return vtkHapticScanView(this->View, this->Shapes, { this->TouchesLines(), this->TouchesPoints() });
+    vtkHapticViewScan scan = vtkHapticScanView(this->View, this->Shapes, options);
+    vtkHapticToolSource::LeaveOut(this->Session, scan);
+    return scan;
   }
 
   /// Whether the session can take a scan without holding the thread. If one of the same sources is being read it takes
@@ -282,6 +289,7 @@ void vtkHapticViewScene::SetSession(vtkHapticSession* session)
     this->Impl->Cancelled = session ? session->GetScenesCancelled() : 0;
     this->Impl->Drafts.ForgetAll();
     this->Impl->HandedOver = false;
+    this->Impl->Tool.Forget();
     this->Impl->Preparing.reset(); // the session before began with it
     this->Modified();
   }
@@ -349,7 +357,7 @@ void vtkHapticViewScene::TakeAgain()
 
 bool vtkHapticViewScene::Update()
 {
-  vtkHapticViewScan now = vtkHapticScanView(this->Impl->View, this->Impl->Shapes,
+  vtkHapticViewScan now = this->Impl->Look(
     { this->Impl->TouchesLines(), this->Impl->TouchesPoints(), &this->Impl->Drafts, this->Impl->Drawing });
   this->Impl->Shapes.Forget();
   const bool same = this->Impl->HandedOver && now.SameAs(this->Impl->Scan) && this->Impl->SameMaterials(now);
@@ -379,6 +387,7 @@ bool vtkHapticViewScene::Update()
   if (this->Impl->Session)
   {
     this->Impl->HandOverField(this->Impl->Scan.Sources);
+    this->Impl->Tool.Follow(*this->Impl->Session, this->Impl->View);
   }
   this->WriteReport();
   return handOver;

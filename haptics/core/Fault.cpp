@@ -26,6 +26,8 @@ const char* describe(Fault fault) noexcept
       return "the ball does not fit where it is: move the hand out of the surface or use a smaller radius";
     case Fault::NoHand:
       return "there is no hand yet: move the device or the pointer, or tell the session where the hand is";
+    case Fault::ToolWaits:
+      return "the tool meets the scene where the hand is: move the hand to where the tool is free";
   }
   return "unknown fault";
 }

@@ -18,6 +18,7 @@ enum class Fault : std::uint8_t
   SceneRefused,    ///< the scene is empty or was refused
   Seated,          ///< the ball overlaps a surface and no free place lies within its radius
   NoHand,          ///< nobody has said yet where the hand is
+  ToolWaits,       ///< the tool meets the scene wherever the hand has been
 };
 
 /// One sentence for the panel: what happened and what to do next.

@@ -10,6 +10,7 @@
 #include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/RecordedScenes.h"
 #include "haptics/recording/RecordedStages.h"
+#include "haptics/recording/RecordedTools.h"
 
 namespace palpate
 {
@@ -103,6 +104,7 @@ constexpr ChunkReader readers[] = {
   { chunks::motion,
     [](RecordedChunk& c, Recording& recording) { recording.motions.push_back(readMotion(c.payload)); } },
   { chunks::brick, [](RecordedChunk& c, Recording& recording) { recording.bricks.push_back(readBrick(c.payload)); } },
+  { chunks::tool, [](RecordedChunk& c, Recording& recording) { recording.tools.push_back(readTool(c.payload)); } },
   { chunks::end, [](RecordedChunk& c, Recording& recording) { c.payload.get(recording.lost); } },
 };
 

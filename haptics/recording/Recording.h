@@ -22,7 +22,7 @@ namespace palpate
 {
 
 /// What happened before a tick was computed: an event, new parameters, another scene (by content hash, 0: none),
-/// another field (by the event's value, likewise).
+/// another field (by the event's value, likewise), other contacts of a tool (by their revision, likewise).
 struct RecordedChange
 {
   HapticEvent event;
@@ -63,6 +63,7 @@ struct Recording
   std::vector<RecordedScene> scenes; ///< each once; empty when they were left out
   std::vector<RecordedMotion> motions;
   std::vector<std::shared_ptr<const Brick>> bricks; ///< each once
+  std::vector<ToolContacts> tools;                  ///< in the order in which they were taken
   std::vector<RecordedEntry> entries;
   SkippedParts skipped;
   std::uint64_t lost = 0; ///< ticks the writer could not take: such a recording cannot be recomputed

@@ -6,6 +6,7 @@
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/RecordedStages.h"
+#include "haptics/recording/RecordedTools.h"
 #include "haptics/recording/RecordingLayout.h"
 
 namespace palpate
@@ -164,6 +165,13 @@ std::vector<char> brickChunk(const Brick& brick)
   ByteWriter payload;
   putBrick(payload, brick);
   return chunk(chunks::brick, payload);
+}
+
+std::vector<char> toolChunk(const ToolContacts& contacts)
+{
+  ByteWriter payload;
+  putTool(payload, contacts);
+  return chunk(chunks::tool, payload);
 }
 
 std::vector<char> endChunk(std::uint64_t lost)

@@ -21,6 +21,8 @@ namespace palpate
 [[nodiscard]] std::vector<char> motionChunk(const Scene& scene);
 /// A field with its values.
 [[nodiscard]] std::vector<char> brickChunk(const Brick& brick);
+/// What a tool touches.
+[[nodiscard]] std::vector<char> toolChunk(const ToolContacts& contacts);
 [[nodiscard]] std::vector<char> endChunk(std::uint64_t lost);
 
 } // namespace palpate

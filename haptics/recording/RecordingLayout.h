@@ -31,6 +31,7 @@ inline constexpr ChunkKind change{ "change" }; ///< RecordedChange
 inline constexpr ChunkKind scene{ "scene" };   ///< RecordedScene
 inline constexpr ChunkKind motion{ "motion" }; ///< RecordedMotion
 inline constexpr ChunkKind brick{ "brick" };   ///< putBrick()
+inline constexpr ChunkKind tool{ "tool" };     ///< putTool()
 inline constexpr ChunkKind end{ "end" };       ///< ticks that were lost; nothing follows
 } // namespace chunks
 

@@ -113,6 +113,9 @@ private:
       case EventKind::Brick:
         this->takeBrick(change.event.value);
         break;
+      case EventKind::Tool:
+        this->takeTool(change.event.value);
+        break;
       default:
         this->events_.push_back(change.event);
     }
@@ -174,6 +177,20 @@ private:
     }
   }
 
+  void takeTool(std::uint64_t revision)
+  {
+    const auto isIt = [revision](const ToolContacts& set) { return set.revision == revision; };
+    const auto& sets = this->recording_.tools;
+    const auto found = std::find_if(sets.begin() + this->toolsTaken_, sets.end(), isIt);
+    const bool there = revision != 0 && found != sets.end();
+    this->tool_ = there ? &*found : nullptr;
+    this->toolsTaken_ = there ? found - sets.begin() : this->toolsTaken_;
+    if (revision != 0 && !there)
+    {
+      this->result_.problem = "what a tool touched is not in it: it cannot be recomputed";
+    }
+  }
+
   void compute(const TickRecord& record, const std::function<void(const TickOutput&)>& visit)
   {
     TickInput input;
@@ -185,6 +202,7 @@ private:
     input.scene = this->scene_.get();
     input.previousScene = this->previous_.get();
     input.brick = this->brick_;
+    input.tool = this->tool_;
     input.lateness = record.lateness;
     input.events = this->events_;
     const TickOutput output = renderTick(input, this->parameters_, this->state_);
@@ -207,6 +225,8 @@ private:
   std::map<std::uint64_t, std::shared_ptr<const Scene>> scenes_;
   std::shared_ptr<const Scene> scene_, previous_;
   const Brick* brick_ = nullptr;
+  const ToolContacts* tool_ = nullptr;
+  std::ptrdiff_t toolsTaken_ = 0; ///< they stand in the order in which they were taken
   std::vector<HapticEvent> events_;
   ReplayResult result_;
 };

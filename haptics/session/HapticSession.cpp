@@ -26,6 +26,7 @@ struct HapticSession::Run
   std::unique_ptr<TickTimer> timer;
   MonotonicClock clock;
   ServoLinks links;
+  std::optional<HeldTool> tool;
   std::optional<Recordings> recordings;
   std::optional<ServoLoop> loop;
   std::mutex schedulingMutex; ///< taken once by the servo thread, before its first tick
@@ -138,6 +139,13 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->links.parameters.write({ this->version_, run->adapted });
   run->links.scenes.publish(this->scene_);
   run->links.bricks.publish(this->brick_);
+  run->tool.emplace(run->links.tool, options.virtualTime, period_ns);
+  run->tool->touch(this->scene_);
+  run->tool->take(this->tool_);
+  if (options.virtualTime)
+  {
+    run->tool->step();
+  }
   run->loop.emplace(*run->device, *run->timer, run->links, run->clock, options.period_s);
   this->run_ = std::move(run);
   this->lastState_ = HapticState{};
@@ -233,7 +241,31 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
     }
     this->run_->recordings->storeScene(this->scene_);
     this->run_->links.scenes.publish(this->scene_);
+    this->run_->tool->touch(this->scene_);
   }
+}
+
+void HapticSession::setTool(const ToolChoice& choice)
+{
+  this->tool_ = choice;
+  if (this->run_)
+  {
+    this->run_->tool->take(choice);
+  }
+}
+
+std::string HapticSession::toolRefusal() const
+{
+  return this->run_ ? this->run_->tool->refusal() : std::string();
+}
+
+const ToolReport& HapticSession::toolReport()
+{
+  if (this->run_)
+  {
+    this->lastToolReport_ = this->run_->links.tool.report.read();
+  }
+  return this->lastToolReport_;
 }
 
 void HapticSession::setBrick(std::shared_ptr<const Brick> brick)
@@ -280,6 +312,7 @@ int HapticSession::step(int ticks)
   while (this->run_ && this->run_->virtualTime && done < ticks && this->run_->loop->tick())
   {
     ++done;
+    this->run_->tool->step();
     this->run_->recordings->pump();
   }
   if (done > 0)

@@ -11,6 +11,7 @@
 #include "haptics/realtime/RealtimeThread.h"
 #include "haptics/session/Recordings.h"
 #include "haptics/session/ServoLoop.h"
+#include "haptics/session/tool/HeldTool.h"
 
 namespace palpate
 {
@@ -59,6 +60,13 @@ public:
   void setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W = {});
   [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept { return this->scene_; }
 
+  /// What the hand holds in place of the ball, from a tick soon after on; none: the ball. Kept over stop() and start().
+  void setTool(const ToolChoice& choice);
+  [[nodiscard]] const ToolChoice& tool() const noexcept { return this->tool_; }
+  /// Why the tool cannot touch the scene; "": it can. And how its thread does.
+  [[nodiscard]] std::string toolRefusal() const;
+  [[nodiscard]] const ToolReport& toolReport();
+
   /// The field around the hand, taken at the next tick; null: none. Kept over stop() and start().
   void setBrick(std::shared_ptr<const Brick> brick);
   [[nodiscard]] const std::shared_ptr<const Brick>& brick() const noexcept { return this->brick_; }
@@ -94,8 +102,10 @@ private:
   std::uint64_t version_ = 0;
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Brick> brick_;
+  ToolChoice tool_;
   HapticState lastState_;
   LoopReport lastReport_;
+  ToolReport lastToolReport_;
   std::optional<EndedRecording> lastRecorded_; ///< with the last run
   std::unique_ptr<Run> run_;
 };

@@ -84,6 +84,7 @@ void ServoLoop::takeChanges() noexcept
     this->recorder_->pushScene(this->input_.tick, this->input_.scene);
   }
   this->takeBrick();
+  this->takeTool();
   this->followRecorder();
   std::size_t count = 0;
   while (count < this->events_.size() && this->links_.events.tryPop(this->events_[count]))
@@ -106,6 +107,18 @@ void ServoLoop::takeBrick() noexcept
   if (taken && this->recorder_ != nullptr)
   {
     this->recorder_->pushBrick(this->input_.tick, this->input_.brick);
+  }
+}
+
+void ServoLoop::takeTool() noexcept
+{
+  const ToolContacts& set = this->links_.tool.contacts.read();
+  this->input_.tool = set.held ? &set : nullptr;
+  const bool taken = set.revision != this->toolRevision_;
+  this->toolRevision_ = set.revision;
+  if (taken && this->recorder_ != nullptr)
+  {
+    this->recorder_->pushTool(this->input_.tick, this->input_.tool);
   }
 }
 
@@ -149,6 +162,10 @@ void ServoLoop::pushTouched() noexcept
   {
     this->recorder_->pushBrick(this->input_.tick, this->input_.brick);
   }
+  if (this->input_.tool != nullptr)
+  {
+    this->recorder_->pushTool(this->input_.tick, this->input_.tool);
+  }
 }
 
 bool ServoLoop::tick() noexcept
@@ -170,6 +187,7 @@ bool ServoLoop::tick() noexcept
     judgeLateness(this->behind_s(wakeup), this->latenessP99_s_, this->period_s_, this->device_.info().simulated);
   const TickOutput output = renderTick(this->input_, this->parameters_, this->renderer_);
   this->device_.write(output.command);
+  this->links_.tool.hand.write({ output.state.tool.hand_W, output.state.tool.held && !output.state.held });
   this->pushes_ = pushes(output.command);
   if (this->recorder_ != nullptr)
   {
@@ -204,7 +222,7 @@ void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double c
   r.peakForce_N = std::max(r.peakForce_N, s.force_D.norm());
   r.peakStabiliser_N = std::max(r.peakStabiliser_N, s.stabiliser_D.norm());
   if (s.gain == 1.0 && s.stiffnessFactor == 1.0 && !s.clamped && !s.riseLimited && !s.held && !s.deviceHolds &&
-      this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
+      !s.tool.held && this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
   {
     const WorkspaceMap& map = this->parameters_.map;
     const Vec3 spring_D = map.directionToDevice(s.stiffness_N_per_m / map.scale_u_per_m * (s.proxy_W.p - s.device_W.p));

@@ -14,6 +14,7 @@
 #include "haptics/realtime/TripleBuffer.h"
 #include "haptics/recording/writing/Recorder.h"
 #include "haptics/tick/ForceRenderer.h"
+#include "haptics/tool/worker/ToolFollower.h"
 
 namespace palpate
 {
@@ -46,6 +47,7 @@ struct ServoLinks
   };
   SnapshotMailbox<Scene> scenes;      ///< owner -> servo
   SnapshotMailbox<Brick> bricks;      ///< owner -> servo
+  ToolLinks tool;                     ///< servo <-> the thread that moves a tool
   TripleBuffer<Versioned> parameters; ///< owner -> servo
   SpscRing<HapticEvent, 64> events;   ///< owner -> servo
   TripleBuffer<HapticState> state;    ///< servo -> owner
@@ -82,6 +84,7 @@ private:
   void takeBrick() noexcept;
   /// Whether another scene, or another field, than in the tick before is touched in this one.
   [[nodiscard]] bool replacesTouched() const noexcept;
+  void takeTool() noexcept;
   void pushTouched() noexcept;
   /// How much later the thread ran than its next period began, missed periods included [s].
   [[nodiscard]] double behind_s(const Wakeup& wakeup) const noexcept;
@@ -97,7 +100,8 @@ private:
   HapticParameters parameters_;
   RendererState renderer_;
   TickInput input_;
-  Recorder* recorder_ = nullptr; ///< has its start, and not its end
+  std::uint64_t toolRevision_ = 0; ///< of the contacts that were taken last
+  Recorder* recorder_ = nullptr;   ///< has its start, and not its end
   std::array<HapticEvent, 16> events_;
   Fault fault_ = Fault::None; ///< of the last tick
   bool pushes_ = false;       ///< the device was told to push, or to hold something, in the last tick

@@ -14,6 +14,7 @@
 #include "haptics/tick/HapticEvent.h"
 #include "haptics/tick/HapticParameters.h"
 #include "haptics/tick/HapticState.h"
+#include "haptics/tool/servo/ToolContacts.h"
 
 namespace palpate
 {
@@ -34,7 +35,8 @@ struct TickInput
   DeviceStatus status = DeviceStatus::Ok;
   const Scene* scene = nullptr;
   const Scene* previousScene = nullptr; ///< in the tick that takes a new scene: the one before, still alive
-  const Brick* brick = nullptr; ///< the field around the hand; may be null
+  const Brick* brick = nullptr;         ///< the field around the hand; may be null
+  const ToolContacts* tool = nullptr;   ///< what the tool in the hand touches; null: the hand touches with its ball
   LatenessVerdict lateness;
   std::span<const HapticEvent> events;
 };

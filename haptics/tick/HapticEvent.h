@@ -19,6 +19,7 @@ enum class EventKind : std::uint8_t
   Fault,      ///< a fault was raised in the tick before it (value: Fault)
   Play,       ///< another game in the labyrinth: the hand is brought to the start
   Brick,      ///< the tick took another field (value: content hash)
+  Tool,       ///< the tick took other contacts of a tool (value: their revision; 0: no tool)
 };
 
 struct HapticEvent

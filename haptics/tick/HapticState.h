@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "haptics/contact/GodObject.h"
@@ -8,6 +9,7 @@
 #include "haptics/core/Types.h"
 #include "haptics/force/PassivityController.h"
 #include "haptics/labyrinth/LabyrinthGame.h"
+#include "haptics/tool/servo/ToolForce.h"
 
 namespace palpate
 {
@@ -35,6 +37,19 @@ struct FieldReport
   std::uint64_t beyondTicks = 0; ///< in which the hand was beyond the brick that was there, until now
   bool capped = false;           ///< the proxy goes on in the next tick
   EnergyMeter energy;            ///< of its springs
+};
+
+/// What a tool did in a tick.
+struct ToolState
+{
+  bool held = false;                                ///< one is in the hand
+  bool placed = false;                              ///< and stands somewhere
+  Pose hand_W;                                      ///< where the hand would have it; proxy_W is where it is [u]
+  std::int32_t active = 0;                          ///< contacts that push
+  std::int32_t touching = 0;                        ///< and all that there are
+  std::array<ToolPress, ToolPress::most> presses{}; ///< the first `active`
+  double lever_m = 0.0;    ///< in the hand: the stiffness of turning is the stiffness times its square
+  double injected_J = 0.0; ///< by contacts that were replaced in this tick: energy of the new ones less the old ones'
 };
 
 /// What the tick did, as the view, the panel and the recording see it.
@@ -86,6 +101,7 @@ struct HapticState
   bool stiffnessLimited = false;  ///< to what the device and the rate can hold
   EnergyMeter energy;
   FieldReport field;
+  ToolState tool;
 };
 
 } // namespace palpate

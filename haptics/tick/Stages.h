@@ -17,6 +17,7 @@
 #include "haptics/tick/stages/forces/Field.h"
 #include "haptics/tick/stages/forces/Game.h"
 #include "haptics/tick/stages/forces/Guide.h"
+#include "haptics/tick/stages/forces/Tool.h"
 
 namespace palpate
 {
@@ -31,6 +32,7 @@ using TickStages = StageList< //
   stage::Clutch,              // or where it stays
   stage::GameLead,            // of a labyrinth, before contact
   stage::Contact,             // where the proxy rests
+  stage::Tool,                // or the tool
   stage::Coupling,            // spring and damper between the two
   stage::Field,               // what the numbers around the hand do
   stage::Guide,               // to a plane

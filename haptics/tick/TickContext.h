@@ -11,6 +11,14 @@
 namespace palpate
 {
 
+/// The part of a tool's pull that turns, as ways of its lever.
+struct TurnPull
+{
+  Vec3 pull_D = Vec3::Zero();     ///< from the device to where contact turns it [m]
+  Vec3 velocity_D = Vec3::Zero(); ///< of the hand's turning [m/s]
+  double lever_m = 0.0;           ///< 0: nothing turns
+};
+
 /// What the stages of one tick work on, and what one leaves to those after it. Lives for a tick, on the stack.
 struct TickContext
 {
@@ -30,8 +38,13 @@ struct TickContext
   GameForce game = {};              ///< what a labyrinth asks of this tick
   bool seatFailed = false;          ///< the ball found no place
   Vec3 pull_D = Vec3::Zero();       ///< from the device to where contact draws it [m]
+  TurnPull turn = {};               ///< likewise for how it is turned
+  bool toolWaits = false;           ///< a tool stands nowhere yet, for it met the scene wherever the hand was
   double stretch_m = 0.0;           ///< of a plain spring that holds as much energy as the contact
   Vec3 coupled_D = Vec3::Zero();    ///< force of contact and what stands beside it, before blend and limits [N]
+
+  /// Nothing that pushes has a place.
+  [[nodiscard]] bool homeless() const noexcept { return this->seatFailed || this->toolWaits; }
 
   [[nodiscard]] bool touchable() const noexcept { return this->input.scene != nullptr && !this->input.scene->empty(); }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "vtkCubeSource.h"
 #include "vtkIdList.h"
 #include "vtkPolyData.h"
 
@@ -53,6 +54,25 @@ TEST_P(HapticMouseInBothViews, ItsRayIsTheCamerasByTheFormula)
     EXPECT_LT(this->ray(x_px, y_px).distanceTo(far_W), 1e-9);
     EXPECT_GT((far_W - near_W).dot(this->ray(x_px, y_px).along), 0.0);
   }
+}
+
+// The cube lies on the plane, its middle half a side above it: pressed by as much as the ball would be.
+TEST_P(HapticMouseInBothViews, AToolThatIsHeldIsPressedAsDeepAsTheBallWouldBe)
+{
+  this->show(makePlane(100.0));
+  this->lookDown();
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(10.0);
+  cube->SetYLength(10.0);
+  cube->SetZLength(10.0);
+  cube->Update();
+  this->session_->SetToolSource("Cube1");
+  ASSERT_TRUE(this->session_->AddTool("Cube1", cube->GetOutput()));
+  this->engage();
+  this->press(170.0, 140.0);
+  this->rest(framesToArrive);
+  EXPECT_NEAR(this->session_->GetForce()[2], force_N, 1e-3 * force_N);
+  EXPECT_NEAR(this->session_->GetProxyPosition()[2], 5.0, 1e-3);
 }
 
 // F = K d n, and the proxy is the point of the plane z = 0 under the pointer.

@@ -10,7 +10,7 @@ import unittest
 from paraview import servermanager, simple
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
-from palpate.simple import (ClearMarks, FitHand, GetHapticSession, GetMarks, HapticRefusal, HapticState, LetGo, Mark,  # noqa: E402
+from palpate.simple import (ClearMarks, FitHand, GetHapticSession, GetMarks, HapticRefusal, HapticState, HoldTool, LetGo, Mark,  # noqa: E402
                             SaveMarks, SetHaptics, SetSource, TakeColorRange, Touch)
 
 TICKS_TO_ENGAGE = 1100  # arming, the ramp of 1 s, and some to spare
@@ -30,7 +30,7 @@ class Functions(unittest.TestCase):
     def tearDown(self):
         LetGo()
         ClearMarks()
-        SetHaptics(SourcesText="")
+        SetHaptics(SourcesText="", ToolSource="")
         for source in list(simple.GetSources().values()):
             simple.Delete(source)
         simple.Delete(self.view)
@@ -118,6 +118,32 @@ class Functions(unittest.TestCase):
             with self.assertRaisesRegex(HapticRefusal, "Stiffnes is no setting"):
                 SetHaptics(Stiffnes=1.0)
         self.assertEqual(GetHapticSession().GetStiffness(), STIFFNESS)
+
+    def test_a_source_in_the_hand_is_not_touched_but_touches(self):
+        """A box of 20 u whose middle is held 8 u above a floor: pressed in by 2 u."""
+        floor = simple.Plane(Origin=[-50, -50, 0], Point1=[50, -50, 0], Point2=[-50, 50, 0])
+        box = simple.Box(XLength=20, YLength=20, ZLength=20, Center=[0, 0, 100])
+        for source in (floor, box):
+            simple.Show(source, self.view)
+        HoldTool(box)
+        session = GetHapticSession()
+        session.SetHandPosition(0, 0, 15)
+        Touch()
+        session.Step(TICKS_TO_ENGAGE)
+        session.SetHandPosition(0, 0, 10 - DEPTH)
+        session.Step(1000)
+        state = HapticState()
+        self.assertAlmostEqual(state["Force"][2], FORCE, delta=1e-3)
+        self.assertAlmostEqual(state["ToolPose"][2], 10 - 100, delta=1e-3)  # of the origin of its data
+        self.assertIn("contacts push", state["ToolText"])
+        self.assertNotIn("Box", session.GetSceneReport())
+        simple.Delete(box)
+        HapticState()
+        self.assertIn("is not there", HapticState()["ToolText"])
+        with self.assertRaisesRegex(HapticRefusal, "is no source"):
+            HoldTool("Drill")
+        HoldTool(None)
+        self.assertEqual(HapticState()["ToolText"], "")
 
     def test_a_source_is_softer_than_the_others_or_not_touched(self):
         box = self.press_box()

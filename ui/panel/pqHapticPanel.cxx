@@ -15,6 +15,7 @@
 #include "pqHapticReadout.h"
 #include "pqHapticSettingRows.h"
 #include "pqHapticSourceGroup.h"
+#include "pqHapticToolGroup.h"
 #include "pqHapticViewFollower.h"
 #include "pqHapticViewGroup.h"
 #include "pqPropertyLinks.h"
@@ -62,6 +63,7 @@ public:
   QComboBox* Hand;
   QDoubleSpinBox* PressDepth;
   pqHapticViewGroup* HandAndView;
+  pqHapticToolGroup* Tool;
   pqHapticSettingRows Rows;
   pqHapticMaterialGroup* Material;
   pqHapticFieldGroup* Field;
@@ -184,10 +186,10 @@ void pqHapticPanel::Internals::setTabOrder()
   const QList<QWidget*> order = this->Main->fields() + QList<QWidget*>{ this->AtContact } + this->Marks->fields() +
                                 QList<QWidget*>{ this->Advanced } + this->DeviceRows->fields() +
                                 QList<QWidget*>{ this->Hand, this->PressDepth } + this->HandAndView->fields() +
-                                this->Rows.fields("contact") + this->Rows.fields("friction") + this->Source->fields() +
-                                this->Material->fields() + this->Field->fields() + this->Rows.fields("field") +
-                                this->Rows.fields("stability") + this->Check->fields() + this->Rows.fields("scene") +
-                                QList<QWidget*>{ this->Scene };
+                                this->Tool->fields() + this->Rows.fields("contact") + this->Rows.fields("friction") +
+                                this->Source->fields() + this->Material->fields() + this->Field->fields() +
+                                this->Rows.fields("field") + this->Rows.fields("stability") + this->Check->fields() +
+                                this->Rows.fields("scene") + QList<QWidget*>{ this->Scene };
   for (int i = 1; i < order.size(); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
@@ -212,6 +214,8 @@ void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
   this->addHand(rest);
   this->HandAndView = new pqHapticViewGroup;
   rest->addWidget(this->HandAndView);
+  this->Tool = new pqHapticToolGroup;
+  rest->addWidget(this->Tool);
   this->Rows.add(Group(rest, "contactGroup", tr("Contact model")), "contact");
   this->Rows.add(Group(rest, "frictionGroup", tr("Friction")), "friction");
   this->Source = new pqHapticSourceGroup;
@@ -319,6 +323,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   link(w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), "Hand");
   link(w.PressDepth, "value", SIGNAL(valueChanged(double)), "PressDepth");
   w.HandAndView->link(w.Links, proxy);
+  w.Tool->link(w.Links, proxy);
   w.Rows.link(w.Links, proxy);
   this->refresh();
 }
@@ -347,6 +352,7 @@ void pqHapticPanel::Internals::showMeasured(vtkHapticSession* session, const pqH
 {
   const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   this->Source->refresh(session);
+  this->Tool->refresh(session);
   this->Field->refresh(session, follower);
   this->Check->refresh(session);
   this->DeviceRows->refresh(session);

@@ -99,7 +99,7 @@ std::optional<vtkHapticMarkRecord> vtkHapticSession::Internals::LookAtContact()
   {
     return std::nullopt;
   }
-  const auto place = palpate::placeOf(*scene, this->State.proxy_W.p, this->State.device_W.p);
+  const auto place = this->PlaceOfContact();
   if (!place)
   {
     return std::nullopt;

@@ -191,7 +191,9 @@ Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
     box.GetCorner(corner, p_W.data());
     depth = std::min(depth, this->DepthOf(p_W));
   }
-  return this->AtDepth(ray, std::max(depth - this->Reach(hover_m), this->DepthOf(ray.Near)));
+  const Vec3 towardsEye = -ray.along();
+  const double room = this->Reach(hover_m) + this->Session->GetToolReach(towardsEye.data());
+  return this->AtDepth(ray, std::max(depth - room, this->DepthOf(ray.Near)));
 }
 
 // The pointer
@@ -226,6 +228,7 @@ Aim vtkHapticMouse::Internals::AimAt(const Ray& ray) const
     const Vec3 inPlane_W = this->AtDepth(ray, this->DepthOf(Vec3(this->Session->GetProxyPosition())));
     return { inPlane_W, inPlane_W };
   }
+  ball_W += this->Session->GetToolReach(n_W.data()) * n_W;
   const double clearance = std::min(this->Reach(hover_m), (ball_W - ray.Near).norm());
   return { ball_W - clearance * ray.along(), ball_W - this->Reach(this->Session->GetPressDepth()) * n_W };
 }

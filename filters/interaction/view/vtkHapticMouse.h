@@ -5,11 +5,11 @@
  *
  * For a session whose device is "mouse". The pointer's ray is swept with the ball that touches. The hand hovers in
  * front of what it meets; pressing it goes behind it along the normal by the session's PressDepth, so that a plain
- * surface pushes with stiffness x depth. Where the ray meets nothing the hand goes in the plane through the proxy that
- * is parallel to the screen. Where the straight way is barred by a surface, and when the pointer leaves, it first rises
- * towards the eye, in front of everything. It presses only while the session is engaged. In a plane world the hand is
- * where the ray meets the plane, and walls push by how far they keep the proxy from there; when the pointer leaves it
- * rests at the proxy.
+ * surface pushes with stiffness x depth. A tool that is held reaches as deep as the ball would. Where the ray meets
+ * nothing the hand goes in the plane through the proxy that is parallel to the screen. Where the straight way is barred
+ * by a surface, and when the pointer leaves, it first rises towards the eye, in front of everything. It presses only
+ * while the session is engaged. In a plane world the hand is where the ray meets the plane, and walls push by how far
+ * they keep the proxy from there; when the pointer leaves it rests at the proxy.
  *
  * While the session is precise, and the hand presses or is in a plane world, a way of the pointer is PrecisionFactor
  * times less of the hand; while its clutch is held the hand stays. Both go on from there: the hand is under the pointer

@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkArrowSource.h"
 #include "vtkCellArray.h"
+#include "vtkHapticHeldToolProps.h"
 #include "vtkHapticSession.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -29,8 +30,9 @@ constexpr int ballResolution = 32;
 constexpr int arrowResolution = 24;
 /// The hand is drawn smaller than the proxy, so that both are seen when they are at one place.
 constexpr double handShare = 0.75;
-constexpr float traceWidth = 3.0f;  // pixels
-constexpr double markOpacity = 0.4; // what is at start and exit shows through
+constexpr float traceWidth = 3.0f;   // pixels
+constexpr double torqueArm_m = 0.03; // a torque is drawn as the force that has it at such an arm
+constexpr double markOpacity = 0.4;  // what is at start and exit shows through
 
 /// 0 without a scene.
 double DiagonalOf(vtkHapticSession* session)
@@ -55,6 +57,17 @@ void SetFrame(vtkMatrix4x4* matrix, const double along[3], double length, const 
     matrix->SetElement(row, 3, place[row]);
   }
 }
+
+/// Of a vector at a place; none of no length.
+void PlaceArrow(vtkActor* arrow, vtkMatrix4x4* frame, const double vector[3], double scale, const double place[3])
+{
+  const double length = scale * vtkMath::Norm(vector);
+  arrow->SetVisibility(length > 0.0);
+  if (length > 0.0)
+  {
+    SetFrame(frame, vector, length, place);
+  }
+}
 } // namespace
 
 class vtkHapticToolProps::Internals
@@ -68,15 +81,18 @@ public:
   vtkNew<vtkActor> Exit;
   vtkNew<vtkActor> Workspace;
   vtkNew<vtkActor> Field;
+  vtkNew<vtkActor> Torque;
+  vtkHapticHeldToolProps Held;
   vtkNew<vtkPolyData> Box;
   vtkNew<vtkPolyData> Way;
   vtkNew<vtkPolyData> Shape; ///< of the field
   vtkNew<vtkMatrix4x4> ArrowFrame;
+  vtkNew<vtkMatrix4x4> TorqueFrame;
   vtkWeakPointer<vtkRenderer> Renderer;
 
   Internals();
   vtkActor* const* begin() const { return this->All; }
-  vtkActor* const* end() const { return this->All + 8; }
+  vtkActor* const* end() const { return this->All + 11; }
   void Place(vtkActor* actor, const double p_W[3], double radius) const;
   void PlaceMarks(vtkHapticSession* session, bool shown) const;
   void PlaceWorkspace(vtkHapticSession* session) const;
@@ -84,8 +100,8 @@ public:
 private:
   void MakeBox() const;
 
-  vtkActor* All[8] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit, this->Workspace,
-    this->Field };
+  vtkActor* All[11] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit, this->Workspace,
+    this->Field, this->Torque, this->Held.Solid, this->Held.Ghost };
 };
 
 vtkHapticToolProps::Internals::Internals()
@@ -105,6 +121,9 @@ vtkHapticToolProps::Internals::Internals()
   this->Hand->SetMapper(ballMapper);
   this->Arrow->SetMapper(arrowMapper);
   this->Arrow->SetUserMatrix(this->ArrowFrame);
+  this->Torque->SetMapper(arrowMapper);
+  this->Torque->SetUserMatrix(this->TorqueFrame);
+  this->Torque->GetProperty()->SetColor(0.6, 0.2, 0.8);
   vtkNew<vtkPolyDataMapper> wayMapper;
   wayMapper->SetInputData(this->Way);
   this->Trace->SetMapper(wayMapper);
@@ -259,12 +278,13 @@ void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
   const double radius = std::max(session->GetRadiusUsed(), this->RelativeSize * diagonal);
   impl.Place(impl.Proxy, session->GetProxyPosition(), radius);
   impl.Place(impl.Hand, session->GetHandPosition(), handShare * radius);
-  const double length = session->GetForceMagnitude() * this->ForceScale * diagonal;
-  impl.Arrow->SetVisibility(length > 0.0);
-  if (length > 0.0)
-  {
-    SetFrame(impl.ArrowFrame, session->GetForce(), length, session->GetProxyPosition());
-  }
+  const bool held = impl.Held.UpdateFrom(session);
+  impl.Proxy->SetVisibility(!held);
+  impl.Hand->SetVisibility(!held);
+  const double* const at_W = session->GetProxyPosition();
+  const double perNewton = this->ForceScale * diagonal;
+  PlaceArrow(impl.Arrow, impl.ArrowFrame, session->GetForce(), perNewton, at_W);
+  PlaceArrow(impl.Torque, impl.TorqueFrame, session->GetToolTorque(), perNewton / torqueArm_m, at_W);
 }
 
 vtkActor* vtkHapticToolProps::GetProxyActor() const
@@ -300,6 +320,21 @@ vtkActor* vtkHapticToolProps::GetExitActor() const
 vtkActor* vtkHapticToolProps::GetFieldActor() const
 {
   return this->Impl->Field;
+}
+
+vtkActor* vtkHapticToolProps::GetTorqueActor() const
+{
+  return this->Impl->Torque;
+}
+
+vtkActor* vtkHapticToolProps::GetHeldActor() const
+{
+  return this->Impl->Held.Solid;
+}
+
+vtkActor* vtkHapticToolProps::GetGhostActor() const
+{
+  return this->Impl->Held.Ghost;
 }
 
 vtkActor* vtkHapticToolProps::GetWorkspaceActor() const

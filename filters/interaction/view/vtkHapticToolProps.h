@@ -3,10 +3,11 @@
  * @class   vtkHapticToolProps
  * @brief   what a person sees of a haptic session: proxy, hand and force
  *
- * Two balls, an arrow, start (green) and exit (red) of a labyrinth and the way through it, and the box of what the
- * device reaches where the session has ShowWorkspace. The proxy's ball has the session's radius where that can be seen;
- * the arrow starts at the proxy and points along the force on the hand. None is picked or counted in the bounds of a
- * scene.
+ * Two balls, or a tool, solid where it is and as a ghost where the hand would have it; arrows of force and torque;
+ * start (green) and exit (red) of a labyrinth and the way through it, and the box of what the device reaches where the
+ * session has ShowWorkspace. The proxy's ball has the session's radius where that can be seen; the arrows start at the
+ * proxy and point along the force on the hand and about the torque that a tool asks for. None is picked or counted in
+ * the bounds of a scene.
  */
 #ifndef vtkHapticToolProps_h
 #define vtkHapticToolProps_h
@@ -71,6 +72,9 @@ public:
   vtkActor* GetStartActor() const;
   vtkActor* GetExitActor() const;
   vtkActor* GetWorkspaceActor() const;
+  vtkActor* GetTorqueActor() const;
+  vtkActor* GetHeldActor() const;  ///< the tool in the hand, where it is
+  vtkActor* GetGhostActor() const; ///< and where the hand would have it
   vtkActor* GetFieldActor() const; ///< patch of an isosurface and streamline where the proxy is
   ///@}
 

@@ -25,7 +25,7 @@ from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  the pro
 from palpate.vtkHapticViews import vtkHapticViewScene
 
 __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
-           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource"]
+           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource", "HoldTool"]
 
 
 class HapticRefusal(RuntimeError):
@@ -265,3 +265,16 @@ def SetSource(source, touched=None, stiffness=None, friction=None):
         taken = session.SetSourceMaterial(name, own_stiffness, *(material[1:] if friction is None else friction))
         if taken and touched is not None:
             session.SetSourceTouched(name, touched)
+
+
+def HoldTool(source=None, view=None):
+    """Holds the surface of a source in place of the ball: a proxy, or its name in the pipeline browser; None: the ball.
+    The source is hidden, for the tool is drawn where it is."""
+    name = source if source is None or isinstance(source, str) else _manager().GetProxyName("sources", source.SMProxy)
+    if name and not _manager().GetProxy("sources", name):
+        raise HapticRefusal(f"{name} is no source of the pipeline: name one that is.")
+    with _Refusals():
+        _put("ToolSource", name or "")
+        if name:
+            simple.Hide(simple.FindSource(name), view or simple.GetActiveView())
+        HapticUpdate()

@@ -8,11 +8,21 @@
 
 namespace palpate
 {
+namespace
+{
+
+bool isTool(const HapticEvent& event) noexcept
+{
+  return event.kind == EventKind::Tool && event.value != 0;
+}
+
+} // namespace
 
 std::string Recorder::open(const std::string& path, const std::string& device, bool background)
 {
   this->close();
   this->ring_ = std::make_unique<SpscRing<Entry, 8192>>();
+  this->tools_ = std::make_unique<SpscRing<ToolContacts, 1024>>();
   this->stored_.clear();
   this->scenes_.clear();
   this->bricks_.clear();
@@ -51,7 +61,7 @@ std::string Recorder::close()
     this->writeStart(HapticParameters{}); // no tick came
   }
   this->writeScenes();
-  return this->file_.close(endChunk(this->ring_->refused()));
+  return this->file_.close(endChunk(this->ring_->refused() + this->tools_->refused()));
 }
 
 bool Recorder::pushStart(const HapticParameters& parameters, const RendererState& state) noexcept
@@ -107,6 +117,14 @@ void Recorder::pushScene(std::uint64_t tick, const Scene* scene) noexcept
 void Recorder::pushBrick(std::uint64_t tick, const Brick* brick) noexcept
 {
   this->pushEvent({ tick, EventKind::Brick, brick != nullptr ? brick->contentHash() : 0 });
+}
+
+void Recorder::pushTool(std::uint64_t tick, const ToolContacts* contacts) noexcept
+{
+  if (contacts == nullptr || this->tools_->tryPush(*contacts))
+  {
+    this->pushEvent({ tick, EventKind::Tool, contacts != nullptr ? contacts->revision : 0 });
+  }
 }
 
 void Recorder::storeBrick(const std::shared_ptr<const Brick>& brick)
@@ -174,6 +192,10 @@ void Recorder::writeEntry(const Entry& entry)
   {
     this->file_.write(tickChunk(entry.tick));
     return;
+  }
+  if (ToolContacts contacts; isTool(entry.event) && this->tools_->tryPop(contacts))
+  {
+    this->file_.write(toolChunk(contacts));
   }
   RecordedChange change{ entry.event, std::nullopt, entry.sceneHash, entry.sceneRevision };
   if (entry.kind == EntryKind::Parameters)

@@ -47,6 +47,7 @@ public:
   void pushParameters(std::uint64_t tick, const HapticParameters& parameters) noexcept;
   void pushScene(std::uint64_t tick, const Scene* scene) noexcept;
   void pushBrick(std::uint64_t tick, const Brick* brick) noexcept;
+  void pushTool(std::uint64_t tick, const ToolContacts* contacts) noexcept;
 
   /// Any other thread: stores a scene that the servo may take, once for each content.
   void storeScene(const std::shared_ptr<const Scene>& scene);
@@ -79,6 +80,8 @@ private:
   void writeScenes();
 
   std::unique_ptr<SpscRing<Entry, 8192>> ring_ = std::make_unique<SpscRing<Entry, 8192>>();
+  /// Beside the other ring, whose entries would all be as large as these: each has its event there.
+  std::unique_ptr<SpscRing<ToolContacts, 1024>> tools_ = std::make_unique<SpscRing<ToolContacts, 1024>>();
   RendererState first_; ///< the servo's until it has pushed the start
   RecordingFile file_;
   bool started_ = false; ///< its first chunk is written

@@ -54,7 +54,7 @@ void remember(const TickContext& tick, Contact::State& state) noexcept
 void Contact::step(TickContext& tick) noexcept
 {
   const WorkspaceMap& map = tick.p.map;
-  const bool touches = tick.touchable() && tick.game.contact;
+  const bool touches = tick.touchable() && tick.game.contact && tick.input.tool == nullptr;
   tick.otherMap = !isSame(tick.s.map, map);
   const bool nearby = tick.p.keepsHand && isNearby(map, tick.handBefore_W, tick.out.state.device_W.p);
   const bool elsewhere = tick.otherMap && !nearby;

@@ -58,7 +58,7 @@ void Engage::step(TickContext& tick) noexcept
   const SafetyLimits& limits = tick.p.safety;
   // What a blend hides for a moment is asked for when it has ended.
   const double asked_N = std::max(tick.out.state.rendered_D.norm(), tick.p.keepsHand ? s.lastRendered_D.norm() : 0.0);
-  if (s.engage == EngageState::Armed && !tick.out.state.letGo && !tick.seatFailed && tick.feelable() &&
+  if (s.engage == EngageState::Armed && !tick.out.state.letGo && !tick.homeless() && tick.feelable() &&
       asked_N <= limits.engageBelow_N)
   {
     s.engage = EngageState::Engaged;

@@ -48,7 +48,8 @@ void giveLead(TickContext& tick) noexcept
 
 void HeldWalls::step(TickContext& tick) noexcept
 {
-  tick.out.state.deviceHolds = tick.p.walls.hold && tick.touchable() && !tick.seatFailed && tick.s.gain > 0.0;
+  const bool touches = tick.touchable() && !tick.homeless() && tick.input.tool == nullptr;
+  tick.out.state.deviceHolds = tick.p.walls.hold && touches && tick.s.gain > 0.0;
   if (!tick.out.state.deviceHolds)
   {
     tick.s.walls = {};

@@ -14,7 +14,7 @@ namespace
 Vec3 limited(TickContext& tick, const Vec3& rendered, const Vec3& last, double largest, double rise) noexcept
 {
   HapticState& state = tick.out.state;
-  const Vec3 through = smoothstep(tick.s.gain) * (tick.seatFailed ? Vec3(Vec3::Zero()) : rendered);
+  const Vec3 through = smoothstep(tick.s.gain) * (tick.homeless() ? Vec3(Vec3::Zero()) : rendered);
   const Vec3 clamped = clampMagnitude(through, largest);
   const Vec3 given = limitRise(clamped, last, rise, tick.input.dt_s);
   state.clamped = state.clamped || clamped != through;
@@ -33,9 +33,13 @@ void limitForce(TickContext& tick) noexcept
   HapticState& state = tick.out.state;
   const SafetyLimits& limits = tick.p.safety;
   state.force_D = limited(tick, state.rendered_D, s.lastForce_D, limits.maxForce_N, limits.maxRise_N_per_s);
-  s.ownForce = state.force_D == tick.coupled_D;
+  const bool clamped = state.clamped;
   state.torque_D =
     limited(tick, state.renderedTorque_D, s.lastTorque_D, limits.maxTorque_Nm, limits.maxTorqueRise_Nm_per_s);
+  // That a device without torque gives none is no news.
+  state.clamped = limits.maxTorque_Nm > 0.0 ? state.clamped : clamped;
+  const bool ownTorque = limits.maxTorque_Nm == 0.0 || state.torque_D == state.renderedTorque_D;
+  s.ownForce = state.force_D == tick.coupled_D && ownTorque;
   tick.out.command.wrench_D = { state.force_D, state.torque_D };
 }
 

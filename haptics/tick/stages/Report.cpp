@@ -23,6 +23,10 @@ Fault faultOf(const TickContext& tick) noexcept
   {
     return Fault::Seated;
   }
+  if (tick.toolWaits)
+  {
+    return Fault::ToolWaits;
+  }
   return tick.feelable() ? Fault::None : Fault::SceneRefused;
 }
 

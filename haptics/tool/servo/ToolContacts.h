@@ -29,7 +29,8 @@ struct ToolContacts
   double restGap_u = 0.0;     ///< the servo keeps this gap
   std::uint64_t revision = 0; ///< another for each set that is handed on
   std::uint32_t count = 0;
-  bool placed = false;                          ///< false: there is no tool, and no force
+  bool held = false;                            ///< a tool is in the hand; false: the hand touches with its ball
+  bool placed = false;                          ///< and it stands somewhere; false: no force
   std::array<ToolContact, capacity> contacts{}; ///< where there is no room for all, those with the smallest gaps
 };
 

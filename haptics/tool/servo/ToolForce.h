@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "haptics/tool/motion/WishedMotion.h"
 #include "haptics/tool/servo/ToolContacts.h"
 
 namespace palpate
@@ -12,6 +13,27 @@ enum class ToolCoupling : std::uint8_t
   Constraints, ///< what the contacts push with: no drag while the update lags behind a slide
   Virtual,     ///< a spring from the tool to the hand: a drag of k v T while it lags
 };
+
+/// A contact that pushes the tool.
+struct ToolPress
+{
+  static constexpr int most = 6; ///< at a time: as many as there are directions
+
+  Vec3 p_W = Vec3::Zero();  ///< where [u]
+  Vec3 n_W = Vec3::UnitZ(); ///< unit, from the scene to the tool
+  double push_u = 0.0;      ///< its force over the stiffness
+};
+
+/// What draws the hand, as a whitened motion.
+struct ToolPull
+{
+  Vec6 pull_u = Vec6::Zero();
+  int active = 0;                                   ///< contacts that push
+  std::array<ToolPress, ToolPress::most> presses{}; ///< those; of more that would do the sum is the same
+};
+
+/// The pull of which toolPush() makes a force. Zero for a device pose that is none. Real-time safe.
+[[nodiscard]] ToolPull toolPull(const ToolContacts& contacts, const Pose& device_W, ToolCoupling coupling) noexcept;
 
 /// What the tool gives the hand.
 struct ToolPush

@@ -5,21 +5,63 @@
 
 namespace palpate
 {
-
-ToolFollower::ToolFollower(ToolMove move, ToolLinks& links, std::uint64_t work)
-  : move_(std::move(move)), links_(links), work_(work)
+namespace
 {
+
+Pose toWorld(const Pose& scene_WS, const Pose& pose_S)
+{
+  return { scene_WS.q * pose_S.p + scene_WS.p, scene_WS.q * pose_S.q };
+}
+
+Pose toScene(const Pose& scene_WS, const Pose& pose_W)
+{
+  const Quat back = scene_WS.q.conjugate();
+  return { back * (pose_W.p - scene_WS.p), back * pose_W.q };
+}
+
+ToolContacts toWorld(const Pose& scene_WS, ToolContacts set)
+{
+  set.pose_W = toWorld(scene_WS, set.pose_W);
+  for (std::uint32_t i = 0; i < set.count; ++i)
+  {
+    set.contacts[i].n_W = scene_WS.q * set.contacts[i].n_W;
+    set.contacts[i].arm_W = scene_WS.q * set.contacts[i].arm_W;
+  }
+  return set;
+}
+
+} // namespace
+
+ToolFollower::ToolFollower(
+  ToolMove move_S, ToolLinks& links, std::uint64_t work, const Pose& scene_WS, std::uint64_t revision)
+  : move_S_(std::move(move_S)), links_(links), work_(work), scene_WS_(scene_WS), revision_(revision)
+{
+  this->publish();
+}
+
+void ToolFollower::place(const Pose& tool_W)
+{
+  if (this->isPlaced(toScene(this->scene_WS_, tool_W)))
+  {
+    this->publish();
+  }
+}
+
+void ToolFollower::carry(const Pose& scene_WS)
+{
+  this->scene_WS_ = scene_WS;
   this->publish();
 }
 
 void ToolFollower::step()
 {
   const ToolHand hand = this->links_.hand.read();
-  if (!hand.tracked || !this->isPlaced(hand.pose_W))
+  const Pose hand_S = toScene(this->scene_WS_, hand.pose_W);
+  if (!hand.tracked || !this->isPlaced(hand_S))
   {
     return;
   }
-  this->report_.last = this->move_.update(hand.pose_W, this->work_);
+  this->report_.last = this->move_S_.update(hand_S, this->work_);
   ++this->report_.updates;
   this->report_.spent += this->report_.last.spent ? 1 : 0;
   this->held_ = this->report_.last.spent ? this->held_ + 1 : 0;
@@ -30,10 +72,15 @@ void ToolFollower::step()
   this->links_.report.write(this->report_);
 }
 
-/// True if the tool stands somewhere, at the latest now: a hand comes from outside, where it was free.
-bool ToolFollower::isPlaced(const Pose& hand_W)
+std::optional<Pose> ToolFollower::tool_W() const
 {
-  const bool placed = this->move_.placed() || this->move_.place(hand_W).empty();
+  return this->move_S_.placed() ? std::optional(toWorld(this->scene_WS_, this->move_S_.pose_W())) : std::nullopt;
+}
+
+/// True if the tool stands somewhere, at the latest now: a hand comes from outside, where it was free.
+bool ToolFollower::isPlaced(const Pose& hand_S)
+{
+  const bool placed = this->move_S_.placed() || this->move_S_.place(hand_S).empty();
   this->report_.placed = placed;
   this->links_.report.write(this->report_);
   return placed;
@@ -41,7 +88,8 @@ bool ToolFollower::isPlaced(const Pose& hand_W)
 
 void ToolFollower::publish()
 {
-  ToolContacts contacts = this->move_.contacts();
+  ToolContacts contacts = toWorld(this->scene_WS_, this->move_S_.contacts());
+  contacts.held = true;
   contacts.revision = ++this->revision_;
   this->links_.contacts.write(contacts);
 }

@@ -35,29 +35,41 @@ struct ToolLinks
 /// yet is put where the hand is as soon as it is free there; until then there is no force. A set that was found out of
 /// work, in mid-way, would let the force drop for a tick: the last one of a tool at rest is kept instead, for so many
 /// updates.
+///
+/// The scene may lie anywhere in W, as one rigid whole: the tool is moved in the frame S in which its triangles are
+/// given. Where the scene moves, the tool goes with it and then on to the hand, so that it stays on its side.
 class ToolFollower
 {
 public:
   static constexpr std::uint64_t usualWork = 10000; ///< of an update: about 2 ms on a core of 2020
   static constexpr int longestHeld = 20;            ///< updates
 
-  /// The links must outlive it.
-  ToolFollower(ToolMove move, ToolLinks& links, std::uint64_t work = usualWork);
+  /// The links must outlive it. `scene_WS`: where the scene is. The first set has the revision after `revision`.
+  ToolFollower(ToolMove move_S, ToolLinks& links, std::uint64_t work = usualWork, const Pose& scene_WS = {},
+    std::uint64_t revision = 0);
 
+  /// Stands there if it is free there; else it waits for the hand.
+  void place(const Pose& tool_W);
+  /// The scene is there now, and has taken the tool along.
+  void carry(const Pose& scene_WS);
   /// One update. One thread.
   void step();
-  [[nodiscard]] const ToolMove& move() const noexcept { return this->move_; }
+  [[nodiscard]] const ToolMove& move() const noexcept { return this->move_S_; }
+  [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
+  /// Where the tool stands; none: nowhere.
+  [[nodiscard]] std::optional<Pose> tool_W() const;
 
 private:
-  [[nodiscard]] bool isPlaced(const Pose& hand_W);
+  [[nodiscard]] bool isPlaced(const Pose& hand_S);
   void publish();
 
-  ToolMove move_;
+  ToolMove move_S_;
   ToolLinks& links_;
   std::uint64_t work_;
+  Pose scene_WS_;
   int held_ = 0;
   ToolReport report_;
-  std::uint64_t revision_ = 0;
+  std::uint64_t revision_;
 };
 
 } // namespace palpate

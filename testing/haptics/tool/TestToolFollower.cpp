@@ -5,11 +5,8 @@
 #include <limits>
 
 #include "Tools.h"
-#include "haptics/core/Clock.h"
-#include "haptics/tool/servo/ToolTick.h"
-#include "haptics/tool/worker/ToolWorker.h"
-#include "testing/support/AllocationGuard.h"
-#include "testing/support/Eventually.h"
+#include "haptics/tool/servo/ToolForce.h"
+#include "haptics/tool/worker/ToolFollower.h"
 
 namespace palpate::test
 {
@@ -26,18 +23,6 @@ ToolMove cubeAboveAPlane(int cells)
     tool, makeToolScene(cleanMesh(makeSheet({ 0.4, 0.4, cells, cells, 0.3 }, random)).mesh, tool), tool.gyration_u);
   EXPECT_EQ(move.place({ Vec3(0, 0, 0.03), Quat::Identity() }), "");
   return move;
-}
-
-ToolFeel stiff(double maxForce_N, double maxTorque_Nm)
-{
-  ToolFeel feel;
-  feel.stiffness_N_per_m = 1000.0;
-  feel.limits = SafetyLimits::none();
-  feel.limits.maxForce_N = maxForce_N;
-  feel.limits.maxTorque_Nm = maxTorque_Nm;
-  feel.limits.maxRise_N_per_s = 150.0;
-  feel.limits.maxTorqueRise_Nm_per_s = 5.0;
-  return feel;
 }
 
 } // namespace
@@ -122,55 +107,6 @@ TEST(ToolFollower, AHandThatTurnsByHalfATurnAtOnceIsFollowedToTheEnd)
     follower.step();
   }
   EXPECT_LE(turnFromTo(follower.move().pose_W().q, turned.q).norm(), 1e-6);
-}
-
-TEST(ToolWorker, FollowsAHandOnAThreadOfItsOwn)
-{
-  ToolLinks links;
-  const ToolWorker worker(cubeAboveAPlane(4), links, perMs_ns);
-  links.hand.write({ { Vec3(0, 0, cubeHalf - 0.001), Quat::Identity() }, true });
-  EXPECT_TRUE(eventually([&] { return links.contacts.read().count == 4; }));
-}
-
-TEST(ToolTick, LimitsForceAndTorqueAndTheirRise)
-{
-  ToolMove move = cubeAboveAPlane(4);
-  const Pose device_W{ Vec3(0, 0, cubeHalf - 0.005), turnBy(Vec3(0, 0.5, 0)) };
-  ASSERT_TRUE(settle(move, device_W));
-  ToolContacts set = move.contacts();
-  set.revision = 1;
-  ToolTick tick;
-  const ToolFeel feel = stiff(2.0, 0.05);
-  constexpr double tick_s = 1e-3;
-  for (int i = 1; i <= 100; ++i)
-  {
-    const ToolFelt felt = tick.step(set, device_W, feel, tick_s);
-    EXPECT_LE(felt.wrench.force.norm(), std::min(2.0, 150.0 * tick_s * i) * (1.0 + 1e-12));
-    EXPECT_LE(felt.wrench.torque.norm(), std::min(0.05, 5.0 * tick_s * i) * (1.0 + 1e-12));
-    EXPECT_TRUE(felt.limited);
-  }
-  const ToolPush asked = toolPush(set, device_W, 1000.0, ToolCoupling::Constraints);
-  ASSERT_GT(asked.wrench_W.force.norm(), 2.0);
-  ASSERT_GT(asked.wrench_W.torque.norm(), 0.05);
-}
-
-TEST(ToolTick, SaysWhatANewSetOfContactsAddsToTheEnergyAndAllocatesNothing)
-{
-  ToolMove move = cubeAboveAPlane(4);
-  const Pose device_W{ Vec3(0, 0, cubeHalf - 0.002), Quat::Identity() };
-  ToolContacts none = move.contacts();
-  none.revision = 1;
-  ASSERT_TRUE(settle(move, device_W));
-  ToolContacts touching = move.contacts();
-  touching.revision = 2;
-  ToolTick tick;
-  const ToolFeel feel = stiff(100.0, 10.0);
-  const AllocationGuard guard;
-  EXPECT_EQ(tick.step(none, device_W, feel, 1e-3).injected_J, 0.0);
-  const double injected_J = tick.step(touching, device_W, feel, 1e-3).injected_J;
-  EXPECT_EQ(tick.step(touching, device_W, feel, 1e-3).injected_J, 0.0);
-  EXPECT_EQ(guard.allocations() + guard.locks(), 0u);
-  EXPECT_NEAR(injected_J, 0.5 * 1000.0 * 0.002 * 0.002, 1e-7); // K d^2 / 2
 }
 
 } // namespace palpate::test

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticHeldTool_h
+#define vtkHapticHeldTool_h
+
+#include "haptics/session/HapticSession.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkDataObject;
+
+/// What the hand of a session holds in place of the ball: what was asked for, what was made of it, how it is.
+class vtkHapticHeldTool
+{
+public:
+  std::string Source; ///< that is asked for; "": none
+  bool AtOrigin = false;
+  double Lever_u = 0.0; ///< 0: the tool's own
+
+  /// Takes what a source has, null: it is not there. Empty, or why it cannot be held; then none is.
+  std::string Take(const std::string& name, vtkDataObject* data);
+  /// The same data by other settings.
+  std::string TakeAgain();
+  const palpate::ToolChoice& Choice() const { return this->Choice_; }
+  void GetShape(vtkPolyData* shape) const;
+  /// How it is, after each look at the session.
+  void Follow(palpate::HapticSession& core, const palpate::HapticState& state);
+
+  std::string Text;
+  std::string Contacts;
+  double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
+  double HandPose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
+  double Asked[3] = { 0.0, 0.0, 0.0 };
+  double Given[3] = { 0.0, 0.0, 0.0 };
+
+private:
+  std::string Make();
+  std::string Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const;
+  void PutPose(const palpate::Pose& centre_W, double pose[7]) const;
+
+  std::string Name;
+  std::shared_ptr<const palpate::TriangleMesh> Mesh;
+  palpate::ToolChoice Choice_;
+  vtkSmartPointer<vtkPolyData> Shape; ///< of what is held
+  std::string Problem;
+};
+
+#endif

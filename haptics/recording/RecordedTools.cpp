@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/recording/RecordedTools.h"
+
+#include <cmath>
+
+#include "haptics/recording/RecordingLayout.h"
+
+namespace palpate
+{
+namespace
+{
+
+template<class Io, class T>
+void layContacts(const Io& io, T& set)
+{
+  io(set.revision);
+  io(set.held);
+  io(set.placed);
+  io(set.pose_W);
+  io(set.lever_u);
+  io(set.restGap_u);
+}
+
+template<class Io, class T>
+void layContact(const Io& io, T& contact)
+{
+  io(contact.n_W);
+  io(contact.arm_W);
+  io(contact.gap_u);
+}
+
+constexpr std::size_t bytesOfContact = 7 * sizeof(double);
+
+bool isUsable(const ToolContacts& set)
+{
+  return set.pose_W.p.allFinite() && set.pose_W.q.coeffs().allFinite() && std::isfinite(set.restGap_u) &&
+         set.lever_u > 0.0 && std::isfinite(set.lever_u);
+}
+
+bool isUsable(const ToolContact& contact)
+{
+  return contact.n_W.allFinite() && contact.arm_W.allFinite() && std::isfinite(contact.gap_u);
+}
+
+} // namespace
+
+void putTool(ByteWriter& payload, const ToolContacts& contacts)
+{
+  layContacts(Put{ payload }, contacts);
+  payload.put(static_cast<std::uint64_t>(contacts.count));
+  for (std::uint32_t i = 0; i < contacts.count; ++i)
+  {
+    layContact(Put{ payload }, contacts.contacts[i]);
+  }
+}
+
+ToolContacts readTool(ByteReader& in)
+{
+  ToolContacts set;
+  layContacts(Get{ in }, set);
+  const std::uint64_t count = in.count(bytesOfContact);
+  in.failUnless(count <= ToolContacts::capacity && isUsable(set));
+  for (std::uint64_t i = 0; i < count && in.ok(); ++i)
+  {
+    layContact(Get{ in }, set.contacts[i]);
+    in.failUnless(isUsable(set.contacts[i]));
+  }
+  set.count = static_cast<std::uint32_t>(in.ok() ? count : 0);
+  return set;
+}
+
+} // namespace palpate

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/tool/HeldTool.h"
+
+#include <utility>
+
+#include "haptics/realtime/PeriodicTimer.h"
+#include "haptics/session/tool/ToolSurroundings.h"
+
+namespace palpate
+{
+
+HeldTool::HeldTool(ToolLinks& links, bool virtualTime, std::int64_t period_ns)
+  : links_(links), virtualTime_(virtualTime), period_ns_(period_ns)
+{
+}
+
+HeldTool::~HeldTool() = default;
+
+void HeldTool::take(const ToolChoice& choice)
+{
+  this->give({ choice, this->wanted_.scene });
+}
+
+void HeldTool::touch(std::shared_ptr<const Scene> scene)
+{
+  this->give({ this->wanted_.choice, std::move(scene) });
+}
+
+/// A session without a tool has no thread for one. Before there is one, its owner says that a tool is held, so that the
+/// ball touches nothing meanwhile.
+void HeldTool::give(const Order& order)
+{
+  {
+    const std::lock_guard lock(this->mutex_);
+    this->wanted_ = order;
+    this->news_ = true;
+  }
+  if (order.choice.tool && !this->virtualTime_ && !this->thread_.joinable())
+  {
+    this->tellWaiting(true);
+    this->thread_ = std::jthread([this](const std::stop_token& stop) { this->run(stop); });
+  }
+}
+
+void HeldTool::run(const std::stop_token& stop)
+{
+  PeriodicTimer timer(this->period_ns_);
+  while (!stop.stop_requested())
+  {
+    timer.wait();
+    this->step();
+  }
+}
+
+void HeldTool::step()
+{
+  std::optional<Order> order;
+  {
+    const std::lock_guard lock(this->mutex_);
+    if (std::exchange(this->news_, false))
+    {
+      order = this->wanted_;
+    }
+  }
+  if (order)
+  {
+    this->obey(std::move(*order));
+  }
+  if (this->follower_)
+  {
+    this->follower_->step();
+    this->revision_ = this->follower_->revision();
+  }
+}
+
+void HeldTool::obey(Order order)
+{
+  if (!order.choice.tool || !order.scene || order.scene->empty())
+  {
+    this->follower_.reset();
+    this->tellWaiting(order.choice.tool != nullptr);
+    this->refuse("");
+  }
+  else if (order.choice == this->now_.choice && this->isSameBody(order))
+  {
+    this->follower_->carry(bodyPlaceOf(*order.scene));
+  }
+  else
+  {
+    this->putIn(order);
+  }
+  this->now_ = std::move(order);
+}
+
+bool HeldTool::isSameBody(const Order& order) const
+{
+  return this->follower_ && bodyNameOf(*this->now_.scene) == bodyNameOf(*order.scene) && !order.scene->bends();
+}
+
+/// In another body, and with another tool, it stays where the one before was, if it is free there.
+void HeldTool::putIn(const Order& order)
+{
+  const ToolMesh& tool = *order.choice.tool;
+  ToolSurroundings around = surroundingsOf(*order.scene, tool);
+  const std::optional<Pose> was_W = this->follower_ ? this->follower_->tool_W() : std::nullopt;
+  this->follower_.reset();
+  this->refuse(around.refusal);
+  if (!around.refusal.empty())
+  {
+    this->tellWaiting(true);
+    return;
+  }
+  const double lever_u = order.choice.lever_u > 0.0 ? order.choice.lever_u : tool.gyration_u;
+  this->follower_.emplace(ToolMove(tool, std::move(around.mesh_S), lever_u), this->links_, ToolFollower::usualWork,
+    around.scene_WS, this->revision_);
+  if (was_W)
+  {
+    this->follower_->place(*was_W);
+  }
+  this->revision_ = this->follower_->revision();
+}
+
+void HeldTool::refuse(std::string why)
+{
+  const std::lock_guard lock(this->mutex_);
+  this->refusal_ = std::move(why);
+}
+
+std::string HeldTool::refusal() const
+{
+  const std::lock_guard lock(this->mutex_);
+  return this->refusal_;
+}
+
+/// No contacts: there is no tool, or it stands nowhere.
+void HeldTool::tellWaiting(bool held)
+{
+  ToolContacts none;
+  none.held = held;
+  none.revision = ++this->revision_;
+  this->links_.contacts.write(none);
+}
+
+} // namespace palpate

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "haptics/geometry/scene/Scene.h"
+#include "haptics/tool/worker/ToolFollower.h"
+
+namespace palpate
+{
+
+/// What a hand holds in place of the ball.
+struct ToolChoice
+{
+  std::shared_ptr<const ToolMesh> tool; ///< null: none
+  double lever_u = 0.0;                 ///< what a turn by 1 rad weighs as a way; 0: the tool's own
+
+  friend bool operator==(const ToolChoice&, const ToolChoice&) = default;
+};
+
+/// The tool of a session, and the thread that moves it beside the servo. It builds what the tool touches, too: while it
+/// does, the contacts of before hold the hand. Its owner never waits for it, but for its end.
+class HeldTool
+{
+public:
+  /// The links must outlive it. In virtual time there is no thread: see step().
+  HeldTool(ToolLinks& links, bool virtualTime, std::int64_t period_ns);
+  ~HeldTool();
+  HeldTool(const HeldTool&) = delete;
+  HeldTool& operator=(const HeldTool&) = delete;
+
+  void take(const ToolChoice& choice);
+  void touch(std::shared_ptr<const Scene> scene);
+  /// What its thread does once, in the caller's. Virtual time.
+  void step();
+  /// Why the tool cannot touch the scene; "": it can, or nothing is held.
+  [[nodiscard]] std::string refusal() const;
+
+private:
+  struct Order
+  {
+    ToolChoice choice;
+    std::shared_ptr<const Scene> scene;
+  };
+  void give(const Order& order);
+  void run(const std::stop_token& stop);
+  void obey(Order order);
+  void putIn(const Order& order);
+  void refuse(std::string why);
+  void tellWaiting(bool held);
+  [[nodiscard]] bool isSameBody(const Order& order) const;
+
+  ToolLinks& links_;
+  bool virtualTime_;
+  std::int64_t period_ns_;
+
+  mutable std::mutex mutex_; ///< between owner and thread; guards the next three
+  Order wanted_;
+  bool news_ = false;
+  std::string refusal_;
+
+  // Of the thread alone.
+  Order now_;
+  std::optional<ToolFollower> follower_;
+  std::uint64_t revision_ = 0; ///< of the last set that was told
+
+  std::jthread thread_; ///< last: it ends before what it uses
+};
+
+} // namespace palpate

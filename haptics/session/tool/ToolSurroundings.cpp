@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/tool/ToolSurroundings.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+
+bool isSamePlace(const Pose& a, const Pose& b) noexcept
+{
+  return a.p == b.p && a.q.coeffs() == b.q.coeffs();
+}
+
+bool isOneBody(const Scene& scene) noexcept
+{
+  const auto& surfaces = scene.surfaces();
+  return std::all_of(surfaces.begin(), surfaces.end(),
+    [&](const Surface& s) { return isSamePlace(s.motion.end_WS, surfaces.front().motion.end_WS); });
+}
+
+TriangleMesh trianglesOf(const Scene& scene)
+{
+  const bool oneBody = isOneBody(scene);
+  TriangleMesh all;
+  for (const Surface& surface : scene.surfaces())
+  {
+    if (surface.tree->coat_u() > 0.0)
+    {
+      continue;
+    }
+    const auto first = static_cast<std::ptrdiff_t>(all.vertices_W.size());
+    append(all, surface.tree->mesh());
+    const Pose& place = surface.motion.end_WS;
+    for (auto v = all.vertices_W.begin() + (oneBody ? std::ssize(all.vertices_W) : first); v != all.vertices_W.end();
+         ++v)
+    {
+      *v = place.q * *v + place.p;
+    }
+  }
+  return all;
+}
+
+} // namespace
+
+std::uint64_t bodyNameOf(const Scene& scene) noexcept
+{
+  return isOneBody(scene) ? scene.geometryHash() : scene.contentHash();
+}
+
+Pose bodyPlaceOf(const Scene& scene) noexcept
+{
+  return !scene.empty() && isOneBody(scene) ? scene.surfaces().front().motion.end_WS : Pose{};
+}
+
+ToolSurroundings surroundingsOf(const Scene& scene, const ToolMesh& tool)
+{
+  if (scene.bends())
+  {
+    return { nullptr, {},
+      "surfaces that bend cannot be touched with a tool: let the animation stand, or take the ball" };
+  }
+  CleanResult clean = cleanMesh(trianglesOf(scene));
+  if (!clean.ok())
+  {
+    return { nullptr, {}, "nothing that is shown has triangles that a tool could touch: show a surface" };
+  }
+  auto mesh = makeToolScene(std::move(clean.mesh), tool);
+  std::string refusal = refuseScene(tool, *mesh);
+  return { std::move(mesh), bodyPlaceOf(scene), std::move(refusal) };
+}
+
+} // namespace palpate

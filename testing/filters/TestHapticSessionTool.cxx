@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mesh in the hand of a session: what is held, what it says, what it refuses. Virtual time.
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VirtualSession.h"
+#include "VtkScenes.h"
+#include "vtkActor.h"
+#include "vtkCubeSource.h"
+#include "vtkHapticSession.h"
+#include "vtkHapticToolProps.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::HasSubstr;
+
+namespace
+{
+constexpr double springOfTool = 300.0; // N/m
+constexpr double halfSide = 5.0;       // u, of the cube
+constexpr int ticksToRest = 1000;      // updates, and the blend of 30 ms
+
+/// A cube whose data lie around (100, 0, 0).
+vtkSmartPointer<vtkPolyData> cubeFarAway()
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(2.0 * halfSide);
+  cube->SetYLength(2.0 * halfSide);
+  cube->SetZLength(2.0 * halfSide);
+  cube->SetCenter(100.0, 0.0, 0.0);
+  cube->Update();
+  return cube->GetOutput();
+}
+
+class HapticSessionTool : public VirtualSession
+{
+protected:
+  HapticSessionTool()
+  {
+    this->session_->PassivityOff();
+    this->session_->SetStiffness(springOfTool);
+    this->show(makePlane(40.0));
+    this->session_->SetToolSource("Cube1");
+  }
+
+  void touchAt(double z)
+  {
+    this->session_->SetHandPosition(0.0, 0.0, z);
+    this->session_->TouchingOn();
+    this->session_->Step(ticksToEngage);
+  }
+
+  void goTo(double z)
+  {
+    this->session_->SetHandPosition(0.0, 0.0, z);
+    this->session_->Step(ticksToRest);
+  }
+};
+
+TEST_F(HapticSessionTool, LiesOnASurfaceAndPushesTheHandThatHoldsItsCentre)
+{
+  ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway()));
+  this->touchAt(halfSide + 5.0);
+  EXPECT_THAT(this->session_->GetToolText(), HasSubstr("Cube1, 12 triangles"));
+  this->goTo(halfSide - 2.0);
+  const double* const force = this->session_->GetForce();
+  EXPECT_NEAR(force[2], springOfTool * 2.0 / scale, 1e-5);
+  EXPECT_NEAR(force[0], 0.0, 1e-9);
+  // Its data lie at x = 100, so their origin is 100 to the left of the hand.
+  const double* const pose = this->session_->GetToolPose();
+  EXPECT_NEAR(pose[0], -100.0, 1e-5);
+  EXPECT_NEAR(pose[2], halfSide, 1e-4);
+  EXPECT_NEAR(this->session_->GetToolHandPose()[2], halfSide - 2.0, 1e-12);
+  EXPECT_GT(this->session_->GetContacts(), 0);
+  EXPECT_THAT(this->session_->GetToolText(), HasSubstr("contacts push"));
+  EXPECT_THAT(this->session_->GetToolContacts(), HasSubstr("surface at ("));
+  EXPECT_THAT(this->session_->GetToolContacts(), HasSubstr(" %"));
+  ASSERT_TRUE(this->session_->InspectContact());
+  EXPECT_NEAR(this->session_->GetContactPosition()[2], 0.0, 1e-9) << "on the plane, not at the hand";
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  EXPECT_NEAR(this->session_->GetToolReach(up), halfSide, 1e-9);
+}
+
+TEST_F(HapticSessionTool, TurnsWithTheHandAndSaysTheTorqueThatADeviceWithoutOneCannotGive)
+{
+  ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway()));
+  this->touchAt(halfSide + 5.0);
+  this->goTo(halfSide - 2.0);
+  const double angle = 0.05;
+  this->session_->SetHandTurn(std::cos(0.5 * angle), 0.0, std::sin(0.5 * angle), 0.0);
+  this->session_->Step(ticksToRest);
+  // Pressed by K d the flat cube tips only beyond K d h = K L^2 a, so it lies; K L^2 a turns back. Of a solid cube of
+  // side s: L^2 = s^2 / 6.
+  const double side_m = 2.0 * halfSide / scale;
+  const double expected = springOfTool * side_m * side_m / 6.0 * angle;
+  EXPECT_NEAR(this->session_->GetToolTorque()[1], -expected, 1e-3 * expected);
+  EXPECT_NEAR(this->session_->GetToolPose()[3], 1.0, 1e-9) << "it lies flat";
+  EXPECT_NEAR(this->session_->GetToolHandPose()[3], std::cos(0.5 * angle), 1e-9);
+  EXPECT_EQ(this->session_->GetTorque()[1], 0.0);
+}
+
+TEST_F(HapticSessionTool, IsHeldAtTheOriginOfItsDataIfThatIsWanted)
+{
+  this->session_->SetToolHandle(1);
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(10.0);
+  cube->SetYLength(10.0);
+  cube->SetZLength(10.0);
+  cube->SetCenter(0.0, 0.0, 20.0);
+  cube->Update();
+  ASSERT_TRUE(this->session_->AddTool("Cube1", cube->GetOutput()));
+  this->touchAt(-10.0);
+  this->goTo(-16.0); // the lower face would be 1 below the plane
+  EXPECT_NEAR(this->session_->GetToolPose()[2], -15.0, 1e-4);
+  EXPECT_NEAR(this->session_->GetForce()[2], springOfTool * 1.0 / scale, 1e-5);
+}
+
+TEST_F(HapticSessionTool, WithoutItsSourceOrWithDataThatCannotBeHeldSaysSoAndTheBallTouches)
+{
+  EXPECT_THAT(this->session_->GetToolText(), HasSubstr("Cube1 is not there"));
+  vtkNew<vtkPolyData> nothing;
+  const auto refused = [this](const std::function<void()>& change) { return errorsOf(this->session_, change).size(); };
+  EXPECT_EQ(refused([&] { this->session_->AddTool("Cube1", nothing); }), 1u);
+  EXPECT_THAT(this->session_->GetToolText(), HasSubstr("Cube1 cannot be held"));
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("Cube1 cannot be held"));
+  EXPECT_TRUE(this->session_->AddTool("Cube1", cubeFarAway()));
+  EXPECT_STREQ(this->session_->GetProblem(), "") << "taken back";
+  EXPECT_EQ(refused([&] { this->session_->SetHandTurn(0.0, 0.0, 0.0, 0.0); }), 1u);
+  EXPECT_THAT(this->session_->GetProblem(), HasSubstr("quaternion"));
+  this->session_->SetToolSource("");
+  EXPECT_STREQ(this->session_->GetToolText(), "");
+  this->touchAt(5.0);
+  this->goTo(-1.0);
+  EXPECT_NEAR(this->session_->GetForce()[2], springOfTool * 1.0 / scale, 1e-9) << "by the ball";
+}
+
+TEST_F(HapticSessionTool, ThatBeginsInASurfaceWaitsAndSaysSo)
+{
+  ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway()));
+  this->touchAt(1.0);
+  EXPECT_THAT(this->session_->GetToolText(), HasSubstr("waits"));
+  EXPECT_THAT(this->session_->GetFaultText(), HasSubstr("the tool is free"));
+  EXPECT_EQ(this->session_->GetForceMagnitude(), 0.0);
+  this->goTo(halfSide + 1.0);
+  EXPECT_STREQ(this->session_->GetFaultText(), "");
+}
+
+TEST_F(HapticSessionTool, IsDrawnSolidWhereItIsAndAsAGhostWhereTheHandIs)
+{
+  ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway()));
+  this->touchAt(halfSide + 5.0);
+  this->goTo(halfSide - 2.0);
+  vtkNew<vtkHapticToolProps> props;
+  props->UpdateFrom(this->session_);
+  EXPECT_FALSE(props->GetProxyActor()->GetVisibility());
+  EXPECT_TRUE(props->GetForceActor()->GetVisibility());
+  // The centre of the data goes to where centre of tool and hand are.
+  const double centre[4] = { 100.0, 0.0, 0.0, 1.0 };
+  for (const auto& [actor, z] : { std::pair(props->GetHeldActor(), halfSide), std::pair(props->GetGhostActor(), 3.0) })
+  {
+    double at[4];
+    actor->GetMatrix()->MultiplyPoint(centre, at);
+    EXPECT_TRUE(actor->GetVisibility());
+    EXPECT_NEAR(at[0], 0.0, 1e-5);
+    EXPECT_NEAR(at[2], z, 1e-4);
+  }
+  this->session_->SetToolSource("");
+  this->session_->Step(1);
+  props->UpdateFrom(this->session_);
+  EXPECT_FALSE(props->GetHeldActor()->GetVisibility());
+  EXPECT_TRUE(props->GetProxyActor()->GetVisibility());
+}
+} // namespace

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A session whose hand holds a tool: scenes that move and are replaced under it, recordings of it, its thread.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "devices/FedDevice.h"
+#include "haptics/recording/Recording.h"
+#include "haptics/session/HapticSession.h"
+#include "haptics/tool/motion/Turn.h"
+#include "testing/support/Eventually.h"
+#include "testing/support/Meshes.h"
+#include "testing/support/TemporaryFolder.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double halfTool = 0.02, springOfTool = 1000.0;
+
+ToolChoice cubeTool()
+{
+  return {
+    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-halfTool), Vec3::Constant(halfTool))).tool), 0.0
+  };
+}
+
+TriangleMesh sheetAt(double z)
+{
+  Random random(testSeed(1803));
+  return shifted(makeSheet({ 0.4, 0.4, 6, 6, 0.3 }, random), Vec3(0, 0, z));
+}
+
+/// The same surfaces, at the end of a way to `place`.
+std::shared_ptr<const Scene> movedTo(const Scene& scene, const Pose& place, std::uint64_t revision)
+{
+  std::vector<Surface> surfaces = scene.surfaces();
+  for (Surface& surface : surfaces)
+  {
+    surface.motion = { surface.motion.end_WS, place };
+  }
+  return std::make_shared<const Scene>(revision, std::move(surfaces), 0.02);
+}
+
+/// A hand with a cube, in virtual time, that feels everything from the first tick on.
+class ToolInLoop : public testing::Test
+{
+protected:
+  void begin(const std::shared_ptr<const Scene>& scene, const ToolChoice& tool, const std::string& file = {})
+  {
+    HapticParameters parameters;
+    parameters.stiffness_N_per_m = springOfTool;
+    parameters.limitStiffness = false;
+    parameters.safety = SafetyLimits::none();
+    ASSERT_EQ(this->session.setParameters(parameters), "");
+    this->session.setScene(scene);
+    this->session.setTool(tool);
+    SessionOptions options;
+    options.virtualTime = true;
+    options.recordFile = file;
+    ASSERT_EQ(this->session.start(std::make_unique<FedDevice>(), options), "");
+  }
+
+  const HapticState& hold(const Pose& hand, int ticks = 1)
+  {
+    DeviceSample sample;
+    sample.pose_D = hand;
+    static_cast<FedDevice*>(this->session.device())->feed(sample);
+    EXPECT_EQ(this->session.step(ticks), ticks);
+    return this->session.state();
+  }
+
+  const HapticState& hold(double z, int ticks = 1) { return this->hold({ Vec3(0, 0, z), Quat::Identity() }, ticks); }
+
+  HapticSession session;
+};
+
+TEST_F(ToolInLoop, PushesAsTheSpringFromTheHandToWhereTheToolLies)
+{
+  this->begin(sceneOf(sheetAt(0.0)), cubeTool());
+  EXPECT_EQ(this->hold(0.03, 5).force_W, Vec3(0, 0, 0));
+  const HapticState state = this->hold(halfTool - 0.003, 300);
+  EXPECT_NEAR(state.force_W.z(), springOfTool * 0.003, 1e-3);
+  EXPECT_LE(state.force_W.head<2>().norm(), 1e-9);
+  EXPECT_NEAR(state.proxy_W.p.z(), halfTool, 1e-6);
+  EXPECT_TRUE(this->session.toolReport().last.converged);
+}
+
+TEST_F(ToolInLoop, ReplaysBitForBitWithScenesThatMoveAndAreReplaced)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("recording");
+  const auto sheet = sceneOf(sheetAt(0.0)), ball = sceneOf(shifted(makeIcosphere(3, 0.02), Vec3(0, 0, -0.0235)));
+  this->begin(sheet, cubeTool(), path);
+  constexpr int ticks = 1200;
+  for (int i = 0; i < ticks; ++i)
+  {
+    if (i % 100 == 50)
+    {
+      const auto& body = i < 750 ? sheet : ball;
+      this->session.setScene(i == 750 ? ball : movedTo(*body, { Vec3(0, 0, 1e-5 * i) }, static_cast<std::uint64_t>(i)));
+    }
+    const double s = 1e-3 * i;
+    const double z = i < 20 ? 0.04 : halfTool - 0.003 * std::sin(9.0 * s);
+    this->hold(
+      { Vec3(0.01 * std::sin(3.0 * s), 0, z), turnBy(Vec3(0.2 * std::sin(5.0 * s), 0.3 * std::sin(4.0 * s), s)) });
+  }
+  EXPECT_EQ(this->session.stop(), "");
+  const auto read = readRecording(path);
+  ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+  const auto& recording = std::get<Recording>(read);
+  EXPECT_GT(recording.tools.size(), 1000u);
+  std::uint64_t pressed = 0, turned = 0;
+  const auto count = [&](const TickOutput& output)
+  {
+    pressed += output.command.wrench_D.force.norm() > 0.2;
+    turned += output.command.wrench_D.torque.norm() > 0.002;
+  };
+  const ReplayResult result = replay(recording, {}, 1, count);
+  EXPECT_EQ(result.problem + result.difference, "");
+  EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(ticks));
+  EXPECT_GT(pressed, result.ticks / 4) << "what is not felt shows nothing";
+  EXPECT_GT(turned, result.ticks / 4);
+}
+
+TEST_F(ToolInLoop, OfARecordingBegunWhileItPressesReplaysBitForBit)
+{
+  const TemporaryFolder folder;
+  this->begin(sceneOf(sheetAt(0.0)), cubeTool());
+  this->hold(0.03, 5);
+  this->hold(halfTool - 0.002, 10);
+  ASSERT_EQ(this->session.record(folder.file("a")), "");
+  this->hold({ Vec3(0.001, 0, halfTool - 0.002), turnBy(Vec3(0, 0.05, 0)) }, 40);
+  EXPECT_EQ(this->session.stop(), "");
+  const auto read = readRecording(folder.file("a"));
+  ASSERT_TRUE(std::holds_alternative<Recording>(read));
+  const ReplayResult result = replay(std::get<Recording>(read));
+  EXPECT_EQ(result.problem + result.difference, "");
+  EXPECT_EQ(result.ticks, 40u);
+}
+
+TEST(ToolReplay, WithoutItsContactsSaysThatItCannotBeRecomputed)
+{
+  Recording recording;
+  RecordedChange change;
+  change.event = { 1, EventKind::Tool, 17 };
+  recording.entries.emplace_back(change);
+  EXPECT_NE(replay(recording).problem, "");
+}
+
+TEST_F(ToolInLoop, ASheetThatMovesThroughItTakesItAlongOnItsSide)
+{
+  const auto sheet = sceneOf(sheetAt(0.0));
+  this->begin(sheet, cubeTool());
+  this->hold(0.03, 5);
+  for (int i = 1; i <= 20; ++i)
+  {
+    const double height = 0.003 * i; // up to 40 mm above where the hand holds the cube's bottom
+    this->session.setScene(movedTo(*sheet, { Vec3(0, 0, height) }, static_cast<std::uint64_t>(i) + 1));
+    const HapticState& state = this->hold(0.03, 10);
+    EXPECT_GE(state.proxy_W.p.z(), height + halfTool - 1e-9);
+  }
+  const HapticState& state = this->hold(0.03, 300);
+  EXPECT_NEAR(state.proxy_W.p.z(), 0.06 + halfTool, 1e-6);
+  EXPECT_NEAR(state.force_W.z(), springOfTool * 0.05, 1e-2);
+}
+
+TEST_F(ToolInLoop, WaitsInAReplacedSceneUntilTheHandIsWhereItIsFree)
+{
+  this->begin(sceneOf(sheetAt(0.0)), cubeTool());
+  EXPECT_EQ(this->hold(0.03, 5).fault, Fault::None);
+  this->session.setScene(sceneOf(makeBox(Vec3(-1, -1, -1), Vec3(1, 1, 0.035)))); // around the lower half of the cube
+  const HapticState& inside = this->hold(0.03, 5);
+  EXPECT_EQ(inside.fault, Fault::ToolWaits);
+  EXPECT_EQ(inside.force_W, Vec3(0, 0, 0));
+  EXPECT_EQ(this->hold(0.06, 5).fault, Fault::None);
+  EXPECT_NEAR(this->hold(0.05, 300).force_W.z(), springOfTool * 0.005, 1e-3);
+}
+
+TEST_F(ToolInLoop, StaysWhereItIsInAReplacedSceneThatLeavesItRoom)
+{
+  this->begin(sceneOf(sheetAt(0.0)), cubeTool());
+  this->hold(0.03, 5);
+  this->hold(halfTool - 0.01, 300);
+  this->session.setScene(sceneOf(sheetAt(-1e-4))); // the hand's cube would meet it, the tool stands above
+  const HapticState& state = this->hold(halfTool - 0.01, 300);
+  EXPECT_EQ(state.fault, Fault::None);
+  EXPECT_NEAR(state.proxy_W.p.z(), halfTool - 1e-4, 1e-6);
+}
+
+TEST_F(ToolInLoop, CannotTouchWhatBendsAndSaysSo)
+{
+  const auto sheet = sceneOf(sheetAt(0.0));
+  std::vector<Surface> surfaces = sheet->surfaces();
+  std::vector<Vec3> start_W = surfaces.front().tree->mesh().vertices_W;
+  start_W.front().z() -= 0.01;
+  surfaces.front().from = std::make_shared<const VertexStart>(std::move(start_W), surfaces.front().tree->contentHash());
+  this->begin(std::make_shared<const Scene>(2, surfaces, 0.1), cubeTool());
+  this->hold(0.03, 5);
+  EXPECT_NE(this->session.toolRefusal().find("bend"), std::string::npos);
+  EXPECT_EQ(this->hold(halfTool - 0.005, 5).force_W, Vec3(0, 0, 0));
+  this->session.setScene(sheet);
+  this->hold(0.03, 5);
+  EXPECT_EQ(this->session.toolRefusal(), "");
+  EXPECT_GT(this->hold(halfTool - 0.005, 300).force_W.z(), 1.0);
+}
+
+TEST_F(ToolInLoop, LaidDownOrExchangedWhileItPressesNeverPushesHarder)
+{
+  this->begin(sceneOf(sheetAt(0.0)), cubeTool());
+  this->hold(0.03, 5);
+  const double pressed_N = this->hold(halfTool - 0.003, 1000).force_W.norm();
+  this->session.setTool({});
+  for (int i = 0; i < 50; ++i)
+  {
+    const HapticState& state = this->hold(halfTool - 0.003);
+    EXPECT_LE(state.force_W.norm(), pressed_N * (1.0 + 1e-6));
+  }
+  EXPECT_FALSE(this->session.state().tool.held);
+  EXPECT_EQ(this->session.state().force_W, Vec3(0, 0, 0)) << "the ball is above the sheet";
+  this->session.setTool(cubeTool());
+  EXPECT_EQ(this->hold(halfTool - 0.003, 5).fault, Fault::ToolWaits) << "it cannot begin in the sheet";
+}
+
+TEST(ToolThread, FollowsTheHandBesideTheServo)
+{
+  HapticSession session;
+  session.setScene(sceneOf(sheetAt(0.0)));
+  session.setTool(cubeTool());
+  ASSERT_EQ(session.start(std::make_unique<FedDevice>()), "");
+  DeviceSample sample;
+  const auto hold = [&](double z)
+  {
+    sample.pose_D.p = Vec3(0, 0, z);
+    static_cast<FedDevice*>(session.device())->feed(sample);
+  };
+  hold(0.03);
+  EXPECT_TRUE(eventually([&] { return session.state().tool.placed; }));
+  hold(halfTool - 0.001);
+  EXPECT_TRUE(eventually([&] { return session.state().contacts > 0; }));
+  EXPECT_EQ(session.stop(), "");
+}
+
+} // namespace
+} // namespace palpate::test

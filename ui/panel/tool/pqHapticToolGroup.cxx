@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticToolGroup.h"
+
+#include "pqActiveObjects.h"
+#include "pqHapticController.h"
+#include "pqHapticLabel.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "pqView.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace
+{
+QPushButton* Button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip)
+{
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  row->addWidget(button, 1);
+  return button;
+}
+
+void SetSource(const QString& name)
+{
+  if (vtkSMProxy* proxy = pqHapticController::instance()->sessionProxy())
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
+    vtkSMPropertyHelper(proxy, "ToolSource").Set(name.toUtf8().constData());
+    proxy->UpdateVTKObjects();
+  }
+}
+} // namespace
+
+pqHapticToolGroup::pqHapticToolGroup(QWidget* parent) : Superclass(tr("Tool"), parent)
+{
+  this->setObjectName("toolGroup");
+  auto* form = new QFormLayout(this);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  auto* buttons = new QHBoxLayout;
+  form->addRow(buttons);
+  this->Use = Button(buttons, "toolUse", tr("Use Selected Source"),
+    tr("The hand holds the surface of the source that is active in the pipeline browser, which is hidden: the tool is "
+       "drawn where it is, and a ghost where the hand would have it"));
+  this->Ball = Button(buttons, "toolBall", tr("Take the Ball"), tr("The hand touches with its ball again"));
+  this->Text = pqHapticLabel(this, "toolText", tr("Which tool is held and how it is, or why none is"));
+  form->addRow(this->Text);
+  this->Contacts = pqHapticLabel(this, "toolContacts", tr("What pushes the tool: source, place, share of all pushes"));
+  form->addRow(this->Contacts);
+  this->Rows.add(form, "tool");
+  this->connect(this->Use, &QPushButton::clicked, this, &pqHapticToolGroup::useSelected);
+  this->connect(this->Ball, &QPushButton::clicked, this, &pqHapticToolGroup::takeBall);
+}
+
+pqHapticToolGroup::~pqHapticToolGroup() = default;
+
+void pqHapticToolGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
+{
+  this->Rows.link(links, proxy);
+}
+
+void pqHapticToolGroup::refresh(vtkHapticSession* session)
+{
+  this->Use->setEnabled(session && pqActiveObjects::instance().activePort());
+  this->Ball->setEnabled(session && *session->GetToolSource() != '\0');
+  pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetToolText()) : QString());
+  pqHapticSay(this->Contacts, session ? QString::fromUtf8(session->GetToolContacts()).trimmed() : QString());
+}
+
+QList<QWidget*> pqHapticToolGroup::fields() const
+{
+  return QList<QWidget*>{ this->Use, this->Ball } + this->Rows.fields("tool");
+}
+
+void pqHapticToolGroup::useSelected()
+{
+  pqOutputPort* const port = pqActiveObjects::instance().activePort();
+  if (!port)
+  {
+    return;
+  }
+  SetSource(port->getSource()->getSMName());
+  if (pqView* const view = pqActiveObjects::instance().activeView())
+  {
+    vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+    controller->Hide(port->getSourceProxy(), port->getPortNumber(), view->getViewProxy());
+    view->render();
+  }
+}
+
+void pqHapticToolGroup::takeBall()
+{
+  SetSource({});
+}
