@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The workspace of a device follows the view and the hand that holds it. Judged by where VTK draws a place.
 #include <cmath>
+#include <functional>
+#include <memory>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +10,12 @@
 #include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "haptics/core/Types.h"
+#include "testing/devices/hid/FakeHidBus.h"
+#include "testing/support/Eventually.h"
 #include "testing/support/Random.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -240,4 +246,55 @@ TEST_F(HapticSessionView, TheWorkspaceCanBeFittedToSomeOfWhatIsShown)
   EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->FitToSources("small\nother"); }).at(0),
     HasSubstr("other is not touched"));
   EXPECT_EQ(this->session_->GetScale(), before);
+}
+
+TEST(HapticSessionHandButtons, OfTheDeviceMakeTheHandPreciseAndHoldItWhileTheyAreDown)
+{
+  constexpr double lifeSize = 1000.0, finer = 4.0;
+  const auto bus = std::make_shared<test::FakeHidBus>();
+  test::FakePort& port = bus->plug(test::plainLayout(), "8");
+  vtkNew<vtkHapticSession> session;
+  session->SetHidBus(bus);
+  session->VirtualTimeOn();
+  session->SetScale(lifeSize);
+  session->SetDeviceName("pid-1209-ffb0-8");
+  session->SetPrecisionButton(1);
+  session->SetPrecisionFactor(finer);
+  session->SetClutchButton(2);
+  session->TouchingOn();
+  ASSERT_TRUE(session->GetTouching()) << session->GetProblem();
+  const auto comes = [&](const std::function<bool()>& expected)
+  {
+    return test::eventually(
+      [&]
+      {
+        session->Step(1);
+        session->Update();
+        return expected();
+      });
+  };
+  const auto press = [&](std::uint8_t buttons) { bus->alone([&] { port.device->buttons = buttons; }); };
+  const auto handX = [&] { return session->GetHandPosition()[0]; };
+  const auto moveTo = [&](double x) { bus->alone([&] { port.device->position[0] = x; }); };
+  press(1);
+  EXPECT_TRUE(comes([&] { return std::fabs(session->GetScale() - lifeSize / finer) < 1e-9; }));
+  press(0);
+  EXPECT_TRUE(comes([&] { return std::fabs(session->GetScale() - lifeSize) < 1e-9; }));
+  const double before = handX();
+  int changes = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&changes);
+  count->SetCallback([](vtkObject*, unsigned long, void* changed, void*) { ++*static_cast<int*>(changed); });
+  session->AddObserver(vtkCommand::PropertyModifiedEvent, count);
+  press(2);
+  EXPECT_TRUE(comes([&] { return changes == 1; }));
+  moveTo(0.5);
+  int looks = 0;
+  EXPECT_TRUE(comes([&] { return ++looks == 40; })) << "as long as reports of the way may take";
+  EXPECT_EQ(handX(), before);
+  press(0);
+  EXPECT_TRUE(comes([&] { return changes == 2; }));
+  EXPECT_NEAR(handX(), before, 1e-9) << "it goes on from there";
+  moveTo(0.8);
+  EXPECT_TRUE(comes([&] { return handX() > before; }));
 }
