@@ -59,84 +59,17 @@ void vtkHapticSceneSurfaces::SetLineRadius(double radius_u)
 
 void vtkHapticSceneSurfaces::SetPointRadius(double radius_u)
 {
-  this->PointRadius_u = radius_u;
-}
-
-std::string vtkHapticSceneSurfaces::AddBalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
-{
-  const std::uint64_t key = ~vtkHapticContentKey(data, matrix); // not that of its lines
-  const std::string ofBalls = name + " (points)";
-  const auto same = [&](const Kept& kept)
+  if (radius_u != this->PointRadius_u)
   {
-    return kept.Key == key && kept.Surface.input.name == ofBalls &&
-           kept.Surface.input.lineRadius_u == this->PointRadius_u;
-  };
-  if (const auto known = std::find_if(this->Committed.begin(), this->Committed.end(), same);
-      known != this->Committed.end())
-  {
-    this->Adding.push_back(*known);
-    this->ReadMaterial(data, this->Adding.back());
-    return {};
+    this->PointRadius_u = radius_u;
+    this->Ahead.Forget(); // balls of another size are being read
   }
-  vtkHapticConversionResult balls = vtkHapticToBalls(data, matrix, this->PointRadius_u);
-  std::string problem = balls.Mesh ? palpate::refuseSegments(balls.Mesh->triangles.size()) : balls.Problem;
-  if (problem.empty())
-  {
-    Kept kept;
-    kept.Key = key;
-    kept.Name = name;
-    kept.Surface.input.name = ofBalls;
-    kept.Surface.input.mesh = std::move(balls.Mesh);
-    kept.Surface.input.lineRadius_u = this->PointRadius_u;
-    kept.Baked = vtkHapticPlacementOf(matrix);
-    kept.PartPoints = std::move(balls.PartPoints);
-    kept.Balls = true;
-    this->Adding.push_back(std::move(kept));
-    this->ReadMaterial(data, this->Adding.back());
-  }
-  return problem;
 }
 
 void vtkHapticSceneSurfaces::SetPlaneWorld(bool on, double radius_u)
 {
   this->PlaneWorld = on;
   this->WallRadius_u = radius_u;
-}
-
-std::string vtkHapticSceneSurfaces::AddWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
-{
-  const std::uint64_t key = vtkHapticContentKey(data, matrix);
-  const auto same = [&](const Kept& kept)
-  { return kept.Key == key && kept.Name == name && kept.Surface.plane_WP && kept.WallRadius_u == this->WallRadius_u; };
-  if (const auto known = std::find_if(this->Committed.begin(), this->Committed.end(), same);
-      known != this->Committed.end())
-  {
-    this->Adding.push_back(*known);
-    this->NoteWithoutArrays(this->Adding.back());
-    return {};
-  }
-  const vtkHapticConversionResult lines = vtkHapticToLines(data, matrix);
-  const palpate::LineSurface walls =
-    lines.Mesh ? palpate::wallsAcross({ name, lines.Mesh }, this->WallRadius_u) : palpate::LineSurface{};
-  if (!walls.input)
-  {
-    return lines.Mesh ? walls.problem : lines.Problem;
-  }
-  Kept kept;
-  kept.Key = key;
-  kept.Name = name;
-  kept.Surface.input = *walls.input;
-  kept.Baked = vtkHapticPlacementOf(matrix);
-  kept.Surface.plane_WP = walls.plane_WP;
-  kept.WallRadius_u = this->WallRadius_u;
-  this->NoteWithoutArrays(kept);
-  this->Adding.push_back(std::move(kept));
-  return {};
-}
-
-void vtkHapticSceneSurfaces::NoteWithoutArrays(Kept& walls) const
-{
-  walls.Surface.materialNote = this->Materials.Empty() ? "" : "its own, for walls are felt without arrays";
 }
 
 std::string vtkHapticSceneSurfaces::Add(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
@@ -216,10 +149,8 @@ std::string vtkHapticSceneSurfaces::AddPart(
     this->ReadMaterial(data, this->Adding.back());
     return {};
   }
-  std::optional<vtkHapticConversionResult> ahead = lineRadius_u ? std::nullopt : this->Ahead.Take(data, matrix);
-  vtkHapticConversionResult converted = ahead          ? std::move(*ahead)
-                                        : lineRadius_u ? vtkHapticToLines(data, matrix)
-                                                       : vtkHapticToMesh(data, matrix, this->CutsOf(name));
+  vtkHapticConversionResult converted =
+    lineRadius_u ? this->Read(Part::Lines, data, matrix) : this->ReadFaces(name, data, matrix);
   if (!converted.Mesh)
   {
     return converted.Problem;
@@ -304,17 +235,6 @@ bool vtkHapticSceneSurfaces::AddKnown(
     this->Adding.back().Surface.input.pose_WS = pose;
   }
   return known != nullptr;
-}
-
-bool vtkHapticSceneSurfaces::Prepare(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix)
-{
-  if (!this->OfSources.Of(name).Touched || !vtkHapticCheckPlacement(matrix).empty())
-  {
-    return true;
-  }
-  const std::uint64_t key = vtkHapticContentKey(data, nullptr);
-  return this->FindKnown(name, key, vtkHapticPlacementOf(matrix), std::nullopt).first ||
-         this->Ahead.Ready(data, matrix, this->CutsOf(name));
 }
 
 std::string vtkHapticSceneSurfaces::Place(const std::string& name, vtkMatrix4x4* matrix)

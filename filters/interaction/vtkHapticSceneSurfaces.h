@@ -107,6 +107,24 @@ private:
   /// Triangles, or with a radius lines. Empty, or why there are none.
   std::string AddPart(
     const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, std::optional<double> lineRadius_u);
+  using Part = vtkHapticConversionAhead::Part;
+  /// Lines or points, as Read() and a thread read them.
+  [[nodiscard]] vtkHapticConversionAhead::Reading ReadingOf(Part part) const;
+  /// What was read ahead, or is read now.
+  vtkHapticConversionResult Read(Part part, vtkDataObject* data, vtkMatrix4x4* matrix);
+  vtkHapticConversionResult ReadFaces(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  ///@{
+  /// Prepare() for a part of the data.
+  bool PrepareFaces(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  bool PrepareLines(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  bool PreparePoints(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  ///@}
+  ///@{
+  /// What is committed already of the same content; null: nothing.
+  [[nodiscard]] const Kept* FindCommitted(const std::function<bool(const Kept&)>& sought) const;
+  [[nodiscard]] const Kept* FindBalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix) const;
+  [[nodiscard]] const Kept* FindWalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix) const;
+  ///@}
   /// Points as balls. Empty, or why there are none.
   std::string AddBalls(const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix);
   /// Lines as walls. Empty, or why they are none.

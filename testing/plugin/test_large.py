@@ -8,6 +8,7 @@ import unittest
 
 from paraview import simple
 
+from haptic_proxies import put
 from view_fixture import DEPTH, FORCE, ViewTest
 
 AROUND, ALONG = 340, 160  # facets of a ball: more than are read at once
@@ -48,6 +49,27 @@ class LargeData(ViewTest):
         self.assertFalse(self.follow())
         self.press(RADIUS - DEPTH, 0.0, 0.0)
         self.assertAlmostEqual(self.session.GetForceMagnitude(), FORCE, delta=FORCE * SAG / DEPTH)
+
+    def test_so_are_lines_as_tubes_and_points_as_balls(self):
+        self.scene.SetReadsAhead(True)
+        radius, many = 0.05, 100000
+        put(self.proxy, "LineRadius", radius)
+        put(self.proxy, "PointRadius", 4 * radius)
+        line = simple.Line(Point1=[0, -1, 0], Point2=[0, 1, 0], Resolution=many)
+        self.show(line)
+        self.assertFalse(self.follow())
+        self.assertIn("Reading Line1.", self.scene.GetReport())
+        self.assertTrue(self.wait())
+        self.press(radius - DEPTH, 0.3, 0.0)
+        self.assertAlmostEqual(self.session.GetForceMagnitude(), FORCE, delta=0.01 * FORCE)  # the point is a small ball
+        put(self.proxy, "Touching", 0)
+        simple.Hide(line, self.view)
+        self.show(simple.PointSource(NumberOfPoints=many, Radius=0.0))
+        self.assertFalse(self.follow())
+        self.assertIn("Reading PointSource1.", self.scene.GetReport())
+        self.assertTrue(self.wait())
+        self.press(4 * radius - DEPTH, 0.0, 0.0)
+        self.assertAlmostEqual(self.session.GetForceMagnitude(), FORCE, delta=0.05 * FORCE)
 
     def test_what_is_hidden_while_it_is_read_is_not_handed_over(self):
         self.scene.SetReadsAhead(True)

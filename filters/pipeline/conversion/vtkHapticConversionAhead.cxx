@@ -5,16 +5,30 @@
 #include <chrono>
 #include <utility>
 
+#include "haptics/core/WordHash.h"
 #include "vtkDataSet.h"
 #include "vtkMatrix4x4.h"
 
 namespace
 {
-vtkIdType CountCells(vtkDataObject* data)
+bool IsLarge(vtkDataObject* data)
 {
-  vtkIdType cells = 0;
-  vtkHapticForEachDataSet(data, [&cells](vtkDataSet& set) { cells += set.GetNumberOfCells(); });
-  return cells;
+  vtkIdType cells = 0, points = 0;
+  vtkHapticForEachDataSet(data,
+    [&](vtkDataSet& set)
+    {
+      cells += set.GetNumberOfCells();
+      points += set.GetNumberOfPoints();
+    });
+  return std::max(cells, points) >= vtkHapticConversionAhead::LeastCells;
+}
+
+std::uint64_t KeyOf(vtkHapticConversionAhead::Part part, vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  palpate::WordHash key;
+  key.add(static_cast<std::uint64_t>(part));
+  key.add(vtkHapticContentKey(data, matrix));
+  return key.value();
 }
 
 bool IsDone(const std::shared_future<vtkHapticConversionResult>& made)
@@ -30,13 +44,13 @@ vtkSmartPointer<vtkDataObject> vtkHapticSharedCopy(vtkDataObject* data)
   return copy;
 }
 
-bool vtkHapticConversionAhead::Ready(vtkDataObject* data, vtkMatrix4x4* matrix, const vtkHapticCuts* known)
+bool vtkHapticConversionAhead::Ready(Part part, vtkDataObject* data, vtkMatrix4x4* matrix, const Reading& read)
 {
-  if (CountCells(data) < LeastCells)
+  if (!IsLarge(data))
   {
     return true;
   }
-  const std::uint64_t key = vtkHapticContentKey(data, matrix);
+  const std::uint64_t key = KeyOf(part, data, matrix);
   const auto found = this->Made.find(key);
   if (found != this->Made.end())
   {
@@ -52,15 +66,16 @@ bool vtkHapticConversionAhead::Ready(vtkDataObject* data, vtkMatrix4x4* matrix, 
   auto place = vtkSmartPointer<vtkMatrix4x4>::New();
   matrix ? place->DeepCopy(matrix) : place->Identity();
   this->Made[key] = std::async(std::launch::async,
-    [copy = vtkHapticSharedCopy(data), place, cuts = known ? *known : vtkHapticCuts()] {
-      return vtkHapticToMesh(copy, place, cuts.Mesh ? &cuts : nullptr);
+    [copy = vtkHapticSharedCopy(data), place, read] {
+      return read(copy, place);
     }).share();
   return false;
 }
 
-std::optional<vtkHapticConversionResult> vtkHapticConversionAhead::Take(vtkDataObject* data, vtkMatrix4x4* matrix)
+std::optional<vtkHapticConversionResult> vtkHapticConversionAhead::Take(
+  Part part, vtkDataObject* data, vtkMatrix4x4* matrix)
 {
-  const auto found = this->Made.find(vtkHapticContentKey(data, matrix));
+  const auto found = this->Made.find(KeyOf(part, data, matrix));
   return found == this->Made.end() || !IsDone(found->second) ? std::nullopt : std::optional(found->second.get());
 }
 

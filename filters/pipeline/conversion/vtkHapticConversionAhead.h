@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <map>
 #include <optional>
@@ -16,7 +17,7 @@
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkDataObject> vtkHapticSharedCopy(vtkDataObject* data);
 
 /**
- * Polygons of large data are turned into triangles by threads, before the mesh is asked for: a million of them would
+ * Large data are turned into triangles and segments by threads, before the mesh is asked for: a million polygons would
  * hold the caller's thread for a quarter of a second.
  *
  * A thread reads a copy that shares the arrays. VTK's filters make new arrays with each execution; what is changed in
@@ -25,16 +26,25 @@
 class VTKHAPTICPIPELINE_EXPORT vtkHapticConversionAhead
 {
 public:
-  /// With fewer cells the caller's thread is not held for longer than a picture takes.
+  /// What of the data is read.
+  enum class Part : std::uint8_t
+  {
+    Faces,
+    Lines,
+    Points,
+  };
+  using Reading = std::function<vtkHapticConversionResult(vtkDataObject*, vtkMatrix4x4*)>;
+
+  /// With fewer cells, and fewer points, the caller's thread is not held for longer than a picture takes.
   static constexpr vtkIdType LeastCells = 100000;
   /// That read at once.
   static constexpr std::ptrdiff_t Threads = 2;
 
-  /// Whether there is nothing to wait for: the data are small, or were turned into triangles. Else a thread begins with
-  /// it, once, as soon as fewer than Threads are at work. `known` as in vtkHapticToMesh().
-  bool Ready(vtkDataObject* data, vtkMatrix4x4* matrix, const vtkHapticCuts* known);
-  /// What was made of these data at that place, and done; nothing if it was not. Several sources may have the same.
-  std::optional<vtkHapticConversionResult> Take(vtkDataObject* data, vtkMatrix4x4* matrix);
+  /// Whether there is nothing to wait for: the data are small, or that part of them was read. Else a thread begins with
+  /// `read`, once, as soon as fewer than Threads are at work. A part is read in one way until Forget().
+  bool Ready(Part part, vtkDataObject* data, vtkMatrix4x4* matrix, const Reading& read);
+  /// What was made of that part at that place, and done; nothing if it was not. Several sources may have the same.
+  std::optional<vtkHapticConversionResult> Take(Part part, vtkDataObject* data, vtkMatrix4x4* matrix);
   /// Whether something was begun since Forget().
   bool Busy() const;
   /// What was made is not wanted any more.
