@@ -123,6 +123,8 @@ TEST(FieldInLoop, ARecordingBegunWhileAFieldIsFeltReplaysBitForBitAndIsNotFelt)
     stroke(recorded, begin + 100, begin);
     stroke(other, begin + 100, begin);
     EXPECT_EQ(recorded.state().force_D, other.state().force_D) << begin;
+    EXPECT_EQ(recorded.state().field.energy.absorbed_J, other.state().field.energy.absorbed_J) << begin;
+    EXPECT_EQ(recorded.state().field.beyondTicks, other.state().field.beyondTicks) << begin;
     recorded.endRecording();
     EXPECT_TRUE(recorded.takeRecorded()) << begin;
     const auto read = readRecording(path);

@@ -110,6 +110,7 @@ struct Field
     visit("force_D", s.fieldForce_D...);
     visit("fade_D", s.fieldFade_D...);
     visit("fade_s", s.fieldFade_s...);
+    visit("beyond", s.fieldBeyond...);
   }
 
   static void step(TickContext& tick) noexcept;
