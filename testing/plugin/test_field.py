@@ -66,17 +66,20 @@ class FieldInAView(ViewTest):
         self.show_wavelet("Outline")
         simple.Wavelet(registrationName="Finer", XFreq=30)
         simple.Line(registrationName="Core", Point1=[-5, 0, 0], Point2=[5, 0, 0])
-        self.assertTrue(self.feel(FieldArray="RTData", FieldCompare=0.5, CompareSource="Finer", FieldSnap=0.5,
-                                  FieldSnapReach=4.0, SnapSource="Core"))
+        # Of the difference, 100 at most, no more than 1e-4 is felt: the drag is not to hold against the snap
+        self.assertTrue(self.feel(FieldArray="RTData", FieldCompare=0.5, FieldCompareFull=1e6, CompareSource="Finer",
+                                  FieldSnap=0.5, FieldSnapReach=4.0, SnapSource="Core"))
         self.assertNotIn("Not touched", self.scene.GetReport())
         self.session.SetHandPosition(3.0, 2.0, 0.0)
         put(self.proxy, "Scale", 1000.0)
         put(self.proxy, "Touching", 1)
         self.session.Step(1200)
-        # Of a pull of 0.5 N half is left 2 u from the line; at rest nothing but that is felt
+        self.session.FinishField()
+        self.session.Step(10)
+        # Of a pull of 0.5 N half is left 2 u from the line
         force = self.session.GetForce()
-        self.assertAlmostEqual(force[1], -0.25, delta=1e-6)
-        self.assertAlmostEqual(force[0], 0.0, delta=1e-9)
+        self.assertAlmostEqual(force[1], -0.25, delta=1e-4)
+        self.assertAlmostEqual(force[0], 0.0, delta=1e-4)
         put(self.proxy, "Touching", 0)
         self.feel(SnapSource="Nobody")
         self.scene.Update()

@@ -19,6 +19,7 @@ VALUES = {
     "DeviceName": ["mouse"],
     "Hand": ["light"],
     "PressDepth": [0.0035],
+    "FieldDetentLevels": ["10, 20, 35"],
     "MarksText": ["Source,X,Y,Z,Cell\nBall,1,2.5,-3,7\n"],
     "SourcesText": ["Source,Touched,Stiffness,FrictionStatic,FrictionKinetic\nBall,0,inf,0.5,0.25\n"],
     "Rotation": [0.5, 0.5, -0.5, 0.5],
@@ -148,6 +149,7 @@ class Properties(unittest.TestCase):
                 self.assertEqual(said_of(element), said_of(wanted), (proxy, setting["name"]))
                 default = ", ".join(element.get("default_values").split()) or "none"
                 default = {"0": "off", "1": "on"}[default] if setting["kind"] == "flag" else default
+                default = setting["choices"][int(default)].lower() if setting["kind"] == "choice" else default
                 default += "" if setting["unit"] in ("", "1") else " " + setting["unit"]
                 self.assertEqual(default, setting[words], (proxy, setting["name"]))
 

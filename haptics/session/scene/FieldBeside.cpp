@@ -2,6 +2,7 @@
 #include "haptics/session/scene/FieldBeside.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -71,13 +72,19 @@ double squareTo(const BrickLine& line_W, const Vec3& from_W) noexcept
   return squareTo(nearestOn(line_W, from_W), from_W);
 }
 
-/// The nearest of them that a brick can hold.
+/// The nearest of them that a brick can hold. Where some are left out, `reach_u` becomes at most half of the way to the
+/// first of those: a hand that comes nearer to them has another brick.
 template<class Place>
-std::vector<Place> nearestOf(std::vector<Place> places, const Vec3& from_W)
+std::vector<Place> nearestOf(std::vector<Place> places, const Vec3& from_W, double& reach_u)
 {
-  const auto most = static_cast<std::ptrdiff_t>(std::min(places.size(), Brick::mostPlaces));
-  std::ranges::partial_sort(places, places.begin() + most, {}, [&](const Place& p) { return squareTo(p, from_W); });
-  places.resize(static_cast<std::size_t>(most));
+  const auto far2 = [&from_W](const Place& place) { return squareTo(place, from_W); };
+  if (places.size() > Brick::mostPlaces)
+  {
+    const auto most = places.begin() + Brick::mostPlaces;
+    std::ranges::nth_element(places, most, {}, far2);
+    reach_u = std::min(reach_u, 0.5 * std::sqrt(far2(*most)));
+    places.erase(most, places.end());
+  }
   return places;
 }
 
@@ -94,8 +101,10 @@ public:
     MadeBrick made = this->field_->brickAround(wish);
     if (made.brick)
     {
-      made.brick = std::make_shared<const Brick>(wish.revision, made.brick->grid(), made.brick->arrays(),
-        nearestOf(this->places_.points_W, wish.centre_W), nearestOf(this->places_.lines_W, wish.centre_W));
+      std::vector<Vec3> points_W = nearestOf(this->places_.points_W, wish.centre_W, made.reach_u);
+      std::vector<BrickLine> lines_W = nearestOf(this->places_.lines_W, wish.centre_W, made.reach_u);
+      made.brick = std::make_shared<const Brick>(
+        wish.revision, made.brick->grid(), made.brick->arrays(), std::move(points_W), std::move(lines_W));
     }
     return made;
   }

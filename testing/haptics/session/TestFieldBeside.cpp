@@ -52,7 +52,8 @@ TEST(FieldBeside, IsComparedAtThePointsOfTheFieldAndOnlyWhereBothAre)
     EXPECT_NEAR(sample->value, 3.25 + 0.25 * x, 1e-5);
   }
   EXPECT_TRUE(made.brick->sample(BrickRole::Scalar, { 7.0, 4, 4 }));
-  EXPECT_FALSE(made.brick->sample(BrickRole::Other, { 7.0, 4, 4 })) << "the other ends at 5.75, in the cell from 5 to 6";
+  EXPECT_FALSE(made.brick->sample(BrickRole::Other, { 7.0, 4, 4 }))
+    << "the other ends at 5.75, in the cell from 5 to 6";
   EXPECT_FALSE(made.brick->sample(BrickRole::Other, { 0.1, 4, 4 })) << "and begins at 0.25";
 }
 
@@ -69,6 +70,9 @@ TEST(FieldBeside, IsSnappedToAtTheGivenPlacesNearestToTheHandAndARecordingKeepsT
   ASSERT_TRUE(made.brick);
   ASSERT_EQ(made.brick->places_W().size(), Brick::mostPlaces);
   ASSERT_EQ(made.brick->lines_W().size(), Brick::mostPlaces);
+  // The first that is left out is 128 from the hand along x, beside what it is off that line. Another brick comes in
+  // time.
+  EXPECT_NEAR(made.reach_u, 0.5 * std::sqrt(128.0 * 128.0 + 300.0 * 300.0 + 3.0 * 3.0), 1e-9);
   for (std::size_t i = 0; i < Brick::mostPlaces; ++i)
   {
     EXPECT_LE(std::fabs(made.brick->places_W()[i].x() - 500.0), 128.0);
