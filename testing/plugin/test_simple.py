@@ -140,7 +140,7 @@ class Functions(unittest.TestCase):
         simple.Delete(box)
         HapticState()
         self.assertIn("is not there", HapticState()["ToolText"])
-        with self.assertRaisesRegex(HapticRefusal, "is no source"):
+        with self.assertRaisesRegex(HapticRefusal, "has no source"):
             HoldTool("Drill")
         HoldTool(None)
         self.assertEqual(HapticState()["ToolText"], "")

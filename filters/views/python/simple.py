@@ -270,9 +270,7 @@ def SetSource(source, touched=None, stiffness=None, friction=None):
 def HoldTool(source=None, view=None):
     """Holds the surface of a source in place of the ball: a proxy, or its name in the pipeline browser; None: the ball.
     The source is hidden, for the tool is drawn where it is."""
-    name = source if source is None or isinstance(source, str) else _manager().GetProxyName("sources", source.SMProxy)
-    if name and not _manager().GetProxy("sources", name):
-        raise HapticRefusal(f"{name} is no source of the pipeline: name one that is.")
+    name = None if source is None else _source_name(source)
     with _Refusals():
         _put("ToolSource", name or "")
         if name:
