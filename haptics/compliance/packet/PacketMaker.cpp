@@ -65,10 +65,10 @@ std::uint32_t nearestVertex(const std::vector<Vec3>& places_W, const Vec3& p_W)
 
 } // namespace
 
-Neighbourhood neighbourhoodOf(
+NearVertices nearVerticesOf(
   const SoftSurface& surface, const std::vector<Vec3>& places_W, const Vec3& center_W, double reach_u, std::size_t most)
 {
-  Neighbourhood found;
+  NearVertices found;
   const EdgeDistances ways = distancesFrom(surface, places_W, { nearestVertex(places_W, center_W) });
   for (std::uint32_t v = 0; v < places_W.size(); ++v)
   {
@@ -108,7 +108,7 @@ void PacketMaker::choose(const PacketRequest& request, CompliancePacket& packet)
   // Ahead by what it will be old when it is half used; further than half the reach the hand itself would be left out.
   const double ahead = std::min(1.5 * speed * request.period_s, 0.5 * reach);
   const Vec3 center = speed > 0.0 ? Vec3(request.ball_W + ahead / speed * request.velocity_u_per_s) : request.ball_W;
-  Neighbourhood chosen = neighbourhoodOf(this->surface_, packet.free_W, center, reach);
+  NearVertices chosen = nearVerticesOf(this->surface_, packet.free_W, center, reach);
   packet.near = std::move(chosen.near);
   packet.placeOf = std::move(chosen.placeOf);
 }

@@ -20,14 +20,14 @@ struct PacketRequest
 };
 
 /// Vertices within reach of a place over the surface, nearest first.
-struct Neighbourhood
+struct NearVertices
 {
   std::vector<std::uint32_t> near;
   std::vector<std::uint32_t> placeOf; ///< of every vertex: its place in `near`, or that of the nearest one
 };
 
 /// Along the edges of the surface, at most so many vertices.
-[[nodiscard]] Neighbourhood neighbourhoodOf(const SoftSurface& surface, const std::vector<Vec3>& places_W,
+[[nodiscard]] NearVertices nearVerticesOf(const SoftSurface& surface, const std::vector<Vec3>& places_W,
   const Vec3& center_W, double reach_u, std::size_t most = CompliancePacket::mostVertices);
 
 /// Makes packets of one body, one after the other. A worker's.

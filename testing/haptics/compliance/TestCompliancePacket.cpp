@@ -180,8 +180,8 @@ TEST(CompliancePacket, ItsNeighbourhoodLiesAheadAndWhatIsOutsideAnswersAsTheNear
     const bool within = std::find(resting->near.begin(), resting->near.end(), v) != resting->near.end();
     EXPECT_EQ(within, nearest == v);
   }
-  const Neighbourhood few =
-    neighbourhoodOf(soft.surface, soft.surface.rest_W, soft.middle(), 1.0, CompliancePacket::mostVertices);
+  const NearVertices few =
+    nearVerticesOf(soft.surface, soft.surface.rest_W, soft.middle(), 1.0, CompliancePacket::mostVertices);
   EXPECT_EQ(few.near.size(), CompliancePacket::mostVertices);
 }
 
