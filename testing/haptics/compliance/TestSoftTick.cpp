@@ -258,6 +258,30 @@ TEST(SoftTick, RandomShotsCrossNoTriangle)
   EXPECT_GT(pressed, 100);
 }
 
+TEST(SoftTick, ASofterPacketLeavesTheForceAsItIsAndIsFeltOnceTheChangeHasFaded)
+{
+  const Vec3 p = SoftPad::middle() + Vec3(0.0, 0.0, 0.001);
+  SoftScene s(SoftPad(8, 2.0, ElementKind::Linear));
+  SoftScene anew(SoftPad(8, 2.0, ElementKind::Linear));
+  (void)s.move(p + Vec3(0, 0, 0.02));
+  const double before_N = s.move(p).force_N.norm();
+  CompliancePacket softer = *s.packet;
+  softer.compliance *= 1.5;
+  *anew.packet = softer;
+  s.touch.packet = &softer;
+  changePackets(std::span(&s.touch, 1), s.state);
+  EXPECT_NEAR(s.move(p).force_N.norm(), before_N, 1e-6 * before_N);
+  for (int tick = 0; tick < 1000; ++tick)
+  {
+    fadeChange(1e-3, s.state);
+    (void)s.move(p);
+  }
+  (void)anew.move(p + Vec3(0, 0, 0.02));
+  const double after_N = anew.move(p).force_N.norm();
+  EXPECT_LT(after_N, 0.97 * before_N);
+  EXPECT_NEAR(s.move(p).force_N.norm(), after_N, 1e-6 * after_N);
+}
+
 TEST(SoftTick, ItAllocatesNothing)
 {
   SoftScene s(bumpyPad());
