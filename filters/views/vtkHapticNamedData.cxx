@@ -2,18 +2,19 @@
 #include "vtkHapticNamedData.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
-vtkDataObject* vtkHapticNamedData(vtkSMProxy* any, const std::string& name)
+vtkDataObject* vtkHapticNamedData(vtkSMProxy* view, const std::string& name)
 {
-  vtkSMSessionProxyManager* const manager = any ? any->GetSessionProxyManager() : nullptr;
+  vtkSMSessionProxyManager* const manager = view ? view->GetSessionProxyManager() : nullptr;
   auto* const proxy = manager ? vtkSMSourceProxy::SafeDownCast(manager->GetProxy("sources", name.c_str())) : nullptr;
   if (!proxy)
   {
     return nullptr;
   }
-  proxy->UpdatePipeline();
+  proxy->UpdatePipeline(vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
   auto* const source = vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject());
-  return source ? source->GetOutputDataObject(0) : nullptr;
+  return source && source->GetNumberOfOutputPorts() > 0 ? source->GetOutputDataObject(0) : nullptr;
 }

@@ -7,8 +7,8 @@
 class vtkDataObject;
 class vtkSMProxy;
 
-/// What a source of the pipeline browser makes, shown or not, brought up to date; null where there is none of that name
-/// or its data are not here. `any`: a proxy of the same pipeline.
-vtkDataObject* vtkHapticNamedData(vtkSMProxy* any, const std::string& name);
+/// What a source of the pipeline browser makes at its first output, shown or not, at the time of a view; null where
+/// there is none of that name or its data are not here.
+vtkDataObject* vtkHapticNamedData(vtkSMProxy* view, const std::string& name);
 
 #endif

@@ -2,6 +2,7 @@
 #include "haptics/recording/RecordedBricks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -47,7 +48,8 @@ bool isPossible(const GridPlace& place)
 bool isPossible(const Brick& brick, const IsoState& state)
 {
   const BrickComponent field = brick.component(BrickRole::Scalar);
-  return isPossible(state.x) && isPossible(state.device) && state.count >= 0 && state.count <= IsoState::mostCells &&
+  return isPossible(state.x) && isPossible(state.device) && std::isfinite(state.level) && std::abs(state.side) == 1.0 &&
+         state.stuck <= IsoState::mostStuck && state.count >= 0 && state.count <= IsoState::mostCells &&
          (state.count == 0 || field.exists()) &&
          std::all_of(state.cells.begin(), state.cells.begin() + state.count,
            [&field](const GridIndex& cell) { return field.holds(cell); });

@@ -31,15 +31,19 @@ void layContact(const Io& io, T& contact)
 
 constexpr std::size_t bytesOfContact = 7 * sizeof(double);
 
+/// Far more than turns and sums of rounding leave, far less than would be felt.
+constexpr double offUnit = 1e-6;
+constexpr double leastLever_u = 1e-12; // turns are divided by it
+
 bool isUsable(const ToolContacts& set)
 {
-  return set.pose_W.p.allFinite() && set.pose_W.q.coeffs().allFinite() && std::isfinite(set.restGap_u) &&
-         set.lever_u > 0.0 && std::isfinite(set.lever_u);
+  return set.pose_W.p.allFinite() && std::abs(set.pose_W.q.norm() - 1.0) <= offUnit && std::isfinite(set.restGap_u) &&
+         set.lever_u >= leastLever_u && std::isfinite(set.lever_u);
 }
 
 bool isUsable(const ToolContact& contact)
 {
-  return contact.n_W.allFinite() && contact.arm_W.allFinite() && std::isfinite(contact.gap_u);
+  return std::abs(contact.n_W.norm() - 1.0) <= offUnit && contact.arm_W.allFinite() && std::isfinite(contact.gap_u);
 }
 
 } // namespace

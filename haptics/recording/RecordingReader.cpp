@@ -174,12 +174,12 @@ std::variant<Recording, std::string> parseRecording(const std::vector<char>& byt
     recording.device = header.device;
     problem = isFormat5 ? readStart5(in, recording) : "";
     problem = problem.empty() ? ChunkParser(recording, isFormat5).parse(in) : problem;
-    keepCellsWithin(recording.bricks, recording.initialState.field);
   }
   if (!problem.empty())
   {
     return name + " " + problem;
   }
+  keepCellsWithin(recording.bricks, recording.initialState.field);
   return recording;
 }
 

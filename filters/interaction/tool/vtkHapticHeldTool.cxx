@@ -95,6 +95,6 @@ std::string vtkHapticHeldTool::Sentence(palpate::HapticSession& core, const palp
   const double lever_u = state.tool.lever_m * core.parameters().map.scale_u_per_m;
   text += ", lever " + palpate::quantity(lever_u, "u") + ", " + std::to_string(state.contacts) + " contacts push";
   return state.clamped && state.contacts > 0
-           ? text + "; the hand is outside what fits, and the force is cut: lead it back to the tool"
+           ? text + "; the hand is outside what fits, further than the force may say: lead it back to the tool"
            : text;
 }

@@ -33,9 +33,12 @@ double vtkHapticSession::GetToolReach(const double direction_W[3]) const
   const palpate::Quat turn_W = this->Impl->State.tool.hand_W.q;
   const palpate::Vec3 direction = turn_W.conjugate() * palpate::Vec3(direction_W);
   double reach_u = 0.0;
-  for (const palpate::Vec3& v : tool ? tool->shape_B->mesh().vertices_W : std::vector<palpate::Vec3>())
+  if (tool)
   {
-    reach_u = std::max(reach_u, -direction.dot(v));
+    for (const palpate::Vec3& v : tool->shape_B->mesh().vertices_W)
+    {
+      reach_u = std::max(reach_u, -direction.dot(v));
+    }
   }
   return reach_u;
 }

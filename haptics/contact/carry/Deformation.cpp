@@ -266,13 +266,19 @@ bool passesAnother(
   const AnyScene& from, const ContactPlan& plan, std::uint32_t carrier, const Vec3& from_W, const Vec3& to_W) noexcept
 {
   bool passes = false;
+  std::uint32_t left = plan.workBudget;
   const auto visit = [&](std::uint32_t i) noexcept
   {
     const auto& surface = surfaceOf(from, i);
     const SweepQuery query = straightQuery(inFrame(surface, from_W), inFrame(surface, to_W), 0.0);
-    const auto isMet = [&](const auto& shape) noexcept { return sweepSurface(shape, i, query, plan.workBudget).hit; };
-    passes = i != carrier && askShape(surface, isMet);
-    return !passes;
+    const auto met = [&](const auto& shape) noexcept { return sweepSurface(shape, i, query, left); };
+    if (i != carrier)
+    {
+      const SweepHit hit = askShape(surface, met);
+      passes = hit.hit;
+      left -= std::min(left, hit.work);
+    }
+    return !passes && left > 0;
   };
   std::uint32_t work = 0;
   const SweptBall way = sweptBallOf(straightQuery(from_W, to_W, 0.0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/tool/HeldTool.h"
 
+#include <new>
 #include <utility>
 
 #include "haptics/realtime/PeriodicTimer.h"
@@ -64,12 +65,28 @@ void HeldTool::step()
   }
   if (order)
   {
-    this->obey(std::move(*order));
+    this->tryToObey(std::move(*order));
   }
   if (this->follower_)
   {
     this->follower_->step();
     this->revision_ = this->follower_->revision();
+  }
+}
+
+/// No room in memory for a tree of the scene is no reason to end the program that asked for it.
+void HeldTool::tryToObey(Order order)
+{
+  try
+  {
+    this->obey(std::move(order));
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->follower_.reset();
+    this->now_ = {};
+    this->tellWaiting(true);
+    this->refuse("what is shown is too large for a tool to touch: memory is used up; show less of it");
   }
 }
 
@@ -112,11 +129,7 @@ void HeldTool::putIn(const Order& order)
   }
   const double lever_u = order.choice.lever_u > 0.0 ? order.choice.lever_u : tool.gyration_u;
   this->follower_.emplace(ToolMove(tool, std::move(around.mesh_S), lever_u), this->links_, ToolFollower::usualWork,
-    around.scene_WS, this->revision_);
-  if (was_W)
-  {
-    this->follower_->place(*was_W);
-  }
+    ToolStart{ around.scene_WS, this->revision_, was_W });
   this->revision_ = this->follower_->revision();
 }
 

@@ -49,6 +49,7 @@ private:
   };
   void give(const Order& order);
   void run(const std::stop_token& stop);
+  void tryToObey(Order order);
   void obey(Order order);
   void putIn(const Order& order);
   void refuse(std::string why);

@@ -11,17 +11,24 @@ void Blend::step(TickContext& tick) noexcept
   RendererState& s = tick.s;
   HapticState& state = tick.out.state;
   const double blend_s = tick.p.sceneBlend_s;
-  const bool blends = tick.scene.replaced || (tick.otherMap && tick.p.keepsHand);
+  const bool tool = tick.input.tool != nullptr;
+  const bool blends = tick.scene.replaced || (tick.otherMap && tick.p.keepsHand) || tool != s.blendTool;
+  s.blendTool = tool;
   if (blends && !tick.scene.first && blend_s > 0.0)
   {
     s.blend_D += s.lastRendered_D - state.rendered_D;
+    s.blendTorque_D += s.lastTorque_D - state.renderedTorque_D;
   }
   else
   {
-    s.blend_D *= blend_s > 0.0 ? blend_s / (blend_s + tick.input.dt_s) : 0.0;
+    const double left = blend_s > 0.0 ? blend_s / (blend_s + tick.input.dt_s) : 0.0;
+    s.blend_D *= left;
+    s.blendTorque_D *= left;
   }
   s.lastRendered_D = state.rendered_D;
+  s.lastTorque_D = state.renderedTorque_D;
   state.rendered_D += s.blend_D;
+  state.renderedTorque_D += s.blendTorque_D;
 }
 
 } // namespace palpate::stage

@@ -11,8 +11,9 @@
 namespace palpate::stage
 {
 
-/// F = F_new + (F_old - F_new) decaying: a replaced scene or another map never steps (Mark et al. 1996). Not for the
-/// first scene, not for surfaces that only move or bend, and not a safety limit.
+/// F = F_new + (F_old - F_new) decaying, and so the torque: a replaced scene, another map, a tool that is taken or laid
+/// down never steps (Mark et al. 1996). Not for the first scene, not for surfaces that only move or bend, and not a
+/// safety limit.
 struct Blend
 {
   static constexpr std::string_view name = "blend";
@@ -35,12 +36,18 @@ struct Blend
   {
     Vec3 lastRendered_D = Vec3::Zero(); ///< what the scene asked for last tick [N]
     Vec3 blend_D = Vec3::Zero();        ///< what is left of the force of the scene before [N]
+    Vec3 lastTorque_D = Vec3::Zero();   ///< likewise the torque [N m]
+    Vec3 blendTorque_D = Vec3::Zero();
+    bool blendTool = false; ///< a tool was held
   };
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)
   {
     visit("lastRendered_D", s.lastRendered_D...);
     visit("blend_D", s.blend_D...);
+    visit("lastTorque_D", s.lastTorque_D...);
+    visit("blendTorque_D", s.blendTorque_D...);
+    visit("tool", s.blendTool...);
   }
 
   static void step(TickContext& tick) noexcept;

@@ -57,7 +57,10 @@ void Engage::step(TickContext& tick) noexcept
   RendererState& s = tick.s;
   const SafetyLimits& limits = tick.p.safety;
   // What a blend hides for a moment is asked for when it has ended.
-  const double asked_N = std::max(tick.out.state.rendered_D.norm(), tick.p.keepsHand ? s.lastRendered_D.norm() : 0.0);
+  const double twist_N =
+    tick.turn.lever_m > 0.0 ? tick.out.state.renderedTorque_D.norm() / tick.turn.lever_m : 0.0; // at its lever's end
+  const double asked_N =
+    std::max({ tick.out.state.rendered_D.norm(), twist_N, tick.p.keepsHand ? s.lastRendered_D.norm() : 0.0 });
   if (s.engage == EngageState::Armed && !tick.out.state.letGo && !tick.homeless() && tick.feelable() &&
       asked_N <= limits.engageBelow_N)
   {

@@ -32,19 +32,14 @@ ToolContacts toWorld(const Pose& scene_WS, ToolContacts set)
 
 } // namespace
 
-ToolFollower::ToolFollower(
-  ToolMove move_S, ToolLinks& links, std::uint64_t work, const Pose& scene_WS, std::uint64_t revision)
-  : move_S_(std::move(move_S)), links_(links), work_(work), scene_WS_(scene_WS), revision_(revision)
+ToolFollower::ToolFollower(ToolMove move_S, ToolLinks& links, std::uint64_t work, const ToolStart& start)
+  : move_S_(std::move(move_S)), links_(links), work_(work), scene_WS_(start.scene_WS), revision_(start.revision)
 {
-  this->publish();
-}
-
-void ToolFollower::place(const Pose& tool_W)
-{
-  if (this->isPlaced(toScene(this->scene_WS_, tool_W)))
+  if (start.tool_W)
   {
-    this->publish();
+    (void)this->isPlaced(toScene(this->scene_WS_, *start.tool_W));
   }
+  this->publish();
 }
 
 void ToolFollower::carry(const Pose& scene_WS)

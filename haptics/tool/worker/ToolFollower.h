@@ -31,6 +31,14 @@ struct ToolLinks
   TripleBuffer<ToolReport> report;     ///< follower -> owner
 };
 
+/// Where a tool begins.
+struct ToolStart
+{
+  Pose scene_WS;              ///< where the scene is
+  std::uint64_t revision = 0; ///< the first set of contacts has the one after it
+  std::optional<Pose> tool_W; ///< the tool stands there if it is free there; else it waits for the hand
+};
+
 /// Follows the newest hand with the tool, an update a step, and hands on what it touches. A tool that stands nowhere
 /// yet is put where the hand is as soon as it is free there; until then there is no force. A set that was found out of
 /// work, in mid-way, would let the force drop for a tick: the last one of a tool at rest is kept instead, for so many
@@ -44,12 +52,10 @@ public:
   static constexpr std::uint64_t usualWork = 10000; ///< of an update: about 2 ms on a core of 2020
   static constexpr int longestHeld = 20;            ///< updates
 
-  /// The links must outlive it. `scene_WS`: where the scene is. The first set has the revision after `revision`.
-  ToolFollower(ToolMove move_S, ToolLinks& links, std::uint64_t work = usualWork, const Pose& scene_WS = {},
-    std::uint64_t revision = 0);
+  /// The links must outlive it. Hands on its first set once the tool stands, so that a tool that goes over to another
+  /// scene is never seen between the two.
+  ToolFollower(ToolMove move_S, ToolLinks& links, std::uint64_t work = usualWork, const ToolStart& start = {});
 
-  /// Stands there if it is free there; else it waits for the hand.
-  void place(const Pose& tool_W);
   /// The scene is there now, and has taken the tool along.
   void carry(const Pose& scene_WS);
   /// One update. One thread.

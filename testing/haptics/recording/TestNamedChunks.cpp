@@ -125,6 +125,13 @@ TEST(NamedChunks, OfTodaysVersionWithMoreThanTheyHoldAreDamaged)
   }
 }
 
+TEST(NamedChunks, OfABrickWithoutItsBytesAreDamaged)
+{
+  RawRecording raw = recorded();
+  raw.chunks.insert(raw.chunks.begin() + 1, { "brick", chunks::brick.version, "" });
+  EXPECT_NE(problemOf(raw), "");
+}
+
 TEST(NamedChunks, BeginWithTheirFirstParameters)
 {
   RawRecording raw = recorded();

@@ -33,6 +33,7 @@ protected:
     nowhere.held = true;
     nowhere.revision = ++this->revision_;
     this->tick(nowhere, { Vec3(0, 0, 0.03), Quat::Identity() });
+    this->state_.toolSet = {}; // as if it had lain there all the time: what comes next is no step
   }
 
   /// What the cube touches once it has gone to that hand.
@@ -165,6 +166,48 @@ TEST_F(ToolTick, SpreadsTheStepOfOtherContactsOverTime)
     last = force;
   }
   EXPECT_NEAR(last.z(), whole_N, 1e-3 * whole_N);
+}
+
+// While it goes over to another scene it may stand nowhere for a moment.
+TEST_F(ToolTick, GoneAndBackItPushesFromNothingOnAndNeverHarderThanBefore)
+{
+  const Pose hand = pressed(0.003);
+  ToolContacts set = this->settled(hand), nowhere;
+  const double whole_N = this->tick(set, hand).state.force_D.norm();
+  ASSERT_NEAR(whole_N, stiffness * 0.003, 1e-3 * stiffness * 0.003);
+  nowhere.held = true;
+  nowhere.revision = ++this->revision_;
+  EXPECT_EQ(this->tick(nowhere, hand).state.force_D, Vec3(0, 0, 0));
+  set.revision = ++this->revision_;
+  Vec3 last = Vec3::Zero();
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vec3 force = this->tick(set, hand).state.force_D;
+    EXPECT_LE((force - last).norm(), 0.2 + 1e-9);
+    EXPECT_LE(force.norm(), whole_N * (1.0 + 1e-9));
+    last = force;
+  }
+  EXPECT_NEAR(last.norm(), whole_N, 1e-3 * whole_N);
+}
+
+// A lost device has no pose, and the tool has.
+TEST_F(ToolTick, WithoutAHandStaysWhereItIs)
+{
+  const Pose hand = pressed(0.003);
+  const ToolContacts set = this->settled(hand);
+  const HapticState with = this->tick(set, hand).state;
+  TickInput input;
+  input.tick = ++this->ticks_;
+  input.dt_s = tick_s;
+  input.status = DeviceStatus::Lost;
+  input.scene = this->scene_.get();
+  input.tool = &set;
+  const HapticState without = renderTick(input, this->parameters_, this->state_).state;
+  EXPECT_TRUE(without.held);
+  EXPECT_TRUE(without.tool.placed);
+  EXPECT_EQ(without.proxy_W.p, with.proxy_W.p);
+  EXPECT_EQ(without.proxy_W.q.coeffs(), with.proxy_W.q.coeffs());
+  EXPECT_EQ(without.tool.hand_W.p, with.tool.hand_W.p);
 }
 
 TEST_F(ToolTick, GivesNothingOverAClosedWayOfWaysAndTurns)

@@ -17,6 +17,15 @@ Pose lead(TickContext& tick) noexcept
   return leadTool(tick.out.state.device_W, anew, s.toolLead);
 }
 
+/// What the contacts of the tick before pull now: nothing where the tool stood nowhere, and the same as these where
+/// none are known, as in the first tick of a recording.
+Vec6 pullBefore_u(const TickContext& tick, const ToolPull& now, const Pose& hand_W) noexcept
+{
+  const ToolContacts& was = tick.s.toolSet;
+  const Vec6 unknown_u = was.held ? Vec6(Vec6::Zero()) : now.pull_u;
+  return was.placed ? toolPull(was, hand_W, tick.p.toolCoupling).pull_u : unknown_u;
+}
+
 /// By how much the contacts of this tick change the pull of those before; they are kept for the next.
 Vec6 step_u(TickContext& tick, const ToolPull& now, ToolState& tool) noexcept
 {
@@ -26,7 +35,7 @@ Vec6 step_u(TickContext& tick, const ToolPull& now, ToolState& tool) noexcept
   {
     return Vec6::Zero();
   }
-  const Vec6 before_u = was.placed ? toolPull(was, tool.hand_W, tick.p.toolCoupling).pull_u : now.pull_u;
+  const Vec6 before_u = pullBefore_u(tick, now, tool.hand_W);
   const double scale = tick.p.map.scale_u_per_m;
   tool.injected_J =
     0.5 * tick.out.state.stiffness_N_per_m * (now.pull_u.squaredNorm() - before_u.squaredNorm()) / (scale * scale);
@@ -37,6 +46,12 @@ Vec6 step_u(TickContext& tick, const ToolPull& now, ToolState& tool) noexcept
 /// Of the newest contacts, whose step from those before is spread.
 Vec6 pull_u(TickContext& tick, ToolState& tool) noexcept
 {
+  if (!tick.input.tool->placed)
+  {
+    tick.s.toolSet = *tick.input.tool;
+    tick.s.toolBlend = {}; // the force that it spread is gone
+    return Vec6::Zero();
+  }
   const double stiffness_N_per_u = tick.out.state.stiffness_N_per_m / tick.p.map.scale_u_per_m;
   const ToolPull now = toolPull(*tick.input.tool, tool.hand_W, tick.p.toolCoupling);
   tool.active = now.active;
@@ -56,6 +71,19 @@ Vec3 turning_D(TickContext& tick, double lever_m) noexcept
   VelocityFilter filter = tick.p.velocity;
   filter.resolution_m = lever_m * tick.p.turnResolution_rad;
   return estimateVelocity(filter, s.toolTurned_m, tick.input.dt_s, s.toolTurning);
+}
+
+/// The tool of this tick, where the hand had it last.
+ToolState held(const TickContext& tick) noexcept
+{
+  const ToolContacts& set = *tick.input.tool;
+  ToolState tool;
+  tool.held = true;
+  tool.placed = set.placed;
+  tool.touching = static_cast<std::int32_t>(set.count);
+  tool.hand_W = tick.s.toolHand_W;
+  tool.lever_m = set.lever_u / tick.p.map.scale_u_per_m;
+  return tool;
 }
 
 void tell(const ToolContacts& set, const ToolState& tool, HapticState& state) noexcept
@@ -84,12 +112,8 @@ void Tool::step(TickContext& tick) noexcept
     return;
   }
   const ToolContacts& set = *tick.input.tool;
-  ToolState tool;
-  tool.held = true;
-  tool.placed = set.placed;
-  tool.touching = static_cast<std::int32_t>(set.count);
-  tool.hand_W = lead(tick);
-  tool.lever_m = set.lever_u / tick.p.map.scale_u_per_m;
+  tick.s.toolHand_W = lead(tick);
+  ToolState tool = held(tick);
   const Vec6 pull_m = pull_u(tick, tool) / tick.p.map.scale_u_per_m;
   tick.pull_D = tick.p.map.directionToDevice(pull_m.head<3>());
   tick.turn = { tick.p.map.directionToDevice(pull_m.tail<3>()), turning_D(tick, tool.lever_m), tool.lever_m };
@@ -102,7 +126,11 @@ void Tool::rest(TickContext& tick) noexcept
 {
   tick.s.toolTurning.count = 0;
   tick.s.toolTorque_D = Vec3::Zero();
-  tick.out.state.tool.held = tick.input.tool != nullptr;
+  if (tick.input.tool == nullptr)
+  {
+    return;
+  }
+  tell(*tick.input.tool, held(tick), tick.out.state);
 }
 
 } // namespace palpate::stage

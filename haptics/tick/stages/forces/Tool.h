@@ -43,6 +43,7 @@ struct Tool
     ToolLead toolLead;
     ToolBlend toolBlend;
     ToolContacts toolSet;             ///< of the last tick: what it stored is asked once more when another comes
+    Pose toolHand_W;                  ///< where the hand had it last
     bool toolLoose = false;           ///< the clutch was held: the hand takes the tool anew
     Vec3 toolTurned_m = Vec3::Zero(); ///< sum of all turns of the hand times the lever
     VelocityHistory toolTurning;      ///< of that
@@ -57,6 +58,7 @@ struct Tool
     visit("taken", s.toolLead.taken...);
     visit("blend.way_u", s.toolBlend.way_u...);
     visit("blend.turn_u", s.toolBlend.turn_u...);
+    visit("hand_W", s.toolHand_W...);
     visit("loose", s.toolLoose...);
     visit("turned_m", s.toolTurned_m...);
     visit("torque_D", s.toolTorque_D...);
