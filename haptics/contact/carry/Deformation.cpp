@@ -135,6 +135,9 @@ public:
       this->to_, this->plan_, 0.0, this->above(face), pointOf(face, this->at_.weights) + this->offset(face));
   }
 
+  /// A triangle could have come over the ball behind another surface, which does not hold it up.
+  [[nodiscard]] bool keptApart() const noexcept { return this->keptApart_; }
+
 private:
   /// Finds the point of the old surface that the ball sees in the direction of that triangle, and on which side it is.
   [[nodiscard]] bool look(std::uint32_t triangle) noexcept
@@ -143,7 +146,8 @@ private:
     constexpr double beyond = 1.0 + 1e-6; // the foot itself is met, whatever rounding does to it
     const SweepHit seen =
       sweepStraight(this->from_, this->plan_, 0.0, this->x_W_, this->x_W_ + beyond * (foot_W - this->x_W_));
-    if (seen.hit && seen.feature.surface != this->surface_)
+    this->keptApart_ = seen.hit && seen.feature.surface != this->surface_;
+    if (this->keptApart_)
     {
       return false;
     }
@@ -232,7 +236,8 @@ private:
   Resolution resolution_;
   SurfacePoint at_;
   Vec3 apart_W_ = Vec3::Zero(); ///< from the nearest point of the old surface to the ball
-  bool touches_ = false;        ///< so close that rounding decides about the direction
+  bool keptApart_ = false;
+  bool touches_ = false; ///< so close that rounding decides about the direction
   int side_ = 0;
 };
 
@@ -365,6 +370,7 @@ bool carryWithVertices(
   const Vec3 start_W = state.x_W;
   const std::vector<Surface>&before = sceneOf(from).surfaces(), &after = sceneOf(to).surfaces();
   std::optional<std::uint32_t> carrier;
+  bool keptApart = false;
   for (std::uint32_t i = 0; state.placed && i < before.size(); ++i)
   {
     const std::uint32_t now = successorOf(before, i, after);
@@ -372,9 +378,17 @@ bool carryWithVertices(
     {
       continue;
     }
-    const bool curves = after[now].tree->coat_u() > 0.0;
-    const std::optional<Vec3> carried_W =
-      curves ? carryWithCurve(from, to, i, now, plan, state.x_W) : Advection(from, to, i, now, plan, state.x_W).run();
+    std::optional<Vec3> carried_W;
+    if (after[now].tree->coat_u() > 0.0)
+    {
+      carried_W = carryWithCurve(from, to, i, now, plan, state.x_W);
+    }
+    else
+    {
+      Advection advection(from, to, i, now, plan, state.x_W);
+      carried_W = advection.run();
+      keptApart = keptApart || advection.keptApart();
+    }
     if (carried_W)
     {
       state.x_W = *carried_W;
@@ -386,7 +400,7 @@ bool carryWithVertices(
     static_cast<void>(seatBall(to, plan, Vec3(state.x_W), state.x_W));
   }
   dropTurnedFaces(to, state);
-  return carrier && passesAnother(from, plan, *carrier, start_W, state.x_W);
+  return keptApart || (carrier && passesAnother(from, plan, *carrier, start_W, state.x_W));
 }
 
 template SweepHit sweepStraight(const Scene&, const ContactPlan&, double, const Vec3&, const Vec3&) noexcept;

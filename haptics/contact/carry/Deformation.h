@@ -48,7 +48,8 @@ template<SceneView AnyScene>
 /// ball turns with the normals around it. From just above the new triangle, on the side where the ball was, the way to
 /// that place is swept exactly: what came between stops it. A ball is moved out of what it overlaps there.
 /// Beside a curve it goes with the curve's nearest point and back to where it was, as far as the curve lets it.
-/// True if that took the ball through another surface: between the two there was no room for it.
+/// True if that took the ball through another surface, or if another surface kept it from being taken: between the two
+/// there may be no room for it.
 /// Bounded by plan.workBudget, allocation-free.
 template<SceneView AnyScene>
 [[nodiscard]] bool carryWithVertices(

@@ -228,6 +228,24 @@ TEST_F(CameAroundTest, ABallBetweenTwoBoxesThatMeetComesOutOfBoth)
   EXPECT_FALSE(this->felt_.takeOutSqueezed());
 }
 
+// From behind the face that holds it: no face that it sees takes it along.
+TEST_F(CameAroundTest, ABallOnABoxThroughWhichAnotherComesUpIsOutsideOfBoth)
+{
+  const Box floor(Vec3(-50, -50, -60), Vec3(50, 50, 0)), below(Vec3(-40, -40, -200), Vec3(40, 40, -120));
+  const Vec3 up(0.0, 0.0, 180.0);
+  const Box through(below.first + up, below.second + up);
+  this->show({ { "floor", mesh(floor) }, { "piston", mesh(below) } });
+  this->goTo(Vec3(3.0, 5.0, -4.0));
+  this->session_.step(200);
+  ASSERT_NEAR(this->proxy().z(), 0.0, 1e-6);
+  this->show({ { "floor", mesh(floor) }, { "piston", mesh(through) } });
+  this->session_.step(500);
+  (void)this->felt_.takeOutSqueezed();
+  this->session_.step(500);
+  EXPECT_LT(depthIn(floor, this->proxy()), 1e-6);
+  EXPECT_LT(depthIn(through, this->proxy()), 1e-6);
+}
+
 TEST_F(CameAroundTest, ABallThatIsSqueezedInARoomComesOutIntoTheRoom)
 {
   const Box room(Vec3::Constant(-100), Vec3::Constant(100));
