@@ -17,7 +17,7 @@ void Blend::step(TickContext& tick) noexcept
   if (blends && !tick.scene.first && blend_s > 0.0)
   {
     s.blend_D += s.lastRendered_D - state.rendered_D;
-    s.blendTorque_D += s.lastTorque_D - state.renderedTorque_D;
+    s.blendTorque_D += s.lastRenderedTorque_D - state.renderedTorque_D;
   }
   else
   {
@@ -26,7 +26,7 @@ void Blend::step(TickContext& tick) noexcept
     s.blendTorque_D *= left;
   }
   s.lastRendered_D = state.rendered_D;
-  s.lastTorque_D = state.renderedTorque_D;
+  s.lastRenderedTorque_D = state.renderedTorque_D;
   state.rendered_D += s.blend_D;
   state.renderedTorque_D += s.blendTorque_D;
 }

@@ -34,9 +34,9 @@ struct Blend
 
   struct State
   {
-    Vec3 lastRendered_D = Vec3::Zero(); ///< what the scene asked for last tick [N]
-    Vec3 blend_D = Vec3::Zero();        ///< what is left of the force of the scene before [N]
-    Vec3 lastTorque_D = Vec3::Zero();   ///< likewise the torque [N m]
+    Vec3 lastRendered_D = Vec3::Zero();       ///< what the scene asked for last tick [N]
+    Vec3 blend_D = Vec3::Zero();              ///< what is left of the force of the scene before [N]
+    Vec3 lastRenderedTorque_D = Vec3::Zero(); ///< likewise the torque [N m]
     Vec3 blendTorque_D = Vec3::Zero();
     bool blendTool = false; ///< a tool was held
   };
@@ -45,7 +45,7 @@ struct Blend
   {
     visit("lastRendered_D", s.lastRendered_D...);
     visit("blend_D", s.blend_D...);
-    visit("lastTorque_D", s.lastTorque_D...);
+    visit("lastRenderedTorque_D", s.lastRenderedTorque_D...);
     visit("blendTorque_D", s.blendTorque_D...);
     visit("tool", s.blendTool...);
   }
