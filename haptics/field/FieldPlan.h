@@ -17,12 +17,15 @@ struct FieldPlan
 
   double follow_N = 0.0;    ///< holds the hand on the streamline that it is on, of vectors or axes
   double drag_N = 0.0;      ///< resists every motion, times the resistance at the hand
+  double dragNone = 0.0;    ///< resistance up to which nothing of it is felt
+  double dragFull = 1.0;    ///< and from which on all of it is
   DetentPlan detent;        ///< levels of the scalar hold the hand
   double snap_N = 0.0;      ///< pulls to the nearest of the brick's places and lines
   double snapReach_u = 5.0; ///< from there on, less with the distance
   double compare_N = 0.0;   ///< resists every motion where scalar and other differ
   double compareFull = 1.0; ///< difference from which it does with all of its strength
   double push_N = 0.0;      ///< the vectors are a force: a source of energy
+  double noSpeed = 0.0;     ///< length of the vectors up to which they are not followed and do not push
   double fullSpeed = 0.0;   ///< length of the vectors from which they are followed and push with all strength; 0: any
 
   static constexpr double mostPush_N = 0.5; ///< a vortex gives a hand energy for ever

@@ -28,9 +28,10 @@ bool usesScalar(const Brick& brick, bool on) noexcept
   return on && brick.component(BrickRole::Scalar).exists();
 }
 
-double share(double value, double full) noexcept
+/// How much of a strength there is at a value: nothing up to `none`, all from `full` on.
+double share(double value, double none, double full) noexcept
 {
-  return full > 0.0 ? std::min(1.0, value / full) : 1.0;
+  return full > none ? std::max(0.0, std::min(1.0, (value - none) / (full - none))) : 1.0;
 }
 
 /// Whether a place lies between the first and the last points of a grid.
@@ -113,7 +114,7 @@ private:
     const IsoResult iso =
       moveIsoProxy(this->brick_.component(BrickRole::Scalar), grid.spacing_u, plan, grid.toIndex(this->p_W_), state);
     this->add(grid.pose_W.q * iso.pull_u);
-    this->result_.contacts += iso.contacts;
+    this->result_.contacts += iso.contacts > 0 ? 1 : 0;
     this->result_.passes += iso.passes;
     this->result_.letGo = this->result_.letGo || iso.released;
     this->result_.capped = this->result_.capped || iso.capped;
@@ -173,7 +174,7 @@ private:
     give({ PrimitiveKind::Point, this->compare_N(), this->state_.soft_W });
     if (const std::optional<Followed> line = this->followed())
     {
-      const double strength_N = this->plan_.follow_N * share(line->speed, this->plan_.fullSpeed);
+      const double strength_N = this->plan_.follow_N * share(line->speed, this->plan_.noSpeed, this->plan_.fullSpeed);
       give({ PrimitiveKind::Line, strength_N, line->y_W, line->along_W });
     }
     give(this->snap());
@@ -190,15 +191,16 @@ private:
       return this->plan_.drag_N;
     }
     const std::optional<FieldSample> resistance = this->brick_.sample(BrickRole::Resistance, this->p_W_);
-    return resistance ? this->plan_.drag_N * std::clamp(resistance->value, 0.0, 1.0) : 0.0;
+    return resistance ? this->plan_.drag_N * share(resistance->value, this->plan_.dragNone, this->plan_.dragFull) : 0.0;
   }
 
   [[nodiscard]] double compare_N() const noexcept
   {
     const std::optional<FieldSample> one = this->brick_.sample(BrickRole::Scalar, this->p_W_);
     const std::optional<FieldSample> other = this->brick_.sample(BrickRole::Other, this->p_W_);
-    return one && other ? this->plan_.compare_N * share(std::fabs(one->value - other->value), this->plan_.compareFull)
-                        : 0.0;
+    return one && other
+             ? this->plan_.compare_N * share(std::fabs(one->value - other->value), 0.0, this->plan_.compareFull)
+             : 0.0;
   }
 
   [[nodiscard]] std::optional<Followed> followed() const noexcept
@@ -238,7 +240,8 @@ private:
     const double speed = v_W ? v_W->norm() : 0.0;
     if (speed > 0.0)
     {
-      this->result_.push_W = this->plan_.push_N * share(speed, this->plan_.fullSpeed) / speed * *v_W;
+      this->result_.push_W =
+        this->plan_.push_N * share(speed, this->plan_.noSpeed, this->plan_.fullSpeed) / speed * *v_W;
     }
   }
 

@@ -28,7 +28,7 @@ struct FieldResult
   Vec3 push_W = Vec3::Zero();    ///< force of the vectors, in the axes of W [N]
   Vec3 surface_W = Vec3::Zero(); ///< proxy of the isosurface, where there is one
   double error_u = 0.0;          ///< the pulls of limited strength are certainly balanced to this
-  int contacts = 0;
+  int contacts = 0;              ///< surfaces that push, each once however many of its cells do
   std::uint32_t passes = 0;
   bool outside = false; ///< the hand is where the field has no value
   bool beyond = false;  ///< it is beyond the brick

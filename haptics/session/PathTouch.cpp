@@ -65,9 +65,14 @@ HapticState PathTouch::next(double time_s, const Pose& hand_D)
   this->begun_ = true;
   this->input_.sample.time_s = time_s;
   this->input_.sample.pose_D = hand_D;
-  const HapticState state = renderTick(this->input_, this->parameters_, this->state_).state;
+  HapticState state = renderTick(this->input_, this->parameters_, this->state_).state;
   this->metField_ = this->metField_ || (this->brick_ && !state.field.outside);
-  return !this->scene_ && this->brick_ ? ofFieldAlone(state) : state;
+  if (!this->scene_ && this->brick_)
+  {
+    return ofFieldAlone(state);
+  }
+  state.contacts += state.field.contacts;
+  return state;
 }
 
 } // namespace palpate

@@ -21,8 +21,8 @@ public:
   /// and are waited for: the same path gives the same forces on any machine.
   void feel(std::shared_ptr<const FieldSource> field);
 
-  /// The hand is there at that time, which is later than the time before. Where a field alone is touched the proxy and
-  /// its contacts are those of the field.
+  /// The hand is there at that time, which is later than the time before. Where a field alone is touched the proxy is
+  /// that of the field. The contacts are those of the surfaces and those of the field.
   [[nodiscard]] HapticState next(double time_s, const Pose& hand_D);
 
   /// The newest brick of the field, or why there is none.

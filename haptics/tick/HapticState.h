@@ -32,7 +32,7 @@ struct FieldReport
   Vec3 proxy_W = Vec3::Zero();   ///< where its surface, or all of its springs together, draw the hand [u]
   double pushPower_W = 0.0;      ///< that the vectors give the hand as a force [W]
   double error_u = 0.0;          ///< the pulls of limited strength are certainly balanced to this [u]
-  std::int32_t contacts = 0;     ///< patches of its surface that hold
+  std::int32_t contacts = 0;     ///< surfaces of it that push
   bool outside = false;          ///< the hand is where the field has no value
   std::uint64_t beyondTicks = 0; ///< in which the hand was beyond the brick that was there, until now
   bool capped = false;           ///< the proxy goes on in the next tick

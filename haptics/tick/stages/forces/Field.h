@@ -47,6 +47,9 @@ struct Field
     visit("compareFull", p.field.compareFull...);
     visit("push_N", p.field.push_N...);
     visit("fullSpeed", p.field.fullSpeed...);
+    visit("noSpeed", p.field.noSpeed...);
+    visit("dragNone", p.field.dragNone...);
+    visit("dragFull", p.field.dragFull...);
   }
   [[nodiscard]] static std::string refuse(const Plan& p)
   {
@@ -60,6 +63,14 @@ struct Field
         !(f.snapReach_u > 0.0 && std::isfinite(f.snapReach_u)))
     {
       return "field: distance of levels, usual gradient and reach of a snap must be larger than 0";
+    }
+    if (!std::isfinite(f.dragNone) || !std::isfinite(f.dragFull) || !(f.dragFull > f.dragNone))
+    {
+      return "field: the resistance that is felt in full must be larger than the one of which nothing is";
+    }
+    if (!nonNegative(f.noSpeed) || (f.noSpeed > 0.0 && !(f.fullSpeed > f.noSpeed)))
+    {
+      return "field: the length that is felt in full must be larger than the one of which nothing is";
     }
     if (std::string problem = refuseLevels(f.detent); !problem.empty())
     {
