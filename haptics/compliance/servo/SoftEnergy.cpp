@@ -110,6 +110,8 @@ double balanceEnergy(const EnergyBalancePlan& plan, double stored_Nu, double ste
   const double most = std::min(owed / std::max(std::abs(step_u), plan.leastStep_u), plan.share * force_N);
   const double wanted = step_u >= 0.0 ? most : -most;
   balance.added_N += std::clamp(wanted - balance.added_N, -plan.slew_N, plan.slew_N);
+  const double share_N = plan.share * force_N; // of a force that falls fast, too
+  balance.added_N = std::clamp(balance.added_N, -share_N, share_N);
   return balance.added_N;
 }
 

@@ -256,14 +256,14 @@ void changePackets(std::span<const SoftTouch> now, SoftState& state) noexcept
   for (int c = 0; c < state.count; ++c)
   {
     SoftContact& contact = state.contacts[c];
-    for (const SoftTouch& touch : now)
+    const auto isIts = [&contact](const SoftTouch& touch) { return touch.surface == contact.feature.surface; };
+    const auto touch = std::ranges::find_if(now, isIts);
+    contact.soft = contact.soft && touch != now.end() ? &*touch : nullptr; // a body that is gone yields no more
+    contact.gives = contact.gives && contact.soft != nullptr;
+    if (contact.soft)
     {
-      if (contact.soft && touch.surface == contact.feature.surface)
-      {
-        contact.soft = &touch;
-        contact.point = compliantPoint(*touch.packet, contact.point.at);
-        contact.spring = springAt(*touch.packet, contact.point.at);
-      }
+      contact.point = compliantPoint(*touch->packet, contact.point.at);
+      contact.spring = springAt(*touch->packet, contact.point.at);
     }
   }
   const Vec3 before_W = state.yielded_W;
