@@ -42,6 +42,25 @@ void MixObject(std::uint64_t& key, vtkObject* object)
   Mix(key, object ? object->GetMTime() : 0);
 }
 
+/// By its display, whatever of it is drawn.
+bool IsMoved(vtkSMProxy* representation)
+{
+  const auto differs = [representation](const char* property, double usual)
+  {
+    constexpr bool quiet = true; // not every display can be moved
+    const vtkSMPropertyHelper values(representation, property, quiet);
+    for (unsigned int i = 0; i < values.GetNumberOfElements(); ++i)
+    {
+      if (values.GetAsDouble(i) != usual)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  return differs("Position", 0.0) || differs("Orientation", 0.0) || differs("Scale", 1.0);
+}
+
 bool SameMatrix(vtkMatrix4x4* a, vtkMatrix4x4* b)
 {
   return std::equal(a->GetData(), a->GetData() + 16, b->GetData());
@@ -409,7 +428,7 @@ vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, vtkHapticShapes& shapes, c
     {
       if (vtkDataObject* const data = DataOf(representation); data && !IsTransparent(representation))
       {
-        scan.Sources.push_back({ name, data });
+        scan.Sources.push_back({ name, data, IsMoved(representation) });
       }
       ScanRepresentation(representation, name, options, shapes, scan);
     }

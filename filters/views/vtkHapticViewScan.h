@@ -39,6 +39,7 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
   {
     std::string Name;
     vtkSmartPointer<vtkDataObject> Data;
+    bool Moved = false; ///< it is drawn elsewhere than its numbers are
   };
 
   std::vector<Surface> Surfaces;

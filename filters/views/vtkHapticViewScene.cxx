@@ -153,10 +153,17 @@ void vtkHapticViewScene::Internals::HandOverField(const std::vector<vtkHapticVie
 {
   this->BesideRefusal = vtkHapticAsksForField(*this->Session) ? this->HandOverBeside() : "";
   std::vector<const vtkHapticViewScan::Source*> candidates;
+  std::string moved;
   for (const vtkHapticViewScan::Source& source : sources)
   {
-    if (vtkHapticAsksForField(*this->Session) && vtkHapticHasFieldArrays(source.Data, *this->Session))
+    if (vtkHapticAsksForField(*this->Session) && vtkHapticHasFieldArrays(source.Data, *this->Session) &&
+        this->Session->GetSourceTouched(source.Name.c_str()))
     {
+      if (source.Moved)
+      {
+        moved = source.Name;
+        continue;
+      }
       candidates.push_back(&source);
     }
   }
@@ -183,7 +190,11 @@ void vtkHapticViewScene::Internals::HandOverField(const std::vector<vtkHapticVie
   {
     this->Session->AddField(nullptr, nullptr);
     const bool lacks = vtkHapticAsksForField(*this->Session) && !sources.empty();
-    this->FieldRefusal = lacks ? vtkHapticLackOfField(*this->Session) : "";
+    this->FieldRefusal = !moved.empty()
+                           ? moved + " is moved, turned or scaled in the view, and its numbers are not: use the filter "
+                                     "Transform, or set its display back"
+                         : lacks ? vtkHapticLackOfField(*this->Session)
+                                 : "";
   }
 }
 

@@ -104,6 +104,24 @@ class FieldInAView(ViewTest):
         self.assertIn('has "RTData"', self.scene.GetReport())
         put(self.proxy, "Touching", 0)
 
+    def test_what_is_drawn_elsewhere_than_its_numbers_or_is_not_to_be_touched_is_not_felt(self):
+        self.show_wavelet("Outline")
+        self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1))
+        display = simple.GetDisplayProperties(view=self.view)
+        display.Position = [5.0, 0.0, 0.0]
+        simple.Render(self.view)
+        self.follow()
+        self.assertFalse(self.session.FinishField())
+        self.assertIn("Wavelet1 is moved", self.scene.GetReport())
+        self.assertIn("Transform", self.scene.GetReport())
+        display.Position = [0.0, 0.0, 0.0]
+        simple.Render(self.view)
+        self.follow()
+        self.assertTrue(self.session.FinishField())
+        self.session.SetSourceTouched("Wavelet1", False)
+        self.follow()
+        self.assertFalse(self.session.FinishField())
+
     def test_a_hidden_source_is_not_felt(self):
         wavelet = self.show_wavelet("Outline")
         self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1))
