@@ -72,7 +72,7 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   command->add_option("--path", options.Path, "PATH.csv: t,x,y,z[,qw,qx,qy,qz] [s, scene units], a tick per row")
     ->required();
   command->add_option("--csv", options.Output, "OUT.csv: a row per tick")->required();
-  command->add_option("--iso", options.Iso, "value of the surface in an image, or of --mode isosurface");
+  command->add_option("--iso,--value", options.Iso, "value of the surface in an image, or of --mode isosurface");
   options.Settings.AddAll(*command);
   vtkHapticCliAddMaterials(*command, options.Materials);
   vtkHapticCliAddField(*command, options.Field);
@@ -174,6 +174,10 @@ int Touch(const vtkHapticCliTouchOptions& options)
   if (options.TwoD)
   {
     CheckTwoD(options);
+  }
+  if (options.Tool.Turning_N_m_per_rad)
+  {
+    CheckNumber("--torque-stiffness", *options.Tool.Turning_N_m_per_rad, false, "newton metres per radian");
   }
   options.Settings.Check();
   vtkHapticCliCheckMaterials(options.Materials);

@@ -35,11 +35,10 @@ palpate::ToolHold HoldOf(const vtkHapticCliTouchOptions& options)
 void CheckNothingElse(const vtkHapticCliTouchOptions& options)
 {
   const std::string setting = options.Settings.GivenBeside({ "Stiffness", "Scale" });
-  const vtkHapticCliFieldOptions& field = options.Field;
+  const std::string field = vtkHapticCliGivenOfField(options.Field);
   const std::string asked = !setting.empty()             ? setting
-                            : !field.Strengths_N.empty() ? "--strength"
-                            : !field.Other.empty()       ? "--compare-with"
-                            : field.Any()                ? "--field"
+                            : !field.empty()             ? field
+                            : options.Field.Any()        ? "--field"
                             : options.TwoD               ? "--two-d"
                             : !options.Materials.Empty() ? "an array of the material"
                                                          : "";
@@ -107,14 +106,16 @@ int vtkHapticCliTouchWithTool(const vtkHapticCliTouchOptions& options)
   CheckNothingElse(options);
   const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path, true);
   const palpate::TriangleMesh mesh = ReadTogether({ options.Tool.File }, {});
-  const palpate::TriangleMesh scene = ReadTogether(options.Files, options.Iso);
+  std::vector<std::string> files = options.Files;
+  files.insert(files.end(), options.Field.Surfaces.begin(), options.Field.Surfaces.end());
+  const palpate::TriangleMesh scene = ReadTogether(files, options.Iso);
   std::string refusal;
   const auto touch = palpate::ToolTouch::make(mesh, scene, HoldOf(options), path.front().Pose_W, refusal);
   if (!touch)
   {
     throw vtkHapticCliProblem("--tool: " + options.Tool.File + ": " + refusal);
   }
-  std::vector<std::string> inputs = options.Files;
+  std::vector<std::string> inputs = files;
   inputs.insert(inputs.end(), { options.Path, options.Tool.File });
   vtkHapticCliOutput output(options.Output, inputs);
   vtkHapticCliWriteHeader(output, ",proxy_qw,proxy_qx,proxy_qy,proxy_qz,torque_x,torque_y,torque_z");

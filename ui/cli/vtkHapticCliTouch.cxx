@@ -123,6 +123,10 @@ void CheckSurfaceOptions(const vtkHapticCliTouchOptions& options, const std::vec
   {
     throw vtkHapticCliProblem("--iso: no --mode is isosurface, and no other image is touched; leave it out");
   }
+  if (surfaces.empty() && options.Settings.Number("Radius") > 0.0)
+  {
+    throw vtkHapticCliProblem("--radius: a field is felt by a point, and no surface is touched; leave it out");
+  }
   for (const char* setting : { "ForceShading", "LineRadius", "LimitRadius" })
   {
     if (surfaces.empty() && options.Settings.IsGiven(setting))
@@ -173,12 +177,17 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   }
   std::vector<std::string> surfaces = options.Files;
   const auto field = vtkHapticCliTakeField(options.Field, options.Settings, parameters.field, surfaces);
+  if (options.Field.Snap.empty())
+  {
+    surfaces.insert(surfaces.end(), options.Field.Surfaces.begin(), options.Field.Surfaces.end());
+  }
   CheckSurfaceOptions(options, surfaces, parameters.field.isosurface);
   const auto scene = SceneOf(options, surfaces, parameters);
   palpate::PathTouch touch(scene, parameters, path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTickSeconds);
   touch.feel(field);
   std::vector<std::string> inputs = options.Files;
-  inputs.push_back(options.Path);
+  inputs.insert(inputs.end(), options.Field.Surfaces.begin(), options.Field.Surfaces.end());
+  inputs.insert(inputs.end(), { options.Field.OtherFile, options.Path });
   vtkHapticCliOutput output(options.Output, inputs);
   vtkHapticCliWriteHeader(output);
   Render(path, touch, output);

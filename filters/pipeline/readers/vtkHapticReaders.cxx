@@ -240,12 +240,6 @@ void CheckExtension(const std::string& extension)
   }
 }
 
-void CheckSurface(vtkPolyData* surface)
-{
-  ThrowIf(vtkHapticCellChecks::CheckPolyData(surface));
-  CheckHasTriangles(surface, surface->GetNumberOfPoints());
-}
-
 /// What `read` makes of a file, with what VTK says meanwhile.
 template<class Function>
 auto Captured(std::string& note, const Function& read)
@@ -274,7 +268,7 @@ SurfacePointer ReadChecked(const std::string& path, std::optional<double> iso, s
   CheckIsoFits(IsImage(extension), iso);
   const SurfacePointer surface =
     Captured(note, [&](const auto& messages) { return Read(path, extension, iso, messages, note); });
-  CheckSurface(surface);
+  ThrowIf(vtkHapticCellChecks::CheckPolyData(surface));
   return surface;
 }
 
@@ -323,8 +317,19 @@ Result Guarded(const std::string& path, const Function& read)
 
 vtkHapticReadResult vtkHapticReadSurface(const std::string& path, std::optional<double> iso)
 {
+  return Guarded<vtkHapticReadResult>(path,
+    [&](auto& result)
+    {
+      const SurfacePointer surface = ReadChecked(path, iso, result.Note);
+      CheckHasTriangles(surface, surface->GetNumberOfPoints());
+      result.Surface = surface;
+    });
+}
+
+vtkHapticReadResult vtkHapticReadPlaces(const std::string& path)
+{
   return Guarded<vtkHapticReadResult>(
-    path, [&](auto& result) { result.Surface = ReadChecked(path, iso, result.Note); });
+    path, [&](auto& result) { result.Surface = ReadChecked(path, std::nullopt, result.Note); });
 }
 
 vtkHapticReadVolumeResult vtkHapticReadVolume(const std::string& path)

@@ -30,6 +30,9 @@ struct vtkHapticReadResult
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticReadResult vtkHapticReadSurface(
   const std::string& path, std::optional<double> iso);
 
+/// Reads the same meshes for their points and lines alone: a vtp without faces will do.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticReadResult vtkHapticReadPlaces(const std::string& path);
+
 /// Numbers in space read from a file, or why there are none.
 struct vtkHapticReadVolumeResult
 {

@@ -5,12 +5,20 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "haptics/session/settings/SessionSettings.h"
+#include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticReaders.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 namespace
 {
@@ -33,7 +41,41 @@ constexpr std::array<Mode, 7> Modes = { {
   { "push", &vtkHapticFieldArrays::Vector, "FieldPush", [](auto& p) -> double& { return p.push_N; } },
   { "drag", &vtkHapticFieldArrays::Resistance, "FieldDrag", [](auto& p) -> double& { return p.drag_N; } },
 } };
-constexpr std::string_view Isosurface = "isosurface", Compare = "compare", Detent = "detent";
+constexpr std::string_view Isosurface = "isosurface", Compare = "compare", SnapPoints = "points", SnapLines = "lines";
+
+/// What says how some modes are felt.
+struct OfModes
+{
+  std::string Options; ///< with their dashes
+  bool (*Given)(const vtkHapticCliFieldOptions&);
+  std::string_view Modes; ///< as a sentence names them; empty: all
+};
+
+const std::array<OfModes, 6> OwnOptions = { {
+  { "--strength", [](const auto& o) { return !o.Strengths_N.empty(); }, "" },
+  { "--compare-with,--with", [](const auto& o) { return !o.Other.empty(); }, "compare" },
+  { "--with-data", [](const auto& o) { return !o.OtherFile.empty(); }, "compare" },
+  { "--levels,--values", [](const auto& o) { return !o.Levels.empty(); }, "detent" },
+  { "--range", [](const auto& o) { return !o.Range.empty(); }, "follow, push or drag" },
+  { "--snap", [](const auto& o) { return !o.Snap.empty(); }, "snap" },
+} };
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> SettingsOfModes = { {
+  { "FieldComponent", "isosurface, detent, snap or compare" },
+  { "FieldSmoothing", "isosurface, detent, snap or compare" },
+  { "FieldDetentOrigin", "detent" },
+  { "FieldDetentSpacing", "detent" },
+  { "FieldDetentClick", "detent" },
+  { "FieldSnapReach", "snap" },
+  { "FieldCompareFull", "compare" },
+  { "FieldFullSpeed", "follow or push" },
+  { "FieldEigenvector", "follow or push" },
+} };
+
+bool Has(const vtkHapticCliFieldOptions& options, std::string_view mode)
+{
+  return std::ranges::count(options.Modes, mode) > 0;
+}
 
 const Mode& ModeOf(const std::string& name)
 {
@@ -68,14 +110,85 @@ void CheckCounts(const vtkHapticCliFieldOptions& options)
       throw vtkHapticCliProblem("--mode " + mode + ": it is given more than once; a mode has one strength");
     }
   }
-  if (std::ranges::count(options.Modes, Detent) == 0 && !options.Levels.empty())
+}
+
+/// What other modes do not feel is refused rather than ignored.
+void CheckModesOfOptions(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings)
+{
+  std::vector<OfModes> given;
+  std::ranges::copy_if(OwnOptions, std::back_inserter(given), [&](const OfModes& one) { return one.Given(options); });
+  for (const auto& [setting, modes] : SettingsOfModes)
   {
-    throw vtkHapticCliProblem("--levels and --mode detent go together: values, and that they hold the hand");
+    if (settings.IsGiven(setting))
+    {
+      given.push_back({ settings.OptionsOf(setting), nullptr, modes });
+    }
   }
-  if (options.Other.empty() == (std::ranges::count(options.Modes, Compare) > 0))
+  for (const OfModes& one : given)
   {
-    throw vtkHapticCliProblem("--compare-with and --mode compare go together: the other array, and that it is felt");
+    const auto feels = [&one](const std::string& mode) { return one.Modes.find(mode) != std::string_view::npos; };
+    if (!one.Modes.empty() && std::ranges::none_of(options.Modes, feels))
+    {
+      throw vtkHapticCliProblem(one.Options + ": it says how --mode " + std::string(one.Modes) +
+                                " is felt; give that as well, or leave it out");
+    }
   }
+}
+
+/// What a mode cannot do without, and what says the same twice.
+void CheckCompanions(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings)
+{
+  if (Has(options, Compare) && options.Other.empty() && options.OtherFile.empty())
+  {
+    throw vtkHapticCliProblem(
+      "--mode compare: give the other array with --compare-with, or other data with --with-data");
+  }
+  if (!options.Levels.empty() && (settings.IsGiven("FieldDetentSpacing") || settings.IsGiven("FieldDetentOrigin")))
+  {
+    throw vtkHapticCliProblem(
+      "--levels: they are in place of those of --between-levels and --first-level; leave out one of both");
+  }
+  if (!options.Snap.empty() && options.Snap != SnapPoints && options.Snap != SnapLines)
+  {
+    throw vtkHapticCliProblem("--snap " + options.Snap + ": it is points or lines");
+  }
+  if (!options.Snap.empty() && options.Surfaces.empty())
+  {
+    throw vtkHapticCliProblem("--snap " + options.Snap + ": give the file that has them with --surface");
+  }
+}
+
+/// From where to where the strengths of drag, follow and push rise.
+void SetRange(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings, palpate::FieldPlan& plan)
+{
+  if (options.Range.empty())
+  {
+    return;
+  }
+  const double low = options.Range.front(), high = options.Range.back();
+  if (!(std::isfinite(low) && std::isfinite(high) && low < high))
+  {
+    throw vtkHapticCliProblem("--range LOW,HIGH: two finite numbers, the first below the second");
+  }
+  if (Has(options, "drag"))
+  {
+    plan.dragNone = low;
+    plan.dragFull = high;
+  }
+  if (!Has(options, "follow") && !Has(options, "push"))
+  {
+    return;
+  }
+  if (low < 0.0)
+  {
+    throw vtkHapticCliProblem("--range LOW,HIGH: of follow and push it is of lengths, and none is below 0");
+  }
+  if (settings.IsGiven("FieldFullSpeed"))
+  {
+    throw vtkHapticCliProblem("--range and --full-length say the same of follow and push; leave out one of both");
+  }
+  plan.noSpeed = low;
+  plan.fullSpeed = high;
 }
 
 double StrengthOf(const vtkHapticCliFieldOptions& options, std::size_t mode)
@@ -110,21 +223,77 @@ vtkHapticFieldArrays ArraysOf(const vtkHapticCliFieldOptions& options, const vtk
   return arrays;
 }
 
+void NoteOf(const std::string& file, const std::string& note)
+{
+  if (!note.empty())
+  {
+    std::cerr << "palpate: " << file << ": " << note << '\n';
+  }
+}
+
+vtkSmartPointer<vtkDataSet> VolumeOf(const std::string& file)
+{
+  vtkHapticReadVolumeResult read = vtkHapticReadVolume(file);
+  if (!read.Volume)
+  {
+    throw vtkHapticCliProblem(read.Problem);
+  }
+  NoteOf(file, read.Note);
+  return read.Volume;
+}
+
+/// The points of all surfaces, with their lines where these are what is snapped to.
+vtkSmartPointer<vtkPolyData> PlacesOf(const vtkHapticCliFieldOptions& options)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIdList> corners;
+  for (const std::string& file : options.Surfaces)
+  {
+    const vtkHapticReadResult read = vtkHapticReadPlaces(file);
+    if (!read.Surface)
+    {
+      throw vtkHapticCliProblem(read.Problem);
+    }
+    NoteOf(file, read.Note);
+    if ((options.Snap == SnapLines ? read.Surface->GetNumberOfLines() : read.Surface->GetNumberOfPoints()) == 0)
+    {
+      throw vtkHapticCliProblem(file + ": it has no " + options.Snap + " that --snap could snap to");
+    }
+    const vtkIdType before = points->GetNumberOfPoints();
+    for (vtkIdType i = 0; i < read.Surface->GetNumberOfPoints(); ++i)
+    {
+      points->InsertNextPoint(read.Surface->GetPoint(i));
+    }
+    for (vtkIdType i = 0; i < read.Surface->GetNumberOfLines(); ++i)
+    {
+      read.Surface->GetLines()->GetCellAtId(i, corners);
+      std::for_each(corners->begin(), corners->end(), [before](vtkIdType& corner) { corner += before; });
+      lines->InsertNextCell(corners);
+    }
+  }
+  auto places = vtkSmartPointer<vtkPolyData>::New();
+  places->SetPoints(points);
+  if (options.Snap == SnapLines)
+  {
+    places->SetLines(lines);
+  }
+  return places;
+}
+
 /// What says how a field is felt is refused rather than ignored where none is.
 void CheckNoneIsGiven(const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings)
 {
-  std::string given = !options.Strengths_N.empty() ? "strength"
-                      : !options.Other.empty()     ? "compare-with"
-                      : !options.Levels.empty()    ? "levels"
-                                                   : "";
+  std::string given = vtkHapticCliGivenOfField(options);
   for (const palpate::Setting& setting : palpate::sessionSettings())
   {
     const bool field = setting.name.starts_with("Field") && !setting.at.option.empty();
-    given = given.empty() && field && settings.IsGiven(setting.name) ? setting.at.option : given;
+    given = given.empty() && field && settings.IsGiven(setting.name) ? settings.OptionsOf(setting.name) : given;
   }
   if (!given.empty())
   {
-    throw vtkHapticCliProblem("--" + given + ": it says how a field is felt; give --field and --mode as well");
+    throw vtkHapticCliProblem(given + ": it says how a field is felt; give --field and --mode as well");
   }
 }
 } // namespace
@@ -146,9 +315,27 @@ void vtkHapticCliAddField(CLI::App& command, vtkHapticCliFieldOptions& options)
       "--strength", options.Strengths_N, "force at which each --mode gives way [N]; an isosurface of 0 is a wall")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--compare-with", options.Other, "array that --mode compare compares with");
+  command.add_option("--compare-with,--with", options.Other, "array that --mode compare compares with");
   command.add_option(
-    "--levels", options.Levels, "values V,V,... at which --mode detent holds, instead of levels at equal distances");
+    "--with-data", options.OtherFile, "volume with which --mode compare compares: the same array, or --with");
+  command.add_option("--levels,--values", options.Levels,
+    "values V,V,... at which --mode detent holds, instead of levels at equal distances");
+  command
+    .add_option("--range", options.Range,
+      "resistance (drag) or length of the directions (follow, push) at which the strength is 0 and at which it is full")
+    ->delimiter(',')
+    ->expected(2)
+    ->type_name("LOW,HIGH");
+  command.add_option("--snap", options.Snap, "points or lines of --surface, to which --mode snap pulls");
+  command.add_option("--surface", options.Surfaces, "a file to touch beside the field; with --snap to snap to")
+    ->expected(1)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+std::string vtkHapticCliGivenOfField(const vtkHapticCliFieldOptions& options)
+{
+  const auto given = std::ranges::find_if(OwnOptions, [&](const OfModes& one) { return one.Given(options); });
+  return given == OwnOptions.end() ? "" : given->Options;
 }
 
 std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapticCliFieldOptions& options,
@@ -165,16 +352,10 @@ std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapti
       files.front() + ": it is no volume that --field could be felt of; known are vti, vtr, vts, vtu, nii and nii.gz");
   }
   const std::string name = *file;
-  const vtkHapticReadVolumeResult read = vtkHapticReadVolume(name);
-  if (!read.Volume)
-  {
-    throw vtkHapticCliProblem(read.Problem);
-  }
-  if (!read.Note.empty())
-  {
-    std::cerr << "palpate: " << name << ": " << read.Note << '\n';
-  }
-  const vtkHapticFieldResult field = vtkHapticToField(read.Volume, ArraysOf(options, settings));
+  const vtkSmartPointer<vtkDataSet> volume = VolumeOf(name);
+  const vtkSmartPointer<vtkDataSet> compared = options.OtherFile.empty() ? nullptr : VolumeOf(options.OtherFile);
+  const vtkSmartPointer<vtkPolyData> places = options.Snap.empty() ? nullptr : PlacesOf(options);
+  const vtkHapticFieldResult field = vtkHapticToField(volume, ArraysOf(options, settings), { compared, places });
   const std::string problem = field.Source ? palpate::levelProblem(plan, field.Ends) : field.Problem;
   if (!problem.empty())
   {
@@ -197,6 +378,8 @@ void vtkHapticCliSetField(const vtkHapticCliFieldOptions& options, const vtkHapt
     return;
   }
   CheckCounts(options);
+  CheckModesOfOptions(options, settings);
+  CheckCompanions(options, settings);
   for (std::size_t i = 0; i < options.Modes.size(); ++i)
   {
     ModeOf(options.Modes[i]).Strength_N(plan) = StrengthOf(options, i);
@@ -207,6 +390,7 @@ void vtkHapticCliSetField(const vtkHapticCliFieldOptions& options, const vtkHapt
     throw vtkHapticCliProblem("--mode isosurface: give the value of the surface with --iso");
   }
   plan.isovalue = iso.value_or(0.0);
+  SetRange(options, settings, plan);
   if (const std::string problem = palpate::setLevels(plan.detent, options.Levels); !problem.empty())
   {
     throw vtkHapticCliProblem("--" + problem);

@@ -17,15 +17,22 @@ struct vtkHapticCliFieldOptions
 {
   std::vector<std::string> Arrays; ///< one a mode, or one for all
   std::vector<std::string> Modes;
-  std::vector<double> Strengths_N; ///< one a mode; an isosurface alone needs none: then it is a wall
-  std::string Other;               ///< what the scalar is compared with
-  std::string Levels;              ///< chosen ones of a detent
+  std::vector<double> Strengths_N;   ///< one a mode; an isosurface alone needs none: then it is a wall
+  std::string Other;                 ///< what the scalar is compared with
+  std::string OtherFile;             ///< volume whose array that is; empty: it is one of the same
+  std::string Levels;                ///< chosen ones of a detent
+  std::vector<double> Range;         ///< what drag, follow and push begin at and are full at; empty: as settings say
+  std::string Snap;                  ///< what of the surfaces is snapped to: "points" or "lines"; empty: nothing
+  std::vector<std::string> Surfaces; ///< files beside the field: touched, or snapped to
 
   bool Any() const { return !this->Arrays.empty() || !this->Modes.empty(); }
 };
 
-/// --field, --mode, --strength and --compare-with of a command.
+/// --field, --mode, --strength and what else says how a field is felt, and --surface of a command.
 void vtkHapticCliAddField(CLI::App& command, vtkHapticCliFieldOptions& options);
+
+/// The option that says how a field is felt and was given, with its dashes; empty: there is none.
+[[nodiscard]] std::string vtkHapticCliGivenOfField(const vtkHapticCliFieldOptions& options);
 
 /// Takes the file that is felt as a field, the first volume among them, out of `files`. Null where no field is asked
 /// for. Throws vtkHapticCliProblem, also where nothing of the plan can be felt of its values; says what else cannot.

@@ -2,7 +2,9 @@
 #include "vtkHapticCliSettings.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "haptics/session/settings/SessionSettings.h"
 #include "haptics/session/settings/TickFields.h"
@@ -10,6 +12,17 @@
 
 namespace
 {
+/// A second name that scripts know an option by.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 1> OtherNames = { {
+  { "FieldDetentSpacing", "every" },
+} };
+
+std::string OptionsFor(const palpate::Setting& setting)
+{
+  const auto* const other = std::ranges::find(OtherNames, setting.name, [](const auto& each) { return each.first; });
+  return "--" + std::string(setting.at.option) + (other == OtherNames.end() ? "" : ",--" + std::string(other->second));
+}
+
 std::string SentenceOf(const palpate::Setting& setting, const std::string& also)
 {
   const std::string unit = setting.unit.empty() || setting.unit == "1" ? "" : " [" + std::string(setting.unit) + "]";
@@ -33,15 +46,15 @@ void vtkHapticCliSettings::Add(CLI::App& command, const char* setting, const cha
   Entry& entry = this->Entries.emplace_back();
   entry.Described = palpate::ofPath(palpate::sessionSetting(setting));
   entry.Values = entry.Described.defaults;
-  const std::string name = "--" + std::string(entry.Described.at.option);
+  entry.Options = OptionsFor(entry.Described);
   const std::string sentence = SentenceOf(entry.Described, also);
   if (entry.Described.kind == palpate::SettingKind::Flag)
   {
-    entry.Option = command.add_flag(name, entry.On, sentence);
+    entry.Option = command.add_flag(entry.Options, entry.On, sentence);
     return;
   }
   const int count = static_cast<int>(entry.Values.size());
-  entry.Option = command.add_option(name, entry.Values, sentence)->capture_default_str();
+  entry.Option = command.add_option(entry.Options, entry.Values, sentence)->capture_default_str();
   count > 1 ? entry.Option->delimiter(',')->expected(count)->type_name("X,Y,Z") : entry.Option->expected(1);
 }
 
@@ -67,6 +80,11 @@ bool vtkHapticCliSettings::IsGiven(std::string_view setting) const
   return this->Find(setting).Option->count() > 0;
 }
 
+std::string vtkHapticCliSettings::OptionsOf(std::string_view setting) const
+{
+  return this->Find(setting).Options;
+}
+
 std::string vtkHapticCliSettings::GivenBeside(std::initializer_list<std::string_view> settings) const
 {
   const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
@@ -75,7 +93,7 @@ std::string vtkHapticCliSettings::GivenBeside(std::initializer_list<std::string_
       const bool among = std::find(settings.begin(), settings.end(), entry.Described.name) != settings.end();
       return !among && entry.Option->count() > 0;
     });
-  return found == this->Entries.end() ? "" : "--" + std::string(found->Described.at.option);
+  return found == this->Entries.end() ? "" : found->Options;
 }
 
 palpate::FrictionPlan vtkHapticCliSettings::Friction() const
@@ -88,8 +106,7 @@ void vtkHapticCliSettings::Check() const
 {
   for (const Entry& entry : this->Entries)
   {
-    const std::string option = "--" + std::string(entry.Described.at.option);
-    if (const std::string problem = palpate::refuse(entry.Described, entry.Values, option); !problem.empty())
+    if (const std::string problem = palpate::refuse(entry.Described, entry.Values, entry.Options); !problem.empty())
     {
       throw vtkHapticCliProblem(problem);
     }

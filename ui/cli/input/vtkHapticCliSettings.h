@@ -32,6 +32,8 @@ public:
   /// What a setting that was added is, by its name: as given, else the default.
   double Number(std::string_view setting) const;
   bool IsGiven(std::string_view setting) const;
+  /// Its options, with their dashes: "--one", or "--one,--other" where it has two names.
+  std::string OptionsOf(std::string_view setting) const;
   /// The option of one that was given and is none of these settings; empty: there is none.
   std::string GivenBeside(std::initializer_list<std::string_view> settings) const;
   /// The kinetic one that was not given is the static one.
@@ -46,6 +48,7 @@ private:
   struct Entry
   {
     palpate::Setting Described;
+    std::string Options; ///< with their dashes
     std::vector<double> Values;
     bool On = false; ///< of a switch
     CLI::Option* Option = nullptr;
