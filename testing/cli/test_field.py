@@ -6,7 +6,7 @@ import itertools
 import math
 import unittest
 
-from palpate_cli import CommandLineTest, SQUARE_FACES, SQUARE_POINTS, nifti_bytes, vtu_text
+from palpate_cli import CommandLineTest, SQUARE_FACES, SQUARE_POINTS, nifti_bytes, vtp_text, vtu_text
 
 STIFFNESS = 512.0
 SIZE = 17
@@ -86,6 +86,7 @@ class InAField(CommandLineTest):
         for row in self.touch(rows, "--field", "r", "--mode", "isosurface", "--iso", radius)[1:]:
             inside.append(radius - math.hypot(*(row[f"proxy_{axis}"] for axis in "xyz")))
             self.assertAlmostEqual(math.hypot(*self.force(row)), STIFFNESS * (depth - inside[-1]), delta=1e-2 * STIFFNESS * depth)
+            self.assertEqual(row["contacts"], 1)  # also where the surfaces of several voxels hold
         self.assertGreaterEqual(min(inside), -1e-6)
         self.assertLessEqual(max(inside), 1.05 * most)
         self.assertGreaterEqual(max(inside), 0.7 * most)
@@ -117,6 +118,26 @@ class InAField(CommandLineTest):
         out = self.touch(rows, "--field", "d", "--mode", "drag", "--strength", 2)
         self.assert_near(self.force(out[-1]), (-2 * 4 / 16, 0, 0), 1e-9)
 
+    def test_a_range_says_from_which_resistance_on_drag_rises_and_where_it_is_full(self):
+        self.write_image(("d", 1, lambda x, y, z: z))
+        for place, share in ((1.0, 0.0), (4.0, (4 - 2) / (10 - 2)), (12.0, 1.0)):
+            rows = [(n / 1024, 2.0 + n / 128, 8.0, place) for n in range(1024)]
+            out = self.touch(rows, "--field", "d", "--mode", "drag", "--strength", 2, "--range", "2,10")
+            self.assert_near(self.force(out[-1]), (-2 * share, 0, 0), 1e-9)
+
+    def test_a_range_says_from_which_length_on_directions_push_and_are_followed(self):
+        self.write_image(("v", 3, lambda x, y, z: (0.0, 3.0, 4.0)))
+        for low, high in ((3, 7), (0, 5), (6, 8), (1, 2)):
+            share = min(1.0, max(0.0, (5 - low) / (high - low)))
+            between = ("--range", f"{low},{high}")
+            out = self.touch([(n / 1024, 8.0, 8.0, 8.0) for n in range(4)], "--field", "v", "--mode", "push", "--strength", 0.5,
+                             *between)
+            self.assert_near(self.force(out[-1]), (0.0, 0.3 * share, 0.4 * share), 1e-9)
+            # a hand that leaves its straight line is held with all of the strength
+            out = self.touch([(n / 1024, 6.0 + n / 128, 8.0, 8.0) for n in range(512)], "--field", "v", "--mode", "follow",
+                             "--strength", 2, *between)
+            self.assert_near(self.force(out[-1]), (-2 * share, 0.0, 0.0), 1e-6)
+
     def test_a_push_has_its_strength_along_the_directions(self):
         self.write_image(("v", 3, lambda x, y, z: (0.0, 3.0, 4.0)))
         rows = [(n / 1024, 8.0, 8.0, 8.0) for n in range(4)]
@@ -128,6 +149,52 @@ class InAField(CommandLineTest):
         rows = [(n / 1024, 2.0 + n / 128, 8.0, 8.0) for n in range(1024)]
         out = self.touch(rows, "--field", "a", "--mode", "compare", "--compare-with", "b", "--strength", 4)
         self.assert_near(self.force(out[-1]), (-2.0, 0, 0), 1e-9)  # half of the difference of 1 that has all of it
+
+    def test_an_array_is_compared_with_one_of_another_file(self):
+        self.write_image(("a", 1, lambda x, y, z: z))
+        self.write("g.vti", image_text(SIZE, (("a", 1, lambda x, y, z: z - 0.25), ("b", 1, lambda x, y, z: z + 0.5))))
+        rows = [(n / 1024, 2.0 + n / 128, 8.0, 8.0) for n in range(1024)]
+        for options, difference in (((), 0.25), (("--with", "b"), 0.5)):
+            out = self.touch(rows, "--field", "a", "--mode", "compare", "--with-data", "g.vti", "--strength", 4, *options)
+            self.assert_near(self.force(out[-1]), (-4 * difference, 0, 0), 1e-9)
+
+    def test_points_or_lines_of_a_file_draw_the_hand_and_are_not_touched(self):
+        # the strength falls from all at the place itself to nothing at the reach of 5
+        self.write_image(("f", 1, lambda x, y, z: z))
+        self.write("points.vtp", vtp_text([(4, 8, 8), (12, 8, 8)], [(0,), (1,)], kind="Verts"))
+        self.write("line.vtp", vtp_text([(4, 0, 8), (4, 16, 8)], [(0, 1)], kind="Lines"))
+        self.write_off("plane.off", [(4, 0, 8), (4, 16, 8), (4, 0, 30)], [(0, 1, 2)])
+        diagonal = 4 * (1 - math.sqrt(8) / 5) / math.sqrt(2)
+        for kind, files, hand, force in (
+            ("points", ("points.vtp",), (6, 8, 8), (-4 * (1 - 2 / 5), 0, 0)),
+            ("points", ("points.vtp",), (11, 8, 8), (4 * (1 - 1 / 5), 0, 0)),
+            ("lines", ("line.vtp",), (6, 5, 8), (-4 * (1 - 2 / 5), 0, 0)),
+            ("points", ("line.vtp",), (6, 5, 8), (0, 0, 0)),
+            ("points", ("line.vtp",), (6, 2, 8), (-diagonal, -diagonal, 0)),
+            ("points", ("plane.off",), (6, 2, 8), (-diagonal, -diagonal, 0)),
+            ("points", ("line.vtp", "points.vtp"), (11, 8, 8), (4 * (1 - 1 / 5), 0, 0)),
+        ):
+            with self.subTest(kind=kind, files=files, hand=hand):
+                surfaces = [word for file in files for word in ("--surface", file)]
+                out = self.touch([(n / 1024, *map(float, hand)) for n in range(2)], "--field", "f", "--mode", "snap",
+                                 "--strength", 4, "--snap", kind, *surfaces)
+                self.assert_near(self.force(out[1]), force, 1e-6)
+
+    def test_the_other_names_of_options_mean_the_same(self):
+        self.write_image(("f", 1, lambda x, y, z: z), ("g", 1, lambda x, y, z: z + 0.5))
+        rows = [(n / 1024, 8.0, 8.0 + n / 256, 9.1 - n / 128) for n in range(512)]
+        click = ("--mode", "detent", "--strength", 60, "--levels-click")
+        for options, one, other, value in (
+            (("--mode", "isosurface"), "--iso", "--value", 8),
+            (click, "--levels", "--values", "6,8"),
+            (click, "--between-levels", "--every", 1.5),
+            (("--mode", "compare", "--strength", 4), "--compare-with", "--with", "g"),
+        ):
+            with self.subTest(other=other):
+                felt = [[self.force(row) for row in self.touch(rows, "--field", "f", *options, name, value)]
+                        for name in (one, other)]
+                self.assertEqual(*felt)
+                self.assertGreater(max(math.hypot(*force) for force in felt[0]), 1.0)
 
     def test_a_clicking_level_holds_up_to_its_strength(self):
         self.write_image(("f", 1, lambda x, y, z: z))
@@ -169,8 +236,10 @@ class InAField(CommandLineTest):
         self.write_image(("f", 1, lambda x, y, z: z), origin=(-8.0, -8.0, -8.0))
         self.write_off("plane.off", [(x, 0, y) for x, y, _ in SQUARE_POINTS], SQUARE_FACES)
         rows = [(0.0, 0.5, 1.0, 1.0), (1 / 1024, 0.5, -0.25, -0.5)]
-        out = self.touch(rows, "--field", "f", "--mode", "isosurface", "--iso", 0, files=("plane.off", "f.vti"))
-        self.assert_near(self.force(out[1]), (0.0, STIFFNESS / 2 * 0.25, STIFFNESS / 2 * 0.5), 1e-9)
+        for files, beside in ((("plane.off", "f.vti"), ()), (("f.vti",), ("--surface", "plane.off"))):
+            out = self.touch(rows, "--field", "f", "--mode", "isosurface", "--iso", 0, *beside, files=files)
+            self.assert_near(self.force(out[1]), (0.0, STIFFNESS / 2 * 0.25, STIFFNESS / 2 * 0.5), 1e-9)
+            self.assertEqual([row["contacts"] for row in out], [0, 2])
 
     def test_voxels_of_nifti_and_tetrahedra_are_felt_at_their_places(self):
         self.write("f.nii", nifti_bytes(9, lambda i, j, k: 1.0 * i, affine=[(-1, 0, 0, 20), (0, 1, 0, 0), (0, 0, 1, 0)]))
@@ -190,7 +259,9 @@ class InAField(CommandLineTest):
         self.write_path([(0.0, 8.0, 8.0, 9.0)])
         command = ("touch", "f.vti", "--path", "path.csv", "--csv", "out.csv", "--field", "f", "--mode", "isosurface", "--iso", 8)
         self.assertEqual(self.succeed(*command).stderr, "")
-        self.assertIn("felt by a point", self.succeed(*command, "--radius", 1).stderr)
+        self.refused(*command, "--radius", 1, saying=["--radius", "no surface"])
+        self.write_off("plane.off", SQUARE_POINTS, SQUARE_FACES)
+        self.assertIn("felt by a point", self.succeed(*command, "--radius", 0.5, "--surface", "plane.off").stderr)
         # Half a spacing up and down in turn along x alone is a wave, and the data
         self.write_image(("f", 1, lambda x, y, z: z + 0.5 * (-1) ** round(x)))
         self.assertEqual(self.succeed(*command).stderr, "")
@@ -206,6 +277,42 @@ class InAField(CommandLineTest):
         for row in out:
             expected = STIFFNESS * (8 - row["device_z"]) if row["device_z"] < 8 else 0.0
             self.assertAlmostEqual(row["force_z"], expected, delta=1e-9)
+
+    def test_what_no_mode_that_is_given_feels_is_refused(self):
+        self.write_image(("f", 1, lambda x, y, z: z), ("v", 3, lambda x, y, z: (x, y, z)))
+        self.write_off("plane.off", SQUARE_POINTS, SQUARE_FACES)
+        self.write_path([(0.0, 1.0, 1.0, 1.0)])
+        command = ("touch", "f.vti", "--path", "path.csv", "--csv", "out.csv", "--strength", 0.5)
+        drag, push, detent = ("--field", "f", "--mode", "drag"), ("--field", "v", "--mode", "push"), ("--field", "f", "--mode", "detent")
+        compare, snap = ("--field", "f", "--mode", "compare", "--with", "f"), ("--field", "f", "--mode", "snap")
+        for options, words in (
+            ((*drag, "--every", 1), ["--every", "detent"]),
+            ((*drag, "--first-level", 1), ["--first-level", "detent"]),
+            ((*drag, "--levels-click"), ["--levels-click", "detent"]),
+            ((*drag, "--values", 1), ["--values", "detent"]),
+            ((*detent, "--values", 1, "--every", 1), ["--levels", "--between-levels"]),
+            ((*drag, "--snap-reach", 1), ["--snap-reach", "snap"]),
+            ((*drag, "--snap", "points", "--surface", "plane.off"), ["--snap", "snap"]),
+            ((*snap, "--snap", "points"), ["--snap", "--surface"]),
+            ((*snap, "--snap", "faces", "--surface", "plane.off"), ["--snap faces", "points or lines"]),
+            ((*snap, "--snap", "lines", "--surface", "plane.off"), ["plane.off", "no lines"]),
+            ((*drag, "--compare-full", 1), ["--compare-full", "compare"]),
+            ((*drag, "--with", "f"), ["--with", "compare"]),
+            ((*drag, "--with-data", "f.vti"), ["--with-data", "compare"]),
+            ((*compare, "--with-data", "gone.vti"), ["gone.vti"]),
+            ((*drag, "--full-length", 1), ["--full-length", "follow or push"]),
+            ((*drag, "--eigenvector", 1), ["--eigenvector", "follow or push"]),
+            ((*push, "--component", 0), ["--component", "isosurface"]),
+            ((*push, "--smoothing", 0), ["--smoothing", "isosurface"]),
+            ((*detent, "--range", "0,1"), ["--range", "drag"]),
+            ((*drag, "--range", "2,1"), ["--range", "below"]),
+            ((*drag, "--range", "0,inf"), ["--range", "finite"]),
+            ((*push, "--range", "-1,1"), ["--range", "lengths"]),
+            ((*push, "--range", "0,1", "--full-length", 1), ["--range", "--full-length"]),
+        ):
+            with self.subTest(options=options):
+                self.refused(*command, *options, saying=words)
+                self.assertFalse((self.folder / "out.csv").exists())
 
     def test_bad_input_is_refused_in_one_line(self):
         self.write_image(("f", 1, lambda x, y, z: z), ("v", 3, lambda x, y, z: (x, y, z)))

@@ -56,9 +56,11 @@ class Tool(CommandLineTest):
         self.write_path([(0, 0, 0, 3, *UPRIGHT)], header=POSES)
         base = ("touch", "plane.off", "--tool", "cube.off", "--path", "path.csv", "--csv", "out.csv")
         for option in (("--radius", 1), ("--mu-static", 0.5), ("--two-d",), ("--stiffness-array", "E"), ("--shading",),
-                       ("--strength", 1), ("--compare-with", "g")):
+                       ("--strength", 1), ("--compare-with", "g"), ("--values", 1), ("--range", "0,1"), ("--snap", "points")):
             self.refused(*base, *option, saying=("a tool does not feel it",))
         self.refused(*base, "--lever", 0, saying=("lever",))
+        for stiffness in (-1, 0, "inf"):
+            self.refused(*base, "--torque-stiffness", stiffness, saying=(f"--torque-stiffness {stiffness}:", "finite number"))
         self.refused(*base, "--lever", 1, "--torque-stiffness", 1, saying=("--lever",))
 
     def test_a_path_without_turns_and_a_start_within_the_scene_are_refused_in_words(self):
