@@ -124,6 +124,8 @@ class InAField(CommandLineTest):
             rows = [(n / 1024, 2.0 + n / 128, 8.0, place) for n in range(1024)]
             out = self.touch(rows, "--field", "d", "--mode", "drag", "--strength", 2, "--range", "2,10")
             self.assert_near(self.force(out[-1]), (-2 * share, 0, 0), 1e-9)
+            usual = self.touch(rows, "--field", "d", "--mode", "drag", "--strength", 2)  # over its values, 0 to 16
+            self.assert_near(self.force(usual[-1]), (-2 * place / 16, 0, 0), 1e-9)
 
     def test_a_range_says_from_which_length_on_directions_push_and_are_followed(self):
         self.write_image(("v", 3, lambda x, y, z: (0.0, 3.0, 4.0)))

@@ -6,16 +6,20 @@
 #include <cmath>
 #include <iostream>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "haptics/session/settings/SessionSettings.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticReaders.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -242,6 +246,42 @@ vtkSmartPointer<vtkDataSet> VolumeOf(const std::string& file)
   return read.Volume;
 }
 
+/// Values of an array, of several components their lengths; none where it is not there, or is a tensor.
+std::optional<std::array<double, 2>> EndsOf(vtkDataSet& volume, const std::string& name)
+{
+  constexpr int mostOfVectors = 3, length = -1;
+  vtkDataArray* array = volume.GetPointData()->GetArray(name.c_str());
+  array = array ? array : volume.GetCellData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfTuples() == 0 || array->GetNumberOfComponents() > mostOfVectors)
+  {
+    return std::nullopt;
+  }
+  std::array<double, 2> ends{};
+  array->GetFiniteRange(ends.data(), array->GetNumberOfComponents() > 1 ? length : 0);
+  return ends;
+}
+
+/// Without --range strengths rise over all values of the array; one that is the same everywhere has all of it.
+void SetUsualRange(vtkDataSet& volume, const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings,
+  palpate::FieldPlan& plan)
+{
+  const vtkHapticFieldArrays arrays = ArraysOf(options, settings);
+  const auto resistances = options.Range.empty() ? EndsOf(volume, arrays.Resistance) : std::nullopt;
+  if (resistances)
+  {
+    const auto [low, high] = *resistances;
+    plan.dragNone = low < high ? low : low - 1.0;
+    plan.dragFull = high;
+  }
+  const bool asked = !options.Range.empty() || settings.IsGiven("FieldFullSpeed");
+  const auto lengths = asked ? std::nullopt : EndsOf(volume, arrays.Vector);
+  if (lengths && lengths->front() < lengths->back())
+  {
+    plan.noSpeed = lengths->front();
+    plan.fullSpeed = lengths->back();
+  }
+}
+
 /// The points of all surfaces, with their lines where these are what is snapped to.
 vtkSmartPointer<vtkPolyData> PlacesOf(const vtkHapticCliFieldOptions& options)
 {
@@ -339,7 +379,7 @@ std::string vtkHapticCliGivenOfField(const vtkHapticCliFieldOptions& options)
 }
 
 std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapticCliFieldOptions& options,
-  const vtkHapticCliSettings& settings, const palpate::FieldPlan& plan, std::vector<std::string>& files)
+  const vtkHapticCliSettings& settings, palpate::FieldPlan& plan, std::vector<std::string>& files)
 {
   if (!options.Any())
   {
@@ -365,6 +405,7 @@ std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapti
   {
     std::cerr << "palpate: " << name << ": " << missing << '\n';
   }
+  SetUsualRange(*volume, options, settings, plan);
   files.erase(file);
   return field.Source;
 }

@@ -36,8 +36,9 @@ void vtkHapticCliAddField(CLI::App& command, vtkHapticCliFieldOptions& options);
 
 /// Takes the file that is felt as a field, the first volume among them, out of `files`. Null where no field is asked
 /// for. Throws vtkHapticCliProblem, also where nothing of the plan can be felt of its values; says what else cannot.
+/// Without --range the plan gets that of the arrays.
 [[nodiscard]] std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapticCliFieldOptions& options,
-  const vtkHapticCliSettings& settings, const palpate::FieldPlan& plan, std::vector<std::string>& files);
+  const vtkHapticCliSettings& settings, palpate::FieldPlan& plan, std::vector<std::string>& files);
 
 /// What the modes are to the tick. `iso`: the value of an isosurface. Throws vtkHapticCliProblem, also for settings of
 /// a field where none is asked for.
