@@ -36,7 +36,7 @@ void pqHapticStrip::add(double value)
   {
     this->Values.pop_front();
   }
-  this->setAccessibleDescription(this->Words());
+  this->setAccessibleDescription(this->sentence());
   this->Painted = !this->Painted; // five pictures a second are seen to move, and painting is most of what a strip costs
   if (this->Painted)
   {
@@ -49,12 +49,12 @@ void pqHapticStrip::clear()
   if (!this->Values.empty())
   {
     this->Values.clear();
-    this->setAccessibleDescription(this->Words());
+    this->setAccessibleDescription(this->sentence());
     this->update();
   }
 }
 
-QString pqHapticStrip::Words() const
+QString pqHapticStrip::sentence() const
 {
   return this->Title + ": " + (this->Values.empty() ? tr("none") : Number(this->Values.back()) + " " + this->Unit);
 }
@@ -90,6 +90,6 @@ void pqHapticStrip::paintEvent(QPaintEvent*)
   painter.setPen(QPen(this->palette().color(QPalette::Highlight), 1.5));
   painter.drawPath(line);
   painter.setPen(this->palette().color(QPalette::Text));
-  painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, this->Words());
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, this->sentence());
   painter.drawText(words, Qt::AlignRight | Qt::AlignTop, tr("to %1 %2").arg(Number(high), this->Unit));
 }

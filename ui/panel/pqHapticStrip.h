@@ -36,7 +36,7 @@ protected:
 
 private:
   /// Title and value now, for the eye and for a reader of screens.
-  QString Words() const;
+  QString sentence() const;
 
   QString Title;
   QString Unit;

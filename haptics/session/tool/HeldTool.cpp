@@ -55,23 +55,21 @@ void HeldTool::run(const std::stop_token& stop)
 
 void HeldTool::step()
 {
-  std::optional<Order> order;
+  if (this->news_.exchange(false))
   {
-    const std::lock_guard lock(this->mutex_);
-    if (std::exchange(this->news_, false))
-    {
-      order = this->wanted_;
-    }
-  }
-  if (order)
-  {
-    this->tryToObey(std::move(*order));
+    this->tryToObey(this->wanted());
   }
   if (this->follower_)
   {
     this->follower_->step();
     this->revision_ = this->follower_->revision();
   }
+}
+
+HeldTool::Order HeldTool::wanted() const
+{
+  const std::lock_guard lock(this->mutex_);
+  return this->wanted_;
 }
 
 /// No room in memory for a tree of the scene is no reason to end the program that asked for it.

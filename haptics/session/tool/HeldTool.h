@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -49,6 +50,7 @@ private:
   };
   void give(const Order& order);
   void run(const std::stop_token& stop);
+  [[nodiscard]] Order wanted() const;
   void tryToObey(Order order);
   void obey(Order order);
   void putIn(const Order& order);
@@ -62,7 +64,7 @@ private:
 
   mutable std::mutex mutex_; ///< between owner and thread; guards the next three
   Order wanted_;
-  bool news_ = false;
+  std::atomic<bool> news_ = false; ///< asked without the lock in each step
   std::string refusal_;
 
   // Of the thread alone.

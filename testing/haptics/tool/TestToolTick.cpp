@@ -190,7 +190,7 @@ TEST_F(ToolTick, GoneAndBackItPushesFromNothingOnAndNeverHarderThanBefore)
   EXPECT_NEAR(last.norm(), whole_N, 1e-3 * whole_N);
 }
 
-// A lost device has no pose, and the tool has.
+// A device that waits for its hand has no pose, and the tool has.
 TEST_F(ToolTick, WithoutAHandStaysWhereItIs)
 {
   const Pose hand = pressed(0.003);
@@ -199,7 +199,7 @@ TEST_F(ToolTick, WithoutAHandStaysWhereItIs)
   TickInput input;
   input.tick = ++this->ticks_;
   input.dt_s = tick_s;
-  input.status = DeviceStatus::Lost;
+  input.status = DeviceStatus::Waiting;
   input.scene = this->scene_.get();
   input.tool = &set;
   const HapticState without = renderTick(input, this->parameters_, this->state_).state;
