@@ -33,8 +33,10 @@ void HeldTool::give(const Order& order)
 {
   {
     const std::lock_guard lock(this->mutex_);
+    const bool toldTool =
+      order.choice.tool || this->wanted_.choice.tool; // without one, scenes are none of its business
     this->wanted_ = order;
-    this->news_ = true;
+    this->news_ = this->news_ || toldTool;
   }
   if (order.choice.tool && !this->virtualTime_ && !this->thread_.joinable())
   {
