@@ -15,15 +15,15 @@ namespace palpate
 namespace
 {
 
-constexpr std::int64_t period_ns = 1'000'000;
+constexpr std::int64_t timerPeriod_ns = 1'000'000;
 
 TEST(VirtualTimer, WakesOncePerPeriodWithoutLateness)
 {
-  VirtualTimer timer(period_ns);
+  VirtualTimer timer(timerPeriod_ns);
   for (std::int64_t n = 1; n <= 10; ++n)
   {
     const Wakeup wakeup = timer.wait();
-    EXPECT_EQ(wakeup.due_ns, n * period_ns);
+    EXPECT_EQ(wakeup.due_ns, n * timerPeriod_ns);
     EXPECT_EQ(wakeup.lateness_ns, 0);
     EXPECT_EQ(wakeup.missed, 0U);
   }
@@ -31,21 +31,21 @@ TEST(VirtualTimer, WakesOncePerPeriodWithoutLateness)
 
 TEST(VirtualTimer, SkipsThePeriodsALateWakeUpMissedAndFindsThePhaseAgain)
 {
-  VirtualTimer timer(period_ns);
+  VirtualTimer timer(timerPeriod_ns);
   static_cast<void>(timer.wait());
-  timer.delayNext(3 * period_ns + 250'000); // due at 2 ms, runs at 5.25 ms
+  timer.delayNext(3 * timerPeriod_ns + 250'000); // due at 2 ms, runs at 5.25 ms
   const Wakeup late = timer.wait();
   EXPECT_EQ(late.missed, 3U);
-  EXPECT_EQ(late.due_ns, 5 * period_ns);
+  EXPECT_EQ(late.due_ns, 5 * timerPeriod_ns);
   EXPECT_EQ(late.lateness_ns, 250'000);
   const Wakeup next = timer.wait();
-  EXPECT_EQ(next.due_ns, 6 * period_ns);
+  EXPECT_EQ(next.due_ns, 6 * timerPeriod_ns);
   EXPECT_EQ(next.missed, 0U);
 }
 
 TEST(PeriodicTimer, WakeUpsPlusMissedPeriodsAreThePeriodsElapsed)
 {
-  PeriodicTimer timer(period_ns);
+  PeriodicTimer timer(timerPeriod_ns);
   const Wakeup first = timer.wait();
   std::int64_t periods = 0, last = first.due_ns;
   for (int i = 0; i < 100; ++i)
@@ -57,10 +57,10 @@ TEST(PeriodicTimer, WakeUpsPlusMissedPeriodsAreThePeriodsElapsed)
     const Wakeup wakeup = timer.wait();
     periods += 1 + static_cast<std::int64_t>(wakeup.missed);
     EXPECT_GE(wakeup.lateness_ns, 0);
-    EXPECT_LT(wakeup.lateness_ns, period_ns);
+    EXPECT_LT(wakeup.lateness_ns, timerPeriod_ns);
     last = wakeup.due_ns;
   }
-  EXPECT_EQ(last - first.due_ns, periods * period_ns);
+  EXPECT_EQ(last - first.due_ns, periods * timerPeriod_ns);
   EXPECT_GE(periods, 106);
 }
 

@@ -20,7 +20,7 @@ namespace palpate
 namespace
 {
 
-constexpr std::int64_t period_ns = 1'000'000;
+constexpr std::int64_t servoPeriod_ns = 1'000'000;
 constexpr double period_s = 1e-3;
 
 /// A hand that the test moves.
@@ -111,7 +111,7 @@ struct Rig
   std::shared_ptr<const Scene> scene = test::sceneOf(test::makeIcosphere(4, 0.05));
   MovedDevice device;
   Vec3 pressed_D = { 0, 0, 0.0485 };
-  VirtualTimer timer{ period_ns };
+  VirtualTimer timer{ servoPeriod_ns };
   MonotonicClock clock;
   ServoLinks links;
   std::optional<ServoLoop> loop;
@@ -123,7 +123,7 @@ TEST(ServoLoop, AGapAboveTwentyMillisecondsDropsARealDevicesForceWithinTen)
   rig.press();
   const double full = rig.device.force_D.norm();
   ASSERT_GT(full, 1.0);
-  rig.run(1, 21 * period_ns);
+  rig.run(1, 21 * servoPeriod_ns);
   EXPECT_EQ(rig.links.state.read().fault, Fault::LateServo);
   rig.run(10);
   EXPECT_EQ(rig.device.force_D.norm(), 0.0);
@@ -139,7 +139,7 @@ TEST(ServoLoop, AGapBelowTwentyMillisecondsIsCountedOnly)
 {
   Rig rig(false);
   rig.press();
-  rig.run(1, 15 * period_ns);
+  rig.run(1, 15 * servoPeriod_ns);
   EXPECT_EQ(rig.links.state.read().fault, Fault::None);
   EXPECT_GT(rig.device.force_D.norm(), 1.0);
   rig.loop->publishReport();
@@ -152,7 +152,7 @@ TEST(ServoLoop, ASimulatedDeviceOnlyCountsItsLateness)
 {
   Rig rig(true);
   rig.press();
-  rig.run(1, 500 * period_ns);
+  rig.run(1, 500 * servoPeriod_ns);
   EXPECT_EQ(rig.links.state.read().fault, Fault::None);
   EXPECT_GT(rig.device.force_D.norm(), 1.0);
 }
@@ -162,7 +162,7 @@ TEST(ServoLoop, SteadyLatenessOfTwoMillisecondsLeavesTheStiffnessThatRateCanHold
   Rig rig(false);
   rig.press();
   const double full = rig.device.force_D.norm();
-  rig.run(3000, 2 * period_ns);
+  rig.run(3000, 2 * servoPeriod_ns);
   EXPECT_EQ(rig.links.state.read().fault, Fault::None);
   // K ~ 1 / (T / 2 + lateness): 0.5 ms of 0.5 ms + 2 ms.
   EXPECT_NEAR(rig.device.force_D.norm(), 0.5 / 2.5 * full, 1e-11);
@@ -175,7 +175,7 @@ TEST(ServoLoop, LatenessThatCostsNoStiffnessIsNoWarning)
 {
   Rig rig(false);
   rig.press();
-  rig.run(3000, period_ns / 2);
+  rig.run(3000, servoPeriod_ns / 2);
   EXPECT_EQ(rig.links.state.read().stiffnessFactor, 1.0);
   EXPECT_EQ(warning(rig.links.state.read(), rig.links.report.read()), "");
 }
@@ -184,7 +184,7 @@ TEST(ServoLoop, SteadyLatenessAboveFiveMillisecondsDropsTheForce)
 {
   Rig rig(false);
   rig.press();
-  rig.run(1000, 6 * period_ns);
+  rig.run(1000, 6 * servoPeriod_ns);
   EXPECT_EQ(rig.links.state.read().fault, Fault::LateServo);
   EXPECT_EQ(rig.device.force_D.norm(), 0.0);
 }
@@ -304,7 +304,7 @@ TEST(ServoLoop, AScenePublishedTwiceAndAFaultAreInTheRecordingAndItReplays)
     rig.press();
     rig.links.scenes.publish(rig.scene);
     rig.run(50);
-    rig.run(1, 30 * period_ns);
+    rig.run(1, 30 * servoPeriod_ns);
     rig.run(50);
   }
   ASSERT_EQ(recorder.close(), "");
