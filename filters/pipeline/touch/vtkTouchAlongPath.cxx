@@ -262,11 +262,17 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
   {
     rows.MoveTo(vtkPolyData::GetData(output));
   }
-  if (const std::string nothing = touch->whyNothingOfField(); !nothing.empty())
+  this->TellOf(*touch, fault);
+  return 1;
+}
+
+void vtkTouchAlongPath::TellOf(const palpate::PathTouch& touch, palpate::Fault fault)
+{
+  if (const std::string nothing = touch.whyNothingOfField(); !nothing.empty())
   {
     vtkWarningMacro("Nothing was felt of the field: " << nothing);
   }
-  if (const palpate::FieldSmoothness& smooth = touch->madeBrick().smoothness; smooth.noise > palpate::trappingNoise)
+  if (const palpate::FieldSmoothness& smooth = touch.madeBrick().smoothness; smooth.noise > palpate::trappingNoise)
   {
     vtkWarningMacro("The field's noise of " << smooth.noise << " of a spacing traps a hand: it was smoothed once, and "
                                             << "FieldSmoothing 0 leaves it as it is");
@@ -275,5 +281,4 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
   {
     vtkWarningMacro("Without force from some point on: " << palpate::describe(fault));
   }
-  return 1;
 }

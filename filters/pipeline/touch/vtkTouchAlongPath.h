@@ -34,6 +34,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkTouchAlongPathDescribed.h" // for the settings of a field
 
+#include <cstdint>
 #include <functional> // for an argument
 #include <memory>     // for a member
 #include <string>     // for the return type
@@ -41,6 +42,7 @@
 namespace palpate
 {
 class PathTouch;
+enum class Fault : std::uint8_t;
 struct HapticParameters;
 } // namespace palpate
 
@@ -218,6 +220,8 @@ private:
   /// What the hand feels; null with a problem. `field`: null where no numbers are felt.
   std::unique_ptr<palpate::PathTouch> Prepare(
     vtkDataObject* input, vtkDataObject* field, const vtkHapticHandPath& path, std::string& problem) const;
+  /// Warns of what of it gave no force, or another than was asked for.
+  void TellOf(const palpate::PathTouch& touch, palpate::Fault fault);
   /// With a tool in place of a ball; false with an error.
   bool TouchWithTool(vtkDataObject& surface, vtkDataObject& tool, const vtkHapticHandPath& path, vtkPolyData& output);
   /// Why a tool does not feel what else is set; empty: nothing else is.

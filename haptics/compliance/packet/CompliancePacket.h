@@ -31,7 +31,6 @@ struct SubgridSpring
 struct CompliancePacket
 {
   static constexpr std::size_t mostVertices = 192; ///< 2.7 MB of compliance
-  static constexpr std::size_t mostForces = 24;
 
   std::uint32_t version = 0;
   std::uint64_t builtFromTick = 0;    ///< of the hand and the forces that it was linearised at
