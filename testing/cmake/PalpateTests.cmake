@@ -170,8 +170,8 @@ endfunction ()
 # palpate_add_fuzz_target(NAME fuzz-clean SOURCES FuzzClean.cpp ../../haptics/geometry/mesh/TriangleMesh.cpp CORPUS folder
 #   [OPTIONS flags...] [LIBRARIES flags...])
 # A libFuzzer program built by clang++ with its own instrumented copies of SOURCES (the rest of the build may be GCC),
-# and a ctest that runs it for 8 s, in ./dev test --full for 120 s, from the seeds in CORPUS, which it does not change.
-# Label: fuzz.
+# compiled at once as their headers take longest, and a ctest that runs it for 8 s, in ./dev test --full for 120 s, from the
+# seeds in CORPUS, which it does not change. Label: fuzz.
 function (palpate_add_fuzz_target)
   _palpate_parse(fuzz "CORPUS" "SOURCES;OPTIONS;LIBRARIES")
   find_program(PALPATE_CLANG clang++)
@@ -185,12 +185,16 @@ function (palpate_add_fuzz_target)
   endif ()
   list(TRANSFORM arg_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
   set(program "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${arg_NAME}")
+  set(together "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}.cpp")
+  list(TRANSFORM arg_SOURCES REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
+  list(JOIN includes "" includes)
+  file(GENERATE OUTPUT "${together}" CONTENT "${includes}")
   get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   add_custom_command(OUTPUT "${program}"
     COMMAND "${PALPATE_CLANG}" -std=c++20 -O1 -g -ffp-contract=off -fsanitize=fuzzer,address,undefined
       -fno-sanitize-recover=all "-I${PROJECT_SOURCE_DIR}" -isystem "${eigen}" ${arg_OPTIONS}
-      ${arg_SOURCES} ${arg_LIBRARIES} -pthread -o "${program}"
-    DEPENDS ${arg_SOURCES}
+      -MD -MF "${together}.d" -MT "${program}" "${together}" ${arg_LIBRARIES} -pthread -o "${program}"
+    DEPENDS "${together}" ${arg_SOURCES} DEPFILE "${together}.d"
     COMMENT "Fuzz target ${arg_NAME}" VERBATIM COMMAND_EXPAND_LISTS)
   add_custom_target("${arg_NAME}" ALL DEPENDS "${program}")
   set(found "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-found")
