@@ -34,6 +34,8 @@
   vtkHapticSettingMacro(FrictionKinetic, double); \
   vtkHapticSettingMacro(ToolSource, const char*); \
   vtkHapticSettingMacro(ToolHandle, int); \
+  vtkHapticPointMacro(ToolHandlePoint); \
+  vtkHapticPointMacro(ToolTipPoint); \
   vtkHapticSettingMacro(ToolLever, double); \
   vtkHapticFieldMacro(ToolCoupling, int); \
   vtkHapticSettingMacro(StiffnessArray, const char*); \
@@ -129,6 +131,7 @@
   vtkHapticReadoutMacro(ToolContacts, const char*); \
   vtkHapticNumbersMacro(ToolPose, 7); \
   vtkHapticNumbersMacro(ToolHandPose, 7); \
+  vtkHapticNumbersMacro(ToolTip, 3); \
   vtkHapticNumbersMacro(ToolTorque, 3); \
   vtkHapticNumbersMacro(Torque, 3); \
   vtkHapticReadoutMacro(ContactText, const char*); \

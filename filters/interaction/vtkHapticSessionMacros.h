@@ -6,7 +6,7 @@
 #include "vtkSetGet.h"
 #include "vtkWrappingHints.h"
 
-/// A setting of one value, of on and off, of two ends.
+/// A setting of one value, of on and off, of two ends, of a point.
 #define vtkHapticSettingMacro(name, type)                                                                              \
   void Set##name(type value);                                                                                          \
   type Get##name() const
@@ -16,6 +16,9 @@
 #define vtkHapticRangeMacro(name)                                                                                      \
   void Set##name(double low, double high);                                                                             \
   double* Get##name() VTK_SIZEHINT(2)
+#define vtkHapticPointMacro(name)                                                                                      \
+  void Set##name(double x, double y, double z);                                                                        \
+  double* Get##name() VTK_SIZEHINT(3)
 /// A setting that is a field of the tick's parameters: of one value, of on and off, of three numbers, of a quaternion
 /// (w, x, y, z).
 #define vtkHapticFieldMacro(name, type)                                                                                \

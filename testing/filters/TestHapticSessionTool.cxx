@@ -122,6 +122,37 @@ TEST_F(HapticSessionTool, IsHeldAtTheOriginOfItsDataIfThatIsWanted)
   EXPECT_NEAR(this->session_->GetForce()[2], springOfTool * 1.0 / scale, 1e-5);
 }
 
+TEST_F(HapticSessionTool, IsHeldAtAHandleAndTurnsAboutItByTheWayToItsTip)
+{
+  ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway())); // its middle at x = 100
+  this->session_->SetToolHandlePoint(100.0, 0.0, halfSide);
+  this->session_->SetToolTipPoint(100.0, 0.0, -3.0 * halfSide);
+  this->session_->SetToolHandle(2);
+  this->touchAt(2.0 * halfSide + 5.0);
+  this->goTo(2.0 * halfSide - 2.0);
+  EXPECT_NEAR(this->session_->GetToolTip()[2], -2.0 * halfSide, 1e-4) << "the cube lies, its tip is a side below it";
+  EXPECT_NEAR(this->session_->GetToolTip()[0], 0.0, 1e-5);
+  EXPECT_NEAR(this->session_->GetForce()[2], springOfTool * 2.0 / scale, 1e-5);
+  const double angle = 0.002; // K d h would let it lie up to K L^2 a = K d h, a = 0.0125
+  this->session_->SetHandTurn(std::cos(0.5 * angle), 0.0, std::sin(0.5 * angle), 0.0);
+  this->session_->Step(ticksToRest);
+  const double lever_m = 4.0 * halfSide / scale;
+  const double expected = springOfTool * lever_m * lever_m * angle;
+  EXPECT_NEAR(this->session_->GetToolTorque()[1], -expected, 1e-3 * expected);
+}
+
+TEST_F(HapticSessionTool, WhoseHandleIsItsTipOrFarAwayIsRefusedInWords)
+{
+  ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway()));
+  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetToolHandle(2); }),
+    ElementsAre(HasSubstr("Cube1 cannot be held: its handle and its tip are one point")));
+  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetToolTipPoint(1e6, 0.0, 0.0); }), ElementsAre());
+  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetToolHandlePoint(1e6, 1.0, 0.0); }),
+    ElementsAre(HasSubstr("the handle lies far outside of the tool")));
+  EXPECT_TRUE(errorsOf(this->session_, [&] { this->session_->SetToolHandle(0); }).empty())
+    << "held at its centre again";
+}
+
 TEST_F(HapticSessionTool, WithoutItsSourceOrWithDataThatCannotBeHeldSaysSoAndTheBallTouches)
 {
   EXPECT_THAT(this->session_->GetToolText(), HasSubstr("Cube1 is not there"));

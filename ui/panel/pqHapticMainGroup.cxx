@@ -2,6 +2,7 @@
 #include "pqHapticMainGroup.h"
 
 #include "haptics/session/StateSentence.h"
+#include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticDeviceChoice.h"
 #include "pqHapticFields.h"
@@ -18,18 +19,6 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
-
-namespace
-{
-QPushButton* Button(QWidget* parent, const char* name, const QString& text, const QString& tip)
-{
-  auto* button = new QPushButton(text, parent);
-  button->setObjectName(name);
-  button->setToolTip(tip);
-  return button;
-}
-} // namespace
 
 pqHapticMainGroup::pqHapticMainGroup(QWidget* parent) : Superclass(parent)
 {
@@ -59,10 +48,11 @@ void pqHapticMainGroup::addDevice(QFormLayout* form)
 
 void pqHapticMainGroup::addButtons(QFormLayout* form)
 {
-  this->Touch = Button(this, "touch", pqHapticTitle("Touching"), tr("Touch every surface shown in the active view"));
+  this->Touch =
+    pqHapticButton(this, "touch", pqHapticTitle("Touching"), tr("Touch every surface shown in the active view"));
   this->Touch->setCheckable(true);
-  this->Release = Button(this, "release", tr("&Let Go"), tr("Force to zero within 50 ms, and stop touching"));
-  this->Fit = Button(
+  this->Release = pqHapticButton(this, "release", tr("&Let Go"), tr("Force to zero within 50 ms, and stop touching"));
+  this->Fit = pqHapticButton(
     this, "fit", tr("&Fit"), tr("Scale and place such that the device's workspace holds everything that is shown"));
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : { this->Touch, this->Release, this->Fit })

@@ -29,18 +29,32 @@ std::string vtkHapticHeldTool::TakeAgain()
 std::string vtkHapticHeldTool::Make()
 {
   this->Choice_ = {};
-  this->Problem.clear();
-  if (this->Mesh)
-  {
-    const std::optional<palpate::Vec3> handle =
-      this->AtOrigin ? std::optional<palpate::Vec3>(palpate::Vec3::Zero()) : std::nullopt;
-    const palpate::ToolResult made = palpate::makeTool(*this->Mesh, handle);
-    this->Problem = made.ok() ? "" : this->Name + " cannot be held: " + made.refusal;
-    this->Choice_.tool = made.ok() ? std::make_shared<const palpate::ToolMesh>(made.tool) : nullptr;
-    this->Choice_.lever_u = this->Lever_u;
-  }
+  const std::string refusal = this->Mesh ? this->MakeTool() : std::string();
+  this->Problem = refusal.empty() ? "" : this->Name + " cannot be held: " + refusal;
   this->Shape = this->Choice_.tool ? vtkHapticToPolyData(*this->Mesh) : nullptr;
   return this->Problem;
+}
+
+std::string vtkHapticHeldTool::MakeTool()
+{
+  const bool atHandle = this->Handle == vtkHapticToolHandle::Handle;
+  const double length_u = (this->TipPoint_T - this->HandlePoint_T).norm();
+  if (atHandle && !(length_u > 0.0))
+  {
+    return "its handle and its tip are one point: put them apart";
+  }
+  std::optional<palpate::Vec3> handle_T;
+  if (this->Handle != vtkHapticToolHandle::Centre)
+  {
+    handle_T = atHandle ? this->HandlePoint_T : palpate::Vec3::Zero();
+  }
+  const palpate::ToolResult made = palpate::makeTool(*this->Mesh, handle_T);
+  if (made.ok())
+  {
+    this->Choice_.tool = std::make_shared<const palpate::ToolMesh>(made.tool);
+    this->Choice_.lever_u = this->Lever_u == 0.0 && atHandle ? length_u : this->Lever_u;
+  }
+  return made.refusal;
 }
 
 void vtkHapticHeldTool::GetShape(vtkPolyData* shape) const
@@ -62,6 +76,9 @@ void vtkHapticHeldTool::Follow(palpate::HapticSession& core, const palpate::Hapt
   const palpate::WorkspaceMap& map = core.parameters().map;
   this->PutPose(state.tool.held ? state.proxy_W : palpate::Pose{}, this->Pose);
   this->PutPose(state.tool.hand_W, this->HandPose);
+  const Eigen::Map<const Eigen::Vector4d> turn(this->Pose + 3); // w, x, y, z
+  Eigen::Map<palpate::Vec3>{ this->Tip } =
+    Eigen::Map<const palpate::Vec3>(this->Pose) + palpate::Quat(turn[0], turn[1], turn[2], turn[3]) * this->TipPoint_T;
   Eigen::Map<palpate::Vec3>{ this->Asked } = map.directionToScene(state.renderedTorque_D);
   Eigen::Map<palpate::Vec3>{ this->Given } = map.directionToScene(state.torque_D);
   this->Text = this->Source.empty() ? "" : this->Sentence(core, state);

@@ -10,13 +10,23 @@
 
 class vtkDataObject;
 
+/// What of a tool is where the hand is.
+enum class vtkHapticToolHandle
+{
+  Centre, ///< of mass
+  Origin, ///< of its data
+  Handle, ///< a point that is given
+};
+
 /// What the hand of a session holds in place of the ball: what was asked for, what was made of it, how it is.
 class vtkHapticHeldTool
 {
 public:
   std::string Source; ///< that is asked for; "": none
-  bool AtOrigin = false;
-  double Lever_u = 0.0; ///< 0: the tool's own
+  vtkHapticToolHandle Handle = vtkHapticToolHandle::Centre;
+  palpate::Vec3 HandlePoint_T = palpate::Vec3::Zero(); ///< [u], in the tool's data, as the tip
+  palpate::Vec3 TipPoint_T = palpate::Vec3::Zero();
+  double Lever_u = 0.0; ///< 0: the tool's own, or the way from handle to tip
 
   /// Takes what a source has, null: it is not there. Empty, or why it cannot be held; then none is.
   std::string Take(const std::string& name, vtkDataObject* data);
@@ -31,11 +41,13 @@ public:
   std::string Contacts;
   double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
   double HandPose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
+  double Tip[3] = { 0.0, 0.0, 0.0 };
   double Asked[3] = { 0.0, 0.0, 0.0 };
   double Given[3] = { 0.0, 0.0, 0.0 };
 
 private:
   std::string Make();
+  std::string MakeTool();
   std::string Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const;
   void PutPose(const palpate::Pose& centre_W, double pose[7]) const;
 

@@ -60,29 +60,52 @@ const char* vtkHapticSession::GetToolSource() const
   return this->Impl->Tool.Source.c_str();
 }
 
-void vtkHapticSession::SetToolHandle(int choice)
+template<class Value>
+void vtkHapticSession::ChangeTool(
+  const char* setting, std::initializer_list<double> numbers, Value& held, const Value& value)
 {
-  if (this->Allows("ToolHandle", { static_cast<double>(choice) }) && (choice != 0) != this->Impl->Tool.AtOrigin)
+  if (this->Allows(setting, numbers) && held != value)
   {
-    this->Impl->Tool.AtOrigin = choice != 0;
+    held = value;
     this->HoldTool(this->Impl->Tool.TakeAgain());
     this->Modified();
   }
+}
+
+void vtkHapticSession::SetToolHandle(int choice)
+{
+  this->ChangeTool(
+    "ToolHandle", { static_cast<double>(choice) }, this->Impl->Tool.Handle, static_cast<vtkHapticToolHandle>(choice));
 }
 
 int vtkHapticSession::GetToolHandle() const
 {
-  return this->Impl->Tool.AtOrigin ? 1 : 0;
+  return static_cast<int>(this->Impl->Tool.Handle);
+}
+
+void vtkHapticSession::SetToolHandlePoint(double x, double y, double z)
+{
+  this->ChangeTool("ToolHandlePoint", { x, y, z }, this->Impl->Tool.HandlePoint_T, palpate::Vec3(x, y, z));
+}
+
+double* vtkHapticSession::GetToolHandlePoint()
+{
+  return this->Impl->Tool.HandlePoint_T.data();
+}
+
+void vtkHapticSession::SetToolTipPoint(double x, double y, double z)
+{
+  this->ChangeTool("ToolTipPoint", { x, y, z }, this->Impl->Tool.TipPoint_T, palpate::Vec3(x, y, z));
+}
+
+double* vtkHapticSession::GetToolTipPoint()
+{
+  return this->Impl->Tool.TipPoint_T.data();
 }
 
 void vtkHapticSession::SetToolLever(double lever_u)
 {
-  if (this->Allows("ToolLever", { lever_u }) && lever_u != this->Impl->Tool.Lever_u)
-  {
-    this->Impl->Tool.Lever_u = lever_u;
-    this->HoldTool(this->Impl->Tool.TakeAgain());
-    this->Modified();
-  }
+  this->ChangeTool("ToolLever", { lever_u }, this->Impl->Tool.Lever_u, lever_u);
 }
 
 double vtkHapticSession::GetToolLever() const
@@ -152,6 +175,11 @@ double* vtkHapticSession::GetToolPose()
 double* vtkHapticSession::GetToolHandPose()
 {
   return this->Impl->Tool.HandPose;
+}
+
+double* vtkHapticSession::GetToolTip()
+{
+  return this->Impl->Tool.Tip;
 }
 
 double* vtkHapticSession::GetToolTorque()

@@ -54,6 +54,7 @@ const Readout readouts[] = {
   { "ToolContacts", Text, "", "", "What pushes the tool, a line each: source, place in W, share of all pushes" },
   { "ToolPose", Number, "", "", "Where the tool is: the origin of its data in W [u], and its turn (w, x, y, z)", 7 },
   { "ToolHandPose", Number, "", "", "Where the hand would have it, likewise", 7 },
+  { "ToolTip", Number, "u", "", "Where the tip of a tool is that is held at its handle, in W", 3 },
   { "ToolTorque", Number, "N m", "", "Torque that the tool asks for at the hand, in W; a device may give less", 3 },
   { "Torque", Number, "N m", "", "Torque on the hand, in W", 3 },
   { "ContactText", Text, "", "", "What is touched and what is there, in a line; empty without a contact" },

@@ -112,7 +112,8 @@ std::string refuseHandle(const TriangleMesh& mesh, const Vec3& handle_W)
   const bool near =
     handle_W.allFinite() && bounds.exteriorDistance(handle_W) <= furthestHandle * bounds.diagonal().norm();
   return near ? ""
-              : "the handle lies far outside of the tool: move the tool's mesh, whose origin is held, nearer to it";
+              : "the handle lies far outside of the tool: move the handle nearer to it, or the mesh where its origin "
+                "is held";
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticViewGroup.h"
 
+#include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticFields.h"
 #include "pqPropertyLinks.h"
@@ -9,19 +10,9 @@
 #include <QCheckBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QPushButton>
 
 namespace
 {
-QPushButton* Button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip)
-{
-  auto* button = new QPushButton(text);
-  button->setObjectName(name);
-  button->setToolTip(tip);
-  row->addWidget(button, 1);
-  return button;
-}
-
 QCheckBox* Switch(QHBoxLayout* row, const char* name, const char* property, const QString& key)
 {
   auto* box = new QCheckBox(pqHapticTitle(property));
@@ -39,9 +30,9 @@ pqHapticViewGroup::pqHapticViewGroup(QWidget* parent) : Superclass(tr("Hand and 
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   auto* buttons = new QHBoxLayout;
   form->addRow(buttons);
-  this->Fit = Button(buttons, "fitSelection", tr("Fit Selection"),
+  this->Fit = pqHapticButton(buttons, "fitSelection", tr("Fit Selection"),
     tr("Scale and place such that the device's workspace holds the sources that are selected"));
-  this->Align = Button(buttons, "align", tr("Align Now"),
+  this->Align = pqHapticButton(buttons, "align", tr("Align Now"),
     tr("Turn the workspace about the hand: right, up and towards of the device are those of the view"));
   auto* switches = new QHBoxLayout;
   form->addRow(switches);

@@ -2,6 +2,7 @@
 #include "pqHapticMarksGroup.h"
 
 #include "pqFileDialog.h"
+#include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
 #include "vtkHapticMessageCapture.h"
@@ -14,19 +15,10 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QPlainTextEdit>
-#include <QPushButton>
 
 namespace
 {
 constexpr int listHeight = 80; // of four marks [pixels]
-
-QPushButton* Button(QWidget* parent, const char* name, const QString& text, const QString& tip)
-{
-  auto* button = new QPushButton(text, parent);
-  button->setObjectName(name);
-  button->setToolTip(tip);
-  return button;
-}
 
 QString StateOf(const vtkHapticSession& session, int mark)
 {
@@ -58,10 +50,10 @@ pqHapticMarksGroup::pqHapticMarksGroup(QWidget* parent) : Superclass(parent)
 {
   this->setObjectName("marksGroup");
   const QAction* const action = pqHapticController::instance()->markAction();
-  this->Mark = Button(this, "mark", tr("Mark"),
+  this->Mark = pqHapticButton(this, "mark", tr("Mark"),
     QString("%1 (%2)").arg(action->toolTip(), action->shortcut().toString(QKeySequence::NativeText)));
-  this->Save = Button(this, "saveMarks", tr("Save Marks..."), tr("Writes the marks as csv or vtp"));
-  this->Clear = Button(this, "clearMarks", tr("Clear"), tr("Removes all marks"));
+  this->Save = pqHapticButton(this, "saveMarks", tr("Save Marks..."), tr("Writes the marks as csv or vtp"));
+  this->Clear = pqHapticButton(this, "clearMarks", tr("Clear"), tr("Removes all marks"));
   this->Count = pqHapticLabel(this, "markCount", tr("How many marks there are"));
   this->Marks = new QPlainTextEdit(this);
   this->Marks->setObjectName("marks");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticRecordingRows.h"
 
+#include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
@@ -12,23 +13,21 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <cstring>
 
 namespace
 {
-QPushButton* Button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip)
+/// Four of them are no wider than the other rows.
+QPushButton* NarrowButton(QHBoxLayout* row, const char* name, const QString& text, const QString& tip)
 {
-  constexpr int leastWidth = 30; // four of them are no wider than the other rows [pixels]
-  auto* button = new QPushButton(text);
-  button->setObjectName(name);
-  button->setToolTip(tip);
+  constexpr int leastWidth = 30; // pixels
+  QPushButton* const button = pqHapticButton(row, name, text, tip);
   button->setMinimumWidth(leastWidth);
-  row->addWidget(button, 1);
   return button;
 }
+
 } // namespace
 
 pqHapticRecordingRows::pqHapticRecordingRows(QWidget* parent) : Superclass(parent)
@@ -38,11 +37,13 @@ pqHapticRecordingRows::pqHapticRecordingRows(QWidget* parent) : Superclass(paren
   rows->setContentsMargins(0, 0, 0, 0);
   auto* buttons = new QHBoxLayout;
   rows->addLayout(buttons);
-  this->Record = Button(buttons, "record", pqHapticTitle("Recording"), pqHapticTip("Recording") + " (Ctrl+Shift+R)");
+  this->Record =
+    NarrowButton(buttons, "record", pqHapticTitle("Recording"), pqHapticTip("Recording") + " (Ctrl+Shift+R)");
   this->Record->setCheckable(true);
-  this->Save = Button(buttons, "saveRecording", tr("Save..."), tr("Keep the last recording under a name"));
-  this->Replay = Button(buttons, "replay", tr("Replay"), tr("Let the recording move the hand again"));
-  this->Way = Button(buttons, "showWay", tr("Way"), tr("Open the way of the hand in the pipeline, with its forces"));
+  this->Save = NarrowButton(buttons, "saveRecording", tr("Save..."), tr("Keep the last recording under a name"));
+  this->Replay = NarrowButton(buttons, "replay", tr("Replay"), tr("Let the recording move the hand again"));
+  this->Way =
+    NarrowButton(buttons, "showWay", tr("Way"), tr("Open the way of the hand in the pipeline, with its forces"));
   this->Text = pqHapticLabel(this, "recordingText", pqHapticReadoutTip("RecordingText"));
   rows->addWidget(this->Text);
   this->Played = new QWidget(this);
@@ -55,7 +56,7 @@ pqHapticRecordingRows::pqHapticRecordingRows(QWidget* parent) : Superclass(paren
   this->ReplayFile->setPlaceholderText(tr("Recording to play"));
   this->ReplayFile->setToolTip(pqHapticTip("ReplayFile"));
   played->addWidget(this->ReplayFile, 1);
-  this->Browse = Button(played, "browse", tr("Open..."), tr("Choose the recording that is played"));
+  this->Browse = NarrowButton(played, "browse", tr("Open..."), tr("Choose the recording that is played"));
   auto* recordings = pqHapticController::instance()->recordings();
   this->connect(this->Save, &QPushButton::clicked, recordings, &pqHapticRecordings::save);
   this->connect(this->Replay, &QPushButton::clicked, recordings, &pqHapticRecordings::replay);

@@ -2,10 +2,14 @@
 #include "pqHapticToolGroup.h"
 
 #include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
+#include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
+#include "pqHapticToolLine.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
 #include "pqView.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
@@ -17,19 +21,9 @@
 
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QPushButton>
 
 namespace
 {
-QPushButton* Button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip)
-{
-  auto* button = new QPushButton(text);
-  button->setObjectName(name);
-  button->setToolTip(tip);
-  row->addWidget(button, 1);
-  return button;
-}
-
 void SetSource(const QString& name)
 {
   if (vtkSMProxy* proxy = pqHapticController::instance()->sessionProxy())
@@ -39,19 +33,28 @@ void SetSource(const QString& name)
     proxy->UpdateVTKObjects();
   }
 }
+pqPipelineSource* SourceNamed(const char* name)
+{
+  return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(QString::fromUtf8(name));
+}
 } // namespace
 
-pqHapticToolGroup::pqHapticToolGroup(QWidget* parent) : Superclass(tr("Tool"), parent)
+pqHapticToolGroup::pqHapticToolGroup(QWidget* parent) : Superclass(tr("Tool"), parent), Line(new pqHapticToolLine(this))
 {
   this->setObjectName("toolGroup");
   auto* form = new QFormLayout(this);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   auto* buttons = new QHBoxLayout;
   form->addRow(buttons);
-  this->Use = Button(buttons, "toolUse", tr("Use Selected Source"),
+  this->Use = pqHapticButton(buttons, "toolUse", tr("Use Selected Source"),
     tr("The hand holds the surface of the source that is active in the pipeline browser, which is hidden: the tool is "
        "drawn where it is, and a ghost where the hand would have it"));
-  this->Ball = Button(buttons, "toolBall", tr("Take the Ball"), tr("The hand touches with its ball again"));
+  this->Ball = pqHapticButton(buttons, "toolBall", tr("Take the Ball"), tr("The hand touches with its ball again"));
+  this->PlaceHandle = pqHapticButton(buttons, "toolPlaceHandle", tr("Place Handle"),
+    tr("Shows the tool where its data are, and a line in it whose ends are drawn with the mouse: where the hand holds "
+       "the "
+       "tool, and its tip"));
+  this->PlaceHandle->setCheckable(true);
   this->Text = pqHapticLabel(this, "toolText", tr("Which tool is held and how it is, or why none is"));
   form->addRow(this->Text);
   this->Contacts = pqHapticLabel(this, "toolContacts", tr("What pushes the tool: source, place, share of all pushes"));
@@ -59,6 +62,7 @@ pqHapticToolGroup::pqHapticToolGroup(QWidget* parent) : Superclass(tr("Tool"), p
   this->Rows.add(form, "tool");
   this->connect(this->Use, &QPushButton::clicked, this, &pqHapticToolGroup::useSelected);
   this->connect(this->Ball, &QPushButton::clicked, this, &pqHapticToolGroup::takeBall);
+  this->connect(this->PlaceHandle, &QPushButton::toggled, this, &pqHapticToolGroup::placeHandle);
 }
 
 pqHapticToolGroup::~pqHapticToolGroup() = default;
@@ -72,13 +76,19 @@ void pqHapticToolGroup::refresh(vtkHapticSession* session)
 {
   this->Use->setEnabled(session && pqActiveObjects::instance().activePort());
   this->Ball->setEnabled(session && *session->GetToolSource() != '\0');
+  pqPipelineSource* const tool = session ? SourceNamed(session->GetToolSource()) : nullptr;
+  this->PlaceHandle->setEnabled(tool);
+  if (!tool || tool != this->Placed)
+  {
+    this->PlaceHandle->setChecked(false);
+  }
   pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetToolText()) : QString());
   pqHapticSay(this->Contacts, session ? QString::fromUtf8(session->GetToolContacts()).trimmed() : QString());
 }
 
 QList<QWidget*> pqHapticToolGroup::fields() const
 {
-  return QList<QWidget*>{ this->Use, this->Ball } + this->Rows.fields("tool");
+  return QList<QWidget*>{ this->Use, this->Ball, this->PlaceHandle } + this->Rows.fields("tool");
 }
 
 void pqHapticToolGroup::useSelected()
@@ -94,6 +104,21 @@ void pqHapticToolGroup::useSelected()
     vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
     controller->Hide(port->getSourceProxy(), port->getPortNumber(), view->getViewProxy());
     view->render();
+  }
+}
+
+void pqHapticToolGroup::placeHandle(bool shown)
+{
+  if (!shown)
+  {
+    this->Line->hide();
+    return;
+  }
+  vtkSMProxy* const proxy = pqHapticController::instance()->sessionProxy();
+  this->Placed = proxy ? SourceNamed(vtkSMPropertyHelper(proxy, "ToolSource").GetAsString()) : nullptr;
+  if (this->Placed)
+  {
+    this->Line->show(proxy, this->Placed);
   }
 }
 

@@ -6,9 +6,12 @@
 
 #include <QGroupBox>
 #include <QList>
+#include <QPointer>
 
 class QLabel;
 class QPushButton;
+class pqHapticToolLine;
+class pqPipelineSource;
 class pqPropertyLinks;
 class vtkHapticSession;
 class vtkSMProxy;
@@ -32,9 +35,13 @@ public:
 private:
   void useSelected();
   void takeBall();
+  void placeHandle(bool shown);
 
   QPushButton* Use;
   QPushButton* Ball;
+  QPushButton* PlaceHandle;
+  pqHapticToolLine* Line;
+  QPointer<pqPipelineSource> Placed; ///< whose handle is placed in the view
   QLabel* Text;
   QLabel* Contacts;
   pqHapticSettingRows Rows;

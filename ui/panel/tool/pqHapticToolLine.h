@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef pqHapticToolLine_h
+#define pqHapticToolLine_h
+
+#include <QObject>
+#include <QPointer>
+
+class pqLinePropertyWidget;
+class pqPipelineSource;
+class vtkSMProxy;
+
+/// A line in the view from the handle of a tool to its tip, both drawn with the mouse where the tool's data are.
+class pqHapticToolLine : public QObject
+{
+  Q_OBJECT
+  typedef QObject Superclass;
+
+public:
+  explicit pqHapticToolLine(QWidget* parent);
+  ~pqHapticToolLine() override;
+
+  /// The session is held at the handle from then on. A handle and a tip that were never placed stand at the ends of the
+  /// tool's longest side.
+  void show(vtkSMProxy* session, pqPipelineSource* tool);
+  void hide();
+
+private:
+  void apply();
+
+  QWidget* Panel;
+  vtkSMProxy* Session = nullptr;
+  QPointer<pqPipelineSource> Tool;
+  QPointer<pqLinePropertyWidget> Line;
+};
+
+#endif
