@@ -34,8 +34,8 @@
   vtkHapticSettingMacro(FrictionKinetic, double); \
   vtkHapticSettingMacro(ToolSource, const char*); \
   vtkHapticSettingMacro(ToolHandle, int); \
-  vtkHapticPointMacro(ToolHandlePoint); \
-  vtkHapticPointMacro(ToolTipPoint); \
+  vtkHapticVectorMacro(ToolHandlePoint); \
+  vtkHapticVectorMacro(ToolTipPoint); \
   vtkHapticSettingMacro(ToolLever, double); \
   vtkHapticFieldMacro(ToolCoupling, int); \
   vtkHapticSettingMacro(StiffnessArray, const char*); \

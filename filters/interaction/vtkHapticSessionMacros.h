@@ -6,7 +6,7 @@
 #include "vtkSetGet.h"
 #include "vtkWrappingHints.h"
 
-/// A setting of one value, of on and off, of two ends, of a point.
+/// A setting of one value, of on and off, of two ends, of three numbers.
 #define vtkHapticSettingMacro(name, type)                                                                              \
   void Set##name(type value);                                                                                          \
   type Get##name() const
@@ -16,7 +16,7 @@
 #define vtkHapticRangeMacro(name)                                                                                      \
   void Set##name(double low, double high);                                                                             \
   double* Get##name() VTK_SIZEHINT(2)
-#define vtkHapticPointMacro(name)                                                                                      \
+#define vtkHapticVectorMacro(name)                                                                                      \
   void Set##name(double x, double y, double z);                                                                        \
   double* Get##name() VTK_SIZEHINT(3)
 /// A setting that is a field of the tick's parameters: of one value, of on and off, of three numbers, of a quaternion
