@@ -186,6 +186,14 @@ TEST(ToolShape, SizesThatMakeNoShapeAreRefusedInWords)
   EXPECT_THAT(refusal([](auto& s) { s.SetRadius(0.0); }), HasSubstr("finite numbers above 0"));
   EXPECT_THAT(refusal([](auto& s) { s.SetLength(std::nan("")); }), HasSubstr("finite numbers above 0"));
   EXPECT_THAT(refusal([](auto& s) { s.SetChamfer(5.0); }), HasSubstr("the chamfer must be"));
+  EXPECT_EQ(refusal(
+              [](auto& s)
+              {
+                s.SetShape(vtkHapticToolShape::Burr);
+                s.SetRadius(0.5);
+              }),
+    "")
+    << "a burr smaller than the chamfer that it has not";
   EXPECT_THAT(refusal(
                 [](auto& s)
                 {

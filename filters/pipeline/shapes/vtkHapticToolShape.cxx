@@ -123,7 +123,8 @@ std::string Refuse(const Sizes& s, int shape, int around)
   {
     return "radius, length, clearance and pitch must be finite numbers above 0";
   }
-  if (!(s.Chamfer >= 0.0 && s.Chamfer < std::min(s.Radius, s.Length)))
+  const bool chamfered = shape == vtkHapticToolShape::Peg || shape == vtkHapticToolShape::Hole;
+  if (chamfered && !(s.Chamfer >= 0.0 && s.Chamfer < std::min(s.Radius, s.Length)))
   {
     return "the chamfer must be 0 or more, and less than radius and length";
   }
