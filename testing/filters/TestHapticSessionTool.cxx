@@ -19,6 +19,7 @@
 
 using namespace palpate;
 using namespace palpate::testing;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 namespace
