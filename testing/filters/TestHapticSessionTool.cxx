@@ -142,12 +142,10 @@ TEST_F(HapticSessionTool, IsHeldAtAHandleAndTurnsAboutItByTheWayToItsTip)
   EXPECT_NEAR(this->session_->GetToolTorque()[1], -expected, 1e-3 * expected);
 }
 
-TEST_F(HapticSessionTool, WhoseHandleIsItsTipOrFarAwayIsRefusedInWords)
+TEST_F(HapticSessionTool, WhoseHandleIsFarAwayIsRefusedInWords)
 {
   ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway()));
-  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetToolHandle(2); }),
-    ElementsAre(HasSubstr("Cube1 cannot be held: its handle and its tip are one point")));
-  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetToolTipPoint(1e6, 0.0, 0.0); }), ElementsAre());
+  this->session_->SetToolHandle(2);
   EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetToolHandlePoint(1e6, 1.0, 0.0); }),
     ElementsAre(HasSubstr("the handle lies far outside of the tool")));
   EXPECT_TRUE(errorsOf(this->session_, [&] { this->session_->SetToolHandle(0); }).empty())

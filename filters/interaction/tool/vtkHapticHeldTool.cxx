@@ -38,11 +38,6 @@ std::string vtkHapticHeldTool::Make()
 std::string vtkHapticHeldTool::MakeTool()
 {
   const bool atHandle = this->Handle == vtkHapticToolHandle::Handle;
-  const double length_u = (this->TipPoint_T - this->HandlePoint_T).norm();
-  if (atHandle && !(length_u > 0.0))
-  {
-    return "its handle and its tip are one point: put them apart";
-  }
   std::optional<palpate::Vec3> handle_T;
   if (this->Handle != vtkHapticToolHandle::Centre)
   {
@@ -52,6 +47,7 @@ std::string vtkHapticHeldTool::MakeTool()
   if (made.ok())
   {
     this->Choice_.tool = std::make_shared<const palpate::ToolMesh>(made.tool);
+    const double length_u = (this->TipPoint_T - this->HandlePoint_T).norm();
     this->Choice_.lever_u = this->Lever_u == 0.0 && atHandle ? length_u : this->Lever_u;
   }
   return made.refusal;
