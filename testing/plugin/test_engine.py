@@ -12,7 +12,7 @@ import unittest
 from paraview import simple
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
-from palpate.simple import HapticState, Touch  # noqa: E402
+from palpate.simple import HapticState, LetGo, Touch  # noqa: E402
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "data" / "engine.py"
 FACE = 0.8  # m, where the block ends that stands for the engine
@@ -48,6 +48,9 @@ class Engine(unittest.TestCase):
             simple.LoadState(str(folder / "engine.pvsm"))
             Touch()
             self.assertIn("Probe", HapticState()["ToolText"])
+            LetGo()
+        for proxy in [*simple.GetSources().values(), *simple.GetRenderViews()]:
+            simple.Delete(proxy)
 
     def check_way(self, rows):
         for row in rows:
