@@ -11,7 +11,6 @@ README says.
 """
 
 import csv
-import math
 import pathlib
 import sys
 
@@ -20,6 +19,8 @@ from paraview import simple
 simple.LoadDistributedPlugin("Palpate", remote=False, ns=globals())
 from palpate.simple import HoldTool, SetHaptics  # noqa: E402
 from palpate.vtkHapticPipeline import vtkHapticToolShape  # noqa: E402
+from vtkmodules.vtkCommonTransforms import vtkTransform  # noqa: E402
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter  # noqa: E402
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter  # noqa: E402
 
 RADIUS, LENGTH = 0.006, 0.3  # m, of the probe's ball and of the whole
@@ -28,25 +29,24 @@ OUTSIDE, INSIDE = -0.6, -0.1  # m, y of the ball's end
 FORWARD = 0.06  # m
 IN, ON = 0.5, 0.25  # s, to go in and then forward
 STEPS = 750
-TURN = math.sqrt(0.5), math.sqrt(0.5), 0.0, 0.0  # what hangs below the hand points along y
+UNTURNED = 1.0, 0.0, 0.0, 0.0
 
 
 def fail(text):
     sys.exit(f"engine: {text}")
 
 
-def shape():
-    probe = vtkHapticToolShape()
+def write_probe(path):
+    """What hangs below the hand is laid along y: a hand that cannot turn holds it so."""
+    probe, forward, turned, writer = vtkHapticToolShape(), vtkTransform(), vtkTransformPolyDataFilter(), vtkXMLPolyDataWriter()
     probe.SetShape(vtkHapticToolShape.Burr)
     probe.SetRadius(RADIUS)
     probe.SetLength(LENGTH)
     probe.SetResolution(3)
-    return probe
-
-
-def write_probe(path):
-    probe, writer = shape(), vtkXMLPolyDataWriter()
-    writer.SetInputConnection(probe.GetOutputPort())
+    forward.RotateX(90.0)
+    turned.SetTransform(forward)
+    turned.SetInputConnection(probe.GetOutputPort())
+    writer.SetInputConnection(turned.GetOutputPort())
     writer.SetFileName(str(path))
     if not writer.Write():
         fail(f"cannot write {path}: is there room, and may you write there?")
@@ -64,7 +64,7 @@ def write_way(path):
         rows.writerow(["t", "x", "y", "z", "qw", "qx", "qy", "qz"])
         for i in range(STEPS + 1):
             t = (IN + ON) * i / STEPS
-            rows.writerow([f"{value:.9g}" for value in (t, *hand(t), *TURN)])
+            rows.writerow([f"{value:.9g}" for value in (t, *hand(t), *UNTURNED)])
 
 
 def write_state(motorbike, probe, path):

@@ -29,9 +29,9 @@ def write_block(path):
 
 
 def ball_x(row):
-    """Of the ball's middle, which hangs below the hand: x of the place less what a turn makes of the axis z."""
+    """Of the ball's middle, along y from the hand: x of the place and of what a turn makes of the axis y."""
     w, x, y, z = (float(row[f"proxy_q{name}"]) for name in "wxyz")
-    return float(row["proxy_x"]) - TO_BALL * 2.0 * (x * z + w * y)
+    return float(row["proxy_x"]) + TO_BALL * 2.0 * (x * y - w * z)
 
 
 class Engine(unittest.TestCase):
