@@ -28,9 +28,3 @@ vtk_module_wrap_python(
   MODULE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python"
   BUILD_STATIC OFF
   INSTALL_HEADERS OFF)
-
-# Beside the wrapped modules, in the build tree as where it is installed.
-file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/python/palpate")
-file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}/filters/views/python/simple.py"
-  "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/python/palpate/simple.py" SYMBOLIC)
-install(FILES filters/views/python/simple.py DESTINATION "${CMAKE_INSTALL_LIBDIR}/python/palpate")

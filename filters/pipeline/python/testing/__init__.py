@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Does what a pipeline makes feel as it did? A test of one's own, under pytest, unittest, ctest or by hand.
+
+    from palpate.testing import assert_feels_the_same
+
+    def test_bone():
+        assert_feels_the_same(reader, "baselines/bone.json", unit="mm")
+
+The baseline is a file beside the test: the way of a hand and the force at each place of it. It is written by running the
+test once with PALPATE_UPDATE_BASELINES=1 in the environment, and again whenever a change is meant.
+
+Without Python: `python3 -m palpate.testing --help`.
+"""
+
+import os
+from pathlib import Path
+
+from palpate.testing.baseline import Baseline, as_written, same_size
+from palpate.testing.compare import compare
+from palpate.testing.feel import Refused, Touch, data_of
+from palpate.testing.paths import read_path, strokes
+from palpate.testing.report import text_of, write_differences
+
+__all__ = ["Refused", "UPDATE", "assert_feels_the_same"]
+
+UPDATE = "PALPATE_UPDATE_BASELINES"  # in the environment, not empty and not 0: what is felt becomes the baseline
+
+
+def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tolerance=1.0, differences=None, update=None,
+                          **settings):
+    """Raises AssertionError, with a report of where, if a hand feels a surface otherwise than its baseline says.
+
+    surface      data, algorithm or its output port; a source of paraview.simple
+    baseline     file; read, or written if asked for by the environment
+    unit         of the surface: nm, um, mm, cm, m, km. A baseline in another one is refused
+    scene        what is touched, by name; without it the name of the file. A baseline of another one is refused
+    path         of the hand, a row a tick: x, y, z or t, x, y, z [s, scene units] as rows, a file of such columns, or
+                 poly data; without it that of the baseline, and at first strokes over the six sides
+    tolerance    in just noticeable differences (palpate.testing.compare), 1: what a hand just tells apart
+    differences  file.vtp: where they differ, for ParaView, if they do
+    update       whether what is felt becomes the baseline; without it as the environment says
+    settings     of the filter Touch Along Path, by their names: Stiffness=500 [N/m] (the default here), Radius=2 [u]
+
+    Returns the comparison. Refused, an AssertionError too, is raised in one sentence for what cannot be compared.
+    """
+    baseline = Path(baseline)
+    scene = scene or baseline.stem
+    surface = data_of(surface)
+    touch = Touch(unit, settings)
+    if os.environ.get(UPDATE, "0") not in ("", "0") if update is None else update:
+        return _update(surface, baseline, scene, path, touch, tolerance)
+    if not baseline.exists():
+        raise Refused(f"{baseline}: there is no such baseline yet; run the test once with {UPDATE}=1 to write it.")
+    known = Baseline.read(baseline)
+    known.check(scene, touch, None if path is None else read_path(path))
+    same_size(known, surface)
+    found = compare(known.path, known.force_N, touch.along(known.path, surface), tolerance)
+    if found.differs:
+        if differences:
+            write_differences(found, differences)
+        raise AssertionError(text_of(found, known, differences, f"run the test again with {UPDATE}=1"))
+    return found
+
+
+def _update(surface, file, scene, path, touch, tolerance):
+    """The way of the hand stays that of the baseline, where there is one that can be read and no other way is given."""
+    way = None
+    if path is not None:
+        way = read_path(path)
+    elif file.exists():
+        way = Baseline.path_of(file, scene, touch)
+    if way is None:
+        way = strokes(surface, touch)
+    way = as_written(way)
+    force_N = touch.along(way, surface)
+    Baseline.of(file, scene, touch, way, force_N, surface).write()
+    return compare(way, force_N, force_N, tolerance)

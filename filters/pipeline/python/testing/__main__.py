@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Does the surface in a file feel as its baseline says? Exit code 0: yes, 1: no, 2: it cannot be judged."""
+
+import argparse
+import json
+import sys
+import time
+from pathlib import Path
+
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+
+from palpate import __version__
+from palpate.testing import Refused, assert_feels_the_same
+from palpate.testing.feel import updated
+from palpate.testing.junit import write_junit
+from palpate.vtkHapticPipeline import vtkHapticFileReader
+
+READERS = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader, ".stl": vtkSTLReader, ".ply": vtkPLYReader,
+           ".obj": vtkOBJReader, ".off": vtkHapticFileReader}
+
+
+def read_surface(file):
+    """The data in a file; what cannot be read is refused."""
+    if file.suffix.lower() not in READERS:
+        raise Refused(f"{file}: this kind of file is not read; write one of {', '.join(READERS)}.")
+    if not file.is_file():
+        raise Refused(f"{file}: there is no such file.")
+    reader = READERS[file.suffix.lower()]()
+    reader.SetFileName(str(file))
+    return updated(reader)
+
+
+def setting(text):
+    """NAME=VALUE as a pair; numbers and lists of numbers as JSON writes them, whatever else is a text."""
+    name, equals, value = text.partition("=")
+    if not (name and equals):
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
+    try:
+        return name, json.loads(value)
+    except ValueError:
+        return name, value
+
+
+def arguments_of(words):
+    parser = argparse.ArgumentParser(prog="python3 -m palpate.testing", description=__doc__)
+    parser.add_argument("surface", type=Path, metavar="SURFACE", help=f"{', '.join(READERS)}")
+    parser.add_argument("baseline", type=Path, metavar="BASELINE.json", help="how it felt")
+    parser.add_argument("--unit", required=True, help="of the surface: nm, um, mm, cm, m, km")
+    parser.add_argument("--scene", help="name of what is touched; without it that of the baseline's file")
+    parser.add_argument("--path", type=Path, help="PATH.csv: t,x,y,z of the hand [s, scene units]; without it strokes")
+    parser.add_argument("--tolerance", type=float, default=1.0, help="in just noticeable differences; 1 without it")
+    parser.add_argument("--set", type=setting, action="append", default=[], metavar="NAME=VALUE", dest="settings",
+                        help="a setting of the filter Touch Along Path")
+    parser.add_argument("--differences", type=Path, metavar="FILE.vtp", help="written if it feels otherwise")
+    parser.add_argument("--junit", type=Path, metavar="FILE.xml", help="the verdict for a server of continuous integration")
+    parser.add_argument("--update", action="store_true", help="what is felt becomes the baseline")
+    parser.add_argument("--version", action="version", version=__version__)
+    return parser.parse_args(words)
+
+
+def judge(given):
+    """(exit code, kind of verdict, text)."""
+    try:
+        found = assert_feels_the_same(
+            read_surface(given.surface), given.baseline, unit=given.unit, scene=given.scene, path=given.path,
+            tolerance=given.tolerance, differences=given.differences, update=given.update or None, **dict(given.settings))
+    except Refused as refusal:
+        return 2, "error", str(refusal)
+    except AssertionError as difference:
+        return 1, "failure", str(difference)
+    if given.update:
+        return 0, None, f"{given.baseline}: written, {len(found.jnd)} places"
+    return 0, None, f"{given.surface} feels as {given.baseline} says: at most {found.jnd.max():.3g} JND"
+
+
+def main(words=None):
+    given = arguments_of(words)
+    start = time.monotonic()
+    code, kind, text = judge(given)
+    if given.junit:
+        try:
+            write_junit(given.junit, given.scene or given.baseline.stem, time.monotonic() - start, kind, text)
+        except Refused as refusal:
+            code, text = 2, f"{text}\n{refusal}"
+    print(text, file=sys.stderr if code else sys.stdout)
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The file that says how a surface felt: text, a row a line, so that a change of it can be read in a review."""
+
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+import palpate
+from palpate.testing.feel import Refused
+
+FORMAT = 1
+KIND = "palpate baseline"
+COLUMNS = ["t", "x", "y", "z", "force_x", "force_y", "force_z"]  # [s, scene units, N]
+ANOTHER_SIZE = 10.0  # times as large or as small: another unit or another thing, not a change of this one
+
+
+def release(version):
+    """The part of a version within which forces stay: before 1.0 any minor version may change them."""
+    return ".".join(version.split(".")[:2])
+
+
+def _size_u(surface):
+    """Length of the diagonal of its box."""
+    bounds = [0.0] * 6
+    surface.GetBounds(bounds)
+    return float(np.linalg.norm(np.array(bounds[1::2]) - bounds[0::2]))
+
+
+def same_size(baseline, surface):
+    """Refuses a surface that is many times as large or as small as that of the baseline."""
+    times = _size_u(surface) / baseline.size_u
+    if not 1 / ANOTHER_SIZE < times < ANOTHER_SIZE:
+        raise Refused(f"{baseline.file}: the surface is {times:.3g} times as large as that of the baseline, so it is another "
+                      f"scene or no longer in {baseline.unit}; give it in {baseline.unit}, or write the baseline anew.")
+
+
+def _rounded(number):
+    """To twelve digits: what a file says and what was felt are the same numbers."""
+    return float(f"{number:.12g}")
+
+
+def as_written(path):
+    """The way that a file gives back: where a surface has a corner, a way that differs by rounding may lead elsewhere."""
+    return np.vectorize(_rounded, otypes=[float])(path)
+
+
+@dataclass
+class Baseline:
+    """What was felt, of what, in which unit and by which version."""
+
+    file: Path
+    scene: str
+    unit: str
+    version: str
+    settings: dict  # of Touch Along Path
+    size_u: float  # diagonal of the surface's box
+    path: np.ndarray  # (n, 4): t, x, y, z [s, scene units]
+    force_N: np.ndarray  # (n, 3)
+
+    @classmethod
+    def of(cls, file, scene, touch, path, force_N, surface):
+        return cls(file, scene, touch.unit, palpate.__version__, touch.settings, _size_u(surface), path, force_N)
+
+    @classmethod
+    def path_of(cls, file, scene, touch):
+        """The way in a file, if it is one of this scene and unit; None where it says nothing of use."""
+        try:
+            known = cls.read(file)
+        except Refused:
+            return None
+        return known.path if (known.scene, known.unit) == (scene, touch.unit) else None
+
+    @classmethod
+    def read(cls, file):
+        """Of a file; what is not one is refused."""
+        try:
+            held = json.loads(file.read_text(encoding="utf-8"))
+        except (OSError, ValueError) as problem:
+            raise Refused(f"{file}: it cannot be read as a baseline ({problem}); write it anew.") from None
+        if not isinstance(held, dict) or KIND not in held:
+            raise Refused(f"{file}: it is no baseline of palpate.testing; name another file.")
+        if held[KIND] != FORMAT:
+            raise Refused(f"{file}: it is a baseline of format {held[KIND]}, and Palpate {palpate.__version__} reads "
+                          f"{FORMAT}; write it anew.")
+        try:
+            rows = np.array(held["rows"], dtype=float)
+            if rows.ndim != 2 or rows.shape[1] != len(COLUMNS) or not np.isfinite(rows).all() or held["columns"] != COLUMNS:
+                raise ValueError("its rows")
+            if not (held["size"] > 0 and isinstance(held["settings"], dict)):
+                raise ValueError("its size or settings")
+            return cls(file, str(held["scene"]), str(held["unit"]), str(held["version"]), held["settings"],
+                       float(held["size"]), rows[:, :4], rows[:, 4:])
+        except (KeyError, TypeError, ValueError) as problem:
+            raise Refused(f"{file}: the baseline is damaged ({problem}); write it anew.") from None
+
+    def write(self):
+        """All of it or nothing."""
+        head = {KIND: FORMAT, "version": self.version, "scene": self.scene, "unit": self.unit, "size": _rounded(self.size_u),
+                "settings": self.settings, "columns": COLUMNS}
+        rows = ",\n".join(json.dumps([_rounded(number) for number in row]) for row in np.hstack([self.path, self.force_N]))
+        text = f'{json.dumps(head, indent=1)[:-2]},\n "rows": [\n{rows}\n]}}\n'
+        beside = self.file.with_name(f"{self.file.name}.part")
+        try:
+            self.file.parent.mkdir(parents=True, exist_ok=True)
+            beside.write_text(text, encoding="utf-8")
+            os.replace(beside, self.file)
+        except OSError as problem:
+            raise Refused(f"{self.file}: the baseline cannot be written ({problem.strerror}).") from None
+
+    def check(self, scene, touch, path):
+        """Refuses what was felt of another scene, in another unit, by another version, or otherwise."""
+        if self.scene != scene:
+            raise Refused(f"{self.file}: it is the baseline of the scene {self.scene!r}, not of {scene!r}; name another file.")
+        if self.unit != touch.unit:
+            raise Refused(f"{self.file}: the baseline is in {self.unit}, the test in {touch.unit}; give the surface in "
+                          f"{self.unit}, or write the baseline anew.")
+        if release(self.version) != release(palpate.__version__):
+            raise Refused(f"{self.file}: the baseline is of Palpate {self.version}, and {palpate.__version__} may feel otherwise "
+                          "by intention; write it anew where the old version still passes.")
+        if self.settings != touch.settings:
+            changed = sorted(name for name in {**self.settings, **touch.settings}
+                             if self.settings.get(name) != touch.settings.get(name))
+            said = ", ".join(f"{name} {self.settings.get(name)} then, {touch.settings.get(name)} now" for name in changed)
+            raise Refused(f"{self.file}: the baseline was felt with other settings ({said}); write it anew.")
+        if path is not None and (path.shape != self.path.shape or not np.allclose(path, self.path, rtol=1e-9, atol=0)):
+            raise Refused(f"{self.file}: the hand of the baseline goes another way than the path given; write it anew.")

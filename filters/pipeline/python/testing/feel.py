@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a hand feels along a way: the filter Touch Along Path with settings by their names."""
+
+import difflib
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
+
+from palpate.vtkHapticPipeline import vtkTouchAlongPath
+
+PER_METRE = {"nm": 1e9, "um": 1e6, "mm": 1e3, "cm": 1e2, "m": 1.0, "km": 1e-3}
+
+
+class Refused(AssertionError):
+    """What cannot be judged: one sentence with the file, the reason and what to do."""
+
+
+def data_of(surface):
+    """The data of a source of paraview.simple, an algorithm, its output port, or as they are."""
+    if hasattr(surface, "SMProxy"):
+        from paraview import servermanager  # only a script of ParaView has such a source
+
+        return servermanager.Fetch(surface)
+    if isinstance(surface, vtkAlgorithm):
+        surface = surface.GetOutputPort()
+    if isinstance(surface, vtkAlgorithmOutput):
+        surface.GetProducer().Update()
+        surface = surface.GetProducer().GetOutputDataObject(surface.GetIndex())
+    if not isinstance(surface, (vtkDataSet, vtkCompositeDataSet)):
+        raise Refused(f"{surface!r} is nothing to touch: give data, an algorithm, its output port or a source of ParaView.")
+    if not surface.GetNumberOfElements(vtkDataObject.POINT):
+        raise Refused("The surface is empty: what makes it has left nothing to touch.")
+    return surface
+
+
+def updated(algorithm):
+    """The output of an algorithm; its first error is raised instead of being printed."""
+    errors = []
+
+    def note(_object, _event, text=""):
+        errors.append(text)
+
+    note.CallDataType = "string0"
+    observer = algorithm.AddObserver("ErrorEvent", note)
+    executive = algorithm.GetExecutive().AddObserver("ErrorEvent", note)
+    algorithm.Update()
+    algorithm.RemoveObserver(observer)
+    algorithm.GetExecutive().RemoveObserver(executive)
+    if errors:
+        raise Refused(errors[0].strip().splitlines()[-1])
+    return algorithm.GetOutput()
+
+
+class Touch:
+    """How a surface is touched: the unit of its scene and settings of the filter."""
+
+    def __init__(self, unit, settings):
+        if unit not in PER_METRE:
+            raise Refused(f"The unit {unit!r} is not known: use one of {', '.join(PER_METRE)}.")
+        self.unit = unit
+        settings = {name: list(value) if isinstance(value, tuple) else value for name, value in settings.items()}
+        self.settings = {"Scale": PER_METRE[unit], "Stiffness": 500.0, **settings}
+        self._filter()  # what it does not take is refused before anything is computed
+
+    @property
+    def scale(self):
+        """Scene units a metre of the hand."""
+        return self.settings["Scale"]
+
+    def along(self, path, surface):
+        """Force on the hand at each row of t, x, y, z [s, scene units]: (n, 3) [N]."""
+        touch = self._filter()
+        touch.SetInputDataObject(0, surface)
+        touch.SetPathData(_way(path))
+        touch.SetTimeArray("t")
+        output = updated(touch)
+        if output.GetNumberOfPoints() != len(path):
+            raise Refused("Nothing could be touched: the surface has no faces.")
+        return vtk_to_numpy(output.GetPointData().GetArray("Force")).astype(float)
+
+    def _filter(self):
+        touch = vtkTouchAlongPath()
+        for name, value in self.settings.items():
+            setter = getattr(touch, f"Set{name}", None)
+            if not setter or not hasattr(touch, f"Get{name}"):
+                there = [entry[3:] for entry in dir(touch) if entry.startswith("Set") and hasattr(touch, f"Get{entry[3:]}")]
+                near = difflib.get_close_matches(name, there, 1)
+                raise Refused(f"Touch Along Path has no setting {name}{f'; is {near[0]} meant?' if near else '.'}")
+            try:
+                setter(*value) if isinstance(value, list) else setter(value)
+            except (TypeError, ValueError) as problem:
+                raise Refused(f"{name}={value!r} cannot be set: {problem}.") from None
+        return touch
+
+
+def _way(path):
+    """Rows of t, x, y, z as poly data whose points have the array t."""
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(path[:, 1:4]), deep=True))
+    times = numpy_to_vtk(np.ascontiguousarray(path[:, 0]), deep=True)
+    times.SetName("t")
+    way = vtkPolyData()
+    way.SetPoints(points)
+    way.GetPointData().AddArray(times)
+    return way

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where two touches differ: as text for a person, as data for ParaView."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from palpate.testing.feel import Refused
+
+MOST_STRETCHES = 5
+ROW = "{:>11}  {:>13}  {:>29}  {:>9}  {:>9}  {:>8}  {:>7}"
+
+
+def text_of(found, baseline, differences, how_to_accept):
+    """The verdict, the worst stretches, and what to do if the change is meant."""
+    rows = int((found.jnd > found.tolerance).sum())
+    lines = [f"the surface does not feel as it did: {rows} of {len(found.jnd)} places differ by more than {found.tolerance:g} "
+             f"just noticeable differences (JND), at most by {found.jnd.max():.3g}",
+             f"baseline: {baseline.file} (scene {baseline.scene}, in {baseline.unit}, Palpate {baseline.version})",
+             ROW.format("rows", "t [s]", f"worst at [{baseline.unit}]", "then [N]", "now [N]", "turn [°]", "JND")]
+    stretches = found.stretches()
+    lines += [_stretch(found, *stretch) for stretch in stretches[:MOST_STRETCHES]]
+    if len(stretches) > MOST_STRETCHES:
+        lines.append(f"and {len(stretches) - MOST_STRETCHES} more")
+    if differences:
+        lines.append(f"where, to be shown in ParaView: {differences}")
+    lines.append(f"if this is how it shall feel: {how_to_accept}")
+    return "\n".join(lines)
+
+
+def _stretch(found, first, last):
+    worst = first + int(np.argmax(found.jnd[first:last + 1]))
+    before, now = (np.linalg.norm(force[worst]) for force in (found.before_N, found.now_N))
+    turn_rad = np.arctan2(np.linalg.norm(np.cross(found.before_N[worst], found.now_N[worst])),
+                          found.before_N[worst] @ found.now_N[worst]) if before > 0 and now > 0 else 0.0
+    place = ", ".join(f"{coordinate:.4g}" for coordinate in found.path[worst, 1:])
+    return ROW.format(f"{first}-{last}", f"{found.path[first, 0]:.4g}-{found.path[last, 0]:.4g}", f"({place})", f"{before:.4g}",
+                      f"{now:.4g}", f"{np.degrees(turn_rad):.1f}", f"{found.jnd[worst]:.3g}")
+
+
+def write_differences(found, file):
+    """The way of the hand as a polyline with the point arrays Before [N], Now [N] and JND."""
+    points, lines, way = vtkPoints(), vtkCellArray(), vtkPolyData()
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(found.path[:, 1:]), deep=True))
+    lines.InsertNextCell(len(found.path), range(len(found.path)))
+    way.SetPoints(points)
+    way.SetLines(lines)
+    for name, values in (("Before", found.before_N), ("Now", found.now_N), ("JND", found.jnd)):
+        array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+        array.SetName(name)
+        way.GetPointData().AddArray(array)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(way)
+    writer.SetFileName(str(file))
+    if not writer.Write():
+        raise Refused(f"{file}: the differences cannot be written there.")
