@@ -15,9 +15,11 @@ install(TARGETS palpate_core EXPORT PalpateTargets COMPONENT core LIBRARY DESTIN
 install(DIRECTORY haptics devices DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate" COMPONENT core
   FILES_MATCHING PATTERN "*.h")
 install(EXPORT PalpateTargets NAMESPACE Palpate:: DESTINATION "${package}" COMPONENT core)
+set(palpate_python_dir "${CMAKE_INSTALL_LIBDIR}/python")
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/PalpateConfig.cmake.in" "${CMAKE_CURRENT_BINARY_DIR}/PalpateConfig.cmake"
-  INSTALL_DESTINATION "${package}")
+  INSTALL_DESTINATION "${package}" PATH_VARS palpate_python_dir)
 # Before 1.0 any minor version may change what a program sees.
 write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/PalpateConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/PalpateConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/PalpateConfigVersion.cmake"
+    "${CMAKE_CURRENT_LIST_DIR}/PalpateTouchTest.cmake"
   DESTINATION "${package}" COMPONENT core)

@@ -14,7 +14,7 @@ vtk_module_scan(
 vtk_module_build(
   MODULES ${palpate_modules}
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-  INSTALL_HEADERS OFF)
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate/vtk")
 
 set(palpate_python_targets vtkHapticPipelinePython vtkHapticInteractionPython)
 vtk_module_wrap_python(

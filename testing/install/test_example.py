@@ -3,14 +3,12 @@
 
 import csv
 import math
-import os
-import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-SOURCE = Path(os.environ["PALPATE_SOURCE_DIR"])
-BUILD = Path(os.environ["PALPATE_BUILD_DIR"])
+from installed import BUILD, SOURCE, run_command
+
 RADIUS_M = 0.050
 STIFFNESS_N_PER_M = 500.0
 ROWS = 100  # of vertices from pole to pole, and twice as many around
@@ -24,20 +22,13 @@ class InstalledExample(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.prefix, cls.build = Path(folder.name, "prefix"), Path(folder.name, "build")
-        cls.run_command("cmake", "--install", BUILD, "--component", "core", "--prefix", cls.prefix)
-        cls.run_command("cmake", "-S", SOURCE / "docs/example", "-B", cls.build, f"-DCMAKE_PREFIX_PATH={cls.prefix}",
-                        "-DCMAKE_BUILD_TYPE=Release")
-
-    @staticmethod
-    def run_command(*words):
-        done = subprocess.run(list(map(str, words)), capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise AssertionError(f"{' '.join(map(str, words))}\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-        return done.stdout
+        run_command("cmake", "--install", BUILD, "--component", "core", "--prefix", cls.prefix)
+        run_command("cmake", "-S", SOURCE / "docs/example", "-B", cls.build, f"-DCMAKE_PREFIX_PATH={cls.prefix}",
+                    "-DCMAKE_BUILD_TYPE=Release")
 
     def test_the_program_feels_the_sphere_and_nothing_outside_of_it(self):
-        self.run_command("cmake", "--build", self.build)
-        rows = list(csv.DictReader(self.run_command(self.build / "touch_sphere").splitlines()))
+        run_command("cmake", "--build", self.build)
+        rows = list(csv.DictReader(run_command(self.build / "touch_sphere").splitlines()))
         distances_m = [float(row["distance_m"]) for row in rows]
         self.assertGreater(max(distances_m), RADIUS_M)
         self.assertLess(min(distances_m), 0.5 * RADIUS_M)
@@ -60,8 +51,8 @@ class InstalledExample(unittest.TestCase):
         (project / "CMakeLists.txt").write_text(
             "cmake_minimum_required(VERSION 3.25)\nproject(headers CXX)\nfind_package(Palpate REQUIRED)\n"
             "add_library(headers OBJECT headers.cpp)\ntarget_link_libraries(headers Palpate::core)\n", encoding="utf-8")
-        self.run_command("cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
-        self.run_command("cmake", "--build", project / "build")
+        run_command("cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        run_command("cmake", "--build", project / "build")
 
 
 if __name__ == "__main__":
