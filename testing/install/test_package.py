@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What `cpack` packs is where Debian's ParaView, python3, man and udev look, and runs from there. Unpacked, not installed:
+`testing/install/clean_root` installs it into a Debian of its own, uses and removes it."""
+
+import gzip
+import os
+import re
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from xml.etree import ElementTree
+
+import palpate
+from installed import BUILD, SOURCE, run_command
+
+
+class Package(unittest.TestCase):
+    """One package, without what takes long: stripping and looking for what its libraries need."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        run_command("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", folder.name, "-D", "CPACK_STRIP_FILES=OFF",
+                    "-D", "CPACK_DEBIAN_PACKAGE_SHLIBDEPS=OFF", "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=none")
+        (cls.package,) = Path(folder.name).glob("*.deb")
+        cls.root, cls.control = Path(folder.name, "root"), Path(folder.name, "control")
+        run_command("dpkg-deb", "-x", cls.package, cls.root)
+        run_command("dpkg-deb", "-e", cls.package, cls.control)
+        cls.usr = cls.root / "usr"
+
+    def test_its_name_version_and_needs(self):
+        field = lambda name: run_command("dpkg-deb", "-f", self.package, name).strip()  # noqa: E731
+        self.assertEqual((field("Package"), field("Version")), ("palpate", palpate.__version__))
+        for needed in ("paraview (>= 5.11)", "python3-paraview", "python3-numpy"):
+            self.assertIn(needed, field("Depends"))
+        for script in ("postinst", "prerm"):
+            self.assertTrue(os.access(self.control / script, os.X_OK))
+            run_command("sh", "-n", self.control / script)
+
+    def test_paraview_is_led_to_the_plugin(self):
+        listed = self.usr / "bin" / (self.usr / "bin/paraview.conf").read_text(encoding="utf-8").strip()
+        (plugin,) = ElementTree.parse(listed).getroot()
+        self.assertEqual((plugin.get("name"), plugin.get("auto_load")), ("Palpate", "1"))
+        self.assertTrue((listed.parent / "Palpate/Palpate.so").is_file())
+
+    def test_the_program_and_the_regression_test_of_the_guide_run_from_there(self):
+        self.assertEqual(run_command(self.usr / "bin/palpate", "--version").strip(), palpate.__version__)
+        script = self.root / "test_ball_unittest.py"
+        script.write_bytes((SOURCE / "docs/example/regression/test_ball_unittest.py").read_bytes())
+        there = {"PYTHONPATH": str(self.usr / "lib/python3/dist-packages")}
+        run_command(sys.executable, script, PALPATE_UPDATE_BASELINES="1", **there)
+        run_command(sys.executable, script, **there)
+
+    def test_each_command_has_a_page_that_man_finds(self):
+        commands = re.findall(r'add_subcommand\("(\w+)"', (SOURCE / "ui/cli/palpate.cxx").read_text(encoding="utf-8"))
+        self.assertIn("touch", commands)
+        pages = {path.name: gzip.decompress(path.read_bytes()).decode() for path in (self.usr / "share/man/man1").iterdir()}
+        self.assertEqual(set(pages), {"palpate.1.gz", *(f"palpate-{command}.1.gz" for command in commands)})
+        for name, text in pages.items():
+            self.assertIn(f".SH NAME\n{name[:-5]} \\- ", text)
+
+    def test_udev_cmake_and_nothing_elsewhere(self):
+        self.assertEqual((self.usr / "lib/udev/rules.d/70-palpate.rules").read_bytes(),
+                         (SOURCE / "devices/udev/70-palpate.rules").read_bytes())
+        self.assertIn("/lib/python3/dist-packages", (self.usr / "lib/cmake/Palpate/PalpateConfig.cmake").read_text(encoding="utf-8"))
+        self.assertEqual([path.name for path in self.root.iterdir() if path.name != "test_ball_unittest.py"
+                          and path.suffix != ".json"], ["usr"])
+        names = {path.relative_to(self.usr).parts[0] for path in self.usr.rglob("*")}
+        self.assertEqual(names, {"bin", "include", "lib", "share"})
+        text = "".join(str(path) for path in self.usr.rglob("*"))
+        self.assertNotIn("__pycache__", text)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
