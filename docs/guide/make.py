@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the user guide as HTML: make.py FOLDER [TUTORIALS]
+
+TUTORIALS is where their scripts have left pictures and state files; without it the pages show the tree's pictures. Needs
+python3-markdown and reads docstrings without importing anything.
+"""
+
+import ast
+import re
+import shutil
+import sys
+from html import escape
+from pathlib import Path
+
+import markdown
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = ["docs/guide/README.md", *(f"docs/guide/{name}.md" for name in ("skull", "brain", "flow", "labyrinth", "api")),
+         *(f"docs/{name}.md" for name in ("touching", "fields", "tools", "program", "devices", "regression", "faults")),
+         "plugin/README.md", "README.md"]
+DOCUMENTED = ["filters/pipeline/python/testing/__init__.py", "filters/pipeline/python/testing/compare.py",
+              "filters/views/python/simple.py"]
+STYLE = ("body{max-width:60em;margin:2em auto;padding:0 1em;font-family:sans-serif;line-height:1.5}img{max-width:100%}"
+         "pre{background:#f4f4f4;padding:.7em;overflow:auto}table{border-collapse:collapse}td,th{border:1px solid #ccc;padding:.3em .6em}")
+
+
+def html_name(page):
+    """Where a page of the tree lies in the guide."""
+    return "index.html" if page == PAGES[0] else page.removeprefix("docs/").replace("/", "-").removesuffix(".md") + ".html"
+
+
+def api():
+    """Every public function with a docstring, its arguments and what it says."""
+    parts = []
+    for file in DOCUMENTED:
+        tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
+        package, name = ("palpate.testing", Path(file).stem) if "/testing/" in file else ("palpate", Path(file).stem)
+        parts.append(f"<h2>{package if name == '__init__' else f'{package}.{name}'}</h2><pre>{escape(ast.get_docstring(tree))}</pre>")
+        for node in tree.body:
+            if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not node.name.startswith("_") and ast.get_docstring(node):
+                arguments = f"({ast.unparse(node.args)})" if isinstance(node, ast.FunctionDef) else ""
+                parts.append(f"<h3><code>{escape(node.name + arguments)}</code></h3><pre>{escape(ast.get_docstring(node))}</pre>")
+    return "".join(parts)
+
+
+def with_links(page, text, out):
+    """Links among the pages lead to their HTML, pictures are copied, and what else they lead to is named instead."""
+
+    def replaced(match):
+        attribute, target, anchor = match.groups("")
+        if re.match(r"https?:", target) or not target:
+            return match[0]
+        aim = (ROOT / page).parent.joinpath(target).resolve()
+        if attribute == "src":
+            if not (out / "pictures" / aim.name).exists():  # one that was just made is newer than the tree's
+                shutil.copy(aim, out / "pictures" / aim.name)
+            return f'src="pictures/{aim.name}"'
+        name = str(aim.relative_to(ROOT))
+        return f'href="{html_name(name)}{anchor}"' if name in PAGES else f'title="{escape(name)}"'
+
+    return re.sub(r'(href|src)="([^"#]*)(#[^"]*)?"', replaced, text)
+
+
+def write_page(page, out):
+    source = (ROOT / page).read_text(encoding="utf-8")
+    title = re.search(r"^# (.*)$", source, re.MULTILINE)[1].replace("`", "")
+    body = markdown.markdown(source, extensions=["tables", "fenced_code", "toc"])
+    if page == "docs/guide/api.md":
+        body += api()
+    navigation = '<p><a href="index.html">Palpate: the user guide</a></p>' if page != PAGES[0] else ""
+    (out / html_name(page)).write_text(
+        f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title><style>{STYLE}</style></head>'
+        f"<body>{navigation}{with_links(page, body, out)}</body></html>\n", encoding="utf-8")
+
+
+def main(folder, tutorials=None):
+    out = Path(folder)
+    (out / "pictures").mkdir(parents=True, exist_ok=True)
+    for made in sorted(Path(tutorials).glob("*.p[nv]*")) if tutorials else ():
+        shutil.copy(made, out / "pictures" / made.name)
+    for page in PAGES:
+        write_page(page, out)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

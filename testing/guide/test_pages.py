@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The guide as HTML: every page is there, every link leads to a page and a heading, every function has its docstring."""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SOURCE = Path(os.environ["PALPATE_SOURCE_DIR"])
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        subprocess.run([sys.executable, SOURCE / "docs/guide/make.py", folder.name], check=True)
+        cls.folder = Path(folder.name)
+        cls.pages = {path.name: path.read_text(encoding="utf-8") for path in cls.folder.glob("*.html")}
+
+    def test_every_link_leads_to_a_page_and_a_heading_and_no_page_is_left_alone(self):
+        met = {"index.html"}
+        for name, text in self.pages.items():
+            for target, anchor in re.findall(r'href="(?!https?:)([^"#]*)(?:#([^"]*))?"', text):
+                met.add(target or name)
+                self.assertIn(target or name, self.pages, name)
+                if anchor:
+                    self.assertIn(f'id="{anchor}"', self.pages[target or name], (name, target))
+        self.assertEqual(met, set(self.pages))
+
+    def test_every_picture_is_there(self):
+        pictures = [picture for text in self.pages.values() for picture in re.findall(r'src="([^"]*)"', text)]
+        self.assertGreater(len(pictures), 4)
+        for picture in pictures:
+            self.assertTrue((self.folder / picture).is_file(), picture)
+
+    def test_the_api_says_what_each_public_function_says(self):
+        text = self.pages["guide-api.html"]
+        for name in ("assert_feels_the_same", "jnd", "Touch", "SetHaptics", "HoldTool"):
+            self.assertIn(f"<code>{name}(", text)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
