@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticStrokeProfile.h"
+#include "vtkHapticWholeInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -157,7 +158,12 @@ int vtkHapticStroke::RequestData(vtkInformation*, vtkInformationVector** input, 
     vtkErrorMacro("Up and Along must be two directions that are not parallel");
     return 0;
   }
-  const vtkHapticConversionResult surface = vtkHapticToMesh(vtkDataObject::GetData(input[0]));
+  const vtkSmartPointer<vtkDataObject> whole = vtkHapticWholeSurface(vtkDataObject::GetData(input[0]));
+  if (vtkHapticRank() > 0)
+  {
+    return 1; // one hand: the first rank has its way
+  }
+  const vtkHapticConversionResult surface = vtkHapticToMesh(whole);
   if (!surface.Mesh)
   {
     vtkErrorMacro("The surface cannot be stroked: " << surface.Problem);

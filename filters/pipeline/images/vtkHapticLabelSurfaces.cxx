@@ -13,6 +13,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkHapticPieces.h"
+#include "vtkHapticWholeInput.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -190,12 +191,22 @@ int vtkHapticLabelSurfaces::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+int vtkHapticLabelSurfaces::RequestUpdateExtent(vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  vtkHapticAskForWholeImage(input[0]);
+  return 1;
+}
+
 int vtkHapticLabelSurfaces::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   if (const std::string refusal = vtkHapticRefusePieces(output); !refusal.empty())
   {
     vtkErrorMacro("Nothing is measured: " << refusal);
     return 0;
+  }
+  if (vtkHapticRank() > 0)
+  {
+    return 1; // the first rank has the surfaces
   }
   vtkImageData* const image = vtkImageData::GetData(input[0]);
   vtkMultiBlockDataSet* const blocks = vtkMultiBlockDataSet::GetData(output);

@@ -38,6 +38,7 @@ protected:
   ~vtkHapticLabelSurfaces() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

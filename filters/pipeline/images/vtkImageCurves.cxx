@@ -14,6 +14,7 @@
 #include "vtkFieldData.h"
 #include "vtkHapticImageLines.h"
 #include "vtkHapticImagePlane.h"
+#include "vtkHapticWholeInput.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -236,12 +237,22 @@ vtkDataArray* vtkImageCurves::ValuesOf(vtkImageData* image, vtkInformationVector
   return chosen || (name && *name) ? chosen : image->GetPointData()->GetScalars();
 }
 
+int vtkImageCurves::RequestUpdateExtent(vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  vtkHapticAskForWholeImage(input[0]);
+  return 1;
+}
+
 int vtkImageCurves::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   if (const char* problem = this->CheckNumbers())
   {
     vtkErrorMacro(<< problem);
     return 0;
+  }
+  if (vtkHapticRank() > 0)
+  {
+    return 1; // the first rank has the curves
   }
   this->InkShare = 0.0;
   try

@@ -6,8 +6,8 @@
 
 class vtkInformationVector;
 
-/// Empty, or why a filter that needs all of its data does nothing: several processes have a part each, and what is
-/// measured on a part is wrong without a sign of it. `output`: of the request for data.
+/// Empty, or why a filter that needs all of its data does nothing: it is asked for a part of them that no other process
+/// has the rest of, and what is measured on a part is wrong without a sign of it. `output`: of the request for data.
 [[nodiscard]] std::string vtkHapticRefusePieces(vtkInformationVector* output);
 
 #endif

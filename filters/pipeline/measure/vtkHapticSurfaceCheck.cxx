@@ -13,6 +13,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticPieces.h"
+#include "vtkHapticWholeInput.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -179,7 +180,17 @@ int vtkHapticSurfaceCheck::FillInputPortInformation(int, vtkInformation* info)
 int vtkHapticSurfaceCheck::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   const std::string refusal = vtkHapticRefusePieces(output);
-  const vtkHapticConversionResult converted = vtkHapticToMesh(vtkDataObject::GetData(input[0]));
+  vtkMultiBlockDataSet* const blocks = vtkMultiBlockDataSet::GetData(output);
+  const vtkSmartPointer<vtkDataObject> whole = vtkHapticWholeSurface(vtkDataObject::GetData(input[0]));
+  if (vtkHapticRank() > 0)
+  {
+    for (const char* name : { "Surface", "Holes", "Flipped", "Thin" })
+    {
+      AddBlock(blocks, name, vtkSmartPointer<vtkPolyData>::New()); // the first rank has what is found
+    }
+    return 1;
+  }
+  const vtkHapticConversionResult converted = vtkHapticToMesh(whole);
   if (!refusal.empty() || !converted.Mesh)
   {
     vtkErrorMacro("Nothing is checked: " << (refusal.empty() ? converted.Problem : refusal));
@@ -197,7 +208,6 @@ int vtkHapticSurfaceCheck::RequestData(vtkInformation*, vtkInformationVector** i
   {
     thin.push_back(place.triangle);
   }
-  vtkMultiBlockDataSet* const blocks = vtkMultiBlockDataSet::GetData(output);
   AddBlock(blocks, "Surface", SurfaceOf(mesh, said));
   AddBlock(blocks, "Holes", HolesOf(mesh, faults));
   AddBlock(blocks, "Flipped", TrianglesOf(mesh, said, flipped));

@@ -8,6 +8,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkHapticMeasuredSurface.h"
 #include "vtkHapticPieces.h"
+#include "vtkHapticWholeInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -97,7 +98,7 @@ int vtkHapticSurfaceDistance::RequestData(vtkInformation*, vtkInformationVector*
     return 0;
   }
   std::string problem;
-  const auto reference = vtkHapticMeasuredSurface(vtkDataObject::GetData(input[1]), problem);
+  const auto reference = vtkHapticMeasuredSurface(vtkHapticWholeSurface(vtkDataObject::GetData(input[1])), problem);
   if (!reference)
   {
     vtkErrorMacro("Nothing can be compared with the reference: " << problem);
@@ -105,9 +106,6 @@ int vtkHapticSurfaceDistance::RequestData(vtkInformation*, vtkInformationVector*
   }
   vtkPolyData* const measured = vtkPolyData::GetData(output);
   measured->ShallowCopy(vtkPolyData::GetData(input[0]));
-  if (measured->GetNumberOfPoints() > 0)
-  {
-    Measure(measured, *reference);
-  }
+  Measure(measured, *reference); // a rank without points has empty arrays: where one lacks them, none are gathered
   return 1;
 }

@@ -12,6 +12,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkHapticMeasuredSurface.h"
 #include "vtkHapticPieces.h"
+#include "vtkHapticWholeInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -134,14 +135,20 @@ int vtkHapticSurfacePath::RequestData(vtkInformation*, vtkInformationVector** in
     vtkErrorMacro("Nothing is measured: " << refusal);
     return 0;
   }
-  const std::optional<std::vector<Vec3>> marks = MarksOf(vtkDataObject::GetData(input[1]));
+  const vtkSmartPointer<vtkDataObject> whole = vtkHapticWholeSurface(vtkDataObject::GetData(input[0]));
+  const vtkSmartPointer<vtkDataObject> marked = vtkHapticOnePiece(vtkDataObject::GetData(input[1]));
+  if (vtkHapticRank() > 0)
+  {
+    return 1; // the first rank has the way
+  }
+  const std::optional<std::vector<Vec3>> marks = MarksOf(marked);
   if (!marks || marks->size() < 2)
   {
     vtkErrorMacro("A way needs at least two marks: points, or a table with the columns X, Y and Z");
     return 0;
   }
   std::string problem;
-  const auto surface = vtkHapticMeasuredSurface(vtkDataObject::GetData(input[0]), problem);
+  const auto surface = vtkHapticMeasuredSurface(whole, problem);
   if (!surface)
   {
     vtkErrorMacro("There is no way over the surface: " << problem);

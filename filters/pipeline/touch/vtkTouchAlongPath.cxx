@@ -228,11 +228,12 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
                                                                                      : nullptr;
   vtkDataObject* const held = vtkDataObject::GetData(input[3]);
   const vtkSmartPointer<vtkDataObject> tool = held ? vtkHapticWholeSurface(held) : nullptr;
-  const vtkSmartPointer<vtkPolyData> whole = vtkHapticWholePath(vtkPolyData::GetData(input[1]));
+  const vtkSmartPointer<vtkDataObject> piece = vtkHapticOnePiece(vtkPolyData::GetData(input[1]));
   if (vtkHapticRank() > 0)
   {
     return 1; // one hand: the first rank has what it feels
   }
+  auto* const whole = vtkPolyData::SafeDownCast(piece);
   if (!whole)
   {
     vtkErrorMacro("The path cannot be followed: it lies in pieces on several ranks; give it whole on one of them.");

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticWholeInput.h"
 
+#include <array>
 #include <vector>
 
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 namespace
 {
@@ -23,7 +26,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> PiecesOf(vtkDataObject* piece, vtkMu
   others.AllGather(piece, pieces);
   for (const vtkSmartPointer<vtkDataObject>& each : pieces)
   {
-    if (each && each->GetNumberOfElements(vtkDataObject::POINT) > 0)
+    if (each && each->GetNumberOfElements(vtkDataObject::POINT) + each->GetNumberOfElements(vtkDataObject::ROW) > 0)
     {
       filled.push_back(each);
     }
@@ -36,6 +39,12 @@ int vtkHapticRank()
 {
   vtkMultiProcessController* others = Others();
   return others ? others->GetLocalProcessId() : 0;
+}
+
+int vtkHapticRanks()
+{
+  vtkMultiProcessController* others = Others();
+  return others ? others->GetNumberOfProcesses() : 1;
 }
 
 vtkSmartPointer<vtkDataObject> vtkHapticWholeSurface(vtkDataObject* piece)
@@ -58,7 +67,7 @@ vtkSmartPointer<vtkDataObject> vtkHapticWholeSurface(vtkDataObject* piece)
   return whole;
 }
 
-vtkSmartPointer<vtkPolyData> vtkHapticWholePath(vtkPolyData* piece)
+vtkSmartPointer<vtkDataObject> vtkHapticOnePiece(vtkDataObject* piece)
 {
   vtkMultiProcessController* others = Others();
   if (!others || !piece)
@@ -70,5 +79,19 @@ vtkSmartPointer<vtkPolyData> vtkHapticWholePath(vtkPolyData* piece)
   {
     return nullptr;
   }
-  return pieces.empty() ? piece : vtkPolyData::SafeDownCast(pieces.front());
+  return pieces.empty() ? vtkSmartPointer<vtkDataObject>(piece) : pieces.front();
+}
+
+void vtkHapticAskForWholeImage(vtkInformationVector* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* const info = input->GetInformationObject(0);
+  std::array<int, 6> extent{};
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    info->Get(Pipeline::WHOLE_EXTENT(), extent.data());
+    info->Set(Pipeline::UPDATE_EXTENT(), extent.data(), 6);
+  }
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
 }

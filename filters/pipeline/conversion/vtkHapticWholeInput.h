@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticWholeInput_h
+#define vtkHapticWholeInput_h
+
+#include "vtkHapticPipelineModule.h" // for the export macro
+#include "vtkSmartPointer.h"         // for the return type
+
+class vtkDataObject;
+class vtkInformationVector;
+
+/// A hand goes through all of a surface, whichever ranks its pieces are on, and what is measured on a part is wrong.
+/// Every rank must ask, and asks in the same order. The number of this rank; 0 where there is one alone.
+VTKHAPTICPIPELINE_EXPORT int vtkHapticRank();
+
+/// How many ranks there are.
+VTKHAPTICPIPELINE_EXPORT int vtkHapticRanks();
+
+/// All pieces of a surface, on every rank; where there is one rank the surface itself. Null if there is none.
+VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkDataObject> vtkHapticWholeSurface(vtkDataObject* piece);
+
+/// The one piece of a path or of marks that has points or rows, on every rank; null if several have: nothing says in
+/// which order they follow one another.
+VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkDataObject> vtkHapticOnePiece(vtkDataObject* piece);
+
+/// Asks for a whole image on this rank: to be called where the extent of an input is requested. Readers and sources of
+/// images give every rank what it asks for.
+VTKHAPTICPIPELINE_EXPORT void vtkHapticAskForWholeImage(vtkInformationVector* input);
+
+#endif
