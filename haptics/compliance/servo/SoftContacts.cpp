@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "haptics/contact/carry/Deformation.h"
 #include "haptics/contact/planes/FeatureGeometry.h"
 
 namespace palpate
@@ -105,34 +107,9 @@ double patchOf(std::span<const SoftTouch> soft) noexcept
   return patch_u;
 }
 
-} // namespace
-
-template<SceneView AnyScene>
-void gatherContacts(const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, SoftState& state) noexcept
+/// The forces that the solver begins with.
+void keepForces(std::span<const SoftContact> kept, SoftState& state) noexcept
 {
-  const double patch_u = patchOf(soft);
-  const std::array<SoftContact, GodObjectState::maxFeatures> before = state.contacts;
-  const std::span<const SoftContact> kept(before.data(), static_cast<std::size_t>(state.count));
-  state.count = 0;
-  const auto found = [&state]
-  { return std::span<const SoftContact>(state.contacts.data(), static_cast<std::size_t>(state.count)); };
-  for (int i = 0; i < state.core.count; ++i)
-  {
-    SoftContact contact = contactAt(scene, soft, radius_u, state.core.features[i], state.core.x_W);
-    if (contact.overlap_u > -restsWithin * patch_u && differs(found(), contact, samePlane))
-    {
-      state.contacts[state.count++] = contact;
-    }
-  }
-  for (const SoftContact& old : kept)
-  {
-    const SoftContact now = contactAt(scene, soft, radius_u, old.feature, state.core.x_W);
-    const bool near = now.overlap_u > -rememberedWithin * patch_u && old.force_N.squaredNorm() > 0.0;
-    if (near && state.count < GodObjectState::maxFeatures && differs(found(), now, nearlySame))
-    {
-      state.contacts[state.count++] = now;
-    }
-  }
   for (int i = 0; i < state.count; ++i)
   {
     SoftContact& now = state.contacts[i];
@@ -146,7 +123,77 @@ void gatherContacts(const AnyScene& scene, std::span<const SoftTouch> soft, doub
   }
 }
 
-template void gatherContacts(const Scene&, std::span<const SoftTouch>, double, SoftState&) noexcept;
-template void gatherContacts(const MovingScene&, std::span<const SoftTouch>, double, SoftState&) noexcept;
+} // namespace
+
+template<SceneView AnyScene>
+void gatherContacts(
+  const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, Prefer prefer, SoftState& state) noexcept
+{
+  const double patch_u = patchOf(soft);
+  const std::array<SoftContact, GodObjectState::maxFeatures> before = state.contacts;
+  const std::span<const SoftContact> kept(before.data(), static_cast<std::size_t>(state.count));
+  state.count = 0;
+  const auto add = [&](const SoftContact& contact, double alike)
+  {
+    const std::span<const SoftContact> found(state.contacts.data(), static_cast<std::size_t>(state.count));
+    if (state.count < GodObjectState::maxFeatures && differs(found, contact, alike))
+    {
+      state.contacts[state.count++] = contact;
+    }
+  };
+  const auto addFound = [&](double alike)
+  {
+    for (int i = 0; i < state.core.count; ++i)
+    {
+      const SoftContact contact = contactAt(scene, soft, radius_u, state.core.features[i], state.core.x_W);
+      if (contact.overlap_u > -restsWithin * patch_u)
+      {
+        add(contact, alike);
+      }
+    }
+  };
+  const auto addCarrying = [&](bool facesOnly)
+  {
+    for (const SoftContact& old : kept)
+    {
+      const bool asked = !facesOnly || old.feature.kind == FeatureKind::Face;
+      if (asked && old.force_N.squaredNorm() > 0.0)
+      {
+        const SoftContact contact = contactAt(scene, soft, radius_u, old.feature, state.core.x_W);
+        // The ball stands off what yields more than the rest; further than that the plane goes on without its feature.
+        const double aside_u = contact.n.dot(state.yielded_W - old.yielded_W);
+        if (std::abs(contact.overlap_u - aside_u) < rememberedWithin * patch_u)
+        {
+          add(contact, nearlySame);
+        }
+      }
+    }
+  };
+  if (prefer == Prefer::Carrying)
+  {
+    addCarrying(true); // over edges the ball rolls on
+  }
+  addFound(prefer == Prefer::Carrying ? nearlySame : samePlane);
+  addCarrying(false);
+  keepForces(kept, state);
+}
+
+void handOverContacts(const Scene& from, const Scene& to, SoftState& state) noexcept
+{
+  int kept = 0;
+  for (int c = 0; c < state.count; ++c)
+  {
+    SoftContact contact = state.contacts[c];
+    contact.feature.surface = successorOf(from.surfaces(), contact.feature.surface, to.surfaces());
+    if (contact.feature.surface < to.surfaces().size())
+    {
+      state.contacts[kept++] = contact;
+    }
+  }
+  state.count = kept;
+}
+
+template void gatherContacts(const Scene&, std::span<const SoftTouch>, double, Prefer, SoftState&) noexcept;
+template void gatherContacts(const MovingScene&, std::span<const SoftTouch>, double, Prefer, SoftState&) noexcept;
 
 } // namespace palpate
