@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "haptics/contact/carry/Deformation.h"
 #include "haptics/contact/planes/FeatureGeometry.h"
@@ -107,21 +106,96 @@ double patchOf(std::span<const SoftTouch> soft) noexcept
   return patch_u;
 }
 
-/// The forces that the solver begins with.
-void keepForces(std::span<const SoftContact> kept, SoftState& state) noexcept
+/// The contacts of one turn, one after the other.
+template<SceneView AnyScene>
+class Gathering
 {
-  for (int i = 0; i < state.count; ++i)
+public:
+  Gathering(const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, SoftState& state) noexcept
+    : scene_(scene), soft_(soft), radius_u_(radius_u), patch_u_(patchOf(soft)), state_(state), before_(state.contacts),
+      beforeCount_(static_cast<std::size_t>(state.count))
   {
-    SoftContact& now = state.contacts[i];
-    for (const SoftContact& old : kept)
+    state.count = 0;
+  }
+
+  /// What the core rests on, where its normal is not `alike` to one that is there.
+  void addFound(double alike) noexcept
+  {
+    for (int i = 0; i < this->state_.core.count; ++i)
     {
-      if (old.feature.surface == now.feature.surface && old.n.dot(now.n) > nearlySame)
+      const SoftContact contact = this->at(this->state_.core.features[i]);
+      if (contact.overlap_u > -restsWithin * this->patch_u_)
       {
-        now.force_N = old.force_N;
+        this->add(contact, alike);
       }
     }
   }
-}
+
+  /// What carried force and is near.
+  void addCarrying(bool facesOnly) noexcept
+  {
+    for (const SoftContact& old : this->before())
+    {
+      const bool asked = !facesOnly || old.feature.kind == FeatureKind::Face;
+      if (!asked || old.force_N.squaredNorm() == 0.0)
+      {
+        continue;
+      }
+      const SoftContact contact = this->at(old.feature);
+      // The ball stands off what yields more than the rest; further than that the plane goes on without its feature.
+      const double aside_u = contact.n.dot(this->state_.yielded_W - old.yielded_W);
+      if (std::abs(contact.overlap_u - aside_u) < rememberedWithin * this->patch_u_)
+      {
+        this->add(contact, nearlySame);
+      }
+    }
+  }
+
+  /// The forces that the solver begins with.
+  void keepForces() noexcept
+  {
+    for (int i = 0; i < this->state_.count; ++i)
+    {
+      SoftContact& now = this->state_.contacts[i];
+      for (const SoftContact& old : this->before())
+      {
+        if (old.feature.surface == now.feature.surface && old.n.dot(now.n) > nearlySame)
+        {
+          now.force_N = old.force_N;
+        }
+      }
+    }
+  }
+
+private:
+  [[nodiscard]] std::span<const SoftContact> before() const noexcept
+  {
+    return { this->before_.data(), this->beforeCount_ };
+  }
+
+  [[nodiscard]] SoftContact at(const ActiveFeature& feature) const noexcept
+  {
+    return contactAt(this->scene_, this->soft_, this->radius_u_, feature, this->state_.core.x_W);
+  }
+
+  void add(const SoftContact& contact, double alike) noexcept
+  {
+    const std::span<const SoftContact> found(
+      this->state_.contacts.data(), static_cast<std::size_t>(this->state_.count));
+    if (this->state_.count < GodObjectState::maxFeatures && differs(found, contact, alike))
+    {
+      this->state_.contacts[this->state_.count++] = contact;
+    }
+  }
+
+  const AnyScene& scene_;
+  std::span<const SoftTouch> soft_;
+  double radius_u_;
+  double patch_u_;
+  SoftState& state_;
+  std::array<SoftContact, GodObjectState::maxFeatures> before_;
+  std::size_t beforeCount_;
+};
 
 } // namespace
 
@@ -129,53 +203,14 @@ template<SceneView AnyScene>
 void gatherContacts(
   const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, Prefer prefer, SoftState& state) noexcept
 {
-  const double patch_u = patchOf(soft);
-  const std::array<SoftContact, GodObjectState::maxFeatures> before = state.contacts;
-  const std::span<const SoftContact> kept(before.data(), static_cast<std::size_t>(state.count));
-  state.count = 0;
-  const auto add = [&](const SoftContact& contact, double alike)
-  {
-    const std::span<const SoftContact> found(state.contacts.data(), static_cast<std::size_t>(state.count));
-    if (state.count < GodObjectState::maxFeatures && differs(found, contact, alike))
-    {
-      state.contacts[state.count++] = contact;
-    }
-  };
-  const auto addFound = [&](double alike)
-  {
-    for (int i = 0; i < state.core.count; ++i)
-    {
-      const SoftContact contact = contactAt(scene, soft, radius_u, state.core.features[i], state.core.x_W);
-      if (contact.overlap_u > -restsWithin * patch_u)
-      {
-        add(contact, alike);
-      }
-    }
-  };
-  const auto addCarrying = [&](bool facesOnly)
-  {
-    for (const SoftContact& old : kept)
-    {
-      const bool asked = !facesOnly || old.feature.kind == FeatureKind::Face;
-      if (asked && old.force_N.squaredNorm() > 0.0)
-      {
-        const SoftContact contact = contactAt(scene, soft, radius_u, old.feature, state.core.x_W);
-        // The ball stands off what yields more than the rest; further than that the plane goes on without its feature.
-        const double aside_u = contact.n.dot(state.yielded_W - old.yielded_W);
-        if (std::abs(contact.overlap_u - aside_u) < rememberedWithin * patch_u)
-        {
-          add(contact, nearlySame);
-        }
-      }
-    }
-  };
+  Gathering<AnyScene> gathering(scene, soft, radius_u, state);
   if (prefer == Prefer::Carrying)
   {
-    addCarrying(true); // over edges the ball rolls on
+    gathering.addCarrying(true); // over edges the ball rolls on
   }
-  addFound(prefer == Prefer::Carrying ? nearlySame : samePlane);
-  addCarrying(false);
-  keepForces(kept, state);
+  gathering.addFound(prefer == Prefer::Carrying ? nearlySame : samePlane);
+  gathering.addCarrying(false);
+  gathering.keepForces();
 }
 
 void handOverContacts(const Scene& from, const Scene& to, SoftState& state) noexcept

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,39 @@ TEST(CompliancePacket, WithTheForceOfItsStateTheSurfaceIsThatOfItsState)
                request.force_N[0];
     }
     EXPECT_LE((place - state[packet->near[i]]).norm(), 1e-14);
+  }
+}
+
+TEST(CompliancePacket, IsTheSameToTheBitWhetherOneTwoOrFourThreadsMakeTheirOwn)
+{
+  const auto make = []
+  {
+    SoftPad soft(
+      6, 2.0, ElementKind::EdgeSmoothed, [](SoftBodyInput& input) { input.model = ElasticModel::NeoHookean; });
+    PacketRequest request = soft.request(0.005);
+    request.forceAt = { soft.top() };
+    request.force_N = { Vec3(0.1, 0.0, -0.5) };
+    return PacketMaker(*soft.body, soft.surface).make(request);
+  };
+  const auto alone = make();
+  ASSERT_TRUE(alone);
+  for (const std::size_t count : { 2u, 4u })
+  {
+    std::vector<std::shared_ptr<const CompliancePacket>> made(count);
+    {
+      std::vector<std::jthread> threads;
+      for (auto& packet : made)
+      {
+        threads.emplace_back([&packet, &make] { packet = make(); });
+      }
+    }
+    for (const auto& packet : made)
+    {
+      ASSERT_TRUE(packet);
+      EXPECT_EQ(packet->compliance, alone->compliance);
+      EXPECT_EQ(packet->free_W, alone->free_W);
+      EXPECT_EQ(packet->energy_Nu, alone->energy_Nu);
+    }
   }
 }
 
