@@ -143,6 +143,8 @@ std::vector<Experiment> softExperiments()
       runLocking },
     { "patch", "under a patch compliance has a limit as the mesh gets finer, under a node it has none", { 37 },
       runPatch },
+    { "packets", "a hand outruns the vertices of its packet: it feels the nearest of them, not a rigid body", { 40 },
+      runPackets },
     { "contacts", "contacts that share compliance: what the tick's solver leaves open, and what it costs", { 38, 42 },
       runContacts },
     { "direct-coupling", "an object that is stable alone and not when it is touched, and one whose force is held",
