@@ -135,13 +135,34 @@ std::vector<Experiment> fieldExperiments()
   };
 }
 
+/// What gives way.
+std::vector<Experiment> softExperiments()
+{
+  return {
+    { "locking", "a bar of tetrahedra that bends: linear ones are too stiff, edge-smoothed ones are not", { 36 },
+      runLocking },
+    { "patch", "under a patch compliance has a limit as the mesh gets finer, under a node it has none", { 37 },
+      runPatch },
+    { "packets", "a hand outruns the vertices of its packet: it feels the nearest of them, not a rigid body", { 40 },
+      runPackets },
+    { "contacts", "contacts that share compliance: what the tick's solver leaves open, and what it costs", { 38, 42 },
+      runContacts },
+    { "direct-coupling", "an object that is stable alone and not when it is touched, and one whose force is held",
+      { 67, 68 }, runDirectCoupling },
+    { "materials-large", "laws of elasticity turned, pulled and pressed far: which of them lie", { 70, 71, 72 },
+      runMaterialsLarge },
+    { "mapping", "forces go back by the transpose of the map, or a hand gets torque and energy for nothing", { 77 },
+      runMapping },
+  };
+}
+
 } // namespace
 
 std::vector<Experiment> experiments()
 {
   std::vector<Experiment> all;
   for (const auto& group : { forceExperiments(), contactExperiments(), sceneExperiments(), planeExperiments(),
-         fieldExperiments() })
+         fieldExperiments(), softExperiments() })
   {
     all.insert(all.end(), group.begin(), group.end());
   }

@@ -55,5 +55,12 @@ void runSwitchedSprings(const Conditions& conditions, Table& table);
 void runFields(const Conditions& conditions, Table& table);
 void runBricks(const Conditions& conditions, Table& table);
 void runSoftLines(const Conditions& conditions, Table& table);
+void runLocking(const Conditions& conditions, Table& table);
+void runPatch(const Conditions& conditions, Table& table);
+void runPackets(const Conditions& conditions, Table& table);
+void runContacts(const Conditions& conditions, Table& table);
+void runDirectCoupling(const Conditions& conditions, Table& table);
+void runMaterialsLarge(const Conditions& conditions, Table& table);
+void runMapping(const Conditions& conditions, Table& table);
 
 } // namespace palpate::lab

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "haptics/compliance/solve/OldFactor.h"
+
 namespace palpate
 {
 namespace
@@ -21,6 +23,20 @@ std::vector<std::int32_t> numberFree(const StrainPoints& points, const std::vect
     number(fixed[a] && fixed[b]);
   }
   return numbers;
+}
+
+/// Of numbers that an int counts, as CHOLMOD and the pattern do.
+constexpr std::size_t mostCounted = sizeof(double) * std::numeric_limits<int>::max();
+
+/// A sentence where that much is more than allowed.
+std::string refuseBytes(std::size_t bytes, std::size_t most)
+{
+  if (bytes <= most)
+  {
+    return {};
+  }
+  return "the body needs about " + std::to_string(bytes >> 20) + " MB, more than the " + std::to_string(most >> 20) +
+         " MB allowed: mesh it coarser";
 }
 
 } // namespace
@@ -99,7 +115,7 @@ SoftBodyState SoftBody::stateUnder(const Eigen::VectorXd& load_N) const
   return state;
 }
 
-bool SoftBody::refactor()
+void SoftBody::assemble()
 {
   const std::span<const double> at(this->displacement_.data(), static_cast<std::size_t>(this->displacement_.size()));
   std::fill(this->stiffness_.values.begin(), this->stiffness_.values.end(), 0.0);
@@ -109,7 +125,39 @@ bool SoftBody::refactor()
     this->pattern_.add(
       this->stiffness_, this->points_, i, stressDerivative(this->model_, p.moduli, this->points_.deformationAt(p, at)));
   }
+}
+
+bool SoftBody::factorAssembled()
+{
+  ++this->factorings_;
   return this->factor_.factor(this->stiffness_);
+}
+
+bool SoftBody::refactor()
+{
+  this->assemble();
+  return this->factorAssembled();
+}
+
+std::optional<Eigen::VectorXd> SoftBody::newtonStep(const Eigen::VectorXd& open)
+{
+  // What Hooke's law makes of it does not change with the state.
+  if (this->model_ == ElasticModel::Linear && this->factor_.ready())
+  {
+    return this->factor_.solve(open);
+  }
+  this->assemble();
+  if (this->factoring_ == Factoring::WhenOld && this->factor_.ready())
+  {
+    constexpr double share = 1e-3;
+    constexpr int mostIterations = 8; // as many solves cost about a factor
+    if (OldFactorAnswer answer = solveByOldFactor(this->stiffness_, this->factor_, open, share, mostIterations);
+        answer.reached)
+    {
+      return std::move(answer.x);
+    }
+  }
+  return this->factorAssembled() ? std::optional(this->factor_.solve(open)) : std::nullopt;
 }
 
 bool SoftBody::settle(const Eigen::VectorXd& load_N, int steps)
@@ -123,13 +171,12 @@ bool SoftBody::settle(const Eigen::VectorXd& load_N, int steps)
     {
       return true;
     }
-    // What Hooke's law makes of it does not change with the state.
-    if ((this->model_ != ElasticModel::Linear || !this->factor_.ready()) && !this->refactor())
+    const std::optional<Eigen::VectorXd> step = this->newtonStep(open);
+    if (!step)
     {
       return false;
     }
-    const Eigen::VectorXd step = this->factor_.solve(open);
-    this->stepDown(load_N, this->scatter(step), open.dot(step));
+    this->stepDown(load_N, this->scatter(*step), open.dot(*step));
   }
   return true;
 }
@@ -200,7 +247,8 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input)
     result.refusal = one.refusal;
     moduli.push_back(one.moduli);
   }
-  if (result.refusal.empty() && std::all_of(input.fixed.begin(), input.fixed.end(), [](bool held) { return held; }))
+  const std::vector<bool>& fixed = result.checked.fixed;
+  if (result.refusal.empty() && std::all_of(fixed.begin(), fixed.end(), [](bool held) { return held; }))
   {
     result.refusal = "all of the body is fixed: nothing gives way";
   }
@@ -208,12 +256,18 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input)
   {
     return result;
   }
-  auto body = std::make_unique<SoftBody>(
-    makeStrainPoints(result.checked.mesh, input.element, moduli), input.model, result.checked.fixed);
-  if (body->factorBytes() == 0 || body->factorBytes() > input.mostBytes)
+  StrainPoints points = makeStrainPoints(result.checked.mesh, input.element, moduli);
+  result.refusal = refuseBytes(points.mostStiffnessBytes(), std::min(input.mostBytes, mostCounted));
+  if (!result.refusal.empty())
   {
-    result.refusal = "the body needs " + std::to_string(body->factorBytes() >> 20) + " MB, more than the " +
-                     std::to_string(input.mostBytes >> 20) + " MB allowed: mesh it coarser";
+    return result;
+  }
+  auto body = std::make_unique<SoftBody>(std::move(points), input.model, fixed);
+  // No factor at all: its numbers are more than CHOLMOD counts.
+  const std::size_t bytes = body->factorBytes();
+  result.refusal = refuseBytes(bytes > 0 ? bytes : mostCounted + 1, std::min(input.mostBytes, mostCounted));
+  if (!result.refusal.empty())
+  {
     return result;
   }
   if (!body->refactor())

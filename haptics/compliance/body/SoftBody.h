@@ -10,6 +10,13 @@
 namespace palpate
 {
 
+/// When the stiffness of a law that changes with strain is factored anew.
+enum class Factoring : std::uint8_t
+{
+  EachStep,
+  WhenOld, ///< once the last factor takes more than eight iterations to solve by: cheaper from some 2,000 nodes on
+};
+
 /// What a soft body is made of.
 struct SoftBodyInput
 {
@@ -47,10 +54,14 @@ public:
   [[nodiscard]] bool refactor();
   /// Newton steps towards the rest under `load_N` (three numbers a node), each as long as it lowers the energy: up to
   /// `steps`, or until nothing is left unbalanced but rounding. False if a factor failed: the state stays as it was.
+  /// Steps by an old factor are solved to a thousandth; compliance() and linearAnswer() are then of that factor.
   [[nodiscard]] bool settle(const Eigen::VectorXd& load_N, int steps);
   /// Forces that the body's strain puts on its nodes, three numbers a node [N].
   [[nodiscard]] Eigen::VectorXd innerForces() const { return this->forcesAt(this->displacement_); }
   [[nodiscard]] SoftBodyState stateUnder(const Eigen::VectorXd& load_N) const;
+  void factorsBe(Factoring factoring) { this->factoring_ = factoring; }
+  /// Since it was made.
+  [[nodiscard]] std::size_t factorings() const { return this->factorings_; }
   void place(const Eigen::VectorXd& displacement) { this->displacement_ = displacement; }
 
   /// H K^-1 H^T [u/N] of the last factor; `h`: its rows, on the numbers 3 node + axis.
@@ -63,6 +74,10 @@ private:
   [[nodiscard]] double energyAt(const Eigen::VectorXd& displacement) const;
   [[nodiscard]] Eigen::VectorXd gather(const Eigen::VectorXd& ofNodes) const;
   [[nodiscard]] Eigen::VectorXd scatter(const Eigen::VectorXd& ofFree) const;
+  void assemble();
+  [[nodiscard]] bool factorAssembled();
+  /// The step that the stiffness of this state makes of open forces; nothing where it could not be factored.
+  [[nodiscard]] std::optional<Eigen::VectorXd> newtonStep(const Eigen::VectorXd& open);
   void stepDown(const Eigen::VectorXd& load_N, const Eigen::VectorXd& step, double slope);
 
   StrainPoints points_;
@@ -70,6 +85,8 @@ private:
   StiffnessPattern pattern_;
   SparseLower stiffness_;
   SparseFactor factor_;
+  Factoring factoring_ = Factoring::EachStep;
+  std::size_t factorings_ = 0;
   Eigen::VectorXd displacement_;
 };
 

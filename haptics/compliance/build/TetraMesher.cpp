@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <sstream>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
@@ -34,6 +35,14 @@ struct Cancelled
 {
 };
 
+/// More came up than volume and edge let expect.
+struct TooMany
+{
+};
+
+/// So often the refinement asks what a place is in, a tetrahedron.
+constexpr double questionsOfTetra = 50.0;
+
 /// What is to be filled.
 struct Filled
 {
@@ -47,8 +56,8 @@ struct Filled
 class WatchedLabel
 {
 public:
-  WatchedLabel(const Filled& filled, double expected, const Goes& goes)
-    : labelAt_(filled.labelAt), expected_(expected), goes_(goes)
+  WatchedLabel(const Filled& filled, double expected, double most, const Goes& goes)
+    : labelAt_(filled.labelAt), expected_(expected), most_(most), goes_(goes)
   {
   }
 
@@ -60,12 +69,17 @@ public:
     {
       throw Cancelled();
     }
+    if (asked > this->most_)
+    {
+      throw TooMany();
+    }
     return this->labelAt_(Vec3(p.x(), p.y(), p.z()));
   }
 
 private:
   const LabelAt& labelAt_;
   double expected_;
+  double most_;
   std::size_t asked_ = 0;
   const Goes& goes_;
 };
@@ -106,6 +120,13 @@ std::string refuseSizes(const Filled& filled, const TetraSizes& sizes)
   {
     return "tetrahedra need a length of edge and a distance above 0";
   }
+  // Doubles cannot halve a way across the border often enough for less.
+  if (const double least_u = 1e-7 * (filled.high_W - filled.low_W).norm(); sizes.distance_u < least_u)
+  {
+    std::ostringstream words;
+    words << "a distance of " << sizes.distance_u << " is too short: give one of at least " << least_u;
+    return words.str();
+  }
   if (const double expected = tetrasExpected(filled, sizes); expected > static_cast<double>(sizes.most))
   {
     return "about " + std::to_string(static_cast<std::size_t>(expected)) + " tetrahedra would be made, more than the " +
@@ -122,8 +143,9 @@ TetraMeshResult fill(const Filled& filled, const TetraSizes& sizes, const Goes& 
   {
     return result;
   }
-  const double expected = 50.0 * tetrasExpected(filled, sizes); // questions; some 50 a tetrahedron
-  const auto watched = std::make_shared<WatchedLabel>(filled, expected, goes);
+  const double expected = questionsOfTetra * tetrasExpected(filled, sizes);
+  const double most = 4.0 * questionsOfTetra * static_cast<double>(sizes.most);
+  const auto watched = std::make_shared<WatchedLabel>(filled, expected, most, goes);
   const auto labelAt = [watched](const Kernel::Point_3& p) { return (*watched)(p); };
   const CGAL::Bbox_3 box(
     filled.low_W.x(), filled.low_W.y(), filled.low_W.z(), filled.high_W.x(), filled.high_W.y(), filled.high_W.z());
@@ -142,6 +164,19 @@ TetraMeshResult fill(const Filled& filled, const TetraSizes& sizes, const Goes& 
   catch (const Cancelled&)
   {
     result.refusal = "cancelled";
+  }
+  catch (const TooMany&)
+  {
+    result.refusal = "far more than the " + std::to_string(sizes.most) +
+                     " tetrahedra allowed come up near the border: give a longer distance";
+  }
+  catch (const std::exception& e) // CGAL's own, and memory
+  {
+    result.refusal = std::string("CGAL could not mesh it: ") + e.what();
+  }
+  if (!result.refusal.empty())
+  {
+    result.mesh = {};
     return result;
   }
   if (result.mesh.tetras.empty())

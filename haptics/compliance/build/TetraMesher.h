@@ -17,7 +17,7 @@ namespace palpate
 struct TetraSizes
 {
   double edge_u = 0.0;       ///< about their longest edges inside
-  double distance_u = 0.0;   ///< of the border from what is meshed, as CGAL keeps it
+  double distance_u = 0.0;   ///< of the border from what is meshed, as CGAL keeps it; not below 1e-7 of the size
   std::size_t most = 500000; ///< tetrahedra that are expected, from volume and edge: more are refused before
 };
 

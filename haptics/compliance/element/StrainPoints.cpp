@@ -118,6 +118,16 @@ Mat3 StrainPoints::deformationAt(const StrainPoint& p, std::span<const double> d
   return f;
 }
 
+std::size_t StrainPoints::mostStiffnessBytes() const
+{
+  std::size_t pairs = 0;
+  for (const StrainPoint& p : this->points)
+  {
+    pairs += p.count * (p.count + 1) / 2;
+  }
+  return 9 * sizeof(double) * pairs;
+}
+
 StrainPoints makeStrainPoints(const TetraMesh& mesh, ElementKind kind, const std::vector<ElasticModuli>& moduli)
 {
   StrainPoints all;

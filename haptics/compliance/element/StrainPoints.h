@@ -46,6 +46,9 @@ struct StrainPoints
   {
     return { this->gradients.data() + p.first, p.count };
   }
+  /// Bytes of a stiffness in which every pair of nodes of every point has a block of its own: no fewer than the real
+  /// one takes.
+  [[nodiscard]] std::size_t mostStiffnessBytes() const;
   /// `displacement`: three numbers a node [u].
   [[nodiscard]] Mat3 deformationAt(const StrainPoint& p, std::span<const double> displacement) const;
 };

@@ -185,6 +185,10 @@ ModuliResult moduliOf(double young_Pa, double poisson, double unit_m)
     return { {},
       saying("Poisson's ratio is ", poisson, ": give one from 0 to below 0.5, 0.49 for what keeps its volume") };
   }
+  if (!(unit_m > 0.0) || !std::isfinite(unit_m * unit_m * 1e12) || !(unit_m * unit_m > 0.0))
+  {
+    return { {}, saying("A unit of the scene is ", unit_m, " m: give one above 0, 0.001 for a scene in millimetres") };
+  }
   const double young = young_Pa * unit_m * unit_m;
   return { { young / (2.0 * (1.0 + poisson)), young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)) }, {} };
 }

@@ -42,8 +42,9 @@ struct CompliancePacket
   std::vector<double> patchRadius_u;  ///< of each place
   std::vector<SurfacePoint> forceAt;  ///< where the tool pressed in the state that it was linearised at
   std::vector<Vec3> force_N;          ///< and how
-  double energy_Nu = 0.0;             ///< elastic energy of that state
+  double energy_Nu = 0.0;             ///< elastic energy, those forces taken off by this compliance
   double residual_N = 0.0;            ///< that its Newton steps left
+  bool struck = false;                ///< the hand is faster than the body can follow: its inertia is not computed
   double mostGradient = 0.0;          ///< largest |F - 1|: from .1 small strain is a few per cent off, from .5 far off
 
   [[nodiscard]] Mat3 between(std::uint32_t a, std::uint32_t b) const noexcept

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <queue>
+
+#include "haptics/compliance/packet/PointCompliance.h"
 
 namespace palpate
 {
@@ -63,6 +66,23 @@ std::uint32_t nearestVertex(const std::vector<Vec3>& places_W, const Vec3& p_W)
   return static_cast<std::uint32_t>(std::min_element(places_W.begin(), places_W.end(), nearer) - places_W.begin());
 }
 
+/// f C f of the forces that a packet was linearised at: what they make yield, times them.
+double forceYieldOf(const CompliancePacket& packet)
+{
+  std::vector<CompliantPoint> points;
+  std::ranges::transform(packet.forceAt, std::back_inserter(points),
+    [&packet](const SurfacePoint& at) { return compliantPoint(packet, at); });
+  double sum = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (std::size_t j = 0; j < points.size(); ++j)
+    {
+      sum += packet.force_N[i].dot(complianceBetween(packet, points[i], points[j]) * packet.force_N[j]);
+    }
+  }
+  return sum;
+}
+
 } // namespace
 
 NearVertices nearVerticesOf(
@@ -109,6 +129,8 @@ void PacketMaker::choose(const PacketRequest& request, CompliancePacket& packet)
   const double ahead = std::min(1.5 * speed * request.period_s, 0.5 * reach);
   const Vec3 center = speed > 0.0 ? Vec3(request.ball_W + ahead / speed * request.velocity_u_per_s) : request.ball_W;
   NearVertices chosen = nearVerticesOf(this->surface_, packet.free_W, center, reach);
+  // A strike lasts about as long as the hand takes for a patch; and a packet is no older than that either.
+  packet.struck = speed * std::max(this->naturalPeriod_s_, request.period_s) > this->surface_.patch_u[at];
   packet.near = std::move(chosen.near);
   packet.placeOf = std::move(chosen.placeOf);
 }
@@ -144,7 +166,7 @@ std::shared_ptr<const CompliancePacket> PacketMaker::make(const PacketRequest& r
   packet->forceAt = request.forceAt;
   packet->force_N = request.force_N;
   const SoftBodyState state = this->body_.stateUnder(load);
-  packet->energy_Nu = state.energy_Nu;
+  packet->energy_Nu = state.energy_Nu - 0.5 * forceYieldOf(*packet);
   packet->residual_N = state.residual_N;
   packet->mostGradient = state.mostGradient;
   return packet;

@@ -34,8 +34,11 @@ struct NearVertices
 class PacketMaker
 {
 public:
-  /// References are kept.
-  PacketMaker(SoftBody& body, const SoftSurface& surface) : body_(body), surface_(surface) {}
+  /// References are kept. `naturalPeriod_s`: the body's (NaturalPeriod.h); 0: it has no mass.
+  PacketMaker(SoftBody& body, const SoftSurface& surface, double naturalPeriod_s = 0.0)
+    : body_(body), surface_(surface), naturalPeriod_s_(naturalPeriod_s)
+  {
+  }
 
   /// Brings the body to its rest under the tool's force by so many Newton steps, and reads off what the servo needs.
   /// Null if a factor failed.
@@ -48,6 +51,7 @@ private:
 
   SoftBody& body_;
   const SoftSurface& surface_;
+  double naturalPeriod_s_;
   std::uint32_t version_ = 0;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/compliance/packet/PointCompliance.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace palpate
@@ -43,12 +42,17 @@ Mat3 lowerRoot(const Mat3& m) noexcept
   return l;
 }
 
-/// Falls to a half where exp(-(d/a)^2) does, a the patch's radius; 0 from 2.4 of it on.
-double fallOff(double distance_u, double patch_u) noexcept
+/// How much of what two patches of radii a and b have beyond the bilinear form is common to both: about exp(-(d/a)^2)
+/// where they are alike. A rational quadratic is positive definite in spaces of any dimension, so it stays so where the
+/// radius changes from place to place (Paciorek & Schervish 2004).
+double commonShare(double distance2_u2, double a_u, double b_u) noexcept
 {
-  const double r = distance_u / (2.4 * patch_u);
-  const double left = std::max(1.0 - r, 0.0);
-  return left * left * left * left * (4.0 * r + 1.0);
+  const double mean2_u2 = 0.5 * (a_u * a_u + b_u * b_u);
+  const double alike = a_u * b_u / mean2_u2;
+  const double fall = 1.0 / (1.0 + 0.125 * distance2_u2 / mean2_u2);
+  const double fall2 = fall * fall;
+  const double fall4 = fall2 * fall2;
+  return alike * std::sqrt(alike) * fall4 * fall4;
 }
 
 } // namespace
@@ -67,7 +71,7 @@ CompliantPoint compliantPoint(const CompliancePacket& packet, const SurfacePoint
 
 Mat3 complianceBetween(const CompliancePacket& packet, const CompliantPoint& a, const CompliantPoint& b) noexcept
 {
-  const double beyond = fallOff((a.at.x_W - b.at.x_W).norm(), std::min(a.patch_u, b.patch_u));
+  const double beyond = commonShare((a.at.x_W - b.at.x_W).squaredNorm(), a.patch_u, b.patch_u);
   return bilinear(packet, a.at, b.at) + beyond * a.own * b.own.transpose();
 }
 

@@ -22,7 +22,7 @@ struct CompliantPoint
 
 /// How `a` answers to a force on `b` [u/N]. Of any set of points this is a positive semidefinite matrix, and points
 /// that coincide share one compliance: what is beyond the bilinear form goes with distance by a kernel that is positive
-/// definite in space and a polynomial (Wendland 1995).
+/// definite though patches are not alike.
 [[nodiscard]] Mat3 complianceBetween(
   const CompliancePacket& packet, const CompliantPoint& a, const CompliantPoint& b) noexcept;
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <limits>
 
 #include "haptics/core/Types.h"
 
@@ -30,18 +32,23 @@ struct ContactForces
 {
   ContactProblem::Numbers force_N;
   double residual_u = 0.0;
+  double enough_u = 0.0; ///< a residual that rounding explains: nothing is gained below
   int steps = 0;
+  std::uint32_t work = 0; ///< done, in the unit of ContactPlan::workBudget
 };
 
-/// Signorini without friction: gap >= 0, force >= 0, one of them 0. By an active set (Lawson & Hanson 1974), exact but
-/// for rounding; of normals that are not independent one carries the force. Forces across are 0. Real-time safe.
+/// Signorini without friction: gap >= 0, force >= 0, one of them 0. By the dual active set of Goldfarb & Idnani (1983),
+/// exact but for rounding: a contact whose normal follows from those of others takes the place of one of them, and one
+/// that the others contradict gets no force. Forces across are 0. Real-time safe.
 void solveGaps(const ContactProblem& problem, ContactForces& forces) noexcept;
 
 /// What the friction solver needs to work in: kept by who calls it.
 struct FrictionRoom
 {
   ContactProblem::Square jacobian;
+  ContactProblem::Numbers moved;
   ContactProblem::Numbers residual;
+  ContactProblem::Numbers part;
   ContactProblem::Numbers step;
   ContactProblem::Numbers trial;
   ContactProblem::Numbers best;
@@ -50,7 +57,9 @@ struct FrictionRoom
 /// Signorini and Coulomb: in contact either no slip within the cone, or slip against the force on the cone. Begins with
 /// forces.force_N, which must have the problem's size. A few sweeps of projected Gauss-Seidel, then semismooth Newton
 /// steps on Alart & Curnier's (1991) function with a line search; more sweeps where a step does not help. Beyond 20
-/// contacts sweeps alone, which are then cheaper. The best forces are kept and lie in their cones. Real-time safe.
-void solveFriction(const ContactProblem& problem, FrictionRoom& room, ContactForces& forces) noexcept;
+/// contacts sweeps alone, which are then cheaper. The best forces are kept and lie in their cones; so do those where
+/// `budget` ended it, in the unit of ContactPlan::workBudget. Real-time safe.
+void solveFriction(const ContactProblem& problem, FrictionRoom& room, ContactForces& forces,
+  std::uint32_t budget = std::numeric_limits<std::uint32_t>::max()) noexcept;
 
 } // namespace palpate

@@ -13,33 +13,58 @@ namespace
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr int newtonUpTo = 20; // contacts: sweeps are cheaper from there on
+constexpr int newtonUpTo = 20;     // contacts: sweeps are cheaper from there on
+constexpr int sweepsAlone = 60;    // of forty contacts of any kind these leave less than a hundred thousandth
+constexpr double rounding = 1e-14; // of the largest number in the problem
 
-/// The solver's steps on one problem.
+/// The solver's steps on one problem. room.moved follows the forces: free + compliance force.
 class FrictionSteps
 {
 public:
   FrictionSteps(const ContactProblem& problem, FrictionRoom& room) noexcept : p_(problem), room_(room) {}
 
-  /// One sweep of projected Gauss-Seidel.
+  /// One sweep of projected Gauss-Seidel; room.moved is that of f before and after.
   void sweep(ContactProblem::Numbers& f) const noexcept
   {
     for (int c = 0; c < this->p_.count; ++c)
     {
-      if (this->normalCompliance(c) <= 0.0)
+      const double normal = this->normalCompliance(c);
+      if (normal <= 0.0)
       {
         continue;
       }
-      f[3 * c] = std::max(0.0, f[3 * c] - this->displacement(c, f)[0] / this->normalCompliance(c));
-      const Vec3 d = this->displacement(c, f);
-      const Vec2 across = f.segment<2>(3 * c + 1) - d.tail<2>() / this->acrossCompliance(c);
-      f.segment<2>(3 * c + 1) = inCone(across, this->p_.friction * f[3 * c]);
+      const auto columns = this->p_.compliance.middleCols<3>(3 * c);
+      const Vec3 before = f.segment<3>(3 * c);
+      Vec3 after = before;
+      after[0] = std::max(0.0, before[0] - this->room_.moved[3 * c] / normal);
+      const Vec2 moved = this->room_.moved.segment<2>(3 * c + 1) +
+                         (after[0] - before[0]) * columns.middleRows<3>(3 * c).col(0).tail<2>();
+      after.tail<2>() = inCone(before.tail<2>() - moved / this->acrossCompliance(c), this->p_.friction * after[0]);
+      if (after != before)
+      {
+        f.segment<3>(3 * c) = after;
+        this->room_.moved += columns.lazyProduct(after - before);
+      }
     }
   }
 
-  /// By how much the laws are not met, in units of displacement; fills room.residual.
+  /// Anew, without what rounding left.
+  void move(const ContactProblem::Numbers& f) const noexcept
+  {
+    this->room_.moved = this->p_.free;
+    for (int c = 0; c < this->p_.count; ++c)
+    {
+      if (const Vec3 force = f.segment<3>(3 * c); force != Vec3::Zero())
+      {
+        this->room_.moved += this->p_.compliance.middleCols<3>(3 * c).lazyProduct(force);
+      }
+    }
+  }
+
+  /// By how much the laws are not met, in units of displacement; fills room.moved and room.residual.
   [[nodiscard]] double residual(const ContactProblem::Numbers& f) const noexcept
   {
+    this->move(f);
     this->room_.residual.resize(f.size());
     for (int c = 0; c < this->p_.count; ++c)
     {
@@ -54,18 +79,19 @@ public:
     return this->room_.residual.size() > 0 ? this->room_.residual.lpNorm<Eigen::Infinity>() : 0.0;
   }
 
-  /// One Newton step with a line search; false if it does not help. room.residual is that of f.
-  [[nodiscard]] bool newton(ContactProblem::Numbers& f, double& residual) const noexcept
+  /// One Newton step with a line search; false if it does not help. room.moved and room.residual are those of f.
+  [[nodiscard]] bool newton(ContactProblem::Numbers& f, double& residual) noexcept
   {
-    this->room_.jacobian.resize(f.size(), f.size());
-    for (int c = 0; c < this->p_.count; ++c)
-    {
-      this->linearise(c, f);
-    }
-    this->room_.step = -this->room_.residual;
-    if (!solveInPlace(this->room_.jacobian, this->room_.step))
+    this->findPressed(f);
+    this->linearise(f);
+    if (!solveInPlace(this->room_.jacobian, this->room_.part))
     {
       return false;
+    }
+    this->room_.step = -f; // of those that open
+    for (int a = 0; a < this->pressed_; ++a)
+    {
+      this->room_.step.segment<3>(3 * this->list_[a]) = this->room_.part.segment<3>(3 * a);
     }
     for (double length = 1.0; length > 1e-3; length *= 0.5)
     {
@@ -89,6 +115,8 @@ public:
     }
   }
 
+  [[nodiscard]] int pressed() const noexcept { return this->pressed_; }
+
 private:
   [[nodiscard]] static Vec2 inCone(const Vec2& across, double most) noexcept
   {
@@ -100,92 +128,148 @@ private:
   {
     return 0.5 * (this->p_.compliance(3 * c + 1, 3 * c + 1) + this->p_.compliance(3 * c + 2, 3 * c + 2));
   }
-  [[nodiscard]] Vec3 displacement(int c, const ContactProblem::Numbers& f) const noexcept
-  {
-    Vec3 d = this->p_.free.segment<3>(3 * c);
-    for (int j = 0; j < this->p_.count; ++j)
-    {
-      d += this->p_.compliance.block<3, 3>(3 * c, 3 * j) * f.segment<3>(3 * j);
-    }
-    return d;
-  }
   /// The force that the laws would make of the displacement.
   [[nodiscard]] Vec3 aim(int c, const ContactProblem::Numbers& f) const noexcept
   {
-    const Vec3 d = this->displacement(c, f);
     const Vec3 per(1.0 / this->normalCompliance(c), 1.0 / this->acrossCompliance(c), 1.0 / this->acrossCompliance(c));
-    return f.segment<3>(3 * c) - per.cwiseProduct(d);
+    return f.segment<3>(3 * c) - per.cwiseProduct(this->room_.moved.segment<3>(3 * c));
   }
 
-  /// Rows of the derivative of residual() for one contact.
-  void linearise(int c, const ContactProblem::Numbers& f) const noexcept
+  /// The contacts that the laws press: the others open, so their step is known.
+  void findPressed(const ContactProblem::Numbers& f) noexcept
   {
-    const Vec3 z = this->aim(c, f);
-    const double wn = this->normalCompliance(c);
-    const double wt = this->acrossCompliance(c);
-    auto rows = this->room_.jacobian.middleRows<3>(3 * c);
-    rows.setZero();
-    if (z[0] <= 0.0)
+    this->pressed_ = 0;
+    for (int c = 0; c < this->p_.count; ++c)
     {
-      rows.block<3, 3>(0, 3 * c) = Vec3(wn, wt, wt).asDiagonal();
-      return;
+      if (this->aim(c, f)[0] > 0.0)
+      {
+        this->list_[this->pressed_++] = c;
+      }
     }
-    const auto w = this->p_.compliance.middleRows<3>(3 * c);
-    rows.row(0) = w.row(0);
+  }
+
+  /// Derivative of residual() by the forces of the pressed contacts, and what their steps have to make up for.
+  void linearise(const ContactProblem::Numbers& f) const noexcept
+  {
+    this->room_.jacobian.resize(3 * this->pressed_, 3 * this->pressed_);
+    this->room_.part.resize(3 * this->pressed_);
+    for (int a = 0; a < this->pressed_; ++a)
+    {
+      const int c = this->list_[a];
+      const Law law = this->lawAt(c, f);
+      Vec3 right = -this->room_.residual.segment<3>(3 * c);
+      for (int d = 0, b = 0; d < this->p_.count; ++d)
+      {
+        Mat3 block = law.ofMoved * this->p_.compliance.block<3, 3>(3 * c, 3 * d);
+        if (d == c)
+        {
+          block += law.ofForce;
+        }
+        if (b < this->pressed_ && this->list_[b] == d)
+        {
+          this->room_.jacobian.block<3, 3>(3 * a, 3 * b++) = block;
+        }
+        else
+        {
+          right += block * f.segment<3>(3 * d);
+        }
+      }
+      this->room_.part.segment<3>(3 * a) = right;
+    }
+  }
+
+  /// Derivative of a pressed contact's residual by its displacement and, beside, by its own force.
+  struct Law
+  {
+    Mat3 ofMoved = Mat3::Identity();
+    Mat3 ofForce = Mat3::Zero();
+  };
+
+  [[nodiscard]] Law lawAt(int c, const ContactProblem::Numbers& f) const noexcept
+  {
+    Law law;
+    const Vec3 z = this->aim(c, f);
     const double most = this->p_.friction * z[0];
     const double length = z.tail<2>().norm();
     if (length <= most)
     {
-      rows.bottomRows<2>() = w.bottomRows<2>();
-      return;
+      return law;
     }
-    // wt (f_t - mu z_n e): e = z_t / |z_t|, dz_n = df_n - w_n df / wn, dz_t = df_t - w_t df / wt.
+    // wt (f_t - mu z_n e): e = z_t / |z_t|, dz_n = df_n - dd_n / wn, dz_t = df_t - dd_t / wt.
+    const double wt = this->acrossCompliance(c);
     const Vec2 e = z.tail<2>() / length;
     const Eigen::Matrix2d bend = most / length * (Eigen::Matrix2d::Identity() - e * e.transpose());
-    for (int k = 0; k < 2; ++k)
-    {
-      rows.row(1 + k) = wt * this->p_.friction * e[k] / wn * w.row(0) + bend(k, 0) * w.row(1) + bend(k, 1) * w.row(2);
-    }
-    rows.block<2, 1>(1, 3 * c) -= wt * this->p_.friction * e;
-    rows.block<2, 2>(1, 3 * c + 1) += wt * (Eigen::Matrix2d::Identity() - bend);
+    law.ofMoved.block<2, 1>(1, 0) = wt * this->p_.friction / this->normalCompliance(c) * e;
+    law.ofMoved.block<2, 2>(1, 1) = bend;
+    law.ofForce.block<2, 1>(1, 0) = -wt * this->p_.friction * e;
+    law.ofForce.block<2, 2>(1, 1) = wt * (Eigen::Matrix2d::Identity() - bend);
+    return law;
   }
 
   const ContactProblem& p_;
   FrictionRoom& room_;
+  std::array<int, ContactProblem::most> list_{};
+  int pressed_ = 0;
 };
+
+/// Costs in units of ContactPlan::workBudget: a product with the compliance takes some n^2 / 3 of them.
+std::uint32_t workOfSweep(int contacts) noexcept
+{
+  return 1 + static_cast<std::uint32_t>(contacts * contacts) / 3;
+}
+std::uint32_t workOfNewton(int contacts, int pressed) noexcept
+{
+  return 2 * workOfSweep(contacts) + static_cast<std::uint32_t>(pressed * pressed * pressed) / 3;
+}
+
+/// One round: sweeps, then Newton steps for as long as they help. Stops early when `budget` is used up.
+double solveRound(FrictionSteps& steps, int count, int sweeps, std::uint32_t budget, ContactForces& forces) noexcept
+{
+  ContactProblem::Numbers& f = forces.force_N;
+  steps.move(f);
+  for (int i = 0; i < sweeps && forces.work < budget; ++i)
+  {
+    steps.sweep(f);
+    forces.work += workOfSweep(count);
+  }
+  double residual = steps.residual(f);
+  constexpr int mostNewton = 20;
+  for (int i = 0; i < mostNewton && count <= newtonUpTo && residual > forces.enough_u && forces.work < budget; ++i)
+  {
+    const bool helps = steps.newton(f, residual);
+    forces.work += workOfNewton(count, steps.pressed());
+    ++forces.steps;
+    if (!helps)
+    {
+      break;
+    }
+  }
+  steps.project(f);
+  return steps.residual(f);
+}
 
 } // namespace
 
-void solveFriction(const ContactProblem& problem, FrictionRoom& room, ContactForces& forces) noexcept
+void solveFriction(
+  const ContactProblem& problem, FrictionRoom& room, ContactForces& forces, std::uint32_t budget) noexcept
 {
-  const FrictionSteps steps(problem, room);
-  ContactProblem::Numbers& f = forces.force_N;
-  // What rounding leaves of the largest number in the problem.
-  const double enough = problem.count > 0 ? 1e-15 * problem.free.lpNorm<Eigen::Infinity>() : 0.0;
+  FrictionSteps steps(problem, room);
   const bool newton = problem.count <= newtonUpTo;
-  double least = std::numeric_limits<double>::infinity();
+  forces.enough_u = problem.count > 0 ? rounding * problem.free.lpNorm<Eigen::Infinity>() : 0.0;
+  forces.residual_u = std::numeric_limits<double>::infinity();
   forces.steps = 0;
-  room.best = f;
-  for (int round = 0; round < (newton ? 6 : 1) && least > enough; ++round)
+  forces.work = 0;
+  room.best = forces.force_N;
+  for (int round = 0; round < (newton ? 6 : 1) && forces.residual_u > forces.enough_u; ++round)
   {
-    for (int i = 0; i < (newton ? (round == 0 ? 4 : 40) : 150); ++i)
+    const int sweeps = !newton ? sweepsAlone : round == 0 ? 4 : 40;
+    if (const double now = solveRound(steps, problem.count, sweeps, budget, forces); now < forces.residual_u)
     {
-      steps.sweep(f);
-    }
-    double residual = steps.residual(f);
-    for (int i = 0; newton && i < 20 && residual > enough && steps.newton(f, residual); ++i)
-    {
-      ++forces.steps;
-    }
-    steps.project(f);
-    if (residual = steps.residual(f); residual < least)
-    {
-      least = residual;
-      room.best = f;
+      forces.residual_u = now;
+      room.best = forces.force_N;
     }
   }
-  f = room.best;
-  forces.residual_u = least;
+  forces.force_N = room.best;
 }
 
 } // namespace palpate

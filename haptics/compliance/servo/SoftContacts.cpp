@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/contact/carry/Deformation.h"
 #include "haptics/contact/planes/FeatureGeometry.h"
 
 namespace palpate
@@ -105,48 +106,129 @@ double patchOf(std::span<const SoftTouch> soft) noexcept
   return patch_u;
 }
 
-} // namespace
-
+/// The contacts of one turn, one after the other.
 template<SceneView AnyScene>
-void gatherContacts(const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, SoftState& state) noexcept
+class Gathering
 {
-  const double patch_u = patchOf(soft);
-  const std::array<SoftContact, GodObjectState::maxFeatures> before = state.contacts;
-  const std::span<const SoftContact> kept(before.data(), static_cast<std::size_t>(state.count));
-  state.count = 0;
-  const auto found = [&state]
-  { return std::span<const SoftContact>(state.contacts.data(), static_cast<std::size_t>(state.count)); };
-  for (int i = 0; i < state.core.count; ++i)
+public:
+  Gathering(const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, SoftState& state) noexcept
+    : scene_(scene), soft_(soft), radius_u_(radius_u), patch_u_(patchOf(soft)), state_(state), before_(state.contacts),
+      beforeCount_(static_cast<std::size_t>(state.count))
   {
-    SoftContact contact = contactAt(scene, soft, radius_u, state.core.features[i], state.core.x_W);
-    if (contact.overlap_u > -restsWithin * patch_u && differs(found(), contact, samePlane))
-    {
-      state.contacts[state.count++] = contact;
-    }
+    state.count = 0;
   }
-  for (const SoftContact& old : kept)
+
+  /// What the core rests on, where its normal is not `alike` to one that is there.
+  void addFound(double alike) noexcept
   {
-    const SoftContact now = contactAt(scene, soft, radius_u, old.feature, state.core.x_W);
-    const bool near = now.overlap_u > -rememberedWithin * patch_u && old.force_N.squaredNorm() > 0.0;
-    if (near && state.count < GodObjectState::maxFeatures && differs(found(), now, nearlySame))
+    for (int i = 0; i < this->state_.core.count; ++i)
     {
-      state.contacts[state.count++] = now;
-    }
-  }
-  for (int i = 0; i < state.count; ++i)
-  {
-    SoftContact& now = state.contacts[i];
-    for (const SoftContact& old : kept)
-    {
-      if (old.feature.surface == now.feature.surface && old.n.dot(now.n) > nearlySame)
+      const SoftContact contact = this->at(this->state_.core.features[i]);
+      if (contact.overlap_u > -restsWithin * this->patch_u_)
       {
-        now.force_N = old.force_N;
+        this->add(contact, alike);
       }
     }
   }
+
+  /// What carried force and is near.
+  void addCarrying(bool facesOnly) noexcept
+  {
+    for (const SoftContact& old : this->before())
+    {
+      const bool asked = !facesOnly || old.feature.kind == FeatureKind::Face;
+      if (!asked || old.force_N.squaredNorm() == 0.0)
+      {
+        continue;
+      }
+      const SoftContact contact = this->at(old.feature);
+      // The ball stands off what yields more than the rest; further than that the plane goes on without its feature.
+      const double aside_u = contact.n.dot(this->state_.yielded_W - old.yielded_W);
+      if (std::abs(contact.overlap_u - aside_u) < rememberedWithin * this->patch_u_)
+      {
+        this->add(contact, nearlySame);
+      }
+    }
+  }
+
+  /// The forces that the solver begins with.
+  void keepForces() noexcept
+  {
+    for (int i = 0; i < this->state_.count; ++i)
+    {
+      SoftContact& now = this->state_.contacts[i];
+      for (const SoftContact& old : this->before())
+      {
+        if (old.feature.surface == now.feature.surface && old.n.dot(now.n) > nearlySame)
+        {
+          now.force_N = old.force_N;
+        }
+      }
+    }
+  }
+
+private:
+  [[nodiscard]] std::span<const SoftContact> before() const noexcept
+  {
+    return { this->before_.data(), this->beforeCount_ };
+  }
+
+  [[nodiscard]] SoftContact at(const ActiveFeature& feature) const noexcept
+  {
+    return contactAt(this->scene_, this->soft_, this->radius_u_, feature, this->state_.core.x_W);
+  }
+
+  void add(const SoftContact& contact, double alike) noexcept
+  {
+    const std::span<const SoftContact> found(
+      this->state_.contacts.data(), static_cast<std::size_t>(this->state_.count));
+    if (this->state_.count < GodObjectState::maxFeatures && differs(found, contact, alike))
+    {
+      this->state_.contacts[this->state_.count++] = contact;
+    }
+  }
+
+  const AnyScene& scene_;
+  std::span<const SoftTouch> soft_;
+  double radius_u_;
+  double patch_u_;
+  SoftState& state_;
+  std::array<SoftContact, GodObjectState::maxFeatures> before_;
+  std::size_t beforeCount_;
+};
+
+} // namespace
+
+template<SceneView AnyScene>
+void gatherContacts(
+  const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, Prefer prefer, SoftState& state) noexcept
+{
+  Gathering<AnyScene> gathering(scene, soft, radius_u, state);
+  if (prefer == Prefer::Carrying)
+  {
+    gathering.addCarrying(true); // over edges the ball rolls on
+  }
+  gathering.addFound(prefer == Prefer::Carrying ? nearlySame : samePlane);
+  gathering.addCarrying(false);
+  gathering.keepForces();
 }
 
-template void gatherContacts(const Scene&, std::span<const SoftTouch>, double, SoftState&) noexcept;
-template void gatherContacts(const MovingScene&, std::span<const SoftTouch>, double, SoftState&) noexcept;
+void handOverContacts(const Scene& from, const Scene& to, SoftState& state) noexcept
+{
+  int kept = 0;
+  for (int c = 0; c < state.count; ++c)
+  {
+    SoftContact contact = state.contacts[c];
+    contact.feature.surface = successorOf(from.surfaces(), contact.feature.surface, to.surfaces());
+    if (contact.feature.surface < to.surfaces().size())
+    {
+      state.contacts[kept++] = contact;
+    }
+  }
+  state.count = kept;
+}
+
+template void gatherContacts(const Scene&, std::span<const SoftTouch>, double, Prefer, SoftState&) noexcept;
+template void gatherContacts(const MovingScene&, std::span<const SoftTouch>, double, Prefer, SoftState&) noexcept;
 
 } // namespace palpate

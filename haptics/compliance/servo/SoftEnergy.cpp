@@ -39,8 +39,8 @@ public:
 
   [[nodiscard]] double value() const noexcept
   {
-    // f_S C (f - f_S) + (f - f_S) C (f - f_S) / 2 = (f C f - f_S C f_S) / 2
-    return this->packet_.energy_Nu + 0.5 * (this->ofContacts() - this->ofPacket());
+    // f_S C (f - f_S) + (f - f_S) C (f - f_S) / 2 = (f C f - f_S C f_S) / 2, and the packet has the latter.
+    return this->packet_.energy_Nu + 0.5 * this->ofContacts();
   }
 
 private:
@@ -54,20 +54,6 @@ private:
         const SoftContact& a = this->state_.contacts[c];
         const SoftContact& b = this->state_.contacts[d];
         sum += this->own_[d] ? a.force_N.dot(complianceBetween(this->packet_, a.point, b.point) * b.force_N) : 0.0;
-      }
-    }
-    return sum;
-  }
-  [[nodiscard]] double ofPacket() const noexcept
-  {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < this->packet_.forceAt.size(); ++i)
-    {
-      const CompliantPoint a = compliantPoint(this->packet_, this->packet_.forceAt[i]);
-      for (std::size_t j = 0; j < this->packet_.forceAt.size(); ++j)
-      {
-        const CompliantPoint b = compliantPoint(this->packet_, this->packet_.forceAt[j]);
-        sum += this->packet_.force_N[i].dot(complianceBetween(this->packet_, a, b) * this->packet_.force_N[j]);
       }
     }
     return sum;

@@ -15,12 +15,18 @@ namespace
 {
 
 constexpr int mostLoops = 16;
-/// From this turn on the ball goes half of the way: two walls that hand it to each other come to rest.
-constexpr int dampedFrom = 5;
+/// Turns that do not agree by then hand the ball from face to face.
+constexpr int usualLoops = 8;
+/// The ball goes at least and at most this share of the way from turn to turn.
+constexpr double leastShare = 0.1;
+constexpr double mostShare = 8.0;
+constexpr double shareBeyond = 1.5;
 /// Two turns that differ by less than this share of a patch agree: 1e-10 m of 25 mm.
 constexpr double agreeWithin = 4e-9;
 /// Newton's steps on the springs below the patches, for all contacts at once; five are usual.
 constexpr int mostSprings = 30;
+/// What the compliance of two points for each other costs, twice a turn: in the unit of ContactPlan::workBudget.
+constexpr std::uint32_t workOfPairs = 10;
 /// Of which so many are secants: from a force ten times too large they lead within a tenth.
 constexpr int secants = 3;
 
@@ -78,14 +84,17 @@ public:
     }
   }
 
-  /// Forces of all contacts for a device at p, slip counted from where the ball was in the material.
-  void solve(const Vec3& p_W, const Vec3& slipFrom_W) noexcept
+  /// Forces of all contacts for a device at p, slip counted from where the ball was in the material. Adds to `work`
+  /// what it did, and ends when that has come to `budget`.
+  void solve(const Vec3& p_W, const Vec3& slipFrom_W, std::uint32_t budget, std::uint32_t& work) noexcept
   {
+    work += workOfPairs * static_cast<std::uint32_t>(this->state_.count * this->state_.count);
     bool agreed = false;
-    for (int i = 0; i < mostSprings && !agreed; ++i)
+    for (int i = 0; i < mostSprings && !agreed && (i == 0 || work < budget); ++i)
     {
       this->linearise(p_W, slipFrom_W, i >= secants);
-      this->solveOnce();
+      this->solveOnce(budget - std::min(budget, work));
+      work += this->room_.forces.work;
       agreed = this->takeForces();
     }
   }
@@ -110,7 +119,7 @@ private:
     }
   }
 
-  void solveOnce() noexcept
+  void solveOnce(std::uint32_t budget) noexcept
   {
     ContactForces& forces = this->room_.forces;
     if (this->room_.problem.friction == 0.0)
@@ -123,7 +132,7 @@ private:
     {
       forces.force_N.segment<3>(3 * c) = this->basis_[c].transpose() * this->state_.contacts[c].force_N;
     }
-    solveFriction(this->room_.problem, this->room_.friction, forces);
+    solveFriction(this->room_.problem, this->room_.friction, forces, budget);
   }
 
   /// True if they are the forces that the straight lines were taken at.
@@ -163,17 +172,18 @@ struct Yield
   Vec3 yielded_W = Vec3::Zero(); ///< of the surfaces under the ball, the more the harder they are pressed
 };
 
-Yield yieldUnder(const SoftState& state) noexcept
+Yield yieldUnder(SoftState& state) noexcept
 {
   Yield sum;
   double all_N = 0.0;
   for (int c = 0; c < state.count; ++c)
   {
-    const SoftContact& contact = state.contacts[c];
+    SoftContact& contact = state.contacts[c];
+    contact.yielded_W = yieldOf(state, c);
     const double size_N = contact.force_N.norm();
     sum.force_N += contact.force_N;
     sum.across_N += contact.force_N - contact.n.dot(contact.force_N) * contact.n;
-    sum.yielded_W += size_N * yieldOf(state, c);
+    sum.yielded_W += size_N * contact.yielded_W;
     all_N += size_N;
   }
   sum.yielded_W = all_N > 0.0 ? Vec3(sum.yielded_W / all_N) : Vec3(Vec3::Zero());
@@ -190,12 +200,123 @@ double patchUnder(const SoftState& state) noexcept
   return patch_u;
 }
 
-/// The rigid core alone: of a ball that touches nothing soft, and that nothing it touched has carried away.
-void finishRigid(const ContactPlan& plan, const SoftState& state, SoftResult& result) noexcept
+/// Aitken's relaxation: how far to go along what is off, by what the last step made of it. Where one turn's answer
+/// leads slowly to the next it goes further, where two walls hand the ball to each other it stops between them.
+class TurnSteps
 {
-  result.proxy_W = state.core.x_W + state.offset_W;
-  result.force_N = plan.coupling_N_per_m * result.core.pull_W;
-}
+public:
+  [[nodiscard]] double shareOf(const Vec3& off_u) noexcept
+  {
+    const Vec3 changed_u = off_u - this->before_u_;
+    if (const double size = changed_u.squaredNorm(); this->started_ && size > 0.0)
+    {
+      const double share = -this->share_ * this->before_u_.dot(changed_u) / size;
+      // What is off grew on the way: there is no rest here but one beyond.
+      this->share_ = share > 0.0 ? std::clamp(share, leastShare, mostShare) : shareBeyond;
+    }
+    this->before_u_ = off_u;
+    this->started_ = true;
+    return this->share_;
+  }
+
+private:
+  Vec3 before_u_ = Vec3::Zero();
+  double share_ = 1.0;
+  bool started_ = false;
+};
+
+/// One tick's turns between the core among the free surfaces and the forces of the contacts it rests on.
+template<SceneView AnyScene>
+class SoftMove
+{
+public:
+  SoftMove(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftTouch> soft, const Vec3& p_W,
+    SoftState& state, SoftRoom& room) noexcept
+    : scene_(scene), plan_(plan), soft_(soft), drawn_W_(p_W - state.offset_W), state_(state), room_(room),
+      start_(state.core), soften_(givesWay(state))
+  {
+  }
+
+  [[nodiscard]] SoftResult run() noexcept
+  {
+    for (this->result_.loops = 1; this->result_.loops <= mostLoops; ++this->result_.loops)
+    {
+      this->moveCore();
+      const bool agrees = givesWay(this->state_) ? this->turn() : this->letGo();
+      this->result_.overBudget = !agrees && this->result_.work >= this->plan_.workBudget;
+      if (agrees || this->result_.overBudget)
+      {
+        break;
+      }
+    }
+    this->result_.capped = this->result_.loops > mostLoops;
+    this->result_.loops = std::min(this->result_.loops, mostLoops);
+    this->result_.proxy_W = this->state_.core.x_W + this->state_.yielded_W + this->state_.offset_W;
+    this->result_.force_N = this->force_N_;
+    return this->result_;
+  }
+
+private:
+  /// With what is left of the tick's work; friction of soft contacts is the problem's.
+  void moveCore() noexcept
+  {
+    ContactPlan plan = this->plan_;
+    plan.friction = this->soften_ ? FrictionPlan{} : plan.friction;
+    plan.workBudget -= std::min(plan.workBudget, this->result_.work);
+    this->state_.core = this->start_;
+    this->result_.core = moveGodObject(
+      this->scene_, plan, this->drawn_W_ - this->state_.yielded_W + this->state_.lead_W, this->state_.core);
+    this->result_.work += this->result_.core.work;
+    const Prefer prefer = this->result_.loops <= usualLoops ? Prefer::Found : Prefer::Carrying;
+    gatherContacts(this->scene_, this->soft_, plan.radius_u, prefer, this->state_);
+  }
+
+  /// The rigid core alone: of a ball that touches nothing soft. False while something it touched before carries it
+  /// away.
+  [[nodiscard]] bool letGo() noexcept
+  {
+    const bool rigid = !this->soften_;
+    this->soften_ = false;
+    this->state_.yielded_W = this->state_.lead_W = Vec3::Zero();
+    // Without carrying, the core's pull is that of the place where it is.
+    this->force_N_ =
+      this->plan_.coupling_N_per_m * (rigid ? this->result_.core.pull_W : Vec3(this->state_.core.x_W - this->drawn_W_));
+    return rigid;
+  }
+
+  /// Solves the contacts; true if core and forces agree.
+  [[nodiscard]] bool turn() noexcept
+  {
+    SoftState& state = this->state_;
+    TurnProblem problem(
+      this->plan_.coupling_N_per_m, this->plan_.radius_u, this->plan_.friction.kinetic, state, this->room_);
+    problem.solve(this->drawn_W_, this->start_.placed ? this->start_.x_W : state.core.x_W, this->plan_.workBudget,
+      this->result_.work);
+    const Yield now = yieldUnder(state);
+    const Vec3 lead_W = now.across_N / this->plan_.coupling_N_per_m;
+    const Vec3 change_u = now.yielded_W - lead_W - state.yielded_W + state.lead_W;
+    const double off_u = change_u.norm() + (now.force_N - this->force_N_).norm() / this->plan_.coupling_N_per_m;
+    const double share = this->soften_ ? this->steps_.shareOf(change_u) : 1.0;
+    state.yielded_W += share * (now.yielded_W - state.yielded_W);
+    state.lead_W += share * (lead_W - state.lead_W);
+    this->soften_ = true;
+    this->force_N_ = now.force_N;
+    this->result_.residual_u = this->room_.forces.residual_u;
+    return off_u <= agreeWithin * patchUnder(state);
+  }
+
+  const AnyScene& scene_;
+  const ContactPlan& plan_;
+  std::span<const SoftTouch> soft_;
+  Vec3 drawn_W_;
+  SoftState& state_;
+  SoftRoom& room_;
+  GodObjectState start_;
+  bool soften_; ///< the core is moved by what yields
+  TurnSteps steps_;
+  Vec3 force_N_ = Vec3::Zero();
+  SoftResult result_;
+};
 
 } // namespace
 
@@ -203,52 +324,7 @@ template<SceneView AnyScene>
 SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftTouch> soft, const Vec3& p_W,
   SoftState& state, SoftRoom& room) noexcept
 {
-  SoftResult result;
-  const GodObjectState start = state.core;
-  const Vec3 drawn_W = p_W - state.offset_W;
-  ContactPlan frictionless = plan;
-  frictionless.friction = {};
-  Vec3 force_N = Vec3::Zero();
-  bool soften = givesWay(state);
-  for (result.loops = 1; result.loops <= mostLoops; ++result.loops)
-  {
-    state.core = start;
-    result.core =
-      moveGodObject(scene, soften ? frictionless : plan, drawn_W - state.yielded_W + state.lead_W, state.core);
-    gatherContacts(scene, soft, plan.radius_u, state);
-    if (!givesWay(state))
-    {
-      if (!soften)
-      {
-        finishRigid(plan, state, result);
-        return result;
-      }
-      soften = false;
-      state.yielded_W = state.lead_W = Vec3::Zero();
-      continue;
-    }
-    TurnProblem problem(plan.coupling_N_per_m, plan.radius_u, plan.friction.kinetic, state, room);
-    problem.solve(drawn_W, start.placed ? start.x_W : state.core.x_W);
-    const Yield now = yieldUnder(state);
-    const Vec3 lead_W = now.across_N / plan.coupling_N_per_m;
-    const Vec3 change = now.yielded_W - lead_W - state.yielded_W + state.lead_W;
-    const double off_u = change.norm() + (now.force_N - force_N).norm() / plan.coupling_N_per_m;
-    force_N = now.force_N;
-    const double share = soften && result.loops > dampedFrom ? 0.5 : 1.0;
-    state.yielded_W += share * (now.yielded_W - state.yielded_W);
-    state.lead_W += share * (lead_W - state.lead_W);
-    soften = true;
-    result.residual_u = room.forces.residual_u;
-    if (off_u <= agreeWithin * patchUnder(state))
-    {
-      break;
-    }
-  }
-  result.capped = result.loops > mostLoops;
-  result.loops = std::min(result.loops, mostLoops);
-  result.proxy_W = state.core.x_W + state.yielded_W + state.offset_W;
-  result.force_N = force_N;
-  return result;
+  return SoftMove<AnyScene>(scene, plan, soft, p_W, state, room).run();
 }
 
 void changePackets(std::span<const SoftTouch> now, SoftState& state) noexcept
@@ -269,6 +345,7 @@ void changePackets(std::span<const SoftTouch> now, SoftState& state) noexcept
   const Vec3 before_W = state.yielded_W;
   state.yielded_W = yieldUnder(state).yielded_W;
   state.offset_W += before_W - state.yielded_W;
+  state.lead_W = givesWay(state) ? state.lead_W : Vec3(Vec3::Zero());
 }
 
 void fadeChange(double dt_s, SoftState& state) noexcept

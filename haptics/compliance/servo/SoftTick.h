@@ -15,8 +15,9 @@ namespace palpate
 /// stops at what it meets there; the contacts it rests on are solved exactly with the compliance that they share,
 /// coupling and friction included; and both take turns until they agree. It cannot pass through, as the core cannot.
 /// Where nothing soft is touched and nothing has yielded, the answer is the rigid core's, bit for bit.
-/// plan.coupling_N_per_m is here K [N/u]. Friction of soft contacts is kinetic. Deterministic, bounded, allocates
-/// nothing.
+/// plan.coupling_N_per_m is here K [N/u]. Friction of soft contacts is kinetic. Deterministic, allocates nothing.
+/// Bounded by plan.workBudget over all turns: where it is used up, the answer is that of the last turn, whose forces
+/// lie in their cones and whose ball has crossed nothing; the next tick goes on.
 template<SceneView AnyScene>
 [[nodiscard]] SoftResult moveOnSoft(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftTouch> soft,
   const Vec3& p_W, SoftState& state, SoftRoom& room) noexcept;

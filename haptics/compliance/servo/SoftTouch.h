@@ -31,7 +31,8 @@ struct SoftContact
   bool gives = false;              ///< it is soft, and its compliance is not 0
   CompliantPoint point;            ///< of a soft one
   SubgridSpring spring;
-  Vec3 force_N = Vec3::Zero(); ///< on the ball
+  Vec3 force_N = Vec3::Zero();   ///< on the ball
+  Vec3 yielded_W = Vec3::Zero(); ///< how far the surface has gone here
 };
 
 /// What the servo keeps of a ball among things that give way.
@@ -61,6 +62,8 @@ struct SoftResult
   ContactResult core;          ///< of the last move among the free surfaces
   int loops = 0;
   bool capped = false;     ///< the loop's cap ended it: forces and gaps agree for the planes of its last turn
+  bool overBudget = false; ///< likewise by plan.workBudget
+  std::uint32_t work = 0;  ///< done, in the unit of ContactPlan::workBudget
   double residual_u = 0.0; ///< by how much the laws of contact are not met
 };
 

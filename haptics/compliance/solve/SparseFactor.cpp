@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/compliance/solve/SparseFactor.h"
 
+#include <mutex>
 #include <new>
 
 #include <cholmod.h>
@@ -65,6 +66,9 @@ struct SparseFactor::Hidden
 
 SparseFactor::SparseFactor(const SparseLower& pattern) : hidden_(std::make_unique<Hidden>())
 {
+  // METIS draws from the one sequence of rand(), which it begins anew: two at a time would find other orders each time.
+  static std::mutex oneAtATime;
+  const std::lock_guard<std::mutex> lock(oneAtATime);
   cholmod_sparse view = viewOf(pattern);
   this->hidden_->factor = cholmod_analyze(&view, &this->hidden_->common);
 }

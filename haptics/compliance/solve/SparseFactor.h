@@ -10,7 +10,7 @@ namespace palpate
 {
 
 /// L L^T of a symmetric positive definite matrix by supernodes (CHOLMOD), in METIS' order of elimination, which is
-/// found once for a pattern. Not for the servo thread.
+/// found once for a pattern, one pattern at a time in a process. Not for the servo thread.
 class SparseFactor
 {
 public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -149,6 +150,100 @@ TEST(CompliancePacket, WithTheForceOfItsStateTheSurfaceIsThatOfItsState)
     }
     EXPECT_LE((place - state[packet->near[i]]).norm(), 1e-14);
   }
+}
+
+TEST(CompliancePacket, IsTheSameToTheBitWhetherOneTwoOrFourThreadsMakeTheirOwn)
+{
+  const auto make = []
+  {
+    SoftPad soft(
+      6, 2.0, ElementKind::EdgeSmoothed, [](SoftBodyInput& input) { input.model = ElasticModel::NeoHookean; });
+    PacketRequest request = soft.request(0.005);
+    request.forceAt = { soft.top() };
+    request.force_N = { Vec3(0.1, 0.0, -0.5) };
+    return PacketMaker(*soft.body, soft.surface).make(request);
+  };
+  const auto alone = make();
+  ASSERT_TRUE(alone);
+  for (const std::size_t count : { 2u, 4u })
+  {
+    std::vector<std::shared_ptr<const CompliancePacket>> made(count);
+    {
+      std::vector<std::jthread> threads;
+      for (auto& packet : made)
+      {
+        threads.emplace_back([&packet, &make] { packet = make(); });
+      }
+    }
+    for (const auto& packet : made)
+    {
+      ASSERT_TRUE(packet);
+      EXPECT_EQ(packet->compliance, alone->compliance);
+      EXPECT_EQ(packet->free_W, alone->free_W);
+      EXPECT_EQ(packet->energy_Nu, alone->energy_Nu);
+    }
+  }
+}
+
+TEST(CompliancePacket, AHandThatCrossesAPatchWithinThePeriodOfTheBodyStrikesIt)
+{
+  SoftPad soft(6);
+  PacketRequest request = soft.request(0.005);
+  request.period_s = 0.001;
+  // A patch is 2.5 mean edges, between 2.5 and 3.54 cells of .1 / 6 m: crossed in .42 to .59 s at .1 m/s.
+  request.velocity_u_per_s = Vec3(0.1, 0.0, 0.0);
+  EXPECT_FALSE(PacketMaker(*soft.body, soft.surface).make(request)->struck);
+  EXPECT_FALSE(PacketMaker(*soft.body, soft.surface, 0.40).make(request)->struck);
+  EXPECT_TRUE(PacketMaker(*soft.body, soft.surface, 0.60).make(request)->struck);
+  request.period_s = 0.60; // nor can the worker
+  EXPECT_TRUE(PacketMaker(*soft.body, soft.surface).make(request)->struck);
+}
+
+TEST(CompliancePacket, OfPatchesThatAreNotAlikeComplianceIsNeverNegativeToo)
+{
+  Random random(testSeed(195));
+  // Cells grow eightfold along x: so do patches.
+  SoftPad soft(8, 2.0, ElementKind::Linear,
+    [](SoftBodyInput& input)
+    {
+      for (Vec3& p : input.mesh.vertices_W)
+      {
+        p.x() = 0.1 * (std::pow(8.0, p.x() / 0.1) - 1.0) / 7.0;
+      }
+    });
+  CompliancePacket packet = *soft.packet(0.0, 0.2);
+  double least_u = 1.0;
+  double most_u = 0.0;
+  for (const double patch_u : packet.patchRadius_u)
+  {
+    least_u = std::min(least_u, patch_u);
+    most_u = std::max(most_u, patch_u);
+  }
+  EXPECT_GT(most_u, 1.5 * least_u);
+  double worst = 0.0;
+  for (std::size_t trial = 0; trial < testCount(30); ++trial)
+  {
+    Eigen::MatrixXd w(60, 60);
+    std::vector<CompliantPoint> points;
+    for (int i = 0; i < 20; ++i)
+    {
+      points.push_back(compliantPoint(packet, onTop(soft, random, 0.06)));
+      points.back().own = Mat3::Identity(); // the kernel alone
+    }
+    for (int i = 0; i < 20; ++i)
+    {
+      for (int j = 0; j < 20; ++j)
+      {
+        const CompliantPoint& a = points[static_cast<std::size_t>(i)];
+        const CompliantPoint& b = points[static_cast<std::size_t>(j)];
+        CompliantPoint bareA = a;
+        bareA.own.setZero();
+        w.block<3, 3>(3 * i, 3 * j) = complianceBetween(packet, a, b) - complianceBetween(packet, bareA, b);
+      }
+    }
+    worst = std::min(worst, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(w).eigenvalues()[0]);
+  }
+  EXPECT_GE(worst, -1e-12);
 }
 
 TEST(CompliancePacket, ItsNeighbourhoodLiesAheadAndWhatIsOutsideAnswersAsTheNearestVertex)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -56,6 +57,93 @@ TEST(ContactProblem, ContactsThatAreNotIndependentAreHeldAllTheSame)
   const ContactForces forces = gapsOf(Eigen::MatrixXd::Ones(4, 4), Eigen::Vector4d(1.0, 1.0, 0.5, 1.0));
   EXPECT_NEAR(forces.force_N[0] + forces.force_N[3] + forces.force_N[6] + forces.force_N[9], 1.0, 1e-15);
   EXPECT_LE(forces.residual_u, 1e-15);
+}
+
+/// A ball on a spring of 1 N/mm among n rigid planes, which leave some place free: their normals are not independent.
+struct PlanesAndDevice
+{
+  Eigen::MatrixXd normals;
+  Eigen::VectorXd depth; ///< of the device behind each plane
+
+  PlanesAndDevice(Random& random, int n) : normals(n, 3), depth(n)
+  {
+    const Vec3 free = 2.0 * Vec3::UnitZ();
+    for (int i = 0; i < n; ++i)
+    {
+      this->normals.row(i) = (Vec3::UnitZ() + 0.95 * random.direction()).normalized().transpose();
+      this->depth[i] = this->normals.row(i).dot(free) - random.uniform(0.0, 0.3);
+    }
+  }
+};
+
+/// The gaps where the laws hold, found among all sets of up to three planes: more are not independent.
+Eigen::VectorXd gapsByTryingAll(const PlanesAndDevice& p)
+{
+  const Eigen::MatrixXd w = p.normals * p.normals.transpose();
+  const int n = static_cast<int>(p.depth.size());
+  Eigen::VectorXd best = Eigen::VectorXd::Constant(n, -1.0);
+  for (int set = 0; set < 1 << n; ++set)
+  {
+    std::vector<int> in;
+    for (int i = 0; i < n; ++i)
+    {
+      if (set >> i & 1)
+      {
+        in.push_back(i);
+      }
+    }
+    if (in.size() > 3)
+    {
+      continue;
+    }
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
+    if (!in.empty())
+    {
+      force(in) = Eigen::MatrixXd(w(in, in)).fullPivLu().solve(Eigen::VectorXd(p.depth(in)));
+    }
+    const Eigen::VectorXd gaps = w * force - p.depth;
+    if (force.minCoeff() >= 0.0 && gaps.minCoeff() > best.minCoeff())
+    {
+      best = gaps;
+    }
+  }
+  return best;
+}
+
+TEST(ContactProblem, AmongFourToSixRigidPlanesAllLawsHoldAsWhereEverySetIsTried)
+{
+  Random random(testSeed(193));
+  int crowded = 0; // the device is behind more planes than can hold it
+  for (std::size_t trial = 0; trial < testCount(1500); ++trial)
+  {
+    const PlanesAndDevice planes(random, 4 + static_cast<int>(trial % 3));
+    const Eigen::MatrixXd w = planes.normals * planes.normals.transpose();
+    const ContactForces found = gapsOf(w, planes.depth);
+    Eigen::VectorXd force(planes.depth.size());
+    for (Eigen::Index i = 0; i < force.size(); ++i)
+    {
+      force[i] = found.force_N[3 * i];
+    }
+    const Eigen::VectorXd gaps = w * force - planes.depth;
+    const double size = 1.0 + w.cwiseAbs().sum() * force.maxCoeff();
+    EXPECT_GE(force.minCoeff(), 0.0);
+    EXPECT_GE(gaps.minCoeff(), -1e-13 * size) << trial;
+    EXPECT_LE(force.cwiseProduct(gaps).cwiseAbs().maxCoeff(), 1e-12 * size * (1.0 + force.maxCoeff())) << trial;
+    EXPECT_LE((gaps - gapsByTryingAll(planes)).cwiseAbs().maxCoeff(), 1e-9 * size) << trial;
+    EXPECT_LE(found.residual_u, 1e-13 * size);
+    crowded += (planes.depth.array() > 0.0).count() > 3;
+  }
+  EXPECT_GT(crowded, static_cast<int>(testCount(1500) / 2));
+}
+
+TEST(ContactProblem, APlaneThatContradictsTheOthersGetsNoForceAndTheyKeepTheirs)
+{
+  // Two walls that face each other 1 mm apart and overlap: nothing is outside of both.
+  const Eigen::MatrixXd w = (Eigen::MatrixXd(2, 2) << 1.0, -1.0, -1.0, 1.0).finished();
+  const ContactForces forces = gapsOf(w, Eigen::Vector2d(2.0, -1.0));
+  EXPECT_EQ(forces.force_N[0], 2.0);
+  EXPECT_EQ(forces.force_N[3], 0.0);
+  EXPECT_NEAR(forces.residual_u, 1.0, 1e-15); // and it is said
 }
 
 /// n contacts of random places, normals and depths on a body of random compliance that the device's is added to [u/N].

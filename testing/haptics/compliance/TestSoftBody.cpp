@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <chrono>
+#include <cmath>
+#include <numbers>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "Blocks.h"
+#include "haptics/compliance/body/NaturalPeriod.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test
 {
 namespace
 {
+
+using testing::HasSubstr;
 
 /// Three columns at each of the surface vertices that are nearer than `reach` to the middle of a pad's top.
 SparseColumns topOf(const SoftBody& body, double reach)
@@ -127,6 +133,99 @@ TEST(SoftBody, ABodyThatIsMirroredByALoadComesBack)
   const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(pressed.size());
   ASSERT_TRUE(made.body->settle(nothing, 60));
   EXPECT_LE(made.body->displacement().lpNorm<Eigen::Infinity>(), 1e-12);
+}
+
+/// Pressed 5 mm deep, then in steps to 12 mm: how often the stiffness is factored on the way, and where it rests.
+struct Pressing
+{
+  std::size_t factorings = 0;
+  Eigen::VectorXd rest;
+};
+
+Pressing pressedFurther(int cells, Factoring factoring)
+{
+  const SoftBodyResult made = makeSoftBody(pad(cells));
+  made.body->factorsBe(factoring);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(made.body->displacement().size());
+  std::vector<Eigen::Index> pressed;
+  for (std::size_t n = 0; n < made.body->points().rest_W.size(); ++n)
+  {
+    if ((made.body->points().rest_W[n] - Vec3(0.05, 0.05, 0.05)).norm() < 0.018)
+    {
+      pressed.push_back(static_cast<Eigen::Index>(n));
+    }
+  }
+  for (const double force_N : { 3.0, 3.6, 4.8, 7.2 })
+  {
+    for (const Eigen::Index n : pressed)
+    {
+      load.segment<3>(3 * n) = Vec3(0.1, 0.0, -force_N / static_cast<double>(pressed.size()));
+    }
+    EXPECT_TRUE(made.body->settle(load, 12));
+    EXPECT_LE(made.body->stateUnder(load).residual_N, 1e-8);
+  }
+  return { made.body->factorings(), made.body->displacement() };
+}
+
+TEST(SoftBody, AnOldFactorLeadsToTheSameRestWithAFewNewOnes)
+{
+  for (const int cells : { 6, 8 })
+  {
+    const Pressing each = pressedFurther(cells, Factoring::EachStep);
+    const Pressing old = pressedFurther(cells, Factoring::WhenOld);
+    EXPECT_LE((each.rest - old.rest).lpNorm<Eigen::Infinity>(), 1e-9);
+    EXPECT_GT(each.rest.lpNorm<Eigen::Infinity>(), 0.006);
+    EXPECT_LE(4 * old.factorings, each.factorings);
+    RecordProperty("factorings", static_cast<int>(old.factorings));
+  }
+}
+
+TEST(SoftBody, ABarSwingsWithThePeriodOfItsFirstBendingMode)
+{
+  // Euler & Bernoulli: w = 3.516 sqrt(E I / (m' L^4)), I / A = a^2 / 12 of a square; .2 x .02 x .02 m, 1000 kg/m^3.
+  const double w = 3.516 * std::sqrt(20e3 * 0.02 * 0.02 / 12.0 / (1000.0 * std::pow(0.2, 4)));
+  for (const double unit_m : { 1.0, 1e-3 })
+  {
+    SoftBodyInput input;
+    input.mesh = blockOf({ 24, 3, 3 }, Vec3(0.2, 0.02, 0.02) / unit_m);
+    input.fixed = fixedWhere(input.mesh, [](const Vec3& p) { return p.x() == 0.0; });
+    input.young_Pa = { 20e3 };
+    input.poisson = 0.3;
+    input.unit_m = unit_m;
+    const SoftBodyResult made = makeSoftBody(input);
+    ASSERT_TRUE(made.body) << made.refusal;
+    // Three edge-smoothed cells across bend within 5 % (SoftElements); a period goes with the root.
+    EXPECT_NEAR(naturalPeriod_s(*made.body, 1000.0, unit_m) * w / (2.0 * std::numbers::pi), 1.0, 0.04);
+  }
+}
+
+TEST(SoftBody, WhatCannotBeComputedIsRefusedInWords)
+{
+  const auto refusal = [](const std::function<void(SoftBodyInput&)>& change)
+  {
+    SoftBodyInput input = pad(4);
+    change(input);
+    const SoftBodyResult made = makeSoftBody(input);
+    EXPECT_FALSE(made.body);
+    return made.refusal;
+  };
+  // 75 nodes that are free have more than 100 kB of stiffness.
+  EXPECT_THAT(refusal([](SoftBodyInput& input) { input.mostBytes = 100'000; }), HasSubstr("mesh it coarser"));
+  EXPECT_THAT(refusal([](SoftBodyInput& input) { input.fixed.assign(input.fixed.size(), true); }),
+    HasSubstr("nothing gives way"));
+  // A vertex that is in no tetrahedron and is not fixed does not make it one that gives way.
+  EXPECT_THAT(refusal(
+                [](SoftBodyInput& input)
+                {
+                  input.fixed.assign(input.fixed.size(), true);
+                  input.mesh.vertices_W.emplace_back(1.0, 1.0, 1.0);
+                  input.fixed.push_back(false);
+                }),
+    HasSubstr("nothing gives way"));
+  for (const double unit_m : { 0.0, -1.0, std::nan(""), 1e300 })
+  {
+    EXPECT_THAT(refusal([unit_m](SoftBodyInput& input) { input.unit_m = unit_m; }), HasSubstr("A unit of the scene"));
+  }
 }
 
 } // namespace

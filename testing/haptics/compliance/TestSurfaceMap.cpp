@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "Blocks.h"
+#include "haptics/compliance/map/FrameMap.h"
 #include "haptics/compliance/map/Patches.h"
 #include "haptics/compliance/packet/SoftSurface.h"
 #include "testing/support/Random.h"
@@ -89,6 +90,66 @@ TEST(SurfaceMap, PointsInTetrahedraCarryThemToo)
   EXPECT_GT(embedding.outside, points_W.size() / 20);
   EXPECT_LT(embedding.outside, points_W.size() * 3 / 4);
   expectEqualWrenches(embedding.map, points_W, mesh.vertices_W);
+}
+
+TEST(SurfaceMap, PointsOnFramesCarryThemAsForceAndMomentOfEachFrame)
+{
+  Random random(testSeed(194));
+  const std::vector<Vec3> origins_W{ { 0.0, 0.0, 0.0 }, { 0.1, 0.0, 0.0 }, { 0.05, 0.1, 0.02 } };
+  std::vector<Vec3> points_W;
+  std::vector<std::vector<FrameWeight>> weights;
+  Eigen::VectorXd moved(18);
+  Eigen::VectorXd rigid(18);
+  for (Eigen::Index frame = 0; frame < 3; ++frame)
+  {
+    moved.segment<3>(6 * frame) = random.inCube(0.01);
+    moved.segment<3>(6 * frame + 3) = random.inCube(0.1);
+    rigid.segment<3>(6 * frame) = turnAndShift(origins_W[static_cast<std::size_t>(frame)]);
+    rigid.segment<3>(6 * frame + 3) = Vec3(0.5, 1.0, -0.7);
+  }
+  for (int i = 0; i < 50; ++i)
+  {
+    points_W.emplace_back(random.inCube(0.1));
+    const double first = random.uniform();
+    const double second = random.uniform() * (1.0 - first);
+    weights.push_back({ { 0, first }, { 1, second }, { 2, 1.0 - first - second } });
+  }
+  const SurfaceMap map = followFrames(origins_W, points_W, weights);
+  Eigen::VectorXd onFrames = Eigen::VectorXd::Zero(18);
+  Vec3 force = Vec3::Zero();
+  Vec3 moment = Vec3::Zero();
+  double power = 0.0;
+  for (std::size_t p = 0; p < points_W.size(); ++p)
+  {
+    const Vec3 f = random.direction();
+    map.addForce(p, f, onFrames);
+    force += f;
+    moment += points_W[p].cross(f);
+    power += f.dot(map.displacementOf(p, moved));
+    EXPECT_LE((map.displacementOf(p, rigid) - turnAndShift(points_W[p])).norm(), 1e-14);
+  }
+  for (Eigen::Index frame = 0; frame < 3; ++frame)
+  {
+    const Vec3 f = onFrames.segment<3>(6 * frame);
+    force -= f;
+    moment -= onFrames.segment<3>(6 * frame + 3) + origins_W[static_cast<std::size_t>(frame)].cross(f);
+  }
+  EXPECT_LE(force.norm(), 1e-12);
+  EXPECT_LE(moment.norm(), 1e-12);
+  EXPECT_LE(std::abs(power - onFrames.dot(moved)), 1e-12);
+}
+
+TEST(SurfaceMap, PointsThatAreNodesMoveAndPressAsThey)
+{
+  const SurfaceMap map = followNodes({ 2, 0 });
+  Eigen::VectorXd moved(9);
+  moved << 1, 2, 3, 4, 5, 6, 7, 8, 9;
+  EXPECT_EQ(map.displacementOf(0, moved), Vec3(7, 8, 9));
+  EXPECT_EQ(map.displacementOf(1, moved), Vec3(1, 2, 3));
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(9);
+  map.addForce(0, Vec3(1, 0, 2), forces);
+  EXPECT_EQ(forces.tail<3>(), Vec3(1, 0, 2));
+  EXPECT_EQ(forces.head<6>().norm(), 0.0);
 }
 
 TEST(SurfaceMap, APatchEndsWhereTheSurfaceDoesThoughAnotherSheetIsNear)

@@ -86,6 +86,8 @@ TEST(TetraMesher, WhatCannotBeFilledIsRefusedInWordsAndWorkEndsWhenTold)
   const SurfaceTree ball(cleanMesh(makeIcosphere(2, 1.0)).mesh);
   EXPECT_THAT(meshInside(ball, { 0.001, 0.02 }).refusal, HasSubstr("give a longer edge"));
   EXPECT_THAT(meshInside(ball, { 0.0, 0.02 }).refusal, HasSubstr("above 0"));
+  EXPECT_THAT(meshInside(ball, { 0.3, 1e-12 }).refusal, HasSubstr("too short"));
+  EXPECT_THAT(meshInside(ball, { 0.3, 1e-5, 3000 }).refusal, HasSubstr("give a longer distance"));
   EXPECT_EQ(meshInside(ball, { 0.3, 0.02 }, [](double) { return false; }).refusal, "cancelled");
   LabelImage nothing = twoBalls();
   nothing.labels.assign(nothing.labels.size(), 0);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "haptics/compliance/map/SurfaceMap.h"
+
+namespace palpate
+{
+
+/// How much of a frame's motion a point has.
+struct FrameWeight
+{
+  std::uint32_t frame = 0;
+  double weight = 0.0;
+};
+
+/// A map of points that follow rigid frames: u = sum of w (t + turn x (p - origin)). Each frame counts as two nodes,
+/// number 2 i for how far it went and 2 i + 1 for how it turned [rad]; forces come back as its force and its moment.
+/// One frame with weight 1 is a rigid body; weights of several that add up to 1 are skinning. Small turns; a frame that
+/// has turned far is to be given anew.
+[[nodiscard]] SurfaceMap followFrames(const std::vector<Vec3>& origins_W, const std::vector<Vec3>& points_W,
+  const std::vector<std::vector<FrameWeight>>& weights);
+
+/// A map of points that are some of the nodes themselves.
+[[nodiscard]] SurfaceMap followNodes(const std::vector<std::uint32_t>& nodes);
+
+} // namespace palpate

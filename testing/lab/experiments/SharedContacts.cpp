@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows 38 and 42: contacts that share compliance: what a solver leaves open, and what it costs a tick.
+#include <algorithm>
+#include <memory>
+
+#include "haptics/compliance/servo/ContactProblem.h"
+#include "testing/lab/Experiments.h"
+#include "testing/support/CostSample.h"
+#include "testing/support/Random.h"
+
+namespace palpate::lab
+{
+namespace
+{
+
+/// n contacts of random places, normals and depths on a body of random compliance that the device's is added to.
+void fill(test::Random& random, int n, ContactProblem& problem)
+{
+  Eigen::MatrixXd spread(3 * n, 6 * n);
+  Eigen::MatrixXd turns(3 * n, 3);
+  for (int c = 0; c < n; ++c)
+  {
+    for (int k = 0; k < 6 * n; ++k)
+    {
+      spread.block<3, 1>(3 * c, k) = random.inCube(1.0);
+    }
+    const Quat q = Quat::FromTwoVectors(Vec3(Vec3::UnitX()), (Vec3::UnitZ() + random.direction() * 0.8).normalized());
+    turns.block<3, 3>(3 * c, 0) = q.toRotationMatrix().transpose();
+  }
+  problem.resize(n);
+  problem.friction = 0.5;
+  problem.compliance = spread * spread.transpose() / (6.0 * n) + turns * turns.transpose();
+  for (int c = 0; c < n; ++c)
+  {
+    problem.free.segment<3>(3 * c) =
+      Vec3(random.uniform(-1.0, 0.4), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+  }
+}
+
+/// Two contacts 1 mm deep with [[1, .6], [.6, 1]] mm/N: .625 N each; each by itself 1 N.
+void judgeTwo(Table& table)
+{
+  const auto problem = std::make_unique<ContactProblem>();
+  const auto force = [&problem](double shared)
+  {
+    problem->resize(2);
+    problem->compliance.setZero();
+    problem->free.setZero();
+    problem->compliance(0, 0) = problem->compliance(3, 3) = 1.0;
+    problem->compliance(0, 3) = problem->compliance(3, 0) = shared;
+    problem->free[0] = problem->free[3] = -1.0;
+    ContactForces forces;
+    solveGaps(*problem, forces);
+    return forces.force_N[0];
+  };
+  table.within({ "two spots", "shared compliance", "force", "N" }, force(0.6), 0.625, 1e-9);
+  table.atLeast({ "two spots", "each by itself", "too much force by" }, force(0.0) / 0.625 - 1.0, 0.5);
+}
+
+} // namespace
+
+void runContacts(const Conditions& conditions, Table& table)
+{
+  judgeTwo(table);
+  const auto problem = std::make_unique<ContactProblem>();
+  const auto room = std::make_unique<FrictionRoom>();
+  test::Random random(conditions.seed);
+  for (const int n : { 1, 2, 3, 5, 10, 20, 28, 40 })
+  {
+    const int trials = conditions.pick(20, 60, 1000);
+    test::CostSample cost(static_cast<std::size_t>(trials));
+    double open = 0.0;
+    for (int trial = 0; trial < trials; ++trial)
+    {
+      fill(random, n, *problem);
+      ContactForces forces;
+      forces.force_N.setZero(3 * n);
+      cost.time([&] { solveFriction(*problem, *room, forces); });
+      open = std::max(open, forces.residual_u);
+    }
+    const std::string name = caseName({ { "contacts", static_cast<double>(n) } });
+    table.atMost({ name, "Gauss-Seidel, then Newton", "laws missed by, over the depth" }, open, n <= 10 ? 1e-12 : 1e-5)
+      .cost = Cost::of(cost);
+  }
+}
+
+} // namespace palpate::lab
