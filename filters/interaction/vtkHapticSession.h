@@ -399,8 +399,6 @@ private:
   void Refuse(const std::string& problem);
   void KeepMarks(vtkHapticMarkRecords marks);
   void HoldTool(const std::string& problem);
-  template<class Value>
-  void ChangeTool(const char* setting, std::initializer_list<double> numbers, Value& held, const Value& value);
   /// The styles of sources have changed.
   void FollowSources();
   /// Looks at it if that is wanted, and sets a mark if its button was pressed.

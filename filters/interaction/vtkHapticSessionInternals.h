@@ -228,6 +228,10 @@ public:
   void ShowState();
   /// Where the ball touches, or the tool most; nothing where neither does.
   std::optional<palpate::ContactPlace> PlaceOfContact() const;
+  /// The tool is made anew by a setting of its own, if the setting may have these numbers.
+  template<class Value>
+  static void ChangeTool(vtkHapticSession* session, const char* setting, std::initializer_list<double> numbers,
+    Value& held, const Value& value);
   /// What is at the contact now; nothing without one.
   std::optional<vtkHapticMarkRecord> LookAtContact();
   void ShowContact(std::optional<vtkHapticMarkRecord> contact);

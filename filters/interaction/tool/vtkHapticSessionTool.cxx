@@ -61,21 +61,21 @@ const char* vtkHapticSession::GetToolSource() const
 }
 
 template<class Value>
-void vtkHapticSession::ChangeTool(
-  const char* setting, std::initializer_list<double> numbers, Value& held, const Value& value)
+void vtkHapticSession::Internals::ChangeTool(vtkHapticSession* session, const char* setting,
+  std::initializer_list<double> numbers, Value& held, const Value& value)
 {
-  if (this->Allows(setting, numbers) && held != value)
+  if (session->Allows(setting, numbers) && held != value)
   {
     held = value;
-    this->HoldTool(this->Impl->Tool.TakeAgain());
-    this->Modified();
+    session->HoldTool(session->Impl->Tool.TakeAgain());
+    session->Modified();
   }
 }
 
 void vtkHapticSession::SetToolHandle(int choice)
 {
-  this->ChangeTool(
-    "ToolHandle", { static_cast<double>(choice) }, this->Impl->Tool.Handle, static_cast<vtkHapticToolHandle>(choice));
+  Internals::ChangeTool(this, "ToolHandle", { static_cast<double>(choice) }, this->Impl->Tool.Handle,
+    static_cast<vtkHapticToolHandle>(choice));
 }
 
 int vtkHapticSession::GetToolHandle() const
@@ -85,7 +85,7 @@ int vtkHapticSession::GetToolHandle() const
 
 void vtkHapticSession::SetToolHandlePoint(double x, double y, double z)
 {
-  this->ChangeTool("ToolHandlePoint", { x, y, z }, this->Impl->Tool.HandlePoint_T, palpate::Vec3(x, y, z));
+  Internals::ChangeTool(this, "ToolHandlePoint", { x, y, z }, this->Impl->Tool.HandlePoint_T, palpate::Vec3(x, y, z));
 }
 
 double* vtkHapticSession::GetToolHandlePoint()
@@ -95,7 +95,7 @@ double* vtkHapticSession::GetToolHandlePoint()
 
 void vtkHapticSession::SetToolTipPoint(double x, double y, double z)
 {
-  this->ChangeTool("ToolTipPoint", { x, y, z }, this->Impl->Tool.TipPoint_T, palpate::Vec3(x, y, z));
+  Internals::ChangeTool(this, "ToolTipPoint", { x, y, z }, this->Impl->Tool.TipPoint_T, palpate::Vec3(x, y, z));
 }
 
 double* vtkHapticSession::GetToolTipPoint()
@@ -105,7 +105,7 @@ double* vtkHapticSession::GetToolTipPoint()
 
 void vtkHapticSession::SetToolLever(double lever_u)
 {
-  this->ChangeTool("ToolLever", { lever_u }, this->Impl->Tool.Lever_u, lever_u);
+  Internals::ChangeTool(this, "ToolLever", { lever_u }, this->Impl->Tool.Lever_u, lever_u);
 }
 
 double vtkHapticSession::GetToolLever() const

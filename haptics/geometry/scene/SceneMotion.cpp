@@ -92,6 +92,11 @@ std::shared_ptr<const Scene> movingFrom(
     {
       surfaces[i].motion.begin_WS = was->motion.at(share);
       moves = moves || surfaces[i].motion.moves();
+      // Built anew, the same vertices have a tree without the bounds of the way that they are still on.
+      if (was->from && share < 1.0 && inOneFrame(*was, surfaces[i].frame, surfaces[i].motion))
+      {
+        surfaces[i].tree = was->tree;
+      }
     }
     if (const Surface* const was = findBent(now.surfaces(), share, surfaces[i]))
     {

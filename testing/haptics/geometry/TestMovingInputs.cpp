@@ -206,6 +206,24 @@ TEST(MovingInputs, AWayGoesOnInANewSceneOfTheSameVertices)
     << "arrived";
 }
 
+TEST(MovingInputs, AWayGoesOnThoughTheSameVerticesWereBuiltAnewByOneWhoKnewNothingOfIt)
+{
+  Series series;
+  const TriangleMesh flat = unweldedSheet(), bent = warped(flat);
+  static_cast<void>(series.next(flat, 1.0));
+  const auto moving = series.next(bent, 1.0);
+  ASSERT_TRUE(moving->bends());
+  const auto anew = SceneBuilder().build({ input(bent) }).scene;
+  ASSERT_EQ(anew->geometryHash(), moving->geometryHash()) << "nobody would take it for another surface";
+  const auto again = movingFrom(*moving, 0.5, anew, 0.05);
+  ASSERT_TRUE(again->bends());
+  for (std::size_t i = 0; i < again->surfaces()[0].from->vertices_W.size(); ++i)
+  {
+    const Vec3 &end = bent.vertices_W[i], &begin = flat.vertices_W[i];
+    ASSERT_LE((again->surfaces()[0].from->vertices_W[i] - 0.5 * (begin + end)).norm(), 1e-15);
+  }
+}
+
 TEST(MovingInputs, WhatIsNotFeltWhereItWouldComeFromIsThereAtOnce)
 {
   Series series;
