@@ -97,6 +97,7 @@ std::string vtkHapticHeldTool::Sentence(palpate::HapticSession& core, const palp
   }
   const std::size_t triangles = this->Choice_.tool->shape_B->mesh().triangles.size();
   std::string text = this->Name + ", " + std::to_string(triangles) + " triangles";
+  text += this->Choice_.tool->simple ? ", " + palpate::describe(*this->Choice_.tool->simple) : "";
   if (!state.tool.held || !core.running())
   {
     return text;

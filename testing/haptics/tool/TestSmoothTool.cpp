@@ -15,18 +15,18 @@ namespace palpate::test
 namespace
 {
 
-constexpr double tick_s = 1e-3, stiffness_N_per_m = 1000.0, half_m = 0.01;
-constexpr int ticks = 1000;
+constexpr double smoothTick_s = 1e-3, smoothStiffness_N_per_m = 1000.0, halfOfSmooth_m = 0.01;
+constexpr int smoothTicks = 1000;
 
 /// A pyramid with so many sides and its tip downwards, about its axis the same from all of them.
 TriangleMesh pyramid(int sides)
 {
   TriangleMesh mesh;
-  mesh.vertices_W = { Vec3(0, 0, -half_m), Vec3(0, 0, half_m) };
+  mesh.vertices_W = { Vec3(0, 0, -halfOfSmooth_m), Vec3(0, 0, halfOfSmooth_m) };
   for (int i = 0; i < sides; ++i)
   {
     const double angle = 2.0 * std::numbers::pi * i / sides;
-    mesh.vertices_W.emplace_back(half_m * std::cos(angle), half_m * std::sin(angle), half_m);
+    mesh.vertices_W.emplace_back(halfOfSmooth_m * std::cos(angle), halfOfSmooth_m * std::sin(angle), halfOfSmooth_m);
     const auto a = static_cast<std::uint32_t>(2 + i), b = static_cast<std::uint32_t>(2 + (i + 1) % sides);
     mesh.triangles.push_back({ 0, a, b });
     mesh.triangles.push_back({ 1, b, a });
@@ -60,7 +60,7 @@ double shareAbove(const std::vector<double>& signal, double rate_Hz)
     }
     const double energy = sine * sine + cosine * cosine;
     all += energy;
-    fast += static_cast<double>(k) / (n * tick_s) > rate_Hz ? energy : 0.0;
+    fast += static_cast<double>(k) / (n * smoothTick_s) > rate_Hz ? energy : 0.0;
   }
   return fast / all;
 }
@@ -72,13 +72,13 @@ void expectSmooth(const TriangleMesh& toolMesh, const TriangleMesh& sceneMesh, d
   ASSERT_EQ(move.place({ Vec3(0, 0, touches_m + 0.005), Quat::Identity() }), "");
   std::vector<double> force_N;
   double torque_Nm = 0.0;
-  for (int i = 0; i < ticks; ++i)
+  for (int i = 0; i < smoothTicks; ++i)
   {
     // In and out again twice a second, always in contact: 1 to 3 mm deep.
-    const double deep_m = 0.002 - 0.001 * std::cos(4.0 * std::numbers::pi * i * tick_s);
+    const double deep_m = 0.002 - 0.001 * std::cos(4.0 * std::numbers::pi * i * smoothTick_s);
     const Pose hand_W{ Vec3(0, 0, touches_m - deep_m), Quat::Identity() };
     move.update(hand_W, plenty);
-    const ToolPush push = toolPush(move.contacts(), hand_W, stiffness_N_per_m, ToolCoupling::Constraints);
+    const ToolPush push = toolPush(move.contacts(), hand_W, smoothStiffness_N_per_m, ToolCoupling::Constraints);
     EXPECT_LE(push.wrench_W.force.head<2>().norm(), 1e-6);
     force_N.push_back(push.wrench_W.force.z());
     torque_Nm = std::max(torque_Nm, push.wrench_W.torque.norm());
@@ -86,8 +86,8 @@ void expectSmooth(const TriangleMesh& toolMesh, const TriangleMesh& sceneMesh, d
   EXPECT_LE(torque_Nm, 1e-6);
   EXPECT_LE(shareAbove(force_N, 30.0), 0.01);
   const auto [least, most] = std::minmax_element(force_N.begin(), force_N.end());
-  EXPECT_NEAR(*least, stiffness_N_per_m * 0.001, 1e-3);
-  EXPECT_NEAR(*most, stiffness_N_per_m * 0.003, 1e-3);
+  EXPECT_NEAR(*least, smoothStiffness_N_per_m * 0.001, 1e-3);
+  EXPECT_NEAR(*most, smoothStiffness_N_per_m * 0.003, 1e-3);
 }
 
 } // namespace
@@ -96,16 +96,16 @@ TEST(SmoothTool, ACubeAndAPyramidOnItsTipOnAWallFeelNoTorqueAndNothingFastRow57)
 {
   Random random(testSeed(5701));
   const TriangleMesh wall = makeSheet({ 0.1, 0.1, 8, 8, 0.3 }, random);
-  expectSmooth(makeBox(Vec3::Constant(-half_m), Vec3::Constant(half_m)), wall, half_m);
-  expectSmooth(pyramid(8), wall, half_m);
+  expectSmooth(makeBox(Vec3::Constant(-halfOfSmooth_m), Vec3::Constant(halfOfSmooth_m)), wall, halfOfSmooth_m);
+  expectSmooth(pyramid(8), wall, halfOfSmooth_m);
 }
 
 TEST(SmoothTool, APyramidInASquareHoleFeelsNoTorqueAndNothingFastRow57)
 {
-  // Four sides at 45 degrees to the axes have edges over the rims' middles: they rest where the tip is half_m beneath
-  // the place at which the pyramid is as wide as the hole.
+  // Four sides at 45 degrees to the axes have edges over the rims' middles: they rest where the tip is halfOfSmooth_m
+  // beneath the place at which the pyramid is as wide as the hole.
   constexpr double hole_m = 0.004;
-  expectSmooth(pyramid(4), squareHole(hole_m), half_m - 2.0 * hole_m);
+  expectSmooth(pyramid(4), squareHole(hole_m), halfOfSmooth_m - 2.0 * hole_m);
 }
 
 } // namespace palpate::test

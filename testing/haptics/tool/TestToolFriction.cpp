@@ -13,7 +13,7 @@ namespace palpate::test
 namespace
 {
 
-constexpr double half_mm = 20.0, deep_mm = 2.0, stiffness_N_per_mm = 1.0;
+constexpr double halfOfRubbed_mm = 20.0, pressedBy_mm = 2.0, stiffness_N_per_mm = 1.0;
 constexpr double solved = 1e-3; // of what rubs: which of four corners rub changes from turn to turn
 
 /// A cube that lies on a plane of triangles, pressed by the hand above its middle.
@@ -26,20 +26,20 @@ protected:
     const TriangleMesh plane = makeSheet({ 400.0, 400.0, 8, 8, 0.3 }, random);
     this->move.emplace(this->tool, makeToolScene(cleanMesh(plane).mesh, this->tool), this->tool.gyration_u);
     this->move->rub(this->friction);
-    EXPECT_EQ(this->move->place({ Vec3(0, 0, half_mm + 1.0), Quat::Identity() }), "");
+    EXPECT_EQ(this->move->place({ Vec3(0, 0, halfOfRubbed_mm + 1.0), Quat::Identity() }), "");
     EXPECT_TRUE(settle(*this->move, this->pressed(0.0, 0.0)));
   }
 
   [[nodiscard]] Pose pressed(double along_mm, double spin_rad) const
   {
-    return { along_mm * this->along + Vec3(0, 0, half_mm - deep_mm), turnBy(Vec3(0, 0, spin_rad)) };
+    return { along_mm * this->along + Vec3(0, 0, halfOfRubbed_mm - pressedBy_mm), turnBy(Vec3(0, 0, spin_rad)) };
   }
   /// What the plane pushes with, over the stiffness: it holds the cube at its rest gap.
-  [[nodiscard]] double push_mm() const { return deep_mm + this->tool.restGap_u(); }
+  [[nodiscard]] double push_mm() const { return pressedBy_mm + this->tool.restGap_u(); }
 
   double friction = GetParam();
   Vec3 along = Vec3(0.6, 0.8, 0.0);
-  ToolMesh tool = makeTool(makeBox(Vec3::Constant(-half_mm), Vec3::Constant(half_mm))).tool;
+  ToolMesh tool = makeTool(makeBox(Vec3::Constant(-halfOfRubbed_mm), Vec3::Constant(halfOfRubbed_mm))).tool;
   std::optional<ToolMove> move;
 };
 
@@ -67,7 +67,7 @@ TEST_P(RubbedCube, SpunOnItsFaceHoldsUpToTheTorqueOfItsCorners)
 {
   // Its corners carry it, each sqrt(2) h from the middle: mu N sqrt(2) h, against L^2 t of the spring that turns.
   const double lever2_mm2 = std::pow(this->tool.gyration_u, 2);
-  const double most_rad = this->friction * this->push_mm() * std::numbers::sqrt2 * half_mm / lever2_mm2;
+  const double most_rad = this->friction * this->push_mm() * std::numbers::sqrt2 * halfOfRubbed_mm / lever2_mm2;
   ASSERT_LT(2.0 * most_rad, 1.5) << "the lead that is not cut";
   ASSERT_TRUE(settle(*this->move, this->pressed(0.0, 0.99 * most_rad)));
   EXPECT_LE(rotationVector(this->move->pose_W().q).norm(), 1e-8);

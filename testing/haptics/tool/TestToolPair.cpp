@@ -13,7 +13,7 @@ namespace palpate::test
 namespace
 {
 
-constexpr double half_mm = 10.0;
+constexpr double halfOfPaired_mm = 10.0;
 
 ToolMesh cubeOf(double half)
 {
@@ -39,14 +39,14 @@ bool rests(ToolPair& pair, const ToolPair::Poses& hands_W)
 
 TEST(ToolPair, PressedFaceToFaceEachGivesWayByTheOthersShareOfBothStiffnesses)
 {
-  const ToolMesh cube = cubeOf(half_mm);
+  const ToolMesh cube = cubeOf(halfOfPaired_mm);
   for (const double second_N_per_mm : { 0.01, 0.5, 1.0, 3.0, 100.0 })
   {
     constexpr double first_N_per_mm = 1.0, pressed_mm = 2.0;
     ToolPair pair(cube, cube,
       { ToolPair::Hold{ cube.gyration_u, first_N_per_mm }, ToolPair::Hold{ cube.gyration_u, second_N_per_mm } });
-    ASSERT_EQ(pair.place(along(-half_mm - 1.0, half_mm + 1.0)), "");
-    const ToolPair::Poses hands_W = along(-half_mm + 0.5 * pressed_mm, half_mm - 0.5 * pressed_mm);
+    ASSERT_EQ(pair.place(along(-halfOfPaired_mm - 1.0, halfOfPaired_mm + 1.0)), "");
+    const ToolPair::Poses hands_W = along(-halfOfPaired_mm + 0.5 * pressed_mm, halfOfPaired_mm - 0.5 * pressed_mm);
     ASSERT_TRUE(rests(pair, hands_W)) << second_N_per_mm;
     // Two springs in a row: together they give way by what the hands are too near, and by the rest gap.
     const double between_mm = pressed_mm + cube.restGap_u();
@@ -57,13 +57,13 @@ TEST(ToolPair, PressedFaceToFaceEachGivesWayByTheOthersShareOfBothStiffnesses)
     const ToolPair::Pushes pushes = pair.pushes(hands_W);
     EXPECT_LE((pushes[0].force - Vec3(-push_N, 0, 0)).norm(), 1e-5 * push_N);
     EXPECT_LE((pushes[0].force + pushes[1].force).norm(), 1e-12 * push_N) << "what one feels the other feels";
-    EXPECT_LE(pushes[0].torque.norm() + pushes[1].torque.norm(), 1e-6 * push_N * half_mm);
+    EXPECT_LE(pushes[0].torque.norm() + pushes[1].torque.norm(), 1e-6 * push_N * halfOfPaired_mm);
   }
 }
 
 TEST(ToolPair, AskewTheTorquesAndForcesOfBothAreInBalance)
 {
-  const ToolMesh small = cubeOf(6.0), large = cubeOf(half_mm);
+  const ToolMesh small = cubeOf(6.0), large = cubeOf(halfOfPaired_mm);
   ToolPair pair(small, large, { ToolPair::Hold{ small.gyration_u, 1.0 }, ToolPair::Hold{ large.gyration_u, 2.0 } });
   const ToolPair::Poses start_W{ Pose{ Vec3(-20, 3, 1), turnBy(Vec3(0.1, 0.2, 0.3)) }, Pose{ Vec3::Zero() } };
   ASSERT_EQ(pair.place(start_W), "");
@@ -75,7 +75,7 @@ TEST(ToolPair, AskewTheTorquesAndForcesOfBothAreInBalance)
   EXPECT_LE((pushes[0].force + pushes[1].force).norm(), 1e-12 * pushes[0].force.norm());
   const Vec3 about_W = pushes[0].torque + pushes[1].torque + pair.poses_W()[0].p.cross(pushes[0].force) +
                        pair.poses_W()[1].p.cross(pushes[1].force);
-  EXPECT_LE(about_W.norm(), 1e-9 * half_mm);
+  EXPECT_LE(about_W.norm(), 1e-9 * halfOfPaired_mm);
   // At rest each push is the spring from its tool to its hand.
   for (std::size_t i = 0; i < 2; ++i)
   {
