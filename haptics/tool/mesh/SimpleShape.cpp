@@ -4,14 +4,15 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <utility>
 
 #include "haptics/geometry/measure/RayWalk.h"
+#include "haptics/geometry/mesh/NearestOnLines.h"
 #include "haptics/geometry/mesh/NearestOnTriangle.h"
-#include "haptics/tool/certify/TrianglePair.h"
 
 namespace palpate
 {
@@ -32,7 +33,7 @@ double distanceTo(const Line& line, const Vec3& p)
 }
 
 /// From one of the corners, from an end of the line, or between an edge and the inside of the line.
-double distanceTo(const Line& line, const Corners& t)
+double distanceTo(const Line& line, const std::array<Vec3, 3>& t)
 {
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k)
@@ -97,7 +98,7 @@ SimpleShape around(const TriangleMesh& mesh, const Line& line, SimpleShape::Kind
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   for (const auto& t : mesh.triangles)
   {
-    const Corners corners{ mesh.vertices_W[t[0]], mesh.vertices_W[t[1]], mesh.vertices_W[t[2]] };
+    const std::array<Vec3, 3> corners{ mesh.vertices_W[t[0]], mesh.vertices_W[t[1]], mesh.vertices_W[t[2]] };
     least = std::min(least, distanceTo(line, corners));
     for (const Vec3& p : corners)
     {
