@@ -40,6 +40,9 @@ const std::vector<DeviceModel>& deviceModels()
       30.0, 0.08, none },
     { "D6", "simulated-joystick", "a force-feedback joystick: a plane of 100 mm in 1024 steps, 5 N", 0.05, 0.5, 0.3,
       0.1 / 1024, 5.0, 200.0, none, 0.05, 0.05, true, Provenance::Assumed, 1e-3 },
+    { "D7", "simulated-6d", "the laboratory stylus arm with a handle that turns in the hand, 0.5 N m", 0.072, 0.005,
+      0.04, 30e-6, 8.5, 800.0, none, 0.1, none, false, Provenance::Listed, 0.0, false, none,
+      { 1e-4, 1e-3, 5e-3, 1e-4, 0.5 } },
     { "D8", "simulated-serial-joystick", "the same joystick with bare springs behind a serial link of 31,250 baud",
       0.05, 0.5, 0.3, 0.1 / 1024, 5.0, 200.0, none, 0.05, 0.05, true, Provenance::Assumed, 1e-3, true, serial_B_per_s },
   };
@@ -51,8 +54,11 @@ DeviceInfo infoOf(const DeviceModel& model)
   DeviceInfo info;
   info.name = model.name;
   info.simulated = true;
-  info.deviceClass = model.planar ? DeviceClass::Joystick2D : DeviceClass::Point3D;
-  info.abilities.sensedAxes = model.planar ? 2 : 3;
+  info.deviceClass = model.planar    ? DeviceClass::Joystick2D
+                     : model.turns() ? DeviceClass::Rigid6D
+                                     : DeviceClass::Point3D;
+  info.abilities.sensedAxes = model.planar ? 2 : model.turns() ? 6 : 3;
+  info.rendersTorque = model.turns();
   info.abilities.holdsWalls = info.abilities.viscous = model.loop_s > 0.0;
   info.offersWalls = info.abilities.offersWalls();
   info.heldProof = HeldProof::Felt; // its walls are those of the formula
@@ -76,16 +82,27 @@ DeviceInfo infoOf(const DeviceModel& model)
   info.mass_kg = typical(model.mass_kg);
   info.damping_Ns_per_m = typical(model.damping_Ns_per_m);
   info.friction_N = typical(model.friction_N);
+  if (model.turns())
+  {
+    info.maxTorque_Nm = { model.turning.maxTorque_Nm, false };
+    info.turnResolution_rad = { model.turning.step_rad, false };
+    info.turnInertia_kg_m2 = { model.turning.inertia_kg_m2, false };
+    info.turnDamping_Nms = { model.turning.damping_Nms, false };
+    info.turnFriction_Nm = { model.turning.friction_Nm, false };
+  }
   return info;
 }
 
 const std::vector<HandModel>& handModels()
 {
+  const auto turning = [](double stiffness, double damping, double inertia) {
+    return TurningModel{ inertia, damping, 0.0, 0.0, none, stiffness };
+  };
   static const std::vector<HandModel> models = {
     { "none", 0.0, 0.0, 0.0 },
-    { "light", 200.0, 2.0, 0.02 },
-    { "stylus", 500.0, 5.0, 0.1 },
-    { "firm", 1000.0, 10.0, 0.2 },
+    { "light", 200.0, 2.0, 0.02, turning(0.5, 0.005, 5e-5) },
+    { "stylus", 500.0, 5.0, 0.1, turning(1.0, 0.01, 2e-4) },
+    { "firm", 1000.0, 10.0, 0.2, turning(2.0, 0.02, 4e-4) },
   };
   return models;
 }

@@ -19,13 +19,25 @@ enum class Provenance : std::uint8_t
   Assumed,    ///< all of them
 };
 
+/// What turns: the handle of a device, or a hand that holds it, the same about every axis. Nothing turns without
+/// inertia.
+struct TurningModel
+{
+  double inertia_kg_m2 = 0.0;
+  double damping_Nms = 0.0;
+  double friction_Nm = 0.0; ///< Coulomb; of a device
+  double step_rad = 0.0;    ///< of its encoder; 0: exact
+  double maxTorque_Nm = std::numeric_limits<double>::infinity();
+  double stiffness_Nm_per_rad = 0.0; ///< of a hand, to how it is led
+};
+
 /// A device's moving part, the same along every axis. A fixture for tests and for people without hardware: real
 /// devices differ from axis to axis and pose to pose.
 struct DeviceModel
 {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-  std::string id;   ///< D0 .. D6, D8
+  std::string id;   ///< D0 .. D8
   std::string name; ///< the name the factory knows
   std::string what; ///< one line for a person
   double mass_kg = 0.1;
@@ -43,12 +55,15 @@ struct DeviceModel
   bool bareSprings =
     false; ///< it closes walls with springs that pull as well as push, and have no limit (BareSprings.h)
   double link_B_per_s = unlimited; ///< what its link carries (SerialLink.h)
+  TurningModel turning = {};       ///< without inertia: it neither turns nor tells how it is turned
+
+  [[nodiscard]] bool turns() const noexcept { return this->turning.inertia_kg_m2 > 0.0; }
 };
 
 /// D0 ideal, D1 generic, D2 touch, D3 premium, D4 falcon, D5 omega, D6 joystick. Largest force, stiffness and damping
 /// are what open toolkits list for such devices; masses, dampings, friction and steps are typical of the literature,
-/// those of the joystick assumed. D8 is the joystick as it was in the nineties: bare springs behind a serial link (D7
-/// is kept for a device that turns).
+/// those of the joystick assumed. D7 is D3 with a handle that turns and is turned, its turning part assumed. D8 is the
+/// joystick as it was in the nineties: bare springs behind a serial link.
 [[nodiscard]] const std::vector<DeviceModel>& deviceModels();
 
 /// What the device says about itself. Limits count as known where they are listed; how the hardware moves, its encoder
@@ -62,6 +77,7 @@ struct HandModel
   double stiffness_N_per_m = 0.0;
   double damping_Ns_per_m = 0.0;
   double mass_kg = 0.0;
+  TurningModel turning = {}; ///< how it turns; the times of its spring are those of its way
 };
 
 /// H0 none, H1 light, H2 stylus, H3 firm (the range of a fingertip's spring and damper: Hajian & Howe 1997).

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "devices/common/BareSprings.h"
+#include "haptics/tool/motion/Turn.h"
 
 namespace palpate
 {
@@ -30,6 +31,10 @@ SimulatedDevice::SimulatedDevice(DeviceModel model, HandModel hand, HandPath pat
       model_.friction_N, options.period_s / parts_),
     link_(model_.link_B_per_s)
 {
+  if (this->model_.turns())
+  {
+    this->turning_.emplace(this->model_.turning, this->hand_.turning, options.period_s);
+  }
 }
 
 std::string SimulatedDevice::refusal() const
@@ -42,6 +47,10 @@ std::string SimulatedDevice::refusal() const
         this->path_.points_D.begin(), this->path_.points_D.end(), [](const Vec3& p) { return p.allFinite(); }))
   {
     return "the simulated hand's stroke has a point that is not finite";
+  }
+  if (!this->path_.turn_D.allFinite())
+  {
+    return "the simulated hand's turn [rad] is not finite";
   }
   if (!(this->path_.speed_m_per_s > 0.0))
   {
@@ -80,13 +89,17 @@ std::string SimulatedDevice::open()
   {
     this->axes_[2] = {};
   }
+  if (this->turning_)
+  {
+    this->turning_->begin(Quat::Identity());
+  }
   this->commands_.fill(DeviceCommand{});
   this->link_ = SerialLink(this->model_.link_B_per_s);
   this->time_s_ = 0.0;
   return {};
 }
 
-Vec3 SimulatedDevice::target(double time_s) const noexcept
+Pose SimulatedDevice::led_D(double time_s) const noexcept
 {
   const double length = this->reached_m_.back();
   double along = this->path_.speed_m_per_s * time_s;
@@ -96,33 +109,40 @@ Vec3 SimulatedDevice::target(double time_s) const noexcept
     along = (turns - static_cast<double>(static_cast<std::int64_t>(turns))) * 2 * length;
     along = along > length ? 2 * length - along : along;
   }
+  const double whole = length > 0.0 ? std::min(1.0, along / length) : 0.0;
+  const Quat turn_D = turnBy(whole * this->path_.turn_D);
   const auto next = std::upper_bound(this->reached_m_.begin(), this->reached_m_.end(), along);
   if (next == this->reached_m_.end())
   {
-    return this->path_.points_D.back();
+    return { this->path_.points_D.back(), turn_D };
   }
   const auto i = static_cast<std::size_t>(next - this->reached_m_.begin());
   const double share = (along - this->reached_m_[i - 1]) / (this->reached_m_[i] - this->reached_m_[i - 1]);
-  return this->path_.points_D[i - 1] + share * (this->path_.points_D[i] - this->path_.points_D[i - 1]);
+  return { this->path_.points_D[i - 1] + share * (this->path_.points_D[i] - this->path_.points_D[i - 1]), turn_D };
 }
 
 void SimulatedDevice::lead(const Vec3& target_D) noexcept
 {
-  if (!this->led_)
-  {
-    this->reached_D_ = this->target(this->time_s_);
-  }
-  this->led_ = true;
-  this->led_D_ = target_D;
+  this->lead(Pose{ target_D, this->led_ ? this->programmed_D_.q : this->led_D(this->time_s_).q });
 }
 
-std::pair<Vec3, Vec3> SimulatedDevice::ledAlong() noexcept
+void SimulatedDevice::lead(const Pose& target_D) noexcept
 {
   if (!this->led_)
   {
-    return { this->target(this->time_s_), this->target(this->time_s_ + this->options_.period_s) };
+    this->reached_D_ = this->led_D(this->time_s_);
   }
-  return { std::exchange(this->reached_D_, this->led_D_), this->led_D_ };
+  this->led_ = true;
+  this->programmed_D_ = target_D;
+}
+
+std::pair<Pose, Pose> SimulatedDevice::ledAlong() noexcept
+{
+  if (!this->led_)
+  {
+    return { this->led_D(this->time_s_), this->led_D(this->time_s_ + this->options_.period_s) };
+  }
+  return { std::exchange(this->reached_D_, this->programmed_D_), this->programmed_D_ };
 }
 
 void SimulatedDevice::write(const DeviceCommand& command) noexcept
@@ -205,11 +225,15 @@ void SimulatedDevice::advance() noexcept
 {
   const double T = this->options_.period_s;
   const auto [before, after] = this->ledAlong();
-  const Vec3 led = this->hand_.stiffness_N_per_m * after + this->hand_.damping_Ns_per_m / T * (after - before);
+  const Vec3 led = this->hand_.stiffness_N_per_m * after.p + this->hand_.damping_Ns_per_m / T * (after.p - before.p);
   const DeviceCommand command = this->link_.carry(this->due(), this->time_s_);
   for (int pass = 0; pass < this->parts_; ++pass)
   {
     this->move(led + this->options_.push_D + this->motorForce(command));
+  }
+  if (this->turning_)
+  {
+    this->turning_->step(before.q, after.q, command.wrench_D.torque);
   }
   this->time_s_ += T;
 }
@@ -240,8 +264,10 @@ DeviceStatus SimulatedDevice::read(double tickTime_s, DeviceSample& sample) noex
   }
   sample = DeviceSample{};
   sample.time_s = tickTime_s;
-  sample.pose_D.p = this->shown_D();
+  sample.pose_D = { this->shown_D(), this->turning_ ? this->turning_->shown_D() : Quat::Identity() };
   sample.velocity_D.linear = this->model_.encoderStep_m > 0.0 ? Vec3(Vec3::Zero()) : this->speed_D();
+  const bool showsRate = this->turning_ && this->model_.turning.step_rad == 0.0;
+  sample.velocity_D.angular = showsRate ? this->turning_->rate_D() : Vec3(Vec3::Zero());
   sample.grip = true;
   sample.buttons = this->buttons_;
   return DeviceStatus::Ok;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "devices/simulated/DeviceModels.h"
 #include "devices/simulated/FrictionPlant.h"
 #include "devices/simulated/SerialLink.h"
+#include "devices/simulated/TurningPart.h"
 #include "haptics/core/HapticDevice.h"
 
 namespace palpate
@@ -20,7 +22,8 @@ struct HandPath
 {
   std::vector<Vec3> points_D; ///< polyline [m]; one point: the hand holds still there
   double speed_m_per_s = 0.05;
-  bool loops = true; ///< goes back and forth along it; else it stops at the end
+  bool loops = true;          ///< goes back and forth along it; else it stops at the end
+  Vec3 turn_D = Vec3::Zero(); ///< by which it has turned at its end, evenly along it [rad]
 };
 
 /// How a simulated device is run.
@@ -53,10 +56,12 @@ public:
   void write(const DeviceCommand& command) noexcept override;
 
   /// Where the hand is led to at a time since the start [s], in D.
-  [[nodiscard]] Vec3 target(double time_s) const noexcept;
+  [[nodiscard]] Vec3 target(double time_s) const noexcept { return this->led_D(time_s).p; }
 
   /// From the next period on the hand is led here instead of along its path, for a program that decides as it goes [m].
   void lead(const Vec3& target_D) noexcept;
+  /// Likewise, and turned so.
+  void lead(const Pose& target_D) noexcept;
 
   /// The buttons that the hand holds down from now on, bit i: button i + 1.
   void press(std::uint32_t buttons) noexcept { this->buttons_ = buttons; }
@@ -64,12 +69,15 @@ public:
   /// The true state, which an encoder does not show [m, m/s].
   [[nodiscard]] Vec3 position_D() const noexcept;
   [[nodiscard]] Vec3 speed_D() const noexcept;
+  /// Nothing: it does not turn.
+  [[nodiscard]] const std::optional<TurningPart>& turning() const noexcept { return this->turning_; }
 
 private:
   [[nodiscard]] std::string refusal() const;
   void advance() noexcept;
+  [[nodiscard]] Pose led_D(double time_s) const noexcept;
   /// Where the hand is led in the coming period, and from where.
-  [[nodiscard]] std::pair<Vec3, Vec3> ledAlong() noexcept;
+  [[nodiscard]] std::pair<Pose, Pose> ledAlong() noexcept;
   /// The command that is due after the delay.
   [[nodiscard]] DeviceCommand due() noexcept;
   /// The wall as the spring that the device closes.
@@ -87,10 +95,11 @@ private:
   SimulationOptions options_;
   int parts_; ///< of a period: passes of the device's own loop, or one
   FrictionPlant plant_;
-  std::vector<double> reached_m_; ///< length of the path up to each point
-  Vec3 led_D_ = Vec3::Zero();     ///< where a program leads the hand [m]
-  Vec3 reached_D_ = Vec3::Zero(); ///< and led it in the period before
-  bool led_ = false;              ///< by a program
+  std::vector<double> reached_m_;      ///< length of the path up to each point
+  Pose programmed_D_;                  ///< where a program leads the hand [m]
+  Pose reached_D_;                     ///< and led it in the period before
+  bool led_ = false;                   ///< by a program
+  std::optional<TurningPart> turning_; ///< none: it does not turn
   std::array<FrictionPlant::State, 3> axes_;
   std::array<DeviceCommand, SimulationOptions::longestDelay_ticks + 1> commands_; ///< of the last periods
   int newest_ = 0;

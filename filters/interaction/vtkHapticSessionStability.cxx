@@ -11,7 +11,8 @@ void vtkHapticSession::Internals::JudgeStability()
     this->StabilitySentence = this->Core.limitsSentence();
     return;
   }
-  const palpate::JudgedLoop judged = palpate::judgeLoop(this->Asked.asked(), this->Chosen.info, PeriodSeconds);
+  const palpate::JudgedLoop judged =
+    palpate::judgeLoop(this->Asked.asked(), this->Chosen.info, PeriodSeconds, this->Core.tool().weighs_u());
   this->Limits = judged.limits;
   this->StabilitySentence = judged.sentence;
 }

@@ -97,6 +97,9 @@ struct DeviceInfo
   DeviceQuantity mass_kg{ 0.0, false };
   DeviceQuantity damping_Ns_per_m{ 0.0, false };
   DeviceQuantity friction_N{ 0.0, false };
+  DeviceQuantity turnInertia_kg_m2{ 0.0, false }; ///< of its handle; 0: not known, or it turns nobody
+  DeviceQuantity turnDamping_Nms{ 0.0, false };
+  DeviceQuantity turnFriction_Nm{ 0.0, false };
 
   /// Walls may be left to it.
   [[nodiscard]] bool closesWalls() const noexcept

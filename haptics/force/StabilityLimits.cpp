@@ -45,19 +45,34 @@ LoopSettings throughLink(const DeviceInfo& device, LoopSettings loop)
   return loop;
 }
 
-SampledWall wallOf(const DeviceInfo& device, const LoopSettings& loop)
+/// What moves and the light hand that may hold it, or what turns as it is felt at a lever.
+struct MovingPart
+{
+  double mass_kg, damping_Ns_per_m;
+  double handMass_kg = 0.02, handDamping_Ns_per_m = 2.0, handStiffness_N_per_m = 200.0;
+};
+
+MovingPart atLever(const DeviceInfo& device, double lever_m)
+{
+  constexpr double handInertia_kg_m2 = 5e-5, handDamping_Nms = 0.005, handStiffness_Nm_per_rad = 0.5;
+  const double lever2_m2 = lever_m * lever_m;
+  return { device.turnInertia_kg_m2.value / lever2_m2, device.turnDamping_Nms.value / lever2_m2,
+    handInertia_kg_m2 / lever2_m2, handDamping_Nms / lever2_m2, handStiffness_Nm_per_rad / lever2_m2 };
+}
+
+SampledWall wallOf(const MovingPart& part, const LoopSettings& loop)
 {
   SampledWall wall;
-  wall.mass_kg = device.mass_kg.value;
-  wall.damping_Ns_per_m = device.damping_Ns_per_m.value;
+  wall.mass_kg = part.mass_kg;
+  wall.damping_Ns_per_m = part.damping_Ns_per_m;
   wall.period_s = loop.period_s;
   wall.delay_ticks = wholeTicks(loop.passivity.delay_ticks);
   wall.virtualDamping_Ns_per_m = loop.damping_Ns_per_m;
   if (!loop.passivity.enabled)
   {
-    wall.handStiffness_N_per_m = 200.0;
-    wall.damping_Ns_per_m += 2.0;
-    wall.mass_kg += 0.02;
+    wall.handStiffness_N_per_m = part.handStiffness_N_per_m;
+    wall.damping_Ns_per_m += part.handDamping_Ns_per_m;
+    wall.mass_kg += part.handMass_kg;
   }
   return wall;
 }
@@ -81,6 +96,26 @@ std::string format(const char* pattern, double value)
   return text;
 }
 
+/// Why it is no more.
+std::string reasonOf(const StabilityLimits& limits, const DeviceInfo& device, const LoopSettings& loop)
+{
+  if (limits.decides == StiffnessLimit::Device)
+  {
+    return "the device is made for no more";
+  }
+  const std::string share = format("80 %% of what the loop holds at %.0f Hz", 1.0 / loop.period_s);
+  if (limits.decides == StiffnessLimit::Loop)
+  {
+    return share + format(" with %.3g kg", device.mass_kg.value) +
+           format(" and %.3g N s/m", device.damping_Ns_per_m.value);
+  }
+  const double lever2_m2 = loop.lever_m * loop.lever_m;
+  return share + format(" when the tool turns, %.3g N m/rad", limits.largest_N_per_m * lever2_m2) +
+         format(" at a lever of %.3g mm", 1e3 * loop.lever_m) +
+         format(" with %.3g kg m2", device.turnInertia_kg_m2.value) +
+         format(" and %.3g N m s", device.turnDamping_Nms.value);
+}
+
 } // namespace
 
 StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& asked)
@@ -96,17 +131,26 @@ StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& as
   {
     const double lag_s = (0.5 + loop.passivity.delay_ticks) * loop.period_s;
     limits.passive_N_per_m = std::max(0.0, device.damping_Ns_per_m.value - loop.damping_Ns_per_m) / lag_s;
-    limits.stable_N_per_m = stableStiffness(wallOf(device, loop), asked.passivity, asked.period_s);
+    limits.stable_N_per_m = stableStiffness(
+      wallOf({ device.mass_kg.value, device.damping_Ns_per_m.value }, loop), asked.passivity, asked.period_s);
   }
   if (device.resolution_m.value > 0.0)
   {
     limits.quantised_N_per_m = 2.0 * device.friction_N.value / device.resolution_m.value;
   }
-  const double loopLimit = shareOfStable * limits.stable_N_per_m;
+  if (loop.lever_m > 0.0 && device.rendersTorque && device.turnInertia_kg_m2.value > 0.0)
+  {
+    limits.turning_N_per_m =
+      stableStiffness(wallOf(atLever(device, loop.lever_m), loop), asked.passivity, asked.period_s);
+  }
+  const double wayLimit = shareOfStable * limits.stable_N_per_m;
+  const double loopLimit = std::min(wayLimit, shareOfStable * limits.turning_N_per_m);
   limits.largest_N_per_m = std::min(limits.device_N_per_m, loopLimit);
   if (std::isfinite(limits.largest_N_per_m))
   {
-    limits.decides = limits.device_N_per_m <= loopLimit ? StiffnessLimit::Device : StiffnessLimit::Loop;
+    limits.decides = limits.device_N_per_m <= loopLimit ? StiffnessLimit::Device
+                     : loopLimit < wayLimit             ? StiffnessLimit::Turning
+                                                        : StiffnessLimit::Loop;
     limits.grain_N = limits.largest_N_per_m * device.resolution_m.value;
   }
   return limits;
@@ -120,12 +164,7 @@ std::string describe(const StabilityLimits& limits, const DeviceInfo& device, co
     return device.rendersForce ? "any stiffness: nothing is known of this device's mass and damping"
                                : "any stiffness: no force reaches a hand through this device";
   }
-  std::string text = format("up to %.0f N/m: ", limits.largest_N_per_m);
-  text += limits.decides == StiffnessLimit::Device
-            ? "the device is made for no more"
-            : format("80 %% of what the loop holds at %.0f Hz", 1.0 / loop.period_s) +
-                format(" with %.3g kg", device.mass_kg.value) +
-                format(" and %.3g N s/m", device.damping_Ns_per_m.value);
+  std::string text = format("up to %.0f N/m: ", limits.largest_N_per_m) + reasonOf(limits, device, loop);
   if (!loop.passivity.enabled)
   {
     text += ", in a light hand, without the passivity controller";

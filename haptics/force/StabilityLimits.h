@@ -14,9 +14,10 @@ namespace palpate
 /// Which of the limits decides.
 enum class StiffnessLimit : std::uint8_t
 {
-  None,   ///< nothing is known of the device, or no force reaches a hand
-  Device, ///< the largest stiffness the device is made for
-  Loop,   ///< the sampled loop itself: mass, damping, rate, delay
+  None,    ///< nothing is known of the device, or no force reaches a hand
+  Device,  ///< the largest stiffness the device is made for
+  Loop,    ///< the sampled loop itself: mass, damping, rate, delay
+  Turning, ///< likewise of the turns of a tool: inertia, damping, and the lever between turns and ways
 };
 
 /// How stiff a wall a device can hold at a rate. All in N/m; infinity where nothing limits.
@@ -31,7 +32,10 @@ struct StabilityLimits
   /// Exact eigenvalues of the loop, nobody holding the device.
   double stable_N_per_m = unlimited;
   double device_N_per_m = unlimited;
-  /// What the coupling is limited to: a share of the stable one, never above the device's own.
+  /// Of what turns, as it is at the tool's lever: eigenvalues of the loop of its inertia. Times the lever's square it
+  /// is in N m/rad.
+  double turning_N_per_m = unlimited;
+  /// What the coupling is limited to: a share of the stable ones, never above the device's own.
   double largest_N_per_m = unlimited;
   StiffnessLimit decides = StiffnessLimit::None;
   /// Force of one encoder step at the largest stiffness [N]; 0 if the step is not known.
@@ -44,12 +48,15 @@ struct LoopSettings
   double period_s = 1e-3;
   double damping_Ns_per_m = 0.0; ///< B of the coupling
   PassivityPlan passivity;
+  double lever_m = 0.0; ///< of a tool: a turn of 1 rad is felt as such a way is; 0: nothing turns
+
+  friend bool operator==(const LoopSettings&, const LoopSettings&) = default;
 };
 
 /// From what the device says about itself, at a period, with a damping and a passivity plan. Where the device's link
 /// takes longer for a force than that period, the period is the link's. Without the controller the loop is taken as
-/// held by a light hand (200 N/m, 2 N s/m, 20 g): many devices have so little damping of their own that nothing but the
-/// hand keeps a wall still. Not real-time safe.
+/// held by a light hand (200 N/m, 2 N s/m, 20 g; 0.5 N m/rad, 5 mN m s, 5e-5 kg m2): many devices have so little
+/// damping of their own that nothing but the hand keeps a wall still. Not real-time safe.
 [[nodiscard]] StabilityLimits stabilityLimits(const DeviceInfo& device, const LoopSettings& loop);
 
 /// One sentence: how stiff, and why.

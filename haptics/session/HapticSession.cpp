@@ -63,10 +63,10 @@ struct HapticSession::Run
   }
 
   /// Limits come from eigenvalues: computed again only when something they depend on has changed.
-  void adapt(const HapticParameters& parameters, bool first)
+  void adapt(const HapticParameters& parameters, double lever_u, bool first)
   {
-    const LoopSettings loop = loopSettings(parameters, this->period_s);
-    if (first || loop.damping_Ns_per_m != this->loop_.damping_Ns_per_m || loop.passivity != this->loop_.passivity)
+    const LoopSettings loop = loopSettings(parameters, this->period_s, lever_u);
+    if (first || loop != this->loop_)
     {
       this->loop_ = loop;
       this->limits = stabilityLimits(this->device->info(), loop);
@@ -122,7 +122,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->device = std::move(device);
   run->virtualTime = options.virtualTime;
   run->period_s = options.period_s;
-  run->adapt(this->parameters_, true);
+  run->adapt(this->parameters_, this->tool_.weighs_u(), true);
   const auto period_ns = static_cast<std::int64_t>(options.period_s * 1e9 + 0.5);
   run->pace(period_ns);
   run->recordings.emplace(run->links.recorder, options.virtualTime);
@@ -208,7 +208,7 @@ std::string HapticSession::setParameters(const HapticParameters& parameters, con
       {
         this->run_->leadFrom(this->scene_.get(), comesFrom_W);
       }
-      this->run_->adapt(parameters, false);
+      this->run_->adapt(parameters, this->tool_.weighs_u(), false);
       this->run_->links.parameters.write({ this->version_, this->run_->adapted });
     }
   }
@@ -223,7 +223,7 @@ StabilityLimits HapticSession::limits() const
 std::string HapticSession::limitsSentence() const
 {
   return this->run_ ? describe(this->run_->limits, this->run_->device->info(),
-                        loopSettings(this->parameters_, this->run_->period_s))
+                        loopSettings(this->parameters_, this->run_->period_s, this->tool_.weighs_u()))
                     : std::string();
 }
 
@@ -251,12 +251,19 @@ void HapticSession::setTool(const ToolChoice& choice)
   if (this->run_)
   {
     this->run_->tool->take(choice);
+    this->run_->adapt(this->parameters_, choice.weighs_u(), false);
+    this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
   }
 }
 
 std::string HapticSession::toolRefusal() const
 {
   return this->run_ ? this->run_->tool->refusal() : std::string();
+}
+
+bool HapticSession::toolEnclosed() const noexcept
+{
+  return this->run_ && this->run_->tool->enclosed();
 }
 
 const ToolReport& HapticSession::toolReport()

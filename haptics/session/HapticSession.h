@@ -65,6 +65,7 @@ public:
   [[nodiscard]] const ToolChoice& tool() const noexcept { return this->tool_; }
   /// Why the tool cannot touch the scene; "": it can. And how its thread does.
   [[nodiscard]] std::string toolRefusal() const;
+  [[nodiscard]] bool toolEnclosed() const noexcept; ///< it began inside of a closed body and cannot get out
   [[nodiscard]] const ToolReport& toolReport();
 
   /// The field around the hand, taken at the next tick; null: none. Kept over stop() and start().

@@ -187,7 +187,8 @@ bool ServoLoop::tick() noexcept
     judgeLateness(this->behind_s(wakeup), this->latenessP99_s_, this->period_s_, this->device_.info().simulated);
   const TickOutput output = renderTick(this->input_, this->parameters_, this->renderer_);
   this->device_.write(output.command);
-  this->links_.tool.hand.write({ output.state.tool.hand_W, output.state.tool.held && !output.state.held });
+  this->links_.tool.hand.write({ output.state.tool.hand_W, output.state.tool.held && !output.state.held,
+    this->parameters_.contact.friction.kinetic });
   this->pushes_ = pushes(output.command);
   if (this->recorder_ != nullptr)
   {

@@ -13,6 +13,7 @@
 #include "testing/support/CostSample.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
+#include "testing/support/Thread.h"
 
 namespace palpate::test
 {
@@ -62,6 +63,21 @@ Case flatOnFlat(int plane)
   return { "flat on flat", plate, makeSheet({ 200.0, 200.0, plane, plane, 0.3 }, random),
     { Vec3(0.0, 0.0, 21.0), Quat::Identity() }, [](double time_s) {
       return Pose{ Vec3(20.0 * std::sin(5.0 * time_s), 0.0, 18.0), Quat::Identity() };
+    } };
+}
+
+/// A nut is turned on its screw and pulled to and fro: all of its thread is in contact.
+Case nutOnScrew(int around)
+{
+  constexpr double pitch = 2.0, turn_rad_s = 6.0;
+  const ThreadSize screw{ 5.0, pitch, 12.0 }, bore{ 5.3, pitch, 10.0 };
+  TriangleMesh nut = threadMesh(bore, around);
+  return { "nut on screw", nut, threadMesh(screw, around), { makeTool(nut).tool.centre_W, Quat::Identity() },
+    [start = makeTool(nut).tool.centre_W](double time_s)
+    {
+      const double turn = 2.0 * std::sin(turn_rad_s / 2.0 * time_s);
+      const double along = pitch * turn / (2.0 * std::numbers::pi) + 0.4 * std::sin(20.0 * time_s);
+      return Pose{ start + Vec3(0.0, 0.0, along), Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ())) };
     } };
 }
 
@@ -160,6 +176,7 @@ int main(int argc, char** argv)
   constexpr double mostQueries = 8.0;
   const double ratio = benchmark(noisySpheres("noisy spheres", 5000, 100000, options), options);
   benchmark(flatOnFlat(70), options);
+  benchmark(nutOnScrew(240), options);
   if (options.large)
   {
     benchmark(noisySpheres("noisy spheres", 50000, 1000000, options), options);

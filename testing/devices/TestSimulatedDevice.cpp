@@ -245,11 +245,11 @@ TEST(SimulatedDevice, WithoutTorqueIgnoresATorqueAndAPoseTarget)
   {
     SimulatedDevice plain = freeDevice(model, {}), told = freeDevice(model, {});
     ASSERT_EQ(plain.open() + told.open(), "");
-    EXPECT_FALSE(plain.info().rendersTorque) << model.name;
+    EXPECT_EQ(plain.info().rendersTorque, model.turns()) << model.name;
     DeviceCommand command;
     command.wrench_D.force = { 0.1, 0, 0 };
     DeviceCommand more = command;
-    more.wrench_D.torque = { 0, 0, 1.0 };
+    more.wrench_D.torque = { 0, 0, model.turns() ? 0.0 : 1.0 };
     more.target = { { Vec3(1, 1, 1), Quat(0, 1, 0, 0) }, 1000.0 };
     DeviceSample sample, other;
     for (int n = 0; n <= 40; ++n)

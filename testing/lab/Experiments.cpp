@@ -156,13 +156,31 @@ std::vector<Experiment> softExperiments()
   };
 }
 
+/// Rigid tools that turn.
+std::vector<Experiment> toolExperiments()
+{
+  return {
+    { "tool-methods",
+      "a cube, a peg, a bar and a nut by points, penalties, careful steps and planes: where they end, at what cost",
+      { 29, 31, 32 }, runToolMethods },
+    { "tool-drag",
+      "what a hand feels of a tool between two updates: nothing holds it back in a slide, where a coupling does",
+      { 30, 61 }, runToolDrag },
+    { "tool-coupling",
+      "how stiff a coupling may hold a tool that has a mass of its own, and that an implicit one has no limit", { 34 },
+      runToolCoupling },
+    { "turning-stability", "how stiff a spring may hold the turn of a handle, against rate and hand", { 1 },
+      runTurningStability },
+  };
+}
+
 } // namespace
 
 std::vector<Experiment> experiments()
 {
   std::vector<Experiment> all;
   for (const auto& group : { forceExperiments(), contactExperiments(), sceneExperiments(), planeExperiments(),
-         fieldExperiments(), softExperiments() })
+         fieldExperiments(), softExperiments(), toolExperiments() })
   {
     all.insert(all.end(), group.begin(), group.end());
   }

@@ -10,7 +10,7 @@ import argparse
 import pathlib
 import sys
 
-from charting import costs, old_joystick, plane_worlds, speed_accuracy, stability
+from charting import costs, old_joystick, plane_worlds, speed_accuracy, stability, tools
 from charting.page import page
 from charting.style import pyplot
 from charting.tables import Problem, read_folder
@@ -77,6 +77,16 @@ CHARTS = [
      "A brick of 48 x 48 x 48 points around a hand in tetrahedra, its points a quarter, half or all of their edge apart: the largest "
      "error of a smooth function falls with the cells, and a brick costs little more in many cells than in few.",
      ["brick"], lambda t: costs.draw_bricks(t["brick"])),
+    ("tool-methods", "A tool that turns: speed against accuracy (C7)",
+     "How far a tool ends from its nearest free pose, and what an update costs (a line from the median to the 99th of a hundred): points among "
+     "voxels and in a field of distances, corners as penalties against a coupling, steps as long as a distance allows, and planes that prove "
+     "each step (1e-6 mm and less on one height). A bar of 1 mm passes points and corners; points as coarse as the clearance do not let a peg in.",
+     ["tool-methods"], lambda t: tools.draw_methods(t["tool-methods"])),
+    ("tool-between", "A tool between two updates",
+     "Left: what holds a cube back that slides without friction: a coupling to where it was drags, the contacts do not (1e-3 N and less at the "
+     "edge; dashed: 0.5 N). Middle: the largest step when a face is met, and the largest error beside an update in every tick. Right: how "
+     "stiff a spring may hold a turn; wide dashed lines are exact eigenvalues.",
+     ["tool-drag", "turning-stability"], lambda t: tools.draw_between(t["tool-drag"], t["turning-stability"])),
 ]
 
 

@@ -97,6 +97,7 @@ std::string vtkHapticHeldTool::Sentence(palpate::HapticSession& core, const palp
   }
   const std::size_t triangles = this->Choice_.tool->shape_B->mesh().triangles.size();
   std::string text = this->Name + ", " + std::to_string(triangles) + " triangles";
+  text += this->Choice_.tool->simple ? ", " + palpate::describe(*this->Choice_.tool->simple) : "";
   if (!state.tool.held || !core.running())
   {
     return text;
@@ -104,6 +105,10 @@ std::string vtkHapticHeldTool::Sentence(palpate::HapticSession& core, const palp
   if (!state.tool.placed)
   {
     return text + ", waits: it meets the scene where the hand is; move the hand to where it is free";
+  }
+  if (core.toolEnclosed())
+  {
+    return text + ", is inside of a closed body and cannot get out: lay it down, lead the hand out and take it again";
   }
   const double lever_u = state.tool.lever_m * core.parameters().map.scale_u_per_m;
   text += ", lever " + palpate::quantity(lever_u, "u") + ", " + std::to_string(state.contacts) + " contacts push";

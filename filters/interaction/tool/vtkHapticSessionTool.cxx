@@ -18,6 +18,7 @@ void vtkHapticSession::HoldTool(const std::string& problem)
   this->Refuse(problem);
   this->Impl->Follow("tool", problem);
   this->Impl->Core.setTool(this->Impl->Tool.Choice());
+  this->Impl->JudgeStability();
   this->Impl->Tool.Follow(this->Impl->Core, this->Impl->State);
   this->Impl->Scene.follow(this->Impl->PlanNow());
 }

@@ -38,6 +38,7 @@ void HeldTool::give(const Order& order)
     this->wanted_ = order;
     this->news_ = this->news_ || toldTool;
   }
+  this->asked_.notify_one();
   if (order.choice.tool && !this->virtualTime_ && !this->thread_.joinable())
   {
     this->tellWaiting(true);
@@ -45,13 +46,20 @@ void HeldTool::give(const Order& order)
   }
 }
 
+/// With nothing to move it sleeps until its owner asks for something.
 void HeldTool::run(const std::stop_token& stop)
 {
-  PeriodicTimer timer(this->period_ns_);
   while (!stop.stop_requested())
   {
-    timer.wait();
+    {
+      std::unique_lock lock(this->mutex_);
+      this->asked_.wait(lock, stop, [this] { return this->news_.load(); });
+    }
     this->step();
+    for (PeriodicTimer timer(this->period_ns_); this->follower_ && !stop.stop_requested(); this->step())
+    {
+      timer.wait();
+    }
   }
 }
 
@@ -63,8 +71,21 @@ void HeldTool::step()
   }
   if (this->follower_)
   {
-    this->follower_->step();
-    this->revision_ = this->follower_->revision();
+    this->follow();
+  }
+}
+
+/// Whether there is a way out is asked once, where the tool has just been put: from there on nothing is passed.
+void HeldTool::follow()
+{
+  this->follower_->step();
+  this->revision_ = this->follower_->revision();
+  const std::optional<Pose> tool_W = this->follower_->tool_W();
+  if (tool_W && !this->stands_)
+  {
+    this->stands_ = true;
+    const Vec3& corner_B = this->now_.choice.tool->shape_B->mesh().vertices_W.front();
+    this->enclosed_ = isEnclosed(*this->now_.scene, tool_W->q * corner_B + tool_W->p);
   }
 }
 
@@ -95,6 +116,7 @@ void HeldTool::obey(Order order)
   if (!order.choice.tool || !order.scene || order.scene->empty())
   {
     this->follower_.reset();
+    this->enclosed_ = false;
     this->tellWaiting(order.choice.tool != nullptr);
     this->refuse("");
   }
@@ -121,15 +143,15 @@ void HeldTool::putIn(const Order& order)
   ToolSurroundings around = surroundingsOf(*order.scene, tool);
   const std::optional<Pose> was_W = this->follower_ ? this->follower_->tool_W() : std::nullopt;
   this->follower_.reset();
+  this->enclosed_ = this->stands_ = false;
   this->refuse(around.refusal);
   if (!around.refusal.empty())
   {
     this->tellWaiting(true);
     return;
   }
-  const double lever_u = order.choice.lever_u > 0.0 ? order.choice.lever_u : tool.gyration_u;
-  this->follower_.emplace(ToolMove(tool, std::move(around.mesh_S), lever_u), this->links_, ToolFollower::usualWork,
-    ToolStart{ around.scene_WS, this->revision_, was_W });
+  this->follower_.emplace(ToolMove(tool, std::move(around.mesh_S), order.choice.weighs_u()), this->links_,
+    ToolFollower::usualWork, ToolStart{ around.scene_WS, this->revision_, was_W });
   this->revision_ = this->follower_->revision();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -21,6 +22,11 @@ struct ToolChoice
   std::shared_ptr<const ToolMesh> tool; ///< null: none
   double lever_u = 0.0;                 ///< what a turn by 1 rad weighs as a way; 0: the tool's own
 
+  /// The lever that counts; 0: no tool.
+  [[nodiscard]] double weighs_u() const noexcept
+  {
+    return !this->tool ? 0.0 : this->lever_u > 0.0 ? this->lever_u : this->tool->gyration_u;
+  }
   friend bool operator==(const ToolChoice&, const ToolChoice&) = default;
 };
 
@@ -41,6 +47,8 @@ public:
   void step();
   /// Why the tool cannot touch the scene; "": it can, or nothing is held.
   [[nodiscard]] std::string refusal() const;
+  /// It was put where the hand was, inside of a closed body: it is free there and cannot get out.
+  [[nodiscard]] bool enclosed() const noexcept { return this->enclosed_; }
 
 private:
   struct Order
@@ -56,21 +64,25 @@ private:
   void putIn(const Order& order);
   void refuse(std::string why);
   void tellWaiting(bool held);
+  void follow();
   [[nodiscard]] bool isSameBody(const Order& order) const;
 
   ToolLinks& links_;
   bool virtualTime_;
   std::int64_t period_ns_;
 
-  mutable std::mutex mutex_; ///< between owner and thread; guards the next three
+  mutable std::mutex mutex_; ///< between owner and thread; guards the next three, news_ where it is waited for
   Order wanted_;
   std::atomic<bool> news_ = false; ///< asked without the lock in each step
+  std::condition_variable_any asked_;
+  std::atomic<bool> enclosed_ = false;
   std::string refusal_;
 
   // Of the thread alone.
   Order now_;
   std::optional<ToolFollower> follower_;
   std::uint64_t revision_ = 0; ///< of the last set that was told
+  bool stands_ = false;        ///< in this body
 
   std::jthread thread_; ///< last: it ends before what it uses
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptics/geometry/measure/RayWalk.h"
+
 namespace palpate
 {
 namespace
@@ -53,6 +55,18 @@ std::uint64_t bodyNameOf(const Scene& scene) noexcept
 Pose bodyPlaceOf(const Scene& scene) noexcept
 {
   return !scene.empty() && isOneBody(scene) ? scene.surfaces().front().motion.end_WS : Pose{};
+}
+
+bool isEnclosed(const Scene& scene, const Vec3& x_W)
+{
+  return std::any_of(scene.surfaces().begin(), scene.surfaces().end(),
+    [&](const Surface& surface)
+    {
+      const Pose& place = surface.motion.end_WS;
+      const Vec3 x_S = place.q.conjugate() * (x_W - place.p);
+      return surface.tree->coat_u() == 0.0 && isClosed(*surface.tree) &&
+             sideOf(*surface.tree, x_S) == PointSide::Inside;
+    });
 }
 
 ToolSurroundings surroundingsOf(const Scene& scene, const ToolMesh& tool)

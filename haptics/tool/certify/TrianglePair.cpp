@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "haptics/geometry/mesh/NearestOnLines.h"
 #include "haptics/geometry/mesh/NearestOnTriangle.h"
 #include "haptics/tool/mesh/BoxedMesh.h"
 
@@ -106,21 +107,6 @@ Vec3 normalOf(const Search& search, const Corners& tool, const Corners& scene)
 }
 
 } // namespace
-
-bool nearestOnLines(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v, double& onA, double& onB) noexcept
-{
-  constexpr double parallelBelow = 1e-16; // sine squared
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
-  const double determinant = u.cross(v).squaredNorm();
-  if (!(determinant > parallelBelow * uu * vv))
-  {
-    return false;
-  }
-  const Vec3 d = a - b;
-  onA = (uv * v.dot(d) - vv * u.dot(d)) / determinant;
-  onB = (uu * v.dot(d) - uv * u.dot(d)) / determinant;
-  return true;
-}
 
 NearestPair nearestPair(const Corners& tool_W, const Corners& scene_W) noexcept
 {

@@ -33,9 +33,4 @@ struct NearestPair
 /// any n.
 [[nodiscard]] NearestPair nearestPair(const Corners& tool_W, const Corners& scene_W) noexcept;
 
-/// The nearest points of two lines through a and b along u and v, as multiples of u and v; false where they are
-/// parallel.
-[[nodiscard]] bool nearestOnLines(
-  const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v, double& onA, double& onB) noexcept;
-
 } // namespace palpate

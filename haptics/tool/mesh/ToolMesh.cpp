@@ -17,6 +17,8 @@ constexpr std::size_t mostTriangles = 250000;
 constexpr double furthestHandle = 10.0;   // diagonals of the tool: a turn by a degree moves it by a sixth of its size
 constexpr double furthestParts = 10.0;    // times what the parts measure together
 constexpr double furthestDiagonals = 1e6; // 64 roundings of such a coordinate are an eighth of the rest gap
+constexpr double simpleShare = 0.02;      // of its radius: a third of what a hand feels of a force
+constexpr double bytesATriangle = 190.0;  // boxes, corners, flags of a tool, and as much of what is built on the way
 constexpr double flatShare = 0.1;         // of the rest gap: what bends less is no feature that is felt
 
 bool allFinite(const TriangleMesh& mesh)
@@ -96,7 +98,9 @@ std::string refusalOf(const TriangleMesh& raw, const CleanResult& clean)
   }
   if (clean.mesh.triangles.size() > mostTriangles)
   {
-    return "the tool has " + std::to_string(clean.mesh.triangles.size()) + " triangles: simplify it to " +
+    const double memory_MB = 1e-6 * bytesATriangle * static_cast<double>(clean.mesh.triangles.size());
+    return "the tool has " + std::to_string(clean.mesh.triangles.size()) + " triangles, which would take some " +
+           std::to_string(static_cast<int>(memory_MB)) + " MB and too long to follow a hand: simplify it to " +
            std::to_string(mostTriangles) + " or fewer";
   }
   if (boundsOf(clean.mesh).diagonal().norm() > furthestParts * partsMeasure_u(clean.mesh))
@@ -152,6 +156,7 @@ ToolResult makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W
   {
     tool.reach_u = std::max(tool.reach_u, v.norm());
   }
+  tool.simple = simpleShapeOf(body.mesh, simpleShare);
   tool.shape_B = std::make_shared<const BoxedMesh>(std::move(body.mesh), flatShare * tool.restGap_u());
   return result;
 }

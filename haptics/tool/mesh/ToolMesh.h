@@ -6,6 +6,7 @@
 #include <string>
 
 #include "haptics/tool/mesh/BoxedMesh.h"
+#include "haptics/tool/mesh/SimpleShape.h"
 
 namespace palpate
 {
@@ -14,11 +15,12 @@ namespace palpate
 struct ToolMesh
 {
   std::shared_ptr<const BoxedMesh> shape_B;
-  Vec3 centre_W = Vec3::Zero(); ///< the centre of mass in the frame in which the mesh was given [u]
-  double reach_u = 0.0;         ///< rho: no point of it is further from the centre
-  double diagonal_u = 0.0;      ///< of its bounds
-  double gyration_u = 0.0;      ///< radius of gyration: the usual lever between turns and ways
-  bool solid = false;           ///< its mass is that of a solid, else that of a sheet
+  Vec3 centre_W = Vec3::Zero();      ///< the centre of mass in the frame in which the mesh was given [u]
+  double reach_u = 0.0;              ///< rho: no point of it is further from the centre
+  double diagonal_u = 0.0;           ///< of its bounds
+  double gyration_u = 0.0;           ///< radius of gyration: the usual lever between turns and ways
+  std::optional<SimpleShape> simple; ///< that it is to within a fiftieth of its radius
+  bool solid = false;                ///< its mass is that of a solid, else that of a sheet
 
   /// The gap at which it rests: so small that a tilted tool rests where it should to 1e-4 degrees.
   [[nodiscard]] double restGap_u() const noexcept { return 2e-7 * this->diagonal_u; }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "haptics/tool/servo/AllowedMotion.h"
+
 namespace palpate
 {
 namespace
@@ -17,7 +19,7 @@ constexpr double leastMargin = 16.0; // rest gaps
 constexpr double marginOfWay = 1.5;  // times what an update usually moves
 constexpr double marginGrowth = 1.4; // for each gathering within an update; twice overshoots as badly as once
 constexpr double roomLeft = 0.4;     // of the margin: with less it gathers
-constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2;
+constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2, mostDoublings = 6;
 constexpr double worthMoving = 0.25; // of a step: with less the rows in the way are added first
 
 } // namespace
@@ -56,6 +58,14 @@ std::string ToolMove::place(const Pose& pose_W)
   return {};
 }
 
+void ToolMove::stand(const Pose& pose_W)
+{
+  const double turned_u = turnFromTo(this->pose_W_.q, pose_W.q).norm() * this->tool_.reach_u;
+  this->front_->moved((pose_W.p - this->pose_W_.p).norm() + turned_u);
+  this->pose_W_ = pose_W;
+  this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
+}
+
 bool ToolMove::makeRoom(WorkBudget& budget)
 {
   if (!this->gathering_ && this->front_->room_u() > roomLeft * this->front_->margin_u())
@@ -79,7 +89,9 @@ ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
   {
     return done;
   }
-  WorkBudget budget(work);
+  const std::uint64_t granted = work << this->starved_;
+  WorkBudget budget(granted);
+  const Pose before_W = this->pose_W_;
   this->expect(device_W);
   this->idle_ = 0;
   Advance last = Advance::Moved;
@@ -92,8 +104,11 @@ ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
   done.blocked = last == Advance::Blocked;
   done.spent = last == Advance::Moved || last == Advance::Spent;
   done.leadCut = this->leadCut_;
-  done.work = work - budget.left();
+  done.work = granted - budget.left();
   this->behind_ = done.spent;
+  const bool stuck =
+    done.spent && !this->gathering_ && this->pose_W_.p == before_W.p && this->pose_W_.q.coeffs() == before_W.q.coeffs();
+  this->starved_ = stuck ? std::min(this->starved_ + 1, mostDoublings) : 0;
   return done;
 }
 
@@ -136,6 +151,15 @@ ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
   return found;
 }
 
+/// Where the device would have to be for a tool without friction to go where this one goes.
+Pose ToolMove::ledWithFriction(const Pose& device_W)
+{
+  const Vec6 wish = wishedMotion(this->pose_W_, device_W, this->lever_u_, this->leadCut_);
+  const Vec6 rubbed = rubbedWish(this->contacts(), wish, this->friction_);
+  return { this->pose_W_.p + rubbed.head<3>(),
+    (turnBy(rubbed.tail<3>() / this->lever_u_) * this->pose_W_.q).normalized() };
+}
+
 ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
 {
   if (!this->makeRoom(budget))
@@ -143,8 +167,8 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
     return Advance::Spent;
   }
   this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
-  const ProvenStep found =
-    this->planProven(wishedMotion(this->pose_W_, device_W, this->lever_u_, this->leadCut_), budget);
+  const Pose led_W = this->friction_ > 0.0 ? this->ledWithFriction(device_W) : device_W;
+  const ProvenStep found = this->planProven(wishedMotion(this->pose_W_, led_W, this->lever_u_, this->leadCut_), budget);
   if (found.rests)
   {
     return Advance::Rests;
@@ -155,7 +179,7 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
     return budget.left() == 0 ? Advance::Spent : Advance::Blocked;
   }
   const ScrewStep taken{ this->pose_W_, share * found.planned.step.v_W, share * found.planned.step.w_W };
-  this->commit(taken, this->usefulShare(found.planned, taken, device_W));
+  this->commit(taken, this->usefulShare(found.planned, taken, led_W));
   if (this->idle_ >= idleSteps)
   {
     return Advance::Rests;

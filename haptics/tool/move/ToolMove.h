@@ -48,7 +48,8 @@ public:
   /// Puts the tool at a pose. Refused in words where it would touch or meet the scene there; then nothing has changed.
   [[nodiscard]] std::string place(const Pose& pose_W);
   [[nodiscard]] bool placed() const noexcept { return this->front_.has_value(); }
-  /// Moves towards the device with at most so much work (WorkBudget). Only after place().
+  /// Moves towards the device with at most so much work (WorkBudget); after an update that this was not enough for to
+  /// prove any step, twice as much, so that it never stays where it is for want of work. Only after place().
   ToolUpdate update(const Pose& device_W, std::uint64_t work);
 
   [[nodiscard]] const Pose& pose_W() const noexcept { return this->pose_W_; }
@@ -57,6 +58,10 @@ public:
   [[nodiscard]] const ToolMesh& tool() const noexcept { return this->tool_; }
   /// For the servo: the newest pose and what touches there.
   [[nodiscard]] ToolContacts contacts() const;
+  /// It stands elsewhere among the triangles: they were moved, and it was proven that nothing met on the way.
+  void stand(const Pose& pose_W);
+  /// Of each contact from now on (see rubbedWish); 0: none.
+  void rub(double friction) noexcept { this->friction_ = friction; }
   /// Null: nobody.
   void watch(StepSink* sink) noexcept { this->sink_ = sink; }
 
@@ -69,6 +74,7 @@ private:
     Spent,
   };
   void expect(const Pose& device_W);
+  [[nodiscard]] Pose ledWithFriction(const Pose& device_W);
   [[nodiscard]] bool makeRoom(WorkBudget& budget);
   struct ProvenStep
   {
@@ -85,6 +91,7 @@ private:
   std::shared_ptr<const BoxedMesh> scene_W_;
   double lever_u_;
   double restGap_u_;
+  double friction_ = 0.0;
   Pose pose_W_;
   std::optional<PairFront> front_;
   NearPairs near_;
@@ -93,6 +100,7 @@ private:
   double usualWay_u_ = 0.0; ///< of the hand in an update
   double margin_u_ = 0.0;   ///< for the next gathering
   int idle_ = 0;            ///< steps on end that brought nothing
+  int starved_ = 0;         ///< updates on end whose work was not enough for a step: the next one gets twice that
   bool gathering_ = false;
   bool behind_ = false; ///< the last update did not come to rest
   bool leadCut_ = false;

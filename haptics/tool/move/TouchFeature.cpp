@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "haptics/geometry/mesh/NearestOnLines.h"
+
 namespace palpate
 {
 namespace

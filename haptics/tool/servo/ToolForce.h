@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/tool/motion/WishedMotion.h"
-#include "haptics/tool/servo/ToolContacts.h"
+#include "haptics/tool/servo/AllowedMotion.h"
 
 namespace palpate
 {
@@ -14,16 +13,6 @@ enum class ToolCoupling : std::uint8_t
   Virtual,     ///< a spring from the tool to the hand: a drag of k v T while it lags
 };
 
-/// A contact that pushes the tool.
-struct ToolPress
-{
-  static constexpr int most = 6; ///< at a time: as many as there are directions
-
-  Vec3 p_W = Vec3::Zero();  ///< where [u]
-  Vec3 n_W = Vec3::UnitZ(); ///< unit, from the scene to the tool
-  double push_u = 0.0;      ///< its force over the stiffness
-};
-
 /// What draws the hand, as a whitened motion.
 struct ToolPull
 {
@@ -32,8 +21,10 @@ struct ToolPull
   std::array<ToolPress, ToolPress::most> presses{}; ///< those; of more that would do the sum is the same
 };
 
-/// The pull of which toolPush() makes a force. Zero for a device pose that is none. Real-time safe.
-[[nodiscard]] ToolPull toolPull(const ToolContacts& contacts, const Pose& device_W, ToolCoupling coupling) noexcept;
+/// The pull of which toolPush() makes a force. `friction`: of each contact, see rubbedWish(). Zero for a device pose
+/// that is none. Real-time safe.
+[[nodiscard]] ToolPull toolPull(
+  const ToolContacts& contacts, const Pose& device_W, ToolCoupling coupling, double friction = 0.0) noexcept;
 
 /// What the tool gives the hand.
 struct ToolPush
@@ -48,7 +39,7 @@ struct ToolPush
 /// dist^2, so its stiffness is never above the given one, and exactly zero at a pose that the contacts allow. With the
 /// virtual coupling F = -M a_u. Zero for a device pose that is none. Real-time safe: no allocation, at most some
 /// hundred projections.
-[[nodiscard]] ToolPush toolPush(
-  const ToolContacts& contacts, const Pose& device_W, double stiffness_N_per_u, ToolCoupling coupling) noexcept;
+[[nodiscard]] ToolPush toolPush(const ToolContacts& contacts, const Pose& device_W, double stiffness_N_per_u,
+  ToolCoupling coupling, double friction = 0.0) noexcept;
 
 } // namespace palpate

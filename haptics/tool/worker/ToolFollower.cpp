@@ -56,6 +56,7 @@ void ToolFollower::step()
   {
     return;
   }
+  this->move_S_.rub(hand.friction);
   this->report_.last = this->move_S_.update(hand_S, this->work_);
   ++this->report_.updates;
   this->report_.spent += this->report_.last.spent ? 1 : 0;

@@ -11,7 +11,8 @@ namespace palpate
 struct ToolHand
 {
   Pose pose_W;
-  bool tracked = false; ///< false: nobody has moved it yet
+  bool tracked = false;  ///< false: nobody has moved it yet
+  double friction = 0.0; ///< of each contact
 };
 
 /// What an owner may read of the thread that moves the tool.

@@ -102,6 +102,40 @@ TEST(StabilityLimits, ASlowerLoopAndALongerDelayAllowLess)
   }
 }
 
+TEST(StabilityLimits, OfAToolThatTurnsAreThoseOfItsInertiaWhateverItsLever)
+{
+  DeviceInfo device;
+  device.rendersForce = device.rendersTorque = true;
+  device.mass_kg = { 1.0, true };
+  device.damping_Ns_per_m = { 100.0, true };
+  device.turnInertia_kg_m2 = { 1e-4, true };
+  device.turnDamping_Nms = { 1e-3, true };
+  for (const double lever_m : { 0.01, 0.05, 0.2 })
+  {
+    LoopSettings loop;
+    loop.lever_m = lever_m;
+    loop.passivity.enabled = false;
+    // A wall of N m/rad, kg m2 and N m s: of the handle in a light hand of 0.5 N m/rad, 5e-3 N m s, 5e-5 kg m2.
+    SampledWall turning = wallOf(1.5e-4, 6e-3, 0.0, 0);
+    turning.handStiffness_N_per_m = 0.5;
+    const StabilityLimits limits = stabilityLimits(device, loop);
+    EXPECT_NEAR(limits.turning_N_per_m * lever_m * lever_m / criticalStiffness(turning), 1.0, 1e-4) << lever_m;
+    if (limits.turning_N_per_m < limits.stable_N_per_m)
+    {
+      EXPECT_EQ(limits.decides, StiffnessLimit::Turning);
+      EXPECT_DOUBLE_EQ(limits.largest_N_per_m, 0.8 * limits.turning_N_per_m);
+      EXPECT_NE(describe(limits, device, loop).find("N m/rad"), std::string::npos);
+    }
+  }
+  LoopSettings ball;
+  EXPECT_EQ(stabilityLimits(device, ball).turning_N_per_m, StabilityLimits::unlimited);
+  LoopSettings longest;
+  longest.lever_m = 0.2;
+  EXPECT_EQ(stabilityLimits(device, longest).decides, StiffnessLimit::Turning);
+  device.rendersTorque = false;
+  EXPECT_EQ(stabilityLimits(device, longest).turning_N_per_m, StabilityLimits::unlimited) << "it turns nobody";
+}
+
 TEST(StabilityLimits, NothingKnownAndNoHandMeanNoLimit)
 {
   DeviceInfo device;

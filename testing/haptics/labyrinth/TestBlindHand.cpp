@@ -212,7 +212,7 @@ std::vector<LabyrinthRun> everyRun()
   {
     for (const HandModel& hand : handModels())
     {
-      if (hand.stiffness_N_per_m > 0.0)
+      if (hand.stiffness_N_per_m > 0.0 && !device.turns()) // in a maze a handle that turns goes as one that does not
       {
         runs.push_back({ .device = device, .hand = hand });
         if (device.loop_s > 0.0)

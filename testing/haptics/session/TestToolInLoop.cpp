@@ -206,6 +206,23 @@ TEST_F(ToolInLoop, CannotTouchWhatBendsAndSaysSo)
   EXPECT_GT(this->hold(halfTool - 0.005, 300).force_W.z(), 1.0);
 }
 
+TEST_F(ToolInLoop, ThatBeginsInsideOfAClosedBodySaysSoUntilTheHandTakesItOutside)
+{
+  this->begin(sceneOf(makeBox(Vec3(-0.1, -0.1, -0.1), Vec3(0.1, 0.1, 0.1))), cubeTool());
+  this->hold(0.0, 5);
+  EXPECT_TRUE(this->session.state().tool.placed) << "it is free there";
+  EXPECT_TRUE(this->session.toolEnclosed());
+  this->hold(0.2, 50);
+  EXPECT_TRUE(this->session.toolEnclosed()) << "nothing is passed";
+  this->session.setTool({});
+  this->hold(0.2, 5);
+  EXPECT_FALSE(this->session.toolEnclosed());
+  this->session.setTool(cubeTool());
+  this->hold(0.2, 5);
+  EXPECT_TRUE(this->session.state().tool.placed);
+  EXPECT_FALSE(this->session.toolEnclosed());
+}
+
 TEST_F(ToolInLoop, LaidDownOrExchangedWhileItPressesNeverPushesHarder)
 {
   this->begin(sceneOf(sheetAt(0.0)), cubeTool());
@@ -225,7 +242,7 @@ TEST_F(ToolInLoop, LaidDownOrExchangedWhileItPressesNeverPushesHarder)
   EXPECT_EQ(this->hold(halfTool - 0.003, 5).fault, Fault::ToolWaits) << "it cannot begin in the sheet";
 }
 
-TEST(ToolThread, FollowsTheHandBesideTheServo)
+TEST(ToolThread, FollowsTheHandBesideTheServoAndDoesSoAgainAfterItWasLaidDown)
 {
   HapticSession session;
   session.setScene(sceneOf(sheetAt(0.0)));
@@ -241,6 +258,11 @@ TEST(ToolThread, FollowsTheHandBesideTheServo)
   EXPECT_TRUE(eventually([&] { return session.state().tool.placed; }));
   hold(halfTool - 0.001);
   EXPECT_TRUE(eventually([&] { return session.state().contacts > 0; }));
+  session.setTool({}); // its thread has nothing to do
+  EXPECT_TRUE(eventually([&] { return !session.state().tool.held; }));
+  hold(0.03);
+  session.setTool(cubeTool());
+  EXPECT_TRUE(eventually([&] { return session.state().tool.placed; }));
   EXPECT_EQ(session.stop(), "");
 }
 

@@ -7,6 +7,8 @@
 
 #include "Tools.h"
 #include "haptics/tool/servo/ToolForce.h"
+#include "haptics/tool/worker/ToolFollower.h"
+#include "testing/support/Thread.h"
 
 namespace palpate::test
 {
@@ -21,6 +23,30 @@ TriangleMesh slot(double clearance_mm)
   const double half = 0.5 * (width_mm + clearance_mm);
   TriangleMesh mesh = makeBox(Vec3(-60, -60, -60), Vec3(-half, 60, 0));
   append(mesh, makeBox(Vec3(half, -60, -60), Vec3(60, 60, 0)));
+  return mesh;
+}
+
+/// The same slot, its mouth widened by 1 mm on both sides within the first mm.
+TriangleMesh chamferedSlot(double clearance_mm)
+{
+  constexpr double chamfer_mm = 1.0;
+  TriangleMesh mesh = shifted(slot(clearance_mm), Vec3(0, 0, -chamfer_mm));
+  const double half = 0.5 * (width_mm + clearance_mm);
+  for (const double side : { -1.0, 1.0 })
+  {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices_W.size());
+    for (const double y : { -60.0, 60.0 })
+    {
+      mesh.vertices_W.emplace_back(side * half, y, -chamfer_mm);
+      mesh.vertices_W.emplace_back(side * (half + chamfer_mm), y, 0.0);
+      mesh.vertices_W.emplace_back(side * 60.0, y, 0.0);
+    }
+    for (const std::uint32_t k : { 0u, 1u })
+    {
+      mesh.triangles.push_back({ first + k, first + k + 1, first + k + 4 });
+      mesh.triangles.push_back({ first + k, first + k + 4, first + k + 3 });
+    }
+  }
   return mesh;
 }
 
@@ -41,6 +67,14 @@ double widestTilt(double clearance_mm, double inside_mm)
     (wide < width_mm + clearance_mm ? low : high) = middle;
   }
   return low;
+}
+
+/// How far the peg reaches in, from the corner of the mouth that its side touches, along the peg.
+double insideOf(const Pose& at_W, double clearance_mm, double mouth_mm)
+{
+  const Mat3 turn = at_W.q.toRotationMatrix();
+  const Vec3 mouth(0.5 * (width_mm + clearance_mm), 0, mouth_mm), other(-mouth.x(), 0, mouth_mm);
+  return 30.0 + std::max((turn.transpose() * (mouth - at_W.p)).z(), (turn.transpose() * (other - at_W.p)).z());
 }
 
 bool pressedFromBothSides(const ToolMove& move)
@@ -126,6 +160,49 @@ TEST(Fits, APegOf60MillimetresTurnedAboutItsMiddleGoesInAtTheTiltThatTheMouthAll
   }
 }
 
+TEST(Fits, WithAChamferOf1MillimetreAPegGoesInFromHalfAMillimetreAndOneDegreeOffAndJamsAtItsWidestTiltRow61)
+{
+  constexpr double clearance_mm = 0.05, inside_mm = 28.7, chamfer_mm = 1.0;
+  JudgedTool judged(peg(), chamferedSlot(clearance_mm), 0);
+  const Quat tilted = turnBy(Vec3(0, degree_rad, 0));
+  ASSERT_EQ(judged.move.place({ Vec3(0.5, 0, 32), tilted }), "");
+  Pose hand_W{ Vec3(0.5, 0, 32), tilted };
+  for (; hand_W.p.z() > 30.0 - chamfer_mm - inside_mm; hand_W.p.z() -= 0.25)
+  {
+    judged.move.update(hand_W, plenty);
+  }
+  ASSERT_TRUE(settle(judged.move, hand_W));
+  const Pose& at_W = judged.move.pose_W();
+  const double deep_mm = 30.0 - chamfer_mm - at_W.p.z();
+  EXPECT_GT(deep_mm, 0.9 * inside_mm) << "it is in";
+  EXPECT_TRUE(pressedFromBothSides(judged.move));
+  const double tilt = rotationVector(at_W.q).y();
+  // Along the peg, from the narrow mouth's corner that its side touches.
+  const double inside = insideOf(at_W, clearance_mm, -chamfer_mm);
+  EXPECT_NEAR(tilt, widestTilt(clearance_mm - 2.0 * judged.tool.restGap_u(), inside), 1e-4 * tilt);
+  EXPECT_NEAR(tilt, 0.0996 * degree_rad, 0.03 * 0.0996 * degree_rad) << "th_max(28.7 mm); it is in by " << inside;
+  EXPECT_EQ(judged.judge.found(), 0u);
+}
+
+TEST(Fits, ANutThatIsPulledAlongItsScrewComesToRestWithTheUsualWorkOfAnUpdate)
+{
+  const ThreadSize screw{ 5.0, 2.0, 16.0 }, bore{ 5.2, 2.0, 5.0 };
+  JudgedTool judged(threadMesh(bore, 64), threadMesh(screw, 64), 0);
+  judged.judge.sparse(50);
+  const Pose start_W{ judged.tool.centre_W, Quat::Identity() };
+  ASSERT_EQ(judged.move.place(start_W), "");
+  ToolUpdate last;
+  for (int i = 1; i <= 60; ++i)
+  {
+    const Pose hand_W{ start_W.p + Vec3(0, 0, 0.03 * std::min(i, 50)), Quat::Identity() };
+    last = judged.move.update(hand_W, ToolFollower::usualWork);
+  }
+  EXPECT_TRUE(last.converged) << "spent " << last.spent;
+  // Flanks of 45 degrees give as much along the axis as along the radius, and a turn leads it on by hundredths.
+  EXPECT_NEAR(judged.move.pose_W().p.z() - start_W.p.z(), 0.2, 0.01);
+  EXPECT_EQ(judged.judge.found(), 0u);
+}
+
 TEST(Fits, APegInASlotTurnsUntilItsCornersJamRow31)
 {
   int jammed = 0;
@@ -139,11 +216,7 @@ TEST(Fits, APegInASlotTurnsUntilItsCornersJamRow31)
       ASSERT_TRUE(settle(judged.move, hand_W)) << clearance_mm << " " << depth_mm;
       const Pose& at_W = judged.move.pose_W();
       const double tilt = rotationVector(at_W.q).y();
-      // How far the peg reaches in, from the corner of the mouth that its side touches, along the peg.
-      const Mat3 turn = at_W.q.toRotationMatrix();
-      const Vec3 mouth(0.5 * (width_mm + clearance_mm), 0, 0), other(-mouth.x(), 0, 0);
-      const double inside =
-        30.0 + std::max((turn.transpose() * (mouth - at_W.p)).z(), (turn.transpose() * (other - at_W.p)).z());
+      const double inside = insideOf(at_W, clearance_mm, 0.0);
       if (pressedFromBothSides(judged.move)) // else it was levered out until it fits
       {
         ++jammed;

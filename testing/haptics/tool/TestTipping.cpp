@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "Tools.h"
+#include "haptics/tool/worker/ToolFollower.h"
 
 namespace palpate::test
 {
@@ -106,6 +107,27 @@ TEST(Tipping, IsTheSameOnAPlaneOfManyTrianglesRow29)
 {
   const TippedCube scene(70);
   expectTable(scene, scene.tool.gyration_u);
+}
+
+TEST(Tipping, SweptBy10RadiansASecondNeverStallsAndIsTheNearestPoseInEveryUpdateRow62)
+{
+  constexpr double rate_rad_s = 10.0, update_s = 1e-3, depth_mm = 2.0;
+  for (const double lever_mm : { 1e3 * std::sqrt(2.0 / 1000.0), TippedCube(1).tool.gyration_u })
+  {
+    const TippedCube scene(1);
+    ToolMove move(scene.tool, scene.plane, lever_mm);
+    ASSERT_EQ(move.place({ Vec3(0, 0, half_mm + 1.0), Quat::Identity() }), "");
+    double worst_deg = 0.0;
+    for (double tilt = 0.0; tilt < 40.0 * degree_rad; tilt += rate_rad_s * update_s)
+    {
+      const ToolUpdate done =
+        move.update({ Vec3(0, 0, half_mm - depth_mm), turnBy(Vec3(0, tilt, 0)) }, ToolFollower::usualWork);
+      EXPECT_TRUE(done.converged) << tilt;
+      const double truth = nearestRest(depth_mm, tilt, lever_mm).tilt_rad;
+      worst_deg = std::max(worst_deg, std::abs(tiltOf(move.pose_W()) - truth) / degree_rad);
+    }
+    EXPECT_LE(worst_deg, 2e-4);
+  }
 }
 
 } // namespace palpate::test

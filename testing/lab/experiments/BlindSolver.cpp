@@ -29,6 +29,10 @@ void judgeHand(const Labyrinth& maze, const std::string& name, const HandModel& 
 {
   for (const DeviceModel& device : deviceModels())
   {
+    if (device.turns())
+    {
+      continue; // in a maze it goes as the one without a turn does
+    }
     judge(maze, name, { .device = device, .hand = hand }, table);
     if (device.loop_s > 0.0)
     {

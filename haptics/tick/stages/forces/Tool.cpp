@@ -23,7 +23,7 @@ Vec6 pullBefore_u(const TickContext& tick, const ToolPull& now, const Pose& hand
 {
   const ToolContacts& was = tick.s.toolSet;
   const Vec6 unknown_u = was.held ? Vec6(Vec6::Zero()) : now.pull_u;
-  return was.placed ? toolPull(was, hand_W, tick.p.toolCoupling).pull_u : unknown_u;
+  return was.placed ? toolPull(was, hand_W, tick.p.toolCoupling, tick.p.contact.friction.kinetic).pull_u : unknown_u;
 }
 
 /// By how much the contacts of this tick change the pull of those before; they are kept for the next.
@@ -53,7 +53,7 @@ Vec6 pull_u(TickContext& tick, ToolState& tool) noexcept
     return Vec6::Zero();
   }
   const double stiffness_N_per_u = tick.out.state.stiffness_N_per_m / tick.p.map.scale_u_per_m;
-  const ToolPull now = toolPull(*tick.input.tool, tool.hand_W, tick.p.toolCoupling);
+  const ToolPull now = toolPull(*tick.input.tool, tool.hand_W, tick.p.toolCoupling, tick.p.contact.friction.kinetic);
   tool.active = now.active;
   tool.presses = now.presses;
   return tick.s.toolBlend.blended(now.pull_u, step_u(tick, now, tool), stiffness_N_per_u, tick.input.dt_s);

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "haptics/tool/motion/WishedMotion.h"
+#include "haptics/tool/servo/ToolContacts.h"
+
+namespace palpate
+{
+
+/// A contact that pushes the tool.
+struct ToolPress
+{
+  static constexpr int most = 6; ///< at a time: as many as there are directions
+
+  Vec3 p_W = Vec3::Zero();  ///< where [u]
+  Vec3 n_W = Vec3::UnitZ(); ///< unit, from the scene to the tool
+  double push_u = 0.0;      ///< its force over the stiffness
+  int contact = 0;          ///< of the set
+};
+
+/// The motion nearest to a wished one that the contacts allow, whitened, and what pushes it there.
+struct AllowedMotion
+{
+  Vec6 y = Vec6::Zero();
+  int active = 0;                                   ///< contacts that push
+  std::array<ToolPress, ToolPress::most> presses{}; ///< those; of more that would do the sum is the same
+};
+
+/// To stay where the tool is, is always allowed, also where rounding leaves the solver without an answer. Real-time
+/// safe.
+[[nodiscard]] AllowedMotion allowedMotion(const ToolContacts& set, const Vec6& wish) noexcept;
+
+/// The wish for which the tool goes without friction where it goes for `wish` with friction: each contact that pushes
+/// by p rubs by at most `friction` p, against the motion of its point, or holds the point where it is (Coulomb, one
+/// coefficient at rest and in motion). Solved in turn: what pushes for given rubbing, exactly, and what rubs for given
+/// pushes, by projection onto the discs. Where more contacts touch than there are directions, those that the solver
+/// names rub; which they are may change from turn to turn, and the sum is then good to a thousandth. Real-time safe: a
+/// bounded number of rounds.
+[[nodiscard]] Vec6 rubbedWish(const ToolContacts& set, const Vec6& wish, double friction) noexcept;
+
+} // namespace palpate

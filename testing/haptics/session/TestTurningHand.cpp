@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A hand that turns holds a tool by a simulated device with six axes: pressed flat, tipped, in a slot, on a screw.
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "devices/simulated/SimulatedDevice.h"
+#include "haptics/safety/HandLimits.h"
+#include "haptics/session/HapticSession.h"
+#include "haptics/tool/motion/Turn.h"
+#include "testing/support/Meshes.h"
+#include "testing/support/Thread.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double tick_s = 1e-3;
+
+/// What a hand does with a tool. In m; it begins at the pose of the time 0 and holds still from restFrom_s on.
+struct Deed
+{
+  std::string name;
+  TriangleMesh tool, scene;
+  std::function<Pose(double time_s)> hand_W;
+  double restFrom_s = 2.0;
+};
+
+/// Rises from 0 to 1 within two times and stays.
+double ramp(double time_s, double from_s, double to_s)
+{
+  return std::clamp((time_s - from_s) / (to_s - from_s), 0.0, 1.0);
+}
+
+double swing(double time_s, double rate_Hz, double until_s)
+{
+  return time_s < until_s ? std::sin(2.0 * std::numbers::pi * rate_Hz * time_s) : 0.0;
+}
+
+Deed pressedFlat()
+{
+  constexpr double half = 0.02;
+  Random random(testSeed(1821));
+  return { "pressed flat", makeBox(Vec3::Constant(-half), Vec3::Constant(half)),
+    makeSheet({ 0.4, 0.4, 8, 8, 0.3 }, random), [](double s) {
+      return Pose{ Vec3(0.005 * swing(s, 2.0, 2.0), 0, half + 0.002 - 0.006 * ramp(s, 0.2, 0.4)), Quat::Identity() };
+    } };
+}
+
+Deed tipped()
+{
+  Deed deed = pressedFlat();
+  deed.name = "tipped";
+  deed.hand_W = [flat = deed.hand_W](double s)
+  {
+    Pose hand = flat(s);
+    hand.q = turnBy(ramp(s, 0.5, 0.6) * Vec3(0.1 + 0.2 * swing(s, 3.0, 2.0), 0.3 * swing(s, 1.5, 2.0), 0.0));
+    return hand;
+  };
+  return deed;
+}
+
+Deed inSlot()
+{
+  constexpr double half = 0.01, room = 1e-4;
+  TriangleMesh slot = makeBox(Vec3(-0.04, -0.03, -0.04), Vec3(-half - room, 0.03, 0.0));
+  append(slot, makeBox(Vec3(half + room, -0.03, -0.04), Vec3(0.04, 0.03, 0.0)));
+  return { "in the slot", makeBox(Vec3(-half, -0.01, -0.02), Vec3(half, 0.01, 0.02)), slot,
+    [](double s)
+    {
+      const double pushed = ramp(s, 1.0, 1.1);
+      return Pose{ Vec3(0.004 * pushed * swing(s, 2.0, 2.0), 0, 0.021 - 0.015 * ramp(s, 0.2, 0.8)),
+        turnBy(pushed * Vec3(0, 0.2 * swing(s, 3.0, 2.0), 0.0)) };
+    } };
+}
+
+Deed onScrew()
+{
+  constexpr double pitch = 0.004, room = 2e-4, lead = pitch / (2.0 * std::numbers::pi);
+  const ThreadSize screw{ 0.01, pitch, 0.04 }, bore{ 0.01 + room, pitch, 0.012 };
+  return { "on the screw", threadMesh(bore, 32), threadMesh(screw, 32),
+    [](double s)
+    {
+      const double turn = 1.5 * ramp(s, 0.2, 1.0);
+      return Pose{ Vec3(0.001 * swing(s, 2.0, 2.0), 0, lead * turn + 0.002 * ramp(s, 1.2, 1.4)),
+        turnBy(Vec3(0, 0.05 * swing(s, 1.5, 2.0), turn)) };
+    } };
+}
+
+/// What came of it.
+struct Seen
+{
+  double pressed_N = 0.0, turned_Nm = 0.0;
+  double step_N = 0.0;                         ///< largest change of the force in a tick
+  double trembles_m = 0.0, trembles_rad = 0.0; ///< in the last fifth of a second
+  double excess_J = 0.0;
+  Fault fault = Fault::None;
+};
+
+Seen play(const Deed& deed, const HandModel& hand)
+{
+  HapticParameters parameters;
+  parameters.stiffness_N_per_m = 1000.0;
+  parameters.safety = SafetyLimits::none();
+  HapticSession session;
+  EXPECT_EQ(session.setParameters(parameters), "");
+  session.setScene(sceneOf(deed.scene));
+  session.setTool({ std::make_shared<const ToolMesh>(makeTool(deed.tool, Vec3(Vec3::Zero())).tool), 0.0 });
+  SessionOptions options;
+  options.virtualTime = true;
+  auto made = std::make_unique<SimulatedDevice>(*deviceModel("simulated-6d"), hand, HandPath{ { deed.hand_W(0.0).p } });
+  SimulatedDevice& device = *made;
+  EXPECT_EQ(session.start(std::move(made), options), "");
+  Seen seen;
+  Vec3 low_m = Vec3::Constant(std::numeric_limits<double>::infinity()), high_m = -low_m, low_rad = low_m,
+       high_rad = high_m, before_N = Vec3::Zero();
+  const int ticks = static_cast<int>((deed.restFrom_s + 0.4) / tick_s);
+  for (int i = 0; i < ticks; ++i)
+  {
+    device.lead(deed.hand_W(i * tick_s));
+    session.step(1);
+    const HapticState& state = session.state();
+    seen.pressed_N = std::max(seen.pressed_N, state.force_D.norm());
+    seen.turned_Nm = std::max(seen.turned_Nm, state.torque_D.norm());
+    seen.excess_J = std::max(seen.excess_J, state.energy.peakExcess_J);
+    seen.step_N = std::max(seen.step_N, (state.force_D - before_N).norm());
+    before_N = state.force_D;
+    seen.fault = i > 5 && state.fault != Fault::None ? state.fault : seen.fault;
+    if (i >= ticks - 200)
+    {
+      const Vec3 turn = rotationVector(device.turning()->turn_D());
+      low_m = low_m.cwiseMin(device.position_D());
+      high_m = high_m.cwiseMax(device.position_D());
+      low_rad = low_rad.cwiseMin(turn);
+      high_rad = high_rad.cwiseMax(turn);
+    }
+  }
+  seen.trembles_m = (high_m - low_m).maxCoeff();
+  seen.trembles_rad = (high_rad - low_rad).maxCoeff();
+  return seen;
+}
+
+} // namespace
+
+TEST(TurningHand, ComesToRestWithEveryDeedIsGivenNoEnergyAndFeelsNoStep)
+{
+  const DeviceModel& device = *deviceModel("simulated-6d");
+  const double allowance_J = handLimits(0.1, 3.0).excess_J / 5.0; // a fifth of what ends the force of a device of 3 N
+  for (const Deed& deed : { pressedFlat(), tipped(), inSlot(), onScrew() })
+  {
+    for (const HandModel& hand : handModels())
+    {
+      if (hand.stiffness_N_per_m == 0.0)
+      {
+        continue; // nobody holds it
+      }
+      const Seen seen = play(deed, hand);
+      SCOPED_TRACE(deed.name + ", " + hand.name);
+      EXPECT_EQ(seen.fault, Fault::None);
+      EXPECT_GT(seen.pressed_N, 0.2) << "what is not felt shows nothing";
+      EXPECT_LE(seen.trembles_m, device.encoderStep_m);
+      EXPECT_LE(seen.trembles_rad, device.turning.step_rad);
+      EXPECT_LE(seen.excess_J, allowance_J);
+      EXPECT_LE(seen.step_N, 0.2);
+    }
+  }
+}
+
+TEST(TurningHand, WithALongLeverIsGivenTheStiffnessThatItsTurnsHold)
+{
+  HapticSession session;
+  HapticParameters parameters;
+  parameters.stiffness_N_per_m = 1e5;
+  ASSERT_EQ(session.setParameters(parameters), "");
+  SessionOptions options;
+  options.virtualTime = true;
+  ASSERT_EQ(session.start(std::make_unique<SimulatedDevice>(
+                            *deviceModel("simulated-6d"), *handModel("light"), HandPath{ { Vec3::Zero() } }),
+              options),
+    "");
+  session.step(2);
+  const double ofWays_N_per_m = session.state().stiffness_N_per_m;
+  const auto tool = std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.1), Vec3::Constant(0.1))).tool);
+  session.setTool({ tool, 3.0 });
+  session.step(2);
+  EXPECT_LT(session.state().stiffness_N_per_m, 0.5 * ofWays_N_per_m);
+  EXPECT_DOUBLE_EQ(session.state().stiffness_N_per_m, 0.8 * session.limits().turning_N_per_m);
+  EXPECT_EQ(session.limits().decides, StiffnessLimit::Turning);
+  session.setTool({});
+  session.step(2);
+  EXPECT_EQ(session.state().stiffness_N_per_m, ofWays_N_per_m);
+}
+
+} // namespace palpate::test
