@@ -63,6 +63,7 @@ void BodyMaker::touch(std::shared_ptr<const Scene> beside)
 std::vector<Surface> BodyMaker::surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside)
 {
   std::vector<Surface> surfaces = this->beside_ ? this->beside_->surfaces() : std::vector<Surface>();
+  std::erase_if(surfaces, [this](const Surface& surface) { return surface.name == this->name_; });
   if (standingBeside)
   {
     std::transform(surfaces.begin(), surfaces.end(), surfaces.begin(), standing);

@@ -29,7 +29,8 @@ public:
   [[nodiscard]] static std::unique_ptr<BodyMaker> make(
     const SoftBodyInput& input, const std::string& name, std::uint64_t revision, std::string& refusal);
 
-  /// What is touched beside it; null: nothing. From the next packet on.
+  /// What is touched beside it; null: nothing. A surface of its name is the body's own, and gives way to it. From the
+  /// next packet on.
   void touch(std::shared_ptr<const Scene> beside);
   /// The body under what the hand presses with, for a hand that has so long until the next packet [s]; as many steps to
   /// its rest as are asked for. Null if a factor failed: what was before goes on.
