@@ -150,7 +150,8 @@ class Functions(unittest.TestCase):
         wavelet = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, 0, 4])
         block = simple.Transform(Input=wavelet)
         block.Transform.Scale = [12.5, 12.5, 12.5]
-        soft = simple.SoftBody(Input=simple.Tetrahedralize(Input=block), Unit=0.001, Fixed="zmin")
+        soft = SoftBody(  # noqa: F821  of the plugin
+            Input=simple.Tetrahedralize(Input=block), Unit=0.001, Fixed="zmin")
         simple.Show(soft, self.view)
         session = GetHapticSession()
         SetHaptics(Radius=10)
