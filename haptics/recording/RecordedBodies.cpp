@@ -164,11 +164,4 @@ std::shared_ptr<const PressedBody> readBody(ByteReader& in)
   return in.ok() ? body : nullptr;
 }
 
-bool fits(const PressedBody& body, const Scene* scene)
-{
-  const std::uint32_t surface = body.touch.surface;
-  return scene != nullptr && surface < scene->surfaces().size() &&
-         scene->surfaces()[surface].tree->mesh().vertices_W.size() == body.packet->placeOf.size();
-}
-
 } // namespace palpate

@@ -14,7 +14,4 @@ void putBody(ByteWriter& payload, const PressedBody& body);
 /// Null, with in.ok() false, where the bytes are none.
 [[nodiscard]] std::shared_ptr<const PressedBody> readBody(ByteReader& in);
 
-/// Whether the packet is of the surface that it says, so that no contact of this scene has a vertex without compliance.
-[[nodiscard]] bool fits(const PressedBody& body, const Scene* scene);
-
 } // namespace palpate

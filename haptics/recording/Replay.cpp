@@ -3,7 +3,6 @@
 #include <map>
 
 #include "haptics/recording/ByteStream.h"
-#include "haptics/recording/RecordedBodies.h"
 #include "haptics/recording/Recording.h"
 
 namespace palpate
@@ -48,6 +47,14 @@ bool letCome(Surface& surface, const std::shared_ptr<const VertexStart>& from)
   surface.tree = surface.tree->refitted(surface.tree->mesh().vertices_W, nullptr, &way).tree;
   surface.from = from;
   return surface.tree != nullptr;
+}
+
+/// Whether the packet is of the surface that it says, so that no contact of this scene has a vertex without compliance.
+bool fits(const PressedBody& body, const Scene* scene)
+{
+  const std::uint32_t surface = body.touch.surface;
+  return scene != nullptr && surface < scene->surfaces().size() &&
+         scene->surfaces()[surface].tree->mesh().vertices_W.size() == body.packet->placeOf.size();
 }
 
 class Replayer
