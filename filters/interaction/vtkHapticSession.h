@@ -5,15 +5,13 @@
  *
  * Owns a device, a servo at 1 kHz and a scene. Settings take effect at the next tick; the state is that of the last
  * Update(). In ParaView it is the proxy "HapticSession" of group "haptics", written to the state file once registered.
- * testing/filters/test_ten_lines.py uses it in ten lines.
  *
  * What each setting is, its unit, range and default, when it takes effect, and what each read-out says, is described
  * once in haptics/session/settings/: GetDescribed() has it as JSON, plugin/README.md as tables. A value that is not
  * allowed is an error, the old one stays, and GetProblem() says why until an allowed one is set.
  *
- * One thread, the one that made it, calls every method; none waits for the servo except TouchingOff() and the
- * destructor, which end it with the force at zero. Lengths and points are in scene units u and frame W unless said
- * otherwise.
+ * One thread, its maker's, calls every method; none waits for the servo but TouchingOff() and the destructor, which end
+ * it at no force. Lengths and points are in scene units u and frame W unless said otherwise.
  */
 #ifndef vtkHapticSession_h
 #define vtkHapticSession_h
@@ -117,8 +115,7 @@ public:
 
   ///@{
   /// The link to a running device of this computer's USB bus: reports with the hand in the last second [Hz]; writes
-  /// that hung, times it was lost (stalls included), reports that were no known ones or too short, effects that were
-  /// renewed.
+  /// that hung, losses (stalls included), reports that were no known ones or too short, effects that were renewed.
   double GetLinkRate() const;
   vtkHapticReadoutsMacro(vtkIdType, LinkStalls, LinkLosses, LinkStrange);
   vtkIdType GetLinkRestarts() const;
@@ -221,8 +218,7 @@ public:
   /// Other data that the field is compared with, and whose points and lines the hand snaps to; null: none. Kept by
   /// reference. CompareSource and SnapSource name them for whoever follows a view.
   void SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap);
-  /// What is felt of it where the proxy is, to be drawn: a patch of the isosurface, the streamline that is followed
-  /// [u].
+  /// What is felt of it at the proxy, to be drawn [u]: a patch of the isosurface, the streamline that is followed.
   void GetFieldShape(vtkPolyData* shape) const;
   ///@}
 
@@ -233,6 +229,9 @@ public:
   void GetToolShape(vtkPolyData* shape) const;
   /// How far it reaches from the hand against a direction, turned as it is [u]; 0: none is held.
   double GetToolReach(const double direction_W[3]) const;
+  /// Likewise of SoftSource, made by vtkHapticSoftBody: it gives way. True where it has bent since it was asked last.
+  bool AddSoftBody(const char* name, vtkDataObject* data);
+  bool BendSoftBody(vtkDataObject* body);
   ///@}
 
   vtkMTimeType GetMaterialTime() const; ///< changes whenever a setting of surfaces does
@@ -257,8 +256,7 @@ public:
   double GetGuideShare() const;
   ///@}
 
-  /// The same for the surfaces of some sources, by the names they were added under, a line each; an error names one
-  /// that is not touched.
+  /// The same for surfaces of some sources, by the names they were added under, a line each; not touched: an error.
   void FitToSources(const char* names);
 
   ///@{

@@ -32,6 +32,8 @@
   vtkHapticFieldVectorMacro(ConstantForce); \
   vtkHapticSettingMacro(FrictionStatic, double); \
   vtkHapticSettingMacro(FrictionKinetic, double); \
+  vtkHapticSettingMacro(SoftSource, const char*); \
+  vtkHapticSettingMacro(SoftRate, double); \
   vtkHapticSettingMacro(ToolSource, const char*); \
   vtkHapticSettingMacro(ToolHandle, int); \
   vtkHapticVectorMacro(ToolHandlePoint); \
@@ -127,6 +129,10 @@
   vtkHapticReadoutMacro(FrictionText, const char*); \
   vtkHapticReadoutMacro(FrictionKineticUsed, double); \
   vtkHapticReadoutMacro(Contacts, int); \
+  vtkHapticReadoutMacro(SoftText, const char*); \
+  vtkHapticReadoutMacro(SoftStrain, double); \
+  vtkHapticReadoutMacro(SoftPackets, double); \
+  vtkHapticReadoutMacro(SoftAge, double); \
   vtkHapticReadoutMacro(ToolText, const char*); \
   vtkHapticReadoutMacro(ToolContacts, const char*); \
   vtkHapticNumbersMacro(ToolPose, 7); \

@@ -18,6 +18,7 @@
 #include "vtkHapticFieldData.h"
 #include "vtkHapticHeldTool.h"
 #include "vtkHapticMarkRecords.h"
+#include "vtkHapticPressedBody.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticSourceProbe.h"
@@ -61,6 +62,7 @@ public:
   std::array<double, 6> FieldBounds{}; ///< of the data that was added [u]
   double FieldGradient[3] = { 0.0, 0.0, 0.0 };
   vtkHapticHeldTool Tool;
+  vtkHapticPressedBody Soft;
   palpate::Quat HandTurn_W = palpate::Quat::Identity(); ///< where a program holds it
   int Simplify = Auto;
   int LinesAsWalls = Auto;

@@ -6,11 +6,11 @@
 #include "vtkHapticConversionAhead.h"
 #include "vtkHapticDrafts.h"
 #include "vtkHapticFieldData.h"
+#include "vtkHapticHandedSources.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticNamedData.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticShapes.h"
-#include "vtkHapticToolSource.h"
 #include "vtkHapticViewScan.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMProxy.h"
@@ -48,7 +48,7 @@ public:
   vtkHapticShapes Shapes;
   vtkSmartPointer<vtkHapticSession> Session;
   vtkHapticViewScan Scan;
-  vtkHapticToolSource Tool;
+  vtkHapticHandedSources Handed;
   std::string Report;
   std::map<std::string, std::string> Rejected; ///< surfaces the session would not take, and why
   std::string FieldName;                       ///< of the source that is felt as a field; "": none
@@ -76,7 +76,7 @@ public:
   vtkHapticViewScan Look(const vtkHapticScanOptions& options)
   {
     vtkHapticViewScan scan = vtkHapticScanView(this->View, this->Shapes, options);
-    vtkHapticToolSource::LeaveOut(this->Session, scan);
+    this->Handed.Change(this->Session, scan);
     return scan;
   }
 
@@ -300,7 +300,7 @@ void vtkHapticViewScene::SetSession(vtkHapticSession* session)
     this->Impl->Cancelled = session ? session->GetScenesCancelled() : 0;
     this->Impl->Drafts.ForgetAll();
     this->Impl->HandedOver = false;
-    this->Impl->Tool.Forget();
+    this->Impl->Handed.Forget();
     this->Impl->Preparing.reset(); // the session before began with it
     this->Modified();
   }
@@ -398,7 +398,7 @@ bool vtkHapticViewScene::Update()
   if (this->Impl->Session)
   {
     this->Impl->HandOverField(this->Impl->Scan.Sources);
-    this->Impl->Tool.Follow(*this->Impl->Session, this->Impl->View);
+    this->Impl->Handed.Follow(*this->Impl->Session, this->Impl->View);
   }
   this->WriteReport();
   return handOver;

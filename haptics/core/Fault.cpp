@@ -28,6 +28,8 @@ const char* describe(Fault fault) noexcept
       return "there is no hand yet: move the device or the pointer, or tell the session where the hand is";
     case Fault::ToolWaits:
       return "the tool meets the scene where the hand is: move the hand to where the tool is free";
+    case Fault::BodyLate:
+      return "the soft body is not computed any more: give it fewer tetrahedra, then engage again";
   }
   return "unknown fault";
 }

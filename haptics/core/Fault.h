@@ -19,6 +19,7 @@ enum class Fault : std::uint8_t
   Seated,          ///< the ball overlaps a surface and no free place lies within its radius
   NoHand,          ///< nobody has said yet where the hand is
   ToolWaits,       ///< the tool meets the scene wherever the hand has been
+  BodyLate,        ///< a soft body that is pressed is not computed any more: latched
 };
 
 /// One sentence for the panel: what happened and what to do next.

@@ -7,6 +7,7 @@
 
 #include "haptics/recording/Format5.h"
 #include "haptics/recording/NamedParts.h"
+#include "haptics/recording/RecordedBodies.h"
 #include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/RecordedScenes.h"
 #include "haptics/recording/RecordedStages.h"
@@ -105,6 +106,7 @@ constexpr ChunkReader readers[] = {
     [](RecordedChunk& c, Recording& recording) { recording.motions.push_back(readMotion(c.payload)); } },
   { chunks::brick, [](RecordedChunk& c, Recording& recording) { recording.bricks.push_back(readBrick(c.payload)); } },
   { chunks::tool, [](RecordedChunk& c, Recording& recording) { recording.tools.push_back(readTool(c.payload)); } },
+  { chunks::body, [](RecordedChunk& c, Recording& recording) { recording.bodies.push_back(readBody(c.payload)); } },
   { chunks::end, [](RecordedChunk& c, Recording& recording) { c.payload.get(recording.lost); } },
 };
 

@@ -22,7 +22,8 @@ namespace palpate
 {
 
 /// What happened before a tick was computed: an event, new parameters, another scene (by content hash, 0: none),
-/// another field (by the event's value, likewise), other contacts of a tool (by their revision, likewise).
+/// another field (by the event's value, likewise), other contacts of a tool or another packet of a soft body (by their
+/// revision, likewise).
 struct RecordedChange
 {
   HapticEvent event;
@@ -62,8 +63,9 @@ struct Recording
   RendererState initialState;
   std::vector<RecordedScene> scenes; ///< each once; empty when they were left out
   std::vector<RecordedMotion> motions;
-  std::vector<std::shared_ptr<const Brick>> bricks; ///< each once
-  std::vector<ToolContacts> tools;                  ///< in the order in which they were taken
+  std::vector<std::shared_ptr<const Brick>> bricks;       ///< each once
+  std::vector<ToolContacts> tools;                        ///< in the order in which they were taken
+  std::vector<std::shared_ptr<const PressedBody>> bodies; ///< without their scenes
   std::vector<RecordedEntry> entries;
   SkippedParts skipped;
   std::uint64_t lost = 0; ///< ticks the writer could not take: such a recording cannot be recomputed

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "haptics/recording/NamedParts.h"
+#include "haptics/recording/RecordedBodies.h"
 #include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/recording/RecordedTools.h"
@@ -172,6 +173,13 @@ std::vector<char> toolChunk(const ToolContacts& contacts)
   ByteWriter payload;
   putTool(payload, contacts);
   return chunk(chunks::tool, payload);
+}
+
+std::vector<char> bodyChunk(const PressedBody& body)
+{
+  ByteWriter payload;
+  putBody(payload, body);
+  return chunk(chunks::body, payload);
 }
 
 std::vector<char> endChunk(std::uint64_t lost)

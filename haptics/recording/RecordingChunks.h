@@ -23,6 +23,8 @@ namespace palpate
 [[nodiscard]] std::vector<char> brickChunk(const Brick& brick);
 /// What a tool touches.
 [[nodiscard]] std::vector<char> toolChunk(const ToolContacts& contacts);
+/// A packet of a soft body.
+[[nodiscard]] std::vector<char> bodyChunk(const PressedBody& body);
 [[nodiscard]] std::vector<char> endChunk(std::uint64_t lost);
 
 } // namespace palpate

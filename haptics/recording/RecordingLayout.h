@@ -32,6 +32,7 @@ inline constexpr ChunkKind scene{ "scene" };    ///< RecordedScene
 inline constexpr ChunkKind motion{ "motion" };  ///< RecordedMotion
 inline constexpr ChunkKind brick{ "brick", 2 }; ///< putBrick(); from version 2 on with its lines
 inline constexpr ChunkKind tool{ "tool" };      ///< putTool()
+inline constexpr ChunkKind body{ "body" };      ///< putBody()
 inline constexpr ChunkKind end{ "end" };        ///< ticks that were lost; nothing follows
 } // namespace chunks
 

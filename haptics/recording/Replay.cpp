@@ -49,6 +49,14 @@ bool letCome(Surface& surface, const std::shared_ptr<const VertexStart>& from)
   return surface.tree != nullptr;
 }
 
+/// Whether the packet is of the surface that it says, so that no contact of this scene has a vertex without compliance.
+bool fits(const PressedBody& body, const Scene* scene)
+{
+  const std::uint32_t surface = body.touch.surface;
+  return scene != nullptr && surface < scene->surfaces().size() &&
+         scene->surfaces()[surface].tree->mesh().vertices_W.size() == body.packet->placeOf.size();
+}
+
 class Replayer
 {
 public:
@@ -115,6 +123,9 @@ private:
         break;
       case EventKind::Tool:
         this->takeTool(change.event.value);
+        break;
+      case EventKind::Body:
+        this->takeBody(change.event.value);
         break;
       default:
         this->events_.push_back(change.event);
@@ -191,6 +202,31 @@ private:
     }
   }
 
+  /// Packets lie before what takes them, but for those that were made before the recording began.
+  void takeBody(std::uint64_t revision)
+  {
+    const auto isIt = [revision](const auto& body) { return body->revision == revision; };
+    const auto& bodies = this->recording_.bodies;
+    const auto found = std::find_if(bodies.begin(), bodies.end(), isIt);
+    this->body_ = found != bodies.end() ? *found : nullptr;
+    if (revision != 0 && !(this->body_ && fits(*this->body_, this->scene_.get())))
+    {
+      this->result_.problem = "what a soft body gave way by is not in it: it cannot be recomputed";
+    }
+  }
+
+  /// The body of a tick, in the scene of that tick.
+  const PressedBody* bodyInScene()
+  {
+    if (!this->body_ || !fits(*this->body_, this->scene_.get()))
+    {
+      return nullptr;
+    }
+    this->bodyNow_ = *this->body_;
+    this->bodyNow_.scene = this->scene_;
+    return &this->bodyNow_;
+  }
+
   void compute(const TickRecord& record, const std::function<void(const TickOutput&)>& visit)
   {
     TickInput input;
@@ -203,6 +239,8 @@ private:
     input.previousScene = this->previous_.get();
     input.brick = this->brick_;
     input.tool = this->tool_;
+    input.body = this->bodyInScene();
+    input.softRoom = this->softRoom_.get();
     input.lateness = record.lateness;
     input.events = this->events_;
     const TickOutput output = renderTick(input, this->parameters_, this->state_);
@@ -227,6 +265,9 @@ private:
   const Brick* brick_ = nullptr;
   const ToolContacts* tool_ = nullptr;
   std::ptrdiff_t toolsTaken_ = 0; ///< they stand in the order in which they were taken
+  std::shared_ptr<const PressedBody> body_;
+  PressedBody bodyNow_;
+  std::unique_ptr<SoftRoom> softRoom_ = std::make_unique<SoftRoom>();
   std::vector<HapticEvent> events_;
   ReplayResult result_;
 };

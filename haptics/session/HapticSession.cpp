@@ -27,6 +27,7 @@ struct HapticSession::Run
   MonotonicClock clock;
   ServoLinks links;
   std::optional<HeldTool> tool;
+  std::optional<SoftWorker> soft;
   std::optional<Recordings> recordings;
   std::optional<ServoLoop> loop;
   std::mutex schedulingMutex; ///< taken once by the servo thread, before its first tick
@@ -34,6 +35,7 @@ struct HapticSession::Run
   RealtimeThread thread;
   bool virtualTime = false;
   double period_s = 1e-3;
+  double virtual_s = 0.0;   ///< time of the last tick, in virtual time
   HapticParameters adapted; ///< what the servo runs with
   BallLead lead;            ///< the last one
   StabilityLimits limits;
@@ -142,9 +144,13 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->tool.emplace(run->links.tool, options.virtualTime, period_ns);
   run->tool->touch(this->scene_);
   run->tool->take(this->tool_);
+  run->soft.emplace(run->links.soft, options.virtualTime);
+  run->soft->touch(this->scene_);
+  run->soft->take(this->soft_);
   if (options.virtualTime)
   {
     run->tool->step();
+    run->soft->step(0.0);
   }
   run->loop.emplace(*run->device, *run->timer, run->links, run->clock, options.period_s);
   this->run_ = std::move(run);
@@ -183,6 +189,7 @@ std::string HapticSession::stop()
     this->release();
     this->run_->thread.join();
   }
+  this->storeBodies();
   this->lastState_ = this->run_->links.state.read();
   this->lastReport_ = this->run_->links.report.read();
   this->lastState_.engage = EngageState::Safe;
@@ -242,6 +249,7 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
     this->run_->recordings->storeScene(this->scene_);
     this->run_->links.scenes.publish(this->scene_);
     this->run_->tool->touch(this->scene_);
+    this->run_->soft->touch(this->scene_);
   }
 }
 
@@ -253,6 +261,29 @@ void HapticSession::setTool(const ToolChoice& choice)
     this->run_->tool->take(choice);
     this->run_->adapt(this->parameters_, choice.weighs_u(), false);
     this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
+  }
+}
+
+void HapticSession::setSoft(const SoftChoice& choice)
+{
+  this->soft_ = choice;
+  if (this->run_)
+  {
+    this->run_->soft->take(choice);
+  }
+}
+
+SoftStatus HapticSession::softStatus() const
+{
+  return this->run_ ? this->run_->soft->status() : SoftStatus{};
+}
+
+/// A recording that begins has what the servo may still be pressing.
+void HapticSession::storeBodies()
+{
+  for (const auto& body : this->run_->soft->made(this->recording()))
+  {
+    this->run_->recordings->storeBody(body);
   }
 }
 
@@ -320,6 +351,8 @@ int HapticSession::step(int ticks)
   {
     ++done;
     this->run_->tool->step();
+    this->run_->soft->step(this->run_->virtual_s += this->run_->period_s);
+    this->storeBodies();
     this->run_->recordings->pump();
   }
   if (done > 0)
@@ -331,8 +364,14 @@ int HapticSession::step(int ticks)
 
 std::string HapticSession::record(const std::string& file)
 {
-  return this->run_ ? this->run_->recordings->begin(file, this->run_->device->info().name, this->scene_, this->brick_)
-                    : "nothing is touched that could be recorded";
+  if (!this->run_)
+  {
+    return "nothing is touched that could be recorded";
+  }
+  std::string problem =
+    this->run_->recordings->begin(file, this->run_->device->info().name, this->scene_, this->brick_);
+  this->storeBodies();
+  return problem;
 }
 
 void HapticSession::endRecording()
@@ -362,6 +401,7 @@ const HapticState& HapticSession::state()
 {
   if (this->run_)
   {
+    this->storeBodies();
     this->run_->links.scenes.collect();
     this->run_->links.bricks.collect();
     this->lastState_ = this->run_->links.state.read();

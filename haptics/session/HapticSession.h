@@ -68,6 +68,11 @@ public:
   [[nodiscard]] bool toolEnclosed() const noexcept; ///< it began inside of a closed body and cannot get out
   [[nodiscard]] const ToolReport& toolReport();
 
+  /// What gives way beside the scene, from a tick soon after on; none: nothing does. Kept over stop() and start().
+  void setSoft(const SoftChoice& choice);
+  [[nodiscard]] const SoftChoice& soft() const noexcept { return this->soft_; }
+  [[nodiscard]] SoftStatus softStatus() const;
+
   /// The field around the hand, taken at the next tick; null: none. Kept over stop() and start().
   void setBrick(std::shared_ptr<const Brick> brick);
   [[nodiscard]] const std::shared_ptr<const Brick>& brick() const noexcept { return this->brick_; }
@@ -98,12 +103,14 @@ public:
 private:
   struct Run;
   void push(EventKind kind);
+  void storeBodies();
 
   HapticParameters parameters_;
   std::uint64_t version_ = 0;
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Brick> brick_;
   ToolChoice tool_;
+  SoftChoice soft_;
   HapticState lastState_;
   LoopReport lastReport_;
   ToolReport lastToolReport_;

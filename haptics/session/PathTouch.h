@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "haptics/session/scene/FeltField.h"
+#include "haptics/session/soft/VirtualBody.h"
 #include "haptics/tick/ForceRenderer.h"
 
 namespace palpate
@@ -21,17 +23,26 @@ public:
   /// and are waited for: the same path gives the same forces on any machine.
   void feel(std::shared_ptr<const FieldSource> field);
 
+  /// What gives way beside the scene, from the next tick on. `rate_Hz`: of its packets, each of which arrives one
+  /// period after what it was made from; 0: it is at rest in every tick, which is the reference.
+  void press(std::unique_ptr<BodyMaker> body, double rate_Hz);
+
   /// The hand is there at that time, which is later than the time before. Where a field alone is touched the proxy is
   /// that of the field. The contacts are those of the surfaces and those of the field.
   [[nodiscard]] HapticState next(double time_s, const Pose& hand_D);
 
   /// The newest brick of the field, or why there is none.
   [[nodiscard]] const MadeBrick& madeBrick() const noexcept { return this->field_.made(); }
+  /// The body that gives way; null: none.
+  [[nodiscard]] const BodyMaker* body() const noexcept { return this->maker_.get(); }
   /// "", or why no tick until now was among the values of the field.
   [[nodiscard]] std::string whyNothingOfField() const;
 
 private:
   void followField(const Pose& hand_D);
+  [[nodiscard]] TickOutput compute();
+  [[nodiscard]] TickOutput computeAtRest();
+  void takeBody(const PressedBody* body);
 
   std::shared_ptr<const Scene> scene_;
   FeltField field_;
@@ -39,6 +50,11 @@ private:
   HapticParameters parameters_;
   RendererState state_;
   TickInput input_;
+  std::unique_ptr<BodyMaker> maker_;
+  std::optional<VirtualBody> paced_;          ///< none: the body is at rest in every tick
+  std::shared_ptr<const PressedBody> atRest_; ///< of the last tick
+  std::unique_ptr<SoftRoom> softRoom_;
+  BodyHand bodyHand_;
   bool begun_ = false;
   bool knowsSlope_ = false;
   bool metField_ = false; ///< some tick was among its values

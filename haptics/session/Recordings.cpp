@@ -48,6 +48,14 @@ void Recordings::storeBrick(const std::shared_ptr<const Brick>& brick)
   }
 }
 
+void Recordings::storeBody(const std::shared_ptr<const PressedBody>& body)
+{
+  if (this->current_)
+  {
+    this->current_->recorder->storeBody(body);
+  }
+}
+
 void Recordings::pump()
 {
   if (this->current_)

@@ -35,6 +35,7 @@ public:
   [[nodiscard]] bool running() const noexcept { return this->current_.has_value(); }
   void storeScene(const std::shared_ptr<const Scene>& scene);
   void storeBrick(const std::shared_ptr<const Brick>& brick);
+  void storeBody(const std::shared_ptr<const PressedBody>& body);
   /// Writes what has come in, in virtual time.
   void pump();
   /// Ends what has no room on its disk, and closes what has ended: each is told once.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "haptics/recording/RecordedStages.h"
+#include "haptics/tick/SoftProxy.h"
 
 namespace palpate
 {
@@ -29,6 +30,7 @@ ServoLoop::ServoLoop(
   const ServoLinks::Versioned& first = links.parameters.read();
   this->version_ = first.version;
   this->parameters_ = first.parameters;
+  this->input_.softRoom = this->softRoom_.get();
 }
 
 void ServoLoop::run(const std::stop_token& stop) noexcept
@@ -75,14 +77,7 @@ void ServoLoop::takeChanges() noexcept
       this->recorder_->pushParameters(this->input_.tick, this->parameters_);
     }
   }
-  const Scene* const before = this->input_.scene;
-  this->input_.scene = this->links_.scenes.acquire();
-  this->input_.previousScene = this->links_.scenes.replaced();
-  const bool taken = this->input_.scene != before || this->input_.previousScene != nullptr;
-  if (taken && this->recorder_ != nullptr)
-  {
-    this->recorder_->pushScene(this->input_.tick, this->input_.scene);
-  }
+  this->takeScene();
   this->takeBrick();
   this->takeTool();
   this->followRecorder();
@@ -97,6 +92,29 @@ void ServoLoop::takeChanges() noexcept
     ++count;
   }
   this->input_.events = { this->events_.data(), count };
+}
+
+/// A soft body brings the scene that it is felt in. Each mailbox keeps what it replaces alive for this tick.
+void ServoLoop::takeScene() noexcept
+{
+  const Scene* const before = this->input_.scene;
+  const PressedBody* const bodyBefore = this->input_.body;
+  const Scene* const beside = this->links_.scenes.acquire();
+  this->input_.body = this->links_.soft.bodies.acquire();
+  const bool soft = this->input_.body != nullptr || bodyBefore != nullptr;
+  this->input_.scene = this->input_.body != nullptr ? this->input_.body->scene.get() : beside;
+  const Scene* const other = this->input_.scene != before ? before : nullptr;
+  this->input_.previousScene = soft ? other : this->links_.scenes.replaced();
+  const bool taken = this->input_.scene != before || this->input_.previousScene != nullptr;
+  if (taken && this->recorder_ != nullptr)
+  {
+    this->recorder_->pushScene(this->input_.tick, this->input_.scene);
+  }
+  const bool bodyTaken = this->input_.body != bodyBefore || this->links_.soft.bodies.replaced() != nullptr;
+  if (bodyTaken && this->recorder_ != nullptr)
+  {
+    this->recorder_->pushBody(this->input_.tick, this->input_.body);
+  }
 }
 
 void ServoLoop::takeBrick() noexcept
@@ -166,6 +184,10 @@ void ServoLoop::pushTouched() noexcept
   {
     this->recorder_->pushTool(this->input_.tick, this->input_.tool);
   }
+  if (this->input_.body != nullptr)
+  {
+    this->recorder_->pushBody(this->input_.tick, this->input_.body);
+  }
 }
 
 bool ServoLoop::tick() noexcept
@@ -187,6 +209,7 @@ bool ServoLoop::tick() noexcept
     judgeLateness(this->behind_s(wakeup), this->latenessP99_s_, this->period_s_, this->device_.info().simulated);
   const TickOutput output = renderTick(this->input_, this->parameters_, this->renderer_);
   this->device_.write(output.command);
+  this->links_.soft.hand.write(bodyHandOf(this->input_, output, this->renderer_));
   this->links_.tool.hand.write({ output.state.tool.hand_W, output.state.tool.held && !output.state.held,
     this->parameters_.contact.friction.kinetic });
   this->pushes_ = pushes(output.command);
@@ -223,7 +246,7 @@ void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double c
   r.peakForce_N = std::max(r.peakForce_N, s.force_D.norm());
   r.peakStabiliser_N = std::max(r.peakStabiliser_N, s.stabiliser_D.norm());
   if (s.gain == 1.0 && s.stiffnessFactor == 1.0 && !s.clamped && !s.riseLimited && !s.held && !s.deviceHolds &&
-      !s.tool.held && this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
+      !s.tool.held && !s.soft.felt && this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
   {
     const WorkspaceMap& map = this->parameters_.map;
     const Vec3 spring_D = map.directionToDevice(s.stiffness_N_per_m / map.scale_u_per_m * (s.proxy_W.p - s.device_W.p));

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <stop_token>
 
 #include "haptics/core/Clock.h"
@@ -13,6 +14,7 @@
 #include "haptics/realtime/SpscRing.h"
 #include "haptics/realtime/TripleBuffer.h"
 #include "haptics/recording/writing/Recorder.h"
+#include "haptics/session/soft/SoftWorker.h"
 #include "haptics/tick/ForceRenderer.h"
 #include "haptics/tool/worker/ToolFollower.h"
 
@@ -48,6 +50,7 @@ struct ServoLinks
   SnapshotMailbox<Scene> scenes;      ///< owner -> servo
   SnapshotMailbox<Brick> bricks;      ///< owner -> servo
   ToolLinks tool;                     ///< servo <-> the thread that moves a tool
+  SoftLinks soft;                     ///< servo <-> the thread that computes a soft body
   TripleBuffer<Versioned> parameters; ///< owner -> servo
   SpscRing<HapticEvent, 64> events;   ///< owner -> servo
   TripleBuffer<HapticState> state;    ///< servo -> owner
@@ -81,6 +84,7 @@ public:
 private:
   void letGo() noexcept;
   void takeChanges() noexcept;
+  void takeScene() noexcept;
   void takeBrick() noexcept;
   /// Whether another scene, or another field, than in the tick before is touched in this one.
   [[nodiscard]] bool replacesTouched() const noexcept;
@@ -100,6 +104,7 @@ private:
   HapticParameters parameters_;
   RendererState renderer_;
   TickInput input_;
+  std::unique_ptr<SoftRoom> softRoom_ = std::make_unique<SoftRoom>();
   std::uint64_t toolRevision_ = 0; ///< of the contacts that were taken last
   Recorder* recorder_ = nullptr;   ///< has its start, and not its end
   std::array<HapticEvent, 16> events_;

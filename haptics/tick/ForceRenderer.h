@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "haptics/compliance/servo/PressedBody.h"
 #include "haptics/contact/GodObject.h"
 #include "haptics/core/DeviceCommand.h"
 #include "haptics/core/DeviceSample.h"
@@ -37,6 +38,8 @@ struct TickInput
   const Scene* previousScene = nullptr; ///< in the tick that takes a new scene: the one before, still alive
   const Brick* brick = nullptr;         ///< the field around the hand; may be null
   const ToolContacts* tool = nullptr;   ///< what the tool in the hand touches; null: the hand touches with its ball
+  const PressedBody* body = nullptr;    ///< what gives way; null: nothing does. The scene is the body's, then
+  SoftRoom* softRoom = nullptr;         ///< what contact with it is computed in; not null where there is a body
   LatenessVerdict lateness;
   std::span<const HapticEvent> events;
 };

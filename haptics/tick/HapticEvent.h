@@ -20,6 +20,7 @@ enum class EventKind : std::uint8_t
   Play,       ///< another game in the labyrinth: the hand is brought to the start
   Brick,      ///< the tick took another field (value: content hash)
   Tool,       ///< the tick took other contacts of a tool (value: their revision; 0: no tool)
+  Body,       ///< the tick took another packet of a soft body (value: its revision; 0: no body)
 };
 
 struct HapticEvent

@@ -52,6 +52,17 @@ struct ToolState
   double injected_J = 0.0; ///< by contacts that were replaced in this tick: energy of the new ones less the old ones'
 };
 
+/// What a soft body did in a tick.
+struct SoftReport
+{
+  bool felt = false;             ///< there is one
+  bool pressed = false;          ///< and it gives way under the ball
+  double age_s = 0.0;            ///< of what its packet was made from
+  double stored_J = 0.0;         ///< elastic energy under the hand: of body and coupling
+  double added_N = 0.0;          ///< along the force, so that the hand gets back no more than it gave
+  Vec3 yielded_W = Vec3::Zero(); ///< how far the surface under the ball has gone [u]
+};
+
 /// What the tick did, as the view, the panel and the recording see it.
 struct HapticState
 {
@@ -102,6 +113,7 @@ struct HapticState
   EnergyMeter energy;
   FieldReport field;
   ToolState tool;
+  SoftReport soft;
 };
 
 } // namespace palpate

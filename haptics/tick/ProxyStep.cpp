@@ -4,6 +4,7 @@
 #include "haptics/contact/carry/CarryBall.h"
 #include "haptics/contact/carry/Deformation.h"
 #include "haptics/contact/carry/HandOver.h"
+#include "haptics/tick/SoftProxy.h"
 
 namespace palpate
 {
@@ -127,7 +128,9 @@ ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state
     resize(tick, state);
   }
   plan.radius_u = state.radius_u;
-  moved.contact = moveIn(tick, plan, p_W, contact);
+  moved.contact = tick.input.body != nullptr
+                    ? moveOnBody(tick, plan, p_W, tick.input.scene->shareAt(tick.step.age_s), state)
+                    : moveIn(tick, plan, p_W, contact);
   return moved;
 }
 

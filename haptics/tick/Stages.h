@@ -17,6 +17,7 @@
 #include "haptics/tick/stages/forces/Field.h"
 #include "haptics/tick/stages/forces/Game.h"
 #include "haptics/tick/stages/forces/Guide.h"
+#include "haptics/tick/stages/forces/Soft.h"
 #include "haptics/tick/stages/forces/Tool.h"
 
 namespace palpate
@@ -31,7 +32,9 @@ using TickStages = StageList< //
   stage::Hand,                // where it is and how fast
   stage::Clutch,              // or where it stays
   stage::GameLead,            // of a labyrinth, before contact
+  stage::SoftLead,            // what gives way, before contact
   stage::Contact,             // where the proxy rests
+  stage::Soft,                // what gives way, after contact
   stage::Tool,                // or the tool
   stage::Coupling,            // spring and damper between the two
   stage::Field,               // what the numbers around the hand do

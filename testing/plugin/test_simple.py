@@ -11,7 +11,7 @@ from paraview import servermanager, simple
 
 simple.LoadPlugin(os.environ["PALPATE_PLUGIN"], remote=False, ns=globals())
 from palpate.simple import (ClearMarks, FitHand, GetHapticSession, GetMarks, HapticRefusal, HapticState, HoldTool, LetGo, Mark,  # noqa: E402
-                            SaveMarks, SetHaptics, SetSource, TakeColorRange, Touch)
+                            PressBody, SaveMarks, SetHaptics, SetSource, TakeColorRange, Touch)
 
 TICKS_TO_ENGAGE = 1100  # arming, the ramp of 1 s, and some to spare
 STIFFNESS = 400.0  # N/m
@@ -30,7 +30,7 @@ class Functions(unittest.TestCase):
     def tearDown(self):
         LetGo()
         ClearMarks()
-        SetHaptics(SourcesText="", ToolSource="")
+        SetHaptics(SourcesText="", ToolSource="", SoftSource="")
         for source in list(simple.GetSources().values()):
             simple.Delete(source)
         simple.Delete(self.view)
@@ -144,6 +144,45 @@ class Functions(unittest.TestCase):
             HoldTool("Drill")
         HoldTool(None)
         self.assertEqual(HapticState()["ToolText"], "")
+
+    def test_a_soft_body_gives_way_and_bends_in_the_view(self):
+        """A block of 100 x 100 x 50 mm, 20 kPa, held below; a ball of 10 mm is 8 mm deep in the middle of its top."""
+        wavelet = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, 0, 4])
+        block = simple.Transform(Input=wavelet)
+        block.Transform.Scale = [12.5, 12.5, 12.5]
+        soft = SoftBody(  # noqa: F821  of the plugin
+            Input=simple.Tetrahedralize(Input=block), Unit=0.001, Fixed="zmin")
+        simple.Show(soft, self.view)
+        session = GetHapticSession()
+        SetHaptics(Radius=10)
+        self.addCleanup(SetHaptics, Radius=0)
+        session.SetHandPosition(0, 0, 70)
+        PressBody(soft)
+        Touch()
+        session.Step(TICKS_TO_ENGAGE)
+        session.SetHandPosition(0, 0, 60 - 8)
+        session.Step(400)
+        state = HapticState()
+        rigid = STIFFNESS * 8 / SCALE
+        self.assertGreater(state["Force"][2], 0.05 * rigid)
+        self.assertLess(state["Force"][2], 0.8 * rigid)
+        for word in ("assumed", "neo-Hookean", "packets a second", "largest strain"):
+            self.assertIn(word, state["SoftText"])
+        simple.Render(self.view)
+        bent = servermanager.Fetch(soft)
+        moved = bent.GetPointData().GetArray("Displacement").GetFiniteRange(2)
+        self.assertLess(moved[0], -0.5)
+        self.assertGreater(bent.GetCellData().GetArray("Stress").GetFiniteRange(-1)[1], 0.0)
+        self.assertAlmostEqual(bent.GetBounds()[4], 0.0)
+        session.Step(200)
+        self.assertAlmostEqual(HapticState()["Force"][2], state["Force"][2], delta=0.02 * state["Force"][2])
+        PressBody(None)
+        session.SetHandPosition(0, 0, 70)
+        session.Step(100)
+        simple.Render(self.view)
+        self.assertEqual(servermanager.Fetch(soft).GetPointData().GetArray("Displacement").GetFiniteRange(-1)[1], 0.0)
+        with self.assertRaisesRegex(HapticRefusal, "apply the filter Soft Body"):
+            PressBody(wavelet)
 
     def test_a_source_is_softer_than_the_others_or_not_touched(self):
         box = self.press_box()

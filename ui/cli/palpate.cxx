@@ -89,6 +89,24 @@ void AddTouch(CLI::App& app, Arguments& arguments)
     ->add_flag(
       "--virtual-coupling", options.Tool.VirtualCoupling, "of --tool: a spring to the hand, not what contacts push")
     ->needs(tool);
+  CLI::Option* young = command->add_option("--young", options.Soft.Young_Pa,
+    "FILE is a body that gives way, vtu or closed surface: its Young's modulus [Pa]; a unit is 1 / --scale metres");
+  command->add_option("--poisson", options.Soft.Poisson, "of --young: Poisson's ratio, 0 to below 0.5")
+    ->capture_default_str()
+    ->needs(young);
+  command
+    ->add_option("--fixed", options.Soft.Fixed,
+      "of --young: what is held, sides of its box (xmin,xmax,ymin,ymax,zmin,zmax) or a point array")
+    ->needs(young);
+  command->add_option("--model", options.Soft.Model, "of --young: linear, corotational or neohookean")
+    ->capture_default_str()
+    ->check(CLI::IsMember({ "linear", "corotational", "neohookean" }))
+    ->needs(young);
+  command
+    ->add_option("--low-rate", options.Soft.LowRate_Hz,
+      "of --young: how often the body is computed [Hz], virtual time; 0: at rest in every tick")
+    ->capture_default_str()
+    ->needs(young);
   command->add_flag("--two-d", options.TwoD, "lines in the plane z = 0 are walls, felt in that plane");
 }
 
@@ -179,6 +197,7 @@ int Touch(const vtkHapticCliTouchOptions& options)
   {
     CheckNumber("--torque-stiffness", *options.Tool.Turning_N_m_per_rad, false, "newton metres per radian");
   }
+  CheckNumber("--low-rate", options.Soft.LowRate_Hz, true, "hertz");
   options.Settings.Check();
   vtkHapticCliCheckMaterials(options.Materials);
   return vtkHapticCliTouch(options);

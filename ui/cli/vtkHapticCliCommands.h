@@ -62,6 +62,16 @@ struct vtkHapticCliToolOptions
   bool VirtualCoupling = false;              ///< a spring to the hand, in place of what the contacts push with
 };
 
+/// A body that gives way: the first file.
+struct vtkHapticCliSoftOptions
+{
+  std::optional<double> Young_Pa; ///< none: nothing gives way
+  double Poisson = 0.4;
+  std::string Fixed; ///< sides of its box, or a point array
+  std::string Model = "linear";
+  double LowRate_Hz = 30.0; ///< 0: at rest in every tick
+};
+
 struct vtkHapticCliTouchOptions
 {
   std::vector<std::string> Files;
@@ -72,6 +82,7 @@ struct vtkHapticCliTouchOptions
   vtkHapticMaterialSettings Materials;
   vtkHapticCliFieldOptions Field;
   vtkHapticCliToolOptions Tool;
+  vtkHapticCliSoftOptions Soft;
   vtkHapticCliSettings Settings;
 };
 

@@ -13,6 +13,7 @@
 #include "vtkHapticCliPlane.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
+#include "vtkHapticCliSoft.h"
 #include "vtkHapticCliTicks.h"
 #include "vtkHapticReaders.h"
 
@@ -181,10 +182,22 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   {
     surfaces.insert(surfaces.end(), options.Field.Surfaces.begin(), options.Field.Surfaces.end());
   }
-  CheckSurfaceOptions(options, surfaces, parameters.field.isosurface);
+  if (!options.Soft.Young_Pa)
+  {
+    CheckSurfaceOptions(options, surfaces, parameters.field.isosurface);
+  }
+  auto body = vtkHapticCliBodyOf(options);
+  if (body)
+  {
+    surfaces.erase(surfaces.begin());
+  }
   const auto scene = SceneOf(options, surfaces, parameters);
   palpate::PathTouch touch(scene, parameters, path.size() > 1 ? path[1].Time_s - path[0].Time_s : OnlyTickSeconds);
   touch.feel(field);
+  if (body)
+  {
+    touch.press(std::move(body), options.Soft.LowRate_Hz);
+  }
   std::vector<std::string> inputs = options.Files;
   inputs.insert(inputs.end(), options.Field.Surfaces.begin(), options.Field.Surfaces.end());
   inputs.insert(inputs.end(), { options.Field.OtherFile, options.Path });

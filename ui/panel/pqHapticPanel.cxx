@@ -14,6 +14,7 @@
 #include "pqHapticMaterialGroup.h"
 #include "pqHapticReadout.h"
 #include "pqHapticSettingRows.h"
+#include "pqHapticSoftGroup.h"
 #include "pqHapticSourceGroup.h"
 #include "pqHapticToolGroup.h"
 #include "pqHapticViewFollower.h"
@@ -64,6 +65,7 @@ public:
   QDoubleSpinBox* PressDepth;
   pqHapticViewGroup* HandAndView;
   pqHapticToolGroup* Tool;
+  pqHapticSoftGroup* Soft;
   pqHapticSettingRows Rows;
   pqHapticMaterialGroup* Material;
   pqHapticFieldGroup* Field;
@@ -186,10 +188,10 @@ void pqHapticPanel::Internals::setTabOrder()
   const QList<QWidget*> order = this->Main->fields() + QList<QWidget*>{ this->AtContact } + this->Marks->fields() +
                                 QList<QWidget*>{ this->Advanced } + this->DeviceRows->fields() +
                                 QList<QWidget*>{ this->Hand, this->PressDepth } + this->HandAndView->fields() +
-                                this->Tool->fields() + this->Rows.fields("contact") + this->Rows.fields("friction") +
-                                this->Source->fields() + this->Material->fields() + this->Field->fields() +
-                                this->Rows.fields("field") + this->Rows.fields("stability") + this->Check->fields() +
-                                this->Rows.fields("scene") + QList<QWidget*>{ this->Scene };
+                                this->Tool->fields() + this->Soft->fields() + this->Rows.fields("contact") +
+                                this->Rows.fields("friction") + this->Source->fields() + this->Material->fields() +
+                                this->Field->fields() + this->Rows.fields("field") + this->Rows.fields("stability") +
+                                this->Check->fields() + this->Rows.fields("scene") + QList<QWidget*>{ this->Scene };
   for (int i = 1; i < order.size(); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
@@ -216,6 +218,8 @@ void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
   rest->addWidget(this->HandAndView);
   this->Tool = new pqHapticToolGroup;
   rest->addWidget(this->Tool);
+  this->Soft = new pqHapticSoftGroup;
+  rest->addWidget(this->Soft);
   this->Rows.add(Group(rest, "contactGroup", tr("Contact model")), "contact");
   this->Rows.add(Group(rest, "frictionGroup", tr("Friction")), "friction");
   this->Source = new pqHapticSourceGroup;
@@ -324,6 +328,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   link(w.PressDepth, "value", SIGNAL(valueChanged(double)), "PressDepth");
   w.HandAndView->link(w.Links, proxy);
   w.Tool->link(w.Links, proxy);
+  w.Soft->link(w.Links, proxy);
   w.Rows.link(w.Links, proxy);
   this->refresh();
 }
@@ -353,6 +358,7 @@ void pqHapticPanel::Internals::showMeasured(vtkHapticSession* session, const pqH
   const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
   this->Source->refresh(session);
   this->Tool->refresh(session);
+  this->Soft->refresh(session);
   this->Field->refresh(session, follower);
   this->Check->refresh(session);
   this->DeviceRows->refresh(session);

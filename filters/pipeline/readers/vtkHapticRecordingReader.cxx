@@ -7,7 +7,7 @@
 #include <span>
 #include <variant>
 
-#include "haptics/recording/Trajectory.h"
+#include "haptics/recording/way/Trajectory.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticFileGuards.h"

@@ -11,6 +11,7 @@
 #include "vtkHapticConversion.h"
 #include "vtkHapticHandPath.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticSoftBodyData.h"
 #include "vtkHapticTickRows.h"
 #include "vtkHapticTouchedField.h"
 #include "vtkHapticWholeInput.h"
@@ -133,6 +134,7 @@ void vtkTouchAlongPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TurnArray: " << (this->TurnArray ? this->TurnArray : "(none)") << "\n";
   os << indent << "Lever: " << this->Lever << " u\n";
   os << indent << "VirtualCoupling: " << this->VirtualCoupling << "\n";
+  os << indent << "LowRate: " << this->LowRate << " Hz\n";
 }
 
 void vtkTouchAlongPath::SetPathConnection(vtkAlgorithmOutput* path)
@@ -192,7 +194,8 @@ std::unique_ptr<palpate::PathTouch> vtkTouchAlongPath::Prepare(
   vtkDataObject* input, vtkDataObject* field, const vtkHapticHandPath& path, std::string& problem) const
 {
   std::shared_ptr<const palpate::Scene> scene;
-  if (input != field)
+  const bool soft = vtkHapticToSoftBody(input).Input != nullptr;
+  if (input != field && !soft)
   {
     scene = BuildScene(input, *this->Materials, this->LineRadius, problem);
     problem = scene ? "" : "The surface cannot be touched: " + problem;
@@ -210,7 +213,11 @@ std::unique_ptr<palpate::PathTouch> vtkTouchAlongPath::Prepare(
   }
   auto touch = std::make_unique<palpate::PathTouch>(scene, this->Parameters(), path.FirstDuration());
   touch->feel(felt.Source);
-  return touch;
+  if (soft)
+  {
+    this->Press(input, *touch, problem);
+  }
+  return problem.empty() ? std::move(touch) : nullptr;
 }
 
 int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
@@ -277,6 +284,10 @@ void vtkTouchAlongPath::TellOf(const palpate::PathTouch& touch, palpate::Fault f
   {
     vtkWarningMacro("The field's noise of " << smooth.noise << " of a spacing traps a hand: it was smoothed once, and "
                                             << "FieldSmoothing 0 leaves it as it is");
+  }
+  if (touch.body())
+  {
+    this->TellOfBody(*touch.body());
   }
   if (fault != palpate::Fault::None)
   {

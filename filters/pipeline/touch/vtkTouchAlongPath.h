@@ -16,6 +16,8 @@
  *     Device    (n, 3) double  the hand, i.e. the input path [u]
  *     Time      (n)    double  of the tick [s]
  *
+ * Where port 0 is the output of vtkHapticSoftBody it gives way; see LowRate.
+ *
  * Port 3, optional: a mesh that the hand holds at the origin of its frame, in place of a ball, and that turns as the
  * TurnArray of the path says. Each row is as far as the tool comes without meeting anything, in unlimited time, from
  * the row before; the points of the output are where its origin is. It feels surfaces as they are: no field, no
@@ -41,6 +43,7 @@
 
 namespace palpate
 {
+class BodyMaker;
 class PathTouch;
 enum class Fault : std::uint8_t;
 struct HapticParameters;
@@ -198,6 +201,13 @@ public:
   vtkBooleanMacro(VirtualCoupling, bool);
   ///@}
 
+  ///@{
+  /// How often a soft body is computed [Hz], >= 0: what is found arrives one period later. Default 30; 0: the body is
+  /// at rest in every tick, which is the reference.
+  vtkSetMacro(LowRate, double);
+  vtkGetMacro(LowRate, double);
+  ///@}
+
 protected:
   vtkTouchAlongPath();
   ~vtkTouchAlongPath() override;
@@ -226,6 +236,12 @@ private:
   bool TouchWithTool(vtkDataObject& surface, vtkDataObject& tool, const vtkHapticHandPath& path, vtkPolyData& output);
   /// Why a tool does not feel what else is set; empty: nothing else is.
   std::string BesideTool();
+  /// Why a soft body is not felt with what else is set; empty: it is.
+  std::string BesideBody() const;
+  /// Has a soft body give way; or a problem.
+  void Press(vtkDataObject* body, palpate::PathTouch& touch, std::string& problem) const;
+  /// Warns of what of it was left out, and of large strain.
+  void TellOfBody(const palpate::BodyMaker& body);
   /// Reports progress; false when someone asked to stop.
   bool Goes(double progress);
 
@@ -241,6 +257,7 @@ private:
   char* TurnArray = nullptr;
   double Lever = 0.0;
   bool VirtualCoupling = false;
+  double LowRate = 30.0;
   std::unique_ptr<vtkHapticMaterialSettings> Materials;
   std::unique_ptr<vtkHapticTouchedField> Field;
 };

@@ -25,7 +25,7 @@ from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  the pro
 from palpate.vtkHapticViews import vtkHapticViewScene
 
 __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
-           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource", "HoldTool"]
+           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource", "HoldTool", "PressBody"]
 
 
 class HapticRefusal(RuntimeError):
@@ -275,4 +275,15 @@ def HoldTool(source=None, view=None):
         _put("ToolSource", name or "")
         if name:
             simple.Hide(simple.FindSource(name), view or simple.GetActiveView())
+        HapticUpdate()
+
+
+def PressBody(source=None, rate=None):
+    """Has the output of Soft Body give way: a proxy, or its name in the pipeline browser; None: nothing does. It bends in
+    the view, with its arrays Displacement, Strain and Stress. rate: how often it is computed [Hz]."""
+    name = None if source is None else _source_name(source)
+    with _Refusals():
+        if rate is not None:
+            _put("SoftRate", rate)
+        _put("SoftSource", name or "")
         HapticUpdate()

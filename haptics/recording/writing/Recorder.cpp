@@ -26,6 +26,8 @@ std::string Recorder::open(const std::string& path, const std::string& device, b
   this->stored_.clear();
   this->scenes_.clear();
   this->bricks_.clear();
+  this->bodies_.clear();
+  this->storedBodies_.clear();
   this->started_ = false;
   this->ended_ = false;
   std::string problem = this->file_.open(path, recordingHeader(device));
@@ -127,6 +129,21 @@ void Recorder::pushTool(std::uint64_t tick, const ToolContacts* contacts) noexce
   }
 }
 
+void Recorder::pushBody(std::uint64_t tick, const PressedBody* body) noexcept
+{
+  this->pushEvent({ tick, EventKind::Body, body != nullptr ? body->revision : 0 });
+}
+
+void Recorder::storeBody(const std::shared_ptr<const PressedBody>& body)
+{
+  if (this->isOpen() && body)
+  {
+    this->storeScene(body->scene);
+    const std::lock_guard lock(this->scenesMutex_);
+    this->bodies_.push_back(body);
+  }
+}
+
 void Recorder::storeBrick(const std::shared_ptr<const Brick>& brick)
 {
   if (this->isOpen() && brick)
@@ -150,10 +167,19 @@ void Recorder::writeScenes()
 {
   std::vector<std::shared_ptr<const Scene>> scenes;
   std::vector<std::shared_ptr<const Brick>> bricks;
+  std::vector<std::shared_ptr<const PressedBody>> bodies;
   {
     const std::lock_guard lock(this->scenesMutex_);
     scenes.swap(this->scenes_);
     bricks.swap(this->bricks_);
+    bodies.swap(this->bodies_);
+  }
+  for (const auto& body : bodies)
+  {
+    if (this->storedBodies_.insert(body->revision).second)
+    {
+      this->file_.write(bodyChunk(*body));
+    }
   }
   for (const auto& brick : bricks)
   {

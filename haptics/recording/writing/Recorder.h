@@ -48,11 +48,14 @@ public:
   void pushScene(std::uint64_t tick, const Scene* scene) noexcept;
   void pushBrick(std::uint64_t tick, const Brick* brick) noexcept;
   void pushTool(std::uint64_t tick, const ToolContacts* contacts) noexcept;
+  void pushBody(std::uint64_t tick, const PressedBody* body) noexcept;
 
   /// Any other thread: stores a scene that the servo may take, once for each content.
   void storeScene(const std::shared_ptr<const Scene>& scene);
   /// Likewise a field.
   void storeBrick(const std::shared_ptr<const Brick>& brick);
+  /// Likewise a packet of a soft body, with its scene.
+  void storeBody(const std::shared_ptr<const PressedBody>& body);
   /// Writes what has come in. The thread that calls close().
   void pump();
 
@@ -87,9 +90,11 @@ private:
   bool started_ = false; ///< its first chunk is written
   std::atomic<bool> ended_ = false;
   std::mutex scenesMutex_; ///< between storeScene() and the writing thread; the servo never takes it
-  std::vector<std::shared_ptr<const Scene>> scenes_; ///< to be written
-  std::vector<std::shared_ptr<const Brick>> bricks_; ///< likewise
+  std::vector<std::shared_ptr<const Scene>> scenes_;       ///< to be written
+  std::vector<std::shared_ptr<const Brick>> bricks_;       ///< likewise
+  std::vector<std::shared_ptr<const PressedBody>> bodies_; ///< likewise
   std::set<std::uint64_t> stored_;
+  std::set<std::uint64_t> storedBodies_; ///< their revisions
   std::jthread writer_;
 };
 

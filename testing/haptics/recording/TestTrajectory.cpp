@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/recording/Trajectory.h"
+#include "haptics/recording/way/Trajectory.h"
 
 namespace palpate::trajectories
 {

@@ -6,6 +6,7 @@
 #include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
+#include "pqHapticNamedSource.h"
 #include "pqHapticToolLine.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
@@ -16,7 +17,6 @@
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMTrace.h"
 #include "vtkSMViewProxy.h"
 
 #include <QFormLayout>
@@ -24,15 +24,6 @@
 
 namespace
 {
-void SetSource(const QString& name)
-{
-  if (vtkSMProxy* proxy = pqHapticController::instance()->sessionProxy())
-  {
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
-    vtkSMPropertyHelper(proxy, "ToolSource").Set(name.toUtf8().constData());
-    proxy->UpdateVTKObjects();
-  }
-}
 pqPipelineSource* SourceNamed(const char* name)
 {
   return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(QString::fromUtf8(name));
@@ -98,7 +89,7 @@ void pqHapticToolGroup::useSelected()
   {
     return;
   }
-  SetSource(port->getSource()->getSMName());
+  pqHapticNameSource("ToolSource", port->getSource()->getSMName());
   if (pqView* const view = pqActiveObjects::instance().activeView())
   {
     vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
@@ -124,5 +115,5 @@ void pqHapticToolGroup::placeHandle(bool shown)
 
 void pqHapticToolGroup::takeBall()
 {
-  SetSource({});
+  pqHapticNameSource("ToolSource", {});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/recording/Trajectory.h"
+#include "haptics/recording/way/Trajectory.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticSoftBodyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "haptics/session/settings/Setting.h"
+#include "vtkCellData.h"
+#include "vtkDataSetTriangleFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+namespace
+{
+constexpr const char* FixedName = "Fixed";
+constexpr const char* YoungName = "Young";
+constexpr const char* MaterialName = "SoftBody";
+
+/// A vertex is on a side of the box within this share of its diagonal.
+constexpr double SideWithin = 1e-6;
+
+bool IsTetra(vtkUnstructuredGrid& grid, vtkIdType cell)
+{
+  return grid.GetCellType(cell) == VTK_TETRA;
+}
+
+bool AllTetra(vtkUnstructuredGrid& grid)
+{
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell)
+  {
+    if (!IsTetra(grid, cell))
+    {
+      return false;
+    }
+  }
+  return grid.GetNumberOfCells() > 0;
+}
+
+/// Which end of which axis a side is; -1: no side.
+int SideOf(const std::string& name)
+{
+  static const std::array<std::string, 6> names = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax" };
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+std::vector<std::string> Words(const std::string& text)
+{
+  std::vector<std::string> words;
+  std::istringstream in(text);
+  for (std::string word; std::getline(in, word, ',');)
+  {
+    words.push_back(word);
+  }
+  return words;
+}
+
+vtkSmartPointer<vtkIntArray> FixedOf(vtkUnstructuredGrid& body)
+{
+  auto* fixed = vtkIntArray::SafeDownCast(body.GetPointData()->GetArray(FixedName));
+  if (fixed && fixed->GetNumberOfComponents() == 1)
+  {
+    return fixed;
+  }
+  vtkNew<vtkIntArray> made;
+  made->SetName(FixedName);
+  made->SetNumberOfTuples(body.GetNumberOfPoints());
+  made->Fill(0);
+  body.GetPointData()->AddArray(made);
+  return made;
+}
+
+void FixSide(vtkUnstructuredGrid& body, int side, double rough, vtkIntArray& fixed)
+{
+  const double end = body.GetBounds()[side];
+  const double within = std::max(SideWithin * body.GetLength(), rough);
+  for (vtkIdType i = 0; i < body.GetNumberOfPoints(); ++i)
+  {
+    if (std::abs(body.GetPoint(i)[side / 2] - end) <= within)
+    {
+      fixed.SetValue(i, 1);
+    }
+  }
+}
+
+palpate::TetraMesh MeshOf(vtkUnstructuredGrid& body)
+{
+  palpate::TetraMesh mesh;
+  for (vtkIdType i = 0; i < body.GetNumberOfPoints(); ++i)
+  {
+    mesh.vertices_W.emplace_back(body.GetPoint(i));
+  }
+  for (vtkIdType cell = 0; cell < body.GetNumberOfCells(); ++cell)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    body.GetCellPoints(cell, count, corners);
+    palpate::Tetra tetra{};
+    std::copy(corners, corners + 4, tetra.begin());
+    mesh.tetras.push_back(tetra);
+  }
+  return mesh;
+}
+
+std::array<double, 6> Six(const palpate::Mat3& m)
+{
+  return { m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2) };
+}
+
+vtkSmartPointer<vtkDoubleArray> Array(const char* name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  array->Fill(0.0);
+  return array;
+}
+
+/// Strain and stress of each tetrahedron with its corners moved.
+void SetStress(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input, vtkDoubleArray& moved)
+{
+  const vtkIdType cells = body.GetNumberOfCells();
+  const auto strain = Array("Strain", 6, cells);
+  const auto stress = Array("Stress", 6, cells);
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    const palpate::Tetra& tetra = input.mesh.tetras[static_cast<std::size_t>(cell)];
+    palpate::Mat3 rest, way;
+    for (int c = 0; c < 3; ++c)
+    {
+      rest.col(c) = input.mesh.vertices_W[tetra[c + 1]] - input.mesh.vertices_W[tetra[0]];
+      way.col(c) = palpate::Vec3(moved.GetPointer(3 * static_cast<vtkIdType>(tetra[c + 1]))) -
+                   palpate::Vec3(moved.GetPointer(3 * static_cast<vtkIdType>(tetra[0])));
+    }
+    if (!(std::abs(rest.determinant()) > 0.0))
+    {
+      continue; // a flat one is no part of the body
+    }
+    const palpate::Mat3 gradient = way * rest.inverse();
+    const palpate::Mat3 f = palpate::Mat3::Identity() + gradient;
+    const double young_Pa = input.young_Pa[input.young_Pa.size() == 1 ? 0 : static_cast<std::size_t>(cell)];
+    const palpate::ElasticModuli moduli = palpate::moduliOf(young_Pa, input.poisson, 1.0).moduli;
+    const palpate::Mat3 cauchy_Pa = palpate::stressOf(input.model, moduli, f) * f.transpose() / f.determinant();
+    strain->SetTuple(cell, Six(0.5 * (f.transpose() * f - palpate::Mat3::Identity())).data());
+    stress->SetTuple(cell, Six(cauchy_Pa).data());
+  }
+  body.GetCellData()->AddArray(strain);
+  body.GetCellData()->AddArray(stress);
+}
+
+std::string Assumed(double value, double usual)
+{
+  return value == usual ? " (assumed)" : "";
+}
+} // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkHapticTetrahedra(vtkDataObject* data, std::string& problem)
+{
+  auto* const set = vtkDataSet::SafeDownCast(data);
+  if (!set)
+  {
+    problem = "it is no single data set: choose one block of it";
+    return nullptr;
+  }
+  auto body = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(set);
+  if (grid && AllTetra(*grid))
+  {
+    body->ShallowCopy(grid);
+    return body;
+  }
+  vtkNew<vtkDataSetTriangleFilter> cut;
+  cut->SetInputData(set);
+  cut->TetrahedraOnlyOn();
+  cut->Update();
+  body->ShallowCopy(cut->GetOutput());
+  problem =
+    AllTetra(*body) ? "" : "it has no cells that fill space: give tetrahedra, a closed surface or a label image";
+  return problem.empty() ? body : nullptr;
+}
+
+bool vtkHapticFixBody(vtkUnstructuredGrid& body, const std::string& fixed, double rough, std::string& problem)
+{
+  const auto array = FixedOf(body);
+  const std::vector<std::string> words = Words(fixed);
+  const bool sides = std::all_of(words.begin(), words.end(), [](const auto& word) { return SideOf(word) >= 0; });
+  if (sides)
+  {
+    for (const std::string& word : words)
+    {
+      FixSide(body, SideOf(word), rough, *array);
+    }
+    return true;
+  }
+  vtkDataArray* const given = body.GetPointData()->GetArray(fixed.c_str());
+  if (!given || given->GetNumberOfComponents() != 1)
+  {
+    problem =
+      "what is fixed: '" + fixed +
+      "' is neither a point array with one number each nor sides of its box (xmin, xmax, ymin, ymax, zmin, zmax)";
+    return false;
+  }
+  for (vtkIdType i = 0; i < body.GetNumberOfPoints(); ++i)
+  {
+    array->SetValue(i, array->GetValue(i) != 0 || given->GetTuple1(i) != 0.0 ? 1 : 0);
+  }
+  return true;
+}
+
+bool vtkHapticDescribeBody(
+  vtkUnstructuredGrid& body, const vtkHapticSoftMaterial& material, const std::string& youngArray, std::string& problem)
+{
+  const auto young = Array(YoungName, 1, body.GetNumberOfCells());
+  vtkDataArray* const given = youngArray.empty() ? nullptr : body.GetCellData()->GetArray(youngArray.c_str());
+  if (!youngArray.empty() && (!given || given->GetNumberOfComponents() != 1))
+  {
+    problem = "the modulus: '" + youngArray + "' is no cell array with one number each";
+    return false;
+  }
+  for (vtkIdType cell = 0; cell < body.GetNumberOfCells(); ++cell)
+  {
+    young->SetValue(cell, given ? given->GetTuple1(cell) : material.Young_Pa);
+    problem = palpate::moduliOf(young->GetValue(cell), material.Poisson, material.Unit_m).refusal;
+    if (!problem.empty())
+    {
+      return false;
+    }
+  }
+  const auto rest = Array(MaterialName, 3, 1);
+  rest->SetTuple3(0, material.Poisson, static_cast<double>(material.Model), material.Unit_m);
+  FixedOf(body);
+  body.GetCellData()->AddArray(young);
+  body.GetFieldData()->AddArray(rest);
+  return true;
+}
+
+vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data)
+{
+  auto* const body = vtkUnstructuredGrid::SafeDownCast(data);
+  vtkDataArray* const material = body ? body->GetFieldData()->GetArray(MaterialName) : nullptr;
+  vtkDataArray* const young = body ? body->GetCellData()->GetArray(YoungName) : nullptr;
+  if (!material || material->GetNumberOfValues() < 3 || !young || !AllTetra(*body))
+  {
+    return { nullptr, "it is no soft body: apply the filter Soft Body to it" };
+  }
+  auto input = std::make_shared<palpate::SoftBodyInput>();
+  input->mesh = MeshOf(*body);
+  for (vtkIdType cell = 0; cell < body->GetNumberOfCells(); ++cell)
+  {
+    input->young_Pa.push_back(young->GetTuple1(cell));
+  }
+  const auto fixed = FixedOf(*body);
+  for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
+  {
+    input->fixed.push_back(fixed->GetValue(i) != 0);
+  }
+  input->poisson = material->GetComponent(0, 0);
+  input->model = static_cast<palpate::ElasticModel>(static_cast<int>(material->GetComponent(0, 1)));
+  input->unit_m = material->GetComponent(0, 2);
+  // Beyond, few tetrahedra with smoothed edges are too stiff.
+  const bool few = input->poisson <= vtkHapticSoftMaterial::UsualPoisson;
+  input->element = few ? palpate::ElementKind::EdgeSmoothed : palpate::ElementKind::Quadratic;
+  return { input, "" };
+}
+
+void vtkHapticBendBody(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input,
+  const palpate::CheckedTetras* checked, const palpate::BodyShape* shape)
+{
+  const vtkIdType count = body.GetNumberOfPoints();
+  const auto moved = Array("Displacement", 3, count);
+  for (std::size_t v = 0; shape && checked && v < checked->sourceVertex.size(); ++v)
+  {
+    moved->SetTuple(checked->sourceVertex[v], shape->displacement_u[v].data());
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const palpate::Vec3 place =
+      input.mesh.vertices_W[static_cast<std::size_t>(i)] + palpate::Vec3(moved->GetPointer(3 * i));
+    points->SetPoint(i, place.data());
+  }
+  body.SetPoints(points);
+  body.GetPointData()->AddArray(moved);
+  SetStress(body, input, *moved);
+}
+
+std::string vtkHapticSoftBodyText(const palpate::SoftBodyInput& input)
+{
+  static const char* const models[] = { "linear", "co-rotational", "stable neo-Hookean" };
+  const auto [low, high] = std::minmax_element(input.young_Pa.begin(), input.young_Pa.end());
+  std::string text = std::string(models[static_cast<int>(input.model)]) + ", Young's modulus " +
+                     palpate::quantity(*low, "Pa") + (*low < *high ? " to " + palpate::quantity(*high, "Pa") : "") +
+                     (*low < *high ? "" : Assumed(*low, vtkHapticSoftMaterial::UsualYoung_Pa));
+  text += ", Poisson's ratio " + palpate::quantity(input.poisson, "") +
+          Assumed(input.poisson, vtkHapticSoftMaterial::UsualPoisson);
+  return text + ", a unit is " + palpate::quantity(input.unit_m, "m") + Assumed(input.unit_m, 1.0) + ", " +
+         std::to_string(input.mesh.tetras.size()) + " tetrahedra";
+}

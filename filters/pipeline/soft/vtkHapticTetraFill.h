@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticTetraFill_h
+#define vtkHapticTetraFill_h
+
+#include <string>
+
+#include "haptics/compliance/build/TetraMesher.h"
+#include "vtkHapticPipelineModule.h" // for the export macro
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+class vtkDataSet;
+class vtkImageData;
+class vtkPolyData;
+
+/// What is made of a surface or a label image; null with a problem. `note`: what a person is to know of it.
+struct vtkHapticTetraFillResult
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  std::string Problem;
+  std::string Note;
+  double Rough = 0.0; ///< how far its border may be from what was filled [u], as was asked for
+};
+
+/// Fills a closed surface with tetrahedra. A size of 0 is chosen.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticTetraFillResult vtkHapticFillSurface(
+  vtkPolyData& surface, palpate::TetraSizes sizes, const palpate::Goes& goes);
+
+/// Fills each label but 0 of an image's active point scalars, with the cell array Label.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticTetraFillResult vtkHapticFillLabels(
+  vtkImageData& image, palpate::TetraSizes sizes, const palpate::Goes& goes);
+
+#endif

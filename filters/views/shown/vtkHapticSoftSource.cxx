@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticSoftSource.h"
+
+#include "vtkHapticNamedData.h"
+#include "vtkHapticSession.h"
+#include "vtkHapticSoftBody.h"
+#include "vtkNew.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace
+{
+vtkSMProxy* ProxyOf(vtkSMProxy* view, const std::string& name)
+{
+  vtkSMSessionProxyManager* const manager = view && !name.empty() ? view->GetSessionProxyManager() : nullptr;
+  return manager ? manager->GetProxy("sources", name.c_str()) : nullptr;
+}
+
+/// The filter that made a body; null: none that can show it bent.
+vtkHapticSoftBody* FilterOf(vtkSMProxy* proxy)
+{
+  return proxy ? vtkHapticSoftBody::SafeDownCast(proxy->GetClientSideObject()) : nullptr;
+}
+
+/// A body at rest: the same object as long as nobody makes another one.
+vtkDataObject* BodyOf(vtkSMProxy* view, const std::string& name)
+{
+  vtkDataObject* const made = name.empty() ? nullptr : vtkHapticNamedData(view, name);
+  vtkHapticSoftBody* const filter = FilterOf(ProxyOf(view, name));
+  return filter ? filter->GetRest() : made;
+}
+} // namespace
+
+void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
+{
+  const std::string name = session.GetSoftSource();
+  if (!this->Name.empty() && this->Name != name)
+  {
+    if (vtkHapticSoftBody* const before = FilterOf(ProxyOf(view, this->Name)))
+    {
+      before->ShowBent(nullptr);
+      ProxyOf(view, this->Name)->MarkModified(nullptr);
+    }
+  }
+  vtkDataObject* const body = BodyOf(view, name);
+  if (!std::exchange(this->Known, true) || body != this->Body || name != this->Name)
+  {
+    this->Body = body;
+    this->Name = name;
+    session.AddSoftBody(name.c_str(), body);
+  }
+  vtkHapticSoftBody* const filter = FilterOf(ProxyOf(view, name));
+  vtkNew<vtkUnstructuredGrid> bent;
+  if (filter && filter->GetRest())
+  {
+    bent->ShallowCopy(filter->GetRest());
+    if (session.BendSoftBody(bent))
+    {
+      filter->ShowBent(bent);
+      ProxyOf(view, name)->MarkModified(nullptr);
+    }
+  }
+}
+
+void vtkHapticSoftSource::KeepAtRest(vtkHapticSession* session, vtkHapticViewScan& scan)
+{
+  const std::string name = session ? session->GetSoftSource() : "";
+  const auto isIt = [&name](const auto& shown) { return shown.Name == name; };
+  const auto found = std::find_if(scan.Surfaces.begin(), scan.Surfaces.end(), isIt);
+  if (name.empty() || found == scan.Surfaces.end())
+  {
+    return;
+  }
+  if (!this->AtRest || this->AtRest->Name != name || this->AtRestOf != this->Body)
+  {
+    this->AtRestOf = this->Body;
+    this->AtRest = *found;
+    this->AtRest->Data = vtkSmartPointer<vtkDataObject>::Take(found->Data->NewInstance());
+    this->AtRest->Data->ShallowCopy(found->Data); // what is shown is filled anew when it bends
+  }
+  *found = *this->AtRest;
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "haptics/compliance/servo/SoftTouch.h"
+#include "haptics/geometry/scene/Scene.h"
+
+namespace palpate
+{
+
+/// A soft body as its worker had it at one moment, and the scene that it is felt in. Immutable; the servo reads it.
+struct PressedBody
+{
+  std::uint64_t revision = 0;         ///< above 0, another one for each packet
+  double period_s = 0.0;              ///< usual time from packet to packet; 0: each tick has its own
+  std::shared_ptr<const Scene> scene; ///< all that is touched, the free surface of the body among it
+  std::shared_ptr<const CompliancePacket> packet;
+  SoftTouch touch; ///< that packet, and which surface of the scene it is of
+};
+
+/// What the servo tells the worker of a soft body: where the ball is and how it presses.
+struct BodyHand
+{
+  static constexpr int most = GodObjectState::maxFeatures;
+
+  std::uint64_t tick = 0;
+  Vec3 ball_W = Vec3::Zero(); ///< among the free surfaces [u]
+  Vec3 velocity_u_per_s = Vec3::Zero();
+  double radius_u = 0.0;
+  int count = 0;
+  std::array<SurfacePoint, most> forceAt{};
+  std::array<Vec3, most> force_N{}; ///< on the body
+};
+
+} // namespace palpate

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "haptics/compliance/servo/PressedBody.h"
+#include "haptics/recording/ByteStream.h"
+
+namespace palpate
+{
+
+/// The payload of the chunk of a soft body's packet. Its scene and the places of its vertices are those of the scene.
+void putBody(ByteWriter& payload, const PressedBody& body);
+/// Null, with in.ok() false, where the bytes are none.
+[[nodiscard]] std::shared_ptr<const PressedBody> readBody(ByteReader& in);
+
+} // namespace palpate

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/soft/BodyMaker.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "haptics/geometry/scene/SceneMotion.h"
+
+namespace palpate
+{
+namespace
+{
+
+PacketRequest requestOf(const BodyHand& hand, double period_s)
+{
+  PacketRequest request;
+  request.tick = hand.tick;
+  request.ball_W = hand.ball_W;
+  request.velocity_u_per_s = hand.velocity_u_per_s;
+  request.radius_u = hand.radius_u;
+  request.period_s = period_s;
+  request.forceAt.assign(hand.forceAt.begin(), hand.forceAt.begin() + hand.count);
+  request.force_N.assign(hand.force_N.begin(), hand.force_N.begin() + hand.count);
+  return request;
+}
+
+/// Of a way that is over within the tick that begins it.
+constexpr double atOnce_s = 1e-9;
+
+/// Where its way ends.
+Surface standing(Surface surface)
+{
+  surface.motion.begin_WS = surface.motion.end_WS;
+  surface.from.reset();
+  return surface;
+}
+
+} // namespace
+
+std::unique_ptr<BodyMaker> BodyMaker::make(
+  const SoftBodyInput& input, const std::string& name, std::uint64_t revision, std::string& refusal)
+{
+  SoftBodyResult made = makeSoftBody(input);
+  refusal = made.refusal;
+  return made.body ? std::unique_ptr<BodyMaker>(new BodyMaker(std::move(made), input.model, name, revision)) : nullptr;
+}
+
+BodyMaker::BodyMaker(SoftBodyResult made, ElasticModel model, std::string name, std::uint64_t revision)
+  : checked_(std::move(made.checked)), model_(model), name_(std::move(name)), body_(std::move(made.body)),
+    surface_(makeSoftSurface(*this->body_, this->checked_.mesh)), packets_(*this->body_, this->surface_),
+    revision_(revision)
+{
+  (void)this->surfacesWith(this->surface_.rest_W, false); // numbered as the packets are; what bends keeps its numbers
+}
+
+void BodyMaker::touch(std::shared_ptr<const Scene> beside)
+{
+  this->beside_ = std::move(beside);
+  this->scene_.reset();
+}
+
+/// Those beside it are on the way that they have in their scene once, and stand where it ended afterwards.
+std::vector<Surface> BodyMaker::surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside)
+{
+  std::vector<Surface> surfaces = this->beside_ ? this->beside_->surfaces() : std::vector<Surface>();
+  std::erase_if(surfaces, [this](const Surface& surface) { return surface.name == this->name_; });
+  if (standingBeside)
+  {
+    std::transform(surfaces.begin(), surfaces.end(), surfaces.begin(), standing);
+  }
+  SurfaceInput input;
+  input.name = this->name_;
+  input.mesh = std::make_shared<TriangleMesh>(TriangleMesh{ free_W, this->surface_.triangles });
+  const auto own = this->builder_.build({ input }, this->scene_.get()).scene;
+  surfaces.push_back(own->surfaces().front());
+  return surfaces;
+}
+
+/// The free surface of a linear body is always that at rest.
+std::shared_ptr<const Scene> BodyMaker::sceneOf(const CompliancePacket& packet, double period_s)
+{
+  const bool stays = this->model_ == ElasticModel::Linear;
+  if (stays && this->scene_)
+  {
+    return this->scene_;
+  }
+  const std::uint64_t revision = this->beside_ ? this->beside_->revision() : 1;
+  const double motion_s = this->beside_ ? this->beside_->motion_s() : 0.0;
+  std::vector<Surface> surfaces =
+    this->surfacesWith(stays ? this->surface_.rest_W : packet.free_W, this->scene_ != nullptr);
+  const auto next = std::make_shared<const Scene>(revision, std::move(surfaces), this->scene_ ? 0.0 : motion_s);
+  this->scene_ = this->scene_ ? movingFrom(*this->scene_, 1.0, next, std::max(period_s, atOnce_s)) : next;
+  return this->scene_;
+}
+
+std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double period_s, int newtonSteps)
+{
+  const auto packet = this->packets_.make(requestOf(hand, period_s), newtonSteps);
+  if (!packet)
+  {
+    return nullptr;
+  }
+  auto pressed = std::make_shared<PressedBody>();
+  pressed->revision = ++this->revision_;
+  pressed->period_s = period_s;
+  pressed->scene = this->sceneOf(*packet, period_s);
+  pressed->packet = packet;
+  pressed->touch = { static_cast<std::uint32_t>(pressed->scene->surfaces().size() - 1), packet.get() };
+  return pressed;
+}
+
+BodyShape BodyMaker::shape() const
+{
+  BodyShape shape;
+  const StrainPoints& points = this->body_->points();
+  const Eigen::VectorXd& u = this->body_->displacement();
+  for (std::size_t v = 0; v < this->checked_.mesh.vertices_W.size(); ++v)
+  {
+    shape.displacement_u.emplace_back(u.segment<3>(3 * static_cast<Eigen::Index>(v)));
+  }
+  for (const StrainPoint& p : points.points)
+  {
+    const double gradient =
+      (points.deformationAt(p, { u.data(), static_cast<std::size_t>(u.size()) }) - Mat3::Identity()).norm();
+    if (gradient > shape.mostGradient)
+    {
+      shape.mostGradient = gradient;
+      shape.worst_W = points.rest_W[points.nodesOf(p).front()];
+    }
+  }
+  return shape;
+}
+
+} // namespace palpate

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/compliance/packet/PacketMaker.h"
+#include "haptics/compliance/servo/PressedBody.h"
+#include "haptics/geometry/scene/SceneBuilder.h"
+
+namespace palpate
+{
+
+/// How a soft body was when its last packet was made.
+struct BodyShape
+{
+  std::vector<Vec3> displacement_u; ///< of each vertex of the tetrahedra that it was made of
+  double mostGradient = 0.0;        ///< largest |F - 1|
+  Vec3 worst_W = Vec3::Zero();      ///< and the middle, at rest, of where it is
+};
+
+/// A soft body and the scene that it is felt in: makes, one after the other, what the servo takes. A worker's.
+class BodyMaker
+{
+public:
+  /// Factors the body, which may take seconds. Its first packet has the revision after `revision`. Null with `refusal`
+  /// in words.
+  [[nodiscard]] static std::unique_ptr<BodyMaker> make(
+    const SoftBodyInput& input, const std::string& name, std::uint64_t revision, std::string& refusal);
+
+  /// What is touched beside it; null: nothing. A surface of its name is the body's own, and gives way to it. From the
+  /// next packet on.
+  void touch(std::shared_ptr<const Scene> beside);
+  /// The body under what the hand presses with, for a hand that has so long until the next packet [s]; as many steps to
+  /// its rest as are asked for. Null if a factor failed: what was before goes on.
+  [[nodiscard]] std::shared_ptr<const PressedBody> press(
+    const BodyHand& hand, double period_s, int newtonSteps = usualSteps);
+
+  [[nodiscard]] BodyShape shape() const;
+  [[nodiscard]] const CheckedTetras& checked() const noexcept { return this->checked_; }
+  [[nodiscard]] std::size_t factorBytes() const { return this->body_->factorBytes(); }
+
+  /// One step leaves up to 30 % of the force at 10 Hz, three leave 3 %.
+  static constexpr int usualSteps = 3;
+
+private:
+  BodyMaker(SoftBodyResult made, ElasticModel model, std::string name, std::uint64_t revision);
+  [[nodiscard]] std::shared_ptr<const Scene> sceneOf(const CompliancePacket& packet, double period_s);
+  [[nodiscard]] std::vector<Surface> surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside);
+
+  CheckedTetras checked_;
+  ElasticModel model_;
+  std::string name_;
+  std::unique_ptr<SoftBody> body_;
+  SoftSurface surface_;
+  PacketMaker packets_;
+  SceneBuilder builder_;
+  std::shared_ptr<const Scene> beside_;
+  std::shared_ptr<const Scene> scene_; ///< the last one; null: what is beside it is another since
+  std::uint64_t revision_;
+};
+
+} // namespace palpate

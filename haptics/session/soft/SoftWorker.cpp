@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/soft/SoftWorker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+#include <utility>
+
+#include "haptics/core/Clock.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// Of packets that nobody records: the servo has one of the last two, and may take another while they are looked at.
+constexpr std::size_t keptUnasked = 4;
+/// What a session without a body looks for one with.
+constexpr double idlePeriod_s = 0.05;
+constexpr double slowest_Hz = 0.5;
+
+double periodOf(const SoftChoice& choice)
+{
+  return 1.0 / std::max(choice.rate_Hz, slowest_Hz);
+}
+
+} // namespace
+
+void SoftWorker::take(const SoftChoice& choice)
+{
+  this->give({ choice, this->wanted_.beside });
+}
+
+void SoftWorker::touch(std::shared_ptr<const Scene> beside)
+{
+  this->give({ this->wanted_.choice, std::move(beside) });
+}
+
+/// A session without a soft body has no thread for one.
+void SoftWorker::give(const Order& order)
+{
+  {
+    const std::lock_guard lock(this->mutex_);
+    const bool told = order.choice.input || this->wanted_.choice.input;
+    this->status_.building = this->status_.building || (order.choice.input && order.choice != this->wanted_.choice);
+    this->wanted_ = order;
+    this->news_ = this->news_ || told;
+  }
+  if (order.choice.input && !this->virtualTime_ && !this->thread_.joinable())
+  {
+    this->thread_ = std::jthread([this](const std::stop_token& stop) { this->run(stop); });
+  }
+}
+
+void SoftWorker::run(const std::stop_token& stop)
+{
+  const MonotonicClock clock;
+  while (!stop.stop_requested())
+  {
+    const std::int64_t begin_ns = clock.now_ns();
+    this->obey();
+    const double period_s = this->maker_ ? periodOf(this->now_.choice) : idlePeriod_s;
+    if (this->maker_)
+    {
+      this->publish(this->maker_->press(this->links_.hand.read(), period_s));
+    }
+    const double took_s = 1e-9 * static_cast<double>(clock.now_ns() - begin_ns);
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::max(period_s - took_s, 0.0)));
+  }
+}
+
+void SoftWorker::step(double time_s)
+{
+  this->obey();
+  if (!this->maker_)
+  {
+    return;
+  }
+  const std::shared_ptr<const PressedBody> before = this->paced_->now();
+  (void)this->paced_->at(time_s, this->links_.hand.read());
+  if (this->paced_->now() != before)
+  {
+    this->publish(this->paced_->now());
+  }
+}
+
+/// No room in memory for a factor is no reason to end the program that asked for it.
+void SoftWorker::obey()
+{
+  if (!this->news_.exchange(false))
+  {
+    return;
+  }
+  Order order;
+  {
+    const std::lock_guard lock(this->mutex_);
+    order = this->wanted_;
+  }
+  const bool sameBody = order.choice == this->now_.choice;
+  try
+  {
+    if (!sameBody)
+    {
+      this->build(order);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->maker_.reset();
+    const std::lock_guard lock(this->mutex_);
+    this->status_ = {};
+    this->status_.problem = "the soft body is too large: memory is used up; mesh it coarser";
+  }
+  if (this->maker_)
+  {
+    this->maker_->touch(order.beside);
+  }
+  this->now_ = std::move(order);
+}
+
+void SoftWorker::build(const Order& order)
+{
+  this->paced_.reset();
+  this->maker_.reset();
+  this->links_.bodies.publish(nullptr);
+  SoftStatus status;
+  if (order.choice.input)
+  {
+    this->maker_ = BodyMaker::make(*order.choice.input, order.choice.name, this->revision_, status.problem);
+  }
+  if (this->maker_)
+  {
+    status.asMade = std::make_shared<const CheckedTetras>(this->maker_->checked());
+    status.bytes = this->maker_->factorBytes();
+    this->paced_.emplace(*this->maker_, periodOf(order.choice));
+  }
+  const std::lock_guard lock(this->mutex_);
+  this->status_ = std::move(status);
+}
+
+/// Told to the owner first: what the servo takes must be there for a recording.
+void SoftWorker::publish(std::shared_ptr<const PressedBody> body)
+{
+  const auto shape = body ? std::make_shared<const BodyShape>(this->maker_->shape()) : nullptr;
+  {
+    const std::lock_guard lock(this->mutex_);
+    if (!body)
+    {
+      this->status_.problem = "the soft body's stiffness can no more be factored: it stays as it was; let go of it";
+      return;
+    }
+    this->status_.problem.clear();
+    ++this->status_.packets;
+    this->status_.shape = shape;
+    this->made_.push_back(body);
+    while (!this->keepsAll_ && this->made_.size() > keptUnasked)
+    {
+      this->made_.pop_front();
+    }
+  }
+  this->revision_ = body->revision;
+  this->links_.bodies.publish(std::move(body));
+}
+
+SoftStatus SoftWorker::status() const
+{
+  const std::lock_guard lock(this->mutex_);
+  return this->status_;
+}
+
+std::vector<std::shared_ptr<const PressedBody>> SoftWorker::made(bool recorded)
+{
+  const std::lock_guard lock(this->mutex_);
+  std::vector<std::shared_ptr<const PressedBody>> all(this->made_.begin(), this->made_.end());
+  while (this->made_.size() > keptUnasked)
+  {
+    this->made_.pop_front();
+  }
+  this->keepsAll_ = recorded;
+  return all;
+}
+
+} // namespace palpate

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/session/soft/BodyMaker.h"
+
+namespace palpate
+{
+
+/// A soft body in virtual time: what is made from one tick arrives one period later, on any machine.
+class VirtualBody
+{
+public:
+  /// `period_s`: from packet to packet, and as long each of them is under way. The reference is kept.
+  VirtualBody(BodyMaker& maker, double period_s) : maker_(maker), period_s_(period_s) {}
+
+  /// Before a tick at that time: the body that it takes; `hand`: of the tick before. What it gave before lives on
+  /// until the call after this one. Null if its first packet cannot be made.
+  [[nodiscard]] const PressedBody* at(double time_s, const BodyHand& hand);
+  /// What was given last.
+  [[nodiscard]] const std::shared_ptr<const PressedBody>& now() const noexcept { return this->now_; }
+
+private:
+  BodyMaker& maker_;
+  double period_s_;
+  double due_s_ = 0.0; ///< when what is under way arrives
+  std::shared_ptr<const PressedBody> before_, now_, underWay_;
+};
+
+} // namespace palpate

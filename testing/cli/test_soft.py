@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`palpate touch --young`: a ball on a block that gives way, judged by Hertz's law on a layer."""
+
+import itertools
+import math
+import unittest
+
+from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, vtu_text
+
+SIDE, HEIGHT, CELLS = 0.1, 0.05, 6  # m, m, along a side
+YOUNG, POISSON = 20e3, 0.4  # Pa, 1
+RADIUS = 0.01  # m
+
+
+def block(scale=1.0):
+    """Points and tetrahedra (Kuhn) of a block on z = 0."""
+    layers = CELLS // 2
+    points = [(scale * SIDE * i / CELLS, scale * SIDE * j / CELLS, scale * HEIGHT * k / layers)
+              for k in range(layers + 1) for j in range(CELLS + 1) for i in range(CELLS + 1)]
+    number = lambda p: (p[2] * (CELLS + 1) + p[1]) * (CELLS + 1) + p[0]
+    tetras = []
+    for low in itertools.product(range(CELLS), range(CELLS), range(layers)):
+        for way in itertools.permutations(range(3)):
+            corner, corners = list(low), [number(low)]
+            for axis in way:
+                corner[axis] += 1
+                corners.append(number(corner))
+            tetras.append(tuple(corners))
+    return points, tetras
+
+
+def hertz(depth, young=YOUNG):
+    """On a layer bonded below (Dimitriadis et al. 2002) [N]; lengths in metres."""
+    plane = young / (1 - POISSON**2)
+    chi = math.sqrt(RADIUS * depth) / HEIGHT
+    a = -(1.2876 - 1.4678 * POISSON + 1.3442 * POISSON**2) / (1 - POISSON)
+    layer = 1 - 2 * a / math.pi * chi + 4 * a**2 / math.pi**2 * chi**2
+    return 4 / 3 * plane * math.sqrt(RADIUS) * depth**1.5 * layer
+
+
+class Soft(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        self.write("block.vtu", vtu_text(*block(), cell_type=10))
+
+    def press(self, depth, *options, scale=1.0, body="block.vtu", ticks=120):
+        """The ball comes down beside the middle of the top, so deep; the last row."""
+        rows = [(n / 1000, scale * 0.052, scale * 0.047,
+                 scale * (HEIGHT + RADIUS + 0.001 - (0.001 + depth) * min(1.0, 2 * n / ticks))) for n in range(ticks + 1)]
+        self.write_path(rows)
+        self.succeed("touch", body, "--young", YOUNG, "--fixed", "zmin", "--radius", scale * RADIUS, "--scale", scale,
+                     "--path", "path.csv", "--csv", "out.csv", *options)
+        return self.read_rows()[-1]
+
+    def test_a_ball_is_pushed_by_what_hertz_says_of_a_layer(self):
+        for rate, ticks in ((0, 6), (30, 120)):
+            row = self.press(0.001, "--stiffness", 1e5, "--low-rate", rate, ticks=ticks)
+            depth = HEIGHT + RADIUS - row["proxy_z"]
+            self.assertAlmostEqual(row["force_z"] / hertz(depth), 1.0, delta=0.07)
+            self.assertLess(math.hypot(row["force_x"], row["force_y"]), 0.02 * row["force_z"])
+            self.assertAlmostEqual(row["force_z"], 1e5 * (row["proxy_z"] - row["device_z"]), delta=1e-6 * row["force_z"])
+            self.assertEqual(row["contacts"], 1)
+
+    def test_millimetres_with_a_scale_of_a_thousand_are_the_same_body(self):
+        self.write("mm.vtu", vtu_text(*block(1000.0), cell_type=10))
+        metres = self.press(0.004)["force_z"]
+        self.assertAlmostEqual(self.press(0.004, scale=1000.0, body="mm.vtu")["force_z"], metres, delta=1e-6 * metres)
+
+    def test_models_differ_where_strain_is_large_and_not_where_it_is_small(self):
+        forces = {model: [self.press(depth, "--model", model, "--low-rate", 0, "--stiffness", 1e4, ticks=4)["force_z"]
+                          for depth in (0.0005, 0.02)]
+                  for model in ("linear", "corotational", "neohookean")}
+        self.assertAlmostEqual(forces["neohookean"][0] / forces["linear"][0], 1.0, delta=0.01)
+        self.assertAlmostEqual(forces["corotational"][0] / forces["linear"][0], 1.0, delta=0.01)
+        self.assertLess(forces["corotational"][1] / forces["neohookean"][1], 0.99)  # it softens where it is squeezed
+
+    def test_what_is_no_body_is_refused_in_one_line(self):
+        self.write_off("sheet.off", SQUARE_POINTS, SQUARE_FACES)
+        self.write_path([(0, 0, 0, 1)])
+        tail = ("--path", "path.csv", "--csv", "out.csv")
+        base = ("touch", "block.vtu", "--young")
+        for young in (0, -5, "nan", 1e12):
+            self.refused(*base, young, "--fixed", "zmin", *tail, saying=("block.vtu", "modulus"))
+        for poisson in (-0.1, 0.5):
+            self.refused(*base, YOUNG, "--fixed", "zmin", "--poisson", poisson, *tail, saying=("block.vtu", "Poisson"))
+        self.refused(*base, YOUNG, *tail, saying=("block.vtu", "fixed"))
+        self.refused(*base, YOUNG, "--fixed", "top", *tail, saying=("block.vtu", "top", "zmin"))
+        self.refused("touch", "sheet.off", "--young", YOUNG, "--fixed", "zmin", *tail, saying=("sheet.off", "holes"))
+        self.refused(*base, YOUNG, "--fixed", "zmin", "--low-rate", -1, *tail, saying=("--low-rate",))
+        self.refused(*base, YOUNG, "--fixed", "zmin", "--shading", *tail, saying=("--shading",))
+
+
+if __name__ == "__main__":
+    unittest.main()

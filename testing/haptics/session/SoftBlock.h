@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/compliance/packet/SoftSurface.h"
+#include "testing/haptics/compliance/Blocks.h"
+
+namespace palpate::test
+{
+
+/// The pad of Blocks.h in metres, four cells along it.
+inline SoftBodyInput softBlock(ElasticModel model)
+{
+  SoftBodyInput input = pad(4);
+  input.model = model;
+  return input;
+}
+
+inline Vec3 topOfBlock()
+{
+  return { 0.05, 0.05, 0.05 };
+}
+
+/// How far the vertex in the middle of the top gives way under a newton along z [m], by a solve with the whole
+/// stiffness of the block at rest.
+inline double yieldOfTop()
+{
+  SoftBodyResult made = makeSoftBody(softBlock(ElasticModel::Linear));
+  const SoftSurface surface = makeSoftSurface(*made.body, made.checked.mesh);
+  std::size_t top = 0;
+  for (std::size_t v = 0; v < surface.rest_W.size(); ++v)
+  {
+    top = (surface.rest_W[v] - topOfBlock()).norm() < (surface.rest_W[top] - topOfBlock()).norm() ? v : top;
+  }
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(made.body->displacement().size());
+  surface.map.addForce(top, Vec3::UnitZ(), load);
+  return surface.map.displacementOf(top, made.body->linearAnswer(load)).z();
+}
+
+} // namespace palpate::test

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A session with a soft body: pressed, recorded, replaced, not computed any more.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "SoftBlock.h"
+#include "devices/FedDevice.h"
+#include "haptics/recording/RecordedBodies.h"
+#include "haptics/recording/Recording.h"
+#include "haptics/session/HapticSession.h"
+#include "testing/support/AllocationGuard.h"
+#include "testing/support/Eventually.h"
+#include "testing/support/Meshes.h"
+#include "testing/support/TemporaryFolder.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double springInLoop = 500.0;
+constexpr double ballInLoop = 0.008;
+
+SoftChoice blockOf20kPa(ElasticModel model = ElasticModel::NeoHookean)
+{
+  return { std::make_shared<const SoftBodyInput>(softBlock(model)), "block", 25.0 };
+}
+
+/// A hand on a soft block, in virtual time unless said.
+class SoftInLoop : public testing::Test
+{
+protected:
+  void begin(const SoftChoice& choice, const std::string& file = {}, bool virtualTime = true)
+  {
+    HapticParameters parameters;
+    parameters.stiffness_N_per_m = springInLoop;
+    parameters.limitStiffness = false;
+    parameters.contact.radius_u = ballInLoop;
+    parameters.safety = SafetyLimits::none();
+    ASSERT_EQ(this->session.setParameters(parameters), "");
+    this->session.setSoft(choice);
+    SessionOptions options;
+    options.virtualTime = virtualTime;
+    options.recordFile = file;
+    auto device = std::make_unique<FedDevice>();
+    this->feed(*device, Vec3(0, 0, 0.02));
+    ASSERT_EQ(this->session.start(std::move(device), options), "");
+  }
+
+  /// Of a hand so far from where the ball would touch the middle of the top.
+  static void feed(FedDevice& device, const Vec3& fromTop)
+  {
+    DeviceSample sample;
+    sample.pose_D.p = topOfBlock() + Vec3(0, 0, ballInLoop) + fromTop;
+    device.feed(sample);
+  }
+
+  const HapticState& hold(const Vec3& fromTop, int ticks = 1)
+  {
+    feed(*static_cast<FedDevice*>(this->session.device()), fromTop);
+    EXPECT_EQ(this->session.step(ticks), ticks);
+    return this->session.state();
+  }
+
+  /// Presses, slides and lets go, `seconds` long.
+  template<class Visit>
+  void play(double seconds, const Visit& visit)
+  {
+    for (int i = 0; i < static_cast<int>(1000.0 * seconds); ++i)
+    {
+      const double s = 1e-3 * i;
+      visit(this->hold(Vec3(0.01 * std::sin(4.0 * s), 0.008 * std::sin(3.0 * s), 0.004 - 0.010 * std::sin(5.0 * s))));
+    }
+  }
+
+  HapticSession session;
+};
+
+TEST_F(SoftInLoop, ReplaysBitForBitWithPacketsThatBendTheSurface)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("recording");
+  this->begin(blockOf20kPa(), path);
+  std::uint64_t presses = 0;
+  double step_N = 0.0, last_N = 0.0;
+  this->play(1.5,
+    [&](const HapticState& state)
+    {
+      presses += state.soft.pressed;
+      step_N = std::max(step_N, std::abs(state.force_W.norm() - last_N));
+      last_N = state.force_W.norm();
+      EXPECT_LE(state.soft.age_s, 0.081) << "two periods at most, and a tick";
+    });
+  EXPECT_GT(presses, 500u);
+  EXPECT_GT(this->session.softStatus().packets, 30u);
+  EXPECT_EQ(this->session.stop(), "");
+  const auto read = readRecording(path);
+  ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+  const auto& recording = std::get<Recording>(read);
+  EXPECT_GT(recording.bodies.size(), 30u);
+  const ReplayResult result = replay(recording);
+  EXPECT_EQ(result.problem + result.difference, "");
+  EXPECT_EQ(result.ticks, 1500u);
+  EXPECT_LE(step_N, 0.12);
+}
+
+TEST_F(SoftInLoop, OfARecordingBegunWhileItPressesReplaysBitForBit)
+{
+  const TemporaryFolder folder;
+  this->begin(blockOf20kPa());
+  this->play(0.25, [](const HapticState&) {});
+  ASSERT_EQ(this->session.record(folder.file("a")), "");
+  this->play(0.3, [](const HapticState&) {});
+  EXPECT_EQ(this->session.stop(), "");
+  const auto read = readRecording(folder.file("a"));
+  ASSERT_TRUE(std::holds_alternative<Recording>(read));
+  const ReplayResult result = replay(std::get<Recording>(read));
+  EXPECT_EQ(result.problem + result.difference, "");
+  EXPECT_EQ(result.ticks, 300u);
+}
+
+TEST_F(SoftInLoop, WithoutItsPacketsSaysThatItCannotBeRecomputed)
+{
+  Recording recording;
+  RecordedChange change;
+  change.event = { 1, EventKind::Body, 17 };
+  recording.entries.emplace_back(change);
+  EXPECT_NE(replay(recording).problem, "");
+}
+
+TEST_F(SoftInLoop, AHandGetsBackNoMoreThanItGave)
+{
+  this->begin(blockOf20kPa());
+  double given_J = 0.0, most_J = 0.0;
+  Vec3 before = Vec3::Zero(), force = Vec3::Zero();
+  bool first = true;
+  this->play(2.6,
+    [&](const HapticState& state)
+    {
+      given_J += first ? 0.0 : -force.dot(state.device_W.p - before);
+      before = state.device_W.p;
+      force = state.force_W;
+      first = false;
+      most_J = std::max(most_J, state.soft.stored_J);
+    });
+  ASSERT_EQ(this->hold(Vec3(0, 0, 0.02), 5).force_W, Vec3(0, 0, 0));
+  EXPECT_GT(most_J, 1e-3);
+  EXPECT_GE(given_J, -0.02 * most_J);
+}
+
+TEST_F(SoftInLoop, ABodyThatIsTakenAwayWhilePressedLetsTheHandGoWithoutAStep)
+{
+  this->begin(blockOf20kPa(ElasticModel::Linear));
+  const double force_N = this->hold(Vec3(0, 0, -0.006), 400).force_W.norm();
+  EXPECT_GT(force_N, 0.5);
+  this->session.setSoft({});
+  double last_N = force_N;
+  for (int i = 0; i < 400; ++i)
+  {
+    const double now_N = this->hold(Vec3(0, 0, -0.006)).force_W.norm();
+    EXPECT_LE(std::abs(now_N - last_N), 0.05 * force_N) << i;
+    last_N = now_N;
+  }
+  EXPECT_LE(last_N, 0.01 * force_N);
+}
+
+TEST_F(SoftInLoop, AnotherBodyInItsPlaceIsPressedFromTheSameSide)
+{
+  this->begin(blockOf20kPa(ElasticModel::Linear));
+  const double soft_N = this->hold(Vec3(0, 0, -0.006), 400).force_W.z();
+  SoftBodyInput stiffer = softBlock(ElasticModel::Linear);
+  stiffer.young_Pa = { 40e3 };
+  this->session.setSoft({ std::make_shared<const SoftBodyInput>(stiffer), "block", 25.0 });
+  const HapticState& state = this->hold(Vec3(0, 0, -0.006), 400);
+  EXPECT_GT(state.force_W.z(), 1.2 * soft_N);
+  EXPECT_LT(state.force_W.head<2>().norm(), 0.01 * soft_N);
+}
+
+TEST_F(SoftInLoop, ItsThreadMakesPacketsThatBendWithTheHand)
+{
+  this->begin(blockOf20kPa(), {}, false);
+  EXPECT_TRUE(eventually([&] { return this->session.softStatus().packets > 2; }));
+  EXPECT_EQ(this->session.softStatus().problem, "");
+  feed(*static_cast<FedDevice*>(this->session.device()), Vec3(0, 0, -0.004));
+  EXPECT_TRUE(eventually([&] { return this->session.state().soft.pressed; }));
+  EXPECT_TRUE(eventually([&] { return this->session.softStatus().shape->mostGradient > 1e-3; }));
+}
+
+TEST_F(SoftInLoop, WhatIsNoBodyIsSaid)
+{
+  SoftBodyInput floating = softBlock(ElasticModel::Linear);
+  floating.fixed.assign(floating.fixed.size(), false);
+  this->begin({ std::make_shared<const SoftBodyInput>(floating), "block", 25.0 });
+  this->hold(Vec3(0, 0, -0.004), 5);
+  EXPECT_NE(this->session.softStatus().problem, "");
+  EXPECT_FALSE(this->session.state().soft.felt);
+}
+
+/// One tick after the other on a block whose worker made two packets and then no more.
+TEST(SoftTick, AWorkerThatDoesNotComeBackForASecondEndsTheForceAndIsSaid)
+{
+  std::string refusal;
+  const auto maker = BodyMaker::make(softBlock(ElasticModel::Linear), "block", 0, refusal);
+  BodyHand hand;
+  hand.ball_W = topOfBlock();
+  const auto body = maker->press(hand, 0.04);
+  const auto room = std::make_unique<SoftRoom>();
+  HapticParameters parameters;
+  parameters.stiffness_N_per_m = springInLoop;
+  parameters.safety = SafetyLimits::none();
+  RendererState state;
+  TickInput input;
+  input.scene = body->scene.get();
+  input.body = body.get();
+  input.softRoom = room.get();
+  double last_N = 0.0, pushed_N = 0.0;
+  Fault fault = Fault::None;
+  int faultAt = 0;
+  for (int i = 0; i < 1500; ++i)
+  {
+    input.tick = static_cast<std::uint64_t>(i);
+    input.sample.pose_D.p = topOfBlock() + Vec3(0, 0, i == 0 ? 0.001 : -0.004);
+    const AllocationGuard guard;
+    const TickOutput output = renderTick(input, parameters, state);
+    EXPECT_EQ(guard.allocations(), 0u);
+    last_N = output.command.wrench_D.force.norm();
+    pushed_N = std::max(pushed_N, last_N);
+    faultAt = fault == Fault::None && output.state.fault != Fault::None ? i : faultAt;
+    fault = output.state.fault;
+  }
+  EXPECT_GT(pushed_N, 0.5);
+  EXPECT_EQ(fault, Fault::BodyLate);
+  EXPECT_NEAR(faultAt, 1000, 2);
+  EXPECT_EQ(last_N, 0.0);
+}
+
+TEST(RecordedBodies, ComeBackToTheLastBitAndAreRefusedWhereTheyCannotBe)
+{
+  std::string refusal;
+  const auto maker = BodyMaker::make(softBlock(ElasticModel::Linear), "block", 0, refusal);
+  BodyHand hand;
+  hand.ball_W = topOfBlock();
+  hand.radius_u = ballInLoop;
+  const auto body = maker->press(hand, 0.04);
+  const auto bytesOf = [](const PressedBody& of)
+  {
+    ByteWriter out;
+    putBody(out, of);
+    return out.bytes();
+  };
+  const std::vector<char> bytes = bytesOf(*body);
+  ByteReader in(bytes.data(), bytes.size());
+  const auto read = readBody(in);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(in.left(), 0u);
+  EXPECT_EQ(bytesOf(*read), bytes);
+  EXPECT_EQ(read->packet->compliance, body->packet->compliance);
+  const auto refused = [&](const auto& change)
+  {
+    CompliancePacket packet = *body->packet;
+    change(packet);
+    PressedBody other = *body;
+    other.packet = std::make_shared<const CompliancePacket>(packet);
+    const std::vector<char> wrong = bytesOf(other);
+    ByteReader again(wrong.data(), wrong.size());
+    return readBody(again) == nullptr;
+  };
+  EXPECT_FALSE(refused([](CompliancePacket&) {}));
+  EXPECT_TRUE(refused([](CompliancePacket& p) { p.placeOf[3] = 4000; }));
+  EXPECT_TRUE(refused([](CompliancePacket& p) { p.near[0] = 1u << 31; }));
+  EXPECT_TRUE(refused([](CompliancePacket& p) { p.compliance(1, 1) = std::nan(""); }));
+  EXPECT_TRUE(refused([](CompliancePacket& p) { p.patchRadius_u[0] = 0.0; }));
+  EXPECT_TRUE(refused([](CompliancePacket& p) { p.springs[0].patch = -1.0; }));
+  for (std::size_t size = 0; size < bytes.size(); size += 97)
+  {
+    ByteReader cut(bytes.data(), size);
+    EXPECT_EQ(readBody(cut), nullptr) << size;
+  }
+}
+
+} // namespace
+} // namespace palpate::test

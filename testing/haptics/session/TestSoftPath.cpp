@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The force of a soft body along a path, without a device.
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "SoftBlock.h"
+#include "haptics/session/PathTouch.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double spring_N_per_m = 1000.0;
+constexpr double tick_s = 1e-3;
+
+std::unique_ptr<PathTouch> touchOf(const SoftBodyInput& input, double rate_Hz, double radius_u = 0.0)
+{
+  HapticParameters parameters;
+  parameters.stiffness_N_per_m = spring_N_per_m;
+  parameters.contact.radius_u = radius_u;
+  auto touch = std::make_unique<PathTouch>(nullptr, parameters, tick_s);
+  std::string refusal;
+  auto maker = BodyMaker::make(input, "block", 0, refusal);
+  EXPECT_EQ(refusal, "");
+  touch->press(std::move(maker), rate_Hz);
+  return touch;
+}
+
+/// The hand comes down until the ball is `depth_m` deep, in so many ticks, and stays for as many.
+HapticState pressed(const std::unique_ptr<PathTouch>& touch, double depth_m, int ticks, double radius_u = 0.0)
+{
+  HapticState state;
+  for (int i = 0; i <= 2 * ticks; ++i)
+  {
+    const double down = 0.001 - (0.001 + depth_m) * std::min(1.0, i / static_cast<double>(ticks));
+    state = touch->next(tick_s * i, { topOfBlock() + Vec3(0, 0, radius_u + down), Quat::Identity() });
+  }
+  return state;
+}
+
+TEST(SoftPath, AtRestABodyGivesTheForceOfItsYieldAndTheSpringInSeries)
+{
+  const auto touch = touchOf(softBlock(ElasticModel::Linear), 0.0);
+  constexpr double depth_m = 0.004;
+  const HapticState state = pressed(touch, depth_m, 10);
+  const double force_N = depth_m / (1.0 / spring_N_per_m + yieldOfTop());
+  // The surface gives way sideways too, by a hundredth: what is touched is beside the vertex.
+  EXPECT_NEAR(state.force_W.z(), force_N, 1e-3 * force_N);
+  EXPECT_LE(state.force_W.head<2>().norm(), 1e-9 * force_N) << "the top is flat, and there is no friction";
+  EXPECT_NEAR(state.soft.stored_J, 0.5 * force_N * depth_m, 1e-3 * force_N * depth_m) << "of a linear spring";
+  EXPECT_EQ(state.contacts, 1);
+  EXPECT_NEAR(state.proxy_W.p.z(), 0.05 - depth_m + state.force_W.z() / spring_N_per_m, 1e-9);
+}
+
+TEST(SoftPath, PacketsOfALinearBodyChangeNothingHoweverLateTheyAre)
+{
+  const auto rest = touchOf(softBlock(ElasticModel::Linear), 0.0);
+  const double force_N = pressed(rest, 0.004, 10).force_W.z();
+  for (const double rate_Hz : { 10.0, 30.0, 1000.0 })
+  {
+    const auto late = touchOf(softBlock(ElasticModel::Linear), rate_Hz);
+    EXPECT_NEAR(pressed(late, 0.004, 300).force_W.z(), force_N, 1e-9) << rate_Hz;
+  }
+}
+
+TEST(SoftPath, ABodyThatHardensComesToTheForceOfRestOncePacketsHaveArrived)
+{
+  const SoftBodyInput input = softBlock(ElasticModel::NeoHookean);
+  constexpr double deep_m = 0.012, ball_m = 0.01;
+  const auto rest = touchOf(input, 0.0, ball_m);
+  const auto late = touchOf(input, 30.0, ball_m);
+  const auto flat = touchOf(softBlock(ElasticModel::Linear), 30.0, ball_m);
+  const auto press = [](const auto& touch, int ticks) { return pressed(touch, deep_m, ticks, ball_m).force_W.z(); };
+  const double force_N = press(rest, 4);
+  EXPECT_NEAR(press(late, 400), force_N, 0.01 * force_N);
+  EXPECT_GT(std::abs(press(flat, 400) - force_N), 0.01 * force_N) << "else a linear body would pass";
+}
+
+TEST(SoftPath, AWallBesideTheBodyIsFeltAsWithoutIt)
+{
+  const auto forceOn = [](bool withBody)
+  {
+    HapticParameters parameters;
+    parameters.stiffness_N_per_m = spring_N_per_m;
+    Surface wall;
+    wall.name = "wall";
+    wall.tree = std::make_shared<const SurfaceTree>(
+      TriangleMesh{ { Vec3(1, -1, 0), Vec3(3, -1, 0), Vec3(2, 1, 0) }, { { 0, 1, 2 } } });
+    PathTouch touch(std::make_shared<const Scene>(1, std::vector<Surface>{ wall }), parameters, tick_s);
+    std::string refusal;
+    if (withBody)
+    {
+      touch.press(BodyMaker::make(softBlock(ElasticModel::NeoHookean), "block", 0, refusal), 30.0);
+    }
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < 100; ++i)
+    {
+      const Vec3 hand(2.0 + 0.001 * i, 0.0, 0.01 - 0.0003 * i);
+      const HapticState state = touch.next(tick_s * i, { hand, Quat::Identity() });
+      sum += state.force_W * (i + 1);
+      EXPECT_FALSE(state.soft.pressed);
+    }
+    return sum;
+  };
+  EXPECT_LE((forceOn(true) - forceOn(false)).norm(), 1e-9 * forceOn(false).norm());
+  EXPECT_GT(forceOn(true).norm(), 1.0);
+}
+
+TEST(SoftPath, WhatIsNoBodyIsRefusedInWords)
+{
+  const auto refusalOf = [](const auto& change)
+  {
+    SoftBodyInput input = softBlock(ElasticModel::Linear);
+    change(input);
+    std::string refusal;
+    EXPECT_EQ(BodyMaker::make(input, "block", 0, refusal), nullptr);
+    return refusal;
+  };
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (const double young_Pa : { 0.0, -1.0, none, 1e12 })
+  {
+    EXPECT_NE(refusalOf([=](SoftBodyInput& i) { i.young_Pa = { young_Pa }; }), "") << young_Pa;
+  }
+  EXPECT_NE(refusalOf([](SoftBodyInput& i) { i.poisson = 0.5; }), "");
+  EXPECT_NE(refusalOf([](SoftBodyInput& i) { i.fixed.assign(i.fixed.size(), false); }), "");
+  EXPECT_NE(refusalOf([](SoftBodyInput& i) { i.mostBytes = 1000; }), "");
+}
+
+} // namespace
+} // namespace palpate::test
