@@ -25,14 +25,15 @@ struct ChunkKind
 
 namespace chunks
 {
-inline constexpr ChunkKind start{ "start" };    ///< first parameters and state; before all that follow
-inline constexpr ChunkKind tick{ "tick", 2 };   ///< TickRecord; from version 2 on with its PoseRecord
-inline constexpr ChunkKind change{ "change" };  ///< RecordedChange
-inline constexpr ChunkKind scene{ "scene" };    ///< RecordedScene
-inline constexpr ChunkKind motion{ "motion" };  ///< RecordedMotion
-inline constexpr ChunkKind brick{ "brick", 2 }; ///< putBrick(); from version 2 on with its lines
-inline constexpr ChunkKind tool{ "tool" };      ///< putTool()
-inline constexpr ChunkKind end{ "end" };        ///< ticks that were lost; nothing follows
+inline constexpr ChunkKind start{ "start" };   ///< first parameters and state; before all that follow
+inline constexpr ChunkKind tick{ "tick", 2 };  ///< TickRecord; from version 2 on with its PoseRecord
+inline constexpr ChunkKind change{ "change" }; ///< RecordedChange
+inline constexpr ChunkKind scene{ "scene" };   ///< RecordedScene
+inline constexpr ChunkKind motion{ "motion" }; ///< RecordedMotion
+inline constexpr ChunkKind brick{ "brick",
+  3 };                                     ///< putBrick(); from version 2 on with its lines, from 3 on with a finer one and offsets
+inline constexpr ChunkKind tool{ "tool" }; ///< putTool()
+inline constexpr ChunkKind end{ "end" };   ///< ticks that were lost; nothing follows
 } // namespace chunks
 
 /// The parts of a start and of a change.
