@@ -36,6 +36,7 @@ struct HapticParameters;
 } // namespace palpate
 
 struct vtkHapticFieldArrays;
+struct vtkHapticFieldResult;
 struct vtkHapticMaterialSettings;
 class vtkCamera;
 class vtkHapticMarkRecords;
@@ -215,10 +216,11 @@ public:
   bool AddField(const char* name, vtkDataObject* data);
   bool FinishField();
   const char* GetFieldName() const;
+  bool AddRemoteField(const char* name, const vtkHapticFieldResult& made); ///< of data elsewhere, made there
   /// Other data that the field is compared with, and whose points and lines the hand snaps to; null: none. Kept by
-  /// reference. CompareSource and SnapSource name them for whoever follows a view.
+  /// reference. FeltSource, CompareSource and SnapSource name all of them for whoever follows a view.
   void SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap);
-  /// What is felt of it at the proxy, to be drawn [u]: a patch of the isosurface, the streamline that is followed.
+  /// What is felt of it where the proxy is, to be drawn: patch, streamline, level, the place that is snapped to [u].
   void GetFieldShape(vtkPolyData* shape) const;
   ///@}
 
@@ -432,10 +434,9 @@ private:
   void Change(const std::function<void(palpate::HapticParameters&)>& change);
   void Change(const char* setting, std::initializer_list<double> values,
     const std::function<void(palpate::HapticParameters&)>& change);
-  /// The same for arrays and ranges.
   void TakeField(bool wait);
   void FeelFieldAnew();
-  void NameBeside(std::string& kept, const char* name);
+  void NameSource(std::string& kept, const char* name);
   void ChangeField(const char* setting, std::initializer_list<double> values,
     const std::function<void(vtkHapticFieldArrays&)>& change);
   void ChangeMaterial(const char* setting, std::initializer_list<double> values,

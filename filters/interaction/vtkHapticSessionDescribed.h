@@ -52,6 +52,7 @@
   vtkHapticSettingMacro(TextureComponent, int); \
   vtkHapticRangeMacro(TextureDataRange); \
   vtkHapticRangeMacro(TextureFeltRange); \
+  vtkHapticSettingMacro(FeltSource, const char*); \
   vtkHapticSettingMacro(FieldArray, const char*); \
   vtkHapticSettingMacro(FieldComponent, int); \
   vtkHapticSettingMacro(FieldVectors, const char*); \
@@ -65,6 +66,8 @@
   vtkHapticFieldMacro(FieldYield, double); \
   vtkHapticFieldMacro(FieldFollow, double); \
   vtkHapticFieldMacro(FieldDrag, double); \
+  vtkHapticFieldMacro(FieldDragNone, double); \
+  vtkHapticFieldMacro(FieldDragFull, double); \
   vtkHapticFieldMacro(FieldDetent, double); \
   vtkHapticFieldMacro(FieldDetentOrigin, double); \
   vtkHapticFieldMacro(FieldDetentSpacing, double); \

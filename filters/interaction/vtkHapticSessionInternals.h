@@ -50,9 +50,9 @@ public:
   vtkHapticFieldArrays FieldArrays;
   std::string FieldName;
   vtkSmartPointer<vtkDataObject> FieldData, CompareData, SnapData;
-  std::string CompareSource, SnapSource; ///< names of the data beside the field, for who follows a view
-  std::string DetentLevels;              ///< as they were asked for
-  vtkMTimeType BesideTime = 0;           ///< of both when they were taken
+  std::string FeltSource, CompareSource, SnapSource; ///< names of data, for who follows a view
+  std::string DetentLevels;                          ///< as they were asked for
+  vtkMTimeType BesideTime = 0;                       ///< of both when they were taken
   palpate::FieldEnds FieldEnds{ 1.0, 0.0 };
   palpate::FeltField FeltField;
   bool FieldIsNew = false;  ///< no brick has come of it yet

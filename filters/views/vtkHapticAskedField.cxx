@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticAskedField.h"
 
-#include "vtkHapticFieldData.h"
+#include "vtkHapticNamedData.h"
+#include "vtkHapticRemoteField.h"
 #include "vtkHapticSession.h"
+#include "vtkSMPropertyHelper.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace
 {
@@ -28,19 +29,101 @@ bool vtkHapticAsksForField(const vtkHapticSession& session)
          *session.GetFieldResistance() != '\0';
 }
 
-bool vtkHapticHasFieldArrays(vtkDataObject* data, const vtkHapticSession& session)
+std::vector<std::string> vtkHapticArraysOfSource(const vtkHapticViewScan::Source& source, int components)
 {
-  const std::vector<std::string> names = NamesOf(session), has = vtkHapticFieldArrayNames(data);
+  return source.Data ? vtkHapticFieldArrayNames(source.Data, components)
+                     : vtkHapticRemoteArrayNames(source.Remote, source.Port, components);
+}
+
+namespace
+{
+/// Whether a source has all arrays that the session names; of what the values are compared with only where that is in
+/// the same data.
+bool HasArrays(const vtkHapticViewScan::Source& source, const vtkHapticSession& session)
+{
+  const std::vector<std::string> names = NamesOf(session), has = vtkHapticArraysOfSource(source);
   return std::all_of(names.begin(), names.end(),
     [&has](const std::string& name) { return std::find(has.begin(), has.end(), name) != has.end(); });
 }
 
-std::string vtkHapticLackOfField(const vtkHapticSession& session)
+/// Why no source that could be is felt.
+std::string LackOf(const vtkHapticSession& session)
 {
+  const std::string chosen = session.GetFeltSource();
   std::string list;
   for (const std::string& name : NamesOf(session))
   {
     list += (list.empty() ? "\"" : ", \"") + name + "\"";
   }
-  return "nothing that is shown has " + list + ", to be felt as a field";
+  return (chosen.empty() ? "nothing that is shown" : chosen) + " has " + (chosen.empty() ? "" : "not ") + list +
+         ", to be felt as a field";
+}
+} // namespace
+
+std::vector<vtkHapticViewScan::Source> vtkHapticSourcesOfField(
+  const vtkHapticSession& session, vtkSMProxy* view, const std::vector<vtkHapticViewScan::Source>& shown)
+{
+  const std::string chosen = session.GetFeltSource();
+  if (chosen.empty())
+  {
+    return shown;
+  }
+  const auto drawn =
+    std::find_if(shown.begin(), shown.end(), [&](const auto& source) { return source.Name == chosen; });
+  if (drawn != shown.end())
+  {
+    return { *drawn };
+  }
+  const vtkHapticViewScan::Source named = vtkHapticNamedSource(view, chosen);
+  return named.Data || named.Remote ? std::vector{ named } : std::vector<vtkHapticViewScan::Source>();
+}
+
+vtkHapticFieldCandidates vtkHapticCandidatesOfField(
+  const vtkHapticSession& session, vtkSMProxy* view, const std::vector<vtkHapticViewScan::Source>& shown)
+{
+  vtkHapticFieldCandidates candidates;
+  if (!vtkHapticAsksForField(session))
+  {
+    return candidates;
+  }
+  const std::string chosen = session.GetFeltSource();
+  const std::vector<vtkHapticViewScan::Source> sources = vtkHapticSourcesOfField(session, view, shown);
+  candidates.Refusal = !sources.empty()  ? LackOf(session)
+                       : !chosen.empty() ? chosen + ": no source with data is called so"
+                                         : "";
+  for (const vtkHapticViewScan::Source& source : sources)
+  {
+    const bool has = HasArrays(source, session) && session.GetSourceTouched(source.Name.c_str());
+    if (has && source.Moved)
+    {
+      candidates.Refusal = source.Name + " is moved, turned or scaled in the view, and its numbers are not: use the "
+                                         "filter Transform, or set its display back";
+    }
+    else if (has)
+    {
+      candidates.Sources.push_back(source);
+    }
+  }
+  candidates.Refusal = candidates.Sources.empty() ? candidates.Refusal : "";
+  return candidates;
+}
+
+vtkHapticFieldKey vtkHapticKeyOfField(const vtkHapticViewScan::Source& source, vtkSMProxy* view)
+{
+  return source.Data
+           ? vtkHapticFieldKey{ source.Data, 0, static_cast<double>(source.Data->GetMTime()) }
+           : vtkHapticFieldKey{ source.Remote, source.Port, vtkSMPropertyHelper(view, "ViewTime").GetAsDouble() };
+}
+
+vtkHapticFieldArrays vtkHapticArraysOfSession(const vtkHapticSession& session)
+{
+  vtkHapticFieldArrays arrays;
+  arrays.Scalar = session.GetFieldArray();
+  arrays.Vector = session.GetFieldVectors();
+  arrays.Resistance = session.GetFieldResistance();
+  arrays.Other = session.GetFieldOther();
+  arrays.Component = session.GetFieldComponent();
+  arrays.Eigenvector = session.GetFieldEigenvector();
+  arrays.Smoothing = session.GetFieldSmoothing();
+  return arrays;
 }

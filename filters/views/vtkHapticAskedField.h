@@ -3,18 +3,45 @@
 #define vtkHapticAskedField_h
 
 #include <string>
+#include <vector>
 
-class vtkDataObject;
+#include "vtkHapticFieldData.h"
+#include "vtkHapticViewScan.h"
+
 class vtkHapticSession;
+class vtkSMProxy;
 
 /// Whether a session names any array in space to feel.
 bool vtkHapticAsksForField(const vtkHapticSession& session);
 
-/// Whether data have all arrays that it names; of what the values are compared with only where that is in the same
-/// data.
-bool vtkHapticHasFieldArrays(vtkDataObject* data, const vtkHapticSession& session);
+/// Names of the arrays of numbers that a source has, here or on a server: vtkHapticFieldArrayNames().
+std::vector<std::string> vtkHapticArraysOfSource(const vtkHapticViewScan::Source& source, int components = 0);
 
-/// That nothing that is shown has all of them.
-std::string vtkHapticLackOfField(const vtkHapticSession& session);
+/// The sources whose arrays may be felt: the one that the session names, shown or not, else those that `shown` has.
+/// None where a source of that name has no data here.
+std::vector<vtkHapticViewScan::Source> vtkHapticSourcesOfField(
+  const vtkHapticSession& session, vtkSMProxy* view, const std::vector<vtkHapticViewScan::Source>& shown);
+
+struct vtkHapticFieldCandidates
+{
+  std::vector<vtkHapticViewScan::Source>
+    Sources;           ///< that have all arrays, are to be touched and lie where they are drawn
+  std::string Refusal; ///< why there is none, where somebody asks for one
+};
+vtkHapticFieldCandidates vtkHapticCandidatesOfField(
+  const vtkHapticSession& session, vtkSMProxy* view, const std::vector<vtkHapticViewScan::Source>& shown);
+
+/// By what one tells whether a source has made something else.
+struct vtkHapticFieldKey
+{
+  const void* Made = nullptr; ///< the data, or what made them on a server
+  unsigned int Port = 0;
+  double Time = 0.0; ///< of their last change, or of the pipeline on a server
+  friend bool operator==(const vtkHapticFieldKey&, const vtkHapticFieldKey&) = default;
+};
+vtkHapticFieldKey vtkHapticKeyOfField(const vtkHapticViewScan::Source& source, vtkSMProxy* view);
+
+/// What the session asks for.
+vtkHapticFieldArrays vtkHapticArraysOfSession(const vtkHapticSession& session);
 
 #endif

@@ -6,15 +6,53 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
-vtkDataObject* vtkHapticNamedData(vtkSMProxy* view, const std::string& name)
+namespace
+{
+/// By its display, whatever of it is drawn.
+bool IsMoved(vtkSMProxy* representation)
+{
+  const auto differs = [representation](const char* property, double usual)
+  {
+    constexpr bool quiet = true; // not every display can be moved
+    const vtkSMPropertyHelper values(representation, property, quiet);
+    for (unsigned int i = 0; i < values.GetNumberOfElements(); ++i)
+    {
+      if (values.GetAsDouble(i) != usual)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  return differs("Position", 0.0) || differs("Orientation", 0.0) || differs("Scale", 1.0);
+}
+} // namespace
+
+vtkHapticViewScan::Source vtkHapticShownSource(vtkSMProxy* representation, const std::string& name)
+{
+  vtkSMPropertyHelper input(representation, "Input", true);
+  auto* const proxy = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  auto* const here = proxy ? vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject()) : nullptr;
+  const unsigned int port = proxy ? input.GetOutputPort() : 0;
+  return { name, here ? here->GetOutputDataObject(static_cast<int>(port)) : nullptr, IsMoved(representation),
+    here ? nullptr : proxy, port };
+}
+
+vtkHapticViewScan::Source vtkHapticNamedSource(vtkSMProxy* view, const std::string& name)
 {
   vtkSMSessionProxyManager* const manager = view ? view->GetSessionProxyManager() : nullptr;
   auto* const proxy = manager ? vtkSMSourceProxy::SafeDownCast(manager->GetProxy("sources", name.c_str())) : nullptr;
   if (!proxy)
   {
-    return nullptr;
+    return { name };
   }
   proxy->UpdatePipeline(vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
-  auto* const source = vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject());
-  return source && source->GetNumberOfOutputPorts() > 0 ? source->GetOutputDataObject(0) : nullptr;
+  auto* const here = vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject());
+  const bool hasData = here && here->GetNumberOfOutputPorts() > 0;
+  return { name, hasData ? here->GetOutputDataObject(0) : nullptr, false, here ? nullptr : proxy };
+}
+
+vtkDataObject* vtkHapticNamedData(vtkSMProxy* view, const std::string& name)
+{
+  return vtkHapticNamedSource(view, name).Data;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticViewScan.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -11,6 +10,7 @@
 #include "vtkGlyph3DRepresentation.h"
 #include "vtkHapticDrafts.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticNamedData.h"
 #include "vtkHapticShapes.h"
 #include "vtkImageSliceRepresentation.h"
 #include "vtkMapper.h"
@@ -24,7 +24,6 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
-#include "vtkSMSourceProxy.h"
 
 namespace
 {
@@ -40,25 +39,6 @@ void MixObject(std::uint64_t& key, vtkObject* object)
 {
   Mix(key, reinterpret_cast<std::uintptr_t>(object));
   Mix(key, object ? object->GetMTime() : 0);
-}
-
-/// By its display, whatever of it is drawn.
-bool IsMoved(vtkSMProxy* representation)
-{
-  const auto differs = [representation](const char* property, double usual)
-  {
-    constexpr bool quiet = true; // not every display can be moved
-    const vtkSMPropertyHelper values(representation, property, quiet);
-    for (unsigned int i = 0; i < values.GetNumberOfElements(); ++i)
-    {
-      if (values.GetAsDouble(i) != usual)
-      {
-        return true;
-      }
-    }
-    return false;
-  };
-  return differs("Position", 0.0) || differs("Orientation", 0.0) || differs("Scale", 1.0);
 }
 
 bool SameMatrix(vtkMatrix4x4* a, vtkMatrix4x4* b)
@@ -280,15 +260,6 @@ vtkSMProxy* InputOf(vtkSMProxy* representation)
                                               : nullptr;
 }
 
-/// What the input of a representation made; null where that is not here.
-vtkDataObject* DataOf(vtkSMProxy* representation)
-{
-  vtkSMPropertyHelper input(representation, "Input", true);
-  auto* const source =
-    input.GetAsProxy() ? vtkAlgorithm::SafeDownCast(input.GetAsProxy()->GetClientSideObject()) : nullptr;
-  return source ? source->GetOutputDataObject(static_cast<int>(input.GetOutputPort())) : nullptr;
-}
-
 /// The name in the pipeline browser; empty for annotations, which have no input.
 std::string NameOf(vtkSMProxy* input)
 {
@@ -371,6 +342,11 @@ bool Visible(vtkSMProxy* representation)
   return representation->GetProperty("Visibility") && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() != 0;
 }
 
+bool IsRemote(vtkSMProxy* view)
+{
+  return view->GetSession() && view->GetSession()->IsA("vtkSMSessionClient");
+}
+
 /// Why nothing of this view can be touched; empty if it can.
 std::string RefusalOf(vtkSMProxy* view)
 {
@@ -383,11 +359,7 @@ std::string RefusalOf(vtkSMProxy* view)
   {
     return "The active view is not a 3D render view: click one that is.";
   }
-  if (view->GetSession() && view->GetSession()->IsA("vtkSMSessionClient"))
-  {
-    return "The data is on a server, and only the built-in server can be touched: disconnect and open the file here.";
-  }
-  if (render->GetUseDistributedRenderingForRender())
+  if (!IsRemote(view) && render->GetUseDistributedRenderingForRender())
   {
     return "The server renders this view, so its surfaces are not here: raise the Remote Render Threshold.";
   }
@@ -416,6 +388,13 @@ vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, vtkHapticShapes& shapes, c
     scan.Refusals.push_back(std::move(refusal));
     return scan;
   }
+  const bool remote = IsRemote(view);
+  if (remote)
+  {
+    scan.Refusals.emplace_back(
+      "The data is on a server, and only the built-in server can be touched: disconnect and open "
+      "the file here, or choose its values in the panel (Advanced, Field) to feel a field.");
+  }
   vtkSMProxy* drawing = options.Drawing;
   vtkSMPropertyHelper representations(view, "Representations");
   for (unsigned int i = 0; i < representations.GetNumberOfElements(); ++i)
@@ -426,14 +405,18 @@ vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, vtkHapticShapes& shapes, c
     drawing = input == drawing ? nullptr : drawing; // it is shown
     if (!name.empty() && Visible(representation))
     {
-      if (vtkDataObject* const data = DataOf(representation); data && !IsTransparent(representation))
+      const vtkHapticViewScan::Source source = vtkHapticShownSource(representation, name);
+      if ((source.Data || source.Remote) && !IsTransparent(representation))
       {
-        scan.Sources.push_back({ name, data, IsMoved(representation) });
+        scan.Sources.push_back(source);
       }
-      ScanRepresentation(representation, name, options, shapes, scan);
+      if (!remote)
+      {
+        ScanRepresentation(representation, name, options, shapes, scan);
+      }
     }
   }
-  if (options.Drafts)
+  if (options.Drafts && !remote)
   {
     ScanDrawing(drawing, options, *options.Drafts, scan);
   }

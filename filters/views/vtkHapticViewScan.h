@@ -14,6 +14,7 @@
 class vtkHapticDrafts;
 class vtkHapticShapes;
 class vtkSMProxy;
+class vtkSMSourceProxy;
 
 /**
  * What can be touched in a render view, and what cannot and why.
@@ -34,12 +35,15 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
     std::uint64_t ArraysKey = 0;          ///< equal while its arrays are the same, unmodified
   };
 
-  /// What a source that is shown has made, whatever of it is drawn: a volume has no surface, and may be felt as a field.
+  /// What a source that is shown has made, whatever of it is drawn: a volume has no surface, and may be felt as a
+  /// field.
   struct Source
   {
     std::string Name;
-    vtkSmartPointer<vtkDataObject> Data;
-    bool Moved = false; ///< it is drawn elsewhere than its numbers are
+    vtkSmartPointer<vtkDataObject> Data{}; ///< null: they are on a server
+    bool Moved = false;                    ///< it is drawn elsewhere than its numbers are
+    vtkSMSourceProxy* Remote = nullptr;    ///< where they are on a server: what made them
+    unsigned int Port = 0;                 ///< and at which of its outputs
   };
 
   std::vector<Surface> Surfaces;

@@ -5,10 +5,10 @@
 #include "vtkHapticColourRange.h"
 #include "vtkHapticConversionAhead.h"
 #include "vtkHapticDrafts.h"
-#include "vtkHapticFieldData.h"
 #include "vtkHapticHandedSources.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticNamedData.h"
+#include "vtkHapticRemoteField.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticShapes.h"
 #include "vtkHapticViewScan.h"
@@ -52,8 +52,9 @@ public:
   std::string Report;
   std::map<std::string, std::string> Rejected; ///< surfaces the session would not take, and why
   std::string FieldName;                       ///< of the source that is felt as a field; "": none
-  vtkSmartPointer<vtkDataObject> FieldData;    ///< what it made then
-  vtkMTimeType FieldTime = 0, FieldSettings = 0;
+  vtkHapticFieldKey FieldKey;                  ///< what it made then
+  vtkMTimeType FieldSettings = 0;
+  std::shared_ptr<const bool> FieldChanged;   ///< since then, on a server; null: it is not on one
   std::string FieldRefusal;                   ///< why none of those that have the arrays is
   std::string BesideRefusal;                  ///< which data beside the field are not there
   bool HandedOver = false;                    ///< the session has Scan
@@ -88,13 +89,10 @@ public:
 
   /// Gives the session the data that it names beside the field; "", or which of them is not there.
   std::string HandOverBeside();
-  /// Gives the session the first source that has the arrays which are felt and fills space.
+  /// Gives the session the chosen source, or the first that has the arrays which are felt and fills space.
   void HandOverField(const std::vector<vtkHapticViewScan::Source>& sources);
-  bool SameField(const vtkHapticViewScan::Source* next) const
-  {
-    return this->FieldSettings == this->Session->GetMaterialTime() &&
-           this->FieldData == (next ? next->Data : nullptr) && (!next || next->Data->GetMTime() == this->FieldTime);
-  }
+  /// Gives it one; whether it is felt.
+  bool HandOverField(const vtkHapticViewScan::Source& source);
   /// Whether a source has the arrays that are to be felt.
   bool CouldFeelField(const vtkHapticViewScan& scan) const;
   /// The refusals that stand: what is felt as a field needs no surface.
@@ -130,9 +128,7 @@ vtkHapticViewScan SharedCopy(vtkHapticViewScan scan)
 
 bool vtkHapticViewScene::Internals::CouldFeelField(const vtkHapticViewScan& scan) const
 {
-  return this->Session && vtkHapticAsksForField(*this->Session) &&
-         std::any_of(scan.Sources.begin(), scan.Sources.end(),
-           [this](const auto& source) { return vtkHapticHasFieldArrays(source.Data, *this->Session); });
+  return this->Session && !vtkHapticCandidatesOfField(*this->Session, this->View, scan.Sources).Sources.empty();
 }
 
 std::string vtkHapticViewScene::Internals::HandOverBeside()
@@ -152,50 +148,44 @@ std::string vtkHapticViewScene::Internals::HandOverBeside()
 void vtkHapticViewScene::Internals::HandOverField(const std::vector<vtkHapticViewScan::Source>& sources)
 {
   this->BesideRefusal = vtkHapticAsksForField(*this->Session) ? this->HandOverBeside() : "";
-  std::vector<const vtkHapticViewScan::Source*> candidates;
-  std::string moved;
-  for (const vtkHapticViewScan::Source& source : sources)
-  {
-    if (vtkHapticAsksForField(*this->Session) && vtkHapticHasFieldArrays(source.Data, *this->Session) &&
-        this->Session->GetSourceTouched(source.Name.c_str()))
-    {
-      if (source.Moved)
-      {
-        moved = source.Name;
-        continue;
-      }
-      candidates.push_back(&source);
-    }
-  }
-  const vtkHapticViewScan::Source* const first = candidates.empty() ? nullptr : candidates.front();
-  if (this->SameField(first))
+  const vtkHapticFieldCandidates candidates = vtkHapticCandidatesOfField(*this->Session, this->View, sources);
+  const vtkHapticViewScan::Source* const first = candidates.Sources.empty() ? nullptr : &candidates.Sources.front();
+  const vtkHapticFieldKey key = first ? vtkHapticKeyOfField(*first, this->View) : vtkHapticFieldKey();
+  const bool changed = this->FieldChanged && *this->FieldChanged;
+  if (key == this->FieldKey && !changed && this->FieldSettings == this->Session->GetMaterialTime())
   {
     return;
   }
-  this->FieldData = first ? first->Data : nullptr;
-  this->FieldTime = first ? first->Data->GetMTime() : 0;
+  this->FieldKey = key;
+  this->FieldChanged.reset();
   this->FieldSettings = this->Session->GetMaterialTime();
   this->FieldName.clear();
-  this->FieldRefusal.clear();
-  for (const vtkHapticViewScan::Source* source : candidates)
+  this->FieldRefusal = candidates.Refusal;
+  for (const vtkHapticViewScan::Source& source : candidates.Sources)
   {
-    if (this->Session->AddField(source->Name.c_str(), source->Data))
+    if (this->HandOverField(source))
     {
-      this->FieldName = source->Name;
+      this->FieldName = source.Name;
       return;
     }
     this->FieldRefusal = this->Session->GetProblem();
   }
-  if (candidates.empty())
+  if (!first)
   {
     this->Session->AddField(nullptr, nullptr);
-    const bool lacks = vtkHapticAsksForField(*this->Session) && !sources.empty();
-    this->FieldRefusal = !moved.empty()
-                           ? moved + " is moved, turned or scaled in the view, and its numbers are not: use the filter "
-                                     "Transform, or set its display back"
-                         : lacks ? vtkHapticLackOfField(*this->Session)
-                                 : "";
   }
+}
+
+bool vtkHapticViewScene::Internals::HandOverField(const vtkHapticViewScan::Source& source)
+{
+  if (source.Data)
+  {
+    return this->Session->AddField(source.Name.c_str(), source.Data);
+  }
+  const vtkHapticRemoteFieldResult remote =
+    vtkHapticRemoteField(source.Remote, source.Port, this->FieldKey.Time, vtkHapticArraysOfSession(*this->Session));
+  this->FieldChanged = remote.Changed;
+  return this->Session->AddRemoteField(source.Name.c_str(), remote.Field);
 }
 
 bool vtkHapticViewScene::Internals::IsPrepared(vtkHapticViewScan& scan)
@@ -343,9 +333,11 @@ std::string vtkHapticViewScene::GetRefusal() const
 std::string vtkHapticViewScene::GetFieldNames(int components) const
 {
   std::set<std::string> names;
-  for (const vtkHapticViewScan::Source& source : this->Impl->Look().Sources)
+  const std::vector<vtkHapticViewScan::Source> shown = this->Impl->Look().Sources;
+  for (const vtkHapticViewScan::Source& source :
+    this->Impl->Session ? vtkHapticSourcesOfField(*this->Impl->Session, this->Impl->View, shown) : shown)
   {
-    for (const std::string& name : vtkHapticFieldArrayNames(source.Data, components))
+    for (const std::string& name : vtkHapticArraysOfSource(source, components))
     {
       names.insert(name);
     }

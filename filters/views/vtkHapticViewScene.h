@@ -51,8 +51,8 @@ public:
   vtkSMProxy* GetDrawing() const;
   ///@}
 
-  /// Gives a session's proxy what the colour maps of the view say of the arrays that are felt: data ranges, isovalue and
-  /// levels. What was given, a line each; "" where nothing that is felt is coloured by.
+  /// Gives a session's proxy what the colour maps of the view say of the arrays that are felt: data ranges, isovalue
+  /// and levels. What was given, a line each; "" where nothing that is felt is coloured by.
   std::string TakeColorRange(vtkSMProxy* session);
 
   ///@{

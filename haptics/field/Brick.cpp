@@ -15,7 +15,7 @@ namespace
 {
 
 std::uint64_t hashOf(const BrickGrid& grid, const std::vector<BrickArray>& arrays, const std::vector<Vec3>& places_W,
-  const std::vector<BrickLine>& lines_W) noexcept
+  const std::vector<BrickLine>& lines_W, const Brick* finer) noexcept
 {
   WordHash hash;
   for (int k = 0; k < 3; ++k)
@@ -31,6 +31,10 @@ std::uint64_t hashOf(const BrickGrid& grid, const std::vector<BrickArray>& array
   for (const BrickArray& array : arrays)
   {
     hash.add(static_cast<std::uint64_t>(array.role));
+    if (array.offset != 0.0)
+    {
+      hash.add(array.offset);
+    }
     for (const float value : array.values)
     {
       hash.add(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(value)));
@@ -46,6 +50,10 @@ std::uint64_t hashOf(const BrickGrid& grid, const std::vector<BrickArray>& array
   for (const BrickLine& line_W : lines_W)
   {
     std::ranges::for_each(line_W, addPlace);
+  }
+  if (finer != nullptr)
+  {
+    hash.add(finer->contentHash());
   }
   return hash.value();
 }
@@ -114,6 +122,10 @@ std::string Brick::refuse(const BrickGrid& grid, const std::vector<BrickArray>& 
     {
       return "array '" + array.name + "' has not one value for each point of the field";
     }
+    if (!std::isfinite(array.offset) || (wanted > 1 && array.offset != 0.0))
+    {
+      return "array '" + array.name + "' of a field has an offset that is not finite, or one of directions";
+    }
     if (std::ranges::count(arrays, array.role, &BrickArray::role) > 1)
     {
       return "array '" + array.name + "' would be felt as another array is already";
@@ -128,9 +140,9 @@ std::string Brick::refuse(const BrickGrid& grid, const std::vector<BrickArray>& 
 }
 
 Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W,
-  std::vector<BrickLine> lines_W)
+  std::vector<BrickLine> lines_W, std::shared_ptr<const Brick> finer)
   : revision_(revision), grid_(grid), arrays_(std::move(arrays)), places_W_(std::move(places_W)),
-    lines_W_(std::move(lines_W))
+    lines_W_(std::move(lines_W)), finer_(std::move(finer))
 {
   this->places_W_.resize(std::min(this->places_W_.size(), mostPlaces));
   this->lines_W_.resize(std::min(this->lines_W_.size(), mostPlaces));
@@ -141,12 +153,24 @@ Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArr
       value = std::isfinite(value) ? value : std::numeric_limits<float>::quiet_NaN();
     }
   }
-  this->contentHash_ = hashOf(this->grid_, this->arrays_, this->places_W_, this->lines_W_);
+  this->contentHash_ = hashOf(this->grid_, this->arrays_, this->places_W_, this->lines_W_, this->finer_.get());
+}
+
+const Brick& Brick::finestAt(const Vec3& p_W) const noexcept
+{
+  return this->finer_ && this->finer_->grid().roomAt_u(p_W) >= 0.0 ? *this->finer_ : *this;
+}
+
+const Brick* Brick::called(std::uint64_t contentHash) const noexcept
+{
+  const bool isFiner = this->finer_ && this->finer_->contentHash() == contentHash;
+  return isFiner ? this->finer_.get() : this->contentHash_ == contentHash ? this : nullptr;
 }
 
 std::size_t Brick::bytes() const noexcept
 {
-  std::size_t bytes = sizeof(Brick) + this->places_W_.size() * sizeof(Vec3) + this->lines_W_.size() * sizeof(BrickLine);
+  std::size_t bytes = (this->finer_ ? this->finer_->bytes() : 0) + sizeof(Brick) +
+                      this->places_W_.size() * sizeof(Vec3) + this->lines_W_.size() * sizeof(BrickLine);
   for (const BrickArray& array : this->arrays_)
   {
     bytes += array.values.size() * sizeof(float);
@@ -160,7 +184,7 @@ BrickComponent Brick::component(BrickRole role, int component) const noexcept
   {
     if (array.role == role)
     {
-      return { this->grid_.size, array.values.data() + component, componentsOf(role) };
+      return { this->grid_.size, array.values.data() + component, componentsOf(role), array.offset };
     }
   }
   return {};
@@ -178,6 +202,24 @@ std::optional<FieldSample> Brick::sample(BrickRole role, const Vec3& p_W) const 
   return cell.valid()
            ? std::optional<FieldSample>({ cell.value(place->t), this->grid_.gradientToWorld(cell.gradient(place->t)) })
            : std::nullopt;
+}
+
+std::optional<Vec3> Brick::nearestPlace_W(const Vec3& p_W, double reach_u) const noexcept
+{
+  std::optional<Vec3> nearest_W;
+  double nearest_u2 = reach_u * reach_u;
+  const auto offer = [&](const Vec3& place_W)
+  {
+    const double far_u2 = (place_W - p_W).squaredNorm();
+    if (far_u2 < nearest_u2)
+    {
+      nearest_u2 = far_u2;
+      nearest_W = place_W;
+    }
+  };
+  std::ranges::for_each(this->places_W_, offer);
+  std::ranges::for_each(this->lines_W_, [&](const BrickLine& line_W) { offer(nearestOn(line_W, p_W)); });
+  return nearest_W;
 }
 
 std::optional<Vec3> Brick::vector(const Vec3& p_W) const noexcept

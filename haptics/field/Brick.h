@@ -35,6 +35,13 @@ struct BrickGrid
   {
     return this->pose_W.p + this->pose_W.q * index.cwiseProduct(this->spacing_u);
   }
+  /// How far a place is inside of all faces of the grid [u]; negative: outside of one.
+  [[nodiscard]] double roomAt_u(const Vec3& p_W) const noexcept
+  {
+    const Vec3 index = this->toIndex(p_W);
+    const Vec3 last(this->size[0] - 1, this->size[1] - 1, this->size[2] - 1);
+    return index.cwiseMin(last - index).cwiseProduct(this->spacing_u).minCoeff();
+  }
   /// A covector of index coordinates, such as a gradient, in W [1/u].
   [[nodiscard]] Vec3 gradientToWorld(const Vec3& gradient) const noexcept
   {
@@ -56,12 +63,14 @@ enum class BrickRole : std::uint8_t
 using BrickLine = std::array<Vec3, 2>;
 [[nodiscard]] Vec3 nearestOn(const BrickLine& line_W, const Vec3& p_W) noexcept;
 
-/// Values at the points of a grid, x fastest, components together. NaN: there is no value.
+/// Values at the points of a grid, x fastest, components together, less an offset: so single precision holds what
+/// differs little from a large number. NaN: there is no value.
 struct BrickArray
 {
   BrickRole role = BrickRole::Scalar;
   std::string name; ///< for people
   std::vector<float> values;
+  double offset = 0.0; ///< finite; of vectors and axes 0
 };
 
 [[nodiscard]] constexpr int componentsOf(BrickRole role) noexcept
@@ -74,9 +83,9 @@ class BrickComponent
 {
 public:
   BrickComponent() = default;
-  BrickComponent(const GridIndex& size, const float* values, int stride) noexcept
-    : size_(size), values_(values), stride_(stride), row_(stride * static_cast<std::ptrdiff_t>(size[0])),
-      layer_(row_ * size[1])
+  BrickComponent(const GridIndex& size, const float* values, int stride, double offset = 0.0) noexcept
+    : size_(size), values_(values), offset_(offset), stride_(stride),
+      row_(stride * static_cast<std::ptrdiff_t>(size[0])), layer_(row_ * size[1])
   {
   }
 
@@ -89,7 +98,7 @@ public:
   }
   [[nodiscard]] double at(const GridIndex& point) const noexcept
   {
-    return this->values_[point[2] * this->layer_ + point[1] * this->row_ + point[0] * this->stride_];
+    return this->offset_ + this->values_[point[2] * this->layer_ + point[1] * this->row_ + point[0] * this->stride_];
   }
   /// The corners of a cell that the grid holds, less `level`, times `sign`.
   [[nodiscard]] TrilinearCell cell(const GridIndex& at, double level = 0.0, double sign = 1.0) const noexcept
@@ -97,8 +106,9 @@ public:
     const float* const v = this->values_ + at[2] * this->layer_ + at[1] * this->row_ + at[0] * this->stride_;
     const float *const y = v + this->row_, *const z = v + this->layer_, *const yz = z + this->row_;
     const auto s = this->stride_;
-    return { { sign * (v[0] - level), sign * (v[s] - level), sign * (y[0] - level), sign * (y[s] - level),
-      sign * (z[0] - level), sign * (z[s] - level), sign * (yz[0] - level), sign * (yz[s] - level) } };
+    const double less = level - this->offset_;
+    return { { sign * (v[0] - less), sign * (v[s] - less), sign * (y[0] - less), sign * (y[s] - less),
+      sign * (z[0] - less), sign * (z[s] - less), sign * (yz[0] - less), sign * (yz[s] - less) } };
   }
   /// Where the cell of a place is, moved into the grid from its far faces; none outside.
   [[nodiscard]] std::optional<GridPlace> within(GridPlace place) const noexcept;
@@ -106,6 +116,7 @@ public:
 private:
   GridIndex size_{};
   const float* values_ = nullptr;
+  double offset_ = 0.0;
   std::ptrdiff_t stride_ = 1, row_ = 0, layer_ = 0;
 };
 
@@ -130,23 +141,32 @@ public:
     const BrickGrid& grid, const std::vector<BrickArray>& arrays, std::size_t mostBytes = Brick::mostBytes);
   static constexpr std::size_t mostPlaces = 256; ///< that a hand snaps to: a tick looks at all of them
   /// What refuse() is silent about. Infinities become NaN: there is no value. `places_W`, `lines_W`: what the hand
-  /// snaps to, the first mostPlaces of each.
+  /// snaps to, the first mostPlaces of each. `finer`: the same arrays at points that are nearer to each other, in a
+  /// part of this brick; it has none of its own.
   Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {},
-    std::vector<BrickLine> lines_W = {});
+    std::vector<BrickLine> lines_W = {}, std::shared_ptr<const Brick> finer = nullptr);
 
   [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
   [[nodiscard]] const BrickGrid& grid() const noexcept { return this->grid_; }
   [[nodiscard]] const std::vector<BrickArray>& arrays() const noexcept { return this->arrays_; }
   [[nodiscard]] const std::vector<Vec3>& places_W() const noexcept { return this->places_W_; }
   [[nodiscard]] const std::vector<BrickLine>& lines_W() const noexcept { return this->lines_W_; }
-  /// Hash of grid, roles, values, places and lines: names a brick in a recording.
+  /// Null: there is none.
+  [[nodiscard]] const std::shared_ptr<const Brick>& finer() const noexcept { return this->finer_; }
+  /// The finer one where that reaches to a place, else this.
+  [[nodiscard]] const Brick& finestAt(const Vec3& p_W) const noexcept;
+  /// Hash of grid, roles, values, places, lines and of the finer one: names a brick in a recording.
   [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
+  /// This or the finer one, whichever has that hash; null: neither.
+  [[nodiscard]] const Brick* called(std::uint64_t contentHash) const noexcept;
   [[nodiscard]] std::size_t bytes() const noexcept;
 
   /// One component of what has that role; exists() is false where there is none.
   [[nodiscard]] BrickComponent component(BrickRole role, int component = 0) const noexcept;
   /// The trilinear value at a place in W; none outside and where a corner has none.
   [[nodiscard]] std::optional<FieldSample> sample(BrickRole role, const Vec3& p_W) const noexcept;
+  /// What a hand at p_W is nearest to of the places and lines that it snaps to; none within that reach.
+  [[nodiscard]] std::optional<Vec3> nearestPlace_W(const Vec3& p_W, double reach_u) const noexcept;
   /// The trilinear vector at a place in W, in W.
   [[nodiscard]] std::optional<Vec3> vector(const Vec3& p_W) const noexcept;
   /// The trilinear axis there, those of the corners turned to the side of `like`; by the first of them where that is 0.
@@ -159,6 +179,7 @@ private:
   std::vector<BrickArray> arrays_;
   std::vector<Vec3> places_W_;
   std::vector<BrickLine> lines_W_;
+  std::shared_ptr<const Brick> finer_;
 };
 
 } // namespace palpate

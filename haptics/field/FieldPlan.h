@@ -17,8 +17,8 @@ struct FieldPlan
 
   double follow_N = 0.0;    ///< holds the hand on the streamline that it is on, of vectors or axes
   double drag_N = 0.0;      ///< resists every motion, times the resistance at the hand
-  double dragNone = 0.0;    ///< resistance up to which nothing of it is felt
-  double dragFull = 1.0;    ///< and from which on all of it is
+  double dragNone = 0.0;    ///< resistance at which nothing of it is felt
+  double dragFull = 1.0;    ///< and at which all of it is, above or below that
   DetentPlan detent;        ///< levels of the scalar hold the hand
   double snap_N = 0.0;      ///< pulls to the nearest of the brick's places and lines
   double snapReach_u = 5.0; ///< from there on, less with the distance

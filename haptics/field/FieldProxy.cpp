@@ -28,18 +28,11 @@ bool usesScalar(const Brick& brick, bool on) noexcept
   return on && brick.component(BrickRole::Scalar).exists();
 }
 
-/// How much of a strength there is at a value: nothing up to `none`, all from `full` on.
+/// How much of a strength there is at a value: nothing at `none` and beyond, all at `full` and beyond, whichever of
+/// both is larger; where they are the same all of it.
 double share(double value, double none, double full) noexcept
 {
-  return full > none ? std::max(0.0, std::min(1.0, (value - none) / (full - none))) : 1.0;
-}
-
-/// Whether a place lies between the first and the last points of a grid.
-bool isWithin(const BrickGrid& grid, const Vec3& p_W) noexcept
-{
-  const Vec3 index = grid.toIndex(p_W);
-  const Vec3 last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
-  return (index.array() >= 0.0).all() && (index.array() <= last.array()).all();
+  return full != none ? std::max(0.0, std::min(1.0, (value - none) / (full - none))) : 1.0;
 }
 
 /// One tick of a hand in a field.
@@ -59,7 +52,7 @@ public:
     const bool click = detent && this->plan_.detent.click, smooth = detent && !click;
     const bool soft = covered && usesSoft(this->brick_, this->plan_);
     this->result_.outside = !covered;
-    this->result_.beyond = !isWithin(this->brick_.grid(), this->p_W_);
+    this->result_.beyond = !(this->brick_.grid().roomAt_u(this->p_W_) >= 0.0);
     this->forgetUnless(surface, this->state_.surface);
     this->forgetUnless(click, this->state_.click);
     if (surface)
@@ -212,24 +205,10 @@ private:
   [[nodiscard]] Primitive snap() const noexcept
   {
     Primitive snap;
-    double nearest_u2 = this->plan_.snapReach_u * this->plan_.snapReach_u;
-    const auto offer = [&](const Vec3& place_W)
+    if (const auto place_W = this->brick_.nearestPlace_W(this->p_W_, this->plan_.snapReach_u))
     {
-      const double far_u2 = (place_W - this->p_W_).squaredNorm();
-      if (far_u2 < nearest_u2)
-      {
-        nearest_u2 = far_u2;
-        snap.anchor = place_W;
-        snap.strength_N = this->plan_.snap_N * (1.0 - std::sqrt(far_u2) / this->plan_.snapReach_u);
-      }
-    };
-    for (const Vec3& place_W : this->brick_.places_W())
-    {
-      offer(place_W);
-    }
-    for (const BrickLine& line_W : this->brick_.lines_W())
-    {
-      offer(nearestOn(line_W, this->p_W_));
+      snap.anchor = *place_W;
+      snap.strength_N = this->plan_.snap_N * (1.0 - (*place_W - this->p_W_).norm() / this->plan_.snapReach_u);
     }
     return snap;
   }
@@ -295,6 +274,37 @@ void carryIso(const Brick& brick, const BrickGrid& was, IsoState& state) noexcep
   state.level += value < least ? state.side * (value - least) : 0.0;
 }
 
+/// How far the proxy that is furthest from a hand is away [u].
+double furthestProxy_u(const FieldState& state, const Vec3& p_W) noexcept
+{
+  double square_u2 = state.placed ? (state.soft_W - p_W).squaredNorm() : 0.0;
+  square_u2 = state.placed ? std::max(square_u2, (state.detent_W - p_W).squaredNorm()) : square_u2;
+  for (const IsoState* iso : { &state.surface, &state.click })
+  {
+    const double iso_u2 = iso->placed ? (state.grid.toWorld(iso->x.index()) - p_W).squaredNorm() : 0.0;
+    square_u2 = std::max(square_u2, iso_u2);
+  }
+  return std::sqrt(square_u2);
+}
+
+/// The finer brick where it holds the ball around the hand that all proxies are in: none of them leaves that ball in a
+/// tick, so none meets the rim. Taken up an eighth of its width inside, so that a hand at the rim is not handed to and
+/// fro.
+const Brick& feltOf(const Brick& brick, const Vec3& p_W, const FieldState& state) noexcept
+{
+  const Brick* const finer = brick.finer().get();
+  if (finer == nullptr)
+  {
+    return brick;
+  }
+  const BrickGrid& grid = finer->grid();
+  const Vec3 last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
+  const double width_u = last.cwiseProduct(grid.spacing_u).minCoeff();
+  const bool isFelt = state.brick == finer->contentHash();
+  const double margin_u = isFelt ? 2.0 * grid.spacing_u.maxCoeff() : 0.125 * width_u;
+  return grid.roomAt_u(p_W) >= furthestProxy_u(state, p_W) + margin_u ? *finer : brick;
+}
+
 } // namespace
 
 int springsOf(const Brick& brick, const FieldPlan& plan) noexcept
@@ -304,8 +314,9 @@ int springsOf(const Brick& brick, const FieldPlan& plan) noexcept
 }
 
 FieldResult moveFieldProxy(
-  const Brick& brick, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept
+  const Brick& whole, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept
 {
+  const Brick& brick = feltOf(whole, p_W, state);
   if (state.brick != brick.contentHash())
   {
     if (state.brick != 0)

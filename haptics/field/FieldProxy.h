@@ -41,8 +41,9 @@ struct FieldResult
 /// a force with curl.
 [[nodiscard]] int springsOf(const Brick& brick, const FieldPlan& plan) noexcept;
 
-/// One tick of a hand at p_W in a field. `stiffness_N_per_u`: of each spring. Real-time safe.
+/// One tick of a hand at p_W in a field. `stiffness_N_per_u`: of each spring. Where the brick has a finer one around
+/// the hand that is felt; coming to it and from it is another brick. Real-time safe.
 [[nodiscard]] FieldResult moveFieldProxy(
-  const Brick& brick, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept;
+  const Brick& whole, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept;
 
 } // namespace palpate

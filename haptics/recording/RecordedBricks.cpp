@@ -55,9 +55,8 @@ bool isPossible(const Brick& brick, const IsoState& state)
            [&field](const GridIndex& cell) { return field.holds(cell); });
 }
 
-} // namespace
-
-void putBrick(ByteWriter& payload, const Brick& brick)
+/// All but the finer one.
+void putOwnPart(ByteWriter& payload, const Brick& brick)
 {
   payload.put(brick.contentHash());
   for (const int points : brick.grid().size)
@@ -90,46 +89,100 @@ void putBrick(ByteWriter& payload, const Brick& brick)
   }
 }
 
-std::shared_ptr<const Brick> readBrick(ByteReader& in)
+/// A brick as its parts, before it is known whether they are one.
+struct BrickParts
 {
   std::uint64_t contentHash = 0;
-  in.get(contentHash);
   BrickGrid grid;
+  std::vector<BrickArray> arrays;
+  std::vector<Vec3> places_W;
+  std::vector<BrickLine> lines_W;
+};
+
+BrickParts readOwnPart(ByteReader& in)
+{
+  BrickParts parts;
+  in.get(parts.contentHash);
+  BrickGrid& grid = parts.grid;
   for (int& points : grid.size)
   {
     in.get(points);
   }
   in.get(grid.spacing_u);
   in.get(grid.pose_W);
-  std::vector<BrickArray> arrays;
   const std::uint64_t count = in.count(1);
   for (std::uint64_t i = 0; i < count && in.ok(); ++i)
   {
-    arrays.push_back(readArray(in));
+    parts.arrays.push_back(readArray(in));
   }
-  std::vector<Vec3> places_W(in.count(3 * sizeof(double)));
-  for (Vec3& place_W : places_W)
+  parts.places_W.resize(in.count(3 * sizeof(double)));
+  for (Vec3& place_W : parts.places_W)
   {
     in.get(place_W);
   }
-  std::vector<BrickLine> lines_W = readLines(in);
-  in.failUnless(in.ok() && Brick::refuse(grid, arrays, std::numeric_limits<std::size_t>::max()).empty());
+  parts.lines_W = readLines(in);
+  return parts;
+}
+
+std::shared_ptr<const Brick> brickOf(BrickParts parts, std::shared_ptr<const Brick> finer, ByteReader& in)
+{
+  in.failUnless(Brick::refuse(parts.grid, parts.arrays, std::numeric_limits<std::size_t>::max()).empty());
   if (!in.ok())
   {
     return nullptr;
   }
-  auto brick = std::make_shared<const Brick>(0, grid, std::move(arrays), std::move(places_W), std::move(lines_W));
-  in.failUnless(brick->contentHash() == contentHash);
+  auto brick = std::make_shared<const Brick>(
+    0, parts.grid, std::move(parts.arrays), std::move(parts.places_W), std::move(parts.lines_W), std::move(finer));
+  in.failUnless(brick->contentHash() == parts.contentHash);
   return brick;
+}
+
+} // namespace
+
+void putBrick(ByteWriter& payload, const Brick& brick)
+{
+  putOwnPart(payload, brick);
+  const Brick* const finer = brick.finer().get();
+  payload.put(finer != nullptr);
+  if (finer != nullptr)
+  {
+    putOwnPart(payload, *finer);
+  }
+  for (const Brick* part : { &brick, finer })
+  {
+    if (part != nullptr)
+    {
+      std::ranges::for_each(part->arrays(), [&payload](const BrickArray& array) { payload.put(array.offset); });
+    }
+  }
+}
+
+std::shared_ptr<const Brick> readBrick(ByteReader& in)
+{
+  BrickParts parts = readOwnPart(in), finer;
+  bool hasFiner = false;
+  if (in.left() > 0) // what was recorded before there were finer ones and offsets ends here
+  {
+    in.get(hasFiner);
+    finer = hasFiner ? readOwnPart(in) : finer;
+    for (BrickParts* part : { &parts, &finer })
+    {
+      std::ranges::for_each(part->arrays, [&in](BrickArray& array) { in.get(array.offset); });
+    }
+  }
+  return brickOf(std::move(parts), hasFiner ? brickOf(std::move(finer), nullptr, in) : nullptr, in);
 }
 
 void keepCellsWithin(const std::vector<std::shared_ptr<const Brick>>& bricks, FieldState& state)
 {
-  const auto isIt = [&state](const auto& brick) { return brick->contentHash() == state.brick; };
-  const auto found = std::find_if(bricks.begin(), bricks.end(), isIt);
-  const bool kept = found != bricks.end() && isPossible(**found, state.surface) && isPossible(**found, state.click);
+  const Brick* felt = nullptr;
+  for (const std::shared_ptr<const Brick>& brick : bricks)
+  {
+    felt = felt != nullptr ? felt : brick->called(state.brick);
+  }
+  const bool kept = felt != nullptr && isPossible(*felt, state.surface) && isPossible(*felt, state.click);
   state = kept ? state : FieldState{};
-  state.grid = kept ? (*found)->grid() : BrickGrid{};
+  state.grid = kept ? felt->grid() : BrickGrid{};
 }
 
 } // namespace palpate

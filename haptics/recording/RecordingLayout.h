@@ -30,7 +30,7 @@ inline constexpr ChunkKind tick{ "tick", 2 };   ///< TickRecord; from version 2 
 inline constexpr ChunkKind change{ "change" };  ///< RecordedChange
 inline constexpr ChunkKind scene{ "scene" };    ///< RecordedScene
 inline constexpr ChunkKind motion{ "motion" };  ///< RecordedMotion
-inline constexpr ChunkKind brick{ "brick", 2 }; ///< putBrick(); from version 2 on with its lines
+inline constexpr ChunkKind brick{ "brick", 3 }; ///< putBrick(); from version 2 on with its lines, 3: a finer one
 inline constexpr ChunkKind tool{ "tool" };      ///< putTool()
 inline constexpr ChunkKind body{ "body" };      ///< putBody()
 inline constexpr ChunkKind end{ "end" };        ///< ticks that were lost; nothing follows

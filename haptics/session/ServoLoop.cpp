@@ -143,8 +143,8 @@ void ServoLoop::takeTool() noexcept
 bool ServoLoop::replacesTouched() const noexcept
 {
   const std::uint64_t before = this->renderer_.field.brick;
-  const std::uint64_t now = this->input_.brick != nullptr ? this->input_.brick->contentHash() : 0;
-  return this->input_.previousScene != nullptr || (before != 0 && before != now);
+  const bool isFelt = this->input_.brick != nullptr && this->input_.brick->called(before) != nullptr;
+  return this->input_.previousScene != nullptr || (before != 0 && !isFelt);
 }
 
 /// Not in a tick that replaces a scene or a field: what was touched before is no part of a recording that begins there.

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate-field-bench: what one tick on an isosurface costs in sliding contact, beside a plain trilinear probe of the
-// same run.
+// palpate-field-bench: what one tick on an isosurface costs in sliding contact, beside plain trilinear probes of the
+// same run, ours and VTK's; and what pulls of limited strength cost.
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "haptics/field/Smoothing.h"
 #include "haptics/field/iso/IsoProxy.h"
+#include "haptics/field/laws/Primitives.h"
+#include "testing/lab/backends/ImageProbe.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/Fields.h"
 #include "testing/support/Random.h"
@@ -59,7 +63,8 @@ struct Cost
   double p50_us, p99_us;
 };
 
-Cost probes(const Brick& brick, std::size_t ticks, double h_mm)
+/// Of one probe, p50.
+double probe_us(const lab::ImageProbe& probe, std::size_t ticks, double h_mm)
 {
   CostSample sample(ticks);
   double sum = 0.0;
@@ -75,7 +80,7 @@ Cost probes(const Brick& brick, std::size_t ticks, double h_mm)
           {
             for (int k = 0; k < each; ++k)
             {
-              sum += brick.sample(BrickRole::Scalar, p / h_mm + Vec3::Constant(0.01 * k))->value;
+              sum += probe(p / h_mm + Vec3::Constant(0.01 * k));
             }
           });
       }
@@ -84,7 +89,7 @@ Cost probes(const Brick& brick, std::size_t ticks, double h_mm)
   {
     std::printf("  a probe found no value: this is no comparison\n");
   }
-  return { sample.quantile_us(0.5) / each, sample.quantile_us(0.99) / each };
+  return sample.quantile_us(0.5) / each;
 }
 
 bool benchmark(const Field& field, const Options& options)
@@ -120,12 +125,49 @@ bool benchmark(const Field& field, const Options& options)
         deepest_mm = std::max(deepest_mm, result.pull_u.norm());
       }
     });
-  const Cost tick{ sample.quantile_us(0.5), sample.quantile_us(0.99) }, probe = probes(brick, options.ticks, h_mm);
-  std::printf("%-28s p50 %6.2f us p99 %6.2f us; a probe %5.3f us; ratio p50 %5.1f p99 %6.1f; of %zu ticks %zu touch, "
-              "%zu capped; |x - p| at most %.2f mm\n",
-    field.name.c_str(), tick.p50_us, tick.p99_us, probe.p50_us, tick.p50_us / probe.p50_us, tick.p99_us / probe.p50_us,
-    options.ticks, touching, capped, deepest_mm);
-  return tick.p50_us <= field.mostProbes * probe.p50_us;
+  const Cost tick{ sample.quantile_us(0.5), sample.quantile_us(0.99) };
+  const double ours_us = probe_us(
+    [&brick](const Vec3& index) { return brick.sample(BrickRole::Scalar, index)->value; }, options.ticks, h_mm);
+  std::printf("%-28s p50 %6.2f us p99 %6.2f us; of %zu ticks %zu touch, %zu capped; |x - p| at most %.2f mm\n",
+    field.name.c_str(), tick.p50_us, tick.p99_us, options.ticks, touching, capped, deepest_mm);
+  std::printf(
+    "  beside a probe of %.3f us: p50 %.1f p99 %.1f\n", ours_us, tick.p50_us / ours_us, tick.p99_us / ours_us);
+  if (const lab::ImageProbeMaker make = lab::imageProbe())
+  {
+    const double vtk_us = probe_us(make(size, brick.arrays().front().values), options.ticks, h_mm);
+    std::printf("  beside one of vtkImageInterpolator of %.3f us: p50 %.1f p99 %.1f\n", vtk_us, tick.p50_us / vtk_us,
+      tick.p99_us / vtk_us);
+  }
+  return tick.p50_us <= field.mostProbes * ours_us;
+}
+
+/// Lines, planes and points that pull towards where the proxy was; the hand 1 mm from there.
+void benchmarkPulls(std::size_t count, std::size_t ticks, Random& random)
+{
+  constexpr std::array kinds{ PrimitiveKind::Point, PrimitiveKind::Line, PrimitiveKind::Plane, PrimitiveKind::Line };
+  std::vector<std::vector<Primitive>> problems(1000);
+  for (std::vector<Primitive>& pulls : problems)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      pulls.push_back({ kinds[i], random.uniform(0.05, 2.0), Vec3::Zero(), random.direction() });
+    }
+  }
+  CostSample sample(ticks);
+  double error_mm = 0.0;
+  sample.timeWarm(
+    [&](auto call)
+    {
+      for (std::size_t i = 0; i < ticks; ++i)
+      {
+        const Vec3 p = random.direction();
+        PrimitiveSolution solution;
+        call([&] { solution = solvePrimitives(problems[i % problems.size()], p, 1.0); });
+        error_mm = std::max(error_mm, solution.error_u);
+      }
+    });
+  std::printf("%zu pulls at one place %18s p50 %6.2f us p99 %6.2f us; certain to %.1e mm\n", count, "",
+    sample.quantile_us(0.5), sample.quantile_us(0.99), error_mm);
 }
 
 std::vector<Field> fields(Random& random)
@@ -164,5 +206,7 @@ int main(int argc, char** argv)
   {
     within = benchmark(field, options) && within;
   }
+  benchmarkPulls(1, options.ticks, random);
+  benchmarkPulls(4, options.ticks, random);
   return within || !options.withAssertions ? 0 : 1;
 }

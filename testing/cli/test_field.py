@@ -72,6 +72,25 @@ class InAField(CommandLineTest):
                 self.assert_near([row[f"proxy_{axis}"] for axis in "xyz"], start, 1e-11)
                 self.assertEqual(row["contacts"], 1)
 
+    def test_blocks_are_felt_as_the_whole_that_they_were_cut_from(self):
+        def height(x, y, z):
+            return 0.5 * x + z
+
+        files = ""
+        for n in range(2):  # in a block of blocks the second
+            self.write(f"part{n}.vti", image_text(9, [("f", 1, height)], origin=(8.0 * n, 0.0, 0.0)))
+            files += ("<Block>" if n else "") + f'<DataSet index="0" file="part{n}.vti"/>' + ("</Block>" if n else "")
+        self.write("f.vtm", '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>' + files
+                   + "</vtkMultiBlockDataSet></VTKFile>")
+        normal = [c / math.sqrt(1.25) for c in (0.5, 0.0, 1.0)]
+        rows = [(0.0, 2.0, 4.0, 7.0), (1 / 1024, 2.0, 4.0, 3.5), (2 / 1024, 11.0, 4.0, 0.25)]  # f = 4.5, 5.75 at the hand
+        out = self.touch(rows, "--field", "f", "--mode", "isosurface", "--iso", 6, files=("f.vtm",))
+        for value, row in zip((4.5, 5.75), out[1:]):
+            self.assert_near(self.force(row), [STIFFNESS * (6 - value) / math.sqrt(1.25) * c for c in normal], 1e-3)
+        self.write("part1.vti", "cut short")
+        self.refused("touch", "f.vtm", "--path", "path.csv", "--csv", "out.csv", "--field", "f", "--mode", "isosurface", "--iso", 6,
+                     saying=["f.vtm: ", "its block part1.vti: "])
+
     def test_a_ball_of_sampled_distances_is_felt_inside_of_it_by_at_most_a_quarter_of_the_square_of_the_spacing(self):
         # r is convex, so trilinear values of it are not below it, and above by at most h^2 / 8 times its Laplacian 2 / r.
         radius, spacing, depth = 3.2, 0.5, 0.3

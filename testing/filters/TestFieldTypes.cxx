@@ -300,6 +300,25 @@ TEST(FieldTypes, HiddenCellsOfTetrahedraHaveNoValueAndTheOthersHaveTheirs)
   EXPECT_FALSE(made.brick->sample(BrickRole::Scalar, Vec3(4.5, 3.1, 3.2)));
 }
 
+TEST(FieldTypes, CellsThatAnotherRankHasTooHaveTheirValues)
+{
+  const MadeBrick made = fieldOf(markedTetrahedra(vtkDataSetAttributes::DUPLICATECELL));
+  expectValues(made, tilted, 0.0);
+  auto image = cubeOfPoints(6);
+  addArray(*image, tilted);
+  image->AllocateCellGhostArray();
+  image->AllocatePointGhostArray();
+  for (vtkIdType i = 0; i < image->GetNumberOfCells(); i += 3)
+  {
+    image->GetCellGhostArray()->SetValue(i, vtkDataSetAttributes::DUPLICATECELL);
+  }
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); i += 4)
+  {
+    image->GetPointGhostArray()->SetValue(i, vtkDataSetAttributes::DUPLICATEPOINT);
+  }
+  expectValues(fieldOf(image), tilted, 0.0);
+}
+
 TEST(FieldTypes, ATimeSeriesHasTheValuesOfItsTime)
 {
   vtkNew<vtkHapticFlowSource> source;

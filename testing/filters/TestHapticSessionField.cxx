@@ -166,6 +166,40 @@ TEST_F(HapticSessionField, IsDrawnWhereTheProxyIsAsAPatchOfItsSurfaceAndAsItsStr
   }
 }
 
+TEST_F(HapticSessionField, OfADetentItsLevelIsDrawnAndOfASnapItsPlaceAndTheWayThere)
+{
+  this->session_->SetFieldArray("distance");
+  this->session_->SetFieldDetent(0.1);
+  ASSERT_TRUE(this->session_->AddField("ball", distances(60, 1.0)));
+  ASSERT_TRUE(this->session_->FinishField());
+  this->start({ 12.0, 9.0, 3.0 });
+  const Vec3 x(this->session_->GetProxyPosition());
+  vtkNew<vtkPolyData> shape;
+  this->session_->GetFieldShape(shape);
+  ASSERT_EQ(shape->GetNumberOfLines(), 1);
+  ASSERT_EQ(shape->GetNumberOfPoints(), 5) << "a square, closed";
+  for (vtkIdType i = 0; i < 5; ++i)
+  {
+    const Vec3 arm = Vec3(shape->GetPoint(i)) - x;
+    EXPECT_NEAR(arm.norm(), 3.0, 1e-9) << "three cells";
+    EXPECT_NEAR(arm.dot(x.normalized()), 0.0, 0.05 * 3.0) << "along the level: trilinear normals turn by h / R";
+  }
+  vtkNew<vtkPolyData> places;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(12.0, 9.0, 5.0);
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  places->SetPoints(points);
+  this->session_->SetFieldDetent(0.0);
+  this->session_->SetFieldSnap(0.1);
+  this->session_->SetFieldBeside(nullptr, places);
+  ASSERT_TRUE(this->session_->FinishField());
+  this->go({ 12.0, 9.0, 3.0 }, { 12.0, 9.0, 4.0 });
+  this->session_->GetFieldShape(shape);
+  ASSERT_EQ(shape->GetNumberOfLines(), 4) << "the way and a cross";
+  EXPECT_LT((Vec3(shape->GetPoint(0)) - Vec3(12.0, 9.0, 4.0)).norm(), 1e-6);
+  EXPECT_EQ(Vec3(shape->GetPoint(1)), Vec3(12.0, 9.0, 5.0)) << "the nearer of the two";
+}
+
 TEST_F(HapticSessionField, OfTetrahedraIsFeltAsOnTheImageThatTheyWereCutFrom)
 {
   constexpr double h = 2.0, R = 14.0;

@@ -178,6 +178,30 @@ TEST(TouchField, TenTurnsRoundAVortexStayOnItsStreamlineAndFinerCellsHoldItBette
   }
 }
 
+TEST(TouchField, OtherDataAreComparedWithAndSnappedTo)
+{
+  const auto touch = touchField(sampledImage(heightOf), { Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0, 2, 0) });
+  touch->SetFieldArray("f");
+  touch->SetFieldSnap(0.5);
+  touch->SetFieldSnapReach(4.0);
+  touch->SetSnapData(makePath({ Vec3(-4, 0, 0), Vec3(4, 0, 0) }));
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 2) - Vec3(0, -0.25, 0)).norm(), 1e-9) << "half of the reach away";
+  touch->SetSnapData(nullptr);
+  touch->SetFieldSnap(0.0);
+  touch->SetFieldCompare(0.4);
+  touch->SetComparedData(sampledImage([](const Vec3& p) { return p.z() + 0.5; }));
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  EXPECT_LT((tuple(*touch->GetOutput(), "Force", 2) - Vec3(0, -0.5 * 0.4, 0)).norm(), 1e-6)
+    << "half of a difference of 1";
+  touch->SetFieldArray("");
+  touch->SetFieldCompare(0.0);
+  touch->SetInputDataObject(0, makePlane(10.0));
+  const auto errors = errorsOf(touch);
+  ASSERT_FALSE(errors.empty());
+  EXPECT_THAT(errors.front(), HasSubstr("beside a field, and none is felt"));
+}
+
 TEST(TouchField, WhatCannotBeFeltIsSaidInOneLineAndTheOutputIsEmpty)
 {
   const auto touch = touchField(sampledImage(heightOf), { Vec3(0, 0, 1), Vec3(0, 0, -1) });

@@ -19,12 +19,6 @@ class FieldInAView(ViewTest):
         simple.Render(self.view)
         return wavelet
 
-    def feel(self, **settings):
-        for name, value in settings.items():
-            put(self.proxy, name, value)
-        self.follow()
-        return self.session.FinishField()
-
     def probe(self, source, point):
         located = simple.ProbeLocation(Input=source, ProbeType="Fixed Radius Point Source")
         located.ProbeType.Center = point
@@ -85,6 +79,28 @@ class FieldInAView(ViewTest):
         self.scene.Update()
         self.assertIn("Nobody: no source with data is called so", self.scene.GetReport())
         self.feel(SnapSource="")
+
+    def test_a_chosen_source_is_felt_whatever_is_shown_and_one_that_is_not_there_is_said(self):
+        shown = self.show_wavelet("Outline")
+        chosen = simple.Wavelet(registrationName="Chosen", WholeExtent=[-4, 4, -4, 4, -4, 4], XFreq=10)
+        self.assertTrue(self.feel(FieldArray="RTData", FieldIsosurface=1, FieldIsovalue=1e6, FeltSource="Chosen"))
+        self.assertIn("Chosen: RTData on 9 x 9 x 9", self.session.GetFieldSentence())
+        point = (0.25, 3.5, -2.125)
+        self.session.SetHandPosition(*point)
+        put(self.proxy, "Touching", 1)
+        self.session.Step(10)
+        self.assertAlmostEqual(self.session.GetFieldValue(), self.probe(chosen, point), delta=1e-3)
+        self.assertNotAlmostEqual(self.probe(shown, point), self.probe(chosen, point), delta=1.0)
+        put(self.proxy, "Touching", 0)
+        self.assertIn("RTData", self.scene.GetFieldNames(0))
+        self.assertFalse(self.feel(FeltSource="Nobody"))
+        self.scene.Update()
+        self.assertIn("Nobody: no source with data is called so", self.scene.GetReport())
+        self.assertFalse(self.feel(FeltSource="Chosen", FieldArray="Other"))
+        self.scene.Update()
+        self.assertIn('Chosen has not "Other"', self.scene.GetReport())
+        self.assertTrue(self.feel(FeltSource="", FieldArray="RTData"))
+        self.assertIn("21 x 21 x 21", self.session.GetFieldSentence())
 
     def test_an_array_that_goes_while_it_is_felt_is_said(self):
         wavelet = self.show_wavelet("Outline")

@@ -48,6 +48,13 @@ class ViewTest(unittest.TestCase):
         self.session.FinishScene()
         return changed
 
+    def feel(self, **settings):
+        """What is shown as a field; whether a brick of it is there."""
+        for name, value in settings.items():
+            put(self.proxy, name, value)
+        self.follow()
+        return self.session.FinishField()
+
     def press(self, *point):
         """Starts 0.2 u outside along x, engages, and goes to the point in steps of 1 mm of the hand."""
         start = (point[0] + 0.2, *point[1:])

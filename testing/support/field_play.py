@@ -58,6 +58,19 @@ def flow(kind, cells):
     show(source, "Outline")
 
 
+def hidden(kind):
+    """A flow that is not shown, called hidden."""
+    shown = simple.GetActiveSource()
+    simple.KnownFlow(registrationName="hidden", Flow=kind)
+    simple.SetActiveSource(shown)
+
+
+def labels():
+    """Whole numbers on voxels, as an atlas has them."""
+    map_of = simple.Calculator(registrationName="labels", Input=simple.Wavelet(), Function="floor(RTData / 60)", ResultArrayName="Label")
+    show(map_of, "Outline", "Label")
+
+
 def later(time):
     """ParaView's time goes there."""
     scene = simple.GetAnimationScene()

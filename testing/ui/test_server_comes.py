@@ -3,15 +3,14 @@
 built-in server presses as before. So it is where the server is killed, once ParaView's dialog says that it is gone; the person may end
 ParaView there."""
 
-import contextlib
 import os
 import pathlib
-import shutil
-import socket
 import subprocess
 import tempfile
 import unittest
 from xml.sax.saxutils import quoteattr
+
+from pvserver import server
 
 HERE = pathlib.Path(__file__).resolve().parent
 EXIT = "pqClientMainWindow/1QMessageBox0/qt_msgbox_buttonbox/1QPushButton1"
@@ -52,26 +51,6 @@ def events(servers, done):
     lines += connected(port) + left() + connected(port_of_killed) + killed(server) + left()
     lines += python(f"open({str(done)!r}, 'w').close()")
     return "<pqevents>\n" + lines + event("activate", "", EXIT) + "</pqevents>\n"
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
-
-
-@contextlib.contextmanager
-def server(environment, plugin):
-    """Its port and the number of its process."""
-    port = free_port()
-    with subprocess.Popen([shutil.which("pvserver"), f"--server-port={port}", *plugin], env=environment, stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT, text=True) as process:
-        try:
-            while "Accepting" not in (line := process.stdout.readline()):
-                assert line, "the server did not start"
-            yield port, process.pid
-        finally:
-            process.kill()
 
 
 class ServerComes(unittest.TestCase):

@@ -163,10 +163,10 @@ bool pqHapticController::touching() const
 QString pqHapticController::refusal() const
 {
   const pqServer* server = pqActiveObjects::instance().activeServer();
-  if (server && server->isRemote())
+  if (server && server->isRemote() && !this->Follower->refusal().isEmpty())
   {
     return tr("The data is on a server, and only the built-in server can be touched: File > Disconnect, then open the "
-              "file here.");
+              "file here; or choose its values (Advanced, Field) to feel a field.");
   }
   return this->Proxy ? this->Follower->refusal() : tr("There is no server: File > Connect to the built-in one.");
 }

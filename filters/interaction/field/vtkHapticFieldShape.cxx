@@ -7,7 +7,7 @@
 
 #include "haptics/field/laws/Follow.h"
 #include "vtkCellArray.h"
-#include "vtkFloatArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -36,14 +36,14 @@ vtkSmartPointer<vtkImageData> ValuesAround(const Brick& brick, const Vec3& index
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetExtent(extent);
   const palpate::BrickComponent values = brick.component(BrickRole::Scalar);
-  vtkNew<vtkFloatArray> array;
+  vtkNew<vtkDoubleArray> array;
   for (int z = extent[4]; z <= extent[5]; ++z)
   {
     for (int y = extent[2]; y <= extent[3]; ++y)
     {
       for (int x = extent[0]; x <= extent[1]; ++x)
       {
-        array->InsertNextValue(static_cast<float>(values.at({ x, y, z })));
+        array->InsertNextValue(values.at({ x, y, z }));
       }
     }
   }
@@ -87,6 +87,15 @@ std::vector<Vec3> Walk(const Brick& brick, const Vec3& from_W, double step_u)
   return way;
 }
 
+void AddLine(const std::vector<Vec3>& line_W, vtkPolyData* shape)
+{
+  shape->GetLines()->InsertNextCell(static_cast<int>(line_W.size()));
+  for (const Vec3& p_W : line_W)
+  {
+    shape->GetLines()->InsertCellPoint(shape->GetPoints()->InsertNextPoint(p_W.data()));
+  }
+}
+
 void AddStreamline(const Brick& brick, const Vec3& proxy_W, vtkPolyData* shape)
 {
   const double step_u = 0.5 * brick.grid().spacing_u.minCoeff();
@@ -94,22 +103,49 @@ void AddStreamline(const Brick& brick, const Vec3& proxy_W, vtkPolyData* shape)
   std::reverse(line.begin(), line.end());
   const std::vector<Vec3> forward = Walk(brick, proxy_W, step_u);
   line.insert(line.end(), forward.begin() + 1, forward.end());
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(line.size()));
-  for (const Vec3& p_W : line)
+  AddLine(line, shape);
+}
+
+/// A square along the level that the proxy is on.
+void AddLevel(const Brick& brick, const Vec3& proxy_W, vtkPolyData* shape)
+{
+  const auto sample = brick.sample(BrickRole::Scalar, proxy_W);
+  if (!sample || sample->gradient_W.isZero(0.0))
   {
-    lines->InsertCellPoint(shape->GetPoints()->InsertNextPoint(p_W.data()));
+    return;
   }
-  shape->SetLines(lines);
+  const double half_u = 0.5 * CellsAround * brick.grid().spacing_u.minCoeff();
+  const Vec3 one = half_u * sample->gradient_W.unitOrthogonal();
+  const Vec3 other = half_u * sample->gradient_W.cross(one).normalized();
+  AddLine({ proxy_W + one, proxy_W + other, proxy_W - one, proxy_W - other, proxy_W + one }, shape);
+}
+
+/// A cross at the place that a hand is drawn to, and the way there.
+void AddSnap(const Brick& brick, double reach_u, const Vec3& hand_W, vtkPolyData* shape)
+{
+  const auto place_W = brick.nearestPlace_W(hand_W, reach_u);
+  if (!place_W)
+  {
+    return;
+  }
+  AddLine({ hand_W, *place_W }, shape);
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vec3 arm = brick.grid().spacing_u.minCoeff() * Vec3::Unit(k);
+    AddLine({ *place_W - arm, *place_W + arm }, shape);
+  }
 }
 } // namespace
 
-void vtkHapticFieldShape(const Brick& brick, const palpate::FieldPlan& plan, const Vec3& proxy_W, vtkPolyData* shape)
+void vtkHapticFieldShape(
+  const Brick& brick, const palpate::FieldPlan& plan, const Vec3& hand_W, const Vec3& proxy_W, vtkPolyData* shape)
 {
   shape->Initialize();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   shape->SetPoints(points);
+  vtkNew<vtkCellArray> lines;
+  shape->SetLines(lines);
   if (plan.isosurface && brick.component(BrickRole::Scalar).exists())
   {
     AddPatch(brick, plan.isovalue, proxy_W, shape);
@@ -117,5 +153,13 @@ void vtkHapticFieldShape(const Brick& brick, const palpate::FieldPlan& plan, con
   if (plan.follow_N > 0.0 && brick.component(BrickRole::Vector).exists())
   {
     AddStreamline(brick, proxy_W, shape);
+  }
+  if (plan.detent.strength_N > 0.0)
+  {
+    AddLevel(brick, proxy_W, shape);
+  }
+  if (plan.snap_N > 0.0)
+  {
+    AddSnap(brick, plan.snapReach_u, hand_W, shape);
   }
 }

@@ -21,22 +21,32 @@ constexpr double ahead_s = 0.2;
 bool vtkHapticSession::AddField(const char* name, vtkDataObject* data)
 {
   Internals& impl = *this->Impl;
+  const bool felt = impl.FieldData || impl.FeltField.hasSource();
   const bool gone = !data && impl.FieldArrays.Any();
-  impl.FieldGone = !gone ? ""
-                   : impl.FieldData
-                     ? impl.FieldName + ": it is not shown any more, or an array that was felt of it as a "
-                                        "field is gone; choose another one"
-                     : impl.FieldGone;
-  impl.FieldName = data && name ? name : "";
+  const std::string lost = impl.FieldName + ": it is not shown any more, or an array that was felt of it as a field is "
+                                            "gone; choose another one";
+  const std::string said = !gone ? "" : felt ? lost : impl.FieldGone;
+  const bool added = this->AddRemoteField(data && name ? name : "",
+    data && impl.FieldArrays.Any()
+      ? vtkHapticToField(data, impl.FieldArrays, { impl.CompareData.Get(), impl.SnapData.Get() })
+      : vtkHapticFieldResult());
+  impl.FieldGone = said;
   impl.FieldData = data;
-  const vtkHapticFieldResult made = data && impl.FieldArrays.Any() ? vtkHapticToField(data, impl.FieldArrays,
-                                                                       { impl.CompareData.Get(), impl.SnapData.Get() })
-                                                                   : vtkHapticFieldResult();
+  impl.FieldBounds = data ? vtkHapticFieldBounds(data) : std::array<double, 6>();
+  return added;
+}
+
+bool vtkHapticSession::AddRemoteField(const char* name, const vtkHapticFieldResult& made)
+{
+  Internals& impl = *this->Impl;
+  impl.FieldGone.clear();
+  impl.FieldData = nullptr;
+  impl.FieldName = name;
   impl.FieldProblem = made.Problem.empty() ? "" : impl.FieldName + ": " + made.Problem;
   impl.FeltField.setSource(made.Source);
   impl.FieldEnds = made.Ends;
   impl.FieldIsNew = made.Source != nullptr;
-  impl.FieldBounds = data ? vtkHapticFieldBounds(data) : std::array<double, 6>();
+  impl.FieldBounds = made.Bounds;
   this->Refuse(impl.FieldProblem);
   impl.Follow("field", impl.FieldProblem);
   return impl.FieldProblem.empty();
@@ -132,7 +142,7 @@ void vtkHapticSession::SetFieldBeside(vtkDataObject* compared, vtkDataObject* sn
   }
 }
 
-void vtkHapticSession::NameBeside(std::string& kept, const char* name)
+void vtkHapticSession::NameSource(std::string& kept, const char* name)
 {
   const std::string asked = name ? name : "";
   if (kept != asked)
@@ -142,9 +152,19 @@ void vtkHapticSession::NameBeside(std::string& kept, const char* name)
   }
 }
 
+void vtkHapticSession::SetFeltSource(const char* name)
+{
+  this->NameSource(this->Impl->FeltSource, name);
+}
+
+const char* vtkHapticSession::GetFeltSource() const
+{
+  return this->Impl->FeltSource.c_str();
+}
+
 void vtkHapticSession::SetCompareSource(const char* name)
 {
-  this->NameBeside(this->Impl->CompareSource, name);
+  this->NameSource(this->Impl->CompareSource, name);
 }
 
 const char* vtkHapticSession::GetCompareSource() const
@@ -154,7 +174,7 @@ const char* vtkHapticSession::GetCompareSource() const
 
 void vtkHapticSession::SetSnapSource(const char* name)
 {
-  this->NameBeside(this->Impl->SnapSource, name);
+  this->NameSource(this->Impl->SnapSource, name);
 }
 
 const char* vtkHapticSession::GetSnapSource() const
@@ -259,16 +279,19 @@ void vtkHapticSession::GetFieldShape(vtkPolyData* shape) const
 {
   const std::shared_ptr<const palpate::Brick>& brick = this->Impl->Core.brick();
   shape->Initialize();
-  if (brick && this->Impl->State.field.proxy_W.allFinite())
+  const palpate::Vec3& proxy_W = this->Impl->State.field.proxy_W;
+  if (brick && proxy_W.allFinite())
   {
-    vtkHapticFieldShape(*brick, this->Impl->Asked.asked().field, this->Impl->State.field.proxy_W, shape);
+    vtkHapticFieldShape(
+      brick->finestAt(proxy_W), this->Impl->Asked.asked().field, palpate::Vec3(this->Impl->Hand), proxy_W, shape);
   }
 }
 
 std::optional<palpate::FieldSample> vtkHapticSession::Internals::FieldAtHand() const
 {
   const std::shared_ptr<const palpate::Brick>& brick = this->Core.brick();
-  return brick ? brick->sample(palpate::BrickRole::Scalar, palpate::Vec3(this->Hand)) : std::nullopt;
+  const palpate::Vec3 hand_W(this->Hand);
+  return brick ? brick->finestAt(hand_W).sample(palpate::BrickRole::Scalar, hand_W) : std::nullopt;
 }
 
 double vtkHapticSession::GetFieldValue() const

@@ -97,7 +97,7 @@ std::array<double, 2> EndsOf(const std::vector<vtkDataSet*>& parts, const std::s
   return ends;
 }
 
-/// "" where the scalar has values that differ, as far as a brick's single precision tells them apart.
+/// "" where the scalar has values that differ and that single precision reaches.
 std::string RefuseValues(
   const std::vector<vtkDataSet*>& parts, const vtkHapticFieldArrays& arrays, const palpate::FieldEnds& ends)
 {
@@ -124,16 +124,17 @@ std::string RefuseValues(
     return array + " has values beyond single precision; scale them, by Calculator";
   }
   const bool alone = arrays.Vector.empty() && arrays.Resistance.empty() && arrays.Other.empty() && !arrays.Beside;
-  if (alone && static_cast<float>(low) == static_cast<float>(high))
-  {
-    return array +
-           " has the same value everywhere, as far as single precision tells: there is nothing to feel; where its "
-           "values do differ, take their mean away, by Calculator";
-  }
-  constexpr double leastShare = 1e-5; // of the values: some hundred steps of single precision
-  return alone && high - low < leastShare * largest
-           ? array + " differs by hardly more than single precision tells; take its mean away, by Calculator"
-           : "";
+  return alone && low == high ? array + " has the same value everywhere: there is nothing to feel" : "";
+}
+
+/// Values that are far from 0 beside what they differ by are kept less their middle: of what is left single precision
+/// holds the 10 millionth part. Up to there it is the file's own, and a brick has the data's numbers to the bit.
+double OffsetOf(const palpate::FieldEnds& ends)
+{
+  constexpr double farFrom0 = 64.0;
+  const auto [low, high] = ends;
+  const double middle = low + 0.5 * (high - low);
+  return high > low && std::abs(middle) > farFrom0 * (high - low) ? middle : 0.0;
 }
 
 bool HasTensor(const std::vector<vtkDataSet*>& parts, const std::string& name)
@@ -210,8 +211,12 @@ vtkHapticFieldResult ToField(vtkDataObject* data, const vtkHapticFieldArrays& as
   }
   vtkHapticFieldArrays arrays = asked;
   arrays.Tensor = HasTensor(parts, asked.Vector);
+  const palpate::FieldEnds none{ 1.0, 0.0 };
+  const palpate::FieldEnds ends = arrays.Scalar.empty() ? none : EndsOf(parts, arrays.Scalar, arrays.Component);
+  arrays.Offset = OffsetOf(ends);
   vtkHapticFieldResult result = Convert(data, parts, arrays);
-  result.Ends = arrays.Scalar.empty() ? result.Ends : EndsOf(parts, arrays.Scalar, arrays.Component);
+  result.Ends = ends;
+  result.Bounds = vtkHapticFieldBounds(data);
   if (std::string problem = result.Source ? RefuseValues(parts, arrays, result.Ends) : ""; !problem.empty())
   {
     return { nullptr, std::move(problem) };
@@ -296,6 +301,18 @@ std::array<double, 6> vtkHapticFieldBounds(vtkDataObject* data)
   return bounds;
 }
 
+palpate::FieldEnds vtkHapticFieldEnds(vtkDataObject* data, const std::string& name)
+{
+  constexpr int length = -1;
+  const std::vector<vtkDataSet*> parts = vtkHapticFieldSets(data);
+  return HasTensor(parts, name) ? palpate::FieldEnds{ 1.0, 0.0 } : EndsOf(parts, name, length);
+}
+
+bool vtkHapticFitsComponents(int has, int components)
+{
+  return components == 0 || has == components || (components == 3 && IsTensor(has));
+}
+
 std::vector<std::string> vtkHapticFieldArrayNames(vtkDataObject* data, int components)
 {
   std::set<std::string> names;
@@ -309,8 +326,7 @@ std::vector<std::string> vtkHapticFieldArrayNames(vtkDataObject* data, int compo
         vtkDataArray* const array = attributes->GetArray(i);
         const bool named =
           array && array->GetName() && std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName();
-        const int has = named ? array->GetNumberOfComponents() : 0;
-        if (named && (components == 0 || has == components || (components == 3 && IsTensor(has))))
+        if (named && vtkHapticFitsComponents(array->GetNumberOfComponents(), components))
         {
           names.insert(array->GetName());
         }

@@ -24,6 +24,7 @@ struct vtkHapticFieldArrays
   int Eigenvector = 0; ///< of a tensor: of its largest, middle or least eigenvalue
   bool Tensor = false; ///< Vector is one: vtkHapticToField() sees to it
   bool Beside = false; ///< Other is an array of other data: it does too
+  double Offset = 0.0; ///< that the scalar, and Other, are less in a brick: it does too
   int Smoothing = -1;  ///< passes over the scalar (haptics/field/Smoothing.h); -1: one where its noise traps a hand
 
   /// Whether there is anything to feel.
@@ -43,6 +44,7 @@ struct vtkHapticFieldResult
   std::shared_ptr<const palpate::FieldSource> Source; ///< null: it cannot be felt as a field
   std::string Problem;                                ///< why
   palpate::FieldEnds Ends{ 1.0, 0.0 };                ///< of the scalar
+  std::array<double, 6> Bounds{};                     ///< low and high x, y, z of all data [u]
 };
 
 /// A data set as a field: the voxels of an image as they are, also turned, mirrored and of uneven spacing; every other
@@ -55,9 +57,17 @@ struct vtkHapticFieldResult
 /// The box of all data sets in it, low and high x, y, z [u]; low above high where there are no points.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::array<double, 6> vtkHapticFieldBounds(vtkDataObject* data);
 
+/// Least and largest finite value of an array in any of the data sets in it, of several components their lengths;
+/// turned round where it has none or is a tensor.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT palpate::FieldEnds vtkHapticFieldEnds(
+  vtkDataObject* data, const std::string& name);
+
 /// Names of the arrays of numbers that a data set has at points or cells, those of `components` alone; 0: all. With 3,
 /// what is followed, symmetric tensors of 6 and 9 as well.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<std::string> vtkHapticFieldArrayNames(
   vtkDataObject* data, int components = 0);
+
+/// Whether an array of that many is one of those names.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticFitsComponents(int has, int components);
 
 #endif

@@ -43,7 +43,7 @@ double vtkHapticFieldError(const palpate::Brick& brick, const vtkHapticFieldPart
     const auto sample = brick.sample(part.Role, middles.toWorld(index));
     if (sample && std::isfinite(values[i]))
     {
-      largest = std::max(largest, std::abs(sample->value - values[i]));
+      largest = std::max(largest, std::abs(sample->value - part.Offset - values[i]));
       low = std::min(low, sample->value);
       high = std::max(high, sample->value);
     }

@@ -2,13 +2,7 @@
 #ifndef vtkHapticFieldError_h
 #define vtkHapticFieldError_h
 
-#include <functional>
-#include <vector>
-
 #include "vtkHapticFieldWindow.h"
-
-/// What the cells of data have at the points of any grid, NaN where there is no value.
-using HapticFieldCells = std::function<std::vector<float>(const vtkHapticFieldPart&, const palpate::BrickGrid&)>;
 
 /// The largest difference between a brick's trilinear values and those of the cells, of the range of the values: in the
 /// middle of up to 12 of the brick's cells along each axis, where it is largest for what bends. Of vectors and axes it

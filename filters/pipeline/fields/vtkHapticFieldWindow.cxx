@@ -137,7 +137,7 @@ std::vector<float> Cropped(
 /// What the scalar needs so that a hand is not trapped beside the level whose surface is felt, measured on values that
 /// were read as they are.
 palpate::FieldSmoothness Needed(
-  const std::vector<float>& values, const GridIndex& size, const palpate::BrickWish& wish, int asked)
+  const std::vector<float>& values, const GridIndex& size, double offset, const palpate::BrickWish& wish, int asked)
 {
   palpate::FieldSmoothness smooth;
   smooth.passes = std::max(0, asked);
@@ -154,7 +154,7 @@ palpate::FieldSmoothness Needed(
   constexpr double ofRange = 1.0 / 64; // noise beside two levels so near to each other is alike
   smooth.until = high > low ? ofRange * (static_cast<double>(high) - low) : smooth.until;
   smooth.level = wish.level;
-  smooth.noise = wish.level ? palpate::measuredNoise(values, size, *wish.level) : 0.0;
+  smooth.noise = wish.level ? palpate::measuredNoise(values, size, *wish.level - offset) : 0.0;
   smooth.passes = smooth.noise > palpate::trappingNoise ? 1 : 0;
   return smooth;
 }
@@ -165,7 +165,7 @@ std::vector<float> Scalar(const vtkHapticFieldPart& part, const vtkHapticFieldWi
 {
   const vtkHapticFieldWindow grown = Grown(window, lattice, std::abs(asked));
   std::vector<float> values = read(part, grown);
-  told = Needed(values, grown.Size, wish, asked);
+  told = Needed(values, grown.Size, part.Offset, wish, asked);
   return Cropped(palpate::smoothed(std::move(values), grown.Size, told.passes), grown, window);
 }
 /// Whether there is a value anywhere.
@@ -211,9 +211,10 @@ std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& 
   const vtkHapticFieldPart directions = arrays.Tensor
                                           ? vtkHapticFieldPart{ BrickRole::Axis, arrays.Vector, arrays.Eigenvector }
                                           : vtkHapticFieldPart{ BrickRole::Vector, arrays.Vector };
-  for (const vtkHapticFieldPart& part : { vtkHapticFieldPart{ BrickRole::Scalar, arrays.Scalar, arrays.Component },
-         directions, vtkHapticFieldPart{ BrickRole::Resistance, arrays.Resistance, arrays.Component },
-         vtkHapticFieldPart{ BrickRole::Other, arrays.Beside ? "" : arrays.Other, arrays.Component } })
+  for (const vtkHapticFieldPart& part :
+    { vtkHapticFieldPart{ BrickRole::Scalar, arrays.Scalar, arrays.Component, arrays.Offset }, directions,
+      vtkHapticFieldPart{ BrickRole::Resistance, arrays.Resistance, arrays.Component },
+      vtkHapticFieldPart{ BrickRole::Other, arrays.Beside ? "" : arrays.Other, arrays.Component, arrays.Offset } })
   {
     if (!part.Name.empty())
     {
@@ -224,12 +225,12 @@ std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& 
 }
 
 palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
-  const HapticFieldReading& read, const palpate::BrickWish& wish)
+  const HapticFieldReading& read, const palpate::BrickWish& wish, std::size_t mostBytes)
 {
   const Vec3& centre_W = wish.centre_W;
   const std::vector<vtkHapticFieldPart> parts = vtkHapticFieldParts(arrays);
   const std::size_t floats = FloatsPerPoint(parts) + (arrays.Beside ? 1 : 0);
-  const std::size_t mostPoints = palpate::Brick::mostBytes / (sizeof(float) * floats);
+  const std::size_t mostPoints = mostBytes / (sizeof(float) * floats);
   const auto window = WindowAround(lattice, centre_W, wish.reach_u, mostPoints);
   if (!window)
   {
@@ -242,7 +243,8 @@ palpate::MadeBrick vtkHapticBrickAround(const BrickGrid& lattice, const vtkHapti
   {
     const bool scalar = part.Role == BrickRole::Scalar;
     values.push_back({ part.Role, part.Name,
-      scalar ? Scalar(part, *window, lattice, arrays.Smoothing, read, wish, smoothness) : read(part, *window) });
+      scalar ? Scalar(part, *window, lattice, arrays.Smoothing, read, wish, smoothness) : read(part, *window),
+      part.Offset });
   }
   if (std::string problem = palpate::Brick::refuse(grid, values); !problem.empty())
   {

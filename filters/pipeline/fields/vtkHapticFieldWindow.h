@@ -33,9 +33,12 @@ struct vtkHapticFieldPart
 {
   palpate::BrickRole Role;
   std::string Name;
-  int Component = -1; ///< of a scalar; -1: the length. Of an axis: which eigenvector
+  int Component = -1;  ///< of a scalar; -1: the length. Of an axis: which eigenvector
+  double Offset = 0.0; ///< that its values are less, as they are read
 };
 using HapticFieldReading = std::function<std::vector<float>(const vtkHapticFieldPart&, const vtkHapticFieldWindow&)>;
+/// What the cells of data have at the points of any grid, NaN where there is no value.
+using HapticFieldCells = std::function<std::vector<float>(const vtkHapticFieldPart&, const palpate::BrickGrid&)>;
 
 /// The points of a window by themselves.
 palpate::BrickGrid vtkHapticGridOf(const palpate::BrickGrid& lattice, const vtkHapticFieldWindow& window);
@@ -52,6 +55,6 @@ std::vector<vtkHapticFieldPart> vtkHapticFieldParts(const vtkHapticFieldArrays& 
 /// The brick of a lattice around a place. Bricks of one lattice that are smoothed as often have the same values at the
 /// same places, whichever window they were made of: the scalar is smoothed with as much around it as smoothing needs.
 palpate::MadeBrick vtkHapticBrickAround(const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
-  const HapticFieldReading& read, const palpate::BrickWish& wish);
+  const HapticFieldReading& read, const palpate::BrickWish& wish, std::size_t mostBytes = palpate::Brick::mostBytes);
 
 #endif

@@ -76,17 +76,17 @@ std::vector<bool> HiddenPoints(vtkImageData& image)
   return hidden;
 }
 
-float ScalarOf(const double* tuple, int components, int component)
+double ScalarOf(const double* tuple, int components, int component)
 {
   if (component >= 0 && component < components)
   {
-    return static_cast<float>(tuple[component]);
+    return tuple[component];
   }
   if (components == 1)
   {
-    return static_cast<float>(tuple[0]);
+    return tuple[0];
   }
-  return static_cast<float>(Eigen::Map<const Eigen::VectorXd>(tuple, components).norm());
+  return Eigen::Map<const Eigen::VectorXd>(tuple, components).norm();
 }
 
 /// VTK's order of six: xx, yy, zz, xy, yz, xz. Of nine the symmetric part.
@@ -118,7 +118,7 @@ void Keep(const double* tuple, int components, const vtkHapticFieldPart& part, f
 {
   if (palpate::componentsOf(part.Role) == 1)
   {
-    *to = ScalarOf(tuple, components, part.Component);
+    *to = static_cast<float>(ScalarOf(tuple, components, part.Component) - part.Offset);
     return;
   }
   const Vec3 kept =
@@ -142,7 +142,7 @@ struct CopyValues
         const auto from = tuples[point];
         if (kept == 1 && components == 1)
         {
-          values[at] = static_cast<float>(from[0]);
+          values[at] = static_cast<float>(from[0] - part.Offset);
           return;
         }
         std::copy(from.begin(), from.end(), tuple.begin());

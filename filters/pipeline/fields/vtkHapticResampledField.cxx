@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "vtkBoundingBox.h"
+#include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkCellTypes.h"
 #include "vtkCompositeDataProbeFilter.h"
@@ -16,7 +17,7 @@
 #include "vtkDataSet.h"
 #include "vtkHapticConversionAhead.h"
 #include "vtkHapticFieldError.h"
-#include "vtkHapticFieldWindow.h"
+#include "vtkHapticFinerField.h"
 #include "vtkHapticImageField.h"
 #include "vtkHapticTetraField.h"
 #include "vtkImageData.h"
@@ -25,6 +26,7 @@
 #include "vtkPointData.h"
 #include "vtkPointInterpolator.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 using palpate::Vec3;
 
@@ -82,6 +84,30 @@ palpate::BrickGrid LatticeOver(const vtkBoundingBox& bounds, vtkIdType count)
   return lattice;
 }
 
+/// What another rank has too is felt: VTK's probe passes it over, as if that rank probed as well.
+void ForgetDuplicates(vtkDataObject* data)
+{
+  const char* const name = vtkDataSetAttributes::GhostArrayName();
+  for (vtkDataSet* part : vtkHapticFieldSets(data))
+  {
+    for (vtkDataSetAttributes* attributes : { static_cast<vtkDataSetAttributes*>(part->GetPointData()),
+           static_cast<vtkDataSetAttributes*>(part->GetCellData()) })
+    {
+      auto* const marks = vtkUnsignedCharArray::SafeDownCast(attributes->GetArray(name));
+      vtkNew<vtkUnsignedCharArray> kept;
+      bool any = false;
+      for (vtkIdType i = 0; marks && i < marks->GetNumberOfValues(); ++i)
+      {
+        const auto mark = static_cast<unsigned char>(marks->GetValue(i) & ~vtkDataSetAttributes::DUPLICATECELL);
+        kept->InsertNextValue(mark);
+        any = any || mark != 0;
+      }
+      kept->SetName(name);
+      any ? static_cast<void>(attributes->AddArray(kept)) : attributes->RemoveArray(name);
+    }
+  }
+}
+
 class ResampledField : public palpate::FieldSource
 {
 public:
@@ -93,19 +119,26 @@ public:
 
   palpate::MadeBrick brickAround(const palpate::BrickWish& wish) const override
   {
-    std::optional<vtkHapticFieldWindow> probed;
-    vtkSmartPointer<vtkImageData> image;
-    const auto read = [&](const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window)
+    if (!this->Sizes)
     {
-      if (!probed || probed->First != window.First || probed->Size != window.Size)
+      // Of a cloud each value is a mean over twice the distance of its points everywhere: nothing is finer.
+      const std::vector<vtkDataSet*> none;
+      this->Sizes.emplace(this->Cloud ? none : vtkHapticFieldSets(this->Data), vtkHapticFieldBounds(this->Data));
+    }
+    std::optional<palpate::BrickGrid> probed;
+    vtkSmartPointer<vtkImageData> image;
+    const auto cells = [&](const vtkHapticFieldPart& part, const palpate::BrickGrid& grid)
+    {
+      if (!probed || probed->size != grid.size || probed->spacing_u != grid.spacing_u ||
+          probed->pose_W.p != grid.pose_W.p)
       {
-        image = this->Probe(vtkHapticGridOf(this->Lattice, window));
-        probed = window;
+        image = this->Probe(grid);
+        probed = grid;
       }
       return this->Values(*image, part);
     };
-    palpate::MadeBrick made = vtkHapticBrickAround(this->Lattice, this->Arrays, read, wish);
-    made.error = made.brick ? this->ErrorOf(*made.brick) : 0.0;
+    palpate::MadeBrick made = vtkHapticBrickWithFiner(this->Lattice, this->Arrays, cells, *this->Sizes, wish);
+    made.error = made.brick ? this->ErrorOf(made.brick->finestAt(wish.centre_W)) : 0.0;
     return made;
   }
 
@@ -183,6 +216,7 @@ private:
   palpate::BrickGrid Lattice;
   bool Cloud;
   mutable std::optional<double> Error; ///< asked for by one thread at a time
+  mutable std::optional<vtkHapticCellSizes> Sizes;
 };
 } // namespace
 
@@ -206,6 +240,7 @@ vtkHapticFieldResult vtkHapticResampled(
     return { nullptr, "it is flat, and a field fills space" };
   }
   const vtkSmartPointer<vtkDataObject> kept = vtkHapticSharedCopy(data);
+  ForgetDuplicates(kept);
   const palpate::BrickGrid lattice = LatticeOver(extent.Bounds, cloud ? extent.Points : extent.Solid);
   if (vtkHapticIsTetraField(kept, arrays) && !cloud)
   {

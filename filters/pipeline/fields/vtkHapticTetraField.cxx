@@ -8,6 +8,7 @@
 #include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkHapticFieldError.h"
+#include "vtkHapticFinerField.h"
 #include "vtkHapticImageField.h"
 #include "vtkPointData.h"
 
@@ -70,6 +71,8 @@ vtkHapticTetraField::Mesh vtkHapticTetraField::MakeMesh() const
   {
     mesh.Values[part.Role] = this->ValuesOf(part);
   }
+  mesh.Sizes =
+    std::make_unique<vtkHapticCellSizes>(std::vector<vtkDataSet*>{ this->Data }, vtkHapticFieldBounds(this->Data));
   return mesh;
 }
 
@@ -98,9 +101,9 @@ palpate::MadeBrick vtkHapticTetraField::brickAround(const palpate::BrickWish& wi
       palpate::componentsOf(part.Role) };
     return palpate::rasterise(field, *mesh.Bins, grid);
   };
-  const auto read = [&](const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window)
-  { return cells(part, vtkHapticGridOf(this->Lattice, window)); };
-  palpate::MadeBrick made = vtkHapticBrickAround(this->Lattice, this->Arrays, read, wish);
-  made.error = made.brick ? vtkHapticFieldError(*made.brick, vtkHapticFieldParts(this->Arrays).front(), cells) : 0.0;
+  palpate::MadeBrick made = vtkHapticBrickWithFiner(this->Lattice, this->Arrays, cells, *mesh.Sizes, wish);
+  made.error = made.brick ? vtkHapticFieldError(
+                              made.brick->finestAt(wish.centre_W), vtkHapticFieldParts(this->Arrays).front(), cells)
+                          : 0.0;
   return made;
 }

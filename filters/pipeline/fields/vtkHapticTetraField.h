@@ -5,6 +5,7 @@
 #include <map>
 
 #include "haptics/field/build/Rasteriser.h"
+#include "vtkHapticCellSizes.h"
 #include "vtkHapticFieldWindow.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
@@ -30,6 +31,7 @@ private:
     std::vector<palpate::Tetrahedron> Tetrahedra;
     std::unique_ptr<palpate::TetraBins> Bins;
     std::map<palpate::BrickRole, std::vector<float>> Values;
+    std::unique_ptr<vtkHapticCellSizes> Sizes;
   };
   Mesh MakeMesh() const;
   std::vector<float> ValuesOf(const vtkHapticFieldPart& part) const;

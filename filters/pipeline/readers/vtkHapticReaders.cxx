@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <new>
 #include <stdexcept>
@@ -25,6 +26,7 @@
 #include "vtkHapticPLYParser.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -32,11 +34,13 @@
 #include "vtkSTLReader.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkXMLDataElement.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLRectilinearGridReader.h"
 #include "vtkXMLStructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
+#include "vtkXMLUtilities.h"
 
 namespace
 {
@@ -272,26 +276,83 @@ SurfacePointer ReadChecked(const std::string& path, std::optional<double> iso, s
   return surface;
 }
 
-vtkSmartPointer<vtkDataSet> ReadNIfTI(const std::string& path, std::string& note)
+vtkSmartPointer<vtkDataObject> ReadNIfTI(const std::string& path, std::string& note)
 {
   const vtkHapticNIfTIHeader header = vtkHapticNIfTIImage::ReadHeader(path);
   note = header.TimeSteps > 1 ? "it holds " + std::to_string(header.TimeSteps) + " images; the first is touched" : note;
   return vtkHapticNIfTIImage::Read(path, header, 0).Get();
 }
 
-vtkSmartPointer<vtkDataSet> ReadVolume(const std::string& path, std::string& note)
+vtkSmartPointer<vtkDataObject> ReadPiece(const std::string& path, std::string& note)
 {
   ThrowIf(vtkHapticFileGuards::CheckFile(path));
   const std::string extension = ExtensionOf(path);
   return Captured(note,
-    [&](const auto& messages) -> vtkSmartPointer<vtkDataSet>
+    [&](const auto& messages) -> vtkSmartPointer<vtkDataObject>
     {
-      return extension == "vtu"   ? vtkSmartPointer<vtkDataSet>(ReadGrid(path, messages))
-             : extension == "vti" ? vtkSmartPointer<vtkDataSet>(ReadXML<vtkXMLImageDataReader>(path))
-             : extension == "vtr" ? vtkSmartPointer<vtkDataSet>(ReadXML<vtkXMLRectilinearGridReader>(path))
-             : extension == "vts" ? vtkSmartPointer<vtkDataSet>(ReadXML<vtkXMLStructuredGridReader>(path))
+      return extension == "vtu"   ? vtkSmartPointer<vtkDataObject>(ReadGrid(path, messages))
+             : extension == "vti" ? vtkSmartPointer<vtkDataObject>(ReadXML<vtkXMLImageDataReader>(path))
+             : extension == "vtr" ? vtkSmartPointer<vtkDataObject>(ReadXML<vtkXMLRectilinearGridReader>(path))
+             : extension == "vts" ? vtkSmartPointer<vtkDataObject>(ReadXML<vtkXMLStructuredGridReader>(path))
                                   : ReadNIfTI(path, note);
     });
+}
+
+bool IsPiece(const std::string& extension)
+{
+  return IsImage(extension) || extension == "vtu" || extension == "vtr" || extension == "vts";
+}
+
+/// The files that a vtm names, in blocks of blocks too, each read as if it had been given by itself.
+void AddBlocks(
+  vtkXMLDataElement& element, const std::filesystem::path& folder, vtkMultiBlockDataSet& blocks, std::string& note)
+{
+  for (int i = 0; i < element.GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement& nested = *element.GetNestedElement(i);
+    const char* const file = nested.GetAttribute("file");
+    if (!file)
+    {
+      AddBlocks(nested, folder, blocks, note);
+      continue;
+    }
+    if (!IsPiece(ExtensionOf(file)))
+    {
+      note = std::string(file) + " fills no space and is left out";
+      continue;
+    }
+    try
+    {
+      blocks.SetBlock(blocks.GetNumberOfBlocks(), ReadPiece((folder / file).string(), note));
+    }
+    catch (const std::runtime_error& error)
+    {
+      throw std::runtime_error(std::string("its block ") + file + ": " + error.what());
+    }
+  }
+}
+
+vtkSmartPointer<vtkDataObject> ReadBlocks(const std::string& path, std::string& note)
+{
+  ThrowIf(vtkHapticFileGuards::CheckFile(path));
+  const auto root = Captured(note, [&](const auto&)
+    { return vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str())); });
+  if (!root)
+  {
+    throw std::runtime_error("it is no XML; write it again as a vtm");
+  }
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  AddBlocks(*root, std::filesystem::path(path).parent_path(), *blocks, note);
+  if (blocks->GetNumberOfBlocks() == 0)
+  {
+    throw std::runtime_error("it names no file that fills space; known are vti, vtr, vts and vtu");
+  }
+  return blocks;
+}
+
+vtkSmartPointer<vtkDataObject> ReadVolume(const std::string& path, std::string& note)
+{
+  return ExtensionOf(path) == "vtm" ? ReadBlocks(path, note) : ReadPiece(path, note);
 }
 
 /// Fills a result by `read`; what it throws is the problem.
@@ -340,7 +401,7 @@ vtkHapticReadVolumeResult vtkHapticReadVolume(const std::string& path)
 bool vtkHapticIsVolumeFile(const std::string& path)
 {
   const std::string extension = ExtensionOf(path);
-  return IsImage(extension) || extension == "vtu" || extension == "vtr" || extension == "vts";
+  return IsPiece(extension) || extension == "vtm";
 }
 
 bool vtkHapticIsImageFile(const std::string& path)

@@ -8,7 +8,7 @@
 #include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
-class vtkDataSet;
+class vtkDataObject;
 class vtkPolyData;
 
 /// A surface read from a file, or why there is none.
@@ -36,13 +36,13 @@ struct vtkHapticReadResult
 /// Numbers in space read from a file, or why there are none.
 struct vtkHapticReadVolumeResult
 {
-  vtkSmartPointer<vtkDataSet> Volume; ///< with all its arrays, in the file's own coordinates; null on a problem
-  std::string Problem;                ///< one line: file, what is wrong, what to do; empty when Volume can be used
-  std::string Note;                   ///< what a reader warned of or left out, one line; mostly empty
+  vtkSmartPointer<vtkDataObject> Volume; ///< with all its arrays, in the file's own coordinates; null on a problem
+  std::string Problem;                   ///< one line: file, what is wrong, what to do; empty when Volume can be used
+  std::string Note;                      ///< what a reader warned of or left out, one line; mostly empty
 };
 
-/// Reads vti, vtr, vts, vtu, nii and nii.gz whole, to be felt as a field, as careful as vtkHapticReadSurface() is. The
-/// values of a NIfTI image are its array "NIFTI".
+/// Reads vti, vtr, vts, vtu, nii, nii.gz and a vtm of the former whole, to be felt as a field, as careful as
+/// vtkHapticReadSurface() is. The values of a NIfTI image are its array "NIFTI".
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticReadVolumeResult vtkHapticReadVolume(const std::string& path);
 
 /// True for the formats that vtkHapticReadVolume() reads, by the extension alone.

@@ -105,7 +105,7 @@ bool Touch(const vtkHapticHandPath& path, const palpate::WorkspaceMap& map, palp
 vtkTouchAlongPath::vtkTouchAlongPath()
   : Materials(std::make_unique<vtkHapticMaterialSettings>()), Field(std::make_unique<vtkHapticTouchedField>())
 {
-  this->SetNumberOfInputPorts(4);
+  this->SetNumberOfInputPorts(6);
 }
 
 vtkTouchAlongPath::~vtkTouchAlongPath()
@@ -190,8 +190,8 @@ bool vtkTouchAlongPath::Goes(double progress)
   return !this->CheckAbort();
 }
 
-std::unique_ptr<palpate::PathTouch> vtkTouchAlongPath::Prepare(
-  vtkDataObject* input, vtkDataObject* field, const vtkHapticHandPath& path, std::string& problem) const
+std::unique_ptr<palpate::PathTouch> vtkTouchAlongPath::Prepare(vtkDataObject* input, vtkDataObject* field,
+  const vtkHapticFieldBeside& beside, const vtkHapticHandPath& path, std::string& problem) const
 {
   std::shared_ptr<const palpate::Scene> scene;
   const bool soft = vtkHapticToSoftBody(input).Input != nullptr;
@@ -203,9 +203,13 @@ std::unique_ptr<palpate::PathTouch> vtkTouchAlongPath::Prepare(
   vtkHapticFieldResult felt;
   if (field && problem.empty())
   {
-    felt = vtkHapticToField(field, this->Field->Arrays);
+    felt = vtkHapticToField(field, this->Field->Arrays, beside);
     problem = felt.Source ? palpate::levelProblem(this->Field->Plan(), felt.Ends) : felt.Problem;
     problem = problem.empty() ? "" : "The field cannot be felt: " + problem;
+  }
+  if (!field && problem.empty() && (beside.Compared || beside.Snap))
+  {
+    problem = "What is compared with and snapped to is beside a field, and none is felt: give FieldArray or Field";
   }
   if (!problem.empty())
   {
@@ -235,6 +239,9 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
                                                                                      : nullptr;
   vtkDataObject* const held = vtkDataObject::GetData(input[3]);
   const vtkSmartPointer<vtkDataObject> tool = held ? vtkHapticWholeSurface(held) : nullptr;
+  vtkDataObject *const other = vtkDataObject::GetData(input[4]), *const places = vtkDataObject::GetData(input[5]);
+  const vtkSmartPointer<vtkDataObject> compared = other ? vtkHapticWholeSurface(other) : nullptr;
+  const vtkSmartPointer<vtkDataObject> snap = places ? vtkHapticWholeSurface(places) : nullptr;
   const vtkSmartPointer<vtkDataObject> piece = vtkHapticOnePiece(vtkPolyData::GetData(input[1]));
   if (vtkHapticRank() > 0)
   {
@@ -257,7 +264,7 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
     return this->TouchWithTool(*surface, *tool, path, *vtkPolyData::GetData(output)) ? 1 : 0;
   }
   std::string problem;
-  const auto touch = this->Prepare(surface, field, path, problem);
+  const auto touch = this->Prepare(surface, field, { compared, snap }, path, problem);
   if (!touch)
   {
     vtkErrorMacro(<< problem);

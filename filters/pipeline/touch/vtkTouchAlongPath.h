@@ -50,6 +50,7 @@ struct HapticParameters;
 } // namespace palpate
 
 struct vtkHapticFieldArrays;
+struct vtkHapticFieldBeside;
 struct vtkHapticHandPath;
 struct vtkHapticMaterialSettings;
 struct vtkHapticTouchedField;
@@ -150,6 +151,19 @@ public:
   void SetFieldData(vtkDataObject* field);
   ///@}
 
+  ///@{
+  /// Other data whose array FieldOther, or the one that is called as FieldArray, the values of the field are compared
+  /// with: the same as SetInputConnection(4, port).
+  void SetComparedConnection(vtkAlgorithmOutput* compared);
+  void SetComparedData(vtkDataObject* compared);
+  ///@}
+
+  ///@{
+  /// To whose points and lines the hand snaps, in place of what is found in the values: SetInputConnection(5, port).
+  void SetSnapConnection(vtkAlgorithmOutput* snap);
+  void SetSnapData(vtkDataObject* snap);
+  ///@}
+
   /** @name Numbers in space
    * Which arrays of the field are felt, and how: the settings of a session with these names, with their units, ranges
    * and defaults (plugin/README.md). What is on and cannot be felt is an error. */
@@ -228,8 +242,8 @@ private:
   void SetField(const char* name, double value);
   double GetField(const char* name) const;
   /// What the hand feels; null with a problem. `field`: null where no numbers are felt.
-  std::unique_ptr<palpate::PathTouch> Prepare(
-    vtkDataObject* input, vtkDataObject* field, const vtkHapticHandPath& path, std::string& problem) const;
+  std::unique_ptr<palpate::PathTouch> Prepare(vtkDataObject* input, vtkDataObject* field,
+    const vtkHapticFieldBeside& beside, const vtkHapticHandPath& path, std::string& problem) const;
   /// Warns of what of it gave no force, or another than was asked for.
   void TellOf(const palpate::PathTouch& touch, palpate::Fault fault);
   /// With a tool in place of a ball; false with an error.

@@ -34,6 +34,8 @@
   vtkHapticTouchFieldMacro(FieldYield, double); \
   vtkHapticTouchFieldMacro(FieldFollow, double); \
   vtkHapticTouchFieldMacro(FieldDrag, double); \
+  vtkHapticTouchFieldMacro(FieldDragNone, double); \
+  vtkHapticTouchFieldMacro(FieldDragFull, double); \
   vtkHapticTouchFieldMacro(FieldDetent, double); \
   vtkHapticTouchFieldMacro(FieldDetentOrigin, double); \
   vtkHapticTouchFieldMacro(FieldDetentSpacing, double); \

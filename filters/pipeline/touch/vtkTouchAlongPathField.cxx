@@ -40,6 +40,26 @@ void vtkTouchAlongPath::SetFieldData(vtkDataObject* field)
   this->SetInputDataObject(2, field);
 }
 
+void vtkTouchAlongPath::SetComparedConnection(vtkAlgorithmOutput* compared)
+{
+  this->SetInputConnection(4, compared);
+}
+
+void vtkTouchAlongPath::SetComparedData(vtkDataObject* compared)
+{
+  this->SetInputDataObject(4, compared);
+}
+
+void vtkTouchAlongPath::SetSnapConnection(vtkAlgorithmOutput* snap)
+{
+  this->SetInputConnection(5, snap);
+}
+
+void vtkTouchAlongPath::SetSnapData(vtkDataObject* snap)
+{
+  this->SetInputDataObject(5, snap);
+}
+
 void vtkTouchAlongPath::SetFieldArray(const char* name)
 {
   this->ChangeField([=](vtkHapticFieldArrays& a) { a.Scalar = name ? name : ""; });

@@ -38,14 +38,16 @@ bool FeltField::needsAnother(const Vec3& hand_W, std::optional<double> level) co
   const bool otherLevel =
     level && std::isfinite(smooth.until) && !(smooth.level && std::fabs(*level - *smooth.level) <= smooth.until);
   return this->changed_ || otherLevel ||
-         !((hand_W - this->made_.centre_W).cwiseAbs().maxCoeff() <= 0.5 * this->made_.reach_u);
+         !((hand_W - this->made_.centre_W).cwiseAbs().maxCoeff() <=
+           0.5 * std::min(this->made_.reach_u, this->made_.finerReach_u));
 }
 
 void FeltField::ask(const Vec3& hand_W, double reach_u, std::optional<double> level)
 {
   this->changed_ = false;
   const BrickWish wish{ hand_W, reach_u, ++this->revision_, level };
-  this->running_ = std::async(std::launch::async, [source = this->source_, wish] { return source->brickAround(wish); });
+  const std::launch how = this->source_->answersAnyThread() ? std::launch::async : std::launch::deferred;
+  this->running_ = std::async(how, [source = this->source_, wish] { return source->brickAround(wish); });
 }
 
 std::optional<std::shared_ptr<const Brick>> FeltField::take()
@@ -81,7 +83,7 @@ std::optional<std::shared_ptr<const Brick>> FeltField::follow(
   if (!this->running_.valid() && hand_W.allFinite() && this->needsAnother(hand_W, level))
   {
     this->ask(hand_W, reach_u, level);
-    if (wait)
+    if (wait || !this->source_->answersAnyThread())
     {
       next = this->take();
     }
@@ -167,6 +169,10 @@ std::string fieldSentence(const std::string& name, const MadeBrick& made, double
   std::ostringstream text;
   text << name << ": " << felt << " on " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2]
        << " points, " << grid.spacing_u.maxCoeff() << " u apart";
+  if (const std::shared_ptr<const Brick>& finer = made.brick->finer())
+  {
+    text << ", and " << finer->grid().spacing_u.maxCoeff() << " u where its cells are smaller";
+  }
   if (std::isfinite(made.reach_u))
   {
     text << ", " << made.reach_u << " u around the hand: in time for up to " << made.reach_u / scale_u_per_m / ahead_s

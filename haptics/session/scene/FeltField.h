@@ -16,9 +16,9 @@
 namespace palpate
 {
 
-/// Keeps a brick of a field around the hand: a worker makes the next one once the hand has used up half of the room
-/// that it had. By distance, never by a clock: a hand at rest costs nothing. One thread, the session's owner, calls
-/// every method.
+/// Keeps a brick of a field around the hand: the next one is made, by a worker unless the source wants its owner to
+/// ask, once the hand has used up half of the room that it had. By distance, never by a clock: a hand at rest costs
+/// nothing. One thread, the session's owner, calls every method.
 class FeltField
 {
 public:

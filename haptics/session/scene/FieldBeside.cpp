@@ -11,8 +11,8 @@ namespace palpate
 namespace
 {
 
-/// The values of a brick's scalar at the points of another grid; NaN where it has none.
-std::vector<float> sampledAt(const BrickGrid& grid, const Brick* values)
+/// The values of a brick's scalar at the points of another grid, less an offset; NaN where it has none.
+std::vector<float> sampledAt(const BrickGrid& grid, const Brick* values, double offset)
 {
   std::vector<float> sampled(grid.points(), std::numeric_limits<float>::quiet_NaN());
   std::size_t at = 0;
@@ -24,7 +24,7 @@ std::vector<float> sampledAt(const BrickGrid& grid, const Brick* values)
       {
         const auto sample =
           values ? values->sample(BrickRole::Scalar, grid.toWorld({ 1.0 * x, 1.0 * y, 1.0 * z })) : std::nullopt;
-        sampled[at] = sample ? static_cast<float>(sample->value) : sampled[at];
+        sampled[at] = sample ? static_cast<float>(sample->value - offset) : sampled[at];
       }
     }
   }
@@ -42,23 +42,34 @@ public:
   [[nodiscard]] MadeBrick brickAround(const BrickWish& wish) const override
   {
     MadeBrick made = this->field_->brickAround(wish);
-    if (!made.brick)
+    if (made.brick)
     {
-      return made;
+      const std::shared_ptr<const Brick>& finer = made.brick->finer();
+      made.brick = this->withOther(*made.brick, finer ? this->withOther(*finer, nullptr, made) : nullptr, made);
     }
-    const BrickGrid& grid = made.brick->grid();
-    const Vec3 last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
-    BrickWish beside{ grid.toWorld(0.5 * last), 0.5 * last.cwiseProduct(grid.spacing_u).norm(), wish.revision, {} };
-    const MadeBrick other = this->other_->brickAround(beside);
-    std::vector<BrickArray> arrays = made.brick->arrays();
-    arrays.push_back({ BrickRole::Other, "that of the other", sampledAt(grid, other.brick.get()) });
-    made.brick = std::make_shared<const Brick>(
-      wish.revision, grid, std::move(arrays), made.brick->places_W(), made.brick->lines_W());
-    made.error = std::max(made.error, other.error);
     return made;
+  }
+  [[nodiscard]] bool answersAnyThread() const override
+  {
+    return this->field_->answersAnyThread() && this->other_->answersAnyThread();
   }
 
 private:
+  std::shared_ptr<const Brick> withOther(const Brick& brick, std::shared_ptr<const Brick> finer, MadeBrick& made) const
+  {
+    const BrickGrid& grid = brick.grid();
+    const Vec3 last(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
+    BrickWish beside{ grid.toWorld(0.5 * last), 0.5 * last.cwiseProduct(grid.spacing_u).norm(), brick.revision(), {} };
+    const MadeBrick other = this->other_->brickAround(beside);
+    std::vector<BrickArray> arrays = brick.arrays();
+    const auto scalar = std::ranges::find(arrays, BrickRole::Scalar, &BrickArray::role);
+    const double offset = scalar == arrays.end() ? 0.0 : scalar->offset;
+    arrays.push_back({ BrickRole::Other, "that of the other", sampledAt(grid, other.brick.get(), offset), offset });
+    made.error = std::max(made.error, other.error);
+    return std::make_shared<const Brick>(
+      brick.revision(), grid, std::move(arrays), brick.places_W(), brick.lines_W(), std::move(finer));
+  }
+
   std::shared_ptr<const FieldSource> field_, other_;
 };
 
@@ -101,13 +112,19 @@ public:
     MadeBrick made = this->field_->brickAround(wish);
     if (made.brick)
     {
-      std::vector<Vec3> points_W = nearestOf(this->places_.points_W, wish.centre_W, made.reach_u);
-      std::vector<BrickLine> lines_W = nearestOf(this->places_.lines_W, wish.centre_W, made.reach_u);
-      made.brick = std::make_shared<const Brick>(
-        wish.revision, made.brick->grid(), made.brick->arrays(), std::move(points_W), std::move(lines_W));
+      const std::vector<Vec3> points_W = nearestOf(this->places_.points_W, wish.centre_W, made.reach_u);
+      const std::vector<BrickLine> lines_W = nearestOf(this->places_.lines_W, wish.centre_W, made.reach_u);
+      const auto snapping = [&](const Brick& brick, std::shared_ptr<const Brick> finer)
+      {
+        return std::make_shared<const Brick>(
+          wish.revision, brick.grid(), brick.arrays(), points_W, lines_W, std::move(finer));
+      };
+      const std::shared_ptr<const Brick>& finer = made.brick->finer();
+      made.brick = snapping(*made.brick, finer ? snapping(*finer, nullptr) : nullptr);
     }
     return made;
   }
+  [[nodiscard]] bool answersAnyThread() const override { return this->field_->answersAnyThread(); }
 
 private:
   std::shared_ptr<const FieldSource> field_;

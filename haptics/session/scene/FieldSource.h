@@ -41,9 +41,12 @@ struct MadeBrick
   FieldSmoothness smoothness{};
   double error = 0.0; ///< largest difference to the data's own cells that was found, of the range of the values; 0: the
                       ///< points are the data's
+  double finerReach_u =
+    std::numeric_limits<double>::infinity(); ///< how far the hand may go before what is finer around it has to be
+                                             ///< looked at anew; infinite: never
 };
 
-/// Data that is felt as a field, wherever the hand goes. Asked by a worker thread, by one at a time.
+/// Data that is felt as a field, wherever the hand goes. Asked by one thread at a time.
 class FieldSource
 {
 public:
@@ -53,6 +56,8 @@ public:
   virtual ~FieldSource() = default;
 
   [[nodiscard]] virtual MadeBrick brickAround(const BrickWish& wish) const = 0;
+  /// Whether any thread may ask, so that a worker does. Else the thread that follows the field asks, and waits.
+  [[nodiscard]] virtual bool answersAnyThread() const { return true; }
 };
 
 } // namespace palpate

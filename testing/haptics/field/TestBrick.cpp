@@ -50,6 +50,22 @@ TEST(Brick, GivesValueAndGradientOfATrilinearFunctionEverywhereInATurnedGridOfUn
   }
 }
 
+TEST(Brick, OfValuesLessAnOffsetIsFeltAsOneOfTheValuesWhereTheseAreExact)
+{
+  constexpr double offset = 4096.0; // with the values below, whole numbers that single precision holds
+  const BrickGrid grid = turnedGrid();
+  const Brick plain(1, grid,
+    { { BrickRole::Scalar, "f", test::sampledValues(size, [](const Vec3& i) { return offset + product(i); }) } });
+  const Brick less(1, grid, { { BrickRole::Scalar, "f", test::sampledValues(size, product), offset } });
+  EXPECT_NE(less.contentHash(),
+    Brick(1, grid, { { BrickRole::Scalar, "f", test::sampledValues(size, product) } }).contentHash());
+  const BrickComponent one = plain.component(BrickRole::Scalar), other = less.component(BrickRole::Scalar);
+  EXPECT_EQ(one.at({ 3, 2, 5 }), other.at({ 3, 2, 5 }));
+  EXPECT_EQ(one.cell({ 1, 4, 3 }, 4100.0, -1.0).corner, other.cell({ 1, 4, 3 }, 4100.0, -1.0).corner);
+  EXPECT_EQ(
+    Brick::refuse(grid, { { BrickRole::Scalar, "f", test::sampledValues(size, product), NAN } }).empty(), false);
+}
+
 TEST(Brick, HasTheMixedSecondDerivativesOfItsPolynomial)
 {
   TrilinearCell cell;

@@ -233,6 +233,15 @@ TEST(FieldModes, DragIsAsStrongAsTheResistanceAtTheHandSays)
     }
     EXPECT_NEAR(hand.force.norm(), 0.4 * std::clamp((x - 15.0) / 8.0, 0.0, 1.0), 1e-7);
   }
+  // Turned round, less resists more.
+  hand.plan.dragNone = 1.0;
+  hand.plan.dragFull = 0.0;
+  hand.start({ 17.0, 10, 10 });
+  for (int i = 0; i <= 100; ++i)
+  {
+    hand.to({ 17.0, 10 + 0.1 * i, 10 });
+  }
+  EXPECT_NEAR(hand.force.norm(), 0.4 * 0.75, 1e-7);
 }
 
 TEST(FieldModes, CompareDragsWhereTwoScalarsDifferAndOnlyThere)

@@ -85,15 +85,50 @@ TEST(FieldBeside, IsSnappedToAtTheGivenPlacesNearestToTheHandAndARecordingKeepsT
   ASSERT_TRUE(read && in.ok());
   EXPECT_EQ(read->contentHash(), made.brick->contentHash());
   EXPECT_EQ(read->lines_W(), made.brick->lines_W());
-  const std::size_t withoutLines = out.bytes().size() - sizeof(std::uint64_t) - 6 * sizeof(double) * Brick::mostPlaces;
+  constexpr std::size_t finer = 1 + sizeof(double); // whether there is a finer one, and the array's offset
+  const std::size_t withoutLines =
+    out.bytes().size() - finer - sizeof(std::uint64_t) - 6 * sizeof(double) * Brick::mostPlaces;
   ByteReader older(out.bytes().data(), withoutLines);
   static_cast<void>(readBrick(older));
   EXPECT_FALSE(older.ok()) << "lines are part of what it is";
   const Brick plain(1, coarseGrid, made.brick->arrays());
   ByteWriter before;
   putBrick(before, plain);
-  ByteReader cut(before.bytes().data(), before.bytes().size() - sizeof(std::uint64_t));
+  ByteReader cut(before.bytes().data(), before.bytes().size() - finer - sizeof(std::uint64_t));
   EXPECT_TRUE(readBrick(cut) && cut.ok()) << "as recordings were before there were lines";
+}
+
+/// Has a finer grid in it.
+class FinerSource : public GridSource
+{
+public:
+  using GridSource::GridSource;
+  [[nodiscard]] MadeBrick brickAround(const BrickWish& wish) const override
+  {
+    MadeBrick made = GridSource::brickAround(wish);
+    const auto value = [](const Vec3& index) { return finerGrid.toWorld(index).z(); };
+    auto finer = std::make_shared<const Brick>(wish.revision, finerGrid,
+      std::vector<BrickArray>{ { BrickRole::Scalar, "f", test::sampledValues(finerGrid.size, value) } });
+    made.brick = std::make_shared<const Brick>(wish.revision, made.brick->grid(), made.brick->arrays(),
+      std::vector<Vec3>(), std::vector<BrickLine>(), std::move(finer));
+    return made;
+  }
+};
+
+TEST(FieldBeside, OfAFinerBrickIsWhatItIsOfTheOther)
+{
+  const auto height = [](const Vec3& p) { return p.z(); };
+  const auto one = std::make_shared<FinerSource>(coarseGrid, height);
+  const auto other = std::make_shared<GridSource>(coarseGrid, [](const Vec3& p) { return p.z() + 0.25 * p.x(); });
+  SnapPlaces places;
+  places.points_W = { Vec3(1, 2, 3) };
+  const MadeBrick made = snappingTo(comparedWith(one, other), places)->brickAround({ Vec3(4, 4, 4), 4.0, 7 });
+  ASSERT_TRUE(made.brick && made.brick->finer());
+  const Vec3 p(3.25, 2.5, 3.25); // of what is linear, trilinear values are itself
+  EXPECT_EQ(&made.brick->finestAt(p), made.brick->finer().get());
+  EXPECT_NEAR(made.brick->finestAt(p).sample(BrickRole::Other, p)->value, 3.25 + 0.25 * 3.25, 1e-5);
+  EXPECT_EQ(made.brick->finer()->places_W(), places.points_W);
+  EXPECT_EQ(made.brick->places_W(), places.points_W);
 }
 
 TEST(FieldLevels, ThatTheDataDoNotHaveAreSaidAndAreAProblemWhereNothingElseIsFelt)

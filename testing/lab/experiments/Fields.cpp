@@ -58,6 +58,51 @@ Method mapped(const Brick& brick, double level)
   };
 }
 
+/// A proxy that looks for the surface at every half cell of its way, and goes on along the tangent plane where it met
+/// it: Salisbury and Tarr, ASME DSC 61, 1997.
+Method halfCells(const Brick& brick, double level)
+{
+  const auto isFree = [&brick, level](const Vec3& p)
+  {
+    const auto at = brick.sample(BrickRole::Scalar, p);
+    return !at || at->value >= level;
+  };
+  const auto march = [isFree](Vec3 free, const Vec3& to)
+  {
+    const int steps = static_cast<int>(std::ceil(2.0 * (to - free).norm()));
+    const Vec3 step = steps > 0 ? Vec3((to - free) / steps) : Vec3(Vec3::Zero());
+    for (int i = 0; i < steps; ++i)
+    {
+      if (isFree(free + step))
+      {
+        free += step;
+        continue;
+      }
+      double low = 0.0, high = 1.0;
+      constexpr int halvings = 40;
+      for (int k = 0; k < halvings; ++k)
+      {
+        const double middle = 0.5 * (low + high);
+        (isFree(free + middle * step) ? low : high) = middle;
+      }
+      return Vec3(free + low * step);
+    }
+    return to;
+  };
+  return [&brick, march, x = std::optional<Vec3>()](const Vec3& p) mutable -> Vec3
+  {
+    x = march(x.value_or(p), p);
+    const auto met = *x != p ? brick.sample(BrickRole::Scalar, *x) : std::nullopt;
+    const double square = met ? met->gradient_W.squaredNorm() : 0.0;
+    if (square > 0.0)
+    {
+      const Vec3 ahead = p - *x;
+      x = march(*x, *x + ahead - ahead.dot(met->gradient_W) / square * met->gradient_W);
+    }
+    return *x - p;
+  };
+}
+
 Method triangles(const Scalar& function, double level)
 {
   HapticParameters parameters;
@@ -113,12 +158,13 @@ void judge(const Play& play, const char* name, Method method, const Limits& limi
   limits.most ? table.within(outcome, value, 0.0, 0.0) : table.info(outcome, value);
 }
 
-void judgeSurface(
-  const Play& play, const Scalar& function, double level, double limit, const Limits& mapping, Table& table)
+void judgeSurface(const Play& play, const Scalar& function, double level, double limit, const Limits& mapping,
+  const Limits& stepping, Table& table)
 {
   const Brick brick = scalars(function);
   judge(play, "ours: isosurface", isosurface(brick, level), { limit }, table);
   judge(play, "force mapping", mapped(brick, level), mapping, table);
+  judge(play, "steps of half a cell", halfCells(brick, level), stepping, table);
   if (meshContour() == nullptr)
   {
     table.absent({ play.name, "mesh of marching cubes", "error" });
@@ -146,11 +192,18 @@ Play ballPlay(int ticks)
   return play;
 }
 
-/// The hand goes 5 mm into a sheet of one voxel from above: it is held at the upper side.
-Play sheetPlay(int ticks)
+/// -1 in one layer of points and 0 in all others: what is below a level is a sheet around that layer.
+double layer(const Vec3& i)
 {
-  constexpr double top = 24.5, deepest = 5.0;
-  Play play{ "thin sheet", {}, [](const Vec3& p) -> Vec3 { return { 0, 0, std::max(0.0, top - p.z()) }; } };
+  return i.z() == 24.0 ? -1.0 : 0.0;
+}
+
+/// The hand goes 5 mm into that sheet from above: it is held at the upper side.
+Play sheetPlay(const char* name, double level, int ticks)
+{
+  constexpr double deepest = 5.0;
+  const double top = 25.0 + level;
+  Play play{ name, {}, [top](const Vec3& p) -> Vec3 { return { 0, 0, std::max(0.0, top - p.z()) }; } };
   for (int i = 0; i <= ticks; ++i)
   {
     play.way.emplace_back(30.3, 31.2, top + 1.0 - (1.0 + deepest) * i / ticks);
@@ -305,9 +358,10 @@ void runFields(const Conditions& conditions, Table& table)
   // its creases, of h / R, let the proxy slip by as much of the depth.
   judgeSurface(
     ballPlay(ticks), [](const Vec3& i) { return (i - middle).norm(); }, radius,
-    (1.0 / (4.0 * radius * 1.5) + 1.0 / radius) / noticed, {}, table);
-  judgeSurface(
-    sheetPlay(ticks), [](const Vec3& i) { return i.z() == 24.0 ? -1.0 : 0.0; }, -0.5, 1e-6, { {}, felt }, table);
+    (1.0 / (4.0 * radius * 1.5) + 1.0 / radius) / noticed, {}, {}, table);
+  judgeSurface(sheetPlay("thin sheet", -0.5, ticks), layer, -0.5, 1e-6, { {}, felt }, {}, table);
+  // A fiftieth of a voxel thick: between two steps of half a cell.
+  judgeSurface(sheetPlay("thinner sheet", -0.99, ticks), layer, -0.99, 1e-6, { {}, felt }, { {}, felt }, table);
   judgeVortex(conditions.pick(400, 1250, 1250), table);
   judgeForceMap(conditions.pick(4000, 20000, 20000), table);
   judgeViscosity(conditions.pick(4000, 20000, 20000), table);

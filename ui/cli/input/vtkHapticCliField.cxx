@@ -12,14 +12,11 @@
 
 #include "haptics/session/settings/SessionSettings.h"
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticReaders.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -235,7 +232,7 @@ void NoteOf(const std::string& file, const std::string& note)
   }
 }
 
-vtkSmartPointer<vtkDataSet> VolumeOf(const std::string& file)
+vtkSmartPointer<vtkDataObject> VolumeOf(const std::string& file)
 {
   vtkHapticReadVolumeResult read = vtkHapticReadVolume(file);
   if (!read.Volume)
@@ -246,39 +243,22 @@ vtkSmartPointer<vtkDataSet> VolumeOf(const std::string& file)
   return read.Volume;
 }
 
-/// Values of an array, of several components their lengths; none where it is not there, or is a tensor.
-std::optional<std::array<double, 2>> EndsOf(vtkDataSet& volume, const std::string& name)
-{
-  constexpr int mostOfVectors = 3, length = -1;
-  vtkDataArray* array = volume.GetPointData()->GetArray(name.c_str());
-  array = array ? array : volume.GetCellData()->GetArray(name.c_str());
-  if (!array || array->GetNumberOfTuples() == 0 || array->GetNumberOfComponents() > mostOfVectors)
-  {
-    return std::nullopt;
-  }
-  std::array<double, 2> ends{};
-  array->GetFiniteRange(ends.data(), array->GetNumberOfComponents() > 1 ? length : 0);
-  return ends;
-}
-
 /// Without --range strengths rise over all values of the array; one that is the same everywhere has all of it.
-void SetUsualRange(vtkDataSet& volume, const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings,
+void SetUsualRange(vtkDataObject& volume, const vtkHapticCliFieldOptions& options, const vtkHapticCliSettings& settings,
   palpate::FieldPlan& plan)
 {
   const vtkHapticFieldArrays arrays = ArraysOf(options, settings);
-  const auto resistances = options.Range.empty() ? EndsOf(volume, arrays.Resistance) : std::nullopt;
-  if (resistances)
+  const palpate::FieldEnds resistances = vtkHapticFieldEnds(&volume, arrays.Resistance);
+  if (options.Range.empty() && resistances[0] <= resistances[1])
   {
-    const auto [low, high] = *resistances;
-    plan.dragNone = low < high ? low : low - 1.0;
-    plan.dragFull = high;
+    plan.dragNone = resistances[0] < resistances[1] ? resistances[0] : resistances[0] - 1.0;
+    plan.dragFull = resistances[1];
   }
-  const bool asked = !options.Range.empty() || settings.IsGiven("FieldFullSpeed");
-  const auto lengths = asked ? std::nullopt : EndsOf(volume, arrays.Vector);
-  if (lengths && lengths->front() < lengths->back())
+  const palpate::FieldEnds lengths = vtkHapticFieldEnds(&volume, arrays.Vector);
+  if (options.Range.empty() && !settings.IsGiven("FieldFullSpeed") && lengths[0] < lengths[1])
   {
-    plan.noSpeed = lengths->front();
-    plan.fullSpeed = lengths->back();
+    plan.noSpeed = lengths[0];
+    plan.fullSpeed = lengths[1];
   }
 }
 
@@ -341,8 +321,8 @@ void CheckNoneIsGiven(const vtkHapticCliFieldOptions& options, const vtkHapticCl
 void vtkHapticCliAddField(CLI::App& command, vtkHapticCliFieldOptions& options)
 {
   command
-    .add_option(
-      "--field", options.Arrays, "array of the first volume (vti, vtr, vts, vtu, nii) felt as a field, for each --mode")
+    .add_option("--field", options.Arrays,
+      "array of the first volume (vti, vtr, vts, vtu, vtm, nii) felt as a field, for each --mode")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
@@ -389,11 +369,12 @@ std::shared_ptr<const palpate::FieldSource> vtkHapticCliTakeField(const vtkHapti
   if (file == files.end())
   {
     throw vtkHapticCliProblem(
-      files.front() + ": it is no volume that --field could be felt of; known are vti, vtr, vts, vtu, nii and nii.gz");
+      files.front() +
+      ": it is no volume that --field could be felt of; known are vti, vtr, vts, vtu, vtm, nii and nii.gz");
   }
   const std::string name = *file;
-  const vtkSmartPointer<vtkDataSet> volume = VolumeOf(name);
-  const vtkSmartPointer<vtkDataSet> compared = options.OtherFile.empty() ? nullptr : VolumeOf(options.OtherFile);
+  const vtkSmartPointer<vtkDataObject> volume = VolumeOf(name);
+  const vtkSmartPointer<vtkDataObject> compared = options.OtherFile.empty() ? nullptr : VolumeOf(options.OtherFile);
   const vtkSmartPointer<vtkPolyData> places = options.Snap.empty() ? nullptr : PlacesOf(options);
   const vtkHapticFieldResult field = vtkHapticToField(volume, ArraysOf(options, settings), { compared, places });
   const std::string problem = field.Source ? palpate::levelProblem(plan, field.Ends) : field.Problem;

@@ -64,9 +64,9 @@ struct Field
     {
       return "field: distance of levels, usual gradient and reach of a snap must be larger than 0";
     }
-    if (!std::isfinite(f.dragNone) || !std::isfinite(f.dragFull) || !(f.dragFull > f.dragNone))
+    if (!std::isfinite(f.dragNone) || !std::isfinite(f.dragFull))
     {
-      return "field: the resistance that is felt in full must be larger than the one of which nothing is";
+      return "field: the resistances of which nothing is felt and all must be finite";
     }
     if (!nonNegative(f.noSpeed) || (f.noSpeed > 0.0 && !(f.fullSpeed > f.noSpeed)))
     {

@@ -238,9 +238,9 @@ TEST_F(Field, IsRecordedAndWhatCannotBeIsRefused)
   EXPECT_NE(refused([](FieldPlan& f) { f.drag_N = -1.0; }), "");
   EXPECT_NE(refused([](FieldPlan& f) { f.isovalue = std::nan(""); }), "");
   EXPECT_NE(refused([](FieldPlan& f) { f.detent.spacing = 0.0; }), "");
-  EXPECT_NE(refused([](FieldPlan& f) { f.dragNone = f.dragFull; }), "");
+  EXPECT_NE(refused([](FieldPlan& f) { f.dragNone = std::numeric_limits<double>::infinity(); }), "");
   EXPECT_NE(refused([](FieldPlan& f) { f.dragFull = std::nan(""); }), "");
-  EXPECT_EQ(refused([](FieldPlan& f) { f.dragNone = -2.0, f.dragFull = -1.0; }), "");
+  EXPECT_EQ(refused([](FieldPlan& f) { f.dragNone = 2.0, f.dragFull = -1.0; }), "") << "less resists more";
   EXPECT_NE(refused([](FieldPlan& f) { f.noSpeed = 1.0; }), "");
   EXPECT_EQ(refused([](FieldPlan& f) { f.noSpeed = 1.0, f.fullSpeed = 2.0; }), "");
 }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticFieldPacket.h"
+
+#include "haptics/recording/ByteStream.h"
+#include "haptics/recording/RecordedBricks.h"
+
+namespace
+{
+/// Puts or gets all but the brick, so that each value is named once.
+template<class Stream, class Packet>
+void Each(const Stream& stream, Packet& packet)
+{
+  stream(packet.Problem);
+  stream(packet.Ends);
+  stream(packet.Bounds);
+  stream(packet.Made.centre_W);
+  stream(packet.Made.reach_u);
+  stream(packet.Made.problem);
+  stream(packet.Made.smoothness.passes);
+  stream(packet.Made.smoothness.noise);
+  stream(packet.Made.smoothness.level);
+  stream(packet.Made.smoothness.until);
+  stream(packet.Made.error);
+  stream(packet.Made.finerReach_u);
+}
+} // namespace
+
+std::vector<char> vtkHapticPackField(const vtkHapticFieldPacket& packet)
+{
+  palpate::ByteWriter out;
+  Each([&out](const auto& value) { out.put(value); }, packet);
+  out.put(packet.Made.brick != nullptr);
+  if (packet.Made.brick)
+  {
+    palpate::putBrick(out, *packet.Made.brick);
+  }
+  return out.bytes();
+}
+
+std::optional<vtkHapticFieldPacket> vtkHapticUnpackField(std::span<const char> bytes)
+{
+  palpate::ByteReader in(bytes.data(), bytes.size());
+  vtkHapticFieldPacket packet;
+  Each([&in](auto& value) { in.get(value); }, packet);
+  bool hasBrick = false;
+  in.get(hasBrick);
+  packet.Made.brick = hasBrick ? palpate::readBrick(in) : nullptr;
+  return in.ok() && in.left() == 0 ? std::optional(packet) : std::nullopt;
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticFieldPacket_h
+#define vtkHapticFieldPacket_h
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "vtkHapticFieldData.h"
+
+/// What is known of a field elsewhere than its data are: all that travels of them.
+struct vtkHapticFieldPacket
+{
+  std::string Problem; ///< why it cannot be felt; "": it can
+  palpate::FieldEnds Ends{ 1.0, 0.0 };
+  std::array<double, 6> Bounds{}; ///< [u]
+  palpate::MadeBrick Made;
+};
+
+/// As bytes; a brick in them is the same to the bit.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::vector<char> vtkHapticPackField(const vtkHapticFieldPacket& packet);
+/// None where the bytes are no packet.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::optional<vtkHapticFieldPacket> vtkHapticUnpackField(
+  std::span<const char> bytes);
+
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticFinerField_h
+#define vtkHapticFinerField_h
+
+#include "vtkHapticCellSizes.h"
+#include "vtkHapticFieldWindow.h"
+
+/// The brick of a lattice around a place, with a finer one in it where the cells there are smaller than those that the
+/// lattice is laid out by: its spacing is that of the lattice, halved as often as the cells are, and it reaches as far
+/// as an eighth of a brick's memory does.
+palpate::MadeBrick vtkHapticBrickWithFiner(const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
+  const HapticFieldCells& cells, const vtkHapticCellSizes& sizes, const palpate::BrickWish& wish);
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticRemoteField.h"
+
+#include <set>
+#include <span>
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkHapticFieldBrick.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWeakPointer.h"
+
+namespace
+{
+constexpr const char* NoAnswer =
+  "the server did not say what is felt of it: load the plugin Palpate of this version there too";
+
+/// A brick filter on the server.
+class Server
+{
+public:
+  Server(vtkSMSourceProxy* source, unsigned int port, double time, const vtkHapticFieldArrays& arrays) : Time(time)
+  {
+    this->Brick = Make(source, "internal_filters", "HapticFieldBrick");
+    if (!this->Brick)
+    {
+      return;
+    }
+    vtkSMPropertyHelper(this->Brick, "Input").Set(source, port);
+    vtkSMPropertyHelper(this->Brick, "Values").Set(arrays.Scalar.c_str());
+    vtkSMPropertyHelper(this->Brick, "Directions").Set(arrays.Vector.c_str());
+    vtkSMPropertyHelper(this->Brick, "Resistance").Set(arrays.Resistance.c_str());
+    vtkSMPropertyHelper(this->Brick, "Other").Set(arrays.Other.c_str());
+    vtkSMPropertyHelper(this->Brick, "Component").Set(arrays.Component);
+    vtkSMPropertyHelper(this->Brick, "Eigenvector").Set(arrays.Eigenvector);
+    vtkSMPropertyHelper(this->Brick, "Smoothing").Set(arrays.Smoothing);
+    this->Brick->UpdateVTKObjects();
+  }
+
+  /// None where the server has no such filter or went away.
+  std::optional<vtkHapticFieldPacket> Ask(const palpate::BrickWish& wish)
+  {
+    if (!this->Brick)
+    {
+      return std::nullopt;
+    }
+    vtkSMPropertyHelper(this->Brick, "Centre").Set(wish.centre_W.data(), 3);
+    vtkSMPropertyHelper(this->Brick, "Reach").Set(wish.reach_u);
+    vtkSMPropertyHelper(this->Brick, "Revision").Set(static_cast<int>(wish.revision));
+    vtkSMPropertyHelper(this->Brick, "HasLevel").Set(wish.level ? 1 : 0);
+    vtkSMPropertyHelper(this->Brick, "Level").Set(wish.level.value_or(0.0));
+    this->Brick->UpdateVTKObjects();
+    // One that has brought something has no input here that could change, and would not listen when the server sends.
+    const auto mover = Make(this->Brick, "filters", "ClientServerMoveData");
+    vtkSMPropertyHelper(mover, "Input").Set(this->Brick);
+    vtkSMPropertyHelper(mover, "OutputDataType").Set(VTK_TABLE);
+    mover->UpdateVTKObjects();
+    mover->UpdatePipeline(this->Time);
+    auto* const here = vtkAlgorithm::SafeDownCast(mover->GetClientSideObject());
+    vtkUnsignedCharArray* const bytes =
+      here ? vtkHapticFieldBrick::BytesOf(vtkTable::SafeDownCast(here->GetOutputDataObject(0))) : nullptr;
+    return bytes ? vtkHapticUnpackField({ reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                     static_cast<std::size_t>(bytes->GetNumberOfValues()) })
+                 : std::nullopt;
+  }
+
+private:
+  static vtkSmartPointer<vtkSMSourceProxy> Make(vtkSMProxy* beside, const char* group, const char* name)
+  {
+    return vtkSmartPointer<vtkSMSourceProxy>::Take(
+      vtkSMSourceProxy::SafeDownCast(beside->GetSessionProxyManager()->NewProxy(group, name)));
+  }
+
+  vtkSmartPointer<vtkSMSourceProxy> Brick;
+  double Time;
+};
+
+class RemoteField : public palpate::FieldSource
+{
+public:
+  RemoteField(Server server, vtkSMSourceProxy* source) : Asked(std::move(server)), Source(source)
+  {
+    this->Observer = source->AddObserver(vtkCommand::UpdateDataEvent, this, &RemoteField::Change);
+  }
+  ~RemoteField() override
+  {
+    if (this->Source)
+    {
+      this->Source->RemoveObserver(this->Observer);
+    }
+  }
+
+  palpate::MadeBrick brickAround(const palpate::BrickWish& wish) const override
+  {
+    const auto packet = this->Asked.Ask(wish);
+    return packet ? packet->Made : palpate::MadeBrick{ nullptr, wish.centre_W, wish.reach_u, NoAnswer };
+  }
+  bool answersAnyThread() const override { return false; }
+  std::shared_ptr<const bool> Changed() const { return this->HasChanged; }
+
+private:
+  void Change() { *this->HasChanged = true; }
+
+  mutable Server Asked; ///< by one thread at a time
+  vtkWeakPointer<vtkSMSourceProxy> Source;
+  unsigned long Observer = 0;
+  std::shared_ptr<bool> HasChanged = std::make_shared<bool>(false);
+};
+} // namespace
+
+vtkHapticRemoteFieldResult vtkHapticRemoteField(
+  vtkSMSourceProxy* source, unsigned int port, double time, const vtkHapticFieldArrays& arrays)
+{
+  Server server(source, port, time, arrays);
+  const auto packet = server.Ask({});
+  if (!packet)
+  {
+    return { { nullptr, NoAnswer } };
+  }
+  vtkHapticRemoteFieldResult result{ { nullptr, packet->Problem, packet->Ends, packet->Bounds } };
+  if (packet->Problem.empty())
+  {
+    const auto field = std::make_shared<RemoteField>(std::move(server), source);
+    result.Field.Source = field;
+    result.Changed = field->Changed();
+  }
+  return result;
+}
+
+std::vector<std::string> vtkHapticRemoteArrayNames(vtkSMSourceProxy* source, unsigned int port, int components)
+{
+  std::set<std::string> names;
+  vtkPVDataInformation* const data = source->GetDataInformation(port);
+  for (vtkPVDataSetAttributesInformation* attributes :
+    { data->GetPointDataInformation(), data->GetCellDataInformation() })
+  {
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkPVArrayInformation* const array = attributes->GetArrayInformation(i);
+      if (array->GetDataType() != VTK_STRING && vtkHapticFitsComponents(array->GetNumberOfComponents(), components))
+      {
+        names.insert(array->GetName());
+      }
+    }
+  }
+  return { names.begin(), names.end() };
+}
