@@ -24,6 +24,8 @@ ContactResult resultOf(const SoftResult& moved, const SoftState& soft, double co
   result.pull_W = moved.force_N / coupling_N_per_u;
   result.held_u2 = result.pull_W.squaredNorm();
   result.capped = result.capped || moved.capped;
+  result.overBudget = result.overBudget || moved.overBudget;
+  result.work = moved.work;
   result.contacts = soft.count > 0 ? pushing(soft) : result.contacts;
   return result;
 }
