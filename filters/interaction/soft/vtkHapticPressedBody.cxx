@@ -87,7 +87,10 @@ std::string vtkHapticPressedBody::Sentence(const palpate::HapticState& state) co
   }
   return text + "; " + Rounded(this->PacketsPerSecond, 3) + " packets a second, " +
          (state.soft.felt ? palpate::quantity(1e3 * state.soft.age_s, "ms") + " old" : "not taken yet") +
-         this->StrainSentence();
+         this->StrainSentence() +
+         (state.soft.pressed && this->Status.shape->struck
+             ? "; struck faster than a body as dense as water follows: its inertia is left out"
+             : "");
 }
 
 bool vtkHapticPressedBody::Bend(vtkUnstructuredGrid& body)

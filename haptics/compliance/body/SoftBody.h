@@ -24,7 +24,8 @@ struct SoftBodyInput
   std::vector<bool> fixed;      ///< of each vertex
   std::vector<double> young_Pa; ///< of each tetrahedron, or one for all
   double poisson = 0.4;
-  double unit_m = 1.0; ///< metres a unit of the scene
+  double unit_m = 1.0;               ///< metres a unit of the scene
+  double density_kg_per_m3 = 1000.0; ///< as water; tells how fast the body can follow a hand, and nothing else
   ElementKind element = ElementKind::EdgeSmoothed;
   ElasticModel model = ElasticModel::NeoHookean;
   std::size_t mostBytes = std::size_t{ 2 } << 30; ///< of the factor; asked before it is computed

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptics/compliance/body/NaturalPeriod.h"
 #include "haptics/geometry/scene/SceneMotion.h"
 
 namespace palpate
@@ -42,12 +43,13 @@ std::unique_ptr<BodyMaker> BodyMaker::make(
 {
   SoftBodyResult made = makeSoftBody(input);
   refusal = made.refusal;
-  return made.body ? std::unique_ptr<BodyMaker>(new BodyMaker(std::move(made), input.model, name, revision)) : nullptr;
+  return made.body ? std::unique_ptr<BodyMaker>(new BodyMaker(std::move(made), input, name, revision)) : nullptr;
 }
 
-BodyMaker::BodyMaker(SoftBodyResult made, ElasticModel model, std::string name, std::uint64_t revision)
-  : checked_(std::move(made.checked)), model_(model), name_(std::move(name)), body_(std::move(made.body)),
-    surface_(makeSoftSurface(*this->body_, this->checked_.mesh)), packets_(*this->body_, this->surface_),
+BodyMaker::BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::string name, std::uint64_t revision)
+  : checked_(std::move(made.checked)), model_(input.model), name_(std::move(name)), body_(std::move(made.body)),
+    surface_(makeSoftSurface(*this->body_, this->checked_.mesh)),
+    packets_(*this->body_, this->surface_, naturalPeriod_s(*this->body_, input.density_kg_per_m3, input.unit_m)),
     revision_(revision)
 {
   (void)this->surfacesWith(this->surface_.rest_W, false); // numbered as the packets are; what bends keeps its numbers
@@ -100,6 +102,7 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
   {
     return nullptr;
   }
+  this->struck_ = packet->struck;
   auto pressed = std::make_shared<PressedBody>();
   pressed->revision = ++this->revision_;
   pressed->period_s = period_s;
@@ -112,6 +115,7 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
 BodyShape BodyMaker::shape() const
 {
   BodyShape shape;
+  shape.struck = this->struck_;
   const StrainPoints& points = this->body_->points();
   const Eigen::VectorXd& u = this->body_->displacement();
   for (std::size_t v = 0; v < this->checked_.mesh.vertices_W.size(); ++v)

@@ -18,6 +18,7 @@ struct BodyShape
   std::vector<Vec3> displacement_u; ///< of each vertex of the tetrahedra that it was made of
   double mostGradient = 0.0;        ///< largest |F - 1|
   Vec3 worst_W = Vec3::Zero();      ///< and the middle, at rest, of where it is
+  bool struck = false;              ///< the hand is faster than the body's inertia would let it follow
 };
 
 /// A soft body and the scene that it is felt in: makes, one after the other, what the servo takes. A worker's.
@@ -45,7 +46,7 @@ public:
   static constexpr int usualSteps = 3;
 
 private:
-  BodyMaker(SoftBodyResult made, ElasticModel model, std::string name, std::uint64_t revision);
+  BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::string name, std::uint64_t revision);
   [[nodiscard]] std::shared_ptr<const Scene> sceneOf(const CompliancePacket& packet, double period_s);
   [[nodiscard]] std::vector<Surface> surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside);
 
@@ -59,6 +60,7 @@ private:
   std::shared_ptr<const Scene> beside_;
   std::shared_ptr<const Scene> scene_; ///< the last one; null: what is beside it is another since
   std::uint64_t revision_;
+  bool struck_ = false;
 };
 
 } // namespace palpate

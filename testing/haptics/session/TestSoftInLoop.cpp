@@ -9,6 +9,7 @@
 #include "haptics/recording/RecordedBodies.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/soft/BodyMaker.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/Meshes.h"
@@ -76,6 +77,24 @@ protected:
 
   HapticSession session;
 };
+
+TEST(SoftBodyMaker, TellsAHandThatIsFasterThanTheBodyCouldFollowFromASlowOne)
+{
+  // No wave is faster than sqrt(M / rho) = 6.5 m/s, so four times the block's 50 mm take it 30 ms or more: by then a
+  // hand at 5 m/s has gone 150 mm, and in the period of a millisecond that packets have here 5 mm, less than a patch.
+  std::string refusal;
+  const auto maker = BodyMaker::make(softBlock(ElasticModel::NeoHookean), "block", 0, refusal);
+  ASSERT_TRUE(maker) << refusal;
+  BodyHand hand;
+  hand.ball_W = topOfBlock() + Vec3(0, 0, ballInLoop);
+  hand.radius_u = ballInLoop;
+  for (const double speed : { 1e-4, 5.0, 1e-4 })
+  {
+    hand.velocity_u_per_s = Vec3(0, 0, -speed);
+    ASSERT_TRUE(maker->press(hand, 1e-3));
+    EXPECT_EQ(maker->shape().struck, speed > 1.0) << speed;
+  }
+}
 
 TEST_F(SoftInLoop, ReplaysBitForBitWithPacketsThatBendTheSurface)
 {
