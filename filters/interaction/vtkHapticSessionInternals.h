@@ -230,10 +230,10 @@ public:
   void ShowState();
   /// Where the ball touches, or the tool most; nothing where neither does.
   std::optional<palpate::ContactPlace> PlaceOfContact() const;
-  /// The tool is made anew by a setting of its own, if the setting may have these numbers.
+  /// A setting of the tool, if it may have these numbers: the tool is made anew, or has only another lever.
   template<class Value>
   static void ChangeTool(vtkHapticSession* session, const char* setting, std::initializer_list<double> numbers,
-    Value& held, const Value& value);
+    Value& held, const Value& value, bool anew);
   /// What is at the contact now; nothing without one.
   std::optional<vtkHapticMarkRecord> LookAtContact();
   void ShowContact(std::optional<vtkHapticMarkRecord> contact);

@@ -26,6 +26,22 @@ std::string vtkHapticHeldTool::TakeAgain()
   return this->Mesh ? this->Make() : std::string();
 }
 
+std::string vtkHapticHeldTool::TakeLever()
+{
+  if (this->Choice_.tool)
+  {
+    this->Choice_.lever_u = this->LeverNow_u();
+  }
+  return this->Problem;
+}
+
+double vtkHapticHeldTool::LeverNow_u() const
+{
+  return this->Lever_u == 0.0 && this->Handle == vtkHapticToolHandle::Handle
+           ? (this->TipPoint_T - this->HandlePoint_T).norm()
+           : this->Lever_u;
+}
+
 std::string vtkHapticHeldTool::Make()
 {
   this->Choice_ = {};
@@ -47,8 +63,7 @@ std::string vtkHapticHeldTool::MakeTool()
   if (made.ok())
   {
     this->Choice_.tool = std::make_shared<const palpate::ToolMesh>(made.tool);
-    const double length_u = (this->TipPoint_T - this->HandlePoint_T).norm();
-    this->Choice_.lever_u = this->Lever_u == 0.0 && atHandle ? length_u : this->Lever_u;
+    this->Choice_.lever_u = this->LeverNow_u();
   }
   return made.refusal;
 }

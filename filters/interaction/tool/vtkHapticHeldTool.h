@@ -30,8 +30,9 @@ public:
 
   /// Takes what a source has, null: it is not there. Empty, or why it cannot be held; then none is.
   std::string Take(const std::string& name, vtkDataObject* data);
-  /// The same data by other settings.
+  /// The same data by other settings, or only with another lever.
   std::string TakeAgain();
+  std::string TakeLever();
   const palpate::ToolChoice& Choice() const { return this->Choice_; }
   void GetShape(vtkPolyData* shape) const;
   /// How it is, after each look at the session.
@@ -48,6 +49,7 @@ public:
 private:
   std::string Make();
   std::string MakeTool();
+  double LeverNow_u() const;
   std::string Sentence(palpate::HapticSession& core, const palpate::HapticState& state) const;
   void PutPose(const palpate::Pose& centre_W, double pose[7]) const;
 

@@ -63,12 +63,13 @@ const char* vtkHapticSession::GetToolSource() const
 
 template<class Value>
 void vtkHapticSession::Internals::ChangeTool(vtkHapticSession* session, const char* setting,
-  std::initializer_list<double> numbers, Value& held, const Value& value)
+  std::initializer_list<double> numbers, Value& held, const Value& value, bool anew)
 {
   if (session->Allows(setting, numbers) && held != value)
   {
     held = value;
-    session->HoldTool(session->Impl->Tool.TakeAgain());
+    vtkHapticHeldTool& tool = session->Impl->Tool;
+    session->HoldTool(anew ? tool.TakeAgain() : tool.TakeLever());
     session->Modified();
   }
 }
@@ -76,7 +77,7 @@ void vtkHapticSession::Internals::ChangeTool(vtkHapticSession* session, const ch
 void vtkHapticSession::SetToolHandle(int choice)
 {
   Internals::ChangeTool(this, "ToolHandle", { static_cast<double>(choice) }, this->Impl->Tool.Handle,
-    static_cast<vtkHapticToolHandle>(choice));
+    static_cast<vtkHapticToolHandle>(choice), true);
 }
 
 int vtkHapticSession::GetToolHandle() const
@@ -86,7 +87,9 @@ int vtkHapticSession::GetToolHandle() const
 
 void vtkHapticSession::SetToolHandlePoint(double x, double y, double z)
 {
-  Internals::ChangeTool(this, "ToolHandlePoint", { x, y, z }, this->Impl->Tool.HandlePoint_T, palpate::Vec3(x, y, z));
+  vtkHapticHeldTool& tool = this->Impl->Tool;
+  Internals::ChangeTool(this, "ToolHandlePoint", { x, y, z }, tool.HandlePoint_T, palpate::Vec3(x, y, z),
+    tool.Handle == vtkHapticToolHandle::Handle);
 }
 
 double* vtkHapticSession::GetToolHandlePoint()
@@ -96,7 +99,7 @@ double* vtkHapticSession::GetToolHandlePoint()
 
 void vtkHapticSession::SetToolTipPoint(double x, double y, double z)
 {
-  Internals::ChangeTool(this, "ToolTipPoint", { x, y, z }, this->Impl->Tool.TipPoint_T, palpate::Vec3(x, y, z));
+  Internals::ChangeTool(this, "ToolTipPoint", { x, y, z }, this->Impl->Tool.TipPoint_T, palpate::Vec3(x, y, z), false);
 }
 
 double* vtkHapticSession::GetToolTipPoint()
@@ -106,7 +109,7 @@ double* vtkHapticSession::GetToolTipPoint()
 
 void vtkHapticSession::SetToolLever(double lever_u)
 {
-  Internals::ChangeTool(this, "ToolLever", { lever_u }, this->Impl->Tool.Lever_u, lever_u);
+  Internals::ChangeTool(this, "ToolLever", { lever_u }, this->Impl->Tool.Lever_u, lever_u, false);
 }
 
 double vtkHapticSession::GetToolLever() const

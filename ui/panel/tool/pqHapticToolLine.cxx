@@ -31,6 +31,13 @@ Point PointOf(vtkSMProxy* session, const char* property)
   return point;
 }
 
+/// Where a handle may be that was placed for this tool, and not for another.
+bool IsNear(const Point& handle, vtkBoundingBox box)
+{
+  box.Inflate(box.GetDiagonalLength());
+  return box.ContainsPoint(handle.data());
+}
+
 /// Ends of the longest side of a box, through its middle.
 void PlaceIn(const vtkBoundingBox& box, vtkSMProxy* session)
 {
@@ -45,9 +52,8 @@ void PlaceIn(const vtkBoundingBox& box, vtkSMProxy* session)
   vtkSMPropertyHelper(session, "ToolTipPoint").Set(tip.data(), 3);
 }
 
-void SetShown(pqPipelineSource* source, bool shown)
+void SetShown(pqPipelineSource* source, pqView* view, bool shown)
 {
-  pqView* const view = pqActiveObjects::instance().activeView();
   if (!source || !view)
   {
     return;
@@ -69,14 +75,17 @@ void pqHapticToolLine::show(vtkSMProxy* session, pqPipelineSource* tool)
   this->Tool = tool;
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", session);
-    if (PointOf(session, "ToolHandlePoint") == PointOf(session, "ToolTipPoint"))
+    const vtkBoundingBox box(tool->getSourceProxy()->GetDataInformation(0)->GetBounds());
+    const Point handle = PointOf(session, "ToolHandlePoint");
+    if (handle == PointOf(session, "ToolTipPoint") || !IsNear(handle, box))
     {
-      PlaceIn(tool->getSourceProxy()->GetDataInformation(0)->GetBounds(), session);
+      PlaceIn(box, session);
     }
     vtkSMPropertyHelper(session, "ToolHandle").Set(heldAtHandle);
     session->UpdateVTKObjects();
   }
-  SetShown(tool, true);
+  this->View = pqActiveObjects::instance().activeView();
+  SetShown(tool, this->View, true);
   vtkNew<vtkSMPropertyGroup> ends;
   ends->AddProperty("Point1WorldPosition", session->GetProperty("ToolHandlePoint"));
   ends->AddProperty("Point2WorldPosition", session->GetProperty("ToolTipPoint"));
@@ -84,7 +93,7 @@ void pqHapticToolLine::show(vtkSMProxy* session, pqPipelineSource* tool)
   this->Line->hide(); // the panel has rows of its own for the two points
   this->connect(this->Line, &pqPropertyWidget::changeFinished, this, &pqHapticToolLine::apply);
   this->Line->setDataSource(tool->getSourceProxy());
-  this->Line->setView(pqActiveObjects::instance().activeView());
+  this->Line->setView(this->View);
   this->Line->reset();
   this->Line->select();
 }
@@ -92,12 +101,16 @@ void pqHapticToolLine::show(vtkSMProxy* session, pqPipelineSource* tool)
 void pqHapticToolLine::hide()
 {
   delete this->Line;
-  SetShown(this->Tool, false);
+  SetShown(this->Tool, this->View, false);
 }
 
 void pqHapticToolLine::apply()
 {
-  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Session);
+  if (!this->Session)
+  {
+    return;
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Session.Get());
   this->Line->apply();
   this->Session->UpdateVTKObjects();
 }

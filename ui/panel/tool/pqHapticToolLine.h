@@ -2,11 +2,14 @@
 #ifndef pqHapticToolLine_h
 #define pqHapticToolLine_h
 
+#include "vtkWeakPointer.h"
+
 #include <QObject>
 #include <QPointer>
 
 class pqLinePropertyWidget;
 class pqPipelineSource;
+class pqView;
 class vtkSMProxy;
 
 /// A line in the view from the handle of a tool to its tip, both drawn with the mouse where the tool's data are.
@@ -19,8 +22,8 @@ public:
   explicit pqHapticToolLine(QWidget* parent);
   ~pqHapticToolLine() override;
 
-  /// The session is held at the handle from then on. A handle and a tip that were never placed stand at the ends of the
-  /// tool's longest side.
+  /// The session is held at the handle from then on. A handle and a tip that were never placed, or for a tool
+  /// elsewhere, stand at the ends of the tool's longest side.
   void show(vtkSMProxy* session, pqPipelineSource* tool);
   void hide();
 
@@ -28,8 +31,9 @@ private:
   void apply();
 
   QWidget* Panel;
-  vtkSMProxy* Session = nullptr;
+  vtkWeakPointer<vtkSMProxy> Session;
   QPointer<pqPipelineSource> Tool;
+  QPointer<pqView> View; ///< where the tool and the line are shown
   QPointer<pqLinePropertyWidget> Line;
 };
 
