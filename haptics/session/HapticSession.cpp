@@ -156,6 +156,10 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   this->run_ = std::move(run);
   this->lastState_ = HapticState{};
   this->lastReport_ = LoopReport{};
+  if (this->recording())
+  {
+    this->storeBodies(); // from the first packet on
+  }
   if (options.engage)
   {
     this->engage();
@@ -378,6 +382,7 @@ void HapticSession::endRecording()
 {
   if (this->run_)
   {
+    this->storeBodies();
     this->run_->recordings->end();
     if (this->run_->virtualTime)
     {
@@ -394,7 +399,12 @@ bool HapticSession::recording() const noexcept
 
 std::optional<EndedRecording> HapticSession::takeRecorded()
 {
-  return this->run_ ? this->run_->recordings->takeEnded() : std::exchange(this->lastRecorded_, std::nullopt);
+  if (!this->run_)
+  {
+    return std::exchange(this->lastRecorded_, std::nullopt);
+  }
+  this->storeBodies();
+  return this->run_->recordings->takeEnded();
 }
 
 const HapticState& HapticSession::state()

@@ -54,6 +54,10 @@ void Recordings::storeBody(const std::shared_ptr<const PressedBody>& body)
   {
     this->current_->recorder->storeBody(body);
   }
+  for (const Going& going : this->ending_) // the servo may have taken the body before it saw the end
+  {
+    going.recorder->storeBody(body);
+  }
 }
 
 void Recordings::pump()

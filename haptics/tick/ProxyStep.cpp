@@ -89,9 +89,11 @@ void comeFrom(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, G
 SceneStep sceneStep(const TickInput& input, const RendererState& state) noexcept
 {
   const std::uint64_t revision = input.scene != nullptr ? input.scene->revision() : 0;
+  const std::uint64_t geometry = input.scene != nullptr ? input.scene->geometryHash() : 0;
   SceneStep step;
-  step.changed = input.previousScene != nullptr || revision != state.sceneRevision;
-  step.otherGeometry = step.changed && (input.scene == nullptr || input.scene->geometryHash() != state.sceneGeometry);
+  // The scenes of a soft body have one revision; which of them was felt before, ticks that are held do not see.
+  step.changed = input.previousScene != nullptr || revision != state.sceneRevision || geometry != state.sceneGeometry;
+  step.otherGeometry = step.changed && (input.scene == nullptr || geometry != state.sceneGeometry);
   step.replaced =
     step.otherGeometry && (input.scene == nullptr || input.scene->continuesGeometry() != state.sceneGeometry);
   step.first = state.sceneRevision == 0;
@@ -106,6 +108,7 @@ ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state
   if (!tick.touches)
   {
     contact = GodObjectState{};
+    state.soft = SoftState{};
     moved.contact.proxy_W = p_W;
     return moved;
   }
@@ -122,7 +125,8 @@ ProxyStep moveProxy(const ProxyTick& tick, const Vec3& p_W, RendererState& state
   {
     comeFrom(tick, plan, p_W, contact);
   }
-  state.ballLed = toldToCome ? tick.lead.number : state.ballLed;
+  const bool spent = toldToCome || tick.input.body != nullptr; // a lead past what gives way would come late
+  state.ballLed = spent ? tick.lead.number : state.ballLed;
   if (contact.placed && state.radius_u != tick.plan.radius_u)
   {
     resize(tick, state);

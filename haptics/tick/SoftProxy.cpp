@@ -52,10 +52,12 @@ BodyHand bodyHandOf(const TickInput& input, const TickOutput& output, const Rend
 {
   BodyHand hand;
   hand.tick = input.tick;
+  hand.revision = state.softRevision;
   hand.ball_W = state.contact.placed ? state.contact.x_W : output.state.device_W.p;
   hand.velocity_u_per_s = state.map.scale_u_per_m * state.map.directionToScene(output.state.velocity_D);
   hand.radius_u = state.radius_u;
-  for (int c = 0; c < state.soft.count && input.body != nullptr; ++c)
+  const bool pressed = input.body != nullptr && input.body->revision == state.softRevision;
+  for (int c = 0; c < state.soft.count && pressed; ++c)
   {
     const SoftContact& contact = state.soft.contacts[c];
     if (contact.soft != nullptr)

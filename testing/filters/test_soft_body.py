@@ -113,6 +113,21 @@ class SoftBody(unittest.TestCase):
         self.assertEqual(len(self.fixed(grid)), 25)
         self.assertTrue(all(abs(grid.GetPoint(i)[2] - SIDE / 2) < 1e-6 for i in self.fixed(grid)))
 
+    def test_what_a_body_is_held_by_is_its_own_and_an_array_of_that_name_is_read(self):
+        first, errors = self.make(tetrahedra())
+        self.assertFalse(errors)
+        second, errors = self.make(first, "zmax")
+        self.assertFalse(errors)
+        self.assertEqual((len(self.fixed(first)), len(self.fixed(second))), (25, 50))
+        block, fixed = tetrahedra(), vtkDoubleArray()
+        fixed.SetName("Fixed")
+        for i in range(block.GetNumberOfPoints()):
+            fixed.InsertNextValue(1.0 if block.GetPoint(i)[0] == 0.0 else 0.0)
+        block.GetPointData().AddArray(fixed)
+        grid, errors = self.make(block, "Fixed")
+        self.assertFalse(errors)
+        self.assertEqual({grid.GetPoint(i)[0] for i in self.fixed(grid)}, {0.0})
+
     def test_a_closed_surface_is_filled(self):
         grid, errors = self.make(sphere(), "", sphere(3.0), FixedDistance=3.0, EdgeLength=4.0, SurfaceDistance=0.5)
         self.assertFalse(errors)

@@ -95,7 +95,7 @@ std::string vtkHapticPressedBody::Sentence(const palpate::HapticState& state) co
 
 bool vtkHapticPressedBody::Bend(vtkUnstructuredGrid& body)
 {
-  if (!this->Input || !this->Status.shape || this->Status.shape == this->Shown)
+  if (!this->Input || this->Status.shape == this->Shown)
   {
     return false;
   }

@@ -60,19 +60,31 @@ std::vector<std::string> Words(const std::string& text)
   return words;
 }
 
-vtkSmartPointer<vtkIntArray> FixedOf(vtkUnstructuredGrid& body)
+/// The body's own array of what is fixed, with what was fixed before: that one may be its input's, too.
+vtkSmartPointer<vtkIntArray> OwnFixed(vtkUnstructuredGrid& body)
 {
-  auto* fixed = vtkIntArray::SafeDownCast(body.GetPointData()->GetArray(FixedName));
-  if (fixed && fixed->GetNumberOfComponents() == 1)
-  {
-    return fixed;
-  }
+  vtkDataArray* const before = body.GetPointData()->GetArray(FixedName);
+  const bool read = before && before->GetNumberOfComponents() == 1;
   vtkNew<vtkIntArray> made;
   made->SetName(FixedName);
   made->SetNumberOfTuples(body.GetNumberOfPoints());
-  made->Fill(0);
+  for (vtkIdType i = 0; i < body.GetNumberOfPoints(); ++i)
+  {
+    made->SetValue(i, read && before->GetTuple1(i) != 0.0 ? 1 : 0);
+  }
   body.GetPointData()->AddArray(made);
   return made;
+}
+
+/// Poisson's ratio, the number of a model, metres a unit: files say anything.
+bool IsDescription(vtkDataArray& material)
+{
+  if (material.GetNumberOfComponents() != 3 || material.GetNumberOfTuples() < 1)
+  {
+    return false;
+  }
+  const double model = material.GetComponent(0, 1);
+  return model == 0.0 || model == 1.0 || model == 2.0;
 }
 
 void FixSide(vtkUnstructuredGrid& body, int side, double rough, vtkIntArray& fixed)
@@ -187,7 +199,8 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkHapticTetrahedra(vtkDataObject* data, st
 
 bool vtkHapticFixBody(vtkUnstructuredGrid& body, const std::string& fixed, double rough, std::string& problem)
 {
-  const auto array = FixedOf(body);
+  const vtkSmartPointer<vtkDataArray> given = body.GetPointData()->GetArray(fixed.c_str()); // may be the one replaced
+  const auto array = OwnFixed(body);
   const std::vector<std::string> words = Words(fixed);
   const bool sides = std::all_of(words.begin(), words.end(), [](const auto& word) { return SideOf(word) >= 0; });
   if (sides)
@@ -198,7 +211,6 @@ bool vtkHapticFixBody(vtkUnstructuredGrid& body, const std::string& fixed, doubl
     }
     return true;
   }
-  vtkDataArray* const given = body.GetPointData()->GetArray(fixed.c_str());
   if (!given || given->GetNumberOfComponents() != 1)
   {
     problem =
@@ -234,7 +246,7 @@ bool vtkHapticDescribeBody(
   }
   const auto rest = Array(MaterialName, 3, 1);
   rest->SetTuple3(0, material.Poisson, static_cast<double>(material.Model), material.Unit_m);
-  FixedOf(body);
+  OwnFixed(body);
   body.GetCellData()->AddArray(young);
   body.GetFieldData()->AddArray(rest);
   return true;
@@ -245,7 +257,7 @@ vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data)
   auto* const body = vtkUnstructuredGrid::SafeDownCast(data);
   vtkDataArray* const material = body ? body->GetFieldData()->GetArray(MaterialName) : nullptr;
   vtkDataArray* const young = body ? body->GetCellData()->GetArray(YoungName) : nullptr;
-  if (!material || material->GetNumberOfValues() < 3 || !young || !AllTetra(*body))
+  if (!material || !IsDescription(*material) || !young || !AllTetra(*body))
   {
     return { nullptr, "it is no soft body: apply the filter Soft Body to it" };
   }

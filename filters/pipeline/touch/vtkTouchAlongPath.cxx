@@ -259,6 +259,11 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
     vtkErrorMacro("The path cannot be followed: " << path.Problem);
     return 0;
   }
+  if (tool && vtkHapticToSoftBody(given).Input)
+  {
+    vtkErrorMacro("A tool does not feel what gives way: leave out the tool, or give the body's surface.");
+    return 0;
+  }
   if (tool)
   {
     return this->TouchWithTool(*surface, *tool, path, *vtkPolyData::GetData(output)) ? 1 : 0;

@@ -250,6 +250,7 @@ void solveGaps(const ContactProblem& problem, ContactForces& forces) noexcept
   {
     forces.steps += set.close(i);
   }
+  forces.work = static_cast<std::uint32_t>(forces.steps * (1 + problem.count * problem.count / 3));
   forces.force_N.setZero(3 * problem.count);
   forces.residual_u = 0.0;
   for (int i = 0; i < problem.count; ++i)

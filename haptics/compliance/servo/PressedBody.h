@@ -25,6 +25,7 @@ struct BodyHand
   static constexpr int most = GodObjectState::maxFeatures;
 
   std::uint64_t tick = 0;
+  std::uint64_t revision = 0; ///< of the packet whose vertices the forces are at
   Vec3 ball_W = Vec3::Zero(); ///< among the free surfaces [u]
   Vec3 velocity_u_per_s = Vec3::Zero();
   double radius_u = 0.0;

@@ -50,7 +50,7 @@ BodyMaker::BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::strin
   : checked_(std::move(made.checked)), model_(input.model), name_(std::move(name)), body_(std::move(made.body)),
     surface_(makeSoftSurface(*this->body_, this->checked_.mesh)),
     packets_(*this->body_, this->surface_, naturalPeriod_s(*this->body_, input.density_kg_per_m3, input.unit_m)),
-    revision_(revision)
+    first_(revision), revision_(revision)
 {
   (void)this->surfacesWith(this->surface_.rest_W, false); // numbered as the packets are; what bends keeps its numbers
 }
@@ -61,6 +61,7 @@ void BodyMaker::touch(std::shared_ptr<const Scene> beside)
   this->scene_.reset();
 }
 
+/// None where the body has lost vertices that its packets number: where they are not numbers any more, or meet.
 /// Those beside it are on the way that they have in their scene once, and stand where it ended afterwards.
 std::vector<Surface> BodyMaker::surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside)
 {
@@ -74,6 +75,11 @@ std::vector<Surface> BodyMaker::surfacesWith(const std::vector<Vec3>& free_W, bo
   input.name = this->name_;
   input.mesh = std::make_shared<TriangleMesh>(TriangleMesh{ free_W, this->surface_.triangles });
   const auto own = this->builder_.build({ input }, this->scene_.get()).scene;
+  const bool numbered = own && own->surfaces().front().tree->mesh().vertices_W.size() == this->surface_.rest_W.size();
+  if (!numbered)
+  {
+    return {};
+  }
   surfaces.push_back(own->surfaces().front());
   return surfaces;
 }
@@ -90,6 +96,10 @@ std::shared_ptr<const Scene> BodyMaker::sceneOf(const CompliancePacket& packet, 
   const double motion_s = this->beside_ ? this->beside_->motion_s() : 0.0;
   std::vector<Surface> surfaces =
     this->surfacesWith(stays ? this->surface_.rest_W : packet.free_W, this->scene_ != nullptr);
+  if (surfaces.empty())
+  {
+    return nullptr;
+  }
   const auto next = std::make_shared<const Scene>(revision, std::move(surfaces), this->scene_ ? 0.0 : motion_s);
   this->scene_ = this->scene_ ? movingFrom(*this->scene_, 1.0, next, std::max(period_s, atOnce_s)) : next;
   return this->scene_;
@@ -97,8 +107,15 @@ std::shared_ptr<const Scene> BodyMaker::sceneOf(const CompliancePacket& packet, 
 
 std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double period_s, int newtonSteps)
 {
-  const auto packet = this->packets_.make(requestOf(hand, period_s), newtonSteps);
-  if (!packet)
+  PacketRequest request = requestOf(hand, period_s);
+  if (hand.revision <= this->first_)
+  {
+    request.forceAt.clear();
+    request.force_N.clear();
+  }
+  const auto packet = this->packets_.make(request, newtonSteps);
+  const auto scene = packet ? this->sceneOf(*packet, period_s) : nullptr;
+  if (!scene)
   {
     return nullptr;
   }
@@ -106,7 +123,7 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
   auto pressed = std::make_shared<PressedBody>();
   pressed->revision = ++this->revision_;
   pressed->period_s = period_s;
-  pressed->scene = this->sceneOf(*packet, period_s);
+  pressed->scene = scene;
   pressed->packet = packet;
   pressed->touch = { static_cast<std::uint32_t>(pressed->scene->surfaces().size() - 1), packet.get() };
   return pressed;

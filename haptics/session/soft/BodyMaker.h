@@ -59,6 +59,7 @@ private:
   SceneBuilder builder_;
   std::shared_ptr<const Scene> beside_;
   std::shared_ptr<const Scene> scene_; ///< the last one; null: what is beside it is another since
+  std::uint64_t first_; ///< the revision before its first packet: forces on older ones are at another body's vertices
   std::uint64_t revision_;
   bool struck_ = false;
 };

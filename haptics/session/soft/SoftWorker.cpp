@@ -19,6 +19,12 @@ constexpr std::size_t keptUnasked = 4;
 constexpr double idlePeriod_s = 0.05;
 constexpr double slowest_Hz = 0.5;
 
+/// As often or not.
+bool isSameBody(const SoftChoice& a, const SoftChoice& b)
+{
+  return a.input == b.input && a.name == b.name;
+}
+
 double periodOf(const SoftChoice& choice)
 {
   return 1.0 / std::max(choice.rate_Hz, slowest_Hz);
@@ -42,7 +48,8 @@ void SoftWorker::give(const Order& order)
   {
     const std::lock_guard lock(this->mutex_);
     const bool told = order.choice.input || this->wanted_.choice.input;
-    this->status_.building = this->status_.building || (order.choice.input && order.choice != this->wanted_.choice);
+    this->status_.building =
+      this->status_.building || (order.choice.input && !isSameBody(order.choice, this->wanted_.choice));
     this->wanted_ = order;
     this->news_ = this->news_ || told;
   }
@@ -62,7 +69,7 @@ void SoftWorker::run(const std::stop_token& stop)
     const double period_s = this->maker_ ? periodOf(this->now_.choice) : idlePeriod_s;
     if (this->maker_)
     {
-      this->publish(this->maker_->press(this->links_.hand.read(), period_s));
+      this->inItsMemory([&] { this->publish(this->maker_->press(this->links_.hand.read(), period_s)); });
     }
     const double took_s = 1e-9 * static_cast<double>(clock.now_ns() - begin_ns);
     std::this_thread::sleep_for(std::chrono::duration<double>(std::max(period_s - took_s, 0.0)));
@@ -77,14 +84,35 @@ void SoftWorker::step(double time_s)
     return;
   }
   const std::shared_ptr<const PressedBody> before = this->paced_->now();
-  (void)this->paced_->at(time_s, this->links_.hand.read());
-  if (this->paced_->now() != before)
-  {
-    this->publish(this->paced_->now());
-  }
+  this->inItsMemory(
+    [&]
+    {
+      (void)this->paced_->at(time_s, this->links_.hand.read());
+      if (this->paced_->now() != before)
+      {
+        this->publish(this->paced_->now());
+      }
+    });
 }
 
 /// No room in memory for a factor is no reason to end the program that asked for it.
+template<class Work>
+void SoftWorker::inItsMemory(const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->paced_.reset();
+    this->maker_.reset();
+    const std::lock_guard lock(this->mutex_);
+    this->status_ = {};
+    this->status_.problem = "the soft body is too large: memory is used up; mesh it coarser";
+  }
+}
+
 void SoftWorker::obey()
 {
   if (!this->news_.exchange(false))
@@ -96,24 +124,17 @@ void SoftWorker::obey()
     const std::lock_guard lock(this->mutex_);
     order = this->wanted_;
   }
-  const bool sameBody = order.choice == this->now_.choice;
-  try
+  if (!isSameBody(order.choice, this->now_.choice))
   {
-    if (!sameBody)
-    {
-      this->build(order);
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->maker_.reset();
-    const std::lock_guard lock(this->mutex_);
-    this->status_ = {};
-    this->status_.problem = "the soft body is too large: memory is used up; mesh it coarser";
+    this->inItsMemory([&] { this->build(order); });
   }
   if (this->maker_)
   {
     this->maker_->touch(order.beside);
+    if (periodOf(order.choice) != periodOf(this->now_.choice))
+    {
+      this->paced_.emplace(*this->maker_, periodOf(order.choice));
+    }
   }
   this->now_ = std::move(order);
 }

@@ -73,6 +73,8 @@ private:
   void give(const Order& order);
   void run(const std::stop_token& stop);
   void obey();
+  template<class Work>
+  void inItsMemory(const Work& work);
   void build(const Order& order);
   void publish(std::shared_ptr<const PressedBody> body);
 

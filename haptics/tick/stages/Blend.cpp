@@ -12,8 +12,11 @@ void Blend::step(TickContext& tick) noexcept
   HapticState& state = tick.out.state;
   const double blend_s = tick.p.sceneBlend_s;
   const bool tool = tick.input.tool != nullptr;
-  const bool blends = tick.scene.replaced || (tick.otherMap && tick.p.keepsHand) || tool != s.blendTool;
+  const bool body = tick.input.body != nullptr;
+  const bool blends =
+    tick.scene.replaced || (tick.otherMap && tick.p.keepsHand) || tool != s.blendTool || body != s.blendBody;
   s.blendTool = tool;
+  s.blendBody = body;
   if (blends && !tick.scene.first && blend_s > 0.0)
   {
     s.blend_D += s.lastRendered_D - state.rendered_D;

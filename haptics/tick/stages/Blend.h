@@ -12,7 +12,7 @@ namespace palpate::stage
 {
 
 /// F = F_new + (F_old - F_new) decaying, and so the torque: a replaced scene, another map, a tool that is taken or laid
-/// down never steps (Mark et al. 1996). Not for the first scene, not for surfaces that only move or bend, and not a
+/// down, a body that begins or ends to give way never steps (Mark et al. 1996). Not for the first scene, not for surfaces that only move or bend, and not a
 /// safety limit.
 struct Blend
 {
@@ -39,6 +39,7 @@ struct Blend
     Vec3 lastRenderedTorque_D = Vec3::Zero(); ///< likewise the torque [N m]
     Vec3 blendTorque_D = Vec3::Zero();
     bool blendTool = false; ///< a tool was held
+    bool blendBody = false; ///< a soft body gave way
   };
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)
@@ -48,6 +49,7 @@ struct Blend
     visit("lastRenderedTorque_D", s.lastRenderedTorque_D...);
     visit("blendTorque_D", s.blendTorque_D...);
     visit("tool", s.blendTool...);
+    visit("body", s.blendBody...);
   }
 
   static void step(TickContext& tick) noexcept;

@@ -184,6 +184,68 @@ TEST_F(SoftInLoop, ABodyThatIsTakenAwayWhilePressedLetsTheHandGoWithoutAStep)
   EXPECT_LE(last_N, 0.01 * force_N);
 }
 
+TEST_F(SoftInLoop, ACoarserBodyInItsPlaceIsNotPressedAtTheVerticesOfTheOld)
+{
+  this->begin(blockOf20kPa());
+  ASSERT_TRUE(this->hold(Vec3(0, 0, -0.004), 400).soft.pressed);
+  this->session.setSoft({ std::make_shared<const SoftBodyInput>(pad(2)), "coarse", 25.0 });
+  const HapticState& state = this->hold(Vec3(0, 0, -0.004), 400);
+  EXPECT_TRUE(state.soft.pressed);
+  EXPECT_GT(state.force_W.z(), 0.0);
+  EXPECT_LT(state.force_W.norm(), springInLoop * 0.004);
+}
+
+TEST_F(SoftInLoop, ABodyThatBeginsToGiveWayUnderAPressedHandDoesSoWithoutAStep)
+{
+  // Rigid, the body's own surface is pressed by K d; its surface is the same once it gives way.
+  const SoftBodyResult made = makeSoftBody(softBlock(ElasticModel::Linear));
+  const SoftSurface surface = makeSoftSurface(*made.body, made.checked.mesh);
+  SurfaceInput input;
+  input.name = "block";
+  input.mesh = std::make_shared<TriangleMesh>(TriangleMesh{ surface.rest_W, surface.triangles });
+  this->session.setScene(SceneBuilder().build({ input }).scene);
+  this->begin({});
+  const double rigid_N = this->hold(Vec3(0, 0, -0.004), 400).force_W.norm();
+  ASSERT_NEAR(rigid_N, springInLoop * 0.004, 1e-9);
+  this->session.setSoft(blockOf20kPa(ElasticModel::Linear));
+  double last_N = rigid_N;
+  for (int i = 0; i < 400; ++i)
+  {
+    const double now_N = this->hold(Vec3(0, 0, -0.004)).force_W.norm();
+    EXPECT_LE(std::abs(now_N - last_N), 0.12) << i;
+    last_N = now_N;
+  }
+  EXPECT_LT(last_N, 0.8 * rigid_N);
+}
+
+TEST_F(SoftInLoop, ABodyThatIsComputedLessOftenIsNotMadeAnew)
+{
+  SoftChoice choice = blockOf20kPa();
+  this->begin(choice);
+  double last_N = this->hold(Vec3(0, 0, -0.004), 400).force_W.norm();
+  const std::uint64_t before = this->session.softStatus().packets;
+  choice.rate_Hz = 10.0;
+  this->session.setSoft(choice);
+  for (int i = 0; i < 400; ++i)
+  {
+    const double now_N = this->hold(Vec3(0, 0, -0.004)).force_W.norm();
+    EXPECT_LE(std::abs(now_N - last_N), 0.01) << i;
+    last_N = now_N;
+  }
+  EXPECT_GT(this->session.softStatus().packets, before);
+}
+
+TEST_F(SoftInLoop, AHandAtRestFeelsWhatTheBodyPushesAndNothingForItsEnergy)
+{
+  this->begin(blockOf20kPa());
+  const double balanced_N = this->hold(Vec3(0, 0, -0.004), 800).force_W.norm();
+  HapticParameters parameters = this->session.parameters();
+  parameters.softBalances = false;
+  ASSERT_EQ(this->session.setParameters(parameters), "");
+  const double pushed_N = this->hold(Vec3(0, 0, -0.004), 200).force_W.norm();
+  EXPECT_NEAR(balanced_N, pushed_N, 1e-3 * pushed_N);
+}
+
 TEST_F(SoftInLoop, AnotherBodyInItsPlaceIsPressedFromTheSameSide)
 {
   this->begin(blockOf20kPa(ElasticModel::Linear));

@@ -22,6 +22,13 @@ std::span<const SoftTouch> touchOf(const TickContext& tick) noexcept
   return { &tick.input.body->touch, 1 };
 }
 
+/// A tick that comes late is as long as those that were missed: ticks are counted with them.
+double period_s(const TickContext& tick) noexcept
+{
+  const std::uint64_t since = tick.input.tick - tick.s.softTick;
+  return tick.s.softTick > 0 && since > 0 ? tick.input.dt_s / static_cast<double>(since) : tick.input.dt_s;
+}
+
 /// A body that the ball is not on any more, or another one, is met anew.
 void takePacket(TickContext& tick) noexcept
 {
@@ -37,7 +44,7 @@ void takePacket(TickContext& tick) noexcept
     changePackets(touchOf(tick), s.soft);
   }
   s.softRevision = body.revision;
-  s.softAge_s = tick.input.dt_s * static_cast<double>(tick.input.tick - body.packet->builtFromTick);
+  s.softAge_s = period_s(tick) * static_cast<double>(tick.input.tick - body.packet->builtFromTick);
 }
 
 bool presses(const SoftState& soft) noexcept
@@ -95,7 +102,7 @@ void SoftLead::step(TickContext& tick) noexcept
     }
     return;
   }
-  if (tick.input.body->revision != s.softRevision)
+  if (tick.scene.replaced || tick.input.body->revision != s.softRevision)
   {
     takePacket(tick);
   }
@@ -103,6 +110,7 @@ void SoftLead::step(TickContext& tick) noexcept
   {
     s.softAge_s += tick.input.dt_s;
   }
+  s.softTick = tick.input.tick;
   const double fade_s = tick.input.body->period_s > 0.0 ? tick.input.dt_s : std::numeric_limits<double>::infinity();
   fadeChange(fade_s, s.soft); // what is at rest in every tick changes by what it is, not by a packet
 }

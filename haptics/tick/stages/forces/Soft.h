@@ -40,6 +40,7 @@ struct SoftLead
     EnergyBalance softBalance;
     std::uint64_t softRevision = 0; ///< of the packet of the last tick; 0: none
     double softAge_s = 0.0;         ///< of what it was made from
+    std::uint64_t softTick = 0;     ///< the last one on a body; 0: none
   };
   /// Like the features of the ball, the contacts of before are no part of a recording.
   template<class Visit, class... S>
@@ -50,6 +51,7 @@ struct SoftLead
     visit("added_N", s.softBalance.added_N...);
     visit("revision", s.softRevision...);
     visit("age_s", s.softAge_s...);
+    visit("tick", s.softTick...);
   }
 
   static void step(TickContext& tick) noexcept;
