@@ -134,7 +134,7 @@ class Brick
 public:
   /// All bricks together are to stay below 32 MB; an owner may hold the one felt, the one before and the one being
   /// made.
-  static constexpr std::size_t mostBytes = std::size_t{ 10 } << 20;
+  static constexpr std::size_t mostBytes = std::size_t{ 9 } << 20;
 
   /// Empty, or one sentence why these are no brick.
   [[nodiscard]] static std::string refuse(
