@@ -60,17 +60,22 @@ std::vector<std::string> Words(const std::string& text)
   return words;
 }
 
+vtkDataArray* OneNumberEach(vtkUnstructuredGrid& body, const char* name)
+{
+  vtkDataArray* const array = body.GetPointData()->GetArray(name);
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+
 /// The body's own array of what is fixed, with what was fixed before: that one may be its input's, too.
 vtkSmartPointer<vtkIntArray> OwnFixed(vtkUnstructuredGrid& body)
 {
-  vtkDataArray* const before = body.GetPointData()->GetArray(FixedName);
-  const bool read = before && before->GetNumberOfComponents() == 1;
+  vtkDataArray* const before = OneNumberEach(body, FixedName);
   vtkNew<vtkIntArray> made;
   made->SetName(FixedName);
   made->SetNumberOfTuples(body.GetNumberOfPoints());
   for (vtkIdType i = 0; i < body.GetNumberOfPoints(); ++i)
   {
-    made->SetValue(i, read && before->GetTuple1(i) != 0.0 ? 1 : 0);
+    made->SetValue(i, before && before->GetTuple1(i) != 0.0 ? 1 : 0);
   }
   body.GetPointData()->AddArray(made);
   return made;
@@ -199,7 +204,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkHapticTetrahedra(vtkDataObject* data, st
 
 bool vtkHapticFixBody(vtkUnstructuredGrid& body, const std::string& fixed, double rough, std::string& problem)
 {
-  const vtkSmartPointer<vtkDataArray> given = body.GetPointData()->GetArray(fixed.c_str()); // may be the one replaced
+  const vtkSmartPointer<vtkDataArray> given = OneNumberEach(body, fixed.c_str()); // may be the one replaced
   const auto array = OwnFixed(body);
   const std::vector<std::string> words = Words(fixed);
   const bool sides = std::all_of(words.begin(), words.end(), [](const auto& word) { return SideOf(word) >= 0; });
@@ -211,7 +216,7 @@ bool vtkHapticFixBody(vtkUnstructuredGrid& body, const std::string& fixed, doubl
     }
     return true;
   }
-  if (!given || given->GetNumberOfComponents() != 1)
+  if (!given)
   {
     problem =
       "what is fixed: '" + fixed +
@@ -267,10 +272,10 @@ vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data)
   {
     input->young_Pa.push_back(young->GetTuple1(cell));
   }
-  const auto fixed = FixedOf(*body);
+  vtkDataArray* const fixed = OneNumberEach(*body, FixedName);
   for (vtkIdType i = 0; i < body->GetNumberOfPoints(); ++i)
   {
-    input->fixed.push_back(fixed->GetValue(i) != 0);
+    input->fixed.push_back(fixed && fixed->GetTuple1(i) != 0.0);
   }
   input->poisson = material->GetComponent(0, 0);
   input->model = static_cast<palpate::ElasticModel>(static_cast<int>(material->GetComponent(0, 1)));
