@@ -62,6 +62,8 @@ void runSoftLines(const Conditions& conditions, Table& table);
 void runLocking(const Conditions& conditions, Table& table);
 void runPatch(const Conditions& conditions, Table& table);
 void runPackets(const Conditions& conditions, Table& table);
+void runMultirate(const Conditions& conditions, Table& table);
+void runStruck(const Conditions& conditions, Table& table);
 void runContacts(const Conditions& conditions, Table& table);
 void runDirectCoupling(const Conditions& conditions, Table& table);
 void runMaterialsLarge(const Conditions& conditions, Table& table);

@@ -10,7 +10,7 @@ import argparse
 import pathlib
 import sys
 
-from charting import costs, old_joystick, plane_worlds, speed_accuracy, stability, tools
+from charting import costs, old_joystick, plane_worlds, soft, speed_accuracy, stability, tools
 from charting.page import page
 from charting.style import pyplot
 from charting.tables import Problem, read_folder
@@ -77,6 +77,21 @@ CHARTS = [
      "A brick of 48 x 48 x 48 points around a hand in tetrahedra, its points a quarter, half or all of their edge apart: the largest "
      "error of a smooth function falls with the cells, and a brick costs little more in many cells than in few.",
      ["brick"], lambda t: costs.draw_bricks(t["brick"])),
+    ("soft-stability", "Stability atlas: what gives way (C4)",
+     "A body that is computed at a low rate. Left: its compliance shared with the servo holds what the servo's own rate holds, on time, late "
+     "or with packets lost; a force that is held dies with the rate; a spring to where the ball was is stiff, but wrong. Wide dashed lines "
+     "are exact eigenvalues. Middle: the same where the body has a mass. Right: what each makes of a fast press.",
+     ["multirate", "direct-coupling"], lambda t: soft.draw_stability(t["multirate"], t["direct-coupling"])),
+    ("soft-accuracy", "What gives way: speed against accuracy",
+     "As above, for a ball that is pressed 15 mm deep at 0.2 m/s into a soft pad: the whole body solved in every tick is the truth, and "
+     "costs more than a period of the servo has; packets of its compliance; a force or a place that is held from one packet to the next.",
+     ["multirate"], lambda t: speed_accuracy.draw(t["multirate"])),
+    ("soft-mechanics", "What gives way: elements and contacts (C5, C6)",
+     "Edge-smoothed tetrahedra bend as a bar does where linear ones lock, for less. Under a patch compliance has a limit as edges shrink, "
+     "under a node it has none. Contacts that share compliance are solved within the tick (a band from the median to the 99th of a "
+     "hundred). A body with a mass that is struck needs steps of the servo's rate: below, that is said to whoever strikes it.",
+     ["locking", "patch", "contacts", "struck"],
+     lambda t: soft.draw_mechanics(t["locking"], t["patch"], t["contacts"], t["struck"])),
     ("tool-methods", "A tool that turns: speed against accuracy (C7)",
      "How far a tool ends from its nearest free pose, and what an update costs (a line from the median to the 99th of a hundred): points among "
      "voxels and in a field of distances, corners as penalties against a coupling, steps as long as a distance allows, and planes that prove "

@@ -94,7 +94,7 @@ double balanceEnergy(const EnergyBalancePlan& plan, double stored_Nu, double ste
   }
   const double owed = std::max(stored_Nu - balance.taken_Nu, 0.0);
   const double most = std::min(owed / std::max(std::abs(step_u), plan.leastStep_u), plan.share * force_N);
-  const double wanted = most * std::clamp(step_u / plan.leastStep_u, -1.0, 1.0);
+  const double wanted = most * std::clamp(step_u / plan.leastStep_u, -1.0, 1.0); // else a hand at rest would be shaken
   balance.added_N += std::clamp(wanted - balance.added_N, -plan.slew_N, plan.slew_N);
   const double share_N = plan.share * force_N; // of a force that falls fast, too
   balance.added_N = std::clamp(balance.added_N, -share_N, share_N);

@@ -17,7 +17,7 @@ struct EnergyBalancePlan
 {
   double share = 0.05;        ///< of the force; .15 where packets are late
   double slew_N = 0.02;       ///< most change a tick
-  double leastStep_u = 20e-6; ///< a hand that moves less in a tick is not asked to repay in that tick
+  double leastStep_u = 20e-6; ///< a hand that moves less in a tick is asked for as much less
 };
 
 struct EnergyBalance

@@ -71,4 +71,10 @@ inline SoftBodyInput pad(int n)
   return input;
 }
 
+/// Of its upper side.
+inline Vec3 middleOfPad()
+{
+  return { 0.05, 0.05, 0.05 };
+}
+
 } // namespace palpate::test

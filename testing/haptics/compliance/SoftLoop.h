@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <deque>
+#include <stdexcept>
 
-#include "SoftPads.h"
+#include "Blocks.h"
+#include "haptics/compliance/packet/PacketMaker.h"
 #include "haptics/compliance/servo/SoftTick.h"
 #include "haptics/contact/carry/CarryBall.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
@@ -12,13 +14,14 @@
 namespace palpate::test
 {
 
-/// A servo of 1 kHz and a body that is computed once in a while, both in virtual time: packets arrive one period after
-/// the tick that they were made from.
+/// A servo of 1 kHz and a pad (Blocks.h) that is computed once in a while, both in virtual time: packets arrive so many
+/// periods after the tick that they were made from.
 class SoftLoop
 {
 public:
-  SoftLoop(SoftPad& pad, int period_ticks, const ContactPlan& plan)
-    : plan(plan), pad_(pad), maker_(*pad.body, pad.surface), period_ticks_(period_ticks)
+  SoftLoop(SoftBody& body, const SoftSurface& surface, int period_ticks, const ContactPlan& plan, int periodsLate = 1)
+    : plan(plan), surface_(surface), maker_(body, surface), period_ticks_(period_ticks),
+      periodsLate_(static_cast<std::size_t>(periodsLate))
   {
     this->take(this->ask());
   }
@@ -28,11 +31,15 @@ public:
   {
     if (this->ticks_ % this->period_ticks_ == 0 && this->ticks_ > 0)
     {
-      if (this->due_ && arrives)
+      if (this->underWay_.size() == this->periodsLate_)
       {
-        this->take(this->due_);
+        if (arrives)
+        {
+          this->take(this->underWay_.front());
+        }
+        this->underWay_.pop_front();
       }
-      this->due_ = this->ask();
+      this->underWay_.push_back(this->ask());
     }
     ++this->ticks_;
     const double share = std::min(this->share_ + 1.0 / this->period_ticks_, 1.0);
@@ -55,9 +62,9 @@ public:
 private:
   std::shared_ptr<const CompliancePacket> ask()
   {
-    PacketRequest request = this->pad_.request(0.0);
+    PacketRequest request;
     request.period_s = 1e-3 * this->period_ticks_;
-    request.ball_W = this->state.core.placed ? this->state.core.x_W : SoftPad::middle();
+    request.ball_W = this->state.core.placed ? this->state.core.x_W : middleOfPad();
     for (int c = 0; c < this->state.count; ++c)
     {
       request.forceAt.push_back(this->state.contacts[c].point.at);
@@ -70,10 +77,13 @@ private:
   {
     SurfaceInput input;
     input.name = "soft";
-    input.mesh = std::make_shared<TriangleMesh>(TriangleMesh{ packet->free_W, this->pad_.surface.triangles });
+    input.mesh = std::make_shared<TriangleMesh>(TriangleMesh{ packet->free_W, this->surface_.triangles });
     input.ordered = true;
     const auto next = this->builder_.build({ input }, this->scene_.get()).scene;
-    ASSERT_TRUE(next);
+    if (!next)
+    {
+      throw std::runtime_error("a packet's surface is no scene");
+    }
     this->scene_ = this->scene_ ? movingFrom(*this->scene_, this->share_, next, 1e-3 * this->period_ticks_) : next;
     this->share_ = 0.0;
     this->packet_ = std::move(packet);
@@ -81,12 +91,14 @@ private:
     changePackets(std::span(&this->touch_, 1), this->state);
   }
 
-  SoftPad& pad_;
+  const SoftSurface& surface_;
   PacketMaker maker_;
   SceneBuilder builder_;
   int period_ticks_;
+  std::size_t periodsLate_;
   int ticks_ = 0;
-  std::shared_ptr<const CompliancePacket> packet_, due_;
+  std::shared_ptr<const CompliancePacket> packet_;
+  std::deque<std::shared_ptr<const CompliancePacket>> underWay_;
   SoftTouch touch_;
   std::shared_ptr<const Scene> scene_;
   double share_ = 1.0;

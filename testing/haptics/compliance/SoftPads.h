@@ -29,7 +29,7 @@ struct SoftPad
     this->surface = makeSoftSurface(*this->body, this->mesh, edges);
   }
 
-  [[nodiscard]] static Vec3 middle() { return { 0.05, 0.05, 0.05 }; }
+  [[nodiscard]] static Vec3 middle() { return middleOfPad(); }
 
   [[nodiscard]] SurfacePoint pointOn(std::uint32_t triangle, const Vec3& weights) const
   {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "SoftLoop.h"
+#include "SoftPads.h"
 #include "haptics/compliance/servo/SoftEnergy.h"
 #include "haptics/force/LinearPlant.h"
 #include "haptics/force/SampledWall.h"
@@ -35,7 +36,7 @@ double growth(SoftPad& pad, double coupling_N_per_m, int held_ticks)
   ContactPlan plan;
   plan.radius_u = 0.005;
   plan.coupling_N_per_m = coupling_N_per_m;
-  SoftLoop loop(pad, 100, plan);
+  SoftLoop loop(*pad.body, pad.surface, 100, plan);
   const LinearPlant plant(0.1, 1.0, 0.0, servo_s);
   const double compliance = loop.packet().compliance(2, 2) + 1.0 / coupling_N_per_m;
   Vec3 p = SoftPad::middle() + Vec3(0.0, 0.0, 0.005 - compliance);
@@ -77,7 +78,7 @@ TEST(TwoRates, SharedComplianceHoldsWhatTheServoHoldsAtTenPacketsASecondOfWhichH
 /// What the body itself answers to a device that is held at p: packet after packet until force and state agree.
 double restingForce(SoftPad& pad, const ContactPlan& plan, const Vec3& p_W)
 {
-  SoftLoop loop(pad, 1, plan);
+  SoftLoop loop(*pad.body, pad.surface, 1, plan);
   double force_N = 0.0;
   for (int i = 0; i < 14; ++i)
   {
@@ -94,7 +95,7 @@ TEST(TwoRates, PressedFastTheForceIsThatOfTheWholeBodyAndHasNoSteps)
   const double speed = 0.2;
   SoftPad pad = stiffPad(20e3);
   SoftPad truth = stiffPad(20e3);
-  SoftLoop loop(pad, 40, plan);
+  SoftLoop loop(*pad.body, pad.surface, 40, plan);
   const auto pressed = [speed](int tick)
   { return Vec3(0.052, 0.047, 0.0605 - std::min(speed * servo_s * tick, 0.0155)); };
   double last_N = 0.0;
@@ -126,7 +127,7 @@ TEST(TwoRates, AChangeOfPacketsLeavesTheForceAsItIs)
   ContactPlan plan;
   plan.radius_u = 0.005;
   SoftPad pad = stiffPad(20e3);
-  SoftLoop loop(pad, 40, plan);
+  SoftLoop loop(*pad.body, pad.surface, 40, plan);
   const Vec3 p(0.05, 0.05, 0.047);
   double before_N = 0.0;
   for (int tick = 0; tick < 41; ++tick) // the first packet that knows of the contact comes at 80
@@ -242,7 +243,7 @@ TEST(TwoRates, TheEnergyThatIsStoredIsTheWorkThatTheHandHasDone)
   SoftPad pad(6);
   ContactPlan plan;
   plan.radius_u = 0.01;
-  SoftLoop loop(pad, 1000, plan);
+  SoftLoop loop(*pad.body, pad.surface, 1000, plan);
   double work_J = 0.0;
   Vec3 felt_N = Vec3::Zero();
   Vec3 p = SoftPad::middle() + Vec3(0.0, 0.0, 0.0101);
