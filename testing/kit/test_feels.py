@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from plates import HEIGHTS_MM, PRESSED, WAY, force_N, plate
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkTable
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import palpate
@@ -23,6 +23,14 @@ from palpate.testing.paths import strokes
 JND_N = 0.07  # of a force of up to 1 N
 WRITTEN = 1e-12 / JND_N  # forces of up to 1 N have twelve digits
 SEED = int(os.environ.get("PALPATE_TEST_SEED", "20261123"))
+
+
+def ball(radius_mm):
+    source = vtkSphereSource()
+    source.SetRadius(radius_mm)
+    source.SetThetaResolution(60)
+    source.SetPhiResolution(60)
+    return source
 
 
 class Case(unittest.TestCase):
@@ -92,6 +100,28 @@ class Differences(Case):
         found = self.write(plate(0.5))
         np.testing.assert_array_equal(found.path[:, 1:], WAY)
         self.assertLess(assert_feels_the_same(plate(0.5), self.file, unit="mm").jnd.max(), WRITTEN)
+
+
+class Updates(Case):
+    def test_a_baseline_of_a_surface_that_shrank_away_from_the_old_way_still_tells_differences(self):
+        file = self.folder / "ball.json"
+        for radius_mm in (50, 44):  # strokes are 2 mm deep
+            assert_feels_the_same(ball(radius_mm), file, unit="mm", update=True)
+        assert_feels_the_same(ball(44), file, unit="mm")
+        with self.assertRaisesRegex(AssertionError, "does not feel as it did"):
+            assert_feels_the_same(ball(43), file, unit="mm")
+
+    def test_a_way_that_touches_nothing_makes_no_baseline(self):
+        held = self.file.read_bytes()
+        self.assertIn("touches nothing", self.refusal(path=[[0, 0, 9], [0, 0, 8]], update=True))
+        self.assertEqual(self.file.read_bytes(), held)
+
+    def test_what_is_no_baseline_is_not_overwritten(self):
+        for text in ("", "<VTKFile>", '{"other": 1}'):
+            file = self.folder / "data.vtp"
+            file.write_text(text, encoding="utf-8")
+            self.assertIn("data.vtp: it is no baseline", self.refusal(baseline=file, update=True))
+            self.assertEqual(file.read_text(encoding="utf-8"), text)
 
 
 class Strokes(Case):

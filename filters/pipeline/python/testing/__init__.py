@@ -15,7 +15,7 @@ Without Python: `python3 -m palpate.testing --help`.
 import os
 from pathlib import Path
 
-from palpate.testing.baseline import Baseline, as_written, same_size
+from palpate.testing.baseline import Baseline, as_written, refuse_another_kind, same_size
 from palpate.testing.compare import compare
 from palpate.testing.feel import Refused, Touch, data_of
 from palpate.testing.paths import read_path, strokes
@@ -63,7 +63,10 @@ def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tol
 
 
 def _update(surface, file, scene, path, touch, tolerance):
-    """The way of the hand stays that of the baseline, where there is one that can be read and no other way is given."""
+    """The way of the hand stays that of the baseline, where there is one that can be read and no other way is given and it
+    still meets the surface."""
+    if file.is_file():
+        refuse_another_kind(file)
     way = None
     if path is not None:
         way = read_path(path)
@@ -73,5 +76,10 @@ def _update(surface, file, scene, path, touch, tolerance):
         way = strokes(surface, touch)
     way = as_written(way)
     force_N = touch.along(way, surface)
+    if path is None and not force_N.any():  # the surface has shrunk away from the way it was touched on
+        way = as_written(strokes(surface, touch))
+        force_N = touch.along(way, surface)
+    if not force_N.any():
+        raise Refused("The hand touches nothing along its way: give a path that meets the surface.")
     Baseline.of(file, scene, touch, way, force_N, surface).write()
     return compare(way, force_N, force_N, tolerance)

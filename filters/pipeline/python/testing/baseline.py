@@ -13,6 +13,7 @@ from palpate.testing.feel import Refused
 
 FORMAT = 1
 KIND = "palpate baseline"
+HEAD_BYTES = 200  # of a file: a baseline says within them that it is one
 COLUMNS = ["t", "x", "y", "z", "force_x", "force_y", "force_z"]  # [s, scene units, N]
 ANOTHER_SIZE = 10.0  # times as large or as small: another unit or another thing, not a change of this one
 
@@ -35,6 +36,13 @@ def same_size(baseline, surface):
     if not 1 / ANOTHER_SIZE < times < ANOTHER_SIZE:
         raise Refused(f"{baseline.file}: the surface is {times:.3g} times as large as that of the baseline, so it is another "
                       f"scene or no longer in {baseline.unit}; give it in {baseline.unit}, or write the baseline anew.")
+
+
+def refuse_another_kind(file):
+    """Refuses a file that is there and is not a baseline, so that an update overwrites nothing else."""
+    with file.open("rb") as held:
+        if KIND.encode() not in held.read(HEAD_BYTES):
+            raise Refused(f"{file}: it is no baseline of palpate.testing; name another file or remove this one.")
 
 
 def _rounded(number):
