@@ -12,6 +12,7 @@ test once with PALPATE_UPDATE_BASELINES=1 in the environment, and again whenever
 Without Python: `python3 -m palpate.testing --help`.
 """
 
+import math
 import os
 from pathlib import Path
 
@@ -43,6 +44,8 @@ def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tol
 
     Returns the comparison. Refused, an AssertionError too, is raised in one sentence for what cannot be compared.
     """
+    if not 0 <= tolerance < math.inf:
+        raise Refused(f"The tolerance {tolerance} is none: give a number of just noticeable differences, 0 or more.")
     baseline = Path(baseline)
     scene = scene or baseline.stem
     surface = data_of(surface)
