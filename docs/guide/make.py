@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the user guide as HTML: make.py FOLDER [TUTORIALS]
 
-TUTORIALS is where their scripts have left pictures and state files; without it the pages show the tree's pictures. Needs
-python3-markdown and reads docstrings without importing anything.
+TUTORIALS is where their scripts have left pictures and state files, made with the data in the folder that PALPATE_DATA names;
+without it the pages show the tree's pictures. Needs python3-markdown and reads docstrings without importing anything.
 """
 
 import ast
+import os
 import re
 import shutil
 import sys
@@ -20,6 +21,7 @@ PAGES = ["docs/guide/README.md", *(f"docs/guide/{name}.md" for name in ("skull",
          "plugin/README.md", "README.md"]
 DOCUMENTED = ["filters/pipeline/python/testing/__init__.py", "filters/pipeline/python/testing/compare.py",
               "filters/views/python/simple.py"]
+DATA = "data/cache"  # below the folder where a script of the guide is run
 STYLE = ("body{max-width:60em;margin:2em auto;padding:0 1em;font-family:sans-serif;line-height:1.5}img{max-width:100%}"
          "pre{background:#f4f4f4;padding:.7em;overflow:auto}table{border-collapse:collapse}td,th{border:1px solid #ccc;padding:.3em .6em}")
 
@@ -48,7 +50,7 @@ def with_links(page, text, out):
 
     def replaced(match):
         attribute, target, anchor = match.groups("")
-        if re.match(r"https?:", target) or not target:
+        if re.match(r"https?:", target) or not target or target.endswith(".pvsm"):
             return match[0]
         aim = (ROOT / page).parent.joinpath(target).resolve()
         if attribute == "src":
@@ -67,17 +69,30 @@ def write_page(page, out):
     body = markdown.markdown(source, extensions=["tables", "fenced_code", "toc"])
     if page == "docs/guide/api.md":
         body += api()
+    state = f"pictures/{Path(page).stem}.pvsm"
+    if page.startswith("docs/guide/") and (out / state).exists():
+        body += f'<p><a href="{state}">The state file</a>, for ParaView\'s <em>File &gt; Load State</em></p>'
     navigation = '<p><a href="index.html">Palpate: the user guide</a></p>' if page != PAGES[0] else ""
     (out / html_name(page)).write_text(
         f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title><style>{STYLE}</style></head>'
         f"<body>{navigation}{with_links(page, body, out)}</body></html>\n", encoding="utf-8")
 
 
+def copy_made(tutorials, pictures):
+    """Pictures as they are; state files name their data as the scripts do, so that they open in any copy of the tree."""
+    for picture in tutorials.glob("*.png"):
+        shutil.copy(picture, pictures)
+    data = Path(os.environ.get("PALPATE_DATA", ROOT / DATA))
+    for state in tutorials.glob("*.pvsm"):
+        text = state.read_text(encoding="utf-8").replace(f'"{data}/', f'"{DATA}/')
+        (pictures / state.name).write_text(text, encoding="utf-8")
+
+
 def main(folder, tutorials=None):
     out = Path(folder)
     (out / "pictures").mkdir(parents=True, exist_ok=True)
-    for made in sorted(Path(tutorials).glob("*.p[nv]*")) if tutorials else ():
-        shutil.copy(made, out / "pictures" / made.name)
+    if tutorials:
+        copy_made(Path(tutorials), out / "pictures")
     for page in PAGES:
         write_page(page, out)
 

@@ -10,6 +10,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(os.environ["PALPATE_SOURCE_DIR"])
+STATES = ("skull", "brain", "flow", "labyrinth")
 
 
 class Pages(unittest.TestCase):
@@ -17,19 +18,32 @@ class Pages(unittest.TestCase):
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
-        subprocess.run([sys.executable, SOURCE / "docs/guide/make.py", folder.name], check=True)
-        cls.folder = Path(folder.name)
+        cls.folder, made = Path(folder.name, "guide"), Path(folder.name, "made")
+        made.mkdir()
+        data = Path(folder.name, "data")
+        for name in STATES:
+            (made / f"{name}.pvsm").write_text(f'<Element index="0" value="{data}/{name}.vtp"/>', encoding="utf-8")
+        subprocess.run([sys.executable, SOURCE / "docs/guide/make.py", cls.folder, made], check=True,
+                       env={**os.environ, "PALPATE_DATA": str(data)})
         cls.pages = {path.name: path.read_text(encoding="utf-8") for path in cls.folder.glob("*.html")}
 
     def test_every_link_leads_to_a_page_and_a_heading_and_no_page_is_left_alone(self):
         met = {"index.html"}
         for name, text in self.pages.items():
             for target, anchor in re.findall(r'href="(?!https?:)([^"#]*)(?:#([^"]*))?"', text):
+                if target.endswith(".pvsm"):
+                    continue
                 met.add(target or name)
                 self.assertIn(target or name, self.pages, name)
                 if anchor:
                     self.assertIn(f'id="{anchor}"', self.pages[target or name], (name, target))
         self.assertEqual(met, set(self.pages))
+
+    def test_each_tutorial_links_its_state_file_which_names_its_data_as_the_script_does(self):
+        for name in STATES:
+            self.assertIn(f'href="pictures/{name}.pvsm"', self.pages[f"guide-{name}.html"])
+            self.assertEqual((self.folder / f"pictures/{name}.pvsm").read_text(encoding="utf-8"),
+                             f'<Element index="0" value="data/cache/{name}.vtp"/>')
 
     def test_every_picture_is_there(self):
         pictures = [picture for text in self.pages.values() for picture in re.findall(r'src="([^"]*)"', text)]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each tutorial of the guide runs as it stands there and leaves a picture; its state file opens and is touched."""
 
+import math
 import os
 import re
 import sys
@@ -11,13 +12,16 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 os.environ.setdefault("PALPATE_DATA", os.path.join(os.environ["PALPATE_SOURCE_DIR"], "data/cache"))
 
-from paraview import simple  # noqa: E402
+from paraview import servermanager, simple  # noqa: E402
 
 import tutorials  # noqa: E402
 from palpate.simple import GetHapticSession, HapticState, LetGo, SetHaptics, Touch  # noqa: E402
 
 PUSHED_N = 0.5  # the scripts stop there
-FULL = "PALPATE_TEST_FULL" in os.environ  # software draws a skull for half a minute
+FELT_N = 0.1  # a hand feels that something is there
+STEPS = 400  # of a way of at most 100 mm, each of 5 ms: 50 mm/s
+# Software draws a skull for half a minute.
+DRAWN = {"skull", "brain"} & set(tutorials.present() if "PALPATE_TEST_FULL" in os.environ else ())
 
 
 class Tutorials(unittest.TestCase):
@@ -27,22 +31,35 @@ class Tutorials(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
 
-    def play(self, name):
-        """The forces that it prints [N]; its picture and its state are looked at."""
-        forces_N = [float(number) for number in re.findall(r"([\d.]+) N\b", tutorials.play(name, self.folder))]
+    def play(self, name, first, last):
+        """The forces that it prints [N]; its picture is looked at, and its state touched on the way between two places."""
+        self.said = tutorials.play(name, self.folder)
+        forces_N = [float(number) for number in re.findall(r"(-?[\d.]+) N\b", self.said)]
         self.assertGreater((self.folder / f"{name}.png").stat().st_size, 10_000)
         LetGo()
         self.clear()
         simple.LoadState(str(self.folder / f"{name}.pvsm"))
         SetHaptics(DeviceName="fed", VirtualTime=1)
         hand = GetHapticSession()
-        hand.SetHandPosition(0, 0, 0)
+        hand.SetHandPosition(*first)
         Touch(simple.GetActiveViewOrCreate("RenderView"))
         hand.Step(1200)
         self.assertEqual(HapticState()["StateText"], "engaged")
+        self.assertGreater(self.most_N(hand, first, last), FELT_N)
         LetGo()
         self.clear()
         return forces_N
+
+    @staticmethod
+    def most_N(hand, first, last):
+        """The largest force on the straight way, in as many steps as keep a hand slow."""
+        most_N = 0.0
+        for step in range(1, STEPS + 1):
+            hand.SetHandPosition(*(start + (end - start) * step / STEPS for start, end in zip(first, last)))
+            hand.Step(5)
+            hand.FinishField()
+            most_N = max(most_N, HapticState()["ForceMagnitude"])
+        return most_N
 
     @staticmethod
     def clear():
@@ -52,17 +69,47 @@ class Tutorials(unittest.TestCase):
 
     def test_flow(self):
         # 1.5 mm of the hand off its streamline, at 500 N/m, in both numbers.
-        for force_N in self.play("flow"):
-            self.assertAlmostEqual(force_N, 500 * 1.5e-3, delta=0.02)
+        forces_N = self.play("flow", (1.5, 0, 0), (1.53, 0, 0))
+        self.assertEqual(len(forces_N), 2)
+        for force_N, sign in zip(forces_N, (1, -1)):  # how strong, and back along x
+            self.assertAlmostEqual(force_N, sign * 500 * 1.5e-3, delta=0.02)
 
     def test_labyrinth(self):
-        self.assertGreaterEqual(self.play("labyrinth")[0], PUSHED_N)
+        start = servermanager.Fetch(simple.HapticLabyrinth(World="chartres")).GetFieldData().GetArray("Start").GetTuple(0)
+        forces_N = self.play("labyrinth", (*start[:2], 0), (start[0], start[1] + 10, 0))
+        self.assertEqual(len(forces_N), 1)
+        self.assertGreaterEqual(forces_N[0], PUSHED_N)
+        # The way in leads to the fifth ring, which ends at the circle of radius 9; a ball of 0.3 stops before, and at
+        # 300 N/m and 10 mm a unit the hand goes on to 0.5 N, found in steps of 0.05 and printed to 0.01.
+        stopped = -math.sqrt(9**2 - start[0]**2) - 0.3 - start[1] + PUSHED_N / 300 / 10e-3
+        led = float(re.search(r"([\d.]+) from the start", self.said)[1])
+        self.assertGreaterEqual(led, stopped - 0.02)  # a circle is drawn of pieces
+        self.assertLessEqual(led, stopped + 0.05 + 0.02)
 
-    def test_skull_and_brain(self):
-        for name in set(tutorials.present()) & {"skull", "brain"} if FULL else ():
-            forces_N = self.play(name)
+    if "skull" in DRAWN:
+
+        def test_skull(self):
+            bounds = self.bounds("skull.vtp")
+            forces_N = self.play("skull", *self.from_above(bounds, [0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3])]))
+            self.assertEqual(len(forces_N), 1)
+            self.assertGreaterEqual(forces_N[0], PUSHED_N)
+
+    if "brain" in DRAWN:
+
+        def test_brain(self):
+            forces_N = self.play("brain", *self.from_above(self.bounds("brain.nii.gz"), [20, -20]))
+            self.assertEqual(len(forces_N), 3)
             self.assertGreaterEqual(min(forces_N[:2]), PUSHED_N)
-            self.assertGreater(forces_N[0], forces_N[-1] if name == "brain" else 0.0)  # the value 90 lies below 60
+            self.assertGreater(forces_N[0], forces_N[2])  # the value 90 lies below 60
+
+    @staticmethod
+    def bounds(file):
+        return simple.OpenDataFile(os.path.join(os.environ["PALPATE_DATA"], file)).GetDataInformation().GetBounds()
+
+    @staticmethod
+    def from_above(bounds, place):
+        """A way down to the middle."""
+        return (*place, bounds[5] + 5), (*place, 0.5 * (bounds[4] + bounds[5]))
 
 
 if __name__ == "__main__":

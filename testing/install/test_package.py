@@ -22,6 +22,7 @@ class Package(unittest.TestCase):
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
+        (SOURCE / "filters/pipeline/python/testing/__pycache__").mkdir(exist_ok=True)  # as a run from the tree leaves it
         run_command("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", folder.name, "-D", "CPACK_STRIP_FILES=OFF",
                     "-D", "CPACK_DEBIAN_PACKAGE_SHLIBDEPS=OFF", "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=none")
         (cls.package,) = Path(folder.name).glob("*.deb")
@@ -35,9 +36,26 @@ class Package(unittest.TestCase):
         self.assertEqual((field("Package"), field("Version")), ("palpate", palpate.__version__))
         for needed in ("paraview (>= 5.11)", "python3-paraview", "python3-numpy"):
             self.assertIn(needed, field("Depends"))
-        for script in ("postinst", "prerm"):
+        for script in ("preinst", "postinst", "prerm", "postrm"):
             self.assertTrue(os.access(self.control / script, os.X_OK))
             run_command("sh", "-n", self.control / script)
+
+    def test_a_list_of_plugins_of_somebody_s_own_is_neither_overwritten_nor_taken_for_the_package_s(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            listed, database = root / "usr/bin/paraview.conf", root / "var/lib/dpkg/info"
+            preinst = lambda code, *words: run_command("sh", self.control / "preinst", *words, code=code, DPKG_ROOT=folder)  # noqa: E731
+            listed.parent.mkdir(parents=True)
+            preinst(0, "install")
+            listed.write_text("mine.xml\n", encoding="utf-8")
+            preinst(1, "install")
+            preinst(0, "upgrade", "0.0.1")
+            database.mkdir(parents=True)
+            (database / "palpate.list").write_text("/usr/bin/paraview.conf\n", encoding="utf-8")
+            (database.parent / "status").write_text(
+                "Package: palpate\nStatus: install ok installed\nArchitecture: all\nMaintainer: nobody\nVersion: 0.0.1\n"
+                "Description: one\n", encoding="utf-8")
+            preinst(0, "install")
 
     def test_paraview_is_led_to_the_plugin(self):
         listed = self.usr / "bin" / (self.usr / "bin/paraview.conf").read_text(encoding="utf-8").strip()

@@ -64,13 +64,24 @@ class TouchProject(unittest.TestCase):
         self.assertLessEqual(force_N, hooke_N + 1e-6)
         self.assertGreaterEqual(force_N, hooke_N - facets_N - 1e-6)
 
-    def test_a_call_that_lacks_something_is_said(self):
-        bad = self.build / "bad"
+    def refused(self, name, why, *lines):
+        """A project of these lines is not configured, for a reason that is said."""
+        bad = self.build / name
         bad.mkdir()
-        (bad / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(bad CXX)\nfind_package(Palpate REQUIRED)\n"
-                                            "palpate_add_touch_test(NAME ball SURFACE ball.vtp UNIT mm)\n", encoding="utf-8")
-        with self.assertRaisesRegex(AssertionError, "BASELINE is missing"):
+        (bad / "CMakeLists.txt").write_text("\n".join(["cmake_minimum_required(VERSION 3.25)", "project(bad CXX)", *lines]),
+                                            encoding="utf-8")
+        with self.assertRaisesRegex(AssertionError, why):
             run_command("cmake", "-S", bad, "-B", bad / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+
+    def test_a_call_that_lacks_something_is_said(self):
+        self.refused("lacking", "BASELINE is missing", "find_package(Palpate REQUIRED)",
+                     "palpate_add_touch_test(NAME ball SURFACE ball.vtp UNIT mm)")
+
+    def test_another_vtk_that_was_found_before_is_not_taken(self):
+        other = "/usr/lib/libvtkCommonCore-9.1.so"
+        self.refused("other", rf"(?s)another\s+one\s+was\s+found\s+before:\s+{other}", "add_library(VTK::CommonCore SHARED IMPORTED)",
+                     f"set_target_properties(VTK::CommonCore PROPERTIES IMPORTED_LOCATION {other})",
+                     "find_package(Palpate REQUIRED COMPONENTS VTK)")
 
 
 if __name__ == "__main__":

@@ -71,6 +71,23 @@ class Command(unittest.TestCase):
         cut.write_bytes((self.folder / "low.vtp").read_bytes()[:-200])
         self.assertEqual(self.junit(2, "cut.vtp", "--unit", "mm")[:2], (0, 1))
 
+    def test_no_verdict_of_an_earlier_run_stays(self):
+        files = [self.folder / name for name in ("old.xml", "old.vtp")]
+        for file in files:
+            file.write_text("old", encoding="utf-8")
+        self.assertEqual(self.run_command("low.vtp", "--unit", "mm", "--junit", files[0], "--differences", files[1])[0], 0)
+        self.assertNotEqual(files[0].read_text(encoding="utf-8"), "old")
+        self.assertFalse(files[1].exists())
+
+    def test_what_is_read_is_not_written_and_no_argument_of_the_function_is_a_setting(self):
+        held = (self.folder / "low.vtp").read_bytes()
+        for options in (["--junit", self.folder / "low.vtp"], ["--differences", self.baseline], ["--set", "tolerance=2"],
+                        ["--set", "scene=x"], ["--set", "Radius"]):
+            with self.assertRaises(SystemExit) as ended:
+                self.run_command("low.vtp", "--unit", "mm", *options)
+            self.assertEqual(ended.exception.code, 2)
+        self.assertEqual((self.folder / "low.vtp").read_bytes(), held)
+
     def test_the_package_the_command_and_the_program_have_one_version(self):
         for command in ([sys.executable, "-m", "palpate.testing"], [os.environ["PALPATE_PROGRAM"]]):
             said = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True).stdout

@@ -4,25 +4,35 @@
 import json
 import os
 import random
+import re
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
 from plates import HEIGHTS_MM, PRESSED, WAY, force_N, plate
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkTable
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData, vtkTable
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import palpate
 from palpate.testing import UPDATE, Refused, assert_feels_the_same
-from palpate.testing.compare import jnd
+from palpate.testing.compare import compare, jnd
 from palpate.testing.feel import Touch
-from palpate.testing.paths import strokes
+from palpate.testing.paths import read_path, strokes
 
 JND_N = 0.07  # of a force of up to 1 N
 WRITTEN = 1e-12 / JND_N  # forces of up to 1 N have twelve digits
 SEED = int(os.environ.get("PALPATE_TEST_SEED", "20261123"))
+
+
+def ball(radius_mm):
+    source = vtkSphereSource()
+    source.SetRadius(radius_mm)
+    source.SetThetaResolution(60)
+    source.SetPhiResolution(60)
+    return source
 
 
 class Case(unittest.TestCase):
@@ -88,10 +98,79 @@ class Differences(Case):
         now = np.array([[2.14, 0, 0], [1.86, 0, 0], np.multiply(2, turned), [0.17, 0, 0], [0, 0, 0.07], np.multiply(0.5, turned)])
         np.testing.assert_allclose(jnd(before, now), [1, 1, 1, 1, 1, 0.5], atol=1e-12)
 
+    def test_a_force_that_is_no_number_differs_whatever_is_tolerated(self):
+        force = np.zeros((3, 3))
+        found = compare(np.zeros((3, 4)), force, np.vstack([force[:2], [[np.nan, 0, 0]]]), tolerance=9.0)
+        self.assertTrue(found.differs)
+        self.assertEqual(found.stretches(), [(2, 2)])
+
     def test_a_new_baseline_keeps_the_way_of_the_old_one(self):
         found = self.write(plate(0.5))
         np.testing.assert_array_equal(found.path[:, 1:], WAY)
         self.assertLess(assert_feels_the_same(plate(0.5), self.file, unit="mm").jnd.max(), WRITTEN)
+
+
+class Updates(Case):
+    def test_a_baseline_of_a_surface_that_shrank_away_from_the_old_way_still_tells_differences(self):
+        file = self.folder / "ball.json"
+        for radius_mm in (50, 44):  # strokes are 2 mm deep
+            assert_feels_the_same(ball(radius_mm), file, unit="mm", update=True)
+        assert_feels_the_same(ball(44), file, unit="mm")
+        with self.assertRaisesRegex(AssertionError, "does not feel as it did"):
+            assert_feels_the_same(ball(43), file, unit="mm")
+
+    def test_a_way_that_touches_nothing_makes_no_baseline(self):
+        held = self.file.read_bytes()
+        self.assertIn("touches nothing", self.refusal(path=[[0, 0, 9], [0, 0, 8]], update=True))
+        self.assertEqual(self.file.read_bytes(), held)
+
+    def test_what_is_no_baseline_is_not_overwritten(self):
+        for text in ("", "<VTKFile>", '{"other": 1}'):
+            file = self.folder / "data.vtp"
+            file.write_text(text, encoding="utf-8")
+            self.assertIn("data.vtp: it is no baseline", self.refusal(baseline=file, update=True))
+            self.assertEqual(file.read_text(encoding="utf-8"), text)
+
+
+class Ways(Case):
+    @staticmethod
+    def line(points, ids):
+        """Poly data with the points and a line through those of the numbers."""
+        way, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+        places.SetDataTypeToDouble()
+        for point in points:
+            places.InsertNextPoint(point)
+        cells.InsertNextCell(len(ids), ids)
+        way.SetPoints(places)
+        way.SetLines(cells)
+        return way
+
+    def test_a_line_is_followed_from_point_to_point_and_by_its_time(self):
+        way = self.line(WAY[::-1], range(len(WAY))[::-1])
+        np.testing.assert_array_equal(read_path(way)[:, 1:], WAY)
+        times = vtkDoubleArray()
+        times.SetName("t")
+        for row in range(len(WAY)):
+            times.InsertNextValue(0.5 * (len(WAY) - row))
+        way.GetPointData().AddArray(times)
+        np.testing.assert_array_equal(read_path(way), [[0.5 * (row + 1), *place] for row, place in enumerate(WAY)])
+
+    def test_a_line_through_some_of_the_points_leaves_the_others_out(self):
+        np.testing.assert_array_equal(read_path(self.line(WAY, [4, 2]))[:, 1:], [WAY[4], WAY[2]])
+
+    def test_two_lines_and_points_that_are_not_there_are_refused(self):
+        two = self.line(WAY, [0, 1])
+        two.GetLines().InsertNextCell(2, [2, 3])
+        self.assertIn("2 lines", self.refusal(path=two))
+        for ids in ([0, len(WAY)], [-1, 0]):
+            self.assertIn("not there", self.refusal(path=self.line(WAY, ids)))
+
+    def test_a_way_that_differs_by_rounding_near_zero_is_the_same(self):
+        file = self.folder / "near.json"
+        way = [[0.0, 0.0, height] for height in HEIGHTS_MM]
+        assert_feels_the_same(plate(), file, unit="mm", path=way, update=True)
+        assert_feels_the_same(plate(), file, unit="mm", path=np.add(way, [1e-15, -1e-15, 0.0]))
+        self.assertIn("another way", self.refusal(baseline=file, path=np.add(way, [1e-3, 0.0, 0.0])))
 
 
 class Strokes(Case):
@@ -147,6 +226,14 @@ class Refusals(Case):
         self.assertIn("is Stiffness meant?", self.refusal(Stifness=300))
         self.assertIn("Radius='wide'", self.refusal(Radius="wide"))
 
+    def test_a_setting_may_be_a_number_of_numpy(self):
+        self.write(plate(), path=WAY, Radius=np.int64(1))
+        assert_feels_the_same(plate(), self.file, unit="mm", Radius=1)
+
+    def test_a_tolerance_that_no_difference_exceeds(self):
+        for tolerance in (float("nan"), float("inf"), -1.0):
+            self.assertIn(f"tolerance {tolerance}", self.refusal(plate(0.5), tolerance=tolerance))
+
     def test_a_baseline_that_is_not_there_a_path_that_is_none_and_nothing_to_touch(self):
         self.assertIn(f"{UPDATE}=1", self.refusal(baseline=self.folder / "none.json"))
         self.assertIn("none.csv", self.refusal(path=self.folder / "none.csv"))
@@ -161,6 +248,13 @@ class Refusals(Case):
         with self.assertRaises(Refused):
             self.write(plate(0.5))
         self.assertEqual(self.file.read_bytes(), held)
+
+    def test_numbers_and_depths_that_are_beyond_the_machine(self):
+        huge, held = "9" * 400, self.file.read_text(encoding="utf-8")
+        for text in (re.sub(r'"size": [^,]*', f'"size": {huge}', held), held.replace(" 5.0,", f" {huge},"), "[" * 200_000):
+            self.assertNotEqual(text, held)
+            self.file.write_text(text, encoding="utf-8")
+            self.assertIn("write it anew", self.refusal())
 
     def test_damaged_files_are_refused_or_say_the_same_never_anything_else(self):
         rng, whole = random.Random(SEED), self.file.read_bytes()

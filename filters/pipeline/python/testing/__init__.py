@@ -12,10 +12,11 @@ test once with PALPATE_UPDATE_BASELINES=1 in the environment, and again whenever
 Without Python: `python3 -m palpate.testing --help`.
 """
 
+import math
 import os
 from pathlib import Path
 
-from palpate.testing.baseline import Baseline, as_written, same_size
+from palpate.testing.baseline import Baseline, as_written, refuse_another_kind, same_size
 from palpate.testing.compare import compare
 from palpate.testing.feel import Refused, Touch, data_of
 from palpate.testing.paths import read_path, strokes
@@ -43,6 +44,8 @@ def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tol
 
     Returns the comparison. Refused, an AssertionError too, is raised in one sentence for what cannot be compared.
     """
+    if not 0 <= tolerance < math.inf:
+        raise Refused(f"The tolerance {tolerance} is none: give a number of just noticeable differences, 0 or more.")
     baseline = Path(baseline)
     scene = scene or baseline.stem
     surface = data_of(surface)
@@ -63,7 +66,10 @@ def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tol
 
 
 def _update(surface, file, scene, path, touch, tolerance):
-    """The way of the hand stays that of the baseline, where there is one that can be read and no other way is given."""
+    """The way of the hand stays that of the baseline, where there is one that can be read and no other way is given and it
+    still meets the surface."""
+    if file.is_file():
+        refuse_another_kind(file)
     way = None
     if path is not None:
         way = read_path(path)
@@ -73,5 +79,10 @@ def _update(surface, file, scene, path, touch, tolerance):
         way = strokes(surface, touch)
     way = as_written(way)
     force_N = touch.along(way, surface)
+    if path is None and not force_N.any():  # the surface has shrunk away from the way it was touched on
+        way = as_written(strokes(surface, touch))
+        force_N = touch.along(way, surface)
+    if not force_N.any():
+        raise Refused("The hand touches nothing along its way: give a path that meets the surface.")
     Baseline.of(file, scene, touch, way, force_N, surface).write()
     return compare(way, force_N, force_N, tolerance)

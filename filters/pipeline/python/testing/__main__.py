@@ -35,8 +35,8 @@ def read_surface(file):
 def setting(text):
     """NAME=VALUE as a pair; numbers and lists of numbers as JSON writes them, whatever else is a text."""
     name, equals, value = text.partition("=")
-    if not (name and equals):
-        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
+    if not (name[:1].isupper() and equals):  # in small letters it would be an argument of the function itself
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE, NAME a setting such as Radius")
     try:
         return name, json.loads(value)
     except ValueError:
@@ -57,7 +57,17 @@ def arguments_of(words):
     parser.add_argument("--junit", type=Path, metavar="FILE.xml", help="the verdict for a server of continuous integration")
     parser.add_argument("--update", action="store_true", help="what is felt becomes the baseline")
     parser.add_argument("--version", action="version", version=__version__)
-    return parser.parse_args(words)
+    given = parser.parse_args(words)
+    read = {file.resolve() for file in (given.surface, given.baseline, given.path) if file}
+    for file in written(given):
+        if file.resolve() in read:
+            parser.error(f"{file}: this run reads it; name another file to be written.")
+    return given
+
+
+def written(given):
+    """The files of a verdict that are asked for."""
+    return [file for file in (given.junit, given.differences) if file]
 
 
 def judge(given):
@@ -77,6 +87,9 @@ def judge(given):
 
 def main(words=None):
     given = arguments_of(words)
+    for file in written(given):  # of an earlier run: no verdict but this one's is found, however this one ends
+        if file.is_file():
+            file.unlink()
     start = time.monotonic()
     code, kind, text = judge(given)
     if given.junit:

@@ -13,7 +13,9 @@ from palpate.testing.feel import Refused
 
 FORMAT = 1
 KIND = "palpate baseline"
+HEAD_BYTES = 200  # of a file: a baseline says within them that it is one
 COLUMNS = ["t", "x", "y", "z", "force_x", "force_y", "force_z"]  # [s, scene units, N]
+SAME_WAY = 1e-9  # what two ways that are meant to be the same differ by at most, relative
 ANOTHER_SIZE = 10.0  # times as large or as small: another unit or another thing, not a change of this one
 
 
@@ -35,6 +37,13 @@ def same_size(baseline, surface):
     if not 1 / ANOTHER_SIZE < times < ANOTHER_SIZE:
         raise Refused(f"{baseline.file}: the surface is {times:.3g} times as large as that of the baseline, so it is another "
                       f"scene or no longer in {baseline.unit}; give it in {baseline.unit}, or write the baseline anew.")
+
+
+def refuse_another_kind(file):
+    """Refuses a file that is there and is not a baseline, so that an update overwrites nothing else."""
+    with file.open("rb") as held:
+        if KIND.encode() not in held.read(HEAD_BYTES):
+            raise Refused(f"{file}: it is no baseline of palpate.testing; name another file or remove this one.")
 
 
 def _rounded(number):
@@ -78,7 +87,7 @@ class Baseline:
         """Of a file; what is not one is refused."""
         try:
             held = json.loads(file.read_text(encoding="utf-8"))
-        except (OSError, ValueError) as problem:
+        except (OSError, ValueError, RecursionError) as problem:
             raise Refused(f"{file}: it cannot be read as a baseline ({problem}); write it anew.") from None
         if not isinstance(held, dict) or KIND not in held:
             raise Refused(f"{file}: it is no baseline of palpate.testing; name another file.")
@@ -93,7 +102,7 @@ class Baseline:
                 raise ValueError("its size or settings")
             return cls(file, str(held["scene"]), str(held["unit"]), str(held["version"]), held["settings"],
                        float(held["size"]), rows[:, :4], rows[:, 4:])
-        except (KeyError, TypeError, ValueError) as problem:
+        except (KeyError, TypeError, ValueError, OverflowError) as problem:
             raise Refused(f"{file}: the baseline is damaged ({problem}); write it anew.") from None
 
     def write(self):
@@ -125,5 +134,10 @@ class Baseline:
                              if self.settings.get(name) != touch.settings.get(name))
             said = ", ".join(f"{name} {self.settings.get(name)} then, {touch.settings.get(name)} now" for name in changed)
             raise Refused(f"{self.file}: the baseline was felt with other settings ({said}); write it anew.")
-        if path is not None and (path.shape != self.path.shape or not np.allclose(path, self.path, rtol=1e-9, atol=0)):
+        if path is not None and not self._leads_along(path):
             raise Refused(f"{self.file}: the hand of the baseline goes another way than the path given; write it anew.")
+
+    def _leads_along(self, path):
+        """Whether the way is that of the file, up to rounding: near 0 that is measured by the surface and by a second."""
+        scale = np.maximum(np.abs(self.path), [1.0, *3 * [self.size_u]])
+        return path.shape == self.path.shape and bool((np.abs(path - self.path) <= SAME_WAY * scale).all())

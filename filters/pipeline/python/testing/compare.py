@@ -34,12 +34,17 @@ class Comparison:
     tolerance: float  # [JND]
 
     @property
+    def beyond(self):
+        """Of each row whether it differs: what is no number does."""
+        return ~(self.jnd <= self.tolerance)
+
+    @property
     def differs(self):
-        return bool((self.jnd > self.tolerance).any())
+        return bool(self.beyond.any())
 
     def stretches(self):
         """First and last row of each stretch of rows that differ, the worst stretch first."""
-        beyond = np.flatnonzero(self.jnd > self.tolerance)
+        beyond = np.flatnonzero(self.beyond)
         runs = np.split(beyond, np.flatnonzero(np.diff(beyond) > 1) + 1) if len(beyond) else []
         return sorted(((run[0], run[-1]) for run in runs), key=lambda run: -self.jnd[run[0]:run[1] + 1].max())
 

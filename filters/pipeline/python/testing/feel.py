@@ -61,8 +61,8 @@ class Touch:
         if unit not in PER_METRE:
             raise Refused(f"The unit {unit!r} is not known: use one of {', '.join(PER_METRE)}.")
         self.unit = unit
-        settings = {name: list(value) if isinstance(value, tuple) else value for name, value in settings.items()}
-        self.settings = {"Scale": PER_METRE[unit], "Stiffness": 500.0, **settings}
+        plain = {name: _plain(value) for name, value in settings.items()}
+        self.settings = {"Scale": PER_METRE[unit], "Stiffness": 500.0, **plain}
         self._filter()  # what it does not take is refused before anything is computed
 
     @property
@@ -94,6 +94,13 @@ class Touch:
             except (TypeError, ValueError) as problem:
                 raise Refused(f"{name}={value!r} cannot be set: {problem}.") from None
         return touch
+
+
+def _plain(value):
+    """A value as a baseline can hold it: numbers of numpy as Python's, tuples as lists."""
+    if isinstance(value, (np.generic, np.ndarray)):
+        return value.tolist()
+    return list(value) if isinstance(value, tuple) else value
 
 
 def _way(path):

@@ -25,7 +25,7 @@ def read_path(path):
     if isinstance(path, (str, Path)):
         name, path = path, _of_file(Path(path))
     elif isinstance(path, vtkPolyData):
-        path = vtk_to_numpy(path.GetPoints().GetData()) if path.GetNumberOfPoints() else []
+        path = _of_line(path)
     try:
         rows = np.asarray(path, dtype=float)
     except (TypeError, ValueError):
@@ -37,6 +37,20 @@ def read_path(path):
     if not np.isfinite(rows).all() or not (np.diff(rows[:, 0]) > 0).all():
         raise Refused(f"{name}: every number has to be finite and the time has to rise from row to row.")
     return rows
+
+
+def _of_line(way):
+    """The points in the order of its one line, as the filter Touch Along Path goes, with the array t of the points if
+    there is one; without a line in their own order."""
+    lines = way.GetNumberOfLines()
+    if lines > 1:
+        raise Refused(f"the path of the hand: it has {lines} lines; join them into one polyline.")
+    points = vtk_to_numpy(way.GetPoints().GetData()) if way.GetNumberOfPoints() else np.empty((0, 3))
+    order = vtk_to_numpy(way.GetLines().GetConnectivityArray()) if lines else np.arange(len(points))
+    if lines and not (len(order) and 0 <= order.min() and order.max() < len(points)):
+        raise Refused("the path of the hand: its line names points that are not there.")
+    times = way.GetPointData().GetArray("t")
+    return (np.column_stack([vtk_to_numpy(times), points]) if times else points)[order]
 
 
 def _of_file(file):

@@ -15,7 +15,7 @@ ROW = "{:>11}  {:>13}  {:>29}  {:>9}  {:>9}  {:>8}  {:>7}"
 
 def text_of(found, baseline, differences, how_to_accept):
     """The verdict, the worst stretches, and what to do if the change is meant."""
-    rows = int((found.jnd > found.tolerance).sum())
+    rows = int(found.beyond.sum())
     lines = [f"the surface does not feel as it did: {rows} of {len(found.jnd)} places differ by more than {found.tolerance:g} "
              f"just noticeable differences (JND), at most by {found.jnd.max():.3g}",
              f"baseline: {baseline.file} (scene {baseline.scene}, in {baseline.unit}, Palpate {baseline.version})",
