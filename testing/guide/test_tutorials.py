@@ -104,7 +104,9 @@ class Tutorials(unittest.TestCase):
 
     @staticmethod
     def bounds(file):
-        return simple.OpenDataFile(os.path.join(os.environ["PALPATE_DATA"], file)).GetDataInformation().GetBounds()
+        source = simple.OpenDataFile(os.path.join(os.environ["PALPATE_DATA"], file))
+        source.UpdatePipeline()
+        return source.GetDataInformation().GetBounds()
 
     @staticmethod
     def from_above(bounds, place):
