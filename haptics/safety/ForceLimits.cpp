@@ -26,7 +26,9 @@ double smoothstep(double s) noexcept
 
 bool isFinite(const DeviceSample& sample) noexcept
 {
-  return sample.pose_D.p.allFinite() && sample.pose_D.q.coeffs().allFinite() && sample.velocity_D.linear.allFinite() &&
+  constexpr double furthest_m = 1e9; // of a hand that is somewhere: squares of more than 1e154 are none any more
+  return sample.pose_D.p.allFinite() && sample.pose_D.p.cwiseAbs().maxCoeff() <= furthest_m &&
+         sample.pose_D.q.coeffs().allFinite() && sample.velocity_D.linear.allFinite() &&
          sample.velocity_D.angular.allFinite() && std::isfinite(sample.time_s);
 }
 

@@ -19,7 +19,7 @@ namespace palpate
 /// 3 s^2 - 2 s^3 on [0, 1], clamped outside: no jump in force or in its rate at either end.
 [[nodiscard]] double smoothstep(double s) noexcept;
 
-/// True if every number of the sample that forces are computed from is finite.
+/// True if every number of the sample that forces are computed from is finite, and the hand no further than 1e9 m.
 [[nodiscard]] bool isFinite(const DeviceSample& sample) noexcept;
 
 } // namespace palpate

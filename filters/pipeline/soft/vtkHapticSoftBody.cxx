@@ -51,7 +51,7 @@ void FixNear(vtkUnstructuredGrid& body, vtkDataSet& holds, double within)
 } // namespace
 
 vtkHapticSoftBody::vtkHapticSoftBody()
-  : Young(vtkHapticSoftMaterial::UsualYoung_Pa), Poisson(vtkHapticSoftMaterial::UsualPoisson)
+  : Young(vtkHapticSoftMaterial::UsualYoungPa), Poisson(vtkHapticSoftMaterial::UsualPoisson)
 {
   this->SetNumberOfInputPorts(2);
 }

@@ -315,7 +315,7 @@ std::string vtkHapticSoftBodyText(const palpate::SoftBodyInput& input)
   const auto [low, high] = std::minmax_element(input.young_Pa.begin(), input.young_Pa.end());
   std::string text = std::string(models[static_cast<int>(input.model)]) + ", Young's modulus " +
                      palpate::quantity(*low, "Pa") + (*low < *high ? " to " + palpate::quantity(*high, "Pa") : "") +
-                     (*low < *high ? "" : Assumed(*low, vtkHapticSoftMaterial::UsualYoung_Pa));
+                     (*low < *high ? "" : Assumed(*low, vtkHapticSoftMaterial::UsualYoungPa));
   text += ", Poisson's ratio " + palpate::quantity(input.poisson, "") +
           Assumed(input.poisson, vtkHapticSoftMaterial::UsualPoisson);
   return text + ", a unit is " + palpate::quantity(input.unit_m, "m") + Assumed(input.unit_m, 1.0) + ", " +

@@ -16,10 +16,10 @@ class vtkDataObject;
 /// What a body is made of.
 struct vtkHapticSoftMaterial
 {
-  static constexpr double UsualYoung_Pa = 20e3; ///< about that of liver; nobody has measured this one
+  static constexpr double UsualYoungPa = 20e3; ///< about that of liver; nobody has measured this one
   static constexpr double UsualPoisson = 0.4;   ///< the most that is true with few tetrahedra
 
-  double Young_Pa = UsualYoung_Pa;
+  double Young_Pa = UsualYoungPa;
   double Poisson = UsualPoisson;
   palpate::ElasticModel Model = palpate::ElasticModel::NeoHookean;
   double Unit_m = 1.0; ///< metres a unit of the data

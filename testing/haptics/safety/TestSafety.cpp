@@ -88,6 +88,11 @@ TEST(FiniteGuard, SeesABadNumberInEveryField)
 {
   const double bad[] = { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() };
   EXPECT_TRUE(isFinite(DeviceSample{}));
+  DeviceSample far;
+  far.pose_D.p.z() = -1e9;
+  EXPECT_TRUE(isFinite(far));
+  far.pose_D.p.z() = -1e299; // its square is not finite
+  EXPECT_FALSE(isFinite(far));
   for (const double value : bad)
   {
     for (int k = 0; k < 3; ++k)
