@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// palpate-soft-bench: what a packet of a soft body costs its worker, beside one solve with the body's factor.
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "haptics/compliance/packet/PacketMaker.h"
+#include "testing/haptics/compliance/Blocks.h"
+#include "testing/support/CostSample.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+struct Options
+{
+  int packets = 10;
+  bool small = false, withAssertions = false;
+};
+
+struct Case
+{
+  std::string name;
+  int cells = 12; ///< along the block
+  ElasticModel model = ElasticModel::Linear;
+  ElementKind element = ElementKind::Linear;
+  Factoring factoring = Factoring::EachStep;
+  int newtonSteps = 1;
+  double goal_Hz = 0.0;    ///< 0: none is asked for
+  double mostSolves = 0.0; ///< that a packet may cost (p50)
+};
+
+double residentMB()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1e-3 * static_cast<double>(usage.ru_maxrss);
+}
+
+/// A ball presses near the middle of the block with 2 and with 3 N in turn, the second time askew, at .1 m/s.
+PacketRequest requestAt(const SoftSurface& surface, std::uint32_t triangle, int packet, double period_s)
+{
+  PacketRequest request;
+  request.ball_W = middleOfPad();
+  request.velocity_u_per_s = Vec3(0.1, 0.0, 0.0);
+  request.radius_u = 0.005;
+  request.period_s = period_s;
+  request.forceAt.push_back({ surface.triangles[triangle], Vec3::Constant(1.0 / 3.0), middleOfPad() });
+  request.force_N.emplace_back(0.3 * (packet % 2), 0.0, packet % 2 == 0 ? -2.0 : -3.0);
+  return request;
+}
+
+std::uint32_t triangleAtMiddle(const SoftSurface& surface)
+{
+  std::uint32_t nearest = 0;
+  const auto off = [&surface](std::uint32_t t)
+  { return (surface.rest_W[surface.triangles[t][0]] - middleOfPad()).norm(); };
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    nearest = off(t) < off(nearest) ? t : nearest;
+  }
+  return nearest;
+}
+
+/// Whether a packet costs no more solves than it may.
+bool benchmark(const Case& c, const Options& options)
+{
+  SoftBodyInput input = pad(c.cells);
+  input.model = c.model;
+  input.element = c.element;
+  SoftBodyResult made = makeSoftBody(input);
+  SoftBody& body = *made.body;
+  body.factorsBe(c.factoring);
+  const SoftSurface surface = makeSoftSurface(body, made.checked.mesh);
+  PacketMaker maker(body, surface);
+  const std::uint32_t triangle = triangleAtMiddle(surface);
+  const ProcessorClock clock;
+  CostSample packets(static_cast<std::size_t>(options.packets), clock);
+  CostSample solves(static_cast<std::size_t>(options.packets), clock);
+  const Eigen::VectorXd load = Eigen::VectorXd::Constant(body.displacement().size(), 1e-3);
+  std::size_t vertices = 0;
+  double sum = 0.0;
+  const double period_s = c.goal_Hz > 0.0 ? 1.0 / c.goal_Hz : 0.04;
+  for (int i = -1; i < options.packets; ++i)
+  {
+    std::shared_ptr<const CompliancePacket> packet;
+    const auto make = [&] { packet = maker.make(requestAt(surface, triangle, i + 1, period_s), c.newtonSteps); };
+    if (i < 0)
+    {
+      make(); // to be warm
+      continue;
+    }
+    packets.time(make);
+    solves.time([&] { sum += body.linearAnswer(load).sum(); });
+    vertices = packet->near.size();
+  }
+  const double packet_ms = 1e-3 * packets.quantile_us(0.5), solve_ms = 1e-3 * solves.quantile_us(0.5);
+  std::printf("%-44s %6zu nodes, %3zu vertices: packet p50 %7.2f ms p99 %7.2f ms, %6.1f Hz", c.name.c_str(),
+    input.mesh.vertices_W.size(), vertices, packet_ms, 1e-3 * packets.quantile_us(0.99), 1e3 / packet_ms);
+  std::printf("%s", c.goal_Hz > 0.0 ? (" (goal " + std::to_string(static_cast<int>(c.goal_Hz)) + " Hz)").c_str() : "");
+  std::printf("; a solve %.3f ms, ratio %.1f; factor %.0f MB, all %.0f MB; %zu factorings%s\n", solve_ms,
+    packet_ms / solve_ms, 1e-6 * static_cast<double>(body.factorBytes()), residentMB(), body.factorings(),
+    std::isfinite(sum) ? "" : "; NO ANSWER");
+  return packet_ms <= c.mostSolves * solve_ms;
+}
+
+} // namespace
+} // namespace palpate::test
+
+int main(int argc, char** argv)
+{
+  using namespace palpate;
+  using namespace palpate::test;
+  Options options;
+  CLI::App app("what a packet of a soft body costs its worker");
+  app.add_option("--packets", options.packets, "of each body");
+  app.add_flag("--small", options.small, "without what takes minutes");
+  app.add_flag("--assert", options.withAssertions, "fail if a packet costs more solves than it may");
+  CLI11_PARSE(app, argc, argv);
+  constexpr auto hooke = ElasticModel::Linear, rubber = ElasticModel::NeoHookean;
+  constexpr auto linear = ElementKind::Linear, smoothed = ElementKind::EdgeSmoothed;
+  // At most twice the solves that were seen.
+  std::vector<Case> cases{ { "linear law", 12, hooke, linear, Factoring::EachStep, 1, 0.0, 45.0 },
+    { "neo-Hookean, 2 steps", 12, rubber, linear, Factoring::EachStep, 2, 20.0, 200.0 },
+    { "neo-Hookean, 2 steps, edge-smoothed", 12, rubber, smoothed, Factoring::EachStep, 2, 0.0, 240.0 },
+    { "neo-Hookean, 2 steps, an old factor", 18, rubber, linear, Factoring::WhenOld, 2, 8.0, 140.0 } };
+  if (!options.small)
+  {
+    cases.push_back({ "neo-Hookean, 2 steps", 18, rubber, linear, Factoring::EachStep, 2, 0.0, 240.0 });
+    // First: what is resident is the most that ever was.
+    cases.insert(cases.begin(), { "linear law", 28, hooke, linear, Factoring::EachStep, 1, 20.0, 50.0 });
+  }
+  bool within = true;
+  for (const Case& c : cases)
+  {
+    within = benchmark(c, options) && within;
+  }
+  return within || !options.withAssertions ? 0 : 1;
+}
