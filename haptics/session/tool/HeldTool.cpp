@@ -106,6 +106,7 @@ void HeldTool::tryToObey(Order order)
   {
     this->follower_.reset();
     this->now_ = {};
+    this->enclosed_ = this->stands_ = false;
     this->tellWaiting(true);
     this->refuse("what is shown is too large for a tool to touch: memory is used up; show less of it");
   }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "haptics/tool/servo/AllowedMotion.h"
+#include "haptics/tool/move/SettledWish.h"
 
 namespace palpate
 {
@@ -151,13 +151,22 @@ ToolMove::ProvenStep ToolMove::planProven(const Vec6& wish, WorkBudget& budget)
   return found;
 }
 
-/// Where the device would have to be for a tool without friction to go where this one goes.
-Pose ToolMove::ledWithFriction(const Pose& device_W)
+/// Where the device would have to be for a tool without friction to go where this one goes. How far the hand itself
+/// leads is told.
+ToolMove::Lead ToolMove::lead(const Pose& device_W, WorkBudget& budget)
 {
-  const Vec6 wish = wishedMotion(this->pose_W_, device_W, this->lever_u_, this->leadCut_);
-  const Vec6 rubbed = rubbedWish(this->contacts(), wish, this->friction_);
-  return { this->pose_W_.p + rubbed.head<3>(),
-    (turnBy(rubbed.tail<3>() / this->lever_u_) * this->pose_W_.q).normalized() };
+  Lead led{ device_W, wishedMotion(this->pose_W_, device_W, this->lever_u_, this->leadCut_) };
+  if (this->friction_ > 0.0)
+  {
+    const ToolContacts set = this->contacts();
+    const SettledWish rubbed = settledWish(set, led.wish, this->friction_);
+    static_cast<void>(budget.spend(rubbed.rounds * std::uint64_t{ set.count })); // the proof asks
+    led.device_W = { this->pose_W_.p + rubbed.wish.head<3>(),
+      (turnBy(rubbed.wish.tail<3>() / this->lever_u_) * this->pose_W_.q).normalized() };
+    bool cut = false;
+    led.wish = wishedMotion(this->pose_W_, led.device_W, this->lever_u_, cut);
+  }
+  return led;
 }
 
 ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
@@ -167,8 +176,8 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
     return Advance::Spent;
   }
   this->rows_.findTouching(this->near_, this->pose_W_, this->front_->way_u());
-  const Pose led_W = this->friction_ > 0.0 ? this->ledWithFriction(device_W) : device_W;
-  const ProvenStep found = this->planProven(wishedMotion(this->pose_W_, led_W, this->lever_u_, this->leadCut_), budget);
+  const Lead led = this->lead(device_W, budget);
+  const ProvenStep found = this->planProven(led.wish, budget);
   if (found.rests)
   {
     return Advance::Rests;
@@ -179,7 +188,7 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
     return budget.left() == 0 ? Advance::Spent : Advance::Blocked;
   }
   const ScrewStep taken{ this->pose_W_, share * found.planned.step.v_W, share * found.planned.step.w_W };
-  this->commit(taken, this->usefulShare(found.planned, taken, led_W));
+  this->commit(taken, this->usefulShare(found.planned, taken, led.device_W));
   if (this->idle_ >= idleSteps)
   {
     return Advance::Rests;

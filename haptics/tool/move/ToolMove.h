@@ -60,7 +60,7 @@ public:
   [[nodiscard]] ToolContacts contacts() const;
   /// It stands elsewhere among the triangles: they were moved, and it was proven that nothing met on the way.
   void stand(const Pose& pose_W);
-  /// Of each contact from now on (see rubbedWish); 0: none.
+  /// Of each contact from now on (see settledWish); 0: none.
   void rub(double friction) noexcept { this->friction_ = friction; }
   /// Null: nobody.
   void watch(StepSink* sink) noexcept { this->sink_ = sink; }
@@ -74,7 +74,12 @@ private:
     Spent,
   };
   void expect(const Pose& device_W);
-  [[nodiscard]] Pose ledWithFriction(const Pose& device_W);
+  struct Lead
+  {
+    Pose device_W;
+    Vec6 wish; ///< to it, whitened
+  };
+  [[nodiscard]] Lead lead(const Pose& device_W, WorkBudget& budget);
   [[nodiscard]] bool makeRoom(WorkBudget& budget);
   struct ProvenStep
   {

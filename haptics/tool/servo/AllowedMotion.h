@@ -32,12 +32,4 @@ struct AllowedMotion
 /// safe.
 [[nodiscard]] AllowedMotion allowedMotion(const ToolContacts& set, const Vec6& wish) noexcept;
 
-/// The wish for which the tool goes without friction where it goes for `wish` with friction: each contact that pushes
-/// by p rubs by at most `friction` p, against the motion of its point, or holds the point where it is (Coulomb, one
-/// coefficient at rest and in motion). Solved in turn: what pushes for given rubbing, exactly, and what rubs for given
-/// pushes, by projection onto the discs. Where more contacts touch than there are directions, those that the solver
-/// names rub; which they are may change from turn to turn, and the sum is then good to a thousandth. Real-time safe: a
-/// bounded number of rounds.
-[[nodiscard]] Vec6 rubbedWish(const ToolContacts& set, const Vec6& wish, double friction) noexcept;
-
 } // namespace palpate

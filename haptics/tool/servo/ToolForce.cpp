@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "haptics/tool/servo/RubbedWish.h"
+
 namespace palpate
 {
 
@@ -14,7 +16,8 @@ ToolPull toolPull(const ToolContacts& contacts, const Pose& device_W, ToolCoupli
   {
     bool cut = false;
     const Vec6 wish = wishedMotion(contacts.pose_W, device_W, contacts.lever_u, cut);
-    const AllowedMotion allowed = allowedMotion(contacts, rubbedWish(contacts, wish, friction));
+    const bool rubs = coupling == ToolCoupling::Constraints; // the virtual spring is the same with friction
+    const AllowedMotion allowed = allowedMotion(contacts, rubs ? rubbedWish(contacts, wish, friction) : wish);
     pull.active = allowed.active;
     pull.presses = allowed.presses;
     pull.pull_u = coupling == ToolCoupling::Constraints ? Vec6(allowed.y - wish) : Vec6(-wish);

@@ -151,6 +151,24 @@ TEST_F(ToolTick, SaysWhatOtherContactsAddToTheEnergyAndAllocatesNothing)
   EXPECT_NEAR(state.energy.excess_J, held_J, 1e-3 * held_J) << "nobody has pressed it in";
 }
 
+TEST_F(ToolTick, WithFrictionDragsTheHandByFrictionTimesThePushAndAllocatesNothing)
+{
+  const double friction = 0.4, depth = 0.002, slide = 0.005;
+  this->parameters_.contact.friction.kinetic = friction;
+  const ToolContacts before = this->settled(pressed(depth)), touching = this->now();
+  Pose hand = pressed(depth);
+  hand.p.x() += slide;
+  HapticState state = this->tick(before, hand).state;
+  const AllocationGuard guard;
+  for (int i = 0; i < 300; ++i)
+  {
+    state = this->tick(touching, hand).state;
+  }
+  EXPECT_EQ(guard.allocations() + guard.locks(), 0u);
+  EXPECT_NEAR(state.force_D.z(), stiffness * depth, 1e-3 * stiffness * depth);
+  EXPECT_NEAR(-state.force_D.x(), friction * stiffness * depth, 1e-3 * stiffness * depth);
+}
+
 TEST_F(ToolTick, SpreadsTheStepOfOtherContactsOverTime)
 {
   const Pose hand = pressed(0.002);
