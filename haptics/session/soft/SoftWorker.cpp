@@ -174,6 +174,7 @@ void SoftWorker::publish(std::shared_ptr<const PressedBody> body)
     ++this->status_.packets;
     this->status_.shape = shape;
     this->made_.push_back(body);
+    this->told_ = true;
     while (!this->keepsAll_ && this->made_.size() > keptUnasked)
     {
       this->made_.pop_front();
@@ -191,6 +192,11 @@ SoftStatus SoftWorker::status() const
 
 std::vector<std::shared_ptr<const PressedBody>> SoftWorker::made(bool recorded)
 {
+  if (!this->told_.exchange(false) && recorded == this->askedAll_)
+  {
+    return {};
+  }
+  this->askedAll_ = recorded;
   const std::lock_guard lock(this->mutex_);
   std::vector<std::shared_ptr<const PressedBody>> all(this->made_.begin(), this->made_.end());
   while (this->made_.size() > keptUnasked)

@@ -87,6 +87,8 @@ private:
   std::deque<std::shared_ptr<const PressedBody>> made_;
   bool keepsAll_ = false;
   std::atomic<bool> news_ = false; ///< asked without the lock in each step
+  std::atomic<bool> told_ = false; ///< likewise: something was made since the owner asked
+  bool askedAll_ = false;          ///< of the owner alone
 
   // Of the thread alone.
   Order now_;

@@ -219,7 +219,8 @@ TEST(MovingInputs, AWayGoesOnThoughTheSameVerticesWereBuiltAnewByOneWhoKnewNothi
   ASSERT_TRUE(again->bends());
   for (std::size_t i = 0; i < again->surfaces()[0].from->vertices_W.size(); ++i)
   {
-    const Vec3 &end = bent.vertices_W[i], &begin = flat.vertices_W[i];
+    const Vec3 &end = moving->surfaces()[0].tree->mesh().vertices_W[i],
+               &begin = moving->surfaces()[0].from->vertices_W[i];
     ASSERT_LE((again->surfaces()[0].from->vertices_W[i] - 0.5 * (begin + end)).norm(), 1e-15);
   }
 }

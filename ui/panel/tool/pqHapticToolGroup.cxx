@@ -41,11 +41,12 @@ pqHapticToolGroup::pqHapticToolGroup(QWidget* parent) : Superclass(tr("Tool"), p
     tr("The hand holds the surface of the source that is active in the pipeline browser, which is hidden: the tool is "
        "drawn where it is, and a ghost where the hand would have it"));
   this->Ball = pqHapticButton(buttons, "toolBall", tr("Take the Ball"), tr("The hand touches with its ball again"));
-  this->PlaceHandle = pqHapticButton(buttons, "toolPlaceHandle", tr("Place Handle"),
+  this->PlaceHandle = pqHapticButton(this, "toolPlaceHandle", tr("Place Handle"),
     tr("Shows the tool where its data are, and a line in it whose ends are drawn with the mouse: where the hand holds "
        "the "
        "tool, and its tip"));
   this->PlaceHandle->setCheckable(true);
+  form->addRow(this->PlaceHandle); // three in a row would make the panel wider
   this->Text = pqHapticLabel(this, "toolText", tr("Which tool is held and how it is, or why none is"));
   form->addRow(this->Text);
   this->Contacts = pqHapticLabel(this, "toolContacts", tr("What pushes the tool: source, place, share of all pushes"));
