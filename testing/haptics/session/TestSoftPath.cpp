@@ -15,14 +15,14 @@ namespace
 {
 
 constexpr double spring_N_per_m = 1000.0;
-constexpr double tick_s = 1e-3;
+constexpr double pathTick_s = 1e-3;
 
 std::unique_ptr<PathTouch> touchOf(const SoftBodyInput& input, double rate_Hz, double radius_u = 0.0)
 {
   HapticParameters parameters;
   parameters.stiffness_N_per_m = spring_N_per_m;
   parameters.contact.radius_u = radius_u;
-  auto touch = std::make_unique<PathTouch>(nullptr, parameters, tick_s);
+  auto touch = std::make_unique<PathTouch>(nullptr, parameters, pathTick_s);
   std::string refusal;
   auto maker = BodyMaker::make(input, "block", 0, refusal);
   EXPECT_EQ(refusal, "");
@@ -37,7 +37,7 @@ HapticState pressed(const std::unique_ptr<PathTouch>& touch, double depth_m, int
   for (int i = 0; i <= 2 * ticks; ++i)
   {
     const double down = 0.001 - (0.001 + depth_m) * std::min(1.0, i / static_cast<double>(ticks));
-    state = touch->next(tick_s * i, { topOfBlock() + Vec3(0, 0, radius_u + down), Quat::Identity() });
+    state = touch->next(pathTick_s * i, { topOfBlock() + Vec3(0, 0, radius_u + down), Quat::Identity() });
   }
   return state;
 }
@@ -90,7 +90,7 @@ TEST(SoftPath, AWallBesideTheBodyIsFeltAsWithoutIt)
     wall.name = "wall";
     wall.tree = std::make_shared<const SurfaceTree>(
       TriangleMesh{ { Vec3(1, -1, 0), Vec3(3, -1, 0), Vec3(2, 1, 0) }, { { 0, 1, 2 } } });
-    PathTouch touch(std::make_shared<const Scene>(1, std::vector<Surface>{ wall }), parameters, tick_s);
+    PathTouch touch(std::make_shared<const Scene>(1, std::vector<Surface>{ wall }), parameters, pathTick_s);
     std::string refusal;
     if (withBody)
     {
@@ -100,7 +100,7 @@ TEST(SoftPath, AWallBesideTheBodyIsFeltAsWithoutIt)
     for (int i = 0; i < 100; ++i)
     {
       const Vec3 hand(2.0 + 0.001 * i, 0.0, 0.01 - 0.0003 * i);
-      const HapticState state = touch.next(tick_s * i, { hand, Quat::Identity() });
+      const HapticState state = touch.next(pathTick_s * i, { hand, Quat::Identity() });
       sum += state.force_W * (i + 1);
       EXPECT_FALSE(state.soft.pressed);
     }
