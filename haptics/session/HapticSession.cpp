@@ -108,6 +108,22 @@ HapticDevice* HapticSession::device() noexcept
   return this->run_ ? this->run_->device.get() : nullptr;
 }
 
+/// What moves a tool and computes a soft body beside the servo.
+void HapticSession::beginBeside(Run& run, std::int64_t period_ns) const
+{
+  run.tool.emplace(run.links.tool, run.virtualTime, period_ns);
+  run.tool->touch(this->scene_);
+  run.tool->take(this->tool_);
+  run.soft.emplace(run.links.soft, run.virtualTime);
+  run.soft->touch(this->scene_);
+  run.soft->take(this->soft_);
+  if (run.virtualTime)
+  {
+    run.tool->step();
+    run.soft->step(0.0);
+  }
+}
+
 std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const SessionOptions& options)
 {
   this->stop();
@@ -141,17 +157,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->links.parameters.write({ this->version_, run->adapted });
   run->links.scenes.publish(this->scene_);
   run->links.bricks.publish(this->brick_);
-  run->tool.emplace(run->links.tool, options.virtualTime, period_ns);
-  run->tool->touch(this->scene_);
-  run->tool->take(this->tool_);
-  run->soft.emplace(run->links.soft, options.virtualTime);
-  run->soft->touch(this->scene_);
-  run->soft->take(this->soft_);
-  if (options.virtualTime)
-  {
-    run->tool->step();
-    run->soft->step(0.0);
-  }
+  this->beginBeside(*run, period_ns);
   run->loop.emplace(*run->device, *run->timer, run->links, run->clock, options.period_s);
   this->run_ = std::move(run);
   this->lastState_ = HapticState{};

@@ -103,6 +103,7 @@ public:
 private:
   struct Run;
   void push(EventKind kind);
+  void beginBeside(Run& run, std::int64_t period_ns) const;
   void storeBodies();
 
   HapticParameters parameters_;
