@@ -4,6 +4,7 @@
 #include "haptics/contact/carry/Deformation.h"
 #include "haptics/contact/carry/HandOver.h"
 #include "haptics/contact/carry/KeepSide.h"
+#include "haptics/contact/carry/SameFeature.h"
 #include "haptics/contact/sweep/Sweep.h"
 #include "haptics/contact/view/PlanFor.h"
 #include "haptics/contact/view/SceneView.h"
@@ -36,9 +37,11 @@ bool takeOver(
   {
     ActiveFeature f = state.features[i];
     f.surface = successorOf(before, f.surface, after);
-    if (f.surface < after.size())
+    const std::optional<ActiveFeature> is =
+      f.surface < after.size() ? std::optional(f) : sameFeature(sceneOf(from), state.features[i], sceneOf(to));
+    if (is)
     {
-      state.features[kept++] = f;
+      state.features[kept++] = *is;
     }
   }
   state.count = kept;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "haptics/geometry/mesh/ExactPredicates.h"
 #include "haptics/geometry/tree/SegmentTriangle.h"
@@ -54,6 +53,10 @@ struct Ray
   }
 };
 
+/// A halving tree over 2^32 leaves is 32 deep, and a walk keeps at most one sibling a level; with room for trees that
+/// do not halve exactly.
+constexpr std::size_t mostOpen = 96;
+
 /// Calls visit(triangle) for each triangle of the leaves whose box the ray meets.
 template<class Visit>
 void forEachNear(const SurfaceData& surface, const Ray& ray, Visit visit)
@@ -71,11 +74,10 @@ void forEachNear(const SurfaceData& surface, const Ray& ray, Visit visit)
     visitLeaf(0);
     return;
   }
-  std::vector<std::uint32_t> open = { 0 };
-  while (!open.empty())
+  std::array<std::uint32_t, mostOpen> open{};
+  for (std::size_t count = 1; count > 0;)
   {
-    const TreeNode& node = surface.nodes[open.back()];
-    open.pop_back();
+    const TreeNode& node = surface.nodes[open[--count]];
     for (std::size_t child = 0; child < 2; ++child)
     {
       const Vec3 low_W(node.low_W[0][child], node.low_W[1][child], node.low_W[2][child]);
@@ -91,7 +93,7 @@ void forEachNear(const SurfaceData& surface, const Ray& ray, Visit visit)
       }
       else
       {
-        open.push_back(next);
+        open[count++] = next;
       }
     }
   }
@@ -190,6 +192,11 @@ PointSide sideOf(const SurfaceTree& surface, const Vec3& x_W)
     }
   }
   return PointSide::Unknown;
+}
+
+PointSide sideOf(const SurfaceTree& surface, const Vec3& x_W, const Vec3& direction_W)
+{
+  return sideAlong(surface.data(), Ray(surface.data(), x_W, direction_W));
 }
 
 bool isClosed(const SurfaceTree& surface)

@@ -52,10 +52,11 @@ const Surface* findBent(const std::vector<Surface>& now, double share, const Sur
 }
 
 /// Weights of the places of `next` that give where `was` is now. On the same way these are what is left of its start;
-/// otherwise the places are the vertices of `was`, then those that `was` comes from (wayFrom in SceneBuilder.cpp).
+/// otherwise, and where `was` stands at the end of that way, the places are the vertices of `was`, then those that
+/// `was` comes from (wayFrom in SceneBuilder.cpp).
 std::array<double, 2> ofPlaces(const Surface& was, double share, const Surface& next)
 {
-  if (was.tree == next.tree)
+  if (was.tree == next.tree && was.from)
   {
     return { (1.0 - share) * was.from->ofPlaces[0], (1.0 - share) * was.from->ofPlaces[1] };
   }
