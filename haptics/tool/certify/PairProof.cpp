@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/tool/certify/PairProof.h"
 
+#include <cassert>
 #include <utility>
 
+#include "haptics/tool/certify/ExactProof.h"
 #include "haptics/tool/mesh/BoxedMesh.h"
 
 namespace palpate
@@ -56,10 +58,17 @@ double PairProof::proven(const MovingPair& pair, const Span& span, int depth, Ca
   return reached < first.to ? reached : this->proven(pair, second, depth - 1, nullptr);
 }
 
+bool PairProof::separates(const SpanProof& proof, const ProvenPlane& plane) const noexcept
+{
+  const bool apart = proof.gapOf(plane).least() >= this->clearance_.gap_u;
+  assert(!apart || holdsExactly(proof, plane, this->clearance_.gap_u));
+  return apart;
+}
+
 bool PairProof::offer(const SpanProof& proof, const Vec3& n_W, CachedPlane* cached) const noexcept
 {
-  const bool inScene = this->separates(proof.inScene(n_W));
-  const bool inTool = !inScene && this->separates(proof.inTool(n_W));
+  const bool inScene = this->separates(proof, { PlaneWay::InScene, n_W, n_W });
+  const bool inTool = !inScene && this->separates(proof, { PlaneWay::InTool, n_W, n_W });
   if (cached != nullptr && (inScene || inTool))
   {
     *cached = inScene ? CachedPlane{ PlaneKind::InScene, n_W }
@@ -103,8 +112,8 @@ bool PairProof::nearestHolds(
     return true;
   }
   const NearestPair last = this->nearestAt(span.to, proof.toolTo_W(), pair.scene_W);
-  return last.distance_u >= this->clearance_.gap_u &&
-         (this->separates(proof.inScene(last.n)) || this->separates(proof.between(first.n, last.n)));
+  return last.distance_u >= this->clearance_.gap_u && (this->separates(proof, { PlaneWay::InScene, last.n, last.n }) ||
+                                                        this->separates(proof, { PlaneWay::Between, first.n, last.n }));
 }
 
 } // namespace palpate

@@ -47,7 +47,7 @@ private:
   [[nodiscard]] bool nearestHolds(
     const SpanProof& proof, const Span& span, const MovingPair& pair, CachedPlane* cached) noexcept;
   [[nodiscard]] NearestPair nearestAt(double share, const Corners& tool_W, const Corners& scene_W) noexcept;
-  [[nodiscard]] bool separates(const SpanGap& gap) const noexcept { return gap.least() >= this->clearance_.gap_u; }
+  [[nodiscard]] bool separates(const SpanProof& proof, const ProvenPlane& plane) const noexcept;
   [[nodiscard]] bool offer(const SpanProof& proof, const Vec3& n_W, CachedPlane* cached) const noexcept;
 
   const ScrewStep& step_;

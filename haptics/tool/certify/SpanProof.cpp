@@ -71,4 +71,18 @@ SpanGap SpanProof::between(const Vec3& nFrom_W, const Vec3& nTo_W) const noexcep
     gapAlong(nFrom_W, this->from_, this->pair_.scene_W), gapAlong(nTo_W, this->to_, this->pair_.scene_W), bend);
 }
 
+SpanGap SpanProof::gapOf(const ProvenPlane& plane) const noexcept
+{
+  switch (plane.way)
+  {
+    case PlaneWay::InScene:
+      return this->inScene(plane.first_W);
+    case PlaneWay::InTool:
+      return this->inTool(plane.first_W);
+    case PlaneWay::Between:
+      break;
+  }
+  return this->between(plane.first_W, plane.last_W);
+}
+
 } // namespace palpate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "haptics/tool/certify/TrianglePair.h"
 #include "haptics/tool/motion/ScrewStep.h"
 
@@ -46,6 +48,22 @@ struct SpanGap
   }
 };
 
+/// How the plane of a proof goes during a span.
+enum class PlaneWay : std::uint8_t
+{
+  InScene, ///< it stays
+  InTool,  ///< it goes and turns with the tool
+  Between, ///< its normal goes straight from the first to the last
+};
+
+/// A plane that a proof rests on.
+struct ProvenPlane
+{
+  PlaneWay way = PlaneWay::InScene;
+  Vec3 first_W = Vec3::Zero(); ///< normal at the start of the span
+  Vec3 last_W = Vec3::Zero();  ///< of Between: at its end
+};
+
 /// Gaps that are proven for all of a span and not only for its ends, each a lower bound of the distance of two
 /// triangles.
 class SpanProof
@@ -53,6 +71,10 @@ class SpanProof
 public:
   SpanProof(const ScrewStep& step, const Span& span, const MovingPair& pair) noexcept;
 
+  [[nodiscard]] SpanGap gapOf(const ProvenPlane& plane) const noexcept;
+  [[nodiscard]] const ScrewStep& step() const noexcept { return this->step_; }
+  [[nodiscard]] const Span& span() const noexcept { return this->span_; }
+  [[nodiscard]] const MovingPair& pair() const noexcept { return this->pair_; }
   [[nodiscard]] const Corners& toolFrom_W() const noexcept { return this->from_; }
   [[nodiscard]] const Corners& toolTo_W() const noexcept { return this->to_; }
   /// The plane stays in the scene. Turning about n costs nothing.

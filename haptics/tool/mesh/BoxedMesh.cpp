@@ -197,13 +197,11 @@ StoredBox::StoredBox(const Mat3& axes, const std::vector<Vec3>& points)
   }
 }
 
-OrientedBox StoredBox::box() const noexcept
+/// Compiled into the constructor by GCC 12 it went on with numbers that were not rounded to floats yet, so that boxes
+/// did not hold what lies below them.
+[[gnu::noinline]] OrientedBox StoredBox::box() const noexcept
 {
-  OrientedBox box;
-  box.centre << this->centre_[0], this->centre_[1], this->centre_[2];
-  box.axes = Quat(this->turn_[3], this->turn_[0], this->turn_[1], this->turn_[2]).toRotationMatrix();
-  box.half << this->half_[0], this->half_[1], this->half_[2];
-  return box;
+  return { this->centre(), this->turn().toRotationMatrix(), this->half() };
 }
 
 BoxedMesh::BoxedMesh(TriangleMesh clean, double flat_u) : mesh_(std::move(clean))

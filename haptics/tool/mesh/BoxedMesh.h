@@ -27,6 +27,13 @@ public:
   /// Axes as columns, a rotation. `points` are the corners of what it holds.
   StoredBox(const Mat3& axes, const std::vector<Vec3>& points);
 
+  [[nodiscard]] Vec3 centre() const noexcept { return { this->centre_[0], this->centre_[1], this->centre_[2] }; }
+  [[nodiscard]] Vec3 half() const noexcept { return { this->half_[0], this->half_[1], this->half_[2] }; }
+  /// Of length one to a float's rounding.
+  [[nodiscard]] Quat turn() const noexcept
+  {
+    return { this->turn_[3], this->turn_[0], this->turn_[1], this->turn_[2] };
+  }
   [[nodiscard]] OrientedBox box() const noexcept;
 
 private:

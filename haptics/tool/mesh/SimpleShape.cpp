@@ -121,9 +121,7 @@ std::string describe(const SimpleShape& shape)
   char text[200];
   if (shape.kind == SimpleShape::Kind::Ball)
   {
-    std::snprintf(text, sizeof text,
-      "a ball of radius %.4g u to within %.2g u: the ball alone, of that radius, costs no thread and meets what bends",
-      shape.radius_u, shape.bound_u);
+    std::snprintf(text, sizeof text, "a ball of radius %.4g u to within %.2g u", shape.radius_u, shape.bound_u);
   }
   else
   {

@@ -120,6 +120,14 @@ std::string refuseHandle(const TriangleMesh& mesh, const Vec3& handle_W)
                 "is held";
 }
 
+double bytesOf(const BoxedMesh& shape)
+{
+  const TriangleMesh& mesh = shape.mesh();
+  return static_cast<double>(shape.nodes().size() * sizeof(BoxedMesh::Node) +
+                             mesh.triangles.size() * (sizeof(mesh.triangles[0]) + sizeof(FlatFlags)) +
+                             mesh.vertices_W.size() * sizeof(Vec3));
+}
+
 } // namespace
 
 ToolResult makeTool(const TriangleMesh& raw, const std::optional<Vec3>& handle_W)
@@ -189,6 +197,27 @@ std::string refuseScene(const ToolMesh& tool, const BoxedMesh& scene)
   const bool far = std::any_of(vertices.begin(), vertices.end(),
     [&](const Vec3& v) { return v.cwiseAbs().maxCoeff() > furthestDiagonals * tool.diagonal_u; });
   return far ? "the scene reaches a million times the size of the tool: scale the tool, or cut the scene" : "";
+}
+
+std::string describeFelt(const ToolMesh& tool, bool asBall)
+{
+  if (!tool.simple)
+  {
+    return {};
+  }
+  const std::string is = describe(*tool.simple);
+  if (asBall)
+  {
+    const auto kilobytes = static_cast<long>(1e-3 * bytesOf(*tool.shape_B)) + 1;
+    return "felt as what it is, " + is + "; its " + std::to_string(tool.shape_B->mesh().triangles.size()) +
+           " triangles would take a thread and " + std::to_string(kilobytes) + " kB";
+  }
+  if (tool.simple->kind != SimpleShape::Kind::Ball)
+  {
+    return is + ", felt by its mesh";
+  }
+  return is + (tool.ball_u() > 0.0 ? ", too large for a tick among so many triangles: felt by its mesh"
+                                   : ", held elsewhere than in its middle: felt by its mesh");
 }
 
 } // namespace palpate

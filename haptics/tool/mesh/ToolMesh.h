@@ -22,6 +22,12 @@ struct ToolMesh
   std::optional<SimpleShape> simple; ///< that it is to within a fiftieth of its radius
   bool solid = false;                ///< its mass is that of a solid, else that of a sheet
 
+  /// The radius of the ball that may be felt in its place; 0: it is none, or held elsewhere than in its middle.
+  [[nodiscard]] double ball_u() const noexcept
+  {
+    const bool ball = this->simple && this->simple->kind == SimpleShape::Kind::Ball;
+    return ball && this->simple->from_B.norm() <= this->simple->bound_u ? this->simple->radius_u : 0.0;
+  }
   /// The gap at which it rests: so small that a tilted tool rests where it should to 1e-4 degrees.
   [[nodiscard]] double restGap_u() const noexcept { return 2e-7 * this->diagonal_u; }
 };
@@ -34,6 +40,10 @@ struct ToolResult
 
   [[nodiscard]] bool ok() const noexcept { return this->refusal.empty(); }
 };
+
+/// What is felt of a tool that is a ball or a needle, and why; "": it is neither. One sentence without an end.
+/// `asBall`: the ball is felt.
+[[nodiscard]] std::string describeFelt(const ToolMesh& tool, bool asBall);
 
 /// Refuses what is no finite mesh with area, has one triangle alone, more than 250,000, or parts that lie so far apart
 /// that they are no one's hand tool. `handle_W`: the centre is where a hand holds it, in place of that of its mass;

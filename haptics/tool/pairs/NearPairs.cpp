@@ -109,19 +109,33 @@ NearPairs::LeafRange NearPairs::verticesOf(std::uint32_t toolNode)
   return range;
 }
 
+/// Several steps are tried from one pose.
+void NearPairs::turnArms(const Quat& turn)
+{
+  if (this->armsOf_ == this->stamp_ && this->step_.from_W.q.coeffs() == turn.coeffs())
+  {
+    return;
+  }
+  this->armsOf_ = this->stamp_;
+  this->start_ = turn.toRotationMatrix();
+  this->arms_W_.resize(this->body_B_.size());
+  for (std::size_t i = 0; i < this->arms_W_.size(); ++i)
+  {
+    this->arms_W_[i] = this->start_ * this->body_B_[i];
+  }
+}
+
 void NearPairs::setStep(const ScrewStep& step, double way_u)
 {
+  this->turnArms(step.from_W.q);
   this->step_ = step;
   this->way_u_ = way_u;
-  this->start_ = step.from_W.q.toRotationMatrix();
   const Mat3 end = step.turn(1.0);
-  const std::size_t count = this->body_B_.size();
-  this->arms_W_.resize(count);
+  const std::size_t count = this->arms_W_.size();
   this->ends_W_.resize(count);
   this->along_.resize(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    this->arms_W_[i] = this->start_ * this->body_B_[i];
     this->ends_W_[i] = end * this->arms_W_[i];
     this->along_[i] = step.w_W.dot(this->arms_W_[i]);
   }
@@ -169,7 +183,7 @@ double NearPairs::belowOf(const LeafPair& pair, const Vec3& n_W) const noexcept
 std::array<Vec3, 3> NearPairs::candidates(const LeafPair& pair) const noexcept
 {
   const BoxedMesh::Node &a = this->tool_B_.nodes()[pair.toolNode], &b = this->scene_W_.nodes()[pair.sceneNode];
-  const Vec3 between = this->step_.from_W.p + this->start_ * a.box.box().centre - b.box.box().centre;
+  const Vec3 between = this->step_.from_W.p + this->start_ * a.box.centre() - b.box.centre();
   const double distance = between.norm();
   return { unitNormal(this->scene_W_.corners(b.second)), this->start_ * unitNormal(this->tool_B_.corners(a.second)),
     distance > 0.0 ? Vec3(between / distance) : Vec3(Vec3::UnitZ()) };

@@ -82,6 +82,7 @@ private:
     Vec3 n_W = Vec3::Zero();
     double below_u = 0.0;
   };
+  void turnArms(const Quat& turn);
   struct LeafRange
   {
     std::uint32_t stamp = 0, first = 0, count = 0;
@@ -108,6 +109,7 @@ private:
   std::vector<LeafRange> leafRange_;              ///< by node of the tool
   std::vector<std::uint32_t> local_, localStamp_; ///< by vertex of the tool
   std::uint32_t stamp_ = 0;
+  std::uint32_t armsOf_ = 0;                   ///< stamp of the corners that arms_W_ has
   std::vector<Vec3> body_B_, arms_W_, ends_W_; ///< of the corners in use; ends: arms after the step
   std::vector<double> along_;                  ///< w . arm
   std::vector<KnownPlane> known_;              ///< by a hash of both nodes

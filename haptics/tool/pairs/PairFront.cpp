@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "haptics/tool/pairs/BoxGap.h"
-
 namespace palpate
 {
 namespace
@@ -52,7 +50,7 @@ bool PairFront::gather(const Pose& pose_W, double margin_u, WorkBudget& budget)
   {
     this->begin(margin_u);
   }
-  const Mat3 turn = pose_W.q.toRotationMatrix();
+  const BoxPose pose(pose_W);
   while (!this->pending_.empty())
   {
     if (!budget.spend())
@@ -61,7 +59,7 @@ bool PairFront::gather(const Pose& pose_W, double margin_u, WorkBudget& budget)
     }
     const BoxPair pair = this->pending_.back();
     this->pending_.pop_back();
-    this->visit(pair, turn, pose_W.p);
+    this->visit(pair, pose);
     if (this->near_.size() > mostNear + 2 * this->touching_ && this->margin_u_ > touchingWithin * this->restGap_u_)
     {
       this->shrink();
@@ -71,11 +69,10 @@ bool PairFront::gather(const Pose& pose_W, double margin_u, WorkBudget& budget)
   return true;
 }
 
-void PairFront::visit(const BoxPair& pair, const Mat3& turn, const Vec3& centre_W)
+void PairFront::visit(const BoxPair& pair, const BoxPose& pose)
 {
   const BoxedMesh::Node &a = this->tool_B_.nodes()[pair.tool], &b = this->scene_W_.nodes()[pair.scene];
-  const OrientedBox boxA = posed(a.box.box(), turn, centre_W), boxB = b.box.box();
-  const double gap = boxGap(boxA, boxB);
+  const double gap = boxGap(a.box, pose, b.box);
   const BoxPair known{ pair.tool, pair.scene, this->way_u_ + gap };
   if (gap > this->margin_u_)
   {
@@ -88,7 +85,7 @@ void PairFront::visit(const BoxPair& pair, const Mat3& turn, const Vec3& centre_
   }
   else
   {
-    this->split(pair, b.leaf() || (!a.leaf() && boxA.half.squaredNorm() > boxB.half.squaredNorm()));
+    this->split(pair, b.leaf() || (!a.leaf() && a.box.half().squaredNorm() > b.box.half().squaredNorm()));
   }
 }
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "haptics/tool/mesh/BoxedMesh.h"
 #include "haptics/tool/motion/WorkBudget.h"
+#include "haptics/tool/pairs/BoxGap.h"
 
 namespace palpate
 {
@@ -38,7 +38,7 @@ public:
 
 private:
   void begin(double margin_u);
-  void visit(const BoxPair& pair, const Mat3& turn, const Vec3& centre_W);
+  void visit(const BoxPair& pair, const BoxPose& pose);
   void split(const BoxPair& pair, bool tool);
   void shrink();
 

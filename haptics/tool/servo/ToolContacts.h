@@ -29,8 +29,9 @@ struct ToolContacts
   double restGap_u = 0.0;     ///< the servo keeps this gap
   std::uint64_t revision = 0; ///< another for each set that is handed on
   std::uint32_t count = 0;
-  bool held = false;                            ///< a tool is in the hand; false: the hand touches with its ball
-  bool placed = false;                          ///< and it stands somewhere; false: no force
+  bool held = false;   ///< a tool is in the hand; false: the hand touches with its ball
+  bool placed = false; ///< and it stands somewhere; false: no force
+  double ball_u = 0.0; ///< above 0: it is felt as a ball of that radius, which the tick sweeps; there are no contacts
   std::array<ToolContact, capacity> contacts{}; ///< where there is no room for all, those with the smallest gaps
 };
 

@@ -35,9 +35,10 @@ ToolContacts toWorld(const Pose& scene_WS, ToolContacts set)
 ToolFollower::ToolFollower(ToolMove move_S, ToolLinks& links, std::uint64_t work, const ToolStart& start)
   : move_S_(std::move(move_S)), links_(links), work_(work), scene_WS_(start.scene_WS), revision_(start.revision)
 {
-  if (start.tool_W)
+  bool placed = start.tool_W && this->isPlaced(toScene(this->scene_WS_, *start.tool_W));
+  for (std::size_t i = 0; start.tool_W && !placed && i < start.came_W.size(); ++i)
   {
-    (void)this->isPlaced(toScene(this->scene_WS_, *start.tool_W));
+    placed = this->isPlaced(toScene(this->scene_WS_, start.came_W[i]));
   }
   this->publish();
 }

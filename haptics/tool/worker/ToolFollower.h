@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "haptics/realtime/TripleBuffer.h"
 #include "haptics/tool/move/ToolMove.h"
 
@@ -37,7 +40,9 @@ struct ToolStart
 {
   Pose scene_WS;              ///< where the scene is
   std::uint64_t revision = 0; ///< the first set of contacts has the one after it
-  std::optional<Pose> tool_W; ///< the tool stands there if it is free there; else it waits for the hand
+  std::optional<Pose> tool_W; ///< the tool stands there if it is free there
+  std::vector<Pose> came_W; ///< else, newest first, where the hand came from: at the first where it is free, from where
+                            ///< it goes on to the hand. Where it is free nowhere it waits for the hand
 };
 
 /// Follows the newest hand with the tool, an update a step, and hands on what it touches. A tool that stands nowhere
