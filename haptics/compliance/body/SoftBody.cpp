@@ -25,6 +25,9 @@ std::vector<std::int32_t> numberFree(const StrainPoints& points, const std::vect
   return numbers;
 }
 
+/// Nodes: above, an old factor leads to the rest in less time than new ones, and as near to it.
+constexpr std::size_t mostFactoredEachStep = 2000;
+
 /// Of numbers that an int counts, as CHOLMOD and the pattern do.
 constexpr std::size_t mostCounted = sizeof(double) * std::numeric_limits<int>::max();
 
@@ -44,7 +47,9 @@ std::string refuseBytes(std::size_t bytes, std::size_t most)
 SoftBody::SoftBody(StrainPoints points, ElasticModel model, const std::vector<bool>& fixed)
   : points_(std::move(points)), model_(model), pattern_(points_, numberFree(points_, fixed)),
     stiffness_(pattern_.zeros()), factor_(stiffness_),
-    displacement_(Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(points_.rest_W.size())))
+    factoring_(points_.rest_W.size() > mostFactoredEachStep ? Factoring::WhenOld : Factoring::EachStep),
+    displacement_(Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(points_.rest_W.size()))),
+    always_N_(Eigen::VectorXd::Zero(displacement_.size()))
 {
 }
 
@@ -74,17 +79,22 @@ Eigen::VectorXd SoftBody::scatter(const Eigen::VectorXd& ofFree) const
   return ofNodes;
 }
 
+void SoftBody::addForces(const StrainPoint& p, const Mat3& f, Eigen::VectorXd& ofNodes) const
+{
+  const Mat3 stress = p.volume_u3 * stressOf(this->model_, p.moduli, f);
+  for (std::size_t a = p.first; a < p.first + p.count; ++a)
+  {
+    ofNodes.segment<3>(3 * static_cast<Eigen::Index>(this->points_.nodes[a])) -= stress * this->points_.gradients[a];
+  }
+}
+
 Eigen::VectorXd SoftBody::forcesAt(const Eigen::VectorXd& displacement) const
 {
   const std::span<const double> at(displacement.data(), static_cast<std::size_t>(displacement.size()));
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
   for (const StrainPoint& p : this->points_.points)
   {
-    const Mat3 stress = p.volume_u3 * stressOf(this->model_, p.moduli, this->points_.deformationAt(p, at));
-    for (std::size_t a = p.first; a < p.first + p.count; ++a)
-    {
-      forces.segment<3>(3 * static_cast<Eigen::Index>(this->points_.nodes[a])) -= stress * this->points_.gradients[a];
-    }
+    this->addForces(p, this->points_.deformationAt(p, at), forces);
   }
   return forces;
 }
@@ -97,28 +107,43 @@ double SoftBody::energyAt(const Eigen::VectorXd& displacement) const
   {
     energy += p.volume_u3 * energyDensity(this->model_, p.moduli, this->points_.deformationAt(p, at));
   }
-  return energy;
+  return energy - this->always_N_.dot(displacement);
+}
+
+bool SoftBody::bear(const Eigen::VectorXd& always_N)
+{
+  constexpr int mostSteps = 50;
+  constexpr double openShare = 1e-6;
+  this->always_N_ = always_N;
+  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(always_N.size());
+  const bool rests = this->settle(nothing, mostSteps) &&
+                     this->stateUnder(nothing).residual_N <= openShare * always_N.lpNorm<Eigen::Infinity>();
+  this->energyAtRest_Nu_ = this->energyAt(this->displacement_);
+  return rests;
 }
 
 SoftBodyState SoftBody::stateUnder(const Eigen::VectorXd& load_N) const
 {
   const std::span<const double> at(this->displacement_.data(), static_cast<std::size_t>(this->displacement_.size()));
   SoftBodyState state;
-  state.energy_Nu = this->energyAt(this->displacement_);
-  const Eigen::VectorXd open = this->gather(load_N + this->innerForces());
-  state.residual_N = open.size() > 0 ? open.lpNorm<Eigen::Infinity>() : 0.0;
+  state.energy_Nu = -this->always_N_.dot(this->displacement_) - this->energyAtRest_Nu_;
+  Eigen::VectorXd open = load_N + this->always_N_;
   for (const StrainPoint& p : this->points_.points)
   {
-    const Mat3 gradient = this->points_.deformationAt(p, at) - Mat3::Identity();
-    state.mostGradient = std::max(state.mostGradient, gradient.norm());
+    const Mat3 f = this->points_.deformationAt(p, at);
+    state.energy_Nu += p.volume_u3 * energyDensity(this->model_, p.moduli, f);
+    state.mostGradient = std::max(state.mostGradient, (f - Mat3::Identity()).norm());
+    this->addForces(p, f, open);
   }
+  open = this->gather(open);
+  state.residual_N = open.size() > 0 ? open.lpNorm<Eigen::Infinity>() : 0.0;
   return state;
 }
 
 void SoftBody::assemble()
 {
   const std::span<const double> at(this->displacement_.data(), static_cast<std::size_t>(this->displacement_.size()));
-  std::fill(this->stiffness_.values.begin(), this->stiffness_.values.end(), 0.0);
+  this->stiffness_ = this->pattern_.zeros();
   for (std::size_t i = 0; i < this->points_.points.size(); ++i)
   {
     const StrainPoint& p = this->points_.points[i];
@@ -130,7 +155,12 @@ void SoftBody::assemble()
 bool SoftBody::factorAssembled()
 {
   ++this->factorings_;
-  return this->factor_.factor(this->stiffness_);
+  const bool factored = this->factor_.factor(this->stiffness_);
+  if (!this->stiffnessChanges())
+  {
+    this->stiffness_ = {}; // it is not asked for again
+  }
+  return factored;
 }
 
 bool SoftBody::refactor()
@@ -141,11 +171,6 @@ bool SoftBody::refactor()
 
 std::optional<Eigen::VectorXd> SoftBody::newtonStep(const Eigen::VectorXd& open)
 {
-  // What Hooke's law makes of it does not change with the state.
-  if (this->model_ == ElasticModel::Linear && this->factor_.ready())
-  {
-    return this->factor_.solve(open);
-  }
   this->assemble();
   if (this->factoring_ == Factoring::WhenOld && this->factor_.ready())
   {
@@ -162,10 +187,15 @@ std::optional<Eigen::VectorXd> SoftBody::newtonStep(const Eigen::VectorXd& open)
 
 bool SoftBody::settle(const Eigen::VectorXd& load_N, int steps)
 {
+  if (!this->stiffnessChanges())
+  {
+    this->displacement_ = this->linearAnswer(load_N + this->always_N_);
+    return true;
+  }
   for (int i = 0; i < steps; ++i)
   {
     const Eigen::VectorXd inner = this->innerForces();
-    const Eigen::VectorXd open = this->gather(load_N + inner);
+    const Eigen::VectorXd open = this->gather(load_N + this->always_N_ + inner);
     const double rounding = std::numeric_limits<double>::epsilon() * inner.lpNorm<Eigen::Infinity>();
     if (open.lpNorm<Eigen::Infinity>() <= rounding)
     {
@@ -201,7 +231,7 @@ void SoftBody::stepDown(const Eigen::VectorXd& load_N, const Eigen::VectorXd& st
   this->displacement_ += length * step;
 }
 
-Eigen::MatrixXd SoftBody::compliance(const SparseColumns& h) const
+SparseColumns SoftBody::ofFree(const SparseColumns& h) const
 {
   SparseColumns free;
   for (std::size_t c = 0; c < h.count(); ++c)
@@ -216,7 +246,17 @@ Eigen::MatrixXd SoftBody::compliance(const SparseColumns& h) const
     }
     free.start.push_back(free.rows.size());
   }
-  return this->factor_.sharedCompliance(free);
+  return free;
+}
+
+Eigen::MatrixXd SoftBody::compliance(const SparseColumns& h) const
+{
+  return this->factor_.sharedCompliance(this->ofFree(h));
+}
+
+Eigen::MatrixXd SoftBody::compliance(const SparseColumns& h, const SparseColumns& n) const
+{
+  return this->factor_.sharedCompliance(this->ofFree(h), this->ofFree(n));
 }
 
 Eigen::VectorXd SoftBody::linearAnswer(const Eigen::VectorXd& load_N) const
@@ -224,17 +264,47 @@ Eigen::VectorXd SoftBody::linearAnswer(const Eigen::VectorXd& load_N) const
   return this->scatter(this->factor_.solve(this->gather(load_N)));
 }
 
+namespace
+{
+
+/// Brings a body to its rest under what it bears; a sentence where it cannot.
+std::string bearLoads(const SoftBodyInput& input, const CheckedTetras& checked, SoftBody& body)
+{
+  Eigen::VectorXd always_N = Eigen::VectorXd::Zero(body.displacement().size());
+  for (std::size_t v = 0; !input.load_N.empty() && v < checked.sourceVertex.size(); ++v)
+  {
+    always_N.segment<3>(3 * static_cast<Eigen::Index>(v)) = input.load_N[checked.sourceVertex[v]];
+  }
+  if (!always_N.allFinite())
+  {
+    return "a load on the body is no finite number of newtons";
+  }
+  if (always_N.isZero(0.0) || body.bear(always_N))
+  {
+    return {};
+  }
+  return "the body does not come to rest under its loads: give smaller ones, or a stiffer material";
+}
+
+std::string refuseCounts(const SoftBodyInput& input)
+{
+  const std::size_t vertices = input.mesh.vertices_W.size(), moduli = input.young_Pa.size();
+  return input.fixed.size() != vertices ? "what is fixed has another number of vertices than the body"
+         : !input.load_N.empty() && input.load_N.size() != vertices
+           ? "what is loaded has another number of vertices than the body"
+         : moduli != 1 && moduli != input.mesh.tetras.size()
+           ? "the moduli are neither one for all nor one a tetrahedron"
+           : "";
+}
+
+} // namespace
+
 SoftBodyResult makeSoftBody(const SoftBodyInput& input)
 {
   SoftBodyResult result;
-  if (input.fixed.size() != input.mesh.vertices_W.size())
+  result.refusal = refuseCounts(input);
+  if (!result.refusal.empty())
   {
-    result.refusal = "what is fixed has another number of vertices than the body";
-    return result;
-  }
-  if (input.young_Pa.size() != 1 && input.young_Pa.size() != input.mesh.tetras.size())
-  {
-    result.refusal = "the moduli are neither one for all nor one a tetrahedron";
     return result;
   }
   result.checked = checkTetras(input.mesh, input.fixed);
@@ -277,7 +347,8 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input)
       "its moduli differ too much";
     return result;
   }
-  result.body = std::move(body);
+  result.refusal = bearLoads(input, result.checked, *body);
+  result.body = result.refusal.empty() ? std::move(body) : nullptr;
   return result;
 }
 

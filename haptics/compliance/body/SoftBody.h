@@ -14,7 +14,7 @@ namespace palpate
 enum class Factoring : std::uint8_t
 {
   EachStep,
-  WhenOld, ///< once the last factor takes more than eight iterations to solve by: cheaper from some 2,000 nodes on
+  WhenOld, ///< once the last factor takes more than eight iterations to solve by
 };
 
 /// What a soft body is made of.
@@ -23,6 +23,7 @@ struct SoftBodyInput
   TetraMesh mesh;
   std::vector<bool> fixed;      ///< of each vertex
   std::vector<double> young_Pa; ///< of each tetrahedron, or one for all
+  std::vector<Vec3> load_N;     ///< that each vertex bears always, its weight say; empty: none
   double poisson = 0.4;
   double unit_m = 1.0;               ///< metres a unit of the scene
   double density_kg_per_m3 = 1000.0; ///< as water; tells how fast the body can follow a hand, and nothing else
@@ -35,7 +36,7 @@ struct SoftBodyInput
 struct SoftBodyState
 {
   double residual_N = 0.0;   ///< largest force on a free node that is not balanced
-  double energy_Nu = 0.0;    ///< elastic, 0 at rest
+  double energy_Nu = 0.0;    ///< elastic and of what it bears always; 0 at rest, where it bears nothing
   double mostGradient = 0.0; ///< largest |F - 1|: up to .1 small strain holds within 1 %, from .5 on it is qualitative
 };
 
@@ -57,9 +58,15 @@ public:
   /// `steps`, or until nothing is left unbalanced but rounding. False if a factor failed: the state stays as it was.
   /// Steps by an old factor are solved to a thousandth; compliance() and linearAnswer() are then of that factor.
   [[nodiscard]] bool settle(const Eigen::VectorXd& load_N, int steps);
+  /// Brings it to its rest under what it bears from now on beside every other load, three numbers a node [N]. False if
+  /// it does not come to rest there.
+  [[nodiscard]] bool bear(const Eigen::VectorXd& always_N);
   /// Forces that the body's strain puts on its nodes, three numbers a node [N].
   [[nodiscard]] Eigen::VectorXd innerForces() const { return this->forcesAt(this->displacement_); }
   [[nodiscard]] SoftBodyState stateUnder(const Eigen::VectorXd& load_N) const;
+  /// With strain. Hooke's law is solved at once, by the one factor there is.
+  [[nodiscard]] bool stiffnessChanges() const { return this->model_ != ElasticModel::Linear; }
+  /// Usually in each step up to 2,000 nodes, and when old above.
   void factorsBe(Factoring factoring) { this->factoring_ = factoring; }
   /// Since it was made.
   [[nodiscard]] std::size_t factorings() const { return this->factorings_; }
@@ -67,12 +74,17 @@ public:
 
   /// H K^-1 H^T [u/N] of the last factor; `h`: its rows, on the numbers 3 node + axis.
   [[nodiscard]] Eigen::MatrixXd compliance(const SparseColumns& h) const;
+  /// H K^-1 N^T for a few rows N, whose nodes are among those of H.
+  [[nodiscard]] Eigen::MatrixXd compliance(const SparseColumns& h, const SparseColumns& n) const;
   /// Displacement by the last factor: K^-1 load, three numbers a node [u].
   [[nodiscard]] Eigen::VectorXd linearAnswer(const Eigen::VectorXd& load_N) const;
 
 private:
+  /// What the strain at a point, deformed by `f`, puts on its nodes [N].
+  void addForces(const StrainPoint& p, const Mat3& f, Eigen::VectorXd& ofNodes) const;
   [[nodiscard]] Eigen::VectorXd forcesAt(const Eigen::VectorXd& displacement) const;
   [[nodiscard]] double energyAt(const Eigen::VectorXd& displacement) const;
+  [[nodiscard]] SparseColumns ofFree(const SparseColumns& h) const;
   [[nodiscard]] Eigen::VectorXd gather(const Eigen::VectorXd& ofNodes) const;
   [[nodiscard]] Eigen::VectorXd scatter(const Eigen::VectorXd& ofFree) const;
   void assemble();
@@ -86,9 +98,11 @@ private:
   StiffnessPattern pattern_;
   SparseLower stiffness_;
   SparseFactor factor_;
-  Factoring factoring_ = Factoring::EachStep;
+  Factoring factoring_;
   std::size_t factorings_ = 0;
   Eigen::VectorXd displacement_;
+  Eigen::VectorXd always_N_;     ///< what it bears
+  double energyAtRest_Nu_ = 0.0; ///< under that alone
 };
 
 /// A body, or why there is none.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/compliance/map/SurfaceMap.h"
 
+#include <algorithm>
+
 #include "haptics/compliance/map/TetraSearch.h"
 
 namespace palpate
@@ -52,6 +54,25 @@ SparseColumns SurfaceMap::columnsOf(std::span<const std::uint32_t> points) const
   return columns;
 }
 
+namespace
+{
+
+/// A place in the tetrahedron is no further from a point than the one that its weights without negative ones lead to.
+double mostDistance_u(const TetraMesh& mesh, const TetraPlace& place, const Vec3& p_W)
+{
+  Vec3 within = Vec3::Zero();
+  double sum = 0.0;
+  for (int a = 0; a < 4; ++a)
+  {
+    const double weight = std::max(place.weights[a], 0.0);
+    within += weight * mesh.vertices_W[mesh.tetras[place.tetra][a]];
+    sum += weight;
+  }
+  return (p_W - within / sum).norm();
+}
+
+} // namespace
+
 Embedding embed(const TetraMesh& mesh, const std::vector<Vec3>& points_W)
 {
   Embedding embedding;
@@ -59,7 +80,11 @@ Embedding embed(const TetraMesh& mesh, const std::vector<Vec3>& points_W)
   for (const Vec3& p : points_W)
   {
     const TetraPlace place = search.find(p);
-    embedding.outside += place.inside ? 0 : 1;
+    if (!place.inside)
+    {
+      ++embedding.outside;
+      embedding.farthest_u = std::max(embedding.farthest_u, mostDistance_u(mesh, place, p));
+    }
     NodeBlocks blocks;
     for (int a = 0; a < 4; ++a)
     {

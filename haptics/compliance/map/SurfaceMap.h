@@ -44,6 +44,7 @@ struct Embedding
 {
   SurfaceMap map;
   std::size_t outside = 0; ///< points in no tetrahedron: they follow the nearest one, continued beyond its faces
+  double farthest_u = 0.0; ///< none of them is further from the tetrahedra
 };
 
 [[nodiscard]] Embedding embed(const TetraMesh& mesh, const std::vector<Vec3>& points_W);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "haptics/compliance/material/PrincipalStretches.h"
@@ -121,6 +122,10 @@ PrincipalHessian coRotationalHessian(const ElasticModuli& m, const Vec3& s)
 
 Mat3 withoutNegative(const Mat3& symmetric)
 {
+  if (Eigen::LLT<Mat3>(symmetric).info() == Eigen::Success)
+  {
+    return symmetric;
+  }
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(symmetric);
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * solver.eigenvectors().transpose();
 }
@@ -155,7 +160,8 @@ Mat9 turned(const PrincipalStretches& p, const Mat9& d)
       turn.block<3, 3>(3 * i, 3 * j) = p.v(i, j) * p.u;
     }
   }
-  return turn * d * turn.transpose();
+  const Mat9 half = turn.lazyProduct(d); // the blocks that a product is usually cut to are larger
+  return half.lazyProduct(turn.transpose());
 }
 
 Mat9 hookeDerivative(const ElasticModuli& m)

@@ -26,12 +26,6 @@ struct OwnedFace
 /// Of a volume whose six edges are this long, rounding leaves this much.
 constexpr double flatShare = 1e-12;
 
-double volumeOf(const TetraMesh& mesh, const Tetra& t)
-{
-  const Vec3& o = mesh.vertices_W[t[0]];
-  return (mesh.vertices_W[t[1]] - o).cross(mesh.vertices_W[t[2]] - o).dot(mesh.vertices_W[t[3]] - o) / 6.0;
-}
-
 double longestEdgeOf(const TetraMesh& mesh, const Tetra& t)
 {
   double longest = 0.0;
@@ -270,6 +264,12 @@ void dropUnusedVertices(CheckedTetras& out, const TetraMesh& raw, const std::vec
 }
 
 } // namespace
+
+double volumeOf(const TetraMesh& mesh, const Tetra& t)
+{
+  const Vec3& o = mesh.vertices_W[t[0]];
+  return (mesh.vertices_W[t[1]] - o).cross(mesh.vertices_W[t[2]] - o).dot(mesh.vertices_W[t[3]] - o) / 6.0;
+}
 
 std::string TetraReport::summary() const
 {

@@ -20,6 +20,9 @@ struct TetraMesh
   std::vector<Tetra> tetras;
 };
 
+/// Above 0 with its corners in the usual order [u^3].
+[[nodiscard]] double volumeOf(const TetraMesh& mesh, const Tetra& t);
+
 /// What checking found: counts of tetrahedra.
 struct TetraReport
 {

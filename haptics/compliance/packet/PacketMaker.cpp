@@ -59,11 +59,34 @@ EdgeDistances distancesFrom(
   return found;
 }
 
+/// How many vertices a packet may ask for that were never computed: of a large factor so few that they cost some four
+/// times what the packet needs anyway. The nearest ones come first.
+std::size_t newVertices(std::size_t factorBytes)
+{
+  constexpr std::size_t least = 8;
+  constexpr std::size_t bytesOfAll = 16'000'000;
+  return std::max(least, PacketMaker::usualVertices * bytesOfAll / std::max(factorBytes, bytesOfAll));
+}
+
 std::uint32_t nearestVertex(const std::vector<Vec3>& places_W, const Vec3& p_W)
 {
   const auto nearer = [&p_W](const Vec3& a, const Vec3& b)
   { return (a - p_W).squaredNorm() < (b - p_W).squaredNorm(); };
   return static_cast<std::uint32_t>(std::min_element(places_W.begin(), places_W.end(), nearer) - places_W.begin());
+}
+
+/// However far they are, and asked for first: the last of the others make room.
+void addCorners(const std::vector<SurfacePoint>& points, std::vector<std::uint32_t>& near)
+{
+  const auto isNear = [&near](std::uint32_t v) { return std::find(near.begin(), near.end(), v) != near.end(); };
+  std::vector<std::uint32_t> far;
+  for (const SurfacePoint& point : points)
+  {
+    std::copy_if(point.vertices.begin(), point.vertices.end(), std::back_inserter(far),
+      [&](std::uint32_t v) { return !isNear(v) && std::find(far.begin(), far.end(), v) == far.end(); });
+  }
+  near.resize(std::min(near.size(), CompliancePacket::mostVertices - far.size()));
+  near.insert(near.begin(), far.begin(), far.end());
 }
 
 /// f C f of the forces that a packet was linearised at: what they make yield, times them.
@@ -85,24 +108,23 @@ double forceYieldOf(const CompliancePacket& packet)
 
 } // namespace
 
-NearVertices nearVerticesOf(
+std::vector<std::uint32_t> nearVerticesOf(
   const SoftSurface& surface, const std::vector<Vec3>& places_W, const Vec3& center_W, double reach_u, std::size_t most)
 {
-  NearVertices found;
   const EdgeDistances ways = distancesFrom(surface, places_W, { nearestVertex(places_W, center_W) });
+  std::vector<std::uint32_t> near;
   for (std::uint32_t v = 0; v < places_W.size(); ++v)
   {
     if (ways.distance_u[v] <= reach_u)
     {
-      found.near.push_back(v);
+      near.push_back(v);
     }
   }
-  std::sort(found.near.begin(), found.near.end(),
+  std::sort(near.begin(), near.end(),
     [&ways](std::uint32_t a, std::uint32_t b)
     { return std::pair(ways.distance_u[a], a) < std::pair(ways.distance_u[b], b); });
-  found.near.resize(std::min(found.near.size(), most));
-  found.placeOf = distancesFrom(surface, places_W, found.near).from;
-  return found;
+  near.resize(std::min(near.size(), most));
+  return near;
 }
 
 Eigen::VectorXd PacketMaker::loadOf(const PacketRequest& request) const
@@ -128,11 +150,24 @@ void PacketMaker::choose(const PacketRequest& request, CompliancePacket& packet)
   // Ahead by what it will be old when it is half used; further than half the reach the hand itself would be left out.
   const double ahead = std::min(1.5 * speed * request.period_s, 0.5 * reach);
   const Vec3 center = speed > 0.0 ? Vec3(request.ball_W + ahead / speed * request.velocity_u_per_s) : request.ball_W;
-  NearVertices chosen = nearVerticesOf(this->surface_, packet.free_W, center, reach);
+  packet.near = nearVerticesOf(this->surface_, packet.free_W, center, reach, usualVertices);
+  addCorners(request.forceAt, packet.near);
   // A strike lasts about as long as the hand takes for a patch; and a packet is no older than that either.
   packet.struck = speed * std::max(this->naturalPeriod_s_, request.period_s) > this->surface_.patch_u[at];
-  packet.near = std::move(chosen.near);
-  packet.placeOf = std::move(chosen.placeOf);
+}
+
+void PacketMaker::addCompliance(CompliancePacket& packet)
+{
+  if (this->body_.stiffnessChanges())
+  {
+    packet.compliance = this->body_.compliance(this->surface_.map.columnsOf(packet.near));
+  }
+  else
+  {
+    packet.near = this->known_.learn(packet.near, newVertices(this->body_.factorBytes()));
+    packet.compliance = this->known_.between(packet.near);
+  }
+  packet.placeOf = distancesFrom(this->surface_, packet.free_W, packet.near).from;
 }
 
 void PacketMaker::addSprings(double radius_u, CompliancePacket& packet) const
@@ -158,11 +193,14 @@ std::shared_ptr<const CompliancePacket> PacketMaker::make(const PacketRequest& r
   auto packet = std::make_shared<CompliancePacket>();
   packet->version = ++this->version_;
   packet->builtFromTick = request.tick;
+  // What does not change with strain is, without the tool, where it was when its maker was made.
   packet->free_W =
-    this->surface_.placesOf(Eigen::VectorXd(this->body_.displacement() - this->body_.linearAnswer(load)));
+    this->body_.stiffnessChanges()
+      ? this->surface_.placesOf(Eigen::VectorXd(this->body_.displacement() - this->body_.linearAnswer(load)))
+      : this->untouched_W_;
   this->choose(request, *packet);
+  this->addCompliance(*packet);
   this->addSprings(request.radius_u, *packet);
-  packet->compliance = this->body_.compliance(this->surface_.map.columnsOf(packet->near));
   packet->forceAt = request.forceAt;
   packet->force_N = request.force_N;
   const SoftBodyState state = this->body_.stateUnder(load);

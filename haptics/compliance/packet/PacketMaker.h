@@ -2,6 +2,7 @@
 #pragma once
 
 #include "haptics/compliance/packet/CompliancePacket.h"
+#include "haptics/compliance/packet/KnownCompliance.h"
 #include "haptics/compliance/packet/SoftSurface.h"
 
 namespace palpate
@@ -15,28 +16,25 @@ struct PacketRequest
   Vec3 velocity_u_per_s = Vec3::Zero();
   double radius_u = 0.0;             ///< of the ball; 0: a point, without the spring below the patch
   double period_s = 0.04;            ///< from packet to packet
-  std::vector<SurfacePoint> forceAt; ///< where the tool presses
+  std::vector<SurfacePoint> forceAt; ///< where the tool presses, or may: the packet answers there in any case
   std::vector<Vec3> force_N;         ///< and how, on the body
 };
 
-/// Vertices within reach of a place over the surface, nearest first.
-struct NearVertices
-{
-  std::vector<std::uint32_t> near;
-  std::vector<std::uint32_t> placeOf; ///< of every vertex: its place in `near`, or that of the nearest one
-};
-
-/// Along the edges of the surface, at most so many vertices.
-[[nodiscard]] NearVertices nearVerticesOf(const SoftSurface& surface, const std::vector<Vec3>& places_W,
-  const Vec3& center_W, double reach_u, std::size_t most = CompliancePacket::mostVertices);
+/// Vertices within reach of a place along the edges of the surface, nearest first, at most so many.
+[[nodiscard]] std::vector<std::uint32_t> nearVerticesOf(const SoftSurface& surface, const std::vector<Vec3>& places_W,
+  const Vec3& center_W, double reach_u, std::size_t most);
 
 /// Makes packets of one body, one after the other. A worker's.
 class PacketMaker
 {
 public:
+  /// Of a packet: a neighbourhood of 30 mm on edges of 6 mm; what is further answers as the nearest of them does.
+  static constexpr std::size_t usualVertices = 96;
+
   /// References are kept. `naturalPeriod_s`: the body's (NaturalPeriod.h); 0: it has no mass.
   PacketMaker(SoftBody& body, const SoftSurface& surface, double naturalPeriod_s = 0.0)
-    : body_(body), surface_(surface), naturalPeriod_s_(naturalPeriod_s)
+    : body_(body), surface_(surface), naturalPeriod_s_(naturalPeriod_s), untouched_W_(surface.placesOf(body)),
+      known_(body, surface.map)
   {
   }
 
@@ -47,11 +45,14 @@ public:
 private:
   [[nodiscard]] Eigen::VectorXd loadOf(const PacketRequest& request) const;
   void choose(const PacketRequest& request, CompliancePacket& packet) const;
+  void addCompliance(CompliancePacket& packet);
   void addSprings(double radius_u, CompliancePacket& packet) const;
 
   SoftBody& body_;
   const SoftSurface& surface_;
   double naturalPeriod_s_;
+  std::vector<Vec3> untouched_W_; ///< the surface under what the body bears always
+  KnownCompliance known_;         ///< of a body whose stiffness never changes
   std::uint32_t version_ = 0;
 };
 

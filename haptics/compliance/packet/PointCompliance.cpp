@@ -26,6 +26,10 @@ Mat3 lowerRoot(const Mat3& m) noexcept
 {
   const double rounding = 1e-14 * m.trace();
   Mat3 l = Mat3::Zero();
+  if (!(rounding > 0.0)) // where all corners answer as one, m itself is rounding, of either sign
+  {
+    return l;
+  }
   for (int j = 0; j < 3; ++j)
   {
     const double pivot = m(j, j) - l.row(j).squaredNorm();

@@ -25,8 +25,9 @@ struct BodyHand
   static constexpr int most = GodObjectState::maxFeatures;
 
   std::uint64_t tick = 0;
-  std::uint64_t revision = 0; ///< of the packet whose vertices the forces are at
-  Vec3 ball_W = Vec3::Zero(); ///< among the free surfaces [u]
+  std::uint64_t revision = 0;   ///< of the packet whose vertices the forces are at
+  Vec3 device_W = Vec3::Zero(); ///< where the hand is [u]
+  Vec3 ball_W = Vec3::Zero();   ///< among the free surfaces [u]
   Vec3 velocity_u_per_s = Vec3::Zero();
   double radius_u = 0.0;
   int count = 0;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/contact/carry/Deformation.h"
 #include "haptics/contact/planes/FeatureGeometry.h"
+#include "haptics/geometry/mesh/TriangleWeights.h"
 
 namespace palpate
 {
@@ -21,18 +21,6 @@ constexpr double samePlane = 1.0 - 1e-12;
 /// Of ten degrees: nearer ones a remembered contact would only double.
 constexpr double nearlySame = 0.984807753012208;
 
-Vec3 weightsOn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p_W) noexcept
-{
-  const Vec3 u = b - a;
-  const Vec3 v = c - a;
-  const Vec3 normal = u.cross(v);
-  const double area2 = normal.squaredNorm();
-  const double wb = (p_W - a).cross(v).dot(normal) / area2;
-  const double wc = u.cross(p_W - a).dot(normal) / area2;
-  const Vec3 w = Vec3(1.0 - wb - wc, wb, wc).cwiseMax(0.0);
-  return w / w.sum();
-}
-
 /// The touched point in the surface's own vertices.
 template<class View>
 SurfacePoint pointOf(const View& s, const ActiveFeature& f, const Vec3& foot_W) noexcept
@@ -43,7 +31,7 @@ SurfacePoint pointOf(const View& s, const ActiveFeature& f, const Vec3& foot_W) 
   {
     p.vertices = s.corners(f.a);
     const auto& [a, b, c] = s.cornersOf(f.a);
-    p.weights = weightsOn(a, b, c, foot_W);
+    p.weights = weightsOnTriangle(a, b, c, foot_W);
     return p;
   }
   p.vertices = { f.a, f.a, f.a };
@@ -211,21 +199,6 @@ void gatherContacts(
   gathering.addFound(prefer == Prefer::Carrying ? nearlySame : samePlane);
   gathering.addCarrying(false);
   gathering.keepForces();
-}
-
-void handOverContacts(const Scene& from, const Scene& to, SoftState& state) noexcept
-{
-  int kept = 0;
-  for (int c = 0; c < state.count; ++c)
-  {
-    SoftContact contact = state.contacts[c];
-    contact.feature.surface = successorOf(from.surfaces(), contact.feature.surface, to.surfaces());
-    if (contact.feature.surface < to.surfaces().size())
-    {
-      state.contacts[kept++] = contact;
-    }
-  }
-  state.count = kept;
 }
 
 template void gatherContacts(const Scene&, std::span<const SoftTouch>, double, Prefer, SoftState&) noexcept;

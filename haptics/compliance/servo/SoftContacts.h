@@ -22,8 +22,4 @@ template<SceneView AnyScene>
 void gatherContacts(
   const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, Prefer prefer, SoftState& state) noexcept;
 
-/// After the scene changed, with handOver() and before changePackets(): contacts of surfaces that are still there, by
-/// content, are kept under their new numbers, those of others are let go.
-void handOverContacts(const Scene& from, const Scene& to, SoftState& state) noexcept;
-
 } // namespace palpate

@@ -3,115 +3,143 @@
 
 #include <algorithm>
 
+#include "haptics/compliance/solve/Blas.h"
+
 namespace palpate
 {
 namespace
 {
 
-using Block = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-
-/// The supernodes that a set of rows reaches, and where their columns stand among those reached.
-struct Path
+/// The parent of a supernode is that of the first row below its own columns; -1: it is a root.
+int parentOf(const SupernodalView& pattern, const std::vector<int>& supernodeOf, int s)
 {
-  std::vector<int> supernodes; ///< ascending: each before its parent
-  std::vector<int> place;      ///< of each place of the factor, or -1
-  int size = 0;
-};
-
-std::vector<int> placesOfRows(const SupernodalView& factor)
-{
-  std::vector<int> place(static_cast<std::size_t>(factor.order));
-  for (int k = 0; k < factor.order; ++k)
-  {
-    place[factor.matrixRow[k]] = k;
-  }
-  return place;
+  return pattern.all(s) == pattern.own(s) ? -1 : supernodeOf[*pattern.rowsBelow(s)];
 }
 
-std::vector<int> supernodeOfPlaces(const SupernodalView& factor)
+blas::Block columnsFrom(Eigen::MatrixXd& y, int first)
 {
-  std::vector<int> supernode(static_cast<std::size_t>(factor.order));
-  for (int s = 0; s < factor.count; ++s)
-  {
-    std::fill(supernode.begin() + factor.column[s], supernode.begin() + factor.column[s + 1], s);
-  }
-  return supernode;
-}
-
-/// The parent of a supernode is that of the first row below its own columns.
-Path pathOf(const SupernodalView& factor, const SparseColumns& e, const std::vector<int>& placeOfRow)
-{
-  const std::vector<int> supernodeOf = supernodeOfPlaces(factor);
-  std::vector<bool> reached(static_cast<std::size_t>(factor.count), false);
-  for (const std::int32_t row : e.rows)
-  {
-    for (int s = supernodeOf[placeOfRow[row]]; s >= 0 && !reached[s];)
-    {
-      reached[s] = true;
-      const int own = factor.column[s + 1] - factor.column[s];
-      const bool root = factor.rowStart[s] + own == factor.rowStart[s + 1];
-      s = root ? -1 : supernodeOf[factor.rows[factor.rowStart[s] + own]];
-    }
-  }
-  Path path;
-  path.place.assign(static_cast<std::size_t>(factor.order), -1);
-  for (int s = 0; s < factor.count; ++s)
-  {
-    if (reached[s])
-    {
-      path.supernodes.push_back(s);
-      for (int k = factor.column[s]; k < factor.column[s + 1]; ++k)
-      {
-        path.place[k] = path.size++;
-      }
-    }
-  }
-  return path;
-}
-
-/// Y <- L^-1 Y for one supernode: its own rows are solved, the rows below get their part taken off.
-void eliminate(const SupernodalView& factor, const Path& path, int s, Eigen::MatrixXd& y, Eigen::MatrixXd& below)
-{
-  const int own = factor.column[s + 1] - factor.column[s];
-  const int all = factor.rowStart[s + 1] - factor.rowStart[s];
-  const double* const values = factor.values + factor.valueStart[s];
-  auto solved = y.middleRows(path.place[factor.column[s]], own);
-  Block(values, own, own, Eigen::OuterStride<>(all)).triangularView<Eigen::Lower>().solveInPlace(solved);
-  if (all == own)
-  {
-    return;
-  }
-  below.noalias() = Block(values + own, all - own, own, Eigen::OuterStride<>(all)) * solved;
-  const int* const rows = factor.rows + factor.rowStart[s] + own;
-  for (int i = 0; i < all - own; ++i)
-  {
-    y.row(path.place[rows[i]]) -= below.row(i);
-  }
+  return { y.data() + first * y.rows(), static_cast<int>(y.rows()) };
 }
 
 } // namespace
 
-Eigen::MatrixXd complianceOnPath(const SupernodalView& factor, const SparseColumns& e)
+EliminationPath::EliminationPath(
+  const SupernodalView& pattern, const double* values, const std::vector<std::int32_t>& rows)
+  : pattern_(pattern), values_(values), placeOfRow_(placesOfRows(pattern)),
+    place_(static_cast<std::size_t>(pattern.order), -1)
 {
-  const std::vector<int> placeOfRow = placesOfRows(factor);
-  const Path path = pathOf(factor, e, placeOfRow);
-  const auto columns = static_cast<Eigen::Index>(e.count());
-  Eigen::MatrixXd y = Eigen::MatrixXd::Zero(path.size, columns);
-  for (Eigen::Index c = 0; c < columns; ++c)
+  const std::vector<int> supernodeOf = supernodesOfPlaces(pattern);
+  std::vector<bool> reached(static_cast<std::size_t>(pattern.count), false);
+  for (const std::int32_t row : rows)
+  {
+    for (int s = supernodeOf[this->placeOfRow_[row]]; s >= 0 && !reached[s]; s = parentOf(pattern, supernodeOf, s))
+    {
+      reached[s] = true;
+    }
+  }
+  this->numberReached(reached);
+}
+
+EliminationPath::EliminationPath(const SupernodalView& pattern, const double* values)
+  : pattern_(pattern), values_(values), placeOfRow_(placesOfRows(pattern)),
+    place_(static_cast<std::size_t>(pattern.order), -1)
+{
+  this->numberReached(std::vector<bool>(static_cast<std::size_t>(pattern.count), true));
+}
+
+void EliminationPath::numberReached(const std::vector<bool>& reached)
+{
+  for (int s = 0; s < this->pattern_.count; ++s)
+  {
+    if (reached[s])
+    {
+      this->supernodes_.push_back(s);
+      this->mostBelow_ = std::max(this->mostBelow_, this->pattern_.all(s) - this->pattern_.own(s));
+      for (int k = this->pattern_.column[s]; k < this->pattern_.column[s + 1]; ++k)
+      {
+        this->place_[k] = this->size_++;
+      }
+    }
+  }
+}
+
+Eigen::MatrixXd EliminationPath::rightSides(const SparseColumns& e) const
+{
+  Eigen::MatrixXd y = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(e.count()), this->size_);
+  for (std::size_t c = 0; c < e.count(); ++c)
   {
     for (std::size_t i = e.start[c]; i < e.start[c + 1]; ++i)
     {
-      y(path.place[placeOfRow[e.rows[i]]], c) += e.values[i];
+      y(static_cast<Eigen::Index>(c), this->place_[this->placeOfRow_[e.rows[i]]]) += e.values[i];
     }
   }
-  Eigen::MatrixXd below;
-  for (const int s : path.supernodes)
+  return y;
+}
+
+void EliminationPath::forward(Eigen::MatrixXd& y) const
+{
+  const int sides = static_cast<int>(y.rows());
+  Eigen::MatrixXd taken(sides, this->mostBelow_);
+  for (const int s : this->supernodes_)
   {
-    eliminate(factor, path, s, y, below);
+    const int own = this->pattern_.own(s);
+    const int all = this->pattern_.all(s);
+    const double* const block = this->values_ + this->pattern_.valueStart[s];
+    const int first = this->place_[this->pattern_.column[s]];
+    if (y.middleCols(first, own).isZero(0.0)) // it is on no way from a right side
+    {
+      continue;
+    }
+    const blas::Block solved = columnsFrom(y, first);
+    blas::solveRight(sides, own, { block, all }, blas::Transposed::Yes, solved);
+    if (all == own)
+    {
+      continue;
+    }
+    blas::multiply(sides, all - own, own, 1.0, { solved.values, sides }, { block + own, all }, blas::Transposed::Yes,
+      0.0, { taken.data(), sides });
+    for (int i = 0; i < all - own; ++i)
+    {
+      y.col(this->place_[this->pattern_.rowsBelow(s)[i]]) -= taken.col(i);
+    }
   }
-  Eigen::MatrixXd half = Eigen::MatrixXd::Zero(columns, columns);
-  half.selfadjointView<Eigen::Lower>().rankUpdate(y.transpose());
-  return half.selfadjointView<Eigen::Lower>();
+}
+
+void EliminationPath::backward(Eigen::MatrixXd& y) const
+{
+  const int sides = static_cast<int>(y.rows());
+  Eigen::MatrixXd known(sides, this->mostBelow_);
+  for (auto it = this->supernodes_.rbegin(); it != this->supernodes_.rend(); ++it)
+  {
+    const int own = this->pattern_.own(*it);
+    const int all = this->pattern_.all(*it);
+    const double* const block = this->values_ + this->pattern_.valueStart[*it];
+    const blas::Block solved = columnsFrom(y, this->place_[this->pattern_.column[*it]]);
+    if (all > own)
+    {
+      for (int i = 0; i < all - own; ++i)
+      {
+        known.col(i) = y.col(this->place_[this->pattern_.rowsBelow(*it)[i]]);
+      }
+      blas::multiply(
+        sides, own, all - own, -1.0, { known.data(), sides }, { block + own, all }, blas::Transposed::No, 1.0, solved);
+    }
+    blas::solveRight(sides, own, { block, all }, blas::Transposed::No, solved);
+  }
+}
+
+Eigen::MatrixXd EliminationPath::readOff(const SparseColumns& e, const Eigen::MatrixXd& answer) const
+{
+  Eigen::MatrixXd found = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(e.count()), answer.rows());
+  for (std::size_t c = 0; c < e.count(); ++c)
+  {
+    for (std::size_t i = e.start[c]; i < e.start[c + 1]; ++i)
+    {
+      found.row(static_cast<Eigen::Index>(c)) +=
+        e.values[i] * answer.col(this->place_[this->placeOfRow_[e.rows[i]]]).transpose();
+    }
+  }
+  return found;
 }
 
 } // namespace palpate

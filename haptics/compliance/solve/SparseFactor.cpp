@@ -2,10 +2,10 @@
 #include "haptics/compliance/solve/SparseFactor.h"
 
 #include <mutex>
-#include <new>
 
 #include <cholmod.h>
 
+#include "haptics/compliance/solve/Blas.h"
 #include "haptics/compliance/solve/EliminationPath.h"
 
 namespace palpate
@@ -35,7 +35,7 @@ SupernodalView supernodesOf(const cholmod_factor& factor)
 {
   const auto ints = [](const void* p) { return static_cast<const int*>(p); };
   return { static_cast<int>(factor.n), static_cast<int>(factor.nsuper), ints(factor.super), ints(factor.pi),
-    ints(factor.px), ints(factor.s), static_cast<const double*>(factor.x), ints(factor.Perm) };
+    ints(factor.px), ints(factor.s), ints(factor.Perm) };
 }
 
 } // namespace
@@ -60,7 +60,10 @@ struct SparseFactor::Hidden
   }
 
   cholmod_common common{};
-  cholmod_factor* factor = nullptr;
+  cholmod_factor* factor = nullptr; ///< its pattern alone
+  SupernodalView pattern;
+  std::vector<int> slots; ///< of each number of the matrix
+  std::vector<double> values;
   bool ready = false;
 };
 
@@ -69,8 +72,14 @@ SparseFactor::SparseFactor(const SparseLower& pattern) : hidden_(std::make_uniqu
   // METIS draws from the one sequence of rand(), which it begins anew: two at a time would find other orders each time.
   static std::mutex oneAtATime;
   const std::lock_guard<std::mutex> lock(oneAtATime);
+  Hidden& h = *this->hidden_;
   cholmod_sparse view = viewOf(pattern);
-  this->hidden_->factor = cholmod_analyze(&view, &this->hidden_->common);
+  h.factor = cholmod_analyze(&view, &h.common);
+  if (h.factor && h.factor->is_super)
+  {
+    h.pattern = supernodesOf(*h.factor);
+    h.slots = slotsOf(h.pattern, pattern);
+  }
 }
 
 SparseFactor::~SparseFactor() = default;
@@ -82,12 +91,21 @@ std::size_t SparseFactor::bytes() const
   return this->hidden_->factor ? this->hidden_->factor->xsize * sizeof(double) : 0;
 }
 
+/// CHOLMOD's own factorisation starts threads that wait by spinning, beside the servo.
 bool SparseFactor::factor(const SparseLower& matrix)
 {
   Hidden& h = *this->hidden_;
-  cholmod_sparse view = viewOf(matrix);
-  h.ready = h.factor && cholmod_factorize(&view, h.factor, &h.common) && h.common.status == CHOLMOD_OK &&
-            h.factor->minor == h.factor->n && h.factor->is_super;
+  h.ready = false;
+  if (h.slots.size() != matrix.values.size())
+  {
+    return false;
+  }
+  h.values.assign(h.factor->xsize, 0.0);
+  for (std::size_t i = 0; i < h.slots.size(); ++i)
+  {
+    h.values[static_cast<std::size_t>(h.slots[i])] += matrix.values[i];
+  }
+  h.ready = factorSupernodes(h.pattern, h.values.data());
   return h.ready;
 }
 
@@ -98,26 +116,43 @@ bool SparseFactor::ready() const
 
 Eigen::VectorXd SparseFactor::solve(const Eigen::VectorXd& b) const
 {
-  Hidden& h = *this->hidden_;
-  cholmod_dense right{};
-  right.nrow = right.nzmax = right.d = static_cast<std::size_t>(b.size());
-  right.ncol = 1;
-  right.x = const_cast<double*>(b.data());
-  right.xtype = CHOLMOD_REAL;
-  right.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* x = cholmod_solve(CHOLMOD_A, h.factor, &right, &h.common);
-  if (!x)
+  const Hidden& h = *this->hidden_;
+  Eigen::MatrixXd y(1, b.size());
+  for (Eigen::Index k = 0; k < b.size(); ++k)
   {
-    throw std::bad_alloc();
+    y(0, k) = b[h.pattern.matrixRow[k]];
   }
-  const Eigen::VectorXd result = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(x->x), b.size());
-  cholmod_free_dense(&x, &h.common);
-  return result;
+  const EliminationPath whole(h.pattern, h.values.data());
+  whole.forward(y);
+  whole.backward(y);
+  Eigen::VectorXd x(b.size());
+  for (Eigen::Index k = 0; k < b.size(); ++k)
+  {
+    x[h.pattern.matrixRow[k]] = y(0, k);
+  }
+  return x;
 }
 
 Eigen::MatrixXd SparseFactor::sharedCompliance(const SparseColumns& e) const
 {
-  return complianceOnPath(supernodesOf(*this->hidden_->factor), e);
+  const Hidden& h = *this->hidden_;
+  const EliminationPath path(h.pattern, h.values.data(), e.rows);
+  Eigen::MatrixXd y = path.rightSides(e);
+  path.forward(y);
+  const int count = static_cast<int>(y.rows());
+  Eigen::MatrixXd half(count, count);
+  blas::multiplyByItself(count, static_cast<int>(y.cols()), { y.data(), count }, { half.data(), count });
+  return half.selfadjointView<Eigen::Lower>();
+}
+
+Eigen::MatrixXd SparseFactor::sharedCompliance(const SparseColumns& e, const SparseColumns& n) const
+{
+  const Hidden& h = *this->hidden_;
+  const EliminationPath path(h.pattern, h.values.data(), e.rows);
+  Eigen::MatrixXd y = path.rightSides(n);
+  path.forward(y);
+  path.backward(y);
+  return path.readOff(e, y);
 }
 
 } // namespace palpate

@@ -9,8 +9,8 @@
 namespace palpate
 {
 
-/// L L^T of a symmetric positive definite matrix by supernodes (CHOLMOD), in METIS' order of elimination, which is
-/// found once for a pattern, one pattern at a time in a process. Not for the servo thread.
+/// L L^T of a symmetric positive definite matrix by supernodes, in METIS' order of elimination, which CHOLMOD finds
+/// once for a pattern, one pattern at a time in a process. Not for the servo thread.
 class SparseFactor
 {
 public:
@@ -21,7 +21,7 @@ public:
 
   /// Of the factor [B]: known before it is computed.
   [[nodiscard]] std::size_t bytes() const;
-  /// False if the matrix is not positive definite, or memory is short: there is no factor then.
+  /// False if the matrix is not positive definite: there is no factor then. Throws std::bad_alloc.
   [[nodiscard]] bool factor(const SparseLower& matrix);
   [[nodiscard]] bool ready() const;
   /// K x = b.
@@ -30,6 +30,9 @@ public:
   /// E^T K^-1 E, symmetric and positive semidefinite by construction: Y^T Y with Y = L^-1 E, computed only on the
   /// supernodes from the rows of E to the root of the elimination tree. No solve backwards.
   [[nodiscard]] Eigen::MatrixXd sharedCompliance(const SparseColumns& e) const;
+  /// E^T K^-1 N on those supernodes, for a few columns N and all those of E: twice the cost of a column of
+  /// sharedCompliance(), and only for N. The rows of N are among those of E.
+  [[nodiscard]] Eigen::MatrixXd sharedCompliance(const SparseColumns& e, const SparseColumns& n) const;
 
 private:
   struct Hidden;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the system's BLAS and LAPACK do with dense blocks: column by column, `ld` numbers from one to the next.
+// NOLINTBEGIN(readability-identifier-naming) the names of BLAS
+extern "C"
+{
+  void dgemm_(const char* transA, const char* transB, const int* m, const int* n, const int* k, const double* alpha,
+    const double* a, const int* lda, const double* b, const int* ldb, const double* beta, double* c, const int* ldc);
+  void dgemv_(const char* trans, const int* m, const int* n, const double* alpha, const double* a, const int* lda,
+    const double* x, const int* incx, const double* beta, double* y, const int* incy);
+  void dsyrk_(const char* uplo, const char* trans, const int* n, const int* k, const double* alpha, const double* a,
+    const int* lda, const double* beta, double* c, const int* ldc);
+  void dtrsm_(const char* side, const char* uplo, const char* trans, const char* diag, const int* m, const int* n,
+    const double* alpha, const double* a, const int* lda, double* b, const int* ldb);
+  void dtrsv_(const char* uplo, const char* trans, const char* diag, const int* n, const double* a, const int* lda,
+    double* x, const int* incx);
+  void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+}
+// NOLINTEND(readability-identifier-naming)
+
+namespace palpate::blas
+{
+
+struct ConstBlock
+{
+  const double* values;
+  int ld;
+};
+
+struct Block
+{
+  double* values;
+  int ld;
+};
+
+enum class Transposed : char
+{
+  No = 'N',
+  Yes = 'T',
+};
+
+/// C (m x n) <- scale A (m x k) B + keep C; `b`: k x n, or n x k where it is taken transposed.
+inline void multiply(
+  int m, int n, int k, double scale, ConstBlock a, ConstBlock b, Transposed ofB, double keep, Block c) noexcept
+{
+  const char no = 'N';
+  const char trans = static_cast<char>(ofB);
+  if (m > 1)
+  {
+    dgemm_(&no, &trans, &m, &n, &k, &scale, a.values, &a.ld, b.values, &b.ld, &keep, c.values, &c.ld);
+    return;
+  }
+  // One row: the other way round it is a matrix times a vector, which no BLAS takes the long way for.
+  const char other = ofB == Transposed::Yes ? 'N' : 'T';
+  const int rows = ofB == Transposed::Yes ? n : k;
+  const int columns = ofB == Transposed::Yes ? k : n;
+  dgemv_(&other, &rows, &columns, &scale, b.values, &b.ld, a.values, &a.ld, &keep, c.values, &c.ld);
+}
+
+/// X (m x n) <- X L^-1, or X L^-T; `l`: lower triangle of n columns.
+inline void solveRight(int m, int n, ConstBlock l, Transposed ofL, Block x) noexcept
+{
+  const char right = 'R', lower = 'L', plain = 'N';
+  const char trans = static_cast<char>(ofL);
+  const double one = 1.0;
+  if (m > 1)
+  {
+    dtrsm_(&right, &lower, &trans, &plain, &m, &n, &one, l.values, &l.ld, x.values, &x.ld);
+    return;
+  }
+  const char other = ofL == Transposed::Yes ? 'N' : 'T';
+  dtrsv_(&lower, &other, &plain, &n, l.values, &l.ld, x.values, &x.ld);
+}
+
+/// Lower triangle of C (n x n) <- A A^T; `a`: n x k.
+inline void multiplyByItself(int n, int k, ConstBlock a, Block c) noexcept
+{
+  const char lower = 'L', no = 'N';
+  const double one = 1.0, none = 0.0;
+  dsyrk_(&lower, &no, &n, &k, &one, a.values, &a.ld, &none, c.values, &c.ld);
+}
+
+/// Lower triangle of A (n x n) <- L with L L^T = A; false if A is not positive definite.
+[[nodiscard]] inline bool factorLower(int n, Block a) noexcept
+{
+  const char lower = 'L';
+  int failed = 0;
+  dpotrf_(&lower, &n, a.values, &a.ld, &failed);
+  return failed == 0;
+}
+
+} // namespace palpate::blas
