@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/mechanism/Mechanism.h"
+
+#include <array>
+
+namespace palpate
+{
+namespace
+{
+
+struct KnownKind
+{
+  const char* name;
+  int rows;
+};
+
+/// In the order of LawKind.
+constexpr std::array kinds{ KnownKind{ "contact", 1 }, KnownKind{ "attachment", 3 }, KnownKind{ "hinge", 5 },
+  KnownKind{ "slider", 4 }, KnownKind{ "break", 3 }, KnownKind{ "friction", 3 }, KnownKind{ "dry friction", 1 },
+  KnownKind{ "spring", 1 }, KnownKind{ "limit", 2 }, KnownKind{ "puncture", 3 }, KnownKind{ "insertion", 3 } };
+
+} // namespace
+
+const char* nameOf(LawKind kind) noexcept
+{
+  return kinds[static_cast<std::size_t>(kind)].name;
+}
+
+const char* nameOf(MechanismBodyKind kind) noexcept
+{
+  constexpr std::array names{ "held", "rigid", "soft", "world" };
+  return names[static_cast<std::size_t>(kind)];
+}
+
+int mostRowsOf(LawKind kind) noexcept
+{
+  return kinds[static_cast<std::size_t>(kind)].rows;
+}
+
+} // namespace palpate

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "haptics/core/Types.h"
+
+namespace palpate
+{
+
+/// What a body of a mechanism is.
+enum class MechanismBodyKind : std::uint8_t
+{
+  Held,  ///< rigid and in the hand: its frame is the hand's, turned by pose_W.q; its rod runs from the origin along +z
+         ///< to its tip
+  Rigid, ///< rests on others, or is joined to them; its frame has its centre as origin
+  Soft,  ///< a soft body of the session, by its name; its frame is W, in which it is at rest
+  World, ///< does not move; its frame is W
+};
+
+/// A body by what a person says of it.
+struct MechanismBody
+{
+  std::string name;
+  MechanismBodyKind kind = MechanismBodyKind::World;
+  double length_u = 0.0;          ///< of a held rod
+  double diameter_u = 0.0;        ///< likewise
+  Vec3 halfSize_u = Vec3::Zero(); ///< of a rigid box, along its own axes
+  Pose pose_W;                    ///< where a rigid one is at first; how a held one is turned in the hand
+  Vec3 load_W = Vec3::Zero();     ///< on a rigid one's centre, its weight say [N]
+};
+
+/// How two bodies are joined (THEORY-2.md 5.4). A's motion is counted against B's.
+enum class LawKind : std::uint8_t
+{
+  Contact,     ///< A's point stays on the outer side of the plane through B's point, axis_B its normal
+  Attachment,  ///< both points are one
+  Hinge,       ///< and both axes point the same way
+  Slider,      ///< A's point stays on the line through B's along axis_B, and both axes point the same way
+  Break,       ///< an attachment until it is pulled at with strength_N
+  Friction,    ///< a contact with Coulomb's friction
+  DryFriction, ///< along axis_B a force of at most dryFriction_N, whatever else presses
+  Spring,      ///< along axis_B, without force where A's point is rest_u before B's
+  Limit,       ///< along axis_B A's point stays from least_u to most_u before B's, or springs back
+  Puncture,    ///< A's tip meets the surface of B anywhere, goes in at strength_N, then as Insertion
+  Insertion,   ///< A's shaft goes through B's point, along itself against dryFriction_N
+};
+
+/// A law between two bodies. Points and axes are in the frames of their bodies.
+struct MechanismLaw
+{
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+  std::string name;
+  LawKind kind = LawKind::Contact;
+  std::string a; ///< a body's name
+  std::string b; ///< another's
+  Vec3 point_A = Vec3::Zero();
+  Vec3 point_B = Vec3::Zero();
+  Vec3 axis_A = Vec3::UnitZ();
+  Vec3 axis_B = Vec3::UnitZ();
+  double strength_N = unlimited; ///< Break, Puncture: what it holds
+  double tear_N = unlimited;     ///< Puncture, Insertion: what the hole holds across the shaft
+  double friction = 0.0;         ///< Friction: Coulomb's coefficient; Puncture: above 0 the tip pricks, else it slides
+  double dryFriction_N = 0.0;    ///< DryFriction, Puncture, Insertion
+  double stiffness_N_per_u = unlimited; ///< Spring, Limit; unlimited: stiff
+  double rest_u = 0.0;                  ///< Spring
+  double least_u = -unlimited;          ///< Limit
+  double most_u = unlimited;            ///< Limit
+
+  friend bool operator==(const MechanismLaw&, const MechanismLaw&) = default;
+};
+
+/// Bodies and what joins them.
+struct Mechanism
+{
+  static constexpr std::size_t mostBodies = 8;
+  static constexpr std::size_t mostLaws = 16;
+  static constexpr int mostRows = 48; ///< of all laws together
+
+  std::vector<MechanismBody> bodies;
+  std::vector<MechanismLaw> laws;
+};
+
+/// What one word names a kind by, in scene files and tables: "contact", "attachment", ... "insertion".
+[[nodiscard]] const char* nameOf(LawKind kind) noexcept;
+/// "held", "rigid", "soft", "world".
+[[nodiscard]] const char* nameOf(MechanismBodyKind kind) noexcept;
+/// How many rows a law has where it has most.
+[[nodiscard]] int mostRowsOf(LawKind kind) noexcept;
+
+/// How the hand holds the held body: with a spring, whose compliance is in series with all others.
+struct MechanismGrip
+{
+  double coupling_N_per_u = 0.0;
+  double turning_Nu_per_rad = 0.0; ///< 0: the device leaves the turn free, and only the moments' balance turns it
+};
+
+} // namespace palpate

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "haptics/compliance/packet/CompliancePacket.h"
+#include "haptics/mechanism/Mechanism.h"
+
+namespace palpate
+{
+
+/// A body as the tick knows it.
+struct PlannedBody
+{
+  MechanismBodyKind kind = MechanismBodyKind::World;
+  int soft = -1; ///< a soft one's place among those that the tick is given
+  double length_u = 0.0;
+  Pose pose_W;
+  Vec3 load_W = Vec3::Zero();
+};
+
+/// A law as the tick knows it: numbers in place of names.
+struct PlannedLaw
+{
+  LawKind kind = LawKind::Contact;
+  int a = 0;
+  int b = 0;
+  Vec3 point_A = Vec3::Zero();
+  Vec3 point_B = Vec3::Zero();
+  Vec3 axis_A = Vec3::UnitZ();
+  Vec3 axis_B = Vec3::UnitZ();
+  double strength_N = MechanismLaw::unlimited;
+  double tear_N = MechanismLaw::unlimited;
+  double friction = 0.0;
+  double dryFriction_N = 0.0;
+  double compliance_u_per_N = 0.0;
+  double rest_u = 0.0;
+  double least_u = -MechanismLaw::unlimited;
+  double most_u = MechanismLaw::unlimited;
+  SurfacePoint place_A; ///< point_A in a soft body's surface
+  SurfacePoint place_B; ///< likewise
+};
+
+/// What the tick follows. Immutable; of fixed size, so that a mailbox or a triple buffer carries it, and a recording.
+struct MechanismPlan
+{
+  std::uint64_t revision = 0; ///< another for each that is handed on; above 0
+  double lever_u = 1.0;       ///< turns are counted by what its end goes
+  int bodyCount = 0;
+  int lawCount = 0;
+  int held = -1; ///< which body is in the hand; -1: none
+  std::array<PlannedBody, Mechanism::mostBodies> bodies{};
+  std::array<PlannedLaw, Mechanism::mostLaws> laws{};
+};
+
+/// Where a hand has what it holds of a mechanism, which may be turned in the hand.
+[[nodiscard]] inline Pose heldBy(const Pose& hand_W, const MechanismPlan& plan) noexcept
+{
+  return plan.held >= 0 ? Pose{ hand_W.p, hand_W.q * plan.bodies[plan.held].pose_W.q } : hand_W;
+}
+
+} // namespace palpate

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/mechanism/check/MechanismCheck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <Eigen/Eigenvalues>
+
+#include "haptics/mechanism/check/MechanismFaults.h"
+#include "haptics/mechanism/laws/LawCompliance.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// Share of the most compliant row that is left to one that follows from others: less is rounding.
+constexpr double dependentBelow = 1e-10;
+/// Of the lever: rows that follow from others and are further off contradict them.
+constexpr double contradictsFrom = 1e-6;
+/// Of one row in another: a smaller one is rounding.
+constexpr double leastShare = 1e-6;
+/// From there on a hundredth of a force is rounding of a device's place.
+constexpr double badCondition = 1e8;
+
+/// A mechanism where all its laws hold, as it stands at rest, the held body's frame at W's.
+class AtRest
+{
+public:
+  AtRest(const Mechanism& mechanism, std::span<const MechanismSoft> soft, const MechanismGrip& grip)
+    : mechanism_(mechanism), grip_(grip), plan_(planMechanism(mechanism, soft, 1))
+  {
+    for (int b = 0; b < this->plan_.bodyCount; ++b)
+    {
+      this->pose_W_[b] = this->plan_.bodies[b].pose_W;
+    }
+    for (const MechanismSoft& s : soft)
+    {
+      this->soft_.push_back(s.body);
+    }
+    for (int l = 0; l < this->plan_.lawCount; ++l)
+    {
+      this->laws_[l].phase = LawPhase::Inside;
+      this->laws_[l].place_A = this->plan_.laws[l].place_A;
+      this->laws_[l].place_B = this->plan_.laws[l].place_B;
+    }
+    const LawScene scene{ this->plan_, this->soft_, this->pose_W_, this->laws_ };
+    makeRows(scene, *this->rows_);
+    assembleLaws(scene, *this->rows_, grip, *this->problem_);
+    const Eigen::MatrixXd along = this->problem_->along;
+    this->compliance_ = this->problem_->compliance + this->problem_->yield_u_per_N * along * along.transpose();
+    const double most = this->compliance_.rows() > 0 ? this->compliance_.diagonal().maxCoeff() : 0.0;
+    this->factor_.factor(this->compliance_, dependentBelow * most);
+  }
+
+  void report(MechanismCheck& check) const
+  {
+    check.rows = this->rows_->count;
+    check.rank = this->factor_.rank();
+    check.freeTurns = this->problem_->ways;
+    check.condition = this->condition();
+    this->tellRedundant(check);
+    this->tellFree(check);
+    this->tellSlipping(check);
+    if (check.condition > badCondition)
+    {
+      check.remarks.push_back("The laws are badly conditioned: two of them nearly say the same.");
+    }
+  }
+
+private:
+  [[nodiscard]] std::vector<int> independent() const
+  {
+    std::vector<int> rows;
+    for (int k = 0; k < this->factor_.rank(); ++k)
+    {
+      rows.push_back(this->factor_.row(k));
+    }
+    return rows;
+  }
+
+  [[nodiscard]] double condition() const
+  {
+    const std::vector<int> in = this->independent();
+    if (in.empty())
+    {
+      return 1.0;
+    }
+    const Eigen::MatrixXd w = this->compliance_(in, in);
+    const Eigen::VectorXd own = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(w, Eigen::EigenvaluesOnly).eigenvalues();
+    return own.maxCoeff() / own.minCoeff();
+  }
+
+  /// A law whose row follows from those of others, and what is wrong where it does not agree with them.
+  void tellRedundant(MechanismCheck& check) const
+  {
+    const std::vector<int> in = this->independent();
+    const Eigen::MatrixXd w = this->compliance_(in, in);
+    const Eigen::VectorXd free = Eigen::VectorXd(this->problem_->free)(in);
+    for (int k = this->factor_.rank(); k < this->rows_->count; ++k)
+    {
+      const int row = this->factor_.row(k);
+      const std::string& name = this->mechanism_.laws[this->rows_->rows[row].law].name;
+      const Eigen::VectorXd shares = w.ldlt().solve(Eigen::VectorXd(this->compliance_(in, row)));
+      if (this->plan_.laws[this->rows_->rows[row].law].kind == LawKind::Limit)
+      {
+        continue; // its two ends are one row, from both sides
+      }
+      if (std::ranges::find(check.redundant, name) == check.redundant.end())
+      {
+        check.redundant.push_back(name);
+        check.remarks.push_back("Law \"" + name + "\" follows in part from the others.");
+      }
+      const double off_u = std::abs(this->problem_->free[row] - shares.dot(free));
+      if (this->followsFromHeld(row, in, shares) && off_u > contradictsFrom * this->plan_.lever_u)
+      {
+        check.faults.push_back("Law \"" + name + "\" contradicts the others: no place of the bodies meets them all.");
+      }
+    }
+  }
+
+  /// What a row with bounds has a share in can give way.
+  [[nodiscard]] bool followsFromHeld(int row, const std::vector<int>& in, const Eigen::VectorXd& shares) const
+  {
+    bool held = this->isHeld(row);
+    for (std::size_t k = 0; k < in.size(); ++k)
+    {
+      held = held && (this->isHeld(in[k]) || std::abs(shares[static_cast<Eigen::Index>(k)]) < leastShare);
+    }
+    return held;
+  }
+
+  [[nodiscard]] bool isHeld(int row) const
+  {
+    return std::isinf(this->problem_->lowest[row]) && std::isinf(this->problem_->highest[row]);
+  }
+
+  /// Bodies that can go where no row goes with them.
+  void tellFree(MechanismCheck& check) const
+  {
+    const Eigen::MatrixXd along = this->problem_->along;
+    SemidefiniteFactor<LawProblem::mostWays> ways;
+    ways.factor(along.transpose() * along, dependentBelow);
+    int first = 0;
+    for (int b = 0; b < this->plan_.bodyCount; ++b)
+    {
+      const MechanismBodyKind kind = this->plan_.bodies[b].kind;
+      const bool turns = kind == MechanismBodyKind::Held && !(this->grip_.turning_Nu_per_rad > 0.0);
+      const int count = kind == MechanismBodyKind::Rigid ? 6 : turns ? 3 : 0;
+      bool free = false;
+      for (int k = ways.rank(); k < this->problem_->ways; ++k)
+      {
+        free = free || (ways.row(k) >= first && ways.row(k) < first + count);
+      }
+      first += count;
+      if (free)
+      {
+        check.free.push_back(this->mechanism_.bodies[b].name);
+        check.remarks.push_back("Body \"" + this->mechanism_.bodies[b].name + "\" can move where no law holds it.");
+      }
+    }
+  }
+
+  /// A rod that turns freely stands on its tip like a strut: without friction it falls over.
+  void tellSlipping(MechanismCheck& check) const
+  {
+    for (const MechanismLaw& law : this->mechanism_.laws)
+    {
+      if (law.kind == LawKind::Puncture && law.friction == 0.0 && !(this->grip_.turning_Nu_per_rad > 0.0))
+      {
+        check.remarks.push_back(
+          "The tip of law \"" + law.name + "\" slips aside, as the device leaves its turn free: give it a friction.");
+      }
+    }
+  }
+
+  const Mechanism& mechanism_;
+  MechanismGrip grip_;
+  MechanismPlan plan_;
+  std::array<Pose, Mechanism::mostBodies> pose_W_{};
+  std::array<LawState, Mechanism::mostLaws> laws_{};
+  std::vector<const PressedBody*> soft_;
+  std::unique_ptr<LawRows> rows_ = std::make_unique<LawRows>();
+  std::unique_ptr<LawProblem> problem_ = std::make_unique<LawProblem>();
+  Eigen::MatrixXd compliance_;
+  SemidefiniteFactor<LawProblem::most> factor_;
+};
+
+PlannedBody planBody(const MechanismBody& body, std::span<const MechanismSoft> soft)
+{
+  PlannedBody planned;
+  planned.kind = body.kind;
+  planned.length_u = body.length_u;
+  if (body.kind == MechanismBodyKind::Held)
+  {
+    planned.pose_W.q = body.pose_W.q.normalized();
+  }
+  if (body.kind == MechanismBodyKind::Rigid)
+  {
+    planned.pose_W = { body.pose_W.p, body.pose_W.q.normalized() };
+    planned.load_W = body.load_W;
+  }
+  if (body.kind == MechanismBodyKind::Soft)
+  {
+    planned.soft = static_cast<int>(softNamed(soft, body.name) - soft.data());
+  }
+  return planned;
+}
+
+PlannedLaw planLaw(const Mechanism& mechanism, const MechanismLaw& law, std::span<const MechanismSoft> soft)
+{
+  PlannedLaw planned;
+  planned.kind = law.kind == LawKind::Friction && law.friction == 0.0 ? LawKind::Contact : law.kind;
+  planned.a = bodyNamed(mechanism, law.a);
+  planned.b = bodyNamed(mechanism, law.b);
+  planned.point_A = law.point_A;
+  planned.point_B = law.point_B;
+  planned.axis_A = law.axis_A.normalized();
+  planned.axis_B = law.axis_B.normalized();
+  planned.strength_N = law.strength_N;
+  planned.tear_N = law.tear_N;
+  planned.friction = law.friction;
+  planned.dryFriction_N = law.dryFriction_N;
+  planned.compliance_u_per_N = 1.0 / law.stiffness_N_per_u;
+  planned.rest_u = law.rest_u;
+  planned.least_u = law.least_u;
+  planned.most_u = law.most_u;
+  if (const MechanismSoft* a = softNamed(soft, law.a))
+  {
+    planned.place_A = nearestPlace(*a->body, law.point_A);
+  }
+  if (const MechanismSoft* b = softNamed(soft, law.b))
+  {
+    planned.place_B = nearestPlace(*b->body, law.point_B);
+  }
+  return planned;
+}
+
+/// Coulomb's cones and bodies that only balance holds are not solved together.
+void judgeFriction(const Mechanism& mechanism, const MechanismGrip& grip, std::vector<std::string>& faults)
+{
+  const auto balanced = [&](const std::string& name)
+  {
+    const MechanismBodyKind kind = mechanism.bodies[static_cast<std::size_t>(bodyNamed(mechanism, name))].kind;
+    return kind == MechanismBodyKind::Rigid || (kind == MechanismBodyKind::Held && !(grip.turning_Nu_per_rad > 0.0));
+  };
+  for (const MechanismLaw& law : mechanism.laws)
+  {
+    if (law.kind == LawKind::Friction && law.friction > 0.0 && (balanced(law.a) || balanced(law.b)))
+    {
+      faults.push_back(
+        "Law \"" + law.name +
+        "\" rubs on a body that only the balance of forces holds: use contact and dry friction instead.");
+    }
+  }
+}
+
+} // namespace
+
+MechanismPlan planMechanism(const Mechanism& mechanism, std::span<const MechanismSoft> soft, std::uint64_t revision)
+{
+  MechanismPlan plan;
+  plan.revision = revision;
+  double lever_u = 0.0;
+  for (const MechanismBody& body : mechanism.bodies)
+  {
+    plan.held = body.kind == MechanismBodyKind::Held ? plan.bodyCount : plan.held;
+    plan.bodies[plan.bodyCount++] = planBody(body, soft);
+    lever_u = std::max({ lever_u, 0.5 * body.length_u, body.halfSize_u.norm() });
+  }
+  for (const MechanismLaw& law : mechanism.laws)
+  {
+    plan.laws[plan.lawCount++] = planLaw(mechanism, law, soft);
+  }
+  plan.lever_u = lever_u > 0.0 ? lever_u : 1.0;
+  return plan;
+}
+
+MechanismCheck checkMechanism(
+  const Mechanism& mechanism, std::span<const MechanismSoft> soft, const MechanismGrip& grip)
+{
+  MechanismCheck check;
+  check.faults = faultsOf(mechanism, soft);
+  if (!(grip.coupling_N_per_u > 0.0) || !(grip.turning_Nu_per_rad >= 0.0))
+  {
+    check.faults.emplace_back("The hand holds nothing: give the device a stiffness above 0.");
+  }
+  if (check.faults.empty())
+  {
+    judgeFriction(mechanism, grip, check.faults);
+    AtRest(mechanism, soft, grip).report(check);
+  }
+  return check;
+}
+
+} // namespace palpate

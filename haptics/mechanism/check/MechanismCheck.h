@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "haptics/compliance/servo/PressedBody.h"
+#include "haptics/mechanism/MechanismPlan.h"
+
+namespace palpate
+{
+
+/// A soft body that a mechanism may name, as its worker had it at rest.
+struct MechanismSoft
+{
+  std::string name;
+  const PressedBody* body = nullptr;
+};
+
+/// What a mechanism becomes, and what is wrong with it.
+struct MechanismCheck
+{
+  std::vector<std::string> faults;    ///< a sentence each, with the name of the law or body; none: it can be felt
+  std::vector<std::string> remarks;   ///< what follows from others, what turns freely, what is badly conditioned
+  std::vector<std::string> redundant; ///< names of laws of which a row follows from others
+  std::vector<std::string> free;      ///< names of bodies that can move where no law holds them
+  int rows = 0;                       ///< that may hold at once
+  int rank = 0;                       ///< of those, how many are independent
+  int freeTurns = 0;      ///< ways to move of rigid bodies, and of a held one that the device does not turn, that
+                          ///< only the balance of forces and moments decides
+  double condition = 1.0; ///< of the compliance of the independent rows
+};
+
+/// Reads a mechanism: faults in words, and where there are none what it becomes. `soft`: the soft bodies there are, at
+/// rest; `grip`: of the device. Not real-time safe.
+[[nodiscard]] MechanismCheck checkMechanism(
+  const Mechanism& mechanism, std::span<const MechanismSoft> soft, const MechanismGrip& grip);
+
+/// The plan of a mechanism in which checkMechanism() finds no fault, and the same `soft`: the tick is given the bodies
+/// in this order. `revision`: above 0. Not real-time safe.
+[[nodiscard]] MechanismPlan planMechanism(
+  const Mechanism& mechanism, std::span<const MechanismSoft> soft, std::uint64_t revision);
+
+} // namespace palpate

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/mechanism/check/MechanismFaults.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/geometry/mesh/NearestOnTriangle.h"
+#include "haptics/geometry/mesh/TriangleWeights.h"
+
+namespace palpate
+{
+namespace
+{
+
+constexpr std::size_t mostRigid = 3; // each has six ways that only balance decides: more are too many for a tick
+
+bool onRod(const MechanismBody& body, const Vec3& p)
+{
+  const double slack_u = 1e-9 * body.length_u;
+  return p.z() >= -slack_u && p.z() <= body.length_u + slack_u && p.head<2>().norm() <= 0.5 * body.diameter_u + slack_u;
+}
+
+bool inBox(const MechanismBody& body, const Vec3& p)
+{
+  return (p.cwiseAbs().array() <= (1.0 + 1e-9) * body.halfSize_u.array()).all();
+}
+
+/// A point that is further from the surface than a patch has no patch under it.
+bool onSurface(const PressedBody& body, const Vec3& p_W)
+{
+  return (nearestPlace(body, p_W).x_W - p_W).norm() <= body.packet->patchRadius_u.front();
+}
+
+/// Gathers what is wrong with one mechanism.
+class Faults
+{
+public:
+  Faults(const Mechanism& mechanism, std::span<const MechanismSoft> soft) : mechanism_(mechanism), soft_(soft) {}
+
+  std::vector<std::string> gather()
+  {
+    this->judgeCounts();
+    for (std::size_t i = 0; i < this->mechanism_.bodies.size(); ++i)
+    {
+      this->judgeBody(this->mechanism_.bodies[i], i);
+    }
+    for (std::size_t i = 0; i < this->mechanism_.laws.size(); ++i)
+    {
+      this->judgeLaw(this->mechanism_.laws[i], i);
+    }
+    return std::move(this->faults_);
+  }
+
+private:
+  void say(const std::string& sentence) { this->faults_.push_back(sentence); }
+  void require(bool holds, const std::string& sentence)
+  {
+    if (!holds)
+    {
+      this->say(sentence);
+    }
+  }
+
+  [[nodiscard]] std::size_t countOf(MechanismBodyKind kind) const
+  {
+    return static_cast<std::size_t>(
+      std::ranges::count_if(this->mechanism_.bodies, [kind](const MechanismBody& b) { return b.kind == kind; }));
+  }
+
+  void judgeCounts()
+  {
+    const auto most = [this](std::size_t count, std::size_t most, const std::string& what)
+    {
+      this->require(count <= most, "The mechanism has " + std::to_string(count) + " " + what + ", at most " +
+                                     std::to_string(most) + " can be felt: take some away.");
+    };
+    most(this->mechanism_.bodies.size(), Mechanism::mostBodies, "bodies");
+    most(this->mechanism_.laws.size(), Mechanism::mostLaws, "laws");
+    most(this->countOf(MechanismBodyKind::Held), 1, "bodies in the hand");
+    most(this->countOf(MechanismBodyKind::Rigid), mostRigid, "rigid bodies that nothing holds");
+    std::size_t rows = 0;
+    for (const MechanismLaw& law : this->mechanism_.laws)
+    {
+      rows += static_cast<std::size_t>(mostRowsOf(law.kind));
+    }
+    most(rows, static_cast<std::size_t>(Mechanism::mostRows), "rows");
+  }
+
+  template<class Items>
+  void judgeName(const Items& items, std::size_t i, const std::string& what)
+  {
+    const auto before = items.begin() + static_cast<std::ptrdiff_t>(i);
+    const bool twice =
+      std::any_of(items.begin(), before, [&](const auto& other) { return other.name == items[i].name; });
+    this->require(!items[i].name.empty(), "A " + what + " has no name: give it one.");
+    this->require(
+      !twice, "Two of the mechanism are called \"" + items[i].name + "\": give each " + what + " a name of its own.");
+  }
+
+  void judgeBody(const MechanismBody& body, std::size_t i)
+  {
+    this->judgeName(this->mechanism_.bodies, i, "body");
+    const std::string name = "Body \"" + body.name + "\" ";
+    const bool rod =
+      std::isfinite(body.length_u) && std::isfinite(body.diameter_u) && body.length_u > 0.0 && body.diameter_u > 0.0;
+    const bool box = body.halfSize_u.allFinite() && body.halfSize_u.minCoeff() > 0.0;
+    const bool placed =
+      body.pose_W.p.allFinite() && std::abs(body.pose_W.q.squaredNorm() - 1.0) < 1e-6 && body.load_W.allFinite();
+    const bool soft = softNamed(this->soft_, body.name) && softNamed(this->soft_, body.name)->body;
+    this->require(
+      body.kind != MechanismBodyKind::Held || rod, name + "has no length or no diameter: give it both, above 0.");
+    this->require(body.kind != MechanismBodyKind::Rigid || box, name + "has no size: give it half sizes above 0.");
+    this->require((body.kind != MechanismBodyKind::Rigid && body.kind != MechanismBodyKind::Held) || placed,
+      name + "stands nowhere: its pose or load is not finite.");
+    this->require(body.kind != MechanismBodyKind::Soft || soft, name + "is not there: no soft body has that name.");
+  }
+
+  void judgeLaw(const MechanismLaw& law, std::size_t i)
+  {
+    this->judgeName(this->mechanism_.laws, i, "law");
+    const std::string name = "Law \"" + law.name + "\" ";
+    this->judgeNumbers(law, name);
+    const int a = bodyNamed(this->mechanism_, law.a);
+    const int b = bodyNamed(this->mechanism_, law.b);
+    for (const auto& [body, of] : { std::pair(a, law.a), std::pair(b, law.b) })
+    {
+      this->require(body >= 0, name + "joins \"" + of + "\", and no body has that name.");
+    }
+    if (a < 0 || b < 0)
+    {
+      return;
+    }
+    this->require(a != b, name + "joins \"" + law.a + "\" to itself: name two bodies.");
+    this->judgeBodies(law, this->mechanism_.bodies[a], this->mechanism_.bodies[b], name);
+  }
+
+  void judgeNumbers(const MechanismLaw& law, const std::string& name)
+  {
+    const auto positive = [](double x) { return x > 0.0; }; // of what is no number, too
+    const auto coefficient = [](double x) { return std::isfinite(x) && x >= 0.0; };
+    this->require(
+      positive(law.strength_N), name + "breaks at 0 N or less, so it holds nothing: give it a strength above 0.");
+    this->require(positive(law.tear_N), name + "is torn by 0 N or less: give its hole a strength above 0.");
+    this->require(positive(law.stiffness_N_per_u), name + "has no stiffness: give it one above 0.");
+    this->require(coefficient(law.friction) && coefficient(law.dryFriction_N),
+      name + "has a friction that is below 0 or no number.");
+    this->require(law.point_A.allFinite() && law.point_B.allFinite() && std::isfinite(law.rest_u),
+      name + "has a place that is no number.");
+    this->require(
+      law.axis_A.allFinite() && law.axis_B.allFinite() && law.axis_A.norm() > 0.0 && law.axis_B.norm() > 0.0,
+      name + "has an axis without direction.");
+    const bool bounded = std::isfinite(law.least_u) || std::isfinite(law.most_u);
+    this->require(law.kind != LawKind::Limit || (bounded && law.least_u <= law.most_u),
+      name + "contradicts itself: its least place is beyond its most, or it has neither.");
+  }
+
+  void judgeBodies(const MechanismLaw& law, const MechanismBody& a, const MechanismBody& b, const std::string& name)
+  {
+    const bool needle = law.kind == LawKind::Puncture || law.kind == LawKind::Insertion;
+    const bool turns = law.kind == LawKind::Hinge || law.kind == LawKind::Slider;
+    const auto is = [](const MechanismBody& body, MechanismBodyKind kind) { return body.kind == kind; };
+    this->require(
+      !is(a, MechanismBodyKind::World) || !is(b, MechanismBodyKind::World), name + "joins what does not move.");
+    this->require(!needle || is(a, MechanismBodyKind::Held), name + "is for a rod in the hand as its first body.");
+    this->require(
+      law.kind != LawKind::Puncture || is(b, MechanismBodyKind::Soft), name + "needs a soft body to go into.");
+    this->require(!turns || (!is(a, MechanismBodyKind::Soft) && !is(b, MechanismBodyKind::Soft)),
+      name + "turns a soft body, which has no turn of its own: attach it at two points instead.");
+    if (!needle)
+    {
+      this->judgePlace(a, law.point_A, name);
+    }
+    if (law.kind != LawKind::Puncture)
+    {
+      this->judgePlace(b, law.point_B, name);
+    }
+  }
+
+  void judgePlace(const MechanismBody& body, const Vec3& point, const std::string& name)
+  {
+    const MechanismSoft* soft = softNamed(this->soft_, body.name);
+    const bool within = body.kind == MechanismBodyKind::Held    ? onRod(body, point)
+                        : body.kind == MechanismBodyKind::Rigid ? inBox(body, point)
+                        : body.kind == MechanismBodyKind::Soft  ? !soft || !soft->body || onSurface(*soft->body, point)
+                                                                : true;
+    this->require(within, name + "lies outside of \"" + body.name + "\": move its point onto the body.");
+  }
+
+  const Mechanism& mechanism_;
+  std::span<const MechanismSoft> soft_;
+  std::vector<std::string> faults_;
+};
+
+} // namespace
+
+std::vector<std::string> faultsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft)
+{
+  return Faults(mechanism, soft).gather();
+}
+
+SurfacePoint nearestPlace(const PressedBody& body, const Vec3& p_W)
+{
+  const TriangleMesh& mesh = body.scene->surfaces()[body.touch.surface].tree->mesh();
+  SurfacePoint best;
+  double least_u = std::numeric_limits<double>::infinity();
+  for (const auto& triangle : mesh.triangles)
+  {
+    const Vec3& a = mesh.vertices_W[triangle[0]];
+    const Vec3& b = mesh.vertices_W[triangle[1]];
+    const Vec3& c = mesh.vertices_W[triangle[2]];
+    const Vec3 x_W = nearestOnTriangle(p_W, a, b, c);
+    if (const double away_u = (x_W - p_W).norm(); away_u < least_u)
+    {
+      least_u = away_u;
+      best = { triangle, weightsOnTriangle(a, b, c, x_W), x_W };
+    }
+  }
+  return best;
+}
+
+const MechanismSoft* softNamed(std::span<const MechanismSoft> soft, const std::string& name)
+{
+  const auto found = std::ranges::find_if(soft, [&name](const MechanismSoft& s) { return s.name == name; });
+  return found == soft.end() ? nullptr : &*found;
+}
+
+int bodyNamed(const Mechanism& mechanism, const std::string& name)
+{
+  const auto found = std::ranges::find_if(mechanism.bodies, [&name](const MechanismBody& b) { return b.name == name; });
+  return found == mechanism.bodies.end() ? -1 : static_cast<int>(found - mechanism.bodies.begin());
+}
+
+} // namespace palpate

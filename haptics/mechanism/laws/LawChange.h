@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "haptics/mechanism/laws/LawRows.h"
+
+namespace palpate
+{
+
+/// A law changed for good, or for as long as the needle is in: a recording names it by the tick.
+enum class LawChange : std::uint8_t
+{
+  Punctured,
+  Withdrawn, ///< the tip came out of its hole: the next one is punctured anew
+  Broken,    ///< an attachment that was pulled at with more than its strength
+  TornOut,   ///< a shaft that was pulled across its hole with more than that holds
+};
+
+/// What the rows of one law came to.
+struct LawOutcome
+{
+  Vec3 force_W = Vec3::Zero(); ///< on A [N]
+  Vec3 rest_u = Vec3::Zero();  ///< where its friction would let it rest from now on, as LawState::stuck_u
+  double push_N = 0.0;         ///< of a row that only pushes
+  double across_N = 0.0;       ///< on a shaft
+  bool holds = false;          ///< a row has force
+  bool slips = false;
+};
+
+[[nodiscard]] LawOutcome outcomeOf(
+  const LawScene& scene, const LawRows& rows, const LawForces& forces, int law) noexcept;
+
+/// What that makes of a law, if anything; the state is changed.
+[[nodiscard]] std::optional<LawChange> changeLaw(
+  const PlannedLaw& law, const LawOutcome& outcome, LawState& state) noexcept;
+
+} // namespace palpate

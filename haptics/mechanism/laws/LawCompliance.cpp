@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/mechanism/laws/LawCompliance.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// Of a body that nothing elastic holds: which of the problem's ways are its own, and which of its six numbers they
+/// are.
+struct FreeWays
+{
+  int first = 0;
+  int count = 0; ///< the last so many of six
+};
+
+FreeWays waysOf(const MechanismPlan& plan, const MechanismGrip& grip, int body) noexcept
+{
+  const auto countOf = [&plan, &grip](int b)
+  {
+    const MechanismBodyKind kind = plan.bodies[b].kind;
+    const int turns = grip.turning_Nu_per_rad > 0.0 ? 0 : 3;
+    return kind == MechanismBodyKind::Rigid ? 6 : kind == MechanismBodyKind::Held ? turns : 0;
+  };
+  FreeWays ways{ 0, countOf(body) };
+  for (int b = 0; b < body; ++b)
+  {
+    ways.first += countOf(b);
+  }
+  return ways;
+}
+
+Vec6 gripCompliance(const MechanismPlan& plan, const MechanismGrip& grip) noexcept
+{
+  const double turn = grip.turning_Nu_per_rad > 0.0 ? plan.lever_u * plan.lever_u / grip.turning_Nu_per_rad : 0.0;
+  Vec6 c;
+  c << Vec3::Constant(1.0 / grip.coupling_N_per_u), Vec3::Constant(turn);
+  return c;
+}
+
+/// How A's point of law l goes against B's, by the soft bodies, under a force between those of law m.
+Mat3 softCompliance(const LawScene& scene, const LawRows& rows, int l, int m) noexcept
+{
+  Mat3 sum = Mat3::Zero();
+  for (int s = 0; s < 2; ++s)
+  {
+    for (int t = 0; t < 2; ++t)
+    {
+      const LawEnd& a = rows.ends[l][s];
+      const LawEnd& b = rows.ends[m][t];
+      if (a.soft >= 0 && a.soft == b.soft)
+      {
+        const Mat3 c = complianceBetween(*scene.soft[a.soft]->packet, a.point, b.point);
+        sum += s == t ? c : Mat3(-c);
+      }
+    }
+  }
+  return sum;
+}
+
+/// Of the rows of the laws that i and j belong to: rows of one law stand together.
+void addSoft(const LawScene& scene, const LawRows& rows, LawProblem& problem) noexcept
+{
+  for (int i = 0, iEnd = 0; i < rows.count; i = iEnd)
+  {
+    const int l = rows.rows[i].law;
+    for (iEnd = i; iEnd < rows.count && rows.rows[iEnd].law == l; ++iEnd)
+    {
+    }
+    for (int j = 0, jEnd = 0; j <= i; j = jEnd)
+    {
+      const int m = rows.rows[j].law;
+      for (jEnd = j; jEnd < rows.count && rows.rows[jEnd].law == m; ++jEnd)
+      {
+      }
+      const Mat3 c = softCompliance(scene, rows, l, m);
+      for (int p = i; p < iEnd; ++p)
+      {
+        for (int q = j; q < std::min(jEnd, p + 1); ++q)
+        {
+          const bool points = !rows.rows[p].turns && !rows.rows[q].turns;
+          const double add = points ? rows.rows[p].along_W.dot(c * rows.rows[q].along_W) : 0.0;
+          problem.compliance(p, q) += add;
+          problem.compliance(q, p) = problem.compliance(p, q);
+        }
+      }
+    }
+  }
+}
+
+/// Of the body in the hand, on whose side of the laws the rows' motions are.
+void addGrip(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, LawProblem& problem) noexcept
+{
+  const Vec6 c = gripCompliance(scene.plan, grip);
+  std::array<Vec6, LawRows::most> j;
+  for (int i = 0; i < rows.count; ++i)
+  {
+    j[i].setZero();
+    for (int side = 0; side < 2; ++side)
+    {
+      if (rows.ends[rows.rows[i].law][side].body == scene.plan.held)
+      {
+        j[i] += jacobianOf(scene, rows, rows.rows[i], side);
+      }
+    }
+    for (int k = 0; k <= i; ++k)
+    {
+      problem.compliance(i, k) = j[i].dot(c.cwiseProduct(j[k]));
+    }
+  }
+}
+
+void addWays(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, LawProblem& problem) noexcept
+{
+  problem.along.setZero();
+  for (int i = 0; i < rows.count; ++i)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      const FreeWays ways = waysOf(scene.plan, grip, rows.ends[rows.rows[i].law][side].body);
+      if (ways.count > 0)
+      {
+        const Vec6 j = jacobianOf(scene, rows, rows.rows[i], side);
+        problem.along.row(i).segment(ways.first, ways.count) += j.tail(ways.count).transpose();
+      }
+    }
+  }
+  problem.load.setZero();
+  for (int b = 0; b < scene.plan.bodyCount; ++b)
+  {
+    if (scene.plan.bodies[b].kind == MechanismBodyKind::Rigid)
+    {
+      problem.load.segment<3>(waysOf(scene.plan, grip, b).first) = scene.plan.bodies[b].load_W;
+    }
+  }
+}
+
+} // namespace
+
+void assembleLaws(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, LawProblem& problem) noexcept
+{
+  const FreeWays last = waysOf(scene.plan, grip, scene.plan.bodyCount - 1);
+  problem.resize(rows.count, last.first + last.count);
+  problem.cones = rows.cones;
+  problem.friction = rows.friction;
+  problem.yield_u_per_N = 1.0 / grip.coupling_N_per_u;
+  addGrip(scene, rows, grip, problem);
+  addSoft(scene, rows, problem);
+  for (int i = 0; i < rows.count; ++i)
+  {
+    const LawRow& row = rows.rows[i];
+    problem.compliance(i, i) += row.compliance_u_per_N;
+    problem.free[i] = row.free_u;
+    problem.lowest[i] = row.lowest_N;
+    problem.highest[i] = row.highest_N;
+  }
+  addWays(scene, rows, grip, problem);
+}
+
+Vec3 softApart_W(const LawScene& scene, const LawRows& rows, int l) noexcept
+{
+  const auto& [a, b] = rows.ends[l];
+  Vec3 apart_W = (a.soft >= 0 ? a.x_W : Vec3(Vec3::Zero())) - (b.soft >= 0 ? b.x_W : Vec3(Vec3::Zero()));
+  for (int m = 0; m < scene.plan.lawCount; ++m)
+  {
+    if (scene.laws[m].force_W != Vec3::Zero())
+    {
+      apart_W += softCompliance(scene, rows, l, m) * scene.laws[m].force_W;
+    }
+  }
+  return apart_W;
+}
+
+Vec6 pressOn(const LawScene& scene, const LawRows& rows, const LawForces& forces, int body) noexcept
+{
+  Vec6 sum = Vec6::Zero();
+  for (int i = 0; i < rows.count; ++i)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      if (rows.ends[rows.rows[i].law][side].body == body)
+      {
+        sum += forces.force_N[i] * jacobianOf(scene, rows, rows.rows[i], side);
+      }
+    }
+  }
+  return sum;
+}
+
+Vec6 motionOf(
+  const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, const LawForces& forces, int body) noexcept
+{
+  Vec6 motion = Vec6::Zero();
+  if (body == scene.plan.held)
+  {
+    motion = gripCompliance(scene.plan, grip).cwiseProduct(pressOn(scene, rows, forces, body));
+  }
+  const FreeWays ways = waysOf(scene.plan, grip, body);
+  motion.tail(ways.count) += forces.way_u.segment(ways.first, ways.count);
+  return motion;
+}
+
+} // namespace palpate

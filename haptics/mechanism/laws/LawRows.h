@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "haptics/compliance/packet/PointCompliance.h"
+#include "haptics/compliance/servo/PressedBody.h"
+#include "haptics/mechanism/laws/LawState.h"
+#include "haptics/mechanism/solve/LawProblem.h"
+#include "haptics/tool/motion/WishedMotion.h"
+
+namespace palpate
+{
+
+/// Where one side of a law is.
+struct LawEnd
+{
+  int body = 0;
+  Vec3 x_W = Vec3::Zero(); ///< its point, where nothing yields
+  Vec3 axis_W = Vec3::UnitZ();
+  int soft = -1;        ///< of a soft body: its place among those that the tick is given
+  CompliantPoint point; ///< likewise
+};
+
+/// One row: how A's point, or its turn, has moved against B's along a direction.
+struct LawRow
+{
+  int law = 0;
+  bool turns = false;
+  Vec3 along_W = Vec3::UnitZ();
+  double free_u = 0.0;
+  double lowest_N = 0.0;
+  double highest_N = 0.0;
+  double compliance_u_per_N = 0.0; ///< of the law's own spring
+  bool dry = false;                ///< dry friction: what it moves by, it slips
+  double now_u = 0.0;              ///< likewise: where it is
+};
+
+/// The laws of a mechanism in one tick, linearised where its bodies would be without them.
+struct LawRows
+{
+  static constexpr int most = LawProblem::most;
+
+  std::array<std::array<LawEnd, 2>, Mechanism::mostLaws> ends{}; ///< A and B of each law
+  std::array<LawRow, most> rows{};
+  std::array<double, most / 3> friction{};
+  int count = 0;
+  int cones = 0; ///< the last three rows each
+};
+
+/// What rows are made from.
+struct LawScene
+{
+  const MechanismPlan& plan;
+  std::span<const PressedBody* const> soft;
+  std::span<const Pose> pose_W; ///< of each body: where it would be without the laws
+  std::span<const LawState> laws;
+};
+
+/// The rows of the laws that hold now. A law on a soft body that is not there has none. Real-time safe.
+void makeRows(const LawScene& scene, LawRows& rows) noexcept;
+
+/// How a row's displacement changes with a small motion of a body that is its A (side 0) or B (side 1), about the
+/// body's origin, whitened by the plan's lever.
+[[nodiscard]] Vec6 jacobianOf(const LawScene& scene, const LawRows& rows, const LawRow& row, int side) noexcept;
+
+/// Whether a law on the shaft of a rod holds in it now.
+[[nodiscard]] bool inShaft(const PlannedLaw& law, const LawState& state) noexcept;
+
+} // namespace palpate

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "haptics/mechanism/servo/MechanismTick.h"
+
+namespace palpate
+{
+
+/// A mechanism as its worker had it at one moment. Immutable; the servo reads it.
+class FeltMechanism
+{
+public:
+  /// `revision`: above 0, another one for each. `bodies`: in the plan's order, none of them null.
+  FeltMechanism(
+    std::uint64_t revision, const MechanismPlan& plan, std::vector<std::shared_ptr<const PressedBody>> bodies)
+    : revision_(revision), plan_(plan), bodies_(std::move(bodies))
+  {
+    for (const auto& body : this->bodies_)
+    {
+      this->given_.push_back(body.get());
+    }
+  }
+
+  [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
+  [[nodiscard]] const MechanismPlan& plan() const noexcept { return this->plan_; }
+  [[nodiscard]] const std::vector<std::shared_ptr<const PressedBody>>& bodies() const noexcept { return this->bodies_; }
+  /// The same, as a tick is given them.
+  [[nodiscard]] std::span<const PressedBody* const> soft() const noexcept { return this->given_; }
+
+private:
+  std::uint64_t revision_;
+  MechanismPlan plan_;
+  std::vector<std::shared_ptr<const PressedBody>> bodies_;
+  std::vector<const PressedBody*> given_;
+};
+
+/// What the servo tells the worker of a mechanism: where the tip of what the hand holds is and how the laws press.
+struct MechanismHand
+{
+  std::uint64_t tick = 0;
+  std::uint64_t plan = 0; ///< revision of the plan that the presses are of; 0: of none
+  Vec3 tip_W = Vec3::Zero();
+  int pressCount = 0;
+  decltype(MechanismResult::presses) presses{};
+
+  [[nodiscard]] std::span<const MechanismPress> pressing() const noexcept
+  {
+    return { this->presses.data(), static_cast<std::size_t>(this->pressCount) };
+  }
+};
+
+} // namespace palpate

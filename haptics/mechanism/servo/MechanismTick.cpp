@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/mechanism/servo/MechanismTick.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/mechanism/laws/LawCompliance.h"
+#include "haptics/mechanism/servo/TipPlace.h"
+#include "haptics/tool/motion/Turn.h"
+
+namespace palpate
+{
+
+/// What a tick is computed in.
+struct MechanismRoom
+{
+  LawRows rows;
+  LawProblem problem;
+  LawRoom solver;
+  LawForces forces;
+  MechanismResult result;
+};
+
+namespace
+{
+
+constexpr double fade_s = 0.02; ///< as for the contacts of a soft body: a tenth of a newton a tick at .2 m/s
+/// Of a turn that laws make in one tick: beyond it their rows would mean little [rad].
+constexpr double mostTurn_rad = 0.5;
+
+bool isPose(const Pose& pose) noexcept
+{
+  return pose.p.allFinite() && std::abs(pose.q.squaredNorm() - 1.0) < 1e-6;
+}
+
+/// One tick.
+class MechanismStep
+{
+public:
+  MechanismStep(const MechanismInput& input, MechanismState& state, MechanismRoom& room) noexcept
+    : input_(input), plan_(*input.plan), state_(state), room_(room),
+      result_(room.result), scene_{ plan_, input.soft, reference_, state.laws }
+  {
+  }
+
+  void run() noexcept
+  {
+    this->result_ = {};
+    this->begin();
+    this->takePackets();
+    this->meetSurfaces();
+    this->solve();
+    const Vec6 before_N = this->onHand();
+    std::size_t changes = 0;
+    while (changes < Mechanism::mostLaws && this->changeLaws())
+    {
+      this->solve();
+      ++changes;
+    }
+    this->keep();
+    this->tellHand(before_N, changes > 0);
+  }
+
+private:
+  /// Where bodies would be without the laws: in the hand, and where they were.
+  void begin() noexcept
+  {
+    for (int b = 0; b < this->plan_.bodyCount; ++b)
+    {
+      this->reference_[b] = this->state_.pose_W[b];
+    }
+    if (this->plan_.held < 0)
+    {
+      return;
+    }
+    Pose& held = this->reference_[this->plan_.held];
+    const bool turned = this->input_.grip.turning_Nu_per_rad > 0.0 || !this->state_.placed;
+    held = { this->input_.hand_W.p, turned ? this->input_.hand_W.q.normalized() : held.q };
+    this->tip_W_ = this->tipOf(held);
+  }
+
+  [[nodiscard]] Vec3 tipOf(const Pose& held) const noexcept
+  {
+    return held.p + this->plan_.bodies[this->plan_.held].length_u * (held.q * Vec3::UnitZ());
+  }
+
+  [[nodiscard]] const PressedBody* softOf(int body) const noexcept
+  {
+    const int soft = this->plan_.bodies[body].soft;
+    return soft >= 0 ? this->input_.soft[soft] : nullptr;
+  }
+
+  /// Under the same forces a later packet would have points elsewhere: that much offset keeps them, and fades.
+  void takePackets() noexcept
+  {
+    makeRows(this->scene_, this->room_.rows);
+    for (int l = 0; l < this->plan_.lawCount; ++l)
+    {
+      LawState& law = this->state_.laws[l];
+      bool anew = false;
+      double left = 1.0;
+      for (const int body : { this->plan_.laws[l].a, this->plan_.laws[l].b })
+      {
+        const PressedBody* soft = this->softOf(body);
+        anew = anew || (soft && soft->revision != this->state_.packet[this->plan_.bodies[body].soft]);
+        left = soft && soft->period_s <= 0.0 ? 0.0 : left;
+      }
+      if (anew && law.seen)
+      {
+        law.offset_W += law.apart_W - softApart_W(this->scene_, this->room_.rows, l);
+      }
+      law.offset_W *= std::min(left, std::max(1.0 - this->input_.dt_s / fade_s, 0.0));
+    }
+    for (std::size_t s = 0; s < this->input_.soft.size(); ++s)
+    {
+      this->state_.packet[s] = this->input_.soft[s] ? this->input_.soft[s]->revision : 0;
+    }
+  }
+
+  /// From where laws held the tip to where the hand leads it: others may keep it from a surface that it is led through.
+  void meetSurfaces() noexcept
+  {
+    for (int l = 0; l < this->plan_.lawCount && this->state_.placed; ++l)
+    {
+      const PlannedLaw& law = this->plan_.laws[l];
+      LawState& state = this->state_.laws[l];
+      const PressedBody* soft = this->softOf(law.b);
+      if (law.kind == LawKind::Puncture && state.phase == LawPhase::Open && !state.met && soft)
+      {
+        state.met = meetSurface(*soft, this->state_.tip_W, this->tip_W_, state);
+      }
+    }
+  }
+
+  void solve() noexcept
+  {
+    makeRows(this->scene_, this->room_.rows);
+    assembleLaws(this->scene_, this->room_.rows, this->input_.grip, this->room_.problem);
+    LawForces& forces = this->room_.forces;
+    forces.force_N.setZero(this->room_.rows.count);
+    for (int i = this->room_.problem.bounded(); i < this->room_.rows.count; ++i)
+    {
+      const LawRow& row = this->room_.rows.rows[i];
+      forces.force_N[i] = row.along_W.dot(this->state_.laws[row.law].force_W);
+    }
+    solveLaws(this->room_.problem, this->room_.solver, forces);
+    this->result_.steps += forces.steps;
+  }
+
+  [[nodiscard]] Vec6 onHand() const noexcept
+  {
+    const bool held = this->plan_.held >= 0;
+    return held ? pressOn(this->scene_, this->room_.rows, this->room_.forces, this->plan_.held) : Vec6(Vec6::Zero());
+  }
+
+  /// True if a law has changed: then all are solved anew.
+  [[nodiscard]] bool changeLaws() noexcept
+  {
+    bool changed = false;
+    for (int l = 0; l < this->plan_.lawCount; ++l)
+    {
+      const LawOutcome outcome = outcomeOf(this->scene_, this->room_.rows, this->room_.forces, l);
+      const auto change = changeLaw(this->plan_.laws[l], outcome, this->state_.laws[l]);
+      if (change && this->result_.eventCount < static_cast<int>(this->result_.events.size()))
+      {
+        this->result_.events[this->result_.eventCount++] = { this->input_.tick, *change, static_cast<std::uint32_t>(l),
+          outcome.force_W.norm() };
+      }
+      changed = changed || change;
+    }
+    return changed;
+  }
+
+  /// What the laws came to, for the next tick and for whoever looks.
+  void keep() noexcept
+  {
+    for (int b = 0; b < this->plan_.bodyCount; ++b)
+    {
+      this->state_.pose_W[b] = this->movedPose(b);
+    }
+    for (int l = 0; l < this->plan_.lawCount; ++l)
+    {
+      this->keepLaw(l);
+    }
+    for (int l = 0; l < this->plan_.lawCount; ++l)
+    {
+      if (this->rowsOf(l) > 0)
+      {
+        this->state_.laws[l].apart_W = softApart_W(this->scene_, this->room_.rows, l);
+        this->slide(l);
+        this->tellPresses(l);
+      }
+    }
+    this->state_.tip_W =
+      this->plan_.held >= 0 ? this->tipOf(this->state_.pose_W[this->plan_.held]) : Vec3(Vec3::Zero());
+    this->state_.placed = true;
+    this->result_.pose_W = this->state_.pose_W;
+    this->result_.rows = this->room_.rows.count;
+    this->result_.capped = this->room_.forces.capped;
+    this->result_.residual_u = this->room_.forces.residual_u;
+    this->result_.stored_Nu = this->stored_Nu();
+  }
+
+  [[nodiscard]] Pose movedPose(int body) const noexcept
+  {
+    const Pose& from = this->reference_[body];
+    const Vec6 motion = motionOf(this->scene_, this->room_.rows, this->input_.grip, this->room_.forces, body);
+    Vec3 turn = motion.tail<3>() / this->plan_.lever_u;
+    turn *= mostTurn_rad / std::max(turn.norm(), mostTurn_rad);
+    Pose moved{ from.p + motion.head<3>(), turnBy(turn) * from.q };
+    moved.q.normalize();
+    return moved;
+  }
+
+  [[nodiscard]] int rowsOf(int l) const noexcept
+  {
+    const auto& rows = this->room_.rows.rows;
+    return static_cast<int>(
+      std::count_if(rows.begin(), rows.begin() + this->room_.rows.count, [l](const LawRow& r) { return r.law == l; }));
+  }
+
+  void keepLaw(int l) noexcept
+  {
+    LawState& law = this->state_.laws[l];
+    LawNow& now = this->result_.laws[l];
+    const bool has = this->rowsOf(l) > 0;
+    const LawOutcome outcome = has ? outcomeOf(this->scene_, this->room_.rows, this->room_.forces, l) : LawOutcome{};
+    law.force_W = outcome.force_W;
+    law.seen = has;
+    if (has)
+    {
+      law.stuck_u = outcome.rest_u;
+      law.met = law.met && (law.phase == LawPhase::Inside || outcome.push_N > 0.0);
+      law.placed = law.met || this->plan_.laws[l].kind != LawKind::Puncture;
+    }
+    if (law.phase != LawPhase::Gone && law.phase != LawPhase::Inside)
+    {
+      const bool holds = this->plan_.laws[l].kind == LawKind::Puncture ? law.met : outcome.holds;
+      law.phase = outcome.slips ? LawPhase::Slips : holds ? LawPhase::Closed : LawPhase::Open;
+    }
+    now.phase = has && inShaft(this->plan_.laws[l], law) ? LawPhase::Inside : law.phase;
+    now.force_W = law.force_W;
+    now.inside_u = now.phase == LawPhase::Inside ? law.stuck_u.x() : 0.0;
+    now.at_W = this->placeOf(l);
+  }
+
+  /// Of the side that is rigid, as it has moved.
+  [[nodiscard]] Vec3 placeOf(int l) const noexcept
+  {
+    const auto& [a, b] = this->room_.rows.ends[l];
+    const LawEnd& end = a.soft < 0 ? a : b;
+    const Pose& from = this->reference_[end.body];
+    const Pose& to = this->state_.pose_W[end.body];
+    return end.soft < 0 ? Vec3(to.p + to.q * (from.q.conjugate() * (end.x_W - from.p))) : end.x_W;
+  }
+
+  /// A tip that is pressed on follows the surface.
+  void slide(int l) noexcept
+  {
+    LawState& law = this->state_.laws[l];
+    const PressedBody* soft = this->softOf(this->plan_.laws[l].b);
+    const bool slides = this->plan_.laws[l].kind == LawKind::Puncture && this->plan_.laws[l].friction == 0.0;
+    if (!slides || !law.met || law.phase == LawPhase::Inside || !soft)
+    {
+      return;
+    }
+    const Vec3 apart_W = this->placeOf(l) + law.apart_W + law.offset_W;
+    const Vec3 aside_W = apart_W - law.normal_W.dot(apart_W) * law.normal_W;
+    law.place_B.x_W = this->room_.rows.ends[l][1].x_W;
+    slideOnSurface(*soft, aside_W, law);
+  }
+
+  void tellPresses(int l) noexcept
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      const LawEnd& end = this->room_.rows.ends[l][side];
+      const Vec3& force_W = this->state_.laws[l].force_W;
+      if (end.soft >= 0 && force_W != Vec3::Zero())
+      {
+        this->result_.presses[this->result_.pressCount++] = { end.soft, end.point.at,
+          side == 0 ? force_W : Vec3(-force_W) };
+      }
+    }
+  }
+
+  [[nodiscard]] double stored_Nu() const noexcept
+  {
+    const LawProblem::Numbers& f = this->room_.forces.force_N;
+    double stored = 0.5 * f.dot(this->room_.problem.compliance.lazyProduct(f));
+    for (const PressedBody* soft : this->input_.soft)
+    {
+      stored += soft ? soft->packet->energy_Nu : 0.0;
+    }
+    return std::max(stored, 0.0);
+  }
+
+  void tellHand(const Vec6& before_N, bool changed) noexcept
+  {
+    const double k = this->input_.grip.coupling_N_per_u;
+    const Vec6 now_N = this->onHand();
+    const Vec6 step_u = changed ? Vec6((now_N - before_N) / k) : Vec6(Vec6::Zero());
+    const Vec6 felt_N = k * this->state_.blend.blended(now_N / k, step_u, k, this->input_.dt_s);
+    const auto wrench = [this](const Vec6& f) { return Wrench{ f.head<3>(), this->plan_.lever_u * f.tail<3>() }; };
+    this->result_.exact_W = wrench(now_N);
+    this->result_.wrench_W = wrench(felt_N);
+  }
+
+  const MechanismInput& input_;
+  const MechanismPlan& plan_;
+  MechanismState& state_;
+  MechanismRoom& room_;
+  MechanismResult& result_;
+  std::array<Pose, Mechanism::mostBodies> reference_{};
+  Vec3 tip_W_ = Vec3::Zero();
+  LawScene scene_;
+};
+
+/// Another plan begins anew.
+void begin(const MechanismPlan& plan, MechanismState& state) noexcept
+{
+  state = {};
+  state.revision = plan.revision;
+  for (int b = 0; b < plan.bodyCount; ++b)
+  {
+    state.pose_W[b] = plan.bodies[b].pose_W;
+  }
+  for (int l = 0; l < plan.lawCount; ++l)
+  {
+    state.laws[l].place_A = plan.laws[l].place_A;
+    state.laws[l].place_B = plan.laws[l].place_B;
+  }
+}
+
+} // namespace
+
+MechanismTick::MechanismTick() : room_(std::make_unique<MechanismRoom>()) {}
+MechanismTick::~MechanismTick() = default;
+MechanismTick::MechanismTick(MechanismTick&&) noexcept = default;
+MechanismTick& MechanismTick::operator=(MechanismTick&&) noexcept = default;
+
+const MechanismResult& MechanismTick::step(const MechanismInput& input) noexcept
+{
+  if (input.plan == nullptr || !isPose(input.hand_W) || !(input.grip.coupling_N_per_u > 0.0))
+  {
+    this->room_->result = {};
+    return this->room_->result;
+  }
+  if (input.plan->revision != this->state_.revision)
+  {
+    begin(*input.plan, this->state_);
+  }
+  MechanismStep(input, this->state_, *this->room_).run();
+  return this->room_->result;
+}
+
+void MechanismTick::breakLaw(std::uint32_t law) noexcept
+{
+  if (law < this->state_.laws.size())
+  {
+    this->state_.laws[law].phase = LawPhase::Gone;
+  }
+}
+
+} // namespace palpate

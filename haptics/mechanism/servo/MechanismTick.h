@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "haptics/compliance/servo/PressedBody.h"
+#include "haptics/mechanism/laws/LawChange.h"
+#include "haptics/mechanism/servo/MechanismState.h"
+
+namespace palpate
+{
+
+/// What one tick of a mechanism is given.
+struct MechanismInput
+{
+  std::uint64_t tick = 0;
+  double dt_s = 1e-3;
+  const MechanismPlan* plan = nullptr;
+  Pose hand_W; ///< of the device; its turn is not looked at where the grip leaves it free
+  MechanismGrip grip;
+  std::span<const PressedBody* const> soft; ///< newest of each, in the plan's order; null: not there, its laws rest
+};
+
+struct MechanismEvent
+{
+  std::uint64_t tick = 0;
+  LawChange change = LawChange::Punctured;
+  std::uint32_t law = 0; ///< in the plan
+  double force_N = 0.0;  ///< that did it
+};
+
+/// What a law does in a tick.
+struct LawNow
+{
+  LawPhase phase = LawPhase::Open;
+  Vec3 force_W = Vec3::Zero(); ///< on A [N]
+  Vec3 at_W = Vec3::Zero();    ///< where, as it has yielded
+  double inside_u = 0.0;       ///< of the shaft, beyond its hole
+};
+
+/// A force on a soft body, for the worker that computes it.
+struct MechanismPress
+{
+  int soft = 0; ///< in the plan's order
+  SurfacePoint at;
+  Vec3 force_N = Vec3::Zero(); ///< on the body
+};
+
+/// What one tick did.
+struct MechanismResult
+{
+  Wrench wrench_W;        ///< on the hand, about the held body's origin: N, N u; a law's change is spread over 30 ms
+  Wrench exact_W;         ///< the same as the laws have it now
+  double stored_Nu = 0.0; ///< elastic energy of grip, laws and soft bodies under these forces
+  int rows = 0;
+  int steps = 0;           ///< of the solver
+  bool capped = false;     ///< its cap ended it: the best forces of this tick are felt, the next one goes on
+  double residual_u = 0.0; ///< largest of the laws'
+  std::array<Pose, Mechanism::mostBodies> pose_W{}; ///< of held and rigid bodies
+  std::array<LawNow, Mechanism::mostLaws> laws{};
+  int eventCount = 0;
+  std::array<MechanismEvent, Mechanism::mostLaws> events{};
+  int pressCount = 0;
+  std::array<MechanismPress, 2 * Mechanism::mostLaws> presses{};
+};
+
+struct MechanismRoom;
+
+/// Moves a mechanism and solves its laws: one problem in the space of their rows, in which the compliances of grip,
+/// soft bodies and springs add up (W = sum J C J^T), each law exact. Deterministic, bounded, real-time safe but for
+/// making and ending it.
+class MechanismTick
+{
+public:
+  MechanismTick();
+  ~MechanismTick();
+  MechanismTick(MechanismTick&&) noexcept;
+  MechanismTick& operator=(MechanismTick&&) noexcept;
+
+  /// Once a tick. Another plan, by its revision, begins anew. What is not finite in the hand's pose gives no force.
+  [[nodiscard]] const MechanismResult& step(const MechanismInput& input) noexcept;
+  /// A person breaks a law: from the next step on it is gone.
+  void breakLaw(std::uint32_t law) noexcept;
+
+  [[nodiscard]] const MechanismState& state() const noexcept { return this->state_; }
+  /// To go on from where a recording begins.
+  void restore(const MechanismState& state) noexcept { this->state_ = state; }
+
+private:
+  MechanismState state_;
+  std::unique_ptr<MechanismRoom> room_;
+};
+
+} // namespace palpate

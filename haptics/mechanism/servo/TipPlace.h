@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/mechanism/laws/LawRows.h"
+
+namespace palpate
+{
+
+/// Where a tip that goes from one place to another comes into a soft body from outside, into the law's state. The
+/// body's vertices are taken where they are without forces. Real-time safe.
+[[nodiscard]] bool meetSurface(const PressedBody& body, const Vec3& from_W, const Vec3& to_W, LawState& state) noexcept;
+
+/// A tip that is pressed on and has gone along the surface by `aside_W` from its place there; where no surface
+/// is found, it stays. Real-time safe.
+void slideOnSurface(const PressedBody& body, const Vec3& aside_W, LawState& state) noexcept;
+
+} // namespace palpate

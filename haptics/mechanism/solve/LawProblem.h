@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "haptics/compliance/servo/ContactProblem.h"
+#include "haptics/mechanism/Mechanism.h"
+#include "haptics/mechanism/solve/SemidefiniteFactor.h"
+
+namespace palpate
+{
+
+/// The laws of a mechanism in the space of their rows: moved = free + compliance force + ways way, with forces between
+/// their bounds, and ways^T force + load = 0. `ways` are those of bodies that nothing elastic holds: a device that
+/// leaves the turn free, a rigid body that rests on others. Turns count as the way of a lever's end, their moments as
+/// forces on it. Of fixed capacity: nothing is allocated. Some 40 kB: not for the stack.
+struct LawProblem
+{
+  static constexpr int most = Mechanism::mostRows;
+  static constexpr int mostWays = 24; ///< three bodies that rest, a free turn, and room
+  using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
+  using Ways = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, mostWays>;
+  using Way = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostWays, 1>;
+
+  int count = 0;
+  int ways = 0;
+  Square compliance; ///< [u/N], symmetric, positive semidefinite
+  Numbers free;      ///< [u]
+  Numbers lowest;    ///< of the forces [N]
+  Numbers highest;
+  Ways along;                              ///< how rows move when bodies do
+  Way load;                                ///< [N] on those bodies
+  double yield_u_per_N = 1.0;              ///< the compliance to compare with: any, of the size of the others
+  int cones = 0;                           ///< Coulomb's contacts: the last rows, three each, a normal and two across
+  std::array<double, most / 3> friction{}; ///< coefficient of each, > 0; bounds are not theirs
+
+  /// For so many rows and ways; numbers are not set.
+  void resize(int rows, int freeWays) noexcept;
+  [[nodiscard]] int bounded() const noexcept { return this->count - 3 * this->cones; }
+};
+
+/// What a problem comes to.
+struct LawForces
+{
+  LawProblem::Numbers force_N;
+  LawProblem::Numbers moved_u;
+  LawProblem::Way way_u;
+  double residual_u = 0.0;   ///< by how much the laws are not met
+  double unbalanced_N = 0.0; ///< of the bodies that nothing elastic holds
+  int steps = 0;
+  bool capped = false;
+};
+
+/// What the solver needs to work in: kept by who calls it.
+struct LawRoom
+{
+  LawProblem::Square stiffened; ///< compliance with what the free ways add
+  LawProblem::Numbers pressed;  ///< free, with what cones and free ways add
+  LawProblem::Ways waysAnswer;  ///< forces of the held rows to each free way
+  LawProblem::Square conesAnswer;
+  LawProblem::Ways conesWays;
+  SemidefiniteFactor<LawProblem::mostWays> balance;
+  ContactProblem contacts;
+  ContactForces contactForces;
+  FrictionRoom friction;
+};
+
+/// Every law at once. Rows by the dual active set (BoundedRows.h). The free ways are the multipliers of the balance: in
+/// them the answer is a concave function, and Newton's steps with a line search end it (Li & Swetits 1997). No
+/// compliance stands for "free". Cones by Coulomb's law (solveFriction) in what the other laws leave them. Forces begin
+/// at those of `forces` for cones. Real-time safe.
+void solveLaws(const LawProblem& problem, LawRoom& room, LawForces& forces) noexcept;
+
+} // namespace palpate
