@@ -18,10 +18,22 @@ namespace palpate
 
 static_assert(std::endian::native == std::endian::little, "recordings are little-endian");
 
+/// A type of several members that membersOf(visit, object) hands to visit(member) one after the other.
+template<class T>
+concept HasMembers = requires(T& object)
+{
+  membersOf([](auto& /*member*/) {}, object);
+};
+
 /// Appends numbers to a byte string, as they lie in memory on a little-endian machine.
 class ByteWriter
 {
 public:
+  template<HasMembers T>
+  void put(const T& object)
+  {
+    membersOf([this](const auto& member) { this->put(member); }, object);
+  }
   template<class T>
   void put(const T& value)
   {
@@ -78,6 +90,11 @@ class ByteReader
 public:
   ByteReader(const char* begin, std::size_t size) : at_(begin), left_(size) {}
 
+  template<HasMembers T>
+  void get(T& object)
+  {
+    membersOf([this](auto& member) { this->get(member); }, object);
+  }
   template<class T>
   void get(T& value)
   {

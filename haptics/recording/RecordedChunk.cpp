@@ -9,6 +9,7 @@
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedBodies.h"
 #include "haptics/recording/RecordedBricks.h"
+#include "haptics/recording/RecordedMechanisms.h"
 #include "haptics/recording/RecordedScenes.h"
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/recording/RecordedTools.h"
@@ -105,8 +106,11 @@ constexpr ChunkReader readers[] = {
   { chunks::motion,
     [](RecordedChunk& c, Recording& recording) { recording.motions.push_back(readMotion(c.payload)); } },
   { chunks::brick, [](RecordedChunk& c, Recording& recording) { recording.bricks.push_back(readBrick(c.payload)); } },
-  { chunks::tool, [](RecordedChunk& c, Recording& recording) { recording.tools.push_back(readTool(c.payload)); } },
+  { chunks::tool,
+    [](RecordedChunk& c, Recording& recording) { recording.tools.push_back(readTool(c.payload, c.version)); } },
   { chunks::body, [](RecordedChunk& c, Recording& recording) { recording.bodies.push_back(readBody(c.payload)); } },
+  { chunks::mechanism,
+    [](RecordedChunk& c, Recording& recording) { recording.mechanisms.push_back(readMechanism(c.payload)); } },
   { chunks::end, [](RecordedChunk& c, Recording& recording) { c.payload.get(recording.lost); } },
 };
 

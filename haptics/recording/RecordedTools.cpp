@@ -29,6 +29,7 @@ void layContact(const Io& io, T& contact)
   io(contact.gap_u);
 }
 
+constexpr std::uint32_t versionWithBall = 2;
 constexpr std::size_t bytesOfContact = 7 * sizeof(double);
 
 /// Far more than turns and sums of rounding leave, far less than would be felt.
@@ -56,9 +57,10 @@ void putTool(ByteWriter& payload, const ToolContacts& contacts)
   {
     layContact(Put{ payload }, contacts.contacts[i]);
   }
+  payload.put(contacts.ball_u);
 }
 
-ToolContacts readTool(ByteReader& in)
+ToolContacts readTool(ByteReader& in, std::uint32_t version)
 {
   ToolContacts set;
   layContacts(Get{ in }, set);
@@ -70,6 +72,11 @@ ToolContacts readTool(ByteReader& in)
     in.failUnless(isUsable(set.contacts[i]));
   }
   set.count = static_cast<std::uint32_t>(in.ok() ? count : 0);
+  if (version >= versionWithBall)
+  {
+    in.get(set.ball_u);
+    in.failUnless(set.ball_u >= 0.0 && std::isfinite(set.ball_u));
+  }
   return set;
 }
 

@@ -22,8 +22,8 @@ namespace palpate
 {
 
 /// What happened before a tick was computed: an event, new parameters, another scene (by content hash, 0: none),
-/// another field (by the event's value, likewise), other contacts of a tool or another packet of a soft body (by their
-/// revision, likewise).
+/// another field (by the event's value, likewise), other contacts of a tool, another packet of a soft body or another
+/// mechanism (by their revision, likewise).
 struct RecordedChange
 {
   HapticEvent event;
@@ -51,6 +51,22 @@ struct RecordedScene
   std::vector<SurfaceInput> surfaces;
 };
 
+/// A mechanism as a recording keeps it.
+struct RecordedMechanism
+{
+  /// A soft body of it, without its scene.
+  struct Body
+  {
+    std::uint64_t sceneHash = 0;
+    std::uint64_t sceneRevision = 0;
+    std::shared_ptr<const PressedBody> body;
+  };
+
+  std::uint64_t revision = 0;
+  MechanismPlan plan;
+  std::vector<Body> bodies; ///< in the plan's order
+};
+
 /// A whole recording: a text header, then little-endian chunks (name, version, size, payload), then a closing chunk.
 /// What a program does not know it skips and says; what a recording lacks keeps its default.
 struct Recording
@@ -66,6 +82,7 @@ struct Recording
   std::vector<std::shared_ptr<const Brick>> bricks;       ///< each once
   std::vector<ToolContacts> tools;                        ///< in the order in which they were taken
   std::vector<std::shared_ptr<const PressedBody>> bodies; ///< without their scenes
+  std::vector<RecordedMechanism> mechanisms;
   std::vector<RecordedEntry> entries;
   SkippedParts skipped;
   std::uint64_t lost = 0; ///< ticks the writer could not take: such a recording cannot be recomputed

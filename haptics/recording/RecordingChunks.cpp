@@ -6,6 +6,7 @@
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedBodies.h"
 #include "haptics/recording/RecordedBricks.h"
+#include "haptics/recording/RecordedMechanisms.h"
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/recording/RecordedTools.h"
 #include "haptics/recording/RecordingLayout.h"
@@ -180,6 +181,13 @@ std::vector<char> bodyChunk(const PressedBody& body)
   ByteWriter payload;
   putBody(payload, body);
   return chunk(chunks::body, payload);
+}
+
+std::vector<char> mechanismChunk(const FeltMechanism& mechanism)
+{
+  ByteWriter payload;
+  putMechanism(payload, mechanism);
+  return chunk(chunks::mechanism, payload);
 }
 
 std::vector<char> endChunk(std::uint64_t lost)

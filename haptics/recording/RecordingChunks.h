@@ -25,6 +25,8 @@ namespace palpate
 [[nodiscard]] std::vector<char> toolChunk(const ToolContacts& contacts);
 /// A packet of a soft body.
 [[nodiscard]] std::vector<char> bodyChunk(const PressedBody& body);
+/// A mechanism with the packets of its soft bodies.
+[[nodiscard]] std::vector<char> mechanismChunk(const FeltMechanism& mechanism);
 [[nodiscard]] std::vector<char> endChunk(std::uint64_t lost);
 
 } // namespace palpate

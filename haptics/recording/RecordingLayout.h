@@ -25,15 +25,16 @@ struct ChunkKind
 
 namespace chunks
 {
-inline constexpr ChunkKind start{ "start" };    ///< first parameters and state; before all that follow
-inline constexpr ChunkKind tick{ "tick", 2 };   ///< TickRecord; from version 2 on with its PoseRecord
-inline constexpr ChunkKind change{ "change" };  ///< RecordedChange
-inline constexpr ChunkKind scene{ "scene" };    ///< RecordedScene
-inline constexpr ChunkKind motion{ "motion" };  ///< RecordedMotion
-inline constexpr ChunkKind brick{ "brick", 3 }; ///< putBrick(); from version 2 on with its lines, 3: a finer one
-inline constexpr ChunkKind tool{ "tool" };      ///< putTool()
-inline constexpr ChunkKind body{ "body" };      ///< putBody()
-inline constexpr ChunkKind end{ "end" };        ///< ticks that were lost; nothing follows
+inline constexpr ChunkKind start{ "start" };      ///< first parameters and state; before all that follow
+inline constexpr ChunkKind tick{ "tick", 2 };     ///< TickRecord; from version 2 on with its PoseRecord
+inline constexpr ChunkKind change{ "change" };    ///< RecordedChange
+inline constexpr ChunkKind scene{ "scene" };      ///< RecordedScene
+inline constexpr ChunkKind motion{ "motion" };    ///< RecordedMotion
+inline constexpr ChunkKind brick{ "brick", 3 };   ///< putBrick(); from version 2 on with its lines, 3: a finer one
+inline constexpr ChunkKind tool{ "tool", 2 };     ///< putTool(); from version 2 on with its ball
+inline constexpr ChunkKind body{ "body" };        ///< putBody()
+inline constexpr ChunkKind mechanism{ "joined" }; ///< putMechanism()
+inline constexpr ChunkKind end{ "end" };          ///< ticks that were lost; nothing follows
 } // namespace chunks
 
 /// The parts of a start and of a change.

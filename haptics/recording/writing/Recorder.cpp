@@ -28,6 +28,8 @@ std::string Recorder::open(const std::string& path, const std::string& device, b
   this->bricks_.clear();
   this->bodies_.clear();
   this->storedBodies_.clear();
+  this->mechanisms_.clear();
+  this->storedMechanisms_.clear();
   this->started_ = false;
   this->ended_ = false;
   std::string problem = this->file_.open(path, recordingHeader(device));
@@ -134,6 +136,25 @@ void Recorder::pushBody(std::uint64_t tick, const PressedBody* body) noexcept
   this->pushEvent({ tick, EventKind::Body, body != nullptr ? body->revision : 0 });
 }
 
+void Recorder::pushMechanism(std::uint64_t tick, const FeltMechanism* mechanism) noexcept
+{
+  this->pushEvent({ tick, EventKind::Mechanism, mechanism != nullptr ? mechanism->revision() : 0 });
+}
+
+void Recorder::storeMechanism(const std::shared_ptr<const FeltMechanism>& mechanism)
+{
+  if (!this->isOpen())
+  {
+    return;
+  }
+  for (const auto& body : mechanism->bodies())
+  {
+    this->storeScene(body->scene);
+  }
+  const std::lock_guard lock(this->scenesMutex_);
+  this->mechanisms_.push_back(mechanism);
+}
+
 void Recorder::storeBody(const std::shared_ptr<const PressedBody>& body)
 {
   if (this->isOpen() && body)
@@ -168,17 +189,26 @@ void Recorder::writeScenes()
   std::vector<std::shared_ptr<const Scene>> scenes;
   std::vector<std::shared_ptr<const Brick>> bricks;
   std::vector<std::shared_ptr<const PressedBody>> bodies;
+  std::vector<std::shared_ptr<const FeltMechanism>> mechanisms;
   {
     const std::lock_guard lock(this->scenesMutex_);
     scenes.swap(this->scenes_);
     bricks.swap(this->bricks_);
     bodies.swap(this->bodies_);
+    mechanisms.swap(this->mechanisms_);
   }
   for (const auto& body : bodies)
   {
     if (this->storedBodies_.insert(body->revision).second)
     {
       this->file_.write(bodyChunk(*body));
+    }
+  }
+  for (const auto& mechanism : mechanisms)
+  {
+    if (this->storedMechanisms_.insert(mechanism->revision()).second)
+    {
+      this->file_.write(mechanismChunk(*mechanism));
     }
   }
   for (const auto& brick : bricks)

@@ -49,6 +49,7 @@ public:
   void pushBrick(std::uint64_t tick, const Brick* brick) noexcept;
   void pushTool(std::uint64_t tick, const ToolContacts* contacts) noexcept;
   void pushBody(std::uint64_t tick, const PressedBody* body) noexcept;
+  void pushMechanism(std::uint64_t tick, const FeltMechanism* mechanism) noexcept;
 
   /// Any other thread: stores a scene that the servo may take, once for each content.
   void storeScene(const std::shared_ptr<const Scene>& scene);
@@ -56,6 +57,8 @@ public:
   void storeBrick(const std::shared_ptr<const Brick>& brick);
   /// Likewise a packet of a soft body, with its scene.
   void storeBody(const std::shared_ptr<const PressedBody>& body);
+  /// Likewise a mechanism, with the scenes of its bodies.
+  void storeMechanism(const std::shared_ptr<const FeltMechanism>& mechanism);
   /// Writes what has come in. The thread that calls close().
   void pump();
 
@@ -90,11 +93,13 @@ private:
   bool started_ = false; ///< its first chunk is written
   std::atomic<bool> ended_ = false;
   std::mutex scenesMutex_; ///< between storeScene() and the writing thread; the servo never takes it
-  std::vector<std::shared_ptr<const Scene>> scenes_;       ///< to be written
-  std::vector<std::shared_ptr<const Brick>> bricks_;       ///< likewise
-  std::vector<std::shared_ptr<const PressedBody>> bodies_; ///< likewise
+  std::vector<std::shared_ptr<const Scene>> scenes_;             ///< to be written
+  std::vector<std::shared_ptr<const Brick>> bricks_;             ///< likewise
+  std::vector<std::shared_ptr<const PressedBody>> bodies_;       ///< likewise
+  std::vector<std::shared_ptr<const FeltMechanism>> mechanisms_; ///< likewise
   std::set<std::uint64_t> stored_;
-  std::set<std::uint64_t> storedBodies_; ///< their revisions
+  std::set<std::uint64_t> storedBodies_;     ///< their revisions
+  std::set<std::uint64_t> storedMechanisms_; ///< likewise
   std::jthread writer_;
 };
 

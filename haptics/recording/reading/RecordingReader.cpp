@@ -9,6 +9,7 @@
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/RecordedChunk.h"
+#include "haptics/recording/RecordedMechanisms.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/recording/RecordingLayout.h"
 
@@ -25,7 +26,7 @@ bool isPossible(const Recording& recording)
 {
   const RendererState& state = recording.initialState;
   return state.contact.count == 0 && state.velocity.count == 0 && !state.tracked &&
-         state.engage <= EngageState::Fault && state.game.phase <= GamePhase::Rests &&
+         state.engage <= EngageState::Fault && state.game.phase <= GamePhase::Rests && isUsable(state.mechanism) &&
          recording.parameters.validate().empty();
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "haptics/recording/ByteStream.h"
+#include "haptics/recording/RecordedMechanisms.h"
 #include "haptics/recording/Recording.h"
 
 namespace palpate
@@ -127,6 +128,9 @@ private:
       case EventKind::Body:
         this->takeBody(change.event.value);
         break;
+      case EventKind::Mechanism:
+        this->takeMechanism(change.event.value);
+        break;
       default:
         this->events_.push_back(change.event);
     }
@@ -166,14 +170,19 @@ private:
     {
       return;
     }
-    const auto found = this->scenes_.find(change.sceneHash);
+    this->scene_ = this->sceneOf(change.sceneHash, change.sceneRevision);
+  }
+
+  /// Null where it is not there, which is a problem.
+  std::shared_ptr<const Scene> sceneOf(std::uint64_t hash, std::uint64_t revision)
+  {
+    const auto found = this->scenes_.find(hash);
     if (found == this->scenes_.end())
     {
       this->result_.problem = "its scenes were left out or do not match: give the files they came from with --scene";
-      return;
+      return nullptr;
     }
-    this->scene_ =
-      std::make_shared<const Scene>(change.sceneRevision, found->second->surfaces(), found->second->motion_s());
+    return std::make_shared<const Scene>(revision, found->second->surfaces(), found->second->motion_s());
   }
 
   void takeBrick(std::uint64_t contentHash)
@@ -215,6 +224,38 @@ private:
     }
   }
 
+  /// What the tick of before has left of the same plan is followed into the bodies of this one.
+  void takeMechanism(std::uint64_t revision)
+  {
+    this->mechanism_.reset();
+    if (revision == 0)
+    {
+      return;
+    }
+    const auto isIt = [revision](const RecordedMechanism& m) { return m.revision == revision; };
+    const auto& mechanisms = this->recording_.mechanisms;
+    const auto found = std::find_if(mechanisms.begin(), mechanisms.end(), isIt);
+    std::vector<std::shared_ptr<const PressedBody>> bodies;
+    bool whole = found != mechanisms.end();
+    for (std::size_t i = 0; whole && i < found->bodies.size(); ++i)
+    {
+      const RecordedMechanism::Body& recorded = found->bodies[i];
+      auto body = std::make_shared<PressedBody>(*recorded.body);
+      body->scene = this->sceneOf(recorded.sceneHash, recorded.sceneRevision);
+      whole = fits(*body, body->scene.get());
+      bodies.push_back(std::move(body));
+    }
+    whole = whole && fits(this->state_.mechanism, *found);
+    if (whole)
+    {
+      this->mechanism_ = std::make_shared<const FeltMechanism>(revision, found->plan, std::move(bodies));
+    }
+    else if (this->result_.problem.empty())
+    {
+      this->result_.problem = "a mechanism that was held is not in it: it cannot be recomputed";
+    }
+  }
+
   /// The body of a tick, in the scene of that tick.
   const PressedBody* bodyInScene()
   {
@@ -240,6 +281,8 @@ private:
     input.brick = this->brick_;
     input.tool = this->tool_;
     input.body = this->bodyInScene();
+    input.mechanism = this->mechanism_.get();
+    input.mechanismTick = this->mechanismTick_.get();
     input.softRoom = this->softRoom_.get();
     input.lateness = record.lateness;
     input.events = this->events_;
@@ -267,6 +310,8 @@ private:
   std::ptrdiff_t toolsTaken_ = 0; ///< they stand in the order in which they were taken
   std::shared_ptr<const PressedBody> body_;
   PressedBody bodyNow_;
+  std::shared_ptr<const FeltMechanism> mechanism_;
+  std::unique_ptr<MechanismTick> mechanismTick_ = std::make_unique<MechanismTick>();
   std::unique_ptr<SoftRoom> softRoom_ = std::make_unique<SoftRoom>();
   std::vector<HapticEvent> events_;
   ReplayResult result_;

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/recording/RecordedMechanisms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/recording/RecordedBodies.h"
+#include "haptics/recording/RecordingLayout.h"
+
+namespace palpate
+{
+namespace
+{
+
+/// Far more than products of turns leave.
+constexpr double offUnitLength = 1e-6;
+
+bool isTurn(const Quat& q)
+{
+  return std::abs(q.norm() - 1.0) <= offUnitLength;
+}
+
+bool isPlace(const Pose& pose)
+{
+  return pose.p.allFinite() && isTurn(pose.q);
+}
+
+bool isPlace(const SurfacePoint& at)
+{
+  return at.weights.allFinite() && at.x_W.allFinite();
+}
+
+template<class Io, class Plan>
+void layPlan(const Io& io, Plan& plan)
+{
+  io(plan.revision);
+  io(plan.lever_u);
+  io(plan.bodyCount);
+  io(plan.lawCount);
+  io(plan.held);
+}
+
+template<class Io, class Body>
+void layBody(const Io& io, Body& body)
+{
+  io(body.kind);
+  io(body.soft);
+  io(body.length_u);
+  io(body.pose_W);
+  io(body.load_W);
+}
+
+template<class Io, class Place>
+void layPlace(const Io& io, Place& at)
+{
+  io(at.vertices);
+  io(at.weights);
+  io(at.x_W);
+}
+
+template<class Io, class Law>
+void layLaw(const Io& io, Law& law)
+{
+  io(law.kind);
+  io(law.a);
+  io(law.b);
+  for (auto* const vector : { &law.point_A, &law.point_B, &law.axis_A, &law.axis_B })
+  {
+    io(*vector);
+  }
+  for (auto* const number : { &law.strength_N, &law.tear_N, &law.friction, &law.dryFriction_N, &law.compliance_u_per_N,
+         &law.rest_u, &law.least_u, &law.most_u })
+  {
+    io(*number);
+  }
+  layPlace(io, law.place_A);
+  layPlace(io, law.place_B);
+}
+
+void readPlan(ByteReader& in, MechanismPlan& plan)
+{
+  layPlan(Get{ in }, plan);
+  in.failUnless(plan.bodyCount > 0 && plan.bodyCount <= static_cast<int>(plan.bodies.size()) && plan.lawCount >= 0 &&
+                plan.lawCount <= static_cast<int>(plan.laws.size()) && plan.held >= 0 && plan.held < plan.bodyCount &&
+                plan.lever_u > 0.0 && std::isfinite(plan.lever_u));
+  for (int b = 0; in.ok() && b < plan.bodyCount; ++b)
+  {
+    layBody(Get{ in }, plan.bodies[static_cast<std::size_t>(b)]);
+  }
+  for (int l = 0; in.ok() && l < plan.lawCount; ++l)
+  {
+    layLaw(Get{ in }, plan.laws[static_cast<std::size_t>(l)]);
+  }
+}
+
+RecordedMechanism::Body readSoft(ByteReader& in)
+{
+  RecordedMechanism::Body recorded;
+  in.get(recorded.sceneHash);
+  in.get(recorded.sceneRevision);
+  const auto read = readBody(in);
+  if (!read)
+  {
+    return recorded;
+  }
+  auto packet = std::make_shared<CompliancePacket>(*read->packet);
+  packet->free_W.resize(in.has(packet->placeOf.size() * 3 * sizeof(double)) ? packet->placeOf.size() : 0);
+  for (Vec3& x_W : packet->free_W)
+  {
+    in.get(x_W);
+    in.failUnless(x_W.allFinite());
+  }
+  auto body = std::make_shared<PressedBody>(*read);
+  body->touch.packet = packet.get();
+  body->packet = std::move(packet);
+  recorded.body = std::move(body);
+  return recorded;
+}
+
+bool isUsable(const PlannedBody& body, std::size_t softCount)
+{
+  const bool soft = body.kind == MechanismBodyKind::Soft;
+  return body.kind <= MechanismBodyKind::World && (soft ? body.soft >= 0 : body.soft == -1) &&
+         body.soft < static_cast<int>(softCount) && std::isfinite(body.length_u) && isPlace(body.pose_W) &&
+         body.load_W.allFinite();
+}
+
+/// Strengths and bounds may be unlimited.
+bool isUsable(const PlannedLaw& law)
+{
+  const auto notNegative = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  const bool numbers = notNegative(law.friction) && notNegative(law.dryFriction_N) &&
+                       notNegative(law.compliance_u_per_N) && law.strength_N > 0.0 && law.tear_N > 0.0 &&
+                       std::isfinite(law.rest_u) && !std::isnan(law.least_u) && !std::isnan(law.most_u);
+  return law.kind <= LawKind::Insertion && numbers && law.point_A.allFinite() && law.point_B.allFinite() &&
+         law.axis_A.allFinite() && law.axis_B.allFinite() && isPlace(law.place_A) && isPlace(law.place_B);
+}
+
+bool hasVertices(const SurfacePoint& at, int body, const RecordedMechanism& mechanism)
+{
+  const int soft = mechanism.plan.bodies[static_cast<std::size_t>(body)].soft;
+  const std::size_t vertices =
+    soft < 0 ? 0 : mechanism.bodies[static_cast<std::size_t>(soft)].body->packet->placeOf.size();
+  return soft < 0 || std::ranges::all_of(at.vertices, [vertices](std::uint32_t v) { return v < vertices; });
+}
+
+/// What the tick has room for, and indices that it follows.
+bool isUsable(const RecordedMechanism& mechanism)
+{
+  const MechanismPlan& plan = mechanism.plan;
+  const std::span bodies(plan.bodies.data(), static_cast<std::size_t>(plan.bodyCount));
+  const std::span laws(plan.laws.data(), static_cast<std::size_t>(plan.lawCount));
+  const auto rigid =
+    std::ranges::count_if(bodies, [](const PlannedBody& b) { return b.kind == MechanismBodyKind::Rigid; });
+  int rows = 0;
+  for (const PlannedLaw& law : laws)
+  {
+    rows += law.kind <= LawKind::Insertion ? mostRowsOf(law.kind) : 0;
+  }
+  const auto joins = [&mechanism, &plan](const PlannedLaw& law)
+  {
+    const bool there = law.a >= 0 && law.a < plan.bodyCount && law.b >= 0 && law.b < plan.bodyCount;
+    return there && hasVertices(law.place_A, law.a, mechanism) && hasVertices(law.place_B, law.b, mechanism);
+  };
+  const std::size_t softCount = mechanism.bodies.size();
+  const auto oneHeld =
+    std::ranges::count_if(bodies, [](const PlannedBody& b) { return b.kind == MechanismBodyKind::Held; });
+  return std::ranges::all_of(bodies, [softCount](const PlannedBody& b) { return isUsable(b, softCount); }) &&
+         std::ranges::all_of(laws, [&joins](const PlannedLaw& law) { return isUsable(law) && joins(law); }) &&
+         6 * rigid + 3 <= LawProblem::mostWays && rows <= Mechanism::mostRows && oneHeld == 1 &&
+         bodies[static_cast<std::size_t>(plan.held)].kind == MechanismBodyKind::Held;
+}
+
+bool isUsable(const LawState& law)
+{
+  return law.phase <= LawPhase::Gone && isPlace(law.place_A) && isPlace(law.place_B) && law.normal_W.allFinite() &&
+         law.stuck_u.allFinite() && law.force_W.allFinite() && law.offset_W.allFinite() && law.apart_W.allFinite();
+}
+
+} // namespace
+
+void putMechanism(ByteWriter& payload, const FeltMechanism& mechanism)
+{
+  const MechanismPlan& plan = mechanism.plan();
+  const Put put{ payload };
+  put(mechanism.revision());
+  layPlan(put, plan);
+  for (int b = 0; b < plan.bodyCount; ++b)
+  {
+    layBody(put, plan.bodies[static_cast<std::size_t>(b)]);
+  }
+  for (int l = 0; l < plan.lawCount; ++l)
+  {
+    layLaw(put, plan.laws[static_cast<std::size_t>(l)]);
+  }
+  put(static_cast<std::uint64_t>(mechanism.bodies().size()));
+  for (const auto& body : mechanism.bodies())
+  {
+    put(body->scene->contentHash());
+    put(body->scene->revision());
+    putBody(payload, *body);
+    for (const Vec3& x_W : body->packet->free_W)
+    {
+      put(x_W);
+    }
+  }
+}
+
+RecordedMechanism readMechanism(ByteReader& in)
+{
+  RecordedMechanism mechanism;
+  in.get(mechanism.revision);
+  readPlan(in, mechanism.plan);
+  const std::uint64_t bodies = in.count(2 * sizeof(std::uint64_t));
+  in.failUnless(bodies <= Mechanism::mostBodies);
+  for (std::uint64_t i = 0; in.ok() && i < bodies; ++i)
+  {
+    mechanism.bodies.push_back(readSoft(in));
+  }
+  in.failUnless(in.ok() && isUsable(mechanism));
+  return mechanism;
+}
+
+bool isUsable(const MechanismState& state)
+{
+  return std::ranges::all_of(state.laws, [](const LawState& law) { return isUsable(law); }) &&
+         std::ranges::all_of(state.pose_W, [](const Pose& pose) { return isPlace(pose); }) && state.tip_W.allFinite() &&
+         state.blend.way_u.allFinite() && state.blend.turn_u.allFinite();
+}
+
+bool fits(const MechanismState& state, const RecordedMechanism& mechanism)
+{
+  const MechanismPlan& plan = mechanism.plan;
+  bool there = true;
+  for (int l = 0; l < plan.lawCount && state.revision == plan.revision; ++l)
+  {
+    const auto i = static_cast<std::size_t>(l);
+    there = there && hasVertices(state.laws[i].place_A, plan.laws[i].a, mechanism) &&
+            hasVertices(state.laws[i].place_B, plan.laws[i].b, mechanism);
+  }
+  return there;
+}
+
+} // namespace palpate
