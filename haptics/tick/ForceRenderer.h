@@ -11,6 +11,7 @@
 #include "haptics/core/HapticDevice.h"
 #include "haptics/field/Brick.h"
 #include "haptics/geometry/scene/Scene.h"
+#include "haptics/mechanism/servo/FeltMechanism.h"
 #include "haptics/safety/LatenessPolicy.h"
 #include "haptics/tick/HapticEvent.h"
 #include "haptics/tick/HapticParameters.h"
@@ -35,11 +36,13 @@ struct TickInput
   DeviceSample sample;
   DeviceStatus status = DeviceStatus::Ok;
   const Scene* scene = nullptr;
-  const Scene* previousScene = nullptr; ///< in the tick that takes a new scene: the one before, still alive
-  const Brick* brick = nullptr;         ///< the field around the hand; may be null
-  const ToolContacts* tool = nullptr;   ///< what the tool in the hand touches; null: the hand touches with its ball
-  const PressedBody* body = nullptr;    ///< what gives way; null: nothing does. The scene is the body's, then
-  SoftRoom* softRoom = nullptr;         ///< what contact with it is computed in; not null where there is a body
+  const Scene* previousScene = nullptr;     ///< in the tick that takes a new scene: the one before, still alive
+  const Brick* brick = nullptr;             ///< the field around the hand; may be null
+  const ToolContacts* tool = nullptr;       ///< what the tool in the hand touches; null: the hand touches with its ball
+  const FeltMechanism* mechanism = nullptr; ///< in the hand in place of ball and tool; may be null
+  MechanismTick* mechanismTick = nullptr;   ///< what it is computed in; not null where there is one
+  const PressedBody* body = nullptr;        ///< what gives way; null: nothing does. The scene is the body's, then
+  SoftRoom* softRoom = nullptr;             ///< what contact with it is computed in; not null where there is a body
   LatenessVerdict lateness;
   std::span<const HapticEvent> events;
 };

@@ -21,6 +21,9 @@ enum class EventKind : std::uint8_t
   Brick,      ///< the tick took another field (value: content hash)
   Tool,       ///< the tick took other contacts of a tool (value: their revision; 0: no tool)
   Body,       ///< the tick took another packet of a soft body (value: its revision; 0: no body)
+  Mechanism,  ///< the tick took another mechanism, or packets of one (value: its revision; 0: no mechanism)
+  BreakLaw,   ///< the person breaks a law of the mechanism (value: its place in the plan)
+  Law,        ///< a law changed in the tick before it (value: its place in the plan, plus 2^32 times the LawChange)
 };
 
 struct HapticEvent

@@ -9,6 +9,7 @@
 #include "haptics/core/Types.h"
 #include "haptics/force/PassivityController.h"
 #include "haptics/labyrinth/LabyrinthGame.h"
+#include "haptics/mechanism/servo/MechanismTick.h"
 #include "haptics/tool/servo/ToolForce.h"
 
 namespace palpate
@@ -44,6 +45,7 @@ struct ToolState
 {
   bool held = false;                                ///< one is in the hand
   bool placed = false;                              ///< and stands somewhere
+  double ball_u = 0.0;                              ///< it is felt as a ball of that radius; 0: by its mesh
   Pose hand_W;                                      ///< where the hand would have it; proxy_W is where it is [u]
   std::int32_t active = 0;                          ///< contacts that push
   std::int32_t touching = 0;                        ///< and all that there are
@@ -61,6 +63,63 @@ struct SoftReport
   double stored_J = 0.0;         ///< elastic energy under the hand: of body and coupling
   double added_N = 0.0;          ///< along the force, so that the hand gets back no more than it gave
   Vec3 yielded_W = Vec3::Zero(); ///< how far the surface under the ball has gone [u]
+};
+
+/// Whether all was known around hand and proxy in a tick, where the scene is a part of a whole.
+struct KnownReport
+{
+  bool beyond = false;           ///< it was not: nothing could be touched
+  bool late = false;             ///< for the next part was asked for and did not come
+  std::uint64_t beyondTicks = 0; ///< until now
+};
+
+/// What a law does, as a person is told.
+struct LawReport
+{
+  LawPhase phase = LawPhase::Open;
+  double force_N = 0.0;     ///< its size
+  Vec3 at_W = Vec3::Zero(); ///< where, as it has yielded
+  double inside_u = 0.0;    ///< of the shaft, beyond its hole
+};
+
+/// Which laws have changed since the mechanism was taken: the newest few.
+struct LawChanges
+{
+  std::uint64_t plan = 0;                                   ///< its revision
+  std::uint64_t count = 0;                                  ///< all of them
+  std::array<MechanismEvent, Mechanism::mostLaws> newest{}; ///< change i, from 0, is at i % size
+
+  void add(const MechanismEvent& event) noexcept { this->newest[this->count++ % this->newest.size()] = event; }
+  /// Those of one tick, if no later one has changed any: oldest first, as numbers of changes [first, count).
+  [[nodiscard]] std::uint64_t firstOf(std::uint64_t tick) const noexcept
+  {
+    std::uint64_t first = this->count;
+    const std::uint64_t kept = this->count < this->newest.size() ? this->count : this->newest.size();
+    while (this->count - first < kept && this->at(first - 1).tick == tick)
+    {
+      --first;
+    }
+    return first;
+  }
+  [[nodiscard]] const MechanismEvent& at(std::uint64_t change) const noexcept
+  {
+    return this->newest[change % this->newest.size()];
+  }
+};
+
+/// What a mechanism did in a tick. Bodies and laws are in the order of its description.
+struct MechanismNow
+{
+  bool held = false;          ///< one is in the hand
+  std::uint64_t revision = 0; ///< of its plan
+  int bodyCount = 0;
+  int lawCount = 0;
+  std::array<Pose, Mechanism::mostBodies> pose_W{}; ///< of held and rigid bodies [u]
+  std::array<LawReport, Mechanism::mostLaws> laws{};
+  LawChanges changes;
+  double age_s = 0.0;      ///< of the oldest packet of a soft body that is pressed
+  double residual_u = 0.0; ///< largest of the laws'
+  bool capped = false;     ///< the solver goes on in the next tick
 };
 
 /// What the tick did, as the view, the panel and the recording see it.
@@ -87,7 +146,8 @@ struct HapticState
   std::uint32_t work = 0;
   FrictionState friction = FrictionState::None;
   std::uint64_t sceneRevision = 0;
-  double sceneAge_s = 0.0;  ///< since the scene was taken
+  double sceneAge_s = 0.0;  ///< since the scene of that revision was taken
+  double sceneShare = 1.0;  ///< how far its surfaces have come, but for a soft body's own, 0..1
   double motionLag_s = 0.0; ///< how late moving surfaces are felt: the time from the snapshot before to this one
   EngageState engage = EngageState::Safe;
   Fault fault = Fault::None;
@@ -114,6 +174,8 @@ struct HapticState
   FieldReport field;
   ToolState tool;
   SoftReport soft;
+  KnownReport known;
+  MechanismNow mechanism;
 };
 
 } // namespace palpate

@@ -86,7 +86,7 @@ void comeFrom(const ProxyTick& tick, const ContactPlan& plan, const Vec3& p_W, G
 
 } // namespace
 
-SceneStep sceneStep(const TickInput& input, const RendererState& state) noexcept
+SceneStep sceneStep(const TickInput& input, const KnownPart& known, const RendererState& state) noexcept
 {
   const std::uint64_t revision = input.scene != nullptr ? input.scene->revision() : 0;
   const std::uint64_t geometry = input.scene != nullptr ? input.scene->geometryHash() : 0;
@@ -94,8 +94,9 @@ SceneStep sceneStep(const TickInput& input, const RendererState& state) noexcept
   // The scenes of a soft body have one revision; which of them was felt before, ticks that are held do not see.
   step.changed = input.previousScene != nullptr || revision != state.sceneRevision || geometry != state.sceneGeometry;
   step.otherGeometry = step.changed && (input.scene == nullptr || geometry != state.sceneGeometry);
-  step.replaced =
-    step.otherGeometry && (input.scene == nullptr || input.scene->continuesGeometry() != state.sceneGeometry);
+  const bool samePart = known.geometry != 0 && known.geometry == geometry && known.continues == state.sceneGeometry;
+  step.replaced = step.otherGeometry && !samePart &&
+                  (input.scene == nullptr || input.scene->continuesGeometry() != state.sceneGeometry);
   step.first = state.sceneRevision == 0;
   step.age_s = (step.changed ? 0.0 : state.sceneAge_s) + input.dt_s;
   return step;

@@ -12,13 +12,13 @@ namespace palpate
 struct SceneStep
 {
   bool otherGeometry = false; ///< other surfaces than before, not only the same in other places
-  bool replaced = false;      ///< and they do not go on from where those before were felt
+  bool replaced = false;      ///< and they neither go on from where those before were felt nor are of the same whole
   bool changed = false;       ///< another scene, if only of the same surfaces
   bool first = false;         ///< there was none before
   double age_s = 0.0;         ///< of the scene, at the end of this tick
 };
 
-[[nodiscard]] SceneStep sceneStep(const TickInput& input, const RendererState& state) noexcept;
+[[nodiscard]] SceneStep sceneStep(const TickInput& input, const KnownPart& known, const RendererState& state) noexcept;
 
 /// Where the proxy came to, and what going along with the scene cost.
 struct ProxyStep

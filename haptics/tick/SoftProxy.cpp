@@ -53,6 +53,7 @@ BodyHand bodyHandOf(const TickInput& input, const TickOutput& output, const Rend
   BodyHand hand;
   hand.tick = input.tick;
   hand.revision = state.softRevision;
+  hand.device_W = output.state.device_W.p;
   hand.ball_W = state.contact.placed ? state.contact.x_W : output.state.device_W.p;
   hand.velocity_u_per_s = state.map.scale_u_per_m * state.map.directionToScene(output.state.velocity_D);
   hand.radius_u = state.radius_u;

@@ -12,11 +12,13 @@
 #include "haptics/tick/stages/Report.h"
 #include "haptics/tick/stages/Samples.h"
 #include "haptics/tick/stages/Stiffness.h"
+#include "haptics/tick/stages/Surroundings.h"
 #include "haptics/tick/stages/forces/ConstantForce.h"
 #include "haptics/tick/stages/forces/Coupling.h"
 #include "haptics/tick/stages/forces/Field.h"
 #include "haptics/tick/stages/forces/Game.h"
 #include "haptics/tick/stages/forces/Guide.h"
+#include "haptics/tick/stages/forces/HeldMechanism.h"
 #include "haptics/tick/stages/forces/Soft.h"
 #include "haptics/tick/stages/forces/Tool.h"
 
@@ -31,11 +33,13 @@ using TickStages = StageList< //
   stage::Stiffness,           // of the coupling in this tick
   stage::Hand,                // where it is and how fast
   stage::Clutch,              // or where it stays
+  stage::Surroundings,        // whether all around it is known
   stage::GameLead,            // of a labyrinth, before contact
   stage::SoftLead,            // what gives way, before contact
   stage::Contact,             // where the proxy rests
   stage::Soft,                // what gives way, after contact
   stage::Tool,                // or the tool
+  stage::HeldMechanism,       // or what is joined to others
   stage::Coupling,            // spring and damper between the two
   stage::Field,               // what the numbers around the hand do
   stage::Guide,               // to a plane

@@ -19,6 +19,14 @@ struct TurnPull
   double lever_m = 0.0;           ///< 0: nothing turns
 };
 
+/// With the ball of a tool that is felt as one.
+[[nodiscard]] inline ContactPlan contactOf(const TickInput& input, const HapticParameters& p) noexcept
+{
+  ContactPlan plan = p.contact;
+  plan.radius_u = input.tool != nullptr && input.tool->ball_u > 0.0 ? input.tool->ball_u : plan.radius_u;
+  return input.scene != nullptr ? planFor(*input.scene, plan) : plan;
+}
+
 /// What the stages of one tick work on, and what one leaves to those after it. Lives for a tick, on the stack.
 struct TickContext
 {
@@ -28,13 +36,14 @@ struct TickContext
   TickOutput& out; ///< written where the caller has it: it is too large to be copied for nothing
   PathSink* sink = nullptr;
 
-  SceneStep scene = sceneStep(input, s);
-  ContactPlan contact = input.scene != nullptr ? planFor(*input.scene, p.contact) : p.contact; ///< of this tick
+  SceneStep scene = sceneStep(input, p.known, s);
+  ContactPlan contact = contactOf(input, p); ///< of this tick
   std::optional<Vec3>
     way_D = {}; ///< of the hand since the tick before [m]; none: that tick did not know the place of the hand
   std::optional<Vec3> turn_D = {};  ///< likewise how it has turned: a small rotation vector [rad]
   Vec3 handBefore_W = Vec3::Zero(); ///< where the hand was in the scene when it was known last [u]
   bool otherMap = false;            ///< than in the tick before
+  bool knownChanged = false;        ///< the hand left what is known around it, or is back there
   GameForce game = {};              ///< what a labyrinth asks of this tick
   bool seatFailed = false;          ///< the ball found no place
   Vec3 pull_D = Vec3::Zero();       ///< from the device to where contact draws it [m]
@@ -46,19 +55,38 @@ struct TickContext
   /// Nothing that pushes has a place.
   [[nodiscard]] bool homeless() const noexcept { return this->seatFailed || this->toolWaits; }
 
-  [[nodiscard]] bool touchable() const noexcept { return this->input.scene != nullptr && !this->input.scene->empty(); }
+  /// A tool that is moved beside the servo touches, in place of a ball.
+  [[nodiscard]] bool touchesByMesh() const noexcept
+  {
+    return this->input.tool != nullptr && !(this->input.tool->ball_u > 0.0);
+  }
 
-  /// Whether there is anything that could push the hand: a surface, or a field with a mode that is on.
+  /// After Surroundings.
+  [[nodiscard]] bool touchable() const noexcept
+  {
+    return this->input.scene != nullptr && !this->input.scene->empty() && !this->s.beyondKnown;
+  }
+
+  /// What the hand touches with, when nothing else is in it.
+  [[nodiscard]] bool holdsBall() const noexcept
+  {
+    return !this->touchesByMesh() && this->input.mechanism == nullptr;
+  }
+
+  /// Something couples the hand to the scene by a spring: contact, or the laws of a mechanism.
+  [[nodiscard]] bool coupled() const noexcept { return this->touchable() || this->input.mechanism != nullptr; }
+
+  /// Whether there is anything that could push the hand: a surface, a mechanism, or a field with a mode that is on.
   [[nodiscard]] bool feelable() const noexcept
   {
-    return this->touchable() || (this->input.brick != nullptr && isOn(this->p.field));
+    return this->coupled() || (this->input.brick != nullptr && isOn(this->p.field));
   }
 
   /// That the hand is coupled by: what the device and the rate can hold is shared between them.
   [[nodiscard]] int springs() const noexcept
   {
     const int field = this->input.brick != nullptr ? springsOf(*this->input.brick, this->p.field) : 0;
-    return std::max(1, field + (this->touchable() ? 1 : 0));
+    return std::max(1, field + (this->coupled() ? 1 : 0));
   }
 
   /// A force that does not come from contact, whose work is no work of the contact.

@@ -11,9 +11,10 @@
 namespace palpate::stage
 {
 
-/// F = F_new + (F_old - F_new) decaying, and so the torque: a replaced scene, another map, a tool that is taken or laid
-/// down, a body that begins or ends to give way never steps (Mark et al. 1996). Not for the first scene, not for surfaces that only move or bend, and not a
-/// safety limit.
+/// F = F_new + (F_old - F_new) decaying, and so the torque: a replaced scene, another map, a tool or a mechanism that
+/// is taken, replaced or laid down, a law that is broken by hand, a body that begins or ends to give way, a hand that
+/// leaves what is known around it or comes back never steps (Mark et al. 1996). Not for the first scene, not for
+/// surfaces that only move or bend, and not a safety limit.
 struct Blend
 {
   static constexpr std::string_view name = "blend";
@@ -38,8 +39,10 @@ struct Blend
     Vec3 blend_D = Vec3::Zero();              ///< what is left of the force of the scene before [N]
     Vec3 lastRenderedTorque_D = Vec3::Zero(); ///< likewise the torque [N m]
     Vec3 blendTorque_D = Vec3::Zero();
-    bool blendTool = false; ///< a tool was held
-    bool blendBody = false; ///< a soft body gave way
+    bool blendTool = false;           ///< a tool was held that touches by its mesh
+    double blendBall_u = 0.0;         ///< one was held that is felt as a ball of that radius; 0: none
+    bool blendBody = false;           ///< a soft body gave way
+    std::uint64_t blendMechanism = 0; ///< which one was held; 0: none
   };
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)
@@ -49,7 +52,9 @@ struct Blend
     visit("lastRenderedTorque_D", s.lastRenderedTorque_D...);
     visit("blendTorque_D", s.blendTorque_D...);
     visit("tool", s.blendTool...);
+    visit("toolBall_u", s.blendBall_u...);
     visit("body", s.blendBody...);
+    visit("mechanism", s.blendMechanism...);
   }
 
   static void step(TickContext& tick) noexcept;

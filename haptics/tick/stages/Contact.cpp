@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/tick/stages/Contact.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "haptics/contact/view/Resolution.h"
+#include "haptics/tick/BallPresses.h"
 #include "haptics/tick/TickContext.h"
 
 namespace palpate::stage
@@ -41,9 +43,30 @@ void tell(const ProxyStep& moved, HapticState& state) noexcept
   state.infeasible = result.infeasible;
 }
 
+/// The proxy where it is, until all is known around it again. In another scene it is nowhere: what it touched was of
+/// the one before.
+void wait(TickContext& tick) noexcept
+{
+  GodObjectState& contact = tick.s.contact;
+  contact = tick.scene.changed ? GodObjectState{} : contact;
+  tick.out.state.proxy_W = tick.out.state.device_W;
+  tick.out.state.proxy_W.p = contact.placed ? contact.x_W : tick.out.state.device_W.p;
+}
+
+/// How far what a view shows has come. A soft body brings it along in a new scene with each packet: where it has
+/// arrived once, it stays.
+void follow(const TickContext& tick, Contact::State& state) noexcept
+{
+  const bool same = tick.input.body != nullptr && tick.out.state.sceneRevision == state.sceneRevision;
+  const double share = tick.input.scene != nullptr ? tick.input.scene->shareAt(tick.scene.age_s) : 1.0;
+  state.shownAge_s = same ? state.shownAge_s + tick.input.dt_s : tick.scene.age_s;
+  state.shownShare = same ? std::max(state.shownShare, share) : share;
+}
+
 /// What the next tick compares its scene with.
 void remember(const TickContext& tick, Contact::State& state) noexcept
 {
+  follow(tick, state);
   state.sceneAge_s = tick.scene.age_s;
   state.sceneRevision = tick.out.state.sceneRevision;
   state.sceneGeometry = tick.input.scene != nullptr ? tick.input.scene->geometryHash() : 0;
@@ -54,15 +77,26 @@ void remember(const TickContext& tick, Contact::State& state) noexcept
 void Contact::step(TickContext& tick) noexcept
 {
   const WorkspaceMap& map = tick.p.map;
-  const bool touches = tick.touchable() && tick.game.contact && tick.input.tool == nullptr;
+  const bool touches = tick.touchable() && tick.game.contact && tick.holdsBall();
   tick.otherMap = !isSame(tick.s.map, map);
   const bool nearby = tick.p.keepsHand && isNearby(map, tick.handBefore_W, tick.out.state.device_W.p);
   const bool elsewhere = tick.otherMap && !nearby;
   tick.s.map = map;
+  if (tick.s.beyondKnown)
+  {
+    tick.s.contact.placed = tick.s.contact.placed && !elsewhere;
+    wait(tick);
+    remember(tick, tick.s);
+    return;
+  }
   const ProxyTick now{ tick.input, tick.scene, tick.contact, tick.p.ballLead, elsewhere, touches, tick.sink };
   const ProxyStep moved = moveProxy(now, target_W(tick), tick.s);
   const ContactResult& result = moved.contact;
   tell(moved, tick.out.state);
+  if (tick.input.tool != nullptr)
+  {
+    tellPresses(now, result, tick.s.radius_u, tick.out.state.tool);
+  }
   remember(tick, tick.s);
   tick.seatFailed = result.seatFailed;
   const double share = isRounding(tick, result) ? 0.0 : 1.0 / map.scale_u_per_m;

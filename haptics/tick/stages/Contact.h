@@ -72,9 +72,11 @@ struct Contact
     std::uint64_t sceneRevision = 0;
     std::uint64_t sceneGeometry = 0; ///< what surfaces it had, wherever they were
     double sceneAge_s = 0.0;         ///< since the scene was taken: how far its surfaces have moved
+    double shownAge_s = 0.0;         ///< since one of another revision was: packets of a soft body bring many of one
+    double shownShare = 1.0;         ///< how far what is in all of these has moved, 0..1
   };
   /// Touched features are no part of a recording: they are numbers of surfaces and triangles, and nobody knows yet of
-  /// which.
+  /// which. The age of what is shown is told, and felt by nobody.
   template<class Visit, class... S>
   static void stateFields(const Visit& visit, S&... s)
   {

@@ -48,7 +48,7 @@ void giveLead(TickContext& tick) noexcept
 
 void HeldWalls::step(TickContext& tick) noexcept
 {
-  const bool touches = tick.touchable() && !tick.homeless() && tick.input.tool == nullptr;
+  const bool touches = tick.touchable() && !tick.homeless() && tick.holdsBall() && tick.input.tool == nullptr;
   tick.out.state.deviceHolds = tick.p.walls.hold && touches && tick.s.gain > 0.0;
   if (!tick.out.state.deviceHolds)
   {

@@ -35,8 +35,9 @@ Fault faultOf(const TickContext& tick) noexcept
 void Report::step(TickContext& tick) noexcept
 {
   HapticState& state = tick.out.state;
-  state.sceneAge_s = tick.s.sceneAge_s;
-  const bool underWay = tick.touchable() && tick.input.scene->shareAt(state.sceneAge_s) < 1.0;
+  state.sceneAge_s = tick.s.shownAge_s;
+  state.sceneShare = tick.s.shownShare;
+  const bool underWay = tick.touchable() && tick.input.scene->shareAt(tick.s.sceneAge_s) < 1.0;
   state.motionLag_s = underWay ? tick.input.scene->motion_s() : 0.0;
   state.engage = tick.s.engage;
   state.gain = tick.s.gain;

@@ -48,7 +48,7 @@ SpringTick springTick(const TickContext& tick) noexcept
   const Vec3 contact_D = s.ownForce ? Vec3(s.lastForce_D - s.besideContact_D) : s.lastForce_D;
   spring.work_J = (tick.way_D ? contact_D.dot(*tick.way_D) : 0.0) + turningWork_J(tick);
   spring.dt_s = tick.input.dt_s;
-  spring.restart = !s.ownForce || tick.scene.replaced;
+  spring.restart = !s.ownForce || tick.scene.replaced || tick.knownChanged;
   return spring;
 }
 

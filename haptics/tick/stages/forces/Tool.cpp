@@ -59,20 +59,6 @@ Vec6 pull_u(TickContext& tick, ToolState& tool) noexcept
   return tick.s.toolBlend.blended(now.pull_u, step_u(tick, now, tool), stiffness_N_per_u, tick.input.dt_s);
 }
 
-/// How fast the hand turns, as the tip of the lever goes [m/s].
-Vec3 turning_D(TickContext& tick, double lever_m) noexcept
-{
-  RendererState& s = tick.s;
-  if (!tick.turn_D)
-  {
-    s.toolTurning.count = 0;
-  }
-  s.toolTurned_m += lever_m * tick.turn_D.value_or(Vec3::Zero());
-  VelocityFilter filter = tick.p.velocity;
-  filter.resolution_m = lever_m * tick.p.turnResolution_rad;
-  return estimateVelocity(filter, s.toolTurned_m, tick.input.dt_s, s.toolTurning);
-}
-
 /// The tool of this tick, where the hand had it last.
 ToolState held(const TickContext& tick) noexcept
 {
@@ -82,7 +68,8 @@ ToolState held(const TickContext& tick) noexcept
   tool.placed = set.placed;
   tool.touching = static_cast<std::int32_t>(set.count);
   tool.hand_W = tick.s.toolHand_W;
-  tool.lever_m = set.lever_u / tick.p.map.scale_u_per_m;
+  tool.ball_u = set.ball_u;
+  tool.lever_m = set.ball_u > 0.0 ? 0.0 : set.lever_u / tick.p.map.scale_u_per_m;
   return tool;
 }
 
@@ -91,6 +78,21 @@ void tell(const ToolContacts& set, const ToolState& tool, HapticState& state) no
   state.tool = tool;
   state.contacts = tool.active;
   state.proxy_W = set.placed ? set.pose_W : tool.hand_W;
+}
+
+/// A tool that is a ball is where contact has moved it, turned as the hand turns it: its force goes through its middle,
+/// where the hand is.
+void followBall(TickContext& tick) noexcept
+{
+  HapticState& state = tick.out.state;
+  ToolState tool = held(tick);
+  tool.placed = tick.s.contact.placed;
+  tool.touching = tool.active = state.tool.active;
+  tool.presses = state.tool.presses;
+  tick.s.toolSet = *tick.input.tool;
+  tick.s.toolBlend = {};
+  state.tool = tool;
+  state.proxy_W.q = tool.hand_W.q;
 }
 
 /// A hand that takes a tool again takes it as its mesh was given.
@@ -104,6 +106,19 @@ void putDown(TickContext& tick) noexcept
 
 } // namespace
 
+Vec3 Tool::turning_D(TickContext& tick, double lever_m) noexcept
+{
+  RendererState& s = tick.s;
+  if (!tick.turn_D)
+  {
+    s.toolTurning.count = 0;
+  }
+  s.toolTurned_m += lever_m * tick.turn_D.value_or(Vec3::Zero());
+  VelocityFilter filter = tick.p.velocity;
+  filter.resolution_m = lever_m * tick.p.turnResolution_rad;
+  return estimateVelocity(filter, s.toolTurned_m, tick.input.dt_s, s.toolTurning);
+}
+
 void Tool::step(TickContext& tick) noexcept
 {
   if (tick.input.tool == nullptr)
@@ -113,6 +128,11 @@ void Tool::step(TickContext& tick) noexcept
   }
   const ToolContacts& set = *tick.input.tool;
   tick.s.toolHand_W = lead(tick);
+  if (!tick.touchesByMesh())
+  {
+    followBall(tick);
+    return;
+  }
   ToolState tool = held(tick);
   const Vec6 pull_m = pull_u(tick, tool) / tick.p.map.scale_u_per_m;
   tick.pull_D = tick.p.map.directionToDevice(pull_m.head<3>());
@@ -128,6 +148,12 @@ void Tool::rest(TickContext& tick) noexcept
   tick.s.toolTorque_D = Vec3::Zero();
   if (tick.input.tool == nullptr)
   {
+    return;
+  }
+  if (!tick.touchesByMesh())
+  {
+    tick.out.state.tool = held(tick);
+    tick.out.state.proxy_W.q = tick.s.toolHand_W.q;
     return;
   }
   tell(*tick.input.tool, held(tick), tick.out.state);

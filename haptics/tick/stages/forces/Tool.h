@@ -66,6 +66,8 @@ struct Tool
 
   static void step(TickContext& tick) noexcept;
   static void rest(TickContext& tick) noexcept;
+  /// How fast the hand turns, as the tip of the lever of what it holds goes [m/s]. Once a tick.
+  [[nodiscard]] static Vec3 turning_D(TickContext& tick, double lever_m) noexcept;
 };
 
 } // namespace palpate::stage

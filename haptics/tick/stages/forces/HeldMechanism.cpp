@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/tick/stages/forces/HeldMechanism.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/tick/TickContext.h"
+
+namespace palpate::stage
+{
+namespace
+{
+
+/// Where the hand would have what it holds: turned as the hand is when it takes it. After a clutch, and in another map,
+/// it takes it as it is turned then.
+Pose lead_W(TickContext& tick) noexcept
+{
+  RendererState& s = tick.s;
+  const Pose& device_W = tick.out.state.device_W;
+  const bool anew = tick.otherMap || s.mechanismLoose;
+  s.mechanismLoose = tick.p.clutch;
+  if (!s.mechanismLead.taken && device_W.q.squaredNorm() > 0.0)
+  {
+    s.mechanismLead.turn_W = device_W.q.normalized();
+  }
+  return leadTool(device_W, anew, s.mechanismLead);
+}
+
+/// A law that the person breaks holds nothing from this tick on, whether the tick knows the place of the hand or not.
+void breakLaws(TickContext& tick) noexcept
+{
+  for (const HapticEvent& event : tick.input.events)
+  {
+    if (event.kind == EventKind::BreakLaw && event.value < tick.s.mechanism.laws.size())
+    {
+      tick.s.mechanism.laws[event.value].phase = LawPhase::Gone;
+    }
+  }
+}
+
+/// The state of the tick before may be of a recording, or of another room: the tick's own is the one that counts.
+const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
+{
+  const double scale_u_per_m = tick.p.map.scale_u_per_m;
+  const double stiffness_N_per_m = tick.out.state.stiffness_N_per_m;
+  MechanismInput input;
+  input.tick = tick.input.tick;
+  input.dt_s = tick.input.dt_s;
+  input.plan = &tick.input.mechanism->plan();
+  input.hand_W = heldBy(lead_W(tick), *input.plan);
+  input.grip = { stiffness_N_per_m / scale_u_per_m, stiffness_N_per_m * lever_m * lever_m * scale_u_per_m };
+  input.soft = tick.input.mechanism->soft();
+  MechanismTick& room = *tick.input.mechanismTick;
+  room.restore(tick.s.mechanism);
+  const MechanismResult& result = room.step(input);
+  tick.s.mechanism = room.state();
+  return result;
+}
+
+/// Force and torque as what a plain spring of the coupling's stiffness would be stretched by.
+void pull(TickContext& tick, const MechanismResult& result, double lever_m) noexcept
+{
+  const double scale_u_per_m = tick.p.map.scale_u_per_m;
+  const double stiffness_N_per_m = tick.out.state.stiffness_N_per_m;
+  const bool pulls = stiffness_N_per_m > 0.0;
+  const double perNewton_m = pulls ? 1.0 / stiffness_N_per_m : 0.0;
+  tick.pull_D = tick.p.map.directionToDevice(perNewton_m * result.wrench_W.force);
+  tick.stretch_m = std::sqrt(2.0 * std::max(result.stored_Nu, 0.0) / scale_u_per_m * perNewton_m);
+  if (lever_m > 0.0)
+  {
+    const Vec3 turned_W = perNewton_m / (scale_u_per_m * lever_m) * result.wrench_W.torque;
+    tick.turn = { tick.p.map.directionToDevice(turned_W), Tool::turning_D(tick, lever_m), lever_m };
+  }
+}
+
+/// Of the oldest packet among those of bodies that are pressed. A tick that comes late is as long as those that were
+/// missed: ticks are counted with them.
+double age_s(const TickContext& tick, const MechanismResult& result) noexcept
+{
+  const std::uint64_t since = tick.input.tick - tick.s.mechanismTick;
+  const bool counts = tick.s.mechanismTick > 0 && since > 0;
+  const double period_s = counts ? tick.input.dt_s / static_cast<double>(since) : tick.input.dt_s;
+  std::uint64_t oldest = tick.input.tick;
+  for (int i = 0; i < result.pressCount; ++i)
+  {
+    const PressedBody& body = *tick.input.mechanism->soft()[static_cast<std::size_t>(result.presses[i].soft)];
+    oldest = std::min(oldest, body.packet->builtFromTick);
+  }
+  return period_s * static_cast<double>(tick.input.tick - oldest);
+}
+
+void tellLaws(const MechanismPlan& plan, const MechanismState& state, MechanismNow& now) noexcept
+{
+  now.held = true;
+  now.revision = plan.revision;
+  now.bodyCount = plan.bodyCount;
+  now.lawCount = plan.lawCount;
+  now.pose_W = state.pose_W;
+  for (int l = 0; l < plan.lawCount; ++l)
+  {
+    now.laws[l].phase = state.laws[l].phase;
+  }
+}
+
+void tell(const TickContext& tick, const MechanismResult& result, HapticState& state) noexcept
+{
+  const MechanismPlan& plan = tick.input.mechanism->plan();
+  MechanismNow& now = state.mechanism;
+  tellLaws(plan, tick.s.mechanism, now);
+  for (int l = 0; l < plan.lawCount; ++l)
+  {
+    const LawNow& law = result.laws[l];
+    now.laws[l] = { law.phase, law.force_W.norm(), law.at_W, law.inside_u };
+    state.contacts += law.force_W != Vec3::Zero();
+  }
+  now.residual_u = result.residual_u;
+  now.capped = state.capped = result.capped;
+  state.proxy_W = now.pose_W[plan.held];
+}
+
+void tellChanges(TickContext& tick, const MechanismResult& result, MechanismNow& now) noexcept
+{
+  LawChanges& changes = tick.s.mechanismChanges;
+  if (changes.plan != now.revision)
+  {
+    changes = {};
+    changes.plan = now.revision;
+  }
+  std::for_each_n(
+    result.events.begin(), result.eventCount, [&changes](const MechanismEvent& event) { changes.add(event); });
+  now.changes = changes;
+}
+
+/// Laws on a body that is not computed any more would hold the hand where it was.
+void endIfLate(TickContext& tick, const MechanismResult& result, MechanismNow& now) noexcept
+{
+  now.age_s = age_s(tick, result);
+  if (now.age_s > tick.p.softLate_s)
+  {
+    tick.latch(Fault::BodyLate);
+  }
+}
+
+/// What the worker makes the next packets for.
+void tellWorker(TickContext& tick, const MechanismResult& result) noexcept
+{
+  const MechanismPlan& plan = tick.input.mechanism->plan();
+  const Pose& held_W = tick.s.mechanism.pose_W[plan.held];
+  MechanismHand& hand = tick.s.mechanismHand;
+  hand.tick = tick.input.tick;
+  hand.plan = plan.revision;
+  hand.tip_W = held_W.p + held_W.q * (plan.bodies[plan.held].length_u * Vec3::UnitZ());
+  hand.pressCount = result.pressCount;
+  std::copy_n(result.presses.begin(), result.pressCount, hand.presses.begin());
+}
+
+void letGo(TickContext& tick) noexcept
+{
+  if (tick.s.mechanismTick > 0)
+  {
+    static_cast<HeldMechanism::State&>(tick.s) = HeldMechanism::State{};
+  }
+  tick.s.mechanismHand.tick = tick.input.tick;
+  tick.s.mechanismHand.tip_W = tick.out.state.device_W.p;
+}
+
+} // namespace
+
+void HeldMechanism::step(TickContext& tick) noexcept
+{
+  if (tick.input.mechanism == nullptr)
+  {
+    letGo(tick);
+    return;
+  }
+  const double lever_m = mechanismLever_m(tick.p.mechanismTurning_N_m_per_rad, tick.p.stiffness_N_per_m);
+  breakLaws(tick);
+  const MechanismResult& result = compute(tick, lever_m);
+  pull(tick, result, lever_m);
+  tell(tick, result, tick.out.state);
+  tellChanges(tick, result, tick.out.state.mechanism);
+  endIfLate(tick, result, tick.out.state.mechanism);
+  tick.s.mechanismTick = tick.input.tick;
+  tellWorker(tick, result);
+}
+
+void HeldMechanism::rest(TickContext& tick) noexcept
+{
+  if (tick.input.mechanism == nullptr)
+  {
+    return;
+  }
+  breakLaws(tick);
+  tick.s.mechanismHand.tick = tick.s.mechanismTick = tick.input.tick; // bodies are computed while the hand rests
+  tellLaws(tick.input.mechanism->plan(), tick.s.mechanism, tick.out.state.mechanism);
+  tick.out.state.mechanism.changes = tick.s.mechanismChanges;
+}
+
+} // namespace palpate::stage

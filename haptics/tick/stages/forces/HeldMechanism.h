@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "haptics/mechanism/servo/FeltMechanism.h"
+#include "haptics/tick/HapticState.h"
+#include "haptics/tick/PlanRules.h"
+#include "haptics/tick/StageList.h"
+#include "haptics/tool/servo/ToolLead.h"
+
+namespace palpate
+{
+
+/// What of a law a recording begins with.
+template<class Visit, class Law>
+void membersOf(const Visit& visit, Law& law) requires std::is_same_v<std::remove_const_t<Law>, LawState>
+{
+  visit(law.phase);
+  visit(law.met);
+  visit(law.seen);
+  visit(law.placed);
+  visit(law.place_A.vertices);
+  visit(law.place_A.weights);
+  visit(law.place_A.x_W);
+  visit(law.place_B.vertices);
+  visit(law.place_B.weights);
+  visit(law.place_B.x_W);
+  visit(law.normal_W);
+  visit(law.stuck_u);
+  visit(law.force_W);
+  visit(law.offset_W);
+  visit(law.apart_W);
+}
+
+template<class Visit, class Event>
+void membersOf(const Visit& visit, Event& event) requires std::is_same_v<std::remove_const_t<Event>, MechanismEvent>
+{
+  visit(event.tick);
+  visit(event.change);
+  visit(event.law);
+  visit(event.force_N);
+}
+
+namespace stage
+{
+
+/// A mechanism in the hand in place of ball and tool: what its laws draw the hand to, as a way and as a turn. Both go
+/// through the same spring, damper, meter and limits as the pull of the ball does.
+struct HeldMechanism
+{
+  static constexpr std::string_view name = "mechanism";
+
+  struct Plan
+  {
+    /// Of the spring by which the hand turns what it holds; 0: the turn is free, as always where the device has no
+    /// torque. A softer spring of the hand makes this one softer by as much.
+    double mechanismTurning_N_m_per_rad = 0.0;
+  };
+  template<class Visit, class... P>
+  static void planFields(const Visit& visit, P&... p)
+  {
+    visit("turning_N_m_per_rad", p.mechanismTurning_N_m_per_rad...);
+  }
+  [[nodiscard]] static std::string refuse(const Plan& p)
+  {
+    return nonNegative(p.mechanismTurning_N_m_per_rad)
+             ? ""
+             : "mechanism: the stiffness of turning [N m/rad] must be a number that is not negative";
+  }
+
+  struct State
+  {
+    MechanismState mechanism;
+    ToolLead mechanismLead;
+    bool mechanismLoose = false;     ///< the clutch was held: the hand takes it anew
+    std::uint64_t mechanismTick = 0; ///< the last one with a mechanism; 0: none
+    LawChanges mechanismChanges;
+    MechanismHand mechanismHand; ///< for the worker
+  };
+  template<class Visit, class... S>
+  static void stateFields(const Visit& visit, S&... s)
+  {
+    visit("revision", s.mechanism.revision...);
+    visit("packets", s.mechanism.packet...);
+    visit("poses_W", s.mechanism.pose_W...);
+    visit("laws", s.mechanism.laws...);
+    visit("placed", s.mechanism.placed...);
+    visit("tip_W", s.mechanism.tip_W...);
+    visit("blend.way_u", s.mechanism.blend.way_u...);
+    visit("blend.turn_u", s.mechanism.blend.turn_u...);
+    visit("turn_W", s.mechanismLead.turn_W...);
+    visit("grip", s.mechanismLead.grip...);
+    visit("taken", s.mechanismLead.taken...);
+    visit("loose", s.mechanismLoose...);
+    visit("tick", s.mechanismTick...);
+    visit("changes.plan", s.mechanismChanges.plan...);
+    visit("changes.count", s.mechanismChanges.count...);
+    visit("changes.newest", s.mechanismChanges.newest...);
+  }
+
+  static void step(TickContext& tick) noexcept;
+  static void rest(TickContext& tick) noexcept;
+};
+
+} // namespace stage
+
+/// How long the lever is by which a turn counts as a way, where the hand turns a mechanism with that stiffness and
+/// moves it with this one [m]; 0: it turns freely.
+[[nodiscard]] inline double mechanismLever_m(double turning_N_m_per_rad, double stiffness_N_per_m) noexcept
+{
+  return stiffness_N_per_m > 0.0 ? std::sqrt(turning_N_m_per_rad / stiffness_N_per_m) : 0.0;
+}
+
+} // namespace palpate
