@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/HapticSession.h"
 
-#include <algorithm>
-#include <mutex>
 #include <optional>
 #include <utility>
 
-#include "haptics/force/Viscosity.h"
-#include "haptics/session/DeviceAdaptation.h"
-#include "haptics/session/DeviceTimer.h"
+#include "haptics/session/SessionRun.h"
 
 namespace palpate
 {
@@ -18,78 +14,6 @@ namespace
 constexpr double shortestPeriod_s = 1e-4; // ten times the usual rate
 
 } // namespace
-
-/// Everything that lives from start() to stop().
-struct HapticSession::Run
-{
-  std::unique_ptr<HapticDevice> device;
-  std::unique_ptr<TickTimer> timer;
-  MonotonicClock clock;
-  ServoLinks links;
-  std::optional<HeldTool> tool;
-  std::optional<SoftWorker> soft;
-  std::optional<Recordings> recordings;
-  std::optional<ServoLoop> loop;
-  std::mutex schedulingMutex; ///< taken once by the servo thread, before its first tick
-  SchedulingReport scheduling;
-  RealtimeThread thread;
-  bool virtualTime = false;
-  double period_s = 1e-3;
-  double virtual_s = 0.0;   ///< time of the last tick, in virtual time
-  HapticParameters adapted; ///< what the servo runs with
-  BallLead lead;            ///< the last one
-  StabilityLimits limits;
-
-  /// A virtual time goes by itself, whatever the device would pace.
-  void pace(std::int64_t period_ns)
-  {
-    if (this->virtualTime)
-    {
-      this->timer = std::make_unique<VirtualTimer>(period_ns);
-    }
-    else if (this->device->info().pacing == Pacing::Timer)
-    {
-      this->timer = std::make_unique<PeriodicTimer>(period_ns);
-    }
-    else
-    {
-      this->timer = std::make_unique<DeviceTimer>(*this->device, this->clock, period_ns);
-    }
-  }
-
-  /// From where the ball comes in this scene; nothing: from where it is.
-  void leadFrom(const Scene* scene, const std::optional<Vec3>& from_W)
-  {
-    const bool leads = scene != nullptr && from_W;
-    this->lead = { this->lead.number + 1, leads ? scene->geometryHash() : 0, from_W.value_or(Vec3::Zero()) };
-  }
-
-  /// Limits come from eigenvalues: computed again only when something they depend on has changed.
-  void adapt(const HapticParameters& parameters, double lever_u, bool first)
-  {
-    const LoopSettings loop = loopSettings(parameters, this->period_s, lever_u);
-    if (first || loop != this->loop_)
-    {
-      this->loop_ = loop;
-      this->limits = stabilityLimits(this->device->info(), loop);
-    }
-    const DeviceInfo& info = this->device->info();
-    const double stiffness_N_per_m =
-      std::min({ parameters.stiffness_N_per_m, this->limits.largest_N_per_m, info.heldStiffness_N_per_m.value });
-    if (parameters.walls.hold && info.closesWalls() && stiffness_N_per_m != this->viscousAt_N_per_m_)
-    {
-      this->viscousAt_N_per_m_ = stiffness_N_per_m;
-      this->viscosity_Ns_per_m_ = corridorViscosity(info, stiffness_N_per_m);
-    }
-    this->adapted = adaptToDevice(parameters, info, this->limits, this->viscosity_Ns_per_m_);
-    this->adapted.ballLead = this->lead;
-  }
-
-private:
-  LoopSettings loop_;
-  double viscousAt_N_per_m_ = -1.0; ///< stiffness that the viscosity was found for
-  double viscosity_Ns_per_m_ = 0.0;
-};
 
 HapticSession::HapticSession() = default;
 
@@ -108,7 +32,7 @@ HapticDevice* HapticSession::device() noexcept
   return this->run_ ? this->run_->device.get() : nullptr;
 }
 
-/// What moves a tool and computes a soft body beside the servo.
+/// What moves a tool and computes soft bodies beside the servo.
 void HapticSession::beginBeside(Run& run, std::int64_t period_ns) const
 {
   run.tool.emplace(run.links.tool, run.virtualTime, period_ns);
@@ -117,10 +41,13 @@ void HapticSession::beginBeside(Run& run, std::int64_t period_ns) const
   run.soft.emplace(run.links.soft, run.virtualTime);
   run.soft->touch(this->scene_);
   run.soft->take(this->soft_);
+  run.mechanism.emplace(run.links.mechanism, run.virtualTime);
+  run.mechanism->take(this->mechanism_, this->grip(run));
   if (run.virtualTime)
   {
     run.tool->step();
     run.soft->step(0.0);
+    run.mechanism->step(0.0);
   }
 }
 
@@ -140,7 +67,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->device = std::move(device);
   run->virtualTime = options.virtualTime;
   run->period_s = options.period_s;
-  run->adapt(this->parameters_, this->tool_.weighs_u(), true);
+  run->adapt(this->parameters_, this->lever_u(), true);
   const auto period_ns = static_cast<std::int64_t>(options.period_s * 1e9 + 0.5);
   run->pace(period_ns);
   run->recordings.emplace(run->links.recorder, options.virtualTime);
@@ -225,8 +152,9 @@ std::string HapticSession::setParameters(const HapticParameters& parameters, con
       {
         this->run_->leadFrom(this->scene_.get(), comesFrom_W);
       }
-      this->run_->adapt(parameters, this->tool_.weighs_u(), false);
+      this->run_->adapt(parameters, this->lever_u(), false);
       this->run_->links.parameters.write({ this->version_, this->run_->adapted });
+      this->run_->mechanism->take(this->mechanism_, this->grip(*this->run_));
     }
   }
   return problem;
@@ -240,7 +168,7 @@ StabilityLimits HapticSession::limits() const
 std::string HapticSession::limitsSentence() const
 {
   return this->run_ ? describe(this->run_->limits, this->run_->device->info(),
-                        loopSettings(this->parameters_, this->run_->period_s, this->tool_.weighs_u()))
+                        loopSettings(this->parameters_, this->run_->period_s, this->lever_u()))
                     : std::string();
 }
 
@@ -269,7 +197,7 @@ void HapticSession::setTool(const ToolChoice& choice)
   if (this->run_)
   {
     this->run_->tool->take(choice);
-    this->run_->adapt(this->parameters_, choice.weighs_u(), false);
+    this->run_->adapt(this->parameters_, this->lever_u(), false);
     this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
   }
 }
@@ -288,12 +216,54 @@ SoftStatus HapticSession::softStatus() const
   return this->run_ ? this->run_->soft->status() : SoftStatus{};
 }
 
-/// A recording that begins has what the servo may still be pressing.
-void HapticSession::storeBodies()
+void HapticSession::setMechanism(const MechanismChoice& choice)
 {
-  for (const auto& body : this->run_->soft->made(this->recording()))
+  this->mechanism_ = choice;
+  if (this->run_)
+  {
+    this->run_->mechanism->take(choice, this->grip(*this->run_));
+    this->run_->adapt(this->parameters_, this->lever_u(), false);
+    this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
+  }
+}
+
+MechanismStatus HapticSession::mechanismStatus() const
+{
+  return this->run_ ? this->run_->mechanism->status() : MechanismStatus{};
+}
+
+void HapticSession::breakLaw(std::uint32_t law)
+{
+  this->push(EventKind::BreakLaw, law);
+}
+
+/// Of what is in the hand; 0: nothing is turned.
+double HapticSession::lever_u() const noexcept
+{
+  const HapticParameters& p = this->parameters_;
+  const double mechanism_m = mechanismLever_m(p.mechanismTurning_N_m_per_rad, p.stiffness_N_per_m);
+  const double mechanism_u = this->mechanism_.inputs ? mechanism_m * p.map.scale_u_per_m : 0.0;
+  return std::max(mechanism_u, this->tool_.weighs_u()); // a tool is in the hand until the mechanism is computed
+}
+
+/// As the tick would have it without limits.
+MechanismGrip HapticSession::grip(const Run& run) const noexcept
+{
+  const double scale_u_per_m = this->parameters_.map.scale_u_per_m;
+  return { this->parameters_.stiffness_N_per_m / scale_u_per_m,
+    run.adapted.mechanismTurning_N_m_per_rad * scale_u_per_m };
+}
+
+/// A recording that begins has what the servo may still be pressing. `again`: one after another.
+void HapticSession::storeBodies(bool again)
+{
+  for (const auto& body : this->run_->soft->made().take(this->recording(), again))
   {
     this->run_->recordings->storeBody(body);
+  }
+  for (const auto& mechanism : this->run_->mechanism->made().take(this->recording(), again))
+  {
+    this->run_->recordings->storeMechanism(mechanism);
   }
 }
 
@@ -302,9 +272,9 @@ std::string HapticSession::toolRefusal() const
   return this->run_ ? this->run_->tool->refusal() : std::string();
 }
 
-bool HapticSession::toolEnclosed() const noexcept
+std::string HapticSession::toolNoWayOut() const
 {
-  return this->run_ && this->run_->tool->enclosed();
+  return this->run_ ? this->run_->tool->noWayOut() : std::string();
 }
 
 const ToolReport& HapticSession::toolReport()
@@ -326,11 +296,11 @@ void HapticSession::setBrick(std::shared_ptr<const Brick> brick)
   }
 }
 
-void HapticSession::push(EventKind kind)
+void HapticSession::push(EventKind kind, std::uint64_t value)
 {
   if (this->run_)
   {
-    this->run_->links.events.tryPush({ 0, kind, 0 });
+    this->run_->links.events.tryPush({ 0, kind, value });
   }
 }
 
@@ -362,6 +332,7 @@ int HapticSession::step(int ticks)
     ++done;
     this->run_->tool->step();
     this->run_->soft->step(this->run_->virtual_s += this->run_->period_s);
+    this->run_->mechanism->step(this->run_->virtual_s);
     this->storeBodies();
     this->run_->recordings->pump();
   }
@@ -378,9 +349,10 @@ std::string HapticSession::record(const std::string& file)
   {
     return "nothing is touched that could be recorded";
   }
+  this->storeBodies();
   std::string problem =
     this->run_->recordings->begin(file, this->run_->device->info().name, this->scene_, this->brick_);
-  this->storeBodies();
+  this->storeBodies(true);
   return problem;
 }
 

@@ -65,13 +65,21 @@ public:
   [[nodiscard]] const ToolChoice& tool() const noexcept { return this->tool_; }
   /// Why the tool cannot touch the scene; "": it can. And how its thread does.
   [[nodiscard]] std::string toolRefusal() const;
-  [[nodiscard]] bool toolEnclosed() const noexcept; ///< it began inside of a closed body and cannot get out
+  [[nodiscard]] std::string toolNoWayOut() const; ///< why it can never leave from where it began; "": it can
   [[nodiscard]] const ToolReport& toolReport();
 
   /// What gives way beside the scene, from a tick soon after on; none: nothing does. Kept over stop() and start().
   void setSoft(const SoftChoice& choice);
   [[nodiscard]] const SoftChoice& soft() const noexcept { return this->soft_; }
   [[nodiscard]] SoftStatus softStatus() const;
+
+  /// What the hand holds in place of ball and tool, joined to others; none: nothing is. While one is felt, ball, tool
+  /// and soft body rest. From a tick soon after on. Kept over stop() and start().
+  void setMechanism(const MechanismChoice& choice);
+  [[nodiscard]] const MechanismChoice& mechanism() const noexcept { return this->mechanism_; }
+  [[nodiscard]] MechanismStatus mechanismStatus() const;
+  /// By its place in the mechanism: it holds nothing from the next tick on, until another mechanism is taken.
+  void breakLaw(std::uint32_t law);
 
   /// The field around the hand, taken at the next tick; null: none. Kept over stop() and start().
   void setBrick(std::shared_ptr<const Brick> brick);
@@ -102,9 +110,11 @@ public:
 
 private:
   struct Run;
-  void push(EventKind kind);
+  void push(EventKind kind, std::uint64_t value = 0);
+  [[nodiscard]] double lever_u() const noexcept;
+  [[nodiscard]] MechanismGrip grip(const Run& run) const noexcept;
   void beginBeside(Run& run, std::int64_t period_ns) const;
-  void storeBodies();
+  void storeBodies(bool again = false);
 
   HapticParameters parameters_;
   std::uint64_t version_ = 0;
@@ -112,6 +122,7 @@ private:
   std::shared_ptr<const Brick> brick_;
   ToolChoice tool_;
   SoftChoice soft_;
+  MechanismChoice mechanism_;
   HapticState lastState_;
   LoopReport lastReport_;
   ToolReport lastToolReport_;

@@ -48,28 +48,33 @@ void Recordings::storeBrick(const std::shared_ptr<const Brick>& brick)
   }
 }
 
-void Recordings::storeBody(const std::shared_ptr<const PressedBody>& body)
+/// The servo may have taken what is stored before it saw the end of a recording.
+template<class Store>
+void Recordings::inEach(const Store& store)
 {
   if (this->current_)
   {
-    this->current_->recorder->storeBody(body);
+    store(*this->current_->recorder);
   }
-  for (const Going& going : this->ending_) // the servo may have taken the body before it saw the end
+  for (const Going& going : this->ending_)
   {
-    going.recorder->storeBody(body);
+    store(*going.recorder);
   }
+}
+
+void Recordings::storeBody(const std::shared_ptr<const PressedBody>& body)
+{
+  this->inEach([&body](Recorder& recorder) { recorder.storeBody(body); });
+}
+
+void Recordings::storeMechanism(const std::shared_ptr<const FeltMechanism>& mechanism)
+{
+  this->inEach([&mechanism](Recorder& recorder) { recorder.storeMechanism(mechanism); });
 }
 
 void Recordings::pump()
 {
-  if (this->current_)
-  {
-    this->current_->recorder->pump();
-  }
-  for (const Going& going : this->ending_)
-  {
-    going.recorder->pump();
-  }
+  this->inEach([](Recorder& recorder) { recorder.pump(); });
 }
 
 EndedRecording Recordings::close(const Going& going)

@@ -36,6 +36,7 @@ public:
   void storeScene(const std::shared_ptr<const Scene>& scene);
   void storeBrick(const std::shared_ptr<const Brick>& brick);
   void storeBody(const std::shared_ptr<const PressedBody>& body);
+  void storeMechanism(const std::shared_ptr<const FeltMechanism>& mechanism);
   /// Writes what has come in, in virtual time.
   void pump();
   /// Ends what has no room on its disk, and closes what has ended: each is told once.
@@ -44,6 +45,9 @@ public:
   [[nodiscard]] std::optional<EndedRecording> finish();
 
 private:
+  template<class Store>
+  void inEach(const Store& store);
+
   std::atomic<Recorder*>& link_;
   bool virtualTime_;
   struct Going

@@ -31,6 +31,7 @@ ServoLoop::ServoLoop(
   this->version_ = first.version;
   this->parameters_ = first.parameters;
   this->input_.softRoom = this->softRoom_.get();
+  this->input_.mechanismTick = this->mechanismTick_.get();
 }
 
 void ServoLoop::run(const std::stop_token& stop) noexcept
@@ -77,6 +78,7 @@ void ServoLoop::takeChanges() noexcept
       this->recorder_->pushParameters(this->input_.tick, this->parameters_);
     }
   }
+  this->takeMechanism();
   this->takeScene();
   this->takeBrick();
   this->takeTool();
@@ -94,13 +96,26 @@ void ServoLoop::takeChanges() noexcept
   this->input_.events = { this->events_.data(), count };
 }
 
+/// First: while one is held, ball, tool and soft body rest.
+void ServoLoop::takeMechanism() noexcept
+{
+  const FeltMechanism* const before = this->input_.mechanism;
+  this->input_.mechanism = this->links_.mechanism.felt.acquire();
+  const bool taken = this->input_.mechanism != before || this->links_.mechanism.felt.replaced() != nullptr;
+  if (taken && this->recorder_ != nullptr)
+  {
+    this->recorder_->pushMechanism(this->input_.tick, this->input_.mechanism);
+  }
+}
+
 /// A soft body brings the scene that it is felt in. Each mailbox keeps what it replaces alive for this tick.
 void ServoLoop::takeScene() noexcept
 {
   const Scene* const before = this->input_.scene;
   const PressedBody* const bodyBefore = this->input_.body;
   const Scene* const beside = this->links_.scenes.acquire();
-  this->input_.body = this->links_.soft.bodies.acquire();
+  const PressedBody* const body = this->links_.soft.bodies.acquire();
+  this->input_.body = this->input_.mechanism == nullptr ? body : nullptr;
   const bool soft = this->input_.body != nullptr || bodyBefore != nullptr;
   this->input_.scene = this->input_.body != nullptr ? this->input_.body->scene.get() : beside;
   const Scene* const other = this->input_.scene != before ? before : nullptr;
@@ -131,8 +146,9 @@ void ServoLoop::takeBrick() noexcept
 void ServoLoop::takeTool() noexcept
 {
   const ToolContacts& set = this->links_.tool.contacts.read();
-  this->input_.tool = set.held ? &set : nullptr;
-  const bool taken = set.revision != this->toolRevision_;
+  const bool before = this->input_.tool != nullptr;
+  this->input_.tool = set.held && this->input_.mechanism == nullptr ? &set : nullptr;
+  const bool taken = set.revision != this->toolRevision_ || before != (this->input_.tool != nullptr);
   this->toolRevision_ = set.revision;
   if (taken && this->recorder_ != nullptr)
   {
@@ -188,6 +204,39 @@ void ServoLoop::pushTouched() noexcept
   {
     this->recorder_->pushBody(this->input_.tick, this->input_.body);
   }
+  if (this->input_.mechanism != nullptr)
+  {
+    this->recorder_->pushMechanism(this->input_.tick, this->input_.mechanism);
+  }
+}
+
+void ServoLoop::tellWorkers(const TickOutput& output) noexcept
+{
+  this->links_.soft.hand.write(bodyHandOf(this->input_, output, this->renderer_));
+  this->links_.mechanism.hand.write(this->renderer_.mechanismHand);
+  this->links_.tool.hand.write({ output.state.tool.hand_W, output.state.tool.held && !output.state.held,
+    this->parameters_.contact.friction.kinetic });
+}
+
+/// With what it brought about, which a recording would else tell of only when it is computed again.
+void ServoLoop::recordTick(const TickOutput& output) noexcept
+{
+  if (this->recorder_ == nullptr)
+  {
+    return;
+  }
+  this->recorder_->pushTick(makeRecord(this->input_, output));
+  if (output.state.fault != this->fault_ && output.state.fault != Fault::None)
+  {
+    this->recorder_->pushEvent({ this->period_, EventKind::Fault, static_cast<std::uint64_t>(output.state.fault) });
+  }
+  const LawChanges& changes = output.state.mechanism.changes;
+  for (std::uint64_t i = changes.firstOf(this->period_); i < changes.count; ++i)
+  {
+    const MechanismEvent& event = changes.at(i);
+    this->recorder_->pushEvent(
+      { this->period_, EventKind::Law, event.law | static_cast<std::uint64_t>(event.change) << 32 });
+  }
 }
 
 bool ServoLoop::tick() noexcept
@@ -209,18 +258,9 @@ bool ServoLoop::tick() noexcept
     judgeLateness(this->behind_s(wakeup), this->latenessP99_s_, this->period_s_, this->device_.info().simulated);
   const TickOutput output = renderTick(this->input_, this->parameters_, this->renderer_);
   this->device_.write(output.command);
-  this->links_.soft.hand.write(bodyHandOf(this->input_, output, this->renderer_));
-  this->links_.tool.hand.write({ output.state.tool.hand_W, output.state.tool.held && !output.state.held,
-    this->parameters_.contact.friction.kinetic });
+  this->tellWorkers(output);
   this->pushes_ = pushes(output.command);
-  if (this->recorder_ != nullptr)
-  {
-    this->recorder_->pushTick(makeRecord(this->input_, output));
-    if (output.state.fault != this->fault_ && output.state.fault != Fault::None)
-    {
-      this->recorder_->pushEvent({ this->period_, EventKind::Fault, static_cast<std::uint64_t>(output.state.fault) });
-    }
-  }
+  this->recordTick(output);
   this->fault_ = output.state.fault;
   this->links_.state.write(output.state);
   this->account(wakeup, output, 1e-3 * static_cast<double>(this->clock_.now_ns() - start_ns));
@@ -246,7 +286,8 @@ void ServoLoop::account(const Wakeup& wakeup, const TickOutput& output, double c
   r.peakForce_N = std::max(r.peakForce_N, s.force_D.norm());
   r.peakStabiliser_N = std::max(r.peakStabiliser_N, s.stabiliser_D.norm());
   if (s.gain == 1.0 && s.stiffnessFactor == 1.0 && !s.clamped && !s.riseLimited && !s.held && !s.deviceHolds &&
-      !s.tool.held && !s.soft.felt && this->parameters_.damping_Ns_per_m == 0.0 && this->renderer_.blend_D.isZero(0.0))
+      !s.tool.held && !s.soft.felt && !s.mechanism.held && this->parameters_.damping_Ns_per_m == 0.0 &&
+      this->renderer_.blend_D.isZero(0.0))
   {
     const WorkspaceMap& map = this->parameters_.map;
     const Vec3 spring_D = map.directionToDevice(s.stiffness_N_per_m / map.scale_u_per_m * (s.proxy_W.p - s.device_W.p));

@@ -14,6 +14,7 @@
 #include "haptics/realtime/SpscRing.h"
 #include "haptics/realtime/TripleBuffer.h"
 #include "haptics/recording/writing/Recorder.h"
+#include "haptics/session/mechanism/MechanismWorker.h"
 #include "haptics/session/soft/SoftWorker.h"
 #include "haptics/tick/ForceRenderer.h"
 #include "haptics/tool/worker/ToolFollower.h"
@@ -51,6 +52,7 @@ struct ServoLinks
   SnapshotMailbox<Brick> bricks;      ///< owner -> servo
   ToolLinks tool;                     ///< servo <-> the thread that moves a tool
   SoftLinks soft;                     ///< servo <-> the thread that computes a soft body
+  MechanismLinks mechanism;           ///< servo <-> the thread that computes a mechanism's bodies
   TripleBuffer<Versioned> parameters; ///< owner -> servo
   SpscRing<HapticEvent, 64> events;   ///< owner -> servo
   TripleBuffer<HapticState> state;    ///< servo -> owner
@@ -84,12 +86,15 @@ public:
 private:
   void letGo() noexcept;
   void takeChanges() noexcept;
+  void takeMechanism() noexcept;
   void takeScene() noexcept;
   void takeBrick() noexcept;
   /// Whether another scene, or another field, than in the tick before is touched in this one.
   [[nodiscard]] bool replacesTouched() const noexcept;
   void takeTool() noexcept;
   void pushTouched() noexcept;
+  void tellWorkers(const TickOutput& output) noexcept;
+  void recordTick(const TickOutput& output) noexcept;
   /// How much later the thread ran than its next period began, missed periods included [s].
   [[nodiscard]] double behind_s(const Wakeup& wakeup) const noexcept;
   void account(const Wakeup& wakeup, const TickOutput& output, double cost_us) noexcept;
@@ -105,6 +110,7 @@ private:
   RendererState renderer_;
   TickInput input_;
   std::unique_ptr<SoftRoom> softRoom_ = std::make_unique<SoftRoom>();
+  std::unique_ptr<MechanismTick> mechanismTick_ = std::make_unique<MechanismTick>();
   std::uint64_t toolRevision_ = 0; ///< of the contacts that were taken last
   Recorder* recorder_ = nullptr;   ///< has its start, and not its end
   std::array<HapticEvent, 16> events_;

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "haptics/geometry/mesh/TriangleMesh.h"
+#include "haptics/session/tool/NoWayOut.h"
+#include "haptics/tool/servo/RubbedWish.h"
 
 namespace palpate
 {
@@ -21,6 +23,10 @@ std::string refuseHold(const ToolHold& hold)
   {
     return "stiffness and scale of a tool must be finite numbers above 0";
   }
+  if (!(hold.friction >= 0.0 && hold.friction <= largestToolFriction))
+  {
+    return "the friction of a tool must be a number from 0 to 1: where contacts wedge, more has no one answer";
+  }
   return positive(hold.lever_u.value_or(1.0)) ? "" : "the lever of a tool must be a finite number above 0";
 }
 
@@ -29,6 +35,7 @@ std::string refuseHold(const ToolHold& hold)
 ToolTouch::ToolTouch(const ToolMesh& tool, std::shared_ptr<const BoxedMesh> scene_W, const ToolHold& hold)
   : hold_(hold), move_(tool, std::move(scene_W), hold.lever_u.value_or(tool.gyration_u))
 {
+  this->move_.rub(hold.friction);
 }
 
 std::unique_ptr<ToolTouch> ToolTouch::make(const TriangleMesh& tool, const TriangleMesh& scene_W, const ToolHold& hold,
@@ -48,9 +55,14 @@ std::unique_ptr<ToolTouch> ToolTouch::make(const TriangleMesh& tool, const Trian
   {
     return nullptr;
   }
-  std::unique_ptr<ToolTouch> touch(new ToolTouch(held.tool, std::move(boxes), hold));
+  std::unique_ptr<ToolTouch> touch(new ToolTouch(held.tool, boxes, hold));
   refusal = touch->move_.place(first_W);
-  return refusal.empty() ? std::move(touch) : nullptr;
+  if (!refusal.empty())
+  {
+    return nullptr;
+  }
+  touch->noWayOut_ = palpate::noWayOut(SurfaceTree(boxes->mesh()), Pose{}, held.tool, first_W);
+  return touch;
 }
 
 ToolTouched ToolTouch::next(const Pose& hand_W)
@@ -64,8 +76,11 @@ ToolTouched ToolTouch::next(const Pose& hand_W)
       touched.settled = done.converged;
       touched.leadCut = done.leadCut;
     }
-    const ToolPush push = toolPush(this->move_.contacts(), hand_W,
-      this->hold_.stiffness_N_per_m / this->hold_.scale_u_per_m, this->hold_.coupling);
+    // A tool at rest is pushed by its spring, also where friction holds it.
+    const bool bySpring = touched.settled && this->hold_.friction > 0.0;
+    const ToolPush push =
+      toolPush(this->move_.contacts(), hand_W, this->hold_.stiffness_N_per_m / this->hold_.scale_u_per_m,
+        bySpring ? ToolCoupling::Virtual : this->hold_.coupling);
     touched.contacts = push.active;
     // The torque of the metric is in N u.
     touched.wrench_W = { push.wrench_W.force, push.wrench_W.torque / this->hold_.scale_u_per_m };

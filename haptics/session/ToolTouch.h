@@ -18,6 +18,7 @@ struct ToolHold
   double scale_u_per_m = 1.0;        ///< > 0
   std::optional<double> lever_u;     ///< what a turn by 1 rad weighs as a way; none: that of the tool about its handle
   ToolCoupling coupling = ToolCoupling::Constraints;
+  double friction = 0.0; ///< of each contact (settledWish()), 0 to largestToolFriction
 };
 
 /// Where a tool is while the hand is somewhere, and what the hand feels. Poses are those of the frame in which the
@@ -43,12 +44,15 @@ public:
 
   /// The hand goes there. A pose that is none (ToolMesh.h) leaves the tool where it was, not settled.
   [[nodiscard]] ToolTouched next(const Pose& hand_W);
+  /// See noWayOut().
+  [[nodiscard]] const std::string& noWayOut() const noexcept { return this->noWayOut_; }
 
 private:
   ToolTouch(const ToolMesh& tool, std::shared_ptr<const BoxedMesh> scene_W, const ToolHold& hold);
 
   ToolHold hold_;
   ToolMove move_;
+  std::string noWayOut_;
 };
 
 } // namespace palpate

@@ -25,6 +25,12 @@ std::string warning(const HapticState& state, const LoopReport& report)
   {
     return "the dead-man is not held: hold its button or the grip to feel";
   }
+  if (state.known.beyond)
+  {
+    return state.known.late ? "the server does not answer: no force until what is around the hand is there"
+                            : "the hand is beyond what is there of the server's surfaces: no force until what is "
+                              "around it is there";
+  }
   if (state.frozen)
   {
     return "the position has not changed for a quarter of a second under force: if the handle moved, check the device";

@@ -9,6 +9,7 @@ namespace palpate
 HapticParameters AskedParameters::told(HapticParameters asked, const BuiltScene& scene) const
 {
   asked.contact.radius_u = chosenRadius_u(asked.contact.radius_u, scene.largestRadius_u, this->limitRadius);
+  asked.known = scene.known;
   return asked;
 }
 
@@ -33,6 +34,7 @@ std::optional<HapticParameters> AskedParameters::otherPlane(const BuiltScene& sc
   }
   HapticParameters told = this->asked_ = wanted;
   told.contact.radius_u = this->ball_u_;
+  told.known = scene.known;
   return told;
 }
 

@@ -27,7 +27,7 @@ public:
   /// For the protection alone, which is the device's and no wish.
   void protect(const SafetyLimits& safety) noexcept { this->asked_.safety = safety; }
 
-  /// These, with the ball that this scene allows.
+  /// These, with the ball that this scene allows and how much of a whole it has.
   [[nodiscard]] HapticParameters told(HapticParameters asked, const BuiltScene& scene) const;
   void taken(const HapticParameters& asked, const HapticParameters& told) noexcept;
 

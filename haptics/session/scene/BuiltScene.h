@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/contact/view/KnownPart.h"
 #include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/geometry/scene/SceneSimplifier.h"
 
@@ -22,6 +23,15 @@ struct SceneSurface
   std::optional<Pose> plane_WP; ///< given: it is walls across that plane, as its mesh stands without `input.pose_WS`
 };
 
+/// Of which whole the surfaces of a scene are a part, where they are one, and how much of it they have.
+struct ScenePart
+{
+  std::uint64_t whole = 0;      ///< names it; 0: the scene has all that there is
+  Vec3 centre_W = Vec3::Zero(); ///< within `reach_u` of it everything is there [u]
+  double reach_u = 0.0;
+  std::array<double, 6> bounds_W{}; ///< of the whole: low and high x, y, z [u]
+};
+
 /// A scene as the worker built it.
 struct BuiltScene
 {
@@ -32,6 +42,8 @@ struct BuiltScene
   std::optional<Pose> plane_WP; ///< of the walls, where all that is touchable stands across one plane
   SurfaceTraits traits;         ///< of the surfaces of the scene
   double stamp_s = 0.0;         ///< of the commit
+  ScenePart part;
+  KnownPart known; ///< what the servo is told of it
 };
 
 /// What the builder takes of them.

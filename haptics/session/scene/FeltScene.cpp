@@ -23,6 +23,17 @@ bool searched(const SurfaceChoice& choice)
   return choice.reason.empty();
 }
 
+/// What is to be known of a scene that comes after another.
+KnownPart knownOf(const BuiltScene& now, const BuiltScene& before)
+{
+  if (!now.scene || now.part.whole == 0)
+  {
+    return {};
+  }
+  const bool same = before.scene && before.part.whole == now.part.whole;
+  return { now.scene->geometryHash(), same ? before.scene->geometryHash() : 0, now.part.centre_W, now.part.reach_u };
+}
+
 } // namespace
 
 void FeltScene::beforeCommit()
@@ -42,18 +53,41 @@ bool FeltScene::takeBuilt(const SimplifyPlan& plan, double now_s, bool wait)
   {
     const HapticState& felt = this->session_.state();
     const Scene& now = *this->full_.scene; // what moves is felt with all its triangles
-    const double share = felt.sceneRevision == now.revision() ? now.shareAt(felt.sceneAge_s) : 0.0;
+    const double share = felt.sceneRevision == now.revision() ? felt.sceneShare : 0.0;
     const double motion_s = std::clamp(built->stamp_s - this->built_.stamp_s, this->period_s_, longestMotion_s);
     built->scene = movingFrom(now, share, built->scene, motion_s);
   }
   this->lookAround(built->scene.get());
+  built->known = knownOf(*built, this->built_);
+  const bool parts = built->known.geometry != 0 || this->built_.known.geometry != 0;
   this->built_ = std::move(*built);
+  if (parts)
+  {
+    this->tellKnown();
+  }
   this->handOver_s_ = std::max(0.0, now_s - this->built_.stamp_s);
   this->session_.setScene(this->built_.scene, this->around_ ? std::optional(this->around_->from_W) : std::nullopt);
   this->full_ = this->built_;
   this->worker_.follow(this->session_.running() ? this->full_.scene : nullptr);
   this->plan(plan);
   return true;
+}
+
+/// Before it has the scene, which it takes in the same tick or later.
+void FeltScene::tellKnown()
+{
+  HapticParameters told = this->session_.parameters();
+  told.known = this->built_.known;
+  static_cast<void>(this->session_.setParameters(told)); // finite, for the places of data are
+}
+
+void FeltScene::ask(std::uint64_t request)
+{
+  if (this->built_.known.geometry != 0 && this->built_.known.asked != request)
+  {
+    this->built_.known.asked = request;
+    this->tellKnown();
+  }
 }
 
 /// A scene that the servo has not taken yet has changed nothing: what counts is the one that the hand is in.
@@ -90,7 +124,7 @@ bool FeltScene::hasMoved() const
 {
   const Scene* const scene = this->session_.scene().get();
   const HapticState& felt = this->session_.state();
-  return scene != nullptr && felt.sceneRevision == scene->revision() && felt.sceneAge_s >= scene->motion_s();
+  return scene != nullptr && felt.sceneRevision == scene->revision() && felt.sceneShare >= 1.0;
 }
 
 bool FeltScene::takeOutSqueezed()
@@ -121,10 +155,12 @@ void FeltScene::plan(const SimplifyPlan& plan)
     return;
   }
   this->choices_ = chooseAtFirst(*this->full_.scene, this->full_.traits, plan.rules);
-  if (plan.off)
+  const bool part = this->full_.part.whole != 0;
+  if (plan.off || part)
   {
     std::for_each(this->choices_.begin(), this->choices_.end(),
-      [](SurfaceChoice& choice) { choice.reason = "simpler surfaces are off"; });
+      [part](SurfaceChoice& choice)
+      { choice.reason = part ? "it is what is around the hand" : "simpler surfaces are off"; });
   }
   if (std::any_of(this->choices_.begin(), this->choices_.end(), searched) &&
       this->search_.follow(this->full_.scene, this->choices_, plan.rules, this->worker_.takeRevision()))

@@ -37,6 +37,10 @@ public:
   bool takeBuilt(const SimplifyPlan& plan, double now_s, bool wait = false);
   /// Has it feel the simpler surfaces that were found since, or with `wait` those that are looked for.
   void takeSimpler(bool wait = false);
+  /// Another part of the whole that the scene is a part of is asked for; 0: no more. Too long without it, and the hand
+  /// is let go.
+  void ask(std::uint64_t request);
+
   /// Once surfaces that moved rest: whether they had left the ball no room and it is now in one that it was outside of.
   /// Then the ball comes from outside again, and cameAround() says so.
   bool takeOutSqueezed();
@@ -62,6 +66,7 @@ public:
 private:
   void plan(const SimplifyPlan& plan);
   void lookAround(const Scene* next);
+  void tellKnown();
   [[nodiscard]] bool hasMoved() const;
   void swapIn(std::optional<FoundScene> found);
 

@@ -24,9 +24,10 @@ SceneWorker::~SceneWorker()
   this->wait();
 }
 
-void SceneWorker::commit(std::vector<SceneSurface> surfaces, std::string refusals, double stamp_s)
+void SceneWorker::commit(
+  std::vector<SceneSurface> surfaces, std::string refusals, double stamp_s, const ScenePart& part)
 {
-  Commit commit{ std::move(surfaces), std::move(refusals), stamp_s };
+  Commit commit{ std::move(surfaces), std::move(refusals), stamp_s, part };
   if (this->running_.valid())
   {
     this->next_ = std::move(commit);
@@ -66,6 +67,8 @@ void SceneWorker::launch(Commit commit)
     }
     built.report = commit.refusals + built.report;
     built.stamp_s = commit.stamp_s;
+    built.part = commit.part;
+    built.bounds = commit.part.whole != 0 ? commit.part.bounds_W : built.bounds;
     built.plane_WP = commonPlane(commit.surfaces);
     built.largestRadius_u = known ? largest_u : largestRadius(built.scene.get());
     return built;

@@ -28,8 +28,8 @@ public:
 
   /// `refusals`: lines of what is not among the surfaces, at the head of the report. While a build is running the
   /// newest commit waits for it; one that only moves surfaces is done at once. `stamp_s`: when it was so, on the
-  /// caller's clock.
-  void commit(std::vector<SceneSurface> surfaces, std::string refusals, double stamp_s);
+  /// caller's clock. `part`: of what they are a part.
+  void commit(std::vector<SceneSurface> surfaces, std::string refusals, double stamp_s, const ScenePart& part = {});
   /// What is felt now, from where vertices of the next builds come; null: from nowhere. The commit that waits begins:
   /// commits may come faster than builds for as long as they like, and each build is felt and followed by the next.
   void follow(std::shared_ptr<const Scene> felt);
@@ -54,6 +54,7 @@ private:
     std::vector<SceneSurface> surfaces;
     std::string refusals;
     double stamp_s = 0.0;
+    ScenePart part;
   };
 
   void launch(Commit commit);

@@ -109,6 +109,11 @@ const Setting settings[] = {
   at({ .group = "contact" },
     amount("PointRadius", "u", "Radius of points", "Balls as which the points of a cloud are touched; 0: they are not",
       0.0, none, NextScene)),
+  at({ .group = "contact" }, count("ServerLimit", "", "Server whole up to",
+                               "Triangles up to which a surface of a server is fetched whole; of a larger one what is "
+                               "around the hand is, no more "
+                               "than as many",
+                               100000, 1000, none, NextFrame)),
   along(1.0, at({ .field = "hand.map.scale_u_per_m", .group = "contact", .option = "scale" },
                { "Scale", Number, "u/m", "S&cale", "Scene units per metre of the hand's motion", NextTick, { 1000.0 },
                  {}, 0.0, none, true })),
@@ -155,6 +160,22 @@ const Setting settings[] = {
   at({ .group = "soft" },
     { "SoftRate", Number, "Hz", "Computed at", "How often what gives way is computed, or as often as can be", NextScene,
       { 30.0 }, {}, 1.0, 1000.0 }),
+  text("MechanismSource", "",
+    "Mechanism that the hand holds a body of, made by Haptic Mechanism, by its name in the pipeline browser; empty: "
+    "none",
+    NextScene),
+  text("MechanismLaws", "",
+    "Laws of the mechanism in place of those of its scene file, a list as in that; empty: those", NextScene),
+  at({ .field = "mechanism.turning_N_m_per_rad", .group = "mechanism" },
+    { "MechanismTurning", Number, "N m/rad", "Turned with",
+      "How stiffly the hand turns what it holds of a mechanism; 0: that turns freely, and so it does with a device "
+      "without torque",
+      NextTick, { 0.0 }, {}, 0.0, 1000.0 }),
+  at({ .group = "soft" },
+    flag("ShowSoftHand", "Show its hand",
+      "Where the hand was when what gives way was computed last is drawn: a grey ball, beside that of the hand and the "
+      "one that touches",
+      false, NextFrame)),
   text("ToolSource", "",
     "Source whose surface the hand holds in place of the ball, by its name in the pipeline browser; empty: the ball",
     NextScene),

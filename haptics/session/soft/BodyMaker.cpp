@@ -57,8 +57,11 @@ BodyMaker::BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::strin
 
 void BodyMaker::touch(std::shared_ptr<const Scene> beside)
 {
-  this->beside_ = std::move(beside);
-  this->scene_.reset();
+  if (beside != this->beside_)
+  {
+    this->beside_ = std::move(beside);
+    this->scene_.reset();
+  }
 }
 
 /// None where the body has lost vertices that its packets number: where they are not numbers any more, or meet.
@@ -84,7 +87,8 @@ std::vector<Surface> BodyMaker::surfacesWith(const std::vector<Vec3>& free_W, bo
   return surfaces;
 }
 
-/// The free surface of a linear body is always that at rest.
+/// The free surface of a linear body is always the untouched one. What is beside a body that begins has gone its way
+/// before.
 std::shared_ptr<const Scene> BodyMaker::sceneOf(const CompliancePacket& packet, double period_s)
 {
   const bool stays = this->model_ == ElasticModel::Linear;
@@ -93,14 +97,15 @@ std::shared_ptr<const Scene> BodyMaker::sceneOf(const CompliancePacket& packet, 
     return this->scene_;
   }
   const std::uint64_t revision = this->beside_ ? this->beside_->revision() : 1;
-  const double motion_s = this->beside_ ? this->beside_->motion_s() : 0.0;
-  std::vector<Surface> surfaces =
-    this->surfacesWith(stays ? this->surface_.rest_W : packet.free_W, this->scene_ != nullptr);
+  const bool arrived = this->scene_ != nullptr || this->revision_ == this->first_;
+  const double way_s = this->beside_ && !arrived ? this->beside_->motion_s() : 0.0;
+  const double motion_s = stays ? way_s : std::min(way_s, period_s); // the scene of the next packet has them at its end
+  std::vector<Surface> surfaces = this->surfacesWith(packet.free_W, arrived);
   if (surfaces.empty())
   {
     return nullptr;
   }
-  const auto next = std::make_shared<const Scene>(revision, std::move(surfaces), this->scene_ ? 0.0 : motion_s);
+  const auto next = std::make_shared<const Scene>(revision, std::move(surfaces), motion_s);
   this->scene_ = this->scene_ ? movingFrom(*this->scene_, 1.0, next, std::max(period_s, atOnce_s)) : next;
   return this->scene_;
 }
@@ -120,6 +125,7 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
     return nullptr;
   }
   this->struck_ = packet->struck;
+  this->hand_W_ = hand.device_W;
   auto pressed = std::make_shared<PressedBody>();
   pressed->revision = ++this->revision_;
   pressed->period_s = period_s;
@@ -133,11 +139,22 @@ BodyShape BodyMaker::shape() const
 {
   BodyShape shape;
   shape.struck = this->struck_;
+  shape.hand_W = this->hand_W_;
   const StrainPoints& points = this->body_->points();
   const Eigen::VectorXd& u = this->body_->displacement();
   for (std::size_t v = 0; v < this->checked_.mesh.vertices_W.size(); ++v)
   {
     shape.displacement_u.emplace_back(u.segment<3>(3 * static_cast<Eigen::Index>(v)));
+  }
+  shape.felt_u = shape.displacement_u;
+  for (std::size_t i = 0; i < this->surface_.vertices.size(); ++i)
+  {
+    const std::uint32_t node = this->surface_.vertices[i];
+    const bool isVertex = node < shape.felt_u.size(); // not halfway an edge
+    if (isVertex && !this->checked_.fixed[node])      // what is held is shown where it is held
+    {
+      shape.felt_u[node] = this->surface_.map.displacementOf(i, u);
+    }
   }
   for (const StrainPoint& p : points.points)
   {

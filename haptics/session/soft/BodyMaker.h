@@ -16,6 +16,8 @@ namespace palpate
 struct BodyShape
 {
   std::vector<Vec3> displacement_u; ///< of each vertex of the tetrahedra that it was made of
+  std::vector<Vec3> felt_u;         ///< the same, where those of the border go as they are felt: with their patches
+  Vec3 hand_W = Vec3::Zero();       ///< where the hand was that it was made for
   double mostGradient = 0.0;        ///< largest |F - 1|
   Vec3 worst_W = Vec3::Zero();      ///< and the middle, at rest, of where it is
   bool struck = false;              ///< the hand is faster than the body's inertia would let it follow
@@ -40,7 +42,6 @@ public:
 
   [[nodiscard]] BodyShape shape() const;
   [[nodiscard]] const CheckedTetras& checked() const noexcept { return this->checked_; }
-  [[nodiscard]] std::size_t factorBytes() const { return this->body_->factorBytes(); }
 
   /// One step leaves up to 30 % of the force at 10 Hz, three leave 3 %.
   static constexpr int usualSteps = 3;
@@ -61,6 +62,7 @@ private:
   std::shared_ptr<const Scene> scene_; ///< the last one; null: what is beside it is another since
   std::uint64_t first_; ///< the revision before its first packet: forces on older ones are at another body's vertices
   std::uint64_t revision_;
+  Vec3 hand_W_ = Vec3::Zero(); ///< of the last packet
   bool struck_ = false;
 };
 

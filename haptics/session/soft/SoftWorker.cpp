@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/soft/SoftWorker.h"
 
-#include <algorithm>
-#include <chrono>
 #include <new>
 #include <utility>
-
-#include "haptics/core/Clock.h"
 
 namespace palpate
 {
 namespace
 {
-
-/// Of packets that nobody records: the servo has one of the last two, and may take another while they are looked at.
-constexpr std::size_t keptUnasked = 4;
-/// What a session without a body looks for one with.
-constexpr double idlePeriod_s = 0.05;
-constexpr double slowest_Hz = 0.5;
 
 /// As often or not.
 bool isSameBody(const SoftChoice& a, const SoftChoice& b)
@@ -27,7 +17,7 @@ bool isSameBody(const SoftChoice& a, const SoftChoice& b)
 
 double periodOf(const SoftChoice& choice)
 {
-  return 1.0 / std::max(choice.rate_Hz, slowest_Hz);
+  return PacedThread::periodOf(choice.rate_Hz);
 }
 
 } // namespace
@@ -53,27 +43,22 @@ void SoftWorker::give(const Order& order)
     this->wanted_ = order;
     this->news_ = this->news_ || told;
   }
-  if (order.choice.input && !this->virtualTime_ && !this->thread_.joinable())
+  if (order.choice.input && !this->virtualTime_ && !this->thread_.runs())
   {
-    this->thread_ = std::jthread([this](const std::stop_token& stop) { this->run(stop); });
+    this->thread_.begin([this] { return this->run(); });
   }
 }
 
-void SoftWorker::run(const std::stop_token& stop)
+/// Until when it need not be asked again.
+double SoftWorker::run()
 {
-  const MonotonicClock clock;
-  while (!stop.stop_requested())
+  this->obey();
+  const double period_s = this->maker_ ? periodOf(this->now_.choice) : PacedThread::idle_s;
+  if (this->maker_)
   {
-    const std::int64_t begin_ns = clock.now_ns();
-    this->obey();
-    const double period_s = this->maker_ ? periodOf(this->now_.choice) : idlePeriod_s;
-    if (this->maker_)
-    {
-      this->inItsMemory([&] { this->publish(this->maker_->press(this->links_.hand.read(), period_s)); });
-    }
-    const double took_s = 1e-9 * static_cast<double>(clock.now_ns() - begin_ns);
-    std::this_thread::sleep_for(std::chrono::duration<double>(std::max(period_s - took_s, 0.0)));
+    this->inItsMemory([&] { this->publish(this->maker_->press(this->links_.hand.read(), period_s)); });
   }
+  return period_s;
 }
 
 void SoftWorker::step(double time_s)
@@ -152,7 +137,6 @@ void SoftWorker::build(const Order& order)
   if (this->maker_)
   {
     status.asMade = std::make_shared<const CheckedTetras>(this->maker_->checked());
-    status.bytes = this->maker_->factorBytes();
     this->paced_.emplace(*this->maker_, periodOf(order.choice));
   }
   const std::lock_guard lock(this->mutex_);
@@ -173,13 +157,8 @@ void SoftWorker::publish(std::shared_ptr<const PressedBody> body)
     this->status_.problem.clear();
     ++this->status_.packets;
     this->status_.shape = shape;
-    this->made_.push_back(body);
-    this->told_ = true;
-    while (!this->keepsAll_ && this->made_.size() > keptUnasked)
-    {
-      this->made_.pop_front();
-    }
   }
+  this->made_.put(body);
   this->revision_ = body->revision;
   this->links_.bodies.publish(std::move(body));
 }
@@ -188,23 +167,6 @@ SoftStatus SoftWorker::status() const
 {
   const std::lock_guard lock(this->mutex_);
   return this->status_;
-}
-
-std::vector<std::shared_ptr<const PressedBody>> SoftWorker::made(bool recorded)
-{
-  if (!this->told_.exchange(false) && recorded == this->askedAll_)
-  {
-    return {};
-  }
-  this->askedAll_ = recorded;
-  const std::lock_guard lock(this->mutex_);
-  std::vector<std::shared_ptr<const PressedBody>> all(this->made_.begin(), this->made_.end());
-  while (this->made_.size() > keptUnasked)
-  {
-    this->made_.pop_front();
-  }
-  this->keepsAll_ = recorded;
-  return all;
 }
 
 } // namespace palpate

@@ -3,16 +3,16 @@
 
 #include <atomic>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "haptics/realtime/SnapshotMailbox.h"
 #include "haptics/realtime/TripleBuffer.h"
+#include "haptics/session/beside/MadeBeside.h"
+#include "haptics/session/beside/PacedThread.h"
 #include "haptics/session/soft/VirtualBody.h"
 
 namespace palpate
@@ -40,7 +40,6 @@ struct SoftStatus
 {
   std::string problem;   ///< why it cannot be touched, or does not give way any more; "": it can
   bool building = false; ///< it is meant to be touched and is not there yet
-  std::size_t bytes = 0; ///< of its factor
   std::uint64_t packets = 0;
   std::shared_ptr<const BodyShape> shape;      ///< how it bends; null: it does not yet
   std::shared_ptr<const CheckedTetras> asMade; ///< what its vertices are, of what came in
@@ -60,9 +59,8 @@ public:
   /// What its thread does, in the caller's, after a tick at that time. Virtual time.
   void step(double time_s);
   [[nodiscard]] SoftStatus status() const;
-  /// What was made since the call before, oldest first: all of it if `recorded`, else the last few, one of which the
-  /// servo may have.
-  [[nodiscard]] std::vector<std::shared_ptr<const PressedBody>> made(bool recorded);
+  /// What it has made, for a recording.
+  [[nodiscard]] MadeBeside<PressedBody>& made() noexcept { return this->made_; }
 
 private:
   struct Order
@@ -71,7 +69,7 @@ private:
     std::shared_ptr<const Scene> beside;
   };
   void give(const Order& order);
-  void run(const std::stop_token& stop);
+  double run();
   void obey();
   template<class Work>
   void inItsMemory(const Work& work);
@@ -81,14 +79,11 @@ private:
   SoftLinks& links_;
   bool virtualTime_;
 
-  mutable std::mutex mutex_; ///< between owner and thread; guards the next five
+  mutable std::mutex mutex_; ///< between owner and thread; guards the next two
   Order wanted_;
   SoftStatus status_;
-  std::deque<std::shared_ptr<const PressedBody>> made_;
-  bool keepsAll_ = false;
   std::atomic<bool> news_ = false; ///< asked without the lock in each step
-  std::atomic<bool> told_ = false; ///< likewise: something was made since the owner asked
-  bool askedAll_ = false;          ///< of the owner alone
+  MadeBeside<PressedBody> made_;
 
   // Of the thread alone.
   Order now_;
@@ -96,7 +91,7 @@ private:
   std::optional<VirtualBody> paced_; ///< in virtual time
   std::uint64_t revision_ = 0;       ///< of the last packet
 
-  std::jthread thread_; ///< last: it ends before what it uses
+  PacedThread thread_; ///< last: it ends before what it uses
 };
 
 } // namespace palpate

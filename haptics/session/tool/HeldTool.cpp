@@ -4,11 +4,23 @@
 #include <new>
 #include <utility>
 
+#include "haptics/contact/RadiusLimit.h"
 #include "haptics/realtime/PeriodicTimer.h"
 #include "haptics/session/tool/ToolSurroundings.h"
 
 namespace palpate
 {
+namespace
+{
+
+/// Beyond the largest ball of a scene a tick may fall behind, which its mesh beside the tick does less.
+bool isFeltAsBall(const ToolChoice& choice, const Scene& scene)
+{
+  const double ball_u = choice.tool->ball_u();
+  return ball_u > 0.0 && ball_u <= radiusLimit(scene, {}).largest_u;
+}
+
+} // namespace
 
 HeldTool::HeldTool(ToolLinks& links, bool virtualTime, std::int64_t period_ns)
   : links_(links), virtualTime_(virtualTime), period_ns_(period_ns)
@@ -75,17 +87,16 @@ void HeldTool::step()
   }
 }
 
-/// Whether there is a way out is asked once, where the tool has just been put: from there on nothing is passed.
 void HeldTool::follow()
 {
   this->follower_->step();
+  this->came_.note(this->links_.hand.read(), *this->now_.choice.tool);
   this->revision_ = this->follower_->revision();
   const std::optional<Pose> tool_W = this->follower_->tool_W();
   if (tool_W && !this->stands_)
   {
     this->stands_ = true;
-    const Vec3& corner_B = this->now_.choice.tool->shape_B->mesh().vertices_W.front();
-    this->enclosed_ = isEnclosed(*this->now_.scene, tool_W->q * corner_B + tool_W->p);
+    this->say("", noWayOutOf(*this->now_.scene, *this->now_.choice.tool, *tool_W));
   }
 }
 
@@ -106,9 +117,9 @@ void HeldTool::tryToObey(Order order)
   {
     this->follower_.reset();
     this->now_ = {};
-    this->enclosed_ = this->stands_ = false;
+    this->stands_ = false;
     this->tellWaiting(true);
-    this->refuse("what is shown is too large for a tool to touch: memory is used up; show less of it");
+    this->say("what is shown is too large for a tool to touch: memory is used up; show less of it");
   }
 }
 
@@ -117,9 +128,12 @@ void HeldTool::obey(Order order)
   if (!order.choice.tool || !order.scene || order.scene->empty())
   {
     this->follower_.reset();
-    this->enclosed_ = false;
     this->tellWaiting(order.choice.tool != nullptr);
-    this->refuse("");
+    this->say("");
+  }
+  else if (isFeltAsBall(order.choice, *order.scene))
+  {
+    this->tellBall(order);
   }
   else if (order.choice == this->now_.choice && this->isSameBody(order))
   {
@@ -137,35 +151,57 @@ bool HeldTool::isSameBody(const Order& order) const
   return this->follower_ && bodyNameOf(*this->now_.scene) == bodyNameOf(*order.scene) && !order.scene->bends();
 }
 
-/// In another body, and with another tool, it stays where the one before was, if it is free there.
+/// The tick sweeps it, whatever moves, bends or is replaced: there is nothing to be done beside it.
+void HeldTool::tellBall(const Order& order)
+{
+  this->follower_.reset();
+  this->stands_ = false;
+  this->say("");
+  ToolContacts ball;
+  ball.held = ball.placed = true;
+  ball.ball_u = order.choice.tool->ball_u();
+  ball.lever_u = order.choice.weighs_u();
+  ball.revision = ++this->revision_;
+  this->links_.contacts.write(ball);
+}
+
+/// In another body, and with another tool, it stays where the one before was, if it is free there. Else it goes on from
+/// where the hand came from and it is free.
 void HeldTool::putIn(const Order& order)
 {
   const ToolMesh& tool = *order.choice.tool;
   ToolSurroundings around = surroundingsOf(*order.scene, tool);
   const std::optional<Pose> was_W = this->follower_ ? this->follower_->tool_W() : std::nullopt;
   this->follower_.reset();
-  this->enclosed_ = this->stands_ = false;
-  this->refuse(around.refusal);
+  this->stands_ = false;
+  this->say(around.refusal);
   if (!around.refusal.empty())
   {
     this->tellWaiting(true);
     return;
   }
   this->follower_.emplace(ToolMove(tool, std::move(around.mesh_S), order.choice.weighs_u()), this->links_,
-    ToolFollower::usualWork, ToolStart{ around.scene_WS, this->revision_, was_W });
+    ToolFollower::usualWork, ToolStart{ around.scene_WS, this->revision_, was_W, this->came_.newestFirst() });
   this->revision_ = this->follower_->revision();
 }
 
-void HeldTool::refuse(std::string why)
+void HeldTool::say(std::string refusal, std::string noWayOut)
 {
   const std::lock_guard lock(this->mutex_);
-  this->refusal_ = std::move(why);
+  this->refusal_ = std::move(refusal);
+  this->noWayOut_ = std::move(noWayOut);
 }
 
 std::string HeldTool::refusal() const
 {
   const std::lock_guard lock(this->mutex_);
   return this->refusal_;
+}
+
+std::string HeldTool::noWayOut() const
+{
+  const std::lock_guard lock(this->mutex_);
+  return this->noWayOut_;
 }
 
 /// No contacts: there is no tool, or it stands nowhere.

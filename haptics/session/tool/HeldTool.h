@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "haptics/geometry/scene/Scene.h"
+#include "haptics/tool/worker/HandHistory.h"
 #include "haptics/tool/worker/ToolFollower.h"
 
 namespace palpate
@@ -47,8 +48,8 @@ public:
   void step();
   /// Why the tool cannot touch the scene; "": it can, or nothing is held.
   [[nodiscard]] std::string refusal() const;
-  /// It was put where the hand was, inside of a closed body: it is free there and cannot get out.
-  [[nodiscard]] bool enclosed() const noexcept { return this->enclosed_; }
+  /// It was put where it is free and can never leave: why, to follow its name. "": it can.
+  [[nodiscard]] std::string noWayOut() const;
 
 private:
   struct Order
@@ -62,7 +63,8 @@ private:
   void tryToObey(Order order);
   void obey(Order order);
   void putIn(const Order& order);
-  void refuse(std::string why);
+  void tellBall(const Order& order);
+  void say(std::string refusal, std::string noWayOut = {});
   void tellWaiting(bool held);
   void follow();
   [[nodiscard]] bool isSameBody(const Order& order) const;
@@ -71,18 +73,18 @@ private:
   bool virtualTime_;
   std::int64_t period_ns_;
 
-  mutable std::mutex mutex_; ///< between owner and thread; guards the next three, news_ where it is waited for
+  mutable std::mutex mutex_; ///< between owner and thread; guards the next five, news_ where it is waited for
   Order wanted_;
   std::atomic<bool> news_ = false; ///< asked without the lock in each step
   std::condition_variable_any asked_;
-  std::atomic<bool> enclosed_ = false;
-  std::string refusal_;
+  std::string refusal_, noWayOut_;
 
   // Of the thread alone.
   Order now_;
   std::optional<ToolFollower> follower_;
   std::uint64_t revision_ = 0; ///< of the last set that was told
   bool stands_ = false;        ///< in this body
+  HandHistory came_;
 
   std::jthread thread_; ///< last: it ends before what it uses
 };

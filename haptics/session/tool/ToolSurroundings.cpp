@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "haptics/geometry/measure/RayWalk.h"
+#include "haptics/session/tool/NoWayOut.h"
 
 namespace palpate
 {
@@ -57,16 +57,14 @@ Pose bodyPlaceOf(const Scene& scene) noexcept
   return !scene.empty() && isOneBody(scene) ? scene.surfaces().front().motion.end_WS : Pose{};
 }
 
-bool isEnclosed(const Scene& scene, const Vec3& x_W)
+std::string noWayOutOf(const Scene& scene, const ToolMesh& tool, const Pose& tool_W)
 {
-  return std::any_of(scene.surfaces().begin(), scene.surfaces().end(),
-    [&](const Surface& surface)
-    {
-      const Pose& place = surface.motion.end_WS;
-      const Vec3 x_S = place.q.conjugate() * (x_W - place.p);
-      return surface.tree->coat_u() == 0.0 && isClosed(*surface.tree) &&
-             sideOf(*surface.tree, x_S) == PointSide::Inside;
-    });
+  std::string found;
+  for (const Surface& surface : scene.surfaces())
+  {
+    found = found.empty() ? noWayOut(*surface.tree, surface.motion.end_WS, tool, tool_W) : found;
+  }
+  return found;
 }
 
 ToolSurroundings surroundingsOf(const Scene& scene, const ToolMesh& tool)

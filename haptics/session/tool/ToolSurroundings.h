@@ -24,8 +24,8 @@ struct ToolSurroundings
 /// with every picture, in W.
 [[nodiscard]] Pose bodyPlaceOf(const Scene& scene) noexcept;
 
-/// A closed surface of the scene is all around a point: a body without holes, of one skin.
-[[nodiscard]] bool isEnclosed(const Scene& scene, const Vec3& x_W);
+/// See noWayOut(), of the first surface that it is said of.
+[[nodiscard]] std::string noWayOutOf(const Scene& scene, const ToolMesh& tool, const Pose& tool_W);
 
 /// Refuses what bends, what has no triangles, and what reaches too far for the tool. As slow as building a tree is.
 [[nodiscard]] ToolSurroundings surroundingsOf(const Scene& scene, const ToolMesh& tool);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/mechanism/check/MechanismCheck.h"
+#include "haptics/mechanism/servo/MechanismTick.h"
+#include "haptics/session/soft/VirtualBody.h"
+
+namespace palpate
+{
+
+/// A soft body of a mechanism, by the name that the mechanism calls it by.
+struct MechanismSoftInput
+{
+  std::string name;
+  std::shared_ptr<const SoftBodyInput> input;
+
+  friend bool operator==(const MechanismSoftInput&, const MechanismSoftInput&) = default;
+};
+
+/// All that a mechanism is made of.
+struct MechanismInputs
+{
+  Mechanism mechanism;
+  std::vector<MechanismSoftInput> soft;
+  double unit_m = 1.0; ///< metres a unit of the scene
+};
+
+/// The soft bodies of a mechanism and what the servo takes of each. A worker's.
+class MechanismBodies
+{
+public:
+  /// Factors each body, which may take seconds. None of them with `refusal` in words.
+  [[nodiscard]] static std::unique_ptr<MechanismBodies> make(
+    const std::vector<MechanismSoftInput>& inputs, std::string& refusal);
+
+  [[nodiscard]] std::size_t size() const noexcept { return this->makers_.size(); }
+  [[nodiscard]] const BodyMaker& maker(std::size_t body) const { return *this->makers_[body]; }
+  /// As a check and a plan want to see them: at rest, the first time.
+  [[nodiscard]] const std::vector<MechanismSoft>& atRest() const noexcept { return this->atRest_; }
+  /// Where a plan's laws are on the bodies: packets are made around these places from now on.
+  void hold(const MechanismPlan& plan);
+
+  /// What the mechanism did in a tick, and where the tip of what the hand holds is: of each body the next packet
+  /// answers there.
+  void tell(std::span<const MechanismPress> presses, const Vec3& tip_W, std::uint64_t tick);
+  /// Packets at that rate, each of which arrives a period after what it was made from [s].
+  void pace(double period_s);
+  /// The newest of each at that time; virtual time, after pace().
+  [[nodiscard]] std::span<const PressedBody* const> at(double time_s);
+  /// Each at rest under what it was told last, by so many Newton steps.
+  [[nodiscard]] std::span<const PressedBody* const> rest(int newtonSteps);
+
+  /// Each once more, for what was told last and a hand that has so long until the next [s]. False if one of them cannot
+  /// be made any more: it stays as it was.
+  [[nodiscard]] bool press(double period_s);
+  /// Of each.
+  [[nodiscard]] const std::vector<std::shared_ptr<const PressedBody>>& newest() const noexcept { return this->newest_; }
+  /// Whether any of them is another since this was asked last.
+  [[nodiscard]] bool changed();
+
+private:
+  MechanismBodies() = default;
+  [[nodiscard]] bool pressEach(double period_s, int newtonSteps);
+
+  std::vector<std::unique_ptr<BodyMaker>> makers_;
+  std::vector<std::shared_ptr<const PressedBody>> first_, newest_;
+  std::vector<MechanismSoft> atRest_;
+  std::vector<std::vector<SurfacePoint>> places_; ///< of laws, of each body
+  std::vector<BodyHand> hands_;
+  std::vector<VirtualBody> paced_;
+  std::vector<const PressedBody*> given_;
+  std::vector<std::shared_ptr<const PressedBody>> asked_; ///< the newest, when it was asked whether they are others
+};
+
+} // namespace palpate

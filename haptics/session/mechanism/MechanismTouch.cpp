@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/session/mechanism/MechanismTouch.h"
+
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+
+constexpr double usualTick_s = 1e-3;
+
+std::string refuseHold(const MechanismHold& hold)
+{
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  const auto notNegative = [](double value) { return value >= 0.0 && std::isfinite(value); };
+  if (!positive(hold.stiffness_N_per_m) || !positive(hold.scale_u_per_m))
+  {
+    return "the stiffness that a mechanism is held with and its scale must be finite numbers above 0";
+  }
+  return notNegative(hold.turning_N_m_per_rad) && notNegative(hold.lowRate_Hz)
+           ? ""
+           : "the turning stiffness that a mechanism is held with [N m/rad] and the low rate [Hz] must be finite "
+             "numbers, 0 or above";
+}
+
+std::span<const MechanismPress> pressing(const MechanismResult& result)
+{
+  return { result.presses.data(), static_cast<std::size_t>(result.pressCount) };
+}
+
+} // namespace
+
+MechanismHold usualHold(double unit_m) noexcept
+{
+  MechanismHold hold;
+  hold.scale_u_per_m = 1.0 / unit_m;
+  hold.turning_N_m_per_rad = 1.0;
+  return hold;
+}
+
+std::string refuseHeld(const MechanismPlan& plan)
+{
+  return plan.held < 0 ? "the hand holds no body of the mechanism: make one of them a held rod" : "";
+}
+
+MechanismGrip gripOf(const MechanismHold& hold) noexcept
+{
+  return { hold.stiffness_N_per_m / hold.scale_u_per_m, hold.turning_N_m_per_rad * hold.scale_u_per_m };
+}
+
+std::string faultsOf(const MechanismCheck& check)
+{
+  std::string all;
+  for (const std::string& fault : check.faults)
+  {
+    all += (all.empty() ? "" : "; ") + fault;
+  }
+  return all;
+}
+
+MechanismTouch::MechanismTouch(const MechanismHold& hold, std::unique_ptr<MechanismBodies> bodies)
+  : hold_(hold), grip_(gripOf(hold)), bodies_(std::move(bodies))
+{
+}
+
+std::unique_ptr<MechanismTouch> MechanismTouch::make(
+  const MechanismInputs& inputs, const MechanismHold& hold, std::string& refusal)
+{
+  refusal = refuseHold(hold);
+  auto bodies = refusal.empty() ? MechanismBodies::make(inputs.soft, refusal) : nullptr;
+  if (!bodies)
+  {
+    return nullptr;
+  }
+  std::unique_ptr<MechanismTouch> touch(new MechanismTouch(hold, std::move(bodies)));
+  touch->check_ = checkMechanism(inputs.mechanism, touch->bodies_->atRest(), touch->grip_);
+  refusal = faultsOf(touch->check_);
+  if (!refusal.empty())
+  {
+    return nullptr;
+  }
+  touch->plan_ = planMechanism(inputs.mechanism, touch->bodies_->atRest(), 1);
+  refusal = refuseHeld(touch->plan_);
+  if (!refusal.empty())
+  {
+    return nullptr;
+  }
+  touch->bodies_->hold(touch->plan_);
+  if (hold.lowRate_Hz > 0.0)
+  {
+    touch->bodies_->pace(1.0 / hold.lowRate_Hz);
+  }
+  return touch;
+}
+
+Vec3 MechanismTouch::tip_W(const Pose& held_W) const
+{
+  const double length_u = this->plan_.held >= 0 ? this->plan_.bodies[this->plan_.held].length_u : 0.0;
+  return held_W.p + held_W.q * (length_u * Vec3::UnitZ());
+}
+
+MechanismResult MechanismTouch::compute(MechanismInput& input)
+{
+  if (this->hold_.lowRate_Hz == 0.0)
+  {
+    return this->computeAtRest(input);
+  }
+  input.soft = this->bodies_->at(this->time_s_);
+  return this->tick_.step(input);
+}
+
+/// Bodies and laws take turns until the force stays: each turn begins where the tick before ended.
+MechanismResult MechanismTouch::computeAtRest(MechanismInput& input)
+{
+  constexpr int mostTurns = 40;
+  constexpr int stepsToRest = 20;
+  constexpr double stays = 1e-9; // of the force
+  const MechanismState start = this->tick_.state();
+  MechanismResult result;
+  Vec3 force_N = Vec3::Zero();
+  for (int turn = 0; turn < mostTurns; ++turn)
+  {
+    this->tick_.restore(start);
+    input.soft = this->bodies_->rest(stepsToRest);
+    result = this->tick_.step(input);
+    this->bodies_->tell(pressing(result), this->tip_W(input.hand_W), input.tick);
+    const double change_N = (result.exact_W.force - force_N).norm();
+    force_N = result.exact_W.force;
+    if (change_N <= stays * force_N.norm())
+    {
+      break;
+    }
+  }
+  return result;
+}
+
+MechanismResult MechanismTouch::next(double time_s, const Pose& hand_W)
+{
+  MechanismInput input;
+  input.tick = ++this->count_;
+  input.dt_s = this->count_ > 1 ? time_s - this->time_s_ : usualTick_s;
+  input.plan = &this->plan_;
+  input.hand_W = heldBy(hand_W, this->plan_);
+  input.grip = this->grip_;
+  this->time_s_ = time_s;
+  if (this->count_ == 1)
+  {
+    this->bodies_->tell({}, this->tip_W(input.hand_W), input.tick);
+  }
+  MechanismResult result = this->compute(input);
+  this->bodies_->tell(pressing(result), this->tip_W(input.hand_W), input.tick);
+  result.wrench_W.torque /= this->hold_.scale_u_per_m;
+  result.exact_W.torque /= this->hold_.scale_u_per_m;
+  return result;
+}
+
+} // namespace palpate

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "haptics/session/mechanism/MechanismBodies.h"
+
+namespace palpate
+{
+
+/// How a hand holds a mechanism.
+struct MechanismHold
+{
+  double stiffness_N_per_m = 1000.0; ///< of the spring from the hand to what the hand holds, > 0
+  double turning_N_m_per_rad = 0.0;  ///< likewise of turning, >= 0; 0: what is held turns freely
+  double scale_u_per_m = 1.0;        ///< of the hand's way, > 0
+  double lowRate_Hz = 30.0;          ///< packets a second of soft bodies, >= 0; 0: at rest in every tick, the reference
+};
+
+/// A mechanism along a path of the hand that is known before, a tick a place, without a device. A person's hand is
+/// `scale_u_per_m` times smaller than the scene: forces are those of the hand.
+class MechanismTouch
+{
+public:
+  /// Builds the soft bodies, which may take seconds. Null with `refusal` in words: a fault of the mechanism, of a body,
+  /// of the hold.
+  [[nodiscard]] static std::unique_ptr<MechanismTouch> make(
+    const MechanismInputs& inputs, const MechanismHold& hold, std::string& refusal);
+
+  /// The hand is there at that time, which is later than the time before. Wrench on the hand: N, N m.
+  [[nodiscard]] MechanismResult next(double time_s, const Pose& hand_W);
+  /// A person breaks a law.
+  void breakLaw(std::uint32_t law) noexcept { this->tick_.breakLaw(law); }
+
+  [[nodiscard]] const MechanismCheck& check() const noexcept { return this->check_; }
+  [[nodiscard]] const MechanismPlan& plan() const noexcept { return this->plan_; }
+  [[nodiscard]] const MechanismBodies& bodies() const noexcept { return *this->bodies_; }
+
+private:
+  MechanismTouch(const MechanismHold& hold, std::unique_ptr<MechanismBodies> bodies);
+  [[nodiscard]] MechanismResult compute(MechanismInput& input);
+  [[nodiscard]] MechanismResult computeAtRest(MechanismInput& input);
+  [[nodiscard]] Vec3 tip_W(const Pose& held_W) const;
+
+  MechanismHold hold_;
+  MechanismGrip grip_;
+  std::unique_ptr<MechanismBodies> bodies_;
+  MechanismCheck check_;
+  MechanismPlan plan_;
+  MechanismTick tick_;
+  std::uint64_t count_ = 0; ///< of ticks
+  double time_s_ = 0.0;
+};
+
+/// Of a hand that turns what it holds, in life size: what a mechanism is judged by before anybody holds it.
+[[nodiscard]] MechanismHold usualHold(double unit_m) noexcept;
+
+/// "", or that a plan has nothing for a hand to hold.
+[[nodiscard]] std::string refuseHeld(const MechanismPlan& plan);
+
+/// The spring of a hold in units of the scene.
+[[nodiscard]] MechanismGrip gripOf(const MechanismHold& hold) noexcept;
+
+/// All faults of a check in one line; "": none.
+[[nodiscard]] std::string faultsOf(const MechanismCheck& check);
+
+} // namespace palpate
