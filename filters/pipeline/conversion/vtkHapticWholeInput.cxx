@@ -4,11 +4,15 @@
 #include <array>
 #include <vector>
 
+#include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
+#include "vtkCommunicator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 namespace
@@ -65,6 +69,51 @@ vtkSmartPointer<vtkDataObject> vtkHapticWholeSurface(vtkDataObject* piece)
     whole->SetBlock(whole->GetNumberOfBlocks(), each);
   }
   return whole;
+}
+
+void vtkHapticGatherSurface(vtkPolyData* piece, vtkPolyData* whole)
+{
+  vtkMultiProcessController* others = Others();
+  if (!others)
+  {
+    whole->ShallowCopy(piece);
+    return;
+  }
+  std::vector<vtkSmartPointer<vtkDataObject>> pieces;
+  others->Gather(piece, pieces, 0);
+  if (others->GetLocalProcessId() > 0)
+  {
+    return;
+  }
+  vtkNew<vtkAppendPolyData> append;
+  for (const vtkSmartPointer<vtkDataObject>& each : pieces)
+  {
+    append->AddInputData(vtkPolyData::SafeDownCast(each));
+  }
+  append->Update();
+  whole->ShallowCopy(append->GetOutput());
+}
+
+double vtkHapticSumOfRanks(double own)
+{
+  vtkMultiProcessController* others = Others();
+  double sum = own;
+  if (others)
+  {
+    others->AllReduce(&own, &sum, 1, vtkCommunicator::SUM_OP);
+  }
+  return sum;
+}
+
+vtkBoundingBox vtkHapticBoxOfRanks(const vtkBoundingBox& own)
+{
+  vtkMultiProcessController* others = Others();
+  vtkBoundingBox all = own;
+  if (others)
+  {
+    others->AllReduce(own, all);
+  }
+  return all;
 }
 
 vtkSmartPointer<vtkDataObject> vtkHapticOnePiece(vtkDataObject* piece)

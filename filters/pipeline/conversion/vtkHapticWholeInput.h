@@ -5,8 +5,10 @@
 #include "vtkHapticPipelineModule.h" // for the export macro
 #include "vtkSmartPointer.h"         // for the return type
 
+class vtkBoundingBox;
 class vtkDataObject;
 class vtkInformationVector;
+class vtkPolyData;
 
 /// A hand goes through all of a surface, whichever ranks its pieces are on, and what is measured on a part is wrong.
 /// Every rank must ask, and asks in the same order. The number of this rank; 0 where there is one alone.
@@ -17,6 +19,13 @@ VTKHAPTICPIPELINE_EXPORT int vtkHapticRanks();
 
 /// All pieces of a surface, on every rank; where there is one rank the surface itself. Null if there is none.
 VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkDataObject> vtkHapticWholeSurface(vtkDataObject* piece);
+
+/// All pieces of a surface as one, on the first rank; the others have nothing.
+VTKHAPTICPIPELINE_EXPORT void vtkHapticGatherSurface(vtkPolyData* piece, vtkPolyData* whole);
+
+/// Of a number that each rank has; and around the boxes of all.
+VTKHAPTICPIPELINE_EXPORT double vtkHapticSumOfRanks(double own);
+VTKHAPTICPIPELINE_EXPORT vtkBoundingBox vtkHapticBoxOfRanks(const vtkBoundingBox& own);
 
 /// The one piece of a path or of marks that has points or rows, on every rank; null if several have: nothing says in
 /// which order they follow one another.

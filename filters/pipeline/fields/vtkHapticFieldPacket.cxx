@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticFieldPacket.h"
 
-#include "haptics/recording/ByteStream.h"
 #include "haptics/recording/RecordedBricks.h"
+#include "haptics/recording/RecordingLayout.h"
 
 namespace
 {
@@ -28,7 +28,7 @@ void Each(const Stream& stream, Packet& packet)
 std::vector<char> vtkHapticPackField(const vtkHapticFieldPacket& packet)
 {
   palpate::ByteWriter out;
-  Each([&out](const auto& value) { out.put(value); }, packet);
+  Each(palpate::Put{ out }, packet);
   out.put(packet.Made.brick != nullptr);
   if (packet.Made.brick)
   {
@@ -41,7 +41,7 @@ std::optional<vtkHapticFieldPacket> vtkHapticUnpackField(std::span<const char> b
 {
   palpate::ByteReader in(bytes.data(), bytes.size());
   vtkHapticFieldPacket packet;
-  Each([&in](auto& value) { in.get(value); }, packet);
+  Each(palpate::Get{ in }, packet);
   bool hasBrick = false;
   in.get(hasBrick);
   packet.Made.brick = hasBrick ? palpate::readBrick(in) : nullptr;

@@ -2,6 +2,7 @@
 #include "vtkHapticSoftBody.h"
 
 #include "vtkHapticSoftBodyData.h"
+#include "vtkHapticSoftLoad.h"
 #include "vtkHapticTetraFill.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -51,7 +52,8 @@ void FixNear(vtkUnstructuredGrid& body, vtkDataSet& holds, double within)
 } // namespace
 
 vtkHapticSoftBody::vtkHapticSoftBody()
-  : Young(vtkHapticSoftMaterial::UsualYoungPa), Poisson(vtkHapticSoftMaterial::UsualPoisson)
+  : Young(vtkHapticSoftMaterial::UsualYoungPa), Poisson(vtkHapticSoftMaterial::UsualPoisson),
+    Density(vtkHapticSoftMaterial::UsualDensity)
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -60,6 +62,7 @@ vtkHapticSoftBody::~vtkHapticSoftBody()
 {
   this->SetYoungArray(nullptr);
   this->SetFixed(nullptr);
+  this->SetLoadArray(nullptr);
 }
 
 void vtkHapticSoftBody::PrintSelf(ostream& os, vtkIndent indent)
@@ -72,6 +75,9 @@ void vtkHapticSoftBody::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Unit: " << this->Unit << " m\n";
   os << indent << "Fixed: " << (this->Fixed ? this->Fixed : "(none)") << "\n";
   os << indent << "FixedDistance: " << this->FixedDistance << " u\n";
+  os << indent << "Density: " << this->Density << " kg/m3\n";
+  os << indent << "Gravity: " << this->Gravity[0] << " " << this->Gravity[1] << " " << this->Gravity[2] << " m/s2\n";
+  os << indent << "LoadArray: " << (this->LoadArray ? this->LoadArray : "(none)") << "\n";
   os << indent << "EdgeLength: " << this->EdgeLength << " u\n";
   os << indent << "SurfaceDistance: " << this->SurfaceDistance << " u\n";
   os << indent << "Text: " << this->Text << "\n";
@@ -127,10 +133,11 @@ bool vtkHapticSoftBody::Make(vtkDataObject* data, vtkDataSet* holds, vtkUnstruct
     return false;
   }
   vtkHapticSoftMaterial material{ this->Young, this->Poisson, static_cast<palpate::ElasticModel>(this->Model),
-    this->Unit };
+    this->Unit, this->Density };
   const std::string array = this->YoungArray ? this->YoungArray : "";
   if (!vtkHapticFixBody(*body, this->Fixed ? this->Fixed : "", rough, problem) ||
-      !vtkHapticDescribeBody(*body, material, array, problem))
+      !vtkHapticDescribeBody(*body, material, array, problem) ||
+      !vtkHapticLoadBody(*body, palpate::Vec3(this->Gravity), this->LoadArray ? this->LoadArray : "", problem))
   {
     return false;
   }
@@ -139,13 +146,16 @@ bool vtkHapticSoftBody::Make(vtkDataObject* data, vtkDataSet* holds, vtkUnstruct
     FixNear(*body, *holds, this->FixedDistance > 0.0 ? this->FixedDistance : NearOfDiagonal * body->GetLength());
   }
   const vtkHapticSoftBodyResult read = vtkHapticToSoftBody(body);
-  problem = read.Input ? palpate::checkTetras(read.Input->mesh, read.Input->fixed).refusal : read.Problem;
+  const palpate::CheckedTetras checked =
+    read.Input ? palpate::checkTetras(read.Input->mesh, read.Input->fixed) : palpate::CheckedTetras();
+  problem = read.Input ? checked.refusal : read.Problem;
   if (!problem.empty())
   {
     return false;
   }
+  const std::string left = checked.report.summary();
   vtkHapticBendBody(*body, *read.Input, nullptr, nullptr);
-  this->Text = vtkHapticSoftBodyText(*read.Input) + this->Text;
+  this->Text = vtkHapticSoftBodyText(*read.Input) + this->Text + (left.empty() ? "" : "; of the ") + left;
   this->Rest = body;
   output->ShallowCopy(body);
   return true;

@@ -14,6 +14,7 @@
  *     Strain        (m, 6) double  Green's, 0: at rest; xx yy zz xy yz xz
  *     Stress        (m, 6) double  Cauchy's, likewise [Pa]
  *     Label         (m)    int     of a label image: which one
+ *     Load          (n, 3) double  that it bears always [N], where it bears anything
  *
  * and with its material as field data: what a session and Touch Along Path take. Bad input is an error of one line and
  * leaves the output empty.
@@ -82,6 +83,24 @@ public:
   ///@}
 
   ///@{
+  /// Its density [kg/m3], above 0. Default 1000, assumed: as water. Of its weight, and of how fast it can follow.
+  vtkSetMacro(Density, double);
+  vtkGetMacro(Density, double);
+  ///@}
+
+  ///@{
+  /// By which it bears its weight always [m/s2]. Default 0: it bears none.
+  vtkSetVector3Macro(Gravity, double);
+  vtkGetVector3Macro(Gravity, double);
+  ///@}
+
+  ///@{
+  /// Point array with three numbers each of what else it bears always [N]. Default none.
+  vtkSetStringMacro(LoadArray);
+  vtkGetStringMacro(LoadArray);
+  ///@}
+
+  ///@{
   /// How near port 1 holds a vertex [u], >= 0. Default 0: a thousandth of the body's diagonal.
   vtkSetMacro(FixedDistance, double);
   vtkGetMacro(FixedDistance, double);
@@ -131,6 +150,9 @@ private:
   int Model = NeoHookean;
   double Unit = 1.0;
   char* Fixed = nullptr;
+  double Density;
+  double Gravity[3] = { 0.0, 0.0, 0.0 };
+  char* LoadArray = nullptr;
   double FixedDistance = 0.0;
   double EdgeLength = 0.0;
   double SurfaceDistance = 0.0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 #include "haptics/session/settings/Setting.h"
@@ -11,6 +12,7 @@
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkHapticSoftLoad.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -20,6 +22,7 @@ namespace
 constexpr const char* FixedName = "Fixed";
 constexpr const char* YoungName = "Young";
 constexpr const char* MaterialName = "SoftBody";
+constexpr const char* BallName = "SoftBodyBall";
 
 /// A vertex is on a side of the box within this share of its diagonal.
 constexpr double SideWithin = 1e-6;
@@ -81,10 +84,11 @@ vtkSmartPointer<vtkIntArray> OwnFixed(vtkUnstructuredGrid& body)
   return made;
 }
 
-/// Poisson's ratio, the number of a model, metres a unit: files say anything.
+/// Poisson's ratio, the number of a model, metres a unit, and density, which older files have not: files say anything.
 bool IsDescription(vtkDataArray& material)
 {
-  if (material.GetNumberOfComponents() != 3 || material.GetNumberOfTuples() < 1)
+  const int components = material.GetNumberOfComponents();
+  if ((components != 3 && components != 4) || material.GetNumberOfTuples() < 1)
   {
     return false;
   }
@@ -137,6 +141,15 @@ vtkSmartPointer<vtkDoubleArray> Array(const char* name, int components, vtkIdTyp
   array->SetNumberOfTuples(tuples);
   array->Fill(0.0);
   return array;
+}
+
+/// Field data are shared between shallow copies: what is added is the body's own.
+void AddToFieldData(vtkUnstructuredGrid& body, vtkDataArray* array)
+{
+  vtkNew<vtkFieldData> own;
+  own->ShallowCopy(body.GetFieldData());
+  own->AddArray(array);
+  body.SetFieldData(own);
 }
 
 /// Strain and stress of each tetrahedron with its corners moved.
@@ -249,11 +262,11 @@ bool vtkHapticDescribeBody(
       return false;
     }
   }
-  const auto rest = Array(MaterialName, 3, 1);
-  rest->SetTuple3(0, material.Poisson, static_cast<double>(material.Model), material.Unit_m);
+  const auto rest = Array(MaterialName, 4, 1);
+  rest->SetTuple4(0, material.Poisson, static_cast<double>(material.Model), material.Unit_m, material.Density_kg_m3);
   OwnFixed(body);
   body.GetCellData()->AddArray(young);
-  body.GetFieldData()->AddArray(rest);
+  AddToFieldData(body, rest);
   return true;
 }
 
@@ -280,33 +293,69 @@ vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data)
   input->poisson = material->GetComponent(0, 0);
   input->model = static_cast<palpate::ElasticModel>(static_cast<int>(material->GetComponent(0, 1)));
   input->unit_m = material->GetComponent(0, 2);
+  input->density_kg_per_m3 =
+    material->GetNumberOfComponents() > 3 ? material->GetComponent(0, 3) : vtkHapticSoftMaterial::UsualDensity;
+  if (!(input->density_kg_per_m3 > 0.0 && std::isfinite(input->density_kg_per_m3)))
+  {
+    return { nullptr, "its density must be a finite number of kilograms a cubic metre above 0" };
+  }
+  vtkDataArray* const load = body->GetPointData()->GetArray(vtkHapticLoadName);
+  for (vtkIdType i = 0; load && load->GetNumberOfComponents() == 3 && i < body->GetNumberOfPoints(); ++i)
+  {
+    input->load_N.emplace_back(load->GetTuple3(i));
+  }
   // Beyond, few tetrahedra with smoothed edges are too stiff.
   const bool few = input->poisson <= vtkHapticSoftMaterial::UsualPoisson;
   input->element = few ? palpate::ElementKind::EdgeSmoothed : palpate::ElementKind::Quadratic;
   return { input, "" };
 }
 
+palpate::Vec3 vtkHapticOutOf(const vtkHapticBall& ball, const palpate::Vec3& p_W)
+{
+  const palpate::Vec3 away = p_W - ball.Centre_W;
+  const double distance = away.norm();
+  const bool within = distance < ball.Radius_u && distance > 0.0;
+  return within ? palpate::Vec3(ball.Centre_W + ball.Radius_u / distance * away) : p_W;
+}
+
 void vtkHapticBendBody(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input,
-  const palpate::CheckedTetras* checked, const palpate::BodyShape* shape)
+  const palpate::CheckedTetras* checked, const palpate::BodyShape* shape, const vtkHapticBall& ball)
 {
   const vtkIdType count = body.GetNumberOfPoints();
   const auto moved = Array("Displacement", 3, count);
+  const auto inner = Array("", 3, count); // of the tetrahedra
   for (std::size_t v = 0; shape && checked && v < checked->sourceVertex.size(); ++v)
   {
-    moved->SetTuple(checked->sourceVertex[v], shape->displacement_u[v].data());
+    moved->SetTuple(checked->sourceVertex[v], shape->felt_u[v].data());
+    inner->SetTuple(checked->sourceVertex[v], shape->displacement_u[v].data());
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const palpate::Vec3 place =
-      input.mesh.vertices_W[static_cast<std::size_t>(i)] + palpate::Vec3(moved->GetPointer(3 * i));
-    points->SetPoint(i, place.data());
+    const palpate::Vec3& rest_W = input.mesh.vertices_W[static_cast<std::size_t>(i)];
+    const palpate::Vec3 place_W = vtkHapticOutOf(ball, rest_W + palpate::Vec3(moved->GetPointer(3 * i)));
+    points->SetPoint(i, place_W.data());
+    moved->SetTuple(i, palpate::Vec3(place_W - rest_W).data());
   }
   body.SetPoints(points);
   body.GetPointData()->AddArray(moved);
-  SetStress(body, input, *moved);
+  SetStress(body, input, *inner);
+  const auto presses = Array(BallName, 4, 1);
+  presses->SetTuple4(0, ball.Centre_W.x(), ball.Centre_W.y(), ball.Centre_W.z(), ball.Radius_u);
+  AddToFieldData(body, presses);
+}
+
+vtkHapticBall vtkHapticBallOn(vtkUnstructuredGrid& body)
+{
+  vtkDataArray* const ball = body.GetFieldData()->GetArray(BallName);
+  if (!ball || ball->GetNumberOfComponents() != 4 || ball->GetNumberOfTuples() < 1)
+  {
+    return {};
+  }
+  const double* const numbers = ball->GetTuple4(0);
+  return { palpate::Vec3(numbers), numbers[3] };
 }
 
 std::string vtkHapticSoftBodyText(const palpate::SoftBodyInput& input)
@@ -318,6 +367,28 @@ std::string vtkHapticSoftBodyText(const palpate::SoftBodyInput& input)
                      (*low < *high ? "" : Assumed(*low, vtkHapticSoftMaterial::UsualYoungPa));
   text += ", Poisson's ratio " + palpate::quantity(input.poisson, "") +
           Assumed(input.poisson, vtkHapticSoftMaterial::UsualPoisson);
+  if (!input.load_N.empty())
+  {
+    const palpate::Vec3 sum = std::accumulate(input.load_N.begin(), input.load_N.end(), palpate::Vec3(0, 0, 0));
+    text += ", bears " + palpate::quantity(sum.norm(), "N");
+  }
   return text + ", a unit is " + palpate::quantity(input.unit_m, "m") + Assumed(input.unit_m, 1.0) + ", " +
          std::to_string(input.mesh.tetras.size()) + " tetrahedra";
+}
+
+std::string vtkHapticStrainText(const palpate::BodyShape& shape)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << 100.0 * shape.mostGradient << " %";
+  if (shape.mostGradient > 0.0)
+  {
+    const palpate::Vec3& at = shape.worst_W;
+    text.precision(4);
+    text << " at (" << at.x() << ", " << at.y() << ", " << at.z() << ")";
+  }
+  text << (shape.mostGradient > vtkHapticStrain::Large   ? ": qualitative from here on"
+           : shape.mostGradient > vtkHapticStrain::Small ? ": a linear law is off by more than 1 %"
+                                                         : "");
+  return text.str();
 }

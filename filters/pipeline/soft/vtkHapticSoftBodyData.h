@@ -16,13 +16,15 @@ class vtkDataObject;
 /// What a body is made of.
 struct vtkHapticSoftMaterial
 {
-  static constexpr double UsualYoungPa = 20e3; ///< about that of liver; nobody has measured this one
-  static constexpr double UsualPoisson = 0.4;   ///< the most that is true with few tetrahedra
+  static constexpr double UsualYoungPa = 20e3;   ///< about that of liver; nobody has measured this one
+  static constexpr double UsualPoisson = 0.4;    ///< the most that is true with few tetrahedra
+  static constexpr double UsualDensity = 1000.0; ///< as water
 
   double Young_Pa = UsualYoungPa;
   double Poisson = UsualPoisson;
   palpate::ElasticModel Model = palpate::ElasticModel::NeoHookean;
   double Unit_m = 1.0; ///< metres a unit of the data
+  double Density_kg_m3 = UsualDensity;
 };
 
 /// Data as a soft body, or why they are none.
@@ -51,10 +53,36 @@ struct vtkHapticSoftBodyResult
 /// A body that has been described.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticSoftBodyResult vtkHapticToSoftBody(vtkDataObject* data);
 
+/// What presses a body: a ball in the scene, or nothing with a radius of 0.
+struct vtkHapticBall
+{
+  palpate::Vec3 Centre_W = palpate::Vec3::Zero();
+  double Radius_u = 0.0;
+};
+
+/// Where a place of what is pressed is shown: within the ball, which has its own dent in what yields to it, on the ball
+/// straight from its middle. The surface under a contact comes as deep as the ball is felt to.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT palpate::Vec3 vtkHapticOutOf(
+  const vtkHapticBall& ball, const palpate::Vec3& p_W);
+
 /// Gives a described body the points and the arrays Displacement [u], Strain (Green's, xx yy zz xy yz xz) and Stress
-/// (Cauchy's, likewise [Pa]) of a state. `checked`: what `shape` has displacements of; null: at rest.
+/// (Cauchy's, likewise [Pa]) of a state. `checked`: what `shape` has displacements of; null: at rest. Its surface is
+/// the felt one, dented by `ball`; strain and stress are those of its tetrahedra, which that dent is no part of.
 VTKHAPTICPIPELINE_EXPORT void vtkHapticBendBody(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input,
-  const palpate::CheckedTetras* checked, const palpate::BodyShape* shape);
+  const palpate::CheckedTetras* checked, const palpate::BodyShape* shape, const vtkHapticBall& ball = {});
+
+/// The ball that a body was given with its last state.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticBall vtkHapticBallOn(vtkUnstructuredGrid& body);
+
+/// Largest |F - 1| within which a law of small strains is true to 1 %, and from which on any of these is qualitative.
+struct vtkHapticStrain
+{
+  static constexpr double Small = 0.1, Large = 0.5;
+};
+
+/// "12 % at (1, 2, 3): a linear law is off by more than 1 %": the largest strain of a body, where it is, and what of it
+/// is not to be trusted.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticStrainText(const palpate::BodyShape& shape);
 
 /// "Young's modulus 20 kPa (assumed), ...": what is modelled, with "assumed" beside what is as it was set out with.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticSoftBodyText(const palpate::SoftBodyInput& input);

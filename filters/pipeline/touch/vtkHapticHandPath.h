@@ -17,6 +17,11 @@ struct vtkHapticHandPath
   std::vector<double> Times;           ///< increasing [s]
   std::string Problem;                 ///< one line; empty when the path can be used
 
+  /// With the identity where the path names no turns.
+  [[nodiscard]] palpate::Pose Hand(std::size_t row) const
+  {
+    return { this->Points_W[row], this->Turns.empty() ? palpate::Quat::Identity() : this->Turns[row] };
+  }
   /// Length of the first tick [s]: that of the second.
   [[nodiscard]] double FirstDuration() const { return this->Times.size() > 1 ? this->Times[1] - this->Times[0] : 1e-3; }
 };

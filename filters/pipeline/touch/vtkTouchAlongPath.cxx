@@ -11,6 +11,7 @@
 #include "vtkHapticConversion.h"
 #include "vtkHapticHandPath.h"
 #include "vtkHapticMaterialArrays.h"
+#include "vtkHapticMechanismData.h"
 #include "vtkHapticSoftBodyData.h"
 #include "vtkHapticTickRows.h"
 #include "vtkHapticTouchedField.h"
@@ -65,6 +66,15 @@ std::vector<palpate::SurfaceInput> ReadInputs(
     problem = any ? "" : ofArrays.front();
   }
   return inputs;
+}
+
+/// Of a path that lies on one rank, or a problem.
+vtkHapticHandPath PathOf(vtkDataObject* piece, const vtkHapticPathArrays& arrays)
+{
+  auto* const whole = vtkPolyData::SafeDownCast(piece);
+  vtkHapticHandPath path;
+  path.Problem = "it lies in pieces on several ranks; give it whole on one of them.";
+  return whole ? vtkHapticReadHandPath(whole, arrays) : path;
 }
 
 /// The surface as a scene; null with a problem.
@@ -247,17 +257,15 @@ int vtkTouchAlongPath::RequestData(vtkInformation*, vtkInformationVector** input
   {
     return 1; // one hand: the first rank has what it feels
   }
-  auto* const whole = vtkPolyData::SafeDownCast(piece);
-  if (!whole)
-  {
-    vtkErrorMacro("The path cannot be followed: it lies in pieces on several ranks; give it whole on one of them.");
-    return 0;
-  }
-  const vtkHapticHandPath path = vtkHapticReadHandPath(whole, { this->TimeArray, this->TurnArray, this->Rate });
+  const vtkHapticHandPath path = PathOf(piece, { this->TimeArray, this->TurnArray, this->Rate });
   if (!path.Problem.empty())
   {
     vtkErrorMacro("The path cannot be followed: " << path.Problem);
     return 0;
+  }
+  if (vtkHapticIsMechanism(given))
+  {
+    return this->TouchMechanism(*given, path, *vtkPolyData::GetData(output)) ? 1 : 0;
   }
   if (tool && vtkHapticToSoftBody(given).Input)
   {

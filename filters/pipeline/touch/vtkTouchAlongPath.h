@@ -27,6 +27,15 @@
  *     Turn      (n, 4) double  of the tool, a unit quaternion w x y z
  *     Angle     (n)    double  between the turns of hand and tool [degrees]
  *
+ * Where port 0 is the output of vtkHapticMechanism, its laws act on what the hand holds, held by Stiffness and, where
+ * Lever is not 0, turned by Stiffness (Lever / Scale)^2; at 0 it turns freely. The points of the output are where its
+ * origin is. Besides there are Torque and Turn as of a tool, and
+ *
+ *     Residual       (n)    double  by how much a law is not met [u]
+ *     Force of NAME  (n, 3) double  of the law NAME on its first body, in W [N]
+ *     Phase of NAME  (n)    double  0: open, 1: closed, 2: slips, 3: inside, 4: gone
+ *     Inside of NAME (n)    double  of the shaft, beyond its hole [u]
+ *
  * Point i of the output belongs to point i of the path. Bad input is an error of one line and leaves the output empty.
  */
 #ifndef vtkTouchAlongPath_h
@@ -47,6 +56,7 @@ class BodyMaker;
 class PathTouch;
 enum class Fault : std::uint8_t;
 struct HapticParameters;
+struct MechanismHold;
 } // namespace palpate
 
 struct vtkHapticFieldArrays;
@@ -250,6 +260,13 @@ private:
   bool TouchWithTool(vtkDataObject& surface, vtkDataObject& tool, const vtkHapticHandPath& path, vtkPolyData& output);
   /// Why a tool does not feel what else is set; empty: nothing else is.
   std::string BesideTool();
+  /// What is asked for that only surfaces have; "": nothing.
+  const char* OfSurfacesAlone();
+  /// With what a mechanism holds in the hand; false with an error.
+  bool TouchMechanism(vtkDataObject& mechanism, const vtkHapticHandPath& path, vtkPolyData& output);
+  palpate::MechanismHold Hold() const;
+  /// Why a mechanism does not feel what else is set; empty: nothing else is.
+  std::string BesideMechanism();
   /// Why a soft body is not felt with what else is set; empty: it is.
   std::string BesideBody() const;
   /// Has a soft body give way; or a problem.

@@ -3,16 +3,9 @@
 #include <cmath>
 
 #include "haptics/session/PathTouch.h"
-#include "haptics/session/settings/Setting.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSoftBodyData.h"
 #include "vtkTouchAlongPath.h"
-
-namespace
-{
-/// Largest |F - 1| within which a law of small strains is true to 1 %, and from which on any is qualitative.
-constexpr double SmallStrain = 0.1, LargeStrain = 0.5;
-} // namespace
 
 std::string vtkTouchAlongPath::BesideBody() const
 {
@@ -44,12 +37,8 @@ void vtkTouchAlongPath::TellOfBody(const palpate::BodyMaker& body)
   {
     vtkWarningMacro("Of the soft body: " << left);
   }
-  const palpate::BodyShape shape = body.shape();
-  if (shape.mostGradient > SmallStrain)
+  if (const palpate::BodyShape shape = body.shape(); shape.mostGradient > vtkHapticStrain::Small)
   {
-    vtkWarningMacro("At the end of the path the strain is "
-                    << palpate::quantity(100.0 * shape.mostGradient, "%") << " at " << shape.worst_W.transpose()
-                    << (shape.mostGradient > LargeStrain ? ": what is felt is qualitative"
-                                                         : ": a linear law is off by more than 1 %"));
+    vtkWarningMacro("At the end of the path the largest strain is " << vtkHapticStrainText(shape));
   }
 }

@@ -18,11 +18,6 @@ namespace
 {
 constexpr double degreesPerRadian = 180.0 / std::numbers::pi;
 
-palpate::Pose HandAt(const vtkHapticHandPath& path, std::size_t row)
-{
-  return { path.Points_W[row], path.Turns.empty() ? palpate::Quat::Identity() : path.Turns[row] };
-}
-
 /// The rows of a tool, with what it has beyond a ball.
 class ToolRows
 {
@@ -62,16 +57,20 @@ void vtkTouchAlongPath::SetToolData(vtkDataObject* tool)
   this->SetInputDataObject(3, tool);
 }
 
+const char* vtkTouchAlongPath::OfSurfacesAlone()
+{
+  return this->Field->IsAskedFor() || this->GetNumberOfInputConnections(2) > 0 ? "a field"
+         : this->Radius > 0.0                                                  ? "a ball's radius"
+         : this->LineRadius > 0.0                                              ? "lines"
+         : this->ForceShading                                                  ? "shading"
+         : !this->Materials->Empty()                                           ? "material from data"
+                                                                               : "";
+}
+
 std::string vtkTouchAlongPath::BesideTool()
 {
-  const char* const set = this->Field->IsAskedFor() || this->GetNumberOfInputConnections(2) > 0 ? "a field"
-                          : this->Radius > 0.0                                                  ? "a ball's radius"
-                          : this->LineRadius > 0.0                                              ? "lines"
-                          : this->FrictionStatic > 0.0                                          ? "friction"
-                          : this->ForceShading                                                  ? "shading"
-                          : !this->Materials->Empty()                                           ? "material from data"
-                                                                                                : "";
-  return *set ? std::string("A tool does not feel ") + set + ": turn that off, or take the tool away." : "";
+  const std::string set = this->OfSurfacesAlone();
+  return set.empty() ? "" : "A tool does not feel " + set + ": turn that off, or take the tool away.";
 }
 
 bool vtkTouchAlongPath::TouchWithTool(
@@ -89,13 +88,18 @@ bool vtkTouchAlongPath::TouchWithTool(
     hold.stiffness_N_per_m = this->Stiffness;
     hold.scale_u_per_m = this->Scale;
     hold.lever_u = this->Lever != 0.0 ? std::optional(this->Lever) : std::nullopt;
+    hold.friction = this->FrictionKinetic;
     hold.coupling = this->VirtualCoupling ? palpate::ToolCoupling::Virtual : palpate::ToolCoupling::Constraints;
-    touch = palpate::ToolTouch::make(*held.Mesh, *scene.Mesh, hold, HandAt(path, 0), problem);
+    touch = palpate::ToolTouch::make(*held.Mesh, *scene.Mesh, hold, path.Hand(0), problem);
   }
   if (!touch)
   {
     vtkErrorMacro("Nothing was touched: " << problem);
     return false;
+  }
+  if (!touch->noWayOut().empty())
+  {
+    vtkWarningMacro("The tool " << touch->noWayOut() << ".");
   }
   const std::size_t count = path.Points_W.size();
   ToolRows rows(count);
@@ -106,7 +110,7 @@ bool vtkTouchAlongPath::TouchWithTool(
     {
       return true;
     }
-    const palpate::Pose hand_W = HandAt(path, i);
+    const palpate::Pose hand_W = path.Hand(i);
     const palpate::ToolTouched touched = touch->next(hand_W);
     unsettled += touched.settled ? 0 : 1;
     rows.Set(i, path.Times[i], hand_W, touched);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkHapticMechanism
+ * @brief   bodies and the laws that join them, from a scene file
+ *
+ * Output: the surfaces of the bodies as they are at first, a needle at the origin, with the cell array Body (1): their
+ * place in the file; and the whole description as field data, which a session and Touch Along Path take. The file is
+ * described in docs/mechanisms.md. Bad input is an error of one line and leaves the output empty.
+ */
+#ifndef vtkHapticMechanism_h
+#define vtkHapticMechanism_h
+
+#include <string> // for the file
+
+#include "vtkHapticPipelineModule.h" // for the export macro
+#include "vtkPolyData.h"             // for members
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for members
+
+class VTKHAPTICPIPELINE_EXPORT vtkHapticMechanism : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHapticMechanism* New();
+  vtkTypeMacro(vtkHapticMechanism, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// A scene file, .json.
+  void SetFileName(const std::string& file);
+  vtkGetMacro(FileName, std::string);
+  ///@}
+
+  /// Has the output show its bodies elsewhere until it is made anew; null: where they are at first.
+  void ShowMoved(vtkPolyData* moved);
+  /// The bodies where they are at first; null before they have been made. Another object each time they are made anew.
+  vtkPolyData* GetAtFirst() const { return this->AtFirst; }
+
+  /// What it becomes, a line each: rows, rank, what turns freely, what follows from others; empty before it has run.
+  const char* GetText() const { return this->Text.c_str(); }
+
+protected:
+  vtkHapticMechanism();
+  ~vtkHapticMechanism() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
+
+private:
+  vtkHapticMechanism(const vtkHapticMechanism&) = delete;
+  void operator=(const vtkHapticMechanism&) = delete;
+
+  /// Null with a problem.
+  vtkSmartPointer<vtkPolyData> Make(std::string& problem);
+
+  std::string FileName;
+  std::string Text;
+  vtkSmartPointer<vtkPolyData> AtFirst, Moved;
+  bool OnlyMoves = false; ///< what has changed since AtFirst was made
+};
+
+#endif

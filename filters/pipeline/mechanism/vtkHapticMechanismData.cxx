@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticMechanismData.h"
+
+#include <sstream>
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellData.h"
+#include "vtkCubeSource.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkFieldData.h"
+#include "vtkHapticNeedle.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+
+namespace
+{
+constexpr const char* TextName = "HapticMechanism";
+constexpr const char* FolderName = "HapticMechanismFolder";
+
+void AddText(vtkDataObject& data, const char* name, const std::string& text)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  data.GetFieldData()->AddArray(array);
+}
+
+std::string TextOf(vtkDataObject& data, const char* name)
+{
+  auto* const array = vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray(name));
+  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : std::string();
+}
+
+vtkSmartPointer<vtkPolyData> Moved(vtkPolyData& shape, vtkTransform& transform)
+{
+  vtkNew<vtkTransformPolyDataFilter> move;
+  move->SetInputData(&shape);
+  move->SetTransform(&transform);
+  move->Update();
+  return move->GetOutput();
+}
+
+/// Where a body is at first, of a shape in its own frame.
+vtkSmartPointer<vtkPolyData> Placed(vtkPolyData& shape, const palpate::MechanismBody& body)
+{
+  const Eigen::AngleAxisd turn(body.pose_W.q);
+  const palpate::Vec3 axis = turn.axis();
+  vtkNew<vtkTransform> pose;
+  pose->Translate(body.pose_W.p.data());
+  pose->RotateWXYZ(vtkMath::DegreesFromRadians(turn.angle()), axis.data());
+  return Moved(shape, *pose);
+}
+
+vtkSmartPointer<vtkPolyData> BoxOf(const palpate::MechanismBody& body)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(2.0 * body.halfSize_u.x());
+  cube->SetYLength(2.0 * body.halfSize_u.y());
+  cube->SetZLength(2.0 * body.halfSize_u.z());
+  cube->Update();
+  return Placed(*cube->GetOutput(), body);
+}
+
+/// The held rod runs along +z, the needle of a source hangs below its origin.
+vtkSmartPointer<vtkPolyData> RodOf(const palpate::MechanismBody& body)
+{
+  vtkNew<vtkHapticNeedle> needle;
+  needle->SetLength(body.length_u);
+  needle->SetDiameter(body.diameter_u);
+  needle->Update();
+  vtkNew<vtkTransform> up;
+  up->RotateX(180.0);
+  return Placed(*Moved(*needle->GetOutput(), *up), body);
+}
+
+vtkSmartPointer<vtkPolyData> BorderOf(vtkUnstructuredGrid& grid)
+{
+  vtkNew<vtkDataSetSurfaceFilter> border;
+  border->SetInputData(&grid);
+  border->Update();
+  auto shape = vtkSmartPointer<vtkPolyData>::New();
+  shape->CopyStructure(border->GetOutput());
+  return shape;
+}
+
+vtkSmartPointer<vtkPolyData> ShapeOf(const palpate::MechanismBody& body, vtkUnstructuredGrid* grid)
+{
+  using enum palpate::MechanismBodyKind;
+  return body.kind == Held ? RodOf(body) : body.kind == Rigid ? BoxOf(body) : grid ? BorderOf(*grid) : nullptr;
+}
+} // namespace
+
+vtkSmartPointer<vtkPolyData> vtkHapticMechanismShapes(const vtkHapticMechanismResult& read)
+{
+  vtkNew<vtkAppendPolyData> all;
+  std::size_t soft = 0;
+  int number = 0;
+  for (const palpate::MechanismBody& body : read.Inputs->mechanism.bodies)
+  {
+    const bool gives = body.kind == palpate::MechanismBodyKind::Soft;
+    if (const auto shape = ShapeOf(body, gives ? read.SoftGrids[soft].Get() : nullptr))
+    {
+      vtkNew<vtkIntArray> which;
+      which->SetName("Body");
+      which->SetNumberOfValues(shape->GetNumberOfCells());
+      which->FillValue(number);
+      shape->GetPointData()->Initialize(); // normals of one kind of shape alone
+      shape->GetCellData()->Initialize();
+      shape->GetCellData()->AddArray(which);
+      all->AddInputData(shape);
+    }
+    soft += gives ? 1 : 0;
+    ++number;
+  }
+  all->Update();
+  return all->GetOutput();
+}
+
+void vtkHapticDescribeMechanism(vtkDataObject& data, const std::string& text, const std::string& folder)
+{
+  AddText(data, TextName, text);
+  AddText(data, FolderName, folder);
+}
+
+bool vtkHapticIsMechanism(vtkDataObject* data)
+{
+  return data && data->GetFieldData() && data->GetFieldData()->GetAbstractArray(TextName);
+}
+
+std::string vtkHapticMechanismFileOf(vtkDataObject& data)
+{
+  return TextOf(data, TextName);
+}
+
+std::string vtkHapticMechanismFolderOf(vtkDataObject& data)
+{
+  return TextOf(data, FolderName);
+}
+
+vtkHapticMechanismResult vtkHapticToMechanism(vtkDataObject& data)
+{
+  return vtkHapticParseMechanism(vtkHapticMechanismFileOf(data), vtkHapticMechanismFolderOf(data));
+}
+
+std::vector<std::string> vtkHapticMechanismText(
+  const palpate::MechanismInputs& inputs, const palpate::MechanismCheck& check)
+{
+  std::ostringstream numbers;
+  numbers << inputs.mechanism.bodies.size() << " bodies, " << inputs.mechanism.laws.size() << " laws: " << check.rows
+          << " rows of rank " << check.rank << ", " << check.freeTurns << " free turns, condition " << check.condition;
+  std::vector<std::string> lines{ numbers.str() };
+  lines.insert(lines.end(), check.remarks.begin(), check.remarks.end());
+  return lines;
+}

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticMechanismFile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "vtkHapticBodyFile.h"
+#include "vtkHapticMechanismBodies.h"
+
+namespace
+{
+using Json = nlohmann::json;
+
+constexpr const char* Format = "palpate mechanism";
+constexpr int Version = 1;
+constexpr std::uintmax_t MostBytes = 1 << 20; ///< of a scene file; bodies are files of their own
+
+struct Problem : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// An object of the file and where it is, for messages.
+class Node
+{
+public:
+  Node(const Json& json, std::string at) : Value(json), At(std::move(at))
+  {
+    if (!json.is_object())
+    {
+      this->Fail("", "it must be an object, { ... }");
+    }
+  }
+
+  [[noreturn]] void Fail(const std::string& key, const std::string& what) const
+  {
+    throw Problem(this->At + (key.empty() ? "" : (this->At.empty() ? "" : ".") + key) + ": " + what);
+  }
+
+  void Knows(std::initializer_list<const char*> keys) const
+  {
+    for (const auto& [key, value] : this->Value.items())
+    {
+      const bool known = std::any_of(keys.begin(), keys.end(), [&k = key](const char* name) { return k == name; });
+      if (!known)
+      {
+        std::string all;
+        for (const char* name : keys)
+        {
+          all += (all.empty() ? "" : ", ") + std::string(name);
+        }
+        this->Fail(key, "nobody knows this key; there are " + all);
+      }
+    }
+  }
+
+  [[nodiscard]] bool Has(const char* key) const { return this->Value.contains(key); }
+
+  [[nodiscard]] double Number(const char* key, double usual) const
+  {
+    return this->Has(key) ? this->ToNumber(key, this->Value[key]) : usual;
+  }
+
+  [[nodiscard]] std::string Text(const char* key, const std::string& usual) const
+  {
+    if (!this->Has(key))
+    {
+      return usual;
+    }
+    if (!this->Value[key].is_string())
+    {
+      this->Fail(key, "it must be a text in quotes");
+    }
+    return this->Value[key].get<std::string>();
+  }
+
+  [[nodiscard]] std::string Needed(const char* key) const
+  {
+    const std::string text = this->Text(key, "");
+    if (text.empty())
+    {
+      this->Fail(key, "it is missing");
+    }
+    return text;
+  }
+
+  /// What tables have as a heading.
+  [[nodiscard]] std::string Name() const
+  {
+    const std::string name = this->Needed("name");
+    if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == ',' || c == '"'; }))
+    {
+      this->Fail("name", "a name has no comma, no quote and is one line");
+    }
+    return name;
+  }
+
+  [[nodiscard]] palpate::Vec3 Vector(const char* key, const palpate::Vec3& usual) const
+  {
+    if (!this->Has(key))
+    {
+      return usual;
+    }
+    const std::vector<double> numbers = this->Numbers(key, 3);
+    return { numbers[0], numbers[1], numbers[2] };
+  }
+
+  [[nodiscard]] palpate::Quat Turn(const char* key) const
+  {
+    if (!this->Has(key))
+    {
+      return palpate::Quat::Identity();
+    }
+    const std::vector<double> n = this->Numbers(key, 4);
+    const palpate::Quat q(n[0], n[1], n[2], n[3]);
+    if (!(std::abs(q.norm() - 1.0) < 1e-6))
+    {
+      this->Fail(key, "a turn is a quaternion [w, x, y, z] of length 1");
+    }
+    return q.normalized();
+  }
+
+  /// The objects of a list.
+  [[nodiscard]] std::vector<Node> List(const char* key) const
+  {
+    if (!this->Has(key) || !this->Value[key].is_array())
+    {
+      this->Fail(key, "it must be a list, [ ... ]");
+    }
+    std::vector<Node> nodes;
+    for (const Json& value : this->Value[key])
+    {
+      nodes.emplace_back(value, std::string(key) + "[" + std::to_string(nodes.size()) + "]");
+    }
+    return nodes;
+  }
+
+private:
+  [[nodiscard]] double ToNumber(const char* key, const Json& value) const
+  {
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+    {
+      this->Fail(key, "it must be a finite number");
+    }
+    return value.get<double>();
+  }
+
+  [[nodiscard]] std::vector<double> Numbers(const char* key, std::size_t count) const
+  {
+    const Json& list = this->Value[key];
+    if (!list.is_array() || list.size() != count)
+    {
+      this->Fail(key, "it must be a list of " + std::to_string(count) + " numbers");
+    }
+    std::vector<double> numbers;
+    std::transform(list.begin(), list.end(), std::back_inserter(numbers),
+      [&](const Json& value) { return this->ToNumber(key, value); });
+    return numbers;
+  }
+
+  const Json& Value;
+  std::string At;
+};
+
+template<class Kind>
+Kind KindOf(const Node& node, std::initializer_list<Kind> kinds)
+{
+  const std::string name = node.Needed("kind");
+  std::string all;
+  for (const Kind kind : kinds)
+  {
+    if (name == palpate::nameOf(kind))
+    {
+      return kind;
+    }
+    all += (all.empty() ? "" : ", ") + std::string(palpate::nameOf(kind));
+  }
+  node.Fail("kind", "there is no \"" + name + "\"; there are " + all);
+}
+
+vtkHapticSoftDescription SoftOf(const Node& node, double unit_m)
+{
+  vtkHapticSoftDescription soft;
+  soft.File = node.Text("file", "");
+  soft.BoxSize_u = node.Vector("box", palpate::Vec3::Zero());
+  soft.BoxMiddle_W = node.Vector("at", palpate::Vec3::Zero());
+  soft.Edge_u = node.Number("edge", 0.0);
+  soft.Fixed = node.Text("fixed", "");
+  soft.Material.Young_Pa = node.Number("young_Pa", soft.Material.Young_Pa);
+  soft.Material.Poisson = node.Number("poisson", soft.Material.Poisson);
+  soft.Material.Unit_m = unit_m;
+  const std::string model = node.Text("model", "linear");
+  if (!vtkHapticModelOf(model, soft.Material.Model))
+  {
+    node.Fail("model", "there is no \"" + model + "\"; there are linear, corotational, neohookean");
+  }
+  if (soft.File.empty() == !node.Has("box"))
+  {
+    node.Fail("", "a soft body is read from a \"file\" or is a \"box\", one of both");
+  }
+  return soft;
+}
+
+palpate::MechanismBody BodyOf(const Node& node)
+{
+  using enum palpate::MechanismBodyKind;
+  palpate::MechanismBody body;
+  body.name = node.Name();
+  body.kind = KindOf(node, { Held, Rigid, Soft, World });
+  switch (body.kind)
+  {
+    case Held:
+      node.Knows({ "name", "kind", "length", "diameter", "turn" });
+      break;
+    case Rigid:
+      node.Knows({ "name", "kind", "half_size", "at", "turn", "load_N" });
+      break;
+    case Soft:
+      node.Knows({ "name", "kind", "file", "box", "at", "edge", "fixed", "young_Pa", "poisson", "model" });
+      break;
+    case World:
+      node.Knows({ "name", "kind" });
+      break;
+  }
+  body.length_u = node.Number("length", 0.0);
+  body.diameter_u = node.Number("diameter", 0.0);
+  body.halfSize_u = node.Vector("half_size", palpate::Vec3::Zero());
+  body.load_W = node.Vector("load_N", palpate::Vec3::Zero());
+  body.pose_W.q = node.Turn("turn");
+  if (body.kind == Rigid)
+  {
+    body.pose_W.p = node.Vector("at", palpate::Vec3::Zero());
+  }
+  return body;
+}
+
+palpate::MechanismLaw LawOf(const Node& node, double unit_m)
+{
+  using enum palpate::LawKind;
+  node.Knows({ "name", "kind", "a", "b", "point_a", "point_b", "axis_a", "axis_b", "strength_N", "tear_N", "friction",
+    "dry_friction_N", "stiffness_N_per_m", "rest", "least", "most" });
+  palpate::MechanismLaw law;
+  law.name = node.Name();
+  law.kind = KindOf(
+    node, { Contact, Attachment, Hinge, Slider, Break, Friction, DryFriction, Spring, Limit, Puncture, Insertion });
+  law.a = node.Needed("a");
+  law.b = node.Needed("b");
+  law.point_A = node.Vector("point_a", law.point_A);
+  law.point_B = node.Vector("point_b", law.point_B);
+  law.axis_A = node.Vector("axis_a", law.axis_A);
+  law.axis_B = node.Vector("axis_b", law.axis_B);
+  law.strength_N = node.Number("strength_N", law.strength_N);
+  law.tear_N = node.Number("tear_N", law.tear_N);
+  law.friction = node.Number("friction", law.friction);
+  law.dryFriction_N = node.Number("dry_friction_N", law.dryFriction_N);
+  law.stiffness_N_per_u = unit_m * node.Number("stiffness_N_per_m", law.stiffness_N_per_u / unit_m);
+  law.rest_u = node.Number("rest", law.rest_u);
+  law.least_u = node.Number("least", law.least_u);
+  law.most_u = node.Number("most", law.most_u);
+  return law;
+}
+
+void CheckHead(const Node& root)
+{
+  root.Knows({ "format", "version", "unit_m", "bodies", "laws" });
+  if (root.Needed("format") != Format)
+  {
+    root.Fail("format", std::string("it must be \"") + Format + "\"");
+  }
+  const double version = root.Number("version", 0.0);
+  if (version != Version)
+  {
+    root.Fail("version", "this Palpate reads version " + std::to_string(Version) +
+                           (version > Version ? "; the file is of a later one: update Palpate" : ""));
+  }
+}
+
+vtkHapticMechanismResult Build(const Node& root, const std::string& folder)
+{
+  CheckHead(root);
+  vtkHapticMechanismResult result;
+  auto inputs = std::make_shared<palpate::MechanismInputs>();
+  inputs->unit_m = root.Number("unit_m", 1.0);
+  if (!(inputs->unit_m > 0.0))
+  {
+    root.Fail("unit_m", "it must be a number of metres above 0");
+  }
+  for (const Node& node : root.List("bodies"))
+  {
+    inputs->mechanism.bodies.push_back(BodyOf(node));
+    const palpate::MechanismBody& body = inputs->mechanism.bodies.back();
+    if (body.kind != palpate::MechanismBodyKind::Soft)
+    {
+      continue;
+    }
+    vtkHapticDescribedSoft made = vtkHapticMakeSoft(SoftOf(node, inputs->unit_m), folder);
+    if (!made.Input)
+    {
+      node.Fail("", body.name + " cannot give way: " + made.Problem);
+    }
+    inputs->soft.push_back({ body.name, made.Input });
+    result.SoftGrids.push_back(made.Grid);
+  }
+  for (const Node& node : root.List("laws"))
+  {
+    inputs->mechanism.laws.push_back(LawOf(node, inputs->unit_m));
+  }
+  result.Inputs = inputs;
+  return result;
+}
+/// What reads JSON, or "" and what was wrong with it.
+template<class Read>
+std::string ProblemOf(const Read& read)
+{
+  try
+  {
+    read();
+    return "";
+  }
+  catch (const Json::parse_error& error)
+  {
+    return "it is not JSON: byte " + std::to_string(error.byte) + " is not what belongs there";
+  }
+  catch (const Json::exception&)
+  {
+    return "it is not JSON that can be read: a number in it is too large";
+  }
+  catch (const Problem& problem)
+  {
+    return problem.what();
+  }
+}
+
+/// Those of the file, or those in their place.
+Json LawsOf(const std::string& text, const std::string& laws)
+{
+  const Json file = Json::parse(text);
+  const Json list = laws.empty() ? (file.is_object() ? file.value("laws", Json::array()) : Json()) : Json::parse(laws);
+  if (!list.is_array())
+  {
+    throw Problem("laws: it must be a list, [ ... ]");
+  }
+  return list;
+}
+
+Json Without(const Json& laws, const std::string& name)
+{
+  Json others = Json::array();
+  std::copy_if(laws.begin(), laws.end(), std::back_inserter(others),
+    [&name](const Json& law) { return !law.is_object() || law.value("name", Json()) != name; });
+  return others;
+}
+} // namespace
+
+vtkHapticMechanismResult vtkHapticParseMechanism(
+  const std::string& text, const std::string& folder, const std::string& laws)
+{
+  vtkHapticMechanismResult result;
+  result.Problem = ProblemOf(
+    [&]
+    {
+      Json json = Json::parse(text);
+      if (!laws.empty() && json.is_object())
+      {
+        json["laws"] = LawsOf(text, laws);
+      }
+      result = Build(Node(json, ""), folder);
+    });
+  result.Text = text;
+  return result;
+}
+
+std::string vtkHapticWithLaw(
+  const std::string& text, const std::string& laws, const std::string& law, std::string& problem)
+{
+  std::string with;
+  problem = ProblemOf(
+    [&]
+    {
+      const Json added = Json::parse(law);
+      Json list = Without(LawsOf(text, laws), LawOf(Node(added, "law"), 1.0).name);
+      list.push_back(added);
+      with = list.dump();
+    });
+  return with;
+}
+
+std::string vtkHapticWithoutLaw(
+  const std::string& text, const std::string& laws, const std::string& name, std::string& problem)
+{
+  std::string without;
+  problem = ProblemOf(
+    [&]
+    {
+      const Json list = LawsOf(text, laws), others = Without(list, name);
+      if (others.size() == list.size())
+      {
+        throw Problem("there is no law \"" + name + "\"");
+      }
+      without = others.dump();
+    });
+  return without;
+}
+
+vtkHapticMechanismResult vtkHapticReadMechanism(const std::string& file)
+{
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  std::ifstream stream(file, std::ios::binary);
+  if (error || !stream || bytes > MostBytes)
+  {
+    return { nullptr, {}, "", file + (error || !stream ? ": it cannot be read" : ": a scene file has at most 1 MiB") };
+  }
+  const std::string text{ std::istreambuf_iterator<char>(stream), {} };
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  vtkHapticMechanismResult result = vtkHapticParseMechanism(text, folder.string());
+  result.Problem = result.Problem.empty() ? "" : file + ": " + result.Problem;
+  return result;
+}
+
+bool vtkHapticIsMechanismFile(const std::string& file)
+{
+  return std::filesystem::path(file).extension() == ".json";
+}

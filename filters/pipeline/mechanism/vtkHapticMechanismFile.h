@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticMechanismFile_h
+#define vtkHapticMechanismFile_h
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/session/mechanism/MechanismBodies.h"
+#include "vtkHapticPipelineModule.h" // for the export macro
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+/// A mechanism as a scene file describes it, or why it is none.
+struct vtkHapticMechanismResult
+{
+  std::shared_ptr<const palpate::MechanismInputs> Inputs;      ///< null on a problem
+  std::vector<vtkSmartPointer<vtkUnstructuredGrid>> SoftGrids; ///< as described, in the order of Inputs->soft
+  std::string Text;                                            ///< of the file
+  std::string Problem; ///< one line: where in the text, what is wrong, what would be right
+};
+
+/// Reads a scene file's text (docs/mechanisms.md): JSON, `format` "palpate mechanism", `version` 1, bodies, laws. Files
+/// of bodies are looked for in `folder`. Every key is known or refused, so that a mistyped one is not lost. `laws`: a
+/// list of laws in place of its own; "": its own.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticParseMechanism(
+  const std::string& text, const std::string& folder, const std::string& laws = "");
+
+/// The list of laws of a scene file's text, or `laws` where that is not "", with another one at its end, as an object
+/// of the file; in the place of the one of its name, if there is one. Throws nothing; "" with a problem.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticWithLaw(
+  const std::string& text, const std::string& laws, const std::string& law, std::string& problem);
+/// Likewise without the law of that name.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticWithoutLaw(
+  const std::string& text, const std::string& laws, const std::string& name, std::string& problem);
+
+/// The same from a file; the problem names it.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticReadMechanism(const std::string& file);
+
+/// Whether a file's name says that it is one: .json.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsMechanismFile(const std::string& file);
+
+#endif
