@@ -158,7 +158,7 @@ std::string vtkHapticSceneSurfaces::AddPart(
   Kept kept;
   kept.Key = key;
   kept.Name = name;
-  kept.Surface.input.name = name;
+  kept.Surface.input.name = this->PartNumber > 0 ? name + " (part " + std::to_string(this->PartNumber) + ")" : name;
   kept.Surface.input.mesh = converted.Mesh;
   if (lineRadius_u)
   {
@@ -293,7 +293,7 @@ void vtkHapticSceneSurfaces::Commit(palpate::SceneWorker& worker, double stamp_s
     surfaces.push_back(kept.Surface);
     surfaces.back().input.frame = FrameOf(kept.Baked);
   }
-  worker.commit(std::move(surfaces), this->Refusals, stamp_s);
+  worker.commit(std::move(surfaces), this->Refusals, stamp_s, this->ScenePart);
 }
 
 std::optional<vtkHapticSceneSurfaces::Origin> vtkHapticSceneSurfaces::OriginWhere(

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "haptics/session/scene/BuiltScene.h"
+#include "haptics/session/scene/SceneWorker.h"
 #include "vtkDataObject.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticConversionAhead.h"
@@ -17,11 +17,6 @@
 #include "vtkHapticSourceStyles.h"
 #include "vtkHapticSurfacePlacement.h"
 #include "vtkSmartPointer.h"
-
-namespace palpate
-{
-class SceneWorker;
-}
 
 class vtkMatrix4x4;
 
@@ -38,6 +33,11 @@ public:
   void SetPointRadius(double radius_u);
   /// Whether lines that are added from now on and lie in a plane are walls across it, for balls up to that radius [u].
   void SetPlaneWorld(bool on, double radius_u);
+  /// Which part of a whole that is too large to be here surfaces are that are added from now on, by number; 0: wholes.
+  /// Parts are never taken for one another, whatever their triangles are.
+  void SetPartNumber(int number) { this->PartNumber = number; }
+  /// How much of their wholes there is, with the next commit.
+  void SetPart(const palpate::ScenePart& part) { this->ScenePart = part; }
   /// How a source that is added under `name` from now on is touched; it is as long as it is not said otherwise.
   [[nodiscard]] vtkHapticSourceStyles& Styles() { return this->OfSources; }
   [[nodiscard]] const vtkHapticSourceStyles& Styles() const { return this->OfSources; }
@@ -151,6 +151,8 @@ private:
   double PointRadius_u = 0.0;
   bool PlaneWorld = false;
   double WallRadius_u = 0.0;
+  int PartNumber = 0;
+  palpate::ScenePart ScenePart;
   vtkHapticConversionAhead Ahead;
   std::vector<Kept> Adding;
   std::string Refusals; ///< since Clear(), a line each

@@ -59,6 +59,7 @@ void vtkHapticSession::Internals::ShowState()
   this->State = !this->Scene.built().scene && this->Core.brick() ? palpate::ofFieldAlone(this->State) : this->State;
   this->Tool.Follow(this->Core, this->State);
   this->Soft.Follow(this->Core, this->State, this->Now());
+  this->Mechanism.Follow(this->Core, this->State);
   Eigen::Map<Vec3>(this->Proxy) = this->State.proxy_W.p;
   Eigen::Map<Vec3>(this->Hand) = this->State.device_W.p;
   Eigen::Map<Vec3>(this->Force) = this->State.force_W;
@@ -93,6 +94,7 @@ void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Hand: " << this->Impl->HeldBy << "\n";
   os << indent << "Tool: " << this->GetToolSource() << "\n";
   os << indent << "Soft body: " << this->GetSoftSource() << "\n";
+  os << indent << "Mechanism: " << this->GetMechanismSource() << "\n";
   os << indent << "Damping: " << this->GetDamping() << " N s/m\n";
   os << indent << "Radius: " << this->GetRadius() << " u, used " << this->GetRadiusUsed() << " u, limit "
      << this->GetRadiusLimit() << " u " << (this->GetLimitRadius() ? "on" : "off") << "\n";

@@ -40,6 +40,7 @@ struct vtkHapticFieldResult;
 struct vtkHapticMaterialSettings;
 class vtkCamera;
 class vtkHapticMarkRecords;
+class vtkHapticServerSurfaces;
 class vtkDataObject;
 class vtkMatrix4x4;
 class vtkPolyData;
@@ -208,15 +209,15 @@ public:
 
   ///@{
   /**
-   * Numbers in space that are felt around the hand, beside whatever surfaces are: FieldArray and its fellows name
-   * arrays of `data`, the other settings of a field how they are felt. Kept by reference; added again after a change. A
-   * worker brings what is around the hand, FinishField() waits for that; true if there is something. False, with
-   * GetProblem(), for what cannot be felt so; null data: no field.
+   * Numbers in space that are felt around the hand, beside whatever surfaces are, as the settings of a field say. Kept
+   * by reference; added again after a change. A worker brings what is around the hand, FinishField() waits for that;
+   * true if there is something. False, with GetProblem(), for what cannot be felt so; null data: no field.
    */
   bool AddField(const char* name, vtkDataObject* data);
   bool FinishField();
   const char* GetFieldName() const;
   bool AddRemoteField(const char* name, const vtkHapticFieldResult& made); ///< of data elsewhere, made there
+  vtkHapticServerSurfaces& ServerSurfaces() const; ///< what is there of surfaces elsewhere
   /// Other data that the field is compared with, and whose points and lines the hand snaps to; null: none. Kept by
   /// reference. FeltSource, CompareSource and SnapSource name all of them for whoever follows a view.
   void SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap);
@@ -234,17 +235,22 @@ public:
   /// Likewise of SoftSource, made by vtkHapticSoftBody: it gives way. True where it has bent since it was asked last.
   bool AddSoftBody(const char* name, vtkDataObject* data);
   bool BendSoftBody(vtkDataObject* body);
+  /// Likewise of MechanismSource, made by vtkHapticMechanism: the hand holds a body of it. True where bodies have moved.
+  bool AddMechanism(const char* name, vtkDataObject* data);
+  bool MoveMechanism(vtkPolyData* shapes);
+  void GetMechanismTable(vtkTable* table) const; ///< a row a law: Law, Kind, A, B, Phase, Force [N], Inside [u]
+  /// What MechanismLaws is with another law, an object as in a scene file, and with one less; "", with GetProblem().
+  std::string GetLawsWith(const char* law);
+  std::string GetLawsWithout(const char* name);
+  bool BreakLaw(const char* name); ///< it holds no more until the mechanism is held anew; false: there is none
   ///@}
 
   vtkMTimeType GetMaterialTime() const; ///< changes whenever a setting of surfaces does
   bool GetUsesMaterialArrays() const;   ///< whether any is named
 
-  ///@{
-  /// Bounds of the touched scene [u]; false and an empty box when there is none. Whether a surface is felt by a pose:
-  /// it moves, or has rested for less than a second.
+  /// Bounds of the touched scene [u]; false and an empty box when there is none.
   bool GetSceneBounds(double bounds[6]) const;
-  bool GetSceneMoves() const;
-  ///@}
+  bool GetSceneMoves() const; ///< whether a surface is felt by a pose: it moves, or has rested for less than a second
 
   /// Scale and offset such that the device's workspace holds the whole committed scene, once it is built, life size no
   /// longer, and the rotation of a plane world for a device that moves in a plane (PropertyModifiedEvent).
@@ -262,11 +268,9 @@ public:
   void FitToSources(const char* names);
 
   ///@{
-  /**
-   * The camera of the view that is looked at: whoever follows one says it before each Update(). AlignWithView() turns
-   * the workspace about the hand, such that right, up and towards of the device are those of the view; not for a hand
-   * that is said in the scene (devices "fed" and "mouse"), nor for a device that moves in a plane world.
-   */
+  /// The camera of the view that is looked at: whoever follows one says it before each Update(). AlignWithView() turns
+  /// the workspace about the hand, such that right, up and towards of the device are those of the view; not for a hand
+  /// that is said in the scene (devices "fed" and "mouse"), nor for a device that moves in a plane world.
   void FollowCamera(vtkCamera* camera);
   void AlignWithView();
   ///@}
@@ -286,10 +290,8 @@ public:
   int GetNumberOfStrokePoints() const;
   ///@}
 
-  /**
-   * Where a ball as large as the one that touches is first stopped on its way from one point to another: its centre and
-   * the unit normal of what stops it, to its side. False, and both unchanged, where nothing does.
-   */
+  /// Where the ball is first stopped on its way from one point to another: its centre and the unit normal of what stops
+  /// it, to its side. False, and both unchanged, where nothing does.
   bool PickSurface(const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const;
 
   /// From where the hand of the device "mouse" is seen, in W [u]: a surface that comes between stays behind the hand,
@@ -322,14 +324,12 @@ public:
   double GetContactValue(const char* name) const; ///< of an array there, name_k of a vector; NaN where there is none
   ///@}
 
-  /**
-   * The game of finding the way through lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball,
-   * scale and place so that the device's workspace holds the whole. Once force is engaged the hand is brought to the
-   * start, at most 0.2 m/s fast, and let go; at the exit it is shaken. Who lets go of the dead-man and holds it again
-   * starts anew, as does PlayAgain(). What is touched are the surfaces, so the lines are added as one. A world without
-   * start or exit is fitted too and explored without a game: false, and GetProblem() says which it lacks. False with an
-   * error and nothing changed for what is no plane world.
-   */
+  /// The game of finding the way through lines with the field arrays Start and Exit (vtkHapticLabyrinth): it sets ball,
+  /// scale and place so that the device's workspace holds the whole. Once force is engaged the hand is brought to the
+  /// start, at most 0.2 m/s fast, and let go; at the exit it is shaken. Who lets go of the dead-man and holds it again
+  /// starts anew, as does PlayAgain(). What is touched are the surfaces, so the lines are added as one. A world without
+  /// start or exit is fitted too and explored without a game: false, and GetProblem() says which it lacks. False with an
+  /// error and nothing changed for what is no plane world.
   bool PlayLabyrinth(vtkDataObject* maze, const char* name);
 
   ///@{

@@ -19,6 +19,7 @@
   vtkHapticSwitchMacro(LimitRadius); \
   vtkHapticSettingMacro(LineRadius, double); \
   vtkHapticSettingMacro(PointRadius, double); \
+  vtkHapticSettingMacro(ServerLimit, int); \
   vtkHapticFieldMacro(Scale, double); \
   vtkHapticFieldRotationMacro(Rotation); \
   vtkHapticFieldVectorMacro(Offset); \
@@ -34,6 +35,10 @@
   vtkHapticSettingMacro(FrictionKinetic, double); \
   vtkHapticSettingMacro(SoftSource, const char*); \
   vtkHapticSettingMacro(SoftRate, double); \
+  vtkHapticSettingMacro(MechanismSource, const char*); \
+  vtkHapticSettingMacro(MechanismLaws, const char*); \
+  vtkHapticFieldMacro(MechanismTurning, double); \
+  vtkHapticSwitchMacro(ShowSoftHand); \
   vtkHapticSettingMacro(ToolSource, const char*); \
   vtkHapticSettingMacro(ToolHandle, int); \
   vtkHapticVectorMacro(ToolHandlePoint); \
@@ -132,10 +137,13 @@
   vtkHapticReadoutMacro(FrictionText, const char*); \
   vtkHapticReadoutMacro(FrictionKineticUsed, double); \
   vtkHapticReadoutMacro(Contacts, int); \
+  vtkHapticReadoutMacro(MechanismText, const char*); \
+  vtkHapticReadoutMacro(MechanismDepth, double); \
   vtkHapticReadoutMacro(SoftText, const char*); \
   vtkHapticReadoutMacro(SoftStrain, double); \
   vtkHapticReadoutMacro(SoftPackets, double); \
   vtkHapticReadoutMacro(SoftAge, double); \
+  vtkHapticNumbersMacro(SoftHandPosition, 3); \
   vtkHapticReadoutMacro(ToolText, const char*); \
   vtkHapticReadoutMacro(ToolContacts, const char*); \
   vtkHapticNumbersMacro(ToolPose, 7); \
@@ -173,6 +181,9 @@
   vtkHapticReadoutMacro(FieldError, double); \
   vtkHapticReadoutMacro(FieldAge, double); \
   vtkHapticReadoutMacro(FieldSentence, const char*); \
+  vtkHapticReadoutMacro(ServerSentence, const char*); \
+  vtkHapticReadoutMacro(ServerAge, double); \
+  vtkHapticReadoutMacro(ServerTicksBeyond, vtkIdType); \
   vtkHapticReadoutMacro(SchedulingReport, const char*); \
   vtkHapticReadoutMacro(PlanSentence, const char*); \
   vtkHapticReadoutMacro(SceneProgress, double); \

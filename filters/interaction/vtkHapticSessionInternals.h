@@ -16,10 +16,12 @@
 #include "haptics/session/scene/FeltScene.h"
 #include "haptics/session/settings/TickFields.h"
 #include "vtkHapticFieldData.h"
+#include "vtkHapticHeldMechanism.h"
 #include "vtkHapticHeldTool.h"
 #include "vtkHapticMarkRecords.h"
 #include "vtkHapticPressedBody.h"
 #include "vtkHapticSceneSurfaces.h"
+#include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticSourceProbe.h"
 #include "vtkTimeStamp.h"
@@ -47,6 +49,7 @@ public:
   vtkTimeStamp MaterialTime;
   vtkHapticSceneSurfaces Surfaces;
   palpate::FeltScene Scene{ Core, PeriodSeconds };
+  vtkHapticServerSurfaces Server{ Core, Scene, Surfaces };
   vtkHapticFieldArrays FieldArrays;
   std::string FieldName;
   vtkSmartPointer<vtkDataObject> FieldData, CompareData, SnapData;
@@ -63,6 +66,7 @@ public:
   double FieldGradient[3] = { 0.0, 0.0, 0.0 };
   vtkHapticHeldTool Tool;
   vtkHapticPressedBody Soft;
+  vtkHapticHeldMechanism Mechanism;
   palpate::Quat HandTurn_W = palpate::Quat::Identity(); ///< where a program holds it
   int Simplify = Auto;
   int LinesAsWalls = Auto;
@@ -229,6 +233,8 @@ public:
   std::optional<palpate::FieldSample> FieldAtHand() const;
   void ShowState();
   /// Where the ball touches, or the tool most; nothing where neither does.
+  /// Takes the mechanism as it was read, or says the problem.
+  void HoldMechanism(vtkHapticSession& session, const std::string& problem);
   std::optional<palpate::ContactPlace> PlaceOfContact() const;
   /// A setting of the tool, if it may have these numbers: the tool is made anew, or has only another lever.
   template<class Value>

@@ -52,7 +52,7 @@ bool vtkHapticSession::PickSurface(
   query.resolution.include(query.from_W);
   query.resolution.include(query.to_W);
   query.resolution.include(Vec3::Constant(query.radius_u + scene.mostCoat_u()));
-  const double share = impl.State.sceneRevision == scene.revision() ? scene.shareAt(impl.State.sceneAge_s) : 0.0;
+  const double share = impl.State.sceneRevision == scene.revision() ? impl.State.sceneShare : 0.0;
   Vec3 x_W;
   Vec3 n_W;
   if (!(scene.moves() ? Meets(palpate::MovingScene(scene, share), query, x_W, n_W) : Meets(scene, query, x_W, n_W)))

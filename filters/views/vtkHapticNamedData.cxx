@@ -2,7 +2,10 @@
 #include "vtkHapticNamedData.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkPVCompositeRepresentation.h"
+#include "vtkPVDataRepresentation.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
@@ -26,7 +29,51 @@ bool IsMoved(vtkSMProxy* representation)
   };
   return differs("Position", 0.0) || differs("Orientation", 0.0) || differs("Scale", 1.0);
 }
+
+bool Visible(vtkSMProxy* representation)
+{
+  return representation->GetProperty("Visibility") && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() != 0;
+}
 } // namespace
+
+vtkObject* vtkHapticActiveRepresentation(vtkSMProxy* representation)
+{
+  auto* object = vtkObject::SafeDownCast(representation->GetClientSideObject());
+  auto* composite = vtkPVCompositeRepresentation::SafeDownCast(object);
+  return composite ? composite->GetActiveRepresentation() : object;
+}
+
+vtkSMProxy* vtkHapticInputOf(vtkSMProxy* representation)
+{
+  return representation->GetProperty("Input") ? vtkSMPropertyHelper(representation, "Input", true).GetAsProxy()
+                                              : nullptr;
+}
+
+std::string vtkHapticNameOf(vtkSMProxy* source)
+{
+  const char* name = source ? source->GetSessionProxyManager()->GetProxyName("sources", source) : nullptr;
+  return name ? name : "";
+}
+
+std::vector<vtkSMProxy*> vtkHapticVisibleRepresentations(vtkSMProxy* view)
+{
+  std::vector<vtkSMProxy*> visible;
+  const vtkSMPropertyHelper all(view, "Representations");
+  for (unsigned int i = 0; i < all.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* const representation = all.GetAsProxy(i);
+    if (representation && Visible(representation))
+    {
+      visible.push_back(representation);
+    }
+  }
+  return visible;
+}
+
+bool vtkHapticIsRemote(vtkSMProxy* view)
+{
+  return view->GetSession() && view->GetSession()->IsA("vtkSMSessionClient");
+}
 
 vtkHapticViewScan::Source vtkHapticShownSource(vtkSMProxy* representation, const std::string& name)
 {
@@ -38,10 +85,15 @@ vtkHapticViewScan::Source vtkHapticShownSource(vtkSMProxy* representation, const
     here ? nullptr : proxy, port };
 }
 
+vtkSMProxy* vtkHapticNamedProxy(vtkSMProxy* view, const std::string& name)
+{
+  vtkSMSessionProxyManager* const manager = view && !name.empty() ? view->GetSessionProxyManager() : nullptr;
+  return manager ? manager->GetProxy("sources", name.c_str()) : nullptr;
+}
+
 vtkHapticViewScan::Source vtkHapticNamedSource(vtkSMProxy* view, const std::string& name)
 {
-  vtkSMSessionProxyManager* const manager = view ? view->GetSessionProxyManager() : nullptr;
-  auto* const proxy = manager ? vtkSMSourceProxy::SafeDownCast(manager->GetProxy("sources", name.c_str())) : nullptr;
+  auto* const proxy = vtkSMSourceProxy::SafeDownCast(vtkHapticNamedProxy(view, name));
   if (!proxy)
   {
     return { name };

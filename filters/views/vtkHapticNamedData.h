@@ -7,10 +7,27 @@
 #include "vtkHapticViewScan.h"
 
 class vtkDataObject;
+class vtkObject;
 class vtkSMProxy;
+
+/// What a representation draws by now, of those that it can choose from.
+vtkObject* vtkHapticActiveRepresentation(vtkSMProxy* representation);
+
+/// The source that it shows, and that one's name in the pipeline browser; null and "" for annotations, which have none.
+vtkSMProxy* vtkHapticInputOf(vtkSMProxy* representation);
+std::string vtkHapticNameOf(vtkSMProxy* source);
+
+/// Of a view, in its order.
+std::vector<vtkSMProxy*> vtkHapticVisibleRepresentations(vtkSMProxy* view);
+
+/// Whether a view's data are on a server.
+bool vtkHapticIsRemote(vtkSMProxy* view);
 
 /// What the input of a representation made, here or on a server, under that name.
 vtkHapticViewScan::Source vtkHapticShownSource(vtkSMProxy* representation, const std::string& name);
+
+/// The proxy of that name in the pipeline browser of a view; null: there is none.
+vtkSMProxy* vtkHapticNamedProxy(vtkSMProxy* view, const std::string& name);
 
 /// What a source of the pipeline browser makes at its first output, shown or not, at the time of a view; without data
 /// here and on a server where there is none of that name.

@@ -11,10 +11,10 @@
 #include "vtkHapticDrafts.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticNamedData.h"
+#include "vtkHapticRemoteSurfaces.h"
 #include "vtkHapticShapes.h"
 #include "vtkImageSliceRepresentation.h"
 #include "vtkMapper.h"
-#include "vtkPVCompositeRepresentation.h"
 #include "vtkPVImageSliceMapper.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
@@ -22,8 +22,6 @@
 #include "vtkPolyData.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRepresentationProxy.h"
-#include "vtkSMSession.h"
-#include "vtkSMSessionProxyManager.h"
 
 namespace
 {
@@ -86,13 +84,7 @@ std::uint64_t GeometryKey(vtkDataObject* shown, const Also& also)
   return key;
 }
 
-vtkObject* ActiveRepresentation(vtkSMProxy* proxy)
-{
-  auto* object = vtkObject::SafeDownCast(proxy->GetClientSideObject());
-  auto* composite = vtkPVCompositeRepresentation::SafeDownCast(object);
-  return composite ? composite->GetActiveRepresentation() : object;
-}
-
+constexpr const char* OnlyOutline = "only its outline or edges are drawn; choose the representation Surface";
 constexpr const char* LinesNeedRadius =
   "it is drawn as lines; give lines a radius in the panel (Advanced, Radius of lines) to feel them as tubes";
 
@@ -133,7 +125,7 @@ std::string WhyNoPolygons(vtkObject* active, vtkDataObject* shown)
   const bool asItIs = active->IsA("vtkOutlineRepresentation") || active->IsA("vtkFeatureEdgesRepresentation");
   if (asItIs)
   {
-    return "only its outline or edges are drawn; choose the representation Surface";
+    return OnlyOutline;
   }
   if (drawn.Lines > 0)
   {
@@ -204,6 +196,20 @@ Seen SeenOf(vtkObject* active, vtkHapticShapes& shapes)
   return { actor, { actor ? InputOf(actor->GetMapper()) : nullptr, {} } };
 }
 
+/// Of a server, where the mapper may have nothing here.
+Seen SeenThere(vtkSMProxy* proxy, vtkObject* active, const vtkHapticRemoteSurfaces& remote)
+{
+  auto* geometry = vtkGeometryRepresentation::SafeDownCast(active);
+  vtkPVLODActor* const actor = geometry ? geometry->GetActor() : nullptr;
+  if (!geometry || vtkHapticRemoteSurfaces::Fetches(active))
+  {
+    return { actor, actor ? remote.ShapeOf(proxy) : vtkHapticShape() };
+  }
+  return { actor, { nullptr, active->IsA("vtkGlyph3DRepresentation")
+                               ? "glyphs of a server are not here; apply the filter Glyph and show its result"
+                               : OnlyOutline } };
+}
+
 /// Others show what they make of a curve, and nothing of it while it is drawn.
 bool DrawsCurves(vtkObject* active)
 {
@@ -254,19 +260,6 @@ vtkDataObject* DraftOf(vtkSMProxy* input, vtkDataObject* shown, vtkHapticDrafts&
   return applied;
 }
 
-vtkSMProxy* InputOf(vtkSMProxy* representation)
-{
-  return representation->GetProperty("Input") ? vtkSMPropertyHelper(representation, "Input", true).GetAsProxy()
-                                              : nullptr;
-}
-
-/// The name in the pipeline browser; empty for annotations, which have no input.
-std::string NameOf(vtkSMProxy* input)
-{
-  const char* name = input ? input->GetSessionProxyManager()->GetProxyName("sources", input) : nullptr;
-  return name ? name : "";
-}
-
 /// False if it shows nothing that can be touched.
 bool AddSurface(
   const std::string& name, vtkDataObject* data, vtkMatrix4x4* matrix, const Also& also, vtkHapticViewScan& scan)
@@ -296,8 +289,8 @@ bool IsTransparent(vtkSMProxy* representation)
 void ScanRepresentation(
   vtkSMProxy* proxy, const std::string& name, const Also& also, vtkHapticShapes& shapes, vtkHapticViewScan& scan)
 {
-  vtkObject* active = ActiveRepresentation(proxy);
-  const Seen seen = SeenOf(active, shapes);
+  vtkObject* active = vtkHapticActiveRepresentation(proxy);
+  const Seen seen = also.Remote ? SeenThere(proxy, active, *also.Remote) : SeenOf(active, shapes);
   if (!seen.Actor || !seen.Shape.Problem.empty())
   {
     scan.Refusals.push_back(name + ": " + (seen.Actor ? seen.Shape.Problem : WhyNoSurface(active)) + ".");
@@ -311,7 +304,7 @@ void ScanRepresentation(
   vtkDataObject* shown = seen.Shape.Data;
   if (also.Drafts && DrawsCurves(active))
   {
-    vtkDataObject* const draft = DraftOf(InputOf(proxy), shown, *also.Drafts);
+    vtkDataObject* const draft = DraftOf(vtkHapticInputOf(proxy), shown, *also.Drafts);
     shown = draft ? draft : shown;
   }
   if (!shown)
@@ -322,29 +315,21 @@ void ScanRepresentation(
   if (!AddSurface(name, shown, seen.Actor->GetMatrix(), also, scan))
   {
     scan.Refusals.push_back(name + ": " + WhyNoPolygons(active, shown) + ".");
+    return;
   }
+  scan.Surfaces.back().Part = also.Remote ? also.Remote->PartOf(proxy) : 0;
 }
 
 /// A curve that was not applied yet is where its widget is, in no actor.
 void ScanDrawing(vtkSMProxy* drawing, const Also& also, vtkHapticDrafts& drafts, vtkHapticViewScan& scan)
 {
   drafts.ForgetDeleted();
-  const std::string name = NameOf(drawing);
+  const std::string name = vtkHapticNameOf(drawing);
   vtkDataObject* const drawn = name.empty() ? nullptr : drafts.Drawn(drawing);
   if (drawn && !AddSurface(name, drawn, vtkNew<vtkMatrix4x4>(), also, scan))
   {
     scan.Refusals.push_back(name + ": " + LinesNeedRadius + ".");
   }
-}
-
-bool Visible(vtkSMProxy* representation)
-{
-  return representation->GetProperty("Visibility") && vtkSMPropertyHelper(representation, "Visibility").GetAsInt() != 0;
-}
-
-bool IsRemote(vtkSMProxy* view)
-{
-  return view->GetSession() && view->GetSession()->IsA("vtkSMSessionClient");
 }
 
 /// Why nothing of this view can be touched; empty if it can.
@@ -359,10 +344,6 @@ std::string RefusalOf(vtkSMProxy* view)
   {
     return "The active view is not a 3D render view: click one that is.";
   }
-  if (!IsRemote(view) && render->GetUseDistributedRenderingForRender())
-  {
-    return "The server renders this view, so its surfaces are not here: raise the Remote Render Threshold.";
-  }
   return {};
 }
 } // namespace
@@ -372,6 +353,12 @@ bool vtkHapticViewScan::SameAs(const vtkHapticViewScan& other) const
   const auto same = [](const Surface& a, const Surface& b)
   { return a.Name == b.Name && a.GeometryKey == b.GeometryKey && SameMatrix(a.Matrix, b.Matrix); };
   return std::equal(this->Surfaces.begin(), this->Surfaces.end(), other.Surfaces.begin(), other.Surfaces.end(), same);
+}
+
+bool vtkHapticViewScan::SameNamesAs(const vtkHapticViewScan& other) const
+{
+  return std::equal(this->Surfaces.begin(), this->Surfaces.end(), other.Surfaces.begin(), other.Surfaces.end(),
+    [](const Surface& a, const Surface& b) { return a.Name == b.Name; });
 }
 
 bool vtkHapticViewScan::SameArraysAs(const vtkHapticViewScan& other) const
@@ -388,33 +375,25 @@ vtkHapticViewScan vtkHapticScanView(vtkSMProxy* view, vtkHapticShapes& shapes, c
     scan.Refusals.push_back(std::move(refusal));
     return scan;
   }
-  const bool remote = IsRemote(view);
-  if (remote)
-  {
-    scan.Refusals.emplace_back(
-      "The data is on a server, and only the built-in server can be touched: disconnect and open "
-      "the file here, or choose its values in the panel (Advanced, Field) to feel a field.");
-  }
+  const bool remote = vtkHapticIsRemote(view);
+  vtkHapticScanOptions here = options;
+  here.Remote = remote ? options.Remote : nullptr;
   vtkSMProxy* drawing = options.Drawing;
-  vtkSMPropertyHelper representations(view, "Representations");
-  for (unsigned int i = 0; i < representations.GetNumberOfElements(); ++i)
+  for (vtkSMProxy* const representation : vtkHapticVisibleRepresentations(view))
   {
-    vtkSMProxy* representation = representations.GetAsProxy(i);
-    vtkSMProxy* const input = representation ? InputOf(representation) : nullptr;
-    const std::string name = NameOf(input);
+    vtkSMProxy* const input = vtkHapticInputOf(representation);
+    const std::string name = vtkHapticNameOf(input);
     drawing = input == drawing ? nullptr : drawing; // it is shown
-    if (!name.empty() && Visible(representation))
+    if (name.empty())
     {
-      const vtkHapticViewScan::Source source = vtkHapticShownSource(representation, name);
-      if ((source.Data || source.Remote) && !IsTransparent(representation))
-      {
-        scan.Sources.push_back(source);
-      }
-      if (!remote)
-      {
-        ScanRepresentation(representation, name, options, shapes, scan);
-      }
+      continue;
     }
+    const vtkHapticViewScan::Source source = vtkHapticShownSource(representation, name);
+    if ((source.Data || source.Remote) && !IsTransparent(representation))
+    {
+      scan.Sources.push_back(source);
+    }
+    ScanRepresentation(representation, name, here, shapes, scan);
   }
   if (options.Drafts && !remote)
   {

@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkHapticDrafts;
+class vtkHapticRemoteSurfaces;
 class vtkHapticShapes;
 class vtkSMProxy;
 class vtkSMSourceProxy;
@@ -32,6 +33,7 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
     vtkSmartPointer<vtkDataObject> Data;
     vtkSmartPointer<vtkMatrix4x4> Matrix; ///< actor frame to W
     std::uint64_t GeometryKey = 0;        ///< equal while points and cells are the same objects, unmodified
+    int Part = 0;                         ///< number of a part of what is on a server; 0: it is whole
     std::uint64_t ArraysKey = 0;          ///< equal while its arrays are the same, unmodified
   };
 
@@ -51,8 +53,15 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
   std::vector<std::string> Refusals; ///< one sentence each: what is not touched, why, and what to do
   bool Pending = false;              ///< something was not rendered yet: look again after the next frame
 
+  /// Nothing of that name is a surface to be touched.
+  void LeaveOut(const std::string& name)
+  {
+    std::erase_if(this->Surfaces, [&name](const Surface& surface) { return surface.Name == name; });
+  }
   /// Same surfaces, same geometry, same transforms.
   bool SameAs(const vtkHapticViewScan& other) const;
+  /// Of the same sources.
+  bool SameNamesAs(const vtkHapticViewScan& other) const;
   /// The same arrays on surfaces that are the same.
   bool SameArraysAs(const vtkHapticViewScan& other) const;
 };
@@ -60,10 +69,11 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
 /// What is followed beside polygons.
 struct vtkHapticScanOptions
 {
-  bool Lines = false;                ///< what is drawn as lines alone
-  bool Points = false;               ///< what is drawn as points alone
-  vtkHapticDrafts* Drafts = nullptr; ///< with them a shown curve is where its widget draws it
-  vtkSMProxy* Drawing = nullptr;     ///< a source that is not shown yet, where its widget draws it
+  bool Lines = false;                              ///< what is drawn as lines alone
+  bool Points = false;                             ///< what is drawn as points alone
+  vtkHapticDrafts* Drafts = nullptr;               ///< with them a shown curve is where its widget draws it
+  const vtkHapticRemoteSurfaces* Remote = nullptr; ///< what was fetched of a server's
+  vtkSMProxy* Drawing = nullptr;                   ///< a source that is not shown yet, where its widget draws it
 };
 
 /// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence. `shapes`

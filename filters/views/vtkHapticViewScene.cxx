@@ -9,6 +9,8 @@
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticNamedData.h"
 #include "vtkHapticRemoteField.h"
+#include "vtkHapticRemoteSurfaces.h"
+#include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticShapes.h"
 #include "vtkHapticViewScan.h"
@@ -46,6 +48,7 @@ public:
   vtkWeakPointer<vtkSMProxy> Drawing;
   vtkHapticDrafts Drafts;
   vtkHapticShapes Shapes;
+  vtkHapticRemoteSurfaces Remote;
   vtkSmartPointer<vtkHapticSession> Session;
   vtkHapticViewScan Scan;
   vtkHapticHandedSources Handed;
@@ -74,8 +77,9 @@ public:
   vtkHapticViewScan Look() { return this->Look({ this->TouchesLines(), this->TouchesPoints() }); }
 
   /// But for what is in the hand.
-  vtkHapticViewScan Look(const vtkHapticScanOptions& options)
+  vtkHapticViewScan Look(vtkHapticScanOptions options)
   {
+    options.Remote = &this->Remote;
     vtkHapticViewScan scan = vtkHapticScanView(this->View, this->Shapes, options);
     this->Handed.Change(this->Session, scan);
     return scan;
@@ -108,12 +112,6 @@ public:
 
 namespace
 {
-bool SameNames(const vtkHapticViewScan& a, const vtkHapticViewScan& b)
-{
-  return std::equal(a.Surfaces.begin(), a.Surfaces.end(), b.Surfaces.begin(), b.Surfaces.end(),
-    [](const auto& one, const auto& other) { return one.Name == other.Name; });
-}
-
 /// That stays as it is when the pipeline goes on.
 vtkHapticViewScan SharedCopy(vtkHapticViewScan scan)
 {
@@ -190,7 +188,7 @@ bool vtkHapticViewScene::Internals::HandOverField(const vtkHapticViewScan::Sourc
 
 bool vtkHapticViewScene::Internals::IsPrepared(vtkHapticViewScan& scan)
 {
-  if (this->Preparing && SameNames(*this->Preparing, scan))
+  if (this->Preparing && this->Preparing->SameNamesAs(scan))
   {
     scan = *this->Preparing;
   }
@@ -323,7 +321,8 @@ std::string vtkHapticViewScene::GetArrayNames() const
 std::string vtkHapticViewScene::GetRefusal() const
 {
   const vtkHapticViewScan now = this->Impl->Look();
-  if (!now.Surfaces.empty() || now.Pending || this->Impl->CouldFeelField(now))
+  const bool holds = this->Impl->Session && *this->Impl->Session->GetMechanismSource() != '\0';
+  if (!now.Surfaces.empty() || now.Pending || holds || this->Impl->CouldFeelField(now))
   {
     return {};
   }
@@ -360,8 +359,9 @@ void vtkHapticViewScene::TakeAgain()
 
 bool vtkHapticViewScene::Update()
 {
+  this->Impl->Remote.Follow(this->Impl->View, this->Impl->Session);
   vtkHapticViewScan now = this->Impl->Look(
-    { this->Impl->TouchesLines(), this->Impl->TouchesPoints(), &this->Impl->Drafts, this->Impl->Drawing });
+    { this->Impl->TouchesLines(), this->Impl->TouchesPoints(), &this->Impl->Drafts, nullptr, this->Impl->Drawing });
   this->Impl->Shapes.Forget();
   const bool same = this->Impl->HandedOver && now.SameAs(this->Impl->Scan) && this->Impl->SameMaterials(now);
   if (this->Impl->Session)
@@ -403,11 +403,13 @@ void vtkHapticViewScene::HandOver()
   session->ClearSurfaces();
   for (const vtkHapticViewScan::Surface& surface : this->Impl->Scan.Surfaces)
   {
+    session->ServerSurfaces().SetPartNumber(surface.Part);
     if (!session->AddSurface(surface.Name.c_str(), surface.Data, surface.Matrix))
     {
       this->Impl->Rejected[surface.Name] = session->GetProblem();
     }
   }
+  this->Impl->Remote.Tell(*session);
   session->CommitScene();
 }
 

@@ -7,16 +7,9 @@
 
 #include "haptics/field/UsualGradient.h"
 #include "vtkHapticFieldShape.h"
+#include "vtkHapticHandPace.h"
 #include "vtkHapticSessionInternals.h"
 #include "vtkPolyData.h"
-
-namespace
-{
-constexpr double fastest_m_per_s = 0.3; ///< of a hand that feels its way
-/// Until the next look and until a worker has answered, twice: half of the room is used up before another brick is
-/// asked for.
-constexpr double ahead_s = 0.2;
-} // namespace
 
 bool vtkHapticSession::AddField(const char* name, vtkDataObject* data)
 {
@@ -92,7 +85,8 @@ bool vtkHapticSession::Internals::FollowField(bool wait)
 {
   const palpate::Vec3 hand_W =
     this->Core.running() ? this->Core.state().device_W.p : this->Hand_W.value_or(palpate::Vec3::Zero());
-  const double reach_u = fastest_m_per_s * ahead_s * this->Asked.asked().map.scale_u_per_m;
+  const double reach_u =
+    vtkHapticHandPace::fastest_m_per_s * vtkHapticHandPace::ahead_s * this->Asked.asked().map.scale_u_per_m;
   const palpate::FieldPlan& plan = this->Asked.asked().field;
   const std::optional<double> level = plan.isosurface ? std::optional(plan.isovalue) : std::nullopt;
   const auto brick = this->FeltField.follow(hand_W, reach_u, level, wait);
@@ -337,7 +331,8 @@ const char* vtkHapticSession::GetFieldSentence() const
   if (impl.FeltField.hasSource())
   {
     const palpate::HapticParameters& asked = impl.Asked.asked();
-    impl.FieldSentence = palpate::fieldSentence(impl.FieldName, made, asked.map.scale_u_per_m, ahead_s);
+    impl.FieldSentence =
+      palpate::fieldSentence(impl.FieldName, made, asked.map.scale_u_per_m, vtkHapticHandPace::ahead_s);
     const std::string point = palpate::pointSentence(asked.field, asked.contact.radius_u);
     impl.FieldSentence += point.empty() ? "" : "; " + point;
     const std::string level = palpate::levelSentence(asked.field, impl.FieldEnds);

@@ -4,12 +4,9 @@
 #include <sstream>
 
 #include "haptics/session/settings/Setting.h"
-#include "vtkHapticSoftBodyData.h"
 
 namespace
 {
-/// Largest |F - 1| within which small strain is true to 1 %, and from which on any law of these is qualitative.
-constexpr double SmallStrain = 0.1, LargeStrain = 0.5;
 constexpr double CountEvery_s = 1.0;
 
 std::string Rounded(double value, int digits)
@@ -52,18 +49,11 @@ void vtkHapticPressedBody::Follow(palpate::HapticSession& core, const palpate::H
 {
   this->Status = core.running() ? core.softStatus() : palpate::SoftStatus{};
   this->CountPackets(now_s);
+  this->Hand_W = this->Status.shape ? this->Status.shape->hand_W : state.device_W.p;
+  const double radius_u = state.tool.ball_u > 0.0 ? state.tool.ball_u : core.parameters().contact.radius_u;
+  this->Ball = { state.proxy_W.p, state.soft.pressed ? radius_u : 0.0 };
   this->Strain = this->Status.shape ? this->Status.shape->mostGradient : 0.0;
   this->Text = this->Source.empty() ? "" : this->Sentence(state);
-}
-
-std::string vtkHapticPressedBody::StrainSentence() const
-{
-  const palpate::Vec3& at = this->Status.shape->worst_W;
-  const std::string where = " at (" + Rounded(at.x(), 4) + ", " + Rounded(at.y(), 4) + ", " + Rounded(at.z(), 4) + ")";
-  return ", largest strain " + Rounded(100.0 * this->Strain, 2) + " %" + (this->Strain > 0.0 ? where : "") +
-         (this->Strain > LargeStrain    ? ": qualitative from here on"
-           : this->Strain > SmallStrain ? ": a linear law is off by more than 1 %"
-                                        : "");
 }
 
 std::string vtkHapticPressedBody::Sentence(const palpate::HapticState& state) const
@@ -87,9 +77,10 @@ std::string vtkHapticPressedBody::Sentence(const palpate::HapticState& state) co
   }
   return text + "; " + Rounded(this->PacketsPerSecond, 3) + " packets a second, " +
          (state.soft.felt ? palpate::quantity(1e3 * state.soft.age_s, "ms") + " old" : "not taken yet") +
-         this->StrainSentence() +
+         ", largest strain " + vtkHapticStrainText(*this->Status.shape) +
          (state.soft.pressed && this->Status.shape->struck
-             ? "; struck faster than a body as dense as water follows: its inertia is left out"
+             ? "; struck faster than a body of " + palpate::quantity(this->Input->density_kg_per_m3, "kg/m3") +
+                 " follows: its inertia is left out"
              : "");
 }
 
@@ -100,6 +91,6 @@ bool vtkHapticPressedBody::Bend(vtkUnstructuredGrid& body)
     return false;
   }
   this->Shown = this->Status.shape;
-  vtkHapticBendBody(body, *this->Input, this->Status.asMade.get(), this->Shown.get());
+  vtkHapticBendBody(body, *this->Input, this->Status.asMade.get(), this->Shown.get(), this->Ball);
   return true;
 }

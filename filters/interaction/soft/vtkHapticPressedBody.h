@@ -4,6 +4,8 @@
 
 #include "haptics/session/HapticSession.h"
 
+#include "vtkHapticSoftBodyData.h"
+
 #include <memory>
 #include <string>
 
@@ -25,13 +27,15 @@ public:
   /// The body as it is bent; false, and unchanged, where it is as it was when it was asked for last.
   bool Bend(vtkUnstructuredGrid& body);
 
+  bool ShowHand = false; ///< where it was when the body was computed last
+  palpate::Vec3 Hand_W = palpate::Vec3::Zero();
+
   std::string Text;
   double Strain = 0.0;
   double PacketsPerSecond = 0.0;
 
 private:
   std::string Sentence(const palpate::HapticState& state) const;
-  std::string StrainSentence() const;
   void CountPackets(double now_s);
 
   std::string Name;
@@ -40,6 +44,7 @@ private:
   std::shared_ptr<const palpate::SoftBodyInput> Input;
   palpate::SoftStatus Status;
   std::shared_ptr<const palpate::BodyShape> Shown;
+  vtkHapticBall Ball; ///< that presses it
   std::uint64_t CountedPackets = 0;
   double Counted_s = 0.0;
 };

@@ -42,6 +42,7 @@ void vtkHapticSession::SetSoftRate(double rate_Hz)
   {
     this->Impl->Soft.Rate_Hz = rate_Hz;
     this->Impl->Core.setSoft(this->Impl->Soft.Choice());
+    this->Impl->Core.setMechanism(this->Impl->Mechanism.Choice(rate_Hz));
     this->Modified();
   }
 }
@@ -69,4 +70,20 @@ double vtkHapticSession::GetSoftPackets() const
 double vtkHapticSession::GetSoftAge() const
 {
   return this->Impl->State.soft.age_s;
+}
+
+void vtkHapticSession::SetShowSoftHand(bool on)
+{
+  this->Impl->Soft.ShowHand = on;
+  this->Modified();
+}
+
+bool vtkHapticSession::GetShowSoftHand() const
+{
+  return this->Impl->Soft.ShowHand;
+}
+
+double* vtkHapticSession::GetSoftHandPosition()
+{
+  return this->Impl->Soft.Hand_W.data();
 }

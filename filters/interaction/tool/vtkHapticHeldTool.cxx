@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "haptics/session/settings/Setting.h"
+#include "haptics/tool/servo/RubbedWish.h"
 #include "vtkHapticConversion.h"
 
 std::string vtkHapticHeldTool::Take(const std::string& name, vtkDataObject* data)
@@ -112,7 +113,8 @@ std::string vtkHapticHeldTool::Sentence(palpate::HapticSession& core, const palp
   }
   const std::size_t triangles = this->Choice_.tool->shape_B->mesh().triangles.size();
   std::string text = this->Name + ", " + std::to_string(triangles) + " triangles";
-  text += this->Choice_.tool->simple ? ", " + palpate::describe(*this->Choice_.tool->simple) : "";
+  const std::string felt = palpate::describeFelt(*this->Choice_.tool, state.tool.ball_u > 0.0);
+  text += felt.empty() ? "" : ", " + felt;
   if (!state.tool.held || !core.running())
   {
     return text;
@@ -121,12 +123,16 @@ std::string vtkHapticHeldTool::Sentence(palpate::HapticSession& core, const palp
   {
     return text + ", waits: it meets the scene where the hand is; move the hand to where it is free";
   }
-  if (core.toolEnclosed())
+  if (const std::string noWayOut = core.toolNoWayOut(); !noWayOut.empty())
   {
-    return text + ", is inside of a closed body and cannot get out: lay it down, lead the hand out and take it again";
+    return text + ", " + noWayOut + ", laid down and taken again there";
   }
   const double lever_u = state.tool.lever_m * core.parameters().map.scale_u_per_m;
-  text += ", lever " + palpate::quantity(lever_u, "u") + ", " + std::to_string(state.contacts) + " contacts push";
+  text += ", lever " + palpate::quantity(lever_u, "u") + ", " + std::to_string(state.contacts) +
+          (state.contacts == 1 ? " contact pushes" : " contacts push");
+  text += core.parameters().contact.friction.kinetic > palpate::largestToolFriction
+            ? ", rubs by 1, the most a tool may, and not by the kinetic friction that is set"
+            : "";
   return state.clamped && state.contacts > 0
            ? text + "; the hand is outside what fits, further than the force may say: lead it back to the tool"
            : text;

@@ -3,20 +3,13 @@
 #define vtkHapticHeldTool_h
 
 #include "haptics/session/HapticSession.h"
+#include "vtkHapticToolHandle.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
 
 class vtkDataObject;
-
-/// What of a tool is where the hand is.
-enum class vtkHapticToolHandle
-{
-  Centre, ///< of mass
-  Origin, ///< of its data
-  Handle, ///< a point that is given
-};
 
 /// What the hand of a session holds in place of the ball: what was asked for, what was made of it, how it is.
 class vtkHapticHeldTool

@@ -30,9 +30,10 @@ constexpr int ballResolution = 32;
 constexpr int arrowResolution = 24;
 /// The hand is drawn smaller than the proxy, so that both are seen when they are at one place.
 constexpr double handShare = 0.75;
-constexpr float traceWidth = 3.0f;   // pixels
-constexpr double torqueArm_m = 0.03; // a torque is drawn as the force that has it at such an arm
-constexpr double markOpacity = 0.4;  // what is at start and exit shows through
+constexpr double softHandShare = 0.5; ///< likewise the hand that a soft body was computed for
+constexpr float traceWidth = 3.0f;    // pixels
+constexpr double torqueArm_m = 0.03;  // a torque is drawn as the force that has it at such an arm
+constexpr double markOpacity = 0.4;   // what is at start and exit shows through
 
 /// 0 without a scene.
 double DiagonalOf(vtkHapticSession* session)
@@ -75,6 +76,7 @@ class vtkHapticToolProps::Internals
 public:
   vtkNew<vtkActor> Proxy;
   vtkNew<vtkActor> Hand;
+  vtkNew<vtkActor> SoftHand;
   vtkNew<vtkActor> Arrow;
   vtkNew<vtkActor> Trace;
   vtkNew<vtkActor> Start;
@@ -92,7 +94,7 @@ public:
 
   Internals();
   vtkActor* const* begin() const { return this->All; }
-  vtkActor* const* end() const { return this->All + 11; }
+  vtkActor* const* end() const { return this->All + 12; }
   void Place(vtkActor* actor, const double p_W[3], double radius) const;
   void PlaceMarks(vtkHapticSession* session, bool shown) const;
   void PlaceWorkspace(vtkHapticSession* session) const;
@@ -100,8 +102,8 @@ public:
 private:
   void MakeBox() const;
 
-  vtkActor* All[11] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit, this->Workspace,
-    this->Field, this->Torque, this->Held.Solid, this->Held.Ghost };
+  vtkActor* All[12] = { this->Proxy, this->Hand, this->Arrow, this->Trace, this->Start, this->Exit, this->Workspace,
+    this->Field, this->Torque, this->Held.Solid, this->Held.Ghost, this->SoftHand };
 };
 
 vtkHapticToolProps::Internals::Internals()
@@ -119,6 +121,7 @@ vtkHapticToolProps::Internals::Internals()
   arrowMapper->SetInputConnection(arrow->GetOutputPort());
   this->Proxy->SetMapper(ballMapper);
   this->Hand->SetMapper(ballMapper);
+  this->SoftHand->SetMapper(ballMapper);
   this->Arrow->SetMapper(arrowMapper);
   this->Arrow->SetUserMatrix(this->ArrowFrame);
   this->Torque->SetMapper(arrowMapper);
@@ -144,6 +147,7 @@ vtkHapticToolProps::Internals::Internals()
   this->Exit->GetProperty()->SetColor(0.9, 0.1, 0.1);
   this->Proxy->GetProperty()->SetColor(1.0, 0.75, 0.1);
   this->Hand->GetProperty()->SetColor(0.15, 0.45, 1.0);
+  this->SoftHand->GetProperty()->SetColor(0.6, 0.6, 0.6);
   this->Arrow->GetProperty()->SetColor(0.9, 0.1, 0.1);
   this->MakeBox();
   for (vtkActor* actor : *this)
@@ -278,6 +282,8 @@ void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
   const double radius = std::max(session->GetRadiusUsed(), this->RelativeSize * diagonal);
   impl.Place(impl.Proxy, session->GetProxyPosition(), radius);
   impl.Place(impl.Hand, session->GetHandPosition(), handShare * radius);
+  impl.Place(impl.SoftHand, session->GetSoftHandPosition(), softHandShare * radius);
+  impl.SoftHand->SetVisibility(session->GetShowSoftHand());
   const bool held = impl.Held.UpdateFrom(session);
   impl.Proxy->SetVisibility(!held);
   impl.Hand->SetVisibility(!held);
@@ -295,6 +301,11 @@ vtkActor* vtkHapticToolProps::GetProxyActor() const
 vtkActor* vtkHapticToolProps::GetHandActor() const
 {
   return this->Impl->Hand;
+}
+
+vtkActor* vtkHapticToolProps::GetSoftHandActor() const
+{
+  return this->Impl->SoftHand;
 }
 
 vtkActor* vtkHapticToolProps::GetForceActor() const

@@ -67,6 +67,7 @@ public:
   ///@{
   vtkActor* GetProxyActor() const;
   vtkActor* GetHandActor() const;
+  vtkActor* GetSoftHandActor() const; ///< the hand that a soft body was computed for, where ShowSoftHand is on
   vtkActor* GetForceActor() const;
   vtkActor* GetTraceActor() const;
   vtkActor* GetStartActor() const;

@@ -25,7 +25,8 @@ from palpate.vtkHapticInteraction import vtkHapticSession  # noqa: F401  the pro
 from palpate.vtkHapticViews import vtkHapticViewScene
 
 __all__ = ["HapticRefusal", "GetHapticSession", "SetHaptics", "Touch", "TakeColorRange", "LetGo", "FitHand", "HapticUpdate",
-           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource", "HoldTool", "PressBody"]
+           "HapticState", "Mark", "GetMarks", "ClearMarks", "SaveMarks", "SetSource", "HoldTool", "PressBody", "SoftText",
+           "HoldMechanism", "Laws", "AddLaw", "RemoveLaw", "BreakLaw"]
 
 
 class HapticRefusal(RuntimeError):
@@ -45,7 +46,9 @@ def _proxy():
     if present:
         return present
     if not manager.GetProxyDefinitionManager().HasDefinition("haptics", "HapticSession"):
-        raise HapticRefusal("Palpate is not loaded: call LoadPlugin('.../Palpate.so') first.")
+        raise HapticRefusal("The server has not the plugin Palpate: start it with the plugin's folder in PV_PLUGIN_PATH, then connect again."
+                            if servermanager.ActiveConnection.IsRemote() else
+                            "Palpate is not loaded: call LoadPlugin('.../Palpate.so') first.")
     made = manager.NewProxy("haptics", "HapticSession")
     servermanager.vtkSMPropertyHelper(made, "FitOnTouch").Set(1)
     made.UpdateVTKObjects()
@@ -231,6 +234,10 @@ def GetMarks():
     """The marks in their order, each a dictionary: Source, X, Y, Z and all that was found there."""
     table = vtkTable()
     GetHapticSession().GetMarksTable(table)
+    return _rows(table)
+
+
+def _rows(table):
     columns = [table.GetColumn(column) for column in range(table.GetNumberOfColumns())]
     return [{column.GetName(): column.GetValue(row) for column in columns} for row in range(table.GetNumberOfRows())]
 
@@ -287,3 +294,57 @@ def PressBody(source=None, rate=None):
             _put("SoftRate", rate)
         _put("SoftSource", name or "")
         HapticUpdate()
+
+
+def SoftText(source):
+    """What Soft Body or Soft Skin says of what it has made: material and what is assumed of it, what coarse tetrahedra leave
+    out. A proxy of theirs."""
+    source.UpdatePipeline()
+    source.SMProxy.UpdatePropertyInformation()
+    return source.GetPropertyValue("Text")
+
+
+def HoldMechanism(source=None, turning=None, laws=None):
+    """Holds a body of the output of Haptic Mechanism: a proxy, or its name in the pipeline browser; None: none. turning:
+    how stiffly the hand turns it [N m/rad], 0: it turns freely. laws: a list of laws in place of those of its scene
+    file, each a dictionary as in that; []: the file's."""
+    name = None if source is None else _source_name(source)
+    with _Refusals():
+        if turning is not None:
+            _put("MechanismTurning", turning)
+        if laws is not None or name != GetHapticSession().GetMechanismSource():
+            _put("MechanismLaws", json.dumps(laws) if laws else "")  # those of another mechanism would not fit
+        _put("MechanismSource", name or "")
+        HapticUpdate()
+
+
+def Laws():
+    """The laws of the mechanism in their order, each a dictionary: Law, Kind, A, B, Phase, Force [N], Inside [u]."""
+    table = vtkTable()
+    GetHapticSession().GetMechanismTable(table)
+    return _rows(table)
+
+
+def _put_laws(laws):
+    if laws:
+        _put("MechanismLaws", laws)
+        HapticUpdate()
+
+
+def AddLaw(**law):
+    """Another law of the mechanism, with the keys of a scene file; in the place of the one of its name, if there is
+    one. MechanismLaws has it."""
+    with _Refusals() as session:
+        _put_laws(session.GetLawsWith(json.dumps(law)))
+
+
+def RemoveLaw(name):
+    """One law less. MechanismLaws has what is left."""
+    with _Refusals() as session:
+        _put_laws(session.GetLawsWithout(name))
+
+
+def BreakLaw(name):
+    """From the next tick on that law holds no more, until the mechanism is held anew."""
+    with _Refusals() as session:
+        session.BreakLaw(name)

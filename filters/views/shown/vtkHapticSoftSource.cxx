@@ -4,22 +4,17 @@
 #include "vtkHapticNamedData.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticSoftBody.h"
+#include "vtkHapticSoftSkin.h"
 #include "vtkNew.h"
 #include "vtkSMProxy.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace
 {
-vtkSMProxy* ProxyOf(vtkSMProxy* view, const std::string& name)
-{
-  vtkSMSessionProxyManager* const manager = view && !name.empty() ? view->GetSessionProxyManager() : nullptr;
-  return manager ? manager->GetProxy("sources", name.c_str()) : nullptr;
-}
-
 /// The filter that made a body; null: none that can show it bent.
 vtkHapticSoftBody* FilterOf(vtkSMProxy* proxy)
 {
@@ -30,7 +25,7 @@ vtkHapticSoftBody* FilterOf(vtkSMProxy* proxy)
 vtkDataObject* BodyOf(vtkSMProxy* view, const std::string& name)
 {
   vtkDataObject* const made = name.empty() ? nullptr : vtkHapticNamedData(view, name);
-  vtkHapticSoftBody* const filter = FilterOf(ProxyOf(view, name));
+  vtkHapticSoftBody* const filter = FilterOf(vtkHapticNamedProxy(view, name));
   return filter ? filter->GetRest() : made;
 }
 } // namespace
@@ -40,10 +35,10 @@ void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
   const std::string name = session.GetSoftSource();
   if (!this->Name.empty() && this->Name != name)
   {
-    if (vtkHapticSoftBody* const before = FilterOf(ProxyOf(view, this->Name)))
+    if (vtkHapticSoftBody* const before = FilterOf(vtkHapticNamedProxy(view, this->Name)))
     {
       before->ShowBent(nullptr);
-      ProxyOf(view, this->Name)->MarkModified(nullptr);
+      vtkHapticNamedProxy(view, this->Name)->MarkModified(nullptr);
     }
   }
   vtkDataObject* const body = BodyOf(view, name);
@@ -53,7 +48,7 @@ void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
     this->Name = name;
     session.AddSoftBody(name.c_str(), body);
   }
-  vtkHapticSoftBody* const filter = FilterOf(ProxyOf(view, name));
+  vtkHapticSoftBody* const filter = FilterOf(vtkHapticNamedProxy(view, name));
   vtkNew<vtkUnstructuredGrid> bent;
   if (filter && filter->GetRest())
   {
@@ -61,7 +56,7 @@ void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
     if (session.BendSoftBody(bent))
     {
       filter->ShowBent(bent);
-      ProxyOf(view, name)->MarkModified(nullptr);
+      vtkHapticNamedProxy(view, name)->MarkModified(nullptr);
     }
   }
 }
@@ -69,18 +64,25 @@ void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 void vtkHapticSoftSource::KeepAtRest(vtkHapticSession* session, vtkHapticViewScan& scan)
 {
   const std::string name = session ? session->GetSoftSource() : "";
-  const auto isIt = [&name](const auto& shown) { return shown.Name == name; };
+  const auto isIt = [&name](const auto& shown) { return shown.Name == name || vtkHapticSoftSkin::IsSkin(shown.Data); };
   const auto found = std::find_if(scan.Surfaces.begin(), scan.Surfaces.end(), isIt);
   if (name.empty() || found == scan.Surfaces.end())
   {
     return;
   }
+  if (found->Matrix && !found->Matrix->IsIdentity())
+  {
+    scan.Refusals.push_back(name + ": it gives way where its numbers are, not where it is drawn; set its display back, "
+                                   "or apply the filter Transform before Soft Body.");
+  }
   if (!this->AtRest || this->AtRest->Name != name || this->AtRestOf != this->Body)
   {
     this->AtRestOf = this->Body;
     this->AtRest = *found;
+    this->AtRest->Name = name;
     this->AtRest->Data = vtkSmartPointer<vtkDataObject>::Take(found->Data->NewInstance());
     this->AtRest->Data->ShallowCopy(found->Data); // what is shown is filled anew when it bends
   }
   *found = *this->AtRest;
+  scan.Surfaces.erase(std::remove_if(std::next(found), scan.Surfaces.end(), isIt), scan.Surfaces.end());
 }

@@ -21,7 +21,7 @@ public:
   void Follow(vtkHapticSession& session, vtkSMProxy* view);
   /// The next look tells it in any case.
   void Forget() { this->Known = false; }
-  /// Puts its surface at rest in the place of the one that is shown.
+  /// Puts its surface at rest in the place of the one that is shown, or of a skin that rides on it.
   void KeepAtRest(vtkHapticSession* session, vtkHapticViewScan& scan);
 
 private:

@@ -6,8 +6,6 @@
 #include "vtkHapticViewScan.h"
 #include "vtkSMProxy.h"
 
-#include <algorithm>
-#include <string>
 #include <utility>
 
 void vtkHapticToolSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
@@ -25,7 +23,5 @@ void vtkHapticToolSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 
 void vtkHapticToolSource::LeaveOut(vtkHapticSession* session, vtkHapticViewScan& scan)
 {
-  const std::string tool = session ? session->GetToolSource() : "";
-  const auto isTool = [&tool](const auto& shown) { return shown.Name == tool; };
-  scan.Surfaces.erase(std::remove_if(scan.Surfaces.begin(), scan.Surfaces.end(), isTool), scan.Surfaces.end());
+  scan.LeaveOut(session ? session->GetToolSource() : "");
 }

@@ -4,14 +4,13 @@
 #include <set>
 #include <span>
 
-#include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkHapticFieldBrick.h"
+#include "vtkHapticServerProxies.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
@@ -29,7 +28,7 @@ class Server
 public:
   Server(vtkSMSourceProxy* source, unsigned int port, double time, const vtkHapticFieldArrays& arrays) : Time(time)
   {
-    this->Brick = Make(source, "internal_filters", "HapticFieldBrick");
+    this->Brick = vtkHapticMakeProxy(source, "internal_filters", "HapticFieldBrick");
     if (!this->Brick)
     {
       return;
@@ -58,27 +57,14 @@ public:
     vtkSMPropertyHelper(this->Brick, "HasLevel").Set(wish.level ? 1 : 0);
     vtkSMPropertyHelper(this->Brick, "Level").Set(wish.level.value_or(0.0));
     this->Brick->UpdateVTKObjects();
-    // One that has brought something has no input here that could change, and would not listen when the server sends.
-    const auto mover = Make(this->Brick, "filters", "ClientServerMoveData");
-    vtkSMPropertyHelper(mover, "Input").Set(this->Brick);
-    vtkSMPropertyHelper(mover, "OutputDataType").Set(VTK_TABLE);
-    mover->UpdateVTKObjects();
-    mover->UpdatePipeline(this->Time);
-    auto* const here = vtkAlgorithm::SafeDownCast(mover->GetClientSideObject());
-    vtkUnsignedCharArray* const bytes =
-      here ? vtkHapticFieldBrick::BytesOf(vtkTable::SafeDownCast(here->GetOutputDataObject(0))) : nullptr;
+    const vtkSmartPointer<vtkDataObject> came = vtkHapticBring(this->Brick, VTK_TABLE, this->Time);
+    vtkUnsignedCharArray* const bytes = vtkHapticFieldBrick::BytesOf(vtkTable::SafeDownCast(came));
     return bytes ? vtkHapticUnpackField({ reinterpret_cast<const char*>(bytes->GetPointer(0)),
                      static_cast<std::size_t>(bytes->GetNumberOfValues()) })
                  : std::nullopt;
   }
 
 private:
-  static vtkSmartPointer<vtkSMSourceProxy> Make(vtkSMProxy* beside, const char* group, const char* name)
-  {
-    return vtkSmartPointer<vtkSMSourceProxy>::Take(
-      vtkSMSourceProxy::SafeDownCast(beside->GetSessionProxyManager()->NewProxy(group, name)));
-  }
-
   vtkSmartPointer<vtkSMSourceProxy> Brick;
   double Time;
 };

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticServerSurfaces_h
+#define vtkHapticServerSurfaces_h
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "haptics/session/HapticSession.h"
+#include "haptics/session/scene/FeltScene.h"
+#include "vtkHapticInteractionModule.h" // for the export macro
+
+class vtkHapticSceneSurfaces;
+
+/// What a session has of surfaces that are on a server: wholes, and of those that are too large what is around the
+/// hand. Who fetches them asks here what is needed, and says here what came.
+class VTKHAPTICINTERACTION_EXPORT vtkHapticServerSurfaces
+{
+public:
+  vtkHapticServerSurfaces(palpate::HapticSession& core, palpate::FeltScene& scene, vtkHapticSceneSurfaces& surfaces)
+    : Core(core), Scene(scene), Surfaces(surfaces)
+  {
+  }
+
+  /// Triangles up to which a surface is fetched whole, and the most of a part.
+  void SetLimit(int limit) { this->Limit = limit; }
+  [[nodiscard]] int GetLimit() const { return this->Limit; }
+
+  /// Where a program holds the hand that nothing leads yet [u].
+  void SetHand(const std::optional<palpate::Vec3>& hand_W) { this->Hand_W = hand_W; }
+  /// Around where a part is to be; nothing while there is no hand.
+  [[nodiscard]] std::optional<palpate::Vec3> GetCentre() const;
+  /// How far it is to reach, so that the next is there before the hand is at its rim: as for fields, twice [u].
+  [[nodiscard]] double GetReach() const;
+  /// Whether the hand has used up half of the room that it had in the part that is there.
+  [[nodiscard]] bool NeedsPart() const;
+
+  ///@{
+  /// Around a request: the servo lets go of a hand that waits too long for its answer.
+  void BeginRequest();
+  void EndRequest();
+  ///@}
+
+  /// Of what surfaces that are added from now on are a part, by number; 0: they are whole.
+  void SetPartNumber(int number);
+  /// What the next scene has of all wholes, and how a person reads it; "": nothing is of a server.
+  void Take(const palpate::ScenePart& part, const std::string& sentence);
+
+  [[nodiscard]] const std::string& GetSentence() const { return this->Sentence; }
+  /// Since what is there was taken [s]; 0 where nothing is.
+  [[nodiscard]] double GetAge() const;
+
+private:
+  /// From the hand to what of the scene it pulls at, and the ball that touches [u].
+  [[nodiscard]] double Pulled() const;
+
+  palpate::HapticSession& Core;
+  palpate::FeltScene& Scene;
+  vtkHapticSceneSurfaces& Surfaces;
+  std::optional<palpate::Vec3> Hand_W;
+  palpate::ScenePart Part;
+  std::string Sentence;
+  std::chrono::steady_clock::time_point Taken{};
+  std::uint64_t Requests = 0;
+  int Limit = 100000;
+};
+
+#endif

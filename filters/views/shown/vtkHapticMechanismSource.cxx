@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticMechanismSource.h"
+
+#include "vtkHapticMechanism.h"
+#include "vtkHapticNamedData.h"
+#include "vtkHapticSession.h"
+#include "vtkHapticViewScan.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSMProxy.h"
+
+#include <utility>
+
+namespace
+{
+/// The source that made a mechanism; null: none that can show where its bodies are.
+vtkHapticMechanism* MakerOf(vtkSMProxy* view, const std::string& name)
+{
+  vtkSMProxy* const proxy = vtkHapticNamedProxy(view, name);
+  return proxy ? vtkHapticMechanism::SafeDownCast(proxy->GetClientSideObject()) : nullptr;
+}
+
+void Show(vtkSMProxy* view, const std::string& name, vtkPolyData* moved)
+{
+  if (vtkHapticMechanism* const maker = MakerOf(view, name))
+  {
+    maker->ShowMoved(moved);
+    vtkHapticNamedProxy(view, name)->MarkModified(nullptr);
+  }
+}
+} // namespace
+
+void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
+{
+  const std::string name = session.GetMechanismSource();
+  if (this->Name != name)
+  {
+    Show(view, this->Name, nullptr);
+  }
+  vtkDataObject* const made = name.empty() ? nullptr : vtkHapticNamedData(view, name);
+  vtkHapticMechanism* const maker = MakerOf(view, name);
+  vtkDataObject* const atFirst = maker ? maker->GetAtFirst() : made;
+  if (!std::exchange(this->Known, true) || atFirst != this->AtFirst || name != this->Name)
+  {
+    this->AtFirst = atFirst;
+    this->Name = name;
+    session.AddMechanism(name.c_str(), atFirst);
+  }
+  vtkNew<vtkPolyData> moved;
+  if (maker && maker->GetAtFirst())
+  {
+    moved->ShallowCopy(maker->GetAtFirst());
+    if (session.MoveMechanism(moved))
+    {
+      Show(view, name, moved);
+    }
+  }
+}
+
+void vtkHapticMechanismSource::LeaveOut(vtkHapticSession* session, vtkHapticViewScan& scan)
+{
+  scan.LeaveOut(session ? session->GetMechanismSource() : "");
+}
