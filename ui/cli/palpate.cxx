@@ -11,6 +11,7 @@
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliMaterials.h"
 #include "vtkHapticCliProblem.h"
+#include "vtkHapticMechanismFile.h"
 
 namespace
 {
@@ -45,8 +46,8 @@ void AddCheck(CLI::App& app, Arguments& arguments)
   vtkHapticCliCheckOptions& options = arguments.Check;
   CLI::App* command = app.add_subcommand("check", "can it be touched? what was repaired, what is refused");
   command
-    ->add_option(
-      "FILE", options.File, "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso; lines: vtp, svg, png")
+    ->add_option("FILE", options.File,
+      "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso; lines: vtp, svg, png; mechanisms: json")
     ->required();
   command->add_option("--iso", options.Iso, "value of the surface in an image");
   options.Settings.Add(*command, "Radius", "does it fit?");
@@ -66,8 +67,8 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   vtkHapticCliTouchOptions& options = arguments.Touch;
   CLI::App* command = app.add_subcommand("touch", "the tick along a given device path, without device limits");
   command
-    ->add_option(
-      "FILE", options.Files, "surfaces; images with --iso; lines (vtp, svg, png) with --two-d or --line-radius")
+    ->add_option("FILE", options.Files,
+      "surfaces; images with --iso; lines (vtp, svg, png) with --two-d or --line-radius; a mechanism (json)")
     ->required();
   command->add_option("--path", options.Path, "PATH.csv: t,x,y,z[,qw,qx,qy,qz] [s, scene units], a tick per row")
     ->required();
@@ -81,8 +82,8 @@ void AddTouch(CLI::App& app, Arguments& arguments)
   CLI::Option* lever = command->add_option(
     "--lever", options.Tool.Lever_u, "of --tool: what a turn by 1 rad weighs as a way [u]; else that of the mesh");
   command
-    ->add_option("--torque-stiffness", options.Tool.Turning_N_m_per_rad, "of --tool, in place of --lever [N m/rad]")
-    ->needs(tool)
+    ->add_option("--torque-stiffness", options.Turning_N_m_per_rad,
+      "of --tool, in place of --lever, or of a mechanism, whose turn is free without it [N m/rad]")
     ->excludes(lever);
   lever->needs(tool);
   command
@@ -102,11 +103,8 @@ void AddTouch(CLI::App& app, Arguments& arguments)
     ->capture_default_str()
     ->check(CLI::IsMember({ "linear", "corotational", "neohookean" }))
     ->needs(young);
-  command
-    ->add_option("--low-rate", options.Soft.LowRate_Hz,
-      "of --young: how often the body is computed [Hz], virtual time; 0: at rest in every tick")
-    ->capture_default_str()
-    ->needs(young);
+  command->add_option("--low-rate", options.Soft.AskedRate_Hz,
+    "of --young or a mechanism: how often a body is computed [Hz], virtual time, 30 without; 0: at rest in every tick");
   command->add_flag("--two-d", options.TwoD, "lines in the plane z = 0 are walls, felt in that plane");
 }
 
@@ -170,6 +168,16 @@ void CheckNumber(const char* option, double value, bool zeroAllowed, const char*
   }
 }
 
+/// An option of something that is not there would be lost.
+void CheckWhatHasIt(const char* option, bool given, bool there, const char* what)
+{
+  if (given && !there)
+  {
+    throw vtkHapticCliProblem(
+      std::string(option) + ": there is nothing that has it; add " + what + ", give a mechanism, or leave it out");
+  }
+}
+
 /// What has no meaning among lines without width is refused rather than ignored.
 void CheckTwoD(const vtkHapticCliTouchOptions& options)
 {
@@ -193,14 +201,18 @@ int Touch(const vtkHapticCliTouchOptions& options)
   {
     CheckTwoD(options);
   }
-  if (options.Tool.Turning_N_m_per_rad)
+  if (options.Turning_N_m_per_rad)
   {
-    CheckNumber("--torque-stiffness", *options.Tool.Turning_N_m_per_rad, false, "newton metres per radian");
+    CheckNumber("--torque-stiffness", *options.Turning_N_m_per_rad, false, "newton metres per radian");
   }
-  CheckNumber("--low-rate", options.Soft.LowRate_Hz, true, "hertz");
+  CheckNumber("--low-rate", options.Soft.LowRate_Hz(), true, "hertz");
   options.Settings.Check();
   vtkHapticCliCheckMaterials(options.Materials);
-  return vtkHapticCliTouch(options);
+  const bool mechanism = vtkHapticIsMechanismFile(options.Files.front());
+  CheckWhatHasIt("--low-rate", options.Soft.AskedRate_Hz.has_value(), options.Soft.Young_Pa || mechanism, "--young");
+  CheckWhatHasIt(
+    "--torque-stiffness", options.Turning_N_m_per_rad.has_value(), !options.Tool.File.empty() || mechanism, "--tool");
+  return mechanism ? vtkHapticCliTouchMechanism(options) : vtkHapticCliTouch(options);
 }
 
 int Check(const vtkHapticCliCheckOptions& options)
@@ -208,6 +220,20 @@ int Check(const vtkHapticCliCheckOptions& options)
   CheckNumber("--thin", options.Thin_u, true, "scene units");
   options.Settings.Check();
   vtkHapticCliCheckMaterials(options.Materials);
+  if (vtkHapticIsMechanismFile(options.File))
+  {
+    const std::string setting = options.Settings.GivenBeside({});
+    const std::string asked = !setting.empty()             ? setting
+                              : options.Iso                ? "--iso"
+                              : options.Simplify           ? "--simplify"
+                              : !options.Materials.Empty() ? "an array of the material"
+                                                           : "";
+    if (!asked.empty())
+    {
+      throw vtkHapticCliProblem(asked + ": a mechanism does not have it; leave it out");
+    }
+    return vtkHapticCliCheckMechanism(options.File, options.Json);
+  }
   return vtkHapticCliCheck(options);
 }
 

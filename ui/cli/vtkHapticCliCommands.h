@@ -53,13 +53,15 @@ struct vtkHapticCliCheckOptions
 /// touchable; a refusal throws.
 int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options);
 
+/// What a mechanism of a scene file becomes. 0: it can be felt; a fault throws.
+int vtkHapticCliCheckMechanism(const std::string& file, bool json);
+
 /// A mesh in the hand, whose frame's origin is held.
 struct vtkHapticCliToolOptions
 {
-  std::string File;                          ///< empty: a ball touches
-  std::optional<double> Lever_u;             ///< what a turn by 1 rad weighs as a way; none: that of the mesh
-  std::optional<double> Turning_N_m_per_rad; ///< in place of it the stiffness of turning
-  bool VirtualCoupling = false;              ///< a spring to the hand, in place of what the contacts push with
+  std::string File;              ///< empty: a ball touches
+  std::optional<double> Lever_u; ///< what a turn by 1 rad weighs as a way; none: that of the mesh
+  bool VirtualCoupling = false;  ///< a spring to the hand, in place of what the contacts push with
 };
 
 /// A body that gives way: the first file.
@@ -69,7 +71,9 @@ struct vtkHapticCliSoftOptions
   double Poisson = 0.4;
   std::string Fixed; ///< sides of its box, or a point array
   std::string Model = "linear";
-  double LowRate_Hz = 30.0; ///< 0: at rest in every tick
+  std::optional<double> AskedRate_Hz; ///< of its packets; 0: at rest in every tick
+
+  [[nodiscard]] double LowRate_Hz() const { return this->AskedRate_Hz.value_or(30.0); }
 };
 
 struct vtkHapticCliTouchOptions
@@ -83,6 +87,7 @@ struct vtkHapticCliTouchOptions
   vtkHapticCliFieldOptions Field;
   vtkHapticCliToolOptions Tool;
   vtkHapticCliSoftOptions Soft;
+  std::optional<double> Turning_N_m_per_rad; ///< of a tool in place of its lever, or of a mechanism
   vtkHapticCliSettings Settings;
 };
 
@@ -90,6 +95,8 @@ struct vtkHapticCliTouchOptions
 int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options);
 /// The same by a rigid tool that turns: each row is as far as it comes in unlimited time.
 int vtkHapticCliTouchWithTool(const vtkHapticCliTouchOptions& options);
+/// The same of a mechanism, whose scene file is the only one.
+int vtkHapticCliTouchMechanism(const vtkHapticCliTouchOptions& options);
 
 struct vtkHapticCliReplayOptions
 {

@@ -3,51 +3,29 @@
 
 #include <iostream>
 
-#include "vtkDataSet.h"
+#include "vtkHapticBodyFile.h"
 #include "vtkHapticCliProblem.h"
-#include "vtkHapticReaders.h"
 #include "vtkHapticSoftBodyData.h"
-#include "vtkHapticTetraFill.h"
-#include "vtkPolyData.h"
 
 namespace
 {
-/// Tetrahedra of a volume, or what fills a closed surface.
-vtkSmartPointer<vtkUnstructuredGrid> ReadBody(const std::string& file, double& rough, std::string& problem)
+/// Tells what a person is to know of how the body was filled.
+vtkHapticTetraFillResult ReadBody(const std::string& file)
 {
-  if (vtkHapticIsVolumeFile(file))
+  vtkHapticTetraFillResult body = vtkHapticReadBody(file, {});
+  if (!body.Grid)
   {
-    const vtkHapticReadVolumeResult read = vtkHapticReadVolume(file);
-    if (!read.Volume)
-    {
-      throw vtkHapticCliProblem(read.Problem);
-    }
-    return vtkHapticTetrahedra(read.Volume, problem);
+    throw vtkHapticCliProblem(body.Problem);
   }
-  const vtkHapticReadResult read = vtkHapticReadSurface(file, {});
-  if (!read.Surface)
+  if (!body.Note.empty())
   {
-    throw vtkHapticCliProblem(read.Problem);
+    std::cerr << "palpate: " << file << ": " << body.Note << '\n';
   }
-  const vtkHapticTetraFillResult made = vtkHapticFillSurface(*read.Surface, {}, palpate::always);
-  problem = made.Problem;
-  rough = made.Rough;
-  if (!made.Note.empty() && made.Grid)
-  {
-    std::cerr << "palpate: " << file << ": " << made.Note << '\n';
-  }
-  return made.Grid;
-}
-
-palpate::ElasticModel ModelOf(const std::string& name)
-{
-  return name == "linear"         ? palpate::ElasticModel::Linear
-         : name == "corotational" ? palpate::ElasticModel::CoRotational
-                                  : palpate::ElasticModel::NeoHookean;
+  return body;
 }
 
 /// What a soft body is not felt with would be lost.
-void CheckNothingElse(const vtkHapticCliTouchOptions& options)
+void CheckBodyAlone(const vtkHapticCliTouchOptions& options)
 {
   const std::string asked = options.TwoD                                     ? "--two-d"
                             : !options.Materials.Empty()                     ? "an array of the material"
@@ -70,18 +48,18 @@ std::unique_ptr<palpate::BodyMaker> vtkHapticCliBodyOf(const vtkHapticCliTouchOp
   {
     return nullptr;
   }
-  CheckNothingElse(options);
+  CheckBodyAlone(options);
   const std::string& file = options.Files.front();
   std::string problem;
-  double rough = 0.0;
-  const auto grid = ReadBody(file, rough, problem);
-  const vtkHapticSoftMaterial material{ *options.Soft.Young_Pa, options.Soft.Poisson, ModelOf(options.Soft.Model),
+  const vtkHapticTetraFillResult read = ReadBody(file);
+  vtkHapticSoftMaterial material{ *options.Soft.Young_Pa, options.Soft.Poisson, palpate::ElasticModel::Linear,
     1.0 / options.Settings.Number("Scale") };
+  (void)vtkHapticModelOf(options.Soft.Model, material.Model); // the command line knows no other names
   std::unique_ptr<palpate::BodyMaker> body;
-  if (grid && vtkHapticFixBody(*grid, options.Soft.Fixed, rough, problem) &&
-      vtkHapticDescribeBody(*grid, material, "", problem))
+  if (vtkHapticFixBody(*read.Grid, options.Soft.Fixed, read.Rough, problem) &&
+      vtkHapticDescribeBody(*read.Grid, material, "", problem))
   {
-    body = palpate::BodyMaker::make(*vtkHapticToSoftBody(grid).Input, file, 0, problem);
+    body = palpate::BodyMaker::make(*vtkHapticToSoftBody(read.Grid).Input, file, 0, problem);
   }
   if (!body)
   {

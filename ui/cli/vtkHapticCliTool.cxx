@@ -22,19 +22,21 @@ palpate::ToolHold HoldOf(const vtkHapticCliTouchOptions& options)
   hold.stiffness_N_per_m = options.Settings.Number("Stiffness");
   hold.scale_u_per_m = options.Settings.Number("Scale");
   hold.lever_u = options.Tool.Lever_u;
-  if (options.Tool.Turning_N_m_per_rad)
+  hold.friction = options.Settings.Friction().kinetic;
+  if (options.Turning_N_m_per_rad)
   {
     // K_r = K_t (L / scale)^2.
-    hold.lever_u = hold.scale_u_per_m * std::sqrt(*options.Tool.Turning_N_m_per_rad / hold.stiffness_N_per_m);
+    hold.lever_u = hold.scale_u_per_m * std::sqrt(*options.Turning_N_m_per_rad / hold.stiffness_N_per_m);
   }
   hold.coupling = options.Tool.VirtualCoupling ? palpate::ToolCoupling::Virtual : palpate::ToolCoupling::Constraints;
   return hold;
 }
 
 /// A tool feels surfaces as they are: what else was asked for would be lost.
-void CheckNothingElse(const vtkHapticCliTouchOptions& options)
+void CheckToolAlone(const vtkHapticCliTouchOptions& options)
 {
-  const std::string setting = options.Settings.GivenBeside({ "Stiffness", "Scale" });
+  const std::string setting =
+    options.Settings.GivenBeside({ "Stiffness", "Scale", "FrictionStatic", "FrictionKinetic" });
   const std::string field = vtkHapticCliGivenOfField(options.Field);
   const std::string asked = !setting.empty()             ? setting
                             : !field.empty()             ? field
@@ -103,7 +105,7 @@ struct ToolShortfalls
 
 int vtkHapticCliTouchWithTool(const vtkHapticCliTouchOptions& options)
 {
-  CheckNothingElse(options);
+  CheckToolAlone(options);
   const std::vector<vtkHapticCliPathRow> path = vtkHapticCliReadPath(options.Path, true);
   const palpate::TriangleMesh mesh = ReadTogether({ options.Tool.File }, {});
   std::vector<std::string> files = options.Files;
@@ -114,6 +116,10 @@ int vtkHapticCliTouchWithTool(const vtkHapticCliTouchOptions& options)
   if (!touch)
   {
     throw vtkHapticCliProblem("--tool: " + options.Tool.File + ": " + refusal);
+  }
+  if (!touch->noWayOut().empty())
+  {
+    std::cerr << "palpate: the tool " << touch->noWayOut() << '\n';
   }
   std::vector<std::string> inputs = files;
   inputs.insert(inputs.end(), { options.Path, options.Tool.File });

@@ -196,7 +196,7 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   touch.feel(field);
   if (body)
   {
-    touch.press(std::move(body), options.Soft.LowRate_Hz);
+    touch.press(std::move(body), options.Soft.LowRate_Hz());
   }
   std::vector<std::string> inputs = options.Files;
   inputs.insert(inputs.end(), options.Field.Surfaces.begin(), options.Field.Surfaces.end());

@@ -67,6 +67,8 @@ void pqHapticMainGroup::addButtons(QFormLayout* form)
   form->addRow(this->Status);
   this->Progress = new pqHapticProgress(this);
   form->addRow(this->Progress);
+  this->Server = pqHapticLabel(this, "server", pqHapticReadoutTip("ServerSentence"));
+  form->addRow(this->Server);
   this->MouseHelp =
     pqHapticLabel(this, "mouseHelp", tr("What mouse and keyboard do in the view while they lead the hand"));
   form->addRow(this->MouseHelp);
@@ -126,6 +128,16 @@ QString pqHapticMainGroup::statusOf(vtkHapticSession* session) const
   return QString::fromStdString(palpate::stateSentence(glance));
 }
 
+QString pqHapticMainGroup::serverOf(vtkHapticSession* session) const
+{
+  const QString sentence = session ? QString::fromStdString(session->GetServerSentence()) : QString();
+  return sentence.isEmpty() ? sentence
+                            : tr("Of the server: %1; %2 s old, %3 ticks beyond")
+                                .arg(sentence)
+                                .arg(session->GetServerAge(), 0, 'f', 1)
+                                .arg(session->GetServerTicksBeyond());
+}
+
 void pqHapticMainGroup::followStrips(vtkHapticSession* session)
 {
   if (!session || !session->GetTouching())
@@ -145,6 +157,7 @@ void pqHapticMainGroup::refresh(vtkHapticSession* session)
   this->Device->follow();
   pqHapticSay(this->Status, this->statusOf(session));
   this->Progress->refresh(session);
+  pqHapticSay(this->Server, this->serverOf(session));
   this->Release->setEnabled(controller->touching());
   this->Recording->refresh(session);
   pqHapticSay(this->MouseHelp, controller->mouse()->help());

@@ -43,6 +43,7 @@ private:
   void addButtons(QFormLayout* form);
   void addStrips(QFormLayout* form);
   QString statusOf(vtkHapticSession* session) const;
+  QString serverOf(vtkHapticSession* session) const;
   void followStrips(vtkHapticSession* session);
 
   pqHapticDeviceChoice* Device;
@@ -51,6 +52,7 @@ private:
   QPushButton* Fit;
   QLabel* Status;
   pqHapticProgress* Progress;
+  QLabel* Server;
   QLabel* MouseHelp;
   pqHapticSettingRows Rows; ///< stiffness and radius
   pqHapticRecordingRows* Recording;

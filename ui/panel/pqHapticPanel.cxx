@@ -12,6 +12,7 @@
 #include "pqHapticMainGroup.h"
 #include "pqHapticMarksGroup.h"
 #include "pqHapticMaterialGroup.h"
+#include "pqHapticMechanismGroup.h"
 #include "pqHapticReadout.h"
 #include "pqHapticSettingRows.h"
 #include "pqHapticSoftGroup.h"
@@ -66,6 +67,7 @@ public:
   pqHapticViewGroup* HandAndView;
   pqHapticToolGroup* Tool;
   pqHapticSoftGroup* Soft;
+  pqHapticMechanismGroup* Mechanism;
   pqHapticSettingRows Rows;
   pqHapticMaterialGroup* Material;
   pqHapticFieldGroup* Field;
@@ -185,13 +187,13 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  const QList<QWidget*> order = this->Main->fields() + QList<QWidget*>{ this->AtContact } + this->Marks->fields() +
-                                QList<QWidget*>{ this->Advanced } + this->DeviceRows->fields() +
-                                QList<QWidget*>{ this->Hand, this->PressDepth } + this->HandAndView->fields() +
-                                this->Tool->fields() + this->Soft->fields() + this->Rows.fields("contact") +
-                                this->Rows.fields("friction") + this->Source->fields() + this->Material->fields() +
-                                this->Field->fields() + this->Rows.fields("field") + this->Rows.fields("stability") +
-                                this->Check->fields() + this->Rows.fields("scene") + QList<QWidget*>{ this->Scene };
+  const QList<QWidget*> order =
+    this->Main->fields() + QList<QWidget*>{ this->AtContact } + this->Marks->fields() +
+    QList<QWidget*>{ this->Advanced } + this->DeviceRows->fields() + QList<QWidget*>{ this->Hand, this->PressDepth } +
+    this->HandAndView->fields() + this->Tool->fields() + this->Soft->fields() + this->Mechanism->fields() +
+    this->Rows.fields("contact") + this->Rows.fields("friction") + this->Source->fields() + this->Material->fields() +
+    this->Field->fields() + this->Rows.fields("field") + this->Rows.fields("stability") + this->Check->fields() +
+    this->Rows.fields("scene") + QList<QWidget*>{ this->Scene };
   for (int i = 1; i < order.size(); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
@@ -220,6 +222,8 @@ void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
   rest->addWidget(this->Tool);
   this->Soft = new pqHapticSoftGroup;
   rest->addWidget(this->Soft);
+  this->Mechanism = new pqHapticMechanismGroup;
+  rest->addWidget(this->Mechanism);
   this->Rows.add(Group(rest, "contactGroup", tr("Contact model")), "contact");
   this->Rows.add(Group(rest, "frictionGroup", tr("Friction")), "friction");
   this->Source = new pqHapticSourceGroup;
@@ -329,6 +333,7 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   w.HandAndView->link(w.Links, proxy);
   w.Tool->link(w.Links, proxy);
   w.Soft->link(w.Links, proxy);
+  w.Mechanism->link(w.Links, proxy);
   w.Rows.link(w.Links, proxy);
   this->refresh();
 }
@@ -359,6 +364,7 @@ void pqHapticPanel::Internals::showMeasured(vtkHapticSession* session, const pqH
   this->Source->refresh(session);
   this->Tool->refresh(session);
   this->Soft->refresh(session);
+  this->Mechanism->refresh(session);
   this->Field->refresh(session, follower);
   this->Check->refresh(session);
   this->DeviceRows->refresh(session);

@@ -14,6 +14,15 @@ constexpr int margin = 3;               // [pixels]
 constexpr double linesHigh = 2.5;       // of text: one to read, the rest for the curve below it
 constexpr int significant = 3;
 
+void Keep(double value, std::deque<double>& values)
+{
+  values.push_back(value);
+  if (values.size() > mostValues)
+  {
+    values.pop_front();
+  }
+}
+
 QString Number(double value)
 {
   return QString::number(value, 'g', significant);
@@ -31,11 +40,7 @@ pqHapticStrip::~pqHapticStrip() = default;
 
 void pqHapticStrip::add(double value)
 {
-  this->Values.push_back(value);
-  if (this->Values.size() > mostValues)
-  {
-    this->Values.pop_front();
-  }
+  Keep(value, this->Values);
   this->setAccessibleDescription(this->sentence());
   this->Painted = !this->Painted; // five pictures a second are seen to move, and painting is most of what a strip costs
   if (this->Painted)
@@ -44,11 +49,18 @@ void pqHapticStrip::add(double value)
   }
 }
 
+void pqHapticStrip::addAt(double value, double along)
+{
+  Keep(along, this->Along);
+  this->add(value);
+}
+
 void pqHapticStrip::clear()
 {
   if (!this->Values.empty())
   {
     this->Values.clear();
+    this->Along.clear();
     this->setAccessibleDescription(this->sentence());
     this->update();
   }
@@ -69,6 +81,16 @@ QSize pqHapticStrip::minimumSizeHint() const
   return this->sizeHint();
 }
 
+double pqHapticStrip::across(std::size_t value) const
+{
+  if (this->Along.empty())
+  {
+    return 1.0 - static_cast<double>(this->Values.size() - 1 - value) / (mostValues - 1);
+  }
+  const auto [low, high] = std::minmax_element(this->Along.begin(), this->Along.end());
+  return *high > *low ? (this->Along[value] - *low) / (*high - *low) : 0.0;
+}
+
 void pqHapticStrip::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
@@ -82,9 +104,8 @@ void pqHapticStrip::paintEvent(QPaintEvent*)
   QPainterPath line;
   for (std::size_t i = 0; i < this->Values.size(); ++i)
   {
-    const double age = static_cast<double>(this->Values.size() - 1 - i) / (mostValues - 1);
-    const QPointF at(
-      area.right() - age * area.width(), area.bottom() - (this->Values[i] - low) / (high - low) * area.height());
+    const QPointF at(area.left() + this->across(i) * area.width(),
+      area.bottom() - (this->Values[i] - low) / (high - low) * area.height());
     i == 0 ? line.moveTo(at) : line.lineTo(at);
   }
   painter.setPen(QPen(this->palette().color(QPalette::Highlight), 1.5));

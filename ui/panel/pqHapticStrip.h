@@ -8,7 +8,8 @@
 #include <deque>
 
 /**
- * A live strip chart: one quantity over the last ten seconds, with its value now and its scale.
+ * A live strip chart: one quantity over the last ten seconds, or against another one in that time, with its value now
+ * and its scale.
  *
  * The scale goes from 0 (or the least value, if that is below) to the largest of the last ten seconds, never to less
  * than the smallest scale that says something. It is drawn in the colours of the palette, so it follows light and dark.
@@ -25,6 +26,8 @@ public:
 
   /// The value now; called ten times a second.
   void add(double value);
+  /// Likewise against another quantity, in its own unit: a strip has values of one sort alone.
+  void addAt(double value, double along);
   /// Nothing is measured any more.
   void clear();
 
@@ -37,12 +40,15 @@ protected:
 private:
   /// Title and value now, for the eye and for a reader of screens.
   QString sentence() const;
+  /// From the left of the strip to its right, 0 to 1.
+  double across(std::size_t value) const;
 
   QString Title;
   QString Unit;
   double Least;
   std::deque<double> Values;
-  bool Painted = false; ///< the last value
+  std::deque<double> Along; ///< of each; empty: they are against time
+  bool Painted = false;     ///< the last value
 };
 
 #endif

@@ -163,12 +163,14 @@ bool pqHapticController::touching() const
 QString pqHapticController::refusal() const
 {
   const pqServer* server = pqActiveObjects::instance().activeServer();
-  if (server && server->isRemote() && !this->Follower->refusal().isEmpty())
+  if (this->Proxy)
   {
-    return tr("The data is on a server, and only the built-in server can be touched: File > Disconnect, then open the "
-              "file here; or choose its values (Advanced, Field) to feel a field.");
+    return this->Follower->refusal();
   }
-  return this->Proxy ? this->Follower->refusal() : tr("There is no server: File > Connect to the built-in one.");
+  return server && server->isRemote()
+           ? tr("The server has not the plugin Palpate: start it with the plugin's folder in PV_PLUGIN_PATH, then "
+                "File > Connect again.")
+           : tr("There is no server: File > Connect to the built-in one.");
 }
 
 void pqHapticController::setTouching(bool on)

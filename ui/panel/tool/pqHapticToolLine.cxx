@@ -6,6 +6,7 @@
 #include "pqPipelineSource.h"
 #include "pqView.h"
 #include "vtkBoundingBox.h"
+#include "vtkHapticToolHandle.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
@@ -20,8 +21,6 @@
 
 namespace
 {
-constexpr int heldAtHandle = 2; // of the property ToolHandle
-
 using Point = std::array<double, 3>;
 
 Point PointOf(vtkSMProxy* session, const char* property)
@@ -81,7 +80,7 @@ void pqHapticToolLine::show(vtkSMProxy* session, pqPipelineSource* tool)
     {
       PlaceIn(box, session);
     }
-    vtkSMPropertyHelper(session, "ToolHandle").Set(heldAtHandle);
+    vtkSMPropertyHelper(session, "ToolHandle").Set(static_cast<int>(vtkHapticToolHandle::Handle));
     session->UpdateVTKObjects();
   }
   this->View = pqActiveObjects::instance().activeView();

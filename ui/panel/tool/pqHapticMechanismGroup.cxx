@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqHapticMechanismGroup.h"
+
+#include "pqActiveObjects.h"
+#include "pqHapticButton.h"
+#include "pqHapticController.h"
+#include "pqHapticLabel.h"
+#include "pqHapticNamedSource.h"
+#include "pqHapticStrip.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "vtkHapticSession.h"
+#include "vtkNew.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QTableWidget>
+
+#include <cmath>
+
+namespace
+{
+constexpr int ShownRows = 5; // the others are scrolled to
+const QStringList Columns = { "Law", "Phase", "Force", "Inside" };
+const QStringList Units = { "", "", " N", " u" };
+
+void HoldSelected()
+{
+  if (pqOutputPort* const port = pqActiveObjects::instance().activePort())
+  {
+    pqHapticNameSource("MechanismLaws", {}); // those of another mechanism would not fit
+    pqHapticNameSource("MechanismSource", port->getSource()->getSMName());
+  }
+}
+
+vtkHapticSession* Session()
+{
+  return pqHapticController::instance()->session();
+}
+
+/// Laws that could not be changed are none: the session has said why.
+void SetLaws(const std::string& laws)
+{
+  if (!laws.empty())
+  {
+    pqHapticNameSource("MechanismLaws", QString::fromStdString(laws));
+  }
+}
+} // namespace
+
+pqHapticMechanismGroup::pqHapticMechanismGroup(QWidget* parent) : Superclass(tr("Mechanism"), parent)
+{
+  this->setObjectName("mechanismGroup");
+  auto* form = new QFormLayout(this);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  auto* buttons = new QHBoxLayout;
+  form->addRow(buttons);
+  this->Use = pqHapticButton(buttons, "mechanismUse", tr("Hold Selected Source"),
+    tr("The hand holds a body of the source that is active in the pipeline browser, made by Haptic Mechanism"));
+  this->Leave = pqHapticButton(buttons, "mechanismLeave", tr("No Mechanism"), tr("What is held is let go of"));
+  this->Text = pqHapticLabel(this, "mechanismText", tr("What the mechanism becomes, or why it cannot be felt"));
+  form->addRow(this->Text);
+  this->Rows.add(form, "mechanism");
+  this->makeTable();
+  form->addRow(this->Table);
+  this->Chart = new pqHapticStrip(this, "mechanismChart", tr("Force over depth"), "N", 1.0);
+  this->Chart->setToolTip(tr("The force on the hand, over its way along what it holds since nothing pushed"));
+  form->addRow(this->Chart);
+  this->makeButtons();
+  auto* changes = new QHBoxLayout;
+  changes->addWidget(this->Remove, 1);
+  changes->addWidget(this->Break, 1);
+  form->addRow(changes);
+  auto* added = new QHBoxLayout;
+  added->addWidget(this->Law, 1);
+  added->addWidget(this->Add);
+  form->addRow(added);
+}
+
+pqHapticMechanismGroup::~pqHapticMechanismGroup() = default;
+
+void pqHapticMechanismGroup::makeTable()
+{
+  this->Table = new QTableWidget(0, static_cast<int>(Columns.size()), this);
+  this->Table->setObjectName("mechanismTable");
+  this->Table->setToolTip(tr("A row a law: what it does, its force on its first body, how far a shaft is inside"));
+  this->Table->setHorizontalHeaderLabels(Columns);
+  this->Table->verticalHeader()->hide();
+  this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  this->Table->setSelectionMode(QAbstractItemView::SingleSelection);
+  this->Table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  this->Table->setTabKeyNavigation(false); // the Tab key leads on to the buttons
+  this->Table->setMinimumWidth(1);
+  this->Table->setFixedHeight((ShownRows + 1) * this->Table->verticalHeader()->defaultSectionSize());
+}
+
+void pqHapticMechanismGroup::makeButtons()
+{
+  this->Remove = pqHapticButton(this, "mechanismRemove", tr("Remove Law"), tr("The mechanism without the chosen law"));
+  this->Break = pqHapticButton(
+    this, "mechanismBreak", tr("Break Law"), tr("The chosen law holds no more, until the mechanism is held anew"));
+  this->Law = new QLineEdit(this);
+  this->Law->setObjectName("mechanismLaw");
+  this->Law->setPlaceholderText(tr("{ \"name\": ..., \"kind\": ..., \"a\": ..., \"b\": ... }"));
+  this->Law->setToolTip(tr("Another law, as in a scene file, in the place of the one of its name"));
+  this->Add = pqHapticButton(this, "mechanismAdd", tr("Add"), tr("The mechanism with this law as well"));
+  this->connect(this->Use, &QPushButton::clicked, this, &HoldSelected);
+  this->connect(this->Leave, &QPushButton::clicked, this, [] { pqHapticNameSource("MechanismSource", {}); });
+  this->connect(this->Add, &QPushButton::clicked, this, &pqHapticMechanismGroup::addLaw);
+  this->connect(this->Law, &QLineEdit::returnPressed, this, &pqHapticMechanismGroup::addLaw);
+  this->connect(this->Remove, &QPushButton::clicked, this, &pqHapticMechanismGroup::removeLaw);
+  this->connect(this->Break, &QPushButton::clicked, this, &pqHapticMechanismGroup::breakLaw);
+}
+
+void pqHapticMechanismGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
+{
+  this->Rows.link(links, proxy);
+}
+
+QString pqHapticMechanismGroup::selected() const
+{
+  const int row = this->Table->currentRow();
+  return row >= 0 ? this->Table->item(row, 0)->text() : QString();
+}
+
+void pqHapticMechanismGroup::addLaw()
+{
+  if (vtkHapticSession* const session = Session())
+  {
+    SetLaws(session->GetLawsWith(this->Law->text().toUtf8().constData()));
+  }
+}
+
+void pqHapticMechanismGroup::removeLaw()
+{
+  if (vtkHapticSession* const session = Session())
+  {
+    SetLaws(session->GetLawsWithout(this->selected().toUtf8().constData()));
+  }
+}
+
+void pqHapticMechanismGroup::breakLaw()
+{
+  if (vtkHapticSession* const session = Session())
+  {
+    session->BreakLaw(this->selected().toUtf8().constData());
+  }
+}
+
+void pqHapticMechanismGroup::fill(vtkHapticSession& session)
+{
+  vtkNew<vtkTable> table;
+  session.GetMechanismTable(table);
+  const int rows = static_cast<int>(table->GetNumberOfRows());
+  this->Table->setRowCount(rows);
+  for (int row = 0; row < rows; ++row)
+  {
+    for (int column = 0; column < Columns.size(); ++column)
+    {
+      const vtkVariant value = table->GetValueByName(row, Columns[column].toUtf8().constData());
+      const QString text = value.IsString() ? QString::fromStdString(value.ToString())
+                                            : QString::number(value.ToDouble(), 'f', 3) + Units[column];
+      if (QTableWidgetItem* const item = this->Table->item(row, column))
+      {
+        item->setText(text);
+      }
+      else
+      {
+        this->Table->setItem(row, column, new QTableWidgetItem(text));
+      }
+    }
+  }
+}
+
+void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
+{
+  const bool held = session && *session->GetMechanismSource() != '\0';
+  this->Use->setEnabled(session && pqActiveObjects::instance().activePort());
+  this->Leave->setEnabled(held);
+  pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetMechanismText()) : QString());
+  if (session)
+  {
+    this->fill(*session);
+  }
+  if (held && session->GetTouching())
+  {
+    const double* const force = session->GetForce();
+    this->Chart->addAt(std::hypot(force[0], force[1], force[2]), session->GetMechanismDepth());
+  }
+  else
+  {
+    this->Chart->clear();
+  }
+  const bool chosen = held && !this->selected().isEmpty();
+  for (QWidget* const widget : QList<QWidget*>{ this->Table, this->Chart, this->Law, this->Add })
+  {
+    widget->setVisible(held);
+  }
+  for (QPushButton* const button : { this->Remove, this->Break })
+  {
+    button->setVisible(held);
+    button->setEnabled(chosen);
+  }
+}
+
+QList<QWidget*> pqHapticMechanismGroup::fields() const
+{
+  return QList<QWidget*>{ this->Use, this->Leave } + this->Rows.fields("mechanism") +
+         QList<QWidget*>{ this->Table, this->Remove, this->Break, this->Law, this->Add };
+}
