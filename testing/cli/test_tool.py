@@ -48,6 +48,29 @@ class Tool(CommandLineTest):
             self.assertLess(left, angle / 2)
             self.assertAlmostEqual(rows[1]["torque_y"], -stiffness * (angle - left), delta=1e-6 * stiffness * angle)
 
+    def test_friction_holds_a_cube_up_to_its_share_of_the_push_and_brakes_it_by_that(self):
+        stiffness, friction, depth = 300.0, 0.4, 0.25
+        drawn = (0.5 * friction * depth, 3.0 * friction * depth)  # times the stiffness: below and beyond friction times the push
+        rows = self.touch([(0, 0, 3, *UPRIGHT), *((way, 0, 1 - depth, *UPRIGHT) for way in (0.0, *drawn))],
+                          "--stiffness", stiffness, "--mu-static", friction)
+        held = friction * (depth + GAP)
+        beyond = 0.02 * held  # a step may end past where it must stay, and there friction holds it just as well
+        for row, way, rests in zip(rows[2:], drawn, (0.0, drawn[1] - held)):
+            self.assertTrue(rests - 1e-4 * held <= row["proxy_x"] <= rests + beyond, row["proxy_x"])
+            self.assertAlmostEqual(row["force_x"], -stiffness * (way - row["proxy_x"]), delta=1e-6 * stiffness)
+            self.assertAlmostEqual(row["force_z"], stiffness * (depth + GAP), delta=1e-3)
+        self.refused("touch", "plane.off", "--tool", "cube.off", "--path", "path.csv", "--csv", "out.csv", "--mu-static", 2,
+                     saying=("friction of a tool", "from 0 to 1"))
+
+    def test_a_tool_that_can_never_leave_says_so(self):
+        self.write_off("hall.off", [tuple(5 * x for x in corner) for corner in CORNERS], FACES)
+        self.write_path([(0, 0, 0, 0, *UPRIGHT)], header=POSES)
+        base = ("touch", "--path", "path.csv", "--csv", "out.csv")
+        self.assertIn("inside of a closed body", self.succeed(*base, "hall.off", "--tool", "cube.off").stderr)
+        self.assertIn("closed all around", self.succeed(*base, "cube.off", "--tool", "hall.off").stderr)
+        self.write_path([(0, 0, 0, 20, *UPRIGHT)], header=POSES)
+        self.assertNotIn("closed", self.succeed(*base, "hall.off", "--tool", "cube.off").stderr)
+
     def test_turns_of_few_digits_are_turns_all_the_same(self):
         rows = self.touch([(0, 0, 3, *UPRIGHT), (0, 0, 0.75, 0.99985, 0.0, 0.01745, 0.0)], "--stiffness", 300)
         self.assertGreater(rows[1]["force_z"], 300 * 0.25)
@@ -55,7 +78,7 @@ class Tool(CommandLineTest):
     def test_what_a_tool_does_not_feel_is_refused_by_name(self):
         self.write_path([(0, 0, 0, 3, *UPRIGHT)], header=POSES)
         base = ("touch", "plane.off", "--tool", "cube.off", "--path", "path.csv", "--csv", "out.csv")
-        for option in (("--radius", 1), ("--mu-static", 0.5), ("--two-d",), ("--stiffness-array", "E"), ("--shading",),
+        for option in (("--radius", 1), ("--two-d",), ("--stiffness-array", "E"), ("--shading",),
                        ("--strength", 1), ("--compare-with", "g"), ("--values", 1), ("--range", "0,1"), ("--snap", "points")):
             self.refused(*base, *option, saying=("a tool does not feel it",))
         self.refused(*base, "--lever", 0, saying=("lever",))

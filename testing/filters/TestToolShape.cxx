@@ -11,6 +11,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFeatureEdges.h"
 #include "vtkHapticConversion.h"
+#include "vtkHapticNeedle.h"
 #include "vtkHapticToolShape.h"
 #include "vtkMassProperties.h"
 #include "vtkNew.h"
@@ -20,6 +21,7 @@
 
 using namespace palpate;
 using namespace palpate::testing;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 
 namespace
@@ -37,7 +39,7 @@ vtkSmartPointer<vtkHapticToolShape> shapeOf(int shape, int resolution = 6)
   return source;
 }
 
-double volumeOf(vtkHapticToolShape& source)
+double volumeOf(vtkPolyDataAlgorithm& source)
 {
   vtkNew<vtkMassProperties> mass;
   mass->SetInputData(source.GetOutput());
@@ -54,6 +56,20 @@ double polygon(double r, int corners)
 double frustum(double bottom, double top, double height)
 {
   return height / 3.0 * (bottom + top + std::sqrt(bottom * top));
+}
+
+void expectClosedOutward(vtkPolyDataAlgorithm& source)
+{
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(source.GetOutput());
+  edges->FeatureEdgesOff();
+  edges->BoundaryEdgesOn();
+  edges->NonManifoldEdgesOn();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_NEAR(enclosedVolume(*vtkHapticToMesh(source.GetOutput()).Mesh), volumeOf(source), 1e-9 * volumeOf(source))
+    << "positive if they face outward; VTK's own has no sign";
 }
 
 vtkSmartPointer<vtkTouchAlongPath> lead(
@@ -90,17 +106,37 @@ TEST(ToolShape, EachIsClosedAndFacesOutward)
 {
   for (int shape = vtkHapticToolShape::Peg; shape <= vtkHapticToolShape::Burr; ++shape)
   {
-    const auto source = shapeOf(shape);
-    vtkNew<vtkFeatureEdges> edges;
-    edges->SetInputData(source->GetOutput());
-    edges->FeatureEdgesOff();
-    edges->BoundaryEdgesOn();
-    edges->NonManifoldEdgesOn();
-    edges->ManifoldEdgesOff();
-    edges->Update();
-    EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0) << shape;
-    EXPECT_NEAR(enclosedVolume(*vtkHapticToMesh(source->GetOutput()).Mesh), volumeOf(*source), 1e-9 * volumeOf(*source))
-      << shape; // positive if they face outward; VTK's own has no sign
+    expectClosedOutward(*shapeOf(shape));
+  }
+}
+
+TEST(ToolShape, ANeedleIsAClosedRodThatHangsFromItsHandAndEndsInAPoint)
+{
+  constexpr double length = 40.0, diameter = 2.0, point = 1.5 * diameter;
+  constexpr int corners = 12;
+  vtkNew<vtkHapticNeedle> needle;
+  needle->SetLength(length);
+  needle->SetDiameter(diameter);
+  needle->SetResolution(corners);
+  needle->Update();
+  expectClosedOutward(*needle);
+  const double across = polygon(diameter / 2.0, corners), volume = across * (length - point) + across * point / 3.0;
+  EXPECT_NEAR(volumeOf(*needle), volume, 2e-3 * across * point) << "but for the point, which is a thousandth wide";
+  double bounds[6];
+  needle->GetOutput()->GetBounds(bounds);
+  EXPECT_EQ(bounds[4], -length);
+  EXPECT_EQ(bounds[5], 0.0);
+  EXPECT_DOUBLE_EQ(bounds[1], diameter / 2.0);
+}
+
+TEST(ToolShape, ANeedleThatIsAllPointOrHasNoWidthIsRefusedInWords)
+{
+  for (const auto& [length, diameter] : { std::pair(1.5, 1.0), std::pair(10.0, 0.0), std::pair(10.0, -1.0) })
+  {
+    vtkNew<vtkHapticNeedle> needle;
+    needle->SetLength(length);
+    needle->SetDiameter(diameter);
+    EXPECT_THAT(errorsOf(needle), Contains(HasSubstr("There is no such needle"))) << length << " " << diameter;
   }
 }
 

@@ -7,7 +7,7 @@ import unittest
 
 from palpate.vtkHapticPipeline import vtkHapticSoftBody, vtkTouchAlongPath
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkDoubleArray, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
@@ -27,6 +27,21 @@ def tetrahedra(cells=4):
     cut.SetInputData(hexahedra(cells))
     cut.Update()
     return cut.GetOutput()
+
+
+TWO = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)]  # of two tetrahedra that share a face
+
+
+def corners(points, cells):
+    """Tetrahedra by their corners."""
+    grid, at = vtkUnstructuredGrid(), vtkPoints()
+    at.SetDataTypeToDouble()
+    for point in points:
+        at.InsertNextPoint(point)
+    grid.SetPoints(at)
+    for cell in cells:
+        grid.InsertNextCell(VTK_TETRA, 4, cell)
+    return grid
 
 
 def sphere(radius=10.0):
@@ -158,13 +173,81 @@ class SoftBody(unittest.TestCase):
         nothing.GetPointData().SetScalars(zeros)
         sheet = vtkPlaneSource()
         sheet.Update()
-        for data, settings in ((tetrahedra(), {"Young": 0.0}), (tetrahedra(), {"Young": math.nan}), (tetrahedra(), {"Young": 1e12}),
-                               (tetrahedra(), {"Poisson": 0.5}), (tetrahedra(), {"fixed": ""}),
-                               (tetrahedra(), {"fixed": "top"}), (tetrahedra(), {"YoungArray": "E"}), (nothing, {}),
-                               (sheet.GetOutput(), {}), (sphere(), {"EdgeLength": -1.0})):
+        holed = sphere()
+        holed.BuildLinks()
+        holed.DeleteCell(7)
+        holed.RemoveDeletedCells()
+        for data, settings, words in (
+                (tetrahedra(), {"Young": 0.0}, "above 0"), (tetrahedra(), {"Young": -5.0}, "above 0"),
+                (tetrahedra(), {"Young": math.nan}, "above 0"), (tetrahedra(), {"Young": 1e12}, "below 1e12"),
+                (tetrahedra(), {"Poisson": 0.5}, "below 0.5"), (tetrahedra(), {"Poisson": 0.6}, "below 0.5"),
+                (tetrahedra(), {"fixed": ""}, "fixed"), (tetrahedra(), {"fixed": "top"}, "'top'"),
+                (tetrahedra(), {"YoungArray": "E"}, "'E'"), (nothing, {}, "has no labels"), (sheet.GetOutput(), {}, "has holes"),
+                (holed, {}, "has holes"), (sphere(), {"EdgeLength": -1.0}, "0 or above"),
+                (sphere(), {"EdgeLength": 0.01}, "give a longer edge"), (corners([*TWO[:4], (0.2, 0.2, 0.4)], ((0, 1, 2, 3), (0, 1, 2, 4))), {}, "mesh the body anew")):
             grid, errors = self.make(data, **settings)
-            self.assertTrue(errors, settings)
+            self.assertEqual(len(errors), 1, settings)
+            self.assertIn(words, errors[0])
             self.assertEqual(grid.GetNumberOfCells(), 0, settings)
+
+    def test_what_is_left_out_of_a_body_is_said(self):
+        far = [(x + 9, y, z + 9) for x, y, z in TWO[:4]]
+        flat = (0, 1, 2, 5)  # in the plane z = 0
+        grid, errors = self.make(corners([*TWO, (1, 1, 0), *far], ((0, 1, 2, 3), (3, 2, 1, 0), (2, 1, 3, 4), flat, (6, 7, 8, 9))))
+        self.assertFalse(errors)
+        self.assertEqual(grid.GetNumberOfCells(), 5)
+        self.assertIn("tetrahedra: 1 turned round, 1 without volume left out, 1 doubled left out, 1 that hang on nothing fixed left out",
+                      self.body.GetText())
+
+    def test_its_weight_and_loads_of_points_are_borne_by_its_corners(self):
+        def borne(grid):
+            load = grid.GetPointData().GetArray("Load")
+            return [sum(load.GetTuple3(i)[axis] for i in range(load.GetNumberOfTuples())) for axis in range(3)] if load else None
+
+        grid, _ = self.make(tetrahedra(), Gravity=(0, 0, -9.81), Density=900.0)
+        weight = 900 * 9.81 * SIDE**3 / 2
+        for got, expected in zip(borne(grid), (0, 0, -weight)):
+            self.assertAlmostEqual(got, expected, delta=1e-6 * weight)  # its points are of single precision
+        self.assertIn(f"bears {weight:.5g} N", self.body.GetText())
+        block, pull = tetrahedra(), vtkDoubleArray()
+        pull.SetName("pull")
+        pull.SetNumberOfComponents(3)
+        for i in range(block.GetNumberOfPoints()):
+            pull.InsertNextTuple3(0.25 if i == 40 else 0.0, 0, 0)
+        block.GetPointData().AddArray(pull)
+        grid, errors = self.make(block, LoadArray="pull")
+        self.assertFalse(errors)
+        self.assertEqual(borne(grid), [0.25, 0, 0])
+        grid, _ = self.make(grid)  # what one body bears is not borne by what is made of it
+        self.assertIsNone(borne(grid))
+        for settings, words in (({"LoadArray": "none"}, "'none'"), ({"Gravity": (0, math.nan, 0)}, "gravity"),
+                                ({"Gravity": (0, 0, 1), "Density": 0.0}, "density")):
+            grid, errors = self.make(tetrahedra(), **settings)
+            self.assertIn(words, errors[0])
+            self.assertEqual(grid.GetNumberOfCells(), 0)
+
+    def test_moduli_that_differ_by_twelve_powers_of_ten_are_pressed_or_refused_in_words(self):
+        block, young = tetrahedra(), vtkDoubleArray()
+        young.SetName("E")
+        for i in range(block.GetNumberOfCells()):
+            young.InsertNextValue(0.1 if i % 2 else 0.9e11)
+        block.GetCellData().AddArray(young)
+        grid, errors = self.make(block, YoungArray="E")
+        self.assertFalse(errors)
+        touch, said = vtkTouchAlongPath(), []
+        def complain(_object, _event, text):
+            said.append(text)
+
+        complain.CallDataType = VTK_STRING
+        touch.AddObserver("ErrorEvent", complain)
+        touch.SetInputData(grid)
+        touch.SetPathData(path([(0.05, 0.05, 0.062 - 0.0001 * min(i, 60)) for i in range(120)]))
+        touch.SetRadius(0.01)
+        touch.Update()
+        force = touch.GetOutput().GetPointData().GetArray("Force")
+        felt = [force.GetTuple(i) for i in range(force.GetNumberOfTuples())] if force else []
+        self.assertTrue(any("cannot be factored" in text for text in said) or
+                        (felt and all(math.isfinite(n) for row in felt for n in row) and felt[-1][2] > 0), (said, felt[-1:]))
 
     def test_along_a_path_it_gives_way_as_its_packets_say(self):
         grid, _ = self.make(tetrahedra(), Model=vtkHapticSoftBody.Linear)

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "haptics/recording/RecordedMechanisms.h"
 #include "haptics/recording/Recording.h"
 #include "testing/fuzz/Require.h"
 
@@ -20,6 +21,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto& recording = std::get<palpate::Recording>(read);
   require(recording.parameters.validate().empty());
   require(recording.initialState.contact.count == 0 && recording.initialState.velocity.count == 0);
+  require(palpate::isUsable(recording.initialState.mechanism));
+  for (const palpate::RecordedMechanism& mechanism : recording.mechanisms)
+  {
+    require(mechanism.plan.held >= 0 && mechanism.plan.held < mechanism.plan.bodyCount);
+    for (const palpate::RecordedMechanism::Body& body : mechanism.bodies)
+    {
+      require(body.body->packet->free_W.size() == body.body->packet->placeOf.size());
+    }
+  }
   require(recording.skipped.describe().find('\n') == std::string::npos);
   for (const palpate::RecordedEntry& entry : recording.entries)
   {

@@ -86,6 +86,15 @@ class Tutorials(unittest.TestCase):
         self.assertGreaterEqual(led, stopped - 0.02)  # a circle is drawn of pieces
         self.assertLessEqual(led, stopped + 0.05 + 0.02)
 
+    if "soft-brain" in tutorials.present():
+
+        def test_soft_brain(self):
+            # From 20 mm above the volume: a ball of 15 mm is well within the brain at half of its height.
+            forces_N = self.play("soft-brain", *self.from_above(self.bounds("brain.nii.gz"), [20, -20], 20))
+            self.assertGreaterEqual(forces_N[0], 0.8 * PUSHED_N)  # it yields on while it comes to rest
+            self.assertIn("points are outside the tetrahedra", self.said)
+            self.assertIn("Poisson's ratio 0.4 (assumed)", self.said)
+
     if "skull" in DRAWN:
 
         def test_skull(self):
@@ -109,9 +118,9 @@ class Tutorials(unittest.TestCase):
         return source.GetDataInformation().GetBounds()
 
     @staticmethod
-    def from_above(bounds, place):
+    def from_above(bounds, place, above=5):
         """A way down to the middle."""
-        return (*place, bounds[5] + 5), (*place, 0.5 * (bounds[4] + bounds[5]))
+        return (*place, bounds[5] + above), (*place, 0.5 * (bounds[4] + bounds[5]))
 
 
 if __name__ == "__main__":

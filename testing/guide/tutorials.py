@@ -11,8 +11,8 @@ from pathlib import Path
 from paraview import simple
 
 GUIDE = Path(__file__).resolve().parents[2] / "docs/guide"
-NAMES = ("skull", "brain", "flow", "labyrinth")
-DATA = {"skull": "skull.vtp", "brain": "brain.nii.gz"}
+NAMES = ("skull", "brain", "soft-brain", "flow", "labyrinth")
+DATA = {"skull": "skull.vtp", "brain": "brain.nii.gz", "soft-brain": "brain.nii.gz"}
 
 
 def present():

@@ -65,6 +65,8 @@ void runPackets(const Conditions& conditions, Table& table);
 void runMultirate(const Conditions& conditions, Table& table);
 void runStruck(const Conditions& conditions, Table& table);
 void runContacts(const Conditions& conditions, Table& table);
+void runLaws(const Conditions& conditions, Table& table);
+void runMechanism(const Conditions& conditions, Table& table);
 void runDirectCoupling(const Conditions& conditions, Table& table);
 void runMaterialsLarge(const Conditions& conditions, Table& table);
 void runMapping(const Conditions& conditions, Table& table);

@@ -10,7 +10,7 @@ import argparse
 import pathlib
 import sys
 
-from charting import costs, old_joystick, plane_worlds, soft, speed_accuracy, stability, tools
+from charting import costs, mechanisms, old_joystick, plane_worlds, soft, speed_accuracy, stability, tools
 from charting.page import page
 from charting.style import pyplot
 from charting.tables import Problem, read_folder
@@ -92,6 +92,11 @@ CHARTS = [
      "hundred). A body with a mass that is struck needs steps of the servo's rate: below, that is said to whoever strikes it.",
      ["locking", "patch", "contacts", "struck"],
      lambda t: soft.draw_mechanics(t["locking"], t["patch"], t["contacts"], t["struck"])),
+    ("mechanism", "A needle through a wall and an organ",
+     "Left: what wall and organ do to a needle that the hand moves across by 5 mm, against how stiffly the device holds its turn: wide dashed "
+     "lines are the least energy. Each spot by itself pushes where the organ is pulled, and has the hand feel up to 29 % too much. Right: the needle goes in, "
+     "punctures, turns round and comes back; what falls at once is spread for the hand. Below: what laws cost a tick, from the median to the 99th of a hundred.",
+     ["mechanism", "laws"], lambda t: mechanisms.draw(t["mechanism"], t["laws"])),
     ("tool-methods", "A tool that turns: speed against accuracy (C7)",
      "How far a tool ends from its nearest free pose, and what an update costs (a line from the median to the 99th of a hundred): points among "
      "voxels and in a field of distances, corners as penalties against a coupling, steps as long as a distance allows, and planes that prove "

@@ -17,6 +17,7 @@ from haptic_proxies import manager
 # Values that are not the default where a domain does not say what else is allowed.
 VALUES = {
     "DeviceName": ["mouse"],
+    "ServerLimit": [2000],
     "Hand": ["light"],
     "PressDepth": [0.0035],
     "FieldDetentLevels": ["10, 20, 35"],

@@ -31,7 +31,7 @@ def pressing():
 
 def connected(port):
     return (python(f"trial.connect({port})", 1500) + python("trial.check_free()")
-            + event("hapticHas", "only the built-in server can be touched", STATUS))
+            + event("hapticHas", "Nothing is shown", STATUS))
 
 
 def left():

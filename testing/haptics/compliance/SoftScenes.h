@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "SoftPads.h"
 #include "haptics/compliance/servo/SoftTick.h"
 #include "haptics/geometry/scene/Scene.h"
@@ -45,5 +48,30 @@ struct SoftScene
   SoftState state;
   std::unique_ptr<SoftRoom> room;
 };
+
+/// Presses into the middle and slides along, 1 kHz: .1 m/s.
+inline Vec3 wayOver(int tick)
+{
+  const double s = 1e-4 * tick;
+  return Vec3(0.03 + std::min(s, 0.03), 0.045 + 0.2 * std::min(s, 0.03), 0.056 - std::min(0.4 * s, 0.009));
+}
+
+/// Height of bumps of 4 mm, up to 31 degrees steep.
+inline double bumpAt(const Vec3& p)
+{
+  return 0.05 + 0.004 * std::sin(150.0 * p.x()) * std::sin(150.0 * p.y());
+}
+
+inline SoftPad bumpyPad()
+{
+  return SoftPad(10, 2.0, ElementKind::Linear,
+    [](SoftBodyInput& input)
+    {
+      for (Vec3& p : input.mesh.vertices_W)
+      {
+        p.z() *= bumpAt(p) / 0.05;
+      }
+    });
+}
 
 } // namespace palpate::test

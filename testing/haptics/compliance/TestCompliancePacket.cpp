@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <thread>
 
@@ -185,6 +187,34 @@ TEST(CompliancePacket, IsTheSameToTheBitWhetherOneTwoOrFourThreadsMakeTheirOwn)
   }
 }
 
+TEST(CompliancePacket, WhatIsKnownOfALinearBodyIsThatOfTheWholeBodyThoughVerticesComeAndGo)
+{
+  SoftPad soft(12, 2.0, ElementKind::Linear);
+  KnownCompliance known(*soft.body, soft.surface.map);
+  const auto around = [&soft](const Vec3& p_W)
+  { return nearVerticesOf(soft.surface, soft.surface.rest_W, p_W, 1.0, 90); };
+  EXPECT_EQ(known.learn(around(SoftPad::middle()), 5).size(), 90u); // of nothing known all is learnt at once
+  std::vector<std::uint32_t> asked;
+  const std::array<Vec3, 7> places{ { { 0.06, 0.05, 0.05 }, { 0.0, 0.0, 0.05 }, { 0.1, 0.1, 0.05 }, { 0.0, 0.1, 0.03 },
+    { 0.1, 0.0, 0.03 }, { 0.0, 0.1, 0.03 }, { 0.05, 0.05, 0.05 } } };
+  for (const Vec3& p_W : places)
+  {
+    const std::vector<std::uint32_t> wanted = around(p_W);
+    const std::vector<std::uint32_t> before = known.learn(wanted, 0);
+    const std::vector<std::uint32_t> after = known.learn(wanted, 70);
+    EXPECT_EQ(after.size(), std::min<std::size_t>(before.size() + 70, 90));
+    EXPECT_TRUE(std::ranges::all_of(after, [&](std::uint32_t v) { return std::ranges::count(wanted, v) == 1; }));
+    const Eigen::MatrixXd found = known.between(after);
+    const Eigen::MatrixXd whole = soft.body->compliance(soft.surface.map.columnsOf(after));
+    EXPECT_EQ(found, found.transpose());
+    EXPECT_LE((found - whole).lpNorm<Eigen::Infinity>(), 1e-13 * whole.lpNorm<Eigen::Infinity>());
+    asked.insert(asked.end(), after.begin(), after.end());
+  }
+  std::ranges::sort(asked);
+  asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+  EXPECT_GT(asked.size(), KnownCompliance::mostKnown); // so that some were forgotten
+}
+
 TEST(CompliancePacket, AHandThatCrossesAPatchWithinThePeriodOfTheBodyStrikesIt)
 {
   SoftPad soft(6);
@@ -246,6 +276,20 @@ TEST(CompliancePacket, OfPatchesThatAreNotAlikeComplianceIsNeverNegativeToo)
   EXPECT_GE(worst, -1e-12);
 }
 
+TEST(CompliancePacket, WhereAllCornersAnswerAsOneTheirPointDoesToo)
+{
+  Random random(testSeed(218));
+  SoftPad soft(6);
+  CompliancePacket packet = *soft.packet(0.0, 0.06);
+  packet.placeOf.assign(packet.placeOf.size(), 0); // as outside of the neighbourhood
+  const Mat3 one = packet.compliance.topLeftCorner<3, 3>();
+  for (std::size_t i = 0; i < testCount(200); ++i)
+  {
+    const CompliantPoint point = compliantPoint(packet, onTop(soft, random, 0.04));
+    EXPECT_LE((complianceBetween(packet, point, point) - one).norm(), 1e-12 * one.norm());
+  }
+}
+
 TEST(CompliancePacket, ItsNeighbourhoodLiesAheadAndWhatIsOutsideAnswersAsTheNearestVertex)
 {
   SoftPad soft(16, 2.0, ElementKind::Linear);
@@ -267,7 +311,7 @@ TEST(CompliancePacket, ItsNeighbourhoodLiesAheadAndWhatIsOutsideAnswersAsTheNear
   EXPECT_NEAR(middleOf(*resting).x(), 0.05, 0.002);
   EXPECT_NEAR(middleOf(*moving).x(), 0.05 + 1.5 * 0.04 * 0.2, 0.005);
   EXPECT_GT(moving->near.size(), resting->near.size());
-  EXPECT_LE(moving->near.size(), CompliancePacket::mostVertices);
+  EXPECT_LE(moving->near.size(), PacketMaker::usualVertices);
   for (std::uint32_t v = 0; v < soft.surface.rest_W.size(); ++v)
   {
     const std::uint32_t nearest = resting->near[resting->placeOf[v]];
@@ -275,9 +319,7 @@ TEST(CompliancePacket, ItsNeighbourhoodLiesAheadAndWhatIsOutsideAnswersAsTheNear
     const bool within = std::find(resting->near.begin(), resting->near.end(), v) != resting->near.end();
     EXPECT_EQ(within, nearest == v);
   }
-  const NearVertices few =
-    nearVerticesOf(soft.surface, soft.surface.rest_W, soft.middle(), 1.0, CompliancePacket::mostVertices);
-  EXPECT_EQ(few.near.size(), CompliancePacket::mostVertices);
+  EXPECT_EQ(nearVerticesOf(soft.surface, soft.surface.rest_W, soft.middle(), 1.0, 7).size(), 7u);
 }
 
 } // namespace

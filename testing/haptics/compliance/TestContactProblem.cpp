@@ -8,7 +8,7 @@
 #include "haptics/compliance/servo/ContactProblem.h"
 #include "haptics/compliance/servo/SubgridForce.h"
 #include "testing/support/AllocationGuard.h"
-#include "testing/support/Random.h"
+#include "testing/support/RandomContacts.h"
 
 namespace palpate::test
 {
@@ -146,30 +146,6 @@ TEST(ContactProblem, APlaneThatContradictsTheOthersGetsNoForceAndTheyKeepTheirs)
   EXPECT_NEAR(forces.residual_u, 1.0, 1e-15); // and it is said
 }
 
-/// n contacts of random places, normals and depths on a body of random compliance that the device's is added to [u/N].
-void makeRandom(Random& random, int n, ContactProblem& problem)
-{
-  Eigen::MatrixXd spread(3 * n, 6 * n);
-  Eigen::MatrixXd turns(3 * n, 3);
-  for (int c = 0; c < n; ++c)
-  {
-    for (int k = 0; k < 6 * n; ++k)
-    {
-      spread.block<3, 1>(3 * c, k) = random.inCube(1.0);
-    }
-    const Quat q = Quat::FromTwoVectors(Vec3(Vec3::UnitX()), (Vec3::UnitZ() + random.direction() * 0.8).normalized());
-    turns.block<3, 3>(3 * c, 0) = q.toRotationMatrix().transpose();
-  }
-  problem.resize(n);
-  problem.friction = 0.5;
-  problem.compliance = spread * spread.transpose() / (6.0 * n) + turns * turns.transpose();
-  problem.compliance = (0.5 * (problem.compliance + problem.compliance.transpose())).eval();
-  for (int c = 0; c < n; ++c)
-  {
-    problem.free.segment<3>(3 * c) = Vec3(random.uniform(-1.0, 0.4), random.uniform(-1, 1), random.uniform(-1, 1));
-  }
-}
-
 /// By how much forces miss the laws of Signorini and Coulomb: judged from the laws alone [u].
 double missed(const ContactProblem& p, const ContactProblem::Numbers& f)
 {
@@ -206,7 +182,7 @@ TEST(ContactProblem, UpToTenContactsWithFrictionAreSolvedToRounding)
   {
     for (const int n : { 1, 2, 3, 5, 10 })
     {
-      makeRandom(random, n, *problem);
+      makeRandomContacts(random, n, *problem);
       ContactForces forces;
       forces.force_N.setZero(3 * n);
       const AllocationGuard guard;
@@ -233,7 +209,7 @@ TEST(ContactProblem, FortyContactsAreSweptCloseToTheirLaws)
   const auto room = std::make_unique<FrictionRoom>();
   for (int trial = 0; trial < 5; ++trial)
   {
-    makeRandom(random, ContactProblem::most, *problem);
+    makeRandomContacts(random, ContactProblem::most, *problem);
     ContactForces forces;
     forces.force_N.setZero(3 * ContactProblem::most);
     solveFriction(*problem, *room, forces);

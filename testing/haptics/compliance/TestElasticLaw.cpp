@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "haptics/compliance/material/ElasticLaw.h"
+#include "haptics/compliance/material/PrincipalStretches.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test
@@ -59,6 +60,29 @@ TEST(ElasticLaw, NoDirectionIsSoftEnoughToGoUp)
       const Eigen::SelfAdjointEigenSolver<Mat9> solver(stressDerivative(law, moduli, f));
       EXPECT_GE(solver.eigenvalues()[0], -1e-12 * solver.eigenvalues()[8]);
     }
+  }
+}
+
+TEST(ElasticLaw, StretchesAndTurnsMakeUpAnyMatrix)
+{
+  Random random(testSeed(216));
+  for (int trial = 0; trial < static_cast<int>(testCount(300)); ++trial)
+  {
+    Mat3 f = randomMatrix(random, random.uniform(1e-6, 1e3));
+    const int rank = trial % 5;
+    f.col(0) = rank == 1 ? Vec3(f.col(1) + f.col(2)) : Vec3(f.col(0)); // flat
+    f = rank == 2 ? Mat3(f.col(0) * f.col(1).transpose()) : f;         // a line
+    f = rank == 3 ? Mat3(Mat3::Identity() * f.norm()) : f;             // nothing to choose a direction by
+    f = trial == 4 ? Mat3(Mat3::Zero()) : f;
+    const PrincipalStretches p = principalStretches(f);
+    EXPECT_LE((p.u * p.s.asDiagonal() * p.v.transpose() - f).norm(), 1e-14 * f.norm());
+    for (const Mat3& turn : { p.u, p.v })
+    {
+      EXPECT_LE((turn * turn.transpose() - Mat3::Identity()).norm(), 1e-14);
+      EXPECT_GT(turn.determinant(), 0.0);
+    }
+    EXPECT_GE(p.s[0], p.s[1]);
+    EXPECT_GE(p.s[1], std::abs(p.s[2]) - 1e-14 * p.s[0]);
   }
 }
 

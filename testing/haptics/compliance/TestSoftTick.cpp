@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "SoftScenes.h"
-#include "haptics/compliance/servo/SoftContacts.h"
 #include "haptics/contact/GodObject.h"
-#include "haptics/contact/carry/HandOver.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Random.h"
 
@@ -14,31 +12,6 @@ namespace palpate::test
 {
 namespace
 {
-
-/// Presses into the middle and slides along, 1 kHz: .1 m/s.
-Vec3 wayOver(int tick)
-{
-  const double s = 1e-4 * tick;
-  return Vec3(0.03 + std::min(s, 0.03), 0.045 + 0.2 * std::min(s, 0.03), 0.056 - std::min(0.4 * s, 0.009));
-}
-
-/// Height of bumps of 4 mm, up to 31 degrees steep.
-double bumpAt(const Vec3& p)
-{
-  return 0.05 + 0.004 * std::sin(150.0 * p.x()) * std::sin(150.0 * p.y());
-}
-
-SoftPad bumpyPad()
-{
-  return SoftPad(10, 2.0, ElementKind::Linear,
-    [](SoftBodyInput& input)
-    {
-      for (Vec3& p : input.mesh.vertices_W)
-      {
-        p.z() *= bumpAt(p) / 0.05;
-      }
-    });
-}
 
 /// What the forces of a tick leave open when they are put on the body's whole stiffness.
 struct Certificate
@@ -253,7 +226,8 @@ TEST(SoftTick, RandomShotsCrossNoTriangle)
     p = p.cwiseMax(Vec3(0.01, 0.01, 0.03)).cwiseMin(Vec3(0.09, 0.09, 0.065));
     (void)s.move(p);
     pressed += s.state.count > 0;
-    // The ball in the material is outside: no nearer to any triangle than its radius, on the outer side of the top.
+    // The ball in the material is outside: no nearer to any triangle than its radius, on the outer side of the top or,
+    // for the hand may be deeper below the top than it is away from a side, round its rim.
     double nearest = 1.0;
     for (const auto& t : mesh.triangles)
     {
@@ -268,7 +242,9 @@ TEST(SoftTick, RandomShotsCrossNoTriangle)
       nearest = inside ? std::min(nearest, h) : nearest;
     }
     ASSERT_GE(nearest, s.plan.radius_u - 1e-12);
-    ASSERT_GT(s.state.core.x_W.z(), bumpAt(s.state.core.x_W) - 1e-3); // facets lie that near to the waves
+    const Vec3& x_W = s.state.core.x_W;
+    const bool beside = std::min(x_W.x(), x_W.y()) < 0.0 || std::max(x_W.x(), x_W.y()) > 0.1;
+    ASSERT_TRUE(beside || x_W.z() > bumpAt(x_W) - 1e-3) << x_W.transpose() << ": facets lie that near to the waves";
   }
   EXPECT_GT(pressed, 100);
 }
@@ -339,40 +315,6 @@ TEST(SoftTick, AfterTicksWithLittleWorkItComesToWhereItWouldHaveBeen)
   const SoftResult expected = whole.move(wayOver(200));
   EXPECT_GT(expected.force_N.norm(), 1.0);
   EXPECT_LE((s.move(wayOver(200)).force_N - expected.force_N).norm(), 1e-6);
-}
-
-TEST(SoftTick, ASceneInWhichTheBodyHasAnotherNumberKeepsItsContactsAndOneWithoutItLetsThemGo)
-{
-  SoftScene s(SoftPad(8, 2.0, ElementKind::Linear));
-  Surface wall;
-  wall.name = "wall";
-  wall.tree = std::make_shared<const SurfaceTree>(
-    TriangleMesh{ { { 0.0, 0.0, 0.2 }, { 0.1, 0.0, 0.2 }, { 0.0, 0.1, 0.2 } }, { { 0, 1, 2 } } });
-  const Surface body = s.scene.surfaces()[0];
-  const Scene both(2, { wall, body });
-  const Scene walls(3, { wall });
-  const Vec3 p = SoftPad::middle() + Vec3(0.0, 0.0, 0.001);
-  (void)s.move(p + Vec3(0, 0, 0.02));
-  const Vec3 before_N = s.move(p).force_N;
-  EXPECT_GT(before_N.z(), 0.5);
-
-  EXPECT_FALSE(handOver(s.scene, both, s.plan, p, s.state.core));
-  handOverContacts(s.scene, both, s.state);
-  ASSERT_EQ(s.state.count, 1);
-  EXPECT_EQ(s.state.contacts[0].feature.surface, 1u);
-  s.touch.surface = 1;
-  changePackets(std::span(&s.touch, 1), s.state);
-  const SoftResult after = moveOnSoft(both, s.plan, std::span(&s.touch, 1), p, s.state, *s.room);
-  EXPECT_LE((after.force_N - before_N).norm(), 1e-9);
-
-  EXPECT_FALSE(handOver(both, walls, s.plan, p, s.state.core));
-  handOverContacts(both, walls, s.state);
-  EXPECT_EQ(s.state.count, 0);
-  changePackets({}, s.state);
-  s.state.offset_W.setZero();
-  const SoftResult gone = moveOnSoft(walls, s.plan, {}, p, s.state, *s.room);
-  EXPECT_EQ(gone.force_N, Vec3(Vec3::Zero()));
-  EXPECT_EQ(gone.proxy_W, p);
 }
 
 TEST(SoftTick, ItAllocatesNothing)

@@ -88,12 +88,13 @@ double restingForce(SoftPad& pad, const ContactPlan& plan, const Vec3& p_W)
   return force_N;
 }
 
-TEST(TwoRates, PressedFastTheForceIsThatOfTheWholeBodyAndHasNoSteps)
+void pressFast(Factoring factoring)
 {
   ContactPlan plan;
   plan.radius_u = 0.01;
   const double speed = 0.2;
   SoftPad pad = stiffPad(20e3);
+  pad.body->factorsBe(factoring);
   SoftPad truth = stiffPad(20e3);
   SoftLoop loop(*pad.body, pad.surface, 40, plan);
   const auto pressed = [speed](int tick)
@@ -120,6 +121,12 @@ TEST(TwoRates, PressedFastTheForceIsThatOfTheWholeBodyAndHasNoSteps)
   std::cout << "RMS " << 100.0 * std::sqrt(off2 / all2) << " %, largest step " << step_N << " N\n";
   EXPECT_LE(std::sqrt(off2 / all2), 0.03);
   EXPECT_LE(step_N, 0.12);
+}
+
+TEST(TwoRates, PressedFastTheForceIsThatOfTheWholeBodyAndHasNoSteps)
+{
+  pressFast(Factoring::EachStep);
+  pressFast(Factoring::WhenOld);
 }
 
 TEST(TwoRates, AChangeOfPacketsLeavesTheForceAsItIs)

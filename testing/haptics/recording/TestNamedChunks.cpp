@@ -219,6 +219,11 @@ struct Scramble
     {
       value.coeffs() << this->next, this->next + 0.25, this->next + 0.5, this->next + 0.75;
     }
+    else if constexpr (HasMembers<T>)
+    {
+      int each = this->next;
+      membersOf([&each](auto& one) { Scramble{ each }("", one); }, value);
+    }
     else if constexpr (requires { value.begin(); })
     {
       int each = this->next; // a field, however many numbers it has

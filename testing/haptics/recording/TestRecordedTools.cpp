@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/recording/RecordedTools.h"
+#include "haptics/recording/RecordingLayout.h"
 
 namespace palpate
 {
@@ -18,6 +19,7 @@ ToolContacts someContacts()
   set.pose_W = { Vec3(1, 2, 3), Quat(0.6, 0.0, 0.8, 0.0) };
   set.lever_u = 0.5;
   set.restGap_u = 1e-7;
+  set.ball_u = 0.25;
   set.count = 2;
   set.contacts[0] = { Vec3(0, 0, 1), Vec3(0.1, 0.2, 0.3), 1e-7 };
   set.contacts[1] = { Vec3(0, 1, 0), Vec3(-0.1, 0.2, 0.3), 2e-7 };
@@ -30,7 +32,7 @@ bool isRead(const ToolContacts& set)
   ByteWriter out;
   putTool(out, set);
   ByteReader in(out.bytes().data(), out.bytes().size());
-  static_cast<void>(readTool(in));
+  static_cast<void>(readTool(in, chunks::tool.version));
   return in.ok() && in.left() == 0;
 }
 
@@ -39,12 +41,22 @@ TEST(RecordedTools, ContactsComeBackToTheLastBit)
   ByteWriter out, again;
   putTool(out, someContacts());
   ByteReader in(out.bytes().data(), out.bytes().size());
-  const ToolContacts read = readTool(in);
+  const ToolContacts read = readTool(in, chunks::tool.version);
   ASSERT_TRUE(in.ok());
   putTool(again, read);
   EXPECT_EQ(again.bytes(), out.bytes());
   EXPECT_EQ(read.count, 2u);
   EXPECT_EQ(read.contacts[1].arm_W, Vec3(-0.1, 0.2, 0.3));
+  EXPECT_EQ(read.ball_u, 0.25);
+}
+
+TEST(RecordedTools, ContactsOfBeforeToolsWereBallsHaveNone)
+{
+  ByteWriter out;
+  putTool(out, someContacts());
+  ByteReader in(out.bytes().data(), out.bytes().size() - sizeof(double));
+  EXPECT_EQ(readTool(in, 1).ball_u, 0.0);
+  EXPECT_TRUE(in.ok() && in.left() == 0);
 }
 
 TEST(RecordedTools, ContactsThatCannotBeAreRefused)
@@ -61,6 +73,8 @@ TEST(RecordedTools, ContactsThatCannotBeAreRefused)
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.contacts[1].n_W.x() = none; }));
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.pose_W.q.w() = none; }));
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.lever_u = 0.0; }));
+  EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.ball_u = none; }));
+  EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.ball_u = -1.0; }));
 }
 
 TEST(RecordedTools, MoreContactsThanThereIsRoomForAreRefusedBeforeAnyIsRead)
@@ -70,11 +84,11 @@ TEST(RecordedTools, MoreContactsThanThereIsRoomForAreRefusedBeforeAnyIsRead)
   ByteWriter out;
   putTool(out, set);
   std::vector<char> bytes = out.bytes();
-  const std::size_t atCount = bytes.size() - sizeof(std::uint64_t);
+  const std::size_t atCount = bytes.size() - sizeof(std::uint64_t) - sizeof(double);
   bytes.resize(atCount + sizeof(std::uint64_t) + 56 * (ToolContacts::capacity + 1));
   bytes[atCount] = static_cast<char>(ToolContacts::capacity + 1);
   ByteReader in(bytes.data(), bytes.size());
-  static_cast<void>(readTool(in));
+  static_cast<void>(readTool(in, chunks::tool.version));
   EXPECT_FALSE(in.ok());
 }
 

@@ -211,16 +211,53 @@ TEST_F(ToolInLoop, ThatBeginsInsideOfAClosedBodySaysSoUntilTheHandTakesItOutside
   this->begin(sceneOf(makeBox(Vec3(-0.1, -0.1, -0.1), Vec3(0.1, 0.1, 0.1))), cubeTool());
   this->hold(0.0, 5);
   EXPECT_TRUE(this->session.state().tool.placed) << "it is free there";
-  EXPECT_TRUE(this->session.toolEnclosed());
+  EXPECT_NE(this->session.toolNoWayOut().find("inside of a closed body"), std::string::npos);
   this->hold(0.2, 50);
-  EXPECT_TRUE(this->session.toolEnclosed()) << "nothing is passed";
+  EXPECT_NE(this->session.toolNoWayOut(), "") << "nothing is passed";
   this->session.setTool({});
   this->hold(0.2, 5);
-  EXPECT_FALSE(this->session.toolEnclosed());
+  EXPECT_EQ(this->session.toolNoWayOut(), "");
   this->session.setTool(cubeTool());
   this->hold(0.2, 5);
   EXPECT_TRUE(this->session.state().tool.placed);
-  EXPECT_FALSE(this->session.toolEnclosed());
+  EXPECT_EQ(this->session.toolNoWayOut(), "");
+}
+
+TEST_F(ToolInLoop, ThatIsClosedAllAroundWhatIsShownSaysSo)
+{
+  TriangleMesh shell = makeBox(Vec3::Constant(-0.1), Vec3::Constant(0.1));
+  const TriangleMesh part = makeBox(Vec3::Constant(-0.01), Vec3::Constant(0.01));
+  const auto take = [&](const TriangleMesh& tool) {
+    this->session.setTool({ std::make_shared<const ToolMesh>(makeTool(tool).tool), 0.0 });
+  };
+  this->begin(sceneOf(part), {});
+  take(shell);
+  this->hold(0.0, 5);
+  EXPECT_NE(this->session.toolNoWayOut().find("all around"), std::string::npos);
+  this->hold(0.5, 50);
+  EXPECT_NE(this->session.toolNoWayOut(), "") << "nothing is passed";
+  shell.triangles.resize(10); // without its top
+  take(shell);
+  this->hold(0.5, 5);
+  EXPECT_EQ(this->session.toolNoWayOut(), "");
+}
+
+TEST_F(ToolInLoop, GoesOnFromWhereTheHandCameFromInASceneThatLeavesNoRoomWhereItIs)
+{
+  constexpr double top = 0.035, from = 0.2, at = 0.03;
+  const auto far = sceneOf(shifted(sheetAt(0.0), Vec3(0, 0, -1.0)));
+  this->begin(far, cubeTool());
+  constexpr int ticks = 200;
+  for (int i = 0; i <= ticks; ++i)
+  {
+    this->hold(from + (at - from) * i / ticks);
+  }
+  this->session.setScene(sceneOf(makeBox(Vec3(-1, -1, -1), Vec3(1, 1, top)))); // around the lower half of the cube
+  constexpr int within_ticks = 50;
+  const HapticState& state = this->hold(at, within_ticks);
+  EXPECT_EQ(state.fault, Fault::None);
+  EXPECT_NEAR(state.proxy_W.p.z(), top + halfTool, 1e-6) << "on the box, not in it";
+  EXPECT_GT(state.force_W.z(), 0.0);
 }
 
 TEST_F(ToolInLoop, LaidDownOrExchangedWhileItPressesNeverPushesHarder)

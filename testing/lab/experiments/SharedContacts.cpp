@@ -3,39 +3,14 @@
 #include <algorithm>
 #include <memory>
 
-#include "haptics/compliance/servo/ContactProblem.h"
 #include "testing/lab/Experiments.h"
 #include "testing/support/CostSample.h"
-#include "testing/support/Random.h"
+#include "testing/support/RandomContacts.h"
 
 namespace palpate::lab
 {
 namespace
 {
-
-/// n contacts of random places, normals and depths on a body of random compliance that the device's is added to.
-void fill(test::Random& random, int n, ContactProblem& problem)
-{
-  Eigen::MatrixXd spread(3 * n, 6 * n);
-  Eigen::MatrixXd turns(3 * n, 3);
-  for (int c = 0; c < n; ++c)
-  {
-    for (int k = 0; k < 6 * n; ++k)
-    {
-      spread.block<3, 1>(3 * c, k) = random.inCube(1.0);
-    }
-    const Quat q = Quat::FromTwoVectors(Vec3(Vec3::UnitX()), (Vec3::UnitZ() + random.direction() * 0.8).normalized());
-    turns.block<3, 3>(3 * c, 0) = q.toRotationMatrix().transpose();
-  }
-  problem.resize(n);
-  problem.friction = 0.5;
-  problem.compliance = spread * spread.transpose() / (6.0 * n) + turns * turns.transpose();
-  for (int c = 0; c < n; ++c)
-  {
-    problem.free.segment<3>(3 * c) =
-      Vec3(random.uniform(-1.0, 0.4), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
-  }
-}
 
 /// Two contacts 1 mm deep with [[1, .6], [.6, 1]] mm/N: .625 N each; each by itself 1 N.
 void judgeTwo(Table& table)
@@ -72,7 +47,7 @@ void runContacts(const Conditions& conditions, Table& table)
     double open = 0.0;
     for (int trial = 0; trial < trials; ++trial)
     {
-      fill(random, n, *problem);
+      test::makeRandomContacts(random, n, *problem);
       ContactForces forces;
       forces.force_N.setZero(3 * n);
       cost.time([&] { solveFriction(*problem, *room, forces); });

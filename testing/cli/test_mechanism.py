@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`palpate check` and `palpate touch` with a scene file of bodies and laws; each expected value from statics by hand."""
+
+import json
+import math
+import os
+import shutil
+import unittest
+from pathlib import Path
+
+from palpate_cli import CommandLineTest
+
+SCENES = Path(os.environ["PALPATE_SOURCE_DIR"]) / "data" / "mechanisms"
+UPRIGHT = (1.0, 0.0, 0.0, 0.0)
+POSES = "t,x,y,z,qw,qx,qy,qz"
+MOST_STEP = 0.2  # N a tick that a law's change reaches the hand with
+
+
+class Mechanism(CommandLineTest):
+    def scene(self, name):
+        shutil.copy(SCENES / name, self.folder)
+        return name
+
+    def touch(self, scene, poses, *options):
+        self.write_path([(n / 1000, *pose, *UPRIGHT) for n, pose in enumerate(poses)], header=POSES)
+        run = self.succeed("touch", scene, "--path", "path.csv", "--csv", "out.csv", *options)
+        return self.read_rows(), run.stderr
+
+    def test_a_lever_on_two_springs_is_pulled_as_the_balance_of_forces_and_moments_says(self):
+        """A rigid rod, K_c 1000 N/m and 2 N m/rad at the hand, 500 N/m at 0.05 m and 200 N/m at 0.15 m."""
+        held, turn, springs, aside = 1000.0, 2.0, ((0.05, 500.0), (0.15, 200.0)), 0.005
+        # Balance of the rod: x sideways, a turn about y that carries a point at z by a z.
+        k11 = held + sum(k for _, k in springs)
+        k12 = sum(k * z for z, k in springs)
+        k22 = turn + sum(k * z * z for z, k in springs)
+        determinant = k11 * k22 - k12 * k12
+        x, a = held * aside * k22 / determinant, -held * aside * k12 / determinant
+        rows, _ = self.touch(self.scene("lever.json"), [(aside, 0, 0)] * 200, "--stiffness", held, "--torque-stiffness", turn)
+        last = rows[-1]
+        for name, (z, k) in zip(("wall", "organ"), springs):
+            self.assertAlmostEqual(last[f"{name}_fx"], -k * (x + a * z), delta=1e-6)
+        self.assertAlmostEqual(last["force_x"], held * (x - aside), delta=1e-6)
+        self.assertAlmostEqual(last["torque_y"], turn * a, delta=1e-6)
+        self.assertAlmostEqual(last["proxy_x"], x, delta=1e-9)
+        self.assertAlmostEqual(2 * math.asin(last["proxy_qy"]), a, delta=1e-6)
+
+    def test_a_hand_that_does_not_turn_the_rod_feels_the_balance_of_moments(self):
+        """No moment about the hand: 500 f .05 and 200 f .15 cancel; the three springs are in series, 148.148 N/m."""
+        aside = 0.005
+        rows, _ = self.touch(self.scene("lever.json"), [(aside, 0, 0)] * 200, "--stiffness", 1000)
+        last = rows[-1]
+        # Rod x + a z: 500 (x + .05 a) .05 + 200 (x + .15 a) .15 = 0, and 1000 (x - aside) = -500 (..) - 200 (..).
+        a_of_x = -(500 * 0.05 + 200 * 0.15) / (500 * 0.05**2 + 200 * 0.15**2)
+        felt = 500 * (1 + 0.05 * a_of_x) + 200 * (1 + 0.15 * a_of_x)
+        series = 1 / (1 / 1000 + 1 / felt)
+        self.assertAlmostEqual(series, 148.148, places=3)
+        self.assertAlmostEqual(last["force_x"], -series * aside, delta=1e-6)
+        for axis in "xyz":
+            self.assertAlmostEqual(last[f"torque_{axis}"], 0.0, delta=1e-12)
+
+    def test_a_needle_pierces_at_its_strength_and_then_drags_by_its_friction(self):
+        strength, friction, tip = 1.5, 0.4, 150
+        ways = [(0, 0, -8 - tip - 1 + 0.02 * i) for i in range(1500)]
+        rows, said = self.touch(self.scene("needle.json"), ways, "--stiffness", 1000, "--scale", 1000,
+                                "--torque-stiffness", 5, "--low-rate", 100)
+        force = [row["skin_fz"] for row in rows]
+        pierced = next(i for i, row in enumerate(rows) if row["skin_phase"] == 3)
+        self.assertTrue(all(f == 0.0 for f in force[:50]), "a millimetre before the wall")
+        step = 1000 * 0.02 / 1000  # what the hand adds in a tick at most
+        self.assertAlmostEqual(max(-f for f in force[:pierced]), strength, delta=step)
+        self.assertLessEqual(max(-f for f in force), strength + step)
+        self.assertAlmostEqual(-force[pierced + 200], friction, delta=1e-6)
+        self.assertIn("skin punctured at ", said)
+        steps = [abs(b["force_z"] - a["force_z"]) for a, b in zip(rows, rows[1:])]
+        self.assertLessEqual(max(steps), MOST_STEP + step, "what pierces is spread")
+
+    def test_what_a_mechanism_becomes_is_told_to_people_and_programs(self):
+        for name, least in (("lever.json", 2), ("drawer.json", 8), ("hinge.json", 8), ("suture.json", 3), ("needle.json", 2)):
+            told = json.loads(self.succeed("check", self.scene(name), "--json").stdout)
+            self.assertTrue(told["touchable"], name)
+            self.assertGreaterEqual(told["rows"], least, name)
+            self.assertLessEqual(told["rank"], told["rows"], name)
+            self.assertIn("it can be felt", self.succeed("check", name).stdout)
+
+    def test_a_drawer_goes_along_its_rails_by_the_friction_of_its_felt_and_stops_where_its_stops_are(self):
+        friction, stop, most, arm = 0.6, 800, 0.060, 0.020  # N, N/m, m, from the hand to the drawer
+        ways = [(0.1 * i, 0, 0) for i in range(1000)]
+        rows, _ = self.touch(self.scene("drawer.json"), ways, "--stiffness", 1000, "--scale", 1000, "--torque-stiffness", 5)
+        self.assertAlmostEqual(rows[400]["force_x"], -friction, delta=1e-3)
+        self.assertAlmostEqual(rows[400]["proxy_y"], 0.0, delta=1e-6)
+        last = rows[-1]
+        drawer = last["proxy_x"] / 1000 + arm * 2 * last["proxy_qy"] * last["proxy_qw"]  # the handle leans
+        self.assertGreater(drawer, most)
+        self.assertAlmostEqual(last["felt_fx"], -friction, delta=1e-6)
+        self.assertAlmostEqual(last["stops_fx"], -stop * (drawer - most), delta=1e-3 * -last["stops_fx"])
+        self.assertAlmostEqual(last["force_x"], last["felt_fx"] + last["stops_fx"], delta=1e-6)
+
+    def test_what_cannot_be_felt_is_refused_in_words(self):
+        lever = json.loads((SCENES / "lever.json").read_text())
+        self.write_path([(0, 0, 0, 0)])
+        touch = ("--path", "path.csv", "--csv", "out.csv")
+
+        def changed(change):
+            scene = json.loads(json.dumps(lever))
+            change(scene)
+            self.write("scene.json", json.dumps(scene))
+            return "scene.json"
+
+        def law(**values):
+            return lambda scene: scene["laws"][0].update(values)
+
+        cases = ((law(b="needle"), ("wall", "itself")), (law(b="nothing"), ("wall", "nothing")),
+                 (law(kind="break", strength_N=0), ("wall", "strength")), (law(kind="weld"), ("weld", "there are contact")),
+                 (lambda scene: scene["bodies"].__setitem__(0, {"name": "needle", "kind": "rigid", "half_size": [1, 1, 1]}),
+                  ("holds no body", "held rod")),
+                 (lambda scene: scene["bodies"][0].update(name="a,b"), ("name", "comma")),
+                 (lambda scene: scene.update(version=9), ("version", "update Palpate")))
+        for change, words in cases:
+            self.refused("check", changed(change), saying=words)
+            self.refused("touch", changed(change), *touch, saying=words)
+        self.scene("lever.json")
+        for option in (("--young", 1e4), ("--radius", 1), ("--two-d",), ("--field", "f.vti")):
+            self.refused("touch", "lever.json", *touch, *option, saying=("mechanism",))
+        self.refused("touch", "lever.json", "lever.json", *touch, saying=("another file",))
+
+
+if __name__ == "__main__":
+    unittest.main()

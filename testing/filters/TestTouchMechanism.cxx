@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Touch Along Path with a mechanism. Judge: the balance of a lever on two springs, by hand (row 65 of the bar).
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "VtkScenes.h"
+#include "vtkCellData.h"
+#include "vtkHapticMechanism.h"
+#include "vtkHapticMechanismFile.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTouchAlongPath.h"
+
+using namespace palpate;
+using namespace palpate::testing;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+namespace
+{
+constexpr double held = 1000.0, turning = 2.0, aside = 0.005; // N/m, N m/rad, m
+constexpr std::array<double, 2> arms{ 0.05, 0.15 }, springs{ 500.0, 200.0 };
+constexpr vtkIdType rows = 200;
+
+vtkSmartPointer<vtkHapticMechanism> mechanism(const char* name)
+{
+  auto source = vtkSmartPointer<vtkHapticMechanism>::New();
+  source->SetFileName(std::string(PALPATE_DATA_MECHANISMS) + "/" + name);
+  source->Update();
+  return source;
+}
+
+vtkSmartPointer<vtkTouchAlongPath> touchOf(vtkHapticMechanism& source, double lever)
+{
+  auto touch = vtkSmartPointer<vtkTouchAlongPath>::New();
+  touch->SetInputConnection(source.GetOutputPort());
+  touch->SetPathData(makePath(std::vector<Vec3>(rows, Vec3(aside, 0.0, 0.0))));
+  touch->SetStiffness(held);
+  touch->SetLever(lever);
+  return touch;
+}
+
+double last(vtkTouchAlongPath& touch, const std::string& array, int component = 0)
+{
+  return touch.GetOutput()->GetPointData()->GetArray(array.c_str())->GetComponent(rows - 1, component);
+}
+} // namespace
+
+TEST(TouchMechanism, ALeverIsPulledAsItsBalanceSaysByAHandThatTurnsIt)
+{
+  const auto source = mechanism("lever.json");
+  const auto touch = touchOf(*source, std::sqrt(turning / held));
+  touch->Update();
+  Eigen::Matrix2d balance = Eigen::Vector2d(held, turning).asDiagonal();
+  for (std::size_t i = 0; i < arms.size(); ++i)
+  {
+    const Eigen::Vector2d way(1.0, arms[i]); // of the spring's point, by place and turn of the rod
+    balance += springs[i] * way * way.transpose();
+  }
+  const Eigen::Vector2d rod = balance.ldlt().solve(Eigen::Vector2d(held * aside, 0.0));
+  EXPECT_NEAR(last(*touch, "Force of wall"), -springs[0] * (rod[0] + arms[0] * rod[1]), 1e-6);
+  EXPECT_NEAR(last(*touch, "Force of organ"), -springs[1] * (rod[0] + arms[1] * rod[1]), 1e-6);
+  EXPECT_NEAR(last(*touch, "Force"), held * (rod[0] - aside), 1e-6);
+  EXPECT_NEAR(last(*touch, "Torque", 1), turning * rod[1], 1e-6);
+  EXPECT_LT(last(*touch, "Residual"), 1e-9);
+}
+
+TEST(TouchMechanism, AHandThatLeavesTheTurnFreeFeelsTheSpringsInSeriesAndNoTorque)
+{
+  const auto source = mechanism("lever.json");
+  const auto touch = touchOf(*source, 0.0);
+  touch->Update();
+  // The rod turns so that no moment is left: both springs yield by forces whose arms balance about the hand.
+  const double slope =
+    (arms[0] * springs[0] + arms[1] * springs[1]) / (arms[0] * arms[0] * springs[0] + arms[1] * arms[1] * springs[1]);
+  const double felt = springs[0] * (1.0 - arms[0] * slope) + springs[1] * (1.0 - arms[1] * slope);
+  EXPECT_NEAR(last(*touch, "Force"), -aside / (1.0 / held + 1.0 / felt), 1e-6);
+  EXPECT_NEAR(last(*touch, "Torque", 1), 0.0, 1e-12);
+}
+
+TEST(TouchMechanism, WhatASceneFileLacksAndWhatAMechanismDoesNotFeelIsSaid)
+{
+  vtkNew<vtkHapticMechanism> none;
+  none->SetFileName("nowhere.json");
+  EXPECT_THAT(errorsOf(none), Contains(HasSubstr("nowhere.json: it cannot be read")));
+  const auto source = mechanism("lever.json");
+  const auto touch = touchOf(*source, 0.0);
+  touch->SetRadius(1.0);
+  EXPECT_THAT(errorsOf(touch), Contains(HasSubstr("a mechanism does not feel a ball's radius")));
+}
+
+TEST(TouchMechanism, TheSourceShowsItsBodiesAndSaysWhatTheyBecome)
+{
+  const auto source = mechanism("needle.json");
+  vtkPolyData* const shapes = source->GetOutput();
+  ASSERT_NE(shapes->GetCellData()->GetArray("Body"), nullptr);
+  double bounds[6];
+  shapes->GetBounds(bounds);
+  EXPECT_NEAR(bounds[5], 150.0, 1e-5) << "the needle's tip, in single precision";
+  EXPECT_THAT(source->GetText(), HasSubstr("3 bodies, 2 laws"));
+}
+
+TEST(TouchMechanism, EveryFileOfTheExamplesIsOne)
+{
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(PALPATE_DATA_MECHANISMS))
+  {
+    EXPECT_EQ(vtkHapticReadMechanism(entry.path().string()).Problem, "");
+    ++files;
+  }
+  EXPECT_GT(files, 0);
+}
+
+TEST(TouchMechanism, ARodThatIsTurnedInTheHandIsFeltAndSeenWhereItIs)
+{
+  std::ifstream stream(std::string(PALPATE_DATA_MECHANISMS) + "/lever.json");
+  std::string text{ std::istreambuf_iterator<char>(stream), {} };
+  // Half a turn about x: the rod runs down, its springs stand below.
+  for (const auto& [said, instead] :
+    { std::pair("\"diameter\": 0.0012", "\"diameter\": 0.0012, \"turn\": [0, 1, 0, 0]"),
+      std::pair("\"point_b\": [0, 0, 0.05]", "\"point_b\": [0, 0, -0.05]"),
+      std::pair("\"point_b\": [0, 0, 0.15]", "\"point_b\": [0, 0, -0.15]") })
+  {
+    const std::size_t at = text.find(said);
+    ASSERT_NE(at, std::string::npos) << said;
+    text.replace(at, std::string(said).size(), instead);
+  }
+  const std::string file = std::string(::testing::TempDir()) + "palpate-turned.json";
+  std::ofstream(file) << text;
+  vtkNew<vtkHapticMechanism> turned;
+  turned->SetFileName(file);
+  turned->Update();
+  std::filesystem::remove(file);
+  EXPECT_NEAR(turned->GetOutput()->GetBounds()[4], -0.2, 1e-8) << "its tip";
+  const auto upright = mechanism("lever.json");
+  const double lever = std::sqrt(turning / held);
+  const auto up = touchOf(*upright, lever), down = touchOf(*turned, lever);
+  up->Update();
+  down->Update();
+  EXPECT_NEAR(last(*down, "Force"), last(*up, "Force"), 1e-12);
+  EXPECT_NEAR(last(*down, "Force of organ"), last(*up, "Force of organ"), 1e-12);
+  EXPECT_NEAR(last(*down, "Torque", 1), -last(*up, "Torque", 1), 1e-12);
+}

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each law of THEORY-2.md 5.4 against its closed form: a rod of .2 m in a hand of 1000 N/m and 2 N m/rad.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "haptics/tool/motion/Turn.h"
+#include "testing/support/MechanismRig.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double length = 0.2;
+const Vec3 tip(0.0, 0.0, length);
+
+class Laws : public testing::Test
+{
+protected:
+  Laws() { this->rig.grip = { kc, kr }; }
+
+  MechanismRig rig{ length };
+};
+
+TEST_F(Laws, AContactPushesByTheSpringsInSeriesAndNeverPulls)
+{
+  this->rig.addSoft("wall", springWall("wall", tip, -Vec3::UnitZ(), 0.02, 1.0 / tissue));
+  this->rig.join(LawKind::Contact, "wall", tip, tip).axis_B = -Vec3::UnitZ();
+  const double depth = 3e-3;
+  const MechanismResult& in = this->rig.step(Vec3(0.0, 0.0, depth));
+  EXPECT_NEAR(in.wrench_W.force.z(), -depth / (1.0 / kc + 1.0 / tissue), 1e-12);
+  EXPECT_LE(in.residual_u, 1e-15);
+  const MechanismResult& out = this->rig.step(Vec3(0.0, 0.0, -depth));
+  EXPECT_EQ(out.wrench_W.force.norm(), 0.0);
+  EXPECT_EQ(out.laws[0].phase, LawPhase::Open);
+  EXPECT_EQ(out.residual_u, 0.0);
+}
+
+TEST_F(Laws, AnAttachmentHoldsThePointAsTheLeverOfTheRodLetsIt)
+{
+  this->rig.join(LawKind::Attachment, "world", tip, tip);
+  const Vec3 hand(2e-3, 0.0, 1e-3);
+  const MechanismResult& r = this->rig.step(hand);
+  EXPECT_NEAR(r.wrench_W.force.x(), -hand.x() / (1.0 / kc + length * length / kr), 1e-12);
+  EXPECT_NEAR(r.wrench_W.force.z(), -hand.z() * kc, 1e-12);
+  EXPECT_NEAR(r.wrench_W.torque.y(), length * r.wrench_W.force.x(), 1e-12);
+  EXPECT_LE(r.residual_u, 1e-15);
+}
+
+TEST_F(Laws, AHingeHoldsPointAndAxisAndLeavesTheTurnAboutIt)
+{
+  MechanismLaw& law = this->rig.join(LawKind::Hinge, "world", Vec3::Zero(), Vec3::Zero());
+  law.axis_A = law.axis_B = Vec3::UnitX();
+  const Vec3 turn(1e-6, 2e-6, -3e-6); // so small that its squares are below rounding
+  const MechanismResult& r = this->rig.step(Pose{ Vec3::Zero(), turnBy(turn) });
+  EXPECT_NEAR(r.wrench_W.torque.x(), 0.0, 1e-15);
+  EXPECT_NEAR(r.wrench_W.torque.y(), -kr * turn.y(), 1e-9 * kr * turn.norm() + 1e-11);
+  EXPECT_NEAR(r.wrench_W.torque.z(), -kr * turn.z(), 1e-9 * kr * turn.norm() + 1e-11);
+  EXPECT_NEAR(rotationVector(r.pose_W[0].q).x(), turn.x(), 1e-15);
+  EXPECT_LE(r.residual_u, 1e-15);
+}
+
+TEST_F(Laws, ASliderLeavesTheWayAlongItsAxisAndTheTurnAboutIt)
+{
+  MechanismLaw& law = this->rig.join(LawKind::Slider, "world", Vec3::Zero(), Vec3::Zero());
+  law.axis_A = law.axis_B = Vec3::UnitZ();
+  const Vec3 turn(1e-6, 0.0, 5e-6);
+  const Vec3 hand(1e-3, -2e-3, 7e-3);
+  const MechanismResult& r = this->rig.step(Pose{ hand, turnBy(turn) });
+  EXPECT_NEAR(r.wrench_W.force.x(), -kc * hand.x(), 1e-12);
+  EXPECT_NEAR(r.wrench_W.force.y(), -kc * hand.y(), 1e-12);
+  EXPECT_NEAR(r.wrench_W.force.z(), 0.0, 1e-12);
+  EXPECT_NEAR(r.wrench_W.torque.x(), -kr * turn.x(), 1e-11);
+  EXPECT_NEAR(r.wrench_W.torque.z(), 0.0, 1e-12);
+  EXPECT_NEAR(r.pose_W[0].p.z(), hand.z(), 1e-15);
+  EXPECT_LE(r.residual_u, 1e-15);
+}
+
+TEST_F(Laws, ABreakHoldsUpToItsStrengthAndIsGoneBeyond)
+{
+  this->rig.join(LawKind::Break, "world", Vec3::Zero(), Vec3::Zero()).strength_N = 2.0;
+  const MechanismResult holds = this->rig.step(Vec3(1.999e-3, 0.0, 0.0));
+  EXPECT_NEAR(holds.wrench_W.force.x(), -1.999, 1e-12);
+  EXPECT_EQ(holds.eventCount, 0);
+  const MechanismResult breaks = this->rig.step(Vec3(2.001e-3, 0.0, 0.0));
+  ASSERT_EQ(breaks.eventCount, 1);
+  EXPECT_EQ(breaks.events[0].change, LawChange::Broken);
+  EXPECT_EQ(breaks.events[0].tick, 2u);
+  EXPECT_NEAR(breaks.events[0].force_N, 2.001, 1e-12);
+  EXPECT_EQ(breaks.exact_W.force.norm(), 0.0);
+  const MechanismResult after = this->rig.step(Vec3::Zero());
+  EXPECT_EQ(after.laws[0].phase, LawPhase::Gone);
+  EXPECT_EQ(after.exact_W.force.norm(), 0.0);
+}
+
+TEST_F(Laws, FrictionSticksWithinItsConeAndSlipsOnIt)
+{
+  const double mu = 0.4, depth = 2e-3;
+  MechanismLaw& law = this->rig.join(LawKind::Friction, "world", Vec3::Zero(), Vec3::Zero());
+  law.axis_B = Vec3::UnitZ();
+  law.friction = mu;
+  (void)this->rig.step(Vec3(0.0, 0.0, -depth));
+  const double normal = kc * depth;
+  const double sticksTo = mu * normal / kc;
+  const MechanismResult sticks = this->rig.step(Vec3(0.6 * sticksTo, -0.6 * sticksTo, -depth));
+  EXPECT_NEAR(sticks.wrench_W.force.x(), -kc * 0.6 * sticksTo, 1e-12);
+  EXPECT_NEAR(sticks.wrench_W.force.y(), kc * 0.6 * sticksTo, 1e-12);
+  EXPECT_EQ(sticks.laws[0].phase, LawPhase::Closed);
+  const Vec3 along = Vec3(3.0, 4.0, 0.0) / 5.0;
+  const MechanismResult slips = this->rig.step(Vec3(0.02 * along - depth * Vec3::UnitZ()));
+  EXPECT_NEAR(slips.wrench_W.force.head<2>().norm(), mu * normal, 1e-12);
+  EXPECT_EQ(slips.laws[0].phase, LawPhase::Slips);
+  EXPECT_LE(slips.residual_u, 1e-15);
+  // It rests as far behind the hand as friction holds: back by twice that it pulls the other way.
+  const Vec3 hand(0.02 * along - depth * Vec3::UnitZ());
+  const Vec3 pull = slips.wrench_W.force.head<2>().homogeneous().cwiseProduct(Vec3(1.0, 1.0, 0.0)) / (mu * normal);
+  const MechanismResult back = this->rig.step(Vec3(hand + 1.5 * sticksTo * pull));
+  EXPECT_LE((back.wrench_W.force - Vec3(-0.5 * mu * normal * pull + normal * Vec3::UnitZ())).norm(), 1e-12);
+}
+
+TEST_F(Laws, DryFrictionHoldsUpToItsForceHoweverHardTheRodIsPressed)
+{
+  const double c = 0.4;
+  MechanismLaw& law = this->rig.join(LawKind::DryFriction, "world", Vec3::Zero(), Vec3::Zero());
+  law.axis_B = Vec3::UnitX();
+  law.dryFriction_N = c;
+  (void)this->rig.step(Vec3(0.0, 0.0, 0.0));
+  const auto felt = [this](double x, double z) { return this->rig.step(Vec3(x, 0.0, z)).wrench_W.force.x(); };
+  EXPECT_NEAR(felt(0.3e-3, 0.0), -0.3, 1e-12);
+  EXPECT_NEAR(felt(5e-3, 0.1), -c, 1e-12);
+  EXPECT_NEAR(felt(5e-3 - 0.5e-3, 0.0), -c + 0.5, 1e-12); // back by half a millimetre
+  EXPECT_NEAR(felt(5e-3 - 1.5e-3, 0.0), c, 1e-12);
+}
+
+TEST_F(Laws, ASpringIsInSeriesWithTheHand)
+{
+  const double k = 300.0, rest = 1e-3;
+  MechanismLaw& law = this->rig.join(LawKind::Spring, "world", Vec3::Zero(), Vec3::Zero());
+  law.axis_B = Vec3::UnitY();
+  law.stiffness_N_per_u = k;
+  law.rest_u = rest;
+  for (const double y : { -4e-3, 0.0, 1e-3, 6e-3 })
+  {
+    const MechanismResult& r = this->rig.step(Vec3(0.0, y, 0.0));
+    EXPECT_NEAR(r.wrench_W.force.y(), -(y - rest) / (1.0 / kc + 1.0 / k), 1e-12);
+    EXPECT_NEAR(r.stored_Nu, 0.5 * (y - rest) * (y - rest) / (1.0 / kc + 1.0 / k), 1e-15);
+  }
+}
+
+TEST_F(Laws, ALimitIsFreeBetweenItsStopsAndSpringsBackBeyond)
+{
+  const double k = 2000.0;
+  MechanismLaw& law = this->rig.join(LawKind::Limit, "world", Vec3::Zero(), Vec3::Zero());
+  law.axis_B = Vec3::UnitX();
+  law.stiffness_N_per_u = k;
+  law.least_u = -2e-3;
+  law.most_u = 3e-3;
+  const auto felt = [this](double x) { return this->rig.step(Vec3(x, 0.0, 0.0)).wrench_W.force.x(); };
+  const double series = 1.0 / (1.0 / kc + 1.0 / k);
+  EXPECT_EQ(felt(1e-3), 0.0);
+  EXPECT_NEAR(felt(5e-3), -series * 2e-3, 1e-12);
+  EXPECT_NEAR(felt(-3e-3), series * 1e-3, 1e-12);
+}
+
+TEST_F(Laws, OfAPlatePressedOffItsMiddleTheCornerAcrossOpensExactlyAndTheOthersBalance)
+{
+  const double half = 0.05, k = 400.0, weight = 0.2;
+  MechanismBody plate;
+  plate.name = "plate";
+  plate.kind = MechanismBodyKind::Rigid;
+  plate.halfSize_u = Vec3(half, half, 0.005);
+  plate.load_W = Vec3(0.0, 0.0, -weight);
+  this->rig.mechanism.bodies.push_back(plate);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const Vec3 foot(corner & 1 ? half : -half, corner & 2 ? half : -half, -0.005);
+    const std::string name = "patch " + std::to_string(corner);
+    this->rig.addSoft(name, springWall(name, foot, Vec3::UnitZ(), 0.01, 1.0 / k));
+    MechanismLaw& law = this->rig.join(LawKind::Contact, name, foot, foot);
+    law.a = "plate";
+    law.axis_B = Vec3::UnitZ();
+  }
+  const Vec3 pressed(0.04, 0.03, 0.005);
+  this->rig.join(LawKind::Contact, "plate", tip, pressed).axis_B = Vec3::UnitZ();
+  // The rod stands upside down over the plate and comes down by 6 mm.
+  const Pose hand{ pressed + Vec3(0.0, 0.0, length - 6e-3), Quat(0.0, 1.0, 0.0, 0.0) };
+  const MechanismResult& r = this->rig.step(hand);
+  EXPECT_FALSE(r.capped);
+  const double push = r.wrench_W.force.z();
+  EXPECT_GT(push, 0.5);
+  // Three feet hold what comes down: sum and moments about the middle decide.
+  const double both = pressed.x() + pressed.y();
+  const double far = push * both / (2.0 * half);
+  const double sides = weight + push - far;
+  const double difference = push * (pressed.x() - pressed.y()) / (2.0 * half);
+  const double expected[4] = { 0.0, 0.5 * (sides + difference), 0.5 * (sides - difference), far };
+  const Pose& at = r.pose_W[2];
+  for (std::size_t corner = 0; corner < 4; ++corner)
+  {
+    const double force = r.laws[corner].force_W.z();
+    EXPECT_NEAR(force, expected[corner], 1e-11) << corner;
+    const double gap = (at.p + rotationVector(at.q).cross(this->rig.mechanism.laws[corner].point_A)).z();
+    EXPECT_NEAR(force, k * std::max(-gap, 0.0), 1e-9) << corner;
+  }
+  EXPECT_EQ(r.laws[0].force_W.z(), 0.0);
+  EXPECT_NEAR(push, kc * (6e-3 + (at.p + rotationVector(at.q).cross(pressed)).z()), 1e-9);
+}
+
+TEST_F(Laws, APoseThatIsNoneGivesNoForceAndChangesNothing)
+{
+  this->rig.join(LawKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
+  (void)this->rig.step(Vec3(1e-3, 0.0, 0.0));
+  const MechanismResult& none = this->rig.step(Vec3(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0));
+  EXPECT_EQ(none.wrench_W.force.norm(), 0.0);
+  EXPECT_NEAR(this->rig.step(Vec3(1e-3, 0.0, 0.0)).wrench_W.force.x(), -1.0, 1e-12);
+}
+
+TEST_F(Laws, ABodyThatIsDeletedWhileItIsJoinedLetsGo)
+{
+  this->rig.addSoft("wall", springWall("wall", Vec3::Zero(), Vec3::UnitZ(), 0.02, 1.0 / tissue));
+  this->rig.join(LawKind::Attachment, "wall", Vec3::Zero(), Vec3::Zero());
+  EXPECT_GT(this->rig.step(Vec3(1e-3, 0.0, 0.0)).wrench_W.force.norm(), 0.3);
+  this->rig.pressed[0] = nullptr;
+  const MechanismResult& gone = this->rig.step(Vec3(1e-3, 0.0, 0.0));
+  EXPECT_EQ(gone.wrench_W.force.norm(), 0.0);
+  EXPECT_EQ(gone.rows, 0);
+}
+
+} // namespace
+} // namespace palpate::test

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "testing/support/MechanismRig.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+class Checked : public testing::Test
+{
+protected:
+  Checked()
+  {
+    this->rig.addSoft("wall", springWall("wall", Vec3(0.0, 0.0, 0.05), -Vec3::UnitZ(), 0.02, 2e-3));
+    this->rig.addSoft("liver", springWall("liver", Vec3(0.0, 0.0, 0.15), -Vec3::UnitZ(), 0.02, 5e-3));
+    this->rig.join(LawKind::Insertion, "wall", Vec3::Zero(), Vec3(0.0, 0.0, 0.05)).name = "hole";
+    this->rig.join(LawKind::Puncture, "liver", Vec3::Zero(), Vec3::Zero()).name = "entry";
+  }
+
+  MechanismRig rig{ 0.2 };
+};
+
+TEST_F(Checked, AMechanismIsSaidToBecomeRowsRankAndFreeTurns)
+{
+  const MechanismCheck check = this->rig.check();
+  EXPECT_TRUE(check.faults.empty());
+  EXPECT_EQ(check.rows, 6);
+  // Both dry rows are along one rod, but through two tissues of their own: all six are independent.
+  EXPECT_EQ(check.rank, 6);
+  EXPECT_EQ(check.freeTurns, 0);
+  EXPECT_TRUE(check.redundant.empty());
+  this->rig.grip.turning_Nu_per_rad = 0.0;
+  const MechanismCheck free = this->rig.check();
+  EXPECT_EQ(free.freeTurns, 3);
+  EXPECT_EQ(free.free, std::vector<std::string>{ "needle" }); // about its own axis nothing holds it
+}
+
+struct Wrong
+{
+  const char* name;
+  std::function<void(MechanismRig&)> change;
+  const char* says;
+};
+
+void PrintTo(const Wrong& wrong, std::ostream* out)
+{
+  *out << wrong.name;
+}
+
+class WrongMechanism
+  : public Checked
+  , public testing::WithParamInterface<Wrong>
+{
+};
+
+TEST_P(WrongMechanism, IsRefusedInASentenceThatSaysWhatIsWrong)
+{
+  GetParam().change(this->rig);
+  const MechanismCheck check = this->rig.check();
+  EXPECT_TRUE(std::ranges::any_of(
+    check.faults, [](const std::string& fault) { return fault.find(GetParam().says) != std::string::npos; }))
+    << (check.faults.empty() ? "no fault" : check.faults.front());
+}
+
+const Vec3 aside(0.0, 0.0, 0.01);
+
+INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
+  testing::Values(Wrong{ "JoinedToItself", [](MechanismRig& r) { r.mechanism.laws[0].b = "needle"; }, "to itself" },
+    Wrong{ "JoinedToNothing", [](MechanismRig& r) { r.mechanism.laws[0].b = "spleen"; }, "no body has that name" },
+    Wrong{ "SoftBodyIsGone", [](MechanismRig& r) { r.soft.pop_back(); }, "\"liver\" is not there" },
+    Wrong{ "BreakForceOf0",
+      [](MechanismRig& r) { r.join(LawKind::Break, "world", Vec3::Zero(), Vec3::Zero()).strength_N = 0.0; },
+      "breaks at 0 N" },
+    Wrong{
+      "StrengthIsNoNumber", [](MechanismRig& r) { r.mechanism.laws[1].strength_N = std::nan(""); }, "breaks at 0 N" },
+    Wrong{ "JointBeyondTheTip",
+      [](MechanismRig& r) { r.join(LawKind::Attachment, "world", 0.21 * Vec3::UnitZ(), Vec3::Zero()); },
+      "outside of \"needle\"" },
+    Wrong{ "HoleBesideTheWall", [](MechanismRig& r) { r.mechanism.laws[0].point_B = Vec3(0.0, 0.1, 0.05); },
+      "outside of \"wall\"" },
+    Wrong{ "LimitTurnedRound",
+      [](MechanismRig& r)
+      {
+        MechanismLaw& law = r.join(LawKind::Limit, "world", Vec3::Zero(), Vec3::Zero());
+        law.least_u = 1.0;
+        law.most_u = -1.0;
+      },
+      "contradicts itself" },
+    Wrong{ "HeldInTwoPlaces",
+      [](MechanismRig& r)
+      {
+        r.join(LawKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
+        r.join(LawKind::Attachment, "world", Vec3::Zero(), aside);
+      },
+      "contradicts the others" },
+    Wrong{ "RodBetweenPointsThatAreTooFarApart",
+      [](MechanismRig& r)
+      {
+        r.join(LawKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
+        r.join(LawKind::Attachment, "world", 0.1 * Vec3::UnitZ(), 0.11 * Vec3::UnitZ());
+      },
+      "contradicts the others" },
+    Wrong{ "MoreRowsThanTheBudget",
+      [](MechanismRig& r)
+      {
+        for (int i = 0; i < 10; ++i)
+        {
+          r.join(LawKind::Hinge, "world", Vec3::Zero(), Vec3::Zero());
+        }
+      },
+      "rows, at most 48" },
+    Wrong{ "TwoInTheHand",
+      [](MechanismRig& r)
+      {
+        r.mechanism.bodies.push_back(r.mechanism.bodies.front());
+        r.mechanism.bodies.back().name = "second";
+      },
+      "in the hand, at most 1" },
+    Wrong{ "OneNameTwice", [](MechanismRig& r) { r.mechanism.laws[1].name = "hole"; }, "a name of its own" },
+    Wrong{ "RodWithoutLength", [](MechanismRig& r) { r.mechanism.bodies[0].length_u = 0.0; }, "no length" },
+    Wrong{ "HingeOfASoftBody",
+      [](MechanismRig& r) { r.join(LawKind::Hinge, "wall", Vec3::Zero(), Vec3(0.0, 0.0, 0.05)); },
+      "no turn of its own" },
+    Wrong{ "PunctureOfTheWorld", [](MechanismRig& r) { r.mechanism.laws[1].b = "world"; }, "needs a soft body" },
+    Wrong{ "AxisWithoutDirection", [](MechanismRig& r) { r.mechanism.laws[0].axis_B.setZero(); }, "without direction" },
+    Wrong{ "FrictionOnWhatOnlyBalanceHolds",
+      [](MechanismRig& r)
+      {
+        r.grip.turning_Nu_per_rad = 0.0;
+        r.join(LawKind::Friction, "world", Vec3::Zero(), Vec3::Zero()).friction = 0.3;
+      },
+      "only the balance" },
+    Wrong{ "HandWithoutStiffness", [](MechanismRig& r) { r.grip.coupling_N_per_u = 0.0; }, "holds nothing" }),
+  [](const testing::TestParamInfo<Wrong>& info) { return info.param.name; });
+
+} // namespace
+} // namespace palpate::test

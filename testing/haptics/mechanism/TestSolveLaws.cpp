@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "haptics/mechanism/solve/LawProblem.h"
+#include "testing/support/AllocationGuard.h"
+#include "testing/support/Random.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+struct Solver
+{
+  std::unique_ptr<LawProblem> problem = std::make_unique<LawProblem>();
+  std::unique_ptr<LawRoom> room = std::make_unique<LawRoom>();
+  LawForces forces;
+
+  void begin(int rows, int ways)
+  {
+    this->problem->resize(rows, ways);
+    this->problem->cones = 0;
+    this->problem->compliance.setZero();
+    this->problem->free.setZero();
+    this->problem->along.setZero();
+    this->problem->load.setZero();
+    this->problem->lowest.setConstant(-unlimited);
+    this->problem->highest.setConstant(unlimited);
+    this->forces.force_N.setZero(rows);
+  }
+  void solve()
+  {
+    const AllocationGuard guard;
+    solveLaws(*this->problem, *this->room, this->forces);
+    EXPECT_EQ(guard.allocations(), 0u);
+    EXPECT_FALSE(this->forces.capped);
+  }
+};
+
+/// Rows of every kind and bodies that nothing elastic holds; the first rows hold these, so that there is one answer.
+void makeRandom(Random& random, Solver& solver)
+{
+  const int ways = static_cast<int>(random.below(4));
+  const int bounded = 1 + static_cast<int>(random.below(5));
+  const int rows = ways + bounded;
+  solver.begin(rows, ways);
+  LawProblem& p = *solver.problem;
+  Eigen::MatrixXd spread(rows, rows + 2);
+  for (Eigen::Index i = 0; i < spread.size(); ++i)
+  {
+    spread.data()[i] = random.uniform(-1.0, 1.0);
+  }
+  p.compliance = spread * spread.transpose() / rows;
+  for (int i = 0; i < rows; ++i)
+  {
+    p.free[i] = random.uniform(-1.0, 1.0);
+    for (int w = 0; w < ways; ++w)
+    {
+      p.along(i, w) = random.uniform(-1.0, 1.0);
+    }
+    if (i >= ways)
+    {
+      const bool pushes = random.below(2) == 0;
+      const double dry = random.uniform(0.05, 0.6);
+      p.lowest[i] = pushes ? 0.0 : -dry;
+      p.highest[i] = pushes ? unlimited : dry;
+    }
+  }
+  for (int w = 0; w < ways; ++w)
+  {
+    p.load[w] = random.uniform(-0.5, 0.5);
+  }
+}
+
+/// Forces where all laws hold, found among all ways in which rows may be held or at a bound.
+std::optional<Eigen::VectorXd> forcesByTryingAll(const LawProblem& p)
+{
+  const int n = p.count;
+  int states = 1;
+  for (int i = 0; i < n; ++i)
+  {
+    states *= 3;
+  }
+  for (int code = 0; code < states; ++code)
+  {
+    Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n + p.ways, n + p.ways);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(n + p.ways);
+    m.topRightCorner(n, p.ways) = p.along;
+    m.bottomLeftCorner(p.ways, n) = Eigen::MatrixXd(p.along).transpose();
+    right.tail(p.ways) = -Eigen::VectorXd(p.load);
+    bool possible = true;
+    for (int i = 0, rest = code; i < n; ++i, rest /= 3)
+    {
+      const double bound = rest % 3 == 1 ? p.lowest[i] : p.highest[i];
+      if (rest % 3 == 0)
+      {
+        m.row(i).head(n) = p.compliance.row(i);
+        right[i] = -p.free[i];
+        continue;
+      }
+      possible = possible && std::isfinite(bound);
+      m.row(i).setZero();
+      m(i, i) = 1.0;
+      right[i] = bound;
+    }
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu(m);
+    if (!possible || !lu.isInvertible())
+    {
+      continue;
+    }
+    const Eigen::VectorXd x = lu.solve(right);
+    const Eigen::VectorXd moved =
+      Eigen::VectorXd(p.free) + Eigen::MatrixXd(p.compliance) * x.head(n) + Eigen::MatrixXd(p.along) * x.tail(p.ways);
+    bool met = true;
+    for (int i = 0; i < n; ++i)
+    {
+      met = met && x[i] >= p.lowest[i] - 1e-10 && x[i] <= p.highest[i] + 1e-10;
+      met = met && (moved[i] >= -1e-10 || x[i] >= p.highest[i] - 1e-10);
+      met = met && (moved[i] <= 1e-10 || x[i] <= p.lowest[i] + 1e-10);
+    }
+    if (met)
+    {
+      return x.head(n);
+    }
+  }
+  return std::nullopt;
+}
+
+TEST(SolveLaws, RowsOfEveryKindHaveTheForcesThatAreFoundByTryingAllStates)
+{
+  Random random(testSeed(2001));
+  Solver solver;
+  int balanced = 0;
+  int atBound = 0;
+  for (std::size_t trial = 0; trial < testCount(600); ++trial)
+  {
+    makeRandom(random, solver);
+    const auto expected = forcesByTryingAll(*solver.problem);
+    ASSERT_TRUE(expected) << trial;
+    solver.solve();
+    EXPECT_LE((Eigen::VectorXd(solver.forces.force_N) - *expected).cwiseAbs().maxCoeff(),
+      1e-9 * (1.0 + expected->cwiseAbs().maxCoeff()))
+      << trial;
+    EXPECT_LE(solver.forces.residual_u, 1e-11) << trial;
+    EXPECT_LE(solver.forces.unbalanced_N, 1e-11) << trial;
+    balanced += solver.problem->ways > 0;
+    for (int i = 0; i < solver.problem->count; ++i)
+    {
+      atBound += std::abs(solver.forces.force_N[i]) == solver.problem->highest[i];
+    }
+  }
+  EXPECT_GT(balanced, static_cast<int>(testCount(600) / 2));
+  EXPECT_GT(atBound, static_cast<int>(testCount(600) / 10));
+}
+
+TEST(SolveLaws, ARowThatFollowsFromOthersChangesNothingForTheHand)
+{
+  Random random(testSeed(2002));
+  for (std::size_t trial = 0; trial < testCount(100); ++trial)
+  {
+    // A point held by a spring of 1 N/u, in three directions; then also in two that follow from these.
+    Eigen::Matrix<double, 5, 3> j;
+    j.topRows<3>() = Mat3::Identity();
+    j.row(3) = random.direction().transpose();
+    j.row(4) = random.direction().transpose();
+    const Vec3 off = random.inCube(1.0);
+    Vec3 hand[2];
+    for (const int rows : { 3, 5 })
+    {
+      Solver solver;
+      solver.begin(rows, 0);
+      solver.problem->compliance = j.topRows(rows) * j.topRows(rows).transpose();
+      solver.problem->free = j.topRows(rows) * off;
+      solver.solve();
+      hand[rows == 5] = j.topRows(rows).transpose() * Eigen::VectorXd(solver.forces.force_N);
+      EXPECT_LE(solver.forces.residual_u, 1e-14);
+    }
+    EXPECT_LE((hand[0] - hand[1]).norm(), 1e-14);
+    EXPECT_LE((hand[0] + off).norm(), 1e-14);
+  }
+}
+
+/// By how much forces on the last three rows miss the laws of Signorini and Coulomb.
+double coneMissed(const LawProblem& p, const LawForces& f, int first, double friction)
+{
+  const Vec3 force = f.force_N.segment<3>(first);
+  const Vec3 moved = f.moved_u.segment<3>(first);
+  const double across = force.tail<2>().norm();
+  double most = std::max({ -moved[0], -force[0], across - friction * force[0], std::abs(force[0] * moved[0]) });
+  if (across < friction * force[0] * (1.0 - 1e-9))
+  {
+    most = std::max(most, moved.tail<2>().norm());
+  }
+  else if (force[0] > 0.0)
+  {
+    most = std::max(most, (force.tail<2>() * moved.tail<2>().norm() + moved.tail<2>() * across).norm() / across);
+  }
+  EXPECT_EQ(p.count, f.force_N.size());
+  return most;
+}
+
+TEST(SolveLaws, ConesBesideRowsAndFreeWaysMeetCoulombsLawEachWithItsOwnFriction)
+{
+  Random random(testSeed(2003));
+  int sticks = 0;
+  int slips = 0;
+  for (std::size_t trial = 0; trial < testCount(200); ++trial)
+  {
+    const int ways = static_cast<int>(random.below(3));
+    const int plain = ways + 1;
+    const int cones = 1 + static_cast<int>(random.below(2));
+    const int n = plain + 3 * cones;
+    Solver solver;
+    solver.begin(n, ways);
+    LawProblem& p = *solver.problem;
+    Eigen::MatrixXd spread(n, n + 2);
+    for (Eigen::Index i = 0; i < spread.size(); ++i)
+    {
+      spread.data()[i] = random.uniform(-1.0, 1.0);
+    }
+    p.compliance = spread * spread.transpose() / n + 0.3 * Eigen::MatrixXd::Identity(n, n);
+    p.cones = cones;
+    for (int i = 0; i < n; ++i)
+    {
+      p.free[i] = random.uniform(-1.0, 1.0);
+      for (int w = 0; w < ways; ++w)
+      {
+        p.along(i, w) = random.uniform(-1.0, 1.0);
+      }
+    }
+    p.highest[ways] = 0.2;
+    p.lowest[ways] = -0.2;
+    for (int c = 0; c < cones; ++c)
+    {
+      p.friction[static_cast<std::size_t>(c)] = random.uniform(0.1, 0.6);
+    }
+    solver.solve();
+    const double size = 1.0 + solver.forces.force_N.lpNorm<Eigen::Infinity>();
+    EXPECT_LE(solver.forces.unbalanced_N, 1e-11 * size);
+    for (int i = 0; i < plain; ++i)
+    {
+      const double force = solver.forces.force_N[i];
+      const bool free = std::abs(force) < p.highest[i] * (1.0 - 1e-12);
+      EXPECT_LE(free ? std::abs(solver.forces.moved_u[i]) : 0.0, 1e-11 * size) << trial;
+    }
+    for (int c = 0; c < cones; ++c)
+    {
+      const int first = plain + 3 * c;
+      const double friction = p.friction[static_cast<std::size_t>(c)];
+      EXPECT_LE(coneMissed(p, solver.forces, first, friction), 1e-11 * size) << trial;
+      const double normal = solver.forces.force_N[first];
+      const bool inside = solver.forces.force_N.segment<2>(first + 1).norm() < (1.0 - 1e-9) * friction * normal;
+      sticks += normal > 0.0 && inside;
+      slips += normal > 0.0 && !inside;
+    }
+  }
+  EXPECT_GT(sticks, 0);
+  EXPECT_GT(slips, 0);
+}
+
+} // namespace
+} // namespace palpate::test

@@ -1,0 +1,486 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A session whose hand holds a needle that is joined to a soft block: felt, recorded, replaced, broken, not computed
+// any more.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "SoftBlock.h"
+#include "haptics/recording/RecordedMechanisms.h"
+#include "haptics/recording/Recording.h"
+#include "haptics/session/HapticSession.h"
+#include "haptics/session/mechanism/MechanismTouch.h"
+#include "testing/support/AllocationGuard.h"
+#include "testing/support/Eventually.h"
+#include "testing/support/TemporaryFolder.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double handSpring = 1000.0, handTurning = 2.0; // N/m, N m/rad
+constexpr double needleLength = 0.1;
+constexpr double punctureAt_N = 1.5, shaftFriction_N = 0.4;
+
+/// A hand that a test moves, of a device that pushes and turns it as far as the session knows, or not at all.
+class HandOfTest final : public HapticDevice
+{
+public:
+  explicit HandOfTest(bool turns)
+  {
+    this->info_.name = "test";
+    this->info_.simulated = true;
+    this->info_.rendersForce = false;
+    this->info_.rendersTorque = turns;
+  }
+
+  [[nodiscard]] const DeviceInfo& info() const noexcept override { return this->info_; }
+  [[nodiscard]] std::string open() override { return {}; }
+  void close() noexcept override {}
+  [[nodiscard]] DeviceStatus read(double tickTime_s, DeviceSample& sample) noexcept override
+  {
+    sample.pose_D = this->hand_D_.read();
+    sample.time_s = tickTime_s;
+    return DeviceStatus::Ok;
+  }
+  void write(const DeviceCommand& /*command*/) noexcept override {}
+
+  void move(const Pose& hand_D) { this->hand_D_.write(hand_D); }
+
+private:
+  DeviceInfo info_;
+  TripleBuffer<Pose> hand_D_;
+};
+
+/// Where the needle meets the block: within one triangle of its top.
+Vec3 placeOnTop()
+{
+  return topOfBlock() + Vec3(2e-3, 1e-3, 0);
+}
+
+/// Points down, its tip so far from there.
+Pose needleAt(const Vec3& tipFromTop)
+{
+  return { placeOnTop() + tipFromTop + Vec3(0, 0, needleLength), Quat(0, 1, 0, 0) };
+}
+
+MechanismBody bodyOf(const char* name, MechanismBodyKind kind)
+{
+  MechanismBody body;
+  body.name = name;
+  body.kind = kind;
+  body.length_u = needleLength;
+  body.diameter_u = 1e-3;
+  return body;
+}
+
+/// A needle and the block of 20 kPa, which it goes into at 1.5 N.
+MechanismInputs needleAndBlock(ElasticModel model = ElasticModel::Linear)
+{
+  MechanismInputs inputs;
+  inputs.mechanism.bodies = { bodyOf("needle", MechanismBodyKind::Held), bodyOf("block", MechanismBodyKind::Soft) };
+  MechanismLaw puncture;
+  puncture.name = "puncture";
+  puncture.kind = LawKind::Puncture;
+  puncture.a = "needle";
+  puncture.b = "block";
+  puncture.strength_N = punctureAt_N;
+  puncture.dryFriction_N = shaftFriction_N;
+  inputs.mechanism.laws = { puncture };
+  inputs.soft = { { "block", std::make_shared<const SoftBodyInput>(softBlock(model)) } };
+  return inputs;
+}
+
+/// A needle whose tip is held where it is when the hand is at needleAt(0).
+MechanismInputs tipHeld()
+{
+  MechanismInputs inputs;
+  inputs.mechanism.bodies = { bodyOf("needle", MechanismBodyKind::Held), bodyOf("world", MechanismBodyKind::World) };
+  MechanismLaw held;
+  held.name = "tip";
+  held.kind = LawKind::Attachment;
+  held.a = "needle";
+  held.b = "world";
+  held.point_A = Vec3(0, 0, needleLength);
+  held.point_B = placeOnTop();
+  inputs.mechanism.laws = { held };
+  return inputs;
+}
+
+SessionOptions virtualTime(const std::string& file = {})
+{
+  SessionOptions options;
+  options.virtualTime = true;
+  options.recordFile = file;
+  return options;
+}
+
+MechanismChoice chosen(const MechanismInputs& inputs)
+{
+  return { std::make_shared<const MechanismInputs>(inputs), "scene", 25.0 };
+}
+
+/// What a hand there feels of the block once it is at rest: no packets, a solve of the whole body in each tick.
+double restingForce_N(double depth)
+{
+  MechanismHold hold;
+  hold.stiffness_N_per_m = handSpring;
+  hold.turning_N_m_per_rad = handTurning;
+  hold.lowRate_Hz = 0.0;
+  std::string refusal;
+  const auto touch = MechanismTouch::make(needleAndBlock(), hold, refusal);
+  (void)touch->next(0.0, needleAt(Vec3(0, 0, 1e-3)));
+  return touch->next(1e-3, needleAt(Vec3(0, 0, -depth))).wrench_W.force.z();
+}
+
+/// A hand with a needle, in virtual time unless said.
+class MechanismInLoop : public testing::Test
+{
+protected:
+  void begin(const MechanismInputs& inputs, bool turns = true, const SessionOptions& asked = virtualTime())
+  {
+    HapticParameters parameters;
+    parameters.stiffness_N_per_m = handSpring;
+    parameters.limitStiffness = false;
+    parameters.mechanismTurning_N_m_per_rad = handTurning;
+    parameters.safety = this->safety;
+    ASSERT_EQ(this->session.setParameters(parameters), "");
+    this->session.setMechanism(chosen(inputs));
+    auto device = std::make_unique<HandOfTest>(turns);
+    device->move(needleAt(Vec3(0, 0, 0.005)));
+    ASSERT_EQ(this->session.start(std::move(device), asked), "");
+  }
+
+  const HapticState& hold(const Pose& hand, int ticks = 1)
+  {
+    static_cast<HandOfTest*>(this->session.device())->move(hand);
+    EXPECT_EQ(this->session.step(ticks), ticks);
+    return this->session.state();
+  }
+
+  /// The tip goes there at 0.1 m/s from where it is, then rests there.
+  const HapticState& lower(double from, double to, int rest = 0)
+  {
+    const auto ticks = static_cast<int>(std::lround(std::abs(to - from) / 1e-4));
+    for (int i = 1; i <= ticks; ++i)
+    {
+      const double force_N = this->session.state().force_W.norm();
+      const double now_N = this->hold(needleAt(Vec3(0, 0, from + (to - from) * i / ticks))).force_W.norm();
+      this->mostStep_N = std::max(this->mostStep_N, std::abs(now_N - force_N));
+    }
+    return rest > 0 ? this->hold(needleAt(Vec3(0, 0, to)), rest) : this->session.state();
+  }
+
+  /// Goes in, comes out and in again, 0.7 s long.
+  void stroke()
+  {
+    this->lower(0.005, -0.02);
+    this->lower(-0.02, 0.003);
+    this->lower(0.003, -0.02);
+  }
+
+  HapticSession session;
+  SafetyLimits safety = SafetyLimits::none();
+  double mostStep_N = 0.0;
+};
+
+TEST_F(MechanismInLoop, ATipOnABlockIsPushedAsByTheBlockAtRestAndGoesInAtItsStrength)
+{
+  this->begin(needleAndBlock());
+  const double before = 1.2e-3, beyond = 3e-3;
+  ASSERT_LT(restingForce_N(before), punctureAt_N);
+  const HapticState on = this->lower(0.005, -before, 400);
+  EXPECT_NEAR(on.force_W.z(), restingForce_N(before), 1e-3 * punctureAt_N);
+  EXPECT_LT(on.force_W.z(), handSpring * before) << "it gives way";
+  EXPECT_NEAR(on.mechanism.laws[0].force_N, on.force_W.norm(), 1e-6);
+  EXPECT_EQ(on.mechanism.laws[0].phase, LawPhase::Closed);
+  EXPECT_EQ(on.mechanism.changes.count, 0u);
+  const HapticState in = this->lower(-before, -beyond, 1000);
+  EXPECT_EQ(in.mechanism.laws[0].phase, LawPhase::Inside);
+  ASSERT_EQ(in.mechanism.changes.count, 1u);
+  EXPECT_EQ(in.mechanism.changes.at(0).change, LawChange::Punctured);
+  EXPECT_EQ(in.mechanism.changes.at(0).law, 0u);
+  EXPECT_NEAR(in.force_W.z(), shaftFriction_N, 1e-6) << "what the shaft holds";
+  const double moved_N = handSpring * 1e-4; // by the hand in a tick
+  EXPECT_LE(this->mostStep_N, ToolBlend::largestStep_N + 2.0 * moved_N);
+}
+
+TEST_F(MechanismInLoop, ARodThatIsHeldAtItsTipPushesAndTurnsTheHandAsItsLeverDoes)
+{
+  this->begin(tipHeld());
+  const double aside = 1e-4;
+  const HapticState state = this->hold(needleAt(Vec3(aside, 0, 0)), 1000);
+  // The tip goes where the hand's turn lets it: K_c in series with K_r / L^2.
+  const double force_N = aside / (1.0 / handSpring + needleLength * needleLength / handTurning);
+  EXPECT_NEAR(state.force_W.x(), -force_N, 1e-9);
+  EXPECT_NEAR(std::abs(state.torque_D.y()), needleLength * force_N, 1e-9);
+  EXPECT_NEAR(state.torque_D.norm(), std::abs(state.torque_D.y()), 1e-9);
+  EXPECT_LE(state.mechanism.residual_u, 1e-12);
+}
+
+TEST_F(MechanismInLoop, AHandThatTheDeviceCannotTurnFeelsNoTorqueAndOnlyAlongTheRod)
+{
+  this->begin(tipHeld(), false);
+  const double lifted = 2e-3;
+  const HapticState state = this->hold(needleAt(Vec3(0, 0, lifted)), 1000);
+  EXPECT_NEAR(state.force_W.z(), -handSpring * lifted, 1e-9);
+  EXPECT_EQ(state.torque_D, Vec3(0, 0, 0));
+  EXPECT_EQ(this->session.mechanismStatus().check.freeTurns, 3);
+}
+
+TEST_F(MechanismInLoop, GivesNoForceUntilItIsAskedFor)
+{
+  this->safety = SafetyLimits();
+  SessionOptions options = virtualTime();
+  options.engage = false;
+  this->begin(needleAndBlock(), true, options);
+  const HapticState state = this->lower(0.005, -0.004, 200);
+  EXPECT_EQ(state.force_D, Vec3(0, 0, 0));
+  EXPECT_GT(state.mechanism.laws[0].force_N, 0.1);
+  this->session.engage();
+  EXPECT_EQ(this->hold(needleAt(Vec3(0, 0, -0.004)), 200).force_D, Vec3(0, 0, 0)) << "it would not start small";
+  this->lower(-0.004, 0.005, 200);
+  EXPECT_GT(this->lower(0.005, -0.004, 200).force_D.z(), 0.1);
+}
+
+TEST_F(MechanismInLoop, ReplaysBitForBitAndTellsItsChanges)
+{
+  const TemporaryFolder folder;
+  this->begin(needleAndBlock(ElasticModel::NeoHookean), true, virtualTime(folder.file("a")));
+  this->stroke();
+  const std::uint64_t changes = this->session.state().mechanism.changes.count;
+  EXPECT_GE(changes, 3u) << "in, out, in";
+  const std::uint64_t ticks = this->session.report().ticks;
+  EXPECT_EQ(this->session.stop(), "");
+  const auto read = readRecording(folder.file("a"));
+  ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+  const auto& recording = std::get<Recording>(read);
+  EXPECT_GT(recording.mechanisms.size(), 10u);
+  std::uint64_t told = 0;
+  for (const RecordedEntry& entry : recording.entries)
+  {
+    const auto* const change = std::get_if<RecordedChange>(&entry);
+    told += change != nullptr && change->event.kind == EventKind::Law;
+  }
+  EXPECT_EQ(told, changes);
+  const ReplayResult result = replay(recording);
+  EXPECT_EQ(result.problem + result.difference, "");
+  EXPECT_EQ(result.ticks, ticks);
+}
+
+TEST_F(MechanismInLoop, OfARecordingBegunWhileTheNeedleIsInReplaysBitForBit)
+{
+  const TemporaryFolder folder;
+  this->begin(needleAndBlock(ElasticModel::NeoHookean));
+  ASSERT_EQ(this->lower(0.005, -0.02).mechanism.laws[0].phase, LawPhase::Inside);
+  for (const char* const name : { "a", "b" }) // the second goes on where the first ends
+  {
+    ASSERT_EQ(this->session.record(folder.file(name)), "");
+    this->lower(-0.02, -0.015);
+    this->lower(-0.015, -0.02);
+  }
+  EXPECT_EQ(this->session.stop(), "");
+  for (const char* const name : { "a", "b" })
+  {
+    const auto read = readRecording(folder.file(name));
+    ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+    double most_N = 0.0;
+    const ReplayResult result = replay(std::get<Recording>(read), {}, 1,
+      [&most_N](const TickOutput& out) { most_N = std::max(most_N, out.command.wrench_D.force.norm()); });
+    EXPECT_EQ(result.problem + result.difference, "") << name;
+    EXPECT_EQ(result.ticks, 100u);
+    EXPECT_GE(most_N, 0.99 * shaftFriction_N);
+  }
+}
+
+TEST_F(MechanismInLoop, ALawThatAPersonBreaksLetsTheHandGoWithoutAStepAndReplays)
+{
+  const TemporaryFolder folder;
+  this->begin(tipHeld(), true, virtualTime(folder.file("a")));
+  const Pose hand = needleAt(Vec3(0, 0, 3e-3));
+  ASSERT_NEAR(this->hold(hand, 500).force_W.z(), -3.0, 1e-6);
+  this->session.breakLaw(0);
+  double last_N = 3.0;
+  for (int i = 0; i < 500; ++i)
+  {
+    const double now_N = this->hold(hand).force_W.norm();
+    EXPECT_LE(std::abs(now_N - last_N), 0.2) << i;
+    last_N = now_N;
+  }
+  EXPECT_LE(last_N, 1e-6);
+  EXPECT_EQ(this->session.state().mechanism.laws[0].phase, LawPhase::Gone);
+  EXPECT_EQ(this->session.stop(), "");
+  const auto read = readRecording(folder.file("a"));
+  ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+  const ReplayResult result = replay(std::get<Recording>(read));
+  EXPECT_EQ(result.problem + result.difference, "");
+}
+
+TEST_F(MechanismInLoop, AnotherMechanismInItsPlaceAndNoneAtAllNeverStep)
+{
+  this->begin(needleAndBlock());
+  const Pose hand = needleAt(Vec3(0, 0, -0.0012));
+  const double pressed_N = this->lower(0.005, -0.0012, 300).force_W.norm();
+  ASSERT_GT(pressed_N, 0.5);
+  MechanismInputs stronger = needleAndBlock();
+  stronger.mechanism.laws[0].strength_N = 3.0;
+  MechanismInputs held = tipHeld();
+  for (const MechanismChoice& next : { chosen(stronger), chosen(held), MechanismChoice{} })
+  {
+    this->session.setMechanism(next);
+    double last_N = this->session.state().force_W.norm();
+    for (int i = 0; i < 300; ++i)
+    {
+      const double now_N = this->hold(hand).force_W.norm();
+      EXPECT_LE(std::abs(now_N - last_N), 0.2) << i;
+      last_N = now_N;
+    }
+  }
+  EXPECT_FALSE(this->session.state().mechanism.held);
+  EXPECT_LE(this->session.state().force_W.norm(), 1e-3);
+}
+
+TEST_F(MechanismInLoop, WhatIsNoMechanismIsSaidAndNotFelt)
+{
+  MechanismInputs joinedToNothing = tipHeld();
+  joinedToNothing.mechanism.laws[0].b = "nobody";
+  MechanismInputs notHeld = tipHeld();
+  notHeld.mechanism.bodies[0].kind = MechanismBodyKind::Rigid;
+  notHeld.mechanism.bodies[0].halfSize_u = Vec3::Constant(needleLength);
+  for (const MechanismInputs& wrong : { joinedToNothing, notHeld })
+  {
+    this->begin(wrong);
+    const HapticState& state = this->hold(needleAt(Vec3::Zero()), 5);
+    EXPECT_FALSE(state.mechanism.held);
+    EXPECT_FALSE(this->session.mechanismStatus().building);
+    EXPECT_NE(this->session.mechanismStatus().problem, "");
+    EXPECT_EQ(this->session.mechanismStatus().problem.find('\n'), std::string::npos);
+    EXPECT_EQ(this->session.stop(), "");
+  }
+}
+
+TEST_F(MechanismInLoop, ItsThreadMakesPacketsThatGiveWay)
+{
+  this->begin(needleAndBlock(ElasticModel::NeoHookean), true, SessionOptions{});
+  EXPECT_TRUE(eventually([&] { return this->session.mechanismStatus().packets > 2; }));
+  EXPECT_EQ(this->session.mechanismStatus().problem, "");
+  EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.held; }));
+  static_cast<HandOfTest*>(this->session.device())->move(needleAt(Vec3(0, 0, -0.002)));
+  EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.laws[0].force_N > 0.0; }));
+}
+
+std::shared_ptr<const FeltMechanism> feltBlock()
+{
+  const MechanismInputs inputs = needleAndBlock();
+  std::string refusal;
+  const auto bodies = MechanismBodies::make(inputs.soft, refusal);
+  const MechanismPlan plan = planMechanism(inputs.mechanism, bodies->atRest(), 1);
+  return std::make_shared<const FeltMechanism>(1, plan, bodies->newest());
+}
+
+TEST(MechanismTick, AWorkerThatDoesNotComeBackForASecondEndsTheForceAndNothingIsAllocated)
+{
+  const auto felt = feltBlock();
+  MechanismTick room;
+  HapticParameters parameters;
+  parameters.stiffness_N_per_m = handSpring;
+  parameters.mechanismTurning_N_m_per_rad = handTurning;
+  parameters.safety = SafetyLimits::none();
+  const auto state = std::make_unique<RendererState>();
+  TickInput input;
+  input.mechanism = felt.get();
+  input.mechanismTick = &room;
+  double last_N = 0.0, pushed_N = 0.0;
+  int faultAt = 0;
+  Fault fault = Fault::None;
+  for (int i = 0; i < 1500; ++i)
+  {
+    input.tick = static_cast<std::uint64_t>(i);
+    input.sample.pose_D = needleAt(Vec3(0, 0, std::max(0.001 - 1e-4 * i, -0.004)));
+    const AllocationGuard guard;
+    const TickOutput output = renderTick(input, parameters, *state);
+    EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0u);
+    last_N = output.command.wrench_D.force.norm();
+    pushed_N = std::max(pushed_N, last_N);
+    faultAt = fault == Fault::None && output.state.fault != Fault::None ? i : faultAt;
+    fault = output.state.fault;
+  }
+  EXPECT_GT(pushed_N, 0.3);
+  EXPECT_EQ(fault, Fault::BodyLate);
+  EXPECT_NEAR(faultAt, 1000, 2);
+  EXPECT_EQ(last_N, 0.0);
+}
+
+std::vector<char> bytesOf(const FeltMechanism& mechanism)
+{
+  ByteWriter out;
+  putMechanism(out, mechanism);
+  return out.bytes();
+}
+
+TEST(RecordedMechanisms, ComeBackToTheLastBitAndAreRefusedWhereTheyCannotBe)
+{
+  const auto felt = feltBlock();
+  const std::vector<char> bytes = bytesOf(*felt);
+  ByteReader in(bytes.data(), bytes.size());
+  const RecordedMechanism read = readMechanism(in);
+  ASSERT_TRUE(in.ok());
+  EXPECT_EQ(in.left(), 0u);
+  auto back = std::make_shared<PressedBody>(*read.bodies[0].body);
+  back->scene = felt->bodies()[0]->scene;
+  EXPECT_EQ(bytesOf(FeltMechanism(read.revision, read.plan, { back })), bytes);
+  const auto refused = [&](const auto& change)
+  {
+    MechanismPlan plan = felt->plan();
+    change(plan);
+    const std::vector<char> wrong = bytesOf(FeltMechanism(1, plan, felt->bodies()));
+    ByteReader again(wrong.data(), wrong.size());
+    (void)readMechanism(again);
+    return !again.ok();
+  };
+  EXPECT_FALSE(refused([](MechanismPlan&) {}));
+  EXPECT_TRUE(refused([](MechanismPlan& p) { p.held = 1; }));
+  EXPECT_TRUE(refused([](MechanismPlan& p) { p.lever_u = 0.0; }));
+  EXPECT_TRUE(refused([](MechanismPlan& p) { p.bodies[1].soft = 1; }));
+  EXPECT_TRUE(refused([](MechanismPlan& p) { p.bodies[0].pose_W.q.coeffs().setZero(); }));
+  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].b = 2; }));
+  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].kind = static_cast<LawKind>(11); }));
+  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].place_B.vertices[2] = 1u << 20; }));
+  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].friction = std::nan(""); }));
+  for (std::size_t size = 0; size < bytes.size(); size += 997)
+  {
+    ByteReader cut(bytes.data(), size);
+    (void)readMechanism(cut);
+    EXPECT_FALSE(cut.ok()) << size;
+  }
+}
+
+TEST(RecordedMechanisms, AStateAtVerticesThatABodyDoesNotHaveIsNotGoneOnFrom)
+{
+  const auto felt = feltBlock();
+  const std::vector<char> bytes = bytesOf(*felt);
+  ByteReader in(bytes.data(), bytes.size());
+  const RecordedMechanism mechanism = readMechanism(in);
+  MechanismState state;
+  state.laws[0].place_B.vertices[1] = 1u << 20;
+  EXPECT_TRUE(fits(state, mechanism)) << "of another plan";
+  state.revision = mechanism.plan.revision;
+  EXPECT_FALSE(fits(state, mechanism));
+  EXPECT_TRUE(isUsable(state));
+  state.laws[3].force_W.x() = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(isUsable(state));
+}
+
+TEST(RecordedMechanisms, ThatAreLeftOutOfARecordingAreSaid)
+{
+  Recording recording;
+  RecordedChange change;
+  change.event = { 1, EventKind::Mechanism, 17 };
+  recording.entries.emplace_back(change);
+  EXPECT_NE(replay(recording).problem, "");
+}
+
+} // namespace
+} // namespace palpate::test

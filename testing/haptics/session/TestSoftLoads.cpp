@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A body that bears its weight before the hand comes.
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "SoftBlock.h"
+#include "haptics/session/soft/BodyMaker.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+using ::testing::HasSubstr;
+
+constexpr double weight_N_per_m3 = 9810.0;
+constexpr double heightOfBlock_m = 0.05;
+constexpr double youngOfBlock_Pa = 20e3;
+
+/// A quarter of each tetrahedron's weight on each corner. Without Poisson's ratio nothing bulges: the block is a
+/// column.
+SoftBodyInput weighingBlock(ElasticModel model, double share = 1.0)
+{
+  SoftBodyInput input = softBlock(model);
+  input.poisson = 0.0;
+  input.load_N.assign(input.mesh.vertices_W.size(), Vec3::Zero());
+  for (const Tetra& t : input.mesh.tetras)
+  {
+    for (const std::uint32_t v : t)
+    {
+      input.load_N[v].z() -= 0.25 * share * weight_N_per_m3 * std::abs(volumeOf(input.mesh, t));
+    }
+  }
+  return input;
+}
+
+/// u'' = w / E, 0 below and without strain above: w h^2 / 2 E at the top.
+double sagOfTop_m()
+{
+  return 0.5 * weight_N_per_m3 * heightOfBlock_m * heightOfBlock_m / youngOfBlock_Pa;
+}
+
+double heightOfTop_m(const BodyMaker& maker)
+{
+  const BodyShape shape = maker.shape();
+  for (std::size_t v = 0; v < shape.displacement_u.size(); ++v)
+  {
+    if ((maker.checked().mesh.vertices_W[v] - topOfBlock()).norm() < 1e-9)
+    {
+      return heightOfBlock_m + shape.displacement_u[v].z();
+    }
+  }
+  return -1.0;
+}
+
+TEST(SoftLoads, ABlockSagsUnderItsWeightByHalfOfWhatItsWholeWeightOnTopWouldMake)
+{
+  std::string refusal;
+  const auto maker = BodyMaker::make(weighingBlock(ElasticModel::Linear), "block", 0, refusal);
+  ASSERT_TRUE(maker) << refusal;
+  ASSERT_TRUE(maker->press({}, 0.04));
+  EXPECT_NEAR(heightOfBlock_m - heightOfTop_m(*maker), sagOfTop_m(), 0.02 * sagOfTop_m());
+  // Small strains, 2.5 % here: a law of large ones differs by about as much.
+  const auto curved = BodyMaker::make(weighingBlock(ElasticModel::NeoHookean), "block", 0, refusal);
+  ASSERT_TRUE(curved) << refusal;
+  EXPECT_NEAR(heightOfBlock_m - heightOfTop_m(*curved), sagOfTop_m(), 0.06 * sagOfTop_m());
+}
+
+TEST(SoftLoads, ThatAreNoLoadsAreRefusedInWords)
+{
+  std::string refusal;
+  SoftBodyInput input = weighingBlock(ElasticModel::Linear);
+  input.load_N.front().x() = std::nan("");
+  EXPECT_FALSE(BodyMaker::make(input, "block", 0, refusal));
+  EXPECT_THAT(refusal, HasSubstr("no finite number of newtons"));
+  input.load_N.pop_back();
+  EXPECT_FALSE(BodyMaker::make(input, "block", 0, refusal));
+  EXPECT_THAT(refusal, HasSubstr("another number of vertices"));
+}
+
+/// By superposition: its surface is elsewhere, its compliance and the energy that a force leaves in it are the same.
+TEST(SoftLoads, OfALinearBodyMoveItsSurfaceAndChangeNothingOfHowItYields)
+{
+  BodyHand hand;
+  hand.revision = 1;
+  hand.ball_W = topOfBlock();
+  hand.count = 1;
+  hand.forceAt[0] = { { 0, 1, 2 }, Vec3(0.2, 0.3, 0.5), Vec3::Zero() };
+  hand.force_N[0] = Vec3(0.1, 0.0, -1.0);
+  std::shared_ptr<const PressedBody> pressed[2];
+  std::unique_ptr<BodyMaker> makers[2];
+  for (const int bears : { 0, 1 })
+  {
+    std::string refusal;
+    makers[bears] = BodyMaker::make(weighingBlock(ElasticModel::Linear, bears), "block", 0, refusal);
+    ASSERT_TRUE(makers[bears]) << refusal;
+    pressed[bears] = makers[bears]->press(hand, 0.04);
+    ASSERT_TRUE(pressed[bears]);
+  }
+  const CompliancePacket &bare = *pressed[0]->packet, &loaded = *pressed[1]->packet;
+  EXPECT_TRUE(std::ranges::is_permutation(bare.near, loaded.near)); // nearest first, elsewhere in another order
+  for (const std::uint32_t a : bare.near)
+  {
+    EXPECT_LE((bare.between(a, bare.near[0]) - loaded.between(a, bare.near[0])).norm(), 1e-12 * bare.compliance.norm());
+  }
+  const double work_Nu = -hand.force_N[0].z() * yieldOfTop();
+  EXPECT_NEAR(bare.energy_Nu, loaded.energy_Nu, 1e-9 * work_Nu);
+  EXPECT_GT((bare.free_W.front() - loaded.free_W.front()).norm() + (bare.free_W.back() - loaded.free_W.back()).norm(),
+    0.1 * sagOfTop_m());
+  EXPECT_EQ(pressed[1]->scene->surfaces().front().tree->mesh().vertices_W.size(), loaded.free_W.size());
+  EXPECT_NEAR(
+    (pressed[1]->scene->surfaces().front().tree->mesh().vertices_W.back() - loaded.free_W.back()).norm(), 0.0, 1e-12);
+}
+
+} // namespace
+} // namespace palpate::test

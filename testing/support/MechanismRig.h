@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+
+#include "haptics/geometry/scene/SceneBuilder.h"
+#include "haptics/mechanism/check/MechanismCheck.h"
+#include "haptics/mechanism/servo/MechanismTick.h"
+
+namespace palpate::test
+{
+
+/// The hand and the tissue of THEORY-2.md 5.5 [N/m, N m/rad].
+inline constexpr double kc = 1000.0, kr = 2.0, tissue = 500.0;
+
+/// A square of two triangles that gives way as a whole: one spring, the same along every axis.
+inline std::shared_ptr<const PressedBody> springWall(const std::string& name, const Vec3& centre_W,
+  const Vec3& normal_W, double half_u, double compliance_u_per_N, std::uint64_t revision = 1)
+{
+  const Vec3 u_W = half_u * normal_W.unitOrthogonal();
+  const Vec3 v_W = normal_W.cross(u_W);
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->vertices_W = { centre_W - u_W - v_W, centre_W + u_W - v_W, centre_W + u_W + v_W, centre_W - u_W + v_W };
+  mesh->triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  SurfaceInput input;
+  input.name = name;
+  input.mesh = mesh;
+  input.ordered = true;
+  SceneBuilder builder;
+  auto packet = std::make_shared<CompliancePacket>();
+  packet->free_W = mesh->vertices_W;
+  packet->near = packet->placeOf = { 0, 1, 2, 3 };
+  packet->compliance.resize(12, 12);
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      packet->compliance.block<3, 3>(3 * i, 3 * j) = compliance_u_per_N * Mat3::Identity();
+    }
+  }
+  packet->springs.resize(4);
+  packet->patchRadius_u.assign(4, half_u);
+  auto body = std::make_shared<PressedBody>();
+  body->revision = revision;
+  body->scene = builder.build({ input }, nullptr).scene;
+  if (!body->scene)
+  {
+    throw std::runtime_error("the wall is no scene");
+  }
+  body->packet = packet;
+  body->touch = { 0, packet.get() };
+  return body;
+}
+
+/// A mechanism with its soft bodies and its tick.
+class MechanismRig
+{
+public:
+  Mechanism mechanism;
+  MechanismGrip grip{ kc, kr };
+  MechanismTick tick;
+
+  explicit MechanismRig(double length_u = 0.2)
+  {
+    MechanismBody needle;
+    needle.name = "needle";
+    needle.kind = MechanismBodyKind::Held;
+    needle.length_u = length_u;
+    needle.diameter_u = 0.001;
+    this->mechanism.bodies.push_back(needle);
+    MechanismBody world;
+    world.name = "world";
+    this->mechanism.bodies.push_back(world);
+  }
+
+  void addSoft(const std::string& name, std::shared_ptr<const PressedBody> body)
+  {
+    MechanismBody soft;
+    soft.name = name;
+    soft.kind = MechanismBodyKind::Soft;
+    this->mechanism.bodies.push_back(soft);
+    this->soft.push_back({ name, body.get() });
+    this->pressed.push_back(body.get());
+    this->bodies_.push_back(std::move(body));
+  }
+
+  MechanismLaw& join(LawKind kind, const std::string& b, const Vec3& point_A, const Vec3& point_B)
+  {
+    MechanismLaw law;
+    law.name = "law " + std::to_string(this->mechanism.laws.size());
+    law.kind = kind;
+    law.a = "needle";
+    law.b = b;
+    law.point_A = point_A;
+    law.point_B = point_B;
+    return this->mechanism.laws.emplace_back(law);
+  }
+
+  [[nodiscard]] MechanismCheck check() const { return checkMechanism(this->mechanism, this->soft, this->grip); }
+
+  void plan() { this->plan_ = planMechanism(this->mechanism, this->soft, ++this->revision_); }
+
+  const MechanismResult& step(const Pose& hand_W)
+  {
+    if (this->revision_ == 0)
+    {
+      this->plan();
+    }
+    MechanismInput input;
+    input.tick = ++this->ticks_;
+    input.plan = &this->plan_;
+    input.hand_W = hand_W;
+    input.grip = this->grip;
+    input.soft = this->pressed;
+    return this->tick.step(input);
+  }
+  const MechanismResult& step(const Vec3& hand_W) { return this->step(Pose{ hand_W, Quat::Identity() }); }
+
+  std::vector<MechanismSoft> soft;
+  std::vector<const PressedBody*> pressed;
+
+private:
+  MechanismPlan plan_;
+  std::uint64_t revision_ = 0;
+  std::uint64_t ticks_ = 0;
+  std::vector<std::shared_ptr<const PressedBody>> bodies_;
+};
+
+} // namespace palpate::test
