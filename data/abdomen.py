@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes an abdominal wall in front of a liver, a needle's way through both, and the scene file that joins them.
 
-    pvpython data/abdomen.py LIVER FOLDER [EDGE]
+    pvpython data/abdomen.py LIVER FOLDER [EDGE] [--skin SURFACE] [--side xmin|xmax|ymin|ymax|zmin|zmax]
 
 LIVER is the file that `data/get liver` prints, or another label image in millimetres. FOLDER gets liver.vtu (tetrahedra of
-EDGE mm, 20 without), wall.vtu, abdomen.json and way.csv for `palpate touch`. The wall is a shell of 18 mm that bends around
-the liver's lower side and is held at its rim. All strengths and stiffnesses are assumed. Needs PYTHONPATH and PV_PLUGIN_PATH
-as the README says.
+EDGE mm, 20 without), wall.vtu, abdomen.json and way.csv for `palpate touch`. The wall is a shell of 18 mm under an outer
+surface, held at its rim: 90 mm of SURFACE (a mesh in millimetres, as `data/get skin` prints) about the middle of one of its
+sides (ymin), or without it a dome over the liver's lower side. All strengths and stiffnesses are assumed. Needs PYTHONPATH and
+PV_PLUGIN_PATH as the README says.
 """
 
+import argparse
 import csv
 import json
 import pathlib
@@ -17,17 +19,19 @@ import sys
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
+from vtkmodules.vtkCommonCore import reference, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator, vtkStructuredGrid
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
-from palpate.vtkHapticPipeline import vtkHapticNIfTIReader, vtkHapticSoftBody
+from palpate.vtkHapticPipeline import vtkHapticFileReader, vtkHapticNIfTIReader, vtkHapticSoftBody
 
-THICK, GAP, BEND = 18.0, 6.0, 12.0  # mm: of the wall, from the wall to the liver, by what its rim comes forward
+THICK, GAP, BEND = 18.0, 6.0, 12.0  # mm: of the wall, from the wall to the liver, by what the rim of a dome comes forward
+PATCH = 90.0  # mm: of a skin, along both sides
 CELLS = 10, 10, 2  # of the wall
 NEEDLE = 150.0  # mm
 BEFORE, INTO, SPEED = 10.0, 15.0, 40.0  # mm before the wall, mm into the liver, mm/s
+SIDES = "xmin", "xmax", "ymin", "ymax", "zmin", "zmax"
 UNTURNED = 1.0, 0.0, 0.0, 0.0
 
 
@@ -56,16 +60,53 @@ def filled(image, edge):
     return grid
 
 
-def wall(box):
-    """A shell below the box, a parabola along both sides."""
-    (x0, x1), (y0, y1), z = box[0:2], box[2:4], box[4] - GAP - THICK
-    counts = [n + 1 for n in CELLS]
-    w, v, u = numpy.meshgrid(*(numpy.linspace(-1.0, 1.0, n) for n in reversed(counts)), indexing="ij")
-    places = numpy.stack([0.5 * (x0 + x1 + (x1 - x0) * u), 0.5 * (y0 + y1 + (y1 - y0) * v),
-                          z + 0.5 * THICK * (w + 1.0) + BEND * (u * u + v * v - 1.0)], axis=-1).reshape(-1, 3)
+def dome(box):
+    """The outer surface of a wall below the box, a parabola along both sides."""
+    (x0, x1), (y0, y1) = box[0:2], box[2:4]
+    v, u = numpy.meshgrid(*(numpy.linspace(-1.0, 1.0, n + 1) for n in CELLS[1::-1]), indexing="ij")
+    return numpy.stack([0.5 * (x0 + x1 + (x1 - x0) * u), 0.5 * (y0 + y1 + (y1 - y0) * v), BEND * (u * u + v * v)], axis=-1)
+
+
+def skin(path, side, box):
+    """The outer surface of a wall below the box: what rays from that side of a surface meet first, turned so that they go up."""
+    reader, locator = vtkHapticFileReader(), vtkStaticCellLocator()
+    reader.SetFileName(str(path))
+    reader.Update()
+    surface = reader.GetOutput()
+    if surface.GetNumberOfCells() == 0:
+        fail(f"{path} has no surface for a wall")
+    locator.SetDataSet(surface)
+    locator.BuildLocator()
+    up, far = SIDES.index(side) // 2, SIDES.index(side) % 2
+    u, v = ((up + 1) % 3, (up + 2) % 3)[::-1 if far else 1]
+    bounds = numpy.reshape(surface.GetBounds(), (3, 2))
+    depth = bounds[up, 1] - bounds[up, 0]
+
+    def height(du, dv):
+        begin = bounds.mean(axis=1)
+        begin[[u, v]] += du, dv
+        begin[up] = bounds[up, far] + (0.01 if far else -0.01) * depth
+        end, t, cell = begin.copy(), reference(0.0), reference(0)
+        end[up] += (-1.02 if far else 1.02) * depth
+        hit, local, part = [0.0] * 3, [0.0] * 3, reference(0)
+        if not locator.IntersectWithLine(begin, end, 0.0, t, hit, local, part, cell):
+            fail(f"{path} has nothing at {du:g}, {dv:g} mm from the middle of {side}: name another side, or a larger surface")
+        return float(t) * 1.02 * depth
+
+    middle = 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3])
+    ways = [numpy.linspace(-0.5 * PATCH, 0.5 * PATCH, n + 1) for n in CELLS[:2]]
+    return numpy.array([[(middle[0] + du, middle[1] + dv, height(du, dv)) for du in ways[0]] for dv in ways[1]])
+
+
+def wall(outer, box):
+    """A shell of even thickness above an outer surface, all of it below the box."""
+    inward = numpy.cross(numpy.gradient(outer, axis=1), numpy.gradient(outer, axis=0))
+    inward *= THICK / numpy.linalg.norm(inward, axis=-1, keepdims=True)
+    places = numpy.stack([outer + inward * layer / CELLS[2] for layer in range(CELLS[2] + 1)])
+    places[..., 2] += box[4] - GAP - places[..., 2].max()
     points, grid, cut = vtkPoints(), vtkStructuredGrid(), vtkDataSetTriangleFilter()
-    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(places), deep=True))
-    grid.SetDimensions(counts)
+    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(places.reshape(-1, 3)), deep=True))
+    grid.SetDimensions([n + 1 for n in CELLS])
     grid.SetPoints(points)
     cut.SetInputData(grid)
     cut.Update()
@@ -85,34 +126,43 @@ def scene():
             {"name": "capsule", "kind": "puncture", "a": "needle", "b": "liver", "strength_N": 0.8, "dry_friction_N": 0.2, "friction": 1}]}
 
 
-def way(box):
+def way(shell, liver):
     """Of the hand, in a straight line up and back, a row a millisecond."""
-    middle = 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3])
-    low, high = box[4] - GAP - THICK - BEND - BEFORE - NEEDLE, box[4] + INTO - NEEDLE
+    middle = 0.5 * (liver[0] + liver[1]), 0.5 * (liver[2] + liver[3])
+    low, high = shell[4] - BEFORE - NEEDLE, liver[4] + INTO - NEEDLE
     steps = int(1000.0 * (high - low) / SPEED)
     for i in range(2 * steps):
         there = min(i, 2 * steps - i) / steps
         yield i / 1000.0, *middle, low + (high - low) * there, *UNTURNED
 
 
-def main(arguments):
-    if len(arguments) not in (2, 3):
-        fail("needs LIVER and FOLDER: data/abdomen.py liver.nii out")
-    image, folder = (pathlib.Path(text).absolute() for text in arguments[:2])
-    if not image.is_file():
-        fail(f"there is no file {image}: run `data/get liver` and give the file that it prints")
-    edge = float(arguments[2]) if len(arguments) == 3 else 20.0
-    folder.mkdir(parents=True, exist_ok=True)
-    liver = filled(image, edge)
+def asked():
+    parser = argparse.ArgumentParser(prog="abdomen", description=__doc__.split("\n")[0])
+    parser.add_argument("liver", metavar="LIVER", type=pathlib.Path)
+    parser.add_argument("folder", metavar="FOLDER", type=pathlib.Path)
+    parser.add_argument("edge", metavar="EDGE", nargs="?", type=float, default=20.0, help="of the liver's tetrahedra [mm], 20")
+    parser.add_argument("--skin", metavar="SURFACE", type=pathlib.Path, help="the outer side of the wall [mm]")
+    parser.add_argument("--side", choices=SIDES, default="ymin", help="of the skin that is taken, ymin")
+    return parser.parse_args()
+
+
+def main():
+    given = asked()
+    for name, path in ("liver", given.liver), ("skin", given.skin):
+        if path is not None and not path.is_file():
+            fail(f"there is no file {path}: run `data/get {name}` and give the file that it prints")
+    given.folder.mkdir(parents=True, exist_ok=True)
+    liver = filled(given.liver, given.edge)
     box = liver.GetBounds()
-    write(liver, folder / "liver.vtu")
-    write(wall(box), folder / "wall.vtu")
-    (folder / "abdomen.json").write_text(json.dumps(scene(), indent=2) + "\n", encoding="utf-8")
-    with open(folder / "way.csv", "w", newline="", encoding="utf-8") as file:
+    shell = wall(skin(given.skin, given.side, box) if given.skin else dome(box), box)
+    write(liver, given.folder / "liver.vtu")
+    write(shell, given.folder / "wall.vtu")
+    (given.folder / "abdomen.json").write_text(json.dumps(scene(), indent=2) + "\n", encoding="utf-8")
+    with open(given.folder / "way.csv", "w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(["t", "x", "y", "z", "qw", "qx", "qy", "qz"])
-        rows.writerows([f"{value:.9g}" for value in row] for row in way(box))
+        rows.writerows([f"{value:.9g}" for value in row] for row in way(shell.GetBounds(), box))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()
