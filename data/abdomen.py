@@ -7,7 +7,7 @@
 LIVER is the file that `data/get liver` prints, or another label image in millimetres. FOLDER gets liver.vtu (tetrahedra of
 EDGE mm, 20 without), wall.vtu, abdomen.json and way.csv for `palpate touch`. The wall is a shell of 18 mm under an outer
 surface, held at its rim: 90 mm of SURFACE (a mesh in millimetres, as `data/get skin` prints) about the middle of one of its
-sides (ymin), or without it a dome over the liver's lower side. All strengths and stiffnesses are assumed. Needs PYTHONPATH and
+sides (zmax), or without it a dome over the liver's lower side. All strengths and stiffnesses are assumed. Needs PYTHONPATH and
 PV_PLUGIN_PATH as the README says.
 """
 
@@ -31,6 +31,7 @@ PATCH = 90.0  # mm: of a skin, along both sides
 CELLS = 10, 10, 2  # of the wall
 NEEDLE = 150.0  # mm
 BEFORE, INTO, SPEED = 10.0, 15.0, 40.0  # mm before the wall, mm into the liver, mm/s
+ON_EDGES = 1e-3  # mm: lines through an edge meet one of its faces
 SIDES = "xmin", "xmax", "ymin", "ymax", "zmin", "zmax"
 UNTURNED = 1.0, 0.0, 0.0, 0.0
 
@@ -67,35 +68,51 @@ def dome(box):
     return numpy.stack([0.5 * (x0 + x1 + (x1 - x0) * u), 0.5 * (y0 + y1 + (y1 - y0) * v), BEND * (u * u + v * v)], axis=-1)
 
 
+class Lines:
+    """How far along straight lines a data set is met first [mm]."""
+
+    def __init__(self, data):
+        self.locator = vtkStaticCellLocator()
+        self.locator.SetDataSet(data)
+        self.locator.BuildLocator()
+
+    def first(self, begin, end):
+        """None: nowhere."""
+        t, cell, part, hit, local = reference(0.0), reference(0), reference(0), [0.0] * 3, [0.0] * 3
+        met = self.locator.IntersectWithLine(begin, end, ON_EDGES, t, hit, local, part, cell)
+        return float(t) * numpy.linalg.norm(numpy.subtract(end, begin)) if met else None
+
+
 def skin(path, side, box):
-    """The outer surface of a wall below the box: what rays from that side of a surface meet first, turned so that they go up."""
-    reader, locator = vtkHapticFileReader(), vtkStaticCellLocator()
+    """The outer surface of a wall below the box: what lines from that side meet first of a surface, turned so that they go up."""
+    reader = vtkHapticFileReader()
     reader.SetFileName(str(path))
     reader.Update()
     surface = reader.GetOutput()
     if surface.GetNumberOfCells() == 0:
         fail(f"{path} has no surface for a wall")
-    locator.SetDataSet(surface)
-    locator.BuildLocator()
-    up, far = SIDES.index(side) // 2, SIDES.index(side) % 2
-    u, v = ((up + 1) % 3, (up + 2) % 3)[::-1 if far else 1]
-    bounds = numpy.reshape(surface.GetBounds(), (3, 2))
-    depth = bounds[up, 1] - bounds[up, 0]
-
-    def height(du, dv):
-        begin = bounds.mean(axis=1)
-        begin[[u, v]] += du, dv
-        begin[up] = bounds[up, far] + (0.01 if far else -0.01) * depth
-        end, t, cell = begin.copy(), reference(0.0), reference(0)
-        end[up] += (-1.02 if far else 1.02) * depth
-        hit, local, part = [0.0] * 3, [0.0] * 3, reference(0)
-        if not locator.IntersectWithLine(begin, end, 0.0, t, hit, local, part, cell):
-            fail(f"{path} has nothing at {du:g}, {dv:g} mm from the middle of {side}: name another side, or a larger surface")
-        return float(t) * 1.02 * depth
-
+    lines, bounds = Lines(surface), numpy.reshape(surface.GetBounds(), (3, 2))
+    along, far = SIDES.index(side) // 2, SIDES.index(side) % 2
+    across = ((along + 1) % 3, (along + 2) % 3)[::-1 if far else 1]
+    inward = bounds[along, 1 - far] - bounds[along, far]
     middle = 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3])
+
+    def place(du, dv):
+        begin = bounds.mean(axis=1)
+        begin[list(across)] += du, dv
+        begin[along] = bounds[along, far] - 0.01 * inward
+        end = begin.copy()
+        end[along] += 1.02 * inward
+        height = lines.first(begin, end)
+        if height is None:
+            fail(f"{path} has nothing {du:g}, {dv:g} mm from the middle of its side {side}: name another side, or a larger surface")
+        return middle[0] + du, middle[1] + dv, height
+
     ways = [numpy.linspace(-0.5 * PATCH, 0.5 * PATCH, n + 1) for n in CELLS[:2]]
-    return numpy.array([[(middle[0] + du, middle[1] + dv, height(du, dv)) for du in ways[0]] for dv in ways[1]])
+    outer = numpy.array([[place(du, dv) for du in ways[0]] for dv in ways[1]])
+    if max(abs(numpy.diff(outer[..., 2], axis=axis)).max() for axis in (0, 1)) > 2.0 * PATCH / min(CELLS[:2]):
+        fail(f"{path} is no even skin on its side {side}: name another side")
+    return outer
 
 
 def wall(outer, box):
@@ -128,8 +145,12 @@ def scene():
 
 def way(shell, liver):
     """Of the hand, in a straight line up and back, a row a millisecond."""
-    middle = 0.5 * (liver[0] + liver[1]), 0.5 * (liver[2] + liver[3])
-    low, high = shell[4] - BEFORE - NEEDLE, liver[4] + INTO - NEEDLE
+    box = liver.GetBounds()
+    middle = 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3])
+    met = Lines(liver).first((*middle, box[4] - 1.0), (*middle, box[5] + 1.0))
+    if met is None:
+        fail("the liver has a hole above its middle: a needle would meet nothing")
+    low, high = shell.GetBounds()[4] - BEFORE - NEEDLE, box[4] - 1.0 + met + INTO - NEEDLE
     steps = int(1000.0 * (high - low) / SPEED)
     for i in range(2 * steps):
         there = min(i, 2 * steps - i) / steps
@@ -142,7 +163,7 @@ def asked():
     parser.add_argument("folder", metavar="FOLDER", type=pathlib.Path)
     parser.add_argument("edge", metavar="EDGE", nargs="?", type=float, default=20.0, help="of the liver's tetrahedra [mm], 20")
     parser.add_argument("--skin", metavar="SURFACE", type=pathlib.Path, help="the outer side of the wall [mm]")
-    parser.add_argument("--side", choices=SIDES, default="ymin", help="of the skin that is taken, ymin")
+    parser.add_argument("--side", choices=SIDES, default="zmax", help="of the skin that is taken, zmax")
     return parser.parse_args()
 
 
@@ -161,7 +182,7 @@ def main():
     with open(given.folder / "way.csv", "w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(["t", "x", "y", "z", "qw", "qx", "qy", "qz"])
-        rows.writerows([f"{value:.9g}" for value in row] for row in way(shell.GetBounds(), box))
+        rows.writerows([f"{value:.9g}" for value in row] for row in way(shell, liver))
 
 
 if __name__ == "__main__":
