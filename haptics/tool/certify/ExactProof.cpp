@@ -71,7 +71,7 @@ Exact lengthAbove(const Exact3& a)
 }
 
 /// How far the tool is above the scene along a normal.
-Exact gapAlong(const Exact3& n, const ExactCorners& tool, const ExactCorners& scene)
+Exact exactGap(const Exact3& n, const ExactCorners& tool, const ExactCorners& scene)
 {
   Exact lowest = dot(n, tool[0]), highest = dot(n, scene[0]);
   for (int i = 1; i < 3; ++i)
@@ -104,7 +104,7 @@ public:
   {
     const Exact3 first = exact(plane.first_W);
     const Exact3 last = exact(this->lastOf(plane));
-    const Exact from = gapAlong(first, this->from_, this->scene_), to = gapAlong(last, this->to_, this->scene_);
+    const Exact from = exactGap(first, this->from_, this->scene_), to = exactGap(last, this->to_, this->scene_);
     const Exact dip = this->length_ * this->length_ * std::max(Exact(0), this->bendOf(plane)) / 8;
     return std::min(from, to) - dip;
   }
