@@ -23,6 +23,13 @@ struct BodyShape
   bool struck = false;              ///< the hand is faster than the body's inertia would let it follow
 };
 
+/// A soft body as it is to be seen.
+struct SeenBody
+{
+  std::shared_ptr<const CheckedTetras> asMade; ///< what its vertices are, of what came in
+  std::shared_ptr<const BodyShape> shape;      ///< how it bends; null: it does not yet
+};
+
 /// A soft body and the scene that it is felt in: makes, one after the other, what the servo takes. A worker's.
 class BodyMaker
 {
