@@ -498,6 +498,7 @@ TEST(MechanismTick, AnotherMechanismThatRestsBeforeItsFirstTickSaysNothingOfTheO
   EXPECT_EQ(now.laws[0].phase, LawPhase::Closed);
   EXPECT_EQ(now.laws[1].phase, LawPhase::Gone);
   EXPECT_EQ(now.hand_W.p, above.p);
+  EXPECT_LE(now.hand_W.q.angularDistance(above.q), 1e-12) << "the hand turns it";
   const Vec3 held_W = now.pose_W[0].p;
   const TickOutput resting = ticks.next(other, nowhere);
   EXPECT_TRUE(resting.state.mechanism.held) << "where it was";
