@@ -274,6 +274,8 @@ TEST_F(MechanismShown, OtherLawsOfTheSameBodiesLeaveThemWhereTheyAreSeenUntilThe
   this->session_->Update();
   ASSERT_TRUE(this->look());
   EXPECT_LE((this->seen(joint_W) - before).norm(), 1e-12);
+  EXPECT_STREQ(
+    this->session_->GetMechanismText(), "Mechanism1: 1 laws are being computed, those before are felt until then");
   this->session_->Step(ticksToRest);
   this->session_->Update();
   ASSERT_TRUE(this->look());

@@ -195,13 +195,15 @@ std::string vtkHapticHeldMechanism::Sentence(const palpate::MechanismStatus& sta
   {
     return this->Name + " cannot be felt: " + status.problem;
   }
+  const std::string laws = this->Name + ": " + std::to_string(this->Inputs->mechanism.laws.size()) + " laws";
   if (!runs)
   {
-    return this->Name + ": " + std::to_string(this->Inputs->mechanism.laws.size()) + " laws";
+    return laws;
   }
-  if (!this->Now.held)
+  if (!this->Felt)
   {
-    return this->Name + " is being computed, and not felt until then";
+    return laws + (this->Seen.Held ? " are being computed, those before are felt until then"
+                                   : " are being computed, and nothing is felt until then");
   }
   std::string text = this->Name;
   for (const std::string& line : vtkHapticMechanismText(*this->Inputs, status.check))
