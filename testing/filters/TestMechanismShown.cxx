@@ -270,10 +270,13 @@ TEST_F(MechanismShown, OtherLawsOfTheSameBodiesLeaveThemWhereTheyAreSeenUntilThe
   ASSERT_TRUE(this->look());
   const Vec3 before = this->seen(joint_W);
   ASSERT_GT(before.z() - face, 0.3);
+  const double depth = this->session_->GetMechanismDepth();
+  ASSERT_GT(depth, 3.0);
   this->session_->SetMechanismLaws(("[" + skin + "]").c_str());
   this->session_->Update();
   ASSERT_TRUE(this->look());
   EXPECT_LE((this->seen(joint_W) - before).norm(), 1e-12);
+  EXPECT_EQ(this->session_->GetMechanismDepth(), depth);
   EXPECT_STREQ(
     this->session_->GetMechanismText(), "Mechanism1: 1 laws are being computed, those before are felt until then");
   this->session_->Step(ticksToRest);

@@ -170,7 +170,8 @@ void vtkHapticHeldMechanism::Follow(palpate::HapticSession& core, const palpate:
   }
   const auto pushing = [](const palpate::LawReport& law) { return law.force_N > 0.0; };
   const bool pushes = std::any_of(this->Now.laws.begin(), this->Now.laws.begin() + this->Now.lawCount, pushing);
-  this->Begin_W = pushes ? this->Begin_W : state.device_W.p;
+  const bool changes = !this->Felt && this->Seen.Held; // of laws, and nobody knows which of them push
+  this->Begin_W = pushes || changes ? this->Begin_W : state.device_W.p;
   this->Depth = (state.device_W.p - this->Begin_W).dot(state.proxy_W.q * palpate::Vec3::UnitZ());
   this->Text = this->Source.empty() ? "" : this->Sentence(status, core.running());
 }

@@ -66,7 +66,7 @@ vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make(std::string& problem)
   return problem.empty() ? shapes : nullptr;
 }
 
-/// What was refused is told once: an update that nothing has changed for would come again with each picture.
+/// Files are read when they are asked for and not for another picture: what was refused is told once.
 int vtkHapticMechanism::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   if (std::exchange(this->Asked, false))

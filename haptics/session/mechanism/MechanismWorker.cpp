@@ -214,10 +214,10 @@ void MechanismWorker::publish(bool all)
     return;
   }
   auto felt = std::make_shared<const FeltMechanism>(++this->revision_, this->plan_, this->bodies_->newest());
-  std::vector<SeenBody> seen = this->bodies_->seen();
   this->published_ = true;
   this->made_.put(felt);
   this->links_.felt.publish(std::move(felt));
+  std::vector<SeenBody> seen = this->bodies_->seen(); // while the servo has it
   const std::lock_guard lock(this->mutex_);
   ++this->status_.packets;
   this->status_.building = this->news_;
