@@ -37,12 +37,12 @@ def lead(x, y, tip):
     GetHapticSession().SetHandPosition(x, y, tip - TIP)
 
 
-def write_block(file, cells):
-    """Of tetrahedra, 60 x 60 x 15 mm above z = 40: so many cells along x."""
+def write_block(file, cells, low=40):
+    """Of tetrahedra, 60 x 60 x 15 mm above z = low: so many cells along x."""
     image = vtkImageData()
     image.SetDimensions(cells + 1, cells + 1, cells // 4 + 1)
     image.SetSpacing(*[60 / cells] * 3)
-    image.SetOrigin(-30, -30, 40)
+    image.SetOrigin(-30, -30, low)
     cut = vtkDataSetTriangleFilter()
     cut.SetInputData(image)
     writer = vtkXMLUnstructuredGridWriter()
@@ -249,6 +249,15 @@ class Files(Held):
         self.assertGreater(abs(fine - coarse), 1e-3)
         self.assertEqual(self.errors, [])
         self.assertAlmostEqual(fine, self.fresh(), delta=1e-6)
+
+    def test_one_that_is_elsewhere_by_now_is_refused_once_by_the_law_that_it_is_joined_with(self):
+        self.hold_joined()
+        write_block(self.body, 8, low=200)
+        self.read_again()
+        self.assertLess(self.steps(), 1e-6)
+        self.assertEqual(len(self.errors), 1, self.errors)
+        self.assertIn('"thread"', self.errors[0])
+        self.assertIn("tissue", self.errors[0])
 
     def test_one_that_is_gone_changes_nothing_until_the_scene_is_read_again_then_is_said_once_and_lets_the_hand_go(self):
         held = self.hold_joined()
