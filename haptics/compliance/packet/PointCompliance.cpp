@@ -46,19 +46,6 @@ Mat3 lowerRoot(const Mat3& m) noexcept
   return l;
 }
 
-/// How much of what two patches of radii a and b have beyond the bilinear form is common to both: about exp(-(d/a)^2)
-/// where they are alike. A rational quadratic is positive definite in spaces of any dimension, so it stays so where the
-/// radius changes from place to place (Paciorek & Schervish 2004).
-double commonShare(double distance2_u2, double a_u, double b_u) noexcept
-{
-  const double mean2_u2 = 0.5 * (a_u * a_u + b_u * b_u);
-  const double alike = a_u * b_u / mean2_u2;
-  const double fall = 1.0 / (1.0 + 0.125 * distance2_u2 / mean2_u2);
-  const double fall2 = fall * fall;
-  const double fall4 = fall2 * fall2;
-  return alike * std::sqrt(alike) * fall4 * fall4;
-}
-
 } // namespace
 
 CompliantPoint compliantPoint(const CompliancePacket& packet, const SurfacePoint& at) noexcept
@@ -75,8 +62,19 @@ CompliantPoint compliantPoint(const CompliancePacket& packet, const SurfacePoint
 
 Mat3 complianceBetween(const CompliancePacket& packet, const CompliantPoint& a, const CompliantPoint& b) noexcept
 {
-  const double beyond = commonShare((a.at.x_W - b.at.x_W).squaredNorm(), a.patch_u, b.patch_u);
-  return bilinear(packet, a.at, b.at) + beyond * a.own * b.own.transpose();
+  return bilinear(packet, a.at, b.at) + sharedBy(a, b) * a.own * b.own.transpose();
+}
+
+// A rational quadratic is positive definite in spaces of any dimension, so it stays so where the radius changes from
+// place to place (Paciorek & Schervish 2004).
+double sharedBy(const CompliantPoint& a, const CompliantPoint& b) noexcept
+{
+  const double mean2_u2 = 0.5 * (a.patch_u * a.patch_u + b.patch_u * b.patch_u);
+  const double alike = a.patch_u * b.patch_u / mean2_u2;
+  const double fall = 1.0 / (1.0 + 0.125 * (a.at.x_W - b.at.x_W).squaredNorm() / mean2_u2);
+  const double fall2 = fall * fall;
+  const double fall4 = fall2 * fall2;
+  return alike * std::sqrt(alike) * fall4 * fall4;
 }
 
 SubgridSpring springAt(const CompliancePacket& packet, const SurfacePoint& at) noexcept

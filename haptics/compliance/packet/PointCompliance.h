@@ -26,6 +26,10 @@ struct CompliantPoint
 [[nodiscard]] Mat3 complianceBetween(
   const CompliancePacket& packet, const CompliantPoint& a, const CompliantPoint& b) noexcept;
 
+/// How much of a place two points are, from 1 for one and the same to 0 far away: about exp(-(d/a)^2) where their
+/// patches have the radius a. Of any set of points a positive semidefinite matrix.
+[[nodiscard]] double sharedBy(const CompliantPoint& a, const CompliantPoint& b) noexcept;
+
 /// The spring in series at a point, between the vertices'.
 [[nodiscard]] SubgridSpring springAt(const CompliancePacket& packet, const SurfacePoint& at) noexcept;
 

@@ -4,26 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/compliance/servo/SubgridForce.h"
+#include "haptics/compliance/servo/SharedDents.h"
 
 namespace palpate
 {
 namespace
 {
-
-/// Integral of the spring's depth from 0 to a force; beyond its last depth that depth stays.
-double springEnergy(const SubgridSpring& spring, double force_N) noexcept
-{
-  if (spring.hertz <= 0.0 || force_N <= 0.0)
-  {
-    return 0.0;
-  }
-  const double last = 2.0 * spring.hertz / (3.0 * spring.patch);
-  const double t = std::min(cubeRoot(force_N), last);
-  const double rising = t * t * t * t * t * (0.6 * spring.hertz - 0.5 * spring.patch * t);
-  // dE = s dF = (h t^2 - p t^3) 3 t^2 dt
-  return rising + std::max(force_N - t * t * t, 0.0) * t * t * (spring.hertz - spring.patch * t);
-}
 
 /// Work of forces on a body, step by step of what they are beyond those of its packet.
 class PacketEnergy
@@ -76,11 +62,11 @@ double storedEnergy(std::span<const SoftTouch> soft, const SoftState& state, dou
   Vec3 force_N = Vec3::Zero();
   for (int c = 0; c < state.count; ++c)
   {
-    const SoftContact& contact = state.contacts[c];
-    stored += springEnergy(contact.spring, contact.n.dot(contact.force_N));
-    force_N += contact.force_N;
+    force_N += state.contacts[c].force_N;
   }
-  return stored + 0.5 * force_N.squaredNorm() / coupling_N_per_u;
+  SharedDents dents({ state.contacts.data(), static_cast<std::size_t>(state.count) });
+  (void)dents.press();
+  return stored + dents.energy() + 0.5 * force_N.squaredNorm() / coupling_N_per_u;
 }
 
 double balanceEnergy(const EnergyBalancePlan& plan, double stored_Nu, double step_u, double felt_N, double force_N,

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/compliance/servo/SharedDents.h"
 #include "haptics/compliance/servo/SoftContacts.h"
-#include "haptics/compliance/servo/SubgridForce.h"
 #include "haptics/contact/GodObject.h"
 
 namespace palpate
@@ -23,6 +23,8 @@ constexpr double mostShare = 8.0;
 constexpr double shareBeyond = 1.5;
 /// Two turns that differ by less than this share of a patch agree: 1e-10 m of 25 mm.
 constexpr double agreeWithin = 4e-9;
+/// What first leads to a force: a dent is taken to be at least this share of a patch deep, in the coupling.
+constexpr double leastDepth = 1e-6;
 /// Newton's steps on the springs below the patches, for all contacts at once; five are usual.
 constexpr int mostSprings = 30;
 /// What the compliance of two points for each other costs, twice a turn: in the unit of ContactPlan::workBudget.
@@ -45,11 +47,16 @@ Mat3 complianceOf(const SoftContact& a, const SoftContact& b) noexcept
   return a.soft && a.soft == b.soft ? complianceBetween(*a.soft->packet, a.point, b.point) : Mat3(Mat3::Zero());
 }
 
+std::span<const SoftContact> contactsOf(const SoftState& state) noexcept
+{
+  return { state.contacts.data(), static_cast<std::size_t>(state.count) };
+}
+
 /// How far the surface under a contact has gone.
-Vec3 yieldOf(const SoftState& state, int c) noexcept
+Vec3 yieldOf(const SoftState& state, const SharedDents& dents, int c) noexcept
 {
   const SoftContact& contact = state.contacts[c];
-  Vec3 u = -subgridDepth(contact.spring, contact.n.dot(contact.force_N)).depth_u * contact.n;
+  Vec3 u = -dents.depthAt(c);
   for (int d = 0; d < state.count; ++d)
   {
     u -= complianceOf(contact, state.contacts[d]) * state.contacts[d].force_N;
@@ -62,7 +69,7 @@ class TurnProblem
 {
 public:
   TurnProblem(double coupling_N_per_u, double radius_u, double friction, SoftState& state, SoftRoom& room) noexcept
-    : coupling_(coupling_N_per_u), radius_u_(radius_u), state_(state), room_(room)
+    : coupling_(coupling_N_per_u), radius_u_(radius_u), state_(state), room_(room), dents_(contactsOf(state))
   {
     room.problem.resize(state.count);
     room.problem.friction = friction;
@@ -79,8 +86,8 @@ public:
           this->basis_[c].transpose() * (complianceOf(state.contacts[c], state.contacts[d]) + device) * this->basis_[d];
         room.problem.compliance.block<3, 3>(3 * c, 3 * d) = w;
         room.problem.compliance.block<3, 3>(3 * d, 3 * c) = w.transpose();
+        this->bare_[c][d] = w(0, 0);
       }
-      this->bare_[c] = room.problem.compliance(3 * c, 3 * c);
     }
   }
 
@@ -89,32 +96,39 @@ public:
   void solve(const Vec3& p_W, const Vec3& slipFrom_W, std::uint32_t budget, std::uint32_t& work) noexcept
   {
     work += workOfPairs * static_cast<std::uint32_t>(this->state_.count * this->state_.count);
-    bool agreed = false;
-    for (int i = 0; i < mostSprings && !agreed && (i == 0 || work < budget); ++i)
+    for (int i = 0; i < mostSprings && (i == 0 || work < budget); ++i)
     {
-      this->linearise(p_W, slipFrom_W, i >= secants);
+      // The dents as straight lines: first through nothing and the last force, which always leads nearer, then along
+      // the springs there, which ends it in a few steps.
+      const bool agreed = this->dents_.press(
+        i < secants ? SharedDents::Line::Secant : SharedDents::Line::Tangent, leastDepth * this->coupling_);
+      if (agreed && i > 0)
+      {
+        return;
+      }
+      this->linearise(p_W, slipFrom_W);
       this->solveOnce(budget - std::min(budget, work));
       work += this->room_.forces.work;
-      agreed = this->takeForces();
+      this->takeForces();
     }
   }
 
 private:
-  /// The springs below the patches as straight lines: first through nothing and the last force, which always leads
-  /// nearer, then along the spring there, which ends it in a few steps.
-  void linearise(const Vec3& p_W, const Vec3& slipFrom_W, bool along) noexcept
+  void linearise(const Vec3& p_W, const Vec3& slipFrom_W) noexcept
   {
     ContactProblem& problem = this->room_.problem;
     for (int c = 0; c < this->state_.count; ++c)
     {
       const SoftContact& contact = this->state_.contacts[c];
       const double gap = contact.n.dot(p_W - contact.foot_W) - this->radius_u_;
-      const double least = 1e-6 * this->coupling_ * std::max(std::abs(gap), contact.point.patch_u);
-      const double force = std::max(contact.n.dot(contact.force_N), least);
-      const SubgridDepth spring = subgridDepth(contact.spring, force);
-      const double slope = along ? spring.slope : spring.depth_u / force;
-      problem.compliance(3 * c, 3 * c) = this->bare_[c] + slope;
-      problem.free[3 * c] = gap + spring.depth_u - slope * force;
+      problem.free[3 * c] = gap + contact.n.dot(this->dents_.depthAt(c));
+      for (int d = 0; d < this->state_.count; ++d)
+      {
+        const SoftContact& other = this->state_.contacts[d];
+        const double slope = this->dents_.slopeBetween(c, d);
+        problem.compliance(3 * c, 3 * d) = this->bare_[std::max(c, d)][std::min(c, d)] + slope;
+        problem.free[3 * c] -= slope * other.n.dot(other.force_N);
+      }
       problem.free.segment<2>(3 * c + 1) = this->basis_[c].rightCols<2>().transpose() * (p_W - slipFrom_W);
     }
   }
@@ -135,27 +149,23 @@ private:
     solveFriction(this->room_.problem, this->room_.friction, forces, budget);
   }
 
-  /// True if they are the forces that the straight lines were taken at.
-  [[nodiscard]] bool takeForces() noexcept
+  void takeForces() noexcept
   {
-    bool agreed = true;
     for (int c = 0; c < this->state_.count; ++c)
     {
-      SoftContact& contact = this->state_.contacts[c];
-      const double before = contact.n.dot(contact.force_N);
       const Vec3 local = this->room_.forces.force_N.segment<3>(3 * c);
-      contact.force_N = this->basis_[c] * local;
-      agreed = agreed && (contact.spring.hertz <= 0.0 || std::abs(local[0] - before) <= 1e-14 * local[0]);
+      this->state_.contacts[c].force_N = this->basis_[c] * local;
     }
-    return agreed;
   }
 
   double coupling_;
   double radius_u_;
   SoftState& state_;
   SoftRoom& room_;
-  std::array<Mat3, GodObjectState::maxFeatures> basis_;
-  std::array<double, GodObjectState::maxFeatures> bare_{}; ///< normal compliance without the spring
+  SharedDents dents_;
+  static constexpr std::size_t most = GodObjectState::maxFeatures;
+  std::array<Mat3, most> basis_;
+  std::array<std::array<double, most>, most> bare_; ///< compliance along the normals without the dents, for d <= c
 };
 
 bool givesWay(const SoftState& state) noexcept
@@ -175,11 +185,13 @@ struct Yield
 Yield yieldUnder(SoftState& state) noexcept
 {
   Yield sum;
+  SharedDents dents(contactsOf(state));
+  (void)dents.press();
   double all_N = 0.0;
   for (int c = 0; c < state.count; ++c)
   {
     SoftContact& contact = state.contacts[c];
-    contact.yielded_W = yieldOf(state, c);
+    contact.yielded_W = yieldOf(state, dents, c);
     const double size_N = contact.force_N.norm();
     sum.force_N += contact.force_N;
     sum.across_N += contact.force_N - contact.n.dot(contact.force_N) * contact.n;

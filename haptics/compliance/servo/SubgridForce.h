@@ -51,4 +51,18 @@ struct SubgridDepth
     2.0 * spring.hertz / (3.0 * std::max(t, 1e-9 * last)) - spring.patch };
 }
 
+/// Integral of the spring's depth from 0 to a force [N u]; beyond its last depth that depth stays.
+[[nodiscard]] inline double subgridEnergy(const SubgridSpring& spring, double force_N) noexcept
+{
+  if (spring.hertz <= 0.0 || force_N <= 0.0)
+  {
+    return 0.0;
+  }
+  const double last = 2.0 * spring.hertz / (3.0 * spring.patch);
+  const double t = std::min(cubeRoot(force_N), last);
+  const double rising = t * t * t * t * t * (0.6 * spring.hertz - 0.5 * spring.patch * t);
+  // dE = s dF = (h t^2 - p t^3) 3 t^2 dt
+  return rising + std::max(force_N - t * t * t, 0.0) * t * t * (spring.hertz - spring.patch * t);
+}
+
 } // namespace palpate
