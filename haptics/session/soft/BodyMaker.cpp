@@ -149,13 +149,10 @@ std::vector<Vec3> BodyMaker::dents_u() const
   }
   for (const CompliantPoint& point : points)
   {
-    const CompliantPoint withPatches{ point.at };
     Vec3 left = Vec3::Zero();
     for (std::size_t j = 0; j < points.size(); ++j)
     {
-      const Mat3 beyond =
-        complianceBetween(*this->last_, point, points[j]) - complianceBetween(*this->last_, withPatches, points[j]);
-      left += beyond * this->last_->force_N[j];
+      left += sharedBy(point, points[j]) * point.own * points[j].own.transpose() * this->last_->force_N[j];
     }
     for (int c = 0; c < 3; ++c)
     {
