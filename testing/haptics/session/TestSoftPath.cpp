@@ -67,17 +67,25 @@ TEST(SoftPath, PacketsOfALinearBodyChangeNothingHoweverLateTheyAre)
   }
 }
 
-TEST(SoftPath, ABodyThatHardensComesToTheForceOfRestOncePacketsHaveArrived)
+/// Held at one side only: pressed in its middle it bends, which a linear body does otherwise than one that turns.
+SoftBodyInput shelf(ElasticModel model)
 {
-  const SoftBodyInput input = softBlock(ElasticModel::NeoHookean);
-  constexpr double deep_m = 0.012, ball_m = 0.01;
+  SoftBodyInput input = softBlock(model);
+  input.fixed = fixedWhere(input.mesh, [](const Vec3& p) { return p.x() == 0.0; });
+  return input;
+}
+
+TEST(SoftPath, ABodyThatBendsComesToTheForceOfRestOncePacketsHaveArrived)
+{
+  const SoftBodyInput input = shelf(ElasticModel::NeoHookean);
+  constexpr double deep_m = 0.03, ball_m = 0.01;
   const auto rest = touchOf(input, 0.0, ball_m);
   const auto late = touchOf(input, 30.0, ball_m);
-  const auto flat = touchOf(softBlock(ElasticModel::Linear), 30.0, ball_m);
+  const auto flat = touchOf(shelf(ElasticModel::Linear), 30.0, ball_m);
   const auto press = [](const auto& touch, int ticks) { return pressed(touch, deep_m, ticks, ball_m).force_W.z(); };
   const double force_N = press(rest, 4);
-  EXPECT_NEAR(press(late, 400), force_N, 0.01 * force_N);
-  EXPECT_GT(std::abs(press(flat, 400) - force_N), 0.01 * force_N) << "else a linear body would pass";
+  EXPECT_NEAR(press(late, 400), force_N, 1e-3 * force_N);
+  EXPECT_GT(std::abs(press(flat, 400) - force_N), 0.02 * force_N) << "else a linear body would pass";
 }
 
 TEST(SoftPath, AWallBesideTheBodyIsFeltAsWithoutIt)
