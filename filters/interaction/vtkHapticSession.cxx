@@ -60,6 +60,8 @@ void vtkHapticSession::Internals::ShowState()
   this->Tool.Follow(this->Core, this->State);
   this->Soft.Follow(this->Core, this->State, this->Now());
   this->Mechanism.Follow(this->Core, this->State);
+  const Vec3* const ofMechanism = this->Mechanism.SoftHand_W();
+  this->Soft.Hand_W = ofMechanism ? *ofMechanism : this->Soft.Hand_W;
   Eigen::Map<Vec3>(this->Proxy) = this->State.proxy_W.p;
   Eigen::Map<Vec3>(this->Hand) = this->State.device_W.p;
   Eigen::Map<Vec3>(this->Force) = this->State.force_W;

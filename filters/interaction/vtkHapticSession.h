@@ -217,7 +217,7 @@ public:
   bool FinishField();
   const char* GetFieldName() const;
   bool AddRemoteField(const char* name, const vtkHapticFieldResult& made); ///< of data elsewhere, made there
-  vtkHapticServerSurfaces& ServerSurfaces() const; ///< what is there of surfaces elsewhere
+  vtkHapticServerSurfaces& ServerSurfaces() const;                         ///< what is there of surfaces elsewhere
   /// Other data that the field is compared with, and whose points and lines the hand snaps to; null: none. Kept by
   /// reference. FeltSource, CompareSource and SnapSource name all of them for whoever follows a view.
   void SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap);
@@ -227,7 +227,7 @@ public:
 
   ///@{
   /// What the source that ToolSource names has, polygons as they are: held in place of the ball from then on, null: not
-  /// there. Added again after a change. False, with GetProblem(), for what cannot be held. Its triangles are drawn.
+  /// there. Added again after a change. False, with GetProblem(), for what cannot be held. Its shape is drawn.
   bool AddTool(const char* name, vtkDataObject* data);
   void GetToolShape(vtkPolyData* shape) const;
   /// How far it reaches from the hand against a direction, turned as it is [u]; 0: none is held.
@@ -235,7 +235,8 @@ public:
   /// Likewise of SoftSource, made by vtkHapticSoftBody: it gives way. True where it has bent since it was asked last.
   bool AddSoftBody(const char* name, vtkDataObject* data);
   bool BendSoftBody(vtkDataObject* body);
-  /// Likewise of MechanismSource, made by vtkHapticMechanism: the hand holds a body of it. True where bodies have moved.
+  /// Likewise of MechanismSource, made by vtkHapticMechanism: the hand holds a body of it, whose shape and poses are
+  /// those of a tool. Moves and bends shapes; false: they are as at first.
   bool AddMechanism(const char* name, vtkDataObject* data);
   bool MoveMechanism(vtkPolyData* shapes);
   void GetMechanismTable(vtkTable* table) const; ///< a row a law: Law, Kind, A, B, Phase, Force [N], Inside [u]
@@ -248,7 +249,7 @@ public:
   vtkMTimeType GetMaterialTime() const; ///< changes whenever a setting of surfaces does
   bool GetUsesMaterialArrays() const;   ///< whether any is named
 
-  /// Bounds of the touched scene [u]; false and an empty box when there is none.
+  /// Bounds of the touched scene, else of a mechanism's bodies at first [u]; false and an empty box when there is none.
   bool GetSceneBounds(double bounds[6]) const;
   bool GetSceneMoves() const; ///< whether a surface is felt by a pose: it moves, or has rested for less than a second
 
@@ -328,8 +329,8 @@ public:
   /// scale and place so that the device's workspace holds the whole. Once force is engaged the hand is brought to the
   /// start, at most 0.2 m/s fast, and let go; at the exit it is shaken. Who lets go of the dead-man and holds it again
   /// starts anew, as does PlayAgain(). What is touched are the surfaces, so the lines are added as one. A world without
-  /// start or exit is fitted too and explored without a game: false, and GetProblem() says which it lacks. False with an
-  /// error and nothing changed for what is no plane world.
+  /// start or exit is fitted too and explored without a game: false, and GetProblem() says which it lacks. False with
+  /// an error and nothing changed for what is no plane world.
   bool PlayLabyrinth(vtkDataObject* maze, const char* name);
 
   ///@{

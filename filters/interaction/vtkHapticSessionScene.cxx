@@ -143,7 +143,12 @@ bool vtkHapticSession::GetSceneBounds(double bounds[6]) const
 {
   const palpate::BuiltScene shown = this->Impl->Fittable();
   std::copy(shown.bounds.begin(), shown.bounds.end(), bounds);
-  return this->Impl->IsFittable();
+  const vtkBoundingBox& joined = this->Impl->Mechanism.Bounds;
+  if (!this->Impl->IsFittable() && joined.IsValid())
+  {
+    joined.GetBounds(bounds);
+  }
+  return this->Impl->IsFittable() || joined.IsValid();
 }
 
 const char* vtkHapticSession::GetSceneReport() const

@@ -390,10 +390,18 @@ bool vtkHapticViewScene::Update()
   if (this->Impl->Session)
   {
     this->Impl->HandOverField(this->Impl->Scan.Sources);
-    this->Impl->Handed.Follow(*this->Impl->Session, this->Impl->View);
   }
+  this->ShowHanded();
   this->WriteReport();
   return handOver;
+}
+
+void vtkHapticViewScene::ShowHanded()
+{
+  if (this->Impl->Session)
+  {
+    this->Impl->Handed.Follow(*this->Impl->Session, this->Impl->View);
+  }
 }
 
 void vtkHapticViewScene::HandOver()

@@ -79,6 +79,10 @@ public:
   /// What was cancelled is wanted again: the next Update() hands it over.
   void TakeAgain();
 
+  /// What the session holds and what gives way are shown as it has them now, without handing over anything else: at
+  /// rest once it does not touch any more.
+  void ShowHanded();
+
   /// Names of the touched surfaces, then one line for each thing that is not touched: why, and what to do.
   const char* GetReport() const;
 

@@ -110,10 +110,11 @@ struct LawChanges
 /// What a mechanism did in a tick. Bodies and laws are in the order of its description.
 struct MechanismNow
 {
-  bool held = false;          ///< one is in the hand
+  bool held = false;          ///< one is in the hand, and has been somewhere
   std::uint64_t revision = 0; ///< of its plan
   int bodyCount = 0;
   int lawCount = 0;
+  Pose hand_W;                                      ///< where the hand would have what it holds [u]
   std::array<Pose, Mechanism::mostBodies> pose_W{}; ///< of held and rigid bodies [u]
   std::array<LawReport, Mechanism::mostLaws> laws{};
   LawChanges changes;

@@ -67,6 +67,10 @@ void pqHapticViewFollower::setActive(bool active)
   {
     this->Scene->TakeAgain();
   }
+  if (this->Active && !active)
+  {
+    this->Scene->ShowHanded(); // nobody asks for it any more
+  }
   this->Active = active;
   this->refresh();
 }

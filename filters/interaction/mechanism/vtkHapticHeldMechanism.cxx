@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "haptics/session/settings/Setting.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkHapticHeldTool.h"
 #include "vtkHapticMechanismData.h"
-#include "vtkIdList.h"
+#include "vtkHapticSoftBodyData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -20,16 +23,48 @@ namespace
 {
 constexpr std::array Phases = { "open", "closed", "slips", "inside", "gone" };
 
-/// Where each body has gone from where it was at first: a held one was at the origin.
-palpate::Pose WayOf(const palpate::MechanismBody& body, const palpate::Pose& now_W)
+/// How a body has gone from where it was at first: a held one was at the origin.
+struct Way
 {
+  palpate::Pose Rigid;
+  vtkSmartPointer<vtkDoubleArray> Displacement; ///< of a soft one's vertices; null: of none
+
+  [[nodiscard]] palpate::Vec3 Bent(double vertex) const
+  {
+    const auto at = static_cast<vtkIdType>(vertex);
+    const bool known = this->Displacement && at >= 0 && at < this->Displacement->GetNumberOfTuples();
+    return known ? palpate::Vec3(this->Displacement->GetPointer(3 * at)) : palpate::Vec3(palpate::Vec3::Zero());
+  }
+};
+
+Way WayOf(const palpate::MechanismBody& body, const palpate::Pose& now_W)
+{
+  using enum palpate::MechanismBodyKind;
+  if (body.kind != Held && body.kind != Rigid)
+  {
+    return {};
+  }
   const palpate::Quat turn = now_W.q * body.pose_W.q.conjugate();
-  return { now_W.p - turn * body.pose_W.p, turn };
+  return { { now_W.p - turn * body.pose_W.p, turn }, nullptr };
 }
 
-bool IsMoved(palpate::MechanismBodyKind kind)
+/// Soft bodies come in the order in which the description has them.
+std::vector<Way> WaysOf(const palpate::MechanismInputs& inputs, std::span<const palpate::Pose> pose_W,
+  const std::vector<palpate::SeenBody>& seen)
 {
-  return kind == palpate::MechanismBodyKind::Held || kind == palpate::MechanismBodyKind::Rigid;
+  std::vector<Way> ways;
+  std::size_t soft = 0;
+  for (const palpate::MechanismBody& body : inputs.mechanism.bodies)
+  {
+    ways.push_back(WayOf(body, pose_W[ways.size()]));
+    if (body.kind == palpate::MechanismBodyKind::Soft && soft < std::min(seen.size(), inputs.soft.size()))
+    {
+      ways.back().Displacement =
+        vtkHapticFeltDisplacement(*inputs.soft[soft].input, seen[soft].asMade.get(), seen[soft].shape.get());
+      ++soft;
+    }
+  }
+  return ways;
 }
 
 void AddNames(vtkTable& table, const char* name, const std::vector<std::string>& values)
@@ -60,28 +95,39 @@ std::string vtkHapticHeldMechanism::Take(const std::string& name, vtkDataObject*
   this->Name = name;
   this->File = vtkHapticIsMechanism(data) ? vtkHapticMechanismFileOf(*data) : "";
   this->Folder = vtkHapticIsMechanism(data) ? vtkHapticMechanismFolderOf(*data) : "";
-  this->Inputs = nullptr;
+  this->Read.clear();
+  this->Seen = {};
+  auto* const shapes = vtkDataSet::SafeDownCast(data);
+  this->Bounds = shapes ? vtkBoundingBox(shapes->GetBounds()) : vtkBoundingBox();
   this->Problem = data && this->File.empty() ? name + " is no mechanism: choose the output of Haptic Mechanism" : "";
   return this->TakeAgain();
 }
 
 std::string vtkHapticHeldMechanism::TakeAgain()
 {
-  const std::shared_ptr<const palpate::MechanismInputs> before = std::exchange(this->Inputs, nullptr);
+  this->Inputs = nullptr;
+  this->Felt = false;
   if (this->File.empty())
   {
     return this->Problem;
   }
-  const vtkHapticMechanismResult read = vtkHapticParseMechanism(this->File, this->Folder, this->Laws);
+  const vtkHapticMechanismResult read = vtkHapticParseMechanism(this->File, this->Folder, this->Laws, this->Read);
   this->Inputs = read.Inputs;
-  if (read.Inputs && before) // the same bodies, which are factored already
-  {
-    auto inputs = std::make_shared<palpate::MechanismInputs>(*read.Inputs);
-    inputs->soft = before->soft;
-    this->Inputs = inputs;
-  }
+  this->Read = read.Inputs ? read.Inputs->soft : this->Read;
+  this->Held = read.Inputs && this->HeldBody() < read.Inputs->mechanism.bodies.size()
+                 ? vtkHapticHeldShape(read.Inputs->mechanism.bodies[this->HeldBody()])
+                 : nullptr;
   this->Problem = read.Inputs ? "" : this->Name + " cannot be held: " + read.Problem;
   return this->Problem;
+}
+
+/// The last one, as a plan has it; as many as there are bodies: none.
+std::size_t vtkHapticHeldMechanism::HeldBody() const
+{
+  const auto& bodies = this->Inputs->mechanism.bodies;
+  const auto isHeld = [](const auto& body) { return body.kind == palpate::MechanismBodyKind::Held; };
+  const auto found = std::find_if(bodies.rbegin(), bodies.rend(), isHeld);
+  return found != bodies.rend() ? static_cast<std::size_t>(bodies.rend() - found) - 1 : bodies.size();
 }
 
 std::string vtkHapticHeldMechanism::With(const std::string& law, std::string& problem) const
@@ -109,15 +155,33 @@ int vtkHapticHeldMechanism::IndexOf(const std::string& name) const
 
 void vtkHapticHeldMechanism::Follow(palpate::HapticSession& core, const palpate::HapticState& state)
 {
-  this->Now = core.running() ? state.mechanism : palpate::MechanismNow{};
+  const palpate::MechanismStatus status = core.running() ? core.mechanismStatus() : palpate::MechanismStatus{};
+  this->Felt = !status.building && status.plan != 0 && state.mechanism.revision == status.plan;
+  this->Now = this->Felt ? state.mechanism : palpate::MechanismNow{};
+  if (this->Felt && this->Inputs)
+  {
+    this->Seen = { this->Now.held, this->Now.pose_W, status.soft };
+    vtkHapticPutPose(this->Now.held ? state.proxy_W : palpate::Pose{}, this->Pose);
+    vtkHapticPutPose(this->Now.hand_W, this->HandPose);
+  }
+  else if (!status.building && status.plan == 0) // nor will any be
+  {
+    this->Seen = {};
+  }
   const auto pushing = [](const palpate::LawReport& law) { return law.force_N > 0.0; };
   const bool pushes = std::any_of(this->Now.laws.begin(), this->Now.laws.begin() + this->Now.lawCount, pushing);
-  this->Begin_W = pushes ? this->Begin_W : state.device_W.p;
+  const bool changes = !this->Felt && this->Seen.Held; // of laws, and nobody knows which of them push
+  this->Begin_W = pushes || changes ? this->Begin_W : state.device_W.p;
   this->Depth = (state.device_W.p - this->Begin_W).dot(state.proxy_W.q * palpate::Vec3::UnitZ());
-  this->Text = this->Source.empty() ? "" : this->Sentence(core);
+  this->Text = this->Source.empty() ? "" : this->Sentence(status, core.running());
 }
 
-std::string vtkHapticHeldMechanism::Sentence(palpate::HapticSession& core) const
+const palpate::Vec3* vtkHapticHeldMechanism::SoftHand_W() const
+{
+  return this->Seen.Held && !this->Seen.Soft.empty() ? &this->Seen.Soft.front().shape->hand_W : nullptr;
+}
+
+std::string vtkHapticHeldMechanism::Sentence(const palpate::MechanismStatus& status, bool runs) const
 {
   if (!this->Problem.empty())
   {
@@ -125,20 +189,22 @@ std::string vtkHapticHeldMechanism::Sentence(palpate::HapticSession& core) const
   }
   if (!this->Inputs)
   {
-    return this->Source + " is not there: choose another source as the mechanism, or none";
+    return this->Source +
+           " is not there, or has read no mechanism: mend that, choose another source as the mechanism, or none";
   }
-  const palpate::MechanismStatus status = core.running() ? core.mechanismStatus() : palpate::MechanismStatus{};
   if (!status.problem.empty())
   {
     return this->Name + " cannot be felt: " + status.problem;
   }
-  if (!core.running())
+  const std::string laws = this->Name + ": " + std::to_string(this->Inputs->mechanism.laws.size()) + " laws";
+  if (!runs)
   {
-    return this->Name + ": " + std::to_string(this->Inputs->mechanism.laws.size()) + " laws";
+    return laws;
   }
-  if (!this->Now.held)
+  if (!this->Felt)
   {
-    return this->Name + " is being computed, and not felt until then";
+    return laws + (this->Seen.Held ? " are being computed, those before are felt until then"
+                                   : " are being computed, and nothing is felt until then");
   }
   std::string text = this->Name;
   for (const std::string& line : vtkHapticMechanismText(*this->Inputs, status.check))
@@ -150,38 +216,32 @@ std::string vtkHapticHeldMechanism::Sentence(palpate::HapticSession& core) const
 
 bool vtkHapticHeldMechanism::Move(vtkPolyData& shapes) const
 {
-  vtkDataArray* const bodies = shapes.GetCellData()->GetArray("Body");
-  if (!this->Now.held || !this->Inputs || !bodies)
+  vtkDataArray* const bodies = shapes.GetPointData()->GetArray(vtkHapticMechanismArray::Body);
+  vtkDataArray* const vertices = shapes.GetPointData()->GetArray(vtkHapticMechanismArray::Vertex);
+  if (!this->Seen.Held || !this->Inputs || !bodies || !vertices)
   {
     return false;
   }
-  const auto& all = this->Inputs->mechanism.bodies;
+  const std::vector<Way> ways = WaysOf(*this->Inputs, this->Seen.Pose_W, this->Seen.Soft);
   vtkNew<vtkPoints> moved;
   moved->SetDataTypeToDouble();
   moved->DeepCopy(shapes.GetPoints());
-  vtkNew<vtkIdList> corners;
-  std::vector<bool> done(static_cast<std::size_t>(moved->GetNumberOfPoints()), false);
-  for (vtkIdType cell = 0; cell < shapes.GetNumberOfCells(); ++cell)
+  const auto bent = vtkSmartPointer<vtkDoubleArray>::New();
+  bent->SetName(vtkHapticMechanismArray::Displacement);
+  bent->SetNumberOfComponents(3);
+  bent->SetNumberOfTuples(moved->GetNumberOfPoints());
+  bent->Fill(0.0);
+  for (vtkIdType point = 0; point < moved->GetNumberOfPoints(); ++point)
   {
-    const auto body = static_cast<std::size_t>(bodies->GetComponent(cell, 0));
-    if (body >= all.size() || !IsMoved(all[body].kind))
-    {
-      continue;
-    }
-    const palpate::Pose way = WayOf(all[body], this->Now.pose_W[body]);
-    shapes.GetCellPoints(cell, corners);
-    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
-    {
-      const vtkIdType point = corners->GetId(i);
-      if (!done[static_cast<std::size_t>(point)])
-      {
-        done[static_cast<std::size_t>(point)] = true;
-        const palpate::Vec3 to_W = way.p + way.q * palpate::Vec3(shapes.GetPoint(point));
-        moved->SetPoint(point, to_W.data());
-      }
-    }
+    const auto body = static_cast<std::size_t>(bodies->GetComponent(point, 0));
+    const Way way = body < ways.size() ? ways[body] : Way{};
+    const palpate::Vec3 gone_u = way.Bent(vertices->GetComponent(point, 0));
+    const palpate::Vec3 to_W = way.Rigid.p + way.Rigid.q * palpate::Vec3(shapes.GetPoint(point)) + gone_u;
+    moved->SetPoint(point, to_W.data());
+    bent->SetTuple(point, gone_u.data());
   }
   shapes.SetPoints(moved);
+  shapes.GetPointData()->AddArray(bent);
   return true;
 }
 

@@ -3,12 +3,13 @@
 #define vtkHapticHeldMechanism_h
 
 #include "haptics/session/HapticSession.h"
+#include "vtkBoundingBox.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
 
 class vtkDataObject;
-class vtkPolyData;
 class vtkTable;
 
 /// The mechanism of a session: what was asked for, what was made of it, how it is.
@@ -28,24 +29,46 @@ public:
   std::string Without(const std::string& name, std::string& problem) const;
   /// The place of a law in the mechanism; -1: there is none.
   int IndexOf(const std::string& name) const;
+  /// Whether the servo numbers laws as IndexOf() does: these are the laws that it has.
+  bool IsFelt() const { return this->Felt; }
   /// How it is, after each look at the session.
   void Follow(palpate::HapticSession& core, const palpate::HapticState& state);
-  /// The bodies that `shapes` has where they are at first, where they are now; false: none has moved.
+  /// The bodies that `shapes` has where they are at first, where they are now and as they are bent; false, and
+  /// unchanged: they are not held. While other laws of the same bodies are computed they are where they were.
   bool Move(vtkPolyData& shapes) const;
+  /// What is in the hand, in its own frame; null: nothing.
+  vtkPolyData* HeldShape() const { return this->Seen.Held ? this->Held.Get() : nullptr; }
+  /// Where the hand was when its soft bodies were computed last; null: they are not held, or there are none.
+  const palpate::Vec3* SoftHand_W() const;
   /// A row a law: Law, Kind, A, B, Phase, Force [N], Inside [u].
   void FillTable(vtkTable& table) const;
 
   std::string Text;
   double Depth = 0.0; ///< the hand's way along what it holds since nothing pushed [u]
+  double Pose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };     ///< of what is in the hand, where it is felt
+  double HandPose[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 }; ///< and where the hand would have it
+  vtkBoundingBox Bounds;                                      ///< of its bodies as they are at first
 
 private:
-  std::string Sentence(palpate::HapticSession& core) const;
+  /// How bodies were when laws of theirs were felt last.
+  struct Sight
+  {
+    bool Held = false;
+    decltype(palpate::MechanismNow::pose_W) Pose_W{};
+    std::vector<palpate::SeenBody> Soft;
+  };
+  std::string Sentence(const palpate::MechanismStatus& status, bool runs) const;
+  std::size_t HeldBody() const;
 
   std::string Name;
   std::string File, Folder; ///< text of the scene file, and where that lies
   std::string Problem;
   std::shared_ptr<const palpate::MechanismInputs> Inputs;
+  std::vector<palpate::MechanismSoftInput> Read; ///< its soft bodies, for the next laws
+  vtkSmartPointer<vtkPolyData> Held;             ///< the shape of the body in the hand
   palpate::MechanismNow Now;
+  bool Felt = false; ///< Now is of these laws
+  Sight Seen;
   palpate::Vec3 Begin_W = palpate::Vec3::Zero(); ///< where that way begins
 };
 

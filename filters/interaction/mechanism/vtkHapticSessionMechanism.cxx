@@ -48,10 +48,10 @@ std::string vtkHapticSession::GetLawsWithout(const char* name)
 bool vtkHapticSession::BreakLaw(const char* name)
 {
   const int law = this->Impl->Mechanism.IndexOf(name ? name : "");
-  const bool felt = !this->Impl->Core.mechanismStatus().building; // else the servo still numbers other laws
+  const bool felt = this->Impl->Mechanism.IsFelt(); // else the servo may number other laws
   this->Refuse(law < 0 ? std::string("there is no law \"") + (name ? name : "") + "\" to be broken"
                : felt  ? ""
-                       : "the mechanism is being computed with other laws: break a law once they are felt");
+                       : "these laws are not felt now: break one of them while the mechanism is touched with them");
   if (law >= 0 && felt)
   {
     this->Impl->Core.breakLaw(static_cast<std::uint32_t>(law));

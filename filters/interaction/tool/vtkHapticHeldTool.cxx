@@ -74,13 +74,18 @@ void vtkHapticHeldTool::GetShape(vtkPolyData* shape) const
   this->Shape ? shape->ShallowCopy(this->Shape) : shape->Initialize();
 }
 
+void vtkHapticPutPose(const palpate::Pose& from, double pose[7])
+{
+  Eigen::Map<palpate::Vec3>{ pose } = from.p;
+  const double turn[] = { from.q.w(), from.q.x(), from.q.y(), from.q.z() };
+  std::copy(turn, turn + 4, pose + 3);
+}
+
 /// A pose of the core is that of the tool's centre.
 void vtkHapticHeldTool::PutPose(const palpate::Pose& centre_W, double pose[7]) const
 {
   const palpate::Vec3 centre = this->Choice_.tool ? this->Choice_.tool->centre_W : palpate::Vec3::Zero();
-  Eigen::Map<palpate::Vec3>{ pose } = centre_W.p - centre_W.q * centre;
-  const double turn[] = { centre_W.q.w(), centre_W.q.x(), centre_W.q.y(), centre_W.q.z() };
-  std::copy(turn, turn + 4, pose + 3);
+  vtkHapticPutPose({ centre_W.p - centre_W.q * centre, centre_W.q }, pose);
 }
 
 void vtkHapticHeldTool::Follow(palpate::HapticSession& core, const palpate::HapticState& state)

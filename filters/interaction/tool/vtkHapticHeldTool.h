@@ -11,6 +11,9 @@
 
 class vtkDataObject;
 
+/// A pose as a place and a turn (w, x, y, z).
+void vtkHapticPutPose(const palpate::Pose& from, double pose[7]);
+
 /// What the hand of a session holds in place of the ball: what was asked for, what was made of it, how it is.
 class vtkHapticHeldTool
 {

@@ -9,6 +9,7 @@
 namespace
 {
 constexpr double ghostOpacity = 0.25;
+constexpr double InFront = -4.0; // of the same triangles, in steps of the depth buffer
 
 /// Of a place and a turn (w, x, y, z).
 void SetFrame(vtkMatrix4x4* frame, const double pose[7])
@@ -30,6 +31,8 @@ vtkHapticHeldToolProps::vtkHapticHeldToolProps()
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(this->Shape);
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(
+    InFront, InFront); // a mechanism is drawn as a whole, too
   this->Solid->SetMapper(mapper);
   this->Ghost->SetMapper(mapper);
   this->Solid->SetUserMatrix(this->SolidFrame);

@@ -9,7 +9,8 @@
 
 class vtkHapticSession;
 
-/// What a person sees of a tool in the hand: solid where it is, a ghost where the hand would have it.
+/// What a person sees of a tool in the hand, or of what it holds of a mechanism: solid where it is, a ghost where the
+/// hand would have it.
 class vtkHapticHeldToolProps
 {
 public:

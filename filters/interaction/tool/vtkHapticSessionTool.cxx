@@ -25,7 +25,8 @@ void vtkHapticSession::HoldTool(const std::string& problem)
 
 void vtkHapticSession::GetToolShape(vtkPolyData* shape) const
 {
-  this->Impl->Tool.GetShape(shape);
+  vtkPolyData* const ofMechanism = this->Impl->Mechanism.HeldShape();
+  ofMechanism ? shape->ShallowCopy(ofMechanism) : this->Impl->Tool.GetShape(shape);
 }
 
 double vtkHapticSession::GetToolReach(const double direction_W[3]) const
@@ -173,12 +174,12 @@ const char* vtkHapticSession::GetToolContacts() const
 
 double* vtkHapticSession::GetToolPose()
 {
-  return this->Impl->Tool.Pose;
+  return this->Impl->Mechanism.HeldShape() ? this->Impl->Mechanism.Pose : this->Impl->Tool.Pose;
 }
 
 double* vtkHapticSession::GetToolHandPose()
 {
-  return this->Impl->Tool.HandPose;
+  return this->Impl->Mechanism.HeldShape() ? this->Impl->Mechanism.HandPose : this->Impl->Tool.HandPose;
 }
 
 double* vtkHapticSession::GetToolTip()

@@ -3,11 +3,12 @@
  * @class   vtkHapticToolProps
  * @brief   what a person sees of a haptic session: proxy, hand and force
  *
- * Two balls, or a tool, solid where it is and as a ghost where the hand would have it; arrows of force and torque;
- * start (green) and exit (red) of a labyrinth and the way through it, and the box of what the device reaches where the
- * session has ShowWorkspace. The proxy's ball has the session's radius where that can be seen; the arrows start at the
- * proxy and point along the force on the hand and about the torque that a tool asks for. None is picked or counted in
- * the bounds of a scene.
+ * Two balls, or a tool or the held body of a mechanism, solid where it is felt and as a ghost where the hand would have
+ * it; a grey ball where the hand was when what gives way was computed last, if the session has ShowSoftHand; arrows of
+ * force and torque; start (green) and exit (red) of a labyrinth and the way through it, and the box of what the device
+ * reaches where the session has ShowWorkspace. The proxy's ball has the session's radius where that can be seen; the
+ * arrows start at the proxy and point along the force on the hand and about the torque that a tool asks for. None is
+ * picked or counted in the bounds of a scene.
  */
 #ifndef vtkHapticToolProps_h
 #define vtkHapticToolProps_h
@@ -67,14 +68,14 @@ public:
   ///@{
   vtkActor* GetProxyActor() const;
   vtkActor* GetHandActor() const;
-  vtkActor* GetSoftHandActor() const; ///< the hand that a soft body was computed for, where ShowSoftHand is on
+  vtkActor* GetSoftHandActor() const; ///< the hand that soft bodies were computed for, where ShowSoftHand is on
   vtkActor* GetForceActor() const;
   vtkActor* GetTraceActor() const;
   vtkActor* GetStartActor() const;
   vtkActor* GetExitActor() const;
   vtkActor* GetWorkspaceActor() const;
   vtkActor* GetTorqueActor() const;
-  vtkActor* GetHeldActor() const;  ///< the tool in the hand, where it is
+  vtkActor* GetHeldActor() const;  ///< the tool, or what is held of a mechanism, where it is
   vtkActor* GetGhostActor() const; ///< and where the hand would have it
   vtkActor* GetFieldActor() const; ///< patch of an isosurface and streamline where the proxy is
   ///@}

@@ -26,18 +26,21 @@ void vtkHapticMechanism::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Text: " << this->Text << '\n';
 }
 
-/// The same name reads the file again: it may be another one by now.
 void vtkHapticMechanism::SetFileName(const std::string& file)
 {
   this->FileName = file;
-  this->OnlyMoves = false;
+  this->ReadAgain();
+}
+
+void vtkHapticMechanism::ReadAgain()
+{
+  this->Asked = true;
   this->Modified();
 }
 
 void vtkHapticMechanism::ShowMoved(vtkPolyData* moved)
 {
   this->Moved = moved;
-  this->OnlyMoves = this->AtFirst != nullptr;
   this->Modified();
 }
 
@@ -63,19 +66,20 @@ vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make(std::string& problem)
   return problem.empty() ? shapes : nullptr;
 }
 
+/// Files are read when they are asked for and not for another picture: what was refused is told once.
 int vtkHapticMechanism::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
-  std::string problem;
-  if (!std::exchange(this->OnlyMoves, false))
+  if (std::exchange(this->Asked, false))
   {
+    std::string problem;
     this->Moved = nullptr;
     this->AtFirst = this->Make(problem);
+    if (!problem.empty())
+    {
+      vtkErrorMacro("There is no such mechanism: " << problem);
+    }
   }
-  if (!problem.empty())
-  {
-    vtkErrorMacro("There is no such mechanism: " << problem);
-    return 0;
-  }
-  vtkPolyData::GetData(output)->ShallowCopy(this->Moved ? this->Moved : this->AtFirst);
+  vtkPolyData* const shown = this->Moved ? this->Moved : this->AtFirst;
+  shown ? vtkPolyData::GetData(output)->ShallowCopy(shown) : vtkPolyData::GetData(output)->Initialize();
   return 1;
 }

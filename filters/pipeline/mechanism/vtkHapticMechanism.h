@@ -3,9 +3,14 @@
  * @class   vtkHapticMechanism
  * @brief   bodies and the laws that join them, from a scene file
  *
- * Output: the surfaces of the bodies as they are at first, a needle at the origin, with the cell array Body (1): their
- * place in the file; and the whole description as field data, which a session and Touch Along Path take. The file is
- * described in docs/mechanisms.md. Bad input is an error of one line and leaves the output empty.
+ * Output: the surfaces of the bodies as they are at first, a needle at the origin, with
+ *
+ *     Body          (m)    int     of cells, and likewise of points: which body, by its place in the file
+ *     Vertex        (n)    int     of a soft body's points: which one of its tetrahedra's; else -1
+ *     Displacement  (n, 3) double  how soft bodies are bent, else 0 [u]
+ *
+ * and the whole description as field data, which a session and Touch Along Path take. The file is described in
+ * docs/mechanisms.md. Bad input is an error of one line and leaves the output empty.
  */
 #ifndef vtkHapticMechanism_h
 #define vtkHapticMechanism_h
@@ -29,6 +34,9 @@ public:
   void SetFileName(const std::string& file);
   vtkGetMacro(FileName, std::string);
   ///@}
+
+  /// The scene file and those of its bodies are read anew with the next update: they may be others by now.
+  void ReadAgain();
 
   /// Has the output show its bodies elsewhere until it is made anew; null: where they are at first.
   void ShowMoved(vtkPolyData* moved);
@@ -54,7 +62,7 @@ private:
   std::string FileName;
   std::string Text;
   vtkSmartPointer<vtkPolyData> AtFirst, Moved;
-  bool OnlyMoves = false; ///< what has changed since AtFirst was made
+  bool Asked = true; ///< for a file that has not been read since
 };
 
 #endif

@@ -8,6 +8,7 @@
 #include "vtkCubeSource.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkHapticNeedle.h"
 #include "vtkIntArray.h"
@@ -68,8 +69,56 @@ vtkSmartPointer<vtkPolyData> BoxOf(const palpate::MechanismBody& body)
   return Placed(*cube->GetOutput(), body);
 }
 
+vtkSmartPointer<vtkPolyData> BorderOf(vtkUnstructuredGrid& grid)
+{
+  vtkNew<vtkDataSetSurfaceFilter> border;
+  border->SetInputData(&grid);
+  border->PassThroughPointIdsOn();
+  border->Update();
+  return border->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> ShapeOf(const palpate::MechanismBody& body, vtkUnstructuredGrid* grid)
+{
+  using enum palpate::MechanismBodyKind;
+  return body.kind == Held    ? Placed(*vtkHapticHeldShape(body), body)
+         : body.kind == Rigid ? BoxOf(body)
+         : grid               ? BorderOf(*grid)
+                              : nullptr;
+}
+
+template<class Array, class Value>
+vtkSmartPointer<Array> Filled(const char* name, int components, vtkIdType count, Value value)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(count);
+  array->Fill(value);
+  return array;
+}
+
+/// The arrays of all shapes, and none of one kind of shape alone, normals say.
+void Describe(vtkPolyData& shape, int body)
+{
+  const vtkIdType count = shape.GetNumberOfPoints();
+  vtkDataArray* const ids = shape.GetPointData()->GetArray("vtkOriginalPointIds");
+  const auto vertices = Filled<vtkIntArray>(vtkHapticMechanismArray::Vertex, 1, count, -1);
+  for (vtkIdType i = 0; ids && i < count; ++i)
+  {
+    vertices->SetValue(i, static_cast<int>(ids->GetComponent(i, 0)));
+  }
+  shape.GetPointData()->Initialize();
+  shape.GetCellData()->Initialize();
+  shape.GetPointData()->AddArray(Filled<vtkIntArray>(vtkHapticMechanismArray::Body, 1, count, body));
+  shape.GetPointData()->AddArray(vertices);
+  shape.GetPointData()->AddArray(Filled<vtkDoubleArray>(vtkHapticMechanismArray::Displacement, 3, count, 0.0));
+  shape.GetCellData()->AddArray(Filled<vtkIntArray>(vtkHapticMechanismArray::Body, 1, shape.GetNumberOfCells(), body));
+}
+} // namespace
+
 /// The held rod runs along +z, the needle of a source hangs below its origin.
-vtkSmartPointer<vtkPolyData> RodOf(const palpate::MechanismBody& body)
+vtkSmartPointer<vtkPolyData> vtkHapticHeldShape(const palpate::MechanismBody& body)
 {
   vtkNew<vtkHapticNeedle> needle;
   needle->SetLength(body.length_u);
@@ -77,25 +126,8 @@ vtkSmartPointer<vtkPolyData> RodOf(const palpate::MechanismBody& body)
   needle->Update();
   vtkNew<vtkTransform> up;
   up->RotateX(180.0);
-  return Placed(*Moved(*needle->GetOutput(), *up), body);
+  return Moved(*needle->GetOutput(), *up);
 }
-
-vtkSmartPointer<vtkPolyData> BorderOf(vtkUnstructuredGrid& grid)
-{
-  vtkNew<vtkDataSetSurfaceFilter> border;
-  border->SetInputData(&grid);
-  border->Update();
-  auto shape = vtkSmartPointer<vtkPolyData>::New();
-  shape->CopyStructure(border->GetOutput());
-  return shape;
-}
-
-vtkSmartPointer<vtkPolyData> ShapeOf(const palpate::MechanismBody& body, vtkUnstructuredGrid* grid)
-{
-  using enum palpate::MechanismBodyKind;
-  return body.kind == Held ? RodOf(body) : body.kind == Rigid ? BoxOf(body) : grid ? BorderOf(*grid) : nullptr;
-}
-} // namespace
 
 vtkSmartPointer<vtkPolyData> vtkHapticMechanismShapes(const vtkHapticMechanismResult& read)
 {
@@ -107,13 +139,7 @@ vtkSmartPointer<vtkPolyData> vtkHapticMechanismShapes(const vtkHapticMechanismRe
     const bool gives = body.kind == palpate::MechanismBodyKind::Soft;
     if (const auto shape = ShapeOf(body, gives ? read.SoftGrids[soft].Get() : nullptr))
     {
-      vtkNew<vtkIntArray> which;
-      which->SetName("Body");
-      which->SetNumberOfValues(shape->GetNumberOfCells());
-      which->FillValue(number);
-      shape->GetPointData()->Initialize(); // normals of one kind of shape alone
-      shape->GetCellData()->Initialize();
-      shape->GetCellData()->AddArray(which);
+      Describe(*shape, number);
       all->AddInputData(shape);
     }
     soft += gives ? 1 : 0;

@@ -11,10 +11,21 @@
 class vtkDataObject;
 class vtkPolyData;
 
-/// The surfaces of a mechanism's bodies as they are at first: those that are held about the origin. The cell array Body
-/// says which.
+/// Arrays of the surfaces of a mechanism's bodies.
+struct vtkHapticMechanismArray
+{
+  static constexpr const char* Body = "Body";                 ///< (1) of cells and points: which one, by its place
+  static constexpr const char* Vertex = "Vertex";             ///< (1) of points: which one of a soft body; else -1
+  static constexpr const char* Displacement = "Displacement"; ///< (3) of points: how soft bodies are bent, else 0 [u]
+};
+
+/// The surfaces of a mechanism's bodies as they are at first: those that are held about the origin.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkPolyData> vtkHapticMechanismShapes(
   const vtkHapticMechanismResult& read);
+
+/// What the hand holds of a mechanism, in its own frame: from the hand along +z.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkPolyData> vtkHapticHeldShape(
+  const palpate::MechanismBody& body);
 
 /// Describes a mechanism by the text of its file and the folder of that, as field data.
 VTKHAPTICPIPELINE_EXPORT void vtkHapticDescribeMechanism(

@@ -282,7 +282,8 @@ void CheckHead(const Node& root)
   }
 }
 
-vtkHapticMechanismResult Build(const Node& root, const std::string& folder)
+vtkHapticMechanismResult Build(
+  const Node& root, const std::string& folder, const std::vector<palpate::MechanismSoftInput>& read)
 {
   CheckHead(root);
   vtkHapticMechanismResult result;
@@ -296,7 +297,7 @@ vtkHapticMechanismResult Build(const Node& root, const std::string& folder)
   {
     inputs->mechanism.bodies.push_back(BodyOf(node));
     const palpate::MechanismBody& body = inputs->mechanism.bodies.back();
-    if (body.kind != palpate::MechanismBodyKind::Soft)
+    if (body.kind != palpate::MechanismBodyKind::Soft || !read.empty())
     {
       continue;
     }
@@ -308,6 +309,7 @@ vtkHapticMechanismResult Build(const Node& root, const std::string& folder)
     inputs->soft.push_back({ body.name, made.Input });
     result.SoftGrids.push_back(made.Grid);
   }
+  inputs->soft = read.empty() ? inputs->soft : read;
   for (const Node& node : root.List("laws"))
   {
     inputs->mechanism.laws.push_back(LawOf(node, inputs->unit_m));
@@ -359,8 +361,8 @@ Json Without(const Json& laws, const std::string& name)
 }
 } // namespace
 
-vtkHapticMechanismResult vtkHapticParseMechanism(
-  const std::string& text, const std::string& folder, const std::string& laws)
+vtkHapticMechanismResult vtkHapticParseMechanism(const std::string& text, const std::string& folder,
+  const std::string& laws, const std::vector<palpate::MechanismSoftInput>& read)
 {
   vtkHapticMechanismResult result;
   result.Problem = ProblemOf(
@@ -371,7 +373,7 @@ vtkHapticMechanismResult vtkHapticParseMechanism(
       {
         json["laws"] = LawsOf(text, laws);
       }
-      result = Build(Node(json, ""), folder);
+      result = Build(Node(json, ""), folder, read);
     });
   result.Text = text;
   return result;

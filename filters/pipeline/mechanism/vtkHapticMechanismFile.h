@@ -22,9 +22,10 @@ struct vtkHapticMechanismResult
 
 /// Reads a scene file's text (docs/mechanisms.md): JSON, `format` "palpate mechanism", `version` 1, bodies, laws. Files
 /// of bodies are looked for in `folder`. Every key is known or refused, so that a mistyped one is not lost. `laws`: a
-/// list of laws in place of its own; "": its own.
-[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticParseMechanism(
-  const std::string& text, const std::string& folder, const std::string& laws = "");
+/// list of laws in place of its own; "": its own. `read`: soft bodies that were made of the same text before, and are
+/// not read again; they have no grids.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticParseMechanism(const std::string& text,
+  const std::string& folder, const std::string& laws = "", const std::vector<palpate::MechanismSoftInput>& read = {});
 
 /// The list of laws of a scene file's text, or `laws` where that is not "", with another one at its end, as an object
 /// of the file; in the place of the one of its name, if there is one. Throws nothing; "" with a problem.

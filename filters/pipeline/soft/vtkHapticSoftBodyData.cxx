@@ -318,15 +318,25 @@ palpate::Vec3 vtkHapticOutOf(const vtkHapticBall& ball, const palpate::Vec3& p_W
   return within ? palpate::Vec3(ball.Centre_W + ball.Radius_u / distance * away) : p_W;
 }
 
+vtkSmartPointer<vtkDoubleArray> vtkHapticFeltDisplacement(
+  const palpate::SoftBodyInput& input, const palpate::CheckedTetras* checked, const palpate::BodyShape* shape)
+{
+  auto moved = Array("Displacement", 3, static_cast<vtkIdType>(input.mesh.vertices_W.size()));
+  for (std::size_t v = 0; shape && checked && v < checked->sourceVertex.size(); ++v)
+  {
+    moved->SetTuple(checked->sourceVertex[v], shape->felt_u[v].data());
+  }
+  return moved;
+}
+
 void vtkHapticBendBody(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input,
   const palpate::CheckedTetras* checked, const palpate::BodyShape* shape, const vtkHapticBall& ball)
 {
   const vtkIdType count = body.GetNumberOfPoints();
-  const auto moved = Array("Displacement", 3, count);
+  const auto moved = vtkHapticFeltDisplacement(input, checked, shape);
   const auto inner = Array("", 3, count); // of the tetrahedra
   for (std::size_t v = 0; shape && checked && v < checked->sourceVertex.size(); ++v)
   {
-    moved->SetTuple(checked->sourceVertex[v], shape->felt_u[v].data());
     inner->SetTuple(checked->sourceVertex[v], shape->displacement_u[v].data());
   }
   vtkNew<vtkPoints> points;

@@ -12,6 +12,7 @@
 #include "vtkUnstructuredGrid.h"
 
 class vtkDataObject;
+class vtkDoubleArray;
 
 /// What a body is made of.
 struct vtkHapticSoftMaterial
@@ -64,6 +65,11 @@ struct vtkHapticBall
 /// straight from its middle. The surface under a contact comes as deep as the ball is felt to.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT palpate::Vec3 vtkHapticOutOf(
   const vtkHapticBall& ball, const palpate::Vec3& p_W);
+
+/// How far each point of a described body has gone by a state, Displacement (3) [u]: its surface is the felt one.
+/// `checked`: what `shape` has displacements of; either null: at rest.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkDoubleArray> vtkHapticFeltDisplacement(
+  const palpate::SoftBodyInput& input, const palpate::CheckedTetras* checked, const palpate::BodyShape* shape);
 
 /// Gives a described body the points and the arrays Displacement [u], Strain (Green's, xx yy zz xy yz xz) and Stress
 /// (Cauchy's, likewise [Pa]) of a state. `checked`: what `shape` has displacements of; null: at rest. Its surface is

@@ -191,9 +191,11 @@ def TakeColorRange(view=None):
 
 
 def LetGo():
-    """Force to zero within 50 ms, and no touching any more."""
-    _proxy()
+    """Force to zero within 50 ms, and no touching any more. What was held or bent is shown as it is at rest."""
+    scene = _scenes.get(_proxy().GetGlobalIDAsString())
     _put("Touching", 0)
+    if scene:
+        scene.ShowHanded()
 
 
 def FitHand(view=None):

@@ -50,10 +50,12 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
   if (maker && maker->GetAtFirst())
   {
     moved->ShallowCopy(maker->GetAtFirst());
-    if (session.MoveMechanism(moved))
+    const bool moves = session.MoveMechanism(moved);
+    if (moves || this->Moves)
     {
-      Show(view, name, moved);
+      Show(view, name, moves ? moved.Get() : nullptr);
     }
+    this->Moves = moves;
   }
 }
 

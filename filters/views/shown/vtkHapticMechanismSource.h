@@ -25,6 +25,7 @@ public:
 
 private:
   bool Known = false;
+  bool Moves = false;                     ///< its bodies are shown elsewhere than at first
   vtkSmartPointer<vtkDataObject> AtFirst; ///< that the session has
   std::string Name;                       ///< whose
 };

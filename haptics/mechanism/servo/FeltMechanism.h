@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -42,11 +43,18 @@ private:
 struct MechanismHand
 {
   std::uint64_t tick = 0;
-  std::uint64_t plan = 0; ///< revision of the plan that the presses are of; 0: of none
+  std::uint64_t plan = 0;     ///< revision of the plan that the presses are of; 0: of none
+  Vec3 hand_W = Vec3::Zero(); ///< of the device [u]
   Vec3 tip_W = Vec3::Zero();
   int pressCount = 0;
   decltype(MechanismResult::presses) presses{};
 
+  /// Of the law's forces that a tick came to.
+  void press(const MechanismResult& result) noexcept
+  {
+    this->pressCount = result.pressCount;
+    std::copy_n(result.presses.begin(), result.pressCount, this->presses.begin());
+  }
   [[nodiscard]] std::span<const MechanismPress> pressing() const noexcept
   {
     return { this->presses.data(), static_cast<std::size_t>(this->pressCount) };

@@ -316,8 +316,9 @@ private:
   LawScene scene_;
 };
 
-/// Another plan begins anew.
-void begin(const MechanismPlan& plan, MechanismState& state) noexcept
+} // namespace
+
+void beginAnew(const MechanismPlan& plan, MechanismState& state) noexcept
 {
   state = {};
   state.revision = plan.revision;
@@ -331,8 +332,6 @@ void begin(const MechanismPlan& plan, MechanismState& state) noexcept
     state.laws[l].place_B = plan.laws[l].place_B;
   }
 }
-
-} // namespace
 
 MechanismTick::MechanismTick() : room_(std::make_unique<MechanismRoom>()) {}
 MechanismTick::~MechanismTick() = default;
@@ -348,7 +347,7 @@ const MechanismResult& MechanismTick::step(const MechanismInput& input) noexcept
   }
   if (input.plan->revision != this->state_.revision)
   {
-    begin(*input.plan, this->state_);
+    beginAnew(*input.plan, this->state_);
   }
   MechanismStep(input, this->state_, *this->room_).run();
   return this->room_->result;

@@ -65,6 +65,9 @@ struct MechanismResult
   std::array<MechanismPress, 2 * Mechanism::mostLaws> presses{};
 };
 
+/// A mechanism as no tick has moved it yet, by another plan: each law open, each place where its law is joined.
+void beginAnew(const MechanismPlan& plan, MechanismState& state) noexcept;
+
 struct MechanismRoom;
 
 /// Moves a mechanism and solves its laws: one problem in the space of their rows, in which the compliances of grip,

@@ -19,6 +19,7 @@ std::unique_ptr<MechanismBodies> MechanismBodies::make(
       refusal = input.name + ": " + (refusal.empty() ? "its stiffness cannot be factored" : refusal);
       return nullptr;
     }
+    made->asMade_.push_back(std::make_shared<const CheckedTetras>(maker->checked()));
     made->makers_.push_back(std::move(maker));
     made->newest_.push_back(std::move(first));
     made->atRest_.push_back({ input.name, made->newest_.back().get() });
@@ -49,16 +50,17 @@ void MechanismBodies::hold(const MechanismPlan& plan)
   }
 }
 
-void MechanismBodies::tell(std::span<const MechanismPress> presses, const Vec3& tip_W, std::uint64_t tick)
+void MechanismBodies::tell(const MechanismHand& told)
 {
   for (std::size_t b = 0; b < this->hands_.size(); ++b)
   {
     BodyHand& hand = this->hands_[b];
-    hand.tick = tick;
+    hand.tick = told.tick;
     hand.revision = this->given_[b] != nullptr ? this->given_[b]->revision : 0;
-    hand.ball_W = tip_W;
+    hand.device_W = told.hand_W;
+    hand.ball_W = told.tip_W;
     hand.count = 0;
-    for (const MechanismPress& press : presses)
+    for (const MechanismPress& press : told.pressing())
     {
       if (press.soft == static_cast<int>(b) && hand.count < BodyHand::most)
       {
@@ -117,6 +119,16 @@ std::span<const PressedBody* const> MechanismBodies::rest(int newtonSteps)
 bool MechanismBodies::press(double period_s)
 {
   return this->pressEach(period_s, BodyMaker::usualSteps);
+}
+
+std::vector<SeenBody> MechanismBodies::seen() const
+{
+  std::vector<SeenBody> bodies;
+  for (std::size_t b = 0; b < this->makers_.size(); ++b)
+  {
+    bodies.push_back({ this->asMade_[b], std::make_shared<const BodyShape>(this->makers_[b]->shape()) });
+  }
+  return bodies;
 }
 
 bool MechanismBodies::changed()

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "haptics/mechanism/check/MechanismCheck.h"
-#include "haptics/mechanism/servo/MechanismTick.h"
+#include "haptics/mechanism/servo/FeltMechanism.h"
 #include "haptics/session/soft/VirtualBody.h"
 
 namespace palpate
@@ -46,7 +46,7 @@ public:
 
   /// What the mechanism did in a tick, and where the tip of what the hand holds is: of each body the next packet
   /// answers there.
-  void tell(std::span<const MechanismPress> presses, const Vec3& tip_W, std::uint64_t tick);
+  void tell(const MechanismHand& hand);
   /// Packets at that rate, each of which arrives a period after what it was made from [s].
   void pace(double period_s);
   /// The newest of each at that time; virtual time, after pace().
@@ -59,6 +59,8 @@ public:
   [[nodiscard]] bool press(double period_s);
   /// Of each.
   [[nodiscard]] const std::vector<std::shared_ptr<const PressedBody>>& newest() const noexcept { return this->newest_; }
+  /// How each is bent, as it was computed last.
+  [[nodiscard]] std::vector<SeenBody> seen() const;
   /// Whether any of them is another since this was asked last.
   [[nodiscard]] bool changed();
 
@@ -69,6 +71,7 @@ private:
   std::vector<std::unique_ptr<BodyMaker>> makers_;
   std::vector<std::shared_ptr<const PressedBody>> first_, newest_;
   std::vector<MechanismSoft> atRest_;
+  std::vector<std::shared_ptr<const CheckedTetras>> asMade_;
   std::vector<std::vector<SurfacePoint>> places_; ///< of laws, of each body
   std::vector<BodyHand> hands_;
   std::vector<VirtualBody> paced_;

@@ -25,11 +25,6 @@ std::string refuseHold(const MechanismHold& hold)
              "numbers, 0 or above";
 }
 
-std::span<const MechanismPress> pressing(const MechanismResult& result)
-{
-  return { result.presses.data(), static_cast<std::size_t>(result.pressCount) };
-}
-
 } // namespace
 
 MechanismHold usualHold(double unit_m) noexcept
@@ -95,10 +90,17 @@ std::unique_ptr<MechanismTouch> MechanismTouch::make(
   return touch;
 }
 
-Vec3 MechanismTouch::tip_W(const Pose& held_W) const
+void MechanismTouch::tell(const MechanismInput& input, const MechanismResult& result)
 {
+  const Pose& held_W = input.hand_W;
   const double length_u = this->plan_.held >= 0 ? this->plan_.bodies[this->plan_.held].length_u : 0.0;
-  return held_W.p + held_W.q * (length_u * Vec3::UnitZ());
+  MechanismHand hand;
+  hand.tick = input.tick;
+  hand.plan = this->plan_.revision;
+  hand.hand_W = held_W.p;
+  hand.tip_W = held_W.p + held_W.q * (length_u * Vec3::UnitZ());
+  hand.press(result);
+  this->bodies_->tell(hand);
 }
 
 MechanismResult MechanismTouch::compute(MechanismInput& input)
@@ -125,7 +127,7 @@ MechanismResult MechanismTouch::computeAtRest(MechanismInput& input)
     this->tick_.restore(start);
     input.soft = this->bodies_->rest(stepsToRest);
     result = this->tick_.step(input);
-    this->bodies_->tell(pressing(result), this->tip_W(input.hand_W), input.tick);
+    this->tell(input, result);
     const double change_N = (result.exact_W.force - force_N).norm();
     force_N = result.exact_W.force;
     if (change_N <= stays * force_N.norm())
@@ -147,10 +149,10 @@ MechanismResult MechanismTouch::next(double time_s, const Pose& hand_W)
   this->time_s_ = time_s;
   if (this->count_ == 1)
   {
-    this->bodies_->tell({}, this->tip_W(input.hand_W), input.tick);
+    this->tell(input, {});
   }
   MechanismResult result = this->compute(input);
-  this->bodies_->tell(pressing(result), this->tip_W(input.hand_W), input.tick);
+  this->tell(input, result);
   result.wrench_W.torque /= this->hold_.scale_u_per_m;
   result.exact_W.torque /= this->hold_.scale_u_per_m;
   return result;

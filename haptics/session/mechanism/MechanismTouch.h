@@ -42,7 +42,7 @@ private:
   MechanismTouch(const MechanismHold& hold, std::unique_ptr<MechanismBodies> bodies);
   [[nodiscard]] MechanismResult compute(MechanismInput& input);
   [[nodiscard]] MechanismResult computeAtRest(MechanismInput& input);
-  [[nodiscard]] Vec3 tip_W(const Pose& held_W) const;
+  void tell(const MechanismInput& input, const MechanismResult& result);
 
   MechanismHold hold_;
   MechanismGrip grip_;

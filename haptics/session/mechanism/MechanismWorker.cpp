@@ -173,6 +173,7 @@ void MechanismWorker::build(const Order& order)
     this->links_.felt.publish(nullptr);
   }
   const std::lock_guard lock(this->mutex_);
+  status.building = this->plan_.revision != 0 || this->news_; // until it is published
   this->status_ = std::move(status);
 }
 
@@ -194,9 +195,9 @@ std::string MechanismWorker::plan(const Order& order)
 /// Presses of another plan are on places of its own; those of the bodies' own plan are what the next packets stand on.
 void MechanismWorker::listen()
 {
-  const MechanismHand& hand = this->links_.hand.read();
-  const bool own = hand.plan == this->plan_.revision;
-  this->bodies_->tell(own ? hand.pressing() : std::span<const MechanismPress>(), hand.tip_W, hand.tick);
+  MechanismHand hand = this->links_.hand.read();
+  hand.pressCount = hand.plan == this->plan_.revision ? hand.pressCount : 0;
+  this->bodies_->tell(hand);
 }
 
 /// Told to the owner first: what the servo takes must be there for a recording. `all`: none of the bodies has failed.
@@ -213,13 +214,15 @@ void MechanismWorker::publish(bool all)
     return;
   }
   auto felt = std::make_shared<const FeltMechanism>(++this->revision_, this->plan_, this->bodies_->newest());
-  {
-    const std::lock_guard lock(this->mutex_);
-    ++this->status_.packets;
-  }
   this->published_ = true;
   this->made_.put(felt);
   this->links_.felt.publish(std::move(felt));
+  std::vector<SeenBody> seen = this->bodies_->seen(); // while the servo has it
+  const std::lock_guard lock(this->mutex_);
+  ++this->status_.packets;
+  this->status_.building = this->news_;
+  this->status_.plan = this->plan_.revision;
+  this->status_.soft = std::move(seen);
 }
 
 MechanismStatus MechanismWorker::status() const

@@ -171,11 +171,11 @@ const Setting settings[] = {
       "How stiffly the hand turns what it holds of a mechanism; 0: that turns freely, and so it does with a device "
       "without torque",
       NextTick, { 0.0 }, {}, 0.0, 1000.0 }),
-  at({ .group = "soft" },
-    flag("ShowSoftHand", "Show its hand",
-      "Where the hand was when what gives way was computed last is drawn: a grey ball, beside that of the hand and the "
-      "one that touches",
-      false, NextFrame)),
+  at({ .group = "soft" }, flag("ShowSoftHand", "Show its hand",
+                            "Where the hand was when what gives way, a mechanism's bodies too, was computed last is "
+                            "drawn: a grey ball, beside "
+                            "that of the hand and the one that touches, or the ghost of the hand and what it holds",
+                            false, NextFrame)),
   text("ToolSource", "",
     "Source whose surface the hand holds in place of the ball, by its name in the pipeline browser; empty: the ball",
     NextScene),

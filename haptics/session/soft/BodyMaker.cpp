@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "haptics/compliance/body/NaturalPeriod.h"
+#include "haptics/compliance/packet/PointCompliance.h"
 #include "haptics/geometry/scene/SceneMotion.h"
 
 namespace palpate
@@ -126,6 +127,7 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
   }
   this->struck_ = packet->struck;
   this->hand_W_ = hand.device_W;
+  this->last_ = hand.radius_u > 0.0 ? nullptr : packet; // what a ball presses on is shown dented by the ball
   auto pressed = std::make_shared<PressedBody>();
   pressed->revision = ++this->revision_;
   pressed->period_s = period_s;
@@ -133,6 +135,35 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
   pressed->packet = packet;
   pressed->touch = { static_cast<std::uint32_t>(pressed->scene->surfaces().size() - 1), packet.get() };
   return pressed;
+}
+
+/// Between vertices a place under a force goes further than the patches of its corners (PointCompliance.h). Of each
+/// vertex of the surface, how much further it is shown, so that such places are where they are felt to be.
+std::vector<Vec3> BodyMaker::dents_u() const
+{
+  std::vector<Vec3> dents(this->surface_.vertices.size(), Vec3::Zero());
+  std::vector<CompliantPoint> points;
+  for (std::size_t i = 0; this->last_ && i < this->last_->forceAt.size(); ++i)
+  {
+    points.push_back(compliantPoint(*this->last_, this->last_->forceAt[i]));
+  }
+  for (const CompliantPoint& point : points)
+  {
+    Vec3 left = Vec3::Zero();
+    for (std::size_t j = 0; j < points.size(); ++j)
+    {
+      left += sharedBy(point, points[j]) * point.own * points[j].own.transpose() * this->last_->force_N[j];
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      left -= point.at.weights[c] * dents[point.at.vertices[c]];
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      dents[point.at.vertices[c]] += point.at.weights[c] / point.at.weights.squaredNorm() * left;
+    }
+  }
+  return dents;
 }
 
 BodyShape BodyMaker::shape() const
@@ -147,13 +178,14 @@ BodyShape BodyMaker::shape() const
     shape.displacement_u.emplace_back(u.segment<3>(3 * static_cast<Eigen::Index>(v)));
   }
   shape.felt_u = shape.displacement_u;
+  const std::vector<Vec3> dents = this->dents_u();
   for (std::size_t i = 0; i < this->surface_.vertices.size(); ++i)
   {
     const std::uint32_t node = this->surface_.vertices[i];
     const bool isVertex = node < shape.felt_u.size(); // not halfway an edge
     if (isVertex && !this->checked_.fixed[node])      // what is held is shown where it is held
     {
-      shape.felt_u[node] = this->surface_.map.displacementOf(i, u);
+      shape.felt_u[node] = this->surface_.map.displacementOf(i, u) + dents[i];
     }
   }
   for (const StrainPoint& p : points.points)

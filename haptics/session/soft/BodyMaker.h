@@ -16,11 +16,20 @@ namespace palpate
 struct BodyShape
 {
   std::vector<Vec3> displacement_u; ///< of each vertex of the tetrahedra that it was made of
-  std::vector<Vec3> felt_u;         ///< the same, where those of the border go as they are felt: with their patches
-  Vec3 hand_W = Vec3::Zero();       ///< where the hand was that it was made for
-  double mostGradient = 0.0;        ///< largest |F - 1|
-  Vec3 worst_W = Vec3::Zero();      ///< and the middle, at rest, of where it is
-  bool struck = false;              ///< the hand is faster than the body's inertia would let it follow
+  /// The same, where those of the border go as they are felt: with their patches, and such that a place under a force
+  /// at a point is where that is felt to be.
+  std::vector<Vec3> felt_u;
+  Vec3 hand_W = Vec3::Zero();  ///< where the hand was that it was made for
+  double mostGradient = 0.0;   ///< largest |F - 1|
+  Vec3 worst_W = Vec3::Zero(); ///< and the middle, at rest, of where it is
+  bool struck = false;         ///< the hand is faster than the body's inertia would let it follow
+};
+
+/// A soft body as it is to be seen.
+struct SeenBody
+{
+  std::shared_ptr<const CheckedTetras> asMade; ///< what its vertices are, of what came in
+  std::shared_ptr<const BodyShape> shape;      ///< how it bends; null: it does not yet
 };
 
 /// A soft body and the scene that it is felt in: makes, one after the other, what the servo takes. A worker's.
@@ -49,6 +58,7 @@ public:
 private:
   BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::string name, std::uint64_t revision);
   [[nodiscard]] std::shared_ptr<const Scene> sceneOf(const CompliancePacket& packet, double period_s);
+  [[nodiscard]] std::vector<Vec3> dents_u() const;
   [[nodiscard]] std::vector<Surface> surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside);
 
   CheckedTetras checked_;
@@ -62,7 +72,8 @@ private:
   std::shared_ptr<const Scene> scene_; ///< the last one; null: what is beside it is another since
   std::uint64_t first_; ///< the revision before its first packet: forces on older ones are at another body's vertices
   std::uint64_t revision_;
-  Vec3 hand_W_ = Vec3::Zero(); ///< of the last packet
+  Vec3 hand_W_ = Vec3::Zero();                   ///< of the last packet
+  std::shared_ptr<const CompliancePacket> last_; ///< the last packet, where points press; null: a ball, or none yet
   bool struck_ = false;
 };
 

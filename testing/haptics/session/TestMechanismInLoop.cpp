@@ -361,6 +361,24 @@ TEST_F(MechanismInLoop, WhatIsNoMechanismIsSaidAndNotFelt)
   }
 }
 
+TEST_F(MechanismInLoop, ItIsBeingComputedUntilTheServoIsGivenItAndItsBodiesAreToBeSeenFromThenOn)
+{
+  this->begin(needleAndBlock(), true, SessionOptions{});
+  EXPECT_TRUE(this->session.mechanismStatus().building);
+  EXPECT_TRUE(eventually([&] { return !this->session.mechanismStatus().building; }));
+  const MechanismStatus first = this->session.mechanismStatus();
+  EXPECT_GT(first.plan, 0u);
+  ASSERT_EQ(first.soft.size(), 1u);
+  EXPECT_EQ(first.soft[0].shape->felt_u.size(), first.soft[0].asMade->mesh.vertices_W.size());
+  EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.revision == first.plan; }));
+  MechanismInputs stronger = needleAndBlock();
+  stronger.mechanism.laws[0].strength_N = 3.0;
+  this->session.setMechanism(chosen(stronger));
+  EXPECT_TRUE(this->session.mechanismStatus().building);
+  EXPECT_TRUE(eventually([&] { return this->session.mechanismStatus().plan > first.plan; }));
+  EXPECT_FALSE(this->session.mechanismStatus().building);
+}
+
 TEST_F(MechanismInLoop, ItsThreadMakesPacketsThatGiveWay)
 {
   this->begin(needleAndBlock(ElasticModel::NeoHookean), true, SessionOptions{});
@@ -411,6 +429,81 @@ TEST(MechanismTick, AWorkerThatDoesNotComeBackForASecondEndsTheForceAndNothingIs
   EXPECT_EQ(fault, Fault::BodyLate);
   EXPECT_NEAR(faultAt, 1000, 2);
   EXPECT_EQ(last_N, 0.0);
+}
+
+/// What a tick says of a mechanism whose hand is there, or nowhere.
+class TickOfMechanism
+{
+public:
+  TickOfMechanism()
+  {
+    this->parameters_.stiffness_N_per_m = handSpring;
+    this->parameters_.mechanismTurning_N_m_per_rad = handTurning;
+    this->parameters_.safety = SafetyLimits::none();
+    this->input_.mechanismTick = &this->room_;
+  }
+
+  TickOutput next(const FeltMechanism& felt, const Pose& hand, std::span<const HapticEvent> events = {})
+  {
+    this->input_.mechanism = &felt;
+    this->input_.sample.pose_D = hand;
+    this->input_.events = events;
+    ++this->input_.tick;
+    return renderTick(this->input_, this->parameters_, *this->state_);
+  }
+
+private:
+  HapticParameters parameters_;
+  std::unique_ptr<RendererState> state_ = std::make_unique<RendererState>();
+  MechanismTick room_;
+  TickInput input_;
+};
+
+TEST(MechanismTick, AnotherMechanismThatRestsBeforeItsFirstTickSaysNothingOfTheOneBeforeAndKeepsALawThatIsBroken)
+{
+  const auto pierced = feltBlock();
+  MechanismInputs two = needleAndBlock();
+  MechanismLaw tip = tipHeld().mechanism.laws[0];
+  tip.b = "block";
+  two.mechanism.laws.insert(two.mechanism.laws.begin(), tip);
+  std::string refusal;
+  const auto bodies = MechanismBodies::make(two.soft, refusal);
+  const MechanismPlan plan = planMechanism(two.mechanism, bodies->atRest(), 2);
+  const FeltMechanism other(2, plan, bodies->newest());
+  const Pose above = needleAt(Vec3(0, 0, 1e-3));
+  Pose nowhere;
+  nowhere.p.x() = std::numeric_limits<double>::quiet_NaN();
+
+  TickOfMechanism ticks;
+  MechanismNow now;
+  for (int i = 0; i <= 100; ++i)
+  {
+    now = ticks.next(*pierced, needleAt(Vec3(0, 0, 1e-3 - 1e-4 * i))).state.mechanism;
+  }
+  ASSERT_EQ(now.laws[0].phase, LawPhase::Inside);
+  ASSERT_GT(now.changes.count, 0u);
+  const Vec3 before_W = now.pose_W[0].p;
+
+  const HapticEvent broken{ 0, EventKind::BreakLaw, 1 };
+  now = ticks.next(other, nowhere, std::span(&broken, 1)).state.mechanism;
+  EXPECT_EQ(now.revision, 2u);
+  EXPECT_EQ(now.lawCount, 2);
+  EXPECT_FALSE(now.held) << "it has been nowhere";
+  EXPECT_EQ(now.laws[0].phase, LawPhase::Open);
+  EXPECT_EQ(now.laws[1].phase, LawPhase::Gone);
+  EXPECT_EQ(now.changes.count, 0u);
+  EXPECT_NE(now.pose_W[0].p, before_W);
+  now = ticks.next(other, above).state.mechanism;
+  EXPECT_TRUE(now.held);
+  EXPECT_EQ(now.laws[0].phase, LawPhase::Closed);
+  EXPECT_EQ(now.laws[1].phase, LawPhase::Gone);
+  EXPECT_EQ(now.hand_W.p, above.p);
+  EXPECT_LE(now.hand_W.q.angularDistance(above.q), 1e-12) << "the hand turns it";
+  const Vec3 held_W = now.pose_W[0].p;
+  const TickOutput resting = ticks.next(other, nowhere);
+  EXPECT_TRUE(resting.state.mechanism.held) << "where it was";
+  EXPECT_EQ(resting.state.mechanism.pose_W[0].p, held_W);
+  EXPECT_EQ(resting.state.proxy_W.p, held_W);
 }
 
 std::vector<char> bytesOf(const FeltMechanism& mechanism)

@@ -26,6 +26,18 @@ Pose lead_W(TickContext& tick) noexcept
   return leadTool(device_W, anew, s.mechanismLead);
 }
 
+/// Another plan begins anew, before anything is told or broken of it: laws and bodies are numbered by it.
+void takePlan(TickContext& tick) noexcept
+{
+  const MechanismPlan& plan = tick.input.mechanism->plan();
+  if (tick.s.mechanism.revision != plan.revision)
+  {
+    beginAnew(plan, tick.s.mechanism);
+    tick.s.mechanismChanges = {};
+    tick.s.mechanismChanges.plan = plan.revision;
+  }
+}
+
 /// A law that the person breaks holds nothing from this tick on, whether the tick knows the place of the hand or not.
 void breakLaws(TickContext& tick) noexcept
 {
@@ -54,6 +66,8 @@ const MechanismResult& compute(TickContext& tick, double lever_m) noexcept
   room.restore(tick.s.mechanism);
   const MechanismResult& result = room.step(input);
   tick.s.mechanism = room.state();
+  const Quat& turn_W = lever_m > 0.0 ? input.hand_W.q : result.pose_W[input.plan->held].q; // else it turns freely
+  tick.out.state.mechanism.hand_W = { input.hand_W.p, turn_W };
   return result;
 }
 
@@ -91,7 +105,7 @@ double age_s(const TickContext& tick, const MechanismResult& result) noexcept
 
 void tellLaws(const MechanismPlan& plan, const MechanismState& state, MechanismNow& now) noexcept
 {
-  now.held = true;
+  now.held = state.placed;
   now.revision = plan.revision;
   now.bodyCount = plan.bodyCount;
   now.lawCount = plan.lawCount;
@@ -121,11 +135,6 @@ void tell(const TickContext& tick, const MechanismResult& result, HapticState& s
 void tellChanges(TickContext& tick, const MechanismResult& result, MechanismNow& now) noexcept
 {
   LawChanges& changes = tick.s.mechanismChanges;
-  if (changes.plan != now.revision)
-  {
-    changes = {};
-    changes.plan = now.revision;
-  }
   std::for_each_n(
     result.events.begin(), result.eventCount, [&changes](const MechanismEvent& event) { changes.add(event); });
   now.changes = changes;
@@ -149,9 +158,9 @@ void tellWorker(TickContext& tick, const MechanismResult& result) noexcept
   MechanismHand& hand = tick.s.mechanismHand;
   hand.tick = tick.input.tick;
   hand.plan = plan.revision;
+  hand.hand_W = tick.out.state.device_W.p;
   hand.tip_W = held_W.p + held_W.q * (plan.bodies[plan.held].length_u * Vec3::UnitZ());
-  hand.pressCount = result.pressCount;
-  std::copy_n(result.presses.begin(), result.pressCount, hand.presses.begin());
+  hand.press(result);
 }
 
 void letGo(TickContext& tick) noexcept
@@ -161,7 +170,7 @@ void letGo(TickContext& tick) noexcept
     static_cast<HeldMechanism::State&>(tick.s) = HeldMechanism::State{};
   }
   tick.s.mechanismHand.tick = tick.input.tick;
-  tick.s.mechanismHand.tip_W = tick.out.state.device_W.p;
+  tick.s.mechanismHand.hand_W = tick.s.mechanismHand.tip_W = tick.out.state.device_W.p;
 }
 
 } // namespace
@@ -174,6 +183,7 @@ void HeldMechanism::step(TickContext& tick) noexcept
     return;
   }
   const double lever_m = mechanismLever_m(tick.p.mechanismTurning_N_m_per_rad, tick.p.stiffness_N_per_m);
+  takePlan(tick);
   breakLaws(tick);
   const MechanismResult& result = compute(tick, lever_m);
   pull(tick, result, lever_m);
@@ -190,10 +200,18 @@ void HeldMechanism::rest(TickContext& tick) noexcept
   {
     return;
   }
+  takePlan(tick);
   breakLaws(tick);
   tick.s.mechanismHand.tick = tick.s.mechanismTick = tick.input.tick; // bodies are computed while the hand rests
-  tellLaws(tick.input.mechanism->plan(), tick.s.mechanism, tick.out.state.mechanism);
-  tick.out.state.mechanism.changes = tick.s.mechanismChanges;
+  const MechanismPlan& plan = tick.input.mechanism->plan();
+  MechanismNow& now = tick.out.state.mechanism;
+  tellLaws(plan, tick.s.mechanism, now);
+  now.changes = tick.s.mechanismChanges;
+  now.hand_W = now.pose_W[plan.held];
+  if (now.held)
+  {
+    tick.out.state.proxy_W = now.hand_W;
+  }
 }
 
 } // namespace palpate::stage
