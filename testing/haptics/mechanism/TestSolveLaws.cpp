@@ -214,6 +214,54 @@ double coneMissed(const LawProblem& p, const LawForces& f, int first, double fri
   return most;
 }
 
+/// Rows without bounds and one with, up to two free ways and one or two cones that rub differently.
+void makeRubbing(Random& random, Solver& solver)
+{
+  const int ways = static_cast<int>(random.below(3));
+  const int plain = ways + 1;
+  const int cones = 1 + static_cast<int>(random.below(2));
+  const int n = plain + 3 * cones;
+  solver.begin(n, ways);
+  LawProblem& p = *solver.problem;
+  Eigen::MatrixXd spread(n, n + 2);
+  for (Eigen::Index i = 0; i < spread.size(); ++i)
+  {
+    spread.data()[i] = random.uniform(-1.0, 1.0);
+  }
+  p.compliance = spread * spread.transpose() / n + 0.3 * Eigen::MatrixXd::Identity(n, n);
+  p.cones = cones;
+  for (int i = 0; i < n; ++i)
+  {
+    p.free[i] = random.uniform(-1.0, 1.0);
+    for (int w = 0; w < ways; ++w)
+    {
+      p.along(i, w) = random.uniform(-1.0, 1.0);
+    }
+  }
+  p.highest[ways] = 0.2;
+  p.lowest[ways] = -0.2;
+  for (int c = 0; c < cones; ++c)
+  {
+    p.friction[static_cast<std::size_t>(c)] = random.uniform(0.1, 0.6);
+  }
+}
+
+/// In ticks, each of which begins where the body came to in the one before, until its laws are met. Returns how many.
+int goOn(Solver& solver)
+{
+  constexpr int most = 300;
+  for (int tick = 1; tick <= most; ++tick)
+  {
+    solveLaws(*solver.problem, *solver.room, solver.forces);
+    if (!solver.forces.capped)
+    {
+      return tick;
+    }
+    solver.problem->free += solver.problem->along * solver.forces.way_u;
+  }
+  return most;
+}
+
 TEST(SolveLaws, ConesBesideRowsAndFreeWaysMeetCoulombsLawEachWithItsOwnFriction)
 {
   Random random(testSeed(2003));
@@ -221,46 +269,22 @@ TEST(SolveLaws, ConesBesideRowsAndFreeWaysMeetCoulombsLawEachWithItsOwnFriction)
   int slips = 0;
   for (std::size_t trial = 0; trial < testCount(200); ++trial)
   {
-    const int ways = static_cast<int>(random.below(3));
-    const int plain = ways + 1;
-    const int cones = 1 + static_cast<int>(random.below(2));
-    const int n = plain + 3 * cones;
     Solver solver;
-    solver.begin(n, ways);
-    LawProblem& p = *solver.problem;
-    Eigen::MatrixXd spread(n, n + 2);
-    for (Eigen::Index i = 0; i < spread.size(); ++i)
-    {
-      spread.data()[i] = random.uniform(-1.0, 1.0);
-    }
-    p.compliance = spread * spread.transpose() / n + 0.3 * Eigen::MatrixXd::Identity(n, n);
-    p.cones = cones;
-    for (int i = 0; i < n; ++i)
-    {
-      p.free[i] = random.uniform(-1.0, 1.0);
-      for (int w = 0; w < ways; ++w)
-      {
-        p.along(i, w) = random.uniform(-1.0, 1.0);
-      }
-    }
-    p.highest[ways] = 0.2;
-    p.lowest[ways] = -0.2;
-    for (int c = 0; c < cones; ++c)
-    {
-      p.friction[static_cast<std::size_t>(c)] = random.uniform(0.1, 0.6);
-    }
-    solver.solve();
+    makeRubbing(random, solver);
+    (void)goOn(solver);
+    const LawProblem& p = *solver.problem;
+    EXPECT_FALSE(solver.forces.capped) << trial;
     const double size = 1.0 + solver.forces.force_N.lpNorm<Eigen::Infinity>();
     EXPECT_LE(solver.forces.unbalanced_N, 1e-11 * size);
-    for (int i = 0; i < plain; ++i)
+    for (int i = 0; i < p.bounded(); ++i)
     {
       const double force = solver.forces.force_N[i];
       const bool free = std::abs(force) < p.highest[i] * (1.0 - 1e-12);
       EXPECT_LE(free ? std::abs(solver.forces.moved_u[i]) : 0.0, 1e-11 * size) << trial;
     }
-    for (int c = 0; c < cones; ++c)
+    for (int c = 0; c < p.cones; ++c)
     {
-      const int first = plain + 3 * c;
+      const int first = p.bounded() + 3 * c;
       const double friction = p.friction[static_cast<std::size_t>(c)];
       EXPECT_LE(coneMissed(p, solver.forces, first, friction), 1e-11 * size) << trial;
       const double normal = solver.forces.force_N[first];
@@ -316,22 +340,6 @@ double unbalancedOf(const LawProblem& p, const LawForces& f)
   Eigen::VectorXd sum = p.load;
   sum += Eigen::MatrixXd(p.along).transpose() * Eigen::VectorXd(f.force_N);
   return sum.cwiseAbs().maxCoeff();
-}
-
-/// In ticks, each of which begins where the body came to in the one before, until its laws are met. Returns how many.
-int goOn(Solver& solver)
-{
-  constexpr int most = 300;
-  for (int tick = 1; tick <= most; ++tick)
-  {
-    solveLaws(*solver.problem, *solver.room, solver.forces);
-    if (!solver.forces.capped)
-    {
-      return tick;
-    }
-    solver.problem->free += solver.problem->along * solver.forces.way_u;
-  }
-  return most;
 }
 
 TEST(SolveLaws, ABodyThatOnlyBalanceHoldsRubsOnItsFeetByCoulombsLaw)
@@ -394,7 +402,8 @@ TEST(SolveLaws, WhatExceedsItsWorkSaysSoAndItsForcesAreWithinTheirBounds)
   for (std::size_t trial = 0; trial < testCount(300); ++trial)
   {
     Solver solver;
-    random.below(2) == 0 ? makeRandom(random, solver) : makeStanding(random, solver, 5);
+    const std::uint32_t kind = random.below(3);
+    kind == 0 ? makeRandom(random, solver) : kind == 1 ? makeRubbing(random, solver) : makeStanding(random, solver, 5);
     const LawProblem& p = *solver.problem;
     const LawProblem::Numbers start = solver.forces.force_N;
     if (goOn(solver) > 1)
@@ -409,8 +418,10 @@ TEST(SolveLaws, WhatExceedsItsWorkSaysSoAndItsForcesAreWithinTheirBounds)
       solveLaws(p, *solver.room, solver.forces, budget);
       EXPECT_LE(solver.forces.work, budget + mostOfATurn);
       EXPECT_TRUE(areWithinBounds(p, solver.forces)) << trial;
-      const bool isMet = solver.forces.force_N == met_N && solver.forces.unbalanced_N <= 1e-11;
-      EXPECT_EQ(solver.forces.capped, !isMet) << trial << ", " << budget << " of " << needed;
+      const bool isMet = (solver.forces.force_N - met_N).lpNorm<Eigen::Infinity>() <= 1e-9 * sizeOf(solver.forces) &&
+                         solver.forces.unbalanced_N <= 1e-11 * sizeOf(solver.forces);
+      EXPECT_TRUE(solver.forces.capped || isMet) << trial << ", " << budget << " of " << needed;
+      EXPECT_FALSE(solver.forces.capped && budget == needed) << trial;
       said += solver.forces.capped;
     }
   }

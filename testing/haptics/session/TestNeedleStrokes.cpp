@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "WallAndLiver.h"
 #include "devices/simulated/SimulatedDevice.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
-#include "testing/haptics/compliance/Blocks.h"
 #include "testing/support/Random.h"
 #include "testing/support/TemporaryFolder.h"
 
@@ -17,65 +17,7 @@ namespace palpate::test
 namespace
 {
 
-constexpr double spring = 500.0, needle_m = 0.15, beyond_m = 0.04, before_m = -0.006, speed_m_per_s = 0.25;
-constexpr double skin_N = 1.5, capsule_N = 0.8, inSkin_N = 0.4, inCapsule_N = 0.2; // of data/mechanisms/needle.json
-
-/// A box of that size behind `z`, of so many cells.
-std::shared_ptr<const SoftBodyInput> tissue(const std::array<int, 3>& cells, const Vec3& size, double z,
-  double young_Pa, const std::function<bool(const Vec3&)>& isFixed)
-{
-  SoftBodyInput input;
-  input.mesh = blockOf(cells, size);
-  input.fixed = fixedWhere(input.mesh, isFixed);
-  for (Vec3& p : input.mesh.vertices_W)
-  {
-    p += Vec3(-0.5 * size.x(), -0.5 * size.y(), z);
-  }
-  input.young_Pa = { young_Pa };
-  input.element = ElementKind::Linear;
-  input.model = ElasticModel::Linear;
-  return std::make_shared<const SoftBodyInput>(std::move(input));
-}
-
-MechanismBody bodyCalled(const char* name, MechanismBodyKind kind)
-{
-  MechanismBody body;
-  body.name = name;
-  body.kind = kind;
-  body.length_u = needle_m;
-  body.diameter_u = 1.2e-3;
-  return body;
-}
-
-MechanismLaw puncture(const char* name, const char* of, double strength_N, double rubs_N)
-{
-  MechanismLaw law;
-  law.name = name;
-  law.kind = LawKind::Puncture;
-  law.a = "needle";
-  law.b = of;
-  law.strength_N = strength_N;
-  law.dryFriction_N = rubs_N;
-  law.friction = 1.0;
-  return law;
-}
-
-/// The scene of data/mechanisms/needle.json in metres, on coarser cells, the wall's outer side at z = 0.
-MechanismInputs wallAndLiver()
-{
-  MechanismInputs inputs;
-  inputs.mechanism.bodies = { bodyCalled("needle", MechanismBodyKind::Held),
-    bodyCalled("wall", MechanismBodyKind::Soft), bodyCalled("liver", MechanismBodyKind::Soft) };
-  inputs.mechanism.laws = { puncture("skin", "wall", skin_N, inSkin_N),
-    puncture("capsule", "liver", capsule_N, inCapsule_N) };
-  const Vec3 wall(0.08, 0.08, 0.016), liver(0.08, 0.08, 0.04);
-  const auto rim = [wall](const Vec3& p)
-  { return p.x() == 0.0 || p.y() == 0.0 || p.x() == wall.x() || p.y() == wall.y(); };
-  const auto floor = [liver](const Vec3& p) { return p.z() == liver.z(); };
-  inputs.soft = { { "wall", tissue({ 5, 5, 1 }, wall, 0.0, 100e3, rim) },
-    { "liver", tissue({ 4, 4, 2 }, liver, 0.026, 20e3, floor) } };
-  return inputs;
-}
+constexpr double spring = 500.0, beyond_m = 0.04, before_m = -0.006, speed_m_per_s = 0.25;
 
 /// What nobody holds would fall over like a strut that stands on its tip: a guide leads it.
 MechanismInputs guided(MechanismInputs inputs)
@@ -160,7 +102,7 @@ protected:
     parameters.safety.hand = handLimits(0.1, parameters.safety.maxForce_N);
     this->limits = parameters.safety;
     ASSERT_EQ(this->session.setParameters(parameters), "");
-    const MechanismInputs inputs = held() ? wallAndLiver() : guided(wallAndLiver());
+    const MechanismInputs inputs = held() ? wallAndLiver(1) : guided(wallAndLiver(1));
     this->session.setMechanism({ std::make_shared<const MechanismInputs>(inputs), "needle", 25.0 });
     SimulationOptions simulated;
     simulated.push_D = Vec3(0.0, 0.0, held() ? 0.0 : 0.5); // whom nobody holds lies on the wall by its weight
