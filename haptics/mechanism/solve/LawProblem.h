@@ -47,9 +47,8 @@ struct LawForces
   LawProblem::Way way_u;
   double residual_u = 0.0;   ///< by how much the laws are not met
   double unbalanced_N = 0.0; ///< of the bodies that nothing elastic holds
-  int steps = 0;
-  std::uint32_t work = 0; ///< done, in the unit of ContactPlan::workBudget
-  bool capped = false;    ///< the laws are not met: the budget is used up, or nothing meets them
+  std::uint32_t work = 0;    ///< done, in the unit of ContactPlan::workBudget
+  bool capped = false;       ///< the laws are not met: the budget is used up, or nothing meets them
 };
 
 /// What the solver needs to work in: kept by who calls it.

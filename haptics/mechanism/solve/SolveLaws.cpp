@@ -93,7 +93,6 @@ private:
     this->f_.way_u.setZero(this->p_.ways);
     this->f_.force_N.conservativeResizeLike(LawProblem::Numbers::Zero(this->p_.count));
     this->f_.force_N.head(this->p_.bounded()).setZero();
-    this->f_.steps = 0;
     this->f_.work = 0;
   }
 
@@ -110,12 +109,11 @@ private:
     this->room_.pressed += this->room_.stiffened.rightCols(cones).lazyProduct(this->f_.force_N.tail(cones));
     held.holdUnbounded();
     this->spend(n * n * (n + this->p_.ways) / 4);
-    const int cap = this->f_.steps + 20 + 6 * n;
     int i = held.worst();
-    for (; i >= 0 && this->f_.steps < cap && this->f_.work < this->budget_; i = held.worst())
+    for (int left = 20 + 6 * n; i >= 0 && left > 0 && this->f_.work < this->budget_; i = held.worst())
     {
       const int steps = held.close(i);
-      this->f_.steps += steps;
+      left -= steps;
       this->spend(steps * 4 * n * n);
     }
     for (int k = 0; k < this->p_.bounded(); ++k)
@@ -302,7 +300,6 @@ private:
     }
     const std::uint32_t left = this->budget_ - std::min(this->budget_, this->f_.work);
     solveFriction(contacts, this->room_.friction, this->room_.contactForces, left);
-    this->f_.steps += this->room_.contactForces.steps;
     this->f_.work += this->room_.contactForces.work;
     for (int i = 0; i < n; ++i)
     {

@@ -2,16 +2,13 @@
 // A session whose hand holds a needle that is joined to a soft block: felt, recorded, replaced, broken, not computed
 // any more.
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
-#include "SoftBlock.h"
-#include "haptics/recording/RecordedMechanisms.h"
+#include "NeedleAndBlock.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
-#include "testing/support/AllocationGuard.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/TemporaryFolder.h"
 
@@ -19,10 +16,6 @@ namespace palpate::test
 {
 namespace
 {
-
-constexpr double handSpring = 1000.0, handTurning = 2.0; // N/m, N m/rad
-constexpr double needleLength = 0.1;
-constexpr double punctureAt_N = 1.5, shaftFriction_N = 0.4;
 
 /// A hand that a test moves, of a device that pushes and turns it as far as the session knows, or not at all.
 class HandOfTest final : public HapticDevice
@@ -53,45 +46,6 @@ private:
   DeviceInfo info_;
   TripleBuffer<Pose> hand_D_;
 };
-
-/// Where the needle meets the block: within one triangle of its top.
-Vec3 placeOnTop()
-{
-  return topOfBlock() + Vec3(2e-3, 1e-3, 0);
-}
-
-/// Points down, its tip so far from there.
-Pose needleAt(const Vec3& tipFromTop)
-{
-  return { placeOnTop() + tipFromTop + Vec3(0, 0, needleLength), Quat(0, 1, 0, 0) };
-}
-
-MechanismBody bodyOf(const char* name, MechanismBodyKind kind)
-{
-  MechanismBody body;
-  body.name = name;
-  body.kind = kind;
-  body.length_u = needleLength;
-  body.diameter_u = 1e-3;
-  return body;
-}
-
-/// A needle and the block of 20 kPa, which it goes into at 1.5 N.
-MechanismInputs needleAndBlock(ElasticModel model = ElasticModel::Linear)
-{
-  MechanismInputs inputs;
-  inputs.mechanism.bodies = { bodyOf("needle", MechanismBodyKind::Held), bodyOf("block", MechanismBodyKind::Soft) };
-  MechanismLaw puncture;
-  puncture.name = "puncture";
-  puncture.kind = LawKind::Puncture;
-  puncture.a = "needle";
-  puncture.b = "block";
-  puncture.strength_N = punctureAt_N;
-  puncture.dryFriction_N = shaftFriction_N;
-  inputs.mechanism.laws = { puncture };
-  inputs.soft = { { "block", std::make_shared<const SoftBodyInput>(softBlock(model)) } };
-  return inputs;
-}
 
 /// A needle whose tip is held where it is when the hand is at needleAt(0).
 MechanismInputs tipHeld()
@@ -402,117 +356,6 @@ TEST_F(MechanismInLoop, ItsThreadMakesPacketsThatGiveWay)
   EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.held; }));
   static_cast<HandOfTest*>(this->session.device())->move(needleAt(Vec3(0, 0, -0.002)));
   EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.laws[0].force_N > 0.0; }));
-}
-
-std::shared_ptr<const FeltMechanism> feltBlock()
-{
-  const MechanismInputs inputs = needleAndBlock();
-  std::string refusal;
-  const auto bodies = MechanismBodies::make(inputs.soft, refusal);
-  const MechanismPlan plan = planMechanism(inputs.mechanism, bodies->atRest(), 1);
-  return std::make_shared<const FeltMechanism>(1, plan, bodies->newest());
-}
-
-TEST(MechanismTick, AWorkerThatDoesNotComeBackForASecondEndsTheForceAndNothingIsAllocated)
-{
-  const auto felt = feltBlock();
-  MechanismTick room;
-  HapticParameters parameters;
-  parameters.stiffness_N_per_m = handSpring;
-  parameters.mechanismTurning_N_m_per_rad = handTurning;
-  parameters.safety = SafetyLimits::none();
-  const auto state = std::make_unique<RendererState>();
-  TickInput input;
-  input.mechanism = felt.get();
-  input.mechanismTick = &room;
-  double last_N = 0.0, pushed_N = 0.0;
-  int faultAt = 0;
-  Fault fault = Fault::None;
-  for (int i = 0; i < 1500; ++i)
-  {
-    input.tick = static_cast<std::uint64_t>(i);
-    input.sample.pose_D = needleAt(Vec3(0, 0, std::max(0.001 - 1e-4 * i, -0.004)));
-    const AllocationGuard guard;
-    const TickOutput output = renderTick(input, parameters, *state);
-    EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0u);
-    last_N = output.command.wrench_D.force.norm();
-    pushed_N = std::max(pushed_N, last_N);
-    faultAt = fault == Fault::None && output.state.fault != Fault::None ? i : faultAt;
-    fault = output.state.fault;
-  }
-  EXPECT_GT(pushed_N, 0.3);
-  EXPECT_EQ(fault, Fault::BodyLate);
-  EXPECT_NEAR(faultAt, 1000, 2);
-  EXPECT_EQ(last_N, 0.0);
-}
-
-std::vector<char> bytesOf(const FeltMechanism& mechanism)
-{
-  ByteWriter out;
-  putMechanism(out, mechanism);
-  return out.bytes();
-}
-
-TEST(RecordedMechanisms, ComeBackToTheLastBitAndAreRefusedWhereTheyCannotBe)
-{
-  const auto felt = feltBlock();
-  const std::vector<char> bytes = bytesOf(*felt);
-  ByteReader in(bytes.data(), bytes.size());
-  const RecordedMechanism read = readMechanism(in);
-  ASSERT_TRUE(in.ok());
-  EXPECT_EQ(in.left(), 0u);
-  auto back = std::make_shared<PressedBody>(*read.bodies[0].body);
-  back->scene = felt->bodies()[0]->scene;
-  EXPECT_EQ(bytesOf(FeltMechanism(read.revision, read.plan, { back })), bytes);
-  const auto refused = [&](const auto& change)
-  {
-    MechanismPlan plan = felt->plan();
-    change(plan);
-    const std::vector<char> wrong = bytesOf(FeltMechanism(1, plan, felt->bodies()));
-    ByteReader again(wrong.data(), wrong.size());
-    (void)readMechanism(again);
-    return !again.ok();
-  };
-  EXPECT_FALSE(refused([](MechanismPlan&) {}));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.held = 1; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.lever_u = 0.0; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.bodies[1].soft = 1; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.bodies[0].pose_W.q.coeffs().setZero(); }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].b = 2; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].kind = static_cast<LawKind>(11); }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].place_B.vertices[2] = 1u << 20; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].friction = std::nan(""); }));
-  for (std::size_t size = 0; size < bytes.size(); size += 997)
-  {
-    ByteReader cut(bytes.data(), size);
-    (void)readMechanism(cut);
-    EXPECT_FALSE(cut.ok()) << size;
-  }
-}
-
-TEST(RecordedMechanisms, AStateAtVerticesThatABodyDoesNotHaveIsNotGoneOnFrom)
-{
-  const auto felt = feltBlock();
-  const std::vector<char> bytes = bytesOf(*felt);
-  ByteReader in(bytes.data(), bytes.size());
-  const RecordedMechanism mechanism = readMechanism(in);
-  MechanismState state;
-  state.laws[0].place_B.vertices[1] = 1u << 20;
-  EXPECT_TRUE(fits(state, mechanism)) << "of another plan";
-  state.revision = mechanism.plan.revision;
-  EXPECT_FALSE(fits(state, mechanism));
-  EXPECT_TRUE(isUsable(state));
-  state.laws[3].force_W.x() = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE(isUsable(state));
-}
-
-TEST(RecordedMechanisms, ThatAreLeftOutOfARecordingAreSaid)
-{
-  Recording recording;
-  RecordedChange change;
-  change.event = { 1, EventKind::Mechanism, 17 };
-  recording.entries.emplace_back(change);
-  EXPECT_NE(replay(recording).problem, "");
 }
 
 } // namespace
