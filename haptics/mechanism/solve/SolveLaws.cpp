@@ -21,6 +21,7 @@ constexpr double dampedFirst = 1e-2;
 constexpr double dampedLess = 0.3;  ///< by every step at least, so that nothing is crept towards
 constexpr double dampedMore = 10.0; ///< where a step has led further away
 constexpr double dampedMost = 0.1;  ///< then it is gone on from all the same
+constexpr double turnedMost = 0.5;  ///< share of the balance that a step follows by which it may turn round
 constexpr double dampedLeast = 1e-12;
 
 /// Multiply-adds to the unit of ContactPlan::workBudget.
@@ -153,7 +154,7 @@ private:
       this->firstForce_N_ = this->f_.force_N;
       this->damped_ = dampedFirst;
     }
-    else if (off_N > this->off_N_ && this->damped_ < dampedMost)
+    else if (this->wasTooFar(open))
     {
       this->f_.way_u -= this->step_u_;
       this->damped_ *= dampedMore;
@@ -168,6 +169,13 @@ private:
     this->off_N_ = off_N;
     this->resistWays(held);
     this->goAlong();
+  }
+
+  /// Past a place of rest, where what slips slips the other way, balance may be as far off as before.
+  [[nodiscard]] bool wasTooFar(const LawProblem::Way& open) const noexcept
+  {
+    const bool turnedRound = open.dot(this->step_u_) < -turnedMost * this->open_N_.dot(this->step_u_);
+    return turnedRound || (open.norm() > this->off_N_ && this->damped_ < dampedMost);
   }
 
   void goAlong() noexcept

@@ -214,5 +214,40 @@ TEST_F(Rubbing, WhereNoPlaceIsOneOfRestATickSaysSoAndTheBlockGoesNoFurtherThanIt
   EXPECT_NEAR(held.exact_W.force.x(), pulls_N, 1e-12);
 }
 
+/// A rod stands on a floor that it rubs on, and its hand goes aside.
+MechanismResult standAside(double turning_Nm_per_rad, double friction, double depth, double aside)
+{
+  const Vec3 tipAt(0.0, 0.0, pusher);
+  MechanismRig rig(pusher);
+  rig.grip = { kc, turning_Nm_per_rad };
+  rig.addSoft("floor", springWall("floor", tipAt, -Vec3::UnitZ(), 0.02, 1.0 / springOfFoot));
+  MechanismLaw& law = rig.join(LawKind::Friction, "floor", tipAt, tipAt);
+  law.axis_B = -Vec3::UnitZ();
+  law.friction = friction;
+  EXPECT_TRUE(rig.check().faults.empty());
+  (void)rig.step(Vec3(0.0, 0.0, depth));
+  return rig.step(Vec3(aside, 0.0, depth));
+}
+
+TEST(RubbingRod, WhoseTurnIsFreePushesOnlyAlongItselfAndOneThatIsTurnedIsHeldAsideUpToItsFriction)
+{
+  const double depth = 2e-3, friction = 0.4;
+  const double pushes_N = depth / (1.0 / kc + 1.0 / springOfFoot);
+  for (const double aside : { 1e-3, 5e-3 })
+  {
+    const MechanismResult free = standAside(0.0, friction, depth, aside);
+    EXPECT_FALSE(free.capped);
+    EXPECT_LE((free.exact_W.force + pushes_N * Vec3::UnitZ()).norm(), 1e-12) << "no moment holds it aside";
+    EXPECT_LE(free.exact_W.torque.norm(), 1e-13);
+    const MechanismResult turned = standAside(kr, friction, depth, aside);
+    // Lever, hand and floor in series.
+    const double led_N = aside / (1.0 / kc + pusher * pusher / kr + 1.0 / springOfFoot);
+    const double held_N = std::min(led_N, friction * pushes_N);
+    EXPECT_LE((turned.exact_W.force + Vec3(held_N, 0.0, pushes_N)).norm(), 1e-12);
+    EXPECT_NEAR(turned.exact_W.torque.y(), -pusher * held_N, 1e-12);
+    EXPECT_EQ(turned.laws[0].phase, led_N > held_N ? LawPhase::Slips : LawPhase::Closed);
+  }
+}
+
 } // namespace
 } // namespace palpate::test
