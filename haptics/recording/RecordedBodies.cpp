@@ -26,15 +26,6 @@ void layHead(const Io& io, Body& body, Packet& packet)
   io(packet.mostGradient);
 }
 
-template<class Io, class Point, class Force>
-void layForce(const Io& io, Point& at, Force& force_N)
-{
-  io(at.vertices);
-  io(at.weights);
-  io(at.x_W);
-  io(force_N);
-}
-
 template<class Io, class Packet>
 void layPlace(const Io& io, Packet& packet, std::size_t place)
 {
@@ -98,7 +89,8 @@ void readForces(ByteReader& in, CompliancePacket& packet)
   packet.force_N.resize(packet.forceAt.size());
   for (std::size_t i = 0; i < packet.forceAt.size(); ++i)
   {
-    layForce(Get{ in }, packet.forceAt[i], packet.force_N[i]);
+    in.get(packet.forceAt[i]);
+    in.get(packet.force_N[i]);
   }
 }
 
@@ -146,7 +138,8 @@ void putBody(ByteWriter& payload, const PressedBody& body)
   put(static_cast<std::uint64_t>(packet.forceAt.size()));
   for (std::size_t i = 0; i < packet.forceAt.size(); ++i)
   {
-    layForce(put, packet.forceAt[i], packet.force_N[i]);
+    put(packet.forceAt[i]);
+    put(packet.force_N[i]);
   }
 }
 

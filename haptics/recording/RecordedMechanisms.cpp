@@ -50,14 +50,6 @@ void layBody(const Io& io, Body& body)
   io(body.load_W);
 }
 
-template<class Io, class Place>
-void layPlace(const Io& io, Place& at)
-{
-  io(at.vertices);
-  io(at.weights);
-  io(at.x_W);
-}
-
 template<class Io, class Law>
 void layLaw(const Io& io, Law& law)
 {
@@ -73,8 +65,8 @@ void layLaw(const Io& io, Law& law)
   {
     io(*number);
   }
-  layPlace(io, law.place_A);
-  layPlace(io, law.place_B);
+  io(law.place_A);
+  io(law.place_B);
 }
 
 void readPlan(ByteReader& in, MechanismPlan& plan)

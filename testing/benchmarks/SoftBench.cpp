@@ -14,7 +14,6 @@
 #include "haptics/compliance/packet/PacketMaker.h"
 #include "haptics/contact/GodObject.h"
 #include "testing/haptics/compliance/SoftScenes.h"
-#include "testing/support/MechanismRig.h"
 #include "testing/support/CostSample.h"
 
 namespace palpate::test
@@ -143,33 +142,6 @@ bool tickCosts(const char* name, SoftPad pad, double friction, double mostRigid)
   return ratio <= mostRigid;
 }
 
-/// What a needle through two tissues costs the servo, beside a tick on a body.
-void needleCosts()
-{
-  constexpr double strokes = 5.0, depth_m = 0.03, speed_m = 1.5e-4; // a tick
-  MechanismRig rig(0.1);
-  rig.grip = { kc, 0.0 };
-  rig.addSoft("wall", springWall("wall", Vec3(0.0, 0.0, 0.1), -Vec3::UnitZ(), 0.05, 1.0 / 800.0));
-  rig.addSoft("liver", springWall("liver", Vec3(0.0, 0.0, 0.115), -Vec3::UnitZ(), 0.05, 1.0 / 300.0));
-  for (const auto& [name, strength, rubs] : { std::tuple("wall", 1.5, 0.4), std::tuple("liver", 0.7, 0.2) })
-  {
-    MechanismLaw& law = rig.join(LawKind::Puncture, name, Vec3::Zero(), Vec3::Zero());
-    law.strength_N = strength;
-    law.dryFriction_N = rubs;
-    law.friction = 1.0;
-  }
-  const int ticks = static_cast<int>(2.0 * strokes * depth_m / speed_m);
-  CostSample cost(static_cast<std::size_t>(ticks));
-  for (int tick = 0; tick < ticks; ++tick)
-  {
-    const double way_m = std::fmod(speed_m * tick, 2.0 * depth_m);
-    const Vec3 p_W(1e-3, 2e-3, std::min(way_m, 2.0 * depth_m - way_m) - 0.005);
-    cost.time([&] { (void)rig.step(p_W); });
-  }
-  std::printf("%-44s a tick p50 %.1f us p99 %.1f us\n", "a needle through two tissues", cost.quantile_us(0.5),
-    cost.quantile_us(0.99));
-}
-
 } // namespace
 } // namespace palpate::test
 
@@ -203,6 +175,5 @@ int main(int argc, char** argv)
   }
   within = tickCosts("flat", SoftPad(10, 2.0, ElementKind::Linear), 0.0, mostOfRigid) && within;
   within = tickCosts("bumps with friction", bumpyPad(), 0.2, mostOfRigid) && within;
-  needleCosts();
   return within || !options.withAssertions ? 0 : 1;
 }

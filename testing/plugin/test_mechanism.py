@@ -149,6 +149,22 @@ class Mechanism(Held):
             with self.assertRaisesRegex(HapticRefusal, words):
                 call()
 
+    def test_a_body_that_finds_no_place_to_rest_is_said_in_the_line_of_the_mechanism(self):
+        feet = ((10, 0, -10), (-10, 10, -10), (-10, -10, -10))
+        scene = {"format": "palpate mechanism", "version": 1, "unit_m": 0.001,
+                 "bodies": [{"name": "needle", "kind": "held", "length": TIP, "diameter": 1},
+                            {"name": "sledge", "kind": "rigid", "half_size": [10, 10, 10], "at": [0, 0, 0],
+                             "load_N": [0.1, 0, -1]}, {"name": "ice", "kind": "world"}],
+                 "laws": [{"name": f"foot {i}", "kind": "contact", "a": "sledge", "b": "ice", "point_a": at, "point_b": at}
+                          for i, at in enumerate(feet)]}
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "sledge.json"
+            file.write_text(json.dumps(scene))
+            self.hold(file)
+            self.assertIn("not met within a tick's work", HapticState()["MechanismText"])
+            self.assertGreater(HapticState()["CappedTicks"], TICKS_TO_ENGAGE / 2)
+            self.assertEqual(HapticState()["ForceMagnitude"], 0.0)
+
     def test_a_source_that_is_deleted_while_it_is_held_lets_the_hand_go(self):
         source = self.hold()
         self.assertGreater(self.press(FACE + 1.0)["ForceMagnitude"], 0.2)

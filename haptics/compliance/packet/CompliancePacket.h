@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "haptics/core/Types.h"
@@ -17,6 +18,15 @@ struct SurfacePoint
   Vec3 weights = Vec3::Zero(); ///< >= 0, add up to 1
   Vec3 x_W = Vec3::Zero();     ///< in the packet's free surface
 };
+
+/// In the order in which a recording has them.
+template<class Visit, class Point>
+void membersOf(const Visit& visit, Point& at) requires std::is_same_v<std::remove_const_t<Point>, SurfacePoint>
+{
+  visit(at.vertices);
+  visit(at.weights);
+  visit(at.x_W);
+}
 
 /// How much deeper a ball goes into a surface than the patch says, in series with it: Hertz's law less the compliance
 /// of the patch on a half space. With t^3 the normal force, it is hertz t^2 - patch t^3 while that rises.

@@ -62,4 +62,9 @@ struct FrictionRoom
 void solveFriction(const ContactProblem& problem, FrictionRoom& room, ContactForces& forces,
   std::uint32_t budget = std::numeric_limits<std::uint32_t>::max()) noexcept;
 
+/// How forces that meet the laws change with a small displacement of the rows [u], each contact open, stuck or slipping
+/// as it is, into `answer_N`. False, and no answer, where that is not determined. Real-time safe.
+[[nodiscard]] bool answerFriction(const ContactProblem& problem, FrictionRoom& room, const ContactForces& forces,
+  const ContactProblem::Numbers& displaced, ContactProblem::Numbers& answer_N) noexcept;
+
 } // namespace palpate

@@ -106,6 +106,30 @@ public:
     return false;
   }
 
+  /// How forces f, which meet the laws, answer a small displacement, with each contact as it is: open, stuck, slipping.
+  [[nodiscard]] bool answer(const ContactProblem::Numbers& f, const ContactProblem::Numbers& displaced,
+    ContactProblem::Numbers& answer) noexcept
+  {
+    (void)this->residual(f);
+    this->findPressed(f);
+    this->linearise(f);
+    for (int a = 0; a < this->pressed_; ++a)
+    {
+      const int c = this->list_[a];
+      this->room_.part.segment<3>(3 * a) = -(this->lawAt(c, f).ofMoved * displaced.segment<3>(3 * c));
+    }
+    answer.setZero(f.size());
+    if (!solveInPlace(this->room_.jacobian, this->room_.part))
+    {
+      return false;
+    }
+    for (int a = 0; a < this->pressed_; ++a)
+    {
+      answer.segment<3>(3 * this->list_[a]) = this->room_.part.segment<3>(3 * a);
+    }
+    return true;
+  }
+
   void project(ContactProblem::Numbers& f) const noexcept
   {
     for (int c = 0; c < this->p_.count; ++c)
@@ -270,6 +294,12 @@ void solveFriction(
     }
   }
   forces.force_N = room.best;
+}
+
+bool answerFriction(const ContactProblem& problem, FrictionRoom& room, const ContactForces& forces,
+  const ContactProblem::Numbers& displaced, ContactProblem::Numbers& answer_N) noexcept
+{
+  return FrictionSteps(problem, room).answer(forces.force_N, displaced, answer_N);
 }
 
 } // namespace palpate

@@ -9,6 +9,7 @@
 
 #include "haptics/mechanism/check/MechanismFaults.h"
 #include "haptics/mechanism/laws/LawCompliance.h"
+#include "haptics/mechanism/solve/SemidefiniteFactor.h"
 
 namespace palpate
 {
@@ -62,6 +63,7 @@ public:
     check.condition = this->condition();
     this->tellRedundant(check);
     this->tellFree(check);
+    this->tellRubbing(check);
     this->tellSlipping(check);
     if (check.condition > badCondition)
     {
@@ -162,6 +164,38 @@ private:
     }
   }
 
+  /// Coulomb's forces at points that nothing elastic tells apart have no one answer, and what a body that only balance
+  /// holds would feel of them is left to chance.
+  void tellRubbing(MechanismCheck& check) const
+  {
+    const int cones = 3 * this->problem_->cones;
+    const int first = this->rows_->count - cones;
+    SemidefiniteFactor<LawProblem::most> factor;
+    const Eigen::MatrixXd own = this->compliance_.bottomRightCorner(cones, cones);
+    factor.factor(own, cones > 0 ? dependentBelow * own.diagonal().maxCoeff() : 0.0);
+    for (int k = factor.rank(); k < cones; ++k)
+    {
+      const MechanismLaw& law = this->mechanism_.laws[this->rows_->rows[first + factor.row(k)].law];
+      const std::string fault = "Law \"" + law.name +
+                                "\" rubs where nothing gives way, so nothing says how much of the friction is its own: "
+                                "let a soft body give way there, or use contact and dry friction.";
+      const bool said = std::ranges::find(check.faults, fault) != check.faults.end();
+      if ((this->isBalanced(law.a) || this->isBalanced(law.b)) && !said)
+      {
+        check.faults.push_back(fault);
+      }
+    }
+  }
+
+  /// A body that only the balance of forces or moments holds.
+  [[nodiscard]] bool isBalanced(const std::string& name) const
+  {
+    const MechanismBodyKind kind =
+      this->mechanism_.bodies[static_cast<std::size_t>(bodyNamed(this->mechanism_, name))].kind;
+    return kind == MechanismBodyKind::Rigid ||
+           (kind == MechanismBodyKind::Held && !(this->grip_.turning_Nu_per_rad > 0.0));
+  }
+
   /// A rod that turns freely stands on its tip like a strut: without friction it falls over.
   void tellSlipping(MechanismCheck& check) const
   {
@@ -237,25 +271,6 @@ PlannedLaw planLaw(const Mechanism& mechanism, const MechanismLaw& law, std::spa
   return planned;
 }
 
-/// Coulomb's cones and bodies that only balance holds are not solved together.
-void judgeFriction(const Mechanism& mechanism, const MechanismGrip& grip, std::vector<std::string>& faults)
-{
-  const auto balanced = [&](const std::string& name)
-  {
-    const MechanismBodyKind kind = mechanism.bodies[static_cast<std::size_t>(bodyNamed(mechanism, name))].kind;
-    return kind == MechanismBodyKind::Rigid || (kind == MechanismBodyKind::Held && !(grip.turning_Nu_per_rad > 0.0));
-  };
-  for (const MechanismLaw& law : mechanism.laws)
-  {
-    if (law.kind == LawKind::Friction && law.friction > 0.0 && (balanced(law.a) || balanced(law.b)))
-    {
-      faults.push_back(
-        "Law \"" + law.name +
-        "\" rubs on a body that only the balance of forces holds: use contact and dry friction instead.");
-    }
-  }
-}
-
 } // namespace
 
 MechanismPlan planMechanism(const Mechanism& mechanism, std::span<const MechanismSoft> soft, std::uint64_t revision)
@@ -288,7 +303,6 @@ MechanismCheck checkMechanism(
   }
   if (check.faults.empty())
   {
-    judgeFriction(mechanism, grip, check.faults);
     AtRest(mechanism, soft, grip).report(check);
   }
   return check;

@@ -143,8 +143,9 @@ private:
       const LawRow& row = this->room_.rows.rows[i];
       forces.force_N[i] = row.along_W.dot(this->state_.laws[row.law].force_W);
     }
-    solveLaws(this->room_.problem, this->room_.solver, forces);
-    this->result_.steps += forces.steps;
+    const std::uint32_t left = lawWorkBudget - std::min(lawWorkBudget, this->result_.work);
+    solveLaws(this->room_.problem, this->room_.solver, forces, left);
+    this->result_.work += forces.work;
   }
 
   [[nodiscard]] Vec6 onHand() const noexcept

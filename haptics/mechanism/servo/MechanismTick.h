@@ -54,8 +54,8 @@ struct MechanismResult
   Wrench exact_W;         ///< the same as the laws have it now
   double stored_Nu = 0.0; ///< elastic energy of grip, laws and soft bodies under these forces
   int rows = 0;
-  int steps = 0;           ///< of the solver
-  bool capped = false;     ///< its cap ended it: the best forces of this tick are felt, the next one goes on
+  std::uint32_t work = 0;  ///< of the solver in all solves of the tick, in the unit of ContactPlan::workBudget
+  bool capped = false;     ///< the laws are not met, by lawWorkBudget or by any place: the next tick goes on
   double residual_u = 0.0; ///< largest of the laws'
   std::array<Pose, Mechanism::mostBodies> pose_W{}; ///< of held and rigid bodies
   std::array<LawNow, Mechanism::mostLaws> laws{};

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "haptics/compliance/servo/BoundedRows.h"
+#include "haptics/compliance/servo/DenseSolve.h"
 #include "haptics/mechanism/solve/LawProblem.h"
 
 namespace palpate
@@ -10,16 +11,26 @@ namespace palpate
 namespace
 {
 
-constexpr int mostTurns = 60;
-/// A step that has turned what it follows round by more than this share of it was too long.
-constexpr double turnedRound = 0.5;
-/// By how much further a body goes, step by step, that nothing resists.
-constexpr double further = 4.0;
-constexpr double furthest = 1e3;
 /// Share of a row's own size, of a force and of a balance, that is rounding.
 constexpr double rounding = 1e-13;
-/// Of a way that the held rows resist, by what the compliance to compare with would: less is rounding.
-constexpr double unresisted = 1e-11;
+/// What the friction solver leaves open beyond this many times its rounding is not met.
+constexpr double metWithin = 1e4;
+
+/// Damping of the steps towards balance, as a share of what would resist a body of the compliance to compare with.
+constexpr double dampedFirst = 1e-2;
+constexpr double dampedLess = 0.3;  ///< by every step at least, so that nothing is crept towards
+constexpr double dampedMore = 10.0; ///< where a step has led further away
+constexpr double dampedMost = 0.1;  ///< then it is gone on from all the same
+constexpr double turnedMost = 0.5;  ///< share of the balance that a step follows by which it may turn round
+constexpr double dampedLeast = 1e-12;
+
+/// Multiply-adds to the unit of ContactPlan::workBudget.
+constexpr int perWork = 27;
+
+std::uint32_t workOf(int multiplyAdds) noexcept
+{
+  return 1 + static_cast<std::uint32_t>(multiplyAdds / perWork);
+}
 
 /// All rows that have bounds; what cones and free ways add to their gaps is known.
 struct BoundedLaws
@@ -37,36 +48,37 @@ struct BoundedLaws
 };
 using HeldLaws = BoundedRows<BoundedLaws>;
 
-/// The turns between rows, free ways and cones.
+/// The turns between rows, cones and free ways.
 class LawSolve
 {
 public:
-  LawSolve(const LawProblem& problem, LawRoom& room, LawForces& forces) noexcept
-    : p_(problem), room_(room), f_(forces), rows_{ problem, room }
+  LawSolve(const LawProblem& problem, LawRoom& room, LawForces& forces, std::uint32_t budget) noexcept
+    : p_(problem), room_(room), f_(forces), budget_(budget), rows_{ problem, room }
   {
   }
 
   void run() noexcept
   {
     this->begin();
-    for (int turn = 0; turn < mostTurns; ++turn)
+    do
     {
       HeldLaws held(this->rows_);
-      this->solveRows(held);
-      const double unbalanced = this->unbalanced();
-      if (unbalanced > this->enough_N())
+      if (!this->solveRows(held))
       {
-        this->stepWays(held);
+        break;
       }
-      else if (this->p_.cones == 0 || this->solveCones(held))
+      if (this->p_.cones > 0 && !this->solveCones(held))
       {
-        return this->finish(false);
+        continue;
       }
-      else
+      const LawProblem::Way open = this->balance();
+      if (this->isBalanced(open))
       {
-        this->length_ = 0.0;
+        return this->finish(!this->conesAreMet());
       }
-    }
+      this->stepWays(held, open);
+    } while (this->f_.work < this->budget_);
+    this->yield();
     this->finish(true);
   }
 
@@ -82,27 +94,34 @@ private:
     this->f_.way_u.setZero(this->p_.ways);
     this->f_.force_N.conservativeResizeLike(LawProblem::Numbers::Zero(this->p_.count));
     this->f_.force_N.head(this->p_.bounded()).setZero();
-    this->f_.steps = 0;
+    this->f_.work = 0;
   }
 
-  /// Bounded rows under the present cones and ways.
-  void solveRows(HeldLaws& held) noexcept
+  void spend(int multiplyAdds) noexcept { this->f_.work += workOf(multiplyAdds); }
+
+  /// Bounded rows under the present cones and ways; false if they could not be ended.
+  [[nodiscard]] bool solveRows(HeldLaws& held) noexcept
   {
+    const int n = this->p_.count;
     const int cones = 3 * this->p_.cones;
     const LawProblem::Way way = this->f_.way_u + this->p_.yield_u_per_N * this->p_.load;
     this->room_.pressed = this->p_.free;
     this->room_.pressed += this->p_.along.lazyProduct(way);
     this->room_.pressed += this->room_.stiffened.rightCols(cones).lazyProduct(this->f_.force_N.tail(cones));
     held.holdUnbounded();
-    const int cap = this->f_.steps + 20 + 6 * this->p_.count;
-    for (int i = held.worst(); i >= 0 && this->f_.steps < cap; i = held.worst())
+    this->spend(n * n * (n + this->p_.ways) / 4);
+    int i = held.worst();
+    for (int left = 20 + 6 * n; i >= 0 && left > 0 && this->f_.work < this->budget_; i = held.worst())
     {
-      this->f_.steps += held.close(i);
+      const int steps = held.close(i);
+      left -= steps;
+      this->spend(steps * 4 * n * n);
     }
-    for (int i = 0; i < this->p_.bounded(); ++i)
+    for (int k = 0; k < this->p_.bounded(); ++k)
     {
-      this->f_.force_N[i] = held.force(i);
+      this->f_.force_N[k] = held.force(k);
     }
+    return i < 0;
   }
 
   [[nodiscard]] LawProblem::Way balance() const noexcept
@@ -112,26 +131,75 @@ private:
     return sum;
   }
 
-  [[nodiscard]] double unbalanced() const noexcept
-  {
-    return this->p_.ways > 0 ? this->balance().lpNorm<Eigen::Infinity>() : 0.0;
-  }
-
-  [[nodiscard]] double enough_N() const noexcept
+  [[nodiscard]] bool isBalanced(const LawProblem::Way& open) const noexcept
   {
     const double most = this->p_.count > 0 ? this->f_.force_N.lpNorm<Eigen::Infinity>() : 0.0;
-    return this->p_.ways > 0 ? rounding * (most + this->p_.load.lpNorm<Eigen::Infinity>()) : 0.0;
+    return this->p_.ways == 0 ||
+           open.lpNorm<Eigen::Infinity>() <= rounding * (most + this->p_.load.lpNorm<Eigen::Infinity>());
   }
 
-  /// What the held rows answer to each free way, and how they resist it.
-  void answerWays(const HeldLaws& held) noexcept
+  [[nodiscard]] bool conesAreMet() const noexcept
+  {
+    const ContactForces& found = this->room_.contactForces;
+    return this->p_.cones == 0 || found.residual_u <= metWithin * found.enough_u;
+  }
+
+  /// Newton's step on the balance, damped as by a drag that fades (pseudo-transient continuation). One that has led
+  /// further away is taken again with more drag, until that is much.
+  void stepWays(const HeldLaws& held, const LawProblem::Way& open) noexcept
+  {
+    const double off_N = open.norm();
+    if (this->damped_ == 0.0)
+    {
+      this->firstForce_N_ = this->f_.force_N;
+      this->damped_ = dampedFirst;
+    }
+    else if (this->wasTooFar(open))
+    {
+      this->f_.way_u -= this->step_u_;
+      this->damped_ *= dampedMore;
+      return this->goAlong();
+    }
+    else
+    {
+      const double less = off_N / this->off_N_;
+      this->damped_ = std::max(this->damped_ * std::min(dampedLess, less * less), dampedLeast);
+    }
+    this->open_N_ = open;
+    this->off_N_ = off_N;
+    this->resistWays(held);
+    this->goAlong();
+  }
+
+  /// Past a place of rest, where what slips slips the other way, balance may be as far off as before.
+  [[nodiscard]] bool wasTooFar(const LawProblem::Way& open) const noexcept
+  {
+    const bool turnedRound = open.dot(this->step_u_) < -turnedMost * this->open_N_.dot(this->step_u_);
+    return turnedRound || (open.norm() > this->off_N_ && this->damped_ < dampedMost);
+  }
+
+  void goAlong() noexcept
+  {
+    const double drag_N_per_u = this->damped_ / this->p_.yield_u_per_N;
+    this->room_.friction.jacobian = this->room_.resists;
+    this->room_.friction.jacobian.diagonal().array() += drag_N_per_u;
+    this->room_.friction.part = this->open_N_;
+    this->spend(this->p_.ways * this->p_.ways * this->p_.ways / 3);
+    const bool regular = solveInPlace(this->room_.friction.jacobian, this->room_.friction.part);
+    this->step_u_ =
+      regular ? LawProblem::Way(this->room_.friction.part) : LawProblem::Way(this->open_N_ / drag_N_per_u);
+    this->f_.way_u += this->step_u_;
+  }
+
+  /// How the laws resist each free way: the held rows, then the cones in what these leave them.
+  void resistWays(const HeldLaws& held) noexcept
   {
     const auto rows = held.held();
     const int n = static_cast<int>(rows.size());
-    this->room_.waysAnswer.resize(n, this->p_.ways);
-    SemidefiniteFactor<LawProblem::mostWays>::Square resists(this->p_.ways, this->p_.ways);
+    const int ways = this->p_.ways;
+    this->room_.resists.setZero(ways, ways);
     std::array<double, LawProblem::most> x;
-    for (int w = 0; w < this->p_.ways; ++w)
+    for (int w = 0; w < ways; ++w)
     {
       for (int k = 0; k < n; ++k)
       {
@@ -140,48 +208,38 @@ private:
       held.solveHeld(x);
       for (int k = 0; k < n; ++k)
       {
-        this->room_.waysAnswer(k, w) = x[k];
+        this->room_.resists.col(w) += x[k] * this->p_.along.row(rows[k]).transpose();
       }
-      for (int v = 0; v < this->p_.ways; ++v)
+      if (this->p_.cones > 0)
       {
-        resists(v, w) = 0.0;
-        for (int k = 0; k < n; ++k)
-        {
-          resists(v, w) += this->p_.along(rows[k], v) * x[k];
-        }
+        this->resistByCones(w);
       }
     }
-    this->room_.balance.factor(resists, unresisted / this->p_.yield_u_per_N);
+    this->spend(ways * n * (n + ways));
   }
 
-  /// Newton's step on the balance, which is the slope of a concave function of the ways, by pieces a quadratic one.
-  /// Where rows let go or take hold on the way it may lead too far: then less of it.
-  void stepWays(const HeldLaws& held) noexcept
+  void resistByCones(int way) noexcept
   {
-    const LawProblem::Way open = this->balance();
-    if (this->length_ > 0.0 && open.dot(this->step_u_) < -turnedRound * this->slope_)
+    const int cones = 3 * this->p_.cones;
+    ContactProblem::Numbers& displaced = this->room_.displaced;
+    displaced.resize(cones);
+    for (int i = 0; i < cones; ++i)
     {
-      const double slope = open.dot(this->step_u_);
-      const double less = this->length_ * std::clamp(this->slope_ / (this->slope_ - slope), 0.1, 0.9);
-      this->f_.way_u += (less - this->length_) * this->step_u_;
-      this->length_ = less;
-      return;
+      displaced[i] = this->unit(i) * this->room_.conesWays(i, way);
     }
-    this->answerWays(held);
-    this->step_u_ = this->room_.balance.solve(open);
-    this->reach_ =
-      this->room_.balance.rank() < this->p_.ways ? std::min(further * this->reach_, furthest) : 1.0 / further;
-    for (int k = this->room_.balance.rank(); k < this->p_.ways; ++k)
+    ContactForces& found = this->room_.contactForces;
+    if (answerFriction(this->room_.contacts, this->room_.friction, found, displaced, this->room_.answer))
     {
-      const int w = this->room_.balance.row(k);
-      this->step_u_[w] += this->reach_ * this->p_.yield_u_per_N * open[w];
+      for (int i = 0; i < cones; ++i)
+      {
+        this->room_.resists.col(way) -=
+          this->unit(i) * this->room_.answer[i] * this->room_.conesWays.row(i).transpose();
+      }
     }
-    this->slope_ = open.dot(this->step_u_);
-    this->length_ = 1.0;
-    this->f_.way_u += this->step_u_;
+    this->spend(cones * cones * (cones / 3 + 2));
   }
 
-  /// How the cones' rows move under forces on themselves, all other laws held as they are, into contacts.compliance.
+  /// How the cones' rows move under forces on themselves and with the ways, all other laws held as they are.
   void reduceToCones(const HeldLaws& held) noexcept
   {
     const auto rows = held.held();
@@ -204,24 +262,20 @@ private:
         this->room_.conesWays.row(c) -= x[k] * this->p_.along.row(rows[k]);
       }
     }
-    for (int c = 0; c<cones&& this->p_.ways> 0; ++c)
-    {
-      const LawProblem::Way way = this->room_.balance.solve(this->room_.conesWays.row(c).transpose());
-      this->room_.conesAnswer.col(c) += this->room_.conesWays.lazyProduct(way);
-    }
+    this->spend(cones * n * (n + cones + this->p_.ways));
   }
 
   /// Coulomb's laws in what the others leave them; true if they are met already.
   [[nodiscard]] bool solveCones(const HeldLaws& held) noexcept
   {
-    if (this->p_.ways > 0)
-    {
-      this->answerWays(held);
-    }
     this->reduceToCones(held);
     const int cones = 3 * this->p_.cones;
     const LawProblem::Numbers before = this->f_.force_N.tail(cones);
     LawProblem::Numbers free = this->movedOf().tail(cones);
+    if (this->p_.ways > 0)
+    {
+      free += this->p_.yield_u_per_N * this->p_.along.bottomRows(cones).lazyProduct(this->balance());
+    }
     free -= this->room_.conesAnswer.lazyProduct(before);
     this->solveContacts(free, before);
     const double change = (this->f_.force_N.tail(cones) - before).lpNorm<Eigen::Infinity>();
@@ -229,30 +283,35 @@ private:
   }
 
   /// With ways across counted in units of each friction, all cones are one.
+  [[nodiscard]] double unit(int i) const noexcept
+  {
+    return i % 3 == 0 ? 1.0 : this->p_.friction[static_cast<std::size_t>(i / 3)];
+  }
+
   void solveContacts(const LawProblem::Numbers& free, const LawProblem::Numbers& before) noexcept
   {
     ContactProblem& contacts = this->room_.contacts;
     contacts.resize(this->p_.cones);
     contacts.friction = 1.0;
     const int n = 3 * this->p_.cones;
-    const auto unit = [this](int i) { return i % 3 == 0 ? 1.0 : this->p_.friction[static_cast<std::size_t>(i / 3)]; };
     this->room_.contactForces.force_N.resize(n);
     for (int i = 0; i < n; ++i)
     {
-      contacts.free[i] = unit(i) * free[i];
-      this->room_.contactForces.force_N[i] = before[i] / unit(i);
+      contacts.free[i] = this->unit(i) * free[i];
+      this->room_.contactForces.force_N[i] = before[i] / this->unit(i);
       for (int j = 0; j < n; ++j)
       {
         // Symmetric to the last bit, as the solver expects.
         const double both = 0.5 * (this->room_.conesAnswer(i, j) + this->room_.conesAnswer(j, i));
-        contacts.compliance(i, j) = unit(i) * both * unit(j);
+        contacts.compliance(i, j) = this->unit(i) * both * this->unit(j);
       }
     }
-    solveFriction(contacts, this->room_.friction, this->room_.contactForces);
-    this->f_.steps += this->room_.contactForces.steps;
+    const std::uint32_t left = this->budget_ - std::min(this->budget_, this->f_.work);
+    solveFriction(contacts, this->room_.friction, this->room_.contactForces, left);
+    this->f_.work += this->room_.contactForces.work;
     for (int i = 0; i < n; ++i)
     {
-      this->f_.force_N[this->p_.bounded() + i] = unit(i) * this->room_.contactForces.force_N[i];
+      this->f_.force_N[this->p_.bounded() + i] = this->unit(i) * this->room_.contactForces.force_N[i];
     }
   }
 
@@ -264,11 +323,24 @@ private:
     return moved;
   }
 
+  /// Where no balance was found bodies go as through what drags at them: a first step, from which the next tick goes
+  /// on. So one that nothing stops slides, and no further in a tick than its load makes it.
+  void yield() noexcept
+  {
+    if (this->damped_ > 0.0)
+    {
+      this->f_.force_N = this->firstForce_N_;
+      this->f_.way_u.setZero();
+    }
+  }
+
   void finish(bool capped) noexcept
   {
     this->f_.capped = capped;
+    const LawProblem::Way open = this->balance();
+    this->f_.unbalanced_N = this->p_.ways > 0 ? open.lpNorm<Eigen::Infinity>() : 0.0;
+    this->f_.way_u += this->p_.yield_u_per_N * open; // as `stiffened` has it
     this->f_.moved_u = this->movedOf();
-    this->f_.unbalanced_N = this->unbalanced();
     this->f_.residual_u = this->p_.cones > 0 ? this->room_.contactForces.residual_u : 0.0;
     for (int i = 0; i < this->p_.bounded(); ++i)
     {
@@ -282,11 +354,13 @@ private:
   const LawProblem& p_;
   LawRoom& room_;
   LawForces& f_;
+  std::uint32_t budget_;
   BoundedLaws rows_;
+  double damped_ = 0.0; ///< how much the last step was; 0: there has been none
+  double off_N_ = 0.0;  ///< balance where that began
+  LawProblem::Way open_N_;
   LawProblem::Way step_u_;
-  double slope_ = 0.0;  ///< of what step_u_ follows, where it began
-  double length_ = 0.0; ///< of it; 0: there has been none
-  double reach_ = 0.25;
+  LawProblem::Numbers firstForce_N_; ///< where the bodies are where they were
 };
 
 } // namespace
@@ -303,9 +377,9 @@ void LawProblem::resize(int rows, int freeWays) noexcept
   this->load.resize(freeWays);
 }
 
-void solveLaws(const LawProblem& problem, LawRoom& room, LawForces& forces) noexcept
+void solveLaws(const LawProblem& problem, LawRoom& room, LawForces& forces, std::uint32_t budget) noexcept
 {
-  LawSolve(problem, room, forces).run();
+  LawSolve(problem, room, forces, budget).run();
 }
 
 } // namespace palpate

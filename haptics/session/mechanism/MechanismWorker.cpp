@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/mechanism/MechanismWorker.h"
 
-#include <new>
 #include <utility>
 
+#include "haptics/session/beside/InItsMemory.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
 
 namespace palpate
@@ -42,54 +42,47 @@ void MechanismWorker::take(const MechanismChoice& choice, const MechanismGrip& g
 
 double MechanismWorker::run()
 {
-  this->obey();
-  const bool felt = this->plan_.revision != 0;
-  const double period_s = felt ? PacedThread::periodOf(this->now_.choice.rate_Hz) : PacedThread::idle_s;
-  if (felt)
-  {
-    this->inItsMemory(
-      [&]
+  double period_s = PacedThread::idle_s;
+  inItsMemory(
+    [&]
+    {
+      this->obey();
+      if (this->plan_.revision != 0)
       {
+        period_s = PacedThread::periodOf(this->now_.choice.rate_Hz);
         this->listen();
         this->publish(this->bodies_->press(period_s));
-      });
-  }
+      }
+    },
+    [this] { this->giveUp(); });
   return period_s;
 }
 
 void MechanismWorker::step(double time_s)
 {
-  this->obey();
-  if (this->plan_.revision != 0)
-  {
-    this->inItsMemory(
-      [&]
+  inItsMemory(
+    [&]
+    {
+      this->obey();
+      if (this->plan_.revision != 0)
       {
         this->listen();
         (void)this->bodies_->at(time_s);
         this->publish(true);
-      });
-  }
+      }
+    },
+    [this] { this->giveUp(); });
 }
 
-/// No room in memory for a factor is no reason to end the program that asked for it.
-template<class Work>
-void MechanismWorker::inItsMemory(const Work& work)
+void MechanismWorker::giveUp()
 {
-  try
-  {
-    work();
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->links_.felt.publish(nullptr);
-    this->plan_ = {};
-    this->bodies_.reset();
-    this->madeOf_.clear();
-    const std::lock_guard lock(this->mutex_);
-    this->status_ = {};
-    this->status_.problem = "the mechanism's soft bodies are too large: memory is used up; mesh them coarser";
-  }
+  this->links_.felt.publish(nullptr);
+  this->plan_ = {};
+  this->bodies_.reset();
+  this->madeOf_.clear();
+  const std::lock_guard lock(this->mutex_);
+  this->status_ = {};
+  this->status_.problem = "the mechanism's soft bodies are too large: memory is used up; mesh them coarser";
 }
 
 void MechanismWorker::obey()
@@ -98,33 +91,37 @@ void MechanismWorker::obey()
   {
     return;
   }
-  Order order;
+  const Order before = this->now_;
   {
     const std::lock_guard lock(this->mutex_);
-    order = this->wanted_;
+    this->now_ = this->wanted_;
   }
-  if (!isSame(order.choice, this->now_.choice))
+  const Order& order = this->now_;
+  if (!isSame(order.choice, before.choice))
   {
-    this->inItsMemory([&] { this->build(order); });
+    this->build(order);
   }
-  else if (this->bodies_ && !isSame(order.grip, this->now_.grip))
+  else if (this->bodies_ && !isSame(order.grip, before.grip))
   {
-    MechanismCheck check = this->judge(order);
-    if (check.faults.empty() != (this->plan_.revision != 0)) // what one hand can hold another cannot
-    {
-      this->inItsMemory([&] { this->build(order); });
-    }
-    else
-    {
-      const std::lock_guard lock(this->mutex_);
-      this->status_.check = std::move(check);
-    }
+    this->judgeAnew(order);
   }
-  if (this->bodies_ && order.choice.rate_Hz != this->now_.choice.rate_Hz)
+  if (this->bodies_ && order.choice.rate_Hz != before.choice.rate_Hz)
   {
     this->bodies_->pace(PacedThread::periodOf(order.choice.rate_Hz));
   }
-  this->now_ = std::move(order);
+}
+
+/// What one hand can hold another cannot.
+void MechanismWorker::judgeAnew(const Order& order)
+{
+  MechanismCheck check = this->judge(order);
+  if (check.faults.empty() != (this->plan_.revision != 0))
+  {
+    this->build(order);
+    return;
+  }
+  const std::lock_guard lock(this->mutex_);
+  this->status_.check = std::move(check);
 }
 
 MechanismCheck MechanismWorker::judge(const Order& order) const

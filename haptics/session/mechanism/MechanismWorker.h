@@ -69,9 +69,9 @@ private:
     MechanismGrip grip;
   };
   double run();
-  template<class Work>
-  void inItsMemory(const Work& work);
+  void giveUp();
   void obey();
+  void judgeAnew(const Order& order);
   void build(const Order& order);
   void makeBodies(const MechanismInputs& inputs, std::string& refusal);
   [[nodiscard]] std::string plan(const Order& order);

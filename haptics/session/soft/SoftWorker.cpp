@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/soft/SoftWorker.h"
 
-#include <new>
 #include <utility>
+
+#include "haptics/session/beside/InItsMemory.h"
 
 namespace palpate
 {
@@ -52,50 +53,48 @@ void SoftWorker::give(const Order& order)
 /// Until when it need not be asked again.
 double SoftWorker::run()
 {
-  this->obey();
-  const double period_s = this->maker_ ? periodOf(this->now_.choice) : PacedThread::idle_s;
-  if (this->maker_)
-  {
-    this->inItsMemory([&] { this->publish(this->maker_->press(this->links_.hand.read(), period_s)); });
-  }
+  double period_s = PacedThread::idle_s;
+  inItsMemory(
+    [&]
+    {
+      this->obey();
+      if (this->maker_)
+      {
+        period_s = periodOf(this->now_.choice);
+        this->publish(this->maker_->press(this->links_.hand.read(), period_s));
+      }
+    },
+    [this] { this->giveUp(); });
   return period_s;
 }
 
 void SoftWorker::step(double time_s)
 {
-  this->obey();
-  if (!this->maker_)
-  {
-    return;
-  }
-  const std::shared_ptr<const PressedBody> before = this->paced_->now();
-  this->inItsMemory(
+  inItsMemory(
     [&]
     {
+      this->obey();
+      if (!this->maker_)
+      {
+        return;
+      }
+      const std::shared_ptr<const PressedBody> before = this->paced_->now();
       (void)this->paced_->at(time_s, this->links_.hand.read());
       if (this->paced_->now() != before)
       {
         this->publish(this->paced_->now());
       }
-    });
+    },
+    [this] { this->giveUp(); });
 }
 
-/// No room in memory for a factor is no reason to end the program that asked for it.
-template<class Work>
-void SoftWorker::inItsMemory(const Work& work)
+void SoftWorker::giveUp()
 {
-  try
-  {
-    work();
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->paced_.reset();
-    this->maker_.reset();
-    const std::lock_guard lock(this->mutex_);
-    this->status_ = {};
-    this->status_.problem = "the soft body is too large: memory is used up; mesh it coarser";
-  }
+  this->paced_.reset();
+  this->maker_.reset();
+  const std::lock_guard lock(this->mutex_);
+  this->status_ = {};
+  this->status_.problem = "the soft body is too large: memory is used up; mesh it coarser";
 }
 
 void SoftWorker::obey()
@@ -104,24 +103,23 @@ void SoftWorker::obey()
   {
     return;
   }
-  Order order;
+  const Order before = this->now_;
   {
     const std::lock_guard lock(this->mutex_);
-    order = this->wanted_;
+    this->now_ = this->wanted_;
   }
-  if (!isSameBody(order.choice, this->now_.choice))
+  if (!isSameBody(this->now_.choice, before.choice))
   {
-    this->inItsMemory([&] { this->build(order); });
+    this->build(this->now_);
   }
   if (this->maker_)
   {
-    this->maker_->touch(order.beside);
-    if (periodOf(order.choice) != periodOf(this->now_.choice))
+    this->maker_->touch(this->now_.beside);
+    if (periodOf(this->now_.choice) != periodOf(before.choice))
     {
-      this->paced_.emplace(*this->maker_, periodOf(order.choice));
+      this->paced_.emplace(*this->maker_, periodOf(this->now_.choice));
     }
   }
-  this->now_ = std::move(order);
 }
 
 void SoftWorker::build(const Order& order)

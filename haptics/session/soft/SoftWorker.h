@@ -71,8 +71,7 @@ private:
   void give(const Order& order);
   double run();
   void obey();
-  template<class Work>
-  void inItsMemory(const Work& work);
+  void giveUp();
   void build(const Order& order);
   void publish(std::shared_ptr<const PressedBody> body);
 

@@ -164,50 +164,6 @@ TEST_F(Laws, ALimitIsFreeBetweenItsStopsAndSpringsBackBeyond)
   EXPECT_NEAR(felt(-3e-3), series * 1e-3, 1e-12);
 }
 
-TEST_F(Laws, OfAPlatePressedOffItsMiddleTheCornerAcrossOpensExactlyAndTheOthersBalance)
-{
-  const double half = 0.05, k = 400.0, weight = 0.2;
-  MechanismBody plate;
-  plate.name = "plate";
-  plate.kind = MechanismBodyKind::Rigid;
-  plate.halfSize_u = Vec3(half, half, 0.005);
-  plate.load_W = Vec3(0.0, 0.0, -weight);
-  this->rig.mechanism.bodies.push_back(plate);
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const Vec3 foot(corner & 1 ? half : -half, corner & 2 ? half : -half, -0.005);
-    const std::string name = "patch " + std::to_string(corner);
-    this->rig.addSoft(name, springWall(name, foot, Vec3::UnitZ(), 0.01, 1.0 / k));
-    MechanismLaw& law = this->rig.join(LawKind::Contact, name, foot, foot);
-    law.a = "plate";
-    law.axis_B = Vec3::UnitZ();
-  }
-  const Vec3 pressed(0.04, 0.03, 0.005);
-  this->rig.join(LawKind::Contact, "plate", tip, pressed).axis_B = Vec3::UnitZ();
-  // The rod stands upside down over the plate and comes down by 6 mm.
-  const Pose hand{ pressed + Vec3(0.0, 0.0, length - 6e-3), Quat(0.0, 1.0, 0.0, 0.0) };
-  const MechanismResult& r = this->rig.step(hand);
-  EXPECT_FALSE(r.capped);
-  const double push = r.wrench_W.force.z();
-  EXPECT_GT(push, 0.5);
-  // Three feet hold what comes down: sum and moments about the middle decide.
-  const double both = pressed.x() + pressed.y();
-  const double far = push * both / (2.0 * half);
-  const double sides = weight + push - far;
-  const double difference = push * (pressed.x() - pressed.y()) / (2.0 * half);
-  const double expected[4] = { 0.0, 0.5 * (sides + difference), 0.5 * (sides - difference), far };
-  const Pose& at = r.pose_W[2];
-  for (std::size_t corner = 0; corner < 4; ++corner)
-  {
-    const double force = r.laws[corner].force_W.z();
-    EXPECT_NEAR(force, expected[corner], 1e-11) << corner;
-    const double gap = (at.p + rotationVector(at.q).cross(this->rig.mechanism.laws[corner].point_A)).z();
-    EXPECT_NEAR(force, k * std::max(-gap, 0.0), 1e-9) << corner;
-  }
-  EXPECT_EQ(r.laws[0].force_W.z(), 0.0);
-  EXPECT_NEAR(push, kc * (6e-3 + (at.p + rotationVector(at.q).cross(pressed)).z()), 1e-9);
-}
-
 TEST_F(Laws, APoseThatIsNoneGivesNoForceAndChangesNothing)
 {
   this->rig.join(LawKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());

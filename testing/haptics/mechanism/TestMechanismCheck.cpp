@@ -128,13 +128,16 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
       "no turn of its own" },
     Wrong{ "PunctureOfTheWorld", [](MechanismRig& r) { r.mechanism.laws[1].b = "world"; }, "needs a soft body" },
     Wrong{ "AxisWithoutDirection", [](MechanismRig& r) { r.mechanism.laws[0].axis_B.setZero(); }, "without direction" },
-    Wrong{ "FrictionOnWhatOnlyBalanceHolds",
+    Wrong{ "FrictionThatNothingDividesAmongItsPoints",
       [](MechanismRig& r)
       {
         r.grip.turning_Nu_per_rad = 0.0;
-        r.join(LawKind::Friction, "world", Vec3::Zero(), Vec3::Zero()).friction = 0.3;
+        for (const double z : { 0.0, 0.1, 0.2 })
+        {
+          r.join(LawKind::Friction, "world", z * Vec3::UnitZ(), z * Vec3::UnitZ()).friction = 0.3;
+        }
       },
-      "only the balance" },
+      "how much of the friction" },
     Wrong{ "HandWithoutStiffness", [](MechanismRig& r) { r.grip.coupling_N_per_u = 0.0; }, "holds nothing" }),
   [](const testing::TestParamInfo<Wrong>& info) { return info.param.name; });
 

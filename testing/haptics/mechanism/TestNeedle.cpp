@@ -173,5 +173,38 @@ TEST_F(Needle, AnotherPacketUnderTheSameForceIsAnOffsetThatFades)
   EXPECT_NEAR(last, -2.5e-3 / (1.0 / kc + 1.5 / tissue), 1e-6);
 }
 
+/// A rod that a hand leads in and sideways.
+Pose wayOf(int tick)
+{
+  return { Vec3(1e-3 * std::sin(0.01 * tick), 0.0, -0.005 + 4e-5 * tick), Quat::Identity() };
+}
+
+TEST(NeedleRecording, GoesOnBitForBitFromTheStateOfAnyTick)
+{
+  MechanismRig whole(rod);
+  MechanismRig part(rod);
+  for (MechanismRig* rig : { &whole, &part })
+  {
+    rig->addSoft("wall", springWall("wall", Vec3(0.0, 0.0, rod), -Vec3::UnitZ(), 0.05, 1.0 / 800.0));
+    MechanismLaw& law = rig->join(LawKind::Puncture, "wall", Vec3::Zero(), Vec3::Zero());
+    law.strength_N = 1.5;
+    law.dryFriction_N = 0.4;
+    rig->plan();
+  }
+  constexpr int from = 260, ticks = 600;
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    if (tick == from)
+    {
+      part.tick.restore(whole.tick.state());
+    }
+    const Vec3 all = whole.step(wayOf(tick)).wrench_W.force;
+    if (tick >= from)
+    {
+      EXPECT_EQ(part.step(wayOf(tick)).wrench_W.force, all) << tick;
+    }
+  }
+}
+
 } // namespace
 } // namespace palpate::test

@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/FedDevice.h"
+#include "ToolHand.h"
 #include "haptics/recording/Recording.h"
-#include "haptics/session/HapticSession.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/Meshes.h"
@@ -17,7 +16,7 @@ namespace palpate::test
 namespace
 {
 
-constexpr double ballTool_m = 0.01, springOfBall = 1000.0, slant_rad = 0.7;
+constexpr double ballTool_m = 0.01, slant_rad = 0.7;
 
 ToolMesh ballTool(const std::optional<Vec3>& handle = std::nullopt)
 {
@@ -31,35 +30,12 @@ ToolMesh asMesh(ToolMesh tool)
   return tool;
 }
 
-/// A fed hand that holds a tool and feels everything.
-class BallHand
+struct BallHand : ToolHand
 {
-public:
   BallHand(const std::shared_ptr<const Scene>& scene, const ToolMesh& tool, const std::string& file = {})
   {
-    HapticParameters parameters;
-    parameters.stiffness_N_per_m = springOfBall;
-    parameters.limitStiffness = false;
-    parameters.safety = SafetyLimits::none();
-    EXPECT_EQ(this->session.setParameters(parameters), "");
-    this->session.setScene(scene);
-    this->session.setTool({ std::make_shared<const ToolMesh>(tool), 0.0 });
-    SessionOptions options;
-    options.virtualTime = true;
-    options.recordFile = file;
-    EXPECT_EQ(this->session.start(std::make_unique<FedDevice>(), options), "");
+    this->begin(scene, { std::make_shared<const ToolMesh>(tool), 0.0 }, file);
   }
-
-  const HapticState& hold(const Pose& hand, int ticks = 1)
-  {
-    DeviceSample sample;
-    sample.pose_D = hand;
-    static_cast<FedDevice*>(this->session.device())->feed(sample);
-    EXPECT_EQ(this->session.step(ticks), ticks);
-    return this->session.state();
-  }
-
-  HapticSession session;
 };
 
 /// Down into a groove along y, and from one of its walls to the other.
@@ -99,7 +75,7 @@ TEST(BallTool, IsWhereItsMeshIsAndPushesAsItToWithinTheBoundRow63)
     EXPECT_EQ(ofMesh.tool.ball_u, 0.0);
     EXPECT_EQ(ofBall.tool.ball_u, tool.ball_u());
     EXPECT_LE((ofBall.proxy_W.p - ofMesh.proxy_W.p).norm(), off_m) << i;
-    EXPECT_LE((ofBall.force_W - ofMesh.force_W).norm(), springOfBall * off_m) << i;
+    EXPECT_LE((ofBall.force_W - ofMesh.force_W).norm(), springOfTool * off_m) << i;
     EXPECT_TRUE(ofBall.proxy_W.q.isApprox(hand.q, 1e-12)) << "it turns as the hand does";
     EXPECT_LE(ofBall.torque_D.norm(), 0.0);
     pressed_N = std::max(pressed_N, ofBall.force_W.norm());
@@ -131,7 +107,7 @@ TEST(BallTool, ListsWhatPushesItAndReplaysBitForBit)
   for (int i = 0; i < state.tool.active; ++i)
   {
     const ToolPress& press = state.tool.presses[i];
-    pushed_N += springOfBall * press.push_u * press.n_W;
+    pushed_N += springOfTool * press.push_u * press.n_W;
     EXPECT_NEAR((press.p_W - state.proxy_W.p).norm(), ballTool().ball_u(), 1e-7) << "where it touches";
   }
   EXPECT_LE((pushed_N - state.force_W).norm(), 1e-6 * state.force_W.norm());

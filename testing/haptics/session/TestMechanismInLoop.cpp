@@ -2,16 +2,13 @@
 // A session whose hand holds a needle that is joined to a soft block: felt, recorded, replaced, broken, not computed
 // any more.
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
-#include "SoftBlock.h"
-#include "haptics/recording/RecordedMechanisms.h"
+#include "NeedleAndBlock.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
-#include "testing/support/AllocationGuard.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/TemporaryFolder.h"
 
@@ -19,10 +16,6 @@ namespace palpate::test
 {
 namespace
 {
-
-constexpr double handSpring = 1000.0, handTurning = 2.0; // N/m, N m/rad
-constexpr double needleLength = 0.1;
-constexpr double punctureAt_N = 1.5, shaftFriction_N = 0.4;
 
 /// A hand that a test moves, of a device that pushes and turns it as far as the session knows, or not at all.
 class HandOfTest final : public HapticDevice
@@ -54,61 +47,6 @@ private:
   TripleBuffer<Pose> hand_D_;
 };
 
-/// Where the needle meets the block: within one triangle of its top.
-Vec3 placeOnTop()
-{
-  return topOfBlock() + Vec3(2e-3, 1e-3, 0);
-}
-
-/// Points down, its tip so far from there.
-Pose needleAt(const Vec3& tipFromTop)
-{
-  return { placeOnTop() + tipFromTop + Vec3(0, 0, needleLength), Quat(0, 1, 0, 0) };
-}
-
-MechanismBody bodyOf(const char* name, MechanismBodyKind kind)
-{
-  MechanismBody body;
-  body.name = name;
-  body.kind = kind;
-  body.length_u = needleLength;
-  body.diameter_u = 1e-3;
-  return body;
-}
-
-/// A needle and the block of 20 kPa, which it goes into at 1.5 N.
-MechanismInputs needleAndBlock(ElasticModel model = ElasticModel::Linear)
-{
-  MechanismInputs inputs;
-  inputs.mechanism.bodies = { bodyOf("needle", MechanismBodyKind::Held), bodyOf("block", MechanismBodyKind::Soft) };
-  MechanismLaw puncture;
-  puncture.name = "puncture";
-  puncture.kind = LawKind::Puncture;
-  puncture.a = "needle";
-  puncture.b = "block";
-  puncture.strength_N = punctureAt_N;
-  puncture.dryFriction_N = shaftFriction_N;
-  inputs.mechanism.laws = { puncture };
-  inputs.soft = { { "block", std::make_shared<const SoftBodyInput>(softBlock(model)) } };
-  return inputs;
-}
-
-/// A needle whose tip is held where it is when the hand is at needleAt(0).
-MechanismInputs tipHeld()
-{
-  MechanismInputs inputs;
-  inputs.mechanism.bodies = { bodyOf("needle", MechanismBodyKind::Held), bodyOf("world", MechanismBodyKind::World) };
-  MechanismLaw held;
-  held.name = "tip";
-  held.kind = LawKind::Attachment;
-  held.a = "needle";
-  held.b = "world";
-  held.point_A = Vec3(0, 0, needleLength);
-  held.point_B = placeOnTop();
-  inputs.mechanism.laws = { held };
-  return inputs;
-}
-
 SessionOptions virtualTime(const std::string& file = {})
 {
   SessionOptions options;
@@ -133,6 +71,22 @@ double restingForce_N(double depth)
   const auto touch = MechanismTouch::make(needleAndBlock(), hold, refusal);
   (void)touch->next(0.0, needleAt(Vec3(0, 0, 1e-3)));
   return touch->next(1e-3, needleAt(Vec3(0, 0, -depth))).wrench_W.force.z();
+}
+
+Recording recordingIn(const std::string& file)
+{
+  auto read = readRecording(file);
+  EXPECT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+  return std::holds_alternative<Recording>(read) ? std::move(std::get<Recording>(read)) : Recording();
+}
+
+/// That it is computed anew bit for bit in so many ticks.
+void expectReplay(
+  const Recording& recording, std::uint64_t ticks, const std::function<void(const TickOutput&)>& watch = {})
+{
+  const ReplayResult result = replay(recording, {}, 1, watch);
+  EXPECT_EQ(result.problem + result.difference, "");
+  EXPECT_EQ(result.ticks, ticks);
 }
 
 /// A hand with a needle, in virtual time unless said.
@@ -179,6 +133,18 @@ protected:
     this->lower(0.005, -0.02);
     this->lower(-0.02, 0.003);
     this->lower(0.003, -0.02);
+  }
+
+  /// However the mechanism changes meanwhile.
+  void holdWithoutAStep(const Pose& hand, int ticks)
+  {
+    double last_N = this->session.state().force_W.norm();
+    for (int i = 0; i < ticks; ++i)
+    {
+      const double now_N = this->hold(hand).force_W.norm();
+      EXPECT_LE(std::abs(now_N - last_N), ToolBlend::largestStep_N) << i;
+      last_N = now_N;
+    }
   }
 
   HapticSession session;
@@ -254,9 +220,7 @@ TEST_F(MechanismInLoop, ReplaysBitForBitAndTellsItsChanges)
   EXPECT_GE(changes, 3u) << "in, out, in";
   const std::uint64_t ticks = this->session.report().ticks;
   EXPECT_EQ(this->session.stop(), "");
-  const auto read = readRecording(folder.file("a"));
-  ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
-  const auto& recording = std::get<Recording>(read);
+  const Recording recording = recordingIn(folder.file("a"));
   EXPECT_GT(recording.mechanisms.size(), 10u);
   std::uint64_t told = 0;
   for (const RecordedEntry& entry : recording.entries)
@@ -265,9 +229,7 @@ TEST_F(MechanismInLoop, ReplaysBitForBitAndTellsItsChanges)
     told += change != nullptr && change->event.kind == EventKind::Law;
   }
   EXPECT_EQ(told, changes);
-  const ReplayResult result = replay(recording);
-  EXPECT_EQ(result.problem + result.difference, "");
-  EXPECT_EQ(result.ticks, ticks);
+  expectReplay(recording, ticks);
 }
 
 TEST_F(MechanismInLoop, OfARecordingBegunWhileTheNeedleIsInReplaysBitForBit)
@@ -284,13 +246,9 @@ TEST_F(MechanismInLoop, OfARecordingBegunWhileTheNeedleIsInReplaysBitForBit)
   EXPECT_EQ(this->session.stop(), "");
   for (const char* const name : { "a", "b" })
   {
-    const auto read = readRecording(folder.file(name));
-    ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
     double most_N = 0.0;
-    const ReplayResult result = replay(std::get<Recording>(read), {}, 1,
+    expectReplay(recordingIn(folder.file(name)), 100u,
       [&most_N](const TickOutput& out) { most_N = std::max(most_N, out.command.wrench_D.force.norm()); });
-    EXPECT_EQ(result.problem + result.difference, "") << name;
-    EXPECT_EQ(result.ticks, 100u);
     EXPECT_GE(most_N, 0.99 * shaftFriction_N);
   }
 }
@@ -302,20 +260,39 @@ TEST_F(MechanismInLoop, ALawThatAPersonBreaksLetsTheHandGoWithoutAStepAndReplays
   const Pose hand = needleAt(Vec3(0, 0, 3e-3));
   ASSERT_NEAR(this->hold(hand, 500).force_W.z(), -3.0, 1e-6);
   this->session.breakLaw(0);
-  double last_N = 3.0;
-  for (int i = 0; i < 500; ++i)
-  {
-    const double now_N = this->hold(hand).force_W.norm();
-    EXPECT_LE(std::abs(now_N - last_N), 0.2) << i;
-    last_N = now_N;
-  }
-  EXPECT_LE(last_N, 1e-6);
+  this->holdWithoutAStep(hand, 500);
+  EXPECT_LE(this->session.state().force_W.norm(), 1e-6);
   EXPECT_EQ(this->session.state().mechanism.laws[0].phase, LawPhase::Gone);
   EXPECT_EQ(this->session.stop(), "");
-  const auto read = readRecording(folder.file("a"));
-  ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
-  const ReplayResult result = replay(std::get<Recording>(read));
-  EXPECT_EQ(result.problem + result.difference, "");
+  expectReplay(recordingIn(folder.file("a")), 1000u);
+}
+
+TEST_F(MechanismInLoop, ABodyThatFindsNoPlaceToRestIsSaidInEachTickAndTheHandFeelsItsOwnLawsAlone)
+{
+  MechanismInputs inputs = tipHeld();
+  MechanismBody& sledge = inputs.mechanism.bodies.emplace_back(bodyOf("sledge", MechanismBodyKind::Rigid));
+  sledge.halfSize_u = Vec3::Constant(0.01);
+  sledge.load_W = Vec3(0.1, 0, -1); // down, and along what it would glide on
+  for (const auto& [name, at] : { std::pair("front", Vec3(0.01, 0, -0.01)), std::pair("left", Vec3(-0.01, 0.01, -0.01)),
+         std::pair("right", Vec3(-0.01, -0.01, -0.01)) })
+  {
+    MechanismLaw& runner = inputs.mechanism.laws.emplace_back();
+    runner.name = name;
+    runner.a = "sledge";
+    runner.b = "world";
+    runner.point_A = runner.point_B = at;
+  }
+  this->begin(inputs);
+  const double aside = 1e-4;
+  constexpr int ticks = 1000;
+  const HapticState state = this->hold(needleAt(Vec3(aside, 0, 0)), ticks);
+  EXPECT_TRUE(state.mechanism.capped);
+  EXPECT_TRUE(state.capped);
+  EXPECT_GE(this->session.report().cappedTicks, static_cast<std::uint64_t>(ticks));
+  EXPECT_NEAR(state.force_W.x(), -aside / (1.0 / handSpring + needleLength * needleLength / handTurning), 1e-9);
+  const double gone = state.mechanism.pose_W[2].p.x();
+  EXPECT_GT(gone, 0.0);
+  EXPECT_LE(gone, sledge.load_W.norm() / handSpring * (ticks + 1)) << "as through what drags at it";
 }
 
 TEST_F(MechanismInLoop, AnotherMechanismInItsPlaceAndNoneAtAllNeverStep)
@@ -330,13 +307,7 @@ TEST_F(MechanismInLoop, AnotherMechanismInItsPlaceAndNoneAtAllNeverStep)
   for (const MechanismChoice& next : { chosen(stronger), chosen(held), MechanismChoice{} })
   {
     this->session.setMechanism(next);
-    double last_N = this->session.state().force_W.norm();
-    for (int i = 0; i < 300; ++i)
-    {
-      const double now_N = this->hold(hand).force_W.norm();
-      EXPECT_LE(std::abs(now_N - last_N), 0.2) << i;
-      last_N = now_N;
-    }
+    this->holdWithoutAStep(hand, 300);
   }
   EXPECT_FALSE(this->session.state().mechanism.held);
   EXPECT_LE(this->session.state().force_W.norm(), 1e-3);
@@ -387,192 +358,6 @@ TEST_F(MechanismInLoop, ItsThreadMakesPacketsThatGiveWay)
   EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.held; }));
   static_cast<HandOfTest*>(this->session.device())->move(needleAt(Vec3(0, 0, -0.002)));
   EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.laws[0].force_N > 0.0; }));
-}
-
-std::shared_ptr<const FeltMechanism> feltBlock()
-{
-  const MechanismInputs inputs = needleAndBlock();
-  std::string refusal;
-  const auto bodies = MechanismBodies::make(inputs.soft, refusal);
-  const MechanismPlan plan = planMechanism(inputs.mechanism, bodies->atRest(), 1);
-  return std::make_shared<const FeltMechanism>(1, plan, bodies->newest());
-}
-
-TEST(MechanismTick, AWorkerThatDoesNotComeBackForASecondEndsTheForceAndNothingIsAllocated)
-{
-  const auto felt = feltBlock();
-  MechanismTick room;
-  HapticParameters parameters;
-  parameters.stiffness_N_per_m = handSpring;
-  parameters.mechanismTurning_N_m_per_rad = handTurning;
-  parameters.safety = SafetyLimits::none();
-  const auto state = std::make_unique<RendererState>();
-  TickInput input;
-  input.mechanism = felt.get();
-  input.mechanismTick = &room;
-  double last_N = 0.0, pushed_N = 0.0;
-  int faultAt = 0;
-  Fault fault = Fault::None;
-  for (int i = 0; i < 1500; ++i)
-  {
-    input.tick = static_cast<std::uint64_t>(i);
-    input.sample.pose_D = needleAt(Vec3(0, 0, std::max(0.001 - 1e-4 * i, -0.004)));
-    const AllocationGuard guard;
-    const TickOutput output = renderTick(input, parameters, *state);
-    EXPECT_EQ(guard.allocations() + guard.frees() + guard.locks(), 0u);
-    last_N = output.command.wrench_D.force.norm();
-    pushed_N = std::max(pushed_N, last_N);
-    faultAt = fault == Fault::None && output.state.fault != Fault::None ? i : faultAt;
-    fault = output.state.fault;
-  }
-  EXPECT_GT(pushed_N, 0.3);
-  EXPECT_EQ(fault, Fault::BodyLate);
-  EXPECT_NEAR(faultAt, 1000, 2);
-  EXPECT_EQ(last_N, 0.0);
-}
-
-/// What a tick says of a mechanism whose hand is there, or nowhere.
-class TickOfMechanism
-{
-public:
-  TickOfMechanism()
-  {
-    this->parameters_.stiffness_N_per_m = handSpring;
-    this->parameters_.mechanismTurning_N_m_per_rad = handTurning;
-    this->parameters_.safety = SafetyLimits::none();
-    this->input_.mechanismTick = &this->room_;
-  }
-
-  TickOutput next(const FeltMechanism& felt, const Pose& hand, std::span<const HapticEvent> events = {})
-  {
-    this->input_.mechanism = &felt;
-    this->input_.sample.pose_D = hand;
-    this->input_.events = events;
-    ++this->input_.tick;
-    return renderTick(this->input_, this->parameters_, *this->state_);
-  }
-
-private:
-  HapticParameters parameters_;
-  std::unique_ptr<RendererState> state_ = std::make_unique<RendererState>();
-  MechanismTick room_;
-  TickInput input_;
-};
-
-TEST(MechanismTick, AnotherMechanismThatRestsBeforeItsFirstTickSaysNothingOfTheOneBeforeAndKeepsALawThatIsBroken)
-{
-  const auto pierced = feltBlock();
-  MechanismInputs two = needleAndBlock();
-  MechanismLaw tip = tipHeld().mechanism.laws[0];
-  tip.b = "block";
-  two.mechanism.laws.insert(two.mechanism.laws.begin(), tip);
-  std::string refusal;
-  const auto bodies = MechanismBodies::make(two.soft, refusal);
-  const MechanismPlan plan = planMechanism(two.mechanism, bodies->atRest(), 2);
-  const FeltMechanism other(2, plan, bodies->newest());
-  const Pose above = needleAt(Vec3(0, 0, 1e-3));
-  Pose nowhere;
-  nowhere.p.x() = std::numeric_limits<double>::quiet_NaN();
-
-  TickOfMechanism ticks;
-  MechanismNow now;
-  for (int i = 0; i <= 100; ++i)
-  {
-    now = ticks.next(*pierced, needleAt(Vec3(0, 0, 1e-3 - 1e-4 * i))).state.mechanism;
-  }
-  ASSERT_EQ(now.laws[0].phase, LawPhase::Inside);
-  ASSERT_GT(now.changes.count, 0u);
-  const Vec3 before_W = now.pose_W[0].p;
-
-  const HapticEvent broken{ 0, EventKind::BreakLaw, 1 };
-  now = ticks.next(other, nowhere, std::span(&broken, 1)).state.mechanism;
-  EXPECT_EQ(now.revision, 2u);
-  EXPECT_EQ(now.lawCount, 2);
-  EXPECT_FALSE(now.held) << "it has been nowhere";
-  EXPECT_EQ(now.laws[0].phase, LawPhase::Open);
-  EXPECT_EQ(now.laws[1].phase, LawPhase::Gone);
-  EXPECT_EQ(now.changes.count, 0u);
-  EXPECT_NE(now.pose_W[0].p, before_W);
-  now = ticks.next(other, above).state.mechanism;
-  EXPECT_TRUE(now.held);
-  EXPECT_EQ(now.laws[0].phase, LawPhase::Closed);
-  EXPECT_EQ(now.laws[1].phase, LawPhase::Gone);
-  EXPECT_EQ(now.hand_W.p, above.p);
-  EXPECT_LE(now.hand_W.q.angularDistance(above.q), 1e-12) << "the hand turns it";
-  const Vec3 held_W = now.pose_W[0].p;
-  const TickOutput resting = ticks.next(other, nowhere);
-  EXPECT_TRUE(resting.state.mechanism.held) << "where it was";
-  EXPECT_EQ(resting.state.mechanism.pose_W[0].p, held_W);
-  EXPECT_EQ(resting.state.proxy_W.p, held_W);
-}
-
-std::vector<char> bytesOf(const FeltMechanism& mechanism)
-{
-  ByteWriter out;
-  putMechanism(out, mechanism);
-  return out.bytes();
-}
-
-TEST(RecordedMechanisms, ComeBackToTheLastBitAndAreRefusedWhereTheyCannotBe)
-{
-  const auto felt = feltBlock();
-  const std::vector<char> bytes = bytesOf(*felt);
-  ByteReader in(bytes.data(), bytes.size());
-  const RecordedMechanism read = readMechanism(in);
-  ASSERT_TRUE(in.ok());
-  EXPECT_EQ(in.left(), 0u);
-  auto back = std::make_shared<PressedBody>(*read.bodies[0].body);
-  back->scene = felt->bodies()[0]->scene;
-  EXPECT_EQ(bytesOf(FeltMechanism(read.revision, read.plan, { back })), bytes);
-  const auto refused = [&](const auto& change)
-  {
-    MechanismPlan plan = felt->plan();
-    change(plan);
-    const std::vector<char> wrong = bytesOf(FeltMechanism(1, plan, felt->bodies()));
-    ByteReader again(wrong.data(), wrong.size());
-    (void)readMechanism(again);
-    return !again.ok();
-  };
-  EXPECT_FALSE(refused([](MechanismPlan&) {}));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.held = 1; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.lever_u = 0.0; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.bodies[1].soft = 1; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.bodies[0].pose_W.q.coeffs().setZero(); }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].b = 2; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].kind = static_cast<LawKind>(11); }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].place_B.vertices[2] = 1u << 20; }));
-  EXPECT_TRUE(refused([](MechanismPlan& p) { p.laws[0].friction = std::nan(""); }));
-  for (std::size_t size = 0; size < bytes.size(); size += 997)
-  {
-    ByteReader cut(bytes.data(), size);
-    (void)readMechanism(cut);
-    EXPECT_FALSE(cut.ok()) << size;
-  }
-}
-
-TEST(RecordedMechanisms, AStateAtVerticesThatABodyDoesNotHaveIsNotGoneOnFrom)
-{
-  const auto felt = feltBlock();
-  const std::vector<char> bytes = bytesOf(*felt);
-  ByteReader in(bytes.data(), bytes.size());
-  const RecordedMechanism mechanism = readMechanism(in);
-  MechanismState state;
-  state.laws[0].place_B.vertices[1] = 1u << 20;
-  EXPECT_TRUE(fits(state, mechanism)) << "of another plan";
-  state.revision = mechanism.plan.revision;
-  EXPECT_FALSE(fits(state, mechanism));
-  EXPECT_TRUE(isUsable(state));
-  state.laws[3].force_W.x() = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE(isUsable(state));
-}
-
-TEST(RecordedMechanisms, ThatAreLeftOutOfARecordingAreSaid)
-{
-  Recording recording;
-  RecordedChange change;
-  change.event = { 1, EventKind::Mechanism, 17 };
-  recording.entries.emplace_back(change);
-  EXPECT_NE(replay(recording).problem, "");
 }
 
 } // namespace

@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "devices/FedDevice.h"
+#include "ToolHand.h"
 #include "haptics/recording/Recording.h"
-#include "haptics/session/HapticSession.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/Meshes.h"
@@ -17,7 +16,7 @@ namespace palpate::test
 namespace
 {
 
-constexpr double halfTool = 0.02, springOfTool = 1000.0;
+constexpr double halfTool = 0.02;
 
 ToolChoice cubeTool()
 {
@@ -43,37 +42,10 @@ std::shared_ptr<const Scene> movedTo(const Scene& scene, const Pose& place, std:
   return std::make_shared<const Scene>(revision, std::move(surfaces), 0.02);
 }
 
-/// A hand with a cube, in virtual time, that feels everything from the first tick on.
-class ToolInLoop : public testing::Test
+class ToolInLoop
+  : public testing::Test
+  , protected ToolHand
 {
-protected:
-  void begin(const std::shared_ptr<const Scene>& scene, const ToolChoice& tool, const std::string& file = {})
-  {
-    HapticParameters parameters;
-    parameters.stiffness_N_per_m = springOfTool;
-    parameters.limitStiffness = false;
-    parameters.safety = SafetyLimits::none();
-    ASSERT_EQ(this->session.setParameters(parameters), "");
-    this->session.setScene(scene);
-    this->session.setTool(tool);
-    SessionOptions options;
-    options.virtualTime = true;
-    options.recordFile = file;
-    ASSERT_EQ(this->session.start(std::make_unique<FedDevice>(), options), "");
-  }
-
-  const HapticState& hold(const Pose& hand, int ticks = 1)
-  {
-    DeviceSample sample;
-    sample.pose_D = hand;
-    static_cast<FedDevice*>(this->session.device())->feed(sample);
-    EXPECT_EQ(this->session.step(ticks), ticks);
-    return this->session.state();
-  }
-
-  const HapticState& hold(double z, int ticks = 1) { return this->hold({ Vec3(0, 0, z), Quat::Identity() }, ticks); }
-
-  HapticSession session;
 };
 
 TEST_F(ToolInLoop, PushesAsTheSpringFromTheHandToWhereTheToolLies)

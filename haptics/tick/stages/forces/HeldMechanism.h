@@ -22,12 +22,8 @@ void membersOf(const Visit& visit, Law& law) requires std::is_same_v<std::remove
   visit(law.met);
   visit(law.seen);
   visit(law.placed);
-  visit(law.place_A.vertices);
-  visit(law.place_A.weights);
-  visit(law.place_A.x_W);
-  visit(law.place_B.vertices);
-  visit(law.place_B.weights);
-  visit(law.place_B.x_W);
+  visit(law.place_A);
+  visit(law.place_B);
   visit(law.normal_W);
   visit(law.stuck_u);
   visit(law.force_W);

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// palpate-mechanism-bench: what a tick of a mechanism costs the servo, beside one of a point on a rigid surface.
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "haptics/contact/GodObject.h"
+#include "haptics/session/mechanism/MechanismTouch.h"
+#include "testing/haptics/session/WallAndLiver.h"
+#include "testing/support/CostSample.h"
+#include "testing/support/MechanismRig.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+/// Ticks of a point on a rigid surface that one of each may be: twice what was seen.
+constexpr double mostOfNeedle = 12.0, mostOfBlock = 160.0, mostOfBudget = 1200.0;
+
+constexpr double beyond = 0.04, before = -0.006, speed_m = 2e-4; // a tick
+
+struct Seen
+{
+  double p50_us = 0.0;
+  double p99_us = 0.0;
+  std::uint32_t mostWork = 0;
+  int capped = 0;
+};
+
+void see(const MechanismResult& r, Seen& seen)
+{
+  seen.mostWork = std::max(seen.mostWork, r.work);
+  seen.capped += r.capped ? 1 : 0;
+}
+
+Seen ended(const CostSample& cost, Seen seen)
+{
+  seen.p50_us = cost.quantile_us(0.5);
+  seen.p99_us = cost.quantile_us(0.99);
+  return seen;
+}
+
+/// Of a tip that goes in and out so far, a little askew.
+Vec3 tipAt(int tick)
+{
+  const double length = beyond - before;
+  const double gone = std::fmod(speed_m * tick, 2.0 * length);
+  const double way = std::min(gone, 2.0 * length - gone);
+  return { 1e-3 + 0.02 * way, 2e-3 - 0.03 * way, before + way };
+}
+
+/// Through wall and liver of tetrahedra, whose packets come at 25 Hz.
+Seen needle(int strokes, double turning_Nm_per_rad)
+{
+  MechanismInputs inputs = wallAndLiver(2);
+  std::string refusal;
+  const auto bodies = MechanismBodies::make(inputs.soft, refusal);
+  const MechanismPlan plan = planMechanism(inputs.mechanism, bodies->atRest(), 1);
+  bodies->hold(plan);
+  bodies->pace(0.04);
+  const int ticks = static_cast<int>(2.0 * strokes * (beyond - before) / speed_m);
+  const ProcessorClock clock;
+  CostSample cost(static_cast<std::size_t>(ticks), clock);
+  MechanismTick servo;
+  Seen seen;
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    MechanismInput input;
+    input.tick = static_cast<std::uint64_t>(tick) + 1;
+    input.plan = &plan;
+    input.hand_W = { tipAt(tick) - needle_m * Vec3::UnitZ(), Quat::Identity() };
+    input.grip = { kc, turning_Nm_per_rad };
+    input.soft = bodies->at(1e-3 * tick);
+    const MechanismResult* r = nullptr;
+    cost.time([&] { r = &servo.step(input); });
+    see(*r, seen);
+    bodies->tell({ r->presses.data(), static_cast<std::size_t>(r->pressCount) }, tipAt(tick), input.tick);
+  }
+  return ended(cost, seen);
+}
+
+/// A block that only balance holds on four springs that it rubs on, pushed to and fro by a needle that is fastened to
+/// it. On a slope that its friction does not hold, without a needle, it finds no place to rest.
+Seen block(int ticks, double slope)
+{
+  constexpr double half = 0.05, high = 0.02, rod = 0.1, weight = 2.0;
+  MechanismRig rig(rod);
+  MechanismBody body;
+  body.name = "block";
+  body.kind = MechanismBodyKind::Rigid;
+  body.halfSize_u = Vec3(half, half, high);
+  body.load_W = weight * Vec3(std::sin(slope), 0.0, -std::cos(slope));
+  rig.mechanism.bodies.push_back(body);
+  for (int foot = 0; foot < 4; ++foot)
+  {
+    const Vec3 at(foot & 1 ? half : -half, foot & 2 ? half : -half, -high);
+    const std::string name = "foot " + std::to_string(foot);
+    rig.addSoft(name, springWall(name, at, Vec3::UnitZ(), 0.01, 1.0 / tissue));
+    MechanismLaw& law = rig.join(LawKind::Friction, name, at, at);
+    law.a = "block";
+    law.axis_B = Vec3::UnitZ();
+    law.friction = 0.3;
+  }
+  const Vec3 top(0.01, 0.0, high);
+  if (slope == 0.0)
+  {
+    rig.join(LawKind::Attachment, "block", Vec3(0.0, 0.0, rod), top);
+  }
+  const ProcessorClock clock;
+  CostSample cost(static_cast<std::size_t>(ticks), clock);
+  Seen seen;
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    const Vec3 led = top + Vec3(0.004 * std::sin(0.02 * tick), 0.003 * std::sin(0.013 * tick), rod);
+    const MechanismResult* r = nullptr;
+    cost.time([&] { r = &rig.step(Pose{ led, Quat(0.0, 1.0, 0.0, 0.0) }); });
+    see(*r, seen);
+  }
+  return ended(cost, seen);
+}
+
+/// A point that slides over the wall as if it were rigid.
+Seen rigidPoint(int ticks)
+{
+  MechanismInputs inputs = wallAndLiver(2);
+  std::string refusal;
+  const auto bodies = MechanismBodies::make({ inputs.soft.front() }, refusal);
+  const Scene& scene = *bodies->atRest().front().body->scene;
+  const ProcessorClock clock;
+  CostSample cost(static_cast<std::size_t>(ticks), clock);
+  GodObjectState state;
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    const double s = 1e-3 * tick;
+    const Vec3 p_W(0.02 * std::sin(3.0 * s), 0.02 * std::sin(2.0 * s), tick == 0 ? -1e-3 : 1e-3);
+    cost.time([&] { (void)moveGodObject(scene, ContactPlan(), p_W, state); });
+  }
+  return ended(cost, {});
+}
+
+bool tell(const char* name, const Seen& seen, const Seen& rigid, double mostOfRigid)
+{
+  const double ratio = seen.p50_us / rigid.p50_us;
+  std::printf("%-44s p50 %7.1f us p99 %7.1f us, ratio %6.1f (at most %.0f); work up to %u, %d capped\n", name,
+    seen.p50_us, seen.p99_us, ratio, mostOfRigid, seen.mostWork, seen.capped);
+  return ratio <= mostOfRigid;
+}
+
+} // namespace
+} // namespace palpate::test
+
+int main(int argc, char** argv)
+{
+  using namespace palpate::test;
+  int strokes = 20;
+  bool withAssertions = false;
+  CLI::App app("what a tick of a mechanism costs the servo");
+  app.add_option("--strokes", strokes, "of the needle");
+  app.add_flag("--assert", withAssertions, "fail if a tick costs more ticks of a point than it may");
+  CLI11_PARSE(app, argc, argv);
+  const Seen rigid = rigidPoint(20000);
+  std::printf(
+    "%-44s p50 %7.1f us p99 %7.1f us\n", "a point on the wall as if it were rigid", rigid.p50_us, rigid.p99_us);
+  bool within = tell("needle in wall and liver, turned by the hand", needle(strokes, kr), rigid, mostOfNeedle);
+  within = tell("the same, its turn free", needle(strokes, 0.0), rigid, mostOfNeedle) && within;
+  within = tell("a block that rubs on four springs", block(5000, 0.0), rigid, mostOfBlock) && within;
+  within = tell("the same, sliding without end", block(500, 0.6), rigid, mostOfBudget) && within;
+  return within || !withAssertions ? 0 : 1;
+}
