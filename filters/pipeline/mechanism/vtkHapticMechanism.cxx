@@ -6,6 +6,7 @@
 
 #include "haptics/session/mechanism/MechanismTouch.h"
 #include "vtkHapticMechanismData.h"
+#include "vtkHapticWholeInput.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -74,7 +75,8 @@ int vtkHapticMechanism::RequestData(vtkInformation*, vtkInformationVector**, vtk
   if (!problem.empty())
   {
     vtkErrorMacro("There is no such mechanism: " << problem);
-    return 0;
+    // A source of one piece is not asked on the other ranks, which go on, and would wait for this one.
+    return vtkHapticRanks() > 1 ? 1 : 0;
   }
   vtkPolyData::GetData(output)->ShallowCopy(this->Moved ? this->Moved : this->AtFirst);
   return 1;
