@@ -60,6 +60,7 @@ std::string vtkHapticHeldMechanism::Take(const std::string& name, vtkDataObject*
   this->Name = name;
   this->File = vtkHapticIsMechanism(data) ? vtkHapticMechanismFileOf(*data) : "";
   this->Folder = vtkHapticIsMechanism(data) ? vtkHapticMechanismFolderOf(*data) : "";
+  this->OfServer = data && vtkHapticIsOfServer(*data);
   this->Inputs = nullptr;
   this->Problem = data && this->File.empty() ? name + " is no mechanism: choose the output of Haptic Mechanism" : "";
   return this->TakeAgain();
@@ -81,6 +82,10 @@ std::string vtkHapticHeldMechanism::TakeAgain()
     this->Inputs = inputs;
   }
   this->Problem = read.Inputs ? "" : this->Name + " cannot be held: " + read.Problem;
+  if (!read.Inputs && this->OfServer)
+  {
+    this->Problem += "; it is of a server: files of its bodies are read here, put them into the same folder here";
+  }
   return this->Problem;
 }
 

@@ -44,6 +44,7 @@ private:
   std::string Name;
   std::string File, Folder; ///< text of the scene file, and where that lies
   std::string Problem;
+  bool OfServer = false;
   std::shared_ptr<const palpate::MechanismInputs> Inputs;
   palpate::MechanismNow Now;
   palpate::Vec3 Begin_W = palpate::Vec3::Zero(); ///< where that way begins
