@@ -7,6 +7,7 @@
 #include "devices/FedDevice.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "haptics/session/Warning.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/Meshes.h"
@@ -286,6 +287,7 @@ TEST_F(ToolInLoop, BeyondAServersPartWaitsWhereAllWasKnownAndGoesOnFromThereOrBe
     ASSERT_LE(way, reach + 1e-3) << "a step of the hand beyond it";
   }
   EXPECT_TRUE(this->hold(hand, 700).known.beyond);
+  EXPECT_NE(warning(this->session.state(), this->session.report()).find("the tool reaches beyond"), std::string::npos);
   EXPECT_LE(this->session.state().force_W.norm(), 1e-9);
   tellPart(this->session, *second, Vec3::Zero(), 4.0 * reach); // has both places
   this->session.setScene(second);
