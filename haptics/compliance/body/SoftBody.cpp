@@ -286,7 +286,9 @@ std::string bearLoads(
   {
     return {};
   }
-  return stop.stop_requested() ? stopped : "the body does not come to rest under its loads: give smaller ones, or a stiffer material";
+  return stop.stop_requested()
+           ? stopped
+           : "the body does not come to rest under its loads: give smaller ones, or a stiffer material";
 }
 
 std::string refuseCounts(const SoftBodyInput& input)

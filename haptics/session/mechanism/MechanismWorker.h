@@ -92,7 +92,7 @@ private:
 
   // Of the thread alone.
   Order now_;
-  bool stopped_ = false; ///< before its bodies were built
+  bool stopped_ = false;                   ///< before its bodies were built
   std::vector<MechanismSoftInput> madeOf_; ///< the bodies, in use or kept for the next mechanism
   std::unique_ptr<MechanismBodies> bodies_;
   MechanismPlan plan_;         ///< revision 0: none is felt

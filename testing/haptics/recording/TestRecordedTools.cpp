@@ -94,7 +94,7 @@ TEST(RecordedTools, MoreContactsThanThereIsRoomForAreRefusedBeforeAnyIsRead)
   ByteWriter out;
   putTool(out, set);
   std::vector<char> bytes = out.bytes();
-  const std::size_t atCount = bytes.size() - sizeof(std::uint64_t) - sizeof(double);
+  const std::size_t atCount = bytes.size() - sizeof(std::uint64_t) - 2 * sizeof(double); // ball and reach
   bytes.resize(atCount + sizeof(std::uint64_t) + 56 * (ToolContacts::capacity + 1));
   bytes[atCount] = static_cast<char>(ToolContacts::capacity + 1);
   ByteReader in(bytes.data(), bytes.size());
