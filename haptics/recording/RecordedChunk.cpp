@@ -98,6 +98,19 @@ void readChange(RecordedChunk& chunk, Recording& recording)
   recording.entries.emplace_back(std::move(change));
 }
 
+void readBodyChunk(RecordedChunk& chunk, Recording& recording)
+{
+  constexpr std::uint32_t versionWithBeside = 2;
+  std::shared_ptr<const PressedBody> body = readBody(chunk.payload);
+  if (body && chunk.version >= versionWithBeside)
+  {
+    auto withBeside = std::make_shared<PressedBody>(*body);
+    chunk.payload.get(withBeside->beside);
+    body = std::move(withBeside);
+  }
+  recording.bodies.push_back(std::move(body));
+}
+
 constexpr ChunkReader readers[] = {
   { chunks::start, readStart },
   { chunks::tick, readTick },
@@ -108,7 +121,7 @@ constexpr ChunkReader readers[] = {
   { chunks::brick, [](RecordedChunk& c, Recording& recording) { recording.bricks.push_back(readBrick(c.payload)); } },
   { chunks::tool,
     [](RecordedChunk& c, Recording& recording) { recording.tools.push_back(readTool(c.payload, c.version)); } },
-  { chunks::body, [](RecordedChunk& c, Recording& recording) { recording.bodies.push_back(readBody(c.payload)); } },
+  { chunks::body, readBodyChunk },
   { chunks::mechanism,
     [](RecordedChunk& c, Recording& recording) { recording.mechanisms.push_back(readMechanism(c.payload)); } },
   { chunks::end, [](RecordedChunk& c, Recording& recording) { c.payload.get(recording.lost); } },

@@ -29,7 +29,7 @@ void layContact(const Io& io, T& contact)
   io(contact.gap_u);
 }
 
-constexpr std::uint32_t versionWithBall = 2;
+constexpr std::uint32_t versionWithBall = 2, versionWithReach = 3;
 constexpr std::size_t bytesOfContact = 7 * sizeof(double);
 
 /// Far more than turns and sums of rounding leave, far less than would be felt.
@@ -58,6 +58,7 @@ void putTool(ByteWriter& payload, const ToolContacts& contacts)
     layContact(Put{ payload }, contacts.contacts[i]);
   }
   payload.put(contacts.ball_u);
+  payload.put(contacts.reach_u);
 }
 
 ToolContacts readTool(ByteReader& in, std::uint32_t version)
@@ -76,6 +77,11 @@ ToolContacts readTool(ByteReader& in, std::uint32_t version)
   {
     in.get(set.ball_u);
     in.failUnless(set.ball_u >= 0.0 && std::isfinite(set.ball_u));
+  }
+  if (version >= versionWithReach)
+  {
+    in.get(set.reach_u);
+    in.failUnless(set.reach_u >= 0.0 && std::isfinite(set.reach_u));
   }
   return set;
 }

@@ -180,6 +180,7 @@ std::vector<char> bodyChunk(const PressedBody& body)
 {
   ByteWriter payload;
   putBody(payload, body);
+  payload.put(body.beside);
   return chunk(chunks::body, payload);
 }
 

@@ -31,8 +31,8 @@ inline constexpr ChunkKind change{ "change" };    ///< RecordedChange
 inline constexpr ChunkKind scene{ "scene" };      ///< RecordedScene
 inline constexpr ChunkKind motion{ "motion" };    ///< RecordedMotion
 inline constexpr ChunkKind brick{ "brick", 3 };   ///< putBrick(); from version 2 on with its lines, 3: a finer one
-inline constexpr ChunkKind tool{ "tool", 2 };     ///< putTool(); from version 2 on with its ball
-inline constexpr ChunkKind body{ "body" };        ///< putBody()
+inline constexpr ChunkKind tool{ "tool", 3 };     ///< putTool(); from version 2 on with its ball, 3: its reach
+inline constexpr ChunkKind body{ "body", 2 };     ///< putBody(); from version 2 on with what is beside it
 inline constexpr ChunkKind mechanism{ "joined" }; ///< putMechanism()
 inline constexpr ChunkKind end{ "end" };          ///< ticks that were lost; nothing follows
 } // namespace chunks

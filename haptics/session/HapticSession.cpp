@@ -36,7 +36,7 @@ HapticDevice* HapticSession::device() noexcept
 void HapticSession::beginBeside(Run& run, std::int64_t period_ns) const
 {
   run.tool.emplace(run.links.tool, run.virtualTime, period_ns);
-  run.tool->touch(this->scene_);
+  run.tool->touch(this->scene_, this->parameters_.known);
   run.tool->take(this->tool_);
   run.soft.emplace(run.links.soft, run.virtualTime);
   run.soft->touch(this->scene_);
@@ -186,7 +186,7 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
     }
     this->run_->recordings->storeScene(this->scene_);
     this->run_->links.scenes.publish(this->scene_);
-    this->run_->tool->touch(this->scene_);
+    this->run_->tool->touch(this->scene_, this->parameters_.known);
     this->run_->soft->touch(this->scene_);
   }
 }

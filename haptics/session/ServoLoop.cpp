@@ -72,6 +72,7 @@ void ServoLoop::takeChanges() noexcept
   if (latest.version != this->version_)
   {
     this->version_ = latest.version;
+    this->maps_ += isSame(latest.parameters.map, this->parameters_.map) ? 0 : 1;
     this->parameters_ = latest.parameters;
     if (this->recorder_ != nullptr)
     {
@@ -214,8 +215,11 @@ void ServoLoop::tellWorkers(const TickOutput& output) noexcept
 {
   this->links_.soft.hand.write(bodyHandOf(this->input_, output, this->renderer_));
   this->links_.mechanism.hand.write(this->renderer_.mechanismHand);
-  this->links_.tool.hand.write({ output.state.tool.hand_W, output.state.tool.held && !output.state.held,
-    this->parameters_.contact.friction.kinetic });
+  const HapticState& state = output.state;
+  // Beyond what is known of a scene a tool waits where all was known.
+  const bool leads = state.tool.held && !state.held && !state.known.beyond;
+  this->links_.tool.hand.write({ state.tool.hand_W, leads, this->parameters_.contact.friction.kinetic,
+    static_cast<double>(this->input_.tick) * this->period_s_, this->maps_ });
 }
 
 /// With what it brought about, which a recording would else tell of only when it is computed again.

@@ -107,6 +107,7 @@ private:
   std::uint64_t period_ = 0; ///< number of the current period, from 1
   std::uint64_t version_ = 0;
   HapticParameters parameters_;
+  std::uint32_t maps_ = 0; ///< that were changed so far
   RendererState renderer_;
   TickInput input_;
   std::unique_ptr<SoftRoom> softRoom_ = std::make_unique<SoftRoom>();

@@ -17,6 +17,18 @@ std::string lateSentence(double p99_us, double stiffnessFactor)
          std::to_string(std::lround(100.0 * stiffnessFactor)) + " %; close other programs or grant real-time priority";
 }
 
+std::string beyondSentence(const HapticState& state)
+{
+  if (state.known.late)
+  {
+    return "the server does not answer: no force until what is around the hand is there";
+  }
+  return state.tool.held && state.tool.ball_u == 0.0
+           ? "the tool reaches beyond what is there of the server's surfaces: no force until all that it reaches is "
+             "there; if it stays so, raise the number of triangles up to which a surface is fetched whole"
+           : "the hand is beyond what is there of the server's surfaces: no force until what is around it is there";
+}
+
 } // namespace
 
 std::string warning(const HapticState& state, const LoopReport& report)
@@ -27,9 +39,7 @@ std::string warning(const HapticState& state, const LoopReport& report)
   }
   if (state.known.beyond)
   {
-    return state.known.late ? "the server does not answer: no force until what is around the hand is there"
-                            : "the hand is beyond what is there of the server's surfaces: no force until what is "
-                              "around it is there";
+    return beyondSentence(state);
   }
   if (state.frozen)
   {

@@ -11,11 +11,14 @@
 #include "VtkScenes.h"
 #include "vtkActor.h"
 #include "vtkCubeSource.h"
+#include "vtkHapticHandPace.h"
+#include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticToolProps.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkSphereSource.h"
 
 using namespace palpate;
 using namespace palpate::testing;
@@ -64,6 +67,31 @@ protected:
     this->session_->Step(ticksToRest);
   }
 };
+
+TEST_F(HapticSessionTool, NeedsOfAServersSurfaceAllThatItReaches)
+{
+  const auto reach = [this] { return this->session_->ServerSurfaces().GetReach(); };
+  const double ahead = vtkHapticHandPace::fastest_m_per_s * vtkHapticHandPace::ahead_s * scale;
+  this->session_->SetHandPosition(0.0, 0.0, 20.0);
+  const double bare = reach();
+  ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway()));
+  const double corner = std::sqrt(3.0) * halfSide;
+  EXPECT_NEAR(reach(), 2.0 * (ahead + corner), 1e-9);
+  this->touchAt(halfSide + 5.0);
+  this->goTo(halfSide - 2.0); // which pulls by 2
+  EXPECT_NEAR(reach(), 2.0 * (ahead + corner + 2.0), 1e-3);
+  vtkNew<vtkSphereSource> ball; // felt as a ball
+  ball->SetRadius(halfSide);
+  ball->SetThetaResolution(100);
+  ball->SetPhiResolution(100);
+  ball->Update();
+  ASSERT_TRUE(this->session_->AddTool("Cube1", ball->GetOutput()));
+  this->goTo(halfSide + 5.0);
+  EXPECT_NEAR(reach(), 2.0 * (ahead + halfSide), 1e-2);
+  this->session_->AddTool(nullptr, nullptr);
+  this->goTo(20.0);
+  EXPECT_NEAR(reach(), bare, 1e-9);
+}
 
 TEST_F(HapticSessionTool, LiesOnASurfaceAndPushesTheHandThatHoldsItsCentre)
 {

@@ -5,6 +5,7 @@ The plugin is loaded on both by PV_PLUGIN_PATH. The script runs on the first ran
 """
 
 import math
+import os
 import sys
 import unittest
 
@@ -39,6 +40,90 @@ class OnRanks(unittest.TestCase):
         felt = servermanager.Fetch(simple.TouchAlongPath(Input=self.sphere, Path=path, Stiffness=500.0))
         array = felt.GetPointData().GetArray("Force")
         return [array.GetTuple(i) for i in range(felt.GetNumberOfPoints())]
+
+    @staticmethod
+    def counted(script):
+        """What the script, which both ranks run, has counted on the first."""
+        counted = simple.ProgrammableSource(OutputDataSetType="vtkTable", Script=script)
+        table = servermanager.Fetch(counted)
+        return [table.GetColumnByName("cells").GetValue(i) for i in range(table.GetNumberOfRows())]
+
+    def test_a_rank_whose_piece_is_as_it_was_or_empty_does_not_keep_the_others_waiting(self):
+        cells = self.counted("""
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+from palpate.vtkHapticPipeline import vtkHapticNeighbourhood
+rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
+piece, ball = vtkPolyData(), vtkSphereSource()
+ball.SetRadius(50.0)
+ball.SetThetaResolution(20)
+ball.SetPhiResolution(20)
+ball.Update()
+part = vtkHapticNeighbourhood()
+part.SetInputDataObject(piece)
+part.SetLimit(100)
+part.SetReach(20.0)
+part.SetCentre(0.0, 0.0, 50.0)
+cells = vtkIdTypeArray()
+cells.SetName("cells")
+for filled in ((), (0,), (0, 1), (1,)):
+    if rank in filled and piece.GetNumberOfCells() == 0:
+        piece.ShallowCopy(ball.GetOutput())
+    elif rank not in filled and piece.GetNumberOfCells() > 0:
+        piece.Initialize()
+    part.Modified()
+    part.Update()
+    cells.InsertNextValue(part.GetOutput().GetNumberOfCells())
+if rank == 0:
+    self.GetOutputDataObject(0).AddColumn(cells)
+""")
+        alone = cells[1]
+        self.assertEqual(cells[0], 0)
+        self.assertGreater(alone, 10)
+        self.assertEqual(cells[3], alone)  # the same half ball, on the other rank
+        self.assertGreater(cells[2], 10)
+
+    def test_a_soft_body_and_its_skin_are_one_on_the_first_rank(self):
+        cells = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4]))  # five of each voxel
+        body = simple.SoftBody(Input=cells, Fixed="zmin")
+        made = servermanager.Fetch(body)
+        self.assertEqual((made.GetNumberOfPoints(), made.GetNumberOfCells()), (9 ** 3, 5 * 8 ** 3))
+        ball = simple.Sphere(Radius=3.0, ThetaResolution=20, PhiResolution=21)
+        skin = servermanager.Fetch(simple.SoftSkin(Input=ball, Body=body))
+        self.assertEqual(skin.GetNumberOfCells(), 2 * 20 + 2 * 20 * 18)
+        self.assertEqual(skin.GetPointData().GetArray("Displacement").GetRange(-1), (0.0, 0.0))
+        ground = simple.HapticTool(Shape="Peg", Radius=5.0, Length=20.0)  # on both ranks or dealt out: one solid
+        filled = servermanager.Fetch(simple.SoftBody(Input=ground, EdgeLength=3.0, Fixed="zmin"))
+        self.assertGreater(filled.GetNumberOfCells(), 100)
+
+    def test_a_soft_body_is_felt_along_a_path(self):
+        body = simple.SoftBody(Input=simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-2, 2, -2, 2, -2, 2])),
+                               Fixed="zmin", Unit=0.01)  # of 20 kPa
+        path = simple.Line(Point1=[0.1, 0.2, 4.0], Point2=[0.1, 0.2, 2.0], Resolution=100)
+        felt = servermanager.Fetch(simple.TouchAlongPath(Input=body, Path=path, Radius=1.0, Stiffness=500.0, Scale=100.0))
+        force = felt.GetPointData().GetArray("Force").GetTuple(felt.GetNumberOfPoints() - 1)
+        # A unit into something that gives way: less than the spring of a wall, 5 N.
+        self.assertGreater(force[2], 0.5)
+        self.assertLess(force[2], 4.9)
+
+    def test_what_fails_on_the_first_rank_keeps_no_other_waiting(self):
+        path = simple.Line(Point1=[0.1, 0.2, 4.0], Point2=[0.1, 0.2, 2.0], Resolution=10)
+        cells = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-2, 2, -2, 2, -2, 2]))
+        for body in (simple.SoftBody(Input=cells, Fixed="no such array"), simple.HapticMechanism(FileName="no such file.json"),
+                     simple.SoftSkin(Input=simple.Sphere(), Body=cells)):
+            felt = simple.TouchAlongPath(Input=body, Path=path)
+            felt.UpdatePipeline()
+            self.assertEqual(felt.GetDataInformation().GetNumberOfPoints(), 0)
+
+    def test_a_mechanism_is_there_once(self):
+        scene = os.path.join(os.environ["PALPATE_SOURCE_DIR"], "data", "mechanisms", "needle.json")
+        shapes = servermanager.Fetch(simple.HapticMechanism(FileName=scene))
+        which = shapes.GetCellData().GetArray("Body")
+        bodies = [int(which.GetValue(i)) for i in range(shapes.GetNumberOfCells())]
+        # The borders of 10 x 10 x 2 and of 8 x 8 x 4 voxels, two triangles each of their squares.
+        self.assertEqual((bodies.count(1), bodies.count(2)), (2 * 2 * (100 + 20 + 20), 2 * 2 * (64 + 32 + 32)))
 
     def test_both_halves_push_alike(self):
         one, other = self.forces(1.0), self.forces(-1.0)

@@ -162,6 +162,21 @@ class SurfaceOnAServer(unittest.TestCase):
             finally:
                 simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 20.0
 
+    def test_of_what_is_not_drawn_as_a_surface_any_more_nothing_is_kept(self):
+        with connected(), hand() as there:
+            there.touch(self.way, WHOLE)
+            self.assertIn("Waves: all of its", there.session.GetServerSentence())
+            display = simple.GetDisplayProperties(there.contour, there.view)
+            display.Representation = "Outline"
+            simple.Render(there.view)
+            there.follow()
+            self.assertEqual(there.session.GetServerSentence(), "")
+            there.contour.Isosurfaces = [150.0]
+            display.Representation = "Surface"
+            simple.Render(there.view)
+            there.follow()
+            self.assertIn("Waves: all of its", there.session.GetServerSentence())
+
     def test_touch_along_path_on_two_ranks_is_that_of_the_built_in_server(self):
         def felt():
             contour, x = waves(), self.way[0][0]

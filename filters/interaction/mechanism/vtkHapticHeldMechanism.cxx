@@ -99,6 +99,7 @@ std::string vtkHapticHeldMechanism::Take(const std::string& name, vtkDataObject*
   this->Seen = {};
   auto* const shapes = vtkDataSet::SafeDownCast(data);
   this->Bounds = shapes ? vtkBoundingBox(shapes->GetBounds()) : vtkBoundingBox();
+  this->OfServer = data && vtkHapticIsOfServer(*data);
   this->Problem = data && this->File.empty() ? name + " is no mechanism: choose the output of Haptic Mechanism" : "";
   return this->TakeAgain();
 }
@@ -118,6 +119,10 @@ std::string vtkHapticHeldMechanism::TakeAgain()
                  ? vtkHapticHeldShape(read.Inputs->mechanism.bodies[this->HeldBody()])
                  : nullptr;
   this->Problem = read.Inputs ? "" : this->Name + " cannot be held: " + read.Problem;
+  if (!read.Inputs && this->OfServer)
+  {
+    this->Problem += "; it is of a server: files of its bodies are read here, put them into the same folder here";
+  }
   return this->Problem;
 }
 

@@ -63,6 +63,7 @@ private:
   std::string Name;
   std::string File, Folder; ///< text of the scene file, and where that lies
   std::string Problem;
+  bool OfServer = false;
   std::shared_ptr<const palpate::MechanismInputs> Inputs;
   std::vector<palpate::MechanismSoftInput> Read; ///< its soft bodies, for the next laws
   vtkSmartPointer<vtkPolyData> Held;             ///< the shape of the body in the hand

@@ -14,14 +14,15 @@ std::optional<palpate::Vec3> vtkHapticServerSurfaces::GetCentre() const
 
 double vtkHapticServerSurfaces::Pulled() const
 {
-  const double radius_u = this->Core.parameters().contact.radius_u;
+  const auto& tool = this->Core.tool().tool;
+  const double touches_u = tool ? tool->reach_u : this->Core.parameters().contact.radius_u;
   if (!this->Core.running())
   {
-    return radius_u;
+    return touches_u;
   }
   const palpate::HapticState& state = this->Core.state();
   const double pulled_u = (state.proxy_W.p - state.device_W.p).norm();
-  return radius_u + (std::isfinite(pulled_u) ? pulled_u : 0.0);
+  return touches_u + (std::isfinite(pulled_u) ? pulled_u : 0.0);
 }
 
 double vtkHapticServerSurfaces::GetReach() const

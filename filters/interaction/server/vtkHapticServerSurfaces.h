@@ -52,7 +52,7 @@ public:
   [[nodiscard]] double GetAge() const;
 
 private:
-  /// From the hand to what of the scene it pulls at, and the ball that touches [u].
+  /// From the hand to what of the scene it pulls at, and how far what touches reaches: the ball, or the tool [u].
   [[nodiscard]] double Pulled() const;
 
   palpate::HapticSession& Core;

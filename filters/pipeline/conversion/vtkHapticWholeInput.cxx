@@ -4,8 +4,10 @@
 #include <array>
 #include <vector>
 
+#include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
+#include "vtkCleanPolyData.h"
 #include "vtkCommunicator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -14,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
 
 namespace
 {
@@ -24,10 +27,10 @@ vtkMultiProcessController* Others()
   return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
 }
 
-std::vector<vtkSmartPointer<vtkDataObject>> PiecesOf(vtkDataObject* piece, vtkMultiProcessController& others)
+/// Those that have anything.
+std::vector<vtkSmartPointer<vtkDataObject>> FilledOf(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces)
 {
-  std::vector<vtkSmartPointer<vtkDataObject>> pieces, filled;
-  others.AllGather(piece, pieces);
+  std::vector<vtkSmartPointer<vtkDataObject>> filled;
   for (const vtkSmartPointer<vtkDataObject>& each : pieces)
   {
     if (each && each->GetNumberOfElements(vtkDataObject::POINT) + each->GetNumberOfElements(vtkDataObject::ROW) > 0)
@@ -36,6 +39,41 @@ std::vector<vtkSmartPointer<vtkDataObject>> PiecesOf(vtkDataObject* piece, vtkMu
     }
   }
   return filled;
+}
+
+std::vector<vtkSmartPointer<vtkDataObject>> PiecesOf(vtkDataObject* piece, vtkMultiProcessController& others)
+{
+  std::vector<vtkSmartPointer<vtkDataObject>> pieces;
+  others.AllGather(piece, pieces);
+  return FilledOf(pieces);
+}
+
+/// Polygons of several pieces, which have a point each along their seams, as one surface.
+vtkSmartPointer<vtkDataSet> Joined(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces)
+{
+  if (vtkPolyData::SafeDownCast(pieces.front()))
+  {
+    vtkNew<vtkAppendPolyData> append;
+    vtkNew<vtkCleanPolyData> clean;
+    for (const vtkSmartPointer<vtkDataObject>& each : pieces)
+    {
+      append->AddInputData(vtkPolyData::SafeDownCast(each));
+    }
+    clean->SetInputConnection(append->GetOutputPort());
+    clean->SetTolerance(0.0);
+    clean->ConvertPolysToLinesOff();
+    clean->Update();
+    return clean->GetOutput();
+  }
+  vtkNew<vtkAppendFilter> append;
+  append->MergePointsOn();
+  append->SetTolerance(0.0);
+  for (const vtkSmartPointer<vtkDataObject>& each : pieces)
+  {
+    append->AddInputData(each);
+  }
+  append->Update();
+  return append->GetOutput();
 }
 } // namespace
 
@@ -94,6 +132,25 @@ void vtkHapticGatherSurface(vtkPolyData* piece, vtkPolyData* whole)
   whole->ShallowCopy(append->GetOutput());
 }
 
+vtkSmartPointer<vtkDataSet> vtkHapticGatherDataSet(vtkDataSet* piece)
+{
+  vtkMultiProcessController* others = Others();
+  if (!others || !piece)
+  {
+    return piece;
+  }
+  std::vector<vtkSmartPointer<vtkDataObject>> pieces;
+  others->Gather(piece, pieces, 0);
+  if (others->GetLocalProcessId() > 0)
+  {
+    return vtkSmartPointer<vtkDataSet>::Take(piece->NewInstance());
+  }
+  const std::vector<vtkSmartPointer<vtkDataObject>> filled = FilledOf(pieces);
+  return filled.empty()       ? vtkSmartPointer<vtkDataSet>(piece)
+         : filled.size() == 1 ? vtkSmartPointer<vtkDataSet>(vtkDataSet::SafeDownCast(filled.front()))
+                              : Joined(filled);
+}
+
 double vtkHapticSumOfRanks(double own)
 {
   vtkMultiProcessController* others = Others();
@@ -103,6 +160,11 @@ double vtkHapticSumOfRanks(double own)
     others->AllReduce(&own, &sum, 1, vtkCommunicator::SUM_OP);
   }
   return sum;
+}
+
+bool vtkHapticHoldsOnAllRanks(bool own)
+{
+  return vtkHapticSumOfRanks(own ? 0.0 : 1.0) == 0.0;
 }
 
 vtkBoundingBox vtkHapticBoxOfRanks(const vtkBoundingBox& own)

@@ -7,6 +7,7 @@
 
 class vtkBoundingBox;
 class vtkDataObject;
+class vtkDataSet;
 class vtkInformationVector;
 class vtkPolyData;
 
@@ -22,6 +23,13 @@ VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkDataObject> vtkHapticWholeSurface(vt
 
 /// All pieces of a surface as one, on the first rank; the others have nothing.
 VTKHAPTICPIPELINE_EXPORT void vtkHapticGatherSurface(vtkPolyData* piece, vtkPolyData* whole);
+
+/// All pieces of a surface or of cells that fill space as one data set, whose points are no two in one place, on the
+/// first rank; the others have an empty one. Where there is one rank the data set itself. Null if there is none.
+VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkDataSet> vtkHapticGatherDataSet(vtkDataSet* piece);
+
+/// Whether it holds on every rank. Who fails alone leaves the others waiting in the filter that comes next.
+VTKHAPTICPIPELINE_EXPORT bool vtkHapticHoldsOnAllRanks(bool own);
 
 /// Of a number that each rank has; and around the boxes of all.
 VTKHAPTICPIPELINE_EXPORT double vtkHapticSumOfRanks(double own);

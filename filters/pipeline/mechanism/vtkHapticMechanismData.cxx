@@ -24,6 +24,7 @@ namespace
 {
 constexpr const char* TextName = "HapticMechanism";
 constexpr const char* FolderName = "HapticMechanismFolder";
+constexpr const char* ServerName = "HapticMechanismOfServer";
 
 void AddText(vtkDataObject& data, const char* name, const std::string& text)
 {
@@ -168,6 +169,16 @@ std::string vtkHapticMechanismFileOf(vtkDataObject& data)
 std::string vtkHapticMechanismFolderOf(vtkDataObject& data)
 {
   return TextOf(data, FolderName);
+}
+
+void vtkHapticSetOfServer(vtkDataObject& data)
+{
+  AddText(data, ServerName, "yes");
+}
+
+bool vtkHapticIsOfServer(vtkDataObject& data)
+{
+  return data.GetFieldData()->GetAbstractArray(ServerName) != nullptr;
 }
 
 vtkHapticMechanismResult vtkHapticToMechanism(vtkDataObject& data)

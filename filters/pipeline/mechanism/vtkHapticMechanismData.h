@@ -38,6 +38,10 @@ VTKHAPTICPIPELINE_EXPORT void vtkHapticDescribeMechanism(
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticMechanismFileOf(vtkDataObject& data);
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticMechanismFolderOf(vtkDataObject& data);
 
+/// Data that were brought from a server: the folder is one of the server's.
+VTKHAPTICPIPELINE_EXPORT void vtkHapticSetOfServer(vtkDataObject& data);
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsOfServer(vtkDataObject& data);
+
 /// The mechanism that data describe.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticToMechanism(vtkDataObject& data);
 

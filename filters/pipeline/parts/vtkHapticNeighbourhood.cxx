@@ -48,16 +48,21 @@ struct vtkHapticNeighbourhood::Looked
   double CellsOfAll = 0.0;
   vtkBoundingBox BoundsOfAll;
 
-  /// All ranks ask at once: their pipelines execute together.
+  /// All ranks ask at once: their pipelines execute together. The piece of one may be another while that of the next is
+  /// not: what all of them do is decided by all.
   void Look(vtkDataObject* piece)
   {
-    if (this->Surface && this->Time == piece->GetMTime())
+    const bool other = !this->Surface || this->Time != piece->GetMTime();
+    if (other)
+    {
+      this->Time = piece->GetMTime();
+      this->Surface = OneSurface(piece);
+      this->Bins = vtkHapticCellBins(this->Surface);
+    }
+    if (vtkHapticHoldsOnAllRanks(!other))
     {
       return;
     }
-    this->Time = piece->GetMTime();
-    this->Surface = OneSurface(piece);
-    this->Bins = vtkHapticCellBins(this->Surface);
     this->CellsOfAll = vtkHapticSumOfRanks(static_cast<double>(this->Bins.GetNumberOfCells()));
     this->BoundsOfAll = vtkHapticBoxOfRanks(this->Bins.GetBounds());
   }

@@ -4,6 +4,7 @@
 #include "vtkHapticSoftBodyData.h"
 #include "vtkHapticSoftLoad.h"
 #include "vtkHapticTetraFill.h"
+#include "vtkHapticWholeInput.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -174,24 +175,44 @@ bool vtkHapticSoftBody::OnlyBends(vtkMTimeType inputs)
   return this->Rest && this->KnownTime == this->GetMTime() && this->InputsTime == inputs;
 }
 
+/// What fills a label image is one body, whichever ranks have parts of the image.
+int vtkHapticSoftBody::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  if (vtkImageData::GetData(input[0]))
+  {
+    vtkHapticAskForWholeImage(input[0]);
+    return 1;
+  }
+  return this->Superclass::RequestUpdateExtent(request, input, output);
+}
+
 int vtkHapticSoftBody::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  vtkDataObject* const data = vtkDataObject::GetData(input[0]);
-  vtkDataSet* const holds = vtkDataSet::GetData(input[1]);
-  const vtkMTimeType inputs = std::max(data->GetMTime(), holds ? holds->GetMTime() : 0);
-  if (this->OnlyBends(inputs))
+  vtkDataSet* const piece = vtkDataSet::GetData(input[0]);
+  vtkDataSet* const held = vtkDataSet::GetData(input[1]);
+  const vtkMTimeType inputs = std::max(piece->GetMTime(), held ? held->GetMTime() : 0);
+  if (vtkHapticHoldsOnAllRanks(this->OnlyBends(inputs)))
   {
     vtkUnstructuredGrid::GetData(output)->ShallowCopy(this->Bent ? this->Bent : this->Rest);
     return 1;
   }
   this->Rest = nullptr;
   this->Bent = nullptr;
+  const bool image = vtkImageData::SafeDownCast(piece) != nullptr; // each rank has all of it
+  const vtkSmartPointer<vtkDataSet> data = image ? vtkSmartPointer<vtkDataSet>(piece) : vtkHapticGatherDataSet(piece);
+  const vtkSmartPointer<vtkDataSet> holds = vtkHapticGatherDataSet(held);
   std::string problem;
-  if (!this->Make(data, holds, vtkUnstructuredGrid::GetData(output), problem))
+  const bool first = vtkHapticRank() == 0; // which has the body
+  if (first && !this->Make(data, holds, vtkUnstructuredGrid::GetData(output), problem))
   {
     vtkErrorMacro("No soft body was made: " << problem);
+  }
+  if (!vtkHapticHoldsOnAllRanks(problem.empty()))
+  {
     return 0;
   }
+  this->Rest = first ? this->Rest : vtkSmartPointer<vtkUnstructuredGrid>::New();
   this->KnownTime = this->GetMTime();
   this->InputsTime = inputs;
   return 1;

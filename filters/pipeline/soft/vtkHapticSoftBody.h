@@ -16,8 +16,8 @@
  *     Label         (m)    int     of a label image: which one
  *     Load          (n, 3) double  that it bears always [N], where it bears anything
  *
- * and with its material as field data: what a session and Touch Along Path take. Bad input is an error of one line and
- * leaves the output empty.
+ * and with its material as field data: what a session and Touch Along Path take. On several ranks the first has the
+ * body that the pieces of all are. Bad input is an error of one line and leaves the output empty.
  */
 #ifndef vtkHapticSoftBody_h
 #define vtkHapticSoftBody_h
@@ -131,6 +131,7 @@ protected:
   ~vtkHapticSoftBody() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** input, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:

@@ -8,6 +8,7 @@
 #include "vtkFieldData.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticSoftBodyData.h"
+#include "vtkHapticWholeInput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -165,14 +166,21 @@ bool vtkHapticSoftSkin::Ride(vtkPolyData& surface, vtkUnstructuredGrid& body, st
 
 int vtkHapticSoftSkin::RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  vtkPolyData* const surface = vtkPolyData::GetData(input[0]);
-  vtkUnstructuredGrid* const body = vtkUnstructuredGrid::GetData(input[1]);
+  const vtkSmartPointer<vtkDataSet> whole = vtkHapticGatherDataSet(vtkDataSet::GetData(input[0]));
+  const vtkSmartPointer<vtkDataSet> bodies = vtkHapticGatherDataSet(vtkDataSet::GetData(input[1]));
+  const bool first = vtkHapticRank() == 0; // which has the skin
+  auto* const surface = vtkPolyData::SafeDownCast(whole);
+  auto* const body = vtkUnstructuredGrid::SafeDownCast(bodies);
   std::string problem;
-  if (!this->Ride(*surface, *body, problem))
+  if (first && !this->Ride(*surface, *body, problem))
   {
     this->Text.clear();
     vtkErrorMacro("Nothing rides on the body: " << problem);
-    return 0;
+  }
+  const bool rides = vtkHapticHoldsOnAllRanks(problem.empty());
+  if (!rides || !first)
+  {
+    return rides ? 1 : 0;
   }
   vtkDataArray* const ofBody = body->GetPointData()->GetArray("Displacement");
   Eigen::VectorXd ofNodes(3 * static_cast<Eigen::Index>(this->Kept->SourceVertex.size()));

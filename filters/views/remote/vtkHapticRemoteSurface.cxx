@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticRemoteSurface.h"
 
-#include "vtkCommand.h"
 #include "vtkHapticServerProxies.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 
 vtkHapticRemoteSurface::vtkHapticRemoteSurface(vtkSMSourceProxy* source, unsigned int port)
-  : Source(source), Surface(vtkHapticMakeProxy(source, "filters", "GeometryFilter"))
+  : Watch(source), Port(port), Surface(vtkHapticMakeProxy(source, "filters", "GeometryFilter"))
 {
-  this->Observer = source->AddObserver(vtkCommand::UpdateDataEvent, this, &vtkHapticRemoteSurface::Change);
   if (!this->Surface)
   {
     return;
@@ -25,22 +23,9 @@ vtkHapticRemoteSurface::vtkHapticRemoteSurface(vtkSMSourceProxy* source, unsigne
   }
 }
 
-vtkHapticRemoteSurface::~vtkHapticRemoteSurface()
-{
-  if (this->Source)
-  {
-    this->Source->RemoveObserver(this->Observer);
-  }
-}
-
-vtkSMSourceProxy* vtkHapticRemoteSurface::GetSource() const
-{
-  return this->Source;
-}
-
 bool vtkHapticRemoteSurface::IsStale(const vtkHapticPartWish& wish) const
 {
-  return this->Changed || wish.Limit != this->Asked.Limit || wish.Time != this->Asked.Time;
+  return this->Watch.HasChanged() || wish.Limit != this->Asked.Limit || wish.Time != this->Asked.Time;
 }
 
 vtkSmartPointer<vtkPolyData> vtkHapticRemoteSurface::Fetch(const vtkHapticPartWish& wish)
@@ -59,8 +44,8 @@ vtkSmartPointer<vtkPolyData> vtkHapticRemoteSurface::Fetch(const vtkHapticPartWi
 
 void vtkHapticRemoteSurface::Ask(const vtkHapticPartWish& wish)
 {
-  this->Changes += this->Changed || wish.Time != this->Asked.Time ? 1 : 0;
-  this->Changed = false;
+  this->Changes += this->Watch.HasChanged() || wish.Time != this->Asked.Time ? 1 : 0;
+  this->Watch.Forget();
   this->Asked = wish;
   const vtkSmartPointer<vtkPolyData> came = this->Fetch(wish);
   const std::optional<vtkHapticPartInfo> info = vtkHapticPartOf(came);

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "haptics/core/Types.h"
+#include "vtkHapticSourceWatch.h"
 #include "vtkHapticSurfacePart.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
 
 class vtkSMProxy;
 class vtkSMSourceProxy;
@@ -29,9 +29,6 @@ class vtkHapticRemoteSurface
 {
 public:
   vtkHapticRemoteSurface(vtkSMSourceProxy* source, unsigned int port);
-  ~vtkHapticRemoteSurface();
-  vtkHapticRemoteSurface(const vtkHapticRemoteSurface&) = delete;
-  vtkHapticRemoteSurface& operator=(const vtkHapticRemoteSurface&) = delete;
 
   /// Whether the source has made something else since it was asked last, or is wanted otherwise; not where the hand is.
   [[nodiscard]] bool IsStale(const vtkHapticPartWish& wish) const;
@@ -44,14 +41,15 @@ public:
   [[nodiscard]] const vtkHapticPartInfo& GetInfo() const { return this->Info; }
   /// How often the source has made something else.
   [[nodiscard]] int GetChanges() const { return this->Changes; }
-  [[nodiscard]] vtkSMSourceProxy* GetSource() const;
+  /// Null: the source is gone.
+  [[nodiscard]] vtkSMSourceProxy* GetSource() const { return this->Watch.GetSource(); }
+  [[nodiscard]] unsigned int GetPort() const { return this->Port; }
 
 private:
-  void Change() { this->Changed = true; }
   [[nodiscard]] vtkSmartPointer<vtkPolyData> Fetch(const vtkHapticPartWish& wish);
 
-  vtkWeakPointer<vtkSMSourceProxy> Source;
-  unsigned long Observer = 0;
+  vtkHapticSourceWatch Watch;
+  unsigned int Port;
   vtkSmartPointer<vtkSMSourceProxy> Surface, Cut; ///< on the server
   vtkSmartPointer<vtkPolyData> Data;
   vtkHapticPartInfo Info;
@@ -59,7 +57,6 @@ private:
   std::string Problem;
   int Number = 0;
   int Changes = 0;
-  bool Changed = true;
 };
 
 #endif

@@ -54,35 +54,37 @@ bool vtkHapticRemoteSurfaces::Fetches(vtkObject* active)
          !active->IsA("vtkOutlineRepresentation") && !active->IsA("vtkFeatureEdgesRepresentation");
 }
 
-void vtkHapticRemoteSurfaces::Add(vtkSMProxy* representation)
+void vtkHapticRemoteSurfaces::Add(
+  vtkSMProxy* representation, vtkHapticSession& session, std::map<vtkSMProxy*, Shown>& before)
 {
   auto* const geometry = vtkGeometryRepresentation::SafeDownCast(vtkHapticActiveRepresentation(representation));
   const vtkHapticViewScan::Source source =
     vtkHapticShownSource(representation, vtkHapticNameOf(vtkHapticInputOf(representation)));
-  if (!source.Remote || source.Name.empty() || !Fetches(geometry))
+  const bool inHand = source.Name == session.GetMechanismSource() || source.Name == session.GetToolSource();
+  if (!source.Remote || source.Name.empty() || inHand || !Fetches(geometry))
   {
     return;
+  }
+  if (auto known = before.extract(representation))
+  {
+    this->All.insert(std::move(known));
   }
   Shown& shown = this->All[representation];
   shown.Name = source.Name;
   shown.Matrix = geometry->GetActor()->GetMatrix();
-  if (!shown.Surface || shown.Surface->GetSource() != source.Remote)
+  if (!shown.Surface || shown.Surface->GetSource() != source.Remote || shown.Surface->GetPort() != source.Port)
   {
     shown.Surface = std::make_unique<vtkHapticRemoteSurface>(source.Remote, source.Port);
   }
 }
 
-void vtkHapticRemoteSurfaces::Keep(vtkSMProxy* view)
+void vtkHapticRemoteSurfaces::Keep(vtkSMProxy* view, vtkHapticSession& session)
 {
   std::map<vtkSMProxy*, Shown> before = std::move(this->All);
   this->All.clear();
   for (vtkSMProxy* const representation : vtkHapticVisibleRepresentations(view))
   {
-    if (auto known = before.extract(representation))
-    {
-      this->All.insert(std::move(known));
-    }
-    this->Add(representation);
+    this->Add(representation, session, before);
   }
 }
 
@@ -97,7 +99,8 @@ vtkHapticPartWish vtkHapticRemoteSurfaces::WishOf(const Shown& shown, vtkSMProxy
   }
   else
   {
-    vtkBoundingBox(shown.Surface->GetSource()->GetDataInformation()->GetBounds()).GetCenter(wish.Centre.data());
+    vtkSMSourceProxy* const source = shown.Surface->GetSource();
+    vtkBoundingBox(source->GetDataInformation(shown.Surface->GetPort())->GetBounds()).GetCenter(wish.Centre.data());
   }
   wish.Reach = server.GetReach() / LeastStretch(placement);
   wish.Limit = server.GetLimit();
@@ -112,7 +115,7 @@ void vtkHapticRemoteSurfaces::Follow(vtkSMProxy* view, vtkHapticSession* session
     this->All.clear();
     return;
   }
-  this->Keep(view);
+  this->Keep(view, *session);
   std::vector<std::pair<vtkHapticRemoteSurface*, vtkHapticPartWish>> wishes;
   bool again = session->ServerSurfaces().NeedsPart();
   for (const auto& [representation, shown] : this->All)

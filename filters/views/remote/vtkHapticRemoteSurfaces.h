@@ -41,8 +41,9 @@ private:
   };
 
   /// Keeps those that are visible, and begins with those that are new.
-  void Keep(vtkSMProxy* view);
-  void Add(vtkSMProxy* representation);
+  void Keep(vtkSMProxy* view, vtkHapticSession& session);
+  /// Of what was there before, where it shows the same.
+  void Add(vtkSMProxy* representation, vtkHapticSession& session, std::map<vtkSMProxy*, Shown>& before);
   [[nodiscard]] static vtkHapticPartWish WishOf(const Shown& shown, vtkSMProxy* view, vtkHapticSession& session);
 
   std::map<vtkSMProxy*, Shown> All; ///< by representation

@@ -2,12 +2,16 @@
 #include "vtkHapticMechanismSource.h"
 
 #include "vtkHapticMechanism.h"
+#include "vtkHapticMechanismData.h"
 #include "vtkHapticNamedData.h"
+#include "vtkHapticServerProxies.h"
 #include "vtkHapticSession.h"
 #include "vtkHapticViewScan.h"
 #include "vtkNew.h"
+#include "vtkPVDataInformation.h"
 #include "vtkPolyData.h"
-#include "vtkSMProxy.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
 
 #include <utility>
 
@@ -30,6 +34,36 @@ void Show(vtkSMProxy* view, const std::string& name, vtkPolyData* moved)
 }
 } // namespace
 
+vtkDataObject* vtkHapticMechanismSource::Bring(vtkSMProxy* view, const std::string& name)
+{
+  auto* const source = vtkSMSourceProxy::SafeDownCast(vtkHapticNamedProxy(view, name));
+  if (!source || source->GetClientSideObject())
+  {
+    this->Watch.reset();
+    this->Brought = nullptr;
+    return nullptr;
+  }
+  if (!this->Watch || this->Watch->GetSource() != source)
+  {
+    this->Watch = std::make_unique<vtkHapticSourceWatch>(source);
+  }
+  source->UpdatePipeline(); // at a time it would say each time that there are other data
+  if (this->Watch->HasChanged())
+  {
+    this->Watch->Forget();
+    this->Brought = vtkSmartPointer<vtkPolyData>::New(); // no mechanism
+    if (source->GetDataInformation()->GetDataSetType() == VTK_POLY_DATA)
+    {
+      this->Brought = vtkHapticBring(source, VTK_POLY_DATA, vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
+    }
+    if (this->Brought)
+    {
+      vtkHapticSetOfServer(*this->Brought);
+    }
+  }
+  return this->Brought;
+}
+
 void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 {
   const std::string name = session.GetMechanismSource();
@@ -37,7 +71,8 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
   {
     Show(view, this->Name, nullptr);
   }
-  vtkDataObject* const made = name.empty() ? nullptr : vtkHapticNamedData(view, name);
+  vtkDataObject* const brought = this->Bring(view, name);
+  vtkDataObject* const made = brought || name.empty() ? brought : vtkHapticNamedData(view, name);
   vtkHapticMechanism* const maker = MakerOf(view, name);
   vtkDataObject* const atFirst = maker ? maker->GetAtFirst() : made;
   if (!std::exchange(this->Known, true) || atFirst != this->AtFirst || name != this->Name)

@@ -3,8 +3,10 @@
 #define vtkHapticMechanismSource_h
 
 #include "vtkDataObject.h"
+#include "vtkHapticSourceWatch.h"
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <string>
 
 class vtkHapticSession;
@@ -12,7 +14,8 @@ struct vtkHapticViewScan;
 class vtkSMProxy;
 
 /// Keeps the mechanism of a session the same as what its source in the pipeline has made, and the source's bodies where
-/// the session has them. None of it is touched as a surface.
+/// the session has them. A source on a server is brought here each time it has made something else; its bodies are
+/// shown where they are at first. None of it is touched as a surface.
 class vtkHapticMechanismSource
 {
 public:
@@ -24,10 +27,15 @@ public:
   static void LeaveOut(vtkHapticSession* session, vtkHapticViewScan& scan);
 
 private:
+  /// What the source of that name made last, where it is on a server; else null.
+  [[nodiscard]] vtkDataObject* Bring(vtkSMProxy* view, const std::string& name);
+
   bool Known = false;
-  bool Moves = false;                     ///< its bodies are shown elsewhere than at first
-  vtkSmartPointer<vtkDataObject> AtFirst; ///< that the session has
-  std::string Name;                       ///< whose
+  bool Moves = false;                          ///< its bodies are shown elsewhere than at first
+  vtkSmartPointer<vtkDataObject> AtFirst;      ///< that the session has
+  std::string Name;                            ///< whose
+  std::unique_ptr<vtkHapticSourceWatch> Watch; ///< of one on a server
+  vtkSmartPointer<vtkDataObject> Brought;      ///< from there
 };
 
 #endif

@@ -110,13 +110,13 @@ double SoftBody::energyAt(const Eigen::VectorXd& displacement) const
   return energy - this->always_N_.dot(displacement);
 }
 
-bool SoftBody::bear(const Eigen::VectorXd& always_N)
+bool SoftBody::bear(const Eigen::VectorXd& always_N, const std::stop_token& stop)
 {
   constexpr int mostSteps = 50;
   constexpr double openShare = 1e-6;
   this->always_N_ = always_N;
   const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(always_N.size());
-  const bool rests = this->settle(nothing, mostSteps) &&
+  const bool rests = this->settle(nothing, mostSteps, stop) &&
                      this->stateUnder(nothing).residual_N <= openShare * always_N.lpNorm<Eigen::Infinity>();
   this->energyAtRest_Nu_ = this->energyAt(this->displacement_);
   return rests;
@@ -185,14 +185,14 @@ std::optional<Eigen::VectorXd> SoftBody::newtonStep(const Eigen::VectorXd& open)
   return this->factorAssembled() ? std::optional(this->factor_.solve(open)) : std::nullopt;
 }
 
-bool SoftBody::settle(const Eigen::VectorXd& load_N, int steps)
+bool SoftBody::settle(const Eigen::VectorXd& load_N, int steps, const std::stop_token& stop)
 {
   if (!this->stiffnessChanges())
   {
     this->displacement_ = this->linearAnswer(load_N + this->always_N_);
     return true;
   }
-  for (int i = 0; i < steps; ++i)
+  for (int i = 0; i < steps && !stop.stop_requested(); ++i)
   {
     const Eigen::VectorXd inner = this->innerForces();
     const Eigen::VectorXd open = this->gather(load_N + this->always_N_ + inner);
@@ -267,8 +267,11 @@ Eigen::VectorXd SoftBody::linearAnswer(const Eigen::VectorXd& load_N) const
 namespace
 {
 
+constexpr const char* stopped = "the body is not wanted any more";
+
 /// Brings a body to its rest under what it bears; a sentence where it cannot.
-std::string bearLoads(const SoftBodyInput& input, const CheckedTetras& checked, SoftBody& body)
+std::string bearLoads(
+  const SoftBodyInput& input, const CheckedTetras& checked, SoftBody& body, const std::stop_token& stop)
 {
   Eigen::VectorXd always_N = Eigen::VectorXd::Zero(body.displacement().size());
   for (std::size_t v = 0; !input.load_N.empty() && v < checked.sourceVertex.size(); ++v)
@@ -279,11 +282,13 @@ std::string bearLoads(const SoftBodyInput& input, const CheckedTetras& checked, 
   {
     return "a load on the body is no finite number of newtons";
   }
-  if (always_N.isZero(0.0) || body.bear(always_N))
+  if (always_N.isZero(0.0) || body.bear(always_N, stop))
   {
     return {};
   }
-  return "the body does not come to rest under its loads: give smaller ones, or a stiffer material";
+  return stop.stop_requested()
+           ? stopped
+           : "the body does not come to rest under its loads: give smaller ones, or a stiffer material";
 }
 
 std::string refuseCounts(const SoftBodyInput& input)
@@ -299,7 +304,7 @@ std::string refuseCounts(const SoftBodyInput& input)
 
 } // namespace
 
-SoftBodyResult makeSoftBody(const SoftBodyInput& input)
+SoftBodyResult makeSoftBody(const SoftBodyInput& input, const std::stop_token& stop)
 {
   SoftBodyResult result;
   result.refusal = refuseCounts(input);
@@ -340,6 +345,11 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input)
   {
     return result;
   }
+  if (stop.stop_requested())
+  {
+    result.refusal = stopped;
+    return result;
+  }
   if (!body->refactor())
   {
     result.refusal =
@@ -347,7 +357,7 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input)
       "its moduli differ too much";
     return result;
   }
-  result.refusal = bearLoads(input, result.checked, *body);
+  result.refusal = bearLoads(input, result.checked, *body, stop);
   result.body = result.refusal.empty() ? std::move(body) : nullptr;
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "haptics/compliance/element/StrainPoints.h"
 #include "haptics/compliance/solve/SparseFactor.h"
@@ -56,11 +57,12 @@ public:
   [[nodiscard]] bool refactor();
   /// Newton steps towards the rest under `load_N` (three numbers a node), each as long as it lowers the energy: up to
   /// `steps`, or until nothing is left unbalanced but rounding. False if a factor failed: the state stays as it was.
-  /// Steps by an old factor are solved to a thousandth; compliance() and linearAnswer() are then of that factor.
-  [[nodiscard]] bool settle(const Eigen::VectorXd& load_N, int steps);
+  /// Steps by an old factor are solved to a thousandth; compliance() and linearAnswer() are then of that factor. No
+  /// other step begins once a stop is asked for.
+  [[nodiscard]] bool settle(const Eigen::VectorXd& load_N, int steps, const std::stop_token& stop = {});
   /// Brings it to its rest under what it bears from now on beside every other load, three numbers a node [N]. False if
-  /// it does not come to rest there.
-  [[nodiscard]] bool bear(const Eigen::VectorXd& always_N);
+  /// it does not come to rest there, or a stop was asked for.
+  [[nodiscard]] bool bear(const Eigen::VectorXd& always_N, const std::stop_token& stop = {});
   /// Forces that the body's strain puts on its nodes, three numbers a node [N].
   [[nodiscard]] Eigen::VectorXd innerForces() const { return this->forcesAt(this->displacement_); }
   [[nodiscard]] SoftBodyState stateUnder(const Eigen::VectorXd& load_N) const;
@@ -113,7 +115,9 @@ struct SoftBodyResult
   std::string refusal;
 };
 
-/// Checks all of the input, and factors once. Refuses in words what cannot be a body.
-[[nodiscard]] SoftBodyResult makeSoftBody(const SoftBodyInput& input);
+/// Checks all of the input, factors once, and brings the body to its rest under its loads, which may take 50 factors
+/// more. Refuses in words what cannot be a body. Once a stop is asked for it ends after the factor that is under way,
+/// refused.
+[[nodiscard]] SoftBodyResult makeSoftBody(const SoftBodyInput& input, const std::stop_token& stop = {});
 
 } // namespace palpate

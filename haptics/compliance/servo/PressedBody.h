@@ -15,6 +15,7 @@ struct PressedBody
   std::uint64_t revision = 0;         ///< above 0, another one for each packet
   double period_s = 0.0;              ///< usual time from packet to packet; 0: each tick has its own
   std::shared_ptr<const Scene> scene; ///< all that is touched, the free surface of the body among it
+  std::uint64_t beside = 0;           ///< geometryHash() of the scene that all but this surface is of; 0: there is none
   std::shared_ptr<const CompliancePacket> packet;
   SoftTouch touch; ///< that packet, and which surface of the scene it is of
 };

@@ -18,6 +18,12 @@ struct KnownPart
   Vec3 centre_W = Vec3::Zero(); ///< [u]
   double reach_u = 0.0;
   std::uint64_t asked = 0; ///< number of the request for another part that is under way; 0: none is
+
+  /// Whether all of a ball is known; false where its numbers are none.
+  [[nodiscard]] bool has(const Vec3& p_W, double radius_u) const noexcept
+  {
+    return (p_W - this->centre_W).norm() + radius_u <= this->reach_u;
+  }
 };
 
 } // namespace palpate

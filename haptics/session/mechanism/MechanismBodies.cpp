@@ -7,12 +7,12 @@ namespace palpate
 {
 
 std::unique_ptr<MechanismBodies> MechanismBodies::make(
-  const std::vector<MechanismSoftInput>& inputs, std::string& refusal)
+  const std::vector<MechanismSoftInput>& inputs, std::string& refusal, const std::stop_token& stop)
 {
   std::unique_ptr<MechanismBodies> made(new MechanismBodies());
   for (const MechanismSoftInput& input : inputs)
   {
-    auto maker = BodyMaker::make(*input.input, input.name, 0, refusal);
+    auto maker = BodyMaker::make(*input.input, input.name, 0, refusal, stop);
     auto first = maker ? maker->press({}, 0.0) : nullptr;
     if (!first)
     {

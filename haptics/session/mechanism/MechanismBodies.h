@@ -33,9 +33,10 @@ struct MechanismInputs
 class MechanismBodies
 {
 public:
-  /// Factors each body, which may take seconds. None of them with `refusal` in words.
+  /// Factors each body, which may take seconds. None of them with `refusal` in words, or soon after a stop is asked
+  /// for.
   [[nodiscard]] static std::unique_ptr<MechanismBodies> make(
-    const std::vector<MechanismSoftInput>& inputs, std::string& refusal);
+    const std::vector<MechanismSoftInput>& inputs, std::string& refusal, const std::stop_token& stop = {});
 
   [[nodiscard]] std::size_t size() const noexcept { return this->makers_.size(); }
   [[nodiscard]] const BodyMaker& maker(std::size_t body) const { return *this->makers_[body]; }

@@ -17,6 +17,11 @@ bool isSame(const MechanismChoice& a, const MechanismChoice& b)
   return a.inputs == b.inputs && a.name == b.name;
 }
 
+std::vector<MechanismSoftInput> bodiesOf(const MechanismChoice& choice)
+{
+  return choice.inputs ? choice.inputs->soft : std::vector<MechanismSoftInput>();
+}
+
 bool isSame(const MechanismGrip& a, const MechanismGrip& b)
 {
   return a.coupling_N_per_u == b.coupling_N_per_u && a.turning_Nu_per_rad == b.turning_Nu_per_rad;
@@ -31,7 +36,12 @@ void MechanismWorker::take(const MechanismChoice& choice, const MechanismGrip& g
     const std::lock_guard lock(this->mutex_);
     const bool told = choice.inputs || this->wanted_.choice.inputs;
     this->status_.building = this->status_.building || (choice.inputs && !isSame(choice, this->wanted_.choice));
-    this->wanted_ = { choice, grip };
+    if (bodiesOf(choice) != bodiesOf(this->wanted_.choice))
+    {
+      this->building_.request_stop();
+      this->building_ = std::stop_source();
+    }
+    this->wanted_ = { choice, grip, this->building_.get_token() };
     this->news_ = this->news_ || told;
   }
   if (choice.inputs && !this->virtualTime_ && !this->thread_.runs())
@@ -97,7 +107,7 @@ void MechanismWorker::obey()
     this->now_ = this->wanted_;
   }
   const Order& order = this->now_;
-  if (!isSame(order.choice, before.choice))
+  if (this->stopped_ || !isSame(order.choice, before.choice))
   {
     this->build(order);
   }
@@ -130,15 +140,16 @@ MechanismCheck MechanismWorker::judge(const Order& order) const
 }
 
 /// Factors take long: laws that are changed leave the bodies as they are, pressed or not.
-void MechanismWorker::makeBodies(const MechanismInputs& inputs, std::string& refusal)
+void MechanismWorker::makeBodies(const Order& order, std::string& refusal)
 {
-  if (!this->bodies_ || inputs.soft != this->madeOf_)
+  const std::vector<MechanismSoftInput>& soft = order.choice.inputs->soft;
+  if (!this->bodies_ || soft != this->madeOf_)
   {
     this->links_.felt.publish(nullptr);
     this->bodies_.reset();
     this->madeOf_.clear();
-    this->bodies_ = MechanismBodies::make(inputs.soft, refusal);
-    this->madeOf_ = this->bodies_ ? inputs.soft : std::vector<MechanismSoftInput>();
+    this->bodies_ = MechanismBodies::make(soft, refusal, order.stop);
+    this->madeOf_ = this->bodies_ ? soft : std::vector<MechanismSoftInput>();
   }
 }
 
@@ -149,7 +160,7 @@ void MechanismWorker::build(const Order& order)
   this->published_ = false;
   if (order.choice.inputs)
   {
-    this->makeBodies(*order.choice.inputs, status.problem);
+    this->makeBodies(order, status.problem);
   }
   else
   {
@@ -169,8 +180,14 @@ void MechanismWorker::build(const Order& order)
   {
     this->links_.felt.publish(nullptr);
   }
+  this->stopped_ = !this->bodies_ && order.stop.stop_requested();
   const std::lock_guard lock(this->mutex_);
   status.building = this->plan_.revision != 0 || this->news_; // until it is published
+  if (order.stop.stop_requested())
+  {
+    status = {};
+    status.building = this->wanted_.choice.inputs != nullptr;
+  }
   this->status_ = std::move(status);
 }
 

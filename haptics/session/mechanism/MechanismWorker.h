@@ -47,12 +47,14 @@ struct MechanismStatus
 };
 
 /// The mechanism of a session, and the thread that computes its soft bodies beside the servo. It builds them, too: one
-/// that was there before with the same bodies goes on with those. Its owner never waits for it, but for its end.
+/// that was there before with the same bodies goes on with those. Its owner never waits for it, but for its end, and
+/// then no longer than a factor takes.
 class MechanismWorker
 {
 public:
   /// The links must outlive it. In virtual time there is no thread: see step().
   MechanismWorker(MechanismLinks& links, bool virtualTime) : links_(links), virtualTime_(virtualTime) {}
+  ~MechanismWorker() { this->building_.request_stop(); }
 
   /// `grip`: how the hand would hold it, for the check.
   void take(const MechanismChoice& choice, const MechanismGrip& grip);
@@ -67,13 +69,14 @@ private:
   {
     MechanismChoice choice;
     MechanismGrip grip;
+    std::stop_token stop; ///< its bodies are wanted no more
   };
   double run();
   void giveUp();
   void obey();
   void judgeAnew(const Order& order);
   void build(const Order& order);
-  void makeBodies(const MechanismInputs& inputs, std::string& refusal);
+  void makeBodies(const Order& order, std::string& refusal);
   [[nodiscard]] std::string plan(const Order& order);
   [[nodiscard]] MechanismCheck judge(const Order& order) const;
   void listen();
@@ -82,14 +85,16 @@ private:
   MechanismLinks& links_;
   bool virtualTime_;
 
-  mutable std::mutex mutex_; ///< between owner and thread; guards the next two
+  mutable std::mutex mutex_; ///< between owner and thread; guards the next three
   Order wanted_;
+  std::stop_source building_; ///< of the bodies that are wanted
   MechanismStatus status_;
   std::atomic<bool> news_ = false; ///< asked without the lock in each step
   MadeBeside<FeltMechanism> made_;
 
   // Of the thread alone.
   Order now_;
+  bool stopped_ = false;                   ///< before its bodies were built
   std::vector<MechanismSoftInput> madeOf_; ///< the bodies, in use or kept for the next mechanism
   std::unique_ptr<MechanismBodies> bodies_;
   MechanismPlan plan_;         ///< revision 0: none is felt

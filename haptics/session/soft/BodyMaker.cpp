@@ -39,10 +39,10 @@ Surface standing(Surface surface)
 
 } // namespace
 
-std::unique_ptr<BodyMaker> BodyMaker::make(
-  const SoftBodyInput& input, const std::string& name, std::uint64_t revision, std::string& refusal)
+std::unique_ptr<BodyMaker> BodyMaker::make(const SoftBodyInput& input, const std::string& name, std::uint64_t revision,
+  std::string& refusal, const std::stop_token& stop)
 {
-  SoftBodyResult made = makeSoftBody(input);
+  SoftBodyResult made = makeSoftBody(input, stop);
   refusal = made.refusal;
   return made.body ? std::unique_ptr<BodyMaker>(new BodyMaker(std::move(made), input, name, revision)) : nullptr;
 }
@@ -132,6 +132,7 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
   pressed->revision = ++this->revision_;
   pressed->period_s = period_s;
   pressed->scene = scene;
+  pressed->beside = this->beside_ ? this->beside_->geometryHash() : 0;
   pressed->packet = packet;
   pressed->touch = { static_cast<std::uint32_t>(pressed->scene->surfaces().size() - 1), packet.get() };
   return pressed;

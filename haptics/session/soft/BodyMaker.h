@@ -37,9 +37,9 @@ class BodyMaker
 {
 public:
   /// Factors the body, which may take seconds. Its first packet has the revision after `revision`. Null with `refusal`
-  /// in words.
-  [[nodiscard]] static std::unique_ptr<BodyMaker> make(
-    const SoftBodyInput& input, const std::string& name, std::uint64_t revision, std::string& refusal);
+  /// in words, or soon after a stop is asked for.
+  [[nodiscard]] static std::unique_ptr<BodyMaker> make(const SoftBodyInput& input, const std::string& name,
+    std::uint64_t revision, std::string& refusal, const std::stop_token& stop = {});
 
   /// What is touched beside it; null: nothing. A surface of its name is the body's own, and gives way to it. From the
   /// next packet on.

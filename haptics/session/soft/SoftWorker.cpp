@@ -25,26 +25,33 @@ double periodOf(const SoftChoice& choice)
 
 void SoftWorker::take(const SoftChoice& choice)
 {
-  this->give({ choice, this->wanted_.beside });
+  this->give({ choice, this->wanted_.beside, {} });
 }
 
 void SoftWorker::touch(std::shared_ptr<const Scene> beside)
 {
-  this->give({ this->wanted_.choice, std::move(beside) });
+  this->give({ this->wanted_.choice, std::move(beside), {} });
 }
 
 /// A session without a soft body has no thread for one.
-void SoftWorker::give(const Order& order)
+void SoftWorker::give(Order order)
 {
+  const bool hasBody = order.choice.input != nullptr;
   {
     const std::lock_guard lock(this->mutex_);
-    const bool told = order.choice.input || this->wanted_.choice.input;
-    this->status_.building =
-      this->status_.building || (order.choice.input && !isSameBody(order.choice, this->wanted_.choice));
-    this->wanted_ = order;
+    const bool told = hasBody || this->wanted_.choice.input;
+    const bool other = !isSameBody(order.choice, this->wanted_.choice);
+    this->status_.building = this->status_.building || (hasBody && other);
+    if (other)
+    {
+      this->building_.request_stop();
+      this->building_ = std::stop_source();
+    }
+    order.stop = this->building_.get_token();
+    this->wanted_ = std::move(order);
     this->news_ = this->news_ || told;
   }
-  if (order.choice.input && !this->virtualTime_ && !this->thread_.runs())
+  if (hasBody && !this->virtualTime_ && !this->thread_.runs())
   {
     this->thread_.begin([this] { return this->run(); });
   }
@@ -108,7 +115,7 @@ void SoftWorker::obey()
     const std::lock_guard lock(this->mutex_);
     this->now_ = this->wanted_;
   }
-  if (!isSameBody(this->now_.choice, before.choice))
+  if (this->stopped_ || !isSameBody(this->now_.choice, before.choice))
   {
     this->build(this->now_);
   }
@@ -130,14 +137,20 @@ void SoftWorker::build(const Order& order)
   SoftStatus status;
   if (order.choice.input)
   {
-    this->maker_ = BodyMaker::make(*order.choice.input, order.choice.name, this->revision_, status.problem);
+    this->maker_ = BodyMaker::make(*order.choice.input, order.choice.name, this->revision_, status.problem, order.stop);
   }
   if (this->maker_)
   {
     status.asMade = std::make_shared<const CheckedTetras>(this->maker_->checked());
     this->paced_.emplace(*this->maker_, periodOf(order.choice));
   }
+  this->stopped_ = !this->maker_ && order.stop.stop_requested();
   const std::lock_guard lock(this->mutex_);
+  if (order.stop.stop_requested())
+  {
+    status = {};
+    status.building = this->wanted_.choice.input != nullptr;
+  }
   this->status_ = std::move(status);
 }
 

@@ -46,12 +46,13 @@ struct SoftStatus
 };
 
 /// The soft body of a session, and the thread that computes it beside the servo. It builds the body, too. Its owner
-/// never waits for it, but for its end.
+/// never waits for it, but for its end, and then no longer than a factor takes.
 class SoftWorker
 {
 public:
   /// The links must outlive it. In virtual time there is no thread: see step().
   SoftWorker(SoftLinks& links, bool virtualTime) : links_(links), virtualTime_(virtualTime) {}
+  ~SoftWorker() { this->building_.request_stop(); }
 
   void take(const SoftChoice& choice);
   /// What is touched beside the body.
@@ -67,8 +68,9 @@ private:
   {
     SoftChoice choice;
     std::shared_ptr<const Scene> beside;
+    std::stop_token stop; ///< the body is wanted no more
   };
-  void give(const Order& order);
+  void give(Order order);
   double run();
   void obey();
   void giveUp();
@@ -78,14 +80,16 @@ private:
   SoftLinks& links_;
   bool virtualTime_;
 
-  mutable std::mutex mutex_; ///< between owner and thread; guards the next two
+  mutable std::mutex mutex_; ///< between owner and thread; guards the next three
   Order wanted_;
+  std::stop_source building_; ///< of the body that is wanted
   SoftStatus status_;
   std::atomic<bool> news_ = false; ///< asked without the lock in each step
   MadeBeside<PressedBody> made_;
 
   // Of the thread alone.
   Order now_;
+  bool stopped_ = false; ///< before its body was built
   std::unique_ptr<BodyMaker> maker_;
   std::optional<VirtualBody> paced_; ///< in virtual time
   std::uint64_t revision_ = 0;       ///< of the last packet

@@ -13,11 +13,10 @@ namespace palpate
 namespace
 {
 
-/// Beyond the largest ball of a scene a tick may fall behind, which its mesh beside the tick does less.
-bool isFeltAsBall(const ToolChoice& choice, const Scene& scene)
+/// A tool that was left behind where nothing is known any more touches nothing that is felt.
+bool isKnown(const KnownPart& known, const Scene& scene, const Pose& tool_W, const ToolMesh& tool)
 {
-  const double ball_u = choice.tool->ball_u();
-  return ball_u > 0.0 && ball_u <= radiusLimit(scene, {}).largest_u;
+  return known.geometry != scene.geometryHash() || known.has(tool_W.p, tool.reach_u);
 }
 
 } // namespace
@@ -31,12 +30,12 @@ HeldTool::~HeldTool() = default;
 
 void HeldTool::take(const ToolChoice& choice)
 {
-  this->give({ choice, this->wanted_.scene });
+  this->give({ choice, this->wanted_.scene, this->wanted_.known });
 }
 
-void HeldTool::touch(std::shared_ptr<const Scene> scene)
+void HeldTool::touch(std::shared_ptr<const Scene> scene, const KnownPart& known)
 {
-  this->give({ this->wanted_.choice, std::move(scene) });
+  this->give({ this->wanted_.choice, std::move(scene), known });
 }
 
 /// A session without a tool has no thread for one. Before there is one, its owner says that a tool is held, so that the
@@ -123,15 +122,35 @@ void HeldTool::tryToObey(Order order)
   }
 }
 
+/// Beyond the largest ball of a scene a tick may fall behind, which its mesh beside the tick does less.
+bool HeldTool::isFeltAsBall(const Order& order)
+{
+  const double ball_u = order.choice.tool->ball_u();
+  if (!(ball_u > 0.0))
+  {
+    return false;
+  }
+  if (const std::uint64_t body = bodyNameOf(*order.scene); this->ballBody_ != body)
+  {
+    this->ballBody_ = body;
+    this->largestBall_u_ = radiusLimit(*order.scene, {}).largest_u;
+  }
+  return ball_u <= this->largestBall_u_;
+}
+
 void HeldTool::obey(Order order)
 {
+  if (order.choice.tool != this->now_.choice.tool)
+  {
+    this->came_ = {}; // where another tool was led
+  }
   if (!order.choice.tool || !order.scene || order.scene->empty())
   {
     this->follower_.reset();
     this->tellWaiting(order.choice.tool != nullptr);
     this->say("");
   }
-  else if (isFeltAsBall(order.choice, *order.scene))
+  else if (this->isFeltAsBall(order))
   {
     this->tellBall(order);
   }
@@ -165,13 +184,17 @@ void HeldTool::tellBall(const Order& order)
   this->links_.contacts.write(ball);
 }
 
-/// In another body, and with another tool, it stays where the one before was, if it is free there. Else it goes on from
-/// where the hand came from and it is free.
+/// In another body, and with another tool, it stays where the one before was, if it is free there. Else, and where it
+/// stood nowhere, it goes on from where the hand came from and it is free.
 void HeldTool::putIn(const Order& order)
 {
   const ToolMesh& tool = *order.choice.tool;
   ToolSurroundings around = surroundingsOf(*order.scene, tool);
-  const std::optional<Pose> was_W = this->follower_ ? this->follower_->tool_W() : std::nullopt;
+  std::optional<Pose> was_W = this->follower_ ? this->follower_->tool_W() : std::nullopt;
+  if (was_W && !isKnown(order.known, *order.scene, *was_W, tool))
+  {
+    was_W.reset();
+  }
   this->follower_.reset();
   this->stands_ = false;
   this->say(around.refusal);
@@ -181,7 +204,8 @@ void HeldTool::putIn(const Order& order)
     return;
   }
   this->follower_.emplace(ToolMove(tool, std::move(around.mesh_S), order.choice.weighs_u()), this->links_,
-    ToolFollower::usualWork, ToolStart{ around.scene_WS, this->revision_, was_W, this->came_.newestFirst() });
+    ToolFollower::usualWork,
+    ToolStart{ around.scene_WS, this->revision_, was_W, this->came_.newestFirst(this->links_.hand.read()) });
   this->revision_ = this->follower_->revision();
 }
 

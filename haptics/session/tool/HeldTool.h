@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "haptics/contact/view/KnownPart.h"
 #include "haptics/geometry/scene/Scene.h"
 #include "haptics/tool/worker/HandHistory.h"
 #include "haptics/tool/worker/ToolFollower.h"
@@ -43,7 +44,8 @@ public:
   HeldTool& operator=(const HeldTool&) = delete;
 
   void take(const ToolChoice& choice);
-  void touch(std::shared_ptr<const Scene> scene);
+  /// `known`: how much of a whole that scene has.
+  void touch(std::shared_ptr<const Scene> scene, const KnownPart& known = {});
   /// What its thread does once, in the caller's. Virtual time.
   void step();
   /// Why the tool cannot touch the scene; "": it can, or nothing is held.
@@ -56,6 +58,7 @@ private:
   {
     ToolChoice choice;
     std::shared_ptr<const Scene> scene;
+    KnownPart known;
   };
   void give(const Order& order);
   void run(const std::stop_token& stop);
@@ -68,6 +71,7 @@ private:
   void tellWaiting(bool held);
   void follow();
   [[nodiscard]] bool isSameBody(const Order& order) const;
+  [[nodiscard]] bool isFeltAsBall(const Order& order);
 
   ToolLinks& links_;
   bool virtualTime_;
@@ -85,6 +89,8 @@ private:
   std::uint64_t revision_ = 0; ///< of the last set that was told
   bool stands_ = false;        ///< in this body
   HandHistory came_;
+  std::uint64_t ballBody_ = 0; ///< the body that the next is of: it costs hundreds of walks through trees
+  double largestBall_u_ = 0.0; ///< that a tick can follow there
 
   std::jthread thread_; ///< last: it ends before what it uses
 };

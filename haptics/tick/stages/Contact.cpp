@@ -44,11 +44,12 @@ void tell(const ProxyStep& moved, HapticState& state) noexcept
 }
 
 /// The proxy where it is, until all is known around it again. In another scene it is nowhere: what it touched was of
-/// the one before.
+/// the one before. Each packet of a soft body brings a scene that goes on from the one before.
 void wait(TickContext& tick) noexcept
 {
   GodObjectState& contact = tick.s.contact;
-  contact = tick.scene.changed ? GodObjectState{} : contact;
+  const bool other = tick.input.body != nullptr ? tick.scene.replaced : tick.scene.changed;
+  contact = other ? GodObjectState{} : contact;
   tick.out.state.proxy_W = tick.out.state.device_W;
   tick.out.state.proxy_W.p = contact.placed ? contact.x_W : tick.out.state.device_W.p;
 }
@@ -95,7 +96,7 @@ void Contact::step(TickContext& tick) noexcept
   tell(moved, tick.out.state);
   if (tick.input.tool != nullptr)
   {
-    tellPresses(now, result, tick.s.radius_u, tick.out.state.tool);
+    tellPresses(now, result, tick.s, tick.out.state.tool);
   }
   remember(tick, tick.s);
   tick.seatFailed = result.seatFailed;

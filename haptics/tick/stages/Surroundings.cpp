@@ -8,14 +8,37 @@ namespace palpate::stage
 namespace
 {
 
+/// What touches for the hand: where it is, and how far it reaches from there.
+struct Toucher
+{
+  bool placed = false;
+  Vec3 x_W = Vec3::Zero();
+  double reach_u = 0.0;
+};
+
+Toucher toucherOf(const TickContext& tick) noexcept
+{
+  if (tick.touchesByMesh())
+  {
+    const ToolContacts& set = *tick.input.tool;
+    return { set.placed, set.pose_W.p, set.reach_u };
+  }
+  return { tick.s.contact.placed, tick.s.contact.x_W, tick.contact.radius_u };
+}
+
 /// The proxy goes nowhere that is further from the hand than it is now, so nothing outside of this ball is met.
 bool isBeyond(const TickContext& tick) noexcept
 {
-  const KnownPart& known = tick.p.known;
   const Vec3& hand_W = tick.out.state.device_W.p;
-  const GodObjectState& contact = tick.s.contact;
-  const double pulled_u = contact.placed ? (hand_W - contact.x_W).norm() : 0.0;
-  return !((hand_W - known.centre_W).norm() + pulled_u + tick.contact.radius_u <= known.reach_u);
+  const Toucher toucher = toucherOf(tick);
+  const double pulled_u = toucher.placed ? (hand_W - toucher.x_W).norm() : 0.0;
+  return !tick.p.known.has(hand_W, pulled_u + toucher.reach_u);
+}
+
+/// Names the scene that a server's part may be: a soft body is felt in one of its own, with what is beside it.
+std::uint64_t geometryOf(const TickInput& input) noexcept
+{
+  return input.body != nullptr ? input.body->beside : input.scene->geometryHash();
 }
 
 bool isLate(TickContext& tick) noexcept
@@ -39,7 +62,7 @@ void Surroundings::step(TickContext& tick) noexcept
   if (of != 0 && scene != nullptr)
   {
     // What is said of another scene is of one that is on its way.
-    beyond = late || (of == scene->geometryHash() ? isBeyond(tick) : s.beyondKnown);
+    beyond = late || (of == geometryOf(tick.input) ? isBeyond(tick) : s.beyondKnown);
   }
   tick.knownChanged = beyond != s.beyondKnown;
   s.beyondKnown = beyond;

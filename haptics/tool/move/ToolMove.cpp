@@ -227,6 +227,7 @@ ToolContacts ToolMove::contacts() const
   ToolContacts set;
   set.pose_W = this->pose_W_;
   set.lever_u = this->lever_u_;
+  set.reach_u = this->tool_.reach_u;
   set.restGap_u = this->restGap_u_;
   set.placed = this->placed();
   std::vector<TouchPlane> planes;

@@ -26,6 +26,7 @@ struct ToolContacts
 
   Pose pose_W;
   double lever_u = 1.0;       ///< of the metric
+  double reach_u = 0.0;       ///< no point of the tool is further from its pose
   double restGap_u = 0.0;     ///< the servo keeps this gap
   std::uint64_t revision = 0; ///< another for each set that is handed on
   std::uint32_t count = 0;

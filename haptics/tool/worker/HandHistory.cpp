@@ -11,6 +11,13 @@ namespace
 {
 
 constexpr double apart = 0.125; // of the tool's diagonal
+constexpr double rounding_s = 1e-9;
+
+bool isApart(const Pose& a_W, const Pose& b_W, const ToolMesh& tool)
+{
+  const double way_u = (b_W.p - a_W.p).norm() + turnFromTo(a_W.q, b_W.q).norm() * tool.reach_u;
+  return way_u >= apart * tool.diagonal_u;
+}
 
 } // namespace
 
@@ -20,29 +27,32 @@ void HandHistory::note(const ToolHand& hand, const ToolMesh& tool)
   {
     return;
   }
-  if (!this->poses_W_.empty())
+  if (hand.map != this->map_)
   {
-    const Pose& last_W = this->poses_W_[(this->next_ + this->poses_W_.size() - 1) % this->poses_W_.size()];
-    const double way_u = (hand.pose_W.p - last_W.p).norm() + turnFromTo(last_W.q, hand.pose_W.q).norm() * tool.reach_u;
-    if (way_u < apart * tool.diagonal_u)
-    {
-      return;
-    }
+    this->past_.clear();
+    this->map_ = hand.map;
   }
-  if (this->poses_W_.size() < capacity)
+  if (this->past_.empty() || isApart(this->past_.back().pose_W, hand.pose_W, tool))
   {
-    this->poses_W_.push_back(hand.pose_W);
-    return;
+    this->past_.push_back({ hand.pose_W, hand.time_s });
   }
-  this->poses_W_[this->next_] = hand.pose_W;
-  this->next_ = (this->next_ + 1) % capacity;
+  this->past_.back().left_s = hand.time_s;
+  while (hand.time_s - this->past_.front().left_s > longest_s + rounding_s)
+  {
+    this->past_.pop_front();
+  }
 }
 
-std::vector<Pose> HandHistory::newestFirst() const
+std::vector<Pose> HandHistory::newestFirst(const ToolHand& now) const
 {
-  std::vector<Pose> poses_W = this->poses_W_;
-  std::rotate(poses_W.begin(), poses_W.begin() + static_cast<std::ptrdiff_t>(this->next_), poses_W.end());
-  std::reverse(poses_W.begin(), poses_W.end());
+  std::vector<Pose> poses_W;
+  for (auto past = this->past_.rbegin(); now.map == this->map_ && past != this->past_.rend(); ++past)
+  {
+    if (now.time_s - past->left_s <= longest_s + rounding_s)
+    {
+      poses_W.push_back(past->pose_W);
+    }
+  }
   return poses_W;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "haptics/tool/worker/ToolFollower.h"
@@ -9,19 +9,26 @@
 namespace palpate
 {
 
-/// Where a hand that holds a tool came from: the last poses, each an eighth of the tool's size from the next. By way
-/// and not by time, so that a hand that rests forgets nothing.
+/// Where a hand that holds a tool came from: its poses of the last moment, each an eighth of the tool's size from the
+/// next. A tool that goes on from an older one would be drawn to the hand from further than a person has moved it since
+/// the scene was another. In another map the hand was nowhere.
 class HandHistory
 {
 public:
-  static constexpr std::size_t capacity = 64; ///< the way of eight sizes
+  static constexpr double longest_s = 0.05; ///< since the hand was there
 
   void note(const ToolHand& hand, const ToolMesh& tool);
-  [[nodiscard]] std::vector<Pose> newestFirst() const;
+  /// Where it was up to longest_s before `now`; nothing in another map.
+  [[nodiscard]] std::vector<Pose> newestFirst(const ToolHand& now) const;
 
 private:
-  std::vector<Pose> poses_W_; ///< once it is full, a ring
-  std::size_t next_ = 0;
+  struct Past
+  {
+    Pose pose_W;
+    double left_s = 0.0; ///< when the hand was near it last
+  };
+  std::deque<Past> past_; ///< oldest first
+  std::uint32_t map_ = 0; ///< that they are of
 };
 
 } // namespace palpate

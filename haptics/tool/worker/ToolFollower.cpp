@@ -36,7 +36,7 @@ ToolFollower::ToolFollower(ToolMove move_S, ToolLinks& links, std::uint64_t work
   : move_S_(std::move(move_S)), links_(links), work_(work), scene_WS_(start.scene_WS), revision_(start.revision)
 {
   bool placed = start.tool_W && this->isPlaced(toScene(this->scene_WS_, *start.tool_W));
-  for (std::size_t i = 0; start.tool_W && !placed && i < start.came_W.size(); ++i)
+  for (std::size_t i = 0; !placed && i < start.came_W.size(); ++i)
   {
     placed = this->isPlaced(toScene(this->scene_WS_, start.came_W[i]));
   }

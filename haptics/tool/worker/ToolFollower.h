@@ -16,6 +16,8 @@ struct ToolHand
   Pose pose_W;
   bool tracked = false;  ///< false: nobody has moved it yet
   double friction = 0.0; ///< of each contact
+  double time_s = 0.0;   ///< of the tick that this is of
+  std::uint32_t map = 0; ///< another one where the places of before are no places of this hand
 };
 
 /// What an owner may read of the thread that moves the tool.
@@ -40,7 +42,7 @@ struct ToolStart
 {
   Pose scene_WS;              ///< where the scene is
   std::uint64_t revision = 0; ///< the first set of contacts has the one after it
-  std::optional<Pose> tool_W; ///< the tool stands there if it is free there
+  std::optional<Pose> tool_W; ///< the tool stands there if it is free there; none: it stood nowhere
   std::vector<Pose> came_W; ///< else, newest first, where the hand came from: at the first where it is free, from where
                             ///< it goes on to the hand. Where it is free nowhere it waits for the hand
 };

@@ -20,6 +20,7 @@ ToolContacts someContacts()
   set.lever_u = 0.5;
   set.restGap_u = 1e-7;
   set.ball_u = 0.25;
+  set.reach_u = 0.75;
   set.count = 2;
   set.contacts[0] = { Vec3(0, 0, 1), Vec3(0.1, 0.2, 0.3), 1e-7 };
   set.contacts[1] = { Vec3(0, 1, 0), Vec3(-0.1, 0.2, 0.3), 2e-7 };
@@ -48,15 +49,22 @@ TEST(RecordedTools, ContactsComeBackToTheLastBit)
   EXPECT_EQ(read.count, 2u);
   EXPECT_EQ(read.contacts[1].arm_W, Vec3(-0.1, 0.2, 0.3));
   EXPECT_EQ(read.ball_u, 0.25);
+  EXPECT_EQ(read.reach_u, 0.75);
 }
 
-TEST(RecordedTools, ContactsOfBeforeToolsWereBallsHaveNone)
+TEST(RecordedTools, ContactsOfBeforeToolsWereBallsOrHadAReachHaveNone)
 {
   ByteWriter out;
   putTool(out, someContacts());
-  ByteReader in(out.bytes().data(), out.bytes().size() - sizeof(double));
-  EXPECT_EQ(readTool(in, 1).ball_u, 0.0);
-  EXPECT_TRUE(in.ok() && in.left() == 0);
+  for (const std::uint32_t version : { 1u, 2u })
+  {
+    const std::size_t later = (chunks::tool.version - version) * sizeof(double);
+    ByteReader in(out.bytes().data(), out.bytes().size() - later);
+    const ToolContacts read = readTool(in, version);
+    EXPECT_EQ(read.ball_u, version < 2 ? 0.0 : 0.25);
+    EXPECT_EQ(read.reach_u, 0.0);
+    EXPECT_TRUE(in.ok() && in.left() == 0) << version;
+  }
 }
 
 TEST(RecordedTools, ContactsThatCannotBeAreRefused)
@@ -75,6 +83,8 @@ TEST(RecordedTools, ContactsThatCannotBeAreRefused)
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.lever_u = 0.0; }));
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.ball_u = none; }));
   EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.ball_u = -1.0; }));
+  EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.reach_u = none; }));
+  EXPECT_FALSE(isReadWith([](ToolContacts& set) { set.reach_u = -1.0; }));
 }
 
 TEST(RecordedTools, MoreContactsThanThereIsRoomForAreRefusedBeforeAnyIsRead)
@@ -84,7 +94,7 @@ TEST(RecordedTools, MoreContactsThanThereIsRoomForAreRefusedBeforeAnyIsRead)
   ByteWriter out;
   putTool(out, set);
   std::vector<char> bytes = out.bytes();
-  const std::size_t atCount = bytes.size() - sizeof(std::uint64_t) - sizeof(double);
+  const std::size_t atCount = bytes.size() - sizeof(std::uint64_t) - 2 * sizeof(double); // ball and reach
   bytes.resize(atCount + sizeof(std::uint64_t) + 56 * (ToolContacts::capacity + 1));
   bytes[atCount] = static_cast<char>(ToolContacts::capacity + 1);
   ByteReader in(bytes.data(), bytes.size());

@@ -7,6 +7,7 @@
 #include "ToolHand.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/tool/motion/Turn.h"
+#include "testing/haptics/compliance/Blocks.h"
 #include "testing/support/CostSample.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/TemporaryFolder.h"
@@ -92,6 +93,41 @@ TEST(BallTool, CostsLessThanAFifthOfItsMesh)
   EXPECT_LT(ball_s, 0.2 * mesh_s);
 }
 
+TEST(BallTool, OnABodyThatGivesWayListsWhatPushesItWhereTheBodyHasGoneTo)
+{
+  // The block of Blocks.h, turned and elsewhere, pressed along its own up.
+  const Pose place{ Vec3(0.3, -0.2, 0.1), Quat(Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized())) };
+  const Vec3 up_W = place.q * Vec3::UnitZ(), top_W = place.q * middleOfPad() + place.p;
+  SoftBodyInput input = pad(4);
+  for (Vec3& x_W : input.mesh.vertices_W)
+  {
+    x_W = place.q * x_W + place.p;
+  }
+  constexpr double deep_m = 0.006;
+  BallHand ball(nullptr, ballTool());
+  ball.session.setSoft({ std::make_shared<const SoftBodyInput>(input), "block", 25.0 });
+  Random random(testSeed(1831)); // a scene far away, without which nothing tells that the tool is a ball
+  ball.session.setScene(sceneOf(shifted(makeSheet({ 0.1, 0.1, 2, 2, 0.1 }, random), Vec3(0, 0, -9))));
+  const Quat level = Quat::Identity();
+  ball.hold({ top_W + 0.03 * up_W, level }, 200);
+  const HapticState state = ball.hold({ top_W + (ballTool_m - deep_m) * up_W, level }, 600);
+  ASSERT_GT(state.tool.ball_u, 0.0);
+  ASSERT_TRUE(state.soft.pressed);
+  ASSERT_GE(state.tool.active, 1);
+  Vec3 pushed_N = Vec3::Zero();
+  for (int i = 0; i < state.tool.active; ++i)
+  {
+    const ToolPress& press = state.tool.presses[i];
+    pushed_N += springOfBall * press.push_u * press.n_W;
+    EXPECT_GT(press.n_W.dot(up_W), 0.99) << i;
+    // Where the surface has gone to: below where it was, and nearly where the ball's lower end is.
+    const double below_m = (top_W - press.p_W).dot(up_W);
+    EXPECT_GT(below_m, 0.2 * deep_m);
+    EXPECT_NEAR((press.p_W - state.proxy_W.p).norm(), ballTool().ball_u(), 0.1 * deep_m);
+  }
+  EXPECT_LE((pushed_N - state.force_W).norm(), 0.02 * state.force_W.norm());
+}
+
 TEST(BallTool, ListsWhatPushesItAndReplaysBitForBit)
 {
   const TemporaryFolder folder;
@@ -117,6 +153,39 @@ TEST(BallTool, ListsWhatPushesItAndReplaysBitForBit)
   const ReplayResult again = replay(std::get<Recording>(read));
   EXPECT_EQ(again.problem + again.difference, "");
   EXPECT_EQ(again.ticks, static_cast<std::uint64_t>(lengthOfWay));
+}
+
+TEST(BallTool, IsJudgedOnceForABodyHoweverOftenThatMoves)
+{
+  // Of a body that moves there is another scene with each picture; of one that is another there is all to be asked.
+  const TriangleMesh ground = makeIcosphere(5, 0.05);
+  std::vector<std::shared_ptr<const Scene>> moved, others;
+  for (int i = 0; i < 20; ++i)
+  {
+    TriangleMesh other = ground;
+    other.vertices_W.front() *= 1.0 - 1e-6 * i;
+    others.push_back(sceneOf(other));
+    std::vector<Surface> surfaces = others.front()->surfaces();
+    surfaces.front().motion = { {}, { Vec3(1e-4 * i, 0, 0), Quat::Identity() } };
+    moved.push_back(std::make_shared<const Scene>(static_cast<std::uint64_t>(i) + 2, std::move(surfaces), 0.02));
+  }
+  const auto seconds = [](const std::vector<std::shared_ptr<const Scene>>& scenes)
+  {
+    BallHand ball(scenes.front(), ballTool());
+    const Pose away{ Vec3(0, 0, 1), Quat::Identity() };
+    ball.hold(away, 3);
+    const ProcessorClock clock;
+    const std::int64_t begin_ns = clock.now_ns();
+    for (const auto& scene : scenes)
+    {
+      ball.session.setScene(scene);
+      EXPECT_GT(ball.hold(away).tool.ball_u, 0.0);
+    }
+    return 1e-9 * static_cast<double>(clock.now_ns() - begin_ns);
+  };
+  const double others_s = seconds(others), moved_s = seconds(moved);
+  RecordProperty("share", std::to_string(moved_s / others_s));
+  EXPECT_LT(moved_s, 0.5 * others_s);
 }
 
 TEST(BallTool, TouchesWhatBendsWhichItsMeshRefuses)

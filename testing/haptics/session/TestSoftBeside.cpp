@@ -4,8 +4,10 @@
 
 #include "SoftInLoop.h"
 #include "haptics/geometry/scene/SceneMotion.h"
+#include "haptics/recording/Recording.h"
 #include "haptics/session/scene/FeltScene.h"
 #include "testing/support/Meshes.h"
+#include "testing/support/TemporaryFolder.h"
 
 namespace palpate::test
 {
@@ -100,6 +102,44 @@ TEST_F(SoftInLoop, OfABodyThatIsComputedMoreOftenWhatIsBesideItStaysWhereItWent)
   for (int i = 0; i < 100; ++i)
   {
     EXPECT_EQ(this->hold(Vec3(0, 0, 0.02)).motionLag_s, 0.0) << i; // of what is under way: the whole time of its way
+  }
+}
+
+TEST_F(SoftInLoop, BesideAServersPartItIsFeltToTheRimOfThatAndTheBallWaitsThere)
+{
+  for (const ElasticModel model : { ElasticModel::Linear, ElasticModel::NeoHookean })
+  {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("beside");
+    SphereBeside sphere;
+    const auto part = sphere.at(1.0);
+    this->session.setScene(part);
+    this->begin(blockOf20kPa(model), path);
+    HapticParameters parameters = this->session.parameters();
+    constexpr double reach = 0.03;
+    parameters.known = { part->geometryHash(), 0, topOfBlock(), reach };
+    ASSERT_EQ(this->session.setParameters(parameters), "");
+    this->hold(Vec3(0, 0, 0.002), 200);
+    const Vec3 pressed(0, 0, -0.004);
+    EXPECT_GT(this->hold(pressed, 400).force_W.z(), 0.1);
+    EXPECT_FALSE(this->session.state().known.beyond);
+    for (double x = 0.0; x < reach; x += 2e-4)
+    {
+      this->hold(pressed + Vec3(x, 0, 0));
+    }
+    const Vec3 beyond = pressed + Vec3(reach, 0, 0);
+    const Vec3 waits_W = this->hold(beyond).proxy_W.p;
+    const HapticState& out = this->hold(beyond, 700); // 17 packets
+    EXPECT_TRUE(out.known.beyond);
+    EXPECT_LE(out.force_W.norm(), 1e-9);
+    EXPECT_EQ(out.proxy_W.p, waits_W);
+    EXPECT_GT(this->hold(pressed, 700).force_W.z(), 0.1) << "it goes on from above the block";
+    EXPECT_FALSE(this->session.state().known.beyond);
+    EXPECT_EQ(this->session.stop(), "");
+    const auto read = readRecording(path);
+    ASSERT_TRUE(std::holds_alternative<Recording>(read));
+    const ReplayResult again = replay(std::get<Recording>(read));
+    EXPECT_EQ(again.problem + again.difference, "");
   }
 }
 

@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "SoftBlock.h"
-#include "haptics/session/soft/BodyMaker.h"
+#include "haptics/session/soft/SoftWorker.h"
+#include "testing/support/Eventually.h"
 
 namespace palpate::test
 {
@@ -79,6 +80,60 @@ TEST(SoftLoads, ThatAreNoLoadsAreRefusedInWords)
   input.load_N.pop_back();
   EXPECT_FALSE(BodyMaker::make(input, "block", 0, refusal));
   EXPECT_THAT(refusal, HasSubstr("another number of vertices"));
+}
+
+Eigen::VectorXd weightOf(const SoftBody& body)
+{
+  Eigen::VectorXd load_N = Eigen::VectorXd::Zero(body.displacement().size());
+  for (Eigen::Index n = 0; n < load_N.size(); n += 3)
+  {
+    load_N[n + 2] = -1e-3;
+  }
+  return load_N;
+}
+
+TEST(SoftLoads, AreGivenUpWithTheFactorThatIsUnderWayOnceTheBodyIsNotWanted)
+{
+  std::stop_source stop;
+  const SoftBodyResult made = makeSoftBody(softBlock(ElasticModel::NeoHookean), stop.get_token());
+  ASSERT_TRUE(made.body);
+  const std::size_t before = made.body->factorings();
+  stop.request_stop();
+  EXPECT_FALSE(made.body->bear(weightOf(*made.body), stop.get_token()));
+  EXPECT_EQ(made.body->factorings(), before);
+  EXPECT_TRUE(made.body->bear(weightOf(*made.body)));
+  EXPECT_GT(made.body->factorings(), before + 1);
+  const SoftBodyResult refused = makeSoftBody(weighingBlock(ElasticModel::NeoHookean), stop.get_token());
+  EXPECT_FALSE(refused.body);
+  EXPECT_THAT(refused.refusal, HasSubstr("not wanted"));
+}
+
+TEST(SoftLoads, OfABodyThatIsNotWantedBeforeItIsThereAreNeverSaidAndTheNextBodyIsFelt)
+{
+  SoftLinks links;
+  SoftWorker worker(links, false);
+  SoftBodyInput large = pad(12);
+  large.load_N.assign(large.mesh.vertices_W.size(), Vec3(0, 0, -1e-4));
+  const SoftChoice unwanted{ std::make_shared<const SoftBodyInput>(large), "large", 25.0 };
+  const SoftChoice wanted{ std::make_shared<const SoftBodyInput>(weighingBlock(ElasticModel::NeoHookean)), "small",
+    25.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    worker.take(unwanted);
+    worker.take(wanted);
+    const auto isFelt = [&]
+    {
+      const SoftStatus status = worker.status();
+      EXPECT_EQ(status.problem, "");
+      return !status.building && status.packets > 0 && status.asMade &&
+             status.asMade->mesh.tetras.size() == wanted.input->mesh.tetras.size();
+    };
+    EXPECT_TRUE(eventually(isFelt)) << i;
+    worker.take(unwanted);
+    worker.take({});
+    EXPECT_TRUE(eventually([&] { return !worker.status().building && worker.status().packets == 0; })) << i;
+    EXPECT_EQ(worker.status().problem, "");
+  }
 }
 
 /// By superposition: its surface is elsewhere, its compliance and the energy that a force leaves in it are the same.

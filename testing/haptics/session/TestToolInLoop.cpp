@@ -6,6 +6,8 @@
 
 #include "ToolHand.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/session/HapticSession.h"
+#include "haptics/session/Warning.h"
 #include "haptics/tool/motion/Turn.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/Meshes.h"
@@ -229,6 +231,117 @@ TEST_F(ToolInLoop, GoesOnFromWhereTheHandCameFromInASceneThatLeavesNoRoomWhereIt
   const HapticState& state = this->hold(at, within_ticks);
   EXPECT_EQ(state.fault, Fault::None);
   EXPECT_NEAR(state.proxy_W.p.z(), top + halfTool, 1e-6) << "on the box, not in it";
+  EXPECT_GT(state.force_W.z(), 0.0);
+}
+
+/// Tells the session that its scene is a part of a whole.
+void tellPart(HapticSession& session, const Scene& scene, const Vec3& centre_W, double reach_u)
+{
+  HapticParameters parameters = session.parameters();
+  parameters.known = { scene.geometryHash(), parameters.known.geometry, centre_W, reach_u };
+  EXPECT_EQ(session.setParameters(parameters), "");
+}
+
+TEST_F(ToolInLoop, BeyondAServersPartWaitsWhereAllWasKnownAndGoesOnFromThereOrBeginsAnew)
+{
+  constexpr double deep = 0.005, reach = 0.1;
+  const Pose on{ Vec3(0, 0, halfTool - deep), Quat::Identity() };
+  const auto first = sceneOf(sheetAt(0.0)), second = sceneOf(sheetAt(-1e-6)), third = sceneOf(sheetAt(-2e-6));
+  const ToolChoice tool = cubeTool();
+  this->begin(first, tool);
+  tellPart(this->session, *first, Vec3::Zero(), reach);
+  this->hold(0.05, 5);
+  ASSERT_NEAR(this->hold(on, 300).force_W.z(), springOfTool * deep, 1e-2);
+  Pose hand = on;
+  for (; hand.p.x() < 0.15; hand.p.x() += 1e-3)
+  {
+    this->hold(hand);
+    const double way = this->session.state().proxy_W.p.norm() + tool.tool->reach_u;
+    ASSERT_LE(way, reach + 1e-3) << "a step of the hand beyond it";
+  }
+  EXPECT_TRUE(this->hold(hand, 700).known.beyond);
+  EXPECT_NE(warning(this->session.state(), this->session.report()).find("the tool reaches beyond"), std::string::npos);
+  EXPECT_LE(this->session.state().force_W.norm(), 1e-9);
+  tellPart(this->session, *second, Vec3::Zero(), 4.0 * reach); // has both places
+  this->session.setScene(second);
+  const HapticState& both = this->hold(hand, 700);
+  EXPECT_FALSE(both.known.beyond);
+  EXPECT_NEAR(both.proxy_W.p.x(), hand.p.x(), 1e-3);
+  EXPECT_NEAR(both.force_W.z(), springOfTool * deep, 1e-2) << "above the sheet, where it was";
+  hand.p = Vec3(-0.15, 0, 0.05); // a hand that jumps, above the sheet
+  tellPart(this->session, *second, Vec3(0.15, 0, 0), reach);
+  EXPECT_TRUE(this->hold(hand, 100).known.beyond);
+  tellPart(this->session, *third, hand.p, reach); // has the hand alone
+  this->session.setScene(third);
+  const HapticState& anew = this->hold(hand, 100);
+  EXPECT_FALSE(anew.known.beyond);
+  EXPECT_TRUE(anew.tool.placed);
+  EXPECT_LE((anew.proxy_W.p - hand.p).norm(), 1e-6);
+}
+
+TEST_F(ToolInLoop, GoesOnFromNoPlaceThatTheHandLeftLongAgoNorFromOneOfAnotherMapOrTool)
+{
+  constexpr double from = 0.2, at = 0.03;
+  const auto far = sceneOf(shifted(sheetAt(0.0), Vec3(0, 0, -1.0)));
+  const auto around = sceneOf(makeBox(Vec3(-1, -1, -1), Vec3(1, 1, 0.035)));
+  enum class Case
+  {
+    Recent,
+    Rests,
+    OtherMap,
+    OtherTool
+  };
+  for (const Case which : { Case::Recent, Case::Rests, Case::OtherMap, Case::OtherTool })
+  {
+    this->begin(far, cubeTool());
+    constexpr int ticks = 40; // of a hand that comes by 4 mm a tick
+    for (int i = 0; i <= ticks; ++i)
+    {
+      this->hold(from + (at - from) * i / ticks);
+    }
+    this->hold(at, which == Case::Rests ? 60 : 1);
+    if (which == Case::OtherMap)
+    {
+      HapticParameters parameters = this->session.parameters();
+      parameters.map.offset_W += Vec3(0.5, 0, 0);
+      ASSERT_EQ(this->session.setParameters(parameters), "");
+      this->hold(at);
+    }
+    if (which == Case::OtherTool)
+    {
+      this->session.setTool(cubeTool());
+    }
+    this->session.setScene(around);
+    const HapticState& state = this->hold(at, 20);
+    EXPECT_EQ(state.tool.placed, which == Case::Recent) << static_cast<int>(which);
+    EXPECT_EQ(state.force_W.norm() > 0.0, which == Case::Recent) << static_cast<int>(which);
+    EXPECT_EQ(this->session.stop(), "");
+  }
+}
+
+TEST_F(ToolInLoop, ThatStoodNowhereGoesOnFromWhereTheHandCameFrom)
+{
+  const auto around = sceneOf(makeBox(Vec3(-1, -1, -1), Vec3(1, 1, 0.035)));
+  const auto bending = [](const std::shared_ptr<const Scene>& scene)
+  {
+    std::vector<Surface> surfaces = scene->surfaces();
+    std::vector<Vec3> start_W = surfaces.front().tree->mesh().vertices_W;
+    start_W.front().z() -= 0.01;
+    surfaces.front().from =
+      std::make_shared<const VertexStart>(std::move(start_W), surfaces.front().tree->contentHash());
+    return std::make_shared<const Scene>(2, surfaces, 0.1);
+  };
+  this->begin(sceneOf(shifted(sheetAt(0.0), Vec3(0, 0, -1.0))), cubeTool());
+  for (int i = 0; i <= 40; ++i)
+  {
+    this->hold(0.2 - 0.17 * i / 40);
+  }
+  this->session.setScene(bending(around)); // which no mesh touches: the tool is laid down
+  this->hold(0.03, 2);
+  ASSERT_NE(this->session.toolRefusal(), "");
+  this->session.setScene(around);
+  const HapticState& state = this->hold(0.03, 20);
+  EXPECT_TRUE(state.tool.placed);
   EXPECT_GT(state.force_W.z(), 0.0);
 }
 

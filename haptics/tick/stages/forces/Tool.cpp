@@ -43,10 +43,10 @@ Vec6 step_u(TickContext& tick, const ToolPull& now, ToolState& tool) noexcept
   return now.pull_u - before_u;
 }
 
-/// Of the newest contacts, whose step from those before is spread.
+/// Of the newest contacts, whose step from those before is spread. Beyond what is known of a scene there are none.
 Vec6 pull_u(TickContext& tick, ToolState& tool) noexcept
 {
-  if (!tick.input.tool->placed)
+  if (!tick.input.tool->placed || tick.s.beyondKnown)
   {
     tick.s.toolSet = *tick.input.tool;
     tick.s.toolBlend = {}; // the force that it spread is gone

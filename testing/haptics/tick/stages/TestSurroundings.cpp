@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,7 @@ public:
     input.dt_s = dt_s;
     input.scene = this->scene_.get();
     input.previousScene = this->before_.get();
+    input.tool = this->tool ? &*this->tool : nullptr;
     input.sample.time_s = dt_s * static_cast<double>(this->tick_);
     input.sample.pose_D.p = p_W / scale_u_per_m;
     const TickOutput out = renderTick(input, this->parameters, this->state);
@@ -75,6 +77,7 @@ public:
 
   HapticParameters parameters;
   RendererState state;
+  std::optional<ToolContacts> tool; ///< in place of the ball
 
 private:
   std::shared_ptr<const Scene> scene_, before_;
@@ -158,6 +161,51 @@ TEST(SurroundingsRim, BeyondItTheForceFadesAndTheProxyWaitsWhereAllWasKnown)
     expected_N *= tau_s / (tau_s + dt_s);
   }
   EXPECT_LE(hand.at(beyond_W).command.wrench_D.force.norm(), 1e-9);
+}
+
+/// A mesh that lies on the sheet above a hand, and touches it where the sheet is nearest.
+ToolContacts lyingAt(double x, double toolReach_u, std::uint64_t revision)
+{
+  ToolContacts set;
+  set.held = set.placed = true;
+  set.pose_W.p = Vec3(x, 0.2, 0.0);
+  set.reach_u = toolReach_u;
+  set.revision = revision;
+  set.count = 1;
+  set.contacts[0] = { Vec3::UnitZ(), Vec3(0, 0, -1), 0.0 };
+  return set;
+}
+
+TEST(SurroundingsRim, OfAToolThatIsFeltByItsMeshTheForceFadesWhereItReachesBeyondIt)
+{
+  constexpr double toolReach_u = 2.0;
+  FarHand hand;
+  hand.takePart(sheet(), Vec3::Zero(), reach_u);
+  std::uint64_t revision = 0;
+  const auto at = [&](double x)
+  {
+    hand.tool = lyingAt(x, toolReach_u, ++revision);
+    return hand.at({ x, 0.2, -depth_u });
+  };
+  // All that the tool may touch is within |p| + depth + its reach of the middle.
+  const double rim_u = std::sqrt(std::pow(reach_u - depth_u - toolReach_u, 2) - depth_u * depth_u - 0.2 * 0.2);
+  for (double x = 0.0; x < rim_u - 1e-9; x += 0.1)
+  {
+    const TickOutput out = at(x);
+    ASSERT_FALSE(out.state.known.beyond) << x;
+    ASSERT_NEAR(out.command.wrench_D.force.z(), spring_N, 1e-9) << x;
+  }
+  const double tau_s = hand.parameters.sceneBlend_s;
+  double expected_N = spring_N;
+  for (int i = 0; i < 700; ++i)
+  {
+    const TickOutput out = at(rim_u + 1e-6);
+    ASSERT_TRUE(out.state.known.beyond);
+    ASSERT_EQ(out.state.contacts, 0);
+    ASSERT_LE(out.command.wrench_D.force.z(), expected_N * (1.0 + 1e-9)) << "tick " << i;
+    expected_N *= tau_s / (tau_s + dt_s);
+  }
+  EXPECT_LE(at(rim_u + 1e-6).command.wrench_D.force.norm(), 1e-9);
 }
 
 TEST(SurroundingsRim, APartThatHasBothPlacesGoesOnFromWhereTheProxyWaited)
