@@ -66,7 +66,7 @@ public:
       ++changes;
     }
     this->keep();
-    this->tellHand(before_N, changes > 0);
+    this->tellHand(before_N, changes > 0 && !first);
   }
 
 private:
