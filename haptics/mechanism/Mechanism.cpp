@@ -17,7 +17,7 @@ struct KnownKind
 /// In the order of LawKind.
 constexpr std::array kinds{ KnownKind{ "contact", 1 }, KnownKind{ "attachment", 3 }, KnownKind{ "hinge", 5 },
   KnownKind{ "slider", 4 }, KnownKind{ "break", 3 }, KnownKind{ "friction", 3 }, KnownKind{ "dry friction", 1 },
-  KnownKind{ "spring", 1 }, KnownKind{ "limit", 2 }, KnownKind{ "puncture", 3 }, KnownKind{ "insertion", 3 } };
+  KnownKind{ "spring", 1 }, KnownKind{ "limit", 2 }, KnownKind{ "puncture", 4 }, KnownKind{ "insertion", 4 } };
 
 } // namespace
 

@@ -201,6 +201,10 @@ vtkHapticSoftDescription SoftOf(const Node& node, double unit_m)
   {
     node.Fail("model", "there is no \"" + model + "\"; there are linear, corotational, neohookean");
   }
+  if (soft.Edge_u < 0.0)
+  {
+    node.Fail("edge", "it must not be below 0");
+  }
   if (soft.File.empty() == !node.Has("box"))
   {
     node.Fail("", "a soft body is read from a \"file\" or is a \"box\", one of both");
@@ -250,6 +254,10 @@ palpate::MechanismLaw LawOf(const Node& node, double unit_m)
   law.name = node.Name();
   law.kind = KindOf(
     node, { Contact, Attachment, Hinge, Slider, Break, Friction, DryFriction, Spring, Limit, Puncture, Insertion });
+  if ((law.kind == Break || law.kind == Puncture) && !node.Has("strength_N"))
+  {
+    node.Fail("strength_N", "it is missing: say at which force it gives way");
+  }
   law.a = node.Needed("a");
   law.b = node.Needed("b");
   law.point_A = node.Vector("point_a", law.point_A);
@@ -289,9 +297,9 @@ vtkHapticMechanismResult Build(
   vtkHapticMechanismResult result;
   auto inputs = std::make_shared<palpate::MechanismInputs>();
   inputs->unit_m = root.Number("unit_m", 1.0);
-  if (!(inputs->unit_m > 0.0))
+  if (!(inputs->unit_m >= 1e-12 && inputs->unit_m <= 1e6))
   {
-    root.Fail("unit_m", "it must be a number of metres above 0");
+    root.Fail("unit_m", "it must be a number of metres from 1e-12 to 1e6");
   }
   for (const Node& node : root.List("bodies"))
   {

@@ -62,6 +62,7 @@ public:
     check.freeTurns = this->problem_->ways;
     check.condition = this->condition();
     this->tellRedundant(check);
+    this->tellUnmet(check);
     this->tellFree(check);
     this->tellRubbing(check);
     this->tellSlipping(check);
@@ -105,9 +106,9 @@ private:
       const int row = this->factor_.row(k);
       const std::string& name = this->mechanism_.laws[this->rows_->rows[row].law].name;
       const Eigen::VectorXd shares = w.ldlt().solve(Eigen::VectorXd(this->compliance_(in, row)));
-      if (this->plan_.laws[this->rows_->rows[row].law].kind == LawKind::Limit)
+      if (this->isOtherEnd(this->rows_->rows[row]))
       {
-        continue; // its two ends are one row, from both sides
+        continue;
       }
       if (std::ranges::find(check.redundant, name) == check.redundant.end())
       {
@@ -120,6 +121,13 @@ private:
         check.faults.push_back("Law \"" + name + "\" contradicts the others: no place of the bodies meets them all.");
       }
     }
+  }
+
+  /// Of a limit, and of a shaft, which both end in two places along one way.
+  [[nodiscard]] bool isOtherEnd(const LawRow& row) const
+  {
+    const LawKind kind = this->plan_.laws[row.law].kind;
+    return row.lowest_N == 0.0 && (kind == LawKind::Limit || kind == LawKind::Puncture || kind == LawKind::Insertion);
   }
 
   /// What a row with bounds has a share in can give way.
@@ -136,6 +144,31 @@ private:
   [[nodiscard]] bool isHeld(int row) const
   {
     return std::isinf(this->problem_->lowest[row]) && std::isinf(this->problem_->highest[row]);
+  }
+
+  /// Laws that only push may contradict each other, too: then no forces meet them all.
+  void tellUnmet(MechanismCheck& check) const
+  {
+    auto room = std::make_unique<LawRoom>();
+    auto forces = std::make_unique<LawForces>();
+    forces->force_N.setZero(this->rows_->count);
+    solveLaws(*this->problem_, *room, *forces);
+    int worst = -1;
+    double most_u = contradictsFrom * this->plan_.lever_u;
+    for (int i = 0; i < this->problem_->bounded(); ++i)
+    {
+      const bool pushes = this->rows_->rows[i].lowest_N == 0.0 && this->rows_->rows[i].compliance_u_per_N == 0.0;
+      if (pushes && -forces->moved_u[i] > most_u)
+      {
+        most_u = -forces->moved_u[i];
+        worst = i;
+      }
+    }
+    if (worst >= 0 && check.faults.empty())
+    {
+      check.faults.push_back("Law \"" + this->mechanism_.laws[this->rows_->rows[worst].law].name +
+                             "\" contradicts the others: no place of the bodies meets them all.");
+    }
   }
 
   /// Bodies that can go where no row goes with them.

@@ -14,6 +14,14 @@ namespace
 
 constexpr std::size_t mostRigid = 3; // each has six ways that only balance decides: more are too many for a tick
 
+constexpr double farthest_u = 1e9; // a metre in nanometres; from there on rounding is felt
+constexpr double strongest_N = 1e6;
+
+bool isNear(const Vec3& p)
+{
+  return p.allFinite() && p.cwiseAbs().maxCoeff() <= farthest_u;
+}
+
 bool onRod(const MechanismBody& body, const Vec3& p)
 {
   const double slack_u = 1e-9 * body.length_u;
@@ -101,17 +109,18 @@ private:
   {
     this->judgeName(this->mechanism_.bodies, i, "body");
     const std::string name = "Body \"" + body.name + "\" ";
-    const bool rod =
-      std::isfinite(body.length_u) && std::isfinite(body.diameter_u) && body.length_u > 0.0 && body.diameter_u > 0.0;
-    const bool box = body.halfSize_u.allFinite() && body.halfSize_u.minCoeff() > 0.0;
-    const bool placed =
-      body.pose_W.p.allFinite() && std::abs(body.pose_W.q.squaredNorm() - 1.0) < 1e-6 && body.load_W.allFinite();
+    const auto size = [](double x) { return x > 0.0 && x <= farthest_u; };
+    const bool rod = size(body.length_u) && size(body.diameter_u);
+    const bool box = std::ranges::all_of(body.halfSize_u, size);
+    const bool placed = isNear(body.pose_W.p) && std::abs(body.pose_W.q.squaredNorm() - 1.0) < 1e-6 &&
+                        body.load_W.allFinite() && body.load_W.norm() <= strongest_N;
     const bool soft = softNamed(this->soft_, body.name) && softNamed(this->soft_, body.name)->body;
+    this->require(body.kind != MechanismBodyKind::Held || rod,
+      name + "has no length or no diameter: give it both, above 0 and at most 1e9.");
     this->require(
-      body.kind != MechanismBodyKind::Held || rod, name + "has no length or no diameter: give it both, above 0.");
-    this->require(body.kind != MechanismBodyKind::Rigid || box, name + "has no size: give it half sizes above 0.");
+      body.kind != MechanismBodyKind::Rigid || box, name + "has no size: give it half sizes above 0 and at most 1e9.");
     this->require((body.kind != MechanismBodyKind::Rigid && body.kind != MechanismBodyKind::Held) || placed,
-      name + "stands nowhere: its pose or load is not finite.");
+      name + "stands nowhere: its pose is beyond 1e9, or its load beyond 1e6 N.");
     this->require(body.kind != MechanismBodyKind::Soft || soft, name + "is not there: no soft body has that name.");
   }
 
@@ -144,12 +153,12 @@ private:
     this->require(positive(law.stiffness_N_per_u), name + "has no stiffness: give it one above 0.");
     this->require(coefficient(law.friction) && coefficient(law.dryFriction_N),
       name + "has a friction that is below 0 or no number.");
-    this->require(law.point_A.allFinite() && law.point_B.allFinite() && std::isfinite(law.rest_u),
-      name + "has a place that is no number.");
+    const bool near = isNear(law.point_A) && isNear(law.point_B) && std::abs(law.rest_u) <= farthest_u;
+    this->require(near, name + "has a place beyond 1e9.");
     this->require(
       law.axis_A.allFinite() && law.axis_B.allFinite() && law.axis_A.norm() > 0.0 && law.axis_B.norm() > 0.0,
       name + "has an axis without direction.");
-    const bool bounded = std::isfinite(law.least_u) || std::isfinite(law.most_u);
+    const bool bounded = std::abs(law.least_u) <= farthest_u || std::abs(law.most_u) <= farthest_u;
     this->require(law.kind != LawKind::Limit || (bounded && law.least_u <= law.most_u),
       name + "contradicts itself: its least place is beyond its most, or it has neither.");
   }

@@ -65,9 +65,20 @@ LawOutcome outcomeOf(const LawScene& scene, const LawRows& rows, const LawForces
   return outcome;
 }
 
+bool mayGiveWay(const PlannedLaw& law) noexcept
+{
+  return law.kind == LawKind::Break || law.kind == LawKind::Insertion;
+}
+
+bool givesWay(const PlannedLaw& law, const LawOutcome& outcome) noexcept
+{
+  return law.kind == LawKind::Break ? outcome.force_W.norm() > law.strength_N
+                                    : outcome.across_N > law.tear_N || outcome.rest_u.x() < 0.0;
+}
+
 std::optional<LawChange> changeLaw(const PlannedLaw& law, const LawOutcome& outcome, LawState& state) noexcept
 {
-  if (law.kind == LawKind::Break && outcome.force_W.norm() > law.strength_N)
+  if (law.kind == LawKind::Break && givesWay(law, outcome))
   {
     state.phase = LawPhase::Gone;
     return LawChange::Broken;
@@ -79,7 +90,7 @@ std::optional<LawChange> changeLaw(const PlannedLaw& law, const LawOutcome& outc
     state.stuck_u = Vec3::Zero();
     return LawChange::Punctured;
   }
-  if (!inShaft(law, state) || !(outcome.across_N > law.tear_N || outcome.rest_u.x() < 0.0))
+  if (!inShaft(law, state) || !givesWay(law, outcome))
   {
     return std::nullopt;
   }

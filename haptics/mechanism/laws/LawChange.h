@@ -31,6 +31,13 @@ struct LawOutcome
 [[nodiscard]] LawOutcome outcomeOf(
   const LawScene& scene, const LawRows& rows, const LawForces& forces, int law) noexcept;
 
+/// Whether it is of a kind that holds from the beginning and may be pulled away: what is held begins elsewhere,
+/// perhaps.
+[[nodiscard]] bool mayGiveWay(const PlannedLaw& law) noexcept;
+
+/// Whether a law of that kind, or a shaft in its hole, gives way to this.
+[[nodiscard]] bool givesWay(const PlannedLaw& law, const LawOutcome& outcome) noexcept;
+
 /// What that makes of a law, if anything; the state is changed.
 [[nodiscard]] std::optional<LawChange> changeLaw(
   const PlannedLaw& law, const LawOutcome& outcome, LawState& state) noexcept;

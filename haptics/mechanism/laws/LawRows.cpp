@@ -30,10 +30,12 @@ public:
     for (int l = 0; l < this->scene_.plan.lawCount; ++l)
     {
       const PlannedLaw& law = this->scene_.plan.laws[l];
-      if ((law.kind == LawKind::Friction) == cones && this->scene_.laws[l].phase != LawPhase::Gone && this->place(l))
+      const LawState& state = this->scene_.laws[l];
+      const bool holds = state.phase != LawPhase::Gone && !state.waits;
+      if ((law.kind == LawKind::Friction) == cones && holds && this->place(l))
       {
         this->law_ = l;
-        this->add(law, this->scene_.laws[l]);
+        this->add(law, state);
       }
     }
   }
@@ -201,6 +203,8 @@ private:
     a.x_W = pose.p + (rod.length_u - tip_u) * a.axis_W;
     this->addAcross(a.axis_W);
     this->addDry(a.axis_W, tip_u, law, state);
+    // A rod ends at the hand: no more of it goes in than there is.
+    this->addRow({ this->law_, false, -a.axis_W, rod.length_u - tip_u, 0.0, unlimited });
   }
 
   /// One that pricks stays where it met the surface; else it slides.

@@ -22,6 +22,7 @@ struct LawState
   LawPhase phase = LawPhase::Open;
   bool met = false;              ///< Puncture: the tip is at the surface
   bool seen = false;             ///< it had rows in the tick before
+  bool waits = false;            ///< what is held has not come yet to where it holds without giving way at once
   bool placed = false;           ///< `stuck_u` has been set
   SurfacePoint place_A;          ///< where the law is on a soft body
   SurfacePoint place_B;          ///< likewise

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "haptics/mechanism/laws/LawCompliance.h"
 #include "haptics/mechanism/servo/TipPlace.h"
@@ -49,16 +50,23 @@ public:
     this->begin();
     this->takePackets();
     this->meetSurfaces();
+    const bool first = !this->state_.placed; // laws that hold then make no step in the force
+    (void)(first && this->tryWaiting());
     this->solve();
     const Vec6 before_N = this->onHand();
     std::size_t changes = 0;
+    if (!first && this->tryWaiting())
+    {
+      this->solve();
+      ++changes;
+    }
     while (changes < Mechanism::mostLaws && this->changeLaws())
     {
       this->solve();
       ++changes;
     }
     this->keep();
-    this->tellHand(before_N, changes > 0);
+    this->tellHand(before_N, changes > 0 && !first);
   }
 
 private:
@@ -148,6 +156,18 @@ private:
     this->result_.work += forces.work;
   }
 
+  /// Laws that wait are tried in each tick: those that would give way at once go on waiting.
+  [[nodiscard]] bool tryWaiting() noexcept
+  {
+    bool any = false;
+    for (int l = 0; l < this->plan_.lawCount; ++l)
+    {
+      this->tried_[l] = std::exchange(this->state_.laws[l].waits, false);
+      any = any || this->tried_[l];
+    }
+    return any;
+  }
+
   [[nodiscard]] Vec6 onHand() const noexcept
   {
     const bool held = this->plan_.held >= 0;
@@ -161,6 +181,12 @@ private:
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
       const LawOutcome outcome = outcomeOf(this->scene_, this->room_.rows, this->room_.forces, l);
+      if (this->tried_[l] && givesWay(this->plan_.laws[l], outcome))
+      {
+        this->state_.laws[l].waits = changed = true;
+        this->tried_[l] = false;
+        continue;
+      }
       const auto change = changeLaw(this->plan_.laws[l], outcome, this->state_.laws[l]);
       if (change && this->result_.eventCount < static_cast<int>(this->result_.events.size()))
       {
@@ -268,7 +294,11 @@ private:
     const Vec3 apart_W = this->placeOf(l) + law.apart_W + law.offset_W;
     const Vec3 aside_W = apart_W - law.normal_W.dot(apart_W) * law.normal_W;
     law.place_B.x_W = this->room_.rows.ends[l][1].x_W;
-    slideOnSurface(*soft, aside_W, law);
+    if (!slideOnSurface(*soft, aside_W, law)) // beyond an edge nothing is below the tip any more
+    {
+      law.met = law.placed = false;
+      law.phase = LawPhase::Open;
+    }
   }
 
   void tellPresses(int l) noexcept
@@ -314,6 +344,7 @@ private:
   MechanismResult& result_;
   std::array<Pose, Mechanism::mostBodies> reference_{};
   Vec3 tip_W_ = Vec3::Zero();
+  std::array<bool, Mechanism::mostLaws> tried_{};
   LawScene scene_;
 };
 
@@ -331,6 +362,7 @@ void beginAnew(const MechanismPlan& plan, MechanismState& state) noexcept
   {
     state.laws[l].place_A = plan.laws[l].place_A;
     state.laws[l].place_B = plan.laws[l].place_B;
+    state.laws[l].waits = mayGiveWay(plan.laws[l]) && (plan.laws[l].a == plan.held || plan.laws[l].b == plan.held);
   }
 }
 

@@ -12,9 +12,18 @@ namespace palpate
 namespace
 {
 
+/// Of a body's size: what rounding leaves of a place.
+constexpr double ofBody = 1e-6;
+
 const SurfaceTree& treeOf(const PressedBody& body) noexcept
 {
   return *body.scene->surfaces()[body.touch.surface].tree;
+}
+
+double sizeOf(const PressedBody& body) noexcept
+{
+  const SurfaceData& data = treeOf(body).data();
+  return (data.high_W - data.low_W).norm();
 }
 
 /// The first of the body's surface on a straight way, its normal against the way: triangles have no outer side of
@@ -53,10 +62,9 @@ bool isInside(const PressedBody& body, const Vec3& p_W, const Vec3& way_W) noexc
 bool meetSurface(const PressedBody& body, const Vec3& from_W, const Vec3& to_W, LawState& state) noexcept
 {
   // A tip may have come to rest on the surface itself, but for rounding: the end of the way before is looked at again.
-  constexpr double most = 0.1, ofBody = 1e-6;
+  constexpr double most = 0.1;
   const Vec3 way_W = to_W - from_W;
-  const SurfaceData& data = treeOf(body).data();
-  const double again = std::min(most, ofBody * (data.high_W - data.low_W).norm() / std::max(way_W.norm(), 1e-300));
+  const double again = std::min(most, ofBody * sizeOf(body) / std::max(way_W.norm(), 1e-300));
   const Vec3 start_W = from_W - again * way_W;
   LawState met = state;
   const bool enters = place(body, start_W, to_W - start_W, met) && !isInside(body, start_W, way_W);
@@ -64,11 +72,11 @@ bool meetSurface(const PressedBody& body, const Vec3& from_W, const Vec3& to_W, 
   return enters;
 }
 
-void slideOnSurface(const PressedBody& body, const Vec3& aside_W, LawState& state) noexcept
+bool slideOnSurface(const PressedBody& body, const Vec3& aside_W, LawState& state) noexcept
 {
   // As far up as aside: a surface that bends by less than 45 degrees on the way is found.
-  const double up_u = aside_W.norm();
-  (void)place(body, state.place_B.x_W + aside_W + up_u * state.normal_W, -2.0 * up_u * state.normal_W, state);
+  const double up_u = std::max(aside_W.norm(), ofBody * sizeOf(body));
+  return place(body, state.place_B.x_W + aside_W + up_u * state.normal_W, -2.0 * up_u * state.normal_W, state);
 }
 
 } // namespace palpate

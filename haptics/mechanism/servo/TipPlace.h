@@ -10,8 +10,8 @@ namespace palpate
 /// body's vertices are taken where they are without forces. Real-time safe.
 [[nodiscard]] bool meetSurface(const PressedBody& body, const Vec3& from_W, const Vec3& to_W, LawState& state) noexcept;
 
-/// A tip that is pressed on and has gone along the surface by `aside_W` from its place there; where no surface
-/// is found, it stays. Real-time safe.
-void slideOnSurface(const PressedBody& body, const Vec3& aside_W, LawState& state) noexcept;
+/// A tip that is pressed on and has gone along the surface by `aside_W` from its place there. False, and nothing
+/// changes, where no surface is under it any more: beyond an edge. Real-time safe.
+[[nodiscard]] bool slideOnSurface(const PressedBody& body, const Vec3& aside_W, LawState& state) noexcept;
 
 } // namespace palpate

@@ -95,6 +95,25 @@ TEST_F(Laws, ABreakHoldsUpToItsStrengthAndIsGoneBeyond)
   EXPECT_EQ(after.exact_W.force.norm(), 0.0);
 }
 
+TEST_F(Laws, ABreakThatTheHandBeginsFarFromWaitsUntilItHoldsAndIsThenFeltWithoutAStep)
+{
+  this->rig.join(LawKind::Break, "world", Vec3::Zero(), Vec3::Zero()).strength_N = 2.0;
+  double before_N = 0.0, largestStep_N = 0.0;
+  for (int i = 0; i <= 200; ++i)
+  {
+    const double x = 0.02 - 1e-4 * i; // from 20 N of the hand's spring to where the points are one
+    const MechanismResult r = this->rig.step(Vec3(x, 0.0, 0.0));
+    EXPECT_EQ(r.eventCount, 0) << x;
+    EXPECT_NEAR(r.exact_W.force.x(), kc * x <= 2.0 ? -kc * x : 0.0, 1e-12) << x;
+    largestStep_N = std::max(largestStep_N, std::abs(r.wrench_W.force.x() - before_N));
+    before_N = r.wrench_W.force.x();
+  }
+  EXPECT_LE(largestStep_N, 0.25);
+  const MechanismResult breaks = this->rig.step(Vec3(2.1e-3, 0.0, 0.0));
+  ASSERT_EQ(breaks.eventCount, 1) << "it has held";
+  EXPECT_EQ(breaks.events[0].change, LawChange::Broken);
+}
+
 TEST_F(Laws, FrictionSticksWithinItsConeAndSlipsOnIt)
 {
   const double mu = 0.4, depth = 2e-3;

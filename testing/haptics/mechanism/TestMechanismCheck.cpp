@@ -29,8 +29,9 @@ TEST_F(Checked, AMechanismIsSaidToBecomeRowsRankAndFreeTurns)
 {
   const MechanismCheck check = this->rig.check();
   EXPECT_TRUE(check.faults.empty());
-  EXPECT_EQ(check.rows, 6);
-  // Both dry rows are along one rod, but through two tissues of their own: all six are independent.
+  EXPECT_EQ(check.rows, 8);
+  // Both dry rows are along one rod, but through two tissues of their own, and so are its ends at the hub, along the
+  // same ways.
   EXPECT_EQ(check.rank, 6);
   EXPECT_EQ(check.freeTurns, 0);
   EXPECT_TRUE(check.redundant.empty());
@@ -105,6 +106,26 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
         r.join(LawKind::Attachment, "world", 0.1 * Vec3::UnitZ(), 0.11 * Vec3::UnitZ());
       },
       "contradicts the others" },
+    Wrong{ "ContactsFromBothSidesOfNoRoom",
+      [](MechanismRig& r)
+      {
+        r.join(LawKind::Contact, "world", Vec3::Zero(), Vec3(0.05, 0.0, 0.0)).axis_B = Vec3::UnitX();
+        r.join(LawKind::Contact, "world", Vec3::Zero(), Vec3::Zero()).axis_B = -Vec3::UnitX();
+      },
+      "contradicts the others" },
+    Wrong{ "StiffLimitBesideAnAttachment",
+      [](MechanismRig& r)
+      {
+        r.join(LawKind::Attachment, "world", Vec3::Zero(), Vec3::Zero());
+        MechanismLaw& limit = r.join(LawKind::Limit, "world", Vec3::Zero(), Vec3::Zero());
+        limit.axis_B = Vec3::UnitX();
+        limit.least_u = 0.1;
+      },
+      "contradicts the others" },
+    Wrong{ "RestBeyondAllNumbers",
+      [](MechanismRig& r) { r.join(LawKind::Spring, "world", Vec3::Zero(), Vec3::Zero()).rest_u = 1e308; },
+      "a place beyond 1e9" },
+    Wrong{ "RodBeyondAllNumbers", [](MechanismRig& r) { r.mechanism.bodies[0].length_u = 1e300; }, "no length" },
     Wrong{ "MoreRowsThanTheBudget",
       [](MechanismRig& r)
       {

@@ -69,6 +69,23 @@ TEST_F(Needle, AStrokeIsPuncturedTurnsRoundAndTakesTheWorkOfTheLaw)
   EXPECT_NEAR(work, formula, 1e-3 * formula);
 }
 
+TEST_F(Needle, NoMoreOfTheRodGoesInThanThereIs)
+{
+  const double through = rod + 0.01; // of the tip beyond the surface
+  double x = 0.0;
+  for (; x < through; x += 1e-4)
+  {
+    (void)this->at(x);
+  }
+  const MechanismResult& r = this->at(through);
+  EXPECT_EQ(r.laws[0].phase, LawPhase::Inside);
+  EXPECT_NEAR(r.laws[0].inside_u, rod, 1e-12);
+  // The hand is beyond by what its spring and the wall's give way by under the force.
+  EXPECT_NEAR(-r.exact_W.force.z(), (through - rod) / series, 1e-9);
+  (void)this->at(rod - 0.01);
+  EXPECT_NEAR(this->at(rod - 0.02).exact_W.force.z(), friction, 1e-12) << "and the hub lets go";
+}
+
 TEST_F(Needle, TheForceStepOfThePunctureIsSpreadForTheHand)
 {
   double before = 0.0;

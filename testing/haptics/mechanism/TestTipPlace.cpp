@@ -106,4 +106,23 @@ TEST(TipPlace, NoTipSlipsThroughAVertexOrAnEdge)
   EXPECT_GT(onTop, 0);
 }
 
+TEST(TipPlace, ATipSlidesAsFarAsTheSurfaceReachesAndNoFurther)
+{
+  const auto body = padAtRest();
+  ASSERT_TRUE(body);
+  Random random(testSeed(2022));
+  for (std::size_t i = 0; i < testCount(500); ++i)
+  {
+    LawState state;
+    const Vec3 from_W = anyInside(random);
+    ASSERT_TRUE(meetSurface(*body, Vec3(from_W.x(), from_W.y(), 0.1), from_W, state));
+    const Vec3 aside_W(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0.0);
+    const Vec3 to_W = state.place_B.x_W + aside_W;
+    const bool on = (to_W - low_W).head<2>().minCoeff() > 0.0 && (high_W - to_W).head<2>().minCoeff() > 0.0;
+    EXPECT_EQ(slideOnSurface(*body, aside_W, state), on) << i;
+    EXPECT_LT((state.place_B.x_W - (on ? to_W : Vec3(to_W - aside_W))).norm(), 1e-9) << i;
+    EXPECT_TRUE(!on || slideOnSurface(*body, Vec3::Zero(), state)) << "where it is, it stays";
+  }
+}
+
 } // namespace palpate::test

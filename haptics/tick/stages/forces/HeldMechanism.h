@@ -21,6 +21,7 @@ void membersOf(const Visit& visit, Law& law) requires std::is_same_v<std::remove
   visit(law.phase);
   visit(law.met);
   visit(law.seen);
+  visit(law.waits);
   visit(law.placed);
   visit(law.place_A);
   visit(law.place_B);
