@@ -27,6 +27,8 @@ private:
   bool Known = false;
   bool Moves = false;                     ///< its bodies are shown elsewhere than at first
   vtkSmartPointer<vtkDataObject> AtFirst; ///< that the session has
+  vtkMTimeType Time = 0;                  ///< of what a filter made of one
+  std::string Reason;                     ///< why there is none
   std::string Name;                       ///< whose
 };
 
