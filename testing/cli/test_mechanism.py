@@ -84,12 +84,15 @@ class Mechanism(CommandLineTest):
 
     def test_a_check_judges_the_hand_that_touches_and_not_a_stiffer_one(self):
         """A rod that the hand does not turn has three ways to turn; a needle's tip then slips; friction is not felt."""
-        free = json.loads(self.succeed("check", self.scene("needle.json"), "--json").stdout)
-        held = json.loads(self.succeed("check", "needle.json", "--json", "--torque-stiffness", 0.5).stdout)
+        scene = json.loads((SCENES / "needle.json").read_text())
+        for law in scene["laws"]:
+            law["friction"] = 0
+        self.write("smooth.json", json.dumps(scene))
+        free = json.loads(self.succeed("check", "smooth.json", "--json").stdout)
+        held = json.loads(self.succeed("check", "smooth.json", "--json", "--torque-stiffness", 0.5).stdout)
         self.assertEqual((free["free_turns"], held["free_turns"]), (3, 0))
         self.assertTrue(any("slips aside" in remark for remark in free["remarks"]), free)
         self.assertFalse(any("slips aside" in remark for remark in held["remarks"]), held)
-        scene = json.loads((SCENES / "needle.json").read_text())
         scene["laws"] = [{"name": "rubs", "kind": "friction", "a": "needle", "b": "wall", "point_a": [0, 0, 150], "point_b": [0, 0, -8],
                           "axis_b": [0, 0, -1], "friction": 0.3}]
         self.write("rubs.json", json.dumps(scene))
@@ -98,7 +101,7 @@ class Mechanism(CommandLineTest):
         for command in (("check", "rubs.json"), ("touch", "rubs.json", *touch)):
             self.refused(*command, saying=("rubs", "only the balance of forces"))
             self.succeed(*command, "--torque-stiffness", 0.5)
-        self.refused("check", "needle.json", "--torque-stiffness", -1, saying=("--torque-stiffness",))
+        self.refused("check", "smooth.json", "--torque-stiffness", -1, saying=("--torque-stiffness",))
         self.write("square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         self.refused("check", "square.obj", "--torque-stiffness", 1, saying=("--torque-stiffness", "mechanism"))
 
