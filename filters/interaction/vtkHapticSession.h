@@ -236,14 +236,16 @@ public:
   bool AddSoftBody(const char* name, vtkDataObject* data);
   bool BendSoftBody(vtkDataObject* body);
   /// Likewise of MechanismSource, made by vtkHapticMechanism: the hand holds a body of it, whose shape and poses are
-  /// those of a tool. Moves and bends shapes; false: they are as at first.
-  bool AddMechanism(const char* name, vtkDataObject* data);
+  /// those of a tool. Without data: why there are none. Moves and bends shapes; false: they are as at first.
+  bool AddMechanism(const char* name, vtkDataObject* data, const char* reason = nullptr);
+  const char* GetAddedMechanism() const; ///< whose was added last; "": none since MechanismSource is another
+  void SetMechanismMoved(bool moved);    ///< whether it is drawn elsewhere than it is felt, for MechanismText to say so
   bool MoveMechanism(vtkPolyData* shapes);
-  void GetMechanismTable(vtkTable* table) const; ///< a row a law: Law, Kind, A, B, Phase, Force [N], Inside [u]
+  void GetMechanismTable(vtkTable* table) const; ///< a row a law: what it is, Phase, Force [N], Inside [u]
   /// What MechanismLaws is with another law, an object as in a scene file, and with one less; "", with GetProblem().
   std::string GetLawsWith(const char* law);
   std::string GetLawsWithout(const char* name);
-  bool BreakLaw(const char* name); ///< it holds no more until the mechanism is held anew; false: there is none
+  bool BreakLaw(const char* name); ///< it holds no more until the mechanism begins anew; false: there is none
   ///@}
 
   vtkMTimeType GetMaterialTime() const; ///< changes whenever a setting of surfaces does
@@ -418,8 +420,7 @@ private:
   void LetHandGo();
   /// The map that the session makes by itself.
   void TakeMap(const palpate::HandMapChange& change);
-  /// Takes what the worker has built, or with `wait` what was committed last. A hand that something has come around
-  /// stays outside of it.
+  /// Takes what the worker has built, or with `wait` what was committed last. A hand that it surrounds stays outside.
   void TakeScene(bool wait = false);
   void TakeOutSqueezed();
   void FollowCameAround();
@@ -430,8 +431,7 @@ private:
   /// Setting and getting what is a field of the tick's parameters; the numbers stay until the same is asked for again.
   void SetField(const char* setting, std::initializer_list<double> values);
   double* GetField(const char* setting) const;
-  /// Sets parameters changed by `change`, or keeps the old ones if they are refused or the setting allows no such
-  /// values.
+  /// Sets parameters changed by `change`; keeps the old ones if those are refused or the setting does not allow them.
   void Change(const std::function<void(palpate::HapticParameters&)>& change);
   void Change(const char* setting, std::initializer_list<double> values,
     const std::function<void(palpate::HapticParameters&)>& change);

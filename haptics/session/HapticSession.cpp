@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "haptics/session/SessionRun.h"
+#include "haptics/session/mechanism/MechanismTouch.h"
 
 namespace palpate
 {
@@ -42,7 +43,7 @@ void HapticSession::beginBeside(Run& run, std::int64_t period_ns) const
   run.soft->touch(this->scene_);
   run.soft->take(this->soft_);
   run.mechanism.emplace(run.links.mechanism, run.virtualTime);
-  run.mechanism->take(this->mechanism_, this->grip(run));
+  run.mechanism->take(this->mechanism_, this->grip(run.adapted));
   if (run.virtualTime)
   {
     run.tool->step();
@@ -154,7 +155,7 @@ std::string HapticSession::setParameters(const HapticParameters& parameters, con
       }
       this->run_->adapt(parameters, this->lever_u(), false);
       this->run_->links.parameters.write({ this->version_, this->run_->adapted });
-      this->run_->mechanism->take(this->mechanism_, this->grip(*this->run_));
+      this->run_->mechanism->take(this->mechanism_, this->grip(this->run_->adapted));
     }
   }
   return problem;
@@ -221,7 +222,7 @@ void HapticSession::setMechanism(const MechanismChoice& choice)
   this->mechanism_ = choice;
   if (this->run_)
   {
-    this->run_->mechanism->take(choice, this->grip(*this->run_));
+    this->run_->mechanism->take(choice, this->grip(this->run_->adapted));
     this->run_->adapt(this->parameters_, this->lever_u(), false);
     this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
   }
@@ -230,6 +231,17 @@ void HapticSession::setMechanism(const MechanismChoice& choice)
 MechanismStatus HapticSession::mechanismStatus() const
 {
   return this->run_ ? this->run_->mechanism->status() : MechanismStatus{};
+}
+
+std::string HapticSession::refuseMechanism(const MechanismInputs& inputs, const BodiesAtRest& atRest) const
+{
+  std::vector<MechanismSoft> soft;
+  for (std::size_t b = 0; b < std::min(inputs.soft.size(), atRest.size()); ++b)
+  {
+    soft.push_back({ inputs.soft[b].name, atRest[b].get() });
+  }
+  const MechanismGrip grip = this->grip(this->run_ ? this->run_->adapted : this->parameters_);
+  return faultsOf(checkMechanism(inputs.mechanism, soft, grip));
 }
 
 void HapticSession::breakLaw(std::uint32_t law)
@@ -247,11 +259,10 @@ double HapticSession::lever_u() const noexcept
 }
 
 /// As the tick would have it without limits.
-MechanismGrip HapticSession::grip(const Run& run) const noexcept
+MechanismGrip HapticSession::grip(const HapticParameters& adapted) const noexcept
 {
   const double scale_u_per_m = this->parameters_.map.scale_u_per_m;
-  return { this->parameters_.stiffness_N_per_m / scale_u_per_m,
-    run.adapted.mechanismTurning_N_m_per_rad * scale_u_per_m };
+  return { this->parameters_.stiffness_N_per_m / scale_u_per_m, adapted.mechanismTurning_N_m_per_rad * scale_u_per_m };
 }
 
 /// A recording that begins has what the servo may still be pressing. `again`: one after another.

@@ -78,6 +78,8 @@ public:
   void setMechanism(const MechanismChoice& choice);
   [[nodiscard]] const MechanismChoice& mechanism() const noexcept { return this->mechanism_; }
   [[nodiscard]] MechanismStatus mechanismStatus() const;
+  /// The faults that a mechanism would have in this hand, or "". `atRest`: its soft bodies.
+  [[nodiscard]] std::string refuseMechanism(const MechanismInputs& inputs, const BodiesAtRest& atRest) const;
   /// By its place in the mechanism: it holds nothing from the next tick on, until another mechanism is taken.
   void breakLaw(std::uint32_t law);
 
@@ -112,7 +114,7 @@ private:
   struct Run;
   void push(EventKind kind, std::uint64_t value = 0);
   [[nodiscard]] double lever_u() const noexcept;
-  [[nodiscard]] MechanismGrip grip(const Run& run) const noexcept;
+  [[nodiscard]] MechanismGrip grip(const HapticParameters& adapted) const noexcept;
   void beginBeside(Run& run, std::int64_t period_ns) const;
   void storeBodies(bool again = false);
 

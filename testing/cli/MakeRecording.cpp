@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Records a hand that slides over the square of palpate_cli.py, then over a second one that replaces it, in virtual
-// time: make-recording FILE.
+// time: make-recording FILE. Or one that draws a rod off what holds it with 0.5 N: make-recording FILE mechanism.
 #include <iostream>
 #include <memory>
 
@@ -20,13 +20,39 @@ std::shared_ptr<const Scene> square(double height_u)
   return SceneBuilder().build({ { "square", std::make_shared<const TriangleMesh>(mesh), Material() } }).scene;
 }
 
+/// A rod that is glued to the world where the hand is at first.
+MechanismChoice glued(const Vec3& at_W)
+{
+  auto inputs = std::make_shared<MechanismInputs>();
+  inputs->unit_m = 0.001;
+  MechanismBody rod, world;
+  rod.name = "rod";
+  rod.kind = MechanismBodyKind::Held;
+  rod.length_u = 20.0;
+  rod.diameter_u = 1.0;
+  world.name = "world";
+  MechanismLaw glue;
+  glue.name = "glue";
+  glue.kind = LawKind::Break;
+  glue.a = rod.name;
+  glue.b = world.name;
+  glue.point_B = at_W;
+  glue.strength_N = 0.5;
+  inputs->mechanism = { { rod, world }, { glue } };
+  return { inputs, "glued" };
+}
+
 /// Empty, or what went wrong.
-std::string record(const std::string& file)
+std::string record(const std::string& file, bool mechanism)
 {
   HandPath path;
   path.points_D = { { 0.0, 0.0, 0.01 }, { 0.0, 0.0, -0.005 }, { 0.05, 0.02, -0.005 } };
   HapticSession session;
   session.setScene(square(0.0));
+  if (mechanism)
+  {
+    session.setMechanism(glued(session.parameters().map.scale_u_per_m * path.points_D.front()));
+  }
   SessionOptions options;
   options.virtualTime = true;
   options.recordFile = file;
@@ -46,7 +72,9 @@ std::string record(const std::string& file)
 
 int main(int argc, char** argv)
 {
-  const std::string problem = argc == 2 ? record(argv[1]) : "one argument is needed: the file to write";
+  const bool mechanism = argc == 3 && std::string(argv[2]) == "mechanism";
+  const std::string problem =
+    argc == 2 || mechanism ? record(argv[1], mechanism) : "one argument is needed: the file to write";
   std::cerr << problem;
   return problem.empty() ? 0 : 1;
 }

@@ -82,6 +82,35 @@ class Mechanism(CommandLineTest):
             self.assertLessEqual(told["rank"], told["rows"], name)
             self.assertIn("it can be felt", self.succeed("check", name).stdout)
 
+    def test_a_check_judges_the_hand_that_touches_and_not_a_stiffer_one(self):
+        """A rod that the hand does not turn has three ways to turn; a needle's tip then slips; friction is not felt."""
+        scene = json.loads((SCENES / "needle.json").read_text())
+        for law in scene["laws"]:
+            law["friction"] = 0
+        self.write("smooth.json", json.dumps(scene))
+        free = json.loads(self.succeed("check", "smooth.json", "--json").stdout)
+        held = json.loads(self.succeed("check", "smooth.json", "--json", "--torque-stiffness", 0.5).stdout)
+        self.assertEqual((free["free_turns"], held["free_turns"]), (3, 0))
+        self.assertTrue(any("slips aside" in remark for remark in free["remarks"]), free)
+        self.assertFalse(any("slips aside" in remark for remark in held["remarks"]), held)
+        scene["laws"] = [{"name": "rubs", "kind": "friction", "a": "needle", "b": "wall", "point_a": [0, 0, 150], "point_b": [0, 0, -8],
+                          "axis_b": [0, 0, -1], "friction": 0.3}]
+        self.write("rubs.json", json.dumps(scene))
+        self.write_path([(0, 0, 0, 0)])
+        touch = ("--path", "path.csv", "--csv", "out.csv")
+        for command in (("check", "rubs.json"), ("touch", "rubs.json", *touch)):
+            self.refused(*command, saying=("rubs", "only the balance of forces"))
+            self.succeed(*command, "--torque-stiffness", 0.5)
+        self.refused("check", "smooth.json", "--torque-stiffness", -1, saying=("--torque-stiffness",))
+        self.write("square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.refused("check", "square.obj", "--torque-stiffness", 1, saying=("--torque-stiffness", "mechanism"))
+
+    def test_a_file_in_capitals_is_read_and_one_that_is_a_list_is_refused_by_its_name(self):
+        shutil.copy(SCENES / "lever.json", self.folder / "LEVER.JSON")
+        self.assertIn("LEVER.JSON: it can be felt", self.succeed("check", "LEVER.JSON").stdout)
+        self.write("list.json", "[]")
+        self.refused("check", "list.json", saying=("list.json: it must be an object",))
+
     def test_a_drawer_goes_along_its_rails_by_the_friction_of_its_felt_and_stops_where_its_stops_are(self):
         friction, stop, most, arm = 0.6, 800, 0.060, 0.020  # N, N/m, m, from the hand to the drawer
         ways = [(0.1 * i, 0, 0) for i in range(1000)]

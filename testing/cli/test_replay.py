@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import struct
 import subprocess
 import unittest
@@ -49,6 +50,24 @@ class Replay(Recorded):
                                          "force_x", "force_y", "force_z", "contacts", "cost_us"])
         self.assertTrue(any(row["contacts"] > 0 for row in rows))
         self.assertTrue(all(later["t"] > earlier["t"] for earlier, later in zip(rows, rows[1:])))
+
+    def test_a_mechanisms_laws_have_columns_and_what_becomes_of_them_is_told(self):
+        strength, spring = 0.5, 1.0  # N, and the hand's way in a tick at 1000 N/m is below a millimetre
+        subprocess.run([MAKE_RECORDING, str(self.folder / "a.palpate"), "mechanism"], check=True, timeout=60)
+        run = self.succeed("replay", "a.palpate", "--csv", "out.csv")
+        said = re.search(r"palpate: (\S+) s: tick (\d+): law1 \(break\) broken at (\S+) N\n", run.stderr)
+        self.assertTrue(said, run.stderr)
+        self.assertEqual(run.stderr.count("\n"), 1)
+        rows = self.read_rows()
+        self.assertEqual(list(rows[0])[-3:], ["law1_force", "law1_phase", "law1_inside"])
+        gone = next(i for i, row in enumerate(rows) if row["law1_phase"] == 4)
+        self.assertAlmostEqual(rows[gone]["t"], float(said[1]), delta=1e-4)
+        self.assertGreater(max(row["law1_force"] for row in rows[:gone]), 0.0)
+        self.assertLessEqual(max(row["law1_force"] for row in rows[:gone]), strength)
+        self.assertGreaterEqual(float(said[3]), strength)
+        self.assertLess(float(said[3]), strength + spring)
+        self.assertEqual(max(row["law1_force"] for row in rows[gone + 1:]), 0.0)
+        self.assertEqual(run.stderr, self.succeed("replay", "a.palpate").stderr)
 
     def test_one_changed_bit_is_the_first_difference_with_exit_code_1(self):
         head, chunks = split_chunks(self.content)

@@ -17,6 +17,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTouchAlongPath.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 
 using namespace palpate;
 using namespace palpate::testing;
@@ -105,6 +107,21 @@ TEST(TouchMechanism, TheSourceShowsItsBodiesAndSaysWhatTheyBecome)
   shapes->GetBounds(bounds);
   EXPECT_NEAR(bounds[5], 150.0, 1e-5) << "the needle's tip, in single precision";
   EXPECT_THAT(source->GetText(), HasSubstr("3 bodies, 2 laws"));
+}
+
+TEST(TouchMechanism, ALeverBelowNothingAndAMechanismThatATransformHasMovedAreRefusedInOneLine)
+{
+  const auto source = mechanism("lever.json");
+  const auto below = touchOf(*source, -5.0);
+  EXPECT_THAT(errorsOf(below), Contains(HasSubstr("Lever: it must be a finite number")));
+  vtkNew<vtkTransform> way;
+  way->Translate(1.0, 0.0, 0.0);
+  vtkNew<vtkTransformPolyDataFilter> moved;
+  moved->SetTransform(way);
+  moved->SetInputConnection(source->GetOutputPort());
+  const auto there = touchOf(*source, 0.0);
+  there->SetInputConnection(moved->GetOutputPort());
+  EXPECT_THAT(errorsOf(there), Contains(HasSubstr("not where its scene file has it")));
 }
 
 TEST(TouchMechanism, EveryFileOfTheExamplesIsOne)

@@ -165,6 +165,72 @@ class Mechanism(Held):
             self.assertGreater(HapticState()["CappedTicks"], TICKS_TO_ENGAGE / 2)
             self.assertEqual(HapticState()["ForceMagnitude"], 0.0)
 
+    def test_a_source_that_was_laid_down_without_a_look_is_held_again(self):
+        source = self.hold()
+        LetGo()
+        SetHaptics(MechanismSource="")
+        HoldMechanism(source)
+        self.assertIn("2 laws", HapticState()["MechanismText"])
+        self.assertEqual([law["Law"] for law in Laws()], ["skin", "capsule"])
+
+    def test_a_law_that_nobody_can_meet_is_refused_and_a_needle_that_is_in_stays_in(self):
+        source = self.hold()
+        for depth in range(1, 14):
+            self.press(FACE + depth, 20)
+        self.assertEqual(Laws()[0]["Phase"], "inside")
+        before = self.press(FACE + 14)["ForceMagnitude"]
+        bad = (dict(b="nobody"), '"nobody"'), (dict(b="needle"), "itself"), (dict(kind="break", strength_N=0), "0 N or less"), \
+            (dict(point_a=[0, 0, 500]), 'outside of "needle"')
+        for values, words in bad:
+            law = {**CLAMP, **values}
+            for call in (lambda law=law: AddLaw(**law), lambda law=law: HoldMechanism(source, laws=[law])):
+                with self.assertRaisesRegex(HapticRefusal, words):
+                    call()
+                self.assertEqual([one["Law"] for one in Laws()], ["skin", "capsule"])
+                self.assertAlmostEqual(self.press(FACE + 14, 10)["ForceMagnitude"], before, delta=1e-4)
+                self.assertEqual(Laws()[0]["Phase"], "inside")
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "mechanism.pvsm")
+            simple.SaveState(file)
+            self.assertNotIn("clamp", pathlib.Path(file).read_text())
+        LetGo()  # and without a servo that has the bodies
+        HoldMechanism(None)
+        HoldMechanism(source)
+        with self.assertRaisesRegex(HapticRefusal, '"nobody"'):
+            HoldMechanism(source, laws=[{**CLAMP, "b": "nobody"}])
+        HoldMechanism(source, laws=[CLAMP])
+        self.assertEqual([law["Law"] for law in Laws()], ["clamp"])
+
+    def test_one_that_is_drawn_elsewhere_than_its_file_has_it_is_refused_or_said(self):
+        source = self.hold()
+        self.assertNotIn("not where", HapticState()["MechanismText"])
+        simple.GetDisplayProperties(source, self.view).Position = [100, 0, 0]
+        simple.Render(self.view)
+        HapticState()
+        self.assertIn("; it is felt where its scene file has it, not where it is drawn", HapticState()["MechanismText"])
+        simple.GetDisplayProperties(source, self.view).Position = [0, 0, 0]
+        HapticState()
+        self.assertNotIn("not where", HapticState()["MechanismText"])
+        moved = simple.Transform(registrationName="Moved", Input=source)
+        HoldMechanism(moved)
+        self.assertIn("2 laws", HapticState()["MechanismText"])  # nothing has been moved yet
+        moved.Transform.Translate = [100, 0, 0]
+        HapticState()
+        self.assertTrue(HapticState()["MechanismText"].startswith("Moved cannot be held: it is not where its scene file has it"))
+        HoldMechanism(None)
+        with self.assertRaisesRegex(HapticRefusal, "Moved cannot be held: it is not where its scene file has it"):
+            HoldMechanism(moved)
+
+    def test_a_row_says_what_its_law_is_and_what_joins_two_points_is_never_open(self):
+        self.hold()
+        self.assertEqual(Laws()[0]["Numbers"], "1.5 N, drags 0.4 N, friction 1")
+        HoldMechanism(None)
+        simple.Delete(simple.FindSource("Mechanism"))
+        LetGo()
+        self.hold("suture.json", TIP)
+        self.assertLess(HapticState()["ForceMagnitude"], 1e-6)
+        self.assertEqual(Laws()[0]["Phase"], "closed")
+
     def test_a_source_that_is_deleted_while_it_is_held_lets_the_hand_go(self):
         source = self.hold()
         self.assertGreater(self.press(FACE + 1.0)["ForceMagnitude"], 0.2)
@@ -290,11 +356,35 @@ class Files(Held):
         self.assertEqual(len(self.errors), 1, self.errors)
         self.assertIn("joined.json: bodies[1]: tissue cannot give way", self.errors[0])
         self.assertIn(str(self.body), self.errors[0])
-        self.assertIn("mend that", state["MechanismText"])
+        self.assertIn("joined.json: bodies[1]: tissue cannot give way", state["MechanismText"])
+        self.assertNotIn("\n", state["MechanismText"])
         shutil.move(kept, self.body)
         self.read_again()
         self.assertAlmostEqual(self.steps(), held, delta=1e-3)
         self.assertEqual([law["Law"] for law in Laws()], ["thread", "tape"])
+
+
+class Wrong(Held):
+    """A scene file that is none."""
+
+    def test_what_is_wrong_with_a_file_is_said_when_it_is_held_and_when_a_held_one_becomes_so(self):
+        with tempfile.TemporaryDirectory() as folder:
+            wrong = pathlib.Path(folder) / "wrong.json"
+            wrong.write_text("[]")
+            source = HapticMechanism(registrationName="Wrong", FileName=str(wrong))  # noqa: F821  of the plugin
+            simple.Show(source, self.view)
+            said = f"Wrong cannot be held: {wrong}: it must be an object"
+            with self.assertRaises(HapticRefusal) as refused:
+                HoldMechanism(source)
+            self.assertIn(said, str(refused.exception))
+            self.assertTrue(HapticState()["MechanismText"].startswith(said), HapticState()["MechanismText"])
+            source.FileName = str(SCENES / "needle.json")
+            HapticState()
+            self.assertIn("2 laws", HapticState()["MechanismText"])
+            for file, words in ((wrong, "it must be an object"), (pathlib.Path(folder) / "none.json", "it cannot be read")):
+                source.FileName = str(file)
+                HapticState()
+                self.assertIn(f"Wrong cannot be held: {file}: {words}", HapticState()["MechanismText"])
 
 
 if __name__ == "__main__":

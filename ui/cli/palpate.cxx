@@ -58,6 +58,8 @@ void AddCheck(CLI::App& app, Arguments& arguments)
   vtkHapticCliAddMaterials(*command, options.Materials);
   command->add_option("--thin", options.Thin_u, "name walls of a closed surface that are thinner [scene units]")
     ->check(CLI::NonNegativeNumber);
+  command->add_option("--torque-stiffness", options.Turning_N_m_per_rad,
+    "of the hand that holds a mechanism, whose turn is free without it [N m/rad]");
   command->add_flag("--simplify", options.Simplify, "with how few triangles it would feel the same, proven");
   command->add_flag("--json", options.Json, "for a program to read");
 }
@@ -168,6 +170,15 @@ void CheckNumber(const char* option, double value, bool zeroAllowed, const char*
   }
 }
 
+/// A turn that is free has no stiffness: nobody gives one of 0.
+void CheckTurning(const std::optional<double>& turning_N_m_per_rad)
+{
+  if (turning_N_m_per_rad)
+  {
+    CheckNumber("--torque-stiffness", *turning_N_m_per_rad, false, "newton metres per radian");
+  }
+}
+
 /// An option of something that is not there would be lost.
 void CheckWhatHasIt(const char* option, bool given, bool there, const char* what)
 {
@@ -201,10 +212,7 @@ int Touch(const vtkHapticCliTouchOptions& options)
   {
     CheckTwoD(options);
   }
-  if (options.Turning_N_m_per_rad)
-  {
-    CheckNumber("--torque-stiffness", *options.Turning_N_m_per_rad, false, "newton metres per radian");
-  }
+  CheckTurning(options.Turning_N_m_per_rad);
   CheckNumber("--low-rate", options.Soft.LowRate_Hz(), true, "hertz");
   options.Settings.Check();
   vtkHapticCliCheckMaterials(options.Materials);
@@ -218,9 +226,15 @@ int Touch(const vtkHapticCliTouchOptions& options)
 int Check(const vtkHapticCliCheckOptions& options)
 {
   CheckNumber("--thin", options.Thin_u, true, "scene units");
+  CheckTurning(options.Turning_N_m_per_rad);
   options.Settings.Check();
   vtkHapticCliCheckMaterials(options.Materials);
-  if (vtkHapticIsMechanismFile(options.File))
+  const bool mechanism = vtkHapticIsMechanismFile(options.File);
+  if (options.Turning_N_m_per_rad && !mechanism)
+  {
+    throw vtkHapticCliProblem("--torque-stiffness: only a mechanism is turned here; leave it out");
+  }
+  if (mechanism)
   {
     const std::string setting = options.Settings.GivenBeside({});
     const std::string asked = !setting.empty()             ? setting
@@ -232,7 +246,7 @@ int Check(const vtkHapticCliCheckOptions& options)
     {
       throw vtkHapticCliProblem(asked + ": a mechanism does not have it; leave it out");
     }
-    return vtkHapticCliCheckMechanism(options.File, options.Json);
+    return vtkHapticCliCheckMechanism(options);
   }
   return vtkHapticCliCheck(options);
 }

@@ -46,6 +46,7 @@ struct vtkHapticCliCheckOptions
   bool ForceRadius = false;      ///< a ball as large as asked for, although a tick may run out of its work
   double Thin_u = 0.0;           ///< walls below that are named; 0: none is looked for
   vtkHapticCliSettings Settings; ///< with a LineRadius of 0 lines are walls
+  std::optional<double> Turning_N_m_per_rad; ///< of a mechanism; without it the hand turns freely
   bool Json = false;
 };
 
@@ -54,7 +55,7 @@ struct vtkHapticCliCheckOptions
 int vtkHapticCliCheck(const vtkHapticCliCheckOptions& options);
 
 /// What a mechanism of a scene file becomes. 0: it can be felt; a fault throws.
-int vtkHapticCliCheckMechanism(const std::string& file, bool json);
+int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options);
 
 /// A mesh in the hand, whose frame's origin is held.
 struct vtkHapticCliToolOptions

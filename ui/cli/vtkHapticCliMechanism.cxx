@@ -98,39 +98,26 @@ void WriteMechanism(vtkHapticCliOutput& output, const vtkHapticCliPathRow& row, 
   vtkHapticCliWriteTick(output, row.Time_s, state, cost_us, more);
 }
 
-const char* Said(palpate::LawChange change)
-{
-  switch (change)
-  {
-    case palpate::LawChange::Punctured:
-      return "punctured";
-    case palpate::LawChange::Withdrawn:
-      return "withdrawn";
-    case palpate::LawChange::Broken:
-      return "broken";
-    case palpate::LawChange::TornOut:
-      return "torn out";
-  }
-  return "";
-}
-
 void TellEvents(const palpate::Mechanism& mechanism, const palpate::MechanismResult& result, double time_s)
 {
   for (int i = 0; i < result.eventCount; ++i)
   {
     const palpate::MechanismEvent& event = result.events[i];
-    std::cerr << "palpate: " << time_s << " s: " << mechanism.laws[event.law].name << ' ' << Said(event.change)
-              << " at " << event.force_N << " N\n";
+    std::cerr << "palpate: " << time_s << " s: " << mechanism.laws[event.law].name << ' '
+              << vtkHapticCliSaid(event.change) << " at " << event.force_N << " N\n";
   }
 }
 } // namespace
 
-int vtkHapticCliCheckMechanism(const std::string& file, bool json)
+int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options)
 {
+  const std::string& file = options.File;
   const vtkHapticMechanismResult read = ReadScene(file);
-  const auto touch = MakeFelt(file, *read.Inputs, palpate::usualHold(read.Inputs->unit_m));
+  palpate::MechanismHold hold = palpate::usualHold(read.Inputs->unit_m);
+  hold.turning_N_m_per_rad = options.Turning_N_m_per_rad.value_or(0.0);
+  const auto touch = MakeFelt(file, *read.Inputs, hold);
   const palpate::MechanismCheck& check = touch->check();
-  if (json)
+  if (options.Json)
   {
     const nlohmann::ordered_json described{ { "file", file }, { "touchable", true }, { "rows", check.rows },
       { "rank", check.rank }, { "free_turns", check.freeTurns }, { "condition", check.condition },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticCliCommands.h"
 
+#include <algorithm>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -46,19 +47,92 @@ std::vector<std::shared_ptr<const palpate::Scene>> ScenesOf(const vtkHapticCliRe
   return scenes;
 }
 
+/// A recording numbers laws, and has their kinds and no names.
+std::string NumberedLaw(int law)
+{
+  return "law" + std::to_string(law + 1);
+}
+
+/// Of the mechanism with most laws.
+int LawsOf(const palpate::Recording& recording)
+{
+  int most = 0;
+  for (const palpate::RecordedMechanism& mechanism : recording.mechanisms)
+  {
+    most = std::max(most, mechanism.plan.lawCount);
+  }
+  return most;
+}
+
+std::string LawColumns(int laws)
+{
+  std::string columns;
+  for (int law = 0; law < laws; ++law)
+  {
+    for (const char* what : { "_force", "_phase", "_inside" })
+    {
+      columns += "," + NumberedLaw(law) + what;
+    }
+  }
+  return columns;
+}
+
+/// Tells which laws change, as the ticks are recomputed.
+class ChangedLaws
+{
+public:
+  explicit ChangedLaws(const palpate::Recording& recording) : Recording(recording) {}
+
+  /// What changed before a recording began is not told.
+  void Add(const palpate::HapticState& state)
+  {
+    const palpate::LawChanges& now = state.mechanism.changes;
+    const std::uint64_t kept = std::min<std::uint64_t>(now.count, now.newest.size());
+    const std::uint64_t told = this->Before && this->Before->plan == now.plan ? this->Before->count : 0;
+    for (std::uint64_t i = std::max(told, now.count - kept); this->Before && i < now.count; ++i)
+    {
+      this->Tell(state, now.at(i));
+    }
+    this->Before = now;
+  }
+
+private:
+  void Tell(const palpate::HapticState& state, const palpate::MechanismEvent& event) const
+  {
+    const auto isIt = [&state](const auto& mechanism) { return mechanism.plan.revision == state.mechanism.revision; };
+    const auto& all = this->Recording.mechanisms;
+    const auto found = std::find_if(all.begin(), all.end(), isIt);
+    const std::string kind =
+      found != all.end() ? std::string(" (") + palpate::nameOf(found->plan.laws[event.law].kind) + ")" : "";
+    std::cerr << "palpate: " << state.time_s << " s: tick " << event.tick << ": "
+              << NumberedLaw(static_cast<int>(event.law)) << kind << ' ' << vtkHapticCliSaid(event.change) << " at "
+              << event.force_N << " N\n";
+  }
+
+  const palpate::Recording& Recording;
+  std::optional<palpate::LawChanges> Before; ///< of the tick before
+};
+
 /// Writes the ticks as they are recomputed. What precedes the first one is no tick, so its cost is not known.
 class TickTable
 {
 public:
-  explicit TickTable(const vtkHapticCliReplayOptions& options) : Output(options.Output, Inputs(options))
+  TickTable(const vtkHapticCliReplayOptions& options, int laws)
+    : Output(options.Output, Inputs(options)), Laws(static_cast<std::size_t>(laws))
   {
-    vtkHapticCliWriteHeader(this->Output);
+    vtkHapticCliWriteHeader(this->Output, LawColumns(laws));
   }
 
   void Add(const palpate::TickOutput& tick)
   {
     const double cost_us = this->Started ? this->Stopwatch.Cost_us() : std::numeric_limits<double>::quiet_NaN();
-    vtkHapticCliWriteTick(this->Output, tick.state.time_s, tick.state, cost_us);
+    std::vector<double> laws;
+    for (std::size_t i = 0; i < this->Laws; ++i)
+    {
+      const palpate::LawReport& law = tick.state.mechanism.laws[i];
+      laws.insert(laws.end(), { law.force_N, static_cast<double>(law.phase), law.inside_u });
+    }
+    vtkHapticCliWriteTick(this->Output, tick.state.time_s, tick.state, cost_us, laws);
     this->Started = true;
     this->Stopwatch.Start();
   }
@@ -74,6 +148,7 @@ private:
   }
 
   vtkHapticCliOutput Output;
+  std::size_t Laws;
   vtkHapticCliStopwatch Stopwatch;
   bool Started = false;
 };
@@ -88,11 +163,22 @@ int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options)
   }
   const std::vector<std::shared_ptr<const palpate::Scene>> scenes = ScenesOf(options);
   std::optional<TickTable> table;
-  std::function<void(const palpate::TickOutput&)> visit;
   if (!options.Output.empty())
   {
-    table.emplace(options);
-    visit = [&table](const palpate::TickOutput& tick) { table->Add(tick); };
+    table.emplace(options, LawsOf(recording));
+  }
+  ChangedLaws changed(recording);
+  std::function<void(const palpate::TickOutput&)> visit;
+  if (table || !recording.mechanisms.empty())
+  {
+    visit = [&](const palpate::TickOutput& tick)
+    {
+      changed.Add(tick.state);
+      if (table)
+      {
+        table->Add(tick);
+      }
+    };
   }
   const palpate::ReplayResult result = palpate::replay(recording, scenes, std::thread::hardware_concurrency(), visit);
   if (!result.problem.empty())

@@ -47,3 +47,19 @@ void vtkHapticCliWriteTick(vtkHapticCliOutput& output, double time_s, const palp
   }
   output.EndRow();
 }
+
+const char* vtkHapticCliSaid(palpate::LawChange change)
+{
+  switch (change)
+  {
+    case palpate::LawChange::Punctured:
+      return "punctured";
+    case palpate::LawChange::Withdrawn:
+      return "withdrawn";
+    case palpate::LawChange::Broken:
+      return "broken";
+    case palpate::LawChange::TornOut:
+      return "torn out";
+  }
+  return "";
+}

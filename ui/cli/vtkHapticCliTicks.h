@@ -33,4 +33,7 @@ void vtkHapticCliWriteHeader(vtkHapticCliOutput& output, const std::string& more
 void vtkHapticCliWriteTick(vtkHapticCliOutput& output, double time_s, const palpate::HapticState& state, double cost_us,
   const std::vector<double>& more = {});
 
+/// What became of a law, as a person reads it.
+[[nodiscard]] const char* vtkHapticCliSaid(palpate::LawChange change);
+
 #endif

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
+#include <sstream>
 #include <utility>
 
 #include "haptics/session/settings/Setting.h"
@@ -67,6 +69,36 @@ std::vector<Way> WaysOf(const palpate::MechanismInputs& inputs, std::span<const 
   return ways;
 }
 
+/// What a law is set to, as a person reads it: "1.5 N, drags 0.4 N".
+std::string NumbersOf(const palpate::MechanismLaw& law, double unit_m)
+{
+  std::ostringstream all;
+  const auto say = [&all](bool is, const char* before, double value, const char* unit)
+  {
+    if (is && std::isfinite(value))
+    {
+      all << (all.tellp() > 0 ? ", " : "") << before << value << unit;
+    }
+  };
+  say(true, "", law.strength_N, " N");
+  say(law.dryFriction_N > 0.0, "drags ", law.dryFriction_N, " N");
+  say(law.friction > 0.0, "friction ", law.friction, "");
+  say(true, "tears at ", law.tear_N, " N");
+  say(true, "", law.stiffness_N_per_u / unit_m, " N/m");
+  say(true, "from ", law.least_u, " u");
+  say(true, "to ", law.most_u, " u");
+  return all.str();
+}
+
+/// Laws that join two points hold with any force, and none: they are never open.
+const char* PhaseOf(const palpate::MechanismLaw& law, palpate::LawPhase phase)
+{
+  using enum palpate::LawKind;
+  const bool joins = law.kind == Attachment || law.kind == Break || law.kind == Hinge || law.kind == Slider;
+  const auto shown = joins && phase == palpate::LawPhase::Open ? palpate::LawPhase::Closed : phase;
+  return Phases[static_cast<std::size_t>(shown)];
+}
+
 void AddNames(vtkTable& table, const char* name, const std::vector<std::string>& values)
 {
   vtkNew<vtkStringArray> column;
@@ -90,17 +122,27 @@ void AddNumbers(vtkTable& table, const char* name, const std::vector<double>& va
 }
 } // namespace
 
-std::string vtkHapticHeldMechanism::Take(const std::string& name, vtkDataObject* data)
+std::string vtkHapticHeldMechanism::Take(const std::string& name, vtkDataObject* data, const std::string& reason)
 {
   this->Name = name;
   this->File = vtkHapticIsMechanism(data) ? vtkHapticMechanismFileOf(*data) : "";
   this->Folder = vtkHapticIsMechanism(data) ? vtkHapticMechanismFolderOf(*data) : "";
   this->Read.clear();
+  this->AtRest.clear();
   this->Seen = {};
   auto* const shapes = vtkDataSet::SafeDownCast(data);
   this->Bounds = shapes ? vtkBoundingBox(shapes->GetBounds()) : vtkBoundingBox();
   this->OfServer = data && vtkHapticIsOfServer(*data);
-  this->Problem = data && this->File.empty() ? name + " is no mechanism: choose the output of Haptic Mechanism" : "";
+  this->Problem = data && this->File.empty() ? name + " is no mechanism: choose the output of Haptic Mechanism"
+                  : !reason.empty()          ? name + " cannot be held: " + reason
+                                             : "";
+  if (data && !this->File.empty() && !vtkHapticIsWhereMade(*data))
+  {
+    this->File.clear(); // it would be felt where its scene file has it
+    this->Problem = name +
+                    " cannot be held: it is not where its scene file has it; hold the Haptic Mechanism that made "
+                    "it, and move its bodies in that file";
+  }
   return this->TakeAgain();
 }
 
@@ -135,6 +177,27 @@ std::size_t vtkHapticHeldMechanism::HeldBody() const
   return found != bodies.rend() ? static_cast<std::size_t>(bodies.rend() - found) - 1 : bodies.size();
 }
 
+std::string vtkHapticHeldMechanism::Refusal(const std::string& laws, const palpate::HapticSession& core)
+{
+  if (!this->Inputs || laws.empty()) // those of its scene file are taken as they are
+  {
+    return "";
+  }
+  const vtkHapticMechanismResult read = vtkHapticParseMechanism(this->File, this->Folder, laws, this->Read);
+  if (!read.Inputs)
+  {
+    return read.Problem;
+  }
+  if (this->AtRest.size() != this->Read.size())
+  {
+    std::string problem;
+    const auto bodies = palpate::MechanismBodies::make(this->Read, problem);
+    this->AtRest = bodies ? bodies->first() : palpate::BodiesAtRest();
+  }
+  const bool sound = core.refuseMechanism(*this->Inputs, this->AtRest).empty();
+  return sound ? core.refuseMechanism(*read.Inputs, this->AtRest) : "";
+}
+
 std::string vtkHapticHeldMechanism::With(const std::string& law, std::string& problem) const
 {
   problem = "hold a mechanism first: there is none to add a law to";
@@ -163,6 +226,7 @@ void vtkHapticHeldMechanism::Follow(palpate::HapticSession& core, const palpate:
   const palpate::MechanismStatus status = core.running() ? core.mechanismStatus() : palpate::MechanismStatus{};
   this->Felt = !status.building && status.plan != 0 && state.mechanism.revision == status.plan;
   this->Now = this->Felt ? state.mechanism : palpate::MechanismNow{};
+  this->AtRest = !status.building && status.plan != 0 && this->Inputs ? status.atRest : this->AtRest;
   if (this->Felt && this->Inputs)
   {
     this->Seen = { this->Now.held, this->Now.pose_W, status.soft };
@@ -179,6 +243,11 @@ void vtkHapticHeldMechanism::Follow(palpate::HapticSession& core, const palpate:
   this->Begin_W = pushes || changes ? this->Begin_W : state.device_W.p;
   this->Depth = (state.device_W.p - this->Begin_W).dot(state.proxy_W.q * palpate::Vec3::UnitZ());
   this->Text = this->Source.empty() ? "" : this->Sentence(status, core.running());
+  if (this->Inputs && this->DrawnElsewhere)
+  {
+    this->Text += "; it is felt where its scene file has it, not where it is drawn: set its display back, and move its "
+                  "bodies in that file";
+  }
 }
 
 const palpate::Vec3* vtkHapticHeldMechanism::SoftHand_W() const
@@ -252,7 +321,7 @@ bool vtkHapticHeldMechanism::Move(vtkPolyData& shapes) const
 
 void vtkHapticHeldMechanism::FillTable(vtkTable& table) const
 {
-  std::vector<std::string> names, kinds, firsts, seconds, phases;
+  std::vector<std::string> names, kinds, firsts, seconds, numbers, phases;
   std::vector<double> forces, insides;
   const auto laws = this->Inputs ? this->Inputs->mechanism.laws : std::vector<palpate::MechanismLaw>();
   for (std::size_t i = 0; i < laws.size(); ++i)
@@ -263,7 +332,8 @@ void vtkHapticHeldMechanism::FillTable(vtkTable& table) const
     kinds.emplace_back(palpate::nameOf(laws[i].kind));
     firsts.push_back(laws[i].a);
     seconds.push_back(laws[i].b);
-    phases.emplace_back(known ? Phases[static_cast<std::size_t>(now.phase)] : "");
+    numbers.push_back(NumbersOf(laws[i], this->Inputs->unit_m));
+    phases.emplace_back(known ? PhaseOf(laws[i], now.phase) : "");
     forces.push_back(now.force_N);
     insides.push_back(now.inside_u);
   }
@@ -272,6 +342,7 @@ void vtkHapticHeldMechanism::FillTable(vtkTable& table) const
   AddNames(table, "Kind", kinds);
   AddNames(table, "A", firsts);
   AddNames(table, "B", seconds);
+  AddNames(table, "Numbers", numbers);
   AddNames(table, "Phase", phases);
   AddNumbers(table, "Force", forces);
   AddNumbers(table, "Inside", insides);

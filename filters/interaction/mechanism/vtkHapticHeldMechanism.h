@@ -19,11 +19,17 @@ public:
   std::string Source; ///< that is asked for; "": none
   std::string Laws;   ///< a list of laws in place of those of its scene file; "": those
 
-  /// Takes what a source has, null: it is not there. Empty, or why it cannot be held; then none is.
-  std::string Take(const std::string& name, vtkDataObject* data);
+  bool DrawnElsewhere = false;
+
+  /// Takes what a source has, null: it is not there, or has made none for that reason. Empty, or why it cannot be held;
+  /// then none is.
+  std::string Take(const std::string& name, vtkDataObject* data, const std::string& reason);
+  const std::string& Taken() const { return this->Name; } ///< of which source
   /// The same data by other laws.
   std::string TakeAgain();
   palpate::MechanismChoice Choice(double rate_Hz) const { return { this->Inputs, this->Name, rate_Hz }; }
+  /// Why a list of laws would end what is held without a fault now; "": it would not.
+  std::string Refusal(const std::string& laws, const palpate::HapticSession& core);
   /// What Laws is with another law, as an object of a scene file, and with one less; "" with a problem.
   std::string With(const std::string& law, std::string& problem) const;
   std::string Without(const std::string& name, std::string& problem) const;
@@ -40,7 +46,7 @@ public:
   vtkPolyData* HeldShape() const { return this->Seen.Held ? this->Held.Get() : nullptr; }
   /// Where the hand was when its soft bodies were computed last; null: they are not held, or there are none.
   const palpate::Vec3* SoftHand_W() const;
-  /// A row a law: Law, Kind, A, B, Phase, Force [N], Inside [u].
+  /// A row a law: Law, Kind, A, B, Numbers, Phase, Force [N], Inside [u].
   void FillTable(vtkTable& table) const;
 
   std::string Text;
@@ -66,6 +72,7 @@ private:
   bool OfServer = false;
   std::shared_ptr<const palpate::MechanismInputs> Inputs;
   std::vector<palpate::MechanismSoftInput> Read; ///< its soft bodies, for the next laws
+  palpate::BodiesAtRest AtRest;                  ///< the same, once they have been made: other laws are judged by them
   vtkSmartPointer<vtkPolyData> Held;             ///< the shape of the body in the hand
   palpate::MechanismNow Now;
   bool Felt = false; ///< Now is of these laws

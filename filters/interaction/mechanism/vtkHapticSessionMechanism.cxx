@@ -12,11 +12,21 @@ void vtkHapticSession::Internals::HoldMechanism(vtkHapticSession& session, const
   this->Mechanism.Follow(this->Core, this->State);
 }
 
-bool vtkHapticSession::AddMechanism(const char* name, vtkDataObject* data)
+bool vtkHapticSession::AddMechanism(const char* name, vtkDataObject* data, const char* reason)
 {
-  const std::string problem = this->Impl->Mechanism.Take(name ? name : "", data);
+  const std::string problem = this->Impl->Mechanism.Take(name ? name : "", data, reason ? reason : "");
   this->Impl->HoldMechanism(*this, problem);
   return problem.empty();
+}
+
+const char* vtkHapticSession::GetAddedMechanism() const
+{
+  return this->Impl->Mechanism.Taken().c_str();
+}
+
+void vtkHapticSession::SetMechanismMoved(bool moved)
+{
+  this->Impl->Mechanism.DrawnElsewhere = moved;
 }
 
 bool vtkHapticSession::MoveMechanism(vtkPolyData* shapes)
@@ -32,9 +42,10 @@ void vtkHapticSession::GetMechanismTable(vtkTable* table) const
 std::string vtkHapticSession::GetLawsWith(const char* law)
 {
   std::string problem;
-  std::string laws = this->Impl->Mechanism.With(law ? law : "", problem);
+  const std::string laws = this->Impl->Mechanism.With(law ? law : "", problem);
+  problem = laws.empty() ? problem : this->Impl->Mechanism.Refusal(laws, this->Impl->Core);
   this->Refuse(problem);
-  return laws;
+  return problem.empty() ? laws : "";
 }
 
 std::string vtkHapticSession::GetLawsWithout(const char* name)
@@ -64,6 +75,11 @@ void vtkHapticSession::SetMechanismLaws(const char* laws)
   const std::string asked = laws ? laws : "";
   if (asked != this->Impl->Mechanism.Laws)
   {
+    if (const std::string problem = this->Impl->Mechanism.Refusal(asked, this->Impl->Core); !problem.empty())
+    {
+      this->Refuse(problem); // what is held stays as it is
+      return;
+    }
     this->Impl->Mechanism.Laws = asked;
     this->Impl->HoldMechanism(*this, this->Impl->Mechanism.TakeAgain());
     this->Modified();

@@ -23,6 +23,7 @@ void vtkHapticMechanism::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << '\n';
+  os << indent << "Problem: " << this->Problem << '\n';
   os << indent << "Text: " << this->Text << '\n';
 }
 
@@ -44,26 +45,26 @@ void vtkHapticMechanism::ShowMoved(vtkPolyData* moved)
   this->Modified();
 }
 
-vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make(std::string& problem)
+vtkSmartPointer<vtkPolyData> vtkHapticMechanism::Make()
 {
   this->Text.clear();
   const vtkHapticMechanismResult read = vtkHapticReadMechanism(this->FileName);
-  problem = read.Problem;
-  const auto bodies = read.Inputs ? palpate::MechanismBodies::make(read.Inputs->soft, problem) : nullptr;
+  this->Problem = read.Problem;
+  const auto bodies = read.Inputs ? palpate::MechanismBodies::make(read.Inputs->soft, this->Problem) : nullptr;
   if (!bodies)
   {
     return nullptr;
   }
   const palpate::MechanismCheck check = palpate::checkMechanism(
     read.Inputs->mechanism, bodies->atRest(), palpate::gripOf(palpate::usualHold(read.Inputs->unit_m)));
-  problem = palpate::faultsOf(check);
+  this->Problem = palpate::faultsOf(check);
   for (const std::string& line : vtkHapticMechanismText(*read.Inputs, check))
   {
     this->Text += line + '\n';
   }
   const vtkSmartPointer<vtkPolyData> shapes = vtkHapticMechanismShapes(read);
   vtkHapticDescribeMechanism(*shapes, read.Text, std::filesystem::path(this->FileName).parent_path().string());
-  return problem.empty() ? shapes : nullptr;
+  return this->Problem.empty() ? shapes : nullptr;
 }
 
 /// Files are read when they are asked for and not for another picture: what was refused is told once.
@@ -71,12 +72,11 @@ int vtkHapticMechanism::RequestData(vtkInformation*, vtkInformationVector**, vtk
 {
   if (std::exchange(this->Asked, false))
   {
-    std::string problem;
     this->Moved = nullptr;
-    this->AtFirst = this->Make(problem);
-    if (!problem.empty())
+    this->AtFirst = this->Make();
+    if (!this->Problem.empty())
     {
-      vtkErrorMacro("There is no such mechanism: " << problem);
+      vtkErrorMacro("There is no such mechanism: " << this->Problem);
     }
   }
   vtkPolyData* const shown = this->Moved ? this->Moved : this->AtFirst;

@@ -43,6 +43,9 @@ public:
   /// The bodies where they are at first; null before they have been made. Another object each time they are made anew.
   vtkPolyData* GetAtFirst() const { return this->AtFirst; }
 
+  /// Why there are no bodies, in one line; "": there are, or it has not run.
+  const char* GetProblem() const { return this->Problem.c_str(); }
+
   /// What it becomes, a line each: rows, rank, what turns freely, what follows from others; empty before it has run.
   const char* GetText() const { return this->Text.c_str(); }
 
@@ -56,10 +59,11 @@ private:
   vtkHapticMechanism(const vtkHapticMechanism&) = delete;
   void operator=(const vtkHapticMechanism&) = delete;
 
-  /// Null with a problem.
-  vtkSmartPointer<vtkPolyData> Make(std::string& problem);
+  /// Null with Problem.
+  vtkSmartPointer<vtkPolyData> Make();
 
   std::string FileName;
+  std::string Problem;
   std::string Text;
   vtkSmartPointer<vtkPolyData> AtFirst, Moved;
   bool Asked = true; ///< for a file that has not been read since

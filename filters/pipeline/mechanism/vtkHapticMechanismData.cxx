@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticMechanismData.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -25,6 +29,7 @@ namespace
 constexpr const char* TextName = "HapticMechanism";
 constexpr const char* FolderName = "HapticMechanismFolder";
 constexpr const char* ServerName = "HapticMechanismOfServer";
+constexpr const char* BoundsName = "HapticMechanismBounds";
 
 void AddText(vtkDataObject& data, const char* name, const std::string& text)
 {
@@ -154,6 +159,31 @@ void vtkHapticDescribeMechanism(vtkDataObject& data, const std::string& text, co
 {
   AddText(data, TextName, text);
   AddText(data, FolderName, folder);
+  if (auto* const shapes = vtkDataSet::SafeDownCast(&data))
+  {
+    const auto bounds = Filled<vtkDoubleArray>(BoundsName, 6, 1, 0.0);
+    bounds->SetTuple(0, shapes->GetBounds());
+    data.GetFieldData()->AddArray(bounds);
+  }
+}
+
+bool vtkHapticIsWhereMade(vtkDataObject& data)
+{
+  constexpr double share = 1e-4; // of the diagonal: a filter may round to single precision
+  auto* const shapes = vtkDataSet::SafeDownCast(&data);
+  vtkDataArray* const made = data.GetFieldData()->GetArray(BoundsName);
+  if (!shapes || !made || made->GetNumberOfValues() != 6)
+  {
+    return true; // nobody has said where
+  }
+  const vtkBoundingBox now(shapes->GetBounds()), before(made->GetTuple(0));
+  double away = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    away = std::max(away, std::abs(now.GetBound(2 * axis) - before.GetBound(2 * axis)));
+    away = std::max(away, std::abs(now.GetBound(2 * axis + 1) - before.GetBound(2 * axis + 1)));
+  }
+  return away <= share * before.GetDiagonalLength();
 }
 
 bool vtkHapticIsMechanism(vtkDataObject* data)

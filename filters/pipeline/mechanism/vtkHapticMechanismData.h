@@ -34,6 +34,9 @@ VTKHAPTICPIPELINE_EXPORT void vtkHapticDescribeMechanism(
 /// Whether data describe a mechanism.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsMechanism(vtkDataObject* data);
 
+/// Whether shapes are as large and where their description had them: a Transform passes the description on unchanged.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsWhereMade(vtkDataObject& data);
+
 /// The text of the scene file that data describe a mechanism by, and the folder of that; "": they do not.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticMechanismFileOf(vtkDataObject& data);
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticMechanismFolderOf(vtkDataObject& data);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -41,7 +42,8 @@ public:
 
   [[noreturn]] void Fail(const std::string& key, const std::string& what) const
   {
-    throw Problem(this->At + (key.empty() ? "" : (this->At.empty() ? "" : ".") + key) + ": " + what);
+    const std::string place = this->At + (key.empty() || this->At.empty() ? "" : ".") + key;
+    throw Problem(place + (place.empty() ? "" : ": ") + what);
   }
 
   void Knows(std::initializer_list<const char*> keys) const
@@ -437,5 +439,7 @@ vtkHapticMechanismResult vtkHapticReadMechanism(const std::string& file)
 
 bool vtkHapticIsMechanismFile(const std::string& file)
 {
-  return std::filesystem::path(file).extension() == ".json";
+  std::string suffix = std::filesystem::path(file).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+  return suffix == ".json";
 }

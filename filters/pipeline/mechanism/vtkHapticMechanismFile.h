@@ -38,7 +38,7 @@ struct vtkHapticMechanismResult
 /// The same from a file; the problem names it.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticMechanismResult vtkHapticReadMechanism(const std::string& file);
 
-/// Whether a file's name says that it is one: .json.
+/// Whether a file's name says that it is one: .json, in capitals or not.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT bool vtkHapticIsMechanismFile(const std::string& file);
 
 #endif

@@ -81,7 +81,11 @@ std::string vtkTouchAlongPath::BesideMechanism()
 bool vtkTouchAlongPath::TouchMechanism(vtkDataObject& data, const vtkHapticHandPath& path, vtkPolyData& output)
 {
   const vtkHapticMechanismResult read = vtkHapticToMechanism(data);
-  std::string problem = read.Problem.empty() ? this->BesideMechanism() : read.Problem;
+  std::string problem = !read.Problem.empty()         ? read.Problem
+                        : !vtkHapticIsWhereMade(data) ? "the mechanism is not where its scene file has it: take Haptic "
+                                                        "Mechanism itself, and move its bodies in that file"
+                        : !(this->Lever >= 0.0)       ? "Lever: it must be a finite number of units, 0 or above"
+                                                      : this->BesideMechanism();
   std::unique_ptr<palpate::MechanismTouch> touch;
   if (problem.empty())
   {

@@ -311,17 +311,29 @@ def HoldMechanism(source=None, turning=None, laws=None):
     how stiffly the hand turns it [N m/rad], 0: it turns freely. laws: a list of laws in place of those of its scene
     file, each a dictionary as in that; []: the file's."""
     name = None if source is None else _source_name(source)
-    with _Refusals():
+    with _Refusals() as session:
         if turning is not None:
             _put("MechanismTurning", turning)
-        if laws is not None or name != GetHapticSession().GetMechanismSource():
-            _put("MechanismLaws", json.dumps(laws) if laws else "")  # those of another mechanism would not fit
+        if name != session.GetMechanismSource():
+            _put("MechanismLaws", "")  # those of another mechanism would not fit
         _put("MechanismSource", name or "")
+        _follow_if_none()
         HapticUpdate()
+        if laws is not None:
+            _put("MechanismLaws", json.dumps(laws) if laws else "")
+            _put("MechanismLaws", session.GetMechanismLaws())  # what was refused is not kept in a state file
+            HapticUpdate()
+
+
+def _follow_if_none():
+    """What is held before the first touch is read then, so that what is wrong with it is raised there."""
+    scene, view = _scenes.get(_proxy().GetGlobalIDAsString()), simple.GetActiveView()
+    if (not scene or not scene.GetView()) and hasattr(view, "MakeRenderWindowInteractor"):
+        _follow(view)
 
 
 def Laws():
-    """The laws of the mechanism in their order, each a dictionary: Law, Kind, A, B, Phase, Force [N], Inside [u]."""
+    """The laws of the mechanism in their order, each a dictionary: Law, Kind, A, B, Numbers, Phase, Force [N], Inside [u]."""
     table = vtkTable()
     GetHapticSession().GetMechanismTable(table)
     return _rows(table)
@@ -347,6 +359,7 @@ def RemoveLaw(name):
 
 
 def BreakLaw(name):
-    """From the next tick on that law holds no more, until the mechanism is held anew."""
+    """From the next tick on that law holds no more, until the mechanism is held or touched anew, or
+    has other laws."""
     with _Refusals() as session:
         session.BreakLaw(name)

@@ -13,6 +13,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace
@@ -75,11 +76,17 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
   vtkDataObject* const made = brought || name.empty() ? brought : vtkHapticNamedData(view, name);
   vtkHapticMechanism* const maker = MakerOf(view, name);
   vtkDataObject* const atFirst = maker ? maker->GetAtFirst() : made;
-  if (!std::exchange(this->Known, true) || atFirst != this->AtFirst || name != this->Name)
+  const std::string reason = maker ? maker->GetProblem() : "";
+  const vtkMTimeType time = made && !maker ? made->GetMTime() : 0; // what a maker shows elsewhere is the same mechanism
+  const bool others =
+    atFirst != this->AtFirst || time != this->Time || reason != this->Reason || name != session.GetAddedMechanism();
+  this->Name = name;
+  if (!std::exchange(this->Known, true) || others)
   {
     this->AtFirst = atFirst;
-    this->Name = name;
-    session.AddMechanism(name.c_str(), atFirst);
+    this->Time = time;
+    this->Reason = reason;
+    session.AddMechanism(name.c_str(), atFirst, reason.c_str());
   }
   vtkNew<vtkPolyData> moved;
   if (maker && maker->GetAtFirst())
@@ -96,5 +103,12 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
 
 void vtkHapticMechanismSource::LeaveOut(vtkHapticSession* session, vtkHapticViewScan& scan)
 {
-  scan.LeaveOut(session ? session->GetMechanismSource() : "");
+  const std::string name = session ? session->GetMechanismSource() : "";
+  const auto isMoved = [&name](const vtkHapticViewScan::Source& source) { return source.Name == name && source.Moved; };
+  if (session)
+  {
+    const bool moved = !name.empty() && std::any_of(scan.Sources.begin(), scan.Sources.end(), isMoved);
+    session->SetMechanismMoved(moved);
+  }
+  scan.LeaveOut(name);
 }

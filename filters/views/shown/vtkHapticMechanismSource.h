@@ -33,6 +33,8 @@ private:
   bool Known = false;
   bool Moves = false;                          ///< its bodies are shown elsewhere than at first
   vtkSmartPointer<vtkDataObject> AtFirst;      ///< that the session has
+  vtkMTimeType Time = 0;                       ///< of what a filter made of one
+  std::string Reason;                          ///< why there is none
   std::string Name;                            ///< whose
   std::unique_ptr<vtkHapticSourceWatch> Watch; ///< of one on a server
   vtkSmartPointer<vtkDataObject> Brought;      ///< from there

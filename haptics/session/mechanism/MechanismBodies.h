@@ -29,6 +29,9 @@ struct MechanismInputs
   double unit_m = 1.0; ///< metres a unit of the scene
 };
 
+/// The soft bodies of a mechanism at rest, in the order of its inputs.
+using BodiesAtRest = std::vector<std::shared_ptr<const PressedBody>>;
+
 /// The soft bodies of a mechanism and what the servo takes of each. A worker's.
 class MechanismBodies
 {
@@ -42,6 +45,8 @@ public:
   [[nodiscard]] const BodyMaker& maker(std::size_t body) const { return *this->makers_[body]; }
   /// As a check and a plan want to see them: at rest, the first time.
   [[nodiscard]] const std::vector<MechanismSoft>& atRest() const noexcept { return this->atRest_; }
+  /// The same, for who judges other laws.
+  [[nodiscard]] const BodiesAtRest& first() const noexcept { return this->first_; }
   /// Where a plan's laws are on the bodies: packets are made around these places from now on.
   void hold(const MechanismPlan& plan);
 
@@ -70,7 +75,8 @@ private:
   [[nodiscard]] bool pressEach(double period_s, int newtonSteps);
 
   std::vector<std::unique_ptr<BodyMaker>> makers_;
-  std::vector<std::shared_ptr<const PressedBody>> first_, newest_;
+  BodiesAtRest first_;
+  std::vector<std::shared_ptr<const PressedBody>> newest_;
   std::vector<MechanismSoft> atRest_;
   std::vector<std::shared_ptr<const CheckedTetras>> asMade_;
   std::vector<std::vector<SurfacePoint>> places_; ///< of laws, of each body

@@ -237,6 +237,7 @@ void MechanismWorker::publish(bool all)
   this->status_.building = this->news_;
   this->status_.plan = this->plan_.revision;
   this->status_.soft = std::move(seen);
+  this->status_.atRest = this->bodies_->first();
 }
 
 MechanismStatus MechanismWorker::status() const

@@ -44,6 +44,7 @@ struct MechanismStatus
   std::uint64_t packets = 0;
   std::uint64_t plan = 0;     ///< revision of the one that the servo is given; 0: none
   std::vector<SeenBody> soft; ///< of that, in the order of its inputs
+  BodiesAtRest atRest;        ///< likewise
 };
 
 /// The mechanism of a session, and the thread that computes its soft bodies beside the servo. It builds them, too: one

@@ -37,6 +37,15 @@ void HoldSelected()
   }
 }
 
+/// "puncture: needle, wall; 1.5 N, drags 0.4 N".
+QString KindOf(vtkTable& table, int row)
+{
+  const auto text = [&table, row](const char* column)
+  { return QString::fromStdString(table.GetValueByName(row, column).ToString()); };
+  const QString numbers = text("Numbers");
+  return text("Kind") + ": " + text("A") + ", " + text("B") + (numbers.isEmpty() ? QString() : "; " + numbers);
+}
+
 vtkHapticSession* Session()
 {
   return pqHapticController::instance()->session();
@@ -102,8 +111,9 @@ void pqHapticMechanismGroup::makeTable()
 void pqHapticMechanismGroup::makeButtons()
 {
   this->Remove = pqHapticButton(this, "mechanismRemove", tr("Remove Law"), tr("The mechanism without the chosen law"));
-  this->Break = pqHapticButton(
-    this, "mechanismBreak", tr("Break Law"), tr("The chosen law holds no more, until the mechanism is held anew"));
+  this->Break = pqHapticButton(this, "mechanismBreak", tr("Break Law"),
+    tr(
+      "The chosen law holds no more, until the mechanism begins anew: it is held or touched again, or has other laws"));
   this->Law = new QLineEdit(this);
   this->Law->setObjectName("mechanismLaw");
   this->Law->setPlaceholderText(tr("{ \"name\": ..., \"kind\": ..., \"a\": ..., \"b\": ... }"));
@@ -160,19 +170,18 @@ void pqHapticMechanismGroup::fill(vtkHapticSession& session)
   this->Table->setRowCount(rows);
   for (int row = 0; row < rows; ++row)
   {
+    const QString kind = KindOf(*table, row);
     for (int column = 0; column < Columns.size(); ++column)
     {
       const vtkVariant value = table->GetValueByName(row, Columns[column].toUtf8().constData());
       const QString text = value.IsString() ? QString::fromStdString(value.ToString())
                                             : QString::number(value.ToDouble(), 'f', 3) + Units[column];
-      if (QTableWidgetItem* const item = this->Table->item(row, column))
+      if (!this->Table->item(row, column))
       {
-        item->setText(text);
+        this->Table->setItem(row, column, new QTableWidgetItem);
       }
-      else
-      {
-        this->Table->setItem(row, column, new QTableWidgetItem(text));
-      }
+      this->Table->item(row, column)->setText(text);
+      this->Table->item(row, column)->setToolTip(kind);
     }
   }
 }
