@@ -64,6 +64,7 @@ public:
     this->tellRedundant(check);
     this->tellUnmet(check);
     this->tellFree(check);
+    this->tellFalling(check);
     this->tellRubbing(check);
     this->tellSlipping(check);
     if (check.condition > badCondition)
@@ -180,9 +181,7 @@ private:
     int first = 0;
     for (int b = 0; b < this->plan_.bodyCount; ++b)
     {
-      const MechanismBodyKind kind = this->plan_.bodies[b].kind;
-      const bool turns = kind == MechanismBodyKind::Held && !(this->grip_.turning_Nu_per_rad > 0.0);
-      const int count = kind == MechanismBodyKind::Rigid ? 6 : turns ? 3 : 0;
+      const int count = this->waysOf(b);
       bool free = false;
       for (int k = ways.rank(); k < this->problem_->ways; ++k)
       {
@@ -195,6 +194,37 @@ private:
         check.remarks.push_back("Body \"" + this->mechanism_.bodies[b].name + "\" can move where no law holds it.");
       }
     }
+  }
+
+  /// A load along a way that no row goes with: the body would fall for ever. How laws turn it is left out: a pendulum
+  /// comes to rest elsewhere.
+  void tellFalling(MechanismCheck& check) const
+  {
+    for (int b = 0, first = 0; b < this->plan_.bodyCount; ++b)
+    {
+      const Vec3& load_W = this->plan_.bodies[b].load_W;
+      const Eigen::MatrixXd rows = this->problem_->along.middleCols(first, load_W != Vec3::Zero() ? 3 : 0);
+      first += this->waysOf(b);
+      if (rows.cols() == 0)
+      {
+        continue;
+      }
+      const Eigen::Matrix3d held = rows.transpose() * rows;
+      const Vec3 borne_W = held * held.completeOrthogonalDecomposition().solve(load_W);
+      if ((load_W - borne_W).norm() > leastShare * load_W.norm())
+      {
+        check.faults.push_back("Nothing holds body \"" + this->mechanism_.bodies[static_cast<std::size_t>(b)].name +
+                               "\" against its load: join it by a law.");
+      }
+    }
+  }
+
+  /// How many only the balance of forces and moments decides.
+  [[nodiscard]] int waysOf(int body) const
+  {
+    const MechanismBodyKind kind = this->plan_.bodies[body].kind;
+    const bool turns = kind == MechanismBodyKind::Held && !(this->grip_.turning_Nu_per_rad > 0.0);
+    return kind == MechanismBodyKind::Rigid ? 6 : turns ? 3 : 0;
   }
 
   /// Coulomb's forces at points that nothing elastic tells apart have no one answer, and what a body that only balance

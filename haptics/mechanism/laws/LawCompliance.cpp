@@ -135,6 +135,37 @@ void addWays(const LawScene& scene, const LawRows& rows, const MechanismGrip& gr
   }
 }
 
+/// How a force that pulls at an arm holds that against turning, but about itself. What pushes over is left out: no body
+/// comes to rest there.
+Mat3 heldByPull(const Vec3& arm_W, const Vec3& force_W) noexcept
+{
+  const double pull = arm_W.dot(force_W);
+  return pull > 0.0 ? Mat3(pull * (Mat3::Identity() - arm_W * arm_W.transpose() / arm_W.squaredNorm()))
+                    : Mat3(Mat3::Zero());
+}
+
+/// What hangs between joints, as a rod that is pulled at both ends does, is held by these forces alone: no row is for
+/// its turn.
+void addTurns(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, LawProblem& problem) noexcept
+{
+  const double lever_u = scene.plan.lever_u;
+  for (int l = 0; l < scene.plan.lawCount; ++l)
+  {
+    for (int side = 0; side < 2 && scene.laws[l].force_W != Vec3::Zero(); ++side)
+    {
+      const LawEnd& end = rows.ends[l][side];
+      const FreeWays ways = waysOf(scene.plan, grip, end.body);
+      if (ways.count > 0)
+      {
+        const int turn = ways.first + ways.count - 3;
+        const Vec3 force_W = side == 0 ? scene.laws[l].force_W : Vec3(-scene.laws[l].force_W);
+        problem.turns.block<3, 3>(turn, turn) +=
+          heldByPull(end.x_W - scene.pose_W[end.body].p, force_W) / (lever_u * lever_u);
+      }
+    }
+  }
+}
+
 } // namespace
 
 void assembleLaws(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, LawProblem& problem) noexcept
@@ -155,6 +186,7 @@ void assembleLaws(const LawScene& scene, const LawRows& rows, const MechanismGri
     problem.highest[i] = row.highest_N;
   }
   addWays(scene, rows, grip, problem);
+  addTurns(scene, rows, grip, problem);
 }
 
 Vec3 softApart_W(const LawScene& scene, const LawRows& rows, int l) noexcept

@@ -28,6 +28,7 @@ namespace
 constexpr double fade_s = 0.02; ///< as for the contacts of a soft body: a tenth of a newton a tick at .2 m/s
 /// Of a turn that laws make in one tick: beyond it their rows would mean little [rad].
 constexpr double mostTurn_rad = 0.5;
+constexpr int mostParts = 8; ///< in which a tick goes a longer turn
 
 bool isPose(const Pose& pose) noexcept
 {
@@ -52,17 +53,17 @@ public:
     this->meetSurfaces();
     const bool first = !this->state_.placed; // laws that hold then make no step in the force
     (void)(first && this->tryWaiting());
-    this->solve();
+    this->settle();
     const Vec6 before_N = this->onHand();
     std::size_t changes = 0;
     if (!first && this->tryWaiting())
     {
-      this->solve();
+      this->settle();
       ++changes;
     }
     while (changes < Mechanism::mostLaws && this->changeLaws())
     {
-      this->solve();
+      this->settle();
       ++changes;
     }
     this->keep();
@@ -168,6 +169,46 @@ private:
     return any;
   }
 
+  /// Rows are those of small turns: what turns further goes a part of the way, and the rows are made anew there.
+  void settle() noexcept
+  {
+    this->solve();
+    for (int left = mostParts; left > 0 && this->share() < 1.0 && this->result_.work < lawWorkBudget; --left)
+    {
+      for (int b = 0; b < this->plan_.bodyCount; ++b)
+      {
+        const Pose moved = this->movedPose(b);
+        const bool held = b == this->plan_.held;
+        this->reference_[b].p = held ? this->reference_[b].p : moved.p;
+        this->reference_[b].q = this->isSprung(b) ? this->reference_[b].q : moved.q;
+      }
+      this->solve();
+    }
+  }
+
+  /// Of the free ways that bodies can go in one piece.
+  [[nodiscard]] double share() const noexcept
+  {
+    double most_rad = mostTurn_rad;
+    for (int b = 0; b < this->plan_.bodyCount; ++b)
+    {
+      const double turn_rad = this->motion(b).tail<3>().norm() / this->plan_.lever_u;
+      most_rad = this->isSprung(b) ? most_rad : std::max(most_rad, turn_rad);
+    }
+    return mostTurn_rad / most_rad;
+  }
+
+  /// Turned by the hand's spring: no way of its own is left.
+  [[nodiscard]] bool isSprung(int body) const noexcept
+  {
+    return body == this->plan_.held && this->input_.grip.turning_Nu_per_rad > 0.0;
+  }
+
+  [[nodiscard]] Vec6 motion(int body) const noexcept
+  {
+    return motionOf(this->scene_, this->room_.rows, this->input_.grip, this->room_.forces, body);
+  }
+
   [[nodiscard]] Vec6 onHand() const noexcept
   {
     const bool held = this->plan_.held >= 0;
@@ -223,18 +264,31 @@ private:
     this->state_.placed = true;
     this->result_.pose_W = this->state_.pose_W;
     this->result_.rows = this->room_.rows.count;
-    this->result_.capped = this->room_.forces.capped;
-    this->result_.residual_u = this->room_.forces.residual_u;
+    const double left_u = this->left_u();
+    this->result_.capped = this->room_.forces.capped || left_u > 0.0;
+    this->result_.residual_u = std::max(this->room_.forces.residual_u, left_u);
     this->result_.stored_Nu = this->stored_Nu();
+  }
+
+  /// By how much rows are not met yet, as bodies have gone a part of their way only.
+  [[nodiscard]] double left_u() const noexcept
+  {
+    const LawProblem& problem = this->room_.problem;
+    const double left = 1.0 - this->share();
+    return left > 0.0 && problem.count > 0
+             ? left * problem.along.lazyProduct(this->room_.forces.way_u).lpNorm<Eigen::Infinity>()
+             : 0.0;
   }
 
   [[nodiscard]] Pose movedPose(int body) const noexcept
   {
     const Pose& from = this->reference_[body];
-    const Vec6 motion = motionOf(this->scene_, this->room_.rows, this->input_.grip, this->room_.forces, body);
-    Vec3 turn = motion.tail<3>() / this->plan_.lever_u;
+    const Vec6 motion = this->motion(body);
+    // A hand's spring is as long as its force says; what is free goes no further than it turns.
+    const double goes = body == this->plan_.held ? 1.0 : this->share();
+    Vec3 turn = (this->isSprung(body) ? 1.0 : this->share()) / this->plan_.lever_u * motion.tail<3>();
     turn *= mostTurn_rad / std::max(turn.norm(), mostTurn_rad);
-    Pose moved{ from.p + motion.head<3>(), turnBy(turn) * from.q };
+    Pose moved{ from.p + goes * motion.head<3>(), turnBy(turn) * from.q };
     moved.q.normalize();
     return moved;
   }

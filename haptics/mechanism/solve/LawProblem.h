@@ -10,9 +10,9 @@ namespace palpate
 {
 
 /// The laws of a mechanism in the space of their rows: moved = free + compliance force + ways way, with forces between
-/// their bounds, and ways^T force + load = 0. `ways` are those of bodies that nothing elastic holds: a device that
-/// leaves the turn free, a rigid body that rests on others. Turns count as the way of a lever's end, their moments as
-/// forces on it. Of fixed capacity: nothing is allocated. Some 40 kB: not for the stack.
+/// their bounds, and ways^T force + load = turns way. `ways` are those of bodies that nothing elastic holds: a device
+/// that leaves the turn free, a rigid body that rests on others. Turns count as the way of a lever's end, their moments
+/// as forces on it. Of fixed capacity: nothing is allocated. Some 40 kB: not for the stack.
 struct LawProblem
 {
   static constexpr int most = Mechanism::mostRows;
@@ -20,6 +20,7 @@ struct LawProblem
   using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
   using Ways = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, mostWays>;
+  using WaySquare = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostWays, mostWays>;
   using Way = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostWays, 1>;
 
   int count = 0;
@@ -28,8 +29,9 @@ struct LawProblem
   Numbers free;      ///< [u]
   Numbers lowest;    ///< of the forces [N]
   Numbers highest;
-  Ways along;                              ///< how rows move when bodies do
-  Way load;                                ///< [N] on those bodies
+  Ways along;      ///< how rows move when bodies do
+  Way load;        ///< [N] on those bodies
+  WaySquare turns; ///< [N/u] how the forces that are there hold what they pull on against turning: symmetric, >= 0
   double yield_u_per_N = 1.0;              ///< the compliance to compare with: any, of the size of the others
   int cones = 0;                           ///< Coulomb's contacts: the last rows, three each, a normal and two across
   std::array<double, most / 3> friction{}; ///< coefficient of each, > 0; bounds are not theirs
@@ -59,6 +61,7 @@ struct LawRoom
   LawProblem::Square conesAnswer;
   LawProblem::Ways conesWays;
   ContactProblem::Square resists; ///< how the laws resist the free ways
+  LawProblem::WaySquare held;     ///< the part of what forces hold against turning
   ContactProblem contacts;
   ContactForces contactForces;
   FrictionRoom friction;

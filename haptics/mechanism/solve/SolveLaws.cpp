@@ -104,7 +104,8 @@ private:
   {
     const int n = this->p_.count;
     const int cones = 3 * this->p_.cones;
-    const LawProblem::Way way = this->f_.way_u + this->p_.yield_u_per_N * this->p_.load;
+    LawProblem::Way way = this->f_.way_u + this->p_.yield_u_per_N * this->p_.load;
+    way -= this->p_.yield_u_per_N * this->p_.turns.lazyProduct(this->f_.way_u);
     this->room_.pressed = this->p_.free;
     this->room_.pressed += this->p_.along.lazyProduct(way);
     this->room_.pressed += this->room_.stiffened.rightCols(cones).lazyProduct(this->f_.force_N.tail(cones));
@@ -128,14 +129,16 @@ private:
   {
     LawProblem::Way sum = this->p_.load;
     sum += this->p_.along.transpose().lazyProduct(this->f_.force_N);
+    sum -= this->p_.turns.lazyProduct(this->f_.way_u);
     return sum;
   }
 
+  /// Where everything hangs loose forces fade without end: below a newton's rounding they are none.
   [[nodiscard]] bool isBalanced(const LawProblem::Way& open) const noexcept
   {
     const double most = this->p_.count > 0 ? this->f_.force_N.lpNorm<Eigen::Infinity>() : 0.0;
     return this->p_.ways == 0 ||
-           open.lpNorm<Eigen::Infinity>() <= rounding * (most + this->p_.load.lpNorm<Eigen::Infinity>());
+           open.lpNorm<Eigen::Infinity>() <= rounding * (1.0 + most + this->p_.load.lpNorm<Eigen::Infinity>());
   }
 
   [[nodiscard]] bool conesAreMet() const noexcept
@@ -215,7 +218,11 @@ private:
         this->resistByCones(w);
       }
     }
-    this->spend(ways * n * (n + ways));
+    // What turns do to forces goes through the yield as every other force does.
+    this->room_.held = this->p_.turns;
+    this->room_.held -= this->p_.yield_u_per_N * this->room_.resists.lazyProduct(this->p_.turns);
+    this->room_.resists += this->room_.held;
+    this->spend(ways * (n * (n + ways) + ways * ways));
   }
 
   void resistByCones(int way) noexcept
@@ -375,6 +382,7 @@ void LawProblem::resize(int rows, int freeWays) noexcept
   this->highest.resize(rows);
   this->along.resize(rows, freeWays);
   this->load.resize(freeWays);
+  this->turns.setZero(freeWays, freeWays);
 }
 
 void solveLaws(const LawProblem& problem, LawRoom& room, LawForces& forces, std::uint32_t budget) noexcept

@@ -16,6 +16,8 @@ namespace
 {
 
 constexpr double lengthOverPlate = 0.2, halfPlate = 0.05, thickPlate = 0.005;
+/// Beyond it a tick goes in parts, each with arms of its own: no closed form of small turns has that.
+constexpr double smallTurn_rad = 0.5;
 
 /// What is asked of a plate.
 struct PressedPlate
@@ -30,9 +32,15 @@ struct PressedPlate
 /// Forces of the feet and of the rod.
 using PlateForces = Eigen::Matrix<double, 5, 1>;
 
+struct BornePlate
+{
+  PlateForces forces;
+  double turn_rad = 0.0;
+};
+
 /// The plate goes by (z, turn about x, turn about y), borne by those feet of the set alone, its last the rod; none
 /// where that does not agree with itself.
-std::optional<PlateForces> borneBy(const PressedPlate& c, const std::bitset<5>& bears)
+std::optional<BornePlate> borneBy(const PressedPlate& c, const std::bitset<5>& bears)
 {
   Eigen::Matrix<double, 5, 3> rows;
   PlateForces springs, free = PlateForces::Zero();
@@ -58,17 +66,17 @@ std::optional<PlateForces> borneBy(const PressedPlate& c, const std::bitset<5>& 
       return std::nullopt;
     }
   }
-  return PlateForces(-springs.cwiseProduct(gaps));
+  return BornePlate{ -springs.cwiseProduct(gaps), way.tail<2>().norm() };
 }
 
 /// The one that agrees with itself among all sets.
-std::optional<PlateForces> borne(const PressedPlate& c)
+std::optional<BornePlate> borne(const PressedPlate& c)
 {
   for (unsigned long set = 0; set < 32; ++set)
   {
-    if (const auto forces = borneBy(c, std::bitset<5>(set)))
+    if (const auto found = borneBy(c, std::bitset<5>(set)))
     {
-      return forces;
+      return found;
     }
   }
   return std::nullopt;
@@ -144,15 +152,16 @@ TEST(Plate, PressedBeyondItsFeetOpensTwoCornersExactlyAndTheOtherTwoBearAll)
   ASSERT_TRUE(expected);
   // About the line of the two feet: weight .04 = push .005.
   const double push = c.weight * 0.04 / 0.005;
-  ASSERT_NEAR((*expected)[4], push, 1e-12);
-  ASSERT_NEAR((*expected)[1] - (*expected)[3], -push * 0.01 / 0.04, 1e-12);
-  EXPECT_EQ(judgePlate(c, *expected), 2);
+  ASSERT_NEAR(expected->forces[4], push, 1e-12);
+  ASSERT_NEAR(expected->forces[1] - expected->forces[3], -push * 0.01 / 0.04, 1e-12);
+  EXPECT_EQ(judgePlate(c, expected->forces), 2);
 }
 
 TEST(Plate, PressedAnywhereOpensTheCornersThatTheSetSaysThatBearsIt)
 {
   Random random(testSeed(2010));
   std::array<int, 4> seen{};
+  std::size_t turnedOver = 0;
   for (std::size_t trial = 0; trial < testCount(200); ++trial)
   {
     PressedPlate c = plateOn(random.uniform(0.02, 0.05));
@@ -165,8 +174,14 @@ TEST(Plate, PressedAnywhereOpensTheCornersThatTheSetSaysThatBearsIt)
     c.pressed = Vec3(random.uniform(-halfPlate, halfPlate), random.uniform(-halfPlate, halfPlate), thickPlate);
     const auto expected = borne(c);
     ASSERT_TRUE(expected) << trial;
-    ++seen[static_cast<std::size_t>(judgePlate(c, *expected))];
+    if (expected->turn_rad > smallTurn_rad)
+    {
+      ++turnedOver;
+      continue;
+    }
+    ++seen[static_cast<std::size_t>(judgePlate(c, expected->forces))];
   }
+  EXPECT_LT(10 * turnedOver, testCount(200));
   EXPECT_GT(seen[0], 0);
   EXPECT_GT(seen[1], 0);
   EXPECT_GT(seen[2], 0);
