@@ -77,7 +77,13 @@ Seen needle(int strokes, double turning_Nm_per_rad)
     const MechanismResult* r = nullptr;
     cost.time([&] { r = &servo.step(input); });
     see(*r, seen);
-    bodies->tell({ r->presses.data(), static_cast<std::size_t>(r->pressCount) }, tipAt(tick), input.tick);
+    MechanismHand hand;
+    hand.tick = input.tick;
+    hand.plan = plan.revision;
+    hand.hand_W = input.hand_W.p;
+    hand.tip_W = tipAt(tick);
+    hand.press(*r);
+    bodies->tell(hand);
   }
   return ended(cost, seen);
 }

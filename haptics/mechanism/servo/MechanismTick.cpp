@@ -56,12 +56,8 @@ public:
     this->settle();
     const Vec6 before_N = this->onHand();
     std::size_t changes = 0;
-    if (!first && this->tryWaiting())
-    {
-      this->settle();
-      ++changes;
-    }
-    while (changes < Mechanism::mostLaws && this->changeLaws())
+    for (bool more = !first && this->tryWaiting(); changes < Mechanism::mostLaws && (more || this->changeLaws());
+         more = false)
     {
       this->settle();
       ++changes;

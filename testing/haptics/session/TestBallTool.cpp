@@ -118,7 +118,7 @@ TEST(BallTool, OnABodyThatGivesWayListsWhatPushesItWhereTheBodyHasGoneTo)
   for (int i = 0; i < state.tool.active; ++i)
   {
     const ToolPress& press = state.tool.presses[i];
-    pushed_N += springOfBall * press.push_u * press.n_W;
+    pushed_N += springOfTool * press.push_u * press.n_W;
     EXPECT_GT(press.n_W.dot(up_W), 0.99) << i;
     // Where the surface has gone to: below where it was, and nearly where the ball's lower end is.
     const double below_m = (top_W - press.p_W).dot(up_W);
