@@ -83,7 +83,7 @@ class Mechanism(CommandLineTest):
             self.assertIn("it can be felt", self.succeed("check", name).stdout)
 
     def test_a_check_judges_the_hand_that_touches_and_not_a_stiffer_one(self):
-        """A rod that the hand does not turn has three ways to turn; a needle's tip then slips; friction is not felt."""
+        """A rod that the hand does not turn has three ways to turn; a needle's tip then slips; three points that rub share nothing."""
         scene = json.loads((SCENES / "needle.json").read_text())
         for law in scene["laws"]:
             law["friction"] = 0
@@ -93,13 +93,14 @@ class Mechanism(CommandLineTest):
         self.assertEqual((free["free_turns"], held["free_turns"]), (3, 0))
         self.assertTrue(any("slips aside" in remark for remark in free["remarks"]), free)
         self.assertFalse(any("slips aside" in remark for remark in held["remarks"]), held)
-        scene["laws"] = [{"name": "rubs", "kind": "friction", "a": "needle", "b": "wall", "point_a": [0, 0, 150], "point_b": [0, 0, -8],
-                          "axis_b": [0, 0, -1], "friction": 0.3}]
+        scene["bodies"] = [body for body in scene["bodies"] if body["kind"] == "held"] + [{"name": "ground", "kind": "world"}]
+        scene["laws"] = [{"name": f"rubs {z}", "kind": "friction", "a": "needle", "b": "ground", "point_a": [0, 0, z],
+                          "point_b": [0, 0, z], "friction": 0.3} for z in (0, 75, 150)]
         self.write("rubs.json", json.dumps(scene))
         self.write_path([(0, 0, 0, 0)])
         touch = ("--path", "path.csv", "--csv", "out.csv")
         for command in (("check", "rubs.json"), ("touch", "rubs.json", *touch)):
-            self.refused(*command, saying=("rubs", "only the balance of forces"))
+            self.refused(*command, saying=("rubs", "how much of the friction is its own"))
             self.succeed(*command, "--torque-stiffness", 0.5)
         self.refused("check", "smooth.json", "--torque-stiffness", -1, saying=("--torque-stiffness",))
         self.write("square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
