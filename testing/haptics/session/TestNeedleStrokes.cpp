@@ -145,6 +145,19 @@ protected:
     this->withdrawn += event.change == LawChange::Withdrawn;
   }
 
+  /// Into wall and liver, on the spring of both, until nothing moves there.
+  void restInBoth()
+  {
+    const Vec3 inBoth(0.5e-3, 1e-3, 0.03 - needle_m);
+    const Vec3 from = this->device().position_D();
+    for (int tick = 1; tick <= way + settles; ++tick)
+    {
+      const double share = std::min(static_cast<double>(tick) / way, 1.0);
+      this->device().lead(held() ? Vec3(from + share * (inBoth - from)) : from);
+      this->step();
+    }
+  }
+
   /// How far the hand moves about where it is, in so many ticks.
   double restless_m(int ticks)
   {
@@ -158,6 +171,7 @@ protected:
     return most_m;
   }
 
+  static constexpr int way = 300, settles = 1200; // ticks
   HapticSession session;
   SafetyLimits limits;
   int stroke_ticks = 0;
@@ -180,19 +194,8 @@ TEST_P(NeedleStrokes, ThroughWallAndLiverAreStableTakeEnergyNeverStepAboveTheLim
   {
     this->step();
   }
-  // In wall and liver, on the spring of both.
-  const Vec3 inBoth(0.5e-3, 1e-3, 0.03 - needle_m);
-  constexpr int way = 300, settles = 1200, watched = 200;
-  const Vec3 from = this->device().position_D();
-  for (int tick = 1; tick <= way; ++tick)
-  {
-    this->device().lead(held() ? Vec3(from + static_cast<double>(tick) / way * (inBoth - from)) : from);
-    this->step();
-  }
-  for (int tick = 0; tick < settles; ++tick)
-  {
-    this->step();
-  }
+  this->restInBoth();
+  constexpr int watched = 200;
   const double before_m = this->restless_m(watched), last_m = this->restless_m(watched);
   EXPECT_GT(this->session.state().force_D.norm(), 0.1);
   EXPECT_LE(before_m, 1e-6);
