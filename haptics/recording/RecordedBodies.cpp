@@ -35,6 +35,30 @@ void layPlace(const Io& io, Packet& packet, std::size_t place)
   io(packet.patchRadius_u[place]);
 }
 
+/// At the first knot a spring is 0, and level.
+template<class Io, class Spring>
+void layKnots(const Io& io, Spring& spring)
+{
+  io(spring.across);
+  for (std::size_t k = 1; k < SubgridSpring::knots; ++k)
+  {
+    io(spring.depth_u[k]);
+    io(spring.rise[k]);
+  }
+}
+
+/// A spring that never gets shallower.
+bool rises(const SubgridSpring& spring)
+{
+  bool usable = spring.across >= 0.0 && std::isfinite(spring.across);
+  for (std::size_t k = 1; k < SubgridSpring::knots; ++k)
+  {
+    usable = usable && spring.depth_u[k] >= spring.depth_u[k - 1] && std::isfinite(spring.depth_u[k]) &&
+             spring.rise[k] >= 0.0 && std::isfinite(spring.rise[k]);
+  }
+  return usable;
+}
+
 /// It is symmetric to the bit: half of it says all.
 template<class Io, class Matrix>
 void layLowerHalf(const Io& io, Matrix& square)
@@ -141,6 +165,69 @@ void putBody(ByteWriter& payload, const PressedBody& body)
     put(packet.forceAt[i]);
     put(packet.force_N[i]);
   }
+}
+
+void putKnots(ByteWriter& payload, const PressedBody& body)
+{
+  const Put put{ payload };
+  const std::vector<SubgridSpring>& springs = body.packet->springs;
+  const double step = springs.empty() ? 0.0 : springs.front().step;
+  put(step);
+  for (std::size_t i = 0; step > 0.0 && i < springs.size(); ++i)
+  {
+    layKnots(put, springs[i]);
+  }
+}
+
+void readKnots(ByteReader& in, PressedBody& body)
+{
+  double step = 0.0;
+  in.get(step);
+  in.failUnless(step >= 0.0 && std::isfinite(step));
+  auto packet = std::make_shared<CompliancePacket>(*body.packet);
+  for (std::size_t i = 0; in.ok() && step > 0.0 && i < packet->springs.size(); ++i)
+  {
+    packet->springs[i].step = step;
+    layKnots(Get{ in }, packet->springs[i]);
+    in.failUnless(rises(packet->springs[i]));
+  }
+  body.touch.packet = packet.get();
+  body.packet = std::move(packet);
+}
+
+void putHeld(ByteWriter& payload, const PressedBody& body)
+{
+  const TriangleMesh faces = body.heldFaces ? *body.heldFaces : TriangleMesh{};
+  payload.put(static_cast<std::uint64_t>(faces.vertices_W.size()));
+  for (const Vec3& x_W : faces.vertices_W)
+  {
+    payload.put(x_W);
+  }
+  payload.put(static_cast<std::uint64_t>(faces.triangles.size()));
+  for (const auto& triangle : faces.triangles)
+  {
+    payload.put(triangle);
+  }
+}
+
+void readHeld(ByteReader& in, PressedBody& body)
+{
+  TriangleMesh faces;
+  faces.vertices_W.resize(in.count(3 * sizeof(double)));
+  for (Vec3& x_W : faces.vertices_W)
+  {
+    in.get(x_W);
+    in.failUnless(x_W.allFinite());
+  }
+  faces.triangles.resize(in.count(3 * sizeof(std::uint32_t)));
+  const auto isThere = [&faces](std::uint32_t v) { return v < faces.vertices_W.size(); };
+  for (auto& triangle : faces.triangles)
+  {
+    in.get(triangle);
+    in.failUnless(std::ranges::all_of(triangle, isThere));
+  }
+  const bool some = in.ok() && !faces.triangles.empty();
+  body.heldFaces = some ? std::make_shared<const TriangleMesh>(std::move(faces)) : nullptr;
 }
 
 std::shared_ptr<const PressedBody> readBody(ByteReader& in)

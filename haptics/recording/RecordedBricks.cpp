@@ -45,12 +45,22 @@ bool isPossible(const GridPlace& place)
          (place.t.array() >= 0.0).all() && (place.t.array() <= 1.0).all();
 }
 
-bool isPossible(const Brick& brick, const IsoState& state)
+/// The device of a proxy in the data's own cells is a place in W.
+bool isPossible(const FieldCells& cells, const IsoState& state)
 {
-  const BrickComponent field = brick.component(BrickRole::Scalar);
-  return isPossible(state.x) && isPossible(state.device) && std::isfinite(state.level) && std::abs(state.side) == 1.0 &&
+  return state.device.t.allFinite() && (!state.placed || cells.holds(state.x.cell));
+}
+
+bool isPossible(const BrickComponent& field, const IsoState& state)
+{
+  return isPossible(state.device) && (state.count == 0 || field.exists());
+}
+
+template<class Field>
+bool isPossibleIn(const Field& field, const IsoState& state)
+{
+  return isPossible(state.x) && isPossible(field, state) && std::isfinite(state.level) && std::abs(state.side) == 1.0 &&
          state.stuck <= IsoState::mostStuck && state.count >= 0 && state.count <= IsoState::mostCells &&
-         (state.count == 0 || field.exists()) &&
          std::all_of(state.cells.begin(), state.cells.begin() + state.count,
            [&field](const GridIndex& cell) { return field.holds(cell); });
 }
@@ -89,6 +99,57 @@ void putOwnPart(ByteWriter& payload, const Brick& brick)
   }
 }
 
+void putCells(ByteWriter& payload, const CellParts& parts)
+{
+  payload.put(static_cast<std::uint64_t>(parts.points_W.size()));
+  for (std::size_t i = 0; i < parts.points_W.size(); ++i)
+  {
+    payload.put(parts.points_W[i]);
+    payload.put(parts.values[i]);
+  }
+  payload.put(static_cast<std::uint64_t>(parts.corners.size()));
+  for (const CellCorners& corners : parts.corners)
+  {
+    std::ranges::for_each(corners, [&payload](std::uint32_t corner) { payload.put(corner); });
+  }
+  payload.put(parts.offset);
+  payload.put(parts.centre_W);
+  payload.put(parts.reach_u);
+}
+
+/// The data's own cells; null where what was recorded ends before them.
+std::shared_ptr<const FieldCells> readCells(ByteReader& in)
+{
+  if (in.left() == 0)
+  {
+    return nullptr;
+  }
+  CellParts parts;
+  parts.points_W.resize(in.count(3 * sizeof(double) + sizeof(float)));
+  parts.values.resize(parts.points_W.size());
+  for (std::size_t i = 0; i < parts.points_W.size(); ++i)
+  {
+    in.get(parts.points_W[i]);
+    in.get(parts.values[i]);
+    in.failUnless(parts.points_W[i].allFinite() && std::isfinite(parts.values[i]));
+  }
+  parts.corners.resize(in.count(sizeof(CellCorners)));
+  for (CellCorners& corners : parts.corners)
+  {
+    for (std::uint32_t& corner : corners)
+    {
+      in.get(corner);
+      in.failUnless(corner < parts.points_W.size());
+    }
+  }
+  in.get(parts.offset);
+  in.get(parts.centre_W);
+  in.get(parts.reach_u);
+  in.failUnless(std::isfinite(parts.offset) && parts.centre_W.allFinite() && parts.reach_u >= 0.0);
+  in.failUnless(!parts.corners.empty());
+  return in.ok() ? std::make_shared<const FieldCells>(std::move(parts)) : nullptr;
+}
+
 /// A brick as its parts, before it is known whether they are one.
 struct BrickParts
 {
@@ -124,17 +185,30 @@ BrickParts readOwnPart(ByteReader& in)
   return parts;
 }
 
-std::shared_ptr<const Brick> brickOf(BrickParts parts, std::shared_ptr<const Brick> finer, ByteReader& in)
+std::shared_ptr<const Brick> brickOf(
+  BrickParts parts, std::shared_ptr<const Brick> finer, std::shared_ptr<const FieldCells> cells, ByteReader& in)
 {
   in.failUnless(Brick::refuse(parts.grid, parts.arrays, std::numeric_limits<std::size_t>::max()).empty());
   if (!in.ok())
   {
     return nullptr;
   }
-  auto brick = std::make_shared<const Brick>(
-    0, parts.grid, std::move(parts.arrays), std::move(parts.places_W), std::move(parts.lines_W), std::move(finer));
+  auto brick = std::make_shared<const Brick>(0, parts.grid, std::move(parts.arrays), std::move(parts.places_W),
+    std::move(parts.lines_W), std::move(finer), std::move(cells));
   in.failUnless(brick->contentHash() == parts.contentHash);
   return brick;
+}
+
+/// Of a proxy in the data's own cells its place in W is not recorded: it follows from its place in the cell.
+void keepPlaces(const FieldCells& cells, FieldState& state)
+{
+  const bool kept = isPossibleIn(cells, state.surface) && isPossibleIn(cells, state.click);
+  state = kept ? state : FieldState{};
+  state.grid = BrickGrid{};
+  for (IsoState* iso : { &state.surface, &state.click })
+  {
+    iso->x_W = iso->placed ? cells.toWorld(iso->x) : Vec3(Vec3::Zero());
+  }
 }
 
 } // namespace
@@ -155,12 +229,17 @@ void putBrick(ByteWriter& payload, const Brick& brick)
       std::ranges::for_each(part->arrays(), [&payload](const BrickArray& array) { payload.put(array.offset); });
     }
   }
+  if (brick.cells())
+  {
+    putCells(payload, brick.cells()->parts());
+  }
 }
 
 std::shared_ptr<const Brick> readBrick(ByteReader& in)
 {
   BrickParts parts = readOwnPart(in), finer;
   bool hasFiner = false;
+  std::shared_ptr<const FieldCells> cells;
   if (in.left() > 0) // what was recorded before there were finer ones and offsets ends here
   {
     in.get(hasFiner);
@@ -169,20 +248,31 @@ std::shared_ptr<const Brick> readBrick(ByteReader& in)
     {
       std::ranges::for_each(part->arrays, [&in](BrickArray& array) { in.get(array.offset); });
     }
+    cells = readCells(in);
   }
-  return brickOf(std::move(parts), hasFiner ? brickOf(std::move(finer), nullptr, in) : nullptr, in);
+  return brickOf(
+    std::move(parts), hasFiner ? brickOf(std::move(finer), nullptr, nullptr, in) : nullptr, std::move(cells), in);
 }
 
 void keepCellsWithin(const std::vector<std::shared_ptr<const Brick>>& bricks, FieldState& state)
 {
-  const Brick* felt = nullptr;
   for (const std::shared_ptr<const Brick>& brick : bricks)
   {
-    felt = felt != nullptr ? felt : brick->called(state.brick);
+    if (const FieldCells* const cells = brick->cells().get(); cells && cells->contentHash() == state.brick)
+    {
+      keepPlaces(*cells, state);
+      return;
+    }
+    if (const Brick* const felt = brick->called(state.brick))
+    {
+      const BrickComponent field = felt->component(BrickRole::Scalar);
+      const bool kept = isPossibleIn(field, state.surface) && isPossibleIn(field, state.click);
+      state = kept ? state : FieldState{};
+      state.grid = kept ? felt->grid() : BrickGrid{};
+      return;
+    }
   }
-  const bool kept = felt != nullptr && isPossible(*felt, state.surface) && isPossible(*felt, state.click);
-  state = kept ? state : FieldState{};
-  state.grid = kept ? felt->grid() : BrickGrid{};
+  state = FieldState{};
 }
 
 } // namespace palpate

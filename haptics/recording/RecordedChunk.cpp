@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "haptics/core/Checksum.h"
 #include "haptics/recording/Format5.h"
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedBodies.h"
@@ -100,13 +101,21 @@ void readChange(RecordedChunk& chunk, Recording& recording)
 
 void readBodyChunk(RecordedChunk& chunk, Recording& recording)
 {
-  constexpr std::uint32_t versionWithBeside = 2;
+  constexpr std::uint32_t versionWithBeside = 2, versionWithKnots = 3, versionWithHeld = 4;
   std::shared_ptr<const PressedBody> body = readBody(chunk.payload);
   if (body && chunk.version >= versionWithBeside)
   {
     auto withBeside = std::make_shared<PressedBody>(*body);
     chunk.payload.get(withBeside->beside);
-    body = std::move(withBeside);
+    if (chunk.version >= versionWithKnots)
+    {
+      readKnots(chunk.payload, *withBeside);
+    }
+    if (chunk.version >= versionWithHeld)
+    {
+      readHeld(chunk.payload, *withBeside);
+    }
+    body = chunk.payload.ok() ? std::move(withBeside) : nullptr;
   }
   recording.bodies.push_back(std::move(body));
 }
@@ -147,17 +156,36 @@ void readHead(ByteReader& in, RecordedChunk& chunk)
   in.get(chunk.version);
 }
 
+/// Whether what comes next is the checksum of the bytes from `begin` up to it. Where nothing comes it is none that is
+/// wrong.
+bool isNextCheck(ByteReader& in, const char* begin)
+{
+  const char* const end = in.at();
+  std::uint32_t check = 0;
+  in.get(check);
+  return !in.ok() || check == crc32c(begin, static_cast<std::size_t>(end - begin));
+}
+
 } // namespace
 
-RecordedChunk nextChunk(ByteReader& in, bool isFormat5)
+RecordedChunk nextChunk(ByteReader& in, int format)
 {
   RecordedChunk chunk;
   std::uint64_t size = 0;
-  isFormat5 ? readHead5(in, chunk) : readHead(in, chunk);
+  std::uint32_t payloadCheck = 0;
+  const char* const head = in.at();
+  const bool checked = format >= Recording::checkedFormatVersion;
+  format == 5 ? readHead5(in, chunk) : readHead(in, chunk);
   in.get(size);
-  if (in.has(size))
+  if (checked)
+  {
+    in.get(payloadCheck);
+    chunk.headDamaged = !isNextCheck(in, head);
+  }
+  if (!chunk.headDamaged && in.has(size))
   {
     chunk.payload = ByteReader(in.at(), size);
+    chunk.payloadDamaged = checked && crc32c(in.at(), size) != payloadCheck;
     in.skip(size);
   }
   return chunk;

@@ -19,10 +19,12 @@ struct RecordedChunk
   std::string name; ///< empty for a number that format 5 did not know
   std::uint32_t version = 0;
   ByteReader payload{ nullptr, 0 };
+  bool headDamaged = false; ///< it is not what was written: neither is where its payload ends
+  bool payloadDamaged = false;
 };
 
-/// The next chunk of bytes that are not trusted; what it says is true while in.ok().
-[[nodiscard]] RecordedChunk nextChunk(ByteReader& in, bool isFormat5);
+/// The next chunk of bytes that are not trusted; what it says is true while in.ok() and nothing is damaged.
+[[nodiscard]] RecordedChunk nextChunk(ByteReader& in, int format);
 
 /// Enters what a chunk of one kind holds into a recording; the payload is ok() and at its end if it is what it should
 /// be.

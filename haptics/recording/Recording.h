@@ -67,13 +67,15 @@ struct RecordedMechanism
   std::vector<Body> bodies; ///< in the plan's order
 };
 
-/// A whole recording: a text header, then little-endian chunks (name, version, size, payload), then a closing chunk.
-/// What a program does not know it skips and says; what a recording lacks keeps its default.
+/// A whole recording: a text header, then little-endian chunks, then a closing chunk, each with its checksum
+/// (RecordingLayout.h). What a program does not know it skips and says; what a recording lacks keeps its default.
 struct Recording
 {
-  static constexpr int formatVersion = 6;       ///< that is written
-  static constexpr int oldestFormatVersion = 5; ///< that is still read
+  static constexpr int formatVersion = 7;        ///< that is written
+  static constexpr int checkedFormatVersion = 7; ///< the first with checksums
+  static constexpr int oldestFormatVersion = 5;  ///< that is still read
 
+  int format = formatVersion; ///< that it was read from
   std::string device;
   HapticParameters parameters;
   RendererState initialState;
@@ -86,6 +88,9 @@ struct Recording
   std::vector<RecordedEntry> entries;
   SkippedParts skipped;
   std::uint64_t lost = 0; ///< ticks the writer could not take: such a recording cannot be recomputed
+
+  /// Empty, or one phrase: in a file of an older format damage may have gone unnoticed.
+  [[nodiscard]] std::string describeUnchecked() const;
 };
 
 /// Reads a recording; on failure one sentence with the file and the reason. Never allocates by a number in the file

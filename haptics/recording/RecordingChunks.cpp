@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "haptics/core/Checksum.h"
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedBodies.h"
 #include "haptics/recording/RecordedBricks.h"
@@ -16,16 +17,23 @@ namespace palpate
 namespace
 {
 
+std::uint32_t checksumOf(const ByteWriter& bytes)
+{
+  return crc32c(bytes.bytes().data(), bytes.bytes().size());
+}
+
 std::vector<char> chunk(const ChunkKind& kind, const ByteWriter& payload)
 {
-  ByteWriter whole;
+  ByteWriter head;
   for (std::size_t i = 0; i < ChunkKind::nameSize; ++i)
   {
-    whole.put(i < kind.name.size() ? kind.name[i] : '\0');
+    head.put(i < kind.name.size() ? kind.name[i] : '\0');
   }
-  whole.put(kind.version);
-  whole.put(static_cast<std::uint64_t>(payload.bytes().size()));
-  std::vector<char> bytes = whole.bytes();
+  head.put(kind.version);
+  head.put(static_cast<std::uint64_t>(payload.bytes().size()));
+  head.put(checksumOf(payload));
+  head.put(checksumOf(head));
+  std::vector<char> bytes = head.bytes();
   bytes.insert(bytes.end(), payload.bytes().begin(), payload.bytes().end());
   return bytes;
 }
@@ -79,10 +87,13 @@ void putStandIns(const std::vector<Surface>& surfaces, ByteWriter& payload)
 
 std::string recordingHeader(const std::string& device)
 {
-  return std::string(recordingMagic) + std::to_string(Recording::formatVersion) +
-         "\nunits: seconds, metres and newtons in the device frame; scene units in the scene\ndevice: " + device +
-         "\nbinary: little-endian chunks (name of " + std::to_string(ChunkKind::nameSize) +
-         " bytes, version u32, size u64, payload)\nend\n";
+  const std::string text =
+    std::string(recordingMagic) + std::to_string(Recording::formatVersion) +
+    "\nunits: seconds, metres and newtons in the device frame; scene units in the scene\ndevice: " + device +
+    "\nbinary: little-endian chunks (name of " + std::to_string(ChunkKind::nameSize) +
+    " bytes, version u32, size u64, CRC-32C of the payload u32, CRC-32C of this head u32, payload)" +
+    std::string(headerCheck);
+  return text + checkDigits(crc32c(text.data(), text.size())) + std::string(headerEnd);
 }
 
 std::vector<char> startChunk(const HapticParameters& parameters, const RendererState& state)
@@ -181,6 +192,8 @@ std::vector<char> bodyChunk(const PressedBody& body)
   ByteWriter payload;
   putBody(payload, body);
   payload.put(body.beside);
+  putKnots(payload, body);
+  putHeld(payload, body);
   return chunk(chunks::body, payload);
 }
 

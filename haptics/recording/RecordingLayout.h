@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "haptics/recording/ByteStream.h"
@@ -13,8 +15,25 @@ namespace palpate
 /// What a recording begins with, before the number of its format.
 inline constexpr std::string_view recordingMagic = "PALPATE-RECORDING ";
 
+/// The last lines of its header: "check: crc32c " and, in eight digits 0 to f, the checksum of all before those digits.
+inline constexpr std::string_view headerCheck = "\ncheck: crc32c ", headerEnd = "\nend\n";
+inline constexpr std::size_t headerCheckDigits = 8;
+
+/// The digits of a checksum in a header.
+[[nodiscard]] inline std::string checkDigits(std::uint32_t checksum)
+{
+  std::string digits;
+  for (std::size_t i = headerCheckDigits; i-- > 0;)
+  {
+    digits += "0123456789abcdef"[checksum >> 4 * i & 0xfu];
+  }
+  return digits;
+}
+
 /// What a chunk of a recording holds, by its name in the file, and the newest version of it that this program knows. A
-/// newer version only appends.
+/// newer version only appends. In the file a chunk is its head (name, version u32, size of the payload u64, CRC-32C of
+/// the payload u32, CRC-32C of the head's bytes so far u32), then its payload. The head has a checksum of its own: a
+/// size must be believed before the payload can be found. Before format 7 a head had neither of the two.
 struct ChunkKind
 {
   static constexpr std::size_t nameSize = 8; ///< in the file, filled up with zeros
@@ -25,14 +44,16 @@ struct ChunkKind
 
 namespace chunks
 {
-inline constexpr ChunkKind start{ "start" };      ///< first parameters and state; before all that follow
-inline constexpr ChunkKind tick{ "tick", 2 };     ///< TickRecord; from version 2 on with its PoseRecord
-inline constexpr ChunkKind change{ "change" };    ///< RecordedChange
-inline constexpr ChunkKind scene{ "scene" };      ///< RecordedScene
-inline constexpr ChunkKind motion{ "motion" };    ///< RecordedMotion
-inline constexpr ChunkKind brick{ "brick", 3 };   ///< putBrick(); from version 2 on with its lines, 3: a finer one
-inline constexpr ChunkKind tool{ "tool", 3 };     ///< putTool(); from version 2 on with its ball, 3: its reach
-inline constexpr ChunkKind body{ "body", 2 };     ///< putBody(); from version 2 on with what is beside it
+inline constexpr ChunkKind start{ "start" };   ///< first parameters and state; before all that follow
+inline constexpr ChunkKind tick{ "tick", 2 };  ///< TickRecord; from version 2 on with its PoseRecord
+inline constexpr ChunkKind change{ "change" }; ///< RecordedChange
+inline constexpr ChunkKind scene{ "scene" };   ///< RecordedScene
+inline constexpr ChunkKind motion{ "motion" }; ///< RecordedMotion
+inline constexpr ChunkKind brick{ "brick",
+  4 }; ///< putBrick(); from version 2 on with its lines, 3: a finer one, 4: cells
+inline constexpr ChunkKind tool{ "tool", 3 }; ///< putTool(); from version 2 on with its ball, 3: its reach
+/// putBody(); from version 2 on with what is beside it, 3: with the knots of its springs, 4: with its held faces.
+inline constexpr ChunkKind body{ "body", 4 };
 inline constexpr ChunkKind mechanism{ "joined" }; ///< putMechanism()
 inline constexpr ChunkKind end{ "end" };          ///< ticks that were lost; nothing follows
 } // namespace chunks

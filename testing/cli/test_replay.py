@@ -12,15 +12,38 @@ from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest
 
 MAKE_RECORDING = os.environ["PALPATE_MAKE_RECORDING"]
 TICKS = 2000
-CHUNK_HEAD = struct.Struct("<8sIQ")  # name filled up with zeros, version, size; then the payload
+CHUNK_HEAD = struct.Struct("<8sIQII")  # name filled up with zeros, version, size, checksums of payload and head; then the payload
+BEFORE_CHECKS = struct.Struct("<8sIQ")
+HEADER_END = b"\nend\n"
+
+
+def crc32c(data):
+    """By its definition, one bit after the other."""
+    rest = 0xFFFFFFFF
+    for byte in data:
+        rest ^= byte
+        for _ in range(8):
+            rest = rest >> 1 ^ (0x82F63B78 if rest & 1 else 0)
+    return rest ^ 0xFFFFFFFF
+
+
+def chunk(name, version, payload):
+    head = BEFORE_CHECKS.pack(name, version, len(payload)) + struct.pack("<I", crc32c(payload))
+    return head + struct.pack("<I", crc32c(head)) + payload
+
+
+def checked_header(text):
+    """With the checksum that belongs to the text, which ends with that line."""
+    text = text[:text.rindex(b" ") + 1]
+    return text + f"{crc32c(text):08x}".encode() + HEADER_END
 
 
 def split_chunks(content):
     """The bytes before the first chunk, and (name, all bytes) of each chunk."""
-    at = content.index(b"\nend\n") + len(b"\nend\n")
+    at = content.index(HEADER_END) + len(HEADER_END)
     head, chunks = content[:at], []
     while at < len(content):
-        name, _, length = CHUNK_HEAD.unpack_from(content, at)
+        name, _, length, _, _ = CHUNK_HEAD.unpack_from(content, at)
         chunks.append((name.rstrip(b"\0"), content[at:at + CHUNK_HEAD.size + length]))
         at += CHUNK_HEAD.size + length
     return head, chunks
@@ -76,12 +99,37 @@ class Replay(Recorded):
         # the device's position starts after tick and dt; half of it is a hand elsewhere
         changed = bytearray(data)
         changed[CHUNK_HEAD.size + 8 + 8 + 8 + 6] ^= 0x10
-        chunks[ticks[700]] = (kind, bytes(changed))
+        payload = bytes(changed[CHUNK_HEAD.size:])
+        chunks[ticks[700]] = (kind, chunk(kind, CHUNK_HEAD.unpack_from(data)[1], payload))
         self.write("b.palpate", head + b"".join(data for _, data in chunks))
         run = self.run_palpate("replay", "b.palpate")
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertIn("tick", run.stdout)
         self.assertIn("differs", run.stdout)
+
+    def test_a_bit_that_flipped_in_a_file_is_refused_with_the_chunk_that_it_is_in(self):
+        head, chunks = split_chunks(self.content)
+        for number in (1, 2, 700, len(chunks)):
+            begin = len(head) + sum(len(data) for _, data in chunks[:number - 1])
+            kind, data = chunks[number - 1]
+            for at, said in ((begin + 12, f"the head of its chunk {number}"),
+                             (begin + CHUNK_HEAD.size + 2, f"its chunk {number} ({kind.decode()}), bytes {begin} to "
+                                                           f"{begin + len(data) - 1}, ")):
+                with self.subTest(number=number, at=at):
+                    flipped = bytearray(self.content)
+                    flipped[at] ^= 0x10
+                    self.write("flipped.palpate", bytes(flipped))
+                    self.refused("replay", "flipped.palpate", saying=["flipped.palpate", said, "another copy"])
+
+    def test_a_recording_from_before_there_were_checksums_replays_and_says_that_it_has_none(self):
+        self.assertNotIn("checksum", self.succeed("replay", "a.palpate").stderr)
+        head, chunks = split_chunks(self.content)
+        text = head[:head.index(b"\ncheck: ")].replace(b"RECORDING 7", b"RECORDING 6") + HEADER_END
+        old = b"".join(data[:BEFORE_CHECKS.size] + data[CHUNK_HEAD.size:] for _, data in chunks)
+        self.write("old.palpate", text + old)
+        run = self.succeed("replay", "old.palpate")
+        self.assertIn(f"{TICKS} ticks", run.stdout)
+        self.assertEqual(run.stderr, "old.palpate: it is of format 6 and carries no checksums: damage may go unnoticed\n")
 
     def test_a_recording_cut_short_at_any_place_is_refused(self):
         for length in range(1, len(self.content), len(self.content) // 29):
@@ -90,14 +138,16 @@ class Replay(Recorded):
                 self.refused("replay", "cut.palpate", saying=["cut.palpate"])
 
     def test_a_recording_of_another_version(self):
-        header, rest = self.content.split(b"\n", 1)
-        version = int(header.removeprefix(b"PALPATE-RECORDING "))
-        self.write("old.palpate", b"PALPATE-RECORDING 99\n" + rest)
+        head, chunks = split_chunks(self.content)
+        first, rest = head.removesuffix(HEADER_END).split(b"\n", 1)
+        version = int(first.removeprefix(b"PALPATE-RECORDING "))
+        other = checked_header(b"PALPATE-RECORDING 99\n" + rest)
+        self.write("old.palpate", other + b"".join(data for _, data in chunks))
         self.refused("replay", "old.palpate", saying=["old.palpate", "format 99", f"reads format {version}"])
 
     def test_what_this_program_does_not_know_is_skipped_and_said(self):
         head, chunks = split_chunks(self.content)
-        chunks.insert(2, (b"glove", CHUNK_HEAD.pack(b"glove", 1, 3) + b"any"))
+        chunks.insert(2, (b"glove", chunk(b"glove", 1, b"any")))
         self.write("newer.palpate", head + b"".join(data for _, data in chunks))
         run = self.succeed("replay", "newer.palpate")
         self.assertIn(f"{TICKS} ticks", run.stdout)

@@ -157,9 +157,12 @@ private:
 int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options)
 {
   const palpate::Recording recording = Read(options.Recording);
-  if (const std::string skipped = recording.skipped.describe(); !skipped.empty())
+  for (const std::string& note : { recording.skipped.describe(), recording.describeUnchecked() })
   {
-    std::cerr << options.Recording << ": " << skipped << '\n';
+    if (!note.empty())
+    {
+      std::cerr << options.Recording << ": " << note << '\n';
+    }
   }
   const std::vector<std::shared_ptr<const palpate::Scene>> scenes = ScenesOf(options);
   std::optional<TickTable> table;

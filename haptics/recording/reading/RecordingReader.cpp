@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include "haptics/recording/Format5.h"
@@ -12,6 +10,7 @@
 #include "haptics/recording/RecordedMechanisms.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/reading/RecordingHeader.h"
 
 namespace palpate
 {
@@ -30,22 +29,38 @@ bool isPossible(const Recording& recording)
          recording.parameters.validate().empty();
 }
 
+/// Says which chunk is damaged, by its number from 1 on, and where it lies, by its first byte and the first after it.
+/// The name in a head that is damaged is said only if it is one, for it may be what is damaged.
+std::string damageOf(const RecordedChunk& chunk, std::uint64_t number, std::size_t begin, std::size_t end)
+{
+  const std::string kind = !chunk.headDamaged || readerOf(chunk.name) != nullptr ? " (" + chunk.name + ")" : "";
+  const std::string which = "chunk " + std::to_string(number) + kind;
+  const std::string bytes = "bytes " + std::to_string(begin) + " to " + std::to_string(end - 1);
+  return std::string("is damaged: ") + (chunk.headDamaged ? "the head of its " : "its ") + which + ", " + bytes +
+         ", is not as it was written" + otherCopy;
+}
+
 /// Reads chunks until the closing one.
 class ChunkParser
 {
 public:
-  ChunkParser(Recording& recording, bool isFormat5) : recording_(recording), isFormat5_(isFormat5) {}
+  ChunkParser(Recording& recording, std::size_t fileSize) : recording_(recording), fileSize_(fileSize) {}
 
   /// Empty, or what is wrong.
   std::string parse(ByteReader& in)
   {
-    bool first = !this->isFormat5_;
-    while (in.ok())
+    bool first = this->recording_.format != 5;
+    for (std::uint64_t number = 1; in.ok(); ++number)
     {
-      RecordedChunk chunk = nextChunk(in, this->isFormat5_);
+      const std::size_t begin = this->fileSize_ - in.left();
+      RecordedChunk chunk = nextChunk(in, this->recording_.format);
       if (!in.ok())
       {
         return cutShort;
+      }
+      if (chunk.headDamaged || chunk.payloadDamaged)
+      {
+        return damageOf(chunk, number, begin, this->fileSize_ - in.left());
       }
       if (first && chunk.name != chunks::start.name)
       {
@@ -91,7 +106,7 @@ private:
   }
 
   Recording& recording_;
-  bool isFormat5_;
+  std::size_t fileSize_;
 };
 
 /// What stands before the chunks; empty, or what is wrong.
@@ -102,79 +117,27 @@ std::string readStart5(ByteReader& in, Recording& recording)
   return !in.ok() ? "is cut short: its header does not end" : isPossible(recording) ? "" : impossible;
 }
 
-/// The number of a format that this program reads; none: another one.
-std::optional<int> formatOf(const std::string& version)
-{
-  for (int format = Recording::oldestFormatVersion; format <= Recording::formatVersion; ++format)
-  {
-    if (version == std::to_string(format))
-    {
-      return format;
-    }
-  }
-  return std::nullopt;
-}
-
-/// The text before the bytes.
-struct Header
-{
-  std::string problem; ///< empty, or why it cannot be read
-  int format = 0;
-  std::string device;
-  std::size_t size = 0;
-};
-
-std::string deviceIn(const std::string& text)
-{
-  const std::string field = "\ndevice: ";
-  const std::size_t at = text.find(field);
-  return at == std::string::npos ? "" : text.substr(at + field.size(), text.find('\n', at + 1) - at - field.size());
-}
-
-Header refused(std::string problem)
-{
-  return { std::move(problem), 0, "", 0 };
-}
-
-Header readHeader(const std::vector<char>& bytes)
-{
-  constexpr std::size_t longest = 4096;
-  const std::string text(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), longest)));
-  if (!text.starts_with(recordingMagic))
-  {
-    return refused("is not a recording of Palpate");
-  }
-  const std::string version = text.substr(recordingMagic.size(), text.find('\n') - recordingMagic.size());
-  const std::optional<int> format = formatOf(version);
-  if (!format)
-  {
-    return refused("is a recording of format " + version.substr(0, 16) + ", this program reads format " +
-                   std::to_string(Recording::formatVersion) + " and back to " +
-                   std::to_string(Recording::oldestFormatVersion) + ": record it again");
-  }
-  const std::string mark = "\nend\n";
-  const std::size_t end = text.find(mark);
-  if (end == std::string::npos)
-  {
-    return refused("is cut short: its header does not end");
-  }
-  return { "", *format, deviceIn(text.substr(0, end + 1)), end + mark.size() };
-}
-
 } // namespace
+
+std::string Recording::describeUnchecked() const
+{
+  return this->format >= checkedFormatVersion
+           ? ""
+           : "it is of format " + std::to_string(this->format) + " and carries no checksums: damage may go unnoticed";
+}
 
 std::variant<Recording, std::string> parseRecording(const std::vector<char>& bytes, const std::string& name)
 {
-  const Header header = readHeader(bytes);
+  const RecordingHeader header = readRecordingHeader(bytes);
   std::string problem = header.problem;
   Recording recording;
   if (problem.empty())
   {
-    const bool isFormat5 = header.format == 5;
     ByteReader in(bytes.data() + header.size, bytes.size() - header.size);
     recording.device = header.device;
-    problem = isFormat5 ? readStart5(in, recording) : "";
-    problem = problem.empty() ? ChunkParser(recording, isFormat5).parse(in) : problem;
+    recording.format = header.format;
+    problem = header.format == 5 ? readStart5(in, recording) : "";
+    problem = problem.empty() ? ChunkParser(recording, bytes.size()).parse(in) : problem;
   }
   if (!problem.empty())
   {

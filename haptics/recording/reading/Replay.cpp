@@ -218,10 +218,22 @@ private:
     const auto& bodies = this->recording_.bodies;
     const auto found = std::find_if(bodies.begin(), bodies.end(), isIt);
     this->body_ = found != bodies.end() ? *found : nullptr;
-    if (revision != 0 && !(this->body_ && fits(*this->body_, this->scene_.get())))
+    this->takeHeldFaces();
+    const bool stops = !this->body_ || !this->body_->heldFaces || this->held_;
+    if (revision != 0 && !(this->body_ && stops && fits(*this->body_, this->scene_.get())))
     {
       this->result_.problem = "what a soft body gave way by is not in it: it cannot be recomputed";
     }
+  }
+
+  /// From packet to packet they stay, and so does the tree that they are found by.
+  void takeHeldFaces()
+  {
+    const auto now = this->body_ ? this->body_->heldFaces : nullptr;
+    const bool same = now && this->heldFaces_ && now->vertices_W == this->heldFaces_->vertices_W &&
+                      now->triangles == this->heldFaces_->triangles;
+    this->held_ = same ? this->held_ : now ? sceneOfHeld(*now) : nullptr;
+    this->heldFaces_ = now;
   }
 
   /// What the tick of before has left of the same plan is followed into the bodies of this one.
@@ -265,6 +277,7 @@ private:
     }
     this->bodyNow_ = *this->body_;
     this->bodyNow_.scene = this->scene_;
+    this->bodyNow_.held = this->held_;
     return &this->bodyNow_;
   }
 
@@ -309,6 +322,8 @@ private:
   const ToolContacts* tool_ = nullptr;
   std::ptrdiff_t toolsTaken_ = 0; ///< they stand in the order in which they were taken
   std::shared_ptr<const PressedBody> body_;
+  std::shared_ptr<const TriangleMesh> heldFaces_; ///< of that body
+  std::shared_ptr<const Scene> held_;             ///< of these
   PressedBody bodyNow_;
   std::shared_ptr<const FeltMechanism> mechanism_;
   std::unique_ptr<MechanismTick> mechanismTick_ = std::make_unique<MechanismTick>();

@@ -8,10 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "testing/haptics/recording/RecordingChecks.h"
+
 namespace palpate::test
 {
 
-/// A chunk as it lies in a file: 8 letters filled up with zeros, version u32, size u64, payload.
+/// A chunk as it lies in a file: 8 letters filled up with zeros, version u32, size u64, two checksums u32, payload.
 struct RawChunk
 {
   std::string name;
@@ -55,13 +57,14 @@ inline RawRecording takeApart(const std::string& path)
     chunk.name = std::string(bytes.substr(at, 8).c_str());
     std::memcpy(&chunk.version, bytes.data() + at + 8, sizeof(chunk.version));
     std::memcpy(&size, bytes.data() + at + 12, sizeof(size));
-    chunk.payload = bytes.substr(at + 20, size);
-    at += 20 + size;
+    chunk.payload = bytes.substr(at + checkedHead, size);
+    at += checkedHead + size;
     recording.chunks.push_back(std::move(chunk));
   }
   return recording;
 }
 
+/// With the checksums that belong to what is in it.
 inline std::vector<char> putTogether(const RawRecording& recording)
 {
   std::string bytes = recording.header;
@@ -69,9 +72,12 @@ inline std::vector<char> putTogether(const RawRecording& recording)
   {
     std::string name = chunk.name;
     name.resize(8, '\0');
-    bytes += name + raw(chunk.version) + raw(static_cast<std::uint64_t>(chunk.payload.size())) + chunk.payload;
+    bytes += name + raw(chunk.version) + raw(static_cast<std::uint64_t>(chunk.payload.size())) +
+             std::string(checkedHead - uncheckedHead, '\0') + chunk.payload;
   }
-  return { bytes.begin(), bytes.end() };
+  std::vector<char> checked(bytes.begin(), bytes.end());
+  repairChecks(checked, plainCrc32c);
+  return checked;
 }
 
 } // namespace palpate::test

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+
+/// The text of a recording before its chunks.
+struct RecordingHeader
+{
+  std::string problem; ///< empty, or why the recording cannot be read
+  int format = 0;
+  std::string device;
+  std::size_t size = 0; ///< bytes
+};
+
+/// What a person can do about a recording whose bytes are not those that were written.
+inline constexpr const char* otherCopy = ": take another copy of it, or record it again";
+
+/// Of bytes that are not trusted.
+[[nodiscard]] RecordingHeader readRecordingHeader(const std::vector<char>& bytes);
+
+} // namespace palpate
