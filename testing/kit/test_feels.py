@@ -185,7 +185,7 @@ class Strokes(Case):
         blocks.SetBlock(0, box.GetOutput())
         for surface in (box.GetOutput(), blocks):
             way = strokes(surface, touch)
-            force = touch.along(way, surface)
+            force, _ = touch.along(way, surface)
             inside = (np.abs(way[:, 1:]) < [50, 30, 40]).all(axis=1)
             np.testing.assert_allclose(np.linalg.norm(force, axis=1), np.where(inside, 500.0 * 2e-3, 0.0), atol=1e-6)
             sides = {tuple(np.round(row).astype(int)) for row in force[inside]}

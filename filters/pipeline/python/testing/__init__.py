@@ -16,14 +16,19 @@ import math
 import os
 from pathlib import Path
 
+from numpy import isfinite
+from numpy.linalg import norm
+
 from palpate.testing.baseline import Baseline, as_written, refuse_another_kind, same_size
-from palpate.testing.compare import compare
+from palpate.testing.compare import compare, is_something
+from palpate.testing.coverage import changed_pieces, covered
 from palpate.testing.feel import Refused, Touch, data_of
 from palpate.testing.paths import read_path, strokes
 from palpate.testing.report import text_of, write_differences
 
 __all__ = ["Refused", "UPDATE", "assert_feels_the_same"]
 
+NOTHING_N = 1e-6  # below which a force is but rounding
 UPDATE = "PALPATE_UPDATE_BASELINES"  # in the environment, not empty and not 0: what is felt becomes the baseline
 
 
@@ -42,7 +47,9 @@ def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tol
     update       whether what is felt becomes the baseline; without it as the environment says
     settings     of the filter Touch Along Path, by their names: Stiffness=500 [N/m] (the default here), Radius=2 [u]
 
-    Returns the comparison. Refused, an AssertionError too, is raised in one sentence for what cannot be compared.
+    Where the way does not lead it compares the separate pieces of the surface: none may come, go, move by more than a
+    hand reaches, or change its area by 7 %. Returns the comparison; its `coverage` says how much of the surface the way
+    covers. Refused, an AssertionError too, is raised in one sentence for what cannot be compared.
     """
     if not 0 <= tolerance < math.inf:
         raise Refused(f"The tolerance {tolerance} is none: give a number of just noticeable differences, 0 or more.")
@@ -55,9 +62,11 @@ def assert_feels_the_same(surface, baseline, *, unit, scene=None, path=None, tol
     if not baseline.exists():
         raise Refused(f"{baseline}: there is no such baseline yet; run the test once with {UPDATE}=1 to write it.")
     known = Baseline.read(baseline)
-    known.check(scene, touch, None if path is None else read_path(path))
+    known.check(scene, touch, None if path is None else read_path(path), tolerance)
     same_size(known, surface)
-    found = compare(known.path, known.force_N, touch.along(known.path, surface), tolerance)
+    found = _felt(touch, known.path, surface, tolerance, known.force_N)
+    if known.knows_pieces:
+        found.changed = tuple(changed_pieces(known.coverage, found.coverage))
     if found.differs:
         if differences:
             write_differences(found, differences)
@@ -77,12 +86,34 @@ def _update(surface, file, scene, path, touch, tolerance):
         way = Baseline.path_of(file, scene, touch)
     if way is None:
         way = strokes(surface, touch)
-    way = as_written(way)
-    force_N = touch.along(way, surface)
-    if path is None and not force_N.any():  # the surface has shrunk away from the way it was touched on
-        way = as_written(strokes(surface, touch))
-        force_N = touch.along(way, surface)
-    if not force_N.any():
-        raise Refused("The hand touches nothing along its way: give a path that meets the surface.")
-    Baseline.of(file, scene, touch, way, force_N, surface).write()
-    return compare(way, force_N, force_N, tolerance)
+    found = _felt(touch, as_written(way), surface, tolerance)
+    if path is None and not is_something(found.now_N, tolerance):  # the surface has shrunk away from the way it was touched on
+        found = _felt(touch, as_written(strokes(surface, touch)), surface, tolerance)
+    _refuse_nothing(found, touch)
+    Baseline.of(file, scene, touch, found, surface).write()
+    return found
+
+
+def _felt(touch, way, surface, tolerance, before_N=None):
+    """What is felt along a way beside what was felt before; without that beside itself."""
+    now_N, proxies_u = touch.along(way, surface)
+    found = compare(way, now_N if before_N is None else before_N, now_N, tolerance)
+    if not touch.feels_field:
+        there = now_N.any(axis=1) & isfinite(proxies_u).all(axis=1)
+        found.coverage = covered(surface, proxies_u[there], touch.settings)
+    return found
+
+
+def _refuse_nothing(found, touch):
+    """Refuses a baseline that a surface would pass of which nothing is left."""
+    if is_something(found.now_N, found.tolerance):
+        return
+    if touch.feels_field:
+        how = "give the path of the hand through places where the field acts"
+    else:
+        how = "give a path that meets the surface, and of a volume what is felt in it, such as FieldArray and FieldIsosurface"
+    most_N = norm(found.now_N, axis=1).max()
+    if most_N > NOTHING_N:
+        raise Refused(f"The hand feels at most {most_N:.2g} N along its way, which {found.tolerance:g} just noticeable differences "
+                      f"do not tell from nothing: {how}, or give a larger Stiffness.")
+    raise Refused(f"The hand touches nothing along its way: {how}.")

@@ -80,9 +80,10 @@ def judge(given):
         return 2, "error", str(refusal)
     except AssertionError as difference:
         return 1, "failure", str(difference)
+    where = f"; {found.coverage.text()}" if found.coverage else ""
     if given.update:
-        return 0, None, f"{given.baseline}: written, {len(found.jnd)} places"
-    return 0, None, f"{given.surface} feels as {given.baseline} says: at most {found.jnd.max():.3g} JND"
+        return 0, None, f"{given.baseline}: written, {len(found.jnd)} places{where}"
+    return 0, None, f"{given.surface} feels as {given.baseline} says: at most {found.jnd.max():.3g} JND{where}"
 
 
 def main(words=None):

@@ -9,6 +9,8 @@ from pathlib import Path
 import numpy as np
 
 import palpate
+from palpate.testing.compare import is_something
+from palpate.testing.coverage import Coverage
 from palpate.testing.feel import Refused
 
 FORMAT = 1
@@ -68,10 +70,14 @@ class Baseline:
     size_u: float  # diagonal of the surface's box
     path: np.ndarray  # (n, 4): t, x, y, z [s, scene units]
     force_N: np.ndarray  # (n, 3)
+    coverage: Coverage = None  # of the surface; None: it has no faces, or a field is felt
+    knows_pieces: bool = True  # False: it was written before baselines held the pieces of a surface
 
     @classmethod
-    def of(cls, file, scene, touch, path, force_N, surface):
-        return cls(file, scene, touch.unit, palpate.__version__, touch.settings, _size_u(surface), path, force_N)
+    def of(cls, file, scene, touch, felt, surface):
+        """Of what was felt, a comparison with itself."""
+        return cls(file, scene, touch.unit, palpate.__version__, touch.settings, _size_u(surface), felt.path, felt.now_N,
+                   felt.coverage)
 
     @classmethod
     def path_of(cls, file, scene, touch):
@@ -100,8 +106,9 @@ class Baseline:
                 raise ValueError("its rows")
             if not (held["size"] > 0 and isinstance(held["settings"], dict)):
                 raise ValueError("its size or settings")
+            coverage = Coverage.read(held["surface"]) if held.get("surface") is not None else None
             return cls(file, str(held["scene"]), str(held["unit"]), str(held["version"]), held["settings"],
-                       float(held["size"]), rows[:, :4], rows[:, 4:])
+                       float(held["size"]), rows[:, :4], rows[:, 4:], coverage, "surface" in held)
         except (KeyError, TypeError, ValueError, OverflowError) as problem:
             raise Refused(f"{file}: the baseline is damaged ({problem}); write it anew.") from None
 
@@ -109,8 +116,9 @@ class Baseline:
         """All of it or nothing."""
         head = {KIND: FORMAT, "version": self.version, "scene": self.scene, "unit": self.unit, "size": _rounded(self.size_u),
                 "settings": self.settings, "columns": COLUMNS}
+        surface = json.dumps(self.coverage and self.coverage.as_written())
         rows = ",\n".join(json.dumps([_rounded(number) for number in row]) for row in np.hstack([self.path, self.force_N]))
-        text = f'{json.dumps(head, indent=1)[:-2]},\n "rows": [\n{rows}\n]}}\n'
+        text = f'{json.dumps(head, indent=1)[:-2]},\n "surface": {surface},\n "rows": [\n{rows}\n]}}\n'
         beside = self.file.with_name(f"{self.file.name}.part")
         try:
             self.file.parent.mkdir(parents=True, exist_ok=True)
@@ -119,8 +127,8 @@ class Baseline:
         except OSError as problem:
             raise Refused(f"{self.file}: the baseline cannot be written ({problem.strerror}).") from None
 
-    def check(self, scene, touch, path):
-        """Refuses what was felt of another scene, in another unit, by another version, or otherwise."""
+    def check(self, scene, touch, path, tolerance):
+        """Refuses what was felt of another scene, in another unit, by another version, or otherwise, and what felt nothing."""
         if self.scene != scene:
             raise Refused(f"{self.file}: it is the baseline of the scene {self.scene!r}, not of {scene!r}; name another file.")
         if self.unit != touch.unit:
@@ -134,6 +142,9 @@ class Baseline:
                              if self.settings.get(name) != touch.settings.get(name))
             said = ", ".join(f"{name} {self.settings.get(name)} then, {touch.settings.get(name)} now" for name in changed)
             raise Refused(f"{self.file}: the baseline was felt with other settings ({said}); write it anew.")
+        if not is_something(self.force_N, tolerance):
+            raise Refused(f"{self.file}: the hand of the baseline felt nothing that {tolerance:g} just noticeable differences tell "
+                          "from nothing at all, so whatever is there passes; write it anew along a way that meets something.")
         if path is not None and not self._leads_along(path):
             raise Refused(f"{self.file}: the hand of the baseline goes another way than the path given; write it anew.")
 

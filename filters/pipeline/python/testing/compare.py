@@ -9,6 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from palpate.testing.coverage import Coverage
+
 FORCE_SHARE = 0.07
 DIRECTION_RAD = np.radians(18.0)
 FAINT_N = 1.0
@@ -32,6 +34,8 @@ class Comparison:
     now_N: np.ndarray  # (n, 3)
     jnd: np.ndarray  # (n)
     tolerance: float  # [JND]
+    coverage: Coverage = None  # of the surface now; None: it has no faces, or a field is felt
+    changed: tuple = ()  # sentences on pieces of the surface where the way does not lead
 
     @property
     def beyond(self):
@@ -40,13 +44,18 @@ class Comparison:
 
     @property
     def differs(self):
-        return bool(self.beyond.any())
+        return bool(self.beyond.any() or self.changed)
 
     def stretches(self):
         """First and last row of each stretch of rows that differ, the worst stretch first."""
         beyond = np.flatnonzero(self.beyond)
         runs = np.split(beyond, np.flatnonzero(np.diff(beyond) > 1) + 1) if len(beyond) else []
         return sorted(((run[0], run[-1]) for run in runs), key=lambda run: -self.jnd[run[0]:run[1] + 1].max())
+
+
+def is_something(force_N, tolerance):
+    """Whether a hand tells what it feels from nothing at all."""
+    return not (jnd(force_N, np.zeros_like(force_N)) <= tolerance).all()
 
 
 def compare(path, before_N, now_N, tolerance):

@@ -8,6 +8,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
+from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 
 from palpate.vtkHapticPipeline import vtkTouchAlongPath
 
@@ -54,6 +55,13 @@ def updated(algorithm):
     return algorithm.GetOutput()
 
 
+def faces_of(surface):
+    """The outside of data, of all blocks together, as poly data."""
+    geometry = vtkGeometryFilter() if surface.IsA("vtkDataSet") else vtkCompositeDataGeometryFilter()
+    geometry.SetInputData(surface)
+    return updated(geometry)
+
+
 class Touch:
     """How a surface is touched: the unit of its scene and settings of the filter."""
 
@@ -70,8 +78,13 @@ class Touch:
         """Scene units a metre of the hand."""
         return self.settings["Scale"]
 
+    @property
+    def feels_field(self):
+        """Whether numbers in space are felt, and not the faces of the data."""
+        return any(name.startswith("Field") for name in self.settings)
+
     def along(self, path, surface):
-        """Force on the hand at each row of t, x, y, z [s, scene units]: (n, 3) [N]."""
+        """Force on the hand at each row of t, x, y, z [s, scene units], and where its proxy is: (n, 3) [N], (n, 3) [u]."""
         touch = self._filter()
         touch.SetInputDataObject(0, surface)
         touch.SetPathData(_way(path))
@@ -79,7 +92,8 @@ class Touch:
         output = updated(touch)
         if output.GetNumberOfPoints() != len(path):
             raise Refused("Nothing could be touched: the surface has no faces.")
-        return vtk_to_numpy(output.GetPointData().GetArray("Force")).astype(float)
+        return tuple(vtk_to_numpy(array).astype(float)
+                     for array in (output.GetPointData().GetArray("Force"), output.GetPoints().GetData()))
 
     def _filter(self):
         touch = vtkTouchAlongPath()

@@ -7,9 +7,8 @@ from pathlib import Path
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 
-from palpate.testing.feel import Refused, updated
+from palpate.testing.feel import Refused, faces_of, updated
 from palpate.vtkHapticPipeline import vtkHapticStroke
 
 TICK_S = 1e-3  # of rows without a time
@@ -66,9 +65,7 @@ def strokes(surface, touch):
     """A way that comes down on each of the six sides of a surface's box in turn, strokes over its middle 2 mm of the
     hand deep (2 % of the surface where that is less), and goes on outside of it. Sides that show no whole stroke are left
     out."""
-    geometry = vtkGeometryFilter() if surface.IsA("vtkDataSet") else vtkCompositeDataGeometryFilter()
-    geometry.SetInputData(surface)
-    faces = updated(geometry)
+    faces = faces_of(surface)
     low, high = (np.array(faces.GetBounds()[end::2]) for end in (0, 1))
     size_u = float(np.linalg.norm(high - low)) if faces.GetNumberOfPoints() else 0.0
     ways = [_over(faces, up, size_u, touch) for up in SIDES] if size_u > 0 else []

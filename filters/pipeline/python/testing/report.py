@@ -17,17 +17,25 @@ def text_of(found, baseline, differences, how_to_accept):
     """The verdict, the worst stretches, and what to do if the change is meant."""
     rows = int(found.beyond.sum())
     lines = [f"the surface does not feel as it did: {rows} of {len(found.jnd)} places differ by more than {found.tolerance:g} "
-             f"just noticeable differences (JND), at most by {found.jnd.max():.3g}",
-             f"baseline: {baseline.file} (scene {baseline.scene}, in {baseline.unit}, Palpate {baseline.version})",
-             ROW.format("rows", "t [s]", f"worst at [{baseline.unit}]", "then [N]", "now [N]", "turn [°]", "JND")]
-    stretches = found.stretches()
-    lines += [_stretch(found, *stretch) for stretch in stretches[:MOST_STRETCHES]]
-    if len(stretches) > MOST_STRETCHES:
-        lines.append(f"and {len(stretches) - MOST_STRETCHES} more")
+             f"just noticeable differences (JND), at most by {found.jnd.max():.3g}" if rows else
+             "the surface feels as it did on the way of the hand, but elsewhere it is another",
+             f"baseline: {baseline.file} (scene {baseline.scene}, in {baseline.unit}, Palpate {baseline.version})"]
+    if rows:
+        lines.append(ROW.format("rows", "t [s]", f"worst at [{baseline.unit}]", "then [N]", "now [N]", "turn [°]", "JND"))
+    lines += _first(found.stretches(), lambda stretch: _stretch(found, *stretch))
+    lines += _first(found.changed, str)
+    if found.coverage:
+        lines.append(found.coverage.text())
     if differences:
         lines.append(f"where, to be shown in ParaView: {differences}")
     lines.append(f"if this is how it shall feel: {how_to_accept}")
     return "\n".join(lines)
+
+
+def _first(things, text):
+    """Of each of the first few things its text, and how many more there are."""
+    more = len(things) - MOST_STRETCHES
+    return [text(thing) for thing in things[:MOST_STRETCHES]] + ([f"and {more} more"] if more > 0 else [])
 
 
 def _stretch(found, first, last):
