@@ -15,7 +15,7 @@ namespace
 {
 
 std::uint64_t hashOf(const BrickGrid& grid, const std::vector<BrickArray>& arrays, const std::vector<Vec3>& places_W,
-  const std::vector<BrickLine>& lines_W, const Brick* finer) noexcept
+  const std::vector<BrickLine>& lines_W, const Brick* finer, const FieldCells* cells) noexcept
 {
   WordHash hash;
   for (int k = 0; k < 3; ++k)
@@ -55,7 +55,39 @@ std::uint64_t hashOf(const BrickGrid& grid, const std::vector<BrickArray>& array
   {
     hash.add(finer->contentHash());
   }
+  if (cells != nullptr)
+  {
+    hash.add(cells->contentHash());
+  }
   return hash.value();
+}
+
+/// The largest of what the differences to the neighbours along the axes make, of each axis the larger one.
+double steepestOf(const BrickGrid& grid, const BrickComponent& scalar) noexcept
+{
+  double most2 = 0.0;
+  GridIndex at{};
+  for (at[2] = 0; at[2] < grid.size[2]; ++at[2])
+  {
+    for (at[1] = 0; at[1] < grid.size[1]; ++at[1])
+    {
+      for (at[0] = 0; at[0] < grid.size[0]; ++at[0])
+      {
+        double sum2 = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          GridIndex below = at, above = at;
+          below[k] = std::max(0, at[k] - 1);
+          above[k] = std::min(grid.size[k] - 1, at[k] + 1);
+          const double value = scalar.at(at), down = value - scalar.at(below), up = scalar.at(above) - value;
+          const double slope = std::fmax(std::fabs(down), std::fabs(up)) / grid.spacing_u[k];
+          sum2 += slope * slope;
+        }
+        most2 = std::fmax(most2, sum2); // of a value that is none the other
+      }
+    }
+  }
+  return std::sqrt(most2);
 }
 
 /// So that the number of all points can be counted.
@@ -140,9 +172,9 @@ std::string Brick::refuse(const BrickGrid& grid, const std::vector<BrickArray>& 
 }
 
 Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W,
-  std::vector<BrickLine> lines_W, std::shared_ptr<const Brick> finer)
+  std::vector<BrickLine> lines_W, std::shared_ptr<const Brick> finer, std::shared_ptr<const FieldCells> cells)
   : revision_(revision), grid_(grid), arrays_(std::move(arrays)), places_W_(std::move(places_W)),
-    lines_W_(std::move(lines_W)), finer_(std::move(finer))
+    lines_W_(std::move(lines_W)), finer_(std::move(finer)), cells_(std::move(cells))
 {
   this->places_W_.resize(std::min(this->places_W_.size(), mostPlaces));
   this->lines_W_.resize(std::min(this->lines_W_.size(), mostPlaces));
@@ -153,7 +185,10 @@ Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArr
       value = std::isfinite(value) ? value : std::numeric_limits<float>::quiet_NaN();
     }
   }
-  this->contentHash_ = hashOf(this->grid_, this->arrays_, this->places_W_, this->lines_W_, this->finer_.get());
+  this->contentHash_ =
+    hashOf(this->grid_, this->arrays_, this->places_W_, this->lines_W_, this->finer_.get(), this->cells_.get());
+  const BrickComponent scalar = this->component(BrickRole::Scalar);
+  this->steepest_per_u_ = scalar.exists() ? steepestOf(this->grid_, scalar) : 0.0;
 }
 
 const Brick& Brick::finestAt(const Vec3& p_W) const noexcept
@@ -169,8 +204,8 @@ const Brick* Brick::called(std::uint64_t contentHash) const noexcept
 
 std::size_t Brick::bytes() const noexcept
 {
-  std::size_t bytes = (this->finer_ ? this->finer_->bytes() : 0) + sizeof(Brick) +
-                      this->places_W_.size() * sizeof(Vec3) + this->lines_W_.size() * sizeof(BrickLine);
+  std::size_t bytes = (this->finer_ ? this->finer_->bytes() : 0) + (this->cells_ ? this->cells_->bytes() : 0) +
+                      sizeof(Brick) + this->places_W_.size() * sizeof(Vec3) + this->lines_W_.size() * sizeof(BrickLine);
   for (const BrickArray& array : this->arrays_)
   {
     bytes += array.values.size() * sizeof(float);
@@ -188,6 +223,17 @@ BrickComponent Brick::component(BrickRole role, int component) const noexcept
     }
   }
   return {};
+}
+
+std::optional<double> Brick::scalarFelt(const Vec3& p_W) const noexcept
+{
+  if (this->cells_ && this->cells_->roomAt_u(p_W) >= 0.0)
+  {
+    const std::optional<GridPlace> place = this->cells_->locate(p_W);
+    return place ? std::optional(this->cells_->cell(place->cell).value(place->t)) : std::nullopt;
+  }
+  const std::optional<FieldSample> sample = this->finestAt(p_W).sample(BrickRole::Scalar, p_W);
+  return sample ? std::optional(sample->value) : std::nullopt;
 }
 
 std::optional<FieldSample> Brick::sample(BrickRole role, const Vec3& p_W) const noexcept

@@ -11,6 +11,7 @@
 
 #include "haptics/field/GridPlace.h"
 #include "haptics/field/TrilinearCell.h"
+#include "haptics/field/cells/FieldCells.h"
 
 namespace palpate
 {
@@ -142,9 +143,10 @@ public:
   static constexpr std::size_t mostPlaces = 256; ///< that a hand snaps to: a tick looks at all of them
   /// What refuse() is silent about. Infinities become NaN: there is no value. `places_W`, `lines_W`: what the hand
   /// snaps to, the first mostPlaces of each. `finer`: the same arrays at points that are nearer to each other, in a
-  /// part of this brick; it has none of its own.
+  /// part of this brick; it has none of its own. `cells`: the data's own, with the scalar, where it is known by those.
   Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArray> arrays, std::vector<Vec3> places_W = {},
-    std::vector<BrickLine> lines_W = {}, std::shared_ptr<const Brick> finer = nullptr);
+    std::vector<BrickLine> lines_W = {}, std::shared_ptr<const Brick> finer = nullptr,
+    std::shared_ptr<const FieldCells> cells = nullptr);
 
   [[nodiscard]] std::uint64_t revision() const noexcept { return this->revision_; }
   [[nodiscard]] const BrickGrid& grid() const noexcept { return this->grid_; }
@@ -153,16 +155,24 @@ public:
   [[nodiscard]] const std::vector<BrickLine>& lines_W() const noexcept { return this->lines_W_; }
   /// Null: there is none.
   [[nodiscard]] const std::shared_ptr<const Brick>& finer() const noexcept { return this->finer_; }
+  /// Null: the scalar is known at the points of the grid alone.
+  [[nodiscard]] const std::shared_ptr<const FieldCells>& cells() const noexcept { return this->cells_; }
   /// The finer one where that reaches to a place, else this.
   [[nodiscard]] const Brick& finestAt(const Vec3& p_W) const noexcept;
-  /// Hash of grid, roles, values, places, lines and of the finer one: names a brick in a recording.
+  /// Hash of grid, roles, values, places, lines, of the finer one and of the cells: names a brick in a recording.
   [[nodiscard]] std::uint64_t contentHash() const noexcept { return this->contentHash_; }
   /// This or the finer one, whichever has that hash; null: neither.
   [[nodiscard]] const Brick* called(std::uint64_t contentHash) const noexcept;
   [[nodiscard]] std::size_t bytes() const noexcept;
 
+  /// No gradient of the scalar is larger, seen from point to point [1/u]; that of the finer one is not looked at.
+  [[nodiscard]] double steepest_per_u() const noexcept { return this->steepest_per_u_; }
+
   /// One component of what has that role; exists() is false where there is none.
   [[nodiscard]] BrickComponent component(BrickRole role, int component = 0) const noexcept;
+  /// The scalar at a place in W as a surface of it is felt: that of the data's own cells where they are there. None
+  /// outside.
+  [[nodiscard]] std::optional<double> scalarFelt(const Vec3& p_W) const noexcept;
   /// The trilinear value at a place in W; none outside and where a corner has none.
   [[nodiscard]] std::optional<FieldSample> sample(BrickRole role, const Vec3& p_W) const noexcept;
   /// What a hand at p_W is nearest to of the places and lines that it snaps to; none within that reach.
@@ -180,6 +190,8 @@ private:
   std::vector<Vec3> places_W_;
   std::vector<BrickLine> lines_W_;
   std::shared_ptr<const Brick> finer_;
+  std::shared_ptr<const FieldCells> cells_;
+  double steepest_per_u_ = 0.0;
 };
 
 } // namespace palpate

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/field/iso/CellSpace.h"
+#include "haptics/field/iso/GridSpace.h"
 #include "haptics/field/laws/Follow.h"
 #include "haptics/field/laws/Primitives.h"
 
@@ -35,21 +37,35 @@ double share(double value, double none, double full) noexcept
   return full != none ? std::max(0.0, std::min(1.0, (value - none) / (full - none))) : 1.0;
 }
 
+/// What of a brick is felt in a tick.
+struct FeltPart
+{
+  const Brick& brick;
+  const FieldCells* cells; ///< of surfaces; null: they are the brick's
+
+  [[nodiscard]] std::uint64_t contentHash() const noexcept
+  {
+    return this->cells != nullptr ? this->cells->contentHash() : this->brick.contentHash();
+  }
+};
+
 /// One tick of a hand in a field.
 class FieldTick
 {
 public:
-  FieldTick(const Brick& brick, const FieldPlan& plan, double stiffness, const Vec3& p_W, FieldState& state) noexcept
-    : brick_(brick), plan_(plan), k_(stiffness), p_W_(p_W), state_(state)
+  FieldTick(const FeltPart& felt, const FieldPlan& plan, double stiffness, const Vec3& p_W, FieldState& state) noexcept
+    : brick_(felt.brick), cells_(felt.cells), plan_(plan), k_(stiffness), p_W_(p_W), state_(state)
   {
   }
 
   FieldResult run() noexcept
   {
     const bool covered = this->hasValue();
-    const bool surface = covered && usesScalar(this->brick_, this->plan_.isosurface);
-    const bool detent = covered && usesScalar(this->brick_, this->plan_.detent.strength_N > 0.0);
-    const bool click = detent && this->plan_.detent.click, smooth = detent && !click;
+    const bool detent = usesScalar(this->brick_, this->plan_.detent.strength_N > 0.0);
+    const bool surface =
+      this->mayBeHeld(covered, usesScalar(this->brick_, this->plan_.isosurface), this->state_.surface);
+    const bool click = this->mayBeHeld(covered, detent && this->plan_.detent.click, this->state_.click);
+    const bool smooth = covered && detent && !this->plan_.detent.click;
     const bool soft = covered && usesSoft(this->brick_, this->plan_);
     this->result_.outside = !covered;
     this->result_.beyond = !(this->brick_.grid().roomAt_u(this->p_W_) >= 0.0);
@@ -74,7 +90,9 @@ public:
       this->soft();
     }
     this->push();
-    this->result_.letGo = this->result_.letGo || (this->state_.placed && !covered);
+    const bool onlyHeld = (this->state_.surface.placed || this->state_.click.placed) &&
+                          !usesSoft(this->brick_, this->plan_) && !(detent && !this->plan_.detent.click);
+    this->result_.letGo = this->result_.letGo || (this->state_.placed && !covered && !onlyHeld);
     this->state_.placed = covered;
     return this->result_;
   }
@@ -83,8 +101,18 @@ private:
   /// Where the first array has none the hand is outside of the field.
   [[nodiscard]] bool hasValue() const noexcept
   {
+    if (this->cells_ != nullptr)
+    {
+      return this->cells_->locate(this->p_W_).has_value();
+    }
     const bool any = !this->brick_.arrays().empty();
     return any && this->brick_.sample(this->brick_.arrays().front().role, this->p_W_).has_value();
+  }
+
+  /// Where there is no value a surface that was there before may be between the hand and its proxy.
+  static bool mayBeHeld(bool covered, bool used, const IsoState& state) noexcept
+  {
+    return used && (covered || state.placed);
   }
 
   static void forgetUnless(bool used, IsoState& state) noexcept
@@ -103,14 +131,44 @@ private:
 
   void addIso(const IsoPlan& plan, IsoState& state) noexcept
   {
-    const BrickGrid& grid = this->brick_.grid();
-    const IsoResult iso =
-      moveIsoProxy(this->brick_.component(BrickRole::Scalar), grid.spacing_u, plan, grid.toIndex(this->p_W_), state);
-    this->add(grid.pose_W.q * iso.pull_u);
+    const IsoResult iso = this->moveIso(plan, state);
     this->result_.contacts += iso.contacts > 0 ? 1 : 0;
     this->result_.passes += iso.passes;
     this->result_.letGo = this->result_.letGo || iso.released;
     this->result_.capped = this->result_.capped || iso.capped;
+  }
+
+  IsoResult moveIso(const IsoPlan& plan, IsoState& state) noexcept
+  {
+    if (this->cells_ != nullptr)
+    {
+      CellSpace space(*this->cells_, this->p_W_);
+      const IsoResult iso = moveIsoProxy(space, plan, state);
+      state.x_W = state.placed ? this->cells_->toWorld(state.x) : this->p_W_;
+      this->add(iso.pull_u);
+      return iso;
+    }
+    const BrickGrid& grid = this->brick_.grid();
+    const IsoResult iso =
+      moveIsoProxy(this->brick_.component(BrickRole::Scalar), grid.spacing_u, plan, grid.toIndex(this->p_W_), state);
+    this->add(grid.pose_W.q * iso.pull_u);
+    return iso;
+  }
+
+  [[nodiscard]] Vec3 placeOf_W(const IsoState& state) const noexcept
+  {
+    return this->cells_ != nullptr ? state.x_W : this->brick_.grid().toWorld(state.x.index());
+  }
+
+  [[nodiscard]] std::optional<double> scalarAt(const Vec3& p_W) const noexcept
+  {
+    if (this->cells_ != nullptr)
+    {
+      const std::optional<GridPlace> place = this->cells_->locate(p_W);
+      return place ? std::optional(this->cells_->cell(place->cell).value(place->t)) : std::nullopt;
+    }
+    const std::optional<FieldSample> sample = this->brick_.sample(BrickRole::Scalar, p_W);
+    return sample ? std::optional(sample->value) : std::nullopt;
   }
 
   void surface() noexcept
@@ -121,7 +179,7 @@ private:
     plan.scrub_u = scrub_N / this->k_;
     plan.yield_u = this->plan_.yield_N > 0.0 ? this->plan_.yield_N / this->k_ : plan.yield_u;
     this->addIso(plan, this->state_.surface);
-    this->result_.surface_W = this->brick_.grid().toWorld(this->state_.surface.x.index());
+    this->result_.surface_W = this->placeOf_W(this->state_.surface);
   }
 
   /// The level before the hand is a membrane; the proxy stands between two of them.
@@ -130,15 +188,14 @@ private:
     IsoState& state = this->state_.click;
     IsoPlan plan;
     plan.yield_u = this->plan_.detent.strength_N / this->k_;
-    const std::optional<FieldSample> hand = this->brick_.sample(BrickRole::Scalar, this->p_W_);
-    const Vec3 x_W = state.placed ? this->brick_.grid().toWorld(state.x.index()) : this->p_W_;
-    const std::optional<FieldSample> proxy = this->brick_.sample(BrickRole::Scalar, x_W);
+    const std::optional<double> hand = this->scalarAt(this->p_W_);
+    const std::optional<double> proxy = this->scalarAt(state.placed ? this->placeOf_W(state) : this->p_W_);
     plan.level = state.level;
-    const bool pressed = hand && state.count > 0 && state.side * (hand->value - state.level) < 0.0;
+    const bool pressed = hand && state.count > 0 && state.side * (*hand - state.level) < 0.0;
     if (hand && proxy && !pressed)
     {
-      const bool above = hand->value > proxy->value;
-      plan.level = state.level = nextLevel(this->plan_.detent, proxy->value, above);
+      const bool above = *hand > *proxy;
+      plan.level = state.level = nextLevel(this->plan_.detent, *proxy, above);
       state.side = above ? -1.0 : 1.0;
       state.count = 0;
     }
@@ -147,7 +204,9 @@ private:
 
   void smooth() noexcept
   {
-    this->state_.detent_W = smoothDetent(this->brick_, this->plan_.detent, this->k_, this->p_W_, this->state_.detent_W);
+    DetentPlan detent = this->plan_.detent;
+    detent.strength_N = std::min(detent.strength_N, mostSmooth_N(detent, this->k_, this->brick_.steepest_per_u()));
+    this->state_.detent_W = smoothDetent(this->brick_, detent, this->k_, this->p_W_, this->state_.detent_W);
     this->add(this->state_.detent_W - this->p_W_);
   }
 
@@ -225,6 +284,7 @@ private:
   }
 
   const Brick& brick_;
+  const FieldCells* cells_;
   const FieldPlan& plan_;
   double k_;
   const Vec3& p_W_;
@@ -248,22 +308,15 @@ GridPlace placeIn(const BrickGrid& now, const BrickGrid& was, const GridPlace& x
   return aligned ? place : GridPlace::at(now.toIndex(was.toWorld(x.index())));
 }
 
-/// A proxy in another brick stays where it is. Where the surface there is not where it was, it goes from the proxy to
-/// its own place as if its value were changed: on the same side, and no faster.
-void carryIso(const Brick& brick, const BrickGrid& was, IsoState& state) noexcept
+/// A proxy stands where it stood, or there is no value there. Where the surface is not where it was, it goes from the
+/// proxy to its own place as if its value were changed: on the same side, and no faster.
+void keepSide(const IsoSpace& space, IsoState& state) noexcept
 {
-  const BrickComponent field = brick.component(BrickRole::Scalar);
-  if (!state.placed || !field.exists())
-  {
-    state = IsoState{};
-    return;
-  }
-  state.x = placeIn(brick.grid(), was, state.x);
-  state.device = placeIn(brick.grid(), was, state.device);
   state.catchingUp = state.count > 0;
   state.count = 0;
-  const std::optional<GridPlace> place = field.within(state.x);
-  const TrilinearCell cell = place ? field.cell(place->cell, state.level, state.side) : TrilinearCell{ { NAN } };
+  const IsoSide of{ state.level, state.side };
+  const std::optional<GridPlace> place = space.within(state.x);
+  const TrilinearCell cell = place ? space.cell(place->cell, of) : TrilinearCell{ { NAN } };
   if (!cell.valid())
   {
     state = IsoState{};
@@ -274,6 +327,37 @@ void carryIso(const Brick& brick, const BrickGrid& was, IsoState& state) noexcep
   state.level += value < least ? state.side * (value - least) : 0.0;
 }
 
+bool isOfCells(const FieldState& state) noexcept
+{
+  return state.grid.size[0] == 0;
+}
+
+/// A proxy in another part of the data stays where it is.
+void carryIso(const FeltPart& felt, const FieldState& was, IsoState& state) noexcept
+{
+  if (!state.placed || !felt.brick.component(BrickRole::Scalar).exists())
+  {
+    state = IsoState{};
+    return;
+  }
+  const bool ofCells = isOfCells(was);
+  const Vec3 x_W = ofCells ? state.x_W : was.grid.toWorld(state.x.index());
+  const Vec3 device_W = ofCells ? state.device.t : was.grid.toWorld(state.device.index());
+  if (felt.cells != nullptr)
+  {
+    const std::optional<GridPlace> place = felt.cells->locate(x_W);
+    state.x = place.value_or(GridPlace{ { -1, 0, 0 } });
+    state.device = { {}, device_W };
+    state.x_W = x_W;
+    keepSide(CellSpace(*felt.cells, device_W), state);
+    return;
+  }
+  const BrickGrid& grid = felt.brick.grid();
+  state.x = ofCells ? GridPlace::at(grid.toIndex(x_W)) : placeIn(grid, was.grid, state.x);
+  state.device = ofCells ? GridPlace::at(grid.toIndex(device_W)) : placeIn(grid, was.grid, state.device);
+  keepSide(GridSpace(felt.brick.component(BrickRole::Scalar), grid.spacing_u, state.device.index()), state);
+}
+
 /// How far the proxy that is furthest from a hand is away [u].
 double furthestProxy_u(const FieldState& state, const Vec3& p_W) noexcept
 {
@@ -281,8 +365,8 @@ double furthestProxy_u(const FieldState& state, const Vec3& p_W) noexcept
   square_u2 = state.placed ? std::max(square_u2, (state.detent_W - p_W).squaredNorm()) : square_u2;
   for (const IsoState* iso : { &state.surface, &state.click })
   {
-    const double iso_u2 = iso->placed ? (state.grid.toWorld(iso->x.index()) - p_W).squaredNorm() : 0.0;
-    square_u2 = std::max(square_u2, iso_u2);
+    const Vec3 x_W = isOfCells(state) ? iso->x_W : state.grid.toWorld(iso->x.index());
+    square_u2 = std::max(square_u2, iso->placed ? (x_W - p_W).squaredNorm() : 0.0);
   }
   return std::sqrt(square_u2);
 }
@@ -290,7 +374,7 @@ double furthestProxy_u(const FieldState& state, const Vec3& p_W) noexcept
 /// The finer brick where it holds the ball around the hand that all proxies are in: none of them leaves that ball in a
 /// tick, so none meets the rim. Taken up an eighth of its width inside, so that a hand at the rim is not handed to and
 /// fro.
-const Brick& feltOf(const Brick& brick, const Vec3& p_W, const FieldState& state) noexcept
+const Brick& feltBrick(const Brick& brick, const Vec3& p_W, const FieldState& state) noexcept
 {
   const Brick* const finer = brick.finer().get();
   if (finer == nullptr)
@@ -305,6 +389,18 @@ const Brick& feltOf(const Brick& brick, const Vec3& p_W, const FieldState& state
   return grid.roomAt_u(p_W) >= furthestProxy_u(state, p_W) + margin_u ? *finer : brick;
 }
 
+/// The data's own cells by the same rule; where they are all of the data's they are felt everywhere.
+const FieldCells* feltCells(const Brick& brick, const Vec3& p_W, const FieldState& state) noexcept
+{
+  const FieldCells* const cells = brick.cells().get();
+  constexpr double takenUp = 0.25, left = 0.02; // of the way that they reach
+  const double share = cells != nullptr && state.brick == cells->contentHash() ? left : takenUp;
+  const bool reaches =
+    cells != nullptr && (std::isinf(cells->parts().reach_u) ||
+                          cells->roomAt_u(p_W) >= furthestProxy_u(state, p_W) + share * cells->parts().reach_u);
+  return reaches ? cells : nullptr;
+}
+
 } // namespace
 
 int springsOf(const Brick& brick, const FieldPlan& plan) noexcept
@@ -316,18 +412,18 @@ int springsOf(const Brick& brick, const FieldPlan& plan) noexcept
 FieldResult moveFieldProxy(
   const Brick& whole, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept
 {
-  const Brick& brick = feltOf(whole, p_W, state);
-  if (state.brick != brick.contentHash())
+  const FeltPart felt{ feltBrick(whole, p_W, state), feltCells(whole, p_W, state) };
+  if (state.brick != felt.contentHash())
   {
     if (state.brick != 0)
     {
-      carryIso(brick, state.grid, state.surface);
-      carryIso(brick, state.grid, state.click);
+      carryIso(felt, state, state.surface);
+      carryIso(felt, state, state.click);
     }
-    state.brick = brick.contentHash();
-    state.grid = brick.grid();
+    state.brick = felt.contentHash();
+    state.grid = felt.cells != nullptr ? BrickGrid{} : felt.brick.grid();
   }
-  return FieldTick(brick, plan, stiffness_N_per_u, p_W, state).run();
+  return FieldTick(felt, plan, stiffness_N_per_u, p_W, state).run();
 }
 
 } // namespace palpate

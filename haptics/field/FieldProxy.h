@@ -17,8 +17,8 @@ struct FieldState
   Vec3 soft_W = Vec3::Zero();   ///< proxy of the pulls of limited strength
   Vec3 detent_W = Vec3::Zero(); ///< proxy of the smooth detent
   IsoState surface, click;
-  std::uint64_t brick = 0; ///< content of the brick that the cells are of
-  BrickGrid grid;
+  std::uint64_t brick = 0; ///< content of the brick, or of the data's own cells, that the cells are of
+  BrickGrid grid;          ///< of the brick; without points: they are the data's own
 };
 
 struct FieldResult
@@ -42,7 +42,8 @@ struct FieldResult
 [[nodiscard]] int springsOf(const Brick& brick, const FieldPlan& plan) noexcept;
 
 /// One tick of a hand at p_W in a field. `stiffness_N_per_u`: of each spring. Where the brick has a finer one around
-/// the hand that is felt; coming to it and from it is another brick. Real-time safe.
+/// the hand that is felt, and of surfaces the data's own cells where it has those; coming to them and from them is
+/// another brick. A surface that holds a hand holds it beyond the values too. Real-time safe.
 [[nodiscard]] FieldResult moveFieldProxy(
   const Brick& whole, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept;
 

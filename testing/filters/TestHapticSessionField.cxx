@@ -14,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 using namespace palpate;
@@ -217,6 +218,63 @@ TEST_F(HapticSessionField, OfTetrahedraIsFeltAsOnTheImageThatTheyWereCutFrom)
   // A chord of a tetrahedron's longest edge, sqrt(3) h, is (sqrt(3) h)^2 / 8 R inside of the ball.
   const double error_N = stiffness_N_per_m * 3.0 * h * h / (8.0 * R) / zoom_u_per_m;
   EXPECT_NEAR(this->force().norm(), stiffness_N_per_m * 3.0 / zoom_u_per_m, error_N);
+}
+
+TEST_F(HapticSessionField, OfAChannelsGradedCellsHoldsAHandAtThirtyCentimetresASecondThroughItsWallAndAlongIt)
+{
+  // Cells of 1e-3 at the wall y = 0 that grow by a fifth, 25 mm of the hand a unit.
+  constexpr double handStep_u = 0.012, zoom = 40.0, layer_u = 0.0127;
+  const int along = 25, across = 13;
+  std::vector<double> y{ 0.0 };
+  for (double step = 1e-3; y.back() < 3.0; step *= 1.2)
+  {
+    y.push_back(y.back() + step);
+  }
+  vtkNew<vtkStructuredGrid> channel;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkFloatArray> values;
+  values->SetName("u");
+  const int layers = static_cast<int>(y.size());
+  for (int n = 0; n < along * layers * across; ++n)
+  {
+    const double height = y[static_cast<std::size_t>(n / along % layers)];
+    points->InsertNextPoint(0.25 * (n % along), height, 0.25 * (n / (along * layers)));
+    values->InsertNextValue(static_cast<float>(1.0 - std::exp(-height / layer_u)));
+  }
+  channel->SetDimensions(along, layers, across);
+  channel->SetPoints(points);
+  channel->GetPointData()->AddArray(values);
+  this->session_->SetFieldArray("u");
+  this->session_->SetFieldIsosurface(true);
+  this->session_->SetFieldIsovalue(0.9);
+  ASSERT_TRUE(this->session_->AddField("channel", channel)) << this->session_->GetProblem();
+  ASSERT_TRUE(this->session_->FinishField());
+  this->start({ 1.1, 0.2, 1.4 });
+  this->session_->SetScale(zoom);
+  this->session_->Step(10);
+  const double surface = -layer_u * std::log(1.0 - 0.9);
+  const double cell = 0.2 * surface; // of such a mesh
+  const auto expectHeld = [&](const Vec3& hand)
+  {
+    this->at(hand);
+    this->session_->Step(1);
+    this->session_->FinishField();
+    const Vec3 x(this->session_->GetProxyPosition());
+    ASSERT_NEAR(x.y(), std::max(surface, hand.y()), 0.25 * cell) << hand.transpose();
+  };
+  for (double at = 0.2; at > -0.2; at -= handStep_u)
+  {
+    expectHeld({ 1.1, at, 1.4 });
+  }
+  for (double way = 0.0; way < 0.8; way += handStep_u)
+  {
+    expectHeld({ 1.1 + way, -0.2, 1.4 });
+  }
+  EXPECT_EQ(this->session_->GetContacts(), 1);
+  EXPECT_NEAR(Vec3(this->session_->GetProxyPosition()).x(), 1.9, 2.0 * handStep_u);
+  EXPECT_GT(this->force().y(), 0.0);
+  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("cells themselves"));
 }
 
 TEST_F(HapticSessionField, LargerThanABrickComesAlongWithTheHand)

@@ -34,7 +34,7 @@ class Hand(ViewTest):
         put(self.proxy, "Scale", 1000.0)
         put(self.proxy, "FieldSmoothing", 0)
         self.session.SetHandPosition(-75.0, 0.3, -0.7)
-        assert self.feel(FieldArray="RTData", FieldDetent=0.2, FieldDetentSpacing=20.0, FieldIsosurface=1, FieldIsovalue=150.0), \
+        assert self.feel(FieldArray="RTData", FieldDetent=0.2, FieldDetentSpacing=100.0, FieldIsosurface=1, FieldIsovalue=150.0), \
             self.session.GetFieldSentence()
         put(self.proxy, "Touching", 1)
         self.session.Step(1200)

@@ -290,8 +290,9 @@ std::optional<palpate::FieldSample> vtkHapticSession::Internals::FieldAtHand() c
 
 double vtkHapticSession::GetFieldValue() const
 {
-  const auto sample = this->Impl->FieldAtHand();
-  return sample ? sample->value : std::numeric_limits<double>::quiet_NaN();
+  const std::shared_ptr<const palpate::Brick>& brick = this->Impl->Core.brick();
+  const auto value = brick ? brick->scalarFelt(palpate::Vec3(this->Impl->Hand)) : std::nullopt;
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 double* vtkHapticSession::GetFieldGradient()
@@ -335,6 +336,11 @@ const char* vtkHapticSession::GetFieldSentence() const
       palpate::fieldSentence(impl.FieldName, made, asked.map.scale_u_per_m, vtkHapticHandPace::ahead_s);
     const std::string point = palpate::pointSentence(asked.field, asked.contact.radius_u);
     impl.FieldSentence += point.empty() ? "" : "; " + point;
+    const double stiffness_N_per_m =
+      impl.State.stiffness_N_per_m > 0.0 ? impl.State.stiffness_N_per_m : asked.stiffness_N_per_m;
+    const std::string detent =
+      made.brick ? palpate::detentSentence(asked.field, *made.brick, stiffness_N_per_m / asked.map.scale_u_per_m) : "";
+    impl.FieldSentence += detent.empty() ? "" : "; " + detent;
     const std::string level = palpate::levelSentence(asked.field, impl.FieldEnds);
     impl.FieldSentence += level.empty() ? "" : "; " + level;
   }

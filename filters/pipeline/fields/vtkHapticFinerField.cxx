@@ -34,19 +34,19 @@ std::vector<Vec3> PlacesOf(const Brick& finer, const Brick& coarse)
     [&finer](const Vec3& place_W) { return finer.grid().roomAt_u(place_W) < 0.0; });
   return places_W;
 }
-} // namespace
 
-MadeBrick vtkHapticBrickWithFiner(const BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
-  const HapticFieldCells& cells, const vtkHapticCellSizes& sizes, const palpate::BrickWish& wish)
+/// With a finer part where there is one.
+MadeBrick BrickWithFiner(const BrickGrid& lattice, const vtkHapticFieldArrays& arrays, const HapticFieldCells& cells,
+  const vtkHapticCellSizes& sizes, std::size_t mostBytes, const palpate::BrickWish& wish)
 {
-  const auto brickOf = [&](const BrickGrid& on, const vtkHapticFieldArrays& felt, std::size_t mostBytes)
+  const auto brickOf = [&](const BrickGrid& on, const vtkHapticFieldArrays& felt, std::size_t most)
   {
     const auto read = [&](const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window)
     { return cells(part, vtkHapticGridOf(on, window)); };
-    return vtkHapticBrickAround(on, felt, read, wish, mostBytes);
+    return vtkHapticBrickAround(on, felt, read, wish, most);
   };
   const bool varies = std::isfinite(sizes.Reach());
-  MadeBrick made = brickOf(lattice, arrays, Brick::mostBytes - (varies ? finerBytes : 0));
+  MadeBrick made = brickOf(lattice, arrays, mostBytes - (varies ? finerBytes : 0));
   const int halvings = made.brick && varies ? sizes.HalvingsAt(wish.centre_W) : 0;
   made.finerReach_u = 2.0 * sizes.Reach(); // of which half may be used up
   if (halvings == 0)
@@ -63,6 +63,25 @@ MadeBrick vtkHapticBrickWithFiner(const BrickGrid& lattice, const vtkHapticField
     auto part = std::make_shared<const Brick>(wish.revision, in.grid(), in.arrays(), PlacesOf(in, around));
     made.brick = std::make_shared<const Brick>(
       wish.revision, around.grid(), around.arrays(), around.places_W(), around.lines_W(), std::move(part));
+  }
+  return made;
+}
+} // namespace
+
+MadeBrick vtkHapticBrickWithFiner(const BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
+  const HapticFieldCells& cells, const vtkHapticCellSizes& sizes, const vtkHapticOwnCells* own,
+  const palpate::BrickWish& wish)
+{
+  const std::size_t mostBytes = Brick::mostBytes - (own ? vtkHapticOwnCells::mostBytes : 0);
+  MadeBrick made = BrickWithFiner(lattice, arrays, cells, sizes, mostBytes, wish);
+  const bool smoothed = made.smoothness.passes > 0; // what is felt then is not what the cells have
+  auto near = made.brick && own && (!smoothed || own->AreFlat()) ? own->Around(wish.centre_W) : nullptr;
+  if (near)
+  {
+    const Brick& around = *made.brick;
+    made.finerReach_u = std::min(made.finerReach_u, near->parts().reach_u);
+    made.brick = std::make_shared<const Brick>(wish.revision, around.grid(), around.arrays(), around.places_W(),
+      around.lines_W(), around.finer(), std::move(near));
   }
   return made;
 }

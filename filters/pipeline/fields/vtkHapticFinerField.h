@@ -4,11 +4,14 @@
 
 #include "vtkHapticCellSizes.h"
 #include "vtkHapticFieldWindow.h"
+#include "vtkHapticOwnCells.h"
 
 /// The brick of a lattice around a place, with a finer one in it where the cells there are smaller than those that the
 /// lattice is laid out by: its spacing is that of the lattice, halved as often as the cells are, and it reaches as far
-/// as an eighth of a brick's memory does.
+/// as an eighth of a brick's memory does. `own`: the data's own cells, which it has too unless the scalar is smoothed;
+/// null: they are none that can be had.
 palpate::MadeBrick vtkHapticBrickWithFiner(const palpate::BrickGrid& lattice, const vtkHapticFieldArrays& arrays,
-  const HapticFieldCells& cells, const vtkHapticCellSizes& sizes, const palpate::BrickWish& wish);
+  const HapticFieldCells& cells, const vtkHapticCellSizes& sizes, const vtkHapticOwnCells* own,
+  const palpate::BrickWish& wish);
 
 #endif

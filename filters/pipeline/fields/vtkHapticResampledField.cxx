@@ -124,6 +124,7 @@ public:
       // Of a cloud each value is a mean over twice the distance of its points everywhere: nothing is finer.
       const std::vector<vtkDataSet*> none;
       this->Sizes.emplace(this->Cloud ? none : vtkHapticFieldSets(this->Data), vtkHapticFieldBounds(this->Data));
+      this->Own = this->Cloud ? nullptr : vtkHapticOwnCells::Of(this->Data, this->Arrays, this->Lattice);
     }
     std::optional<palpate::BrickGrid> probed;
     vtkSmartPointer<vtkImageData> image;
@@ -137,7 +138,8 @@ public:
       }
       return this->Values(*image, part);
     };
-    palpate::MadeBrick made = vtkHapticBrickWithFiner(this->Lattice, this->Arrays, cells, *this->Sizes, wish);
+    palpate::MadeBrick made =
+      vtkHapticBrickWithFiner(this->Lattice, this->Arrays, cells, *this->Sizes, this->Own.get(), wish);
     made.error = made.brick ? this->ErrorOf(made.brick->finestAt(wish.centre_W)) : 0.0;
     return made;
   }
@@ -217,6 +219,7 @@ private:
   bool Cloud;
   mutable std::optional<double> Error; ///< asked for by one thread at a time
   mutable std::optional<vtkHapticCellSizes> Sizes;
+  mutable std::unique_ptr<const vtkHapticOwnCells> Own;
 };
 } // namespace
 

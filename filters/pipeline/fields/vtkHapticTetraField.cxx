@@ -73,6 +73,7 @@ vtkHapticTetraField::Mesh vtkHapticTetraField::MakeMesh() const
   }
   mesh.Sizes =
     std::make_unique<vtkHapticCellSizes>(std::vector<vtkDataSet*>{ this->Data }, vtkHapticFieldBounds(this->Data));
+  mesh.Own = vtkHapticOwnCells::Of(this->Data, this->Arrays, this->Lattice);
   return mesh;
 }
 
@@ -101,7 +102,8 @@ palpate::MadeBrick vtkHapticTetraField::brickAround(const palpate::BrickWish& wi
       palpate::componentsOf(part.Role) };
     return palpate::rasterise(field, *mesh.Bins, grid);
   };
-  palpate::MadeBrick made = vtkHapticBrickWithFiner(this->Lattice, this->Arrays, cells, *mesh.Sizes, wish);
+  palpate::MadeBrick made =
+    vtkHapticBrickWithFiner(this->Lattice, this->Arrays, cells, *mesh.Sizes, mesh.Own.get(), wish);
   made.error = made.brick ? vtkHapticFieldError(
                               made.brick->finestAt(wish.centre_W), vtkHapticFieldParts(this->Arrays).front(), cells)
                           : 0.0;

@@ -7,6 +7,7 @@
 #include "haptics/field/build/Rasteriser.h"
 #include "vtkHapticCellSizes.h"
 #include "vtkHapticFieldWindow.h"
+#include "vtkHapticOwnCells.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -32,6 +33,7 @@ private:
     std::unique_ptr<palpate::TetraBins> Bins;
     std::map<palpate::BrickRole, std::vector<float>> Values;
     std::unique_ptr<vtkHapticCellSizes> Sizes;
+    std::unique_ptr<const vtkHapticOwnCells> Own;
   };
   Mesh MakeMesh() const;
   std::vector<float> ValuesOf(const vtkHapticFieldPart& part) const;

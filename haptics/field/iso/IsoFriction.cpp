@@ -7,10 +7,11 @@ namespace palpate
 {
 
 IsoFriction judgeIsoFriction(
-  const LevelSet& set, const Vec3& spacing_u, const FrictionPlan& friction, const Vec3& q_u, IsoState& state) noexcept
+  const IsoSpace& space, const FrictionPlan& friction, const Vec3& q_u, IsoState& state) noexcept
 {
   IsoFriction verdict;
-  const IsoView view{ set, spacing_u, state.x, q_u };
+  const IsoSide of{ state.level, state.side };
+  const IsoView view{ space, of, state.x, q_u };
   IsoRows rows = rowsAt(view, { state.cells.data(), static_cast<std::size_t>(state.count) });
   const ProjectionResult free = projectOntoRows(rows, q_u, {}, slackOf(view));
   if (friction.none() || free.count == 0 || !free.feasible)

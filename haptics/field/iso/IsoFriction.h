@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/field/iso/IsoProxy.h"
-#include "haptics/field/iso/LevelSet.h"
+#include "haptics/field/iso/IsoSpace.h"
 
 namespace palpate
 {
@@ -17,6 +16,6 @@ struct IsoFriction
 /// The friction cone of the proxy on the patches that hold it, as judgeFriction() has it on surfaces (Harwin & Melder
 /// 2002). `q_u`: from the proxy to the hand.
 [[nodiscard]] IsoFriction judgeIsoFriction(
-  const LevelSet& set, const Vec3& spacing_u, const FrictionPlan& friction, const Vec3& q_u, IsoState& state) noexcept;
+  const IsoSpace& space, const FrictionPlan& friction, const Vec3& q_u, IsoState& state) noexcept;
 
 } // namespace palpate

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/field/iso/FieldSweep.h"
+#include "haptics/field/iso/GridSpace.h"
 #include "haptics/field/iso/IsoFriction.h"
 #include "haptics/field/iso/IsoRows.h"
+#include "haptics/field/iso/IsoSpace.h"
 #include "haptics/field/iso/LevelMove.h"
 #include "haptics/field/iso/TangentStep.h"
 
@@ -15,7 +16,7 @@ namespace palpate
 namespace
 {
 
-constexpr double firstTrust = 2.0, lessTrust = 0.3, moreTrust = 2.0; ///< [spacings of the grid], factors
+constexpr double lessTrust = 0.3, moreTrust = 2.0; ///< factors
 constexpr int mostFailures = 12, plainAfter = 2;
 constexpr double rim = 0.5;          ///< [spacings]: a step that leaves the field by more is tried shorter
 constexpr double beside = 1e-9;      ///< [spacings]: a place that is so near to a cell is in it but for its landing
@@ -27,17 +28,16 @@ constexpr double leastLift = 2e-14;  ///< [spacings]: a few roundings of a place
 class IsoMove
 {
 public:
-  IsoMove(const BrickComponent& field, const Vec3& spacing_u, const IsoPlan& plan, const GridPlace& device,
-    IsoState& state, FieldPathSink* sink) noexcept
-    : set_{ field, state.level, state.side }, h_u_(spacing_u), least_u_(spacing_u.minCoeff()), plan_(plan),
-      device_(device), state_(state), sink_(sink)
+  IsoMove(const IsoSpace& space, const IsoPlan& plan, IsoState& state, FieldPathSink* sink) noexcept
+    : space_(space), of_{ state.level, state.side }, least_u_(space.least_u(state.x)),
+      rounded_u_(space.rounded_u(state.x)), plan_(plan), state_(state), sink_(sink)
   {
   }
 
   IsoResult run(double arc_u) noexcept
   {
     this->arc_u_ = arc_u;
-    this->trust_u_ = firstTrust * this->least_u_;
+    this->trust_u_ = this->space_.firstStep_u(this->state_.x);
     bool more = true;
     while (more && this->result_.passes < this->plan_.passCap)
     {
@@ -51,12 +51,10 @@ public:
   [[nodiscard]] bool cut() const noexcept { return this->cut_; }
 
 private:
-  [[nodiscard]] Vec3 toUnits(const Vec3& cells) const noexcept { return cells.cwiseProduct(this->h_u_); }
-
   /// One step of the proxy; false when it rests.
   bool pass() noexcept
   {
-    const IsoView view{ this->set_, this->h_u_, this->state_.x, this->toUnits(this->device_.from(this->state_.x)),
+    const IsoView view{ this->space_, this->of_, this->state_.x, this->space_.toDrawn_u(this->state_.x),
       this->newestHit_ };
     IsoRows rows = rowsAt(view, { this->state_.cells.data(), static_cast<std::size_t>(this->state_.count) });
     const double slack_u = slackOf(view);
@@ -67,7 +65,7 @@ private:
     }
     this->result_.normal = rows.row[rows.count - 1].n;
     Vec3 step_u = this->failures_ < plainAfter ? tangentStep(rows, y_u) : y_u.y;
-    if (violates(rows, step_u, slack_u + 1e-12 * this->least_u_))
+    if (violates(rows, step_u, slack_u + 1e-12 * this->rounded_u_))
     {
       step_u = y_u.y;
     }
@@ -117,7 +115,7 @@ private:
     this->keep(rows, y_u);
     for (int i = 0; i < y_u.count; ++i)
     {
-      const Vec3 t = this->state_.x.in(rows.row[y_u.active[i]].cell);
+      const Vec3& t = rows.row[y_u.active[i]].t;
       const double out = std::max((-t).maxCoeff(), (t - Vec3::Ones()).maxCoeff());
       if (out > beside && y_u.lambda[i] > 0.0)
       {
@@ -134,8 +132,7 @@ private:
     std::array<double, IsoState::mostCells> lift_u{};
     for (int i = 0; i < rows.count; ++i)
     {
-      const double rise_u = -0.5 * rows.row[i].bending(step_u, step_u);
-      lift_u[i] = liftedMore * std::max(0.0, rise_u) + leastLift * this->least_u_ + rows.row[i].margin_u;
+      lift_u[i] = liftedMore * rows.row[i].rise_u(step_u) + leastLift * this->rounded_u_ + rows.row[i].margin_u;
     }
     return projectOntoRows(rows, step_u, { lift_u.data(), static_cast<std::size_t>(rows.count) }, slack_u).y;
   }
@@ -156,8 +153,8 @@ private:
       return this->stopAtHit(from, first, rows, y_u, before_u2);
     }
     FieldSweepResult second;
-    const Vec3 down_u = this->toUnits(this->device_.from(first.place));
-    const double left_u = this->arc_u_ - this->toUnits(first.place.from(from)).norm();
+    const Vec3 down_u = this->space_.toDrawn_u(first.place);
+    const double left_u = this->arc_u_ - this->space_.between_u(from, first.place).norm();
     (void)this->sweep(first.place, down_u, left_u, second);
     if (!(this->distance2(second.place) < before_u2))
     {
@@ -222,7 +219,7 @@ private:
 
   [[nodiscard]] double distance2(const GridPlace& place) const noexcept
   {
-    return this->toUnits(this->device_.from(place)).squaredNorm();
+    return this->space_.toDrawn_u(place).squaredNorm();
   }
 
   /// False where there is not enough arc for the whole way.
@@ -231,7 +228,7 @@ private:
     const double length_u = way_u.norm();
     const bool whole = length_u <= most_u;
     const Vec3 gone_u = whole ? way_u : Vec3(way_u * (most_u / length_u));
-    swept = sweepField(this->set_, from, gone_u.cwiseQuotient(this->h_u_));
+    swept = this->space_.sweep(this->of_, from, gone_u);
     ++this->result_.sweeps;
     this->result_.cells += swept.cells;
     return whole;
@@ -239,7 +236,7 @@ private:
 
   void commit(const GridPlace& from, const GridPlace& to) noexcept
   {
-    this->arc_u_ -= this->toUnits(to.from(from)).norm();
+    this->arc_u_ -= this->space_.between_u(from, to).norm();
     this->state_.x = to;
     if (this->sink_ != nullptr)
     {
@@ -284,11 +281,11 @@ private:
     this->state_.count = static_cast<int>(std::remove(begin, begin + this->state_.count, cell) - begin);
   }
 
-  LevelSet set_;
-  const Vec3& h_u_;
-  double least_u_;
+  const IsoSpace& space_;
+  IsoSide of_;
+  double least_u_;   ///< least width of the cell in which the tick begins
+  double rounded_u_; ///< what roundings of a place are measured by
   const IsoPlan& plan_;
-  const GridPlace& device_;
   IsoState& state_;
   FieldPathSink* sink_;
   IsoResult result_;
@@ -300,65 +297,75 @@ private:
 };
 
 /// A hand that nothing is known of is on the side where it is; none where there is no value.
-void latch(const BrickComponent& field, const IsoPlan& plan, const GridPlace& device, IsoState& state) noexcept
+void latch(const IsoSpace& space, const IsoPlan& plan, const Vec3& shift_u, IsoState& state) noexcept
 {
   state = IsoState{};
-  state.x = state.device = device;
+  const std::optional<GridPlace> hand = space.besideHand(shift_u);
+  const std::optional<GridPlace> place = hand ? space.within(*hand) : std::nullopt;
+  state.x = state.device = hand.value_or(GridPlace());
   state.level = plan.level;
-  const double above = LevelSet{ field, plan.level, 1.0 }.value(device);
+  const double above = place ? space.cell(place->cell, { plan.level, 1.0 }).value(place->t) : std::nan("");
   state.side = above < 0.0 ? -1.0 : 1.0;
   state.placed = above == above;
 }
 
 /// The hand goes through a surface that holds less than it pushes: the proxy trails by what the surface held.
-bool yield(const BrickComponent& field, const IsoPlan& plan, const Vec3& spacing_u, const GridPlace& device,
-  IsoState& state, IsoResult& result) noexcept
+void yield(const IsoSpace& space, const IsoPlan& plan, IsoState& state, IsoResult& result) noexcept
 {
   const double far_u = result.pull_u.norm();
-  if (!(far_u > plan.yield_u))
+  if (far_u > plan.yield_u)
   {
-    return false;
+    result.pull_u *= plan.yield_u / far_u;
+    latch(space, plan, result.pull_u, state);
+    space.remember(state);
+    result.yielded = true;
   }
-  result.pull_u *= plan.yield_u / far_u;
-  latch(field, plan, GridPlace::at(device.index() + result.pull_u.cwiseQuotient(spacing_u)), state);
-  state.device = device;
-  result.yielded = true;
-  return true;
 }
 
 } // namespace
 
-IsoResult moveIsoProxy(const BrickComponent& field, const Vec3& spacing_u, const IsoPlan& plan, const Vec3& device,
-  IsoState& state, FieldPathSink* sink) noexcept
+bool IsoSpace::isFree(const IsoSide& of, const GridPlace& at) const noexcept
 {
-  const GridPlace hand = GridPlace::at(device);
+  const std::optional<GridPlace> place = this->within(at);
+  if (!place)
+  {
+    return false;
+  }
+  const TrilinearCell cell = this->cell(place->cell, of);
+  return cell.value(place->t) >= landingMargin(cell);
+}
+
+IsoResult moveIsoProxy(IsoSpace& space, const IsoPlan& plan, IsoState& state, FieldPathSink* sink) noexcept
+{
   IsoResult result;
   if (!state.placed)
   {
-    latch(field, plan, hand, state);
+    latch(space, plan, Vec3::Zero(), state);
+    space.remember(state);
     return result;
   }
-  const double way_u = hand.from(state.device).cwiseProduct(spacing_u).norm();
-  state.device = hand;
-  if (!moveLevel(field, spacing_u, plan, state, sink))
+  const double way_u = space.handWay_u(state);
+  space.remember(state);
+  if (!moveLevel(space, plan, state, sink))
   {
     result.released = true;
     state = IsoState{};
     return result;
   }
-  const Vec3 q_u = hand.from(state.x).cwiseProduct(spacing_u);
-  const LevelSet set{ field, state.level, state.side };
-  const IsoFriction friction = judgeIsoFriction(set, spacing_u, plan.friction, q_u, state);
+  const IsoFriction friction = judgeIsoFriction(space, plan.friction, space.toHand_u(state.x), state);
   const bool limited = state.catchingUp && plan.scrub_u > 0.0;
   if (!friction.sticks)
   {
-    const GridPlace drawn = state.slips ? GridPlace::at(device + friction.shift_u.cwiseQuotient(spacing_u)) : hand;
-    IsoMove move(field, spacing_u, plan, drawn, state, sink);
+    if (state.slips)
+    {
+      space.draw(friction.shift_u);
+    }
+    IsoMove move(space, plan, state, sink);
     result = move.run(limited ? way_u + plan.scrub_u : std::numeric_limits<double>::infinity());
     state.catchingUp = limited && (move.cut() || state.level != plan.level);
   }
   const double left = 1.0 - static_cast<double>(state.stuck) / IsoState::mostStuck;
-  result.pull_u = left * state.x.from(hand).cwiseProduct(spacing_u);
+  result.pull_u = left * space.fromHand_u(state.x);
   result.contacts = state.count;
   if (result.released)
   {
@@ -367,9 +374,16 @@ IsoResult moveIsoProxy(const BrickComponent& field, const Vec3& spacing_u, const
   }
   else
   {
-    (void)yield(field, plan, spacing_u, hand, state, result);
+    yield(space, plan, state, result);
   }
   return result;
+}
+
+IsoResult moveIsoProxy(const BrickComponent& field, const Vec3& spacing_u, const IsoPlan& plan, const Vec3& device,
+  IsoState& state, FieldPathSink* sink) noexcept
+{
+  GridSpace space(field, spacing_u, device);
+  return moveIsoProxy(space, plan, state, sink);
 }
 
 } // namespace palpate

@@ -37,6 +37,7 @@ struct IsoState
   std::uint32_t stuck = 0; ///< ticks in which the level could not move, less those in which it did: how far it faded
   std::array<GridIndex, mostCells> cells{}; ///< whose polynomials hold the proxy, the newest last
   int count = 0;
+  Vec3 x_W = Vec3::Zero(); ///< of x, where it is a place in the data's own cells
 };
 
 struct IsoResult

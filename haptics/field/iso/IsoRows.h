@@ -5,27 +5,10 @@
 #include <span>
 
 #include "haptics/contact/planes/Projection.h"
-#include "haptics/field/iso/IsoProxy.h"
-#include "haptics/field/iso/LevelSet.h"
+#include "haptics/field/iso/IsoSpace.h"
 
 namespace palpate
 {
-
-/// The polynomial of one cell, seen from the proxy: its plane there and how it bends. Lengths [u] in the grid's axes.
-struct IsoRow
-{
-  GridIndex cell{};
-  Vec3 n = Vec3::UnitX();
-  double gap_u = 0.0;       ///< to the patch's plane, along n
-  double margin_u = 0.0;    ///< that a landing keeps
-  Vec3 bend = Vec3::Zero(); ///< second derivatives over |gradient|: by y and z, z and x, x and y [1/u]
-
-  [[nodiscard]] double bending(const Vec3& a, const Vec3& b) const noexcept
-  {
-    return this->bend.x() * (a.y() * b.z() + a.z() * b.y()) + this->bend.y() * (a.z() * b.x() + a.x() * b.z()) +
-           this->bend.z() * (a.x() * b.y() + a.y() * b.x());
-  }
-};
 
 /// The planes that hold a proxy.
 struct IsoRows
@@ -43,8 +26,8 @@ struct IsoRows
 /// Where the proxy is, where the hand is seen from there, and which of them is new.
 struct IsoView
 {
-  const LevelSet& set;
-  const Vec3& spacing_u;
+  const IsoSpace& space;
+  const IsoSide& of;
   const GridPlace& x;
   Vec3 q_u;               ///< from the proxy to the hand
   bool newestHit = false; ///< the newest cell was met just now: it is kept whatever its polynomial says
@@ -53,7 +36,7 @@ struct IsoView
 /// How far a plane may be violated by rounding [u].
 [[nodiscard]] inline double slackOf(const IsoView& view) noexcept
 {
-  return 1e-15 * (view.q_u.norm() + view.spacing_u.minCoeff());
+  return 1e-15 * (view.q_u.norm() + view.space.rounded_u(view.x));
 }
 
 /// The planes of the cells at x. One is dropped where x is legal and the extended polynomial denies it, which is a

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
+
+#include "haptics/field/laws/SmoothScalar.h"
 
 namespace palpate
 {
@@ -115,6 +118,20 @@ DetentEnergy detentEnergy(const DetentPlan& plan, double value) noexcept
     height * (16.0 * w - 128.0 * at.s * at.s) / (at.width * at.width) };
 }
 
+double mostSmooth_N(const DetentPlan& plan, double stiffness_N_per_u, double steepest_per_u) noexcept
+{
+  constexpr double leastBend = 32.0;
+  constexpr double share = 0.9; // of the spring: the rest is for how levels themselves bend
+  double width = plan.spacing;
+  for (std::int32_t i = 1; i < plan.levelCount; ++i)
+  {
+    width = std::min(width, plan.levels[i] - plan.levels[i - 1]);
+  }
+  const double square = steepest_per_u * steepest_per_u;
+  return square > 0.0 ? share * stiffness_N_per_u * steepest * plan.slope_per_u * width / (leastBend * square)
+                      : std::numeric_limits<double>::infinity();
+}
+
 Vec3 smoothDetent(
   const Brick& brick, const DetentPlan& plan, double stiffness_N_per_u, const Vec3& p_W, const Vec3& from_W) noexcept
 {
@@ -122,7 +139,7 @@ Vec3 smoothDetent(
   Vec3 x_W = from_W;
   for (int step = 0; step < mostSteps; ++step)
   {
-    const std::optional<FieldSample> f = brick.sample(BrickRole::Scalar, x_W);
+    const std::optional<FieldSample> f = smoothScalar(brick, x_W);
     if (!f)
     {
       return p_W;

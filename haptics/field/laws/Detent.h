@@ -43,9 +43,13 @@ struct DetentEnergy
 };
 [[nodiscard]] DetentEnergy detentEnergy(const DetentPlan& plan, double value) noexcept;
 
-/// argmin k/2 |x - p|^2 + E(f(x)), from where the proxy was: the hand's spring against the potential. Takes no work
-/// over closed ways as long as 32 A (|grad f| / spacing)^2 < k, A being the height of the potential; above that it
-/// snaps, and loses. p_W itself where there is no value.
+/// The largest strength with which hollows hold a hand smoothly, on a spring, where no gradient is larger than
+/// `steepest_per_u`: the potential's least second derivative, -32 A (|grad f| / width)^2 for a height of A, is to stay
+/// below the spring's. With more the hand jumps from level to level, and loses.
+[[nodiscard]] double mostSmooth_N(const DetentPlan& plan, double stiffness_N_per_u, double steepest_per_u) noexcept;
+
+/// argmin k/2 |x - p|^2 + E(f(x)), from where the proxy was: the hand's spring against the potential, f without
+/// creases. Takes no work over closed ways up to mostSmooth_N(). p_W itself where there is no value.
 [[nodiscard]] Vec3 smoothDetent(
   const Brick& brick, const DetentPlan& plan, double stiffness_N_per_u, const Vec3& p_W, const Vec3& from_W) noexcept;
 

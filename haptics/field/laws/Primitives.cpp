@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 
-constexpr int firstRounds = 3, moreRounds = 6, mostTries = 5, mostNewton = 12;
+constexpr int firstRounds = 3, moreRounds = 12, mostTries = 3, mostNewton = 8;
 constexpr double stillRounds_N = 1e-13; ///< rounds that change no pull by more have ended
 constexpr double dependent = 1e-6;      ///< sine below which what two hold is one
 constexpr double solved_N = 1e-11;      ///< of the pulls: far below what any hand feels, far above rounding
@@ -47,6 +47,8 @@ public:
   }
 
 private:
+  using Pulls = std::array<Vec3, PrimitiveSolution::mostPrimitives>;
+
   [[nodiscard]] std::size_t count() const noexcept { return this->primitives_.size(); }
 
   /// Each pull in turn becomes what it must be beside the others. True once none changes any more.
@@ -56,6 +58,7 @@ private:
     {
       ++this->best_.rounds;
       double change_N = 0.0;
+      const Pulls before_N = this->best_.pull_N;
       for (std::size_t i = 0; i < this->count(); ++i)
       {
         Vec3& pull_N = this->best_.pull_N[i];
@@ -69,8 +72,56 @@ private:
       {
         return true;
       }
+      if (this->best_.rounds > firstRounds)
+      {
+        this->goFurther(before_N);
+      }
     }
     return false;
+  }
+
+  /// Rounds creep where pulls must shift strength from one to another. What they minimise is a square of the place less
+  /// a linear part, and along the way of the last round its least is known: that far, or a quarter of it, where it is
+  /// less once the pulls are cut to what is allowed.
+  void goFurther(const Pulls& before_N) noexcept
+  {
+    constexpr double furthest = 100.0, leastWorth = 0.1; // times the last round
+    constexpr double shorter = 0.25;
+    Vec3 change_u = Vec3::Zero();
+    double drawn = 0.0;
+    for (std::size_t i = 0; i < this->count(); ++i)
+    {
+      const Vec3 change_N = this->best_.pull_N[i] - before_N[i];
+      change_u += change_N / this->k_;
+      drawn += change_N.dot(this->primitives_[i].anchor);
+    }
+    const double least = (drawn - this->k_ * this->best_.x.dot(change_u)) / (this->k_ * change_u.squaredNorm());
+    if (least > leastWorth && !this->goBy(std::min(least, furthest), before_N))
+    {
+      (void)this->goBy(shorter * std::min(least, furthest), before_N);
+    }
+  }
+
+  /// True where that makes the square less.
+  bool goBy(double share, const Pulls& before_N) noexcept
+  {
+    Pulls further_N = this->best_.pull_N;
+    Vec3 x = this->device_;
+    double drawn = 0.0;
+    for (std::size_t i = 0; i < this->count(); ++i)
+    {
+      const Vec3& now_N = this->best_.pull_N[i];
+      further_N[i] = allowedPull(this->primitives_[i], now_N + share * (now_N - before_N[i]));
+      x += further_N[i] / this->k_;
+      drawn += (further_N[i] - now_N).dot(this->primitives_[i].anchor);
+    }
+    const bool isLess = 0.5 * this->k_ * (x.squaredNorm() - this->best_.x.squaredNorm()) < drawn;
+    if (isLess)
+    {
+      this->best_.pull_N = further_N;
+      this->best_.x = x;
+    }
+    return isLess;
   }
 
   [[nodiscard]] Holding stateOf(std::size_t i) const noexcept

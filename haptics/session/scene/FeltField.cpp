@@ -109,6 +109,19 @@ std::string pointSentence(const FieldPlan& plan, double radius_u)
   return plan.isosurface && radius_u > 0.0 ? "an isosurface is felt by a point in the middle of the ball" : "";
 }
 
+std::string detentSentence(const FieldPlan& plan, const Brick& brick, double stiffness_N_per_u)
+{
+  const double most_N = mostSmooth_N(plan.detent, stiffness_N_per_u, brick.steepest_per_u());
+  if (plan.detent.click || !(plan.detent.strength_N > most_N))
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << std::setprecision(2) << "smooth levels hold with " << most_N
+       << " N: with more the hand would jump from level to level; put them further apart, or let them click";
+  return text.str();
+}
+
 FieldPlan withinEnds(FieldPlan plan, const FieldEnds& ends) noexcept
 {
   const auto isThere = [&ends](double value) { return value >= ends[0] && value <= ends[1]; };
@@ -172,6 +185,14 @@ std::string fieldSentence(const std::string& name, const MadeBrick& made, double
   if (const std::shared_ptr<const Brick>& finer = made.brick->finer())
   {
     text << ", and " << finer->grid().spacing_u.maxCoeff() << " u where its cells are smaller";
+  }
+  if (const std::shared_ptr<const FieldCells>& cells = made.brick->cells())
+  {
+    text << ", its surfaces in " << cells->parts().corners.size() << " cells themselves";
+    if (std::isfinite(cells->parts().reach_u))
+    {
+      text << ", " << cells->parts().reach_u << " u around the hand";
+    }
   }
   if (std::isfinite(made.reach_u))
   {

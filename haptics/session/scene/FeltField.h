@@ -62,6 +62,9 @@ private:
 /// the distance to the surface, which the values are not.
 [[nodiscard]] std::string pointSentence(const FieldPlan& plan, double radius_u);
 
+/// "", or that smooth levels hold the hand with less than what was asked, since it would jump from one to the next.
+[[nodiscard]] std::string detentSentence(const FieldPlan& plan, const Brick& brick, double stiffness_N_per_u);
+
 /// Least and largest value of all of the data; turned round where there are none.
 using FieldEnds = std::array<double, 2>;
 

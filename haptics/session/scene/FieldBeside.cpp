@@ -67,7 +67,7 @@ private:
     arrays.push_back({ BrickRole::Other, "that of the other", sampledAt(grid, other.brick.get(), offset), offset });
     made.error = std::max(made.error, other.error);
     return std::make_shared<const Brick>(
-      brick.revision(), grid, std::move(arrays), brick.places_W(), brick.lines_W(), std::move(finer));
+      brick.revision(), grid, std::move(arrays), brick.places_W(), brick.lines_W(), std::move(finer), brick.cells());
   }
 
   std::shared_ptr<const FieldSource> field_, other_;
@@ -117,7 +117,7 @@ public:
       const auto snapping = [&](const Brick& brick, std::shared_ptr<const Brick> finer)
       {
         return std::make_shared<const Brick>(
-          wish.revision, brick.grid(), brick.arrays(), points_W, lines_W, std::move(finer));
+          wish.revision, brick.grid(), brick.arrays(), points_W, lines_W, std::move(finer), brick.cells());
       };
       const std::shared_ptr<const Brick>& finer = made.brick->finer();
       made.brick = snapping(*made.brick, finer ? snapping(*finer, nullptr) : nullptr);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -95,6 +96,68 @@ TEST(FieldModes, ASmoothDetentDependsOnThePlaceAloneAlsoWhereTheFieldBends)
   }
   EXPECT_GT(one.force.norm(), 0.01);
   EXPECT_LT((one.force - other.force).norm(), 1e-10);
+}
+
+TEST(FieldModes, SmoothLevelsTakeNoWorkOverClosedWaysWhateverStrengthIsAskedOfThemAlsoWhereTheyBend)
+{
+  const auto ball = [](const Vec3& i) { return (i - middle).norm(); };
+  const auto waves = [](const Vec3& i) { return i.x() + 1.5 * std::sin(0.35 * i.y()) * std::cos(0.3 * i.z()); };
+  for (const std::function<double(const Vec3&)>& function :
+    { std::function<double(const Vec3&)>(ball), std::function<double(const Vec3&)>(waves) })
+  {
+    for (const double strength_N : { 0.1, 0.3, 1.0, 5.0 })
+    {
+      const Brick brick = brickOf({ scalar(function) });
+      FieldPlan plan;
+      plan.detent = { strength_N, 0.0, 3.0, 1.0, false };
+      Hand hand{ brick, plan };
+      const auto at = [](double turn)
+      { return Vec3(middle + Vec3(9.5 + 4.0 * std::cos(turn), 2.0 * std::sin(turn), 1.5 * std::sin(2.0 * turn))); };
+      hand.start(at(0.0));
+      const int steps = 8000;
+      double largest_N = 0.0;
+      Vec3 before = Vec3::Zero();
+      for (int i = 0; i <= 2 * steps; ++i)
+      {
+        const double turn = 2.0 * std::numbers::pi * i / steps;
+        hand.to(at(turn));
+        if (i > steps)
+        {
+          EXPECT_LT((hand.force - before).norm(), 0.02) << "no jump at a turn of " << turn;
+        }
+        before = hand.force;
+        largest_N = std::max(largest_N, hand.force.norm());
+        hand.work = i == steps ? 0.0 : hand.work;
+      }
+      EXPECT_LT(std::fabs(hand.work), 1e-4) << strength_N;
+      const double most_N = mostSmooth_N(plan.detent, k, brick.steepest_per_u());
+      EXPECT_GT(largest_N, 0.5 * std::min(strength_N, most_N)) << "they are felt";
+      EXPECT_GT(most_N, 0.1) << "and may be strong";
+    }
+  }
+}
+
+TEST(FieldModes, ClicksLoseTheEnergyOfTheSpringAtEachLevelThatLetsGoOnBentLevelsToo)
+{
+  const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }) });
+  for (const double strength_N : { 0.2, 0.5 })
+  {
+    FieldPlan plan;
+    plan.detent = { strength_N, 0.0, 3.0, 1.0, true };
+    Hand hand{ brick, plan };
+    const Vec3 n = Vec3(1.0, 0.3, 0.2).normalized();
+    const auto at = [&](double r) { return Vec3(middle + r * n); };
+    hand.start(at(5.0));
+    hand.work = 0.0;
+    // Past the levels of 6, 9 and 12 by more than they stretch the spring, and back past 12, 9 and 6.
+    const int steps = 40000;
+    for (int i = 0; i <= 2 * steps; ++i)
+    {
+      hand.to(at(i <= steps ? 5.0 + 8.0 * i / steps : 13.0 - 8.0 * (i - steps) / steps));
+    }
+    EXPECT_NEAR(
+      -hand.work, 6.0 * strength_N * strength_N / (2.0 * k), 0.01 * 6.0 * strength_N * strength_N / (2.0 * k));
+  }
 }
 
 TEST(FieldModes, TheEnergyOfADetentHasTheDerivativesItSays)

@@ -9,6 +9,7 @@
 #include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
+#include "testing/haptics/recording/FlippedBits.h"
 #include "testing/support/Fields.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
@@ -99,6 +100,17 @@ void startOnField(HapticSession& session)
 }
 
 // Whenever it begins: between two bricks, and in the tick that takes one (every third) or none any more.
+TEST(FieldInLoop, EveryBitThatFlipsInARecordingOfItIsNamed)
+{
+  const test::TemporaryFolder folder;
+  HapticSession session;
+  startOnField(session);
+  ASSERT_EQ(session.record(folder.file("a")), "");
+  stroke(session, 60);
+  EXPECT_EQ(session.stop(), "");
+  test::FlippedBits(folder.file("a")).expectEachIsNamed(33, "brick");
+}
+
 TEST(FieldInLoop, ARecordingBegunWhileAFieldIsFeltReplaysBitForBitAndIsNotFelt)
 {
   const test::TemporaryFolder folder;
