@@ -130,9 +130,9 @@ protected:
     return this->session_->MoveMechanism(this->shown_);
   }
 
-  [[nodiscard]] Vec3 bent(vtkIdType point)
+  [[nodiscard]] Vec3 vectorAt(const char* array, vtkIdType point)
   {
-    return Vec3(this->shown_->GetPointData()->GetArray("Displacement")->GetTuple3(point));
+    return Vec3(this->shown_->GetPointData()->GetArray(array)->GetTuple3(point));
   }
 
   /// Where a place of a body at first is seen now, within the triangle that it is in.
@@ -170,9 +170,15 @@ protected:
     return Vec3(pose) + Quat(pose[3], pose[4], pose[5], pose[6]) * Vec3(0, 0, needle);
   }
 
-  /// The block as it bends under a force on the corner, at each of its vertices that is not fixed: the border's
-  /// patches, solved with the whole stiffness.
-  [[nodiscard]] std::vector<std::pair<int, Vec3>> solved(const Vec3& force_N)
+  /// How far a vertex has gone: its node, and the patch of the border around it.
+  struct Gone
+  {
+    int vertex = 0;
+    Vec3 node;
+    Vec3 patch;
+  };
+  /// The block as it bends under a force on the corner, solved with the whole stiffness.
+  [[nodiscard]] std::vector<Gone> solved(const Vec3& force_N)
   {
     const auto read = vtkHapticReadMechanism(this->folder_.file("scene.json"));
     SoftBodyResult made = makeSoftBody(*read.Inputs->soft[0].input);
@@ -190,12 +196,12 @@ protected:
       load.segment<3>(3 * static_cast<Eigen::Index>(v)) *= made.checked.fixed[v] ? 0.0 : 1.0;
     }
     const Eigen::VectorXd u = stiffnessOf(made.body->points(), made.checked.fixed).ldlt().solve(load);
-    std::vector<std::pair<int, Vec3>> all;
+    std::vector<Gone> all;
     for (std::size_t i = 0; i < surface.vertices.size(); ++i)
     {
       const std::uint32_t v = surface.vertices[i];
-      const Vec3 gone = made.checked.fixed[v] ? Vec3(Vec3::Zero()) : surface.map.displacementOf(i, u);
-      all.emplace_back(static_cast<int>(made.checked.sourceVertex[v]), gone);
+      all.push_back({ static_cast<int>(made.checked.sourceVertex[v]), u.segment<3>(3 * static_cast<Eigen::Index>(v)),
+        surface.map.displacementOf(i, u) });
     }
     return all;
   }
@@ -228,21 +234,27 @@ TEST_F(MechanismShown, EveryPlaceOfABodyIsSeenWhereASolveWithItsWholeStiffnessHa
   vtkDataArray* const bodies = this->shown_->GetPointData()->GetArray("Body");
   vtkDataArray* const vertices = this->shown_->GetPointData()->GetArray("Vertex");
   std::size_t seen = 0;
+  int corners = 0;
   double most = 0.0;
   for (vtkIdType i = 0; i < this->shown_->GetNumberOfPoints(); ++i)
   {
     const auto vertex = static_cast<int>(vertices->GetComponent(i, 0));
     const auto own =
-      std::find_if(expected.begin(), expected.end(), [vertex](const auto& e) { return e.first == vertex; });
+      std::find_if(expected.begin(), expected.end(), [vertex](const auto& e) { return e.vertex == vertex; });
     const bool ofTissue = bodies->GetComponent(i, 0) == 1.0;
     ASSERT_EQ(vertex >= 0, bodies->GetComponent(i, 0) > 0.0) << "the needle alone has none";
     ASSERT_TRUE(!ofTissue || own != expected.end()) << vertex;
-    const Vec3 gone = ofTissue ? own->second : Vec3(Vec3::Zero()); // the plate is not touched
-    EXPECT_LE((this->bent(i) - gone).norm(), 1e-6) << i;
+    const Vec3 gone = ofTissue ? own->node : Vec3(Vec3::Zero()); // the plate is not touched
+    EXPECT_LE((this->vectorAt("Displacement", i) - gone).norm(), 1e-6) << i;
+    const bool isCorner = ofTissue && (Vec3(this->source_->GetAtFirst()->GetPoint(i)) - corner_W).norm() < 1e-6;
+    const Vec3 dent = isCorner ? Vec3(own->patch - own->node) : Vec3(Vec3::Zero()); // felt by its patch
+    EXPECT_LE((this->vectorAt("Dent", i) - dent).norm(), 1e-6) << i;
+    corners += isCorner ? 1 : 0;
     seen += ofTissue ? 1 : 0;
     most = std::max(most, gone.norm());
   }
   EXPECT_EQ(seen, expected.size());
+  EXPECT_EQ(corners, 1);
   EXPECT_GT(most, 0.3);
 }
 

@@ -66,9 +66,20 @@ TEST(TouchMechanism, ALeverIsPulledAsItsBalanceSaysByAHandThatTurnsIt)
     const Eigen::Vector2d way(1.0, arms[i]); // of the spring's point, by place and turn of the rod
     balance += springs[i] * way * way.transpose();
   }
-  const Eigen::Vector2d rod = balance.ldlt().solve(Eigen::Vector2d(held * aside, 0.0));
-  EXPECT_NEAR(last(*touch, "Force of wall"), -springs[0] * (rod[0] + arms[0] * rod[1]), 1e-6);
-  EXPECT_NEAR(last(*touch, "Force of organ"), -springs[1] * (rod[0] + arms[1] * rod[1]), 1e-6);
+  // The forces and moments of the finite turn; small turns are how to come nearer.
+  Eigen::Vector2d rod(0.0, 0.0);
+  for (int i = 0; i < 20; ++i)
+  {
+    Eigen::Vector2d open(held * (aside - rod[0]), -turning * rod[1]);
+    for (std::size_t k = 0; k < arms.size(); ++k)
+    {
+      const Eigen::Vector2d way(1.0, arms[k] * std::cos(rod[1]));
+      open -= springs[k] * (rod[0] + arms[k] * std::sin(rod[1])) * way;
+    }
+    rod += balance.ldlt().solve(open);
+  }
+  EXPECT_NEAR(last(*touch, "Force of wall"), -springs[0] * (rod[0] + arms[0] * std::sin(rod[1])), 1e-6);
+  EXPECT_NEAR(last(*touch, "Force of organ"), -springs[1] * (rod[0] + arms[1] * std::sin(rod[1])), 1e-6);
   EXPECT_NEAR(last(*touch, "Force"), held * (rod[0] - aside), 1e-6);
   EXPECT_NEAR(last(*touch, "Torque", 1), turning * rod[1], 1e-6);
   EXPECT_LT(last(*touch, "Residual"), 1e-9);

@@ -11,7 +11,7 @@
 namespace palpate::test
 {
 
-/// The hand and the tissue of THEORY-2.md 5.5 [N/m, N m/rad].
+/// The hand and the tissue of docs/theory.md, "Laws between bodies" [N/m, N m/rad].
 inline constexpr double kc = 1000.0, kr = 2.0, tissue = 500.0;
 
 /// A square of two triangles that gives way as a whole: one spring, the same along every axis.

@@ -29,15 +29,25 @@ constexpr std::array Phases = { "open", "closed", "slips", "inside", "gone" };
 struct Way
 {
   palpate::Pose Rigid;
-  vtkSmartPointer<vtkDoubleArray> Displacement; ///< of a soft one's vertices; null: of none
-
-  [[nodiscard]] palpate::Vec3 Bent(double vertex) const
-  {
-    const auto at = static_cast<vtkIdType>(vertex);
-    const bool known = this->Displacement && at >= 0 && at < this->Displacement->GetNumberOfTuples();
-    return known ? palpate::Vec3(this->Displacement->GetPointer(3 * at)) : palpate::Vec3(palpate::Vec3::Zero());
-  }
+  vtkHapticBodyWay Soft; ///< of a soft one's vertices; null: of none
 };
+
+/// Of one vertex, where there is such an array.
+palpate::Vec3 Of(vtkDoubleArray* array, double vertex)
+{
+  const auto at = static_cast<vtkIdType>(vertex);
+  const bool known = array && at >= 0 && at < array->GetNumberOfTuples();
+  return known ? palpate::Vec3(array->GetPointer(3 * at)) : palpate::Vec3(palpate::Vec3::Zero());
+}
+
+vtkSmartPointer<vtkDoubleArray> Vectors(const char* name, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
 
 Way WayOf(const palpate::MechanismBody& body, const palpate::Pose& now_W)
 {
@@ -47,7 +57,7 @@ Way WayOf(const palpate::MechanismBody& body, const palpate::Pose& now_W)
     return {};
   }
   const palpate::Quat turn = now_W.q * body.pose_W.q.conjugate();
-  return { { now_W.p - turn * body.pose_W.p, turn }, nullptr };
+  return { { now_W.p - turn * body.pose_W.p, turn }, {} };
 }
 
 /// Soft bodies come in the order in which the description has them.
@@ -61,8 +71,7 @@ std::vector<Way> WaysOf(const palpate::MechanismInputs& inputs, std::span<const 
     ways.push_back(WayOf(body, pose_W[ways.size()]));
     if (body.kind == palpate::MechanismBodyKind::Soft && soft < std::min(seen.size(), inputs.soft.size()))
     {
-      ways.back().Displacement =
-        vtkHapticFeltDisplacement(*inputs.soft[soft].input, seen[soft].asMade.get(), seen[soft].shape.get());
+      ways.back().Soft = vtkHapticWayOf(*inputs.soft[soft].input, seen[soft].asMade.get(), seen[soft].shape.get());
       ++soft;
     }
   }
@@ -300,22 +309,22 @@ bool vtkHapticHeldMechanism::Move(vtkPolyData& shapes) const
   vtkNew<vtkPoints> moved;
   moved->SetDataTypeToDouble();
   moved->DeepCopy(shapes.GetPoints());
-  const auto bent = vtkSmartPointer<vtkDoubleArray>::New();
-  bent->SetName(vtkHapticMechanismArray::Displacement);
-  bent->SetNumberOfComponents(3);
-  bent->SetNumberOfTuples(moved->GetNumberOfPoints());
-  bent->Fill(0.0);
+  const auto gone = Vectors(vtkHapticMechanismArray::Displacement, moved->GetNumberOfPoints());
+  const auto dented = Vectors(vtkHapticMechanismArray::Dent, moved->GetNumberOfPoints());
   for (vtkIdType point = 0; point < moved->GetNumberOfPoints(); ++point)
   {
     const auto body = static_cast<std::size_t>(bodies->GetComponent(point, 0));
     const Way way = body < ways.size() ? ways[body] : Way{};
-    const palpate::Vec3 gone_u = way.Bent(vertices->GetComponent(point, 0));
-    const palpate::Vec3 to_W = way.Rigid.p + way.Rigid.q * palpate::Vec3(shapes.GetPoint(point)) + gone_u;
+    const palpate::Vec3 gone_u = Of(way.Soft.Displacement, vertices->GetComponent(point, 0));
+    const palpate::Vec3 dent_u = Of(way.Soft.Dent, vertices->GetComponent(point, 0));
+    const palpate::Vec3 to_W = way.Rigid.p + way.Rigid.q * palpate::Vec3(shapes.GetPoint(point)) + gone_u + dent_u;
     moved->SetPoint(point, to_W.data());
-    bent->SetTuple(point, gone_u.data());
+    gone->SetTuple(point, gone_u.data());
+    dented->SetTuple(point, dent_u.data());
   }
   shapes.SetPoints(moved);
-  shapes.GetPointData()->AddArray(bent);
+  shapes.GetPointData()->AddArray(gone);
+  shapes.GetPointData()->AddArray(dented);
   return true;
 }
 

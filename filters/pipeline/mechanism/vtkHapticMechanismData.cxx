@@ -119,6 +119,7 @@ void Describe(vtkPolyData& shape, int body)
   shape.GetPointData()->AddArray(Filled<vtkIntArray>(vtkHapticMechanismArray::Body, 1, count, body));
   shape.GetPointData()->AddArray(vertices);
   shape.GetPointData()->AddArray(Filled<vtkDoubleArray>(vtkHapticMechanismArray::Displacement, 3, count, 0.0));
+  shape.GetPointData()->AddArray(Filled<vtkDoubleArray>(vtkHapticMechanismArray::Dent, 3, count, 0.0));
   shape.GetCellData()->AddArray(Filled<vtkIntArray>(vtkHapticMechanismArray::Body, 1, shape.GetNumberOfCells(), body));
 }
 } // namespace

@@ -16,7 +16,8 @@ struct vtkHapticMechanismArray
 {
   static constexpr const char* Body = "Body";                 ///< (1) of cells and points: which one, by its place
   static constexpr const char* Vertex = "Vertex";             ///< (1) of points: which one of a soft body; else -1
-  static constexpr const char* Displacement = "Displacement"; ///< (3) of points: how soft bodies are bent, else 0 [u]
+  static constexpr const char* Displacement = "Displacement"; ///< (3) of points: how far nodes of soft bodies went [u]
+  static constexpr const char* Dent = "Dent";                 ///< (3) of points: how much further they are shown [u]
 };
 
 /// The surfaces of a mechanism's bodies as they are at first: those that are held about the origin.

@@ -2,174 +2,26 @@
 #include "vtkHapticMechanismFile.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "haptics/compliance/material/ElasticLaw.h"
 #include "vtkHapticBodyFile.h"
+#include "vtkHapticJsonNode.h"
 #include "vtkHapticMechanismBodies.h"
 
 namespace
 {
 using Json = nlohmann::json;
+using Node = vtkHapticJsonNode;
 
 constexpr const char* Format = "palpate mechanism";
 constexpr int Version = 1;
 constexpr std::uintmax_t MostBytes = 1 << 20; ///< of a scene file; bodies are files of their own
-
-struct Problem : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
-/// An object of the file and where it is, for messages.
-class Node
-{
-public:
-  Node(const Json& json, std::string at) : Value(json), At(std::move(at))
-  {
-    if (!json.is_object())
-    {
-      this->Fail("", "it must be an object, { ... }");
-    }
-  }
-
-  [[noreturn]] void Fail(const std::string& key, const std::string& what) const
-  {
-    const std::string place = this->At + (key.empty() || this->At.empty() ? "" : ".") + key;
-    throw Problem(place + (place.empty() ? "" : ": ") + what);
-  }
-
-  void Knows(std::initializer_list<const char*> keys) const
-  {
-    for (const auto& [key, value] : this->Value.items())
-    {
-      const bool known = std::any_of(keys.begin(), keys.end(), [&k = key](const char* name) { return k == name; });
-      if (!known)
-      {
-        std::string all;
-        for (const char* name : keys)
-        {
-          all += (all.empty() ? "" : ", ") + std::string(name);
-        }
-        this->Fail(key, "nobody knows this key; there are " + all);
-      }
-    }
-  }
-
-  [[nodiscard]] bool Has(const char* key) const { return this->Value.contains(key); }
-
-  [[nodiscard]] double Number(const char* key, double usual) const
-  {
-    return this->Has(key) ? this->ToNumber(key, this->Value[key]) : usual;
-  }
-
-  [[nodiscard]] std::string Text(const char* key, const std::string& usual) const
-  {
-    if (!this->Has(key))
-    {
-      return usual;
-    }
-    if (!this->Value[key].is_string())
-    {
-      this->Fail(key, "it must be a text in quotes");
-    }
-    return this->Value[key].get<std::string>();
-  }
-
-  [[nodiscard]] std::string Needed(const char* key) const
-  {
-    const std::string text = this->Text(key, "");
-    if (text.empty())
-    {
-      this->Fail(key, "it is missing");
-    }
-    return text;
-  }
-
-  /// What tables have as a heading.
-  [[nodiscard]] std::string Name() const
-  {
-    const std::string name = this->Needed("name");
-    if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == ',' || c == '"'; }))
-    {
-      this->Fail("name", "a name has no comma, no quote and is one line");
-    }
-    return name;
-  }
-
-  [[nodiscard]] palpate::Vec3 Vector(const char* key, const palpate::Vec3& usual) const
-  {
-    if (!this->Has(key))
-    {
-      return usual;
-    }
-    const std::vector<double> numbers = this->Numbers(key, 3);
-    return { numbers[0], numbers[1], numbers[2] };
-  }
-
-  [[nodiscard]] palpate::Quat Turn(const char* key) const
-  {
-    if (!this->Has(key))
-    {
-      return palpate::Quat::Identity();
-    }
-    const std::vector<double> n = this->Numbers(key, 4);
-    const palpate::Quat q(n[0], n[1], n[2], n[3]);
-    if (!(std::abs(q.norm() - 1.0) < 1e-6))
-    {
-      this->Fail(key, "a turn is a quaternion [w, x, y, z] of length 1");
-    }
-    return q.normalized();
-  }
-
-  /// The objects of a list.
-  [[nodiscard]] std::vector<Node> List(const char* key) const
-  {
-    if (!this->Has(key) || !this->Value[key].is_array())
-    {
-      this->Fail(key, "it must be a list, [ ... ]");
-    }
-    std::vector<Node> nodes;
-    for (const Json& value : this->Value[key])
-    {
-      nodes.emplace_back(value, std::string(key) + "[" + std::to_string(nodes.size()) + "]");
-    }
-    return nodes;
-  }
-
-private:
-  [[nodiscard]] double ToNumber(const char* key, const Json& value) const
-  {
-    if (!value.is_number() || !std::isfinite(value.get<double>()))
-    {
-      this->Fail(key, "it must be a finite number");
-    }
-    return value.get<double>();
-  }
-
-  [[nodiscard]] std::vector<double> Numbers(const char* key, std::size_t count) const
-  {
-    const Json& list = this->Value[key];
-    if (!list.is_array() || list.size() != count)
-    {
-      this->Fail(key, "it must be a list of " + std::to_string(count) + " numbers");
-    }
-    std::vector<double> numbers;
-    std::transform(list.begin(), list.end(), std::back_inserter(numbers),
-      [&](const Json& value) { return this->ToNumber(key, value); });
-    return numbers;
-  }
-
-  const Json& Value;
-  std::string At;
-};
 
 template<class Kind>
 Kind KindOf(const Node& node, std::initializer_list<Kind> kinds)
@@ -193,19 +45,16 @@ vtkHapticSoftDescription SoftOf(const Node& node, double unit_m)
   soft.File = node.Text("file", "");
   soft.BoxSize_u = node.Vector("box", palpate::Vec3::Zero());
   soft.BoxMiddle_W = node.Vector("at", palpate::Vec3::Zero());
-  soft.Edge_u = node.Number("edge", 0.0);
+  soft.Edge_u = node.Size("edge");
   soft.Fixed = node.Text("fixed", "");
   soft.Material.Young_Pa = node.Number("young_Pa", soft.Material.Young_Pa);
   soft.Material.Poisson = node.Number("poisson", soft.Material.Poisson);
   soft.Material.Unit_m = unit_m;
+  node.Accept("young_Pa", palpate::refuseModulus(soft.Material.Young_Pa));
   const std::string model = node.Text("model", "linear");
   if (!vtkHapticModelOf(model, soft.Material.Model))
   {
     node.Fail("model", "there is no \"" + model + "\"; there are linear, corotational, neohookean");
-  }
-  if (soft.Edge_u < 0.0)
-  {
-    node.Fail("edge", "it must not be below 0");
   }
   if (soft.File.empty() == !node.Has("box"))
   {
@@ -229,7 +78,8 @@ palpate::MechanismBody BodyOf(const Node& node)
       node.Knows({ "name", "kind", "half_size", "at", "turn", "load_N" });
       break;
     case Soft:
-      node.Knows({ "name", "kind", "file", "box", "at", "edge", "fixed", "young_Pa", "poisson", "model" });
+      node.Knows(
+        { "name", "kind", "file", "box", "at", "edge", "fixed", "young_Pa", "poisson", "model", "tip_diameter" });
       break;
     case World:
       node.Knows({ "name", "kind" });
@@ -316,7 +166,7 @@ vtkHapticMechanismResult Build(
     {
       node.Fail("", body.name + " cannot give way: " + made.Problem);
     }
-    inputs->soft.push_back({ body.name, made.Input });
+    inputs->soft.push_back({ body.name, made.Input, 0.5 * node.Size("tip_diameter") });
     result.SoftGrids.push_back(made.Grid);
   }
   inputs->soft = read.empty() ? inputs->soft : read;
@@ -344,7 +194,7 @@ std::string ProblemOf(const Read& read)
   {
     return "it is not JSON that can be read: a number in it is too large";
   }
-  catch (const Problem& problem)
+  catch (const vtkHapticJsonProblem& problem)
   {
     return problem.what();
   }
@@ -357,7 +207,7 @@ Json LawsOf(const std::string& text, const std::string& laws)
   const Json list = laws.empty() ? (file.is_object() ? file.value("laws", Json::array()) : Json()) : Json::parse(laws);
   if (!list.is_array())
   {
-    throw Problem("laws: it must be a list, [ ... ]");
+    throw vtkHapticJsonProblem("laws: it must be a list, [ ... ]");
   }
   return list;
 }
@@ -414,7 +264,7 @@ std::string vtkHapticWithoutLaw(
       const Json list = LawsOf(text, laws), others = Without(list, name);
       if (others.size() == list.size())
       {
-        throw Problem("there is no law \"" + name + "\"");
+        throw vtkHapticJsonProblem("there is no law \"" + name + "\"");
       }
       without = others.dump();
     });

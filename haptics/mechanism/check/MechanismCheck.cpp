@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "haptics/mechanism/check/BodiesOverlap.h"
 #include "haptics/mechanism/check/MechanismFaults.h"
 #include "haptics/mechanism/laws/LawCompliance.h"
 #include "haptics/mechanism/solve/SemidefiniteFactor.h"
@@ -46,9 +47,10 @@ public:
       this->laws_[l].place_A = this->plan_.laws[l].place_A;
       this->laws_[l].place_B = this->plan_.laws[l].place_B;
     }
-    const LawScene scene{ this->plan_, this->soft_, this->pose_W_, this->laws_ };
+    const Pose hand_W = this->plan_.held >= 0 ? this->pose_W_[this->plan_.held] : Pose();
+    const LawScene scene{ this->plan_, this->soft_, this->pose_W_, this->laws_, hand_W };
     makeRows(scene, *this->rows_);
-    assembleLaws(scene, *this->rows_, grip, *this->problem_);
+    assembleLaws(scene, *this->rows_, grip, yieldOfHeld(scene, *this->rows_, grip), *this->problem_);
     const Eigen::MatrixXd along = this->problem_->along;
     this->compliance_ = this->problem_->compliance + this->problem_->yield_u_per_N * along * along.transpose();
     const double most = this->compliance_.rows() > 0 ? this->compliance_.diagonal().maxCoeff() : 0.0;
@@ -275,6 +277,17 @@ private:
   SemidefiniteFactor<LawProblem::most> factor_;
 };
 
+/// Bodies do not meet but where a law has them meet.
+void tellOverlaps(const Mechanism& mechanism, std::span<const MechanismSoft> soft, MechanismCheck& check)
+{
+  check.overlaps = overlapsOf(mechanism, soft);
+  for (const auto& [a, b] : check.overlaps)
+  {
+    check.remarks.push_back("Bodies \"" + a + "\" and \"" + b +
+                            "\" overlap as they stand: but for the laws between them bodies pass through each other.");
+  }
+}
+
 PlannedBody planBody(const MechanismBody& body, std::span<const MechanismSoft> soft)
 {
   PlannedBody planned;
@@ -358,6 +371,7 @@ MechanismCheck checkMechanism(
   if (check.faults.empty())
   {
     AtRest(mechanism, soft, grip).report(check);
+    tellOverlaps(mechanism, soft, check);
   }
   return check;
 }

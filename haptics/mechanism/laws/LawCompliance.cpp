@@ -30,14 +30,6 @@ FreeWays waysOf(const MechanismPlan& plan, const MechanismGrip& grip, int body) 
   return ways;
 }
 
-Vec6 gripCompliance(const MechanismPlan& plan, const MechanismGrip& grip) noexcept
-{
-  const double turn = grip.turning_Nu_per_rad > 0.0 ? plan.lever_u * plan.lever_u / grip.turning_Nu_per_rad : 0.0;
-  Vec6 c;
-  c << Vec3::Constant(1.0 / grip.coupling_N_per_u), Vec3::Constant(turn);
-  return c;
-}
-
 /// How A's point of law l goes against B's, by the soft bodies, under a force between those of law m.
 Mat3 softCompliance(const LawScene& scene, const LawRows& rows, int l, int m) noexcept
 {
@@ -89,9 +81,8 @@ void addSoft(const LawScene& scene, const LawRows& rows, LawProblem& problem) no
 }
 
 /// Of the body in the hand, on whose side of the laws the rows' motions are.
-void addGrip(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, LawProblem& problem) noexcept
+void addHeld(const LawScene& scene, const LawRows& rows, const HeldYield& held, LawProblem& problem) noexcept
 {
-  const Vec6 c = gripCompliance(scene.plan, grip);
   std::array<Vec6, LawRows::most> j;
   for (int i = 0; i < rows.count; ++i)
   {
@@ -103,9 +94,11 @@ void addGrip(const LawScene& scene, const LawRows& rows, const MechanismGrip& gr
         j[i] += jacobianOf(scene, rows, rows.rows[i], side);
       }
     }
+    problem.free[i] = rows.rows[i].free_u + j[i].dot(held.back_u);
+    const Vec6 goes = held.compliance * j[i];
     for (int k = 0; k <= i; ++k)
     {
-      problem.compliance(i, k) = j[i].dot(c.cwiseProduct(j[k]));
+      problem.compliance(i, k) = goes.dot(j[k]);
     }
   }
 }
@@ -159,8 +152,7 @@ void addTurns(const LawScene& scene, const LawRows& rows, const MechanismGrip& g
       {
         const int turn = ways.first + ways.count - 3;
         const Vec3 force_W = side == 0 ? scene.laws[l].force_W : Vec3(-scene.laws[l].force_W);
-        problem.turns.block<3, 3>(turn, turn) +=
-          heldByPull(end.x_W - scene.pose_W[end.body].p, force_W) / (lever_u * lever_u);
+        problem.turns.block<3, 3>(turn, turn) += heldByPull(armOf(scene, rows, l, side), force_W) / (lever_u * lever_u);
       }
     }
   }
@@ -168,20 +160,20 @@ void addTurns(const LawScene& scene, const LawRows& rows, const MechanismGrip& g
 
 } // namespace
 
-void assembleLaws(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, LawProblem& problem) noexcept
+void assembleLaws(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, const HeldYield& held,
+  LawProblem& problem) noexcept
 {
   const FreeWays last = waysOf(scene.plan, grip, scene.plan.bodyCount - 1);
   problem.resize(rows.count, last.first + last.count);
   problem.cones = rows.cones;
   problem.friction = rows.friction;
   problem.yield_u_per_N = 1.0 / grip.coupling_N_per_u;
-  addGrip(scene, rows, grip, problem);
+  addHeld(scene, rows, held, problem);
   addSoft(scene, rows, problem);
   for (int i = 0; i < rows.count; ++i)
   {
     const LawRow& row = rows.rows[i];
     problem.compliance(i, i) += row.compliance_u_per_N;
-    problem.free[i] = row.free_u;
     problem.lowest[i] = row.lowest_N;
     problem.highest[i] = row.highest_N;
   }
@@ -219,13 +211,13 @@ Vec6 pressOn(const LawScene& scene, const LawRows& rows, const LawForces& forces
   return sum;
 }
 
-Vec6 motionOf(
-  const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, const LawForces& forces, int body) noexcept
+Vec6 motionOf(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, const HeldYield& held,
+  const LawForces& forces, int body) noexcept
 {
   Vec6 motion = Vec6::Zero();
   if (body == scene.plan.held)
   {
-    motion = gripCompliance(scene.plan, grip).cwiseProduct(pressOn(scene, rows, forces, body));
+    motion = held.compliance * pressOn(scene, rows, forces, body) + held.back_u;
   }
   const FreeWays ways = waysOf(scene.plan, grip, body);
   motion.tail(ways.count) += forces.way_u.segment(ways.first, ways.count);

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/mechanism/laws/LawRows.h"
+#include "haptics/mechanism/laws/HeldYield.h"
 
 namespace palpate
 {
 
-/// The problem of these rows: W = sum J C J^T over grip, soft bodies and the laws' own springs. Real-time safe.
-void assembleLaws(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, LawProblem& problem) noexcept;
+/// The problem of these rows: W = sum J C J^T over the held body's springs, soft bodies and the laws' own springs.
+/// Real-time safe.
+void assembleLaws(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, const HeldYield& held,
+  LawProblem& problem) noexcept;
 
 /// What soft bodies put between the points of law l, B's to A's, under the laws' forces as their states have them [u].
 [[nodiscard]] Vec3 softApart_W(const LawScene& scene, const LawRows& rows, int l) noexcept;
 
-/// The small motion of a body under the forces of the laws, whitened, from where it would be without.
-[[nodiscard]] Vec6 motionOf(
-  const LawScene& scene, const LawRows& rows, const MechanismGrip& grip, const LawForces& forces, int body) noexcept;
+/// The small motion of a body under the forces of the laws, whitened, from where the laws are linearised.
+[[nodiscard]] Vec6 motionOf(const LawScene& scene, const LawRows& rows, const MechanismGrip& grip,
+  const HeldYield& held, const LawForces& forces, int body) noexcept;
 
 /// The laws' forces on a body about its origin, whitened: the moment over the lever [N].
 [[nodiscard]] Vec6 pressOn(const LawScene& scene, const LawRows& rows, const LawForces& forces, int body) noexcept;

@@ -200,7 +200,9 @@ private:
       return this->addTip(law, state);
     }
     const double tip_u = rod.length_u - a.axis_W.dot(b.x_W - state.offset_W - pose.p);
-    a.x_W = pose.p + (rod.length_u - tip_u) * a.axis_W;
+    // The shaft is pressed where the hole has yielded to, which is not where it is without forces.
+    const Vec3 hole_W = state.seen ? Vec3(-state.apart_W) : b.x_W;
+    a.x_W = pose.p + a.axis_W.dot(hole_W - state.offset_W - pose.p) * a.axis_W;
     this->addAcross(a.axis_W);
     this->addDry(a.axis_W, tip_u, law, state);
     // A rod ends at the hand: no more of it goes in than there is.
@@ -241,15 +243,42 @@ void makeRows(const LawScene& scene, LawRows& rows) noexcept
   maker.make(true);
 }
 
+bool isAlongAxis(LawKind kind) noexcept
+{
+  switch (kind)
+  {
+    case LawKind::Contact:
+    case LawKind::Slider:
+    case LawKind::Friction:
+    case LawKind::DryFriction:
+    case LawKind::Spring:
+    case LawKind::Limit:
+      return true;
+    case LawKind::Attachment:
+    case LawKind::Hinge:
+    case LawKind::Break:
+    case LawKind::Puncture:
+    case LawKind::Insertion:
+      return false;
+  }
+  return false;
+}
+
+Vec3 armOf(const LawScene& scene, const LawRows& rows, int law, int side) noexcept
+{
+  const LawEnd& end = rows.ends[law][side];
+  const bool atA = isAlongAxis(scene.plan.laws[law].kind) && end.body == scene.plan.held && rows.ends[law][0].soft < 0;
+  return (atA ? rows.ends[law][0] : end).x_W - scene.pose_W[end.body].p;
+}
+
 Vec6 jacobianOf(const LawScene& scene, const LawRows& rows, const LawRow& row, int side) noexcept
 {
-  const LawEnd& end = rows.ends[row.law][side];
   const double sign = side == 0 ? 1.0 : -1.0;
   if (row.turns)
   {
     return whitened(Vec3::Zero(), sign / scene.plan.lever_u * row.along_W, scene.plan.lever_u);
   }
-  const Vec3 arm_W = end.x_W - scene.pose_W[end.body].p;
+  const Vec3 arm_W = armOf(scene, rows, row.law, side);
   Vec6 j;
   j << sign * row.along_W, sign / scene.plan.lever_u * arm_W.cross(row.along_W);
   return j;

@@ -16,7 +16,7 @@ namespace palpate
 struct LawEnd
 {
   int body = 0;
-  Vec3 x_W = Vec3::Zero(); ///< its point, where nothing yields
+  Vec3 x_W = Vec3::Zero(); ///< its point, of a soft body where that does not yield
   Vec3 axis_W = Vec3::UnitZ();
   int soft = -1;        ///< of a soft body: its place among those that the tick is given
   CompliantPoint point; ///< likewise
@@ -36,7 +36,7 @@ struct LawRow
   double now_u = 0.0;              ///< likewise: where it is
 };
 
-/// The laws of a mechanism in one tick, linearised where its bodies would be without them.
+/// The laws of a mechanism, linearised at one place of its bodies.
 struct LawRows
 {
   static constexpr int most = LawProblem::most;
@@ -53,12 +53,20 @@ struct LawScene
 {
   const MechanismPlan& plan;
   std::span<const PressedBody* const> soft;
-  std::span<const Pose> pose_W; ///< of each body: where it would be without the laws
+  std::span<const Pose> pose_W; ///< of each body: where its laws are linearised
   std::span<const LawState> laws;
+  const Pose& hand_W; ///< where the hand has the body that it holds
 };
 
 /// The rows of the laws that hold now. A law on a soft body that is not there has none. Real-time safe.
 void makeRows(const LawScene& scene, LawRows& rows) noexcept;
+
+/// Whether the rows of a kind are along B's axis, and A's point may be elsewhere along it or across.
+[[nodiscard]] bool isAlongAxis(LawKind kind) noexcept;
+
+/// From the origin of a law's body to where the law presses on it: of rows along an axis that turns with what is held
+/// that is A's point, wherever it is along the axis.
+[[nodiscard]] Vec3 armOf(const LawScene& scene, const LawRows& rows, int law, int side) noexcept;
 
 /// How a row's displacement changes with a small motion of a body that is its A (side 0) or B (side 1), about the
 /// body's origin, whitened by the plan's lever.

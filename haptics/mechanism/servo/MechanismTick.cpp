@@ -5,9 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "haptics/mechanism/laws/LawCompliance.h"
+#include "haptics/mechanism/servo/SettledLaws.h"
 #include "haptics/mechanism/servo/TipPlace.h"
-#include "haptics/tool/motion/Turn.h"
 
 namespace palpate
 {
@@ -15,10 +14,7 @@ namespace palpate
 /// What a tick is computed in.
 struct MechanismRoom
 {
-  LawRows rows;
-  LawProblem problem;
-  LawRoom solver;
-  LawForces forces;
+  SettledRoom laws;
   MechanismResult result;
 };
 
@@ -26,9 +22,6 @@ namespace
 {
 
 constexpr double fade_s = 0.02; ///< as for the contacts of a soft body: a tenth of a newton a tick at .2 m/s
-/// Of a turn that laws make in one tick: beyond it their rows would mean little [rad].
-constexpr double mostTurn_rad = 0.5;
-constexpr int mostParts = 8; ///< in which a tick goes a longer turn
 
 bool isPose(const Pose& pose) noexcept
 {
@@ -40,26 +33,25 @@ class MechanismStep
 {
 public:
   MechanismStep(const MechanismInput& input, MechanismState& state, MechanismRoom& room) noexcept
-    : input_(input), plan_(*input.plan), state_(state), room_(room),
-      result_(room.result), scene_{ plan_, input.soft, reference_, state.laws }
+    : input_(input), plan_(*input.plan), state_(state), result_(room.result), laws_(input, state, room.laws)
   {
   }
 
   void run() noexcept
   {
     this->result_ = {};
-    this->begin();
+    this->tip_W_ = this->plan_.held >= 0 ? this->tipOf(this->laws_.lead_W()) : Vec3(Vec3::Zero());
     this->takePackets();
     this->meetSurfaces();
     const bool first = !this->state_.placed; // laws that hold then make no step in the force
     (void)(first && this->tryWaiting());
-    this->settle();
-    const Vec6 before_N = this->onHand();
+    this->laws_.settle();
+    const Vec6 before_N = this->laws_.onHand();
     std::size_t changes = 0;
     for (bool more = !first && this->tryWaiting(); changes < Mechanism::mostLaws && (more || this->changeLaws());
          more = false)
     {
-      this->settle();
+      this->laws_.settle();
       ++changes;
     }
     this->keep();
@@ -67,23 +59,6 @@ public:
   }
 
 private:
-  /// Where bodies would be without the laws: in the hand, and where they were.
-  void begin() noexcept
-  {
-    for (int b = 0; b < this->plan_.bodyCount; ++b)
-    {
-      this->reference_[b] = this->state_.pose_W[b];
-    }
-    if (this->plan_.held < 0)
-    {
-      return;
-    }
-    Pose& held = this->reference_[this->plan_.held];
-    const bool turned = this->input_.grip.turning_Nu_per_rad > 0.0 || !this->state_.placed;
-    held = { this->input_.hand_W.p, turned ? this->input_.hand_W.q.normalized() : held.q };
-    this->tip_W_ = this->tipOf(held);
-  }
-
   [[nodiscard]] Vec3 tipOf(const Pose& held) const noexcept
   {
     return held.p + this->plan_.bodies[this->plan_.held].length_u * (held.q * Vec3::UnitZ());
@@ -98,7 +73,7 @@ private:
   /// Under the same forces a later packet would have points elsewhere: that much offset keeps them, and fades.
   void takePackets() noexcept
   {
-    makeRows(this->scene_, this->room_.rows);
+    this->laws_.makeRowsFirst();
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
       LawState& law = this->state_.laws[l];
@@ -112,7 +87,7 @@ private:
       }
       if (anew && law.seen)
       {
-        law.offset_W += law.apart_W - softApart_W(this->scene_, this->room_.rows, l);
+        law.offset_W += law.apart_W - softApart_W(this->laws_.scene(), this->laws_.rows(), l);
       }
       law.offset_W *= std::min(left, std::max(1.0 - this->input_.dt_s / fade_s, 0.0));
     }
@@ -137,22 +112,6 @@ private:
     }
   }
 
-  void solve() noexcept
-  {
-    makeRows(this->scene_, this->room_.rows);
-    assembleLaws(this->scene_, this->room_.rows, this->input_.grip, this->room_.problem);
-    LawForces& forces = this->room_.forces;
-    forces.force_N.setZero(this->room_.rows.count);
-    for (int i = this->room_.problem.bounded(); i < this->room_.rows.count; ++i)
-    {
-      const LawRow& row = this->room_.rows.rows[i];
-      forces.force_N[i] = row.along_W.dot(this->state_.laws[row.law].force_W);
-    }
-    const std::uint32_t left = lawWorkBudget - std::min(lawWorkBudget, this->result_.work);
-    solveLaws(this->room_.problem, this->room_.solver, forces, left);
-    this->result_.work += forces.work;
-  }
-
   /// Laws that wait are tried in each tick: those that would give way at once go on waiting.
   [[nodiscard]] bool tryWaiting() noexcept
   {
@@ -165,59 +124,13 @@ private:
     return any;
   }
 
-  /// Rows are those of small turns: what turns further goes a part of the way, and the rows are made anew there.
-  void settle() noexcept
-  {
-    this->solve();
-    for (int left = mostParts; left > 0 && this->share() < 1.0 && this->result_.work < lawWorkBudget; --left)
-    {
-      for (int b = 0; b < this->plan_.bodyCount; ++b)
-      {
-        const Pose moved = this->movedPose(b);
-        const bool held = b == this->plan_.held;
-        this->reference_[b].p = held ? this->reference_[b].p : moved.p;
-        this->reference_[b].q = this->isSprung(b) ? this->reference_[b].q : moved.q;
-      }
-      this->solve();
-    }
-  }
-
-  /// Of the free ways that bodies can go in one piece.
-  [[nodiscard]] double share() const noexcept
-  {
-    double most_rad = mostTurn_rad;
-    for (int b = 0; b < this->plan_.bodyCount; ++b)
-    {
-      const double turn_rad = this->motion(b).tail<3>().norm() / this->plan_.lever_u;
-      most_rad = this->isSprung(b) ? most_rad : std::max(most_rad, turn_rad);
-    }
-    return mostTurn_rad / most_rad;
-  }
-
-  /// Turned by the hand's spring: no way of its own is left.
-  [[nodiscard]] bool isSprung(int body) const noexcept
-  {
-    return body == this->plan_.held && this->input_.grip.turning_Nu_per_rad > 0.0;
-  }
-
-  [[nodiscard]] Vec6 motion(int body) const noexcept
-  {
-    return motionOf(this->scene_, this->room_.rows, this->input_.grip, this->room_.forces, body);
-  }
-
-  [[nodiscard]] Vec6 onHand() const noexcept
-  {
-    const bool held = this->plan_.held >= 0;
-    return held ? pressOn(this->scene_, this->room_.rows, this->room_.forces, this->plan_.held) : Vec6(Vec6::Zero());
-  }
-
   /// True if a law has changed: then all are solved anew.
   [[nodiscard]] bool changeLaws() noexcept
   {
     bool changed = false;
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
-      const LawOutcome outcome = outcomeOf(this->scene_, this->room_.rows, this->room_.forces, l);
+      const LawOutcome outcome = this->laws_.outcome(l);
       if (this->tried_[l] && givesWay(this->plan_.laws[l], outcome))
       {
         this->state_.laws[l].waits = changed = true;
@@ -240,7 +153,7 @@ private:
   {
     for (int b = 0; b < this->plan_.bodyCount; ++b)
     {
-      this->state_.pose_W[b] = this->movedPose(b);
+      this->state_.pose_W[b] = this->laws_.movedPose(b);
     }
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
@@ -248,9 +161,9 @@ private:
     }
     for (int l = 0; l < this->plan_.lawCount; ++l)
     {
-      if (this->rowsOf(l) > 0)
+      if (this->laws_.rowsOf(l) > 0)
       {
-        this->state_.laws[l].apart_W = softApart_W(this->scene_, this->room_.rows, l);
+        this->state_.laws[l].apart_W = softApart_W(this->laws_.scene(), this->laws_.rows(), l);
         this->slide(l);
         this->tellPresses(l);
       }
@@ -259,49 +172,19 @@ private:
       this->plan_.held >= 0 ? this->tipOf(this->state_.pose_W[this->plan_.held]) : Vec3(Vec3::Zero());
     this->state_.placed = true;
     this->result_.pose_W = this->state_.pose_W;
-    this->result_.rows = this->room_.rows.count;
-    const double left_u = this->left_u();
-    this->result_.capped = this->room_.forces.capped || left_u > 0.0;
-    this->result_.residual_u = std::max(this->room_.forces.residual_u, left_u);
-    this->result_.stored_Nu = this->stored_Nu();
-  }
-
-  /// By how much rows are not met yet, as bodies have gone a part of their way only.
-  [[nodiscard]] double left_u() const noexcept
-  {
-    const LawProblem& problem = this->room_.problem;
-    const double left = 1.0 - this->share();
-    return left > 0.0 && problem.count > 0
-             ? left * problem.along.lazyProduct(this->room_.forces.way_u).lpNorm<Eigen::Infinity>()
-             : 0.0;
-  }
-
-  [[nodiscard]] Pose movedPose(int body) const noexcept
-  {
-    const Pose& from = this->reference_[body];
-    const Vec6 motion = this->motion(body);
-    // A hand's spring is as long as its force says; what is free goes no further than it turns.
-    const double goes = body == this->plan_.held ? 1.0 : this->share();
-    Vec3 turn = (this->isSprung(body) ? 1.0 : this->share()) / this->plan_.lever_u * motion.tail<3>();
-    turn *= mostTurn_rad / std::max(turn.norm(), mostTurn_rad);
-    Pose moved{ from.p + goes * motion.head<3>(), turnBy(turn) * from.q };
-    moved.q.normalize();
-    return moved;
-  }
-
-  [[nodiscard]] int rowsOf(int l) const noexcept
-  {
-    const auto& rows = this->room_.rows.rows;
-    return static_cast<int>(
-      std::count_if(rows.begin(), rows.begin() + this->room_.rows.count, [l](const LawRow& r) { return r.law == l; }));
+    this->result_.rows = this->laws_.rows().count;
+    this->result_.work = this->laws_.work();
+    this->result_.capped = this->laws_.capped();
+    this->result_.residual_u = this->laws_.residual_u();
+    this->result_.stored_Nu = this->laws_.stored_Nu();
   }
 
   void keepLaw(int l) noexcept
   {
     LawState& law = this->state_.laws[l];
     LawNow& now = this->result_.laws[l];
-    const bool has = this->rowsOf(l) > 0;
-    const LawOutcome outcome = has ? outcomeOf(this->scene_, this->room_.rows, this->room_.forces, l) : LawOutcome{};
+    const bool has = this->laws_.rowsOf(l) > 0;
+    const LawOutcome outcome = has ? this->laws_.outcome(l) : LawOutcome{};
     law.force_W = outcome.force_W;
     law.seen = has;
     if (has)
@@ -324,9 +207,9 @@ private:
   /// Of the side that is rigid, as it has moved.
   [[nodiscard]] Vec3 placeOf(int l) const noexcept
   {
-    const auto& [a, b] = this->room_.rows.ends[l];
+    const auto& [a, b] = this->laws_.rows().ends[l];
     const LawEnd& end = a.soft < 0 ? a : b;
-    const Pose& from = this->reference_[end.body];
+    const Pose& from = this->laws_.reference_W(end.body);
     const Pose& to = this->state_.pose_W[end.body];
     return end.soft < 0 ? Vec3(to.p + to.q * (from.q.conjugate() * (end.x_W - from.p))) : end.x_W;
   }
@@ -343,7 +226,7 @@ private:
     }
     const Vec3 apart_W = this->placeOf(l) + law.apart_W + law.offset_W;
     const Vec3 aside_W = apart_W - law.normal_W.dot(apart_W) * law.normal_W;
-    law.place_B.x_W = this->room_.rows.ends[l][1].x_W;
+    law.place_B.x_W = this->laws_.rows().ends[l][1].x_W;
     if (!slideOnSurface(*soft, aside_W, law)) // beyond an edge nothing is below the tip any more
     {
       law.met = law.placed = false;
@@ -355,7 +238,7 @@ private:
   {
     for (int side = 0; side < 2; ++side)
     {
-      const LawEnd& end = this->room_.rows.ends[l][side];
+      const LawEnd& end = this->laws_.rows().ends[l][side];
       const Vec3& force_W = this->state_.laws[l].force_W;
       if (end.soft >= 0 && force_W != Vec3::Zero())
       {
@@ -365,21 +248,10 @@ private:
     }
   }
 
-  [[nodiscard]] double stored_Nu() const noexcept
-  {
-    const LawProblem::Numbers& f = this->room_.forces.force_N;
-    double stored = 0.5 * f.dot(this->room_.problem.compliance.lazyProduct(f));
-    for (const PressedBody* soft : this->input_.soft)
-    {
-      stored += soft ? soft->packet->energy_Nu : 0.0;
-    }
-    return std::max(stored, 0.0);
-  }
-
   void tellHand(const Vec6& before_N, bool changed) noexcept
   {
     const double k = this->input_.grip.coupling_N_per_u;
-    const Vec6 now_N = this->onHand();
+    const Vec6 now_N = this->laws_.onHand();
     const Vec6 step_u = changed ? Vec6((now_N - before_N) / k) : Vec6(Vec6::Zero());
     const Vec6 felt_N = k * this->state_.blend.blended(now_N / k, step_u, k, this->input_.dt_s);
     const auto wrench = [this](const Vec6& f) { return Wrench{ f.head<3>(), this->plan_.lever_u * f.tail<3>() }; };
@@ -390,12 +262,10 @@ private:
   const MechanismInput& input_;
   const MechanismPlan& plan_;
   MechanismState& state_;
-  MechanismRoom& room_;
   MechanismResult& result_;
-  std::array<Pose, Mechanism::mostBodies> reference_{};
   Vec3 tip_W_ = Vec3::Zero();
   std::array<bool, Mechanism::mostLaws> tried_{};
-  LawScene scene_;
+  SettledLaws laws_;
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "haptics/compliance/servo/BoundedRows.h"
 #include "haptics/compliance/servo/DenseSolve.h"
+#include "haptics/mechanism/solve/EndlessWay.h"
 #include "haptics/mechanism/solve/LawProblem.h"
 
 namespace palpate
@@ -25,11 +26,11 @@ constexpr double turnedMost = 0.5;  ///< share of the balance that a step follow
 constexpr double dampedLeast = 1e-12;
 
 /// Multiply-adds to the unit of ContactPlan::workBudget.
-constexpr int perWork = 27;
+constexpr int multiplyAddsPerWork = 27;
 
 std::uint32_t workOf(int multiplyAdds) noexcept
 {
-  return 1 + static_cast<std::uint32_t>(multiplyAdds / perWork);
+  return 1 + static_cast<std::uint32_t>(multiplyAdds / multiplyAddsPerWork);
 }
 
 /// All rows that have bounds; what cones and free ways add to their gaps is known.
@@ -77,6 +78,10 @@ public:
         return this->finish(!this->conesAreMet());
       }
       this->stepWays(held, open);
+      if (this->findsNoRest())
+      {
+        break;
+      }
     } while (this->f_.work < this->budget_);
     this->yield();
     this->finish(true);
@@ -172,6 +177,17 @@ private:
     this->off_N_ = off_N;
     this->resistWays(held);
     this->goAlong();
+  }
+
+  /// Asked seldom, by the third, sixth, twelfth step: most bodies have come to rest before.
+  [[nodiscard]] bool findsNoRest() noexcept
+  {
+    if (++this->steps_ < this->askedAt_)
+    {
+      return false;
+    }
+    this->askedAt_ *= 2;
+    return isEndless(this->p_, this->step_u_, this->f_.work);
   }
 
   /// Past a place of rest, where what slips slips the other way, balance may be as far off as before.
@@ -365,6 +381,8 @@ private:
   BoundedLaws rows_;
   double damped_ = 0.0; ///< how much the last step was; 0: there has been none
   double off_N_ = 0.0;  ///< balance where that began
+  int steps_ = 0;
+  int askedAt_ = 3; ///< by which step it is asked next whether there is a place of rest
   LawProblem::Way open_N_;
   LawProblem::Way step_u_;
   LawProblem::Numbers firstForce_N_; ///< where the bodies are where they were

@@ -13,7 +13,9 @@ std::unique_ptr<MechanismBodies> MechanismBodies::make(
   for (const MechanismSoftInput& input : inputs)
   {
     auto maker = BodyMaker::make(*input.input, input.name, 0, refusal, stop);
-    auto first = maker ? maker->press({}, 0.0) : nullptr;
+    BodyHand pressed;
+    pressed.tip_u = input.tip_u;
+    auto first = maker ? maker->press(pressed, 0.0) : nullptr;
     if (!first)
     {
       refusal = input.name + ": " + (refusal.empty() ? "its stiffness cannot be factored" : refusal);
@@ -22,12 +24,12 @@ std::unique_ptr<MechanismBodies> MechanismBodies::make(
     made->asMade_.push_back(std::make_shared<const CheckedTetras>(maker->checked()));
     made->makers_.push_back(std::move(maker));
     made->newest_.push_back(std::move(first));
+    made->hands_.push_back(pressed);
     made->atRest_.push_back({ input.name, made->newest_.back().get() });
     made->given_.push_back(made->newest_.back().get());
   }
   made->first_ = made->newest_;
   made->places_.resize(made->makers_.size());
-  made->hands_.resize(made->makers_.size());
   return made;
 }
 

@@ -17,6 +17,7 @@ struct MechanismSoftInput
 {
   std::string name;
   std::shared_ptr<const SoftBodyInput> input;
+  double tip_u = 0.0; ///< radius of what laws press it with; 0: as wide as its patches
 
   friend bool operator==(const MechanismSoftInput&, const MechanismSoftInput&) = default;
 };

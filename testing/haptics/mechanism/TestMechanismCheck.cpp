@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -172,6 +174,59 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMechanism,
       "Nothing holds body \"block\" against its load" },
     Wrong{ "HandWithoutStiffness", [](MechanismRig& r) { r.grip.coupling_N_per_u = 0.0; }, "holds nothing" }),
   [](const testing::TestParamInfo<Wrong>& info) { return info.param.name; });
+
+TEST(CheckedBodies, ThatOverlapAsTheyStandAreSaidAndSuchThatTouchAreNot)
+{
+  const auto stand = [](const Vec3& at, const Quat& turn)
+  {
+    MechanismRig rig;
+    for (const auto& [name, p, q] :
+      { std::tuple("table", Vec3(0.0, 0.0, -1.0), Quat(Quat::Identity())), std::tuple("box", at, turn) })
+    {
+      MechanismBody body;
+      body.name = name;
+      body.kind = MechanismBodyKind::Rigid;
+      body.halfSize_u = Vec3::Ones();
+      body.pose_W = { p, q };
+      rig.mechanism.bodies.push_back(body);
+      rig.join(LawKind::Attachment, "world", Vec3::Zero(), p).a = name;
+    }
+    return rig.check();
+  };
+  const Quat upright = Quat::Identity();
+  const Quat onEdge(Eigen::AngleAxisd(M_PI / 4.0, Vec3::UnitX()));
+  EXPECT_TRUE(stand(Vec3(0.3, 0.2, 1.0), upright).overlaps.empty()) << "it stands on the table";
+  EXPECT_TRUE(stand(Vec3(3.0, 0.0, 0.0), upright).overlaps.empty());
+  EXPECT_TRUE(stand(Vec3(0.0, 0.0, std::sqrt(2.0) + 1e-3), onEdge).overlaps.empty());
+  using Pairs = std::vector<std::pair<std::string, std::string>>;
+  const Pairs both{ { "table", "box" } };
+  EXPECT_EQ(stand(Vec3(0.3, 0.2, 0.99), upright).overlaps, both);
+  EXPECT_EQ(stand(Vec3(0.0, 0.0, std::sqrt(2.0) - 1e-3), onEdge).overlaps, both);
+  EXPECT_EQ(stand(Vec3(0.0, 0.0, -1.0), upright).overlaps, both) << "the one is in the other's place";
+  const MechanismCheck said = stand(Vec3(0.0, 0.0, 0.9), upright);
+  ASSERT_TRUE(said.faults.empty());
+  EXPECT_NE(
+    std::ranges::find(said.remarks, "Bodies \"table\" and \"box\" overlap as they stand: but for the laws between them "
+                                    "bodies pass through each other."),
+    said.remarks.end());
+}
+
+TEST(CheckedBodies, ARigidOneThatPassesThroughASoftSurfaceIsSaid)
+{
+  for (const double height : { 0.3, 0.02, -0.3 })
+  {
+    MechanismRig rig;
+    rig.addSoft("wall", springWall("wall", Vec3::Zero(), Vec3::UnitZ(), 0.5, 2e-3));
+    MechanismBody body;
+    body.name = "box";
+    body.kind = MechanismBodyKind::Rigid;
+    body.halfSize_u = Vec3::Constant(0.1);
+    body.pose_W.p = Vec3(0.05, 0.02, height);
+    rig.mechanism.bodies.push_back(body);
+    rig.join(LawKind::Attachment, "world", Vec3::Zero(), body.pose_W.p).a = "box";
+    EXPECT_EQ(rig.check().overlaps.size(), std::abs(height) < 0.1 ? 1u : 0u) << height;
+  }
+}
 
 } // namespace
 } // namespace palpate::test

@@ -214,6 +214,33 @@ TEST_F(Rubbing, WhereNoPlaceIsOneOfRestATickSaysSoAndTheBlockGoesNoFurtherThanIt
   EXPECT_NEAR(held.exact_W.force.x(), pulls_N, 1e-12);
 }
 
+TEST_F(Rubbing, WhatSlidesWithoutEndIsFoundOutInAShareOfTheWorkAndGoesAsItWouldWithoutThat)
+{
+  for (const double slope : { 0.32, 0.4, 0.7 })
+  {
+    SCOPED_TRACE(slope);
+    this->rig = MechanismRig(pusher);
+    this->stand(0.02, 0.3, 0.0, weightOfBlock * Vec3(std::sin(slope), 0.0, -std::cos(slope)));
+    const Quat alongX(Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY()));
+    Vec3 before_W = Vec3::Zero();
+    for (int tick = 0; tick < 50; ++tick)
+    {
+      const MechanismResult& r = this->rig.step(Pose{ this->pushed - Vec3(1e-2 + pusher, 0.0, 0.0), alongX });
+      EXPECT_TRUE(r.capped) << tick;
+      EXPECT_LE(10 * r.work, lawWorkBudget) << tick;
+      // The step of the drag, which has the compliance of the hand's spring: it goes by what its feet leave of its
+      // load.
+      Vec3 left_N = this->rig.mechanism.bodies[block_].load_W;
+      for (std::size_t foot = 0; foot < 4; ++foot)
+      {
+        left_N += r.laws[foot].force_W;
+      }
+      EXPECT_LE((this->blockOf(r).p - before_W - left_N / kc).norm(), 1e-15) << tick;
+      before_W = this->blockOf(r).p;
+    }
+  }
+}
+
 /// A rod stands on a floor that it rubs on, and its hand goes aside.
 MechanismResult standAside(double turning_Nm_per_rad, double friction, double depth, double aside)
 {
@@ -233,15 +260,16 @@ TEST(RubbingRod, WhoseTurnIsFreePushesOnlyAlongItselfAndOneThatIsTurnedIsHeldAsi
 {
   const double depth = 2e-3, friction = 0.4;
   const double pushes_N = depth / (1.0 / kc + 1.0 / springOfFoot);
-  for (const double aside : { 1e-3, 5e-3 })
+  for (const double aside : { 0.5e-3, 5e-3 })
   {
     const MechanismResult free = standAside(0.0, friction, depth, aside);
     EXPECT_FALSE(free.capped);
     EXPECT_LE((free.exact_W.force + pushes_N * Vec3::UnitZ()).norm(), 1e-12) << "no moment holds it aside";
     EXPECT_LE(free.exact_W.torque.norm(), 1e-13);
-    const MechanismResult turned = standAside(kr, friction, depth, aside);
+    const double upright = 1e12; // of a rod that leans TestFiniteTurns knows the force
+    const MechanismResult turned = standAside(upright, friction, depth, aside);
     // Lever, hand and floor in series.
-    const double led_N = aside / (1.0 / kc + pusher * pusher / kr + 1.0 / springOfFoot);
+    const double led_N = aside / (1.0 / kc + pusher * pusher / upright + 1.0 / springOfFoot);
     const double held_N = std::min(led_N, friction * pushes_N);
     EXPECT_LE((turned.exact_W.force + Vec3(held_N, 0.0, pushes_N)).norm(), 1e-12);
     EXPECT_NEAR(turned.exact_W.torque.y(), -pusher * held_N, 1e-12);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/mechanism/solve/EndlessWay.h"
 #include "haptics/mechanism/solve/LawProblem.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Random.h"
@@ -426,6 +427,43 @@ TEST(SolveLaws, WhatExceedsItsWorkSaysSoAndItsForcesAreWithinTheirBounds)
     }
   }
   EXPECT_GT(said, testCount(300));
+}
+
+/// No compliance and no law without friction: whether a body rests is told by balance alone. On three feet around it
+/// in one plane, with the load in that plane, it does up to the angle of its friction.
+TEST(SolveLaws, ABodyThatItsFrictionHoldsIsNeverFoundToBeEndless)
+{
+  Random random(testSeed(2806));
+  std::size_t proven = 0;
+  for (std::size_t trial = 0; trial < testCount(300); ++trial)
+  {
+    constexpr int feet = 3, ways = 6;
+    Solver solver;
+    solver.begin(3 * feet, ways);
+    LawProblem& p = *solver.problem;
+    p.cones = feet;
+    const double friction = random.uniform(0.1, 1.0);
+    const double slope = std::atan(friction) * random.uniform(0.5, 1.5);
+    p.load << std::sin(slope), 0.0, -std::cos(slope), Vec3::Zero();
+    for (int c = 0; c < feet; ++c)
+    {
+      p.friction[static_cast<std::size_t>(c)] = friction;
+      const double angle = 2.0 * M_PI * c / feet;
+      const Vec3 at(std::cos(angle), std::sin(angle), 0.0); // in the plane of the load: it cannot tip
+      for (int k = 0; const Vec3& along : { Vec3(Vec3::UnitZ()), Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()) })
+      {
+        p.along.row(3 * c + k++) << along.transpose(), at.cross(along).transpose();
+      }
+    }
+    std::uint32_t work = 0;
+    const bool slides = std::tan(slope) > friction;
+    LawProblem::Way slips = LawProblem::Way::Zero(ways);
+    slips[0] = 1.0;
+    const bool found = isEndless(p, slips, work);
+    EXPECT_FALSE(found && !slides) << trial << ": a proof of what is not so";
+    proven += found;
+  }
+  EXPECT_GT(proven, testCount(300) / 10);
 }
 
 } // namespace

@@ -107,7 +107,9 @@ TEST(WholeMechanism, SixRowsOfTheTickAreTheAnswerOfAllFourteenHundredUnknowns)
   const Vec3 origin_W = middleOfPad() + Vec3(0.0, 0.0, 0.04);
   const Quat down(0.0, 1.0, 0.0, 0.0);
   (void)rig.step(Pose{ origin_W, down });
-  const Vec3 moved_W(2e-3, -1e-3, -1.5e-3);
+  constexpr double small =
+    1e-6; // the system below is one of small turns: a share of the forces, of that size, it lacks
+  const Vec3 moved_W = small * Vec3(2e-3, -1e-3, -1.5e-3);
   const MechanismResult& r = rig.step(Pose{ origin_W + moved_W, down });
 
   // Unknown: displacements of both pads, motion of the rod and of the device, forces of the rows along x, y, z.
@@ -147,7 +149,8 @@ TEST(WholeMechanism, SixRowsOfTheTickAreTheAnswerOfAllFourteenHundredUnknowns)
   EXPECT_LE((r.laws[0].force_W - x.segment<3>(rows)).norm(), 1e-12);
   EXPECT_LE((r.laws[1].force_W - x.segment<3>(rows + 3)).norm(), 1e-12);
   EXPECT_LE((r.exact_W.force - hand_N).norm(), 1e-12);
-  EXPECT_GT(hand_N.norm(), 0.1);
+  EXPECT_LE((r.exact_W.force - hand_N).norm(), small * hand_N.norm());
+  EXPECT_GT(hand_N.norm(), small * 0.1);
 }
 
 } // namespace

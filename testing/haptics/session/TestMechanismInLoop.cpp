@@ -9,6 +9,7 @@
 #include "haptics/recording/Recording.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
+#include "testing/haptics/recording/FlippedBits.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/TemporaryFolder.h"
 
@@ -87,6 +88,20 @@ void expectReplay(
   const ReplayResult result = replay(recording, {}, 1, watch);
   EXPECT_EQ(result.problem + result.difference, "");
   EXPECT_EQ(result.ticks, ticks);
+}
+
+/// Of the needle whose tip is held, where the hand is that far aside: least energy of both springs of the hand,
+/// K ((aside - L sin t)^2 + L^2 (1 - cos t)^2) / 2 + K_r t^2 / 2, by Newton's steps.
+double turnAboutTheTip_rad(double aside)
+{
+  const double lever = handSpring * needleLength;
+  double t = 0.0;
+  for (int i = 0; i < 20; ++i)
+  {
+    const double slope = handTurning * t + lever * (needleLength * std::sin(t) - aside * std::cos(t));
+    t -= slope / (handTurning + lever * (needleLength * std::cos(t) + aside * std::sin(t)));
+  }
+  return t;
 }
 
 /// A hand with a needle, in virtual time unless said.
@@ -178,10 +193,9 @@ TEST_F(MechanismInLoop, ARodThatIsHeldAtItsTipPushesAndTurnsTheHandAsItsLeverDoe
   this->begin(tipHeld());
   const double aside = 1e-4;
   const HapticState state = this->hold(needleAt(Vec3(aside, 0, 0)), 1000);
-  // The tip goes where the hand's turn lets it: K_c in series with K_r / L^2.
-  const double force_N = aside / (1.0 / handSpring + needleLength * needleLength / handTurning);
-  EXPECT_NEAR(state.force_W.x(), -force_N, 1e-9);
-  EXPECT_NEAR(std::abs(state.torque_D.y()), needleLength * force_N, 1e-9);
+  const double turn_rad = turnAboutTheTip_rad(aside);
+  EXPECT_NEAR(state.force_W.x(), handSpring * (needleLength * std::sin(turn_rad) - aside), 1e-9);
+  EXPECT_NEAR(std::abs(state.torque_D.y()), handTurning * turn_rad, 1e-9);
   EXPECT_NEAR(state.torque_D.norm(), std::abs(state.torque_D.y()), 1e-9);
   EXPECT_LE(state.mechanism.residual_u, 1e-12);
 }
@@ -230,6 +244,15 @@ TEST_F(MechanismInLoop, ReplaysBitForBitAndTellsItsChanges)
   }
   EXPECT_EQ(told, changes);
   expectReplay(recording, ticks);
+}
+
+TEST_F(MechanismInLoop, EveryBitThatFlipsInARecordingOfItIsNamed)
+{
+  const TemporaryFolder folder;
+  this->begin(needleAndBlock(), true, virtualTime(folder.file("a")));
+  this->lower(0.005, -0.002);
+  EXPECT_EQ(this->session.stop(), "");
+  FlippedBits(folder.file("a")).expectEachIsNamed(34, "joined");
 }
 
 TEST_F(MechanismInLoop, OfARecordingBegunWhileTheNeedleIsInReplaysBitForBit)
@@ -289,7 +312,7 @@ TEST_F(MechanismInLoop, ABodyThatFindsNoPlaceToRestIsSaidInEachTickAndTheHandFee
   EXPECT_TRUE(state.mechanism.capped);
   EXPECT_TRUE(state.capped);
   EXPECT_GE(this->session.report().cappedTicks, static_cast<std::uint64_t>(ticks));
-  EXPECT_NEAR(state.force_W.x(), -aside / (1.0 / handSpring + needleLength * needleLength / handTurning), 1e-9);
+  EXPECT_NEAR(state.force_W.x(), handSpring * (needleLength * std::sin(turnAboutTheTip_rad(aside)) - aside), 1e-9);
   const double gone = state.mechanism.pose_W[2].p.x();
   EXPECT_GT(gone, 0.0);
   EXPECT_LE(gone, sledge.load_W.norm() / handSpring * (ticks + 1)) << "as through what drags at it";
@@ -340,7 +363,7 @@ TEST_F(MechanismInLoop, ItIsBeingComputedUntilTheServoIsGivenItAndItsBodiesAreTo
   const MechanismStatus first = this->session.mechanismStatus();
   EXPECT_GT(first.plan, 0u);
   ASSERT_EQ(first.soft.size(), 1u);
-  EXPECT_EQ(first.soft[0].shape->felt_u.size(), first.soft[0].asMade->mesh.vertices_W.size());
+  EXPECT_EQ(first.soft[0].shape->dent_u.size(), first.soft[0].asMade->mesh.vertices_W.size());
   EXPECT_TRUE(eventually([&] { return this->session.state().mechanism.revision == first.plan; }));
   MechanismInputs stronger = needleAndBlock();
   stronger.mechanism.laws[0].strength_N = 3.0;

@@ -98,7 +98,7 @@ void runDirectCoupling(const Conditions&, Table& table)
   SampledWall wall;
   wall.damping_Ns_per_m = 1.0;
   const double limit = criticalStiffness(wall);
-  // THEORY 5.5 d: of an object of 5 g, 3000 N/m and .5 N s/m.
+  // docs/theory.md, "Objects that move, touched": of an object of 5 g, 3000 N/m and .5 N s/m.
   for (const auto& [rate_Hz, truth] : { std::pair(1000.0, 23998.0), { 100.0, 260.0 }, { 50.0, 115.0 }, { 25.0, 56.0 } })
   {
     const Object o{ 5e-3, 3e3, 0.5, 1.0 / rate_Hz };

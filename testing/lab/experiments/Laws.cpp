@@ -64,7 +64,7 @@ void breaks(LawTrial& trial)
 void axes(LawTrial& trial, LawKind kind)
 {
   const Vec3 axis_W = trial.random.direction();
-  const Vec3 tilt = trial.random.uniform(0.0, 1e-4) * axis_W.unitOrthogonal(); // its cube is below rounding
+  const Vec3 tilt = trial.random.uniform(0.0, 1e-7) * axis_W.unitOrthogonal(); // its square is below rounding
   const Vec3 apart_W = trial.random.inCube(2e-3);
   MechanismLaw& law = trial.joinTip(kind, "world", axis_W);
   law.axis_A = trial.turn.conjugate() * (turnBy(tilt) * axis_W);

@@ -45,7 +45,7 @@ Compliance complianceOf(int n)
 
 void runPatch(const Conditions& conditions, Table& table)
 {
-  // THEORY 5.10 and Table 5.3c: block of 20 kPa and nu .4, patch of 12.5 mm; independent code, three digits printed.
+  // docs/theory.md, "A patch, and Hertz below it": block of 20 kPa and nu .4, patch of 12.5 mm; independent code.
   const std::vector<std::pair<int, double>> meshes{ { 4, 0.0 }, { 6, 0.0 }, { 8, 1.155e-3 }, { 12, 1.390e-3 },
     { 16, 1.533e-3 } };
   constexpr double limit_m_per_N = 1.86e-3; // of edges without length

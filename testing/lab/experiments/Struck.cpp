@@ -122,7 +122,7 @@ void judgeImpacts(Table& table)
 {
   // A spring between a hand that goes on and a free mass: half a swing, after which the mass is twice as fast.
   const double truth_N = hand_m_per_s * std::sqrt(coupling_N_per_m * struck_kg), leaves = 2.0 * hand_m_per_s;
-  struct Published // THEORY-2 5.6, by independent code, three digits printed
+  struct Published // docs/theory.md, "Objects that move, touched": by independent code, three digits
   {
     double rate_Hz, most_N, leaves_m_per_s;
   };
@@ -154,7 +154,8 @@ void runStruck(const Conditions&, Table& table)
       {
         worst = std::max(worst, errorOf(mass_kg, ticks, frequency_Hz));
       }
-      // THEORY-2 5.6: <= .7 % without a mass, <= 2.1 % with 20 g, 1.6 and 5.4 % with 100 g (its own swing: 8.7 Hz).
+      // docs/theory.md, "Objects that move, touched": <= .7 % without a mass, <= 2.1 % with 20 g, 1.6 and 5.4 % with
+      // 100 g (its own swing: 8.7 Hz).
       const double published = mass_kg == 0.0 ? 0.007 : mass_kg < 0.1 ? 0.021 : frequency_Hz < 2.0 ? 0.016 : 0.054;
       const std::string name = caseName({ { "mass_g", 1e3 * mass_kg }, { "hand_Hz", frequency_Hz } });
       table.atMost({ name, "shared compliance", "RMS error of the force, 25 to 250 Hz" }, worst, published + 5e-4);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/mechanism/solve/LawProblem.h"
+
+namespace palpate
+{
+
+/// Whether the free bodies find no rest: a way is a certificate of that, along which the loads do more work than all
+/// forces together that the laws allow can take up (Farkas' lemma; of Coulomb's laws the kinematic theorem of limit
+/// analysis, which needs a way that opens each contact by its friction). It is looked for near `guess`, along
+/// which the body slips, say: as its projection on all ways that nothing resists without bounds (Boyle & Dykstra 1986).
+/// True is a proof that no forces below 1e5 times the load balance it; false says nothing. `work` is added to, in the
+/// unit of ContactPlan::workBudget. Real-time safe.
+[[nodiscard]] bool isEndless(const LawProblem& problem, const LawProblem::Way& guess, std::uint32_t& work) noexcept;
+
+} // namespace palpate
