@@ -79,7 +79,8 @@ class Tool(CommandLineTest):
         self.write_path([(0, 0, 0, 3, *UPRIGHT)], header=POSES)
         base = ("touch", "plane.off", "--tool", "cube.off", "--path", "path.csv", "--csv", "out.csv")
         for option in (("--radius", 1), ("--two-d",), ("--stiffness-array", "E"), ("--shading",),
-                       ("--strength", 1), ("--compare-with", "g"), ("--values", 1), ("--range", "0,1"), ("--snap", "points")):
+                       ("--strength", 1), ("--compare-with", "g"), ("--values", 1), ("--range", "0,1"), ("--snap", "points"),
+                       ("--young", 20000)):
             self.refused(*base, *option, saying=("a tool does not feel it",))
         self.refused(*base, "--lever", 0, saying=("lever",))
         for stiffness in (-1, 0, "inf"):

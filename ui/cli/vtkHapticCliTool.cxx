@@ -42,6 +42,7 @@ void CheckToolAlone(const vtkHapticCliTouchOptions& options)
                             : !field.empty()             ? field
                             : options.Field.Any()        ? "--field"
                             : options.TwoD               ? "--two-d"
+                            : options.Soft.Young_Pa      ? "--young"
                             : !options.Materials.Empty() ? "an array of the material"
                                                          : "";
   if (!asked.empty())

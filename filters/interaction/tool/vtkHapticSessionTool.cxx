@@ -15,9 +15,10 @@ bool vtkHapticSession::AddTool(const char* name, vtkDataObject* data)
 
 void vtkHapticSession::HoldTool(const std::string& problem)
 {
-  this->Refuse(problem);
-  this->Impl->Follow("tool", problem);
   this->Impl->Core.setTool(this->Impl->Tool.Choice());
+  const std::string beside = this->Impl->Core.toolBesideSoft();
+  this->Refuse(problem.empty() ? beside : problem);
+  this->Impl->Follow("tool", problem.empty() ? beside : problem);
   this->Impl->JudgeStability();
   this->Impl->Tool.Follow(this->Impl->Core, this->Impl->State);
   this->Impl->Scene.follow(this->Impl->PlanNow());

@@ -20,4 +20,8 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 /// direction means little; `cut` says whether it was. Real-time safe.
 [[nodiscard]] Vec6 wishedMotion(const Pose& from_W, const Pose& to_W, double lever_u, bool& cut) noexcept;
 
+/// The function of `from_W` that falls fastest along the wished motion, by twice its length: its square, and where the
+/// turn is cut, one that grows evenly with the angle (Huber's function). Real-time safe.
+[[nodiscard]] double wishedDistance2(const Pose& from_W, const Pose& to_W, double lever_u) noexcept;
+
 } // namespace palpate

@@ -14,6 +14,17 @@ constexpr double largestDip = 0.3;      // of the rest gap: half of it is spare
 constexpr double dipOfBend = 0.25;      // f'' / 8 in the middle of a step that ends f'' / 2 off its line
 constexpr int corrections = 2;
 
+/// The least that a row's line may rise by over the step, for a gap that also bends by bend_u: it ends at the rest gap,
+/// and a gap that bends away from the scene does not come nearer on the way than its dip may. A pair that stands at the
+/// proven gap could not be proven to come any nearer, however far away it ends: the tool would never leave.
+double leastRise_u(double gap_u, double bend_u, double restGap_u)
+{
+  const double least_u = restGap_u - gap_u - bend_u;
+  const double spare_u = std::max(0.0, gap_u - (1.0 - largestDip) * restGap_u);
+  // gap + r s + bend s^2 is least at s = -r / (2 bend), within the step where the bend is larger than what is spare.
+  return bend_u > spare_u ? std::max(least_u, -2.0 * std::sqrt(bend_u * spare_u)) : least_u;
+}
+
 } // namespace
 
 ScrewStep StepPlan::stepOf(const Vec6& y) const
@@ -27,7 +38,7 @@ NearestMotion StepPlan::solve(const Vec6& wish, const std::vector<double>& bends
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     const TouchRow& row = this->rows_[i];
-    const double least_u = this->limits_.restGap_u - row.offset_u - bends_u[i];
+    const double least_u = leastRise_u(row.offset_u, bends_u[i], this->limits_.restGap_u);
     rows[i] = motionRow(row.plane.n_W, row.plane.arm_W, least_u, this->limits_.lever_u);
   }
   NearestMotion found = nearestMotion(rows, wish);

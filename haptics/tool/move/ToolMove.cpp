@@ -201,11 +201,10 @@ ToolMove::Advance ToolMove::advance(const Pose& device_W, WorkBudget& budget)
 double ToolMove::usefulShare(const PlannedStep& planned, const ScrewStep& step, const Pose& device_W)
 {
   constexpr double nearlyAll = 0.75;
-  bool cut = false;
   const Pose end_W = step.end_W(1.0);
   const Mat3 turn = this->pose_W_.q.toRotationMatrix(), endTurn = end_W.q.toRotationMatrix();
-  const double before = wishedMotion(this->pose_W_, device_W, this->lever_u_, cut).squaredNorm();
-  double change = wishedMotion(end_W, device_W, this->lever_u_, cut).squaredNorm() - before;
+  const double before = wishedDistance2(this->pose_W_, device_W, this->lever_u_);
+  double change = wishedDistance2(end_W, device_W, this->lever_u_) - before;
   for (std::size_t i = 0; i < planned.pressures.size(); ++i)
   {
     if (planned.pressures[i] > 0.0)
@@ -216,10 +215,12 @@ double ToolMove::usefulShare(const PlannedStep& planned, const ScrewStep& step, 
     }
   }
   const double slope = 2.0 * whitened(step.v_W, step.w_W, this->lever_u_).dot(planned.full);
-  constexpr double rounding = 1e-14;
-  this->idle_ = change > -rounding * before ? this->idle_ + 1 : 0;
   const double best = change + slope > 0.0 ? slope / (2.0 * (change + slope)) : 1.0;
-  return best > 0.0 && best < nearlyAll ? best : 1.0;
+  const double share = best > 0.0 && best < nearlyAll ? best : 1.0;
+  const double taken = share * ((change + slope) * share - slope); // the parabola where the step will end
+  constexpr double rounding = 1e-14;
+  this->idle_ = taken > -rounding * before ? this->idle_ + 1 : 0;
+  return share;
 }
 
 ToolContacts ToolMove::contacts() const

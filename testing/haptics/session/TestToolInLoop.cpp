@@ -9,6 +9,7 @@
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/Warning.h"
 #include "haptics/tool/motion/Turn.h"
+#include "testing/haptics/recording/FlippedBits.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/TemporaryFolder.h"
@@ -96,6 +97,16 @@ TEST_F(ToolInLoop, ReplaysBitForBitWithScenesThatMoveAndAreReplaced)
   EXPECT_EQ(result.ticks, static_cast<std::uint64_t>(ticks));
   EXPECT_GT(pressed, result.ticks / 4) << "what is not felt shows nothing";
   EXPECT_GT(turned, result.ticks / 4);
+}
+
+TEST_F(ToolInLoop, EveryBitThatFlipsInARecordingOfItIsNamed)
+{
+  const TemporaryFolder folder;
+  this->begin(sceneOf(sheetAt(0.0)), cubeTool(), folder.file("a"));
+  this->hold(0.03, 5);
+  this->hold(halfTool - 0.002, 40);
+  EXPECT_EQ(this->session.stop(), "");
+  FlippedBits(folder.file("a")).expectEachIsNamed(32, "tool");
 }
 
 TEST_F(ToolInLoop, OfARecordingBegunWhileItPressesReplaysBitForBit)

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random tools among posts, bars, torn sheets and shells, at hands that jump: where a tool is said to rest it could not
+// come nearer, and its contacts give the force of its pose.
+#include <gtest/gtest.h>
+
+#include "Tools.h"
+#include "haptics/tool/servo/ToolForce.h"
+#include "testing/oracles/tool/RestJudge.h"
+#include "testing/support/SoupMaker.h"
+
+namespace palpate::test
+{
+namespace
+{
+
+constexpr double room_mm = 45.0;
+
+/// Some triangles are divided by a point near to a side: each leaves a sliver.
+TriangleMesh withSlivers(const TriangleMesh& mesh, double share, Random& random)
+{
+  TriangleMesh divided{ mesh.vertices_W, {} };
+  for (const auto& [a, b, c] : mesh.triangles)
+  {
+    if (random.uniform() >= share)
+    {
+      divided.triangles.push_back({ a, b, c });
+      continue;
+    }
+    const double off = random.uniform(1e-5, 1e-2), along = random.uniform(0.2, 0.8);
+    const Vec3 side = (1.0 - along) * mesh.vertices_W[a] + along * mesh.vertices_W[b];
+    const auto middle = static_cast<std::uint32_t>(divided.vertices_W.size());
+    divided.vertices_W.push_back((1.0 - off) * side + off * mesh.vertices_W[c]);
+    divided.triangles.push_back({ a, b, middle });
+    divided.triangles.push_back({ b, c, middle });
+    divided.triangles.push_back({ c, a, middle });
+  }
+  return divided;
+}
+
+TriangleMesh star(Random& random)
+{
+  TriangleMesh mesh = makeIcosphere(1, 8.0);
+  for (Vec3& v : mesh.vertices_W)
+  {
+    v *= random.uniform() < 0.35 ? random.uniform(1.0, 1.5) : random.uniform(0.45, 0.7);
+  }
+  return mesh;
+}
+
+TriangleMesh randomShape(int kind, Random& random)
+{
+  switch (kind)
+  {
+    case 0:
+      return makeBox(Vec3(-8, -5, -3), Vec3(8, 5, 3));
+    case 1:
+      return makeTorus(8.0, 2.5, 16, 8);
+    case 2:
+      return star(random);
+    default:
+      return withSlivers(makeBox(Vec3(-9, -6, -1), Vec3(9, 6, 1)), 0.8, random);
+  }
+}
+
+TriangleMesh posts(Random& random)
+{
+  TriangleMesh mesh;
+  for (int k = 0; k < 25; ++k)
+  {
+    const double x = 15.0 * (k / 5 - 2) + random.uniform(-3, 3), y = 15.0 * (k % 5 - 2) + random.uniform(-3, 3);
+    const double height = random.uniform(15, 40), half = random.uniform(0.5, 2.5);
+    const TriangleMesh post = makeBox(Vec3(x - half, y - half, -height), Vec3(x + half, y + half, height));
+    append(mesh, rotated(post, turnBy(0.15 * random.uniform() * random.direction())));
+  }
+  return mesh;
+}
+
+TriangleMesh bars(Random& random)
+{
+  TriangleMesh mesh;
+  for (int k = 0; k < 25; ++k)
+  {
+    const double a = 14.0 * (k / 5 - 2), b = 14.0 * (k % 5 - 2), half = random.uniform(0.4, 1.2);
+    append(mesh, makeBox(Vec3(-40, a - half, b - half), Vec3(40, a + half, b + half)));
+    append(mesh, makeBox(Vec3(a - half + 5, -40, b - half), Vec3(a + half + 5, 40, b + half)));
+  }
+  return mesh;
+}
+
+TriangleMesh tornSheet(Random& random)
+{
+  TriangleMesh sheet = makeSheet({ 90.0, 90.0, 10, 10, 0.35 }, random);
+  for (Vec3& v : sheet.vertices_W)
+  {
+    v.z() = random.uniform(-2, 2);
+  }
+  sheet = withSlivers(sheet, 0.6, random);
+  std::erase_if(sheet.triangles, [&](const auto&) { return random.uniform() < 0.12; });
+  return sheet;
+}
+
+TriangleMesh shells(Random& random)
+{
+  TriangleMesh mesh;
+  for (const double radius : { 18.0, 30.0, 45.0 })
+  {
+    TriangleMesh shell = makeIcosphere(2, radius);
+    for (Vec3& v : shell.vertices_W)
+    {
+      v *= random.uniform(0.96, 1.0);
+    }
+    append(mesh, shell);
+  }
+  return mesh;
+}
+
+TriangleMesh obstaclesOf(int kind, Random& random)
+{
+  switch (kind)
+  {
+    case 0:
+      return posts(random);
+    case 1:
+      return bars(random);
+    case 2:
+      return tornSheet(random);
+    default:
+      return shells(random);
+  }
+}
+
+/// Somewhere in the room, or near the tool.
+Pose jump(const Pose& tool_W, Random& random)
+{
+  const Pose far_W = randomPose(random, room_mm);
+  const Vec3 way = random.inCube(12.0);
+  const Quat turn = turnBy(0.5 * random.uniform() * random.direction());
+  return random.uniform() < 0.5 ? far_W : Pose{ tool_W.p + way, turn * tool_W.q };
+}
+
+/// How much of the motion to the hand the contacts leave open: they give the force of the pose where it is nothing.
+double unheld(const ToolMove& move, const Pose& hand_W)
+{
+  const ToolContacts set = move.contacts();
+  bool cut = false;
+  const Vec6 wish = wishedMotion(set.pose_W, hand_W, set.lever_u, cut);
+  return (wish + toolPull(set, hand_W, ToolCoupling::Constraints).pull_u).norm() / wish.norm();
+}
+
+} // namespace
+
+TEST(ToolRest, IsWhereTheToolCannotComeNearerAndItsContactsGiveTheForceOfItsPose)
+{
+  constexpr int jumps = 2, mostUpdates = 12, kinds = 4, trials = 150;
+  constexpr double smallGain = 0.002; // of the tool's size
+  std::size_t states = 0, settled = 0, judged = 0, pressed = 0;
+  for (int k = 0; k < kinds * kinds; ++k)
+  {
+    Random random(testSeed(5100 + static_cast<std::uint64_t>(k)));
+    const TriangleMesh shape = randomShape(k / kinds, random), obstacles = obstaclesOf(k % kinds, random);
+    JudgedTool tool(shape, obstacles, 0);
+    tool.move.watch(nullptr);
+    const RestJudge judge(tool.tool.shape_B->mesh(), tool.scene_W->mesh(), tool.tool.gyration_u);
+    while (!tool.move.place(randomPose(random, 38.0)).empty())
+    {
+    }
+    for (std::size_t i = 0; i < testCount(jumps); ++i)
+    {
+      const Pose hand_W = jump(tool.move.pose_W(), random);
+      ToolUpdate last;
+      for (int u = 0; u < mostUpdates && !last.converged; ++u)
+      {
+        last = tool.move.update(hand_W, plenty);
+        ASSERT_FALSE(last.blocked) << k << " " << i;
+      }
+      ++states;
+      settled += last.converged ? 1 : 0;
+      EXPECT_FALSE(judge.meets(tool.move.pose_W())) << k << " " << i;
+      const bool touches = judge.distance_u(tool.move.pose_W(), hand_W) > 1e-3;
+      pressed += touches ? 1 : 0;
+      if (touches)
+      {
+        EXPECT_LE(unheld(tool.move, hand_W), 1e-3) << k << " " << i;
+      }
+      if (touches && !last.leadCut) // beyond the longest lead it is not the distance that falls
+      {
+        ++judged;
+        EXPECT_LE(judge.gain_u(tool.move.pose_W(), hand_W, trials, random), smallGain * tool.tool.diagonal_u)
+          << k << " " << i;
+      }
+    }
+  }
+  EXPECT_GE(settled, states - states / 50); // one in a hundred still jitters by rest gaps where it should rest
+  EXPECT_GT(pressed, states / 2);
+  EXPECT_GT(judged, states / 5);
+}
+
+TEST(ToolRest, OfABoxAboveAPlaneThatCouldStillComeDownIsSeenByItsJudge)
+{
+  Random random(testSeed(5101));
+  const TriangleMesh box = makeBox(Vec3::Constant(-5), Vec3::Constant(5));
+  const RestJudge judge(box, makeSheet({ 100.0, 100.0, 4, 4, 0.3 }, random), 4.0);
+  const Pose hand_W{ Vec3(0, 0, 3), Quat::Identity() };
+  for (const double height_mm : { 0.1, 0.5, 2.0 })
+  {
+    const double gain_mm = judge.gain_u({ Vec3(0, 0, 5.0 + height_mm), Quat::Identity() }, hand_W, 600, random);
+    EXPECT_LE(gain_mm, height_mm);
+    EXPECT_GE(gain_mm, 0.5 * height_mm);
+  }
+  EXPECT_TRUE(judge.meets({ Vec3(0, 0, 4.999), Quat::Identity() }));
+  EXPECT_FALSE(judge.meets({ Vec3(0, 0, 5.001), Quat::Identity() }));
+}
+
+} // namespace palpate::test
