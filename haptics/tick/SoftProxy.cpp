@@ -41,9 +41,13 @@ ContactResult moveOnBody(
   ContactPlan inUnits = plan;
   inUnits.coupling_N_per_m /= state.map.scale_u_per_m;
   state.soft.core = state.contact;
-  const SoftResult moved = body.scene->moves()
-                             ? moveOnSoft(MovingScene(*body.scene, share), inUnits, touch, p_W, state.soft, room)
-                             : moveOnSoft(*body.scene, inUnits, touch, p_W, state.soft, room);
+  SoftResult moved = body.scene->moves()
+                       ? moveOnSoft(MovingScene(*body.scene, share), inUnits, touch, p_W, state.soft, room)
+                       : moveOnSoft(*body.scene, inUnits, touch, p_W, state.soft, room);
+  if (body.held && state.soft.count > 0)
+  {
+    stopAtHeldFaces(*body.held, inUnits, state.soft.core.x_W, p_W, moved);
+  }
   state.contact = state.soft.core;
   return resultOf(moved, state.soft, inUnits.coupling_N_per_m);
 }

@@ -79,8 +79,8 @@ class Soft(CommandLineTest):
         self.write_path([(0, 0, 0, 1)])
         tail = ("--path", "path.csv", "--csv", "out.csv")
         base = ("touch", "block.vtu", "--young")
-        for young in (0, -5, "nan", 1e12):
-            self.refused(*base, young, "--fixed", "zmin", *tail, saying=("block.vtu", "modulus"))
+        for young in (0, -5, "nan", 1e12, 0.02, 9.9):
+            self.refused(*base, young, "--fixed", "zmin", *tail, saying=("block.vtu", "modulus", "10 Pa"))
         for poisson in (-0.1, 0.5):
             self.refused(*base, YOUNG, "--fixed", "zmin", "--poisson", poisson, *tail, saying=("block.vtu", "Poisson"))
         self.refused(*base, YOUNG, *tail, saying=("block.vtu", "fixed"))

@@ -10,6 +10,12 @@ bool vtkHapticSession::AddSoftBody(const char* name, vtkDataObject* data)
   this->Refuse(problem);
   impl.Follow("soft body", problem);
   impl.Core.setSoft(impl.Soft.Choice());
+  if (impl.Core.tool().tool)
+  {
+    impl.Follow("tool", impl.Core.toolBesideSoft());
+    impl.JudgeStability();
+    impl.Tool.Follow(impl.Core, impl.State);
+  }
   impl.Soft.Follow(impl.Core, impl.State, impl.Now());
   return problem.empty();
 }

@@ -9,7 +9,8 @@
  * its points where it has no cells, as an extracted selection, a plane or a bone. Output: the tetrahedra with
  *
  *     Fixed         (n)    int     1: held
- *     Displacement  (n, 3) double  0: at rest [u]
+ *     Displacement  (n, 3) double  of the finite elements' nodes, 0: at rest [u]
+ *     Dent          (n, 3) double  how much further a point is shown, where something presses [u]
  *     Young         (m)    double  of the cells [Pa]
  *     Strain        (m, 6) double  Green's, 0: at rest; xx yy zz xy yz xz
  *     Stress        (m, 6) double  Cauchy's, likewise [Pa]

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "haptics/compliance/mesh/ThinPlaces.h"
 #include "haptics/session/settings/Setting.h"
 #include "vtkCellData.h"
 #include "vtkDataSetTriangleFilter.h"
@@ -152,29 +153,17 @@ void AddToFieldData(vtkUnstructuredGrid& body, vtkDataArray* array)
   body.SetFieldData(own);
 }
 
-/// Strain and stress of each tetrahedron with its corners moved.
-void SetStress(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input, vtkDoubleArray& moved)
+/// Strain and stress of each tetrahedron; 0 of those that are no part of the body.
+void SetStress(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input, const palpate::CheckedTetras* checked,
+  const palpate::BodyShape* shape)
 {
-  const vtkIdType cells = body.GetNumberOfCells();
-  const auto strain = Array("Strain", 6, cells);
-  const auto stress = Array("Stress", 6, cells);
-  for (vtkIdType cell = 0; cell < cells; ++cell)
+  const auto strain = Array("Strain", 6, body.GetNumberOfCells());
+  const auto stress = Array("Stress", 6, body.GetNumberOfCells());
+  for (std::size_t i = 0; shape && checked && i < checked->sourceTetra.size(); ++i)
   {
-    const palpate::Tetra& tetra = input.mesh.tetras[static_cast<std::size_t>(cell)];
-    palpate::Mat3 rest, way;
-    for (int c = 0; c < 3; ++c)
-    {
-      rest.col(c) = input.mesh.vertices_W[tetra[c + 1]] - input.mesh.vertices_W[tetra[0]];
-      way.col(c) = palpate::Vec3(moved.GetPointer(3 * static_cast<vtkIdType>(tetra[c + 1]))) -
-                   palpate::Vec3(moved.GetPointer(3 * static_cast<vtkIdType>(tetra[0])));
-    }
-    if (!(std::abs(rest.determinant()) > 0.0))
-    {
-      continue; // a flat one is no part of the body
-    }
-    const palpate::Mat3 gradient = way * rest.inverse();
-    const palpate::Mat3 f = palpate::Mat3::Identity() + gradient;
-    const double young_Pa = input.young_Pa[input.young_Pa.size() == 1 ? 0 : static_cast<std::size_t>(cell)];
+    const std::uint32_t cell = checked->sourceTetra[i];
+    const palpate::Mat3& f = shape->deformation[i];
+    const double young_Pa = input.young_Pa[input.young_Pa.size() == 1 ? 0 : cell];
     const palpate::ElasticModuli moduli = palpate::moduliOf(young_Pa, input.poisson, 1.0).moduli;
     const palpate::Mat3 cauchy_Pa = palpate::stressOf(input.model, moduli, f) * f.transpose() / f.determinant();
     strain->SetTuple(cell, Six(0.5 * (f.transpose() * f - palpate::Mat3::Identity())).data());
@@ -256,7 +245,9 @@ bool vtkHapticDescribeBody(
   for (vtkIdType cell = 0; cell < body.GetNumberOfCells(); ++cell)
   {
     young->SetValue(cell, given ? given->GetTuple1(cell) : material.Young_Pa);
-    problem = palpate::moduliOf(young->GetValue(cell), material.Poisson, material.Unit_m).refusal;
+    const double young_Pa = young->GetValue(cell);
+    const std::string modulus = palpate::refuseModulus(young_Pa);
+    problem = modulus.empty() ? palpate::moduliOf(young_Pa, material.Poisson, material.Unit_m).refusal : modulus;
     if (!problem.empty())
     {
       return false;
@@ -318,40 +309,39 @@ palpate::Vec3 vtkHapticOutOf(const vtkHapticBall& ball, const palpate::Vec3& p_W
   return within ? palpate::Vec3(ball.Centre_W + ball.Radius_u / distance * away) : p_W;
 }
 
-vtkSmartPointer<vtkDoubleArray> vtkHapticFeltDisplacement(
+vtkHapticBodyWay vtkHapticWayOf(
   const palpate::SoftBodyInput& input, const palpate::CheckedTetras* checked, const palpate::BodyShape* shape)
 {
-  auto moved = Array("Displacement", 3, static_cast<vtkIdType>(input.mesh.vertices_W.size()));
+  const auto count = static_cast<vtkIdType>(input.mesh.vertices_W.size());
+  vtkHapticBodyWay way{ Array(vtkHapticBodyWay::DisplacementName, 3, count),
+    Array(vtkHapticBodyWay::DentName, 3, count) };
   for (std::size_t v = 0; shape && checked && v < checked->sourceVertex.size(); ++v)
   {
-    moved->SetTuple(checked->sourceVertex[v], shape->felt_u[v].data());
+    way.Displacement->SetTuple(checked->sourceVertex[v], shape->displacement_u[v].data());
+    way.Dent->SetTuple(checked->sourceVertex[v], shape->dent_u[v].data());
   }
-  return moved;
+  return way;
 }
 
 void vtkHapticBendBody(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input,
   const palpate::CheckedTetras* checked, const palpate::BodyShape* shape, const vtkHapticBall& ball)
 {
-  const vtkIdType count = body.GetNumberOfPoints();
-  const auto moved = vtkHapticFeltDisplacement(input, checked, shape);
-  const auto inner = Array("", 3, count); // of the tetrahedra
-  for (std::size_t v = 0; shape && checked && v < checked->sourceVertex.size(); ++v)
-  {
-    inner->SetTuple(checked->sourceVertex[v], shape->displacement_u[v].data());
-  }
+  const vtkHapticBodyWay way = vtkHapticWayOf(input, checked, shape);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  for (vtkIdType i = 0; i < count; ++i)
+  points->SetNumberOfPoints(body.GetNumberOfPoints());
+  for (vtkIdType i = 0; i < body.GetNumberOfPoints(); ++i)
   {
-    const palpate::Vec3& rest_W = input.mesh.vertices_W[static_cast<std::size_t>(i)];
-    const palpate::Vec3 place_W = vtkHapticOutOf(ball, rest_W + palpate::Vec3(moved->GetPointer(3 * i)));
+    const palpate::Vec3 moved_W =
+      input.mesh.vertices_W[static_cast<std::size_t>(i)] + palpate::Vec3(way.Displacement->GetPointer(3 * i));
+    const palpate::Vec3 place_W = vtkHapticOutOf(ball, moved_W + palpate::Vec3(way.Dent->GetPointer(3 * i)));
     points->SetPoint(i, place_W.data());
-    moved->SetTuple(i, palpate::Vec3(place_W - rest_W).data());
+    way.Dent->SetTuple(i, palpate::Vec3(place_W - moved_W).data());
   }
   body.SetPoints(points);
-  body.GetPointData()->AddArray(moved);
-  SetStress(body, input, *inner);
+  body.GetPointData()->AddArray(way.Displacement);
+  body.GetPointData()->AddArray(way.Dent);
+  SetStress(body, input, checked, shape);
   const auto presses = Array(BallName, 4, 1);
   presses->SetTuple4(0, ball.Centre_W.x(), ball.Centre_W.y(), ball.Centre_W.z(), ball.Radius_u);
   AddToFieldData(body, presses);
@@ -382,8 +372,10 @@ std::string vtkHapticSoftBodyText(const palpate::SoftBodyInput& input)
     const palpate::Vec3 sum = std::accumulate(input.load_N.begin(), input.load_N.end(), palpate::Vec3(0, 0, 0));
     text += ", bears " + palpate::quantity(sum.norm(), "N");
   }
-  return text + ", a unit is " + palpate::quantity(input.unit_m, "m") + Assumed(input.unit_m, 1.0) + ", " +
-         std::to_string(input.mesh.tetras.size()) + " tetrahedra";
+  text += ", a unit is " + palpate::quantity(input.unit_m, "m") + Assumed(input.unit_m, 1.0) + ", " +
+          std::to_string(input.mesh.tetras.size()) + " tetrahedra";
+  const std::string thin = palpate::thinPlacesOf(input.mesh).sentence();
+  return text + (thin.empty() ? "" : "; " + thin);
 }
 
 std::string vtkHapticStrainText(const palpate::BodyShape& shape)
@@ -398,7 +390,7 @@ std::string vtkHapticStrainText(const palpate::BodyShape& shape)
     text << " at (" << at.x() << ", " << at.y() << ", " << at.z() << ")";
   }
   text << (shape.mostGradient > vtkHapticStrain::Large   ? ": qualitative from here on"
-           : shape.mostGradient > vtkHapticStrain::Small ? ": a linear law is off by more than 1 %"
+           : shape.mostGradient > vtkHapticStrain::Small ? ": a linear law is off by some 10 %"
                                                          : "");
   return text.str();
 }

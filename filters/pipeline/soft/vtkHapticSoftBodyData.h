@@ -66,14 +66,24 @@ struct vtkHapticBall
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT palpate::Vec3 vtkHapticOutOf(
   const vtkHapticBall& ball, const palpate::Vec3& p_W);
 
-/// How far each point of a described body has gone by a state, Displacement (3) [u]: its surface is the felt one.
-/// `checked`: what `shape` has displacements of; either null: at rest.
-[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkSmartPointer<vtkDoubleArray> vtkHapticFeltDisplacement(
+/// Vectors [u] of each point of a described body.
+struct vtkHapticBodyWay
+{
+  static constexpr const char* DisplacementName = "Displacement";
+  static constexpr const char* DentName = "Dent";
+  vtkSmartPointer<vtkDoubleArray> Displacement; ///< how far it has gone: of the finite elements' node
+  vtkSmartPointer<vtkDoubleArray> Dent;         ///< how much further it is shown, where something presses
+};
+
+/// How far each point of a described body has gone by a state. `checked`: what `shape` has displacements of; either
+/// null: at rest.
+[[nodiscard]] VTKHAPTICPIPELINE_EXPORT vtkHapticBodyWay vtkHapticWayOf(
   const palpate::SoftBodyInput& input, const palpate::CheckedTetras* checked, const palpate::BodyShape* shape);
 
-/// Gives a described body the points and the arrays Displacement [u], Strain (Green's, xx yy zz xy yz xz) and Stress
-/// (Cauchy's, likewise [Pa]) of a state. `checked`: what `shape` has displacements of; null: at rest. Its surface is
-/// the felt one, dented by `ball`; strain and stress are those of its tetrahedra, which that dent is no part of.
+/// Gives a described body the arrays Displacement and Dent [u], Strain (Green's, xx yy zz xy yz xz) and Stress
+/// (Cauchy's, likewise [Pa]) of a state, and the points at rest moved by both of the former. `checked`: what `shape`
+/// has displacements of; null: at rest. The dent is that of `ball` and of points under a force; displacement, strain
+/// and stress are those of the tetrahedra, which it is no part of.
 VTKHAPTICPIPELINE_EXPORT void vtkHapticBendBody(vtkUnstructuredGrid& body, const palpate::SoftBodyInput& input,
   const palpate::CheckedTetras* checked, const palpate::BodyShape* shape, const vtkHapticBall& ball = {});
 
@@ -86,7 +96,7 @@ struct vtkHapticStrain
   static constexpr double Small = 0.1, Large = 0.5;
 };
 
-/// "12 % at (1, 2, 3): a linear law is off by more than 1 %": the largest strain of a body, where it is, and what of it
+/// "12 % at (1, 2, 3): a linear law is off by some 10 %": the largest strain of a body, where it is, and what of it
 /// is not to be trusted.
 [[nodiscard]] VTKHAPTICPIPELINE_EXPORT std::string vtkHapticStrainText(const palpate::BodyShape& shape);
 

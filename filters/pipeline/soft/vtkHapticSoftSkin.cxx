@@ -36,6 +36,34 @@ palpate::Vec3 At(vtkPoints& points, vtkIdType i)
   return palpate::Vec3(p);
 }
 
+/// Three numbers of a point of a body; 0 where the body has no such array, as older files have no Dent.
+palpate::Vec3 Of(vtkUnstructuredGrid& body, const char* name, vtkIdType point)
+{
+  vtkDataArray* const array = body.GetPointData()->GetArray(name);
+  const bool has = array && array->GetNumberOfComponents() == 3;
+  return has ? palpate::Vec3(array->GetTuple3(point)) : palpate::Vec3(palpate::Vec3::Zero());
+}
+
+/// Such an array of the nodes that a surface rides on.
+Eigen::VectorXd OfNodes(vtkUnstructuredGrid& body, const char* name, const std::vector<std::uint32_t>& sourceVertex)
+{
+  Eigen::VectorXd ofNodes(3 * static_cast<Eigen::Index>(sourceVertex.size()));
+  for (std::size_t v = 0; v < sourceVertex.size(); ++v)
+  {
+    ofNodes.segment<3>(3 * static_cast<Eigen::Index>(v)) = Of(body, name, sourceVertex[v]);
+  }
+  return ofNodes;
+}
+
+vtkSmartPointer<vtkDoubleArray> Vectors(const char* name, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
 double VolumeOf(const palpate::TetraMesh& mesh)
 {
   return std::accumulate(mesh.tetras.begin(), mesh.tetras.end(), 0.0,
@@ -124,7 +152,7 @@ bool vtkHapticSoftSkin::IsSkin(vtkDataObject* data)
 bool vtkHapticSoftSkin::Ride(vtkPolyData& surface, vtkUnstructuredGrid& body, std::string& problem)
 {
   vtkDataArray* const young = body.GetCellData()->GetArray("Young");
-  vtkDataArray* const moved = body.GetPointData()->GetArray("Displacement");
+  vtkDataArray* const moved = body.GetPointData()->GetArray(vtkHapticBodyWay::DisplacementName);
   if (!moved || moved->GetNumberOfComponents() != 3)
   {
     this->Kept.reset();
@@ -145,7 +173,9 @@ bool vtkHapticSoftSkin::Ride(vtkPolyData& surface, vtkUnstructuredGrid& body, st
   }
   for (std::size_t v = 0; v < read.Input->mesh.vertices_W.size(); ++v)
   {
-    read.Input->mesh.vertices_W[v] -= palpate::Vec3(moved->GetTuple3(static_cast<vtkIdType>(v)));
+    const auto point = static_cast<vtkIdType>(v);
+    read.Input->mesh.vertices_W[v] -=
+      Of(body, vtkHapticBodyWay::DisplacementName, point) + Of(body, vtkHapticBodyWay::DentName, point);
   }
   palpate::CheckedTetras checked = palpate::checkTetras(read.Input->mesh, read.Input->fixed);
   problem = checked.refusal;
@@ -182,35 +212,31 @@ int vtkHapticSoftSkin::RequestData(vtkInformation*, vtkInformationVector** input
   {
     return rides ? 1 : 0;
   }
-  vtkDataArray* const ofBody = body->GetPointData()->GetArray("Displacement");
-  Eigen::VectorXd ofNodes(3 * static_cast<Eigen::Index>(this->Kept->SourceVertex.size()));
-  for (std::size_t v = 0; v < this->Kept->SourceVertex.size(); ++v)
-  {
-    ofNodes.segment<3>(3 * static_cast<Eigen::Index>(v)) =
-      palpate::Vec3(ofBody->GetTuple3(this->Kept->SourceVertex[v]));
-  }
+  const Eigen::VectorXd movedBy = OfNodes(*body, vtkHapticBodyWay::DisplacementName, this->Kept->SourceVertex);
+  const Eigen::VectorXd dentedBy = OfNodes(*body, vtkHapticBodyWay::DentName, this->Kept->SourceVertex);
   const vtkHapticBall ball = vtkHapticBallOn(*body);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(surface->GetNumberOfPoints());
-  vtkNew<vtkDoubleArray> moved;
-  moved->SetName("Displacement");
-  moved->SetNumberOfComponents(3);
-  moved->SetNumberOfTuples(surface->GetNumberOfPoints());
+  const auto moved = Vectors(vtkHapticBodyWay::DisplacementName, surface->GetNumberOfPoints());
+  const auto dented = Vectors(vtkHapticBodyWay::DentName, surface->GetNumberOfPoints());
+  const palpate::SurfaceMap& map = this->Kept->Embedding.map;
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
-    const palpate::Vec3 rest_W = At(*surface->GetPoints(), i);
-    const palpate::Vec3 carried_W =
-      rest_W + this->Kept->Embedding.map.displacementOf(static_cast<std::size_t>(i), ofNodes);
-    const palpate::Vec3 place_W = vtkHapticOutOf(ball, carried_W);
+    const auto point = static_cast<std::size_t>(i);
+    const palpate::Vec3 gone_u = map.displacementOf(point, movedBy);
+    const palpate::Vec3 moved_W = At(*surface->GetPoints(), i) + gone_u;
+    const palpate::Vec3 place_W = vtkHapticOutOf(ball, moved_W + map.displacementOf(point, dentedBy));
     points->SetPoint(i, place_W.data());
-    moved->SetTuple(i, palpate::Vec3(place_W - rest_W).data());
+    moved->SetTuple(i, gone_u.data());
+    dented->SetTuple(i, palpate::Vec3(place_W - moved_W).data());
   }
   vtkPolyData* const skin = vtkPolyData::GetData(output);
   skin->ShallowCopy(surface);
   skin->SetPoints(points);
   skin->GetPointData()->SetNormals(nullptr); // of the surface at rest
   skin->GetPointData()->AddArray(moved);
+  skin->GetPointData()->AddArray(dented);
   vtkNew<vtkIntArray> mark;
   mark->SetName(MarkName);
   mark->InsertNextValue(1);

@@ -8,7 +8,8 @@
  * barycentric coordinates there; a point in none follows the nearest, continued beyond its faces), and dented by the
  * ball that presses the body, with
  *
- *     Displacement  (n, 3) double [u]
+ *     Displacement  (n, 3) double how far the tetrahedra carry it [u]
+ *     Dent          (n, 3) double how much further it is shown, where something presses [u]
  *
  * A session feels the body in its place. What coarse mechanics leave out, Text says.
  */

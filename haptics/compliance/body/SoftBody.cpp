@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "haptics/compliance/body/SurfaceLoads.h"
 #include "haptics/compliance/solve/OldFactor.h"
 
 namespace palpate
@@ -49,7 +50,7 @@ SoftBody::SoftBody(StrainPoints points, ElasticModel model, const std::vector<bo
     stiffness_(pattern_.zeros()), factor_(stiffness_),
     factoring_(points_.rest_W.size() > mostFactoredEachStep ? Factoring::WhenOld : Factoring::EachStep),
     displacement_(Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(points_.rest_W.size()))),
-    always_N_(Eigen::VectorXd::Zero(displacement_.size()))
+    always_N_(Eigen::VectorXd::Zero(displacement_.size())), atRest_(displacement_)
 {
 }
 
@@ -119,6 +120,7 @@ bool SoftBody::bear(const Eigen::VectorXd& always_N, const std::stop_token& stop
   const bool rests = this->settle(nothing, mostSteps, stop) &&
                      this->stateUnder(nothing).residual_N <= openShare * always_N.lpNorm<Eigen::Infinity>();
   this->energyAtRest_Nu_ = this->energyAt(this->displacement_);
+  this->atRest_ = this->displacement_;
   return rests;
 }
 
@@ -254,6 +256,11 @@ Eigen::MatrixXd SoftBody::compliance(const SparseColumns& h) const
   return this->factor_.sharedCompliance(this->ofFree(h));
 }
 
+Eigen::VectorXd SoftBody::ownCompliance(const SparseColumns& h) const
+{
+  return this->factor_.ownCompliance(this->ofFree(h));
+}
+
 Eigen::MatrixXd SoftBody::compliance(const SparseColumns& h, const SparseColumns& n) const
 {
   return this->factor_.sharedCompliance(this->ofFree(h), this->ofFree(n));
@@ -282,6 +289,7 @@ std::string bearLoads(
   {
     return "a load on the body is no finite number of newtons";
   }
+  spreadTractions(body.points(), checked.mesh, always_N);
   if (always_N.isZero(0.0) || body.bear(always_N, stop))
   {
     return {};
@@ -319,7 +327,8 @@ SoftBodyResult makeSoftBody(const SoftBodyInput& input, const std::stop_token& s
   {
     const double young_Pa = input.young_Pa[input.young_Pa.size() == 1 ? 0 : result.checked.sourceTetra[i]];
     const ModuliResult one = moduliOf(young_Pa, input.poisson, input.unit_m);
-    result.refusal = one.refusal;
+    const std::string modulus = refuseModulus(young_Pa);
+    result.refusal = modulus.empty() ? one.refusal : modulus;
     moduli.push_back(one.moduli);
   }
   const std::vector<bool>& fixed = result.checked.fixed;

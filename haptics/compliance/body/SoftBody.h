@@ -51,6 +51,8 @@ public:
   [[nodiscard]] const StrainPoints& points() const { return this->points_; }
   /// Three numbers a node [u]; 0 at what is fixed.
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return this->displacement_; }
+  /// That under what it bears always, alone.
+  [[nodiscard]] const Eigen::VectorXd& atRest() const { return this->atRest_; }
   [[nodiscard]] std::size_t factorBytes() const { return this->factor_.bytes(); }
 
   /// Factors the stiffness of the present state. False if it is not positive definite.
@@ -76,6 +78,8 @@ public:
 
   /// H K^-1 H^T [u/N] of the last factor; `h`: its rows, on the numbers 3 node + axis.
   [[nodiscard]] Eigen::MatrixXd compliance(const SparseColumns& h) const;
+  /// Its diagonal.
+  [[nodiscard]] Eigen::VectorXd ownCompliance(const SparseColumns& h) const;
   /// H K^-1 N^T for a few rows N, whose nodes are among those of H.
   [[nodiscard]] Eigen::MatrixXd compliance(const SparseColumns& h, const SparseColumns& n) const;
   /// Displacement by the last factor: K^-1 load, three numbers a node [u].
@@ -104,6 +108,7 @@ private:
   std::size_t factorings_ = 0;
   Eigen::VectorXd displacement_;
   Eigen::VectorXd always_N_;     ///< what it bears
+  Eigen::VectorXd atRest_;       ///< displacement under that alone
   double energyAtRest_Nu_ = 0.0; ///< under that alone
 };
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
+#include "haptics/compliance/element/Materials.h"
 #include "haptics/compliance/element/TetraShape.h"
 
 namespace palpate
@@ -21,22 +23,37 @@ void addPoint(StrainPoints& all, double volume_u3, const ElasticModuli& moduli, 
   all.gradients.insert(all.gradients.end(), gradients.begin(), gradients.end());
 }
 
-/// What the tetrahedra around an edge add up to.
+/// An edge and one of the materials around it.
+struct EdgeKey
+{
+  Edge edge{};
+  std::uint32_t material = 0;
+  auto operator<=>(const EdgeKey&) const = default;
+};
+
+/// What the tetrahedra of one material around an edge add up to.
 struct EdgeSum
 {
   double volume_u3 = 0.0;
   double mu = 0.0;
   double lambda = 0.0;
   std::map<std::uint32_t, Vec3> gradient; ///< of each node, times volume
+  std::uint32_t point = 0;                ///< its number
 };
 
-void addTetraToEdges(std::map<Edge, EdgeSum>& edges, const Tetra& t, const TetraShape& shape, const ElasticModuli& m)
+EdgeKey keyOf(const Tetra& t, const std::array<int, 2>& edge, std::uint32_t material)
+{
+  const auto [low, high] = std::minmax(t[edge[0]], t[edge[1]]);
+  return { { low, high }, material };
+}
+
+void addTetraToEdges(std::map<EdgeKey, EdgeSum>& edges, const Tetra& t, const TetraShape& shape, const ElasticModuli& m,
+  std::uint32_t material)
 {
   const double share = shape.volume_u3 / 6.0;
-  for (const auto& [i, j] : tetraEdges)
+  for (const auto& edge : tetraEdges)
   {
-    const auto [low, high] = std::minmax(t[i], t[j]);
-    EdgeSum& sum = edges[{ low, high }];
+    EdgeSum& sum = edges[keyOf(t, edge, material)];
     sum.volume_u3 += share;
     sum.mu += share * m.mu;
     sum.lambda += share * m.lambda;
@@ -49,12 +66,13 @@ void addTetraToEdges(std::map<Edge, EdgeSum>& edges, const Tetra& t, const Tetra
 
 void addEdgePoints(StrainPoints& all, const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli)
 {
-  std::map<Edge, EdgeSum> edges;
+  const std::vector<std::uint32_t> materials = materialsOf(mesh, moduli);
+  std::map<EdgeKey, EdgeSum> edges;
   for (std::size_t i = 0; i < mesh.tetras.size(); ++i)
   {
-    addTetraToEdges(edges, mesh.tetras[i], tetraShape(mesh, mesh.tetras[i]), moduli[i]);
+    addTetraToEdges(edges, mesh.tetras[i], tetraShape(mesh, mesh.tetras[i]), moduli[i], materials[i]);
   }
-  for (const auto& [edge, sum] : edges)
+  for (auto& [edge, sum] : edges)
   {
     std::vector<std::uint32_t> nodes;
     std::vector<Vec3> gradients;
@@ -63,7 +81,15 @@ void addEdgePoints(StrainPoints& all, const TetraMesh& mesh, const std::vector<E
       nodes.push_back(node);
       gradients.push_back(gradient / sum.volume_u3);
     }
+    sum.point = static_cast<std::uint32_t>(all.points.size());
     addPoint(all, sum.volume_u3, { sum.mu / sum.volume_u3, sum.lambda / sum.volume_u3 }, nodes, gradients);
+  }
+  for (std::size_t i = 0; i < mesh.tetras.size(); ++i)
+  {
+    for (const auto& edge : tetraEdges)
+    {
+      all.ofTetras.push_back(edges.at(keyOf(mesh.tetras[i], edge, materials[i])).point);
+    }
   }
 }
 
@@ -106,6 +132,15 @@ void addQuadraticPoints(StrainPoints& all, const TetraMesh& mesh, const std::vec
   }
 }
 
+void addLinearPoints(StrainPoints& all, const TetraMesh& mesh, const std::vector<ElasticModuli>& moduli)
+{
+  for (std::size_t i = 0; i < mesh.tetras.size(); ++i)
+  {
+    const TetraShape shape = tetraShape(mesh, mesh.tetras[i]);
+    addPoint(all, shape.volume_u3, moduli[i], mesh.tetras[i], shape.gradients);
+  }
+}
+
 } // namespace
 
 Mat3 StrainPoints::deformationAt(const StrainPoint& p, std::span<const double> displacement) const
@@ -116,6 +151,21 @@ Mat3 StrainPoints::deformationAt(const StrainPoint& p, std::span<const double> d
     f += Eigen::Map<const Vec3>(displacement.data() + 3 * this->nodes[a]) * this->gradients[a].transpose();
   }
   return f;
+}
+
+std::vector<Mat3> StrainPoints::deformationOfTetras(const std::vector<Mat3>& ofPoints) const
+{
+  std::vector<Mat3> means;
+  for (std::size_t i = 0; i < this->ofTetras.size(); i += this->perTetra)
+  {
+    Mat3 sum = Mat3::Zero();
+    for (std::size_t k = i; k < i + this->perTetra; ++k)
+    {
+      sum += ofPoints[this->ofTetras[k]];
+    }
+    means.emplace_back(sum / static_cast<double>(this->perTetra));
+  }
+  return means;
 }
 
 std::size_t StrainPoints::mostStiffnessBytes() const
@@ -134,20 +184,22 @@ StrainPoints makeStrainPoints(const TetraMesh& mesh, ElementKind kind, const std
   all.rest_W = mesh.vertices_W;
   if (kind == ElementKind::EdgeSmoothed)
   {
+    all.perTetra = tetraEdges.size();
     addEdgePoints(all, mesh, moduli);
+    return all;
   }
-  else if (kind == ElementKind::Quadratic)
+  if (kind == ElementKind::Quadratic)
   {
+    all.perTetra = 4;
     addQuadraticPoints(all, mesh, moduli);
   }
   else
   {
-    for (std::size_t i = 0; i < mesh.tetras.size(); ++i)
-    {
-      const TetraShape shape = tetraShape(mesh, mesh.tetras[i]);
-      addPoint(all, shape.volume_u3, moduli[i], mesh.tetras[i], shape.gradients);
-    }
+    all.perTetra = 1;
+    addLinearPoints(all, mesh, moduli);
   }
+  all.ofTetras.resize(all.points.size()); // they come tetrahedron by tetrahedron
+  std::iota(all.ofTetras.begin(), all.ofTetras.end(), 0u);
   return all;
 }
 

@@ -15,7 +15,7 @@ namespace palpate
 enum class ElementKind : std::uint8_t
 {
   Linear,       ///< one point a tetrahedron; far too stiff where it bends
-  EdgeSmoothed, ///< one point an edge, of the tetrahedra around it: no new nodes, true to 2 % with four across a bar
+  EdgeSmoothed, ///< one point an edge and material around it: no new nodes, true to 2 % with four across a bar
   Quadratic,    ///< ten nodes and four points a tetrahedron: also for what nearly keeps its volume
 };
 
@@ -37,6 +37,9 @@ struct StrainPoints
   std::vector<Vec3> gradients; ///< [1/u]
   /// Of each further node, the ends of the edge that it halves.
   std::vector<std::array<std::uint32_t, 2>> halves;
+  std::vector<std::uint32_t>
+    ofTetras;               ///< the points that each tetrahedron has a part in, one tetrahedron after another
+  std::size_t perTetra = 0; ///< of one: all have as many
 
   [[nodiscard]] std::span<const std::uint32_t> nodesOf(const StrainPoint& p) const
   {
@@ -51,9 +54,14 @@ struct StrainPoints
   [[nodiscard]] std::size_t mostStiffnessBytes() const;
   /// `displacement`: three numbers a node [u].
   [[nodiscard]] Mat3 deformationAt(const StrainPoint& p, std::span<const double> displacement) const;
+  /// F of each tetrahedron: the mean of its points, `ofPoints` in their order. Of quadratic tetrahedra that is their
+  /// own mean, of edge-smoothed ones the mean of what is smoothed around their edges, which converges where the
+  /// gradient of their corners alone is off by as much as it is large.
+  [[nodiscard]] std::vector<Mat3> deformationOfTetras(const std::vector<Mat3>& ofPoints) const;
 };
 
-/// Of a checked mesh; `moduli`: of each tetrahedron. Edge-smoothed strain: Liu & Nguyen-Thoi 2010.
+/// Of a checked mesh; `moduli`: of each tetrahedron. Edge-smoothed strain: Liu & Nguyen-Thoi 2010; it is smoothed
+/// within one material each (Materials.h), so that a step of the modulus stays one.
 [[nodiscard]] StrainPoints makeStrainPoints(
   const TetraMesh& mesh, ElementKind kind, const std::vector<ElasticModuli>& moduli);
 

@@ -2,6 +2,7 @@
 #include "haptics/compliance/map/Patches.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -10,25 +11,26 @@ namespace palpate
 namespace
 {
 
-/// Points along an edge of a face: 64 of like area integrate the kernel to a thousandth.
-constexpr int cutsOfFace = 8;
+/// Points along an edge of a face of a usual patch: 64 of like area integrate the kernel to a thousandth.
+constexpr int mostCuts = 8;
 
 using Weights = std::map<std::uint32_t, double>;
 
 /// Adds the integral of the kernel over a face to its nodes; false if the face has no point within the radius.
-bool addFace(const BorderFaces& border, std::uint32_t face, const Vec3& center_W, double radius_u, Weights& weights)
+bool addFace(
+  const BorderFaces& border, std::uint32_t face, const Vec3& center_W, double radius_u, int cuts, Weights& weights)
 {
   const std::array<Vec3, 3> c = border.cornersOf(face);
-  const double area = 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm() / (cutsOfFace * cutsOfFace);
+  const double area = 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm() / (cuts * cuts);
   bool within = false;
   // Centroids of the small triangles: those that stand as the face does, and those upside down between them.
-  for (int i = 0; i < cutsOfFace; ++i)
+  for (int i = 0; i < cuts; ++i)
   {
-    for (int j = 0; j < 2 * (cutsOfFace - i) - 1; ++j)
+    for (int j = 0; j < 2 * (cuts - i) - 1; ++j)
     {
       const double third = j % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
-      const double b1 = (i + third) / cutsOfFace;
-      const double b2 = (j / 2 + third) / cutsOfFace;
+      const double b1 = (i + third) / cuts;
+      const double b2 = (j / 2 + third) / cuts;
       const std::array<double, 3> b{ 1.0 - b1 - b2, b1, b2 };
       const double d2 = (b[0] * c[0] + b[1] * c[1] + b[2] * c[2] - center_W).squaredNorm();
       const double kernel = 1.0 - d2 / (radius_u * radius_u);
@@ -42,7 +44,7 @@ bool addFace(const BorderFaces& border, std::uint32_t face, const Vec3& center_W
   return within;
 }
 
-Weights weightsAround(const BorderFaces& border, const Vec3& center_W, std::uint32_t first, double radius_u)
+Weights weightsAround(const BorderFaces& border, const Vec3& center_W, std::uint32_t first, double radius_u, int cuts)
 {
   Weights weights;
   std::set<std::uint32_t> met{ first };
@@ -51,7 +53,7 @@ Weights weightsAround(const BorderFaces& border, const Vec3& center_W, std::uint
   {
     const std::uint32_t face = open.back();
     open.pop_back();
-    if (!addFace(border, face, center_W, radius_u, weights) && face != first)
+    if (!addFace(border, face, center_W, radius_u, cuts, weights) && face != first)
     {
       continue;
     }
@@ -137,9 +139,10 @@ double BorderFaces::edgeLengthAt(std::uint32_t node) const
   return sum / static_cast<double>(this->facesAt_[node].size());
 }
 
-NodeBlocks patchAt(const BorderFaces& border, const Vec3& center_W, std::uint32_t face, double radius_u)
+NodeBlocks patchAt(const BorderFaces& border, const Vec3& center_W, std::uint32_t face, double radius_u, double wider)
 {
-  const Weights weights = weightsAround(border, center_W, face, radius_u);
+  const int cuts = std::clamp(static_cast<int>(std::ceil(mostCuts / wider)), 1, mostCuts);
+  const Weights weights = weightsAround(border, center_W, face, radius_u, cuts);
   Vec3 mean = Vec3::Zero();
   for (const auto& [node, weight] : weights)
   {

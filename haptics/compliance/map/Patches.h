@@ -37,7 +37,9 @@ inline constexpr double patchEdges = 2.5;
 
 /// How a patch of radius `radius_u` around a place on a face follows the nodes: weights 1 - (d/a)^2 integrated over the
 /// faces that hang together around it, put on the nodes as a distributing coupling (the mean motion and the mean turn
-/// of the weighted nodes carry the place). Force and moment are kept to rounding.
-[[nodiscard]] NodeBlocks patchAt(const BorderFaces& border, const Vec3& center_W, std::uint32_t face, double radius_u);
+/// of the weighted nodes carry the place). Force and moment are kept to rounding. A patch that is `wider` than the
+/// usual one by a factor covers as many more faces, each of which is integrated over by as many fewer points.
+[[nodiscard]] NodeBlocks patchAt(
+  const BorderFaces& border, const Vec3& center_W, std::uint32_t face, double radius_u, double wider = 1.0);
 
 } // namespace palpate

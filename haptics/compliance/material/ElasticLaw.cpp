@@ -199,6 +199,16 @@ ModuliResult moduliOf(double young_Pa, double poisson, double unit_m)
   return { { young / (2.0 * (1.0 + poisson)), young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)) }, {} };
 }
 
+std::string refuseModulus(double young_Pa)
+{
+  constexpr double least_Pa = 10.0;
+  constexpr double most_Pa = 1e12;
+  return young_Pa >= least_Pa && young_Pa < most_Pa
+           ? ""
+           : saying("Young's modulus is ", young_Pa,
+               " Pa: give one in pascals, from 10 Pa to below 1e12 Pa; soft tissue has 1e3 to 1e6");
+}
+
 double energyDensity(ElasticModel model, const ElasticModuli& moduli, const Mat3& f)
 {
   switch (model)

@@ -38,6 +38,10 @@ struct ModuliResult
 /// length.
 [[nodiscard]] ModuliResult moduliOf(double young_Pa, double poisson, double unit_m);
 
+/// Empty, or why no body may have this modulus [Pa]: from 10 Pa, below which nothing holds together, to below 1e12 Pa
+/// (diamond). A modulus typed in another unit is outside.
+[[nodiscard]] std::string refuseModulus(double young_Pa);
+
 /// Energy a volume [N/u^2], 0 at rest.
 [[nodiscard]] double energyDensity(ElasticModel model, const ElasticModuli& moduli, const Mat3& f);
 

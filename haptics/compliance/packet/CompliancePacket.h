@@ -28,12 +28,20 @@ void membersOf(const Visit& visit, Point& at) requires std::is_same_v<std::remov
   visit(at.x_W);
 }
 
-/// How much deeper a ball goes into a surface than the patch says, in series with it: Hertz's law less the compliance
-/// of the patch on a half space. With t^3 the normal force, it is hertz t^2 - patch t^3 while that rises.
+/// How much deeper a ball goes into a surface than the patch says, in series with it: a function of t, with t^3 the
+/// normal force, that rises from 0 with slope 0. Between knots that are alike for all places of a packet it is a cubic
+/// in t, beyond the last one it goes on straight with the force. Without knots (step 0), as packets were before they
+/// had them, it is hertz t^2 - patch t^3 while that rises.
 struct SubgridSpring
 {
-  double hertz = 0.0; ///< (9 / (16 E*^2 r))^(1/3) [u N^(-2/3)]; 0: no ball, no spring
-  double patch = 0.0; ///< .6587 / (E* a) [u/N]
+  static constexpr std::size_t knots = 13; ///< the first one at t = 0
+
+  double hertz = 0.0;  ///< (9 / (16 E*^2 r))^(1/3) [u N^(-2/3)]; 0: no ball, no spring
+  double patch = 0.0;  ///< .6587 / (E* a) [u/N]
+  double across = 0.0; ///< of the slope, what the contact gives along the surface (Mindlin 1949); 0: nothing
+  double step = 0.0;   ///< of t from knot to knot [N^(1/3)]
+  std::array<double, knots> depth_u{}; ///< at the knots
+  std::array<double, knots> rise{};    ///< derivative of that by t
 };
 
 /// What the servo gets of a body that gives way: where its surface would be without the tool, and how the vertices near
@@ -48,7 +56,7 @@ struct CompliancePacket
   std::vector<std::uint32_t> near;    ///< vertices with compliance: far ones that are pressed, then by distance
   std::vector<std::uint32_t> placeOf; ///< of every vertex: its place in `near`, or that of the nearest one
   Eigen::MatrixXd compliance;         ///< three rows a place [u/N]: symmetric, positive semidefinite
-  std::vector<SubgridSpring> springs; ///< of each place
+  std::vector<SubgridSpring> springs; ///< of each place, with the same knots
   std::vector<double> patchRadius_u;  ///< of each place
   std::vector<SurfacePoint> forceAt;  ///< where the tool pressed in the state that it was linearised at
   std::vector<Vec3> force_N;          ///< and how

@@ -52,13 +52,13 @@ void KnownCompliance::add(const std::vector<std::uint32_t>& unknown)
   const auto before = static_cast<Eigen::Index>(3 * this->vertices_.size());
   const auto more = static_cast<Eigen::Index>(3 * unknown.size());
   this->vertices_.insert(this->vertices_.end(), unknown.begin(), unknown.end());
-  const SparseColumns all = this->map_.columnsOf(this->vertices_);
+  const SparseColumns all = this->patches_.columnsOf(this->vertices_);
   if (before == 0)
   {
     this->blocks_ = this->body_.compliance(all);
     return;
   }
-  const Eigen::MatrixXd columns = this->body_.compliance(all, this->map_.columnsOf(unknown));
+  const Eigen::MatrixXd columns = this->body_.compliance(all, this->patches_.columnsOf(unknown));
   this->blocks_.conservativeResize(before + more, before + more);
   this->blocks_.bottomLeftCorner(more, before) = columns.topRows(before).transpose();
   // Of what rounding makes of the pairs among the new ones, one half counts.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "haptics/compliance/body/SoftBody.h"
-#include "haptics/compliance/map/SurfaceMap.h"
+#include "haptics/compliance/packet/SpreadPatches.h"
 
 namespace palpate
 {
@@ -17,7 +17,7 @@ public:
   static constexpr std::size_t mostKnown = 320;
 
   /// References are kept.
-  KnownCompliance(const SoftBody& body, const SurfaceMap& map) : body_(body), map_(map) {}
+  KnownCompliance(const SoftBody& body, SpreadPatches& patches) : body_(body), patches_(patches) {}
 
   /// Gets to know the first of those that it does not know, at most so many, but all of them if it knows none. Those of
   /// `wanted` (no more than mostKnown) that it then knows, in their order.
@@ -31,7 +31,7 @@ private:
   void add(const std::vector<std::uint32_t>& unknown);
 
   const SoftBody& body_;
-  const SurfaceMap& map_;
+  SpreadPatches& patches_;
   std::vector<std::uint32_t> vertices_; ///< asked for last, first
   Eigen::MatrixXd blocks_;              ///< three rows each
 };

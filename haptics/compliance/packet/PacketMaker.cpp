@@ -14,8 +14,37 @@ namespace palpate
 namespace
 {
 
-/// Of 1 / (E* a): compliance of a half space under the patch's paraboloid of force, in the patch's own mean.
-constexpr double halfSpaceOfPatch = 0.6587;
+/// How much wider than the contact a patch is: what the ball goes in beyond it then never gets less with force, and has
+/// a quarter of the width left for what the force does until the next packet.
+constexpr double patchOverContact = 1.5;
+/// Patches are the ball's radius halved so often at most.
+constexpr int mostHalvings = 3;
+
+/// How much more a contact gives along the surface of a half space than into it (Mindlin 1949).
+double acrossOver(double poisson)
+{
+  return (2.0 - poisson) / (2.0 * (1.0 - poisson));
+}
+
+/// Each triangle by its area. Triangles have no outer side of their own: of a vertex, all are turned as its first one
+/// is.
+std::vector<Vec3> normalsOf(const SoftSurface& surface, const std::vector<Vec3>& places_W)
+{
+  std::vector<Vec3> normals(places_W.size(), Vec3::Zero());
+  for (const auto& [a, b, c] : surface.triangles)
+  {
+    const Vec3 across = (places_W[b] - places_W[a]).cross(places_W[c] - places_W[a]);
+    for (const std::uint32_t v : { a, b, c })
+    {
+      normals[v] += normals[v].dot(across) < 0.0 ? Vec3(-across) : across;
+    }
+  }
+  for (Vec3& n : normals)
+  {
+    n.normalize();
+  }
+  return normals;
+}
 
 /// Dijkstra's distances along edges from some vertices; `from` says which of them is nearest.
 struct EdgeDistances
@@ -127,14 +156,63 @@ std::vector<std::uint32_t> nearVerticesOf(
   return near;
 }
 
-Eigen::VectorXd PacketMaker::loadOf(const PacketRequest& request) const
+/// Radius of the contact that the hand makes, or will make by the next packet.
+double PacketMaker::contactAhead_u(const PacketRequest& request) const
+{
+  const std::uint32_t at = nearestVertex(this->untouched_W_, request.ball_W);
+  const Vec3& n = this->normals_W_[at];
+  Vec3 force_N = Vec3::Zero();
+  for (const Vec3& f : request.force_N)
+  {
+    force_N += f;
+  }
+  // Before there is a packet of the ball: on a half space.
+  const double pressed_u = this->under_ ? this->under_->contactUnder(force_N.norm())
+                                        : std::cbrt(force_N.norm() * request.radius_u / this->surface_.stiffness[at]);
+  const double above_u = n.dot(request.ball_W - this->untouched_W_[at]);
+  const double height_u = std::max(std::abs(above_u) - request.radius_u, 0.0);
+  const double towards_u_per_s = above_u > 0.0 ? -n.dot(request.velocity_u_per_s) : n.dot(request.velocity_u_per_s);
+  const double into_u = std::max(2.0 * request.period_s * towards_u_per_s - height_u, 0.0);
+  return std::sqrt(pressed_u * pressed_u + request.radius_u * into_u);
+}
+
+/// Patches grow with the contact at once, and shrink when it has become much smaller.
+PacketMaker::Spread& PacketMaker::spreadFor(const PacketRequest& request)
+{
+  double spread_u = request.tip_u;
+  if (request.radius_u > 0.0)
+  {
+    if (this->normals_W_.empty())
+    {
+      this->normals_W_ = normalsOf(this->surface_, this->untouched_W_);
+      this->level_ = mostHalvings;
+    }
+    const double wanted_u = patchOverContact * this->contactAhead_u(request);
+    int level = mostHalvings;
+    while (level > 0 && std::ldexp(request.radius_u, -level) < wanted_u)
+    {
+      --level;
+    }
+    this->level_ = level < this->level_ || level > this->level_ + 1 ? level : this->level_;
+    spread_u = std::ldexp(request.radius_u, -this->level_);
+  }
+  // Where no patch would be wider than it is by its edges, one width is all there is.
+  const double least_u = *std::ranges::min_element(this->surface_.patch_u);
+  const double key_u = spread_u > least_u ? spread_u : 0.0;
+  const auto found = this->spreads_.find(key_u);
+  return found != this->spreads_.end()
+           ? found->second
+           : this->spreads_.try_emplace(key_u, this->body_, this->surface_, key_u).first->second;
+}
+
+Eigen::VectorXd PacketMaker::loadOf(const PacketRequest& request, Spread& spread) const
 {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(this->body_.displacement().size());
   for (std::size_t i = 0; i < request.forceAt.size(); ++i)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      this->surface_.map.addForce(
+      spread.patches.addForce(
         request.forceAt[i].vertices[corner], request.forceAt[i].weights[corner] * request.force_N[i], load);
     }
   }
@@ -156,36 +234,138 @@ void PacketMaker::choose(const PacketRequest& request, CompliancePacket& packet)
   packet.struck = speed * std::max(this->naturalPeriod_s_, request.period_s) > this->surface_.patch_u[at];
 }
 
-void PacketMaker::addCompliance(CompliancePacket& packet)
+void PacketMaker::addCompliance(Spread& spread, CompliancePacket& packet)
 {
   if (this->body_.stiffnessChanges())
   {
-    packet.compliance = this->body_.compliance(this->surface_.map.columnsOf(packet.near));
+    packet.compliance = this->body_.compliance(spread.patches.columnsOf(packet.near));
+    spread.rungs.clear();
   }
   else
   {
-    packet.near = this->known_.learn(packet.near, newVertices(this->body_.factorBytes()));
-    packet.compliance = this->known_.between(packet.near);
+    packet.near = spread.known.learn(packet.near, newVertices(this->body_.factorBytes()));
+    packet.compliance = spread.known.between(packet.near);
   }
   packet.placeOf = distancesFrom(this->surface_, packet.free_W, packet.near).from;
 }
 
-void PacketMaker::addSprings(double radius_u, CompliancePacket& packet) const
+void PacketMaker::learnRungs(Spread& spread, const CompliancePacket& packet) const
 {
-  for (const std::uint32_t v : packet.near)
+  std::vector<std::uint32_t> unknown;
+  std::ranges::copy_if(packet.near, std::back_inserter(unknown),
+    [&spread](std::uint32_t v) { return !spread.rungs.contains(v) && !spread.patches.radiiWithin(v).empty(); });
+  if (unknown.empty())
   {
-    const double e = this->surface_.stiffness[v];
-    const double a = this->surface_.patch_u[v];
-    packet.patchRadius_u.push_back(a);
-    packet.springs.push_back(radius_u > 0.0
-                               ? SubgridSpring{ std::cbrt(9.0 / (16.0 * e * e * radius_u)), halfSpaceOfPatch / (e * a) }
-                               : SubgridSpring{});
+    return;
+  }
+  std::vector<Vec3> normals;
+  std::ranges::transform(unknown, std::back_inserter(normals), [this](std::uint32_t v) { return this->normals_W_[v]; });
+  const Eigen::VectorXd own = this->body_.ownCompliance(spread.patches.columnsWithin(unknown, normals));
+  Eigen::Index column = 0;
+  for (const std::uint32_t v : unknown)
+  {
+    for (const double radius_u : spread.patches.radiiWithin(v))
+    {
+      spread.rungs[v].push_back({ radius_u, own[column++] });
+    }
+  }
+}
+
+BallDepth PacketMaker::depthAt(
+  const CompliancePacket& packet, std::size_t place, double ball_u, const std::vector<PatchRung>& within) const
+{
+  const std::uint32_t v = packet.near[place];
+  const Vec3& n = this->normals_W_[v];
+  const auto row = static_cast<Eigen::Index>(3 * place);
+  std::vector<PatchRung> rungs = within;
+  rungs.push_back({ packet.patchRadius_u[place], n.dot(packet.compliance.block<3, 3>(row, row) * n) });
+  // Nodes halfway the edges make a patch of them as good as one of many more edges.
+  const double edge_u = this->body_.points().halves.empty() ? this->surface_.edge_u[v] : 0.0;
+  return { *this->layer_, ball_u, this->surface_.stiffness[v], edge_u, rungs };
+}
+
+void PacketMaker::prepareSurface(const CompliancePacket& packet)
+{
+  if (!this->layer_)
+  {
+    this->layer_.emplace(this->surface_.poisson);
+  }
+  if (this->normals_W_.empty() || this->body_.stiffnessChanges())
+  {
+    this->normals_W_ = normalsOf(this->surface_, packet.free_W);
+  }
+}
+
+/// A tip that is narrower than its patch makes a dent below it: the tip's paraboloid of force goes in as it does on a
+/// layer that answers the patch alike, and along the surface by Mindlin's ratio further than on a half space.
+void PacketMaker::addTips(double tip_u, CompliancePacket& packet)
+{
+  this->prepareSurface(packet);
+  const double nu = this->surface_.poisson;
+  for (std::size_t i = 0; i < packet.near.size(); ++i)
+  {
+    const std::uint32_t v = packet.near[i];
+    const double patch_u = packet.patchRadius_u[i];
+    const double modulus = this->surface_.stiffness[v];
+    const Vec3& n = this->normals_W_[v];
+    const auto row = static_cast<Eigen::Index>(3 * i);
+    Mat3 tip = Mat3::Zero();
+    if (tip_u < patch_u)
+    {
+      const double found = n.dot(packet.compliance.block<3, 3>(row, row) * n);
+      const double stiffening = this->layer_->stiffeningOf(patch_u, modulus * found, this->surface_.edge_u[v]);
+      const double in = std::max(this->layer_->of(tip_u, stiffening) / modulus - found, 0.0);
+      const double aside = acrossOver(nu) * halfSpaceOfPatch * (1.0 / tip_u - 1.0 / patch_u) / modulus;
+      tip = aside * Mat3::Identity() + (in - aside) * n * n.transpose();
+    }
+    packet.compliance.block<3, 3>(row, row) += tip;
+  }
+}
+
+void PacketMaker::addSprings(const PacketRequest& request, Spread& spread, CompliancePacket& packet)
+{
+  std::ranges::transform(packet.near, std::back_inserter(packet.patchRadius_u),
+    [&spread](std::uint32_t v) { return spread.patches.radiusOf(v); });
+  packet.springs.resize(packet.near.size());
+  if (request.radius_u <= 0.0)
+  {
+    return;
+  }
+  this->prepareSurface(packet);
+  this->learnRungs(spread, packet);
+  if (this->body_.stiffnessChanges() || spread.ball_u != request.radius_u)
+  {
+    spread.depths.clear();
+    spread.ball_u = request.radius_u;
+  }
+  std::vector<double> lastRoots;
+  for (std::size_t i = 0; i < packet.near.size(); ++i)
+  {
+    const std::uint32_t v = packet.near[i];
+    if (!spread.depths.contains(v))
+    {
+      spread.depths.emplace(v, this->depthAt(packet, i, request.radius_u, spread.rungs[v]));
+    }
+    lastRoots.push_back(spread.depths.at(v).lastRoot());
+  }
+  this->under_ = spread.depths.at(packet.near[packet.placeOf[nearestVertex(packet.free_W, request.ball_W)]]);
+  // One step for all: of what hardly gives way, which takes more force for a contact as wide, no more than twice as
+  // much counts.
+  const auto middle = lastRoots.begin() + static_cast<std::ptrdiff_t>(lastRoots.size() / 2);
+  const double most = *std::ranges::max_element(lastRoots);
+  std::ranges::nth_element(lastRoots, middle);
+  const double step = std::min(most, 2.0 * *middle) / static_cast<double>(SubgridSpring::knots - 1);
+  for (std::size_t i = 0; i < packet.near.size(); ++i)
+  {
+    packet.springs[i] = spread.depths.at(packet.near[i]).springOf(step);
+    packet.springs[i].across = acrossOver(this->surface_.poisson);
   }
 }
 
 std::shared_ptr<const CompliancePacket> PacketMaker::make(const PacketRequest& request, int newtonSteps)
 {
-  const Eigen::VectorXd load = this->loadOf(request);
+  Spread& spread = this->spreadFor(request);
+  const Eigen::VectorXd load = this->loadOf(request, spread);
   if (!this->body_.settle(load, newtonSteps))
   {
     return nullptr;
@@ -194,17 +374,20 @@ std::shared_ptr<const CompliancePacket> PacketMaker::make(const PacketRequest& r
   packet->version = ++this->version_;
   packet->builtFromTick = request.tick;
   // What does not change with strain is, without the tool, where it was when its maker was made.
-  packet->free_W =
-    this->body_.stiffnessChanges()
-      ? this->surface_.placesOf(Eigen::VectorXd(this->body_.displacement() - this->body_.linearAnswer(load)))
-      : this->untouched_W_;
+  packet->free_W = this->body_.stiffnessChanges() ? this->surface_.placesOf(this->body_.atRest(),
+                                                      this->body_.displacement() - this->body_.linearAnswer(load))
+                                                  : this->untouched_W_;
   this->choose(request, *packet);
-  this->addCompliance(*packet);
-  this->addSprings(request.radius_u, *packet);
+  this->addCompliance(spread, *packet);
+  this->addSprings(request, spread, *packet);
   packet->forceAt = request.forceAt;
   packet->force_N = request.force_N;
   const SoftBodyState state = this->body_.stateUnder(load);
   packet->energy_Nu = state.energy_Nu - 0.5 * forceYieldOf(*packet);
+  if (request.tip_u > 0.0 && request.radius_u <= 0.0)
+  {
+    this->addTips(request.tip_u, *packet); // what the tips store, the servo counts beside the body's state
+  }
   packet->residual_N = state.residual_N;
   packet->mostGradient = state.mostGradient;
   return packet;

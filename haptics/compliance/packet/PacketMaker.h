@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <optional>
+
+#include "haptics/compliance/packet/BallDepth.h"
 #include "haptics/compliance/packet/CompliancePacket.h"
 #include "haptics/compliance/packet/KnownCompliance.h"
 #include "haptics/compliance/packet/SoftSurface.h"
@@ -15,6 +19,7 @@ struct PacketRequest
   Vec3 ball_W = Vec3::Zero(); ///< in the free surface of the packet before [u]
   Vec3 velocity_u_per_s = Vec3::Zero();
   double radius_u = 0.0;             ///< of the ball; 0: a point, without the spring below the patch
+  double tip_u = 0.0;                ///< radius of what presses as a point; 0: as wide as a patch
   double period_s = 0.04;            ///< from packet to packet
   std::vector<SurfacePoint> forceAt; ///< where the tool presses, or may: the packet answers there in any case
   std::vector<Vec3> force_N;         ///< and how, on the body
@@ -33,8 +38,8 @@ public:
 
   /// References are kept. `naturalPeriod_s`: the body's (NaturalPeriod.h); 0: it has no mass.
   PacketMaker(SoftBody& body, const SoftSurface& surface, double naturalPeriod_s = 0.0)
-    : body_(body), surface_(surface), naturalPeriod_s_(naturalPeriod_s), untouched_W_(surface.placesOf(body)),
-      known_(body, surface.map)
+    : body_(body), surface_(surface), naturalPeriod_s_(naturalPeriod_s),
+      untouched_W_(surface.placesOf(body.atRest(), body.atRest()))
   {
   }
 
@@ -43,16 +48,42 @@ public:
   [[nodiscard]] std::shared_ptr<const CompliancePacket> make(const PacketRequest& request, int newtonSteps = 3);
 
 private:
-  [[nodiscard]] Eigen::VectorXd loadOf(const PacketRequest& request) const;
+  /// What is known of a body under contacts of one width.
+  struct Spread
+  {
+    Spread(const SoftBody& body, const SoftSurface& surface, double spread_u)
+      : patches(surface, spread_u), known(body, this->patches)
+    {
+    }
+
+    SpreadPatches patches;
+    KnownCompliance known;                                 ///< where its stiffness never changes
+    std::map<std::uint32_t, std::vector<PatchRung>> rungs; ///< within each vertex's patch, likewise
+    std::map<std::uint32_t, BallDepth> depths;             ///< of a ball there, likewise
+    double ball_u = 0.0;                                   ///< its radius
+  };
+
+  [[nodiscard]] double contactAhead_u(const PacketRequest& request) const;
+  [[nodiscard]] Spread& spreadFor(const PacketRequest& request);
+  [[nodiscard]] Eigen::VectorXd loadOf(const PacketRequest& request, Spread& spread) const;
   void choose(const PacketRequest& request, CompliancePacket& packet) const;
-  void addCompliance(CompliancePacket& packet);
-  void addSprings(double radius_u, CompliancePacket& packet) const;
+  void addCompliance(Spread& spread, CompliancePacket& packet);
+  void learnRungs(Spread& spread, const CompliancePacket& packet) const;
+  [[nodiscard]] BallDepth depthAt(
+    const CompliancePacket& packet, std::size_t place, double ball_u, const std::vector<PatchRung>& within) const;
+  void addTips(double tip_u, CompliancePacket& packet);
+  void prepareSurface(const CompliancePacket& packet);
+  void addSprings(const PacketRequest& request, Spread& spread, CompliancePacket& packet);
 
   SoftBody& body_;
   const SoftSurface& surface_;
   double naturalPeriod_s_;
-  std::vector<Vec3> untouched_W_; ///< the surface under what the body bears always
-  KnownCompliance known_;         ///< of a body whose stiffness never changes
+  std::vector<Vec3> untouched_W_;        ///< the surface under what the body bears always
+  std::vector<Vec3> normals_W_;          ///< of its vertices, to either side; empty: not asked for yet
+  std::optional<LayerCompliance> layer_; ///< of its material, likewise
+  std::optional<BallDepth> under_;       ///< where the ball was in the last packet
+  std::map<double, Spread> spreads_;     ///< by the least radius of a patch
+  int level_ = 0;                        ///< how often the ball's radius is halved to that
   std::uint32_t version_ = 0;
 };
 

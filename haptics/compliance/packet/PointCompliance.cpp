@@ -85,6 +85,13 @@ SubgridSpring springAt(const CompliancePacket& packet, const SurfacePoint& at) n
     const SubgridSpring& one = packet.springs[packet.placeOf[at.vertices[i]]];
     spring.hertz += at.weights[i] * one.hertz;
     spring.patch += at.weights[i] * one.patch;
+    spring.across += at.weights[i] * one.across;
+    spring.step = one.step;
+    for (std::size_t k = 0; k < SubgridSpring::knots; ++k)
+    {
+      spring.depth_u[k] += at.weights[i] * one.depth_u[k];
+      spring.rise[k] += at.weights[i] * one.rise[k];
+    }
   }
   return spring;
 }

@@ -26,6 +26,12 @@ std::vector<double> planeModulusOfNodes(const StrainPoints& points)
   return modulus;
 }
 
+double poissonOf(const StrainPoints& points)
+{
+  const auto& [mu, lambda] = points.points.front().moduli;
+  return 0.5 * lambda / (lambda + mu);
+}
+
 void numberBorder(SoftSurface& surface, const SoftBody& body, const TetraMesh& mesh)
 {
   CleanResult clean = cleanMesh({ body.points().rest_W, borderOf(mesh) });
@@ -52,12 +58,14 @@ void findNeighbours(SoftSurface& surface)
 
 } // namespace
 
-std::vector<Vec3> SoftSurface::placesOf(const Eigen::VectorXd& ofNodes) const
+std::vector<Vec3> SoftSurface::placesOf(const Eigen::VectorXd& atRest, const Eigen::VectorXd& pressed) const
 {
+  const Eigen::VectorXd further = pressed - atRest;
   std::vector<Vec3> places = this->rest_W;
   for (std::size_t v = 0; v < places.size(); ++v)
   {
-    places[v] += this->map.displacementOf(v, ofNodes);
+    places[v] += atRest.segment<3>(3 * static_cast<Eigen::Index>(this->vertices[v]));
+    places[v] += this->map.displacementOf(v, further);
   }
   return places;
 }
@@ -68,8 +76,12 @@ SoftSurface makeSoftSurface(const SoftBody& body, const TetraMesh& mesh, double 
   numberBorder(surface, body, mesh);
   findNeighbours(surface);
   const std::vector<double> modulus = planeModulusOfNodes(body.points());
-  const BorderFaces corners({ mesh.vertices_W, {}, {}, {}, {} }, borderOf(mesh));
-  const BorderFaces border(body.points(), borderOf(mesh));
+  StrainPoints bare;
+  bare.rest_W = mesh.vertices_W;
+  const BorderFaces corners(bare, borderOf(mesh));
+  surface.border = std::make_shared<const BorderFaces>(body.points(), borderOf(mesh));
+  const BorderFaces& border = *surface.border;
+  surface.poisson = poissonOf(body.points());
   for (const std::uint32_t node : surface.vertices)
   {
     surface.edge_u.push_back(corners.edgeLengthAt(node));

@@ -9,8 +9,8 @@
 namespace palpate
 {
 
-/// The border of a soft body as it is touched: each vertex follows a patch of nodes. In the one order of cleanMesh(),
-/// so that a tree of it numbers its vertices alike.
+/// The border of a soft body as it is touched: each vertex is at its node, and gives way to what presses it with a
+/// patch of nodes. In the one order of cleanMesh(), so that a tree of it numbers its vertices alike.
 struct SoftSurface
 {
   std::vector<std::uint32_t> vertices;                 ///< nodes of the body that the border's corners are
@@ -20,11 +20,17 @@ struct SoftSurface
   std::vector<double> edge_u;                          ///< mean length of the edges at each vertex
   std::vector<double> patch_u;                         ///< radius of its patch
   std::vector<double> stiffness;                       ///< E* = E / (1 - nu^2) of what is below it [N/u^2]
+  double poisson = 0.0;                                ///< of the body
+  std::shared_ptr<const BorderFaces> border;           ///< between the body's nodes
   SurfaceMap map;
 
-  /// Where the vertices are by the body's displacement, patches deciding.
-  [[nodiscard]] std::vector<Vec3> placesOf(const SoftBody& body) const { return this->placesOf(body.displacement()); }
-  [[nodiscard]] std::vector<Vec3> placesOf(const Eigen::VectorXd& ofNodes) const;
+  /// Where the vertices are that nothing presses: a patch would have it round off corners.
+  [[nodiscard]] std::vector<Vec3> placesOf(const SoftBody& body) const
+  {
+    return this->placesOf(body.displacement(), body.displacement());
+  }
+  /// Where they are that something presses: how far the nodes have gone without it, and with it.
+  [[nodiscard]] std::vector<Vec3> placesOf(const Eigen::VectorXd& atRest, const Eigen::VectorXd& pressed) const;
 };
 
 /// `mesh`: the checked tetrahedra of the body; `edges`: the patches' radius in lengths of edges.

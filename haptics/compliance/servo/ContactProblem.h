@@ -52,6 +52,8 @@ struct FrictionRoom
   ContactProblem::Numbers step;
   ContactProblem::Numbers trial;
   ContactProblem::Numbers best;
+  ContactProblem::Numbers swept;
+  ContactProblem::Numbers start;
 };
 
 /// Signorini and Coulomb: in contact either no slip within the cone, or slip against the force on the cone. Begins with

@@ -13,8 +13,12 @@ namespace
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr int newtonUpTo = 20;     // contacts: sweeps are cheaper from there on
-constexpr int sweepsAlone = 60;    // of forty contacts of any kind these leave less than a hundred thousandth
+constexpr int newtonUpTo = 20;  // contacts: sweeps are cheaper from there on
+constexpr int sweepsAlone = 60; // of forty contacts of any kind these leave less than a hundred thousandth
+constexpr int firstSweeps = 4;  // from forces of before, which mostly are near
+constexpr int sweepsAgain = 40; // where that did not lead there, and twice as many in each round that follows
+constexpr int usualRounds = 6;
+constexpr int leftOutUpTo = 6;     // contacts: more are seldom nearly one
 constexpr double rounding = 1e-14; // of the largest number in the problem
 
 /// The solver's steps on one problem. room.moved follows the forces: free + compliance force.
@@ -23,13 +27,13 @@ class FrictionSteps
 public:
   FrictionSteps(const ContactProblem& problem, FrictionRoom& room) noexcept : p_(problem), room_(room) {}
 
-  /// One sweep of projected Gauss-Seidel; room.moved is that of f before and after.
-  void sweep(ContactProblem::Numbers& f) const noexcept
+  /// One sweep of projected Gauss-Seidel over all contacts but `without`; room.moved is that of f before and after.
+  void sweep(ContactProblem::Numbers& f, int without) const noexcept
   {
     for (int c = 0; c < this->p_.count; ++c)
     {
       const double normal = this->normalCompliance(c);
-      if (normal <= 0.0)
+      if (normal <= 0.0 || c == without)
       {
         continue;
       }
@@ -246,16 +250,26 @@ std::uint32_t workOfNewton(int contacts, int pressed) noexcept
   return 2 * workOfSweep(contacts) + static_cast<std::uint32_t>(pressed * pressed * pressed) / 3;
 }
 
-/// One round: sweeps, then Newton steps for as long as they help. Stops early when `budget` is used up.
-double solveRound(FrictionSteps& steps, int count, int sweeps, std::uint32_t budget, ContactForces& forces) noexcept
+/// From where a round begins, over which contacts and how often it sweeps.
+struct Round
 {
-  ContactProblem::Numbers& f = forces.force_N;
-  steps.move(f);
-  for (int i = 0; i < sweeps && forces.work < budget; ++i)
+  ContactProblem::Numbers* from = nullptr;
+  int sweeps = 0;
+  int without = -1; ///< a contact that is left open
+};
+
+/// Sweeps, then Newton steps from there for as long as they help. Stops early when `budget` is used up.
+double solveRound(
+  FrictionSteps& steps, int count, const Round& round, std::uint32_t budget, ContactForces& forces) noexcept
+{
+  steps.move(*round.from);
+  for (int i = 0; i < round.sweeps && forces.work < budget; ++i)
   {
-    steps.sweep(f);
+    steps.sweep(*round.from, round.without);
     forces.work += workOfSweep(count);
   }
+  ContactProblem::Numbers& f = forces.force_N;
+  f = *round.from;
   double residual = steps.residual(f);
   constexpr int mostNewton = 20;
   for (int i = 0; i < mostNewton && count <= newtonUpTo && residual > forces.enough_u && forces.work < budget; ++i)
@@ -272,22 +286,46 @@ double solveRound(FrictionSteps& steps, int count, int sweeps, std::uint32_t bud
   return steps.residual(f);
 }
 
+/// Begins with the forces that there are. Those that another load has left lie far away where contacts are nearly one:
+/// then nothing at all is nearer. Of nearly one contact mostly one is open, and Newton's steps do not find which: each
+/// is left out in turn. Then sweeps alone go on.
+Round nextRound(int number, int count, FrictionRoom& room, const ContactForces& forces) noexcept
+{
+  const int leftOut = count <= leftOutUpTo ? count : 0;
+  if (number == 0)
+  {
+    room.swept = forces.force_N;
+    return { &room.swept, count <= newtonUpTo ? firstSweeps : sweepsAlone };
+  }
+  if (number == 1)
+  {
+    room.swept.setZero();
+    return { &room.swept, sweepsAgain };
+  }
+  if (number < 2 + leftOut)
+  {
+    room.start.setZero(room.swept.size());
+    return { &room.start, sweepsAgain, number - 2 };
+  }
+  return { &room.swept, sweepsAgain << (number - 1 - leftOut) };
+}
+
 } // namespace
 
 void solveFriction(
   const ContactProblem& problem, FrictionRoom& room, ContactForces& forces, std::uint32_t budget) noexcept
 {
   FrictionSteps steps(problem, room);
-  const bool newton = problem.count <= newtonUpTo;
   forces.enough_u = problem.count > 0 ? rounding * problem.free.lpNorm<Eigen::Infinity>() : 0.0;
   forces.residual_u = std::numeric_limits<double>::infinity();
   forces.steps = 0;
   forces.work = 0;
   room.best = forces.force_N;
-  for (int round = 0; round < (newton ? 6 : 1) && forces.residual_u > forces.enough_u; ++round)
+  const int rounds = problem.count > newtonUpTo ? 1 : usualRounds + (problem.count <= leftOutUpTo ? problem.count : 0);
+  for (int number = 0; number < rounds && forces.residual_u > forces.enough_u; ++number)
   {
-    const int sweeps = !newton ? sweepsAlone : round == 0 ? 4 : 40;
-    if (const double now = solveRound(steps, problem.count, sweeps, budget, forces); now < forces.residual_u)
+    const Round round = nextRound(number, problem.count, room, forces);
+    if (const double now = solveRound(steps, problem.count, round, budget, forces); now < forces.residual_u)
     {
       forces.residual_u = now;
       room.best = forces.force_N;

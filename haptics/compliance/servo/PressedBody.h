@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "haptics/compliance/servo/HeldFaces.h"
 #include "haptics/compliance/servo/SoftTouch.h"
 #include "haptics/geometry/scene/Scene.h"
 
@@ -18,6 +19,9 @@ struct PressedBody
   std::uint64_t beside = 0;           ///< geometryHash() of the scene that all but this surface is of; 0: there is none
   std::shared_ptr<const CompliancePacket> packet;
   SoftTouch touch; ///< that packet, and which surface of the scene it is of
+  std::shared_ptr<const TriangleMesh>
+    heldFaces;                       ///< of the body, which nothing moves (HeldFaces.h); null: there are none
+  std::shared_ptr<const Scene> held; ///< of these faces; a recording has the faces alone
 };
 
 /// What the servo tells the worker of a soft body: where the ball is and how it presses.
@@ -30,7 +34,8 @@ struct BodyHand
   Vec3 device_W = Vec3::Zero(); ///< where the hand is [u]
   Vec3 ball_W = Vec3::Zero();   ///< among the free surfaces [u]
   Vec3 velocity_u_per_s = Vec3::Zero();
-  double radius_u = 0.0;
+  double radius_u = 0.0; ///< of a ball
+  double tip_u = 0.0;    ///< of what presses as a point
   int count = 0;
   std::array<SurfacePoint, most> forceAt{};
   std::array<Vec3, most> force_N{}; ///< on the body

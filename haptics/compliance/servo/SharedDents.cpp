@@ -60,6 +60,7 @@ bool SharedDents::press(Line line, double least_N_per_u) noexcept
     const SubgridDepth spring = subgridDepth(at.spring, size_N);
     const double secant = size_N > 0.0 ? spring.depth_u / size_N : 0.0;
     this->depth_u_[e] = this->weight_[e] * secant * force_N;
+    this->across_[e] = this->weight_[e] * at.spring.across * spring.slope;
     const Vec3 along = size_N > 0.0 ? Vec3(force_N / size_N) : Vec3(Vec3::Zero());
     const double beyond = line == Line::Tangent ? spring.slope - secant : 0.0;
     for (int d = 0; d < this->count(); ++d)
@@ -81,6 +82,28 @@ Vec3 SharedDents::depthAt(int c) const noexcept
   return depth_u;
 }
 
+double SharedDents::acrossBetween(int c, int d) const noexcept
+{
+  double sum = 0.0;
+  for (int e = 0; e < this->count(); ++e)
+  {
+    sum += this->share_[e][c] * this->across_[e] * this->share_[e][d];
+  }
+  return sum;
+}
+
+Vec3 SharedDents::asideAt(int c) const noexcept
+{
+  Vec3 aside_u = Vec3::Zero();
+  for (int d = 0; d < this->count(); ++d)
+  {
+    const SoftContact& other = this->contacts_[d];
+    aside_u += this->acrossBetween(c, d) * (other.force_N - other.n.dot(other.force_N) * other.n);
+  }
+  const Vec3& n = this->contacts_[c].n;
+  return aside_u - n.dot(aside_u) * n;
+}
+
 double SharedDents::slopeBetween(int c, int d) const noexcept
 {
   Vec3 bend = Vec3::Zero();
@@ -97,6 +120,7 @@ double SharedDents::energy() const noexcept
   for (int e = 0; e < this->count(); ++e)
   {
     sum += this->weight_[e] * subgridEnergy(this->contacts_[e].spring, this->force_N_[e].norm());
+    sum += 0.5 * this->contacts_[e].force_N.dot(this->asideAt(e));
   }
   return sum;
 }

@@ -16,7 +16,10 @@ namespace palpate
 /// presses at e is the vector F_e = sum_c k(c, e) f_c n_c, and all dents store sum_e w_e U_e(|F_e|), w_e = 1 / sum_c
 /// k(c, e), U_e being the energy of the spring at e. So contacts that coincide have one dent under their whole force,
 /// far ones have one each, and nothing steps between. How deep the ball is at c is the derivative by f_c n_c, and its
-/// slopes are symmetric and positive semidefinite. Real-time safe.
+/// slopes are symmetric and positive semidefinite.
+///
+/// Along the surface a dent gives as a contact as wide does (Mindlin 1949): `across` times the spring's slope under its
+/// normal force, under what all contacts pull at it across their normals. Real-time safe.
 class SharedDents
 {
 public:
@@ -35,6 +38,10 @@ public:
 
   /// How much deeper the ball is at a contact [u], in W against its normal.
   [[nodiscard]] Vec3 depthAt(int c) const noexcept;
+  /// How far the contact goes along the surface under the contacts' forces across their normals [u], in W with them.
+  [[nodiscard]] Vec3 asideAt(int c) const noexcept;
+  /// By how much it goes aside under such a force of d, each across its own normal [u/N].
+  [[nodiscard]] double acrossBetween(int c, int d) const noexcept;
   /// By how much the depth along c's normal grows with the normal force of d [u/N].
   [[nodiscard]] double slopeBetween(int c, int d) const noexcept;
   [[nodiscard]] double energy() const noexcept; ///< [N u]
@@ -49,6 +56,7 @@ private:
   std::array<double, most> weight_{};              ///< of a dent; 0: there is none
   std::array<Vec3, most> force_N_;                 ///< F_e
   std::array<Vec3, most> depth_u_;                 ///< of a dent, times its weight
+  std::array<double, most> across_{};              ///< compliance of a dent along the surface, times its weight
   std::array<std::array<Vec3, most>, most> bends_; ///< of dent e, with its weight, by the normal force of d
 };
 

@@ -16,6 +16,8 @@ namespace
 constexpr double restsWithin = 1e-5;
 /// One that carried force counts on as far as this.
 constexpr double rememberedWithin = 0.02;
+/// Deeper in it than this, again in patch radii, is more than rounding.
+constexpr double sunkWithin = 1e-11;
 /// Cosine of what two planes of one body must differ by, to be two: planes of one flat face do not share a load.
 constexpr double samePlane = 1.0 - 1e-12;
 /// Of ten degrees: nearer ones a remembered contact would only double.
@@ -120,21 +122,21 @@ public:
   }
 
   /// What carried force and is near.
-  void addCarrying(bool facesOnly) noexcept
+  void addCarrying() noexcept
   {
     for (const SoftContact& old : this->before())
     {
-      const bool asked = !facesOnly || old.feature.kind == FeatureKind::Face;
-      if (!asked || old.force_N.squaredNorm() == 0.0)
+      const bool face = old.feature.kind == FeatureKind::Face;
+      if (old.force_N.squaredNorm() == 0.0)
       {
         continue;
       }
       const SoftContact contact = this->at(old.feature);
-      // The ball stands off what yields more than the rest; further than that the plane goes on without its feature.
-      const double aside_u = contact.n.dot(this->state_.yielded_W - old.yielded_W);
-      if (std::abs(contact.overlap_u - aside_u) < rememberedWithin * this->patch_u_)
+      // The core is never in what is there: below a face's plane it is beside the face.
+      const bool there = contact.overlap_u < sunkWithin * this->patch_u_;
+      if (there && (face || contact.overlap_u > -rememberedWithin * this->patch_u_))
       {
-        this->add(contact, nearlySame);
+        this->add(contact, face ? samePlane : nearlySame);
       }
     }
   }
@@ -188,20 +190,15 @@ private:
 } // namespace
 
 template<SceneView AnyScene>
-void gatherContacts(
-  const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, Prefer prefer, SoftState& state) noexcept
+void gatherContacts(const AnyScene& scene, std::span<const SoftTouch> soft, double radius_u, SoftState& state) noexcept
 {
   Gathering<AnyScene> gathering(scene, soft, radius_u, state);
-  if (prefer == Prefer::Carrying)
-  {
-    gathering.addCarrying(true); // over edges the ball rolls on
-  }
-  gathering.addFound(prefer == Prefer::Carrying ? nearlySame : samePlane);
-  gathering.addCarrying(false);
+  gathering.addFound(samePlane);
+  gathering.addCarrying();
   gathering.keepForces();
 }
 
-template void gatherContacts(const Scene&, std::span<const SoftTouch>, double, Prefer, SoftState&) noexcept;
-template void gatherContacts(const MovingScene&, std::span<const SoftTouch>, double, Prefer, SoftState&) noexcept;
+template void gatherContacts(const Scene&, std::span<const SoftTouch>, double, SoftState&) noexcept;
+template void gatherContacts(const MovingScene&, std::span<const SoftTouch>, double, SoftState&) noexcept;
 
 } // namespace palpate

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/compliance/servo/ContactYield.h"
 #include "haptics/compliance/servo/SharedDents.h"
 #include "haptics/compliance/servo/SoftContacts.h"
 #include "haptics/contact/GodObject.h"
@@ -14,7 +15,7 @@ namespace palpate
 namespace
 {
 
-constexpr int mostLoops = 16;
+constexpr int mostLoops = 120;
 /// Turns that do not agree by then hand the ball from face to face.
 constexpr int usualLoops = 8;
 /// The ball goes at least and at most this share of the way from turn to turn.
@@ -27,6 +28,8 @@ constexpr double agreeWithin = 4e-9;
 constexpr double leastDepth = 1e-6;
 /// Newton's steps on the springs below the patches, for all contacts at once; five are usual.
 constexpr int mostSprings = 30;
+/// A residual so many times that of rounding is no solution.
+constexpr double unsolved = 1e4;
 /// What the compliance of two points for each other costs, twice a turn: in the unit of ContactPlan::workBudget.
 constexpr std::uint32_t workOfPairs = 10;
 /// Of which so many are secants: from a force ten times too large they lead within a tenth.
@@ -40,28 +43,6 @@ Mat3 basisOf(const Vec3& n) noexcept
   basis.col(1) = n.cross(axis).normalized();
   basis.col(2) = n.cross(basis.col(1));
   return basis;
-}
-
-Mat3 complianceOf(const SoftContact& a, const SoftContact& b) noexcept
-{
-  return a.soft && a.soft == b.soft ? complianceBetween(*a.soft->packet, a.point, b.point) : Mat3(Mat3::Zero());
-}
-
-std::span<const SoftContact> contactsOf(const SoftState& state) noexcept
-{
-  return { state.contacts.data(), static_cast<std::size_t>(state.count) };
-}
-
-/// How far the surface under a contact has gone.
-Vec3 yieldOf(const SoftState& state, const SharedDents& dents, int c) noexcept
-{
-  const SoftContact& contact = state.contacts[c];
-  Vec3 u = -dents.depthAt(c);
-  for (int d = 0; d < state.count; ++d)
-  {
-    u -= complianceOf(contact, state.contacts[d]) * state.contacts[d].force_N;
-  }
-  return u;
 }
 
 /// The contacts of one turn as a problem in their own directions.
@@ -86,7 +67,7 @@ public:
           this->basis_[c].transpose() * (complianceOf(state.contacts[c], state.contacts[d]) + device) * this->basis_[d];
         room.problem.compliance.block<3, 3>(3 * c, 3 * d) = w;
         room.problem.compliance.block<3, 3>(3 * d, 3 * c) = w.transpose();
-        this->bare_[c][d] = w(0, 0);
+        this->bare_[c][d] = w;
       }
     }
   }
@@ -110,6 +91,10 @@ public:
       this->solveOnce(budget - std::min(budget, work));
       work += this->room_.forces.work;
       this->takeForces();
+      if (i >= secants && this->room_.forces.residual_u > unsolved * this->room_.forces.enough_u)
+      {
+        return; // forces that do not meet the laws lead no nearer
+      }
     }
   }
 
@@ -126,11 +111,22 @@ private:
       {
         const SoftContact& other = this->state_.contacts[d];
         const double slope = this->dents_.slopeBetween(c, d);
-        problem.compliance(3 * c, 3 * d) = this->bare_[std::max(c, d)][std::min(c, d)] + slope;
+        problem.compliance(3 * c, 3 * d) = this->bareBetween(c, d)(0, 0) + slope;
+        // The dents give along the surface in proportion to the force there: nothing is left over.
+        problem.compliance.block<2, 2>(3 * c + 1, 3 * d + 1) =
+          this->bareBetween(c, d).bottomRightCorner<2, 2>() +
+          this->dents_.acrossBetween(c, d) *
+            (this->basis_[c].rightCols<2>().transpose() * this->basis_[d].rightCols<2>());
         problem.free[3 * c] -= slope * other.n.dot(other.force_N);
       }
-      problem.free.segment<2>(3 * c + 1) = this->basis_[c].rightCols<2>().transpose() * (p_W - slipFrom_W);
+      problem.free.segment<2>(3 * c + 1) =
+        this->basis_[c].rightCols<2>().transpose() * (p_W - slipFrom_W - contact.aside_W);
     }
+  }
+
+  [[nodiscard]] Mat3 bareBetween(int c, int d) const noexcept
+  {
+    return d <= c ? this->bare_[c][d] : Mat3(this->bare_[d][c].transpose());
   }
 
   void solveOnce(std::uint32_t budget) noexcept
@@ -165,52 +161,8 @@ private:
   SharedDents dents_;
   static constexpr std::size_t most = GodObjectState::maxFeatures;
   std::array<Mat3, most> basis_;
-  std::array<std::array<double, most>, most> bare_; ///< compliance along the normals without the dents, for d <= c
+  std::array<std::array<Mat3, most>, most> bare_; ///< compliance without the dents, for d <= c
 };
-
-bool givesWay(const SoftState& state) noexcept
-{
-  return std::any_of(
-    state.contacts.begin(), state.contacts.begin() + state.count, [](const SoftContact& c) { return c.gives; });
-}
-
-/// What the contacts' forces come to.
-struct Yield
-{
-  Vec3 force_N = Vec3::Zero();
-  Vec3 across_N = Vec3::Zero();  ///< the part that is friction
-  Vec3 yielded_W = Vec3::Zero(); ///< of the surfaces under the ball, the more the harder they are pressed
-};
-
-Yield yieldUnder(SoftState& state) noexcept
-{
-  Yield sum;
-  SharedDents dents(contactsOf(state));
-  (void)dents.press();
-  double all_N = 0.0;
-  for (int c = 0; c < state.count; ++c)
-  {
-    SoftContact& contact = state.contacts[c];
-    contact.yielded_W = yieldOf(state, dents, c);
-    const double size_N = contact.force_N.norm();
-    sum.force_N += contact.force_N;
-    sum.across_N += contact.force_N - contact.n.dot(contact.force_N) * contact.n;
-    sum.yielded_W += size_N * contact.yielded_W;
-    all_N += size_N;
-  }
-  sum.yielded_W = all_N > 0.0 ? Vec3(sum.yielded_W / all_N) : Vec3(Vec3::Zero());
-  return sum;
-}
-
-double patchUnder(const SoftState& state) noexcept
-{
-  double patch_u = std::numeric_limits<double>::infinity();
-  for (int c = 0; c < state.count; ++c)
-  {
-    patch_u = state.contacts[c].gives ? std::min(patch_u, state.contacts[c].point.patch_u) : patch_u;
-  }
-  return patch_u;
-}
 
 /// Aitken's relaxation: how far to go along what is off, by what the last step made of it. Where one turn's answer
 /// leads slowly to the next it goes further, where two walls hand the ball to each other it stops between them.
@@ -245,7 +197,7 @@ public:
   SoftMove(const AnyScene& scene, const ContactPlan& plan, std::span<const SoftTouch> soft, const Vec3& p_W,
     SoftState& state, SoftRoom& room) noexcept
     : scene_(scene), plan_(plan), soft_(soft), drawn_W_(p_W - state.offset_W), state_(state), room_(room),
-      start_(state.core), soften_(givesWay(state))
+      start_(state.core), slipStart_(state), soften_(givesWay(state))
   {
   }
 
@@ -253,6 +205,10 @@ public:
   {
     for (this->result_.loops = 1; this->result_.loops <= mostLoops; ++this->result_.loops)
     {
+      if (this->result_.loops % usualLoops == 0)
+      {
+        this->goOnFromHere();
+      }
       this->moveCore();
       const bool agrees = givesWay(this->state_) ? this->turn() : this->letGo();
       this->result_.overBudget = !agrees && this->result_.work >= this->plan_.workBudget;
@@ -263,12 +219,27 @@ public:
     }
     this->result_.capped = this->result_.loops > mostLoops;
     this->result_.loops = std::min(this->result_.loops, mostLoops);
-    this->result_.proxy_W = this->state_.core.x_W + this->state_.yielded_W + this->state_.offset_W;
+    this->result_.proxy_W = this->soften_ ? this->ball_W() : Vec3(this->state_.core.x_W + this->state_.offset_W);
     this->result_.force_N = this->force_N_;
     return this->result_;
   }
 
 private:
+  /// The ball that the contacts were solved for, among the surfaces where they have gone to.
+  [[nodiscard]] Vec3 ball_W() const noexcept
+  {
+    return this->drawn_W_ + this->state_.offset_W + this->force_N_ / this->plan_.coupling_N_per_m;
+  }
+
+  /// Over a bend friction holds the ball by other planes than those that it slid along to there. The way to there has
+  /// been gone, and what it may do from there is asked anew.
+  void goOnFromHere() noexcept
+  {
+    this->start_ = this->state_.core;
+    this->slipStart_ = SlipStart(this->state_);
+    this->steps_ = TurnSteps{};
+  }
+
   /// With what is left of the tick's work; friction of soft contacts is the problem's.
   void moveCore() noexcept
   {
@@ -279,8 +250,8 @@ private:
     this->result_.core = moveGodObject(
       this->scene_, plan, this->drawn_W_ - this->state_.yielded_W + this->state_.lead_W, this->state_.core);
     this->result_.work += this->result_.core.work;
-    const Prefer prefer = this->result_.loops <= usualLoops ? Prefer::Found : Prefer::Carrying;
-    gatherContacts(this->scene_, this->soft_, plan.radius_u, prefer, this->state_);
+    gatherContacts(this->scene_, this->soft_, plan.radius_u, this->state_);
+    this->slipStart_.tell(this->state_);
   }
 
   /// The rigid core alone: of a ball that touches nothing soft. False while something it touched before carries it
@@ -300,21 +271,40 @@ private:
   [[nodiscard]] bool turn() noexcept
   {
     SoftState& state = this->state_;
-    TurnProblem problem(
-      this->plan_.coupling_N_per_m, this->plan_.radius_u, this->plan_.friction.kinetic, state, this->room_);
-    problem.solve(this->drawn_W_, this->start_.placed ? this->start_.x_W : state.core.x_W, this->plan_.workBudget,
-      this->result_.work);
-    const Yield now = yieldUnder(state);
+    this->solve();
+    const int met = state.count;
+    state.count = pressingFirst(state);
+    if (state.count > 0 && state.count < met)
+    {
+      // A place that is touched and not pressed has no part in a dent.
+      this->solve();
+    }
+    Yield now = yieldUnder(state);
+    state.count = met;
+    const Vec3 ball_W = this->drawn_W_ + now.force_N / this->plan_.coupling_N_per_m;
+    CommonYield common(state, now.yielded_W);
+    common.stayOut(ball_W, this->plan_.radius_u);
+    now.yielded_W = common.u_W();
     const Vec3 lead_W = now.across_N / this->plan_.coupling_N_per_m;
     const Vec3 change_u = now.yielded_W - lead_W - state.yielded_W + state.lead_W;
-    const double off_u = change_u.norm() + (now.force_N - this->force_N_).norm() / this->plan_.coupling_N_per_m;
-    const double share = this->soften_ ? this->steps_.shareOf(change_u) : 1.0;
+    const double off_u = std::min(change_u.norm(), (state.core.x_W + now.yielded_W - ball_W).norm()) +
+                         (now.force_N - this->force_N_).norm() / this->plan_.coupling_N_per_m;
+    const bool agrees = off_u <= agreeWithin * patchUnder(state);
+    const double share = this->soften_ && !agrees ? this->steps_.shareOf(change_u) : 1.0;
     state.yielded_W += share * (now.yielded_W - state.yielded_W);
     state.lead_W += share * (lead_W - state.lead_W);
     this->soften_ = true;
     this->force_N_ = now.force_N;
     this->result_.residual_u = this->room_.forces.residual_u;
-    return off_u <= agreeWithin * patchUnder(state);
+    return agrees;
+  }
+
+  void solve() noexcept
+  {
+    TurnProblem problem(
+      this->plan_.coupling_N_per_m, this->plan_.radius_u, this->plan_.friction.kinetic, this->state_, this->room_);
+    problem.solve(this->drawn_W_, this->start_.placed ? this->start_.x_W : this->state_.core.x_W,
+      this->plan_.workBudget, this->result_.work);
   }
 
   const AnyScene& scene_;
@@ -324,6 +314,7 @@ private:
   SoftState& state_;
   SoftRoom& room_;
   GodObjectState start_;
+  SlipStart slipStart_;
   bool soften_; ///< the core is moved by what yields
   TurnSteps steps_;
   Vec3 force_N_ = Vec3::Zero();
@@ -355,7 +346,7 @@ void changePackets(std::span<const SoftTouch> now, SoftState& state) noexcept
     }
   }
   const Vec3 before_W = state.yielded_W;
-  state.yielded_W = yieldUnder(state).yielded_W;
+  state.yielded_W = CommonYield(state, yieldUnder(state).yielded_W).u_W();
   state.offset_W += before_W - state.yielded_W;
   state.lead_W = givesWay(state) ? state.lead_W : Vec3(Vec3::Zero());
 }

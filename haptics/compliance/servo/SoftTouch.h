@@ -33,6 +33,7 @@ struct SoftContact
   SubgridSpring spring;
   Vec3 force_N = Vec3::Zero();   ///< on the ball
   Vec3 yielded_W = Vec3::Zero(); ///< how far the surface has gone here
+  Vec3 aside_W = Vec3::Zero();   ///< from the core to the ball as this contact had it where slip is counted from
 };
 
 /// What the servo keeps of a ball among things that give way.

@@ -145,6 +145,15 @@ Eigen::MatrixXd SparseFactor::sharedCompliance(const SparseColumns& e) const
   return half.selfadjointView<Eigen::Lower>();
 }
 
+Eigen::VectorXd SparseFactor::ownCompliance(const SparseColumns& e) const
+{
+  const Hidden& h = *this->hidden_;
+  const EliminationPath path(h.pattern, h.values.data(), e.rows);
+  Eigen::MatrixXd y = path.rightSides(e);
+  path.forward(y);
+  return y.rowwise().squaredNorm();
+}
+
 Eigen::MatrixXd SparseFactor::sharedCompliance(const SparseColumns& e, const SparseColumns& n) const
 {
   const Hidden& h = *this->hidden_;

@@ -30,6 +30,8 @@ public:
   /// E^T K^-1 E, symmetric and positive semidefinite by construction: Y^T Y with Y = L^-1 E, computed only on the
   /// supernodes from the rows of E to the root of the elimination tree. No solve backwards.
   [[nodiscard]] Eigen::MatrixXd sharedCompliance(const SparseColumns& e) const;
+  /// The diagonal of that: how each column of E answers to itself.
+  [[nodiscard]] Eigen::VectorXd ownCompliance(const SparseColumns& e) const;
   /// E^T K^-1 N on those supernodes, for a few columns N and all those of E: twice the cost of a column of
   /// sharedCompliance(), and only for N. The rows of N are among those of E.
   [[nodiscard]] Eigen::MatrixXd sharedCompliance(const SparseColumns& e, const SparseColumns& n) const;

@@ -2,6 +2,7 @@
 #include "haptics/session/soft/BodyMaker.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "haptics/compliance/body/NaturalPeriod.h"
@@ -20,6 +21,7 @@ PacketRequest requestOf(const BodyHand& hand, double period_s)
   request.ball_W = hand.ball_W;
   request.velocity_u_per_s = hand.velocity_u_per_s;
   request.radius_u = hand.radius_u;
+  request.tip_u = hand.tip_u;
   request.period_s = period_s;
   request.forceAt.assign(hand.forceAt.begin(), hand.forceAt.begin() + hand.count);
   request.force_N.assign(hand.force_N.begin(), hand.force_N.begin() + hand.count);
@@ -53,6 +55,11 @@ BodyMaker::BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::strin
     packets_(*this->body_, this->surface_, naturalPeriod_s(*this->body_, input.density_kg_per_m3, input.unit_m)),
     first_(revision), revision_(revision)
 {
+  std::vector<bool> held;
+  std::ranges::transform(this->surface_.vertices, std::back_inserter(held),
+    [this](std::uint32_t node) { return static_cast<bool>(this->checked_.fixed[node]); });
+  this->heldFaces_ = heldFaces({ this->surface_.rest_W, this->surface_.triangles }, held);
+  this->held_ = this->heldFaces_ ? sceneOfHeld(*this->heldFaces_) : nullptr;
   (void)this->surfacesWith(this->surface_.rest_W, false); // numbered as the packets are; what bends keeps its numbers
 }
 
@@ -134,30 +141,36 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
   pressed->scene = scene;
   pressed->beside = this->beside_ ? this->beside_->geometryHash() : 0;
   pressed->packet = packet;
+  pressed->heldFaces = this->heldFaces_;
+  pressed->held = this->held_;
   pressed->touch = { static_cast<std::uint32_t>(pressed->scene->surfaces().size() - 1), packet.get() };
   return pressed;
 }
 
-/// Between vertices a place under a force goes further than the patches of its corners (PointCompliance.h). Of each
-/// vertex of the surface, how much further it is shown, so that such places are where they are felt to be.
+/// A place under a force goes with its patch, and between vertices further (PointCompliance.h), not with the nodes of
+/// its triangle. Of each vertex of the surface, how much further than its node it is shown, so that such places are
+/// where they are felt to be.
 std::vector<Vec3> BodyMaker::dents_u() const
 {
   std::vector<Vec3> dents(this->surface_.vertices.size(), Vec3::Zero());
+  const std::size_t count = this->last_ ? this->last_->forceAt.size() : 0;
   std::vector<CompliantPoint> points;
-  for (std::size_t i = 0; this->last_ && i < this->last_->forceAt.size(); ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     points.push_back(compliantPoint(*this->last_, this->last_->forceAt[i]));
   }
+  const std::vector<Vec3> places_W = count > 0 ? this->surface_.placesOf(*this->body_) : std::vector<Vec3>();
   for (const CompliantPoint& point : points)
   {
     Vec3 left = Vec3::Zero();
-    for (std::size_t j = 0; j < points.size(); ++j)
+    for (std::size_t j = 0; j < count; ++j)
     {
-      left += sharedBy(point, points[j]) * point.own * points[j].own.transpose() * this->last_->force_N[j];
+      left += complianceBetween(*this->last_, point, points[j]) * this->last_->force_N[j];
     }
     for (int c = 0; c < 3; ++c)
     {
-      left -= point.at.weights[c] * dents[point.at.vertices[c]];
+      const std::uint32_t v = point.at.vertices[c];
+      left += point.at.weights[c] * (this->last_->free_W[v] - places_W[v] - dents[v]);
     }
     for (int c = 0; c < 3; ++c)
     {
@@ -167,38 +180,43 @@ std::vector<Vec3> BodyMaker::dents_u() const
   return dents;
 }
 
-BodyShape BodyMaker::shape() const
+void BodyMaker::addStrain(BodyShape& shape) const
 {
-  BodyShape shape;
-  shape.struck = this->struck_;
-  shape.hand_W = this->hand_W_;
   const StrainPoints& points = this->body_->points();
   const Eigen::VectorXd& u = this->body_->displacement();
-  for (std::size_t v = 0; v < this->checked_.mesh.vertices_W.size(); ++v)
-  {
-    shape.displacement_u.emplace_back(u.segment<3>(3 * static_cast<Eigen::Index>(v)));
-  }
-  shape.felt_u = shape.displacement_u;
-  const std::vector<Vec3> dents = this->dents_u();
-  for (std::size_t i = 0; i < this->surface_.vertices.size(); ++i)
-  {
-    const std::uint32_t node = this->surface_.vertices[i];
-    const bool isVertex = node < shape.felt_u.size(); // not halfway an edge
-    if (isVertex && !this->checked_.fixed[node])      // what is held is shown where it is held
-    {
-      shape.felt_u[node] = this->surface_.map.displacementOf(i, u) + dents[i];
-    }
-  }
+  std::vector<Mat3> deformation;
   for (const StrainPoint& p : points.points)
   {
-    const double gradient =
-      (points.deformationAt(p, { u.data(), static_cast<std::size_t>(u.size()) }) - Mat3::Identity()).norm();
+    deformation.push_back(points.deformationAt(p, { u.data(), static_cast<std::size_t>(u.size()) }));
+    const double gradient = (deformation.back() - Mat3::Identity()).norm();
     if (gradient > shape.mostGradient)
     {
       shape.mostGradient = gradient;
       shape.worst_W = points.rest_W[points.nodesOf(p).front()];
     }
   }
+  shape.deformation = points.deformationOfTetras(deformation);
+}
+
+BodyShape BodyMaker::shape() const
+{
+  BodyShape shape;
+  shape.struck = this->struck_;
+  shape.hand_W = this->hand_W_;
+  for (std::size_t v = 0; v < this->checked_.mesh.vertices_W.size(); ++v)
+  {
+    shape.displacement_u.emplace_back(this->body_->displacement().segment<3>(3 * static_cast<Eigen::Index>(v)));
+  }
+  shape.dent_u.assign(shape.displacement_u.size(), Vec3::Zero());
+  const std::vector<Vec3> dents = this->dents_u();
+  for (std::size_t i = 0; i < this->surface_.vertices.size(); ++i)
+  {
+    if (const std::uint32_t node = this->surface_.vertices[i]; !this->checked_.fixed[node])
+    {
+      shape.dent_u[node] = dents[i]; // what is held is shown where it is held
+    }
+  }
+  this->addStrain(shape);
   return shape;
 }
 

@@ -16,13 +16,13 @@ namespace palpate
 struct BodyShape
 {
   std::vector<Vec3> displacement_u; ///< of each vertex of the tetrahedra that it was made of
-  /// The same, where those of the border go as they are felt: with their patches, and such that a place under a force
-  /// at a point is where that is felt to be.
-  std::vector<Vec3> felt_u;
-  Vec3 hand_W = Vec3::Zero();  ///< where the hand was that it was made for
-  double mostGradient = 0.0;   ///< largest |F - 1|
-  Vec3 worst_W = Vec3::Zero(); ///< and the middle, at rest, of where it is
-  bool struck = false;         ///< the hand is faster than the body's inertia would let it follow
+  std::vector<Vec3>
+    dent_u; ///< how much further each is to be seen: a place under a force at a point is where it is felt
+  std::vector<Mat3> deformation; ///< F of each tetrahedron, no part of that dent
+  Vec3 hand_W = Vec3::Zero();    ///< where the hand was that it was made for
+  double mostGradient = 0.0;     ///< largest |F - 1|
+  Vec3 worst_W = Vec3::Zero();   ///< and the middle, at rest, of where it is
+  bool struck = false;           ///< the hand is faster than the body's inertia would let it follow
 };
 
 /// A soft body as it is to be seen.
@@ -59,6 +59,7 @@ private:
   BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::string name, std::uint64_t revision);
   [[nodiscard]] std::shared_ptr<const Scene> sceneOf(const CompliancePacket& packet, double period_s);
   [[nodiscard]] std::vector<Vec3> dents_u() const;
+  void addStrain(BodyShape& shape) const;
   [[nodiscard]] std::vector<Surface> surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside);
 
   CheckedTetras checked_;
@@ -75,6 +76,8 @@ private:
   Vec3 hand_W_ = Vec3::Zero();                   ///< of the last packet
   std::shared_ptr<const CompliancePacket> last_; ///< the last packet, where points press; null: a ball, or none yet
   bool struck_ = false;
+  std::shared_ptr<const TriangleMesh> heldFaces_; ///< that nothing moves
+  std::shared_ptr<const Scene> held_;             ///< of these
 };
 
 } // namespace palpate

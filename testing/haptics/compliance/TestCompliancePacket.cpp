@@ -107,7 +107,8 @@ double forceAt(double depth, double compliance, const SubgridSpring& spring)
 
 TEST(CompliancePacket, ABallIsAsFarFromHertzOnACoarseMeshAsOnAFineOne)
 {
-  // On 50 mm of rigid floor Hertz's force is to be multiplied by the layer's factor (Dimitriadis 2002, nu = .4).
+  // On 50 mm of rigid floor Hertz's force is to be multiplied by the layer's factor (docs/theory.md, "A patch, and
+  // Hertz below it").
   const std::array<std::array<double, 2>, 2> depthAndLayer{ { { 0.25e-3, 1.0317 }, { 1e-3, 1.0653 } } };
   for (const int n : { 8, 12 }) // edges of 12.5 and 8.3 mm: up to 11 times the radius of the contact
   {
@@ -141,7 +142,6 @@ TEST(CompliancePacket, WithTheForceOfItsStateTheSurfaceIsThatOfItsState)
   const auto packet = maker.make(request, 20);
   ASSERT_TRUE(packet);
   EXPECT_LE(packet->residual_N, 1e-10);
-  const std::vector<Vec3> state = soft.surface.placesOf(*soft.body);
   for (std::size_t i = 0; i < packet->near.size(); ++i)
   {
     Vec3 place = packet->free_W[packet->near[i]];
@@ -150,7 +150,9 @@ TEST(CompliancePacket, WithTheForceOfItsStateTheSurfaceIsThatOfItsState)
       place += request.forceAt[0].weights[c] * packet->between(packet->near[i], request.forceAt[0].vertices[c]) *
                request.force_N[0];
     }
-    EXPECT_LE((place - state[packet->near[i]]).norm(), 1e-14);
+    const std::uint32_t v = packet->near[i]; // at rest but for the force, which patches carry
+    const Vec3 state = soft.surface.rest_W[v] + soft.surface.map.displacementOf(v, soft.body->displacement());
+    EXPECT_LE((place - state).norm(), 1e-14);
   }
 }
 
@@ -190,7 +192,8 @@ TEST(CompliancePacket, IsTheSameToTheBitWhetherOneTwoOrFourThreadsMakeTheirOwn)
 TEST(CompliancePacket, WhatIsKnownOfALinearBodyIsThatOfTheWholeBodyThoughVerticesComeAndGo)
 {
   SoftPad soft(12, 2.0, ElementKind::Linear);
-  KnownCompliance known(*soft.body, soft.surface.map);
+  SpreadPatches patches(soft.surface, 0.0);
+  KnownCompliance known(*soft.body, patches);
   const auto around = [&soft](const Vec3& p_W)
   { return nearVerticesOf(soft.surface, soft.surface.rest_W, p_W, 1.0, 90); };
   EXPECT_EQ(known.learn(around(SoftPad::middle()), 5).size(), 90u); // of nothing known all is learnt at once
@@ -320,6 +323,45 @@ TEST(CompliancePacket, ItsNeighbourhoodLiesAheadAndWhatIsOutsideAnswersAsTheNear
     EXPECT_EQ(within, nearest == v);
   }
   EXPECT_EQ(nearVerticesOf(soft.surface, soft.surface.rest_W, soft.middle(), 1.0, 7).size(), 7u);
+}
+
+/// How far a wall of 80 x 80 x 16 mm, 100 kPa, held around, goes in under a tip in the middle of it [m/N].
+double wallUnder(int n, double tip_u)
+{
+  SoftPad wall(n, patchEdges, ElementKind::EdgeSmoothed,
+    [n](SoftBodyInput& input)
+    {
+      input.mesh = blockOf({ n, n, n / 5 }, { 0.08, 0.08, 0.016 });
+      input.fixed = fixedWhere(input.mesh,
+        [](const Vec3& p) {
+          return std::min({ p.x(), p.y(), 0.08 - p.x(), 0.08 - p.y() }) < 1e-9;
+        });
+      input.young_Pa = { 100e3 };
+    });
+  PacketRequest request;
+  request.ball_W = Vec3(0.04, 0.04, 0.016);
+  request.tip_u = tip_u;
+  const auto packet = PacketMaker(*wall.body, wall.surface).make(request);
+  const std::uint32_t at = packet->near.front();
+  return packet->between(at, at)(2, 2);
+}
+
+TEST(CompliancePacket, UnderATipAWallGivesWayByItsRadiusAndNotByItsEdges)
+{
+  // The mean under a paraboloid of pressure (1 / pi) int (8 J2(s) / s^2)^2 ds = .65875 of 1 / (E* r), by quadrature.
+  const auto onHalfSpace = [](double tip_u) { return 0.65875 * (1.0 - 0.16) / (100e3 * tip_u); };
+  for (const double tip_u : { 0.0006, 0.002 })
+  {
+    const double coarse = wallUnder(10, tip_u);
+    const double fine = wallUnder(20, tip_u);
+    EXPECT_NEAR(coarse / fine, 1.0, 0.15); // its bending is of one or two elements through it
+    EXPECT_NEAR(fine / onHalfSpace(tip_u), 1.0, 0.4);
+  }
+  for (const int n : { 5, 10, 20 }) // between two tips bending is the same
+  {
+    const double more = wallUnder(n, 0.0006) - wallUnder(n, 0.002);
+    EXPECT_NEAR(more / (onHalfSpace(0.0006) - onHalfSpace(0.002)), 1.0, 0.01) << n;
+  }
 }
 
 } // namespace

@@ -238,5 +238,56 @@ TEST(SubgridForce, ItsSlopeIsThatOfItsDepthAndIsNeverNegative)
   }
 }
 
+/// A spring with knots that rises, its first piece as of Hertz.
+SubgridSpring springWithKnots(Random& random)
+{
+  SubgridSpring spring{ 2e-3, 1e-3 };
+  spring.step = random.uniform(0.05, 0.2);
+  for (std::size_t k = 1; k < SubgridSpring::knots; ++k)
+  {
+    const double grows = random.uniform(0.0, 1e-4);
+    spring.depth_u[k] = spring.depth_u[k - 1] + grows;
+    spring.rise[k] = random.uniform(0.0, 1.0) * grows / spring.step;
+    spring.rise[k - 1] = k == 1 ? 0.0 : std::min(spring.rise[k - 1], 3.0 * grows / spring.step);
+  }
+  spring.rise[1] = std::min(spring.rise[1], 3.0 * spring.depth_u[1] / spring.step);
+  return spring;
+}
+
+TEST(SubgridForce, WithKnotsDepthRisesWithoutAStepAndItsEnergyIsItsIntegral)
+{
+  Random random(testSeed(281));
+  for (std::size_t i = 0; i < testCount(20); ++i)
+  {
+    const SubgridSpring spring = springWithKnots(random);
+    const double end_N = std::pow(spring.step * (SubgridSpring::knots - 1), 3);
+    double energy_Nu = 0.0;
+    double before_u = 0.0;
+    constexpr int steps = 4000;
+    for (int k = 1; k <= steps; ++k)
+    {
+      const double force = 1.3 * end_N * k / steps;
+      const double width = 1.3 * end_N / steps;
+      const SubgridDepth at = subgridDepth(spring, force);
+      EXPECT_GE(at.depth_u, before_u - 1e-18);
+      EXPECT_GE(at.slope, 0.0);
+      const double h = 1e-4 * width;
+      const double slope =
+        (subgridDepth(spring, force + h).depth_u - subgridDepth(spring, force - h).depth_u) / (2 * h);
+      EXPECT_NEAR(at.slope, slope, 1e-5 * (at.slope + 1e-3));
+      // Simpson's rule, beyond the first steps, in which depth goes as no polynomial of the force.
+      const double middle_u = subgridDepth(spring, force - 0.5 * width).depth_u;
+      const double part_Nu = width / 6.0 * (before_u + 4.0 * middle_u + at.depth_u);
+      energy_Nu = k < 40 ? subgridEnergy(spring, force) : energy_Nu + part_Nu;
+      before_u = at.depth_u;
+    }
+    EXPECT_NEAR(subgridEnergy(spring, 1.3 * end_N), energy_Nu, 1e-6 * energy_Nu);
+    const double first_N = 1e-3 * end_N; // and there by its own derivative
+    const double derivative =
+      (subgridEnergy(spring, 1.001 * first_N) - subgridEnergy(spring, 0.999 * first_N)) / (0.002 * first_N);
+    EXPECT_NEAR(derivative, subgridDepth(spring, first_N).depth_u, 1e-5 * derivative);
+  }
+}
+
 } // namespace
 } // namespace palpate::test

@@ -36,7 +36,8 @@ TEST(SoftElements, UnderOneDeformationNoInnerNodeFeelsAForce)
     p += inside(p) ? Vec3(0.15 * random.direction()) : Vec3(Vec3::Zero());
   }
   input.fixed = fixedWhere(input.mesh, [](const Vec3& p) { return p.x() == 0.0; });
-  input.young_Pa = { 1.0 };
+  input.young_Pa = { 100.0 };
+  input.unit_m = 0.1; // 1 N on a square of the unit
   Mat3 f;
   f << 1.1, 0.2, -0.05, 0.1, 0.9, 0.15, -0.1, 0.05, 1.2;
   for (const ElementKind element : elements)
@@ -71,7 +72,8 @@ TEST(SoftElements, TheForceOnAnEndIsTheStressTimesItsArea)
   SoftBodyInput input;
   input.mesh = blockOf({ 3, 2, 2 }, { 3, 2, 2 });
   input.fixed = fixedWhere(input.mesh, [](const Vec3& p) { return p.x() == 0.0; });
-  input.young_Pa = { 1.0 };
+  input.young_Pa = { 100.0 };
+  input.unit_m = 0.1; // 1 N on a square of the unit
   const Mat3 f = Vec3(1.5, 0.85, 0.9).asDiagonal();
   for (const ElementKind element : elements)
   {
@@ -126,7 +128,8 @@ double tipOf(ElementKind element, int r)
 TEST(SoftElements, EdgeSmoothedTetrahedraBendWhereLinearOnesLock)
 {
   const double timoshenko_m = 0.02578;
-  // THEORY: exact solutions of the discretisations, computed independently; three digits were printed.
+  // docs/theory.md, "Elements that bend": exact solutions of the discretisations, computed independently, to three
+  // digits.
   EXPECT_NEAR(tipOf(ElementKind::Linear, 1) / timoshenko_m, 0.233, 5e-4);
   EXPECT_NEAR(tipOf(ElementKind::Linear, 2) / timoshenko_m, 0.507, 5e-4);
   EXPECT_NEAR(tipOf(ElementKind::Linear, 4) / timoshenko_m, 0.782, 5e-4);
@@ -144,7 +147,8 @@ TEST(SoftElements, ATurnOfAllStrainsNothingButInHookesLaw)
   SoftBodyInput input;
   input.mesh = blockOf({ 2, 2, 2 }, { 1, 1, 1 });
   input.fixed = fixedWhere(input.mesh, [](const Vec3& p) { return p.x() == 0.0; });
-  input.young_Pa = { 1.0 };
+  input.young_Pa = { 100.0 };
+  input.unit_m = 0.1; // 1 N on a square of the unit
   const Mat3 turn = Eigen::AngleAxisd(2.5, Vec3(1, 2, 3).normalized()).toRotationMatrix();
   for (const ElasticModel model : models)
   {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "SoftScenes.h"
 #include "haptics/compliance/servo/SubgridForce.h"
 #include "testing/support/Random.h"
@@ -118,6 +120,58 @@ TEST(SharedDents, DepthIsTheDerivativeOfTheEnergyAndSlopesThatOfDepth)
   }
 }
 
+TEST(SharedDents, AsideIsTheDerivativeOfTheEnergyByTheForcesAcrossAndNeverTakesAny)
+{
+  Random random(testSeed(282));
+  const SoftTouch touch;
+  for (std::size_t i = 0; i < testCount(50); ++i)
+  {
+    std::vector<SoftContact> contacts = randomContacts(touch, random);
+    const int count = static_cast<int>(contacts.size());
+    for (SoftContact& contact : contacts)
+    {
+      contact.spring.across = 1.3;
+      const Vec3 aside_N = random.inCube(0.5);
+      contact.force_N += aside_N - contact.n.dot(aside_N) * contact.n;
+    }
+    SharedDents dents(contacts);
+    (void)dents.press();
+    Eigen::MatrixXd across(count, count);
+    for (int c = 0; c < count; ++c)
+    {
+      for (int d = 0; d < count; ++d)
+      {
+        across(c, d) = dents.acrossBetween(c, d);
+      }
+      EXPECT_NEAR(contacts[c].n.dot(dents.asideAt(c)), 0.0, 1e-18);
+      // Across its normal a force changes no dent's depth: the energy is a square.
+      const Vec3 along = contacts[c].n.cross(random.inCube(1.0)).normalized();
+      const auto energy = [&](double by_N)
+      {
+        std::vector<SoftContact> pulled = contacts;
+        pulled[c].force_N += by_N * along;
+        SharedDents moved(pulled);
+        (void)moved.press();
+        return moved.energy();
+      };
+      const double slope = (energy(1e-3) - energy(-1e-3)) / 2e-3;
+      EXPECT_NEAR(slope, along.dot(dents.asideAt(c)), 1e-9 * dents.asideAt(c).norm() + 1e-13);
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(across, Eigen::EigenvaluesOnly);
+    EXPECT_GE(solver.eigenvalues()[0], -1e-12 * across.norm());
+  }
+}
+
+TEST(SharedDents, OneAloneGivesAlongTheSurfaceByMindlinsRatioOfItsSlope)
+{
+  const SoftTouch touch;
+  std::vector<SoftContact> contacts{ contactAt(touch, Vec3::Zero(), Vec3::UnitZ(), 0.1) };
+  contacts[0].spring.across = 1.6 / 1.2; // (2 - nu) / (2 (1 - nu)) at nu = .4
+  SharedDents dents(contacts);
+  (void)dents.press();
+  EXPECT_DOUBLE_EQ(dents.acrossBetween(0, 0), 1.6 / 1.2 * subgridDepth(contacts[0].spring, 0.1).slope);
+}
+
 /// A pad whose faces around the middle of its top rise by a slope: the ball rests on several of them.
 SoftPad dimpledPad(double slope)
 {
@@ -148,7 +202,8 @@ TEST(SharedDents, AVertexInNearlyFlatFacesIsAsSoftAsTheFlat)
   EXPECT_GT(flat_N, 0.1);
   for (const double slope : { 1e-5, 1e-4, 1e-3, 1e-2 })
   {
-    // A ball in a dimple of this slope is at most 10 mm x slope^2 higher and its feet 10 mm x slope apart, of a patch of 20.
+    // A ball in a dimple of this slope is at most 10 mm x slope^2 higher and its feet 10 mm x slope apart, of a patch
+    // of 20.
     EXPECT_NEAR(pressed(slope, contacts) / flat_N, 1.0, 1e-3 + slope);
     EXPECT_GT(contacts, 1) << slope;
   }

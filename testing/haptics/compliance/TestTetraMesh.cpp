@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "Blocks.h"
+#include "haptics/compliance/mesh/ThinPlaces.h"
 
 namespace palpate::test
 {
@@ -76,6 +77,17 @@ TEST(TetraMesh, WhatCannotBeABodyIsRefusedInWords)
   SoftBodyInput rigid = pad(2);
   rigid.young_Pa = { std::nan("") };
   EXPECT_THAT(makeSoftBody(rigid).refusal, HasSubstr("Young's modulus"));
+}
+
+TEST(ThinPlaces, AreThoseOneElementAwayFromTheOtherSideAndNotThoseAroundAnEdge)
+{
+  const auto placesOf = [](int through) { return thinPlacesOf(blockOf({ 6, 6, through }, Vec3(0.06, 0.06, 0.005))); };
+  EXPECT_EQ(placesOf(1).all, 98u);  // 7 x 7 above and below
+  EXPECT_GE(placesOf(1).thin, 50u); // but those of the rim, of which some have an element to the other side
+  EXPECT_THAT(placesOf(1).sentence(), HasSubstr("of 98 places of its border are one element thick"));
+  EXPECT_EQ(placesOf(2).thin, 0u);
+  EXPECT_EQ(placesOf(2).sentence(), "");
+  EXPECT_EQ(thinPlacesOf(blockOf({ 4, 4, 4 }, Vec3(1, 1, 1))).thin, 0u);
 }
 
 } // namespace

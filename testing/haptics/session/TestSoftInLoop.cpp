@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A session with a soft body: pressed, recorded, replaced, not computed any more.
+#include <functional>
+#include <tuple>
+
 #include <gtest/gtest.h>
 
 #include "SoftInLoop.h"
 #include "haptics/recording/RecordedBodies.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/soft/BodyMaker.h"
+#include "testing/haptics/recording/FlippedBits.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Eventually.h"
 #include "testing/support/Meshes.h"
@@ -62,6 +66,40 @@ TEST_F(SoftInLoop, ReplaysBitForBitWithPacketsThatBendTheSurface)
   EXPECT_LE(step_N, 0.12);
 }
 
+TEST_F(SoftInLoop, ReplaysBitForBitWhereTheBallComesDownToWhatIsHeld)
+{
+  for (const ElasticModel model : { ElasticModel::Linear, ElasticModel::NeoHookean })
+  {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("recording");
+    SoftBodyInput input = softBlock(model);
+    input.young_Pa = { 10.0 };
+    this->begin({ std::make_shared<const SoftBodyInput>(input), "block", 25.0 }, path);
+    double most_N = 0.0;
+    for (int i = 0; i <= 100; ++i)
+    {
+      most_N = std::max(most_N, this->hold(Vec3(1e-4 * i, 0, 0.001 - 6e-4 * i)).force_W.z());
+    }
+    EXPECT_GT(most_N, 0.9 * springInLoop * 0.009) << "the held side is 50 mm below the top";
+    EXPECT_EQ(this->session.stop(), "");
+    const auto read = readRecording(path);
+    ASSERT_TRUE(std::holds_alternative<Recording>(read)) << std::get<std::string>(read);
+    const ReplayResult result = replay(std::get<Recording>(read));
+    EXPECT_EQ(result.problem + result.difference, "");
+    EXPECT_EQ(result.ticks, 101u);
+  }
+}
+
+TEST_F(SoftInLoop, EveryBitThatFlipsInARecordingOfItIsNamed)
+{
+  const TemporaryFolder folder;
+  this->begin(blockOf20kPa(), folder.file("a"));
+  this->hold(Vec3(0, 0, 0.001), 30);
+  this->hold(Vec3(0.001, 0, -0.002), 60);
+  EXPECT_EQ(this->session.stop(), "");
+  FlippedBits(folder.file("a")).expectEachIsNamed(31, "body");
+}
+
 TEST_F(SoftInLoop, OfARecordingBegunWhileItPressesReplaysBitForBit)
 {
   const TemporaryFolder folder;
@@ -75,6 +113,39 @@ TEST_F(SoftInLoop, OfARecordingBegunWhileItPressesReplaysBitForBit)
   const ReplayResult result = replay(std::get<Recording>(read));
   EXPECT_EQ(result.problem + result.difference, "");
   EXPECT_EQ(result.ticks, 300u);
+}
+
+TEST_F(SoftInLoop, ATicksForceIsThatOfTheBallItShowsBesideWhatTheEnergyBalanceAdds)
+{
+  this->begin(blockOf20kPa());
+  int pressed = 0;
+  this->play(1.0,
+    [&](const HapticState& state)
+    {
+      const Vec3 spring_N = springInLoop * (state.proxy_W.p - state.device_W.p);
+      pressed += state.soft.pressed;
+      EXPECT_LE((state.force_W - spring_N).norm(), std::abs(state.soft.added_N) + 1e-12 * spring_N.norm() + 1e-12);
+    });
+  EXPECT_GT(pressed, 300);
+}
+
+TEST_F(SoftInLoop, AToolBesideItIsNotHeldAndSaysSoAndTheBallPressesAsWithoutIt)
+{
+  const ToolChoice cube{
+    std::make_shared<const ToolMesh>(makeTool(makeBox(Vec3::Constant(-0.01), Vec3::Constant(0.01))).tool), 0.0
+  };
+  this->begin(blockOf20kPa());
+  (void)this->hold(Vec3(0, 0, 0.001), 200);
+  const double alone_N = this->hold(Vec3(0, 0, -0.004), 600).force_W.norm();
+  ASSERT_GT(alone_N, 0.1);
+  this->session.setTool(cube);
+  EXPECT_NE(this->session.toolRefusal().find("does not feel what gives way"), std::string::npos);
+  const HapticState& beside = this->hold(Vec3(0, 0, -0.004), 200);
+  EXPECT_FALSE(beside.tool.held);
+  EXPECT_NEAR(beside.force_W.norm(), alone_N, 1e-3 * alone_N);
+  this->session.setSoft({});
+  EXPECT_EQ(this->session.toolRefusal(), "");
+  EXPECT_TRUE(this->hold(Vec3(0, 0, 0.05), 400).tool.held);
 }
 
 TEST_F(SoftInLoop, WithoutItsPacketsSaysThatItCannotBeRecomputed)
@@ -296,6 +367,74 @@ TEST(RecordedBodies, ComeBackToTheLastBitAndAreRefusedWhereTheyCannotBe)
     ByteReader cut(bytes.data(), size);
     EXPECT_EQ(readBody(cut), nullptr) << size;
   }
+}
+
+TEST(RecordedBodies, TheirHeldFacesComeBackToTheLastBitAndAreRefusedWhereTheyCannotBe)
+{
+  std::string refusal;
+  const auto maker = BodyMaker::make(softBlock(ElasticModel::Linear), "block", 0, refusal);
+  const PressedBody body = *maker->press({}, 0.04);
+  ASSERT_TRUE(body.heldFaces && body.held);
+  EXPECT_EQ(body.heldFaces->triangles.size(), 32u) << "of the lower side";
+  ByteWriter out;
+  putHeld(out, body);
+  const std::vector<char> bytes = out.bytes();
+  const auto readBack = [&body](const std::vector<char>& from, std::size_t size)
+  {
+    PressedBody read = body;
+    read.heldFaces.reset();
+    ByteReader in(from.data(), size);
+    readHeld(in, read);
+    return in.ok() ? read.heldFaces : nullptr;
+  };
+  const auto read = readBack(bytes, bytes.size());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(sceneOfHeld(*read)->geometryHash(), body.held->geometryHash());
+  std::vector<char> wrong = bytes;
+  wrong.back() = 1; // of an index, its last byte
+  EXPECT_EQ(readBack(wrong, wrong.size()), nullptr);
+  for (std::size_t size = 0; size < bytes.size(); size += 41)
+  {
+    EXPECT_EQ(readBack(bytes, size), nullptr) << size;
+  }
+}
+
+TEST(RecordedBodies, TheKnotsOfTheirSpringsComeBackToTheLastBitAndAreRefusedWhereTheyCannotBe)
+{
+  std::string refusal;
+  const auto maker = BodyMaker::make(softBlock(ElasticModel::Linear), "block", 0, refusal);
+  BodyHand hand;
+  hand.ball_W = topOfBlock();
+  hand.radius_u = ballInLoop;
+  const auto body = maker->press(hand, 0.04);
+  const auto readAs = [&body](const std::function<void(SubgridSpring&)>& change, PressedBody& read)
+  {
+    CompliancePacket packet = *body->packet;
+    change(packet.springs[1]);
+    PressedBody written = *body;
+    written.packet = std::make_shared<const CompliancePacket>(packet);
+    ByteWriter out;
+    putKnots(out, written);
+    std::ranges::for_each(packet.springs, [](SubgridSpring& s) { s = { s.hertz, s.patch }; });
+    read = *body;
+    read.packet = std::make_shared<const CompliancePacket>(packet); // as a version without knots leaves it
+    ByteReader in(out.bytes().data(), out.bytes().size());
+    readKnots(in, read);
+    return in.ok() && in.left() == 0;
+  };
+  PressedBody read;
+  ASSERT_TRUE(readAs([](SubgridSpring&) {}, read));
+  for (std::size_t i = 0; i < body->packet->springs.size(); ++i)
+  {
+    const SubgridSpring& a = body->packet->springs[i];
+    const SubgridSpring& b = read.packet->springs[i];
+    EXPECT_GT(a.step, 0.0);
+    EXPECT_EQ(std::tie(a.step, a.across, a.depth_u, a.rise), std::tie(b.step, b.across, b.depth_u, b.rise));
+  }
+  EXPECT_EQ(read.touch.packet, read.packet.get());
+  EXPECT_FALSE(readAs([](SubgridSpring& s) { s.depth_u[3] = -1.0; }, read));
+  EXPECT_FALSE(readAs([](SubgridSpring& s) { s.rise[3] = std::nan(""); }, read));
+  EXPECT_FALSE(readAs([](SubgridSpring& s) { s.across = -1.0; }, read));
 }
 
 } // namespace

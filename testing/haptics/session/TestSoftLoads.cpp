@@ -156,10 +156,14 @@ TEST(SoftLoads, OfALinearBodyMoveItsSurfaceAndChangeNothingOfHowItYields)
     ASSERT_TRUE(pressed[bears]);
   }
   const CompliancePacket &bare = *pressed[0]->packet, &loaded = *pressed[1]->packet;
-  EXPECT_TRUE(std::ranges::is_permutation(bare.near, loaded.near)); // nearest first, elsewhere in another order
-  for (const std::uint32_t a : bare.near)
+  // The surface is another one: what was at the end of the reach may be beyond it, or come within.
+  std::vector<std::uint32_t> both;
+  std::ranges::copy_if(bare.near, std::back_inserter(both),
+    [&loaded](std::uint32_t v) { return std::ranges::count(loaded.near, v) == 1; });
+  EXPECT_GT(5 * both.size(), 4 * std::max(bare.near.size(), loaded.near.size()));
+  for (const std::uint32_t a : both)
   {
-    EXPECT_LE((bare.between(a, bare.near[0]) - loaded.between(a, bare.near[0])).norm(), 1e-12 * bare.compliance.norm());
+    EXPECT_LE((bare.between(a, both[0]) - loaded.between(a, both[0])).norm(), 1e-12 * bare.compliance.norm());
   }
   const double work_Nu = -hand.force_N[0].z() * yieldOfTop();
   EXPECT_NEAR(bare.energy_Nu, loaded.energy_Nu, 1e-9 * work_Nu);

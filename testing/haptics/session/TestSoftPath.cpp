@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +89,68 @@ TEST(SoftPath, ABodyThatBendsComesToTheForceOfRestOncePacketsHaveArrived)
   EXPECT_GT(std::abs(press(flat, 400) - force_N), 0.02 * force_N) << "else a linear body would pass";
 }
 
+/// So many pascals, however few: the least that is refused is of metres, and none of this reads the unit otherwise.
+SoftBodyInput hardlyThere(ElasticModel model, double young_Pa)
+{
+  constexpr double allowed_Pa = 10.0;
+  SoftBodyInput input = softBlock(model);
+  input.young_Pa = { allowed_Pa };
+  input.unit_m = std::sqrt(young_Pa / allowed_Pa);
+  return input;
+}
+
+/// No less than a flat punch as wide as the ball meets: on a half space, and a column of the layer below it beside.
+double mostOfLayer_N(double young_Pa, double depth_m, double radius_u)
+{
+  constexpr double nu = 0.4, layer_m = 0.05;
+  const double plane_Pa = young_Pa / (1.0 - nu * nu);
+  const double column_Pa = young_Pa * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+  return depth_m * (2.0 * plane_Pa * radius_u + column_Pa * M_PI * radius_u * radius_u / layer_m);
+}
+
+TEST(SoftPath, ABodyThatIsNextToNothingLetsTheBallDownToWhatIsHeldAndNoFurther)
+{
+  constexpr double ball_m = 0.01;
+  for (const auto& [model, rate_Hz] : { std::pair(ElasticModel::Linear, 0.0), std::pair(ElasticModel::Linear, 30.0),
+         std::pair(ElasticModel::NeoHookean, 30.0) })
+  {
+    for (const double young_Pa : { 0.02, 10.0 })
+    {
+      const auto touch = touchOf(hardlyThere(model, young_Pa), rate_Hz, ball_m);
+      for (int i = 0; i <= 400; ++i)
+      {
+        // Down through the block, to 15 mm below where its held side stops the ball, and up again.
+        const double deep_m = 0.065 - 0.066 * std::abs(1.0 - i / 200.0);
+        const Vec3 hand = topOfBlock() + Vec3(0.001, -0.001, ball_m - deep_m);
+        const Vec3 force_N = touch->next(pathTick_s * i, { hand, Quat::Identity() }).force_W;
+        const double base_N = spring_N_per_m * std::max(deep_m - 0.05, 0.0);
+        const double most_N = mostOfLayer_N(young_Pa, std::max(deep_m, 0.0), ball_m);
+        ASSERT_GE(force_N.z(), base_N * (1.0 - 1e-9)) << young_Pa << " Pa, " << deep_m << " m";
+        ASSERT_LE(force_N.z(), std::max(base_N * (1.0 + 1e-9), most_N)) << young_Pa << " Pa, " << deep_m << " m";
+        ASSERT_LE(force_N.head<2>().norm(), 0.1 * most_N);
+      }
+    }
+  }
+}
+
+TEST(SoftPath, WhatIsHeldDoesNotKeepABallThatLeavesTheBody)
+{
+  constexpr double ball_m = 0.01;
+  const auto touch = touchOf(hardlyThere(ElasticModel::Linear, 10.0), 30.0, ball_m);
+  (void)pressed(touch, 0.06, 100, ball_m);
+  double last_N = 0.0;
+  for (int i = 1; i <= 100; ++i)
+  {
+    const Vec3 hand = topOfBlock() + Vec3(0.001 * i, 0.0, ball_m - 0.06);
+    last_N = touch->next(pathTick_s * (200 + i), { hand, Quat::Identity() }).force_W.norm();
+    if (i < 45)
+    {
+      EXPECT_NEAR(last_N, spring_N_per_m * 0.01, 1e-9) << "along the held side";
+    }
+  }
+  EXPECT_EQ(last_N, 0.0) << "beside it";
+}
+
 TEST(SoftPath, AWallBesideTheBodyIsFeltAsWithoutIt)
 {
   const auto forceOn = [](bool withBody)
@@ -129,7 +192,7 @@ TEST(SoftPath, WhatIsNoBodyIsRefusedInWords)
     return refusal;
   };
   const double none = std::numeric_limits<double>::quiet_NaN();
-  for (const double young_Pa : { 0.0, -1.0, none, 1e12 })
+  for (const double young_Pa : { 0.0, -1.0, 0.02, 9.9, none, 1e12 })
   {
     EXPECT_NE(refusalOf([=](SoftBodyInput& i) { i.young_Pa = { young_Pa }; }), "") << young_Pa;
   }

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "haptics/compliance/mesh/TetraMesh.h"
+
+namespace palpate
+{
+
+/// How many vertices of a body's border are one element away from the border on the other side: a layer that is meshed
+/// so is felt stiffer than it is. Corners of tetrahedra that are no vertices are left out.
+struct ThinPlaces
+{
+  std::size_t thin = 0;
+  std::size_t all = 0; ///< vertices of the border
+
+  /// What is to be said of it; empty where two elements lie between the sides everywhere.
+  [[nodiscard]] std::string sentence() const;
+};
+
+[[nodiscard]] ThinPlaces thinPlacesOf(const TetraMesh& mesh);
+
+} // namespace palpate

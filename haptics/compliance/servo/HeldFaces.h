@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "haptics/compliance/servo/SoftTouch.h"
+#include "haptics/geometry/scene/Scene.h"
+
+namespace palpate
+{
+
+/// The triangles of a surface whose three vertices are held: they stay where they are, whatever presses. `held`: of
+/// each vertex. Clean; null where there are none.
+[[nodiscard]] std::shared_ptr<const TriangleMesh> heldFaces(const TriangleMesh& surface, const std::vector<bool>& held);
+
+/// What a ball is stopped at. Null where no face is one.
+[[nodiscard]] std::shared_ptr<const Scene> sceneOfHeld(const TriangleMesh& faces);
+
+/// Stops the ball of a tick at the held faces of the body that it sinks into. The contacts end at the body's free
+/// surface, so they do not know of faces behind it. On the way from `core_W`, where the ball is among the free
+/// surfaces, to where it is in W, the ball slides along such faces without friction. The force is the coupling's, as
+/// without them; what tells the contacts' forces stays as it is. Keeps nothing from tick to tick: no ball is ever left
+/// behind a face.
+void stopAtHeldFaces(
+  const Scene& held, const ContactPlan& plan, const Vec3& core_W, const Vec3& p_W, SoftResult& moved) noexcept;
+
+} // namespace palpate
