@@ -70,6 +70,47 @@ class Pages(unittest.TestCase):
         self.assertGreater(count, 100)  # the walk sees names
 
 
+class Numbers(unittest.TestCase):
+    """What a page counts is as many in the tree."""
+
+    WORDS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
+
+    def says(self, page, sentence, count):
+        """That a page has a sentence with a number, in words, in place of the star."""
+        wanted = sentence.replace("*", self.WORDS[count])
+        self.assertIn(wanted.lower(), " ".join(prose(ROOT / page).split()).lower(), f"{page} counts otherwise")
+
+    @staticmethod
+    def found(folder, pattern, suffixes=(".cpp",)):
+        """How many files of a folder have something."""
+        return sum(1 for path in (ROOT / folder).rglob("*")
+                   if path.suffix in suffixes and re.search(pattern, path.read_text(encoding="utf-8"), re.MULTILINE))
+
+    def test_simulated_devices_and_their_hands(self):
+        models = (ROOT / "devices/simulated/DeviceModels.cpp").read_text(encoding="utf-8")
+        devices = len(set(re.findall(r'"(simulated-[\w-]+)"', models)))
+        hands = len(re.findall(r'^ +\{ "(?:none|light|stylus|firm)",', models, re.MULTILINE))
+        self.assertGreater(devices, 5)
+        self.says("README.md", "* simulated devices, the mouse, a program, a recording", devices)
+        self.says("docs/devices.md", "* simulated devices, from an ideal point mass", devices)
+        self.says("docs/devices.md", "behind a serial link, in * hands", hands)
+
+    def test_ways_in(self):
+        for page, besides in (("fields", ()), ("tools", ("Where it is held",))):
+            headings = re.findall(r"^## (.*)$", prose(ROOT / f"docs/{page}.md"), re.MULTILINE)
+            ways = len([heading for heading in headings if heading not in besides])
+            self.says(f"docs/{page}.md", "* ways in", ways)
+            self.says("docs/touching.md", f"({page}.md) *", ways)
+
+    def test_files_that_know_a_library(self):
+        self.says("ARCHITECTURE.md", "CGAL in * .cpp", self.found("haptics", r"^#include <CGAL/"))
+        self.says("ARCHITECTURE.md", "CHOLMOD in *;", self.found("haptics", r"^#include <(suitesparse/)?cholmod"))
+        for library in (r"hidapi", r"dbus/"):
+            self.assertEqual(self.found("devices", rf"^#include <{library}"), 1)
+        self.says("ARCHITECTURE.md", "hidapi and libdbus in * .cpp each", 1)
+        self.says("ARCHITECTURE.md", "`filters` are * VTK modules", self.found("filters", r"^NAME", (".module",)))
+
+
 class Decisions(unittest.TestCase):
     """docs/decisions: one idea a file."""
 
