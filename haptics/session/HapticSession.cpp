@@ -38,7 +38,7 @@ void HapticSession::beginBeside(Run& run, std::int64_t period_ns) const
 {
   run.tool.emplace(run.links.tool, run.virtualTime, period_ns);
   run.tool->touch(this->scene_, this->parameters_.known);
-  run.tool->take(this->tool_);
+  run.tool->take(this->heldTool());
   run.soft.emplace(run.links.soft, run.virtualTime);
   run.soft->touch(this->scene_);
   run.soft->take(this->soft_);
@@ -195,9 +195,14 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
 void HapticSession::setTool(const ToolChoice& choice)
 {
   this->tool_ = choice;
+  this->takeTool();
+}
+
+void HapticSession::takeTool()
+{
   if (this->run_)
   {
-    this->run_->tool->take(choice);
+    this->run_->tool->take(this->heldTool());
     this->run_->adapt(this->parameters_, this->lever_u(), false);
     this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
   }
@@ -205,7 +210,12 @@ void HapticSession::setTool(const ToolChoice& choice)
 
 void HapticSession::setSoft(const SoftChoice& choice)
 {
+  const bool otherHand = this->tool_.tool && !this->soft_.input != !choice.input;
   this->soft_ = choice;
+  if (otherHand)
+  {
+    this->takeTool();
+  }
   if (this->run_)
   {
     this->run_->soft->take(choice);
@@ -255,7 +265,7 @@ double HapticSession::lever_u() const noexcept
   const HapticParameters& p = this->parameters_;
   const double mechanism_m = mechanismLever_m(p.mechanismTurning_N_m_per_rad, p.stiffness_N_per_m);
   const double mechanism_u = this->mechanism_.inputs ? mechanism_m * p.map.scale_u_per_m : 0.0;
-  return std::max(mechanism_u, this->tool_.weighs_u()); // a tool is in the hand until the mechanism is computed
+  return std::max(mechanism_u, this->heldTool().weighs_u()); // a tool is in the hand until the mechanism is computed
 }
 
 /// As the tick would have it without limits.
@@ -278,9 +288,16 @@ void HapticSession::storeBodies(bool again)
   }
 }
 
+std::string HapticSession::toolBesideSoft() const
+{
+  const bool refused = this->soft_.input && this->tool_.tool && !(this->tool_.tool->ball_u() > 0.0);
+  return refused ? "a tool does not feel what gives way: hold no tool, or let nothing give way" : "";
+}
+
 std::string HapticSession::toolRefusal() const
 {
-  return this->run_ ? this->run_->tool->refusal() : std::string();
+  const std::string beside = this->toolBesideSoft();
+  return beside.empty() && this->run_ ? this->run_->tool->refusal() : beside;
 }
 
 std::string HapticSession::toolNoWayOut() const

@@ -60,11 +60,13 @@ public:
   void setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W = {});
   [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept { return this->scene_; }
 
-  /// What the hand holds in place of the ball, from a tick soon after on; none: the ball. Kept over stop() and start().
+  /// What the hand holds in place of the ball, from a tick soon after on; none: the ball, as beside a soft body, which
+  /// only a tool that is a ball feels. Kept over stop() and start().
   void setTool(const ToolChoice& choice);
   [[nodiscard]] const ToolChoice& tool() const noexcept { return this->tool_; }
-  /// Why the tool cannot touch the scene; "": it can. And how its thread does.
+  /// Why the tool is not held or cannot touch the scene; "": it can. And how its thread does.
   [[nodiscard]] std::string toolRefusal() const;
+  [[nodiscard]] std::string toolBesideSoft() const; ///< why the tool is not held beside the soft body; "": it is
   [[nodiscard]] std::string toolNoWayOut() const; ///< why it can never leave from where it began; "": it can
   [[nodiscard]] const ToolReport& toolReport();
 
@@ -117,6 +119,9 @@ private:
   [[nodiscard]] MechanismGrip grip(const HapticParameters& adapted) const noexcept;
   void beginBeside(Run& run, std::int64_t period_ns) const;
   void storeBodies(bool again = false);
+  void takeTool();
+  /// Of a body that gives way a tool would feel the surface of before.
+  [[nodiscard]] ToolChoice heldTool() const { return this->toolBesideSoft().empty() ? this->tool_ : ToolChoice{}; }
 
   HapticParameters parameters_;
   std::uint64_t version_ = 0;

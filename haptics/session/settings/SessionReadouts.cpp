@@ -54,7 +54,7 @@ const Readout readouts[] = {
   { "MechanismDepth", Number, "u", "", "The hand's way along what it holds of a mechanism since nothing pushed" },
   { "SoftText", Text, "", "",
     "What gives way and how it is modelled, computed and strained, or why it does not; empty: none is asked for" },
-  { "SoftStrain", Number, "1", "", "The largest strain in it, |F - 1|: from 0.1 a linear law is off by more than 1 %" },
+  { "SoftStrain", Number, "1", "", "The largest strain in it, |F - 1|: from 0.1 a linear law is off by some 10 %" },
   { "SoftPackets", Number, "Hz", "", "How often it is computed" },
   { "SoftAge", Number, "s", "", "How old what is felt of it is" },
   { "SoftHandPosition", Number, "u", "",

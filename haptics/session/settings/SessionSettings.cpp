@@ -283,7 +283,9 @@ const Setting settings[] = {
       NextTick)),
   at({ .field = "field.detent.click", .group = "field", .option = "levels-click" },
     flag("FieldDetentClick", "Levels click",
-      "The hand snaps over each level and loses energy; off: smooth, and loses none", false)),
+      "The hand snaps over each level and loses energy; off: smooth, loses none, and never stronger than holds it "
+      "without a jump",
+      false)),
   at({ .field = "field.snap_N", .group = "field" },
     amount("FieldSnap", "N", "Snap",
       "Pulls to the nearest extremum of the values and critical point of the directions; no more than this force",
