@@ -5,12 +5,16 @@ import itertools
 import math
 import os
 import re
+import sys
 import unittest
 from pathlib import Path
 
 import numpy as np
 
 ROOT = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().parents[2])
+sys.path.insert(0, str(ROOT / "testing/oracles/axisymmetric"))
+import cylinder  # noqa: E402
+
 PAGE = (ROOT / "docs/theory.md").read_text(encoding="utf-8")
 TICK_S = 1e-3
 
@@ -63,6 +67,32 @@ def wall_radius(K, m, b, B, delay, step_s=TICK_S):
     for i in range(3, size + 1):
         step[i, i - 1] = 1
     return np.abs(np.linalg.eigvals(step)).max()
+
+
+def gauss(count, length):
+    """Points and weights on (0, length)."""
+    points, weights = np.polynomial.legendre.leggauss(count)
+    return length / 2 * (points + 1), length / 2 * weights
+
+
+def lack_of_wave(w, nu):
+    """1 less how much a bonded layer gives to a wave of pressure, in terms of a half space."""
+    k = 3 - 4 * nu
+    return 1 - (2 * k * np.sinh(2 * w) - 4 * w) / (2 * k * np.cosh(2 * w) + 4 * w**2 + 1 + k**2)
+
+
+def ball_on_layer(young, nu, thickness, ball, contact):
+    """Depth and force of a sphere whose contact has this radius."""
+    x, weights = gauss(40 + int(5 * contact / thickness), contact)
+    waves, wave_weights = gauss(400 + int(60 * contact / thickness), 25)
+    kernel = lambda y: np.cos(np.multiply.outer(y, waves)) @ (wave_weights * lack_of_wave(waves, nu))  # noqa: E731
+    both = lambda at: kernel((at + x) / thickness) + kernel((at - x) / thickness)  # noqa: E731
+    own = lambda at: np.stack([2 / np.pi + 0 * at, -at / np.pi * np.log((ball + at) / (ball - at))], -1)  # noqa: E731
+    coupled = weights / (np.pi * thickness) * both(x[:, None])
+    found = np.linalg.solve(np.eye(len(x)) - coupled, own(x))  # of a depth of 1, and of the sphere
+    end = own(np.array(contact)) + weights / (np.pi * thickness) * both(contact) @ found
+    depth = -end[1] / end[0]
+    return depth, np.pi * young / (1 - nu**2) * (weights @ found @ [depth, 1])
 
 
 class Theory(unittest.TestCase):
@@ -128,6 +158,34 @@ class Theory(unittest.TestCase):
             series = 1 - 2 * a * x + 4 * a**2 * x**2 - 8 * (a**3 + 4 * math.pi**2 * b / 15) * x**3 \
                 + 16 * a * (a**3 + 3 * math.pi**2 * b / 5) * x**4
             self.assertAlmostEqual(series, factor, delta=5e-5)
+
+    def test_balls_on_layers(self):
+        _, _, layers, sides = tables("A patch, and Hertz below it")
+        for R, h, d, nu, a, force_N in numbers(layers):
+            depth, found = ball_on_layer(20e-3, nu, h, R, a)  # N/mm^2
+            self.assertAlmostEqual(depth / d, 1, delta=2e-3)  # a has four digits, depth goes as its square
+            # From the depth of the rounded radius to that of the table, by the slope that force over depth has: between
+            # that of a half space, 3 / 2, and that of a thin layer, 2.
+            self.assertAlmostEqual(found * (d / depth)**1.75 / force_N, 1, delta=3e-3)
+        for radius_mm, force_N in zip(sides[0][1:], sides[1][1:]):
+            found = cylinder.force(20e3, 0.4, 0.05, 1e-3 * float(radius_mm), 0.02, 0.003, 0.0012)
+            self.assertAlmostEqual(found, float(force_N), delta=6e-5)
+        self.assertAlmostEqual(float(sides[1][1]) / float(layers[1][5]), 1, delta=2e-3)  # far out they are one
+        self.assertAlmostEqual(cylinder.force(20e3, 0.4, 0.005, 0.05, 0.01, 0.001, 0.0006) / float(layers[4][5]), 1, delta=3e-3)
+
+    def test_what_is_below_a_patch(self):
+        s, weights = gauss(4000, 400)
+        angles = np.pi * (np.arange(800) + 0.5) / 800
+        bessel2 = np.cos(2 * angles - np.multiply.outer(s, np.sin(angles))).mean(axis=1)
+        half_space = weights @ (8 * bessel2 / s**2)**2 / np.pi
+        self.assertAlmostEqual(half_space, 2048 / 315 / math.pi**2, delta=1e-8)
+        # With R = E* = a = 1: W = c / a, G = a^2 / 6.
+        force, depth = 2 * (1 / 3) / half_space, 2 / 3 / half_space * half_space + 1 / 6
+        self.assertIn(f"F is {force / (4 / 3 * depth**1.5):.4f} of Hertz's", section("A patch, and Hertz below it"))
+        for nu in (0.0, 0.3, 0.49):
+            shear = 1 / 2 / (1 + nu)  # of E = 1
+            along, into = (2 - nu) / (8 * shear), (1 - nu**2) / 2
+            self.assertAlmostEqual(along / into, (2 - nu) / (2 * (1 - nu)), delta=1e-12)
 
     def test_contacts_that_share(self):
         np.testing.assert_allclose(np.linalg.solve([[1, .6], [.6, 1]], [1, 1]), [.625, .625])
