@@ -93,7 +93,8 @@ void AddTouch(CLI::App& app, Arguments& arguments)
       "--virtual-coupling", options.Tool.VirtualCoupling, "of --tool: a spring to the hand, not what contacts push")
     ->needs(tool);
   CLI::Option* young = command->add_option("--young", options.Soft.Young_Pa,
-    "FILE is a body that gives way, vtu or closed surface: its Young's modulus [Pa]; a unit is 1 / --scale metres");
+    "FILE is a body that gives way, vtu or closed surface: its Young's modulus, 10 to below 1e12 [Pa]; a unit is "
+    "1 / --scale metres");
   command->add_option("--poisson", options.Soft.Poisson, "of --young: Poisson's ratio, 0 to below 0.5")
     ->capture_default_str()
     ->needs(young);

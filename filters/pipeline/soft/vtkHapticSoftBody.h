@@ -40,7 +40,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Young's modulus [Pa], above 0 and below 1e12. Default 20000, assumed: about that of liver.
+  /// Young's modulus [Pa], from 10 to below 1e12. Default 20000, assumed: about that of liver.
   vtkSetMacro(Young, double);
   vtkGetMacro(Young, double);
   ///@}
