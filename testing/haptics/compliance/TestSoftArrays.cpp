@@ -324,10 +324,13 @@ TEST(SoftArrays, AGradedModulusBendsAsAQuadraticSolidOfTheSameCellsDoesAndSoDoTw
   const auto layered = [](const Vec3& p) { return p.z() < 0.01 ? 1e6 : 1e7; };
   const auto [coarse, ofCoarse] = beside(2, layered);
   const auto [fine, ofFine] = beside(4, layered);
-  EXPECT_GE(fine, 0.97);
-  EXPECT_LE(fine, 1.0);
+  const auto [finest, ofFinest] = beside(6, layered);
+  EXPECT_LE(finest, 1.0);
+  EXPECT_GE(finest, 0.99); // with three cells through each layer
   EXPECT_LE(1.0 - fine, 0.5 * (1.0 - coarse));
+  EXPECT_LE(1.0 - finest, 0.5 * (1.0 - fine));
   EXPECT_LE(ofFine, 0.5 * ofCoarse);
+  EXPECT_LE(ofFinest, 0.67 * ofFine); // by 4 / 6 at least
 }
 
 std::vector<std::uint32_t> materials(const TetraMesh& mesh, const std::function<double(const Vec3&)>& young_Pa)
