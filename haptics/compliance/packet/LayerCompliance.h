@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 namespace palpate
 {
 
 /// Of 1 / (E* a): compliance of a half space under a patch's paraboloid of force, in the patch's own mean.
-inline constexpr double halfSpaceOfPatch = 0.658748;
+inline constexpr double halfSpaceOfPatch = 2048.0 / (315.0 * std::numbers::pi * std::numbers::pi);
 
 /// Compliance of what lies below a patch, as that of a layer on a rigid base: with the one number `stiffening` it is
 /// told apart from a half space, whatever the patch's radius is. 0 is the half space; above 0 it is 1 over the layer's

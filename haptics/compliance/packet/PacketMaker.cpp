@@ -17,8 +17,6 @@ namespace
 /// How much wider than the contact a patch is: what the ball goes in beyond it then never gets less with force, and has
 /// a quarter of the width left for what the force does until the next packet.
 constexpr double patchOverContact = 1.5;
-/// Patches are the ball's radius halved so often at most.
-constexpr int mostHalvings = 3;
 
 /// How much more a contact gives along the surface of a half space than into it (Mindlin 1949).
 double acrossOver(double poisson)
@@ -176,16 +174,31 @@ double PacketMaker::contactAhead_u(const PacketRequest& request) const
   return std::sqrt(pressed_u * pressed_u + request.radius_u * into_u);
 }
 
+/// What is known under contacts of another ball or tip is of no more use, but for patches as wide as their edges ask
+/// for, which are the same under all. Each width keeps up to 7 MB (KnownCompliance).
+void PacketMaker::pressWith(double radius_u, double tip_u)
+{
+  if (radius_u == this->radius_u_ && tip_u == this->tip_u_)
+  {
+    return;
+  }
+  std::erase_if(this->spreads_, [](const auto& spread) { return spread.first > 0.0; });
+  this->under_.reset();
+  this->level_ = mostHalvings;
+  this->radius_u_ = radius_u;
+  this->tip_u_ = tip_u;
+}
+
 /// Patches grow with the contact at once, and shrink when it has become much smaller.
 PacketMaker::Spread& PacketMaker::spreadFor(const PacketRequest& request)
 {
+  this->pressWith(request.radius_u, request.tip_u);
   double spread_u = request.tip_u;
   if (request.radius_u > 0.0)
   {
     if (this->normals_W_.empty())
     {
       this->normals_W_ = normalsOf(this->surface_, this->untouched_W_);
-      this->level_ = mostHalvings;
     }
     const double wanted_u = patchOverContact * this->contactAhead_u(request);
     int level = mostHalvings;
@@ -279,9 +292,14 @@ BallDepth PacketMaker::depthAt(
   const auto row = static_cast<Eigen::Index>(3 * place);
   std::vector<PatchRung> rungs = within;
   rungs.push_back({ packet.patchRadius_u[place], n.dot(packet.compliance.block<3, 3>(row, row) * n) });
-  // Nodes halfway the edges make a patch of them as good as one of many more edges.
-  const double edge_u = this->body_.points().halves.empty() ? this->surface_.edge_u[v] : 0.0;
-  return { *this->layer_, ball_u, this->surface_.stiffness[v], edge_u, rungs };
+  return { *this->layer_, ball_u, this->surface_.stiffness[v], this->edgeThatLacks_u(v), rungs };
+}
+
+/// The length of edge that a patch lacks compliance by (LayerCompliance). 0 for a body with nodes halfway its edges,
+/// which makes a patch of 2.5 edges as good as one of many more.
+double PacketMaker::edgeThatLacks_u(std::uint32_t vertex) const
+{
+  return this->body_.points().halves.empty() ? this->surface_.edge_u[vertex] : 0.0;
 }
 
 void PacketMaker::prepareSurface(const CompliancePacket& packet)
@@ -313,7 +331,7 @@ void PacketMaker::addTips(double tip_u, CompliancePacket& packet)
     if (tip_u < patch_u)
     {
       const double found = n.dot(packet.compliance.block<3, 3>(row, row) * n);
-      const double stiffening = this->layer_->stiffeningOf(patch_u, modulus * found, this->surface_.edge_u[v]);
+      const double stiffening = this->layer_->stiffeningOf(patch_u, modulus * found, this->edgeThatLacks_u(v));
       const double in = std::max(this->layer_->of(tip_u, stiffening) / modulus - found, 0.0);
       const double aside = acrossOver(nu) * halfSpaceOfPatch * (1.0 / tip_u - 1.0 / patch_u) / modulus;
       tip = aside * Mat3::Identity() + (in - aside) * n * n.transpose();

@@ -35,6 +35,10 @@ class PacketMaker
 public:
   /// Of a packet: a neighbourhood of 30 mm on edges of 6 mm; what is further answers as the nearest of them does.
   static constexpr std::size_t usualVertices = 96;
+  /// Patches are the ball's radius halved so often at most.
+  static constexpr int mostHalvings = 3;
+  /// Widths of patches that something is kept of at once: those of one ball, and the one that edges ask for.
+  static constexpr std::size_t mostWidths = mostHalvings + 2;
 
   /// References are kept. `naturalPeriod_s`: the body's (NaturalPeriod.h); 0: it has no mass.
   PacketMaker(SoftBody& body, const SoftSurface& surface, double naturalPeriod_s = 0.0)
@@ -46,6 +50,8 @@ public:
   /// Brings the body to its rest under the tool's force by so many Newton steps, and reads off what the servo needs.
   /// Null if a factor failed.
   [[nodiscard]] std::shared_ptr<const CompliancePacket> make(const PacketRequest& request, int newtonSteps = 3);
+  /// How many widths of patches something is kept of: no more than mostWidths.
+  [[nodiscard]] std::size_t widths() const { return this->spreads_.size(); }
 
 private:
   /// What is known of a body under contacts of one width.
@@ -64,6 +70,7 @@ private:
   };
 
   [[nodiscard]] double contactAhead_u(const PacketRequest& request) const;
+  void pressWith(double radius_u, double tip_u);
   [[nodiscard]] Spread& spreadFor(const PacketRequest& request);
   [[nodiscard]] Eigen::VectorXd loadOf(const PacketRequest& request, Spread& spread) const;
   void choose(const PacketRequest& request, CompliancePacket& packet) const;
@@ -71,6 +78,7 @@ private:
   void learnRungs(Spread& spread, const CompliancePacket& packet) const;
   [[nodiscard]] BallDepth depthAt(
     const CompliancePacket& packet, std::size_t place, double ball_u, const std::vector<PatchRung>& within) const;
+  [[nodiscard]] double edgeThatLacks_u(std::uint32_t vertex) const;
   void addTips(double tip_u, CompliancePacket& packet);
   void prepareSurface(const CompliancePacket& packet);
   void addSprings(const PacketRequest& request, Spread& spread, CompliancePacket& packet);
@@ -82,8 +90,10 @@ private:
   std::vector<Vec3> normals_W_;          ///< of its vertices, to either side; empty: not asked for yet
   std::optional<LayerCompliance> layer_; ///< of its material, likewise
   std::optional<BallDepth> under_;       ///< where the ball was in the last packet
-  std::map<double, Spread> spreads_;     ///< by the least radius of a patch
-  int level_ = 0;                        ///< how often the ball's radius is halved to that
+  double radius_u_ = 0.0;                ///< of the ball that spreads are for
+  double tip_u_ = 0.0;                   ///< of the tip that they are for
+  std::map<double, Spread> spreads_;     ///< by the least radius of a patch; 0: as edges ask for
+  int level_ = mostHalvings;             ///< how often the ball's radius is halved to that
   std::uint32_t version_ = 0;
 };
 

@@ -364,5 +364,62 @@ TEST(CompliancePacket, UnderATipAWallGivesWayByItsRadiusAndNotByItsEdges)
   }
 }
 
+TEST(CompliancePacket, WithNodesHalfwayTheDentOfATipVanishesAsTheTipBecomesAsWideAsItsPatch)
+{
+  // Between radii a (1 - e) and a the compliance of a half space differs by e / (1 - e) of .65875 / (E* a), and that of
+  // a layer by less. What smoothed edges lack is no part of it: it would be 1.2 % of that compliance at once.
+  constexpr double narrower = 1e-3;
+  for (const double poisson : { 0.45, 0.49 })
+  {
+    SoftPad soft(
+      6, patchEdges, ElementKind::Quadratic, [poisson](SoftBodyInput& input) { input.poisson = poisson; });
+    const SurfacePoint top = soft.top();
+    Eigen::Index corner = 0;
+    top.weights.maxCoeff(&corner);
+    const std::uint32_t v = top.vertices[static_cast<std::size_t>(corner)];
+    const double patch_u = soft.surface.patch_u[v];
+    PacketMaker maker(*soft.body, soft.surface);
+    PacketRequest request = soft.request(0.0);
+    const double bare = maker.make(request)->between(v, v)(2, 2);
+    request.tip_u = (1.0 - narrower) * patch_u;
+    const double dent = maker.make(request)->between(v, v)(2, 2) - bare;
+    const double halfSpace = 0.65875 / (soft.surface.stiffness[v] * patch_u);
+    EXPECT_GT(dent, 0.0) << poisson;
+    EXPECT_LE(dent, 1.01 * narrower * halfSpace) << poisson;
+  }
+}
+
+TEST(CompliancePacket, WhatIsKeptIsThatOfOneBallHoweverOftenItsRadiusChanges)
+{
+  SoftPad soft(16);
+  PacketMaker maker(*soft.body, soft.surface);
+  const auto pressed = [&soft](double radius_u, double tip_u, double force_N)
+  {
+    PacketRequest request = soft.request(radius_u);
+    request.tip_u = tip_u;
+    request.forceAt = { soft.top() };
+    request.force_N = { Vec3(0.0, 0.0, -force_N) };
+    return request;
+  };
+  std::size_t most = 0;
+  for (int i = 0; i < 6; ++i)
+  {
+    const double radius_u = 0.02 + 0.006 * i;
+    for (const double force_N : { 0.0, 0.5, 20.0, 0.0 })
+    {
+      ASSERT_TRUE(maker.make(pressed(radius_u, 0.0, force_N)));
+      most = std::max(most, maker.widths());
+    }
+    ASSERT_TRUE(maker.make(pressed(0.0, radius_u, 0.5)));
+    most = std::max(most, maker.widths());
+  }
+  EXPECT_GT(most, 2u); // patches of several widths for one ball
+  EXPECT_LE(most, PacketMaker::mostWidths);
+  const auto after = maker.make(pressed(0.05, 0.0, 20.0));
+  const auto alone = PacketMaker(*soft.body, soft.surface).make(pressed(0.05, 0.0, 20.0));
+  EXPECT_EQ(after->near, alone->near);
+  EXPECT_EQ(after->compliance, alone->compliance);
+}
+
 } // namespace
 } // namespace palpate::test
