@@ -77,12 +77,6 @@ private:
     double distance2 = 0.0;
   };
 
-  [[nodiscard]] static Box boxOf(const TreeNode& node, std::size_t k) noexcept
-  {
-    return { Vec3(node.low_W[0][k], node.low_W[1][k], node.low_W[2][k]),
-      Vec3(node.high_W[0][k], node.high_W[1][k], node.high_W[2][k]) };
-  }
-
   [[nodiscard]] static double distance2To(const Box& box, const Vec3& x) noexcept
   {
     return (box.low_W - x).cwiseMax(x - box.high_W).cwiseMax(0.0).squaredNorm();
@@ -120,25 +114,19 @@ private:
     for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
     {
       const auto& old = ownCorners(this->before_, t);
-      if (distance2To(around(old), this->x_) > this->best2_)
+      if (distance2To(boxOf(old), this->x_) > this->best2_)
       {
         continue;
       }
       const auto& now = ownCorners(this->now_, t);
       const double distance2 = (this->x_ - nearestOnTriangle(this->x_, old[0], old[1], old[2])).squaredNorm();
       const bool nearer = distance2 < this->best2_ || (distance2 == this->best2_ && t < this->triangle_);
-      if (nearer && this->mayPass(around(old), around(now)))
+      if (nearer && this->mayPass(boxOf(old), boxOf(now)))
       {
         this->best2_ = distance2;
         this->triangle_ = t;
       }
     }
-  }
-
-  [[nodiscard]] static Box around(const std::array<Vec3, 3>& corners) noexcept
-  {
-    return { corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
-      corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) };
   }
 
   const View& before_;

@@ -47,11 +47,7 @@ void forEachNear(const AnyScene& scene, const Vec3& x_W, double reach, Visit vis
     const SurfaceData& data = dataOf(surface);
     const auto visitLeaf = [&](std::uint32_t index) noexcept
     {
-      const Leaf& leaf = data.leaves[index];
-      for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
-      {
-        visit(surface, s, t);
-      }
+      data.forEachInLeaf(index, [&](std::uint32_t t) noexcept { visit(surface, s, t); });
       return true;
     };
     return askTree(surface, still,

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "haptics/contact/sweep/BoxTest.h"
 #include "haptics/contact/view/SweepQuery.h"
-#include "haptics/geometry/tree/BoxTree.h"
+#include "haptics/geometry/tree/TreeWalk.h"
 
 namespace palpate
 {
-
-/// A halving tree over 2^32 leaves is 32 deep, and a walk keeps at most one sibling a level. Three times as much leaves
-/// room for trees that do not halve exactly.
-inline constexpr int mostPending = 96;
 
 /// Calls onLeaf(index) for the leaves that the way up to the best hit can touch, nearest first. Where the budget of
 /// visited nodes is met, best.freeUntil says up to where the way is proven free.
@@ -22,91 +19,50 @@ template<class Nodes, class OnLeaf>
 void walkNearFirst(const Nodes& nodes, const Box& bounds, const SweptBall& m, std::uint32_t budget, SweepHit& best,
   OnLeaf onLeaf) noexcept
 {
-  struct Pending
-  {
-    std::uint32_t child;
-    double entry;
-  };
-  std::array<Pending, mostPending> stack;
-  int top = 0;
   BoxTest test(m);
   test.shortenTo(best.t);
-  const double rootEntry = test.one(bounds.low_W, bounds.high_W);
-  if (rootEntry <= best.t)
+  const auto reaches = [&best](double entry) noexcept { return entry <= best.t; };
+  const auto admits = [&best, budget](double entry) noexcept
   {
-    stack[top++] = { nodes.empty() ? TreeNode::leafBit : 0u, rootEntry };
-  }
-  while (top > 0)
-  {
-    const Pending next = stack[--top];
-    if (next.entry > best.t)
+    if (entry > best.t)
     {
-      continue;
+      return false;
     }
     if (best.work >= budget)
     {
-      best.freeUntil = std::min(best.freeUntil, next.entry);
-      continue;
+      best.freeUntil = std::min(best.freeUntil, entry);
+      return false;
     }
     ++best.work;
-    if (next.child & TreeNode::leafBit)
+    return true;
+  };
+  const auto shorten = [&](std::uint32_t leaf) noexcept
+  {
+    const double before = best.t;
+    onLeaf(leaf);
+    if (best.t < before)
     {
-      const double before = best.t;
-      onLeaf(next.child & ~TreeNode::leafBit);
-      if (best.t < before)
-      {
-        test.shortenTo(best.t);
-      }
-      continue;
+      test.shortenTo(best.t);
     }
-    const TreeNode& node = nodes[next.child];
-    const Entries entries = test(node);
-    const int far = entries.time[0] <= entries.time[1] ? 1 : 0;
-    for (const int k : { far, 1 - far })
-    {
-      if (entries.time[k] <= best.t)
-      {
-        stack[top++] = { node.child[k], entries.time[k] };
-      }
-    }
-  }
+  };
+  const auto entriesOf = [&test](const TreeNode& node) noexcept { return test(node).time; };
+  walkNearestFirst(nodes, test.one(bounds.low_W, bounds.high_W), entriesOf, reaches, admits, shorten);
 }
 
 /// Calls onLeaf(index) for every leaf whose box the motion can touch, in no particular order, until it returns false.
-/// `nodes` counts what was visited; at the budget, or where onLeaf says so, the walk ends and the result is false.
+/// `nodes` counts the nodes and leaves that were visited; at the budget, or where onLeaf says so, the walk ends and the
+/// result is false.
 template<class Nodes, class OnLeaf>
 [[nodiscard]] bool walkWithin(
   const Nodes& tree, const BoxTest& test, std::uint32_t budget, std::uint32_t& nodes, OnLeaf onLeaf) noexcept
 {
-  std::array<std::uint32_t, mostPending> stack;
-  int top = 0;
-  stack[top++] = tree.empty() ? TreeNode::leafBit : 0u;
-  while (top > 0)
+  const auto meets = [&test](const TreeNode& node) noexcept
   {
-    const std::uint32_t child = stack[--top];
-    if (++nodes >= budget)
-    {
-      return false;
-    }
-    if (child & TreeNode::leafBit)
-    {
-      if (!onLeaf(child & ~TreeNode::leafBit))
-      {
-        return false;
-      }
-      continue;
-    }
-    const TreeNode& node = tree[child];
     const Entries entries = test(node);
-    for (int k = 0; k < 2; ++k)
-    {
-      if (entries.time[k] <= 1.0)
-      {
-        stack[top++] = node.child[k];
-      }
-    }
-  }
-  return true;
+    return std::array<bool, 2>{ entries.time[0] <= 1.0, entries.time[1] <= 1.0 };
+  };
+  return walkMeeting(
+    tree, [&nodes, budget]() noexcept { return ++nodes < budget; }, meets, onLeaf);
 }
 
 } // namespace palpate

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "haptics/core/WordHash.h"
+#include "haptics/geometry/tree/MedianSplit.h"
 
 namespace palpate
 {
@@ -95,16 +96,7 @@ void orderByTree(std::span<std::uint32_t> cells, const std::vector<Vec3>& middle
   {
     return;
   }
-  Eigen::AlignedBox3d box;
-  for (const std::uint32_t cell : cells)
-  {
-    box.extend(middles_W[cell]);
-  }
-  Eigen::Index axis = 0;
-  box.sizes().maxCoeff(&axis);
-  const std::size_t half = cells.size() / 2;
-  std::ranges::nth_element(cells, cells.begin() + static_cast<std::ptrdiff_t>(half), {},
-    [&](std::uint32_t cell) { return std::pair(middles_W[cell][axis], cell); });
+  const std::size_t half = splitAtMedian(cells, [&](std::uint32_t cell) -> const Vec3& { return middles_W[cell]; });
   orderByTree(cells.first(half), middles_W);
   orderByTree(cells.subspan(half), middles_W);
 }

@@ -10,7 +10,7 @@
 #include "haptics/geometry/curves/CurveChains.h"
 #include "haptics/geometry/curves/CurveSimplification.h"
 #include "haptics/geometry/curves/MultiresolutionCurve.h"
-#include "haptics/geometry/tree/BoxTree.h"
+#include "haptics/geometry/tree/TreeWalk.h"
 
 namespace palpate
 {
@@ -94,29 +94,10 @@ public:
   {
     const Box box = this->pieces_[i].box();
     const Along along = this->along(i);
-    std::vector<std::uint32_t> open{ this->tree_.root() };
-    while (!open.empty())
-    {
-      const std::uint32_t at = open.back();
-      open.pop_back();
-      if (at & TreeNode::leafBit)
-      {
-        if (this->meets(i, at & ~TreeNode::leafBit, along))
-        {
-          return true;
-        }
-        continue;
-      }
-      const TreeNode& node = this->tree_.nodes[at];
-      for (std::size_t k = 0; k < 2; ++k)
-      {
-        if (overlap(node, k, box))
-        {
-          open.push_back(node.child[k]);
-        }
-      }
-    }
-    return false;
+    const auto near = [&box](const TreeNode& node)
+    { return std::array<bool, 2>{ overlap(boxOf(node, 0), box), overlap(boxOf(node, 1), box) }; };
+    return !walkMeeting(
+      this->tree_.nodes, [] { return true; }, near, [&](std::uint32_t j) { return !this->meets(i, j, along); });
   }
 
 private:
@@ -167,17 +148,6 @@ private:
     }
     const bool local = this->stepsTo(i, j) <= along.behind || this->stepsTo(j, i) <= along.before;
     return distanceOf(p, q) <= (local ? this->rounding_u_ : p.reach_u + q.reach_u);
-  }
-
-  [[nodiscard]] static bool overlap(const TreeNode& node, std::size_t child, const Box& box)
-  {
-    bool both = true;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const auto i = static_cast<Eigen::Index>(axis);
-      both = both && node.low_W[axis][child] <= box.high_W[i] && box.low_W[i] <= node.high_W[axis][child];
-    }
-    return both;
   }
 
   const std::vector<Piece>& pieces_;

@@ -7,7 +7,7 @@
 
 #include "haptics/geometry/mesh/ExactPredicates.h"
 #include "haptics/geometry/tree/SegmentTriangle.h"
-#include "haptics/geometry/tree/SurfaceData.h"
+#include "haptics/geometry/tree/TreeWalk.h"
 
 namespace palpate
 {
@@ -53,50 +53,11 @@ struct Ray
   }
 };
 
-/// A halving tree over 2^32 leaves is 32 deep, and a walk keeps at most one sibling a level; with room for trees that
-/// do not halve exactly.
-constexpr std::size_t mostOpen = 96;
-
 /// Calls visit(triangle) for each triangle of the leaves whose box the ray meets.
 template<class Visit>
 void forEachNear(const SurfaceData& surface, const Ray& ray, Visit visit)
 {
-  const auto visitLeaf = [&](std::uint32_t number)
-  {
-    const Leaf& leaf = surface.leaves[number];
-    for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
-    {
-      visit(t);
-    }
-  };
-  if (surface.nodes.empty())
-  {
-    visitLeaf(0);
-    return;
-  }
-  std::array<std::uint32_t, mostOpen> open{};
-  for (std::size_t count = 1; count > 0;)
-  {
-    const TreeNode& node = surface.nodes[open[--count]];
-    for (std::size_t child = 0; child < 2; ++child)
-    {
-      const Vec3 low_W(node.low_W[0][child], node.low_W[1][child], node.low_W[2][child]);
-      const Vec3 high_W(node.high_W[0][child], node.high_W[1][child], node.high_W[2][child]);
-      if (!ray.meets(low_W, high_W))
-      {
-        continue;
-      }
-      const std::uint32_t next = node.child[child];
-      if ((next & TreeNode::leafBit) != 0)
-      {
-        visitLeaf(next & ~TreeNode::leafBit);
-      }
-      else
-      {
-        open[count++] = next;
-      }
-    }
-  }
+  forEachMeeting(surface, [&ray](const Box& box) { return ray.meets(box.low_W, box.high_W); }, visit);
 }
 
 /// How a segment passes a triangle.

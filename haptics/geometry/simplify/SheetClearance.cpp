@@ -6,7 +6,7 @@
 
 #include "haptics/geometry/mesh/ExactPredicates.h"
 #include "haptics/geometry/tree/SegmentTriangle.h"
-#include "haptics/geometry/tree/SurfaceData.h"
+#include "haptics/geometry/tree/TreeWalk.h"
 
 namespace palpate
 {
@@ -15,50 +15,25 @@ namespace
 
 using Corners = std::array<std::uint32_t, 3>;
 
-Box boxOf(const FaceRecord& face, double grown_u)
+Box grownBox(const std::array<Vec3, 3>& corners_W, double grown_u)
 {
-  const auto& [a, b, c] = face.corner_W;
+  const Box box = boxOf(corners_W);
   const Vec3 grown = Vec3::Constant(grown_u);
-  return { a.cwiseMin(b).cwiseMin(c) - grown, a.cwiseMax(b).cwiseMax(c) + grown };
-}
-
-bool overlap(const Box& a, const Box& b)
-{
-  return (a.low_W.array() <= b.high_W.array()).all() && (b.low_W.array() <= a.high_W.array()).all();
+  return { box.low_W - grown, box.high_W + grown };
 }
 
 /// Calls visit(triangle) for each triangle whose box meets `box`.
 template<class Visit>
-void forEachInBox(const SurfaceData& data, const Box& box, std::vector<std::uint32_t>& stack, Visit visit)
+void forEachInBox(const SurfaceData& data, const Box& box, Visit visit)
 {
-  stack.assign(1, data.nodes.empty() ? TreeNode::leafBit : 0u);
-  while (!stack.empty())
+  const auto visitIfNear = [&](std::uint32_t t)
   {
-    const std::uint32_t child = stack.back();
-    stack.pop_back();
-    if (child & TreeNode::leafBit)
+    if (overlap(box, boxOf(data.cornersOf(t))))
     {
-      const Leaf& leaf = data.leaves[child & ~TreeNode::leafBit];
-      for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
-      {
-        if (overlap(box, boxOf(data.face(t), 0.0)))
-        {
-          visit(t);
-        }
-      }
-      continue;
+      visit(t);
     }
-    const TreeNode& node = data.nodes[child];
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      const Vec3 low_W(node.low_W[0][k], node.low_W[1][k], node.low_W[2][k]);
-      const Vec3 high_W(node.high_W[0][k], node.high_W[1][k], node.high_W[2][k]);
-      if (overlap(box, { low_W, high_W }))
-      {
-        stack.push_back(node.child[k]);
-      }
-    }
-  }
+  };
+  forEachMeeting(data, [&box](const Box& other) { return overlap(box, other); }, visitIfNear);
 }
 
 /// A closed segment and a closed triangle.
@@ -113,7 +88,7 @@ public:
   /// True if a triangle within the distance of this one cannot be reached over others that are.
   bool holdOtherSheet(std::uint32_t triangle, double distance_u)
   {
-    this->gather(boxOf(this->data_.face(triangle), distance_u));
+    this->gather(grownBox(this->data_.cornersOf(triangle), distance_u));
     std::size_t reached = 1;
     this->seen_[triangle] = this->round_ + 1;
     this->front_.assign(1, triangle);
@@ -145,7 +120,7 @@ private:
   {
     this->round_ += 2;
     this->near_ = 0;
-    forEachInBox(this->data_, box, this->stack_,
+    forEachInBox(this->data_, box,
       [this](std::uint32_t t)
       {
         this->seen_[t] = this->round_;
@@ -157,7 +132,7 @@ private:
   std::vector<std::uint32_t> seen_; ///< the round in which a triangle was near, and one more if it was reached
   std::uint32_t round_ = 0;
   std::size_t near_ = 0;
-  std::vector<std::uint32_t> stack_, front_;
+  std::vector<std::uint32_t> front_;
 };
 
 } // namespace
@@ -192,12 +167,11 @@ double trianglesWithin(const SurfaceTree& surface, double distance_u, std::size_
 {
   const SurfaceData& data = surface.data();
   const std::size_t count = std::min(samples, data.faces.size());
-  std::vector<std::uint32_t> stack;
   std::size_t within = 0;
   for (std::size_t i = 0; i < count; ++i)
   {
     const auto triangle = static_cast<std::uint32_t>(i * data.faces.size() / count);
-    forEachInBox(data, boxOf(data.face(triangle), distance_u), stack, [&within](std::uint32_t) { ++within; });
+    forEachInBox(data, grownBox(data.cornersOf(triangle), distance_u), [&within](std::uint32_t) { ++within; });
   }
   return static_cast<double>(within) / static_cast<double>(std::max<std::size_t>(1, count));
 }
@@ -211,11 +185,10 @@ std::optional<std::array<std::uint32_t, 2>> crossingTriangles(
   const SurfaceTree& surface, const std::vector<bool>& ignored, const std::stop_token& stop)
 {
   const SurfaceData& data = surface.data();
-  std::vector<std::uint32_t> stack;
   std::optional<std::array<std::uint32_t, 2>> found;
   for (std::uint32_t s = 0; s < data.faces.size() && !found && !stop.stop_requested(); ++s)
   {
-    forEachInBox(data, boxOf(data.face(s), 0.0), stack,
+    forEachInBox(data, boxOf(data.cornersOf(s)),
       [&](std::uint32_t t)
       {
         if (t > s && !(ignored[s] && ignored[t]) && (edgesMeet(data, s, t) || edgesMeet(data, t, s)))

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "haptics/geometry/mesh/NearestOnTriangle.h"
+#include "haptics/geometry/tree/TreeWalk.h"
 
 namespace palpate
 {
@@ -26,18 +27,19 @@ double distanceToBox(const TreeNode& node, int child, const Vec3& x_W) noexcept
   return std::sqrt(squared);
 }
 
-void lookAtLeaf(const SurfaceData& surface, const Leaf& leaf, const Vec3& x_W, NearestPoint& best) noexcept
+void lookAtLeaf(const SurfaceData& surface, std::uint32_t leaf, const Vec3& x_W, NearestPoint& best) noexcept
 {
-  for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
-  {
-    const auto& [a, b, c] = surface.face(t).corner_W;
-    const Vec3 p_W = nearestOnTriangle(x_W, a, b, c);
-    const double distance = (p_W - x_W).norm();
-    if (distance <= best.distance_u)
+  surface.forEachInLeaf(leaf,
+    [&](std::uint32_t t) noexcept
     {
-      best = { t, p_W, distance };
-    }
-  }
+      const auto& [a, b, c] = surface.face(t).corner_W;
+      const Vec3 p_W = nearestOnTriangle(x_W, a, b, c);
+      const double distance = (p_W - x_W).norm();
+      if (distance <= best.distance_u)
+      {
+        best = { t, p_W, distance };
+      }
+    });
 }
 
 double distanceTo(const FaceRecord& face, const Vec3& x_W) noexcept
@@ -277,40 +279,13 @@ private:
 
 NearestPoint nearestOn(const SurfaceData& surface, const Vec3& x_W, double within_u)
 {
-  struct Pending
-  {
-    std::uint32_t child;
-    double distance;
-  };
-  constexpr std::size_t mostPending = 96; // a halving tree is 32 deep
-  std::array<Pending, mostPending> stack;
-  std::size_t top = 0;
   NearestPoint best;
   best.distance_u = within_u;
-  stack[top++] = { surface.nodes.empty() ? TreeNode::leafBit : 0u, 0.0 };
-  while (top > 0)
-  {
-    const Pending next = stack[--top];
-    if (next.distance > best.distance_u)
-    {
-      continue;
-    }
-    if (next.child & TreeNode::leafBit)
-    {
-      lookAtLeaf(surface, surface.leaves[next.child & ~TreeNode::leafBit], x_W, best);
-      continue;
-    }
-    const TreeNode& node = surface.nodes[next.child];
-    const std::array<double, 2> distance{ distanceToBox(node, 0, x_W), distanceToBox(node, 1, x_W) };
-    const std::size_t far = distance[0] <= distance[1] ? 1 : 0;
-    for (const std::size_t k : { far, 1 - far })
-    {
-      if (distance[k] <= best.distance_u)
-      {
-        stack[top++] = { node.child[k], distance[k] };
-      }
-    }
-  }
+  const auto reaches = [&best](double distance) noexcept { return distance <= best.distance_u; };
+  const auto distancesTo = [&x_W](const TreeNode& node) noexcept
+  { return std::array<double, 2>{ distanceToBox(node, 0, x_W), distanceToBox(node, 1, x_W) }; };
+  const auto lookAt = [&](std::uint32_t leaf) noexcept { lookAtLeaf(surface, leaf, x_W, best); };
+  walkNearestFirst(surface.nodes, 0.0, distancesTo, reaches, reaches, lookAt);
   return best;
 }
 

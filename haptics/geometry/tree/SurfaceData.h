@@ -119,6 +119,16 @@ struct SurfaceData
     return this->mesh.triangles[triangle];
   }
 
+  /// Calls visit(triangle) for each triangle of a leaf.
+  template<class Visit>
+  void forEachInLeaf(std::uint32_t leaf, Visit visit) const
+  {
+    for (std::uint32_t t = this->leaves[leaf].first; t < this->leaves[leaf].first + this->leaves[leaf].count; ++t)
+    {
+      visit(t);
+    }
+  }
+
   /// Calls visit(triangle) for each triangle around vertex v.
   template<class Visit>
   void forEachAround(std::uint32_t v, Visit visit) const

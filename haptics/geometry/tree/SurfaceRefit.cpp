@@ -63,28 +63,11 @@ bool hasExtent(const FaceRecord& face)
   return face.normal_W.allFinite() && (face.sliver < certainlyFlat || !exactlyCollinear(a, b, c));
 }
 
-Box around(const std::array<Vec3, 3>& corners_W)
-{
-  const auto& [a, b, c] = corners_W;
-  return { a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c) };
-}
-
-void include(Box& box, const Box& other)
-{
-  box.include(other.low_W);
-  box.include(other.high_W);
-}
-
 /// Around both children of a node.
 Box around(const NodeBoxes& node)
 {
-  Box box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto along = static_cast<std::size_t>(axis);
-    box.low_W[axis] = std::min(node.low_W[along][0], node.low_W[along][1]);
-    box.high_W[axis] = std::max(node.high_W[along][0], node.high_W[along][1]);
-  }
+  Box box = boxOf(node, 0);
+  box.include(boxOf(node, 1));
   return box;
 }
 
@@ -94,6 +77,7 @@ using LeafBoxes = std::vector<std::vector<Box>>;
 /// The faces of a leaf where they are now. Returns false where a triangle has no area, a segment no length.
 bool refitFaces(SurfaceData& data, const Leaf& leaf, const std::vector<FacePlane>& old, Box& box)
 {
+  box = Box::empty();
   for (std::uint32_t t = leaf.first; t < leaf.first + leaf.count; ++t)
   {
     const FaceRecord face = makeFace(data, t, old[t].owned);
@@ -102,7 +86,7 @@ bool refitFaces(SurfaceData& data, const Leaf& leaf, const std::vector<FacePlane
     {
       return false;
     }
-    t == leaf.first ? void(box = around(face.corner_W)) : include(box, around(face.corner_W));
+    box.include(boxOf(face.corner_W));
   }
   return true;
 }
@@ -112,12 +96,12 @@ using LeafCorners = std::array<std::array<Vec3, 3>, Leaf::capacity>;
 
 Box cornersAt(const SurfaceData& data, const Leaf& leaf, const std::vector<Vec3>& places_W, LeafCorners& corners_W)
 {
-  Box box;
+  Box box = Box::empty();
   for (std::uint32_t k = 0; k < leaf.count; ++k)
   {
     const auto& [a, b, c] = data.corners(leaf.first + k);
     corners_W[k] = { places_W[a], places_W[b], places_W[c] };
-    k == 0 ? void(box = around(corners_W[k])) : include(box, around(corners_W[k]));
+    box.include(boxOf(corners_W[k]));
   }
   return box;
 }
@@ -141,7 +125,7 @@ bool refitLeaves(SurfaceData& data, const std::vector<FacePlane>& old,
     for (std::size_t place = 0; place < also.size(); ++place)
     {
       boxes[place + 1][index] = cornersAt(data, leaf, *also[place], elsewhere_W[place]);
-      include(hull, boxes[place + 1][index]);
+      hull.include(boxes[place + 1][index]);
     }
     leaf = makeLeaf(hull, leaf.first, leaf.count);
     layDiscs(data, index);
@@ -167,13 +151,7 @@ Box refitNodes(const std::vector<TreeNode>& nodes, const std::vector<Box>& leafB
     {
       const std::uint32_t child = nodes[i].child[k];
       const bool leaf = (child & TreeNode::leafBit) != 0;
-      const Box box = leaf ? leafBoxes[child & ~TreeNode::leafBit] : around(to[child]);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const auto along = static_cast<std::size_t>(axis);
-        to[i].low_W[along][k] = box.low_W[axis];
-        to[i].high_W[along][k] = box.high_W[axis];
-      }
+      setBox(to[i], k, leaf ? leafBoxes[child & ~TreeNode::leafBit] : around(to[child]));
     }
   }
   return nodes.empty() ? leafBoxes[0] : around(to[0]);

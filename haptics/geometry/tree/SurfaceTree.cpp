@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -66,13 +65,6 @@ using Traits = CGAL::AABB_traits<Kernel, BoxPrimitive>;
 using CgalTree = CGAL::AABB_tree<Traits>;
 using CgalNode = CGAL::AABB_node<Traits>;
 
-/// Round nothing yet.
-Box emptyBox()
-{
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  return { Vec3::Constant(inf), Vec3::Constant(-inf) };
-}
-
 /// How many leaves so many triangles make.
 std::size_t leavesOf(std::size_t count)
 {
@@ -102,20 +94,15 @@ public:
     const std::size_t left = count / 2;
     const auto index = static_cast<std::uint32_t>(this->data_.nodes.size());
     this->data_.nodes.emplace_back();
-    Box boxes[2] = { emptyBox(), emptyBox() };
+    std::array<Box, 2> boxes = { Box::empty(), Box::empty() };
     const std::uint32_t child0 = this->flatten(first, left, boxes[0]);
     const std::uint32_t child1 = this->flatten(first + left, count - left, boxes[1]);
     TreeNode& flat = this->data_.nodes[index];
     flat.child = { child0, child1 };
-    for (int axis = 0; axis < 3; ++axis)
+    for (const std::size_t k : { 0U, 1U })
     {
-      flat.low_W[axis] = { boxes[0].low_W[axis], boxes[1].low_W[axis] };
-      flat.high_W[axis] = { boxes[0].high_W[axis], boxes[1].high_W[axis] };
-    }
-    for (const Box& child : boxes)
-    {
-      box.include(child.low_W);
-      box.include(child.high_W);
+      setBox(flat, k, boxes[k]);
+      box.include(boxes[k]);
     }
     return index;
   }
@@ -125,10 +112,7 @@ private:
   {
     for (std::size_t i = first; i < first + count; ++i)
     {
-      for (const Vec3& corner_W : this->data_.cornersOf(static_cast<std::uint32_t>(i)))
-      {
-        box.include(corner_W);
-      }
+      box.include(boxOf(this->data_.cornersOf(static_cast<std::uint32_t>(i))));
     }
     const std::size_t leaf = this->data_.leaves.size();
     this->data_.leaves.push_back(makeLeaf(box, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)));
@@ -183,7 +167,7 @@ std::vector<std::uint32_t> hierarchyOrder(const SurfaceData& data)
 
 void layHierarchy(SurfaceData& data)
 {
-  Box box = emptyBox();
+  Box box = Box::empty();
   Flattener(data).flatten(0, data.faces.size(), box);
   data.low_W = box.low_W;
   data.high_W = box.high_W;

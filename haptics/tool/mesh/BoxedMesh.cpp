@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 
+#include "haptics/geometry/tree/MedianSplit.h"
 #include "haptics/tool/mesh/FlatFeatures.h"
 
 namespace palpate
@@ -84,7 +86,8 @@ private:
     }
     else
     {
-      const std::uint32_t half = this->halve(first, count);
+      const auto half = static_cast<std::uint32_t>(splitAtMedian(std::span(this->order_).subspan(first, count),
+        [this](std::uint32_t t) -> const Vec3& { return this->middles_[t]; }));
       spread = this->build(first, half);
       this->nodes_[node].second = static_cast<std::uint32_t>(this->nodes_.size());
       spread += this->build(first + half, count - half);
@@ -108,24 +111,6 @@ private:
     const Vec3 normal = unitNormal(this->corners(this->order_[first]));
     return std::all_of(this->order_.begin() + first, this->order_.begin() + first + count,
       [&](std::uint32_t t) { return std::abs(normal.dot(unitNormal(this->corners(t)))) >= leafAgreement; });
-  }
-
-  /// Sorts the triangles into halves along the longest side of their middles; ties by number.
-  std::uint32_t halve(std::uint32_t first, std::uint32_t count)
-  {
-    Eigen::AlignedBox3d bounds;
-    for (std::uint32_t i = first; i < first + count; ++i)
-    {
-      bounds.extend(this->middles_[this->order_[i]]);
-    }
-    int axis = 0;
-    bounds.sizes().maxCoeff(&axis);
-    const std::uint32_t half = count / 2;
-    const auto begin = this->order_.begin() + first;
-    std::nth_element(begin, begin + half, begin + count,
-      [&](std::uint32_t a, std::uint32_t b)
-      { return std::pair(this->middles_[a][axis], a) < std::pair(this->middles_[b][axis], b); });
-    return half;
   }
 
   [[nodiscard]] Spread spreadOf(std::uint32_t t) const

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "haptics/geometry/tree/BoxTree.h"
+
+namespace palpate
+{
+
+/// Puts the half of the things whose places come first along the longest side of the box around the places before the
+/// others, ties by number, and returns how many they are. `placeOf(i)`: a point of thing i, finite. O(n).
+template<class PlaceOf>
+std::size_t splitAtMedian(std::span<std::uint32_t> things, const PlaceOf& placeOf)
+{
+  Box box = Box::empty();
+  for (const std::uint32_t i : things)
+  {
+    box.include(placeOf(i));
+  }
+  Eigen::Index axis = 0;
+  (box.high_W - box.low_W).maxCoeff(&axis);
+  const std::size_t half = things.size() / 2;
+  std::ranges::nth_element(things, things.begin() + static_cast<std::ptrdiff_t>(half), {},
+    [&](std::uint32_t i) { return std::pair<double, std::uint32_t>(placeOf(i)[axis], i); });
+  return half;
+}
+
+} // namespace palpate
