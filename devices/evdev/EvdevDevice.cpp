@@ -10,19 +10,8 @@ namespace
 
 DeviceInfo infoOf(const std::string& name, const HidEntry& entry, const EvdevKind& kind, const PidScale& scale)
 {
-  DeviceInfo info;
-  info.name = name;
-  info.serial = entry.serial;
-  info.deviceClass = kind.pushes.deviceClass;
+  DeviceInfo info = pushedInfo(name, entry, kind.pushes, scale);
   info.rendersForce = kind.pushes.pushedAxes > 0;
-  info.abilities = promised(kind.pushes);
-  info.workspaceRadius_m = { scale.halfTravel_m, false };
-  info.maxForce_N = { scale.maxForce_N, false };
-  if (info.abilities.holdsWalls)
-  {
-    info.heldStiffness_N_per_m = { scale.springStiffness_N_per_m, false };
-    info.heldForce_N = { scale.maxForce_N, false };
-  }
   return info;
 }
 
@@ -39,9 +28,9 @@ EvdevDevice::EvdevDevice(const std::string& name, const std::shared_ptr<EvdevBus
 std::string EvdevDevice::open()
 {
   std::string problem = this->PushedDevice::open();
-  if (const std::optional<EvdevLink::Found> found = this->link_->found())
+  if (this->link_->abilities())
   {
-    this->info_.resolution_m = { found->step * this->options_.output.scale.halfTravel_m, false };
+    this->info_.resolution_m = { this->link_->step() * this->options_.output.scale.halfTravel_m, false };
   }
   return problem;
 }

@@ -5,10 +5,37 @@
 #include <cstdint>
 
 #include "devices/common/LinkedDevice.h"
-#include "devices/io/ReportRate.h"
 
 namespace palpate
 {
+
+/// How many reports a second come, counted over a second. One thread counts, any other may look.
+class ReportRate
+{
+public:
+  void count(std::uint64_t reports, std::int64_t now_ns) noexcept
+  {
+    this->reports_ += reports;
+    if (this->since_ns_ == none)
+    {
+      this->since_ns_ = now_ns;
+      this->reports_ = 0;
+    }
+    else if (now_ns - this->since_ns_ >= window_ns)
+    {
+      this->rate_Hz_ = 1e9 * static_cast<double>(this->reports_) / static_cast<double>(now_ns - this->since_ns_);
+      this->since_ns_ = now_ns;
+      this->reports_ = 0;
+    }
+  }
+  [[nodiscard]] double rate_Hz() const noexcept { return this->rate_Hz_; }
+
+private:
+  static constexpr std::int64_t none = -1, window_ns = 1000000000;
+  std::int64_t since_ns_ = none;
+  std::uint64_t reports_ = 0;
+  std::atomic<double> rate_Hz_ = 0.0;
+};
 
 /// What the threads of a link count, for people to see.
 struct LinkCounts

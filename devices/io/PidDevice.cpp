@@ -8,20 +8,9 @@ DeviceInfo pidInfo(
 {
   const PidKind kind = pidKind(descriptor);
   const PidInput input(descriptor, kind.sensedAxes);
-  DeviceInfo info;
-  info.name = name;
-  info.serial = entry.serial;
-  info.deviceClass = kind.deviceClass;
+  DeviceInfo info = pushedInfo(name, entry, kind, scale);
   info.rendersForce = descriptor.hasCollection(pid::setEffect);
-  info.abilities = promised(kind);
-  info.workspaceRadius_m = { scale.halfTravel_m, false };
   info.resolution_m = { input.usable() ? input.step() * scale.halfTravel_m : 0.0, false };
-  info.maxForce_N = { scale.maxForce_N, false };
-  if (info.abilities.holdsWalls)
-  {
-    info.heldStiffness_N_per_m = { scale.springStiffness_N_per_m, false };
-    info.heldForce_N = { scale.maxForce_N, false };
-  }
   return info;
 }
 

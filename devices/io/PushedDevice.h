@@ -22,6 +22,25 @@ struct PushedDeviceOptions
   const Clock* clock = nullptr; ///< null: the system's monotonic clock; must outlive the device
 };
 
+/// What is known before it is opened of a device of that kind; its lengths and forces are assumed.
+[[nodiscard]] inline DeviceInfo pushedInfo(
+  const std::string& name, const HidEntry& entry, const PidKind& kind, const PidScale& scale)
+{
+  DeviceInfo info;
+  info.name = name;
+  info.serial = entry.serial;
+  info.deviceClass = kind.deviceClass;
+  info.abilities = promised(kind);
+  info.workspaceRadius_m = { scale.halfTravel_m, false };
+  info.maxForce_N = { scale.maxForce_N, false };
+  if (info.abilities.holdsWalls)
+  {
+    info.heldStiffness_N_per_m = { scale.springStiffness_N_per_m, false };
+    info.heldForce_N = { scale.maxForce_N, false };
+  }
+  return info;
+}
+
 /// A joystick, wheel or base behind a link with a reader and a writer thread of its own. Reading and writing are
 /// wait-free whatever the device does. Its lengths and forces are assumed until somebody measures them.
 template<class Link>

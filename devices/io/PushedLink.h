@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "devices/common/LinkNotes.h"
+#include "devices/common/LinkedDevice.h"
+#include "devices/hid/pid/PidOutput.h"
+#include "devices/io/FindAgain.h"
+#include "devices/io/HandExchange.h"
+#include "devices/io/HeldDevice.h"
+#include "devices/io/LinkCounts.h"
+#include "devices/io/WriterWatch.h"
+#include "haptics/core/Clock.h"
+
+namespace palpate
+{
+
+/// A device with force feedback that comes and goes, between a reader, a writer and a servo. The reader and the writer
+/// each call their pass again and again and may be blocked in it for seconds; the servo exchanges newest values with
+/// them and never waits. After a loss the writer opens the device again, but gives no force until the servo has asked
+/// for none once: only a person brings it back.
+///
+/// `Attached` is all that lives as long as a device stays plugged in: an `entry`, a `connection`, an `engine` and an
+/// `output`; begin(bus, options) opens and prepares it; step(now_ns, wish) sends what is most urgent; disturbance(now_ns)
+/// says why its effects do not play any more, or is null.
+template<class Bus, class Attached>
+class PushedLink
+{
+public:
+  using Hand = HandExchange::Hand;
+  using Heard = HandExchange::Heard;
+
+  virtual ~PushedLink() = default;
+  PushedLink(const PushedLink&) = delete;
+  PushedLink& operator=(const PushedLink&) = delete;
+
+  /// Finds, opens and prepares the device; what it can do to a hand then is what it must be able to do whenever it
+  /// comes back. Empty, or why not. Before there is a writer thread.
+  [[nodiscard]] std::string attach()
+  {
+    std::string problem = this->prepare(this->search_.first(*this->bus_), {});
+    this->opened_ = this->abilities().value_or(DeviceAbilities{});
+    return problem;
+  }
+  /// Leaves the device without force and lets it go. Writer thread, or after it.
+  void detach() noexcept
+  {
+    if (const std::shared_ptr<Attached> device = this->held_.get())
+    {
+      device->engine->close();
+    }
+    this->exchange_.presence.left();
+    this->held_.letGo();
+  }
+
+  /// Waits for input, keeps the newest hand, watches the writer. False: there is no device. Reader thread.
+  bool readPass(int timeout_ms)
+  {
+    const std::shared_ptr<Attached> device = this->held_.get();
+    if (device == nullptr)
+    {
+      return false;
+    }
+    std::optional<Hand> newest;
+    const std::uint64_t before = this->counts_.inputs;
+    const bool there = this->listen(*device, timeout_ms, newest);
+    this->counts_.rate.count(this->counts_.inputs - before, this->clock_.now_ns());
+    if (newest)
+    {
+      this->held_.with(device, [&] { this->exchange_.tell(newest); });
+    }
+    if (!there)
+    {
+      this->unplugged(device);
+    }
+    else if (this->writer_.hasStalled(this->clock_.now_ns()))
+    {
+      this->exchange_.presence.stalled();
+      this->stalled(*device);
+    }
+    return there;
+  }
+
+  /// Sends what is most urgent. False: nothing to do now. Writer thread.
+  bool writePass()
+  {
+    const std::int64_t now_ns = this->clock_.now_ns();
+    const std::shared_ptr<Attached> device = this->held_.get();
+    if (device == nullptr)
+    {
+      this->reattach(now_ns);
+      return false;
+    }
+    this->writer_.begins(now_ns);
+    const bool sent = this->writeTo(device, now_ns);
+    this->writer_.ends();
+    return sent;
+  }
+
+  /// The newest. Servo thread; wait-free.
+  [[nodiscard]] Heard heard() noexcept { return this->exchange_.heard(); }
+  /// Servo thread; wait-free.
+  void command(const DeviceCommand& command) noexcept { this->exchange_.command(command); }
+
+  /// Any thread but the servo's.
+  [[nodiscard]] LinkReport report() const
+  {
+    LinkReport report;
+    this->counts_.reportTo(report);
+    report.stalls = this->writer_.stalls();
+    report.losses = this->exchange_.presence.losses();
+    this->held_.reportTo(report);
+    const std::shared_ptr<Attached> device = this->held_.get();
+    if (const char* const why = device != nullptr ? device->withoutForce.load() : nullptr)
+    {
+      report.message = why;
+    }
+    if (report.attached && !this->exchange_.handKnown())
+    {
+      report.message = "it has not said yet where the hand is: move it";
+    }
+    return report;
+  }
+  /// What it is believed from now on. Any thread.
+  void trust(HeldTrust trust) noexcept { this->exchange_.trust(trust); }
+  /// What the device offers; none before it was attached. Any thread but the servo's.
+  [[nodiscard]] std::optional<DeviceAbilities> abilities() const
+  {
+    const std::lock_guard lock(this->abilitiesMutex_);
+    return this->abilities_;
+  }
+
+protected:
+  PushedLink(std::shared_ptr<Bus> bus, HidEntry entry, const PidOutputOptions& options, const Clock& clock)
+    : bus_(std::move(bus)), search_(std::move(entry)), options_(options), clock_(clock), exchange_(options.trust)
+  {
+  }
+
+  /// Where the hand is, of a device that has just been opened; none: it does not say.
+  [[nodiscard]] virtual std::optional<Hand> firstHand(Attached& device) = 0;
+  /// Waits for input and takes all of it. False: the device is gone. Reader thread.
+  [[nodiscard]] virtual bool listen(Attached& device, int timeout_ms, std::optional<Hand>& newest) = 0;
+  /// Loses a device that is gone, and what else is to be done. Reader thread.
+  virtual void unplugged(const std::shared_ptr<Attached>& device) = 0;
+  /// Loses a device whose effects do not play or that took no force, and ends what it still plays. Writer thread, since
+  /// `since_ns` in this pass.
+  virtual void giveUp(const std::shared_ptr<Attached>& device, std::int64_t since_ns, const std::string& why) = 0;
+  /// The writer has just been found to hang. Reader thread.
+  virtual void stalled(Attached& /*device*/) {}
+  /// True: a lost device may be opened again now.
+  [[nodiscard]] virtual bool mayReattach() const noexcept { return true; }
+
+  /// False: another thread has noticed the loss already.
+  [[nodiscard]] bool lose(const std::shared_ptr<Attached>& device, const std::string& why)
+  {
+    return this->held_.letGo(device, why, [this] { this->exchange_.presence.lost(); });
+  }
+  [[nodiscard]] Hand handOf(const PidHand& hand) noexcept
+  {
+    this->counts_.outOfRange += hand.outOfRange ? 1 : 0;
+    const PidScale& scale = this->options_.scale;
+    return { { scale.toMetres(0, hand.at[0]), scale.toMetres(1, hand.at[1]), 0.0 }, hand.buttons };
+  }
+  [[nodiscard]] const Clock& clock() const noexcept { return this->clock_; }
+
+  LinkCounts counts_;
+
+private:
+  /// For walls that are left to the device, which it could hold before; empty: nothing. Whoever steers by what the device
+  /// held goes on as if it held it, and walls without their viscosity shake.
+  [[nodiscard]] static std::string missing(const DeviceAbilities& before, const DeviceAbilities& now)
+  {
+    return !before.offersWalls() || now.offersWalls() ? "" : now.holdsWalls ? "viscosity" : "walls";
+  }
+
+  [[nodiscard]] std::string prepare(FoundDevice found, const DeviceAbilities& least)
+  {
+    if (!found.entry)
+    {
+      return found.problem;
+    }
+    auto device = std::make_shared<Attached>();
+    device->entry = std::move(*found.entry);
+    std::string problem = device->begin(*this->bus_, this->options_);
+    if (const std::string lack = problem.empty() ? missing(least, device->output->abilities()) : ""; !lack.empty())
+    {
+      device->engine->close();
+      problem = "it came back without " + lack + ": its memory for effects may be full";
+    }
+    if (!problem.empty())
+    {
+      return "\"" + device->entry.name + "\": " + problem;
+    }
+    this->search_.found(*this->bus_, device->entry);
+    const std::optional<Hand> hand = this->firstHand(*device);
+    {
+      const std::lock_guard lock(this->abilitiesMutex_);
+      this->abilities_ = device->output->abilities();
+    }
+    const auto sayFound = [this, &hand]
+    {
+      this->exchange_.tell(hand);
+      this->exchange_.presence.found();
+    };
+    this->held_.hold(std::move(device), sayFound);
+    return {};
+  }
+
+  [[nodiscard]] bool writeTo(const std::shared_ptr<Attached>& device, std::int64_t now_ns)
+  {
+    if (const char* const why = device->disturbance(now_ns))
+    {
+      this->giveUp(device, now_ns, why);
+      return true;
+    }
+    const std::uint64_t restarts = device->output->restarts();
+    const PidStep step = device->step(now_ns, this->exchange_.wish());
+    if (step == PidStep::Failed)
+    {
+      this->giveUp(device, now_ns, describeFailedWrite(device->connection->error()));
+    }
+    this->counts_.outputs += step == PidStep::Sent ? 1 : 0;
+    this->counts_.restarts += device->output->restarts() - restarts;
+    return step == PidStep::Sent;
+  }
+
+  /// The devices that are there are noted before anything is waited for: the lost one may soon be back in another place.
+  void reattach(std::int64_t now_ns)
+  {
+    this->search_.lost(*this->bus_);
+    if (!this->mayReattach() || !this->pause_.over(now_ns))
+    {
+      return;
+    }
+    this->exchange_.mute();
+    if (std::string problem = this->prepare(this->search_.again(*this->bus_), this->opened_); !problem.empty())
+    {
+      this->held_.say(std::move(problem));
+    }
+  }
+
+  std::shared_ptr<Bus> bus_;
+  DeviceSearch search_; ///< writer's, and the owner's before
+  PidOutputOptions options_;
+  const Clock& clock_;
+
+  HeldDevice<Attached> held_;         ///< reader, writer and owner only
+  mutable std::mutex abilitiesMutex_; ///< writer and owner only
+  std::optional<DeviceAbilities> abilities_;
+
+  HandExchange exchange_;
+  WriterWatch writer_;
+
+  DeviceAbilities opened_; ///< writer's, and the owner's before: what it could do when it was opened
+  SearchPause pause_;      ///< writer's
+};
+
+} // namespace palpate
