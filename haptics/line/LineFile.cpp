@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <optional>
+
+#include "haptics/core/Text.h"
 
 namespace palpate
 {
@@ -17,30 +18,13 @@ constexpr std::size_t mostPlaces = 1000000;
 constexpr std::array<std::string_view, 3> names{ "s", "value", "friction" };
 constexpr std::size_t absent = names.size();
 
-std::string_view trimmed(std::string_view text)
-{
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-/// What stands before the separator, which goes too.
-std::string_view take(std::string_view& text, char separator)
-{
-  const std::size_t end = text.find(separator);
-  const std::string_view part = text.substr(0, end);
-  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  return part;
-}
-
 /// For each column the number of its name; empty: the header is none.
 std::vector<std::size_t> columnsOf(std::string_view header)
 {
   std::vector<std::size_t> columns;
   while (!header.empty())
   {
-    const std::string_view name = trimmed(take(header, ','));
+    const std::string_view name = trimmed(takeUntil(header, ','));
     const auto known = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
     if (known == absent || std::count(columns.begin(), columns.end(), known) > 0)
     {
@@ -63,13 +47,12 @@ bool readRow(std::string_view line, const std::vector<std::size_t>& columns, Lin
     {
       return false;
     }
-    const std::string_view field = trimmed(take(line, ','));
-    double& value = values[columns[i]];
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
+    const std::optional<double> value = numberIn<double>(trimmed(takeUntil(line, ',')));
+    if (!value || !std::isfinite(*value))
     {
       return false;
     }
+    values[columns[i]] = *value;
   }
   place = { values[0], values[1], values[2] };
   return true;
@@ -80,14 +63,14 @@ bool readRow(std::string_view line, const std::vector<std::size_t>& columns, Lin
 ParsedLine parseLine(std::string_view text)
 {
   ParsedLine parsed;
-  const std::vector<std::size_t> columns = columnsOf(take(text, '\n'));
+  const std::vector<std::size_t> columns = columnsOf(takeUntil(text, '\n'));
   if (columns.empty())
   {
     return { {}, "line 1: the header must have s and value, and may have friction" };
   }
   for (std::size_t number = 2; !text.empty(); ++number)
   {
-    const std::string_view line = trimmed(take(text, '\n'));
+    const std::string_view line = trimmed(takeUntil(text, '\n'));
     const std::string where = "line " + std::to_string(number) + ": ";
     LinePlace place;
     if (!readRow(line, columns, place))

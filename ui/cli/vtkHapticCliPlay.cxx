@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labyrinths played from a device alone: no mouse, no display. What is printed is for whoever stands beside.
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -13,6 +12,7 @@
 #include "devices/calibration/CalibrationFiles.h"
 #include "devices/io/broker/DBusBroker.h"
 #include "devices/simulated/MazePlayer.h"
+#include "haptics/core/Text.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
@@ -64,10 +64,8 @@ palpate::DeadMan DeadManOf(const std::string& hold)
   {
     return { 0, !hold.empty() };
   }
-  int button = 0;
-  const char* const end = hold.data() + hold.size();
-  const auto [rest, error] = std::from_chars(hold.data(), end, button);
-  if (error != std::errc() || rest != end || button < 1 || button > 32)
+  const int button = palpate::numberIn<int>(hold).value_or(0);
+  if (button < 1 || button > 32)
   {
     throw vtkHapticCliProblem("--hold " + hold + ": it has to be the number of a button, 1 to 32, or grip");
   }

@@ -39,7 +39,7 @@ double LengthOf(const Attributes& attributes, std::string_view name)
   {
     return 0.0;
   }
-  const std::optional<double> value = vtkHapticText::Parse<double>(text);
+  const std::optional<double> value = palpate::signedNumberIn<double>(text);
   if (!value || !std::isfinite(*value))
   {
     throw std::runtime_error(

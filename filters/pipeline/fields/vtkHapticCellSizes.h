@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "haptics/core/Types.h"
+#include "haptics/core/PointGrid.h"
 
 class vtkDataSet;
 
@@ -26,12 +26,9 @@ public:
   static constexpr int mostHalvings = 6;
 
 private:
-  std::array<int, 3> BinOf(const palpate::Vec3& p_W) const;
-  std::size_t IndexOf(const std::array<int, 3>& bin) const;
   int HalvingsOf(std::uint32_t count) const;
 
-  palpate::Vec3 Low, Bin;
-  std::array<int, 3> Size{ 1, 1, 1 };
+  palpate::PointGrid Bins;
   double Mean = 0.0; ///< points a bin
   std::uint32_t Most = 0;
   std::vector<std::uint32_t> Counts;

@@ -3,13 +3,14 @@
 #define vtkHapticTextScanner_h
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+#include "haptics/core/Text.h"
 
 /// The words and lines of an untrusted text. Functions throw std::runtime_error with a sentence for a person.
 namespace vtkHapticText
@@ -40,16 +41,6 @@ inline constexpr std::string_view Blanks = " \t\r\v\f";
   return "'" + shown + "'";
 }
 
-/// The whole word as a number, or nothing. NaN and infinity are numbers; what overflows T is none.
-template<class T>
-[[nodiscard]] std::optional<T> Parse(std::string_view word)
-{
-  word.remove_prefix(word.size() > 1 && word.front() == '+' && word[1] != '-' ? 1 : 0);
-  T value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() ? std::optional<T>(value) : std::nullopt;
-}
-
 template<class T>
 [[nodiscard]] T ParseOrThrow(std::string_view word, const char* where)
 {
@@ -57,7 +48,7 @@ template<class T>
   {
     throw std::runtime_error(std::string("a number is missing in ") + where);
   }
-  const std::optional<T> value = Parse<T>(word);
+  const std::optional<T> value = palpate::signedNumberIn<T>(word);
   if (!value)
   {
     throw std::runtime_error(

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
+
+#include "haptics/core/Text.h"
 
 std::vector<std::string> vtkHapticTextRows::Next()
 {
@@ -62,11 +65,10 @@ std::string vtkHapticTextRows::Digits(double value)
 
 double vtkHapticTextRows::Number(const std::string& field)
 {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size())
+  const std::optional<double> value = palpate::numberIn<double>(field);
+  if (!value)
   {
     throw std::runtime_error("'" + field.substr(0, 24) + "' is not a number");
   }
-  return value;
+  return *value;
 }

@@ -25,7 +25,7 @@ void TakeKeyword(std::string_view& line)
     "STCNOFF" };
   std::string_view rest = line;
   const std::string_view word = TakeWord(rest);
-  if (Parse<std::int64_t>(word))
+  if (palpate::signedNumberIn<std::int64_t>(word))
   {
     return; // the keyword is optional
   }

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
 #include "haptics/compliance/mesh/ThinPlaces.h"
+#include "haptics/core/Text.h"
 #include "haptics/session/settings/Setting.h"
 #include "vtkCellData.h"
 #include "vtkDataSetTriangleFilter.h"
@@ -51,17 +51,6 @@ int SideOf(const std::string& name)
   static const std::array<std::string, 6> names = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax" };
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
-}
-
-std::vector<std::string> Words(const std::string& text)
-{
-  std::vector<std::string> words;
-  std::istringstream in(text);
-  for (std::string word; std::getline(in, word, ',');)
-  {
-    words.push_back(word);
-  }
-  return words;
 }
 
 vtkDataArray* OneNumberEach(vtkUnstructuredGrid& body, const char* name)
@@ -208,7 +197,7 @@ bool vtkHapticFixBody(vtkUnstructuredGrid& body, const std::string& fixed, doubl
 {
   const vtkSmartPointer<vtkDataArray> given = OneNumberEach(body, fixed.c_str()); // may be the one replaced
   const auto array = OwnFixed(body);
-  const std::vector<std::string> words = Words(fixed);
+  const std::vector<std::string> words = palpate::partsOf(fixed, ',');
   const bool sides = std::all_of(words.begin(), words.end(), [](const auto& word) { return SideOf(word) >= 0; });
   if (sides)
   {

@@ -49,45 +49,19 @@ TetraSearch::TetraSearch(const TetraMesh& mesh) : mesh_(mesh)
   }
   // About one tetrahedron a cell.
   const double side = std::cbrt(std::max(all.volume(), 1e-300) / static_cast<double>(mesh.tetras.size()));
-  this->low_W_ = all.min();
+  this->grid_.low = all.min();
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->counts_[axis] = std::clamp(static_cast<int>(all.sizes()[axis] / side), 1, 64);
-    this->cell_u_[axis] = std::max(all.sizes()[axis] / this->counts_[axis], std::numeric_limits<double>::min());
+    this->grid_.size[axis] = std::clamp(static_cast<int>(all.sizes()[axis] / side), 1, 64);
+    this->grid_.edge[axis] = std::max(all.sizes()[axis] / this->grid_.size[axis], std::numeric_limits<double>::min());
   }
-  this->cells_.resize(static_cast<std::size_t>(this->counts_[0]) * this->counts_[1] * this->counts_[2]);
+  this->cells_.resize(this->grid_.count());
   for (std::uint32_t i = 0; i < mesh.tetras.size(); ++i)
   {
     const Eigen::AlignedBox3d box = boxOf(mesh, mesh.tetras[i]);
-    const Cell low = this->cellOf(box.min());
-    const Cell high = this->cellOf(box.max());
-    for (Cell c = low; c[2] <= high[2]; ++c[2])
-    {
-      for (c[1] = low[1]; c[1] <= high[1]; ++c[1])
-      {
-        for (c[0] = low[0]; c[0] <= high[0]; ++c[0])
-        {
-          this->cells_[this->indexOf(c)].push_back(i);
-        }
-      }
-    }
+    this->grid_.forEach(this->grid_.cellOf(box.min()), this->grid_.cellOf(box.max()),
+      [this, i](std::size_t cell) { this->cells_[cell].push_back(i); });
   }
-}
-
-TetraSearch::Cell TetraSearch::cellOf(const Vec3& p_W) const
-{
-  Cell cell{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double place = (p_W[axis] - this->low_W_[axis]) / this->cell_u_[axis];
-    cell[axis] = static_cast<int>(std::clamp(place, 0.0, this->counts_[axis] - 1.0));
-  }
-  return cell;
-}
-
-std::size_t TetraSearch::indexOf(const Cell& cell) const
-{
-  return (static_cast<std::size_t>(cell[2]) * this->counts_[1] + cell[1]) * this->counts_[0] + cell[0];
 }
 
 void TetraSearch::lookAt(
@@ -100,7 +74,7 @@ void TetraSearch::lookAt(
     if (outside < distance)
     {
       distance = outside;
-      best = { i, weights, outside <= 1e-9 * this->cell_u_.norm() };
+      best = { i, weights, outside <= 1e-9 * this->grid_.edge.norm() };
     }
   }
 }
@@ -109,18 +83,17 @@ TetraPlace TetraSearch::find(const Vec3& p_W) const
 {
   TetraPlace best;
   double distance = std::numeric_limits<double>::infinity();
-  const Cell center = this->cellOf(p_W);
-  this->lookAt(this->cells_[this->indexOf(center)], p_W, best, distance);
+  const auto& [width, height, depth] = this->grid_.size;
+  const PointGrid::Cell center = this->grid_.cellOf(p_W);
+  this->lookAt(this->cells_[this->grid_.indexOf(center)], p_W, best, distance);
   // What is outside is near one of the border's tetrahedra: shells of cells around, one beyond the first find.
-  const int most = *std::max_element(this->counts_.begin(), this->counts_.end());
+  const int most = std::max({ width, height, depth });
   int beyond = 1;
   for (int shell = 1; shell < most && !best.inside && beyond >= 0; ++shell)
   {
     for (std::size_t c = 0; c < this->cells_.size(); ++c)
     {
-      const auto [x, y, z] =
-        Cell{ static_cast<int>(c) % this->counts_[0], static_cast<int>(c) / this->counts_[0] % this->counts_[1],
-          static_cast<int>(c) / this->counts_[0] / this->counts_[1] };
+      const int at = static_cast<int>(c), x = at % width, y = at / width % height, z = at / width / height;
       const int away = std::max({ std::abs(x - center[0]), std::abs(y - center[1]), std::abs(z - center[2]) });
       if (away == shell)
       {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "haptics/compliance/mesh/TetraMesh.h"
+#include "haptics/core/PointGrid.h"
 
 namespace palpate
 {
@@ -25,15 +26,10 @@ public:
   [[nodiscard]] TetraPlace find(const Vec3& p_W) const;
 
 private:
-  using Cell = std::array<int, 3>;
-  [[nodiscard]] Cell cellOf(const Vec3& p_W) const;
-  [[nodiscard]] std::size_t indexOf(const Cell& cell) const;
   void lookAt(const std::vector<std::uint32_t>& tetras, const Vec3& p_W, TetraPlace& best, double& distance) const;
 
   const TetraMesh& mesh_;
-  Vec3 low_W_ = Vec3::Zero();
-  Vec3 cell_u_ = Vec3::Ones();
-  Cell counts_{};
+  PointGrid grid_;
   std::vector<std::vector<std::uint32_t>> cells_; ///< tetrahedra whose box meets the cell
 };
 

@@ -26,45 +26,31 @@ Box boxOf(std::span<const Vec3> points_W, const Tetrahedron& t)
 
 } // namespace
 
-std::array<int, 3> TetraBins::Octave::binOf(const Vec3& p_W) const noexcept
-{
-  std::array<int, 3> at;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double bin = (p_W[k] - this->low[k]) / this->bin[k];
-    at[k] = static_cast<int>(std::clamp(bin, 0.0, this->size[k] - 1.0));
-  }
-  return at;
-}
-
 TetraBins::Octave TetraBins::octaveOf(
   std::span<const Vec3> points_W, std::span<const Tetrahedron> tetrahedra, const std::vector<std::uint32_t>& members)
 {
   Octave octave;
-  octave.low = Vec3::Constant(INFINITY);
+  PointGrid& grid = octave.bins;
+  grid.low = Vec3::Constant(INFINITY);
   Vec3 high = Vec3::Constant(-INFINITY);
   for (const std::uint32_t t : members)
   {
     const Box box = boxOf(points_W, tetrahedra[t]);
-    octave.low = octave.low.cwiseMin(box.low);
+    grid.low = grid.low.cwiseMin(box.low);
     high = high.cwiseMax(box.low);
     octave.widest = octave.widest.cwiseMax(box.high - box.low);
   }
   const double bins = std::max(1.0, static_cast<double>(members.size()) / tetrahedraPerBin);
-  const Vec3 extent = (high - octave.low).cwiseMax(1e-300);
+  const Vec3 extent = (high - grid.low).cwiseMax(1e-300);
   const double edge = std::cbrt(extent.prod() / bins);
   for (int k = 0; k < 3; ++k)
   {
     const double along = edge > 0.0 ? std::ceil(extent[k] / edge) : std::ceil(std::cbrt(bins));
-    octave.size[k] = static_cast<int>(std::clamp(along, 1.0, static_cast<double>(mostBinsAlongAxis)));
-    octave.bin[k] = extent[k] / octave.size[k];
+    grid.size[k] = static_cast<int>(std::clamp(along, 1.0, static_cast<double>(mostBinsAlongAxis)));
+    grid.edge[k] = extent[k] / grid.size[k];
   }
-  const auto numberOf = [&](std::uint32_t t)
-  {
-    const std::array<int, 3> at = octave.binOf(boxOf(points_W, tetrahedra[t]).low);
-    return at[0] + octave.size[0] * (at[1] + octave.size[1] * static_cast<std::size_t>(at[2]));
-  };
-  octave.start.assign(static_cast<std::size_t>(octave.size[0]) * octave.size[1] * octave.size[2] + 1, 0);
+  const auto numberOf = [&](std::uint32_t t) { return grid.indexOf(grid.cellOf(boxOf(points_W, tetrahedra[t]).low)); };
+  octave.start.assign(grid.count() + 1, 0);
   for (const std::uint32_t t : members)
   {
     ++octave.start[numberOf(t) + 1];

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "haptics/core/Types.h"
+#include "haptics/core/PointGrid.h"
 
 namespace palpate
 {
@@ -27,18 +27,14 @@ public:
   {
     for (const Octave& octave : this->octaves_)
     {
-      const std::array<int, 3> first = octave.binOf(low_W - octave.widest), last = octave.binOf(high_W);
-      for (int z = first[2]; z <= last[2]; ++z)
-      {
-        for (int y = first[1]; y <= last[1]; ++y)
+      octave.bins.forEach(octave.bins.cellOf(low_W - octave.widest), octave.bins.cellOf(high_W),
+        [&](std::size_t bin)
         {
-          const std::size_t row = octave.size[0] * (y + octave.size[1] * static_cast<std::size_t>(z));
-          for (std::uint32_t at = octave.start[row + first[0]]; at < octave.start[row + last[0] + 1]; ++at)
+          for (std::uint32_t at = octave.start[bin]; at < octave.start[bin + 1]; ++at)
           {
             visit(octave.tetrahedra[at]);
           }
-        }
-      }
+        });
     }
   }
   [[nodiscard]] std::size_t bytes() const noexcept;
@@ -46,12 +42,9 @@ public:
 private:
   struct Octave
   {
-    Vec3 low = Vec3::Zero(), bin = Vec3::Ones();
+    PointGrid bins;
     Vec3 widest = Vec3::Zero(); ///< extent of any of its tetrahedra
-    std::array<int, 3> size{ 1, 1, 1 };
     std::vector<std::uint32_t> start, tetrahedra;
-
-    [[nodiscard]] std::array<int, 3> binOf(const Vec3& p_W) const noexcept;
   };
   static Octave octaveOf(
     std::span<const Vec3> points_W, std::span<const Tetrahedron> tetrahedra, const std::vector<std::uint32_t>& members);

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <string_view>
 
+#include "haptics/core/Text.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticFileGuards.h"
 
@@ -41,23 +42,14 @@ struct Place
   }
 };
 
-std::string_view Trimmed(std::string_view text)
-{
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 std::vector<std::string_view> Fields(std::string_view line)
 {
   std::vector<std::string_view> fields;
-  for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(','))
+  while (line.find(',') != std::string_view::npos)
   {
-    fields.push_back(Trimmed(line.substr(0, comma)));
-    line.remove_prefix(comma + 1);
+    fields.push_back(palpate::trimmed(palpate::takeUntil(line, ',')));
   }
-  fields.push_back(Trimmed(line));
+  fields.push_back(palpate::trimmed(line));
   return fields;
 }
 
@@ -100,15 +92,13 @@ std::vector<Column> ParseHeader(std::string_view line, const Place& place)
 
 double ParseNumber(std::string_view field, Column column, const Place& place)
 {
-  double value = 0.0;
-  const std::string_view digits = field.size() > 1 && field[0] == '+' && field[1] != '-' ? field.substr(1) : field;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
+  const std::optional<double> value = palpate::signedNumberIn<double>(field);
+  if (!value || !std::isfinite(*value))
   {
     throw place.Problem(
       std::string(Names[column]) + " is '" + std::string(field.substr(0, 24)) + "', which is not a finite number");
   }
-  return value;
+  return *value;
 }
 
 Row ParseRow(std::string_view line, const std::vector<Column>& columns, const Place& place)
@@ -149,7 +139,7 @@ void CheckRestIsBlank(std::ifstream& file, const Place& place)
   std::string line;
   while (std::getline(file, line))
   {
-    if (!Trimmed(line).empty())
+    if (!palpate::trimmed(line).empty())
     {
       throw place.Problem("it is empty although more rows follow");
     }
@@ -163,7 +153,7 @@ std::vector<vtkHapticCliPathRow> ReadRows(std::ifstream& file, const std::vector
   while (std::getline(file, line))
   {
     ++place.Line;
-    if (Trimmed(line).empty())
+    if (palpate::trimmed(line).empty())
     {
       CheckRestIsBlank(file, place);
       break;
