@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 
 namespace palpate
@@ -131,11 +132,10 @@ PlaneCurves curvesInPlane(const TriangleMesh& segments, const Pose& plane_WP)
     return found;
   }
   const double most_u = roundingOf(segments);
-  const Quat q_PW = plane_WP.q.conjugate();
   found.curves.points_W.reserve(segments.vertices_W.size());
   for (const Vec3& p_W : segments.vertices_W)
   {
-    const Vec3 p_P = q_PW * (p_W - plane_WP.p);
+    const Vec3 p_P = into(plane_WP, p_W);
     if (std::fabs(p_P.z()) > most_u && found.refusal.empty())
     {
       found.refusal = outOfPlane(found.curves.points_W.size(), p_P.z());
@@ -164,8 +164,8 @@ TriangleMesh raiseWalls(const CurveSet& curves, double halfHeight_u, const Pose&
   walls.vertices_W.reserve(2 * curves.points_W.size());
   for (const Eigen::Vector2d& p : curves.points_W)
   {
-    walls.vertices_W.push_back(plane_WP.p + plane_WP.q * Vec3(p.x(), p.y(), -halfHeight_u));
-    walls.vertices_W.push_back(plane_WP.p + plane_WP.q * Vec3(p.x(), p.y(), halfHeight_u));
+    walls.vertices_W.push_back(plane_WP * Vec3(p.x(), p.y(), -halfHeight_u));
+    walls.vertices_W.push_back(plane_WP * Vec3(p.x(), p.y(), halfHeight_u));
   }
   walls.triangles.reserve(2 * curves.segments.size());
   for (const auto& [a, b] : curves.segments)
@@ -179,13 +179,12 @@ TriangleMesh raiseWalls(const CurveSet& curves, double halfHeight_u, const Pose&
 LoweredWalls lowerWalls(const TriangleMesh& walls, const Pose& plane_WP)
 {
   LoweredWalls lowered;
-  const Quat q_PW = plane_WP.q.conjugate();
   std::vector<bool> below;
   below.reserve(walls.vertices_W.size());
   lowered.curves.points_W.reserve(walls.vertices_W.size());
   for (const Vec3& p_W : walls.vertices_W)
   {
-    const Vec3 p_P = q_PW * (p_W - plane_WP.p);
+    const Vec3 p_P = into(plane_WP, p_W);
     below.push_back(p_P.z() < 0.0);
     lowered.curves.points_W.emplace_back(p_P.head<2>());
     lowered.halfHeight_u = std::max(lowered.halfHeight_u, p_P.z());

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/geometry/measure/WallThickness.h"
 #include "haptics/geometry/simplify/SurfaceDistance.h"
 #include "haptics/geometry/tree/SurfaceData.h"
@@ -11,11 +12,6 @@ namespace palpate
 {
 namespace
 {
-
-Vec3 intoFrame(const Pose& pose_WS, const Vec3& p_W)
-{
-  return pose_WS.q.conjugate() * (p_W - pose_WS.p);
-}
 
 /// Across the triangle, or from the line, to the side of the proxy: the way from the device where that rests on it.
 Vec3 normalOf(const SurfaceData& data, const NearestPoint& at, const Vec3& proxy_S, const Vec3& device_S)
@@ -40,7 +36,7 @@ std::optional<ContactPlace> placeOf(const Scene& scene, const Vec3& proxy_W, con
   const Surface* nearest = nullptr;
   for (const Surface& surface : scene.surfaces())
   {
-    const NearestPoint at = nearestOn(surface.tree->data(), intoFrame(surface.motion.end_WS, proxy_W));
+    const NearestPoint at = nearestOn(surface.tree->data(), into(surface.motion.end_WS, proxy_W));
     if (const double gap_u = at.distance_u - surface.tree->coat_u(); gap_u < least_u)
     {
       least_u = gap_u;
@@ -54,8 +50,8 @@ std::optional<ContactPlace> placeOf(const Scene& scene, const Vec3& proxy_W, con
   }
   const Pose& pose_WS = nearest->motion.end_WS;
   const SurfaceTree& tree = *nearest->tree;
-  const Vec3 normal_S = normalOf(tree.data(), best, intoFrame(pose_WS, proxy_W), intoFrame(pose_WS, device_W));
-  ContactPlace place{ nearest->name, best.triangle, pose_WS.p + pose_WS.q * best.p_W, pose_WS.q * normal_S,
+  const Vec3 normal_S = normalOf(tree.data(), best, into(pose_WS, proxy_W), into(pose_WS, device_W));
+  ContactPlace place{ nearest->name, best.triangle, pose_WS * best.p_W, pose_WS.q * normal_S,
     curvatureAt(tree, best.triangle, best.p_W, normal_S), std::nullopt };
   if (tree.coat_u() == 0.0)
   {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/core/WordHash.h"
 #include "haptics/geometry/tree/SurfaceData.h"
 
@@ -88,7 +89,7 @@ void include(Box& box, const Pose& pose, const Box& shape)
   {
     const Vec3 at_S((corner & 1) != 0 ? shape.high_W.x() : shape.low_W.x(),
       (corner & 2) != 0 ? shape.high_W.y() : shape.low_W.y(), (corner & 4) != 0 ? shape.high_W.z() : shape.low_W.z());
-    box.include(pose.q * at_S + pose.p);
+    box.include(pose * at_S);
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/plan/FittedMap.h"
 
+#include "haptics/core/PoseMath.h"
+
 namespace palpate
 {
 namespace
@@ -15,8 +17,7 @@ Eigen::AlignedBox3d boxOf(const Scene* scene, const std::string& name)
     const Surface& surface = scene->surfaces()[i];
     for (std::size_t v = 0; surface.name == name && v < surface.tree->mesh().vertices_W.size(); ++v)
     {
-      const Pose& pose_WS = surface.motion.end_WS;
-      box.extend(pose_WS.q * surface.tree->mesh().vertices_W[v] + pose_WS.p);
+      box.extend(surface.motion.end_WS * surface.tree->mesh().vertices_W[v]);
     }
   }
   return box;

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "haptics/contact/view/PlanFor.h"
+#include "haptics/core/PoseMath.h"
 
 namespace palpate
 {
@@ -85,8 +86,7 @@ std::optional<Pose> commonPlane(const std::vector<SceneSurface>& surfaces)
     {
       return std::nullopt;
     }
-    const Pose &moved = surface.input.pose_WS, &plane = *surface.plane_WP;
-    const Pose one{ moved.p + moved.q * plane.p, moved.q * plane.q };
+    const Pose one = surface.input.pose_WS * *surface.plane_WP;
     const double size_u = surface.input.mesh->vertices_W.front().cwiseAbs().maxCoeff();
     all_WP = all_WP ? onePlane(*all_WP, one, size_u) : one;
     if (!all_WP)

@@ -3,17 +3,13 @@
 
 #include <algorithm>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/geometry/measure/RayWalk.h"
 
 namespace palpate
 {
 namespace
 {
-
-Vec3 into(const Pose& frame_W, const Vec3& x_W)
-{
-  return frame_W.q.conjugate() * (x_W - frame_W.p);
-}
 
 bool isAround(const SurfaceTree& closed, const Vec3& x)
 {
@@ -29,8 +25,8 @@ bool isInBoxOf(const TriangleMesh& tool_B, const SurfaceTree& surface, const Pos
     box_B.extend(v);
   }
   const auto& vertices = surface.mesh().vertices_W;
-  return std::all_of(vertices.begin(), vertices.end(),
-    [&](const Vec3& v) { return box_B.contains(into(tool_W, surface_WS.q * v + surface_WS.p)); });
+  return std::all_of(
+    vertices.begin(), vertices.end(), [&](const Vec3& v) { return box_B.contains(into(tool_W, surface_WS * v)); });
 }
 
 } // namespace
@@ -42,11 +38,11 @@ std::string noWayOut(const SurfaceTree& surface, const Pose& surface_WS, const T
     return {}; // a tool does not touch curves
   }
   const TriangleMesh& tool_B = tool.shape_B->mesh();
-  if (isAround(surface, into(surface_WS, tool_W.q * tool_B.vertices_W.front() + tool_W.p)))
+  if (isAround(surface, into(surface_WS, tool_W * tool_B.vertices_W.front())))
   {
     return "is inside of a closed body and cannot get out: begin outside of it";
   }
-  const Vec3 onSurface_W = surface_WS.q * surface.mesh().vertices_W.front() + surface_WS.p;
+  const Vec3 onSurface_W = surface_WS * surface.mesh().vertices_W.front();
   if (isInBoxOf(tool_B, surface, surface_WS, tool_W) && isAround(SurfaceTree(tool_B), into(tool_W, onSurface_W)))
   {
     return "is closed all around what is shown and cannot be drawn off: begin beside it";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptics/core/PoseMath.h"
 #include "haptics/session/tool/NoWayOut.h"
 
 namespace palpate
@@ -39,7 +40,7 @@ TriangleMesh trianglesOf(const Scene& scene)
     for (auto v = all.vertices_W.begin() + (oneBody ? std::ssize(all.vertices_W) : first); v != all.vertices_W.end();
          ++v)
     {
-      *v = place.q * *v + place.p;
+      *v = place * *v;
     }
   }
   return all;

@@ -3,25 +3,16 @@
 
 #include <utility>
 
+#include "haptics/core/PoseMath.h"
+
 namespace palpate
 {
 namespace
 {
 
-Pose toWorld(const Pose& scene_WS, const Pose& pose_S)
-{
-  return { scene_WS.q * pose_S.p + scene_WS.p, scene_WS.q * pose_S.q };
-}
-
-Pose toScene(const Pose& scene_WS, const Pose& pose_W)
-{
-  const Quat back = scene_WS.q.conjugate();
-  return { back * (pose_W.p - scene_WS.p), back * pose_W.q };
-}
-
 ToolContacts toWorld(const Pose& scene_WS, ToolContacts set)
 {
-  set.pose_W = toWorld(scene_WS, set.pose_W);
+  set.pose_W = scene_WS * set.pose_W;
   for (std::uint32_t i = 0; i < set.count; ++i)
   {
     set.contacts[i].n_W = scene_WS.q * set.contacts[i].n_W;
@@ -35,10 +26,10 @@ ToolContacts toWorld(const Pose& scene_WS, ToolContacts set)
 ToolFollower::ToolFollower(ToolMove move_S, ToolLinks& links, std::uint64_t work, const ToolStart& start)
   : move_S_(std::move(move_S)), links_(links), work_(work), scene_WS_(start.scene_WS), revision_(start.revision)
 {
-  bool placed = start.tool_W && this->isPlaced(toScene(this->scene_WS_, *start.tool_W));
+  bool placed = start.tool_W && this->isPlaced(into(this->scene_WS_, *start.tool_W));
   for (std::size_t i = 0; !placed && i < start.came_W.size(); ++i)
   {
-    placed = this->isPlaced(toScene(this->scene_WS_, start.came_W[i]));
+    placed = this->isPlaced(into(this->scene_WS_, start.came_W[i]));
   }
   this->publish();
 }
@@ -52,7 +43,7 @@ void ToolFollower::carry(const Pose& scene_WS)
 void ToolFollower::step()
 {
   const ToolHand hand = this->links_.hand.read();
-  const Pose hand_S = toScene(this->scene_WS_, hand.pose_W);
+  const Pose hand_S = into(this->scene_WS_, hand.pose_W);
   if (!hand.tracked || !this->isPlaced(hand_S))
   {
     return;
@@ -71,7 +62,7 @@ void ToolFollower::step()
 
 std::optional<Pose> ToolFollower::tool_W() const
 {
-  return this->move_S_.placed() ? std::optional(toWorld(this->scene_WS_, this->move_S_.pose_W())) : std::nullopt;
+  return this->move_S_.placed() ? std::optional(this->scene_WS_ * this->move_S_.pose_W()) : std::nullopt;
 }
 
 /// True if the tool stands somewhere, at the latest now: a hand comes from outside, where it was free.
