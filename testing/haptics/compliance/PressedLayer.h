@@ -28,12 +28,29 @@ inline std::vector<double> gradedPlaces(double edge, double even, double end)
   return places;
 }
 
+/// Places through a layer: equally far apart where all of it is even, so that none of its cells is higher than an edge
+/// by more than a twentieth.
+inline std::vector<double> placesThrough(double edge, double even, double thickness)
+{
+  if (even < thickness)
+  {
+    return gradedPlaces(edge, even, thickness);
+  }
+  const int cells = std::max(1, static_cast<int>(std::ceil(thickness / edge - 0.05)));
+  std::vector<double> places;
+  for (int i = 0; i <= cells; ++i)
+  {
+    places.push_back(thickness * i / cells);
+  }
+  return places;
+}
+
 /// A layer, held below and far wider than thick, whose edges are even around the middle of its top.
 inline SoftBodyInput layerOf(const oracle::Layer& layer, double edge, double even)
 {
   const double h = layer.thickness_m;
   const std::vector<double> aside = gradedPlaces(edge, even, std::max(2.5 * h, 2.5 * even) + 4.0 * edge);
-  const std::vector<double> down = gradedPlaces(edge, std::min(even, h), h);
+  const std::vector<double> down = placesThrough(edge, even, h);
   const int half = static_cast<int>(aside.size()) - 1;
   const int deep = static_cast<int>(down.size()) - 1;
   SoftBodyInput input;

@@ -26,7 +26,7 @@ struct Study
 };
 
 /// With PALPATE_TEST_FULL from .8 mm to 17 mm, and on the thinnest layer down to .4 mm: with at least two elements
-/// through the layer. The finest take minutes and up to 8 GB.
+/// through the layer. The finest take minutes and gigabytes.
 std::vector<double> edgesOf(const Study& study)
 {
   std::vector<double> edges = study.usual_m;
