@@ -90,8 +90,7 @@ void EvdevLink::unplugged(const std::shared_ptr<AttachedEvdev>& device)
   static_cast<void>(this->lose(device, "it was unplugged"));
 }
 
-void EvdevLink::giveUp(
-  const std::shared_ptr<AttachedEvdev>& device, std::int64_t /*since_ns*/, const std::string& why)
+void EvdevLink::giveUp(const std::shared_ptr<AttachedEvdev>& device, std::int64_t /*since_ns*/, const std::string& why)
 {
   static_cast<void>(this->lose(device, why));
   device->engine->close();

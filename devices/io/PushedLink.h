@@ -27,8 +27,8 @@ namespace palpate
 /// for none once: only a person brings it back.
 ///
 /// `Attached` is all that lives as long as a device stays plugged in: an `entry`, a `connection`, an `engine` and an
-/// `output`; begin(bus, options) opens and prepares it; step(now_ns, wish) sends what is most urgent; disturbance(now_ns)
-/// says why its effects do not play any more, or is null.
+/// `output`; begin(bus, options) opens and prepares it; step(now_ns, wish) sends what is most urgent;
+/// disturbance(now_ns) says why its effects do not play any more, or is null.
 template<class Bus, class Attached>
 class PushedLink
 {
@@ -172,8 +172,8 @@ protected:
   LinkCounts counts_;
 
 private:
-  /// For walls that are left to the device, which it could hold before; empty: nothing. Whoever steers by what the device
-  /// held goes on as if it held it, and walls without their viscosity shake.
+  /// For walls that are left to the device, which it could hold before; empty: nothing. Whoever steers by what the
+  /// device held goes on as if it held it, and walls without their viscosity shake.
   [[nodiscard]] static std::string missing(const DeviceAbilities& before, const DeviceAbilities& now)
   {
     return !before.offersWalls() || now.offersWalls() ? "" : now.holdsWalls ? "viscosity" : "walls";
@@ -230,7 +230,8 @@ private:
     return step == PidStep::Sent;
   }
 
-  /// The devices that are there are noted before anything is waited for: the lost one may soon be back in another place.
+  /// The devices that are there are noted before anything is waited for: the lost one may soon be back in another
+  /// place.
   void reattach(std::int64_t now_ns)
   {
     this->search_.lost(*this->bus_);

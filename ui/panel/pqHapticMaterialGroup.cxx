@@ -3,6 +3,7 @@
 
 #include "pqHapticArrayChoice.h"
 #include "pqHapticFields.h"
+#include "pqPropertyLinks.h"
 #include "vtkSMProxy.h"
 
 #include <QDoubleSpinBox>
@@ -38,17 +39,14 @@ void AddPair(QFormLayout* form, const QString& title, QWidget* left, QWidget* ri
 }
 } // namespace
 
-pqHapticMaterialGroup::pqHapticMaterialGroup(QWidget* parent) : Superclass(tr("Material from data"), parent)
+pqHapticMaterialGroup::pqHapticMaterialGroup(QWidget* parent) : Superclass(tr("Material from data"), "material", parent)
 {
-  this->setObjectName("materialGroup");
-  auto* form = new QFormLayout(this);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  this->add(form, { "Stiffness", "stiffness", 1 });
-  this->add(form, { "Friction", "friction", 3 });
-  this->add(form, { "Texture", "texture", 6 });
+  this->add({ "Stiffness", "stiffness", 1 });
+  this->add({ "Friction", "friction", 3 });
+  this->add({ "Texture", "texture", 6 });
 }
 
-void pqHapticMaterialGroup::add(QFormLayout* form, const Looks& looks)
+void pqHapticMaterialGroup::add(const Looks& looks)
 {
   const QString name = looks.Name;
   Transfer transfer{};
@@ -57,11 +55,11 @@ void pqHapticMaterialGroup::add(QFormLayout* form, const Looks& looks)
   transfer.Array->setObjectName(name + "Array");
   const QString array = QString(looks.Property) + "Array";
   transfer.Array->setToolTip(pqHapticTip(array));
-  form->addRow(pqHapticTitle(array), transfer.Array);
+  this->Form->addRow(pqHapticTitle(array), transfer.Array);
   auto* details = new QWidget(this); // only what is used takes room
   details->setObjectName(name + "Details");
   this->addDetails(details, looks, transfer);
-  form->addRow(details);
+  this->Form->addRow(details);
   const auto show = [details, choice = transfer.Array] { details->setVisible(!choice->array().isEmpty()); };
   this->connect(transfer.Array, &pqHapticArrayChoice::arrayChanged, this, show);
   show();
@@ -92,31 +90,22 @@ void pqHapticMaterialGroup::addDetails(QWidget* parent, const Looks& looks, Tran
   AddPair(form, pqHapticTitle(felt), transfer.Felt[0], transfer.Felt[1]);
 }
 
-void pqHapticMaterialGroup::setProxy(vtkSMProxy* proxy)
+void pqHapticMaterialGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
 {
-  this->Links.clear();
   for (const Transfer& transfer : this->Transfers)
   {
-    if (proxy)
+    const auto link = [&](QObject* widget, const char* what, const char* signal, const char* name, int index)
     {
-      this->link(transfer, proxy);
+      const QByteArray property = QByteArray(transfer.Property) + name;
+      links.addTraceablePropertyLink(widget, what, signal, proxy, proxy->GetProperty(property), index);
+    };
+    link(transfer.Array, "array", SIGNAL(arrayChanged()), "Array", -1);
+    link(transfer.Component, "value", SIGNAL(valueChanged(int)), "Component", -1);
+    for (int end = 0; end < 2; ++end)
+    {
+      link(transfer.Data[end], "value", SIGNAL(valueChanged(double)), "DataRange", end);
+      link(transfer.Felt[end], "value", SIGNAL(valueChanged(double)), "FeltRange", end);
     }
-  }
-}
-
-void pqHapticMaterialGroup::link(const Transfer& transfer, vtkSMProxy* proxy)
-{
-  const auto link = [&](QObject* widget, const char* what, const char* signal, const char* name, int index)
-  {
-    const QByteArray property = QByteArray(transfer.Property) + name;
-    this->Links.addTraceablePropertyLink(widget, what, signal, proxy, proxy->GetProperty(property), index);
-  };
-  link(transfer.Array, "array", SIGNAL(arrayChanged()), "Array", -1);
-  link(transfer.Component, "value", SIGNAL(valueChanged(int)), "Component", -1);
-  for (int end = 0; end < 2; ++end)
-  {
-    link(transfer.Data[end], "value", SIGNAL(valueChanged(double)), "DataRange", end);
-    link(transfer.Felt[end], "value", SIGNAL(valueChanged(double)), "FeltRange", end);
   }
 }
 

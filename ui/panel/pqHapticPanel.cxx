@@ -35,6 +35,8 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <vector>
+
 namespace
 {
 /// Read-outs change ten times a second: faster cannot be read.
@@ -60,39 +62,30 @@ public:
   pqHapticContactGroup* Place;
   pqHapticMarksGroup* Marks;
   pqHapticFold* Advanced;
-  pqHapticSourceGroup* Source;
   pqHapticDeviceRows* DeviceRows;
   QComboBox* Hand;
   QDoubleSpinBox* PressDepth;
-  pqHapticViewGroup* HandAndView;
-  pqHapticToolGroup* Tool;
-  pqHapticSoftGroup* Soft;
-  pqHapticMechanismGroup* Mechanism;
   pqHapticSettingRows Rows;
   pqHapticMaterialGroup* Material;
-  pqHapticFieldGroup* Field;
-  pqHapticCheckGroup* Check;
-  QLabel* Stability;
-  QLabel* State;
+  std::vector<pqHapticGroup*> Groups; ///< those with a class of their own, from top to bottom
+  QList<QWidget*> Fields;             ///< of the rest, in the order of the Tab key
   QLabel* Reason;
-  QLabel* Force;
-  QLabel* Used;
-  QLabel* Energy;
-  QLabel* Stabiliser;
-  QLabel* Friction;
-  QLabel* Contact;
-  QLabel* MotionLag;
-  QLabel* Rate;
-  QLabel* Lateness;
-  QLabel* Cost;
-  QLabel* Ticks;
-  QLabel* Scheduling;
-  QLabel* Plan;
+  struct Readout
+  {
+    QLabel* Label;
+    QString pqHapticReadout::*Text;
+  };
+  std::vector<Readout> Readouts;
   QPlainTextEdit* Scene;
   QTimer Refresh;
   pqPropertyLinks Links;
 
   void addContact(QVBoxLayout* column);
+  /// A group with a class of its own, its fields next for the Tab key.
+  void addGroup(QVBoxLayout* column, pqHapticGroup* group);
+  void addSettings(QFormLayout* form, const char* group);
+  void addReadout(
+    QFormLayout* form, const char* name, const QString& title, QString pqHapticReadout::*text, const QString& tip);
   void fillRest(QVBoxLayout* rest);
   void addHand(QVBoxLayout* column);
   void addStability(QVBoxLayout* column);
@@ -114,68 +107,80 @@ void pqHapticPanel::Internals::addHand(QVBoxLayout* column)
   this->DeviceRows = new pqHapticDeviceRows(form);
   this->Hand = pqHapticChoiceRow(form, "hand", "Hand");
   this->PressDepth = pqHapticNumberRow(form, "pressDepth", "PressDepth", 5);
+  this->Fields += this->DeviceRows->fields() + QList<QWidget*>{ this->Hand, this->PressDepth };
+}
+
+void pqHapticPanel::Internals::addGroup(QVBoxLayout* column, pqHapticGroup* group)
+{
+  column->addWidget(group);
+  this->Groups.push_back(group);
+  this->Fields += group->fields();
+}
+
+void pqHapticPanel::Internals::addSettings(QFormLayout* form, const char* group)
+{
+  this->Rows.add(form, group);
+  this->Fields += this->Rows.fields(group);
+}
+
+/// Without a title it is as wide as the form.
+void pqHapticPanel::Internals::addReadout(
+  QFormLayout* form, const char* name, const QString& title, QString pqHapticReadout::*text, const QString& tip)
+{
+  QLabel* const label = pqHapticLabel(form->parentWidget(), name, tip);
+  title.isEmpty() ? form->addRow(label) : form->addRow(title, label);
+  this->Readouts.push_back({ label, text });
 }
 
 void pqHapticPanel::Internals::addStability(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "stabilityGroup", tr("Stability"));
-  this->Rows.add(form, "stability");
-  this->Stability = pqHapticLabel(form->parentWidget(), "stability", tr("How stiff this device can be, and why"));
-  form->addRow(this->Stability);
+  this->addSettings(form, "stability");
+  this->addReadout(form, "stability", {}, &pqHapticReadout::Stability, tr("How stiff this device can be, and why"));
 }
 
 void pqHapticPanel::Internals::addState(QVBoxLayout* column)
 {
+  using Now = pqHapticReadout;
   QFormLayout* form = Group(column, "stateGroup", tr("State"));
-  QWidget* parent = form->parentWidget();
-  this->State = pqHapticLabel(
-    parent, "state", tr("safe: no force. armed: waits for a free start. engaged: force flows. fault: no force"));
-  this->Reason = pqHapticLabel(parent, "reason", tr("Why there is no force, and what to do"));
-  this->Force = pqHapticLabel(parent, "force", tr("Force on the hand now, and the largest so far [N]"));
-  this->Used = pqHapticLabel(parent, "used", tr("Stiffness of the spring now, after every limit [N/m]"));
-  this->Energy = pqHapticLabel(parent, "energy",
+  this->addReadout(form, "state", tr("State"), &Now::State,
+    tr("safe: no force. armed: waits for a free start. engaged: force flows. fault: no force"));
+  this->Reason = pqHapticLabel(form->parentWidget(), "reason", tr("Why there is no force, and what to do"));
+  form->addRow(this->Reason);
+  this->addReadout(form, "force", tr("Force"), &Now::Force, tr("Force on the hand now, and the largest so far [N]"));
+  this->addReadout(
+    form, "used", tr("Stiffness"), &Now::Stiffness, tr("Stiffness of the spring now, after every limit [N/m]"));
+  this->addReadout(form, "energy", tr("Energy"), &Now::Energy,
     tr("Work of the force on the hand [mJ], negative: taken from it; what the contact gave more than its spring "
        "holds, now and at most [mJ]"));
-  this->Stabiliser = pqHapticLabel(parent, "stabiliser", tr("Part of the force that passivity control added [N]"));
-  this->Friction = pqHapticLabel(parent, "friction", tr("sticks or slips; none without contact or friction"));
-  this->Contact = pqHapticLabel(parent, "contact", tr("Time in contact [s] and planes touched now"));
-  this->MotionLag = pqHapticLabel(
-    parent, "motionLag", tr("How late moving surfaces are felt [ms]; 0 when all are where they were shown last"));
-  form->addRow(tr("State"), this->State);
-  form->addRow(this->Reason);
-  form->addRow(tr("Force"), this->Force);
-  form->addRow(tr("Stiffness"), this->Used);
-  form->addRow(tr("Energy"), this->Energy);
-  form->addRow(tr("Stabiliser"), this->Stabiliser);
-  form->addRow(tr("Friction"), this->Friction);
-  form->addRow(tr("Contact"), this->Contact);
-  form->addRow(tr("Motion lag"), this->MotionLag);
+  this->addReadout(
+    form, "stabiliser", tr("Stabiliser"), &Now::Stabiliser, tr("Part of the force that passivity control added [N]"));
+  this->addReadout(
+    form, "friction", tr("Friction"), &Now::Friction, tr("sticks or slips; none without contact or friction"));
+  this->addReadout(form, "contact", tr("Contact"), &Now::Contact, tr("Time in contact [s] and planes touched now"));
+  this->addReadout(form, "motionLag", tr("Motion lag"), &Now::MotionLag,
+    tr("How late moving surfaces are felt [ms]; 0 when all are where they were shown last"));
 }
 
 void pqHapticPanel::Internals::addServo(QVBoxLayout* column)
 {
+  using Now = pqHapticReadout;
   QFormLayout* form = Group(column, "servoGroup", tr("Servo"));
-  QWidget* parent = form->parentWidget();
-  this->Rate = pqHapticLabel(parent, "rate", tr("Ticks per second [Hz]"));
-  this->Lateness = pqHapticLabel(parent, "lateness", tr("How late ticks start: median and 99th percentile [us]"));
-  this->Cost = pqHapticLabel(
-    parent, "cost", tr("How long a tick takes: median, and what one in 100 and one in 1000 take at least [us]"));
-  this->Ticks =
-    pqHapticLabel(parent, "ticks", tr("Ticks computed and periods missed; missed periods are never caught up"));
-  this->Scheduling = pqHapticLabel(parent, "scheduling", tr("What the operating system granted the servo thread"));
-  form->addRow(tr("Rate"), this->Rate);
-  form->addRow(tr("Late p50/p99"), this->Lateness);
-  form->addRow(tr("Cost p50/p99/p99.9"), this->Cost);
-  form->addRow(tr("Ticks"), this->Ticks);
-  form->addRow(this->Scheduling);
+  this->addReadout(form, "rate", tr("Rate"), &Now::Rate, tr("Ticks per second [Hz]"));
+  this->addReadout(
+    form, "lateness", tr("Late p50/p99"), &Now::Lateness, tr("How late ticks start: median and 99th percentile [us]"));
+  this->addReadout(form, "cost", tr("Cost p50/p99/p99.9"), &Now::Cost,
+    tr("How long a tick takes: median, and what one in 100 and one in 1000 take at least [us]"));
+  this->addReadout(form, "ticks", tr("Ticks"), &Now::Ticks,
+    tr("Ticks computed and periods missed; missed periods are never caught up"));
+  this->addReadout(form, "scheduling", {}, &Now::Scheduling, tr("What the operating system granted the servo thread"));
 }
 
 void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
 {
   QFormLayout* form = Group(column, "sceneGroup", tr("Scene"));
-  this->Rows.add(form, "scene");
-  this->Plan = pqHapticLabel(form->parentWidget(), "plan", tr("What is felt of the scene, by what, and why"));
-  form->addRow(this->Plan);
+  this->addSettings(form, "scene");
+  this->addReadout(form, "plan", {}, &pqHapticReadout::Plan, tr("What is felt of the scene, by what, and why"));
   this->Scene = new QPlainTextEdit(form->parentWidget());
   this->Scene->setObjectName("scene");
   this->Scene->setReadOnly(true);
@@ -183,17 +188,13 @@ void pqHapticPanel::Internals::addScene(QVBoxLayout* column)
   this->Scene->setMinimumHeight(110);
   this->Scene->setToolTip(tr("What is touched, what was repaired, what is refused and why, what was planned"));
   form->addRow(this->Scene);
+  this->Fields.push_back(this->Scene);
 }
 
 void pqHapticPanel::Internals::setTabOrder()
 {
-  const QList<QWidget*> order =
-    this->Main->fields() + QList<QWidget*>{ this->AtContact } + this->Marks->fields() +
-    QList<QWidget*>{ this->Advanced } + this->DeviceRows->fields() + QList<QWidget*>{ this->Hand, this->PressDepth } +
-    this->HandAndView->fields() + this->Tool->fields() + this->Soft->fields() + this->Mechanism->fields() +
-    this->Rows.fields("contact") + this->Rows.fields("friction") + this->Source->fields() + this->Material->fields() +
-    this->Field->fields() + this->Rows.fields("field") + this->Rows.fields("stability") + this->Check->fields() +
-    this->Rows.fields("scene") + QList<QWidget*>{ this->Scene };
+  const QList<QWidget*> order = this->Main->fields() + QList<QWidget*>{ this->AtContact } + this->Marks->fields() +
+                                QList<QWidget*>{ this->Advanced } + this->Fields;
   for (int i = 1; i < order.size(); ++i)
   {
     QWidget::setTabOrder(order[i - 1], order[i]);
@@ -216,25 +217,18 @@ void pqHapticPanel::Internals::addContact(QVBoxLayout* column)
 void pqHapticPanel::Internals::fillRest(QVBoxLayout* rest)
 {
   this->addHand(rest);
-  this->HandAndView = new pqHapticViewGroup;
-  rest->addWidget(this->HandAndView);
-  this->Tool = new pqHapticToolGroup;
-  rest->addWidget(this->Tool);
-  this->Soft = new pqHapticSoftGroup;
-  rest->addWidget(this->Soft);
-  this->Mechanism = new pqHapticMechanismGroup;
-  rest->addWidget(this->Mechanism);
-  this->Rows.add(Group(rest, "contactGroup", tr("Contact model")), "contact");
-  this->Rows.add(Group(rest, "frictionGroup", tr("Friction")), "friction");
-  this->Source = new pqHapticSourceGroup;
-  rest->addWidget(this->Source);
+  this->addGroup(rest, new pqHapticViewGroup);
+  this->addGroup(rest, new pqHapticToolGroup);
+  this->addGroup(rest, new pqHapticSoftGroup);
+  this->addGroup(rest, new pqHapticMechanismGroup);
+  this->addSettings(Group(rest, "contactGroup", tr("Contact model")), "contact");
+  this->addSettings(Group(rest, "frictionGroup", tr("Friction")), "friction");
+  this->addGroup(rest, new pqHapticSourceGroup);
   this->Material = new pqHapticMaterialGroup;
-  rest->addWidget(this->Material);
-  this->Field = new pqHapticFieldGroup(this->Rows);
-  rest->addWidget(this->Field);
+  this->addGroup(rest, this->Material);
+  this->addGroup(rest, new pqHapticFieldGroup);
   this->addStability(rest);
-  this->Check = new pqHapticCheckGroup;
-  rest->addWidget(this->Check);
+  this->addGroup(rest, new pqHapticCheckGroup);
   this->addState(rest);
   this->addServo(rest);
   this->addScene(rest);
@@ -315,8 +309,6 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
 {
   Internals& w = *this->Widgets;
   w.Links.clear();
-  w.Material->setProxy(proxy);
-  w.Field->setProxy(proxy);
   w.DeviceRows->setProxy(proxy);
   w.Main->setProxy(proxy, w.Links);
   w.Advanced->body()->setEnabled(proxy != nullptr);
@@ -330,10 +322,10 @@ void pqHapticPanel::setProxy(vtkSMProxy* proxy)
   { w.Links.addTraceablePropertyLink(widget, property, signal, proxy, proxy->GetProperty(name)); };
   link(w.Hand, "currentText", SIGNAL(currentTextChanged(const QString&)), "Hand");
   link(w.PressDepth, "value", SIGNAL(valueChanged(double)), "PressDepth");
-  w.HandAndView->link(w.Links, proxy);
-  w.Tool->link(w.Links, proxy);
-  w.Soft->link(w.Links, proxy);
-  w.Mechanism->link(w.Links, proxy);
+  for (pqHapticGroup* const group : w.Groups)
+  {
+    group->link(w.Links, proxy);
+  }
   w.Rows.link(w.Links, proxy);
   this->refresh();
 }
@@ -361,31 +353,18 @@ void pqHapticPanel::refresh()
 void pqHapticPanel::Internals::showMeasured(vtkHapticSession* session, const pqHapticViewFollower& follower)
 {
   const pqHapticReadout now = session ? pqHapticReadout::of(*session) : pqHapticReadout();
-  this->Source->refresh(session);
-  this->Tool->refresh(session);
-  this->Soft->refresh(session);
-  this->Mechanism->refresh(session);
-  this->Field->refresh(session, follower);
-  this->Check->refresh(session);
+  for (pqHapticGroup* const group : this->Groups)
+  {
+    group->refresh(session);
+  }
   this->DeviceRows->refresh(session);
   this->Hand->setEnabled(session && session->GetDeviceTakesHand());
   this->PressDepth->setEnabled(session && session->GetFollowsMouse());
-  this->Stability->setText(now.Stability);
-  this->State->setText(now.State);
+  for (const Readout& readout : this->Readouts)
+  {
+    readout.Label->setText(now.*readout.Text);
+  }
   pqHapticSay(this->Reason, now.Reason);
-  this->Force->setText(now.Force);
-  this->Used->setText(now.Stiffness);
-  this->Energy->setText(now.Energy);
-  this->Stabiliser->setText(now.Stabiliser);
-  this->Friction->setText(now.Friction);
-  this->Contact->setText(now.Contact);
-  this->MotionLag->setText(now.MotionLag);
-  this->Rate->setText(now.Rate);
-  this->Lateness->setText(now.Lateness);
-  this->Cost->setText(now.Cost);
-  this->Ticks->setText(now.Ticks);
-  this->Scheduling->setText(now.Scheduling);
-  this->Plan->setText(now.Plan);
   const QString scene = follower.report() + now.Scene;
   if (scene != this->Scene->toPlainText())
   {

@@ -94,8 +94,9 @@ public:
   {
     const Box box = this->pieces_[i].box();
     const Along along = this->along(i);
-    const auto near = [&box](const TreeNode& node)
-    { return std::array<bool, 2>{ overlap(boxOf(node, 0), box), overlap(boxOf(node, 1), box) }; };
+    const auto near = [&box](const TreeNode& node) {
+      return std::array<bool, 2>{ overlap(boxOf(node, 0), box), overlap(boxOf(node, 1), box) };
+    };
     return !walkMeeting(
       this->tree_.nodes, [] { return true; }, near, [&](std::uint32_t j) { return !this->meets(i, j, along); });
   }

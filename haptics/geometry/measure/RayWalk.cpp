@@ -57,7 +57,8 @@ struct Ray
 template<class Visit>
 void forEachNear(const SurfaceData& surface, const Ray& ray, Visit visit)
 {
-  forEachMeeting(surface, [&ray](const Box& box) { return ray.meets(box.low_W, box.high_W); }, visit);
+  forEachMeeting(
+    surface, [&ray](const Box& box) { return ray.meets(box.low_W, box.high_W); }, visit);
 }
 
 /// How a segment passes a triangle.

@@ -33,7 +33,8 @@ void forEachInBox(const SurfaceData& data, const Box& box, Visit visit)
       visit(t);
     }
   };
-  forEachMeeting(data, [&box](const Box& other) { return overlap(box, other); }, visitIfNear);
+  forEachMeeting(
+    data, [&box](const Box& other) { return overlap(box, other); }, visitIfNear);
 }
 
 /// A closed segment and a closed triangle.

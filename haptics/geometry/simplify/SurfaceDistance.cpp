@@ -282,8 +282,9 @@ NearestPoint nearestOn(const SurfaceData& surface, const Vec3& x_W, double withi
   NearestPoint best;
   best.distance_u = within_u;
   const auto reaches = [&best](double distance) noexcept { return distance <= best.distance_u; };
-  const auto distancesTo = [&x_W](const TreeNode& node) noexcept
-  { return std::array<double, 2>{ distanceToBox(node, 0, x_W), distanceToBox(node, 1, x_W) }; };
+  const auto distancesTo = [&x_W](const TreeNode& node) noexcept {
+    return std::array<double, 2>{ distanceToBox(node, 0, x_W), distanceToBox(node, 1, x_W) };
+  };
   const auto lookAt = [&](std::uint32_t leaf) noexcept { lookAtLeaf(surface, leaf, x_W, best); };
   walkNearestFirst(surface.nodes, 0.0, distancesTo, reaches, reaches, lookAt);
   return best;

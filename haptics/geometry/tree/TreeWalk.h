@@ -15,9 +15,9 @@ namespace palpate
 /// room for trees that do not halve exactly.
 inline constexpr int mostPending = 96;
 
-/// Visits the leaves that matter, nearest first. Nodes: std::vector<TreeNode>, or what gives the same by [] and empty().
-/// `entriesOf(node)` says how far both children are; a child is kept where `reaches(distance)`, and taken up later where
-/// `admits(distance)`, which may count the visits. `onLeaf(index)`.
+/// Visits the leaves that matter, nearest first. Nodes: std::vector<TreeNode>, or what gives the same by [] and
+/// empty(). `entriesOf(node)` says how far both children are; a child is kept where `reaches(distance)`, and taken up
+/// later where `admits(distance)`, which may count the visits. `onLeaf(index)`.
 template<class Nodes, class EntriesOf, class Reaches, class Admits, class OnLeaf>
 void walkNearestFirst(const Nodes& nodes, double rootEntry, const EntriesOf& entriesOf, const Reaches& reaches,
   const Admits& admits, const OnLeaf& onLeaf) noexcept
@@ -98,8 +98,9 @@ template<class Nodes, class GoesOn, class Meets, class OnLeaf>
 template<class Meets, class Visit>
 void forEachMeeting(const SurfaceData& surface, const Meets& meets, const Visit& visit)
 {
-  const auto both = [&meets](const TreeNode& node)
-  { return std::array<bool, 2>{ meets(boxOf(node, 0)), meets(boxOf(node, 1)) }; };
+  const auto both = [&meets](const TreeNode& node) {
+    return std::array<bool, 2>{ meets(boxOf(node, 0)), meets(boxOf(node, 1)) };
+  };
   const auto visitLeaf = [&](std::uint32_t index)
   {
     surface.forEachInLeaf(index, visit);

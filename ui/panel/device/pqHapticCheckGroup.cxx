@@ -17,10 +17,9 @@ constexpr int wholeProgress = 100;
 } // namespace
 
 pqHapticCheckGroup::pqHapticCheckGroup(QWidget* parent)
-  : Superclass(tr("Device check"), parent), Verify(new QPushButton(this)), Adjust(new QPushButton(this)),
+  : Superclass(tr("Device check"), "check", parent), Verify(new QPushButton(this)), Adjust(new QPushButton(this)),
     Progress(new QProgressBar(this))
 {
-  this->setObjectName("checkGroup");
   this->Verify->setObjectName("verify");
   this->Verify->setToolTip(tr("Noise, ends, gentle pushes and the device's own walls, with a tenth of its force at "
                               "most; you are told what to do"));
@@ -31,16 +30,13 @@ pqHapticCheckGroup::pqHapticCheckGroup(QWidget* parent)
   this->Progress->setObjectName("progress");
   this->Progress->setRange(0, wholeProgress);
   this->Progress->setToolTip(tr("How much of the check is done [%]"));
-  this->Ask = pqHapticLabel(this, "ask", tr("What to do now"));
-  this->Result = pqHapticLabel(this, "result", tr("What the check found"));
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(this->Verify);
   buttons->addWidget(this->Adjust);
-  auto* form = new QFormLayout(this);
-  form->addRow(buttons);
-  form->addRow(this->Progress);
-  form->addRow(this->Ask);
-  form->addRow(this->Result);
+  this->Form->addRow(buttons);
+  this->Form->addRow(this->Progress);
+  this->Ask = this->addText("ask", tr("What to do now"));
+  this->Result = this->addText("result", tr("What the check found"));
   this->connect(this->Verify, &QPushButton::clicked, this, &pqHapticCheckGroup::startOrStop);
   this->connect(this->Adjust, &QPushButton::clicked, this, &pqHapticCheckGroup::keep);
   this->refresh(nullptr);

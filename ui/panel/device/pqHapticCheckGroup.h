@@ -2,28 +2,23 @@
 #ifndef pqHapticCheckGroup_h
 #define pqHapticCheckGroup_h
 
-#include <QGroupBox>
-#include <QList>
+#include "pqHapticGroup.h"
+
 #include <QString>
 
-class QLabel;
 class QProgressBar;
-class QPushButton;
-class vtkHapticSession;
 
 /// The group "Device check" of the panel: a check of the chosen device, what the person must do for it, what it found.
-class pqHapticCheckGroup : public QGroupBox
+class pqHapticCheckGroup : public pqHapticGroup
 {
   Q_OBJECT
-  typedef QGroupBox Superclass;
+  typedef pqHapticGroup Superclass;
 
 public:
   explicit pqHapticCheckGroup(QWidget* parent = nullptr);
 
-  /// What the session says now; null: nothing.
-  void refresh(vtkHapticSession* session);
-  /// In the order of the Tab key.
-  QList<QWidget*> fields() const;
+  void refresh(vtkHapticSession* session) override;
+  QList<QWidget*> fields() const override;
 
 private:
   void startOrStop();

@@ -2,10 +2,11 @@
 #include "pqHapticFieldGroup.h"
 
 #include "pqHapticArrayChoice.h"
+#include "pqHapticController.h"
 #include "pqHapticFields.h"
 #include "pqHapticLabel.h"
-#include "pqHapticSettingRows.h"
 #include "pqHapticViewFollower.h"
+#include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
 #include "vtkSMProxy.h"
 #include "vtkSMTrace.h"
@@ -27,81 +28,69 @@ QString AroundHand(vtkHapticSession& session)
 }
 } // namespace
 
-pqHapticFieldGroup::pqHapticFieldGroup(pqHapticSettingRows& rows, QWidget* parent) : Superclass(tr("Field"), parent)
+pqHapticFieldGroup::pqHapticFieldGroup(QWidget* parent) : Superclass(tr("Field"), "field", parent)
 {
-  this->setObjectName("fieldGroup");
-  auto* form = new QFormLayout(this);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  this->add(form, "FieldArray", 0);
-  this->add(form, "FieldVectors", 3);
-  this->add(form, "FieldResistance", 0);
-  this->add(form, "FieldOther", 0);
-  rows.add(form, "field");
+  this->add("FieldArray", 0);
+  this->add("FieldVectors", 3);
+  this->add("FieldResistance", 0);
+  this->add("FieldOther", 0);
+  this->addSettings();
   this->Value =
     pqHapticLabel(this, "fieldValue", tr("The value at the hand, and how much it changes there a unit [1/u]"));
-  this->Sentence =
-    pqHapticLabel(this, "fieldSentence", tr("What is felt as a field, how finely and how far around the hand"));
   this->Around = pqHapticLabel(this, "fieldAround",
     tr("Power of the push [mW]; how old the numbers around the hand are [s]; ticks in which the hand was beyond them"));
-  form->addRow(tr("At the hand"), this->Value);
-  form->addRow(tr("Around it"), this->Around);
-  form->addRow(this->Sentence);
-  auto* take = new QPushButton(tr("Take Range of Colour Map"), this);
-  take->setObjectName("fieldTakeColours");
-  take->setToolTip(
+  this->Form->addRow(tr("At the hand"), this->Value);
+  this->Form->addRow(tr("Around it"), this->Around);
+  this->Sentence =
+    this->addText("fieldSentence", tr("What is felt as a field, how finely and how far around the hand"));
+  const QPushButton* const take = this->addButton("fieldTakeColours", tr("Take Range of Colour Map"),
     tr("What the colour maps show low and high feels low and high: isovalue, where half as opaque as any, "
        "and levels of the values, data ranges of stiffness, friction and texture"));
   this->connect(take, &QPushButton::clicked, this, &pqHapticFieldGroup::takeColours);
-  form->addRow(take);
-  this->Taken = pqHapticLabel(this, "fieldTaken", take->toolTip());
-  form->addRow(this->Taken);
+  this->Taken = this->addText("fieldTaken", take->toolTip());
   pqHapticSay(this->Taken, QString());
 }
 
-void pqHapticFieldGroup::add(QFormLayout* form, const char* property, int components)
+void pqHapticFieldGroup::add(const char* property, int components)
 {
   auto* list = new pqHapticArrayChoice(this);
   QString name = property;
   list->setObjectName(name.replace(0, 1, name.at(0).toLower()));
   list->setToolTip(pqHapticTip(property));
-  form->addRow(pqHapticTitle(property), list);
+  this->Form->addRow(pqHapticTitle(property), list);
   this->Choices.push_back({ property, components, list });
 }
 
 void pqHapticFieldGroup::takeColours()
 {
-  if (this->Follower && this->Proxy)
+  if (this->Proxy)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Proxy.Get());
-    const QString said = this->Follower->takeColorRange(this->Proxy);
+    const QString said = pqHapticController::instance()->follower()->takeColorRange(this->Proxy);
     pqHapticSay(this->Taken, said.isEmpty() ? tr("Nothing that is felt is coloured by") : said.trimmed());
   }
 }
 
-void pqHapticFieldGroup::setProxy(vtkSMProxy* proxy)
+void pqHapticFieldGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
 {
   this->Proxy = proxy;
-  this->Links.clear();
   for (const Choice& choice : this->Choices)
   {
-    if (proxy)
-    {
-      this->Links.addTraceablePropertyLink(
-        choice.List, "array", SIGNAL(arrayChanged()), proxy, proxy->GetProperty(choice.Property));
-    }
+    links.addTraceablePropertyLink(
+      choice.List, "array", SIGNAL(arrayChanged()), proxy, proxy->GetProperty(choice.Property));
   }
+  this->Superclass::link(links, proxy);
 }
 
-void pqHapticFieldGroup::refresh(vtkHapticSession* session, const pqHapticViewFollower& follower)
+void pqHapticFieldGroup::refresh(vtkHapticSession* session)
 {
-  this->Follower = &follower;
   if (!this->isVisible())
   {
     return; // looking at all sources costs too much for what nobody sees
   }
   for (const Choice& choice : this->Choices)
   {
-    choice.List->setNames(follower.fieldNames(choice.Components));
+    choice.List->setNames(pqHapticController::instance()->follower()->fieldNames(choice.Components));
   }
   const double value = session ? session->GetFieldValue() : NAN;
   const double* const gradient = session ? session->GetFieldGradient() : nullptr;
@@ -120,5 +109,5 @@ QList<QWidget*> pqHapticFieldGroup::fields() const
   {
     lists.push_back(choice.List);
   }
-  return lists;
+  return lists + this->settings();
 }

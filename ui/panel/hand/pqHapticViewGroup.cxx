@@ -23,28 +23,23 @@ QCheckBox* Switch(QHBoxLayout* row, const char* name, const char* property, cons
 }
 } // namespace
 
-pqHapticViewGroup::pqHapticViewGroup(QWidget* parent) : Superclass(tr("Hand and view"), parent)
+pqHapticViewGroup::pqHapticViewGroup(QWidget* parent) : Superclass(tr("Hand and view"), "view", parent)
 {
-  this->setObjectName("viewGroup");
-  auto* form = new QFormLayout(this);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   auto* buttons = new QHBoxLayout;
-  form->addRow(buttons);
+  this->Form->addRow(buttons);
   this->Fit = pqHapticButton(buttons, "fitSelection", tr("Fit Selection"),
     tr("Scale and place such that the device's workspace holds the sources that are selected"));
   this->Align = pqHapticButton(buttons, "align", tr("Align Now"),
     tr("Turn the workspace about the hand: right, up and towards of the device are those of the view"));
   auto* switches = new QHBoxLayout;
-  form->addRow(switches);
+  this->Form->addRow(switches);
   this->Precise = Switch(switches, "precision", "Precision", tr("while Ctrl+Shift+P is held"));
   this->Clutch = Switch(switches, "clutch", "Clutch", tr("while Ctrl+Shift+C is held"));
-  this->Rows.add(form, "view");
+  this->addSettings();
   auto* controller = pqHapticController::instance();
   this->connect(this->Fit, &QPushButton::clicked, controller, &pqHapticController::fitSelection);
   this->connect(this->Align, &QPushButton::clicked, controller, &pqHapticController::alignWithView);
 }
-
-pqHapticViewGroup::~pqHapticViewGroup() = default;
 
 void pqHapticViewGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
 {
@@ -52,10 +47,10 @@ void pqHapticViewGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
   { links.addTraceablePropertyLink(box, "checked", SIGNAL(toggled(bool)), proxy, proxy->GetProperty(name)); };
   link(this->Precise, "Precision");
   link(this->Clutch, "Clutch");
-  this->Rows.link(links, proxy);
+  this->Superclass::link(links, proxy);
 }
 
 QList<QWidget*> pqHapticViewGroup::fields() const
 {
-  return QList<QWidget*>{ this->Fit, this->Align, this->Precise, this->Clutch } + this->Rows.fields("view");
+  return QList<QWidget*>{ this->Fit, this->Align, this->Precise, this->Clutch } + this->settings();
 }

@@ -2,36 +2,27 @@
 #ifndef pqHapticViewGroup_h
 #define pqHapticViewGroup_h
 
-#include "pqHapticSettingRows.h"
-
-#include <QGroupBox>
-#include <QList>
+#include "pqHapticGroup.h"
 
 class QCheckBox;
-class QPushButton;
-class pqPropertyLinks;
-class vtkSMProxy;
 
 /// The group "Hand and view" of the panel: how the workspace of the device lies in the view, and what holds the hand.
-class pqHapticViewGroup : public QGroupBox
+class pqHapticViewGroup : public pqHapticGroup
 {
   Q_OBJECT
-  typedef QGroupBox Superclass;
+  typedef pqHapticGroup Superclass;
 
 public:
   explicit pqHapticViewGroup(QWidget* parent = nullptr);
-  ~pqHapticViewGroup() override;
 
-  void link(pqPropertyLinks& links, vtkSMProxy* proxy);
-  /// In the order of the Tab key.
-  QList<QWidget*> fields() const;
+  void link(pqPropertyLinks& links, vtkSMProxy* proxy) override;
+  QList<QWidget*> fields() const override;
 
 private:
   QPushButton* Fit;
   QPushButton* Align;
   QCheckBox* Precise;
   QCheckBox* Clutch;
-  pqHapticSettingRows Rows;
 };
 
 #endif

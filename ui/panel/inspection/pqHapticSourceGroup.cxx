@@ -40,24 +40,19 @@ void Show(QDoubleSpinBox* box, double value)
 }
 } // namespace
 
-pqHapticSourceGroup::pqHapticSourceGroup(QWidget* parent) : Superclass(tr("Active source"), parent)
+pqHapticSourceGroup::pqHapticSourceGroup(QWidget* parent) : Superclass(tr("Active source"), "source", parent)
 {
-  this->setObjectName("sourceGroup");
-  auto* form = new QFormLayout(this);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  this->Name = pqHapticLabel(this, "sourceName", tr("The source that is active in the pipeline browser"));
-  form->addRow(this->Name);
+  this->Source = this->addText("sourceName", tr("The source that is active in the pipeline browser"));
   this->Touched = new QCheckBox(tr("Touch this source"), this);
   this->Touched->setObjectName("sourceTouched");
   this->Touched->setToolTip(tr("Off: it is seen and not felt"));
-  form->addRow(this->Touched);
+  this->Form->addRow(this->Touched);
   this->Stiffness = this->addNumber(
-    form, "sourceStiffness", tr("Its stiffness"), tr("As felt, and no more than the session's; an array says more"));
+    "sourceStiffness", tr("Its stiffness"), tr("As felt, and no more than the session's; an array says more"));
   this->Stiffness->setSuffix(" N/m");
   this->Stiffness->setMaximum(largestStiffness_N_per_m);
-  this->FrictionStatic = this->addNumber(form, "sourceFrictionStatic", tr("Its static friction"), tr("At rest"));
-  this->FrictionKinetic =
-    this->addNumber(form, "sourceFrictionKinetic", tr("Its kinetic friction"), tr("While it slides"));
+  this->FrictionStatic = this->addNumber("sourceFrictionStatic", tr("Its static friction"), tr("At rest"));
+  this->FrictionKinetic = this->addNumber("sourceFrictionKinetic", tr("Its kinetic friction"), tr("While it slides"));
   this->connect(this->Touched, &QCheckBox::toggled, this, &pqHapticSourceGroup::setTouched);
   const auto changed = QOverload<double>::of(&QDoubleSpinBox::valueChanged);
   this->connect(this->Stiffness, changed, this, &pqHapticSourceGroup::setMaterial);
@@ -66,8 +61,7 @@ pqHapticSourceGroup::pqHapticSourceGroup(QWidget* parent) : Superclass(tr("Activ
   this->refresh(nullptr);
 }
 
-QDoubleSpinBox* pqHapticSourceGroup::addNumber(
-  QFormLayout* form, const char* name, const QString& title, const QString& tip)
+QDoubleSpinBox* pqHapticSourceGroup::addNumber(const char* name, const QString& title, const QString& tip)
 {
   auto* box = new QDoubleSpinBox(this);
   box->setObjectName(name);
@@ -76,7 +70,7 @@ QDoubleSpinBox* pqHapticSourceGroup::addNumber(
   box->setRange(asSession, palpate::Material::largestFriction);
   box->setSpecialValueText(tr("the session's"));
   box->setKeyboardTracking(false);
-  form->addRow(title, box);
+  this->Form->addRow(title, box);
   return box;
 }
 
@@ -87,7 +81,7 @@ void pqHapticSourceGroup::refresh(vtkHapticSession* session)
   {
     field->setEnabled(session && !name.isEmpty());
   }
-  this->Name->setText(name.isEmpty() ? tr("None: click one in the pipeline browser.") : QString::fromUtf8(name));
+  this->Source->setText(name.isEmpty() ? tr("None: click one in the pipeline browser.") : QString::fromUtf8(name));
   if (!session || name.isEmpty())
   {
     return;

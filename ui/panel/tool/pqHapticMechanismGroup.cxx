@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticMechanismGroup.h"
 
-#include "pqActiveObjects.h"
 #include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
 #include "pqHapticNamedSource.h"
 #include "pqHapticStrip.h"
-#include "pqOutputPort.h"
-#include "pqPipelineSource.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
@@ -27,15 +24,6 @@ namespace
 constexpr int ShownRows = 5; // the others are scrolled to
 const QStringList Columns = { "Law", "Phase", "Force", "Inside" };
 const QStringList Units = { "", "", " N", " u" };
-
-void HoldSelected()
-{
-  if (pqOutputPort* const port = pqActiveObjects::instance().activePort())
-  {
-    pqHapticNameSource("MechanismLaws", {}); // those of another mechanism would not fit
-    pqHapticNameSource("MechanismSource", port->getSource()->getSMName());
-  }
-}
 
 /// "puncture: needle, wall; 1.5 N, drags 0.4 N".
 QString KindOf(vtkTable& table, int row)
@@ -61,36 +49,36 @@ void SetLaws(const std::string& laws)
 }
 } // namespace
 
-pqHapticMechanismGroup::pqHapticMechanismGroup(QWidget* parent) : Superclass(tr("Mechanism"), parent)
+pqHapticMechanismGroup::pqHapticMechanismGroup(QWidget* parent)
+  : Superclass(tr("Mechanism"), "mechanism", "MechanismSource", parent)
 {
-  this->setObjectName("mechanismGroup");
-  auto* form = new QFormLayout(this);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  auto* buttons = new QHBoxLayout;
-  form->addRow(buttons);
-  this->Use = pqHapticButton(buttons, "mechanismUse", tr("Hold Selected Source"),
-    tr("The hand holds a body of the source that is active in the pipeline browser, made by Haptic Mechanism"));
-  this->Leave = pqHapticButton(buttons, "mechanismLeave", tr("No Mechanism"), tr("What is held is let go of"));
-  this->Text = pqHapticLabel(this, "mechanismText", tr("What the mechanism becomes, or why it cannot be felt"));
-  form->addRow(this->Text);
-  this->Rows.add(form, "mechanism");
+  this->addButtons({ "mechanismUse", tr("Hold Selected Source"),
+                     tr("The hand holds a body of the source that is active in the pipeline browser, made by Haptic "
+                        "Mechanism") },
+    { "mechanismLeave", tr("No Mechanism"), tr("What is held is let go of") });
+  this->Text = this->addText("mechanismText", tr("What the mechanism becomes, or why it cannot be felt"));
+  this->addSettings();
   this->makeTable();
-  form->addRow(this->Table);
+  this->Form->addRow(this->Table);
   this->Chart = new pqHapticStrip(this, "mechanismChart", tr("Force over depth"), "N", 1.0);
   this->Chart->setToolTip(tr("The force on the hand, over its way along what it holds since nothing pushed"));
-  form->addRow(this->Chart);
+  this->Form->addRow(this->Chart);
   this->makeButtons();
   auto* changes = new QHBoxLayout;
   changes->addWidget(this->Remove, 1);
   changes->addWidget(this->Break, 1);
-  form->addRow(changes);
+  this->Form->addRow(changes);
   auto* added = new QHBoxLayout;
   added->addWidget(this->Law, 1);
   added->addWidget(this->Add);
-  form->addRow(added);
+  this->Form->addRow(added);
 }
 
-pqHapticMechanismGroup::~pqHapticMechanismGroup() = default;
+void pqHapticMechanismGroup::use(pqOutputPort& port)
+{
+  pqHapticNameSource("MechanismLaws", {}); // those of another mechanism would not fit
+  this->Superclass::use(port);
+}
 
 void pqHapticMechanismGroup::makeTable()
 {
@@ -119,17 +107,10 @@ void pqHapticMechanismGroup::makeButtons()
   this->Law->setPlaceholderText(tr("{ \"name\": ..., \"kind\": ..., \"a\": ..., \"b\": ... }"));
   this->Law->setToolTip(tr("Another law, as in a scene file, in the place of the one of its name"));
   this->Add = pqHapticButton(this, "mechanismAdd", tr("Add"), tr("The mechanism with this law as well"));
-  this->connect(this->Use, &QPushButton::clicked, this, &HoldSelected);
-  this->connect(this->Leave, &QPushButton::clicked, this, [] { pqHapticNameSource("MechanismSource", {}); });
   this->connect(this->Add, &QPushButton::clicked, this, &pqHapticMechanismGroup::addLaw);
   this->connect(this->Law, &QLineEdit::returnPressed, this, &pqHapticMechanismGroup::addLaw);
   this->connect(this->Remove, &QPushButton::clicked, this, &pqHapticMechanismGroup::removeLaw);
   this->connect(this->Break, &QPushButton::clicked, this, &pqHapticMechanismGroup::breakLaw);
-}
-
-void pqHapticMechanismGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
-{
-  this->Rows.link(links, proxy);
 }
 
 QString pqHapticMechanismGroup::selected() const
@@ -189,8 +170,7 @@ void pqHapticMechanismGroup::fill(vtkHapticSession& session)
 void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
 {
   const bool held = session && *session->GetMechanismSource() != '\0';
-  this->Use->setEnabled(session && pqActiveObjects::instance().activePort());
-  this->Leave->setEnabled(held);
+  this->refreshButtons(session, session ? session->GetMechanismSource() : "");
   pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetMechanismText()) : QString());
   if (session)
   {
@@ -219,6 +199,6 @@ void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
 
 QList<QWidget*> pqHapticMechanismGroup::fields() const
 {
-  return QList<QWidget*>{ this->Use, this->Leave } + this->Rows.fields("mechanism") +
+  return this->Superclass::fields() + this->settings() +
          QList<QWidget*>{ this->Table, this->Remove, this->Break, this->Law, this->Add };
 }

@@ -3,10 +3,8 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
-#include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
-#include "pqHapticNamedSource.h"
 #include "pqHapticToolLine.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
@@ -19,8 +17,7 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
 
-#include <QFormLayout>
-#include <QHBoxLayout>
+#include <QPushButton>
 
 namespace
 {
@@ -30,44 +27,26 @@ pqPipelineSource* SourceNamed(const char* name)
 }
 } // namespace
 
-pqHapticToolGroup::pqHapticToolGroup(QWidget* parent) : Superclass(tr("Tool"), parent), Line(new pqHapticToolLine(this))
+pqHapticToolGroup::pqHapticToolGroup(QWidget* parent)
+  : Superclass(tr("Tool"), "tool", "ToolSource", parent), Line(new pqHapticToolLine(this))
 {
-  this->setObjectName("toolGroup");
-  auto* form = new QFormLayout(this);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  auto* buttons = new QHBoxLayout;
-  form->addRow(buttons);
-  this->Use = pqHapticButton(buttons, "toolUse", tr("Use Selected Source"),
-    tr("The hand holds the surface of the source that is active in the pipeline browser, which is hidden: the tool is "
-       "drawn where it is, and a ghost where the hand would have it"));
-  this->Ball = pqHapticButton(buttons, "toolBall", tr("Take the Ball"), tr("The hand touches with its ball again"));
-  this->PlaceHandle = pqHapticButton(this, "toolPlaceHandle", tr("Place Handle"),
+  this->addButtons({ "toolUse", tr("Use Selected Source"),
+                     tr("The hand holds the surface of the source that is active in the pipeline browser, which is "
+                        "hidden: the tool is drawn where it is, and a ghost where the hand would have it") },
+    { "toolBall", tr("Take the Ball"), tr("The hand touches with its ball again") });
+  this->PlaceHandle = this->addButton("toolPlaceHandle", tr("Place Handle"), // three in a row would widen the panel
     tr("Shows the tool where its data are, and a line in it whose ends are drawn with the mouse: where the hand holds "
-       "the "
-       "tool, and its tip"));
+       "the tool, and its tip"));
   this->PlaceHandle->setCheckable(true);
-  form->addRow(this->PlaceHandle); // three in a row would make the panel wider
-  this->Text = pqHapticLabel(this, "toolText", tr("Which tool is held and how it is, or why none is"));
-  form->addRow(this->Text);
-  this->Contacts = pqHapticLabel(this, "toolContacts", tr("What pushes the tool: source, place, share of all pushes"));
-  form->addRow(this->Contacts);
-  this->Rows.add(form, "tool");
-  this->connect(this->Use, &QPushButton::clicked, this, &pqHapticToolGroup::useSelected);
-  this->connect(this->Ball, &QPushButton::clicked, this, &pqHapticToolGroup::takeBall);
+  this->Text = this->addText("toolText", tr("Which tool is held and how it is, or why none is"));
+  this->Contacts = this->addText("toolContacts", tr("What pushes the tool: source, place, share of all pushes"));
+  this->addSettings();
   this->connect(this->PlaceHandle, &QPushButton::toggled, this, &pqHapticToolGroup::placeHandle);
-}
-
-pqHapticToolGroup::~pqHapticToolGroup() = default;
-
-void pqHapticToolGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
-{
-  this->Rows.link(links, proxy);
 }
 
 void pqHapticToolGroup::refresh(vtkHapticSession* session)
 {
-  this->Use->setEnabled(session && pqActiveObjects::instance().activePort());
-  this->Ball->setEnabled(session && *session->GetToolSource() != '\0');
+  this->refreshButtons(session, session ? session->GetToolSource() : "");
   pqPipelineSource* const tool = session ? SourceNamed(session->GetToolSource()) : nullptr;
   this->PlaceHandle->setEnabled(tool);
   if (!tool || tool != this->Placed)
@@ -80,21 +59,16 @@ void pqHapticToolGroup::refresh(vtkHapticSession* session)
 
 QList<QWidget*> pqHapticToolGroup::fields() const
 {
-  return QList<QWidget*>{ this->Use, this->Ball, this->PlaceHandle } + this->Rows.fields("tool");
+  return this->Superclass::fields() + QList<QWidget*>{ this->PlaceHandle } + this->settings();
 }
 
-void pqHapticToolGroup::useSelected()
+void pqHapticToolGroup::use(pqOutputPort& port)
 {
-  pqOutputPort* const port = pqActiveObjects::instance().activePort();
-  if (!port)
-  {
-    return;
-  }
-  pqHapticNameSource("ToolSource", port->getSource()->getSMName());
+  this->Superclass::use(port);
   if (pqView* const view = pqActiveObjects::instance().activeView())
   {
     vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-    controller->Hide(port->getSourceProxy(), port->getPortNumber(), view->getViewProxy());
+    controller->Hide(port.getSourceProxy(), port.getPortNumber(), view->getViewProxy());
     view->render();
   }
 }
@@ -112,9 +86,4 @@ void pqHapticToolGroup::placeHandle(bool shown)
   {
     this->Line->show(proxy, this->Placed);
   }
-}
-
-void pqHapticToolGroup::takeBall()
-{
-  pqHapticNameSource("ToolSource", {});
 }

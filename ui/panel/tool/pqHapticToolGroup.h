@@ -2,49 +2,34 @@
 #ifndef pqHapticToolGroup_h
 #define pqHapticToolGroup_h
 
-#include "pqHapticSettingRows.h"
+#include "pqHapticGroup.h"
 
-#include <QGroupBox>
-#include <QList>
 #include <QPointer>
 
-class QLabel;
-class QPushButton;
 class pqHapticToolLine;
 class pqPipelineSource;
-class pqPropertyLinks;
-class vtkHapticSession;
-class vtkSMProxy;
 
 /// The group "Tool" of the panel: which source the hand holds in place of the ball, how, and how it is.
-class pqHapticToolGroup : public QGroupBox
+class pqHapticToolGroup : public pqHapticSourceUse
 {
   Q_OBJECT
-  typedef QGroupBox Superclass;
+  typedef pqHapticSourceUse Superclass;
 
 public:
   explicit pqHapticToolGroup(QWidget* parent = nullptr);
-  ~pqHapticToolGroup() override;
 
-  void link(pqPropertyLinks& links, vtkSMProxy* proxy);
-  /// Null where there is no session. Ten times a second.
-  void refresh(vtkHapticSession* session);
-  /// In the order of the Tab key.
-  QList<QWidget*> fields() const;
+  void refresh(vtkHapticSession* session) override;
+  QList<QWidget*> fields() const override;
 
 private:
-  void useSelected();
-  void takeBall();
+  void use(pqOutputPort& port) override;
   void placeHandle(bool shown);
 
-  QPushButton* Use;
-  QPushButton* Ball;
   QPushButton* PlaceHandle;
   pqHapticToolLine* Line;
   QPointer<pqPipelineSource> Placed; ///< whose handle is placed in the view
   QLabel* Text;
   QLabel* Contacts;
-  pqHapticSettingRows Rows;
 };
 
 #endif
