@@ -34,21 +34,19 @@ HapticDevice* HapticSession::device() noexcept
 }
 
 /// What moves a tool and computes soft bodies beside the servo.
-void HapticSession::beginBeside(Run& run, std::int64_t period_ns) const
+void HapticSession::beginWorkers(Run& run, std::int64_t period_ns) const
 {
   run.tool.emplace(run.links.tool, run.virtualTime, period_ns);
-  run.tool->touch(this->scene_, this->parameters_.known);
-  run.tool->take(this->heldTool());
+  run.tool->setScene(this->scene_, this->parameters_.known);
+  run.tool->setTool(this->heldTool());
   run.soft.emplace(run.links.soft, run.virtualTime);
-  run.soft->touch(this->scene_);
-  run.soft->take(this->soft_);
+  run.soft->setScene(this->scene_);
+  run.soft->setBody(this->soft_);
   run.mechanism.emplace(run.links.mechanism, run.virtualTime);
-  run.mechanism->take(this->mechanism_, this->grip(run.adapted));
+  run.mechanism->setMechanism(this->mechanism_, this->grip(run.adapted));
   if (run.virtualTime)
   {
-    run.tool->step();
-    run.soft->step(0.0);
-    run.mechanism->step(0.0);
+    run.stepWorkers();
   }
 }
 
@@ -85,7 +83,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->links.parameters.write({ this->version_, run->adapted });
   run->links.scenes.publish(this->scene_);
   run->links.bricks.publish(this->brick_);
-  this->beginBeside(*run, period_ns);
+  this->beginWorkers(*run, period_ns);
   run->loop.emplace(*run->device, *run->timer, run->links, run->clock, options.period_s);
   this->run_ = std::move(run);
   this->lastState_ = HapticState{};
@@ -155,7 +153,7 @@ std::string HapticSession::setParameters(const HapticParameters& parameters, con
       }
       this->run_->adapt(parameters, this->lever_u(), false);
       this->run_->links.parameters.write({ this->version_, this->run_->adapted });
-      this->run_->mechanism->take(this->mechanism_, this->grip(this->run_->adapted));
+      this->run_->mechanism->setMechanism(this->mechanism_, this->grip(this->run_->adapted));
     }
   }
   return problem;
@@ -187,8 +185,8 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
     }
     this->run_->recordings->storeScene(this->scene_);
     this->run_->links.scenes.publish(this->scene_);
-    this->run_->tool->touch(this->scene_, this->parameters_.known);
-    this->run_->soft->touch(this->scene_);
+    this->run_->tool->setScene(this->scene_, this->parameters_.known);
+    this->run_->soft->setScene(this->scene_);
   }
 }
 
@@ -202,7 +200,7 @@ void HapticSession::takeTool()
 {
   if (this->run_)
   {
-    this->run_->tool->take(this->heldTool());
+    this->run_->tool->setTool(this->heldTool());
     this->run_->adapt(this->parameters_, this->lever_u(), false);
     this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
   }
@@ -218,7 +216,7 @@ void HapticSession::setSoft(const SoftChoice& choice)
   }
   if (this->run_)
   {
-    this->run_->soft->take(choice);
+    this->run_->soft->setBody(choice);
   }
 }
 
@@ -232,7 +230,7 @@ void HapticSession::setMechanism(const MechanismChoice& choice)
   this->mechanism_ = choice;
   if (this->run_)
   {
-    this->run_->mechanism->take(choice, this->grip(this->run_->adapted));
+    this->run_->mechanism->setMechanism(choice, this->grip(this->run_->adapted));
     this->run_->adapt(this->parameters_, this->lever_u(), false);
     this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
   }
@@ -278,11 +276,11 @@ MechanismGrip HapticSession::grip(const HapticParameters& adapted) const noexcep
 /// A recording that begins has what the servo may still be pressing. `again`: one after another.
 void HapticSession::storeBodies(bool again)
 {
-  for (const auto& body : this->run_->soft->made().take(this->recording(), again))
+  for (const auto& body : this->run_->links.soft.bodies.published(this->recording(), again))
   {
     this->run_->recordings->storeBody(body);
   }
-  for (const auto& mechanism : this->run_->mechanism->made().take(this->recording(), again))
+  for (const auto& mechanism : this->run_->links.mechanism.felt.published(this->recording(), again))
   {
     this->run_->recordings->storeMechanism(mechanism);
   }
@@ -297,12 +295,12 @@ std::string HapticSession::toolBesideSoft() const
 std::string HapticSession::toolRefusal() const
 {
   const std::string beside = this->toolBesideSoft();
-  return beside.empty() && this->run_ ? this->run_->tool->refusal() : beside;
+  return beside.empty() && this->run_ ? this->run_->tool->status().refusal : beside;
 }
 
 std::string HapticSession::toolNoWayOut() const
 {
-  return this->run_ ? this->run_->tool->noWayOut() : std::string();
+  return this->run_ ? this->run_->tool->status().noWayOut : std::string();
 }
 
 const ToolReport& HapticSession::toolReport()
@@ -358,9 +356,8 @@ int HapticSession::step(int ticks)
   while (this->run_ && this->run_->virtualTime && done < ticks && this->run_->loop->tick())
   {
     ++done;
-    this->run_->tool->step();
-    this->run_->soft->step(this->run_->virtual_s += this->run_->period_s);
-    this->run_->mechanism->step(this->run_->virtual_s);
+    this->run_->virtual_s += this->run_->period_s;
+    this->run_->stepWorkers();
     this->storeBodies();
     this->run_->recordings->pump();
   }

@@ -11,7 +11,7 @@
 #include "haptics/realtime/RealtimeThread.h"
 #include "haptics/session/Recordings.h"
 #include "haptics/session/ServoLoop.h"
-#include "haptics/session/tool/HeldTool.h"
+#include "haptics/session/tool/ToolWorker.h"
 
 namespace palpate
 {
@@ -117,7 +117,7 @@ private:
   void push(EventKind kind, std::uint64_t value = 0);
   [[nodiscard]] double lever_u() const noexcept;
   [[nodiscard]] MechanismGrip grip(const HapticParameters& adapted) const noexcept;
-  void beginBeside(Run& run, std::int64_t period_ns) const;
+  void beginWorkers(Run& run, std::int64_t period_ns) const;
   void storeBodies(bool again = false);
   void takeTool();
   /// Of a body that gives way a tool would feel the surface of before.

@@ -22,7 +22,7 @@ struct HapticSession::Run
   std::unique_ptr<TickTimer> timer;
   MonotonicClock clock;
   ServoLinks links;
-  std::optional<HeldTool> tool;
+  std::optional<ToolWorker> tool;
   std::optional<SoftWorker> soft;
   std::optional<MechanismWorker> mechanism;
   std::optional<Recordings> recordings;
@@ -52,6 +52,14 @@ struct HapticSession::Run
     {
       this->timer = std::make_unique<DeviceTimer>(*this->device, this->clock, period_ns);
     }
+  }
+
+  /// In virtual time, after the last tick.
+  void stepWorkers()
+  {
+    this->tool->step(this->virtual_s);
+    this->soft->step(this->virtual_s);
+    this->mechanism->step(this->virtual_s);
   }
 
   /// From where the ball comes in this scene; nothing: from where it is.

@@ -3,24 +3,12 @@
 
 #include <utility>
 
-#include "haptics/session/beside/InItsMemory.h"
 #include "haptics/session/mechanism/MechanismTouch.h"
 
 namespace palpate
 {
 namespace
 {
-
-/// As often or not.
-bool isSame(const MechanismChoice& a, const MechanismChoice& b)
-{
-  return a.inputs == b.inputs && a.name == b.name;
-}
-
-std::vector<MechanismSoftInput> bodiesOf(const MechanismChoice& choice)
-{
-  return choice.inputs ? choice.inputs->soft : std::vector<MechanismSoftInput>();
-}
 
 bool isSame(const MechanismGrip& a, const MechanismGrip& b)
 {
@@ -29,138 +17,99 @@ bool isSame(const MechanismGrip& a, const MechanismGrip& b)
 
 } // namespace
 
-/// A session without a mechanism has no thread for one.
-void MechanismWorker::take(const MechanismChoice& choice, const MechanismGrip& grip)
+std::optional<double> MechanismTask::iterate()
 {
+  if (this->plan_.revision == 0)
   {
-    const std::lock_guard lock(this->mutex_);
-    const bool told = choice.inputs || this->wanted_.choice.inputs;
-    this->status_.building = this->status_.building || (choice.inputs && !isSame(choice, this->wanted_.choice));
-    if (bodiesOf(choice) != bodiesOf(this->wanted_.choice))
-    {
-      this->building_.request_stop();
-      this->building_ = std::stop_source();
-    }
-    this->wanted_ = { choice, grip, this->building_.get_token() };
-    this->news_ = this->news_ || told;
+    return std::nullopt;
   }
-  if (choice.inputs && !this->virtualTime_ && !this->thread_.runs())
+  this->readHand();
+  this->publish(this->bodies_->press(this->period_s()));
+  return this->period_s();
+}
+
+void MechanismTask::step(double time_s)
+{
+  if (this->plan_.revision != 0)
   {
-    this->thread_.begin([this] { return this->run(); });
+    this->readHand();
+    (void)this->bodies_->at(time_s);
+    this->publish(true);
   }
 }
 
-double MechanismWorker::run()
-{
-  double period_s = PacedThread::idle_s;
-  inItsMemory(
-    [&]
-    {
-      this->obey();
-      if (this->plan_.revision != 0)
-      {
-        period_s = PacedThread::periodOf(this->now_.choice.rate_Hz);
-        this->listen();
-        this->publish(this->bodies_->press(period_s));
-      }
-    },
-    [this] { this->giveUp(); });
-  return period_s;
-}
-
-void MechanismWorker::step(double time_s)
-{
-  inItsMemory(
-    [&]
-    {
-      this->obey();
-      if (this->plan_.revision != 0)
-      {
-        this->listen();
-        (void)this->bodies_->at(time_s);
-        this->publish(true);
-      }
-    },
-    [this] { this->giveUp(); });
-}
-
-void MechanismWorker::giveUp()
+void MechanismTask::giveUp()
 {
   this->links_.felt.publish(nullptr);
   this->plan_ = {};
   this->bodies_.reset();
   this->madeOf_.clear();
-  const std::lock_guard lock(this->mutex_);
-  this->status_ = {};
-  this->status_.problem = "the mechanism's soft bodies are too large: memory is used up; mesh them coarser";
+  this->channel_.report(
+    [](MechanismStatus& status, const Order&)
+    {
+      status = {};
+      status.problem = "the mechanism's soft bodies are too large: memory is used up; mesh them coarser";
+    });
 }
 
-void MechanismWorker::obey()
+bool MechanismTask::apply(Order order, const std::stop_token& stop, bool again)
 {
-  if (!this->news_.exchange(false))
+  const Order before = std::exchange(this->now_, std::move(order));
+  bool interrupted = false;
+  if (again || !this->now_.isSame(before))
   {
-    return;
+    interrupted = this->build(stop);
   }
-  const Order before = this->now_;
+  else if (this->bodies_ && !isSame(this->now_.grip, before.grip))
   {
-    const std::lock_guard lock(this->mutex_);
-    this->now_ = this->wanted_;
+    interrupted = this->judgeAnew(stop);
   }
-  const Order& order = this->now_;
-  if (this->stopped_ || !isSame(order.choice, before.choice))
+  if (this->bodies_ && this->now_.choice.rate_Hz != before.choice.rate_Hz)
   {
-    this->build(order);
+    this->bodies_->pace(this->period_s());
   }
-  else if (this->bodies_ && !isSame(order.grip, before.grip))
-  {
-    this->judgeAnew(order);
-  }
-  if (this->bodies_ && order.choice.rate_Hz != before.choice.rate_Hz)
-  {
-    this->bodies_->pace(PacedThread::periodOf(order.choice.rate_Hz));
-  }
+  return interrupted;
 }
 
 /// What one hand can hold another cannot.
-void MechanismWorker::judgeAnew(const Order& order)
+bool MechanismTask::judgeAnew(const std::stop_token& stop)
 {
-  MechanismCheck check = this->judge(order);
+  MechanismCheck check = this->judge();
   if (check.faults.empty() != (this->plan_.revision != 0))
   {
-    this->build(order);
-    return;
+    return this->build(stop);
   }
-  const std::lock_guard lock(this->mutex_);
-  this->status_.check = std::move(check);
+  this->channel_.report([&check](MechanismStatus& status, const Order&) { status.check = std::move(check); });
+  return false;
 }
 
-MechanismCheck MechanismWorker::judge(const Order& order) const
+MechanismCheck MechanismTask::judge() const
 {
-  return checkMechanism(order.choice.inputs->mechanism, this->bodies_->atRest(), order.grip);
+  return checkMechanism(this->now_.choice.inputs->mechanism, this->bodies_->atRest(), this->now_.grip);
 }
 
 /// Factors take long: laws that are changed leave the bodies as they are, pressed or not.
-void MechanismWorker::makeBodies(const Order& order, std::string& refusal)
+void MechanismTask::makeBodies(std::string& refusal, const std::stop_token& stop)
 {
-  const std::vector<MechanismSoftInput>& soft = order.choice.inputs->soft;
+  const std::vector<MechanismSoftInput> soft = this->now_.soft();
   if (!this->bodies_ || soft != this->madeOf_)
   {
     this->links_.felt.publish(nullptr);
     this->bodies_.reset();
     this->madeOf_.clear();
-    this->bodies_ = MechanismBodies::make(soft, refusal, order.stop);
+    this->bodies_ = MechanismBodies::make(soft, refusal, stop);
     this->madeOf_ = this->bodies_ ? soft : std::vector<MechanismSoftInput>();
   }
 }
 
-void MechanismWorker::build(const Order& order)
+bool MechanismTask::build(const std::stop_token& stop)
 {
-  MechanismStatus status;
+  MechanismStatus made;
   this->plan_ = {};
   this->published_ = false;
-  if (order.choice.inputs)
+  if (this->now_.isActive())
   {
-    this->makeBodies(order, status.problem);
+    this->makeBodies(made.problem, stop);
   }
   else
   {
@@ -169,32 +118,33 @@ void MechanismWorker::build(const Order& order)
   }
   if (this->bodies_)
   {
-    status.check = this->judge(order);
-    status.problem = faultsOf(status.check);
+    made.check = this->judge();
+    made.problem = faultsOf(made.check);
   }
-  if (this->bodies_ && status.problem.empty())
+  if (this->bodies_ && made.problem.empty())
   {
-    status.problem = this->plan(order);
+    made.problem = this->plan();
   }
   if (this->plan_.revision == 0)
   {
     this->links_.felt.publish(nullptr);
   }
-  this->stopped_ = !this->bodies_ && order.stop.stop_requested();
-  const std::lock_guard lock(this->mutex_);
-  status.building = this->plan_.revision != 0 || this->news_; // until it is published
-  if (order.stop.stop_requested())
-  {
-    status = {};
-    status.building = this->wanted_.choice.inputs != nullptr;
-  }
-  this->status_ = std::move(status);
+  this->channel_.report(
+    [&](MechanismStatus& status, const Order& wanted)
+    {
+      const bool stopped = stop.stop_requested();
+      made.building = this->plan_.revision != 0 || this->channel_.hasNews(); // until it is published
+      status = stopped ? MechanismStatus{} : std::move(made);
+      status.building = stopped ? wanted.isActive() : status.building;
+    });
+  return !this->bodies_ && stop.stop_requested();
 }
 
 /// Empty, or why it cannot be held.
-std::string MechanismWorker::plan(const Order& order)
+std::string MechanismTask::plan()
 {
-  const MechanismPlan plan = planMechanism(order.choice.inputs->mechanism, this->bodies_->atRest(), this->plans_ + 1);
+  const MechanismPlan plan =
+    planMechanism(this->now_.choice.inputs->mechanism, this->bodies_->atRest(), this->plans_ + 1);
   if (std::string refusal = refuseHeld(plan); !refusal.empty())
   {
     return refusal;
@@ -202,26 +152,26 @@ std::string MechanismWorker::plan(const Order& order)
   ++this->plans_;
   this->plan_ = plan;
   this->bodies_->hold(plan);
-  this->bodies_->pace(PacedThread::periodOf(order.choice.rate_Hz));
+  this->bodies_->pace(this->period_s());
   return {};
 }
 
 /// Presses of another plan are on places of its own; those of the bodies' own plan are what the next packets stand on.
-void MechanismWorker::listen()
+void MechanismTask::readHand()
 {
   MechanismHand hand = this->links_.hand.read();
   hand.pressCount = hand.plan == this->plan_.revision ? hand.pressCount : 0;
   this->bodies_->tell(hand);
 }
 
-/// Told to the owner first: what the servo takes must be there for a recording. `all`: none of the bodies has failed.
-void MechanismWorker::publish(bool all)
+/// `all`: none of the bodies has failed.
+void MechanismTask::publish(bool all)
 {
-  {
-    const std::lock_guard lock(this->mutex_);
-    this->status_.problem =
-      all ? "" : "a soft body's stiffness can no more be factored: it stays as it was; let go of it";
-  }
+  this->channel_.report(
+    [all](MechanismStatus& status, const Order&)
+    {
+      status.problem = all ? "" : "a soft body's stiffness can no more be factored: it stays as it was; let go of it";
+    });
   const bool others = this->bodies_->changed();
   if (!all || (this->published_ && !others))
   {
@@ -229,21 +179,17 @@ void MechanismWorker::publish(bool all)
   }
   auto felt = std::make_shared<const FeltMechanism>(++this->revision_, this->plan_, this->bodies_->newest());
   this->published_ = true;
-  this->made_.put(felt);
   this->links_.felt.publish(std::move(felt));
   std::vector<SeenBody> seen = this->bodies_->seen(); // while the servo has it
-  const std::lock_guard lock(this->mutex_);
-  ++this->status_.packets;
-  this->status_.building = this->news_;
-  this->status_.plan = this->plan_.revision;
-  this->status_.soft = std::move(seen);
-  this->status_.atRest = this->bodies_->first();
-}
-
-MechanismStatus MechanismWorker::status() const
-{
-  const std::lock_guard lock(this->mutex_);
-  return this->status_;
+  this->channel_.report(
+    [this, &seen](MechanismStatus& status, const Order&)
+    {
+      ++status.packets;
+      status.building = this->channel_.hasNews();
+      status.plan = this->plan_.revision;
+      status.soft = std::move(seen);
+      status.atRest = this->bodies_->first();
+    });
 }
 
 } // namespace palpate

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "haptics/mechanism/servo/FeltMechanism.h"
-#include "haptics/realtime/SnapshotMailbox.h"
+#include "haptics/realtime/RecordedMailbox.h"
 #include "haptics/realtime/TripleBuffer.h"
-#include "haptics/session/beside/MadeBeside.h"
-#include "haptics/session/beside/PacedThread.h"
+#include "haptics/session/background/BackgroundWorker.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
 
 namespace palpate
@@ -31,7 +29,7 @@ struct MechanismChoice
 /// Between the servo and the thread that computes a mechanism's soft bodies.
 struct MechanismLinks
 {
-  SnapshotMailbox<FeltMechanism> felt; ///< worker -> servo
+  RecordedMailbox<FeltMechanism> felt; ///< worker -> servo
   TripleBuffer<MechanismHand> hand;    ///< servo -> worker
 };
 
@@ -47,63 +45,74 @@ struct MechanismStatus
   BodiesAtRest atRest;        ///< likewise
 };
 
-/// The mechanism of a session, and the thread that computes its soft bodies beside the servo. It builds them, too: one
-/// that was there before with the same bodies goes on with those. Its owner never waits for it, but for its end, and
-/// then no longer than a factor takes.
-class MechanismWorker
+/// A mechanism, and how the hand would hold it.
+struct MechanismOrder
+{
+  MechanismChoice choice;
+  MechanismGrip grip;
+
+  [[nodiscard]] bool isActive() const noexcept { return this->choice.inputs != nullptr; }
+  /// At whatever rate.
+  [[nodiscard]] bool isSame(const MechanismOrder& before) const
+  {
+    return this->choice.inputs == before.choice.inputs && this->choice.name == before.choice.name;
+  }
+  /// Its soft bodies are others.
+  [[nodiscard]] bool cancels(const MechanismOrder& before) const { return this->soft() != before.soft(); }
+  void announce(const MechanismOrder& before, MechanismStatus& status) const
+  {
+    status.building = status.building || (this->isActive() && !this->isSame(before));
+  }
+  [[nodiscard]] std::vector<MechanismSoftInput> soft() const
+  {
+    return this->isActive() ? this->choice.inputs->soft : std::vector<MechanismSoftInput>();
+  }
+};
+
+/// Plans a mechanism, builds its soft bodies and makes their packets. A mechanism with the bodies of the one before goes
+/// on with those. See BackgroundWorker.
+class MechanismTask
 {
 public:
-  /// The links must outlive it. In virtual time there is no thread: see step().
-  MechanismWorker(MechanismLinks& links, bool virtualTime) : links_(links), virtualTime_(virtualTime) {}
-  ~MechanismWorker() { this->building_.request_stop(); }
+  using Order = MechanismOrder;
+  using Status = MechanismStatus;
 
-  /// `grip`: how the hand would hold it, for the check.
-  void take(const MechanismChoice& choice, const MechanismGrip& grip);
-  /// What its thread does, in the caller's, after a tick at that time. Virtual time.
+  MechanismTask(WorkerChannel<Order, Status>& channel, MechanismLinks& links) : channel_(channel), links_(links) {}
+  bool apply(Order order, const std::stop_token& stop, bool again);
+  std::optional<double> iterate();
   void step(double time_s);
-  [[nodiscard]] MechanismStatus status() const;
-  /// What it has made, for a recording.
-  [[nodiscard]] MadeBeside<FeltMechanism>& made() noexcept { return this->made_; }
+  void giveUp();
 
 private:
-  struct Order
-  {
-    MechanismChoice choice;
-    MechanismGrip grip;
-    std::stop_token stop; ///< its bodies are wanted no more
-  };
-  double run();
-  void giveUp();
-  void obey();
-  void judgeAnew(const Order& order);
-  void build(const Order& order);
-  void makeBodies(const Order& order, std::string& refusal);
-  [[nodiscard]] std::string plan(const Order& order);
-  [[nodiscard]] MechanismCheck judge(const Order& order) const;
-  void listen();
+  bool judgeAnew(const std::stop_token& stop);
+  bool build(const std::stop_token& stop);
+  void makeBodies(std::string& refusal, const std::stop_token& stop);
+  [[nodiscard]] std::string plan();
+  [[nodiscard]] MechanismCheck judge() const;
+  void readHand();
   void publish(bool all);
+  [[nodiscard]] double period_s() const noexcept { return workerPeriod_s(this->now_.choice.rate_Hz); }
 
+  WorkerChannel<Order, Status>& channel_;
   MechanismLinks& links_;
-  bool virtualTime_;
-
-  mutable std::mutex mutex_; ///< between owner and thread; guards the next three
-  Order wanted_;
-  std::stop_source building_; ///< of the bodies that are wanted
-  MechanismStatus status_;
-  std::atomic<bool> news_ = false; ///< asked without the lock in each step
-  MadeBeside<FeltMechanism> made_;
-
-  // Of the thread alone.
   Order now_;
-  bool stopped_ = false;                   ///< before its bodies were built
   std::vector<MechanismSoftInput> madeOf_; ///< the bodies, in use or kept for the next mechanism
   std::unique_ptr<MechanismBodies> bodies_;
   MechanismPlan plan_;         ///< revision 0: none is felt
   std::uint64_t plans_ = 0;    ///< so many were made
   std::uint64_t revision_ = 0; ///< of the last that was published
   bool published_ = false;     ///< this plan
+};
 
-  PacedThread thread_; ///< last: it ends before what it uses
+/// The mechanism of a session, and the thread that computes its soft bodies beside the servo.
+class MechanismWorker : public BackgroundWorker<MechanismTask>
+{
+public:
+  /// The links must outlive it.
+  MechanismWorker(MechanismLinks& links, bool virtualTime) : BackgroundWorker(virtualTime, links) {}
+
+  /// `grip`: how the hand would hold it, for the check.
+  void setMechanism(const MechanismChoice& choice, const MechanismGrip& grip) { this->order({ choice, grip }); }
 };
 
 } // namespace palpate

@@ -3,181 +3,101 @@
 
 #include <utility>
 
-#include "haptics/session/beside/InItsMemory.h"
-
 namespace palpate
 {
-namespace
-{
 
-/// As often or not.
-bool isSameBody(const SoftChoice& a, const SoftChoice& b)
+std::optional<double> SoftTask::iterate()
 {
-  return a.input == b.input && a.name == b.name;
-}
-
-double periodOf(const SoftChoice& choice)
-{
-  return PacedThread::periodOf(choice.rate_Hz);
-}
-
-} // namespace
-
-void SoftWorker::take(const SoftChoice& choice)
-{
-  this->give({ choice, this->wanted_.beside, {} });
-}
-
-void SoftWorker::touch(std::shared_ptr<const Scene> beside)
-{
-  this->give({ this->wanted_.choice, std::move(beside), {} });
-}
-
-/// A session without a soft body has no thread for one.
-void SoftWorker::give(Order order)
-{
-  const bool hasBody = order.choice.input != nullptr;
+  if (!this->maker_)
   {
-    const std::lock_guard lock(this->mutex_);
-    const bool told = hasBody || this->wanted_.choice.input;
-    const bool other = !isSameBody(order.choice, this->wanted_.choice);
-    this->status_.building = this->status_.building || (hasBody && other);
-    if (other)
-    {
-      this->building_.request_stop();
-      this->building_ = std::stop_source();
-    }
-    order.stop = this->building_.get_token();
-    this->wanted_ = std::move(order);
-    this->news_ = this->news_ || told;
+    return std::nullopt;
   }
-  if (hasBody && !this->virtualTime_ && !this->thread_.runs())
-  {
-    this->thread_.begin([this] { return this->run(); });
-  }
+  this->publish(this->maker_->press(this->links_.hand.read(), this->period_s()));
+  return this->period_s();
 }
 
-/// Until when it need not be asked again.
-double SoftWorker::run()
+void SoftTask::step(double time_s)
 {
-  double period_s = PacedThread::idle_s;
-  inItsMemory(
-    [&]
-    {
-      this->obey();
-      if (this->maker_)
-      {
-        period_s = periodOf(this->now_.choice);
-        this->publish(this->maker_->press(this->links_.hand.read(), period_s));
-      }
-    },
-    [this] { this->giveUp(); });
-  return period_s;
-}
-
-void SoftWorker::step(double time_s)
-{
-  inItsMemory(
-    [&]
-    {
-      this->obey();
-      if (!this->maker_)
-      {
-        return;
-      }
-      const std::shared_ptr<const PressedBody> before = this->paced_->now();
-      (void)this->paced_->at(time_s, this->links_.hand.read());
-      if (this->paced_->now() != before)
-      {
-        this->publish(this->paced_->now());
-      }
-    },
-    [this] { this->giveUp(); });
-}
-
-void SoftWorker::giveUp()
-{
-  this->paced_.reset();
-  this->maker_.reset();
-  const std::lock_guard lock(this->mutex_);
-  this->status_ = {};
-  this->status_.problem = "the soft body is too large: memory is used up; mesh it coarser";
-}
-
-void SoftWorker::obey()
-{
-  if (!this->news_.exchange(false))
+  if (!this->maker_)
   {
     return;
   }
-  const Order before = this->now_;
+  const std::shared_ptr<const PressedBody> before = this->paced_->now();
+  (void)this->paced_->at(time_s, this->links_.hand.read());
+  if (this->paced_->now() != before)
   {
-    const std::lock_guard lock(this->mutex_);
-    this->now_ = this->wanted_;
-  }
-  if (this->stopped_ || !isSameBody(this->now_.choice, before.choice))
-  {
-    this->build(this->now_);
-  }
-  if (this->maker_)
-  {
-    this->maker_->touch(this->now_.beside);
-    if (periodOf(this->now_.choice) != periodOf(before.choice))
-    {
-      this->paced_.emplace(*this->maker_, periodOf(this->now_.choice));
-    }
+    this->publish(this->paced_->now());
   }
 }
 
-void SoftWorker::build(const Order& order)
+void SoftTask::giveUp()
+{
+  this->paced_.reset();
+  this->maker_.reset();
+  this->channel_.report(
+    [](SoftStatus& status, const Order&)
+    {
+      status = {};
+      status.problem = "the soft body is too large: memory is used up; mesh it coarser";
+    });
+}
+
+bool SoftTask::apply(Order order, const std::stop_token& stop, bool again)
+{
+  const Order before = std::exchange(this->now_, std::move(order));
+  const bool interrupted = (again || this->now_.cancels(before)) && this->build(stop);
+  if (this->maker_)
+  {
+    this->maker_->touch(this->now_.beside);
+    if (this->period_s() != workerPeriod_s(before.choice.rate_Hz))
+    {
+      this->paced_.emplace(*this->maker_, this->period_s());
+    }
+  }
+  return interrupted;
+}
+
+bool SoftTask::build(const std::stop_token& stop)
 {
   this->paced_.reset();
   this->maker_.reset();
   this->links_.bodies.publish(nullptr);
-  SoftStatus status;
-  if (order.choice.input)
+  SoftStatus made;
+  if (this->now_.isActive())
   {
-    this->maker_ = BodyMaker::make(*order.choice.input, order.choice.name, this->revision_, status.problem, order.stop);
+    this->maker_ =
+      BodyMaker::make(*this->now_.choice.input, this->now_.choice.name, this->revision_, made.problem, stop);
   }
   if (this->maker_)
   {
-    status.asMade = std::make_shared<const CheckedTetras>(this->maker_->checked());
-    this->paced_.emplace(*this->maker_, periodOf(order.choice));
+    made.asMade = std::make_shared<const CheckedTetras>(this->maker_->checked());
+    this->paced_.emplace(*this->maker_, this->period_s());
   }
-  this->stopped_ = !this->maker_ && order.stop.stop_requested();
-  const std::lock_guard lock(this->mutex_);
-  if (order.stop.stop_requested())
-  {
-    status = {};
-    status.building = this->wanted_.choice.input != nullptr;
-  }
-  this->status_ = std::move(status);
+  this->channel_.report(
+    [&](SoftStatus& status, const Order& wanted)
+    {
+      const bool stopped = stop.stop_requested();
+      status = stopped ? SoftStatus{} : std::move(made);
+      status.building = stopped && wanted.isActive();
+    });
+  return !this->maker_ && stop.stop_requested();
 }
 
-/// Told to the owner first: what the servo takes must be there for a recording.
-void SoftWorker::publish(std::shared_ptr<const PressedBody> body)
+void SoftTask::publish(std::shared_ptr<const PressedBody> body)
 {
   const auto shape = body ? std::make_shared<const BodyShape>(this->maker_->shape()) : nullptr;
-  {
-    const std::lock_guard lock(this->mutex_);
-    if (!body)
+  this->channel_.report(
+    [&](SoftStatus& status, const Order&)
     {
-      this->status_.problem = "the soft body's stiffness can no more be factored: it stays as it was; let go of it";
-      return;
-    }
-    this->status_.problem.clear();
-    ++this->status_.packets;
-    this->status_.shape = shape;
+      status.problem = body ? "" : "the soft body's stiffness can no more be factored: it stays as it was; let go of it";
+      status.packets += body ? 1 : 0;
+      status.shape = body ? shape : status.shape;
+    });
+  if (body)
+  {
+    this->revision_ = body->revision;
+    this->links_.bodies.publish(std::move(body));
   }
-  this->made_.put(body);
-  this->revision_ = body->revision;
-  this->links_.bodies.publish(std::move(body));
-}
-
-SoftStatus SoftWorker::status() const
-{
-  const std::lock_guard lock(this->mutex_);
-  return this->status_;
 }
 
 } // namespace palpate

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "haptics/realtime/SnapshotMailbox.h"
+#include "haptics/realtime/RecordedMailbox.h"
 #include "haptics/realtime/TripleBuffer.h"
-#include "haptics/session/beside/MadeBeside.h"
-#include "haptics/session/beside/PacedThread.h"
+#include "haptics/session/background/BackgroundWorker.h"
 #include "haptics/session/soft/VirtualBody.h"
 
 namespace palpate
@@ -31,7 +27,7 @@ struct SoftChoice
 /// Between the servo and the thread that computes a soft body.
 struct SoftLinks
 {
-  SnapshotMailbox<PressedBody> bodies; ///< worker -> servo
+  RecordedMailbox<PressedBody> bodies; ///< worker -> servo
   TripleBuffer<BodyHand> hand;         ///< servo -> worker
 };
 
@@ -45,56 +41,60 @@ struct SoftStatus
   std::shared_ptr<const CheckedTetras> asMade; ///< what its vertices are, of what came in
 };
 
-/// The soft body of a session, and the thread that computes it beside the servo. It builds the body, too. Its owner
-/// never waits for it, but for its end, and then no longer than a factor takes.
-class SoftWorker
+/// A soft body and the scene beside it.
+struct SoftOrder
+{
+  SoftChoice choice;
+  std::shared_ptr<const Scene> beside;
+
+  [[nodiscard]] bool isActive() const noexcept { return this->choice.input != nullptr; }
+  /// Another body, at whatever rate.
+  [[nodiscard]] bool cancels(const SoftOrder& before) const
+  {
+    return this->choice.input != before.choice.input || this->choice.name != before.choice.name;
+  }
+  void announce(const SoftOrder& before, SoftStatus& status) const
+  {
+    status.building = status.building || (this->isActive() && this->cancels(before));
+  }
+};
+
+/// Builds a soft body and makes its packets. See BackgroundWorker.
+class SoftTask
 {
 public:
-  /// The links must outlive it. In virtual time there is no thread: see step().
-  SoftWorker(SoftLinks& links, bool virtualTime) : links_(links), virtualTime_(virtualTime) {}
-  ~SoftWorker() { this->building_.request_stop(); }
+  using Order = SoftOrder;
+  using Status = SoftStatus;
 
-  void take(const SoftChoice& choice);
-  /// What is touched beside the body.
-  void touch(std::shared_ptr<const Scene> beside);
-  /// What its thread does, in the caller's, after a tick at that time. Virtual time.
+  SoftTask(WorkerChannel<Order, Status>& channel, SoftLinks& links) : channel_(channel), links_(links) {}
+  bool apply(Order order, const std::stop_token& stop, bool again);
+  std::optional<double> iterate();
   void step(double time_s);
-  [[nodiscard]] SoftStatus status() const;
-  /// What it has made, for a recording.
-  [[nodiscard]] MadeBeside<PressedBody>& made() noexcept { return this->made_; }
+  void giveUp();
 
 private:
-  struct Order
-  {
-    SoftChoice choice;
-    std::shared_ptr<const Scene> beside;
-    std::stop_token stop; ///< the body is wanted no more
-  };
-  void give(Order order);
-  double run();
-  void obey();
-  void giveUp();
-  void build(const Order& order);
+  bool build(const std::stop_token& stop);
   void publish(std::shared_ptr<const PressedBody> body);
+  [[nodiscard]] double period_s() const noexcept { return workerPeriod_s(this->now_.choice.rate_Hz); }
 
+  WorkerChannel<Order, Status>& channel_;
   SoftLinks& links_;
-  bool virtualTime_;
-
-  mutable std::mutex mutex_; ///< between owner and thread; guards the next three
-  Order wanted_;
-  std::stop_source building_; ///< of the body that is wanted
-  SoftStatus status_;
-  std::atomic<bool> news_ = false; ///< asked without the lock in each step
-  MadeBeside<PressedBody> made_;
-
-  // Of the thread alone.
   Order now_;
-  bool stopped_ = false; ///< before its body was built
   std::unique_ptr<BodyMaker> maker_;
   std::optional<VirtualBody> paced_; ///< in virtual time
   std::uint64_t revision_ = 0;       ///< of the last packet
+};
 
-  PacedThread thread_; ///< last: it ends before what it uses
+/// The soft body of a session, and the thread that computes it beside the servo.
+class SoftWorker : public BackgroundWorker<SoftTask>
+{
+public:
+  /// The links must outlive it.
+  SoftWorker(SoftLinks& links, bool virtualTime) : BackgroundWorker(virtualTime, links) {}
+
+  void setBody(const SoftChoice& choice) { this->order({ choice, this->wanted().beside }); }
+  /// What is touched beside the body.
+  void setScene(std::shared_ptr<const Scene> beside) { this->order({ this->wanted().choice, std::move(beside) }); }
 };
 
 } // namespace palpate

@@ -119,8 +119,8 @@ TEST(SoftLoads, OfABodyThatIsNotWantedBeforeItIsThereAreNeverSaidAndTheNextBodyI
     25.0 };
   for (int i = 0; i < 3; ++i)
   {
-    worker.take(unwanted);
-    worker.take(wanted);
+    worker.setBody(unwanted);
+    worker.setBody(wanted);
     const auto isFelt = [&]
     {
       const SoftStatus status = worker.status();
@@ -129,8 +129,8 @@ TEST(SoftLoads, OfABodyThatIsNotWantedBeforeItIsThereAreNeverSaidAndTheNextBodyI
              status.asMade->mesh.tetras.size() == wanted.input->mesh.tetras.size();
     };
     EXPECT_TRUE(eventually(isFelt)) << i;
-    worker.take(unwanted);
-    worker.take({});
+    worker.setBody(unwanted);
+    worker.setBody({});
     EXPECT_TRUE(eventually([&] { return !worker.status().building && worker.status().packets == 0; })) << i;
     EXPECT_EQ(worker.status().problem, "");
   }

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+#include "haptics/session/background/WorkerChannel.h"
+
+namespace palpate
+{
+
+/// Of a rate that a person sets [s]; at least one iteration in two seconds.
+[[nodiscard]] inline double workerPeriod_s(double rate_Hz) noexcept
+{
+  constexpr double slowest_Hz = 0.5;
+  return 1.0 / std::max(rate_Hz, slowest_Hz);
+}
+
+/// A thread beside the servo that computes one kind of input of the tick. Its owner never waits for it, but for its
+/// end, and then no longer than an iteration takes. A session that never orders anything has no thread for it. A Task
+/// is what the thread alone uses:
+///   Order, Status                see WorkerChannel
+///   Task(channel, arguments...)
+///   apply(order, stop, again)    a newer order, `again` if the one before was interrupted; true: this one was, too
+///   iterate()                    computes once; the period until it begins again [s], none: there is nothing to compute
+///   step(time_s)                 likewise after a tick at that time, in virtual time
+///   giveUp()                     frees memory and reports why: there was not enough
+template<class Task>
+class BackgroundWorker
+{
+public:
+  using Order = typename Task::Order;
+  using Status = typename Task::Status;
+
+  /// In virtual time there is no thread: see step().
+  template<class... Arguments>
+  explicit BackgroundWorker(bool virtualTime, Arguments&&... arguments)
+    : virtualTime_(virtualTime), task_(this->channel_, std::forward<Arguments>(arguments)...)
+  {
+  }
+  ~BackgroundWorker() { this->channel_.cancel(); }
+
+  [[nodiscard]] Status status() const { return this->channel_.status(); }
+  /// Computes in the caller's thread what there is to compute after a tick at that time. Virtual time.
+  void step(double time_s)
+  {
+    this->work([this, time_s] { this->task_.step(time_s); });
+  }
+
+protected:
+  [[nodiscard]] const Order& wanted() const noexcept { return this->channel_.wanted(); }
+  void order(Order next)
+  {
+    const bool begins = this->begins(next);
+    this->channel_.order(std::move(next));
+    if (begins)
+    {
+      this->thread_ = std::jthread([this](const std::stop_token& stop) { this->run(stop); });
+    }
+  }
+  [[nodiscard]] Task& task() noexcept { return this->task_; }
+  /// The next order begins the thread.
+  [[nodiscard]] bool begins(const Order& next) const noexcept
+  {
+    return next.isActive() && !this->virtualTime_ && !this->thread_.joinable();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  /// A factor may need more memory than there is, which is no reason to end the program.
+  template<class Compute>
+  void work(const Compute& compute)
+  {
+    try
+    {
+      if (auto next = this->channel_.next())
+      {
+        this->interrupted_ = this->task_.apply(std::move(next->first), next->second, this->interrupted_);
+      }
+      compute();
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->task_.giveUp();
+    }
+  }
+
+  void run(const std::stop_token& stop)
+  {
+    for (auto due = Clock::now(); !stop.stop_requested();)
+    {
+      std::optional<double> period_s;
+      this->work([this, &period_s] { period_s = this->task_.iterate(); });
+      const auto next = period_s ? std::optional(nextAfter(due, *period_s)) : std::nullopt;
+      this->channel_.sleep(stop, next);
+      due = next.value_or(Clock::now());
+    }
+  }
+
+  /// The beginning of the period after one that began then: of the last that has begun already, after an iteration that
+  /// took longer.
+  [[nodiscard]] static Clock::time_point nextAfter(Clock::time_point due, double period_s)
+  {
+    const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(period_s));
+    return due + period * std::max<Clock::rep>((Clock::now() - due) / period, 1);
+  }
+
+  bool virtualTime_;
+  WorkerChannel<Order, Status> channel_;
+  bool interrupted_ = false; ///< of the thread alone, like the task
+  Task task_;
+  std::jthread thread_; ///< last: it ends before what it uses
+};
+
+} // namespace palpate
