@@ -13,21 +13,13 @@
 namespace palpate
 {
 
-FeltField::~FeltField()
-{
-  if (this->running_.valid())
-  {
-    this->running_.wait();
-  }
-}
-
 void FeltField::setSource(std::shared_ptr<const FieldSource> source)
 {
   if (source != this->source_)
   {
     this->source_ = std::move(source);
     this->changed_ = true;
-    this->asksForOld_ = this->running_.valid();
+    this->task_.cancel();
   }
 }
 
@@ -46,18 +38,22 @@ void FeltField::ask(const Vec3& hand_W, double reach_u, std::optional<double> le
 {
   this->changed_ = false;
   const BrickWish wish{ hand_W, reach_u, ++this->revision_, level };
-  const std::launch how = this->source_->answersAnyThread() ? std::launch::async : std::launch::deferred;
-  this->running_ = std::async(how, [source = this->source_, wish] { return source->brickAround(wish); });
+  this->task_.want(
+    [source = this->source_, wish](const std::stop_token&)
+    {
+      return LatestTask<MadeBrick>::Work{ [source, wish] { return source->brickAround(wish); },
+        !source->answersAnyThread() };
+    });
 }
 
-std::optional<std::shared_ptr<const Brick>> FeltField::take()
+std::optional<std::shared_ptr<const Brick>> FeltField::take(bool wait)
 {
-  MadeBrick made = this->running_.get();
-  if (std::exchange(this->asksForOld_, false))
+  std::optional<MadeBrick> made = wait ? this->task_.wait() : this->task_.poll();
+  if (!made)
   {
     return std::nullopt;
   }
-  this->made_ = std::move(made);
+  this->made_ = std::move(*made);
   this->taken_ = std::chrono::steady_clock::now();
   return this->made_.brick;
 }
@@ -65,12 +61,7 @@ std::optional<std::shared_ptr<const Brick>> FeltField::take()
 std::optional<std::shared_ptr<const Brick>> FeltField::follow(
   const Vec3& hand_W, double reach_u, std::optional<double> level, bool wait)
 {
-  using namespace std::chrono_literals;
-  std::optional<std::shared_ptr<const Brick>> next;
-  if (this->running_.valid() && (wait || this->running_.wait_for(0s) == std::future_status::ready))
-  {
-    next = this->take();
-  }
+  std::optional<std::shared_ptr<const Brick>> next = this->take(wait);
   if (!this->source_)
   {
     if (std::exchange(this->changed_, false))
@@ -80,12 +71,12 @@ std::optional<std::shared_ptr<const Brick>> FeltField::follow(
     }
     return next;
   }
-  if (!this->running_.valid() && hand_W.allFinite() && this->needsAnother(hand_W, level))
+  if (!this->task_.running() && hand_W.allFinite() && this->needsAnother(hand_W, level))
   {
     this->ask(hand_W, reach_u, level);
     if (wait || !this->source_->answersAnyThread())
     {
-      next = this->take();
+      next = this->take(wait);
     }
   }
   return next;

@@ -4,12 +4,12 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "haptics/field/FieldPlan.h"
+#include "haptics/session/background/LatestTask.h"
 #include "haptics/session/scene/FieldSource.h"
 #include "haptics/tick/HapticState.h"
 
@@ -22,8 +22,6 @@ namespace palpate
 class FeltField
 {
 public:
-  ~FeltField();
-
   /// From now on this is felt; null: nothing. A brick that is being made of another source is thrown away.
   void setSource(std::shared_ptr<const FieldSource> source);
   [[nodiscard]] bool hasSource() const noexcept { return this->source_ != nullptr; }
@@ -44,15 +42,14 @@ public:
 private:
   [[nodiscard]] bool needsAnother(const Vec3& hand_W, std::optional<double> level) const noexcept;
   void ask(const Vec3& hand_W, double reach_u, std::optional<double> level);
-  std::optional<std::shared_ptr<const Brick>> take();
+  std::optional<std::shared_ptr<const Brick>> take(bool wait);
 
   std::shared_ptr<const FieldSource> source_;
   MadeBrick made_;
   std::chrono::steady_clock::time_point taken_{};
   std::uint64_t revision_ = 0;
   bool changed_ = false;    ///< another source: what was made is of the one before
-  bool asksForOld_ = false; ///< what is being made is of a source that was left
-  std::future<MadeBrick> running_;
+  LatestTask<MadeBrick> task_;
 };
 
 /// A state as one sees it who feels a field alone: proxy and contacts are those of the field.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/scene/SceneWorker.h"
 
-#include <chrono>
 #include <utility>
 
 #include "haptics/contact/RadiusLimit.h"
@@ -18,41 +17,22 @@ double largestRadius(const Scene* scene)
 
 } // namespace
 
-SceneWorker::~SceneWorker()
-{
-  this->cancel();
-  this->wait();
-}
-
 void SceneWorker::commit(
   std::vector<SceneSurface> surfaces, std::string refusals, double stamp_s, const ScenePart& part)
 {
-  Commit commit{ std::move(surfaces), std::move(refusals), stamp_s, part };
-  if (this->running_.valid())
-  {
-    this->next_ = std::move(commit);
-    return;
-  }
-  this->launch(std::move(commit));
+  this->task_.want(
+    [this, commit = Commit{ std::move(surfaces), std::move(refusals), stamp_s, part }](const std::stop_token&) mutable
+    { return this->begin(std::move(commit)); });
 }
 
 void SceneWorker::follow(std::shared_ptr<const Scene> felt)
 {
   this->felt_ = std::move(felt);
-  this->resume();
+  this->task_.resume();
 }
 
-void SceneWorker::resume()
+LatestTask<BuiltScene>::Work SceneWorker::begin(Commit commit)
 {
-  if (this->next_ && !this->running_.valid())
-  {
-    this->launch(*std::exchange(this->next_, std::nullopt));
-  }
-}
-
-void SceneWorker::launch(Commit commit)
-{
-  this->next_.reset();
   // What only moves waits for nobody: a pose is felt with the next snapshot, and balls stay as large as they may be.
   const bool known = this->builder_.knows(inputsOf(commit.surfaces));
   this->watch_ = std::make_shared<BuildWatch>();
@@ -73,48 +53,22 @@ void SceneWorker::launch(Commit commit)
     built.largestRadius_u = known ? largest_u : largestRadius(built.scene.get());
     return built;
   };
-  this->running_ = std::async(known ? std::launch::deferred : std::launch::async, std::move(build));
-  if (known)
-  {
-    this->running_.wait();
-  }
+  return { std::move(build), known };
 }
 
 void SceneWorker::cancel()
 {
-  this->next_.reset();
-  if (this->running_.valid())
+  this->task_.cancel();
+  if (this->watch_)
   {
     this->watch_->cancel();
   }
 }
 
-std::optional<BuiltScene> SceneWorker::poll()
+std::optional<BuiltScene> SceneWorker::noted(std::optional<BuiltScene> built)
 {
-  if (!this->running_.valid() || this->running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-  {
-    return std::nullopt;
-  }
-  BuiltScene built = this->running_.get();
-  if (this->watch_->cancelled()) // also where that came too late to end the build
-  {
-    this->resume();
-    return std::nullopt;
-  }
-  this->largestRadius_u_ = built.largestRadius_u;
+  this->largestRadius_u_ = built ? built->largestRadius_u : this->largestRadius_u_;
   return built;
-}
-
-std::optional<BuiltScene> SceneWorker::wait()
-{
-  std::optional<BuiltScene> newest;
-  while (this->running_.valid())
-  {
-    this->running_.wait();
-    newest = this->poll();
-    this->resume();
-  }
-  return newest;
 }
 
 } // namespace palpate

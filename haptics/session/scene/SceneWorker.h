@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <future>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "haptics/geometry/scene/BuildWatch.h"
+#include "haptics/session/background/LatestTask.h"
 #include "haptics/session/scene/BuiltScene.h"
 
 namespace palpate
@@ -22,7 +22,7 @@ class SceneWorker
 public:
   SceneWorker() = default;
   /// Waits for the thread.
-  ~SceneWorker();
+  ~SceneWorker() { this->cancel(); }
   SceneWorker(const SceneWorker&) = delete;
   SceneWorker& operator=(const SceneWorker&) = delete;
 
@@ -35,16 +35,16 @@ public:
   void follow(std::shared_ptr<const Scene> felt);
   /// Nothing comes from elsewhere any more: the next trees have no room for ways.
   void forget() { this->felt_.reset(); }
-  [[nodiscard]] bool building() const { return this->running_.valid(); }
+  [[nodiscard]] bool building() const { return this->task_.running(); }
   /// How much of what was committed is built, 0 to 1; 1 where nothing is to be built.
-  [[nodiscard]] double share() const { return this->running_.valid() ? this->watch_->share() : 1.0; }
+  [[nodiscard]] double share() const { return this->building() ? this->watch_->share() : 1.0; }
   /// What was committed is not wanted: the build ends before its next step, and gives nothing.
   void cancel();
 
   /// The newest scene that is done, once. A commit that waits begins with follow().
-  std::optional<BuiltScene> poll();
+  std::optional<BuiltScene> poll() { return this->noted(this->task_.poll()); }
   /// The scene of the newest commit, waiting for it. Nothing if no commit is open.
-  std::optional<BuiltScene> wait();
+  std::optional<BuiltScene> wait() { return this->noted(this->task_.wait()); }
   /// For a scene that is made from one of the worker's.
   std::uint64_t takeRevision() { return this->builder_.takeRevision(); }
 
@@ -57,15 +57,14 @@ private:
     ScenePart part;
   };
 
-  void launch(Commit commit);
-  void resume();
+  [[nodiscard]] LatestTask<BuiltScene>::Work begin(Commit commit);
+  std::optional<BuiltScene> noted(std::optional<BuiltScene> built);
 
   SceneBuilder builder_{ 2 }; ///< the running build's while there is one
   std::shared_ptr<const Scene> felt_;
-  std::future<BuiltScene> running_;
-  std::shared_ptr<BuildWatch> watch_;                                ///< over it
-  std::optional<Commit> next_;                                       ///< waits for the running build
+  std::shared_ptr<BuildWatch> watch_; ///< over the running build
   double largestRadius_u_ = std::numeric_limits<double>::infinity(); ///< of the last scene that was not only moved
+  LatestTask<BuiltScene> task_; ///< last: it ends before what it uses
 };
 
 } // namespace palpate

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <future>
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 #include "haptics/geometry/scene/SceneSimplifier.h"
+#include "haptics/session/background/LatestTask.h"
 
 namespace palpate
 {
@@ -23,19 +22,16 @@ struct FoundScene : SimplerScene
 class SimplerSearch
 {
 public:
-  /// Cancels, and waits for that.
-  ~SimplerSearch();
-
   /// Looks for simpler surfaces of this scene, and no longer for those of any other. True if they are known already:
   /// the next poll() has them.
   bool follow(std::shared_ptr<const Scene> full, std::vector<SurfaceChoice> choices, const SimplifyRules& rules,
     std::uint64_t revision);
   /// Nothing is wanted any more.
-  void cancel();
+  void cancel() { this->task_.cancel(); }
   /// What was found for the scene followed last, once, when it is done; nothing else.
-  std::optional<FoundScene> poll();
+  std::optional<FoundScene> poll() { return this->task_.poll(); }
   /// The same, waiting for it. Nothing if nothing is looked for.
-  std::optional<FoundScene> wait();
+  std::optional<FoundScene> wait() { return this->task_.wait(); }
 
 private:
   struct Order
@@ -45,14 +41,10 @@ private:
     SimplifyRules rules;
     std::uint64_t revision = 0;
   };
-  /// True if it is done.
-  bool launch();
   FoundScene look(Order order);
 
   SceneSimplifier simplifier_; ///< the running task's while there is one
-  std::optional<Order> next_;  ///< waits for what was cancelled to end
-  std::stop_source stop_;      ///< of what is running
-  std::future<FoundScene> running_;
+  LatestTask<FoundScene> task_; ///< last: it ends before what it uses
 };
 
 } // namespace palpate

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <optional>
+#include <stop_token>
+#include <utility>
+
+namespace palpate
+{
+
+/// Computes results off the caller's thread, one at a time, of what was wanted last. One thread calls every method.
+template<class Result>
+class LatestTask
+{
+public:
+  struct Work
+  {
+    std::function<Result()> compute;
+    bool atOnce = false; ///< in the caller's thread
+  };
+  /// What is computed: asked when the work begins, since that may depend on what the work before has left. The token
+  /// says that the result is not wanted any more.
+  using Wish = std::function<Work(const std::stop_token&)>;
+
+  LatestTask() = default;
+  /// Waits for the thread.
+  ~LatestTask()
+  {
+    this->cancel();
+    if (this->running())
+    {
+      this->running_.wait();
+    }
+  }
+  LatestTask(const LatestTask&) = delete;
+  LatestTask& operator=(const LatestTask&) = delete;
+
+  [[nodiscard]] bool running() const noexcept { return this->running_.valid(); }
+  /// Begins, or waits in place of any other wish for the end of what is running. True if it is done already.
+  bool want(Wish wish)
+  {
+    this->next_ = std::move(wish);
+    return this->resume();
+  }
+  /// Begins what waits, unless something is running. True if it is done already.
+  bool resume()
+  {
+    if (!this->next_ || this->running())
+    {
+      return false;
+    }
+    this->stop_ = std::stop_source();
+    const Work work = (*std::exchange(this->next_, std::nullopt))(this->stop_.get_token());
+    this->running_ = std::async(work.atOnce ? std::launch::deferred : std::launch::async, work.compute);
+    if (work.atOnce)
+    {
+      this->running_.wait();
+    }
+    return work.atOnce;
+  }
+  /// Nothing is wanted any more: what is running gives no result.
+  void cancel()
+  {
+    this->next_.reset();
+    this->stop_.request_stop();
+  }
+
+  /// The result, once, when it is there. After one that was cancelled what waits begins; after a result it waits for
+  /// resume(), which may come after the result is put to use.
+  std::optional<Result> poll()
+  {
+    if (!this->running() || this->running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    {
+      return std::nullopt;
+    }
+    const bool wanted = !this->stop_.stop_requested();
+    std::optional<Result> result = this->running_.get();
+    if (!wanted)
+    {
+      this->resume();
+      result.reset();
+    }
+    return result;
+  }
+  /// The result of the last wish, waiting for it. Nothing if nothing is wanted.
+  std::optional<Result> wait()
+  {
+    std::optional<Result> newest;
+    while (this->running())
+    {
+      this->running_.wait();
+      newest = this->poll();
+      this->resume();
+    }
+    return newest;
+  }
+
+private:
+  std::future<Result> running_;
+  std::stop_source stop_;    ///< of what is running
+  std::optional<Wish> next_; ///< waits for what is running to end
+};
+
+} // namespace palpate
