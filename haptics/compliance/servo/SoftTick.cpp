@@ -353,8 +353,7 @@ void changePackets(std::span<const SoftTouch> now, SoftState& state) noexcept
 
 void fadeChange(double dt_s, SoftState& state) noexcept
 {
-  constexpr double fade_s = 0.02; // A step of force is then at most a tenth of a newton a tick at .2 m/s.
-  state.offset_W *= std::max(1.0 - dt_s / fade_s, 0.0);
+  state.offset_W *= packetFade.explicitShare(dt_s);
 }
 
 template SoftResult moveOnSoft(

@@ -9,9 +9,13 @@
 #include "haptics/compliance/servo/ContactProblem.h"
 #include "haptics/contact/view/ContactPlan.h"
 #include "haptics/contact/view/GodObjectState.h"
+#include "haptics/core/Fade.h"
 
 namespace palpate
 {
+
+/// Of the offset that a change of packets leaves: a step of force is then at most a tenth of a newton a tick at .2 m/s.
+inline constexpr Fade packetFade{ 0.02 };
 
 /// A surface of a scene that gives way.
 struct SoftTouch

@@ -21,8 +21,6 @@ struct MechanismRoom
 namespace
 {
 
-constexpr double fade_s = 0.02; ///< as for the contacts of a soft body: a tenth of a newton a tick at .2 m/s
-
 bool isPose(const Pose& pose) noexcept
 {
   return pose.p.allFinite() && std::abs(pose.q.squaredNorm() - 1.0) < 1e-6;
@@ -89,7 +87,7 @@ private:
       {
         law.offset_W += law.apart_W - softApart_W(this->laws_.scene(), this->laws_.rows(), l);
       }
-      law.offset_W *= std::min(left, std::max(1.0 - this->input_.dt_s / fade_s, 0.0));
+      law.offset_W *= std::min(left, packetFade.explicitShare(this->input_.dt_s));
     }
     for (std::size_t s = 0; s < this->input_.soft.size(); ++s)
     {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "haptics/core/Fade.h"
 #include "haptics/tick/TickContext.h"
 
 namespace palpate::stage
@@ -43,7 +44,7 @@ void Blend::step(TickContext& tick) noexcept
   }
   else
   {
-    const double left = blend_s > 0.0 ? blend_s / (blend_s + tick.input.dt_s) : 0.0;
+    const double left = Fade{ blend_s }.implicitShare(tick.input.dt_s);
     s.blend_D *= left;
     s.blendTorque_D *= left;
   }

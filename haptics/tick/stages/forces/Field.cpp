@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/core/Fade.h"
 #include "haptics/force/VirtualCoupling.h"
 #include "haptics/tick/TickContext.h"
 
@@ -12,7 +13,7 @@ namespace palpate::stage
 namespace
 {
 
-constexpr double fadeTime_s = 0.03; ///< as long as a change of scene takes
+constexpr Fade fade{ 0.03 }; ///< as long as a change of scene takes
 
 bool isFelt(const TickContext& tick) noexcept
 {
@@ -77,9 +78,9 @@ Vec3 fading_D(TickContext& tick, bool letGo, const Vec3& force_D) noexcept
   if (letGo)
   {
     s.fieldFade_D = s.fieldForce_D - force_D;
-    s.fieldFade_s = fadeTime_s;
+    s.fieldFade_s = fade.time_s;
   }
-  return s.fieldFade_s / fadeTime_s * s.fieldFade_D;
+  return fade.linearShare(s.fieldFade_s) * s.fieldFade_D;
 }
 
 void tell(const FieldResult& felt, TickContext& tick) noexcept
