@@ -68,6 +68,16 @@ public:
       this->put(value);
     }
   }
+  /// After their count.
+  template<class T>
+  void put(const std::vector<T>& values)
+  {
+    this->put(static_cast<std::uint64_t>(values.size()));
+    for (const T& value : values)
+    {
+      this->put(value);
+    }
+  }
   void put(const std::optional<double>& number)
   {
     this->put(number.has_value());
@@ -135,6 +145,16 @@ public:
   template<class T, std::size_t N>
   void get(std::array<T, N>& values)
   {
+    for (T& value : values)
+    {
+      this->get(value);
+    }
+  }
+  /// Of numbers, or of what consists of nothing else.
+  template<class T>
+  void get(std::vector<T>& values)
+  {
+    values.resize(this->count(sizeof(T)));
     for (T& value : values)
     {
       this->get(value);

@@ -8,12 +8,7 @@
 #include "haptics/core/Checksum.h"
 #include "haptics/recording/Format5.h"
 #include "haptics/recording/NamedParts.h"
-#include "haptics/recording/RecordedBodies.h"
-#include "haptics/recording/RecordedBricks.h"
-#include "haptics/recording/RecordedMechanisms.h"
-#include "haptics/recording/RecordedScenes.h"
 #include "haptics/recording/RecordedStages.h"
-#include "haptics/recording/RecordedTools.h"
 
 namespace palpate
 {
@@ -99,40 +94,10 @@ void readChange(RecordedChunk& chunk, Recording& recording)
   recording.entries.emplace_back(std::move(change));
 }
 
-void readBodyChunk(RecordedChunk& chunk, Recording& recording)
-{
-  constexpr std::uint32_t versionWithBeside = 2, versionWithKnots = 3, versionWithHeld = 4;
-  std::shared_ptr<const PressedBody> body = readBody(chunk.payload);
-  if (body && chunk.version >= versionWithBeside)
-  {
-    auto withBeside = std::make_shared<PressedBody>(*body);
-    chunk.payload.get(withBeside->beside);
-    if (chunk.version >= versionWithKnots)
-    {
-      readKnots(chunk.payload, *withBeside);
-    }
-    if (chunk.version >= versionWithHeld)
-    {
-      readHeld(chunk.payload, *withBeside);
-    }
-    body = chunk.payload.ok() ? std::move(withBeside) : nullptr;
-  }
-  recording.bodies.push_back(std::move(body));
-}
-
-constexpr ChunkReader readers[] = {
+const ChunkReader readers[] = {
   { chunks::start, readStart },
   { chunks::tick, readTick },
   { chunks::change, readChange },
-  { chunks::scene, [](RecordedChunk& c, Recording& recording) { recording.scenes.push_back(readScene(c.payload)); } },
-  { chunks::motion,
-    [](RecordedChunk& c, Recording& recording) { recording.motions.push_back(readMotion(c.payload)); } },
-  { chunks::brick, [](RecordedChunk& c, Recording& recording) { recording.bricks.push_back(readBrick(c.payload)); } },
-  { chunks::tool,
-    [](RecordedChunk& c, Recording& recording) { recording.tools.push_back(readTool(c.payload, c.version)); } },
-  { chunks::body, readBodyChunk },
-  { chunks::mechanism,
-    [](RecordedChunk& c, Recording& recording) { recording.mechanisms.push_back(readMechanism(c.payload)); } },
   { chunks::end, [](RecordedChunk& c, Recording& recording) { c.payload.get(recording.lost); } },
 };
 
@@ -191,11 +156,21 @@ RecordedChunk nextChunk(ByteReader& in, int format)
   return chunk;
 }
 
-const ChunkReader* readerOf(const std::string& name)
+std::optional<ChunkReader> readerOf(const std::string& name)
 {
-  const auto* const reader =
-    std::find_if(std::begin(readers), std::end(readers), [&name](const ChunkReader& r) { return r.kind.name == name; });
-  return reader == std::end(readers) ? nullptr : reader;
+  const auto isIt = [&name](const auto& reader) { return reader.kind.name == name; };
+  const auto* const reader = std::find_if(std::begin(readers), std::end(readers), isIt);
+  std::optional<ChunkReader> found = reader != std::end(readers) ? std::optional(*reader) : std::nullopt;
+  TickInputs::forEach(
+    [&]<class K>(std::type_identity<K>)
+    {
+      for (const input::InputReader<K>& own : input::readersOf<K>())
+      {
+        const auto read = [own](RecordedChunk& c, Recording& recording) { own.read(c.payload, c.version, recording); };
+        found = isIt(own) ? std::optional(ChunkReader{ own.kind, read }) : found;
+      }
+    });
+  return found;
 }
 
 } // namespace palpate

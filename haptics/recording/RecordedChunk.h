@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "haptics/recording/ByteStream.h"
@@ -30,11 +32,11 @@ struct RecordedChunk
 /// be.
 struct ChunkReader
 {
-  const ChunkKind& kind;
-  void (*read)(RecordedChunk&, Recording&);
+  ChunkKind kind;
+  std::function<void(RecordedChunk&, Recording&)> read;
 };
 
-/// Null for a kind that this program does not know.
-[[nodiscard]] const ChunkReader* readerOf(const std::string& name);
+/// Nothing for a kind that this program does not know.
+[[nodiscard]] std::optional<ChunkReader> readerOf(const std::string& name);
 
 } // namespace palpate

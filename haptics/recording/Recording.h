@@ -9,11 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "haptics/field/Brick.h"
-#include "haptics/geometry/scene/Scene.h"
-#include "haptics/geometry/scene/SceneBuilder.h"
 #include "haptics/recording/SkippedParts.h"
 #include "haptics/recording/TickRecord.h"
+#include "haptics/recording/inputs/Inputs.h"
 #include "haptics/tick/ForceRenderer.h"
 #include "haptics/tick/HapticEvent.h"
 #include "haptics/tick/HapticParameters.h"
@@ -21,9 +19,8 @@
 namespace palpate
 {
 
-/// What happened before a tick was computed: an event, new parameters, another scene (by content hash, 0: none),
-/// another field (by the event's value, likewise), other contacts of a tool, another packet of a soft body or another
-/// mechanism (by their revision, likewise).
+/// An event before a tick was computed: new parameters, or another input by its name (input::RecordedName, whose id is
+/// the event's value).
 struct RecordedChange
 {
   HapticEvent event;
@@ -34,42 +31,9 @@ struct RecordedChange
 
 using RecordedEntry = std::variant<TickRecord, RecordedChange>;
 
-/// How the surfaces of a scene move, apart from the meshes, which are stored once.
-struct RecordedMotion
-{
-  std::uint64_t contentHash = 0; ///< of the scene as a whole
-  std::uint64_t geometryHash = 0;
-  double motion_s = 0.0;
-  std::vector<RigidMotion> motions;                       ///< one a surface
-  std::vector<std::shared_ptr<const VertexStart>> starts; ///< one a surface; null: its vertices stand
-};
-
-/// A scene as a recording keeps it: the cleaned surfaces it was built from.
-struct RecordedScene
-{
-  std::uint64_t geometryHash = 0;
-  std::vector<SurfaceInput> surfaces;
-};
-
-/// A mechanism as a recording keeps it.
-struct RecordedMechanism
-{
-  /// A soft body of it, without its scene.
-  struct Body
-  {
-    std::uint64_t sceneHash = 0;
-    std::uint64_t sceneRevision = 0;
-    std::shared_ptr<const PressedBody> body;
-  };
-
-  std::uint64_t revision = 0;
-  MechanismPlan plan;
-  std::vector<Body> bodies; ///< in the plan's order
-};
-
 /// A whole recording: a text header, then little-endian chunks, then a closing chunk, each with its checksum
 /// (RecordingLayout.h). What a program does not know it skips and says; what a recording lacks keeps its default.
-struct Recording
+struct Recording : TickInputs::Recorded
 {
   static constexpr int formatVersion = 7;        ///< that is written
   static constexpr int checkedFormatVersion = 7; ///< the first with checksums
@@ -79,12 +43,6 @@ struct Recording
   std::string device;
   HapticParameters parameters;
   RendererState initialState;
-  std::vector<RecordedScene> scenes; ///< each once; empty when they were left out
-  std::vector<RecordedMotion> motions;
-  std::vector<std::shared_ptr<const Brick>> bricks;       ///< each once
-  std::vector<ToolContacts> tools;                        ///< in the order in which they were taken
-  std::vector<std::shared_ptr<const PressedBody>> bodies; ///< without their scenes
-  std::vector<RecordedMechanism> mechanisms;
   std::vector<RecordedEntry> entries;
   SkippedParts skipped;
   std::uint64_t lost = 0; ///< ticks the writer could not take: such a recording cannot be recomputed

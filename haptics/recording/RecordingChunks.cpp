@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/recording/RecordingChunks.h"
 
-#include <algorithm>
-
 #include "haptics/core/Checksum.h"
 #include "haptics/recording/NamedParts.h"
-#include "haptics/recording/RecordedBodies.h"
-#include "haptics/recording/RecordedBricks.h"
-#include "haptics/recording/RecordedMechanisms.h"
 #include "haptics/recording/RecordedStages.h"
-#include "haptics/recording/RecordedTools.h"
 #include "haptics/recording/RecordingLayout.h"
 
 namespace palpate
@@ -22,7 +16,16 @@ std::uint32_t checksumOf(const ByteWriter& bytes)
   return crc32c(bytes.bytes().data(), bytes.bytes().size());
 }
 
-std::vector<char> chunk(const ChunkKind& kind, const ByteWriter& payload)
+ByteWriter bytesOf(const HapticParameters& parameters)
+{
+  ByteWriter bytes;
+  putParameters(bytes, parameters);
+  return bytes;
+}
+
+} // namespace
+
+std::vector<char> recordedChunk(const ChunkKind& kind, const ByteWriter& payload)
 {
   ByteWriter head;
   for (std::size_t i = 0; i < ChunkKind::nameSize; ++i)
@@ -37,53 +40,6 @@ std::vector<char> chunk(const ChunkKind& kind, const ByteWriter& payload)
   bytes.insert(bytes.end(), payload.bytes().begin(), payload.bytes().end());
   return bytes;
 }
-
-ByteWriter bytesOf(const HapticParameters& parameters)
-{
-  ByteWriter bytes;
-  putParameters(bytes, parameters);
-  return bytes;
-}
-
-void putFields(const MaterialFields* fields, ByteWriter& payload)
-{
-  const MaterialFields none;
-  const MaterialFields& f = fields != nullptr ? *fields : none;
-  for (const std::vector<double>* const field :
-    { &f.stiffness_N_per_m, &f.frictionStatic, &f.frictionKinetic, &f.height_u })
-  {
-    payload.put(static_cast<std::uint64_t>(field->size()));
-    for (const double number : *field)
-    {
-      payload.put(number);
-    }
-  }
-}
-
-void putStart(const VertexStart* start, ByteWriter& payload)
-{
-  payload.put(start != nullptr ? start->continues : std::uint64_t{ 0 });
-  payload.put(static_cast<std::uint64_t>(start != nullptr ? start->vertices_W.size() : 0));
-  for (std::size_t i = 0; start != nullptr && i < start->vertices_W.size(); ++i)
-  {
-    payload.put(start->vertices_W[i]);
-  }
-}
-
-/// At the end, and only where there are any.
-void putStandIns(const std::vector<Surface>& surfaces, ByteWriter& payload)
-{
-  if (std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return s.standsFor.full != 0; }))
-  {
-    for (const Surface& surface : surfaces)
-    {
-      payload.put(surface.standsFor.full);
-      payload.put(surface.standsFor.bound_u);
-    }
-  }
-}
-
-} // namespace
 
 std::string recordingHeader(const std::string& device)
 {
@@ -103,7 +59,7 @@ std::vector<char> startChunk(const HapticParameters& parameters, const RendererS
   ByteWriter first;
   putState(first, state);
   putPart(payload, statePart, first);
-  return chunk(chunks::start, payload);
+  return recordedChunk(chunks::start, payload);
 }
 
 std::vector<char> tickChunk(const TickRecord& record)
@@ -113,7 +69,7 @@ std::vector<char> tickChunk(const TickRecord& record)
   outputFields(Put{ payload }, record);
   const PoseRecord pose = record.pose.value_or(PoseRecord{});
   poseFields(Put{ payload }, pose);
-  return chunk(chunks::tick, payload);
+  return recordedChunk(chunks::tick, payload);
 }
 
 std::vector<char> changeChunk(const RecordedChange& change)
@@ -124,91 +80,14 @@ std::vector<char> changeChunk(const RecordedChange& change)
   {
     putPart(payload, parametersPart, bytesOf(*change.parameters));
   }
-  return chunk(chunks::change, payload);
-}
-
-std::vector<char> sceneChunk(const Scene& scene)
-{
-  ByteWriter payload;
-  payload.put(scene.geometryHash());
-  payload.put(static_cast<std::uint64_t>(scene.surfaces().size()));
-  for (const Surface& surface : scene.surfaces())
-  {
-    const TriangleMesh& mesh = surface.tree->mesh();
-    payload.put(surface.name);
-    layMaterial(Put{ payload }, surface.material);
-    putFields(surface.fields.get(), payload);
-    payload.put(surface.tree->coat_u());
-    payload.put(static_cast<std::uint64_t>(mesh.vertices_W.size()));
-    for (const Vec3& v : mesh.vertices_W)
-    {
-      payload.put(v);
-    }
-    payload.put(static_cast<std::uint64_t>(mesh.triangles.size()));
-    for (const auto& t : mesh.triangles)
-    {
-      for (const std::uint32_t corner : t)
-      {
-        payload.put(corner);
-      }
-    }
-  }
-  putStandIns(scene.surfaces(), payload);
-  return chunk(chunks::scene, payload);
-}
-
-std::vector<char> motionChunk(const Scene& scene)
-{
-  ByteWriter payload;
-  payload.put(scene.contentHash());
-  payload.put(scene.geometryHash());
-  payload.put(scene.motion_s());
-  payload.put(static_cast<std::uint64_t>(scene.surfaces().size()));
-  for (const Surface& surface : scene.surfaces())
-  {
-    payload.put(surface.motion.begin_WS);
-    payload.put(surface.motion.end_WS);
-    putStart(surface.from.get(), payload);
-  }
-  return chunk(chunks::motion, payload);
-}
-
-std::vector<char> brickChunk(const Brick& brick)
-{
-  ByteWriter payload;
-  putBrick(payload, brick);
-  return chunk(chunks::brick, payload);
-}
-
-std::vector<char> toolChunk(const ToolContacts& contacts)
-{
-  ByteWriter payload;
-  putTool(payload, contacts);
-  return chunk(chunks::tool, payload);
-}
-
-std::vector<char> bodyChunk(const PressedBody& body)
-{
-  ByteWriter payload;
-  putBody(payload, body);
-  payload.put(body.beside);
-  putKnots(payload, body);
-  putHeld(payload, body);
-  return chunk(chunks::body, payload);
-}
-
-std::vector<char> mechanismChunk(const FeltMechanism& mechanism)
-{
-  ByteWriter payload;
-  putMechanism(payload, mechanism);
-  return chunk(chunks::mechanism, payload);
+  return recordedChunk(chunks::change, payload);
 }
 
 std::vector<char> endChunk(std::uint64_t lost)
 {
   ByteWriter payload;
   payload.put(lost);
-  return chunk(chunks::end, payload);
+  return recordedChunk(chunks::end, payload);
 }
 
 } // namespace palpate

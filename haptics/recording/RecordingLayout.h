@@ -42,20 +42,13 @@ struct ChunkKind
   std::uint32_t version = 1;
 };
 
+/// Those that are no input of the tick; of inputs see recording/inputs.
 namespace chunks
 {
 inline constexpr ChunkKind start{ "start" };   ///< first parameters and state; before all that follow
 inline constexpr ChunkKind tick{ "tick", 2 };  ///< TickRecord; from version 2 on with its PoseRecord
 inline constexpr ChunkKind change{ "change" }; ///< RecordedChange
-inline constexpr ChunkKind scene{ "scene" };   ///< RecordedScene
-inline constexpr ChunkKind motion{ "motion" }; ///< RecordedMotion
-inline constexpr ChunkKind brick{ "brick",
-  4 }; ///< putBrick(); from version 2 on with its lines, 3: a finer one, 4: cells
-inline constexpr ChunkKind tool{ "tool", 3 }; ///< putTool(); from version 2 on with its ball, 3: its reach
-/// putBody(); from version 2 on with what is beside it, 3: with the knots of its springs, 4: with its held faces.
-inline constexpr ChunkKind body{ "body", 4 };
-inline constexpr ChunkKind mechanism{ "joined" }; ///< putMechanism()
-inline constexpr ChunkKind end{ "end" };          ///< ticks that were lost; nothing follows
+inline constexpr ChunkKind end{ "end" };       ///< ticks that were lost; nothing follows
 } // namespace chunks
 
 /// The parts of a start and of a change.

@@ -33,14 +33,24 @@ HapticDevice* HapticSession::device() noexcept
   return this->run_ ? this->run_->device.get() : nullptr;
 }
 
+ServoLinks* HapticSession::links() noexcept
+{
+  return this->run_ ? &this->run_->links : nullptr;
+}
+
+Recordings& HapticSession::recordings() noexcept
+{
+  return *this->run_->recordings;
+}
+
 /// What moves a tool and computes soft bodies beside the servo.
 void HapticSession::beginWorkers(Run& run, std::int64_t period_ns) const
 {
   run.tool.emplace(run.links.tool, run.virtualTime, period_ns);
-  run.tool->setScene(this->scene_, this->parameters_.known);
+  run.tool->setScene(this->scene(), this->parameters_.known);
   run.tool->setTool(this->heldTool());
   run.soft.emplace(run.links.soft, run.virtualTime);
-  run.soft->setScene(this->scene_);
+  run.soft->setScene(this->scene());
   run.soft->setBody(this->soft_);
   run.mechanism.emplace(run.links.mechanism, run.virtualTime);
   run.mechanism->setMechanism(this->mechanism_, this->grip(run.adapted));
@@ -72,8 +82,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->recordings.emplace(run->links.recorder, options.virtualTime);
   if (!options.recordFile.empty())
   {
-    const std::string refused =
-      run->recordings->begin(options.recordFile, run->device->info().name, this->scene_, this->brick_);
+    const std::string refused = run->recordings->begin(options.recordFile, run->device->info().name, this->inputs_);
     if (!refused.empty())
     {
       run->device->close();
@@ -81,8 +90,8 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
     }
   }
   run->links.parameters.write({ this->version_, run->adapted });
-  run->links.scenes.publish(this->scene_);
-  run->links.bricks.publish(this->brick_);
+  TickInputs::forEach(
+    [&]<input::ComesFromOwner K>(std::type_identity<K>) { K::buffer(run->links).publish(this->inputNow<K>()); });
   this->beginWorkers(*run, period_ns);
   run->loop.emplace(*run->device, *run->timer, run->links, run->clock, options.period_s);
   this->run_ = std::move(run);
@@ -90,7 +99,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   this->lastReport_ = LoopReport{};
   if (this->recording())
   {
-    this->storeBodies(); // from the first packet on
+    this->storePublished(); // from the first packet on
   }
   if (options.engage)
   {
@@ -125,7 +134,7 @@ std::string HapticSession::stop()
     this->release();
     this->run_->thread.join();
   }
-  this->storeBodies();
+  this->storePublished();
   this->lastState_ = this->run_->links.state.read();
   this->lastReport_ = this->run_->links.report.read();
   this->lastState_.engage = EngageState::Safe;
@@ -149,7 +158,7 @@ std::string HapticSession::setParameters(const HapticParameters& parameters, con
     {
       if (otherMap || comesFrom_W) // where it came from before was a place for the hand of before
       {
-        this->run_->leadFrom(this->scene_.get(), comesFrom_W);
+        this->run_->leadFrom(this->scene().get(), comesFrom_W);
       }
       this->run_->adapt(parameters, this->lever_u(), false);
       this->run_->links.parameters.write({ this->version_, this->run_->adapted });
@@ -173,20 +182,18 @@ std::string HapticSession::limitsSentence() const
 
 void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W)
 {
-  this->scene_ = std::move(scene);
+  if (this->run_ && scene && comesFrom_W) // said before the scene is there
+  {
+    Run& r = *this->run_;
+    r.leadFrom(scene.get(), comesFrom_W);
+    r.adapted.ballLead = r.lead;
+    r.links.parameters.write({ ++this->version_, r.adapted });
+  }
+  this->setInput<input::Scenes>(std::move(scene));
   if (this->run_)
   {
-    if (this->scene_ && comesFrom_W) // said before the scene is there
-    {
-      Run& r = *this->run_;
-      r.leadFrom(this->scene_.get(), comesFrom_W);
-      r.adapted.ballLead = r.lead;
-      r.links.parameters.write({ ++this->version_, r.adapted });
-    }
-    this->run_->recordings->storeScene(this->scene_);
-    this->run_->links.scenes.publish(this->scene_);
-    this->run_->tool->setScene(this->scene_, this->parameters_.known);
-    this->run_->soft->setScene(this->scene_);
+    this->run_->tool->setScene(this->scene(), this->parameters_.known);
+    this->run_->soft->setScene(this->scene());
   }
 }
 
@@ -274,16 +281,16 @@ MechanismGrip HapticSession::grip(const HapticParameters& adapted) const noexcep
 }
 
 /// A recording that begins has what the servo may still be pressing. `again`: one after another.
-void HapticSession::storeBodies(bool again)
+void HapticSession::storePublished(bool again)
 {
-  for (const auto& body : this->run_->links.soft.bodies.published(this->recording(), again))
-  {
-    this->run_->recordings->storeBody(body);
-  }
-  for (const auto& mechanism : this->run_->links.mechanism.felt.published(this->recording(), again))
-  {
-    this->run_->recordings->storeMechanism(mechanism);
-  }
+  TickInputs::forEach(
+    [&]<input::ComesFromWorker K>(std::type_identity<K>)
+    {
+      for (const auto& value : K::buffer(this->run_->links).published(this->recording(), again))
+      {
+        this->run_->recordings->store<K>(value);
+      }
+    });
 }
 
 std::string HapticSession::toolBesideSoft() const
@@ -310,16 +317,6 @@ const ToolReport& HapticSession::toolReport()
     this->lastToolReport_ = this->run_->links.tool.report.read();
   }
   return this->lastToolReport_;
-}
-
-void HapticSession::setBrick(std::shared_ptr<const Brick> brick)
-{
-  this->brick_ = std::move(brick);
-  if (this->run_)
-  {
-    this->run_->recordings->storeBrick(this->brick_);
-    this->run_->links.bricks.publish(this->brick_);
-  }
 }
 
 void HapticSession::push(EventKind kind, std::uint64_t value)
@@ -358,7 +355,7 @@ int HapticSession::step(int ticks)
     ++done;
     this->run_->virtual_s += this->run_->period_s;
     this->run_->stepWorkers();
-    this->storeBodies();
+    this->storePublished();
     this->run_->recordings->pump();
   }
   if (done > 0)
@@ -374,10 +371,9 @@ std::string HapticSession::record(const std::string& file)
   {
     return "nothing is touched that could be recorded";
   }
-  this->storeBodies();
-  std::string problem =
-    this->run_->recordings->begin(file, this->run_->device->info().name, this->scene_, this->brick_);
-  this->storeBodies(true);
+  this->storePublished();
+  std::string problem = this->run_->recordings->begin(file, this->run_->device->info().name, this->inputs_);
+  this->storePublished(true);
   return problem;
 }
 
@@ -385,7 +381,7 @@ void HapticSession::endRecording()
 {
   if (this->run_)
   {
-    this->storeBodies();
+    this->storePublished();
     this->run_->recordings->end();
     if (this->run_->virtualTime)
     {
@@ -406,7 +402,7 @@ std::optional<EndedRecording> HapticSession::takeRecorded()
   {
     return std::exchange(this->lastRecorded_, std::nullopt);
   }
-  this->storeBodies();
+  this->storePublished();
   return this->run_->recordings->takeEnded();
 }
 
@@ -414,9 +410,9 @@ const HapticState& HapticSession::state()
 {
   if (this->run_)
   {
-    this->storeBodies();
-    this->run_->links.scenes.collect();
-    this->run_->links.bricks.collect();
+    this->storePublished();
+    TickInputs::forEach(
+      [this]<input::ComesFromOwner K>(std::type_identity<K>) { K::buffer(this->run_->links).collect(); });
     this->lastState_ = this->run_->links.state.read();
   }
   return this->lastState_;

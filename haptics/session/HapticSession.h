@@ -11,6 +11,8 @@
 #include "haptics/realtime/RealtimeThread.h"
 #include "haptics/session/Recordings.h"
 #include "haptics/session/ServoLoop.h"
+#include "haptics/session/mechanism/MechanismWorker.h"
+#include "haptics/session/soft/SoftWorker.h"
 #include "haptics/session/tool/ToolWorker.h"
 
 namespace palpate
@@ -58,7 +60,7 @@ public:
   /// Null: nothing to touch. Kept over stop() and start(). `comesFrom_W`: where the ball comes from when the servo
   /// takes the scene, so that a surface that has come around it stays on its other side.
   void setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W = {});
-  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept { return this->scene_; }
+  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept { return this->inputNow<input::Scenes>(); }
 
   /// What the hand holds in place of the ball, from a tick soon after on; none: the ball, as beside a soft body, which
   /// only a tool that is a ball feels. Kept over stop() and start().
@@ -67,7 +69,7 @@ public:
   /// Why the tool is not held or cannot touch the scene; "": it can. And how its thread does.
   [[nodiscard]] std::string toolRefusal() const;
   [[nodiscard]] std::string toolBesideSoft() const; ///< why the tool is not held beside the soft body; "": it is
-  [[nodiscard]] std::string toolNoWayOut() const; ///< why it can never leave from where it began; "": it can
+  [[nodiscard]] std::string toolNoWayOut() const;   ///< why it can never leave from where it began; "": it can
   [[nodiscard]] const ToolReport& toolReport();
 
   /// What gives way beside the scene, from a tick soon after on; none: nothing does. Kept over stop() and start().
@@ -85,9 +87,25 @@ public:
   /// By its place in the mechanism: it holds nothing from the next tick on, until another mechanism is taken.
   void breakLaw(std::uint32_t law);
 
-  /// The field around the hand, taken at the next tick; null: none. Kept over stop() and start().
-  void setBrick(std::shared_ptr<const Brick> brick);
-  [[nodiscard]] const std::shared_ptr<const Brick>& brick() const noexcept { return this->brick_; }
+  /// An input that the owner publishes: taken at the next tick; null: none. Kept over stop() and start().
+  template<class K>
+  void setInput(std::shared_ptr<const typename K::Value> value)
+  {
+    std::get<input::OwnedInput<K>>(this->inputs_).value = value;
+    if (ServoLinks* const links = this->links())
+    {
+      this->recordings().store<K>(value);
+      K::buffer(*links).publish(std::move(value));
+    }
+  }
+  template<class K>
+  [[nodiscard]] const std::shared_ptr<const typename K::Value>& inputNow() const noexcept
+  {
+    return std::get<input::OwnedInput<K>>(this->inputs_).value;
+  }
+  /// The field around the hand.
+  void setBrick(std::shared_ptr<const Brick> brick) { this->setInput<input::Bricks>(std::move(brick)); }
+  [[nodiscard]] const std::shared_ptr<const Brick>& brick() const noexcept { return this->inputNow<input::Bricks>(); }
 
   /// Records from the next tick on into that file, and no more into the one before: empty, or one sentence; then
   /// nothing changes. While a field is felt none begins. A recording ends with endRecording() or the session, or when
@@ -114,19 +132,20 @@ public:
 
 private:
   struct Run;
+  [[nodiscard]] ServoLinks* links() noexcept; ///< null: nothing runs
+  [[nodiscard]] Recordings& recordings() noexcept;
   void push(EventKind kind, std::uint64_t value = 0);
   [[nodiscard]] double lever_u() const noexcept;
   [[nodiscard]] MechanismGrip grip(const HapticParameters& adapted) const noexcept;
   void beginWorkers(Run& run, std::int64_t period_ns) const;
-  void storeBodies(bool again = false);
+  void storePublished(bool again = false);
   void takeTool();
   /// Of a body that gives way a tool would feel the surface of before.
   [[nodiscard]] ToolChoice heldTool() const { return this->toolBesideSoft().empty() ? this->tool_ : ToolChoice{}; }
 
   HapticParameters parameters_;
   std::uint64_t version_ = 0;
-  std::shared_ptr<const Scene> scene_;
-  std::shared_ptr<const Brick> brick_;
+  TickInputs::Each<input::OwnedInput> inputs_; ///< those of workers are not kept
   ToolChoice tool_;
   SoftChoice soft_;
   MechanismChoice mechanism_;

@@ -6,8 +6,8 @@
 namespace palpate
 {
 
-std::string Recordings::begin(const std::string& file, const std::string& device,
-  const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Brick>& brick)
+std::string Recordings::begin(
+  const std::string& file, const std::string& device, const TickInputs::Each<input::OwnedInput>& felt)
 {
   auto next = std::make_unique<Recorder>();
   std::string problem = next->open(file, device, !this->virtualTime_);
@@ -15,8 +15,8 @@ std::string Recordings::begin(const std::string& file, const std::string& device
   {
     this->end();
     this->current_ = Going{ file, std::move(next) };
-    this->storeScene(scene);
-    this->storeBrick(brick);
+    TickInputs::forEach([&]<input::ComesFromOwner K>(std::type_identity<K>)
+      { this->current_->recorder->store<K>(std::get<input::OwnedInput<K>>(felt).value); });
     this->link_.store(this->current_->recorder.get(), std::memory_order_release);
   }
   return problem;
@@ -30,46 +30,6 @@ void Recordings::end()
     this->ending_.push_back(std::move(*this->current_));
     this->current_.reset();
   }
-}
-
-void Recordings::storeScene(const std::shared_ptr<const Scene>& scene)
-{
-  if (this->current_)
-  {
-    this->current_->recorder->storeScene(scene);
-  }
-}
-
-void Recordings::storeBrick(const std::shared_ptr<const Brick>& brick)
-{
-  if (this->current_)
-  {
-    this->current_->recorder->storeBrick(brick);
-  }
-}
-
-/// The servo may have taken what is stored before it saw the end of a recording.
-template<class Store>
-void Recordings::inEach(const Store& store)
-{
-  if (this->current_)
-  {
-    store(*this->current_->recorder);
-  }
-  for (const Going& going : this->ending_)
-  {
-    store(*going.recorder);
-  }
-}
-
-void Recordings::storeBody(const std::shared_ptr<const PressedBody>& body)
-{
-  this->inEach([&body](Recorder& recorder) { recorder.storeBody(body); });
-}
-
-void Recordings::storeMechanism(const std::shared_ptr<const FeltMechanism>& mechanism)
-{
-  this->inEach([&mechanism](Recorder& recorder) { recorder.storeMechanism(mechanism); });
 }
 
 void Recordings::pump()

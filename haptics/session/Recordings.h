@@ -28,15 +28,17 @@ public:
   Recordings(std::atomic<Recorder*>& link, bool virtualTime) : link_(link), virtualTime_(virtualTime) {}
 
   /// From the next tick on; the one before ends there. Empty, or one sentence; then the one before goes on.
-  [[nodiscard]] std::string begin(const std::string& file, const std::string& device,
-    const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Brick>& brick);
+  [[nodiscard]] std::string begin(
+    const std::string& file, const std::string& device, const TickInputs::Each<input::OwnedInput>& felt);
   /// The servo lets go of it before its next tick.
   void end();
   [[nodiscard]] bool running() const noexcept { return this->current_.has_value(); }
-  void storeScene(const std::shared_ptr<const Scene>& scene);
-  void storeBrick(const std::shared_ptr<const Brick>& brick);
-  void storeBody(const std::shared_ptr<const PressedBody>& body);
-  void storeMechanism(const std::shared_ptr<const FeltMechanism>& mechanism);
+  /// In those that end, too: the servo may have taken a value before it saw the end of a recording.
+  template<class K>
+  void store(const std::shared_ptr<const typename K::Value>& value)
+  {
+    this->inEach([&value](Recorder& recorder) { recorder.store<K>(value); });
+  }
   /// Writes what has come in, in virtual time.
   void pump();
   /// Ends what has no room on its disk, and closes what has ended: each is told once.
@@ -45,8 +47,18 @@ public:
   [[nodiscard]] std::optional<EndedRecording> finish();
 
 private:
-  template<class Store>
-  void inEach(const Store& store);
+  template<class Function>
+  void inEach(const Function& function)
+  {
+    if (this->current_)
+    {
+      function(*this->current_->recorder);
+    }
+    for (const Going& going : this->ending_)
+    {
+      function(*going.recorder);
+    }
+  }
 
   std::atomic<Recorder*>& link_;
   bool virtualTime_;

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "haptics/recording/RecordedStages.h"
-#include "haptics/tick/SoftProxy.h"
 
 namespace palpate
 {
@@ -30,8 +29,8 @@ ServoLoop::ServoLoop(
   const ServoLinks::Versioned& first = links.parameters.read();
   this->version_ = first.version;
   this->parameters_ = first.parameters;
-  this->input_.softRoom = this->softRoom_.get();
-  this->input_.mechanismTick = this->mechanismTick_.get();
+  TickInputs::forEach(
+    [this]<class K>(std::type_identity<K>) { std::get<input::WorkspaceOf<K>>(this->workspaces_).put(this->input_); });
 }
 
 void ServoLoop::run(const std::stop_token& stop) noexcept
@@ -79,10 +78,7 @@ void ServoLoop::takeChanges() noexcept
       this->recorder_->pushParameters(this->input_.tick, this->parameters_);
     }
   }
-  this->takeMechanism();
-  this->takeScene();
-  this->takeBrick();
-  this->takeTool();
+  this->takeInputs();
   this->followRecorder();
   std::size_t count = 0;
   while (count < this->events_.size() && this->links_.events.tryPop(this->events_[count]))
@@ -97,78 +93,35 @@ void ServoLoop::takeChanges() noexcept
   this->input_.events = { this->events_.data(), count };
 }
 
-/// First: while one is held, ball, tool and soft body rest.
-void ServoLoop::takeMechanism() noexcept
+/// All have come before any is taken: some depend on others.
+void ServoLoop::takeInputs() noexcept
 {
-  const FeltMechanism* const before = this->input_.mechanism;
-  this->input_.mechanism = this->links_.mechanism.felt.acquire();
-  const bool taken = this->input_.mechanism != before || this->links_.mechanism.felt.replaced() != nullptr;
-  if (taken && this->recorder_ != nullptr)
-  {
-    this->recorder_->pushMechanism(this->input_.tick, this->input_.mechanism);
-  }
+  TickInputs::Each<input::Arrival> arrivals;
+  TickInputs::forEach(
+    [&]<class K>(std::type_identity<K>) { std::get<input::Arrival<K>>(arrivals) = input::arrive<K>(this->links_); });
+  TickInputs::forEach(
+    [&]<class K>(std::type_identity<K>)
+    {
+      if (input::takeInto<K>(this->input_, arrivals) && this->recorder_ != nullptr)
+      {
+        this->recorder_->pushInput<K>(this->input_.tick, K::of(this->input_));
+      }
+    });
 }
 
-/// A soft body brings the scene that it is felt in. Each mailbox keeps what it replaces alive for this tick.
-void ServoLoop::takeScene() noexcept
+bool ServoLoop::replacesInput() const noexcept
 {
-  const Scene* const before = this->input_.scene;
-  const PressedBody* const bodyBefore = this->input_.body;
-  const Scene* const beside = this->links_.scenes.acquire();
-  const PressedBody* const body = this->links_.soft.bodies.acquire();
-  this->input_.body = this->input_.mechanism == nullptr ? body : nullptr;
-  const bool soft = this->input_.body != nullptr || bodyBefore != nullptr;
-  this->input_.scene = this->input_.body != nullptr ? this->input_.body->scene.get() : beside;
-  const Scene* const other = this->input_.scene != before ? before : nullptr;
-  this->input_.previousScene = soft ? other : this->links_.scenes.replaced();
-  const bool taken = this->input_.scene != before || this->input_.previousScene != nullptr;
-  if (taken && this->recorder_ != nullptr)
-  {
-    this->recorder_->pushScene(this->input_.tick, this->input_.scene);
-  }
-  const bool bodyTaken = this->input_.body != bodyBefore || this->links_.soft.bodies.replaced() != nullptr;
-  if (bodyTaken && this->recorder_ != nullptr)
-  {
-    this->recorder_->pushBody(this->input_.tick, this->input_.body);
-  }
-}
-
-void ServoLoop::takeBrick() noexcept
-{
-  const Brick* const before = this->input_.brick;
-  this->input_.brick = this->links_.bricks.acquire();
-  const bool taken = this->input_.brick != before || this->links_.bricks.replaced() != nullptr;
-  if (taken && this->recorder_ != nullptr)
-  {
-    this->recorder_->pushBrick(this->input_.tick, this->input_.brick);
-  }
-}
-
-void ServoLoop::takeTool() noexcept
-{
-  const ToolContacts& set = this->links_.tool.contacts.read();
-  const bool before = this->input_.tool != nullptr;
-  this->input_.tool = set.held && this->input_.mechanism == nullptr ? &set : nullptr;
-  const bool taken = set.revision != this->toolRevision_ || before != (this->input_.tool != nullptr);
-  this->toolRevision_ = set.revision;
-  if (taken && this->recorder_ != nullptr)
-  {
-    this->recorder_->pushTool(this->input_.tick, this->input_.tool);
-  }
-}
-
-bool ServoLoop::replacesTouched() const noexcept
-{
-  const std::uint64_t before = this->renderer_.field.brick;
-  const bool isFelt = this->input_.brick != nullptr && this->input_.brick->called(before) != nullptr;
-  return this->input_.previousScene != nullptr || (before != 0 && !isFelt);
+  bool replaces = false;
+  TickInputs::forEach([&]<input::Replaces K>(std::type_identity<K>)
+    { replaces = replaces || K::replaces(this->input_, this->renderer_); });
+  return replaces;
 }
 
 /// Not in a tick that replaces a scene or a field: what was touched before is no part of a recording that begins there.
 void ServoLoop::followRecorder() noexcept
 {
   Recorder* const wanted = this->links_.recorder.load(std::memory_order_acquire);
-  if (wanted == this->recorder_ || this->replacesTouched())
+  if (wanted == this->recorder_ || this->replacesInput())
   {
     return;
   }
@@ -182,44 +135,28 @@ void ServoLoop::followRecorder() noexcept
   {
     this->recorder_ = wanted;
     this->renderer_ = first;
-    this->pushTouched();
+    this->pushInputs();
   }
 }
 
 /// What a recording begins with.
-void ServoLoop::pushTouched() noexcept
+void ServoLoop::pushInputs() noexcept
 {
-  if (this->input_.scene != nullptr)
-  {
-    this->recorder_->pushScene(this->input_.tick, this->input_.scene);
-  }
-  if (this->input_.brick != nullptr)
-  {
-    this->recorder_->pushBrick(this->input_.tick, this->input_.brick);
-  }
-  if (this->input_.tool != nullptr)
-  {
-    this->recorder_->pushTool(this->input_.tick, this->input_.tool);
-  }
-  if (this->input_.body != nullptr)
-  {
-    this->recorder_->pushBody(this->input_.tick, this->input_.body);
-  }
-  if (this->input_.mechanism != nullptr)
-  {
-    this->recorder_->pushMechanism(this->input_.tick, this->input_.mechanism);
-  }
+  TickInputs::forEach(
+    [this]<class K>(std::type_identity<K>)
+    {
+      if (K::of(this->input_) != nullptr)
+      {
+        this->recorder_->pushInput<K>(this->input_.tick, K::of(this->input_));
+      }
+    });
 }
 
 void ServoLoop::tellWorkers(const TickOutput& output) noexcept
 {
-  this->links_.soft.hand.write(bodyHandOf(this->input_, output, this->renderer_));
-  this->links_.mechanism.hand.write(this->renderer_.mechanismHand);
-  const HapticState& state = output.state;
-  // Beyond what is known of a scene a tool waits where all was known.
-  const bool leads = state.tool.held && !state.held && !state.known.beyond;
-  this->links_.tool.hand.write({ state.tool.hand_W, leads, this->parameters_.contact.friction.kinetic,
-    static_cast<double>(this->input_.tick) * this->period_s_, this->maps_ });
+  const input::TickDone done{ this->input_, output, this->renderer_, this->parameters_,
+    static_cast<double>(this->input_.tick) * this->period_s_, this->maps_ };
+  TickInputs::forEach([&]<input::TellsWorker K>(std::type_identity<K>) { K::tellWorker(done, this->links_); });
 }
 
 /// With what it brought about, which a recording would else tell of only when it is computed again.

@@ -10,14 +10,10 @@
 #include "haptics/core/HapticDevice.h"
 #include "haptics/realtime/LoopStatistics.h"
 #include "haptics/realtime/PeriodicTimer.h"
-#include "haptics/realtime/SnapshotMailbox.h"
 #include "haptics/realtime/SpscRing.h"
 #include "haptics/realtime/TripleBuffer.h"
 #include "haptics/recording/writing/Recorder.h"
-#include "haptics/session/mechanism/MechanismWorker.h"
-#include "haptics/session/soft/SoftWorker.h"
 #include "haptics/tick/ForceRenderer.h"
-#include "haptics/tool/worker/ToolFollower.h"
 
 namespace palpate
 {
@@ -41,18 +37,13 @@ struct LoopReport
 };
 
 /// What other threads and the servo share. Each buffer has one writer and one reader (ARCHITECTURE.md).
-struct ServoLinks
+struct ServoLinks : TickInputs::Links
 {
   struct Versioned
   {
     std::uint64_t version = 0;
     HapticParameters parameters;
   };
-  SnapshotMailbox<Scene> scenes;      ///< owner -> servo
-  SnapshotMailbox<Brick> bricks;      ///< owner -> servo
-  ToolLinks tool;                     ///< servo <-> the thread that moves a tool
-  SoftLinks soft;                     ///< servo <-> the thread that computes a soft body
-  MechanismLinks mechanism;           ///< servo <-> the thread that computes a mechanism's bodies
   TripleBuffer<Versioned> parameters; ///< owner -> servo
   SpscRing<HapticEvent, 64> events;   ///< owner -> servo
   TripleBuffer<HapticState> state;    ///< servo -> owner
@@ -86,13 +77,10 @@ public:
 private:
   void letGo() noexcept;
   void takeChanges() noexcept;
-  void takeMechanism() noexcept;
-  void takeScene() noexcept;
-  void takeBrick() noexcept;
-  /// Whether another scene, or another field, than in the tick before is touched in this one.
-  [[nodiscard]] bool replacesTouched() const noexcept;
-  void takeTool() noexcept;
-  void pushTouched() noexcept;
+  void takeInputs() noexcept;
+  /// Whether this tick goes over from another value of an input.
+  [[nodiscard]] bool replacesInput() const noexcept;
+  void pushInputs() noexcept;
   void tellWorkers(const TickOutput& output) noexcept;
   void recordTick(const TickOutput& output) noexcept;
   /// How much later the thread ran than its next period began, missed periods included [s].
@@ -110,10 +98,8 @@ private:
   std::uint32_t maps_ = 0; ///< that were changed so far
   RendererState renderer_;
   TickInput input_;
-  std::unique_ptr<SoftRoom> softRoom_ = std::make_unique<SoftRoom>();
-  std::unique_ptr<MechanismTick> mechanismTick_ = std::make_unique<MechanismTick>();
-  std::uint64_t toolRevision_ = 0; ///< of the contacts that were taken last
-  Recorder* recorder_ = nullptr;   ///< has its start, and not its end
+  TickInputs::Each<input::WorkspaceOf> workspaces_;
+  Recorder* recorder_ = nullptr; ///< has its start, and not its end
   std::array<HapticEvent, 16> events_;
   Fault fault_ = Fault::None; ///< of the last tick
   bool pushes_ = false;       ///< the device was told to push, or to hold something, in the last tick

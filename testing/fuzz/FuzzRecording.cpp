@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "haptics/core/Checksum.h"
-#include "haptics/recording/RecordedMechanisms.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/recording/inputs/Mechanisms.h"
 #include "testing/fuzz/Require.h"
 #include "testing/haptics/recording/RecordingChecks.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticFieldPacket.h"
 
-#include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/inputs/Bricks.h"
 
 namespace
 {

@@ -5,9 +5,7 @@
 
 #include "haptics/recording/Format5.h"
 #include "haptics/recording/NamedParts.h"
-#include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/RecordedChunk.h"
-#include "haptics/recording/RecordedMechanisms.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/recording/RecordingLayout.h"
 #include "haptics/recording/reading/RecordingHeader.h"
@@ -33,7 +31,7 @@ bool isPossible(const Recording& recording)
 /// The name in a head that is damaged is said only if it is one, for it may be what is damaged.
 std::string damageOf(const RecordedChunk& chunk, std::uint64_t number, std::size_t begin, std::size_t end)
 {
-  const std::string kind = !chunk.headDamaged || readerOf(chunk.name) != nullptr ? " (" + chunk.name + ")" : "";
+  const std::string kind = !chunk.headDamaged || readerOf(chunk.name) ? " (" + chunk.name + ")" : "";
   const std::string which = "chunk " + std::to_string(number) + kind;
   const std::string bytes = "bytes " + std::to_string(begin) + " to " + std::to_string(end - 1);
   return std::string("is damaged: ") + (chunk.headDamaged ? "the head of its " : "its ") + which + ", " + bytes +
@@ -86,8 +84,8 @@ private:
     {
       return "is damaged: it has a part of unknown kind";
     }
-    const ChunkReader* const reader = readerOf(chunk.name);
-    if (reader == nullptr)
+    const std::optional<ChunkReader> reader = readerOf(chunk.name);
+    if (!reader)
     {
       this->recording_.skipped.note(chunk.name);
       return {};

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "haptics/realtime/SpscRing.h"
@@ -16,6 +17,27 @@
 
 namespace palpate
 {
+
+namespace input
+{
+
+/// Of one input, what is to be written.
+template<class K>
+struct Stored
+{
+  std::vector<std::shared_ptr<const typename K::Value>> waiting;
+  std::set<std::uint64_t> written; ///< by their names
+};
+
+/// Beside the recorder's other ring, whose entries would all be as large as these: each has its event there.
+template<ComesByValue K>
+struct Stored<K>
+{
+  using Ring = SpscRing<typename K::Value, 1024>;
+  std::unique_ptr<Ring> values = std::make_unique<Ring>();
+};
+
+} // namespace input
 
 /// Writes a recording while the servo runs: the servo pushes into a ring, a thread of its own writes the file. A
 /// recording begins and ends where the servo says so.
@@ -43,22 +65,40 @@ public:
   [[nodiscard]] bool pushEnd() noexcept;
   /// Servo thread; wait-free. A full ring is counted and makes the recording one that cannot be recomputed.
   void pushTick(const TickRecord& record) noexcept;
-  void pushEvent(const HapticEvent& event) noexcept;
+  void pushEvent(const HapticEvent& event, const input::RecordedName& name = {}) noexcept;
   void pushParameters(std::uint64_t tick, const HapticParameters& parameters) noexcept;
-  void pushScene(std::uint64_t tick, const Scene* scene) noexcept;
-  void pushBrick(std::uint64_t tick, const Brick* brick) noexcept;
-  void pushTool(std::uint64_t tick, const ToolContacts* contacts) noexcept;
-  void pushBody(std::uint64_t tick, const PressedBody* body) noexcept;
-  void pushMechanism(std::uint64_t tick, const FeltMechanism* mechanism) noexcept;
+  /// The tick takes another value, or none.
+  template<class K>
+  void pushInput(std::uint64_t tick, const typename K::Value* value) noexcept
+  {
+    if constexpr (input::ComesByValue<K>)
+    {
+      if (value != nullptr && !std::get<input::Stored<K>>(this->stored_).values->tryPush(*value))
+      {
+        return;
+      }
+    }
+    const input::RecordedName name = input::nameOf<K>(value);
+    this->pushEvent({ tick, K::event, name.id }, name);
+  }
 
-  /// Any other thread: stores a scene that the servo may take, once for each content.
-  void storeScene(const std::shared_ptr<const Scene>& scene);
-  /// Likewise a field.
-  void storeBrick(const std::shared_ptr<const Brick>& brick);
-  /// Likewise a packet of a soft body, with its scene.
-  void storeBody(const std::shared_ptr<const PressedBody>& body);
-  /// Likewise a mechanism, with the scenes of its bodies.
-  void storeMechanism(const std::shared_ptr<const FeltMechanism>& mechanism);
+  /// Any other thread: stores a value that the servo may take, once for each name, and what else a recording needs for
+  /// it.
+  template<class K>
+  void store(const std::shared_ptr<const typename K::Value>& value)
+  {
+    if (!this->isOpen() || !value)
+    {
+      return;
+    }
+    if constexpr (requires { K::forEachPart(*value, [](auto, const auto&) {}); })
+    {
+      K::forEachPart(
+        *value, [this]<class Part>(std::type_identity<Part>, const auto& part) { this->store<Part>(part); });
+    }
+    const std::lock_guard lock(this->storedMutex_);
+    std::get<input::Stored<K>>(this->stored_).waiting.push_back(value);
+  }
   /// Writes what has come in. The thread that calls close().
   void pump();
 
@@ -76,30 +116,25 @@ private:
     EntryKind kind = EntryKind::Tick;
     TickRecord tick;
     HapticEvent event;
-    std::uint64_t sceneHash = 0;
-    std::uint64_t sceneRevision = 0;
+    input::RecordedName name;
     HapticParameters parameters;
   };
 
   void writeStart(const HapticParameters& parameters);
   void writeEntry(const Entry& entry);
-  void writeScenes();
+  void writeValueOf(const HapticEvent& event);
+  template<class K>
+  void writeChunk(
+    const ChunkKind& kind, const typename K::Value& value, void (*write)(ByteWriter&, const typename K::Value&));
+  void writeStored();
 
   std::unique_ptr<SpscRing<Entry, 8192>> ring_ = std::make_unique<SpscRing<Entry, 8192>>();
-  /// Beside the other ring, whose entries would all be as large as these: each has its event there.
-  std::unique_ptr<SpscRing<ToolContacts, 1024>> tools_ = std::make_unique<SpscRing<ToolContacts, 1024>>();
   RendererState first_; ///< the servo's until it has pushed the start
   RecordingFile file_;
   bool started_ = false; ///< its first chunk is written
   std::atomic<bool> ended_ = false;
-  std::mutex scenesMutex_; ///< between storeScene() and the writing thread; the servo never takes it
-  std::vector<std::shared_ptr<const Scene>> scenes_;             ///< to be written
-  std::vector<std::shared_ptr<const Brick>> bricks_;             ///< likewise
-  std::vector<std::shared_ptr<const PressedBody>> bodies_;       ///< likewise
-  std::vector<std::shared_ptr<const FeltMechanism>> mechanisms_; ///< likewise
-  std::set<std::uint64_t> stored_;
-  std::set<std::uint64_t> storedBodies_;     ///< their revisions
-  std::set<std::uint64_t> storedMechanisms_; ///< likewise
+  std::mutex storedMutex_; ///< between store() and the writing thread, for what waits; the servo never takes it
+  TickInputs::Each<input::Stored> stored_;
   std::jthread writer_;
 };
 

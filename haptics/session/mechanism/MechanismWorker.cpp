@@ -168,8 +168,7 @@ void MechanismTask::readHand()
 void MechanismTask::publish(bool all)
 {
   this->channel_.report(
-    [all](MechanismStatus& status, const Order&)
-    {
+    [all](MechanismStatus& status, const Order&) {
       status.problem = all ? "" : "a soft body's stiffness can no more be factored: it stays as it was; let go of it";
     });
   const bool others = this->bodies_->changed();

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/mechanism/servo/FeltMechanism.h"
-#include "haptics/realtime/RecordedMailbox.h"
-#include "haptics/realtime/TripleBuffer.h"
+#include "haptics/recording/inputs/Mechanisms.h"
 #include "haptics/session/background/BackgroundWorker.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
 
@@ -24,13 +22,6 @@ struct MechanismChoice
   double rate_Hz = 30.0; ///< packets of its soft bodies a second, or as many as can be made
 
   friend bool operator==(const MechanismChoice&, const MechanismChoice&) = default;
-};
-
-/// Between the servo and the thread that computes a mechanism's soft bodies.
-struct MechanismLinks
-{
-  RecordedMailbox<FeltMechanism> felt; ///< worker -> servo
-  TripleBuffer<MechanismHand> hand;    ///< servo -> worker
 };
 
 /// How a mechanism is, for a person to see.
@@ -69,8 +60,8 @@ struct MechanismOrder
   }
 };
 
-/// Plans a mechanism, builds its soft bodies and makes their packets. A mechanism with the bodies of the one before goes
-/// on with those. See BackgroundWorker.
+/// Plans a mechanism, builds its soft bodies and makes their packets. A mechanism with the bodies of the one before
+/// goes on with those. See BackgroundWorker.
 class MechanismTask
 {
 public:

@@ -48,7 +48,7 @@ private:
   MadeBrick made_;
   std::chrono::steady_clock::time_point taken_{};
   std::uint64_t revision_ = 0;
-  bool changed_ = false;    ///< another source: what was made is of the one before
+  bool changed_ = false; ///< another source: what was made is of the one before
   LatestTask<MadeBrick> task_;
 };
 

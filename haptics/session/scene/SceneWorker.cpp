@@ -20,9 +20,8 @@ double largestRadius(const Scene* scene)
 void SceneWorker::commit(
   std::vector<SceneSurface> surfaces, std::string refusals, double stamp_s, const ScenePart& part)
 {
-  this->task_.want(
-    [this, commit = Commit{ std::move(surfaces), std::move(refusals), stamp_s, part }](const std::stop_token&) mutable
-    { return this->begin(std::move(commit)); });
+  this->task_.want([this, commit = Commit{ std::move(surfaces), std::move(refusals), stamp_s, part }](
+                     const std::stop_token&) mutable { return this->begin(std::move(commit)); });
 }
 
 void SceneWorker::follow(std::shared_ptr<const Scene> felt)

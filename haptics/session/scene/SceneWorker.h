@@ -62,9 +62,9 @@ private:
 
   SceneBuilder builder_{ 2 }; ///< the running build's while there is one
   std::shared_ptr<const Scene> felt_;
-  std::shared_ptr<BuildWatch> watch_; ///< over the running build
+  std::shared_ptr<BuildWatch> watch_;                                ///< over the running build
   double largestRadius_u_ = std::numeric_limits<double>::infinity(); ///< of the last scene that was not only moved
-  LatestTask<BuiltScene> task_; ///< last: it ends before what it uses
+  LatestTask<BuiltScene> task_;                                      ///< last: it ends before what it uses
 };
 
 } // namespace palpate

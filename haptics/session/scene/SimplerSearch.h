@@ -43,7 +43,7 @@ private:
   };
   FoundScene look(Order order);
 
-  SceneSimplifier simplifier_; ///< the running task's while there is one
+  SceneSimplifier simplifier_;  ///< the running task's while there is one
   LatestTask<FoundScene> task_; ///< last: it ends before what it uses
 };
 

@@ -89,7 +89,8 @@ void SoftTask::publish(std::shared_ptr<const PressedBody> body)
   this->channel_.report(
     [&](SoftStatus& status, const Order&)
     {
-      status.problem = body ? "" : "the soft body's stiffness can no more be factored: it stays as it was; let go of it";
+      status.problem =
+        body ? "" : "the soft body's stiffness can no more be factored: it stays as it was; let go of it";
       status.packets += body ? 1 : 0;
       status.shape = body ? shape : status.shape;
     });

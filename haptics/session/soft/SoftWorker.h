@@ -6,8 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "haptics/realtime/RecordedMailbox.h"
-#include "haptics/realtime/TripleBuffer.h"
+#include "haptics/recording/inputs/Bodies.h"
 #include "haptics/session/background/BackgroundWorker.h"
 #include "haptics/session/soft/VirtualBody.h"
 
@@ -22,13 +21,6 @@ struct SoftChoice
   double rate_Hz = 30.0; ///< packets a second, or as many as can be made
 
   friend bool operator==(const SoftChoice&, const SoftChoice&) = default;
-};
-
-/// Between the servo and the thread that computes a soft body.
-struct SoftLinks
-{
-  RecordedMailbox<PressedBody> bodies; ///< worker -> servo
-  TripleBuffer<BodyHand> hand;         ///< servo -> worker
 };
 
 /// How a soft body is, for a person to see.

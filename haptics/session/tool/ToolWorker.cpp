@@ -142,7 +142,9 @@ void ToolTask::placeIn(const Order& order)
 void ToolTask::report(std::string refusal, std::string noWayOut)
 {
   this->channel_.report(
-    [&](ToolStatus& status, const Order&) { status = { std::move(refusal), std::move(noWayOut) }; });
+    [&](ToolStatus& status, const Order&) {
+      status = { std::move(refusal), std::move(noWayOut) };
+    });
 }
 
 void ToolTask::publishNone(bool held)

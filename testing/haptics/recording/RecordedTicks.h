@@ -39,8 +39,8 @@ public:
   {
     this->previous_ = this->scene_;
     this->scene_ = scene;
-    this->recorder_.storeScene(scene);
-    this->recorder_.pushScene(this->tick_ + 1, scene.get());
+    this->recorder_.store<input::Scenes>(scene);
+    this->recorder_.pushInput<input::Scenes>(this->tick_ + 1, scene.get());
   }
   void push(EventKind kind)
   {

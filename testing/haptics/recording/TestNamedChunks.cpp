@@ -128,7 +128,7 @@ TEST(NamedChunks, OfTodaysVersionWithMoreThanTheyHoldAreDamaged)
 TEST(NamedChunks, OfABrickWithoutItsBytesAreDamaged)
 {
   RawRecording raw = recorded();
-  raw.chunks.insert(raw.chunks.begin() + 1, { "brick", chunks::brick.version, "" });
+  raw.chunks.insert(raw.chunks.begin() + 1, { "brick", input::Bricks::chunk.version, "" });
   EXPECT_NE(problemOf(raw), "");
 }
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/recording/RecordedTools.h"
 #include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/inputs/Tools.h"
 
 namespace palpate
 {
@@ -33,7 +33,7 @@ bool isRead(const ToolContacts& set)
   ByteWriter out;
   putTool(out, set);
   ByteReader in(out.bytes().data(), out.bytes().size());
-  static_cast<void>(readTool(in, chunks::tool.version));
+  static_cast<void>(readTool(in, input::Tools::chunk.version));
   return in.ok() && in.left() == 0;
 }
 
@@ -42,7 +42,7 @@ TEST(RecordedTools, ContactsComeBackToTheLastBit)
   ByteWriter out, again;
   putTool(out, someContacts());
   ByteReader in(out.bytes().data(), out.bytes().size());
-  const ToolContacts read = readTool(in, chunks::tool.version);
+  const ToolContacts read = readTool(in, input::Tools::chunk.version);
   ASSERT_TRUE(in.ok());
   putTool(again, read);
   EXPECT_EQ(again.bytes(), out.bytes());
@@ -58,7 +58,7 @@ TEST(RecordedTools, ContactsOfBeforeToolsWereBallsOrHadAReachHaveNone)
   putTool(out, someContacts());
   for (const std::uint32_t version : { 1u, 2u })
   {
-    const std::size_t later = (chunks::tool.version - version) * sizeof(double);
+    const std::size_t later = (input::Tools::chunk.version - version) * sizeof(double);
     ByteReader in(out.bytes().data(), out.bytes().size() - later);
     const ToolContacts read = readTool(in, version);
     EXPECT_EQ(read.ball_u, version < 2 ? 0.0 : 0.25);
@@ -98,7 +98,7 @@ TEST(RecordedTools, MoreContactsThanThereIsRoomForAreRefusedBeforeAnyIsRead)
   bytes.resize(atCount + sizeof(std::uint64_t) + 56 * (ToolContacts::capacity + 1));
   bytes[atCount] = static_cast<char>(ToolContacts::capacity + 1);
   ByteReader in(bytes.data(), bytes.size());
-  static_cast<void>(readTool(in, chunks::tool.version));
+  static_cast<void>(readTool(in, input::Tools::chunk.version));
   EXPECT_FALSE(in.ok());
 }
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/recording/RecordedBricks.h"
+#include "haptics/recording/inputs/Bricks.h"
 #include "haptics/session/scene/FeltField.h"
 #include "haptics/session/scene/FieldBeside.h"
 #include "testing/support/Fields.h"

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "devices/FedDevice.h"
-#include "haptics/recording/RecordedBricks.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/recording/inputs/Bricks.h"
 #include "haptics/session/HapticSession.h"
 #include "testing/haptics/recording/FlippedBits.h"
 #include "testing/support/Fields.h"

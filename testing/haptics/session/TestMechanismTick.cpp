@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "NeedleAndBlock.h"
-#include "haptics/recording/RecordedMechanisms.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/recording/inputs/Mechanisms.h"
 #include "haptics/tick/ForceRenderer.h"
 #include "testing/support/AllocationGuard.h"
 

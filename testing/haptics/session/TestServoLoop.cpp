@@ -260,7 +260,7 @@ TEST(ServoLoop, WallsThatADeviceHoldsStayWhenARecordingBegins)
   rig.press();
   ASSERT_EQ(rig.device.wallCount, 1);
   rig.device.fall_N = 0.0;
-  recorder.storeScene(rig.scene);
+  recorder.store<input::Scenes>(rig.scene);
   rig.links.recorder = &recorder;
   rig.run(50);
   EXPECT_LT(rig.device.fall_N, 1e-12);
@@ -300,7 +300,7 @@ TEST(ServoLoop, AScenePublishedTwiceAndAFaultAreInTheRecordingAndItReplays)
   {
     Rig rig(false);
     rig.links.recorder = &recorder;
-    recorder.storeScene(rig.scene);
+    recorder.store<input::Scenes>(rig.scene);
     rig.press();
     rig.links.scenes.publish(rig.scene);
     rig.run(50);

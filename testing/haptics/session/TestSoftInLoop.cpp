@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "SoftInLoop.h"
-#include "haptics/recording/RecordedBodies.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/recording/inputs/Bodies.h"
 #include "haptics/session/soft/BodyMaker.h"
 #include "testing/haptics/recording/FlippedBits.h"
 #include "testing/support/AllocationGuard.h"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/recording/RecordedTools.h"
+#include "haptics/recording/inputs/Tools.h"
 
 #include <cmath>
-
-#include "haptics/recording/RecordingLayout.h"
 
 namespace palpate
 {

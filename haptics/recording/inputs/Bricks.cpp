@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/recording/RecordedBricks.h"
+#include "haptics/recording/inputs/Bricks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,25 +17,9 @@ BrickArray readArray(ByteReader& in)
   BrickArray array;
   in.get(array.role);
   in.get(array.name);
-  array.values.resize(in.count(sizeof(float)));
-  for (float& value : array.values)
-  {
-    in.get(value);
-  }
+  in.get(array.values);
   in.failUnless(array.role <= BrickRole::Axis);
   return array;
-}
-
-/// Pieces of lines that the hand snaps to; what was recorded before they were known ends before them.
-std::vector<BrickLine> readLines(ByteReader& in)
-{
-  std::vector<BrickLine> lines_W(in.left() > 0 ? in.count(6 * sizeof(double)) : 0);
-  for (BrickLine& line_W : lines_W)
-  {
-    in.get(line_W[0]);
-    in.get(line_W[1]);
-  }
-  return lines_W;
 }
 
 bool isPossible(const GridPlace& place)
@@ -69,10 +53,7 @@ bool isPossibleIn(const Field& field, const IsoState& state)
 void putOwnPart(ByteWriter& payload, const Brick& brick)
 {
   payload.put(brick.contentHash());
-  for (const int points : brick.grid().size)
-  {
-    payload.put(points);
-  }
+  payload.put(brick.grid().size);
   payload.put(brick.grid().spacing_u);
   payload.put(brick.grid().pose_W);
   payload.put(static_cast<std::uint64_t>(brick.arrays().size()));
@@ -80,23 +61,10 @@ void putOwnPart(ByteWriter& payload, const Brick& brick)
   {
     payload.put(array.role);
     payload.put(array.name);
-    payload.put(static_cast<std::uint64_t>(array.values.size()));
-    for (const float value : array.values)
-    {
-      payload.put(value);
-    }
+    payload.put(array.values);
   }
-  payload.put(static_cast<std::uint64_t>(brick.places_W().size()));
-  for (const Vec3& place_W : brick.places_W())
-  {
-    payload.put(place_W);
-  }
-  payload.put(static_cast<std::uint64_t>(brick.lines_W().size()));
-  for (const BrickLine& line_W : brick.lines_W())
-  {
-    payload.put(line_W[0]);
-    payload.put(line_W[1]);
-  }
+  payload.put(brick.places_W());
+  payload.put(brick.lines_W());
 }
 
 void putCells(ByteWriter& payload, const CellParts& parts)
@@ -107,11 +75,7 @@ void putCells(ByteWriter& payload, const CellParts& parts)
     payload.put(parts.points_W[i]);
     payload.put(parts.values[i]);
   }
-  payload.put(static_cast<std::uint64_t>(parts.corners.size()));
-  for (const CellCorners& corners : parts.corners)
-  {
-    std::ranges::for_each(corners, [&payload](std::uint32_t corner) { payload.put(corner); });
-  }
+  payload.put(parts.corners);
   payload.put(parts.offset);
   payload.put(parts.centre_W);
   payload.put(parts.reach_u);
@@ -133,15 +97,10 @@ std::shared_ptr<const FieldCells> readCells(ByteReader& in)
     in.get(parts.values[i]);
     in.failUnless(parts.points_W[i].allFinite() && std::isfinite(parts.values[i]));
   }
-  parts.corners.resize(in.count(sizeof(CellCorners)));
-  for (CellCorners& corners : parts.corners)
-  {
-    for (std::uint32_t& corner : corners)
-    {
-      in.get(corner);
-      in.failUnless(corner < parts.points_W.size());
-    }
-  }
+  in.get(parts.corners);
+  const auto isThere = [&parts](std::uint32_t corner) { return corner < parts.points_W.size(); };
+  in.failUnless(std::ranges::all_of(
+    parts.corners, [&isThere](const CellCorners& cell) { return std::ranges::all_of(cell, isThere); }));
   in.get(parts.offset);
   in.get(parts.centre_W);
   in.get(parts.reach_u);
@@ -165,10 +124,7 @@ BrickParts readOwnPart(ByteReader& in)
   BrickParts parts;
   in.get(parts.contentHash);
   BrickGrid& grid = parts.grid;
-  for (int& points : grid.size)
-  {
-    in.get(points);
-  }
+  in.get(grid.size);
   in.get(grid.spacing_u);
   in.get(grid.pose_W);
   const std::uint64_t count = in.count(1);
@@ -176,12 +132,11 @@ BrickParts readOwnPart(ByteReader& in)
   {
     parts.arrays.push_back(readArray(in));
   }
-  parts.places_W.resize(in.count(3 * sizeof(double)));
-  for (Vec3& place_W : parts.places_W)
+  in.get(parts.places_W);
+  if (in.left() > 0) // what was recorded before there were lines ends here
   {
-    in.get(place_W);
+    in.get(parts.lines_W);
   }
-  parts.lines_W = readLines(in);
   return parts;
 }
 

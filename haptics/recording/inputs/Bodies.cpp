@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/recording/RecordedBodies.h"
+#include "haptics/recording/inputs/Bodies.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "haptics/recording/RecordingLayout.h"
 
 namespace palpate
 {
@@ -96,15 +94,6 @@ void readPlaces(ByteReader& in, CompliancePacket& packet)
   }
 }
 
-void readVertices(ByteReader& in, CompliancePacket& packet)
-{
-  packet.placeOf.resize(in.count(sizeof(std::uint32_t)));
-  for (std::uint32_t& place : packet.placeOf)
-  {
-    in.get(place);
-  }
-}
-
 void readForces(ByteReader& in, CompliancePacket& packet)
 {
   const std::uint64_t forces = in.count(bytesOfForce);
@@ -154,11 +143,7 @@ void putBody(ByteWriter& payload, const PressedBody& body)
     layPlace(put, packet, i);
   }
   layLowerHalf(put, packet.compliance);
-  put(static_cast<std::uint64_t>(packet.placeOf.size()));
-  for (const std::uint32_t place : packet.placeOf)
-  {
-    put(place);
-  }
+  put(packet.placeOf);
   put(static_cast<std::uint64_t>(packet.forceAt.size()));
   for (std::size_t i = 0; i < packet.forceAt.size(); ++i)
   {
@@ -198,34 +183,19 @@ void readKnots(ByteReader& in, PressedBody& body)
 void putHeld(ByteWriter& payload, const PressedBody& body)
 {
   const TriangleMesh faces = body.heldFaces ? *body.heldFaces : TriangleMesh{};
-  payload.put(static_cast<std::uint64_t>(faces.vertices_W.size()));
-  for (const Vec3& x_W : faces.vertices_W)
-  {
-    payload.put(x_W);
-  }
-  payload.put(static_cast<std::uint64_t>(faces.triangles.size()));
-  for (const auto& triangle : faces.triangles)
-  {
-    payload.put(triangle);
-  }
+  payload.put(faces.vertices_W);
+  payload.put(faces.triangles);
 }
 
 void readHeld(ByteReader& in, PressedBody& body)
 {
   TriangleMesh faces;
-  faces.vertices_W.resize(in.count(3 * sizeof(double)));
-  for (Vec3& x_W : faces.vertices_W)
-  {
-    in.get(x_W);
-    in.failUnless(x_W.allFinite());
-  }
-  faces.triangles.resize(in.count(3 * sizeof(std::uint32_t)));
+  in.get(faces.vertices_W);
+  in.get(faces.triangles);
   const auto isThere = [&faces](std::uint32_t v) { return v < faces.vertices_W.size(); };
-  for (auto& triangle : faces.triangles)
-  {
-    in.get(triangle);
-    in.failUnless(std::ranges::all_of(triangle, isThere));
-  }
+  in.failUnless(std::ranges::all_of(faces.vertices_W, [](const Vec3& x_W) { return x_W.allFinite(); }) &&
+                std::ranges::all_of(faces.triangles,
+                  [&isThere](const auto& triangle) { return std::ranges::all_of(triangle, isThere); }));
   const bool some = in.ok() && !faces.triangles.empty();
   body.heldFaces = some ? std::make_shared<const TriangleMesh>(std::move(faces)) : nullptr;
 }
@@ -236,7 +206,7 @@ std::shared_ptr<const PressedBody> readBody(ByteReader& in)
   auto packet = std::make_shared<CompliancePacket>();
   layHead(Get{ in }, *body, *packet);
   readPlaces(in, *packet);
-  readVertices(in, *packet);
+  in.get(packet->placeOf);
   readForces(in, *packet);
   in.failUnless(in.ok() && isUsable(*packet) && std::isfinite(body->period_s) && body->period_s >= 0.0);
   body->touch.packet = packet.get();
@@ -244,4 +214,37 @@ std::shared_ptr<const PressedBody> readBody(ByteReader& in)
   return in.ok() ? body : nullptr;
 }
 
+namespace input
+{
+
+void Bodies::write(ByteWriter& payload, const PressedBody& body)
+{
+  putBody(payload, body);
+  payload.put(body.beside);
+  putKnots(payload, body);
+  putHeld(payload, body);
+}
+
+void Bodies::read(ByteReader& payload, std::uint32_t version, Recorded& recorded)
+{
+  constexpr std::uint32_t versionWithBeside = 2, versionWithKnots = 3, versionWithHeld = 4;
+  std::shared_ptr<const PressedBody> body = readBody(payload);
+  if (body && version >= versionWithBeside)
+  {
+    auto withBeside = std::make_shared<PressedBody>(*body);
+    payload.get(withBeside->beside);
+    if (version >= versionWithKnots)
+    {
+      readKnots(payload, *withBeside);
+    }
+    if (version >= versionWithHeld)
+    {
+      readHeld(payload, *withBeside);
+    }
+    body = payload.ok() ? std::move(withBeside) : nullptr;
+  }
+  recorded.bodies.push_back(std::move(body));
+}
+
+} // namespace input
 } // namespace palpate

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/recording/RecordedMechanisms.h"
+#include "haptics/recording/inputs/Mechanisms.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/recording/RecordedBodies.h"
-#include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/inputs/Bodies.h"
 
 namespace palpate
 {

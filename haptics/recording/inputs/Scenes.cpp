@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/recording/RecordedScenes.h"
+#include "haptics/recording/inputs/Scenes.h"
 
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "haptics/recording/RecordingLayout.h"
-
-namespace palpate
+namespace palpate::input
 {
 namespace
 {
-
-std::vector<double> readNumbers(ByteReader& in)
-{
-  std::vector<double> numbers(in.count(sizeof(double)));
-  for (double& number : numbers)
-  {
-    in.get(number);
-  }
-  return numbers;
-}
 
 std::shared_ptr<const MaterialFields> readFields(ByteReader& in)
 {
@@ -28,7 +16,7 @@ std::shared_ptr<const MaterialFields> readFields(ByteReader& in)
   for (std::vector<double>* const field :
     { &fields->stiffness_N_per_m, &fields->frictionStatic, &fields->frictionKinetic, &fields->height_u })
   {
-    *field = readNumbers(in);
+    in.get(*field);
   }
   return fields->empty() ? nullptr : fields;
 }
@@ -37,19 +25,16 @@ std::shared_ptr<const VertexStart> readStart(ByteReader& in)
 {
   std::uint64_t continues = 0;
   in.get(continues);
-  std::vector<Vec3> vertices_W(in.count(3 * sizeof(double)));
-  for (Vec3& v : vertices_W)
-  {
-    in.get(v);
-  }
+  std::vector<Vec3> vertices_W;
+  in.get(vertices_W);
   return vertices_W.empty() ? nullptr : std::make_shared<const VertexStart>(std::move(vertices_W), continues);
 }
 
 } // namespace
 
-RecordedScene readScene(ByteReader& in)
+void Scenes::read(ByteReader& in, std::uint32_t /*version*/, Recorded& recorded)
 {
-  RecordedScene scene;
+  RecordedScene& scene = recorded.scenes.emplace_back();
   in.get(scene.geometryHash);
   const std::uint64_t surfaces = in.count(1);
   for (std::uint64_t s = 0; s < surfaces && in.ok(); ++s)
@@ -62,19 +47,8 @@ RecordedScene readScene(ByteReader& in)
     double lineRadius_u = 0.0; // 0: triangles
     in.get(lineRadius_u);
     input.lineRadius_u = lineRadius_u != 0.0 ? std::optional(lineRadius_u) : std::nullopt;
-    mesh->vertices_W.resize(in.count(3 * sizeof(double)));
-    for (Vec3& v : mesh->vertices_W)
-    {
-      in.get(v);
-    }
-    mesh->triangles.resize(in.count(3 * sizeof(std::uint32_t)));
-    for (auto& t : mesh->triangles)
-    {
-      for (std::uint32_t& corner : t)
-      {
-        in.get(corner);
-      }
-    }
+    in.get(mesh->vertices_W);
+    in.get(mesh->triangles);
     input.mesh = std::move(mesh);
     input.ordered = true;
     scene.surfaces.push_back(std::move(input));
@@ -85,17 +59,13 @@ RecordedScene readScene(ByteReader& in)
     StandIn& standsFor = scene.surfaces[s].standsFor;
     in.get(standsFor.full);
     in.get(standsFor.bound_u);
-    if (!std::isfinite(standsFor.bound_u) || standsFor.bound_u < 0.0)
-    {
-      in.fail();
-    }
+    in.failUnless(std::isfinite(standsFor.bound_u) && standsFor.bound_u >= 0.0);
   }
-  return scene;
 }
 
-RecordedMotion readMotion(ByteReader& in)
+void Scenes::readMotion(ByteReader& in, std::uint32_t /*version*/, Recorded& recorded)
 {
-  RecordedMotion motion;
+  RecordedMotion& motion = recorded.motions.emplace_back();
   in.get(motion.contentHash);
   in.get(motion.geometryHash);
   in.get(motion.motion_s);
@@ -106,7 +76,6 @@ RecordedMotion readMotion(ByteReader& in)
     in.get(m.end_WS);
     motion.starts.push_back(readStart(in));
   }
-  return motion;
 }
 
-} // namespace palpate
+} // namespace palpate::input

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "haptics/field/Brick.h"
+#include "haptics/field/FieldProxy.h"
+#include "haptics/recording/inputs/InputList.h"
+
+namespace palpate
+{
+
+/// The payload of a brick's chunk.
+void putBrick(ByteWriter& payload, const Brick& brick);
+/// Null, with in.ok() false, where the bytes are no brick.
+[[nodiscard]] std::shared_ptr<const Brick> readBrick(ByteReader& in);
+
+/// The cells of a field's state are indices, and those of a file are not trusted: they are kept where the brick that
+/// they are of is among these and has them. Else the state is forgotten, and the hand meets the field anew.
+void keepCellsWithin(const std::vector<std::shared_ptr<const Brick>>& bricks, FieldState& state);
+
+namespace input
+{
+
+/// The field around the hand.
+struct Bricks
+{
+  using Value = Brick;
+  [[nodiscard]] static const Brick*& of(TickInput& tick) noexcept { return tick.brick; }
+  static constexpr EventKind event = EventKind::Brick;
+  [[nodiscard]] static std::uint64_t idOf(const Brick& brick) noexcept { return brick.contentHash(); }
+  [[nodiscard]] static bool replaces(const TickInput& tick, const RendererState& state) noexcept
+  {
+    const std::uint64_t before = state.field.brick;
+    return before != 0 && (tick.brick == nullptr || tick.brick->called(before) == nullptr);
+  }
+
+  struct Links
+  {
+    SnapshotMailbox<Brick> bricks; ///< owner -> servo
+  };
+  [[nodiscard]] static auto& buffer(Links& links) noexcept { return links.bricks; }
+
+  /// From version 2 on with its lines, 3: a finer one, 4: cells.
+  static constexpr ChunkKind chunk{ "brick", 4 };
+  static void write(ByteWriter& payload, const Brick& brick) { putBrick(payload, brick); }
+
+  struct Recorded
+  {
+    std::vector<std::shared_ptr<const Brick>> bricks; ///< each once
+  };
+  static void read(ByteReader& payload, std::uint32_t /*version*/, Recorded& recorded)
+  {
+    recorded.bricks.push_back(readBrick(payload));
+  }
+  [[nodiscard]] static const auto& recorded(const Recorded& all) noexcept { return all.bricks; }
+  static constexpr const char* missing = "a field that was felt is not in it: it cannot be recomputed";
+};
+
+} // namespace input
+} // namespace palpate

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "haptics/recording/inputs/Mechanisms.h"
+#include "haptics/recording/inputs/SceneLibrary.h"
+
+namespace palpate
+{
+
+bool fits(const PressedBody& body, const Scene* scene)
+{
+  const std::uint32_t surface = body.touch.surface;
+  return scene != nullptr && surface < scene->surfaces().size() &&
+         scene->surfaces()[surface].tree->mesh().vertices_W.size() == body.packet->placeOf.size();
+}
+
+namespace input
+{
+
+std::string Bodies::Replay::take(const RecordedName& name, const Recorded& recorded, const ReplayPlace& place)
+{
+  const auto isIt = [&name](const auto& body) { return body->revision == name.id; };
+  const auto found = std::find_if(recorded.bodies.begin(), recorded.bodies.end(), isIt);
+  this->body_ = found != recorded.bodies.end() ? *found : nullptr;
+  this->takeHeldFaces();
+  const bool stops = !this->body_ || !this->body_->heldFaces || this->held_;
+  return name.id != 0 && !(this->body_ && stops && fits(*this->body_, place.scene.get()))
+           ? "what a soft body gave way by is not in it: it cannot be recomputed"
+           : "";
+}
+
+/// From packet to packet they stay, and so does the tree that they are found by.
+void Bodies::Replay::takeHeldFaces()
+{
+  const auto now = this->body_ ? this->body_->heldFaces : nullptr;
+  const bool same = now && this->heldFaces_ && now->vertices_W == this->heldFaces_->vertices_W &&
+                    now->triangles == this->heldFaces_->triangles;
+  this->held_ = same ? this->held_ : now ? sceneOfHeld(*now) : nullptr;
+  this->heldFaces_ = now;
+}
+
+void Bodies::Replay::put(TickInput& tick, const ReplayPlace& place) noexcept
+{
+  tick.body = nullptr;
+  if (this->body_ && fits(*this->body_, place.scene.get()))
+  {
+    this->now_ = *this->body_;
+    this->now_.scene = place.scene;
+    this->now_.held = this->held_;
+    tick.body = &this->now_;
+  }
+}
+
+/// The state of the tick before, if it is of the same plan, is followed into the bodies of this mechanism.
+std::string Mechanisms::Replay::take(const RecordedName& name, const Recorded& recorded, const ReplayPlace& place)
+{
+  this->mechanism_.reset();
+  if (name.id == 0)
+  {
+    return {};
+  }
+  const auto isIt = [&name](const RecordedMechanism& m) { return m.revision == name.id; };
+  const auto found = std::find_if(recorded.mechanisms.begin(), recorded.mechanisms.end(), isIt);
+  std::vector<std::shared_ptr<const PressedBody>> bodies;
+  bool whole = found != recorded.mechanisms.end();
+  for (std::size_t i = 0; whole && i < found->bodies.size(); ++i)
+  {
+    auto body = std::make_shared<PressedBody>(*found->bodies[i].body);
+    body->scene = place.scenes.find(found->bodies[i].sceneHash, found->bodies[i].sceneRevision);
+    if (!body->scene)
+    {
+      return SceneLibrary::missing;
+    }
+    whole = fits(*body, body->scene.get());
+    bodies.push_back(std::move(body));
+  }
+  if (!whole || !fits(place.state.mechanism, *found))
+  {
+    return "a mechanism that was held is not in it: it cannot be recomputed";
+  }
+  this->mechanism_ = std::make_shared<const FeltMechanism>(name.id, found->plan, std::move(bodies));
+  return {};
+}
+
+} // namespace input
+} // namespace palpate
