@@ -166,6 +166,14 @@ class Recipes(unittest.TestCase):
                   and name.search(path.read_text(encoding="utf-8"))}
         return sorted(re.findall(r"^\| `([^`]+)` \|", page, re.MULTILINE)), sorted(naming - set(besides))
 
+    def test_a_kind_that_is_felt_takes_at_most_20_files_of_which_at_most_6_are_there(self):
+        page = self.read("add-a-felt-kind.md")
+        listed = set(re.findall(r"^\| `([^`]+)` \|", page, re.MULTILINE))
+        shown = set(re.findall(r"^```(?:cpp\n//|diff\n\+\+\+) (.*)$", page, re.MULTILINE))
+        self.assertEqual(listed, shown | {"CHANGELOG.md"})
+        self.assertLessEqual(len(listed), 20)
+        self.assertLessEqual(sum((ROOT / file).exists() for file in listed), 6)
+
     def test_the_files_of_a_setting_are_all_that_name_it(self):
         listed, naming = self.listed_and_naming(self.read("add-a-setting.md"), "CHANGELOG.md")
         self.assertEqual(listed, naming)
