@@ -6,8 +6,8 @@
 namespace palpate
 {
 
-/// What is left of a step that a change has made, of a force or of an offset, so that the hand never feels it at once.
-/// `time_s`: in which it fades. Each formula is the one that recordings were made with.
+/// The share that is left of a step of a force or of an offset, so that the hand never feels a change at once.
+/// `time_s`: the time in which the step fades. Each formula is the one that recordings were made with.
 struct Fade
 {
   double time_s = 0.0;

@@ -12,8 +12,8 @@
 namespace palpate
 {
 
-/// A mailbox from a worker to the servo that also keeps what was published, for the owner of the session to have it
-/// recorded. The servo's side is that of the mailbox: it never takes the lock.
+/// A mailbox from a worker to the servo that also keeps the published snapshots, for the owner of the session to have
+/// them recorded. The servo's side is that of the mailbox: it never takes the lock.
 template<class T>
 class RecordedMailbox
 {

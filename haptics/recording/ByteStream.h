@@ -150,7 +150,7 @@ public:
       this->get(value);
     }
   }
-  /// Of numbers, or of what consists of nothing else.
+  /// Their type has the size in memory that it has in the bytes.
   template<class T>
   void get(std::vector<T>& values)
   {

@@ -23,9 +23,9 @@ namespace palpate
 
 class SceneLibrary;
 
-/// An input of the tick is what another thread hands to it: a struct of static members, in a file of its own in
-/// recording/inputs/:
-///   Value                  immutable: what a tick works on
+/// An input of the tick is a value that another thread hands to it. Each is a struct of static members, in a file of
+/// its own in recording/inputs/:
+///   Value                  its type, immutable
 ///   of(TickInput&)         the pointer to it there; null: there is none
 ///   event                  the change that a recording notes when a tick takes another value
 ///   idOf(const Value&)     its content hash or revision, never 0: by that a recording names it
@@ -34,14 +34,14 @@ class SceneLibrary;
 ///                          a worker, a TripleBuffer for values that a worker writes
 ///   chunk                  of a recording that holds it, each value once
 ///   write(ByteWriter&, const Value&)
-///   Recorded               what is read: members become members of Recording
+///   Recorded               the values that are read: members become members of Recording
 ///   read(ByteReader&, version, Recorded&)
 ///   recorded(Recorded&)    the values that were read
 ///   missing                why a recording without one cannot be recomputed
 /// and, where it has use for them,
 ///   put(arrivals, TickInput&)  which value the tick has, where that depends on others; of those that come later in the
 ///                          list there are still the ones of the tick before
-///   Workspace              what the tick computes it in: put(TickInput&)
+///   Workspace              memory that the tick computes with: put(TickInput&)
 ///   tellWorker(const TickDone&, Links&)                 after a tick
 ///   replaces(const TickInput&, const RendererState&)    the tick goes over from another one: no recording begins there
 ///   nameOf(const Value&)   a name of more than its id
@@ -118,7 +118,7 @@ template<class K>
   }
 }
 
-/// Puts what has come into the input of a tick. True if that is another value than in the tick before.
+/// Puts an arrival into the input of a tick. True if the tick has another value than the tick before.
 template<class K, class Arrivals>
 [[nodiscard]] bool takeInto(TickInput& input, Arrivals& arrivals) noexcept
 {
@@ -149,7 +149,7 @@ template<class K>
   }
 }
 
-/// What a replay knows when it takes a value.
+/// The scenes and the state that a replay has when it takes a value.
 struct ReplayPlace
 {
   const SceneLibrary& scenes;
@@ -206,7 +206,8 @@ struct ChosenReplay<K>
 template<class K>
 using ReplayOf = typename ChosenReplay<K>::Type;
 
-/// A chunk of a recording, and what enters its payload: that is ok() and at its end if it is what it should be.
+/// A kind of chunk, and the function that enters its payload into a recording. The payload is ok() and at its end
+/// afterwards, unless it is damaged.
 template<class K>
 struct InputReader
 {
@@ -241,7 +242,7 @@ template<class K>
   }
 }
 
-/// What a tick computes one in, if that is more than a stack has room for.
+/// Memory that a tick computes with, where that is more than a stack has room for.
 template<class K>
 struct WorkspaceOf
 {

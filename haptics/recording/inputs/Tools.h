@@ -18,7 +18,7 @@ void putTool(ByteWriter& payload, const ToolContacts& contacts);
 namespace input
 {
 
-/// What the tool in the hand touches.
+/// The contacts of the tool in the hand.
 struct Tools
 {
   using Value = ToolContacts;

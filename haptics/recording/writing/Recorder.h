@@ -21,7 +21,7 @@ namespace palpate
 namespace input
 {
 
-/// Of one input, what is to be written.
+/// The values of one input that are to be written.
 template<class K>
 struct Stored
 {
@@ -82,8 +82,8 @@ public:
     this->pushEvent({ tick, K::event, name.id }, name);
   }
 
-  /// Any other thread: stores a value that the servo may take, once for each name, and what else a recording needs for
-  /// it.
+  /// Any other thread: stores a value that the servo may take, once for each name, with the values of other inputs that
+  /// a recording needs for it.
   template<class K>
   void store(const std::shared_ptr<const typename K::Value>& value)
   {
@@ -133,7 +133,7 @@ private:
   RecordingFile file_;
   bool started_ = false; ///< its first chunk is written
   std::atomic<bool> ended_ = false;
-  std::mutex storedMutex_; ///< between store() and the writing thread, for what waits; the servo never takes it
+  std::mutex storedMutex_; ///< between store() and the writing thread; the servo never takes it
   TickInputs::Each<input::Stored> stored_;
   std::jthread writer_;
 };

@@ -46,7 +46,7 @@ public:
   ~BackgroundWorker() { this->channel_.cancel(); }
 
   [[nodiscard]] Status status() const { return this->channel_.status(); }
-  /// Computes in the caller's thread what there is to compute after a tick at that time. Virtual time.
+  /// Computes in the caller's thread, after a tick at that time. Virtual time.
   void step(double time_s)
   {
     this->work([this, time_s] { this->task_.step(time_s); });

@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// Computes results off the caller's thread, one at a time, of what was wanted last. One thread calls every method.
+/// Computes results off the caller's thread, one at a time, of the newest wish. One thread calls every method.
 template<class Result>
 class LatestTask
 {
@@ -21,8 +21,8 @@ public:
     std::function<Result()> compute;
     bool atOnce = false; ///< in the caller's thread
   };
-  /// What is computed: asked when the work begins, since that may depend on what the work before has left. The token
-  /// says that the result is not wanted any more.
+  /// Gives the work when it begins, since the work may depend on the result before. The token says that the result is
+  /// not wanted any more.
   using Wish = std::function<Work(const std::stop_token&)>;
 
   LatestTask() = default;
@@ -39,13 +39,13 @@ public:
   LatestTask& operator=(const LatestTask&) = delete;
 
   [[nodiscard]] bool running() const noexcept { return this->running_.valid(); }
-  /// Begins, or waits in place of any other wish for the end of what is running. True if it is done already.
+  /// Begins, or waits in place of any other wish until the running work ends. True if the work is done already.
   bool want(Wish wish)
   {
     this->next_ = std::move(wish);
     return this->resume();
   }
-  /// Begins what waits, unless something is running. True if it is done already.
+  /// Begins the wish that waits, unless work is running. True if the work is done already.
   bool resume()
   {
     if (!this->next_ || this->running())
@@ -61,15 +61,15 @@ public:
     }
     return work.atOnce;
   }
-  /// Nothing is wanted any more: what is running gives no result.
+  /// Nothing is wanted any more: the running work gives no result.
   void cancel()
   {
     this->next_.reset();
     this->stop_.request_stop();
   }
 
-  /// The result, once, when it is there. After one that was cancelled what waits begins; after a result it waits for
-  /// resume(), which may come after the result is put to use.
+  /// The result, once, when it is there. After cancelled work the wish that waits begins. After a result it waits for
+  /// resume(), so that the caller can put the result to use before.
   std::optional<Result> poll()
   {
     if (!this->running() || this->running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
@@ -100,8 +100,8 @@ public:
 
 private:
   std::future<Result> running_;
-  std::stop_source stop_;    ///< of what is running
-  std::optional<Wish> next_; ///< waits for what is running to end
+  std::stop_source stop_;    ///< of the running work
+  std::optional<Wish> next_; ///< waits until the running work ends
 };
 
 } // namespace palpate

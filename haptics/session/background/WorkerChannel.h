@@ -12,11 +12,11 @@
 namespace palpate
 {
 
-/// What the owner of a worker and its thread share: the newest order, and the status of the work for a person to read.
-/// An Order has
+/// The owner of a worker and its thread share the newest order, and the status of the work for a person to read. An
+/// Order has
 ///   isActive()                whether there is anything to compute
 ///   cancels(before)           whether the work that `before` began is of no use to it
-///   announce(before, status)  what the status says from now on, before the thread has read the order
+///   announce(before, status)  changes the status before the thread has read the order
 template<class Order, class Status>
 class WorkerChannel
 {
@@ -52,7 +52,7 @@ public:
 
   /// Read without the lock in each iteration.
   [[nodiscard]] bool hasNews() const noexcept { return this->news_; }
-  /// The newest order, and what stops the work for it; nothing if it was read before.
+  /// The newest order, and the token that stops the work for it; nothing if it was read before.
   [[nodiscard]] std::optional<std::pair<Order, std::stop_token>> next()
   {
     if (!this->news_.exchange(false))

@@ -85,7 +85,7 @@ public:
   SoftWorker(SoftLinks& links, bool virtualTime) : BackgroundWorker(virtualTime, links) {}
 
   void setBody(const SoftChoice& choice) { this->order({ choice, this->wanted().beside }); }
-  /// What is touched beside the body.
+  /// The scene that is touched beside the body.
   void setScene(std::shared_ptr<const Scene> beside) { this->order({ this->wanted().choice, std::move(beside) }); }
 };
 

@@ -15,7 +15,7 @@
 namespace palpate
 {
 
-/// What a hand holds in place of the ball.
+/// A tool that a hand holds in place of the ball.
 struct ToolChoice
 {
   std::shared_ptr<const ToolMesh> tool; ///< null: none
@@ -49,7 +49,7 @@ struct ToolOrder
   static void announce(const ToolOrder& /*before*/, ToolStatus& /*status*/) noexcept {}
 };
 
-/// Builds what a tool touches, and moves it. While it builds, the contacts of before hold the hand. See
+/// Builds the surroundings of a tool, and moves the tool. While it builds, the contacts of before hold the hand. See
 /// BackgroundWorker.
 class ToolTask
 {
