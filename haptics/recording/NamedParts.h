@@ -11,7 +11,7 @@
 namespace palpate
 {
 
-/// Bytes with a name: of what a program does not know it can at least say what it skips.
+/// Bytes with a name, so that a recording may lack what has been added since.
 struct NamedPart
 {
   std::string name;

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "haptics/core/Checksum.h"
-#include "haptics/recording/Format5.h"
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedStages.h"
 
@@ -15,8 +14,6 @@ namespace palpate
 namespace
 {
 
-constexpr std::uint32_t versionWithPose = 2; ///< of a tick
-
 void readStart(RecordedChunk& chunk, Recording& recording)
 {
   while (chunk.payload.ok() && chunk.payload.left() > 0)
@@ -24,15 +21,15 @@ void readStart(RecordedChunk& chunk, Recording& recording)
     NamedPart part = nextPart(chunk.payload);
     if (part.name == parametersPart)
     {
-      getParameters(part.payload, recording.parameters, recording.skipped);
+      getParameters(part.payload, recording.parameters);
     }
     else if (part.name == statePart)
     {
-      getState(part.payload, recording.initialState, recording.skipped);
+      getState(part.payload, recording.initialState);
     }
     else
     {
-      recording.skipped.note(part.name);
+      chunk.payload.fail();
     }
     chunk.payload.failUnless(part.payload.ok());
   }
@@ -43,38 +40,7 @@ void readTick(RecordedChunk& chunk, Recording& recording)
   TickRecord record;
   inputFields(Get{ chunk.payload }, record);
   outputFields(Get{ chunk.payload }, record);
-  if (chunk.version >= versionWithPose)
-  {
-    poseFields(Get{ chunk.payload }, record.pose.emplace());
-  }
   recording.entries.emplace_back(record);
-}
-
-void readParameters5(ByteReader& in, RecordedChange& change)
-{
-  bool hasParameters = false;
-  in.get(hasParameters);
-  if (hasParameters)
-  {
-    getParameters5(in, change.parameters.emplace());
-  }
-}
-
-void readParts(ByteReader& in, RecordedChange& change, SkippedParts& skipped)
-{
-  while (in.ok() && in.left() > 0)
-  {
-    NamedPart part = nextPart(in);
-    if (part.name == parametersPart)
-    {
-      getParameters(part.payload, change.parameters.emplace(), skipped);
-      in.failUnless(part.payload.ok());
-    }
-    else
-    {
-      skipped.note(part.name);
-    }
-  }
 }
 
 void readChange(RecordedChunk& chunk, Recording& recording)
@@ -82,13 +48,12 @@ void readChange(RecordedChunk& chunk, Recording& recording)
   RecordedChange change;
   ByteReader& in = chunk.payload;
   layChange(Get{ in }, change);
-  if (chunk.version == RecordedChunk::versionInFormat5)
+  while (in.ok() && in.left() > 0)
   {
-    readParameters5(in, change);
-  }
-  else
-  {
-    readParts(in, change, recording.skipped);
+    NamedPart part = nextPart(in);
+    in.failUnless(part.name == parametersPart);
+    getParameters(part.payload, change.parameters.emplace());
+    in.failUnless(part.payload.ok());
   }
   in.failUnless(!change.parameters || change.parameters->validate().empty());
   recording.entries.emplace_back(std::move(change));
@@ -100,14 +65,6 @@ const ChunkReader readers[] = {
   { chunks::change, readChange },
   { chunks::end, [](RecordedChunk& c, Recording& recording) { c.payload.get(recording.lost); } },
 };
-
-void readHead5(ByteReader& in, RecordedChunk& chunk)
-{
-  std::uint32_t number = 0;
-  in.get(number);
-  chunk.name = chunkName5(number);
-  chunk.version = RecordedChunk::versionInFormat5;
-}
 
 void readHead(ByteReader& in, RecordedChunk& chunk)
 {
@@ -133,24 +90,20 @@ bool isNextCheck(ByteReader& in, const char* begin)
 
 } // namespace
 
-RecordedChunk nextChunk(ByteReader& in, int format)
+RecordedChunk nextChunk(ByteReader& in)
 {
   RecordedChunk chunk;
   std::uint64_t size = 0;
   std::uint32_t payloadCheck = 0;
   const char* const head = in.at();
-  const bool checked = format >= Recording::checkedFormatVersion;
-  format == 5 ? readHead5(in, chunk) : readHead(in, chunk);
+  readHead(in, chunk);
   in.get(size);
-  if (checked)
-  {
-    in.get(payloadCheck);
-    chunk.headDamaged = !isNextCheck(in, head);
-  }
+  in.get(payloadCheck);
+  chunk.headDamaged = !isNextCheck(in, head);
   if (!chunk.headDamaged && in.has(size))
   {
     chunk.payload = ByteReader(in.at(), size);
-    chunk.payloadDamaged = checked && crc32c(in.at(), size) != payloadCheck;
+    chunk.payloadDamaged = crc32c(in.at(), size) != payloadCheck;
     in.skip(size);
   }
   return chunk;

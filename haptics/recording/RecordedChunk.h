@@ -16,9 +16,7 @@ namespace palpate
 /// A chunk as it is read back.
 struct RecordedChunk
 {
-  static constexpr std::uint32_t versionInFormat5 = 0; ///< of all of them
-
-  std::string name; ///< empty for a number that format 5 did not know
+  std::string name;
   std::uint32_t version = 0;
   ByteReader payload{ nullptr, 0 };
   bool headDamaged = false; ///< it is not what was written: neither is where its payload ends
@@ -26,7 +24,7 @@ struct RecordedChunk
 };
 
 /// The next chunk of bytes that are not trusted; what it says is true while in.ok() and nothing is damaged.
-[[nodiscard]] RecordedChunk nextChunk(ByteReader& in, int format);
+[[nodiscard]] RecordedChunk nextChunk(ByteReader& in);
 
 /// Enters what a chunk of one kind holds into a recording; the payload is ok() and at its end if it is what it should
 /// be.

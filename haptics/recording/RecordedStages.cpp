@@ -64,6 +64,18 @@ void eachPart(ByteReader& in, const Function& function)
   }
 }
 
+template<class Object, class Fields>
+void getFields(NamedPart& stage, Object& object, const Fields& fields)
+{
+  eachPart(stage.payload,
+    [&](NamedPart& field)
+    {
+      bool known = false;
+      fields(GetField{ field, known }, object);
+      field.payload.failUnless(known);
+    });
+}
+
 template<class Object>
 auto putStage(ByteWriter& out, const Object& object)
 {
@@ -75,57 +87,26 @@ auto putStage(ByteWriter& out, const Object& object)
   };
 }
 
-/// Fills one object from parts, stage by stage.
-template<class Object>
-class StageGetter
+/// Fills an object from parts, stage by stage; what it has no member for fails.
+template<class Object, class ForEach>
+void getStages(ByteReader& in, Object& object, const ForEach& forEachStage)
 {
-public:
-  StageGetter(Object& object, SkippedParts& skipped) : object_(object), skipped_(skipped) {}
-
-  template<class ForEach>
-  void get(ByteReader& in, const ForEach& forEachStage)
-  {
-    eachPart(in,
-      [this, &forEachStage](NamedPart& part)
-      {
-        bool known = false;
-        forEachStage(
-          [this, &part, &known](std::string_view name, const auto& fields)
-          {
-            if (part.name == name)
-            {
-              known = true;
-              this->getFields(part, fields);
-            }
-          });
-        this->noteUnless(known, part.name);
-      });
-  }
-
-private:
-  template<class Fields>
-  void getFields(NamedPart& stage, const Fields& fields)
-  {
-    eachPart(stage.payload,
-      [this, &stage, &fields](NamedPart& field)
-      {
-        bool known = false;
-        fields(GetField{ field, known }, this->object_);
-        this->noteUnless(known, stage.name + "." + field.name);
-      });
-  }
-
-  void noteUnless(bool known, const std::string& name)
-  {
-    if (!known)
+  eachPart(in,
+    [&](NamedPart& stage)
     {
-      this->skipped_.note(name);
-    }
-  }
-
-  Object& object_;
-  SkippedParts& skipped_;
-};
+      bool known = false;
+      forEachStage(
+        [&](std::string_view name, const auto& fields)
+        {
+          if (stage.name == name)
+          {
+            known = true;
+            getFields(stage, object, fields);
+          }
+        });
+      stage.payload.failUnless(known);
+    });
+}
 
 } // namespace
 
@@ -146,14 +127,14 @@ RendererState recordedPart(const RendererState& state) noexcept
   return part;
 }
 
-void getParameters(ByteReader& in, HapticParameters& parameters, SkippedParts& skipped)
+void getParameters(ByteReader& in, HapticParameters& parameters)
 {
-  StageGetter(parameters, skipped).get(in, [](const auto& function) { forEachPlan(function); });
+  getStages(in, parameters, [](const auto& function) { forEachPlan(function); });
 }
 
-void getState(ByteReader& in, RendererState& state, SkippedParts& skipped)
+void getState(ByteReader& in, RendererState& state)
 {
-  StageGetter(state, skipped).get(in, [](const auto& function) { forEachState(function); });
+  getStages(in, state, [](const auto& function) { forEachState(function); });
 }
 
 } // namespace palpate

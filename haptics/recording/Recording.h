@@ -9,7 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "haptics/recording/SkippedParts.h"
 #include "haptics/recording/TickRecord.h"
 #include "haptics/recording/inputs/Inputs.h"
 #include "haptics/tick/ForceRenderer.h"
@@ -32,23 +31,17 @@ struct RecordedChange
 using RecordedEntry = std::variant<TickRecord, RecordedChange>;
 
 /// A whole recording: a text header, then little-endian chunks, then a closing chunk, each with its checksum
-/// (RecordingLayout.h). What a program does not know it skips and says; what a recording lacks keeps its default.
+/// (RecordingLayout.h). What a program does not know it refuses; a plan or a field that a recording lacks keeps its
+/// default.
 struct Recording : TickInputs::Recorded
 {
-  static constexpr int formatVersion = 7;        ///< that is written
-  static constexpr int checkedFormatVersion = 7; ///< the first with checksums
-  static constexpr int oldestFormatVersion = 5;  ///< that is still read
+  static constexpr int formatVersion = 7;
 
-  int format = formatVersion; ///< that it was read from
   std::string device;
   HapticParameters parameters;
   RendererState initialState;
   std::vector<RecordedEntry> entries;
-  SkippedParts skipped;
   std::uint64_t lost = 0; ///< ticks the writer could not take: such a recording cannot be recomputed
-
-  /// Empty, or one phrase: in a file of an older format damage may have gone unnoticed.
-  [[nodiscard]] std::string describeUnchecked() const;
 };
 
 /// Reads a recording; on failure one sentence with the file and the reason. Never allocates by a number in the file

@@ -67,8 +67,6 @@ std::vector<char> tickChunk(const TickRecord& record)
   ByteWriter payload;
   inputFields(Put{ payload }, record);
   outputFields(Put{ payload }, record);
-  const PoseRecord pose = record.pose.value_or(PoseRecord{});
-  poseFields(Put{ payload }, pose);
   return recordedChunk(chunks::tick, payload);
 }
 

@@ -30,10 +30,10 @@ inline constexpr std::size_t headerCheckDigits = 8;
   return digits;
 }
 
-/// What a chunk of a recording holds, by its name in the file, and the newest version of it that this program knows. A
-/// newer version only appends. In the file a chunk is its head (name, version u32, size of the payload u64, CRC-32C of
-/// the payload u32, CRC-32C of the head's bytes so far u32), then its payload. The head has a checksum of its own: a
-/// size must be believed before the payload can be found. Before format 7 a head had neither of the two.
+/// What a chunk of a recording holds, by its name in the file, and the version of it that this program writes and
+/// reads. In the file a chunk is its head (name, version u32, size of the payload u64, CRC-32C of the payload u32,
+/// CRC-32C of the head's bytes so far u32), then its payload. The head has a checksum of its own: a size must be
+/// believed before the payload can be found.
 struct ChunkKind
 {
   static constexpr std::size_t nameSize = 8; ///< in the file, filled up with zeros
@@ -46,7 +46,7 @@ struct ChunkKind
 namespace chunks
 {
 inline constexpr ChunkKind start{ "start" };   ///< first parameters and state; before all that follow
-inline constexpr ChunkKind tick{ "tick", 2 };  ///< TickRecord; from version 2 on with its PoseRecord
+inline constexpr ChunkKind tick{ "tick", 2 };  ///< TickRecord
 inline constexpr ChunkKind change{ "change" }; ///< RecordedChange
 inline constexpr ChunkKind end{ "end" };       ///< ticks that were lost; nothing follows
 } // namespace chunks

@@ -45,7 +45,7 @@ TickRecord makeRecord(const TickInput& input, const TickOutput& output) noexcept
   return { input.tick, input.dt_s, input.sample, input.status, input.lateness, input.hand, output.command.wrench_D,
     output.state.proxy_W, output.state.contacts, output.state.sceneRevision, output.state.energy.delivered_J,
     output.state.energy.excess_J, recordFlags(output.state), wallsOf(output.command), output.command.signal,
-    PoseRecord{ output.state.turned_J, output.command.target } };
+    output.state.turned_J, output.command.target };
 }
 
 } // namespace palpate

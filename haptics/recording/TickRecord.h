@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "haptics/core/HapticDevice.h"
 #include "haptics/tick/ForceRenderer.h"
@@ -19,13 +18,6 @@ struct DeviceWalls
   double stiffness_N_per_m = 0.0;
   std::array<double, AxisWalls::count> largest_N{}; ///< each may push; infinite: as hard as its spring
   double viscosity_Ns_per_m = 0.0;
-};
-
-/// What a tick said of turning and of the pose that the device is drawn to.
-struct PoseRecord
-{
-  double turned_J = 0.0; ///< energy meter: net work of the torque
-  PoseTarget target;
 };
 
 /// One tick as it was: what went in, and what came out to compare with.
@@ -46,7 +38,8 @@ struct TickRecord
   std::uint32_t flags = 0;  ///< see recordFlags
   DeviceWalls walls;
   Signal signal = Signal::None;
-  std::optional<PoseRecord> pose; ///< none: recorded before there was one
+  double turned_J = 0.0; ///< energy meter: net work of the torque
+  PoseTarget target;
 };
 
 /// Hands each member of what went into a tick to visit(name, member...); of several records, the same of each.
@@ -93,14 +86,9 @@ void outputFields(const Visit& visit, R&... r)
   }
   visit("viscosity", r.walls.viscosity_Ns_per_m...);
   visit("signal", r.signal...);
-}
-
-template<class Visit, class... P>
-void poseFields(const Visit& visit, P&... p)
-{
-  visit("energy of turning", p.turned_J...);
-  visit("target", p.target.pose_D...);
-  visit("target", p.target.stiffness_N_per_m...);
+  visit("energy of turning", r.turned_J...);
+  visit("target", r.target.pose_D...);
+  visit("target", r.target.stiffness_N_per_m...);
 }
 
 /// The flags of a state as bits: clamped, riseLimited, capped, overBudget, infeasible, held, stiffnessLimited, from the

@@ -157,13 +157,6 @@ private:
 int vtkHapticCliReplay(const vtkHapticCliReplayOptions& options)
 {
   const palpate::Recording recording = Read(options.Recording);
-  for (const std::string& note : { recording.skipped.describe(), recording.describeUnchecked() })
-  {
-    if (!note.empty())
-    {
-      std::cerr << options.Recording << ": " << note << '\n';
-    }
-  }
   const std::vector<std::shared_ptr<const palpate::Scene>> scenes = ScenesOf(options);
   std::optional<TickTable> table;
   if (!options.Output.empty())

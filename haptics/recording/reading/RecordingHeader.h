@@ -12,7 +12,6 @@ namespace palpate
 struct RecordingHeader
 {
   std::string problem; ///< empty, or why the recording cannot be read
-  int format = 0;
   std::string device;
   std::size_t size = 0; ///< bytes
 };

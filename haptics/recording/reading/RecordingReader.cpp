@@ -3,7 +3,6 @@
 #include <iterator>
 #include <utility>
 
-#include "haptics/recording/Format5.h"
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedChunk.h"
 #include "haptics/recording/Recording.h"
@@ -16,6 +15,7 @@ namespace
 {
 
 const char* const cutShort = "is cut short: it ends without its closing mark";
+const char* const otherProgram = ", which this program does not know: read it with the program that recorded it";
 const char* const impossible = "is damaged: its initial state cannot be";
 
 /// Features and history of an untrusted state must not be used as indices; a recording starts without them.
@@ -47,11 +47,11 @@ public:
   /// Empty, or what is wrong.
   std::string parse(ByteReader& in)
   {
-    bool first = this->recording_.format != 5;
+    bool first = true;
     for (std::uint64_t number = 1; in.ok(); ++number)
     {
       const std::size_t begin = this->fileSize_ - in.left();
-      RecordedChunk chunk = nextChunk(in, this->recording_.format);
+      RecordedChunk chunk = nextChunk(in);
       if (!in.ok())
       {
         return cutShort;
@@ -87,18 +87,16 @@ private:
     const std::optional<ChunkReader> reader = readerOf(chunk.name);
     if (!reader)
     {
-      this->recording_.skipped.note(chunk.name);
-      return {};
+      return "has a part of kind " + chunk.name + otherProgram;
+    }
+    if (chunk.version != reader->kind.version)
+    {
+      return "has a part of kind " + chunk.name + " in version " + std::to_string(chunk.version) + otherProgram;
     }
     reader->read(chunk, this->recording_);
-    const bool newer = chunk.version > reader->kind.version;
-    if (!chunk.payload.ok() || (chunk.payload.left() != 0 && !newer))
+    if (!chunk.payload.ok() || chunk.payload.left() != 0)
     {
-      return "is damaged: a part of kind " + chunk.name + " is not what it should be";
-    }
-    if (chunk.payload.left() != 0)
-    {
-      this->recording_.skipped.note("end of " + chunk.name);
+      return "is damaged: a part of kind " + chunk.name + " is not what it should be, or another version of the program recorded it";
     }
     return reader->kind.name == chunks::start.name && !isPossible(this->recording_) ? impossible : "";
   }
@@ -107,22 +105,7 @@ private:
   std::size_t fileSize_;
 };
 
-/// What stands before the chunks; empty, or what is wrong.
-std::string readStart5(ByteReader& in, Recording& recording)
-{
-  getParameters5(in, recording.parameters);
-  getState5(in, recording.initialState);
-  return !in.ok() ? "is cut short: its header does not end" : isPossible(recording) ? "" : impossible;
-}
-
 } // namespace
-
-std::string Recording::describeUnchecked() const
-{
-  return this->format >= checkedFormatVersion
-           ? ""
-           : "it is of format " + std::to_string(this->format) + " and carries no checksums: damage may go unnoticed";
-}
 
 std::variant<Recording, std::string> parseRecording(const std::vector<char>& bytes, const std::string& name)
 {
@@ -133,9 +116,7 @@ std::variant<Recording, std::string> parseRecording(const std::vector<char>& byt
   {
     ByteReader in(bytes.data() + header.size, bytes.size() - header.size);
     recording.device = header.device;
-    recording.format = header.format;
-    problem = header.format == 5 ? readStart5(in, recording) : "";
-    problem = problem.empty() ? ChunkParser(recording, bytes.size()).parse(in) : problem;
+    problem = ChunkParser(recording, bytes.size()).parse(in);
   }
   if (!problem.empty())
   {

@@ -33,10 +33,6 @@ const char* firstDifference(const TickRecord& a, const TickRecord& b)
 {
   const char* found = nullptr;
   outputFields(FirstDifference{ found }, a, b);
-  if (a.pose && b.pose)
-  {
-    poseFields(FirstDifference{ found }, *a.pose, *b.pose);
-  }
   return found;
 }
 

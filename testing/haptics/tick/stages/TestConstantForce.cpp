@@ -166,8 +166,7 @@ TEST_F(ConstantForce, IsRecordedAndOneThatIsNoNumberIsRefused)
   putParameters(bytes, this->parameters_);
   ByteReader in(bytes.bytes().data(), bytes.bytes().size());
   HapticParameters read;
-  SkippedParts skipped;
-  getParameters(in, read, skipped);
+  getParameters(in, read);
   EXPECT_EQ(read.constantForce_W, force_W);
   setConstantForce(this->parameters_, Vec3(0, 0, std::nan("")));
   EXPECT_NE(this->parameters_.validate(), "");

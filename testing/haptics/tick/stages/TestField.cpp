@@ -223,8 +223,7 @@ TEST_F(Field, IsRecordedAndWhatCannotBeIsRefused)
   putParameters(bytes, this->parameters_);
   ByteReader in(bytes.bytes().data(), bytes.bytes().size());
   HapticParameters read;
-  SkippedParts skipped;
-  getParameters(in, read, skipped);
+  getParameters(in, read);
   EXPECT_EQ(read.field.isovalue, 7.5);
   EXPECT_TRUE(read.field.detent.click && read.field.isosurface);
   const auto refused = [](const auto& change)
