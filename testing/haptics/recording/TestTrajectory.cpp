@@ -20,7 +20,7 @@ Recording readGood(const std::string& path)
   return std::get<Recording>(std::move(read));
 }
 
-TEST(Trajectory, IsWhereTheReplayHasHandProxyAndForceInEveryFormat)
+TEST(Trajectory, IsWhereTheReplayHasHandProxyAndForce)
 {
   for (const auto& file : std::filesystem::directory_iterator(PALPATE_FIXTURES))
   {
