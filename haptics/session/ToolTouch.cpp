@@ -42,7 +42,11 @@ std::unique_ptr<ToolTouch> ToolTouch::make(const TriangleMesh& tool, const Trian
   const Pose& first_W, std::string& refusal)
 {
   refusal = refuseHold(hold);
-  const ToolResult held = refusal.empty() ? makeTool(tool, Vec3(Vec3::Zero())) : ToolResult{ {}, refusal };
+  if (!refusal.empty())
+  {
+    return nullptr;
+  }
+  const ToolResult held = makeTool(tool, Vec3(Vec3::Zero()));
   CleanResult scene = held.ok() ? cleanMesh(scene_W) : CleanResult{};
   refusal = !held.ok() ? held.refusal : scene.ok() ? "" : "the scene cannot be touched: " + scene.refusal;
   if (!refusal.empty())

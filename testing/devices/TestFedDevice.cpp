@@ -15,7 +15,7 @@ namespace palpate
 namespace
 {
 
-constexpr double period_s = 1e-3;
+constexpr double tick_s = 1e-3;
 constexpr double fastest_m_per_s = 0.5; // of the mouse's hand
 constexpr double longestGlide_s = 0.05;
 
@@ -33,7 +33,7 @@ protected:
   double tick()
   {
     DeviceSample sample;
-    EXPECT_EQ(this->mouse_->read(period_s * static_cast<double>(this->ticks_++), sample), DeviceStatus::Ok);
+    EXPECT_EQ(this->mouse_->read(tick_s * static_cast<double>(this->ticks_++), sample), DeviceStatus::Ok);
     return sample.pose_D.p.x();
   }
   /// The x of so many ticks after a new pose.
@@ -108,11 +108,11 @@ TEST_F(MouseHand, IsNoFasterThanAHandAndArrives)
 {
   this->glide(0.0, 1000);
   constexpr double far_m = 0.1;
-  const int ticks = static_cast<int>(std::lround(far_m / (fastest_m_per_s * period_s)));
+  const int ticks = static_cast<int>(std::lround(far_m / (fastest_m_per_s * tick_s)));
   double before_m = 0.0;
   for (const double x_m : this->glide(far_m, ticks + 2))
   {
-    ASSERT_LE(x_m - before_m, fastest_m_per_s * period_s * (1 + 1e-12));
+    ASSERT_LE(x_m - before_m, fastest_m_per_s * tick_s * (1 + 1e-12));
     before_m = x_m;
   }
   EXPECT_EQ(before_m, far_m);
@@ -122,7 +122,7 @@ TEST_F(MouseHand, AfterARestItTakesNoLongerThanThreeFrames)
 {
   this->glide(0.0, 1000);
   constexpr double h = 0.005;
-  const int ticks = static_cast<int>(std::lround(longestGlide_s / period_s));
+  const int ticks = static_cast<int>(std::lround(longestGlide_s / tick_s));
   const std::vector<double> x_m = this->glide(h, ticks + 1);
   EXPECT_NEAR(x_m[ticks / 2 - 1], 0.5 * h, 1e-12);
   EXPECT_EQ(x_m.back(), h);

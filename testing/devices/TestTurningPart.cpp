@@ -13,7 +13,7 @@ namespace palpate
 namespace
 {
 
-constexpr double period_s = 1e-3;
+constexpr double step_s = 1e-3;
 
 TurningModel plain(double inertia, double damping)
 {
@@ -28,12 +28,12 @@ TEST(TurningPart, UnderATorqueTurnsAboutItByTheFormulaOfADampedWheel)
   // w = T / b (1 - exp(-b t / J)), and the turn is its integral.
   constexpr double J = 1e-4, b = 1e-3, torque_Nm = 0.02;
   const Vec3 axis = Vec3(1, 2, 2) / 3.0;
-  TurningPart part(plain(J, b), TurningModel{}, period_s);
+  TurningPart part(plain(J, b), TurningModel{}, step_s);
   part.begin(Quat::Identity());
   for (int i = 1; i <= 100; ++i)
   {
     part.step(Quat::Identity(), Quat::Identity(), torque_Nm * axis);
-    const double t = i * period_s, decay = std::exp(-b * t / J);
+    const double t = i * step_s, decay = std::exp(-b * t / J);
     EXPECT_NEAR((part.rate_D() - torque_Nm / b * (1 - decay) * axis).norm(), 0.0, 1e-9);
     const double turned = torque_Nm / b * (t - J / b * (1 - decay));
     EXPECT_NEAR(turnFromTo(turnBy(turned * axis), part.turn_D()).norm(), 0.0, 1e-9);
@@ -48,7 +48,7 @@ TEST(TurningPart, GoesWhereItsHandIsLedAndIsHeldBackByATorqueOverTheHandsStiffne
     if (hand.turning.stiffness_Nm_per_rad > 0.0)
     {
       const double k = hand.turning.stiffness_Nm_per_rad;
-      TurningPart part(plain(1e-4, 1e-3), hand.turning, period_s);
+      TurningPart part(plain(1e-4, 1e-3), hand.turning, step_s);
       part.begin(Quat::Identity());
       const Vec3 torque_Nm(0.02, 0.01, -0.03);
       for (int i = 0; i < 3000; ++i)
@@ -65,12 +65,12 @@ TEST(TurningPart, StaysUnderATorqueBelowItsFrictionAndGivesNoMoreThanItsMotorsDo
   TurningModel device = plain(1e-4, 1e-3);
   device.friction_Nm = 5e-3;
   device.maxTorque_Nm = 0.1;
-  TurningPart part(device, TurningModel{}, period_s);
+  TurningPart part(device, TurningModel{}, step_s);
   part.begin(Quat::Identity());
   part.step(Quat::Identity(), Quat::Identity(), Vec3(4.9e-3, 0, 0));
   EXPECT_EQ(part.rate_D(), Vec3(0, 0, 0));
   part.step(Quat::Identity(), Quat::Identity(), Vec3(10.0, 0, 0));
-  TurningPart limited(device, TurningModel{}, period_s);
+  TurningPart limited(device, TurningModel{}, step_s);
   limited.begin(Quat::Identity());
   limited.step(Quat::Identity(), Quat::Identity(), Vec3(0.1, 0, 0));
   EXPECT_EQ(part.rate_D(), limited.rate_D());
@@ -87,7 +87,7 @@ TEST(TurningPart, OfADeviceShowsWholeStepsAndNoRateAndOnlyWhereItTurns)
     const test::AllocationGuard guard;
     for (int i = 1; i <= 1000; ++i)
     {
-      static_cast<void>(device.read(i * period_s, sample));
+      static_cast<void>(device.read(i * step_s, sample));
     }
     EXPECT_EQ(guard.allocations() + guard.locks(), 0u);
   }
@@ -100,7 +100,7 @@ TEST(TurningPart, OfADeviceShowsWholeStepsAndNoRateAndOnlyWhereItTurns)
   EXPECT_EQ(device.info().abilities.sensedAxes, 6);
   SimulatedDevice point(*deviceModel("simulated-premium"), *handModel("firm"), HandPath{ { Vec3::Zero() } });
   ASSERT_EQ(point.open(), "");
-  static_cast<void>(point.read(period_s, sample));
+  static_cast<void>(point.read(step_s, sample));
   EXPECT_EQ(sample.pose_D.q.coeffs(), Quat::Identity().coeffs());
   EXPECT_FALSE(point.info().rendersTorque);
 }

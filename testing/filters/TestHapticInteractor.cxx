@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "vtkActor.h"
 #include "vtkHapticInteractor.h"
@@ -20,7 +21,6 @@ using namespace palpate::testing;
 
 namespace
 {
-constexpr int ticksToEngage = 1100; // arming, the ramp of 1 s, and some to spare
 
 /// A plane z = 0 shown by an actor in a renderer without a window, touched in virtual time; a millimetre a unit.
 class HapticInteractor : public ::testing::Test

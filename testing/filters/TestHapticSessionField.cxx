@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkFloatArray.h"
@@ -23,9 +24,6 @@ using ::testing::HasSubstr;
 
 namespace
 {
-constexpr int ticksToEngage = 1100;
-constexpr double stiffness_N_per_m = 500.0;
-constexpr double zoom_u_per_m = 1000.0; // a unit is a millimetre
 
 /// |p| on n^3 points h apart around the origin.
 vtkSmartPointer<vtkImageData> distances(int n, double h)
@@ -51,8 +49,8 @@ protected:
   void start(const Vec3& hand)
   {
     this->session_->VirtualTimeOn();
-    this->session_->SetStiffness(stiffness_N_per_m);
-    this->session_->SetScale(zoom_u_per_m);
+    this->session_->SetStiffness(stiffness);
+    this->session_->SetScale(scale);
     this->at(hand);
     this->session_->TouchingOn();
     ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
@@ -90,8 +88,8 @@ TEST_F(HapticSessionField, AloneIsFeltAsTheSurfaceOfItsIsovalueFromBothSides)
   EXPECT_EQ(this->force().norm(), 0.0);
   this->go(28.0 * n, 17.0 * n);
   // The surface of sampled distances lies up to h^2 / 4 R inside of the ball.
-  const double error_N = stiffness_N_per_m * h * h / (4.0 * R) / zoom_u_per_m;
-  const double spring_N = stiffness_N_per_m * 3.0 / zoom_u_per_m;
+  const double error_N = stiffness * h * h / (4.0 * R) / scale;
+  const double spring_N = stiffness * 3.0 / scale;
   EXPECT_NEAR(this->force().dot(n), spring_N, 1.1 * error_N);
   EXPECT_NEAR(this->session_->GetFieldValue(), 17.0, h * h / (4.0 * 17.0) * 1.1);
   EXPECT_LT((Vec3(this->session_->GetFieldGradient()) - n).norm(), 0.1);
@@ -216,8 +214,8 @@ TEST_F(HapticSessionField, OfTetrahedraIsFeltAsOnTheImageThatTheyWereCutFrom)
   this->start(18.0 * n);
   this->go(18.0 * n, 11.0 * n);
   // A chord of a tetrahedron's longest edge, sqrt(3) h, is (sqrt(3) h)^2 / 8 R inside of the ball.
-  const double error_N = stiffness_N_per_m * 3.0 * h * h / (8.0 * R) / zoom_u_per_m;
-  EXPECT_NEAR(this->force().norm(), stiffness_N_per_m * 3.0 / zoom_u_per_m, error_N);
+  const double error_N = stiffness * 3.0 * h * h / (8.0 * R) / scale;
+  EXPECT_NEAR(this->force().norm(), stiffness * 3.0 / scale, error_N);
 }
 
 TEST_F(HapticSessionField, OfAChannelsGradedCellsHoldsAHandAtThirtyCentimetresASecondThroughItsWallAndAlongIt)
@@ -295,7 +293,7 @@ TEST_F(HapticSessionField, LargerThanABrickComesAlongWithTheHand)
   ASSERT_TRUE(this->session_->FinishField());
   this->start(from);
   this->go(from, to);
-  EXPECT_NEAR(this->force().x(), -stiffness_N_per_m * 2.0 / zoom_u_per_m, 1e-6);
+  EXPECT_NEAR(this->force().x(), -stiffness * 2.0 / scale, 1e-6);
   EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("u around the hand"));
 }
 

@@ -21,12 +21,9 @@ using ::testing::StartsWith;
 
 namespace
 {
-constexpr int ticksToSettle = 1500;
-constexpr double notNoticed = 0.07; // of a depth of 1 mm
 constexpr double jnd_N = stiffness * notNoticed / scale;
 constexpr double noise = 0.005;
-constexpr double radius = 50.0;
-constexpr double depth = 2.0;
+constexpr double ringRadius = 50.0;
 constexpr double step = 0.2; // a tick, 0.2 m/s
 constexpr int many = 300000;
 
@@ -43,7 +40,7 @@ std::vector<Vec3> makeRing(int points, double off)
   for (int i = 0; i < points; ++i)
   {
     const double angle = 2 * std::numbers::pi * i / points;
-    ring_W.push_back((radius + random.uniform(-off, off)) * Vec3(std::cos(angle), std::sin(angle), 0.0));
+    ring_W.push_back((ringRadius + random.uniform(-off, off)) * Vec3(std::cos(angle), std::sin(angle), 0.0));
   }
   ring_W.push_back(ring_W.front());
   return ring_W;
@@ -57,7 +54,7 @@ std::vector<Vec3> makeRippledRing()
   for (int i = 0; i < many; ++i)
   {
     const double angle = 2 * std::numbers::pi * i / many;
-    ring_W.push_back((radius + noise * std::sin(ripples * angle)) * Vec3(std::cos(angle), std::sin(angle), 0.0));
+    ring_W.push_back((ringRadius + noise * std::sin(ripples * angle)) * Vec3(std::cos(angle), std::sin(angle), 0.0));
   }
   ring_W.push_back(ring_W.front());
   return ring_W;
@@ -69,7 +66,7 @@ std::vector<Vec3> makeLine(int points, double off)
   std::vector<Vec3> line_W;
   for (int i = 0; i < points; ++i)
   {
-    line_W.emplace_back(2 * radius * i / (points - 1) - radius, random.uniform(-off, off), 0.0);
+    line_W.emplace_back(2 * ringRadius * i / (points - 1) - ringRadius, random.uniform(-off, off), 0.0);
   }
   return line_W;
 }
@@ -107,12 +104,12 @@ protected:
     const bool level = !this->sentence().starts_with("all");
     for (int tick = 0; tick < ticks; ++tick)
     {
-      this->angle_ += step / radius;
-      this->stepTo(onRing(radius + depth, this->angle_));
+      this->angle_ += step / ringRadius;
+      this->stepTo(onRing(ringRadius + depth, this->angle_));
       if (level)
       {
         ASSERT_NEAR(this->force_N(), stiffness * depth / scale, jnd_N + stiffness * noise / scale) << "tick " << tick;
-        ASSERT_LE(Vec3(this->session_->GetProxyPosition()).norm(), radius + noise) << "tick " << tick;
+        ASSERT_LE(Vec3(this->session_->GetProxyPosition()).norm(), ringRadius + noise) << "tick " << tick;
       }
     }
   }
@@ -145,7 +142,7 @@ TEST_F(HapticSessionFineLines, ARingOf300000PointsIsFeltThroughACoarserLevelWith
 {
   this->showLine(makeRippledRing());
   EXPECT_THAT(this->sentence(), StartsWith("all 300000 segments are felt (coarser lines are looked for meanwhile)"));
-  this->touch(onRing(radius - 5.0, 0.0), onRing(radius + depth, 0.0));
+  this->touch(onRing(ringRadius - 5.0, 0.0), onRing(ringRadius + depth, 0.0));
   this->slide(100);
   EXPECT_GT(this->session_->GetCappedTicks(), 50); // it goes over 190 segments a tick, once it goes
   this->session_->Step(ticksToSettle);
@@ -166,7 +163,7 @@ TEST_F(HapticSessionFineLines, ARingOf300000PointsIsFeltThroughACoarserLevelWith
 TEST_F(HapticSessionFineLines, NoiseIsFeltNoMoreThanItIsLarge)
 {
   this->showLine(makeRing(many, noise));
-  this->touch(onRing(radius - 5.0, 0.0), onRing(radius + depth, 0.0));
+  this->touch(onRing(ringRadius - 5.0, 0.0), onRing(ringRadius + depth, 0.0));
   EXPECT_LE(this->largestStepOfSwap_N(), jnd_N);
   this->slide(2000);
   EXPECT_EQ(this->session_->GetCappedTicks(), 0);
@@ -198,12 +195,12 @@ TEST_F(HapticSessionFineLines, TubesOfAFineCurveAreFeltThroughACoarserLevelToo)
   this->showLine(makeRing(30000, noise));
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
   EXPECT_THAT(this->sentence(), HasSubstr(" of 30000 segments are felt (proven"));
-  this->touch(onRing(radius - 5.0, 0.0), onRing(radius - tube + depth / 2, 0.0));
+  this->touch(onRing(ringRadius - 5.0, 0.0), onRing(ringRadius - tube + depth / 2, 0.0));
   const double ball = 1e-3 * tube; // a point is taken to be so large
   const double expected_N = stiffness * (depth / 2 + ball) / scale;
   for (int tick = 0; tick < 1000; ++tick)
   {
-    this->stepTo(onRing(radius - tube + depth / 2, step / radius * tick));
+    this->stepTo(onRing(ringRadius - tube + depth / 2, step / ringRadius * tick));
     ASSERT_NEAR(this->force_N(), expected_N, jnd_N + stiffness * noise / scale) << "tick " << tick;
   }
   EXPECT_EQ(this->session_->GetCappedTicks(), 0);
@@ -234,10 +231,10 @@ TEST_F(HapticSessionFineLines, InASlantedPlaneTheLevelLiesInThatPlane)
   this->showLine(ring_W);
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
   EXPECT_TRUE(this->session_->GetPlaneWorld());
-  this->touch(turn * onRing(radius - 5.0, 0.0), turn * onRing(radius + depth, 0.0));
+  this->touch(turn * onRing(ringRadius - 5.0, 0.0), turn * onRing(ringRadius + depth, 0.0));
   for (int tick = 0; tick < 1000; ++tick)
   {
-    this->stepTo(turn * onRing(radius + depth, step / radius * tick));
+    this->stepTo(turn * onRing(ringRadius + depth, step / ringRadius * tick));
     ASSERT_NEAR(this->force_N(), stiffness * depth / scale, jnd_N + stiffness * noise / scale) << "tick " << tick;
   }
   EXPECT_EQ(this->session_->GetCappedTicks(), 0);

@@ -18,7 +18,6 @@ using ::testing::HasSubstr;
 
 namespace
 {
-constexpr double depth = 2.0; // u
 constexpr double normal_N = stiffness * depth / scale;
 constexpr double statical = 0.5;
 constexpr double kinetic = 0.3;

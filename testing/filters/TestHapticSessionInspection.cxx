@@ -29,9 +29,6 @@ namespace
 
 using ::testing::HasSubstr;
 
-constexpr double half = 100.0;  // u
-constexpr double depth = 2.0;   // u
-constexpr double radius = 50.0; // u
 
 void addArray(vtkDataSetAttributes* arrays, const char* name, int components, std::vector<double> values)
 {
@@ -120,12 +117,12 @@ TEST_F(HapticSessionInspection, SaysPlaceNormalCellAndEveryArrayAtTheContact)
 
 TEST_F(HapticSessionInspection, OfABallHasItsCurvatureAndItsDiameterAsTheWall)
 {
-  this->show(makeSphere(radius, 100));
-  this->press(Vec3(1.0, 2.0, radius + 1.0), Vec3(1.0, 2.0, radius - depth));
+  this->show(makeSphere(sphereRadius, 100));
+  this->press(Vec3(1.0, 2.0, sphereRadius + 1.0), Vec3(1.0, 2.0, sphereRadius - depth));
   ASSERT_TRUE(this->session_->InspectContact());
-  EXPECT_NEAR(this->session_->GetContactCurvature()[0], 1.0 / radius, 0.02 / radius);
-  EXPECT_NEAR(this->session_->GetContactCurvature()[1], 1.0 / radius, 0.02 / radius);
-  EXPECT_NEAR(this->session_->GetContactThickness(), 2.0 * radius, 0.01 * radius); // facets of 3.6 degrees
+  EXPECT_NEAR(this->session_->GetContactCurvature()[0], 1.0 / sphereRadius, 0.02 / sphereRadius);
+  EXPECT_NEAR(this->session_->GetContactCurvature()[1], 1.0 / sphereRadius, 0.02 / sphereRadius);
+  EXPECT_NEAR(this->session_->GetContactThickness(), 2.0 * sphereRadius, 0.01 * sphereRadius); // facets of 3.6 degrees
 }
 
 TEST_F(HapticSessionInspection, FindsTheCellsOfAPlacedBlockByTheIdsItCameFrom)

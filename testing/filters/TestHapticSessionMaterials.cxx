@@ -24,8 +24,6 @@ using ::testing::Not;
 
 namespace
 {
-constexpr double half = 100.0; // u
-constexpr double depth = 2.0;  // u
 
 vtkSmartPointer<vtkPolyData> planeWithX()
 {

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "VirtualSession.h"
 #include "VtkScenes.h"
 #include "haptics/geometry/mesh/TriangleMesh.h"
 #include "vtkCellArray.h"
@@ -23,11 +24,6 @@ using ::testing::HasSubstr;
 
 namespace
 {
-constexpr int ticksToEngage = 1100;     // arming, the ramp of 1 s, and some to spare
-constexpr int ticksToBlend = 1500;      // e^-50 of what a new scene changed is left
-constexpr double zoom_u_per_m = 1000.0; // u/m: a unit is a millimetre
-constexpr double period_s = 1e-3;
-constexpr double size = 100.0;
 
 vtkSmartPointer<vtkMatrix4x4> shiftTo(double z)
 {
@@ -53,7 +49,7 @@ vtkSmartPointer<vtkPolyData> makeGrid(std::uint32_t cells, bool otherDiagonal, d
   {
     for (std::uint32_t column = 0; column <= cells; ++column)
     {
-      mesh.vertices_W.emplace_back(2 * size * column / cells - size, 2 * size * row / cells - size, z);
+      mesh.vertices_W.emplace_back(2 * half * column / cells - half, 2 * half * row / cells - half, z);
     }
   }
   for (std::uint32_t row = 0; row < cells; ++row)
@@ -75,7 +71,7 @@ protected:
   {
     this->session_->VirtualTimeOn();
     this->session_->SetStiffness(stiffness_N_per_m);
-    this->session_->SetScale(zoom_u_per_m);
+    this->session_->SetScale(scale);
     this->show(surface, matrix);
     ASSERT_TRUE(this->session_->FinishScene());
     this->session_->SetHandPosition(0.0, 0.0, hand_z);
@@ -116,9 +112,9 @@ TEST_P(Platform, ThatComesAtARestingHandPushesByItsDepthAndIsNeverPassed)
 {
   constexpr double stiffness = 20.0; // the force of the fastest platform rises slower than the rise limit
   constexpr int ticks = 16;          // between snapshots
-  const double speed_u_per_s = GetParam() * zoom_u_per_m, side = std::copysign(1.0, speed_u_per_s);
+  const double speed_u_per_s = GetParam() * scale, side = std::copysign(1.0, speed_u_per_s);
   const double start_z = -side * 20.0;
-  this->start(stiffness, makePlane(size), shiftTo(start_z), 0.0);
+  this->start(stiffness, makePlane(half), shiftTo(start_z), 0.0);
   this->place(shiftTo(start_z)); // the last snapshot at rest: how long the first motion takes
   this->session_->Step(ticks);
   const int snapshots = std::min(60, static_cast<int>(100.0 / std::abs(speed_u_per_s * ticks * period_s)));
@@ -131,7 +127,7 @@ TEST_P(Platform, ThatComesAtARestingHandPushesByItsDepthAndIsNeverPassed)
     {
       this->session_->Step(1);
       const double plate_z = before_z + (now_z - before_z) * tick / ticks; // one snapshot late, never ahead
-      const double depth_m = std::max(0.0, side * plate_z) / zoom_u_per_m;
+      const double depth_m = std::max(0.0, side * plate_z) / scale;
       ASSERT_NEAR(side * this->force().z(), stiffness * depth_m, 1e-9) << "snapshot " << n << ", tick " << tick;
       ASSERT_LE(side * plate_z, side * this->proxy_W().z() + 1e-9);
       if (tick < ticks)
@@ -149,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Speeds, Platform, ::testing::Values(0.02, 0.5, 5.0, -0.
 TEST_F(HapticSessionMotion, ASnapshotThatComesEarlyGoesOnFromWhereThePlateIsFelt)
 {
   constexpr double stiffness = 100.0;
-  this->start(stiffness, makePlane(size), nullptr, 1.0);
+  this->start(stiffness, makePlane(half), nullptr, 1.0);
   this->session_->SetHandPosition(0.0, 0.0, -1.0);
   this->session_->Step(200);
   this->place(shiftTo(4.0)); // after a rest: in 0.2 s
@@ -157,23 +153,23 @@ TEST_F(HapticSessionMotion, ASnapshotThatComesEarlyGoesOnFromWhereThePlateIsFelt
   for (int i = 0; i < 50; ++i)
   {
     this->session_->Step(1);
-    EXPECT_NEAR(this->force().z() - last_N, stiffness * 4.0 / zoom_u_per_m / 200, 1e-9);
+    EXPECT_NEAR(this->force().z() - last_N, stiffness * 4.0 / scale / 200, 1e-9);
     last_N = this->force().z();
   }
   this->place(shiftTo(5.0)); // 50 ms later, 1 u up: on to there in 50 ms
   for (int i = 0; i < 50; ++i)
   {
     this->session_->Step(1);
-    EXPECT_NEAR(this->force().z() - last_N, stiffness * (5.0 - 1.0) / zoom_u_per_m / 50, 1e-9);
+    EXPECT_NEAR(this->force().z() - last_N, stiffness * (5.0 - 1.0) / scale / 50, 1e-9);
     last_N = this->force().z();
   }
-  EXPECT_NEAR(last_N, stiffness * 6.0 / zoom_u_per_m, 1e-9);
+  EXPECT_NEAR(last_N, stiffness * 6.0 / scale, 1e-9);
 }
 
 TEST_F(HapticSessionMotion, AMovedSurfaceAtRestCostsNoMoreThanOneThatNeverMoved)
 {
   constexpr double stiffness = 100.0;
-  this->start(stiffness, makePlane(size), nullptr, 5.0);
+  this->start(stiffness, makePlane(half), nullptr, 5.0);
   EXPECT_FALSE(this->session_->GetSceneMoves());
   this->session_->SetHandPosition(0.0, 0.0, 2.0);
   this->session_->Step(10);
@@ -186,7 +182,7 @@ TEST_F(HapticSessionMotion, AMovedSurfaceAtRestCostsNoMoreThanOneThatNeverMoved)
   pose->SetElement(2, 3, 3.0);
   this->place(pose);
   EXPECT_TRUE(this->session_->GetSceneMoves());
-  const double force_N = stiffness * (3.0 - 2.0) / zoom_u_per_m;
+  const double force_N = stiffness * (3.0 - 2.0) / scale;
   for (int i = 0; i < 1400; ++i)
   {
     this->session_->Step(1);
@@ -203,13 +199,13 @@ TEST_F(HapticSessionMotion, AMovedSurfaceAtRestCostsNoMoreThanOneThatNeverMoved)
   this->place(shiftTo(4.0)); // and it can move again
   EXPECT_TRUE(this->session_->GetSceneMoves());
   this->session_->Step(250);
-  EXPECT_NEAR(this->force().z(), stiffness * (4.0 - 2.0) / zoom_u_per_m, 1e-9);
+  EXPECT_NEAR(this->force().z(), stiffness * (4.0 - 2.0) / scale, 1e-9);
 }
 
 TEST_F(HapticSessionMotion, AChangeThatIsNotRigidIsBakedAndTheHandStaysOnItsSide)
 {
   constexpr double stiffness = 100.0;
-  this->start(stiffness, makePlane(size), shiftTo(1.0), 2.0);
+  this->start(stiffness, makePlane(half), shiftTo(1.0), 2.0);
   this->session_->SetHandPosition(0.0, 0.0, -1.0);
   this->session_->Step(100);
   const vtkSmartPointer<vtkMatrix4x4> mirrored = scaledBy(2.0, 0.5, -1.0);
@@ -219,28 +215,28 @@ TEST_F(HapticSessionMotion, AChangeThatIsNotRigidIsBakedAndTheHandStaysOnItsSide
   EXPECT_FALSE(this->session_->GetSceneMoves());
   double bounds[6];
   ASSERT_TRUE(this->session_->GetSceneBounds(bounds));
-  EXPECT_THAT(bounds, ::testing::ElementsAre(-2 * size, 2 * size, -size / 2, size / 2, 3.0, 3.0));
-  this->session_->Step(ticksToBlend);
-  EXPECT_NEAR(this->force().z(), stiffness * 4.0 / zoom_u_per_m, 1e-9);
+  EXPECT_THAT(bounds, ::testing::ElementsAre(-2 * half, 2 * half, -half / 2, half / 2, 3.0, 3.0));
+  this->session_->Step(ticksToSettle);
+  EXPECT_NEAR(this->force().z(), stiffness * 4.0 / scale, 1e-9);
 }
 
 TEST_F(HapticSessionMotion, TheHandGoesWithATimeSeriesOfTheSameTriangles)
 {
   constexpr double stiffness = 100.0;
   const Vec3 hand_W(3.0, 20.0, -2.0);
-  this->start(stiffness, makePlane(size, 0.1), nullptr, 5.0);
+  this->start(stiffness, makePlane(half, 0.1), nullptr, 5.0);
   this->session_->SetHandPosition(hand_W.x(), hand_W.y(), 5.0);
   this->session_->Step(100);
   this->session_->SetHandPosition(hand_W.data());
   this->session_->Step(100);
   for (const double tilt : { 0.2, 0.4, 0.1, 0.4 }) // of z = tilt y, one time step after another and back
   {
-    this->show(makePlane(size, tilt));
+    this->show(makePlane(half, tilt));
     ASSERT_TRUE(this->session_->FinishScene());
     EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("refitted"));
-    this->session_->Step(ticksToBlend);
+    this->session_->Step(ticksToSettle);
     const Vec3 normal = Vec3(0.0, -tilt, 1.0).normalized();
-    const double depth_m = -normal.dot(hand_W) / zoom_u_per_m;
+    const double depth_m = -normal.dot(hand_W) / scale;
     ASSERT_GT(depth_m, 0.0);
     EXPECT_LT((this->force() - stiffness * depth_m * normal).norm(), 1e-9) << "tilt " << tilt;
   }
@@ -251,25 +247,25 @@ TEST_F(HapticSessionMotion, BetweenTwoTimeStepsTheSurfaceIsFeltOnItsStraightWayI
   constexpr double stiffness = 100.0;
   constexpr int ticks = 50; // a time step at 20 Hz
   const Vec3 hand_W(3.0, 20.0, -2.0);
-  this->start(stiffness, makePlane(size, 0.1), nullptr, 5.0);
+  this->start(stiffness, makePlane(half, 0.1), nullptr, 5.0);
   this->session_->SetHandPosition(hand_W.x(), hand_W.y(), 5.0);
   this->session_->Step(100);
   this->session_->SetHandPosition(hand_W.data());
-  this->session_->Step(ticksToBlend);
-  this->show(makePlane(size, 0.1)); // the last one at rest: how long the first way takes
+  this->session_->Step(ticksToSettle);
+  this->show(makePlane(half, 0.1)); // the last one at rest: how long the first way takes
   ASSERT_TRUE(this->session_->FinishScene());
   this->session_->Step(ticks);
   double begin = 0.1;
   for (const double end : { 0.12, 0.2, 0.15, 0.15, 0.05 })
   {
-    this->show(makePlane(size, end));
+    this->show(makePlane(half, end));
     ASSERT_TRUE(this->session_->FinishScene());
     for (int i = 1; i <= ticks; ++i)
     {
       this->session_->Step(1);
       const double tilt = begin + (end - begin) * i / ticks;
       const Vec3 normal = Vec3(0.0, -tilt, 1.0).normalized();
-      const double depth_m = -normal.dot(hand_W) / zoom_u_per_m;
+      const double depth_m = -normal.dot(hand_W) / scale;
       ASSERT_LT((this->force() - stiffness * depth_m * normal).norm(), 1e-9) << "to tilt " << end << ", tick " << i;
     }
     begin = end;
@@ -279,7 +275,7 @@ TEST_F(HapticSessionMotion, BetweenTwoTimeStepsTheSurfaceIsFeltOnItsStraightWayI
   this->session_->Step(10);
   EXPECT_FALSE(this->session_->GetSceneMoves());
   const Vec3 normal = Vec3(0.0, -begin, 1.0).normalized();
-  EXPECT_LT((this->force() - stiffness * (-normal.dot(hand_W) / zoom_u_per_m) * normal).norm(), 1e-9);
+  EXPECT_LT((this->force() - stiffness * (-normal.dot(hand_W) / scale) * normal).norm(), 1e-9);
 }
 
 namespace
@@ -323,7 +319,7 @@ Vec3 forceOf(const Frame& frame, double stiffness_N_per_m, const Vec3& hand_W)
   const Vec3 n = Vec3(0.0, -frame.tilt, 1.0).normalized();
   const double c = std::cos(frame.angle_rad), s = std::sin(frame.angle_rad);
   const Vec3 normal_W(c * n.x() - s * n.y(), s * n.x() + c * n.y(), n.z());
-  return stiffness_N_per_m * normal_W.dot(frame.shift_W - hand_W) / zoom_u_per_m * normal_W;
+  return stiffness_N_per_m * normal_W.dot(frame.shift_W - hand_W) / scale * normal_W;
 }
 } // namespace
 
@@ -340,7 +336,7 @@ TEST_P(MovingActor, WhoseMeshDeformsInTheSameFramesIsFeltUnderBothInEveryTick)
   constexpr int ticks = 50; // a time step at 20 Hz
   const Vec3 hand_W(3.0, 20.0, -2.0);
   Frame begin{ 0.1, 0.2 }; // at the origin: what moves is W as it was baked, and turns about that
-  this->start(stiffness, makePlane(size, begin.tilt), GetParam() ? nullptr : matrixOf(begin).Get(), 15.0);
+  this->start(stiffness, makePlane(half, begin.tilt), GetParam() ? nullptr : matrixOf(begin).Get(), 15.0);
   if (GetParam())
   {
     this->place(matrixOf(begin));
@@ -349,14 +345,14 @@ TEST_P(MovingActor, WhoseMeshDeformsInTheSameFramesIsFeltUnderBothInEveryTick)
   this->session_->Step(300);
   this->session_->SetHandPosition(hand_W.data());
   this->session_->Step(300);
-  this->show(makePlane(size, begin.tilt), matrixOf(begin)); // the last one at rest: how long the first way takes
+  this->show(makePlane(half, begin.tilt), matrixOf(begin)); // the last one at rest: how long the first way takes
   ASSERT_TRUE(this->session_->FinishScene());
   this->session_->Step(ticks);
   const Frame frames[] = { { 0.12, 0.3, { 2.5, 1.0, 0.8 } }, { 0.2, 0.7, { 1.0, 0.0, 1.5 } },
     { 0.15, 0.7, { 1.0, 0.0, 1.5 } }, { 0.15, 0.4, { 0.0, -2.0, 1.0 } }, { 0.05, -0.1, { 3.0, 0.0, 0.2 } } };
   for (const Frame& end : frames)
   {
-    this->show(makePlane(size, end.tilt), matrixOf(end));
+    this->show(makePlane(half, end.tilt), matrixOf(end));
     ASSERT_TRUE(this->session_->FinishScene());
     for (int i = 1; i <= ticks; ++i)
     {
@@ -380,7 +376,7 @@ TEST_F(HapticSessionMotion, ATimeSeriesOfPolygonsKeepsItsTriangles)
 {
   const auto squares = [](double shear)
   {
-    const vtkSmartPointer<vtkPolyData> surface = makePlane(size);
+    const vtkSmartPointer<vtkPolyData> surface = makePlane(half);
     vtkNew<vtkCellArray> polygons;
     polygons->InsertNextCell({ 0, 1, 2, 3 });
     surface->SetPolys(polygons);
@@ -401,7 +397,7 @@ TEST_F(HapticSessionMotion, ATimeSeriesOfPolygonsKeepsItsTriangles)
 TEST_F(HapticSessionMotion, AnEmptyTimeStepLetsGoWithASentenceAndTheSurfaceComesBack)
 {
   constexpr double stiffness = 100.0;
-  this->start(stiffness, makePlane(size), nullptr, 1.0);
+  this->start(stiffness, makePlane(half), nullptr, 1.0);
   this->session_->SetHandPosition(0.0, 0.0, -2.0);
   this->session_->Step(100);
   ASSERT_GT(this->force().z(), 0.1);
@@ -419,18 +415,18 @@ TEST_F(HapticSessionMotion, AnEmptyTimeStepLetsGoWithASentenceAndTheSurfaceComes
   EXPECT_STRNE(this->session_->GetFaultText(), "");
   this->session_->SetHandPosition(0.0, 0.0, 1.0);
   this->session_->Step(10);
-  this->show(makePlane(size));
+  this->show(makePlane(half));
   ASSERT_TRUE(this->session_->FinishScene());
   this->session_->Step(ticksToEngage);
   EXPECT_STREQ(this->session_->GetFaultText(), "");
   this->session_->SetHandPosition(0.0, 0.0, -2.0);
   this->session_->Step(100);
-  EXPECT_NEAR(this->force().z(), stiffness * 2.0 / zoom_u_per_m, 1e-9);
+  EXPECT_NEAR(this->force().z(), stiffness * 2.0 / scale, 1e-9);
 }
 
 TEST_F(HapticSessionMotion, AMatrixThatPutsASurfaceNowhereIsRefusedByNameAndItStays)
 {
-  this->start(100.0, makePlane(size), nullptr, 1.0);
+  this->start(100.0, makePlane(half), nullptr, 1.0);
   const vtkSmartPointer<vtkMatrix4x4> wild = shiftTo(std::numeric_limits<double>::quiet_NaN());
   const vtkSmartPointer<vtkMatrix4x4> flat = scaledBy(1.0, 1.0, 0.0);
   const vtkSmartPointer<vtkMatrix4x4> perspective = shiftTo(1.0);
@@ -495,7 +491,7 @@ TEST_P(SwapWhilePressed, AtTenHertzForAMinuteTheForceStepsByATenthOfANewtonAtMos
   EXPECT_EQ(through, 0);
   EXPECT_LE(largestStep_N, 0.1);
   EXPECT_GE(
-    largestStep_N, stiffness * 1.0 / zoom_u_per_m * period_s / (0.03 + period_s) * 0.5); // 1 mm was felt, blended
+    largestStep_N, stiffness * 1.0 / scale * period_s / (0.03 + period_s) * 0.5); // 1 mm was felt, blended
   EXPECT_EQ(this->session_->GetCappedTicks(), 0);
   EXPECT_STREQ(this->session_->GetFaultText(), "");
 }
@@ -506,7 +502,7 @@ INSTANTIATE_TEST_SUITE_P(Worker, SwapWhilePressed, ::testing::Bool(),
 TEST_F(HapticSessionMotion, TimeStaysVirtualUntilTouchingEndsWhateverIsChosenForTheNextTime)
 {
   constexpr int ticks = 16; // between snapshots
-  this->start(20.0, makePlane(size), shiftTo(-20.0), 0.0);
+  this->start(20.0, makePlane(half), shiftTo(-20.0), 0.0);
   this->place(shiftTo(-20.0));
   this->session_->Step(ticks);
   this->session_->VirtualTimeOff();

@@ -25,9 +25,6 @@ using ::testing::StartsWith;
 
 namespace
 {
-constexpr int ticksToSettle = 1500; // e^-50 of what a new scene changed is left
-constexpr double radius = 50.0;
-constexpr double notNoticed = 0.07; // of a depth of 1 mm
 constexpr int fine = 180, coarse = 24;
 constexpr int cells = 100;
 
@@ -40,8 +37,8 @@ std::string trianglesOf(int resolution)
 /// How far the longest edge, a diagonal at the equator, runs inside the sphere, at most.
 double sagitta(int resolution)
 {
-  const double side = 1.1 * 2 * std::numbers::pi * radius / resolution; // rows are some more than half a turn / n apart
-  return 2 * side * side / (8 * radius);
+  const double side = 1.1 * 2 * std::numbers::pi * sphereRadius / resolution; // rows are some more than half a turn / n apart
+  return 2 * side * side / (8 * sphereRadius);
 }
 
 /// A flat square of cells^2 squares.
@@ -50,9 +47,9 @@ vtkSmartPointer<vtkPolyData> makeSheet()
   vtkNew<vtkPlaneSource> source;
   source->SetXResolution(cells);
   source->SetYResolution(cells);
-  source->SetOrigin(-radius, -radius, 0.0);
-  source->SetPoint1(radius, -radius, 0.0);
-  source->SetPoint2(-radius, radius, 0.0);
+  source->SetOrigin(-sphereRadius, -sphereRadius, 0.0);
+  source->SetPoint1(sphereRadius, -sphereRadius, 0.0);
+  source->SetPoint2(-sphereRadius, sphereRadius, 0.0);
   source->Update();
   return source->GetOutput();
 }
@@ -60,7 +57,7 @@ vtkSmartPointer<vtkPolyData> makeSheet()
 class HapticSessionPlan : public VirtualSession
 {
 protected:
-  void SetUp() override { this->session_->SetHandPosition(this->handAt(0.0, radius + 5.0).data()); }
+  void SetUp() override { this->session_->SetHandPosition(this->handAt(0.0, sphereRadius + 5.0).data()); }
 
   /// Its scene is not waited for.
   void commit(vtkPolyData* surface)
@@ -75,7 +72,7 @@ protected:
   {
     this->startTouching();
     this->session_->Step(ticksToEngage);
-    this->session_->SetHandPosition(this->handAt(0.0, radius - depth).data());
+    this->session_->SetHandPosition(this->handAt(0.0, sphereRadius - depth).data());
     this->session_->Step(ticksToSettle);
   }
 
@@ -91,7 +88,7 @@ TEST_F(HapticSessionPlan, APressedFineSphereIsFeltWithAllItsTrianglesFirstAndWit
 {
   constexpr double depth = 2.0;
   const double wall_N = stiffness * depth / scale;
-  this->commit(makeSphere(radius, fine));
+  this->commit(makeSphere(sphereRadius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(fine) + " triangles are felt (a simpler surface is"));
   this->touch(depth);
@@ -107,13 +104,13 @@ TEST_F(HapticSessionPlan, APressedFineSphereIsFeltWithAllItsTrianglesFirstAndWit
   for (int tick = 0; tick < ticksToSettle + 1000; ++tick)
   {
     const double angle = 5e-4 * std::max(0, tick - ticksToSettle); // 25 mm along the sphere, once it has blended
-    this->session_->SetHandPosition(this->handAt(angle, radius - depth).data());
+    this->session_->SetHandPosition(this->handAt(angle, sphereRadius - depth).data());
     this->session_->Step(1);
     largestStep_N = std::max(largestStep_N, std::abs(this->force_N() - last_N));
     last_N = this->force_N();
     furthest_N = std::max(furthest_N, std::abs(last_N - full_N));
     ASSERT_NEAR(last_N, wall_N, stiffness * (notNoticed + sagitta(fine)) / scale) << "tick " << tick;
-    ASSERT_GE(Vec3(this->session_->GetProxyPosition()).norm(), radius - notNoticed - sagitta(fine)) << tick;
+    ASSERT_GE(Vec3(this->session_->GetProxyPosition()).norm(), sphereRadius - notNoticed - sagitta(fine)) << tick;
   }
   EXPECT_LE(furthest_N, 0.07 * full_N); // of what was felt before: nobody notices less
   EXPECT_LE(largestStep_N, 0.1);
@@ -123,7 +120,7 @@ TEST_F(HapticSessionPlan, APressedFineSphereIsFeltWithAllItsTrianglesFirstAndWit
 
 TEST_F(HapticSessionPlan, TheSameDataAgainAreSimplerAtOnceAndOtherDataAreNot)
 {
-  const vtkSmartPointer<vtkPolyData> sphere = makeSphere(radius, fine);
+  const vtkSmartPointer<vtkPolyData> sphere = makeSphere(sphereRadius, fine);
   this->commit(sphere);
   ASSERT_TRUE(this->session_->FinishScene());
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
@@ -131,7 +128,7 @@ TEST_F(HapticSessionPlan, TheSameDataAgainAreSimplerAtOnceAndOtherDataAreNot)
   this->commit(sphere);
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_EQ(this->sentence(), before);
-  this->commit(makeSphere(radius, fine + 1));
+  this->commit(makeSphere(sphereRadius, fine + 1));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(fine + 1) + " triangles"));
 }
@@ -139,10 +136,10 @@ TEST_F(HapticSessionPlan, TheSameDataAgainAreSimplerAtOnceAndOtherDataAreNot)
 TEST_F(HapticSessionPlan, TheNewestCommitCancelsWhatIsLookedForAndOnlyItsOwnSimplerSurfaceIsFelt)
 {
   constexpr double depth = 2.0, shrinks = 1.0;
-  this->commit(makeSphere(radius + shrinks, fine + 1));
+  this->commit(makeSphere(sphereRadius + shrinks, fine + 1));
   ASSERT_TRUE(this->session_->FinishScene());
   this->touch(depth);
-  this->commit(makeSphere(radius, fine));
+  this->commit(makeSphere(sphereRadius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all " + trianglesOf(fine) + " triangles"));
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
@@ -154,7 +151,7 @@ TEST_F(HapticSessionPlan, TheNewestCommitCancelsWhatIsLookedForAndOnlyItsOwnSimp
 TEST_F(HapticSessionPlan, OffKeepsEveryTriangleAndSwitchedOffTheyAllComeBack)
 {
   this->session_->SetSimplify(vtkHapticSession::Off);
-  this->commit(makeSphere(radius, fine));
+  this->commit(makeSphere(sphereRadius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
   const std::string all = "all " + trianglesOf(fine) + " triangles are felt (simpler surfaces are off)";
@@ -187,7 +184,7 @@ TEST_F(HapticSessionPlan, ASmallSurfaceIsLeftAsItIsUnlessAskedFor)
 TEST_F(HapticSessionPlan, ASurfaceWhoseFacetsAreFeltIsLeftAsItIs)
 {
   this->session_->SetSimplify(vtkHapticSession::On);
-  this->commit(makeSphere(radius, coarse));
+  this->commit(makeSphere(sphereRadius, coarse));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(),
@@ -197,15 +194,15 @@ TEST_F(HapticSessionPlan, ASurfaceWhoseFacetsAreFeltIsLeftAsItIs)
 TEST_F(HapticSessionPlan, WhatMovesOrHasMaterialFromArraysIsTouchedAsItIs)
 {
   this->session_->SetSimplify(vtkHapticSession::On);
-  this->commit(makeSphere(radius, coarse));
+  this->commit(makeSphere(sphereRadius, coarse));
   ASSERT_TRUE(this->session_->FinishScene());
-  this->commit(makeSphere(radius + 1.0, coarse)); // a time step of the same triangles
+  this->commit(makeSphere(sphereRadius + 1.0, coarse)); // a time step of the same triangles
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("refitted"));
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), HasSubstr("(what moves or deforms is touched as it is)"));
   this->session_->SetFrictionArray("Normals");
-  this->commit(makeSphere(radius, coarse + 1));
+  this->commit(makeSphere(sphereRadius, coarse + 1));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), HasSubstr("(its material comes from arrays)"));
@@ -216,7 +213,7 @@ TEST_F(HapticSessionPlan, ABallIsNoLargerThanItsWorkAllowsUnlessItIsForced)
   constexpr double depth = 2.0;
   EXPECT_TRUE(std::isinf(this->session_->GetRadiusLimit()));
   this->session_->SetSimplify(vtkHapticSession::Off);
-  this->commit(makeSphere(radius, fine));
+  this->commit(makeSphere(sphereRadius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   const double limit = this->session_->GetRadiusLimit();
   ASSERT_TRUE(std::isfinite(limit));
@@ -229,8 +226,8 @@ TEST_F(HapticSessionPlan, ABallIsNoLargerThanItsWorkAllowsUnlessItIsForced)
   EXPECT_THAT(this->sentence(), HasSubstr(" u is asked for, and may run out of a tick's work on triangles so fine)"));
 
   // The centre of the ball that really touches rests so far off the sphere.
-  const auto rest = [this] { return Vec3(this->session_->GetProxyPosition()).norm() - radius; };
-  this->session_->SetHandPosition(this->handAt(0.0, radius + 3 * limit).data());
+  const auto rest = [this] { return Vec3(this->session_->GetProxyPosition()).norm() - sphereRadius; };
+  this->session_->SetHandPosition(this->handAt(0.0, sphereRadius + 3 * limit).data());
   this->touch(depth);
   EXPECT_NEAR(rest(), limit, sagitta(fine));
   this->session_->LimitRadiusOff();
@@ -250,16 +247,16 @@ TEST_F(HapticSessionPlan, APressedBallGrowsAndShrinksWithWhatTheSceneAllows)
   constexpr double soft = 100.0; // far below what the device gives at most
   this->session_->SetSimplify(vtkHapticSession::Off);
   this->session_->SetStiffness(soft);
-  this->commit(makeSphere(radius, fine));
+  this->commit(makeSphere(sphereRadius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   const double limit = this->session_->GetRadiusLimit(), asked = 2 * limit;
   this->session_->SetRadius(asked);
-  this->session_->SetHandPosition(this->handAt(0.0, radius + 3 * asked).data());
+  this->session_->SetHandPosition(this->handAt(0.0, sphereRadius + 3 * asked).data());
   this->touch(depth);
-  const auto rest = [this] { return Vec3(this->session_->GetProxyPosition()).norm() - radius; };
+  const auto rest = [this] { return Vec3(this->session_->GetProxyPosition()).norm() - sphereRadius; };
   for (const int resolution : { coarse, fine, coarse })
   {
-    this->commit(makeSphere(radius, resolution));
+    this->commit(makeSphere(sphereRadius, resolution));
     ASSERT_TRUE(this->session_->FinishScene());
     this->session_->Step(1); // the swap; then the ball follows
     this->session_->Step(ticksToSettle);
@@ -274,7 +271,7 @@ TEST_F(HapticSessionPlan, APressedBallGrowsAndShrinksWithWhatTheSceneAllows)
 
 TEST_F(HapticSessionPlan, ARadiusThatIsNoneIsRefusedWhateverTheLimit)
 {
-  this->commit(makeSphere(radius, fine));
+  this->commit(makeSphere(sphereRadius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   this->session_->SetRadius(0.5);
   for (const double bad : { -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
@@ -288,7 +285,7 @@ TEST_F(HapticSessionPlan, ARadiusThatIsNoneIsRefusedWhateverTheLimit)
 TEST_F(HapticSessionPlan, TheSentenceSaysWhatTouchesAndAChoiceThatIsNoneIsRefused)
 {
   EXPECT_EQ(this->sentence(), "there is nothing to touch");
-  this->commit(makePlane(radius));
+  this->commit(makePlane(sphereRadius));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_THAT(this->sentence(), StartsWith("all 2 triangles are felt"));
   EXPECT_THAT(this->sentence(), EndsWith(", by a point (no radius is asked for) without friction (none is asked for), "

@@ -23,10 +23,9 @@ namespace
 
 using ::testing::HasSubstr;
 
-constexpr double radius = 10.0; // u
-constexpr double depth = 2.0;   // u
+constexpr double ballRadius = 10.0; // u
 /// Where there are balls a point that touches is one too, of a thousandth of the thinnest.
-constexpr double felt_N = stiffness * (depth + 1e-3 * radius) / scale;
+constexpr double felt_N = stiffness * (depth + 1e-3 * ballRadius) / scale;
 
 vtkSmartPointer<vtkPolyData> cloud(const std::vector<Vec3>& places)
 {
@@ -63,14 +62,14 @@ class HapticSessionPoints : public VirtualSession
 
 TEST_F(HapticSessionPoints, EachIsABallOfTheRadiusThatWasSet)
 {
-  this->session_->SetPointRadius(radius);
+  this->session_->SetPointRadius(ballRadius);
   this->show(cloud({ Vec3(0, 0, 0), Vec3(50, 0, 0) }));
   test::Random random(test::testSeed(81));
   for (std::size_t i = 0; i < test::testCount(10); ++i)
   {
     const Vec3 centre_W = i % 2 == 0 ? Vec3(0, 0, 0) : Vec3(50, 0, 0);
     const Vec3 out_W = random.direction();
-    const Vec3 outside_W = centre_W + (radius + 1.0) * out_W, inside_W = centre_W + (radius - depth) * out_W;
+    const Vec3 outside_W = centre_W + (ballRadius + 1.0) * out_W, inside_W = centre_W + (ballRadius - depth) * out_W;
     this->session_->SetHandPosition(outside_W.data());
     this->startTouching();
     this->session_->Step(ticksToEngage);
@@ -88,7 +87,7 @@ TEST_F(HapticSessionPoints, WithoutARadiusACloudIsRefusedAndWithOneItMovesWithIt
   const auto errors = errorsOf(static_cast<vtkObject*>(this->session_),
     [&] { EXPECT_FALSE(this->session_->AddSurface("cloud", points, nullptr)); });
   EXPECT_EQ(errors.size(), 1u);
-  this->session_->SetPointRadius(radius);
+  this->session_->SetPointRadius(ballRadius);
   vtkNew<vtkMatrix4x4> up;
   up->SetElement(2, 3, 100.0);
   this->session_->ClearSurfaces();
@@ -97,13 +96,13 @@ TEST_F(HapticSessionPoints, WithoutARadiusACloudIsRefusedAndWithOneItMovesWithIt
   ASSERT_TRUE(this->session_->FinishScene());
   double bounds[6];
   ASSERT_TRUE(this->session_->GetSceneBounds(bounds));
-  EXPECT_NEAR(bounds[4], 100.0 - radius, 1e-4);
-  EXPECT_NEAR(bounds[5], 100.0 + radius, 1e-4);
+  EXPECT_NEAR(bounds[4], 100.0 - ballRadius, 1e-4);
+  EXPECT_NEAR(bounds[5], 100.0 + ballRadius, 1e-4);
 }
 
 TEST_F(HapticSessionPoints, BesidePolygonsBothAreTouched)
 {
-  this->session_->SetPointRadius(radius);
+  this->session_->SetPointRadius(ballRadius);
   const auto plane = makePlane(100.0);
   const auto points = cloud({ Vec3(0, 0, 30) });
   this->session_->ClearSurfaces();
@@ -115,7 +114,7 @@ TEST_F(HapticSessionPoints, BesidePolygonsBothAreTouched)
   this->session_->SetHandPosition(0.0, 0.0, 45.0);
   this->startTouching();
   this->session_->Step(ticksToEngage);
-  this->session_->SetHandPosition(0.0, 0.0, 30.0 + radius - depth);
+  this->session_->SetHandPosition(0.0, 0.0, 30.0 + ballRadius - depth);
   this->session_->Step(100);
   EXPECT_NEAR(this->session_->GetForce()[2], felt_N, 1e-5 * felt_N);
 }
@@ -125,15 +124,15 @@ TEST_F(HapticSessionPoints, EachIsAsStiffAsItsPointOrItsCellSaysAndAChangedArray
   const auto points = cloud({ Vec3(0, 0, 0), Vec3(50, 0, 0), Vec3(100, 0, 0) });
   addArray(points->GetPointData(), "ofPoints", { 1.0, 2.0, 3.0 });
   addArray(points->GetCellData(), "ofCells", { 3.0, 1.0, 2.0 });
-  this->session_->SetPointRadius(radius);
+  this->session_->SetPointRadius(ballRadius);
   this->session_->SetStiffnessDataRange(1.0, 3.0);
   this->session_->SetStiffnessFeltRange(100.0, 300.0); // N/m, so a value of 1 is 100 N/m
   const auto pressed = [&](double x)
   {
-    this->session_->SetHandPosition(x, 0.0, radius + 1.0);
+    this->session_->SetHandPosition(x, 0.0, ballRadius + 1.0);
     this->startTouching();
     this->session_->Step(ticksToEngage);
-    this->session_->SetHandPosition(x, 0.0, radius - depth);
+    this->session_->SetHandPosition(x, 0.0, ballRadius - depth);
     this->session_->Step(100);
     const double force_N = this->session_->GetForce()[2];
     this->session_->TouchingOff();

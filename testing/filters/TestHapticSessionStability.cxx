@@ -22,7 +22,6 @@ using ::testing::HasSubstr;
 
 namespace
 {
-constexpr double period_s = 1e-3;
 constexpr double speed = 0.05; // m/s
 constexpr double start = 80.0; // u above the plane: 1.6 s of free air, longer than the engage ramp
 constexpr double goal = -2.0;  // u, where the stroke turns

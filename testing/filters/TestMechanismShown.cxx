@@ -28,7 +28,7 @@ using namespace palpate::testing;
 
 namespace
 {
-constexpr int ticksToRest = 1500;
+constexpr int ticksOfRest = 1500;
 constexpr double needle = 40.0, face = 40.0; // u: its length; the tissue's lower side
 constexpr double rate_Hz = 20.0;
 const Vec3 joint_W(3.0, 2.0, face);  // within a triangle of that side
@@ -120,7 +120,7 @@ protected:
       this->lead(from_W + way_u * i / steps);
       this->session_->Step(1);
     }
-    this->session_->Step(ticksToRest);
+    this->session_->Step(ticksOfRest);
     this->session_->Update();
   }
 
@@ -291,7 +291,7 @@ TEST_F(MechanismShown, OtherLawsOfTheSameBodiesLeaveThemWhereTheyAreSeenUntilThe
   EXPECT_EQ(this->session_->GetMechanismDepth(), depth);
   EXPECT_STREQ(
     this->session_->GetMechanismText(), "Mechanism1: 1 laws are being computed, those before are felt until then");
-  this->session_->Step(ticksToRest);
+  this->session_->Step(ticksOfRest);
   this->session_->Update();
   ASSERT_TRUE(this->look());
   EXPECT_LE(this->shown_->GetPointData()->GetArray("Displacement")->GetMaxNorm(), 1e-9) << "nothing joins them now";

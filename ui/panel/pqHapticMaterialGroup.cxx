@@ -18,7 +18,7 @@ constexpr int largestComponent = 99;
 constexpr int dataDecimals = 6;
 
 /// Two of them stand in a row.
-QDoubleSpinBox* Number(QWidget* parent, const QString& name, const QString& property, int decimals)
+QDoubleSpinBox* NumberBox(QWidget* parent, const QString& name, const QString& property, int decimals)
 {
   constexpr int leastWidth = 60; // [pixels]
   QDoubleSpinBox* box = pqHapticNumber(parent, name, property, decimals);
@@ -79,8 +79,8 @@ void pqHapticMaterialGroup::addDetails(QWidget* parent, const Looks& looks, Tran
   const char* const ends[] = { "Low", "High" };
   for (int end = 0; end < 2; ++end)
   {
-    transfer.Data[end] = Number(parent, name + "Data" + ends[end], data, dataDecimals);
-    transfer.Felt[end] = Number(parent, name + "Felt" + ends[end], felt, looks.Decimals);
+    transfer.Data[end] = NumberBox(parent, name + "Data" + ends[end], data, dataDecimals);
+    transfer.Felt[end] = NumberBox(parent, name + "Felt" + ends[end], felt, looks.Decimals);
   }
   auto* form = new QFormLayout(parent);
   form->setContentsMargins(0, 0, 0, 0);

@@ -12,7 +12,7 @@ namespace
 constexpr std::size_t mostValues = 100; // ten seconds at ten a second
 constexpr int margin = 3;               // [pixels]
 constexpr double linesHigh = 2.5;       // of text: one to read, the rest for the curve below it
-constexpr int significant = 3;
+constexpr int shownDigits = 3;
 
 void Keep(double value, std::deque<double>& values)
 {
@@ -23,9 +23,9 @@ void Keep(double value, std::deque<double>& values)
   }
 }
 
-QString Number(double value)
+QString Labelled(double value)
 {
-  return QString::number(value, 'g', significant);
+  return QString::number(value, 'g', shownDigits);
 }
 } // namespace
 
@@ -68,7 +68,7 @@ void pqHapticStrip::clear()
 
 QString pqHapticStrip::sentence() const
 {
-  return this->Title + ": " + (this->Values.empty() ? tr("none") : Number(this->Values.back()) + " " + this->Unit);
+  return this->Title + ": " + (this->Values.empty() ? tr("none") : Labelled(this->Values.back()) + " " + this->Unit);
 }
 
 QSize pqHapticStrip::sizeHint() const
@@ -112,5 +112,5 @@ void pqHapticStrip::paintEvent(QPaintEvent*)
   painter.drawPath(line);
   painter.setPen(this->palette().color(QPalette::Text));
   painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, this->sentence());
-  painter.drawText(words, Qt::AlignRight | Qt::AlignTop, tr("to %1 %2").arg(Number(high), this->Unit));
+  painter.drawText(words, Qt::AlignRight | Qt::AlignTop, tr("to %1 %2").arg(Labelled(high), this->Unit));
 }

@@ -11,7 +11,7 @@ namespace
 constexpr double Nothing = -std::numeric_limits<double>::infinity();
 
 /// A point of the cut: place and height.
-struct Point
+struct ProfilePoint
 {
   double S = 0.0;
   double H = 0.0;
@@ -20,14 +20,14 @@ struct Point
 /// Where one triangle meets the plane: none, or a segment (a point counts as one).
 struct Piece
 {
-  std::array<Point, 4> End;
+  std::array<ProfilePoint, 4> End;
   int Count = 0;
 };
 
 /// Vertices in the frame of the cut; Side is the distance from the plane.
 struct Corner
 {
-  Point In;
+  ProfilePoint In;
   double Side = 0.0;
 };
 
@@ -72,7 +72,7 @@ std::vector<Piece> CutMesh(const palpate::TriangleMesh& mesh, const vtkHapticCut
   {
     const Piece piece = CutTriangle({ corners[a], corners[b], corners[c] });
     if (piece.Count >= 2 && std::all_of(piece.End.begin(), piece.End.begin() + piece.Count,
-                              [](const Point& p) { return std::isfinite(p.S) && std::isfinite(p.H); }))
+                              [](const ProfilePoint& p) { return std::isfinite(p.S) && std::isfinite(p.H); }))
     {
       pieces.push_back(piece);
     }
@@ -81,7 +81,7 @@ std::vector<Piece> CutMesh(const palpate::TriangleMesh& mesh, const vtkHapticCut
 }
 
 /// Raises the profile to the segment from p to q.
-void Raise(vtkHapticHeights& profile, Point p, Point q)
+void Raise(vtkHapticHeights& profile, ProfilePoint p, ProfilePoint q)
 {
   if (q.S < p.S)
   {

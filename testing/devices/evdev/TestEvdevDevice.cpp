@@ -15,7 +15,7 @@ using test::stickTraits;
 using test::VirtualDriver;
 using test::wheelTraits;
 
-constexpr std::uint16_t g29 = 0xC24F;
+constexpr std::uint16_t wheelProduct = 0xC24F;
 
 TEST(EvdevDevice, SaysWhatItCanDo)
 {
@@ -25,7 +25,7 @@ TEST(EvdevDevice, SaysWhatItCanDo)
   EXPECT_TRUE(stick.device.info().rendersForce);
   EXPECT_EQ(stick.device.abilitiesNow(), (DeviceAbilities{ 2, true, true, true }));
   EXPECT_NEAR(stick.device.info().resolution_m.value, 2.0 / 65535.0 * stick.scale().halfTravel_m, 1e-12);
-  EvdevRig wheel(wheelTraits(), g29);
+  EvdevRig wheel(wheelTraits(), wheelProduct);
   ASSERT_EQ(wheel.device.open(), "");
   EXPECT_EQ(wheel.device.info().deviceClass, DeviceClass::Wheel1D);
   EXPECT_EQ(wheel.device.abilitiesNow(), (DeviceAbilities{ 1, false, false, false }));
@@ -49,7 +49,7 @@ TEST(EvdevDevice, TheForceOfTheCommandReachesTheHandAndThePlaceOfTheHandTheServo
 
 TEST(EvdevDevice, AWheelIsPushedAlongXAloneWhateverIsAskedAlongY)
 {
-  EvdevRig rig(wheelTraits(), g29);
+  EvdevRig rig(wheelTraits(), wheelProduct);
   ASSERT_EQ(rig.device.open(), "");
   rig.command.wrench_D.force = { -1.5, 3.0, 0.0 };
   rig.run(20);
@@ -60,7 +60,7 @@ TEST(EvdevDevice, AWheelIsPushedAlongXAloneWhateverIsAskedAlongY)
 
 TEST(EvdevDevice, AForceThatHoldsGoesOnForSecondsAndEndsByItselfOnceNobodyGivesItAgain)
 {
-  EvdevRig rig(wheelTraits(), g29);
+  EvdevRig rig(wheelTraits(), wheelProduct);
   ASSERT_EQ(rig.device.open(), "");
   rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
   rig.run(20);
@@ -79,7 +79,7 @@ TEST(EvdevDevice, AForceThatHoldsGoesOnForSecondsAndEndsByItselfOnceNobodyGivesI
 // ff-memless lets its timer run while the kernel stores what it was given.
 TEST(EvdevDevice, AForceThatADriverMissedIsFeltWhenItIsRenewed)
 {
-  EvdevRig rig(wheelTraits(), g29);
+  EvdevRig rig(wheelTraits(), wheelProduct);
   ASSERT_EQ(rig.device.open(), "");
   rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
   rig.run(50);
@@ -187,7 +187,7 @@ TEST(EvdevDevice, ViscosityBrakesTheHandInBothDirections)
 
 TEST(EvdevDevice, AWheelThatIsUnpluggedIsLostAndGivesNoForceWhenItComesBackUntilNoneWasAskedForOnce)
 {
-  EvdevRig rig(wheelTraits(), g29);
+  EvdevRig rig(wheelTraits(), wheelProduct);
   ASSERT_EQ(rig.device.open(), "");
   rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
   rig.run(50);
@@ -208,7 +208,7 @@ TEST(EvdevDevice, AWheelThatIsUnpluggedIsLostAndGivesNoForceWhenItComesBackUntil
 
 TEST(EvdevDevice, ADriverThatRefusesForcesIsLostWithTheReason)
 {
-  EvdevRig rig(wheelTraits(), g29);
+  EvdevRig rig(wheelTraits(), wheelProduct);
   ASSERT_EQ(rig.device.open(), "");
   rig.run(50);
   rig.port.uploadsThatFail = 1;
@@ -222,7 +222,7 @@ TEST(EvdevDevice, ADriverThatRefusesForcesIsLostWithTheReason)
 // The reader goes on while the kernel waits for the driver.
 TEST(EvdevDevice, ADriverThatHangsIsAFaultAfter50Milliseconds)
 {
-  EvdevRig rig(wheelTraits(), g29);
+  EvdevRig rig(wheelTraits(), wheelProduct);
   ASSERT_EQ(rig.device.open(), "");
   rig.run(50);
   ASSERT_EQ(rig.status, DeviceStatus::Ok);
@@ -245,7 +245,7 @@ TEST(EvdevDevice, ADriverThatHangsIsAFaultAfter50Milliseconds)
 
 TEST(EvdevDevice, GivesNoForceBeforeTheDeviceHasSaidWhereTheHandIs)
 {
-  EvdevRig rig(wheelTraits(), g29);
+  EvdevRig rig(wheelTraits(), wheelProduct);
   ASSERT_EQ(rig.device.open(), "");
   rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
   for (int ms = 0; ms < 50; ++ms)
@@ -263,7 +263,7 @@ TEST(EvdevDevice, GivesNoForceBeforeTheDeviceHasSaidWhereTheHandIs)
 
 TEST(EvdevDevice, SaysWhyItCannotBeOpened)
 {
-  EvdevRig rig(wheelTraits(), g29);
+  EvdevRig rig(wheelTraits(), wheelProduct);
   rig.port.openProblem = "no permission";
   EXPECT_EQ(rig.device.open(), "\"virtual device\": no permission");
   rig.port.present = false;

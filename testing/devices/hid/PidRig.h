@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -21,6 +22,20 @@ inline PidDeviceOptions virtualOptions(const FakeHidBus& bus)
   scale.damperViscosity_Ns_per_m = VirtualPidDevice::damperMetric * scale.springStiffness_N_per_m;
   options.output.trust = { true, true };
   return options;
+}
+
+inline constexpr int ramped_ms = 1550; // the ramp, and half of the time between two turns of arming effects again
+inline const std::array<Vec3, 4> directions{ Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0) };
+
+/// Walls on four sides, at a share of half the travel behind the middle.
+inline DeviceCommand corridors(const PidScale& scale, double half)
+{
+  DeviceCommand command;
+  const double at_m = -half * scale.halfTravel_m, K = scale.springStiffness_N_per_m;
+  command.wallCount = 4;
+  command.walls = { { { Vec3::UnitX(), at_m, K }, { -Vec3::UnitX(), at_m, K }, { Vec3::UnitY(), at_m, K },
+    { -Vec3::UnitY(), at_m, K } } };
+  return command;
 }
 
 /// A device on a bus in virtual time: every millisecond a tick of the servo and a pass of the reader and the writer.

@@ -16,18 +16,17 @@ namespace
 using test::FirmwareModel;
 using test::ModelCase;
 
-constexpr int ramped_ms = 1550;
 
 /// A firmware's model behind a link; the handle stands where it is put.
-struct Rig : test::PidRig
+struct ModelRig : test::PidRig
 {
-  explicit Rig(const ModelCase& one) : PidRig(one.model, one.descriptor), firmware(*one.model)
+  explicit ModelRig(const ModelCase& one) : PidRig(one.model, one.descriptor), firmware(*one.model)
   {
     EXPECT_EQ(this->device.open(), "") << one.name;
     this->run(20);
   }
 
-  /// What the motors do at that place and speed, in D's directions [shares].
+  /// What the motors do at that place and speed, in D's test::directions [shares].
   Vec3 felt(const Vec3& at, const Vec3& speed = Vec3::Zero())
   {
     this->firmware.position = { at.x(), -at.y() };
@@ -39,25 +38,13 @@ struct Rig : test::PidRig
   FirmwareModel& firmware;
 };
 
-DeviceCommand corridors(const PidScale& scale, double half)
-{
-  DeviceCommand command;
-  const double at_m = -half * scale.halfTravel_m, K = scale.springStiffness_N_per_m;
-  command.wallCount = 4;
-  command.walls = { { { Vec3::UnitX(), at_m, K }, { -Vec3::UnitX(), at_m, K }, { Vec3::UnitY(), at_m, K },
-    { -Vec3::UnitY(), at_m, K } } };
-  return command;
-}
-
-const std::array<Vec3, 4> directions{ Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0) };
-
 TEST(FirmwareModels, AForcePushesWhereItIsToAndAsHardToTwoPercent)
 {
-  for (const Vec3& direction : directions)
+  for (const Vec3& direction : test::directions)
   {
     for (const ModelCase& one : test::modelCases())
     {
-      Rig rig(one);
+      ModelRig rig(one);
       rig.command.wrench_D.force = 2.0 * direction;
       rig.run(30);
       const Vec3 wanted = 2.0 / rig.scale().maxForce_N * direction;
@@ -76,12 +63,12 @@ TEST(FirmwareModels, HeldWallsPushBackFromEitherSideOfEachAxisAlsoAfterTheyMoved
     {
       continue;
     }
-    Rig rig(one);
+    ModelRig rig(one);
     for (const double half : { 0.3, 0.5 })
     {
-      rig.command = corridors(rig.scale(), half);
-      rig.run(ramped_ms);
-      for (const Vec3& direction : directions)
+      rig.command = test::corridors(rig.scale(), half);
+      rig.run(test::ramped_ms);
+      for (const Vec3& direction : test::directions)
       {
         EXPECT_LT((rig.felt((half + 0.05) * direction) + 0.5 * direction).norm(), 0.01) << one.name << half;
         EXPECT_LT(rig.felt((half - 0.05) * direction).norm(), 0.01) << one.name << half;
@@ -100,11 +87,11 @@ TEST(FirmwareModels, OneHeldWallAloneLeavesTheOtherAxisFree)
       {
         continue;
       }
-      Rig rig(one);
-      rig.command = corridors(rig.scale(), 0.3);
+      ModelRig rig(one);
+      rig.command = test::corridors(rig.scale(), 0.3);
       rig.command.walls[0] = rig.command.walls[wall];
       rig.command.wallCount = 1;
-      rig.run(ramped_ms);
+      rig.run(test::ramped_ms);
       const Vec3 inwards = rig.command.walls[0].normal_D, aside(inwards.y(), inwards.x(), 0.0);
       EXPECT_LT((rig.felt(-0.35 * inwards) - 0.5 * inwards).norm(), 0.01) << one.name << wall;
       EXPECT_LT(rig.felt(0.9 * inwards + 0.9 * aside).norm(), 0.01) << one.name << wall;
@@ -121,10 +108,10 @@ TEST(FirmwareModels, AHeldDamperBrakesInBothDirectionsOfEachAxis)
     {
       continue;
     }
-    Rig rig(one);
+    ModelRig rig(one);
     rig.command.viscosity_Ns_per_m = rig.scale().damperViscosity_Ns_per_m;
-    rig.run(ramped_ms);
-    for (const Vec3& direction : directions)
+    rig.run(test::ramped_ms);
+    for (const Vec3& direction : test::directions)
     {
       const double wanted = test::VirtualPidDevice::springGain * test::VirtualPidDevice::damperMetric * 0.1;
       EXPECT_LT((rig.felt(Vec3::Zero(), 0.1 * direction) + wanted * direction).norm(), 0.02 * wanted) << one.name;
@@ -137,11 +124,11 @@ TEST(FirmwareModels, WallsThatAreNotBelievedAreClosedByTheHostOnEveryFirmware)
 {
   for (const ModelCase& one : test::modelCases())
   {
-    Rig rig(one);
+    ModelRig rig(one);
     rig.device.trust({});
     EXPECT_FALSE(rig.device.abilitiesNow().offersWalls()) << one.name;
-    rig.command = corridors(rig.scale(), 0.3);
-    for (const Vec3& direction : directions)
+    rig.command = test::corridors(rig.scale(), 0.3);
+    for (const Vec3& direction : test::directions)
     {
       rig.firmware.velocity = {};
       rig.firmware.position = { 0.35 * direction.x(), -0.35 * direction.y() };
@@ -159,9 +146,9 @@ TEST(FirmwareModels, WallsThatAreNotBelievedAreClosedByTheHostOnEveryFirmware)
 TEST(FirmwareModels, TheArduinoLibrarysOwnWallsDoNotHold)
 {
   const ModelCase one = test::modelCases().back();
-  Rig rig(one);
-  rig.command = corridors(rig.scale(), 0.3);
-  rig.run(ramped_ms);
+  ModelRig rig(one);
+  rig.command = test::corridors(rig.scale(), 0.3);
+  rig.run(test::ramped_ms);
   EXPECT_GT(rig.felt(Vec3(0.35, 0.0, 0.0)).x(), -0.25); // a half was asked for
 }
 
@@ -170,7 +157,7 @@ TEST(FirmwareModels, ForceEndsWithTheServoAndIsBackWithIt)
 {
   for (const ModelCase& one : test::modelCases())
   {
-    Rig rig(one);
+    ModelRig rig(one);
     rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
     rig.run(60);
     for (int ms = 0; ms < 300; ++ms)
@@ -187,8 +174,8 @@ TEST(FirmwareModels, ADeadProgramLeavesNoForceNotEvenBehindAnyButton)
 {
   for (const ModelCase& one : test::modelCases())
   {
-    Rig rig(one);
-    rig.command = corridors(rig.scale(), 0.3);
+    ModelRig rig(one);
+    rig.command = test::corridors(rig.scale(), 0.3);
     rig.command.wrench_D.force = { 2.0, 2.0, 0.0 };
     rig.command.signal = Signal::Oscillation;
     rig.run(200);
@@ -207,7 +194,7 @@ TEST(FirmwareModels, NothingPushesAfterClosing)
 {
   for (const ModelCase& one : test::modelCases())
   {
-    Rig rig(one);
+    ModelRig rig(one);
     rig.command.wrench_D.force = { 2.0, 2.0, 0.0 };
     rig.run(60);
     rig.device.close();
@@ -222,7 +209,7 @@ TEST(FirmwareModels, ASticksOwnSpringIsOffWhileItIsHeldAndBackAfterwards)
     if (const auto stick = std::dynamic_pointer_cast<test::AdaptFfbJoyModel>(one.model))
     {
       EXPECT_TRUE(stick->centring());
-      Rig rig(one);
+      ModelRig rig(one);
       EXPECT_FALSE(stick->centring());
       rig.device.close();
       EXPECT_TRUE(stick->centring());

@@ -18,9 +18,9 @@ using test::FakePort;
 using test::PidLayout;
 
 /// An engine on a virtual device.
-struct Rig
+struct EngineRig
 {
-  explicit Rig(const PidLayout& layout)
+  explicit EngineRig(const PidLayout& layout)
     : port(bus.plug(layout)), descriptor(parseReportDescriptor(port.descriptor)),
       connection(bus.open(port.entry).connection), engine(*connection, descriptor)
   {
@@ -53,7 +53,7 @@ TEST(PidEngine, OpensEveryLayoutWithoutAReportTheDeviceDoesNotKnow)
 {
   for (const PidLayout& layout : test::allLayouts())
   {
-    Rig rig(layout);
+    EngineRig rig(layout);
     EXPECT_EQ(rig.engine.open(), "") << layout.name;
     EXPECT_TRUE(rig.device().actuators) << layout.name;
     EXPECT_EQ(rig.device().gain, 1.0) << layout.name;
@@ -68,7 +68,7 @@ TEST(PidEngine, AConstantForceComesFromItsDirectionOnEveryLayoutToOneStep)
   {
     for (const double comesFrom_deg : { 0.0, 90.0, 180.0, 270.0 })
     {
-      Rig rig(layout);
+      EngineRig rig(layout);
       ASSERT_EQ(rig.engine.open(), "");
       static_cast<void>(rig.play(0.5, comesFrom_deg, 1000));
       // Where it comes from, clockwise from -y. Half a step of the angle turns the force by at most that; half a step
@@ -87,7 +87,7 @@ TEST(PidEngine, ZeroForceIsExactlyZeroAndNotANumberIsZero)
 {
   for (const PidLayout& layout : test::allLayouts())
   {
-    Rig rig(layout);
+    EngineRig rig(layout);
     ASSERT_EQ(rig.engine.open(), "");
     const int block = rig.play(0.0, 270.0, 1000);
     EXPECT_EQ(rig.device().force()[0], 0.0) << layout.name;
@@ -109,7 +109,7 @@ TEST(PidEngine, ForcesOutsideTheirRangeAreCutToIt)
 {
   for (const PidLayout& layout : test::allLayouts())
   {
-    Rig rig(layout);
+    EngineRig rig(layout);
     ASSERT_EQ(rig.engine.open(), "");
     const int block = rig.play(1e9, 0.0, 1000);
     EXPECT_EQ(rig.device().force()[1], 1.0) << layout.name;
@@ -120,7 +120,7 @@ TEST(PidEngine, ForcesOutsideTheirRangeAreCutToIt)
 
 TEST(PidEngine, AForceIsChangedInPlaceWithoutAGap)
 {
-  Rig rig(test::plainLayout());
+  EngineRig rig(test::plainLayout());
   ASSERT_EQ(rig.engine.open(), "");
   const int block = rig.play(0.2, 270.0, 1000);
   const int before = rig.device().outputs;
@@ -133,7 +133,7 @@ TEST(PidEngine, AnEffectEndsByItselfUnlessItIsStartedAgain)
 {
   for (const PidLayout& layout : test::allLayouts())
   {
-    Rig rig(layout);
+    EngineRig rig(layout);
     ASSERT_EQ(rig.engine.open(), "");
     const int block = rig.play(0.5, 270.0, 200);
     for (int again = 0; again < 20; ++again)
@@ -162,7 +162,7 @@ TEST(PidEngine, ADurationLongerThanTheFieldIsItsLongestAndNeverForever)
 
 TEST(PidEngine, SoloStopsTheOthersAndStopStopsOne)
 {
-  Rig rig(test::officeLayout()); // whose operations stand in another order
+  EngineRig rig(test::officeLayout()); // whose operations stand in another order
   ASSERT_EQ(rig.engine.open(), "");
   const int first = rig.play(0.1, 270.0, 1000), second = rig.play(0.2, 270.0, 1000);
   EXPECT_EQ(rig.device().effectsPlaying(), 2);
@@ -179,7 +179,7 @@ TEST(PidEngine, ClosingStopsFreesAndLeavesTheDeviceAsItWakes)
 {
   for (const PidLayout& layout : test::allLayouts())
   {
-    Rig rig(layout);
+    EngineRig rig(layout);
     ASSERT_EQ(rig.engine.open(), "");
     static_cast<void>(rig.play(0.5, 270.0, 1000));
     rig.engine.close();
@@ -194,7 +194,7 @@ TEST(PidEngine, ClosingStopsFreesAndLeavesTheDeviceAsItWakes)
 
 TEST(PidEngine, ASineShakesWithItsPeriod)
 {
-  Rig rig(test::plainLayout());
+  EngineRig rig(test::plainLayout());
   ASSERT_EQ(rig.engine.open(), "");
   const PidEngine::Created made = rig.engine.create(pid::sine);
   EffectSettings settings;
@@ -213,11 +213,11 @@ TEST(PidEngine, ASineShakesWithItsPeriod)
 
 TEST(PidEngine, ADriverManagedPoolIsRefusedByName)
 {
-  Rig none(test::driverManagedLayout());
+  EngineRig none(test::driverManagedLayout());
   EXPECT_NE(none.engine.open().find("driver-managed pool"), std::string::npos);
   PidLayout said = test::plainLayout();
   said.deviceManaged = false;
-  Rig rig(said);
+  EngineRig rig(said);
   EXPECT_NE(rig.engine.open().find("driver-managed pool"), std::string::npos);
   EXPECT_EQ(rig.device().outputs, 0);
 }
@@ -226,7 +226,7 @@ TEST(PidEngine, AFullPoolIsSaidWithTheCure)
 {
   PidLayout small = test::plainLayout();
   small.slots = 1;
-  Rig rig(small);
+  EngineRig rig(small);
   ASSERT_EQ(rig.engine.open(), "");
   EXPECT_EQ(rig.engine.create(pid::spring).problem, "");
   const PidEngine::Created second = rig.engine.create(pid::damper);
@@ -239,7 +239,7 @@ TEST(PidEngine, AnEffectTheDeviceDoesNotHaveIsNotAskedFor)
 {
   PidLayout layout = test::plainLayout();
   layout.effects = { 0x26 };
-  Rig rig(layout);
+  EngineRig rig(layout);
   ASSERT_EQ(rig.engine.open(), "");
   EXPECT_FALSE(rig.engine.supports(pid::spring));
   EXPECT_NE(rig.engine.create(pid::spring).problem, "");
@@ -248,7 +248,7 @@ TEST(PidEngine, AnEffectTheDeviceDoesNotHaveIsNotAskedFor)
 
 TEST(PidEngine, ASlowBlockLoadIsAwaitedButNotForEver)
 {
-  Rig rig(test::plainLayout());
+  EngineRig rig(test::plainLayout());
   ASSERT_EQ(rig.engine.open(), "");
   rig.device().slowLoads = 30;
   EXPECT_EQ(rig.engine.create(pid::spring).problem, "");
@@ -258,13 +258,13 @@ TEST(PidEngine, ASlowBlockLoadIsAwaitedButNotForEver)
 
 TEST(PidEngine, FeatureRequestsThatTimeOutComeShortOrWithAnotherIdAreSaid)
 {
-  Rig late(test::plainLayout());
+  EngineRig late(test::plainLayout());
   late.port.featureTimesOut = true;
   EXPECT_NE(late.engine.open().find("timed out"), std::string::npos);
-  Rig cut(test::plainLayout());
+  EngineRig cut(test::plainLayout());
   cut.port.shortFeature = 2;
   EXPECT_NE(cut.engine.open().find("2 bytes instead of 5"), std::string::npos);
-  Rig other(test::plainLayout());
+  EngineRig other(test::plainLayout());
   ASSERT_EQ(other.engine.open(), "");
   other.device().wrongLoad = std::vector<std::uint8_t>{ 0x77, 1, 1, 0, 0 };
   const PidEngine::Created made = other.engine.create(pid::spring);
@@ -274,7 +274,7 @@ TEST(PidEngine, FeatureRequestsThatTimeOutComeShortOrWithAnotherIdAreSaid)
 
 TEST(PidEngine, ABlockOfZeroIsNotBelieved)
 {
-  Rig rig(test::plainLayout());
+  EngineRig rig(test::plainLayout());
   ASSERT_EQ(rig.engine.open(), "");
   rig.device().wrongLoad = std::vector<std::uint8_t>{ 0x22, 0, 1, 0, 0 }; // success, in no block
   EXPECT_EQ(rig.engine.create(pid::spring).block, 0);
@@ -285,7 +285,7 @@ TEST(PidEngine, UnpluggingAtAnyStepOfOpeningIsSaidAndEndsSoon)
   int steps = 0;
   for (bool opened = false; !opened; ++steps)
   {
-    Rig rig(test::plainLayout());
+    EngineRig rig(test::plainLayout());
     rig.port.callsUntilUnplugged = steps;
     const std::string problem = rig.engine.open();
     const PidEngine::Created made = problem.empty() ? rig.engine.create(pid::spring) : PidEngine::Created{ 0, problem };
@@ -298,7 +298,7 @@ TEST(PidEngine, UnpluggingAtAnyStepOfOpeningIsSaidAndEndsSoon)
 
 TEST(PidEngine, StateReportsAreReadAndOthersAreNotTakenForOne)
 {
-  Rig rig(test::plainLayout());
+  EngineRig rig(test::plainLayout());
   const std::vector<std::uint8_t> off{ 0x02, 0x10, 0x00 }, playing{ 0x02, 0x12, 0x0F };
   ASSERT_TRUE(rig.engine.state(off));
   EXPECT_FALSE(rig.engine.state(off)->actuatorsEnabled);

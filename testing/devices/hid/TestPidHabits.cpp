@@ -25,9 +25,9 @@ test::PidLayout layoutWith(const PidHabits& habits)
   return layout;
 }
 
-struct Rig
+struct HabitRig
 {
-  explicit Rig(const PidHabits& habits) : port(bus->plug(layoutWith(habits))), options(test::virtualOptions(*bus))
+  explicit HabitRig(const PidHabits& habits) : port(bus->plug(layoutWith(habits))), options(test::virtualOptions(*bus))
   {
     this->options.output.rampUp_ms = rampUp_ms;
     this->device.emplace("pid", this->bus, this->port.entry, this->options);
@@ -61,7 +61,7 @@ struct Rig
     this->stick().position = { this->at.x(), -this->at.y() };
     this->stick().velocity = { this->speed.x(), -this->speed.y() };
   }
-  /// In D's directions [shares].
+  /// In D's test::directions [shares].
   Vec3 felt()
   {
     this->put();
@@ -91,24 +91,12 @@ Vec3 held(const PidHabits& habits, const Vec3& asked)
   return habits.deadConditions ? Vec3(0, 0, 0) : Vec3(asked.x(), habits.oneMotor ? 0.0 : asked.y(), 0.0);
 }
 
-const std::array<Vec3, 4> directions{ Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0) };
-
-DeviceCommand corridors(const PidScale& scale)
-{
-  DeviceCommand command;
-  const double at_m = -0.3 * scale.halfTravel_m, K = scale.springStiffness_N_per_m;
-  command.wallCount = 4;
-  command.walls = { { { Vec3::UnitX(), at_m, K }, { -Vec3::UnitX(), at_m, K }, { Vec3::UnitY(), at_m, K },
-    { -Vec3::UnitY(), at_m, K } } };
-  return command;
-}
-
 TEST(PidHabits, ConstantForcesAreRightToTwoPercentOnEachAxis)
 {
   for (const PidHabits& habits : test::allHabits())
   {
-    Rig rig(habits);
-    for (const Vec3& direction : directions)
+    HabitRig rig(habits);
+    for (const Vec3& direction : test::directions)
     {
       rig.command.wrench_D.force = 2.0 * direction;
       rig.run(12);
@@ -124,11 +112,11 @@ TEST(PidHabits, HeldWallsAndDampersRestoreWhateverTheOrderOfReports)
 {
   for (const PidHabits& habits : test::allHabits())
   {
-    Rig rig(habits);
-    rig.command = corridors(rig.options.output.scale);
+    HabitRig rig(habits);
+    rig.command = test::corridors(rig.options.output.scale, 0.3);
     rig.command.viscosity_Ns_per_m = rig.options.output.scale.damperViscosity_Ns_per_m;
     rig.run(rampUp_ms + 80);
-    for (const Vec3& direction : directions)
+    for (const Vec3& direction : test::directions)
     {
       rig.at = 0.35 * direction;
       rig.speed = Vec3::Zero();
@@ -146,11 +134,11 @@ TEST(PidHabits, RefusedWallsAreTheHostsAndARefusedDamperDoesNothing)
 {
   for (const PidHabits& habits : test::allHabits())
   {
-    Rig rig(habits);
+    HabitRig rig(habits);
     rig.device->trust({});
-    rig.command = corridors(rig.options.output.scale);
+    rig.command = test::corridors(rig.options.output.scale, 0.3);
     rig.command.viscosity_Ns_per_m = rig.options.output.scale.damperViscosity_Ns_per_m;
-    for (const Vec3& direction : directions)
+    for (const Vec3& direction : test::directions)
     {
       rig.at = 0.35 * direction;
       rig.speed = 0.1 * direction;
@@ -164,7 +152,7 @@ TEST(PidHabits, ForceEndsWithTheServoAndIsBackWithin20Ms)
 {
   for (const PidHabits& habits : test::allHabits())
   {
-    Rig rig(habits);
+    HabitRig rig(habits);
     rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
     rig.run(40);
     for (int ms = 0; ms < 50; ++ms)
@@ -182,8 +170,8 @@ TEST(PidHabits, ADeadProgramLeavesNoForceAfterAQuarterSecondNorBehindTheTrigger)
 {
   for (const PidHabits& habits : test::allHabits())
   {
-    Rig rig(habits);
-    rig.command = corridors(rig.options.output.scale);
+    HabitRig rig(habits);
+    rig.command = test::corridors(rig.options.output.scale, 0.3);
     rig.command.wrench_D.force = { 2.0, 2.0, 0.0 };
     rig.run(60);
     rig.bus->advance(250);
@@ -203,7 +191,7 @@ TEST(PidHabits, ClosingLeavesNothingButWhatTheDeviceDoesWhenItIsPluggedIn)
 {
   for (const PidHabits& habits : test::allHabits())
   {
-    Rig rig(habits);
+    HabitRig rig(habits);
     ASSERT_FALSE(rig.stick().centring()) << habits.text();
     rig.command.wrench_D.force = { 2.0, 0.0, 0.0 };
     rig.run(30);

@@ -16,9 +16,8 @@ using Rig = test::PidRig;
 
 // The effects in the order in which they are made.
 constexpr int springBlock = 3, damperBlock = 4;
-constexpr int ramped_ms = 1550; // the ramp, and half of the time between two turns of arming effects again
 
-DeviceCommand corridors(const PidScale& scale)
+DeviceCommand unlikeCorridors(const PidScale& scale)
 {
   DeviceCommand command;
   const double half_m = scale.halfTravel_m, K = scale.springStiffness_N_per_m;
@@ -101,8 +100,8 @@ TEST(PidOutput, WallsAndViscosityThatGoAreTakenAwayAtOnce)
 {
   Rig rig(test::plainLayout());
   ASSERT_EQ(rig.device.open(), "");
-  rig.command = corridors(rig.scale());
-  rig.run(ramped_ms);
+  rig.command = unlikeCorridors(rig.scale());
+  rig.run(test::ramped_ms);
   ASSERT_NEAR(stiffest(rig, springBlock), 1.0, 1e-3);
   ASSERT_NEAR(stiffest(rig, damperBlock), 1.0, 1e-3);
   rig.command.walls[0].offset_m *= 0.9;
@@ -119,8 +118,8 @@ TEST(PidOutput, AWallThatGoesIsTakenAwayAtOnceWhereBothSidesShareACoefficient)
   std::erase_if(layout.condition, [](const test::PidNumber& number) { return number.usage == 0x62; });
   Rig rig(layout);
   ASSERT_EQ(rig.device.open(), "");
-  rig.command = corridors(rig.scale());
-  rig.run(ramped_ms);
+  rig.command = unlikeCorridors(rig.scale());
+  rig.run(test::ramped_ms);
   rig.command.walls[2].offset_m *= 0.9;
   rig.run(3);
   rig.command.walls[0] = rig.command.walls[1]; // the lower wall goes
@@ -135,8 +134,8 @@ TEST(PidOutput, WallsThatAreBelievedNoMoreEndAtOnceAndTheDeviceIsNotLost)
 {
   Rig rig(test::plainLayout());
   ASSERT_EQ(rig.device.open(), "");
-  rig.command = corridors(rig.scale());
-  rig.run(ramped_ms);
+  rig.command = unlikeCorridors(rig.scale());
+  rig.run(test::ramped_ms);
   rig.device.trust({});
   rig.run(5);
   EXPECT_EQ(rig.stick().effectsPlaying(), 2); // the forces
@@ -150,9 +149,9 @@ TEST(PidOutput, WhileStiffnessFallsEachAxisFollowsAndTheForceGetsItsTurn)
 {
   Rig rig(test::plainLayout());
   ASSERT_EQ(rig.device.open(), "");
-  const DeviceCommand whole = corridors(rig.scale());
+  const DeviceCommand whole = unlikeCorridors(rig.scale());
   rig.command = whole;
-  rig.run(ramped_ms);
+  rig.run(test::ramped_ms);
   constexpr int fall_ms = 200, late_ms = 2 * (7 + 4);
   const int forces = rig.stick().constantForces;
   for (int ms = 1; ms <= fall_ms; ++ms)

@@ -27,9 +27,9 @@ constexpr double rest = CapMotionOptions{}.restShare;
 constexpr int firstReport_ms = 20; // they come every 16 ms
 
 /// A SpaceMouse on a bus in virtual time: every millisecond a tick of the servo and a pass of the reader.
-struct Rig
+struct CapRig
 {
-  explicit Rig(const CapLayout& layout, const std::string& serial = "0001") : port(bus->plug(layout, serial))
+  explicit CapRig(const CapLayout& layout, const std::string& serial = "0001") : port(bus->plug(layout, serial))
   {
     SpaceMouseOptions options;
     options.threads = false;
@@ -78,7 +78,7 @@ TEST(SpaceMouse, EveryAxisOfEveryGenerationMovesTheHandTheWayTheCapIsPressed)
   {
     for (const std::size_t axis : { 0U, 1U, 2U })
     {
-      Rig rig(layout);
+      CapRig rig(layout);
       ASSERT_EQ(rig.device->open(), "") << layout.name;
       const Pose there = rig.sweptBallOf(axis, layout.range);
       EXPECT_LE((there.p - 0.1 * speed_m_per_s * way_D[axis]).norm(), 1e-12) << layout.name << axis;
@@ -97,7 +97,7 @@ TEST(SpaceMouse, EveryTurnOfEveryGenerationTurnsTheHandRightHandedAboutTheSameWa
   {
     for (const std::size_t axis : { 0U, 1U, 2U })
     {
-      Rig rig(layout);
+      CapRig rig(layout);
       ASSERT_EQ(rig.device->open(), "") << layout.name;
       const Pose there = rig.sweptBallOf(3 + axis, layout.range);
       const double half_rad = 100 * std::atan(0.5 * turn_rad_per_s * 1e-3);
@@ -110,7 +110,7 @@ TEST(SpaceMouse, EveryTurnOfEveryGenerationTurnsTheHandRightHandedAboutTheSameWa
 
 TEST(SpaceMouse, ALighterPressIsSlowerAndNextToNoPressIsNone)
 {
-  Rig rig(test::newerCap());
+  CapRig rig(test::newerCap());
   ASSERT_EQ(rig.device->open(), "");
   EXPECT_NEAR(rig.sweptBallOf(0, 175).p.x(), 0.1 * speed_m_per_s * (0.5 - rest) / (1.0 - rest), 1e-12);
   EXPECT_EQ(rig.sweptBallOf(0, 7).p.norm(), 0.0); // 2 % of 350
@@ -118,7 +118,7 @@ TEST(SpaceMouse, ALighterPressIsSlowerAndNextToNoPressIsNone)
 
 TEST(SpaceMouse, TwoReportsAreOnePressAndNeitherForgetsTheOther)
 {
-  Rig rig(test::wiredCap());
+  CapRig rig(test::wiredCap());
   ASSERT_EQ(rig.device->open(), "");
   rig.cap().cap = { 350, 0, 0, 0, 0, 350 };
   rig.run(firstReport_ms);
@@ -135,7 +135,7 @@ TEST(SpaceMouse, TwoReportsAreOnePressAndNeitherForgetsTheOther)
 
 TEST(SpaceMouse, LetGoTheHandStaysAndNeverLeavesItsWorkspace)
 {
-  Rig rig(test::newerCap());
+  CapRig rig(test::newerCap());
   ASSERT_EQ(rig.device->open(), "");
   rig.cap().cap = { 350, 350, 350, 0, 0, 0 };
   rig.run(3000);
@@ -151,7 +151,7 @@ TEST(SpaceMouse, LetGoTheHandStaysAndNeverLeavesItsWorkspace)
 
 TEST(SpaceMouse, ARadioLinkThatBreaksOffWhileTheCapIsPressedStopsTheHand)
 {
-  Rig rig(test::radioCap());
+  CapRig rig(test::radioCap());
   ASSERT_EQ(rig.device->open(), "");
   rig.cap().cap[0] = 350;
   rig.run(200);
@@ -168,7 +168,7 @@ TEST(SpaceMouse, ButtonsOfEveryGenerationAreBits)
 {
   for (const CapLayout& layout : test::allCaps())
   {
-    Rig rig(layout);
+    CapRig rig(layout);
     ASSERT_EQ(rig.device->open(), "");
     rig.cap().buttons = 0x89;
     rig.run(5);
@@ -181,7 +181,7 @@ TEST(SpaceMouse, ButtonsOfEveryGenerationAreBits)
 
 TEST(SpaceMouse, ShortAndForeignReportsAreCountedAndChangeNothing)
 {
-  Rig rig(test::radioCap());
+  CapRig rig(test::radioCap());
   ASSERT_EQ(rig.device->open(), "");
   rig.run(5);
   for (const std::vector<std::uint8_t>& strange :
@@ -197,7 +197,7 @@ TEST(SpaceMouse, ShortAndForeignReportsAreCountedAndChangeNothing)
 
 TEST(SpaceMouse, APressBeyondTheRangeIsCutToItAndCounted)
 {
-  Rig rig(test::newerCap());
+  CapRig rig(test::newerCap());
   ASSERT_EQ(rig.device->open(), "");
   EXPECT_NEAR(rig.sweptBallOf(0, 30000).p.x(), 0.1 * speed_m_per_s, 1e-12);
   EXPECT_GE(rig.device->linkReport().outOfRange, 6U);
@@ -205,7 +205,7 @@ TEST(SpaceMouse, APressBeyondTheRangeIsCutToItAndCounted)
 
 TEST(SpaceMouse, UnpluggedItIsLostAndPluggedInAgainItGoesOnFromWhereItWas)
 {
-  Rig rig(test::wiredCap());
+  CapRig rig(test::wiredCap());
   ASSERT_EQ(rig.device->open(), "");
   rig.cap().cap[0] = 350;
   rig.run(200);
@@ -226,7 +226,7 @@ TEST(SpaceMouse, UnpluggedItIsLostAndPluggedInAgainItGoesOnFromWhereItWas)
 
 TEST(SpaceMouse, ALoosePlugThatBouncesSoonAfterItWasFoundIsFoundInItsNewPlace)
 {
-  Rig rig(test::wiredCap(), "");
+  CapRig rig(test::wiredCap(), "");
   ASSERT_EQ(rig.device->open(), "");
   for (const char* path : { "bounced", "bounced again" })
   {
@@ -251,7 +251,7 @@ TEST(SpaceMouse, UnpluggingAtAnyStepOfOpeningIsAnAnswerAndNothingStaysOpen)
   int steps = 0;
   for (; !opened; ++steps)
   {
-    auto rig = std::make_unique<Rig>(test::wiredCap());
+    auto rig = std::make_unique<CapRig>(test::wiredCap());
     rig->port.callsUntilUnplugged = steps;
     const std::string problem = rig->device->open();
     opened = problem.empty();
@@ -266,14 +266,14 @@ TEST(SpaceMouse, NoPermissionBusyBrokenAndIncompleteAreSaidWithTheName)
 {
   for (const std::string problem : { "no permission", "busy" })
   {
-    Rig rig(test::wiredCap());
+    CapRig rig(test::wiredCap());
     rig.port.openProblem = problem;
     EXPECT_NE(rig.device->open().find("\"wired cap\": " + problem), std::string::npos);
   }
-  Rig cut(test::wiredCap());
+  CapRig cut(test::wiredCap());
   cut.port.descriptor.resize(cut.port.descriptor.size() / 2);
   EXPECT_NE(cut.device->open().find("report descriptor of"), std::string::npos);
-  Rig three(test::wiredCap());
+  CapRig three(test::wiredCap());
   CapLayout translation = test::wiredCap();
   three.port.descriptor = test::descriptorOf(translation);
   three.port.descriptor[3] = 0x04; // a joystick, not a multi-axis controller

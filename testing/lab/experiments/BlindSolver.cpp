@@ -11,7 +11,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace blind_solver_experiment
 {
 
 void judge(const Labyrinth& maze, const std::string& name, const LabyrinthRun& run, Table& table)
@@ -41,10 +41,11 @@ void judgeHand(const Labyrinth& maze, const std::string& name, const HandModel& 
   }
 }
 
-} // namespace
+} // namespace blind_solver_experiment
 
 void runBlindSolver(const Conditions& conditions, Table& table)
 {
+  using namespace blind_solver_experiment;
   const std::vector<std::string> quick{ "corridor", "spiral", "hampton-court" };
   const std::vector<std::string> all{ "corridor", "spiral", "hampton-court", "chartres", "versailles" };
   const std::vector<std::string> onlyFirm{ "firm" }, holding{ "light", "stylus", "firm" };

@@ -11,7 +11,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace bounce_experiment
 {
 
 constexpr double T = 1e-3, mass_kg = 0.1, speed = 0.2;
@@ -100,10 +100,11 @@ void judgeController(double K, double damping, int phases, Table& table)
   }
 }
 
-} // namespace
+} // namespace bounce_experiment
 
 void runBounce(const Conditions& conditions, Table& table)
 {
+  using namespace bounce_experiment;
   const int phases = conditions.pick(40, 40, 200);
   for (const double K : { 100.0, 500.0, 1000.0, 2000.0, 5000.0 })
   {

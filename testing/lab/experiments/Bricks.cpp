@@ -14,7 +14,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace bricks_experiment
 {
 
 constexpr int brickPoints = 48;
@@ -171,10 +171,11 @@ void judgeSpeed(double room_m, int look_ms, int build_ms, Table& table)
   table.atLeast({ name, "bricks by distance", "ticks outside above it" }, outside(above), 1.0);
 }
 
-} // namespace
+} // namespace bricks_experiment
 
 void runBricks(const Conditions& conditions, Table& table)
 {
+  using namespace bricks_experiment;
   test::Random random(conditions.seed);
   for (const int cells : conditions.pick(std::vector{ 16 }, std::vector{ 16, 32, 64 }, std::vector{ 16, 32, 64, 118 }))
   {

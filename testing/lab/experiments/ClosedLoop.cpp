@@ -17,7 +17,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace closed_loop_experiment
 {
 
 constexpr double K = 1000.0, pi = std::numbers::pi; // N/m; scenes in metres
@@ -139,10 +139,11 @@ void textures(int steps, Table& table)
     { name, "turned normal", "work of a loop over the limit of a held spring" }, turned.held_J / turned.limit_J, 10.0);
 }
 
-} // namespace
+} // namespace closed_loop_experiment
 
 void runClosedLoop(const Conditions& conditions, Table& table)
 {
+  using namespace closed_loop_experiment;
   const int steps = conditions.pick(2000, 20000, 200000);
   const auto box = test::sceneOf(test::makeBox({ -0.05, -0.05, -0.05 }, { 0.05, 0.05, 0.05 }));
   const auto ball = test::sceneOf(test::makeIcosphere(2, 0.05));

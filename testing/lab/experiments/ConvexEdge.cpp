@@ -11,7 +11,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace convex_edge_experiment
 {
 
 constexpr double stiffness_N_per_m = 1000.0, edge_m = 0.05, depth_m = 1e-3;
@@ -95,10 +95,11 @@ void judgeGlued(const World& world, const Way& way, Table& table)
     pass(world, method("half-spaces"), way).last_N.norm(), std::hypot(top_N, stiffness_N_per_m * past_m), tolerance_N);
 }
 
-} // namespace
+} // namespace convex_edge_experiment
 
 void runConvexEdge(const Conditions&, Table& table)
 {
+  using namespace convex_edge_experiment;
   const World world(test::makeBox({ -edge_m, -edge_m, -0.1 }, { edge_m, edge_m, 0 }));
   const Way slow{ "step=1um", 1e-6, 3e-7, 1500, 200 };
   const Way fast{ "step=100um", 1e-4, 2e-5, 25, 30 }; // 100 mm/s

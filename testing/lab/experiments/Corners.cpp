@@ -16,7 +16,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace corners_experiment
 {
 
 constexpr double stiffness_N_per_m = 1000.0;
@@ -184,10 +184,11 @@ void runTremble(const Conditions& conditions, test::Random& random, Table& table
     (alternating->tick(wedge.p_W).proxy_W - wedge.x_W).norm(), 1e-4);
 }
 
-} // namespace
+} // namespace corners_experiment
 
 void runCorners(const Conditions& conditions, Table& table)
 {
+  using namespace corners_experiment;
   test::Random random(conditions.seed + 11);
   runNineCorners(conditions, random, table);
   runValleys(random, table);

@@ -11,7 +11,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace corridor_experiment
 {
 
 constexpr double decayed = 0.1, within_s = 2.0;
@@ -115,10 +115,11 @@ void judgeFound(const Corridor& corridor, double scale_Ns_per_m, Table& table)
   table.atMost({ name, "found viscosity", "viscosity", "N s/m" }, found_Ns_per_m, 2 * least_Ns_per_m);
 }
 
-} // namespace
+} // namespace corridor_experiment
 
 void runCorridor(const Conditions& conditions, Table& table)
 {
+  using namespace corridor_experiment;
   Corridor corridor{ 2e-3, 2000.0, 5.0, 0.05, 0.05, 1e-3, 0.1 };
   judgeTable(corridor, table);
   const double scale_Ns_per_m = conditions.pick(0.02, 0.005, 0.001);

@@ -10,7 +10,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace curves_experiment
 {
 
 using test::Tubes;
@@ -238,10 +238,11 @@ void judgeSpring(const Conditions& conditions, Table& table)
   }
 }
 
-} // namespace
+} // namespace curves_experiment
 
 void runCurves(const Conditions& conditions, Table& table)
 {
+  using namespace curves_experiment;
   judgeFibre(0.0, table);
   judgeFibre(1e-3, table);
   judgeBend(table);

@@ -21,7 +21,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace deforming_experiment
 {
 
 std::shared_ptr<const SurfaceTree> refitted(const SurfaceTree& tree, std::vector<Vec3> vertices_W,
@@ -289,10 +289,11 @@ int falls(const SurfaceTree& first, double ball_m, int ticks, bool keep)
   return through;
 }
 
-} // namespace
+} // namespace deforming_experiment
 
 void runDeforming(const Conditions& conditions, Table& table)
 {
+  using namespace deforming_experiment;
   const SurfaceTree sphere(cleanMesh(test::makeIcosphere(5, 0.05)).mesh);
   const int ticks = conditions.pick(2000, 10000, 60000);
   for (const double ball_m : { 0.0, 1e-3 })

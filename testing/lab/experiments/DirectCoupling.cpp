@@ -3,14 +3,13 @@
 // rate.
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
 #include "haptics/force/SampledWall.h"
 #include "testing/lab/Experiments.h"
+#include "testing/lab/simulation/ExactLoops.h"
 
 namespace palpate::lab
 {
-namespace
+namespace direct_coupling_experiment
 {
 
 struct Object
@@ -20,12 +19,6 @@ struct Object
   double damping_Ns_per_m = 0.0;
   double step_s = 0.0;
 };
-
-template<class Matrix>
-double radiusOf(const Matrix& step)
-{
-  return Eigen::EigenSolver<Matrix>(step, false).eigenvalues().cwiseAbs().maxCoeff();
-}
 
 /// The stiffness at which a loop begins to grow [N/m], by bisection.
 template<class Radius>
@@ -47,7 +40,7 @@ double semiImplicitRadius(const Object& o, double contact)
   const double a = o.step_s * (o.stiffness_N_per_m + contact) / o.mass_kg;
   Eigen::Matrix2d step;
   step << 1.0 - o.step_s * a, o.step_s, -a, 1.0;
-  return radiusOf(step);
+  return spectralRadius(step);
 }
 
 /// The same with the place at the end of the step.
@@ -56,7 +49,7 @@ double implicitRadius(const Object& o, double contact)
   const double a = o.step_s * (o.stiffness_N_per_m + contact) / o.mass_kg;
   Eigen::Matrix2d step;
   step << 1.0, o.step_s, -a, 1.0;
-  return radiusOf(Eigen::Matrix2d(step / (1.0 + o.step_s * a)));
+  return spectralRadius(step / (1.0 + o.step_s * a));
 }
 
 /// A device of .1 kg and 1 N s/m whose place drives the object once a step, and which feels a force that is held for
@@ -77,13 +70,14 @@ double heldForceRadius(const Object& o, double contact)
     step.col(i) << s[0] + glide_s * s[1] + (h - glide_s) / damping_Ns_per_m * force,
       fall * s[1] + (1.0 - fall) / damping_Ns_per_m * force, s[2] + h * speed, speed;
   }
-  return radiusOf(step);
+  return spectralRadius(step);
 }
 
-} // namespace
+} // namespace direct_coupling_experiment
 
 void runDirectCoupling(const Conditions&, Table& table)
 {
+  using namespace direct_coupling_experiment;
   for (const Object& o :
     { Object{ 1e-3, 1e3, 0.0, 1e-3 }, Object{ 1e-2, 1e3, 0.0, 1e-3 }, Object{ 0.1, 1e3, 0.0, 1e-2 } })
   {

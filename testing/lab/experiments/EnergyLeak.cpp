@@ -10,7 +10,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace energy_leak_experiment
 {
 
 struct Press
@@ -63,10 +63,11 @@ Leak overPhases(const Press& how, const HapticParameters& parameters, int phases
   return leak;
 }
 
-} // namespace
+} // namespace energy_leak_experiment
 
 void runEnergyLeak(const Conditions& conditions, Table& table)
 {
+  using namespace energy_leak_experiment;
   constexpr double K = 1000.0;
   const int phases = conditions.pick(50, 100, 400);
   for (const Press& how : { Press{ 0.1, 5e-3, 1e-3 }, Press{ 0.1, 5e-3, 1e-2 }, Press{ 0.2, 2e-3, 1e-3 } })

@@ -13,7 +13,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace facets_experiment
 {
 
 constexpr double radius_mm = 50.0, depth_mm = 1.0;
@@ -44,10 +44,11 @@ Rubbing rub(const World& world, const MethodKind& kind, const Vec3& through, int
   return seen;
 }
 
-} // namespace
+} // namespace facets_experiment
 
 void runFacets(const Conditions& conditions, Table& table)
 {
+  using namespace facets_experiment;
   constexpr int coarsest = 2;
   const int finest = conditions.pick(6, 7, 8);
   for (int levels = coarsest; levels <= finest; ++levels)

@@ -19,7 +19,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace fields_experiment
 {
 
 constexpr double noticed = 0.07; ///< of a force
@@ -349,10 +349,11 @@ void judgeViscosity(int ticks, Table& table)
   table.atMost({ "viscosity", "ours: drag", "speed at the end", "m/s" }, std::fabs(state.y()), 1e-6);
 }
 
-} // namespace
+} // namespace fields_experiment
 
 void runFields(const Conditions& conditions, Table& table)
 {
+  using namespace fields_experiment;
   const int ticks = conditions.pick(2000, 20000, 200000);
   // Trilinear values of a distance are larger by h^2 / 8 times its Laplacian, so the surface is h^2 / 4 R inside, and
   // its creases, of h / R, let the proxy slip by as much of the depth.

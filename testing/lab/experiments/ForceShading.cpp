@@ -13,7 +13,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace force_shading_experiment
 {
 
 constexpr double sphere_mm = 50.0, degree = std::numbers::pi / 180.0;
@@ -59,10 +59,11 @@ Loop rub(const std::shared_ptr<const Scene>& scene, const Vec3& through, bool sh
   return seen;
 }
 
-} // namespace
+} // namespace force_shading_experiment
 
 void runForceShading(const Conditions& conditions, Table& table)
 {
+  using namespace force_shading_experiment;
   const int ticks = conditions.pick(5000, 20000, 100000);
   const TriangleMesh mesh = test::makeIcosphere(3, sphere_mm);
   const auto scene = test::sceneOf(mesh);

@@ -14,7 +14,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace friction_experiment
 {
 
 constexpr double K = 1000.0, depth_m = 2e-3; // N/m; scenes in metres
@@ -279,10 +279,11 @@ void cost(int ticks, Table& table)
   }
 }
 
-} // namespace
+} // namespace friction_experiment
 
 void runFriction(const Conditions& conditions, Table& table)
 {
+  using namespace friction_experiment;
   test::Random random(conditions.seed);
   const auto floor = test::sceneOf(test::makeSheet({ 0.4, 0.4, 20, 20, 0.3 }, random));
   for (const Ours& ours : pointAndBall)

@@ -11,7 +11,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace groove_experiment
 {
 
 constexpr double r = 1e-3, edge_m = 0.05, radians = std::numbers::pi / 180;
@@ -72,10 +72,11 @@ double polygonalDeviation(double fraction, int steps)
   return largest_m;
 }
 
-} // namespace
+} // namespace groove_experiment
 
 void runGroove(const Conditions& conditions, Table& table)
 {
+  using namespace groove_experiment;
   runGrooves(table);
   const int steps = 2 * conditions.pick(45, 450, 4500);
   for (const double fraction : { 0.99, 0.5, 0.1 })

@@ -13,7 +13,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace image_curves_experiment
 {
 
 using Field = PixelField;
@@ -185,10 +185,11 @@ void judgeLabels(ImageRunner runner, int size, Table& table)
   judgeCost(name, "within twice the cost of 2 labels", notMoreThan, many, few, table);
 }
 
-} // namespace
+} // namespace image_curves_experiment
 
 void runImageCurves(const Conditions& conditions, Table& table)
 {
+  using namespace image_curves_experiment;
   const int places = conditions.pick(5, 20, 100);
   const ImageContour contour = imageContour();
   for (const double radius : { 10.0, 50.0, 200.0 })

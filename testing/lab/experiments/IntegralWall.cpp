@@ -12,7 +12,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace integral_wall_experiment
 {
 
 constexpr double T = 1e-3, m = 0.1, b = 1.0;
@@ -149,10 +149,11 @@ void judgeFreeAir(Table& table)
   table.atMost({ "speed=0.1", "integral wall", "force in free air", "N" }, most_N, 0.0);
 }
 
-} // namespace
+} // namespace integral_wall_experiment
 
 void runIntegralWall(const Conditions& conditions, Table& table)
 {
+  using namespace integral_wall_experiment;
   for (const double K : { 500.0, 750.0, 1000.0, 1250.0, 1500.0 })
   {
     judgeLimit(K, table);

@@ -7,7 +7,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace laws_experiment
 {
 
 constexpr int ticks = 20; ///< of one trial
@@ -213,10 +213,11 @@ constexpr std::pair<LawKind, void (*)(LawTrial&)> laws[] = { { LawKind::Contact,
   { LawKind::Spring, spring }, { LawKind::Limit, limit }, { LawKind::Puncture, puncture },
   { LawKind::Insertion, insertion } };
 
-} // namespace
+} // namespace laws_experiment
 
 void runLaws(const Conditions& conditions, Table& table)
 {
+  using namespace laws_experiment;
   test::Random random(conditions.seed);
   for (const auto& [kind, judge] : laws)
   {

@@ -10,7 +10,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace limit_cycles_experiment
 {
 
 constexpr double K = 1000.0, T = 1e-3, D = 50e-6, mass_kg = 0.1, push_N = 1.0, watch_s = 8.0;
@@ -48,10 +48,11 @@ double tail(double damping, double friction, const HapticParameters& parameters)
   return swing_m(rig, *device, ticks, static_cast<int>(0.7 * ticks) + 1).value_or(2.0) / D;
 }
 
-} // namespace
+} // namespace limit_cycles_experiment
 
 void runLimitCycles(const Conditions& conditions, Table& table)
 {
+  using namespace limit_cycles_experiment;
   constexpr double still = 0.5;
   for (std::size_t i = 0; i < dampings.size(); ++i)
   {

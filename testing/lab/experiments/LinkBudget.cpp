@@ -14,7 +14,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace link_budget_experiment
 {
 
 constexpr double bytes_per_s = 31250.0 / 10.0;
@@ -131,10 +131,11 @@ void judgeSession(Table& table)
     linked / slow, 1.0, 1e-9);
 }
 
-} // namespace
+} // namespace link_budget_experiment
 
 void runLinkBudget(const Conditions&, Table& table)
 {
+  using namespace link_budget_experiment;
   table.within({ "link=3125", "one parameter", "time", "s" }, SerialLink::parameter_B / bytes_per_s, 1.92e-3, 1e-12);
   for (const Message& message : messages)
   {

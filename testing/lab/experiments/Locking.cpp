@@ -9,7 +9,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace locking_experiment
 {
 
 struct Bent
@@ -46,10 +46,11 @@ Bent bend(ElementKind element, int r)
   return { load.dot(made.body->linearAnswer(load)), Cost::of(cost) };
 }
 
-} // namespace
+} // namespace locking_experiment
 
 void runLocking(const Conditions& conditions, Table& table)
 {
+  using namespace locking_experiment;
   // Three-dimensional elasticity with a clamped end; Timoshenko's beam, 25.780 mm, may narrow there.
   const double clamped_m = 0.02545;
   for (int r = 1; r <= conditions.pick(4, 4, 8); r *= 2)

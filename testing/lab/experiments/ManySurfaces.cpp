@@ -15,7 +15,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace many_surfaces_experiment
 {
 
 constexpr double largest_m = 0.04;
@@ -162,10 +162,11 @@ void runCount(std::size_t count, int ticks, std::uint64_t seed, Table& table)
   table.info({ name, "each-in-turn", "surfaces" }, static_cast<double>(count)).cost = asked.each;
 }
 
-} // namespace
+} // namespace many_surfaces_experiment
 
 void runManySurfaces(const Conditions& conditions, Table& table)
 {
+  using namespace many_surfaces_experiment;
   double done = 0.0;
   for (const std::size_t count : { 1u, 10u, 100u, 1000u })
   {

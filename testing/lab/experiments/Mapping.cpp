@@ -11,7 +11,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace mapping_experiment
 {
 
 /// What a point's force is on four corners, against the point itself: the worst of many points and motions.
@@ -133,10 +133,11 @@ void judge(const std::string& method, const Lost& lost, Table& table)
   table.atMost({ "map", method, "power that is not the point's", "W" }, lost.power, 1e-12);
 }
 
-} // namespace
+} // namespace mapping_experiment
 
 void runMapping(const Conditions& conditions, Table& table)
 {
+  using namespace mapping_experiment;
   const TetraMesh tetra{ { { 0, 0, 0 }, { 0.04, 0, 0 }, { 0, 0.04, 0 }, { 0, 0, 0.04 } }, { { 0, 1, 2, 3 } } };
   judge("barycentric", lost(tetra, nullptr, conditions.seed), table);
   judge("rigid", lostOnFrames(1, conditions.seed), table);

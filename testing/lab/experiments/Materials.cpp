@@ -20,7 +20,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace materials_experiment
 {
 
 constexpr double K = 1000.0, T = 1e-3, pi = std::numbers::pi;
@@ -299,10 +299,11 @@ void speedOfTexture(const Conditions& conditions, Table& table)
     shareOf(40.0) - shareOf(grainTicks), 0.5);
 }
 
-} // namespace
+} // namespace materials_experiment
 
 void runMaterials(const Conditions& conditions, Table& table)
 {
+  using namespace materials_experiment;
   feltStiffness(conditions, table);
   rampBeyond(conditions, table);
   conditions.progress(0.2);

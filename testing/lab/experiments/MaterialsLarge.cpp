@@ -8,7 +8,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace materials_large_experiment
 {
 
 constexpr double young_Pa = 20e3;
@@ -45,10 +45,11 @@ double turned(ElasticModel model, double degrees)
   return stressOf(model, moduli(), f).norm() / young_Pa;
 }
 
-} // namespace
+} // namespace materials_large_experiment
 
 void runMaterialsLarge(const Conditions&, Table& table)
 {
+  using namespace materials_large_experiment;
   for (double degrees = 0.0; degrees <= 180.0; degrees += 30.0)
   {
     const std::string name = caseName({ { "turn_deg", degrees } });

@@ -11,7 +11,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace mechanism_experiment
 {
 
 using test::kc;
@@ -169,10 +169,11 @@ void judgeStroke(const Conditions& conditions, Table& table)
   judge("work of the stroke", "mJ", 1e3 * stroke.work_J, 1e3 * work_J);
 }
 
-} // namespace
+} // namespace mechanism_experiment
 
 void runMechanism(const Conditions& conditions, Table& table)
 {
+  using namespace mechanism_experiment;
   judgeLever(table);
   judgeStroke(conditions, table);
 }

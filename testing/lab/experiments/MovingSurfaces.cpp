@@ -13,7 +13,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace moving_surfaces_experiment
 {
 
 constexpr double K = 1000.0, T = 1e-3; // scenes in metres
@@ -300,10 +300,11 @@ void turntables(const TriangleMesh& plate, Table& table)
   }
 }
 
-} // namespace
+} // namespace moving_surfaces_experiment
 
 void runMoving(const Conditions& conditions, Table& table)
 {
+  using namespace moving_surfaces_experiment;
   test::Random random(conditions.seed);
   const TriangleMesh plate = test::makeSheet({ 0.4, 0.4, 12, 12, 0.3 }, random);
   platforms(plate, table);

@@ -14,7 +14,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace multirate_experiment
 {
 
 constexpr double servo_s = 1e-3, mass_kg = 0.1, damping_Ns_per_m = 1.0;
@@ -293,10 +293,11 @@ void judgePress(const Press& press, int period_ticks, Feel feel, Table& table)
   table.info(outcome, static_cast<double>(jnds > 1.0 ? Outcome::Wrong : Outcome::Held));
 }
 
-} // namespace
+} // namespace multirate_experiment
 
 void runMultirate(const Conditions& conditions, Table& table)
 {
+  using namespace multirate_experiment;
   judgeLimits(conditions, table);
   conditions.progress(0.7);
   const Press press;

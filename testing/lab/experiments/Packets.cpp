@@ -9,7 +9,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace packets_experiment
 {
 
 constexpr double coupling_N_per_m = 1000.0;
@@ -82,10 +82,11 @@ Error errorAt(const Pad& pad, double speed)
   return { std::sqrt(nearest2 / all2), std::sqrt(rigid2 / all2) };
 }
 
-} // namespace
+} // namespace packets_experiment
 
 void runPackets(const Conditions& conditions, Table& table)
 {
+  using namespace packets_experiment;
   const Pad pad(conditions.pick(12, 12, 16));
   for (const double speed : { 0.3, 0.6, 0.9 })
   {

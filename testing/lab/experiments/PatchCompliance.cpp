@@ -10,7 +10,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace patch_compliance_experiment
 {
 
 struct Compliance
@@ -41,10 +41,11 @@ Compliance complianceOf(int n)
   return { c(2, 2), c(5, 5) };
 }
 
-} // namespace
+} // namespace patch_compliance_experiment
 
 void runPatch(const Conditions& conditions, Table& table)
 {
+  using namespace patch_compliance_experiment;
   // docs/theory.md, "A patch, and Hertz below it": block of 20 kPa and nu .4, patch of 12.5 mm; independent code.
   const std::vector<std::pair<int, double>> meshes{ { 4, 0.0 }, { 6, 0.0 }, { 8, 1.155e-3 }, { 12, 1.390e-3 },
     { 16, 1.533e-3 } };

@@ -21,7 +21,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace plan_experiment
 {
 
 constexpr double sphere_mm = 50.0;
@@ -250,10 +250,11 @@ void roughKeepsItsTriangles(Table& table)
   table.within({ "noisy sphere", "proven simpler", "refused" }, kept, 1.0, 0.0);
 }
 
-} // namespace
+} // namespace plan_experiment
 
 void runPlan(const Conditions& conditions, Table& table)
 {
+  using namespace plan_experiment;
   treeAgainstList(conditions, table);
   conditions.progress(0.3);
   radiusAgainstWork(conditions, table);

@@ -16,7 +16,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace plane_cost_experiment
 {
 
 using Vec2 = Eigen::Vector2d;
@@ -284,10 +284,11 @@ void judgeLevels(const Conditions& conditions, Table& table)
     { kept, "within what is felt", "force of a change of level", "N" }, 2 * stiffness_N_per_u * away_u, felt_N);
 }
 
-} // namespace
+} // namespace plane_cost_experiment
 
 void runPlaneCost(const Conditions& conditions, Table& table)
 {
+  using namespace plane_cost_experiment;
   test::Random random(conditions.seed);
   std::vector<std::size_t> sizes = { 8, 32, 128, 512, 2000, 10000, 100000 };
   if (conditions.size != Size::Quick)

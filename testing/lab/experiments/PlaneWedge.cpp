@@ -18,7 +18,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace plane_wedge_experiment
 {
 
 using Vec2 = Eigen::Vector2d;
@@ -274,10 +274,11 @@ void judgeCost(const Conditions& conditions, Table& table)
   table.info({ name, "cgal", "queries in a tick" }, 1.0).cost = query;
 }
 
-} // namespace
+} // namespace plane_wedge_experiment
 
 void runPlaneWedge(const Conditions& conditions, Table& table)
 {
+  using namespace plane_wedge_experiment;
   for (const double degrees : { 90.0, 60.0, 45.0, 30.0, 20.0, 10.0, 5.0 })
   {
     const double angle_rad = degrees * std::numbers::pi / 180;

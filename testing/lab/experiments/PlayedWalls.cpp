@@ -16,7 +16,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace played_walls_experiment
 {
 
 /// A handle pushed with f squarely against a line at 45 degrees rests f / K behind it. Heavy, so that it is still
@@ -156,10 +156,11 @@ void judgeGuide(Table& table)
   }
 }
 
-} // namespace
+} // namespace played_walls_experiment
 
 void runPlayedWalls(const Conditions& conditions, Table& table)
 {
+  using namespace played_walls_experiment;
   for (const double rate_Hz : { 20.0, 50.0, 125.0, 1000.0 })
   {
     judgeRest(rate_Hz, table);

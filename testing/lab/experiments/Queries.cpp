@@ -15,7 +15,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace queries_experiment
 {
 
 struct Segment
@@ -317,10 +317,11 @@ void judgeFarAway(const test::NoisySphere& sphere, std::size_t count, std::uint6
     0.1 * static_cast<double>(count) });
 }
 
-} // namespace
+} // namespace queries_experiment
 
 void runQueries(const Conditions& conditions, Table& table)
 {
+  using namespace queries_experiment;
   const std::size_t count = conditions.pick<std::size_t>(2000, 5000, 50000);
   const std::vector<std::size_t> all = { 14400, 57600, 230400, 921600 };
   const std::vector<std::size_t> sizes(all.begin(), all.begin() + conditions.pick(2, 4, 4));

@@ -12,7 +12,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace recorded_touch_experiment
 {
 
 struct TouchError
@@ -74,10 +74,11 @@ void judgeRubbed(const AnalyticTouch& smooth, int ticks, Table& table)
     { name, "without friction", "force vector error, RMS" }, errorOf(slippery).rms, 0.95 * mu / std::sqrt(1 + mu * mu));
 }
 
-} // namespace
+} // namespace recorded_touch_experiment
 
 void runRecordedTouch(const Conditions& conditions, Table& table)
 {
+  using namespace recorded_touch_experiment;
   const int ticks = conditions.pick(4000, 20000, 200000);
   test::Random random(conditions.seed);
   const AnalyticTouch plane = touchPlane(random);

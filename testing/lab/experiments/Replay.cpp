@@ -16,7 +16,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace replay_experiment
 {
 
 void demand(const std::string& problem)
@@ -107,10 +107,11 @@ Recording tampered(Recording recording)
   throw std::runtime_error("a recording without ticks");
 }
 
-} // namespace
+} // namespace replay_experiment
 
 void runReplay(const Conditions& conditions, Table& table)
 {
+  using namespace replay_experiment;
   const int ticks = conditions.pick(4000, 60000, 60000);
   for (const double radius_m : { 0.0, 1e-3 })
   {

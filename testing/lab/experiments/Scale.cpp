@@ -14,7 +14,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace scale_experiment
 {
 
 /// A change of frame: x -> factor x + by.
@@ -59,10 +59,11 @@ double gapError(double factor)
   return std::abs(proxy->tick(factor * Vec3(1, 2, -2)).force_u.norm() / factor - 2) / 2;
 }
 
-} // namespace
+} // namespace scale_experiment
 
 void runScale(const Conditions& conditions, Table& table)
 {
+  using namespace scale_experiment;
   const test::NoisySphere sphere(5000, 1.0);
   const int ticks = conditions.pick(300, 3000, 30000);
   const double diagonal = 103.0 * std::sqrt(3.0); // of the box around a sphere of radius at most 51.5

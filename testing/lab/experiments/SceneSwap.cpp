@@ -13,7 +13,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace scene_swap_experiment
 {
 
 constexpr double size_m = 0.05, depth_m = 3e-3, displacement_m = 1e-3;
@@ -170,10 +170,11 @@ void judge(const Pair& pair, double radius_m, int ticks, Table& table)
   }
 }
 
-} // namespace
+} // namespace scene_swap_experiment
 
 void runSceneSwap(const Conditions& conditions, Table& table)
 {
+  using namespace scene_swap_experiment;
   const int ticks = conditions.pick(3000, 60000, 60000);
   for (const double radius_m : { 0.0, 1e-3 })
   {

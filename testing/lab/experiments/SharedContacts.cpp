@@ -9,7 +9,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace shared_contacts_experiment
 {
 
 /// Two contacts 1 mm deep with [[1, .6], [.6, 1]] mm/N: .625 N each; each by itself 1 N.
@@ -32,10 +32,11 @@ void judgeTwo(Table& table)
   table.atLeast({ "two spots", "each by itself", "too much force by" }, force(0.0) / 0.625 - 1.0, 0.5);
 }
 
-} // namespace
+} // namespace shared_contacts_experiment
 
 void runContacts(const Conditions& conditions, Table& table)
 {
+  using namespace shared_contacts_experiment;
   judgeTwo(table);
   const auto problem = std::make_unique<ContactProblem>();
   const auto room = std::make_unique<FrictionRoom>();

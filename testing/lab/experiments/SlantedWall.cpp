@@ -11,7 +11,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace slanted_wall_experiment
 {
 
 constexpr double K = 200.0, device_s = 1e-3, maxForce_N = 5.0; // the joystick of the nineties
@@ -94,10 +94,11 @@ void judge(const How& how, Table& table)
   table.within({ name, "what is said of it", "peak drag", "N" }, said.peak_N, expected.peak_N, 1e-9);
 }
 
-} // namespace
+} // namespace slanted_wall_experiment
 
 void runSlantedWall(const Conditions&, Table& table)
 {
+  using namespace slanted_wall_experiment;
   for (const double rate_Hz : { 20.0, 25.0, 50.0, 100.0, 125.0, 200.0, 250.0, 500.0, 1000.0 })
   {
     for (const double speed : { 0.05, 0.2 })

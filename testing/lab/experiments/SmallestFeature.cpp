@@ -10,7 +10,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace smallest_feature_experiment
 {
 
 struct Press
@@ -110,10 +110,11 @@ void judgeZoom(const Press& how, double share, Table& table)
   table.within({ name, "virtual location", "depth of the hand", "m" }, held.place_m - width_m / 2, deep_m, 1e-6);
 }
 
-} // namespace
+} // namespace smallest_feature_experiment
 
 void runSmallestFeature(const Conditions& conditions, Table& table)
 {
+  using namespace smallest_feature_experiment;
   for (const double force_N : { 0.5, 1.0, 2.0, 5.0 })
   {
     for (const double stiffness_N_per_m : { 100.0, 200.0, 500.0, 1000.0 })

@@ -9,7 +9,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace smooth_input_experiment
 {
 
 constexpr double rate_Hz = 1000.0;
@@ -99,10 +99,11 @@ std::string nameOf(const AnalyticTouch& touch)
 
 constexpr double limit = 0.01;
 
-} // namespace
+} // namespace smooth_input_experiment
 
 void runSmoothInput(const Conditions& conditions, Table& table)
 {
+  using namespace smooth_input_experiment;
   const int ticks = conditions.pick(2000, 6000, 16000);
   test::Random random(conditions.seed);
   const std::string quantity = "force error above 30 Hz, RMS";

@@ -13,7 +13,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace soft_lines_experiment
 {
 
 using Vec2 = Eigen::Vector2d;
@@ -155,10 +155,11 @@ void judgeWay(const Way& way, const Vec2& to_m, int steps, Table& table)
   table.atMost({ name, ours, "location beyond the corner", "m" }, location.location_m().norm(), 1e-12);
 }
 
-} // namespace
+} // namespace soft_lines_experiment
 
 void runSoftLines(const Conditions& conditions, Table& table)
 {
+  using namespace soft_lines_experiment;
   const int steps = conditions.pick(4000, 40000, 400000);
   const Vec2 ends_m[] = { { 2e-3, 2e-3 }, { 4e-3, 1e-3 }, { 1e-3, 5e-3 } };
   for (const Vec2& to_m : ends_m)

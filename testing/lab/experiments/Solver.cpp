@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chart C2: the nearest point in front of 1 to 20 planes by four methods, against exact rational arithmetic.
+// Chart C2: the nearest point in front of 1 to 20 planes by four solvers, against exact rational arithmetic.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace solver_experiment
 {
 
 using Rows = std::vector<PlaneRow>;
@@ -180,7 +180,7 @@ struct Method
   bool oneOnly;   ///< right only as long as a single plane pushes
 };
 
-constexpr std::array<Method, 4> methods{ {
+constexpr std::array<Method, 4> solvers{ {
   { "enumeration", byEnumeration, 1e-12, false },
   { "nnls", byNnls, 1e-12, false },
   { "one-per-tick", byOnePerTick, 1e-12, true },
@@ -205,10 +205,11 @@ void compare(const Method& method, const std::vector<Problem>& problems, Table& 
   row.cost = Cost::of(sample);
 }
 
-} // namespace
+} // namespace solver_experiment
 
 void runSolver(const Conditions& conditions, Table& table)
 {
+  using namespace solver_experiment;
   const int count = conditions.pick(12, 120, 2000);
   test::Random random(conditions.seed);
   constexpr int most = 20;
@@ -219,7 +220,7 @@ void runSolver(const Conditions& conditions, Table& table)
     {
       problems.push_back(randomPit(planes, random));
     }
-    for (const Method& method : methods)
+    for (const Method& method : solvers)
     {
       compare(method, problems, table);
     }

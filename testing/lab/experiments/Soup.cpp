@@ -13,7 +13,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace soup_experiment
 {
 
 std::string oursWith(double r)
@@ -138,10 +138,11 @@ void runCrossing(const Conditions& conditions, test::Random& random, double r, T
     !ball.finding().empty(), 0.0, 0.0);
 }
 
-} // namespace
+} // namespace soup_experiment
 
 void runSoup(const Conditions& conditions, Table& table)
 {
+  using namespace soup_experiment;
   test::Random random(conditions.seed + 91);
   runDamage(conditions, random, table);
   runGaps(random, table);

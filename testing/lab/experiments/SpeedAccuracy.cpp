@@ -12,7 +12,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace speed_accuracy_experiment
 {
 
 constexpr double felt = 0.07, felt_rad = 18 * std::numbers::pi / 180, unbounded_JND = 1e6;
@@ -118,10 +118,11 @@ void judge(const TouchScene& scene, const World& world, const MethodKind& kind, 
   }
 }
 
-} // namespace
+} // namespace speed_accuracy_experiment
 
 void runSpeedAccuracy(const Conditions& conditions, Table& table)
 {
+  using namespace speed_accuracy_experiment;
   test::Random random(conditions.seed + 100);
   const int ticks = conditions.pick(400, 4000, 40000);
   const std::vector<TouchScene> scenes = touchScenes(random);

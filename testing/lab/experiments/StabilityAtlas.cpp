@@ -13,7 +13,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace stability_atlas_experiment
 {
 
 constexpr double period_s = 1e-3, damper_Ns_per_m = 2.0, stiffest_N_per_m = 1e5;
@@ -233,10 +233,11 @@ void everyDevice(Table& table)
   }
 }
 
-} // namespace
+} // namespace stability_atlas_experiment
 
 void runStabilityAtlas(const Conditions& conditions, Table& table)
 {
+  using namespace stability_atlas_experiment;
   varyLinear(table);
   conditions.progress(0.4);
   varyEncoderAndFriction(table);

@@ -9,7 +9,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace struck_experiment
 {
 
 constexpr double servo_s = 1e-3, coupling_N_per_m = 1000.0;
@@ -141,10 +141,11 @@ void judgeImpacts(Table& table)
   }
 }
 
-} // namespace
+} // namespace struck_experiment
 
 void runStruck(const Conditions&, Table& table)
 {
+  using namespace struck_experiment;
   for (const double mass_kg : { 0.0, 0.02, 0.1 })
   {
     for (const double frequency_Hz : { 1.0, 3.0 })

@@ -14,7 +14,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace switched_springs_experiment
 {
 
 constexpr double K = 200.0, speed_m_per_s = 0.1;
@@ -171,10 +171,11 @@ void judgeCorridor(double host_Hz, Table& table)
     late_m_per_s / thrown_m_per_s, 0.1);
 }
 
-} // namespace
+} // namespace switched_springs_experiment
 
 void runSwitchedSprings(const Conditions& conditions, Table& table)
 {
+  using namespace switched_springs_experiment;
   const int moments = conditions.pick(16, 32, 128);
   const double rates_Hz[] = { 60.0, 125.0, 250.0, 1000.0 };
   for (const double host_Hz : rates_Hz)

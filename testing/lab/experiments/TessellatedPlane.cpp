@@ -11,7 +11,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace tessellated_plane_experiment
 {
 
 constexpr double stiffness_N_per_m = 1000.0, depth_m = 2e-3;
@@ -43,10 +43,11 @@ Slide slide(const World& world, const Quat& q, const MethodKind& kind, int ticks
   return seen;
 }
 
-} // namespace
+} // namespace tessellated_plane_experiment
 
 void runTessellatedPlane(const Conditions& conditions, Table& table)
 {
+  using namespace tessellated_plane_experiment;
   test::Random random(conditions.seed + 81);
   const TriangleMesh flat = test::makeSheet({ 1.2, 1.2, 200, 200, 0.35 }, random);
   const int ticks = conditions.pick(2000, 10000, 100000);

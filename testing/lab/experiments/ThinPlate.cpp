@@ -10,7 +10,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace thin_plate_experiment
 {
 
 constexpr double stiffness_N_per_m = 1000.0, step_m = 1e-5;
@@ -51,10 +51,11 @@ void judgeHeld(
   table.within({ caseName, name, "flip depth, 0 = never", "m" }, seen.flip_m, 0.0, 0.0);
 }
 
-} // namespace
+} // namespace thin_plate_experiment
 
 void runThinPlate(const Conditions&, Table& table)
 {
+  using namespace thin_plate_experiment;
   for (const double thickness_m : { 0.1e-3, 0.5e-3, 2e-3 })
   {
     const World world(test::makeBox({ -0.05, -0.05, -thickness_m }, { 0.05, 0.05, 0 }));

@@ -14,7 +14,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace tick_cost_experiment
 {
 
 constexpr const char* ours = "god-object";
@@ -159,10 +159,11 @@ void runSize(std::size_t triangles, std::size_t ticks, Table& table)
   }
 }
 
-} // namespace
+} // namespace tick_cost_experiment
 
 void runTickCost(const Conditions& conditions, Table& table)
 {
+  using namespace tick_cost_experiment;
   const std::vector<std::size_t> sizes =
     conditions.size == Size::Quick ? std::vector<std::size_t>{ 100000 } : std::vector<std::size_t>{ 100000, 1000000 };
   for (std::size_t i = 0; i < sizes.size(); ++i)

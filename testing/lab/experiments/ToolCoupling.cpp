@@ -10,7 +10,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace tool_coupling_experiment
 {
 
 constexpr double device_kg = 0.1, device_Ns_per_m = 1.0, period_s = 1e-3;
@@ -80,10 +80,11 @@ double largestStable_N_per_m(const Coupling& c)
   return low;
 }
 
-} // namespace
+} // namespace tool_coupling_experiment
 
 void runToolCoupling(const Conditions& conditions, Table& table)
 {
+  using namespace tool_coupling_experiment;
   // After Otaduy & Lin (2006); the device D1 at 1 kHz. Largest coupling in N/m by damping and mass of the tool.
   constexpr double masses_kg[] = { 1e-3, 5e-3, 2e-2, 0.1 };
   constexpr double dampings[] = { 0.0, 1.0, 2.0, 5.0 };

@@ -15,7 +15,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace tool_drag_experiment
 {
 
 constexpr double stiffness_N_per_m = 1000.0, speed_m_per_s = 0.1, tick_s = 1e-3, half_m = 0.02, depth_m = 0.002;
@@ -165,10 +165,11 @@ LedTool pegAtMouth(double tilt_rad)
     { Vec3(0, 0, 0.031), Quat(Eigen::AngleAxisd(tilt_rad, Vec3::UnitY())) } };
 }
 
-} // namespace
+} // namespace tool_drag_experiment
 
 void runToolDrag(const Conditions& conditions, Table& table)
 {
+  using namespace tool_drag_experiment;
   constexpr int ticksAnUpdate = 10;
   test::Random random(conditions.seed + 61);
   slide(random, table);

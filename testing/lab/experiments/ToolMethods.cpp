@@ -9,7 +9,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace tool_methods_experiment
 {
 
 /// What the facets of a thread of 64 corners a turn and of 6 mm are off: r (1 - cos(pi / 64)).
@@ -69,10 +69,11 @@ void judge(const ToolScene& scene, const ToolMethodKind& kind, Table& table)
   }
 }
 
-} // namespace
+} // namespace tool_methods_experiment
 
 void runToolMethods(const Conditions& conditions, Table& table)
 {
+  using namespace tool_methods_experiment;
   const std::vector<ToolScene> scenes = toolScenes();
   for (std::size_t i = 0; i < scenes.size(); ++i)
   {

@@ -13,7 +13,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace transparency_experiment
 {
 
 constexpr double T = 1e-3, hand_m_per_s = 0.1;
@@ -115,10 +115,11 @@ void judgeStiffness(const Stabiliser& s, const DeviceModel& device, double plain
   table.info(subject, found);
 }
 
-} // namespace
+} // namespace transparency_experiment
 
 void runTransparency(const Conditions& conditions, Table& table)
 {
+  using namespace transparency_experiment;
   const auto& devices = deviceModels();
   const std::size_t many = conditions.pick<std::size_t>(2, devices.size(), devices.size());
   std::size_t done = 0;

@@ -13,7 +13,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace tunnelling_experiment
 {
 
 constexpr double period_s = 1e-3;
@@ -102,10 +102,11 @@ void runDiscrete(const DiscreteTest& ball, Table& table)
   }
 }
 
-} // namespace
+} // namespace tunnelling_experiment
 
 void runTunnelling(const Conditions& conditions, Table& table)
 {
+  using namespace tunnelling_experiment;
   double done = 0.0;
   for (const bool bumpy : { false, true })
   {

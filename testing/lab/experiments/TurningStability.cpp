@@ -10,7 +10,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace turning_stability_experiment
 {
 
 /// What linear theory speaks of: no friction, no steps of an encoder, no largest torque.
@@ -58,10 +58,11 @@ double measured(const TurningModel& hand, double period_s)
   return std::sqrt(low * high);
 }
 
-} // namespace
+} // namespace turning_stability_experiment
 
 void runTurningStability(const Conditions& conditions, Table& table)
 {
+  using namespace turning_stability_experiment;
   const TurningModel handle = linearHandle();
   for (const HandModel& hand : handModels())
   {

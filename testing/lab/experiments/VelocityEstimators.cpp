@@ -11,7 +11,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace velocity_estimators_experiment
 {
 
 constexpr double T = 1e-3, D = 50e-6, ramp_s = 1.0, top_m_per_s = 0.2;
@@ -91,10 +91,11 @@ double stepNoise(const VelocityFilter& filter)
   return std::sqrt(squares / (ticks - settled));
 }
 
-} // namespace
+} // namespace velocity_estimators_experiment
 
 void runVelocityEstimators(const Conditions& conditions, Table& table)
 {
+  using namespace velocity_estimators_experiment;
   const int starts = conditions.pick(50, 500, 5000);
   const double resolution = D / T;
   double backwardNoise = 0.0;

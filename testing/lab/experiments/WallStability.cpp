@@ -10,7 +10,7 @@
 
 namespace palpate::lab
 {
-namespace
+namespace wall_stability_experiment
 {
 
 /// A wall and its limit by an independent eigenvalue computation (numpy), to four digits.
@@ -79,10 +79,11 @@ void judge(const Listed& wall, const std::string& name, Table& table)
   }
 }
 
-} // namespace
+} // namespace wall_stability_experiment
 
 void runWallStability(const Conditions& conditions, Table& table)
 {
+  using namespace wall_stability_experiment;
   std::size_t done = 0;
   const double all = static_cast<double>(byRate().size() + byDevice().size());
   for (const Listed& wall : byRate())

@@ -12,20 +12,20 @@
 
 namespace
 {
-QString Number(double value)
+QString Shown(double value)
 {
   return QString::number(value, 'g', 6);
 }
 
 QString Vector(const double v[3])
 {
-  return QString("(%1, %2, %3)").arg(Number(v[0]), Number(v[1]), Number(v[2]));
+  return QString("(%1, %2, %3)").arg(Shown(v[0]), Shown(v[1]), Shown(v[2]));
 }
 
 /// `unknown`: what is said instead of no number.
 QString Quantity(double value, const char* unit, const QString& unknown)
 {
-  return std::isnan(value) ? unknown : Number(value) + " " + unit;
+  return std::isnan(value) ? unknown : Shown(value) + " " + unit;
 }
 
 /// "3 and 2 1/u": the unit once.
@@ -33,7 +33,7 @@ QString CurvatureOf(vtkHapticSession& session)
 {
   const double* const curvature_per_u = session.GetContactCurvature();
   const QString least = Quantity(curvature_per_u[1], "1/u", "not known");
-  return std::isnan(curvature_per_u[0]) ? least : Number(curvature_per_u[0]) + " and " + least;
+  return std::isnan(curvature_per_u[0]) ? least : Shown(curvature_per_u[0]) + " and " + least;
 }
 } // namespace
 

@@ -9,6 +9,7 @@
 #include "haptics/session/settings/SessionSettings.h"
 #include "haptics/session/settings/TickFields.h"
 #include "haptics/tick/ForceRenderer.h"
+#include "testing/haptics/tick/stages/Tick.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
 
@@ -17,7 +18,9 @@ namespace palpate
 namespace
 {
 
-constexpr double dt_s = 1e-3, stiffness_N_per_m = 1000.0;
+using test::dt_s;
+
+constexpr double wall_N_per_m = 1000.0;
 const Vec3 force_W(0.3, -0.6, 0.6); // 0.9 N
 
 void setConstantForce(HapticParameters& parameters, const Vec3& to_W)
@@ -34,7 +37,7 @@ protected:
   {
     test::Random random(test::testSeed(1401));
     this->scene_ = test::sceneOf(test::makeSheet({ 2.0, 2.0, 8, 8, 0.2 }, random));
-    this->parameters_.stiffness_N_per_m = stiffness_N_per_m;
+    this->parameters_.stiffness_N_per_m = wall_N_per_m;
     this->parameters_.map.q_WD = Quat::FromTwoVectors(Vec3::UnitZ(), random.direction());
     setConstantForce(this->parameters_, force_W);
   }
@@ -136,7 +139,7 @@ TEST_F(ConstantForce, AddsToTheSpringOfTheContactAndIsNoWorkOfIt)
     return out.state;
   };
   const HapticState plain = press(Vec3::Zero()), pulled = press(force_W);
-  EXPECT_NEAR(plain.force_W.z(), stiffness_N_per_m * 1e-3, 1e-9);
+  EXPECT_NEAR(plain.force_W.z(), wall_N_per_m * 1e-3, 1e-9);
   EXPECT_LT((pulled.force_W - plain.force_W - force_W).norm(), 1e-9);
   EXPECT_LT((pulled.besideContact_D - this->parameters_.map.toDevice(force_W)).norm(), 1e-12);
   EXPECT_NEAR(pulled.energy.delivered_J, plain.energy.delivered_J, 1e-12);

@@ -6,6 +6,7 @@
 
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/tick/ForceRenderer.h"
+#include "testing/haptics/tick/stages/Tick.h"
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Fields.h"
 #include "testing/support/Meshes.h"
@@ -16,7 +17,9 @@ namespace palpate
 namespace
 {
 
-constexpr double dt_s = 1e-3, stiffness_N_per_m = 800.0;
+using test::dt_s;
+
+constexpr double coupling_N_per_m = 800.0;
 const GridIndex size{ 33, 33, 33 };
 
 /// 32 cells of a sixteenth of a metre around the origin: numbers that are exact in binary.
@@ -39,7 +42,7 @@ class Field : public testing::Test
 protected:
   Field()
   {
-    this->parameters_.stiffness_N_per_m = stiffness_N_per_m;
+    this->parameters_.stiffness_N_per_m = coupling_N_per_m;
     this->parameters_.safety = SafetyLimits::none();
     this->parameters_.field.isosurface = true;
   }
@@ -70,7 +73,7 @@ TEST_F(Field, AloneHoldsTheHandWithTheStiffnessOfTheCoupling)
   this->parameters_.map.q_WD = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 2, 2).normalized());
   this->tick({ 0, 0, 0.1 }, &brick);
   const HapticState state = this->tick({ 0, 0, -0.02 }, &brick); // 5 mm of the hand
-  EXPECT_LT((state.force_W - Vec3(0, 0, stiffness_N_per_m * 0.005)).norm(), 1e-9);
+  EXPECT_LT((state.force_W - Vec3(0, 0, coupling_N_per_m * 0.005)).norm(), 1e-9);
   EXPECT_EQ(state.field.contacts, 1);
   EXPECT_LT((state.field.proxy_W - Vec3::Zero()).norm(), 1e-12);
 }
@@ -82,12 +85,12 @@ TEST_F(Field, AndASurfaceShareTheStiffnessAndAreFeltAsTheirSum)
   const Brick wall = scalarIn([](const Vec3&p) { return p.x(); }), same = scalarIn([](const Vec3&p) { return p.z(); });
   this->tick({ 0.1, 0.05, 0.1 }, &wall, floor.get());
   const HapticState both = this->tick({ -0.004, 0.05, -0.002 }, &wall, floor.get());
-  EXPECT_LT((both.force_W - 0.5 * stiffness_N_per_m * Vec3(0.004, 0, 0.002)).norm(), 1e-9);
+  EXPECT_LT((both.force_W - 0.5 * coupling_N_per_m * Vec3(0.004, 0, 0.002)).norm(), 1e-9);
   EXPECT_EQ(both.contacts, 1);
   this->state_ = {};
   this->tick({ 0.1, 0.05, 0.1 }, &same, floor.get());
   const HapticState doubled = this->tick({ 0.1, 0.05, -0.002 }, &same, floor.get());
-  EXPECT_LT((doubled.force_W - stiffness_N_per_m * Vec3(0, 0, 0.002)).norm(), 1e-9) << "no stiffer than one of them";
+  EXPECT_LT((doubled.force_W - coupling_N_per_m * Vec3(0, 0, 0.002)).norm(), 1e-9) << "no stiffer than one of them";
 }
 
 TEST_F(Field, AndASurfaceThatIsAskewTakeNoWorkOverAClosedWay)
@@ -118,7 +121,7 @@ TEST_F(Field, FadesIn30MillisecondsWhereItEnds)
   const Brick brick = scalarIn(half);
   this->tick({ 0.4, 0, 0.1 }, &brick);
   const double pressed_N = this->tick({ 0.4, 0, -0.005 }, &brick).force_W.z();
-  ASSERT_NEAR(pressed_N, stiffness_N_per_m * 0.005, 1e-9);
+  ASSERT_NEAR(pressed_N, coupling_N_per_m * 0.005, 1e-9);
   double before_N = pressed_N;
   for (int i = 0; i < 30; ++i)
   {
@@ -170,7 +173,7 @@ TEST_F(Field, BooksWhatANewBrickGivesTheHandAndIsEndedBeyondTheLimitOfTheLatch)
   const Brick high =
     scalarIn([](const Vec3& p) { return p.z() - 0.0078125; }); // the surface is an eighth of a cell higher
   const double depth_m = 0.02, raised_m = depth_m + 0.0078125;
-  const double given_J = 0.5 * stiffness_N_per_m * (raised_m * raised_m - depth_m * depth_m);
+  const double given_J = 0.5 * coupling_N_per_m * (raised_m * raised_m - depth_m * depth_m);
   for (const double limit_J : { 2.0 * given_J, 0.5 * given_J })
   {
     this->state_ = {};

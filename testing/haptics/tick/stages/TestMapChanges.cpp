@@ -7,6 +7,7 @@
 
 #include "haptics/session/plan/HandMap.h"
 #include "haptics/tick/ForceRenderer.h"
+#include "testing/haptics/tick/stages/Tick.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
 
@@ -15,7 +16,9 @@ namespace palpate
 namespace
 {
 
-constexpr double radius_m = 0.05, stiffness_N_per_m = 500.0, dt_s = 1e-3;
+using test::dt_s;
+
+constexpr double radius_m = 0.05, sphere_N_per_m = 500.0;
 
 /// A device that a test leads, and a sphere whose middle is the origin.
 struct Hand
@@ -27,7 +30,7 @@ struct Hand
 
   Hand()
   {
-    this->parameters.stiffness_N_per_m = stiffness_N_per_m;
+    this->parameters.stiffness_N_per_m = sphere_N_per_m;
     this->parameters.safety = SafetyLimits::none();
     this->parameters.passivity.enabled = false;
     this->parameters.keepsHand = true;
@@ -99,7 +102,7 @@ TEST(MapChanges, ThatMoveAHandALittleIntoASurfaceAreHeldBackByItAndStepNoForce)
       static_cast<void>(hand.at(p_D));
     }
     const TickOutput rest = hand.at(p_D);
-    const Vec3 pushed_D = stiffness_N_per_m * (rest.state.proxy_W.p - rest.state.device_W.p);
+    const Vec3 pushed_D = sphere_N_per_m * (rest.state.proxy_W.p - rest.state.device_W.p);
     EXPECT_GT(pushed_D.dot(outward), 0.0) << "out, not through";
     EXPECT_LT((rest.command.wrench_D.force - pushed_D).norm(), 1e-6);
   }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/tick/ForceRenderer.h"
+#include "testing/haptics/tick/stages/Tick.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/NoisySphere.h"
 
@@ -16,7 +17,9 @@ namespace palpate
 namespace
 {
 
-constexpr double dt_s = 1e-3, stiffness_N_per_m = 500.0, scale_u_per_m = 1000.0;
+using test::dt_s;
+
+constexpr double stiffness_N_per_m = 500.0, scale_u_per_m = 1000.0;
 
 /// All triangles that reach into a box, as a server cuts them.
 TriangleMesh partOf(const TriangleMesh& whole, const Vec3& centre_W, double reach_u)

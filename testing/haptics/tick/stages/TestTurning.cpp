@@ -9,6 +9,7 @@
 
 #include "haptics/session/HapticSession.h"
 #include "haptics/tick/TickContext.h"
+#include "testing/haptics/tick/stages/Tick.h"
 #include "testing/support/BareDevice.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"
@@ -18,7 +19,9 @@ namespace palpate
 namespace
 {
 
-constexpr double tick_s = 1e-3, known_Nm = 0.5;
+using test::dt_s;
+
+constexpr double known_Nm = 0.5;
 
 DeviceInfo turningInfo()
 {
@@ -43,7 +46,7 @@ protected:
   HapticState turn(const Vec3& rendered_D, const Quat& hand = Quat::Identity())
   {
     TickInput input;
-    input.dt_s = tick_s;
+    input.dt_s = dt_s;
     input.sample.pose_D.q = hand;
     TickOutput out;
     TickContext tick{ input, this->parameters_, this->state_, out };
@@ -61,7 +64,7 @@ protected:
 TEST_F(Turning, IsLimitedToSixTenthsOfWhatTheDeviceCanAndGrowsToAllOfThatInTwelveMilliseconds)
 {
   const Vec3 axis = Vec3(1, -2, 2) / 3.0;
-  const double largest_Nm = 0.6 * known_Nm, rise_Nm = 50.0 * known_Nm * tick_s;
+  const double largest_Nm = 0.6 * known_Nm, rise_Nm = 50.0 * known_Nm * dt_s;
   for (int i = 1; i <= 20; ++i)
   {
     const HapticState state = this->turn(2.0 * known_Nm * axis);
