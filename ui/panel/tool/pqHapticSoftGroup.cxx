@@ -53,7 +53,7 @@ void pqHapticSoftGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
 void pqHapticSoftGroup::refresh(vtkHapticSession* session)
 {
   this->Use->setEnabled(session && pqActiveObjects::instance().activePort());
-  this->Leave->setEnabled(session && *session->GetSoftSource() != '\0');
+  this->Leave->setEnabled(session && *session->GetSettingText("SoftSource") != '\0');
   pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetSoftText()) : QString());
 }
 

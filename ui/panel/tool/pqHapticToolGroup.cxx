@@ -67,8 +67,8 @@ void pqHapticToolGroup::link(pqPropertyLinks& links, vtkSMProxy* proxy)
 void pqHapticToolGroup::refresh(vtkHapticSession* session)
 {
   this->Use->setEnabled(session && pqActiveObjects::instance().activePort());
-  this->Ball->setEnabled(session && *session->GetToolSource() != '\0');
-  pqPipelineSource* const tool = session ? SourceNamed(session->GetToolSource()) : nullptr;
+  this->Ball->setEnabled(session && *session->GetSettingText("ToolSource") != '\0');
+  pqPipelineSource* const tool = session ? SourceNamed(session->GetSettingText("ToolSource")) : nullptr;
   this->PlaceHandle->setEnabled(tool);
   if (!tool || tool != this->Placed)
   {
