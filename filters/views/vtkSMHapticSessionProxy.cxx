@@ -39,8 +39,11 @@ void vtkSMHapticSessionProxy::UpdateVTKObjects()
 void vtkSMHapticSessionProxy::ReadBack()
 {
   auto* session = vtkHapticSession::SafeDownCast(this->GetClientSideObject());
-  for (const char* name :
-    { "LinesAsWalls", "Radius", "Scale", "Rotation", "Offset", "Precision", "Clutch", "Recording" })
+  for (const char* name : { "LinesAsWalls", "Radius", "Scale", "Precision", "Clutch", "Recording" })
+  {
+    vtkSMPropertyHelper(this, name).Set(0, session->GetSetting(name));
+  }
+  for (const char* name : { "Rotation", "Offset" })
   {
     vtkSMPropertyHelper(this, name)
       .Set(session->GetSettingNumbers(name), static_cast<unsigned int>(session->GetSettingSize(name)));
