@@ -47,7 +47,7 @@ constexpr int settle_ms = 150;
 /// Of a pointer that glides.
 constexpr int betweenMoves_ms = 30;
 
-bool PhaseIs(const vtkHapticSession& session, std::string_view phase)
+bool PhaseIs(vtkHapticSession& session, std::string_view phase)
 {
   return session.GetLabyrinth()->GetPhase() == phase;
 }

@@ -28,7 +28,7 @@ namespace
 {
 constexpr const char* pluggedName = "pid-1209-ffb0-7";
 
-int indexOf(const vtkHapticSession* session, const std::string& name)
+int indexOf(vtkHapticSession* session, const std::string& name)
 {
   for (int i = 0; i < session->GetDevices()->GetNumberOfDevices(); ++i)
   {

@@ -61,7 +61,7 @@ vtkSmartPointer<vtkPolyData> planeWithArrays()
   return plane;
 }
 
-double markValue(const vtkHapticSession& session, vtkIdType mark, const char* column)
+double markValue(vtkHapticSession& session, vtkIdType mark, const char* column)
 {
   vtkNew<vtkTable> table;
   session.GetInspection()->GetMarksTable(table);

@@ -21,7 +21,7 @@ namespace
 {
 constexpr int listHeight = 80; // of four marks [pixels]
 
-QString StateOf(const vtkHapticSession& session, int mark)
+QString StateOf(vtkHapticSession& session, int mark)
 {
   const int state = session.GetInspection()->GetMarkState(mark);
   return state == vtkHapticInspection::MarkStale    ? QObject::tr(" - stale: it has changed or moved")
@@ -29,7 +29,7 @@ QString StateOf(const vtkHapticSession& session, int mark)
                                                     : QString();
 }
 
-QStringList LinesOf(const vtkHapticSession& session)
+QStringList LinesOf(vtkHapticSession& session)
 {
   vtkNew<vtkTable> table;
   session.GetInspection()->GetMarksTable(table);
