@@ -14,7 +14,10 @@
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "vtkCamera.h"
+#include "vtkHapticDeviceCheck.h"
+#include "vtkHapticLabyrinthGame.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkPythonInterpreter.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -44,9 +47,9 @@ constexpr int settle_ms = 150;
 /// Of a pointer that glides.
 constexpr int betweenMoves_ms = 30;
 
-bool PhaseIs(const vtkHapticSession& session, std::string_view phase)
+bool PhaseIs(vtkHapticSession& session, std::string_view phase)
 {
-  return session.GetLabyrinthPhase() == phase;
+  return session.GetLabyrinth()->GetPhase() == phase;
 }
 
 /// Of the proxy from the origin [u].
@@ -59,7 +62,7 @@ double DistanceOfProxy(vtkHapticSession& session)
 /// Sine of half the angle by which the workspace is turned.
 double TurnOf(vtkHapticSession& session)
 {
-  const double* const q = session.GetRotation();
+  const double* const q = session.GetSettingNumbers("Rotation");
   return std::sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
 }
 
@@ -76,22 +79,22 @@ std::function<double(vtkHapticSession&)> QuantityOf(const QString& name)
     { "force", [](S s) { return s.GetForceMagnitude(); } },
     { "recorded", [](S s) { return *s.GetRecordedFile() != '\0' ? 1.0 : 0.0; } },
     { "turned", [](S s) { return TurnOf(s); } },
-    { "clutch", [](S s) { return s.GetClutch() ? 1.0 : 0.0; } },
-    { "precision", [](S s) { return s.GetPrecision() ? 1.0 : 0.0; } },
-    { "cancelled", [](S s) { return static_cast<double>(s.GetScenesCancelled()); } },
+    { "clutch", [](S s) { return s.IsOn("Clutch") ? 1.0 : 0.0; } },
+    { "precision", [](S s) { return s.IsOn("Precision") ? 1.0 : 0.0; } },
+    { "cancelled", [](S s) { return static_cast<double>(s.GetSight()->GetScenesCancelled()); } },
     { "arrived", [](S s) { return PhaseIs(s, "arrived") || PhaseIs(s, "rests") ? 1.0 : 0.0; } },
     { "depth", [](S s) { return s.GetDepth(); } },
     { "contacts", [](S s) { return static_cast<double>(s.GetContacts()); } },
     { "distance", [](S s) { return DistanceOfProxy(s); } },
-    { "scale", [](S s) { return s.GetScale(); } },
-    { "radius", [](S s) { return s.GetRadius(); } },
+    { "scale", [](S s) { return s.GetSetting("Scale"); } },
+    { "radius", [](S s) { return s.GetSetting("Radius"); } },
     { "ticks", [](S s) { return static_cast<double>(s.GetTicks()); } },
     { "missed", [](S s) { return static_cast<double>(s.GetMissed()); } },
     { "largestStiffness", [](S s) { return s.GetLargestStiffness(); } },
-    { "limitStiffness", [](S s) { return s.GetLimitStiffness() ? 1.0 : 0.0; } },
-    { "passivity", [](S s) { return s.GetPassivity() ? 1.0 : 0.0; } },
-    { "delay", [](S s) { return static_cast<double>(s.GetDelay()); } },
-    { "velocityMethod", [](S s) { return static_cast<double>(s.GetVelocityMethod()); } },
+    { "limitStiffness", [](S s) { return s.IsOn("LimitStiffness") ? 1.0 : 0.0; } },
+    { "passivity", [](S s) { return s.IsOn("Passivity") ? 1.0 : 0.0; } },
+    { "delay", [](S s) { return s.GetSetting("Delay"); } },
+    { "velocityMethod", [](S s) { return s.GetSetting("VelocityMethod"); } },
   };
   const auto found = quantities.find(name);
   return found == quantities.end() ? nullptr : found->second;
@@ -264,7 +267,7 @@ bool pqHapticEventPlayer::setVirtualTime(bool on)
   vtkHapticSession* session = this->Controller->session();
   if (session)
   {
-    session->SetVirtualTime(on);
+    session->SetSetting("VirtualTime", on);
   }
   return session != nullptr;
 }
@@ -390,7 +393,7 @@ bool pqHapticEventPlayer::replaceSession()
   vtkSMSessionProxyManager* manager = before->GetSessionProxyManager();
   const auto proxy = vtkSmartPointer<vtkSMProxy>::Take(manager->NewProxy("haptics", "HapticSession"));
   manager->RegisterProxy("haptics", "another", proxy);
-  const bool quiet = !left->GetTouching() && left->GetSelfTestState() != vtkHapticSession::CheckRuns;
+  const bool quiet = !left->GetTouching() && left->GetDeviceCheck()->GetState() != vtkHapticDeviceCheck::CheckRuns;
   return quiet && this->Controller->session() != left;
 }
 

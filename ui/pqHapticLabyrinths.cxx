@@ -15,6 +15,7 @@
 #include "vtkHapticGallery.h"
 #include "vtkHapticLabyrinth.h"
 #include "vtkHapticLabyrinthData.h"
+#include "vtkHapticLabyrinthGame.h"
 #include "vtkHapticSession.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
@@ -221,7 +222,7 @@ void pqHapticLabyrinths::begin()
   }
   this->keepSettings();
   this->hideWalls(this->Hidden->isChecked());
-  const bool maze = session->PlayLabyrinth(lines->GetOutputDataObject(0), world.c_str());
+  const bool maze = session->GetLabyrinth()->Play(lines->GetOutputDataObject(0), world.c_str());
   const QString begins = session->GetDeviceGivesForce()
                            ? tr("You are brought to the start, then let go.")
                            : tr("This device gives no force: go to the start yourself, there the game begins.");
@@ -269,7 +270,7 @@ void pqHapticLabyrinths::end()
   {
     return;
   }
-  session->EndLabyrinth();
+  session->GetLabyrinth()->End();
   vtkSMProxy* const proxy = pqHapticController::instance()->sessionProxy();
   for (const Setting& setting : before)
   {
@@ -310,7 +311,7 @@ void pqHapticLabyrinths::zoom()
     this->Message->setText(tr("Play a labyrinth first."));
     return;
   }
-  const double zoom = session->GetFeelableZoom();
+  const double zoom = session->GetLabyrinth()->GetFeelableZoom();
   if (!std::isfinite(zoom))
   {
     this->Message->setText(tr("Nothing is felt without stiffness: set one first."));
@@ -318,16 +319,16 @@ void pqHapticLabyrinths::zoom()
   }
   this->Message->setText(zoom > 1.0 ? tr("Enlarged %1 times: corridors of %2 mm and more can be told apart.")
                                         .arg(zoom, 0, 'g', 3)
-                                        .arg(1e3 * session->GetFeelableWidth(), 0, 'g', 3)
+                                        .arg(1e3 * session->GetLabyrinth()->GetFeelableWidth(), 0, 'g', 3)
                                     : tr("Its corridors can be told apart as they are."));
   double offset[3];
   for (int i = 0; i < 3; ++i)
   {
     const double hand = session->GetHandPosition()[i];
-    offset[i] = hand + (session->GetOffset()[i] - hand) / zoom; // the hand stays where it is
+    offset[i] = hand + (session->GetSettingNumbers("Offset")[i] - hand) / zoom; // the hand stays where it is
   }
   vtkSMProxy* const proxy = pqHapticController::instance()->sessionProxy();
-  vtkSMPropertyHelper(proxy, "Scale").Set(session->GetScale() / zoom);
+  vtkSMPropertyHelper(proxy, "Scale").Set(session->GetSetting("Scale") / zoom);
   vtkSMPropertyHelper(proxy, "Offset").Set(offset, 3);
   proxy->UpdateVTKObjects();
 }
@@ -339,15 +340,15 @@ void pqHapticLabyrinths::readOut()
   {
     return;
   }
-  const int wish = session->TakeLabyrinthWish(); // none is kept until the dialog is seen again
+  const int wish = session->GetLabyrinth()->TakeWish(); // none is kept until the dialog is seen again
   if (!this->isVisible())
   {
     return;
   }
   this->grant(wish);
   this->followTrace();
-  this->State->setText(session->GetLabyrinthText());
-  this->Time->setText(tr("%1 s").arg(session->GetLabyrinthTime(), 0, 'f', 1));
+  this->State->setText(session->GetLabyrinth()->GetText());
+  this->Time->setText(tr("%1 s").arg(session->GetLabyrinth()->GetTime(), 0, 'f', 1));
   const double* const p = session->GetProxyPosition();
   this->Place->setText(tr("Where am I: %1, %2 u").arg(p[0], 0, 'g', 4).arg(p[1], 0, 'g', 4));
 }
@@ -363,7 +364,7 @@ void pqHapticLabyrinths::grant(int wish)
 
 void pqHapticLabyrinths::followTrace()
 {
-  const QString phase = pqHapticController::instance()->session()->GetLabyrinthPhase();
+  const QString phase = pqHapticController::instance()->session()->GetLabyrinth()->GetPhase();
   const bool finished = phase == "arrived" || phase == "rests";
   const bool begun = phase == "leads" || phase == "lets go" || phase == "explores";
   if (finished && !std::exchange(this->Finished, true))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/simulated/MazePlayer.h"
+#include "haptics/session/HapticSession.h"
 
 namespace palpate
 {

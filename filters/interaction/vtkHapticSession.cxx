@@ -6,9 +6,14 @@
 #include "devices/io/broker/DBusBroker.h"
 #include "haptics/session/Warning.h"
 #include "haptics/session/settings/SessionSettings.h"
-#include "haptics/session/settings/TickFields.h"
 #include "vtkCommand.h"
+#include "vtkHapticDeviceCheck.h"
+#include "vtkHapticInspection.h"
+#include "vtkHapticKnownDevices.h"
+#include "vtkHapticLabyrinthGame.h"
 #include "vtkHapticSessionInternals.h"
+#include "vtkHapticSight.h"
+#include "vtkHapticTouchedMechanism.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkHapticSession);
@@ -21,15 +26,15 @@ using palpate::Vec3;
 palpate::DeviceOptions vtkHapticSession::Internals::Options() const
 {
   palpate::DeviceOptions options;
-  options.recordingFile = this->ReplayFile;
+  options.recordingFile = this->Settings.text("ReplayFile");
   options.period_s = PeriodSeconds;
   options.hid = this->Bus;
   options.calibrationFolder = this->CalibrationFolder;
   options.felt = this->Felt;
-  options.wheel = this->Wheel;
-  options.hand = this->HeldBy;
+  options.wheel = this->Settings.isOn("Wheel");
+  options.hand = this->Settings.text("Hand");
   options.delay_ticks = static_cast<int>(this->Asked.asked().passivity.delay_ticks);
-  options.stroke.speed_m_per_s = this->StrokeSpeed;
+  options.stroke.speed_m_per_s = this->Settings.number("StrokeSpeed");
   for (const Vec3& p_W : this->Stroke_W)
   {
     options.stroke.points_D.push_back(this->Asked.asked().map.toDevice(p_W));
@@ -68,9 +73,9 @@ void vtkHapticSession::Internals::ShowState()
   this->FollowGame();
 }
 
-vtkHapticSession::vtkHapticSession() : Impl(std::make_unique<Internals>())
+vtkHapticSession::vtkHapticSession() : Impl(std::make_unique<Internals>(*this))
 {
-  this->Refuse(this->Impl->Core.setParameters(this->Impl->Asked.asked()));
+  this->Impl->Refuse(this->Impl->Core.setParameters(this->Impl->Asked.asked()));
   this->Impl->Chosen.name = "fed";
   this->Impl->LookForDevices();
   this->Impl->JudgeStability();
@@ -81,53 +86,43 @@ vtkHapticSession::~vtkHapticSession()
   this->Impl->Core.stop();
 }
 
+vtkHapticSession::Internals& vtkHapticSession::Behind()
+{
+  return *this->Impl;
+}
+
 void vtkHapticSession::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "DeviceName: " << this->Impl->Chosen.name << "\n";
-  os << indent << "Touching: " << this->GetTouching() << "\n";
-  os << indent << "VirtualTime: " << this->Impl->VirtualTime << "\n";
-  os << indent << "Stiffness: " << this->GetStiffness() << " N/m\n";
+  for (const palpate::Setting& setting : palpate::sessionSettings())
+  {
+    const palpate::SettingValue& value = this->Impl->ValueOf(setting);
+    os << indent << setting.name << ":" << (value.text.empty() ? "" : " ") << value.text;
+    for (const double number : value.numbers)
+    {
+      os << " " << number;
+    }
+    os << " " << setting.unit << "\n";
+  }
   os << indent << "StiffnessUsed: " << this->GetStiffnessUsed() << " N/m\n";
   os << indent << "Stability: " << this->GetStabilitySentence() << "\n";
-  os << indent << "Passivity: " << this->GetPassivity() << ", delay " << this->GetDelay() << " ticks\n";
-  os << indent << "LimitStiffness: " << this->GetLimitStiffness() << "\n";
-  os << indent << "VelocityMethod: " << this->GetVelocityMethod() << "\n";
-  os << indent << "Hand: " << this->Impl->HeldBy << "\n";
-  os << indent << "Tool: " << this->GetToolSource() << "\n";
-  os << indent << "Soft body: " << this->GetSoftSource() << "\n";
-  os << indent << "Mechanism: " << this->GetMechanismSource() << "\n";
-  os << indent << "Damping: " << this->GetDamping() << " N s/m\n";
-  os << indent << "Radius: " << this->GetRadius() << " u, used " << this->GetRadiusUsed() << " u, limit "
-     << this->GetRadiusLimit() << " u " << (this->GetLimitRadius() ? "on" : "off") << "\n";
-  os << indent << "LineRadius: " << this->GetLineRadius() << " u\n";
-  os << indent << "FrictionStatic: " << this->GetFrictionStatic() << "\n";
-  os << indent << "FrictionKinetic: " << this->GetFrictionKinetic() << ", used " << this->GetFrictionKineticUsed()
-     << "\n";
-  os << indent << "StiffnessArray: " << this->GetStiffnessArray() << "\n";
-  os << indent << "FrictionArray: " << this->GetFrictionArray() << "\n";
-  os << indent << "TextureArray: " << this->GetTextureArray() << "\n";
-  os << indent << "ForceShading: " << this->GetForceShading() << "\n";
-  os << indent << "Simplify: " << this->GetSimplify() << "\n";
+  os << indent << "RadiusUsed: " << this->GetRadiusUsed() << " u, limit " << this->GetRadiusLimit() << " u\n";
+  os << indent << "FrictionKineticUsed: " << this->GetFrictionKineticUsed() << "\n";
   os << indent << "Plan: " << this->GetPlanSentence() << "\n";
-  os << indent << "Scale: " << this->GetScale() << " u/m\n";
-  os << indent << "Stroke: " << this->Impl->Stroke_W.size() << " points, " << this->Impl->StrokeSpeed << " m/s\n";
-  os << indent << "PressDepth: " << this->Impl->PressDepth_m << " m\n";
-  os << indent << "RecordFile: " << this->Impl->RecordFile << "\n";
-  os << indent << "ReplayFile: " << this->Impl->ReplayFile << "\n";
+  os << indent << "Stroke: " << this->Impl->Stroke_W.size() << " points\n";
   os << indent << "State: " << this->GetStateText() << "\n";
   os << indent << "Problem: " << this->Impl->Problem << "\n";
   os << indent << "Ticks: " << this->GetTicks() << "\n";
   os << indent << "Scene: " << this->Impl->Scene.built().report << "\n";
 }
 
-void vtkHapticSession::Refuse(const std::string& problem)
+void vtkHapticSession::Internals::Refuse(const std::string& problem)
 {
   if (!problem.empty())
   {
-    this->Impl->Problem = problem;
-    this->Impl->ProblemOf.clear();
-    vtkErrorMacro(<< problem);
+    this->Problem = problem;
+    this->ProblemOf.clear();
+    vtkErrorWithObjectMacro(&this->Session, << problem);
   }
 }
 
@@ -152,7 +147,7 @@ void vtkHapticSession::SetTouching(bool touching)
   {
     return;
   }
-  touching ? this->Start() : this->Stop();
+  touching ? this->Impl->Start() : this->Impl->Stop();
   this->Impl->JudgeStability();
   this->Impl->ShowState();
   this->Modified();
@@ -163,20 +158,25 @@ bool vtkHapticSession::GetTouching() const
   return this->Impl->Core.running();
 }
 
-void vtkHapticSession::Start()
+std::string vtkHapticSession::Internals::FollowTouching()
 {
-  Internals& impl = *this->Impl;
-  if (impl.FitsNow() && impl.IsFittable())
+  this->Session.SetTouching(this->Settings.isOn("Touching"));
+  return {};
+}
+
+void vtkHapticSession::Internals::Start()
+{
+  if (this->FitsNow() && this->IsFittable())
   {
     this->Fit();
   }
-  this->InvokeEvent(vtkCommand::StartEvent);
-  if (impl.Check.running())
+  this->Session.InvokeEvent(vtkCommand::StartEvent);
+  if (this->Check.Run.running())
   {
     this->Refuse("the device is being checked; stop that first");
     return;
   }
-  palpate::MadeDevice made = palpate::makeDevice(impl.Chosen.name, impl.Options());
+  palpate::MadeDevice made = palpate::makeDevice(this->Chosen.name, this->Options());
   if (!made.device)
   {
     this->Refuse(made.problem);
@@ -184,54 +184,56 @@ void vtkHapticSession::Start()
   }
   if (auto* fed = dynamic_cast<palpate::FedDevice*>(made.device.get()))
   {
-    impl.FeedTo(*fed, false); // before the first tick reads it
+    this->FeedTo(*fed, false); // before the first tick reads it
   }
   this->AlignOnTouch(*made.device);
   this->Play(*made.device);
   palpate::SafetyLimits safety = palpate::SafetyLimits::forDevice(made.device->info());
-  safety.deadMan = impl.Asked.asked().safety.deadMan;
-  impl.Asked.protect(safety);
-  impl.Running = Internals::RunningChoice{ impl.Chosen.name, made.device->info(), impl.VirtualTime };
-  impl.FollowDevice();
-  impl.Problem.clear();
+  safety.deadMan = this->Asked.asked().safety.deadMan;
+  this->Asked.protect(safety);
+  this->Running =
+    Internals::RunningChoice{ this->Chosen.name, made.device->info(), this->Settings.isOn("VirtualTime") };
+  this->FollowDevice();
+  this->Problem.clear();
   this->Refuse(made.warning);
-  this->Refuse(impl.Core.setParameters(impl.Asked.told(impl.Asked.asked(), impl.Scene.built())));
+  this->Refuse(this->Core.setParameters(this->Asked.told(this->Asked.asked(), this->Scene.built())));
   palpate::SessionOptions options;
   options.period_s = Internals::PeriodSeconds;
-  options.virtualTime = impl.VirtualTime;
-  options.recordFile = impl.Recording || !impl.RecordFile.empty() ? impl.NextRecording() : "";
+  options.virtualTime = this->Settings.isOn("VirtualTime");
+  options.recordFile =
+    this->Settings.isOn("Recording") || !this->Settings.text("RecordFile").empty() ? this->NextRecording() : "";
   options.brokers = palpate::systemBrokers();
-  this->Refuse(impl.Core.start(std::move(made.device), options));
-  if (impl.Played && impl.Played->ball_W) // a recording may begin in the middle of a press
+  this->Refuse(this->Core.start(std::move(made.device), options));
+  if (this->Played && this->Played->ball_W) // a recording may begin in the middle of a press
   {
-    this->Refuse(impl.Core.setParameters(impl.Core.parameters(), impl.Played->ball_W));
+    this->Refuse(this->Core.setParameters(this->Core.parameters(), this->Played->ball_W));
   }
-  impl.Around.clear();
-  impl.Cancelled.clear();
-  impl.Begun_s = impl.Now();
-  impl.RecordingBegun_s = impl.RecordedSeconds = 0.0;
-  if (impl.Recording != impl.Core.recording())
+  this->Around.clear();
+  this->Cancelled.clear();
+  this->Begun_s = this->Now();
+  this->Recorded.Begun_s = this->Recorded.Seconds = 0.0;
+  if (this->Settings.isOn("Recording") != this->Core.recording())
   {
-    impl.Recording = impl.Core.recording();
-    this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
+    this->Settings.put("Recording", this->Core.recording() ? 1.0 : 0.0);
+    this->Session.InvokeEvent(vtkCommand::PropertyModifiedEvent);
   }
-  if (!impl.Core.running())
+  if (!this->Core.running())
   {
-    impl.Played.reset();
-    impl.Running.reset();
-    impl.FollowDevice();
+    this->Played.reset();
+    this->Running.reset();
+    this->FollowDevice();
   }
 }
 
-void vtkHapticSession::Stop()
+void vtkHapticSession::Internals::Stop()
 {
-  this->Impl->ShowState(); // the scheduling report ends with the servo
-  this->Impl->Core.stop();
+  this->ShowState(); // the scheduling report ends with the servo
+  this->Core.stop();
   this->FollowRecording();
-  this->Impl->Played.reset();
+  this->Played.reset();
   this->LetHandGo();
-  this->Impl->Running.reset();
-  this->Impl->FollowDevice();
+  this->Running.reset();
+  this->FollowDevice();
 }
 
 void vtkHapticSession::Engage()
@@ -249,31 +251,17 @@ void vtkHapticSession::Mark()
   this->Impl->Core.mark();
 }
 
-void vtkHapticSession::SetVirtualTime(bool on)
-{
-  if (on != this->Impl->VirtualTime)
-  {
-    this->Impl->VirtualTime = on;
-    this->Modified();
-  }
-}
-
-bool vtkHapticSession::GetVirtualTime() const
-{
-  return this->Impl->VirtualTime;
-}
-
 void vtkHapticSession::Step(int ticks)
 {
   this->Impl->Core.step(ticks);
-  this->Impl->Check.step(ticks);
+  this->Impl->Check.Run.step(ticks);
   this->Update();
 }
 
 void vtkHapticSession::Update()
 {
-  this->TakeScene();
-  this->TakeOutSqueezed();
+  this->Impl->TakeScene();
+  this->Impl->TakeOutSqueezed();
   this->Impl->FollowCommit();
   this->Impl->Scene.follow(this->Impl->PlanNow());
   if (!this->Impl->VirtualTimeNow())
@@ -282,51 +270,48 @@ void vtkHapticSession::Update()
   }
   this->Impl->FollowReplay();
   this->Impl->ShowState();
-  this->TakeField(false);
-  this->FollowRecording();
+  this->Impl->TakeField(false);
+  this->Impl->FollowRecording();
   this->Impl->FollowRadius();
   if (this->Impl->Scene.rests())
   {
     this->Impl->Surfaces.Settle(this->Impl->Scene.worker());
   }
   this->Impl->FollowCheck();
-  this->FollowContact();
-  this->FollowHand();
+  this->Impl->FollowContact();
+  this->Impl->FollowHand();
 }
 
-// Parameters --------------------------------------------------------------------------------------------------------
+// Parts -------------------------------------------------------------------------------------------------------------
 
-bool vtkHapticSession::Allows(const char* setting, std::initializer_list<double> values)
+vtkSmartPointer<vtkHapticKnownDevices> vtkHapticSession::GetDevices()
 {
-  const palpate::Setting& described = palpate::sessionSetting(setting);
-  const std::string problem = palpate::refuse(described, values, palpate::spoken(described));
-  this->Refuse(problem);
-  this->Impl->Follow(setting, problem);
-  return problem.empty();
+  return vtkHapticKnownDevices::Of(*this);
 }
 
-void vtkHapticSession::Change(const char* setting, std::initializer_list<double> values,
-  const std::function<void(palpate::HapticParameters&)>& change)
+vtkSmartPointer<vtkHapticDeviceCheck> vtkHapticSession::GetDeviceCheck()
 {
-  if (this->Allows(setting, values))
-  {
-    this->Change(change);
-  }
+  return vtkHapticDeviceCheck::Of(*this);
 }
 
-void vtkHapticSession::SetField(const char* setting, std::initializer_list<double> values)
+vtkSmartPointer<vtkHapticInspection> vtkHapticSession::GetInspection()
 {
-  const std::vector<double> numbers(values);
-  this->Change(setting, values,
-    [&](palpate::HapticParameters& p) { palpate::setField(p, palpate::sessionSetting(setting), numbers); });
+  return vtkHapticInspection::Of(*this);
 }
 
-double* vtkHapticSession::GetField(const char* setting) const
+vtkSmartPointer<vtkHapticLabyrinthGame> vtkHapticSession::GetLabyrinth()
 {
-  const std::vector<double> now = palpate::fieldOf(this->Impl->Asked.asked(), palpate::sessionSetting(setting));
-  std::vector<double>& numbers = this->Impl->Fields[setting];
-  numbers.assign(now.begin(), now.end()); // in place: the caller may still have the address of before
-  return numbers.data();
+  return vtkHapticLabyrinthGame::Of(*this);
+}
+
+vtkSmartPointer<vtkHapticTouchedMechanism> vtkHapticSession::GetMechanism()
+{
+  return vtkHapticTouchedMechanism::Of(*this);
+}
+
+vtkSmartPointer<vtkHapticSight> vtkHapticSession::GetSight()
+{
+  return vtkHapticSight::Of(*this);
 }
 
 const char* vtkHapticSession::GetDescribed()
@@ -335,42 +320,42 @@ const char* vtkHapticSession::GetDescribed()
   return json.c_str();
 }
 
-void vtkHapticSession::Change(const std::function<void(palpate::HapticParameters&)>& change)
+void vtkHapticSession::Internals::Change(const std::function<void(palpate::HapticParameters&)>& change)
 {
-  const palpate::HapticParameters before = this->Impl->Asked.asked();
+  const palpate::HapticParameters before = this->Asked.asked();
   palpate::HapticParameters parameters = before;
   change(parameters);
-  const palpate::HapticParameters told = this->Impl->Asked.told(parameters, this->Impl->Scene.built());
-  const bool otherMap = this->GetTouching() && !palpate::isSame(before.map, parameters.map);
+  const palpate::HapticParameters told = this->Asked.told(parameters, this->Scene.built());
+  const bool otherMap = this->Core.running() && !palpate::isSame(before.map, parameters.map);
   if (otherMap)
   {
-    this->Impl->Withdraw(); // the old pose would be somewhere else in the new map, maybe inside a surface
+    this->Withdraw(); // the old pose would be somewhere else in the new map, maybe inside a surface
   }
-  const std::optional<palpate::CameAround> into = otherMap ? this->Impl->PutInto(parameters.map) : std::nullopt;
-  const std::string problem = this->Impl->Core.setParameters(told, into ? std::optional(into->from_W) : std::nullopt);
+  const std::optional<palpate::CameAround> into = otherMap ? this->PutInto(parameters.map) : std::nullopt;
+  const std::string problem = this->Core.setParameters(told, into ? std::optional(into->from_W) : std::nullopt);
   this->Refuse(problem);
-  this->Impl->Follow("parameters", problem);
+  this->Follow("parameters", problem);
   if (!problem.empty())
   {
-    this->Impl->Feed();
+    this->Feed();
     return;
   }
-  this->Impl->Asked.taken(parameters, told);
+  this->Asked.taken(parameters, told);
   if (otherMap)
   {
-    this->Impl->StayOutside(into);
-    this->InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
-    this->Impl->Feed(true);
+    this->StayOutside(into);
+    this->Session.InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
+    this->Feed(true);
   }
   if (before.passivity != parameters.passivity || before.damping_Ns_per_m != parameters.damping_Ns_per_m)
   {
-    this->Impl->JudgeStability();
+    this->JudgeStability();
   }
   if (before.contact.radius_u != parameters.contact.radius_u)
   {
-    this->Impl->FollowWalls();
+    this->FollowWalls();
   }
-  this->Impl->FollowPlane();
-  this->Impl->Feed(); // the hand stays where it is in the scene when the map changes
-  this->Modified();
+  this->FollowPlane();
+  this->Feed(); // the hand stays where it is in the scene when the map changes
+  this->Session.Modified();
 }

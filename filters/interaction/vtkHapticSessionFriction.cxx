@@ -4,44 +4,17 @@
 
 #include "vtkHapticSessionInternals.h"
 
-void vtkHapticSession::SetFrictionStatic(double coefficient)
+std::string vtkHapticSession::Internals::FollowFriction()
 {
-  const double kinetic = std::min(this->Impl->FrictionKinetic, coefficient);
-  this->Change("FrictionStatic", { coefficient },
-    [=](palpate::HapticParameters& p) {
-      p.contact.friction = { coefficient, kinetic };
-    });
+  const double statical = this->Settings.number("FrictionStatic");
+  const double kinetic = std::min(this->Settings.number("FrictionKinetic"), statical);
+  this->Change([=](palpate::HapticParameters& p) { p.contact.friction = { statical, kinetic }; });
+  return {};
 }
 
-double vtkHapticSession::GetFrictionStatic() const
+const char* vtkHapticSession::Internals::SayFrictionText()
 {
-  return this->Impl->Asked.asked().contact.friction.statical;
-}
-
-void vtkHapticSession::SetFrictionKinetic(double coefficient)
-{
-  if (!this->Allows("FrictionKinetic", { coefficient }))
-  {
-    return;
-  }
-  this->Impl->FrictionKinetic = coefficient;
-  const double used = std::min(coefficient, this->GetFrictionStatic());
-  this->Change([=](palpate::HapticParameters& p) { p.contact.friction.kinetic = used; });
-}
-
-double vtkHapticSession::GetFrictionKinetic() const
-{
-  return this->Impl->FrictionKinetic;
-}
-
-double vtkHapticSession::GetFrictionKineticUsed() const
-{
-  return this->Impl->Asked.asked().contact.friction.kinetic;
-}
-
-const char* vtkHapticSession::GetFrictionText() const
-{
-  switch (this->Impl->State.friction)
+  switch (this->State.friction)
   {
     case palpate::FrictionState::Sticks:
       return "sticks";

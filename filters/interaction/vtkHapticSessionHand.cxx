@@ -48,7 +48,7 @@ void vtkHapticSession::SetStrokePath(vtkPolyData* path)
 {
   if (!path || path->GetNumberOfLines() != 1)
   {
-    this->Refuse("a stroke is poly data with one polyline");
+    this->Impl->Refuse("a stroke is poly data with one polyline");
     return;
   }
   vtkNew<vtkIdList> ids;
@@ -75,18 +75,4 @@ void vtkHapticSession::AddStrokePoint(double x, double y, double z)
 int vtkHapticSession::GetNumberOfStrokePoints() const
 {
   return static_cast<int>(this->Impl->Stroke_W.size());
-}
-
-void vtkHapticSession::SetStrokeSpeed(double speed_m_per_s)
-{
-  if (this->Allows("StrokeSpeed", { speed_m_per_s }))
-  {
-    this->Impl->StrokeSpeed = speed_m_per_s;
-    this->Modified();
-  }
-}
-
-double vtkHapticSession::GetStrokeSpeed() const
-{
-  return this->Impl->StrokeSpeed;
 }

@@ -5,31 +5,34 @@
 #include "devices/DeviceFactory.h"
 #include "devices/FedDevice.h"
 #include "devices/RecordedHand.h"
-#include "devices/calibration/SelfTestRun.h"
 #include "devices/common/LinkedDevice.h"
 #include "haptics/geometry/measure/ContactPlace.h"
-#include "haptics/labyrinth/GameLog.h"
 #include "haptics/session/HapticSession.h"
 #include "haptics/session/plan/AskedParameters.h"
 #include "haptics/session/plan/HandMap.h"
 #include "haptics/session/scene/FeltField.h"
 #include "haptics/session/scene/FeltScene.h"
+#include "haptics/session/settings/SettingStore.h"
 #include "haptics/session/settings/TickFields.h"
+#include "vtkHapticCheckState.h"
+#include "vtkHapticContactState.h"
 #include "vtkHapticFieldData.h"
+#include "vtkHapticGameState.h"
 #include "vtkHapticHeldMechanism.h"
 #include "vtkHapticHeldTool.h"
-#include "vtkHapticMarkRecords.h"
 #include "vtkHapticPressedBody.h"
+#include "vtkHapticRecordingState.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSession.h"
-#include "vtkHapticSourceProbe.h"
 #include "vtkTimeStamp.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The core's session, what it is started with, and the last that it said.
@@ -38,14 +41,14 @@ class vtkHapticSession::Internals
 public:
   static constexpr double PeriodSeconds = 1e-3;
 
+  explicit Internals(vtkHapticSession& session) : Session(session) {}
+
+  vtkHapticSession& Session;
+  palpate::SettingStore Settings;
   palpate::HapticSession Core;
   palpate::AskedParameters Asked{ palpate::sessionDefaults() };
-  std::map<std::string, std::vector<double>> Fields; ///< as they were asked for last
-  double FrictionKinetic = 0.0;                      ///< as set; the parameters have no more than the static one
   std::vector<palpate::KnownDevice> Known;
   vtkHapticMaterialSettings Materials;
-  double LineRadius_u = 0.0;
-  double PointRadius_u = 0.0;
   vtkTimeStamp MaterialTime;
   vtkHapticSceneSurfaces Surfaces;
   palpate::FeltScene Scene{ Core, PeriodSeconds };
@@ -53,9 +56,7 @@ public:
   vtkHapticFieldArrays FieldArrays;
   std::string FieldName;
   vtkSmartPointer<vtkDataObject> FieldData, CompareData, SnapData;
-  std::string FeltSource, CompareSource, SnapSource; ///< names of data, for who follows a view
-  std::string DetentLevels;                          ///< as they were asked for
-  vtkMTimeType BesideTime = 0;                       ///< of both when they were taken
+  vtkMTimeType BesideTime = 0; ///< of both when they were taken
   palpate::FieldEnds FieldEnds{ 1.0, 0.0 };
   palpate::FeltField FeltField;
   bool FieldIsNew = false;  ///< no brick has come of it yet
@@ -68,72 +69,30 @@ public:
   vtkHapticPressedBody Soft;
   vtkHapticHeldMechanism Mechanism;
   palpate::Quat HandTurn_W = palpate::Quat::Identity(); ///< where a program holds it
-  int Simplify = Auto;
-  int LinesAsWalls = Auto;
-  bool Raises = false;     ///< lines, as the surfaces were told
-  double WallRate = 125.0; ///< [Hz]
+  bool Raises = false;                                  ///< lines, as the surfaces were told
   std::string PlanSentence;
 
-  palpate::SelfTestRun Check;
-  bool Checked = false;     ///< a check was started
-  bool CheckedTwin = false; ///< of a device that had a twin then
-  std::string CheckAsk;
-  std::string CheckResult;
+  vtkHapticCheckState Check;
+  vtkHapticContactState Contact;
+  vtkHapticGameState Game;
+  vtkHapticRecordingState Recorded;
   std::string CalibrationFolder;
   std::optional<palpate::Calibration> Felt; ///< what was kept of a device without serial number, walls included
-  bool Wheel = false;
 
-  std::string RecordFile;
-  bool Recording = false; ///< wanted
-  std::string Recorded;   ///< the last that is whole
-  bool Saved = false;     ///< under a name that the person gave
-  double RecordingBegun_s = 0.0;
-  double RecordedSeconds = 0.0;
-  std::string RecordingText;
-  std::string ReplayFile;
   std::optional<palpate::RecordedHand> Played; ///< by the running device
   bool SceneKnown = false;                     ///< it touched what was shown since it is played
   std::string PlayedSentence;
   std::vector<palpate::Vec3> Stroke_W;
-  double StrokeSpeed = 0.05;
-  double PressDepth_m = 0.002;
-  std::string HeldBy = palpate::DeviceOptions().hand;
-  bool VirtualTime = false;
-  bool FitOnTouch = false;
   palpate::WorkspaceMap LastFitted = palpate::sessionDefaults().map;
   palpate::HandMap HandMap;
-  int ViewAlignment = AlignNever;
   std::optional<palpate::Quat> View_WD; ///< right, up and towards of the camera
-  bool Clutch = false;
-  int ClutchButton = 0;
-  bool Precision = false;
-  double PrecisionFactor = 5.0;
-  int PrecisionButton = 0;
-  bool ShowWorkspace = false;
-  bool FitAsked = false; ///< while the scene was being built
-  double Begun_s = 0.0;  ///< when touching began, as Now() has it
+  bool FitAsked = false;                ///< while the scene was being built
+  double Begun_s = 0.0;                 ///< when touching began, as Now() has it
   std::string Preferred;
-  double Corridor_u = 0.0; ///< of the labyrinth that was played last
-  palpate::GameLog Game;
   std::optional<palpate::Vec3> Hand_W; ///< where a program holds it, once it said so
 
-  std::optional<vtkHapticMarkRecord> Contact; ///< what was found at it when it was looked up last
-  vtkHapticMarkRecords Marks;
-  vtkHapticSourceProbe Probe;
-  bool Inspect = false;
-  int MarkButton = 0;
-  std::uint32_t MarkButtons = ~0u; ///< that were down at the last look; what is down at the first was not pressed
-  std::string ContactText;
-  std::string ContactArrays;
-  std::string MarksText;
-  std::vector<int> MarkStates;  ///< one a mark
-  std::string MarksNote;        ///< of those that are stale
   std::uint64_t CommitSeen = 0; ///< of the scene that marks and arrays were last compared with
   std::string MissingArrays;    ///< of that scene, a line each
-  std::string SourcesText;
-  double ContactPosition[3] = { 0.0, 0.0, 0.0 };
-  double ContactNormal[3] = { 0.0, 0.0, 0.0 };
-  double ContactCurvature[2] = { 0.0, 0.0 };
 
   palpate::HapticState State;
   palpate::LoopReport Report;
@@ -167,8 +126,50 @@ public:
   };
   std::optional<RunningChoice> Running;
 
+  /// Says what was refused; "": nothing was.
+  void Refuse(const std::string& problem);
   /// Remembers what was refused, or without a problem takes its refusal back, for it succeeded now.
   void Follow(const std::string& what, const std::string& problem);
+
+  /// A new value by name: takes it, or says why not.
+  void Put(const char* name, const palpate::SettingValue& value);
+  /// The value of a setting now.
+  palpate::SettingValue& ValueOf(const palpate::Setting& setting);
+  /// Takes a value that the table allows, with all that follows from it. Empty, or why it cannot be: the old one stays.
+  std::string Take(const palpate::Setting& setting, const palpate::SettingValue& value);
+  /// Sets parameters of the tick changed by `change`; keeps the old ones if those are refused.
+  void Change(const std::function<void(palpate::HapticParameters&)>& change);
+
+  /// What follows from a new value in Settings; empty, or why it cannot be.
+  using Follower = std::string (Internals::*)();
+  static const std::map<std::string_view, Follower>& Followers();
+  std::string FollowDetentLevels();
+  std::string FollowDeviceName();
+  std::string FollowFieldArrays();
+  std::string FollowFriction();
+  std::string FollowHolder();
+  std::string FollowLinesAsWalls();
+  std::string FollowMarksText();
+  std::string FollowMaterials();
+  std::string FollowMechanismLaws();
+  std::string FollowMechanismSource();
+  std::string FollowPlaneWishes();
+  std::string FollowRadii();
+  std::string FollowRadiusLimit();
+  std::string FollowRecordingWish();
+  std::string FollowServerLimit();
+  std::string FollowSimplify();
+  std::string FollowSoftRate();
+  std::string FollowSoftSource();
+  std::string FollowSourcesText();
+  std::string FollowToolHandle();
+  std::string FollowToolSource();
+  std::string FollowTouching();
+  std::string FollowWallRate();
+  std::string FollowWheel();
+
+  void Start();
+  void Stop();
   palpate::DeviceOptions Options() const;
   /// Looks again which devices there are, and what is known of the chosen one.
   void LookForDevices();
@@ -194,6 +195,10 @@ public:
   palpate::LinkReport Link();
   /// Where a recording that begins now goes.
   std::string NextRecording() const;
+  /// Takes over what has ended, and says what went wrong with it.
+  void FollowRecording();
+  /// A device that plays a recording moves the hand where it moved: the map of the recording.
+  void Play(palpate::HapticDevice& device);
   /// Whether what is played was recorded on what is shown.
   void FollowReplay();
   /// Seconds of the session: ticks in virtual time.
@@ -204,6 +209,20 @@ public:
   void StayOutside(const std::optional<palpate::CameAround>& around);
   /// What a device's hand that this map puts elsewhere would be in.
   std::optional<palpate::CameAround> PutInto(const palpate::WorkspaceMap& map);
+  /// Takes what the worker has built, or with `wait` what was committed last. A hand that it surrounds stays outside.
+  void TakeScene(bool wait = false);
+  void TakeOutSqueezed();
+  void FollowCameAround();
+  /// The map does what clutch, precision and view ask for.
+  void FollowHand();
+  void FollowMouseClutch();
+  void AlignOnTouch(palpate::HapticDevice& device);
+  /// Touching has ended: nothing is held any more.
+  void LetHandGo();
+  /// Neither precise nor clutched, as the panel shows it.
+  void LetButtonsGo();
+  /// The map that the session makes by itself.
+  void TakeMap(const palpate::HandMapChange& change);
   /// Whether the hand is said in the scene, not in the workspace of a device.
   bool LedInScene();
   /// The rotation that is wanted while the view is followed.
@@ -211,10 +230,13 @@ public:
   /// What there is to fit a hand to, and whether there is anything.
   palpate::BuiltScene Fittable() const;
   bool IsFittable() const;
+  void Fit();
+  void FitTo(const palpate::BuiltScene& scene);
   /// Whether touching that begins now, or began with this scene, fits the hand.
   bool FitsNow() const
   {
-    return this->FitOnTouch && !this->Played && palpate::isSame(this->Asked.asked().map, this->LastFitted);
+    return this->Settings.isOn("FitOnTouch") && !this->Played &&
+           palpate::isSame(this->Asked.asked().map, this->LastFitted);
   }
   /// The servo gets the ball of the scene that is felt; never in the tick of a swap, in which a pressed hand changes
   /// over.
@@ -229,22 +251,43 @@ public:
   std::string PlaneSentence() const;
   /// The servo gets what is around the hand, once a worker has it. True with the first brick of other data.
   bool FollowField(bool wait);
+  /// Takes numbers in space, or says why they cannot be felt.
+  bool FeelField(const std::string& name, const vtkHapticFieldResult& made);
+  void TakeField(bool wait);
+  /// What was added is felt as it is to be felt now.
+  void FeelFieldAnew();
   /// What the hand is in; nothing outside.
   std::optional<palpate::FieldSample> FieldAtHand() const;
   void ShowState();
-  /// Where the ball touches, or the tool most; nothing where neither does.
+  double* GradientNow();
+
+  /// Sentences that are put together when somebody asks.
+  const char* SayDeviceKind();
+  const char* SayDeviceNotes();
+  const char* SayFaultText();
+  const char* SayFieldSentence();
+  const char* SayFrictionText();
+  const char* SayLinkText();
+  const char* SayPlanSentence();
+  const char* SayRecordingText();
+  const char* SayToolContacts();
+
+  /// Holds the tool as it was made, or says the problem.
+  void HoldTool(const std::string& problem);
+  /// The styles of sources have changed.
+  void FollowSources();
   /// Takes the mechanism as it was read, or says the problem.
-  void HoldMechanism(vtkHapticSession& session, const std::string& problem);
+  void HoldMechanism(const std::string& problem);
+  /// Where the ball touches, or the tool most; nothing where neither does.
   std::optional<palpate::ContactPlace> PlaceOfContact() const;
-  /// A setting of the tool, if it may have these numbers: the tool is made anew, or has only another lever.
-  template<class Value>
-  static void ChangeTool(vtkHapticSession* session, const char* setting, std::initializer_list<double> numbers,
-    Value& held, const Value& value, bool anew);
   /// What is at the contact now; nothing without one.
   std::optional<vtkHapticMarkRecord> LookAtContact();
+  /// Looks at it if that is wanted, and sets a mark if its button was pressed.
+  void FollowContact();
   void ShowContact(std::optional<vtkHapticMarkRecord> contact);
   /// Whether a mark lies on its source as that was committed last.
   int StateOf(const vtkHapticMarkRecord& mark) const;
+  void KeepMarks(vtkHapticMarkRecords marks);
   void JudgeMarks();
   /// Another scene was committed: marks may be stale, arrays gone.
   void FollowCommit();

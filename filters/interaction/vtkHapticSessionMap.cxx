@@ -27,35 +27,33 @@ void vtkHapticSession::FitWorkspace()
   impl.FitAsked = impl.Scene.worker().building();
   const bool nothing = !impl.FitAsked && !impl.IsFittable();
   const std::string problem = nothing ? "there is nothing to fit the hand to: show a surface that can be touched" : "";
-  this->Refuse(problem);
+  this->Impl->Refuse(problem);
   impl.Follow("FitWorkspace", problem);
   if (!nothing && !impl.FitAsked)
   {
-    this->Fit();
+    this->Impl->Fit();
   }
 }
 
-void vtkHapticSession::Fit()
+void vtkHapticSession::Internals::Fit()
 {
-  Internals& impl = *this->Impl;
-  impl.FitAsked = false;
-  this->FitTo(impl.Fittable());
+  this->FitAsked = false;
+  this->FitTo(this->Fittable());
 }
 
-void vtkHapticSession::FitTo(const palpate::BuiltScene& scene)
+void vtkHapticSession::Internals::FitTo(const palpate::BuiltScene& scene)
 {
-  Internals& impl = *this->Impl;
-  const palpate::WorkspaceMap fitted = palpate::fittedMap(impl.Asked.asked().map, scene, impl.InfoNow());
-  impl.LastFitted = fitted;
-  impl.HandMap.reset();
-  impl.Precision = impl.Clutch = false;
+  const palpate::WorkspaceMap fitted = palpate::fittedMap(this->Asked.asked().map, scene, this->InfoNow());
+  this->LastFitted = fitted;
+  this->HandMap.reset();
+  this->LetButtonsGo();
   this->Change(
     [&](palpate::HapticParameters& p)
     {
       p.map = fitted;
       p.clutch = false;
     });
-  this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
+  this->Session.InvokeEvent(vtkCommand::PropertyModifiedEvent);
 }
 
 void vtkHapticSession::FitToSources(const char* names)
@@ -70,24 +68,16 @@ void vtkHapticSession::FitToSources(const char* names)
   const std::string missing = palpate::boundsOf(chosen.scene.get(), wanted, chosen.bounds);
   const std::string problem =
     missing.empty() ? "" : missing + " is not touched: show it, or choose another source to fit the hand to";
-  this->Refuse(problem);
+  this->Impl->Refuse(problem);
   impl.Follow("FitWorkspace", problem);
   if (problem.empty())
   {
-    this->FitTo(chosen);
+    this->Impl->FitTo(chosen);
   }
 }
 
-void vtkHapticSession::SetFitOnTouch(bool on)
+void vtkHapticSession::Internals::LetButtonsGo()
 {
-  if (on != this->Impl->FitOnTouch)
-  {
-    this->Impl->FitOnTouch = on;
-    this->Modified();
-  }
-}
-
-bool vtkHapticSession::GetFitOnTouch() const
-{
-  return this->Impl->FitOnTouch;
+  this->Settings.put("Precision", 0.0);
+  this->Settings.put("Clutch", 0.0);
 }

@@ -13,15 +13,9 @@ bool vtkHapticSession::SetSurfacePose(const char* name, vtkMatrix4x4* matrix)
 {
   const std::string known = name ? name : "surface";
   const std::string problem = this->Impl->Surfaces.Place(known, matrix);
-  this->Refuse(problem);
+  this->Impl->Refuse(problem);
   this->Impl->Follow(Internals::OfSurface + known, problem);
   return problem.empty();
-}
-
-double vtkHapticSession::GetMotionLag() const
-{
-  const double lag_s = this->Impl->State.motionLag_s;
-  return this->GetTouching() && lag_s > 0.0 ? lag_s + this->Impl->Scene.handOver_s() : 0.0;
 }
 
 bool vtkHapticSession::GetSceneMoves() const

@@ -6,8 +6,8 @@
 palpate::SimplifyPlan vtkHapticSession::Internals::PlanNow() const
 {
   // A tool that lies on triangles may meet those that replace them.
-  const auto choice =
-    this->Tool.Choice().tool ? palpate::AutoChoice::Off : static_cast<palpate::AutoChoice>(this->Simplify);
+  const auto choice = this->Tool.Choice().tool ? palpate::AutoChoice::Off
+                                               : static_cast<palpate::AutoChoice>(this->Settings.whole("Simplify"));
   return palpate::simplifyPlan(choice, this->Asked.asked().map.scale_u_per_m, this->InfoNow());
 }
 
@@ -20,46 +20,6 @@ void vtkHapticSession::Internals::FollowRadius()
   }
 }
 
-void vtkHapticSession::SetLimitRadius(bool on)
-{
-  if (on != this->Impl->Asked.limitRadius)
-  {
-    this->Impl->Asked.limitRadius = on;
-    this->Impl->FollowRadius();
-    this->Modified();
-  }
-}
-
-bool vtkHapticSession::GetLimitRadius() const
-{
-  return this->Impl->Asked.limitRadius;
-}
-
-double vtkHapticSession::GetRadiusLimit() const
-{
-  return this->Impl->Scene.built().largestRadius_u;
-}
-
-double vtkHapticSession::GetRadiusUsed() const
-{
-  return this->Impl->Asked.touch(this->Impl->Scene.built()).plan.radius_u;
-}
-
-void vtkHapticSession::SetSimplify(int choice)
-{
-  if (this->Allows("Simplify", { static_cast<double>(choice) }) && choice != this->Impl->Simplify)
-  {
-    this->Impl->Simplify = choice;
-    this->Impl->Scene.follow(this->Impl->PlanNow());
-    this->Modified();
-  }
-}
-
-int vtkHapticSession::GetSimplify() const
-{
-  return this->Impl->Simplify;
-}
-
 bool vtkHapticSession::FinishSimplification()
 {
   this->Impl->Scene.follow(this->Impl->PlanNow());
@@ -67,10 +27,22 @@ bool vtkHapticSession::FinishSimplification()
   return this->Impl->Scene.isSimpler();
 }
 
-const char* vtkHapticSession::GetPlanSentence() const
+std::string vtkHapticSession::Internals::FollowRadiusLimit()
 {
-  this->Impl->PlanSentence =
-    palpate::planSentence(this->Impl->Scene.choices(), this->Impl->Asked.touch(this->Impl->Scene.built())) +
-    this->Impl->PlaneSentence();
-  return this->Impl->PlanSentence.c_str();
+  this->Asked.limitRadius = this->Settings.isOn("LimitRadius");
+  this->FollowRadius();
+  return {};
+}
+
+std::string vtkHapticSession::Internals::FollowSimplify()
+{
+  this->Scene.follow(this->PlanNow());
+  return {};
+}
+
+const char* vtkHapticSession::Internals::SayPlanSentence()
+{
+  this->PlanSentence =
+    palpate::planSentence(this->Scene.choices(), this->Asked.touch(this->Scene.built())) + this->PlaneSentence();
+  return this->PlanSentence.c_str();
 }

@@ -7,7 +7,7 @@
 
 bool vtkHapticSession::Internals::RaisesLines() const
 {
-  return palpate::raisesLines(static_cast<palpate::AutoChoice>(this->LinesAsWalls), this->InfoNow());
+  return palpate::raisesLines(static_cast<palpate::AutoChoice>(this->Settings.whole("LinesAsWalls")), this->InfoNow());
 }
 
 void vtkHapticSession::Internals::FollowWalls()
@@ -37,69 +37,9 @@ std::string vtkHapticSession::Internals::PlaneSentence() const
                                       : "";
 }
 
-void vtkHapticSession::SetLinesAsWalls(int choice)
-{
-  if (this->Allows("LinesAsWalls", { static_cast<double>(choice) }) && choice != this->Impl->LinesAsWalls)
-  {
-    this->Impl->LinesAsWalls = choice;
-    this->Impl->FollowWalls();
-    this->Impl->MaterialTime.Modified();
-    this->Modified();
-  }
-}
-
-int vtkHapticSession::GetLinesAsWalls() const
-{
-  return this->Impl->LinesAsWalls;
-}
-
 bool vtkHapticSession::GetRaisesLines() const
 {
   return this->Impl->RaisesLines();
-}
-
-void vtkHapticSession::SetHoldWalls(bool on)
-{
-  if (on != this->Impl->Asked.plane.holdWalls)
-  {
-    this->Impl->Asked.plane.holdWalls = on;
-    this->Impl->FollowPlane();
-    this->Modified();
-  }
-}
-
-bool vtkHapticSession::GetHoldWalls() const
-{
-  return this->Impl->Asked.plane.holdWalls;
-}
-
-void vtkHapticSession::SetWallRate(double rate_Hz)
-{
-  if (this->Allows("WallRate", { rate_Hz }))
-  {
-    this->Impl->WallRate = rate_Hz;
-    this->Change([=](palpate::HapticParameters& p) { p.walls.every_s = 1.0 / rate_Hz; });
-  }
-}
-
-double vtkHapticSession::GetWallRate() const
-{
-  return this->Impl->WallRate;
-}
-
-void vtkHapticSession::SetPlaneGuide(bool on)
-{
-  if (on != this->Impl->Asked.plane.guide)
-  {
-    this->Impl->Asked.plane.guide = on;
-    this->Impl->FollowPlane();
-    this->Modified();
-  }
-}
-
-bool vtkHapticSession::GetPlaneGuide() const
-{
-  return this->Impl->Asked.plane.guide;
 }
 
 bool vtkHapticSession::GetPlaneWorld() const
@@ -126,4 +66,25 @@ int vtkHapticSession::GetWallsHeld() const
 double vtkHapticSession::GetGuideShare() const
 {
   return this->Impl->State.guideShare;
+}
+
+std::string vtkHapticSession::Internals::FollowLinesAsWalls()
+{
+  this->FollowWalls();
+  this->MaterialTime.Modified();
+  return {};
+}
+
+std::string vtkHapticSession::Internals::FollowPlaneWishes()
+{
+  this->Asked.plane.holdWalls = this->Settings.isOn("HoldWalls");
+  this->Asked.plane.guide = this->Settings.isOn("PlaneGuide");
+  this->FollowPlane();
+  return {};
+}
+
+std::string vtkHapticSession::Internals::FollowWallRate()
+{
+  this->Change([this](palpate::HapticParameters& p) { p.walls.every_s = 1.0 / this->Settings.number("WallRate"); });
+  return {};
 }

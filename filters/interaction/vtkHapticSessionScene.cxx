@@ -19,7 +19,7 @@ bool vtkHapticSession::AddSurface(const char* name, vtkDataObject* data, vtkMatr
 {
   const std::string known = name ? name : "surface";
   const std::string problem = this->Impl->Surfaces.Add(known, data, matrix);
-  this->Refuse(problem);
+  this->Impl->Refuse(problem);
   this->Impl->Follow(Internals::OfSurface + known, problem);
   return problem.empty();
 }
@@ -42,19 +42,18 @@ void vtkHapticSession::Internals::FollowCommit()
   }
 }
 
-void vtkHapticSession::TakeScene(bool wait)
+void vtkHapticSession::Internals::TakeScene(bool wait)
 {
-  Internals& impl = *this->Impl;
-  impl.Scene.seeFrom(this->GetFollowsMouse() ? impl.Eye_W : std::nullopt);
-  if (!impl.Scene.takeBuilt(impl.PlanNow(), impl.Now(), wait))
+  this->Scene.seeFrom(this->Session.GetFollowsMouse() ? this->Eye_W : std::nullopt);
+  if (!this->Scene.takeBuilt(this->PlanNow(), this->Now(), wait))
   {
     return;
   }
-  impl.Surfaces.Took(impl.Scene.worker());
-  impl.FollowPlane();
-  impl.StayOutside(impl.Scene.cameAround());
-  const bool ofTouch = this->GetTouching() && palpate::isOfTouch(impl.Scene.built().stamp_s, impl.Begun_s);
-  if (impl.Scene.built().scene && (impl.FitAsked || (ofTouch && impl.FitsNow())))
+  this->Surfaces.Took(this->Scene.worker());
+  this->FollowPlane();
+  this->StayOutside(this->Scene.cameAround());
+  const bool ofTouch = this->Core.running() && palpate::isOfTouch(this->Scene.built().stamp_s, this->Begun_s);
+  if (this->Scene.built().scene && (this->FitAsked || (ofTouch && this->FitsNow())))
   {
     this->Fit();
     return;
@@ -62,21 +61,21 @@ void vtkHapticSession::TakeScene(bool wait)
   this->FollowCameAround();
 }
 
-void vtkHapticSession::TakeOutSqueezed()
+void vtkHapticSession::Internals::TakeOutSqueezed()
 {
-  if (this->Impl->Scene.takeOutSqueezed())
+  if (this->Scene.takeOutSqueezed())
   {
-    this->Impl->StayOutside(this->Impl->Scene.cameAround());
+    this->StayOutside(this->Scene.cameAround());
     this->FollowCameAround();
   }
 }
 
-void vtkHapticSession::FollowCameAround()
+void vtkHapticSession::Internals::FollowCameAround()
 {
-  if (this->Impl->Scene.cameAround() && this->GetFollowsMouse())
+  if (this->Scene.cameAround() && this->Session.GetFollowsMouse())
   {
-    this->InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
-    this->Impl->Feed(true);
+    this->Session.InvokeEvent(vtkCommand::StartEvent); // the hand begins anew
+    this->Feed(true);
   }
 }
 
@@ -100,16 +99,6 @@ void vtkHapticSession::Internals::StayOutside(const std::optional<palpate::CameA
   this->Around = verdict.sentence;
 }
 
-bool vtkHapticSession::PrepareSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix)
-{
-  return this->Impl->Surfaces.Prepare(name ? name : "surface", data, matrix);
-}
-
-void vtkHapticSession::ForgetPrepared()
-{
-  this->Impl->Surfaces.ForgetPrepared();
-}
-
 void vtkHapticSession::CancelScene()
 {
   Internals& impl = *this->Impl;
@@ -122,19 +111,9 @@ void vtkHapticSession::CancelScene()
   }
 }
 
-int vtkHapticSession::GetScenesCancelled() const
-{
-  return this->Impl->ScenesCancelled;
-}
-
-double vtkHapticSession::GetSceneProgress() const
-{
-  return this->Impl->Surfaces.Preparing() ? 0.0 : this->Impl->Scene.worker().share();
-}
-
 bool vtkHapticSession::FinishScene()
 {
-  this->TakeScene(true);
+  this->Impl->TakeScene(true);
   this->Impl->FollowRadius();
   return this->Impl->Scene.built().scene != nullptr;
 }
@@ -149,9 +128,4 @@ bool vtkHapticSession::GetSceneBounds(double bounds[6]) const
     joined.GetBounds(bounds);
   }
   return this->Impl->IsFittable() || joined.IsValid();
-}
-
-const char* vtkHapticSession::GetSceneReport() const
-{
-  return this->Impl->Scene.built().report.c_str();
 }

@@ -13,10 +13,11 @@ namespace
 /// Those that are asked for and have to be in one data set.
 std::vector<std::string> NamesOf(const vtkHapticSession& session)
 {
-  std::vector<std::string> names{ session.GetFieldArray(), session.GetFieldVectors(), session.GetFieldResistance() };
-  if (*session.GetCompareSource() == '\0')
+  std::vector<std::string> names{ session.GetSettingText("FieldArray"), session.GetSettingText("FieldVectors"),
+    session.GetSettingText("FieldResistance") };
+  if (*session.GetSettingText("CompareSource") == '\0')
   {
-    names.emplace_back(session.GetFieldOther());
+    names.emplace_back(session.GetSettingText("FieldOther"));
   }
   std::erase(names, "");
   return names;
@@ -25,8 +26,8 @@ std::vector<std::string> NamesOf(const vtkHapticSession& session)
 
 bool vtkHapticAsksForField(const vtkHapticSession& session)
 {
-  return *session.GetFieldArray() != '\0' || *session.GetFieldVectors() != '\0' ||
-         *session.GetFieldResistance() != '\0';
+  return *session.GetSettingText("FieldArray") != '\0' || *session.GetSettingText("FieldVectors") != '\0' ||
+         *session.GetSettingText("FieldResistance") != '\0';
 }
 
 std::vector<std::string> vtkHapticArraysOfSource(const vtkHapticViewScan::Source& source, int components)
@@ -49,7 +50,7 @@ bool HasArrays(const vtkHapticViewScan::Source& source, const vtkHapticSession& 
 /// Why no source that could be is felt.
 std::string LackOf(const vtkHapticSession& session)
 {
-  const std::string chosen = session.GetFeltSource();
+  const std::string chosen = session.GetSettingText("FeltSource");
   std::string list;
   for (const std::string& name : NamesOf(session))
   {
@@ -63,7 +64,7 @@ std::string LackOf(const vtkHapticSession& session)
 std::vector<vtkHapticViewScan::Source> vtkHapticSourcesOfField(
   const vtkHapticSession& session, vtkSMProxy* view, const std::vector<vtkHapticViewScan::Source>& shown)
 {
-  const std::string chosen = session.GetFeltSource();
+  const std::string chosen = session.GetSettingText("FeltSource");
   if (chosen.empty())
   {
     return shown;
@@ -86,7 +87,7 @@ vtkHapticFieldCandidates vtkHapticCandidatesOfField(
   {
     return candidates;
   }
-  const std::string chosen = session.GetFeltSource();
+  const std::string chosen = session.GetSettingText("FeltSource");
   const std::vector<vtkHapticViewScan::Source> sources = vtkHapticSourcesOfField(session, view, shown);
   candidates.Refusal = !sources.empty()  ? LackOf(session)
                        : !chosen.empty() ? chosen + ": no source with data is called so"
@@ -118,12 +119,12 @@ vtkHapticFieldKey vtkHapticKeyOfField(const vtkHapticViewScan::Source& source, v
 vtkHapticFieldArrays vtkHapticArraysOfSession(const vtkHapticSession& session)
 {
   vtkHapticFieldArrays arrays;
-  arrays.Scalar = session.GetFieldArray();
-  arrays.Vector = session.GetFieldVectors();
-  arrays.Resistance = session.GetFieldResistance();
-  arrays.Other = session.GetFieldOther();
-  arrays.Component = session.GetFieldComponent();
-  arrays.Eigenvector = session.GetFieldEigenvector();
-  arrays.Smoothing = session.GetFieldSmoothing();
+  arrays.Scalar = session.GetSettingText("FieldArray");
+  arrays.Vector = session.GetSettingText("FieldVectors");
+  arrays.Resistance = session.GetSettingText("FieldResistance");
+  arrays.Other = session.GetSettingText("FieldOther");
+  arrays.Component = static_cast<int>(session.GetSetting("FieldComponent"));
+  arrays.Eigenvector = static_cast<int>(session.GetSetting("FieldEigenvector"));
+  arrays.Smoothing = static_cast<int>(session.GetSetting("FieldSmoothing"));
   return arrays;
 }

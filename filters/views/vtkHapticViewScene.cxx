@@ -11,8 +11,8 @@
 #include "vtkHapticRemoteField.h"
 #include "vtkHapticRemoteSurfaces.h"
 #include "vtkHapticServerSurfaces.h"
-#include "vtkHapticSession.h"
 #include "vtkHapticShapes.h"
+#include "vtkHapticSight.h"
 #include "vtkHapticViewScan.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMProxy.h"
@@ -23,6 +23,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkHapticViewScene);
 
@@ -68,10 +69,10 @@ public:
 
   bool TouchesLines() const
   {
-    return this->Session && (this->Session->GetLineRadius() > 0.0 || this->Session->GetRaisesLines());
+    return this->Session && (this->Session->GetSetting("LineRadius") > 0.0 || this->Session->GetRaisesLines());
   }
 
-  bool TouchesPoints() const { return this->Session && this->Session->GetPointRadius() > 0.0; }
+  bool TouchesPoints() const { return this->Session && this->Session->GetSetting("PointRadius") > 0.0; }
 
   /// At what is shown, curves as they were applied.
   vtkHapticViewScan Look() { return this->Look({ this->TouchesLines(), this->TouchesPoints() }); }
@@ -105,8 +106,8 @@ public:
   /// What the session makes of the surfaces' arrays is what it made of those of Scan.
   bool SameMaterials(const vtkHapticViewScan& now) const
   {
-    return !this->Session || (this->Session->GetMaterialTime() == this->MaterialTime &&
-                               (!this->Session->GetUsesMaterialArrays() || now.SameArraysAs(this->Scan)));
+    return !this->Session || (this->Session->GetSight()->GetMaterialTime() == this->MaterialTime &&
+                               (!this->Session->GetSight()->GetUsesMaterialArrays() || now.SameArraysAs(this->Scan)));
   }
 };
 
@@ -138,8 +139,8 @@ std::string vtkHapticViewScene::Internals::HandOverBeside()
     missing = data || name.empty() ? missing : name + ": no source with data is called so";
     return data;
   };
-  vtkDataObject* const compared = named(this->Session->GetCompareSource());
-  this->Session->SetFieldBeside(compared, named(this->Session->GetSnapSource()));
+  vtkDataObject* const compared = named(this->Session->GetSettingText("CompareSource"));
+  this->Session->GetSight()->SetFieldBeside(compared, named(this->Session->GetSettingText("SnapSource")));
   return missing;
 }
 
@@ -150,13 +151,13 @@ void vtkHapticViewScene::Internals::HandOverField(const std::vector<vtkHapticVie
   const vtkHapticViewScan::Source* const first = candidates.Sources.empty() ? nullptr : &candidates.Sources.front();
   const vtkHapticFieldKey key = first ? vtkHapticKeyOfField(*first, this->View) : vtkHapticFieldKey();
   const bool changed = this->FieldChanged && *this->FieldChanged;
-  if (key == this->FieldKey && !changed && this->FieldSettings == this->Session->GetMaterialTime())
+  if (key == this->FieldKey && !changed && this->FieldSettings == this->Session->GetSight()->GetMaterialTime())
   {
     return;
   }
   this->FieldKey = key;
   this->FieldChanged.reset();
-  this->FieldSettings = this->Session->GetMaterialTime();
+  this->FieldSettings = this->Session->GetSight()->GetMaterialTime();
   this->FieldName.clear();
   this->FieldRefusal = candidates.Refusal;
   for (const vtkHapticViewScan::Source& source : candidates.Sources)
@@ -183,7 +184,7 @@ bool vtkHapticViewScene::Internals::HandOverField(const vtkHapticViewScan::Sourc
   const vtkHapticRemoteFieldResult remote =
     vtkHapticRemoteField(source.Remote, source.Port, this->FieldKey.Time, vtkHapticArraysOfSession(*this->Session));
   this->FieldChanged = remote.Changed;
-  return this->Session->AddRemoteField(source.Name.c_str(), remote.Field);
+  return this->Session->GetSight()->AddRemoteField(source.Name.c_str(), remote.Field);
 }
 
 bool vtkHapticViewScene::Internals::IsPrepared(vtkHapticViewScan& scan)
@@ -195,7 +196,7 @@ bool vtkHapticViewScene::Internals::IsPrepared(vtkHapticViewScan& scan)
   bool ready = true;
   for (const vtkHapticViewScan::Surface& surface : scan.Surfaces)
   {
-    ready = this->Session->PrepareSurface(surface.Name.c_str(), surface.Data, surface.Matrix) && ready;
+    ready = this->Session->GetSight()->PrepareSurface(surface.Name.c_str(), surface.Data, surface.Matrix) && ready;
   }
   this->Preparing = ready ? std::nullopt : std::optional(SharedCopy(scan));
   return ready;
@@ -203,9 +204,9 @@ bool vtkHapticViewScene::Internals::IsPrepared(vtkHapticViewScan& scan)
 
 void vtkHapticViewScene::Internals::FollowCancel(const vtkHapticViewScan& now)
 {
-  if (this->Cancelled != this->Session->GetScenesCancelled())
+  const int cancelled = this->Session->GetSight()->GetScenesCancelled();
+  if (std::exchange(this->Cancelled, cancelled) != cancelled)
   {
-    this->Cancelled = this->Session->GetScenesCancelled();
     this->Preparing.reset();
     this->Left = now;
   }
@@ -285,7 +286,7 @@ void vtkHapticViewScene::SetSession(vtkHapticSession* session)
   if (session != this->Impl->Session)
   {
     this->Impl->Session = session;
-    this->Impl->Cancelled = session ? session->GetScenesCancelled() : 0;
+    this->Impl->Cancelled = session ? session->GetSight()->GetScenesCancelled() : 0;
     this->Impl->Drafts.ForgetAll();
     this->Impl->HandedOver = false;
     this->Impl->Handed.Forget();
@@ -321,7 +322,7 @@ std::string vtkHapticViewScene::GetArrayNames() const
 std::string vtkHapticViewScene::GetRefusal() const
 {
   const vtkHapticViewScan now = this->Impl->Look();
-  const bool holds = this->Impl->Session && *this->Impl->Session->GetMechanismSource() != '\0';
+  const bool holds = this->Impl->Session && *this->Impl->Session->GetSettingText("MechanismSource") != '\0';
   if (!now.Surfaces.empty() || now.Pending || holds || this->Impl->CouldFeelField(now))
   {
     return {};
@@ -336,10 +337,8 @@ std::string vtkHapticViewScene::GetFieldNames(int components) const
   for (const vtkHapticViewScan::Source& source :
     this->Impl->Session ? vtkHapticSourcesOfField(*this->Impl->Session, this->Impl->View, shown) : shown)
   {
-    for (const std::string& name : vtkHapticArraysOfSource(source, components))
-    {
-      names.insert(name);
-    }
+    const std::vector<std::string> found = vtkHapticArraysOfSource(source, components);
+    names.insert(found.begin(), found.end());
   }
   return Lines(names);
 }
@@ -351,7 +350,7 @@ const char* vtkHapticViewScene::GetReport() const
 
 void vtkHapticViewScene::TakeAgain()
 {
-  const int cancelled = this->Impl->Session ? this->Impl->Session->GetScenesCancelled() : 0;
+  const int cancelled = this->Impl->Session ? this->Impl->Session->GetSight()->GetScenesCancelled() : 0;
   this->Impl->HandedOver = this->Impl->HandedOver && !this->Impl->Left && this->Impl->Cancelled == cancelled;
   this->Impl->Cancelled = cancelled;
   this->Impl->Left.reset();
@@ -374,7 +373,7 @@ bool vtkHapticViewScene::Update()
   if (!differs && this->Impl->Preparing) // what was being read is hidden again
   {
     this->Impl->Preparing.reset();
-    this->Impl->Session->ForgetPrepared();
+    this->Impl->Session->GetSight()->ForgetPrepared();
   }
   if (handOver || !differs)
   {
@@ -385,7 +384,7 @@ bool vtkHapticViewScene::Update()
     this->Impl->Left.reset();
     this->HandOver();
     this->Impl->HandedOver = true;
-    this->Impl->MaterialTime = this->Impl->Session->GetMaterialTime();
+    this->Impl->MaterialTime = this->Impl->Session->GetSight()->GetMaterialTime();
   }
   if (this->Impl->Session)
   {
@@ -411,7 +410,7 @@ void vtkHapticViewScene::HandOver()
   session->ClearSurfaces();
   for (const vtkHapticViewScan::Surface& surface : this->Impl->Scan.Surfaces)
   {
-    session->ServerSurfaces().SetPartNumber(surface.Part);
+    session->GetSight()->ServerSurfaces().SetPartNumber(surface.Part);
     if (!session->AddSurface(surface.Name.c_str(), surface.Data, surface.Matrix))
     {
       this->Impl->Rejected[surface.Name] = session->GetProblem();

@@ -39,16 +39,18 @@ void vtkSMHapticSessionProxy::UpdateVTKObjects()
 void vtkSMHapticSessionProxy::ReadBack()
 {
   auto* session = vtkHapticSession::SafeDownCast(this->GetClientSideObject());
-  vtkSMPropertyHelper(this, "LinesAsWalls").Set(session->GetLinesAsWalls());
-  vtkSMPropertyHelper(this, "Radius").Set(session->GetRadius());
-  vtkSMPropertyHelper(this, "Scale").Set(session->GetScale());
-  vtkSMPropertyHelper(this, "Rotation").Set(session->GetRotation(), 4);
-  vtkSMPropertyHelper(this, "MarksText").Set(session->GetMarksText());
-  vtkSMPropertyHelper(this, "SourcesText").Set(session->GetSourcesText());
-  vtkSMPropertyHelper(this, "Offset").Set(session->GetOffset(), 3);
-  vtkSMPropertyHelper(this, "ReplayFile").Set(session->GetReplayFile());
-  vtkSMPropertyHelper(this, "Precision").Set(session->GetPrecision() ? 1 : 0);
-  vtkSMPropertyHelper(this, "Clutch").Set(session->GetClutch() ? 1 : 0);
-  vtkSMPropertyHelper(this, "Recording").Set(session->GetRecording() ? 1 : 0);
+  for (const char* name : { "LinesAsWalls", "Radius", "Scale", "Precision", "Clutch", "Recording" })
+  {
+    vtkSMPropertyHelper(this, name).Set(0, session->GetSetting(name));
+  }
+  for (const char* name : { "Rotation", "Offset" })
+  {
+    vtkSMPropertyHelper(this, name)
+      .Set(session->GetSettingNumbers(name), static_cast<unsigned int>(session->GetSettingSize(name)));
+  }
+  for (const char* name : { "MarksText", "SourcesText", "ReplayFile" })
+  {
+    vtkSMPropertyHelper(this, name).Set(session->GetSettingText(name));
+  }
   this->UpdateVTKObjects();
 }

@@ -7,10 +7,12 @@
 #include "haptics/geometry/scene/Scene.h"
 #include "haptics/labyrinth/Labyrinth.h"
 #include "haptics/labyrinth/MazeButtons.h"
-#include "haptics/session/HapticSession.h"
+#include "haptics/tick/HapticState.h"
 
 namespace palpate
 {
+
+class HapticSession;
 
 /// A labyrinth that can be played, and its walls.
 struct MazeOnOffer

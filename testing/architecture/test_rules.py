@@ -105,6 +105,22 @@ class Rules(unittest.TestCase):
         self.write("ui/pqHapticPanel.cxx", "\n" * (rules.MOST_LINES + 1))
         self.assertEqual(self.found(rules.long_files), ["ui/pqHapticPanel.cxx"])
 
+    def test_the_header_of_the_session_has_a_limit_of_its_own(self):
+        name = "filters/interaction/vtkHapticSession.h"
+        self.write(name, "\n" * rules.MOST_LINES_OF[name])
+        self.assertEqual(rules.long_files(self.root), [])
+        self.write(name, "\n" * (rules.MOST_LINES_OF[name] + 1))
+        self.assertEqual(self.found(rules.long_files), [name])
+
+    def test_a_header_is_heavy_with_one_header_more_behind_it_than_the_limit(self):
+        chain = [f"haptics/core/H{number}.h" for number in range(rules.MOST_PULLED + 2)]
+        for header, behind in zip(chain, chain[1:]):
+            self.write_including(header, f'"{behind}"')
+        self.write_including(chain[-1])
+        self.assertEqual(self.found(rules.heavy_headers), [chain[0]])
+        self.write_including(str(rules.LIST_OF_STAGES), f'"{chain[-1]}"')
+        self.assertEqual(rules.heavy_headers(self.root), [])
+
     def test_a_chain_of_includes_and_two_ways_to_one_header_are_no_circle(self):
         self.write_including("haptics/core/Types.h")
         self.write_including("haptics/force/Spring.h", '"haptics/core/Types.h"')

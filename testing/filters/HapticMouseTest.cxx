@@ -42,11 +42,11 @@ void HapticMouse::SetUp()
   this->interactor_->SetRenderWindow(this->window_);
   this->touch_->SetRenderer(this->renderer_);
   this->touch_->FollowMouse(this->interactor_);
-  this->session_->SetDeviceName("mouse");
-  this->session_->VirtualTimeOn();
-  this->session_->SetStiffness(stiffness);
-  this->session_->SetScale(scale);
-  this->session_->SetPassivity(false);
+  this->session_->SetSetting("DeviceName", "mouse");
+  this->session_->SetSetting("VirtualTime", true);
+  this->session_->SetSetting("Stiffness", stiffness);
+  this->session_->SetSetting("Scale", scale);
+  this->session_->SetSetting("Passivity", false);
 }
 
 void HapticMouse::show(vtkPolyData* surface)

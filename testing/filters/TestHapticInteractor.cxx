@@ -34,7 +34,7 @@ protected:
     this->renderer_->AddActor(this->actor_);
     this->touch_->SetRenderer(this->renderer_);
     this->touch_->AddActor(this->actor_);
-    this->session_->VirtualTimeOn();
+    this->session_->SetSetting("VirtualTime", true);
     this->session_->SetHandPosition(0.0, 0.0, 20.0);
     ASSERT_TRUE(this->touch_->Start()) << this->session_->GetProblem();
     this->session_->Step(ticksToEngage);

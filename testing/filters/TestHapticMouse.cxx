@@ -66,7 +66,7 @@ TEST_P(HapticMouseInBothViews, AToolThatIsHeldIsPressedAsDeepAsTheBallWouldBe)
   cube->SetYLength(10.0);
   cube->SetZLength(10.0);
   cube->Update();
-  this->session_->SetToolSource("Cube1");
+  this->session_->SetSetting("ToolSource", "Cube1");
   ASSERT_TRUE(this->session_->AddTool("Cube1", cube->GetOutput()));
   this->engage();
   this->press(170.0, 140.0);
@@ -95,7 +95,7 @@ TEST_P(HapticMouseInBothViews, PressingWithABallPushesWithStiffnessTimesDepth)
   constexpr double radius = 3.0;
   this->show(makePlane(100.0));
   this->lookDown();
-  this->session_->SetRadius(radius);
+  this->session_->SetSetting("Radius", radius);
   this->engage();
   this->press(230.0, 170.0);
   EXPECT_LT((this->proxy() - this->ray(230.0, 170.0).atHeight(radius)).norm(), 1e-9);
@@ -175,7 +175,7 @@ TEST_F(HapticMouse, DampingActsOnTheHandThatGlides)
   constexpr double damping = 2.0; // N s/m
   this->show(makePlane(100.0));
   this->look(Vec3(0, -100, 300), false);
-  this->session_->SetDamping(damping);
+  this->session_->SetSetting("Damping", damping);
   this->engage();
   this->press(200.0, 150.0);
   EXPECT_NEAR(this->force().z(), force_N, 1e-9);
@@ -307,18 +307,18 @@ TEST_P(HapticMouseInBothViews, PreciseAWayOfThePointerIsThatMuchShorterUntilTheH
   this->lookDown();
   this->engage();
   this->press(200.0, 150.0);
-  this->session_->SetPrecisionFactor(5.0);
-  this->session_->PrecisionOn();
+  this->session_->SetSetting("PrecisionFactor", 5.0);
+  this->session_->SetSetting("Precision", true);
   this->press(230.0, 165.0);
   EXPECT_LT((this->proxy() - this->ray(206.0, 153.0).atHeight(0.0)).norm(), 1e-9);
   EXPECT_LT((this->force() - force_N * Vec3::UnitZ()).norm(), 1e-9);
-  this->session_->PrecisionOff();
+  this->session_->SetSetting("Precision", false);
   this->press(240.0, 165.0);
   EXPECT_LT((this->proxy() - this->ray(216.0, 153.0).atHeight(0.0)).norm(), 1e-9);
   this->mouse_->SetPressing(false);
   this->rest(framesToArrive);
   EXPECT_LT(this->ray(240.0, 165.0).distanceTo(this->hand()), 1e-9);
-  this->session_->PrecisionOn();
+  this->session_->SetSetting("Precision", true);
   this->mouse_->SetPointer(180.0, 140.0);
   this->rest(framesToArrive);
   EXPECT_LT(this->ray(180.0, 140.0).distanceTo(this->hand()), 1e-9) << "it hovers";
@@ -331,7 +331,7 @@ TEST_P(HapticMouseInBothViews, WhileTheClutchIsHeldThePointerMovesAndTheHandDoes
   this->engage();
   this->press(200.0, 150.0);
   const Vec3 held_W = this->hand();
-  this->session_->ClutchOn();
+  this->session_->SetSetting("Clutch", true);
   for (int i = 1; i <= 30; ++i)
   {
     this->mouse_->SetPointer(200.0 + 2 * i, 150.0);
@@ -339,24 +339,25 @@ TEST_P(HapticMouseInBothViews, WhileTheClutchIsHeldThePointerMovesAndTheHandDoes
     ASSERT_EQ(this->hand(), held_W);
   }
   EXPECT_EQ(this->force().norm(), 0.0);
-  this->session_->ClutchOff();
+  this->session_->SetSetting("Clutch", false);
   this->rest(framesToEngage);
   EXPECT_LT((this->proxy() - this->ray(200.0, 150.0).atHeight(0.0)).norm(), 1e-9);
   EXPECT_LT((this->force() - force_N * Vec3::UnitZ()).norm(), 1e-9);
   this->press(270.0, 150.0);
   EXPECT_LT((this->proxy() - this->ray(210.0, 150.0).atHeight(0.0)).norm(), 1e-9);
-  const Vec3 offset_W(this->session_->GetOffset());
-  this->session_->ClutchOn();
+  const Vec3 offset_W(this->session_->GetSettingNumbers("Offset"));
+  this->session_->SetSetting("Clutch", true);
   this->rest(1);
   this->session_->TouchingOff();
-  EXPECT_EQ(Vec3(this->session_->GetOffset()), offset_W) << "of what a pointer did the map knows nothing";
+  EXPECT_EQ(Vec3(this->session_->GetSettingNumbers("Offset")), offset_W)
+    << "of what a pointer did the map knows nothing";
 }
 
 TEST_F(HapticMouse, AnotherDeviceIsNotLed)
 {
   this->show(makePlane(100.0));
   this->look(Vec3(0, -100, 300), false);
-  this->session_->SetDeviceName("fed");
+  this->session_->SetSetting("DeviceName", "fed");
   this->session_->SetHandPosition(1, 2, 30);
   ASSERT_TRUE(this->touch_->Start());
   this->press(200.0, 150.0);
@@ -369,7 +370,7 @@ TEST_F(HapticMouse, ADepthThatIsNoneIsRefused)
   for (const double depth :
     { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
-    EXPECT_EQ(errorsOf(this->session_, [&] { this->session_->SetPressDepth(depth); }).size(), 1U);
-    EXPECT_EQ(this->session_->GetPressDepth(), depth_m);
+    EXPECT_EQ(errorsOf(this->session_, [&] { this->session_->SetSetting("PressDepth", depth); }).size(), 1U);
+    EXPECT_EQ(this->session_->GetSetting("PressDepth"), depth_m);
   }
 }

@@ -59,7 +59,7 @@ TEST_F(HapticMouse, ShiftAndTheLeftButtonPressAndNobodyElseHearsOfIt)
   this->rest(framesToArrive);
   EXPECT_EQ(heard, 4);
   EXPECT_FALSE(this->mouse_->GetPressing());
-  EXPECT_NEAR(this->session_->GetPressDepth(), 1.25 * depth_m, 1e-15);
+  EXPECT_NEAR(this->session_->GetSetting("PressDepth"), 1.25 * depth_m, 1e-15);
 }
 
 TEST_F(HapticMouse, WhileAKeyPressesEveryDragIsTheCameras)

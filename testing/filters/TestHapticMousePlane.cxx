@@ -20,7 +20,7 @@ class HapticMousePlane : public HapticMouse
 protected:
   void begin(const Vec3& eye_W, bool parallel)
   {
-    this->session_->SetLinesAsWalls(vtkHapticSession::On);
+    this->session_->SetSetting("LinesAsWalls", vtkHapticSession::On);
     this->show(makePath({ { -40, 0, 0 }, { 40, 0, 0 } }));
     this->look(eye_W, parallel); // what is seen sets the clipping range, whose width costs a ray its digits
     this->pointAt({ 0, 10, 0 });
@@ -73,8 +73,8 @@ TEST_F(HapticMousePlane, PreciseTheHandGoesAFourthOfTheWayInThePlane)
 {
   this->begin(above_W, true); // without perspective equal ways on the screen are equal ways in the plane
   this->pointAt({ 5, 3, 0 });
-  this->session_->SetPrecisionFactor(4.0);
-  this->session_->PrecisionOn();
+  this->session_->SetSetting("PrecisionFactor", 4.0);
+  this->session_->SetSetting("Precision", true);
   this->pointAt({ 9, 7, 0 });
   EXPECT_LE((this->hand() - Vec3(6, 4, 0)).norm(), 1e-9);
 }
@@ -92,7 +92,7 @@ TEST_F(HapticMousePlane, APlaneThatIsSeenAsALineMovesNoHand)
 TEST_F(HapticMousePlane, ThereIsNothingToPressSoButtonsWheelAndPageKeysAreTheCameras)
 {
   this->begin(above_W, false);
-  const double depth_m = this->session_->GetPressDepth();
+  const double depth_m = this->session_->GetSetting("PressDepth");
   this->say(vtkCommand::LeftButtonPressEvent, width_px / 2, height_px / 2, true);
   EXPECT_FALSE(this->mouse_->GetPressing());
   this->say(vtkCommand::LeftButtonReleaseEvent, width_px / 2, height_px / 2, true);
@@ -102,7 +102,7 @@ TEST_F(HapticMousePlane, ThereIsNothingToPressSoButtonsWheelAndPageKeysAreTheCam
     this->say(vtkCommand::KeyPressEvent, width_px / 2, height_px / 2, false, key);
     EXPECT_FALSE(this->mouse_->GetPressing()) << key;
   }
-  EXPECT_EQ(this->session_->GetPressDepth(), depth_m);
+  EXPECT_EQ(this->session_->GetSetting("PressDepth"), depth_m);
 }
 
 TEST_F(HapticMousePlane, TheArrowKeysAloneLeadTheHandAlongTheWallAndBehindIt)

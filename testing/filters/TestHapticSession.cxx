@@ -166,7 +166,7 @@ TEST_F(HapticSession, ASimulatedHandStrokesAPlaneAlongItsStroke)
   stroke->SetDepth(depth);
   stroke->SetWindow(0.0);
   stroke->Update();
-  this->session_->SetDeviceName("simulated-generic");
+  this->session_->SetSetting("DeviceName", "simulated-generic");
   this->session_->SetStrokePath(stroke->GetOutput());
   ASSERT_EQ(this->session_->GetNumberOfStrokePoints(), stroke->GetOutput()->GetNumberOfPoints());
   this->session_->TouchingOn();
@@ -202,7 +202,7 @@ TEST_F(HapticSession, ARecordingReplaysBitForBit)
 {
   const palpate::test::TemporaryFolder folder;
   const std::string file = folder.file("session.palpate");
-  this->session_->SetRecordFile(file.c_str());
+  this->session_->SetSetting("RecordFile", file.c_str());
   this->engage();
   this->session_->SetHandPosition(1.0, 2.0, -2.0);
   this->session_->Step(200);
@@ -216,20 +216,20 @@ TEST_F(HapticSession, ARecordingThatBeginsBeforeThereIsAHandReplaysAndItsHandBeg
   const palpate::test::TemporaryFolder folder;
   const std::string file = folder.file("session.palpate");
   vtkNew<vtkHapticSession> fresh;
-  fresh->VirtualTimeOn();
+  fresh->SetSetting("VirtualTime", true);
   ASSERT_TRUE(fresh->AddSurface("surface", makePlane(100.0), nullptr));
   fresh->CommitScene();
   ASSERT_TRUE(fresh->FinishScene());
-  fresh->SetRecordFile(file.c_str());
+  fresh->SetSetting("RecordFile", file.c_str());
   fresh->TouchingOn();
   fresh->Step(10);
   fresh->SetHandPosition(0.0, 0.0, 7.0);
   fresh->Step(10);
   fresh->TouchingOff();
   expectReplays(file, 20);
-  this->session_->SetScale(fresh->GetScale());
-  this->session_->SetDeviceName("replay");
-  this->session_->SetReplayFile(file.c_str());
+  this->session_->SetSetting("Scale", fresh->GetSetting("Scale"));
+  this->session_->SetSetting("DeviceName", "replay");
+  this->session_->SetSetting("ReplayFile", file.c_str());
   this->startTouching();
   this->session_->Step(1);
   EXPECT_LT((Vec3(this->session_->GetHandPosition()) - Vec3(0.0, 0.0, 7.0)).norm(), 1e-12);
@@ -240,8 +240,8 @@ TEST_F(HapticSession, TheWorkspaceCanBeFittedToTheScene)
   this->session_->FitWorkspace();
   // the bounds of the plane are 200 u across: half their diagonal fills the workspace, whose radius is in metres
   const double half = 0.5 * std::hypot(200.0, 200.0);
-  EXPECT_EQ(Vec3(this->session_->GetOffset()), Vec3::Zero());
-  const double radius_m = half / this->session_->GetScale();
+  EXPECT_EQ(Vec3(this->session_->GetSettingNumbers("Offset")), Vec3::Zero());
+  const double radius_m = half / this->session_->GetSetting("Scale");
   EXPECT_GT(radius_m, 0.01);
   EXPECT_LT(radius_m, 1.0);
 }
@@ -251,16 +251,19 @@ TEST_F(HapticSession, NumbersThatCannotBeAreRefusedAndTheOldOnesStay)
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : { -1.0, std::nan(""), infinity })
   {
-    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetStiffness(bad); }).at(0), HasSubstr("stiffness"));
-    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetRadius(bad); }).at(0), HasSubstr("radius"));
-    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetScale(bad); }).at(0), HasSubstr("scale"));
-    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetStrokeSpeed(bad); }).at(0), HasSubstr("Speed"));
+    EXPECT_THAT(
+      errorsOf(this->session_, [&] { this->session_->SetSetting("Stiffness", bad); }).at(0), HasSubstr("stiffness"));
+    EXPECT_THAT(
+      errorsOf(this->session_, [&] { this->session_->SetSetting("Radius", bad); }).at(0), HasSubstr("radius"));
+    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetSetting("Scale", bad); }).at(0), HasSubstr("scale"));
+    EXPECT_THAT(
+      errorsOf(this->session_, [&] { this->session_->SetSetting("StrokeSpeed", bad); }).at(0), HasSubstr("Speed"));
   }
-  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetRotation(1.0, 1.0, 0.0, 0.0); }).at(0),
+  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetSetting("Rotation", 1.0, 1.0, 0.0, 0.0); }).at(0),
     HasSubstr("unit quaternion"));
-  EXPECT_EQ(this->session_->GetStiffness(), stiffness);
-  EXPECT_EQ(this->session_->GetRadius(), 0.0);
-  EXPECT_EQ(this->session_->GetScale(), scale);
+  EXPECT_EQ(this->session_->GetSetting("Stiffness"), stiffness);
+  EXPECT_EQ(this->session_->GetSetting("Radius"), 0.0);
+  EXPECT_EQ(this->session_->GetSetting("Scale"), scale);
 }
 
 TEST_F(HapticSession, ARefusalIsTakenBackWhenTheSameSucceeds)
@@ -270,16 +273,16 @@ TEST_F(HapticSession, ARefusalIsTakenBackWhenTheSameSucceeds)
     EXPECT_EQ(errorsOf(this->session_, change).size(), 1u);
     EXPECT_THAT(this->session_->GetProblem(), HasSubstr(reason));
   };
-  refused([this] { this->session_->SetLineRadius(std::nan("")); }, "radius of lines");
-  this->session_->SetLineRadius(0.0);
+  refused([this] { this->session_->SetSetting("LineRadius", std::nan("")); }, "radius of lines");
+  this->session_->SetSetting("LineRadius", 0.0);
   EXPECT_STREQ(this->session_->GetProblem(), "");
-  refused([this] { this->session_->SetStiffness(-1.0); }, "stiffness");
-  this->session_->SetLineRadius(0.5); // something else
+  refused([this] { this->session_->SetSetting("Stiffness", -1.0); }, "stiffness");
+  this->session_->SetSetting("LineRadius", 0.5); // something else
   EXPECT_THAT(this->session_->GetProblem(), HasSubstr("stiffness"));
-  this->session_->SetStiffness(stiffness);
+  this->session_->SetSetting("Stiffness", stiffness);
   EXPECT_STREQ(this->session_->GetProblem(), "");
-  refused([this] { this->session_->SetStiffnessFeltRange(-1.0, 1.0); }, "stiffness");
-  this->session_->SetStiffnessFeltRange(0.0, 1.0);
+  refused([this] { this->session_->SetSetting("StiffnessFeltRange", -1.0, 1.0); }, "stiffness");
+  this->session_->SetSetting("StiffnessFeltRange", 0.0, 1.0);
   EXPECT_STREQ(this->session_->GetProblem(), "");
 }
 
@@ -304,17 +307,17 @@ TEST_F(HapticSession, ASurfaceThatIsThereAgainOrNoLongerShownIsNotSaidToBeRefuse
 
 TEST_F(HapticSession, AnUnknownDeviceIsRefusedByNameAndTheOldOneStays)
 {
-  const auto errors = errorsOf(this->session_, [&] { this->session_->SetDeviceName("touchstone"); });
+  const auto errors = errorsOf(this->session_, [&] { this->session_->SetSetting("DeviceName", "touchstone"); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("touchstone"));
   EXPECT_THAT(errors[0], HasSubstr("fed"));
-  EXPECT_STREQ(this->session_->GetDeviceName(), "fed");
+  EXPECT_STREQ(this->session_->GetSettingText("DeviceName"), "fed");
   EXPECT_THAT(this->session_->GetProblem(), HasSubstr("touchstone"));
 }
 
 TEST_F(HapticSession, ASimulatedHandWithoutAStrokeDoesNotStart)
 {
-  this->session_->SetDeviceName("simulated-ideal");
+  this->session_->SetSetting("DeviceName", "simulated-ideal");
   const auto errors = errorsOf(this->session_, [&] { this->session_->TouchingOn(); });
   EXPECT_EQ(errors.size(), 1u);
   EXPECT_FALSE(this->session_->GetTouching());
@@ -322,8 +325,8 @@ TEST_F(HapticSession, ASimulatedHandWithoutAStrokeDoesNotStart)
 
 TEST_F(HapticSession, ARecordingThatCannotBeReadDoesNotStart)
 {
-  this->session_->SetDeviceName("replay");
-  this->session_->SetReplayFile("nowhere.palpate");
+  this->session_->SetSetting("DeviceName", "replay");
+  this->session_->SetSetting("ReplayFile", "nowhere.palpate");
   const auto errors = errorsOf(this->session_, [&] { this->session_->TouchingOn(); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("nowhere.palpate"));
@@ -332,7 +335,7 @@ TEST_F(HapticSession, ARecordingThatCannotBeReadDoesNotStart)
 
 TEST_F(HapticSession, ARecordFileThatCannotBeWrittenDoesNotStart)
 {
-  this->session_->SetRecordFile("no/such/folder/x.palpate");
+  this->session_->SetSetting("RecordFile", "no/such/folder/x.palpate");
   const auto errors = errorsOf(this->session_, [&] { this->session_->TouchingOn(); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("no/such/folder/x.palpate"));
@@ -364,17 +367,17 @@ TEST_F(HapticSession, LinesAreTouchedOnceTheyHaveARadiusAndTheReportSaysSo)
   double flat[6], thick[6];
   ASSERT_TRUE(this->session_->GetSceneBounds(flat));
   constexpr double radius = 2.5;
-  this->session_->SetLineRadius(radius);
+  this->session_->SetSetting("LineRadius", radius);
   this->show(both);
   EXPECT_THAT(this->session_->GetSceneReport(),
     HasSubstr("surface (lines): kept 1 of 1 segments; every kept segment is touched as a tube of 2.5 u, by a point as "
               "by a ball of 0.0025 u"));
   ASSERT_TRUE(this->session_->GetSceneBounds(thick));
   EXPECT_NEAR(thick[5] - flat[5], radius, 1e-6);
-  const auto errors = errorsOf(this->session_, [&] { this->session_->SetLineRadius(std::nan("")); });
+  const auto errors = errorsOf(this->session_, [&] { this->session_->SetSetting("LineRadius", std::nan("")); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("radius of lines"));
-  EXPECT_EQ(this->session_->GetLineRadius(), radius);
+  EXPECT_EQ(this->session_->GetSetting("LineRadius"), radius);
 }
 
 TEST_F(HapticSession, ReportsWhatWasDropped)
@@ -388,7 +391,7 @@ TEST_F(HapticSession, ReportsWhatWasDropped)
 
 TEST_F(HapticSession, RunsInRealTimeAndStopsWithoutForce)
 {
-  this->session_->VirtualTimeOff();
+  this->session_->SetSetting("VirtualTime", false);
   this->session_->TouchingOn();
   ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
   this->session_->TouchingOff();

@@ -12,6 +12,9 @@
 #include "VtkScenes.h"
 #include "testing/devices/hid/FakeHidBus.h"
 #include "testing/support/Eventually.h"
+#include "vtkHapticDeviceCheck.h"
+#include "vtkHapticKnownDevices.h"
+#include "vtkHapticLabyrinthGame.h"
 #include "vtkPolyData.h"
 
 using namespace palpate;
@@ -25,11 +28,11 @@ namespace
 {
 constexpr const char* pluggedName = "pid-1209-ffb0-7";
 
-int indexOf(const vtkHapticSession* session, const std::string& name)
+int indexOf(vtkHapticSession* session, const std::string& name)
 {
-  for (int i = 0; i < session->GetNumberOfKnownDevices(); ++i)
+  for (int i = 0; i < session->GetDevices()->GetNumberOfDevices(); ++i)
   {
-    if (session->GetKnownDeviceName(i) == name)
+    if (session->GetDevices()->GetName(i) == name)
     {
       return i;
     }
@@ -40,10 +43,10 @@ int indexOf(const vtkHapticSession* session, const std::string& name)
 /// A joystick that holds the wall y = 0, its hand led 3 mm below it.
 void feelWall(vtkHapticSession* session)
 {
-  session->VirtualTimeOn();
-  session->SetStiffness(200.0);
-  session->SetDeviceName("simulated-joystick");
-  session->SetHand("firm");
+  session->SetSetting("VirtualTime", true);
+  session->SetSetting("Stiffness", 200.0);
+  session->SetSetting("DeviceName", "simulated-joystick");
+  session->SetSetting("Hand", "firm");
   session->AddStrokePoint(0, 5, 0);
   session->AddStrokePoint(10, -3, 0);
   ASSERT_TRUE(session->AddSurface("line", makePath({ { -40, 0, 0 }, { 40, 0, 0 } }), nullptr));
@@ -60,23 +63,25 @@ TEST(HapticSessionDevice, WhatTheChosenDeviceIsAndCannotDoIsSaidBeforeItIsTouche
   vtkNew<vtkHapticSession> session;
   EXPECT_THAT(session->GetDeviceKind(), StrEq("motion, no force"));
   EXPECT_THAT(session->GetDeviceNotes(), HasSubstr("gives no force"));
-  session->SetDeviceName("simulated-joystick");
+  session->SetSetting("DeviceName", "simulated-joystick");
   EXPECT_THAT(session->GetDeviceKind(), StrEq("2 axes of force"));
   EXPECT_THAT(session->GetDeviceNotes(), HasSubstr("what pushes along z is not felt"));
-  session->SetDeviceName("simulated-ideal");
+  session->SetSetting("DeviceName", "simulated-ideal");
   EXPECT_THAT(session->GetDeviceNotes(), StrEq(""));
 }
 
 TEST(HapticSessionDevice, ADeviceWithoutALinkHasNothingToSayAboutOne)
 {
   vtkNew<vtkHapticSession> session;
-  session->VirtualTimeOn();
+  session->SetSetting("VirtualTime", true);
   session->TouchingOn();
   session->Step(100);
   EXPECT_THAT(session->GetLinkText(), StrEq(""));
-  EXPECT_EQ(session->GetLinkRate(), 0.0);
-  EXPECT_EQ(session->GetLinkStalls() + session->GetLinkLosses() + session->GetLinkStrange(), 0);
-  EXPECT_EQ(session->GetLinkRestarts(), 0);
+  EXPECT_EQ(session->GetDevices()->GetLinkRate(), 0.0);
+  EXPECT_EQ(session->GetDevices()->GetLinkStalls() + session->GetDevices()->GetLinkLosses() +
+              session->GetDevices()->GetLinkStrange(),
+    0);
+  EXPECT_EQ(session->GetDevices()->GetLinkRestarts(), 0);
 }
 
 // What is touched and how depends on who touches it: another choice waits until touching starts again.
@@ -85,15 +90,15 @@ TEST(HapticSessionDevice, ADeviceThatIsChosenMeanwhileChangesNothingOfTheOneThat
   vtkNew<vtkHapticSession> asBefore, chosenAnew;
   feelWall(asBefore);
   feelWall(chosenAnew);
-  chosenAnew->SetDeviceName("simulated-premium");
+  chosenAnew->SetSetting("DeviceName", "simulated-premium");
   EXPECT_TRUE(chosenAnew->GetRaisesLines());
-  chosenAnew->SetDeviceName("mouse");
+  chosenAnew->SetSetting("DeviceName", "mouse");
   EXPECT_TRUE(chosenAnew->GetDeviceGivesForce());
-  chosenAnew->SetDeviceName("simulated-premium");
+  chosenAnew->SetSetting("DeviceName", "simulated-premium");
   EXPECT_THAT(chosenAnew->GetPlanSentence(), StrEq(asBefore->GetPlanSentence()));
   chosenAnew->FitWorkspace();
   asBefore->FitWorkspace();
-  EXPECT_EQ(chosenAnew->GetScale(), asBefore->GetScale());
+  EXPECT_EQ(chosenAnew->GetSetting("Scale"), asBefore->GetSetting("Scale"));
   int mostHeld = 0;
   for (int i = 0; i < 100; ++i)
   {
@@ -116,15 +121,15 @@ TEST(HapticSessionDevice, ADeviceThatIsChosenMeanwhileChangesNothingOfTheOneThat
 TEST(HapticSessionDevice, AMouseThatIsChosenMeanwhileLeadsNoOtherHand)
 {
   vtkNew<vtkHapticSession> session;
-  session->VirtualTimeOn();
+  session->SetSetting("VirtualTime", true);
   session->TouchingOn();
-  session->SetDeviceName("mouse");
+  session->SetSetting("DeviceName", "mouse");
   EXPECT_FALSE(session->GetFollowsMouse());
-  EXPECT_THAT(session->GetDeviceName(), StrEq("mouse"));
+  EXPECT_THAT(session->GetSettingText("DeviceName"), StrEq("mouse"));
   session->TouchingOff();
   EXPECT_TRUE(session->GetFollowsMouse());
   session->TouchingOn();
-  session->SetDeviceName("fed");
+  session->SetSetting("DeviceName", "fed");
   EXPECT_TRUE(session->GetFollowsMouse());
 }
 
@@ -132,18 +137,18 @@ TEST(HapticSessionDevice, OneThatIsPluggedInLaterIsFoundWhenDevicesAreLookedForA
 {
   const auto bus = std::make_shared<test::FakeHidBus>();
   vtkNew<vtkHapticSession> session;
-  session->SetHidBus(bus);
+  session->GetDevices()->SetHidBus(bus);
   EXPECT_EQ(indexOf(session, pluggedName), -1);
   test::FakePort& port = bus->plug(test::plainLayout(), "7");
   port.openProblem = "no permission";
-  session->LookForDevices();
+  session->GetDevices()->Look();
   const int index = indexOf(session, pluggedName);
   ASSERT_GE(index, 0);
-  EXPECT_THAT(session->GetKnownDeviceProblem(index), StrEq("no permission"));
-  session->SetDeviceName(pluggedName);
+  EXPECT_THAT(session->GetDevices()->GetProblem(index), StrEq("no permission"));
+  session->SetSetting("DeviceName", pluggedName);
   EXPECT_THAT(session->GetDeviceNotes(), HasSubstr("Cannot be used now: no permission"));
   port.openProblem.clear();
-  session->LookForDevices();
+  session->GetDevices()->Look();
   EXPECT_THAT(session->GetDeviceNotes(), Not(HasSubstr("Cannot be used now")));
 }
 
@@ -152,15 +157,15 @@ TEST(HapticSessionDevice, AChosenOneThatIsUnpluggedIsStillKnownForWhatItWas)
   const auto bus = std::make_shared<test::FakeHidBus>();
   test::FakePort& port = bus->plug(test::plainLayout(), "7");
   vtkNew<vtkHapticSession> session;
-  session->SetHidBus(bus);
-  session->SetDeviceName(pluggedName);
+  session->GetDevices()->SetHidBus(bus);
+  session->SetSetting("DeviceName", pluggedName);
   const std::string kind = session->GetDeviceKind();
   EXPECT_THAT(kind, StrEq("2 axes of force"));
   port.present = false;
   for (const char* folder : { "one", "another", "" }) // whatever is known is looked up anew
   {
-    session->SetCalibrationFolder(folder);
-    EXPECT_THAT(session->GetDeviceName(), StrEq(pluggedName));
+    session->GetDeviceCheck()->SetCalibrationFolder(folder);
+    EXPECT_THAT(session->GetSettingText("DeviceName"), StrEq(pluggedName));
     EXPECT_THAT(session->GetDeviceKind(), StrEq(kind));
     EXPECT_TRUE(session->GetDeviceGivesForce());
   }
@@ -173,9 +178,9 @@ TEST(HapticSessionDevice, WhyADeviceIsLostIsSaid)
   const auto bus = std::make_shared<test::FakeHidBus>(false);
   test::FakePort& port = bus->plug(test::plainLayout(), "7");
   vtkNew<vtkHapticSession> session;
-  session->SetHidBus(bus);
-  session->VirtualTimeOn();
-  session->SetDeviceName(pluggedName);
+  session->GetDevices()->SetHidBus(bus);
+  session->SetSetting("VirtualTime", true);
+  session->SetSetting("DeviceName", pluggedName);
   session->TouchingOn();
   ASSERT_TRUE(session->GetTouching()) << session->GetProblem();
   EXPECT_THAT(session->GetLinkText(), HasSubstr(" 0 out of range"));
@@ -205,10 +210,10 @@ TEST(HapticSessionDevice, WhyADeviceIsLostIsSaid)
 TEST(HapticSessionDevice, AMaskOfButtonsThatIsNoneIsRefusedAndSaid)
 {
   vtkNew<vtkHapticSession> session;
-  session->SetDeadManButtons(1 << 3);
-  EXPECT_THAT(errorsOf(session, [&] { session->SetDeadManButtons(-1); }), ::testing::SizeIs(1));
+  session->SetSetting("DeadManButtons", 1 << 3);
+  EXPECT_THAT(errorsOf(session, [&] { session->SetSetting("DeadManButtons", -1); }), ::testing::SizeIs(1));
   EXPECT_THAT(session->GetProblem(), HasSubstr("bit i stands for button i + 1"));
-  EXPECT_EQ(session->GetDeadManButtons(), 1 << 3);
+  EXPECT_EQ(session->GetSetting("DeadManButtons"), 1 << 3);
 }
 
 TEST(HapticSessionDevice, AGripThatADeviceDoesNotHaveIsSaidWhereItIsAskedFor)
@@ -219,20 +224,20 @@ TEST(HapticSessionDevice, AGripThatADeviceDoesNotHaveIsSaidWhereItIsAskedFor)
   gripless.stateId = 0;
   bus->plug(gripless, "8");
   vtkNew<vtkHapticSession> session;
-  session->SetHidBus(bus);
-  session->SetDeviceName("pid-1209-ffb0-8");
+  session->GetDevices()->SetHidBus(bus);
+  session->SetSetting("DeviceName", "pid-1209-ffb0-8");
   EXPECT_THAT(session->GetDeviceNotes(), Not(HasSubstr("grip")));
-  session->DeadManGripOn();
+  session->SetSetting("DeadManGrip", true);
   EXPECT_THAT(session->GetDeviceNotes(), HasSubstr("no grip sensor"));
-  session->SetDeviceName(pluggedName);
+  session->SetSetting("DeviceName", pluggedName);
   EXPECT_THAT(session->GetDeviceNotes(), Not(HasSubstr("grip")));
 }
 
 TEST(HapticSessionDevice, WhoDoesNotHoldTheDeadManIsToldWhileTouching)
 {
   vtkNew<vtkHapticSession> session;
-  session->VirtualTimeOn();
-  session->SetDeadManButtons(1);
+  session->SetSetting("VirtualTime", true);
+  session->SetSetting("DeadManButtons", 1);
   session->TouchingOn();
   session->Step(10);
   session->Update();
@@ -249,14 +254,14 @@ TEST(HapticSessionDevice, ItsButtonsChooseALabyrinthOnceUnlessTheyHoldTheHandEng
     const auto bus = std::make_shared<test::FakeHidBus>();
     test::FakePort& port = bus->plug(test::plainLayout(), "7");
     vtkNew<vtkHapticSession> session;
-    session->SetHidBus(bus);
-    session->VirtualTimeOn();
-    session->SetDeviceName(pluggedName);
-    session->SetDeadManButtons(deadMan);
+    session->GetDevices()->SetHidBus(bus);
+    session->SetSetting("VirtualTime", true);
+    session->SetSetting("DeviceName", pluggedName);
+    session->SetSetting("DeadManButtons", deadMan);
     session->TouchingOn();
     EXPECT_TRUE(session->GetTouching()) << session->GetProblem();
     session->Step(10);
-    EXPECT_EQ(session->TakeLabyrinthWish(), 0);
+    EXPECT_EQ(session->GetLabyrinth()->TakeWish(), 0);
     std::vector<int> seen;
     for (const std::uint32_t buttons : pressed)
     {
@@ -266,12 +271,12 @@ TEST(HapticSessionDevice, ItsButtonsChooseALabyrinthOnceUnlessTheyHoldTheHandEng
         [&]
         {
           session->Step(1);
-          wish = session->TakeLabyrinthWish();
+          wish = session->GetLabyrinth()->TakeWish();
           return wish != 0;
         }));
       seen.push_back(wish);
       session->Step(10);
-      EXPECT_EQ(session->TakeLabyrinthWish(), 0) << "held down, it asks once";
+      EXPECT_EQ(session->GetLabyrinth()->TakeWish(), 0) << "held down, it asks once";
     }
     return seen;
   };

@@ -10,6 +10,7 @@
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkFloatArray.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -48,9 +49,9 @@ class HapticSessionField : public ::testing::Test
 protected:
   void start(const Vec3& hand)
   {
-    this->session_->VirtualTimeOn();
-    this->session_->SetStiffness(stiffness);
-    this->session_->SetScale(scale);
+    this->session_->SetSetting("VirtualTime", true);
+    this->session_->SetSetting("Stiffness", stiffness);
+    this->session_->SetSetting("Scale", scale);
     this->at(hand);
     this->session_->TouchingOn();
     ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
@@ -77,9 +78,9 @@ protected:
 TEST_F(HapticSessionField, AloneIsFeltAsTheSurfaceOfItsIsovalueFromBothSides)
 {
   constexpr double h = 1.0, R = 20.0;
-  this->session_->SetFieldArray("distance");
-  this->session_->SetFieldIsosurface(true);
-  this->session_->SetFieldIsovalue(R);
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldIsosurface", true);
+  this->session_->SetSetting("FieldIsovalue", R);
   ASSERT_TRUE(this->session_->AddField("ball", distances(60, h))) << this->session_->GetProblem();
   ASSERT_TRUE(this->session_->FinishField());
   const Vec3 n = Vec3(1.0, 2.0, -0.5).normalized();
@@ -99,8 +100,8 @@ TEST_F(HapticSessionField, AloneIsFeltAsTheSurfaceOfItsIsovalueFromBothSides)
 
 TEST_F(HapticSessionField, AloneIsWhatTheHandIsFittedTo)
 {
-  this->session_->SetFieldArray("distance");
-  this->session_->FitOnTouchOn();
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FitOnTouch", true);
   ASSERT_TRUE(this->session_->AddField("ball", distances(41, 1.0))); // 40 u a side
   ASSERT_TRUE(this->session_->FinishField());
   double b[6];
@@ -108,12 +109,12 @@ TEST_F(HapticSessionField, AloneIsWhatTheHandIsFittedTo)
   EXPECT_EQ(std::vector<double>(b, b + 6), (std::vector<double>{ -20, 20, -20, 20, -20, 20 }));
   this->session_->FitWorkspace();
   EXPECT_STREQ(this->session_->GetProblem(), "");
-  const double fitted = this->session_->GetScale();
+  const double fitted = this->session_->GetSetting("Scale");
   // Half of the diagonal is the workspace's radius: a box of twice the size has twice the scale.
   ASSERT_TRUE(this->session_->AddField("larger", distances(41, 2.0)));
-  this->session_->VirtualTimeOn();
+  this->session_->SetSetting("VirtualTime", true);
   this->session_->TouchingOn();
-  EXPECT_NEAR(this->session_->GetScale(), 2.0 * fitted, 1e-9 * fitted);
+  EXPECT_NEAR(this->session_->GetSetting("Scale"), 2.0 * fitted, 1e-9 * fitted);
 }
 
 /// (-y, x, 0) on the points of an image.
@@ -134,16 +135,16 @@ TEST_F(HapticSessionField, IsDrawnWhereTheProxyIsAsAPatchOfItsSurfaceAndAsItsStr
 {
   const auto image = distances(60, 1.0);
   addVortex(*image);
-  this->session_->SetFieldArray("distance");
-  this->session_->SetFieldVectors("velocity");
-  this->session_->SetFieldFollow(1.0);
-  this->session_->SetFieldIsosurface(true);
-  this->session_->SetFieldIsovalue(20.0);
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldVectors", "velocity");
+  this->session_->SetSetting("FieldFollow", 1.0);
+  this->session_->SetSetting("FieldIsosurface", true);
+  this->session_->SetSetting("FieldIsovalue", 20.0);
   ASSERT_TRUE(this->session_->AddField("ball", image));
   ASSERT_TRUE(this->session_->FinishField());
   this->start({ 21.0, 0.0, 3.0 });
   vtkNew<vtkPolyData> shape;
-  this->session_->GetFieldShape(shape);
+  this->session_->GetSight()->GetFieldShape(shape);
   ASSERT_GT(shape->GetNumberOfPolys(), 50);
   ASSERT_EQ(shape->GetNumberOfLines(), 1);
   vtkNew<vtkIdList> line;
@@ -167,14 +168,14 @@ TEST_F(HapticSessionField, IsDrawnWhereTheProxyIsAsAPatchOfItsSurfaceAndAsItsStr
 
 TEST_F(HapticSessionField, OfADetentItsLevelIsDrawnAndOfASnapItsPlaceAndTheWayThere)
 {
-  this->session_->SetFieldArray("distance");
-  this->session_->SetFieldDetent(0.1);
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldDetent", 0.1);
   ASSERT_TRUE(this->session_->AddField("ball", distances(60, 1.0)));
   ASSERT_TRUE(this->session_->FinishField());
   this->start({ 12.0, 9.0, 3.0 });
   const Vec3 x(this->session_->GetProxyPosition());
   vtkNew<vtkPolyData> shape;
-  this->session_->GetFieldShape(shape);
+  this->session_->GetSight()->GetFieldShape(shape);
   ASSERT_EQ(shape->GetNumberOfLines(), 1);
   ASSERT_EQ(shape->GetNumberOfPoints(), 5) << "a square, closed";
   for (vtkIdType i = 0; i < 5; ++i)
@@ -188,12 +189,12 @@ TEST_F(HapticSessionField, OfADetentItsLevelIsDrawnAndOfASnapItsPlaceAndTheWayTh
   points->InsertNextPoint(12.0, 9.0, 5.0);
   points->InsertNextPoint(0.0, 0.0, 0.0);
   places->SetPoints(points);
-  this->session_->SetFieldDetent(0.0);
-  this->session_->SetFieldSnap(0.1);
-  this->session_->SetFieldBeside(nullptr, places);
+  this->session_->SetSetting("FieldDetent", 0.0);
+  this->session_->SetSetting("FieldSnap", 0.1);
+  this->session_->GetSight()->SetFieldBeside(nullptr, places);
   ASSERT_TRUE(this->session_->FinishField());
   this->go({ 12.0, 9.0, 3.0 }, { 12.0, 9.0, 4.0 });
-  this->session_->GetFieldShape(shape);
+  this->session_->GetSight()->GetFieldShape(shape);
   ASSERT_EQ(shape->GetNumberOfLines(), 4) << "the way and a cross";
   EXPECT_LT((Vec3(shape->GetPoint(0)) - Vec3(12.0, 9.0, 4.0)).norm(), 1e-6);
   EXPECT_EQ(Vec3(shape->GetPoint(1)), Vec3(12.0, 9.0, 5.0)) << "the nearer of the two";
@@ -205,9 +206,9 @@ TEST_F(HapticSessionField, OfTetrahedraIsFeltAsOnTheImageThatTheyWereCutFrom)
   vtkNew<vtkDataSetTriangleFilter> cut;
   cut->SetInputData(distances(22, h));
   cut->Update();
-  this->session_->SetFieldArray("distance");
-  this->session_->SetFieldIsosurface(true);
-  this->session_->SetFieldIsovalue(R);
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldIsosurface", true);
+  this->session_->SetSetting("FieldIsovalue", R);
   ASSERT_TRUE(this->session_->AddField("tetrahedra", cut->GetOutput())) << this->session_->GetProblem();
   ASSERT_TRUE(this->session_->FinishField());
   const Vec3 n = Vec3(1.0, 1.0, 0.3).normalized();
@@ -243,13 +244,13 @@ TEST_F(HapticSessionField, OfAChannelsGradedCellsHoldsAHandAtThirtyCentimetresAS
   channel->SetDimensions(along, layers, across);
   channel->SetPoints(points);
   channel->GetPointData()->AddArray(values);
-  this->session_->SetFieldArray("u");
-  this->session_->SetFieldIsosurface(true);
-  this->session_->SetFieldIsovalue(0.9);
+  this->session_->SetSetting("FieldArray", "u");
+  this->session_->SetSetting("FieldIsosurface", true);
+  this->session_->SetSetting("FieldIsovalue", 0.9);
   ASSERT_TRUE(this->session_->AddField("channel", channel)) << this->session_->GetProblem();
   ASSERT_TRUE(this->session_->FinishField());
   this->start({ 1.1, 0.2, 1.4 });
-  this->session_->SetScale(zoom);
+  this->session_->SetSetting("Scale", zoom);
   this->session_->Step(10);
   const double surface = -layer_u * std::log(1.0 - 0.9);
   const double cell = 0.2 * surface; // of such a mesh
@@ -284,9 +285,9 @@ TEST_F(HapticSessionField, LargerThanABrickComesAlongWithTheHand)
   {
     values->SetValue(i, static_cast<float>(image->GetPoint(i)[0]));
   }
-  this->session_->SetFieldArray("distance");
-  this->session_->SetFieldIsosurface(true);
-  this->session_->SetFieldIsovalue(90.25);
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldIsosurface", true);
+  this->session_->SetSetting("FieldIsovalue", 90.25);
   ASSERT_TRUE(this->session_->AddField("slope", image));
   const Vec3 from(-90.0, 3.0, 5.0), to(92.25, 3.0, 5.0);
   this->at(from);
@@ -299,7 +300,7 @@ TEST_F(HapticSessionField, LargerThanABrickComesAlongWithTheHand)
 
 TEST_F(HapticSessionField, WithoutAModeThatIsOnNothingIsFeltAndThePersonIsTold)
 {
-  this->session_->SetFieldArray("distance");
+  this->session_->SetSetting("FieldArray", "distance");
   ASSERT_TRUE(this->session_->AddField("ball", distances(20, 1.0)));
   ASSERT_TRUE(this->session_->FinishField());
   this->start(Vec3(5.0, 0.0, 0.0));
@@ -309,23 +310,23 @@ TEST_F(HapticSessionField, WithoutAModeThatIsOnNothingIsFeltAndThePersonIsTold)
 
 TEST_F(HapticSessionField, ThatCannotBeFeltIsRefusedByNameAndARightArrayTakesTheRefusalBack)
 {
-  this->session_->SetFieldArray("gone");
+  this->session_->SetSetting("FieldArray", "gone");
   const auto errors =
     errorsOf(this->session_, [&] { EXPECT_FALSE(this->session_->AddField("ball", distances(20, 1.0))); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("ball: its array \"gone\" is not there"));
   EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("\"gone\" is not there"));
   EXPECT_FALSE(this->session_->FinishField());
-  this->session_->SetFieldArray("distance");
+  this->session_->SetSetting("FieldArray", "distance");
   EXPECT_STREQ(this->session_->GetProblem(), "");
   EXPECT_TRUE(this->session_->FinishField());
 }
 
 TEST_F(HapticSessionField, ThatIsTakenAwayWhileItPressesFadesWithin30Milliseconds)
 {
-  this->session_->SetFieldArray("distance");
-  this->session_->SetFieldIsosurface(true);
-  this->session_->SetFieldIsovalue(20.0);
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldIsosurface", true);
+  this->session_->SetSetting("FieldIsovalue", 20.0);
   ASSERT_TRUE(this->session_->AddField("ball", distances(60, 1.0)));
   ASSERT_TRUE(this->session_->FinishField());
   this->start(Vec3(28.0, 0.0, 0.0));
@@ -349,9 +350,9 @@ TEST_F(HapticSessionField, AnExtremumPullsTheHandWithTheStrengthOfItsSnap)
 {
   // The distance is least at the origin, which is a point of the grid.
   constexpr double strength_N = 0.3;
-  this->session_->SetFieldArray("distance");
-  this->session_->SetFieldSnap(strength_N);
-  this->session_->SetFieldSnapReach(8.0);
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldSnap", strength_N);
+  this->session_->SetSetting("FieldSnapReach", 8.0);
   ASSERT_TRUE(this->session_->AddField("ball", distances(41, 1.0)));
   ASSERT_TRUE(this->session_->FinishField());
   this->start(Vec3(12.0, 0.0, 0.0));
@@ -374,9 +375,9 @@ TEST_F(HapticSessionField, ADetentIsAsStrongAsItSaysWhereValuesChangeAsTheyUsual
     {
       values->SetValue(i, static_cast<float>(factor * image->GetPoint(i)[0]));
     }
-    this->session_->SetFieldArray("distance");
-    this->session_->SetFieldDetent(0.2);
-    this->session_->SetFieldDetentSpacing(5.0 * factor);
+    this->session_->SetSetting("FieldArray", "distance");
+    this->session_->SetSetting("FieldDetent", 0.2);
+    this->session_->SetSetting("FieldDetentSpacing", 5.0 * factor);
     ASSERT_TRUE(this->session_->AddField("slope", image));
     ASSERT_TRUE(this->session_->FinishField());
     this->start(Vec3(0.0, 0.0, 0.0));
@@ -397,8 +398,8 @@ TEST_F(HapticSessionField, SaysWhatThePushGivesAndCountsTheTicksBeyondTheNumbers
 {
   const auto image = distances(41, 1.0);
   addVortex(*image);
-  this->session_->SetFieldVectors("velocity");
-  this->session_->SetFieldPush(0.25);
+  this->session_->SetSetting("FieldVectors", "velocity");
+  this->session_->SetSetting("FieldPush", 0.25);
   ASSERT_TRUE(this->session_->AddField("vortex", image));
   ASSERT_TRUE(this->session_->FinishField());
   EXPECT_EQ(this->session_->GetFieldError(), 0.0) << "the voxels themselves";
@@ -420,11 +421,11 @@ TEST_F(HapticSessionField, SaysWhatThePushGivesAndCountsTheTicksBeyondTheNumbers
 
 TEST_F(HapticSessionField, HoldsTheHandAtChosenLevelsAndRefusesWhatAreNone)
 {
-  this->session_->SetFieldArray("distance");
-  this->session_->SetFieldDetent(0.2);
-  this->session_->SetFieldDetentSpacing(2.0);
-  this->session_->SetFieldDetentLevels("8, 14");
-  EXPECT_STREQ(this->session_->GetFieldDetentLevels(), "8, 14");
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldDetent", 0.2);
+  this->session_->SetSetting("FieldDetentSpacing", 2.0);
+  this->session_->SetSetting("FieldDetentLevels", "8, 14");
+  EXPECT_STREQ(this->session_->GetSettingText("FieldDetentLevels"), "8, 14");
   ASSERT_TRUE(this->session_->AddField("ball", distances(41, 1.0)));
   ASSERT_TRUE(this->session_->FinishField());
   this->start(Vec3(7.7, 0.0, 0.0));
@@ -435,21 +436,21 @@ TEST_F(HapticSessionField, HoldsTheHandAtChosenLevelsAndRefusesWhatAreNone)
   this->at(Vec3(14.3, 0.0, 0.0));
   this->session_->Step(10);
   EXPECT_LT(this->force().x(), -0.01);
-  const auto errors = errorsOf(this->session_, [&] { this->session_->SetFieldDetentLevels("8, high"); });
+  const auto errors = errorsOf(this->session_, [&] { this->session_->SetSetting("FieldDetentLevels", "8, high"); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("'high' is no number"));
-  EXPECT_STREQ(this->session_->GetFieldDetentLevels(), "8, 14");
+  EXPECT_STREQ(this->session_->GetSettingText("FieldDetentLevels"), "8, 14");
 }
 
 TEST_F(HapticSessionField, SaysThatTheDataDoNotHaveTheIsovalueAndThatWhatWasFeltIsGone)
 {
-  this->session_->SetFieldArray("distance");
-  this->session_->SetFieldIsosurface(true);
-  this->session_->SetFieldIsovalue(500.0);
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldIsosurface", true);
+  this->session_->SetSetting("FieldIsovalue", 500.0);
   ASSERT_TRUE(this->session_->AddField("ball", distances(41, 1.0)));
   ASSERT_TRUE(this->session_->FinishField());
   EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("none of them is the isovalue 500"));
-  this->session_->SetFieldIsovalue(10.0);
+  this->session_->SetSetting("FieldIsovalue", 10.0);
   EXPECT_THAT(this->session_->GetFieldSentence(), ::testing::Not(HasSubstr("isovalue")));
   this->start(Vec3(12.0, 0.0, 0.0));
   EXPECT_STREQ(this->session_->GetWarning(), "");
@@ -470,10 +471,10 @@ TEST_F(HapticSessionField, IsComparedWithOtherDataAndSnapsToTheirPoints)
   {
     values->SetValue(i, values->GetValue(i) + (other->GetPoint(i)[0] > 1.0 ? 10.0F : 0.0F));
   }
-  this->session_->SetFieldArray("distance");
-  this->session_->SetFieldCompare(0.4);
-  this->session_->SetFieldCompareFull(5.0);
-  this->session_->SetFieldBeside(other, nullptr);
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldCompare", 0.4);
+  this->session_->SetSetting("FieldCompareFull", 5.0);
+  this->session_->GetSight()->SetFieldBeside(other, nullptr);
   ASSERT_TRUE(this->session_->AddField("ball", image));
   ASSERT_TRUE(this->session_->FinishField()) << this->session_->GetProblem();
   const auto drag = [this](double x)
@@ -491,14 +492,14 @@ TEST_F(HapticSessionField, IsComparedWithOtherDataAndSnapsToTheirPoints)
   // Chords of 2 u on distances of 10 u and more differ by h^2 / 4 R, 0.1 of the 5 that have all of it.
   EXPECT_LT(drag(-9.0), 0.4 * 0.1 / 5.0 * 1.5);
   EXPECT_NEAR(drag(9.0), 0.4, 1e-3);
-  this->session_->SetFieldCompare(0.0);
+  this->session_->SetSetting("FieldCompare", 0.0);
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(-10.0, 3.0, 0.0);
   vtkNew<vtkPolyData> cores;
   cores->SetPoints(points);
-  this->session_->SetFieldSnap(0.3);
-  this->session_->SetFieldSnapReach(4.0);
-  this->session_->SetFieldBeside(nullptr, cores);
+  this->session_->SetSetting("FieldSnap", 0.3);
+  this->session_->SetSetting("FieldSnapReach", 4.0);
+  this->session_->GetSight()->SetFieldBeside(nullptr, cores);
   ASSERT_TRUE(this->session_->FinishField());
   this->at(Vec3(-8.0, 3.0, 0.0));
   this->session_->Step(100);

@@ -74,12 +74,12 @@ std::vector<Vec3> makeLine(int points, double off)
 class HapticSessionFineLines : public VirtualSession
 {
 protected:
-  HapticSessionFineLines() { this->session_->PassivityOff(); }
+  HapticSessionFineLines() { this->session_->SetSetting("Passivity", false); }
 
   void showLine(const std::vector<Vec3>& line_W)
   {
-    this->session_->SetLinesAsWalls(
-      this->session_->GetLineRadius() > 0.0 ? vtkHapticSession::Off : vtkHapticSession::On);
+    this->session_->SetSetting(
+      "LinesAsWalls", this->session_->GetSetting("LineRadius") > 0.0 ? vtkHapticSession::Off : vtkHapticSession::On);
     this->show(makePath(line_W));
   }
 
@@ -191,7 +191,7 @@ TEST_F(HapticSessionFineLines, ANoisyLineIsFeltAsTheStraightLineFromBothSides)
 TEST_F(HapticSessionFineLines, TubesOfAFineCurveAreFeltThroughACoarserLevelToo)
 {
   constexpr double tube = 1.0;
-  this->session_->SetLineRadius(tube);
+  this->session_->SetSetting("LineRadius", tube);
   this->showLine(makeRing(30000, noise));
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
   EXPECT_THAT(this->sentence(), HasSubstr(" of 30000 segments are felt (proven"));
@@ -211,10 +211,10 @@ TEST_F(HapticSessionFineLines, CoarseLinesStayAsTheyAreAndFineOnesDoWhereThatIsW
   this->showLine(makeRing(1000, 0.0));
   EXPECT_THAT(this->sentence(), StartsWith("all 1000 segments are felt (coarser lines pay from 64 segments shorter"));
   EXPECT_FALSE(this->session_->FinishSimplification());
-  this->session_->SetSimplify(vtkHapticSession::On);
+  this->session_->SetSetting("Simplify", vtkHapticSession::On);
   EXPECT_TRUE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), HasSubstr(" of 1000 segments are felt (proven"));
-  this->session_->SetSimplify(vtkHapticSession::Off);
+  this->session_->SetSetting("Simplify", vtkHapticSession::Off);
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), StartsWith("all 1000 segments are felt (simpler surfaces are off)"));
   this->showLine(makeRing(many, noise));
@@ -245,12 +245,12 @@ TEST_F(HapticSessionFineLines, MoreSegmentsThanCanBeFeltAreRefusedWithTheirNumbe
   const auto line = makePath(makeLine(4000002, 0.0));
   for (const double tube : { 0.0, 1.0 })
   {
-    this->session_->SetLineRadius(tube);
-    this->session_->SetLinesAsWalls(tube > 0.0 ? vtkHapticSession::Off : vtkHapticSession::On);
+    this->session_->SetSetting("LineRadius", tube);
+    this->session_->SetSetting("LinesAsWalls", tube > 0.0 ? vtkHapticSession::Off : vtkHapticSession::On);
     const std::vector<std::string> said =
       errorsOf(this->session_, [&] { this->session_->AddSurface("line", line, nullptr); });
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_THAT(said[0],
-      ::testing::AllOf(HasSubstr("line: its lines have 4000001 segments; at most 4000000"), HasSubstr("Decimate Polyline")));
+    EXPECT_THAT(said[0], ::testing::AllOf(HasSubstr("line: its lines have 4000001 segments; at most 4000000"),
+                           HasSubstr("Decimate Polyline")));
   }
 }

@@ -20,12 +20,12 @@ constexpr double small = 5.0, large = 300.0;
 double fittedScale(double half)
 {
   vtkNew<vtkHapticSession> other;
-  other->VirtualTimeOn();
+  other->SetSetting("VirtualTime", true);
   other->AddSurface("plane", makePlane(half), nullptr);
   other->CommitScene();
   EXPECT_TRUE(other->FinishScene());
   other->FitWorkspace();
-  return other->GetScale();
+  return other->GetSetting("Scale");
 }
 
 class HapticSessionFit : public VirtualSession
@@ -42,7 +42,7 @@ TEST_F(HapticSessionFit, WithNothingShownItSaysWhatToDoAndThatIsGoneOnceItFits)
   this->show(makePlane(large));
   this->session_->FitWorkspace();
   EXPECT_STREQ(this->session_->GetProblem(), "");
-  EXPECT_EQ(this->session_->GetScale(), fittedScale(large));
+  EXPECT_EQ(this->session_->GetSetting("Scale"), fittedScale(large));
 }
 
 // The worker takes its time: nobody is told to ask again.
@@ -53,41 +53,41 @@ TEST_F(HapticSessionFit, ASceneThatIsBeingBuiltIsFittedToOnceItIsThere)
   this->session_->FitWorkspace();
   EXPECT_STREQ(this->session_->GetProblem(), "");
   ASSERT_TRUE(this->session_->FinishScene());
-  EXPECT_EQ(this->session_->GetScale(), fittedScale(large));
+  EXPECT_EQ(this->session_->GetSetting("Scale"), fittedScale(large));
 }
 
 TEST_F(HapticSessionFit, OnTouchItFitsToWhatIsShownBeforeOrAMomentLater)
 {
-  this->session_->FitOnTouchOn();
+  this->session_->SetSetting("FitOnTouch", true);
   this->show(makePlane(small));
-  EXPECT_EQ(this->session_->GetScale(), scale); // only when touching begins
+  EXPECT_EQ(this->session_->GetSetting("Scale"), scale); // only when touching begins
   this->startTouching();
-  EXPECT_EQ(this->session_->GetScale(), fittedScale(small));
+  EXPECT_EQ(this->session_->GetSetting("Scale"), fittedScale(small));
   this->session_->TouchingOff();
   this->startTouching();
   this->session_->Step(100);
   this->show(makePlane(large)); // handed over a moment after the touch
-  EXPECT_EQ(this->session_->GetScale(), fittedScale(large));
+  EXPECT_EQ(this->session_->GetSetting("Scale"), fittedScale(large));
   this->session_->Step(2000);
   this->show(makePlane(small)); // shown later: the hand stays as it is
-  EXPECT_EQ(this->session_->GetScale(), fittedScale(large));
+  EXPECT_EQ(this->session_->GetSetting("Scale"), fittedScale(large));
 }
 
 TEST_F(HapticSessionFit, WhatIsSetByHandIsNotFittedAway)
 {
-  this->session_->FitOnTouchOn();
-  this->session_->SetScale(123.0);
+  this->session_->SetSetting("FitOnTouch", true);
+  this->session_->SetSetting("Scale", 123.0);
   this->show(makePlane(large));
   this->startTouching();
-  EXPECT_EQ(this->session_->GetScale(), 123.0);
+  EXPECT_EQ(this->session_->GetSetting("Scale"), 123.0);
 }
 
 TEST_F(HapticSessionFit, AnotherDeviceThanTheOneThatRunsIsSaidUntilItRuns)
 {
   this->show(makePlane(large));
-  this->session_->SetDeviceName("fed");
+  this->session_->SetSetting("DeviceName", "fed");
   this->startTouching();
-  this->session_->SetDeviceName("mouse");
+  this->session_->SetSetting("DeviceName", "mouse");
   this->session_->Step(1);
   EXPECT_THAT(this->session_->GetWarning(), HasSubstr("fed still leads the hand: let go and touch again to use mouse"));
   this->session_->TouchingOff();

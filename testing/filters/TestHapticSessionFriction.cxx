@@ -48,9 +48,9 @@ protected:
     return -this->session_->GetForce()[0];
   }
 
-  void expectRefused(double coefficient, void (vtkHapticSession::*set)(double))
+  void expectRefused(double coefficient, const char* setting)
   {
-    const auto errors = errorsOf(this->session_, [&] { (this->session_.Get()->*set)(coefficient); });
+    const auto errors = errorsOf(this->session_, [&] { this->session_->SetSetting(setting, coefficient); });
     EXPECT_THAT(errors, ElementsAre(HasSubstr("friction"))) << coefficient;
   }
 };
@@ -58,8 +58,8 @@ protected:
 
 TEST_F(HapticSessionFriction, HoldsUpToTheStaticConeThenBrakesWithTheKineticOne)
 {
-  this->session_->SetFrictionStatic(statical);
-  this->session_->SetFrictionKinetic(kinetic);
+  this->session_->SetSetting("FrictionStatic", statical);
+  this->session_->SetSetting("FrictionKinetic", kinetic);
   this->press();
   constexpr double step = 0.03; // u a tick; breakAway is no multiple of it
   constexpr double breakAway = statical * depth;
@@ -84,35 +84,35 @@ TEST_F(HapticSessionFriction, WithoutFrictionNothingBrakesAndNothingIsSaid)
 
 TEST_F(HapticSessionFriction, TheOrderOfTheCoefficientsDoesNotMatter)
 {
-  this->session_->SetFrictionKinetic(kinetic);
+  this->session_->SetSetting("FrictionKinetic", kinetic);
   EXPECT_EQ(this->session_->GetFrictionKineticUsed(), 0.0);
-  this->session_->SetFrictionStatic(statical);
+  this->session_->SetSetting("FrictionStatic", statical);
   EXPECT_EQ(this->session_->GetFrictionKineticUsed(), kinetic);
   EXPECT_STREQ(this->session_->GetProblem(), "");
 }
 
 TEST_F(HapticSessionFriction, NoMoreThanTheStaticCoefficientIsUsedOfTheKineticOne)
 {
-  this->session_->SetFrictionKinetic(0.9);
-  this->session_->SetFrictionStatic(statical);
-  EXPECT_EQ(this->session_->GetFrictionKinetic(), 0.9);
+  this->session_->SetSetting("FrictionKinetic", 0.9);
+  this->session_->SetSetting("FrictionStatic", statical);
+  EXPECT_EQ(this->session_->GetSetting("FrictionKinetic"), 0.9);
   EXPECT_EQ(this->session_->GetFrictionKineticUsed(), statical);
-  this->session_->SetFrictionKinetic(kinetic);
+  this->session_->SetSetting("FrictionKinetic", kinetic);
   EXPECT_EQ(this->session_->GetFrictionKineticUsed(), kinetic);
 }
 
 TEST_F(HapticSessionFriction, CoefficientsThatCannotBeAreRefusedAndTheOldOnesStay)
 {
-  this->session_->SetFrictionStatic(statical);
-  this->session_->SetFrictionKinetic(kinetic);
+  this->session_->SetSetting("FrictionStatic", statical);
+  this->session_->SetSetting("FrictionKinetic", kinetic);
   for (const double bad : { -0.1, std::nan(""), std::numeric_limits<double>::infinity() })
   {
-    this->expectRefused(bad, &vtkHapticSession::SetFrictionStatic);
-    this->expectRefused(bad, &vtkHapticSession::SetFrictionKinetic);
+    this->expectRefused(bad, "FrictionStatic");
+    this->expectRefused(bad, "FrictionKinetic");
   }
-  this->expectRefused(10.5, &vtkHapticSession::SetFrictionStatic);
-  this->expectRefused(10.5, &vtkHapticSession::SetFrictionKinetic);
-  EXPECT_EQ(this->session_->GetFrictionStatic(), statical);
-  EXPECT_EQ(this->session_->GetFrictionKinetic(), kinetic);
+  this->expectRefused(10.5, "FrictionStatic");
+  this->expectRefused(10.5, "FrictionKinetic");
+  EXPECT_EQ(this->session_->GetSetting("FrictionStatic"), statical);
+  EXPECT_EQ(this->session_->GetSetting("FrictionKinetic"), kinetic);
   EXPECT_EQ(this->session_->GetFrictionKineticUsed(), kinetic);
 }

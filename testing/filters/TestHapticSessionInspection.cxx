@@ -13,6 +13,8 @@
 #include "testing/support/TemporaryFolder.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkHapticInspection.h"
+#include "vtkHapticKnownDevices.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMatrix4x4.h"
@@ -56,10 +58,10 @@ vtkSmartPointer<vtkPolyData> planeWithArrays()
   return plane;
 }
 
-double markValue(const vtkHapticSession& session, vtkIdType mark, const char* column)
+double markValue(vtkHapticSession& session, vtkIdType mark, const char* column)
 {
   vtkNew<vtkTable> table;
-  session.GetMarksTable(table);
+  session.GetInspection()->GetMarksTable(table);
   return table->GetValueByName(mark, column).ToDouble();
 }
 
@@ -101,13 +103,13 @@ TEST_F(HapticSessionInspection, SaysPlaceNormalCellAndEveryArrayAtTheContact)
   EXPECT_NEAR((Vec3(this->session_->GetContactNormal()) - Vec3(0, 0, 1)).norm(), 0.0, 1e-12);
   EXPECT_EQ(this->session_->GetContactCurvature()[0], 0.0);
   EXPECT_TRUE(std::isnan(this->session_->GetContactThickness())) << "a plane has no wall behind it";
-  EXPECT_NEAR(this->session_->GetContactValue("linear"), 3.0 * 20.0 + 7.0, 1e-5);
-  EXPECT_NEAR(this->session_->GetContactValue("vector_1"), 2.0, 1e-12);
-  EXPECT_NEAR(this->session_->GetContactValue("Depth"), depth, 1e-6);
-  EXPECT_NEAR(this->session_->GetContactValue("Force"), stiffness * depth / scale, 1e-6);
+  EXPECT_NEAR(this->session_->GetInspection()->GetValue("linear"), 3.0 * 20.0 + 7.0, 1e-5);
+  EXPECT_NEAR(this->session_->GetInspection()->GetValue("vector_1"), 2.0, 1e-12);
+  EXPECT_NEAR(this->session_->GetInspection()->GetValue("Depth"), depth, 1e-6);
+  EXPECT_NEAR(this->session_->GetInspection()->GetValue("Force"), stiffness * depth / scale, 1e-6);
   const vtkIdType cell = this->session_->GetContactCell();
   ASSERT_GE(cell, 0);
-  EXPECT_EQ(this->session_->GetContactValue("number"), 100.0 + static_cast<double>(cell));
+  EXPECT_EQ(this->session_->GetInspection()->GetValue("number"), 100.0 + static_cast<double>(cell));
   double inside[3], local[3], weights[3], distance2 = 0.0;
   const double at[3] = { 20, -30, 0 };
   int part = 0;
@@ -145,14 +147,14 @@ TEST_F(HapticSessionInspection, FindsTheCellsOfAPlacedBlockByTheIdsItCameFrom)
   ASSERT_TRUE(this->session_->InspectContact());
   EXPECT_STREQ(this->session_->GetContactSource(), "blocks");
   EXPECT_NEAR(this->session_->GetContactPosition()[2], 10.0, 1e-6);
-  EXPECT_NEAR(this->session_->GetContactValue("linear"), 67.0, 1e-5);
+  EXPECT_NEAR(this->session_->GetInspection()->GetValue("linear"), 67.0, 1e-5);
   EXPECT_TRUE(this->session_->GetContactCell() == 555 || this->session_->GetContactCell() == 777);
 }
 
 TEST_F(HapticSessionInspection, SaysNothingWithoutAContact)
 {
   this->show(planeWithArrays());
-  this->session_->InspectOn();
+  this->session_->SetSetting("Inspect", true);
   this->pressPlane(1.0, 2.0);
   EXPECT_STREQ(this->session_->GetContactSource(), "surface") << "with Inspect every Update() looks";
   this->session_->SetHandPosition(1.0, 2.0, 5.0);
@@ -176,17 +178,17 @@ TEST_F(HapticSessionInspection, AMarkIsKeptAsPointTableTextAndFile)
   ASSERT_TRUE(this->session_->AddMark());
   EXPECT_EQ(this->session_->GetNumberOfMarks(), 2);
   vtkNew<vtkPolyData> points;
-  this->session_->GetMarks(points);
+  this->session_->GetInspection()->GetMarks(points);
   ASSERT_EQ(points->GetNumberOfPoints(), 2);
   EXPECT_NEAR((Vec3(points->GetPoint(0)) - Vec3(20, -30, 0)).norm(), 0.0, 1e-6);
   EXPECT_NEAR((Vec3(points->GetPoint(1)) - Vec3(40, 10, 0)).norm(), 0.0, 1e-6);
   EXPECT_NEAR(points->GetPointData()->GetArray("linear")->GetComponent(1, 0), 127.0, 1e-5);
   vtkNew<vtkTable> table;
-  this->session_->GetMarksTable(table);
+  this->session_->GetInspection()->GetMarksTable(table);
   EXPECT_EQ(table->GetNumberOfRows(), 2);
   const palpate::test::TemporaryFolder folder;
-  EXPECT_TRUE(this->session_->WriteMarks(folder.file("marks.csv").c_str()));
-  EXPECT_THAT(this->session_->GetMarksText(), HasSubstr("Source,X,Y,Z,"));
+  EXPECT_TRUE(this->session_->GetInspection()->WriteMarks(folder.file("marks.csv").c_str()));
+  EXPECT_THAT(this->session_->GetSettingText("MarksText"), HasSubstr("Source,X,Y,Z,"));
   this->session_->ClearMarks();
   EXPECT_EQ(this->session_->GetNumberOfMarks(), 0);
 }
@@ -203,16 +205,17 @@ TEST_F(HapticSessionInspection, AMarkIsStaleOnceTheCellItWasSetOnIsElsewhereAndH
   const auto states = [this]
   {
     this->session_->Step(1);
-    return std::vector<int>{ this->session_->GetMarkState(0), this->session_->GetMarkState(1) };
+    return std::vector<int>{ this->session_->GetInspection()->GetMarkState(0),
+      this->session_->GetInspection()->GetMarkState(1) };
   };
-  const std::vector<int> both{ vtkHapticSession::MarkHolds, vtkHapticSession::MarkHolds };
+  const std::vector<int> both{ vtkHapticInspection::MarkHolds, vtkHapticInspection::MarkHolds };
   EXPECT_EQ(states(), both);
   EXPECT_STREQ(this->session_->GetMarksNote(), "");
   const auto changed = planeWithArrays(); // the corner that only one of the triangles has
   const vtkIdType cell = static_cast<vtkIdType>(markValue(*this->session_, 0, "Cell"));
   changed->GetPoints()->SetPoint(cornerOfOne(*changed, cell), 2.0 * half, -half, 30.0);
   this->show(changed);
-  EXPECT_EQ(states(), (std::vector<int>{ vtkHapticSession::MarkStale, vtkHapticSession::MarkHolds }));
+  EXPECT_EQ(states(), (std::vector<int>{ vtkHapticInspection::MarkStale, vtkHapticInspection::MarkHolds }));
   EXPECT_THAT(this->session_->GetMarksNote(), HasSubstr("mark 1 is stale: surface has changed or moved since"));
   this->show(plane);
   EXPECT_EQ(states(), both);
@@ -220,10 +223,10 @@ TEST_F(HapticSessionInspection, AMarkIsStaleOnceTheCellItWasSetOnIsElsewhereAndH
   up->SetElement(2, 3, 1.0);
   ASSERT_TRUE(this->session_->SetSurfacePose("surface", up));
   this->session_->CommitScene();
-  EXPECT_EQ(states(), (std::vector<int>{ vtkHapticSession::MarkStale, vtkHapticSession::MarkStale }));
+  EXPECT_EQ(states(), (std::vector<int>{ vtkHapticInspection::MarkStale, vtkHapticInspection::MarkStale }));
   this->session_->ClearSurfaces();
   this->session_->CommitScene();
-  EXPECT_EQ(states(), (std::vector<int>{ vtkHapticSession::MarkUnseen, vtkHapticSession::MarkUnseen }));
+  EXPECT_EQ(states(), (std::vector<int>{ vtkHapticInspection::MarkUnseen, vtkHapticInspection::MarkUnseen }));
 }
 
 TEST_F(HapticSessionInspection, MarksComeBackFromTheirTextToTheBitAndATextThatIsNoneLeavesThem)
@@ -231,18 +234,18 @@ TEST_F(HapticSessionInspection, MarksComeBackFromTheirTextToTheBitAndATextThatIs
   this->show(planeWithArrays());
   this->pressPlane(20.0, -30.0);
   ASSERT_TRUE(this->session_->AddMark());
-  const std::string text = this->session_->GetMarksText();
+  const std::string text = this->session_->GetSettingText("MarksText");
   vtkNew<vtkHapticSession> other;
-  other->SetMarksText(text.c_str());
-  EXPECT_EQ(other->GetMarksText(), text);
+  other->SetSetting("MarksText", text.c_str());
+  EXPECT_EQ(other->GetSettingText("MarksText"), text);
   EXPECT_EQ(other->GetNumberOfMarks(), 1);
-  EXPECT_EQ(other->GetMarkState(0), vtkHapticSession::MarkUnseen);
+  EXPECT_EQ(other->GetInspection()->GetMarkState(0), vtkHapticInspection::MarkUnseen);
   const auto errors =
-    errorsOf(static_cast<vtkObject*>(other), [&] { other->SetMarksText("Source,X,Y,Z\nball,1,2,three\n"); });
+    errorsOf(static_cast<vtkObject*>(other), [&] { other->SetSetting("MarksText", "Source,X,Y,Z\nball,1,2,three\n"); });
   EXPECT_EQ(errors.size(), 1u);
   EXPECT_THAT(other->GetProblem(), HasSubstr("mark 1 of the list cannot be read: 'three' is not a number"));
-  EXPECT_EQ(other->GetMarksText(), text);
-  other->SetMarksText("");
+  EXPECT_EQ(other->GetSettingText("MarksText"), text);
+  other->SetSetting("MarksText", "");
   EXPECT_EQ(other->GetNumberOfMarks(), 0);
 }
 
@@ -250,11 +253,11 @@ TEST_F(HapticSessionInspection, SourcesOfTheirOwnKeepTheirTextAndWhatCannotBeLea
 {
   this->session_->SetSourceTouched("a, \"b\"", false);
   ASSERT_TRUE(this->session_->SetSourceMaterial("ball", 250.0, 0.5, 0.25));
-  const std::string text = this->session_->GetSourcesText();
+  const std::string text = this->session_->GetSettingText("SourcesText");
   EXPECT_EQ(text, "Source,Touched,Stiffness,FrictionStatic,FrictionKinetic\n\"a, \"\"b\"\"\",0,inf,-1,-1\n"
                   "ball,1,250,0.5,0.25\n");
   vtkNew<vtkHapticSession> other;
-  other->SetSourcesText(text.c_str());
+  other->SetSetting("SourcesText", text.c_str());
   EXPECT_FALSE(other->GetSourceTouched("a, \"b\""));
   EXPECT_TRUE(other->GetSourceTouched("ball"));
   double material[3];
@@ -264,15 +267,17 @@ TEST_F(HapticSessionInspection, SourcesOfTheirOwnKeepTheirTextAndWhatCannotBeLea
   for (const auto& [bad, why] : { std::pair{ "ball,2,inf,-1,-1\n", "ball: Touched is 0 or 1, not '2'" },
          std::pair{ "ball,1,-5,-1,-1\n", "ball: " }, std::pair{ "ball,1,inf,-1\n", "ball: it has 4 fields" } })
   {
-    const auto errors =
-      errorsOf(static_cast<vtkObject*>(other), [&] { other->SetSourcesText((std::string(header) + bad).c_str()); });
+    const auto errors = errorsOf(
+      static_cast<vtkObject*>(other), [&] { other->SetSetting("SourcesText", (std::string(header) + bad).c_str()); });
     EXPECT_EQ(errors.size(), 1u);
     EXPECT_THAT(other->GetProblem(), HasSubstr(why));
-    EXPECT_EQ(other->GetSourcesText(), text);
+    EXPECT_EQ(other->GetSettingText("SourcesText"), text);
   }
-  EXPECT_EQ(errorsOf(static_cast<vtkObject*>(other), [&] { other->SetSourcesText("Name,Felt\nball,1\n"); }).size(), 1u);
+  EXPECT_EQ(
+    errorsOf(static_cast<vtkObject*>(other), [&] { other->SetSetting("SourcesText", "Name,Felt\nball,1\n"); }).size(),
+    1u);
   EXPECT_THAT(other->GetProblem(), HasSubstr("the list of sources: its columns are not"));
-  other->SetSourcesText("");
+  other->SetSetting("SourcesText", "");
   EXPECT_TRUE(other->GetSourceTouched("a, \"b\""));
 }
 
@@ -281,10 +286,10 @@ TEST(HapticSessionMarkButton, AsksForAMarkOnceEachTimeItIsPressed)
   const auto bus = std::make_shared<test::FakeHidBus>();
   test::FakePort& port = bus->plug(test::plainLayout(), "7");
   vtkNew<vtkHapticSession> session;
-  session->SetHidBus(bus);
-  session->VirtualTimeOn();
-  session->SetDeviceName("pid-1209-ffb0-7");
-  session->SetMarkButton(2);
+  session->GetDevices()->SetHidBus(bus);
+  session->SetSetting("VirtualTime", true);
+  session->SetSetting("DeviceName", "pid-1209-ffb0-7");
+  session->SetSetting("MarkButton", 2);
   session->TouchingOn();
   ASSERT_TRUE(session->GetTouching()) << session->GetProblem();
   session->Step(10);

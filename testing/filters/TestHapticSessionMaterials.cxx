@@ -13,6 +13,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkHapticSceneSurfaces.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -56,8 +57,8 @@ protected:
 
 TEST_F(HapticSessionMaterials, AnArrayIsFeltAndTheReportSaysHow)
 {
-  this->session_->SetStiffnessArray("x");
-  this->session_->SetStiffnessFeltRange(100.0, 400.0);
+  this->session_->SetSetting("StiffnessArray", "x");
+  this->session_->SetSetting("StiffnessFeltRange", 100.0, 400.0);
   this->show(planeWithX());
   EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("stiffness from 'x', -100 to 100 as 100 to 400 N/m"));
   const double x = 40.0, slope = 300.0 / (2.0 * half); // N/m per u
@@ -68,7 +69,7 @@ TEST_F(HapticSessionMaterials, AnArrayIsFeltAndTheReportSaysHow)
 
 TEST_F(HapticSessionMaterials, ASurfaceWithoutTheArrayKeepsItsOwnAndTheReportSaysSo)
 {
-  this->session_->SetTextureArray("roughness");
+  this->session_->SetSetting("TextureArray", "roughness");
   this->show(planeWithX());
   EXPECT_THAT(
     this->session_->GetSceneReport(), HasSubstr("its own texture, for it has no array 'roughness'; it has 'x'"));
@@ -78,14 +79,14 @@ TEST_F(HapticSessionMaterials, ASurfaceWithoutTheArrayKeepsItsOwnAndTheReportSay
 TEST_F(HapticSessionMaterials, WallsAreFeltWithoutArraysAndTheReportSaysSo)
 {
   const auto line = makePath({ Vec3(-half, 0.0, 0.0), Vec3(half, 0.0, 0.0), Vec3(half, half, 0.0) });
-  this->session_->SetLinesAsWalls(2);
-  this->session_->SetStiffnessArray("x");
+  this->session_->SetSetting("LinesAsWalls", 2);
+  this->session_->SetSetting("StiffnessArray", "x");
   for (int again = 0; again < 2; ++again)
   {
     this->show(line);
     EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("walls are felt without arrays"));
   }
-  this->session_->SetStiffnessArray("");
+  this->session_->SetSetting("StiffnessArray", "");
   this->show(line);
   EXPECT_THAT(this->session_->GetSceneReport(), Not(HasSubstr("without arrays")));
 }
@@ -94,7 +95,7 @@ TEST_F(HapticSessionMaterials, PointsWithoutANumberAreCountedInTheReport)
 {
   const auto plane = planeWithX();
   plane->GetPointData()->GetArray("x")->SetComponent(2, 0, std::numeric_limits<double>::infinity());
-  this->session_->SetFrictionArray("x");
+  this->session_->SetSetting("FrictionArray", "x");
   this->show(plane);
   EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("1 point without a number as the surface itself"));
 }
@@ -102,40 +103,40 @@ TEST_F(HapticSessionMaterials, PointsWithoutANumberAreCountedInTheReport)
 TEST_F(HapticSessionMaterials, RangesThatCannotBeAreRefusedAndTheOldOnesStay)
 {
   vtkObject::GlobalWarningDisplayOff();
-  this->session_->SetFrictionFeltRange(0.1, 0.2);
-  this->session_->SetFrictionFeltRange(0.1, 10.5);
-  this->session_->SetStiffnessDataRange(std::nan(""), 1.0);
+  this->session_->SetSetting("FrictionFeltRange", 0.1, 0.2);
+  this->session_->SetSetting("FrictionFeltRange", 0.1, 10.5);
+  this->session_->SetSetting("StiffnessDataRange", std::nan(""), 1.0);
   vtkObject::GlobalWarningDisplayOn();
-  EXPECT_EQ(this->session_->GetFrictionFeltRange()[1], 0.2);
-  EXPECT_EQ(this->session_->GetStiffnessDataRange()[0], 0.0);
+  EXPECT_EQ(this->session_->GetSettingNumbers("FrictionFeltRange")[1], 0.2);
+  EXPECT_EQ(this->session_->GetSettingNumbers("StiffnessDataRange")[0], 0.0);
   EXPECT_THAT(this->session_->GetProblem(), HasSubstr("stiffness"));
 }
 
 TEST_F(HapticSessionMaterials, OnlyAChangeOfTheSettingsChangesTheirTime)
 {
-  const vtkMTimeType before = this->session_->GetMaterialTime();
-  this->session_->SetFrictionArray("");
-  this->session_->SetStiffness(300.0);
-  EXPECT_EQ(this->session_->GetMaterialTime(), before);
-  EXPECT_FALSE(this->session_->GetUsesMaterialArrays());
-  this->session_->SetFrictionArray("x");
-  EXPECT_NE(this->session_->GetMaterialTime(), before);
-  EXPECT_TRUE(this->session_->GetUsesMaterialArrays());
+  const vtkMTimeType before = this->session_->GetSight()->GetMaterialTime();
+  this->session_->SetSetting("FrictionArray", "");
+  this->session_->SetSetting("Stiffness", 300.0);
+  EXPECT_EQ(this->session_->GetSight()->GetMaterialTime(), before);
+  EXPECT_FALSE(this->session_->GetSight()->GetUsesMaterialArrays());
+  this->session_->SetSetting("FrictionArray", "x");
+  EXPECT_NE(this->session_->GetSight()->GetMaterialTime(), before);
+  EXPECT_TRUE(this->session_->GetSight()->GetUsesMaterialArrays());
 }
 
 TEST_F(HapticSessionMaterials, AnotherRangeOrOtherValuesAreFeltAtOnce)
 {
   const auto plane = planeWithX();
-  this->session_->SetStiffnessArray("x");
-  this->session_->SetStiffnessFeltRange(100.0, 100.0);
+  this->session_->SetSetting("StiffnessArray", "x");
+  this->session_->SetSetting("StiffnessFeltRange", 100.0, 100.0);
   this->show(plane);
   EXPECT_NEAR(this->pressedAt(0.0).z(), 100.0 * depth / scale, 1e-12);
-  this->session_->SetStiffnessFeltRange(300.0, 300.0);
+  this->session_->SetSetting("StiffnessFeltRange", 300.0, 300.0);
   this->show(plane);
   this->session_->Step(1000); // the force before fades out
   EXPECT_NEAR(this->session_->GetForce()[2], 300.0 * depth / scale, 1e-12);
-  this->session_->SetStiffnessFeltRange(0.0, 400.0);
-  this->session_->SetStiffnessDataRange(0.0, 100.0);
+  this->session_->SetSetting("StiffnessFeltRange", 0.0, 400.0);
+  this->session_->SetSetting("StiffnessDataRange", 0.0, 100.0);
   plane->GetPointData()->GetArray("x")->Fill(75.0);
   plane->GetPointData()->GetArray("x")->Modified();
   this->show(plane);
@@ -185,9 +186,9 @@ TEST_F(HapticSessionMaterials, OneSourceIsSofterThanTheOthersOrNotTouchedAtAll)
   ASSERT_TRUE(this->session_->SetSourceMaterial("another", 50.0, -1.0, -1.0));
   EXPECT_NEAR(felt(), 200.0 * depth / scale, 1e-9);
 
-  const auto before = this->session_->GetMaterialTime();
+  const auto before = this->session_->GetSight()->GetMaterialTime();
   this->session_->SetSourceTouched("surface", false);
-  EXPECT_GT(this->session_->GetMaterialTime(), before) << "who follows a view adds it again";
+  EXPECT_GT(this->session_->GetSight()->GetMaterialTime(), before) << "who follows a view adds it again";
   this->session_->ClearSurfaces();
   EXPECT_TRUE(this->session_->AddSurface("surface", plane, nullptr)) << "that is no problem";
   this->session_->CommitScene();
@@ -207,8 +208,8 @@ TEST_F(HapticSessionMaterials, OneSourceIsSofterThanTheOthersOrNotTouchedAtAll)
 TEST_F(HapticSessionMaterials, AnArrayThatIsDeletedOrRenamedWhileItIsFeltIsWarnedOfUntilAnotherIsChosen)
 {
   const auto plane = planeWithX();
-  this->session_->SetStiffnessArray("x");
-  this->session_->SetStiffnessFeltRange(100.0, 400.0);
+  this->session_->SetSetting("StiffnessArray", "x");
+  this->session_->SetSetting("StiffnessFeltRange", 100.0, 400.0);
   this->show(plane);
   EXPECT_NEAR(this->pressedAt(0.0).z(), 250.0 * depth / scale, 1e-9);
   EXPECT_STREQ(this->session_->GetWarning(), "");
@@ -218,7 +219,7 @@ TEST_F(HapticSessionMaterials, AnArrayThatIsDeletedOrRenamedWhileItIsFeltIsWarne
   this->session_->Step(1000);
   EXPECT_NEAR(this->session_->GetForce()[2], stiffness * depth / scale, 1e-9) << "the surface has its own again";
   EXPECT_THAT(this->session_->GetWarning(), HasSubstr("Stiffness is to come from the array 'x', and nothing"));
-  this->session_->SetStiffnessArray("y");
+  this->session_->SetSetting("StiffnessArray", "y");
   this->show(plane);
   this->session_->Step(1000);
   EXPECT_STREQ(this->session_->GetWarning(), "");

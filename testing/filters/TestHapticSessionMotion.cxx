@@ -69,9 +69,9 @@ class HapticSessionMotion : public ::testing::Test
 protected:
   void start(double stiffness_N_per_m, vtkPolyData* surface, vtkMatrix4x4* matrix, double hand_z)
   {
-    this->session_->VirtualTimeOn();
-    this->session_->SetStiffness(stiffness_N_per_m);
-    this->session_->SetScale(scale);
+    this->session_->SetSetting("VirtualTime", true);
+    this->session_->SetSetting("Stiffness", stiffness_N_per_m);
+    this->session_->SetSetting("Scale", scale);
     this->show(surface, matrix);
     ASSERT_TRUE(this->session_->FinishScene());
     this->session_->SetHandPosition(0.0, 0.0, hand_z);
@@ -505,9 +505,9 @@ TEST_F(HapticSessionMotion, TimeStaysVirtualUntilTouchingEndsWhateverIsChosenFor
   this->start(20.0, makePlane(half), shiftTo(-20.0), 0.0);
   this->place(shiftTo(-20.0));
   this->session_->Step(ticks);
-  this->session_->VirtualTimeOff();
+  this->session_->SetSetting("VirtualTime", false);
   this->place(shiftTo(-10.0));
   this->session_->Step(1);
   EXPECT_NEAR(this->session_->GetMotionLag(), ticks * period_s, 1e-12);
-  EXPECT_FALSE(this->session_->GetVirtualTime());
+  EXPECT_FALSE(this->session_->IsOn("VirtualTime"));
 }

@@ -7,6 +7,7 @@
 
 #include "VtkScenes.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
@@ -24,21 +25,21 @@ TEST(HapticSessionMouse, AWayIsBarredForTheBallThatTouchesNotForALargerOneThatIs
   constexpr int resolution = 200;
   const double sagitta = radius * (1.0 - std::cos(pi / resolution));
   vtkNew<vtkHapticSession> session;
-  session->SetSimplify(vtkHapticSession::Off);
+  session->SetSetting("Simplify", vtkHapticSession::Off);
   session->AddSurface("sphere", makeSphere(radius, resolution), nullptr);
   session->CommitScene();
   ASSERT_TRUE(session->FinishScene());
   const double limit = session->GetRadiusLimit();
   ASSERT_TRUE(std::isfinite(limit));
   ASSERT_GT(limit, 10 * sagitta);
-  session->SetRadius(2 * limit);
+  session->SetSetting("Radius", 2 * limit);
   ASSERT_EQ(session->GetRadiusUsed(), limit);
   const Vec3 from_W(0, 0, 3 * radius), to_W(0, 0, 0);
   Vec3 ball_W, normal_W;
-  ASSERT_TRUE(session->PickSurface(from_W.data(), to_W.data(), ball_W.data(), normal_W.data()));
+  ASSERT_TRUE(session->GetSight()->PickSurface(from_W.data(), to_W.data(), ball_W.data(), normal_W.data()));
   EXPECT_NEAR(ball_W.z(), radius + limit, sagitta);
-  session->LimitRadiusOff();
-  ASSERT_TRUE(session->PickSurface(from_W.data(), to_W.data(), ball_W.data(), normal_W.data()));
+  session->SetSetting("LimitRadius", false);
+  ASSERT_TRUE(session->GetSight()->PickSurface(from_W.data(), to_W.data(), ball_W.data(), normal_W.data()));
   EXPECT_NEAR(ball_W.z(), radius + 2 * limit, sagitta);
 }
 
@@ -48,13 +49,13 @@ TEST(HapticSessionMouse, ADepthIsWithinWhatTheMouseCanPressOrRefused)
   constexpr double least_m = 5e-5, largest_m = 0.05;
   for (const double depth_m : { least_m, largest_m })
   {
-    session->SetPressDepth(depth_m);
-    EXPECT_EQ(session->GetPressDepth(), depth_m);
+    session->SetSetting("PressDepth", depth_m);
+    EXPECT_EQ(session->GetSetting("PressDepth"), depth_m);
   }
   for (const double depth_m : { 0.99 * least_m, 1.01 * largest_m })
   {
-    EXPECT_THAT(errorsOf(session, [&] { session->SetPressDepth(depth_m); }), ::testing::SizeIs(1));
-    EXPECT_EQ(session->GetPressDepth(), largest_m);
+    EXPECT_THAT(errorsOf(session, [&] { session->SetSetting("PressDepth", depth_m); }), ::testing::SizeIs(1));
+    EXPECT_EQ(session->GetSetting("PressDepth"), largest_m);
     EXPECT_THAT(session->GetProblem(), ::testing::HasSubstr("of m, 5e-05 to 0.05, not"));
   }
 }

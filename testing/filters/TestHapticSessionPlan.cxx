@@ -150,16 +150,16 @@ TEST_F(HapticSessionPlan, TheNewestCommitCancelsWhatIsLookedForAndOnlyItsOwnSimp
 
 TEST_F(HapticSessionPlan, OffKeepsEveryTriangleAndSwitchedOffTheyAllComeBack)
 {
-  this->session_->SetSimplify(vtkHapticSession::Off);
+  this->session_->SetSetting("Simplify", vtkHapticSession::Off);
   this->commit(makeSphere(sphereRadius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
   const std::string all = "all " + trianglesOf(fine) + " triangles are felt (simpler surfaces are off)";
   EXPECT_THAT(this->sentence(), StartsWith(all));
-  this->session_->SetSimplify(vtkHapticSession::Auto);
+  this->session_->SetSetting("Simplify", vtkHapticSession::Auto);
   ASSERT_TRUE(this->session_->FinishSimplification()) << this->sentence();
   EXPECT_THAT(this->sentence(), Not(StartsWith("all")));
-  this->session_->SetSimplify(vtkHapticSession::Off);
+  this->session_->SetSetting("Simplify", vtkHapticSession::Off);
   EXPECT_THAT(this->sentence(), StartsWith(all));
   EXPECT_THAT(this->session_->GetSceneReport(), Not(HasSubstr("proven")));
 }
@@ -171,10 +171,10 @@ TEST_F(HapticSessionPlan, ASmallSurfaceIsLeftAsItIsUnlessAskedFor)
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), HasSubstr("simpler surfaces pay from 50000 triangles on"));
-  this->session_->SetSimplify(vtkHapticSession::On);
+  this->session_->SetSetting("Simplify", vtkHapticSession::On);
   EXPECT_TRUE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), HasSubstr(" of " + triangles + " triangles are felt"));
-  this->session_->SetScale(scale / 10); // what was not noticed is felt ten times larger
+  this->session_->SetSetting("Scale", scale / 10); // what was not noticed is felt ten times larger
   this->session_->Update();
   EXPECT_THAT(
     this->sentence(), StartsWith("all " + triangles + " triangles are felt (a simpler surface is looked for"));
@@ -183,7 +183,7 @@ TEST_F(HapticSessionPlan, ASmallSurfaceIsLeftAsItIsUnlessAskedFor)
 
 TEST_F(HapticSessionPlan, ASurfaceWhoseFacetsAreFeltIsLeftAsItIs)
 {
-  this->session_->SetSimplify(vtkHapticSession::On);
+  this->session_->SetSetting("Simplify", vtkHapticSession::On);
   this->commit(makeSphere(sphereRadius, coarse));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
@@ -193,7 +193,7 @@ TEST_F(HapticSessionPlan, ASurfaceWhoseFacetsAreFeltIsLeftAsItIs)
 
 TEST_F(HapticSessionPlan, WhatMovesOrHasMaterialFromArraysIsTouchedAsItIs)
 {
-  this->session_->SetSimplify(vtkHapticSession::On);
+  this->session_->SetSetting("Simplify", vtkHapticSession::On);
   this->commit(makeSphere(sphereRadius, coarse));
   ASSERT_TRUE(this->session_->FinishScene());
   this->commit(makeSphere(sphereRadius + 1.0, coarse)); // a time step of the same triangles
@@ -201,7 +201,7 @@ TEST_F(HapticSessionPlan, WhatMovesOrHasMaterialFromArraysIsTouchedAsItIs)
   EXPECT_THAT(this->session_->GetSceneReport(), HasSubstr("refitted"));
   EXPECT_FALSE(this->session_->FinishSimplification());
   EXPECT_THAT(this->sentence(), HasSubstr("(what moves or deforms is touched as it is)"));
-  this->session_->SetFrictionArray("Normals");
+  this->session_->SetSetting("FrictionArray", "Normals");
   this->commit(makeSphere(sphereRadius, coarse + 1));
   ASSERT_TRUE(this->session_->FinishScene());
   EXPECT_FALSE(this->session_->FinishSimplification());
@@ -212,16 +212,16 @@ TEST_F(HapticSessionPlan, ABallIsNoLargerThanItsWorkAllowsUnlessItIsForced)
 {
   constexpr double depth = 2.0;
   EXPECT_TRUE(std::isinf(this->session_->GetRadiusLimit()));
-  this->session_->SetSimplify(vtkHapticSession::Off);
+  this->session_->SetSetting("Simplify", vtkHapticSession::Off);
   this->commit(makeSphere(sphereRadius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   const double limit = this->session_->GetRadiusLimit();
   ASSERT_TRUE(std::isfinite(limit));
-  this->session_->SetRadius(limit);
+  this->session_->SetSetting("Radius", limit);
   EXPECT_EQ(this->session_->GetRadiusUsed(), limit);
   EXPECT_THAT(this->sentence(), HasSubstr(" u (asked for; up to "));
-  this->session_->SetRadius(2 * limit);
-  EXPECT_EQ(this->session_->GetRadius(), 2 * limit);
+  this->session_->SetSetting("Radius", 2 * limit);
+  EXPECT_EQ(this->session_->GetSetting("Radius"), 2 * limit);
   EXPECT_EQ(this->session_->GetRadiusUsed(), limit);
   EXPECT_THAT(this->sentence(), HasSubstr(" u is asked for, and may run out of a tick's work on triangles so fine)"));
 
@@ -230,12 +230,12 @@ TEST_F(HapticSessionPlan, ABallIsNoLargerThanItsWorkAllowsUnlessItIsForced)
   this->session_->SetHandPosition(this->handAt(0.0, sphereRadius + 3 * limit).data());
   this->touch(depth);
   EXPECT_NEAR(rest(), limit, sagitta(fine));
-  this->session_->LimitRadiusOff();
+  this->session_->SetSetting("LimitRadius", false);
   this->session_->Step(ticksToSettle);
   EXPECT_EQ(this->session_->GetRadiusUsed(), 2 * limit);
   EXPECT_THAT(this->sentence(), HasSubstr(" u (asked for and forced; above "));
   EXPECT_NEAR(rest(), 2 * limit, sagitta(fine));
-  this->session_->LimitRadiusOn();
+  this->session_->SetSetting("LimitRadius", true);
   this->session_->Step(ticksToSettle);
   EXPECT_NEAR(rest(), limit, sagitta(fine));
   EXPECT_STREQ(this->session_->GetFaultText(), "");
@@ -245,12 +245,12 @@ TEST_F(HapticSessionPlan, APressedBallGrowsAndShrinksWithWhatTheSceneAllows)
 {
   constexpr double depth = 2.0;
   constexpr double soft = 100.0; // far below what the device gives at most
-  this->session_->SetSimplify(vtkHapticSession::Off);
-  this->session_->SetStiffness(soft);
+  this->session_->SetSetting("Simplify", vtkHapticSession::Off);
+  this->session_->SetSetting("Stiffness", soft);
   this->commit(makeSphere(sphereRadius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
   const double limit = this->session_->GetRadiusLimit(), asked = 2 * limit;
-  this->session_->SetRadius(asked);
+  this->session_->SetSetting("Radius", asked);
   this->session_->SetHandPosition(this->handAt(0.0, sphereRadius + 3 * asked).data());
   this->touch(depth);
   const auto rest = [this] { return Vec3(this->session_->GetProxyPosition()).norm() - sphereRadius; };
@@ -273,11 +273,11 @@ TEST_F(HapticSessionPlan, ARadiusThatIsNoneIsRefusedWhateverTheLimit)
 {
   this->commit(makeSphere(sphereRadius, fine));
   ASSERT_TRUE(this->session_->FinishScene());
-  this->session_->SetRadius(0.5);
+  this->session_->SetSetting("Radius", 0.5);
   for (const double bad : { -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
   {
-    EXPECT_EQ(errorsOf(this->session_, [this, bad] { this->session_->SetRadius(bad); }).size(), 1u) << bad;
-    EXPECT_EQ(this->session_->GetRadius(), 0.5);
+    EXPECT_EQ(errorsOf(this->session_, [this, bad] { this->session_->SetSetting("Radius", bad); }).size(), 1u) << bad;
+    EXPECT_EQ(this->session_->GetSetting("Radius"), 0.5);
     EXPECT_EQ(this->session_->GetRadiusUsed(), 0.5);
   }
 }
@@ -290,13 +290,13 @@ TEST_F(HapticSessionPlan, TheSentenceSaysWhatTouchesAndAChoiceThatIsNoneIsRefuse
   EXPECT_THAT(this->sentence(), StartsWith("all 2 triangles are felt"));
   EXPECT_THAT(this->sentence(), EndsWith(", by a point (no radius is asked for) without friction (none is asked for), "
                                          "through a list (up to 8 triangles are one)"));
-  this->session_->SetRadius(1.5);
-  this->session_->SetFrictionStatic(0.5);
-  this->session_->SetFrictionKinetic(0.25);
+  this->session_->SetSetting("Radius", 1.5);
+  this->session_->SetSetting("FrictionStatic", 0.5);
+  this->session_->SetSetting("FrictionKinetic", 0.25);
   EXPECT_THAT(this->sentence(), HasSubstr(", by a ball of 1.5 u (asked for; one of any size finishes its work in a "
                                           "tick) with friction 0.5 at rest, 0.25 sliding (asked for),"));
-  const auto errors = errorsOf(this->session_, [this] { this->session_->SetSimplify(3); });
+  const auto errors = errorsOf(this->session_, [this] { this->session_->SetSetting("Simplify", 3); });
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr("simpler surfaces: it must be 0 (auto), 1 (off) or 2 (on)"));
-  EXPECT_EQ(this->session_->GetSimplify(), vtkHapticSession::Auto);
+  EXPECT_EQ(static_cast<int>(this->session_->GetSetting("Simplify")), vtkHapticSession::Auto);
 }

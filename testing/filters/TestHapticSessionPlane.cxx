@@ -28,8 +28,8 @@ class HapticSessionPlane : public VirtualSession
 protected:
   HapticSessionPlane()
   {
-    this->session_->PassivityOff();
-    this->session_->SetStiffness(wall);
+    this->session_->SetSetting("Passivity", false);
+    this->session_->SetSetting("Stiffness", wall);
   }
 
   void show(const std::vector<Vec3>& line_W) { this->VirtualSession::show(makePath(line_W)); }
@@ -40,8 +40,8 @@ protected:
 // The hand is led 3 mm over the line and a simulated joystick holds it: the wall is where the line is.
 TEST_F(HapticSessionPlane, AJoystickHoldsTheWallsOfLinesItself)
 {
-  this->session_->SetDeviceName("simulated-joystick");
-  this->session_->SetHand("firm");
+  this->session_->SetSetting("DeviceName", "simulated-joystick");
+  this->session_->SetSetting("Hand", "firm");
   for (const Vec3& p : { Vec3(0, 5, 0), Vec3(10, -3, 0) })
   {
     this->session_->AddStrokePoint(p.x(), p.y(), p.z());
@@ -69,7 +69,7 @@ TEST_F(HapticSessionPlane, AJoystickHoldsTheWallsOfLinesItself)
     }
   }
   EXPECT_TRUE(felt);
-  this->session_->HoldWallsOff();
+  this->session_->SetSetting("HoldWalls", false);
   EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr("closed by the program, as was asked for"));
   this->session_->Step(10);
   EXPECT_EQ(this->session_->GetWallsHeld(), 0);
@@ -78,7 +78,7 @@ TEST_F(HapticSessionPlane, AJoystickHoldsTheWallsOfLinesItself)
 // A slice at x = 5 mm. Led by 200 N/m: 4 mm beside it 0.8 N, 30 mm beside it no more than 2 N; off: nothing.
 TEST_F(HapticSessionPlane, AHandInSpaceIsLedToThePlaneAndTouchesWhatIsBelowIt)
 {
-  this->session_->SetLinesAsWalls(vtkHapticSession::On);
+  this->session_->SetSetting("LinesAsWalls", vtkHapticSession::On);
   this->show({ { 5, -40, 1 }, { 5, 40, 1 }, { 5, 40, 50 } });
   ASSERT_TRUE(this->session_->GetPlaneWorld());
   this->session_->SetHandPosition(5, 0, 10);
@@ -98,7 +98,7 @@ TEST_F(HapticSessionPlane, AHandInSpaceIsLedToThePlaneAndTouchesWhatIsBelowIt)
   this->session_->Step(200);
   EXPECT_LE((this->force() - Vec3(-2.0, 0, 0)).norm(), 1e-9);
 
-  this->session_->PlaneGuideOff();
+  this->session_->SetSetting("PlaneGuide", false);
   this->session_->Step(ticksToGuide);
   EXPECT_EQ(this->session_->GetGuideShare(), 0.0);
   EXPECT_LE(this->force().norm(), 1e-9);
@@ -109,17 +109,17 @@ TEST_F(HapticSessionPlane, LinesAreWallsOnlyWhereThatIsAskedForOrTheDeviceMovesI
   const auto line = makePath({ { -40, 0, 0 }, { 40, 0, 0 } });
   EXPECT_THAT(
     errorsOf(this->session_, [&] { this->session_->AddSurface("line", line, nullptr); }), Not(::testing::IsEmpty()));
-  this->session_->SetDeviceName("simulated-joystick");
+  this->session_->SetSetting("DeviceName", "simulated-joystick");
   this->session_->ClearSurfaces();
   EXPECT_TRUE(this->session_->AddSurface("line", line, nullptr));
-  this->session_->SetLinesAsWalls(vtkHapticSession::Off);
+  this->session_->SetSetting("LinesAsWalls", vtkHapticSession::Off);
   EXPECT_THAT(
     errorsOf(this->session_, [&] { this->session_->AddSurface("line", line, nullptr); }), Not(::testing::IsEmpty()));
 }
 
 TEST_F(HapticSessionPlane, ASurfaceBesideTheLinesIsNoPlaneWorldAndTwoPlanesAreNone)
 {
-  this->session_->SetLinesAsWalls(vtkHapticSession::On);
+  this->session_->SetSetting("LinesAsWalls", vtkHapticSession::On);
   this->show({ { -40, 0, 0 }, { 40, 0, 0 } });
   EXPECT_TRUE(this->session_->GetPlaneWorld());
   ASSERT_TRUE(this->session_->AddSurface("other", makePath({ { 0, -40, 0 }, { 0, 40, 0 } }), nullptr));
@@ -139,7 +139,7 @@ TEST_F(HapticSessionPlane, ASurfaceBesideTheLinesIsNoPlaneWorldAndTwoPlanesAreNo
 
 TEST_F(HapticSessionPlane, LinesInSpaceAreRefusedWithWhatToDo)
 {
-  this->session_->SetLinesAsWalls(vtkHapticSession::On);
+  this->session_->SetSetting("LinesAsWalls", vtkHapticSession::On);
   const auto bent = makePath({ { -40, 0, 0 }, { 40, 0, 0 }, { 40, 40, 0 }, { 40, 40, 9 } });
   const std::vector<std::string> said =
     errorsOf(this->session_, [&] { this->session_->AddSurface("bent", bent, nullptr); });
@@ -149,22 +149,23 @@ TEST_F(HapticSessionPlane, LinesInSpaceAreRefusedWithWhatToDo)
 
 TEST_F(HapticSessionPlane, FittingTurnsAJoystickIntoThePlaneOfTheLines)
 {
-  this->session_->SetDeviceName("simulated-joystick");
+  this->session_->SetSetting("DeviceName", "simulated-joystick");
   this->show({ { 5, -40, -40 }, { 5, 40, -40 }, { 5, 40, 40 } });
   EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr("does not lie across the device"));
   this->session_->FitWorkspace();
   EXPECT_THAT(this->session_->GetPlanSentence(), HasSubstr("held by the device itself"));
-  const Quat q(this->session_->GetRotation()[0], this->session_->GetRotation()[1], this->session_->GetRotation()[2],
-    this->session_->GetRotation()[3]);
+  const Quat q(this->session_->GetSettingNumbers("Rotation")[0], this->session_->GetSettingNumbers("Rotation")[1],
+    this->session_->GetSettingNumbers("Rotation")[2], this->session_->GetSettingNumbers("Rotation")[3]);
   EXPECT_LE((q * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-12);
   EXPECT_LE((q * Vec3::UnitY() - Vec3::UnitZ()).norm(), 1e-12);
 }
 
 TEST_F(HapticSessionPlane, ARateThatNoLinkHasIsRefusedAndTheOldOneStays)
 {
-  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetWallRate(5.0); }), ::testing::SizeIs(1));
-  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetWallRate(std::nan("")); }), ::testing::SizeIs(1));
-  EXPECT_EQ(this->session_->GetWallRate(), 125.0);
+  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetSetting("WallRate", 5.0); }), ::testing::SizeIs(1));
+  EXPECT_THAT(
+    errorsOf(this->session_, [&] { this->session_->SetSetting("WallRate", std::nan("")); }), ::testing::SizeIs(1));
+  EXPECT_EQ(this->session_->GetSetting("WallRate"), 125.0);
 }
 
 } // namespace

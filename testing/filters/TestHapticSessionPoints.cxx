@@ -62,7 +62,7 @@ class HapticSessionPoints : public VirtualSession
 
 TEST_F(HapticSessionPoints, EachIsABallOfTheRadiusThatWasSet)
 {
-  this->session_->SetPointRadius(ballRadius);
+  this->session_->SetSetting("PointRadius", ballRadius);
   this->show(cloud({ Vec3(0, 0, 0), Vec3(50, 0, 0) }));
   test::Random random(test::testSeed(81));
   for (std::size_t i = 0; i < test::testCount(10); ++i)
@@ -87,7 +87,7 @@ TEST_F(HapticSessionPoints, WithoutARadiusACloudIsRefusedAndWithOneItMovesWithIt
   const auto errors = errorsOf(static_cast<vtkObject*>(this->session_),
     [&] { EXPECT_FALSE(this->session_->AddSurface("cloud", points, nullptr)); });
   EXPECT_EQ(errors.size(), 1u);
-  this->session_->SetPointRadius(ballRadius);
+  this->session_->SetSetting("PointRadius", ballRadius);
   vtkNew<vtkMatrix4x4> up;
   up->SetElement(2, 3, 100.0);
   this->session_->ClearSurfaces();
@@ -102,7 +102,7 @@ TEST_F(HapticSessionPoints, WithoutARadiusACloudIsRefusedAndWithOneItMovesWithIt
 
 TEST_F(HapticSessionPoints, BesidePolygonsBothAreTouched)
 {
-  this->session_->SetPointRadius(ballRadius);
+  this->session_->SetSetting("PointRadius", ballRadius);
   const auto plane = makePlane(100.0);
   const auto points = cloud({ Vec3(0, 0, 30) });
   this->session_->ClearSurfaces();
@@ -124,9 +124,9 @@ TEST_F(HapticSessionPoints, EachIsAsStiffAsItsPointOrItsCellSaysAndAChangedArray
   const auto points = cloud({ Vec3(0, 0, 0), Vec3(50, 0, 0), Vec3(100, 0, 0) });
   addArray(points->GetPointData(), "ofPoints", { 1.0, 2.0, 3.0 });
   addArray(points->GetCellData(), "ofCells", { 3.0, 1.0, 2.0 });
-  this->session_->SetPointRadius(ballRadius);
-  this->session_->SetStiffnessDataRange(1.0, 3.0);
-  this->session_->SetStiffnessFeltRange(100.0, 300.0); // N/m, so a value of 1 is 100 N/m
+  this->session_->SetSetting("PointRadius", ballRadius);
+  this->session_->SetSetting("StiffnessDataRange", 1.0, 3.0);
+  this->session_->SetSetting("StiffnessFeltRange", 100.0, 300.0); // N/m, so a value of 1 is 100 N/m
   const auto pressed = [&](double x)
   {
     this->session_->SetHandPosition(x, 0.0, ballRadius + 1.0);
@@ -139,13 +139,13 @@ TEST_F(HapticSessionPoints, EachIsAsStiffAsItsPointOrItsCellSaysAndAChangedArray
     return force_N;
   };
   const double softest_N = 100.0 / stiffness * felt_N;
-  this->session_->SetStiffnessArray("ofPoints");
+  this->session_->SetSetting("StiffnessArray", "ofPoints");
   this->show(points);
   for (const double value : { 1.0, 2.0, 3.0 })
   {
     EXPECT_NEAR(pressed(50.0 * (value - 1.0)), value * softest_N, 1e-4 * softest_N) << value;
   }
-  this->session_->SetStiffnessArray("ofCells");
+  this->session_->SetSetting("StiffnessArray", "ofCells");
   this->show(points);
   for (const auto& [x, value] : { std::pair{ 0.0, 3.0 }, std::pair{ 50.0, 1.0 }, std::pair{ 100.0, 2.0 } })
   {

@@ -40,14 +40,14 @@ protected:
   std::vector<Vec3> record(int ticks)
   {
     std::vector<Vec3> way;
-    this->session_->RecordingOn();
+    this->session_->SetSetting("Recording", true);
     for (int tick = 0; tick < ticks; ++tick)
     {
       this->moveTo(0.1 * tick);
       this->session_->Step(1);
       way.emplace_back(this->session_->GetHandPosition());
     }
-    this->session_->RecordingOff();
+    this->session_->SetSetting("Recording", false);
     return way;
   }
 
@@ -62,12 +62,12 @@ TEST_F(HapticSessionRecording, BegunWhileTouchingIsSavedUnderANameAndOpensThere)
   const std::string working = this->session_->GetRecordedFile();
   EXPECT_THAT(
     this->session_->GetRecordingText(), HasSubstr("0.3 s recorded in " + working + ": save it, or replay it"));
-  EXPECT_STREQ(this->session_->GetReplayFile(), working.c_str());
+  EXPECT_STREQ(this->session_->GetSettingText("ReplayFile"), working.c_str());
   const std::string named = this->folder_.file("kept.palpate");
   this->session_->SaveRecording(named.c_str());
   EXPECT_STREQ(this->session_->GetProblem(), "");
   EXPECT_STREQ(this->session_->GetRecordedFile(), named.c_str());
-  EXPECT_STREQ(this->session_->GetReplayFile(), named.c_str());
+  EXPECT_STREQ(this->session_->GetSettingText("ReplayFile"), named.c_str());
   EXPECT_FALSE(std::filesystem::exists(working)) << "it is not there twice";
   const auto recording = readRecording(named);
   ASSERT_TRUE(std::holds_alternative<Recording>(recording)) << std::get<std::string>(recording);
@@ -79,13 +79,13 @@ TEST_F(HapticSessionRecording, BegunWhileTouchingIsSavedUnderANameAndOpensThere)
 TEST_F(HapticSessionRecording, WantedBeforeATouchBeginsAndEndsWithIt)
 {
   this->session_->TouchingOff();
-  this->session_->RecordingOn();
+  this->session_->SetSetting("Recording", true);
   EXPECT_THAT(this->session_->GetRecordingText(), HasSubstr("begins with Touch"));
   this->startTouching();
   this->session_->Step(1200);
   EXPECT_THAT(this->session_->GetRecordingText(), HasSubstr("1.2 s so far"));
   this->session_->TouchingOff();
-  EXPECT_FALSE(this->session_->GetRecording());
+  EXPECT_FALSE(this->session_->IsOn("Recording"));
   EXPECT_THAT(this->session_->GetRecordingText(), HasSubstr("1.2 s recorded"));
   std::filesystem::remove(this->session_->GetRecordedFile());
 }
@@ -94,11 +94,11 @@ TEST_F(HapticSessionRecording, PlayedAgainMovesTheHandWhereItWasWhateverScaleIsS
 {
   const std::vector<Vec3> way = this->record(60);
   this->session_->TouchingOff();
-  this->session_->SetScale(17.0);
-  this->session_->SetOffset(1.0, 2.0, 3.0);
-  this->session_->SetDeviceName("replay");
+  this->session_->SetSetting("Scale", 17.0);
+  this->session_->SetSetting("Offset", 1.0, 2.0, 3.0);
+  this->session_->SetSetting("DeviceName", "replay");
   this->startTouching();
-  EXPECT_EQ(this->session_->GetScale(), scale);
+  EXPECT_EQ(this->session_->GetSetting("Scale"), scale);
   for (std::size_t tick = 0; tick < way.size(); ++tick)
   {
     this->session_->Step(1);
@@ -110,21 +110,21 @@ TEST_F(HapticSessionRecording, PlayedAgainMovesTheHandWhereItWasWhateverScaleIsS
 
 TEST_F(HapticSessionRecording, AHandWhoseMapChangedOnTheWayIsPlayedWhereItWas)
 {
-  this->session_->RecordingOn();
+  this->session_->SetSetting("Recording", true);
   std::vector<Vec3> way;
   for (int tick = 0; tick < 40; ++tick)
   {
     if (tick == 20)
     {
-      this->session_->SetScale(2.5 * scale);
-      this->session_->SetRotation(0.5, 0.5, 0.5, 0.5);
+      this->session_->SetSetting("Scale", 2.5 * scale);
+      this->session_->SetSetting("Rotation", 0.5, 0.5, 0.5, 0.5);
     }
     this->moveTo(tick);
     this->session_->Step(1);
     way.emplace_back(this->session_->GetHandPosition());
   }
   this->session_->TouchingOff();
-  this->session_->SetDeviceName("replay");
+  this->session_->SetSetting("DeviceName", "replay");
   this->startTouching();
   for (std::size_t tick = 0; tick < way.size(); ++tick)
   {
@@ -139,7 +139,7 @@ TEST_F(HapticSessionRecording, WhoseSceneIsGoneSaysSoAndItsHandMovesAllTheSame)
   const std::vector<Vec3> way = this->record(60);
   this->session_->TouchingOff();
   this->show(makePlane(33.0));
-  this->session_->SetDeviceName("replay");
+  this->session_->SetSetting("DeviceName", "replay");
   this->startTouching();
   this->session_->Step(1);
   EXPECT_THAT(this->session_->GetWarning(), HasSubstr("is not what this recording touched"));
@@ -160,10 +160,10 @@ TEST_F(HapticSessionRecording, WhatCannotBeSavedIsRefusedInOneLineAndNothingIsLo
   const auto refusedBy = [this](const std::string& file)
   { return errorsOf(this->session_, [&] { this->session_->SaveRecording(file.c_str()); }); };
   EXPECT_THAT(refusedBy(this->folder_.file("a")).at(0), HasSubstr("record first"));
-  this->session_->RecordingOn();
+  this->session_->SetSetting("Recording", true);
   this->session_->Step(10);
   EXPECT_THAT(refusedBy(this->folder_.file("a")).at(0), HasSubstr("stop recording"));
-  this->session_->RecordingOff();
+  this->session_->SetSetting("Recording", false);
   const std::string working = this->session_->GetRecordedFile();
   EXPECT_THAT(refusedBy("/no/such/folder/a").at(0), HasSubstr("/no/such/folder/a"));
   EXPECT_STREQ(this->session_->GetRecordedFile(), working.c_str());
@@ -173,8 +173,9 @@ TEST_F(HapticSessionRecording, WhatCannotBeSavedIsRefusedInOneLineAndNothingIsLo
 
 TEST_F(HapticSessionRecording, AFileThatCannotBeWrittenIsSaidAndTouchingGoesOn)
 {
-  this->session_->SetRecordFile("/no/such/folder/a");
-  EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->RecordingOn(); }).at(0), HasSubstr("/no/such/folder"));
-  EXPECT_FALSE(this->session_->GetRecording());
+  this->session_->SetSetting("RecordFile", "/no/such/folder/a");
+  EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->SetSetting("Recording", true); }).at(0),
+    HasSubstr("/no/such/folder"));
+  EXPECT_FALSE(this->session_->IsOn("Recording"));
   EXPECT_TRUE(this->session_->GetTouching());
 }

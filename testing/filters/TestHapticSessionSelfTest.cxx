@@ -8,6 +8,8 @@
 #include "VtkScenes.h"
 #include "devices/calibration/CalibrationFiles.h"
 #include "testing/support/TemporaryFolder.h"
+#include "vtkHapticDeviceCheck.h"
+#include "vtkHapticKnownDevices.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
 
@@ -26,15 +28,16 @@ class HapticSessionSelfTest : public ::testing::Test
 protected:
   void SetUp() override
   {
-    this->session_->VirtualTimeOn();
-    this->session_->SetDeviceName("simulated-joystick");
-    this->session_->SetCalibrationFolder(this->folder_.c_str());
+    this->session_->SetSetting("VirtualTime", true);
+    this->session_->SetSetting("DeviceName", "simulated-joystick");
+    this->session_->GetDeviceCheck()->SetCalibrationFolder(this->folder_.c_str());
   }
 
   void finish()
   {
     constexpr int longest_ticks = 100'000, atOnce = 100;
-    for (int i = 0; i < longest_ticks / atOnce && this->session_->GetSelfTestState() == vtkHapticSession::CheckRuns;
+    for (int i = 0;
+         i < longest_ticks / atOnce && this->session_->GetDeviceCheck()->GetState() == vtkHapticDeviceCheck::CheckRuns;
          ++i)
     {
       this->session_->Step(atOnce);
@@ -48,23 +51,24 @@ protected:
 
 TEST_F(HapticSessionSelfTest, PassesOnASimulatedDeviceAndSaysWhatToDoMeanwhile)
 {
-  this->session_->StartSelfTest();
-  ASSERT_EQ(this->session_->GetSelfTestState(), vtkHapticSession::CheckRuns) << this->session_->GetProblem();
-  EXPECT_THAT(this->session_->GetSelfTestAsk(), HasSubstr("still"));
-  EXPECT_STREQ(this->session_->GetSelfTestResult(), "");
-  EXPECT_EQ(this->session_->GetSelfTestProgress(), 0.0);
+  this->session_->GetDeviceCheck()->Start();
+  ASSERT_EQ(this->session_->GetDeviceCheck()->GetState(), vtkHapticDeviceCheck::CheckRuns)
+    << this->session_->GetProblem();
+  EXPECT_THAT(this->session_->GetDeviceCheck()->GetAsk(), HasSubstr("still"));
+  EXPECT_STREQ(this->session_->GetDeviceCheck()->GetResult(), "");
+  EXPECT_EQ(this->session_->GetDeviceCheck()->GetProgress(), 0.0);
   this->finish();
-  EXPECT_EQ(this->session_->GetSelfTestState(), vtkHapticSession::CheckPassed);
-  EXPECT_STREQ(this->session_->GetSelfTestAsk(), "");
-  EXPECT_THAT(this->session_->GetSelfTestResult(), HasSubstr("The device works."));
-  EXPECT_EQ(this->session_->GetSelfTestProgress(), 1.0);
+  EXPECT_EQ(this->session_->GetDeviceCheck()->GetState(), vtkHapticDeviceCheck::CheckPassed);
+  EXPECT_STREQ(this->session_->GetDeviceCheck()->GetAsk(), "");
+  EXPECT_THAT(this->session_->GetDeviceCheck()->GetResult(), HasSubstr("The device works."));
+  EXPECT_EQ(this->session_->GetDeviceCheck()->GetProgress(), 1.0);
 }
 
 TEST_F(HapticSessionSelfTest, WhatItFoundIsKeptAndAppliedFromThenOn)
 {
-  this->session_->StartSelfTest();
+  this->session_->GetDeviceCheck()->Start();
   this->finish();
-  ASSERT_TRUE(this->session_->KeepCalibration()) << this->session_->GetProblem();
+  ASSERT_TRUE(this->session_->GetDeviceCheck()->KeepCalibration()) << this->session_->GetProblem();
   const KeptCalibration kept = loadCalibration(this->folder_.string(), "simulated-joystick", "");
   ASSERT_TRUE(kept.calibration) << kept.problem;
 
@@ -77,7 +81,7 @@ TEST_F(HapticSessionSelfTest, WhatItFoundIsKeptAndAppliedFromThenOn)
   shorter.axes[0].low_m = -0.05;
   shorter.axes[0].high_m = 0.03;
   ASSERT_EQ(saveCalibration(this->folder_.string(), shorter), "");
-  this->session_->SetScale(1.0);
+  this->session_->SetSetting("Scale", 1.0);
   this->session_->AddStrokePoint(0.0, 0.0, 0.0);
   this->session_->TouchingOn();
   this->session_->Step(1);
@@ -86,37 +90,39 @@ TEST_F(HapticSessionSelfTest, WhatItFoundIsKeptAndAppliedFromThenOn)
 
 TEST_F(HapticSessionSelfTest, StoppedItSaysSoAndThereIsNothingToKeep)
 {
-  this->session_->StartSelfTest();
+  this->session_->GetDeviceCheck()->Start();
   this->session_->Step(10);
-  this->session_->StopSelfTest();
-  EXPECT_EQ(this->session_->GetSelfTestState(), vtkHapticSession::CheckAborted);
-  EXPECT_THAT(this->session_->GetSelfTestResult(), HasSubstr("it was stopped"));
-  EXPECT_THAT(errorsOf(this->session_, [this] { EXPECT_FALSE(this->session_->KeepCalibration()); }), SizeIs(1));
+  this->session_->GetDeviceCheck()->Stop();
+  EXPECT_EQ(this->session_->GetDeviceCheck()->GetState(), vtkHapticDeviceCheck::CheckAborted);
+  EXPECT_THAT(this->session_->GetDeviceCheck()->GetResult(), HasSubstr("it was stopped"));
+  EXPECT_THAT(
+    errorsOf(this->session_, [this] { EXPECT_FALSE(this->session_->GetDeviceCheck()->KeepCalibration()); }), SizeIs(1));
   EXPECT_THAT(this->session_->GetProblem(), HasSubstr("nothing to keep"));
   EXPECT_FALSE(fs::exists(this->folder_));
 }
 
 TEST_F(HapticSessionSelfTest, HasTheDeviceForItself)
 {
-  this->session_->StartSelfTest();
+  this->session_->GetDeviceCheck()->Start();
   EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->TouchingOn(); }), SizeIs(1));
   EXPECT_FALSE(this->session_->GetTouching());
   EXPECT_THAT(this->session_->GetProblem(), HasSubstr("being checked"));
-  this->session_->StopSelfTest();
+  this->session_->GetDeviceCheck()->Stop();
 
   this->session_->AddStrokePoint(0.0, 0.0, 0.0);
   this->session_->TouchingOn();
   ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
-  EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->StartSelfTest(); }), SizeIs(1));
-  EXPECT_EQ(this->session_->GetSelfTestState(), vtkHapticSession::CheckAborted); // still that of the check before
+  EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->GetDeviceCheck()->Start(); }), SizeIs(1));
+  EXPECT_EQ(
+    this->session_->GetDeviceCheck()->GetState(), vtkHapticDeviceCheck::CheckAborted); // still that of the check before
   EXPECT_THAT(this->session_->GetProblem(), HasSubstr("let go first"));
 }
 
 TEST_F(HapticSessionSelfTest, ADeviceWithoutForceIsRefused)
 {
-  this->session_->SetDeviceName("fed");
-  EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->StartSelfTest(); }), SizeIs(1));
-  EXPECT_EQ(this->session_->GetSelfTestState(), vtkHapticSession::CheckNone);
+  this->session_->SetSetting("DeviceName", "fed");
+  EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->GetDeviceCheck()->Start(); }), SizeIs(1));
+  EXPECT_EQ(this->session_->GetDeviceCheck()->GetState(), vtkHapticDeviceCheck::CheckNone);
   EXPECT_THAT(this->session_->GetProblem(), HasSubstr("no force"));
 }
 
@@ -125,12 +131,12 @@ TEST_F(HapticSessionSelfTest, ADamagedCalibrationIsNamedWhereTheDeviceIsListedAn
   fs::create_directories(this->folder_);
   const std::string file = calibrationFile(this->folder_.string(), "simulated-joystick", "");
   std::ofstream(file) << "nonsense";
-  this->session_->SetCalibrationFolder("");
-  this->session_->SetCalibrationFolder(this->folder_.c_str());
-  for (int i = 0; i < this->session_->GetNumberOfKnownDevices(); ++i)
+  this->session_->GetDeviceCheck()->SetCalibrationFolder("");
+  this->session_->GetDeviceCheck()->SetCalibrationFolder(this->folder_.c_str());
+  for (int i = 0; i < this->session_->GetDevices()->GetNumberOfDevices(); ++i)
   {
-    const bool joystick = std::string(this->session_->GetKnownDeviceName(i)) == "simulated-joystick";
-    EXPECT_EQ(std::string(this->session_->GetKnownDeviceProblem(i)).find(file) != std::string::npos, joystick);
+    const bool joystick = std::string(this->session_->GetDevices()->GetName(i)) == "simulated-joystick";
+    EXPECT_EQ(std::string(this->session_->GetDevices()->GetProblem(i)).find(file) != std::string::npos, joystick);
   }
   EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->TouchingOn(); }), SizeIs(1));
   EXPECT_FALSE(this->session_->GetTouching());

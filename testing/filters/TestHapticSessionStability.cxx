@@ -34,8 +34,8 @@ class HapticSessionStability : public VirtualSession
 protected:
   void SetUp() override
   {
-    this->session_->SetStrokeSpeed(speed);
-    this->session_->SetDeviceName("simulated-generic");
+    this->session_->SetSetting("StrokeSpeed", speed);
+    this->session_->SetSetting("DeviceName", "simulated-generic");
     this->session_->AddStrokePoint(0.0, 0.0, start);
     this->session_->AddStrokePoint(0.0, 0.0, goal);
     this->show(makePlane(100.0));
@@ -77,24 +77,24 @@ std::size_t firstDifference(const std::vector<double>& a, const std::vector<doub
 
 TEST_F(HapticSessionStability, IsOnByDefault)
 {
-  EXPECT_TRUE(this->session_->GetPassivity());
-  EXPECT_TRUE(this->session_->GetLimitStiffness());
-  EXPECT_EQ(this->session_->GetVelocityMethod(), vtkHapticSession::AdaptiveWindow);
-  EXPECT_EQ(this->session_->GetDelay(), 0);
-  EXPECT_STREQ(this->session_->GetHand(), "stylus");
+  EXPECT_TRUE(this->session_->IsOn("Passivity"));
+  EXPECT_TRUE(this->session_->IsOn("LimitStiffness"));
+  EXPECT_EQ(static_cast<int>(this->session_->GetSetting("VelocityMethod")), vtkHapticSession::AdaptiveWindow);
+  EXPECT_EQ(this->session_->GetSetting("Delay"), 0);
+  EXPECT_STREQ(this->session_->GetSettingText("Hand"), "stylus");
 }
 
 TEST_F(HapticSessionStability, TheStiffnessIsCutToWhatTheDeviceCanHoldUnlessToldOtherwise)
 {
   const double most = deviceModel("simulated-joystick")->maxStiffness_N_per_m;
   ASSERT_LT(most, stiffness);
-  this->session_->SetDeviceName("simulated-joystick");
+  this->session_->SetSetting("DeviceName", "simulated-joystick");
   this->startTouching();
   this->session_->Step(1);
   EXPECT_EQ(this->session_->GetStiffnessUsed(), most);
   EXPECT_TRUE(this->session_->GetStiffnessLimited());
-  EXPECT_EQ(this->session_->GetStiffness(), stiffness);
-  this->session_->LimitStiffnessOff();
+  EXPECT_EQ(this->session_->GetSetting("Stiffness"), stiffness);
+  this->session_->SetSetting("LimitStiffness", false);
   this->session_->Step(1);
   EXPECT_EQ(this->session_->GetStiffnessUsed(), stiffness);
   EXPECT_FALSE(this->session_->GetStiffnessLimited());
@@ -107,11 +107,11 @@ TEST_F(HapticSessionStability, HowStiffTheDeviceCanBeIsKnownBeforeItRunsAndFollo
   const double plain = largest("simulated-generic", { period_s, 0.0, plan });
   EXPECT_EQ(this->session_->GetLargestStiffness(), plain);
   plan.delay_ticks = 4.0;
-  this->session_->SetDelay(4);
+  this->session_->SetSetting("Delay", 4);
   EXPECT_EQ(this->session_->GetLargestStiffness(), largest("simulated-generic", { period_s, 0.0, plan }));
   EXPECT_LT(this->session_->GetLargestStiffness(), plain);
   plan.enabled = false;
-  this->session_->PassivityOff();
+  this->session_->SetSetting("Passivity", false);
   EXPECT_EQ(this->session_->GetLargestStiffness(), largest("simulated-generic", { period_s, 0.0, plan }));
   EXPECT_THAT(this->session_->GetStabilitySentence(), HasSubstr("without the passivity controller"));
 }
@@ -121,7 +121,7 @@ TEST_F(HapticSessionStability, TheSentenceIsThatOfTheChosenDeviceAndOfTheRunning
   const std::string generic = this->session_->GetStabilitySentence();
   EXPECT_THAT(generic, HasSubstr("0.1 kg and 1 N s/m"));
   this->startTouching();
-  this->session_->SetDeviceName("fed");
+  this->session_->SetSetting("DeviceName", "fed");
   EXPECT_EQ(this->session_->GetStabilitySentence(), generic);
   this->session_->TouchingOff();
   EXPECT_THAT(this->session_->GetStabilitySentence(), HasSubstr("no force reaches a hand"));
@@ -139,8 +139,8 @@ TEST_P(HapticSessionPassivity, AddsForceOnTheWayInAndNoneInFreeAir)
 {
   const int delay = GetParam();
   const PassivityPlan plan;
-  this->session_->SetVelocityMethod(vtkHapticSession::BackwardDifference);
-  this->session_->SetDelay(delay);
+  this->session_->SetSetting("VelocityMethod", vtkHapticSession::BackwardDifference);
+  this->session_->SetSetting("Delay", delay);
   this->startTouching();
   double before = start;
   int inward = 0;
@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Delays, HapticSessionPassivity, ::testing::Values(0, 2)
 
 TEST_F(HapticSessionStability, WithoutPassivityTheForceIsTheSpringsAlone)
 {
-  this->session_->PassivityOff();
+  this->session_->SetSetting("Passivity", false);
   this->startTouching();
   int inward = 0;
   for (int i = 0; i < ticksToTurn; ++i)
@@ -214,10 +214,10 @@ TEST_F(HapticSessionStability, TheEnergyIsTheSumOfForceTimesWay)
 TEST_F(HapticSessionStability, ADelayIsThatOfTheSimulatedLinkToo)
 {
   constexpr int delay = 5;
-  this->session_->PassivityOff(); // else the force would depend on the delay, not only its time
+  this->session_->SetSetting("Passivity", false); // else the force would depend on the delay, not only its time
   const std::vector<double> free = this->heights(ticksToTurn, true);
   const std::vector<double> pushed = this->heights(ticksToTurn);
-  this->session_->SetDelay(delay);
+  this->session_->SetSetting("Delay", delay);
   const std::vector<double> late = this->heights(ticksToTurn);
   ASSERT_LT(firstDifference(pushed, free), free.size());
   EXPECT_EQ(firstDifference(late, free), firstDifference(pushed, free) + delay);
@@ -225,9 +225,9 @@ TEST_F(HapticSessionStability, ADelayIsThatOfTheSimulatedLinkToo)
 
 TEST_F(HapticSessionStability, NobodyHoldsADeviceWhoseHandIsNone)
 {
-  this->session_->SetHand("none");
+  this->session_->SetSetting("Hand", "none");
   EXPECT_EQ(this->heights(ticksInFreeAir), std::vector<double>(ticksInFreeAir, start));
-  this->session_->SetHand("light");
+  this->session_->SetSetting("Hand", "light");
   EXPECT_LT(this->heights(ticksInFreeAir).back(), start - 50.0); // led 75 u down by then, less a lag
 }
 
@@ -236,7 +236,7 @@ TEST_F(HapticSessionStability, OnlySimulatedDevicesAreHeld)
   EXPECT_TRUE(this->session_->GetDeviceTakesHand());
   for (const char* name : { "fed", "replay" })
   {
-    this->session_->SetDeviceName(name);
+    this->session_->SetSetting("DeviceName", name);
     EXPECT_FALSE(this->session_->GetDeviceTakesHand()) << name;
   }
 }
@@ -245,9 +245,9 @@ TEST_F(HapticSessionStability, EverySettingReachesTheRecording)
 {
   const palpate::test::TemporaryFolder folder;
   const std::string file = folder.file("stability.palpate");
-  this->session_->SetRecordFile(file.c_str());
-  this->session_->SetVelocityMethod(vtkHapticSession::LowPass);
-  this->session_->SetDelay(3);
+  this->session_->SetSetting("RecordFile", file.c_str());
+  this->session_->SetSetting("VelocityMethod", vtkHapticSession::LowPass);
+  this->session_->SetSetting("Delay", 3);
   this->heights(10);
   const auto recording = readRecording(file);
   ASSERT_TRUE(std::holds_alternative<Recording>(recording)) << std::get<std::string>(recording);
@@ -262,16 +262,17 @@ TEST_F(HapticSessionStability, SettingsThatCannotBeAreRefusedAndTheOldOnesStay)
 {
   for (const int ticks : { -1, 17 })
   {
-    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetDelay(ticks); }), ElementsAre(HasSubstr("delay")));
+    EXPECT_THAT(
+      errorsOf(this->session_, [&] { this->session_->SetSetting("Delay", ticks); }), ElementsAre(HasSubstr("delay")));
   }
   for (const int method : { -1, 3 })
   {
-    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetVelocityMethod(method); }),
+    EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetSetting("VelocityMethod", method); }),
       ElementsAre(HasSubstr("velocity: it must be 0 (backward difference), 1 (low pass) or 2 (adaptive window)")));
   }
-  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetHand("third"); }),
+  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetSetting("Hand", "third"); }),
     ElementsAre(AllOf(HasSubstr("third"), HasSubstr("none, light, stylus, firm"))));
-  EXPECT_EQ(this->session_->GetDelay(), 0);
-  EXPECT_EQ(this->session_->GetVelocityMethod(), vtkHapticSession::AdaptiveWindow);
-  EXPECT_STREQ(this->session_->GetHand(), "stylus");
+  EXPECT_EQ(this->session_->GetSetting("Delay"), 0);
+  EXPECT_EQ(static_cast<int>(this->session_->GetSetting("VelocityMethod")), vtkHapticSession::AdaptiveWindow);
+  EXPECT_STREQ(this->session_->GetSettingText("Hand"), "stylus");
 }

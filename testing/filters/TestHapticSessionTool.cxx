@@ -14,11 +14,13 @@
 #include "vtkHapticHandPace.h"
 #include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkHapticToolProps.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "haptics/session/HapticSession.h"
 
 using namespace palpate;
 using namespace palpate::testing;
@@ -48,10 +50,10 @@ class HapticSessionTool : public VirtualSession
 protected:
   HapticSessionTool()
   {
-    this->session_->PassivityOff();
-    this->session_->SetStiffness(springOfTool);
+    this->session_->SetSetting("Passivity", false);
+    this->session_->SetSetting("Stiffness", springOfTool);
     this->show(makePlane(40.0));
-    this->session_->SetToolSource("Cube1");
+    this->session_->SetSetting("ToolSource", "Cube1");
   }
 
   void touchAt(double z)
@@ -70,7 +72,7 @@ protected:
 
 TEST_F(HapticSessionTool, NeedsOfAServersSurfaceAllThatItReaches)
 {
-  const auto reach = [this] { return this->session_->ServerSurfaces().GetReach(); };
+  const auto reach = [this] { return this->session_->GetSight()->ServerSurfaces().GetReach(); };
   const double ahead = vtkHapticHandPace::fastest_m_per_s * vtkHapticHandPace::ahead_s * scale;
   this->session_->SetHandPosition(0.0, 0.0, 20.0);
   const double bare = reach();
@@ -114,7 +116,7 @@ TEST_F(HapticSessionTool, LiesOnASurfaceAndPushesTheHandThatHoldsItsCentre)
   ASSERT_TRUE(this->session_->InspectContact());
   EXPECT_NEAR(this->session_->GetContactPosition()[2], 0.0, 1e-9) << "on the plane, not at the hand";
   const double up[3] = { 0.0, 0.0, 1.0 };
-  EXPECT_NEAR(this->session_->GetToolReach(up), halfSide, 1e-9);
+  EXPECT_NEAR(this->session_->GetSight()->GetToolReach(up), halfSide, 1e-9);
 }
 
 TEST_F(HapticSessionTool, TurnsWithTheHandAndSaysTheTorqueThatADeviceWithoutOneCannotGive)
@@ -137,7 +139,7 @@ TEST_F(HapticSessionTool, TurnsWithTheHandAndSaysTheTorqueThatADeviceWithoutOneC
 
 TEST_F(HapticSessionTool, IsHeldAtTheOriginOfItsDataIfThatIsWanted)
 {
-  this->session_->SetToolHandle(1);
+  this->session_->SetSetting("ToolHandle", 1);
   vtkNew<vtkCubeSource> cube;
   cube->SetXLength(10.0);
   cube->SetYLength(10.0);
@@ -154,9 +156,9 @@ TEST_F(HapticSessionTool, IsHeldAtTheOriginOfItsDataIfThatIsWanted)
 TEST_F(HapticSessionTool, IsHeldAtAHandleAndTurnsAboutItByTheWayToItsTip)
 {
   ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway())); // its middle at x = 100
-  this->session_->SetToolHandlePoint(100.0, 0.0, halfSide);
-  this->session_->SetToolTipPoint(100.0, 0.0, -3.0 * halfSide);
-  this->session_->SetToolHandle(2);
+  this->session_->SetSetting("ToolHandlePoint", 100.0, 0.0, halfSide);
+  this->session_->SetSetting("ToolTipPoint", 100.0, 0.0, -3.0 * halfSide);
+  this->session_->SetSetting("ToolHandle", 2);
   this->touchAt(2.0 * halfSide + 5.0);
   this->goTo(2.0 * halfSide - 2.0);
   EXPECT_NEAR(this->session_->GetToolTip()[2], -2.0 * halfSide, 1e-4) << "the cube lies, its tip is a side below it";
@@ -173,10 +175,10 @@ TEST_F(HapticSessionTool, IsHeldAtAHandleAndTurnsAboutItByTheWayToItsTip)
 TEST_F(HapticSessionTool, WhoseHandleIsFarAwayIsRefusedInWords)
 {
   ASSERT_TRUE(this->session_->AddTool("Cube1", cubeFarAway()));
-  this->session_->SetToolHandle(2);
-  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetToolHandlePoint(1e6, 1.0, 0.0); }),
+  this->session_->SetSetting("ToolHandle", 2);
+  EXPECT_THAT(errorsOf(this->session_, [&] { this->session_->SetSetting("ToolHandlePoint", 1e6, 1.0, 0.0); }),
     ElementsAre(HasSubstr("the handle lies far outside of the tool")));
-  EXPECT_TRUE(errorsOf(this->session_, [&] { this->session_->SetToolHandle(0); }).empty())
+  EXPECT_TRUE(errorsOf(this->session_, [&] { this->session_->SetSetting("ToolHandle", 0); }).empty())
     << "held at its centre again";
 }
 
@@ -192,7 +194,7 @@ TEST_F(HapticSessionTool, WithoutItsSourceOrWithDataThatCannotBeHeldSaysSoAndThe
   EXPECT_STREQ(this->session_->GetProblem(), "") << "taken back";
   EXPECT_EQ(refused([&] { this->session_->SetHandTurn(0.0, 0.0, 0.0, 0.0); }), 1u);
   EXPECT_THAT(this->session_->GetProblem(), HasSubstr("quaternion"));
-  this->session_->SetToolSource("");
+  this->session_->SetSetting("ToolSource", "");
   EXPECT_STREQ(this->session_->GetToolText(), "");
   this->touchAt(5.0);
   this->goTo(-1.0);
@@ -229,7 +231,7 @@ TEST_F(HapticSessionTool, IsDrawnSolidWhereItIsAndAsAGhostWhereTheHandIs)
     EXPECT_NEAR(at[0], 0.0, 1e-5);
     EXPECT_NEAR(at[2], z, 1e-4);
   }
-  this->session_->SetToolSource("");
+  this->session_->SetSetting("ToolSource", "");
   this->session_->Step(1);
   props->UpdateFrom(this->session_);
   EXPECT_FALSE(props->GetHeldActor()->GetVisibility());

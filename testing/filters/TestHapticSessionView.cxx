@@ -16,6 +16,8 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkHapticKnownDevices.h"
+#include "vtkHapticSight.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -36,11 +38,11 @@ protected:
   void SetUp() override
   {
     this->show(makePlane(500.0));
-    this->session_->SetOffset(0.0, 0.0, 300.0);
-    this->session_->SetDeviceName("simulated-ideal");
+    this->session_->SetSetting("Offset", 0.0, 0.0, 300.0);
+    this->session_->SetSetting("DeviceName", "simulated-ideal");
     this->session_->AddStrokePoint(-1e3 * reach_m, 0.0, 300.0);
     this->session_->AddStrokePoint(1e3 * reach_m, 0.0, 300.0);
-    this->session_->SetStrokeSpeed(0.02);
+    this->session_->SetSetting("StrokeSpeed", 0.02);
     this->window_->SetOffScreenRendering(1);
     this->window_->SetSize(400, 300);
     this->window_->AddRenderer(this->renderer_);
@@ -58,7 +60,7 @@ protected:
     this->camera().SetViewUp(up_W.data());
     this->camera().SetParallelProjection(random.below(2));
     this->camera().SetClippingRange(1.0, 10000.0);
-    this->session_->FollowCamera(&this->camera());
+    this->session_->GetSight()->FollowCamera(&this->camera());
   }
 
   /// Where VTK draws it: pixels to the right and up, and a depth that grows away from the person.
@@ -72,8 +74,9 @@ protected:
   /// The session's map, from its properties.
   [[nodiscard]] Vec3 toScene(const Vec3& p_D) const
   {
-    const double* const q = this->session_->GetRotation();
-    return Vec3(this->session_->GetOffset()) + this->session_->GetScale() * (Quat(q[0], q[1], q[2], q[3]) * p_D);
+    const double* const q = this->session_->GetSettingNumbers("Rotation");
+    return Vec3(this->session_->GetSettingNumbers("Offset")) +
+           this->session_->GetSetting("Scale") * (Quat(q[0], q[1], q[2], q[3]) * p_D);
   }
 
   vtkNew<vtkRenderer> renderer_;
@@ -84,7 +87,7 @@ protected:
 TEST_F(HapticSessionView, AlignedOnTouchTheSixDirectionsOfTheDeviceAreThoseOfTheScreen)
 {
   palpate::test::Random random(palpate::test::testSeed(171));
-  this->session_->SetViewAlignment(vtkHapticSession::AlignWhenTouched);
+  this->session_->SetSetting("ViewAlignment", vtkHapticSession::AlignWhenTouched);
   for (std::size_t i = 0; i < palpate::test::testCount(40); ++i)
   {
     this->lookFrom(random);
@@ -107,7 +110,7 @@ TEST_F(HapticSessionView, AlignedOnTouchTheSixDirectionsOfTheDeviceAreThoseOfThe
 TEST_F(HapticSessionView, ThatIsFollowedTurnsTheWorkspaceAboutTheHandWithEveryPicture)
 {
   palpate::test::Random random(palpate::test::testSeed(172));
-  this->session_->SetViewAlignment(vtkHapticSession::AlignAlways);
+  this->session_->SetSetting("ViewAlignment", vtkHapticSession::AlignAlways);
   this->lookFrom(random);
   this->startTouching();
   this->session_->Step(200);
@@ -116,7 +119,7 @@ TEST_F(HapticSessionView, ThatIsFollowedTurnsTheWorkspaceAboutTheHandWithEveryPi
     const Vec3 before_W = this->hand_W();
     this->camera().Azimuth(7.0);
     this->camera().Roll(3.0);
-    this->session_->FollowCamera(&this->camera());
+    this->session_->GetSight()->FollowCamera(&this->camera());
     this->session_->Update();
     this->session_->Step(1);
     EXPECT_LT((this->hand_W() - before_W).norm(), 0.05) << "0.02 m/s for 1 ms are 0.02 u";
@@ -134,7 +137,7 @@ TEST_F(HapticSessionView, ThatIsNotFollowedIsTakenWhenItIsAskedForAndTheHandStay
   this->lookFrom(random);
   const Vec3 before_W = this->hand_W();
   this->session_->Update();
-  EXPECT_EQ(Vec3(this->session_->GetRotation() + 1), Vec3::Zero()) << "not asked for yet";
+  EXPECT_EQ(Vec3(this->session_->GetSettingNumbers("Rotation") + 1), Vec3::Zero()) << "not asked for yet";
   this->session_->AlignWithView();
   this->session_->Step(1);
   EXPECT_LT((this->hand_W() - before_W).norm(), 0.05);
@@ -147,7 +150,7 @@ TEST_F(HapticSessionView, WhileTheClutchIsHeldTheDeviceMovesAndTheHandDoesNotAnd
 {
   this->startTouching();
   this->session_->Step(200);
-  this->session_->ClutchOn();
+  this->session_->SetSetting("Clutch", true);
   this->session_->Update();
   this->session_->Step(1);
   const Vec3 held_W = this->hand_W();
@@ -156,11 +159,12 @@ TEST_F(HapticSessionView, WhileTheClutchIsHeldTheDeviceMovesAndTheHandDoesNotAnd
     this->session_->Step(10); // 6 mm of the device
     ASSERT_EQ(this->hand_W(), held_W);
   }
-  this->session_->ClutchOff();
+  this->session_->SetSetting("Clutch", false);
   this->session_->Update();
   this->session_->Step(1);
   EXPECT_LT((this->hand_W() - held_W).norm(), 0.05);
-  EXPECT_GT((Vec3(this->session_->GetOffset()) - Vec3(0, 0, 300)).norm(), 1.0) << "the workspace was moved instead";
+  EXPECT_GT((Vec3(this->session_->GetSettingNumbers("Offset")) - Vec3(0, 0, 300)).norm(), 1.0)
+    << "the workspace was moved instead";
   this->session_->Step(100);
   EXPECT_NEAR((this->hand_W() - held_W).norm(), 2.0, 0.2) << "0.02 m/s for 0.1 s";
 }
@@ -177,21 +181,21 @@ TEST_F(HapticSessionView, PreciseTheSameWayIsThatMuchShorterAndOffItIsAsBefore)
   };
   EXPECT_NEAR(wayOf(50), 1.0, 0.1);
   const Vec3 before_W = this->hand_W();
-  this->session_->SetPrecisionFactor(4.0);
-  this->session_->PrecisionOn();
+  this->session_->SetSetting("PrecisionFactor", 4.0);
+  this->session_->SetSetting("Precision", true);
   this->session_->Update();
   this->session_->Step(1);
   EXPECT_LT((this->hand_W() - before_W).norm(), 0.05);
-  EXPECT_NEAR(this->session_->GetScale(), 0.25 * scale, 1e-9);
+  EXPECT_NEAR(this->session_->GetSetting("Scale"), 0.25 * scale, 1e-9);
   EXPECT_NEAR(wayOf(50), 0.25, 0.03);
-  this->session_->PrecisionOff();
+  this->session_->SetSetting("Precision", false);
   this->session_->Update();
-  EXPECT_NEAR(this->session_->GetScale(), scale, 1e-9);
-  this->session_->PrecisionOn();
+  EXPECT_NEAR(this->session_->GetSetting("Scale"), scale, 1e-9);
+  this->session_->SetSetting("Precision", true);
   this->session_->Update();
   this->session_->TouchingOff();
-  EXPECT_NEAR(this->session_->GetScale(), scale, 1e-9) << "nobody holds it any more";
-  EXPECT_FALSE(this->session_->GetPrecision());
+  EXPECT_NEAR(this->session_->GetSetting("Scale"), scale, 1e-9) << "nobody holds it any more";
+  EXPECT_FALSE(this->session_->IsOn("Precision"));
 }
 
 TEST_F(HapticSessionView, AHandThatAnotherMapPutsIntoABallStaysOutsideWithoutForceAndIsTold)
@@ -204,7 +208,7 @@ TEST_F(HapticSessionView, AHandThatAnotherMapPutsIntoABallStaysOutsideWithoutFor
   this->show(ball->GetOutput());
   this->startTouching();
   this->session_->Step(ticksToEngage);
-  this->session_->SetOffset(0.0, 0.0, 20.0); // in the ball, 30 u deep
+  this->session_->SetSetting("Offset", 0.0, 0.0, 20.0); // in the ball, 30 u deep
   double largest_N = 0.0;
   for (int tick = 0; tick < 200; ++tick)
   {
@@ -215,7 +219,7 @@ TEST_F(HapticSessionView, AHandThatAnotherMapPutsIntoABallStaysOutsideWithoutFor
   EXPECT_THAT(this->session_->GetWarning(), HasSubstr("surface"));
   EXPECT_THAT(this->session_->GetWarning(), HasSubstr("stays outside"));
   EXPECT_LT(largest_N, 0.31) << "no more than a hand engages from";
-  this->session_->SetOffset(0.0, 0.0, 80.0);
+  this->session_->SetSetting("Offset", 0.0, 0.0, 80.0);
   this->session_->Step(10);
   EXPECT_LT((Vec3(this->session_->GetProxyPosition()) - this->hand_W()).norm(), 1e-9) << "in free air again";
 }
@@ -232,20 +236,21 @@ TEST_F(HapticSessionView, TheWorkspaceCanBeFittedToSomeOfWhatIsShown)
   this->session_->CommitScene();
   ASSERT_TRUE(this->session_->FinishScene());
   this->session_->FitWorkspace();
-  const double all = this->session_->GetScale();
+  const double all = this->session_->GetSetting("Scale");
   this->session_->FitToSources("small");
-  EXPECT_LT((Vec3(this->session_->GetOffset()) - Vec3(100.0, 20.0, -5.0)).norm(), 1e-5); // points are floats
+  EXPECT_LT(
+    (Vec3(this->session_->GetSettingNumbers("Offset")) - Vec3(100.0, 20.0, -5.0)).norm(), 1e-5); // points are floats
   // half the diagonal of the ball's box over the same workspace, as that of the plane's was before
   double b[6];
   ball->GetOutput()->GetBounds(b);
   const double half = std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]) / 2.0;
-  EXPECT_NEAR(this->session_->GetScale() / all, half / (500.0 * std::sqrt(2.0)), 1e-3 * half / 707.0);
+  EXPECT_NEAR(this->session_->GetSetting("Scale") / all, half / (500.0 * std::sqrt(2.0)), 1e-3 * half / 707.0);
   this->session_->FitToSources("large\nsmall");
-  EXPECT_NEAR(this->session_->GetScale(), all, 0.01 * all);
-  const double before = this->session_->GetScale();
+  EXPECT_NEAR(this->session_->GetSetting("Scale"), all, 0.01 * all);
+  const double before = this->session_->GetSetting("Scale");
   EXPECT_THAT(errorsOf(this->session_, [this] { this->session_->FitToSources("small\nother"); }).at(0),
     HasSubstr("other is not touched"));
-  EXPECT_EQ(this->session_->GetScale(), before);
+  EXPECT_EQ(this->session_->GetSetting("Scale"), before);
 }
 
 TEST(HapticSessionHandButtons, OfTheDeviceMakeTheHandPreciseAndHoldItWhileTheyAreDown)
@@ -254,13 +259,13 @@ TEST(HapticSessionHandButtons, OfTheDeviceMakeTheHandPreciseAndHoldItWhileTheyAr
   const auto bus = std::make_shared<test::FakeHidBus>();
   test::FakePort& port = bus->plug(test::plainLayout(), "8");
   vtkNew<vtkHapticSession> session;
-  session->SetHidBus(bus);
-  session->VirtualTimeOn();
-  session->SetScale(lifeSize);
-  session->SetDeviceName("pid-1209-ffb0-8");
-  session->SetPrecisionButton(1);
-  session->SetPrecisionFactor(finer);
-  session->SetClutchButton(2);
+  session->GetDevices()->SetHidBus(bus);
+  session->SetSetting("VirtualTime", true);
+  session->SetSetting("Scale", lifeSize);
+  session->SetSetting("DeviceName", "pid-1209-ffb0-8");
+  session->SetSetting("PrecisionButton", 1);
+  session->SetSetting("PrecisionFactor", finer);
+  session->SetSetting("ClutchButton", 2);
   session->TouchingOn();
   ASSERT_TRUE(session->GetTouching()) << session->GetProblem();
   const auto comes = [&](const std::function<bool()>& expected)
@@ -277,9 +282,9 @@ TEST(HapticSessionHandButtons, OfTheDeviceMakeTheHandPreciseAndHoldItWhileTheyAr
   const auto handX = [&] { return session->GetHandPosition()[0]; };
   const auto moveTo = [&](double x) { bus->alone([&] { port.device->position[0] = x; }); };
   press(1);
-  EXPECT_TRUE(comes([&] { return std::fabs(session->GetScale() - lifeSize / finer) < 1e-9; }));
+  EXPECT_TRUE(comes([&] { return std::fabs(session->GetSetting("Scale") - lifeSize / finer) < 1e-9; }));
   press(0);
-  EXPECT_TRUE(comes([&] { return std::fabs(session->GetScale() - lifeSize) < 1e-9; }));
+  EXPECT_TRUE(comes([&] { return std::fabs(session->GetSetting("Scale") - lifeSize) < 1e-9; }));
   const double before = handX();
   int changes = 0;
   vtkNew<vtkCallbackCommand> count;

@@ -16,7 +16,9 @@
 #include "vtkDataArray.h"
 #include "vtkHapticMechanism.h"
 #include "vtkHapticMechanismFile.h"
+#include "vtkHapticSight.h"
 #include "vtkHapticToolProps.h"
+#include "vtkHapticTouchedMechanism.h"
 #include "vtkIdList.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
@@ -86,10 +88,10 @@ class MechanismShown : public VirtualSession
 protected:
   MechanismShown()
   {
-    this->session_->PassivityOff();
-    this->session_->SetSoftRate(rate_Hz);
-    this->session_->SetMechanismTurning(1.0);
-    this->session_->SetMechanismSource("Mechanism1");
+    this->session_->SetSetting("Passivity", false);
+    this->session_->SetSetting("SoftRate", rate_Hz);
+    this->session_->SetSetting("MechanismTurning", 1.0);
+    this->session_->SetSetting("MechanismSource", "Mechanism1");
   }
 
   /// The hand straight below a place.
@@ -127,7 +129,7 @@ protected:
   [[nodiscard]] bool look()
   {
     this->shown_->ShallowCopy(this->source_->GetAtFirst());
-    return this->session_->MoveMechanism(this->shown_);
+    return this->session_->GetMechanism()->Move(this->shown_);
   }
 
   [[nodiscard]] Vec3 vectorAt(const char* array, vtkIdType point)
@@ -284,7 +286,7 @@ TEST_F(MechanismShown, OtherLawsOfTheSameBodiesLeaveThemWhereTheyAreSeenUntilThe
   ASSERT_GT(before.z() - face, 0.3);
   const double depth = this->session_->GetMechanismDepth();
   ASSERT_GT(depth, 3.0);
-  this->session_->SetMechanismLaws(("[" + skin + "]").c_str());
+  this->session_->SetSetting("MechanismLaws", ("[" + skin + "]").c_str());
   this->session_->Update();
   ASSERT_TRUE(this->look());
   EXPECT_LE((this->seen(joint_W) - before).norm(), 1e-12);
@@ -300,7 +302,7 @@ TEST_F(MechanismShown, OtherLawsOfTheSameBodiesLeaveThemWhereTheyAreSeenUntilThe
 TEST_F(MechanismShown, WhatIsHeldIsSolidWhereItIsFeltAGhostWhereTheHandIsAndABallWhereTheHandWas)
 {
   this->hold(thread, face);
-  this->session_->ShowSoftHandOn();
+  this->session_->SetSetting("ShowSoftHand", true);
   this->press(Vec3(1.0, 0, 2.0));
   constexpr double perTick = 0.01; // u
   constexpr int ticks = 220;
@@ -325,7 +327,7 @@ TEST_F(MechanismShown, WhatIsHeldIsSolidWhereItIsFeltAGhostWhereTheHandIsAndABal
     return Vec3(at);
   };
   double box[6];
-  this->session_->GetToolShape(this->shown_);
+  this->session_->GetSight()->GetToolShape(this->shown_);
   this->shown_->GetBounds(box);
   EXPECT_NEAR(box[4], 0.0, 1e-6);
   EXPECT_NEAR(box[5], needle, 1e-4) << "single precision";
@@ -346,7 +348,7 @@ TEST_F(MechanismShown, WhatIsHeldIsSolidWhereItIsFeltAGhostWhereTheHandIsAndABal
   EXPECT_NEAR(behind, std::round(behind), 1e-6) << "it was there in a tick";
   EXPECT_GE(behind, 1.0 - 1e-6);
   EXPECT_LE(behind, 1000.0 / rate_Hz + 1e-6);
-  this->session_->SetMechanismSource("");
+  this->session_->SetSetting("MechanismSource", "");
   this->session_->Step(1);
   this->session_->Update();
   props->UpdateFrom(this->session_);

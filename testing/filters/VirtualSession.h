@@ -26,9 +26,9 @@ class VirtualSession : public ::testing::Test
 protected:
   VirtualSession()
   {
-    this->session_->VirtualTimeOn();
-    this->session_->SetStiffness(stiffness);
-    this->session_->SetScale(scale);
+    this->session_->SetSetting("VirtualTime", true);
+    this->session_->SetSetting("Stiffness", stiffness);
+    this->session_->SetSetting("Scale", scale);
   }
 
   /// It is all of the scene, and is felt from the next tick on.

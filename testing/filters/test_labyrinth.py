@@ -35,7 +35,7 @@ def step_until(session, phase, most_s=20):
     for _ in range(most_s * 100):
         session.Step(10)
         session.Update()
-        if session.GetLabyrinthPhase() == phase:
+        if session.GetLabyrinth().GetPhase() == phase:
             return True
     return False
 
@@ -47,11 +47,11 @@ class Labyrinths(unittest.TestCase):
 
     def session(self, world, device="simulated-joystick"):
         session = vtkHapticSession()
-        session.SetDeviceName(device)
-        session.SetHand("none")
-        session.SetVirtualTime(True)
+        session.SetSetting("DeviceName", device)
+        session.SetSetting("Hand", "none")
+        session.SetSetting("VirtualTime", True)
         lines = lines_of(world)
-        played = session.PlayLabyrinth(lines, world)
+        played = session.GetLabyrinth().Play(lines, world)
         session.ClearSurfaces()
         session.AddSurface(world, lines, None)
         session.CommitScene()
@@ -72,40 +72,40 @@ class Labyrinths(unittest.TestCase):
         session, played = self.session("hampton-court")
         self.assertTrue(played, session.GetProblem())
         session.SetTouching(True)
-        self.assertTrue(step_until(session, "leads"), session.GetLabyrinthPhase() + session.GetFaultText())
-        self.assertTrue(step_until(session, "explores"), session.GetLabyrinthPhase())
+        self.assertTrue(step_until(session, "leads"), session.GetLabyrinth().GetPhase() + session.GetFaultText())
+        self.assertTrue(step_until(session, "explores"), session.GetLabyrinth().GetPhase())
         start = start_of("hampton-court")
         x, y, _ = session.GetProxyPosition()
         self.assertLess(max(abs(x - start[0]), abs(y - start[1])), 0.5)  # in the corridor of the start
-        session.PlayAgain()
+        session.GetLabyrinth().PlayAgain()
         session.Step(1)
         session.Update()
-        self.assertEqual(session.GetLabyrinthPhase(), "lets go")  # it is at the start already
-        self.assertEqual(session.GetLabyrinthTime(), 0.0)
-        session.EndLabyrinth()
+        self.assertEqual(session.GetLabyrinth().GetPhase(), "lets go")  # it is at the start already
+        self.assertEqual(session.GetLabyrinth().GetTime(), 0.0)
+        session.GetLabyrinth().End()
         session.Step(1)
         session.Update()
-        self.assertEqual(session.GetLabyrinthPhase(), "off")
+        self.assertEqual(session.GetLabyrinth().GetPhase(), "off")
 
     def test_zoom_makes_a_corridor_as_wide_as_a_hand_tells_apart(self):
         session, _ = self.session("hampton-court")
-        stiffness_N_per_m = min(session.GetStiffness(), session.GetLargestStiffness())
-        self.assertAlmostEqual(session.GetFeelableWidth(), 2 * PRESSING_N / stiffness_N_per_m, 15)
-        width_m = CORRIDOR_U / session.GetScale()
+        stiffness_N_per_m = min(session.GetSetting("Stiffness"), session.GetLargestStiffness())
+        self.assertAlmostEqual(session.GetLabyrinth().GetFeelableWidth(), 2 * PRESSING_N / stiffness_N_per_m, 15)
+        width_m = CORRIDOR_U / session.GetSetting("Scale")
         zoom = 2 * PRESSING_N / stiffness_N_per_m / width_m
         self.assertGreater(zoom, 1)
-        self.assertAlmostEqual(session.GetFeelableZoom() / zoom, 1, 12)
-        session.SetScale(session.GetScale() / zoom)
-        self.assertAlmostEqual(session.GetFeelableZoom(), 1, 12)
-        session.SetScale(session.GetScale() / 2)
-        self.assertEqual(session.GetFeelableZoom(), 1)
+        self.assertAlmostEqual(session.GetLabyrinth().GetFeelableZoom() / zoom, 1, 12)
+        session.SetSetting("Scale", session.GetSetting("Scale") / zoom)
+        self.assertAlmostEqual(session.GetLabyrinth().GetFeelableZoom(), 1, 12)
+        session.SetSetting("Scale", session.GetSetting("Scale") / 2)
+        self.assertEqual(session.GetLabyrinth().GetFeelableZoom(), 1)
 
     def test_zoom_is_one_where_nothing_was_played_and_infinite_without_stiffness(self):
-        self.assertEqual(vtkHapticSession().GetFeelableZoom(), 1)
+        self.assertEqual(vtkHapticSession().GetLabyrinth().GetFeelableZoom(), 1)
         session, _ = self.session("wedge-field")  # refused as a game, and explored
-        self.assertGreater(session.GetFeelableZoom(), 1)
-        session.SetStiffness(0)
-        self.assertEqual(session.GetFeelableZoom(), math.inf)
+        self.assertGreater(session.GetLabyrinth().GetFeelableZoom(), 1)
+        session.SetSetting("Stiffness", 0)
+        self.assertEqual(session.GetLabyrinth().GetFeelableZoom(), math.inf)
 
     def test_hand_without_force_is_told_to_go_to_the_start(self):
         for device, forces in (("simulated-joystick", True), ("fed", False), ("mouse", False)):
@@ -116,23 +116,23 @@ class Labyrinths(unittest.TestCase):
             session.SetTouching(True)
             self.assertTrue(step_until(session, "leads"), device)
             text = "leads" if forces else "go to the start yourself (no force)"
-            self.assertEqual(session.GetLabyrinthText(), text, device)
+            self.assertEqual(session.GetLabyrinth().GetText(), text, device)
 
     def test_trace_is_the_way_since_the_hand_was_let_go(self):
         session, _ = self.session("hampton-court", "fed")
         start = start_of("hampton-court")
         session.SetHandPosition(start[0], start[1], 0)
         trace = vtkPolyData()
-        session.GetLabyrinthTrace(trace)
+        session.GetLabyrinth().GetTrace(trace)
         self.assertEqual(trace.GetNumberOfPoints(), 0)
         session.SetTouching(True)
-        self.assertTrue(step_until(session, "explores"), session.GetLabyrinthPhase() + session.GetFaultText())
+        self.assertTrue(step_until(session, "explores"), session.GetLabyrinth().GetPhase() + session.GetFaultText())
         steps = 64
         for k in range(steps + 1):  # to and fro in the corridor of the start
             session.SetHandPosition(start[0], start[1] + 0.25 * math.sin(2 * math.pi * k / steps), 0)
             session.Step(20)
             session.Update()
-        session.GetLabyrinthTrace(trace)
+        session.GetLabyrinth().GetTrace(trace)
         way = [trace.GetPoint(k) for k in range(trace.GetNumberOfPoints())]
         self.assertEqual(trace.GetNumberOfLines(), 1)
         self.assertGreaterEqual(len(way), 5)  # a way of 1 u, a point each 0.1 u at least where it does not turn
@@ -147,16 +147,16 @@ class Labyrinths(unittest.TestCase):
         drawn.UpdateFrom(session)
         self.assertTrue(drawn.GetTraceActor().GetVisibility())
         self.assertEqual(drawn.GetTraceActor().GetMapper().GetInput().GetNumberOfPoints(), len(way))
-        session.PlayAgain()
+        session.GetLabyrinth().PlayAgain()
         session.Step(1)
-        session.GetLabyrinthTrace(trace)
+        session.GetLabyrinth().GetTrace(trace)
         self.assertEqual(trace.GetNumberOfPoints(), 0)
 
     def test_way_is_still_drawn_when_nothing_is_touched_any_more(self):
         session, _ = self.session("corridor", "fed")
         session.SetHandPosition(*start_of("corridor"))
         session.SetTouching(True)
-        self.assertTrue(step_until(session, "explores"), session.GetLabyrinthPhase())
+        self.assertTrue(step_until(session, "explores"), session.GetLabyrinth().GetPhase())
         drawn = vtkHapticToolProps()
         drawn.ShowTraceOn()
         drawn.UpdateFrom(session)
@@ -165,7 +165,7 @@ class Labyrinths(unittest.TestCase):
         self.assertTrue(drawn.GetTraceActor().GetVisibility())
         self.assertFalse(drawn.GetProxyActor().GetVisibility())
         self.assertFalse(drawn.GetStartActor().GetVisibility())
-        session.GetLabyrinthTrace(None)
+        session.GetLabyrinth().GetTrace(None)
 
     def test_start_and_exit_are_drawn_where_they_are_or_only_the_start_as_long_as_it_is_looked_for(self):
         session, _ = self.session("corridor", "fed")
@@ -177,7 +177,7 @@ class Labyrinths(unittest.TestCase):
         for actor, place in ((drawn.GetStartActor(), (0.5, 0.5, 0)), (drawn.GetExitActor(), (9.5, 0.5, 0))):
             self.assertTrue(actor.GetVisibility())
             self.assertEqual(actor.GetPosition(), place)
-            self.assertEqual(actor.GetScale()[0], session.GetLabyrinthReach())
+            self.assertEqual(actor.GetScale()[0], session.GetLabyrinth().GetReach())
         drawn.ShowPlacesOff()
         drawn.UpdateFrom(session)
         self.assertTrue(drawn.GetStartActor().GetVisibility())
@@ -192,26 +192,26 @@ class Labyrinths(unittest.TestCase):
         session.SetTouching(True)
         self.assertTrue(step_until(session, "explores"))
         lines = lines_of("hampton-court")
-        self.assertTrue(session.PlayLabyrinth(lines, "hampton-court"))
+        self.assertTrue(session.GetLabyrinth().Play(lines, "hampton-court"))
         session.ClearSurfaces()
         session.AddSurface("hampton-court", lines, None)
         session.CommitScene()
         session.FinishScene()
         session.Step(1)
         session.Update()
-        self.assertEqual(session.GetLabyrinthPhase(), "leads")
+        self.assertEqual(session.GetLabyrinth().GetPhase(), "leads")
         self.assertTrue(step_until(session, "explores"))
         self.assertLess(math.dist(session.GetProxyPosition(), start_of("hampton-court")), 0.5)
-        self.assertLess(session.GetLabyrinthTime(), 0.1)
+        self.assertLess(session.GetLabyrinth().GetTime(), 0.1)
 
     def test_structure_is_fitted_as_a_maze_is(self):
         session, played = self.session("circle-set")
         self.assertFalse(played)
         fence = lines_of("circle-set").GetBounds()
         radius_m = 0.05  # of the joystick's workspace: the fence fits into the square inside
-        self.assertAlmostEqual(session.GetScale(), (fence[1] - fence[0]) / (math.sqrt(2) * radius_m), 9)
-        self.assertAlmostEqual(session.GetOffset()[0], 0.5 * (fence[0] + fence[1]), 12)
-        self.assertAlmostEqual(session.GetRadius(), 0.2 * CORRIDOR_U, 15)
+        self.assertAlmostEqual(session.GetSetting("Scale"), (fence[1] - fence[0]) / (math.sqrt(2) * radius_m), 9)
+        self.assertAlmostEqual(session.GetSettingNumbers("Offset")[0], 0.5 * (fence[0] + fence[1]), 12)
+        self.assertAlmostEqual(session.GetSetting("Radius"), 0.2 * CORRIDOR_U, 15)
         self.assertEqual(self.window.GetOutput(), "")
 
     def drawing(self, more):
@@ -243,7 +243,7 @@ class Labyrinths(unittest.TestCase):
     def test_maze_with_a_start_alone_lacks_its_exit(self):
         data = self.drawing('<circle id="start" cx="25" cy="25" r="5"/>')
         session = vtkHapticSession()
-        self.assertFalse(session.PlayLabyrinth(data, "bend.svg"))
+        self.assertFalse(session.GetLabyrinth().Play(data, "bend.svg"))
         self.assertIn("bend.svg: it says no exit", session.GetProblem())
 
     def test_line_of_one_point_changes_nothing_and_is_named_with_that_point(self):
@@ -254,11 +254,11 @@ class Labyrinths(unittest.TestCase):
         lines.InsertNextCell(2, (0, 0))
         data.SetLines(lines)
         session = vtkHapticSession()
-        before = session.GetScale(), session.GetRadius(), session.GetLinesAsWalls()
-        self.assertFalse(session.PlayLabyrinth(data, "dot.vtp"))
+        before = session.GetSetting("Scale"), session.GetSetting("Radius"), session.GetSetting("LinesAsWalls")
+        self.assertFalse(session.GetLabyrinth().Play(data, "dot.vtp"))
         self.assertIn("dot.vtp: its lines are all one point, (1, 2)", session.GetProblem())
-        self.assertEqual((session.GetScale(), session.GetRadius(), session.GetLinesAsWalls()), before)
-        self.assertFalse(session.PlayLabyrinth(vtkPolyData(), "none.vtp"))
+        self.assertEqual((session.GetSetting("Scale"), session.GetSetting("Radius"), session.GetSetting("LinesAsWalls")), before)
+        self.assertFalse(session.GetLabyrinth().Play(vtkPolyData(), "none.vtp"))
         self.assertIn("none.vtp: there is nothing to play", session.GetProblem())
 
     def test_no_button_that_was_not_pressed_asks_for_a_labyrinth(self):
@@ -266,7 +266,7 @@ class Labyrinths(unittest.TestCase):
         session.SetTouching(True)
         session.Step(100)
         session.Update()
-        self.assertEqual(session.TakeLabyrinthWish(), 0)
+        self.assertEqual(session.GetLabyrinth().TakeWish(), 0)
 
     def test_structure_is_refused_before_the_hand_is_moved(self):
         session, played = self.session("wedge-field")
@@ -275,7 +275,7 @@ class Labyrinths(unittest.TestCase):
         session.SetTouching(True)
         session.Step(100)
         session.Update()
-        self.assertEqual(session.GetLabyrinthPhase(), "off")
+        self.assertEqual(session.GetLabyrinth().GetPhase(), "off")
 
     def test_file_that_is_not_there_is_named(self):
         self.assertEqual(lines_of("no-such.vtp").GetNumberOfPoints(), 0)

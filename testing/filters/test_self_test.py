@@ -7,7 +7,7 @@ import unittest
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
-from palpate.vtkHapticInteraction import vtkHapticSession
+from palpate.vtkHapticInteraction import vtkHapticDeviceCheck, vtkHapticSession
 
 
 class SelfTest(unittest.TestCase):
@@ -17,31 +17,31 @@ class SelfTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="palpate-calibration-")
         self.addCleanup(folder.cleanup)
         self.session = vtkHapticSession()
-        self.session.VirtualTimeOn()
-        self.session.SetCalibrationFolder(folder.name)
+        self.session.SetSetting("VirtualTime", 1)
+        self.session.GetDeviceCheck().SetCalibrationFolder(folder.name)
 
     def test_a_simulated_joystick_is_checked_and_what_was_found_is_kept(self):
-        self.session.SetDeviceName("simulated-joystick")
-        self.session.StartSelfTest()
+        self.session.SetSetting("DeviceName", "simulated-joystick")
+        self.session.GetDeviceCheck().Start()
         asked = []
         for _ in range(1000):
-            if self.session.GetSelfTestState() != vtkHapticSession.CheckRuns:
+            if self.session.GetDeviceCheck().GetState() != vtkHapticDeviceCheck.CheckRuns:
                 break
-            if self.session.GetSelfTestAsk() not in asked:
-                asked.append(self.session.GetSelfTestAsk())
+            if self.session.GetDeviceCheck().GetAsk() not in asked:
+                asked.append(self.session.GetDeviceCheck().GetAsk())
             self.session.Step(100)
-        self.assertEqual(self.session.GetSelfTestState(), vtkHapticSession.CheckPassed)
+        self.assertEqual(self.session.GetDeviceCheck().GetState(), vtkHapticDeviceCheck.CheckPassed)
         self.assertEqual(len(asked), 1 + 4 + 1 + 1)  # still, four ends, the middle, pushes
-        self.assertIn("The device works.", self.session.GetSelfTestResult())
-        self.assertTrue(self.session.KeepCalibration())
-        self.assertEqual(os.listdir(self.session.GetCalibrationFolder()), ["simulated-joystick.calibration"])
+        self.assertIn("The device works.", self.session.GetDeviceCheck().GetResult())
+        self.assertTrue(self.session.GetDeviceCheck().KeepCalibration())
+        self.assertEqual(os.listdir(self.session.GetDeviceCheck().GetCalibrationFolder()), ["simulated-joystick.calibration"])
 
     def test_poses_from_a_program_have_nothing_to_check(self):
-        self.session.SetDeviceName("fed")
-        self.session.StartSelfTest()
-        self.assertEqual(self.session.GetSelfTestState(), vtkHapticSession.CheckNone)
+        self.session.SetSetting("DeviceName", "fed")
+        self.session.GetDeviceCheck().Start()
+        self.assertEqual(self.session.GetDeviceCheck().GetState(), vtkHapticDeviceCheck.CheckNone)
         self.assertIn("no force", self.session.GetProblem())
-        self.assertFalse(self.session.KeepCalibration())
+        self.assertFalse(self.session.GetDeviceCheck().KeepCalibration())
 
 
 if __name__ == "__main__":

@@ -77,13 +77,13 @@ class Arrays(unittest.TestCase):
     def bent(self, rest, depth=None):
         """As a session shows it, with the hand far above, or so deep below where the ball touches the top's middle."""
         session = vtkHapticSession()
-        session.SetDeviceName("fed")
-        session.SetVirtualTime(True)
-        session.SetStiffness(500.0)
-        session.SetScale(1000.0)
-        session.SetRadius(RADIUS)
-        session.SetSoftRate(20)
-        session.SetSoftSource("block")
+        session.SetSetting("DeviceName", "fed")
+        session.SetSetting("VirtualTime", True)
+        session.SetSetting("Stiffness", 500.0)
+        session.SetSetting("Scale", 1000.0)
+        session.SetSetting("Radius", RADIUS)
+        session.SetSetting("SoftRate", 20)
+        session.SetSetting("SoftSource", "block")
         self.assertTrue(session.AddSoftBody("block", rest), session.GetProblem())
         above = HEIGHT + 5 * RADIUS
         session.SetHandPosition(SIDE / 2, SIDE / 2, above)

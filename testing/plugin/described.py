@@ -52,11 +52,11 @@ def domain(setting):
     return [f'        <{kind}RangeDomain name="range"{ends}/>'] if kind and ends else []
 
 
-def setting_xml(setting):
+def setting_xml(setting, command='SetSetting" initial_string="{}'):
     name = setting["name"]
     element = SETTING_KIND[setting["kind"]] + "VectorProperty"
     default = setting["default_text"] if setting["kind"] == "text" else " ".join(map(number, setting["defaults"]))
-    attributes = f' command="Set{name}" number_of_elements="{max(1, len(setting["defaults"]))}" default_values="{default}"'
+    attributes = f' command="{command.format(name)}" number_of_elements="{max(1, len(setting["defaults"]))}" default_values="{default}"'
     attributes = REPEATED if setting["kind"] == "points" else attributes
     attributes += "" if setting["saved"] else ' is_internal="1"'
     lines = [f'      <{element} name="{name}"{attributes}>', *domain(setting), documentation(setting), f"      </{element}>"]
@@ -88,21 +88,13 @@ def readout_row(readout):
 
 
 def declared(macro, *arguments):
-    """One line of a macro that is a list of macros."""
-    return f"  vtkHaptic{macro}Macro({', '.join(arguments)});" + " \\\n"
+    """One line of a macro that is a list of macros, which declare."""
+    return defined(macro, *arguments).replace(")", ");")
 
 
-def setter(setting):
-    name, kind, numbers = setting["name"], setting["kind"], len(setting["defaults"])
-    owner = "Field" if setting["field"] else ""
-    if kind == "points":
-        return ""  # they are added one by one
-    if kind == "flag":
-        return declared(owner + "Switch", name)
-    if kind == "rotation" or numbers > 1:
-        return declared(owner + {4: "Rotation", 3: "Vector", 2: "Range"}[numbers], name)
-    value = {"text": "const char*", "count": "int", "choice": "int"}.get(kind, "double")
-    return declared(owner or "Setting", name, value)
+def defined(macro, *arguments):
+    """The same of macros that define what they declare."""
+    return f"  vtkHaptic{macro}Macro({', '.join(arguments)})" + " \\\n"
 
 
 ARRAY_LIST = """        <ArrayListDomain name="array_list" none_string="" input_domain_name="field_arrays">
@@ -117,21 +109,26 @@ def of_field(render):
 
 
 def touch_xml(setting):
-    head, newline, rest = setting_xml(setting).partition("\n")
+    head, newline, rest = setting_xml(setting, "Set{}").partition("\n")
     arrays = ARRAY_LIST if setting["kind"] == "text" and setting["name"] != "FieldDetentLevels" else ""
     return head[:-1] + '\n                         panel_visibility="advanced">' + newline + arrays + rest
 
 
 def touch_setter(setting):
-    return setter(setting).replace("vtkHapticField", "vtkHapticTouchField").replace("vtkHapticSetting", "vtkHapticTouchSetting")
+    owner = "Touch" + ("Field" if setting["field"] else "")
+    if setting["kind"] == "flag":
+        return declared(owner + "Switch", setting["name"])
+    value = {"text": "const char*", "count": "int", "choice": "int"}.get(setting["kind"], "double")
+    return declared(owner if setting["field"] else "TouchSetting", setting["name"], value)
 
 
 def getter(readout):
     name, kind = readout["name"], readout["kind"]
     if readout["elements"] > 1:
-        return declared("Numbers", name, str(readout["elements"]))
-    value = {"flag": "bool", "count": "int", "long count": "vtkIdType", "text": "const char*"}.get(kind, "double")
-    return declared("Readout", name, value)
+        return defined("Numbers", name, str(readout["elements"]))
+    if kind == "text":
+        return defined("Text", name)
+    return defined("Readout", name, {"flag": "bool", "count": "int", "long count": "vtkIdType"}.get(kind, "double"))
 
 
 def option_row(setting):
@@ -152,7 +149,6 @@ PLACES = (
     (XML, "      <!-- Read-outs -->\n", "    </HapticSessionProxy>\n", "readouts", readout_xml),
     (GUIDE, "| takes effect |\n|---|---|---|---|\n", "\nWithout a title", "settings", setting_row),
     (GUIDE, "| meaning |\n|---|---|---|\n", "\n## With the mouse", "readouts", readout_row),
-    (DECLARATIONS, "#define vtkHapticSettingsMacro() \\\n", "  /* the end of the settings", "settings", setter),
     (DECLARATIONS, "#define vtkHapticTableReadoutsMacro() \\\n", "  /* the end of the read-outs", "readouts", getter),
     (TOUCH_XML, "      <!-- Settings of a field -->\n", "      <!-- Of the path -->\n", "settings", of_field(touch_xml)),
     (TOUCH_DECLARATIONS, "#define vtkHapticTouchFieldSettingsMacro() \\\n", "  /* the end of the settings", "settings",

@@ -255,7 +255,7 @@ class DrawingWithWallsOnTheDevice(ViewTest):
         put(self.proxy, "DeviceName", "simulated-joystick")
         put(self.proxy, "Scale", JOYSTICK_SCALE)
         put(self.proxy, "WallRate", 1 / TICK)
-        self.session.SetHand("firm")
+        self.session.SetSetting("Hand", "firm")
         for point in ((0, 5, 0), (20, -20, 0)):
             self.session.AddStrokePoint(*point)
         self.line = simple.PolyLineSource(Points=[-40, 0, 0, 40, 0, 0])

@@ -79,8 +79,11 @@ def put(proxy, name, new):
 
 
 def from_object(proxy, name):
-    found = getattr(proxy.GetClientSideObject(), "G" + proxy.GetProperty(name).GetCommand()[1:])()
-    return list(found) if isinstance(found, tuple) else [found]
+    session = proxy.GetClientSideObject()
+    if proxy.GetProperty(name).GetInformationOnly():
+        found = getattr(session, proxy.GetProperty(name).GetCommand())()
+        return list(found) if isinstance(found, tuple) else [found]
+    return list(session.GetSettingNumbers(name)) if session.GetSettingSize(name) else [session.GetSettingText(name)]
 
 
 class Properties(unittest.TestCase):
@@ -163,10 +166,10 @@ class Properties(unittest.TestCase):
             beyond = [end for end, limit in zip(ends, (setting["low"], setting["high"])) if limit is not None]
             for value in beyond + ([len(setting["choices"])] if setting["kind"] == "choice" else []):
                 before = from_object(self.proxy, name)
-                getattr(session, "Set" + name)(*[value] * elements)
+                session.SetSetting(name, *[value] * elements)
                 self.assertEqual(from_object(self.proxy, name), before, name)
                 self.assertIn(setting["allowed"], session.GetProblem(), name)
-                getattr(session, "Set" + name)(*before)
+                session.SetSetting(name, *before)
                 self.assertEqual(session.GetProblem(), "", name)
         session.GlobalWarningDisplayOn()
 

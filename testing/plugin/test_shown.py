@@ -37,7 +37,7 @@ class Shown(ViewTest):
         self.assertAlmostEqual(self.session.GetForce()[0], FORCE, delta=1e-6)
         self.assertTrue(self.session.InspectContact())
         self.assertEqual(self.session.GetContactPoint(), 1)  # of the line, not of the box
-        self.assertAlmostEqual(self.session.GetContactValue("Size"), 2.0, delta=1e-12)
+        self.assertAlmostEqual(self.session.GetInspection().GetValue("Size"), 2.0, delta=1e-12)
         put(self.proxy, "Touching", 0)
         self.press(0.5 * 1.0 - DEPTH, 0.1, 0.1)
         self.assertAlmostEqual(self.session.GetForce()[0], FORCE, delta=1e-6)

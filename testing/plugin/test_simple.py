@@ -83,10 +83,10 @@ class Functions(unittest.TestCase):
         SetHaptics(FieldArray="RTData", StiffnessArray="RTData")
         self.assertIn("RTData", TakeColorRange(self.view))
         session = GetHapticSession()
-        self.assertAlmostEqual(session.GetFieldIsovalue(), 175.0)  # half of 0.6, half way from 100 to 250
-        self.assertAlmostEqual(session.GetFieldDetentOrigin(), 50.0)
-        self.assertAlmostEqual(session.GetFieldDetentSpacing(), 25.0)  # an eighth of 200
-        self.assertEqual(tuple(session.GetStiffnessDataRange()), (50.0, 250.0))
+        self.assertAlmostEqual(session.GetSetting("FieldIsovalue"), 175.0)  # half of 0.6, half way from 100 to 250
+        self.assertAlmostEqual(session.GetSetting("FieldDetentOrigin"), 50.0)
+        self.assertAlmostEqual(session.GetSetting("FieldDetentSpacing"), 25.0)  # an eighth of 200
+        self.assertEqual(tuple(session.GetSettingNumbers("StiffnessDataRange")), (50.0, 250.0))
         SetHaptics(FieldArray="", StiffnessArray="")
 
     def test_a_mark_says_where_it_is_and_is_saved(self):
@@ -117,7 +117,7 @@ class Functions(unittest.TestCase):
                 Mark()
             with self.assertRaisesRegex(HapticRefusal, "Stiffnes is no setting"):
                 SetHaptics(Stiffnes=1.0)
-        self.assertEqual(GetHapticSession().GetStiffness(), STIFFNESS)
+        self.assertEqual(GetHapticSession().GetSetting("Stiffness"), STIFFNESS)
 
     def test_a_source_in_the_hand_is_not_touched_but_touches(self):
         """A box of 20 u whose middle is held 8 u above a floor: pressed in by 2 u."""
@@ -223,9 +223,9 @@ class Functions(unittest.TestCase):
             with self.assertRaisesRegex(HapticRefusal, said):
                 call()
         session = GetHapticSession()
-        self.assertEqual(session.GetSourcesText(), "")
-        self.assertEqual((session.GetStiffness(), session.GetDelay(), session.GetDeviceName()), (STIFFNESS, 0, "fed"))
-        self.assertEqual(tuple(session.GetOffset()), (0.0, 0.0, 0.0))
+        self.assertEqual(session.GetSettingText("SourcesText"), "")
+        self.assertEqual((session.GetSetting("Stiffness"), session.GetSetting("Delay"), session.GetSettingText("DeviceName")), (STIFFNESS, 0, "fed"))
+        self.assertEqual(tuple(session.GetSettingNumbers("Offset")), (0.0, 0.0, 0.0))
 
     def test_what_is_shown_is_fitted_to_before_it_is_touched_and_nothing_is_refused(self):
         with self.assertRaisesRegex(HapticRefusal, "Nothing is shown: open a file"):
@@ -237,18 +237,18 @@ class Functions(unittest.TestCase):
         for length in (100, 200):
             box.XLength = box.YLength = box.ZLength = length
             FitHand()
-            scales.append(GetHapticSession().GetScale())
+            scales.append(GetHapticSession().GetSetting("Scale"))
         self.assertAlmostEqual(scales[1], 2.0 * scales[0], delta=1e-9 * scales[1])
         simple.Hide(box, self.view)
         with self.assertRaisesRegex(HapticRefusal, "Nothing is shown"):
             FitHand()
-        self.assertEqual(GetHapticSession().GetScale(), scales[1])
+        self.assertEqual(GetHapticSession().GetSetting("Scale"), scales[1])
 
     def test_the_hand_is_fitted_to_what_is_shown(self):
         self.press_box()
         SetHaptics(DeviceName="mouse")
         FitHand()
-        scale = GetHapticSession().GetScale()
+        scale = GetHapticSession().GetSetting("Scale")
         self.assertTrue(math.isfinite(scale) and scale != SCALE)
 
 

@@ -48,23 +48,23 @@ class StateFile(unittest.TestCase):
         put(proxy, "PlaneGuide", 0)
         put(proxy, "WallRate", 50.0)
         loaded = self.saved_and_loaded(proxy)
-        self.assertEqual((loaded.GetStiffness(), loaded.GetRadius()), (345.0, 1.25))
-        self.assertEqual((loaded.GetFrictionStatic(), loaded.GetFrictionKineticUsed()), (0.75, 0.5))
-        self.assertEqual((loaded.GetStiffnessArray(), loaded.GetFrictionArray(), loaded.GetTextureArray()), ("E", "mu", ""))
-        self.assertEqual((loaded.GetStiffnessComponent(), loaded.GetFrictionComponent()), (1, -1))
-        self.assertEqual((tuple(loaded.GetStiffnessDataRange()), tuple(loaded.GetStiffnessFeltRange())),
+        self.assertEqual((loaded.GetSetting("Stiffness"), loaded.GetSetting("Radius")), (345.0, 1.25))
+        self.assertEqual((loaded.GetSetting("FrictionStatic"), loaded.GetFrictionKineticUsed()), (0.75, 0.5))
+        self.assertEqual((loaded.GetSettingText("StiffnessArray"), loaded.GetSettingText("FrictionArray"), loaded.GetSettingText("TextureArray")), ("E", "mu", ""))
+        self.assertEqual((loaded.GetSetting("StiffnessComponent"), loaded.GetSetting("FrictionComponent")), (1, -1))
+        self.assertEqual((tuple(loaded.GetSettingNumbers("StiffnessDataRange")), tuple(loaded.GetSettingNumbers("StiffnessFeltRange"))),
                          ((-2.0, 3.0), (50.0, 250.0)))
-        self.assertEqual(tuple(loaded.GetTextureFeltRange()), (-0.5, 0.25))
-        self.assertEqual((loaded.GetPassivity(), loaded.GetLimitStiffness(), loaded.GetHand()), (False, True, "light"))
-        self.assertEqual((loaded.GetLinesAsWalls(), loaded.GetHoldWalls(), loaded.GetPlaneGuide()), (2, False, False))
-        self.assertEqual(loaded.GetWallRate(), 50.0)
+        self.assertEqual(tuple(loaded.GetSettingNumbers("TextureFeltRange")), (-0.5, 0.25))
+        self.assertEqual((loaded.IsOn("Passivity"), loaded.IsOn("LimitStiffness"), loaded.GetSettingText("Hand")), (False, True, "light"))
+        self.assertEqual((loaded.GetSetting("LinesAsWalls"), loaded.IsOn("HoldWalls"), loaded.IsOn("PlaneGuide")), (2, False, False))
+        self.assertEqual(loaded.GetSetting("WallRate"), 50.0)
         self.assertFalse(loaded.GetTouching())
 
     def test_marks_and_what_was_said_of_single_sources_come_back_though_nobody_set_a_property(self):
         proxy = manager().NewProxy("haptics", "HapticSession")
         session = proxy.GetClientSideObject()
         ball = simple.Sphere(Radius=50.0, ThetaResolution=60, PhiResolution=60)
-        session.SetVirtualTime(True)
+        session.SetSetting("VirtualTime", True)
         self.assertTrue(session.AddSurface("Ball", servermanager.Fetch(ball), None))
         session.CommitScene()
         self.assertTrue(session.FinishScene())
@@ -78,10 +78,10 @@ class StateFile(unittest.TestCase):
         self.assertTrue(session.SetSourceMaterial("Bone", 300.0, 0.5, 0.25))
         put(proxy, "Touching", 0)
         put(proxy, "Stiffness", 150.0)  # another change does not undo it
-        text = session.GetMarksText()
+        text = session.GetSettingText("MarksText")
         self.assertIn("Ball,", text)
         loaded = self.saved_and_loaded(proxy)
-        self.assertEqual(loaded.GetMarksText(), text)
+        self.assertEqual(loaded.GetSettingText("MarksText"), text)
         self.assertEqual(loaded.GetNumberOfMarks(), 1)
         self.assertFalse(loaded.GetSourceTouched("Ball"))
         material = [0.0, 0.0, 0.0]
@@ -105,8 +105,8 @@ class StateFile(unittest.TestCase):
             return text.replace("Source,X,Y,Z", "Id,Source,X").replace('value="light"', 'value="iron"')
 
         loaded = self.saved_and_loaded(proxy, change)
-        self.assertEqual((loaded.GetStiffness(), loaded.GetRadius()), (345.0, 0.0))
-        self.assertEqual((loaded.GetMarksText(), loaded.GetHand()), ("", "stylus"))
+        self.assertEqual((loaded.GetSetting("Stiffness"), loaded.GetSetting("Radius")), (345.0, 0.0))
+        self.assertEqual((loaded.GetSettingText("MarksText"), loaded.GetSettingText("Hand")), ("", "stylus"))
         self.assertIn("cannot be read: its columns do not begin with Source, X, Y and Z", loaded.GetProblem())
 
     def test_a_workspace_that_was_fitted_comes_back_as_it_was(self):
@@ -125,7 +125,7 @@ class StateFile(unittest.TestCase):
         session.CommitScene()
         self.assertTrue(session.FinishScene())
         proxy.InvokeCommand("FitWorkspace")
-        fitted = (session.GetScale(), tuple(session.GetRotation()), tuple(session.GetOffset()))
+        fitted = (session.GetSetting("Scale"), tuple(session.GetSettingNumbers("Rotation")), tuple(session.GetSettingNumbers("Offset")))
         self.assertEqual(fitted[2], (5.0, 0.0, 0.0))
         self.assertNotEqual(fitted[1], (1.0, 0.0, 0.0, 0.0))
         helper = lambda name: servermanager.vtkSMPropertyHelper(proxy, name)  # noqa: E731
@@ -133,10 +133,10 @@ class StateFile(unittest.TestCase):
         self.assertEqual(tuple(helper("Rotation").GetAsDouble(i) for i in range(4)), fitted[1])
         self.assertEqual(tuple(helper("Offset").GetAsDouble(i) for i in range(3)), fitted[2])
         put(proxy, "Stiffness", 150.0)  # another change does not undo it
-        self.assertEqual((session.GetScale(), tuple(session.GetRotation()), tuple(session.GetOffset())), fitted)
+        self.assertEqual((session.GetSetting("Scale"), tuple(session.GetSettingNumbers("Rotation")), tuple(session.GetSettingNumbers("Offset"))), fitted)
         loaded = self.saved_and_loaded(proxy)
-        self.assertAlmostEqual(loaded.GetScale(), fitted[0], delta=1e-9 * fitted[0])
-        for got, wanted in zip(tuple(loaded.GetRotation()) + tuple(loaded.GetOffset()), fitted[1] + fitted[2]):
+        self.assertAlmostEqual(loaded.GetSetting("Scale"), fitted[0], delta=1e-9 * fitted[0])
+        for got, wanted in zip(tuple(loaded.GetSettingNumbers("Rotation")) + tuple(loaded.GetSettingNumbers("Offset")), fitted[1] + fitted[2]):
             self.assertAlmostEqual(got, wanted, delta=1e-9)
 
 

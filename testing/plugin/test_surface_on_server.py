@@ -63,7 +63,7 @@ class Hand(ViewTest):
         put(self.proxy, "Scale", SCALE)
         put(self.proxy, "Stiffness", STIFFNESS)
         put(self.proxy, "ServerLimit", limit)
-        self.session.SetVirtualTime(virtual)
+        self.session.SetSetting("VirtualTime", virtual)
         x, y, z = hand[0]
         self.session.SetHandPosition(x, y, z + 3.0)
         self.follow()

@@ -164,7 +164,7 @@ class TouchInAView(ViewTest):
         tag = self.proxy.AddObserver("UpdateEvent", lambda proxy, _: heard.append(
             (proxy.GetProperty("Touching").GetElement(0) == 1, self.session.GetTouching())))
         put(self.proxy, "Touching", 1)
-        self.assertNotEqual(self.session.GetScale(), DEFAULT_SCALE, "it was not fitted")
+        self.assertNotEqual(self.session.GetSetting("Scale"), DEFAULT_SCALE, "it was not fitted")
         put(self.proxy, "Touching", 0)
         self.proxy.RemoveObserver(tag)
         self.assertEqual(set(heard), {(True, True), (False, False)})

@@ -22,7 +22,7 @@ class ViewTest(unittest.TestCase):
         put(self.proxy, "DeviceName", "fed")
         put(self.proxy, "Stiffness", STIFFNESS)
         put(self.proxy, "Scale", SCALE)
-        self.session.SetVirtualTime(True)
+        self.session.SetSetting("VirtualTime", True)
         self.scene_proxy = manager().NewProxy("haptics", "HapticViewScene")
         self.scene = self.scene_proxy.GetClientSideObject()
         put(self.scene_proxy, "View", self.view.SMProxy)

@@ -6,6 +6,7 @@
 
 #include "pqHapticDeviceChoice.h"
 #include "testing/devices/hid/FakeHidBus.h"
+#include "vtkHapticKnownDevices.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
 
@@ -26,7 +27,7 @@ protected:
     qputenv("QT_QPA_PLATFORM", "offscreen");
     this->application_ = std::make_unique<QApplication>(this->count_, this->arguments_);
     this->choice_ = std::make_unique<pqHapticDeviceChoice>();
-    this->session_->SetHidBus(this->bus_);
+    this->session_->GetDevices()->SetHidBus(this->bus_);
     this->choice_->setSession(this->session_);
   }
 
@@ -69,14 +70,14 @@ TEST_F(HapticDeviceChoice, WhatOnlyAProgramCanLeadIsListedOnceAProgramHasChosenI
 {
   for (const char* name : { "fed", "simulated-touch", "simulated-joystick" })
   {
-    this->session_->SetDeviceName("mouse");
+    this->session_->SetSetting("DeviceName", "mouse");
     this->open();
     EXPECT_EQ(this->choice_->findText(name), -1) << name;
-    this->session_->SetDeviceName(name);
+    this->session_->SetSetting("DeviceName", name);
     this->open();
     EXPECT_EQ(this->choice_->currentText(), name);
   }
-  this->session_->SetDeviceName("mouse");
+  this->session_->SetSetting("DeviceName", "mouse");
   this->open();
   EXPECT_GE(this->choice_->findText("replay"), 0);
 }
@@ -87,7 +88,7 @@ TEST_F(HapticDeviceChoice, WhatAProgramChoosesIsShownWithoutTheListBeingOpened)
   QObject::connect(this->choice_.get(), &QComboBox::currentTextChanged, [&] { ++heard; });
   for (const char* name : { "fed", "simulated-generic", "mouse" })
   {
-    this->session_->SetDeviceName(name);
+    this->session_->SetSetting("DeviceName", name);
     this->choice_->follow();
     EXPECT_EQ(this->choice_->currentText(), name);
   }
@@ -96,20 +97,20 @@ TEST_F(HapticDeviceChoice, WhatAProgramChoosesIsShownWithoutTheListBeingOpened)
 
 TEST_F(HapticDeviceChoice, WhatIsPluggedInAndPushesIsMeantElseTheMouse)
 {
-  EXPECT_STREQ(this->session_->GetPreferredDevice(), "mouse");
+  EXPECT_STREQ(this->session_->GetDevices()->GetPreferred(), "mouse");
   test::FakePort& port = this->bus_->plug(test::plainLayout(), "7");
   this->open();
-  EXPECT_STREQ(this->session_->GetPreferredDevice(), pluggedName);
+  EXPECT_STREQ(this->session_->GetDevices()->GetPreferred(), pluggedName);
   port.openProblem = "no permission";
   this->open();
-  EXPECT_STREQ(this->session_->GetPreferredDevice(), "mouse");
+  EXPECT_STREQ(this->session_->GetDevices()->GetPreferred(), "mouse");
 }
 
 TEST_F(HapticDeviceChoice, AChosenDeviceStaysChosenWhenItIsUnpluggedAndNobodyHearsOfTheList)
 {
   test::FakePort& port = this->bus_->plug(test::plainLayout(), "7");
   this->open();
-  this->session_->SetDeviceName(pluggedName);
+  this->session_->SetSetting("DeviceName", pluggedName);
   this->choice_->setSession(this->session_);
   int heard = 0;
   QObject::connect(this->choice_.get(), &QComboBox::currentTextChanged, [&] { ++heard; });

@@ -16,6 +16,7 @@
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliProblem.h"
 #include "vtkHapticCliScene.h"
+#include "haptics/session/HapticSession.h"
 
 namespace
 {

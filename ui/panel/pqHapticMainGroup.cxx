@@ -146,7 +146,7 @@ void pqHapticMainGroup::followStrips(vtkHapticSession* session)
   }
   constexpr double milli = 1e3;
   this->Force->add(session->GetForceMagnitude());
-  this->Depth->add(session->GetContacts() > 0 ? milli * session->GetDepth() / session->GetScale() : 0.0);
+  this->Depth->add(session->GetContacts() > 0 ? milli * session->GetDepth() / session->GetSetting("Scale") : 0.0);
   this->Lateness->add(session->GetLatenessP99() / milli);
   this->Energy->add(milli * session->GetExcessEnergy());
 }

@@ -22,6 +22,7 @@
 #include "pqHapticViewGroup.h"
 #include "pqPropertyLinks.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkSMProxy.h"
 
 #include <QComboBox>
@@ -253,9 +254,9 @@ void pqHapticPanel::Internals::followMaterials(vtkHapticSession& session, pqHapt
     this->Material->setArrayNames(follower.arrayNames());
   }
   const bool read = session.GetSceneProgress() < 1.0; // in the background: a hidden view asks for no frame
-  if (session.GetMaterialTime() != this->MaterialTime || read)
+  if (session.GetSight()->GetMaterialTime() != this->MaterialTime || read)
   {
-    this->MaterialTime = session.GetMaterialTime();
+    this->MaterialTime = session.GetSight()->GetMaterialTime();
     follower.refresh();
   }
 }

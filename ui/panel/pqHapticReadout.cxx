@@ -25,7 +25,7 @@ QString StiffnessOf(const vtkHapticSession& session)
 {
   const QString used = Quantity(session.GetStiffnessUsed(), 0, "N/m");
   return session.GetStiffnessLimited()
-           ? QString("%1, limited from %2").arg(used, Quantity(session.GetStiffness(), 0, "N/m"))
+           ? QString("%1, limited from %2").arg(used, Quantity(session.GetSetting("Stiffness"), 0, "N/m"))
            : used;
 }
 
@@ -35,7 +35,7 @@ QString FrictionOf(const vtkHapticSession& session)
   const QString text = QString::fromUtf8(session.GetFrictionText());
   const QString now = text.isEmpty() ? QString("none") : text;
   const double used = session.GetFrictionKineticUsed();
-  return used < session.GetFrictionKinetic()
+  return used < session.GetSetting("FrictionKinetic")
            ? QString("%1, kinetic limited to the static %2").arg(now).arg(used, 0, 'f', 2)
            : now;
 }

@@ -148,7 +148,7 @@ class Watch:
     def worth_a_picture(self):
         """The hand presses in front of the crown, where the camera sees it against the bone."""
         y = self.session.GetProxyPosition()[1]
-        return self.session.GetForceMagnitude() > 0.7 * self.session.GetPeakForce() and y < self.session.GetOffset()[1] - 25
+        return self.session.GetForceMagnitude() > 0.7 * self.session.GetPeakForce() and y < self.session.GetSettingNumbers("Offset")[1] - 25
 
     def picture(self):
         from screen import save_screen

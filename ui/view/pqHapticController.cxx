@@ -21,8 +21,11 @@
 #include "pqServerManagerObserver.h"
 #include "pqUndoStack.h"
 #include "vtkCommand.h"
+#include "vtkHapticDeviceCheck.h"
 #include "vtkHapticMessageCapture.h"
+#include "vtkHapticKnownDevices.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyDefinitionManager.h"
@@ -49,7 +52,7 @@ void ApplySettings(vtkSMSessionProxyManager* manager, vtkSMProxy* session)
 {
   if (auto* object = vtkHapticSession::SafeDownCast(session->GetClientSideObject()))
   {
-    vtkSMPropertyHelper(session, "DeviceName").Set(object->GetPreferredDevice());
+    vtkSMPropertyHelper(session, "DeviceName").Set(object->GetDevices()->GetPreferred());
     vtkSMPropertyHelper(session, "FitOnTouch").Set(1);
   }
   vtkSMProxy* settings = manager->GetProxy("settings", "HapticSettings");
@@ -235,7 +238,7 @@ void pqHapticController::alignWithView()
 {
   if (this->session() && this->Follower->view())
   {
-    this->session()->FollowCamera(this->Follower->view()->getRenderViewProxy()->GetActiveCamera());
+    this->session()->GetSight()->FollowCamera(this->Follower->view()->getRenderViewProxy()->GetActiveCamera());
     this->Proxy->InvokeCommand("AlignWithView");
   }
 }
@@ -316,16 +319,16 @@ void pqHapticController::adopt(vtkSMProxy* proxy)
   }
   if (this->session())
   {
-    this->session()->StopSelfTest(); // nobody could follow it, or stop it, any more
+    this->session()->GetDeviceCheck()->Stop(); // nobody could follow it, or stop it, any more
   }
   this->Frames->setActive(false);
   this->Mouse->setActive(false);
   this->Follower->setActive(false);
   this->Proxy = proxy;
-  if (this->session() && *this->session()->GetCalibrationFolder() == '\0')
+  if (this->session() && *this->session()->GetDeviceCheck()->GetCalibrationFolder() == '\0')
   {
     const std::string folder = palpate::userCalibrationFolder(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
-    this->session()->SetCalibrationFolder(folder.c_str());
+    this->session()->GetDeviceCheck()->SetCalibrationFolder(folder.c_str());
   }
   this->Follower->setSession(this->session());
   this->Frames->setSession(this->session());

@@ -4,6 +4,7 @@
 #include "pqRenderView.h"
 #include "vtkActor.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkHapticToolProps.h"
 #include "vtkMapper.h"
 #include "vtkPVRenderView.h"
@@ -147,7 +148,7 @@ void pqHapticFrames::takeState()
   {
     return;
   }
-  this->Session->FollowCamera(this->View->getRenderViewProxy()->GetActiveCamera());
+  this->Session->GetSight()->FollowCamera(this->View->getRenderViewProxy()->GetActiveCamera());
   this->Session->Update();
   Q_EMIT this->updated();
   this->Props->UpdateFrom(this->Session);

@@ -118,7 +118,7 @@ QString pqHapticMouse::help() const
        "Down presses and goes deeper, Page Up less deep, Home lifts; held, Ctrl+Shift+P makes the hand slower and "
        "Ctrl+Shift+C keeps it where it is. All else moves the camera as ever.");
   const double used = this->Mouse->GetUsedDepth();
-  if (used < sameDepth * session->GetPressDepth() * session->GetScale())
+  if (used < sameDepth * session->GetSetting("PressDepth") * session->GetSetting("Scale"))
   {
     text += tr(" Presses %1 u only, a twentieth of the scene: Fit to feel more.").arg(used, 0, 'g', 3);
   }
@@ -127,7 +127,7 @@ QString pqHapticMouse::help() const
 
 void pqHapticMouse::deepened()
 {
-  Q_EMIT this->depthChanged(this->Mouse->GetSession()->GetPressDepth());
+  Q_EMIT this->depthChanged(this->Mouse->GetSession()->GetSetting("PressDepth"));
 }
 
 void pqHapticMouse::focusMoved(QWidget* from, QWidget* to)

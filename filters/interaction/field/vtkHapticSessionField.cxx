@@ -19,7 +19,7 @@ bool vtkHapticSession::AddField(const char* name, vtkDataObject* data)
   const std::string lost = impl.FieldName + ": it is not shown any more, or an array that was felt of it as a field is "
                                             "gone; choose another one";
   const std::string said = !gone ? "" : felt ? lost : impl.FieldGone;
-  const bool added = this->AddRemoteField(data && name ? name : "",
+  const bool added = impl.FeelField(data && name ? name : "",
     data && impl.FieldArrays.Any()
       ? vtkHapticToField(data, impl.FieldArrays, { impl.CompareData.Get(), impl.SnapData.Get() })
       : vtkHapticFieldResult());
@@ -29,29 +29,28 @@ bool vtkHapticSession::AddField(const char* name, vtkDataObject* data)
   return added;
 }
 
-bool vtkHapticSession::AddRemoteField(const char* name, const vtkHapticFieldResult& made)
+bool vtkHapticSession::Internals::FeelField(const std::string& name, const vtkHapticFieldResult& made)
 {
-  Internals& impl = *this->Impl;
-  impl.FieldGone.clear();
-  impl.FieldData = nullptr;
-  impl.FieldName = name;
-  impl.FieldProblem = made.Problem.empty() ? "" : impl.FieldName + ": " + made.Problem;
-  impl.FeltField.setSource(made.Source);
-  impl.FieldEnds = made.Ends;
-  impl.FieldIsNew = made.Source != nullptr;
-  impl.FieldBounds = made.Bounds;
-  this->Refuse(impl.FieldProblem);
-  impl.Follow("field", impl.FieldProblem);
-  return impl.FieldProblem.empty();
+  this->FieldGone.clear();
+  this->FieldData = nullptr;
+  this->FieldName = name;
+  this->FieldProblem = made.Problem.empty() ? "" : this->FieldName + ": " + made.Problem;
+  this->FeltField.setSource(made.Source);
+  this->FieldEnds = made.Ends;
+  this->FieldIsNew = made.Source != nullptr;
+  this->FieldBounds = made.Bounds;
+  this->Refuse(this->FieldProblem);
+  this->Follow("field", this->FieldProblem);
+  return this->FieldProblem.empty();
 }
 
 /// What a detent's strength is said for is a matter of the data: it is looked up once, so that no brick changes the
 /// feel.
-void vtkHapticSession::TakeField(bool wait)
+void vtkHapticSession::Internals::TakeField(bool wait)
 {
-  if (this->Impl->FollowField(wait))
+  if (this->FollowField(wait))
   {
-    const double slope_per_u = palpate::usualGradient(*this->Impl->Core.brick());
+    const double slope_per_u = palpate::usualGradient(*this->Core.brick());
     this->Change([=](palpate::HapticParameters& p)
       { p.field.detent.slope_per_u = slope_per_u > 0.0 ? slope_per_u : p.field.detent.slope_per_u; });
   }
@@ -59,7 +58,7 @@ void vtkHapticSession::TakeField(bool wait)
 
 bool vtkHapticSession::FinishField()
 {
-  this->TakeField(true);
+  this->Impl->TakeField(true);
   return this->Impl->Core.brick() != nullptr;
 }
 
@@ -97,188 +96,41 @@ bool vtkHapticSession::Internals::FollowField(bool wait)
   return brick && *brick && std::exchange(this->FieldIsNew, false);
 }
 
-/// What the arrays are that are felt changed: what was added is felt so.
-void vtkHapticSession::ChangeField(
-  const char* setting, std::initializer_list<double> values, const std::function<void(vtkHapticFieldArrays&)>& change)
+std::string vtkHapticSession::Internals::FollowFieldArrays()
 {
-  vtkHapticFieldArrays arrays = this->Impl->FieldArrays;
-  change(arrays);
-  if (!this->Allows(setting, values) || arrays == this->Impl->FieldArrays)
-  {
-    return;
-  }
-  this->Impl->FieldArrays = arrays;
+  this->FieldArrays.Scalar = this->Settings.text("FieldArray");
+  this->FieldArrays.Vector = this->Settings.text("FieldVectors");
+  this->FieldArrays.Resistance = this->Settings.text("FieldResistance");
+  this->FieldArrays.Other = this->Settings.text("FieldOther");
+  this->FieldArrays.Component = this->Settings.whole("FieldComponent");
+  this->FieldArrays.Eigenvector = this->Settings.whole("FieldEigenvector");
+  this->FieldArrays.Smoothing = this->Settings.whole("FieldSmoothing");
   this->FeelFieldAnew();
+  return {};
+}
+
+std::string vtkHapticSession::Internals::FollowDetentLevels()
+{
+  palpate::DetentPlan detent = this->Asked.asked().field.detent;
+  const std::string& levels = this->Settings.text("FieldDetentLevels");
+  std::string problem = palpate::setLevels(detent, levels);
+  if (problem.empty())
+  {
+    this->Change([&](palpate::HapticParameters& p) { static_cast<void>(palpate::setLevels(p.field.detent, levels)); });
+  }
+  return problem;
 }
 
 /// What was added is felt as it is to be felt now.
-void vtkHapticSession::FeelFieldAnew()
+void vtkHapticSession::Internals::FeelFieldAnew()
 {
-  if (this->Impl->FieldData)
+  if (this->FieldData)
   {
-    const std::string name = this->Impl->FieldName;
-    static_cast<void>(this->AddField(name.c_str(), vtkSmartPointer<vtkDataObject>(this->Impl->FieldData)));
+    const std::string name = this->FieldName;
+    static_cast<void>(this->Session.AddField(name.c_str(), vtkSmartPointer<vtkDataObject>(this->FieldData)));
   }
-  this->Impl->MaterialTime.Modified(); // who follows a view looks again for data that has these arrays
-  this->Modified();
-}
-
-void vtkHapticSession::SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap)
-{
-  Internals& impl = *this->Impl;
-  const vtkMTimeType time = std::max(compared ? compared->GetMTime() : 0, snap ? snap->GetMTime() : 0);
-  if (impl.CompareData != compared || impl.SnapData != snap || impl.BesideTime != time)
-  {
-    impl.BesideTime = time;
-    impl.CompareData = compared;
-    impl.SnapData = snap;
-    this->FeelFieldAnew();
-  }
-}
-
-void vtkHapticSession::NameSource(std::string& kept, const char* name)
-{
-  const std::string asked = name ? name : "";
-  if (kept != asked)
-  {
-    kept = asked;
-    this->FeelFieldAnew();
-  }
-}
-
-void vtkHapticSession::SetFeltSource(const char* name)
-{
-  this->NameSource(this->Impl->FeltSource, name);
-}
-
-const char* vtkHapticSession::GetFeltSource() const
-{
-  return this->Impl->FeltSource.c_str();
-}
-
-void vtkHapticSession::SetCompareSource(const char* name)
-{
-  this->NameSource(this->Impl->CompareSource, name);
-}
-
-const char* vtkHapticSession::GetCompareSource() const
-{
-  return this->Impl->CompareSource.c_str();
-}
-
-void vtkHapticSession::SetSnapSource(const char* name)
-{
-  this->NameSource(this->Impl->SnapSource, name);
-}
-
-const char* vtkHapticSession::GetSnapSource() const
-{
-  return this->Impl->SnapSource.c_str();
-}
-
-void vtkHapticSession::SetFieldEigenvector(int which)
-{
-  this->ChangeField(
-    "FieldEigenvector", { static_cast<double>(which) }, [=](vtkHapticFieldArrays& a) { a.Eigenvector = which; });
-}
-
-int vtkHapticSession::GetFieldEigenvector() const
-{
-  return this->Impl->FieldArrays.Eigenvector;
-}
-
-void vtkHapticSession::SetFieldDetentLevels(const char* levels)
-{
-  const std::string asked = levels ? levels : "";
-  palpate::DetentPlan detent = this->Impl->Asked.asked().field.detent;
-  const std::string problem = palpate::setLevels(detent, asked);
-  this->Refuse(problem);
-  this->Impl->Follow("FieldDetentLevels", problem);
-  if (problem.empty() && asked != this->Impl->DetentLevels)
-  {
-    this->Impl->DetentLevels = asked;
-    this->Change([&](palpate::HapticParameters& p) { static_cast<void>(palpate::setLevels(p.field.detent, asked)); });
-    this->Modified();
-  }
-}
-
-const char* vtkHapticSession::GetFieldDetentLevels() const
-{
-  return this->Impl->DetentLevels.c_str();
-}
-
-void vtkHapticSession::SetFieldArray(const char* name)
-{
-  this->ChangeField("FieldArray", {}, [=](vtkHapticFieldArrays& a) { a.Scalar = name ? name : ""; });
-}
-
-const char* vtkHapticSession::GetFieldArray() const
-{
-  return this->Impl->FieldArrays.Scalar.c_str();
-}
-
-void vtkHapticSession::SetFieldComponent(int component)
-{
-  this->ChangeField(
-    "FieldComponent", { static_cast<double>(component) }, [=](vtkHapticFieldArrays& a) { a.Component = component; });
-}
-
-int vtkHapticSession::GetFieldComponent() const
-{
-  return this->Impl->FieldArrays.Component;
-}
-
-void vtkHapticSession::SetFieldVectors(const char* name)
-{
-  this->ChangeField("FieldVectors", {}, [=](vtkHapticFieldArrays& a) { a.Vector = name ? name : ""; });
-}
-
-const char* vtkHapticSession::GetFieldVectors() const
-{
-  return this->Impl->FieldArrays.Vector.c_str();
-}
-
-void vtkHapticSession::SetFieldResistance(const char* name)
-{
-  this->ChangeField("FieldResistance", {}, [=](vtkHapticFieldArrays& a) { a.Resistance = name ? name : ""; });
-}
-
-const char* vtkHapticSession::GetFieldResistance() const
-{
-  return this->Impl->FieldArrays.Resistance.c_str();
-}
-
-void vtkHapticSession::SetFieldOther(const char* name)
-{
-  this->ChangeField("FieldOther", {}, [=](vtkHapticFieldArrays& a) { a.Other = name ? name : ""; });
-}
-
-const char* vtkHapticSession::GetFieldOther() const
-{
-  return this->Impl->FieldArrays.Other.c_str();
-}
-
-void vtkHapticSession::SetFieldSmoothing(int times)
-{
-  this->ChangeField(
-    "FieldSmoothing", { static_cast<double>(times) }, [=](vtkHapticFieldArrays& a) { a.Smoothing = times; });
-}
-
-int vtkHapticSession::GetFieldSmoothing() const
-{
-  return this->Impl->FieldArrays.Smoothing;
-}
-
-void vtkHapticSession::GetFieldShape(vtkPolyData* shape) const
-{
-  const std::shared_ptr<const palpate::Brick>& brick = this->Impl->Core.brick();
-  shape->Initialize();
-  const palpate::Vec3& proxy_W = this->Impl->State.field.proxy_W;
-  if (brick && proxy_W.allFinite())
-  {
-    vtkHapticFieldShape(
-      brick->finestAt(proxy_W), this->Impl->Asked.asked().field, palpate::Vec3(this->Impl->Hand), proxy_W, shape);
-  }
+  this->MaterialTime.Modified(); // who follows a view looks again for data that has these arrays
+  this->Session.Modified();
 }
 
 std::optional<palpate::FieldSample> vtkHapticSession::Internals::FieldAtHand() const
@@ -288,61 +140,32 @@ std::optional<palpate::FieldSample> vtkHapticSession::Internals::FieldAtHand() c
   return brick ? brick->finestAt(hand_W).sample(palpate::BrickRole::Scalar, hand_W) : std::nullopt;
 }
 
-double vtkHapticSession::GetFieldValue() const
+const char* vtkHapticSession::Internals::SayFieldSentence()
 {
-  const std::shared_ptr<const palpate::Brick>& brick = this->Impl->Core.brick();
-  const auto value = brick ? brick->scalarFelt(palpate::Vec3(this->Impl->Hand)) : std::nullopt;
-  return value.value_or(std::numeric_limits<double>::quiet_NaN());
-}
-
-double* vtkHapticSession::GetFieldGradient()
-{
-  const auto sample = this->Impl->FieldAtHand();
-  Eigen::Map<palpate::Vec3>{ this->Impl->FieldGradient } =
-    sample ? sample->gradient_W : palpate::Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
-  return this->Impl->FieldGradient;
-}
-
-double vtkHapticSession::GetFieldPushPower() const
-{
-  constexpr double milli = 1e3;
-  return milli * this->Impl->State.field.pushPower_W;
-}
-
-vtkIdType vtkHapticSession::GetFieldTicksBeyond() const
-{
-  return static_cast<vtkIdType>(this->Impl->State.field.beyondTicks);
-}
-
-double vtkHapticSession::GetFieldError() const
-{
-  return this->Impl->FeltField.made().error;
-}
-
-double vtkHapticSession::GetFieldAge() const
-{
-  return this->Impl->FeltField.age_s();
-}
-
-const char* vtkHapticSession::GetFieldSentence() const
-{
-  Internals& impl = *this->Impl;
-  impl.FieldSentence = impl.FieldProblem.empty() ? impl.FieldGone : impl.FieldProblem;
-  const palpate::MadeBrick& made = impl.FeltField.made();
-  if (impl.FeltField.hasSource())
+  this->FieldSentence = this->FieldProblem.empty() ? this->FieldGone : this->FieldProblem;
+  const palpate::MadeBrick& made = this->FeltField.made();
+  if (this->FeltField.hasSource())
   {
-    const palpate::HapticParameters& asked = impl.Asked.asked();
-    impl.FieldSentence =
-      palpate::fieldSentence(impl.FieldName, made, asked.map.scale_u_per_m, vtkHapticHandPace::ahead_s);
+    const palpate::HapticParameters& asked = this->Asked.asked();
+    this->FieldSentence =
+      palpate::fieldSentence(this->FieldName, made, asked.map.scale_u_per_m, vtkHapticHandPace::ahead_s);
     const std::string point = palpate::pointSentence(asked.field, asked.contact.radius_u);
-    impl.FieldSentence += point.empty() ? "" : "; " + point;
+    this->FieldSentence += point.empty() ? "" : "; " + point;
     const double stiffness_N_per_m =
-      impl.State.stiffness_N_per_m > 0.0 ? impl.State.stiffness_N_per_m : asked.stiffness_N_per_m;
+      this->State.stiffness_N_per_m > 0.0 ? this->State.stiffness_N_per_m : asked.stiffness_N_per_m;
     const std::string detent =
       made.brick ? palpate::detentSentence(asked.field, *made.brick, stiffness_N_per_m / asked.map.scale_u_per_m) : "";
-    impl.FieldSentence += detent.empty() ? "" : "; " + detent;
-    const std::string level = palpate::levelSentence(asked.field, impl.FieldEnds);
-    impl.FieldSentence += level.empty() ? "" : "; " + level;
+    this->FieldSentence += detent.empty() ? "" : "; " + detent;
+    const std::string level = palpate::levelSentence(asked.field, this->FieldEnds);
+    this->FieldSentence += level.empty() ? "" : "; " + level;
   }
-  return impl.FieldSentence.c_str();
+  return this->FieldSentence.c_str();
+}
+
+double* vtkHapticSession::Internals::GradientNow()
+{
+  const auto sample = this->FieldAtHand();
+  Eigen::Map<palpate::Vec3>{ this->FieldGradient } =
+    sample ? sample->gradient_W : palpate::Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  return this->FieldGradient;
 }

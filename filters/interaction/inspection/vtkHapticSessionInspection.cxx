@@ -84,12 +84,6 @@ std::string ArraysOf(const vtkHapticMarkRecord& contact)
   }
   return text.str();
 }
-
-vtkIdType IdOf(const std::optional<vtkHapticMarkRecord>& contact, const char* name)
-{
-  const double id = contact ? contact->Number(name) : NotKnown;
-  return std::isnan(id) ? -1 : static_cast<vtkIdType>(id);
-}
 } // namespace
 
 std::optional<vtkHapticMarkRecord> vtkHapticSession::Internals::LookAtContact()
@@ -111,7 +105,7 @@ std::optional<vtkHapticMarkRecord> vtkHapticSession::Internals::LookAtContact()
   record.Numbers.emplace_back("Force", this->State.force_W.norm());
   if (origin)
   {
-    const vtkHapticProbed probed = this->Probe.Look(origin->Data, origin->W_from_D.inverse() * place->p_W);
+    const vtkHapticProbed probed = this->Contact.Probe.Look(origin->Data, origin->W_from_D.inverse() * place->p_W);
     AddProbed(record, probed);
     Replace(record, probed.Cell < 0 ? place->p_W : Vec3(origin->W_from_D * probed.Nearest));
   }
@@ -120,117 +114,38 @@ std::optional<vtkHapticMarkRecord> vtkHapticSession::Internals::LookAtContact()
 
 void vtkHapticSession::Internals::ShowContact(std::optional<vtkHapticMarkRecord> contact)
 {
-  this->Contact = std::move(contact);
-  this->ContactText = this->Contact ? Described(*this->Contact) : "";
-  this->ContactArrays = this->Contact ? ArraysOf(*this->Contact) : "";
-  const auto show = [this](const std::string& name) { return this->Contact ? this->Contact->Number(name) : 0.0; };
+  this->Contact.Found = std::move(contact);
+  this->Contact.Text = this->Contact.Found ? Described(*this->Contact.Found) : "";
+  this->Contact.Arrays = this->Contact.Found ? ArraysOf(*this->Contact.Found) : "";
+  const auto show = [this](const std::string& name)
+  { return this->Contact.Found ? this->Contact.Found->Number(name) : 0.0; };
   const char* const axes[] = { "X", "Y", "Z" };
   for (int k = 0; k < 3; ++k)
   {
-    this->ContactPosition[k] = show(axes[k]);
-    this->ContactNormal[k] = show(std::string("Normal") + axes[k]);
+    this->Contact.Position[k] = show(axes[k]);
+    this->Contact.Normal[k] = show(std::string("Normal") + axes[k]);
   }
-  this->ContactCurvature[0] = show("CurvatureLargest");
-  this->ContactCurvature[1] = show("CurvatureLeast");
+  this->Contact.Curvature[0] = show("CurvatureLargest");
+  this->Contact.Curvature[1] = show("CurvatureLeast");
 }
 
 bool vtkHapticSession::InspectContact()
 {
   this->Impl->ShowContact(this->Impl->LookAtContact());
-  return this->Impl->Contact.has_value();
+  return this->Impl->Contact.Found.has_value();
 }
 
-void vtkHapticSession::FollowContact()
+void vtkHapticSession::Internals::FollowContact()
 {
-  const std::uint32_t down = this->Impl->State.buttons;
-  const std::uint32_t wentDown = down & ~std::exchange(this->Impl->MarkButtons, down);
-  const int button = this->Impl->MarkButton;
+  const std::uint32_t down = this->State.buttons;
+  const std::uint32_t wentDown = down & ~std::exchange(this->Contact.MarkButtons, down);
+  const int button = this->Settings.whole("MarkButton");
   if (button > 0 && (wentDown >> (button - 1) & 1u) != 0)
   {
-    this->AddMark();
+    this->Session.AddMark();
   }
-  else if (this->Impl->Inspect || this->Impl->State.contacts == 0)
+  else if (this->Settings.isOn("Inspect") || this->State.contacts == 0)
   {
-    this->InspectContact();
+    this->Session.InspectContact();
   }
-}
-
-void vtkHapticSession::SetInspect(bool on)
-{
-  if (on != this->Impl->Inspect)
-  {
-    this->Impl->Inspect = on;
-    this->Modified();
-  }
-}
-
-bool vtkHapticSession::GetInspect() const
-{
-  return this->Impl->Inspect;
-}
-
-void vtkHapticSession::SetMarkButton(int button)
-{
-  if (this->Allows("MarkButton", { static_cast<double>(button) }) && button != this->Impl->MarkButton)
-  {
-    this->Impl->MarkButton = button;
-    this->Modified();
-  }
-}
-
-int vtkHapticSession::GetMarkButton() const
-{
-  return this->Impl->MarkButton;
-}
-
-// Read-outs ---------------------------------------------------------------------------------------------------------
-
-const char* vtkHapticSession::GetContactText() const
-{
-  return this->Impl->ContactText.c_str();
-}
-
-const char* vtkHapticSession::GetContactSource() const
-{
-  return this->Impl->Contact ? this->Impl->Contact->Source.c_str() : "";
-}
-
-const char* vtkHapticSession::GetContactArrays() const
-{
-  return this->Impl->ContactArrays.c_str();
-}
-
-vtkIdType vtkHapticSession::GetContactCell() const
-{
-  return IdOf(this->Impl->Contact, "Cell");
-}
-
-vtkIdType vtkHapticSession::GetContactPoint() const
-{
-  return IdOf(this->Impl->Contact, "Point");
-}
-
-double vtkHapticSession::GetContactThickness() const
-{
-  return this->GetContactValue("Thickness");
-}
-
-double vtkHapticSession::GetContactValue(const char* name) const
-{
-  return this->Impl->Contact && name ? this->Impl->Contact->Number(name) : NotKnown;
-}
-
-double* vtkHapticSession::GetContactPosition()
-{
-  return this->Impl->ContactPosition;
-}
-
-double* vtkHapticSession::GetContactNormal()
-{
-  return this->Impl->ContactNormal;
-}
-
-double* vtkHapticSession::GetContactCurvature()
-{
-  return this->Impl->ContactCurvature;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticHeldMechanism.h"
 
+#include "haptics/session/HapticSession.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

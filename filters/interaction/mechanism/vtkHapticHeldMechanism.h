@@ -2,12 +2,18 @@
 #ifndef vtkHapticHeldMechanism_h
 #define vtkHapticHeldMechanism_h
 
-#include "haptics/session/HapticSession.h"
+#include "haptics/session/mechanism/MechanismWorker.h"
+#include "haptics/tick/HapticState.h"
 #include "vtkBoundingBox.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
+
+namespace palpate
+{
+class HapticSession;
+}
 
 class vtkDataObject;
 class vtkTable;

@@ -46,82 +46,32 @@ std::string CopyTo(const std::string& from, const std::string& to)
 
 std::string vtkHapticSession::Internals::NextRecording() const
 {
-  return this->RecordFile.empty() ? WorkingFile() : this->RecordFile;
+  const std::string& file = this->Settings.text("RecordFile");
+  return file.empty() ? WorkingFile() : file;
 }
 
-void vtkHapticSession::SetRecordFile(const char* file)
+void vtkHapticSession::Internals::FollowRecording()
 {
-  this->Impl->RecordFile = file ? file : "";
-  this->Modified();
-}
-
-const char* vtkHapticSession::GetRecordFile() const
-{
-  return this->Impl->RecordFile.c_str();
-}
-
-void vtkHapticSession::SetReplayFile(const char* file)
-{
-  this->Impl->ReplayFile = file ? file : "";
-  this->Modified();
-}
-
-const char* vtkHapticSession::GetReplayFile() const
-{
-  return this->Impl->ReplayFile.c_str();
-}
-
-void vtkHapticSession::SetRecording(bool on)
-{
-  Internals& impl = *this->Impl;
-  if (on == impl.Recording)
+  if (this->Core.recording())
   {
-    return;
-  }
-  impl.Recording = on;
-  if (on && this->GetTouching())
-  {
-    const std::string problem = impl.Core.record(impl.NextRecording());
-    impl.Recording = problem.empty();
-    impl.RecordingBegun_s = impl.Core.state().time_s;
-    this->Refuse(problem);
-    impl.Follow("Recording", problem);
-  }
-  else
-  {
-    impl.Core.endRecording();
-  }
-  this->Modified();
-  this->FollowRecording();
-}
-
-bool vtkHapticSession::GetRecording() const
-{
-  return this->Impl->Recording;
-}
-
-void vtkHapticSession::FollowRecording()
-{
-  Internals& impl = *this->Impl;
-  if (impl.Core.recording())
-  {
-    impl.RecordedSeconds = impl.Core.state().time_s - impl.RecordingBegun_s;
+    this->Recorded.Seconds = this->Core.state().time_s - this->Recorded.Begun_s;
   }
   bool ended = false;
-  while (const std::optional<palpate::EndedRecording> recorded = impl.Core.takeRecorded())
+  while (const std::optional<palpate::EndedRecording> recorded = this->Core.takeRecorded())
   {
     ended = true;
     this->Refuse(recorded->problem);
     if (!recorded->file.empty())
     {
-      impl.Recorded = impl.ReplayFile = recorded->file;
-      impl.Saved = recorded->file == impl.RecordFile;
+      this->Recorded.File = recorded->file;
+      this->Settings.put("ReplayFile", recorded->file);
+      this->Recorded.Saved = recorded->file == this->Settings.text("RecordFile");
     }
   }
   if (ended)
   {
-    impl.Recording = impl.Core.recording();
-    this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
+    this->Settings.put("Recording", this->Core.recording() ? 1.0 : 0.0);
+    this->Session.InvokeEvent(vtkCommand::PropertyModifiedEvent);
   }
 }
 
@@ -129,60 +79,44 @@ void vtkHapticSession::SaveRecording(const char* file)
 {
   Internals& impl = *this->Impl;
   const std::string name = file ? file : "";
-  if (name.empty() || name == impl.Recorded)
+  if (name.empty() || name == impl.Recorded.File)
   {
     return;
   }
-  const std::string problem = impl.Recording          ? "it is still recorded: stop recording, then save it"
-                              : impl.Recorded.empty() ? "there is nothing to save: record first"
-                                                      : CopyTo(impl.Recorded, name);
-  this->Refuse(problem);
+  const std::string problem = impl.Settings.isOn("Recording") ? "it is still recorded: stop recording, then save it"
+                              : impl.Recorded.File.empty()    ? "there is nothing to save: record first"
+                                                              : CopyTo(impl.Recorded.File, name);
+  this->Impl->Refuse(problem);
   impl.Follow("SaveRecording", problem);
   if (problem.empty())
   {
-    if (!impl.Saved)
+    if (!impl.Recorded.Saved)
     {
       std::error_code ignored;
-      fs::remove(impl.Recorded, ignored);
+      fs::remove(impl.Recorded.File, ignored);
     }
-    impl.ReplayFile = impl.ReplayFile == impl.Recorded ? name : impl.ReplayFile;
-    impl.Recorded = name;
-    impl.Saved = true;
+    if (impl.Settings.text("ReplayFile") == impl.Recorded.File)
+    {
+      impl.Settings.put("ReplayFile", name);
+    }
+    impl.Recorded.File = name;
+    impl.Recorded.Saved = true;
     this->Modified();
     this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
   }
 }
 
-const char* vtkHapticSession::GetRecordedFile() const
+void vtkHapticSession::Internals::Play(palpate::HapticDevice& device)
 {
-  return this->Impl->Recorded.c_str();
-}
-
-const char* vtkHapticSession::GetRecordingText() const
-{
-  const Internals& impl = *this->Impl;
-  palpate::RecordingGlance glance;
-  glance.wanted = impl.Recording;
-  glance.running = impl.Core.recording();
-  glance.length_s = impl.RecordedSeconds;
-  glance.file = impl.Recorded;
-  glance.saved = impl.Saved;
-  this->Impl->RecordingText = palpate::recordingSentence(glance);
-  return this->Impl->RecordingText.c_str();
-}
-
-void vtkHapticSession::Play(palpate::HapticDevice& device)
-{
-  Internals& impl = *this->Impl;
   auto* replay = dynamic_cast<palpate::ReplayDevice*>(&device);
   if (replay && replay->open().empty()) // what is wrong is said when it is opened to play
   {
-    const bool fits = impl.FitsNow();
-    impl.Played = replay->hand();
-    impl.SceneKnown = false;
-    this->Change([&](palpate::HapticParameters& p) { p.map = impl.Played->map; });
-    impl.LastFitted = fits ? impl.Played->map : impl.LastFitted;
-    this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
+    const bool fits = this->FitsNow();
+    this->Played = replay->hand();
+    this->SceneKnown = false;
+    this->Change([&](palpate::HapticParameters& p) { p.map = this->Played->map; });
+    this->LastFitted = fits ? this->Played->map : this->LastFitted;
+    this->Session.InvokeEvent(vtkCommand::PropertyModifiedEvent);
   }
 }
 
@@ -196,4 +130,35 @@ void vtkHapticSession::Internals::FollowReplay()
     this->PlayedSentence =
       this->SceneKnown || this->Scene.worker().building() ? "" : palpate::otherSceneSentence(*this->Played, shown);
   }
+}
+
+std::string vtkHapticSession::Internals::FollowRecordingWish()
+{
+  std::string problem;
+  if (this->Settings.isOn("Recording") && this->Core.running())
+  {
+    problem = this->Core.record(this->NextRecording());
+    this->Recorded.Begun_s = this->Core.state().time_s;
+  }
+  else
+  {
+    this->Core.endRecording();
+  }
+  if (problem.empty())
+  {
+    this->FollowRecording();
+  }
+  return problem;
+}
+
+const char* vtkHapticSession::Internals::SayRecordingText()
+{
+  palpate::RecordingGlance glance;
+  glance.wanted = this->Settings.isOn("Recording");
+  glance.running = this->Core.recording();
+  glance.length_s = this->Recorded.Seconds;
+  glance.file = this->Recorded.File;
+  glance.saved = this->Recorded.Saved;
+  this->Recorded.Text = palpate::recordingSentence(glance);
+  return this->Recorded.Text.c_str();
 }

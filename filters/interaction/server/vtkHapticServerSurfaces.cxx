@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticServerSurfaces.h"
 
+#include "haptics/session/HapticSession.h"
 #include "vtkHapticHandPace.h"
 #include "vtkHapticSceneSurfaces.h"
 

@@ -7,9 +7,13 @@
 #include <optional>
 #include <string>
 
-#include "haptics/session/HapticSession.h"
 #include "haptics/session/scene/FeltScene.h"
 #include "vtkHapticInteractionModule.h" // for the export macro
+
+namespace palpate
+{
+class HapticSession;
+}
 
 class vtkHapticSceneSurfaces;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticPressedBody.h"
 
+#include "haptics/session/HapticSession.h"
 #include <sstream>
 
 #include "haptics/session/settings/Setting.h"

@@ -2,12 +2,18 @@
 #ifndef vtkHapticPressedBody_h
 #define vtkHapticPressedBody_h
 
-#include "haptics/session/HapticSession.h"
+#include "haptics/session/soft/SoftWorker.h"
+#include "haptics/tick/HapticState.h"
 
 #include "vtkHapticSoftBodyData.h"
 
 #include <memory>
 #include <string>
+
+namespace palpate
+{
+class HapticSession;
+}
 
 class vtkDataObject;
 class vtkUnstructuredGrid;

@@ -7,7 +7,7 @@ bool vtkHapticSession::AddSoftBody(const char* name, vtkDataObject* data)
 {
   Internals& impl = *this->Impl;
   const std::string problem = impl.Soft.Take(name ? name : "", data);
-  this->Refuse(problem);
+  this->Impl->Refuse(problem);
   impl.Follow("soft body", problem);
   impl.Core.setSoft(impl.Soft.Choice());
   if (impl.Core.tool().tool)
@@ -26,70 +26,17 @@ bool vtkHapticSession::BendSoftBody(vtkDataObject* body)
   return grid && this->Impl->Soft.Bend(*grid);
 }
 
-void vtkHapticSession::SetSoftSource(const char* name)
+std::string vtkHapticSession::Internals::FollowSoftSource()
 {
-  const std::string source = name ? name : "";
-  if (source != this->Impl->Soft.Source)
-  {
-    this->Impl->Soft.Source = source;
-    this->AddSoftBody(nullptr, nullptr);
-    this->Modified();
-  }
+  this->Soft.Source = this->Settings.text("SoftSource");
+  this->Session.AddSoftBody(nullptr, nullptr);
+  return {};
 }
 
-const char* vtkHapticSession::GetSoftSource() const
+std::string vtkHapticSession::Internals::FollowSoftRate()
 {
-  return this->Impl->Soft.Source.c_str();
-}
-
-void vtkHapticSession::SetSoftRate(double rate_Hz)
-{
-  if (this->Allows("SoftRate", { rate_Hz }) && rate_Hz != this->Impl->Soft.Rate_Hz)
-  {
-    this->Impl->Soft.Rate_Hz = rate_Hz;
-    this->Impl->Core.setSoft(this->Impl->Soft.Choice());
-    this->Impl->Core.setMechanism(this->Impl->Mechanism.Choice(rate_Hz));
-    this->Modified();
-  }
-}
-
-double vtkHapticSession::GetSoftRate() const
-{
-  return this->Impl->Soft.Rate_Hz;
-}
-
-const char* vtkHapticSession::GetSoftText() const
-{
-  return this->Impl->Soft.Text.c_str();
-}
-
-double vtkHapticSession::GetSoftStrain() const
-{
-  return this->Impl->Soft.Strain;
-}
-
-double vtkHapticSession::GetSoftPackets() const
-{
-  return this->Impl->Soft.PacketsPerSecond;
-}
-
-double vtkHapticSession::GetSoftAge() const
-{
-  return this->Impl->State.soft.age_s;
-}
-
-void vtkHapticSession::SetShowSoftHand(bool on)
-{
-  this->Impl->Soft.ShowHand = on;
-  this->Modified();
-}
-
-bool vtkHapticSession::GetShowSoftHand() const
-{
-  return this->Impl->Soft.ShowHand;
-}
-
-double* vtkHapticSession::GetSoftHandPosition()
-{
-  return this->Impl->Soft.Hand_W.data();
+  this->Soft.Rate_Hz = this->Settings.number("SoftRate");
+  this->Core.setSoft(this->Soft.Choice());
+  this->Core.setMechanism(this->Mechanism.Choice(this->Soft.Rate_Hz));
+  return {};
 }

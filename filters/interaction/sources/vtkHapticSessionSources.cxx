@@ -18,7 +18,7 @@ void vtkHapticSession::SetSourceTouched(const char* name, bool touched)
   {
     style.Touched = touched;
     this->Impl->Surfaces.Styles().Set(NameOf(name), style);
-    this->FollowSources();
+    this->Impl->FollowSources();
     this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
   }
 }
@@ -35,13 +35,13 @@ bool vtkHapticSession::SetSourceMaterial(
   const palpate::Material material{ stiffness_N_per_m, frictionStatic, frictionKinetic };
   std::string problem = material.validate();
   problem = problem.empty() ? problem : NameOf(name) + ": " + problem;
-  this->Refuse(problem);
+  this->Impl->Refuse(problem);
   this->Impl->Follow("material of " + NameOf(name), problem);
   if (problem.empty() && style.Material != material)
   {
     style.Material = material;
     this->Impl->Surfaces.Styles().Set(NameOf(name), style);
-    this->FollowSources();
+    this->Impl->FollowSources();
     this->InvokeEvent(vtkCommand::PropertyModifiedEvent);
   }
   return problem.empty();
@@ -55,45 +55,19 @@ void vtkHapticSession::GetSourceMaterial(const char* name, double material[3]) c
   material[2] = found.frictionKinetic;
 }
 
-void vtkHapticSession::FollowSources()
+void vtkHapticSession::Internals::FollowSources()
 {
-  this->Impl->SourcesText = this->Impl->Surfaces.Styles().ToText();
-  this->Impl->MaterialTime.Modified();
-  this->Modified();
+  this->Settings.put("SourcesText", this->Surfaces.Styles().ToText());
+  this->MaterialTime.Modified();
+  this->Session.Modified();
 }
 
-void vtkHapticSession::SetSourcesText(const char* text)
+std::string vtkHapticSession::Internals::FollowSourcesText()
 {
-  if (this->Impl->SourcesText == NameOf(text))
-  {
-    return;
-  }
-  const std::string problem = this->Impl->Surfaces.Styles().FromText(NameOf(text));
-  this->Refuse(problem);
-  this->Impl->Follow("sources", problem);
+  std::string problem = this->Surfaces.Styles().FromText(this->Settings.text("SourcesText"));
   if (problem.empty())
   {
     this->FollowSources();
   }
-}
-
-const char* vtkHapticSession::GetSourcesText() const
-{
-  return this->Impl->SourcesText.c_str();
-}
-
-void vtkHapticSession::SetPointRadius(double radius_u)
-{
-  if (this->Allows("PointRadius", { radius_u }) && radius_u != this->Impl->PointRadius_u)
-  {
-    this->Impl->PointRadius_u = radius_u;
-    this->Impl->Surfaces.SetPointRadius(radius_u);
-    this->Impl->MaterialTime.Modified();
-    this->Modified();
-  }
-}
-
-double vtkHapticSession::GetPointRadius() const
-{
-  return this->Impl->PointRadius_u;
+  return problem;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticHeldTool.h"
 
+#include "haptics/session/HapticSession.h"
 #include <optional>
 
 #include "haptics/session/settings/Setting.h"

@@ -2,12 +2,18 @@
 #ifndef vtkHapticHeldTool_h
 #define vtkHapticHeldTool_h
 
-#include "haptics/session/HapticSession.h"
+#include "haptics/session/tool/HeldTool.h"
+#include "haptics/tick/HapticState.h"
 #include "vtkHapticToolHandle.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
+
+namespace palpate
+{
+class HapticSession;
+}
 
 class vtkDataObject;
 

@@ -2,6 +2,7 @@
 #include "vtkHapticHeldToolProps.h"
 
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkMath.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -45,7 +46,7 @@ vtkHapticHeldToolProps::vtkHapticHeldToolProps()
 bool vtkHapticHeldToolProps::UpdateFrom(vtkHapticSession* session)
 {
   vtkNew<vtkPolyData> now;
-  session->GetToolShape(now);
+  session->GetSight()->GetToolShape(now);
   const bool held = now->GetNumberOfPolys() > 0;
   if (now->GetPolys() != this->Shape->GetPolys()) // the mapper draws the same as long as it can
   {

@@ -14,6 +14,7 @@
 #include "vtkHapticMouse.h"
 #include "vtkHapticMouseInput.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkHapticToolProps.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
@@ -133,13 +134,13 @@ bool vtkHapticInteractor::HandOver()
 {
   Internals& impl = *this->Impl;
   palpate::WordHash key;
-  key.add(std::uint64_t{ impl.Session->GetMaterialTime() });
+  key.add(std::uint64_t{ impl.Session->GetSight()->GetMaterialTime() });
   std::vector<vtkDataObject*> shown;
   for (vtkActor* actor : impl.Actors)
   {
     shown.push_back(ShownBy(actor));
     key.add(shown.back() ? vtkHapticContentKey(shown.back(), actor->GetMatrix()) : std::uint64_t{ 0 });
-    key.add(impl.Session->GetUsesMaterialArrays() ? vtkHapticArraysKey(shown.back()) : std::uint64_t{ 0 });
+    key.add(impl.Session->GetSight()->GetUsesMaterialArrays() ? vtkHapticArraysKey(shown.back()) : std::uint64_t{ 0 });
   }
   if (impl.Given && key.value() == impl.Key)
   {
@@ -162,7 +163,7 @@ bool vtkHapticInteractor::HandOver()
 void vtkHapticInteractor::FollowCamera()
 {
   vtkRenderer* const renderer = this->Impl->Renderer;
-  this->Impl->Session->FollowCamera(renderer ? renderer->GetActiveCamera() : nullptr);
+  this->Impl->Session->GetSight()->FollowCamera(renderer ? renderer->GetActiveCamera() : nullptr);
 }
 
 bool vtkHapticInteractor::Start()

@@ -11,6 +11,7 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -147,7 +148,7 @@ Vec3 vtkHapticMouse::Internals::AtDepth(const Ray& ray, double depth) const
 /// A length of the hand in the scene [u], never much of it.
 double vtkHapticMouse::Internals::Reach(double length_m) const
 {
-  const double length = length_m * this->Session->GetScale();
+  const double length = length_m * this->Session->GetSetting("Scale");
   double b[6];
   return this->Session->GetSceneBounds(b)
            ? std::min(length, largestShare * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]))
@@ -192,7 +193,7 @@ Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
     depth = std::min(depth, this->DepthOf(p_W));
   }
   const Vec3 towardsEye = -ray.along();
-  const double room = this->Reach(hover_m) + this->Session->GetToolReach(towardsEye.data());
+  const double room = this->Reach(hover_m) + this->Session->GetSight()->GetToolReach(towardsEye.data());
   return this->AtDepth(ray, std::max(depth - room, this->DepthOf(ray.Near)));
 }
 
@@ -204,8 +205,9 @@ Vec3 vtkHapticMouse::Internals::Lifted(const Ray& ray) const
 double vtkHapticMouse::Internals::ShareOfWay() const
 {
   const bool feels = this->Pressing || this->Session->GetPlaneWorld();
-  const double precise = this->Session->GetPrecision() && feels ? 1.0 / this->Session->GetPrecisionFactor() : 1.0;
-  return this->Session->GetClutch() ? 0.0 : precise;
+  const double precise =
+    this->Session->IsOn("Precision") && feels ? 1.0 / this->Session->GetSetting("PrecisionFactor") : 1.0;
+  return this->Session->IsOn("Clutch") ? 0.0 : precise;
 }
 
 void vtkHapticMouse::Internals::PointAt(const Pixels& pointer)
@@ -223,21 +225,21 @@ Aim vtkHapticMouse::Internals::AimAt(const Ray& ray) const
 {
   Vec3 ball_W;
   Vec3 n_W;
-  if (!this->Session->PickSurface(ray.Near.data(), ray.Far.data(), ball_W.data(), n_W.data()))
+  if (!this->Session->GetSight()->PickSurface(ray.Near.data(), ray.Far.data(), ball_W.data(), n_W.data()))
   {
     const Vec3 inPlane_W = this->AtDepth(ray, this->DepthOf(Vec3(this->Session->GetProxyPosition())));
     return { inPlane_W, inPlane_W };
   }
-  ball_W += this->Session->GetToolReach(n_W.data()) * n_W;
+  ball_W += this->Session->GetSight()->GetToolReach(n_W.data()) * n_W;
   const double clearance = std::min(this->Reach(hover_m), (ball_W - ray.Near).norm());
-  return { ball_W - clearance * ray.along(), ball_W - this->Reach(this->Session->GetPressDepth()) * n_W };
+  return { ball_W - clearance * ray.along(), ball_W - this->Reach(this->Session->GetSetting("PressDepth")) * n_W };
 }
 
 bool vtkHapticMouse::Internals::IsFree(const Vec3& to_W) const
 {
   Vec3 ball_W;
   Vec3 n_W;
-  return !this->Session->PickSurface(this->Hover_W.data(), to_W.data(), ball_W.data(), n_W.data());
+  return !this->Session->GetSight()->PickSurface(this->Hover_W.data(), to_W.data(), ball_W.data(), n_W.data());
 }
 
 /// Near enough to turn: the hand is always a little behind.
@@ -384,14 +386,14 @@ void vtkHapticMouse::Deepen(double factor)
   if (session && factor > 0.0)
   {
     const palpate::Setting& depth = palpate::sessionSetting("PressDepth");
-    session->SetPressDepth(std::clamp(session->GetPressDepth() * factor, depth.low, depth.high));
+    session->SetSetting("PressDepth", std::clamp(session->GetSetting("PressDepth") * factor, depth.low, depth.high));
     this->InvokeEvent(vtkCommand::InteractionEvent);
   }
 }
 
 double vtkHapticMouse::GetUsedDepth() const
 {
-  return this->Impl->Session ? this->Impl->Reach(this->Impl->Session->GetPressDepth()) : 0.0;
+  return this->Impl->Session ? this->Impl->Reach(this->Impl->Session->GetSetting("PressDepth")) : 0.0;
 }
 
 bool vtkHapticMouse::GetRay(double near_W[3], double far_W[3]) const
@@ -408,9 +410,9 @@ bool vtkHapticMouse::GetRay(double near_W[3], double far_W[3]) const
 
 void vtkHapticMouse::Update()
 {
-  if (this->GetLeads() && !this->Impl->Session->GetClutch())
+  if (this->GetLeads() && !this->Impl->Session->IsOn("Clutch"))
   {
-    this->Impl->Session->SetEye(this->Impl->EyeOn(Vec3(this->Impl->Session->GetProxyPosition())).data());
+    this->Impl->Session->GetSight()->SetEye(this->Impl->EyeOn(Vec3(this->Impl->Session->GetProxyPosition())).data());
     const Vec3 hand_W = this->Impl->Next(this->Impl->RayOfPointer());
     this->Impl->Session->SetHandPosition(hand_W.data());
   }

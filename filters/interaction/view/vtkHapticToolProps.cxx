@@ -9,7 +9,9 @@
 #include "vtkArrowSource.h"
 #include "vtkCellArray.h"
 #include "vtkHapticHeldToolProps.h"
+#include "vtkHapticLabyrinthGame.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -187,7 +189,7 @@ void vtkHapticToolProps::Internals::MakeBox() const
 void vtkHapticToolProps::Internals::PlaceWorkspace(vtkHapticSession* session) const
 {
   double corners_W[24];
-  session->GetWorkspaceCorners(corners_W);
+  session->GetSight()->GetWorkspaceCorners(corners_W);
   for (vtkIdType corner = 0; corner < this->Box->GetNumberOfPoints(); ++corner)
   {
     this->Box->GetPoints()->SetPoint(corner, corners_W + 3 * corner);
@@ -203,13 +205,13 @@ void vtkHapticToolProps::Internals::Place(vtkActor* actor, const double p_W[3], 
 
 void vtkHapticToolProps::Internals::PlaceMarks(vtkHapticSession* session, bool shown) const
 {
-  const bool played = session->GetLabyrinthPlayed();
-  const bool goesToStart = std::string_view(session->GetLabyrinthPhase()) == "leads";
+  const bool played = session->GetLabyrinth()->GetPlayed();
+  const bool goesToStart = std::string_view(session->GetLabyrinth()->GetPhase()) == "leads";
   double start_W[3];
   double exit_W[3];
-  session->GetLabyrinthPlaces(start_W, exit_W);
-  this->Place(this->Start, start_W, session->GetLabyrinthReach());
-  this->Place(this->Exit, exit_W, session->GetLabyrinthReach());
+  session->GetLabyrinth()->GetPlaces(start_W, exit_W);
+  this->Place(this->Start, start_W, session->GetLabyrinth()->GetReach());
+  this->Place(this->Exit, exit_W, session->GetLabyrinth()->GetReach());
   this->Start->SetVisibility(played && (shown || goesToStart));
   this->Exit->SetVisibility(played && shown);
 }
@@ -269,7 +271,7 @@ void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
   impl.Trace->SetVisibility(session && this->ShowTrace);
   if (session && this->ShowTrace)
   {
-    session->GetLabyrinthTrace(impl.Way);
+    session->GetLabyrinth()->GetTrace(impl.Way);
   }
   if (!shown)
   {
@@ -277,13 +279,13 @@ void vtkHapticToolProps::UpdateFrom(vtkHapticSession* session)
   }
   impl.PlaceMarks(session, this->ShowPlaces);
   impl.PlaceWorkspace(session);
-  impl.Workspace->SetVisibility(session->GetShowWorkspace());
-  session->GetFieldShape(impl.Shape);
+  impl.Workspace->SetVisibility(session->IsOn("ShowWorkspace"));
+  session->GetSight()->GetFieldShape(impl.Shape);
   const double radius = std::max(session->GetRadiusUsed(), this->RelativeSize * diagonal);
   impl.Place(impl.Proxy, session->GetProxyPosition(), radius);
   impl.Place(impl.Hand, session->GetHandPosition(), handShare * radius);
   impl.Place(impl.SoftHand, session->GetSoftHandPosition(), softHandShare * radius);
-  impl.SoftHand->SetVisibility(session->GetShowSoftHand());
+  impl.SoftHand->SetVisibility(session->IsOn("ShowSoftHand"));
   const bool held = impl.Held.UpdateFrom(session);
   impl.Proxy->SetVisibility(!held);
   impl.Hand->SetVisibility(!held);

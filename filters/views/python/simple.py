@@ -235,7 +235,7 @@ def Mark():
 def GetMarks():
     """The marks in their order, each a dictionary: Source, X, Y, Z and all that was found there."""
     table = vtkTable()
-    GetHapticSession().GetMarksTable(table)
+    GetHapticSession().GetInspection().GetMarksTable(table)
     return _rows(table)
 
 
@@ -254,7 +254,7 @@ def SaveMarks(file):
     if not isinstance(file, (str, os.PathLike)):
         raise HapticRefusal(f"{file!r} is no file's name; give one that ends in .csv or .vtp.")
     with _Refusals() as session:
-        session.WriteMarks(os.fspath(file))
+        session.GetInspection().WriteMarks(os.fspath(file))
 
 
 def SetSource(source, touched=None, stiffness=None, friction=None):
@@ -314,14 +314,14 @@ def HoldMechanism(source=None, turning=None, laws=None):
     with _Refusals() as session:
         if turning is not None:
             _put("MechanismTurning", turning)
-        if name != session.GetMechanismSource():
+        if name != session.GetSettingText("MechanismSource"):
             _put("MechanismLaws", "")  # those of another mechanism would not fit
         _put("MechanismSource", name or "")
         _follow_if_none()
         HapticUpdate()
         if laws is not None:
             _put("MechanismLaws", json.dumps(laws) if laws else "")
-            _put("MechanismLaws", session.GetMechanismLaws())  # what was refused is not kept in a state file
+            _put("MechanismLaws", session.GetSettingText("MechanismLaws"))  # what was refused is not kept in a state file
             HapticUpdate()
 
 
@@ -335,7 +335,7 @@ def _follow_if_none():
 def Laws():
     """The laws of the mechanism in their order, each a dictionary: Law, Kind, A, B, Numbers, Phase, Force [N], Inside [u]."""
     table = vtkTable()
-    GetHapticSession().GetMechanismTable(table)
+    GetHapticSession().GetMechanism().GetTable(table)
     return _rows(table)
 
 
@@ -349,17 +349,17 @@ def AddLaw(**law):
     """Another law of the mechanism, with the keys of a scene file; in the place of the one of its name, if there is
     one. MechanismLaws has it."""
     with _Refusals() as session:
-        _put_laws(session.GetLawsWith(json.dumps(law)))
+        _put_laws(session.GetMechanism().GetLawsWith(json.dumps(law)))
 
 
 def RemoveLaw(name):
     """One law less. MechanismLaws has what is left."""
     with _Refusals() as session:
-        _put_laws(session.GetLawsWithout(name))
+        _put_laws(session.GetMechanism().GetLawsWithout(name))
 
 
 def BreakLaw(name):
     """From the next tick on that law holds no more, until the mechanism is held or touched anew, or
     has other laws."""
     with _Refusals() as session:
-        session.BreakLaw(name)
+        session.GetMechanism().BreakLaw(name)

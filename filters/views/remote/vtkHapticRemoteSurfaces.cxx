@@ -11,6 +11,7 @@
 #include "vtkHapticNamedData.h"
 #include "vtkHapticServerSurfaces.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticSight.h"
 #include "vtkHapticSurfacePlacement.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPVDataInformation.h"
@@ -60,7 +61,8 @@ void vtkHapticRemoteSurfaces::Add(
   auto* const geometry = vtkGeometryRepresentation::SafeDownCast(vtkHapticActiveRepresentation(representation));
   const vtkHapticViewScan::Source source =
     vtkHapticShownSource(representation, vtkHapticNameOf(vtkHapticInputOf(representation)));
-  const bool inHand = source.Name == session.GetMechanismSource() || source.Name == session.GetToolSource();
+  const bool inHand =
+    source.Name == session.GetSettingText("MechanismSource") || source.Name == session.GetSettingText("ToolSource");
   if (!source.Remote || source.Name.empty() || inHand || !Fetches(geometry))
   {
     return;
@@ -90,7 +92,7 @@ void vtkHapticRemoteSurfaces::Keep(vtkSMProxy* view, vtkHapticSession& session)
 
 vtkHapticPartWish vtkHapticRemoteSurfaces::WishOf(const Shown& shown, vtkSMProxy* view, vtkHapticSession& session)
 {
-  const vtkHapticServerSurfaces& server = session.ServerSurfaces();
+  const vtkHapticServerSurfaces& server = session.GetSight()->ServerSurfaces();
   const vtkHapticPlacement placement = vtkHapticPlacementOf(shown.Matrix);
   vtkHapticPartWish wish;
   if (const std::optional<palpate::Vec3> hand_W = server.GetCentre())
@@ -117,7 +119,7 @@ void vtkHapticRemoteSurfaces::Follow(vtkSMProxy* view, vtkHapticSession* session
   }
   this->Keep(view, *session);
   std::vector<std::pair<vtkHapticRemoteSurface*, vtkHapticPartWish>> wishes;
-  bool again = session->ServerSurfaces().NeedsPart();
+  bool again = session->GetSight()->ServerSurfaces().NeedsPart();
   for (const auto& [representation, shown] : this->All)
   {
     if (vtkHapticCheckPlacement(shown.Matrix).empty())
@@ -130,7 +132,7 @@ void vtkHapticRemoteSurfaces::Follow(vtkSMProxy* view, vtkHapticSession* session
   {
     return;
   }
-  session->ServerSurfaces().BeginRequest();
+  session->GetSight()->ServerSurfaces().BeginRequest();
   for (const auto& [surface, wish] : wishes) // parts are all around one place
   {
     if (surface->IsStale(wish) || (surface->GetData() && !surface->GetInfo().Whole))
@@ -138,7 +140,7 @@ void vtkHapticRemoteSurfaces::Follow(vtkSMProxy* view, vtkHapticSession* session
       surface->Ask(wish);
     }
   }
-  session->ServerSurfaces().EndRequest();
+  session->GetSight()->ServerSurfaces().EndRequest();
 }
 
 void vtkHapticRemoteSurfaces::Tell(vtkHapticSession& session) const
@@ -177,7 +179,7 @@ void vtkHapticRemoteSurfaces::Tell(vtkHapticSession& session) const
   part.reach_u = std::max(0.0, part.reach_u);
   part.bounds_W = { bounds.low_W.x(), bounds.high_W.x(), bounds.low_W.y(), bounds.high_W.y(), bounds.low_W.z(),
     bounds.high_W.z() };
-  session.ServerSurfaces().Take(part, sentence);
+  session.GetSight()->ServerSurfaces().Take(part, sentence);
 }
 
 vtkHapticShape vtkHapticRemoteSurfaces::ShapeOf(vtkSMProxy* representation) const

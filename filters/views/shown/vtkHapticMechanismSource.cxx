@@ -6,6 +6,7 @@
 #include "vtkHapticNamedData.h"
 #include "vtkHapticServerProxies.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticTouchedMechanism.h"
 #include "vtkHapticViewScan.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
@@ -67,7 +68,7 @@ vtkDataObject* vtkHapticMechanismSource::Bring(vtkSMProxy* view, const std::stri
 
 void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 {
-  const std::string name = session.GetMechanismSource();
+  const std::string name = session.GetSettingText("MechanismSource");
   if (this->Name != name)
   {
     Show(view, this->Name, nullptr);
@@ -78,8 +79,8 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
   vtkDataObject* const atFirst = maker ? maker->GetAtFirst() : made;
   const std::string reason = maker ? maker->GetProblem() : "";
   const vtkMTimeType time = made && !maker ? made->GetMTime() : 0; // what a maker shows elsewhere is the same mechanism
-  const bool others =
-    atFirst != this->AtFirst || time != this->Time || reason != this->Reason || name != session.GetAddedMechanism();
+  const bool others = atFirst != this->AtFirst || time != this->Time || reason != this->Reason ||
+                      name != session.GetMechanism()->GetAdded();
   this->Name = name;
   if (!std::exchange(this->Known, true) || others)
   {
@@ -92,7 +93,7 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
   if (maker && maker->GetAtFirst())
   {
     moved->ShallowCopy(maker->GetAtFirst());
-    const bool moves = session.MoveMechanism(moved);
+    const bool moves = session.GetMechanism()->Move(moved);
     if (moves || this->Moves)
     {
       Show(view, name, moves ? moved.Get() : nullptr);
@@ -103,12 +104,12 @@ void vtkHapticMechanismSource::Follow(vtkHapticSession& session, vtkSMProxy* vie
 
 void vtkHapticMechanismSource::LeaveOut(vtkHapticSession* session, vtkHapticViewScan& scan)
 {
-  const std::string name = session ? session->GetMechanismSource() : "";
+  const std::string name = session ? session->GetSettingText("MechanismSource") : "";
   const auto isMoved = [&name](const vtkHapticViewScan::Source& source) { return source.Name == name && source.Moved; };
   if (session)
   {
     const bool moved = !name.empty() && std::any_of(scan.Sources.begin(), scan.Sources.end(), isMoved);
-    session->SetMechanismMoved(moved);
+    session->GetMechanism()->SetMoved(moved);
   }
   scan.LeaveOut(name);
 }

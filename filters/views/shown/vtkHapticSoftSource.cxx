@@ -32,7 +32,7 @@ vtkDataObject* BodyOf(vtkSMProxy* view, const std::string& name)
 
 void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 {
-  const std::string name = session.GetSoftSource();
+  const std::string name = session.GetSettingText("SoftSource");
   if (!this->Name.empty() && this->Name != name)
   {
     if (vtkHapticSoftBody* const before = FilterOf(vtkHapticNamedProxy(view, this->Name)))
@@ -63,7 +63,7 @@ void vtkHapticSoftSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 
 void vtkHapticSoftSource::KeepAtRest(vtkHapticSession* session, vtkHapticViewScan& scan)
 {
-  const std::string name = session ? session->GetSoftSource() : "";
+  const std::string name = session ? session->GetSettingText("SoftSource") : "";
   const auto isIt = [&name](const auto& shown) { return shown.Name == name || vtkHapticSoftSkin::IsSkin(shown.Data); };
   const auto found = std::find_if(scan.Surfaces.begin(), scan.Surfaces.end(), isIt);
   if (name.empty() || found == scan.Surfaces.end())

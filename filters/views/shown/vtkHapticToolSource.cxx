@@ -10,7 +10,7 @@
 
 void vtkHapticToolSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 {
-  const char* const name = session.GetToolSource();
+  const char* const name = session.GetSettingText("ToolSource");
   vtkDataObject* const data = *name != '\0' ? vtkHapticNamedData(view, name) : nullptr;
   const vtkMTimeType time = data ? data->GetMTime() : 0;
   if (!std::exchange(this->Known, true) || data != this->Data || time != this->Time)
@@ -23,5 +23,5 @@ void vtkHapticToolSource::Follow(vtkHapticSession& session, vtkSMProxy* view)
 
 void vtkHapticToolSource::LeaveOut(vtkHapticSession* session, vtkHapticViewScan& scan)
 {
-  scan.LeaveOut(session ? session->GetToolSource() : "");
+  scan.LeaveOut(session ? session->GetSettingText("ToolSource") : "");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/session/scene/FeltScene.h"
 
+#include "haptics/session/HapticSession.h"
 #include <algorithm>
 #include <utility>
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "haptics/session/HapticSession.h"
 #include "haptics/session/scene/BuiltScene.h"
 #include "haptics/session/scene/CameAround.h"
 #include "haptics/session/scene/SceneWorker.h"
@@ -15,6 +14,8 @@
 
 namespace palpate
 {
+
+class HapticSession;
 
 /// Decides what of the scenes that a worker builds a session feels: all of it at first, simpler surfaces once they are
 /// proven to feel the same, and from where to where what moves goes. One thread, the session's owner, calls every

@@ -383,11 +383,17 @@ std::span<const Setting> sessionSettings()
   return settings;
 }
 
-const Setting& sessionSetting(std::string_view name)
+const Setting* findSetting(std::string_view name)
 {
   const auto named = [name](const Setting& setting) { return setting.name == name; };
   const auto found = std::find_if(std::begin(settings), std::end(settings), named);
-  if (found == std::end(settings))
+  return found == std::end(settings) ? nullptr : &*found;
+}
+
+const Setting& sessionSetting(std::string_view name)
+{
+  const Setting* const found = findSetting(name);
+  if (!found)
   {
     throw std::logic_error("no setting is called " + std::string(name));
   }

@@ -20,6 +20,9 @@ namespace palpate
 /// One of sessionSettings() by its name, which must be known.
 [[nodiscard]] const Setting& sessionSetting(std::string_view name);
 
+/// One of sessionSettings() by its name; null: there is none.
+[[nodiscard]] const Setting* findSetting(std::string_view name);
+
 /// Both tables as one JSON object, {"settings": [...], "readouts": [...]}.
 [[nodiscard]] std::string describedAsJson();
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "devices/simulated/MazePlayer.h"
+#include "haptics/session/HapticSession.h"
 #include "haptics/safety/ForceLimits.h"
 #include "haptics/session/MazeHost.h"
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/FedDevice.h"
+#include "haptics/session/HapticSession.h"
 #include "haptics/session/scene/FeltScene.h"
 #include "testing/support/Meshes.h"
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "haptics/session/settings/SessionSettings.h"
+#include "haptics/session/settings/SettingStore.h"
 #include "haptics/session/settings/TickFields.h"
 #include "haptics/tick/HapticParameters.h"
 
@@ -206,6 +207,37 @@ TEST(Settings, TheTableAsTextHasEverySettingAndEveryReadout)
     EXPECT_THAT(text, HasSubstr("{\"name\": \"" + std::string(readout.name) + "\""));
   }
   EXPECT_THAT(text, HasSubstr("\"high\": null")); // JSON has no infinity
+}
+
+TEST(SettingStore, HoldsTheDefaultsOfTheTableAtFirst)
+{
+  const SettingStore store;
+  for (const Setting& setting : sessionSettings())
+  {
+    EXPECT_EQ(store.of(setting.name).numbers, setting.defaults) << setting.name;
+    EXPECT_EQ(store.text(setting.name), setting.defaultText) << setting.name;
+  }
+  EXPECT_THROW(static_cast<void>(store.of("Stifness")), std::logic_error);
+}
+
+TEST(SettingStore, NumbersStayWhereTheyAreWhenTheyAreSet)
+{
+  SettingStore store;
+  const double* const before = store.of("Offset").numbers.data();
+  store.put("Offset", { { 1.0, 2.0, 3.0 }, {} });
+  EXPECT_EQ(store.of("Offset").numbers.data(), before);
+  EXPECT_EQ(before[2], 3.0);
+}
+
+TEST(SettingStore, AValueOfAnotherShapeIsRefused)
+{
+  const auto refused = [](const char* name, const SettingValue& value) { return refuse(sessionSetting(name), value); };
+  EXPECT_EQ(refused("Offset", { { 1.0, 2.0 }, {} }), "Offset: it must be 3 numbers");
+  EXPECT_EQ(refused("Radius", { {}, "a" }), "Radius: it must be a number");
+  EXPECT_EQ(refused("DeviceName", { { 1.0 }, {} }), "DeviceName: it must be a text");
+  EXPECT_THAT(refused("StrokePoints", { { 1.0 }, {} }), HasSubstr("one by one"));
+  EXPECT_THAT(refused("Radius", { { -1.0 }, {} }), HasSubstr("0 or more"));
+  EXPECT_EQ(refused("DeviceName", { {}, "mouse" }), "");
 }
 
 } // namespace

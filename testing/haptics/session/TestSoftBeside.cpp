@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "SoftInLoop.h"
+#include "haptics/session/HapticSession.h"
 #include "haptics/geometry/scene/SceneMotion.h"
 #include "haptics/recording/Recording.h"
 #include "haptics/session/scene/FeltScene.h"

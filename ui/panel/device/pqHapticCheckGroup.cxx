@@ -3,6 +3,7 @@
 
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
+#include "vtkHapticDeviceCheck.h"
 #include "vtkHapticSession.h"
 
 #include <QFormLayout>
@@ -44,15 +45,16 @@ pqHapticCheckGroup::pqHapticCheckGroup(QWidget* parent)
 
 void pqHapticCheckGroup::refresh(vtkHapticSession* session)
 {
-  const int state = session ? session->GetSelfTestState() : vtkHapticSession::CheckNone;
-  const bool runs = state == vtkHapticSession::CheckRuns;
+  const int state = session ? session->GetDeviceCheck()->GetState() : vtkHapticDeviceCheck::CheckNone;
+  const bool runs = state == vtkHapticDeviceCheck::CheckRuns;
   this->Verify->setEnabled(session && !session->GetTouching());
   this->Verify->setText(runs ? tr("Stop Chec&k") : tr("Verif&y Device"));
-  this->Adjust->setEnabled(state == vtkHapticSession::CheckPassed && *session->GetCalibrationFolder() != '\0');
+  this->Adjust->setEnabled(
+    state == vtkHapticDeviceCheck::CheckPassed && *session->GetDeviceCheck()->GetCalibrationFolder() != '\0');
   this->Progress->setVisible(runs);
-  this->Progress->setValue(session ? static_cast<int>(wholeProgress * session->GetSelfTestProgress()) : 0);
-  pqHapticSay(this->Ask, session ? QString::fromUtf8(session->GetSelfTestAsk()) : QString());
-  const QString result = session ? QString::fromUtf8(session->GetSelfTestResult()) : QString();
+  this->Progress->setValue(session ? static_cast<int>(wholeProgress * session->GetDeviceCheck()->GetProgress()) : 0);
+  pqHapticSay(this->Ask, session ? QString::fromUtf8(session->GetDeviceCheck()->GetAsk()) : QString());
+  const QString result = session ? QString::fromUtf8(session->GetDeviceCheck()->GetResult()) : QString();
   pqHapticSay(this->Result, this->Note.isEmpty() ? result : this->Note);
 }
 
@@ -68,8 +70,9 @@ void pqHapticCheckGroup::startOrStop()
   {
     return;
   }
-  session->GetSelfTestState() == vtkHapticSession::CheckRuns ? session->StopSelfTest() : session->StartSelfTest();
-  const bool refused = session->GetSelfTestState() == vtkHapticSession::CheckNone;
+  session->GetDeviceCheck()->GetState() == vtkHapticDeviceCheck::CheckRuns ? session->GetDeviceCheck()->Stop()
+                                                                           : session->GetDeviceCheck()->Start();
+  const bool refused = session->GetDeviceCheck()->GetState() == vtkHapticDeviceCheck::CheckNone;
   this->Note = refused ? QString::fromUtf8(session->GetProblem()) : QString();
   this->refresh(session);
 }
@@ -79,7 +82,7 @@ void pqHapticCheckGroup::keep()
   vtkHapticSession* session = pqHapticController::instance()->session();
   if (session)
   {
-    const bool kept = session->KeepCalibration();
+    const bool kept = session->GetDeviceCheck()->KeepCalibration();
     this->Note = kept ? tr("Kept, and applied from the next touch on.") : QString::fromUtf8(session->GetProblem());
     this->refresh(session);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pqHapticDeviceChoice.h"
 
+#include "vtkHapticKnownDevices.h"
 #include "vtkHapticSession.h"
 
 #include <QSignalBlocker>
@@ -22,7 +23,7 @@ void pqHapticDeviceChoice::showPopup()
 {
   if (this->Session)
   {
-    this->Session->LookForDevices();
+    this->Session->GetDevices()->Look();
     this->list();
   }
   this->Superclass::showPopup();
@@ -30,7 +31,7 @@ void pqHapticDeviceChoice::showPopup()
 
 void pqHapticDeviceChoice::follow()
 {
-  if (this->Session && this->currentText() != QString::fromUtf8(this->Session->GetDeviceName()))
+  if (this->Session && this->currentText() != QString::fromUtf8(this->Session->GetSettingText("DeviceName")))
   {
     this->list();
   }
@@ -45,14 +46,15 @@ void pqHapticDeviceChoice::list()
   {
     return;
   }
-  const QString chosen = QString::fromUtf8(this->Session->GetDeviceName());
-  for (int i = 0; i < this->Session->GetNumberOfKnownDevices(); ++i)
+  const QString chosen = QString::fromUtf8(this->Session->GetSettingText("DeviceName"));
+  for (int i = 0; i < this->Session->GetDevices()->GetNumberOfDevices(); ++i)
   {
-    const QString name = QString::fromUtf8(this->Session->GetKnownDeviceName(i));
-    if (name == chosen || !this->Session->GetKnownDeviceForPrograms(i))
+    const QString name = QString::fromUtf8(this->Session->GetDevices()->GetName(i));
+    if (name == chosen || !this->Session->GetDevices()->GetForPrograms(i))
     {
       this->addItem(name);
-      this->setItemData(this->count() - 1, QString::fromUtf8(this->Session->GetKnownDeviceProblem(i)), Qt::ToolTipRole);
+      this->setItemData(
+        this->count() - 1, QString::fromUtf8(this->Session->GetDevices()->GetProblem(i)), Qt::ToolTipRole);
     }
   }
   if (this->findText(chosen) < 0)

@@ -95,8 +95,9 @@ void pqHapticDeviceRows::refresh(vtkHapticSession* session)
   pqHapticSay(this->Notes, notes);
   pqHapticSay(this->Link, session ? text(session->GetLinkText()) : QString());
   const QSignalBlocker blocker(this->DeadMan), wheelBlocker(this->Wheel);
-  this->Wheel->setChecked(session && session->GetWheel());
-  this->DeadMan->setCurrentIndex(session ? RowOf(session->GetDeadManButtons(), session->GetDeadManGrip()) : 0);
+  this->Wheel->setChecked(session && session->IsOn("Wheel"));
+  this->DeadMan->setCurrentIndex(
+    session ? RowOf(static_cast<int>(session->GetSetting("DeadManButtons")), session->IsOn("DeadManGrip")) : 0);
 }
 
 QList<QWidget*> pqHapticDeviceRows::fields() const

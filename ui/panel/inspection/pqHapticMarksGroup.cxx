@@ -5,6 +5,7 @@
 #include "pqHapticButton.h"
 #include "pqHapticController.h"
 #include "pqHapticLabel.h"
+#include "vtkHapticInspection.h"
 #include "vtkHapticMessageCapture.h"
 #include "vtkHapticSession.h"
 #include "vtkNew.h"
@@ -20,18 +21,18 @@ namespace
 {
 constexpr int listHeight = 80; // of four marks [pixels]
 
-QString StateOf(const vtkHapticSession& session, int mark)
+QString StateOf(vtkHapticSession& session, int mark)
 {
-  const int state = session.GetMarkState(mark);
-  return state == vtkHapticSession::MarkStale    ? QObject::tr(" - stale: it has changed or moved")
-         : state == vtkHapticSession::MarkUnseen ? QObject::tr(" - it is not touched now")
-                                                 : QString();
+  const int state = session.GetInspection()->GetMarkState(mark);
+  return state == vtkHapticInspection::MarkStale    ? QObject::tr(" - stale: it has changed or moved")
+         : state == vtkHapticInspection::MarkUnseen ? QObject::tr(" - it is not touched now")
+                                                    : QString();
 }
 
-QStringList LinesOf(const vtkHapticSession& session)
+QStringList LinesOf(vtkHapticSession& session)
 {
   vtkNew<vtkTable> table;
-  session.GetMarksTable(table);
+  session.GetInspection()->GetMarksTable(table);
   QStringList lines;
   for (int mark = 0; mark < session.GetNumberOfMarks(); ++mark)
   {
@@ -110,7 +111,7 @@ void pqHapticMarksGroup::save()
   if (session && dialog.exec() == QDialog::Accepted && !dialog.getSelectedFiles().empty())
   {
     const vtkHapticMessageCapture saidByThePanel; // else ParaView's messages open over it
-    session->WriteMarks(dialog.getSelectedFiles().first().toUtf8().constData());
+    session->GetInspection()->WriteMarks(dialog.getSelectedFiles().first().toUtf8().constData());
   }
 }
 

@@ -76,9 +76,9 @@ void pqHapticRecordingRows::link(vtkSMProxy* proxy, pqPropertyLinks& links)
 
 void pqHapticRecordingRows::refresh(vtkHapticSession* session)
 {
-  const bool plays = session && std::strcmp(session->GetDeviceName(), "replay") == 0;
-  const bool hasFile = session && *session->GetReplayFile() != '\0';
-  this->Save->setEnabled(session && !session->GetRecording() && *session->GetRecordedFile() != '\0');
+  const bool plays = session && std::strcmp(session->GetSettingText("DeviceName"), "replay") == 0;
+  const bool hasFile = session && *session->GetSettingText("ReplayFile") != '\0';
+  this->Save->setEnabled(session && !session->IsOn("Recording") && *session->GetRecordedFile() != '\0');
   this->Replay->setEnabled(hasFile);
   this->Way->setEnabled(hasFile);
   this->Played->setVisible(plays);

@@ -7,6 +7,7 @@
 #include "pqHapticNamedSource.h"
 #include "pqHapticStrip.h"
 #include "vtkHapticSession.h"
+#include "vtkHapticTouchedMechanism.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
@@ -123,7 +124,7 @@ void pqHapticMechanismGroup::addLaw()
 {
   if (vtkHapticSession* const session = Session())
   {
-    SetLaws(session->GetLawsWith(this->Law->text().toUtf8().constData()));
+    SetLaws(session->GetMechanism()->GetLawsWith(this->Law->text().toUtf8().constData()));
   }
 }
 
@@ -131,7 +132,7 @@ void pqHapticMechanismGroup::removeLaw()
 {
   if (vtkHapticSession* const session = Session())
   {
-    SetLaws(session->GetLawsWithout(this->selected().toUtf8().constData()));
+    SetLaws(session->GetMechanism()->GetLawsWithout(this->selected().toUtf8().constData()));
   }
 }
 
@@ -139,14 +140,14 @@ void pqHapticMechanismGroup::breakLaw()
 {
   if (vtkHapticSession* const session = Session())
   {
-    session->BreakLaw(this->selected().toUtf8().constData());
+    session->GetMechanism()->BreakLaw(this->selected().toUtf8().constData());
   }
 }
 
 void pqHapticMechanismGroup::fill(vtkHapticSession& session)
 {
   vtkNew<vtkTable> table;
-  session.GetMechanismTable(table);
+  session.GetMechanism()->GetTable(table);
   const int rows = static_cast<int>(table->GetNumberOfRows());
   this->Table->setRowCount(rows);
   for (int row = 0; row < rows; ++row)
@@ -169,8 +170,8 @@ void pqHapticMechanismGroup::fill(vtkHapticSession& session)
 
 void pqHapticMechanismGroup::refresh(vtkHapticSession* session)
 {
-  const bool held = session && *session->GetMechanismSource() != '\0';
-  this->refreshButtons(session, session ? session->GetMechanismSource() : "");
+  const bool held = session && *session->GetSettingText("MechanismSource") != '\0';
+  this->refreshButtons(session, session ? session->GetSettingText("MechanismSource") : "");
   pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetMechanismText()) : QString());
   if (session)
   {

@@ -17,7 +17,7 @@ pqHapticSoftGroup::pqHapticSoftGroup(QWidget* parent) : Superclass(tr("Soft body
 
 void pqHapticSoftGroup::refresh(vtkHapticSession* session)
 {
-  this->refreshButtons(session, session ? session->GetSoftSource() : "");
+  this->refreshButtons(session, session ? session->GetSettingText("SoftSource") : "");
   pqHapticSay(this->Text, session ? QString::fromUtf8(session->GetSoftText()) : QString());
 }
 

@@ -46,8 +46,8 @@ pqHapticToolGroup::pqHapticToolGroup(QWidget* parent)
 
 void pqHapticToolGroup::refresh(vtkHapticSession* session)
 {
-  this->refreshButtons(session, session ? session->GetToolSource() : "");
-  pqPipelineSource* const tool = session ? SourceNamed(session->GetToolSource()) : nullptr;
+  this->refreshButtons(session, session ? session->GetSettingText("ToolSource") : "");
+  pqPipelineSource* const tool = session ? SourceNamed(session->GetSettingText("ToolSource")) : nullptr;
   this->PlaceHandle->setEnabled(tool);
   if (!tool || tool != this->Placed)
   {

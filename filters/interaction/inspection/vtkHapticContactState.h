@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticContactState_h
+#define vtkHapticContactState_h
+
+#include "vtkHapticMarkRecords.h"
+#include "vtkHapticSourceProbe.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What was found at the contact when it was looked up last, and the marks.
+struct vtkHapticContactState
+{
+  std::optional<vtkHapticMarkRecord> Found;
+  std::string Text;
+  std::string Arrays;
+  double Position[3] = { 0.0, 0.0, 0.0 };
+  double Normal[3] = { 0.0, 0.0, 0.0 };
+  double Curvature[2] = { 0.0, 0.0 };
+  vtkHapticSourceProbe Probe;
+
+  vtkHapticMarkRecords Marks;
+  std::vector<int> MarkStates;     ///< one a mark
+  std::string MarksNote;           ///< of those that are stale
+  std::uint32_t MarkButtons = ~0u; ///< that were down at the last look; what is down at the first was not pressed
+};
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticInspection.h"
+
+#include <limits>
+
+#include "vtkHapticSessionInternals.h"
+
+vtkSmartPointer<vtkHapticInspection> vtkHapticInspection::Of(vtkHapticSession& session)
+{
+  return vtkSmartPointer<vtkHapticInspection>::Take(new vtkHapticInspection(session));
+}
+
+int vtkHapticInspection::GetMarkState(int mark) const
+{
+  return mark >= 0 && mark < this->Session->GetNumberOfMarks() ? this->Behind().Contact.MarkStates[mark] : MarkUnseen;
+}
+
+bool vtkHapticInspection::WriteMarks(const char* file)
+{
+  const std::string problem = file ? this->Behind().Contact.Marks.Write(file) : "a file is needed to write marks into";
+  this->Behind().Refuse(problem);
+  this->Behind().Follow("marks' file", problem);
+  return problem.empty();
+}
+
+void vtkHapticInspection::GetMarks(vtkPolyData* points) const
+{
+  this->Behind().Contact.Marks.FillPoints(points);
+}
+
+void vtkHapticInspection::GetMarksTable(vtkTable* table) const
+{
+  this->Behind().Contact.Marks.FillTable(table);
+}
+
+double vtkHapticInspection::GetValue(const char* name) const
+{
+  return this->Behind().Contact.Found && name ? this->Behind().Contact.Found->Number(name)
+                                              : std::numeric_limits<double>::quiet_NaN();
+}

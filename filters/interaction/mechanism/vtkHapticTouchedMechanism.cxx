@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticTouchedMechanism.h"
+
+#include "vtkHapticSessionInternals.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+vtkSmartPointer<vtkHapticTouchedMechanism> vtkHapticTouchedMechanism::Of(vtkHapticSession& session)
+{
+  return vtkSmartPointer<vtkHapticTouchedMechanism>::Take(new vtkHapticTouchedMechanism(session));
+}
+
+const char* vtkHapticTouchedMechanism::GetAdded() const
+{
+  return this->Behind().Mechanism.Taken().c_str();
+}
+
+void vtkHapticTouchedMechanism::SetMoved(bool moved)
+{
+  this->Behind().Mechanism.DrawnElsewhere = moved;
+}
+
+bool vtkHapticTouchedMechanism::Move(vtkPolyData* shapes)
+{
+  return shapes && this->Behind().Mechanism.Move(*shapes);
+}
+
+void vtkHapticTouchedMechanism::GetTable(vtkTable* table) const
+{
+  this->Behind().Mechanism.FillTable(*table);
+}
+
+std::string vtkHapticTouchedMechanism::GetLawsWith(const char* law)
+{
+  std::string problem;
+  const std::string laws = this->Behind().Mechanism.With(law ? law : "", problem);
+  problem = laws.empty() ? problem : this->Behind().Mechanism.Refusal(laws, this->Behind().Core);
+  this->Behind().Refuse(problem);
+  return problem.empty() ? laws : "";
+}
+
+std::string vtkHapticTouchedMechanism::GetLawsWithout(const char* name)
+{
+  std::string problem;
+  std::string laws = this->Behind().Mechanism.Without(name ? name : "", problem);
+  this->Behind().Refuse(problem);
+  return laws;
+}
+
+bool vtkHapticTouchedMechanism::BreakLaw(const char* name)
+{
+  const int law = this->Behind().Mechanism.IndexOf(name ? name : "");
+  const bool felt = this->Behind().Mechanism.IsFelt(); // else the servo may number other laws
+  this->Behind().Refuse(law < 0 ? std::string("there is no law \"") + (name ? name : "") + "\" to be broken"
+                        : felt
+                          ? ""
+                          : "these laws are not felt now: break one of them while the mechanism is touched with them");
+  if (law >= 0 && felt)
+  {
+    this->Behind().Core.breakLaw(static_cast<std::uint32_t>(law));
+  }
+  return law >= 0 && felt;
+}

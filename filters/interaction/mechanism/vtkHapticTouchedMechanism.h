@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkHapticTouchedMechanism
+ * @brief   the mechanism that a session holds a body of
+ */
+#ifndef vtkHapticTouchedMechanism_h
+#define vtkHapticTouchedMechanism_h
+
+#include "vtkHapticSessionPart.h"
+
+#include <string> // for a result
+
+class vtkPolyData;
+class vtkTable;
+
+class VTKHAPTICINTERACTION_EXPORT vtkHapticTouchedMechanism : public vtkHapticSessionPart
+{
+public:
+  vtkAbstractTypeMacro(vtkHapticTouchedMechanism, vtkHapticSessionPart);
+  static vtkSmartPointer<vtkHapticTouchedMechanism> Of(vtkHapticSession& session);
+
+  const char* GetAdded() const; ///< whose was added last; "": none since MechanismSource is another
+  void SetMoved(bool moved);    ///< whether it is drawn elsewhere than it is felt, for MechanismText to say so
+  /// Moves and bends shapes; false: they are as at first.
+  bool Move(vtkPolyData* shapes);
+  void GetTable(vtkTable* table) const; ///< a row a law: what it is, Phase, Force [N], Inside [u]
+  /// What MechanismLaws is with another law, an object as in a scene file, and with one less; "", with the session's
+  /// GetProblem().
+  std::string GetLawsWith(const char* law);
+  std::string GetLawsWithout(const char* name);
+  bool BreakLaw(const char* name); ///< it holds no more until the mechanism begins anew; false: there is none
+
+private:
+  explicit vtkHapticTouchedMechanism(vtkHapticSession& session) : vtkHapticSessionPart(session) {}
+};
+
+#endif

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkHapticSight.h"
+
+#include <algorithm>
+
+#include "haptics/contact/planes/FeatureGeometry.h"
+#include "haptics/contact/sweep/Sweep.h"
+#include "vtkCamera.h"
+#include "vtkHapticFieldShape.h"
+#include "vtkHapticSessionInternals.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+
+namespace
+{
+using palpate::Vec3;
+
+/// What a person waits for once, not what a tick may cost.
+constexpr std::uint32_t nodesToVisit = 1u << 24;
+
+/// The plane that holds the ball where it was stopped; against its way where a point met an edge or a corner.
+template<class SceneView>
+Vec3 NormalAt(const SceneView& scene, const palpate::SweepHit& hit, const palpate::SweepQuery& query, const Vec3& x_W)
+{
+  if (hit.feature.kind != palpate::FeatureKind::Face && query.radius_u == 0.0)
+  {
+    return (query.from_W - query.to_W).normalized();
+  }
+  const auto& surface = palpate::surfaceOf(scene, hit.feature.surface);
+  return palpate::planeOf(surface, hit.feature, x_W, query.radius_u).n;
+}
+
+Vec3 RowOf(vtkMatrix4x4* matrix, int row)
+{
+  return { matrix->GetElement(row, 0), matrix->GetElement(row, 1), matrix->GetElement(row, 2) };
+}
+
+template<class SceneView>
+bool Meets(const SceneView& scene, const palpate::SweepQuery& query, Vec3& x_W, Vec3& n_W)
+{
+  const palpate::SweepHit hit = palpate::sweepBall(scene, query, nodesToVisit);
+  if (hit.hit)
+  {
+    x_W = query.from_W + hit.t * (query.to_W - query.from_W);
+    n_W = NormalAt(scene, hit, query, x_W);
+  }
+  return hit.hit;
+}
+} // namespace
+
+vtkSmartPointer<vtkHapticSight> vtkHapticSight::Of(vtkHapticSession& session)
+{
+  return vtkSmartPointer<vtkHapticSight>::Take(new vtkHapticSight(session));
+}
+
+vtkMTimeType vtkHapticSight::GetMaterialTime() const
+{
+  return this->Behind().MaterialTime.GetMTime();
+}
+
+bool vtkHapticSight::GetUsesMaterialArrays() const
+{
+  return !this->Behind().Materials.Empty();
+}
+
+bool vtkHapticSight::PickSurface(
+  const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const
+{
+  auto& impl = this->Behind();
+  if (!impl.Scene.built().scene || impl.Scene.built().scene->empty())
+  {
+    return false;
+  }
+  const palpate::Scene& scene = *impl.Scene.built().scene;
+  palpate::SweepQuery query;
+  query.from_W = Vec3(from_W);
+  query.to_W = Vec3(to_W);
+  query.radius_u = impl.Asked.touch(impl.Scene.built()).plan.radius_u;
+  query.resolution.include(query.from_W);
+  query.resolution.include(query.to_W);
+  query.resolution.include(Vec3::Constant(query.radius_u + scene.mostCoat_u()));
+  const double share = impl.State.sceneRevision == scene.revision() ? impl.State.sceneShare : 0.0;
+  Vec3 x_W;
+  Vec3 n_W;
+  if (!(scene.moves() ? Meets(palpate::MovingScene(scene, share), query, x_W, n_W) : Meets(scene, query, x_W, n_W)))
+  {
+    return false;
+  }
+  Eigen::Map<Vec3>{ ball_W } = x_W;
+  Eigen::Map<Vec3>{ normal_W } = n_W;
+  return true;
+}
+
+void vtkHapticSight::SetEye(const double p_W[3])
+{
+  this->Behind().Eye_W = Vec3(p_W);
+}
+
+bool vtkHapticSight::PrepareSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix)
+{
+  return this->Behind().Surfaces.Prepare(name ? name : "surface", data, matrix);
+}
+
+void vtkHapticSight::ForgetPrepared()
+{
+  this->Behind().Surfaces.ForgetPrepared();
+}
+
+int vtkHapticSight::GetScenesCancelled() const
+{
+  return this->Behind().ScenesCancelled;
+}
+
+bool vtkHapticSight::AddRemoteField(const char* name, const vtkHapticFieldResult& made)
+{
+  return this->Behind().FeelField(name, made);
+}
+
+void vtkHapticSight::SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap)
+{
+  auto& impl = this->Behind();
+  const vtkMTimeType time = std::max(compared ? compared->GetMTime() : 0, snap ? snap->GetMTime() : 0);
+  if (impl.CompareData != compared || impl.SnapData != snap || impl.BesideTime != time)
+  {
+    impl.BesideTime = time;
+    impl.CompareData = compared;
+    impl.SnapData = snap;
+    this->Behind().FeelFieldAnew();
+  }
+}
+
+void vtkHapticSight::GetFieldShape(vtkPolyData* shape) const
+{
+  const std::shared_ptr<const palpate::Brick>& brick = this->Behind().Core.brick();
+  shape->Initialize();
+  const palpate::Vec3& proxy_W = this->Behind().State.field.proxy_W;
+  if (brick && proxy_W.allFinite())
+  {
+    vtkHapticFieldShape(
+      brick->finestAt(proxy_W), this->Behind().Asked.asked().field, palpate::Vec3(this->Behind().Hand), proxy_W, shape);
+  }
+}
+
+vtkHapticServerSurfaces& vtkHapticSight::ServerSurfaces() const
+{
+  this->Behind().Server.SetHand(this->Behind().Hand_W);
+  return this->Behind().Server;
+}
+
+void vtkHapticSight::GetToolShape(vtkPolyData* shape) const
+{
+  vtkPolyData* const ofMechanism = this->Behind().Mechanism.HeldShape();
+  ofMechanism ? shape->ShallowCopy(ofMechanism) : this->Behind().Tool.GetShape(shape);
+}
+
+double vtkHapticSight::GetToolReach(const double direction_W[3]) const
+{
+  const auto& tool = this->Behind().Tool.Choice().tool;
+  const palpate::Quat turn_W = this->Behind().State.tool.hand_W.q;
+  const palpate::Vec3 direction = turn_W.conjugate() * palpate::Vec3(direction_W);
+  double reach_u = 0.0;
+  if (tool)
+  {
+    for (const palpate::Vec3& v : tool->shape_B->mesh().vertices_W)
+    {
+      reach_u = std::max(reach_u, -direction.dot(v));
+    }
+  }
+  return reach_u;
+}
+
+void vtkHapticSight::FollowCamera(vtkCamera* camera)
+{
+  vtkMatrix4x4* const view = camera ? camera->GetViewTransformMatrix() : nullptr;
+  this->Behind().View_WD = view ? palpate::viewRotation(RowOf(view, 0), RowOf(view, 1)) : std::nullopt;
+}
+
+void vtkHapticSight::GetWorkspaceCorners(double corners_W[24]) const
+{
+  auto& impl = this->Behind();
+  for (const Vec3& corner_W : palpate::workspaceCorners(impl.Asked.asked().map, impl.InfoNow().workspaceRadius_m.value))
+  {
+    corners_W = std::copy(corner_W.begin(), corner_W.end(), corners_W);
+  }
+}

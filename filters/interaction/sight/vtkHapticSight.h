@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkHapticSight
+ * @brief   a session as whoever draws or follows a view needs it
+ */
+#ifndef vtkHapticSight_h
+#define vtkHapticSight_h
+
+#include "vtkHapticSessionPart.h"
+
+struct vtkHapticFieldResult;
+class vtkCamera;
+class vtkDataObject;
+class vtkHapticServerSurfaces;
+class vtkMatrix4x4;
+class vtkPolyData;
+
+class VTKHAPTICINTERACTION_EXPORT vtkHapticSight : public vtkHapticSessionPart
+{
+public:
+  vtkAbstractTypeMacro(vtkHapticSight, vtkHapticSessionPart);
+  static vtkSmartPointer<vtkHapticSight> Of(vtkHapticSession& session);
+
+  /// The camera of the view that is looked at: said before each Update() of the session.
+  void FollowCamera(vtkCamera* camera);
+  /// From where the hand of the device "mouse" is seen, in W [u]: a surface that comes between stays behind the hand,
+  /// which begins anew in front of it (StartEvent). Said before each Update() too.
+  void SetEye(const double p_W[3]);
+
+  vtkMTimeType GetMaterialTime() const; ///< changes whenever a setting of surfaces does
+  bool GetUsesMaterialArrays() const;   ///< whether any is named
+  /// Whether AddSurface() would not hold its caller for longer than a picture takes; else a thread begins to read these
+  /// data, and the answer is true once it is done.
+  bool PrepareSurface(const char* name, vtkDataObject* data, vtkMatrix4x4* matrix);
+  /// What PrepareSurface() began is not wanted any more, for something else is shown.
+  void ForgetPrepared();
+  int GetScenesCancelled() const; ///< how often CancelScene() did that
+  /// Other data that the field is compared with, and whose points and lines the hand snaps to; null: none. Kept by
+  /// reference. FeltSource, CompareSource and SnapSource name all of them for whoever follows a view.
+  void SetFieldBeside(vtkDataObject* compared, vtkDataObject* snap);
+#ifndef __VTK_WRAP__
+  bool AddRemoteField(const char* name, const vtkHapticFieldResult& made); ///< of data elsewhere, made there
+  vtkHapticServerSurfaces& ServerSurfaces() const;                         ///< what is there of surfaces elsewhere
+#endif
+
+  /// Where the ball is first stopped on its way from one point to another: its centre and the unit normal of what stops
+  /// it, to its side. False, and both unchanged, where nothing does.
+  bool PickSurface(const double from_W[3], const double to_W[3], double ball_W[3], double normal_W[3]) const;
+  /// Corners of the box around the ball that the device reaches, of bits x, y, z, [u].
+  void GetWorkspaceCorners(double corners_W[24]) const;
+  /// What is felt of a field where the proxy is: patch, streamline, level, the place that is snapped to [u].
+  void GetFieldShape(vtkPolyData* shape) const;
+  void GetToolShape(vtkPolyData* shape) const;
+  /// How far the tool reaches from the hand against a direction, turned as it is [u]; 0: none is held.
+  double GetToolReach(const double direction_W[3]) const;
+
+private:
+  explicit vtkHapticSight(vtkHapticSession& session) : vtkHapticSessionPart(session) {}
+};
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is read of a session, by name, as of the last Update().
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string_view>
+
+#include "vtkHapticSessionInternals.h"
+
+namespace
+{
+using I = vtkHapticSession::Internals;
+
+constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// Of what was found at the contact.
+double ValueOf(const I& s, const char* name)
+{
+  return s.Contact.Found ? s.Contact.Found->Number(name) : NoNumber;
+}
+
+double IdOf(const I& s, const char* name)
+{
+  const double id = ValueOf(s, name);
+  return std::isnan(id) ? -1.0 : id;
+}
+
+double ValueOfField(I& s)
+{
+  const std::shared_ptr<const palpate::Brick>& brick = s.Core.brick();
+  const auto value = brick ? brick->scalarFelt(palpate::Vec3(s.Hand)) : std::nullopt;
+  return value.value_or(NoNumber);
+}
+
+const std::map<std::string_view, double (*)(I&)> Numbers = {
+  { "CappedTicks", [](I& s) { return static_cast<double>(s.Report.cappedTicks); } },
+  { "ContactCell", [](I& s) { return IdOf(s, "Cell"); } },
+  { "ContactPoint", [](I& s) { return IdOf(s, "Point"); } },
+  { "ContactSeconds", [](I& s) { return static_cast<double>(s.Report.contactTicks) * I::PeriodSeconds; } },
+  { "ContactThickness", [](I& s) { return ValueOf(s, "Thickness"); } },
+  { "Contacts", [](I& s) { return static_cast<double>(s.State.contacts); } },
+  { "CostP50", [](I& s) { return s.Report.cost.p50_us; } },
+  { "CostP99", [](I& s) { return s.Report.cost.p99_us; } },
+  { "CostP999", [](I& s) { return s.Report.cost.p999_us; } },
+  { "DeliveredEnergy", [](I& s) { return s.State.energy.delivered_J; } },
+  { "Depth", [](I& s) { return (s.State.proxy_W.p - s.State.device_W.p).norm(); } },
+  { "ExcessEnergy", [](I& s) { return s.State.energy.excess_J; } },
+  { "FieldAge", [](I& s) { return s.FeltField.age_s(); } },
+  { "FieldError", [](I& s) { return s.FeltField.made().error; } },
+  { "FieldPushPower", [](I& s) { return 1e3 * s.State.field.pushPower_W; } },
+  { "FieldTicksBeyond", [](I& s) { return static_cast<double>(s.State.field.beyondTicks); } },
+  { "FieldValue", [](I& s) { return ValueOfField(s); } },
+  { "ForceMagnitude", [](I& s) { return s.State.force_W.norm(); } },
+  { "ForceResidual", [](I& s) { return s.Report.forceResidual_N; } },
+  { "FrictionKineticUsed", [](I& s) { return s.Asked.asked().contact.friction.kinetic; } },
+  { "LargestStiffness", [](I& s) { return s.Limits.largest_N_per_m; } },
+  { "LatenessP50", [](I& s) { return s.Report.lateness.p50_us; } },
+  { "LatenessP99", [](I& s) { return s.Report.lateness.p99_us; } },
+  { "MechanismDepth", [](I& s) { return s.Mechanism.Depth; } },
+  { "Missed", [](I& s) { return static_cast<double>(s.Report.missed); } },
+  { "MotionLag", [](I& s)
+    { return s.Core.running() && s.State.motionLag_s > 0.0 ? s.State.motionLag_s + s.Scene.handOver_s() : 0.0; } },
+  { "NumberOfMarks", [](I& s) { return static_cast<double>(s.Contact.Marks.Records.size()); } },
+  { "PeakExcessEnergy", [](I& s) { return s.State.energy.peakExcess_J; } },
+  { "PeakForce", [](I& s) { return s.Report.peakForce_N; } },
+  { "PeakStabiliserForce", [](I& s) { return s.Report.peakStabiliser_N; } },
+  { "Periods", [](I& s) { return static_cast<double>(s.Report.periods); } },
+  { "RadiusLimit", [](I& s) { return s.Scene.built().largestRadius_u; } },
+  { "RadiusUsed", [](I& s) { return s.Asked.touch(s.Scene.built()).plan.radius_u; } },
+  { "Rate",
+    [](I& s) { return s.Report.elapsed_s > 0.0 ? static_cast<double>(s.Report.ticks) / s.Report.elapsed_s : 0.0; } },
+  { "SceneProgress", [](I& s) { return s.Surfaces.Preparing() ? 0.0 : s.Scene.worker().share(); } },
+  { "ServerAge", [](I& s) { return s.Server.GetAge(); } },
+  { "ServerTicksBeyond", [](I& s) { return static_cast<double>(s.State.known.beyondTicks); } },
+  { "SoftAge", [](I& s) { return s.State.soft.age_s; } },
+  { "SoftPackets", [](I& s) { return s.Soft.PacketsPerSecond; } },
+  { "SoftStrain", [](I& s) { return s.Soft.Strain; } },
+  { "StabiliserForce", [](I& s) { return s.State.stabiliser_D.norm(); } },
+  { "StiffnessLimited", [](I& s) { return static_cast<double>(s.State.stiffnessLimited); } },
+  { "StiffnessUsed", [](I& s) { return s.State.stiffness_N_per_m; } },
+  { "Ticks", [](I& s) { return static_cast<double>(s.Report.ticks); } },
+};
+
+const std::map<std::string_view, const char* (*)(I&)> Texts = {
+  { "ContactArrays", [](I& s) { return s.Contact.Arrays.c_str(); } },
+  { "ContactSource", [](I& s) { return s.Contact.Found ? s.Contact.Found->Source.c_str() : ""; } },
+  { "ContactText", [](I& s) { return s.Contact.Text.c_str(); } },
+  { "DeviceKind", [](I& s) { return s.SayDeviceKind(); } },
+  { "DeviceNotes", [](I& s) { return s.SayDeviceNotes(); } },
+  { "FaultText", [](I& s) { return s.SayFaultText(); } },
+  { "FieldSentence", [](I& s) { return s.SayFieldSentence(); } },
+  { "FrictionText", [](I& s) { return s.SayFrictionText(); } },
+  { "LinkText", [](I& s) { return s.SayLinkText(); } },
+  { "MarksNote", [](I& s) { return s.Contact.MarksNote.c_str(); } },
+  { "MechanismText", [](I& s) { return s.Mechanism.Text.c_str(); } },
+  { "PlanSentence", [](I& s) { return s.SayPlanSentence(); } },
+  { "Problem", [](I& s) { return s.Problem.c_str(); } },
+  { "RecordedFile", [](I& s) { return s.Recorded.File.c_str(); } },
+  { "RecordingText", [](I& s) { return s.SayRecordingText(); } },
+  { "SceneReport", [](I& s) { return s.Scene.built().report.c_str(); } },
+  { "SchedulingReport", [](I& s) { return s.Scheduling.c_str(); } },
+  { "ServerSentence", [](I& s) { return s.Server.GetSentence().c_str(); } },
+  { "SoftText", [](I& s) { return s.Soft.Text.c_str(); } },
+  { "StabilitySentence", [](I& s) { return s.StabilitySentence.c_str(); } },
+  { "StateText", [](I& s) { return palpate::name(s.State.engage); } },
+  { "ToolContacts", [](I& s) { return s.SayToolContacts(); } },
+  { "ToolText", [](I& s) { return s.Tool.Text.c_str(); } },
+  { "Warning", [](I& s) { return s.Warning.c_str(); } },
+};
+
+const std::map<std::string_view, double* (*)(I&)> Vectors = {
+  { "ContactCurvature", [](I& s) { return s.Contact.Curvature; } },
+  { "ContactNormal", [](I& s) { return s.Contact.Normal; } },
+  { "ContactPosition", [](I& s) { return s.Contact.Position; } },
+  { "FieldGradient", [](I& s) { return s.GradientNow(); } },
+  { "Force", [](I& s) { return s.Force; } },
+  { "ProxyPosition", [](I& s) { return s.Proxy; } },
+  { "SoftHandPosition", [](I& s) { return s.Soft.Hand_W.data(); } },
+  { "ToolHandPose", [](I& s) { return s.Mechanism.HeldShape() ? s.Mechanism.HandPose : s.Tool.HandPose; } },
+  { "ToolPose", [](I& s) { return s.Mechanism.HeldShape() ? s.Mechanism.Pose : s.Tool.Pose; } },
+  { "ToolTip", [](I& s) { return s.Tool.Tip; } },
+  { "ToolTorque", [](I& s) { return s.Tool.Asked; } },
+  { "Torque", [](I& s) { return s.Tool.Given; } },
+};
+} // namespace
+
+double vtkHapticSession::GetReadout(const char* name) const
+{
+  return Numbers.at(name)(*this->Impl);
+}
+
+const char* vtkHapticSession::GetReadoutText(const char* name) const
+{
+  return Texts.at(name)(*this->Impl);
+}
+
+double* vtkHapticSession::GetReadoutNumbers(const char* name) const
+{
+  return Vectors.at(name)(*this->Impl);
+}
