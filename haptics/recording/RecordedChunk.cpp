@@ -119,7 +119,7 @@ std::optional<ChunkReader> readerOf(const std::string& name)
     {
       for (const input::InputReader<K>& own : input::readersOf<K>())
       {
-        const auto read = [own](RecordedChunk& c, Recording& recording) { own.read(c.payload, c.version, recording); };
+        const auto read = [own](RecordedChunk& c, Recording& recording) { own.read(c.payload, recording); };
         found = isIt(own) ? std::optional(ChunkReader{ own.kind, read }) : found;
       }
     });

@@ -225,23 +225,16 @@ void Bodies::write(ByteWriter& payload, const PressedBody& body)
   putHeld(payload, body);
 }
 
-void Bodies::read(ByteReader& payload, std::uint32_t version, Recorded& recorded)
+void Bodies::read(ByteReader& payload, Recorded& recorded)
 {
-  constexpr std::uint32_t versionWithBeside = 2, versionWithKnots = 3, versionWithHeld = 4;
   std::shared_ptr<const PressedBody> body = readBody(payload);
-  if (body && version >= versionWithBeside)
+  if (body)
   {
-    auto withBeside = std::make_shared<PressedBody>(*body);
-    payload.get(withBeside->beside);
-    if (version >= versionWithKnots)
-    {
-      readKnots(payload, *withBeside);
-    }
-    if (version >= versionWithHeld)
-    {
-      readHeld(payload, *withBeside);
-    }
-    body = payload.ok() ? std::move(withBeside) : nullptr;
+    auto whole = std::make_shared<PressedBody>(*body);
+    payload.get(whole->beside);
+    readKnots(payload, *whole);
+    readHeld(payload, *whole);
+    body = payload.ok() ? std::move(whole) : nullptr;
   }
   recorded.bodies.push_back(std::move(body));
 }

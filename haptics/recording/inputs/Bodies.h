@@ -74,7 +74,6 @@ struct Bodies
     std::unique_ptr<SoftRoom> room = std::make_unique<SoftRoom>();
   };
 
-  /// From version 2 on with the scene beside it, 3: with the knots of its springs, 4: with its held faces.
   static constexpr ChunkKind chunk{ "body", 4 };
   static void write(ByteWriter& payload, const PressedBody& body);
   template<class Store>
@@ -87,7 +86,7 @@ struct Bodies
   {
     std::vector<std::shared_ptr<const PressedBody>> bodies; ///< without their scenes
   };
-  static void read(ByteReader& payload, std::uint32_t version, Recorded& recorded);
+  static void read(ByteReader& payload, Recorded& recorded);
 
   /// Packets lie before what takes them, but for those that were made before the recording began.
   class Replay

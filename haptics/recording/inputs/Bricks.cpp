@@ -133,10 +133,7 @@ BrickParts readOwnPart(ByteReader& in)
     parts.arrays.push_back(readArray(in));
   }
   in.get(parts.places_W);
-  if (in.left() > 0) // what was recorded before there were lines ends here
-  {
-    in.get(parts.lines_W);
-  }
+  in.get(parts.lines_W);
   return parts;
 }
 
@@ -194,17 +191,13 @@ std::shared_ptr<const Brick> readBrick(ByteReader& in)
 {
   BrickParts parts = readOwnPart(in), finer;
   bool hasFiner = false;
-  std::shared_ptr<const FieldCells> cells;
-  if (in.left() > 0) // what was recorded before there were finer ones and offsets ends here
+  in.get(hasFiner);
+  finer = hasFiner ? readOwnPart(in) : finer;
+  for (BrickParts* part : { &parts, &finer })
   {
-    in.get(hasFiner);
-    finer = hasFiner ? readOwnPart(in) : finer;
-    for (BrickParts* part : { &parts, &finer })
-    {
-      std::ranges::for_each(part->arrays, [&in](BrickArray& array) { in.get(array.offset); });
-    }
-    cells = readCells(in);
+    std::ranges::for_each(part->arrays, [&in](BrickArray& array) { in.get(array.offset); });
   }
+  std::shared_ptr<const FieldCells> cells = readCells(in);
   return brickOf(
     std::move(parts), hasFiner ? brickOf(std::move(finer), nullptr, nullptr, in) : nullptr, std::move(cells), in);
 }

@@ -42,7 +42,6 @@ struct Bricks
   };
   [[nodiscard]] static auto& buffer(Links& links) noexcept { return links.bricks; }
 
-  /// From version 2 on with its lines, 3: a finer one, 4: cells.
   static constexpr ChunkKind chunk{ "brick", 4 };
   static void write(ByteWriter& payload, const Brick& brick) { putBrick(payload, brick); }
 
@@ -50,10 +49,7 @@ struct Bricks
   {
     std::vector<std::shared_ptr<const Brick>> bricks; ///< each once
   };
-  static void read(ByteReader& payload, std::uint32_t /*version*/, Recorded& recorded)
-  {
-    recorded.bricks.push_back(readBrick(payload));
-  }
+  static void read(ByteReader& payload, Recorded& recorded) { recorded.bricks.push_back(readBrick(payload)); }
   [[nodiscard]] static const auto& recorded(const Recorded& all) noexcept { return all.bricks; }
   static constexpr const char* missing = "a field that was felt is not in it: it cannot be recomputed";
 };

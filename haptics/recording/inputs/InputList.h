@@ -35,7 +35,7 @@ class SceneLibrary;
 ///   chunk                  of a recording that holds it, each value once
 ///   write(ByteWriter&, const Value&)
 ///   Recorded               the values that are read: members become members of Recording
-///   read(ByteReader&, version, Recorded&)
+///   read(ByteReader&, Recorded&)
 ///   recorded(Recorded&)    the values that were read
 ///   missing                why a recording without one cannot be recomputed
 /// and, where it has use for them,
@@ -212,7 +212,7 @@ template<class K>
 struct InputReader
 {
   ChunkKind kind;
-  void (*read)(ByteReader& payload, std::uint32_t version, typename K::Recorded& recorded);
+  void (*read)(ByteReader& payload, typename K::Recorded& recorded);
 };
 
 /// Calls `sink` with the name, the kind and the writer of each chunk that holds the value.

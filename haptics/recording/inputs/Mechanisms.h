@@ -88,10 +88,7 @@ struct Mechanisms
   {
     std::vector<RecordedMechanism> mechanisms;
   };
-  static void read(ByteReader& payload, std::uint32_t /*version*/, Recorded& recorded)
-  {
-    recorded.mechanisms.push_back(readMechanism(payload));
-  }
+  static void read(ByteReader& payload, Recorded& recorded) { recorded.mechanisms.push_back(readMechanism(payload)); }
 
   class Replay
   {

@@ -32,7 +32,7 @@ std::shared_ptr<const VertexStart> readStart(ByteReader& in)
 
 } // namespace
 
-void Scenes::read(ByteReader& in, std::uint32_t /*version*/, Recorded& recorded)
+void Scenes::read(ByteReader& in, Recorded& recorded)
 {
   RecordedScene& scene = recorded.scenes.emplace_back();
   in.get(scene.geometryHash);
@@ -63,7 +63,7 @@ void Scenes::read(ByteReader& in, std::uint32_t /*version*/, Recorded& recorded)
   }
 }
 
-void Scenes::readMotion(ByteReader& in, std::uint32_t /*version*/, Recorded& recorded)
+void Scenes::readMotion(ByteReader& in, Recorded& recorded)
 {
   RecordedMotion& motion = recorded.motions.emplace_back();
   in.get(motion.contentHash);

@@ -87,8 +87,8 @@ struct Scenes
     std::vector<RecordedScene> scenes; ///< each once; empty when they were left out
     std::vector<RecordedMotion> motions;
   };
-  static void read(ByteReader& payload, std::uint32_t version, Recorded& recorded);
-  static void readMotion(ByteReader& payload, std::uint32_t version, Recorded& recorded);
+  static void read(ByteReader& payload, Recorded& recorded);
+  static void readMotion(ByteReader& payload, Recorded& recorded);
   static const std::array<InputReader<Scenes>, 2> readers;
 
   class Replay

@@ -27,7 +27,6 @@ void layContact(const Io& io, T& contact)
   io(contact.gap_u);
 }
 
-constexpr std::uint32_t versionWithBall = 2, versionWithReach = 3;
 constexpr std::size_t bytesOfContact = 7 * sizeof(double);
 
 /// Far more than turns and sums of rounding leave, far less than would be felt.
@@ -59,7 +58,7 @@ void putTool(ByteWriter& payload, const ToolContacts& contacts)
   payload.put(contacts.reach_u);
 }
 
-ToolContacts readTool(ByteReader& in, std::uint32_t version)
+ToolContacts readTool(ByteReader& in)
 {
   ToolContacts set;
   layContacts(Get{ in }, set);
@@ -71,16 +70,9 @@ ToolContacts readTool(ByteReader& in, std::uint32_t version)
     in.failUnless(isUsable(set.contacts[i]));
   }
   set.count = static_cast<std::uint32_t>(in.ok() ? count : 0);
-  if (version >= versionWithBall)
-  {
-    in.get(set.ball_u);
-    in.failUnless(set.ball_u >= 0.0 && std::isfinite(set.ball_u));
-  }
-  if (version >= versionWithReach)
-  {
-    in.get(set.reach_u);
-    in.failUnless(set.reach_u >= 0.0 && std::isfinite(set.reach_u));
-  }
+  in.get(set.ball_u);
+  in.get(set.reach_u);
+  in.failUnless(set.ball_u >= 0.0 && std::isfinite(set.ball_u) && set.reach_u >= 0.0 && std::isfinite(set.reach_u));
   return set;
 }
 

@@ -12,8 +12,7 @@ namespace palpate
 /// The payload of the chunk of a tool's contacts.
 void putTool(ByteWriter& payload, const ToolContacts& contacts);
 /// Of no use, with in.ok() false, where the bytes are none.
-/// `version` of the chunk: the first one knew no balls.
-[[nodiscard]] ToolContacts readTool(ByteReader& in, std::uint32_t version);
+[[nodiscard]] ToolContacts readTool(ByteReader& in);
 
 namespace input
 {
@@ -46,7 +45,6 @@ struct Tools
       { state.tool.hand_W, leads, done.parameters.contact.friction.kinetic, done.time_s, done.maps });
   }
 
-  /// From version 2 on with its ball, 3: its reach.
   static constexpr ChunkKind chunk{ "tool", 3 };
   static void write(ByteWriter& payload, const ToolContacts& contacts) { putTool(payload, contacts); }
 
@@ -54,10 +52,7 @@ struct Tools
   {
     std::vector<ToolContacts> tools; ///< in the order in which they were taken
   };
-  static void read(ByteReader& payload, std::uint32_t version, Recorded& recorded)
-  {
-    recorded.tools.push_back(readTool(payload, version));
-  }
+  static void read(ByteReader& payload, Recorded& recorded) { recorded.tools.push_back(readTool(payload)); }
   [[nodiscard]] static const auto& recorded(const Recorded& all) noexcept { return all.tools; }
   static constexpr const char* missing = "what a tool touched is not in it: it cannot be recomputed";
 };

@@ -33,7 +33,7 @@ bool isRead(const ToolContacts& set)
   ByteWriter out;
   putTool(out, set);
   ByteReader in(out.bytes().data(), out.bytes().size());
-  static_cast<void>(readTool(in, input::Tools::chunk.version));
+  static_cast<void>(readTool(in));
   return in.ok() && in.left() == 0;
 }
 
@@ -42,7 +42,7 @@ TEST(RecordedTools, ContactsComeBackToTheLastBit)
   ByteWriter out, again;
   putTool(out, someContacts());
   ByteReader in(out.bytes().data(), out.bytes().size());
-  const ToolContacts read = readTool(in, input::Tools::chunk.version);
+  const ToolContacts read = readTool(in);
   ASSERT_TRUE(in.ok());
   putTool(again, read);
   EXPECT_EQ(again.bytes(), out.bytes());
@@ -50,21 +50,6 @@ TEST(RecordedTools, ContactsComeBackToTheLastBit)
   EXPECT_EQ(read.contacts[1].arm_W, Vec3(-0.1, 0.2, 0.3));
   EXPECT_EQ(read.ball_u, 0.25);
   EXPECT_EQ(read.reach_u, 0.75);
-}
-
-TEST(RecordedTools, ContactsOfBeforeToolsWereBallsOrHadAReachHaveNone)
-{
-  ByteWriter out;
-  putTool(out, someContacts());
-  for (const std::uint32_t version : { 1u, 2u })
-  {
-    const std::size_t later = (input::Tools::chunk.version - version) * sizeof(double);
-    ByteReader in(out.bytes().data(), out.bytes().size() - later);
-    const ToolContacts read = readTool(in, version);
-    EXPECT_EQ(read.ball_u, version < 2 ? 0.0 : 0.25);
-    EXPECT_EQ(read.reach_u, 0.0);
-    EXPECT_TRUE(in.ok() && in.left() == 0) << version;
-  }
 }
 
 TEST(RecordedTools, ContactsThatCannotBeAreRefused)
@@ -98,7 +83,7 @@ TEST(RecordedTools, MoreContactsThanThereIsRoomForAreRefusedBeforeAnyIsRead)
   bytes.resize(atCount + sizeof(std::uint64_t) + 56 * (ToolContacts::capacity + 1));
   bytes[atCount] = static_cast<char>(ToolContacts::capacity + 1);
   ByteReader in(bytes.data(), bytes.size());
-  static_cast<void>(readTool(in, input::Tools::chunk.version));
+  static_cast<void>(readTool(in));
   EXPECT_FALSE(in.ok());
 }
 
