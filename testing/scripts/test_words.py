@@ -26,6 +26,7 @@ HELD = (
     "CONTRIBUTING.md",
     "README.md",
     "docs/glossary.md",
+    "docs/mechanisms.md",
 )
 
 # A word of this project alone, and the term that stands for it.
