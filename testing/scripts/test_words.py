@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The language of the documents. Four rules hold the sentences of each page in HELD:
+
+1. "what" stands in questions only: a noun says more than a clause without one.
+2. None of the words in PRIVATE stands there; docs/glossary.md has the terms of the field.
+3. No sentence begins with "It": the subject is named anew behind a full stop.
+4. Nine sentences of ten have at most 30 words.
+
+A page that is rewritten joins HELD. No page leaves the list.
+"""
+
+import math
+import os
+import re
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "plugin"))
+import described  # noqa: E402
+
+ROOT = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().parents[2])
+LONGEST_WORDS = 30  # of nine sentences in ten
+
+HELD = (
+    "CONTRIBUTING.md",
+    "README.md",
+    "docs/glossary.md",
+    "docs/mechanisms.md",
+)
+
+# A word of this project alone, and the term that stands for it.
+PRIVATE = {
+    r"g[ai]v(?:es?|ing|en) way": "deforms, soft body",
+    r"ways?": "displacement, path, degree of freedom, direction",
+    r"bricks?": "sampled block",
+    r"packets?": "condensed compliance",
+    r"nobody": "a subject that exists",
+    r"rub(?:s|bed|bing)?": "friction",
+    r"such and such": "the value",
+}
+
+
+def texts(page):
+    """Each paragraph, list item and table cell: without code, headings, targets of links, names of controls (in italics)
+    and the rows that are written from the table of settings."""
+    text = (ROOT / page).read_text(encoding="utf-8")
+    for file, begin, end, *_ in described.PLACES:
+        if file.relative_to(described.ROOT) == Path(page):
+            text = text.replace(described.between(text, begin, end), "")
+    text = re.sub(r"^```.*?^```$|<!--.*?-->", "", text, flags=re.DOTALL | re.MULTILINE)
+    text = re.sub(r"^(?:    |#).*$", "", text, flags=re.MULTILINE)
+    text = re.sub(r"`[^`\n]*`", "CODE", text)
+    text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    text = re.sub(r"(?<!\*)\*(?!\*)(?:[^*\n]|\n(?!\n))+\*(?!\*)", "NAME", text).replace("**", "")
+    for block in re.split(r"\n\s*\n|\n(?=\s*(?:\d+\.|[-|]) ?)", text):
+        yield from (re.split(r"(?<!\\)\|", block) if block.lstrip().startswith("|") else [block])
+
+
+def sentences(page):
+    """A sentence ends with a full stop, a question or an exclamation mark before white space."""
+    for text in texts(page):
+        for sentence in re.split(r"(?<=[.!?])[)\"]?\s+", " ".join(re.sub(r"^\s*(?:\d+\.|-)\s", "", text).split())):
+            if re.search(r"[A-Za-z]", sentence):
+                yield sentence
+
+
+def headless(found):
+    return [sentence for sentence in found if re.search(r"\bwhat\b", sentence, re.IGNORECASE) and "?" not in sentence]
+
+
+def private(found):
+    return [(word[0], sentence) for sentence in found for word in re.finditer(rf"\b(?:{'|'.join(PRIVATE)})\b", sentence, re.IGNORECASE)]
+
+
+def words_of_nine_in_ten(found):
+    lengths = sorted(len(re.findall(r"\w[\w'.-]*", sentence)) for sentence in found)
+    return lengths[math.ceil(0.9 * len(lengths)) - 1]
+
+
+class Words(unittest.TestCase):
+    def test_what_stands_in_questions_only(self):
+        for page in HELD:
+            self.assertEqual(headless(sentences(page)), [], page)
+
+    def test_the_terms_are_those_of_the_field(self):
+        for page in HELD:
+            self.assertEqual(private(sentences(page)), [], page)
+
+    def test_a_subject_is_named_anew_behind_a_full_stop(self):
+        for page in HELD:
+            self.assertEqual([sentence for sentence in sentences(page) if sentence.startswith("It ")], [], page)
+
+    def test_nine_sentences_of_ten_are_short(self):
+        for page in HELD:
+            self.assertLessEqual(words_of_nine_in_ten(sentences(page)), LONGEST_WORDS, page)
+
+
+class Rules(unittest.TestCase):
+    """The rules find what they are for."""
+
+    def test_each_rule_finds_its_fault(self):
+        self.assertEqual(len(headless(["What joins them is solved.", "The panel says what it costs.", "What is felt?"])), 2)
+        self.assertEqual(len(private(["A body gives way.", "The subway is short.", "All ways are free."])), 2)
+        self.assertEqual(words_of_nine_in_ten(["one two three"] * 9 + ["one"]), 3)
+
+    def test_every_page_that_is_held_has_sentences(self):
+        for page in HELD:
+            self.assertGreater(len(list(sentences(page))), 2, page)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
