@@ -227,7 +227,7 @@ public:
   void FollowPlane();
   /// "; ..." about a plane world, or "".
   std::string PlaneSentence() const;
-  /// The servo gets what is around the hand, once a worker has it. True with the first brick of other data.
+  /// The servo gets what is around the hand, once a worker has it. True where that changed.
   bool FollowField(bool wait);
   /// What the hand is in; nothing outside.
   std::optional<palpate::FieldSample> FieldAtHand() const;

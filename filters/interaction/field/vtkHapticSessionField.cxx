@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "haptics/field/UsualGradient.h"
 #include "vtkHapticFieldShape.h"
 #include "vtkHapticHandPace.h"
 #include "vtkHapticSessionInternals.h"
@@ -45,15 +44,25 @@ bool vtkHapticSession::AddRemoteField(const char* name, const vtkHapticFieldResu
   return impl.FieldProblem.empty();
 }
 
-/// What a detent's strength is said for is a matter of the data: it is looked up once, so that no brick changes the
-/// feel.
 void vtkHapticSession::TakeField(bool wait)
 {
-  if (this->Impl->FollowField(wait))
+  Internals& impl = *this->Impl;
+  if (impl.FollowField(wait))
   {
-    const double slope_per_u = palpate::usualGradient(*this->Impl->Core.brick());
-    this->Change([=](palpate::HapticParameters& p)
-      { p.field.detent.slope_per_u = slope_per_u > 0.0 ? slope_per_u : p.field.detent.slope_per_u; });
+    const palpate::MadeBrick& made = impl.FeltField.made();
+    const bool first = made.brick && std::exchange(impl.FieldIsNew, false);
+    palpate::FieldPlan plan = impl.Asked.asked().field;
+    const palpate::DetentPlan before = plan.detent;
+    palpate::takeFromData(plan, made, first);
+    if (plan.detent.slope_per_u != before.slope_per_u || plan.detent.bounds != before.bounds)
+    {
+      this->Change(
+        [&](palpate::HapticParameters& p)
+        {
+          p.field.detent.slope_per_u = plan.detent.slope_per_u;
+          p.field.detent.bounds = plan.detent.bounds;
+        });
+    }
   }
 }
 
@@ -87,14 +96,12 @@ bool vtkHapticSession::Internals::FollowField(bool wait)
     this->Core.running() ? this->Core.state().device_W.p : this->Hand_W.value_or(palpate::Vec3::Zero());
   const double reach_u =
     vtkHapticHandPace::fastest_m_per_s * vtkHapticHandPace::ahead_s * this->Asked.asked().map.scale_u_per_m;
-  const palpate::FieldPlan& plan = this->Asked.asked().field;
-  const std::optional<double> level = plan.isosurface ? std::optional(plan.isovalue) : std::nullopt;
-  const auto brick = this->FeltField.follow(hand_W, reach_u, level, wait);
+  const auto brick = this->FeltField.follow(hand_W, reach_u, this->Asked.asked().field, wait);
   if (brick)
   {
     this->Core.setBrick(*brick);
   }
-  return brick && *brick && std::exchange(this->FieldIsNew, false);
+  return brick.has_value();
 }
 
 /// What the arrays are that are felt changed: what was added is felt so.
@@ -336,10 +343,12 @@ const char* vtkHapticSession::GetFieldSentence() const
       palpate::fieldSentence(impl.FieldName, made, asked.map.scale_u_per_m, vtkHapticHandPace::ahead_s);
     const std::string point = palpate::pointSentence(asked.field, asked.contact.radius_u);
     impl.FieldSentence += point.empty() ? "" : "; " + point;
+    const std::string lattice = palpate::latticeSentence(asked.field, made, palpate::Vec3(impl.Hand));
+    impl.FieldSentence += lattice.empty() ? "" : "; " + lattice;
     const double stiffness_N_per_m =
       impl.State.stiffness_N_per_m > 0.0 ? impl.State.stiffness_N_per_m : asked.stiffness_N_per_m;
     const std::string detent =
-      made.brick ? palpate::detentSentence(asked.field, *made.brick, stiffness_N_per_m / asked.map.scale_u_per_m) : "";
+      made.brick ? palpate::detentSentence(asked.field, stiffness_N_per_m / asked.map.scale_u_per_m) : "";
     impl.FieldSentence += detent.empty() ? "" : "; " + detent;
     const std::string level = palpate::levelSentence(asked.field, impl.FieldEnds);
     impl.FieldSentence += level.empty() ? "" : "; " + level;
