@@ -249,7 +249,7 @@ public:
   void FollowPlane();
   /// "; ..." about a plane world, or "".
   std::string PlaneSentence() const;
-  /// The servo gets what is around the hand, once a worker has it. True with the first brick of other data.
+  /// The servo gets what is around the hand, once a worker has it. True where that changed.
   bool FollowField(bool wait);
   /// Takes numbers in space, or says why they cannot be felt.
   bool FeelField(const std::string& name, const vtkHapticFieldResult& made);

@@ -62,34 +62,6 @@ std::uint64_t hashOf(const BrickGrid& grid, const std::vector<BrickArray>& array
   return hash.value();
 }
 
-/// The largest of what the differences to the neighbours along the axes make, of each axis the larger one.
-double steepestOf(const BrickGrid& grid, const BrickComponent& scalar) noexcept
-{
-  double most2 = 0.0;
-  GridIndex at{};
-  for (at[2] = 0; at[2] < grid.size[2]; ++at[2])
-  {
-    for (at[1] = 0; at[1] < grid.size[1]; ++at[1])
-    {
-      for (at[0] = 0; at[0] < grid.size[0]; ++at[0])
-      {
-        double sum2 = 0.0;
-        for (int k = 0; k < 3; ++k)
-        {
-          GridIndex below = at, above = at;
-          below[k] = std::max(0, at[k] - 1);
-          above[k] = std::min(grid.size[k] - 1, at[k] + 1);
-          const double value = scalar.at(at), down = value - scalar.at(below), up = scalar.at(above) - value;
-          const double slope = std::fmax(std::fabs(down), std::fabs(up)) / grid.spacing_u[k];
-          sum2 += slope * slope;
-        }
-        most2 = std::fmax(most2, sum2); // of a value that is none the other
-      }
-    }
-  }
-  return std::sqrt(most2);
-}
-
 /// So that the number of all points can be counted.
 constexpr int mostAlongAxis = 65536;
 
@@ -187,8 +159,6 @@ Brick::Brick(std::uint64_t revision, const BrickGrid& grid, std::vector<BrickArr
   }
   this->contentHash_ =
     hashOf(this->grid_, this->arrays_, this->places_W_, this->lines_W_, this->finer_.get(), this->cells_.get());
-  const BrickComponent scalar = this->component(BrickRole::Scalar);
-  this->steepest_per_u_ = scalar.exists() ? steepestOf(this->grid_, scalar) : 0.0;
 }
 
 const Brick& Brick::finestAt(const Vec3& p_W) const noexcept

@@ -165,9 +165,6 @@ public:
   [[nodiscard]] const Brick* called(std::uint64_t contentHash) const noexcept;
   [[nodiscard]] std::size_t bytes() const noexcept;
 
-  /// No gradient of the scalar is larger, seen from point to point [1/u]; that of the finer one is not looked at.
-  [[nodiscard]] double steepest_per_u() const noexcept { return this->steepest_per_u_; }
-
   /// One component of what has that role; exists() is false where there is none.
   [[nodiscard]] BrickComponent component(BrickRole role, int component = 0) const noexcept;
   /// The scalar at a place in W as a surface of it is felt: that of the data's own cells where they are there. None
@@ -191,7 +188,6 @@ private:
   std::vector<BrickLine> lines_W_;
   std::shared_ptr<const Brick> finer_;
   std::shared_ptr<const FieldCells> cells_;
-  double steepest_per_u_ = 0.0;
 };
 
 } // namespace palpate

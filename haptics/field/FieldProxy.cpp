@@ -40,7 +40,8 @@ double share(double value, double none, double full) noexcept
 /// What of a brick is felt in a tick.
 struct FeltPart
 {
-  const Brick& brick;
+  const Brick& whole;      ///< of smooth levels: its lattice is that of all bricks of the data
+  const Brick& brick;      ///< of what else there is
   const FieldCells* cells; ///< of surfaces; null: they are the brick's
 
   [[nodiscard]] std::uint64_t contentHash() const noexcept
@@ -54,7 +55,7 @@ class FieldTick
 {
 public:
   FieldTick(const FeltPart& felt, const FieldPlan& plan, double stiffness, const Vec3& p_W, FieldState& state) noexcept
-    : brick_(felt.brick), cells_(felt.cells), plan_(plan), k_(stiffness), p_W_(p_W), state_(state)
+    : whole_(felt.whole), brick_(felt.brick), cells_(felt.cells), plan_(plan), k_(stiffness), p_W_(p_W), state_(state)
   {
   }
 
@@ -205,8 +206,8 @@ private:
   void smooth() noexcept
   {
     DetentPlan detent = this->plan_.detent;
-    detent.strength_N = std::min(detent.strength_N, mostSmooth_N(detent, this->k_, this->brick_.steepest_per_u()));
-    this->state_.detent_W = smoothDetent(this->brick_, detent, this->k_, this->p_W_, this->state_.detent_W);
+    detent.strength_N = std::min(detent.strength_N, mostSmooth_N(detent, this->k_));
+    this->state_.detent_W = smoothDetent(this->whole_, detent, this->k_, this->p_W_, this->state_.detent_W);
     this->add(this->state_.detent_W - this->p_W_);
   }
 
@@ -283,6 +284,7 @@ private:
     }
   }
 
+  const Brick& whole_;
   const Brick& brick_;
   const FieldCells* cells_;
   const FieldPlan& plan_;
@@ -412,7 +414,7 @@ int springsOf(const Brick& brick, const FieldPlan& plan) noexcept
 FieldResult moveFieldProxy(
   const Brick& whole, const FieldPlan& plan, double stiffness_N_per_u, const Vec3& p_W, FieldState& state) noexcept
 {
-  const FeltPart felt{ feltBrick(whole, p_W, state), feltCells(whole, p_W, state) };
+  const FeltPart felt{ whole, feltBrick(whole, p_W, state), feltCells(whole, p_W, state) };
   if (state.brick != felt.contentHash())
   {
     if (state.brick != 0)

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "haptics/field/UsualGradient.h"
 #include "haptics/tick/SoftProxy.h"
 
 namespace palpate
@@ -28,26 +27,30 @@ void PathTouch::feel(std::shared_ptr<const FieldSource> field)
   this->knowsSlope_ = false;
 }
 
-/// What a detent's strength is said for is looked up in the first brick, as a session does it: no brick changes the
-/// feel.
 void PathTouch::followField(const Pose& hand_D)
 {
   const Vec3 hand_W = this->parameters_.map.toScene(hand_D.p);
-  const FieldPlan& plan = this->parameters_.field;
-  const std::optional<double> level = plan.isosurface ? std::optional(plan.isovalue) : std::nullopt;
-  const auto next = this->field_.follow(hand_W, std::numeric_limits<double>::infinity(), level, true);
+  FieldPlan& plan = this->parameters_.field;
+  const auto next = this->field_.follow(hand_W, std::numeric_limits<double>::infinity(), plan, true);
   if (!next)
   {
     return;
   }
   this->brick_ = *next;
   this->input_.brick = this->brick_.get();
-  if (this->brick_ && !std::exchange(this->knowsSlope_, true))
-  {
-    const double slope_per_u = usualGradient(*this->brick_);
-    double& kept_per_u = this->parameters_.field.detent.slope_per_u;
-    kept_per_u = slope_per_u > 0.0 ? slope_per_u : kept_per_u;
-  }
+  const bool first = this->brick_ && !std::exchange(this->knowsSlope_, true);
+  takeFromData(plan, this->field_.made(), first);
+}
+
+std::string PathTouch::detentSentence() const
+{
+  return this->springs_N_per_u_ > 0.0 ? palpate::detentSentence(this->parameters_.field, this->springs_N_per_u_) : "";
+}
+
+std::string PathTouch::latticeSentence() const
+{
+  const Vec3 hand_W = this->parameters_.map.toScene(this->input_.sample.pose_D.p);
+  return palpate::latticeSentence(this->parameters_.field, this->field_.made(), hand_W);
 }
 
 std::string PathTouch::whyNothingOfField() const
@@ -138,6 +141,7 @@ HapticState PathTouch::next(double time_s, const Pose& hand_D)
   this->input_.sample.time_s = time_s;
   this->input_.sample.pose_D = hand_D;
   HapticState state = this->compute().state;
+  this->springs_N_per_u_ = state.stiffness_N_per_m / this->parameters_.map.scale_u_per_m;
   this->metField_ = this->metField_ || (this->brick_ && !state.field.outside);
   if (!this->scene_ && this->brick_)
   {

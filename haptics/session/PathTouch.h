@@ -35,6 +35,10 @@ public:
   [[nodiscard]] const MadeBrick& madeBrick() const noexcept { return this->field_.made(); }
   /// The body that gives way; null: none.
   [[nodiscard]] const BodyMaker* body() const noexcept { return this->maker_.get(); }
+  /// "", or that smooth levels hold with less than was asked for.
+  [[nodiscard]] std::string detentSentence() const;
+  /// "", or that surfaces of the field are felt on a lattice, as it is where the hand was last.
+  [[nodiscard]] std::string latticeSentence() const;
   /// "", or why no tick until now was among the values of the field.
   [[nodiscard]] std::string whyNothingOfField() const;
 
@@ -55,6 +59,7 @@ private:
   std::shared_ptr<const PressedBody> atRest_; ///< of the last tick
   std::unique_ptr<SoftRoom> softRoom_;
   BodyHand bodyHand_;
+  double springs_N_per_u_ = 0.0; ///< stiffness of each spring in the last tick
   bool begun_ = false;
   bool knowsSlope_ = false;
   bool metField_ = false; ///< some tick was among its values

@@ -227,6 +227,30 @@ class InAField(CommandLineTest):
         self.assertLess(min(pulled), -60 + STIFFNESS / 512)
         self.assertEqual(sum(1 for now, after in zip(pulled, pulled[1:]) if now < -50 and after > -10), 2)
 
+    def test_smooth_levels_that_are_asked_to_be_too_strong_hold_as_much_as_they_can_which_is_said(self):
+        # Of values with a slope of 1 that do not bend: 0.9 k of the spring against 32 s / (3.0792 D) of the levels.
+        distance = 1.5
+        most = 0.9 * STIFFNESS * 3.0792014356780046 * distance / 32
+        self.write_image(("f", 1, lambda x, y, z: z))
+        self.write_path([(n / 1024, 8.0, 8.0, 6.0 + n / 1024) for n in range(1536)])
+        command = ("touch", "f.vti", "--path", "path.csv", "--csv", "out.csv", "--stiffness", STIFFNESS, "--field", "f", "--mode",
+                   "detent", "--between-levels", distance, "--first-level", 0, "--strength")
+        self.assertEqual(self.succeed(*command, 0.9 * most).stderr, "")
+        self.assertIn(f"smooth levels hold with {most:.2g} N", self.succeed(*command, 3 * most).stderr)
+        pulled = [abs(row["force_z"]) for row in self.read_rows()]
+        self.assertLessEqual(max(pulled), most * (1 + 1e-9))
+        self.assertGreater(max(pulled), 0.99 * most)
+
+    def test_smoothed_values_of_cells_are_felt_on_a_lattice_which_is_said(self):
+        points, cells = tetrahedra(5)
+        numbers = " ".join(str(p[0]) for p in points)
+        values = f'<PointData><DataArray type="Float64" Name="f" format="ascii">{numbers}</DataArray></PointData>'
+        self.write("f.vtu", vtu_text(points, cells, cell_type=10).replace("<Points>", values + "<Points>"))
+        self.write_path([(0.0, 1.0, 2.0, 2.0), (0.001, 2.5, 2.0, 2.0)])
+        command = ("touch", "f.vtu", "--path", "path.csv", "--csv", "out.csv", "--field", "f", "--mode", "isosurface", "--iso", 2)
+        self.assertEqual(self.succeed(*command).stderr, "")
+        self.assertIn("not in its own cells: its values are smoothed", self.succeed(*command, "--smoothing", 1).stderr)
+
     def test_chosen_levels_hold_and_what_is_between_them_does_not(self):
         self.write_image(("f", 1, lambda x, y, z: z))
         rows = [(n / 1024, 8.0, 8.0, 5.1 + n / 256) for n in range(1280)]

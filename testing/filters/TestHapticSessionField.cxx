@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "VirtualSession.h"
+#include "FieldSession.h"
 #include "VtkScenes.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkFloatArray.h"
@@ -16,7 +16,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 using namespace palpate;
@@ -25,54 +24,8 @@ using ::testing::HasSubstr;
 
 namespace
 {
-
-/// |p| on n^3 points h apart around the origin.
-vtkSmartPointer<vtkImageData> distances(int n, double h)
+class HapticSessionField : public FieldSession
 {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(n, n, n);
-  image->SetSpacing(h, h, h);
-  image->SetOrigin(-0.5 * h * (n - 1), -0.5 * h * (n - 1), -0.5 * h * (n - 1));
-  vtkNew<vtkFloatArray> values;
-  values->SetName("distance");
-  values->SetNumberOfTuples(image->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    values->SetValue(i, static_cast<float>(Vec3(image->GetPoint(i)).norm()));
-  }
-  image->GetPointData()->SetScalars(values);
-  return image;
-}
-
-class HapticSessionField : public ::testing::Test
-{
-protected:
-  void start(const Vec3& hand)
-  {
-    this->session_->SetSetting("VirtualTime", true);
-    this->session_->SetSetting("Stiffness", stiffness);
-    this->session_->SetSetting("Scale", scale);
-    this->at(hand);
-    this->session_->TouchingOn();
-    ASSERT_TRUE(this->session_->GetTouching()) << this->session_->GetProblem();
-    this->session_->Step(ticksToEngage);
-  }
-  void at(const Vec3& hand) { this->session_->SetHandPosition(hand.x(), hand.y(), hand.z()); }
-  /// 1 mm a tick.
-  void go(const Vec3& from, const Vec3& to)
-  {
-    const int ticks = static_cast<int>((to - from).norm());
-    for (int i = 1; i <= ticks; ++i)
-    {
-      this->at(from + i * (to - from) / ticks);
-      this->session_->Step(1);
-      this->session_->FinishField();
-    }
-    this->session_->Step(200);
-  }
-  [[nodiscard]] Vec3 force() const { return Vec3(this->session_->GetForce()); }
-
-  vtkNew<vtkHapticSession> session_;
 };
 
 TEST_F(HapticSessionField, AloneIsFeltAsTheSurfaceOfItsIsovalueFromBothSides)
@@ -219,63 +172,6 @@ TEST_F(HapticSessionField, OfTetrahedraIsFeltAsOnTheImageThatTheyWereCutFrom)
   EXPECT_NEAR(this->force().norm(), stiffness * 3.0 / scale, error_N);
 }
 
-TEST_F(HapticSessionField, OfAChannelsGradedCellsHoldsAHandAtThirtyCentimetresASecondThroughItsWallAndAlongIt)
-{
-  // Cells of 1e-3 at the wall y = 0 that grow by a fifth, 25 mm of the hand a unit.
-  constexpr double handStep_u = 0.012, zoom = 40.0, layer_u = 0.0127;
-  const int along = 25, across = 13;
-  std::vector<double> y{ 0.0 };
-  for (double step = 1e-3; y.back() < 3.0; step *= 1.2)
-  {
-    y.push_back(y.back() + step);
-  }
-  vtkNew<vtkStructuredGrid> channel;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkFloatArray> values;
-  values->SetName("u");
-  const int layers = static_cast<int>(y.size());
-  for (int n = 0; n < along * layers * across; ++n)
-  {
-    const double height = y[static_cast<std::size_t>(n / along % layers)];
-    points->InsertNextPoint(0.25 * (n % along), height, 0.25 * (n / (along * layers)));
-    values->InsertNextValue(static_cast<float>(1.0 - std::exp(-height / layer_u)));
-  }
-  channel->SetDimensions(along, layers, across);
-  channel->SetPoints(points);
-  channel->GetPointData()->AddArray(values);
-  this->session_->SetSetting("FieldArray", "u");
-  this->session_->SetSetting("FieldIsosurface", true);
-  this->session_->SetSetting("FieldIsovalue", 0.9);
-  ASSERT_TRUE(this->session_->AddField("channel", channel)) << this->session_->GetProblem();
-  ASSERT_TRUE(this->session_->FinishField());
-  this->start({ 1.1, 0.2, 1.4 });
-  this->session_->SetSetting("Scale", zoom);
-  this->session_->Step(10);
-  const double surface = -layer_u * std::log(1.0 - 0.9);
-  const double cell = 0.2 * surface; // of such a mesh
-  const auto expectHeld = [&](const Vec3& hand)
-  {
-    this->at(hand);
-    this->session_->Step(1);
-    this->session_->FinishField();
-    const Vec3 x(this->session_->GetProxyPosition());
-    ASSERT_NEAR(x.y(), std::max(surface, hand.y()), 0.25 * cell) << hand.transpose();
-  };
-  for (double at = 0.2; at > -0.2; at -= handStep_u)
-  {
-    expectHeld({ 1.1, at, 1.4 });
-  }
-  for (double way = 0.0; way < 0.8; way += handStep_u)
-  {
-    expectHeld({ 1.1 + way, -0.2, 1.4 });
-  }
-  EXPECT_EQ(this->session_->GetContacts(), 1);
-  EXPECT_NEAR(Vec3(this->session_->GetProxyPosition()).x(), 1.9, 2.0 * handStep_u);
-  EXPECT_GT(this->force().y(), 0.0);
-  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("cells themselves"));
-}
-
 TEST_F(HapticSessionField, LargerThanABrickComesAlongWithTheHand)
 {
   // 200^3 floats are 32 MB, three times what a brick may hold; the wall is a plane far from where the hand begins.
@@ -392,6 +288,36 @@ TEST_F(HapticSessionField, ADetentIsAsStrongAsItSaysWhereValuesChangeAsTheyUsual
   EXPECT_GT(peak_N[0], 0.1);
   EXPECT_LE(peak_N[0], 0.2 * (1.0 + 1e-6));
   EXPECT_NEAR(peak_N[0], peak_N[1], 1e-3 * peak_N[0]);
+}
+
+TEST_F(HapticSessionField, SaysWithHowMuchSmoothLevelsHoldAlsoWhereItIsLargerThanABrick)
+{
+  // 200^3 floats are 32 MB, three times what a brick may hold; steep far away from the hand.
+  const auto image = distances(200, 1.0);
+  auto* const values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double x = image->GetPoint(i)[0];
+    values->SetValue(i, static_cast<float>(x > 80.0 ? 80.0 + 4.0 * (x - 80.0) : x));
+  }
+  this->session_->SetSetting("FieldArray", "distance");
+  this->session_->SetSetting("FieldDetent", 5.0);
+  this->session_->SetSetting("FieldDetentSpacing", 2.0);
+  ASSERT_TRUE(this->session_->AddField("slope", image));
+  this->at(Vec3(-50.0, 0.0, 0.0));
+  ASSERT_TRUE(this->session_->FinishField());
+  this->start(Vec3(-50.0, 0.0, 0.0));
+  // By the slope of 4 and the bend of 3 where it begins, over a spacing: k = 0.5 N/mm, levels 2 apart.
+  const double most_N = 0.9 * 0.5 / (32.0 * 16.0 / (3.0792014356780046 * 2.0) + 3.0);
+  double largest_N = 0.0;
+  for (int i = 0; i <= 400; ++i)
+  {
+    this->at(Vec3(-50.0 + 0.01 * i, 0.0, 0.0));
+    this->session_->Step(1);
+    largest_N = std::max(largest_N, this->force().norm());
+  }
+  EXPECT_NEAR(largest_N, most_N, 0.06 * most_N) << "bounds may be a twentieth too large";
+  EXPECT_THAT(this->session_->GetFieldSentence(), HasSubstr("smooth levels hold with 0.00"));
 }
 
 TEST_F(HapticSessionField, SaysWhatThePushGivesAndCountsTheTicksBeyondTheNumbers)

@@ -1,99 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Graded meshes as fluid dynamics has them. The judges are VTK's probe of the cells and the formula of the profile.
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "GradedMeshes.h"
 #include "VtkScenes.h"
 #include "testing/support/Random.h"
+#include "vtkAMRBox.h"
 #include "vtkAppendFilter.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellType.h"
 #include "vtkFloatArray.h"
 #include "vtkHapticFieldData.h"
 #include "vtkHapticFieldPacket.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkProbeFilter.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTouchAlongPath.h"
+#include "vtkUniformGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 using namespace palpate;
 using namespace palpate::testing;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 namespace
 {
-constexpr double handStep_u = 0.012; ///< of a tick: 0.3 m/s where 25 mm of the hand are one unit
-constexpr double layer_u = 0.0127;
-
-double profile(double y)
-{
-  return 1.0 - std::exp(-y / layer_u);
-}
-
-/// Steps that grow until they are as long as asked.
-std::vector<double> graded(double first, double growth, double end)
-{
-  std::vector<double> at{ 0.0 };
-  for (double step = first; at.back() < end; step *= growth)
-  {
-    at.push_back(at.back() + step);
-  }
-  return at;
-}
-
-template<class Place, class Value>
-vtkSmartPointer<vtkStructuredGrid> gridOf(const GridIndex& size, const Place& place, const Value& value)
-{
-  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkFloatArray> values;
-  values->SetName("u");
-  for (int n = 0; n < size[0] * size[1] * size[2]; ++n)
-  {
-    const Vec3 p = place(n % size[0], n / size[0] % size[1], n / (size[0] * size[1]));
-    points->InsertNextPoint(p.data());
-    values->InsertNextValue(static_cast<float>(value(p)));
-  }
-  grid->SetDimensions(size.data());
-  grid->SetPoints(points);
-  grid->GetPointData()->AddArray(values);
-  return grid;
-}
-
-/// Cells of 1e-3 at the wall y = 0, and of half a unit in the middle of the flow.
-vtkSmartPointer<vtkStructuredGrid> channel(int along, int across)
-{
-  const std::vector<double> y = graded(1e-3, 1.2, 3.0);
-  const double dx = 6.0 / (along - 1), dz = 3.0 / (across - 1);
-  return gridOf(
-    { along, static_cast<int>(y.size()), across },
-    [&](int i, int j, int k) { return Vec3(dx * i, y[static_cast<std::size_t>(j)], dz * k); },
-    [](const Vec3& p) { return profile(p.y()); });
-}
-
-/// Round a ball of radius 1, with a seam and two poles.
-vtkSmartPointer<vtkStructuredGrid> oGrid()
-{
-  constexpr int turns = 48, bends = 25;
-  const std::vector<double> r = graded(2e-3, 1.2, 4.0);
-  return gridOf(
-    { turns + 1, bends, static_cast<int>(r.size()) },
-    [&](int i, int j, int k)
-    {
-      const double turn = 2.0 * std::numbers::pi * i / turns, bend = std::numbers::pi * j / (bends - 1);
-      return Vec3((1.0 + r[static_cast<std::size_t>(k)]) *
-                  Vec3(std::sin(bend) * std::cos(turn), std::sin(bend) * std::sin(turn), std::cos(bend)));
-    },
-    [](const Vec3& p) { return profile(p.norm() - 1.0); });
-}
-
 vtkSmartPointer<vtkTouchAlongPath> touched(vtkDataObject* data, const std::vector<Vec3>& hands_W, double value)
 {
   auto touch = vtkSmartPointer<vtkTouchAlongPath>::New();
@@ -107,23 +51,6 @@ vtkSmartPointer<vtkTouchAlongPath> touched(vtkDataObject* data, const std::vecto
   return touch;
 }
 
-/// What the cells of data have at the points of other data; NaN where VTK finds none.
-std::vector<double> probed(vtkDataSet* at, vtkDataSet* data)
-{
-  vtkNew<vtkProbeFilter> probe;
-  probe->SetInputData(at);
-  probe->SetSourceData(data);
-  probe->Update();
-  vtkDataArray* const found = probe->GetOutput()->GetPointData()->GetArray("u");
-  vtkDataArray* const valid = probe->GetOutput()->GetPointData()->GetArray(probe->GetValidPointMaskArrayName());
-  std::vector<double> values;
-  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
-  {
-    values.push_back(valid->GetTuple1(i) != 0.0 ? found->GetTuple1(i) : std::nan(""));
-  }
-  return values;
-}
-
 vtkSmartPointer<vtkUnstructuredGrid> unstructured(vtkDataSet* data)
 {
   vtkNew<vtkAppendFilter> append;
@@ -135,7 +62,6 @@ vtkSmartPointer<vtkUnstructuredGrid> unstructured(vtkDataSet* data)
 TEST(OwnCells, OfAChannelAreFeltWithinAQuarterOfTheLocalCellAndNeverCrossedAtThirtyCentimetresASecond)
 {
   const auto structured = channel(25, 13);
-  const std::vector<double> y = graded(1e-3, 1.2, 3.0);
   const std::vector<vtkSmartPointer<vtkDataSet>> kinds{ structured, unstructured(structured) };
   for (vtkDataSet* data : kinds)
   {
@@ -155,8 +81,7 @@ TEST(OwnCells, OfAChannelAreFeltWithinAQuarterOfTheLocalCellAndNeverCrossedAtThi
       vtkPolyData* const output = touch->GetOutput();
       const std::vector<double> felt = probed(output, data);
       const double surface = -layer_u * std::log(1.0 - u);
-      const double cell =
-        *std::upper_bound(y.begin(), y.end(), surface) - *(std::upper_bound(y.begin(), y.end(), surface) - 1);
+      const double cell = cellAt(channelLayers(), surface);
       for (std::size_t i = 0; i < hands_W.size(); ++i)
       {
         const Vec3 x(output->GetPoint(static_cast<vtkIdType>(i)));
@@ -169,14 +94,14 @@ TEST(OwnCells, OfAChannelAreFeltWithinAQuarterOfTheLocalCellAndNeverCrossedAtThi
   }
 }
 
-TEST(OwnCells, OfAnOGridAreFeltOverItsSeamAndNeverCrossed)
+TEST(OwnCells, OfAnOGridAreFeltWithinAQuarterOfTheLocalCellOverItsSeamAndNeverCrossed)
 {
   const auto data = oGrid();
-  for (const double u : { 0.9 })
+  for (const double u : { 0.5, 0.9, 0.99 })
   {
     std::vector<Vec3> hands_W;
     const auto at = [](double turn) { return Vec3(std::cos(turn), 0.8 * std::sin(turn), 0.6 * std::sin(turn)); };
-    for (double r = 1.1; r > 0.95; r -= handStep_u)
+    for (double r = 1.15; r > 0.95; r -= handStep_u)
     {
       hands_W.push_back(r * at(-0.5));
     }
@@ -187,15 +112,21 @@ TEST(OwnCells, OfAnOGridAreFeltOverItsSeamAndNeverCrossed)
     }
     const auto touch = touched(data, hands_W, u);
     vtkPolyData* const output = touch->GetOutput();
-    const std::vector<double> felt = probed(output, data);
+    std::vector<Vec3> felt_W;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      felt_W.emplace_back(output->GetPoint(i));
+    }
+    ASSERT_EQ(felt_W.size(), hands_W.size());
+    const std::vector<double> surface = radiiOf(u, felt_W, data), values = probed(output, data);
     for (std::size_t i = 0; i < hands_W.size(); ++i)
     {
-      const Vec3 x(output->GetPoint(static_cast<vtkIdType>(i)));
-      ASSERT_GE(felt[i], u - 1e-4) << "row " << i; // as near as VTK's search of a bent cell
+      const double cell = cellAt(oGridLayers(), surface[i] - 1.0);
+      ASSERT_GE(values[i], u - 1e-4) << "row " << i; // as near as VTK's search of a bent cell
       if (i >= inside)
       {
-        ASSERT_NEAR(felt[i], u, 0.02) << "row " << i;
-        ASSERT_LT((x.normalized() - hands_W[i].normalized()).norm(), 0.1) << "it comes along, row " << i;
+        ASSERT_NEAR(felt_W[i].norm(), surface[i], 0.25 * cell) << u << ", row " << i;
+        ASSERT_LT((felt_W[i].normalized() - hands_W[i].normalized()).norm(), 0.1) << "it comes along, row " << i;
       }
     }
   }
@@ -291,5 +222,129 @@ TEST(OwnCells, ThatAreHiddenAreFeltToTheirFaceAndOfAPointWithoutAValueItsCellsAl
     }
     EXPECT_TRUE(holds(lacking, 4.0, 2.5, 1.5) && holds(lacking, 4.0, 2.5, 4.5)) << "next to them";
   }
+}
+
+/// What is said of a surface of data with an array "u".
+std::string saidOf(vtkDataObject* data, double value, const Vec3& hand_W)
+{
+  vtkHapticFieldArrays arrays;
+  arrays.Scalar = "u";
+  const vtkHapticFieldResult field = vtkHapticToField(data, arrays);
+  EXPECT_TRUE(field.Source) << field.Problem;
+  const MadeBrick made = field.Source->brickAround({ hand_W, 2.0, 1 });
+  EXPECT_TRUE(made.brick);
+  FieldPlan plan;
+  EXPECT_EQ(latticeSentence(plan, made, hand_W), "") << "no surface is felt";
+  plan.isosurface = true;
+  plan.isovalue = value;
+  return latticeSentence(plan, made, hand_W);
+}
+
+/// x + 0.3 y + 0.1 z at the points of a grid.
+template<class Grid>
+void addSlope(Grid* grid)
+{
+  vtkNew<vtkFloatArray> values;
+  values->SetName("u");
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const Vec3 p(grid->GetPoint(i));
+    values->InsertNextValue(static_cast<float>(p.dot(Vec3(1.0, 0.3, 0.1))));
+  }
+  grid->GetPointData()->AddArray(values);
+}
+
+TEST(OwnCells, ThatAreQuadraticOrPolyhedraAreFeltOnALatticeWhichIsSaidWithItsSpacing)
+{
+  const auto box = gridOf(
+    { 5, 5, 5 }, [](int i, int j, int k) { return Vec3(i, j, k); }, [](const Vec3& p) { return p.x(); });
+  for (const int type : { VTK_QUADRATIC_TETRA, VTK_POLYHEDRON })
+  {
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    points->DeepCopy(box->GetPoints());
+    grid->SetPoints(points);
+    grid->Allocate(100);
+    for (vtkIdType i = 0; i < box->GetNumberOfCells(); ++i)
+    {
+      vtkNew<vtkIdList> c;
+      box->GetCellPoints(i, c);
+      grid->InsertNextCell(VTK_HEXAHEDRON, c);
+    }
+    if (type == VTK_POLYHEDRON)
+    {
+      vtkNew<vtkIdList> c;
+      box->GetCellPoints(0, c);
+      const vtkIdType faces[] = { 4, c->GetId(0), c->GetId(3), c->GetId(2), c->GetId(1), 4, c->GetId(4), c->GetId(5),
+        c->GetId(6), c->GetId(7), 4, c->GetId(0), c->GetId(1), c->GetId(5), c->GetId(4), 4, c->GetId(2), c->GetId(3),
+        c->GetId(7), c->GetId(6), 4, c->GetId(1), c->GetId(2), c->GetId(6), c->GetId(5), 4, c->GetId(0), c->GetId(4),
+        c->GetId(7), c->GetId(3) };
+      grid->InsertNextCell(VTK_POLYHEDRON, 6, faces);
+    }
+    else
+    {
+      const std::array<Vec3, 4> corner{ Vec3(5, 0, 0), Vec3(6, 0, 0), Vec3(5, 1, 0), Vec3(5, 0, 1) };
+      std::array<vtkIdType, 10> ids{};
+      const std::array<std::array<int, 2>, 10> ends{ { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 3, 3 }, { 0, 1 }, { 1, 2 },
+        { 0, 2 }, { 0, 3 }, { 1, 3 }, { 2, 3 } } };
+      std::transform(ends.begin(), ends.end(), ids.begin(),
+        [&](const std::array<int, 2>& end)
+        {
+          const Vec3 p = 0.5 * (corner[static_cast<std::size_t>(end[0])] + corner[static_cast<std::size_t>(end[1])]);
+          return points->InsertNextPoint(p.data());
+        });
+      grid->InsertNextCell(VTK_QUADRATIC_TETRA, 10, ids.data());
+    }
+    addSlope(grid.Get());
+    const std::string said = saidOf(grid, 2.0, Vec3(2, 2, 2));
+    EXPECT_THAT(said, HasSubstr("polyhedra or quadratic"));
+    EXPECT_THAT(said, HasSubstr("its surfaces are felt on points 0.")) << "some half of a cell apart";
+  }
+}
+
+TEST(OwnCells, OfSeveralLevelsAndOfMoreThanFourMillionAreFeltOnALatticeWhichIsSaid)
+{
+  vtkNew<vtkOverlappingAMR> levels;
+  const int blocks[] = { 1 };
+  levels->Initialize(1, blocks);
+  const double origin[3] = { 0.0, 0.0, 0.0 }, spacing[3] = { 1.0, 1.0, 1.0 };
+  levels->SetGridDescription(VTK_XYZ_GRID);
+  levels->SetOrigin(origin);
+  levels->SetSpacing(0, spacing);
+  vtkNew<vtkUniformGrid> grid;
+  const int dimensions[3] = { 6, 6, 6 };
+  grid->SetDimensions(dimensions);
+  addSlope(grid.Get());
+  levels->SetAMRBox(0, 0, vtkAMRBox(origin, dimensions, spacing, origin, VTK_XYZ_GRID));
+  levels->SetDataSet(0, 0, grid);
+  EXPECT_THAT(saidOf(levels, 2.0, Vec3(2, 2, 2)), HasSubstr("grids of several levels"));
+  vtkNew<vtkImageData> many;
+  many->SetDimensions(161, 161, 161);
+  addSlope(many.Get());
+  vtkNew<vtkMultiBlockDataSet> whole;
+  whole->SetBlock(0, many);
+  const std::string said = saidOf(whole, 80.0, Vec3(80, 80, 80));
+  EXPECT_THAT(said, HasSubstr("more than 4 million"));
+  EXPECT_THAT(said, HasSubstr("felt on points 0.5 u apart"));
+}
+
+TEST(OwnCells, ThatAreNotFeltAreAWarningOfTheFilterAndThoseThatAreFeltAreNone)
+{
+  const auto warningsOf = [](vtkDataObject* data, int smoothing)
+  {
+    const auto touch = touched(data, { Vec3(1.1, 0.2, 1.4), Vec3(1.1, 0.1, 1.4) }, 0.9);
+    touch->SetFieldSmoothing(smoothing);
+    std::string warnings;
+    vtkNew<vtkCallbackCommand> listener;
+    listener->SetClientData(&warnings);
+    listener->SetCallback([](vtkObject*, unsigned long, void* all, void* text)
+      { *static_cast<std::string*>(all) += static_cast<const char*>(text); });
+    touch->AddObserver(vtkCommand::WarningEvent, listener);
+    touch->Update();
+    return warnings;
+  };
+  const auto data = channel(25, 13);
+  EXPECT_THAT(warningsOf(data, 0), IsEmpty());
+  EXPECT_THAT(warningsOf(data, 1), HasSubstr("not in its own cells: its values are smoothed"));
 }
 } // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "VtkScenes.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticFlowSource.h"
@@ -200,6 +201,26 @@ TEST(TouchField, OtherDataAreComparedWithAndSnappedTo)
   const auto errors = errorsOf(touch);
   ASSERT_FALSE(errors.empty());
   EXPECT_THAT(errors.front(), HasSubstr("beside a field, and none is felt"));
+}
+
+TEST(TouchField, LevelsThatAreAskedToBeTooStrongAreAWarning)
+{
+  const auto touch = touchField(sampledImage(heightOf), { Vec3(0, 0, 0), Vec3(0, 0, 0.1), Vec3(0, 0, 0.2) });
+  touch->SetFieldArray("f");
+  touch->SetFieldDetent(1.0);
+  touch->SetFieldDetentSpacing(2.0);
+  std::string warnings;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&warnings);
+  listener->SetCallback([](vtkObject*, unsigned long, void* all, void* text)
+    { *static_cast<std::string*>(all) += static_cast<const char*>(text); });
+  touch->AddObserver(vtkCommand::WarningEvent, listener);
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  EXPECT_THAT(warnings, IsEmpty());
+  touch->SetFieldDetent(1000.0);
+  ASSERT_THAT(errorsOf(touch), IsEmpty());
+  // A slope of 1 without a bend: 0.9 k against 32 s / (3.08 D), which is 69 N.
+  EXPECT_THAT(warnings, HasSubstr("smooth levels hold with 69 N"));
 }
 
 TEST(TouchField, WhatCannotBeFeltIsSaidInOneLineAndTheOutputIsEmpty)

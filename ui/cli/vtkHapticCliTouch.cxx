@@ -103,13 +103,23 @@ void Render(const std::vector<vtkHapticCliPathRow>& path, palpate::PathTouch& to
   shortfalls.Tell();
 }
 
-void TellOfField(const palpate::MadeBrick& made, const palpate::HapticParameters& parameters)
+void TellOfField(const palpate::PathTouch& touch, const palpate::HapticParameters& parameters)
 {
+  const palpate::MadeBrick& made = touch.madeBrick();
+  if (const std::string lattice = touch.latticeSentence(); !lattice.empty())
+  {
+    std::cerr << "palpate: --field: " << lattice << '\n';
+  }
+  if (const std::string detent = touch.detentSentence(); !detent.empty())
+  {
+    std::cerr << "palpate: --strength: " << detent << '\n';
+  }
   if (const std::string point = palpate::pointSentence(parameters.field, parameters.contact.radius_u); !point.empty())
   {
     std::cerr << "palpate: --radius: " << point << '\n';
   }
-  if (made.smoothness.noise > palpate::trappingNoise)
+  const bool inCells = made.brick && made.brick->cells();
+  if (made.smoothness.noise > palpate::trappingNoise && !inCells)
   {
     std::cerr << "palpate: --smoothing: the field's noise of " << made.smoothness.noise
               << " of a spacing traps a hand; it was smoothed once, --smoothing 0 leaves it as it is\n";
@@ -208,7 +218,7 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
   {
     throw vtkHapticCliProblem("nothing was felt of the field: " + nothing);
   }
-  TellOfField(touch.madeBrick(), parameters);
+  TellOfField(touch, parameters);
   output.Commit();
   return 0;
 }

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "haptics/field/UsualGradient.h"
 #include "vtkHapticFieldShape.h"
 #include "vtkHapticHandPace.h"
 #include "vtkHapticSessionInternals.h"
@@ -44,15 +43,24 @@ bool vtkHapticSession::Internals::FeelField(const std::string& name, const vtkHa
   return this->FieldProblem.empty();
 }
 
-/// What a detent's strength is said for is a matter of the data: it is looked up once, so that no brick changes the
-/// feel.
 void vtkHapticSession::Internals::TakeField(bool wait)
 {
   if (this->FollowField(wait))
   {
-    const double slope_per_u = palpate::usualGradient(*this->Core.brick());
-    this->Change([=](palpate::HapticParameters& p)
-      { p.field.detent.slope_per_u = slope_per_u > 0.0 ? slope_per_u : p.field.detent.slope_per_u; });
+    const palpate::MadeBrick& made = this->FeltField.made();
+    const bool first = made.brick && std::exchange(this->FieldIsNew, false);
+    palpate::FieldPlan plan = this->Asked.asked().field;
+    const palpate::DetentPlan before = plan.detent;
+    palpate::takeFromData(plan, made, first);
+    if (plan.detent.slope_per_u != before.slope_per_u || plan.detent.bounds != before.bounds)
+    {
+      this->Change(
+        [&](palpate::HapticParameters& p)
+        {
+          p.field.detent.slope_per_u = plan.detent.slope_per_u;
+          p.field.detent.bounds = plan.detent.bounds;
+        });
+    }
   }
 }
 
@@ -86,14 +94,12 @@ bool vtkHapticSession::Internals::FollowField(bool wait)
     this->Core.running() ? this->Core.state().device_W.p : this->Hand_W.value_or(palpate::Vec3::Zero());
   const double reach_u =
     vtkHapticHandPace::fastest_m_per_s * vtkHapticHandPace::ahead_s * this->Asked.asked().map.scale_u_per_m;
-  const palpate::FieldPlan& plan = this->Asked.asked().field;
-  const std::optional<double> level = plan.isosurface ? std::optional(plan.isovalue) : std::nullopt;
-  const auto brick = this->FeltField.follow(hand_W, reach_u, level, wait);
+  const auto brick = this->FeltField.follow(hand_W, reach_u, this->Asked.asked().field, wait);
   if (brick)
   {
     this->Core.setBrick(*brick);
   }
-  return brick && *brick && std::exchange(this->FieldIsNew, false);
+  return brick.has_value();
 }
 
 std::string vtkHapticSession::Internals::FollowFieldArrays()
@@ -151,10 +157,12 @@ const char* vtkHapticSession::Internals::SayFieldSentence()
       palpate::fieldSentence(this->FieldName, made, asked.map.scale_u_per_m, vtkHapticHandPace::ahead_s);
     const std::string point = palpate::pointSentence(asked.field, asked.contact.radius_u);
     this->FieldSentence += point.empty() ? "" : "; " + point;
+    const std::string lattice = palpate::latticeSentence(asked.field, made, palpate::Vec3(this->Hand));
+    this->FieldSentence += lattice.empty() ? "" : "; " + lattice;
     const double stiffness_N_per_m =
       this->State.stiffness_N_per_m > 0.0 ? this->State.stiffness_N_per_m : asked.stiffness_N_per_m;
     const std::string detent =
-      made.brick ? palpate::detentSentence(asked.field, *made.brick, stiffness_N_per_m / asked.map.scale_u_per_m) : "";
+      made.brick ? palpate::detentSentence(asked.field, stiffness_N_per_m / asked.map.scale_u_per_m) : "";
     this->FieldSentence += detent.empty() ? "" : "; " + detent;
     const std::string level = palpate::levelSentence(asked.field, this->FieldEnds);
     this->FieldSentence += level.empty() ? "" : "; " + level;

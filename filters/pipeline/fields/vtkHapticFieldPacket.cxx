@@ -22,6 +22,9 @@ void Each(const Stream& stream, Packet& packet)
   stream(packet.Made.smoothness.until);
   stream(packet.Made.error);
   stream(packet.Made.finerReach_u);
+  stream(packet.Made.whyNoCells);
+  stream(packet.Made.levels.gradient_per_u);
+  stream(packet.Made.levels.bend_per_u2);
 }
 } // namespace
 

@@ -76,6 +76,7 @@ MadeBrick vtkHapticBrickWithFiner(const BrickGrid& lattice, const vtkHapticField
   MadeBrick made = BrickWithFiner(lattice, arrays, cells, sizes, mostBytes, wish);
   const bool smoothed = made.smoothness.passes > 0; // what is felt then is not what the cells have
   auto near = made.brick && own && (!smoothed || own->AreFlat()) ? own->Around(wish.centre_W) : nullptr;
+  made.whyNoCells = own && made.brick && !near ? "its values are smoothed" : "";
   if (near)
   {
     const Brick& around = *made.brick;

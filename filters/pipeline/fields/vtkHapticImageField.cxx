@@ -169,9 +169,10 @@ vtkHapticImageField::vtkHapticImageField(vtkSmartPointer<vtkImageData> image, vt
 
 palpate::MadeBrick vtkHapticImageField::brickAround(const palpate::BrickWish& wish) const
 {
-  return vtkHapticBrickAround(
-    this->Lattice, this->Arrays, [this](const auto& part, const auto& window) { return this->Read(part, window); },
-    wish);
+  const auto read = [this](const auto& part, const auto& window) { return this->Read(part, window); };
+  palpate::MadeBrick made = vtkHapticBrickAround(this->Lattice, this->Arrays, read, wish);
+  this->Levels.Tell(made, wish, this->Lattice, this->Arrays, read);
+  return made;
 }
 
 vtkIdType vtkHapticImageField::PointId(int i, int j, int k) const

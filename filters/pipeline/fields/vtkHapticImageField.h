@@ -3,6 +3,7 @@
 #define vtkHapticImageField_h
 
 #include "vtkHapticFieldWindow.h"
+#include "vtkHapticLevelScan.h"
 #include "vtkSmartPointer.h"
 
 class vtkDataArray;
@@ -27,6 +28,7 @@ private:
   palpate::BrickGrid Lattice;
   bool Mirrored = false;    ///< the lattice counts the first axis backwards: its axes are right-handed
   std::vector<bool> Hidden; ///< points without a value; empty: none is
+  vtkHapticLevelScan Levels;
 };
 
 /// Writes what a role keeps of the tuple of a point to the same point of `values`: of a scalar one component or their

@@ -87,18 +87,20 @@ float DistanceTo(const std::array<float, 6>& box, const std::array<float, 3>& p)
 } // namespace
 
 std::unique_ptr<const vtkHapticOwnCells> vtkHapticOwnCells::Of(
-  vtkDataObject* data, const vtkHapticFieldArrays& arrays, const palpate::BrickGrid& lattice)
+  vtkDataObject* data, const vtkHapticFieldArrays& arrays, const palpate::BrickGrid& lattice, std::string& why)
 {
   const std::vector<vtkHapticFieldPart> felt = vtkHapticFieldParts(arrays);
-  if (felt.empty() || felt.front().Role != palpate::BrickRole::Scalar || arrays.Smoothing > 0)
+  if (felt.empty() || felt.front().Role != palpate::BrickRole::Scalar)
   {
     return nullptr;
   }
+  why = arrays.Smoothing > 0 ? "its values are smoothed" : "";
   auto own = std::make_unique<vtkHapticOwnCells>();
   own->Offset = felt.front().Offset;
   for (vtkDataSet* part : vtkHapticFieldSets(data))
   {
-    if (!own->Add(part, felt.front()))
+    why = why.empty() ? own->Add(part, felt.front()) : why;
+    if (!why.empty())
     {
       return nullptr;
     }
@@ -111,19 +113,24 @@ std::unique_ptr<const vtkHapticOwnCells> vtkHapticOwnCells::Of(
   return own->Cells.empty() || tooMany ? nullptr : std::move(own);
 }
 
-/// False where its cells are none that can be walked through.
-bool vtkHapticOwnCells::Add(vtkDataSet* part, const vtkHapticFieldPart& scalar)
+/// "", or why its cells are none that can be walked through.
+std::string vtkHapticOwnCells::Add(vtkDataSet* part, const vtkHapticFieldPart& scalar)
 {
+  if (vtkUniformGrid::SafeDownCast(part))
+  {
+    return "grids of several levels lie one over the other";
+  }
+  const std::size_t first = this->Values.size();
+  if (this->Cells.size() + static_cast<std::size_t>(part->GetNumberOfCells()) > mostCells ||
+      first + static_cast<std::size_t>(part->GetNumberOfPoints()) >= FieldCells::none)
+  {
+    return "there are more than 4 million of them; cut out what is to be felt, by Clip or Threshold";
+  }
   const vtkSmartPointer<vtkDataSet> with = AtPoints(part, scalar.Name);
   vtkDataArray* const array = with->GetPointData()->GetArray(scalar.Name.c_str());
-  const std::size_t first = this->Values.size();
-  if (vtkUniformGrid::SafeDownCast(part) || first + with->GetNumberOfPoints() >= FieldCells::none)
-  {
-    return false;
-  }
   if (!array)
   {
-    return true;
+    return "";
   }
   std::vector<float> values(static_cast<std::size_t>(with->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < with->GetNumberOfPoints(); ++i)
@@ -156,13 +163,13 @@ bool vtkHapticOwnCells::Add(vtkDataSet* part, const vtkHapticFieldPart& scalar)
     }
     else if (!hidden && FillsSpace(type))
     {
-      return false;
+      return "some are polyhedra or quadratic; Tetrahedralize makes cells of them that can be walked through";
     }
   }
   this->FirstPoint.push_back(static_cast<std::uint32_t>(first));
   this->Values.insert(this->Values.end(), values.begin(), values.end());
   this->Parts.push_back(with);
-  return this->Cells.size() <= mostCells;
+  return "";
 }
 
 /// Whether no cell is less than half as wide as the mean one is long.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "haptics/field/cells/FieldCells.h"
@@ -23,11 +24,11 @@ public:
   static constexpr std::size_t mostBytes = palpate::Brick::mostBytes / 2;
   static constexpr std::size_t mostCells = 4'000'000;
 
-  /// Null where the scalar of data cannot be had by its cells: other cells fill space too, or grids lie one over the
-  /// other. Null too where a lattice of that spacing tells what cells do: more of them than are handed out at a time,
-  /// none of which is flat, hidden or without a value.
+  /// Null where the scalar of data cannot be had by its cells; `why` becomes the reason. Null too where there is no
+  /// scalar, or where a lattice of that spacing tells what cells do: more of them than are handed out at a time, none
+  /// of which is flat, hidden or without a value.
   static std::unique_ptr<const vtkHapticOwnCells> Of(
-    vtkDataObject* data, const vtkHapticFieldArrays& arrays, const palpate::BrickGrid& lattice);
+    vtkDataObject* data, const vtkHapticFieldArrays& arrays, const palpate::BrickGrid& lattice, std::string& why);
 
   /// Whether some are flat: a lattice of the mean cell takes what they resolve for noise.
   bool AreFlat() const { return this->Flat; }
@@ -43,7 +44,7 @@ private:
   };
   using Box = std::array<float, 6>; ///< low and high x, y, z, rounded outwards
 
-  bool Add(vtkDataSet* part, const vtkHapticFieldPart& scalar);
+  std::string Add(vtkDataSet* part, const vtkHapticFieldPart& scalar);
   palpate::CellCorners CornersOf(const Cell& cell) const;
   palpate::Vec3 PointOf(std::uint32_t point) const;
   bool IsLevel(double edge_u) const;

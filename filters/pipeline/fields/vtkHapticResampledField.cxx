@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "vtkBoundingBox.h"
@@ -19,6 +20,7 @@
 #include "vtkHapticFieldError.h"
 #include "vtkHapticFinerField.h"
 #include "vtkHapticImageField.h"
+#include "vtkHapticLevelScan.h"
 #include "vtkHapticTetraField.h"
 #include "vtkImageData.h"
 #include "vtkLinearKernel.h"
@@ -124,7 +126,8 @@ public:
       // Of a cloud each value is a mean over twice the distance of its points everywhere: nothing is finer.
       const std::vector<vtkDataSet*> none;
       this->Sizes.emplace(this->Cloud ? none : vtkHapticFieldSets(this->Data), vtkHapticFieldBounds(this->Data));
-      this->Own = this->Cloud ? nullptr : vtkHapticOwnCells::Of(this->Data, this->Arrays, this->Lattice);
+      this->Own =
+        this->Cloud ? nullptr : vtkHapticOwnCells::Of(this->Data, this->Arrays, this->Lattice, this->WhyNoCells);
     }
     std::optional<palpate::BrickGrid> probed;
     vtkSmartPointer<vtkImageData> image;
@@ -140,7 +143,11 @@ public:
     };
     palpate::MadeBrick made =
       vtkHapticBrickWithFiner(this->Lattice, this->Arrays, cells, *this->Sizes, this->Own.get(), wish);
+    made.whyNoCells = this->WhyNoCells.empty() ? made.whyNoCells : this->WhyNoCells;
     made.error = made.brick ? this->ErrorOf(made.brick->finestAt(wish.centre_W)) : 0.0;
+    this->Levels.Tell(made, wish, this->Lattice, this->Arrays,
+      [&](const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window)
+      { return cells(part, vtkHapticGridOf(this->Lattice, window)); });
     return made;
   }
 
@@ -220,6 +227,8 @@ private:
   mutable std::optional<double> Error; ///< asked for by one thread at a time
   mutable std::optional<vtkHapticCellSizes> Sizes;
   mutable std::unique_ptr<const vtkHapticOwnCells> Own;
+  mutable std::string WhyNoCells; ///< "": there are some, or the lattice tells the same
+  vtkHapticLevelScan Levels;
 };
 } // namespace
 

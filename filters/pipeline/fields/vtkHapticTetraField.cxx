@@ -73,7 +73,7 @@ vtkHapticTetraField::Mesh vtkHapticTetraField::MakeMesh() const
   }
   mesh.Sizes =
     std::make_unique<vtkHapticCellSizes>(std::vector<vtkDataSet*>{ this->Data }, vtkHapticFieldBounds(this->Data));
-  mesh.Own = vtkHapticOwnCells::Of(this->Data, this->Arrays, this->Lattice);
+  mesh.Own = vtkHapticOwnCells::Of(this->Data, this->Arrays, this->Lattice, mesh.WhyNoCells);
   return mesh;
 }
 
@@ -104,8 +104,12 @@ palpate::MadeBrick vtkHapticTetraField::brickAround(const palpate::BrickWish& wi
   };
   palpate::MadeBrick made =
     vtkHapticBrickWithFiner(this->Lattice, this->Arrays, cells, *mesh.Sizes, mesh.Own.get(), wish);
+  made.whyNoCells = mesh.WhyNoCells.empty() ? made.whyNoCells : mesh.WhyNoCells;
   made.error = made.brick ? vtkHapticFieldError(
                               made.brick->finestAt(wish.centre_W), vtkHapticFieldParts(this->Arrays).front(), cells)
                           : 0.0;
+  this->Levels.Tell(made, wish, this->Lattice, this->Arrays,
+    [&](const vtkHapticFieldPart& part, const vtkHapticFieldWindow& window)
+    { return cells(part, vtkHapticGridOf(this->Lattice, window)); });
   return made;
 }

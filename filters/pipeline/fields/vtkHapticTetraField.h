@@ -3,10 +3,12 @@
 #define vtkHapticTetraField_h
 
 #include <map>
+#include <string>
 
 #include "haptics/field/build/Rasteriser.h"
 #include "vtkHapticCellSizes.h"
 #include "vtkHapticFieldWindow.h"
+#include "vtkHapticLevelScan.h"
 #include "vtkHapticOwnCells.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
@@ -34,6 +36,7 @@ private:
     std::map<palpate::BrickRole, std::vector<float>> Values;
     std::unique_ptr<vtkHapticCellSizes> Sizes;
     std::unique_ptr<const vtkHapticOwnCells> Own;
+    std::string WhyNoCells; ///< "": there are some, or the lattice tells the same
   };
   Mesh MakeMesh() const;
   std::vector<float> ValuesOf(const vtkHapticFieldPart& part) const;
@@ -42,6 +45,7 @@ private:
   vtkHapticFieldArrays Arrays;
   palpate::BrickGrid Lattice;
   mutable std::unique_ptr<const Mesh> Made; ///< asked for by one thread at a time
+  vtkHapticLevelScan Levels;
 };
 
 #endif

@@ -131,7 +131,7 @@ int vtkHapticFieldBrick::RequestData(vtkInformation*, vtkInformationVector** inp
   if (this->Data->Field.Source && this->Revision > 0)
   {
     const palpate::BrickWish wish{ palpate::Vec3(this->Centre), this->Reach, static_cast<std::uint64_t>(this->Revision),
-      this->HasLevel ? std::optional(this->Level) : std::nullopt };
+      this->HasLevel ? std::optional(this->Level) : std::nullopt, this->SmoothLevels };
     packet.Made = this->Data->Field.Source->brickAround(wish);
   }
   const std::vector<char> bytes = vtkHapticPackField(packet);

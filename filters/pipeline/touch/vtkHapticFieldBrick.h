@@ -50,6 +50,9 @@ public:
   vtkSetMacro(HasLevel, bool);
   ///@}
 
+  /// Whether smooth levels are felt: then it is looked up how steep the scalar is at most in all of the data.
+  vtkSetMacro(SmoothLevels, bool);
+
   /// The bytes of an output; null where it is none of this filter.
   static class vtkUnsignedCharArray* BytesOf(vtkTable* output);
 
@@ -73,6 +76,7 @@ private:
   int Revision = 0;
   double Level = 0.0;
   bool HasLevel = false;
+  bool SmoothLevels = false;
 
   struct Looked;
   std::unique_ptr<Looked> Data;

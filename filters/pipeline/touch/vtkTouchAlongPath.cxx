@@ -300,7 +300,17 @@ void vtkTouchAlongPath::TellOf(const palpate::PathTouch& touch, palpate::Fault f
   {
     vtkWarningMacro("Nothing was felt of the field: " << nothing);
   }
-  if (const palpate::FieldSmoothness& smooth = touch.madeBrick().smoothness; smooth.noise > palpate::trappingNoise)
+  if (const std::string lattice = touch.latticeSentence(); !lattice.empty())
+  {
+    vtkWarningMacro("Of the field: " << lattice);
+  }
+  if (const std::string detent = touch.detentSentence(); !detent.empty())
+  {
+    vtkWarningMacro("FieldDetent: " << detent);
+  }
+  const palpate::MadeBrick& made = touch.madeBrick();
+  const palpate::FieldSmoothness& smooth = made.smoothness;
+  if (smooth.noise > palpate::trappingNoise && !(made.brick && made.brick->cells()))
   {
     vtkWarningMacro("The field's noise of " << smooth.noise << " of a spacing traps a hand: it was smoothed once, and "
                                             << "FieldSmoothing 0 leaves it as it is");

@@ -55,6 +55,7 @@ public:
     vtkSMPropertyHelper(this->Brick, "Reach").Set(wish.reach_u);
     vtkSMPropertyHelper(this->Brick, "Revision").Set(static_cast<int>(wish.revision));
     vtkSMPropertyHelper(this->Brick, "HasLevel").Set(wish.level ? 1 : 0);
+    vtkSMPropertyHelper(this->Brick, "SmoothLevels").Set(wish.smoothLevels ? 1 : 0);
     vtkSMPropertyHelper(this->Brick, "Level").Set(wish.level.value_or(0.0));
     this->Brick->UpdateVTKObjects();
     const vtkSmartPointer<vtkDataObject> came = vtkHapticBring(this->Brick, VTK_TABLE, this->Time);

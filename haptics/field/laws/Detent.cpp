@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Cholesky>
+
 #include "haptics/field/laws/SmoothScalar.h"
 
 namespace palpate
@@ -19,7 +21,7 @@ namespace
 constexpr double steepest = 3.0792014356780046;
 constexpr int mostSteps = 40;
 constexpr double leastStep = 1e-14; ///< [spacings of the grid]
-constexpr double leastStiff = 0.05; ///< of the spring: on a top of the potential steps are not to be too long
+constexpr double worth = 1e-4;      ///< of the force that a step removes: with less it is a miss, and half is tried
 constexpr double beyondAll = 1e300; ///< larger than any single-precision value, and finite
 
 /// Where a value is in the hollow of its nearest level.
@@ -44,6 +46,29 @@ InHollow hollowAt(const DetentPlan& plan, double value) noexcept
     width = std::min(width, plan.levels[i] - plan.levels[i - 1]);
   }
   return { -nearest / width, width };
+}
+
+/// What the energy of spring and potential does around a place.
+struct Balance
+{
+  bool exists = false; ///< false: there is no value
+  Vec3 x_W = Vec3::Zero();
+  Vec3 slope = Vec3::Zero(); ///< [N]
+  Mat3 bend = Mat3::Zero();
+};
+
+Balance balanceAt(const Brick& brick, const DetentPlan& plan, double k, const Vec3& p_W, const Vec3& x_W) noexcept
+{
+  const std::optional<SmoothSample> f = smoothScalar(brick, x_W);
+  if (!f)
+  {
+    return {};
+  }
+  const DetentEnergy e = detentEnergy(plan, f->value);
+  Balance balance{ true, x_W };
+  balance.slope = k * (x_W - p_W) + e.slope * f->gradient_W;
+  balance.bend = k * Mat3::Identity() + e.bend * f->gradient_W * f->gradient_W.transpose() + e.slope * f->bend_W;
+  return balance;
 }
 
 /// Empty, or the first thing in a list of numbers that is none.
@@ -118,49 +143,54 @@ DetentEnergy detentEnergy(const DetentPlan& plan, double value) noexcept
     height * (16.0 * w - 128.0 * at.s * at.s) / (at.width * at.width) };
 }
 
-double mostSmooth_N(const DetentPlan& plan, double stiffness_N_per_u, double steepest_per_u) noexcept
+double mostSmooth_N(const DetentPlan& plan, double stiffness_N_per_u) noexcept
 {
   constexpr double leastBend = 32.0;
-  constexpr double share = 0.9; // of the spring: the rest is for how levels themselves bend
+  constexpr double share = 0.9; // of the spring: what is left keeps the balance well conditioned
   double width = plan.spacing;
   for (std::int32_t i = 1; i < plan.levelCount; ++i)
   {
     width = std::min(width, plan.levels[i] - plan.levels[i - 1]);
   }
-  const double square = steepest_per_u * steepest_per_u;
-  return square > 0.0 ? share * stiffness_N_per_u * steepest * plan.slope_per_u * width / (leastBend * square)
-                      : std::numeric_limits<double>::infinity();
+  const double square = plan.bounds.gradient_per_u * plan.bounds.gradient_per_u;
+  const double softest_per_u2 = leastBend * square / (steepest * width) + plan.bounds.bend_per_u2;
+  return softest_per_u2 > 0.0 ? share * stiffness_N_per_u * plan.slope_per_u / softest_per_u2
+                              : std::numeric_limits<double>::infinity();
 }
 
+/// Newton's steps on an energy that is strictly convex up to mostSmooth_N(). Its second derivatives jump between cells,
+/// so a step may be too long: it is halved until less force is left.
 Vec3 smoothDetent(
   const Brick& brick, const DetentPlan& plan, double stiffness_N_per_u, const Vec3& p_W, const Vec3& from_W) noexcept
 {
   const double k = stiffness_N_per_u, h_u = brick.grid().spacing_u.minCoeff();
-  Vec3 x_W = from_W;
-  for (int step = 0; step < mostSteps; ++step)
+  Balance at = balanceAt(brick, plan, k, p_W, from_W);
+  at = at.exists ? at : balanceAt(brick, plan, k, p_W, p_W);
+  for (int step = 0; at.exists && step < mostSteps;)
   {
-    const std::optional<FieldSample> f = smoothScalar(brick, x_W);
-    if (!f)
-    {
-      return p_W;
-    }
-    const DetentEnergy e = detentEnergy(plan, f->value);
-    // Newton's step with (k + e'' |grad f|^2) along the gradient and k across it.
-    const Vec3 residual_W = k * (x_W - p_W) + e.slope * f->gradient_W;
-    const double square = f->gradient_W.squaredNorm();
-    const double along = std::max(k + e.bend * square, leastStiff * k);
-    const Vec3 part_W =
-      square > 0.0 ? Vec3(residual_W.dot(f->gradient_W) / square * f->gradient_W) : Vec3(Vec3::Zero());
-    Vec3 change_W = -(residual_W - part_W) / k - part_W / along;
+    const Eigen::LDLT<Mat3> factors(at.bend);
+    Vec3 change_W = -(factors.isPositive() ? Vec3(factors.solve(at.slope)) : Vec3(at.slope / k));
     const double length_u = change_W.norm();
-    change_W *= length_u > h_u ? h_u / length_u : 1.0;
-    x_W += change_W;
     if (length_u <= leastStep * h_u)
     {
       break;
     }
+    change_W *= length_u > h_u ? h_u / length_u : 1.0;
+    bool gains = false;
+    for (double share = std::min(1.0, h_u / length_u); !gains && step < mostSteps; ++step)
+    {
+      const Balance next = balanceAt(brick, plan, k, p_W, at.x_W + change_W);
+      gains = next.exists && next.slope.norm() <= (1.0 - worth * share) * at.slope.norm();
+      at = gains ? next : at;
+      change_W *= 0.5;
+      share *= 0.5;
+    }
+    if (!gains)
+    {
+      break;
+    }
   }
-  return x_W;
+  return at.exists ? at.x_W : p_W;
 }
 
 double nextLevel(const DetentPlan& plan, double proxyValue, bool above) noexcept

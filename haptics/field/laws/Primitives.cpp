@@ -24,12 +24,26 @@ enum class Holding : std::uint8_t
   Holds
 };
 
+/// All points together, where they were taken out of a problem with one anchor.
+struct CommonPoints
+{
+  double strength_N = 0.0;
+  Vec3 anchor = Vec3::Zero();
+
+  /// Whether they hold a hand that the others leave there: then any pulls that these may have are an answer.
+  [[nodiscard]] bool hold(const Vec3& x, double k) const noexcept
+  {
+    return this->strength_N > 0.0 && k * (x - this->anchor).norm() <= this->strength_N;
+  }
+};
+
 /// Of points, lines and planes.
 class PrimitiveSolver
 {
 public:
-  PrimitiveSolver(std::span<const Primitive> primitives, const Vec3& device, double stiffness) noexcept
-    : primitives_(primitives), device_(device), k_(stiffness)
+  PrimitiveSolver(
+    std::span<const Primitive> primitives, const CommonPoints& points, const Vec3& device, double stiffness) noexcept
+    : primitives_(primitives), points_(points), device_(device), k_(stiffness)
   {
   }
 
@@ -51,7 +65,7 @@ private:
 
   [[nodiscard]] std::size_t count() const noexcept { return this->primitives_.size(); }
 
-  /// Each pull in turn becomes what it must be beside the others. True once none changes any more.
+  /// Each pull in turn becomes what it must be beside the others. True once none changes any more, or points hold.
   bool takeRounds(int rounds) noexcept
   {
     for (int round = 0; round < rounds; ++round)
@@ -68,7 +82,7 @@ private:
         this->best_.x = without + now_N / this->k_;
         pull_N = now_N;
       }
-      if (change_N <= stillRounds_N)
+      if (change_N <= stillRounds_N || this->points_.hold(this->best_.x, this->k_))
       {
         return true;
       }
@@ -172,6 +186,10 @@ private:
         this->addRows(this->primitives_[i]);
       }
     }
+    if (this->rows_ == 3)
+    {
+      return this->accept(this->heldPlace()); // there is nothing to seek
+    }
     Vec3 x = this->best_.x;
     for (int step = 0; step < mostNewton; ++step)
     {
@@ -187,6 +205,17 @@ private:
       }
     }
     return this->accept(x);
+  }
+
+  /// Where what holds leaves no freedom.
+  [[nodiscard]] Vec3 heldPlace() const noexcept
+  {
+    Vec3 x = Vec3::Zero();
+    for (int r = 0; r < this->rows_; ++r)
+    {
+      x += this->target_[r] * this->row_[r];
+    }
+    return x;
   }
 
   [[nodiscard]] Vec3 newtonStep(const Vec3& x) const noexcept
@@ -247,6 +276,11 @@ private:
       if (this->holding_[i] == Holding::Slides)
       {
         const Vec3 away = resisted(p, x - p.anchor);
+        if (p.kind != PrimitiveKind::Plane && this->k_ * away.norm() <= solved_N)
+        {
+          missing_N -= pull_N[i]; // at its anchor it may pull anywhere with all of its strength: as the rounds had it
+          continue;
+        }
         pull_N[i] = p.strength_N * (p.kind == PrimitiveKind::Plane ? p.axis : Vec3(-away.stableNormalized()));
       }
       for (int k = 0; k < 3 && this->holding_[i] == Holding::Holds; ++k)
@@ -304,6 +338,7 @@ private:
   }
 
   std::span<const Primitive> primitives_;
+  const CommonPoints& points_;
   Vec3 device_;
   double k_;
   PrimitiveSolution best_;
@@ -319,9 +354,8 @@ struct Reduced
   std::array<Primitive, PrimitiveSolution::mostPrimitives> primitive;
   std::array<std::size_t, PrimitiveSolution::mostPrimitives> origin{}; ///< of each that is left
   std::size_t count = 0;
-  Vec3 device;         ///< shifted by the forces that are the same everywhere
-  double points_N = 0; ///< strength of all points together, where they were taken out
-  Vec3 anchor = Vec3::Zero();
+  Vec3 device; ///< shifted by the forces that are the same everywhere
+  CommonPoints points;
 };
 
 bool haveCommonAnchor(std::span<const Primitive> primitives) noexcept
@@ -357,8 +391,8 @@ Reduced reduce(std::span<const Primitive> primitives, const Vec3& device, double
     }
     else if (p.kind == PrimitiveKind::Point && common)
     {
-      reduced.points_N += p.strength_N;
-      reduced.anchor = p.anchor;
+      reduced.points.strength_N += p.strength_N;
+      reduced.points.anchor = p.anchor;
     }
     else
     {
@@ -377,18 +411,21 @@ PrimitiveSolution solvePrimitives(
   primitives = primitives.first(std::min<std::size_t>(primitives.size(), PrimitiveSolution::mostPrimitives));
   const Reduced reduced = reduce(primitives, device, stiffness_N_per_u);
   const PrimitiveSolution rest =
-    PrimitiveSolver({ reduced.primitive.data(), reduced.count }, reduced.device, stiffness_N_per_u).solve();
+    PrimitiveSolver({ reduced.primitive.data(), reduced.count }, reduced.points, reduced.device, stiffness_N_per_u)
+      .solve();
   PrimitiveSolution all = rest;
   all.pull_N.fill(Vec3::Zero());
   for (std::size_t i = 0; i < reduced.count; ++i)
   {
     all.pull_N[reduced.origin[i]] = rest.pull_N[i];
   }
-  const Vec3 way = rest.x - reduced.anchor;
-  const double far_N = stiffness_N_per_u * way.norm();
-  if (reduced.points_N > 0.0)
+  const CommonPoints& points = reduced.points;
+  if (points.strength_N > 0.0)
   {
-    all.x = far_N > reduced.points_N ? Vec3(rest.x - (reduced.points_N / far_N) * way) : reduced.anchor;
+    const Vec3 way = rest.x - points.anchor;
+    const double far_N = stiffness_N_per_u * way.norm();
+    const bool holds = points.hold(rest.x, stiffness_N_per_u);
+    all.x = holds ? points.anchor : Vec3(rest.x - (points.strength_N / far_N) * way);
   }
   for (std::size_t i = 0; i < primitives.size(); ++i)
   {
@@ -397,9 +434,9 @@ PrimitiveSolution solvePrimitives(
     {
       all.pull_N[i] = p.strength_N * p.axis;
     }
-    else if (p.kind == PrimitiveKind::Point && reduced.points_N > 0.0)
+    else if (p.kind == PrimitiveKind::Point && points.strength_N > 0.0)
     {
-      all.pull_N[i] = p.strength_N / reduced.points_N * stiffness_N_per_u * (all.x - rest.x);
+      all.pull_N[i] = p.strength_N / points.strength_N * stiffness_N_per_u * (all.x - rest.x);
     }
   }
   return all;

@@ -10,11 +10,11 @@ namespace palpate
 namespace
 {
 
-/// Shares of three values next to one another, and how those change from place to place.
+/// Shares of three values next to one another, and their first and second derivatives along the axis.
 struct Shares
 {
   int first = 0; ///< of the three
-  std::array<double, 3> value{}, slope{};
+  std::array<double, 3> value{}, slope{}, bend{};
 };
 
 /// Along one axis; beyond the last value the line through the last two goes on.
@@ -26,12 +26,13 @@ Shares sharesAt(double index, int points) noexcept
   shares.first = middle - 1;
   shares.value = { 0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t) };
   shares.slope = { t - 0.5, -2.0 * t, t + 0.5 };
+  shares.bend = { 1.0, -2.0, 1.0 };
   const bool below = middle == 0, above = middle == points - 1;
   if (below || above)
   {
-    for (std::array<double, 3>* s : { &shares.value, &shares.slope })
+    for (std::array<double, 3>* s : { &shares.value, &shares.slope, &shares.bend })
     {
-      // A value v[-1] = 2 v[0] - v[1] in terms of those that are there; of two points neither side is left.
+      // A value v[-1] = 2 v[0] - v[1] in terms of those that are there.
       auto& [a, b, c] = *s;
       const double outer = below ? a : c, inner = below ? c : a;
       const double near = b + 2.0 * outer, far = inner - outer;
@@ -44,35 +45,48 @@ Shares sharesAt(double index, int points) noexcept
 
 } // namespace
 
-std::optional<FieldSample> smoothScalar(const Brick& brick, const Vec3& p_W) noexcept
+std::optional<SmoothSample> smoothScalar(const Brick& brick, const Vec3& p_W) noexcept
 {
   const BrickComponent scalar = brick.component(BrickRole::Scalar);
-  const Vec3 index = brick.grid().toIndex(p_W);
-  const GridIndex& size = brick.grid().size;
-  if (!scalar.exists() || !scalar.within(GridPlace::at(index)) || *std::ranges::min_element(size) < 3)
+  const BrickGrid& grid = brick.grid();
+  const Vec3 index = grid.toIndex(p_W);
+  if (!scalar.exists() || !scalar.within(GridPlace::at(index)) || *std::ranges::min_element(grid.size) < 3)
   {
-    return brick.sample(BrickRole::Scalar, p_W);
+    return std::nullopt;
   }
-  const Shares x = sharesAt(index.x(), size[0]), y = sharesAt(index.y(), size[1]), z = sharesAt(index.z(), size[2]);
+  const Shares x = sharesAt(index.x(), grid.size[0]), y = sharesAt(index.y(), grid.size[1]),
+               z = sharesAt(index.z(), grid.size[2]);
   double value = 0.0;
-  Vec3 slope = Vec3::Zero();
+  Vec3 slope = Vec3::Zero(), own = Vec3::Zero(), mixed = Vec3::Zero(); // mixed: yz, zx, xy
   for (int k = 0; k < 3; ++k)
   {
     for (int j = 0; j < 3; ++j)
     {
-      double row = 0.0, change = 0.0;
+      double row = 0.0, change = 0.0, bend = 0.0;
       for (int i = 0; i < 3; ++i)
       {
         const double v = scalar.at({ x.first + i, y.first + j, z.first + k });
         row += x.value[i] * v;
         change += x.slope[i] * v;
+        bend += x.bend[i] * v;
       }
-      value += y.value[j] * z.value[k] * row;
-      slope += Vec3(y.value[j] * z.value[k] * change, y.slope[j] * z.value[k] * row, y.value[j] * z.slope[k] * row);
+      const double yz = y.value[j] * z.value[k];
+      value += yz * row;
+      slope += Vec3(yz * change, y.slope[j] * z.value[k] * row, y.value[j] * z.slope[k] * row);
+      own += Vec3(yz * bend, y.bend[j] * z.value[k] * row, y.value[j] * z.bend[k] * row);
+      mixed += Vec3(y.slope[j] * z.slope[k] * row, y.value[j] * z.slope[k] * change, y.slope[j] * z.value[k] * change);
     }
   }
-  return std::isfinite(value) ? std::optional<FieldSample>({ value, brick.grid().gradientToWorld(slope) })
-                              : std::nullopt;
+  if (!std::isfinite(value))
+  {
+    return std::nullopt;
+  }
+  Mat3 bend;
+  bend << own.x(), mixed.z(), mixed.y(), mixed.z(), own.y(), mixed.x(), mixed.y(), mixed.x(), own.z();
+  const Vec3 less = grid.spacing_u.cwiseInverse();
+  const Mat3 axes_W = grid.pose_W.q.toRotationMatrix();
+  return SmoothSample{ value, grid.gradientToWorld(slope),
+    axes_W * less.asDiagonal() * bend * less.asDiagonal() * axes_W.transpose() };
 }
 
 } // namespace palpate

@@ -9,9 +9,35 @@
 #include <utility>
 
 #include "haptics/field/Smoothing.h"
+#include "haptics/field/UsualGradient.h"
 
 namespace palpate
 {
+namespace
+{
+
+bool asksForLevels(const FieldPlan& plan) noexcept
+{
+  return plan.detent.strength_N > 0.0 && !plan.detent.click;
+}
+
+/// A brick that is all of the data knows how steep they are.
+MadeBrick withLevels(MadeBrick made, const BrickWish& wish)
+{
+  const bool all = made.brick && std::isinf(made.reach_u);
+  if (!wish.smoothLevels || made.levels != unknownLevels || !all)
+  {
+    return made;
+  }
+  for (const BrickArray& array : made.brick->arrays())
+  {
+    const BrickGrid& grid = made.brick->grid();
+    made.levels = array.role == BrickRole::Scalar ? levelBounds(array.values, grid.size, grid.spacing_u) : made.levels;
+  }
+  return made;
+}
+
+} // namespace
 
 void FeltField::setSource(std::shared_ptr<const FieldSource> source)
 {
@@ -20,28 +46,32 @@ void FeltField::setSource(std::shared_ptr<const FieldSource> source)
     this->source_ = std::move(source);
     this->changed_ = true;
     this->task_.cancel();
+    this->askedLevels_ = false;
+    this->made_.levels = unknownLevels;
   }
 }
 
 /// Half of the room: the other half is for what the hand does until the next brick is there.
-bool FeltField::needsAnother(const Vec3& hand_W, std::optional<double> level) const noexcept
+bool FeltField::needsAnother(const BrickWish& wish) const noexcept
 {
+  const std::optional<double>& level = wish.level;
   const FieldSmoothness& smooth = this->made_.smoothness;
   const bool otherLevel =
     level && std::isfinite(smooth.until) && !(smooth.level && std::fabs(*level - *smooth.level) <= smooth.until);
-  return this->changed_ || otherLevel ||
-         !((hand_W - this->made_.centre_W).cwiseAbs().maxCoeff() <=
+  return this->changed_ || otherLevel || (wish.smoothLevels && !this->askedLevels_) ||
+         !((wish.centre_W - this->made_.centre_W).cwiseAbs().maxCoeff() <=
            0.5 * std::min(this->made_.reach_u, this->made_.finerReach_u));
 }
 
-void FeltField::ask(const Vec3& hand_W, double reach_u, std::optional<double> level)
+void FeltField::ask(BrickWish wish)
 {
   this->changed_ = false;
-  const BrickWish wish{ hand_W, reach_u, ++this->revision_, level };
+  this->askedLevels_ = this->askedLevels_ || wish.smoothLevels;
+  wish.revision = ++this->revision_;
   this->task_.want(
     [source = this->source_, wish](const std::stop_token&)
     {
-      return LatestTask<MadeBrick>::Work{ [source, wish] { return source->brickAround(wish); },
+      return LatestTask<MadeBrick>::Work{ [source, wish] { return withLevels(source->brickAround(wish), wish); },
         !source->answersAnyThread() };
     });
 }
@@ -53,13 +83,14 @@ std::optional<std::shared_ptr<const Brick>> FeltField::take(bool wait)
   {
     return std::nullopt;
   }
+  made->levels = made->levels != unknownLevels ? made->levels : this->made_.levels;
   this->made_ = std::move(*made);
   this->taken_ = std::chrono::steady_clock::now();
   return this->made_.brick;
 }
 
 std::optional<std::shared_ptr<const Brick>> FeltField::follow(
-  const Vec3& hand_W, double reach_u, std::optional<double> level, bool wait)
+  const Vec3& hand_W, double reach_u, const FieldPlan& plan, bool wait)
 {
   std::optional<std::shared_ptr<const Brick>> next = this->take(wait);
   if (!this->source_)
@@ -71,9 +102,11 @@ std::optional<std::shared_ptr<const Brick>> FeltField::follow(
     }
     return next;
   }
-  if (!this->task_.running() && hand_W.allFinite() && this->needsAnother(hand_W, level))
+  const BrickWish wish{ hand_W, reach_u, 0, plan.isosurface ? std::optional(plan.isovalue) : std::nullopt,
+    asksForLevels(plan) };
+  if (!this->task_.running() && hand_W.allFinite() && this->needsAnother(wish))
   {
-    this->ask(hand_W, reach_u, level);
+    this->ask(wish);
     if (wait || !this->source_->answersAnyThread())
     {
       next = this->take(wait);
@@ -100,12 +133,37 @@ std::string pointSentence(const FieldPlan& plan, double radius_u)
   return plan.isosurface && radius_u > 0.0 ? "an isosurface is felt by a point in the middle of the ball" : "";
 }
 
-std::string detentSentence(const FieldPlan& plan, const Brick& brick, double stiffness_N_per_u)
+std::string latticeSentence(const FieldPlan& plan, const MadeBrick& made, const Vec3& hand_W)
 {
-  const double most_N = mostSmooth_N(plan.detent, stiffness_N_per_u, brick.steepest_per_u());
+  const bool surfaces = plan.isosurface || (plan.detent.strength_N > 0.0 && plan.detent.click);
+  if (!surfaces || made.whyNoCells.empty() || !made.brick)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "its surfaces are felt on points " << made.brick->finestAt(hand_W).grid().spacing_u.maxCoeff()
+       << " u apart there, not in its own cells: " << made.whyNoCells;
+  return text.str();
+}
+
+void takeFromData(FieldPlan& plan, const MadeBrick& made, bool first)
+{
+  const double slope_per_u = first && made.brick ? usualGradient(*made.brick) : 0.0;
+  plan.detent.slope_per_u = slope_per_u > 0.0 ? slope_per_u : plan.detent.slope_per_u;
+  plan.detent.bounds = made.levels;
+}
+
+std::string detentSentence(const FieldPlan& plan, double stiffness_N_per_u)
+{
+  const double most_N = mostSmooth_N(plan.detent, stiffness_N_per_u);
   if (plan.detent.click || !(plan.detent.strength_N > most_N))
   {
     return "";
+  }
+  if (!(most_N > 0.0))
+  {
+    return "smooth levels do not hold: nobody knows yet how steep its values are at most, or they are too many to say, "
+           "or two along an axis; let the levels click";
   }
   std::ostringstream text;
   text << std::setprecision(2) << "smooth levels hold with " << most_N
@@ -199,7 +257,7 @@ std::string fieldSentence(const std::string& name, const MadeBrick& made, double
   {
     text << ", smoothed " << (made.smoothness.passes == 1 ? "once" : std::to_string(made.smoothness.passes) + " times");
   }
-  if (made.smoothness.noise > trappingNoise)
+  if (made.smoothness.noise > trappingNoise && !made.brick->cells())
   {
     text << ": its noise of " << made.smoothness.noise
          << " of a spacing traps a hand otherwise, and what is felt is the "

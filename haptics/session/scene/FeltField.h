@@ -27,10 +27,10 @@ public:
   [[nodiscard]] bool hasSource() const noexcept { return this->source_ != nullptr; }
 
   /// What the session is to feel from now on, if that changed. `hand_W`: where the hand is. `reach_u`: how far it may
-  /// get before it is asked again, and a worker has answered. `level`: of the surface that is felt, if one is: where
-  /// its value goes far, noise is measured beside it anew. With `wait` the brick of here and now.
+  /// get before it is asked again, and a worker has answered. `plan`: how it is felt; where the value of a surface goes
+  /// far, noise is measured beside it anew. With `wait` the brick of here and now.
   [[nodiscard]] std::optional<std::shared_ptr<const Brick>> follow(
-    const Vec3& hand_W, double reach_u, std::optional<double> level, bool wait = false);
+    const Vec3& hand_W, double reach_u, const FieldPlan& plan, bool wait = false);
 
   /// The newest that was made, felt or refused.
   [[nodiscard]] const MadeBrick& made() const noexcept { return this->made_; }
@@ -40,15 +40,16 @@ public:
   [[nodiscard]] std::uint64_t count() const noexcept { return this->revision_; }
 
 private:
-  [[nodiscard]] bool needsAnother(const Vec3& hand_W, std::optional<double> level) const noexcept;
-  void ask(const Vec3& hand_W, double reach_u, std::optional<double> level);
+  [[nodiscard]] bool needsAnother(const BrickWish& wish) const noexcept;
+  void ask(BrickWish wish);
   std::optional<std::shared_ptr<const Brick>> take(bool wait);
 
   std::shared_ptr<const FieldSource> source_;
   MadeBrick made_;
   std::chrono::steady_clock::time_point taken_{};
   std::uint64_t revision_ = 0;
-  bool changed_ = false; ///< another source: what was made is of the one before
+  bool askedLevels_ = false; ///< how steep all of the data is was asked of this source
+  bool changed_ = false;     ///< another source: what was made is of the one before
   LatestTask<MadeBrick> task_;
 };
 
@@ -60,7 +61,16 @@ private:
 [[nodiscard]] std::string pointSentence(const FieldPlan& plan, double radius_u);
 
 /// "", or that smooth levels hold the hand with less than what was asked, since it would jump from one to the next.
-[[nodiscard]] std::string detentSentence(const FieldPlan& plan, const Brick& brick, double stiffness_N_per_u);
+/// `stiffness_N_per_u`: of each spring of the field.
+[[nodiscard]] std::string detentSentence(const FieldPlan& plan, double stiffness_N_per_u);
+
+/// "", or that surfaces and clicking levels are felt at the points of a brick instead of the data's own cells, how far
+/// apart these are at a place, and why.
+[[nodiscard]] std::string latticeSentence(const FieldPlan& plan, const MadeBrick& made, const Vec3& hand_W);
+
+/// What a plan takes from the data, so that no brick changes the feel: the gradient that a detent's strength is said
+/// for, where the brick is the first of its data, and how steep the scalar is at most in all of them.
+void takeFromData(FieldPlan& plan, const MadeBrick& made, bool first);
 
 /// Least and largest value of all of the data; turned round where there are none.
 using FieldEnds = std::array<double, 2>;

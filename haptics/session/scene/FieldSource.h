@@ -8,6 +8,7 @@
 #include <string>
 
 #include "haptics/field/Brick.h"
+#include "haptics/field/LevelBounds.h"
 
 namespace palpate
 {
@@ -19,6 +20,7 @@ struct BrickWish
   double reach_u = 0.0;          ///< as far as that, or as far as the memory of a brick allows
   std::uint64_t revision = 0;    ///< its number
   std::optional<double> level{}; ///< value of the scalar whose surface is felt: what its noise is measured beside
+  bool smoothLevels = false;     ///< smooth levels are felt: how steep the scalar is in all of the data is asked too
 };
 
 /// What the noise of a scalar made of it.
@@ -44,6 +46,9 @@ struct MadeBrick
   double finerReach_u =
     std::numeric_limits<double>::infinity(); ///< how far the hand may go before what is finer around it has to be
                                              ///< looked at anew; infinite: never
+  std::string
+    whyNoCells{}; ///< why surfaces are not felt in the data's own cells; "": they are, or the points tell the same
+  LevelBounds levels = unknownLevels; ///< of the scalar in all of the data, where they were asked for
 };
 
 /// Data that is felt as a field, wherever the hand goes. Asked by one thread at a time.

@@ -55,11 +55,11 @@ TEST(FeltField, MakesAnotherBrickOnceTheHandHasUsedHalfOfItsRoomAndNotBefore)
   const auto source = std::make_shared<FakeSource>();
   FeltField field;
   field.setSource(source);
-  const auto first = field.follow(Vec3(100, 0, 0), reach_u, std::nullopt, true);
+  const auto first = field.follow(Vec3(100, 0, 0), reach_u, {}, true);
   ASSERT_TRUE(first && *first);
-  EXPECT_FALSE(field.follow(Vec3(104.9, 4.9, -4.9), reach_u, std::nullopt, true));
+  EXPECT_FALSE(field.follow(Vec3(104.9, 4.9, -4.9), reach_u, {}, true));
   EXPECT_EQ(source->asked, 1);
-  const auto second = field.follow(Vec3(100, 5.1, 0), reach_u, std::nullopt, true);
+  const auto second = field.follow(Vec3(100, 5.1, 0), reach_u, {}, true);
   ASSERT_TRUE(second && *second);
   EXPECT_EQ((*second)->grid().toWorld(Vec3::Constant(0.5)), Vec3(100, 5.1, 0));
 }
@@ -69,12 +69,12 @@ TEST(FeltField, KeepsTheOldBrickWhileTheNextIsMade)
   const auto source = std::make_shared<FakeSource>();
   FeltField field;
   field.setSource(source);
-  ASSERT_TRUE(field.follow(Vec3(0, 0, 0), reach_u, std::nullopt, true));
+  ASSERT_TRUE(field.follow(Vec3(0, 0, 0), reach_u, {}, true));
   source->hold(true);
-  EXPECT_FALSE(field.follow(Vec3(6, 0, 0), reach_u, std::nullopt));  // asks
-  EXPECT_FALSE(field.follow(Vec3(60, 0, 0), reach_u, std::nullopt)); // one at a time
+  EXPECT_FALSE(field.follow(Vec3(6, 0, 0), reach_u, {}));  // asks
+  EXPECT_FALSE(field.follow(Vec3(60, 0, 0), reach_u, {})); // one at a time
   source->hold(false);
-  const auto next = field.follow(Vec3(60, 0, 0), reach_u, std::nullopt, true);
+  const auto next = field.follow(Vec3(60, 0, 0), reach_u, {}, true);
   ASSERT_TRUE(next && *next);
   EXPECT_EQ(source->asked, 3); // that of 6, which came too late, and that of 60
   EXPECT_EQ(field.made().centre_W, Vec3(60, 0, 0));
@@ -85,12 +85,12 @@ TEST(FeltField, WhereNothingIsToBeFeltThereIsNoBrickAndNoneIsAskedForAgainAndAga
   const auto source = std::make_shared<FakeSource>();
   FeltField field;
   field.setSource(source);
-  const auto none = field.follow(Vec3(-50, 0, 0), reach_u, std::nullopt, true);
+  const auto none = field.follow(Vec3(-50, 0, 0), reach_u, {}, true);
   ASSERT_TRUE(none);
   EXPECT_EQ(*none, nullptr);
-  EXPECT_FALSE(field.follow(Vec3(-51, 0, 0), reach_u, std::nullopt, true));
+  EXPECT_FALSE(field.follow(Vec3(-51, 0, 0), reach_u, {}, true));
   EXPECT_EQ(source->asked, 1);
-  EXPECT_TRUE(field.follow(Vec3(1, 0, 0), reach_u, std::nullopt, true).value());
+  EXPECT_TRUE(field.follow(Vec3(1, 0, 0), reach_u, {}, true).value());
 }
 
 TEST(FeltField, ABrickOfASourceThatWasLeftIsThrownAway)
@@ -99,18 +99,18 @@ TEST(FeltField, ABrickOfASourceThatWasLeftIsThrownAway)
   FeltField field;
   field.setSource(old);
   old->hold(true);
-  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, std::nullopt));
+  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, {}));
   field.setSource(next);
   old->hold(false);
-  const auto brick = field.follow(Vec3(1, 2, 3), reach_u, std::nullopt, true);
+  const auto brick = field.follow(Vec3(1, 2, 3), reach_u, {}, true);
   ASSERT_TRUE(brick && *brick);
   EXPECT_EQ(next->asked, 1);
   EXPECT_EQ(field.made().centre_W, Vec3(1, 2, 3));
   field.setSource(nullptr);
-  const auto none = field.follow(Vec3::Zero(), reach_u, std::nullopt);
+  const auto none = field.follow(Vec3::Zero(), reach_u, {});
   ASSERT_TRUE(none);
   EXPECT_EQ(*none, nullptr);
-  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, std::nullopt));
+  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, {}));
 }
 
 /// Measures noise beside the level that it is asked for, and says that it holds for one on.
@@ -125,16 +125,24 @@ public:
   }
 };
 
+FieldPlan surfaceAt(double value)
+{
+  FieldPlan plan;
+  plan.isosurface = true;
+  plan.isovalue = value;
+  return plan;
+}
+
 TEST(FeltField, LooksAtTheNoiseAgainOnceTheValueOfTheSurfaceHasGoneFar)
 {
   const auto source = std::make_shared<NoisySource>();
   FeltField field;
   field.setSource(source);
-  ASSERT_TRUE(field.follow(Vec3::Zero(), reach_u, std::nullopt, true));
-  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, std::nullopt, true)) << "no surface is felt";
-  EXPECT_TRUE(field.follow(Vec3::Zero(), reach_u, 5.0, true)) << "one is felt now";
-  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, 5.9, true));
-  EXPECT_TRUE(field.follow(Vec3::Zero(), reach_u, 6.1, true));
+  ASSERT_TRUE(field.follow(Vec3::Zero(), reach_u, {}, true));
+  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, {}, true)) << "no surface is felt";
+  EXPECT_TRUE(field.follow(Vec3::Zero(), reach_u, surfaceAt(5.0), true)) << "one is felt now";
+  EXPECT_FALSE(field.follow(Vec3::Zero(), reach_u, surfaceAt(5.9), true));
+  EXPECT_TRUE(field.follow(Vec3::Zero(), reach_u, surfaceAt(6.1), true));
   EXPECT_EQ(source->asked, 3);
 }
 
@@ -143,7 +151,7 @@ TEST(FeltField, AHandThatIsNowhereAsksForNothing)
   const auto source = std::make_shared<FakeSource>();
   FeltField field;
   field.setSource(source);
-  EXPECT_FALSE(field.follow(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), reach_u, std::nullopt, true));
+  EXPECT_FALSE(field.follow(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), reach_u, {}, true));
   EXPECT_EQ(source->asked, 0);
 }
 

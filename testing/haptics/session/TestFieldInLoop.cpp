@@ -99,7 +99,6 @@ void startOnField(HapticSession& session)
   ASSERT_EQ(session.start(std::make_unique<FedDevice>(), options), "");
 }
 
-// Whenever it begins: between two bricks, and in the tick that takes one (every third) or none any more.
 TEST(FieldInLoop, EveryBitThatFlipsInARecordingOfItIsNamed)
 {
   const test::TemporaryFolder folder;
@@ -111,6 +110,7 @@ TEST(FieldInLoop, EveryBitThatFlipsInARecordingOfItIsNamed)
   test::FlippedBits(folder.file("a")).expectEachIsNamed(33, "brick");
 }
 
+// The recording begins between two bricks, or in the tick that takes one or none any more (two of three).
 TEST(FieldInLoop, ARecordingBegunWhileAFieldIsFeltReplaysBitForBitAndIsNotFelt)
 {
   const test::TemporaryFolder folder;

@@ -144,6 +144,46 @@ void QuadraticSolid::pull(const std::function<bool(const Vector&)>& where, const
   }
 }
 
+Eigen::Matrix<double, 30, 30> QuadraticSolid::stiffnessOf(std::size_t tetrahedron) const
+{
+  const double far = (5.0 + 3.0 * std::sqrt(5.0)) / 20.0;
+  const double near = (5.0 - std::sqrt(5.0)) / 20.0;
+  const Eigen::Matrix<double, 6, 6> d = hooke(this->materials_[tetrahedron]);
+  Eigen::Matrix<double, 30, 30> k = Eigen::Matrix<double, 30, 30>::Zero();
+  for (int point = 0; point < 4; ++point)
+  {
+    Eigen::Vector4d place = Eigen::Vector4d::Constant(near);
+    place[point] = far;
+    const Shape shape = this->shapeAt(this->tetrahedra_[tetrahedron], place);
+    Eigen::Matrix<double, 6, 30> b;
+    for (int a = 0; a < 10; ++a)
+    {
+      b.middleCols<3>(3 * a) = strainOf(shape.gradients[static_cast<std::size_t>(a)]);
+    }
+    k += shape.six / 24.0 * b.transpose() * d * b;
+  }
+  return k;
+}
+
+void QuadraticSolid::assemble(
+  std::size_t tetrahedron, const std::vector<int>& number, std::vector<Eigen::Triplet<double>>& entries) const
+{
+  const Nodes& nodes = this->tetrahedra_[tetrahedron];
+  const Eigen::Matrix<double, 30, 30> k = this->stiffnessOf(tetrahedron);
+  for (int i = 0; i < 30; ++i)
+  {
+    for (int j = 0; j < 30; ++j)
+    {
+      const int row = number[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i / 3)])];
+      const int column = number[static_cast<std::size_t>(nodes[static_cast<std::size_t>(j / 3)])];
+      if (row >= 0 && column >= 0 && row + i % 3 >= column + j % 3)
+      {
+        entries.emplace_back(row + i % 3, column + j % 3, k(i, j));
+      }
+    }
+  }
+}
+
 void QuadraticSolid::solve()
 {
   std::vector<int> number;
@@ -152,38 +192,10 @@ void QuadraticSolid::solve()
   {
     number.push_back(held ? -1 : 3 * free++);
   }
-  const double far = (5.0 + 3.0 * std::sqrt(5.0)) / 20.0;
-  const double near = (5.0 - std::sqrt(5.0)) / 20.0;
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t t = 0; t < this->tetrahedra_.size(); ++t)
   {
-    const Nodes& nodes = this->tetrahedra_[t];
-    const Eigen::Matrix<double, 6, 6> d = hooke(this->materials_[t]);
-    Eigen::Matrix<double, 30, 30> k = Eigen::Matrix<double, 30, 30>::Zero();
-    for (int point = 0; point < 4; ++point)
-    {
-      Eigen::Vector4d place = Eigen::Vector4d::Constant(near);
-      place[point] = far;
-      const Shape shape = this->shapeAt(nodes, place);
-      Eigen::Matrix<double, 6, 30> b;
-      for (int a = 0; a < 10; ++a)
-      {
-        b.middleCols<3>(3 * a) = strainOf(shape.gradients[static_cast<std::size_t>(a)]);
-      }
-      k += shape.six / 24.0 * b.transpose() * d * b;
-    }
-    for (int i = 0; i < 30; ++i)
-    {
-      for (int j = 0; j < 30; ++j)
-      {
-        const int row = number[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i / 3)])];
-        const int column = number[static_cast<std::size_t>(nodes[static_cast<std::size_t>(j / 3)])];
-        if (row >= 0 && column >= 0 && row + i % 3 >= column + j % 3)
-        {
-          entries.emplace_back(row + i % 3, column + j % 3, k(i, j));
-        }
-      }
-    }
+    this->assemble(t, number, entries);
   }
   Eigen::SparseMatrix<double> stiffness(3 * free, 3 * free);
   stiffness.setFromTriplets(entries.begin(), entries.end());

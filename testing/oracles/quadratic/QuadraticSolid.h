@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace palpate::oracle
 {
@@ -33,7 +34,6 @@ public:
   void pull(const std::function<bool(const Vector&)>& where, const Vector& traction);
   void solve();
 
-  [[nodiscard]] Vector displacementOf(int corner) const { return this->displacement_.segment<3>(3 * corner); }
   /// In the middle of a tetrahedron.
   [[nodiscard]] Matrix stressIn(int tetrahedron) const;
   /// What the load does: twice the elastic energy.
@@ -49,6 +49,11 @@ private:
   };
   [[nodiscard]] Shape shapeAt(const Nodes& nodes, const Eigen::Vector4d& place) const;
   [[nodiscard]] int middleOf(int a, int b);
+  /// Of a tetrahedron, three rows a node.
+  [[nodiscard]] Eigen::Matrix<double, 30, 30> stiffnessOf(std::size_t tetrahedron) const;
+  /// Adds the lower triangle of a tetrahedron's stiffness at the rows that `number` gives its nodes; -1: it is held.
+  void assemble(
+    std::size_t tetrahedron, const std::vector<int>& number, std::vector<Eigen::Triplet<double>>& entries) const;
 
   std::vector<Vector> places_;
   std::vector<Nodes> tetrahedra_;

@@ -38,6 +38,8 @@ struct Field
     visit("detent.origin", p.field.detent.origin...);
     visit("detent.spacing", p.field.detent.spacing...);
     visit("detent.slope_per_u", p.field.detent.slope_per_u...);
+    visit("detent.bounds.gradient_per_u", p.field.detent.bounds.gradient_per_u...);
+    visit("detent.bounds.bend_per_u2", p.field.detent.bounds.bend_per_u2...);
     visit("detent.click", p.field.detent.click...);
     visit("detent.levelCount", p.field.detent.levelCount...);
     visit("detent.levels", p.field.detent.levels...);
@@ -63,6 +65,10 @@ struct Field
         !(f.snapReach_u > 0.0 && std::isfinite(f.snapReach_u)))
     {
       return "field: distance of levels, usual gradient and reach of a snap must be larger than 0";
+    }
+    if (!(f.detent.bounds.gradient_per_u >= 0.0) || !(f.detent.bounds.bend_per_u2 >= 0.0))
+    {
+      return "field: how steep a scalar is and how much it bends at most must be numbers that are not negative";
     }
     if (!std::isfinite(f.dragNone) || !std::isfinite(f.dragFull))
     {
