@@ -27,6 +27,7 @@ HELD = (
     "README.md",
     "docs/glossary.md",
     "docs/mechanisms.md",
+    "docs/program.md",
     "docs/soft.md",
 )
 
