@@ -29,6 +29,8 @@ HELD = (
     "docs/mechanisms.md",
     "docs/program.md",
     "docs/soft.md",
+    "docs/tools.md",
+    "docs/touching.md",
 )
 
 # A word of this project alone, and the term that stands for it.
