@@ -153,7 +153,7 @@ PLACES = (
     (TOUCH_XML, "      <!-- Settings of a field -->\n", "      <!-- Of the path -->\n", "settings", of_field(touch_xml)),
     (TOUCH_DECLARATIONS, "#define vtkHapticTouchFieldSettingsMacro() \\\n", "  /* the end of the settings", "settings",
      of_field(touch_setter)),
-    (PROGRAM, "| option of `touch` | what it sets |\n|---|---|\n", "\nThe program reads", "settings", option_row),
+    (PROGRAM, "| option of `touch` | effect |\n|---|---|\n", "\nThe program reads", "settings", option_row),
 )
 
 

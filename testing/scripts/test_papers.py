@@ -95,12 +95,12 @@ class Numbers(unittest.TestCase):
         self.says("docs/devices.md", "* simulated devices, from an ideal point mass", devices)
         self.says("docs/devices.md", "behind a serial link, in * hands", hands)
 
-    def test_ways_in(self):
+    def test_tutorials(self):
         for page, besides in (("fields", ()), ("tools", ("Where it is held",))):
             headings = re.findall(r"^## (.*)$", prose(ROOT / f"docs/{page}.md"), re.MULTILINE)
-            ways = len([heading for heading in headings if heading not in besides])
-            self.says(f"docs/{page}.md", "* ways in", ways)
-            self.says("docs/touching.md", f"({page}.md) *", ways)
+            tutorials = len([heading for heading in headings if heading not in besides])
+            self.says(f"docs/{page}.md", "* tutorials", tutorials)
+            self.says("docs/touching.md", f"({page}.md) *", tutorials)
 
     def test_files_that_know_a_library(self):
         self.says("ARCHITECTURE.md", "CGAL in * .cpp", self.found("haptics", r"^#include <CGAL/"))
