@@ -36,6 +36,20 @@ public:
     return { this->closed_.data(), static_cast<std::size_t>(this->count_) };
   }
 
+  /// Of each row the force that it has at its bound; of those that are held none.
+  using Bounds = std::array<double, most>;
+  [[nodiscard]] Bounds bounds() const noexcept
+  {
+    Bounds bounds = this->force_;
+    for (const int i : this->held())
+    {
+      bounds[i] = std::numeric_limits<double>::infinity();
+    }
+    return bounds;
+  }
+  /// Whether the same rows are held, and all others at the same bounds.
+  [[nodiscard]] bool isHeldAs(const Bounds& bounds) const noexcept { return this->bounds() == bounds; }
+
   /// Holds every row that has no bounds. One that follows from those before has nothing to add, now or later.
   void holdUnbounded() noexcept
   {

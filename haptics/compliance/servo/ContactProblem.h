@@ -64,9 +64,10 @@ struct FrictionRoom
 void solveFriction(const ContactProblem& problem, FrictionRoom& room, ContactForces& forces,
   std::uint32_t budget = std::numeric_limits<std::uint32_t>::max()) noexcept;
 
-/// How forces that meet the laws change with a small displacement of the rows [u], each contact open, stuck or slipping
-/// as it is, into `answer_N`. False, and no answer, where that is not determined. Real-time safe.
+/// How forces that meet the laws change with small displacements of the rows [u], a column each, while each contact is
+/// open, stuck or slipping as it is, into `answer_N`, of the same size. False, and zeros, where that is not determined.
+/// Real-time safe.
 [[nodiscard]] bool answerFriction(const ContactProblem& problem, FrictionRoom& room, const ContactForces& forces,
-  const ContactProblem::Numbers& displaced, ContactProblem::Numbers& answer_N) noexcept;
+  const Eigen::Ref<const Eigen::MatrixXd>& displaced, Eigen::Ref<Eigen::MatrixXd> answer_N) noexcept;
 
 } // namespace palpate

@@ -2,18 +2,18 @@
 #pragma once
 
 #include <cmath>
-#include <utility>
 
 #include "haptics/compliance/servo/ContactProblem.h"
 
 namespace palpate
 {
 
-/// Gauss with the largest pivot of each column; a is used up. False if it is singular to rounding. Real-time safe: for
-/// the sizes of a tick a library's blocks would only need memory of their own.
-[[nodiscard]] inline bool solveInPlace(ContactProblem::Square& a, ContactProblem::Numbers& b) noexcept
+/// Gauss with the largest pivot of each column, for each column of b; a is used up. False if it is singular to
+/// rounding. Real-time safe: for the sizes of a tick a library's blocks would only need memory of their own.
+template<class Right>
+[[nodiscard]] bool solveInPlace(ContactProblem::Square& a, Right& b) noexcept
 {
-  const Eigen::Index n = b.size();
+  const Eigen::Index n = b.rows();
   const double least = n > 0 ? 1e-14 * a.cwiseAbs().maxCoeff() : 0.0;
   for (Eigen::Index k = 0; k < n; ++k)
   {
@@ -27,7 +27,7 @@ namespace palpate
     if (best != k)
     {
       a.row(best).swap(a.row(k));
-      std::swap(b[best], b[k]);
+      b.row(best).swap(b.row(k));
     }
     for (Eigen::Index i = k + 1; i < n; ++i)
     {
@@ -37,12 +37,18 @@ namespace palpate
     {
       a.col(j).tail(n - k - 1) -= a(k, j) * a.col(k).tail(n - k - 1);
     }
-    b.tail(n - k - 1) -= b[k] * a.col(k).tail(n - k - 1);
+    for (Eigen::Index c = 0; c < b.cols(); ++c)
+    {
+      b.col(c).tail(n - k - 1) -= b(k, c) * a.col(k).tail(n - k - 1);
+    }
   }
-  for (Eigen::Index k = n - 1; k >= 0; --k)
+  for (Eigen::Index c = 0; c < b.cols(); ++c)
   {
-    b[k] /= a(k, k);
-    b.head(k) -= b[k] * a.col(k).head(k);
+    for (Eigen::Index k = n - 1; k >= 0; --k)
+    {
+      b(k, c) /= a(k, k);
+      b.col(c).head(k) -= b(k, c) * a.col(k).head(k);
+    }
   }
   return true;
 }

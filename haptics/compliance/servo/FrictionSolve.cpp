@@ -110,9 +110,10 @@ public:
     return false;
   }
 
-  /// How forces f, which meet the laws, answer a small displacement, with each contact as it is: open, stuck, slipping.
-  [[nodiscard]] bool answer(const ContactProblem::Numbers& f, const ContactProblem::Numbers& displaced,
-    ContactProblem::Numbers& answer) noexcept
+  /// How forces f, which meet the laws, answer small displacements, a column each, with each contact as it is: open,
+  /// stuck, slipping.
+  [[nodiscard]] bool answer(const ContactProblem::Numbers& f, const Eigen::Ref<const Eigen::MatrixXd>& displaced,
+    Eigen::Ref<Eigen::MatrixXd> answer) noexcept
   {
     (void)this->residual(f);
     this->findPressed(f);
@@ -120,18 +121,25 @@ public:
     for (int a = 0; a < this->pressed_; ++a)
     {
       const int c = this->list_[a];
-      this->room_.part.segment<3>(3 * a) = -(this->lawAt(c, f).ofMoved * displaced.segment<3>(3 * c));
+      const Mat3 ofMoved = this->lawAt(c, f).ofMoved;
+      for (Eigen::Index w = 0; w < displaced.cols(); ++w)
+      {
+        answer.col(w).segment<3>(3 * a) = -(ofMoved * displaced.col(w).segment<3>(3 * c));
+      }
     }
-    answer.setZero(f.size());
-    if (!solveInPlace(this->room_.jacobian, this->room_.part))
+    auto part = answer.topRows(3 * this->pressed_);
+    const bool regular = solveInPlace(this->room_.jacobian, part);
+    for (int c = this->p_.count - 1, a = this->pressed_ - 1; c >= 0; --c) // each to its own rows, from the last on
     {
-      return false;
+      const bool presses = regular && a >= 0 && this->list_[a] == c;
+      for (Eigen::Index w = 0; w < answer.cols(); ++w)
+      {
+        const Vec3 own = presses ? Vec3(answer.col(w).segment<3>(3 * a)) : Vec3(Vec3::Zero());
+        answer.col(w).segment<3>(3 * c) = own;
+      }
+      a -= presses ? 1 : 0;
     }
-    for (int a = 0; a < this->pressed_; ++a)
-    {
-      answer.segment<3>(3 * this->list_[a]) = this->room_.part.segment<3>(3 * a);
-    }
-    return true;
+    return regular;
   }
 
   void project(ContactProblem::Numbers& f) const noexcept
@@ -335,7 +343,7 @@ void solveFriction(
 }
 
 bool answerFriction(const ContactProblem& problem, FrictionRoom& room, const ContactForces& forces,
-  const ContactProblem::Numbers& displaced, ContactProblem::Numbers& answer_N) noexcept
+  const Eigen::Ref<const Eigen::MatrixXd>& displaced, Eigen::Ref<Eigen::MatrixXd> answer_N) noexcept
 {
   return FrictionSteps(problem, room).answer(forces.force_N, displaced, answer_N);
 }

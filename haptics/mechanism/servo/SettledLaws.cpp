@@ -49,12 +49,13 @@ void SettledLaws::makeRowsFirst() noexcept
 void SettledLaws::settle() noexcept
 {
   this->begin();
-  this->solve();
+  this->solve(LawStart::Bodies);
   for (int left = mostParts; left > 0 && this->mayGoOn(); --left)
   {
+    const bool freeStay = this->share_ >= 1.0;
     this->takeForces();
     this->goOn();
-    this->solve();
+    this->solve(freeStay ? LawStart::Before : LawStart::Bodies);
   }
 }
 
@@ -102,7 +103,7 @@ bool SettledLaws::isMet() const noexcept
   return newton && this->bent_u() <= bentFrom * this->plan_.lever_u;
 }
 
-void SettledLaws::solve() noexcept
+void SettledLaws::solve(LawStart start) noexcept
 {
   LawForces& forces = this->room_.forces;
   LawProblem& problem = this->room_.problem;
@@ -117,7 +118,7 @@ void SettledLaws::solve() noexcept
     forces.force_N[i] = row.along_W.dot(this->state_.laws[row.law].force_W);
   }
   const std::uint32_t left = lawWorkBudget - std::min(lawWorkBudget, this->work_);
-  solveLaws(problem, this->room_.solver, forces, left);
+  solveLaws(problem, this->room_.solver, forces, left, start);
   this->work_ += forces.work;
   this->takeMotions();
 }

@@ -57,7 +57,7 @@ public:
 
 private:
   void begin() noexcept;
-  void solve() noexcept;
+  void solve(LawStart start) noexcept;
   [[nodiscard]] bool mayGoOn() const noexcept;
   [[nodiscard]] bool isMet() const noexcept;
   [[nodiscard]] bool isSprung(int body) const noexcept;

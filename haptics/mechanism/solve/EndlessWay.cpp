@@ -14,6 +14,8 @@ constexpr double strongest = 1e5;
 /// By so much of it a contact is opened more than its friction asks, so that the search ends.
 constexpr double beyond = 1e-3;
 constexpr int mostSweeps = 40;
+/// Of the guess: a way that is led to less of it ends at none, or is far from the guess.
+constexpr double leastLeft = 1e-2;
 constexpr int perWork = 27; ///< multiply-adds to the unit of ContactPlan::workBudget
 
 /// A way of the free bodies, led to where no law without bounds resists it.
@@ -33,11 +35,13 @@ public:
       return false;
     }
     this->way_ /= size;
-    for (; this->sweeps_ < mostSweeps && !this->isCertificate(); ++this->sweeps_)
+    bool found = this->isCertificate();
+    for (; !found && this->sweeps_<mostSweeps&& this->way_.norm()> leastLeft; ++this->sweeps_)
     {
       this->sweep();
+      found = this->isCertificate();
     }
-    return this->isCertificate();
+    return found;
   }
 
   [[nodiscard]] int sweeps() const noexcept { return this->sweeps_; }

@@ -51,6 +51,14 @@ struct LawForces
   double unbalanced_N = 0.0; ///< of the bodies that nothing elastic holds
   std::uint32_t work = 0;    ///< done, in the unit of ContactPlan::workBudget
   bool capped = false;       ///< the laws are not met: the budget is used up, or nothing meets them
+  double damping = 0.0;      ///< of the last step towards balance; 0: there was none
+};
+
+/// Where the steps towards balance begin.
+enum class LawStart : std::uint8_t
+{
+  Bodies, ///< where the bodies are
+  Before, ///< where they ended in the problem before, which differs little
 };
 
 /// What the solver needs to work in: kept by who calls it.
@@ -65,12 +73,12 @@ struct LawRoom
   ContactProblem contacts;
   ContactForces contactForces;
   FrictionRoom friction;
-  ContactProblem::Numbers displaced;
-  ContactProblem::Numbers answer;
+  LawProblem::Ways displaced;
+  LawProblem::Ways answer;
 };
 
 /// What the solves of one tick may do together, in the unit of ContactPlan::workBudget: .5 ms on a machine where a
-/// needle in wall and liver takes 160 of it at most and a block that rubs on four springs 2,500
+/// needle in wall and liver takes 205 of it at most and a block that rubs on four springs 3,300
 /// (palpate-mechanism-bench). A turn that has begun is ended.
 inline constexpr std::uint32_t lawWorkBudget = 15000;
 
@@ -78,9 +86,9 @@ inline constexpr std::uint32_t lawWorkBudget = 15000;
 /// held rows leave them. The free ways are the multipliers of the balance: Newton's steps on it, damped by a drag that
 /// fades (Kelley & Keyes 1998), begin where the bodies are, so that of several places of rest friction decides for the
 /// one that they come to. No compliance stands for "free". Where `budget` ends it, or no place is one of rest, forces
-/// are within their bounds and bodies go by a step against that drag. Forces begin at those of `forces` for cones.
-/// Real-time safe.
-void solveLaws(
-  const LawProblem& problem, LawRoom& room, LawForces& forces, std::uint32_t budget = lawWorkBudget) noexcept;
+/// are within their bounds and bodies go by a step against that drag. Forces begin at those of `forces` for cones. A
+/// start `Before` that does not lead to balance at once is left for one where the bodies are. Real-time safe.
+void solveLaws(const LawProblem& problem, LawRoom& room, LawForces& forces, std::uint32_t budget = lawWorkBudget,
+  LawStart start = LawStart::Bodies) noexcept;
 
 } // namespace palpate

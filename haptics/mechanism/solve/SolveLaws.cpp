@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
-#include "haptics/compliance/servo/BoundedRows.h"
 #include "haptics/compliance/servo/DenseSolve.h"
+#include "haptics/mechanism/solve/BoundedLaws.h"
 #include "haptics/mechanism/solve/EndlessWay.h"
 #include "haptics/mechanism/solve/LawProblem.h"
 
@@ -24,6 +26,11 @@ constexpr double dampedMore = 10.0; ///< where a step has led further away
 constexpr double dampedMost = 0.1;  ///< then it is gone on from all the same
 constexpr double turnedMost = 0.5;  ///< share of the balance that a step follows by which it may turn round
 constexpr double dampedLeast = 1e-12;
+/// From where the problem before ended it is one step or two to balance: with more, what rubs has changed.
+constexpr int mostStepsOn = 4;
+constexpr int mostSteps = 1 << 20; ///< the budget ends it before
+/// From that step on it is asked whether there is a place of rest, ever more seldom.
+constexpr int firstAsked = 3, askedAgain = 2;
 
 /// Multiply-adds to the unit of ContactPlan::workBudget.
 constexpr int multiplyAddsPerWork = 27;
@@ -32,22 +39,6 @@ std::uint32_t workOf(int multiplyAdds) noexcept
 {
   return 1 + static_cast<std::uint32_t>(multiplyAdds / multiplyAddsPerWork);
 }
-
-/// All rows that have bounds; what cones and free ways add to their gaps is known.
-struct BoundedLaws
-{
-  static constexpr int most = LawProblem::most;
-
-  const LawProblem& problem;
-  const LawRoom& room;
-
-  [[nodiscard]] int count() const noexcept { return this->problem.bounded(); }
-  [[nodiscard]] double compliance(int i, int j) const noexcept { return this->room.stiffened(i, j); }
-  [[nodiscard]] double free(int i) const noexcept { return this->room.pressed[i]; }
-  [[nodiscard]] double lowest(int i) const noexcept { return this->problem.lowest[i]; }
-  [[nodiscard]] double highest(int i) const noexcept { return this->problem.highest[i]; }
-};
-using HeldLaws = BoundedRows<BoundedLaws>;
 
 /// The turns between rows, cones and free ways.
 class LawSolve
@@ -58,37 +49,79 @@ public:
   {
   }
 
-  void run() noexcept
+  void run(LawStart start) noexcept
   {
-    this->begin();
-    do
+    this->prepare();
+    if (start == LawStart::Before && this->f_.way_u.size() == this->p_.ways && this->f_.damping > 0.0)
     {
-      HeldLaws held(this->rows_);
-      if (!this->solveRows(held))
-      {
-        break;
-      }
-      if (this->p_.cones > 0 && !this->solveCones(held))
-      {
-        continue;
-      }
-      const LawProblem::Way open = this->balance();
-      if (this->isBalanced(open))
+      this->damped_ = this->f_.damping;
+      if (this->findBalance(mostStepsOn))
       {
         return this->finish(!this->conesAreMet());
       }
-      this->stepWays(held, open);
-      if (this->findsNoRest())
-      {
-        break;
-      }
-    } while (this->f_.work < this->budget_);
+    }
+    this->f_.way_u.setZero(this->p_.ways);
+    this->damped_ = dampedFirst;
+    if (this->findBalance(mostSteps))
+    {
+      return this->finish(!this->conesAreMet());
+    }
     this->yield();
     this->finish(true);
   }
 
 private:
-  void begin() noexcept
+  [[nodiscard]] bool findBalance(int most) noexcept
+  {
+    std::optional<HeldLaws> held;
+    this->askedAt_ = firstAsked;
+    for (this->steps_ = 0; this->solveAt(held);)
+    {
+      const LawProblem::Way open = this->balance();
+      if (this->isBalanced(open))
+      {
+        return true;
+      }
+      if (this->steps_ == most || this->f_.work >= this->budget_)
+      {
+        return false;
+      }
+      this->stepWays(*held, open);
+      if (most == mostSteps && this->findsNoRest())
+      {
+        return false;
+      }
+    }
+    return false;
+  }
+
+  /// Rows and cones where the bodies are now; false if they could not be ended.
+  [[nodiscard]] bool solveAt(std::optional<HeldLaws>& held) noexcept
+  {
+    held.emplace(this->rows_);
+    if (!this->solveRows(*held))
+    {
+      return false;
+    }
+    for (bool met = this->p_.cones == 0 || this->solveCones(*held); !met;)
+    {
+      if (this->f_.work >= this->budget_)
+      {
+        return false;
+      }
+      const HeldLaws::Bounds before = held->bounds();
+      held.emplace(this->rows_);
+      if (!this->solveRows(*held))
+      {
+        return false;
+      }
+      // What is held as before answers the cones as these have reckoned with.
+      met = (held->isHeldAs(before) && this->conesAreMet()) || this->solveCones(*held);
+    }
+    return true;
+  }
+
+  void prepare() noexcept
   {
     // On the balance this adds nothing: it only keeps what resists no way from being without end.
     this->room_.stiffened = this->p_.compliance;
@@ -96,7 +129,6 @@ private:
     {
       this->room_.stiffened += this->p_.yield_u_per_N * this->p_.along.lazyProduct(this->p_.along.transpose());
     }
-    this->f_.way_u.setZero(this->p_.ways);
     this->f_.force_N.conservativeResizeLike(LawProblem::Numbers::Zero(this->p_.count));
     this->f_.force_N.head(this->p_.bounded()).setZero();
     this->f_.work = 0;
@@ -157,10 +189,10 @@ private:
   void stepWays(const HeldLaws& held, const LawProblem::Way& open) noexcept
   {
     const double off_N = open.norm();
-    if (this->damped_ == 0.0)
+    if (this->steps_ == 0)
     {
       this->firstForce_N_ = this->f_.force_N;
-      this->damped_ = dampedFirst;
+      this->length_u_ = 0.0;
     }
     else if (this->wasTooFar(open))
     {
@@ -179,14 +211,15 @@ private:
     this->goAlong();
   }
 
-  /// Asked seldom, by the third, sixth, twelfth step: most bodies have come to rest before.
+  /// Asked seldom, and where steps get longer: a body that comes to rest goes ever shorter ones.
   [[nodiscard]] bool findsNoRest() noexcept
   {
-    if (++this->steps_ < this->askedAt_)
+    const double before_u = std::exchange(this->length_u_, this->step_u_.norm());
+    if (this->steps_ < this->askedAt_ || this->length_u_ <= before_u)
     {
       return false;
     }
-    this->askedAt_ *= 2;
+    this->askedAt_ *= askedAgain;
     return isEndless(this->p_, this->step_u_, this->f_.work);
   }
 
@@ -208,6 +241,7 @@ private:
     this->step_u_ =
       regular ? LawProblem::Way(this->room_.friction.part) : LawProblem::Way(this->open_N_ / drag_N_per_u);
     this->f_.way_u += this->step_u_;
+    ++this->steps_;
   }
 
   /// How the laws resist each free way: the held rows, then the cones in what these leave them.
@@ -229,10 +263,10 @@ private:
       {
         this->room_.resists.col(w) += x[k] * this->p_.along.row(rows[k]).transpose();
       }
-      if (this->p_.cones > 0)
-      {
-        this->resistByCones(w);
-      }
+    }
+    if (this->p_.cones > 0)
+    {
+      this->resistByCones();
     }
     // What turns do to forces goes through the yield as every other force does.
     this->room_.held = this->p_.turns;
@@ -241,25 +275,27 @@ private:
     this->spend(ways * (n * (n + ways) + ways * ways));
   }
 
-  void resistByCones(int way) noexcept
+  void resistByCones() noexcept
   {
     const int cones = 3 * this->p_.cones;
-    ContactProblem::Numbers& displaced = this->room_.displaced;
-    displaced.resize(cones);
+    LawProblem::Ways& displaced = this->room_.displaced;
+    displaced.resize(cones, this->p_.ways);
+    this->room_.answer.resize(cones, this->p_.ways);
     for (int i = 0; i < cones; ++i)
     {
-      displaced[i] = this->unit(i) * this->room_.conesWays(i, way);
+      displaced.row(i) = this->unit(i) * this->room_.conesWays.row(i);
     }
-    ContactForces& found = this->room_.contactForces;
-    if (answerFriction(this->room_.contacts, this->room_.friction, found, displaced, this->room_.answer))
+    (void)answerFriction(
+      this->room_.contacts, this->room_.friction, this->room_.contactForces, displaced, this->room_.answer);
+    for (int w = 0; w < this->p_.ways; ++w)
     {
       for (int i = 0; i < cones; ++i)
       {
-        this->room_.resists.col(way) -=
-          this->unit(i) * this->room_.answer[i] * this->room_.conesWays.row(i).transpose();
+        this->room_.resists.col(w) -=
+          this->unit(i) * this->room_.answer(i, w) * this->room_.conesWays.row(i).transpose();
       }
     }
-    this->spend(cones * cones * (cones / 3 + 2));
+    this->spend(cones * cones * (cones / 3 + 2) + 2 * cones * this->p_.ways * (cones + this->p_.ways));
   }
 
   /// How the cones' rows move under forces on themselves and with the ways, all other laws held as they are.
@@ -350,7 +386,7 @@ private:
   /// on. So one that nothing stops slides, and no further in a tick than its load makes it.
   void yield() noexcept
   {
-    if (this->damped_ > 0.0)
+    if (this->steps_ > 0)
     {
       this->f_.force_N = this->firstForce_N_;
       this->f_.way_u.setZero();
@@ -360,6 +396,7 @@ private:
   void finish(bool capped) noexcept
   {
     this->f_.capped = capped;
+    this->f_.damping = this->steps_ > 0 ? this->damped_ : 0.0;
     const LawProblem::Way open = this->balance();
     this->f_.unbalanced_N = this->p_.ways > 0 ? open.lpNorm<Eigen::Infinity>() : 0.0;
     this->f_.way_u += this->p_.yield_u_per_N * open; // as `stiffened` has it
@@ -379,10 +416,11 @@ private:
   LawForces& f_;
   std::uint32_t budget_;
   BoundedLaws rows_;
-  double damped_ = 0.0; ///< how much the last step was; 0: there has been none
+  double damped_ = 0.0; ///< how much the last step was, or the first one is
   double off_N_ = 0.0;  ///< balance where that began
   int steps_ = 0;
-  int askedAt_ = 3; ///< by which step it is asked next whether there is a place of rest
+  int askedAt_ = 0;       ///< by which step it is asked next whether there is a place of rest
+  double length_u_ = 0.0; ///< of the last step
   LawProblem::Way open_N_;
   LawProblem::Way step_u_;
   LawProblem::Numbers firstForce_N_; ///< where the bodies are where they were
@@ -403,9 +441,10 @@ void LawProblem::resize(int rows, int freeWays) noexcept
   this->turns.setZero(freeWays, freeWays);
 }
 
-void solveLaws(const LawProblem& problem, LawRoom& room, LawForces& forces, std::uint32_t budget) noexcept
+void solveLaws(
+  const LawProblem& problem, LawRoom& room, LawForces& forces, std::uint32_t budget, LawStart start) noexcept
 {
-  LawSolve(problem, room, forces, budget).run();
+  LawSolve(problem, room, forces, budget).run(start);
 }
 
 } // namespace palpate
