@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/tool/motion/Turn.h"
+#include "testing/oracles/statics/HeldRod.h"
 #include "testing/support/MechanismRig.h"
 
 namespace palpate::test
@@ -39,14 +40,28 @@ TEST_F(Laws, AContactPushesByTheSpringsInSeriesAndNeverPulls)
   EXPECT_EQ(out.residual_u, 0.0);
 }
 
-TEST_F(Laws, AnAttachmentHoldsThePointAsTheLeverOfTheRodLetsIt)
+/// Where the rod of that hand rests with a law of so many coordinates of its own added to the energy of the springs.
+template<class Law>
+Eigen::VectorXd restOf(const HeldRod& rod, int more, const Law& law)
+{
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(6 + more);
+  EXPECT_TRUE(
+    FiniteStatics::makeStationary([&](const FiniteStatics::Coordinates& c) { return rod.energy(c) + law(c); }, z));
+  return z;
+}
+
+TEST_F(Laws, AnAttachmentHoldsThePointAsTheRodLeans)
 {
   this->rig.join(LawKind::Attachment, "world", tip, tip);
-  const Vec3 hand(2e-8, 0.0, 1e-8); // the formulas are those of small turns: TestFiniteTurns has the others
+  const Pose hand{ Vec3(2e-3, 0.0, 1e-3), turnBy(Vec3(0.05, -0.02, 0.1)) };
   const MechanismResult& r = this->rig.step(hand);
-  EXPECT_NEAR(r.wrench_W.force.x(), -hand.x() / (1.0 / kc + length * length / kr), 1e-12);
-  EXPECT_NEAR(r.wrench_W.force.z(), -hand.z() * kc, 1e-12);
-  EXPECT_NEAR(r.wrench_W.torque.y(), length * r.wrench_W.force.x(), 1e-12);
+  const HeldRod rod{ hand.p, hand.q, kc, kr };
+  const auto pin = [&](const FiniteStatics::Coordinates& z)
+  { return kc * dot(FiniteStatics::vectorOf(z, 6), rod.point(z, tip) - tip); };
+  const Eigen::VectorXd z = restOf(rod, 3, pin);
+  EXPECT_LE((r.wrench_W.force - rod.force(z)).norm(), 1e-11);
+  EXPECT_LE((r.wrench_W.torque - rod.moment(z)).norm(), 1e-12);
+  EXPECT_LE((r.pose_W[0].p + r.pose_W[0].q * tip - tip).norm(), 1e-15);
   EXPECT_LE(r.residual_u, 1e-15);
 }
 
@@ -54,12 +69,18 @@ TEST_F(Laws, AHingeHoldsPointAndAxisAndLeavesTheTurnAboutIt)
 {
   MechanismLaw& law = this->rig.join(LawKind::Hinge, "world", Vec3::Zero(), Vec3::Zero());
   law.axis_A = law.axis_B = Vec3::UnitX();
-  const Vec3 turn(1e-6, 2e-6, -3e-6); // so small that its squares are below rounding
-  const MechanismResult& r = this->rig.step(Pose{ Vec3::Zero(), turnBy(turn) });
-  EXPECT_NEAR(r.wrench_W.torque.x(), 0.0, 1e-15);
-  EXPECT_NEAR(r.wrench_W.torque.y(), -kr * turn.y(), 1e-9 * kr * turn.norm() + 1e-11);
-  EXPECT_NEAR(r.wrench_W.torque.z(), -kr * turn.z(), 1e-9 * kr * turn.norm() + 1e-11);
-  EXPECT_NEAR(rotationVector(r.pose_W[0].q).x(), turn.x(), 1e-15);
+  const Pose hand{ Vec3::Zero(), turnBy(Vec3(0.1, 0.2, -0.3)) };
+  const MechanismResult& r = this->rig.step(hand);
+  const HeldRod rod{ hand.p, hand.q, kc, kr };
+  const auto pin = [&](const FiniteStatics::Coordinates& z)
+  {
+    const JetVector axis = rod.direction(z, Vec3::UnitX());
+    return kc * dot(FiniteStatics::vectorOf(z, 6), rod.point(z, Vec3::Zero())) + kr * (z[9] * axis.y + z[10] * axis.z);
+  };
+  const Eigen::VectorXd z = restOf(rod, 5, pin);
+  EXPECT_LE((r.wrench_W.torque - rod.moment(z)).norm(), 1e-12);
+  EXPECT_NEAR(r.wrench_W.torque.x(), 0.0, 1e-12) << "about the axis nothing holds it";
+  EXPECT_NEAR(rotationVector(r.pose_W[0].q).tail<2>().norm(), 0.0, 1e-14);
   EXPECT_LE(r.residual_u, 1e-15);
 }
 
@@ -67,15 +88,19 @@ TEST_F(Laws, ASliderLeavesTheWayAlongItsAxisAndTheTurnAboutIt)
 {
   MechanismLaw& law = this->rig.join(LawKind::Slider, "world", Vec3::Zero(), Vec3::Zero());
   law.axis_A = law.axis_B = Vec3::UnitZ();
-  const Vec3 turn(1e-6, 0.0, 5e-6);
-  const Vec3 hand(1e-3, -2e-3, 7e-3);
-  const MechanismResult& r = this->rig.step(Pose{ hand, turnBy(turn) });
-  EXPECT_NEAR(r.wrench_W.force.x(), -kc * hand.x(), 1e-12);
-  EXPECT_NEAR(r.wrench_W.force.y(), -kc * hand.y(), 1e-12);
-  EXPECT_NEAR(r.wrench_W.force.z(), 0.0, 1e-12);
-  EXPECT_NEAR(r.wrench_W.torque.x(), -kr * turn.x(), 1e-11);
+  const Pose hand{ Vec3(1e-3, -2e-3, 7e-3), turnBy(Vec3(0.1, -0.05, 0.3)) };
+  const MechanismResult& r = this->rig.step(hand);
+  const HeldRod rod{ hand.p, hand.q, kc, kr };
+  const auto rail = [&](const FiniteStatics::Coordinates& z)
+  {
+    const JetVector axis = rod.direction(z, Vec3::UnitZ());
+    return kr * (z[6] * axis.x + z[7] * axis.y) + kc * (z[8] * z[0] + z[9] * z[1]);
+  };
+  const Eigen::VectorXd z = restOf(rod, 4, rail);
+  EXPECT_LE((r.wrench_W.force - Vec3(-kc * hand.p.x(), -kc * hand.p.y(), 0.0)).norm(), 1e-12);
+  EXPECT_LE((r.wrench_W.torque - rod.moment(z)).norm(), 1e-12);
   EXPECT_NEAR(r.wrench_W.torque.z(), 0.0, 1e-12);
-  EXPECT_NEAR(r.pose_W[0].p.z(), hand.z(), 1e-15);
+  EXPECT_NEAR(r.pose_W[0].p.z(), hand.p.z(), 1e-15);
   EXPECT_LE(r.residual_u, 1e-15);
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A block that nothing but the balance of forces holds stands on four springs that it rubs on, and a needle pushes it.
 #include <cmath>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
 #include "haptics/tool/motion/Turn.h"
+#include "testing/oracles/statics/HeldRod.h"
 #include "testing/support/MechanismRig.h"
 
 namespace palpate::test
@@ -256,24 +258,48 @@ MechanismResult standAside(double turning_Nm_per_rad, double friction, double de
   return rig.step(Vec3(aside, 0.0, depth));
 }
 
+/// Where such a rod leans to rest in a hand that turns it: coordinates of the finite turn, the friction along x, and
+/// whether it slips. Before, the hand had it straight above its tip.
+std::tuple<Eigen::VectorXd, double, bool> restAside(double friction, double depth, double aside)
+{
+  const Vec3 tipAt(0.0, 0.0, pusher);
+  const HeldRod rod{ Vec3(aside, 0.0, depth), Quat::Identity(), kc, kr };
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(7);
+  const auto under = [&](const Vec3& rubs)
+  {
+    const auto energy = [&](const FiniteStatics::Coordinates& c)
+    {
+      const JetVector apart = rod.point(c, tipAt) - tipAt;
+      const Jet push = kc * c[6];
+      return rod.energy(c) + push * apart.z - 0.5 / springOfFoot * push * push - dot(rubs, apart);
+    };
+    EXPECT_TRUE(FiniteStatics::makeStationary(energy, z));
+    const Vec3 tip = z.head<3>() + turnBy(z.segment<3>(3)) * tipAt;
+    const Vec3 slip(tip.x() + rubs.x() / springOfFoot, tip.y() + rubs.y() / springOfFoot, 0.0);
+    return Rubbed{ slip, friction * kc * z[6] };
+  };
+  const Vec3 rubs = frictionAt(Vec3::Zero(), 1.0 / kc + pusher * pusher / kr + 1.0 / springOfFoot, under);
+  const double most = under(rubs).most;
+  return { z, rubs.x(), rubs.norm() > (1.0 - 1e-9) * most };
+}
+
 TEST(RubbingRod, WhoseTurnIsFreePushesOnlyAlongItselfAndOneThatIsTurnedIsHeldAsideUpToItsFriction)
 {
   const double depth = 2e-3, friction = 0.4;
   const double pushes_N = depth / (1.0 / kc + 1.0 / springOfFoot);
-  for (const double aside : { 0.5e-3, 5e-3 })
+  for (const double aside : { 1e-3, 5e-3 })
   {
     const MechanismResult free = standAside(0.0, friction, depth, aside);
     EXPECT_FALSE(free.capped);
     EXPECT_LE((free.exact_W.force + pushes_N * Vec3::UnitZ()).norm(), 1e-12) << "no moment holds it aside";
     EXPECT_LE(free.exact_W.torque.norm(), 1e-13);
-    const double upright = 1e12; // of a rod that leans TestFiniteTurns knows the force
-    const MechanismResult turned = standAside(upright, friction, depth, aside);
-    // Lever, hand and floor in series.
-    const double led_N = aside / (1.0 / kc + pusher * pusher / upright + 1.0 / springOfFoot);
-    const double held_N = std::min(led_N, friction * pushes_N);
-    EXPECT_LE((turned.exact_W.force + Vec3(held_N, 0.0, pushes_N)).norm(), 1e-12);
-    EXPECT_NEAR(turned.exact_W.torque.y(), -pusher * held_N, 1e-12);
-    EXPECT_EQ(turned.laws[0].phase, led_N > held_N ? LawPhase::Slips : LawPhase::Closed);
+    const MechanismResult turned = standAside(kr, friction, depth, aside);
+    const auto [z, rubs_N, slips] = restAside(friction, depth, aside);
+    const HeldRod rod{ Vec3(aside, 0.0, depth), Quat::Identity(), kc, kr };
+    EXPECT_LE((turned.exact_W.force - rod.force(z)).norm(), 1e-11);
+    EXPECT_LE((turned.exact_W.torque - rod.moment(z)).norm(), 1e-12);
+    EXPECT_NEAR(turned.exact_W.force.x(), rubs_N, 1e-11);
+    EXPECT_EQ(turned.laws[0].phase, slips ? LawPhase::Slips : LawPhase::Closed);
   }
 }
 

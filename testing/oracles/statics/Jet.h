@@ -64,6 +64,7 @@ struct JetVector
 
   friend JetVector operator+(const JetVector& a, const JetVector& b) { return { a.x + b.x, a.y + b.y, a.z + b.z }; }
   friend JetVector operator-(const JetVector& a, const JetVector& b) { return { a.x - b.x, a.y - b.y, a.z - b.z }; }
+  friend JetVector operator*(double s, const JetVector& a) { return { s * a.x, s * a.y, s * a.z }; }
   friend JetVector operator*(const Jet& s, const JetVector& a) { return { s * a.x, s * a.y, s * a.z }; }
   friend JetVector operator-(const JetVector& a, const Eigen::Vector3d& b)
   {
@@ -74,6 +75,10 @@ struct JetVector
 [[nodiscard]] inline Jet dot(const JetVector& a, const JetVector& b)
 {
   return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+[[nodiscard]] inline Jet dot(const Eigen::Vector3d& a, const JetVector& b)
+{
+  return a.x() * b.x + a.y() * b.y + a.z() * b.z;
 }
 [[nodiscard]] inline JetVector cross(const JetVector& a, const JetVector& b)
 {
