@@ -210,8 +210,23 @@ std::string MechanismWorker::plan(const Order& order)
 void MechanismWorker::listen()
 {
   MechanismHand hand = this->links_.hand.read();
-  hand.pressCount = hand.plan == this->plan_.revision ? hand.pressCount : 0;
+  const bool ofThese = hand.plan == this->plan_.revision;
+  hand.pressCount = ofThese ? hand.pressCount : 0;
   this->bodies_->tell(hand);
+  this->watchOverlaps(ofThese ? &hand : nullptr);
+}
+
+/// Where the hand holds nothing of this plan no body is anywhere.
+void MechanismWorker::watchOverlaps(const MechanismHand* hand)
+{
+  std::vector<BodyPair> overlaps;
+  if (hand)
+  {
+    overlaps =
+      this->watch_.look(this->now_.choice.inputs->mechanism, this->bodies_->newestNamed(), hand->pose_W, hand->phases);
+  }
+  const std::lock_guard lock(this->mutex_);
+  this->status_.overlaps = std::move(overlaps);
 }
 
 /// Told to the owner first: what the servo takes must be there for a recording. `all`: none of the bodies has failed.

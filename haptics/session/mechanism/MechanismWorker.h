@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/mechanism/check/BodiesOverlap.h"
 #include "haptics/mechanism/servo/FeltMechanism.h"
 #include "haptics/realtime/SnapshotMailbox.h"
 #include "haptics/realtime/TripleBuffer.h"
@@ -38,9 +39,10 @@ struct MechanismLinks
 /// How a mechanism is, for a person to see.
 struct MechanismStatus
 {
-  std::string problem;   ///< why it cannot be felt, or its bodies do not give way any more; "": it can
-  bool building = false; ///< it is meant to be felt and is not there yet
-  MechanismCheck check;  ///< what it becomes
+  std::string problem;            ///< why it cannot be felt, or its bodies do not give way any more; "": it can
+  bool building = false;          ///< it is meant to be felt and is not there yet
+  MechanismCheck check;           ///< what it becomes
+  std::vector<BodyPair> overlaps; ///< bodies that share room where they are felt, though no law between them holds
   std::uint64_t packets = 0;
   std::uint64_t plan = 0;     ///< revision of the one that the servo is given; 0: none
   std::vector<SeenBody> soft; ///< of that, in the order of its inputs
@@ -81,6 +83,7 @@ private:
   [[nodiscard]] std::string plan(const Order& order);
   [[nodiscard]] MechanismCheck judge(const Order& order) const;
   void listen();
+  void watchOverlaps(const MechanismHand* hand);
   void publish(bool all);
 
   MechanismLinks& links_;
@@ -98,6 +101,7 @@ private:
   bool stopped_ = false;                   ///< before its bodies were built
   std::vector<MechanismSoftInput> madeOf_; ///< the bodies, in use or kept for the next mechanism
   std::unique_ptr<MechanismBodies> bodies_;
+  OverlapWatch watch_;
   MechanismPlan plan_;         ///< revision 0: none is felt
   std::uint64_t plans_ = 0;    ///< so many were made
   std::uint64_t revision_ = 0; ///< of the last that was published
