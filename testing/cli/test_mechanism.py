@@ -79,6 +79,45 @@ class Mechanism(CommandLineTest):
         steps = [abs(b["force_z"] - a["force_z"]) for a, b in zip(rows, rows[1:])]
         self.assertLessEqual(max(steps), MOST_STEP + step, "what pierces is spread")
 
+    def test_a_needle_in_a_wall_that_no_law_of_it_holds_is_said_once_as_it_comes_there(self):
+        scene = json.loads((SCENES / "needle.json").read_text())
+        wall, tip = -8, 150
+        ways = [(0, 0, wall - tip - 1 + 0.05 * i) for i in range(60)]  # 1 mm before the wall, to 2 mm in it
+        options = ("--stiffness", 1000, "--scale", 1000, "--torque-stiffness", 5, "--low-rate", 100)
+        _, said = self.touch(self.scene("needle.json"), ways, *options)
+        self.assertNotIn("overlap", said)
+        scene["laws"] = [law for law in scene["laws"] if law["name"] != "skin"]
+        self.write("open.json", json.dumps(scene))
+        _, said = self.touch("open.json", ways, *options)
+        lines = [line for line in said.splitlines() if "overlap" in line]
+        self.assertEqual(len(lines), 1, said)
+        self.assertIn('s: bodies "needle" and "wall" overlap: no law between them holds', lines[0])
+        self.assertAlmostEqual(float(lines[0].split()[1]), 1 / 0.05 * 1e-3, delta=2e-3)
+
+    def test_a_needle_dents_a_body_by_its_own_width_and_not_by_the_edges_of_the_mesh(self):
+        """A block of 80 x 80 x 40 mm, 20 kPa, Poisson's ratio .4, held below; the needle is 1.2 mm wide."""
+        young, poisson, radius, held, deep = 20e3, 0.4, 0.6e-3, 1000.0, 3e-3
+        # The mean under a paraboloid of pressure on a half space is .65875 of (1 - nu^2) / (E r).
+        on_half_space = 0.65875 * (1 - poisson**2) / (young * radius)
+        face, tip = 18, 150
+        ways = [(0, 0, face - tip + z) for z in (-1, -0.5, 1e3 * deep)]
+        yields = {}
+        for edge in (20, 13.4, 10, 8):
+            scene = json.loads((SCENES / "needle.json").read_text())
+            scene["bodies"] = [body for body in scene["bodies"] if body["name"] != "wall"]
+            scene["laws"] = [law for law in scene["laws"] if law["b"] == "liver"]
+            scene["bodies"][1].update(edge=edge)
+            self.write("edge.json", json.dumps(scene))
+            rows, _ = self.touch("edge.json", ways, "--stiffness", held, "--scale", 1000, "--torque-stiffness", 5, "--low-rate", 0)
+            yields[edge] = deep / -rows[-1]["force_z"] - 1 / held
+            self.assertAlmostEqual(yields[edge] / on_half_space, 1, delta=0.1)  # its depth takes some
+        for edge, given in yields.items():
+            self.assertAlmostEqual(given / yields[8], 1, delta=0.02, msg=f"edges of {edge} mm: {yields}")
+        scene["bodies"][1].update(tip_diameter=2.4)
+        self.write("wide.json", json.dumps(scene))
+        rows, _ = self.touch("wide.json", ways, "--stiffness", held, "--scale", 1000, "--torque-stiffness", 5, "--low-rate", 0)
+        self.assertAlmostEqual((deep / -rows[-1]["force_z"] - 1 / held) / (0.5 * on_half_space), 1, delta=0.1)
+
     def test_what_a_mechanism_becomes_is_told_to_people_and_programs(self):
         for name, least in (("lever.json", 2), ("drawer.json", 8), ("hinge.json", 8), ("suture.json", 3), ("needle.json", 2)):
             told = json.loads(self.succeed("check", self.scene(name), "--json").stdout)

@@ -299,6 +299,21 @@ TEST_F(MechanismShown, OtherLawsOfTheSameBodiesLeaveThemWhereTheyAreSeenUntilThe
   EXPECT_LE(this->shown_->GetPointData()->GetArray("Displacement")->GetMaxNorm(), 1e-9) << "nothing joins them now";
 }
 
+TEST_F(MechanismShown, TheTextNamesABodyThatTheNeedlePassesThroughAsLongAsItDoes)
+{
+  this->hold(R"({ "name": "string", "kind": "spring", "a": "needle", "b": "plate", "axis_b": [0, 0, 1],
+    "point_a": [0, 0, 40], "point_b": [0, 0, 85], "stiffness_N_per_m": 1 })",
+    face - 5.0);
+  const std::string said = "now bodies \"needle\" and \"tissue\" overlap: no law between them holds";
+  const auto text = [this] { return std::string(this->session_->GetMechanismText()); };
+  this->press(Vec3(0, 0, 1.0));
+  EXPECT_EQ(text().find("overlap"), std::string::npos) << text();
+  this->press(Vec3(0, 0, 9.0));
+  EXPECT_NE(text().find(said), std::string::npos) << text();
+  this->press(Vec3(0, 0, -9.0));
+  EXPECT_EQ(text().find("overlap"), std::string::npos) << text();
+}
+
 TEST_F(MechanismShown, WhatIsHeldIsSolidWhereItIsFeltAGhostWhereTheHandIsAndABallWhereTheHandWas)
 {
   this->hold(thread, face);

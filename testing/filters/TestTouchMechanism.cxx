@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "VtkScenes.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkHapticMechanism.h"
 #include "vtkHapticMechanismFile.h"
@@ -96,6 +97,37 @@ TEST(TouchMechanism, AHandThatLeavesTheTurnFreeFeelsTheSpringsInSeriesAndNoTorqu
   const double felt = springs[0] * (1.0 - arms[0] * slope) + springs[1] * (1.0 - arms[1] * slope);
   EXPECT_NEAR(last(*touch, "Force"), -aside / (1.0 / held + 1.0 / felt), 1e-6);
   EXPECT_NEAR(last(*touch, "Torque", 1), 0.0, 1e-12);
+}
+
+TEST(TouchMechanism, ANeedleThatPassesThroughAWallThatNoLawJoinsItToIsSaid)
+{
+  std::ifstream stream(std::string(PALPATE_DATA_MECHANISMS) + "/needle.json");
+  std::string text{ std::istreambuf_iterator<char>(stream), {} };
+  const std::string file = std::string(::testing::TempDir()) + "palpate-open.json";
+  const std::size_t skin = text.find("\"b\": \"wall\"");
+  ASSERT_NE(skin, std::string::npos);
+  text.replace(skin, 11, "\"b\": \"liver\""); // both laws are the liver's
+  std::ofstream(file) << text;
+  vtkNew<vtkHapticMechanism> source;
+  source->SetFileName(file);
+  source->Update();
+  const auto touch = touchOf(*source, 0.0);
+  std::vector<Vec3> path;
+  for (int i = 0; i < 40; ++i)
+  {
+    path.emplace_back(0.0, 0.0, -8.0 - 150.0 + 0.1 * (i - 20) + 0.05); // the wall begins at -8
+  }
+  touch->SetPathData(makePath(path));
+  touch->SetScale(1000.0);
+  std::string said;
+  const auto observer = vtkSmartPointer<vtkCallbackCommand>::New();
+  observer->SetClientData(&said);
+  observer->SetCallback([](vtkObject*, unsigned long, void* all, void* line)
+    { *static_cast<std::string*>(all) += static_cast<const char*>(line); });
+  touch->AddObserver(vtkCommand::WarningEvent, observer);
+  touch->Update();
+  std::filesystem::remove(file);
+  EXPECT_THAT(said, HasSubstr("In 20 rows bodies \"needle\" and \"wall\" overlap: no law between them holds."));
 }
 
 TEST(TouchMechanism, WhatASceneFileLacksAndWhatAMechanismDoesNotFeelIsSaid)

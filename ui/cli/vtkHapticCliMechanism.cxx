@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mechanisms: bodies and the laws that join them, from a scene file.
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -107,6 +108,19 @@ void TellEvents(const palpate::Mechanism& mechanism, const palpate::MechanismRes
               << vtkHapticCliSaid(event.change) << " at " << event.force_N << " N\n";
   }
 }
+
+/// Each pair when it begins to overlap.
+void TellOverlaps(const std::vector<palpate::BodyPair>& now, std::vector<palpate::BodyPair>& before, double time_s)
+{
+  for (const palpate::BodyPair& pair : now)
+  {
+    if (std::ranges::find(before, pair) == before.end())
+    {
+      std::cerr << "palpate: " << time_s << " s: " << palpate::overlapText(pair) << '\n';
+    }
+  }
+  before = now;
+}
 } // namespace
 
 int vtkHapticCliCheckMechanism(const vtkHapticCliCheckOptions& options)
@@ -144,12 +158,14 @@ int vtkHapticCliTouchMechanism(const vtkHapticCliTouchOptions& options)
   vtkHapticCliWriteHeader(output, MechanismColumns(read.Inputs->mechanism));
   vtkHapticCliStopwatch stopwatch;
   int capped = 0;
+  std::vector<palpate::BodyPair> overlaps;
   for (const vtkHapticCliPathRow& row : path)
   {
     stopwatch.Start();
     const palpate::MechanismResult result = touch->next(row.Time_s, row.Pose_W);
     WriteMechanism(output, row, touch->plan(), result, stopwatch.Cost_us());
     TellEvents(read.Inputs->mechanism, result, row.Time_s);
+    TellOverlaps(touch->overlaps(), overlaps, row.Time_s);
     capped += result.capped ? 1 : 0;
   }
   if (capped > 0)

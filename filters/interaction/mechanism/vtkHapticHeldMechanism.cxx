@@ -295,6 +295,10 @@ std::string vtkHapticHeldMechanism::Sentence(const palpate::MechanismStatus& sta
   {
     text += (text == this->Name ? ": " : "; ") + line;
   }
+  for (const palpate::BodyPair& pair : status.overlaps)
+  {
+    text += "; now " + palpate::overlapText(pair);
+  }
   return text + (this->Now.capped ? "; its laws were not met within a tick's work" : "");
 }
 

@@ -142,6 +142,19 @@ void CheckHead(const Node& root)
   }
 }
 
+/// What nobody has given a tip is pressed with one as wide as the rod in the hand, not as the mesh happens to be.
+void PressByHeld(palpate::MechanismInputs& inputs)
+{
+  for (const palpate::MechanismBody& body : inputs.mechanism.bodies)
+  {
+    for (palpate::MechanismSoftInput& soft : inputs.soft)
+    {
+      const bool presses = body.kind == palpate::MechanismBodyKind::Held && soft.tip_u == 0.0;
+      soft.tip_u = presses ? 0.5 * body.diameter_u : soft.tip_u;
+    }
+  }
+}
+
 vtkHapticMechanismResult Build(
   const Node& root, const std::string& folder, const std::vector<palpate::MechanismSoftInput>& read)
 {
@@ -170,6 +183,7 @@ vtkHapticMechanismResult Build(
     result.SoftGrids.push_back(made.Grid);
   }
   inputs->soft = read.empty() ? inputs->soft : read;
+  PressByHeld(*inputs);
   for (const Node& node : root.List("laws"))
   {
     inputs->mechanism.laws.push_back(LawOf(node, inputs->unit_m));

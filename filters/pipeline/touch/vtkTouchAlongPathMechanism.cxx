@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // With what a mechanism holds in the hand.
+#include <map>
 #include <memory>
 
 #include "haptics/session/mechanism/MechanismTouch.h"
@@ -99,6 +100,7 @@ bool vtkTouchAlongPath::TouchMechanism(vtkDataObject& data, const vtkHapticHandP
   const std::size_t count = path.Points_W.size();
   MechanismRows rows(count, touch->plan(), read.Inputs->mechanism);
   int capped = 0;
+  std::map<palpate::BodyPair, int> overlaps; // in how many rows
   for (std::size_t i = 0; i < count; ++i)
   {
     if (!this->Goes(static_cast<double>(i) / static_cast<double>(count)))
@@ -108,12 +110,20 @@ bool vtkTouchAlongPath::TouchMechanism(vtkDataObject& data, const vtkHapticHandP
     const palpate::Pose hand_W = path.Hand(i);
     const palpate::MechanismResult result = touch->next(path.Times[i], hand_W);
     capped += result.capped ? 1 : 0;
+    for (const palpate::BodyPair& pair : touch->overlaps())
+    {
+      ++overlaps[pair];
+    }
     rows.Set(i, path.Times[i], hand_W, result);
   }
   rows.MoveTo(output);
   if (capped > 0)
   {
     vtkWarningMacro("In " << capped << " rows the laws were not met within a tick's work.");
+  }
+  for (const auto& [pair, count] : overlaps)
+  {
+    vtkWarningMacro("In " << count << " rows " << palpate::overlapText(pair) << '.');
   }
   return true;
 }

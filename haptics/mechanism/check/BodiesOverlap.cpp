@@ -119,6 +119,29 @@ Vec3 insideOf(const PressedBody& body)
   return surfaceOf(body).mesh().vertices_W.front();
 }
 
+/// A held rod, from the hand to its tip.
+struct Rod
+{
+  Edge line;
+};
+
+std::vector<Edge> edgesOf(const Rod& rod)
+{
+  return { rod.line };
+}
+bool passes(const Rod&, const Edge&)
+{
+  return false; // a line has no inside
+}
+bool isIn(const Rod&, const Vec3&)
+{
+  return false;
+}
+Vec3 insideOf(const Rod& rod)
+{
+  return rod.line.from_W;
+}
+
 template<class A, class B>
 bool overlap(const A& a, const B& b)
 {
@@ -129,31 +152,116 @@ bool overlap(const A& a, const B& b)
 
 } // namespace
 
-std::vector<std::pair<std::string, std::string>> overlapsOf(
-  const Mechanism& mechanism, std::span<const MechanismSoft> soft)
+namespace
 {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  const auto visit = [&soft](const MechanismBody& body, const auto& with)
+
+/// Bodies as they are looked at: each where it is, and of those that a rod or a box does not stand for their surface.
+class Looked
+{
+public:
+  Looked(const Mechanism& mechanism, std::span<const MechanismSoft> soft) : mechanism_(mechanism), soft_(soft) {}
+
+  /// Calls `with` for each two of them whose kinds are wanted; where it says that they overlap they are a pair.
+  template<class Wanted>
+  [[nodiscard]] std::vector<BodyPair> pairs(const Wanted& wanted) const
   {
-    const MechanismSoft* named = softNamed(soft, body.name);
-    return body.kind == MechanismBodyKind::Rigid                          ? with(body)
-           : body.kind == MechanismBodyKind::Soft && named && named->body ? with(*named->body)
-                                                                          : false;
-  };
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i)
-  {
-    for (std::size_t j = 0; j < i; ++j)
+    std::vector<BodyPair> pairs;
+    const auto& bodies = this->mechanism_.bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
     {
-      const MechanismBody& a = mechanism.bodies[j];
-      const MechanismBody& b = mechanism.bodies[i];
-      if (visit(
-            a, [&](const auto& first) { return visit(b, [&](const auto& other) { return overlap(first, other); }); }))
+      for (std::size_t j = 0; j < i; ++j)
       {
-        pairs.emplace_back(a.name, b.name);
+        if (wanted(j, i) &&
+            this->visit(j, [&](const auto& a) { return this->visit(i, [&](const auto& b) { return overlap(a, b); }); }))
+        {
+          pairs.emplace_back(bodies[j].name, bodies[i].name);
+        }
       }
     }
+    return pairs;
   }
-  return pairs;
+
+  std::span<const Pose> pose_W; ///< none: bodies are as they stand, and nothing is held
+
+private:
+  template<class With>
+  [[nodiscard]] bool visit(std::size_t b, const With& with) const
+  {
+    MechanismBody body = this->mechanism_.bodies[b];
+    const bool moved = b < this->pose_W.size();
+    body.pose_W = moved ? this->pose_W[b] : body.pose_W;
+    const MechanismSoft* soft = softNamed(this->soft_, body.name);
+    switch (body.kind)
+    {
+      case MechanismBodyKind::Rigid:
+        return with(body);
+      case MechanismBodyKind::Soft:
+        return soft && soft->body && with(*soft->body);
+      case MechanismBodyKind::Held:
+        return moved && with(Rod{ { body.pose_W.p, body.pose_W.p + body.length_u * (body.pose_W.q * Vec3::UnitZ()) } });
+      case MechanismBodyKind::World:
+        return false;
+    }
+    return false;
+  }
+
+  const Mechanism& mechanism_;
+  std::span<const MechanismSoft> soft_;
+};
+
+/// Laws that join points hold with any force, and with none.
+bool holds(LawKind kind, LawPhase phase)
+{
+  const bool joins =
+    kind == LawKind::Attachment || kind == LawKind::Hinge || kind == LawKind::Slider || kind == LawKind::Break;
+  return phase != LawPhase::Gone && (joins || phase != LawPhase::Open);
+}
+
+} // namespace
+
+std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft)
+{
+  return Looked(mechanism, soft).pairs([](std::size_t, std::size_t) { return true; });
+}
+
+const std::vector<BodyPair>& OverlapWatch::look(const Mechanism& mechanism, std::span<const MechanismSoft> soft,
+  std::span<const Pose> pose_W, std::span<const LawPhase> phases)
+{
+  Looked looked(mechanism, soft);
+  looked.pose_W = pose_W;
+  const auto isSoft = [&mechanism](std::size_t b) { return mechanism.bodies[b].kind == MechanismBodyKind::Soft; };
+  std::vector<std::uint64_t> computed;
+  for (const MechanismSoft& body : soft)
+  {
+    computed.push_back(body.body ? body.body->revision : 0);
+  }
+  if (computed != this->computed_)
+  {
+    this->computed_ = std::move(computed);
+    this->soft_ = looked.pairs([&](std::size_t a, std::size_t b) { return isSoft(a) && isSoft(b); });
+  }
+  this->seen_ = looked.pairs([&](std::size_t a, std::size_t b) { return !isSoft(a) || !isSoft(b); });
+  this->seen_.insert(this->seen_.end(), this->soft_.begin(), this->soft_.end());
+  std::erase_if(this->seen_,
+    [&](const BodyPair& pair)
+    {
+      for (std::size_t l = 0; l < mechanism.laws.size() && l < phases.size(); ++l)
+      {
+        const MechanismLaw& law = mechanism.laws[l];
+        const bool between = BodyPair(law.a, law.b) == pair || BodyPair(law.b, law.a) == pair;
+        if (between && holds(law.kind, phases[l]))
+        {
+          return true;
+        }
+      }
+      return false;
+    });
+  return this->seen_;
+}
+
+std::string overlapText(const BodyPair& pair)
+{
+  return "bodies \"" + pair.first + "\" and \"" + pair.second + "\" overlap: no law between them holds";
 }
 
 } // namespace palpate

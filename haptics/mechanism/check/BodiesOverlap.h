@@ -1,20 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "haptics/mechanism/check/MechanismCheck.h"
+#include "haptics/mechanism/laws/LawState.h"
 
 namespace palpate
 {
 
+/// Two bodies, by their names.
+using BodyPair = std::pair<std::string, std::string>;
+
 /// Which rigid and soft bodies share room as they stand, by their names, each pair once. Such as only touch do not;
 /// what the hand holds stands nowhere yet. Of surfaces: an edge of one passes through the other, or one lies in the
 /// other. Not real-time safe.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> overlapsOf(
-  const Mechanism& mechanism, std::span<const MechanismSoft> soft);
+[[nodiscard]] std::vector<BodyPair> overlapsOf(const Mechanism& mechanism, std::span<const MechanismSoft> soft);
+
+/// Likewise in a tick: rigid bodies and what the hand holds are where the laws have left them, soft ones as bent as
+/// they were computed last. A held rod counts by its middle line. Bodies between which a law holds are left out: it
+/// says how they meet. Two soft bodies are looked at again once one of them was computed anew. Not real-time safe.
+class OverlapWatch
+{
+public:
+  /// `pose_W`: of each body, of those that are held or rigid; `phases`: of each law.
+  [[nodiscard]] const std::vector<BodyPair>& look(const Mechanism& mechanism, std::span<const MechanismSoft> soft,
+    std::span<const Pose> pose_W, std::span<const LawPhase> phases);
+  [[nodiscard]] const std::vector<BodyPair>& seen() const noexcept { return this->seen_; }
+
+private:
+  std::vector<std::uint64_t> computed_; ///< revisions of the soft bodies that these pairs are of
+  std::vector<BodyPair> soft_;
+  std::vector<BodyPair> seen_;
+};
+
+/// In words.
+[[nodiscard]] std::string overlapText(const BodyPair& pair);
 
 } // namespace palpate

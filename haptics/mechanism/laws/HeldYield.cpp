@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/mechanism/laws/HeldYield.h"
 
+#include <algorithm>
+
 #include <Eigen/Cholesky>
 
 #include "haptics/tool/motion/Turn.h"
@@ -87,6 +89,17 @@ void addForces(const LawScene& scene, const LawRows& rows, Stiffness& stiffness)
   }
 }
 
+/// Rows that hold an axis of the body turn with it, too.
+bool holdsAxes(const LawScene& scene, const LawRows& rows) noexcept
+{
+  const auto turns = [&](const LawRow& row)
+  {
+    const auto& [a, b] = rows.ends[row.law];
+    return row.turns && (a.body == scene.plan.held || b.body == scene.plan.held);
+  };
+  return std::any_of(rows.rows.begin(), rows.rows.begin() + rows.count, turns);
+}
+
 bool isStiff(const HeldYield::Square& full, const HeldYield::Square& springs) noexcept
 {
   const HeldYield::Square least = full - leastStiff * springs;
@@ -120,7 +133,7 @@ HeldYield yieldOfHeld(const LawScene& scene, const LawRows& rows, const Mechanis
   HeldYield::Square holds = stiffness.springs + stiffness.bend + stiffness.forces;
   yield.eases = stiffness.forces;
   const bool stiff = isStiff(holds, stiffness.springs);
-  yield.exact = stiff && !stiffness.turning;
+  yield.exact = stiff && !stiffness.turning && !holdsAxes(scene, rows);
   if (!stiff)
   {
     holds = stiffness.springs;

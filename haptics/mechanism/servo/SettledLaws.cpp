@@ -109,6 +109,7 @@ void SettledLaws::solve(LawStart start) noexcept
   LawProblem& problem = this->room_.problem;
   const LawRows& rows = this->room_.rows;
   makeRows(this->scene_, this->room_.rows);
+  this->forgetForces();
   this->room_.held = yieldOfHeld(this->scene_, rows, this->input_.grip);
   assembleLaws(this->scene_, rows, this->input_.grip, this->room_.held, problem);
   forces.force_N.setZero(rows.count);
@@ -121,6 +122,16 @@ void SettledLaws::solve(LawStart start) noexcept
   solveLaws(problem, this->room_.solver, forces, left, start);
   this->work_ += forces.work;
   this->takeMotions();
+}
+
+/// A law that has no rows any more, broken or open, turns nothing on.
+void SettledLaws::forgetForces() noexcept
+{
+  for (int l = 0; l < this->plan_.lawCount; ++l)
+  {
+    Vec3& force_W = this->state_.laws[l].force_W;
+    force_W = this->rowsOf(l) > 0 ? force_W : Vec3(Vec3::Zero());
+  }
 }
 
 /// The next rows, and what forces do to turns, begin at these.

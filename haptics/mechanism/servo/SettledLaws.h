@@ -64,6 +64,7 @@ private:
   [[nodiscard]] double shareOf(int body) const noexcept;
   [[nodiscard]] bool wentInPart() const noexcept;
   void goOn() noexcept;
+  void forgetForces() noexcept;
   void takeForces() noexcept;
   void takeMotions() noexcept;
   [[nodiscard]] Vec6 pressOnHeld() const noexcept;

@@ -27,9 +27,9 @@ namespace palpate
 ///   Order, Status                see WorkerChannel
 ///   Task(channel, arguments...)
 ///   apply(order, stop, again)    a newer order, `again` if the one before was interrupted; true: this one was, too
-///   iterate()                    computes once; the period until it begins again [s], none: there is nothing to
-///   compute step(time_s)                 likewise after a tick at that time, in virtual time giveUp() frees memory and
-///   reports why: there was not enough
+///   iterate()                    computes once; the period until it begins again [s], none: nothing is to be computed
+///   step(time_s)                 likewise after a tick at that time, in virtual time
+///   giveUp()                     frees memory and reports why: there was not enough
 template<class Task>
 class BackgroundWorker
 {

@@ -123,6 +123,16 @@ bool MechanismBodies::press(double period_s)
   return this->pressEach(period_s, BodyMaker::usualSteps);
 }
 
+std::vector<MechanismSoft> MechanismBodies::newestNamed() const
+{
+  std::vector<MechanismSoft> named = this->atRest_;
+  for (std::size_t b = 0; b < named.size(); ++b)
+  {
+    named[b].body = this->newest_[b].get();
+  }
+  return named;
+}
+
 std::vector<SeenBody> MechanismBodies::seen() const
 {
   std::vector<SeenBody> bodies;

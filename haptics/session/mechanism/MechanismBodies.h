@@ -66,6 +66,8 @@ public:
   [[nodiscard]] bool press(double period_s);
   /// Of each.
   [[nodiscard]] const std::vector<std::shared_ptr<const PressedBody>>& newest() const noexcept { return this->newest_; }
+  /// The same by their names.
+  [[nodiscard]] std::vector<MechanismSoft> newestNamed() const;
   /// How each is bent, as it was computed last.
   [[nodiscard]] std::vector<SeenBody> seen() const;
   /// Whether any of them is another since this was asked last.

@@ -55,8 +55,9 @@ std::string faultsOf(const MechanismCheck& check)
   return all;
 }
 
-MechanismTouch::MechanismTouch(const MechanismHold& hold, std::unique_ptr<MechanismBodies> bodies)
-  : hold_(hold), grip_(gripOf(hold)), bodies_(std::move(bodies))
+MechanismTouch::MechanismTouch(
+  const Mechanism& mechanism, const MechanismHold& hold, std::unique_ptr<MechanismBodies> bodies)
+  : mechanism_(mechanism), hold_(hold), grip_(gripOf(hold)), bodies_(std::move(bodies))
 {
 }
 
@@ -69,7 +70,7 @@ std::unique_ptr<MechanismTouch> MechanismTouch::make(
   {
     return nullptr;
   }
-  std::unique_ptr<MechanismTouch> touch(new MechanismTouch(hold, std::move(bodies)));
+  std::unique_ptr<MechanismTouch> touch(new MechanismTouch(inputs.mechanism, hold, std::move(bodies)));
   touch->check_ = checkMechanism(inputs.mechanism, touch->bodies_->atRest(), touch->grip_);
   refusal = faultsOf(touch->check_);
   if (!refusal.empty())
@@ -90,7 +91,7 @@ std::unique_ptr<MechanismTouch> MechanismTouch::make(
   return touch;
 }
 
-void MechanismTouch::tell(const MechanismInput& input, const MechanismResult& result)
+MechanismHand MechanismTouch::handOf(const MechanismInput& input, const MechanismResult& result) const
 {
   const Pose& held_W = input.hand_W;
   const double length_u = this->plan_.held >= 0 ? this->plan_.bodies[this->plan_.held].length_u : 0.0;
@@ -100,7 +101,7 @@ void MechanismTouch::tell(const MechanismInput& input, const MechanismResult& re
   hand.hand_W = held_W.p;
   hand.tip_W = held_W.p + held_W.q * (length_u * Vec3::UnitZ());
   hand.press(result);
-  this->bodies_->tell(hand);
+  return hand;
 }
 
 MechanismResult MechanismTouch::compute(MechanismInput& input)
@@ -127,7 +128,7 @@ MechanismResult MechanismTouch::computeAtRest(MechanismInput& input)
     this->tick_.restore(start);
     input.soft = this->bodies_->rest(stepsToRest);
     result = this->tick_.step(input);
-    this->tell(input, result);
+    this->bodies_->tell(this->handOf(input, result));
     const double change_N = (result.exact_W.force - force_N).norm();
     force_N = result.exact_W.force;
     if (change_N <= stays * force_N.norm())
@@ -149,10 +150,12 @@ MechanismResult MechanismTouch::next(double time_s, const Pose& hand_W)
   this->time_s_ = time_s;
   if (this->count_ == 1)
   {
-    this->tell(input, {});
+    this->bodies_->tell(this->handOf(input, {}));
   }
   MechanismResult result = this->compute(input);
-  this->tell(input, result);
+  const MechanismHand hand = this->handOf(input, result);
+  this->bodies_->tell(hand);
+  (void)this->watch_.look(this->mechanism_, this->bodies_->newestNamed(), hand.pose_W, hand.phases);
   result.wrench_W.torque /= this->hold_.scale_u_per_m;
   result.exact_W.torque /= this->hold_.scale_u_per_m;
   return result;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "haptics/mechanism/check/BodiesOverlap.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
 
 namespace palpate
@@ -36,20 +37,24 @@ public:
 
   [[nodiscard]] const MechanismCheck& check() const noexcept { return this->check_; }
   [[nodiscard]] const MechanismPlan& plan() const noexcept { return this->plan_; }
+  /// Which bodies shared room at the last place of the hand, though no law between them held.
+  [[nodiscard]] const std::vector<BodyPair>& overlaps() const noexcept { return this->watch_.seen(); }
   [[nodiscard]] const MechanismBodies& bodies() const noexcept { return *this->bodies_; }
 
 private:
-  MechanismTouch(const MechanismHold& hold, std::unique_ptr<MechanismBodies> bodies);
+  MechanismTouch(const Mechanism& mechanism, const MechanismHold& hold, std::unique_ptr<MechanismBodies> bodies);
   [[nodiscard]] MechanismResult compute(MechanismInput& input);
   [[nodiscard]] MechanismResult computeAtRest(MechanismInput& input);
-  void tell(const MechanismInput& input, const MechanismResult& result);
+  [[nodiscard]] MechanismHand handOf(const MechanismInput& input, const MechanismResult& result) const;
 
+  Mechanism mechanism_;
   MechanismHold hold_;
   MechanismGrip grip_;
   std::unique_ptr<MechanismBodies> bodies_;
   MechanismCheck check_;
   MechanismPlan plan_;
   MechanismTick tick_;
+  OverlapWatch watch_;
   std::uint64_t count_ = 0; ///< of ticks
   double time_s_ = 0.0;
 };

@@ -160,8 +160,22 @@ std::string MechanismTask::plan()
 void MechanismTask::readHand()
 {
   MechanismHand hand = this->links_.hand.read();
-  hand.pressCount = hand.plan == this->plan_.revision ? hand.pressCount : 0;
+  const bool ofThese = hand.plan == this->plan_.revision;
+  hand.pressCount = ofThese ? hand.pressCount : 0;
   this->bodies_->tell(hand);
+  this->watchOverlaps(ofThese ? &hand : nullptr);
+}
+
+/// Where the hand holds nothing of this plan no body is anywhere.
+void MechanismTask::watchOverlaps(const MechanismHand* hand)
+{
+  std::vector<BodyPair> overlaps;
+  if (hand)
+  {
+    overlaps =
+      this->watch_.look(this->now_.choice.inputs->mechanism, this->bodies_->newestNamed(), hand->pose_W, hand->phases);
+  }
+  this->channel_.report([&overlaps](MechanismStatus& status, const Order&) { status.overlaps = std::move(overlaps); });
 }
 
 /// `all`: none of the bodies has failed.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/mechanism/check/BodiesOverlap.h"
 #include "haptics/recording/inputs/Mechanisms.h"
 #include "haptics/session/background/BackgroundWorker.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
@@ -27,9 +28,10 @@ struct MechanismChoice
 /// How a mechanism is, for a person to see.
 struct MechanismStatus
 {
-  std::string problem;   ///< why it cannot be felt, or its bodies do not give way any more; "": it can
-  bool building = false; ///< it is meant to be felt and is not there yet
-  MechanismCheck check;  ///< what it becomes
+  std::string problem;            ///< why it cannot be felt, or its bodies do not give way any more; "": it can
+  bool building = false;          ///< it is meant to be felt and is not there yet
+  MechanismCheck check;           ///< what it becomes
+  std::vector<BodyPair> overlaps; ///< bodies that share room where they are felt, though no law between them holds
   std::uint64_t packets = 0;
   std::uint64_t plan = 0;     ///< revision of the one that the servo is given; 0: none
   std::vector<SeenBody> soft; ///< of that, in the order of its inputs
@@ -81,6 +83,7 @@ private:
   [[nodiscard]] std::string plan();
   [[nodiscard]] MechanismCheck judge() const;
   void readHand();
+  void watchOverlaps(const MechanismHand* hand);
   void publish(bool all);
   [[nodiscard]] double period_s() const noexcept { return workerPeriod_s(this->now_.choice.rate_Hz); }
 
@@ -89,6 +92,7 @@ private:
   Order now_;
   std::vector<MechanismSoftInput> madeOf_; ///< the bodies, in use or kept for the next mechanism
   std::unique_ptr<MechanismBodies> bodies_;
+  OverlapWatch watch_;
   MechanismPlan plan_;         ///< revision 0: none is felt
   std::uint64_t plans_ = 0;    ///< so many were made
   std::uint64_t revision_ = 0; ///< of the last that was published

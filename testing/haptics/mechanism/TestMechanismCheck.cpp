@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/mechanism/check/BodiesOverlap.h"
 #include "testing/support/MechanismRig.h"
 
 namespace palpate::test
@@ -226,6 +227,74 @@ TEST(CheckedBodies, ARigidOneThatPassesThroughASoftSurfaceIsSaid)
     rig.join(LawKind::Attachment, "world", Vec3::Zero(), body.pose_W.p).a = "box";
     EXPECT_EQ(rig.check().overlaps.size(), std::abs(height) < 0.1 ? 1u : 0u) << height;
   }
+}
+
+/// A needle of .2 m below a wall and a box above it, and what a watch of the ticks says.
+class WatchedBodies : public testing::Test
+{
+protected:
+  WatchedBodies()
+  {
+    this->rig.addSoft("wall", springWall("wall", Vec3::Zero(), -Vec3::UnitZ(), 0.5, 2e-3));
+    MechanismBody box;
+    box.name = "box";
+    box.kind = MechanismBodyKind::Rigid;
+    box.halfSize_u = Vec3::Constant(0.1);
+    box.pose_W.p = Vec3(0.0, 0.0, 0.15); // from .05 on
+    this->rig.mechanism.bodies.push_back(box);
+    this->rig.join(LawKind::Attachment, "world", Vec3::Zero(), box.pose_W.p).a = "box";
+  }
+
+  /// With the needle's tip so high above the wall.
+  [[nodiscard]] std::vector<BodyPair> at(double tip)
+  {
+    const MechanismResult& r = this->rig.step(Vec3(0.01, 0.02, tip - 0.2));
+    std::array<LawPhase, Mechanism::mostLaws> phases{};
+    std::ranges::transform(r.laws, phases.begin(), [](const LawNow& law) { return law.phase; });
+    return this->watch.look(this->rig.mechanism, this->rig.soft, r.pose_W, phases);
+  }
+
+  MechanismRig rig{ 0.2 };
+  OverlapWatch watch;
+};
+
+TEST_F(WatchedBodies, ANeedleInAWallOrABoxThatNoLawJoinsItToIsNamedAsLongAsItIsThere)
+{
+  const BodyPair wall("needle", "wall"), box("needle", "box");
+  EXPECT_TRUE(this->at(-0.01).empty());
+  EXPECT_EQ(this->at(0.01), std::vector{ wall });
+  EXPECT_EQ(this->at(0.07), (std::vector{ wall, box }));
+  EXPECT_EQ(this->at(0.19), (std::vector{ wall, box })) << "it has gone into the box and not out of it";
+  EXPECT_TRUE(this->at(-0.05).empty());
+  EXPECT_EQ(overlapText(wall), "bodies \"needle\" and \"wall\" overlap: no law between them holds");
+}
+
+TEST_F(WatchedBodies, ANeedleThatHasPuncturedAWallIsNotNamedAndOneThatCameBehindItIs)
+{
+  this->rig.join(LawKind::Puncture, "wall", Vec3::Zero(), Vec3::Zero()).strength_N = 0.5;
+  EXPECT_TRUE(this->at(-0.01).empty());
+  EXPECT_TRUE(this->at(2e-4).empty()) << "it is pressed on";
+  EXPECT_TRUE(this->at(0.02).empty()) << "it is in";
+  ASSERT_EQ(this->rig.tick.state().laws[1].phase, LawPhase::Inside);
+  this->rig.plan(); // begins anew where the hand is, and the wall is whole
+  EXPECT_EQ(this->at(0.02), (std::vector{ BodyPair("needle", "wall") }));
+}
+
+TEST_F(WatchedBodies, ABoxThatItsLawHoldsOnAWallIsNotNamedAndOneThatFallsThroughItIs)
+{
+  const auto put = [this](double height)
+  {
+    Mechanism& m = this->rig.mechanism;
+    m.bodies.back().pose_W.p = m.laws[0].point_B = Vec3(0.3, 0.0, height);
+    this->rig.plan();
+  };
+  put(-0.3);
+  EXPECT_TRUE(this->at(-0.05).empty());
+  put(-0.05);
+  EXPECT_EQ(this->at(-0.15), (std::vector{ BodyPair("wall", "box") }));
+  this->rig.join(LawKind::Attachment, "wall", Vec3(0.0, 0.0, 0.05), Vec3(0.3, 0.0, 0.0)).a = "box";
+  this->rig.plan();
+  EXPECT_TRUE(this->at(-0.5).empty()) << "the law says how they meet";
 }
 
 } // namespace

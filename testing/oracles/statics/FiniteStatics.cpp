@@ -13,6 +13,7 @@ bool FiniteStatics::makeStationary(const Energy& energy, Eigen::VectorXd& z)
 {
   constexpr int most = 100;
   constexpr double longest = 0.3, rounding = 1e-11;
+  constexpr double nothing = 1e-18; // near 0 steps get ever smaller
   const Eigen::Index n = z.size();
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most; ++i)
@@ -26,7 +27,7 @@ bool FiniteStatics::makeStationary(const Energy& energy, Eigen::VectorXd& z)
     const Eigen::VectorXd step = -e.second.fullPivLu().solve(e.first);
     const double size = step.lpNorm<Eigen::Infinity>();
     z += std::min(1.0, longest / size) * step;
-    if (size == 0.0 || (size < rounding * (1.0 + z.lpNorm<Eigen::Infinity>()) && size >= 0.5 * last))
+    if (size <= nothing || (size < rounding * (1.0 + z.lpNorm<Eigen::Infinity>()) && size >= 0.5 * last))
     {
       return true;
     }
