@@ -3,6 +3,7 @@
 
 import itertools
 import math
+import random
 import unittest
 
 from palpate_cli import SQUARE_FACES, SQUARE_POINTS, CommandLineTest, vtu_text
@@ -60,6 +61,31 @@ class Soft(CommandLineTest):
             self.assertLess(math.hypot(row["force_x"], row["force_y"]), 0.02 * row["force_z"])
             self.assertAlmostEqual(row["force_z"], 1e5 * (row["proxy_z"] - row["device_z"]), delta=1e-6 * row["force_z"])
             self.assertEqual(row["contacts"], 1)
+
+    def test_over_bumps_every_row_has_the_force_of_the_spring_between_proxy_and_hand(self):
+        numbers = random.Random(28)
+        for scale in (1.0, 1000.0):
+            points, tetras = block(scale)
+            top = max(z for _, _, z in points)
+            points = [(x, y, z + (scale * numbers.uniform(-0.001, 0.001) if z == top else 0.0)) for x, y, z in points]
+            self.write("bumps.vtu", vtu_text(points, tetras, cell_type=10))
+            # The second is so soft that the ball comes down to what is held, 50 mm below the top.
+            for young, deep, model in ((YOUNG, 0.006, "neohookean"), (10, 0.055, "linear")):
+                self.write_path([(n / 1000, scale * (0.02 + 5e-5 * n), scale * (0.05 + 0.01 * math.sin(0.01 * n)),
+                                  scale * (HEIGHT + 0.009 - min(1.0, n / 100) * (0.004 + deep))) for n in range(600)])
+                self.succeed("touch", "bumps.vtu", "--young", young, "--fixed", "zmin", "--radius", scale * 0.005,
+                             "--scale", scale, "--model", model, "--low-rate", 30, "--stiffness", 1000,
+                             "--path", "path.csv", "--csv", "out.csv")
+                rows = self.read_rows()
+                self.assertEqual(len(rows), 600)
+                for row in rows:
+                    force = [row[f"force_{axis}"] for axis in "xyz"]
+                    spring = [1000 / scale * (row[f"proxy_{axis}"] - row[f"device_{axis}"]) for axis in "xyz"]
+                    # Proxy and device are rounded, one part in 2^53 each.
+                    place = math.hypot(*(row[f"device_{axis}"] for axis in "xyz"))
+                    self.assertLess(math.dist(force, spring),
+                                    1e-12 * math.hypot(*force) + 4e-16 * 1000 / scale * place + 1e-300)
+                self.assertGt(sum(row["force_z"] > 0.01 for row in rows), 400)
 
     def test_millimetres_with_a_scale_of_a_thousand_are_the_same_body(self):
         self.write("mm.vtu", vtu_text(*block(1000.0), cell_type=10))

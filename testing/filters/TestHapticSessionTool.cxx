@@ -20,12 +20,14 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkUnstructuredGrid.h"
 #include "haptics/session/HapticSession.h"
 
 using namespace palpate;
 using namespace palpate::testing;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 namespace
 {
@@ -199,6 +201,46 @@ TEST_F(HapticSessionTool, WithoutItsSourceOrWithDataThatCannotBeHeldSaysSoAndThe
   this->touchAt(5.0);
   this->goTo(-1.0);
   EXPECT_NEAR(this->session_->GetForce()[2], springOfTool * 1.0 / scale, 1e-9) << "by the ball";
+}
+
+TEST_F(HapticSessionTool, BesideABodyThatGivesWayItIsRefusedInWhicheverOrderTheyComeAndTheBallPresses)
+{
+  constexpr double deep = 2.0;
+  for (const bool toolFirst : { true, false })
+  {
+    vtkNew<vtkHapticSession> session;
+    session->SetSetting("VirtualTime", true);
+    session->SetSetting("Stiffness", springOfTool);
+    session->SetSetting("Scale", scale);
+    session->SetSetting("ToolSource", "Cube1");
+    session->SetSetting("SoftSource", "block");
+    const auto body = makeSoftBlock(100.0, 1.0 / scale);
+    const auto hold = [&] { return errorsOf(session, [&] { session->AddTool("Cube1", cubeFarAway()); }); };
+    const auto press = [&] { return errorsOf(session, [&] { session->AddSoftBody("block", body); }); };
+    const std::vector<std::string> first = toolFirst ? hold() : press();
+    EXPECT_TRUE(first.empty()) << first.front();
+    const std::vector<std::string> second = toolFirst ? press() : hold();
+    if (!toolFirst)
+    {
+      EXPECT_THAT(second, ElementsAre(HasSubstr("a tool does not feel what gives way")));
+    }
+    EXPECT_THAT(session->GetProblem(), HasSubstr("a tool does not feel what gives way"));
+    EXPECT_THAT(session->GetToolText(), HasSubstr("a tool does not feel what gives way"));
+
+    session->SetHandPosition(3.0, 1.0, 5.0);
+    session->TouchingOn();
+    session->Step(ticksToEngage);
+    session->SetHandPosition(3.0, 1.0, -deep);
+    session->Step(ticksToRest);
+    EXPECT_THAT(session->GetToolText(), HasSubstr("a tool does not feel what gives way"));
+    const double pushed_N = session->GetForce()[2];
+    EXPECT_GT(pushed_N, 0.0);
+    EXPECT_LT(pushed_N, 0.9 * springOfTool * deep / scale) << "a rigid body would push with the whole spring";
+
+    session->AddSoftBody(nullptr, nullptr); // taken away again
+    EXPECT_THAT(session->GetProblem(), Not(HasSubstr("gives way")));
+    EXPECT_THAT(session->GetToolText(), Not(HasSubstr("gives way")));
+  }
 }
 
 TEST_F(HapticSessionTool, ThatBeginsInASurfaceWaitsAndSaysSo)

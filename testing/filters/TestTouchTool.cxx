@@ -15,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTouchAlongPath.h"
+#include "vtkUnstructuredGrid.h"
 
 using namespace palpate;
 using namespace palpate::testing;
@@ -188,4 +189,18 @@ TEST(TouchTool, WhatCannotBeDoneIsSaidInWords)
   const auto lever = touchWith(cubeHeldAt(Vec3::Zero()), free);
   lever->SetLever(-1.0);
   EXPECT_THAT(problemOf(*lever), HasSubstr("lever"));
+}
+
+TEST(TouchTool, OnABodyThatGivesWayItIsRefusedInWordsAndWithoutTheToolABallPressesTheBody)
+{
+  constexpr double bodySide = 5.0; // 100 mm
+  const auto touch = touchWith(cubeHeldAt(Vec3::Zero()), { Vec3(0.0, 0.0, 1.5), Vec3(0.1, 0.05, -0.1) });
+  touch->SetInputData(makeSoftBlock(bodySide, 1.0 / scale_u_per_m));
+  EXPECT_THAT(problemOf(*touch), HasSubstr("A tool does not feel what gives way: leave out the tool"));
+  touch->SetToolConnection(nullptr);
+  touch->Update();
+  ASSERT_EQ(touch->GetOutput()->GetNumberOfPoints(), 2);
+  const double pushed_N = vectorAt(*touch, "Force", 1).z();
+  EXPECT_GT(pushed_N, 0.0);
+  EXPECT_LT(pushed_N, 0.9 * stiffness_N_per_m * 0.1 / scale_u_per_m) << "that of a rigid one, but for its yield";
 }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkScenes.h"
 
+#include "testing/haptics/compliance/Blocks.h"
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkExecutive.h"
+#include "vtkHapticSoftBody.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkUnstructuredGrid.h"
 
 namespace palpate::testing
 {
@@ -49,6 +52,28 @@ vtkSmartPointer<vtkPolyData> makeSphere(double radius, int resolution)
   source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   source->Update();
   return source->GetOutput();
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> makeSoftBlock(double side, double unit_m)
+{
+  TetraMesh mesh = test::blockOf({ 4, 4, 2 }, { side, side, 0.5 * side });
+  for (Vec3& p : mesh.vertices_W)
+  {
+    p -= 0.5 * Vec3::Constant(side);
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(makePoints(mesh.vertices_W));
+  for (const Tetra& t : mesh.tetras)
+  {
+    const vtkIdType corners[4] = { t[0], t[1], t[2], t[3] };
+    grid->InsertNextCell(VTK_TETRA, 4, corners);
+  }
+  vtkNew<vtkHapticSoftBody> body;
+  body->SetInputData(grid);
+  body->SetUnit(unit_m);
+  body->SetFixed("zmin");
+  body->Update();
+  return body->GetOutput();
 }
 
 vtkSmartPointer<vtkPolyData> makePath(const std::vector<Vec3>& points_W)

@@ -219,6 +219,10 @@ int vtkHapticCliTouch(const vtkHapticCliTouchOptions& options)
     throw vtkHapticCliProblem("nothing was felt of the field: " + nothing);
   }
   TellOfField(touch, parameters);
+  if (touch.body() != nullptr && touch.body()->wentThroughItself())
+  {
+    std::cerr << "palpate: " << options.Files.front() << ": " << palpate::throughItselfText << '\n';
+  }
   output.Commit();
   return 0;
 }

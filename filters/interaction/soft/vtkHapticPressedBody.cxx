@@ -82,6 +82,9 @@ std::string vtkHapticPressedBody::Sentence(const palpate::HapticState& state) co
          (state.soft.pressed && this->Status.shape->struck
              ? "; struck faster than a body of " + palpate::quantity(this->Input->density_kg_per_m3, "kg/m3") +
                  " follows: its inertia is left out"
+             : "") +
+         (state.soft.pressed && this->Status.shape->throughItself_u > 0.0
+             ? std::string("; ") + palpate::throughItselfText
              : "");
 }
 

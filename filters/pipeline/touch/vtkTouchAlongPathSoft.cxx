@@ -41,4 +41,8 @@ void vtkTouchAlongPath::TellOfBody(const palpate::BodyMaker& body)
   {
     vtkWarningMacro("At the end of the path the largest strain is " << vtkHapticStrainText(shape));
   }
+  if (body.wentThroughItself())
+  {
+    vtkWarningMacro("Of the soft body: " << palpate::throughItselfText);
+  }
 }

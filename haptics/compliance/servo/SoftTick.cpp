@@ -18,6 +18,9 @@ namespace
 constexpr int mostLoops = 120;
 /// Turns that do not agree by then hand the ball from face to face.
 constexpr int usualLoops = 8;
+/// Of a tick that does so, or in which the force steps by more than this share of it.
+constexpr int parts = 8;
+constexpr double stepShare = 0.1;
 /// The ball goes at least and at most this share of the way from turn to turn.
 constexpr double leastShare = 0.1;
 constexpr double mostShare = 8.0;
@@ -203,28 +206,91 @@ public:
 
   [[nodiscard]] SoftResult run() noexcept
   {
-    for (this->result_.loops = 1; this->result_.loops <= mostLoops; ++this->result_.loops)
+    const SoftState before = this->state_;
+    bool agrees = this->takeTurns(usualLoops - 1);
+    const Way way = this->wayFrom(before);
+    if (way.pressed && !this->result_.overBudget && (!agrees || this->steps(way)))
     {
-      if (this->result_.loops % usualLoops == 0)
-      {
-        this->goOnFromHere();
-      }
-      this->moveCore();
-      const bool agrees = givesWay(this->state_) ? this->turn() : this->letGo();
-      this->result_.overBudget = !agrees && this->result_.work >= this->plan_.workBudget;
-      if (agrees || this->result_.overBudget)
-      {
-        break;
-      }
+      agrees = this->goInParts(before, way);
     }
-    this->result_.capped = this->result_.loops > mostLoops;
-    this->result_.loops = std::min(this->result_.loops, mostLoops);
+    if (!agrees && !this->result_.overBudget)
+    {
+      this->goOnFromHere();
+      agrees = this->takeTurns(mostLoops);
+    }
+    this->result_.capped = !agrees && !this->result_.overBudget;
     this->result_.proxy_W = this->soften_ ? this->ball_W() : Vec3(this->state_.core.x_W + this->state_.offset_W);
     this->result_.force_N = this->force_N_;
     return this->result_;
   }
 
 private:
+  /// From where to where the device has gone in this tick: from the place where the ball that it had would be at rest.
+  struct Way
+  {
+    Vec3 from_W = Vec3::Zero();
+    Vec3 to_W = Vec3::Zero();
+    Vec3 force_N = Vec3::Zero(); ///< there
+    bool pressed = false;        ///< something that gives way, there
+  };
+
+  [[nodiscard]] Way wayFrom(const SoftState& before) const noexcept
+  {
+    Way way;
+    way.to_W = this->drawn_W_;
+    for (const SoftContact& contact : contactsOf(before))
+    {
+      way.force_N += contact.force_N;
+      way.pressed = way.pressed || (contact.gives && contact.force_N.squaredNorm() > 0.0);
+    }
+    way.from_W = before.core.x_W + before.yielded_W - way.force_N / this->plan_.coupling_N_per_m;
+    return way;
+  }
+
+  /// Whether the force has changed by more than the device's way explains, and a tenth of it.
+  [[nodiscard]] bool steps(const Way& way) const noexcept
+  {
+    const double most_N = std::max(way.force_N.norm(), this->force_N_.norm());
+    return (this->force_N_ - way.force_N).norm() >
+           this->plan_.coupling_N_per_m * (way.to_W - way.from_W).norm() + stepShare * most_N;
+  }
+
+  /// Turns are relaxed beyond where they lead, and may come over an edge to a face that the ball never reaches. Along
+  /// the way in short parts each rest is beside the one before: what steps there, the law itself has step.
+  [[nodiscard]] bool goInParts(const SoftState& before, const Way& way) noexcept
+  {
+    this->state_ = before;
+    this->soften_ = givesWay(before);
+    this->force_N_ = way.force_N;
+    bool agrees = true;
+    for (int part = 1; part <= parts && agrees; ++part)
+    {
+      this->goOnFromHere();
+      this->drawn_W_ = way.from_W + static_cast<double>(part) / parts * (way.to_W - way.from_W);
+      agrees = this->takeTurns(usualLoops - 1);
+    }
+    this->drawn_W_ = way.to_W;
+    return agrees;
+  }
+
+  /// At most so many. True once core and forces agree.
+  [[nodiscard]] bool takeTurns(int most) noexcept
+  {
+    bool agrees = false;
+    for (int i = 1; i <= most && this->result_.loops < mostLoops && !agrees && !this->result_.overBudget; ++i)
+    {
+      ++this->result_.loops;
+      if (i % usualLoops == 0)
+      {
+        this->goOnFromHere();
+      }
+      this->moveCore();
+      agrees = givesWay(this->state_) ? this->turn() : this->letGo();
+      this->result_.overBudget = !agrees && this->result_.work >= this->plan_.workBudget;
+    }
+    return agrees;
+  }
+
   /// The ball that the contacts were solved for, among the surfaces where they have gone to.
   [[nodiscard]] Vec3 ball_W() const noexcept
   {
@@ -303,8 +369,8 @@ private:
   {
     TurnProblem problem(
       this->plan_.coupling_N_per_m, this->plan_.radius_u, this->plan_.friction.kinetic, this->state_, this->room_);
-    problem.solve(this->drawn_W_, this->start_.placed ? this->start_.x_W : this->state_.core.x_W,
-      this->plan_.workBudget, this->result_.work);
+    this->result_.slipFrom_W = this->start_.placed ? this->start_.x_W : this->state_.core.x_W;
+    problem.solve(this->drawn_W_, this->result_.slipFrom_W, this->plan_.workBudget, this->result_.work);
   }
 
   const AnyScene& scene_;

@@ -70,6 +70,9 @@ struct SoftResult
   bool overBudget = false; ///< likewise by plan.workBudget
   std::uint32_t work = 0;  ///< done, in the unit of ContactPlan::workBudget
   double residual_u = 0.0; ///< by how much the laws of contact are not met
+  /// From where slip counts, with each contact's aside_W: the core at the beginning of the tick, or where it went on
+  /// from when its turns had not agreed by then.
+  Vec3 slipFrom_W = Vec3::Zero();
 };
 
 } // namespace palpate

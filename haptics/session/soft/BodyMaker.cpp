@@ -5,7 +5,10 @@
 #include <iterator>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "haptics/compliance/body/NaturalPeriod.h"
+#include "haptics/compliance/mesh/FilledTwice.h"
 #include "haptics/compliance/packet/PointCompliance.h"
 #include "haptics/geometry/scene/SceneMotion.h"
 
@@ -133,6 +136,8 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
     return nullptr;
   }
   this->struck_ = packet->struck;
+  this->throughItself_u_ = this->throughItself_u(*packet);
+  this->wentThroughItself_ = this->wentThroughItself_ || this->throughItself_u_ > 0.0;
   this->hand_W_ = hand.device_W;
   this->last_ = hand.radius_u > 0.0 ? nullptr : packet; // what a ball presses on is shown dented by the ball
   auto pressed = std::make_shared<PressedBody>();
@@ -180,6 +185,35 @@ std::vector<Vec3> BodyMaker::dents_u() const
   return dents;
 }
 
+/// From where the ball presses most, the way that it pushes. A body does not meet itself: below a fold that is pressed
+/// shut it goes on through itself.
+double BodyMaker::throughItself_u(const CompliancePacket& packet) const
+{
+  constexpr double rounding = 1e-9; // of the line
+  const auto most = std::ranges::max_element(packet.force_N, {}, [](const Vec3& f) { return f.squaredNorm(); });
+  if (most == packet.force_N.end() || most->squaredNorm() == 0.0)
+  {
+    return 0.0;
+  }
+  const TetraMesh& mesh = this->checked_.mesh;
+  std::vector<Vec3> places_W;
+  Eigen::AlignedBox3d box;
+  for (std::size_t v = 0; v < mesh.vertices_W.size(); ++v)
+  {
+    places_W.emplace_back(
+      mesh.vertices_W[v] + this->body_->displacement().segment<3>(3 * static_cast<Eigen::Index>(v)));
+    box.extend(places_W.back());
+  }
+  const SurfacePoint& at = packet.forceAt[static_cast<std::size_t>(most - packet.force_N.begin())];
+  LinePiece below{ Vec3::Zero(), most->normalized(), box.diagonal().norm() };
+  for (int c = 0; c < 3; ++c)
+  {
+    below.from_W += at.weights[c] * places_W[this->surface_.vertices[at.vertices[c]]];
+  }
+  const double twice_u = filledTwice(mesh, places_W, below);
+  return twice_u > rounding * below.length_u ? twice_u : 0.0;
+}
+
 void BodyMaker::addStrain(BodyShape& shape) const
 {
   const StrainPoints& points = this->body_->points();
@@ -203,6 +237,7 @@ BodyShape BodyMaker::shape() const
   BodyShape shape;
   shape.struck = this->struck_;
   shape.hand_W = this->hand_W_;
+  shape.throughItself_u = this->throughItself_u_;
   for (std::size_t v = 0; v < this->checked_.mesh.vertices_W.size(); ++v)
   {
     shape.displacement_u.emplace_back(this->body_->displacement().segment<3>(3 * static_cast<Eigen::Index>(v)));

@@ -23,7 +23,12 @@ struct BodyShape
   double mostGradient = 0.0;     ///< largest |F - 1|
   Vec3 worst_W = Vec3::Zero();   ///< and the middle, at rest, of where it is
   bool struck = false;           ///< the hand is faster than the body's inertia would let it follow
+  double throughItself_u = 0.0;  ///< how much of the line below what presses most lies in the body twice; 0: none
 };
+
+/// What a person is told of a body that has passed through itself.
+inline constexpr const char* throughItselfText =
+  "it was pressed through itself, for a body does not meet itself: what is felt there is not its force";
 
 /// A soft body as it is to be seen.
 struct SeenBody
@@ -50,6 +55,8 @@ public:
     const BodyHand& hand, double period_s, int newtonSteps = usualSteps);
 
   [[nodiscard]] BodyShape shape() const;
+  /// Whether it has passed through itself below what presses it, in any of its packets.
+  [[nodiscard]] bool wentThroughItself() const noexcept { return this->wentThroughItself_; }
   [[nodiscard]] const CheckedTetras& checked() const noexcept { return this->checked_; }
 
   /// One step leaves up to 30 % of the force at 10 Hz, three leave 3 %.
@@ -60,6 +67,7 @@ private:
   [[nodiscard]] std::shared_ptr<const Scene> sceneOf(const CompliancePacket& packet, double period_s);
   [[nodiscard]] std::vector<Vec3> dents_u() const;
   void addStrain(BodyShape& shape) const;
+  [[nodiscard]] double throughItself_u(const CompliancePacket& packet) const;
   [[nodiscard]] std::vector<Surface> surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside);
 
   CheckedTetras checked_;
@@ -76,6 +84,8 @@ private:
   Vec3 hand_W_ = Vec3::Zero();                   ///< of the last packet
   std::shared_ptr<const CompliancePacket> last_; ///< the last packet, where points press; null: a ball, or none yet
   bool struck_ = false;
+  double throughItself_u_ = 0.0;
+  bool wentThroughItself_ = false;
   std::shared_ptr<const TriangleMesh> heldFaces_; ///< that nothing moves
   std::shared_ptr<const Scene> held_;             ///< of these
 };

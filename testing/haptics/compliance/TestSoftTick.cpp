@@ -23,6 +23,9 @@ struct Certificate
   double slip_u = 0.0;    ///< within the cone any, on it what is not against the force
 };
 
+/// Turns after which a tick goes on from where it is.
+constexpr int usualLoops = 8;
+
 /// How much further along its surface a contact had the ball before the tick than the core was: by what it had yielded
 /// less than the core was told.
 Vec3 asideBefore(const SoftState& before, const SoftContact& contact)
@@ -38,7 +41,8 @@ Vec3 asideBefore(const SoftState& before, const SoftContact& contact)
   return aside;
 }
 
-/// `before`: the state that the tick began with. Slip counts from where each contact had the ball in the material then.
+/// `before`: the state that the tick began with. Slip counts from where each contact had the ball in the material then,
+/// and in a tick of `usualLoops` turns or more from where it went on after so many.
 Certificate certify(const SoftScene& s, const SoftResult& tick, const Vec3& p_W, const SoftState& before)
 {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(s.pad.body->displacement().size());
@@ -81,7 +85,10 @@ Certificate certify(const SoftScene& s, const SoftResult& tick, const Vec3& p_W,
     const double gap = contact.n.dot(ball_W - place + own) - s.plan.radius_u;
     found.gap_u = std::max(found.gap_u, normal > 0.0 ? std::abs(gap) : -gap);
     const Vec3 across = contact.force_N - normal * contact.n;
-    const Vec3 moved = ball_W - place + own + contact.foot_W - before.core.x_W - asideBefore(before, contact);
+    const bool fromBefore = tick.loops < usualLoops;
+    const Vec3 from_W = fromBefore ? before.core.x_W : tick.slipFrom_W;
+    const Vec3 aside_W = fromBefore ? asideBefore(before, contact) : contact.aside_W;
+    const Vec3 moved = ball_W - place + own + contact.foot_W - from_W - aside_W;
     const Vec3 slip = moved - contact.n.dot(moved) * contact.n;
     const double limit = s.plan.friction.kinetic * normal;
     const bool sticks = across.norm() < limit * (1.0 - 1e-9);
@@ -170,7 +177,6 @@ TEST(SoftTick, OnBumpsForcesMeetTheLawsOnTheWholeBody)
     s.plan.friction = { friction, friction };
     int capped = 0;
     int several = 0;
-    int slips = 0;
     std::vector<int> loops;
     for (int tick = 0; tick < 600; ++tick)
     {
@@ -183,11 +189,8 @@ TEST(SoftTick, OnBumpsForcesMeetTheLawsOnTheWholeBody)
       {
         const Certificate open = certify(s, found, wayOver(tick), before);
         EXPECT_LE(open.gap_u, 1e-12) << tick;
-        if (found.loops < 8) // else slip counts from a place on the way, over a bend
-        {
-          EXPECT_LE(open.slip_u, 1e-12) << tick << " " << found.loops;
-          ++slips;
-        }
+        EXPECT_LE(open.slip_u, 1e-12) << tick << " " << found.loops;
+        EXPECT_TRUE(found.loops >= usualLoops || s.state.count == 0 || found.slipFrom_W == before.core.x_W) << tick;
         EXPECT_LE(open.balance_N, 1e-12);
         EXPECT_LE(open.cone_N, 1e-12);
       }
@@ -196,7 +199,6 @@ TEST(SoftTick, OnBumpsForcesMeetTheLawsOnTheWholeBody)
     std::cout << "friction " << friction << ": capped " << capped << " of 600, several contacts " << several
               << ", loops " << loops[300] << " / " << loops[594] << "\n";
     EXPECT_GT(several, 20);
-    EXPECT_GE(slips, 58);
     EXPECT_EQ(capped, 0);
   }
 }
@@ -339,7 +341,14 @@ TEST(SoftTick, AfterTicksWithLittleWorkItComesToWhereItWouldHaveBeen)
   s.plan.workBudget = whole.plan.workBudget;
   (void)s.move(wayOver(200));
   const SoftResult expected = whole.move(wayOver(200));
-  EXPECT_GT(expected.force_N.norm(), 0.9);
+  // The ball is pressed as deep as the law of the one contact says: coupling, patch and dent in series.
+  ASSERT_EQ(whole.state.count, 1);
+  const SoftContact& contact = whole.state.contacts[0];
+  const Vec3 f = expected.force_N;
+  const double given_u = (complianceBetween(*whole.packet, contact.point, contact.point) * f).z() +
+                         f.z() / whole.plan.coupling_N_per_m + subgridDepth(contact.spring, f.z()).depth_u;
+  const double depth_u = 0.05 + whole.plan.radius_u - wayOver(200).z();
+  EXPECT_NEAR(given_u, depth_u, 1e-9 * depth_u);
   EXPECT_LE((s.move(wayOver(200)).force_N - expected.force_N).norm(), 1e-6);
 }
 

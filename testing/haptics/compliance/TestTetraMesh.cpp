@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "Blocks.h"
+#include "haptics/compliance/mesh/FilledTwice.h"
 #include "haptics/compliance/mesh/ThinPlaces.h"
 
 namespace palpate::test
@@ -88,6 +89,40 @@ TEST(ThinPlaces, AreThoseOneElementAwayFromTheOtherSideAndNotThoseAroundAnEdge)
   EXPECT_EQ(placesOf(2).thin, 0u);
   EXPECT_EQ(placesOf(2).sentence(), "");
   EXPECT_EQ(thinPlacesOf(blockOf({ 4, 4, 4 }, Vec3(1, 1, 1))).thin, 0u);
+}
+
+TEST(FilledTwice, IsTheWayThroughWhatTwoBlocksShareAndThroughWhatIsTurnedInsideOut)
+{
+  // Two blocks of one mesh, 2 long each, of which the second is moved into the first by a known length.
+  TetraMesh mesh = blockOf({ 2, 2, 2 }, { 2, 2, 2 });
+  const std::size_t first = mesh.vertices_W.size(), tetras = mesh.tetras.size();
+  for (std::size_t v = 0; v < first; ++v)
+  {
+    mesh.vertices_W.push_back(mesh.vertices_W[v] + Vec3(0, 0, 10));
+  }
+  for (std::size_t t = 0; t < tetras; ++t)
+  {
+    Tetra other = mesh.tetras[t];
+    std::ranges::for_each(other, [first](std::uint32_t& v) { v += static_cast<std::uint32_t>(first); });
+    mesh.tetras.push_back(other);
+  }
+  const LinePiece up{ Vec3(0.73, 1.21, -1.0), Vec3::UnitZ(), 20.0 };
+  EXPECT_NEAR(filledTwice(mesh, mesh.vertices_W, up), 0.0, 1e-14);
+  std::vector<Vec3> places = mesh.vertices_W;
+  for (std::size_t v = first; v < places.size(); ++v)
+  {
+    places[v].z() -= 8.6; // from 1.4 on: .6 are in both
+  }
+  EXPECT_NEAR(filledTwice(mesh, places, up), 0.6, 1e-14);
+  const LinePiece slanted{ Vec3(0.73, 1.21, -1.0), Vec3(0.1, -0.05, 1.0).normalized(), 20.0 };
+  EXPECT_NEAR(filledTwice(mesh, places, slanted), 0.6 / slanted.along_W.z(), 1e-14);
+  EXPECT_NEAR(filledTwice(mesh, places, { up.from_W, up.along_W, 2.7 }), 0.3, 1e-14) << "it ends at 1.7";
+  EXPECT_EQ(filledTwice(mesh, places, { Vec3(5, 5, -1), Vec3::UnitZ(), 20.0 }), 0.0) << "beside";
+  for (Vec3& p : places)
+  {
+    p = Vec3(p.x(), p.y(), -p.z()); // a mirror turns all inside out: 2 + 2 of the way, and .6 in both
+  }
+  EXPECT_NEAR(filledTwice(mesh, places, { up.from_W + Vec3(0, 0, 5), -Vec3::UnitZ(), 20.0 }), 4.0 + 0.6, 1e-14);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "haptics/compliance/packet/SoftSurface.h"
 #include "testing/haptics/compliance/Blocks.h"
+#include "testing/support/Random.h"
 
 namespace palpate::test
 {
@@ -13,6 +14,25 @@ inline SoftBodyInput softBlock(ElasticModel model)
   SoftBodyInput input = pad(4);
   input.model = model;
   return input;
+}
+
+/// The same, eight cells along it, with vertices up to 1 mm above and below its top at random.
+inline SoftBodyInput bumpyBlock(ElasticModel model)
+{
+  SoftBodyInput input = pad(8);
+  input.model = model;
+  Random random(testSeed(281));
+  for (Vec3& p : input.mesh.vertices_W)
+  {
+    p.z() += p.z() == 0.05 ? random.uniform(-0.001, 0.001) : 0.0;
+  }
+  return input;
+}
+
+/// How far a force may be from the spring's between two places: proxy and device are rounded, one part in 2^53 each.
+inline double roundingOfSpring_N(double stiffness_N_per_m, double place_u, double force_N)
+{
+  return 1e-12 * force_N + 4e-16 * stiffness_N_per_m * place_u;
 }
 
 inline Vec3 topOfBlock()

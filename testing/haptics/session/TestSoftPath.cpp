@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -18,11 +19,13 @@ namespace
 constexpr double spring_N_per_m = 1000.0;
 constexpr double pathTick_s = 1e-3;
 
-std::unique_ptr<PathTouch> touchOf(const SoftBodyInput& input, double rate_Hz, double radius_u = 0.0)
+std::unique_ptr<PathTouch> touchOf(
+  const SoftBodyInput& input, double rate_Hz, double radius_u = 0.0, double friction = 0.0)
 {
   HapticParameters parameters;
   parameters.stiffness_N_per_m = spring_N_per_m;
   parameters.contact.radius_u = radius_u;
+  parameters.contact.friction = { friction, friction };
   auto touch = std::make_unique<PathTouch>(nullptr, parameters, pathTick_s);
   std::string refusal;
   auto maker = BodyMaker::make(input, "block", 0, refusal);
@@ -149,6 +152,66 @@ TEST(SoftPath, WhatIsHeldDoesNotKeepABallThatLeavesTheBody)
     }
   }
   EXPECT_EQ(last_N, 0.0) << "beside it";
+}
+
+/// Over the bumps of bumpyBlock() at 50 mm/s and, if asked for, down to what is held below them.
+Vec3 overBumps(int tick, double radius_u, double deep_m)
+{
+  const double down = std::min(1.0, tick / 100.0);
+  return { 0.02 + 5e-5 * tick, 0.05 + 0.01 * std::sin(0.01 * tick), 0.054 + radius_u - down * (0.004 + deep_m) };
+}
+
+TEST(SoftPath, InEveryTickOverBumpsTheForceIsTheSpringsBetweenProxyAndHand)
+{
+  for (const double radius_u : { 0.0, 0.005 })
+  {
+    for (const double friction : { 0.0, 0.3 })
+    {
+      for (const auto& [model, rate_Hz, ticks] :
+        { std::tuple(ElasticModel::Linear, 0.0, 200), std::tuple(ElasticModel::Linear, 30.0, 1000),
+          std::tuple(ElasticModel::NeoHookean, 30.0, 1000) })
+      {
+        const auto touch = touchOf(bumpyBlock(model), rate_Hz, radius_u, friction);
+        int pressed = 0;
+        for (int i = 0; i < ticks; ++i)
+        {
+          const Vec3 hand = overBumps(i, radius_u, 0.006);
+          const HapticState state = touch->next(pathTick_s * i, { hand, Quat::Identity() });
+          const Vec3 spring_N = spring_N_per_m * (state.proxy_W.p - hand);
+          EXPECT_LE((state.force_W - spring_N).norm(),
+            roundingOfSpring_N(spring_N_per_m, hand.norm(), state.force_W.norm()))
+            << i;
+          pressed += state.soft.pressed;
+        }
+        EXPECT_GT(pressed, ticks / 2);
+      }
+    }
+  }
+}
+
+TEST(SoftPath, WhereHeldFacesStopTheBallTheForceIsTheSpringsToo)
+{
+  for (const double radius_u : { 0.0, 0.005 })
+  {
+    for (const ElasticModel model : { ElasticModel::Linear, ElasticModel::NeoHookean })
+    {
+      SoftBodyInput input = bumpyBlock(model);
+      input.young_Pa = { 10.0 };
+      const auto touch = touchOf(input, 30.0, radius_u, 0.0);
+      int stopped = 0;
+      for (int i = 0; i < 600; ++i)
+      {
+        const Vec3 hand = overBumps(i, radius_u, 0.055);
+        const HapticState state = touch->next(pathTick_s * i, { hand, Quat::Identity() });
+        const Vec3 spring_N = spring_N_per_m * (state.proxy_W.p - hand);
+        EXPECT_LE((state.force_W - spring_N).norm(),
+          roundingOfSpring_N(spring_N_per_m, hand.norm(), state.force_W.norm()))
+          << i;
+        stopped += state.proxy_W.p.z() < radius_u + 1e-9; // the held side is z = 0
+      }
+      EXPECT_GT(stopped, 400);
+    }
+  }
 }
 
 TEST(SoftPath, AWallBesideTheBodyIsFeltAsWithoutIt)
