@@ -2,8 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
 
 #include "haptics/tool/motion/Turn.h"
@@ -108,7 +106,7 @@ public:
     const auto energy = [&](const Coordinates& z) { return rod.energy(z) + law(rod, z); };
     if (!test::FiniteStatics::makeStationary(energy, this->z_))
     {
-      std::fprintf(stderr, "noend kind %d tick %d L %.4f k %.1f kr %.3f c %.5f\n", int(this->rig.mechanism.laws[0].kind), this->dbg_, length_u, rig.grip.coupling_N_per_u, rig.grip.turning_Nu_per_rad, yield_u_per_N);
+      throw std::runtime_error("the statics of a trial have no end");
     }
     return this->z_;
   }
@@ -139,20 +137,12 @@ private:
     this->misses_.cost.time([&] { r = &this->rig.step(hand_W); });
     const double moment_N = (r->exact_W.torque - truth_W.torque).norm() / this->length_u;
     this->misses_.force_N = std::max({ this->misses_.force_N, (r->exact_W.force - truth_W.force).norm(), moment_N });
-    if (std::getenv("CDBG") && std::max((r->exact_W.force - truth_W.force).norm(), moment_N) > 1e-9)
-    {
-      std::fprintf(stderr, "kind %d tick %d L %.4f k %.1f kr %.3f c %.5f | truth %.6f %.6f %.6f got %.6f %.6f %.6f mom %.3g capped %d res %.3g ev %d strength %.5f phase %d\n",
-        int(this->rig.mechanism.laws[0].kind), this->dbg_, length_u, rig.grip.coupling_N_per_u, rig.grip.turning_Nu_per_rad, yield_u_per_N,
-        truth_W.force.x(), truth_W.force.y(), truth_W.force.z(), r->exact_W.force.x(), r->exact_W.force.y(), r->exact_W.force.z(), moment_N, r->capped, r->residual_u, r->eventCount, rig.mechanism.laws[0].strength_N, int(r->laws[0].phase));
-    }
-    ++this->dbg_;
     this->misses_.residual_u = std::max(this->misses_.residual_u, r->residual_u);
   }
 
   LawMisses& misses_;
   Eigen::VectorXd z_;
   bool planned_ = false;
-  int dbg_ = 0;
 };
 
 } // namespace palpate::lab

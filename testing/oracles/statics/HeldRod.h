@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -55,15 +56,22 @@ struct Rubbed
 };
 
 /// The friction force on a place: opposite to its slip and at its most, or less where nothing slips. `under(force)` is
-/// Rubbed; `yield` is about how much slip goes with force. Projected steps, to the end.
+/// Rubbed; `yield` is about how much slip goes with force, and grows to what is found. Projected steps, to the end.
 template<class Under>
 Eigen::Vector3d frictionAt(const Eigen::Vector3d& first, double yield, const Under& under)
 {
-  Eigen::Vector3d force = first;
+  constexpr double rounding_N = 1e-6; // what slips by less force says nothing of the yield
+  Eigen::Vector3d force = first, forceBefore = first, slipBefore = Eigen::Vector3d::Zero();
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 200; ++i)
   {
     const Rubbed now = under(force);
+    if (const double way = (force - forceBefore).norm(); way > rounding_N)
+    {
+      yield = std::max(yield, (now.slip - slipBefore).norm() / way);
+    }
+    forceBefore = force;
+    slipBefore = now.slip;
     Eigen::Vector3d next = force - now.slip / yield;
     if (const double size = next.norm(); size > now.most)
     {
