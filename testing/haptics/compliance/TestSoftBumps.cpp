@@ -239,8 +239,8 @@ TEST(SoftBumps, TheForceIsTheCouplingTimesTheWayToTheBallAndNoTickEndsAtALimit)
               << tick << " " << young_Pa << " " << height << " " << radius << " " << friction;
           }
           std::ranges::sort(work);
-          // All but one tick of a hundred take a tenth of what a tick may (bumps of 2 mm: a fifth). Where a ball goes over
-          // an edge it goes in parts, and takes half of that at most.
+          // All but one tick of a hundred take a tenth of what a tick may (bumps of 2 mm: a fifth). Where a ball goes
+          // over an edge it goes in parts, and takes half of that at most.
           EXPECT_LE(work[work.size() * 99 / 100], s.plan.workBudget / (height > 0.001 ? 5 : 10));
           EXPECT_LE(work.back(), s.plan.workBudget / 2);
           EXPECT_EQ(atALimit, 0) << young_Pa << " " << height << " " << radius << " " << friction;

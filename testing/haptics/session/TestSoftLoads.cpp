@@ -160,14 +160,15 @@ TEST(SoftLoads, OfALinearBodyMoveItsSurfaceAndChangeNothingOfHowItYields)
   // near less that share a vertex is in both, and what is in one of them is not further than that share beyond.
   const SoftBodyResult made = makeSoftBody(softBlock(ElasticModel::Linear));
   const SoftSurface surface = makeSoftSurface(*made.body, made.checked.mesh);
-  const auto middle = std::ranges::min_element(
-    surface.rest_W, {}, [](const Vec3& p) { return (p - topOfBlock()).squaredNorm(); }) -
+  const auto middle =
+    std::ranges::min_element(surface.rest_W, {}, [](const Vec3& p) { return (p - topOfBlock()).squaredNorm(); }) -
     surface.rest_W.begin();
   const double reach_u = surface.patch_u[middle] + surface.edge_u[middle];
   const double strain = weight_N_per_m3 * heightOfBlock_m / youngOfBlock_Pa;
   const auto within = [&](double reach)
   { return nearVerticesOf(surface, surface.rest_W, topOfBlock(), reach, surface.rest_W.size()); };
-  const auto has = [](const std::vector<std::uint32_t>& list, std::uint32_t v) { return std::ranges::count(list, v) == 1; };
+  const auto has = [](const std::vector<std::uint32_t>& list, std::uint32_t v)
+  { return std::ranges::count(list, v) == 1; };
   const std::vector<std::uint32_t> both = within((1.0 - strain) * reach_u), either = within((1.0 + strain) * reach_u);
   EXPECT_GT(both.size(), 9u);
   for (const std::uint32_t a : both)

@@ -167,9 +167,8 @@ TEST(SoftPath, InEveryTickOverBumpsTheForceIsTheSpringsBetweenProxyAndHand)
   {
     for (const double friction : { 0.0, 0.3 })
     {
-      for (const auto& [model, rate_Hz, ticks] :
-        { std::tuple(ElasticModel::Linear, 0.0, 200), std::tuple(ElasticModel::Linear, 30.0, 1000),
-          std::tuple(ElasticModel::NeoHookean, 30.0, 1000) })
+      for (const auto& [model, rate_Hz, ticks] : { std::tuple(ElasticModel::Linear, 0.0, 200),
+             std::tuple(ElasticModel::Linear, 30.0, 1000), std::tuple(ElasticModel::NeoHookean, 30.0, 1000) })
       {
         const auto touch = touchOf(bumpyBlock(model), rate_Hz, radius_u, friction);
         int pressed = 0;
@@ -178,8 +177,8 @@ TEST(SoftPath, InEveryTickOverBumpsTheForceIsTheSpringsBetweenProxyAndHand)
           const Vec3 hand = overBumps(i, radius_u, 0.006);
           const HapticState state = touch->next(pathTick_s * i, { hand, Quat::Identity() });
           const Vec3 spring_N = spring_N_per_m * (state.proxy_W.p - hand);
-          EXPECT_LE((state.force_W - spring_N).norm(),
-            roundingOfSpring_N(spring_N_per_m, hand.norm(), state.force_W.norm()))
+          EXPECT_LE(
+            (state.force_W - spring_N).norm(), roundingOfSpring_N(spring_N_per_m, hand.norm(), state.force_W.norm()))
             << i;
           pressed += state.soft.pressed;
         }
@@ -204,8 +203,8 @@ TEST(SoftPath, WhereHeldFacesStopTheBallTheForceIsTheSpringsToo)
         const Vec3 hand = overBumps(i, radius_u, 0.055);
         const HapticState state = touch->next(pathTick_s * i, { hand, Quat::Identity() });
         const Vec3 spring_N = spring_N_per_m * (state.proxy_W.p - hand);
-        EXPECT_LE((state.force_W - spring_N).norm(),
-          roundingOfSpring_N(spring_N_per_m, hand.norm(), state.force_W.norm()))
+        EXPECT_LE(
+          (state.force_W - spring_N).norm(), roundingOfSpring_N(spring_N_per_m, hand.norm(), state.force_W.norm()))
           << i;
         stopped += state.proxy_W.p.z() < radius_u + 1e-9; // the held side is z = 0
       }
