@@ -2,7 +2,7 @@
 #ifndef vtkHapticHeldTool_h
 #define vtkHapticHeldTool_h
 
-#include "haptics/session/tool/HeldTool.h"
+#include "haptics/session/tool/ToolWorker.h"
 #include "haptics/tick/HapticState.h"
 #include "vtkHapticToolHandle.h"
 #include "vtkPolyData.h"

@@ -43,7 +43,7 @@ bool NextStatement(LineReader& lines, std::string& joined, std::string_view& sta
   return true;
 }
 
-void ReadFace(std::string_view line, vtkHapticFaceMesh& mesh)
+void ReadFaceLine(std::string_view line, vtkHapticFaceMesh& mesh)
 {
   while (!IsBlank(line))
   {
@@ -67,7 +67,7 @@ void ReadStatement(std::string_view line, vtkHapticFaceMesh& mesh)
   }
   else if (keyword == "f")
   {
-    ReadFace(line, mesh);
+    ReadFaceLine(line, mesh);
   }
   else if (!IsSkipped(keyword))
   {

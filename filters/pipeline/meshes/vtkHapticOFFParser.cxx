@@ -67,7 +67,7 @@ Counts ReadCounts(LineReader& lines, std::size_t size)
   return counts;
 }
 
-void ReadFace(std::string_view line, vtkHapticFaceMesh& mesh)
+void ReadFaceOfCorners(std::string_view line, vtkHapticFaceMesh& mesh)
 {
   const auto corners = TakeNumber<std::int64_t>(line, "a face");
   if (corners < 1 || corners > static_cast<std::int64_t>(line.size() / 2))
@@ -109,7 +109,7 @@ void ReadAll(LineReader& lines, std::size_t size, vtkHapticFaceMesh& mesh)
   const Counts counts = ReadCounts(lines, size);
   mesh.Coordinates.reserve(static_cast<std::size_t>(counts.Points) * 3);
   ReadRecords(lines, counts.Points, "points", [&mesh](std::string_view line) { ReadPoint(line, mesh.Coordinates); });
-  ReadRecords(lines, counts.Faces, "faces", [&mesh](std::string_view line) { ReadFace(line, mesh); });
+  ReadRecords(lines, counts.Faces, "faces", [&mesh](std::string_view line) { ReadFaceOfCorners(line, mesh); });
   std::string_view line;
   if (lines.Next(line))
   {
