@@ -46,6 +46,7 @@ HELD = (
     "docs/regression.md",
     "docs/servers.md",
     "docs/soft.md",
+    "docs/theory.md",
     "docs/tools.md",
     "docs/touching.md",
 )
