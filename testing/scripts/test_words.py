@@ -23,6 +23,7 @@ ROOT = Path(os.environ.get("PALPATE_SOURCE_DIR") or Path(__file__).resolve().par
 LONGEST_WORDS = 30  # of nine sentences in ten
 
 HELD = (
+    "ARCHITECTURE.md",
     "CONTRIBUTING.md",
     "README.md",
     "data/README.md",
@@ -72,7 +73,7 @@ def texts(page):
             text = text.replace(described.between(text, begin, end), "")
     text = re.sub(r"^```.*?^```$|<!--.*?-->", "", text, flags=re.DOTALL | re.MULTILINE)
     text = re.sub(r"^(?:    |#).*$", "", text, flags=re.MULTILINE)
-    text = re.sub(r"`[^`\n]*`", "CODE", text)
+    text = re.sub(r"`(?:[^`\n]|\n(?!\n))*`", "CODE", text)
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"(?<!\*)\*(?!\*)(?:[^*\n]|\n(?!\n))+\*(?!\*)", "NAME", text).replace("**", "")
     for block in re.split(r"\n\s*\n|\n(?=\s*(?:\d+\. |- |\|))", text):
