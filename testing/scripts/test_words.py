@@ -50,6 +50,9 @@ HELD = (
     "docs/theory.md",
     "docs/tools.md",
     "docs/touching.md",
+    "testing/haptics/recording/fixtures/README.md",
+    "testing/lab/README.md",
+    "testing/vm/README.md",
 )
 
 # A word of this project alone, and the term that stands for it.
