@@ -167,7 +167,6 @@ PRIVATE = {
     r"packets?": "condensed compliance",
     r"nobody": "a subject that exists",
     r"rub(?:s|bed|bing)?": "friction",
-    r"such and such": "the value",
 }
 
 
