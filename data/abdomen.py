@@ -131,7 +131,8 @@ def wall(outer, box):
 
 
 def scene():
-    soft = {"kind": "soft", "poisson": 0.4, "model": "linear"}
+    # As wide as a dent that a linear body follows.
+    soft = {"kind": "soft", "poisson": 0.4, "model": "linear", "tip_diameter": 20}
     return {
         "format": "palpate mechanism", "version": 1, "unit_m": 0.001,
         "bodies": [

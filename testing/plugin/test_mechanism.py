@@ -29,7 +29,8 @@ ASIDE = 2.0  # u, of a hand in the process that a state is loaded in
 CLAMP = {"name": "clamp", "kind": "spring", "a": "needle", "b": "wall", "axis_b": [1, 0, 0], "stiffness_N_per_m": 100}
 JOINED = {"format": "palpate mechanism", "version": 1, "unit_m": 0.001, "bodies": [
     {"name": "needle", "kind": "held", "length": 40, "diameter": 1},
-    {"name": "tissue", "kind": "soft", "file": "tissue.vtu", "fixed": "zmax", "young_Pa": 30000, "poisson": 0.4, "model": "linear"}],
+    {"name": "tissue", "kind": "soft", "file": "tissue.vtu", "fixed": "zmax", "young_Pa": 30000, "poisson": 0.4, "model": "linear",
+     "tip_diameter": 18.75}],
     "laws": [{"name": "thread", "kind": "attachment", "a": "needle", "b": "tissue", "point_a": [0, 0, 40], "point_b": [0, 0, 40]}]}
 
 

@@ -61,17 +61,17 @@ class _Refusals:
 
     def __enter__(self):
         self.session = GetHapticSession()
-        self.refused = False
+        self.refused = None
         self.observer = self.session.AddObserver("ErrorEvent", self._note)
         return self.session
 
     def _note(self, *_):
-        self.refused = True
+        self.refused = self.session.GetProblem()  # a proxy that reads the former value back takes the sentence away
 
     def __exit__(self, kind, *_):
         self.session.RemoveObserver(self.observer)
         if self.refused and kind is None:
-            raise HapticRefusal(self.session.GetProblem())
+            raise HapticRefusal(self.refused)
 
 
 def _put(name, value):

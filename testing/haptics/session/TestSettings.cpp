@@ -224,7 +224,7 @@ TEST(SettingStore, NumbersStayWhereTheyAreWhenTheyAreSet)
 {
   SettingStore store;
   const double* const before = store.of("Offset").numbers.data();
-  store.put("Offset", { { 1.0, 2.0, 3.0 }, {} });
+  store.put("Offset", SettingValue{ { 1.0, 2.0, 3.0 }, {} });
   EXPECT_EQ(store.of("Offset").numbers.data(), before);
   EXPECT_EQ(before[2], 3.0);
 }
