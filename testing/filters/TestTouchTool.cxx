@@ -202,5 +202,5 @@ TEST(TouchTool, OnABodyThatGivesWayItIsRefusedInWordsAndWithoutTheToolABallPress
   ASSERT_EQ(touch->GetOutput()->GetNumberOfPoints(), 2);
   const double pushed_N = vectorAt(*touch, "Force", 1).z();
   EXPECT_GT(pushed_N, 0.0);
-  EXPECT_LT(pushed_N, 0.9 * stiffness_N_per_m * 0.1 / scale_u_per_m) << "that of a rigid one, but for its yield";
+  EXPECT_LT(pushed_N, stiffness_N_per_m * 0.1 / scale_u_per_m) << "a body that yields pushes less than a rigid one";
 }
