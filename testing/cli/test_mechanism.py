@@ -106,6 +106,7 @@ class Mechanism(CommandLineTest):
             scene = json.loads((SCENES / "needle.json").read_text())
             scene["bodies"] = [body for body in scene["bodies"] if body["name"] != "wall"]
             scene["laws"] = [law for law in scene["laws"] if law["b"] == "liver"]
+            del scene["bodies"][1]["tip_diameter"]  # as wide as the needle
             scene["bodies"][1].update(edge=edge)
             self.write("edge.json", json.dumps(scene))
             rows, _ = self.touch("edge.json", ways, "--stiffness", held, "--scale", 1000, "--torque-stiffness", 5, "--low-rate", 0)
