@@ -41,9 +41,9 @@ const std::string joined = R"({ "format": "palpate mechanism", "version": 1, "un
   "bodies": [
     { "name": "needle", "kind": "held", "length": 40, "diameter": 1 },
     { "name": "tissue", "kind": "soft", "box": [60, 60, 15], "at": [0, 0, 47.5], "edge": 7.5, "fixed": "zmax",
-      "young_Pa": 30000, "poisson": 0.4, "model": "linear", "tip_diameter": 60 },
+      "young_Pa": 30000, "poisson": 0.4, "model": "linear", "tip_diameter": 0 },
     { "name": "plate", "kind": "soft", "box": [30, 30, 10], "at": [0, 0, 90], "edge": 10, "fixed": "zmax",
-      "young_Pa": 30000, "poisson": 0.4, "model": "linear", "tip_diameter": 60 } ],
+      "young_Pa": 30000, "poisson": 0.4, "model": "linear", "tip_diameter": 0 } ],
   "laws": [ )";
 const std::string thread = R"({ "name": "thread", "kind": "attachment", "a": "needle", "b": "tissue",
   "point_a": [0, 0, 40], "point_b": [3, 2, 40] })";

@@ -142,16 +142,17 @@ void CheckHead(const Node& root)
   }
 }
 
-/// What nobody has given a tip is pressed with one as wide as the rod in the hand, not as the mesh happens to be.
+constexpr double NoTipGiven = -1.0;
+
+/// A body without a tip of its own is pressed by one as wide as the rod in the hand, whatever the mesh is.
 void PressByHeld(palpate::MechanismInputs& inputs)
 {
-  for (const palpate::MechanismBody& body : inputs.mechanism.bodies)
+  const auto held =
+    std::ranges::find(inputs.mechanism.bodies, palpate::MechanismBodyKind::Held, &palpate::MechanismBody::kind);
+  const double tip_u = held != inputs.mechanism.bodies.end() ? 0.5 * held->diameter_u : 0.0;
+  for (palpate::MechanismSoftInput& soft : inputs.soft)
   {
-    for (palpate::MechanismSoftInput& soft : inputs.soft)
-    {
-      const bool presses = body.kind == palpate::MechanismBodyKind::Held && soft.tip_u == 0.0;
-      soft.tip_u = presses ? 0.5 * body.diameter_u : soft.tip_u;
-    }
+    soft.tip_u = soft.tip_u == NoTipGiven ? tip_u : soft.tip_u;
   }
 }
 
@@ -179,7 +180,8 @@ vtkHapticMechanismResult Build(
     {
       node.Fail("", body.name + " cannot give way: " + made.Problem);
     }
-    inputs->soft.push_back({ body.name, made.Input, 0.5 * node.Size("tip_diameter") });
+    const double tip_u = node.Has("tip_diameter") ? 0.5 * node.Size("tip_diameter") : NoTipGiven;
+    inputs->soft.push_back({ body.name, made.Input, tip_u });
     result.SoftGrids.push_back(made.Grid);
   }
   inputs->soft = read.empty() ? inputs->soft : read;
