@@ -52,7 +52,7 @@ struct CompliancePacket
 
   std::uint32_t version = 0;
   std::uint64_t builtFromTick = 0;    ///< of the hand and the forces that it was linearised at
-  std::vector<Vec3> free_W;           ///< every vertex of the surface, the tool's force taken off [u]
+  std::vector<Vec3> free_W;           ///< every vertex of the surface, as it is without the tool [u]
   std::vector<std::uint32_t> near;    ///< vertices with compliance: far ones that are pressed, then by distance
   std::vector<std::uint32_t> placeOf; ///< of every vertex: its place in `near`, or that of the nearest one
   Eigen::MatrixXd compliance;         ///< three rows a place [u/N]: symmetric, positive semidefinite

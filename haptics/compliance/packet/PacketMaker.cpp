@@ -8,6 +8,7 @@
 #include <queue>
 
 #include "haptics/compliance/packet/PointCompliance.h"
+#include "haptics/compliance/packet/SecantStep.h"
 
 namespace palpate
 {
@@ -380,6 +381,17 @@ void PacketMaker::addSprings(const PacketRequest& request, Spread& spread, Compl
   }
 }
 
+/// How far the surface has moved beyond the answer of the last factor to the load.
+std::vector<Vec3> PacketMaker::beyondTangent_u(const Eigen::VectorXd& load_N) const
+{
+  const Eigen::VectorXd& atRest = this->body_.atRest();
+  std::vector<Vec3> beyond_u =
+    this->surface_.placesOf(atRest, this->body_.displacement() - this->body_.linearAnswer(load_N));
+  std::ranges::transform(
+    beyond_u, this->untouched_W_, beyond_u.begin(), [](const Vec3& a, const Vec3& b) { return Vec3(a - b); });
+  return beyond_u;
+}
+
 std::shared_ptr<const CompliancePacket> PacketMaker::make(const PacketRequest& request, int newtonSteps)
 {
   Spread& spread = this->spreadFor(request);
@@ -391,15 +403,18 @@ std::shared_ptr<const CompliancePacket> PacketMaker::make(const PacketRequest& r
   auto packet = std::make_shared<CompliancePacket>();
   packet->version = ++this->version_;
   packet->builtFromTick = request.tick;
-  // What does not change with strain is, without the tool, where it was when its maker was made.
-  packet->free_W = this->body_.stiffnessChanges() ? this->surface_.placesOf(this->body_.atRest(),
-                                                      this->body_.displacement() - this->body_.linearAnswer(load))
-                                                  : this->untouched_W_;
+  // Of every law: continued along the tangent of a body that bends, the surface without the tool would lie far off, on
+  // the other side of the tool even.
+  packet->free_W = this->untouched_W_;
   this->choose(request, *packet);
   this->addCompliance(spread, *packet);
   this->addSprings(request, spread, *packet);
   packet->forceAt = request.forceAt;
   packet->force_N = request.force_N;
+  if (this->body_.stiffnessChanges())
+  {
+    takeSecant(this->beyondTangent_u(load), *packet);
+  }
   const SoftBodyState state = this->body_.stateUnder(load);
   packet->energy_Nu = state.energy_Nu - 0.5 * forceYieldOf(*packet);
   if (request.tip_u > 0.0 && request.radius_u <= 0.0)

@@ -81,6 +81,7 @@ private:
   [[nodiscard]] double edgeThatLacks_u(std::uint32_t vertex) const;
   void addTips(double tip_u, CompliancePacket& packet);
   void prepareSurface(const CompliancePacket& packet);
+  [[nodiscard]] std::vector<Vec3> beyondTangent_u(const Eigen::VectorXd& load_N) const;
   void addSprings(const PacketRequest& request, Spread& spread, CompliancePacket& packet);
 
   SoftBody& body_;

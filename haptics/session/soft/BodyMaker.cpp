@@ -10,7 +10,6 @@
 #include "haptics/compliance/body/NaturalPeriod.h"
 #include "haptics/compliance/mesh/FilledTwice.h"
 #include "haptics/compliance/packet/PointCompliance.h"
-#include "haptics/geometry/scene/SceneMotion.h"
 
 namespace palpate
 {
@@ -31,9 +30,6 @@ PacketRequest requestOf(const BodyHand& hand, double period_s)
   return request;
 }
 
-/// Of a way that is over within the tick that begins it.
-constexpr double atOnce_s = 1e-9;
-
 /// Where its way ends.
 Surface standing(Surface surface)
 {
@@ -53,7 +49,7 @@ std::unique_ptr<BodyMaker> BodyMaker::make(const SoftBodyInput& input, const std
 }
 
 BodyMaker::BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::string name, std::uint64_t revision)
-  : checked_(std::move(made.checked)), model_(input.model), name_(std::move(name)), body_(std::move(made.body)),
+  : checked_(std::move(made.checked)), name_(std::move(name)), body_(std::move(made.body)),
     surface_(makeSoftSurface(*this->body_, this->checked_.mesh)),
     packets_(*this->body_, this->surface_, naturalPeriod_s(*this->body_, input.density_kg_per_m3, input.unit_m)),
     first_(revision), revision_(revision)
@@ -63,7 +59,7 @@ BodyMaker::BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::strin
     [this](std::uint32_t node) { return static_cast<bool>(this->checked_.fixed[node]); });
   this->heldFaces_ = heldFaces({ this->surface_.rest_W, this->surface_.triangles }, held);
   this->held_ = this->heldFaces_ ? sceneOfHeld(*this->heldFaces_) : nullptr;
-  (void)this->surfacesWith(this->surface_.rest_W, false); // numbered as the packets are; what bends keeps its numbers
+  (void)this->surfacesWith(this->surface_.rest_W, false); // numbered as the packets are
 }
 
 void BodyMaker::touch(std::shared_ptr<const Scene> beside)
@@ -98,26 +94,22 @@ std::vector<Surface> BodyMaker::surfacesWith(const std::vector<Vec3>& free_W, bo
   return surfaces;
 }
 
-/// The free surface of a linear body is always the untouched one. What is beside a body that begins has gone its way
-/// before.
-std::shared_ptr<const Scene> BodyMaker::sceneOf(const CompliancePacket& packet, double period_s)
+/// The free surface is always the untouched one. What is beside a body that begins has gone its way before.
+std::shared_ptr<const Scene> BodyMaker::sceneOf(const CompliancePacket& packet)
 {
-  const bool stays = this->model_ == ElasticModel::Linear;
-  if (stays && this->scene_)
+  if (this->scene_)
   {
     return this->scene_;
   }
   const std::uint64_t revision = this->beside_ ? this->beside_->revision() : 1;
-  const bool arrived = this->scene_ != nullptr || this->revision_ == this->first_;
-  const double way_s = this->beside_ && !arrived ? this->beside_->motion_s() : 0.0;
-  const double motion_s = stays ? way_s : std::min(way_s, period_s); // the scene of the next packet has them at its end
+  const bool arrived = this->revision_ == this->first_;
   std::vector<Surface> surfaces = this->surfacesWith(packet.free_W, arrived);
   if (surfaces.empty())
   {
     return nullptr;
   }
-  const auto next = std::make_shared<const Scene>(revision, std::move(surfaces), motion_s);
-  this->scene_ = this->scene_ ? movingFrom(*this->scene_, 1.0, next, std::max(period_s, atOnce_s)) : next;
+  const double motion_s = this->beside_ && !arrived ? this->beside_->motion_s() : 0.0;
+  this->scene_ = std::make_shared<const Scene>(revision, std::move(surfaces), motion_s);
   return this->scene_;
 }
 
@@ -130,7 +122,7 @@ std::shared_ptr<const PressedBody> BodyMaker::press(const BodyHand& hand, double
     request.force_N.clear();
   }
   const auto packet = this->packets_.make(request, newtonSteps);
-  const auto scene = packet ? this->sceneOf(*packet, period_s) : nullptr;
+  const auto scene = packet ? this->sceneOf(*packet) : nullptr;
   if (!scene)
   {
     return nullptr;

@@ -64,14 +64,13 @@ public:
 
 private:
   BodyMaker(SoftBodyResult made, const SoftBodyInput& input, std::string name, std::uint64_t revision);
-  [[nodiscard]] std::shared_ptr<const Scene> sceneOf(const CompliancePacket& packet, double period_s);
+  [[nodiscard]] std::shared_ptr<const Scene> sceneOf(const CompliancePacket& packet);
   [[nodiscard]] std::vector<Vec3> dents_u() const;
   void addStrain(BodyShape& shape) const;
   [[nodiscard]] double throughItself_u(const CompliancePacket& packet) const;
   [[nodiscard]] std::vector<Surface> surfacesWith(const std::vector<Vec3>& free_W, bool standingBeside);
 
   CheckedTetras checked_;
-  ElasticModel model_;
   std::string name_;
   std::unique_ptr<SoftBody> body_;
   SoftSurface surface_;

@@ -134,25 +134,51 @@ TEST(CompliancePacket, ABallIsAsFarFromHertzOnACoarseMeshAsOnAFineOne)
 
 TEST(CompliancePacket, WithTheForceOfItsStateTheSurfaceIsThatOfItsState)
 {
-  SoftPad soft(8);
+  for (const ElasticModel model : { ElasticModel::Linear, ElasticModel::NeoHookean })
+  {
+    SoftPad soft(8, 2.0, ElementKind::EdgeSmoothed, [model](SoftBodyInput& input) { input.model = model; });
+    PacketRequest request = soft.request(0.005);
+    request.forceAt = { soft.top() };
+    request.force_N = { Vec3(0.05, 0.02, -0.3) };
+    PacketMaker maker(*soft.body, soft.surface);
+    const auto packet = maker.make(request, 20);
+    ASSERT_TRUE(packet);
+    EXPECT_LE(packet->residual_N, 1e-10);
+    for (std::size_t i = 0; i < packet->near.size(); ++i)
+    {
+      Vec3 place = packet->free_W[packet->near[i]];
+      for (int c = 0; c < 3; ++c)
+      {
+        place += request.forceAt[0].weights[c] * packet->between(packet->near[i], request.forceAt[0].vertices[c]) *
+                 request.force_N[0];
+      }
+      const std::uint32_t v = packet->near[i]; // at rest but for the force, which patches carry
+      const Vec3 state = soft.surface.rest_W[v] + soft.surface.map.displacementOf(v, soft.body->displacement());
+      EXPECT_LE((place - state).norm(), 1e-14);
+    }
+  }
+}
+
+TEST(CompliancePacket, OfABodyThatIsCrushedTheFreeSurfaceIsTheUntouchedOneAndComplianceIsNotNegative)
+{
+  SoftPad soft(6, 2.0, ElementKind::EdgeSmoothed, [](SoftBodyInput& input) { input.model = ElasticModel::NeoHookean; });
+  const std::vector<Vec3> untouched_W = soft.surface.placesOf(*soft.body);
+  PacketMaker maker(*soft.body, soft.surface);
   PacketRequest request = soft.request(0.005);
   request.forceAt = { soft.top() };
-  request.force_N = { Vec3(0.05, 0.02, -0.3) };
-  PacketMaker maker(*soft.body, soft.surface);
-  const auto packet = maker.make(request, 20);
-  ASSERT_TRUE(packet);
-  EXPECT_LE(packet->residual_N, 1e-10);
-  for (std::size_t i = 0; i < packet->near.size(); ++i)
+  for (const int steps : { 1, 3, 20 }) // most of them before the body is at rest
   {
-    Vec3 place = packet->free_W[packet->near[i]];
-    for (int c = 0; c < 3; ++c)
+    for (const double force_N : { 0.3, 30.0, 3.0, 0.0 })
     {
-      place += request.forceAt[0].weights[c] * packet->between(packet->near[i], request.forceAt[0].vertices[c]) *
-               request.force_N[0];
+      request.force_N = { Vec3(0.1 * force_N, 0.0, -force_N) };
+      const auto packet = maker.make(request, steps);
+      ASSERT_TRUE(packet);
+      EXPECT_EQ(packet->free_W, untouched_W);
+      EXPECT_EQ(packet->compliance, packet->compliance.transpose());
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(packet->compliance);
+      // Rounding of the factor's solves and of the eigenvalues themselves.
+      EXPECT_GE(solver.eigenvalues()[0], -1e-12 * solver.eigenvalues()[packet->compliance.rows() - 1]);
     }
-    const std::uint32_t v = packet->near[i]; // at rest but for the force, which patches carry
-    const Vec3 state = soft.surface.rest_W[v] + soft.surface.map.displacementOf(v, soft.body->displacement());
-    EXPECT_LE((place - state).norm(), 1e-14);
   }
 }
 
@@ -371,8 +397,7 @@ TEST(CompliancePacket, WithNodesHalfwayTheDentOfATipVanishesAsTheTipBecomesAsWid
   constexpr double narrower = 1e-3;
   for (const double poisson : { 0.45, 0.49 })
   {
-    SoftPad soft(
-      6, patchEdges, ElementKind::Quadratic, [poisson](SoftBodyInput& input) { input.poisson = poisson; });
+    SoftPad soft(6, patchEdges, ElementKind::Quadratic, [poisson](SoftBodyInput& input) { input.poisson = poisson; });
     const SurfacePoint top = soft.top();
     Eigen::Index corner = 0;
     top.weights.maxCoeff(&corner);
