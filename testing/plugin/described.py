@@ -28,8 +28,10 @@ REPEATED = ' command="AddStrokePoint" clean_command="ClearStrokePoints"\n' + 28 
 
 
 def documentation(described):
+    """The unit stands behind the first sentence, which names the quantity."""
     unit = f" [{described['unit']}]" if described["unit"] else ""
-    return f"        <Documentation>{escape(described['sentence'])}{unit}.</Documentation>"
+    first, stop, rest = described["sentence"].partition(". ")
+    return f"        <Documentation>{escape(first + unit + stop + rest)}.</Documentation>"
 
 
 def number(value):

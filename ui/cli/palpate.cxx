@@ -32,132 +32,158 @@ struct Arguments
 
 void AddDevices(CLI::App& app, Arguments& arguments)
 {
-  CLI::App* command = app.add_subcommand("devices", "what is attached, what each can do, why one cannot be used");
-  CLI::Option* json = command->add_flag("--json", arguments.DevicesJson, "for a program to read");
+  CLI::App* command = app.add_subcommand(
+    "devices", "List the attached devices, their functions, and the reason why a device cannot be used");
+  CLI::Option* json = command->add_flag("--json", arguments.DevicesJson, "Print JSON");
   CLI::Option* test = command->add_option("--self-test", arguments.SelfTest,
-    "ID: check that device with the person who holds it; a simulated hand does what is asked");
+    "Check the device ID together with its user; a simulated hand follows the instructions by itself");
   test->excludes(json);
-  command->add_flag("--keep", arguments.Keep, "what the check found, to be applied from now on")->needs(test);
+  command->add_flag("--keep", arguments.Keep, "Save the result of the check; later sessions apply it")->needs(test);
   command->add_flag("--wheel", arguments.Wheel, std::string(palpate::sessionSetting("Wheel").sentence))->needs(test);
 }
 
 void AddCheck(CLI::App& app, Arguments& arguments)
 {
   vtkHapticCliCheckOptions& options = arguments.Check;
-  CLI::App* command = app.add_subcommand("check", "can it be touched? what was repaired, what is refused");
+  CLI::App* command = app.add_subcommand("check", "Check whether a file can be touched; list repairs and refusals");
   command
     ->add_option("FILE", options.File,
-      "vtp, vtu, stl, ply, obj, off; vti, nii, nii.gz with --iso; lines: vtp, svg, png; mechanisms: json")
+      "Surfaces (vtp, vtu, stl, ply, obj, off), images with --iso (vti, nii, nii.gz), lines (vtp, svg, png), "
+      "mechanisms (json)")
     ->required();
-  command->add_option("--iso", options.Iso, "value of the surface in an image");
-  options.Settings.Add(*command, "Radius", "does it fit?");
-  command->add_flag("--force-radius", options.ForceRadius, "that ball, although a tick may run out of its work");
-  options.Settings.Add(*command, "LineRadius", "at 0 walls across the plane z = 0");
+  command->add_option("--iso", options.Iso, "Isovalue that extracts the surface from an image");
+  options.Settings.Add(*command, "Radius", "the report says whether this radius fits");
+  command->add_flag(
+    "--force-radius", options.ForceRadius, "Use the radius as set, even if a tick may exceed its work limit");
+  options.Settings.Add(*command, "LineRadius", "at 0, lines are walls perpendicular to the plane z = 0");
   options.Settings.Add(*command, "FrictionStatic");
-  options.Settings.Add(*command, "FrictionKinetic", "without it the static one");
+  options.Settings.Add(*command, "FrictionKinetic", "default: the static coefficient");
   vtkHapticCliAddMaterials(*command, options.Materials);
-  command->add_option("--thin", options.Thin_u, "name walls of a closed surface that are thinner [scene units]")
+  command->add_option("--thin", options.Thin_u, "List walls of a closed surface thinner than this [u]")
     ->check(CLI::NonNegativeNumber);
   command->add_option("--torque-stiffness", options.Turning_N_m_per_rad,
-    "of the hand that holds a mechanism, whose turn is free without it [N m/rad]");
-  command->add_flag("--simplify", options.Simplify, "with how few triangles it would feel the same, proven");
-  command->add_flag("--json", options.Json, "for a program to read");
+    "Mechanism: rotational stiffness between hand and held body [N m/rad]. Default: the body rotates freely");
+  command->add_flag(
+    "--simplify", options.Simplify, "Report the smallest number of triangles that is proven to feel the same");
+  command->add_flag("--json", options.Json, "Print JSON");
+}
+
+/// Tool, soft body and mechanism: each option names its group of the help text.
+void AddTouchedBodies(CLI::App& command, vtkHapticCliTouchOptions& options)
+{
+  command.option_defaults()->group("Tool");
+  CLI::Option* tool =
+    command.add_option("--tool", options.Tool.File, "Rigid mesh in the hand; the hand holds the origin of its data");
+  CLI::Option* lever = command.add_option("--lever", options.Tool.Lever_u,
+    "With --tool: lever arm [u] for rotational stiffness (default: radius of gyration of the mesh)");
+  lever->needs(tool);
+  command
+    .add_flag("--virtual-coupling", options.Tool.VirtualCoupling,
+      "With --tool: render the spring between tool and hand in place of the contact forces")
+    ->needs(tool);
+  command.option_defaults()->group("Soft body");
+  CLI::Option* young = command.add_option("--young", options.Soft.Young_Pa,
+    "Make FILE (vtu or closed surface) a soft body with this Young's modulus, 10 to below 1e12 [Pa]. One unit is 1 / "
+    "--scale metres");
+  command.add_option("--poisson", options.Soft.Poisson, "With --young: Poisson's ratio, 0 to below 0.5")
+    ->capture_default_str()
+    ->needs(young);
+  command
+    .add_option("--fixed", options.Soft.Fixed,
+      "With --young: fixed points, as sides of the bounding box (xmin,xmax,ymin,ymax,zmin,zmax) or a point array")
+    ->needs(young);
+  command
+    .add_option("--model", options.Soft.Model, "With --young: constitutive model, linear, corotational or neohookean")
+    ->capture_default_str()
+    ->check(CLI::IsMember({ "linear", "corotational", "neohookean" }))
+    ->needs(young);
+  command.option_defaults()->group("Mechanism");
+  command
+    .add_option("--torque-stiffness", options.Turning_N_m_per_rad,
+      "Mechanism: rotational stiffness between hand and held body (default: free rotation) [N m/rad]. With --tool: "
+      "replaces --lever")
+    ->excludes(lever);
+  command.add_option("--low-rate", options.Soft.AskedRate_Hz,
+    "Mechanism, or --young: solver rate in virtual time [Hz], default 30. 0: solve to equilibrium in every tick");
 }
 
 void AddTouch(CLI::App& app, Arguments& arguments)
 {
   vtkHapticCliTouchOptions& options = arguments.Touch;
-  CLI::App* command = app.add_subcommand("touch", "the tick along a given device path, without device limits");
+  CLI::App* command =
+    app.add_subcommand("touch", "Compute contact along a path of the device, one tick per row, without device limits");
   command
     ->add_option("FILE", options.Files,
-      "surfaces; images with --iso; lines (vtp, svg, png) with --two-d or --line-radius; a mechanism (json)")
+      "Surfaces, images (with --iso), lines (vtp, svg, png; with --two-d or --line-radius), or one mechanism (json)")
     ->required();
-  command->add_option("--path", options.Path, "PATH.csv: t,x,y,z[,qw,qx,qy,qz] [s, scene units], a tick per row")
+  command->option_defaults()->group("Input");
+  command
+    ->add_option("--path", options.Path,
+      "Path of the device: PATH.csv with columns t,x,y,z[,qw,qx,qy,qz] [s, u], one tick per row")
     ->required();
-  command->add_option("--csv", options.Output, "OUT.csv: a row per tick")->required();
-  command->add_option("--iso,--value", options.Iso, "value of the surface in an image, or of --mode isosurface");
+  command->add_option(
+    "--iso,--value", options.Iso, "Isovalue that extracts the surface from an image, or of --mode isosurface");
+  command->add_flag("--two-d", options.TwoD, "Render lines in the plane z = 0 as walls, touched in that plane");
   options.Settings.AddAll(*command);
+  command->option_defaults()->group("Material");
   vtkHapticCliAddMaterials(*command, options.Materials);
+  command->option_defaults()->group("Field");
   vtkHapticCliAddField(*command, options.Field);
-  CLI::Option* tool =
-    command->add_option("--tool", options.Tool.File, "mesh in the hand that turns; its origin is held");
-  CLI::Option* lever = command->add_option(
-    "--lever", options.Tool.Lever_u, "of --tool: what a turn by 1 rad weighs as a way [u]; else that of the mesh");
-  command
-    ->add_option("--torque-stiffness", options.Turning_N_m_per_rad,
-      "of --tool, in place of --lever, or of a mechanism, whose turn is free without it [N m/rad]")
-    ->excludes(lever);
-  lever->needs(tool);
-  command
-    ->add_flag(
-      "--virtual-coupling", options.Tool.VirtualCoupling, "of --tool: a spring to the hand, not what contacts push")
-    ->needs(tool);
-  CLI::Option* young = command->add_option("--young", options.Soft.Young_Pa,
-    "FILE is a body that gives way, vtu or closed surface: its Young's modulus, 10 to below 1e12 [Pa]; a unit is "
-    "1 / --scale metres");
-  command->add_option("--poisson", options.Soft.Poisson, "of --young: Poisson's ratio, 0 to below 0.5")
-    ->capture_default_str()
-    ->needs(young);
-  command
-    ->add_option("--fixed", options.Soft.Fixed,
-      "of --young: what is held, sides of its box (xmin,xmax,ymin,ymax,zmin,zmax) or a point array")
-    ->needs(young);
-  command->add_option("--model", options.Soft.Model, "of --young: linear, corotational or neohookean")
-    ->capture_default_str()
-    ->check(CLI::IsMember({ "linear", "corotational", "neohookean" }))
-    ->needs(young);
-  command->add_option("--low-rate", options.Soft.AskedRate_Hz,
-    "of --young or a mechanism: how often a body is computed [Hz], virtual time, 30 without; 0: at rest in every tick");
-  command->add_flag("--two-d", options.TwoD, "lines in the plane z = 0 are walls, felt in that plane");
+  AddTouchedBodies(*command, options);
+  command->option_defaults()->group("Output");
+  command->add_option("--csv", options.Output, "OUT.csv with one row per tick")->required();
 }
 
 void AddReplay(CLI::App& app, Arguments& arguments)
 {
   vtkHapticCliReplayOptions& options = arguments.Replay;
-  CLI::App* command = app.add_subcommand("replay", "recompute a recording and compare bit for bit");
-  command->add_option("RECORDING", options.Recording, "as a session saved it")->required();
-  command->add_option("--scene", options.Scenes, "surfaces, for a recording that holds no scenes");
-  command->add_option("--iso", options.Iso, "value of the surface in an image");
-  command->add_option("--csv", options.Output, "OUT.csv: a row per tick, as recomputed");
+  CLI::App* command = app.add_subcommand("replay", "Recompute a recording and compare it bit for bit");
+  command->add_option("RECORDING", options.Recording, "Recording, as saved by a session")->required();
+  command->add_option("--scene", options.Scenes, "Surfaces, for a recording without scenes");
+  command->add_option("--iso", options.Iso, "Isovalue that extracts the surface from an image");
+  command->add_option("--csv", options.Output, "Output: OUT.csv with one recomputed row per tick");
 }
 
 void AddLabyrinth(CLI::App& app, Arguments& arguments)
 {
   vtkHapticCliLabyrinthOptions& options = arguments.Labyrinth;
-  CLI::App* command = app.add_subcommand("labyrinth", "a plane world: what it is, and a hand's way through it");
+  CLI::App* command = app.add_subcommand("labyrinth", "Describe a labyrinth, solve it, or play it");
   command->add_option(
-    "FILE", options.File, "lines in the plane z = 0, or a name of the gallery; without: all of these");
-  CLI::Option* solve = command->add_flag("--solve", options.Solve, "a blind hand finds the exit, by touch alone");
-  command->add_option("--path", options.Path, "PATH.csv: t,x,y,z of a hand [s, scene units], a tick per row")
+    "FILE", options.File, "Lines in the plane z = 0, or a name from the gallery. Default: the whole gallery");
+  CLI::Option* solve = command->add_flag("--solve", options.Solve, "Let a simulated hand find the exit by touch alone");
+  command
+    ->add_option("--path", options.Path, "Path of the device: PATH.csv with columns t,x,y,z [s, u], one tick per row")
     ->excludes(solve);
-  command->add_option("--csv", options.Output, "TRACE.csv of the way");
-  command->add_option("--corridor", options.Corridor_u, "width of its corridors [scene units]");
+  command->add_option("--csv", options.Output, "Output: TRACE.csv with the path of the hand");
+  command->add_option("--corridor", options.Corridor_u, "Width of the corridors [u]");
   CLI::Option* play = command->add_flag("--play", options.Play,
-    "from the device alone: button n plays labyrinth n (FILE, or each of the gallery), the next one ends");
+    "Play from the device alone: button n starts labyrinth n (FILE, or the gallery in order), the next button ends");
   play->excludes(solve)->excludes("--path");
   command->add_option("--hold", options.Hold,
-    "with --play, what must be held: the number of a button, or grip; without: the button that chose");
+    "With --play: dead-man switch, the number of a button or grip (default: the button that chose the labyrinth)");
   command->add_option("--device", options.Device,
-    "of the blind hand: simulated-joystick without; with --play: the one plugged in without");
-  command->add_option("--host", options.Host_Hz, "updates of the host [Hz]")->capture_default_str();
-  command->add_flag("--device-walls", options.DeviceWalls, "the device holds the walls in its own loop");
+    "Device of the simulated hand (default: simulated-joystick); with --play: the device (default: the attached one)");
+  command->add_option("--host", options.Host_Hz, "Update rate of the host [Hz]")->capture_default_str();
+  command->add_flag("--device-walls", options.DeviceWalls, "Let the device hold the walls in its own loop");
 }
 
 void AddTurn(CLI::App& app, Arguments& arguments)
 {
   vtkHapticCliTurnOptions& options = arguments.Turn;
-  CLI::App* command = app.add_subcommand("turn", "a value along a path, felt by turning a wheel");
-  command->add_option("WORLD", options.File, "WORLD.csv: s,value[,friction] [m of the hand, any, N], a place per row")
+  CLI::App* command = app.add_subcommand("turn", "Feel a value along a path by turning a wheel");
+  command
+    ->add_option("WORLD", options.File,
+      "WORLD.csv with columns s,value[,friction] [m of hand displacement, any unit, N], one position per row")
     ->required();
-  command->add_option("--device", options.Device, "what is turned: its x")->capture_default_str();
-  command->add_option("--seconds", options.Seconds, "for how long")->capture_default_str();
-  command->add_option("--hardest", options.Hardest_N, "with what the steepest slope of the value draws [N]")
+  command->add_option("--device", options.Device, "Device; its x axis is turned")->capture_default_str();
+  command->add_option("--seconds", options.Seconds, "Duration [s]")->capture_default_str();
+  command->add_option("--hardest", options.Hardest_N, "Force at the steepest slope of the value [N]")
     ->capture_default_str();
-  command->add_option("--detent-every", options.DetentEvery_m, "from one detent to the next [m]; 0: none");
-  command->add_option("--detent", options.Detent_N, "largest force of a detent [N]");
-  command->add_option("--stop", options.Stop_N_per_m, "stiffness of the stops at both ends [N/m]")
+  command->add_option("--detent-every", options.DetentEvery_m, "Distance between detents [m]; 0: none");
+  command->add_option("--detent", options.Detent_N, "Largest force of a detent [N]");
+  command->add_option("--stop", options.Stop_N_per_m, "Stiffness of the stops at both ends [N/m]")
     ->capture_default_str();
-  command->add_option("--csv", options.Output, "OUT.csv: t,s,force every 10 ms");
+  command->add_option("--csv", options.Output, "Output: OUT.csv with columns t,s,force, one row every 10 ms");
 }
 
 void CheckNumber(const char* option, double value, bool zeroAllowed, const char* unit)
@@ -165,13 +191,13 @@ void CheckNumber(const char* option, double value, bool zeroAllowed, const char*
   if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !zeroAllowed))
   {
     std::ostringstream message;
-    message << option << ' ' << value << ": it has to be a finite number of " << unit
+    message << option << ' ' << value << ": must be a finite number of " << unit
             << (zeroAllowed ? ", 0 or more" : ", more than 0");
     throw vtkHapticCliProblem(message.str());
   }
 }
 
-/// A turn that is free has no stiffness: nobody gives one of 0.
+/// A free rotation has no stiffness, so that a stiffness of 0 is an error.
 void CheckTurning(const std::optional<double>& turning_N_m_per_rad)
 {
   if (turning_N_m_per_rad)
@@ -180,17 +206,17 @@ void CheckTurning(const std::optional<double>& turning_N_m_per_rad)
   }
 }
 
-/// An option of something that is not there would be lost.
-void CheckWhatHasIt(const char* option, bool given, bool there, const char* what)
+/// An option without effect is refused.
+void CheckEffect(const char* option, bool given, bool there, const char* what)
 {
   if (given && !there)
   {
     throw vtkHapticCliProblem(
-      std::string(option) + ": there is nothing that has it; add " + what + ", give a mechanism, or leave it out");
+      std::string(option) + " has no effect on these inputs; add " + what + ", give a mechanism, or omit " + option);
   }
 }
 
-/// What has no meaning among lines without width is refused rather than ignored.
+/// Options without a meaning for lines of no width are refused.
 void CheckTwoD(const vtkHapticCliTouchOptions& options)
 {
   const std::array<std::pair<const char*, bool>, 5> others = { { { "--iso", options.Iso.has_value() },
@@ -201,8 +227,8 @@ void CheckTwoD(const vtkHapticCliTouchOptions& options)
   {
     if (given)
     {
-      throw vtkHapticCliProblem(
-        std::string("--two-d feels lines as they are, without ") + name + "; leave out one of both");
+      throw vtkHapticCliProblem(std::string("--two-d cannot be combined with ") + name +
+                                ": lines have no width in their plane; omit one of the two");
     }
   }
 }
@@ -218,8 +244,8 @@ int Touch(const vtkHapticCliTouchOptions& options)
   options.Settings.Check();
   vtkHapticCliCheckMaterials(options.Materials);
   const bool mechanism = vtkHapticIsMechanismFile(options.Files.front());
-  CheckWhatHasIt("--low-rate", options.Soft.AskedRate_Hz.has_value(), options.Soft.Young_Pa || mechanism, "--young");
-  CheckWhatHasIt(
+  CheckEffect("--low-rate", options.Soft.AskedRate_Hz.has_value(), options.Soft.Young_Pa || mechanism, "--young");
+  CheckEffect(
     "--torque-stiffness", options.Turning_N_m_per_rad.has_value(), !options.Tool.File.empty() || mechanism, "--tool");
   return mechanism ? vtkHapticCliTouchMechanism(options) : vtkHapticCliTouch(options);
 }
@@ -233,7 +259,7 @@ int Check(const vtkHapticCliCheckOptions& options)
   const bool mechanism = vtkHapticIsMechanismFile(options.File);
   if (options.Turning_N_m_per_rad && !mechanism)
   {
-    throw vtkHapticCliProblem("--torque-stiffness: only a mechanism is turned here; leave it out");
+    throw vtkHapticCliProblem("--torque-stiffness applies to mechanisms only; omit this option");
   }
   if (mechanism)
   {
@@ -245,7 +271,7 @@ int Check(const vtkHapticCliCheckOptions& options)
                                                            : "";
     if (!asked.empty())
     {
-      throw vtkHapticCliProblem(asked + ": a mechanism does not have it; leave it out");
+      throw vtkHapticCliProblem(asked + " does not apply to a mechanism; omit this option");
     }
     return vtkHapticCliCheckMechanism(options);
   }
@@ -257,7 +283,7 @@ int Labyrinth(const vtkHapticCliLabyrinthOptions& options)
   constexpr double slowest_Hz = 10.0, fastest_Hz = 1000.0;
   if (!(options.Host_Hz >= slowest_Hz && options.Host_Hz <= fastest_Hz))
   {
-    throw vtkHapticCliProblem("--host: a rate from 10 to 1000 Hz");
+    throw vtkHapticCliProblem("--host: must be a rate from 10 to 1000 Hz");
   }
   if (options.Corridor_u)
   {
@@ -305,7 +331,7 @@ int Run(const CLI::App& app, const Arguments& arguments)
     return Turn(arguments.Turn);
   }
   throw vtkHapticCliProblem(
-    "say what to do: devices, check, touch, turn, replay or labyrinth (palpate --help says more)");
+    "missing command: use devices, check, touch, turn, replay or labyrinth (see palpate --help)");
 }
 
 int Refuse(std::string reason)
@@ -320,7 +346,7 @@ int Refuse(std::string reason)
 int main(int argc, char** argv)
 {
   Arguments arguments;
-  CLI::App app("Touches surfaces without a display: the same tick that drives a haptic device.", "palpate");
+  CLI::App app("Touch data without a display, with the same tick that drives a haptic device.", "palpate");
   app.set_version_flag("--version", PALPATE_VERSION);
   app.require_subcommand(0, 1); // a wrong name is reported as such, not as a missing one
   AddDevices(app, arguments);
@@ -340,11 +366,11 @@ int main(int argc, char** argv)
   }
   catch (const CLI::ParseError& error)
   {
-    return Refuse(std::string(error.what()) + " (palpate --help says what can be asked)");
+    return Refuse(std::string(error.what()) + " (see palpate --help)");
   }
   catch (const std::bad_alloc&)
   {
-    return Refuse("there is not enough memory for this");
+    return Refuse("not enough memory for these data; use fewer triangles, points or cells");
   }
   catch (const std::exception& error)
   {

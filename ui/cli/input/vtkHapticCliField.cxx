@@ -322,32 +322,30 @@ void vtkHapticCliAddField(CLI::App& command, vtkHapticCliFieldOptions& options)
 {
   command
     .add_option("--field", options.Arrays,
-      "array of the first volume (vti, vtr, vts, vtu, vtm, nii) felt as a field, for each --mode")
+      "Array of the first volume (vti, vtr, vts, vtu, vtm, nii) rendered as a field; one per --mode")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
-    .add_option(
-      "--mode", options.Modes, "isosurface (at --iso), detent, snap, compare; follow, push (directions); drag")
+    .add_option("--mode", options.Modes,
+      "Field force: isosurface (at --iso), detent, snap or compare (scalars); follow or push (vectors); drag")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
-    .add_option(
-      "--strength", options.Strengths_N, "force at which each --mode gives way [N]; an isosurface of 0 is a wall")
+    .add_option("--strength", options.Strengths_N, "Largest force of each --mode [N]; 0 with isosurface: a solid wall")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--compare-with,--with", options.Other, "array that --mode compare compares with");
+  command.add_option("--compare-with,--with", options.Other, "Array compared with --field in --mode compare");
   command.add_option(
-    "--with-data", options.OtherFile, "volume with which --mode compare compares: the same array, or --with");
-  command.add_option("--levels,--values", options.Levels,
-    "values V,V,... at which --mode detent holds, instead of levels at equal distances");
+    "--with-data", options.OtherFile, "Volume with the compared array (the same name, or --with) in --mode compare");
+  command.add_option(
+    "--levels,--values", options.Levels, "Detent levels V,V,... of --mode detent, in place of equal distances");
   command
-    .add_option("--range", options.Range,
-      "resistance (drag) or length of the directions (follow, push) at which the strength is 0 and at which it is full")
+    .add_option("--range", options.Range, "Resistance (drag) or vector length (follow, push) at zero and at full force")
     ->delimiter(',')
     ->expected(2)
     ->type_name("LOW,HIGH");
-  command.add_option("--snap", options.Snap, "points or lines of --surface, to which --mode snap pulls");
-  command.add_option("--surface", options.Surfaces, "a file to touch beside the field; with --snap to snap to")
+  command.add_option("--snap", options.Snap, "Target of --mode snap: points or lines of --surface");
+  command.add_option("--surface", options.Surfaces, "File touched in addition to the field, or the target of --snap")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }

@@ -23,10 +23,22 @@ std::string OptionsFor(const palpate::Setting& setting)
   return "--" + std::string(setting.at.option) + (other == OtherNames.end() ? "" : ",--" + std::string(other->second));
 }
 
+/// The unit stands behind the first sentence, which names the quantity.
 std::string SentenceOf(const palpate::Setting& setting, const std::string& also)
 {
-  const std::string unit = setting.unit.empty() || setting.unit == "1" ? "" : " [" + std::string(setting.unit) + "]";
-  return std::string(setting.sentence) + (also.empty() ? "" : "; " + also) + unit;
+  std::string text(setting.sentence);
+  if (!setting.unit.empty() && setting.unit != "1")
+  {
+    text.insert(std::min(text.find(". "), text.size()), " [" + std::string(setting.unit) + "]");
+  }
+  return text + (also.empty() ? "" : "; " + also);
+}
+
+/// The group of the help text.
+const char* GroupOf(const palpate::Setting& setting)
+{
+  const bool field = setting.at.group == "field" || setting.name.starts_with("Field");
+  return field ? "Field" : setting.at.group == "friction" ? "Material" : "Contact";
 }
 } // namespace
 
@@ -37,6 +49,7 @@ void vtkHapticCliSettings::AddAll(CLI::App& command)
     if (!setting.at.option.empty())
     {
       this->Add(command, std::string(setting.name).c_str());
+      this->Entries.back().Option->group(GroupOf(setting));
     }
   }
 }
