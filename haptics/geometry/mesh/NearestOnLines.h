@@ -7,7 +7,8 @@ namespace palpate
 {
 
 /// The nearest points of two lines through a and b along u and v, as multiples of u and v; false where they are
-/// parallel.
+/// parallel. Where the lines are nearly parallel, cancellation shifts the first point along its line. The second point is
+/// the nearest one to the first, so that the shift changes the distance of the two points to second order only.
 [[nodiscard]] inline bool nearestOnLines(
   const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v, double& onA, double& onB) noexcept
 {
@@ -20,7 +21,7 @@ namespace palpate
   }
   const Vec3 d = a - b;
   onA = (uv * v.dot(d) - vv * u.dot(d)) / determinant;
-  onB = (uu * v.dot(d) - uv * u.dot(d)) / determinant;
+  onB = v.dot(d + onA * u) / vv;
   return true;
 }
 

@@ -14,15 +14,20 @@ constexpr double largestDip = 0.3;      // of the rest gap: half of it is spare
 constexpr double dipOfBend = 0.25;      // f'' / 8 in the middle of a step that ends f'' / 2 off its line
 constexpr int corrections = 2;
 
-/// The least that a row's line may rise by over the step, for a gap that also bends by bend_u: it ends at the rest gap,
-/// and a gap that bends away from the scene does not come nearer on the way than its dip may. A pair that stands at the
-/// proven gap could not be proven to come any nearer, however far away it ends: the tool would never leave.
+/// The least that a row's line may rise by over the step, for a gap that also bends by bend_u. The gap ends at the rest
+/// gap. A gap that bends away from the scene may come nearer on the way by no more than its dip; a pair that has less
+/// than that to spare has to rise along its line at once, because a pair at the proven gap whose line does not rise
+/// could not be proven over the start of any step, and the tool would never leave.
 double leastRise_u(double gap_u, double bend_u, double restGap_u)
 {
   const double least_u = restGap_u - gap_u - bend_u;
-  const double spare_u = std::max(0.0, gap_u - (1.0 - largestDip) * restGap_u);
+  const double spare_u = gap_u - (1.0 - largestDip) * restGap_u;
+  if (bend_u <= std::max(0.0, spare_u))
+  {
+    return least_u;
+  }
   // gap + r s + bend s^2 is least at s = -r / (2 bend), within the step where the bend is larger than what is spare.
-  return bend_u > spare_u ? std::max(least_u, -2.0 * std::sqrt(bend_u * spare_u)) : least_u;
+  return std::max(least_u, spare_u > 0.0 ? -2.0 * std::sqrt(bend_u * spare_u) : -spare_u);
 }
 
 } // namespace

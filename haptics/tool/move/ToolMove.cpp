@@ -20,7 +20,48 @@ constexpr double marginOfWay = 1.5;  // times what an update usually moves
 constexpr double marginGrowth = 1.4; // for each gathering within an update; twice overshoots as badly as once
 constexpr double roomLeft = 0.4;     // of the margin: with less it gathers
 constexpr int mostSteps = 60, mostRounds = 12, idleSteps = 2, mostDoublings = 6;
+constexpr double widestCircle = 16.0; // rest gaps that steps which lead back to where they began go at rest
 constexpr double worthMoving = 0.25; // of a step: with less the rows in the way are added first
+
+/// Tells whether a tool's steps lead back to where it was: contacts that take turns may push it round for ever.
+class Circle
+{
+public:
+  Circle(const Pose& pose_W, double way_u, double reach_u) : reach_u_(reach_u) { this->remember(pose_W, way_u); }
+
+  /// How long the way back to the remembered pose was; 0: it did not lead back. The pose that is remembered changes
+  /// after twice as many steps each time, so that a circle of any length is found (Brent 1980).
+  double close(const Pose& pose_W, double way_u)
+  {
+    constexpr double same = 0.01; // of the way gone
+    const double gone_u = way_u - this->way_u_;
+    const double apart_u =
+      (pose_W.p - this->pose_W_.p).norm() + turnFromTo(this->pose_W_.q, pose_W.q).norm() * this->reach_u_;
+    if (apart_u <= same * gone_u)
+    {
+      return gone_u;
+    }
+    if (++this->steps_ == this->most_)
+    {
+      this->most_ *= 2;
+      this->remember(pose_W, way_u);
+    }
+    return 0.0;
+  }
+
+private:
+  void remember(const Pose& pose_W, double way_u)
+  {
+    this->pose_W_ = pose_W;
+    this->way_u_ = way_u;
+    this->steps_ = 0;
+  }
+
+  double reach_u_;
+  Pose pose_W_;
+  double way_u_ = 0.0;
+  int steps_ = 0, most_ = 1;
+};
 
 } // namespace
 
@@ -95,10 +136,15 @@ ToolUpdate ToolMove::update(const Pose& device_W, std::uint64_t work)
   this->expect(device_W);
   this->idle_ = 0;
   Advance last = Advance::Moved;
+  Circle circle(this->pose_W_, this->front_->way_u(), this->tool_.reach_u);
   while (last == Advance::Moved && done.steps < mostSteps)
   {
     last = this->advance(device_W, budget);
     ++done.steps;
+    // Poses that differ by a few rest gaps, among which contacts take turns, are one place of rest.
+    const double closed_u = circle.close(this->pose_W_, this->front_->way_u());
+    const bool round = closed_u > endOfMotion * this->restGap_u_ && closed_u < widestCircle * this->restGap_u_;
+    last = last == Advance::Moved && round ? Advance::Rests : last;
   }
   done.converged = last == Advance::Rests;
   done.blocked = last == Advance::Blocked;

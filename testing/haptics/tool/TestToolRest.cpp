@@ -138,13 +138,21 @@ Pose jump(const Pose& tool_W, Random& random)
   return random.uniform() < 0.5 ? far_W : Pose{ tool_W.p + way, turn * tool_W.q };
 }
 
-/// How much of the motion to the hand the contacts leave open: they give the force of the pose where it is nothing.
-double unheld(const ToolMove& move, const Pose& hand_W)
+/// The pull of a tool's contacts, as shares of the spring from its pose to the hand.
+struct PullOfContacts
+{
+  double unheld = 0.0; ///< of the motion to the hand: they give the force of the pose where it is 0
+  double size = 0.0;
+  double back = 0.0; ///< the part of it against the motion to the hand
+};
+
+PullOfContacts pullOf(const ToolMove& move, const Pose& hand_W)
 {
   const ToolContacts set = move.contacts();
   bool cut = false;
   const Vec6 wish = wishedMotion(set.pose_W, hand_W, set.lever_u, cut);
-  return (wish + toolPull(set, hand_W, ToolCoupling::Constraints).pull_u).norm() / wish.norm();
+  const Vec6 pull = toolPull(set, hand_W, ToolCoupling::Constraints).pull_u;
+  return { (wish + pull).norm() / wish.norm(), pull.norm() / wish.norm(), -pull.dot(wish) / wish.squaredNorm() };
 }
 
 /// What became of a tool at hands that jump and move on from there by little.
@@ -197,19 +205,25 @@ public:
   static constexpr int kindsEach = 4, kinds = kindsEach * kindsEach;
 
 private:
-  /// Updates until it rests; after each that says so its contacts are to give the force of its pose.
+  /// Updates until it rests. An update that says so has contacts that give the force of its pose. After any other the
+  /// tool is on its way: the contacts allow it to stay, so the nearest motion that they allow lies within the ball over
+  /// the spring, and the pull is no longer than the spring and not towards the hand.
   void settle(const Pose& hand_W)
   {
-    constexpr int mostUpdates = 12;
+    constexpr int mostUpdates = 60; // of 60 steps of at most .2 rad: half a turn about each of many obstacles
+    constexpr double rounding = 1e-9;
     ToolUpdate last;
     for (int u = 0; u < mostUpdates && !last.converged; ++u)
     {
       last = this->tool_.move.update(hand_W, plenty);
       ASSERT_FALSE(last.blocked) << this->seed_;
       this->touches_ = this->judge_.distance_u(this->tool_.move.pose_W(), hand_W) > 1e-3;
-      if (last.converged && this->touches_)
+      if (this->touches_)
       {
-        EXPECT_LE(unheld(this->tool_.move, hand_W), 1e-3) << this->seed_ << ", update " << u;
+        const PullOfContacts pull = pullOf(this->tool_.move, hand_W);
+        EXPECT_LE(last.converged ? pull.unheld : 0.0, 1e-3) << this->seed_ << ", update " << u;
+        EXPECT_LE(pull.size, 1.0 + rounding) << this->seed_ << ", update " << u;
+        EXPECT_GE(pull.back, -rounding) << this->seed_ << ", update " << u;
       }
     }
     ++this->counts_.states;
@@ -252,10 +266,25 @@ TEST(ToolRest, IsWhereTheToolCannotComeNearerAndItsContactsGiveTheForceOfItsPose
   {
     all.tally(RestTrial(kind, testSeed(5100 + static_cast<std::uint64_t>(kind))).run(testCount(jumps)));
   }
-  EXPECT_GE(
-    all.settled, all.states - all.states / 50); // one in a hundred still jitters by rest gaps where it should rest
+  EXPECT_EQ(all.settled, all.states);
   EXPECT_GT(all.pressed, all.states / 2);
   EXPECT_GT(all.judged, all.states / 20);
+}
+
+TEST(ToolRest, IsFoundWhereContactsTakeTurnsWherePairsStandAtTheProvenGapAndWhereEdgesAreNearlyParallel)
+{
+  struct Trial
+  {
+    int kind;
+    std::uint64_t seed;
+  };
+  // A slivered box in shells, pushed in a circle of three poses by corners and edges that take turns; a star on bars
+  // and a box on bars whose steps could not be proven; a box on a torn sheet that could still have gained.
+  for (const Trial& trial : { Trial{ 15, 20015 }, Trial{ 9, 21009 }, Trial{ 1, 20001 }, Trial{ 2, 5002 } })
+  {
+    const RestRun run = RestTrial(trial.kind, trial.seed).run(8);
+    EXPECT_EQ(run.settled, run.states) << trial.seed;
+  }
 }
 
 TEST(ToolRest, OfABoxAboveAPlaneThatCouldStillComeDownIsSeenByItsJudge)
