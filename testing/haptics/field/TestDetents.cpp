@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "testing/haptics/field/FieldHand.h"
 #include "testing/support/Random.h"
 
-namespace palpate
+namespace palpate::test
 {
 namespace
 {
-
-using test::brickOf;
-using test::cube_n;
-using test::Hand;
-using test::height;
-using test::k;
-using test::middle;
-using test::scalar;
 
 TEST(Detents, ASmoothDetentHasItsStrengthWhereTheSlopeIsTheUsualOneAndTakesNoWorkBack)
 {
@@ -44,7 +37,7 @@ TEST(Detents, ASmoothDetentDependsOnThePlaceAloneAlsoWhereTheFieldBends)
   const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }) });
   FieldPlan plan;
   plan.detent = { 0.15, 0.0, 2.0, 1.0, false };
-  test::Random random(test::testSeed(1650));
+  Random random(testSeed(1650));
   Hand one{ brick, plan }, other{ brick, plan };
   one.start(middle + Vec3(6, 0, 0));
   other.start(middle + Vec3(0, -6, 0));
@@ -102,6 +95,41 @@ TEST(Detents, AClickThatIsPressedAndLeftAgainLosesNothingSoCrossingsAloneDoNotCo
     }
     const double each_mJ = strength_N * strength_N / (2.0 * k);
     EXPECT_NEAR(-hand.work, 8.0 * each_mJ, 0.01 * 8.0 * each_mJ);
+  }
+}
+
+TEST(Detents, AClickAtAnySpeedTakesTheEnergyOfItsSpringAndItsStrengthOverTheWayOfOneTickByAnySumOfForces)
+{
+  // The pull rises with the hand from 0 to the strength s. It is sampled once a tick, and the tick in which the hand
+  // passes has s as well. Over all phases of a level among the ticks, the sum of the rising part is its integral
+  // s^2 / 2k, whichever end of a tick the force is taken from, and s times the way of a tick is added.
+  const Brick brick = brickOf({ scalar(height) });
+  for (const double strength_N : { 0.2, 0.5 })
+  {
+    for (const double way : { 0.01, 0.05, 0.3 }) // in a tick: 10 to 300 mm/s
+    {
+      FieldPlan plan;
+      plan.detent = { strength_N, 0.0, std::numbers::sqrt2, 1.0, true }; // phases do not repeat
+      FieldState state;
+      double atBegin = 0.0, atEnd = 0.0, last_N = 0.0;
+      constexpr int strokes = 200;
+      constexpr double from = 4.5, length = 21.9; // to .9 beyond the last level: it lets go there
+      const int steps = static_cast<int>(std::lround(length / way));
+      for (int i = 0; i <= 2 * strokes * steps; ++i)
+      {
+        const int at = i % (2 * steps);
+        const double z = from + 1e-3 * (i / (2 * steps)) + way * std::min(at, 2 * steps - at);
+        const double moved = at == 0 ? 0.0 : at <= steps ? way : -way;
+        const double force_N = k * moveFieldProxy(brick, plan, k, { 15, 15, z }, state).pull_W.z();
+        atBegin -= last_N * moved;
+        atEnd -= force_N * moved;
+        last_N = force_N;
+      }
+      const double levels = std::floor((from + length) / std::numbers::sqrt2) - std::floor(from / std::numbers::sqrt2);
+      const double truth = 2.0 * strokes * levels * (strength_N * strength_N / (2.0 * k) + strength_N * way);
+      EXPECT_NEAR(atBegin, truth, 0.03 * truth) << way;
+      EXPECT_NEAR(atEnd, truth, 0.03 * truth) << way;
+    }
   }
 }
 
@@ -206,4 +234,4 @@ TEST(Detents, AClickAtChosenLevelsHoldsAtEachAndNowhereElse)
 }
 
 } // namespace
-} // namespace palpate
+} // namespace palpate::test

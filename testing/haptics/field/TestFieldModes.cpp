@@ -9,18 +9,10 @@
 #include "testing/support/AllocationGuard.h"
 #include "testing/support/Random.h"
 
-namespace palpate
+namespace palpate::test
 {
 namespace
 {
-
-using test::brickOf;
-using test::cube_n;
-using test::Hand;
-using test::height;
-using test::k;
-using test::middle;
-using test::scalar;
 
 TEST(FieldModes, DragIsAForceOfItsStrengthAgainstTheMotionWhateverItsSpeed)
 {
@@ -131,7 +123,7 @@ TEST(FieldModes, SnapPullsAcrossALineAndLetsTheHandSlideAlongIt)
 TEST(FieldModes, PushDoesTwoPiTimesRadiusTimesStrengthATurnAndStopsOutside)
 {
   const auto vortex = [](const Vec3& i) { return Vec3(15.5 - i.y(), i.x() - 15.5, 0.0); };
-  const Brick brick = brickOf({ { BrickRole::Vector, "v", test::sampledVectors(cube_n, vortex) } });
+  const Brick brick = brickOf({ { BrickRole::Vector, "v", sampledVectors(cube_n, vortex) } });
   FieldPlan plan;
   plan.push_N = 0.25;
   Hand hand{ brick, plan };
@@ -149,12 +141,12 @@ TEST(FieldModes, PushDoesTwoPiTimesRadiusTimesStrengthATurnAndStopsOutside)
 
 TEST(FieldModes, SeveralAtOnceGiveNoEnergyOverClosedWays)
 {
-  test::Random random(test::testSeed(1651));
+  Random random(testSeed(1651));
   const auto swirl = [](const Vec3& i) { return Vec3(15.5 - i.y(), i.x() - 15.5, 3.0); };
   const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }),
-    { BrickRole::Vector, "v", test::sampledVectors(cube_n, swirl) },
+    { BrickRole::Vector, "v", sampledVectors(cube_n, swirl) },
     scalar([](const Vec3& i) { return i.z(); }, BrickRole::Other) });
-  for (std::size_t way = 0; way < test::testCount(12); ++way)
+  for (std::size_t way = 0; way < testCount(12); ++way)
   {
     FieldPlan plan;
     plan.isosurface = way % 2 == 0;
@@ -194,7 +186,7 @@ TEST(FieldModes, AnotherBrickOfTheSamePointsIsNoStepAndOneWhoseSurfaceIsElsewher
     const Vec3 corner(begin[0], begin[1], begin[2]);
     return Brick(1, { cube_n, Vec3::Ones(), { corner } },
       { { BrickRole::Scalar, "f",
-        test::sampledValues(cube_n,
+        sampledValues(cube_n,
           [&](const Vec3& i) { return std::hypot(i.z() + corner.z(), 0.25 * (i.x() + corner.x())) + shift; }) } });
   };
   FieldPlan plan;
@@ -240,16 +232,16 @@ TEST(FieldModes, FindsTheExtremaOfAGridByTheirClearness)
 
 TEST(FieldModes, AllocateNothing)
 {
-  test::Random random(test::testSeed(1652));
+  Random random(testSeed(1652));
   const Brick brick = brickOf({ scalar([](const Vec3& i) { return (i - middle).norm(); }),
-    { BrickRole::Vector, "v", test::sampledVectors(cube_n, [](const Vec3& i) { return i; }) } });
+    { BrickRole::Vector, "v", sampledVectors(cube_n, [](const Vec3& i) { return i; }) } });
   FieldPlan plan;
   plan.isosurface = true;
   plan.isovalue = 8.0;
   plan.follow_N = plan.drag_N = plan.push_N = 0.2;
   plan.detent = { 0.2, 0.0, 1.0, 1.0, true };
   FieldState state;
-  const test::AllocationGuard guard;
+  const AllocationGuard guard;
   for (int i = 0; i < 100; ++i)
   {
     (void)moveFieldProxy(brick, plan, k, middle + random.inCube(20.0), state);
@@ -258,4 +250,4 @@ TEST(FieldModes, AllocateNothing)
 }
 
 } // namespace
-} // namespace palpate
+} // namespace palpate::test
