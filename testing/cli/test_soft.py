@@ -13,14 +13,13 @@ YOUNG, POISSON = 20e3, 0.4  # Pa, 1
 RADIUS = 0.01  # m
 
 
-def block(scale=1.0):
-    """Points and tetrahedra (Kuhn) of a block on z = 0."""
-    layers = CELLS // 2
-    points = [(scale * SIDE * i / CELLS, scale * SIDE * j / CELLS, scale * HEIGHT * k / layers)
-              for k in range(layers + 1) for j in range(CELLS + 1) for i in range(CELLS + 1)]
-    number = lambda p: (p[2] * (CELLS + 1) + p[1]) * (CELLS + 1) + p[0]
+def tetrahedra(cells, place):
+    """Points and tetrahedra (Kuhn) of a grid of so many cells, whose point (i, j, k) lies at place(i, j, k)."""
+    size = [n + 1 for n in cells]
+    points = [place(i, j, k) for k in range(size[2]) for j in range(size[1]) for i in range(size[0])]
+    number = lambda p: (p[2] * size[1] + p[1]) * size[0] + p[0]
     tetras = []
-    for low in itertools.product(range(CELLS), range(CELLS), range(layers)):
+    for low in itertools.product(*map(range, cells)):
         for way in itertools.permutations(range(3)):
             corner, corners = list(low), [number(low)]
             for axis in way:
@@ -28,6 +27,32 @@ def block(scale=1.0):
                 corners.append(number(corner))
             tetras.append(tuple(corners))
     return points, tetras
+
+
+def block(scale=1.0):
+    """Points and tetrahedra of a block on z = 0."""
+    layers = CELLS // 2
+    return tetrahedra((CELLS, CELLS, layers), lambda i, j, k: (
+        scale * SIDE * i / CELLS, scale * SIDE * j / CELLS, scale * HEIGHT * k / layers))
+
+
+LEAF, THICK, GAP, WIDTH = 0.06, 0.004, 0.012, 0.03  # m, of a sheet that is bent back on itself
+
+
+def hairpin():
+    """A sheet whose lower leaf lies on z = 0, with its upper leaf above it and the bend at x < 0."""
+    along_leaf, along_bend, across, layers = 12, 8, 4, 2
+
+    def place(i, j, k):
+        y, below = WIDTH * j / across, THICK * k / layers  # from the outer side of the sheet
+        if i <= along_leaf:
+            return LEAF * (1 - i / along_leaf), y, below
+        if i >= along_leaf + along_bend:
+            return LEAF * (i - along_leaf - along_bend) / along_leaf, y, GAP + 2 * THICK - below
+        turned, r = math.pi * (i - along_leaf) / along_bend, GAP / 2 + THICK - below
+        return -r * math.sin(turned), y, GAP / 2 + THICK - r * math.cos(turned)
+
+    return tetrahedra((2 * along_leaf + along_bend, across, layers), place)
 
 
 def hertz(depth, young=YOUNG):
@@ -99,6 +124,19 @@ class Soft(CommandLineTest):
         self.assertAlmostEqual(forces["neohookean"][0] / forces["linear"][0], 1.0, delta=0.01)
         self.assertAlmostEqual(forces["corotational"][0] / forces["linear"][0], 1.0, delta=0.01)
         self.assertLess(forces["corotational"][1] / forces["neohookean"][1], 0.99)  # it softens where it is squeezed
+
+    def test_a_fold_that_is_pressed_shut_is_told_and_one_that_is_pressed_less_is_not(self):
+        self.write("sheet.vtu", vtu_text(*hairpin(), cell_type=10))
+        ball, top = 0.005, GAP + 2 * THICK
+        # The gap is 12 mm wide: by 2 mm of the hand the leaves cannot meet. At 40 mm the hand is far below the table,
+        # and its spring of 1000 N/m pushes with more than the sheet of 50 kPa can hold.
+        for deep, told in ((0.002, False), (0.04, True)):
+            self.write_path([(n / 1000, 0.04, WIDTH / 2 + 0.001, top + ball + 0.001 - (0.001 + deep) * min(1.0, n / 100))
+                             for n in range(200)])
+            run = self.succeed("touch", "sheet.vtu", "--young", 50e3, "--fixed", "zmin", "--radius", ball, "--model",
+                               "linear", "--path", "path.csv", "--csv", "out.csv")
+            self.assertEqual("sheet.vtu: it was pressed through itself" in run.stderr, told, run.stderr)
+            self.assertEqual(len(self.read_rows()), 200)
 
     def test_what_is_no_body_is_refused_in_one_line(self):
         self.write_off("sheet.off", SQUARE_POINTS, SQUARE_FACES)
