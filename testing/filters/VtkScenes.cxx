@@ -72,6 +72,7 @@ vtkSmartPointer<vtkUnstructuredGrid> makeSoftBlock(double side, double unit_m)
   body->SetInputData(grid);
   body->SetUnit(unit_m);
   body->SetFixed("zmin");
+  body->SetModel(vtkHapticSoftBody::Linear);
   body->Update();
   return body->GetOutput();
 }
