@@ -31,7 +31,7 @@ set(PALPATE_MPI_ENVIRONMENT
 
 # Parses ARGN into arg_*; keeps the defaults in one place.
 macro (_palpate_parse default_label one_value multi_value)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL;APART" "NAME;LABEL;TIMEOUT;${one_value}" "ENVIRONMENT;${multi_value}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL" "NAME;LABEL;TIMEOUT;${one_value}" "ENVIRONMENT;${multi_value}")
   if (arg_UNPARSED_ARGUMENTS OR NOT arg_NAME)
     message(FATAL_ERROR "Test '${arg_NAME}': NAME is missing, or these arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif ()
@@ -68,17 +68,14 @@ function (_palpate_share_headers target)
   set_property(GLOBAL PROPERTY PALPATE_TEST_HEADERS_OWNER "${target}")
 endfunction ()
 
-# palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [APART] [VTK_MODULES VTK::IOXML ...])
+# palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [VTK_MODULES VTK::IOXML ...])
 # A GoogleTest program linked to the core and testing/support; each TEST becomes a ctest "name.Suite.Test".
-# Label: unit. CGAL: the sources use CGAL (oracles). Eight sources are compiled at once, unless APART: two of them use a
-# name for different things.
+# Label: unit. CGAL: the sources use CGAL (oracles). Eight sources are compiled at once, so they name things differently.
 # VTK_MODULES: linked and auto-initialised.
 function (palpate_add_unit_test)
   _palpate_parse(unit "" "SOURCES;LIBRARIES;VTK_MODULES")
   add_executable("${arg_NAME}" ${arg_SOURCES})
-  if (NOT arg_APART)
-    palpate_compile_together("${arg_NAME}")
-  endif ()
+  palpate_compile_together("${arg_NAME}")
   target_link_libraries("${arg_NAME}" PRIVATE Palpate::core palpate_testing ${arg_LIBRARIES} ${arg_VTK_MODULES}
     GTest::gmock GTest::gtest_main)
   if (arg_CGAL)
@@ -86,8 +83,6 @@ function (palpate_add_unit_test)
   endif ()
   if (NOT arg_CGAL AND NOT arg_LIBRARIES AND NOT arg_VTK_MODULES)
     _palpate_share_headers("${arg_NAME}")
-  elseif (arg_APART)
-    target_precompile_headers("${arg_NAME}" PRIVATE ${palpate_test_headers})
   endif ()
   if (arg_VTK_MODULES)
     vtk_module_autoinit(TARGETS "${arg_NAME}" MODULES ${arg_VTK_MODULES})
@@ -191,7 +186,7 @@ function (palpate_add_fuzz_target)
   file(GENERATE OUTPUT "${together}" CONTENT "${includes}")
   get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   add_custom_command(OUTPUT "${program}"
-    COMMAND "${PALPATE_CLANG}" -std=c++20 -O1 -g -ffp-contract=off -fsanitize=fuzzer,address,undefined
+    COMMAND "${PALPATE_CLANG}" -std=c++20 -O1 -gline-tables-only -ffp-contract=off -fsanitize=fuzzer,address,undefined
       -fno-sanitize-recover=all "-I${PROJECT_SOURCE_DIR}" -isystem "${eigen}" ${arg_OPTIONS}
       -MD -MF "${together}.d" -MT "${program}" "${together}" ${arg_LIBRARIES} -pthread -o "${program}"
     DEPENDS "${together}" ${arg_SOURCES} DEPFILE "${together}.d"

@@ -22,12 +22,30 @@ if (PALPATE_SANITIZE)
   add_link_options(-fsanitize=${PALPATE_SANITIZE})
 endif ()
 
+# Results of the compiler are kept from one build to the next where ccache is installed. -fpch-preprocess keeps precompiled
+# headers apart from the source in what ccache hashes; __TIME__, which ccache fears in them, stands nowhere in this tree.
+option(PALPATE_CCACHE "Compile through ccache where it is installed" ON)
+find_program(PALPATE_CCACHE_PROGRAM ccache)
+mark_as_advanced(PALPATE_CCACHE_PROGRAM)
+if (PALPATE_CCACHE AND PALPATE_CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    "${CMAKE_COMMAND}" -E env "CCACHE_SLOPPINESS=pch_defines,time_macros" "${PALPATE_CCACHE_PROGRAM}")
+  add_compile_options("$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fpch-preprocess>")
+endif ()
+
 # Most of the compile time goes into headers that all sources of a target include.
 option(PALPATE_TOGETHER "Compile sources of a target eight at once: half the time from scratch, longer after a change" ON)
-function (palpate_compile_together target)
-  set_target_properties("${target}" PROPERTIES UNITY_BUILD "${PALPATE_TOGETHER}" UNITY_BUILD_BATCH_SIZE 8)
+function (_palpate_compile_together target)
+  set_target_properties("${target}" PROPERTIES UNITY_BUILD "${PALPATE_TOGETHER}" ${ARGN})
+  if (PALPATE_TOGETHER)
+    # GCC takes all but the one file that it is given for headers, in which types without a name for the linker are a fault.
+    target_compile_options("${target}" PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>")
+  endif ()
 endfunction ()
-# A room of the core at once: the sources of a folder. Their names for things of their own differ.
+function (palpate_compile_together target)
+  _palpate_compile_together("${target}" UNITY_BUILD_BATCH_SIZE 8)
+endfunction ()
+# The sources of a folder at once, where a target has many folders. Their names for things of their own differ.
 function (palpate_compile_rooms_together target)
   get_target_property(sources "${target}" SOURCES)
   get_target_property(folder "${target}" SOURCE_DIR)
@@ -38,7 +56,7 @@ function (palpate_compile_rooms_together target)
     string(MAKE_C_IDENTIFIER "${room}" room)
     set_source_files_properties("${source}" TARGET_DIRECTORY "${target}" PROPERTIES UNITY_GROUP "${room}")
   endforeach ()
-  set_target_properties("${target}" PROPERTIES UNITY_BUILD "${PALPATE_TOGETHER}" UNITY_BUILD_MODE GROUP)
+  _palpate_compile_together("${target}" UNITY_BUILD_MODE GROUP)
 endfunction ()
 
 set(CMAKE_INSTALL_LIBDIR lib CACHE STRING "Library folder, the same in the build tree on every machine")

@@ -24,3 +24,6 @@ vtk_module_wrap_python(
   MODULE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python"
   BUILD_STATIC OFF
   INSTALL_HEADERS OFF)
+foreach (wrapper IN LISTS palpate_python_targets)
+  palpate_compile_together("${wrapper}")
+endforeach ()

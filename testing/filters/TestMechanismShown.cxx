@@ -7,10 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-
 #include "VirtualSession.h"
 #include "haptics/compliance/packet/SoftSurface.h"
+#include "testing/support/Linear.h"
 #include "testing/support/TemporaryFolder.h"
 #include "vtkActor.h"
 #include "vtkDataArray.h"
@@ -155,7 +154,7 @@ protected:
         at_W.col(c) = Vec3(atFirst->GetPoint(corners->GetId(c)));
         now_W.col(c) = Vec3(this->shown_->GetPoint(corners->GetId(c)));
       }
-      const Vec3 weights = at_W.fullPivLu().solve(place_W);
+      const Vec3 weights = palpate::test::solved(at_W, place_W);
       if (weights.minCoeff() > 0.0 && std::abs(weights.sum() - 1.0) < 1e-9)
       {
         return now_W * weights;
@@ -197,7 +196,7 @@ protected:
     {
       load.segment<3>(3 * static_cast<Eigen::Index>(v)) *= made.checked.fixed[v] ? 0.0 : 1.0;
     }
-    const Eigen::VectorXd u = stiffnessOf(made.body->points(), made.checked.fixed).ldlt().solve(load);
+    const Eigen::VectorXd u = palpate::test::solvedSymmetric(stiffnessOf(made.body->points(), made.checked.fixed), load);
     std::vector<Gone> all;
     for (std::size_t i = 0; i < surface.vertices.size(); ++i)
     {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "VtkScenes.h"
+#include "testing/support/Linear.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkHapticMechanism.h"
@@ -77,7 +78,7 @@ TEST(TouchMechanism, ALeverIsPulledAsItsBalanceSaysByAHandThatTurnsIt)
       const Eigen::Vector2d way(1.0, arms[k] * std::cos(rod[1]));
       open -= springs[k] * (rod[0] + arms[k] * std::sin(rod[1])) * way;
     }
-    rod += balance.ldlt().solve(open);
+    rod += palpate::test::solved(balance, open);
   }
   EXPECT_NEAR(last(*touch, "Force of wall"), -springs[0] * (rod[0] + arms[0] * std::sin(rod[1])), 1e-6);
   EXPECT_NEAR(last(*touch, "Force of organ"), -springs[1] * (rod[0] + arms[1] * std::sin(rod[1])), 1e-6);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "testing/support/ExactTriangles.h"
+#include "testing/support/Linear.h"
 
 namespace palpate::test
 {
@@ -58,12 +59,12 @@ Eigen::Matrix3Xd nearestChoice(std::span<const Vec3> normals, const Vec3& pull_W
     }
     chosen.conservativeResize(3, chosen.cols() + 1);
     chosen.rightCols(1) = next;
-    Eigen::VectorXd depths = chosen.colPivHouseholderQr().solve(-pull_W);
+    Eigen::VectorXd depths = solved(chosen, -pull_W);
     for (Eigen::Index worst = 0; depths.size() > 1 && depths.minCoeff(&worst) < 0.0;)
     {
       chosen.col(worst) = chosen.rightCols(1).eval();
       chosen.conservativeResize(3, chosen.cols() - 1);
-      depths = chosen.colPivHouseholderQr().solve(-pull_W);
+      depths = solved(chosen, -pull_W);
     }
     left = pull_W + chosen * depths;
   }
@@ -73,7 +74,7 @@ Eigen::Matrix3Xd nearestChoice(std::span<const Vec3> normals, const Vec3& pull_W
 /// One choice of normals: what is left of the pull in their planes beyond their friction; infinite if one would pull.
 double beyond(const Eigen::Matrix3Xd& normals, const Vec3& pull_W, double mu)
 {
-  const Eigen::VectorXd depths = normals.colPivHouseholderQr().solve(-pull_W);
+  const Eigen::VectorXd depths = solved(normals, -pull_W);
   const Vec3 left = pull_W + normals * depths;
   return depths.minCoeff() < 0.0 ? std::numeric_limits<double>::infinity() : left.norm() - mu * depths.sum();
 }

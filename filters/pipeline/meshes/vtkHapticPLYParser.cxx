@@ -367,7 +367,7 @@ void CheckVertexElement(const Element& element)
 
 using ReadRecord = void (*)(NumberSource&, const Element&, vtkHapticFaceMesh&);
 
-void ReadOver(NumberSource& source, const Element& element, vtkHapticFaceMesh& /*mesh*/)
+void SkipRecords(NumberSource& source, const Element& element, vtkHapticFaceMesh& /*mesh*/)
 {
   std::for_each(element.Properties.begin(), element.Properties.end(),
     [&source](const Property& property) { Skip(source, property); });
@@ -378,7 +378,7 @@ ReadRecord RecordsOf(const Element& element)
   return element.Name == "vertex"      ? ReadVertex
          : element.Name == "face"      ? ReadFace
          : element.Name == "tristrips" ? ReadStrips
-                                       : ReadOver;
+                                       : SkipRecords;
 }
 
 void ReadElement(NumberSource& source, const Element& element, vtkHapticFaceMesh& mesh)

@@ -8,6 +8,7 @@
 #include "haptics/compliance/servo/ContactProblem.h"
 #include "haptics/compliance/servo/SubgridForce.h"
 #include "testing/support/AllocationGuard.h"
+#include "testing/support/Linear.h"
 #include "testing/support/RandomContacts.h"
 
 namespace palpate::test
@@ -99,7 +100,7 @@ Eigen::VectorXd gapsByTryingAll(const PlanesAndDevice& p)
     Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
     if (!in.empty())
     {
-      force(in) = Eigen::MatrixXd(w(in, in)).fullPivLu().solve(Eigen::VectorXd(p.depth(in)));
+      force(in) = test::solved(w(in, in), p.depth(in));
     }
     const Eigen::VectorXd gaps = w * force - p.depth;
     if (force.minCoeff() >= 0.0 && gaps.minCoeff() > best.minCoeff())

@@ -5,12 +5,12 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "PointRests.h"
 #include "SoftScenes.h"
 #include "haptics/contact/GodObject.h"
+#include "testing/support/Linear.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test
@@ -115,13 +115,13 @@ double outsideCone(const Vec3& f, const std::vector<NearFace>& faces)
     {
       Eigen::Matrix<double, 3, 2> both;
       both << one.n, other.n;
-      const Eigen::Vector2d push = both.colPivHouseholderQr().solve(f);
+      const Eigen::Vector2d push = test::solved(both, f);
       least = push.minCoeff() >= 0.0 ? std::min(least, (f - both * push).norm()) : least;
       for (const NearFace& third : faces)
       {
         Mat3 all;
         all << one.n, other.n, third.n;
-        const Vec3 pushes = all.colPivHouseholderQr().solve(f);
+        const Vec3 pushes = test::solved(all, f);
         least = pushes.minCoeff() >= 0.0 ? std::min(least, (f - all * pushes).norm()) : least;
       }
     }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/tool/motion/Turn.h"
+#include "testing/support/Linear.h"
 #include "testing/support/MechanismRig.h"
 #include "testing/support/Random.h"
 
@@ -52,12 +53,14 @@ std::optional<BornePlate> borneBy(const PressedPlate& c, const std::bitset<5>& b
     springs[i] = !bears[static_cast<std::size_t>(i)] ? 0.0 : rod ? kc : c.springs[static_cast<std::size_t>(i)];
   }
   free[4] = -c.depth;
-  const Eigen::FullPivLU<Mat3> lu(rows.transpose() * springs.asDiagonal() * rows);
-  if (!lu.isInvertible())
+  const Mat3 stiffness = rows.transpose() * springs.asDiagonal() * rows;
+  const Vec3 load = Vec3(-c.weight, 0.0, 0.0) - rows.transpose() * springs.cwiseProduct(free);
+  const std::optional<Eigen::VectorXd> solution = test::solvedUniquely(stiffness, load);
+  if (!solution)
   {
     return std::nullopt;
   }
-  const Vec3 way = lu.solve(Vec3(-c.weight, 0.0, 0.0) - rows.transpose() * springs.cwiseProduct(free));
+  const Vec3 way = *solution;
   const PlateForces gaps = free + rows * way;
   for (Eigen::Index i = 0; i < 5; ++i)
   {

@@ -9,6 +9,7 @@
 #include "haptics/mechanism/solve/EndlessWay.h"
 #include "haptics/mechanism/solve/LawProblem.h"
 #include "testing/support/AllocationGuard.h"
+#include "testing/support/Linear.h"
 #include "testing/support/Random.h"
 
 namespace palpate::test
@@ -111,12 +112,12 @@ std::optional<Eigen::VectorXd> forcesByTryingAll(const LawProblem& p)
       m(i, i) = 1.0;
       right[i] = bound;
     }
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu(m);
-    if (!possible || !lu.isInvertible())
+    const std::optional<Eigen::VectorXd> solution = test::solvedUniquely(m, right);
+    if (!possible || !solution)
     {
       continue;
     }
-    const Eigen::VectorXd x = lu.solve(right);
+    const Eigen::VectorXd& x = *solution;
     const Eigen::VectorXd moved =
       Eigen::VectorXd(p.free) + Eigen::MatrixXd(p.compliance) * x.head(n) + Eigen::MatrixXd(p.along) * x.tail(p.ways);
     bool met = true;
