@@ -31,7 +31,6 @@ namespace
 
 using ::testing::HasSubstr;
 
-
 void addArray(vtkDataSetAttributes* arrays, const char* name, int components, std::vector<double> values)
 {
   vtkNew<vtkDoubleArray> array;

@@ -490,8 +490,7 @@ TEST_P(SwapWhilePressed, AtTenHertzForAMinuteTheForceStepsByATenthOfANewtonAtMos
   }
   EXPECT_EQ(through, 0);
   EXPECT_LE(largestStep_N, 0.1);
-  EXPECT_GE(
-    largestStep_N, stiffness * 1.0 / scale * period_s / (0.03 + period_s) * 0.5); // 1 mm was felt, blended
+  EXPECT_GE(largestStep_N, stiffness * 1.0 / scale * period_s / (0.03 + period_s) * 0.5); // 1 mm was felt, blended
   EXPECT_EQ(this->session_->GetCappedTicks(), 0);
   EXPECT_STREQ(this->session_->GetFaultText(), "");
 }

@@ -37,7 +37,8 @@ std::string trianglesOf(int resolution)
 /// How far the longest edge, a diagonal at the equator, runs inside the sphere, at most.
 double sagitta(int resolution)
 {
-  const double side = 1.1 * 2 * std::numbers::pi * sphereRadius / resolution; // rows are some more than half a turn / n apart
+  const double side =
+    1.1 * 2 * std::numbers::pi * sphereRadius / resolution; // rows are some more than half a turn / n apart
   return 2 * side * side / (8 * sphereRadius);
 }
 

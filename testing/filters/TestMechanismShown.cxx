@@ -196,7 +196,8 @@ protected:
     {
       load.segment<3>(3 * static_cast<Eigen::Index>(v)) *= made.checked.fixed[v] ? 0.0 : 1.0;
     }
-    const Eigen::VectorXd u = palpate::test::solvedSymmetric(stiffnessOf(made.body->points(), made.checked.fixed), load);
+    const Eigen::VectorXd u =
+      palpate::test::solvedSymmetric(stiffnessOf(made.body->points(), made.checked.fixed), load);
     std::vector<Gone> all;
     for (std::size_t i = 0; i < surface.vertices.size(); ++i)
     {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+// Before anything says `using namespace palpate`, after which `testing` in these headers would have two meanings.
+#include <gmock/gmock.h>
+
 #include <functional>
 #include <initializer_list>
 #include <string>

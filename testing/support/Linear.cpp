@@ -20,7 +20,7 @@ std::optional<Eigen::VectorXd> solvedUniquely(const Eigen::MatrixXd& a, const Ei
   return lu.isInvertible() ? std::optional<Eigen::VectorXd>(lu.solve(b)) : std::nullopt;
 }
 
-Eigen::VectorXd solvedSymmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b)
+Eigen::MatrixXd solvedSymmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 {
   return a.ldlt().solve(b);
 }

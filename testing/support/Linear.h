@@ -17,7 +17,7 @@ namespace palpate::test
 [[nodiscard]] std::optional<Eigen::VectorXd> solvedUniquely(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 /// x of a x = b for a large symmetric matrix a.
-[[nodiscard]] Eigen::VectorXd solvedSymmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+[[nodiscard]] Eigen::MatrixXd solvedSymmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// Eigenvalues of a symmetric matrix, the least first.
 [[nodiscard]] Eigen::VectorXd eigenvaluesOf(const Eigen::MatrixXd& symmetric);

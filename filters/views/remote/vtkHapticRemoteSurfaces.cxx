@@ -2,7 +2,10 @@
 #include "vtkHapticRemoteSurfaces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
+
+#include <Eigen/Eigenvalues>
 
 #include "haptics/core/WordHash.h"
 #include "haptics/geometry/tree/BoxTree.h"
@@ -24,7 +27,9 @@ namespace
 /// The least that a direction is stretched by.
 double LeastStretch(const vtkHapticPlacement& placement)
 {
-  return Eigen::JacobiSVD<Eigen::Matrix3d>(placement.linear()).singularValues()(2);
+  const Eigen::Matrix3d squared = placement.linear().transpose() * placement.linear();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretches(squared, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, stretches.eigenvalues()[0]));
 }
 
 void Include(palpate::Box& box, const std::array<double, 6>& bounds, const vtkHapticPlacement& placement)

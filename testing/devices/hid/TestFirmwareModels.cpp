@@ -16,7 +16,6 @@ namespace
 using test::FirmwareModel;
 using test::ModelCase;
 
-
 /// A firmware's model behind a link; the handle stands where it is put.
 struct ModelRig : test::PidRig
 {

@@ -58,7 +58,8 @@ Visit visitOf(const Eigen::Vector2d& start)
   const auto after = [&](int component, double k)
   {
     const std::complex<double> from = start[component], to = next[component];
-    return (((to - second * from) * std::pow(first, k) - (to - first * from) * std::pow(second, k)) / (2.0 * apart)).real();
+    return (((to - second * from) * std::pow(first, k) - (to - first * from) * std::pow(second, k)) / (2.0 * apart))
+      .real();
   };
   Visit visit;
   for (int k = 0; k < 100000; ++k)
