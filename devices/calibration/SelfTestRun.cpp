@@ -10,57 +10,53 @@
 
 namespace palpate
 {
-namespace
-{
-
-/// A simulated hand that goes where it is asked to, as fast as people do.
-class ObligingHand
-{
-public:
-  explicit ObligingHand(HapticDevice& device) : device_(dynamic_cast<SimulatedDevice*>(&device)) {}
-
-  void follow(const Vec3& asked_D, double dt_s) noexcept
-  {
-    constexpr double pace_m_per_s = 0.1;
-    if (this->device_ == nullptr)
-    {
-      return;
-    }
-    const Vec3 way_D = asked_D - this->at_D_;
-    const double length_m = way_D.norm(), step_m = pace_m_per_s * dt_s;
-    this->at_D_ = length_m > step_m ? Vec3(this->at_D_ + step_m / length_m * way_D) : asked_D;
-    this->device_->lead(this->at_D_);
-  }
-
-private:
-  SimulatedDevice* device_;
-  Vec3 at_D_ = Vec3::Zero();
-};
-
-/// The tick of a self-test.
-struct SelfTestTick
-{
-  ObligingHand hand;
-  SelfTestPlan plan;
-
-  void before(double dt_s, const SelfTestState& state) noexcept
-  {
-    this->hand.follow(askedPlace_D(this->plan, state), dt_s);
-  }
-  DeviceCommand step(const DeviceSample& sample, DeviceStatus status, double dt_s, SelfTestState& state) const noexcept
-  {
-    return stepSelfTest(this->plan, sample, status, dt_s, state);
-  }
-  static bool goesOn(const SelfTestState& state) noexcept { return state.verdict == SelfTestVerdict::None; }
-  static void end(SelfTestState& state) noexcept { stopSelfTest(state); }
-};
-
-} // namespace
 
 /// Everything that lives from start() to stop().
 struct SelfTestRun::Run
 {
-  DeviceLoop<SelfTestState, SelfTestTick> loop;
+  /// A simulated hand that goes where it is asked to, as fast as people do.
+  class ObligingHand
+  {
+  public:
+    explicit ObligingHand(HapticDevice& device) : device_(dynamic_cast<SimulatedDevice*>(&device)) {}
+
+    void follow(const Vec3& asked_D, double dt_s) noexcept
+    {
+      constexpr double pace_m_per_s = 0.1;
+      if (this->device_ == nullptr)
+      {
+        return;
+      }
+      const Vec3 way_D = asked_D - this->at_D_;
+      const double length_m = way_D.norm(), step_m = pace_m_per_s * dt_s;
+      this->at_D_ = length_m > step_m ? Vec3(this->at_D_ + step_m / length_m * way_D) : asked_D;
+      this->device_->lead(this->at_D_);
+    }
+
+  private:
+    SimulatedDevice* device_;
+    Vec3 at_D_ = Vec3::Zero();
+  };
+
+  /// The tick of a self-test.
+  struct Tick
+  {
+    ObligingHand hand;
+    SelfTestPlan plan;
+
+    void before(double dt_s, const SelfTestState& state) noexcept
+    {
+      this->hand.follow(askedPlace_D(this->plan, state), dt_s);
+    }
+    DeviceCommand step(const DeviceSample& sample, DeviceStatus status, double dt_s, SelfTestState& state) const noexcept
+    {
+      return stepSelfTest(this->plan, sample, status, dt_s, state);
+    }
+    static bool goesOn(const SelfTestState& state) noexcept { return state.verdict == SelfTestVerdict::None; }
+    static void end(SelfTestState& state) noexcept { stopSelfTest(state); }
+  };
+
+  DeviceLoop<SelfTestState, Tick> loop;
 };
 
 SelfTestRun::SelfTestRun() = default;
@@ -95,8 +91,8 @@ std::string SelfTestRun::start(std::unique_ptr<HapticDevice> device, const SelfT
   this->plan_ = SelfTestPlan::forDevice(this->device_, options.deadMan, options.wheel);
   this->lastState_ = SelfTestState{};
   this->link_ = {};
-  const ObligingHand hand(*device);
-  this->run_.reset(new Run{ { std::move(device), SelfTestTick{ hand, this->plan_ },
+  const Run::ObligingHand hand(*device);
+  this->run_.reset(new Run{ { std::move(device), Run::Tick{ hand, this->plan_ },
     { options.period_s, options.virtualTime, options.brokers } } });
   return {};
 }

@@ -10,31 +10,27 @@
 
 namespace palpate
 {
-namespace
-{
-
-/// The tick of a line, with what its owner asks of it.
-struct OwnedLineTick
-{
-  LineWorld world;
-  SafetyLimits limits;
-  std::shared_ptr<std::atomic<bool>> asked = std::make_shared<std::atomic<bool>>(false);
-
-  static void before(double, const LineState&) noexcept {}
-  DeviceCommand step(const DeviceSample& sample, DeviceStatus status, double dt_s, LineState& state) const noexcept
-  {
-    return stepLine(this->world, this->limits, { sample, status, this->asked->exchange(false), dt_s }, state);
-  }
-  static bool goesOn(const LineState&) noexcept { return true; }
-  static void end(LineState& state) noexcept { state.force_N = state.gain = 0.0; }
-};
-
-} // namespace
 
 struct LineRun::Run
 {
+  /// The tick of a line, with what its owner asks of it.
+  struct Tick
+  {
+    LineWorld world;
+    SafetyLimits limits;
+    std::shared_ptr<std::atomic<bool>> asked = std::make_shared<std::atomic<bool>>(false);
+
+    static void before(double, const LineState&) noexcept {}
+    DeviceCommand step(const DeviceSample& sample, DeviceStatus status, double dt_s, LineState& state) const noexcept
+    {
+      return stepLine(this->world, this->limits, { sample, status, this->asked->exchange(false), dt_s }, state);
+    }
+    static bool goesOn(const LineState&) noexcept { return true; }
+    static void end(LineState& state) noexcept { state.force_N = state.gain = 0.0; }
+  };
+
   std::shared_ptr<std::atomic<bool>> asked;
-  DeviceLoop<LineState, OwnedLineTick> loop;
+  DeviceLoop<LineState, Tick> loop;
 };
 
 LineRun::LineRun() = default;
@@ -64,7 +60,7 @@ std::string LineRun::start(
   {
     return problem;
   }
-  OwnedLineTick tick{ std::move(world), SafetyLimits::forDevice(info) };
+  Run::Tick tick{ std::move(world), SafetyLimits::forDevice(info) };
   tick.limits.deadMan = deadMan;
   this->lastState_ = {};
   std::shared_ptr<std::atomic<bool>> asked = tick.asked;

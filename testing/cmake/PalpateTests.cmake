@@ -6,6 +6,7 @@
 #   TIMEOUT seconds    default 120; times PALPATE_TIMEOUT_FACTOR where that is set (./dev test --full)
 #   ENVIRONMENT A=b... variables of the test's process
 #   SERIAL             nothing else runs beside it (tests that compare costs)
+#   GROUP name         its program is built apart (palpate_build_apart), before the first test of that group
 
 find_package(GTest REQUIRED)
 include(GoogleTest)
@@ -31,7 +32,7 @@ set(PALPATE_MPI_ENVIRONMENT
 
 # Parses ARGN into arg_*; keeps the defaults in one place.
 macro (_palpate_parse default_label one_value multi_value)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL" "NAME;LABEL;TIMEOUT;${one_value}" "ENVIRONMENT;${multi_value}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SERIAL;CGAL" "NAME;LABEL;TIMEOUT;GROUP;${one_value}" "ENVIRONMENT;${multi_value}")
   if (arg_UNPARSED_ARGUMENTS OR NOT arg_NAME)
     message(FATAL_ERROR "Test '${arg_NAME}': NAME is missing, or these arguments are unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif ()
@@ -53,6 +54,23 @@ endmacro ()
 function (_palpate_set_properties test)
   set_tests_properties("${test}" PROPERTIES
     LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}" ENVIRONMENT "${arg_ENVIRONMENT}")
+  if (arg_GROUP)
+    set_tests_properties("${test}" PROPERTIES FIXTURES_REQUIRED "${arg_GROUP}")
+  endif ()
+endfunction ()
+
+# palpate_build_apart(GROUP target...): targets that only their own tests run. The default target leaves them out; ctest builds
+# the group before the first of its tests (a fixture, which ctest adds to whatever it selects), so that a test never runs an old
+# program. To build them by hand: ninja -C build GROUP.
+function (palpate_build_apart group)
+  if (NOT TARGET "${group}")
+    add_custom_target("${group}")
+    add_test(NAME "build.${group}" COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --target "${group}")
+    # The compilers take all cores: nothing else is started beside them.
+    set_tests_properties("build.${group}" PROPERTIES FIXTURES_SETUP "${group}" TIMEOUT 3600 RUN_SERIAL ON)
+  endif ()
+  set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
+  add_dependencies("${group}" ${ARGN})
 endfunction ()
 
 # Parsing the headers that every test includes is most of its compile time: one test compiles them, those with the same flags
@@ -71,7 +89,7 @@ endfunction ()
 # palpate_add_unit_test(NAME contact SOURCES TestA.cpp TestB.cpp [LIBRARIES ...] [CGAL] [VTK_MODULES VTK::IOXML ...])
 # A GoogleTest program linked to the core and testing/support; each TEST becomes a ctest "name.Suite.Test".
 # Label: unit. CGAL: the sources use CGAL (oracles). Eight sources are compiled at once, so they name things differently.
-# VTK_MODULES: linked and auto-initialised.
+# VTK_MODULES: linked and auto-initialised. With GROUP it is one ctest, "name": its tests can be listed only once it is built.
 function (palpate_add_unit_test)
   _palpate_parse(unit "" "SOURCES;LIBRARIES;VTK_MODULES")
   add_executable("${arg_NAME}" ${arg_SOURCES})
@@ -87,6 +105,12 @@ function (palpate_add_unit_test)
   if (arg_VTK_MODULES)
     vtk_module_autoinit(TARGETS "${arg_NAME}" MODULES ${arg_VTK_MODULES})
   endif ()
+  if (arg_GROUP)
+    palpate_build_apart("${arg_GROUP}" "${arg_NAME}")
+    add_test(NAME "${arg_NAME}" COMMAND "${arg_NAME}" --gtest_brief=1)
+    _palpate_set_properties("${arg_NAME}")
+    return ()
+  endif ()
   gtest_discover_tests("${arg_NAME}" TEST_PREFIX "${arg_NAME}." TEST_LIST "${arg_NAME}_tests" DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
     PROPERTIES LABELS "${arg_LABEL}" TIMEOUT "${arg_TIMEOUT}" RUN_SERIAL "${arg_SERIAL}")
   # gtest_discover_tests takes a list apart, so the environment is set in a script that ctest reads after the discovery.
@@ -101,6 +125,9 @@ endfunction ()
 # palpate_add_program_test(NAME x TARGET t [ARGUMENTS ...]): an executable target of ours; exit code 0 passes. Label: unit.
 function (palpate_add_program_test)
   _palpate_parse(unit "TARGET" "ARGUMENTS")
+  if (arg_GROUP)
+    palpate_build_apart("${arg_GROUP}" "${arg_TARGET}")
+  endif ()
   add_test(NAME "${arg_NAME}" COMMAND "${arg_TARGET}" ${arg_ARGUMENTS})
   _palpate_set_properties("${arg_NAME}")
 endfunction ()
@@ -169,6 +196,7 @@ endfunction ()
 # seeds in CORPUS, which it does not change. Label: fuzz.
 function (palpate_add_fuzz_target)
   _palpate_parse(fuzz "CORPUS" "SOURCES;OPTIONS;LIBRARIES")
+  set(arg_GROUP palpate_fuzzers)
   find_program(PALPATE_CLANG clang++)
   if (NOT PALPATE_CLANG)
     message(STATUS "Fuzz target ${arg_NAME}: left out, clang++ is not installed")
@@ -191,7 +219,8 @@ function (palpate_add_fuzz_target)
       -MD -MF "${together}.d" -MT "${program}" "${together}" ${arg_LIBRARIES} -pthread -o "${program}"
     DEPENDS "${together}" ${arg_SOURCES} DEPFILE "${together}.d"
     COMMENT "Fuzz target ${arg_NAME}" VERBATIM COMMAND_EXPAND_LISTS)
-  add_custom_target("${arg_NAME}" ALL DEPENDS "${program}")
+  add_custom_target("${arg_NAME}" DEPENDS "${program}")
+  palpate_build_apart(palpate_fuzzers "${arg_NAME}")
   set(found "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}-found")
   file(MAKE_DIRECTORY "${found}")
   add_test(NAME "fuzz.${arg_NAME}"

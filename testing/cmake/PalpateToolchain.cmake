@@ -35,15 +35,8 @@ endif ()
 
 # Most of the compile time goes into headers that all sources of a target include.
 option(PALPATE_TOGETHER "Compile sources of a target eight at once: half the time from scratch, longer after a change" ON)
-function (_palpate_compile_together target)
-  set_target_properties("${target}" PROPERTIES UNITY_BUILD "${PALPATE_TOGETHER}" ${ARGN})
-  if (PALPATE_TOGETHER)
-    # GCC takes all but the one file that it is given for headers, in which types without a name for the linker are a fault.
-    target_compile_options("${target}" PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>")
-  endif ()
-endfunction ()
 function (palpate_compile_together target)
-  _palpate_compile_together("${target}" UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties("${target}" PROPERTIES UNITY_BUILD "${PALPATE_TOGETHER}" UNITY_BUILD_BATCH_SIZE 8)
 endfunction ()
 # The sources of a folder at once, where a target has many folders. Their names for things of their own differ.
 function (palpate_compile_rooms_together target)
@@ -56,7 +49,7 @@ function (palpate_compile_rooms_together target)
     string(MAKE_C_IDENTIFIER "${room}" room)
     set_source_files_properties("${source}" TARGET_DIRECTORY "${target}" PROPERTIES UNITY_GROUP "${room}")
   endforeach ()
-  _palpate_compile_together("${target}" UNITY_BUILD_MODE GROUP)
+  set_target_properties("${target}" PROPERTIES UNITY_BUILD "${PALPATE_TOGETHER}" UNITY_BUILD_MODE GROUP)
 endfunction ()
 
 set(CMAKE_INSTALL_LIBDIR lib CACHE STRING "Library folder, the same in the build tree on every machine")

@@ -47,19 +47,19 @@ struct Aim
 
 /// On the screen, from the lower left corner of the window.
 using Pixels = Eigen::Vector2d;
-
-/// The hand strokes, or on its way to where it cannot go straight it rises and goes across in front of everything.
-enum class Travel
-{
-  Strokes,
-  Rises,
-  Crosses,
-};
 } // namespace
 
 class vtkHapticMouse::Internals
 {
 public:
+  /// The hand strokes, or on its way to where it cannot go straight it rises and goes across in front of everything.
+  enum class Travel
+  {
+    Strokes,
+    Rises,
+    Crosses,
+  };
+
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkHapticSession> Session;
   unsigned long StartObserver = 0;

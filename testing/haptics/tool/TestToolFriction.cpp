@@ -20,33 +20,6 @@ constexpr double halfOfRubbed_mm = 20.0, pressedBy_mm = 2.0, stiffness_N_per_mm 
 constexpr double solved = 1e-3;     // of what rubs
 constexpr double atTheLimit = 4e-2; // likewise in a tick, where friction just holds the tool: its sweeps are few
 
-/// A cube that lies on a plane of triangles, pressed by the hand above its middle.
-class RubbedCube : public testing::TestWithParam<double>
-{
-protected:
-  RubbedCube()
-  {
-    Random random(testSeed(2301));
-    const TriangleMesh plane = makeSheet({ 400.0, 400.0, 8, 8, 0.3 }, random);
-    this->move.emplace(this->tool, makeToolScene(cleanMesh(plane).mesh, this->tool), this->tool.gyration_u);
-    this->move->rub(this->friction);
-    EXPECT_EQ(this->move->place({ Vec3(0, 0, halfOfRubbed_mm + 1.0), Quat::Identity() }), "");
-    EXPECT_TRUE(settle(*this->move, this->pressed(0.0, 0.0)));
-  }
-
-  [[nodiscard]] Pose pressed(double along_mm, double spin_rad) const
-  {
-    return { along_mm * this->along + Vec3(0, 0, halfOfRubbed_mm - pressedBy_mm), turnBy(Vec3(0, 0, spin_rad)) };
-  }
-  /// What the plane pushes with, over the stiffness: it holds the cube at its rest gap.
-  [[nodiscard]] double push_mm() const { return pressedBy_mm + this->tool.restGap_u(); }
-
-  double friction = GetParam();
-  Vec3 along = Vec3(0.6, 0.8, 0.0);
-  ToolMesh tool = makeTool(makeBox(Vec3::Constant(-halfOfRubbed_mm), Vec3::Constant(halfOfRubbed_mm))).tool;
-  std::optional<ToolMove> move;
-};
-
 constexpr double contactLever_mm = 1.0;
 
 ToolContacts contactsOf(const std::vector<ToolContact>& contacts)
@@ -126,6 +99,33 @@ double secondsOf(const ToolContacts& set, const Pose& hand_W, double friction)
 }
 
 } // namespace
+
+/// A cube that lies on a plane of triangles, pressed by the hand above its middle.
+class RubbedCube : public testing::TestWithParam<double>
+{
+protected:
+  RubbedCube()
+  {
+    Random random(testSeed(2301));
+    const TriangleMesh plane = makeSheet({ 400.0, 400.0, 8, 8, 0.3 }, random);
+    this->move.emplace(this->tool, makeToolScene(cleanMesh(plane).mesh, this->tool), this->tool.gyration_u);
+    this->move->rub(this->friction);
+    EXPECT_EQ(this->move->place({ Vec3(0, 0, halfOfRubbed_mm + 1.0), Quat::Identity() }), "");
+    EXPECT_TRUE(settle(*this->move, this->pressed(0.0, 0.0)));
+  }
+
+  [[nodiscard]] Pose pressed(double along_mm, double spin_rad) const
+  {
+    return { along_mm * this->along + Vec3(0, 0, halfOfRubbed_mm - pressedBy_mm), turnBy(Vec3(0, 0, spin_rad)) };
+  }
+  /// What the plane pushes with, over the stiffness: it holds the cube at its rest gap.
+  [[nodiscard]] double push_mm() const { return pressedBy_mm + this->tool.restGap_u(); }
+
+  double friction = GetParam();
+  Vec3 along = Vec3(0.6, 0.8, 0.0);
+  ToolMesh tool = makeTool(makeBox(Vec3::Constant(-halfOfRubbed_mm), Vec3::Constant(halfOfRubbed_mm))).tool;
+  std::optional<ToolMove> move;
+};
 
 TEST_P(RubbedCube, StaysUntilItsPullLeansByTheAngleOfFrictionAndThenTrailsByIt)
 {
