@@ -11,10 +11,6 @@
 #include <string>
 #include <vector>
 
-class vtkHapticDrafts;
-class vtkHapticRemoteSurfaces;
-class vtkHapticShapes;
-class vtkSMProxy;
 class vtkSMSourceProxy;
 
 /**
@@ -65,20 +61,5 @@ struct VTKHAPTICVIEWS_EXPORT vtkHapticViewScan
   /// The same arrays on surfaces that are the same.
   bool SameArraysAs(const vtkHapticViewScan& other) const;
 };
-
-/// What is followed beside polygons.
-struct vtkHapticScanOptions
-{
-  bool Lines = false;                              ///< what is drawn as lines alone
-  bool Points = false;                             ///< what is drawn as points alone
-  vtkHapticDrafts* Drafts = nullptr;               ///< with them a shown curve is where its widget draws it
-  const vtkHapticRemoteSurfaces* Remote = nullptr; ///< what was fetched of a server's
-  vtkSMProxy* Drawing = nullptr;                   ///< a source that is not shown yet, where its widget draws it
-};
-
-/// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence. `shapes`
-/// keeps what was made of glyphs and slices from one look to the next.
-VTKHAPTICVIEWS_EXPORT vtkHapticViewScan vtkHapticScanView(
-  vtkSMProxy* view, vtkHapticShapes& shapes, const vtkHapticScanOptions& options = {});
 
 #endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef vtkHapticScanView_h
+#define vtkHapticScanView_h
+
+#include "vtkHapticViewScan.h"
+#include "vtkHapticViewsModule.h" // for the export macro
+
+class vtkHapticDrafts;
+class vtkHapticRemoteSurfaces;
+class vtkHapticShapes;
+class vtkSMProxy;
+
+/// What is followed beside polygons.
+struct vtkHapticScanOptions
+{
+  bool Lines = false;                              ///< what is drawn as lines alone
+  bool Points = false;                             ///< what is drawn as points alone
+  vtkHapticDrafts* Drafts = nullptr;               ///< with them a shown curve is where its widget draws it
+  const vtkHapticRemoteSurfaces* Remote = nullptr; ///< what was fetched of a server's
+  vtkSMProxy* Drawing = nullptr;                   ///< a source that is not shown yet, where its widget draws it
+};
+
+/// GUI thread. `view` may be null or any kind of view: what cannot be followed is refused with a sentence. `shapes`
+/// keeps what was made of glyphs and slices from one look to the next.
+VTKHAPTICVIEWS_EXPORT vtkHapticViewScan vtkHapticScanView(
+  vtkSMProxy* view, vtkHapticShapes& shapes, const vtkHapticScanOptions& options = {});
+
+#endif
