@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "haptics/recording/ByteStream.h"
 #include "haptics/recording/Recording.h"
-#include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/bytes/ByteStream.h"
+#include "haptics/recording/bytes/RecordingLayout.h"
 
 namespace palpate
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/recording/ByteStream.h"
+#include "haptics/recording/bytes/ByteStream.h"
 #include "haptics/tick/ForceRenderer.h"
 
 namespace palpate

@@ -4,7 +4,7 @@
 #include "haptics/core/Checksum.h"
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedStages.h"
-#include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/bytes/RecordingLayout.h"
 
 namespace palpate
 {

@@ -4,8 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include "haptics/session/DeviceAdaptation.h"
+#include "haptics/session/SessionInputs.h"
+#include "haptics/session/SessionKept.h"
 #include "haptics/session/SessionRun.h"
-#include "haptics/session/mechanism/MechanismTouch.h"
+#include "haptics/session/mechanism/MechanismWorker.h"
+#include "haptics/session/soft/SoftWorker.h"
+#include "haptics/session/tool/ToolWorker.h"
 
 namespace palpate
 {
@@ -16,7 +21,7 @@ constexpr double shortestPeriod_s = 1e-4; // ten times the usual rate
 
 } // namespace
 
-HapticSession::HapticSession() = default;
+HapticSession::HapticSession() : inputs_(std::make_unique<Inputs>()), kept_(std::make_unique<Kept>()) {}
 
 HapticSession::~HapticSession()
 {
@@ -46,14 +51,14 @@ Recordings& HapticSession::recordings() noexcept
 /// What moves a tool and computes soft bodies beside the servo.
 void HapticSession::beginWorkers(Run& run, std::int64_t period_ns) const
 {
-  run.tool.emplace(run.links.tool, run.virtualTime, period_ns);
+  run.tool = std::make_unique<ToolWorker>(run.links.tool, run.virtualTime, period_ns);
   run.tool->setScene(this->scene(), this->parameters_.known);
   run.tool->setTool(this->heldTool());
-  run.soft.emplace(run.links.soft, run.virtualTime);
+  run.soft = std::make_unique<SoftWorker>(run.links.soft, run.virtualTime);
   run.soft->setScene(this->scene());
-  run.soft->setBody(this->soft_);
-  run.mechanism.emplace(run.links.mechanism, run.virtualTime);
-  run.mechanism->setMechanism(this->mechanism_, this->grip(run.adapted));
+  run.soft->setBody(this->kept_->soft);
+  run.mechanism = std::make_unique<MechanismWorker>(run.links.mechanism, run.virtualTime);
+  run.mechanism->setMechanism(this->kept_->mechanism, this->grip(run.adapted));
   if (run.virtualTime)
   {
     run.stepWorkers();
@@ -82,7 +87,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->recordings.emplace(run->links.recorder, options.virtualTime);
   if (!options.recordFile.empty())
   {
-    const std::string refused = run->recordings->begin(options.recordFile, run->device->info().name, this->inputs_);
+    const std::string refused = run->recordings->begin(options.recordFile, run->device->info().name, *this->inputs_);
     if (!refused.empty())
     {
       run->device->close();
@@ -96,7 +101,7 @@ std::string HapticSession::start(std::unique_ptr<HapticDevice> device, const Ses
   run->loop.emplace(*run->device, *run->timer, run->links, run->clock, options.period_s);
   this->run_ = std::move(run);
   this->lastState_ = HapticState{};
-  this->lastReport_ = LoopReport{};
+  this->kept_->report = LoopReport{};
   if (this->recording())
   {
     this->storePublished(); // from the first packet on
@@ -136,12 +141,12 @@ std::string HapticSession::stop()
   }
   this->storePublished();
   this->lastState_ = this->run_->links.state.read();
-  this->lastReport_ = this->run_->links.report.read();
+  this->kept_->report = this->run_->links.report.read();
   this->lastState_.engage = EngageState::Safe;
   this->lastState_.force_D = this->lastState_.force_W = Vec3::Zero();
   this->run_->device->close();
-  this->lastRecorded_ = this->run_->recordings->finish();
-  std::string problem = this->lastRecorded_ ? this->lastRecorded_->problem : std::string();
+  this->kept_->recorded = this->run_->recordings->finish();
+  std::string problem = this->kept_->recorded ? this->kept_->recorded->problem : std::string();
   this->run_.reset();
   return problem;
 }
@@ -162,7 +167,7 @@ std::string HapticSession::setParameters(const HapticParameters& parameters, con
       }
       this->run_->adapt(parameters, this->lever_u(), false);
       this->run_->links.parameters.write({ this->version_, this->run_->adapted });
-      this->run_->mechanism->setMechanism(this->mechanism_, this->grip(this->run_->adapted));
+      this->run_->mechanism->setMechanism(this->kept_->mechanism, this->grip(this->run_->adapted));
     }
   }
   return problem;
@@ -197,87 +202,24 @@ void HapticSession::setScene(std::shared_ptr<const Scene> scene, const std::opti
   }
 }
 
-void HapticSession::setTool(const ToolChoice& choice)
+const std::shared_ptr<const Scene>& HapticSession::scene() const noexcept
 {
-  this->tool_ = choice;
-  this->takeTool();
+  return this->inputNow<input::Scenes>();
 }
 
-void HapticSession::takeTool()
+void HapticSession::setBrick(std::shared_ptr<const Brick> brick)
 {
-  if (this->run_)
-  {
-    this->run_->tool->setTool(this->heldTool());
-    this->run_->adapt(this->parameters_, this->lever_u(), false);
-    this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
-  }
+  this->setInput<input::Bricks>(std::move(brick));
 }
 
-void HapticSession::setSoft(const SoftChoice& choice)
+const std::shared_ptr<const Brick>& HapticSession::brick() const noexcept
 {
-  const bool otherHand = this->tool_.tool && !this->soft_.input != !choice.input;
-  this->soft_ = choice;
-  if (otherHand)
-  {
-    this->takeTool();
-  }
-  if (this->run_)
-  {
-    this->run_->soft->setBody(choice);
-  }
-}
-
-SoftStatus HapticSession::softStatus() const
-{
-  return this->run_ ? this->run_->soft->status() : SoftStatus{};
-}
-
-void HapticSession::setMechanism(const MechanismChoice& choice)
-{
-  this->mechanism_ = choice;
-  if (this->run_)
-  {
-    this->run_->mechanism->setMechanism(choice, this->grip(this->run_->adapted));
-    this->run_->adapt(this->parameters_, this->lever_u(), false);
-    this->run_->links.parameters.write({ ++this->version_, this->run_->adapted });
-  }
-}
-
-MechanismStatus HapticSession::mechanismStatus() const
-{
-  return this->run_ ? this->run_->mechanism->status() : MechanismStatus{};
-}
-
-std::string HapticSession::refuseMechanism(const MechanismInputs& inputs, const BodiesAtRest& atRest) const
-{
-  std::vector<MechanismSoft> soft;
-  for (std::size_t b = 0; b < std::min(inputs.soft.size(), atRest.size()); ++b)
-  {
-    soft.push_back({ inputs.soft[b].name, atRest[b].get() });
-  }
-  const MechanismGrip grip = this->grip(this->run_ ? this->run_->adapted : this->parameters_);
-  return faultsOf(checkMechanism(inputs.mechanism, soft, grip));
+  return this->inputNow<input::Bricks>();
 }
 
 void HapticSession::breakLaw(std::uint32_t law)
 {
   this->push(EventKind::BreakLaw, law);
-}
-
-/// Of what is in the hand; 0: nothing is turned.
-double HapticSession::lever_u() const noexcept
-{
-  const HapticParameters& p = this->parameters_;
-  const double mechanism_m = mechanismLever_m(p.mechanismTurning_N_m_per_rad, p.stiffness_N_per_m);
-  const double mechanism_u = this->mechanism_.inputs ? mechanism_m * p.map.scale_u_per_m : 0.0;
-  return std::max(mechanism_u, this->heldTool().weighs_u()); // a tool is in the hand until the mechanism is computed
-}
-
-/// As the tick would have it without limits.
-MechanismGrip HapticSession::grip(const HapticParameters& adapted) const noexcept
-{
-  const double scale_u_per_m = this->parameters_.map.scale_u_per_m;
-  return { this->parameters_.stiffness_N_per_m / scale_u_per_m, adapted.mechanismTurning_N_m_per_rad * scale_u_per_m };
 }
 
 /// A recording that begins has what the servo may still be pressing. `again`: one after another.
@@ -291,32 +233,6 @@ void HapticSession::storePublished(bool again)
         this->run_->recordings->store<K>(value);
       }
     });
-}
-
-std::string HapticSession::toolBesideSoft() const
-{
-  const bool refused = this->soft_.input && this->tool_.tool && !(this->tool_.tool->ball_u() > 0.0);
-  return refused ? "a tool does not feel what gives way: hold no tool, or let nothing give way" : "";
-}
-
-std::string HapticSession::toolRefusal() const
-{
-  const std::string beside = this->toolBesideSoft();
-  return beside.empty() && this->run_ ? this->run_->tool->status().refusal : beside;
-}
-
-std::string HapticSession::toolNoWayOut() const
-{
-  return this->run_ ? this->run_->tool->status().noWayOut : std::string();
-}
-
-const ToolReport& HapticSession::toolReport()
-{
-  if (this->run_)
-  {
-    this->lastToolReport_ = this->run_->links.tool.report.read();
-  }
-  return this->lastToolReport_;
 }
 
 void HapticSession::push(EventKind kind, std::uint64_t value)
@@ -372,7 +288,7 @@ std::string HapticSession::record(const std::string& file)
     return "nothing is touched that could be recorded";
   }
   this->storePublished();
-  std::string problem = this->run_->recordings->begin(file, this->run_->device->info().name, this->inputs_);
+  std::string problem = this->run_->recordings->begin(file, this->run_->device->info().name, *this->inputs_);
   this->storePublished(true);
   return problem;
 }
@@ -400,7 +316,7 @@ std::optional<EndedRecording> HapticSession::takeRecorded()
 {
   if (!this->run_)
   {
-    return std::exchange(this->lastRecorded_, std::nullopt);
+    return std::exchange(this->kept_->recorded, std::nullopt);
   }
   this->storePublished();
   return this->run_->recordings->takeEnded();
@@ -422,9 +338,9 @@ const LoopReport& HapticSession::report()
 {
   if (this->run_)
   {
-    this->lastReport_ = this->run_->links.report.read();
+    this->kept_->report = this->run_->links.report.read();
   }
-  return this->lastReport_;
+  return this->kept_->report;
 }
 
 SchedulingReport HapticSession::scheduling() const

@@ -1,22 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "haptics/core/HapticDevice.h"
-#include "haptics/force/StabilityLimits.h"
 #include "haptics/realtime/RealtimeThread.h"
-#include "haptics/session/Recordings.h"
-#include "haptics/session/ServoLoop.h"
-#include "haptics/session/mechanism/MechanismWorker.h"
-#include "haptics/session/soft/SoftWorker.h"
-#include "haptics/session/tool/ToolWorker.h"
+#include "haptics/tick/HapticParameters.h"
+#include "haptics/tick/HapticState.h"
 
 namespace palpate
 {
+
+class Brick;
+class Recordings;
+class Scene;
+enum class EventKind : std::uint8_t;
+struct EndedRecording;
+struct LoopReport;
+struct MechanismChoice;
+struct MechanismGrip;
+struct MechanismInputs;
+struct MechanismStatus;
+struct PressedBody;
+struct ServoLinks;
+struct SoftChoice;
+struct SoftStatus;
+struct StabilityLimits;
+struct ToolChoice;
+struct ToolReport;
 
 /// How a session is to run. Fixed while it runs.
 struct SessionOptions
@@ -60,12 +75,12 @@ public:
   /// Null: nothing to touch. Kept over stop() and start(). `comesFrom_W`: where the ball comes from when the servo
   /// takes the scene, so that a surface that has come around it stays on its other side.
   void setScene(std::shared_ptr<const Scene> scene, const std::optional<Vec3>& comesFrom_W = {});
-  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept { return this->inputNow<input::Scenes>(); }
+  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const noexcept;
 
   /// What the hand holds in place of the ball, from a tick soon after on; none: the ball, as beside a soft body, which
   /// only a tool that is a ball feels. Kept over stop() and start().
   void setTool(const ToolChoice& choice);
-  [[nodiscard]] const ToolChoice& tool() const noexcept { return this->tool_; }
+  [[nodiscard]] const ToolChoice& tool() const noexcept;
   /// Why the tool is not held or cannot touch the scene; "": it can. And how its thread does.
   [[nodiscard]] std::string toolRefusal() const;
   [[nodiscard]] std::string toolBesideSoft() const; ///< why the tool is not held beside the soft body; "": it is
@@ -74,38 +89,29 @@ public:
 
   /// What gives way beside the scene, from a tick soon after on; none: nothing does. Kept over stop() and start().
   void setSoft(const SoftChoice& choice);
-  [[nodiscard]] const SoftChoice& soft() const noexcept { return this->soft_; }
+  [[nodiscard]] const SoftChoice& soft() const noexcept;
   [[nodiscard]] SoftStatus softStatus() const;
 
   /// What the hand holds in place of ball and tool, joined to others; none: nothing is. While one is felt, ball, tool
   /// and soft body rest. From a tick soon after on. Kept over stop() and start().
   void setMechanism(const MechanismChoice& choice);
-  [[nodiscard]] const MechanismChoice& mechanism() const noexcept { return this->mechanism_; }
+  [[nodiscard]] const MechanismChoice& mechanism() const noexcept;
   [[nodiscard]] MechanismStatus mechanismStatus() const;
   /// The faults that a mechanism would have in this hand, or "". `atRest`: its soft bodies.
-  [[nodiscard]] std::string refuseMechanism(const MechanismInputs& inputs, const BodiesAtRest& atRest) const;
+  [[nodiscard]] std::string refuseMechanism(
+    const MechanismInputs& inputs, const std::vector<std::shared_ptr<const PressedBody>>& atRest) const;
   /// By its place in the mechanism: it holds nothing from the next tick on, until another mechanism is taken.
   void breakLaw(std::uint32_t law);
 
-  /// An input that the owner publishes: taken at the next tick; null: none. Kept over stop() and start().
+  /// An input that the owner publishes: taken at the next tick; null: none. Kept over stop() and start(). For kinds
+  /// without a method of their own include SessionInputs.h.
   template<class K>
-  void setInput(std::shared_ptr<const typename K::Value> value)
-  {
-    std::get<input::OwnedInput<K>>(this->inputs_).value = value;
-    if (ServoLinks* const links = this->links())
-    {
-      this->recordings().store<K>(value);
-      K::buffer(*links).publish(std::move(value));
-    }
-  }
+  void setInput(std::shared_ptr<const typename K::Value> value);
   template<class K>
-  [[nodiscard]] const std::shared_ptr<const typename K::Value>& inputNow() const noexcept
-  {
-    return std::get<input::OwnedInput<K>>(this->inputs_).value;
-  }
+  [[nodiscard]] const std::shared_ptr<const typename K::Value>& inputNow() const noexcept;
   /// The field around the hand.
-  void setBrick(std::shared_ptr<const Brick> brick) { this->setInput<input::Bricks>(std::move(brick)); }
-  [[nodiscard]] const std::shared_ptr<const Brick>& brick() const noexcept { return this->inputNow<input::Bricks>(); }
+  void setBrick(std::shared_ptr<const Brick> brick);
+  [[nodiscard]] const std::shared_ptr<const Brick>& brick() const noexcept;
 
   /// Records from the next tick on into that file, and no more into the one before: empty, or one sentence; then
   /// nothing changes. While a field is felt none begins. A recording ends with endRecording() or the session, or when
@@ -132,6 +138,8 @@ public:
 
 private:
   struct Run;
+  struct Inputs;
+  struct Kept;
   [[nodiscard]] ServoLinks* links() noexcept; ///< null: nothing runs
   [[nodiscard]] Recordings& recordings() noexcept;
   void push(EventKind kind, std::uint64_t value = 0);
@@ -141,18 +149,13 @@ private:
   void storePublished(bool again = false);
   void takeTool();
   /// Of a body that gives way a tool would feel the surface of before.
-  [[nodiscard]] ToolChoice heldTool() const { return this->toolBesideSoft().empty() ? this->tool_ : ToolChoice{}; }
+  [[nodiscard]] ToolChoice heldTool() const;
 
   HapticParameters parameters_;
   std::uint64_t version_ = 0;
-  TickInputs::Each<input::OwnedInput> inputs_; ///< those of workers are not kept
-  ToolChoice tool_;
-  SoftChoice soft_;
-  MechanismChoice mechanism_;
+  std::unique_ptr<Inputs> inputs_; ///< those of workers are not kept
+  std::unique_ptr<Kept> kept_;     ///< over stop() and start()
   HapticState lastState_;
-  LoopReport lastReport_;
-  ToolReport lastToolReport_;
-  std::optional<EndedRecording> lastRecorded_; ///< with the last run
   std::unique_ptr<Run> run_;
 };
 

@@ -7,17 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "haptics/recording/writing/EndedRecording.h"
 #include "haptics/recording/writing/Recorder.h"
 
 namespace palpate
 {
-
-/// A recording that goes on no more.
-struct EndedRecording
-{
-  std::string file;    ///< "": nothing of it is left
-  std::string problem; ///< "": it is whole
-};
 
 /// The recordings of a run as its owner sees them: the one that goes on, and those of which the servo has still to say
 /// that they are whole. Nothing here waits for the servo.

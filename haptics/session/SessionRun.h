@@ -1,30 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
 
-#include "haptics/force/Viscosity.h"
-#include "haptics/session/DeviceAdaptation.h"
-#include "haptics/session/DeviceTimer.h"
+#include "haptics/core/Clock.h"
+#include "haptics/force/StabilityLimits.h"
+#include "haptics/realtime/PeriodicTimer.h"
 #include "haptics/session/HapticSession.h"
-#include "haptics/tool/servo/RubbedWish.h"
+#include "haptics/session/Recordings.h"
+#include "haptics/session/ServoLoop.h"
 
 namespace palpate
 {
 
+class MechanismWorker;
+class SoftWorker;
+class ToolWorker;
+
 /// Everything that lives from start() to stop().
 struct HapticSession::Run
 {
+  Run();
+  ~Run();
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
   std::unique_ptr<HapticDevice> device;
   std::unique_ptr<TickTimer> timer;
   MonotonicClock clock;
   ServoLinks links;
-  std::optional<ToolWorker> tool;
-  std::optional<SoftWorker> soft;
-  std::optional<MechanismWorker> mechanism;
+  std::unique_ptr<ToolWorker> tool;
+  std::unique_ptr<SoftWorker> soft;
+  std::unique_ptr<MechanismWorker> mechanism;
   std::optional<Recordings> recordings;
   std::optional<ServoLoop> loop;
   std::mutex schedulingMutex; ///< taken once by the servo thread, before its first tick
@@ -38,29 +48,9 @@ struct HapticSession::Run
   StabilityLimits limits;
 
   /// A virtual time goes by itself, whatever the device would pace.
-  void pace(std::int64_t period_ns)
-  {
-    if (this->virtualTime)
-    {
-      this->timer = std::make_unique<VirtualTimer>(period_ns);
-    }
-    else if (this->device->info().pacing == Pacing::Timer)
-    {
-      this->timer = std::make_unique<PeriodicTimer>(period_ns);
-    }
-    else
-    {
-      this->timer = std::make_unique<DeviceTimer>(*this->device, this->clock, period_ns);
-    }
-  }
-
+  void pace(std::int64_t period_ns);
   /// In virtual time, after the last tick.
-  void stepWorkers()
-  {
-    this->tool->step(this->virtual_s);
-    this->soft->step(this->virtual_s);
-    this->mechanism->step(this->virtual_s);
-  }
+  void stepWorkers();
 
   /// From where the ball comes in this scene; nothing: from where it is.
   void leadFrom(const Scene* scene, const std::optional<Vec3>& from_W)
@@ -70,27 +60,7 @@ struct HapticSession::Run
   }
 
   /// Limits come from eigenvalues: computed again only when something they depend on has changed.
-  void adapt(const HapticParameters& parameters, double lever_u, bool first)
-  {
-    const LoopSettings loop = loopSettings(parameters, this->period_s, lever_u);
-    if (first || loop != this->loop_)
-    {
-      this->loop_ = loop;
-      this->limits = stabilityLimits(this->device->info(), loop);
-    }
-    const DeviceInfo& info = this->device->info();
-    const double stiffness_N_per_m =
-      std::min({ parameters.stiffness_N_per_m, this->limits.largest_N_per_m, info.heldStiffness_N_per_m.value });
-    if (parameters.walls.hold && info.closesWalls() && stiffness_N_per_m != this->viscousAt_N_per_m_)
-    {
-      this->viscousAt_N_per_m_ = stiffness_N_per_m;
-      this->viscosity_Ns_per_m_ = corridorViscosity(info, stiffness_N_per_m);
-    }
-    this->adapted = adaptToDevice(parameters, info, this->limits, this->viscosity_Ns_per_m_);
-    this->adapted.ballLead = this->lead;
-    double& rubs = this->adapted.contact.friction.kinetic;
-    rubs = lever_u > 0.0 ? std::min(rubs, largestToolFriction) : rubs;
-  }
+  void adapt(const HapticParameters& parameters, double lever_u, bool first);
 
 private:
   LoopSettings loop_;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "haptics/session/ServoLoop.h"
+#include "haptics/session/LoopReport.h"
 #include "haptics/tick/HapticState.h"
 
 namespace palpate

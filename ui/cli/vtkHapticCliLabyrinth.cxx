@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "devices/simulated/LabyrinthRun.h"
-#include "haptics/session/PathTouch.h"
+#include "haptics/session/path/PathTouch.h"
 #include "vtkHapticCliCommands.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"

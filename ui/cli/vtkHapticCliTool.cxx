@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/session/ToolTouch.h"
+#include "haptics/session/path/ToolTouch.h"
 #include "vtkHapticCliOutput.h"
 #include "vtkHapticCliPath.h"
 #include "vtkHapticCliProblem.h"

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "haptics/field/Smoothing.h"
-#include "haptics/session/PathTouch.h"
+#include "haptics/session/path/PathTouch.h"
 #include "haptics/session/scene/TouchedData.h"
 #include "haptics/session/settings/SessionSettings.h"
 #include "vtkHapticCliOutput.h"

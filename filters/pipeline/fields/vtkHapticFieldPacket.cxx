@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkHapticFieldPacket.h"
 
-#include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/bytes/RecordingLayout.h"
 #include "haptics/recording/inputs/Bricks.h"
 
 namespace

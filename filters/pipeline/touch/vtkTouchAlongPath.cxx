@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "haptics/field/Smoothing.h"
-#include "haptics/session/PathTouch.h"
+#include "haptics/session/path/PathTouch.h"
 #include "haptics/session/scene/TouchedData.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticHandPath.h"

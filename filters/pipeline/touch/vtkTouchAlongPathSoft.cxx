@@ -2,7 +2,7 @@
 // Over a body that gives way.
 #include <cmath>
 
-#include "haptics/session/PathTouch.h"
+#include "haptics/session/path/PathTouch.h"
 #include "vtkHapticMaterialArrays.h"
 #include "vtkHapticSoftBodyData.h"
 #include "vtkTouchAlongPath.h"

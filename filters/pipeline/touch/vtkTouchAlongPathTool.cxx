@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include "haptics/session/ToolTouch.h"
+#include "haptics/session/path/ToolTouch.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticConversion.h"
 #include "vtkHapticHandPath.h"

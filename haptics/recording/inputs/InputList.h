@@ -14,8 +14,8 @@
 #include "haptics/realtime/RecordedMailbox.h"
 #include "haptics/realtime/SnapshotMailbox.h"
 #include "haptics/realtime/TripleBuffer.h"
-#include "haptics/recording/ByteStream.h"
-#include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/bytes/ByteStream.h"
+#include "haptics/recording/bytes/RecordingLayout.h"
 #include "haptics/tick/ForceRenderer.h"
 
 namespace palpate

@@ -8,7 +8,7 @@
 
 #include "haptics/core/Checksum.h"
 #include "haptics/recording/Recording.h"
-#include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/bytes/RecordingLayout.h"
 
 namespace palpate
 {

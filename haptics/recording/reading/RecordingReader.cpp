@@ -6,7 +6,7 @@
 #include "haptics/recording/NamedParts.h"
 #include "haptics/recording/RecordedChunk.h"
 #include "haptics/recording/Recording.h"
-#include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/bytes/RecordingLayout.h"
 #include "haptics/recording/reading/RecordingHeader.h"
 
 namespace palpate
@@ -96,7 +96,8 @@ private:
     reader->read(chunk, this->recording_);
     if (!chunk.payload.ok() || chunk.payload.left() != 0)
     {
-      return "is damaged: a part of kind " + chunk.name + " is not what it should be, or another version of the program recorded it";
+      return "is damaged: a part of kind " + chunk.name +
+             " is not what it should be, or another version of the program recorded it";
     }
     return reader->kind.name == chunks::start.name && !isPossible(this->recording_) ? impossible : "";
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tuple>
 
-#include "haptics/recording/ByteStream.h"
 #include "haptics/recording/Recording.h"
+#include "haptics/recording/bytes/ByteStream.h"
 #include "haptics/recording/inputs/SceneLibrary.h"
 
 namespace palpate

@@ -11,19 +11,10 @@
 #include "haptics/recording/inputs/Mechanisms.h"
 #include "haptics/session/background/BackgroundWorker.h"
 #include "haptics/session/mechanism/MechanismBodies.h"
+#include "haptics/session/mechanism/MechanismChoice.h"
 
 namespace palpate
 {
-
-/// A mechanism that is to be felt.
-struct MechanismChoice
-{
-  std::shared_ptr<const MechanismInputs> inputs; ///< null: none
-  std::string name;
-  double rate_Hz = 30.0; ///< packets of its soft bodies a second, or as many as can be made
-
-  friend bool operator==(const MechanismChoice&, const MechanismChoice&) = default;
-};
 
 /// How a mechanism is, for a person to see.
 struct MechanismStatus

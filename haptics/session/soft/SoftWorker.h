@@ -8,20 +8,11 @@
 
 #include "haptics/recording/inputs/Bodies.h"
 #include "haptics/session/background/BackgroundWorker.h"
+#include "haptics/session/soft/SoftChoice.h"
 #include "haptics/session/soft/VirtualBody.h"
 
 namespace palpate
 {
-
-/// A soft body that is to be touched.
-struct SoftChoice
-{
-  std::shared_ptr<const SoftBodyInput> input; ///< null: none
-  std::string name;
-  double rate_Hz = 30.0; ///< packets a second, or as many as can be made
-
-  friend bool operator==(const SoftChoice&, const SoftChoice&) = default;
-};
 
 /// How a soft body is, for a person to see.
 struct SoftStatus

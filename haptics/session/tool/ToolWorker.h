@@ -9,25 +9,12 @@
 #include "haptics/contact/view/KnownPart.h"
 #include "haptics/geometry/scene/Scene.h"
 #include "haptics/session/background/BackgroundWorker.h"
+#include "haptics/session/tool/ToolChoice.h"
 #include "haptics/tool/worker/HandHistory.h"
 #include "haptics/tool/worker/ToolFollower.h"
 
 namespace palpate
 {
-
-/// A tool that a hand holds in place of the ball.
-struct ToolChoice
-{
-  std::shared_ptr<const ToolMesh> tool; ///< null: none
-  double lever_u = 0.0;                 ///< what a turn by 1 rad weighs as a way; 0: the tool's own
-
-  /// The lever that counts; 0: no tool.
-  [[nodiscard]] double weighs_u() const noexcept
-  {
-    return !this->tool ? 0.0 : this->lever_u > 0.0 ? this->lever_u : this->tool->gyration_u;
-  }
-  friend bool operator==(const ToolChoice&, const ToolChoice&) = default;
-};
 
 /// How a tool is, for a person to read.
 struct ToolStatus

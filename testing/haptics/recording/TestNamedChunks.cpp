@@ -10,7 +10,7 @@
 
 #include "haptics/recording/RecordedStages.h"
 #include "haptics/recording/Recording.h"
-#include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/bytes/RecordingLayout.h"
 #include "haptics/tick/StageFields.h"
 #include "testing/haptics/recording/FixtureSessions.h"
 #include "testing/haptics/recording/RecordingBytes.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/recording/RecordingLayout.h"
+#include "haptics/recording/bytes/RecordingLayout.h"
 #include "haptics/recording/inputs/Tools.h"
 
 namespace palpate

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "SoftBlock.h"
-#include "haptics/session/PathTouch.h"
+#include "haptics/session/path/PathTouch.h"
 
 namespace palpate::test
 {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/geometry/curves/CurveSet.h"
-#include "haptics/session/PathTouch.h"
+#include "haptics/session/path/PathTouch.h"
 #include "haptics/session/scene/TouchedData.h"
 #include "testing/support/Meshes.h"
 #include "testing/support/Random.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/session/ToolTouch.h"
+#include "haptics/session/path/ToolTouch.h"
 
 #include <cmath>
 #include <utility>

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "haptics/recording/ByteStream.h"
+#include "haptics/recording/bytes/ByteStream.h"
 
 namespace palpate
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/session/PathTouch.h"
+#include "haptics/session/path/PathTouch.h"
 
 #include <limits>
 #include <optional>

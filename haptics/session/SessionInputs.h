@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "haptics/session/HapticSession.h"
+#include "haptics/session/Recordings.h"
+#include "haptics/session/ServoLoop.h"
+
+namespace palpate
+{
+
+// The inputs of the tick are of every kind, and with their headers comes most of the core: whoever publishes those that
+// have a method of their own needs only HapticSession.h.
+
+/// Those that the owner published last.
+struct HapticSession::Inputs : TickInputs::Each<input::OwnedInput>
+{
+};
+
+template<class K>
+void HapticSession::setInput(std::shared_ptr<const typename K::Value> value)
+{
+  std::get<input::OwnedInput<K>>(*this->inputs_).value = value;
+  if (ServoLinks* const links = this->links())
+  {
+    this->recordings().store<K>(value);
+    K::buffer(*links).publish(std::move(value));
+  }
+}
+
+template<class K>
+const std::shared_ptr<const typename K::Value>& HapticSession::inputNow() const noexcept
+{
+  return std::get<input::OwnedInput<K>>(*this->inputs_).value;
+}
+
+} // namespace palpate

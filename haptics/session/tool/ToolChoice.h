@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "haptics/tool/mesh/ToolMesh.h"
+
+namespace palpate
+{
+
+/// A tool that a hand holds in place of the ball.
+struct ToolChoice
+{
+  std::shared_ptr<const ToolMesh> tool; ///< null: none
+  double lever_u = 0.0;                 ///< what a turn by 1 rad weighs as a way; 0: the tool's own
+
+  /// The lever that counts; 0: no tool.
+  [[nodiscard]] double weighs_u() const noexcept
+  {
+    return !this->tool ? 0.0 : this->lever_u > 0.0 ? this->lever_u : this->tool->gyration_u;
+  }
+  friend bool operator==(const ToolChoice&, const ToolChoice&) = default;
+};
+
+} // namespace palpate
